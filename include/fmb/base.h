@@ -1,0 +1,91 @@
+/* fmb/base.h: words that every other header uses.
+ *
+ * Four words are kept apart: a *status* says whether a call worked, a *verdict* is the answer,
+ * a *stop* says why a query ended, a *trust* how sure the answer is. Running into a limit is a
+ * result (fmb_stop), not an error (fmb_status).
+ *
+ * Ownership: only functions marked [give] hand out objects; each has one *_free, which accepts
+ * NULL. Nothing takes over an argument. Out arguments are untouched unless FMB_OK is returned.
+ * Threads: const arguments may be shared; any other object belongs to one thread at a time. The
+ * library keeps no globals, starts no threads, prints nothing and never exits.
+ */
+#ifndef FMB_BASE_H
+#define FMB_BASE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#ifdef __GNUC__
+#define FMB_API     __attribute__((visibility("default")))
+#define FMB_CHECKED __attribute__((warn_unused_result))
+#else
+#define FMB_API
+#define FMB_CHECKED
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Did the call work? */
+typedef enum fmb_status {
+    FMB_OK = 0,
+    FMB_ERR_ARG,    /* argument out of range, wrong shape, NaN or infinity */
+    FMB_ERR_MEMORY, /* allocation failed; all objects stay valid and freeable */
+    FMB_ERR_PARSE,  /* malformed text; position and reason in fmb_where */
+    FMB_ERR_IO,     /* stream failed; errno holds the cause */
+    FMB_ERR_RULE,   /* rule unknown, or unsound for this query or beside another rule */
+    FMB_ERR_STATE   /* nothing to report yet: no query has finished on this solver */
+} fmb_status;
+
+/* The answer. Zero is "unknown", so forgotten memory never reads as an answer. */
+typedef enum fmb_verdict { FMB_UNKNOWN = 0, FMB_FEASIBLE, FMB_INFEASIBLE } fmb_verdict;
+
+/* How the answer was obtained. */
+typedef enum fmb_trust { FMB_TRUST_NONE = 0, FMB_TRUST_FLOAT, FMB_TRUST_EXACT } fmb_trust;
+
+/* Why a query ended. */
+typedef enum fmb_stop {
+    FMB_STOP_DONE = 0,
+    FMB_STOP_TIME,     /* options.max_seconds passed */
+    FMB_STOP_ROWS,     /* options.max_rows live rows exceeded */
+    FMB_STOP_BYTES,    /* options.max_bytes of workspace exceeded */
+    FMB_STOP_CANCELLED /* fmb_solver_cancel was called */
+} fmb_stop;
+
+/* Relation of a row a.x REL b. */
+typedef enum fmb_rel { FMB_LE = 0, FMB_LT, FMB_EQ } fmb_rel;
+
+/* Which end of an interval. */
+typedef enum fmb_side { FMB_LOWER = 0, FMB_UPPER } fmb_side;
+
+/* Allocator; NULL wherever one is expected means malloc, realloc and free. resize(self, NULL, 0, n)
+ * allocates, resize(self, p, n, 0) frees and returns NULL. Sizes are in bytes. The limbs of GMP
+ * integers come from GMP's own allocator. The struct is copied; self must outlive its users. */
+typedef struct fmb_alloc {
+    void *(*resize)(void *self, void *p, size_t old_bytes, size_t new_bytes);
+    void *self;
+} fmb_alloc;
+
+/* Where a text went wrong, and what was expected there. line and column start at 1 (column counts
+ * bytes); 0 means the text as a whole. */
+typedef struct fmb_where {
+    long line, column;
+    char text[160];
+} fmb_where;
+
+/* "major.minor.patch", static. */
+FMB_API const char *fmb_version(void);
+
+/* One line in English for each status, verdict or stop; static, never NULL. Stops and verdicts are
+ * the words of the JSON reports ("time", "feasible"). */
+FMB_API const char *fmb_status_text(fmb_status st);
+FMB_API const char *fmb_verdict_text(fmb_verdict v);
+FMB_API const char *fmb_stop_text(fmb_stop s);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,16 @@
+/* fmb/fmb.h: everything but the exact values (<fmb/gmp.h>).
+ *
+ *   text -> fmb_system -> fmb_solver -> fmb_result + fmb_evidence -> fmb_check
+ */
+#ifndef FMB_FMB_H
+#define FMB_FMB_H
+
+#include <fmb/base.h>
+#include <fmb/io.h>
+#include <fmb/options.h>
+#include <fmb/proof.h>
+#include <fmb/solve.h>
+#include <fmb/system.h>
+#include <fmb/trace.h>
+
+#endif

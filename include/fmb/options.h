@@ -1,0 +1,65 @@
+/* fmb/options.h: how to solve, by value, from one table.
+ *
+ * The table feeds bounds checks, `fmb --help` and the man page.
+ */
+#ifndef FMB_OPTIONS_H
+#define FMB_OPTIONS_H
+
+#include <fmb/base.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum fmb_arith {
+    FMB_ARITH_AUTO = 0, /* the best for the question; today the same as INT */
+    FMB_ARITH_INT,      /* int64 rows, each widening to 128 bits and GMP when it must */
+    FMB_ARITH_GMP       /* GMP rows from the start */
+} fmb_arith;
+
+typedef enum fmb_method {
+    FMB_METHOD_AUTO = 0, /* by size and question */
+    FMB_METHOD_FM,       /* Fourier-Motzkin elimination only */
+    FMB_METHOD_LP        /* exact simplex only (fmb_project still eliminates) */
+} fmb_method;
+
+/* Which variable is eliminated next. */
+typedef enum fmb_order {
+    FMB_ORDER_PAIRS = 0, /* least p*q - p - q, with p and q rows of either sign */
+    FMB_ORDER_GIVEN,     /* by index */
+    FMB_ORDER_MIN,       /* least min(p, q) */
+    FMB_ORDER_FILL       /* least number of nonzeros in the combined rows */
+} fmb_order;
+
+typedef struct fmb_options {
+    fmb_arith arith;
+    fmb_method method;
+    fmb_order order;
+    const char *rules;  /* comma list of pruning rules, "none", or NULL for the default; borrowed */
+    bool evidence;      /* keep proofs, so that fmb_solver_evidence works */
+    double max_seconds; /* wall clock per query [s]; 0 = no limit */
+    size_t max_rows;    /* live rows [rows]; 0 = no limit */
+    size_t max_bytes;   /* workspace [bytes]; 0 = no limit */
+} fmb_options;
+
+FMB_API fmb_options fmb_options_default(void);
+
+/* Set one field by name from text ("max_seconds", "2.5"). Errors: ARG (unknown name, or a value out
+ * of range). Rule names are checked by fmb_solver_new. */
+FMB_API FMB_CHECKED fmb_status fmb_options_set(fmb_options *o, const char *name, const char *value);
+
+/* One line of the table. */
+typedef struct fmb_option_info {
+    const char *name;    /* as fmb_options_set takes it; the command line writes '-' for '_' */
+    const char *values;  /* "auto|int|gmp", or the unit of a number */
+    const char *initial; /* the default, as text */
+    const char *meaning; /* one sentence */
+} fmb_option_info;
+
+/* The i-th option, NULL past the end. */
+FMB_API const fmb_option_info *fmb_options_describe(size_t i);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,67 @@
+/* fmb/proof.h: evidence, and the small independent program that judges it.
+ *
+ * The solver proposes, fmb_check disposes. Evidence is a list of claims about one system, each with
+ * the exact numbers that prove it: a point, a ray, Farkas multipliers. docs/proof-format.md gives
+ * the text form and the meaning of every claim; <fmb/gmp.h> the exact values.
+ * Source: Schrijver, Theory of Linear and Integer Programming, 1986, section 7.3 (Farkas' lemma
+ * with strict rows: Motzkin's transposition theorem, section 7.8).
+ */
+#ifndef FMB_PROOF_H
+#define FMB_PROOF_H
+
+#include <fmb/system.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct fmb_evidence fmb_evidence;
+
+typedef enum fmb_claim_kind {
+    FMB_CLAIM_NONE = 0,
+    FMB_CLAIM_FEASIBLE,   /* point: satisfies every row */
+    FMB_CLAIM_INFEASIBLE, /* multipliers: their combination reads 0 <= negative, or 0 < 0 */
+    FMB_CLAIM_BOUND,      /* var, side, value, rel: multipliers prove it, point shows it tight */
+    FMB_CLAIM_UNBOUNDED,  /* var, side: ray */
+    FMB_CLAIM_IMPLIED,    /* an inequality (fmb_claim_terms): multipliers prove it */
+    FMB_CLAIM_REDUNDANT,  /* row: follows from rows that stay (no claim REDUNDANT names them) */
+    FMB_CLAIM_EQUALITY,   /* row: holds with equality everywhere: multipliers prove the reverse */
+    FMB_CLAIM_IRREDUNDANT /* row: point satisfies the other rows that stay, and not this one */
+} fmb_claim_kind;
+
+FMB_API void fmb_evidence_free(fmb_evidence *e);
+/* Number of claims, and the kind of claim i. */
+FMB_API size_t fmb_evidence_claims(const fmb_evidence *e);
+FMB_API fmb_claim_kind fmb_evidence_kind(const fmb_evidence *e, size_t i);
+/* The row a claim is about, or SIZE_MAX; the variable, or -1. */
+FMB_API size_t fmb_evidence_row(const fmb_evidence *e, size_t i);
+FMB_API int fmb_evidence_var(const fmb_evidence *e, size_t i);
+
+/* The multiplier of row r in claim i (0 if absent), and coordinate j of its point, both as the
+ * nearest double (0 where the claim has none). */
+FMB_API double fmb_evidence_multiplier(const fmb_evidence *e, size_t i, size_t r);
+FMB_API double fmb_evidence_coordinate(const fmb_evidence *e, size_t i, int j);
+
+/* [give] Read the text form. Names of variables are those of s. Errors: PARSE, IO, MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_evidence_read(FILE *in, const fmb_system *s, fmb_evidence **out,
+                                                 fmb_where *where);
+FMB_API FMB_CHECKED fmb_status fmb_evidence_write(const fmb_evidence *e, const fmb_system *s,
+                                                  FILE *out);
+
+/* What fmb_check found. */
+typedef struct fmb_judgement {
+    bool accepted;       /* every claim holds, and there is at least one */
+    fmb_verdict verdict; /* what the accepted claims say of the system, UNKNOWN if nothing */
+    size_t claim;        /* first claim that fails, SIZE_MAX if none */
+    char reason[160];    /* why it fails */
+} fmb_judgement;
+
+/* Judge all claims of e about s in exact arithmetic. Shares no code with elimination or simplex.
+ * Errors: ARG (e was made for another shape of system), MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_check(const fmb_system *s, const fmb_evidence *e,
+                                         fmb_judgement *out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,45 @@
+/* mem.h: every byte the library allocates goes through an fmb_mem.
+ *
+ * Invariants: used is the sum of all live blocks and charges [bytes], used <= limit when limit > 0.
+ * The limbs of GMP integers come from GMP's allocator; their owners charge them here, so that a
+ * limit on bytes counts them too.
+ */
+#ifndef FMB_BASE_MEM_H
+#define FMB_BASE_MEM_H
+
+#include <fmb/base.h>
+
+/* A status that never leaves the library: a limit was reached, and fmb_run knows which. */
+#define FMB_LIMIT ((fmb_status)100)
+
+typedef struct fmb_mem {
+    fmb_alloc alloc;
+    size_t used, peak, limit; /* [bytes]; limit 0 = none */
+    bool over;                /* the last failure was the limit, not the allocator */
+} fmb_mem;
+
+/* hook NULL means malloc. */
+void fmb_mem_init(fmb_mem *m, const fmb_alloc *hook, size_t limit);
+
+/* count * size bytes, or NULL: then fmb_mem_status says why. A request of 0 bytes gets a block. */
+void *fmb_mem_get(fmb_mem *m, size_t count, size_t size);
+void *fmb_mem_zero(fmb_mem *m, size_t count, size_t size);
+/* A block of old * size bytes becomes one of count * size; on NULL the old one still stands. */
+void *fmb_mem_grow(fmb_mem *m, void *p, size_t old, size_t count, size_t size);
+void fmb_mem_put(fmb_mem *m, void *p, size_t count, size_t size);
+
+/* Grow *p, an array of *capacity elements, to hold at least need, by doubling. */
+fmb_status fmb_mem_reserve(fmb_mem *m, void **p, size_t *capacity, size_t need, size_t size);
+
+/* Count bytes that come from elsewhere; false (nothing charged) if the limit forbids it. */
+bool fmb_mem_charge(fmb_mem *m, size_t bytes);
+void fmb_mem_refund(fmb_mem *m, size_t bytes);
+
+/* FMB_LIMIT or FMB_ERR_MEMORY, after a failure. */
+fmb_status fmb_mem_status(const fmb_mem *m);
+
+/* A copy of a string, released with fmb_mem_put_text. */
+char *fmb_mem_text(fmb_mem *m, const char *s);
+void fmb_mem_put_text(fmb_mem *m, char *s);
+
+#endif

@@ -1,0 +1,319 @@
+/* vec.c: vectors of integers that widen; see vec.h. */
+#include "num/vec.h"
+
+#include <string.h>
+
+#include "num/gcd.h"
+
+static size_t limb_bytes(mpz_t *z, size_t n)
+{
+    size_t limbs = 0;
+    for (size_t i = 0; i < n; i++)
+        limbs += mpz_size(z[i]);
+    return limbs * sizeof(mp_limb_t);
+}
+
+fmb_status fmb_num_init(fmb_num *k, fmb_mem *mem, size_t n, bool wide_only)
+{
+    *k = (fmb_num){.mem = mem, .wide_only = wide_only};
+    k->scratch = fmb_mem_get(mem, n, sizeof *k->scratch);
+    if (!k->scratch)
+        return fmb_mem_status(mem);
+    k->scratch_size = n;
+    mpz_inits(k->p, k->q, k->t, NULL);
+    return FMB_OK;
+}
+
+void fmb_num_clear(fmb_num *k)
+{
+    if (!k->scratch)
+        return;
+    fmb_mem_put(k->mem, k->scratch, k->scratch_size, sizeof *k->scratch);
+    mpz_clears(k->p, k->q, k->t, NULL);
+    k->scratch = NULL;
+}
+
+void fmb_vec_clear(fmb_vec *v, size_t n, fmb_mem *mem)
+{
+    if (!v->z)
+        return;
+    for (size_t i = 0; i < n; i++)
+        mpz_clear(v->z[i]);
+    fmb_mem_put(mem, v->z, n, sizeof *v->z);
+    v->z = NULL;
+}
+
+void fmb_vec_get(const fmb_vec *v, size_t i, mpz_t out)
+{
+    if (v->z)
+        mpz_set(out, v->z[i]);
+    else
+        mpz_set_si(out, v->s[i]);
+}
+
+void fmb_vec_measure(fmb_vec *v, size_t n)
+{
+    uint64_t all = 0;
+    for (size_t i = 0; i < n; i++)
+        all |= fmb_abs64(v->s[i]);
+    v->bits = fmb_bits64(all);
+}
+
+/* A block of n GMP zeros, or NULL. Checked against the limit with the limbs that `like` has. */
+static mpz_t *wide_block(size_t n, size_t limbs, fmb_mem *mem)
+{
+    if (mem->limit && mem->used + limbs > mem->limit) {
+        mem->over = true;
+        return NULL;
+    }
+    mpz_t *z = fmb_mem_get(mem, n, sizeof *z);
+    if (!z)
+        return NULL;
+    for (size_t i = 0; i < n; i++)
+        mpz_init(z[i]);
+    return z;
+}
+
+fmb_status fmb_vec_set_z(fmb_vec *v, size_t n, mpz_t *from, fmb_mem *mem)
+{
+    size_t bits = 0;
+    for (size_t i = 0; i < n; i++) {
+        size_t b = mpz_sizeinbase(from[i], 2);
+        bits = b > bits ? b : bits;
+    }
+    if (bits <= FMB_SMALL_BITS) {
+        fmb_vec_clear(v, n, mem);
+        for (size_t i = 0; i < n; i++)
+            v->s[i] = mpz_get_si(from[i]);
+        fmb_vec_measure(v, n);
+        return FMB_OK;
+    }
+    if (!v->z) {
+        v->z = wide_block(n, limb_bytes(from, n), mem);
+        if (!v->z)
+            return fmb_mem_status(mem);
+    }
+    for (size_t i = 0; i < n; i++)
+        mpz_set(v->z[i], from[i]);
+    return FMB_OK;
+}
+
+fmb_status fmb_vec_widen(fmb_vec *v, size_t n, fmb_mem *mem)
+{
+    if (v->z)
+        return FMB_OK;
+    mpz_t *z = wide_block(n, n * sizeof(mp_limb_t), mem);
+    if (!z)
+        return fmb_mem_status(mem);
+    for (size_t i = 0; i < n; i++)
+        mpz_set_si(z[i], v->s[i]);
+    v->z = z;
+    return FMB_OK;
+}
+
+fmb_status fmb_vec_copy(fmb_vec *to, const fmb_vec *from, size_t n, fmb_mem *mem)
+{
+    if (from->z) {
+        if (!to->z)
+            to->z = wide_block(n, limb_bytes(from->z, n), mem);
+        if (!to->z)
+            return fmb_mem_status(mem);
+        for (size_t i = 0; i < n; i++)
+            mpz_set(to->z[i], from->z[i]);
+        return FMB_OK;
+    }
+    fmb_vec_clear(to, n, mem);
+    memcpy(to->s, from->s, n * sizeof *to->s);
+    to->bits = from->bits;
+    return FMB_OK;
+}
+
+static void reduce_small(fmb_vec *v, size_t n)
+{
+    uint64_t g = 0;
+    for (size_t i = 0; i < n && g != 1; i++)
+        if (v->s[i] != 0)
+            g = fmb_gcd64(g, fmb_abs64(v->s[i]));
+    if (g > 1)
+        for (size_t i = 0; i < n; i++)
+            v->s[i] /= (int64_t)g;
+    fmb_vec_measure(v, n);
+}
+
+fmb_status fmb_vec_reduce(fmb_vec *v, size_t n, fmb_num *k)
+{
+    if (!v->z) {
+        reduce_small(v, n);
+        return k->wide_only ? fmb_vec_widen(v, n, k->mem) : FMB_OK;
+    }
+    size_t bits = 0;
+    mpz_set_ui(k->t, 0);
+    for (size_t i = 0; i < n && mpz_cmp_ui(k->t, 1) != 0; i++)
+        mpz_gcd(k->t, k->t, v->z[i]);
+    for (size_t i = 0; i < n; i++) {
+        if (mpz_cmp_ui(k->t, 1) > 0)
+            mpz_divexact(v->z[i], v->z[i], k->t);
+        size_t b = mpz_sizeinbase(v->z[i], 2);
+        bits = b > bits ? b : bits;
+    }
+    if (bits > FMB_SMALL_BITS || k->wide_only)
+        return FMB_OK;
+    for (size_t i = 0; i < n; i++)
+        v->s[i] = mpz_get_si(v->z[i]);
+    fmb_vec_clear(v, n, k->mem);
+    fmb_vec_measure(v, n);
+    return FMB_OK;
+}
+
+/* ---- cancelling an entry: three widths, one formula ------------------------------------------ */
+
+static fmb_u128 abs128(fmb_i128 v)
+{
+    return v < 0 ? 0 - (fmb_u128)v : (fmb_u128)v;
+}
+
+static fmb_status set_from_scratch(fmb_vec *dst, size_t n, fmb_num *k, fmb_u128 all)
+{
+    const fmb_i128 *w = k->scratch;
+    if (all >> FMB_SMALL_BITS == 0) {
+        fmb_vec_clear(dst, n, k->mem);
+        for (size_t i = 0; i < n; i++)
+            dst->s[i] = (int64_t)w[i];
+        return FMB_OK;
+    }
+    k->promotions++;
+    if (!dst->z)
+        dst->z = wide_block(n, n * sizeof(fmb_i128), k->mem);
+    if (!dst->z)
+        return fmb_mem_status(k->mem);
+    for (size_t i = 0; i < n; i++) {
+        fmb_u128 m = abs128(w[i]);
+        mpz_set_ui(dst->z[i], (uint64_t)(m >> 64));
+        mpz_mul_2exp(dst->z[i], dst->z[i], 64);
+        mpz_add_ui(dst->z[i], dst->z[i], (uint64_t)m);
+        if (w[i] < 0)
+            mpz_neg(dst->z[i], dst->z[i]);
+    }
+    return FMB_OK;
+}
+
+static fmb_u128 gcd128(fmb_u128 a, fmb_u128 b)
+{
+    while (b != 0) {
+        if (a >> 64 == 0 && b >> 64 == 0)
+            return fmb_gcd64((uint64_t)a, (uint64_t)b);
+        fmb_u128 r = a % b;
+        a = b;
+        b = r;
+    }
+    return a;
+}
+
+/* p a + q b in 128 bits, divided by its content before it is stored. */
+static fmb_status cancel_128(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size_t n, int64_t p,
+                             int64_t q, fmb_num *k)
+{
+    fmb_i128 *w = k->scratch;
+    fmb_u128 g = 0, all = 0;
+    for (size_t i = 0; i < n; i++) {
+        w[i] = (fmb_i128)p * a->s[i] + (fmb_i128)q * b->s[i];
+        if (g != 1)
+            g = gcd128(g, abs128(w[i]));
+    }
+    for (size_t i = 0; i < n; i++) {
+        if (g > 1)
+            w[i] /= (fmb_i128)g;
+        all |= abs128(w[i]);
+    }
+    fmb_status st = set_from_scratch(dst, n, k, all);
+    if (st == FMB_OK && !dst->z)
+        fmb_vec_measure(dst, n);
+    return st;
+}
+
+static fmb_status cancel_small(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size_t n, size_t c,
+                               fmb_num *k)
+{
+    uint64_t ac = fmb_abs64(a->s[c]), bc = fmb_abs64(b->s[c]), g = fmb_gcd64(ac, bc);
+    int64_t p = (int64_t)(bc / g), q = (int64_t)(ac / g);
+    int pa = fmb_bits64((uint64_t)p) + a->bits, qb = fmb_bits64((uint64_t)q) + b->bits;
+    if ((a->s[c] > 0) == (b->s[c] > 0))
+        q = -q;
+    if ((pa > qb ? pa : qb) + 1 > FMB_SMALL_BITS)
+        return cancel_128(dst, a, b, n, p, q, k);
+    fmb_vec_clear(dst, n, k->mem);
+    for (size_t i = 0; i < n; i++)
+        dst->s[i] = p * a->s[i] + q * b->s[i];
+    reduce_small(dst, n);
+    return FMB_OK;
+}
+
+/* Entry i of v as an mpz, without copying a wide one. */
+static mpz_srcptr entry(const fmb_vec *v, size_t i, mpz_t room)
+{
+    if (v->z)
+        return v->z[i];
+    mpz_set_si(room, v->s[i]);
+    return room;
+}
+
+static fmb_status cancel_wide(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size_t n, size_t c,
+                              fmb_num *k)
+{
+    mpz_t *z = dst->z; /* entry i is read before it is written: dst may be a */
+    if (!z)
+        z = wide_block(n, n * 2 * sizeof(mp_limb_t), k->mem);
+    if (!z)
+        return fmb_mem_status(k->mem);
+    fmb_vec_get(a, c, k->q);
+    fmb_vec_get(b, c, k->p);
+    mpz_gcd(k->t, k->p, k->q);
+    mpz_divexact(k->p, k->p, k->t);
+    mpz_divexact(k->q, k->q, k->t);
+    if (mpz_sgn(k->p) < 0)
+        mpz_neg(k->p, k->p);
+    else
+        mpz_neg(k->q, k->q);
+    for (size_t i = 0; i < n; i++) {
+        mpz_mul(z[i], k->p, entry(a, i, k->t));
+        mpz_addmul(z[i], k->q, entry(b, i, k->t));
+    }
+    k->promotions += dst->z == NULL;
+    dst->z = z;
+    return fmb_vec_reduce(dst, n, k);
+}
+
+fmb_status fmb_vec_cancel(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size_t n, size_t c,
+                          fmb_num *k)
+{
+    fmb_status st =
+        a->z || b->z ? cancel_wide(dst, a, b, n, c, k) : cancel_small(dst, a, b, n, c, k);
+    if (st == FMB_OK && k->wide_only)
+        st = fmb_vec_widen(dst, n, k->mem);
+    return st;
+}
+
+bool fmb_vec_equal(const fmb_vec *a, const fmb_vec *b, size_t n)
+{
+    if (!a->z && !b->z)
+        return memcmp(a->s, b->s, n * sizeof *a->s) == 0;
+    for (size_t i = 0; i < n; i++) {
+        int same = a->z && b->z ? mpz_cmp(a->z[i], b->z[i])
+                   : a->z       ? mpz_cmp_si(a->z[i], b->s[i])
+                                : mpz_cmp_si(b->z[i], a->s[i]);
+        if (same != 0)
+            return false;
+    }
+    return true;
+}
+
+uint64_t fmb_vec_hash(const fmb_vec *v, size_t n)
+{
+    uint64_t h = 0x9e3779b97f4a7c15u;
+    for (size_t i = 0; i < n; i++) {
+        uint64_t low = v->z ? (uint64_t)mpz_get_ui(v->z[i]) : fmb_abs64(v->s[i]);
+        h = (h ^ (fmb_vec_sgn(v, i) < 0 ? ~low : low)) * 0xff51afd7ed558ccdu;
+        h ^= h >> 32;
+    }
+    return h;
+}

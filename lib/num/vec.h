@@ -1,0 +1,78 @@
+/* vec.h: vectors of integers that start as int64 and widen, each by itself, to GMP.
+ *
+ * A vec of n entries is *small* (z == NULL; entries in s, every |entry| < 2^bits, bits <= 62) or
+ * *wide* (entries in z). The n words at s are the owner's in either case, so that a wide vec can
+ * become small again; z belongs to the vec. The bound on the bits tells before multiplying whether
+ * int64 or 128 bits are safe: nothing ever wraps.
+ */
+#ifndef FMB_NUM_VEC_H
+#define FMB_NUM_VEC_H
+
+#include <gmp.h>
+
+#include "base/mem.h"
+
+#define FMB_SMALL_BITS 62
+
+__extension__ typedef __int128 fmb_i128;
+__extension__ typedef unsigned __int128 fmb_u128;
+
+typedef struct fmb_vec {
+    int64_t *s;
+    mpz_t *z;
+    int bits;
+} fmb_vec;
+
+/* What the operations need: where wide entries are allocated, and scratch. */
+typedef struct fmb_num {
+    fmb_mem *mem;
+    bool wide_only;      /* keep every vec wide (options.arith = gmp) */
+    uint64_t promotions; /* small vecs that became wide */
+    mpz_t p, q, t;       /* scratch */
+    fmb_i128 *scratch;   /* [scratch_size] */
+    size_t scratch_size;
+} fmb_num;
+
+/* Scratch for vecs of at most n entries. Errors: MEMORY, LIMIT. */
+fmb_status fmb_num_init(fmb_num *k, fmb_mem *mem, size_t n, bool wide_only);
+void fmb_num_clear(fmb_num *k);
+
+/* Release z (not s); the vec is then small and undefined. */
+void fmb_vec_clear(fmb_vec *v, size_t n, fmb_mem *mem);
+
+static inline bool fmb_vec_is_wide(const fmb_vec *v)
+{
+    return v->z != NULL;
+}
+static inline int fmb_vec_sgn(const fmb_vec *v, size_t i)
+{
+    return v->z ? mpz_sgn(v->z[i]) : (v->s[i] > 0) - (v->s[i] < 0);
+}
+void fmb_vec_get(const fmb_vec *v, size_t i, mpz_t out);
+
+/* Recompute bits of a small vec whose s was filled in. |s[i]| < 2^62 is the caller's promise. */
+void fmb_vec_measure(fmb_vec *v, size_t n);
+
+/* Set from n integers: small if they fit, wide else. */
+fmb_status fmb_vec_set_z(fmb_vec *v, size_t n, mpz_t *from, fmb_mem *mem);
+/* *to = *from; to->s must have room. */
+fmb_status fmb_vec_copy(fmb_vec *to, const fmb_vec *from, size_t n, fmb_mem *mem);
+/* Make a small vec wide. */
+fmb_status fmb_vec_widen(fmb_vec *v, size_t n, fmb_mem *mem);
+
+/* Divide by the greatest common divisor of the entries; a vec of zeros stays. Wide vecs that fit
+ * become small again unless k->wide_only. */
+fmb_status fmb_vec_reduce(fmb_vec *v, size_t n, fmb_num *k);
+
+/* dst = (|b_c|/g) a - sgn(a_c b_c) (|a_c|/g) b with g = gcd(a_c, b_c), which makes entry c zero,
+ * then reduced. a_c and b_c must not be 0. a is always scaled by a positive number; b too when a_c
+ * and b_c have opposite signs. dst may be a. */
+fmb_status fmb_vec_cancel(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size_t n, size_t c,
+                          fmb_num *k);
+
+/* Equal in the first n entries. */
+bool fmb_vec_equal(const fmb_vec *a, const fmb_vec *b, size_t n);
+/* Equal vecs have equal hashes, whether small or wide. */
+uint64_t fmb_vec_hash(const fmb_vec *v, size_t n);
+
+#endif
