@@ -1,0 +1,67 @@
+/* arena.c: chunks in a list, each at least twice as large as needed at first; see arena.h. */
+#include "base/arena.h"
+
+#define FIRST_CHUNK   ((size_t)16384)
+#define LARGEST_CHUNK ((size_t)1 << 22)
+
+struct fmb_chunk {
+    fmb_chunk *next;
+    size_t size; /* [bytes] of data */
+    _Alignas(16) unsigned char data[];
+};
+
+void fmb_arena_init(fmb_arena *a, fmb_mem *mem)
+{
+    *a = (fmb_arena){.mem = mem};
+}
+
+/* Move on to a chunk with room for bytes: the next one if it is large enough, else a new one. */
+static bool advance(fmb_arena *a, size_t bytes)
+{
+    fmb_chunk *next = a->current ? a->current->next : a->first;
+    if (!next || next->size < bytes) {
+        size_t size = a->current ? 2 * a->current->size : FIRST_CHUNK;
+        size = size > LARGEST_CHUNK ? LARGEST_CHUNK : size;
+        size = size < bytes ? bytes : size;
+        fmb_chunk *fresh = fmb_mem_get(a->mem, sizeof *fresh + size, 1);
+        if (!fresh)
+            return false;
+        *fresh = (fmb_chunk){.next = next, .size = size};
+        *(a->current ? &a->current->next : &a->first) = fresh;
+        next = fresh;
+    }
+    a->current = next;
+    a->at = 0;
+    return true;
+}
+
+void *fmb_arena_get(fmb_arena *a, size_t count, size_t size)
+{
+    size_t bytes;
+    if (__builtin_mul_overflow(count, size, &bytes) || bytes > PTRDIFF_MAX / 2) {
+        a->mem->over = false;
+        return NULL;
+    }
+    bytes = (bytes + 15) & ~(size_t)15;
+    if ((!a->current || a->current->size - a->at < bytes) && !advance(a, bytes))
+        return NULL;
+    void *p = a->current->data + a->at;
+    a->at += bytes;
+    return p;
+}
+
+void fmb_arena_reset(fmb_arena *a)
+{
+    a->current = NULL;
+    a->at = 0;
+}
+
+void fmb_arena_clear(fmb_arena *a)
+{
+    for (fmb_chunk *c = a->first; c;) {
+        fmb_chunk *next = c->next;
+        fmb_mem_put(a->mem, c, sizeof *c + c->size, 1);
+        c = next;
+    }
+    fmb_arena_init(a, a->mem);
+}

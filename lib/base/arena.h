@@ -1,0 +1,24 @@
+/* arena.h: memory that is handed out piece by piece and taken back all at once.
+ *
+ * Chunks survive a reset, so that the second query of a solver allocates nothing.
+ */
+#ifndef FMB_BASE_ARENA_H
+#define FMB_BASE_ARENA_H
+
+#include "base/mem.h"
+
+typedef struct fmb_chunk fmb_chunk;
+
+typedef struct fmb_arena {
+    fmb_mem *mem;
+    fmb_chunk *first, *current;
+    size_t at; /* [bytes] used of current */
+} fmb_arena;
+
+void fmb_arena_init(fmb_arena *a, fmb_mem *mem);
+/* count * size bytes, aligned to 16, not zeroed; NULL: fmb_mem_status says why. */
+void *fmb_arena_get(fmb_arena *a, size_t count, size_t size);
+void fmb_arena_reset(fmb_arena *a);
+void fmb_arena_clear(fmb_arena *a);
+
+#endif

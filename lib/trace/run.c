@@ -1,0 +1,73 @@
+/* run.c: limits, counters and events of one query; see run.h. */
+#include "trace/run.h"
+
+#include <time.h>
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+void fmb_run_begin(fmb_run *run, fmb_mem *mem, const fmb_options *o, const atomic_int *cancel,
+                   fmb_sink sink, const char *query)
+{
+    *run = (fmb_run){.mem = mem, .cancel = cancel, .max_rows = o->max_rows, .sink = sink};
+    run->started = now();
+    if (o->max_seconds > 0)
+        run->deadline = run->started + o->max_seconds;
+    mem->limit = o->max_bytes;
+    mem->peak = mem->used;
+    fmb_run_emit(run, (fmb_event){.kind = FMB_EVENT_BEGIN, .var = -1, .name = query});
+}
+
+void fmb_run_end(fmb_run *run, fmb_verdict v)
+{
+    run->stats.seconds = now() - run->started;
+    run->stats.bytes_peak = run->mem->peak;
+    run->mem->limit = 0;
+    fmb_run_emit(run, (fmb_event){.kind = FMB_EVENT_END, .var = -1, .name = fmb_verdict_text(v)});
+}
+
+static fmb_status stop(fmb_run *run, fmb_stop why)
+{
+    if (run->stop == FMB_STOP_DONE)
+        run->stop = why;
+    return FMB_LIMIT;
+}
+
+fmb_status fmb_run_poll_now(fmb_run *run)
+{
+    if (run->stop != FMB_STOP_DONE)
+        return FMB_LIMIT;
+    if (atomic_load_explicit(run->cancel, memory_order_relaxed))
+        return stop(run, FMB_STOP_CANCELLED);
+    if (run->deadline > 0 && now() >= run->deadline)
+        return stop(run, FMB_STOP_TIME);
+    return FMB_OK;
+}
+
+fmb_status fmb_run_poll(fmb_run *run)
+{
+    if (run->stop == FMB_STOP_DONE && (++run->tick & 63) != 0)
+        return FMB_OK;
+    return fmb_run_poll_now(run);
+}
+
+fmb_status fmb_run_rows(fmb_run *run, size_t rows)
+{
+    if (rows > run->stats.rows_peak)
+        run->stats.rows_peak = rows;
+    if (run->max_rows > 0 && rows > run->max_rows)
+        return stop(run, FMB_STOP_ROWS);
+    return FMB_OK;
+}
+
+void fmb_run_emit(fmb_run *run, fmb_event e)
+{
+    if (!run->sink.put)
+        return;
+    e.seconds = now() - run->started;
+    run->sink.put(run->sink.self, &e);
+}

@@ -1,0 +1,43 @@
+/* run.h: what one query carries along: its memory, its limits, its counters, and who watches.
+ *
+ * Long loops call fmb_run_poll; once a limit is reached every later call says FMB_LIMIT too, and
+ * run->stop keeps the first reason. Nothing here is an error: the verbs turn FMB_LIMIT into a
+ * result.
+ */
+#ifndef FMB_TRACE_RUN_H
+#define FMB_TRACE_RUN_H
+
+#include <stdatomic.h>
+
+#include <fmb/options.h>
+#include <fmb/solve.h>
+#include <fmb/trace.h>
+
+#include "base/mem.h"
+
+typedef struct fmb_run {
+    fmb_mem *mem;
+    const atomic_int *cancel; /* not 0: stop */
+    fmb_stop stop;            /* the first limit reached */
+    double started, deadline; /* monotonic clock [s]; deadline 0 = none */
+    size_t max_rows;          /* live rows; 0 = none */
+    unsigned tick;            /* polls so far: the clock is read at every 64th */
+    fmb_stats stats;
+    fmb_sink sink;
+} fmb_run;
+
+void fmb_run_begin(fmb_run *run, fmb_mem *mem, const fmb_options *o, const atomic_int *cancel,
+                   fmb_sink sink, const char *query);
+/* Fill in the times and bytes of run->stats; tell the watcher the answer. */
+void fmb_run_end(fmb_run *run, fmb_verdict v);
+
+/* FMB_OK, or FMB_LIMIT when the query must stop. Cheap. */
+fmb_status fmb_run_poll(fmb_run *run);
+/* The same, with the clock read at every call: before long steps. */
+fmb_status fmb_run_poll_now(fmb_run *run);
+/* Note that `rows` rows are alive: keeps the peak, checks the limit. */
+fmb_status fmb_run_rows(fmb_run *run, size_t rows);
+
+void fmb_run_emit(fmb_run *run, fmb_event e);
+
+#endif
