@@ -1,0 +1,125 @@
+/* ask.c: see ask.h. The library's own table of options becomes options of the command line, so
+ * that a new line there needs no change here. */
+#include "common/ask.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "common/message.h"
+
+enum { MOST_OPTIONS = 24, FIRST_KEY = 0x1000, KEY_JSON = 'j', KEY_TRACE = 0x100, KEY_PROOF = 'p' };
+
+static const struct argp_option report_options[] = {
+    {"json", KEY_JSON, NULL, 0, "Print one JSON object instead of text", 2},
+    {"proof", KEY_PROOF, "OUT", 0,
+     "Write the evidence to OUT, for `fmb check`; - prints it instead of the report", 2},
+    {"trace", KEY_TRACE, "OUT", 0, "Write what the solver does to OUT, one JSON object a line", 2},
+    {0}};
+
+static error_t parse_report(int key, char *arg, struct argp_state *state)
+{
+    app_ask *ask = state->input;
+    switch (key) {
+    case KEY_JSON:
+        ask->json = true;
+        return 0;
+    case KEY_TRACE:
+        ask->trace = arg;
+        return 0;
+    case KEY_PROOF:
+        ask->proof = arg;
+        return 0;
+    case ARGP_KEY_END:
+        if (ask->json && app_ask_proof_only(ask))
+            argp_error(state, "--json and --proof - both want standard output");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp report_argp = {.options = report_options, .parser = parse_report};
+
+/* A command line asks for evidence by --proof, not by that option of the library. */
+static bool is_public(const fmb_option_info *info)
+{
+    return strcmp(info->name, "evidence") != 0;
+}
+
+static error_t parse_option(int key, char *arg, struct argp_state *state)
+{
+    app_ask *ask = state->input;
+    if (key < FIRST_KEY || key >= FIRST_KEY + MOST_OPTIONS)
+        return ARGP_ERR_UNKNOWN;
+    const fmb_option_info *info = fmb_options_describe((size_t)(key - FIRST_KEY));
+    if (fmb_options_set(&ask->options, info->name, arg) != FMB_OK)
+        argp_error(state, "--%s: '%s' is out of range (%s)", info->name, arg, info->values);
+    return 0;
+}
+
+/* The library's table in argp's form; what argp points to lives here. */
+typedef struct solver_table {
+    struct argp_option option[MOST_OPTIONS + 1];
+    char name[MOST_OPTIONS][32];
+    char value[MOST_OPTIONS][48];
+    char meaning[MOST_OPTIONS][200];
+} solver_table;
+
+static void fill_table(solver_table *t)
+{
+    *t = (solver_table){0};
+    size_t n = 0;
+    const fmb_option_info *info;
+    for (size_t i = 0; n < MOST_OPTIONS && (info = fmb_options_describe(i)); i++) {
+        if (!is_public(info))
+            continue;
+        snprintf(t->name[n], sizeof t->name[n], "%s", info->name);
+        for (char *c = t->name[n]; (c = strchr(c, '_'));)
+            *c = '-';
+        bool words = strchr(info->values, '|');
+        snprintf(t->value[n], sizeof t->value[n], "%s", words ? "WORD" : info->values);
+        snprintf(t->meaning[n], sizeof t->meaning[n], "%s: %s (default %s)", info->meaning,
+                 info->values, info->initial);
+        t->option[n] = (struct argp_option){.name = t->name[n],
+                                            .key = FIRST_KEY + (int)i,
+                                            .arg = t->value[n],
+                                            .doc = t->meaning[n],
+                                            .group = 3};
+        n++;
+    }
+}
+
+/* Each child gets its part of the question. */
+static error_t share_inputs(int key, char *arg, struct argp_state *state)
+{
+    (void)arg;
+    if (key != ARGP_KEY_INIT)
+        return ARGP_ERR_UNKNOWN;
+    app_ask *ask = state->input;
+    state->child_inputs[0] = &ask->source;
+    state->child_inputs[1] = ask;
+    state->child_inputs[2] = ask;
+    state->child_inputs[3] = ask->own_input;
+    return 0;
+}
+
+void app_ask_parse(app_ask *ask, const app_usage *usage, void *own_input, int argc, char **argv)
+{
+    *ask = (app_ask){.options = fmb_options_default(), .own_input = own_input};
+    ask->options.evidence = true;
+    solver_table table;
+    fill_table(&table);
+    const struct argp solver_argp = {.options = table.option, .parser = parse_option};
+    const struct argp_child children[] = {
+        {&app_source_argp, 0, NULL, 0}, {&report_argp, 0, NULL, 0}, {&solver_argp, 0, NULL, 0},
+        {usage->own, 0, NULL, 0},       {NULL, 0, NULL, 0},
+    };
+    const struct argp whole = {
+        .parser = share_inputs, .args_doc = usage->args, .doc = usage->doc, .children = children};
+    argp_parse(&whole, argc, argv, 0, NULL, ask);
+}
+
+bool app_ask_proof_only(const app_ask *ask)
+{
+    return ask->proof && strcmp(ask->proof, "-") == 0;
+}

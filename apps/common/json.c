@@ -1,0 +1,36 @@
+/* json.c: see json.h. */
+#include "common/json.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "common/message.h"
+#include "common/text.h"
+
+void app_json_set(json_t *obj, const char *key, json_t *value)
+{
+    if (json_object_set_new(obj, key, value) != 0)
+        exit(app_status_error(FMB_ERR_MEMORY));
+}
+
+void app_json_append(json_t *array, json_t *value)
+{
+    if (json_array_append_new(array, value) != 0)
+        exit(app_status_error(FMB_ERR_MEMORY));
+}
+
+json_t *app_json_text(const char *raw)
+{
+    char *text = app_text(raw, APP_TEXT_JSON);
+    json_t *value = json_string(text);
+    free(text);
+    return value;
+}
+
+void app_json_print(json_t *obj)
+{
+    if (json_dumpf(obj, stdout, JSON_INDENT(2)) != 0 && !ferror(stdout))
+        exit(app_status_error(FMB_ERR_MEMORY));
+    fputc('\n', stdout);
+    json_decref(obj);
+}

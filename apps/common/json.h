@@ -1,0 +1,15 @@
+/* json.h: JSON objects that are complete or not printed at all. */
+#ifndef APP_JSON_H
+#define APP_JSON_H
+
+#include <jansson.h>
+
+/* obj[key] = value; takes over value, which may be NULL only for want of memory (then it exits). */
+void app_json_set(json_t *obj, const char *key, json_t *value);
+void app_json_append(json_t *array, json_t *value);
+/* Any bytes as a string in valid UTF-8. */
+json_t *app_json_text(const char *raw);
+/* Print obj to standard output and give it up. */
+void app_json_print(json_t *obj);
+
+#endif

@@ -1,0 +1,105 @@
+/* session.c: see session.h. */
+#include "common/session.h"
+
+#include <stdarg.h>
+
+#include "common/file.h"
+#include "common/message.h"
+
+static int open_outputs(app_session *s)
+{
+    int code = APP_YES;
+    if (s->ask->trace)
+        code = app_file_create(s->ask->trace, &s->trace);
+    if (code == APP_YES && s->ask->proof)
+        code = app_file_create(s->ask->proof, &s->proof);
+    return code;
+}
+
+/* Outputs are opened after the input was read, as they may be the same file, and before the query,
+ * as nobody likes to hear after an hour that a folder is missing. */
+int app_session_open(app_session *s, const app_ask *ask)
+{
+    *s = (app_session){.ask = ask};
+    fmb_status st = fmb_solver_new(&ask->options, NULL, &s->solver);
+    if (st == FMB_ERR_RULE || st == FMB_ERR_ARG)
+        return app_error(APP_USAGE, "--rules '%s': %s",
+                         ask->options.rules ? ask->options.rules : "", fmb_status_text(st));
+    if (st != FMB_OK)
+        return app_status_error(st);
+    int code = app_source_read(&ask->source, &s->system);
+    return code == APP_YES ? open_outputs(s) : code;
+}
+
+void app_session_begin(app_session *s)
+{
+    fmb_sink trace = {NULL, NULL};
+    if (s->trace)
+        trace = fmb_sink_jsonl(s->trace);
+    app_watch_begin(&s->watch, s->solver, trace, s->ask->source.quiet);
+}
+
+int app_session_end(app_session *s, fmb_status st)
+{
+    app_watch_end(&s->watch);
+    if (st != FMB_OK || !s->ask->options.evidence)
+        return st == FMB_OK ? APP_YES : app_status_error(st);
+    st = fmb_solver_evidence(s->solver, &s->evidence);
+    return st == FMB_OK || st == FMB_ERR_STATE ? APP_YES : app_status_error(st);
+}
+
+bool app_session_reports(const app_session *s)
+{
+    return !app_ask_proof_only(s->ask);
+}
+
+int app_session_verdict_code(const app_session *s)
+{
+    switch (s->result.verdict) {
+    case FMB_FEASIBLE:
+        return APP_YES;
+    case FMB_INFEASIBLE:
+        return APP_NO;
+    case FMB_UNKNOWN:
+        break;
+    }
+    return APP_UNDECIDED;
+}
+
+void app_session_note(const app_session *s, const char *format, ...)
+{
+    if (s->ask->source.quiet)
+        return;
+    va_list args;
+    va_start(args, format);
+    fputs("fmb: ", stderr);
+    vfprintf(stderr, format, args);
+    fputc('\n', stderr);
+    va_end(args);
+}
+
+/* Errors of the stream stay in it until it is closed. */
+static int write_proof(app_session *s)
+{
+    if (!s->proof)
+        return APP_YES;
+    if (!s->evidence || fmb_evidence_claims(s->evidence) == 0) {
+        app_session_note(s, "nothing was proved: %s is empty", s->ask->proof);
+        return APP_YES;
+    }
+    fmb_status st = fmb_evidence_write(s->evidence, s->system, s->proof);
+    return st == FMB_OK || st == FMB_ERR_IO ? APP_YES : app_status_error(st);
+}
+
+int app_session_close(app_session *s, int code)
+{
+    int failed = write_proof(s);
+    int closed = app_file_close(s->proof, s->ask->proof);
+    failed = failed ? failed : closed;
+    closed = app_file_close(s->trace, s->ask->trace);
+    failed = failed ? failed : closed;
+    fmb_evidence_free(s->evidence);
+    fmb_system_free(s->system);
+    fmb_solver_free(s->solver);
+    return failed ? failed : code;
+}

@@ -1,0 +1,35 @@
+/* source.h: the FILE every command reads its system from. */
+#ifndef APP_SOURCE_H
+#define APP_SOURCE_H
+
+#include <argp.h>
+#include <fmb/io.h>
+
+typedef struct app_source {
+    const char *file;
+    fmb_format format;
+    bool quiet; /* nothing on standard error but errors */
+} app_source;
+
+/* Parser of FILE, --format and --quiet, to be a child of a command's own; its input is an
+ * app_source. */
+extern const struct argp app_source_argp;
+
+/* [give, fmb_system_free] Read the system: APP_YES, or an exit code after a message. Warnings go to
+ * standard error. */
+int app_source_read(const app_source *src, fmb_system **out);
+
+/* The exit code for what a reader of the library returned, after a message unless it is FMB_OK. */
+int app_source_outcome(fmb_status st, const char *path, const fmb_where *where);
+
+/* The format FILE is in, as far as --format or its name tell, made one that can be written:
+ * FMB_FORMAT_TEXT for all others. */
+fmb_format app_source_written(const app_source *src);
+
+/* Write s to standard output; an exit code. */
+int app_source_write(const fmb_system *s, fmb_format f);
+
+/* A format word of the command line that can be written (--to); false if it cannot. */
+bool app_format_to(const char *word, fmb_format *out);
+
+#endif

@@ -1,0 +1,19 @@
+/* text.h: names and labels as they may be shown. Readers hand on whatever bytes a file holds; a
+ * terminal must not obey them and JSON must be valid UTF-8. */
+#ifndef APP_TEXT_H
+#define APP_TEXT_H
+
+#include <stddef.h>
+
+typedef enum app_text_use {
+    APP_TEXT_TERMINAL, /* control characters are escaped too */
+    APP_TEXT_JSON      /* JSON has its own escapes for them */
+} app_text_use;
+
+/* [give, free()] raw in valid UTF-8: bytes that are not are written \xHH. */
+char *app_text(const char *raw, app_text_use use);
+
+/* Characters of a valid UTF-8 text: its width in a table (wide characters count as one). */
+size_t app_text_width(const char *text);
+
+#endif

@@ -1,0 +1,153 @@
+/* cmd_bounds.c: fmb bounds FILE. */
+#include <stdlib.h>
+
+#include "common/message.h"
+#include "common/show.h"
+#include "common/table.h"
+#include "common/variables.h"
+#include "common/verdict.h"
+#include "fmb/commands.h"
+
+enum { KEY_VARS = 0x200 };
+
+static const struct argp_option options[] = {
+    {"vars", KEY_VARS, "NAMES", 0, "Only these variables (x,y); all of them if not given", 1}, {0}};
+
+static error_t parse(int key, char *arg, struct argp_state *state)
+{
+    if (key != KEY_VARS)
+        return ARGP_ERR_UNKNOWN;
+    if (!app_names_add(state->input, arg))
+        argp_error(state, "--vars: given too often");
+    return 0;
+}
+
+static const struct argp own = {.options = options, .parser = parse};
+
+static const app_usage usage = {
+    .args = "FILE",
+    .doc = "The tightest interval of every variable over the system in FILE, exactly. A round "
+           "bracket is an end that no solution reaches, ? an end that is not known."
+           "\v"
+           "Exit codes: 0 all ends known, 1 infeasible, 2 undecided.\n"
+           "\n"
+           "Examples:\n"
+           "  fmb bounds diet.fmb\n"
+           "  fmb bounds diet.fmb --vars bread,milk --json\n",
+    .own = &own,
+};
+
+/* [give, free()] "1/2", "-inf", or unknown. */
+static char *end_text(const fmb_box *box, int i, fmb_side side)
+{
+    switch (fmb_box_end(box, i, side).kind) {
+    case FMB_END_INFINITE:
+        return app_print(side == FMB_LOWER ? "-inf" : "inf");
+    case FMB_END_UNKNOWN:
+        return NULL;
+    case FMB_END_FINITE:
+        break;
+    }
+    mpq_t q;
+    mpq_init(q);
+    fmb_box_end_q(box, i, side, q);
+    char *text = app_print("%Qd", q);
+    mpq_clear(q);
+    return text;
+}
+
+static char *end_cell(const fmb_box *box, int i, fmb_side side)
+{
+    char *value = end_text(box, i, side);
+    bool attained = fmb_box_end(box, i, side).attained;
+    const char *closing = side == FMB_LOWER ? "," : attained ? "]" : ")";
+    char *cell = app_print("%s%s", value ? value : "?", closing);
+    free(value);
+    return cell;
+}
+
+static void print_box(const app_session *s, const fmb_box *box)
+{
+    app_table table = {.columns = 4, .align = "llrr"};
+    for (int i = 0; i < fmb_box_size(box); i++) {
+        app_table_add(&table, app_show_name(s->system, fmb_box_var(box, i)));
+        app_table_add(&table, app_print(fmb_box_end(box, i, FMB_LOWER).attained ? "[" : "("));
+        app_table_add(&table, end_cell(box, i, FMB_LOWER));
+        app_table_add(&table, end_cell(box, i, FMB_UPPER));
+    }
+    app_table_print(&table, stdout);
+}
+
+static json_t *end_json(const fmb_box *box, int i, fmb_side side)
+{
+    char *text = end_text(box, i, side);
+    json_t *value = text ? json_string(text) : json_null();
+    free(text);
+    return value;
+}
+
+static json_t *box_json(const app_session *s, const fmb_box *box)
+{
+    json_t *all = app_need(json_object());
+    for (int i = 0; i < fmb_box_size(box); i++) {
+        json_t *one = app_need(json_object());
+        app_json_set(one, "lower", end_json(box, i, FMB_LOWER));
+        app_json_set(one, "upper", end_json(box, i, FMB_UPPER));
+        app_json_set(one, "lower_attained", json_boolean(fmb_box_end(box, i, FMB_LOWER).attained));
+        app_json_set(one, "upper_attained", json_boolean(fmb_box_end(box, i, FMB_UPPER).attained));
+        app_json_set_variable(all, s->system, fmb_box_var(box, i), one);
+    }
+    return all;
+}
+
+static void report(const app_session *s, const fmb_box *box)
+{
+    if (s->ask->json) {
+        json_t *obj = app_verdict_json(s);
+        if (box)
+            app_json_set(obj, "bounds", box_json(s, box));
+        app_json_set_stats(obj, &s->result.stats);
+        app_json_print(obj);
+    } else if (app_session_reports(s)) {
+        if (box)
+            print_box(s, box);
+        else
+            app_verdict_print(s);
+    }
+}
+
+static int exit_code(const app_session *s, const fmb_box *box)
+{
+    if (!box)
+        return s->result.verdict == FMB_INFEASIBLE ? APP_NO : APP_UNDECIDED;
+    for (int i = 0; i < fmb_box_size(box); i++)
+        if (fmb_box_end(box, i, FMB_LOWER).kind == FMB_END_UNKNOWN ||
+            fmb_box_end(box, i, FMB_UPPER).kind == FMB_END_UNKNOWN)
+            return APP_UNDECIDED;
+    return APP_YES;
+}
+
+int cmd_bounds(int argc, char **argv)
+{
+    app_ask ask;
+    app_names names = {.option = "--vars"};
+    app_ask_parse(&ask, &usage, &names, argc, argv);
+    app_session s;
+    int *vars = NULL, n = 0;
+    fmb_box *box = NULL;
+    int code = app_session_open(&s, &ask);
+    if (code == 0 && names.lists > 0)
+        code = app_names_select(&names, s.system, true, &vars, &n);
+    if (code == 0) {
+        app_session_begin(&s);
+        fmb_status st = fmb_bound(s.solver, s.system, vars, n, &box, &s.result);
+        code = app_session_end(&s, st);
+    }
+    if (code == 0) {
+        report(&s, box);
+        code = exit_code(&s, box);
+    }
+    fmb_box_free(box);
+    free(vars);
+    return app_session_close(&s, code);
+}

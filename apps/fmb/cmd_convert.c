@@ -1,0 +1,57 @@
+/* cmd_convert.c: fmb convert FILE --to FORMAT. */
+#include "common/message.h"
+#include "common/source.h"
+#include "fmb/commands.h"
+
+enum { KEY_TO = 0x200 };
+
+static const struct argp_option options[] = {
+    {"to", KEY_TO, "FORMAT", 0, "Write this format: fmb|ine|smt2", 1}, {0}};
+
+typedef struct request {
+    app_source source;
+    fmb_format to;
+} request;
+
+static error_t parse(int key, char *arg, struct argp_state *state)
+{
+    request *r = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &r->source;
+        return 0;
+    case KEY_TO:
+        if (!app_format_to(arg, &r->to))
+            argp_error(state, "--to: '%s' is not one of fmb, ine, smt2", arg);
+        return 0;
+    case ARGP_KEY_END:
+        if (!r->to)
+            argp_error(state, "--to FORMAT is missing");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const char doc[] =
+    "Write the system in FILE in another format, row by row in the same order."
+    "\v"
+    "Examples:\n"
+    "  fmb convert afiro.mps --to fmb\n"
+    "  fmb convert - --format ine --to smt2 < cube.ine\n";
+
+int cmd_convert(int argc, char **argv)
+{
+    static const struct argp_child children[] = {{&app_source_argp, 0, NULL, 0},
+                                                 {NULL, 0, NULL, 0}};
+    static const struct argp whole = {
+        .options = options, .parser = parse, .args_doc = "FILE", .doc = doc, .children = children};
+    request r = {.to = FMB_FORMAT_AUTO};
+    argp_parse(&whole, argc, argv, 0, NULL, &r);
+    fmb_system *s = NULL;
+    int code = app_source_read(&r.source, &s);
+    if (code == APP_YES)
+        code = app_source_write(s, r.to);
+    fmb_system_free(s);
+    return code;
+}

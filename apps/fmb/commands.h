@@ -1,0 +1,13 @@
+/* commands.h: the subcommands of fmb. Each parses its own words (argv[0] is "fmb NAME"), does its
+ * work and returns the exit code. */
+#ifndef FMB_COMMANDS_H
+#define FMB_COMMANDS_H
+
+int cmd_solve(int argc, char **argv);
+int cmd_bounds(int argc, char **argv);
+int cmd_project(int argc, char **argv);
+int cmd_reduce(int argc, char **argv);
+int cmd_check(int argc, char **argv);
+int cmd_convert(int argc, char **argv);
+
+#endif
