@@ -27,6 +27,7 @@ typedef struct fmb_claim {
     mpq_t value;            /* BOUND: the end; IMPLIED: the right side */
     fmb_sparse terms;       /* IMPLIED: left side, by variable */
     fmb_sparse multipliers; /* by row; >= 0 unless the row is an equality */
+    fmb_sparse reverse;     /* IMPLIED with EQ, REDUNDANT equality: the same for the reverse */
     mpq_t *point;           /* [dim] or NULL */
     mpq_t *ray;             /* [dim] or NULL */
 } fmb_claim;
@@ -47,7 +48,8 @@ void fmb_evidence_reset(fmb_evidence *e);
  * fmb_evidence_drop_last takes it back. */
 fmb_status fmb_evidence_claim(fmb_evidence *e, fmb_claim_kind kind, fmb_claim **out);
 void fmb_evidence_drop_last(fmb_evidence *e);
-/* Append (index, value) to a list; zero values are skipped. */
+/* Append (index, value) to a list; zero values are skipped. An index comes at most once in a list:
+ * the caller's promise. */
 fmb_status fmb_evidence_push(fmb_evidence *e, fmb_sparse *list, size_t index, const mpq_t value);
 /* Give the claim a point or ray of dim zeros: *slot is claim->point or claim->ray. */
 fmb_status fmb_evidence_vector(fmb_evidence *e, mpq_t **slot);

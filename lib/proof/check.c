@@ -1,0 +1,371 @@
+/* check.c: the judge of evidence. This file is the trusted base: believe it, GMP, and how a system
+ * stores its rows, and nothing else of the library needs to be believed.
+ *
+ * All claims come down to two questions, asked of the rows as the user wrote them:
+ *   proves:  do the multipliers combine the rows to a given inequality?
+ *   side_of: on which side of a row does a point lie?
+ * Numbers that a claim does not need are not looked at. Claims about redundancy stand or fall
+ * together: "the rows that stay" are those that no claim REDUNDANT names, and a row that a claim
+ * EQUALITY names counts there as an equality.
+ * Source: Schrijver, Theory of Linear and Integer Programming, 1986, sections 7.3 and 7.8.
+ */
+#include <stdarg.h>
+#include <stdio.h>
+
+#include "proof/evidence.h"
+#include "system/system.h"
+
+typedef struct court {
+    const fmb_system *s;
+    const fmb_evidence *e;
+    fmb_mem mem;
+    bool *gone, *equal; /* [rows] named by a claim REDUNDANT, EQUALITY */
+    bool feasible;      /* a claim FEASIBLE was accepted */
+    char *reason;       /* [sizeof fmb_judgement.reason] */
+    /* The combination minus the inequality it shall prove: left.x <= right, or < if strict. */
+    mpq_t *left, right; /* left[dim] */
+    bool strict;
+    mpq_t sum, weight; /* scratch */
+    mpz_t z, t;
+} court;
+
+/* Always false, so that a refusal reads as one line. Rows and variables are named as in files. */
+__attribute__((format(printf, 2, 3))) static bool refuse(court *c, const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    vsnprintf(c->reason, sizeof((fmb_judgement *)0)->reason, format, args);
+    va_end(args);
+    return false;
+}
+
+/* sum += factor x. The sum is kept over a common denominator and not reduced: its sign is right
+ * and its denominator positive. */
+static void add_product(court *c, mpq_ptr sum, mpz_srcptr factor, mpq_srcptr x)
+{
+    mpz_ptr num = mpq_numref(sum), den = mpq_denref(sum);
+    if (!mpz_divisible_p(den, mpq_denref(x))) {
+        mpz_lcm(c->t, den, mpq_denref(x));
+        mpz_divexact(den, c->t, den);
+        mpz_mul(num, num, den);
+        mpz_set(den, c->t);
+    }
+    mpz_divexact(c->t, den, mpq_denref(x));
+    mpz_mul(c->t, c->t, factor);
+    mpz_addmul(num, c->t, mpq_numref(x));
+}
+
+/* ---- points ---------------------------------------------------------------------------------- */
+
+/* The sign of a.x - b for row a.x REL b; for a direction, the sign of a.x. */
+static int side_of(court *c, const fmb_sysrow *row, mpq_t *x, bool direction)
+{
+    mpq_set_ui(c->sum, 0, 1);
+    for (size_t k = 0; k < row->nnz; k++) {
+        fmb_vec_get(&row->val, k, c->z);
+        add_product(c, c->sum, c->z, x[row->var[k]]);
+    }
+    if (!direction) {
+        fmb_vec_get(&row->val, row->nnz, c->z);
+        mpz_submul(mpq_numref(c->sum), c->z, mpq_denref(c->sum));
+    }
+    return mpq_sgn(c->sum);
+}
+
+static bool keeps(int side, fmb_rel rel)
+{
+    return rel == FMB_EQ ? side == 0 : rel == FMB_LT ? side < 0 : side <= 0;
+}
+
+typedef enum reading { AS_WRITTEN, CLOSED, DIRECTION } reading;
+
+/* Does x keep every row: as written; with < read as <=; or as a direction in which one can walk
+ * for ever without leaving the rows? */
+static bool keeps_all(court *c, mpq_t *x, reading how)
+{
+    if (!x)
+        return refuse(c, "the claim has no %s", how == DIRECTION ? "ray" : "point");
+    for (size_t i = 0; i < c->s->rows; i++) {
+        const fmb_sysrow *row = fmb_system_row(c->s, i);
+        fmb_rel rel = row->rel == FMB_LT && how != AS_WRITTEN ? FMB_LE : row->rel;
+        if (!keeps(side_of(c, row, x, how == DIRECTION), rel))
+            return refuse(c, "the %s violates row %zu", how == DIRECTION ? "ray" : "point", i + 1);
+    }
+    return true;
+}
+
+/* ---- combinations ---------------------------------------------------------------------------- */
+
+static void clear_combination(court *c)
+{
+    for (int j = 0; j < c->e->dim; j++)
+        mpq_set_ui(c->left[j], 0, 1);
+    mpq_set_ui(c->right, 0, 1);
+    c->strict = false;
+}
+
+/* Add weight times row i, which is (val / den). */
+static void add_row(court *c, size_t i, mpq_srcptr weight)
+{
+    const fmb_sysrow *row = fmb_system_row(c->s, i);
+    fmb_vec_get(&row->val, row->nnz + 1, mpq_numref(c->weight));
+    mpz_set_ui(mpq_denref(c->weight), 1);
+    mpq_div(c->weight, weight, c->weight);
+    for (size_t k = 0; k < row->nnz; k++) {
+        fmb_vec_get(&row->val, k, c->z);
+        add_product(c, c->left[row->var[k]], c->z, c->weight);
+    }
+    fmb_vec_get(&row->val, row->nnz, c->z);
+    add_product(c, c->right, c->z, c->weight);
+}
+
+/* Do the multipliers prove the inequality whose negation clear_combination and additions have left
+ * in the combination?
+ *
+ * Let the goal be g.x <= h, or g.x < h. Multipliers that are >= 0 on inequalities add the rows up
+ * to a.x <= b, true of all solutions, and a.x < b if one of a strict row is positive. With a = g it
+ * implies the goal if b < h, or if b = h and (the goal is not strict or a.x < b holds). The
+ * combination holds left = a - g and right = b - h.
+ *
+ * With `staying`, only rows that stay may be used, and those known to be equalities count so. */
+static bool proves(court *c, const fmb_sparse *multipliers, bool strict_goal, bool staying)
+{
+    for (size_t k = 0; k < multipliers->size; k++) {
+        size_t i = multipliers->index[k];
+        if (i >= c->s->rows)
+            return refuse(c, "there is no row %zu", i + 1);
+        if (staying && c->gone[i])
+            return refuse(c, "row %zu does not stay", i + 1);
+        fmb_rel rel = staying && c->equal[i] ? FMB_EQ : fmb_system_row(c->s, i)->rel;
+        int sign = mpq_sgn(multipliers->value[k]);
+        if (rel != FMB_EQ && sign < 0)
+            return refuse(c, "the multiplier of row %zu is negative", i + 1);
+        c->strict = c->strict || (rel == FMB_LT && sign > 0);
+        add_row(c, i, multipliers->value[k]);
+    }
+    for (int j = 0; j < c->e->dim; j++)
+        if (mpq_sgn(c->left[j]) != 0)
+            return refuse(c, "the combined coefficient of %s is wrong", fmb_system_name(c->s, j));
+    if (mpq_sgn(c->right) > 0)
+        return refuse(c, "the combined right side is too large");
+    if (mpq_sgn(c->right) == 0 && strict_goal && !c->strict)
+        return refuse(c, "the combination is not strict");
+    return true;
+}
+
+/* ---- one judge for each kind of claim -------------------------------------------------------- */
+
+static bool judge_feasible(court *c, const fmb_claim *q)
+{
+    return keeps_all(c, q->point, AS_WRITTEN);
+}
+
+/* Infeasible: the rows prove 0 < 0. */
+static bool judge_infeasible(court *c, const fmb_claim *q)
+{
+    clear_combination(c);
+    return proves(c, &q->multipliers, true, false);
+}
+
+/* x_var <= value and a solution attains it; or x_var < value and solutions come as near as you
+ * like. For the latter, let p satisfy the rows with < read as <=, p_var = value, and let q be a
+ * solution. Every q + t(p - q), 0 <= t < 1, is a solution (a strict row holds strictly at q), and
+ * its coordinate tends to value as t tends to 1. Lower ends are upper ends of -x_var. */
+static bool judge_bound(court *c, const fmb_claim *q)
+{
+    if (q->var < 0 || q->var >= c->e->dim || q->rel == FMB_EQ)
+        return refuse(c, "the claim is no bound of a variable");
+    bool open = q->rel == FMB_LT;
+    clear_combination(c);
+    mpq_set_si(c->left[q->var], q->side == FMB_UPPER ? -1 : 1, 1);
+    mpq_set(c->right, q->value);
+    if (q->side == FMB_UPPER)
+        mpq_neg(c->right, c->right);
+    if (!proves(c, &q->multipliers, open, false))
+        return false;
+    if (open && !c->feasible)
+        return refuse(c, "no claim shows that the system is feasible");
+    if (!keeps_all(c, q->point, open ? CLOSED : AS_WRITTEN))
+        return false;
+    return mpq_equal(q->point[q->var], q->value) || refuse(c, "the point is not at the bound");
+}
+
+/* From a solution one can walk along the ray for ever. */
+static bool judge_unbounded(court *c, const fmb_claim *q)
+{
+    if (q->var < 0 || q->var >= c->e->dim)
+        return refuse(c, "the claim is about no variable");
+    if (!c->feasible)
+        return refuse(c, "no claim shows that the system is feasible");
+    if (!keeps_all(c, q->ray, DIRECTION))
+        return false;
+    return mpq_sgn(q->ray[q->var]) == (q->side == FMB_UPPER ? 1 : -1) ||
+           refuse(c, "the ray does not go that way");
+}
+
+/* Load the negation of the claim's own inequality, times sign. */
+static bool oppose_terms(court *c, const fmb_claim *q, int sign)
+{
+    mpz_set_si(c->z, -sign);
+    clear_combination(c);
+    for (size_t k = 0; k < q->terms.size; k++) {
+        if (q->terms.index[k] >= (size_t)c->e->dim)
+            return refuse(c, "a term is about no variable");
+        add_product(c, c->left[q->terms.index[k]], c->z, q->terms.value[k]);
+    }
+    add_product(c, c->right, c->z, q->value);
+    return true;
+}
+
+/* An equality needs both directions. */
+static bool judge_implied(court *c, const fmb_claim *q)
+{
+    if (!oppose_terms(c, q, 1) || !proves(c, &q->multipliers, q->rel == FMB_LT, false))
+        return false;
+    return q->rel != FMB_EQ || (oppose_terms(c, q, -1) && proves(c, &q->reverse, false, false));
+}
+
+/* Load the negation of row i, times sign. */
+static void oppose_row(court *c, size_t i, int sign)
+{
+    clear_combination(c);
+    mpq_set_si(c->sum, -sign, 1);
+    add_row(c, i, c->sum);
+}
+
+static bool has_row(court *c, const fmb_claim *q)
+{
+    return q->row < c->s->rows || refuse(c, "the claim is about no row");
+}
+
+static bool judge_redundant(court *c, const fmb_claim *q)
+{
+    if (!has_row(c, q))
+        return false;
+    fmb_rel rel = fmb_system_row(c->s, q->row)->rel;
+    oppose_row(c, q->row, 1);
+    if (!proves(c, &q->multipliers, rel == FMB_LT, true))
+        return false;
+    oppose_row(c, q->row, -1);
+    return rel != FMB_EQ || proves(c, &q->reverse, false, true);
+}
+
+/* Row a.x <= b is an equality if all rows together prove -a.x <= -b. A strict row is none, even
+ * where there is no solution: as an equality it would let points in. */
+static bool judge_equality(court *c, const fmb_claim *q)
+{
+    if (!has_row(c, q))
+        return false;
+    if (fmb_system_row(c->s, q->row)->rel == FMB_LT)
+        return refuse(c, "row %zu is strict", q->row + 1);
+    oppose_row(c, q->row, -1);
+    return proves(c, &q->multipliers, false, false);
+}
+
+/* Without row i the rows that stay would let the point in. */
+static bool judge_irredundant(court *c, const fmb_claim *q)
+{
+    if (!has_row(c, q))
+        return false;
+    if (!q->point)
+        return refuse(c, "the claim has no point");
+    for (size_t i = 0; i < c->s->rows; i++) {
+        const fmb_sysrow *row = fmb_system_row(c->s, i);
+        if (c->gone[i] && i != q->row)
+            continue;
+        bool kept = keeps(side_of(c, row, q->point, false), c->equal[i] ? FMB_EQ : row->rel);
+        if (kept == (i == q->row))
+            return refuse(c, "the point %s row %zu", kept ? "satisfies" : "violates", i + 1);
+    }
+    return true;
+}
+
+/* ---- the session ----------------------------------------------------------------------------- */
+
+static bool judge(court *c, const fmb_claim *q)
+{
+    static bool (*const by_kind[])(court *, const fmb_claim *) = {
+        [FMB_CLAIM_FEASIBLE] = judge_feasible, [FMB_CLAIM_INFEASIBLE] = judge_infeasible,
+        [FMB_CLAIM_BOUND] = judge_bound,       [FMB_CLAIM_UNBOUNDED] = judge_unbounded,
+        [FMB_CLAIM_IMPLIED] = judge_implied,   [FMB_CLAIM_REDUNDANT] = judge_redundant,
+        [FMB_CLAIM_EQUALITY] = judge_equality, [FMB_CLAIM_IRREDUNDANT] = judge_irredundant};
+    if (q->kind <= FMB_CLAIM_NONE || q->kind > FMB_CLAIM_IRREDUNDANT)
+        return refuse(c, "the claim is of no known kind");
+    return by_kind[q->kind](c, q);
+}
+
+/* What an accepted claim says of the system. */
+static fmb_verdict meaning(const fmb_claim *q)
+{
+    if (q->kind == FMB_CLAIM_INFEASIBLE)
+        return FMB_INFEASIBLE;
+    bool has_solution = q->kind == FMB_CLAIM_FEASIBLE || q->kind == FMB_CLAIM_UNBOUNDED ||
+                        q->kind == FMB_CLAIM_BOUND;
+    return has_solution ? FMB_FEASIBLE : FMB_UNKNOWN;
+}
+
+/* Claims FEASIBLE come first: others lean on them. The reason of the first failing claim wins. */
+static void judge_all(court *c, fmb_judgement *out)
+{
+    const fmb_evidence *e = c->e;
+    char reason[sizeof out->reason] = "";
+    c->reason = reason;
+    for (int feasible = 1; feasible >= 0; feasible--)
+        for (size_t i = 0; i < e->claims; i++) {
+            const fmb_claim *q = &e->claim[i];
+            if ((q->kind == FMB_CLAIM_FEASIBLE) != feasible)
+                continue;
+            if (judge(c, q)) {
+                c->feasible = c->feasible || feasible;
+                out->verdict = meaning(q) != FMB_UNKNOWN ? meaning(q) : out->verdict;
+            } else if (i < out->claim) {
+                out->claim = i;
+                snprintf(out->reason, sizeof out->reason, "%s", reason);
+            }
+        }
+    out->accepted = e->claims > 0 && out->claim == SIZE_MAX;
+    if (e->claims == 0)
+        snprintf(out->reason, sizeof out->reason, "there is no claim");
+}
+
+/* Which rows go, and which are equalities. */
+static void mark_rows(court *c)
+{
+    for (size_t i = 0; i < c->e->claims; i++) {
+        const fmb_claim *q = &c->e->claim[i];
+        if (q->row < c->s->rows && q->kind == FMB_CLAIM_REDUNDANT)
+            c->gone[q->row] = true;
+        if (q->row < c->s->rows && q->kind == FMB_CLAIM_EQUALITY)
+            c->equal[q->row] = true;
+    }
+}
+
+fmb_status fmb_check(const fmb_system *s, const fmb_evidence *e, fmb_judgement *out)
+{
+    if (e->dim != fmb_system_dim(s) || e->rows != fmb_system_rows(s))
+        return FMB_ERR_ARG;
+    court c = {.s = s, .e = e};
+    size_t dim = (size_t)e->dim, rows = e->rows;
+    fmb_mem_init(&c.mem, &s->mem.alloc, 0);
+    c.gone = fmb_mem_zero(&c.mem, rows, sizeof *c.gone);
+    c.equal = fmb_mem_zero(&c.mem, rows, sizeof *c.equal);
+    c.left = fmb_mem_get(&c.mem, dim, sizeof *c.left);
+    bool ready = c.gone && c.equal && c.left;
+    if (ready) {
+        for (size_t j = 0; j < dim; j++)
+            mpq_init(c.left[j]);
+        mpq_inits(c.right, c.sum, c.weight, NULL);
+        mpz_inits(c.z, c.t, NULL);
+        *out = (fmb_judgement){.claim = SIZE_MAX};
+        mark_rows(&c);
+        judge_all(&c, out);
+        mpq_clears(c.right, c.sum, c.weight, NULL);
+        mpz_clears(c.z, c.t, NULL);
+        for (size_t j = 0; j < dim; j++)
+            mpq_clear(c.left[j]);
+    }
+    fmb_mem_put(&c.mem, c.gone, rows, sizeof *c.gone);
+    fmb_mem_put(&c.mem, c.equal, rows, sizeof *c.equal);
+    fmb_mem_put(&c.mem, c.left, dim, sizeof *c.left);
+    return ready ? FMB_OK : FMB_ERR_MEMORY;
+}

@@ -1,0 +1,46 @@
+/* form.c: the tables of the text form; see form.h. */
+#include "proof/form.h"
+
+const fmb_part_form fmb_part_forms[FMB_PARTS] = {
+    [FMB_PART_POINT] = {"point", .dense = true},      [FMB_PART_RAY] = {"ray", .dense = true},
+    [FMB_PART_TERM] = {"term", .by_row = false},      [FMB_PART_ROW] = {"row", .by_row = true},
+    [FMB_PART_REVERSE] = {"reverse", .by_row = true},
+};
+
+const fmb_claim_form fmb_claim_forms[FMB_CLAIM_IRREDUNDANT + 1] = {
+    [FMB_CLAIM_FEASIBLE] = {"feasible", FMB_HEADING_NONE, {[FMB_PART_POINT] = true}},
+    [FMB_CLAIM_INFEASIBLE] = {"infeasible", FMB_HEADING_NONE, {[FMB_PART_ROW] = true}},
+    [FMB_CLAIM_BOUND] = {"bound",
+                         FMB_HEADING_BOUND,
+                         {[FMB_PART_ROW] = true, [FMB_PART_POINT] = true}},
+    [FMB_CLAIM_UNBOUNDED] = {"unbounded", FMB_HEADING_END, {[FMB_PART_RAY] = true}},
+    [FMB_CLAIM_IMPLIED] =
+        {"implied",
+         FMB_HEADING_INEQUALITY,
+         {[FMB_PART_TERM] = true, [FMB_PART_ROW] = true, [FMB_PART_REVERSE] = true}},
+    [FMB_CLAIM_REDUNDANT] = {"redundant",
+                             FMB_HEADING_ROW,
+                             {[FMB_PART_ROW] = true, [FMB_PART_REVERSE] = true}},
+    [FMB_CLAIM_EQUALITY] = {"equality", FMB_HEADING_ROW, {[FMB_PART_ROW] = true}},
+    [FMB_CLAIM_IRREDUNDANT] = {"irredundant", FMB_HEADING_ROW, {[FMB_PART_POINT] = true}},
+};
+
+const char *fmb_form_relation(fmb_rel rel, fmb_side side)
+{
+    static const char *const text[][2] = {
+        [FMB_LE] = {">=", "<="}, [FMB_LT] = {">", "<"}, [FMB_EQ] = {"=", "="}};
+    return text[rel][side];
+}
+
+mpq_t **fmb_form_vector(fmb_claim *c, fmb_part part)
+{
+    return part == FMB_PART_POINT ? &c->point : part == FMB_PART_RAY ? &c->ray : NULL;
+}
+
+fmb_sparse *fmb_form_list(fmb_claim *c, fmb_part part)
+{
+    return part == FMB_PART_TERM      ? &c->terms
+           : part == FMB_PART_ROW     ? &c->multipliers
+           : part == FMB_PART_REVERSE ? &c->reverse
+                                      : NULL;
+}

@@ -1,0 +1,55 @@
+/* form.h: the text form of evidence as a table, shared by reader and writer.
+ *
+ * A claim is a heading ("claim bound upper x <= 5/2"), lines of parts ("row 3 1", "point x 5/2")
+ * and "end". docs/proof-format.md is the description for people.
+ */
+#ifndef FMB_PROOF_FORM_H
+#define FMB_PROOF_FORM_H
+
+#include "proof/evidence.h"
+
+/* A longer word (a number, a name) is refused, so that a bad file cannot eat the memory. */
+#define FMB_PROOF_WORD_MAX ((size_t)1 << 20) /* [bytes] */
+
+/* What follows "claim KIND" on the heading line. */
+typedef enum fmb_heading {
+    FMB_HEADING_NONE,
+    FMB_HEADING_END,        /* side, variable */
+    FMB_HEADING_BOUND,      /* side, variable, relation, value */
+    FMB_HEADING_INEQUALITY, /* relation, value */
+    FMB_HEADING_ROW         /* row */
+} fmb_heading;
+
+/* Kinds of lines inside a claim: "WORD KEY NUMBER". */
+typedef enum fmb_part {
+    FMB_PART_POINT,
+    FMB_PART_RAY,
+    FMB_PART_TERM,
+    FMB_PART_ROW,
+    FMB_PART_REVERSE,
+    FMB_PARTS
+} fmb_part;
+
+typedef struct fmb_part_form {
+    const char *word;
+    bool by_row; /* the key is a row; else a variable */
+    bool dense;  /* every key comes exactly once; else at most once */
+} fmb_part_form;
+
+typedef struct fmb_claim_form {
+    const char *word; /* NULL: no such claim */
+    fmb_heading heading;
+    bool part[FMB_PARTS]; /* the parts it may have */
+} fmb_claim_form;
+
+extern const fmb_part_form fmb_part_forms[FMB_PARTS];
+extern const fmb_claim_form fmb_claim_forms[FMB_CLAIM_IRREDUNDANT + 1]; /* by kind */
+
+/* Sign of a relation for that end of an interval: an upper end is <= or <, a lower one >= or >. */
+const char *fmb_form_relation(fmb_rel rel, fmb_side side);
+
+/* The dense part (point, ray) or the sparse part of a claim; NULL for a part of the other sort. */
+mpq_t **fmb_form_vector(fmb_claim *c, fmb_part part);
+fmb_sparse *fmb_form_list(fmb_claim *c, fmb_part part);
+
+#endif

@@ -1,0 +1,303 @@
+/* read.c: evidence from its text form (docs/proof-format.md).
+ *
+ * Memory is bounded by the length of the text and the size of the system: the shape in the header
+ * must be that of the system, a claim with a point or a ray spells it out, and seen holds a mark
+ * per part and key.
+ */
+#include <string.h>
+
+#include "proof/form.h"
+#include "proof/words.h"
+#include "system/system.h"
+
+typedef struct reader {
+    fmb_words words;
+    const fmb_system *s;
+    fmb_evidence *e;
+    /* seen[part][key] == number of claims so far: the key has come in this claim */
+    size_t *seen[FMB_PARTS];
+    size_t count[FMB_PARTS]; /* of distinct keys in this claim */
+    mpq_t number;            /* scratch */
+} reader;
+
+static size_t keys(const reader *r, fmb_part part)
+{
+    return fmb_part_forms[part].by_row ? r->e->rows : (size_t)r->e->dim;
+}
+
+/* ---- pieces of a line ------------------------------------------------------------------------ */
+
+/* The next word must be this one. */
+static fmb_status read_keyword(reader *r, const char *word)
+{
+    fmb_status st = fmb_words_next(&r->words);
+    return st == FMB_OK && !fmb_words_is(&r->words, word)
+               ? fmb_words_expected(&r->words, "'%s'", word)
+               : st;
+}
+
+static fmb_status read_variable(reader *r, int *out)
+{
+    fmb_status st = fmb_words_next(&r->words);
+    if (st != FMB_OK)
+        return st;
+    int j = r->words.size > 0 ? fmb_system_find(r->s, r->words.text) : -1;
+    if (j < 0)
+        return fmb_words_expected(&r->words, "the name of a variable of the system");
+    *out = j;
+    return FMB_OK;
+}
+
+static fmb_status read_row(reader *r, size_t *out)
+{
+    size_t number = 1;
+    fmb_status st = fmb_words_next(&r->words);
+    if (st == FMB_OK)
+        st = fmb_words_count(&r->words, "a row", r->e->rows, &number);
+    if (st == FMB_OK)
+        *out = number - 1;
+    return st;
+}
+
+static fmb_status read_number(reader *r, mpq_t out)
+{
+    fmb_status st = fmb_words_next(&r->words);
+    return st == FMB_OK ? fmb_words_rational(&r->words, out) : st;
+}
+
+static fmb_status read_side(reader *r, fmb_side *out)
+{
+    fmb_status st = fmb_words_next(&r->words);
+    if (st != FMB_OK)
+        return st;
+    bool upper = fmb_words_is(&r->words, "upper");
+    if (!upper && !fmb_words_is(&r->words, "lower"))
+        return fmb_words_expected(&r->words, "'lower' or 'upper'");
+    *out = upper ? FMB_UPPER : FMB_LOWER;
+    return FMB_OK;
+}
+
+/* One of the first n relations <=, <, =, as that end of an interval spells them. */
+static fmb_status read_relation(reader *r, fmb_side side, int n, fmb_rel *out)
+{
+    fmb_status st = fmb_words_next(&r->words);
+    if (st != FMB_OK)
+        return st;
+    for (int rel = 0; rel < n; rel++)
+        if (fmb_words_is(&r->words, fmb_form_relation((fmb_rel)rel, side))) {
+            *out = (fmb_rel)rel;
+            return FMB_OK;
+        }
+    return fmb_words_expected(&r->words, "'%s'%s '%s'%s", fmb_form_relation(FMB_LE, side),
+                              n > 2 ? "," : " or", fmb_form_relation(FMB_LT, side),
+                              n > 2 ? " or '='" : "");
+}
+
+/* ---- claims ---------------------------------------------------------------------------------- */
+
+static fmb_status read_heading(reader *r, fmb_claim *c)
+{
+    fmb_heading heading = fmb_claim_forms[c->kind].heading;
+    fmb_status st = FMB_OK;
+    if (heading == FMB_HEADING_ROW)
+        st = read_row(r, &c->row);
+    if (heading == FMB_HEADING_END || heading == FMB_HEADING_BOUND) {
+        st = read_side(r, &c->side);
+        if (st == FMB_OK)
+            st = read_variable(r, &c->var);
+    }
+    if (st == FMB_OK && heading == FMB_HEADING_BOUND)
+        st = read_relation(r, c->side, 2, &c->rel);
+    if (heading == FMB_HEADING_INEQUALITY)
+        st = read_relation(r, FMB_UPPER, 3, &c->rel);
+    if (st == FMB_OK && (heading == FMB_HEADING_BOUND || heading == FMB_HEADING_INEQUALITY))
+        st = read_number(r, c->value);
+    return st == FMB_OK ? fmb_words_end(&r->words) : st;
+}
+
+/* The key of a part, which must be new in this claim. */
+static fmb_status read_key(reader *r, fmb_part part, size_t *out)
+{
+    const fmb_part_form *form = &fmb_part_forms[part];
+    size_t key = 0;
+    int var = 0;
+    fmb_status st = form->by_row ? read_row(r, &key) : read_variable(r, &var);
+    if (st != FMB_OK)
+        return st;
+    if (!form->by_row)
+        key = (size_t)var;
+    if (r->seen[part][key] == r->e->claims)
+        return fmb_words_expected(&r->words, "each %s at most once in the lines '%s'",
+                                  form->by_row ? "row" : "variable", form->word);
+    r->seen[part][key] = r->e->claims;
+    r->count[part]++;
+    *out = key;
+    return FMB_OK;
+}
+
+static fmb_status read_part(reader *r, fmb_claim *c, fmb_part part)
+{
+    size_t key = 0;
+    fmb_status st = read_key(r, part, &key);
+    if (st == FMB_OK)
+        st = read_number(r, r->number);
+    if (st == FMB_OK)
+        st = fmb_words_end(&r->words);
+    if (st != FMB_OK)
+        return st;
+    if (!fmb_part_forms[part].dense)
+        return fmb_evidence_push(r->e, fmb_form_list(c, part), key, r->number);
+    mpq_set((*fmb_form_vector(c, part))[key], r->number);
+    return FMB_OK;
+}
+
+/* At "end": every variable must have come in a point or a ray. */
+static fmb_status end_claim(reader *r, const fmb_claim *c)
+{
+    for (fmb_part part = 0; part < FMB_PARTS; part++) {
+        if (!fmb_claim_forms[c->kind].part[part] || !fmb_part_forms[part].dense)
+            continue;
+        if (r->count[part] == (size_t)r->e->dim)
+            continue;
+        int j = 0;
+        while (r->seen[part][j] == r->e->claims)
+            j++;
+        return fmb_words_expected(&r->words, "a line '%s' for %.80s before the end",
+                                  fmb_part_forms[part].word, fmb_system_name(r->s, j));
+    }
+    return fmb_words_end(&r->words);
+}
+
+/* The part whose line begins with the current word, if the claim may have it; else FMB_PARTS. */
+static fmb_part find_part(const reader *r, const fmb_claim *c)
+{
+    fmb_part part = 0;
+    while (part < FMB_PARTS && !(fmb_claim_forms[c->kind].part[part] &&
+                                 fmb_words_is(&r->words, fmb_part_forms[part].word)))
+        part++;
+    return part;
+}
+
+/* "'row', 'point' or 'end'" */
+static fmb_status expected_part(reader *r, const fmb_claim *c)
+{
+    char list[80];
+    size_t n = 0;
+    for (fmb_part part = 0; part < FMB_PARTS; part++)
+        if (fmb_claim_forms[c->kind].part[part])
+            n += (size_t)snprintf(list + n, sizeof list - n, "%s'%s'", n > 0 ? ", " : "",
+                                  fmb_part_forms[part].word);
+    return fmb_words_expected(&r->words, "%s or 'end'", list);
+}
+
+static fmb_status read_parts(reader *r, fmb_claim *c)
+{
+    fmb_status st;
+    memset(r->count, 0, sizeof r->count);
+    while ((st = fmb_words_line(&r->words)) == FMB_OK && !fmb_words_is(&r->words, "end")) {
+        fmb_part part = find_part(r, c);
+        st = part < FMB_PARTS ? read_part(r, c, part) : expected_part(r, c);
+        if (st != FMB_OK)
+            return st;
+    }
+    return st == FMB_OK ? end_claim(r, c) : st;
+}
+
+/* The kind named by the current word, or NONE. */
+static fmb_claim_kind find_kind(const reader *r)
+{
+    fmb_claim_kind kind = FMB_CLAIM_IRREDUNDANT;
+    while (kind > FMB_CLAIM_NONE && !fmb_words_is(&r->words, fmb_claim_forms[kind].word))
+        kind--;
+    return kind;
+}
+
+static fmb_status read_claim(reader *r)
+{
+    fmb_claim *c = NULL;
+    fmb_status st = fmb_words_next(&r->words);
+    if (st != FMB_OK)
+        return st;
+    fmb_claim_kind kind = find_kind(r);
+    if (kind == FMB_CLAIM_NONE)
+        return fmb_words_expected(&r->words, "a kind of claim, such as 'feasible' or 'bound'");
+    st = fmb_evidence_claim(r->e, kind, &c);
+    if (st == FMB_OK)
+        st = read_heading(r, c);
+    for (fmb_part part = 0; st == FMB_OK && part < FMB_PARTS; part++)
+        if (fmb_claim_forms[kind].part[part] && fmb_part_forms[part].dense)
+            st = fmb_evidence_vector(r->e, fmb_form_vector(c, part));
+    return st == FMB_OK ? read_parts(r, c) : st;
+}
+
+/* ---- the whole text -------------------------------------------------------------------------- */
+
+static fmb_status read_shape(reader *r)
+{
+    size_t rows = r->e->rows, dim = (size_t)r->e->dim;
+    char text[2][24];
+    snprintf(text[0], sizeof text[0], "%zu", rows);
+    snprintf(text[1], sizeof text[1], "%zu", dim);
+    const char *words[] = {text[0], "rows", text[1], "variables"};
+    for (int i = 0; i < 4; i++) {
+        fmb_status st = fmb_words_next(&r->words);
+        if (st == FMB_OK && !fmb_words_is(&r->words, words[i]))
+            st = fmb_words_expected(&r->words, "'system %zu rows %zu variables', as the system has",
+                                    rows, dim);
+        if (st != FMB_OK)
+            return st;
+    }
+    return fmb_words_end(&r->words);
+}
+
+static fmb_status read_line_keyword(reader *r, const char *word)
+{
+    fmb_status st = fmb_words_line(&r->words);
+    return st == FMB_OK && !fmb_words_is(&r->words, word)
+               ? fmb_words_expected(&r->words, "'%s'", word)
+               : st;
+}
+
+static fmb_status read_text(reader *r)
+{
+    fmb_status st = read_line_keyword(r, "fmb-proof");
+    if (st == FMB_OK)
+        st = read_keyword(r, "1");
+    if (st == FMB_OK)
+        st = fmb_words_end(&r->words);
+    if (st == FMB_OK)
+        st = read_line_keyword(r, "system");
+    if (st == FMB_OK)
+        st = read_shape(r);
+    while (st == FMB_OK && (st = fmb_words_line(&r->words)) == FMB_OK && r->words.size > 0)
+        st = fmb_words_is(&r->words, "claim")
+                 ? read_claim(r)
+                 : fmb_words_expected(&r->words, "'claim' or the end of the text");
+    return st;
+}
+
+fmb_status fmb_evidence_read(FILE *in, const fmb_system *s, fmb_evidence **out, fmb_where *where)
+{
+    fmb_where unwanted;
+    reader r = {.s = s};
+    fmb_status st = fmb_evidence_new(fmb_system_dim(s), fmb_system_rows(s), &s->mem.alloc, &r.e);
+    if (st != FMB_OK)
+        return st;
+    fmb_words_init(&r.words, in, &r.e->mem, where ? where : &unwanted);
+    mpq_init(r.number);
+    bool ready = true;
+    for (fmb_part part = 0; part < FMB_PARTS; part++) {
+        r.seen[part] = fmb_mem_zero(&r.e->mem, keys(&r, part), sizeof **r.seen);
+        ready = ready && r.seen[part];
+    }
+    st = ready ? read_text(&r) : FMB_ERR_MEMORY;
+    for (fmb_part part = 0; part < FMB_PARTS; part++)
+        fmb_mem_put(&r.e->mem, r.seen[part], keys(&r, part), sizeof **r.seen);
+    mpq_clear(r.number);
+    fmb_words_clear(&r.words);
+    if (st == FMB_OK)
+        *out = r.e;
+    else
+        fmb_evidence_free(r.e);
+    return st;
+}
