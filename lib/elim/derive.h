@@ -3,17 +3,7 @@
 #define FMB_ELIM_DERIVE_H
 
 #include "elim/elim.h"
-
-/* Multipliers over rows of the store: value[i] counts for row index[i]. */
-typedef struct fmb_weights {
-    uint32_t *index;
-    mpq_t *value;
-    size_t size, index_capacity, value_capacity;
-} fmb_weights;
-
-/* Append (row, value); value is copied. */
-fmb_status fmb_weights_add(fmb_weights *w, uint32_t row, const mpq_t value, fmb_mem *mem);
-void fmb_weights_clear(fmb_weights *w, fmb_mem *mem);
+#include "num/weights.h"
 
 /* Replace the rows named in w by the base rows they come from: the combination stays the same. Each
  * base row appears once; weights of inequalities keep their sign. */
