@@ -1,6 +1,6 @@
 /* exact.h: the ground truth. Textbook Fourier-Motzkin elimination on GMP rationals: no pruning
- * beyond exact copies of one another (always sound without histories), no cleverness, nothing
- * shared with elim, lp or solve.
+ * beyond rows with the left side of a tighter row (always sound without histories), no cleverness,
+ * nothing shared with elim, lp or solve.
  *
  * Meant for small systems: cost is doubly exponential in dim. max_rows > 0 bounds the rows alive;
  * beyond it the answer is FMB_UNKNOWN (*out untouched).
