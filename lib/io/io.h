@@ -13,8 +13,7 @@
 #ifndef FMB_IO_IO_H
 #define FMB_IO_IO_H
 
-#include <gmp.h>
-
+#include <fmb/gmp.h>
 #include <fmb/io.h>
 
 #include "base/mem.h"
@@ -78,6 +77,10 @@ __attribute__((format(printf, 2, 3)))
 #endif
 fmb_status
 fmb_io_fail_whole(fmb_cursor *c, const char *format, ...);
+/* The text at p grows by that many decimal digits. Errors: PARSE (beyond the budget). */
+fmb_status fmb_io_charge(fmb_cursor *c, const char *p, size_t digits);
+/* Decimal digits of a rational, at least roughly; 0 for those that fit two machine words. */
+size_t fmb_io_digits(mpq_srcptr q);
 /* Something at p (NULL: the text as a whole) is ignored: tells how->warn. */
 #if defined(__GNUC__)
 __attribute__((format(printf, 3, 4)))
@@ -133,8 +136,10 @@ fmb_status fmb_span_find(fmb_cursor *c, fmb_span name, const fmb_system *s, int 
 /* Label of row i from a piece of text. Errors: MEMORY. */
 fmb_status fmb_span_label(fmb_cursor *c, fmb_span label, fmb_system *s, size_t i);
 
-/* A header may declare at most this many variables that no row mentions. */
-#define FMB_IO_MAX_DECLARED 1000000
+/* A header may declare at most this many variables beyond one for each byte of the text. */
+#define FMB_IO_FREE_VARIABLES 100000
+/* n variables with default names, as a header at p declares. Errors: MEMORY, PARSE. */
+fmb_status fmb_io_declare(fmb_cursor *c, const char *p, size_t n, fmb_system *s);
 
 /* ---- formats --------------------------------------------------------------------------------- */
 

@@ -1,0 +1,207 @@
+/* ine_read.c: H-representations of cddlib and lrslib: b + a.x >= 0.
+ *
+ * Rows count by their numbers, not by lines. The sizes of the header are only compared with what is
+ * there: memory follows the numbers read.
+ * Source: K. Fukuda, cddlib reference manual 0.94, section 4; D. Avis, lrslib user's guide 7.
+ */
+#include "io/ine.h"
+
+static bool starts_number(int b)
+{
+    return (b >= '0' && b <= '9') || b == '+' || b == '-' || b == '.';
+}
+
+/* Past white space and comment lines. */
+static void skip_comments(fmb_cursor *c)
+{
+    fmb_skip_space(c);
+    while (fmb_peek(c) == '*') {
+        fmb_next_line(c);
+        fmb_skip_space(c);
+    }
+}
+
+/* ---- header ---------------------------------------------------------------------------------- */
+
+typedef struct shape {
+    size_t rows, columns;
+    bool open; /* the number of rows is written "*****": as many as there are */
+    const char *at;
+} shape;
+
+/* "m d type". */
+static fmb_status read_shape(fmb_cursor *c, shape *h)
+{
+    char found[FMB_QUOTE];
+    fmb_skip_space(c);
+    h->at = c->at;
+    h->open = fmb_peek(c) == '*';
+    fmb_status st = FMB_OK;
+    if (h->open)
+        (void)fmb_scan_word(c);
+    else
+        st = fmb_scan_count(c, SIZE_MAX / 2, "a number of rows", &h->rows);
+    fmb_skip_space(c);
+    const char *columns = c->at;
+    if (st == FMB_OK)
+        st = fmb_scan_count(c, SIZE_MAX / 2, "a number of columns", &h->columns);
+    if (st == FMB_OK && h->columns == 0)
+        st = fmb_io_fail(c, columns, "expected at least one column");
+    if (st != FMB_OK)
+        return st;
+    fmb_skip_space(c);
+    const char *p = c->at;
+    fmb_span type = fmb_scan_word(c);
+    if (fmb_span_is_nocase(type, "integer") || fmb_span_is_nocase(type, "rational") ||
+        fmb_span_is_nocase(type, "real"))
+        return FMB_OK;
+    return fmb_io_fail(c, p, "expected 'integer', 'rational' or 'real', found %s",
+                       fmb_quote(c, p, found));
+}
+
+/* Titles and options up to "begin". */
+static fmb_status read_preamble(fmb_ine *f)
+{
+    fmb_cursor *c = f->c;
+    for (skip_comments(c); c->at < c->end; skip_comments(c)) {
+        const char *line = c->at;
+        if (fmb_span_is_nocase(fmb_scan_word(c), "begin"))
+            return FMB_OK;
+        c->at = line;
+        bool known;
+        fmb_status st = fmb_ine_option(f, &known);
+        if (st != FMB_OK)
+            return st;
+        if (!known) /* a title */
+            fmb_next_line(c);
+    }
+    return fmb_io_fail(c, c->at, "expected a line 'begin', found end of file");
+}
+
+/* ---- matrix ---------------------------------------------------------------------------------- */
+
+/* A number with a blank or an end behind it. */
+static fmb_status read_number(fmb_cursor *c, mpq_t out)
+{
+    char found[FMB_QUOTE];
+    const char *p = c->at;
+    fmb_status st = fmb_scan_number(c, FMB_NUM_ALL, "a number", out);
+    if (st == FMB_OK && fmb_scan_word(c).n > 0)
+        st = fmb_io_fail(c, p, "expected a number, found %s", fmb_quote(c, p, found));
+    return st;
+}
+
+/* Column j of a row into d: b, then a_j: b + a.x >= 0 is -a.x <= b. */
+static fmb_status read_entry(fmb_ine *f, size_t j, mpq_t value, fmb_draft *d)
+{
+    fmb_status st = read_number(f->c, value);
+    if (st == FMB_OK && j > (size_t)fmb_system_dim(f->s))
+        st = fmb_system_add_variable(f->s, NULL, NULL);
+    if (st != FMB_OK || mpq_sgn(value) == 0)
+        return st;
+    if (j == 0) {
+        mpq_set(d->rhs, value);
+        return FMB_OK;
+    }
+    mpq_ptr slot;
+    st = fmb_draft_term(d, (int)j - 1, &slot);
+    if (st == FMB_OK)
+        mpq_neg(slot, value);
+    return st;
+}
+
+static fmb_status read_row(fmb_ine *f, const shape *h, mpq_t value, fmb_draft *d)
+{
+    fmb_cursor *c = f->c;
+    char found[FMB_QUOTE];
+    fmb_draft_reset(d);
+    const char *start = c->at;
+    for (size_t j = 0; j < h->columns; j++) {
+        skip_comments(c);
+        if (!starts_number(fmb_peek(c)))
+            return fmb_io_fail(c, c->at, "expected number %zu of the %zu of row %zu, found %s",
+                               j + 1, h->columns, fmb_system_rows(f->s) + 1,
+                               fmb_quote(c, c->at, found));
+        fmb_status st = read_entry(f, j, value, d);
+        if (st != FMB_OK)
+            return st;
+    }
+    return fmb_draft_append(c, start, d, FMB_LE, f->s);
+}
+
+static fmb_status read_rows(fmb_ine *f, const shape *h)
+{
+    fmb_cursor *c = f->c;
+    fmb_status st = FMB_OK;
+    fmb_draft d;
+    mpq_t value;
+    fmb_draft_init(&d, c->mem);
+    mpq_init(value);
+    for (size_t i = 0; st == FMB_OK && (h->open || i < h->rows); i++) {
+        skip_comments(c);
+        if (h->open && !starts_number(fmb_peek(c)))
+            break;
+        st = read_row(f, h, value, &d);
+    }
+    mpq_clear(value);
+    fmb_draft_clear(&d);
+    if (st == FMB_OK && fmb_system_rows(f->s) == 0)
+        st = fmb_io_declare(c, h->at, h->columns - 1, f->s);
+    return st;
+}
+
+static fmb_status read_matrix(fmb_ine *f)
+{
+    fmb_cursor *c = f->c;
+    char found[FMB_QUOTE];
+    shape h = {0};
+    fmb_status st = read_shape(c, &h);
+    if (st == FMB_OK)
+        st = read_rows(f, &h);
+    if (st != FMB_OK)
+        return st;
+    skip_comments(c);
+    const char *p = c->at;
+    if (!fmb_span_is_nocase(fmb_scan_word(c), "end"))
+        return fmb_io_fail(c, p, "expected 'end' after %zu rows, found %s", fmb_system_rows(f->s),
+                           fmb_quote(c, p, found));
+    fmb_next_line(c);
+    return FMB_OK;
+}
+
+/* ---- the rest -------------------------------------------------------------------------------- */
+
+static fmb_status read_options(fmb_ine *f)
+{
+    fmb_cursor *c = f->c;
+    for (skip_comments(c); c->at < c->end; skip_comments(c)) {
+        char found[FMB_QUOTE];
+        const char *line = c->at;
+        if (fmb_span_is_nocase(fmb_scan_word(c), "begin"))
+            return fmb_io_fail(c, line, "expected one matrix, found a second 'begin'");
+        c->at = line;
+        bool known;
+        fmb_status st = fmb_ine_option(f, &known);
+        if (st != FMB_OK)
+            return st;
+        if (known)
+            continue;
+        fmb_io_warn(c, line, "ignored: unknown option %s", fmb_quote(c, line, found));
+        fmb_ine_skip_arguments(c);
+    }
+    return FMB_OK;
+}
+
+fmb_status fmb_read_ine(fmb_cursor *c, fmb_system *s)
+{
+    fmb_ine f = {.c = c, .s = s};
+    fmb_status st = read_preamble(&f);
+    if (st == FMB_OK)
+        st = read_matrix(&f);
+    if (st == FMB_OK)
+        st = read_options(&f);
+    if (st == FMB_OK)
+        st = fmb_ine_finish(&f);
+    fmb_ine_clear(&f);
+    return st;
+}

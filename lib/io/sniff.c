@@ -1,0 +1,80 @@
+/* sniff.c: guessing a format from the text; see sniff.h. */
+#include <string.h>
+
+#include "io/sniff.h"
+
+/* Some line consists of exactly this word. */
+static bool has_line(fmb_cursor c, const char *word)
+{
+    for (; c.at < c.end; fmb_next_line(&c)) {
+        fmb_skip_blanks(&c);
+        if (fmb_span_is_nocase(fmb_scan_word(&c), word)) {
+            fmb_skip_blanks(&c);
+            if (fmb_peek(&c) == '\n' || fmb_peek(&c) < 0)
+                return true;
+        }
+    }
+    return false;
+}
+
+bool fmb_sniff_ine(const fmb_cursor *c)
+{
+    return has_line(*c, "begin") || has_line(*c, "H-representation") ||
+           has_line(*c, "V-representation");
+}
+
+bool fmb_sniff_ieq(const fmb_cursor *c)
+{
+    return has_line(*c, "INEQUALITIES_SECTION");
+}
+
+/* Past blank lines and lines that begin with this byte. */
+static void skip_comments(fmb_cursor *c, int mark)
+{
+    fmb_skip_space(c);
+    while (fmb_peek(c) == mark) {
+        fmb_next_line(c);
+        fmb_skip_space(c);
+    }
+}
+
+/* An S-expression whose head is a command. */
+bool fmb_sniff_smt2(const fmb_cursor *from)
+{
+    static const char *const heads[] = {"set-",   "declare-", "define-", "assert",
+                                        "check-", "push",     "echo",    "exit"};
+    fmb_cursor c = *from;
+    skip_comments(&c, ';');
+    if (!fmb_accept(&c, "("))
+        return false;
+    fmb_skip_space(&c);
+    for (size_t i = 0; i < sizeof heads / sizeof *heads; i++)
+        if (fmb_accept(&c, heads[i]))
+            return true;
+    return false;
+}
+
+bool fmb_sniff_mps(const fmb_cursor *c)
+{
+    return has_line(*c, "ROWS") && has_line(*c, "COLUMNS");
+}
+
+/* An objective first, and a section of rows somewhere. */
+bool fmb_sniff_lp(const fmb_cursor *from)
+{
+    static const char *const heads[] = {"min", "max", "minimize", "maximize", "minimum", "maximum"};
+    static const char *const rows[] = {"st", "s.t.", "st.", "subject", "such"};
+    bool objective = false, section = false;
+    fmb_cursor c = *from;
+    skip_comments(&c, '\\');
+    fmb_span word = fmb_scan_word(&c);
+    for (size_t i = 0; i < sizeof heads / sizeof *heads; i++)
+        objective = objective || fmb_span_is_nocase(word, heads[i]);
+    for (; objective && !section && c.at < c.end; fmb_next_line(&c)) {
+        fmb_skip_blanks(&c);
+        word = fmb_scan_word(&c);
+        for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+            section = section || fmb_span_is_nocase(word, rows[i]);
+    }
+    return section;
+}

@@ -1,0 +1,189 @@
+/* text_expr.c: linear expressions of the .fmb format, by recursive descent; see text.h.
+ *
+ *   expression = term {("+" | "-") term}
+ *   term       = factor {("*" | "/" | nothing) factor}      nothing: before a name or "("
+ *   factor     = {"+" | "-"} (number | name | "(" expression ")")
+ *
+ * A piece that has been read is a constant plus the terms coef[from..n) of the draft. A product is
+ * linear if one of its pieces has no terms. Every product and sum of long numbers is charged.
+ */
+#include "io/text.h"
+
+static fmb_status read_expression(fmb_text *t, fmb_draft *d, mpq_t constant, int depth);
+
+static bool at_name(const fmb_cursor *c)
+{
+    return fmb_peek(c) == '"' || fmb_text_name_char(c->at, (size_t)(c->end - c->at), true) > 0;
+}
+
+/* A minus sign: ASCII, or U+2212. */
+static bool accept_minus(fmb_cursor *c)
+{
+    return fmb_accept(c, "-") || fmb_accept(c, "\xE2\x88\x92");
+}
+
+static fmb_status read_name(fmb_text *t, fmb_draft *d)
+{
+    const char *p = t->c->at;
+    fmb_span name;
+    int j = 0;
+    fmb_status st = fmb_text_scan_name(t, &name);
+    if (st == FMB_OK)
+        st = fmb_text_variable(t, p, name, &j);
+    mpq_ptr slot;
+    if (st == FMB_OK)
+        st = fmb_draft_term(d, j, &slot);
+    if (st == FMB_OK)
+        mpq_set_ui(slot, 1, 1);
+    return st;
+}
+
+static fmb_status read_group(fmb_text *t, fmb_draft *d, mpq_t constant, int depth)
+{
+    fmb_cursor *c = t->c;
+    char found[FMB_QUOTE];
+    if (depth >= FMB_TEXT_DEPTH)
+        return fmb_io_fail(c, c->at, "expected at most %d parentheses inside each other",
+                           FMB_TEXT_DEPTH);
+    c->at++;
+    fmb_status st = read_expression(t, d, constant, depth + 1);
+    if (st == FMB_OK && !fmb_accept(c, ")"))
+        st = fmb_io_fail(c, c->at, "expected an operator or ')', found %s",
+                         fmb_quote(c, c->at, found));
+    return st;
+}
+
+/* What scaling one term costs at least: (x + y + ...)*1*1*1 must not take forever. */
+#define SCALE_DIGITS 16
+
+/* constant and the terms from `from` on, times q. */
+static fmb_status scale(fmb_text *t, fmb_draft *d, size_t from, mpq_t constant, const mpq_t q)
+{
+    mpq_mul(constant, constant, q);
+    fmb_status st = fmb_io_charge(t->c, t->c->at, fmb_io_digits(constant));
+    for (size_t k = from; st == FMB_OK && k < d->n; k++) {
+        mpq_mul(d->coef[k], d->coef[k], q);
+        st = fmb_io_charge(t->c, t->c->at, SCALE_DIGITS + fmb_io_digits(d->coef[k]));
+    }
+    return st;
+}
+
+static void negate(fmb_draft *d, size_t from, mpq_t constant)
+{
+    mpq_neg(constant, constant);
+    for (size_t k = from; k < d->n; k++)
+        mpq_neg(d->coef[k], d->coef[k]);
+}
+
+/* Sets constant. */
+static fmb_status read_factor(fmb_text *t, fmb_draft *d, mpq_t constant, int depth)
+{
+    fmb_cursor *c = t->c;
+    bool minus = false;
+    size_t from = d->n;
+    fmb_status st;
+    for (fmb_skip_blanks(c);; fmb_skip_blanks(c)) {
+        if (accept_minus(c))
+            minus = !minus;
+        else if (!fmb_accept(c, "+"))
+            break;
+    }
+    mpq_set_ui(constant, 0, 1);
+    if (fmb_peek(c) == '(')
+        st = read_group(t, d, constant, depth);
+    else if (at_name(c))
+        st = read_name(t, d);
+    else
+        st = fmb_scan_number(c, FMB_NUM_DECIMAL | FMB_NUM_EXPONENT | FMB_NUM_FRACTION,
+                             "a number, a name or '('", constant);
+    if (st == FMB_OK && minus)
+        negate(d, from, constant);
+    return st;
+}
+
+/* The piece (from.., a) times or divided by the piece (middle.., b); p is where the second begins.
+ */
+static fmb_status combine(fmb_text *t, fmb_draft *d, size_t from, size_t middle, mpq_t a, mpq_t b,
+                          bool divide, const char *p)
+{
+    bool first = middle > from, second = d->n > middle;
+    if (second && (first || divide))
+        return fmb_io_fail(t->c, p,
+                           divide ? "expected a constant divisor: rows are linear"
+                                  : "expected a constant factor: rows are linear");
+    if (divide) {
+        if (mpq_sgn(b) == 0)
+            return fmb_io_fail(t->c, p, "expected a divisor other than zero");
+        mpq_inv(b, b);
+    }
+    if (!second)
+        return scale(t, d, from, a, b);
+    mpq_swap(a, b);
+    return scale(t, d, from, a, b);
+}
+
+/* Past the operator of a product, if one is here. A name needs an operator behind it, so that
+ * x(1) is not taken for a product. */
+static bool accept_product(fmb_cursor *c, bool after_name, bool *divide)
+{
+    fmb_skip_blanks(c);
+    *divide = fmb_peek(c) == '/';
+    if (fmb_accept(c, "*") || fmb_accept(c, "/"))
+        return true;
+    return !after_name && (fmb_peek(c) == '(' || at_name(c));
+}
+
+/* Sets constant. */
+static fmb_status read_term(fmb_text *t, fmb_draft *d, mpq_t constant, int depth)
+{
+    fmb_cursor *c = t->c;
+    size_t from = d->n;
+    bool divide;
+    mpq_t other;
+    mpq_init(other);
+    fmb_status st = read_factor(t, d, constant, depth);
+    const char *last = c->at;
+    bool group = last > c->begin && last[-1] == ')';
+    while (st == FMB_OK && accept_product(c, d->n > from && !group, &divide)) {
+        size_t middle = d->n;
+        fmb_skip_blanks(c);
+        const char *p = c->at;
+        st = read_factor(t, d, other, depth);
+        group = c->at > c->begin && c->at[-1] == ')';
+        if (st == FMB_OK)
+            st = combine(t, d, from, middle, constant, other, divide, p);
+    }
+    mpq_clear(other);
+    return st;
+}
+
+/* Adds to constant. */
+static fmb_status read_expression(fmb_text *t, fmb_draft *d, mpq_t constant, int depth)
+{
+    fmb_cursor *c = t->c;
+    mpq_t part;
+    mpq_init(part);
+    fmb_status st;
+    bool more, minus = false;
+    do {
+        size_t from = d->n;
+        st = read_term(t, d, part, depth);
+        if (st == FMB_OK && minus)
+            negate(d, from, part);
+        if (st == FMB_OK && mpq_sgn(part) != 0) {
+            mpq_add(constant, constant, part);
+            st = fmb_io_charge(c, c->at, fmb_io_digits(constant));
+        }
+        fmb_skip_blanks(c);
+        minus = st == FMB_OK && accept_minus(c);
+        more = st == FMB_OK && (minus || fmb_accept(c, "+"));
+    } while (more);
+    mpq_clear(part);
+    return st;
+}
+
+fmb_status fmb_text_expression(fmb_text *t, fmb_draft *d)
+{
+    fmb_draft_reset(d);
+    return read_expression(t, d, d->rhs, 0);
+}
