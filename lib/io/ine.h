@@ -24,7 +24,6 @@ typedef struct fmb_ine {
     fmb_ine_list marks;          /* variables of the project or eliminate line */
     const char *asked;           /* that line, or NULL */
     bool marks_keep;             /* it was project */
-    bool nonnegative;
 } fmb_ine;
 
 /* Takes the line at c if it is an option of the table; *known says whether it was. c is then at the

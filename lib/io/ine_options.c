@@ -1,8 +1,9 @@
 /* ine_options.c: the lines around the matrix of a cddlib/lrslib file; see ine.h.
  *
  * What changes the set of solutions or names variables is obeyed. Commands to those programs
- * (redund, verbose, ...) say nothing about the system and are passed over; an objective is ignored
- * with a warning.
+ * (redund, verbose, ...) say nothing about the system and are passed over. Ignored with a warning:
+ * an objective, and lrslib's `nonnegative`, which cddlib does not know: the rows of the matrix are
+ * what both read.
  */
 #include "io/ine.h"
 #include "system/system.h"
@@ -86,8 +87,7 @@ static fmb_status take_eliminate(fmb_ine *f, const char *line)
 
 static fmb_status take_nonnegative(fmb_ine *f, const char *line)
 {
-    (void)line;
-    f->nonnegative = true;
+    fmb_io_warn(f->c, line, "ignored: 'nonnegative'; only the rows of the matrix count");
     fmb_next_line(f->c);
     return FMB_OK;
 }
@@ -205,21 +205,6 @@ static fmb_status set_marks(fmb_ine *f)
     return FMB_OK;
 }
 
-/* -x_j <= 0 for every j, after the rows of the matrix. */
-static fmb_status add_nonnegative(fmb_ine *f)
-{
-    fmb_status st = FMB_OK;
-    mpq_t term[1], zero;
-    mpq_init(term[0]);
-    mpq_init(zero);
-    mpq_set_si(term[0], -1, 1);
-    for (int j = 0; st == FMB_OK && j < fmb_system_dim(f->s); j++)
-        st = fmb_system_add_q(f->s, 1, &j, term, FMB_LE, zero);
-    mpq_clear(term[0]);
-    mpq_clear(zero);
-    return st;
-}
-
 fmb_status fmb_ine_finish(fmb_ine *f)
 {
     fmb_status st = set_relation(f, &f->linear, FMB_EQ);
@@ -227,8 +212,6 @@ fmb_status fmb_ine_finish(fmb_ine *f)
         st = set_relation(f, &f->strict, FMB_LT);
     if (st == FMB_OK)
         st = set_marks(f);
-    if (st == FMB_OK && f->nonnegative)
-        st = add_nonnegative(f);
     return st;
 }
 

@@ -150,6 +150,29 @@ static fmb_status read_rows(fmb_ine *f, const shape *h)
     return st;
 }
 
+/* cddlib and lrslib read as many rows as the header says and leave the others: so whole rows are
+ * ignored with a warning. */
+static fmb_status skip_more_rows(fmb_cursor *c, const shape *h)
+{
+    char found[FMB_QUOTE];
+    size_t n = 0;
+    fmb_status st = FMB_OK;
+    mpq_t value;
+    skip_comments(c);
+    const char *first = c->at;
+    mpq_init(value);
+    for (; st == FMB_OK && starts_number(fmb_peek(c)); skip_comments(c), n++)
+        st = read_number(c, value);
+    mpq_clear(value);
+    if (st == FMB_OK && n % h->columns != 0)
+        return fmb_io_fail(c, first, "expected 'end' after %zu rows, found %s", h->rows,
+                           fmb_quote(c, first, found));
+    if (st == FMB_OK && n > 0)
+        fmb_io_warn(c, first, "ignored: %zu rows more than the %zu of the header", n / h->columns,
+                    h->rows);
+    return st;
+}
+
 static fmb_status read_matrix(fmb_ine *f)
 {
     fmb_cursor *c = f->c;
@@ -158,9 +181,10 @@ static fmb_status read_matrix(fmb_ine *f)
     fmb_status st = read_shape(c, &h);
     if (st == FMB_OK)
         st = read_rows(f, &h);
+    if (st == FMB_OK)
+        st = skip_more_rows(c, &h);
     if (st != FMB_OK)
         return st;
-    skip_comments(c);
     const char *p = c->at;
     if (!fmb_span_is_nocase(fmb_scan_word(c), "end"))
         return fmb_io_fail(c, p, "expected 'end' after %zu rows, found %s", fmb_system_rows(f->s),
