@@ -131,6 +131,11 @@ fmb_status fmb_elim_combine(fmb_elim *e, uint32_t p, uint32_t q, int col)
     if (st != FMB_OK)
         return st;
     e->run->stats.rows_made++;
+    if (e->budget > 0 && e->rows >= e->budget) {
+        e->over_budget = true;
+        fmb_vec_clear(&r->v, (size_t)e->n + 1, e->run->mem);
+        return FMB_LIMIT;
+    }
     st = close_row(e, &e->next, &e->nexts, &e->next_capacity);
     if (st == FMB_OK)
         st = fmb_run_rows(e->run, e->nexts);

@@ -52,6 +52,9 @@ typedef struct fmb_elim {
     fmb_round *round; /* [n], in the order made */
     int rounds;
 
+    size_t budget;    /* rows that the store may hold, 0 = any number: set it after init */
+    bool over_budget; /* it held more: the elimination ended with FMB_LIMIT */
+
     bool based;     /* the live rows' histories are valid */
     size_t words;   /* of a history */
     int since;      /* variables eliminated by pairing since the last re-base */

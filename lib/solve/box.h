@@ -1,0 +1,25 @@
+/* box.h: inside of an fmb_box: exact intervals of some variables. */
+#ifndef FMB_SOLVE_BOX_H
+#define FMB_SOLVE_BOX_H
+
+#include <fmb/gmp.h>
+
+#include "base/mem.h"
+
+typedef struct fmb_exact_side {
+    fmb_end_kind kind;
+    bool attained;
+    mpq_t value; /* if finite */
+} fmb_exact_side;
+
+struct fmb_box {
+    fmb_mem mem;
+    int size;
+    int *var;                  /* [size] */
+    fmb_exact_side (*side)[2]; /* [size] by fmb_side */
+};
+
+/* [give] size intervals, all ends unknown, over var[0..size), or over 0, 1, ... if var is NULL. */
+fmb_status fmb_box_new(const int *var, int size, const fmb_alloc *hook, fmb_box **out);
+
+#endif

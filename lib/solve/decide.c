@@ -1,0 +1,155 @@
+/* decide.c: is it feasible? Part by part, by elimination or by the oracle.
+ *
+ * Tiny parts are eliminated: nothing is faster there. A part on which elimination would grow goes
+ * to the oracle after a small budget of rows.
+ */
+#include "elim/derive.h"
+#include "elim/witness.h"
+#include "solve/solver.h"
+
+/* Elimination is tried on parts up to this size, and given up beyond this many rows. */
+#define TINY_VARIABLES 6
+#define TINY_BUDGET(m) (256 + 8 * (m))
+
+/* ---- by elimination -------------------------------------------------------------------------- */
+
+static fmb_status claim_clash(fmb_query *q, const fmb_part *p, const fmb_elim *e)
+{
+    if (!q->evidence)
+        return FMB_OK;
+    const fmb_derived *r = &e->row[e->clash];
+    fmb_weights w = {0};
+    mpq_t one; /* 0 = positive is an equality: turn it round */
+    mpq_init(one);
+    mpq_set_si(one, fmb_vec_sgn(&r->v, (size_t)e->n) > 0 ? -1 : 1, 1);
+    fmb_status st = fmb_weights_add(&w, e->clash, one, q->run.mem);
+    if (st == FMB_OK)
+        st = fmb_elim_derive(e, &w);
+    if (st == FMB_OK)
+        st = fmb_query_claim_infeasible(q, p, &w);
+    fmb_weights_clear(&w, q->run.mem);
+    mpq_clear(one);
+    return st;
+}
+
+static fmb_status note_point(fmb_query *q, const fmb_part *p, const fmb_elim *e)
+{
+    mpq_t *x;
+    if (!q->evidence)
+        return FMB_OK;
+    fmb_status st = fmb_vector_new(&x, (size_t)p->n, q->run.mem);
+    if (st != FMB_OK)
+        return st;
+    st = fmb_elim_point(e, FMB_POINT_INSIDE, x);
+    if (st == FMB_OK)
+        fmb_query_scatter(p, x, q->point);
+    fmb_vector_free(x, (size_t)p->n, q->run.mem);
+    return st;
+}
+
+/* budget > 0: *out stays UNKNOWN when the store outgrows it. */
+static fmb_status eliminate_all(fmb_query *q, const fmb_part *p, size_t budget, fmb_verdict *out)
+{
+    fmb_elim e;
+    bool *drop = fmb_arena_get(&q->v->arena, (size_t)p->n, sizeof *drop);
+    if (!drop)
+        return fmb_mem_status(q->run.mem);
+    for (int j = 0; j < p->n; j++)
+        drop[j] = true;
+    fmb_status st = fmb_query_load(q, p, q->v->rule, q->v->rules, &e);
+    e.budget = budget;
+    if (st == FMB_OK)
+        st = fmb_elim_eliminate(&e, drop);
+    if (st == FMB_OK) {
+        *out = e.clash != FMB_NO_ROW ? FMB_INFEASIBLE : FMB_FEASIBLE;
+        st = *out == FMB_INFEASIBLE ? claim_clash(q, p, &e) : note_point(q, p, &e);
+    }
+    bool gave_up = st == FMB_LIMIT && e.over_budget;
+    fmb_elim_clear(&e);
+    return gave_up ? FMB_OK : st;
+}
+
+/* ---- by the oracle --------------------------------------------------------------------------- */
+
+static fmb_status claim_conflict(fmb_query *q, const fmb_part *p, const fmb_lp *lp)
+{
+    fmb_weights w = {0};
+    if (!q->evidence)
+        return FMB_OK;
+    fmb_status st = fmb_lp_conflict(lp, &w);
+    if (st == FMB_OK)
+        st = fmb_query_claim_infeasible(q, p, &w);
+    fmb_weights_clear(&w, q->run.mem);
+    return st;
+}
+
+static fmb_status note_vertex(fmb_query *q, const fmb_part *p, const fmb_lp *lp)
+{
+    mpq_t *x;
+    if (!q->evidence)
+        return FMB_OK;
+    fmb_status st = fmb_vector_new(&x, (size_t)p->n, q->run.mem);
+    if (st != FMB_OK)
+        return st;
+    st = fmb_lp_point(lp, false, x);
+    if (st == FMB_OK)
+        fmb_query_scatter(p, x, q->point);
+    fmb_vector_free(x, (size_t)p->n, q->run.mem);
+    return st;
+}
+
+static fmb_status ask_oracle(fmb_query *q, int part, fmb_verdict *out)
+{
+    const fmb_part *p = &q->parts.part[part];
+    fmb_lp *lp;
+    bool feasible;
+    fmb_status st = fmb_query_oracle(q, part, &lp);
+    if (st == FMB_OK)
+        st = fmb_lp_feasible(lp, &feasible);
+    if (st != FMB_OK)
+        return st;
+    *out = feasible ? FMB_FEASIBLE : FMB_INFEASIBLE;
+    return feasible ? note_vertex(q, p, lp) : claim_conflict(q, p, lp);
+}
+
+/* ---- both ------------------------------------------------------------------------------------ */
+
+static fmb_status decide_part(fmb_query *q, int part, bool oracles, fmb_verdict *out)
+{
+    const fmb_part *p = &q->parts.part[part];
+    fmb_method method = q->v->options.method;
+    fmb_status st = FMB_OK;
+    *out = FMB_UNKNOWN;
+    if (!oracles && method == FMB_METHOD_FM)
+        st = eliminate_all(q, p, 0, out);
+    else if (!oracles && method == FMB_METHOD_AUTO && p->n <= TINY_VARIABLES)
+        st = eliminate_all(q, p, TINY_BUDGET(p->m), out);
+    return st != FMB_OK || *out != FMB_UNKNOWN ? st : ask_oracle(q, part, out);
+}
+
+fmb_status fmb_query_decide(fmb_query *q, bool oracles, fmb_verdict *out)
+{
+    if (q->parts.false_row != SIZE_MAX) {
+        *out = FMB_INFEASIBLE;
+        return fmb_query_claim_false_row(q, q->parts.false_row);
+    }
+    fmb_status st = fmb_run_poll_now(&q->run);
+    fmb_verdict verdict = FMB_FEASIBLE;
+    for (int c = 0; st == FMB_OK && verdict == FMB_FEASIBLE && c < q->parts.count; c++)
+        st = decide_part(q, c, oracles, &verdict);
+    if (st == FMB_OK && verdict == FMB_FEASIBLE)
+        st = fmb_query_claim_feasible(q);
+    if (st == FMB_OK)
+        *out = verdict;
+    return st;
+}
+
+fmb_status fmb_solve(fmb_solver *v, const fmb_system *s, fmb_result *res)
+{
+    fmb_query q;
+    fmb_verdict verdict = FMB_UNKNOWN;
+    fmb_status st = fmb_query_begin(&q, v, s, "solve");
+    if (st == FMB_OK)
+        st = fmb_query_decide(&q, false, &verdict);
+    return fmb_query_end(&q, st, verdict, res);
+}
