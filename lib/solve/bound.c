@@ -34,7 +34,7 @@ static fmb_status claim_bound(job *j, const fmb_weights *w)
     claim->side = j->side;
     claim->rel = j->end->attained ? FMB_LE : FMB_LT;
     mpq_set(claim->value, j->end->value);
-    st = fmb_query_push(q, j->p, w, 1, &claim->multipliers);
+    st = fmb_query_push(q, j->p, w, SIZE_MAX, 1, &claim->multipliers);
     if (st == FMB_OK)
         st = fmb_query_attach_point(q, claim, j->p, j->x);
     if (st != FMB_OK)
@@ -194,7 +194,7 @@ static fmb_status bound_variable(fmb_query *q, int var, mpq_t *x, fmb_exact_side
 {
     int part = q->parts.of_var[var];
     job j = {.q = q, .var = var, .x = x};
-    fmb_elim e;
+    fmb_elim e = {.run = &q->run};
     bool fm = part >= 0 && q->v->options.method == FMB_METHOD_FM;
     fmb_status st = FMB_OK;
     if (part >= 0) {

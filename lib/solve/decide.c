@@ -3,7 +3,6 @@
  * Tiny parts are eliminated: nothing is faster there. A part on which elimination would grow goes
  * to the oracle after a small budget of rows.
  */
-#include "elim/derive.h"
 #include "elim/witness.h"
 #include "solve/solver.h"
 
@@ -12,25 +11,6 @@
 #define TINY_BUDGET(m) (256 + 8 * (m))
 
 /* ---- by elimination -------------------------------------------------------------------------- */
-
-static fmb_status claim_clash(fmb_query *q, const fmb_part *p, const fmb_elim *e)
-{
-    if (!q->evidence)
-        return FMB_OK;
-    const fmb_derived *r = &e->row[e->clash];
-    fmb_weights w = {0};
-    mpq_t one; /* 0 = positive is an equality: turn it round */
-    mpq_init(one);
-    mpq_set_si(one, fmb_vec_sgn(&r->v, (size_t)e->n) > 0 ? -1 : 1, 1);
-    fmb_status st = fmb_weights_add(&w, e->clash, one, q->run.mem);
-    if (st == FMB_OK)
-        st = fmb_elim_derive(e, &w);
-    if (st == FMB_OK)
-        st = fmb_query_claim_infeasible(q, p, &w);
-    fmb_weights_clear(&w, q->run.mem);
-    mpq_clear(one);
-    return st;
-}
 
 static fmb_status note_point(fmb_query *q, const fmb_part *p, const fmb_elim *e)
 {
@@ -62,7 +42,7 @@ static fmb_status eliminate_all(fmb_query *q, const fmb_part *p, size_t budget, 
         st = fmb_elim_eliminate(&e, drop);
     if (st == FMB_OK) {
         *out = e.clash != FMB_NO_ROW ? FMB_INFEASIBLE : FMB_FEASIBLE;
-        st = *out == FMB_INFEASIBLE ? claim_clash(q, p, &e) : note_point(q, p, &e);
+        st = *out == FMB_INFEASIBLE ? fmb_query_claim_clash(q, p, &e) : note_point(q, p, &e);
     }
     bool gave_up = st == FMB_LIMIT && e.over_budget;
     fmb_elim_clear(&e);

@@ -63,10 +63,13 @@ fmb_status fmb_query_load(fmb_query *q, const fmb_part *p, const fmb_rule *const
 /* ---- claims (claims.c): all do nothing without evidence -------------------------------------- */
 
 /* Weights over the rows of a part, as multipliers of the system's rows; sign -1 turns them round.
- */
-fmb_status fmb_query_push(fmb_query *q, const fmb_part *p, const fmb_weights *w, int sign,
-                          fmb_sparse *list);
+ * target: the part's row whose multiple they combine to, as the multipliers shall give that row as
+ * written; or SIZE_MAX. */
+fmb_status fmb_query_push(fmb_query *q, const fmb_part *p, const fmb_weights *w, size_t target,
+                          int sign, fmb_sparse *list);
 fmb_status fmb_query_claim_infeasible(fmb_query *q, const fmb_part *p, const fmb_weights *w);
+/* The same from an elimination whose rows clash. */
+fmb_status fmb_query_claim_clash(fmb_query *q, const fmb_part *p, const fmb_elim *e);
 /* The constant row i is false. */
 fmb_status fmb_query_claim_false_row(fmb_query *q, size_t i);
 fmb_status fmb_query_claim_feasible(fmb_query *q);
@@ -82,7 +85,8 @@ fmb_status fmb_query_attach_point(fmb_query *q, fmb_claim *claim, const fmb_part
 fmb_status fmb_vector_new(mpq_t **out, size_t n, fmb_mem *mem);
 void fmb_vector_free(mpq_t *x, size_t n, fmb_mem *mem);
 
-/* [give] The empty set over the variables of like that keep[0..n) names: the row 0 <= -1. */
+/* [give] The empty set over the variables of like that keep[0..n) names (NULL: the first n): the
+ * row 0 <= -1. */
 fmb_status fmb_empty_set(const fmb_system *like, const int *keep, int n, fmb_system **out);
 
 #endif

@@ -193,6 +193,13 @@ fmb_status fmb_system_append(fmb_system *s, size_t n, const int *var, mpz_t *z, 
     return FMB_OK;
 }
 
+void fmb_system_remove(fmb_system *s, size_t i)
+{
+    free_row(s, &s->row[i]);
+    s->rows--;
+    memmove(&s->row[i], &s->row[i + 1], (s->rows - i) * sizeof *s->row);
+}
+
 static fmb_status copy_row(fmb_system *to, const fmb_sysrow *from)
 {
     fmb_sysrow *r;

@@ -40,4 +40,7 @@ static inline const fmb_sysrow *fmb_system_row(const fmb_system *s, size_t i)
  * them, den > 0), var strictly increasing, no zero coefficient. Errors: MEMORY. */
 fmb_status fmb_system_append(fmb_system *s, size_t n, const int *var, mpz_t *z, fmb_rel rel);
 
+/* Remove row i; the rows behind it move up. */
+void fmb_system_remove(fmb_system *s, size_t i);
+
 #endif

@@ -1,0 +1,130 @@
+/* irredundant.c: removing redundant rows one after another; see irredundant.h. */
+#include "solve/irredundant.h"
+
+#include "solve/solver.h"
+
+typedef struct pass {
+    fmb_lp *lp;
+    const fmb_rel *rel;
+    fmb_fate *fate;
+    bool *slack; /* [m] known to be positive somewhere */
+    const fmb_verdicts *told;
+    mpq_t *x; /* [n] scratch, if somebody is told of points */
+} pass;
+
+/* Multipliers at hand: the minimum (-1) or maximum (1) of a slack. */
+static fmb_status tell(pass *p, size_t i, int sign,
+                       fmb_status (*whom)(void *, size_t, const fmb_weights *))
+{
+    fmb_weights w = {0};
+    if (!whom)
+        return FMB_OK;
+    fmb_status st = fmb_lp_optimum(p->lp, sign, &w);
+    if (st == FMB_OK)
+        st = whom(p->told->self, i, &w);
+    fmb_weights_clear(&w, p->lp->run->mem);
+    return st;
+}
+
+static fmb_status tell_redundant(pass *p, size_t i)
+{
+    p->fate[i] = FMB_FATE_REDUNDANT;
+    return tell(p, i, -1, p->told ? p->told->redundant : NULL);
+}
+
+/* ---- equalities ------------------------------------------------------------------------------ */
+
+static fmb_status lock_equality(pass *p, size_t i)
+{
+    bool depends;
+    fmb_status st = fmb_lp_lock(p->lp, i, &depends);
+    if (st != FMB_OK)
+        return st;
+    if (depends)
+        return tell_redundant(p, i);
+    p->fate[i] = FMB_FATE_KEPT;
+    return FMB_OK;
+}
+
+/* Every slack that is positive at the current point is no implicit equality. */
+static void note_slacks(pass *p)
+{
+    for (size_t i = 0; i < p->lp->m; i++)
+        p->slack[i] = p->slack[i] || fmb_lp_is_slack(p->lp, i);
+}
+
+/* A strict row is never tight on a feasible system. Otherwise the largest slack decides. */
+static fmb_status find_equality(pass *p, size_t i)
+{
+    fmb_lp_end end;
+    bool depends;
+    note_slacks(p);
+    if (p->slack[i])
+        return FMB_OK;
+    fmb_status st = fmb_lp_widen_slack(p->lp, i, &end);
+    if (st != FMB_OK || end != FMB_LP_OPTIMUM)
+        return st;
+    fmb_weights reverse = {0};
+    st = fmb_lp_optimum(p->lp, 1, &reverse);
+    if (st == FMB_OK)
+        st = fmb_lp_lock(p->lp, i, &depends);
+    if (st == FMB_OK && depends) {
+        st = tell_redundant(p, i);
+    } else if (st == FMB_OK) {
+        p->fate[i] = FMB_FATE_EQUALITY;
+        if (p->told && p->told->equality)
+            st = p->told->equality(p->told->self, i, &reverse);
+    }
+    fmb_weights_clear(&reverse, p->lp->run->mem);
+    return st;
+}
+
+/* ---- inequalities ---------------------------------------------------------------------------- */
+
+static fmb_status test_row(pass *p, size_t i)
+{
+    fmb_lp_end end;
+    fmb_status st = fmb_lp_test(p->lp, i, &end);
+    if (st != FMB_OK)
+        return st;
+    if (end == FMB_LP_OPTIMUM)
+        return tell_redundant(p, i);
+    p->fate[i] = FMB_FATE_KEPT;
+    if (p->x) {
+        st = fmb_lp_violation(p->lp, p->x);
+        if (st == FMB_OK)
+            st = p->told->irredundant(p->told->self, i, p->x);
+    }
+    return st == FMB_OK ? fmb_lp_restore(p->lp) : st;
+}
+
+static fmb_status run_passes(pass *p)
+{
+    fmb_status st = FMB_OK;
+    size_t m = p->lp->m;
+    for (size_t i = 0; st == FMB_OK && i < m; i++)
+        if (p->rel[i] == FMB_EQ)
+            st = lock_equality(p, i);
+    for (size_t i = 0; st == FMB_OK && i < m; i++)
+        if (p->rel[i] == FMB_LE)
+            st = find_equality(p, i);
+    for (size_t i = m; st == FMB_OK && i-- > 0;)
+        if (p->fate[i] == FMB_FATE_UNKNOWN)
+            st = test_row(p, i);
+    return st;
+}
+
+fmb_status fmb_irredundant(fmb_lp *lp, const fmb_rel *rel, fmb_fate *fate, const fmb_verdicts *told)
+{
+    fmb_mem *mem = lp->run->mem;
+    pass p = {.lp = lp, .rel = rel, .fate = fate, .told = told};
+    p.slack = fmb_mem_zero(mem, lp->m, sizeof *p.slack);
+    fmb_status st = p.slack ? FMB_OK : fmb_mem_status(mem);
+    if (st == FMB_OK && told && told->irredundant)
+        st = fmb_vector_new(&p.x, (size_t)lp->n, mem);
+    if (st == FMB_OK)
+        st = run_passes(&p);
+    fmb_vector_free(p.x, (size_t)lp->n, mem);
+    fmb_mem_put(mem, p.slack, lp->m, sizeof *p.slack);
+    return st;
+}
