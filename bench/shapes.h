@@ -1,0 +1,15 @@
+/* shapes.h: systems as they come from two cuboids or simplices that may meet, still or moving. */
+#ifndef FMB_BENCH_SHAPES_H
+#define FMB_BENCH_SHAPES_H
+
+#include <fmb/system.h>
+
+/* [give] Pair number i: kinds alternate between 2D and 3D, still and moving, cuboid (C) and simplex
+ * (T) on either side; no two pairs are alike. name[16] gets the kind: "3d-moving-CT". NULL if
+ * memory runs out. */
+fmb_system *shape_pair(unsigned i, char name[16]);
+
+/* Kinds there are. */
+enum { SHAPE_KINDS = 16 };
+
+#endif
