@@ -24,7 +24,7 @@ typedef enum fmb_claim_kind {
     FMB_CLAIM_BOUND,      /* var, side, value, rel: multipliers prove it, point shows it tight */
     FMB_CLAIM_UNBOUNDED,  /* var, side: ray */
     FMB_CLAIM_IMPLIED,    /* an inequality (fmb_claim_terms): multipliers prove it */
-    FMB_CLAIM_REDUNDANT,  /* row: follows from rows that stay (no claim REDUNDANT names them) */
+    FMB_CLAIM_REDUNDANT,  /* row: follows from rows that no claim REDUNDANT names up to here */
     FMB_CLAIM_EQUALITY,   /* row: holds with equality everywhere: multipliers prove the reverse */
     FMB_CLAIM_IRREDUNDANT /* row: point satisfies the other rows that stay, and not this one */
 } fmb_claim_kind;

@@ -5,9 +5,10 @@
  *   proves:  do the multipliers combine the rows to a given inequality?
  *   side_of: on which side of a row does a point lie?
  * Numbers that a claim does not need are not looked at. Claims about redundancy stand or fall
- * together: "the rows that stay" are those that no claim REDUNDANT names, and a row that a claim
- * EQUALITY names counts there as an equality.
- * Source: Schrijver, Theory of Linear and Integer Programming, 1986, sections 7.3 and 7.8.
+ * together: they tell how rows go one after another, each implied by rows not gone by then; "the
+ * rows that stay" are those that never go, and one that a claim EQUALITY names counts as an
+ * equality. Source: Schrijver, Theory of Linear and Integer Programming, 1986, sections 7.3
+ * and 7.8.
  */
 #include <stdarg.h>
 #include <stdio.h>
@@ -19,9 +20,11 @@ typedef struct court {
     const fmb_system *s;
     const fmb_evidence *e;
     fmb_mem mem;
-    bool *gone, *equal; /* [rows] named by a claim REDUNDANT, EQUALITY */
-    bool feasible;      /* a claim FEASIBLE was accepted */
-    char *reason;       /* [sizeof fmb_judgement.reason] */
+    size_t *goes;  /* [rows] the first claim REDUNDANT that names the row, SIZE_MAX: it stays */
+    bool *equal;   /* [rows] named by a claim EQUALITY */
+    size_t now;    /* the claim being judged */
+    bool feasible; /* a claim FEASIBLE was accepted */
+    char *reason;  /* [sizeof fmb_judgement.reason] */
     /* The combination minus the inequality it shall prove: left.x <= right, or < if strict. */
     mpq_t *left, right; /* left[dim] */
     bool strict;
@@ -127,16 +130,19 @@ static void add_row(court *c, size_t i, mpq_srcptr weight)
  * implies the goal if b < h, or if b = h and (the goal is not strict or a.x < b holds). The
  * combination holds left = a - g and right = b - h.
  *
- * With `staying`, only rows that stay may be used, and those known to be equalities count so. */
+ * With `staying`, only rows that have not gone by the claim being judged may be used, and those
+ * that stay to the end and are known to be equalities count so. That is sound: the last row to go
+ * follows from rows that stay, the one before it from those and the last, and so on. */
 static bool proves(court *c, const fmb_sparse *multipliers, bool strict_goal, bool staying)
 {
     for (size_t k = 0; k < multipliers->size; k++) {
         size_t i = multipliers->index[k];
         if (i >= c->s->rows)
             return refuse(c, "there is no row %zu", i + 1);
-        if (staying && c->gone[i])
-            return refuse(c, "row %zu does not stay", i + 1);
-        fmb_rel rel = staying && c->equal[i] ? FMB_EQ : fmb_system_row(c->s, i)->rel;
+        if (staying && c->goes[i] <= c->now)
+            return refuse(c, "row %zu is gone", i + 1);
+        bool equal = staying && c->equal[i] && c->goes[i] == SIZE_MAX;
+        fmb_rel rel = equal ? FMB_EQ : fmb_system_row(c->s, i)->rel;
         int sign = mpq_sgn(multipliers->value[k]);
         if (rel != FMB_EQ && sign < 0)
             return refuse(c, "the multiplier of row %zu is negative", i + 1);
@@ -271,7 +277,7 @@ static bool judge_irredundant(court *c, const fmb_claim *q)
         return refuse(c, "the claim has no point");
     for (size_t i = 0; i < c->s->rows; i++) {
         const fmb_sysrow *row = fmb_system_row(c->s, i);
-        if (c->gone[i] && i != q->row)
+        if (c->goes[i] != SIZE_MAX && i != q->row)
             continue;
         bool kept = keeps(side_of(c, row, q->point, false), c->equal[i] ? FMB_EQ : row->rel);
         if (kept == (i == q->row))
@@ -315,6 +321,7 @@ static void judge_all(court *c, fmb_judgement *out)
             const fmb_claim *q = &e->claim[i];
             if ((q->kind == FMB_CLAIM_FEASIBLE) != feasible)
                 continue;
+            c->now = i;
             if (judge(c, q)) {
                 c->feasible = c->feasible || feasible;
                 out->verdict = meaning(q) != FMB_UNKNOWN ? meaning(q) : out->verdict;
@@ -331,10 +338,12 @@ static void judge_all(court *c, fmb_judgement *out)
 /* Which rows go, and which are equalities. */
 static void mark_rows(court *c)
 {
+    for (size_t i = 0; i < c->s->rows; i++)
+        c->goes[i] = SIZE_MAX;
     for (size_t i = 0; i < c->e->claims; i++) {
         const fmb_claim *q = &c->e->claim[i];
-        if (q->row < c->s->rows && q->kind == FMB_CLAIM_REDUNDANT)
-            c->gone[q->row] = true;
+        if (q->row < c->s->rows && q->kind == FMB_CLAIM_REDUNDANT && c->goes[q->row] > i)
+            c->goes[q->row] = i;
         if (q->row < c->s->rows && q->kind == FMB_CLAIM_EQUALITY)
             c->equal[q->row] = true;
     }
@@ -347,10 +356,10 @@ fmb_status fmb_check(const fmb_system *s, const fmb_evidence *e, fmb_judgement *
     court c = {.s = s, .e = e};
     size_t dim = (size_t)e->dim, rows = e->rows;
     fmb_mem_init(&c.mem, &s->mem.alloc, 0);
-    c.gone = fmb_mem_zero(&c.mem, rows, sizeof *c.gone);
+    c.goes = fmb_mem_get(&c.mem, rows, sizeof *c.goes);
     c.equal = fmb_mem_zero(&c.mem, rows, sizeof *c.equal);
     c.left = fmb_mem_get(&c.mem, dim, sizeof *c.left);
-    bool ready = c.gone && c.equal && c.left;
+    bool ready = c.goes && c.equal && c.left;
     if (ready) {
         for (size_t j = 0; j < dim; j++)
             mpq_init(c.left[j]);
@@ -364,7 +373,7 @@ fmb_status fmb_check(const fmb_system *s, const fmb_evidence *e, fmb_judgement *
         for (size_t j = 0; j < dim; j++)
             mpq_clear(c.left[j]);
     }
-    fmb_mem_put(&c.mem, c.gone, rows, sizeof *c.gone);
+    fmb_mem_put(&c.mem, c.goes, rows, sizeof *c.goes);
     fmb_mem_put(&c.mem, c.equal, rows, sizeof *c.equal);
     fmb_mem_put(&c.mem, c.left, dim, sizeof *c.left);
     return ready ? FMB_OK : FMB_ERR_MEMORY;
