@@ -46,22 +46,33 @@ static bool is_public(const fmb_option_info *info)
     return strcmp(info->name, "evidence") != 0;
 }
 
+enum { NAME_SIZE = 32 };
+
+/* "max_rows" is --max-rows on a command line. */
+static void spell(const fmb_option_info *info, char name[NAME_SIZE])
+{
+    snprintf(name, NAME_SIZE, "%s", info->name);
+    for (char *c = name; (c = strchr(c, '_'));)
+        *c = '-';
+}
+
 static error_t parse_option(int key, char *arg, struct argp_state *state)
 {
     app_ask *ask = state->input;
     if (key < FIRST_KEY || key >= FIRST_KEY + MOST_OPTIONS)
         return ARGP_ERR_UNKNOWN;
     const fmb_option_info *info = fmb_options_describe((size_t)(key - FIRST_KEY));
+    char name[NAME_SIZE];
+    spell(info, name);
     if (fmb_options_set(&ask->options, info->name, arg) != FMB_OK)
-        argp_error(state, "--%s: '%s' is out of range (%s)", info->name, arg, info->values);
+        argp_error(state, "--%s: expected %s, found '%s'", name, info->values, arg);
     return 0;
 }
 
 /* The library's table in argp's form; what argp points to lives here. */
 typedef struct solver_table {
     struct argp_option option[MOST_OPTIONS + 1];
-    char name[MOST_OPTIONS][32];
-    char value[MOST_OPTIONS][48];
+    char name[MOST_OPTIONS][NAME_SIZE];
     char meaning[MOST_OPTIONS][200];
 } solver_table;
 
@@ -73,16 +84,13 @@ static void fill_table(solver_table *t)
     for (size_t i = 0; n < MOST_OPTIONS && (info = fmb_options_describe(i)); i++) {
         if (!is_public(info))
             continue;
-        snprintf(t->name[n], sizeof t->name[n], "%s", info->name);
-        for (char *c = t->name[n]; (c = strchr(c, '_'));)
-            *c = '-';
-        bool words = strchr(info->values, '|');
-        snprintf(t->value[n], sizeof t->value[n], "%s", words ? "WORD" : info->values);
-        snprintf(t->meaning[n], sizeof t->meaning[n], "%s: %s (default %s)", info->meaning,
-                 info->values, info->initial);
+        spell(info, t->name[n]);
+        int length = (int)strcspn(info->meaning, ".");
+        snprintf(t->meaning[n], sizeof t->meaning[n], "%.*s (default %s)", length, info->meaning,
+                 info->initial);
         t->option[n] = (struct argp_option){.name = t->name[n],
                                             .key = FIRST_KEY + (int)i,
-                                            .arg = t->value[n],
+                                            .arg = info->values,
                                             .doc = t->meaning[n],
                                             .group = 3};
         n++;

@@ -7,11 +7,11 @@
 #include "common/file.h"
 #include "common/message.h"
 
+#define FORMATS "auto|fmb|ine|ieq|smt2|mps|lp"
+
 static const struct argp_option source_options[] = {
     {"format", 'f', "FORMAT", 0,
-     "FILE is in this format: auto|fmb|ine|ieq|smt2|mps|lp (default auto: by name, else by "
-     "content)",
-     1},
+     "FILE is in this format: " FORMATS " (default auto: by name, else by content)", 1},
     {"quiet", 'q', NULL, 0, "Nothing on standard error but errors", 1},
     {0}};
 
@@ -21,7 +21,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     switch (key) {
     case 'f':
         if (!fmb_format_parse(arg, &src->format))
-            argp_error(state, "--format: unknown format '%s'", arg);
+            argp_error(state, "--format: expected " FORMATS ", found '%s'", arg);
         return 0;
     case 'q':
         src->quiet = true;

@@ -56,22 +56,23 @@ static char *end_text(const fmb_box *box, int i, fmb_side side)
     return text;
 }
 
+/* "[1/2," and "inf)" */
 static char *end_cell(const fmb_box *box, int i, fmb_side side)
 {
     char *value = end_text(box, i, side);
     bool attained = fmb_box_end(box, i, side).attained;
+    const char *opening = side == FMB_UPPER ? "" : attained ? "[" : "(";
     const char *closing = side == FMB_LOWER ? "," : attained ? "]" : ")";
-    char *cell = app_print("%s%s", value ? value : "?", closing);
+    char *cell = app_print("%s%s%s", opening, value ? value : "?", closing);
     free(value);
     return cell;
 }
 
 static void print_box(const app_session *s, const fmb_box *box)
 {
-    app_table table = {.columns = 4, .align = "llrr"};
+    app_table table = {.columns = 3, .align = "lrr"};
     for (int i = 0; i < fmb_box_size(box); i++) {
         app_table_add(&table, app_show_name(s->system, fmb_box_var(box, i)));
-        app_table_add(&table, app_print(fmb_box_end(box, i, FMB_LOWER).attained ? "[" : "("));
         app_table_add(&table, end_cell(box, i, FMB_LOWER));
         app_table_add(&table, end_cell(box, i, FMB_UPPER));
     }

@@ -22,7 +22,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         return 0;
     case KEY_TO:
         if (!app_format_to(arg, &r->to))
-            argp_error(state, "--to: '%s' is not one of fmb, ine, smt2", arg);
+            argp_error(state, "--to: expected fmb|ine|smt2, found '%s'", arg);
         return 0;
     case ARGP_KEY_END:
         if (!r->to)

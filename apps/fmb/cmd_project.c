@@ -36,7 +36,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         return 0;
     case KEY_TO:
         if (!app_format_to(arg, &r->to))
-            argp_error(state, "--to: '%s' is not one of fmb, ine, smt2", arg);
+            argp_error(state, "--to: expected fmb|ine|smt2, found '%s'", arg);
         return 0;
     case ARGP_KEY_END:
         if (r->keep.lists > 0 && r->eliminate.lists > 0)
@@ -52,8 +52,9 @@ static const struct argp own = {.options = options, .parser = parse};
 static const app_usage usage = {
     .args = "FILE",
     .doc = "The projection of the system in FILE on some of its variables, as an irredundant "
-           "system. Without --keep and --eliminate the file itself must ask for a projection (.ine "
-           "files: project and eliminate lines). The projection of an infeasible system is the row "
+           "system. Without --keep and --eliminate the file itself must ask for a projection (a "
+           "project or eliminate line in .ine, project: in .fmb). The projection of an infeasible "
+           "system is the row "
            "0 <= -1."
            "\v"
            "Exit codes: 0 done, 1 infeasible, 2 undecided (nothing is printed).\n"

@@ -19,7 +19,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     if (key != KEY_TO)
         return ARGP_ERR_UNKNOWN;
     if (!app_format_to(arg, state->input))
-        argp_error(state, "--to: '%s' is not one of fmb, ine, smt2", arg);
+        argp_error(state, "--to: expected fmb|ine|smt2, found '%s'", arg);
     return 0;
 }
 

@@ -103,6 +103,8 @@ int main(int argc, char **argv)
     argp_program_version_hook = print_version;
     app_file_guard_output();
     const command *chosen = NULL;
+    static char name[] = "fmb";
+    argv[0] = name;
     argp_parse(&whole, argc, argv, ARGP_IN_ORDER, NULL, &chosen);
     int skip = command_place(argv);
     argv[skip] = chosen->title;

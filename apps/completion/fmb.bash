@@ -1,0 +1,50 @@
+# Bash completion for fmb.
+
+_fmb()
+{
+    local cur prev command i
+    cur=${COMP_WORDS[COMP_CWORD]}
+    prev=${COMP_WORDS[COMP_CWORD - 1]}
+    COMPREPLY=()
+    for ((i = 1; i < COMP_CWORD; i++)); do
+        case ${COMP_WORDS[i]} in
+            solve | bounds | project | reduce | check | convert) command=${COMP_WORDS[i]} && break ;;
+        esac
+    done
+
+    local general="--help --usage --version"
+    local source="--format --quiet"
+    local solver="--json --proof --trace --arith --method --order --rules
+        --max-seconds --max-rows --max-bytes"
+    local words
+    case $prev in
+        --format) words="auto fmb ine ieq smt2 mps lp" ;;
+        --to) words="fmb ine smt2" ;;
+        --arith) words="auto int gmp" ;;
+        --method) words="auto fm lp" ;;
+        --order) words="pairs given min fill" ;;
+        --rules) words="none kohler duplicate kohler,duplicate" ;;
+        --max-seconds | --max-rows | --max-bytes | --vars | --keep | --eliminate) return ;;
+        --proof | --trace)
+            compopt -o default
+            return
+            ;;
+        *)
+            case $command in
+                solve) words="$general $source $solver" ;;
+                bounds) words="$general $source $solver --vars" ;;
+                project) words="$general $source $solver --keep --eliminate --to" ;;
+                reduce) words="$general $source $solver --to" ;;
+                check) words="$general $source --json" ;;
+                convert) words="$general $source --to" ;;
+                *) words="$general solve bounds project reduce check convert" ;;
+            esac
+            if [[ -n $command && $cur != -* ]]; then
+                compopt -o default
+                return
+            fi
+            ;;
+    esac
+    mapfile -t COMPREPLY < <(compgen -W "$words" -- "$cur")
+}
+complete -F _fmb fmb

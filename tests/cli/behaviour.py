@@ -1,0 +1,182 @@
+"""What a transcript cannot show: JSON for programs, Ctrl-C, progress on a terminal.
+usage: behaviour.py FMB EXAMPLES"""
+
+import fractions
+import json
+import os
+import pty
+import random
+import re
+import select
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+FMB, EXAMPLES = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
+RATIONAL = re.compile(r"-?[0-9]+(/[1-9][0-9]*)?")
+
+
+def run(*words, text=None):
+    return subprocess.run([FMB, *words], cwd=EXAMPLES, input=text, capture_output=True, timeout=60)
+
+
+def ask(code, *words, text=None):
+    reply = run(*words, "--json", text=text)
+    assert reply.returncode == code, (words, reply)
+    return json.loads(reply.stdout)
+
+
+def dense_system(n, m):
+    """Random rows around the origin: eliminating n variables takes longer than anyone waits."""
+    pick = random.Random(1)
+    rows = [" + ".join(f"{pick.randint(-99, 99)} x{j}" for j in range(n)) for _ in range(m)]
+    return "".join(f"{row} <= {pick.randint(1, 99)}\n" for row in rows).replace("+ -", "- ")
+
+
+class Json(unittest.TestCase):
+    def test_feasible(self):
+        answer = ask(0, "solve", "breakfast.fmb")
+        self.assertEqual(set(answer), {"verdict", "stop", "witness", "stats"})
+        self.assertEqual((answer["verdict"], answer["stop"]), ("feasible", "done"))
+        self.assertEqual(list(answer["witness"]), ["bread", "milk", "egg"])
+        x = {name: fractions.Fraction(value) for name, value in answer["witness"].items()}
+        self.assertGreaterEqual(250 * x["bread"] + 150 * x["milk"] + 90 * x["egg"], 600)
+
+    def test_infeasible(self):
+        answer = ask(1, "solve", "schedule.fmb")
+        self.assertEqual(set(answer), {"verdict", "stop", "conflict", "stats"})
+        self.assertEqual([r["label"] for r in answer["conflict"]],
+                         ["opening", "drying", "glue", "closing"])
+        for row in answer["conflict"]:
+            self.assertEqual(set(row), {"row", "label", "multiplier"})
+            self.assertRegex(row["multiplier"], RATIONAL)
+
+    def test_bounds(self):
+        answer = ask(0, "bounds", "breakfast.fmb")
+        self.assertEqual(list(answer["bounds"]), ["bread", "milk", "egg"])
+        for end in answer["bounds"].values():
+            self.assertEqual(set(end), {"lower", "upper", "lower_attained", "upper_attained"})
+            self.assertRegex(end["lower"], RATIONAL)
+            self.assertIs(type(end["upper_attained"]), bool)
+        answer = ask(0, "bounds", "-", text=b"x < 3\n")
+        self.assertEqual(answer["bounds"]["x"], {"lower": "-inf", "upper": "3",
+                                                 "lower_attained": False, "upper_attained": False})
+        self.assertIn("conflict", ask(1, "bounds", "schedule.fmb"))
+
+    def test_project_and_reduce(self):
+        answer = ask(0, "project", "cube.ine")
+        self.assertEqual(len(answer["variables"]), 2)
+        for row in answer["rows"]:
+            self.assertEqual(len(row["coefficients"]), 2)
+            self.assertIn(row["relation"], ("<=", "<", "="))
+            self.assertRegex(row["rhs"], RATIONAL)
+        answer = ask(0, "reduce", "cube.ine")
+        self.assertEqual([(r["row"], r["reason"]) for r in answer["removed"]], [(8, "redundant")])
+        self.assertEqual({m["row"] for m in answer["removed"][0]["multipliers"]}, {2, 4})
+        self.assertEqual(answer["equalities"], [])
+        answer = ask(1, "project", "schedule.fmb", "--keep", "paint")
+        self.assertEqual(answer["rows"], [{"coefficients": ["0"], "relation": "<=", "rhs": "-1"}])
+
+    def test_equalities(self):
+        answer = ask(0, "reduce", "-", text=b"x + y <= 1\nx + y >= 1\nx >= 0\n")
+        self.assertEqual(answer["equalities"], [1])
+        self.assertEqual([r["row"] for r in answer["removed"]], [2])
+
+    def test_names_of_any_bytes(self):
+        """Whatever a reader takes for a name, the JSON is valid UTF-8 and the point is complete."""
+        mps = (b"NAME t\nROWS\n N obj\n L r\xff\nCOLUMNS\n x\xe9 r\xff 1\n y r\xff 1\nRHS\n"
+               b" b r\xff 4\nENDATA\n")
+        reply = run("solve", "--format", "mps", "--json", "-", text=mps)
+        if reply.returncode in (64, 65):  # built without GLPK, or it will not have such names
+            self.assertIn(b"mps" if reply.returncode == 64 else b"<stdin>", reply.stderr)
+        else:
+            self.assertEqual(len(json.loads(reply.stdout.decode("utf-8"))["witness"]), 2)
+
+    def test_check(self):
+        with tempfile.TemporaryDirectory() as folder:
+            proof = os.path.join(folder, "p")
+            ask(1, "solve", "schedule.fmb", "--proof", proof)
+            self.assertEqual(ask(0, "check", "schedule.fmb", proof),
+                             {"accepted": True, "verdict": "infeasible", "claims": 1})
+            with open(proof) as f:
+                wrong = re.sub("row 4 .*", "row 4 77", f.read())
+            answer = ask(1, "check", "schedule.fmb", "-", text=wrong.encode())
+            self.assertEqual(answer["accepted"], False)
+            self.assertTrue(answer["reason"])
+
+    def test_trace(self):
+        with tempfile.TemporaryDirectory() as folder:
+            trace = os.path.join(folder, "t")
+            run("solve", "breakfast.fmb", "--method", "fm", "--trace", trace)
+            with open(trace) as lines:
+                events = [json.loads(line) for line in lines]
+            self.assertGreaterEqual(len(events), 2)
+
+
+class Interruption(unittest.TestCase):
+    """A long elimination is cut short."""
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.file = os.path.join(self.folder.name, "dense.fmb")
+        with open(self.file, "w") as f:
+            f.write(dense_system(20, 60))
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def start(self, *words, **streams):
+        return subprocess.Popen([FMB, *words, self.file, "--method", "fm"],
+                                stdout=subprocess.PIPE, **streams)
+
+    def stop(self, number, *words):
+        with self.start(*words, stderr=subprocess.PIPE) as p:
+            time.sleep(1)
+            self.assertIsNone(p.poll(), "it was to take long")
+            p.send_signal(number)
+            begin = time.monotonic()
+            out, err = p.communicate(timeout=30)
+            self.assertLess(time.monotonic() - begin, 10)
+            return p.returncode, out, err
+
+    def test_interrupt_and_terminate(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            code, out, err = self.stop(number, "solve", "--json")
+            self.assertEqual((code, err), (2, b""))
+            answer = json.loads(out)
+            self.assertEqual((answer["verdict"], answer["stop"]), ("unknown", "cancelled"))
+
+    def test_interrupt_text(self):
+        self.assertEqual(self.stop(signal.SIGINT, "solve"), (2, b"unknown (cancelled)\n", b""))
+
+    def test_limits(self):
+        for option, value, stop in (("--max-seconds", "0.5", "time"), ("--max-rows", "200", "rows"),
+                                    ("--max-bytes", "1000000", "bytes")):
+            answer = ask(2, "solve", self.file, "--method", "fm", option, value)
+            self.assertEqual((answer["verdict"], answer["stop"]), ("unknown", stop))
+
+    def test_progress(self):
+        """On a terminal a long run tells how far it is, and leaves nothing behind."""
+        ours, theirs = pty.openpty()
+        with self.start("solve", "--max-seconds", "3", stderr=theirs) as p:
+            os.close(theirs)
+            shown = b""
+            while select.select([ours], [], [], 30)[0]:
+                try:
+                    piece = os.read(ours, 4096)
+                except OSError:
+                    break
+                if not piece:
+                    break
+                shown += piece
+            self.assertEqual(p.stdout.read(), b"unknown (time)\n")
+        os.close(ours)
+        self.assertIn(b"rows", shown)
+        last = [part for part in shown.split(b"\r") if part][-1]
+        self.assertEqual(last.strip(), b"", "the line was not erased")
+
+
+unittest.main(argv=sys.argv[:1])

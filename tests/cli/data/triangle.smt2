@@ -1,0 +1,5 @@
+(set-logic QF_LRA)
+(declare-const x Real)
+(declare-const y Real)
+(assert (and (>= x 0) (>= y 0) (<= (+ x (* 2 y)) 3)))
+(check-sat)
