@@ -1,0 +1,11 @@
+/* naive.h: a second judge of evidence, written from docs/proof-format.md alone, to judge the judge.
+ */
+#ifndef FMB_TEST_NAIVE_H
+#define FMB_TEST_NAIVE_H
+
+#include "proof/evidence.h"
+
+/* Index of the first claim that does not hold, SIZE_MAX if all do. */
+size_t naive_first_failing(const fmb_system *s, const fmb_evidence *e);
+
+#endif
