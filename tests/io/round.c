@@ -1,0 +1,117 @@
+/* round.c: what is written reads back as the same system: random rows with large and small
+ * rationals, all relations, awkward names and labels, marks.
+ */
+#include <criterion/criterion.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "parse.h"
+
+/* splitmix64. */
+static uint64_t next(uint64_t *seed)
+{
+    uint64_t z = *seed += 0x9e3779b97f4a7c15u;
+    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
+    return z ^ z >> 31;
+}
+
+static size_t below(uint64_t *seed, size_t n)
+{
+    return (size_t)(next(seed) % n);
+}
+
+/* Half of the numbers are small integers, some have hundreds of digits. */
+static void random_number(uint64_t *seed, mpq_t q)
+{
+    mpq_set_si(q, (long)below(seed, 19) - 9, 1);
+    if (below(seed, 4) == 0)
+        mpq_set_si(q, (long)below(seed, 2001) - 1000, 1 + below(seed, 1000));
+    if (below(seed, 8) == 0)
+        mpz_ui_pow_ui(mpq_denref(q), 2 + below(seed, 9), below(seed, 300));
+    if (below(seed, 8) == 0)
+        mpz_ui_pow_ui(mpq_numref(q), 2 + below(seed, 9), below(seed, 300));
+    mpq_canonicalize(q);
+}
+
+static const char *const words[] = {
+    "e3",        "x",     "vars",         "project",   "a b",      " lead",     "trail ",
+    "q\"uote\\", "c:d",   "h#sh",         "\xCE\xB1",  "\xff\xfe", "line\nend", "x(1)",
+    "1st",       "<=",    "\xE2\x89\xA4", "tab\t",     "e",        ".dot",      "m\xC2\xB7n",
+    "-x",        "a'[1]", "\xE2\x82\x81", "eliminate", "x#",       "\\x41",
+};
+
+#define WORDS (sizeof words / sizeof *words)
+
+static void random_names(uint64_t *seed, fmb_system *s)
+{
+    for (int j = 0; j < fmb_system_dim(s); j++)
+        if (below(seed, 2) == 0) /* a name that is taken is left */
+            (void)!fmb_system_set_name(s, j, words[below(seed, WORDS)]);
+}
+
+static void random_row(uint64_t *seed, fmb_system *s)
+{
+    enum { MOST = 12 };
+    int var[MOST];
+    mpq_t coef[MOST], b;
+    int dim = fmb_system_dim(s);
+    size_t n = dim > 0 ? below(seed, MOST + 1) : 0;
+    mpq_init(b);
+    random_number(seed, b);
+    for (size_t k = 0; k < MOST; k++) {
+        mpq_init(coef[k]);
+        random_number(seed, coef[k]);
+        var[k] = dim > 0 ? (int)below(seed, (size_t)dim) : 0;
+    }
+    cr_assert(fmb_system_add_q(s, n, var, coef, (fmb_rel)below(seed, 3), b) == FMB_OK);
+    for (size_t k = 0; k < MOST; k++)
+        mpq_clear(coef[k]);
+    mpq_clear(b);
+}
+
+static fmb_system *random_system(uint64_t *seed)
+{
+    fmb_system *s;
+    cr_assert(fmb_system_new((int)below(seed, 9), NULL, &s) == FMB_OK);
+    random_names(seed, s);
+    for (size_t i = below(seed, 12); i > 0; i--) {
+        random_row(seed, s);
+        const char *label = below(seed, 8) == 0 ? "" : words[below(seed, WORDS)];
+        if (below(seed, 2) == 0)
+            cr_assert(fmb_system_set_label(s, fmb_system_rows(s) - 1, label) == FMB_OK);
+    }
+    bool asks = below(seed, 3) == 0;
+    for (int j = 0; asks && j < fmb_system_dim(s); j++)
+        fmb_system_set_kept(s, j, below(seed, 2) == 0);
+    return s;
+}
+
+static void check_round(fmb_format f, bool named)
+{
+    for (uint64_t i = 0; i < 2000; i++) {
+        uint64_t seed = i;
+        fmb_system *s = random_system(&seed);
+        char *text = write_text(s, f);
+        fmb_system *back = parse(f, text, strlen(text));
+        cr_assert(same_system(s, back, named), "seed %zu comes back otherwise:\n%s", (size_t)i,
+                  text);
+        fmb_system *guessed = parse(FMB_FORMAT_AUTO, text, strlen(text));
+        cr_assert(same_system(s, guessed, named), "seed %zu is taken for another format:\n%s",
+                  (size_t)i, text);
+        free(text);
+        fmb_system_free(guessed);
+        fmb_system_free(back);
+        fmb_system_free(s);
+    }
+}
+
+Test(round, text)
+{
+    check_round(FMB_FORMAT_TEXT, true);
+}
+
+Test(round, ine)
+{
+    check_round(FMB_FORMAT_INE, false);
+}
