@@ -3,6 +3,7 @@
  * Names that SMT-LIB cannot spell (empty, with '|' or '\', or meaning something already) become
  * x<number>; labels that it cannot spell, or that are taken, are left out. The rows stay the same.
  */
+#include <stdio.h>
 #include <string.h>
 
 #include "io/smt2_term.h"
