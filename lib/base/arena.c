@@ -1,6 +1,8 @@
 /* arena.c: chunks in a list, each at least twice as large as needed at first; see arena.h. */
 #include "base/arena.h"
 
+#include <string.h>
+
 #define FIRST_CHUNK   ((size_t)16384)
 #define LARGEST_CHUNK ((size_t)1 << 22)
 
@@ -48,6 +50,21 @@ void *fmb_arena_get(fmb_arena *a, size_t count, size_t size)
     void *p = a->current->data + a->at;
     a->at += bytes;
     return p;
+}
+
+fmb_status fmb_arena_reserve(fmb_arena *a, void **p, size_t *capacity, size_t need, size_t size)
+{
+    if (need <= *capacity)
+        return FMB_OK;
+    size_t count = 2 * *capacity > need ? 2 * *capacity : need < 32 ? 32 : need;
+    void *q = fmb_arena_get(a, count, size);
+    if (!q)
+        return fmb_mem_status(a->mem);
+    if (*capacity > 0)
+        memcpy(q, *p, *capacity * size);
+    *p = q;
+    *capacity = count;
+    return FMB_OK;
 }
 
 void fmb_arena_reset(fmb_arena *a)

@@ -39,7 +39,9 @@ static void factors(const fmb_elim *e, const fmb_derived *r, sweep *s)
     fmb_vec_get(q, k, s->u);
     mpz_addmul(s->t, s->u, s->beta);
     fmb_vec_get(&r->v, k, s->u);
-    mpz_divexact(mpq_numref(s->content), s->t, s->u);
+    mpz_set(mpq_numref(s->content), s->t);
+    mpz_set(mpq_denref(s->content), s->u);
+    mpq_canonicalize(s->content);
 }
 
 /* Give a parent factor / content times the weight of its child. */

@@ -22,9 +22,6 @@ void fmb_elim_clear(fmb_elim *e)
     fmb_mem *mem = e->run->mem;
     for (size_t i = 0; i < e->rows; i++)
         fmb_vec_clear(&e->row[i].v, (size_t)e->n + 1, mem);
-    fmb_mem_put(mem, e->row, e->row_capacity, sizeof *e->row);
-    fmb_mem_put(mem, e->live, e->live_capacity, sizeof *e->live);
-    fmb_mem_put(mem, e->next, e->next_capacity, sizeof *e->next);
     e->run->stats.promotions += e->num.promotions;
     fmb_num_clear(&e->num);
 }
@@ -32,9 +29,8 @@ void fmb_elim_clear(fmb_elim *e)
 /* An empty row at the end of the store, not counted yet. */
 static fmb_status open_row(fmb_elim *e, fmb_derived **out)
 {
-    fmb_mem *mem = e->run->mem;
-    fmb_status st =
-        fmb_mem_reserve(mem, (void **)&e->row, &e->row_capacity, e->rows + 1, sizeof *e->row);
+    fmb_status st = fmb_arena_reserve(e->arena, (void **)&e->row, &e->row_capacity, e->rows + 1,
+                                      sizeof *e->row);
     if (st != FMB_OK)
         return st;
     if (e->rows >= FMB_NO_ROW)
@@ -43,7 +39,7 @@ static fmb_status open_row(fmb_elim *e, fmb_derived **out)
     *r = (fmb_derived){.p = FMB_NO_ROW, .q = FMB_NO_ROW, .col = -1};
     r->v.s = fmb_arena_get(e->arena, (size_t)e->n + 1, sizeof *r->v.s);
     if (!r->v.s)
-        return fmb_mem_status(mem);
+        return fmb_mem_status(e->arena->mem);
     *out = r;
     return FMB_OK;
 }
@@ -74,8 +70,7 @@ static fmb_status close_row(fmb_elim *e, uint32_t **list, size_t *count, size_t 
         e->rows++;
         return FMB_OK;
     }
-    fmb_status st =
-        fmb_mem_reserve(e->run->mem, (void **)list, capacity, *count + 1, sizeof **list);
+    fmb_status st = fmb_arena_reserve(e->arena, (void **)list, capacity, *count + 1, sizeof **list);
     if (st != FMB_OK) {
         fmb_vec_clear(&r->v, (size_t)e->n + 1, e->run->mem);
         return st;
@@ -86,7 +81,7 @@ static fmb_status close_row(fmb_elim *e, uint32_t **list, size_t *count, size_t 
 
 fmb_status fmb_elim_add(fmb_elim *e, const fmb_vec *v, fmb_rel rel)
 {
-    fmb_derived *r;
+    fmb_derived *r = NULL;
     size_t n = (size_t)e->n + 1;
     fmb_status st = open_row(e, &r);
     if (st == FMB_OK)
@@ -115,7 +110,7 @@ static fmb_status union_history(fmb_elim *e, fmb_derived *r, const fmb_derived *
 
 fmb_status fmb_elim_combine(fmb_elim *e, uint32_t p, uint32_t q, int col)
 {
-    fmb_derived *r;
+    fmb_derived *r = NULL;
     fmb_status st = open_row(e, &r);
     if (st != FMB_OK)
         return st;
@@ -244,6 +239,16 @@ static fmb_status pair_rows(fmb_elim *e, const fmb_round *round, size_t lowers)
     return st;
 }
 
+/* Does no row of the round name another variable? */
+static bool is_last(const fmb_elim *e, const fmb_round *round)
+{
+    for (size_t i = 0; i < round->rows; i++)
+        for (int j = 0; j < e->n; j++)
+            if (j != round->var && fmb_vec_sgn(&e->row[round->row[i]].v, (size_t)j) != 0)
+                return false;
+    return true;
+}
+
 /* Remove var by pairing. A column of one sign only makes no pairs: its rows go, and histories stay
  * as they are, since the rest is what the elimination of the other variables alone would give. */
 static fmb_status pair(fmb_elim *e, int var)
@@ -268,7 +273,7 @@ static fmb_status pair(fmb_elim *e, int var)
         return st;
     e->since++;
     e->run->stats.rounds++;
-    return pair_rows(e, round, lowers);
+    return is_last(e, round) ? fmb_elim_squeeze(e, round, lowers) : pair_rows(e, round, lowers);
 }
 
 static fmb_status eliminate(fmb_elim *e, int var)

@@ -78,6 +78,9 @@ fmb_status fmb_elim_eliminate(fmb_elim *e, const bool *drop);
 int fmb_elim_choose(const fmb_elim *e, const bool *drop);
 /* Drop live rows as the rules say. */
 fmb_status fmb_elim_prune(fmb_elim *e, int var);
+/* Eliminate the last variable: every row of the round names no other. Only the tightest bounds are
+ * combined. */
+fmb_status fmb_elim_squeeze(fmb_elim *e, const fmb_round *round, size_t lowers);
 /* Append a row derived from p and q by cancelling col; rows that say nothing are not kept. */
 fmb_status fmb_elim_combine(fmb_elim *e, uint32_t p, uint32_t q, int col);
 

@@ -3,15 +3,21 @@
 
 #include "elim/elim.h"
 
-/* The live rows as a rule sees them; NULL: no memory. Belongs to run->mem. */
-static fmb_live *look(const fmb_elim *e)
+/* The live rows as a rule sees them, made primitive; belongs to run->mem. */
+static fmb_status look(fmb_elim *e, fmb_live **out)
 {
     fmb_live *w = fmb_mem_get(e->run->mem, e->lives, sizeof *w);
-    for (size_t i = 0; w && i < e->lives; i++) {
-        const fmb_derived *r = &e->row[e->live[i]];
+    fmb_status st = w ? FMB_OK : fmb_mem_status(e->run->mem);
+    for (size_t i = 0; st == FMB_OK && i < e->lives; i++) {
+        fmb_derived *r = &e->row[e->live[i]];
+        st = fmb_vec_reduce(&r->v, (size_t)e->n + 1, &e->num);
         w[i] = (fmb_live){&r->v, r->history, r->strict, r->equality};
     }
-    return w;
+    if (st == FMB_OK)
+        *out = w;
+    else
+        fmb_mem_put(e->run->mem, w, e->lives, sizeof *w);
+    return st;
 }
 
 /* A rule that breaks histories costs Kohler's count, which starts anew: worth it for many rows
@@ -20,6 +26,16 @@ static bool pays(const fmb_elim *e, const fmb_rule *rule, size_t marked)
 {
     bool breaks = (rule->flags & FMB_RULE_BREAKS_HISTORY) != 0;
     return marked > 0 && (!breaks || !e->histories || 4 * marked >= e->lives);
+}
+
+/* With few rows it cannot: the rows are not even looked at. */
+#define WORTH_LOOKING 32
+
+static bool can_pay(const fmb_elim *e, const fmb_rule *rule)
+{
+    bool breaks = (rule->flags & FMB_RULE_BREAKS_HISTORY) != 0;
+    return rule->end_round && e->lives > 0 &&
+           (!breaks || !e->histories || e->lives >= WORTH_LOOKING);
 }
 
 static void drop_marked(fmb_elim *e, const bool *drop)
@@ -60,12 +76,12 @@ fmb_status fmb_elim_prune(fmb_elim *e, int var)
 {
     fmb_status st = FMB_OK;
     for (int k = 0; st == FMB_OK && k < e->rules; k++) {
-        if (!e->rule[k]->end_round || e->lives == 0)
+        if (!can_pay(e, e->rule[k]))
             continue;
         size_t seen = e->lives;
-        fmb_live *rows = look(e);
-        if (!rows)
-            return fmb_mem_status(e->run->mem);
+        fmb_live *rows;
+        if ((st = look(e, &rows)) != FMB_OK)
+            return st;
         st = apply(e, e->rule[k], rows, var);
         fmb_mem_put(e->run->mem, rows, seen, sizeof *rows);
     }

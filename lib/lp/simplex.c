@@ -17,36 +17,14 @@ static bool by_least_index(const fmb_lp *lp)
     return lp->stalled > PATIENCE;
 }
 
-/* Sign of x_i * |y_j| - z_k * |w_l|. */
-static int compare_products(const fmb_vec *x, size_t i, const fmb_vec *y, size_t j,
-                            const fmb_vec *z, size_t k, const fmb_vec *w, size_t l,
-                            const fmb_num *num)
-{
-    if (!x->z && !y->z && !z->z && !w->z) {
-        fmb_i128 left = (fmb_i128)x->s[i] * llabs(y->s[j]);
-        fmb_i128 right = (fmb_i128)z->s[k] * llabs(w->s[l]);
-        return (left > right) - (left < right);
-    }
-    mpz_ptr p = (mpz_ptr)num->p, q = (mpz_ptr)num->q, t = (mpz_ptr)num->t;
-    fmb_vec_get(x, i, p);
-    fmb_vec_get(y, j, t);
-    mpz_abs(t, t);
-    mpz_mul(p, p, t);
-    fmb_vec_get(z, k, q);
-    fmb_vec_get(w, l, t);
-    mpz_abs(t, t);
-    mpz_mul(q, q, t);
-    return mpz_cmp(p, q);
-}
-
 /* Order of the steps (K + D delta) / |c| at which rows a and b stop column j. */
 static int compare_steps(const fmb_lp *lp, size_t a, size_t b, size_t j)
 {
     const fmb_vec *u = &lp->row[a], *v = &lp->row[b];
     size_t k = fmb_lp_place(lp, FMB_LP_K), d = fmb_lp_place(lp, FMB_LP_D);
-    int order = compare_products(u, k, v, j, v, k, u, j, &lp->num);
+    int order = fmb_vec_compare_products(u, k, v, j, v, k, u, j);
     if (order == 0 && lp->any_strict)
-        order = compare_products(u, d, v, j, v, d, u, j, &lp->num);
+        order = fmb_vec_compare_products(u, d, v, j, v, d, u, j);
     return order;
 }
 
@@ -210,11 +188,11 @@ static bool violates(const fmb_lp *lp, size_t r, size_t j, size_t block, bool st
 {
     const fmb_vec *u = &lp->row[r], *v = &lp->row[block];
     size_t k = fmb_lp_place(lp, FMB_LP_K), d = fmb_lp_place(lp, FMB_LP_D);
-    int order = compare_products(u, k, v, j, v, k, u, j, &lp->num);
+    int order = fmb_vec_compare_products(u, k, v, j, v, k, u, j);
     if (order != 0 || !lp->any_strict)
         return order < 0;
     if (!strict)
-        return compare_products(u, d, v, j, v, d, u, j, &lp->num) < 0;
+        return fmb_vec_compare_products(u, d, v, j, v, d, u, j) < 0;
     mpz_t a, b, t; /* (D_r - e_r) |c_b| - D_b |c_r| <= 0: the delta inside s itself is taken out */
     mpz_inits(a, b, t, NULL);
     fmb_vec_get(u, d, a);

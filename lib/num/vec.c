@@ -197,16 +197,26 @@ static fmb_status set_from_scratch(fmb_vec *dst, size_t n, fmb_num *k, fmb_u128 
     return FMB_OK;
 }
 
+static int ctz128(fmb_u128 v)
+{
+    uint64_t low = (uint64_t)v;
+    return low != 0 ? __builtin_ctzll(low) : 64 + __builtin_ctzll((uint64_t)(v >> 64));
+}
+
+/* As fmb_gcd64, until both fit. */
 static fmb_u128 gcd128(fmb_u128 a, fmb_u128 b)
 {
-    while (b != 0) {
-        if (a >> 64 == 0 && b >> 64 == 0)
-            return fmb_gcd64((uint64_t)a, (uint64_t)b);
-        fmb_u128 r = a % b;
-        a = b;
-        b = r;
+    if (a == 0 || b == 0)
+        return a | b;
+    int shift = ctz128(a | b);
+    a >>= ctz128(a);
+    while (b != 0 && (a | b) >> 64 != 0) {
+        b >>= ctz128(b);
+        fmb_u128 low = a < b ? a : b;
+        b = a < b ? b - a : a - b;
+        a = low;
     }
-    return a;
+    return (b == 0 ? a : (fmb_u128)fmb_gcd64((uint64_t)a, (uint64_t)b)) << shift;
 }
 
 /* p a + q b in 128 bits, divided by its content before it is stored. */
@@ -244,7 +254,9 @@ static fmb_status cancel_small(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b,
     fmb_vec_clear(dst, n, k->mem);
     for (size_t i = 0; i < n; i++)
         dst->s[i] = p * a->s[i] + q * b->s[i];
-    reduce_small(dst, n);
+    fmb_vec_measure(dst, n);
+    if (dst->bits > FMB_LAZY_BITS)
+        reduce_small(dst, n);
     return FMB_OK;
 }
 
@@ -291,6 +303,32 @@ fmb_status fmb_vec_cancel(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size
     if (st == FMB_OK && k->wide_only)
         st = fmb_vec_widen(dst, n, k->mem);
     return st;
+}
+
+/* out = x_i |y_j|. */
+static void product(mpz_t out, mpz_t room, const fmb_vec *x, size_t i, const fmb_vec *y, size_t j)
+{
+    fmb_vec_get(x, i, out);
+    fmb_vec_get(y, j, room);
+    mpz_abs(room, room);
+    mpz_mul(out, out, room);
+}
+
+int fmb_vec_compare_products(const fmb_vec *x, size_t i, const fmb_vec *y, size_t j,
+                             const fmb_vec *z, size_t k, const fmb_vec *w, size_t l)
+{
+    if (!x->z && !y->z && !z->z && !w->z) {
+        fmb_i128 left = (fmb_i128)x->s[i] * (int64_t)fmb_abs64(y->s[j]);
+        fmb_i128 right = (fmb_i128)z->s[k] * (int64_t)fmb_abs64(w->s[l]);
+        return (left > right) - (left < right);
+    }
+    mpz_t left, right, room;
+    mpz_inits(left, right, room, NULL);
+    product(left, room, x, i, y, j);
+    product(right, room, z, k, w, l);
+    int order = mpz_cmp(left, right);
+    mpz_clears(left, right, room, NULL);
+    return order;
 }
 
 bool fmb_vec_equal(const fmb_vec *a, const fmb_vec *b, size_t n)

@@ -13,6 +13,9 @@
 #include "base/mem.h"
 
 #define FMB_SMALL_BITS 62
+/* Up to this size a combination is left as it is: two such can be combined without leaving int64.
+ */
+#define FMB_LAZY_BITS 30
 
 __extension__ typedef __int128 fmb_i128;
 __extension__ typedef unsigned __int128 fmb_u128;
@@ -69,6 +72,10 @@ fmb_status fmb_vec_reduce(fmb_vec *v, size_t n, fmb_num *k);
  * and b_c have opposite signs. dst may be a. */
 fmb_status fmb_vec_cancel(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size_t n, size_t c,
                           fmb_num *k);
+
+/* Sign of x_i |y_j| - z_k |w_l|. */
+int fmb_vec_compare_products(const fmb_vec *x, size_t i, const fmb_vec *y, size_t j,
+                             const fmb_vec *z, size_t k, const fmb_vec *w, size_t l);
 
 /* Equal in the first n entries. */
 bool fmb_vec_equal(const fmb_vec *a, const fmb_vec *b, size_t n);
