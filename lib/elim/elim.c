@@ -139,8 +139,8 @@ fmb_status fmb_elim_combine(fmb_elim *e, uint32_t p, uint32_t q, int col)
 
 static fmb_status keep(fmb_elim *e, uint32_t r)
 {
-    fmb_status st = fmb_mem_reserve(e->run->mem, (void **)&e->next, &e->next_capacity, e->nexts + 1,
-                                    sizeof *e->next);
+    fmb_status st = fmb_arena_reserve(e->arena, (void **)&e->next, &e->next_capacity, e->nexts + 1,
+                                      sizeof *e->next);
     if (st == FMB_OK)
         e->next[e->nexts++] = r;
     return st;
