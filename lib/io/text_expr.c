@@ -53,18 +53,25 @@ static fmb_status read_group(fmb_text *t, fmb_draft *d, mpq_t constant, int dept
     return st;
 }
 
-/* What scaling one term costs at least: (x + y + ...)*1*1*1 must not take forever. */
-#define SCALE_DIGITS 16
+/* A product costs more than a number that is read: (x + y + ...)*1*1*1 and 1e99999*1e99999*... must
+ * not take long. Each entry is charged this much, and each of its digits that many times. */
+#define PRODUCT_ENTRY 16
+#define PRODUCT_DIGIT 4
+
+/* a = a q. A new name has coefficient 1: then q is only copied. */
+static fmb_status multiply(fmb_cursor *c, mpq_ptr a, mpq_srcptr q)
+{
+    size_t weight = mpq_cmp_ui(a, 1, 1) == 0 ? 1 : PRODUCT_DIGIT;
+    mpq_mul(a, a, q);
+    return fmb_io_charge(c, c->at, PRODUCT_ENTRY + weight * fmb_io_digits(a));
+}
 
 /* constant and the terms from `from` on, times q. */
 static fmb_status scale(fmb_text *t, fmb_draft *d, size_t from, mpq_t constant, const mpq_t q)
 {
-    mpq_mul(constant, constant, q);
-    fmb_status st = fmb_io_charge(t->c, t->c->at, fmb_io_digits(constant));
-    for (size_t k = from; st == FMB_OK && k < d->n; k++) {
-        mpq_mul(d->coef[k], d->coef[k], q);
-        st = fmb_io_charge(t->c, t->c->at, SCALE_DIGITS + fmb_io_digits(d->coef[k]));
-    }
+    fmb_status st = multiply(t->c, constant, q);
+    for (size_t k = from; st == FMB_OK && k < d->n; k++)
+        st = multiply(t->c, d->coef[k], q);
     return st;
 }
 

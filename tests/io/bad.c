@@ -158,7 +158,7 @@ Test(bad, megabytes)
         {FMB_FORMAT_IEQ, "DIM = 2\nINEQUALITIES_SECTION\n", "+1x1", "<= 1\nEND\n", FMB_OK},
         {FMB_FORMAT_IEQ, "DIM = 2\nINEQUALITIES_SECTION\n", "x1<=1\n", "END\n", FMB_OK},
         {FMB_FORMAT_IEQ, "DIM = 2\nINEQUALITIES_SECTION\nx", "1", " <= 1\nEND\n", FMB_ERR_PARSE},
-        {FMB_FORMAT_IEQ, "DIM = 999999\nINEQUALITIES_SECTION\n", "x9<=1\n", "END\n", FMB_OK},
+        {FMB_FORMAT_IEQ, "DIM = 99999\nINEQUALITIES_SECTION\n", "x9<=1\n", "END\n", FMB_OK},
     };
     for (size_t i = 0; i < sizeof heaps / sizeof *heaps; i++) {
         size_t size;
