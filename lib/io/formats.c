@@ -4,11 +4,19 @@
 #include "io/io.h"
 #include "io/sniff.h"
 
+#ifdef FMB_HAVE_GLPK
+#define GLPK_READER(f) f
+#else
+#define GLPK_READER(f) NULL
+#endif
+
 /* Guessing takes the first that fits. */
 static const fmb_codec table[] = {
     {FMB_FORMAT_INE, "ine", fmb_read_ine, fmb_write_ine, fmb_sniff_ine, NULL},
     {FMB_FORMAT_IEQ, "ieq", fmb_read_ieq, NULL, fmb_sniff_ieq, NULL},
     {FMB_FORMAT_SMT2, "smt2", fmb_read_smt2, fmb_write_smt2, fmb_sniff_smt2, NULL},
+    {FMB_FORMAT_MPS, "mps", GLPK_READER(fmb_read_mps), NULL, fmb_sniff_mps, "GLPK"},
+    {FMB_FORMAT_LP, "lp", GLPK_READER(fmb_read_lp), NULL, fmb_sniff_lp, "GLPK"},
     {FMB_FORMAT_TEXT, "fmb", fmb_read_text, fmb_write_text, NULL, NULL},
 };
 
