@@ -190,7 +190,10 @@ static fmb_status open_oracle(shadow *h)
     if (!rows || !h->rel || !h->fate || !reverse)
         return fmb_mem_status(arena->mem);
     for (size_t k = 0; k < m; k++) {
-        const fmb_derived *r = &h->e.row[h->e.live[k]];
+        fmb_derived *r = &h->e.row[h->e.live[k]];
+        fmb_status st = fmb_vec_reduce(&r->v, (size_t)h->e.n + 1, &h->e.num);
+        if (st != FMB_OK)
+            return st;
         h->rel[k] = r->equality ? FMB_EQ : r->strict ? FMB_LT : FMB_LE;
         h->fate[k] = FMB_FATE_UNKNOWN;
         reverse[k] = (fmb_weights){0};
