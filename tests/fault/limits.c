@@ -1,0 +1,157 @@
+/* limits.c: a limit is a result: the stop says which, the verdict is unknown or right, and the
+ * solver goes on. */
+#include <criterion/criterion.h>
+#include <string.h>
+#include <time.h>
+
+#include "../random/rows.h"
+#include "samples.h"
+#include "verbs.h"
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static fmb_options options(fmb_method method)
+{
+    fmb_options o = fmb_options_default();
+    o.evidence = true;
+    o.method = method;
+    return o;
+}
+
+/* Ask with limits; the stop is DONE, and the answer then the truth, or `stop`. */
+static fmb_stop ask(const verb *w, const fmb_options *o, const fmb_system *s, fmb_stop stop,
+                    const char *expected)
+{
+    char answer[VERB_ANSWER] = "";
+    fmb_result r = {0};
+    fmb_solver *v = NULL;
+    must(fmb_solver_new(o, NULL, &v));
+    must(w->ask(v, s, &r, answer));
+    fmb_solver_free(v);
+    if (r.stop == FMB_STOP_DONE) {
+        cr_assert_str_eq(answer, expected, "%s under a limit", w->name);
+        return r.stop;
+    }
+    cr_assert_eq(r.stop, stop, "%s stopped for %s", w->name, fmb_stop_text(r.stop));
+    const char *verdict = fmb_verdict_text(r.verdict);
+    cr_assert(r.verdict == FMB_UNKNOWN || strstr(expected, verdict), "%s: %s", w->name, verdict);
+    return r.stop;
+}
+
+typedef void set_limit(fmb_options *o, size_t i);
+
+static void set_rows(fmb_options *o, size_t i)
+{
+    o->max_rows = i;
+}
+
+static void set_bytes(fmb_options *o, size_t i)
+{
+    o->max_bytes = 64 * i;
+}
+
+/* Looser and looser limits on the first `verbs` queries: the tightest stops each, the loosest none.
+ */
+static void every_limit(set_limit *set, size_t most, fmb_stop stop, fmb_method method, int verbs)
+{
+    for (int i = 0; i < samples_count(); i++) {
+        fmb_system *s = sample(i, NULL);
+        for (int q = 0; q < verbs; q++) {
+            char truth[VERB_ANSWER] = "";
+            fmb_options o = options(method);
+            fmb_result r = {0};
+            fmb_solver *v = NULL;
+            must(fmb_solver_new(&o, NULL, &v));
+            must(VERBS[q].ask(v, s, &r, truth));
+            fmb_solver_free(v);
+            set(&o, 1);
+            cr_expect_eq(ask(&VERBS[q], &o, s, stop, truth), stop, "%s: no limit at 1",
+                         VERBS[q].name);
+            for (size_t k = 2; k < most; k += 1 + k / 16) {
+                set(&o, k);
+                ask(&VERBS[q], &o, s, stop, truth);
+            }
+            set(&o, most);
+            cr_expect_eq(ask(&VERBS[q], &o, s, stop, truth), FMB_STOP_DONE);
+        }
+        fmb_system_free(s);
+    }
+}
+
+/* Only solve and project eliminate. */
+Test(limits, rows)
+{
+    every_limit(set_rows, 10000, FMB_STOP_ROWS, FMB_METHOD_FM, 2);
+}
+
+Test(limits, bytes)
+{
+    every_limit(set_bytes, 1 << 18, FMB_STOP_BYTES, FMB_METHOD_FM, VERBS_COUNT);
+}
+
+Test(limits, bytes_lp)
+{
+    every_limit(set_bytes, 1 << 18, FMB_STOP_BYTES, FMB_METHOD_LP, VERBS_COUNT);
+}
+
+/* Ask with a limit of time, and be back soon after it. */
+static void expect_time(const verb *w, const fmb_system *s, double seconds)
+{
+    fmb_options o = options(FMB_METHOD_FM);
+    char answer[VERB_ANSWER] = "";
+    fmb_result r = {0};
+    fmb_solver *v = NULL;
+    o.max_seconds = seconds;
+    must(fmb_solver_new(&o, NULL, &v));
+    double begin = now();
+    must(w->ask(v, s, &r, answer));
+    double taken = now() - begin;
+    cr_assert_eq(r.stop, FMB_STOP_TIME, "%s: %s", w->name, fmb_stop_text(r.stop));
+    cr_assert_neq(r.verdict, FMB_INFEASIBLE);
+    cr_assert_lt(taken, seconds + 2.0, "%s took %g s", w->name, taken);
+    cr_assert_geq(r.stats.seconds, 0);
+    fmb_solver_free(v);
+}
+
+Test(limits, seconds)
+{
+    fmb_system *s = sample_hard(12, 40, NULL);
+    for (int q = 0; q < VERBS_COUNT; q++)
+        expect_time(&VERBS[q], s, 1e-9);
+    expect_time(&VERBS[0], s, 0.2);
+    fmb_system_free(s);
+}
+
+/* What a limited query hands out: no projection, ends unknown, rows kept. */
+Test(limits, outputs)
+{
+    static const int keep[] = {0, 1};
+    fmb_system *s = sample_hard(12, 40, NULL), *out = s;
+    fmb_options o = options(FMB_METHOD_FM);
+    fmb_solver *v = NULL;
+    fmb_result r;
+    fmb_box *box = NULL;
+    fmb_fate fate[40];
+    o.max_seconds = 1e-9;
+    must(fmb_solver_new(&o, NULL, &v));
+    must(fmb_project(v, s, keep, 2, &out, &r));
+    cr_assert(r.stop == FMB_STOP_TIME && out == NULL);
+    must(fmb_bound(v, s, NULL, 0, &box, &r));
+    cr_assert_eq(r.stop, FMB_STOP_TIME);
+    for (int i = 0; box && i < fmb_box_size(box); i++)
+        cr_assert_eq(fmb_box_end(box, i, FMB_LOWER).kind, FMB_END_UNKNOWN);
+    fmb_box_free(box);
+    must(fmb_reduce(v, s, fate, &out, &r));
+    cr_assert_eq(r.stop, FMB_STOP_TIME);
+    cr_assert_eq(fmb_system_rows(out), 40);
+    for (size_t i = 0; i < 40; i++)
+        cr_assert(fate[i] == FMB_FATE_UNKNOWN && rows_equal(s, i, out, i));
+    fmb_system_free(out);
+    fmb_solver_free(v);
+    fmb_system_free(s);
+}

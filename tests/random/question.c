@@ -1,0 +1,69 @@
+/* question.c: see question.h. */
+#include <stdlib.h>
+
+#include "options.h"
+#include "question.h"
+
+int question_keep(uint64_t choice, int dim, int *keep)
+{
+    int n = 0;
+    for (int j = 0; j < dim; j++)
+        if (choice >> j & 1)
+            keep[n++] = j;
+    return n;
+}
+
+bool question_holds(const question *q, agree *g, fmb_solver *v, const truth *t)
+{
+    int keep[64], n = question_keep(q->choice, fmb_system_dim(t->s), keep);
+    switch (q->kind) {
+    case ASK_SOLVE:
+        return agree_solve(g, v, t);
+    case ASK_BOUND:
+        return agree_bound(g, v, t);
+    case ASK_PROJECT:
+        return agree_project(g, v, t, keep, n, NULL);
+    case ASK_REDUCE:
+        return agree_reduce(g, v, t, NULL);
+    default:
+        return property_holds(q, g, v, t);
+    }
+}
+
+void question_text(const question *q, char *out, size_t size)
+{
+    static const char *const kind[] = {"solve",  "bound",   "project", "reduce", "shuffled",
+                                       "scaled", "renamed", "padded",  "twice"};
+    char options[120];
+    options_text(&q->options, options, sizeof options);
+    snprintf(out, size, "%s, %s, choice %llu", kind[q->kind], options,
+             (unsigned long long)q->choice);
+}
+
+/* Ask again, about a smaller system. */
+static bool still_fails(void *self, const fmb_system *s)
+{
+    const question *q = self;
+    agree g = {.max_rows = 2000};
+    fmb_solver *v = NULL;
+    truth t;
+    must(fmb_solver_new(&q->options, NULL, &v));
+    truth_init(&t, s, g.max_rows);
+    bool good = question_holds(q, &g, v, &t);
+    truth_clear(&t);
+    fmb_solver_free(v);
+    return !good;
+}
+
+void question_report(const question *q, agree *g, const support_case *c)
+{
+    char text[240];
+    question again = *q;
+    question_text(q, text, sizeof text);
+    fprintf(stderr, "\ndisagreement: %s\n  %s\n", text, g->why);
+    if (still_fails(&again, c->s))
+        support_report(c, still_fails, &again);
+    else
+        fprintf(stderr, "  only with what the solver did before; seed %llu\n",
+                (unsigned long long)c->seed);
+}

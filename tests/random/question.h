@@ -1,0 +1,44 @@
+/* question.h: one question about one system, repeatable: what random programs ask and what the
+ * shrinker asks again. */
+#ifndef FMB_TEST_QUESTION_H
+#define FMB_TEST_QUESTION_H
+
+#include "agree.h"
+#include "support.h"
+
+typedef enum question_kind {
+    ASK_SOLVE,
+    ASK_BOUND,
+    ASK_PROJECT,
+    ASK_REDUCE,
+    ASK_SHUFFLED, /* properties.c: the same system in another order */
+    ASK_SCALED,   /* rows times positive numbers */
+    ASK_RENAMED,  /* variables in another order */
+    ASK_PADDED,   /* with redundant rows */
+    ASK_TWICE,    /* a projection of a projection */
+    ASK_KINDS
+} question_kind;
+
+typedef struct question {
+    question_kind kind;
+    fmb_options options;
+    uint64_t choice; /* which variables are kept, which order is tried, ... */
+} question;
+
+/* The variables that choice keeps, increasing; their number. keep[dim]. */
+int question_keep(uint64_t choice, int dim, int *keep);
+
+/* Does the answer agree with the truth (and, for the later kinds, with the answer about s)? */
+bool question_holds(const question *q, agree *g, fmb_solver *v, const truth *t);
+
+/* "bound, method=fm arith=int order=given rules=kohler, choice 5" */
+void question_text(const question *q, char *out, size_t size);
+
+/* Print the disagreement g->why on stderr, with a shrunken system; seed and family come with the
+ * case. */
+void question_report(const question *q, agree *g, const support_case *c);
+
+/* properties.c */
+bool property_holds(const question *q, agree *g, fmb_solver *v, const truth *t);
+
+#endif
