@@ -23,7 +23,7 @@ _fmb()
         --arith) words="auto int gmp" ;;
         --method) words="auto fm lp" ;;
         --order) words="pairs given min fill" ;;
-        --rules) words="none kohler duplicate kohler,duplicate" ;;
+        --rules) words="none kohler duplicate lp kohler,duplicate,lp" ;;
         --max-seconds | --max-rows | --max-bytes | --vars | --keep | --eliminate) return ;;
         --proof | --trace)
             compopt -o default
