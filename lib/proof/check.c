@@ -21,7 +21,7 @@ typedef struct court {
     const fmb_evidence *e;
     fmb_mem mem;
     size_t *goes;  /* [rows] the first claim REDUNDANT that names the row, SIZE_MAX: it stays */
-    bool *equal;   /* [rows] named by a claim EQUALITY */
+    size_t *equal; /* [rows] the first claim EQUALITY that names the row, SIZE_MAX: none */
     size_t now;    /* the claim being judged */
     bool feasible; /* a claim FEASIBLE was accepted */
     char *reason;  /* [sizeof fmb_judgement.reason] */
@@ -122,27 +122,38 @@ static void add_row(court *c, size_t i, mpq_srcptr weight)
     add_product(c, c->right, c->z, c->weight);
 }
 
+typedef enum basis {
+    WRITTEN, /* all rows */
+    FLAT,    /* all rows; those that an earlier claim EQUALITY names count as equalities */
+    PRESENT  /* rows that have not gone; those that never go and that any claim EQUALITY names count
+                as equalities */
+} basis;
+
+/* The relation that multipliers in the claim being judged may take row i to have. */
+static fmb_rel relation_in(const court *c, size_t i, basis from)
+{
+    bool equal = from == FLAT      ? c->equal[i] < c->now
+                 : from == PRESENT ? c->equal[i] != SIZE_MAX && c->goes[i] == SIZE_MAX
+                                   : false;
+    return equal ? FMB_EQ : fmb_system_row(c->s, i)->rel;
+}
+
 /* Do the multipliers prove the inequality whose negation clear_combination and additions have left
  * in the combination?
  *
  * Let the goal be g.x <= h, or g.x < h. Multipliers that are >= 0 on inequalities add the rows up
  * to a.x <= b, true of all solutions, and a.x < b if one of a strict row is positive. With a = g it
  * implies the goal if b < h, or if b = h and (the goal is not strict or a.x < b holds). The
- * combination holds left = a - g and right = b - h.
- *
- * With `staying`, only rows that have not gone by the claim being judged may be used, and those
- * that stay to the end and are known to be equalities count so. That is sound: the last row to go
- * follows from rows that stay, the one before it from those and the last, and so on. */
-static bool proves(court *c, const fmb_sparse *multipliers, bool strict_goal, bool staying)
+ * combination holds left = a - g and right = b - h. */
+static bool proves(court *c, const fmb_sparse *multipliers, bool strict_goal, basis from)
 {
     for (size_t k = 0; k < multipliers->size; k++) {
         size_t i = multipliers->index[k];
         if (i >= c->s->rows)
             return refuse(c, "there is no row %zu", i + 1);
-        if (staying && c->goes[i] <= c->now)
+        if (from == PRESENT && c->goes[i] <= c->now)
             return refuse(c, "row %zu is gone", i + 1);
-        bool equal = staying && c->equal[i] && c->goes[i] == SIZE_MAX;
-        fmb_rel rel = equal ? FMB_EQ : fmb_system_row(c->s, i)->rel;
+        fmb_rel rel = relation_in(c, i, from);
         int sign = mpq_sgn(multipliers->value[k]);
         if (rel != FMB_EQ && sign < 0)
             return refuse(c, "the multiplier of row %zu is negative", i + 1);
@@ -170,7 +181,7 @@ static bool judge_feasible(court *c, const fmb_claim *q)
 static bool judge_infeasible(court *c, const fmb_claim *q)
 {
     clear_combination(c);
-    return proves(c, &q->multipliers, true, false);
+    return proves(c, &q->multipliers, true, WRITTEN);
 }
 
 /* x_var <= value and a solution attains it; or x_var < value and solutions come as near as you
@@ -187,7 +198,7 @@ static bool judge_bound(court *c, const fmb_claim *q)
     mpq_set(c->right, q->value);
     if (q->side == FMB_UPPER)
         mpq_neg(c->right, c->right);
-    if (!proves(c, &q->multipliers, open, false))
+    if (!proves(c, &q->multipliers, open, WRITTEN))
         return false;
     if (open && !c->feasible)
         return refuse(c, "no claim shows that the system is feasible");
@@ -226,9 +237,9 @@ static bool oppose_terms(court *c, const fmb_claim *q, int sign)
 /* An equality needs both directions. */
 static bool judge_implied(court *c, const fmb_claim *q)
 {
-    if (!oppose_terms(c, q, 1) || !proves(c, &q->multipliers, q->rel == FMB_LT, false))
+    if (!oppose_terms(c, q, 1) || !proves(c, &q->multipliers, q->rel == FMB_LT, WRITTEN))
         return false;
-    return q->rel != FMB_EQ || (oppose_terms(c, q, -1) && proves(c, &q->reverse, false, false));
+    return q->rel != FMB_EQ || (oppose_terms(c, q, -1) && proves(c, &q->reverse, false, WRITTEN));
 }
 
 /* Load the negation of row i, times sign. */
@@ -244,20 +255,22 @@ static bool has_row(court *c, const fmb_claim *q)
     return q->row < c->s->rows || refuse(c, "the claim is about no row");
 }
 
+/* The last row to go follows from rows that stay, the one before it from those and the last, and so
+ * on: the rows that stay, with their equalities, imply all others. */
 static bool judge_redundant(court *c, const fmb_claim *q)
 {
     if (!has_row(c, q))
         return false;
     fmb_rel rel = fmb_system_row(c->s, q->row)->rel;
     oppose_row(c, q->row, 1);
-    if (!proves(c, &q->multipliers, rel == FMB_LT, true))
+    if (!proves(c, &q->multipliers, rel == FMB_LT, PRESENT))
         return false;
     oppose_row(c, q->row, -1);
-    return rel != FMB_EQ || proves(c, &q->reverse, false, true);
+    return rel != FMB_EQ || proves(c, &q->reverse, false, PRESENT);
 }
 
-/* Row a.x <= b is an equality if all rows together prove -a.x <= -b. A strict row is none, even
- * where there is no solution: as an equality it would let points in. */
+/* Row a.x <= b is an equality if all rows, and equalities known by now, prove -a.x <= -b. A strict
+ * row is none, even where there is no solution: as an equality it would let points in. */
 static bool judge_equality(court *c, const fmb_claim *q)
 {
     if (!has_row(c, q))
@@ -265,7 +278,7 @@ static bool judge_equality(court *c, const fmb_claim *q)
     if (fmb_system_row(c->s, q->row)->rel == FMB_LT)
         return refuse(c, "row %zu is strict", q->row + 1);
     oppose_row(c, q->row, -1);
-    return proves(c, &q->multipliers, false, false);
+    return proves(c, &q->multipliers, false, FLAT);
 }
 
 /* Without row i the rows that stay would let the point in. */
@@ -279,7 +292,8 @@ static bool judge_irredundant(court *c, const fmb_claim *q)
         const fmb_sysrow *row = fmb_system_row(c->s, i);
         if (c->goes[i] != SIZE_MAX && i != q->row)
             continue;
-        bool kept = keeps(side_of(c, row, q->point, false), c->equal[i] ? FMB_EQ : row->rel);
+        fmb_rel rel = c->equal[i] != SIZE_MAX ? FMB_EQ : row->rel;
+        bool kept = keeps(side_of(c, row, q->point, false), rel);
         if (kept == (i == q->row))
             return refuse(c, "the point %s row %zu", kept ? "satisfies" : "violates", i + 1);
     }
@@ -339,13 +353,13 @@ static void judge_all(court *c, fmb_judgement *out)
 static void mark_rows(court *c)
 {
     for (size_t i = 0; i < c->s->rows; i++)
-        c->goes[i] = SIZE_MAX;
+        c->goes[i] = c->equal[i] = SIZE_MAX;
     for (size_t i = 0; i < c->e->claims; i++) {
         const fmb_claim *q = &c->e->claim[i];
         if (q->row < c->s->rows && q->kind == FMB_CLAIM_REDUNDANT && c->goes[q->row] > i)
             c->goes[q->row] = i;
-        if (q->row < c->s->rows && q->kind == FMB_CLAIM_EQUALITY)
-            c->equal[q->row] = true;
+        if (q->row < c->s->rows && q->kind == FMB_CLAIM_EQUALITY && c->equal[q->row] > i)
+            c->equal[q->row] = i;
     }
 }
 
@@ -357,7 +371,7 @@ fmb_status fmb_check(const fmb_system *s, const fmb_evidence *e, fmb_judgement *
     size_t dim = (size_t)e->dim, rows = e->rows;
     fmb_mem_init(&c.mem, &s->mem.alloc, 0);
     c.goes = fmb_mem_get(&c.mem, rows, sizeof *c.goes);
-    c.equal = fmb_mem_zero(&c.mem, rows, sizeof *c.equal);
+    c.equal = fmb_mem_get(&c.mem, rows, sizeof *c.equal);
     c.left = fmb_mem_get(&c.mem, dim, sizeof *c.left);
     bool ready = c.goes && c.equal && c.left;
     if (ready) {

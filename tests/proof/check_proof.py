@@ -45,7 +45,7 @@ def proves(rows, p, goal):
 def judge(rows, claims):
     dim, feasible = len(rows[1][0]), False
     gone = [int(head[1]) if head[0] == "redundant" else None for head, _ in claims]
-    flat = [int(head[1]) for head, _ in claims if head[0] == "equality"]
+    flat = [int(head[1]) if head[0] == "equality" else None for head, _ in claims]
     closed = {i: (a, "=" if rel == "=" else "<=", b) for i, (a, rel, b) in rows.items()}
     final = {i: (a, "=" if i in flat else rel, b) for i, (a, rel, b) in rows.items()}
     for n, ((kind, *head), p) in sorted(enumerate(claims), key=lambda c: c[1][0] != ["feasible"]):
@@ -72,7 +72,8 @@ def judge(rows, claims):
             terms = [p["term"].get(k, 0) for k in range(1, dim + 1)]
             good = proves(rows, p, (terms, head[0], Q(head[1])))
         elif kind == "equality":
-            good = rows[i][1] != "<" and proves(rows, p, reverse(rows[i]))
+            known = {k: final[k] if k in flat[:n] else r for k, r in rows.items()}
+            good = rows[i][1] != "<" and proves(known, p, reverse(rows[i]))
         elif kind == "redundant":
             good = proves({**stay, **later}, p, rows[i])
         elif kind == "irredundant":

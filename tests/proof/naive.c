@@ -224,7 +224,12 @@ static bool holds_equality(const scene *v, const fmb_claim *c)
     inequality back = {zeros(dim), FMB_LE};
     for (int j = 0; j <= dim; j++)
         mpq_neg(back.a[j], dense_row(&v->rows, (int)c->row)[j]);
-    bool good = derives(&v->rows, &c->multipliers, back);
+    dense known = dense_without(&v->rows, -1, -1);
+    for (const fmb_claim *before = v->e->claim; before < c; before++)
+        if (before->kind == FMB_CLAIM_EQUALITY && before->row < (size_t)known.rows)
+            known.rel[before->row] = FMB_EQ;
+    bool good = derives(&known, &c->multipliers, back);
+    dense_free(&known);
     put(back.a, dim);
     return good;
 }
