@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-#include "dense.h"
+#include "../support/dense.h"
 
 /* a.x REL b; b stands behind the coefficients. */
 typedef struct inequality {
