@@ -1,5 +1,5 @@
 /* cases.c: the collected .ine and .ieq files have the variables, rows and linearities that
- * answers.json says.
+ * answers.json says; the rows of the transcribed cases are .fmb rows.
  */
 #include <criterion/criterion.h>
 #include <jansson.h>
@@ -84,4 +84,51 @@ Test(cases, cdd)
 Test(cases, fm)
 {
     cr_expect(check_family("fm", "fm/", ".ine") >= 125);
+}
+
+/* "vars: ..." and the indented lines below "system:" of a wrapped case are a .fmb text; the number
+ * of these lines in *rows. */
+static char *unwrap(const char *text, size_t *rows)
+{
+    char *out = NULL;
+    size_t size;
+    FILE *f = open_memstream(&out, &size);
+    bool inside = false;
+    *rows = 0;
+    for (const char *line = text; *line;) {
+        size_t n = strcspn(line, "\n");
+        bool row = inside && line[0] == ' ';
+        if (row || strncmp(line, "vars:", 5) == 0)
+            fprintf(f, "%.*s\n", (int)n, line);
+        *rows += row;
+        inside = row || strncmp(line, "system:", 7) == 0;
+        line += n + (line[n] == '\n');
+    }
+    fclose(f);
+    return out;
+}
+
+Test(cases, proj)
+{
+    const char *key;
+    json_t *said, *answers = json_load_file(CASES "/proj/answers.json", 0, NULL);
+    if (!answers)
+        cr_skip_test("no collected cases here");
+    json_object_foreach(answers, key, said)
+    {
+        char path[1024];
+        size_t size, rows;
+        snprintf(path, sizeof path, CASES "/%s", key);
+        char *wrapped = slurp_file(path, &size);
+        cr_assert(wrapped, "%s is missing", path);
+        char *text = unwrap(wrapped, &rows);
+        fmb_system *s = parse(FMB_FORMAT_TEXT, text, strlen(text));
+        cr_expect(rows > 0 && fmb_system_rows(s) == rows, "%s has %zu rows", path,
+                  fmb_system_rows(s));
+        cr_expect((size_t)fmb_system_dim(s) == json_array_size(json_object_get(said, "vars")));
+        fmb_system_free(s);
+        free(text);
+        free(wrapped);
+    }
+    json_decref(answers);
 }
