@@ -15,9 +15,18 @@ static fmb_status push(fmb_forms *f, size_t *n, uint32_t literal, fmb_span label
     return st;
 }
 
+/* A term of a row takes the memory of about so many digits. Sharing can make a short text many long
+ * rows, so they are paid for. */
+#define TERM_DIGITS 32
+
 static fmb_status append(fmb_forms *f, const char *at, fmb_rel rel, fmb_span label, fmb_system *s)
 {
-    fmb_status st = fmb_draft_append(f->lin->c, at, &f->row, rel, s);
+    fmb_status st = fmb_io_charge(f->lin->c, at, TERM_DIGITS * f->row.n);
+    if (st == FMB_ERR_PARSE)
+        return fmb_io_fail(f->lin->c, at,
+                           "expected less sharing: written out, the rows up to here "
+                           "are far longer than the text");
+    st = fmb_draft_append(f->lin->c, at, &f->row, rel, s);
     if (st == FMB_OK && label.p)
         st = fmb_span_label(f->lin->c, label, s, fmb_system_rows(s) - 1);
     return st;

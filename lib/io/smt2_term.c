@@ -129,15 +129,23 @@ static fmb_status take_attributes(fmb_smt *r, fmb_smt_value *v)
 
 /* ---- define-fun with parameters -------------------------------------------------------------- */
 
+/* Reading a byte again takes the memory of about so many digits. */
+#define BYTE_DIGITS 8
+
 /* The top frame, whose arguments are read, becomes the body of the macro. The text read again is
- * paid for: it is what the macro makes the text grow by. */
+ * paid for: macros that use macros can make a short text very long. */
 static fmb_status call(fmb_smt *r, const fmb_smt_macro *m)
 {
     fmb_smt_frame *f = &r->frame[r->frames - 1];
     size_t n = r->values - f->values;
     if (n != m->n)
-        return fmb_io_fail(r->c, f->at, "expected %zu arguments, found %zu", m->n, n);
-    fmb_status st = fmb_io_charge(r->c, f->at, m->bytes);
+        return fmb_io_fail(r->c, f->at, "expected %zu argument%s, found %zu", m->n,
+                           m->n == 1 ? "" : "s", n);
+    fmb_status st = fmb_io_charge(r->c, f->at, BYTE_DIGITS * m->bytes);
+    if (st == FMB_ERR_PARSE)
+        return fmb_io_fail(r->c, f->at,
+                           "expected fewer uses of functions: written out, those up "
+                           "to here are far longer than the text");
     for (size_t k = 0; st == FMB_OK && k < n; k++) {
         const fmb_smt_param *p = &r->param[m->first + k];
         fmb_smt_value v = r->value[f->values + k];

@@ -70,7 +70,7 @@ static void random_row(uint64_t *seed, fmb_system *s)
     mpq_clear(b);
 }
 
-static fmb_system *random_system(uint64_t *seed)
+static fmb_system *random_system(uint64_t *seed, bool marks)
 {
     fmb_system *s;
     cr_assert(fmb_system_new((int)below(seed, 9), NULL, &s) == FMB_OK);
@@ -81,17 +81,18 @@ static fmb_system *random_system(uint64_t *seed)
         if (below(seed, 2) == 0)
             cr_assert(fmb_system_set_label(s, fmb_system_rows(s) - 1, label) == FMB_OK);
     }
-    bool asks = below(seed, 3) == 0;
+    bool asks = marks && below(seed, 3) == 0;
     for (int j = 0; asks && j < fmb_system_dim(s); j++)
         fmb_system_set_kept(s, j, below(seed, 2) == 0);
     return s;
 }
 
-static void check_round(fmb_format f, bool named)
+/* named: names and labels come back; marks: so do marks. */
+static void check_round(fmb_format f, bool named, bool marks)
 {
     for (uint64_t i = 0; i < 2000; i++) {
         uint64_t seed = i;
-        fmb_system *s = random_system(&seed);
+        fmb_system *s = random_system(&seed, marks);
         char *text = write_text(s, f);
         fmb_system *back = parse(f, text, strlen(text));
         cr_assert(same_system(s, back, named), "seed %zu comes back otherwise:\n%s", (size_t)i,
@@ -108,10 +109,50 @@ static void check_round(fmb_format f, bool named)
 
 Test(round, text)
 {
-    check_round(FMB_FORMAT_TEXT, true);
+    check_round(FMB_FORMAT_TEXT, true, true);
+}
+
+/* Names and labels come back where a symbol can spell them: see smt2_symbols. */
+Test(round, smt2)
+{
+    check_round(FMB_FORMAT_SMT2, false, false);
 }
 
 Test(round, ine)
 {
-    check_round(FMB_FORMAT_INE, false);
+    check_round(FMB_FORMAT_INE, false, true);
+}
+
+/* What SMT-LIB can spell is kept, quoted if need be; other names are replaced, other labels
+ * dropped, and so is a label that is taken. */
+Test(round, smt2_symbols)
+{
+    static const char *const name[] = {"x", "a b", "let", "1st", "|", "and", "x5", "\xCE\xB1"};
+    static const char *const label[] = {"r", "r", "a b", "x", "not", "b\\c", "(+ 1)"};
+    fmb_system *s;
+    const double a[8] = {1, -1, 0.5, 0, 2, 0, 0, -3};
+    cr_assert(fmb_system_new(0, NULL, &s) == FMB_OK);
+    for (size_t j = 0; j < 8; j++)
+        cr_assert(fmb_system_add_variable(s, name[j], NULL) == FMB_OK);
+    for (size_t i = 0; i < 7; i++) {
+        cr_assert(fmb_system_add(s, a, (fmb_rel)(i % 3), -0.25) == FMB_OK);
+        cr_assert(fmb_system_set_label(s, i, label[i]) == FMB_OK);
+    }
+    char *text = write_text(s, FMB_FORMAT_SMT2);
+    cr_expect(strstr(text, "(declare-fun |a b| () Real)\n(declare-fun |let| () Real)\n"
+                           "(declare-fun |1st| () Real)\n(declare-fun x5_ () Real)\n"
+                           "(declare-fun x6 () Real)\n(declare-fun x5 () Real)\n"
+                           "(declare-fun |\xCE\xB1| () Real)\n"),
+              "%s", text);
+    cr_expect(strstr(text, "(assert (! (<= (+ x (- |a b|) (* (/ 1 2) |let|) (* 2 x5_) "
+                           "(* (- 3) |\xCE\xB1|)) (- (/ 1 4))) :named r))\n(assert (< "),
+              "%s", text);
+    fmb_system *back = parse(FMB_FORMAT_SMT2, text, strlen(text));
+    cr_expect(same_system(s, back, false));
+    cr_expect_str_eq(fmb_system_label(back, 6), "(+ 1)");
+    cr_expect(!fmb_system_label(back, 1) && !fmb_system_label(back, 3) &&
+              !fmb_system_label(back, 4) && !fmb_system_label(back, 5));
+    free(text);
+    fmb_system_free(back);
+    fmb_system_free(s);
 }
