@@ -1,5 +1,6 @@
 /* text_rows.c: what the rows and lines of the .fmb format mean. */
 #include <criterion/criterion.h>
+#include <string.h>
 
 #include "parse.h"
 
@@ -56,6 +57,22 @@ Test(text, expressions)
         {"((((x)))) <= (((1)))", "vars: x\nx <= 1\n"},
     };
     check_meanings(FMB_FORMAT_TEXT, table, COUNT(table));
+}
+
+/* 200 parentheses are read, 201 are not. */
+Test(text, depth)
+{
+    for (size_t depth = 200; depth <= 201; depth++) {
+        char text[512] = {0};
+        memset(text, '(', depth);
+        text[depth] = 'x';
+        memset(text + depth + 1, ')', depth);
+        strcat(text, "<1");
+        fmb_system *s = NULL;
+        fmb_status st = fmb_system_parse(text, strlen(text), NULL, &s, NULL);
+        cr_expect(st == (depth == 200 ? FMB_OK : FMB_ERR_PARSE));
+        fmb_system_free(s);
+    }
 }
 
 Test(text, chains_and_labels)
