@@ -187,20 +187,21 @@ static fmb_status edit_token(fmb_lp_edit *e)
     return check_bound(e, b == '+' || b == '-' ? SIGN : OTHER, w);
 }
 
+/* A line without its comment: GLPK wants nothing at all behind a right side. */
 static fmb_status edit_line(fmb_lp_edit *e)
 {
     fmb_cursor *c = e->c;
     const char *start = c->at;
     fmb_status st = is_letter(fmb_peek(c)) ? edit_first_word(e) : FMB_OK;
-    for (fmb_skip_blanks(c); st == FMB_OK && fmb_peek(c) >= 0 && fmb_peek(c) != '\n';
-         fmb_skip_blanks(c)) {
-        if (fmb_peek(c) == '\\')
-            fmb_skip_line(c);
-        else
-            st = edit_token(e);
+    for (fmb_skip_blanks(c); st == FMB_OK; fmb_skip_blanks(c)) {
+        if (fmb_peek(c) < 0 || fmb_peek(c) == '\n' || fmb_peek(c) == '\\')
+            break;
+        st = edit_token(e);
     }
-    c->at += st == FMB_OK && c->at < c->end;
-    return st == FMB_OK ? put(e, start, (size_t)(c->at - start)) : st;
+    if (st == FMB_OK)
+        st = put(e, start, (size_t)(c->at - start));
+    fmb_next_line(c);
+    return st == FMB_OK ? put(e, "\n", 1) : st;
 }
 
 fmb_status fmb_lp_edit_run(fmb_lp_edit *e)

@@ -70,7 +70,7 @@ static fmb_status read_mps(mps *m, fmb_system *s)
         st = fmb_glpk_warn(&m->g);
     if (st == FMB_OK)
         st = read_ranges(m);
-    if (st == FMB_OK && m->edit.has_integers)
+    if (st == FMB_OK && m->edit.has_integers && glp_get_num_int(m->p) == 0)
         fmb_io_warn(m->g.c, NULL, "integrality is ignored");
     return st == FMB_OK ? fmb_glpk_rows(m->g.c, &m->numbers, m->p, m->ranges, s) : st;
 }

@@ -156,12 +156,25 @@ static message last_message(const fmb_glpk *g)
     return last;
 }
 
-static const char *line_start(const fmb_cursor *c, long line)
+/* Move the cursor, at the start of line *from, to the start of a later line. */
+static void go_to_line(fmb_cursor *at, long *from, long line)
 {
-    fmb_cursor at = *c;
-    for (at.at = c->begin; line > 1; line--)
-        fmb_next_line(&at);
-    return at.at;
+    for (; *from < line; ++*from)
+        fmb_next_line(at);
+}
+
+/* What the message quotes, where the line has it; else the start of the line. */
+static const char *blame(const fmb_cursor *line, fmb_span text)
+{
+    fmb_cursor end = *line;
+    const char *open = memchr(text.p, '\'', text.n);
+    const char *close = open ? memchr(open + 1, '\'', (size_t)(text.p + text.n - open - 1)) : NULL;
+    if (!close || close == open + 1)
+        return line->at;
+    fmb_skip_line(&end);
+    const char *found =
+        memmem(line->at, (size_t)(end.at - line->at), open + 1, (size_t)(close - open - 1));
+    return found ? found : line->at;
 }
 
 long fmb_glpk_line(const fmb_glpk *g)
@@ -173,8 +186,12 @@ fmb_status fmb_glpk_fail(const fmb_glpk *g)
 {
     message m = last_message(g);
     int n = (int)(m.text.n < 120 ? m.text.n : 120);
-    if (m.line > 0)
-        return fmb_io_fail(g->c, line_start(g->c, m.line), "%.*s", n, m.text.p);
+    if (m.line > 0) {
+        fmb_cursor at = *g->c;
+        at.at = at.begin;
+        go_to_line(&at, &(long){1}, m.line);
+        return fmb_io_fail(g->c, blame(&at, m.text), "%.*s", n, m.text.p);
+    }
     return fmb_io_fail_whole(g->c, "GLPK cannot read this: %.*s", n, m.text.p);
 }
 
@@ -187,15 +204,18 @@ static bool starts_with(fmb_span w, const char *word)
 fmb_status fmb_glpk_warn(const fmb_glpk *g)
 {
     message m;
+    fmb_cursor at = *g->c;
+    long line = 1;
+    at.at = at.begin;
     for (const char *p = g->log; next_message(g, &p, &m);) {
         if (m.line == 0 || !starts_with(m.text, "warning: "))
             continue;
         m.text = (fmb_span){m.text.p + 9, m.text.n - 9};
-        const char *at = line_start(g->c, m.line);
+        go_to_line(&at, &line, m.line);
         if (starts_with(m.text, "some extra field"))
-            return fmb_io_fail(g->c, at, "expected at most two numbers a line in free MPS");
+            return fmb_io_fail(g->c, at.at, "expected at most two numbers a line in free MPS");
         if (!starts_with(m.text, "missing final end of line"))
-            fmb_io_warn(g->c, at, "%.*s", (int)(m.text.n < 120 ? m.text.n : 120), m.text.p);
+            fmb_io_warn(g->c, at.at, "%.*s", (int)(m.text.n < 120 ? m.text.n : 120), m.text.p);
     }
     return FMB_OK;
 }
