@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "lp/lp.h"
+#include "lp/guess.h"
 
 static fmb_status allocate(fmb_lp *lp)
 {
@@ -54,38 +54,91 @@ static fmb_status load_row(fmb_lp *lp, size_t i, const fmb_lp_row *from)
     return lp->num.wide_only ? fmb_vec_widen(v, fmb_lp_width(lp), lp->run->mem) : FMB_OK;
 }
 
-/* The column with the entry of least size among the columns of free x that row r names; SIZE_MAX:
- * none. */
-static size_t free_column(const fmb_lp *lp, size_t r)
+/* ---- the start ------------------------------------------------------------------------------- */
+
+/* A row on its turn: equalities before inequalities, rows guessed tight before others, short before
+ * long. */
+typedef struct turn {
+    size_t row;
+    int rank;
+    size_t terms;
+} turn;
+
+static int by_turn(const void *x, const void *y)
+{
+    const turn *a = x, *b = y;
+    if (a->rank != b->rank)
+        return a->rank < b->rank ? -1 : 1;
+    if (a->terms != b->terms)
+        return a->terms < b->terms ? -1 : 1;
+    return (a->row > b->row) - (a->row < b->row);
+}
+
+/* uses[j]: the rows that name x_j, at first. */
+static fmb_status take_turns(fmb_lp *lp, const fmb_lp_row *rows, turn *turns, size_t *uses)
+{
+    fmb_mem *mem = lp->run->mem;
+    bool *tight = fmb_mem_zero(mem, lp->m, sizeof *tight);
+    if (!tight)
+        return fmb_mem_status(mem);
+    fmb_status st = fmb_lp_guess(lp->run, lp->n, lp->m, rows, tight);
+    for (size_t i = 0; i < lp->m; i++) {
+        turns[i] = (turn){i, rows[i].rel == FMB_EQ ? 0 : tight[i] ? 1 : 2, 0};
+        for (size_t j = 0; j < (size_t)lp->n; j++) {
+            bool named = fmb_vec_sgn(rows[i].v, j) != 0;
+            turns[i].terms += named;
+            uses[j] += named;
+        }
+    }
+    qsort(turns, lp->m, sizeof *turns, by_turn);
+    fmb_mem_put(mem, tight, lp->m, sizeof *tight);
+    return st;
+}
+
+/* Of the columns of free x that row r names, the one of the least used x, then of the least entry;
+ * SIZE_MAX: none. */
+static size_t free_column(const fmb_lp *lp, size_t r, const size_t *uses)
 {
     const fmb_vec *v = &lp->row[r];
     size_t best = SIZE_MAX;
     for (size_t j = 0; j < (size_t)lp->n; j++) {
-        if (!fmb_lp_is_x(lp, lp->column[j]) || fmb_vec_sgn(v, j) == 0)
+        size_t x = lp->column[j];
+        if (!fmb_lp_is_x(lp, x) || fmb_vec_sgn(v, j) == 0)
             continue;
-        if (v->z || best == SIZE_MAX || llabs(v->s[j]) < llabs(v->s[best]))
+        if (best == SIZE_MAX || uses[x] < uses[lp->column[best]] ||
+            (uses[x] == uses[lp->column[best]] && !v->z && llabs(v->s[j]) < llabs(v->s[best])))
             best = j;
-        if (v->z)
-            break;
     }
     return best;
 }
 
-/* Bring as many x as there are independent rows into the basis: equalities first, whose slacks are
- * then locked outside of it; an equality without a free x left is a combination of those before it
- * and stays basic: it must be 0. */
-static fmb_status enter_x(fmb_lp *lp, const fmb_lp_row *rows, bool equalities)
+/* Bring as many x as there are independent rows into the basis. Slacks of equalities are then
+ * locked outside of it; an equality without a free x left is a combination of those before it and
+ * stays basic: it must be 0. */
+static fmb_status enter_x(fmb_lp *lp, const turn *turns, const size_t *uses)
 {
     fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < lp->m; i++) {
-        if ((rows[i].rel == FMB_EQ) != equalities)
-            continue;
-        if (equalities)
+    for (size_t k = 0; st == FMB_OK && k < lp->m; k++) {
+        size_t i = turns[k].row, j = free_column(lp, i, uses);
+        if (turns[k].rank == 0)
             lp->slack[i] = FMB_SLACK_LOCKED;
-        size_t j = free_column(lp, i);
         if (j != SIZE_MAX)
             st = fmb_lp_pivot(lp, i, j);
     }
+    return st;
+}
+
+static fmb_status start(fmb_lp *lp, const fmb_lp_row *rows)
+{
+    fmb_mem *mem = lp->run->mem;
+    size_t n = (size_t)lp->n;
+    turn *turns = fmb_mem_get(mem, lp->m, sizeof *turns);
+    size_t *uses = fmb_mem_zero(mem, n, sizeof *uses);
+    fmb_status st = turns && uses ? take_turns(lp, rows, turns, uses) : fmb_mem_status(mem);
+    if (st == FMB_OK)
+        st = enter_x(lp, turns, uses);
+    fmb_mem_put(mem, turns, lp->m, sizeof *turns);
+    fmb_mem_put(mem, uses, n, sizeof *uses);
     return st;
 }
 
@@ -105,11 +158,7 @@ fmb_status fmb_lp_init(fmb_lp *lp, fmb_run *run, int n, size_t m, const fmb_lp_r
         lp->column[j] = j;
         lp->where[j] = m + j;
     }
-    if (st == FMB_OK)
-        st = enter_x(lp, rows, true);
-    if (st == FMB_OK)
-        st = enter_x(lp, rows, false);
-    return st;
+    return st == FMB_OK ? start(lp, rows) : st;
 }
 
 void fmb_lp_clear(fmb_lp *lp)
