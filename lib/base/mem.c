@@ -51,14 +51,16 @@ static bool product(size_t count, size_t size, size_t *bytes)
 void *fmb_mem_grow(fmb_mem *m, void *p, size_t old, size_t count, size_t size)
 {
     size_t before = 0, bytes;
-    m->over = false;
     if (p)
         (void)product(old, size, &before);
-    if (!product(count, size, &bytes))
+    if (!product(count, size, &bytes)) {
+        m->over = false;
         return NULL;
+    }
     if (bytes > before && !fmb_mem_charge(m, bytes - before))
         return NULL;
     void *q = m->alloc.resize(m->alloc.self, p, before, bytes);
+    m->over = m->over && q;
     if (!q && bytes > before)
         fmb_mem_refund(m, bytes - before);
     else if (q && bytes < before)
