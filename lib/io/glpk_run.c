@@ -101,7 +101,7 @@ fmb_status fmb_glpk_read(fmb_glpk *g, fmb_glpk_form form, fmb_span text, glp_pro
         return FMB_ERR_IO;
     fmb_status st = FMB_OK;
     g->size = 0;
-    if (fwrite(text.p, 1, text.n, f) != text.n || fflush(f) != 0)
+    if ((text.n > 0 && fwrite(text.p, 1, text.n, f) != text.n) || fflush(f) != 0)
         st = FMB_ERR_IO;
     rewind(f); /* where opening it once more shares the position */
     snprintf(g->file, sizeof g->file, "/dev/fd/%d", fileno(f));
