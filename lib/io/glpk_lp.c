@@ -178,6 +178,11 @@ static fmb_status edit_token(fmb_lp_edit *e)
     }
     if (is_name_byte(b))
         return check_bound(e, NAME, scan_name(c));
+    if (b >= 128) {
+        char buf[FMB_QUOTE];
+        return fmb_io_fail(c, w.p, "expected ASCII letters in names, found %s",
+                           fmb_quote(c, w.p, buf));
+    }
     c->at++;
     if (b == '<' || b == '>' || b == '=') {
         b = fmb_peek(c);

@@ -119,6 +119,7 @@ static const bound_kind kinds[] = {
  * bounds of kind LI and UI. */
 static fmb_status check_bound(fmb_mps_edit *e, fmb_span line)
 {
+    char buf[FMB_QUOTE];
     fmb_span kind = word_of(line, 0), column = column_field(e, line), value = {NULL, 0};
     size_t at = 0, j = 0;
     for (fmb_span w = next_word(line, &at); w.n > 0; w = next_word(line, &at))
@@ -131,8 +132,8 @@ static fmb_status check_bound(fmb_mps_edit *e, fmb_span line)
                                kinds[i].word);
         fmb_status st = bounded_index(e, column, &j);
         if (st == FMB_OK && (e->sides[j] & kinds[i].sides) == 3)
-            st = fmb_io_fail(e->c, column.p, "expected one bound of each side, '%.*s' has both",
-                             (int)(column.n < 40 ? column.n : 40), column.p);
+            st = fmb_io_fail(e->c, column.p, "expected one bound of each side, %s has both",
+                             fmb_quote(e->c, column.p, buf));
         if (st == FMB_OK)
             e->sides[j] |= kinds[i].sides;
         return st;

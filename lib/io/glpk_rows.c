@@ -6,6 +6,7 @@
 #include "io/glpk_rows.h"
 
 #include <math.h>
+#include <string.h>
 
 typedef struct reader {
     fmb_cursor *c;
@@ -20,6 +21,15 @@ typedef struct reader {
     bool warned;
 } reader;
 
+/* Bytes of a name that a message shows, whole characters only. */
+static int shown(const char *name)
+{
+    size_t n = strlen(name);
+    for (n = n < 40 ? n : 40; n > 0 && ((unsigned char)name[n] & 0xC0) == 0x80;)
+        n--;
+    return (int)n;
+}
+
 static fmb_status add_variables(reader *r)
 {
     fmb_status st = FMB_OK;
@@ -27,8 +37,8 @@ static fmb_status add_variables(reader *r)
         const char *name = glp_get_col_name(r->p, j);
         st = fmb_system_add_variable(r->s, name, NULL);
         if (st == FMB_ERR_ARG)
-            st = fmb_io_fail_whole(r->c, "expected different names of columns, found '%.40s' twice",
-                                   name);
+            st = fmb_io_fail_whole(r->c, "expected different names of columns, found '%.*s' twice",
+                                   shown(name), name);
     }
     return st;
 }
@@ -162,15 +172,15 @@ static fmb_status add_row(reader *r, int i)
 static fmb_status add_bounds(reader *r, int j)
 {
     int type = glp_get_col_type(r->p, j);
+    const char *name = glp_get_col_name(r->p, j);
     double low = glp_get_col_lb(r->p, j), high = glp_get_col_ub(r->p, j);
     sides ends;
     mpq_ptr slot;
     if (type == GLP_FR)
         return FMB_OK;
     if (type == GLP_DB && low == 0 && high < 0)
-        fmb_io_warn(r->c, NULL,
-                    "column '%.40s' has a negative upper bound; its lower bound stays 0",
-                    glp_get_col_name(r->p, j));
+        fmb_io_warn(r->c, NULL, "column '%.*s' has a negative upper bound; its lower bound stays 0",
+                    shown(name), name);
     fmb_status st = plain_sides(r, type, low, high, &ends);
     fmb_draft_reset(&r->row);
     if (st == FMB_OK)

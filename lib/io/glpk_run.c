@@ -177,6 +177,15 @@ static const char *blame(const fmb_cursor *line, fmb_span text)
     return found ? found : line->at;
 }
 
+/* Bytes of a message that fit, whole characters only. */
+static int fitting(fmb_span text)
+{
+    size_t n = text.n < 120 ? text.n : 120;
+    while (n > 0 && n < text.n && ((unsigned char)text.p[n] & 0xC0) == 0x80)
+        n--;
+    return (int)n;
+}
+
 long fmb_glpk_line(const fmb_glpk *g)
 {
     return last_message(g).line;
@@ -185,7 +194,7 @@ long fmb_glpk_line(const fmb_glpk *g)
 fmb_status fmb_glpk_fail(const fmb_glpk *g)
 {
     message m = last_message(g);
-    int n = (int)(m.text.n < 120 ? m.text.n : 120);
+    int n = fitting(m.text);
     if (m.line > 0) {
         fmb_cursor at = *g->c;
         at.at = at.begin;
@@ -215,7 +224,7 @@ fmb_status fmb_glpk_warn(const fmb_glpk *g)
         if (starts_with(m.text, "some extra field"))
             return fmb_io_fail(g->c, at.at, "expected at most two numbers a line in free MPS");
         if (!starts_with(m.text, "missing final end of line"))
-            fmb_io_warn(g->c, at.at, "%.*s", (int)(m.text.n < 120 ? m.text.n : 120), m.text.p);
+            fmb_io_warn(g->c, at.at, "%.*s", fitting(m.text), m.text.p);
     }
     return FMB_OK;
 }

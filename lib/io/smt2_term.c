@@ -41,12 +41,8 @@ static fmb_status bind_names(fmb_smt *r, fmb_smt_frame *f)
     for (size_t k = 0; f->values + k < r->values; k++) {
         size_t symbol = r->name[f->names + k];
         size_t newest = r->scope.symbol[symbol].newest;
-        if (newest != FMB_SMT_NONE && newest >= f->locals) {
-            fmb_span text = r->scope.symbol[symbol].text;
-            return fmb_io_fail(r->c, f->at,
-                               "expected different names in one let, found '%.*s' twice",
-                               (int)(text.n < 32 ? text.n : 32), text.p);
-        }
+        if (newest != FMB_SMT_NONE && newest >= f->locals)
+            return fmb_io_fail(r->c, f->at, "expected different names in one let");
         fmb_status st = fmb_smt_bind(&r->scope, symbol, r->value[f->values + k]);
         if (st != FMB_OK)
             return st;
@@ -297,8 +293,9 @@ static fmb_status name_value(fmb_smt *r, const fmb_smt_token *t, fmb_smt_value *
         return fmb_form_hard(&r->forms, t->at, "a Boolean unknown", &v->id);
     if (known->meaning == FMB_SMT_NOTHING)
         return unknown_name(r, t);
-    return fmb_io_fail(r->c, t->at, "expected arguments: '(%.*s ...)'",
-                       (int)(t->text.n < 32 ? t->text.n : 32), t->text.p);
+    char buf[FMB_QUOTE];
+    return fmb_io_fail(r->c, t->at, "expected '(' and arguments around %s",
+                       fmb_quote(r->c, t->at, buf));
 }
 
 static fmb_status number_value(fmb_smt *r, const fmb_smt_token *t, fmb_smt_value *v)

@@ -41,7 +41,7 @@ static void run_on_entries(void check(const entry *e, fmb_format f, const char *
         count++;
     }
     fclose(list);
-    cr_expect(count >= 45);
+    cr_expect(count >= 145);
 }
 
 static double seconds(void)
@@ -59,6 +59,8 @@ static void check_complaint(const entry *e, fmb_format f, const char *text, size
     (void)size;
     fmb_status st = fmb_system_read(in, &(fmb_reader){.format = f}, &s, &w);
     fclose(in);
+    if (strstr(w.text, "built without"))
+        return;
     cr_expect(st == FMB_ERR_PARSE && !s, "%s: %s", e->path, fmb_status_text(st));
     cr_expect(w.line == e->line && w.column == e->column && strstr(w.text, e->piece),
               "%s complains at %ld:%ld: %s\nnot at %ld:%ld: %s", e->path, w.line, w.column, w.text,
@@ -159,6 +161,19 @@ Test(bad, megabytes)
         {FMB_FORMAT_IEQ, "DIM = 2\nINEQUALITIES_SECTION\n", "x1<=1\n", "END\n", FMB_OK},
         {FMB_FORMAT_IEQ, "DIM = 2\nINEQUALITIES_SECTION\nx", "1", " <= 1\nEND\n", FMB_ERR_PARSE},
         {FMB_FORMAT_IEQ, "DIM = 99999\nINEQUALITIES_SECTION\n", "x9<=1\n", "END\n", FMB_OK},
+        {FMB_FORMAT_SMT2, "", "(", "", FMB_ERR_PARSE},
+        {FMB_FORMAT_SMT2, "(assert (< 0 ", "(+ ", "", FMB_ERR_PARSE},
+        {FMB_FORMAT_SMT2, "(assert ", "(let ((a 1)) ", "", FMB_ERR_PARSE},
+        {FMB_FORMAT_SMT2, "(assert ", "(! ", "", FMB_ERR_PARSE},
+        {FMB_FORMAT_SMT2, "(assert (not ", "(and true) ", "(< 1 0)))", FMB_ERR_PARSE},
+        {FMB_FORMAT_SMT2, "(assert (< 0 ", "7", "))", FMB_OK},
+        {FMB_FORMAT_SMT2, "(assert (< 0 0.", "7", "))", FMB_OK},
+        {FMB_FORMAT_SMT2, "(assert (< 0 (+ 1", " (/ 1 7)", ")))", FMB_OK},
+        {FMB_FORMAT_SMT2, "(declare-const x Real)(assert (< x (*", " 3", ")))", FMB_ERR_PARSE},
+        {FMB_FORMAT_SMT2, "(declare-const |", "name", "| Real)", FMB_OK},
+        {FMB_FORMAT_SMT2, "(set-info :source |", "name ", "", FMB_ERR_PARSE},
+        {FMB_FORMAT_SMT2, "", "(check-sat)\n", "", FMB_OK},
+        {FMB_FORMAT_SMT2, "", "; comment\n", "", FMB_OK},
     };
     for (size_t i = 0; i < sizeof heaps / sizeof *heaps; i++) {
         size_t size;

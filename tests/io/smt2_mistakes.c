@@ -105,7 +105,7 @@ Test(smt2_mistakes, terms)
         {D "(assert (x y))", 2, 10, "expected an operator or a function"},
         {D "(assert ((< x 0)))", 2, 10, "expected an operator"},
         {D "(assert ())", 2, 10, "expected an operator"},
-        {D "(assert <)", 2, 9, "expected arguments: '(< ...)'"},
+        {D "(assert <)", 2, 9, "expected '(' and arguments around '<)'"},
         {D "(assert (< x))", 2, 9, "expected at least 2 arguments of '<', found 1"},
         {D "(assert (not (< x 0) (< y 0)))", 2, 9, "expected 1 argument of 'not', found 2"},
         {D "(assert (< x true))", 2, 14, "expected a number as argument of '<'"},

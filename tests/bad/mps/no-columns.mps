@@ -1,0 +1,5 @@
+NAME test
+ROWS
+ N cost
+RHS
+ENDATA

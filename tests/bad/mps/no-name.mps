@@ -1,0 +1,4 @@
+ROWS
+ N cost
+COLUMNS
+ENDATA

@@ -1,0 +1,7 @@
+NAME          test
+ROWS
+ N  cost
+ L  lim
+ L  lim
+COLUMNS
+ENDATA

@@ -1,0 +1,6 @@
+NAME test
+ROWS
+ N cost
+ Q lim
+COLUMNS
+ENDATA

@@ -1,0 +1,1 @@
+(declare-fun a () (_ BitVec 8))

@@ -1,0 +1,6 @@
+(set-logic QF_LRA)
+(declare-fun x () Real)
+(declare-fun y () Real)
+(push 1)
+(assert (< x 1))
+(pop 1)

@@ -1,0 +1,1 @@
+(assert (forall ((x Real)) (< x 1)))

@@ -1,0 +1,1 @@
+(declare-fun a () (Array Int Real))

@@ -1,0 +1,2 @@
+(declare-fun |x () Real)
+(assert (< x 0))
