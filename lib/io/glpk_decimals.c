@@ -119,8 +119,8 @@ static size_t slot_of(const fmb_decimals *t, double d)
 {
     uint64_t bits;
     memcpy(&bits, &d, sizeof bits);
-    bits *= 0x9E3779B97F4A7C15u;
-    size_t i = (size_t)(bits >> 20) & (t->slots - 1);
+    bits = (bits ^ bits >> 32) * 0x9E3779B97F4A7C15u; /* short numbers differ in high bits only */
+    size_t i = (size_t)(bits ^ bits >> 32) & (t->slots - 1);
     while (t->slot[i] > 0 && t->entry[t->slot[i] - 1].value != d)
         i = (i + 1) & (t->slots - 1);
     return i;
