@@ -22,7 +22,7 @@ int app_session_open(app_session *s, const app_ask *ask)
 {
     *s = (app_session){.ask = ask};
     fmb_status st = fmb_solver_new(&ask->options, NULL, &s->solver);
-    if (st == FMB_ERR_RULE || st == FMB_ERR_ARG)
+    if (st == FMB_ERR_RULE)
         return app_error(APP_USAGE, "--rules '%s': %s",
                          ask->options.rules ? ask->options.rules : "", fmb_status_text(st));
     if (st != FMB_OK)

@@ -4,6 +4,7 @@ usage: documented.py FMB ROOT"""
 
 import pathlib
 import re
+import shlex
 import subprocess
 import sys
 
@@ -31,5 +32,20 @@ for name in ("docs/man/fmb.1", "apps/completion/fmb.bash"):
     faults += [f"{name}: {word} is not an option" for word in sorted(found - wanted)]
     faults += [f"{name}: {word} is missing" for word in [*commands, *sorted(values)]
                if not re.search(rf"\b{word}\b", text)]
+
+
+def complete(*words):
+    """What bash offers for the last of the words."""
+    script = (f"source {shlex.quote(str(root / 'apps/completion/fmb.bash'))}; "
+              f"COMP_WORDS=({shlex.join(words)}) COMP_CWORD={len(words) - 1}; _fmb; "
+              'echo "${COMPREPLY[@]}"')
+    return subprocess.run(["bash", "-c", script], capture_output=True, text=True).stdout.split()
+
+
+for words, offered in ((("fmb", ""), commands), (("fmb", "solve", "f", "--me"), ["--method"]),
+                       (("fmb", "solve", "--method", ""), ["auto", "fm", "lp"]),
+                       (("fmb", "convert", "--t"), ["--to"]), (("fmb", "check", "--proo"), [])):
+    if not set(offered) <= set(complete(*words)) or (not offered and complete(*words)):
+        faults.append(f"completion of {words}: {complete(*words)}")
 print("\n".join(faults) or "all documented")
 sys.exit(bool(faults))
