@@ -49,19 +49,38 @@ static int terms_of(const fmb_vec *v, int n, int *index, double *value)
     return terms;
 }
 
+/* Let the inequality give way: its terms get -size t, size the largest of their coefficients. */
+static int relax(int n, int terms, int *index, double *value)
+{
+    double size = 0;
+    for (int k = 1; k <= terms; k++)
+        size = fmax(size, fabs(value[k]));
+    index[terms + 1] = n + 1;
+    value[terms + 1] = -size;
+    return terms + 1;
+}
+
+/* Minimise t >= 0 such that every inequality holds when relaxed by t. At the optimum the tight rows
+ * are those of a feasible vertex if t = 0, and those of a conflict if t > 0: either way the basis
+ * that is wanted. */
 static bool load(glp_prob *p, int n, size_t m, const fmb_lp_row *rows, int *index, double *value)
 {
-    glp_add_cols(p, n);
+    glp_add_cols(p, n + 1);
     glp_add_rows(p, (int)m);
     for (int j = 1; j <= n; j++)
         glp_set_col_bnds(p, j, GLP_FR, 0, 0);
+    glp_set_col_bnds(p, n + 1, GLP_LO, 0, 0);
+    glp_set_obj_coef(p, n + 1, 1);
     for (size_t i = 0; i < m; i++) {
         int terms = terms_of(rows[i].v, n, index, value);
         if (terms < 0)
             return false;
+        bool equality = rows[i].rel == FMB_EQ;
         double b = entry(rows[i].v, (size_t)n);
+        if (!equality)
+            terms = relax(n, terms, index, value);
         glp_set_mat_row(p, (int)i + 1, terms, index, value);
-        glp_set_row_bnds(p, (int)i + 1, rows[i].rel == FMB_EQ ? GLP_FX : GLP_UP, b, b);
+        glp_set_row_bnds(p, (int)i + 1, equality ? GLP_FX : GLP_UP, b, b);
     }
     return true;
 }
@@ -92,8 +111,8 @@ static void jump(void *self)
 static fmb_status ask(fmb_run *run, int n, size_t m, const fmb_lp_row *rows, bool *tight)
 {
     jmp_buf here;
-    int *volatile index = malloc(((size_t)n + 1) * sizeof *index);
-    double *volatile value = malloc(((size_t)n + 1) * sizeof *value);
+    int *volatile index = malloc(((size_t)n + 2) * sizeof *index);
+    double *volatile value = malloc(((size_t)n + 2) * sizeof *value);
     volatile fmb_status st = FMB_OK;
     if (index && value && setjmp(here) == 0) {
         glp_error_hook(jump, &here);
