@@ -138,9 +138,9 @@ static message parse_message(const fmb_glpk *g, const char *p, const char *end)
 /* The message at *p, which moves on to the next; false at the end. */
 static bool next_message(const fmb_glpk *g, const char **p, message *m)
 {
-    const char *end = g->log + g->size;
-    if (g->size == 0 || *p >= end)
+    if (g->size == 0 || *p == g->log + g->size)
         return false;
+    const char *end = g->log + g->size;
     const char *eol = memchr(*p, '\n', (size_t)(end - *p));
     eol = eol ? eol : end;
     *m = parse_message(g, *p, eol);

@@ -125,8 +125,8 @@ static fmb_status take_attributes(fmb_smt *r, fmb_smt_value *v)
 
 /* ---- define-fun with parameters -------------------------------------------------------------- */
 
-/* Reading a byte again takes the memory of about so many digits. */
-#define BYTE_DIGITS 8
+/* Reading a byte again costs as much as about so many digits. */
+#define BYTE_DIGITS 16
 
 /* The top frame, whose arguments are read, becomes the body of the macro. The text read again is
  * paid for: macros that use macros can make a short text very long. */

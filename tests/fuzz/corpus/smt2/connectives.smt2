@@ -1,0 +1,6 @@
+(set-logic QF_LRA)
+(declare-fun x () Real)(declare-const |a b| Int)(declare-fun p () Bool)
+(assert (! (and (<= 0 x (* 2 |a b|) 1) (not (or (< x 0) (> x 1.5)))) :named n))
+(assert (=> true (ite (< 1 2) (= x 3) (distinct x 3))))
+(assert (xor (< x 1) true (= (< x 1) false)))
+(check-sat)(get-value (x))(exit)
