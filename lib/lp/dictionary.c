@@ -218,6 +218,12 @@ static fmb_status replace(fmb_lp *lp, size_t i, size_t j)
     return fmb_vec_cancel(&lp->row[i], &lp->row[i], &lp->temp, fmb_lp_width(lp), scratch, &lp->num);
 }
 
+static bool is_gone(const fmb_lp *lp, size_t r)
+{
+    size_t v = lp->basic[r];
+    return !fmb_lp_is_x(lp, v) && lp->slack[v - (size_t)lp->n] == FMB_SLACK_RELAXED;
+}
+
 fmb_status fmb_lp_pivot(fmb_lp *lp, size_t r, size_t j)
 {
     size_t width = fmb_lp_width(lp), own = fmb_lp_place(lp, FMB_LP_OWN);
@@ -229,7 +235,7 @@ fmb_status fmb_lp_pivot(fmb_lp *lp, size_t r, size_t j)
     swap_entries(&lp->temp, j, fmb_lp_place(lp, FMB_LP_SCRATCH));
     swap_entries(&lp->temp, j, own);
     for (size_t i = 0; i < lp->m; i++) {
-        if (i == r || fmb_vec_sgn(&lp->row[i], j) == 0)
+        if (i == r || fmb_vec_sgn(&lp->row[i], j) == 0 || is_gone(lp, i))
             continue;
         st = replace(lp, i, j);
         if (st == FMB_OK)

@@ -28,7 +28,12 @@ typedef struct fmb_lp_row {
 } fmb_lp_row;
 
 /* What a slack is to the oracle now. */
-typedef enum fmb_slack { FMB_SLACK_ACTIVE = 0, FMB_SLACK_LOCKED, FMB_SLACK_RELAXED } fmb_slack;
+typedef enum fmb_slack {
+    FMB_SLACK_ACTIVE = 0,
+    FMB_SLACK_LOCKED,
+    FMB_SLACK_TESTED, /* relaxed while fmb_lp_test looks how far it falls */
+    FMB_SLACK_RELAXED /* its row is gone: basic for ever, and not kept up to date */
+} fmb_slack;
 
 /* Variables are numbered: x_j is j, slack s_i is n + i. */
 typedef struct fmb_lp {

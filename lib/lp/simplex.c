@@ -228,7 +228,7 @@ fmb_status fmb_lp_test(fmb_lp *lp, size_t i, fmb_lp_end *end)
 {
     size_t target = (size_t)lp->n + i;
     bool strict = lp->strict[i];
-    lp->slack[i] = FMB_SLACK_RELAXED;
+    lp->slack[i] = FMB_SLACK_TESTED;
     lp->tested = i;
     lp->stalled = 0;
     lp->run->stats.lps++;
@@ -238,6 +238,7 @@ fmb_status fmb_lp_test(fmb_lp *lp, size_t i, fmb_lp_end *end)
         size_t j = lp->at_column = basic ? find_entering(lp, r, -1) : r - lp->m;
         lp->at_row = r;
         if (j == SIZE_MAX) {
+            lp->slack[i] = FMB_SLACK_RELAXED;
             *end = FMB_LP_OPTIMUM;
             return FMB_OK;
         }

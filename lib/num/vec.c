@@ -128,12 +128,24 @@ fmb_status fmb_vec_copy(fmb_vec *to, const fmb_vec *from, size_t n, fmb_mem *mem
     return FMB_OK;
 }
 
+/* The least entry is the first guess of the divisor: mostly it is 1, or the remainders soon are 0.
+ */
+static uint64_t content_small(const fmb_vec *v, size_t n)
+{
+    uint64_t g = UINT64_MAX;
+    for (size_t i = 0; i < n; i++) { /* 0 counts as the largest */
+        uint64_t a = fmb_abs64(v->s[i]) - 1;
+        g = a < g ? a : g;
+    }
+    g++;
+    for (size_t i = 0; i < n && g > 1; i++)
+        g = fmb_gcd64(g, fmb_abs64(v->s[i]) % g);
+    return g;
+}
+
 static void reduce_small(fmb_vec *v, size_t n)
 {
-    uint64_t g = 0;
-    for (size_t i = 0; i < n && g != 1; i++)
-        if (v->s[i] != 0)
-            g = fmb_gcd64(g, fmb_abs64(v->s[i]));
+    uint64_t g = content_small(v, n);
     if (g > 1)
         for (size_t i = 0; i < n; i++)
             v->s[i] /= (int64_t)g;
