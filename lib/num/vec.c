@@ -59,8 +59,7 @@ void fmb_vec_measure(fmb_vec *v, size_t n)
     v->bits = fmb_bits64(all);
 }
 
-/* A block of n GMP zeros, or NULL. Checked against the limit with the limbs that `like` has. */
-static mpz_t *wide_block(size_t n, size_t limbs, fmb_mem *mem)
+mpz_t *fmb_vec_block(size_t n, size_t limbs, fmb_mem *mem)
 {
     if (mem->limit && mem->used + limbs > mem->limit) {
         mem->over = true;
@@ -89,7 +88,7 @@ fmb_status fmb_vec_set_z(fmb_vec *v, size_t n, mpz_t *from, fmb_mem *mem)
         return FMB_OK;
     }
     if (!v->z) {
-        v->z = wide_block(n, limb_bytes(from, n), mem);
+        v->z = fmb_vec_block(n, limb_bytes(from, n), mem);
         if (!v->z)
             return fmb_mem_status(mem);
     }
@@ -102,7 +101,7 @@ fmb_status fmb_vec_widen(fmb_vec *v, size_t n, fmb_mem *mem)
 {
     if (v->z)
         return FMB_OK;
-    mpz_t *z = wide_block(n, n * sizeof(mp_limb_t), mem);
+    mpz_t *z = fmb_vec_block(n, n * sizeof(mp_limb_t), mem);
     if (!z)
         return fmb_mem_status(mem);
     for (size_t i = 0; i < n; i++)
@@ -115,7 +114,7 @@ fmb_status fmb_vec_copy(fmb_vec *to, const fmb_vec *from, size_t n, fmb_mem *mem
 {
     if (from->z) {
         if (!to->z)
-            to->z = wide_block(n, limb_bytes(from->z, n), mem);
+            to->z = fmb_vec_block(n, limb_bytes(from->z, n), mem);
         if (!to->z)
             return fmb_mem_status(mem);
         for (size_t i = 0; i < n; i++)
@@ -143,7 +142,7 @@ static uint64_t content_small(const fmb_vec *v, size_t n)
     return g;
 }
 
-static void reduce_small(fmb_vec *v, size_t n)
+void fmb_vec_reduce_small(fmb_vec *v, size_t n)
 {
     uint64_t g = content_small(v, n);
     if (g > 1)
@@ -155,7 +154,7 @@ static void reduce_small(fmb_vec *v, size_t n)
 fmb_status fmb_vec_reduce(fmb_vec *v, size_t n, fmb_num *k)
 {
     if (!v->z) {
-        reduce_small(v, n);
+        fmb_vec_reduce_small(v, n);
         return k->wide_only ? fmb_vec_widen(v, n, k->mem) : FMB_OK;
     }
     size_t bits = 0;
@@ -175,146 +174,6 @@ fmb_status fmb_vec_reduce(fmb_vec *v, size_t n, fmb_num *k)
     fmb_vec_clear(v, n, k->mem);
     fmb_vec_measure(v, n);
     return FMB_OK;
-}
-
-/* ---- cancelling an entry: three widths, one formula ------------------------------------------ */
-
-static fmb_u128 abs128(fmb_i128 v)
-{
-    return v < 0 ? 0 - (fmb_u128)v : (fmb_u128)v;
-}
-
-static fmb_status set_from_scratch(fmb_vec *dst, size_t n, fmb_num *k, fmb_u128 all)
-{
-    const fmb_i128 *w = k->scratch;
-    if (all >> FMB_SMALL_BITS == 0) {
-        fmb_vec_clear(dst, n, k->mem);
-        for (size_t i = 0; i < n; i++)
-            dst->s[i] = (int64_t)w[i];
-        return FMB_OK;
-    }
-    k->promotions++;
-    if (!dst->z)
-        dst->z = wide_block(n, n * sizeof(fmb_i128), k->mem);
-    if (!dst->z)
-        return fmb_mem_status(k->mem);
-    for (size_t i = 0; i < n; i++) {
-        fmb_u128 m = abs128(w[i]);
-        mpz_set_ui(dst->z[i], (uint64_t)(m >> 64));
-        mpz_mul_2exp(dst->z[i], dst->z[i], 64);
-        mpz_add_ui(dst->z[i], dst->z[i], (uint64_t)m);
-        if (w[i] < 0)
-            mpz_neg(dst->z[i], dst->z[i]);
-    }
-    return FMB_OK;
-}
-
-static int ctz128(fmb_u128 v)
-{
-    uint64_t low = (uint64_t)v;
-    return low != 0 ? __builtin_ctzll(low) : 64 + __builtin_ctzll((uint64_t)(v >> 64));
-}
-
-/* As fmb_gcd64, until both fit. */
-static fmb_u128 gcd128(fmb_u128 a, fmb_u128 b)
-{
-    if (a == 0 || b == 0)
-        return a | b;
-    int shift = ctz128(a | b);
-    a >>= ctz128(a);
-    while (b != 0 && (a | b) >> 64 != 0) {
-        b >>= ctz128(b);
-        fmb_u128 low = a < b ? a : b;
-        b = a < b ? b - a : a - b;
-        a = low;
-    }
-    return (b == 0 ? a : (fmb_u128)fmb_gcd64((uint64_t)a, (uint64_t)b)) << shift;
-}
-
-/* p a + q b in 128 bits, divided by its content before it is stored. */
-static fmb_status cancel_128(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size_t n, int64_t p,
-                             int64_t q, fmb_num *k)
-{
-    fmb_i128 *w = k->scratch;
-    fmb_u128 g = 0, all = 0;
-    for (size_t i = 0; i < n; i++) {
-        w[i] = (fmb_i128)p * a->s[i] + (fmb_i128)q * b->s[i];
-        if (g != 1)
-            g = gcd128(g, abs128(w[i]));
-    }
-    for (size_t i = 0; i < n; i++) {
-        if (g > 1)
-            w[i] /= (fmb_i128)g;
-        all |= abs128(w[i]);
-    }
-    fmb_status st = set_from_scratch(dst, n, k, all);
-    if (st == FMB_OK && !dst->z)
-        fmb_vec_measure(dst, n);
-    return st;
-}
-
-static fmb_status cancel_small(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size_t n, size_t c,
-                               fmb_num *k)
-{
-    uint64_t ac = fmb_abs64(a->s[c]), bc = fmb_abs64(b->s[c]), g = fmb_gcd64(ac, bc);
-    int64_t p = (int64_t)(bc / g), q = (int64_t)(ac / g);
-    int pa = fmb_bits64((uint64_t)p) + a->bits, qb = fmb_bits64((uint64_t)q) + b->bits;
-    if ((a->s[c] > 0) == (b->s[c] > 0))
-        q = -q;
-    if ((pa > qb ? pa : qb) + 1 > FMB_SMALL_BITS)
-        return cancel_128(dst, a, b, n, p, q, k);
-    fmb_vec_clear(dst, n, k->mem);
-    for (size_t i = 0; i < n; i++)
-        dst->s[i] = p * a->s[i] + q * b->s[i];
-    fmb_vec_measure(dst, n);
-    if (dst->bits > FMB_LAZY_BITS)
-        reduce_small(dst, n);
-    return FMB_OK;
-}
-
-/* Entry i of v as an mpz, without copying a wide one. */
-static mpz_srcptr entry(const fmb_vec *v, size_t i, mpz_t room)
-{
-    if (v->z)
-        return v->z[i];
-    mpz_set_si(room, v->s[i]);
-    return room;
-}
-
-static fmb_status cancel_wide(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size_t n, size_t c,
-                              fmb_num *k)
-{
-    mpz_t *z = dst->z; /* entry i is read before it is written: dst may be a */
-    if (!z)
-        z = wide_block(n, n * 2 * sizeof(mp_limb_t), k->mem);
-    if (!z)
-        return fmb_mem_status(k->mem);
-    fmb_vec_get(a, c, k->q);
-    fmb_vec_get(b, c, k->p);
-    mpz_gcd(k->t, k->p, k->q);
-    mpz_divexact(k->p, k->p, k->t);
-    mpz_divexact(k->q, k->q, k->t);
-    if (mpz_sgn(k->p) < 0)
-        mpz_neg(k->p, k->p);
-    else
-        mpz_neg(k->q, k->q);
-    for (size_t i = 0; i < n; i++) {
-        mpz_mul(z[i], k->p, entry(a, i, k->t));
-        mpz_addmul(z[i], k->q, entry(b, i, k->t));
-    }
-    k->promotions += dst->z == NULL;
-    dst->z = z;
-    return fmb_vec_reduce(dst, n, k);
-}
-
-fmb_status fmb_vec_cancel(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size_t n, size_t c,
-                          fmb_num *k)
-{
-    fmb_status st =
-        a->z || b->z ? cancel_wide(dst, a, b, n, c, k) : cancel_small(dst, a, b, n, c, k);
-    if (st == FMB_OK && k->wide_only)
-        st = fmb_vec_widen(dst, n, k->mem);
-    return st;
 }
 
 /* out = x_i |y_j|. */

@@ -82,4 +82,12 @@ bool fmb_vec_equal(const fmb_vec *a, const fmb_vec *b, size_t n);
 /* Equal vecs have equal hashes, whether small or wide. */
 uint64_t fmb_vec_hash(const fmb_vec *v, size_t n);
 
+/* ---- for the other files of this room -------------------------------------------------------- */
+
+/* A block of n GMP zeros, or NULL. The limit is checked as if `limbs` bytes of limbs came with it.
+ */
+mpz_t *fmb_vec_block(size_t n, size_t limbs, fmb_mem *mem);
+/* Divide a small vec by its content, and measure it. */
+void fmb_vec_reduce_small(fmb_vec *v, size_t n);
+
 #endif

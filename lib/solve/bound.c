@@ -17,12 +17,11 @@ typedef struct job {
     fmb_side side;
     int sign;
     fmb_exact_side *end;
-    mpq_t *x; /* [p->n] scratch point or ray; NULL without evidence */
 } job;
 
 /* ---- claims ---------------------------------------------------------------------------------- */
 
-/* w proves the end; j->x is a point at it. */
+/* w proves the end; the query's x is a point at it. */
 static fmb_status claim_bound(job *j, const fmb_weights *w)
 {
     fmb_query *q = j->q;
@@ -36,13 +35,13 @@ static fmb_status claim_bound(job *j, const fmb_weights *w)
     mpq_set(claim->value, j->end->value);
     st = fmb_query_push(q, j->p, w, SIZE_MAX, 1, &claim->multipliers);
     if (st == FMB_OK)
-        st = fmb_query_attach_point(q, claim, j->p, j->x);
+        st = fmb_query_attach_point(q, claim, j->p, j->q->x);
     if (st != FMB_OK)
         fmb_evidence_drop_last(q->evidence);
     return st;
 }
 
-/* j->x is a ray of the part, or the variable is in no part. */
+/* The query's x is a ray of the part, or the variable is in no part. */
 static fmb_status claim_unbounded(job *j)
 {
     fmb_claim *claim;
@@ -57,7 +56,7 @@ static fmb_status claim_unbounded(job *j)
     if (st != FMB_OK)
         fmb_evidence_drop_last(j->q->evidence);
     else if (j->p)
-        fmb_query_scatter(j->p, j->x, claim->ray);
+        fmb_query_scatter(j->p, j->q->x, claim->ray);
     else
         mpq_set_si(claim->ray[j->var], j->sign, 1);
     return st;
@@ -75,7 +74,7 @@ static fmb_status finish_optimum(job *j, const fmb_lp *lp)
     if (j->q->evidence) {
         st = fmb_lp_optimum(lp, j->sign, &w);
         if (st == FMB_OK)
-            st = fmb_lp_point(lp, !j->end->attained, j->x);
+            st = fmb_lp_point(lp, !j->end->attained, j->q->x);
         if (st == FMB_OK)
             st = claim_bound(j, &w);
     }
@@ -97,7 +96,7 @@ static fmb_status ask_oracle(job *j, int part)
     if (end == FMB_LP_OPTIMUM)
         return finish_optimum(j, lp);
     if (j->q->evidence)
-        fmb_lp_ray(lp, j->x);
+        fmb_lp_ray(lp, j->q->x);
     st = claim_unbounded(j);
     if (st == FMB_OK)
         j->end->kind = FMB_END_INFINITE;
@@ -148,8 +147,8 @@ static fmb_status claim_row(job *j, const fmb_elim *e, uint32_t row)
     if (st == FMB_OK)
         st = fmb_elim_derive(e, &w);
     if (st == FMB_OK) {
-        mpq_set(j->x[j->column], j->end->value);
-        st = fmb_elim_point(e, j->end->attained ? FMB_POINT_INSIDE : FMB_POINT_CLOSURE, j->x);
+        mpq_set(j->q->x[j->column], j->end->value);
+        st = fmb_elim_point(e, j->end->attained ? FMB_POINT_INSIDE : FMB_POINT_CLOSURE, j->q->x);
     }
     if (st == FMB_OK)
         st = claim_bound(j, &w);
@@ -166,8 +165,8 @@ static fmb_status read_end(job *j, const fmb_elim *e)
         j->end->attained = !e->row[row].strict;
         st = j->q->evidence ? claim_row(j, e, row) : FMB_OK;
     } else if (j->q->evidence) {
-        mpq_set_si(j->x[j->column], j->sign, 1);
-        st = fmb_elim_point(e, FMB_POINT_RAY, j->x);
+        mpq_set_si(j->q->x[j->column], j->sign, 1);
+        st = fmb_elim_point(e, FMB_POINT_RAY, j->q->x);
         if (st == FMB_OK)
             st = claim_unbounded(j);
     }
@@ -190,10 +189,10 @@ static fmb_status eliminate_others(const job *j, fmb_elim *e)
 
 /* ---- both ends of one variable --------------------------------------------------------------- */
 
-static fmb_status bound_variable(fmb_query *q, int var, mpq_t *x, fmb_exact_side *side)
+static fmb_status bound_variable(fmb_query *q, int var, fmb_exact_side *side)
 {
     int part = q->parts.of_var[var];
-    job j = {.q = q, .var = var, .x = x};
+    job j = {.q = q, .var = var};
     fmb_elim e = {.run = &q->run};
     bool fm = part >= 0 && q->v->options.method == FMB_METHOD_FM;
     fmb_status st = FMB_OK;
@@ -221,12 +220,9 @@ static fmb_status bound_variable(fmb_query *q, int var, mpq_t *x, fmb_exact_side
 
 static fmb_status bound_all(fmb_query *q, fmb_box *box)
 {
-    size_t dim = (size_t)fmb_system_dim(q->s);
-    mpq_t *x = NULL;
-    fmb_status st = q->evidence ? fmb_vector_new(&x, dim, q->run.mem) : FMB_OK;
+    fmb_status st = FMB_OK;
     for (int i = 0; st == FMB_OK && i < box->size; i++)
-        st = bound_variable(q, box->var[i], x, box->side[i]);
-    fmb_vector_free(x, dim, q->run.mem);
+        st = bound_variable(q, box->var[i], box->side[i]);
     return st;
 }
 

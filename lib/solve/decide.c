@@ -14,16 +14,11 @@
 
 static fmb_status note_point(fmb_query *q, const fmb_part *p, const fmb_elim *e)
 {
-    mpq_t *x;
     if (!q->evidence)
         return FMB_OK;
-    fmb_status st = fmb_vector_new(&x, (size_t)p->n, q->run.mem);
-    if (st != FMB_OK)
-        return st;
-    st = fmb_elim_point(e, FMB_POINT_INSIDE, x);
+    fmb_status st = fmb_elim_point(e, FMB_POINT_INSIDE, q->x);
     if (st == FMB_OK)
-        fmb_query_scatter(p, x, q->point);
-    fmb_vector_free(x, (size_t)p->n, q->run.mem);
+        fmb_query_scatter(p, q->x, q->point);
     return st;
 }
 
@@ -65,16 +60,11 @@ static fmb_status claim_conflict(fmb_query *q, const fmb_part *p, const fmb_lp *
 
 static fmb_status note_vertex(fmb_query *q, const fmb_part *p, const fmb_lp *lp)
 {
-    mpq_t *x;
     if (!q->evidence)
         return FMB_OK;
-    fmb_status st = fmb_vector_new(&x, (size_t)p->n, q->run.mem);
-    if (st != FMB_OK)
-        return st;
-    st = fmb_lp_point(lp, false, x);
+    fmb_status st = fmb_lp_point(lp, false, q->x);
     if (st == FMB_OK)
-        fmb_query_scatter(p, x, q->point);
-    fmb_vector_free(x, (size_t)p->n, q->run.mem);
+        fmb_query_scatter(p, q->x, q->point);
     return st;
 }
 

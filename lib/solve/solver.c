@@ -92,7 +92,8 @@ static fmb_status open_evidence(fmb_query *q)
     if (st != FMB_OK)
         return st;
     q->evidence = v->evidence;
-    return fmb_vector_new(&q->point, dim, &v->mem);
+    st = fmb_vector_new(&q->point, dim, &v->mem);
+    return st == FMB_OK ? fmb_vector_new(&q->x, dim, &v->mem) : st;
 }
 
 fmb_status fmb_query_begin(fmb_query *q, fmb_solver *v, const fmb_system *s, const char *name)
@@ -130,6 +131,7 @@ fmb_status fmb_query_end(fmb_query *q, fmb_status st, fmb_verdict verdict, fmb_r
             fmb_lp_clear(q->lp[c]);
     fmb_parts_clear(&q->parts, &v->mem);
     fmb_vector_free(q->point, (size_t)fmb_system_dim(q->s), &v->mem);
+    fmb_vector_free(q->x, (size_t)fmb_system_dim(q->s), &v->mem);
     fmb_run_end(&q->run, verdict);
     if (st != FMB_OK && st != FMB_LIMIT)
         return st;

@@ -1,0 +1,259 @@
+/* shadow.c: the projection of one part; see shadow.h. */
+#include "solve/shadow.h"
+
+#include "elim/derive.h"
+#include "elim/witness.h"
+#include "solve/irredundant.h"
+#include "solve/prune_lp.h"
+#include "system/system.h"
+
+/* One part on its way. Row k of the oracle is row e.live[k] of the store. */
+typedef struct shadow {
+    fmb_query *q;
+    const fmb_part *p;
+    const int *place; /* [dim] column in the projection, -1 for variables that go */
+    fmb_system *out;
+    fmb_elim e;
+    fmb_lp lp;
+    bool has_lp;
+    fmb_rel *rel;         /* [lives] */
+    fmb_fate *fate;       /* [lives] */
+    fmb_weights *reverse; /* [lives] proofs that rows are equalities, over oracle rows */
+} shadow;
+
+/* ---- evidence -------------------------------------------------------------------------------- */
+
+/* Weights over oracle rows become weights over the part's rows. */
+static fmb_status derive(const shadow *h, fmb_weights *w)
+{
+    for (size_t i = 0; i < w->size; i++)
+        w->index[i] = h->e.live[w->index[i]];
+    return fmb_elim_derive(&h->e, w);
+}
+
+static fmb_status note_equality(void *self, size_t i, const fmb_weights *w)
+{
+    shadow *h = self;
+    fmb_status st = FMB_OK;
+    for (size_t k = 0; st == FMB_OK && k < w->size; k++)
+        st = fmb_weights_add(&h->reverse[i], w->index[k], w->value[k], h->q->run.mem);
+    return st;
+}
+
+static fmb_status claim_conflict(shadow *h)
+{
+    fmb_weights w = {0};
+    if (!h->q->evidence)
+        return FMB_OK;
+    fmb_status st = fmb_lp_conflict(&h->lp, &w);
+    if (st == FMB_OK)
+        st = derive(h, &w);
+    if (st == FMB_OK)
+        st = fmb_query_claim_infeasible(h->q, h->p, &w);
+    fmb_weights_clear(&w, h->q->run.mem);
+    return st;
+}
+
+/* A point of the projection, and above it one of the part. */
+static fmb_status note_point(shadow *h)
+{
+    fmb_query *q = h->q;
+    if (!q->evidence)
+        return FMB_OK;
+    fmb_status st = fmb_lp_point(&h->lp, false, q->x);
+    if (st == FMB_OK)
+        st = fmb_elim_point(&h->e, FMB_POINT_INSIDE, q->x);
+    if (st == FMB_OK)
+        fmb_query_scatter(h->p, q->x, q->point);
+    return st;
+}
+
+static fmb_status push_row(shadow *h, size_t k, int sign, fmb_sparse *list)
+{
+    fmb_weights w = {0};
+    mpq_t one;
+    mpq_init(one);
+    mpq_set_ui(one, 1, 1);
+    fmb_status st = fmb_weights_add(&w, (uint32_t)k, one, h->q->run.mem);
+    if (st == FMB_OK)
+        st = derive(h, &w);
+    if (st == FMB_OK)
+        st = fmb_query_push(h->q, h->p, &w, SIZE_MAX, sign, list);
+    fmb_weights_clear(&w, h->q->run.mem);
+    mpq_clear(one);
+    return st;
+}
+
+static fmb_status fill_claim(shadow *h, size_t k, fmb_claim *claim)
+{
+    const fmb_derived *r = &h->e.row[h->e.live[k]];
+    fmb_status st = FMB_OK;
+    claim->rel = h->fate[k] == FMB_FATE_EQUALITY ? FMB_EQ : h->rel[k];
+    fmb_vec_get(&r->v, (size_t)h->p->n, mpq_numref(claim->value));
+    mpq_t a;
+    mpq_init(a);
+    for (int j = 0; st == FMB_OK && j < h->p->n; j++) {
+        fmb_vec_get(&r->v, (size_t)j, mpq_numref(a));
+        st = fmb_evidence_push(h->q->evidence, &claim->terms, (size_t)h->p->var[j], a);
+    }
+    mpq_clear(a);
+    if (st == FMB_OK)
+        st = push_row(h, k, 1, &claim->multipliers);
+    if (st != FMB_OK || claim->rel != FMB_EQ)
+        return st;
+    if (h->fate[k] != FMB_FATE_EQUALITY)
+        return push_row(h, k, -1, &claim->reverse);
+    st = derive(h, &h->reverse[k]);
+    return st == FMB_OK ? fmb_query_push(h->q, h->p, &h->reverse[k], SIZE_MAX, 1, &claim->reverse)
+                        : st;
+}
+
+static fmb_status claim_row(shadow *h, size_t k)
+{
+    fmb_claim *claim;
+    if (!h->q->evidence)
+        return FMB_OK;
+    fmb_status st = fmb_evidence_claim(h->q->evidence, FMB_CLAIM_IMPLIED, &claim);
+    if (st != FMB_OK)
+        return st;
+    st = fill_claim(h, k, claim);
+    if (st != FMB_OK)
+        fmb_evidence_drop_last(h->q->evidence);
+    return st;
+}
+
+/* ---- rows out -------------------------------------------------------------------------------- */
+
+/* Oracle row k as a row of the projection. */
+static fmb_status append_row(shadow *h, size_t k)
+{
+    const fmb_derived *r = &h->e.row[h->e.live[k]];
+    size_t n = (size_t)h->p->n, terms = 0;
+    fmb_mem *mem = h->q->run.mem;
+    mpz_t *z = fmb_mem_get(mem, n + 2, sizeof *z);
+    int *var = fmb_mem_get(mem, n, sizeof *var);
+    fmb_status st = z && var ? FMB_OK : fmb_mem_status(mem);
+    for (size_t j = 0; z && j < n + 2; j++)
+        mpz_init(z[j]);
+    for (size_t j = 0; st == FMB_OK && j < n; j++) {
+        if (fmb_vec_sgn(&r->v, j) == 0)
+            continue;
+        var[terms] = h->place[h->p->var[j]];
+        fmb_vec_get(&r->v, j, z[terms++]);
+    }
+    if (st == FMB_OK) {
+        fmb_vec_get(&r->v, n, z[terms]);
+        mpz_set_ui(z[terms + 1], 1);
+        st = fmb_system_append(h->out, terms, var, z,
+                               h->fate[k] == FMB_FATE_EQUALITY ? FMB_EQ : h->rel[k]);
+    }
+    for (size_t j = 0; z && j < n + 2; j++)
+        mpz_clear(z[j]);
+    fmb_mem_put(mem, z, n + 2, sizeof *z);
+    fmb_mem_put(mem, var, n, sizeof *var);
+    return st;
+}
+
+/* Keep what is irredundant of the rows left. */
+static fmb_status thin_out(shadow *h)
+{
+    fmb_verdicts told = {NULL, note_equality, NULL, h};
+    fmb_status st = fmb_irredundant(&h->lp, h->rel, h->fate, h->q->evidence ? &told : NULL);
+    for (size_t k = 0; st == FMB_OK && k < h->e.lives; k++) {
+        if (h->fate[k] == FMB_FATE_REDUNDANT)
+            continue;
+        st = append_row(h, k);
+        if (st == FMB_OK)
+            st = claim_row(h, k);
+    }
+    return st;
+}
+
+/* ---- one part -------------------------------------------------------------------------------- */
+
+static fmb_status open_oracle(shadow *h)
+{
+    fmb_arena *arena = &h->q->v->arena;
+    size_t m = h->e.lives;
+    fmb_lp_row *rows = fmb_arena_get(arena, m, sizeof *rows);
+    h->rel = fmb_arena_get(arena, m, sizeof *h->rel);
+    h->fate = fmb_arena_get(arena, m, sizeof *h->fate);
+    fmb_weights *reverse = fmb_arena_get(arena, m, sizeof *reverse);
+    if (!rows || !h->rel || !h->fate || !reverse)
+        return fmb_mem_status(arena->mem);
+    for (size_t k = 0; k < m; k++) {
+        fmb_derived *r = &h->e.row[h->e.live[k]];
+        fmb_status st = fmb_vec_reduce(&r->v, (size_t)h->e.n + 1, &h->e.num);
+        if (st != FMB_OK)
+            return st;
+        h->rel[k] = r->equality ? FMB_EQ : r->strict ? FMB_LT : FMB_LE;
+        h->fate[k] = FMB_FATE_UNKNOWN;
+        reverse[k] = (fmb_weights){0};
+        rows[k] = (fmb_lp_row){&r->v, h->rel[k]};
+    }
+    h->reverse = reverse;
+    h->has_lp = true;
+    return fmb_lp_init(&h->lp, &h->q->run, h->p->n, m, rows, fmb_query_is_wide(h->q));
+}
+
+static void close_shadow(shadow *h)
+{
+    if (h->has_lp)
+        fmb_lp_clear(&h->lp);
+    for (size_t k = 0; h->reverse && k < h->e.lives; k++)
+        fmb_weights_clear(&h->reverse[k], h->q->run.mem);
+    fmb_elim_clear(&h->e);
+}
+
+static fmb_status eliminate(shadow *h)
+{
+    fmb_query *q = h->q;
+    const fmb_solver *v = q->v;
+    fmb_prune_lp state = {&q->run, fmb_query_is_wide(q), 2 * h->p->m + 16};
+    fmb_rule lp_rule = fmb_prune_lp_rule(&state);
+    const fmb_rule *rule[FMB_MAX_RULES];
+    int rules = 0;
+    for (; rules < v->rules && rules < FMB_MAX_RULES - 1; rules++)
+        rule[rules] = v->rule[rules];
+    if (v->prunes_by_lp)
+        rule[rules++] = &lp_rule;
+    bool *drop = fmb_arena_get(&q->v->arena, (size_t)h->p->n, sizeof *drop);
+    if (!drop)
+        return fmb_mem_status(q->run.mem);
+    for (int j = 0; j < h->p->n; j++)
+        drop[j] = h->place[h->p->var[j]] < 0;
+    fmb_status st = fmb_query_load(q, h->p, rule, rules, &h->e);
+    return st == FMB_OK ? fmb_elim_eliminate(&h->e, drop) : st;
+}
+
+static fmb_status project_part(shadow *h, fmb_verdict *verdict)
+{
+    bool feasible;
+    fmb_status st = eliminate(h);
+    if (st != FMB_OK)
+        return st;
+    if (h->e.clash != FMB_NO_ROW) {
+        *verdict = FMB_INFEASIBLE;
+        return fmb_query_claim_clash(h->q, h->p, &h->e);
+    }
+    st = open_oracle(h);
+    if (st == FMB_OK)
+        st = fmb_lp_feasible(&h->lp, &feasible);
+    if (st != FMB_OK)
+        return st;
+    if (!feasible) {
+        *verdict = FMB_INFEASIBLE;
+        return claim_conflict(h);
+    }
+    st = note_point(h);
+    return st == FMB_OK ? thin_out(h) : st;
+}
+
+fmb_status fmb_query_project_part(fmb_query *q, const fmb_part *p, const int *place,
+                                  fmb_system *out, fmb_verdict *verdict)
+{
+    shadow h = {.q = q, .p = p, .place = place, .out = out, .e.run = &q->run};
+    fmb_status st = project_part(&h, verdict);
+    close_shadow(&h);
+    return st;
+}

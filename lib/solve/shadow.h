@@ -1,0 +1,17 @@
+/* shadow.h: the projection of one part.
+ *
+ * The part is eliminated by itself; of the rows left, the oracle keeps the irredundant ones. Every
+ * row that comes out carries the multipliers that prove it.
+ */
+#ifndef FMB_SOLVE_SHADOW_H
+#define FMB_SOLVE_SHADOW_H
+
+#include "solve/solver.h"
+
+/* Append the projection of part p to out, with claims; place[dim] is the column of a variable
+ * there, -1 if it goes. *verdict becomes INFEASIBLE (and is claimed) if the part has no solution,
+ * else it stays. */
+fmb_status fmb_query_project_part(fmb_query *q, const fmb_part *p, const int *place,
+                                  fmb_system *out, fmb_verdict *verdict);
+
+#endif
