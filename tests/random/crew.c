@@ -65,8 +65,11 @@ bool crew_run(crew_job *job, void *self, uint64_t first, uint64_t count, int pro
         if (pid == 0)
             start(ends[1], job, self, first, count, processes, k, max_rows);
     }
-    for (int status; wait(&status) > 0;)
+    for (int status; wait(&status) > 0;) {
+        if (WIFSIGNALED(status))
+            fprintf(stderr, "a process was killed by signal %d\n", WTERMSIG(status));
         good = good && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    }
     crew_sum part;
     for (int k = 0; good && k < processes; k++) {
         good = read(ends[0], &part, sizeof part) == (ssize_t)sizeof part;

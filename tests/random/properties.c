@@ -158,7 +158,7 @@ static bool same_answers(agree *g, fmb_solver *v, const truth *t, fmb_system *ot
         must(fmb_project(v, t->s, keep, n, &p, &result));
         must(fmb_project(v, other, back, n, &q, &result));
     }
-    if (p && q) {
+    if (p && q) { /* else a limit was reached */
         int names[64];
         for (int i = 0; i < n; i++)
             names[i] = place[map[keep[i]]];

@@ -4,7 +4,8 @@
  *
  * System i is made from seed i alone. It is asked everything with the default options, everything
  * under a few other combinations of method, arithmetic, order and rules (which take turns), and the
- * properties that must not change an answer. Exit 1 on any disagreement, which is printed with its
+ * properties that must not change an answer. All under limits of rows and bytes: only the default
+ * options must decide everything. Exit 1 on any disagreement, which is printed with its
  * seed and a shrunken system.
  */
 #include <stdlib.h>
@@ -20,15 +21,24 @@ typedef struct team {
     fmb_solver *v[MOST_SOLVERS]; /* one for each combination of options, made when first needed */
 } team;
 
-static fmb_solver *solver(team *t, int i)
+/* Without rules elimination can grow beyond any memory: such ways to solve may give up. */
+static fmb_options limited(int i)
 {
     fmb_options o = options_at(i);
+    o.max_rows = 2000;
+    o.max_bytes = (size_t)64 << 20;
+    return o;
+}
+
+static fmb_solver *solver(team *t, int i)
+{
+    fmb_options o = limited(i);
     if (!t->v[i])
         must(fmb_solver_new(&o, NULL, &t->v[i]));
     return t->v[i];
 }
 
-/* Mostly small; one in eight up to 6 variables. */
+/* Mostly small; one in eight of 5 or 6 variables. */
 static support_shape shape_of(uint64_t i)
 {
     static const int bits[] = {0, 0, 0, 31, 53, 63, 200};
@@ -64,14 +74,22 @@ static bool job(void *self, uint64_t i, agree *g, uint64_t *failures)
     question q = {.choice = i * 0x9e3779b97f4a7c15u >> 7};
     for (int k = 0; k <= OTHERS; k++) {
         int way = k == 0 ? 0 : (int)((i * OTHERS + (uint64_t)k) % (uint64_t)options_count());
-        q.options = options_at(way);
+        q.options = limited(way);
+        uint64_t undecided = g->undecided;
         for (int kind = ASK_SOLVE; kind <= ASK_REDUCE; kind++) {
             q.kind = (question_kind)kind;
             ask(&q, g, solver(crew, way), &t, &c, failures);
         }
+        if (k == 0 && g->undecided != undecided) {
+            fprintf(stderr, "seed %llu: undecided with the default options\n",
+                    (unsigned long long)i);
+            ++*failures;
+        }
     }
     q.kind = (question_kind)(ASK_SHUFFLED + i / SUPPORT_FAMILIES % (ASK_KINDS - ASK_SHUFFLED));
-    ask(&q, g, solver(crew, (int)(i % (uint64_t)options_count())), &t, &c, failures);
+    int way = (int)(i % (uint64_t)options_count());
+    q.options = limited(way);
+    ask(&q, g, solver(crew, way), &t, &c, failures);
     truth_clear(&t);
     support_case_clear(&c);
     return *failures < GIVE_UP;
@@ -103,5 +121,5 @@ int main(int argc, char **argv)
            (unsigned long long)sum.jobs, (unsigned long long)sum.questions,
            (unsigned long long)sum.failures, (unsigned long long)sum.unjudged,
            (unsigned long long)sum.undecided, good ? "" : "; a process died");
-    return good && sum.failures == 0 && sum.undecided == 0 ? 0 : 1;
+    return good && sum.failures == 0 ? 0 : 1;
 }
