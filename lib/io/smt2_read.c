@@ -6,232 +6,6 @@
  */
 #include "io/smt2_term.h"
 
-/* ---- names and sorts ------------------------------------------------------------------------- */
-
-fmb_status fmb_smt_new_name(fmb_smt *r, size_t *symbol, const char **at)
-{
-    fmb_smt_token t;
-    fmb_status st = fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "a name", &t);
-    if (st == FMB_OK)
-        st = fmb_smt_intern(&r->scope, t.text, symbol);
-    if (st != FMB_OK)
-        return st;
-    *at = t.at;
-    if (t.text.n == 0)
-        return fmb_io_fail(r->c, t.at, "expected a name that is not empty");
-    if (r->scope.symbol[*symbol].meaning == FMB_SMT_NOTHING)
-        return FMB_OK;
-    char buf[FMB_QUOTE];
-    return fmb_io_fail(r->c, t.at, "expected a new name, found %s, which has a meaning already",
-                       fmb_quote(r->c, t.at, buf));
-}
-
-static fmb_status read_sort(fmb_smt *r, fmb_smt_sort *out)
-{
-    fmb_smt_token t;
-    size_t symbol;
-    fmb_status st = fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "the sort Real, Int or Bool", &t);
-    if (st == FMB_OK)
-        st = fmb_smt_intern(&r->scope, t.text, &symbol);
-    if (st != FMB_OK)
-        return st;
-    if (!r->scope.symbol[symbol].is_sort) {
-        char buf[FMB_QUOTE];
-        return fmb_io_fail(r->c, t.at, "expected the sort Real, Int or Bool, found %s",
-                           fmb_quote(r->c, t.at, buf));
-    }
-    *out = r->scope.symbol[symbol].sort;
-    return FMB_OK;
-}
-
-static fmb_status close_command(fmb_smt *r)
-{
-    fmb_smt_token t;
-    return fmb_smt_expect(r->c, FMB_SMT_CLOSE, "')' to end the command", &t);
-}
-
-/* ---- declarations ---------------------------------------------------------------------------- */
-
-static fmb_status declare(fmb_smt *r, size_t symbol, const char *at)
-{
-    fmb_smt_sort sort;
-    fmb_status st = read_sort(r, &sort);
-    if (st == FMB_OK)
-        st = close_command(r);
-    if (st != FMB_OK)
-        return st;
-    if (sort == FMB_SMT_BOOL) {
-        r->scope.symbol[symbol].meaning = FMB_SMT_UNKNOWN;
-        return FMB_OK;
-    }
-    if (sort == FMB_SMT_INT && !r->warned_int) {
-        fmb_io_warn(r->c, at, "integrality is ignored: unknowns of sort Int are read as reals");
-        r->warned_int = true;
-    }
-    fmb_smt_value v = {.at = at};
-    int var;
-    st = fmb_span_variable(r->c, r->scope.symbol[symbol].text, r->s, &var);
-    if (st == FMB_OK)
-        st = fmb_lin_variable(&r->lin, var, &v.id);
-    if (st == FMB_OK) {
-        r->scope.symbol[symbol].meaning = FMB_SMT_VALUE;
-        r->scope.symbol[symbol].value = v;
-    }
-    return st;
-}
-
-static fmb_status declare_const(fmb_smt *r, const char *open)
-{
-    size_t symbol;
-    const char *at;
-    (void)open;
-    fmb_status st = fmb_smt_new_name(r, &symbol, &at);
-    return st == FMB_OK ? declare(r, symbol, at) : st;
-}
-
-static fmb_status declare_fun(fmb_smt *r, const char *open)
-{
-    size_t symbol;
-    const char *at;
-    fmb_smt_token t;
-    (void)open;
-    fmb_status st = fmb_smt_new_name(r, &symbol, &at);
-    if (st == FMB_OK)
-        st = fmb_smt_expect(r->c, FMB_SMT_OPEN, "'(' and ')'", &t);
-    if (st == FMB_OK)
-        st = fmb_smt_expect(r->c, FMB_SMT_CLOSE, "')': unknown functions are not linear arithmetic",
-                            &t);
-    return st == FMB_OK ? declare(r, symbol, at) : st;
-}
-
-static fmb_status define_sort(fmb_smt *r, const char *open)
-{
-    fmb_smt_token t;
-    size_t symbol;
-    fmb_smt_sort sort;
-    (void)open;
-    fmb_status st = fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "the name of a sort", &t);
-    if (st == FMB_OK)
-        st = fmb_smt_intern(&r->scope, t.text, &symbol);
-    if (st == FMB_OK && r->scope.symbol[symbol].is_sort)
-        st = fmb_io_fail(r->c, t.at, "expected a new name for a sort");
-    if (st == FMB_OK)
-        st = fmb_smt_expect(r->c, FMB_SMT_OPEN, "'(' and ')'", &t);
-    if (st == FMB_OK)
-        st = fmb_smt_expect(r->c, FMB_SMT_CLOSE, "')': sorts with parameters cannot be read", &t);
-    if (st == FMB_OK)
-        st = read_sort(r, &sort);
-    if (st != FMB_OK)
-        return st;
-    r->scope.symbol[symbol].is_sort = true;
-    r->scope.symbol[symbol].sort = sort;
-    return close_command(r);
-}
-
-/* ---- define-fun ------------------------------------------------------------------------------ */
-
-/* (x Real) (y Bool) ... up to ')'; *n of them. */
-static fmb_status read_params(fmb_smt *r, size_t *n)
-{
-    for (*n = 0;; ++*n) {
-        fmb_smt_token t;
-        fmb_smt_param p;
-        fmb_smt_sort sort;
-        fmb_status st = fmb_smt_next(r->c, &t);
-        if (st != FMB_OK || t.kind == FMB_SMT_CLOSE)
-            return st;
-        if (t.kind != FMB_SMT_OPEN)
-            return fmb_io_fail(r->c, t.at, "expected '(' of a parameter, or ')' after the last");
-        st = fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "the name of a parameter", &t);
-        if (st == FMB_OK)
-            st = fmb_smt_intern(&r->scope, t.text, &p.symbol);
-        if (st == FMB_OK)
-            st = read_sort(r, &sort);
-        if (st == FMB_OK)
-            st = fmb_smt_expect(r->c, FMB_SMT_CLOSE, "')' after the parameter", &t);
-        if (st == FMB_OK)
-            st = fmb_mem_reserve(r->c->mem, (void **)&r->param, &r->param_capacity, r->params + 1,
-                                 sizeof *r->param);
-        if (st != FMB_OK)
-            return st;
-        p.formula = sort == FMB_SMT_BOOL;
-        r->param[r->params++] = p;
-    }
-}
-
-/* With parameters only the place of the body is kept. */
-static fmb_status define_macro(fmb_smt *r, size_t symbol, size_t n, bool formula)
-{
-    fmb_smt_macro m = {.first = r->params - n, .n = n, .formula = formula, .body = r->c->at};
-    fmb_status st = fmb_smt_skip(r->c, "the body of the function");
-    m.bytes = (size_t)(r->c->at - m.body);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(r->c->mem, (void **)&r->macro, &r->macro_capacity, r->macros + 1,
-                             sizeof *r->macro);
-    if (st != FMB_OK)
-        return st;
-    r->macro[r->macros] = m;
-    r->scope.symbol[symbol].meaning = FMB_SMT_MACRO;
-    r->scope.symbol[symbol].index = r->macros++;
-    return close_command(r);
-}
-
-static fmb_status check_kind(fmb_smt *r, const fmb_smt_value *v, bool formula)
-{
-    if (v->formula == formula)
-        return FMB_OK;
-    return fmb_io_fail(r->c, v->at, "expected a %s, found a %s", formula ? "formula" : "number",
-                       formula ? "number" : "formula");
-}
-
-static fmb_status define_value(fmb_smt *r, size_t symbol, bool formula)
-{
-    fmb_smt_value v;
-    fmb_status st = fmb_smt_term(r, &v);
-    if (st == FMB_OK)
-        st = check_kind(r, &v, formula);
-    if (st != FMB_OK)
-        return st;
-    r->named = true;
-    r->scope.symbol[symbol].meaning = FMB_SMT_VALUE;
-    r->scope.symbol[symbol].value = v;
-    return close_command(r);
-}
-
-static fmb_status define_const(fmb_smt *r, const char *open)
-{
-    size_t symbol;
-    const char *at;
-    fmb_smt_sort sort;
-    (void)open;
-    fmb_status st = fmb_smt_new_name(r, &symbol, &at);
-    if (st == FMB_OK)
-        st = read_sort(r, &sort);
-    return st == FMB_OK ? define_value(r, symbol, sort == FMB_SMT_BOOL) : st;
-}
-
-static fmb_status define_fun(fmb_smt *r, const char *open)
-{
-    size_t symbol, n = 0;
-    const char *at;
-    fmb_smt_token t;
-    fmb_smt_sort sort;
-    (void)open;
-    fmb_status st = fmb_smt_new_name(r, &symbol, &at);
-    if (st == FMB_OK)
-        st = fmb_smt_expect(r->c, FMB_SMT_OPEN, "'(' before the parameters", &t);
-    if (st == FMB_OK)
-        st = read_params(r, &n);
-    if (st == FMB_OK)
-        st = read_sort(r, &sort);
-    if (st != FMB_OK)
-        return st;
-    return n == 0 ? define_value(r, symbol, sort == FMB_SMT_BOOL)
-                  : define_macro(r, symbol, n, sort == FMB_SMT_BOOL);
-}
-
-/* ---- assertions and the rest ----------------------------------------------------------------- */
-
 static fmb_status assert_term(fmb_smt *r, const char *open)
 {
     size_t nodes = r->lin.nodes, formulas = r->forms.nodes;
@@ -245,9 +19,9 @@ static fmb_status assert_term(fmb_smt *r, const char *open)
     r->named = false;
     fmb_status st = fmb_smt_term(r, &v);
     if (st == FMB_OK)
-        st = check_kind(r, &v, true);
+        st = fmb_smt_check_kind(r, &v, true);
     if (st == FMB_OK)
-        st = close_command(r);
+        st = fmb_smt_close_command(r);
     if (st == FMB_OK)
         st = fmb_form_assert(&r->forms, v.id, r->s);
     if (st == FMB_OK && !r->named) {
@@ -291,16 +65,16 @@ static fmb_status refuse(fmb_smt *r, const char *open)
 
 typedef struct command {
     const char *name;
-    fmb_status (*run)(fmb_smt *r, const char *open);
+    fmb_smt_command *run;
 } command;
 
 static const command table[] = {
     {"assert", assert_term},
-    {"declare-fun", declare_fun},
-    {"declare-const", declare_const},
-    {"define-fun", define_fun},
-    {"define-const", define_const},
-    {"define-sort", define_sort},
+    {"declare-fun", fmb_smt_declare_fun},
+    {"declare-const", fmb_smt_declare_const},
+    {"define-fun", fmb_smt_define_fun},
+    {"define-const", fmb_smt_define_const},
+    {"define-sort", fmb_smt_define_sort},
     {"set-logic", ignore},
     {"set-info", ignore},
     {"set-option", ignore},

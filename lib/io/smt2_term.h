@@ -73,6 +73,15 @@ fmb_status fmb_smt_term(fmb_smt *r, fmb_smt_value *out);
 /* A symbol that has no global meaning yet. Errors: PARSE, MEMORY. */
 fmb_status fmb_smt_new_name(fmb_smt *r, size_t *symbol, const char **at);
 
+/* The ')' of a command. A term where a formula is needed, or the other way round. Errors: PARSE. */
+fmb_status fmb_smt_close_command(fmb_smt *r);
+fmb_status fmb_smt_check_kind(fmb_smt *r, const fmb_smt_value *v, bool formula);
+
+/* The rest of a command that began at open. Errors: PARSE, MEMORY. */
+typedef fmb_status fmb_smt_command(fmb_smt *r, const char *open);
+fmb_smt_command fmb_smt_declare_const, fmb_smt_declare_fun, fmb_smt_define_const,
+    fmb_smt_define_fun, fmb_smt_define_sort;
+
 /* One operator. */
 typedef struct fmb_smt_operator fmb_smt_operator;
 struct fmb_smt_operator {
