@@ -112,10 +112,12 @@ static void cap(mpq_t delta, mpq_srcptr k, mpq_srcptr d, bool halve)
     mpq_clear(limit);
 }
 
-/* The largest delta <= 1 for which every row that counts is nonnegative after the step. */
+/* The largest delta <= 1 for which the step is forward, and every row that counts nonnegative after
+ * it. */
 static fmb_status choose_delta(const fmb_lp *lp, walk *w, mpq_t delta)
 {
     mpq_set_ui(delta, 1, 1);
+    cap(delta, w->tk, w->td, false);
     for (size_t r = 0; lp->any_strict && r < lp->m; r++) {
         if (!fmb_lp_counts(lp, r))
             continue;

@@ -31,12 +31,35 @@ static fmb_status derive(const shadow *h, fmb_weights *w)
     return fmb_elim_derive(&h->e, w);
 }
 
+static fmb_status add_scaled(shadow *h, fmb_weights *sum, const fmb_weights *w, mpq_srcptr factor)
+{
+    fmb_status st = FMB_OK;
+    mpq_t t;
+    mpq_init(t);
+    for (size_t k = 0; st == FMB_OK && k < w->size; k++) {
+        mpq_mul(t, w->value[k], factor);
+        st = fmb_weights_add(sum, w->index[k], t, h->q->run.mem);
+    }
+    mpq_clear(t);
+    return st;
+}
+
+/* The oracle may have used a row that it knows to be an equality backwards: what proved that stands
+ * in for it. */
 static fmb_status note_equality(void *self, size_t i, const fmb_weights *w)
 {
     shadow *h = self;
     fmb_status st = FMB_OK;
-    for (size_t k = 0; st == FMB_OK && k < w->size; k++)
-        st = fmb_weights_add(&h->reverse[i], w->index[k], w->value[k], h->q->run.mem);
+    mpq_t size;
+    mpq_init(size);
+    for (size_t k = 0; st == FMB_OK && k < w->size; k++) {
+        size_t row = w->index[k];
+        bool backwards = mpq_sgn(w->value[k]) < 0 && h->rel[row] != FMB_EQ;
+        mpq_abs(size, w->value[k]);
+        st = backwards ? add_scaled(h, &h->reverse[i], &h->reverse[row], size)
+                       : fmb_weights_add(&h->reverse[i], (uint32_t)row, w->value[k], h->q->run.mem);
+    }
+    mpq_clear(size);
     return st;
 }
 
