@@ -37,9 +37,10 @@ static fmb_status open_row(fmb_elim *e, fmb_derived **out)
         return FMB_ERR_MEMORY;
     fmb_derived *r = &e->row[e->rows];
     *r = (fmb_derived){.p = FMB_NO_ROW, .q = FMB_NO_ROW, .col = -1};
-    r->v.s = fmb_arena_get(e->arena, (size_t)e->n + 1, sizeof *r->v.s);
+    r->v.s = e->spare ? e->spare : fmb_arena_get(e->arena, (size_t)e->n + 1, sizeof *r->v.s);
     if (!r->v.s)
         return fmb_mem_status(e->arena->mem);
+    e->spare = NULL;
     *out = r;
     return FMB_OK;
 }
@@ -60,14 +61,20 @@ static bool is_false(const fmb_elim *e, const fmb_derived *r)
     return r->equality ? b != 0 : r->strict ? b <= 0 : b < 0;
 }
 
-/* Count the row at the end of the store: live, false, or idle (it says nothing). */
+/* Count the row at the end of the store: live or false; a combination that says nothing is dropped.
+ */
 static fmb_status close_row(fmb_elim *e, uint32_t **list, size_t *count, size_t *capacity)
 {
     fmb_derived *r = &e->row[e->rows];
     if (is_constant(e, r)) {
         if (is_false(e, r))
             e->clash = (uint32_t)e->rows;
-        e->rows++;
+        if (is_false(e, r) || r->p == FMB_NO_ROW) {
+            e->rows++;
+            return FMB_OK;
+        }
+        fmb_vec_clear(&r->v, (size_t)e->n + 1, e->run->mem);
+        e->spare = r->v.s;
         return FMB_OK;
     }
     fmb_status st = fmb_arena_reserve(e->arena, (void **)list, capacity, *count + 1, sizeof **list);
@@ -88,8 +95,11 @@ fmb_status fmb_elim_add(fmb_elim *e, const fmb_vec *v, fmb_rel rel)
         st = fmb_vec_copy(&r->v, v, n, e->run->mem);
     if (st == FMB_OK && e->num.wide_only)
         st = fmb_vec_widen(&r->v, n, e->run->mem);
-    if (st != FMB_OK)
+    if (st != FMB_OK) {
+        if (r)
+            fmb_vec_clear(&r->v, n, e->run->mem);
         return st;
+    }
     r->strict = rel == FMB_LT;
     r->equality = rel == FMB_EQ;
     return close_row(e, &e->live, &e->lives, &e->live_capacity);
@@ -123,14 +133,15 @@ fmb_status fmb_elim_combine(fmb_elim *e, uint32_t p, uint32_t q, int col)
     st = union_history(e, r, a, b);
     if (st == FMB_OK)
         st = fmb_vec_cancel(&r->v, &a->v, &b->v, (size_t)e->n + 1, (size_t)col, &e->num);
-    if (st != FMB_OK)
-        return st;
-    e->run->stats.rows_made++;
-    if (e->budget > 0 && e->rows >= e->budget) {
+    if (st == FMB_OK && e->budget > 0 && e->rows >= e->budget) {
         e->over_budget = true;
-        fmb_vec_clear(&r->v, (size_t)e->n + 1, e->run->mem);
-        return FMB_LIMIT;
+        st = FMB_LIMIT;
     }
+    if (st != FMB_OK) {
+        fmb_vec_clear(&r->v, (size_t)e->n + 1, e->run->mem);
+        return st;
+    }
+    e->run->stats.rows_made++;
     st = close_row(e, &e->next, &e->nexts, &e->next_capacity);
     if (st == FMB_OK)
         st = fmb_run_rows(e->run, e->nexts);

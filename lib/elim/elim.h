@@ -47,6 +47,7 @@ typedef struct fmb_elim {
 
     fmb_derived *row;
     size_t rows, row_capacity;
+    int64_t *spare;        /* words of a row that said nothing, or NULL */
     uint32_t *live, *next; /* rows alive; rows alive after the round being made */
     size_t lives, live_capacity, nexts, next_capacity;
     fmb_round *round; /* [n], in the order made */

@@ -20,7 +20,7 @@ static fmb_status set_from_scratch(fmb_vec *dst, size_t n, fmb_num *k, fmb_u128 
     }
     k->promotions++;
     if (!dst->z)
-        dst->z = fmb_vec_block(n, n * sizeof(fmb_i128), k->mem);
+        dst->z = fmb_vec_block(n, k->mem);
     if (!dst->z)
         return fmb_mem_status(k->mem);
     for (size_t i = 0; i < n; i++) {
@@ -31,7 +31,7 @@ static fmb_status set_from_scratch(fmb_vec *dst, size_t n, fmb_num *k, fmb_u128 
         if (w[i] < 0)
             mpz_neg(dst->z[i], dst->z[i]);
     }
-    return FMB_OK;
+    return fmb_vec_settle(dst, n, k->mem);
 }
 
 static int ctz128(fmb_u128 v)
@@ -111,7 +111,7 @@ static fmb_status cancel_wide(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, 
 {
     mpz_t *z = dst->z; /* entry i is read before it is written: dst may be a */
     if (!z)
-        z = fmb_vec_block(n, n * 2 * sizeof(mp_limb_t), k->mem);
+        z = fmb_vec_block(n, k->mem);
     if (!z)
         return fmb_mem_status(k->mem);
     fmb_vec_get(a, c, k->q);

@@ -5,14 +5,6 @@
 
 #include "num/gcd.h"
 
-static size_t limb_bytes(mpz_t *z, size_t n)
-{
-    size_t limbs = 0;
-    for (size_t i = 0; i < n; i++)
-        limbs += mpz_size(z[i]);
-    return limbs * sizeof(mp_limb_t);
-}
-
 fmb_status fmb_num_init(fmb_num *k, fmb_mem *mem, size_t n, bool wide_only)
 {
     *k = (fmb_num){.mem = mem, .wide_only = wide_only};
@@ -40,7 +32,25 @@ void fmb_vec_clear(fmb_vec *v, size_t n, fmb_mem *mem)
     for (size_t i = 0; i < n; i++)
         mpz_clear(v->z[i]);
     fmb_mem_put(mem, v->z, n, sizeof *v->z);
+    fmb_mem_refund(mem, v->limbs * sizeof(mp_limb_t));
     v->z = NULL;
+    v->limbs = 0;
+}
+
+/* GMP rounds an allocation up to 16 bytes or so; two limbs more an entry come near enough. */
+fmb_status fmb_vec_settle(fmb_vec *v, size_t n, fmb_mem *mem)
+{
+    size_t limbs = 2 * n;
+    for (size_t i = 0; i < n; i++)
+        limbs += mpz_size(v->z[i]);
+    fmb_mem_refund(mem, v->limbs * sizeof(mp_limb_t));
+    v->limbs = 0;
+    if (limbs > UINT32_MAX)
+        return FMB_ERR_MEMORY;
+    if (!fmb_mem_charge(mem, limbs * sizeof(mp_limb_t)))
+        return FMB_LIMIT;
+    v->limbs = (uint32_t)limbs;
+    return FMB_OK;
 }
 
 void fmb_vec_get(const fmb_vec *v, size_t i, mpz_t out)
@@ -59,12 +69,8 @@ void fmb_vec_measure(fmb_vec *v, size_t n)
     v->bits = fmb_bits64(all);
 }
 
-mpz_t *fmb_vec_block(size_t n, size_t limbs, fmb_mem *mem)
+mpz_t *fmb_vec_block(size_t n, fmb_mem *mem)
 {
-    if (mem->limit && mem->used + limbs > mem->limit) {
-        mem->over = true;
-        return NULL;
-    }
     mpz_t *z = fmb_mem_get(mem, n, sizeof *z);
     if (!z)
         return NULL;
@@ -88,38 +94,38 @@ fmb_status fmb_vec_set_z(fmb_vec *v, size_t n, mpz_t *from, fmb_mem *mem)
         return FMB_OK;
     }
     if (!v->z) {
-        v->z = fmb_vec_block(n, limb_bytes(from, n), mem);
+        v->z = fmb_vec_block(n, mem);
         if (!v->z)
             return fmb_mem_status(mem);
     }
     for (size_t i = 0; i < n; i++)
         mpz_set(v->z[i], from[i]);
-    return FMB_OK;
+    return fmb_vec_settle(v, n, mem);
 }
 
 fmb_status fmb_vec_widen(fmb_vec *v, size_t n, fmb_mem *mem)
 {
     if (v->z)
         return FMB_OK;
-    mpz_t *z = fmb_vec_block(n, n * sizeof(mp_limb_t), mem);
+    mpz_t *z = fmb_vec_block(n, mem);
     if (!z)
         return fmb_mem_status(mem);
     for (size_t i = 0; i < n; i++)
         mpz_set_si(z[i], v->s[i]);
     v->z = z;
-    return FMB_OK;
+    return fmb_vec_settle(v, n, mem);
 }
 
 fmb_status fmb_vec_copy(fmb_vec *to, const fmb_vec *from, size_t n, fmb_mem *mem)
 {
     if (from->z) {
         if (!to->z)
-            to->z = fmb_vec_block(n, limb_bytes(from->z, n), mem);
+            to->z = fmb_vec_block(n, mem);
         if (!to->z)
             return fmb_mem_status(mem);
         for (size_t i = 0; i < n; i++)
             mpz_set(to->z[i], from->z[i]);
-        return FMB_OK;
+        return fmb_vec_settle(to, n, mem);
     }
     fmb_vec_clear(to, n, mem);
     memcpy(to->s, from->s, n * sizeof *to->s);
@@ -168,7 +174,7 @@ fmb_status fmb_vec_reduce(fmb_vec *v, size_t n, fmb_num *k)
         bits = b > bits ? b : bits;
     }
     if (bits > FMB_SMALL_BITS || k->wide_only)
-        return FMB_OK;
+        return fmb_vec_settle(v, n, k->mem);
     for (size_t i = 0; i < n; i++)
         v->s[i] = mpz_get_si(v->z[i]);
     fmb_vec_clear(v, n, k->mem);

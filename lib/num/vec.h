@@ -24,6 +24,7 @@ typedef struct fmb_vec {
     int64_t *s;
     mpz_t *z;
     int bits;
+    uint32_t limbs; /* wide: charged to the allocator */
 } fmb_vec;
 
 /* What the operations need: where wide entries are allocated, and scratch. */
@@ -84,9 +85,11 @@ uint64_t fmb_vec_hash(const fmb_vec *v, size_t n);
 
 /* ---- for the other files of this room -------------------------------------------------------- */
 
-/* A block of n GMP zeros, or NULL. The limit is checked as if `limbs` bytes of limbs came with it.
- */
-mpz_t *fmb_vec_block(size_t n, size_t limbs, fmb_mem *mem);
+/* A block of n GMP zeros, or NULL. */
+mpz_t *fmb_vec_block(size_t n, fmb_mem *mem);
+/* Charge the limbs of a wide vec that has changed. Errors: LIMIT, MEMORY; the vec is good in any
+ * case. */
+fmb_status fmb_vec_settle(fmb_vec *v, size_t n, fmb_mem *mem);
 /* Divide a small vec by its content, and measure it. */
 void fmb_vec_reduce_small(fmb_vec *v, size_t n);
 
