@@ -68,7 +68,7 @@ static void permute(agree *g, const regress *r, int *place, int done)
 {
     if (done == r->dim)
         try_place(g, r, place);
-    for (int j = done; j < r->dim; j++) {
+    for (int j = done; j < r->dim && j < REGRESS_DIM; j++) {
         int keep = place[done];
         place[done] = place[j];
         place[j] = keep;
