@@ -4,6 +4,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "common/message.h"
 
@@ -44,6 +45,18 @@ static const struct argp report_argp = {.options = report_options, .parser = par
 static bool is_public(const fmb_option_info *info)
 {
     return strcmp(info->name, "evidence") != 0;
+}
+
+static bool is_memory(const fmb_option_info *info)
+{
+    return strcmp(info->name, "max_bytes") == 0;
+}
+
+/* A command must not bring its machine down: unless told otherwise it takes half of the memory. */
+static size_t half_of_memory(void)
+{
+    long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
+    return pages > 0 && size > 0 ? (size_t)pages / 2 * (size_t)size : 0;
 }
 
 enum { NAME_SIZE = 32 };
@@ -87,7 +100,7 @@ static void fill_table(solver_table *t)
         spell(info, t->name[n]);
         int length = (int)strcspn(info->meaning, ".");
         snprintf(t->meaning[n], sizeof t->meaning[n], "%.*s (default %s)", length, info->meaning,
-                 info->initial);
+                 is_memory(info) ? "half of the memory" : info->initial);
         t->option[n] = (struct argp_option){.name = t->name[n],
                                             .key = FIRST_KEY + (int)i,
                                             .arg = info->values,
@@ -115,6 +128,7 @@ void app_ask_parse(app_ask *ask, const app_usage *usage, void *own_input, int ar
 {
     *ask = (app_ask){.options = fmb_options_default(), .own_input = own_input};
     ask->options.evidence = true;
+    ask->options.max_bytes = half_of_memory();
     solver_table table;
     fill_table(&table);
     const struct argp solver_argp = {.options = table.option, .parser = parse_option};

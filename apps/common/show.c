@@ -85,12 +85,18 @@ void app_json_set_variable(json_t *obj, const fmb_system *s, int j, json_t *valu
     free(name);
 }
 
+/* null if the row has none. */
+static json_t *json_label(const fmb_system *s, size_t i)
+{
+    const char *label = fmb_system_label(s, i);
+    return label ? app_json_text(label) : json_null();
+}
+
 json_t *app_json_row_name(const fmb_system *s, size_t i)
 {
     json_t *obj = app_need(json_object());
     app_json_set(obj, "row", json_integer((json_int_t)i + 1));
-    if (fmb_system_label(s, i))
-        app_json_set(obj, "label", app_json_text(fmb_system_label(s, i)));
+    app_json_set(obj, "label", json_label(s, i));
     return obj;
 }
 
@@ -116,7 +122,7 @@ static json_t *row(const fmb_system *s, size_t i, mpq_t q)
 {
     json_t *obj = app_need(json_object());
     if (fmb_system_label(s, i))
-        app_json_set(obj, "label", app_json_text(fmb_system_label(s, i)));
+        app_json_set(obj, "label", json_label(s, i));
     app_json_set(obj, "coefficients", coefficients(s, i, q));
     app_json_set(obj, "relation", json_string(relation[fmb_system_rel(s, i)]));
     fmb_system_rhs_q(s, i, q);

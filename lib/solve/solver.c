@@ -168,6 +168,8 @@ fmb_status fmb_query_load(fmb_query *q, const fmb_part *p, const fmb_rule *const
     fmb_status st = fmb_elim_init(e, &q->run, &q->v->arena, p->n, &q->v->options, rule, rules);
     for (size_t i = 0; st == FMB_OK && i < p->m; i++)
         st = fmb_elim_add(e, &p->row[i], p->rel[i]);
+    if (e->lives > q->run.stats.rows_peak)
+        q->run.stats.rows_peak = e->lives;
     return st;
 }
 
