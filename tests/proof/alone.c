@@ -1,0 +1,7 @@
+/* alone.c: `fmb check` as a program of its own, linked without the rooms that solve. */
+#include "fmb/commands.h"
+
+int main(int argc, char **argv)
+{
+    return cmd_check(argc, argv);
+}
