@@ -145,7 +145,7 @@ static fmb_status start(fmb_lp *lp, const fmb_lp_row *rows)
 fmb_status fmb_lp_init(fmb_lp *lp, fmb_run *run, int n, size_t m, const fmb_lp_row *rows,
                        bool wide_only)
 {
-    *lp = (fmb_lp){.run = run, .n = n, .m = m, .at_row = SIZE_MAX};
+    *lp = (fmb_lp){.run = run, .n = n, .m = m, .source = rows, .at_row = SIZE_MAX};
     fmb_status st = fmb_num_init(&lp->num, run->mem, fmb_lp_width(lp), wide_only);
     if (st == FMB_OK)
         st = allocate(lp);
@@ -218,10 +218,11 @@ static fmb_status replace(fmb_lp *lp, size_t i, size_t j)
     return fmb_vec_cancel(&lp->row[i], &lp->row[i], &lp->temp, fmb_lp_width(lp), scratch, &lp->num);
 }
 
-static bool is_gone(const fmb_lp *lp, size_t r)
+/* Gone for ever, or until it is woken. */
+static bool is_out(const fmb_lp *lp, size_t r)
 {
     size_t v = lp->basic[r];
-    return !fmb_lp_is_x(lp, v) && lp->slack[v - (size_t)lp->n] == FMB_SLACK_RELAXED;
+    return !fmb_lp_is_x(lp, v) && lp->slack[v - (size_t)lp->n] >= FMB_SLACK_ASLEEP;
 }
 
 fmb_status fmb_lp_pivot(fmb_lp *lp, size_t r, size_t j)
@@ -235,7 +236,7 @@ fmb_status fmb_lp_pivot(fmb_lp *lp, size_t r, size_t j)
     swap_entries(&lp->temp, j, fmb_lp_place(lp, FMB_LP_SCRATCH));
     swap_entries(&lp->temp, j, own);
     for (size_t i = 0; i < lp->m; i++) {
-        if (i == r || fmb_vec_sgn(&lp->row[i], j) == 0 || is_gone(lp, i))
+        if (i == r || fmb_vec_sgn(&lp->row[i], j) == 0 || is_out(lp, i))
             continue;
         st = replace(lp, i, j);
         if (st == FMB_OK)

@@ -32,6 +32,7 @@ typedef enum fmb_slack {
     FMB_SLACK_ACTIVE = 0,
     FMB_SLACK_LOCKED,
     FMB_SLACK_TESTED, /* relaxed while fmb_lp_test looks how far it falls */
+    FMB_SLACK_ASLEEP, /* basic, and neither counted nor kept up to date until its row is woken */
     FMB_SLACK_RELAXED /* its row is gone: basic for ever, and not kept up to date */
 } fmb_slack;
 
@@ -41,14 +42,15 @@ typedef struct fmb_lp {
     fmb_num num;
     int n;
     size_t m;
-    fmb_vec *row;     /* [m] dictionary rows */
-    int64_t *words;   /* [m][n + 4] their small entries */
-    fmb_vec temp;     /* the pivot row, prepared */
-    size_t *basic;    /* [m] variable of each row */
-    size_t *column;   /* [n] variable of each column */
-    size_t *where;    /* [n + m] row of a basic variable, m + column of a nonbasic one */
-    fmb_slack *slack; /* [m] */
-    bool *strict;     /* [m] */
+    const fmb_lp_row *source; /* [m] the rows given: borrowed */
+    fmb_vec *row;             /* [m] dictionary rows */
+    int64_t *words;           /* [m][n + 4] their small entries */
+    fmb_vec temp;             /* the pivot row, prepared */
+    size_t *basic;            /* [m] variable of each row */
+    size_t *column;           /* [n] variable of each column */
+    size_t *where;            /* [n + m] row of a basic variable, m + column of a nonbasic one */
+    fmb_slack *slack;         /* [m] */
+    bool *strict;             /* [m] */
     bool any_strict;
     size_t stalled; /* pivots since the last step that moved: Bland's rule from some count on */
     /* Where the last call stopped. */
@@ -65,7 +67,7 @@ typedef enum fmb_lp_end {
     FMB_LP_VIOLATED /* fmb_lp_test: a point satisfies all other rows and not this one */
 } fmb_lp_end;
 
-/* Errors: MEMORY, LIMIT. After an error only fmb_lp_clear may follow. */
+/* rows[m] must outlive lp. Errors: MEMORY, LIMIT. After an error only fmb_lp_clear may follow. */
 fmb_status fmb_lp_init(fmb_lp *lp, fmb_run *run, int n, size_t m, const fmb_lp_row *rows,
                        bool wide_only);
 void fmb_lp_clear(fmb_lp *lp);
@@ -80,6 +82,15 @@ fmb_status fmb_lp_extreme(fmb_lp *lp, int j, int sign, fmb_lp_end *end);
  * afterwards (call fmb_lp_restore once the answer has been read). */
 fmb_status fmb_lp_test(fmb_lp *lp, size_t i, fmb_lp_end *end);
 fmb_status fmb_lp_restore(fmb_lp *lp);
+/* The same, where many rows may be asleep: x[n] gets the point of a violation, which satisfies them
+ * too. center[n] is roughly a point inside: rows are woken where the way from it to a violation
+ * first meets one. */
+fmb_status fmb_lp_test_lazily(fmb_lp *lp, size_t i, const double *center, mpq_t *x,
+                              fmb_lp_end *end);
+/* Put every basic slack of an inequality that counts to sleep: pivots then cost nothing for it. */
+void fmb_lp_sleep(fmb_lp *lp);
+/* Add the current point to sum[n], roughly. */
+void fmb_lp_add_point(const fmb_lp *lp, double *sum);
 /* From a feasible dictionary: make slack i as large as possible, stopping early once it is positive
  * in the limit delta = 0. OPTIMUM: it is 0 everywhere; UNBOUNDED: it can be positive. */
 fmb_status fmb_lp_widen_slack(fmb_lp *lp, size_t i, fmb_lp_end *end);
@@ -139,6 +150,13 @@ static inline bool fmb_lp_counts(const fmb_lp *lp, size_t r)
     size_t v = lp->basic[r];
     return !fmb_lp_is_x(lp, v) && lp->slack[v - (size_t)lp->n] == FMB_SLACK_ACTIVE;
 }
+/* Is the variable free to move both ways? */
+static inline bool fmb_lp_is_free(const fmb_lp *lp, size_t variable)
+{
+    return fmb_lp_is_x(lp, variable) || lp->slack[variable - (size_t)lp->n] == FMB_SLACK_TESTED;
+}
+/* Entry j of row r over that of its own variable, roughly, and positive where both signs agree. */
+double fmb_lp_ratio(const fmb_lp *lp, size_t r, size_t j);
 /* Sign of K + D delta in row r. */
 int fmb_lp_sign(const fmb_lp *lp, size_t r);
 /* Exchange the variables of row r and column j. Errors: MEMORY, LIMIT. */

@@ -162,6 +162,8 @@ fmb_status fmb_lp_point(const fmb_lp *lp, bool closure, mpq_t *x)
 static void choose_step(const fmb_lp *lp, walk *w)
 {
     size_t r = lp->block;
+    if (w->j == SIZE_MAX) /* it is violated where we are */
+        return;
     if (r != SIZE_MAX) {
         mpq_set_ui(w->c, 1, 1);
         fmb_vec_get(&lp->row[r], w->j, mpq_numref(w->c));

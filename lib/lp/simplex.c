@@ -50,7 +50,7 @@ static bool is_larger(const fmb_vec *v, size_t a, size_t b)
 }
 
 /* A column whose variable, by entering, moves the basic variable of row r in the direction sign;
- * SIZE_MAX if none does. An x that no slack depends on may move either way. */
+ * SIZE_MAX if none does. A free variable may move either way. */
 static size_t find_entering(const fmb_lp *lp, size_t r, int sign)
 {
     const fmb_vec *v = &lp->row[r];
@@ -59,7 +59,7 @@ static size_t find_entering(const fmb_lp *lp, size_t r, int sign)
         int s = fmb_vec_sgn(v, j);
         if (s == 0)
             continue;
-        if (fmb_lp_is_x(lp, lp->column[j]))
+        if (fmb_lp_is_free(lp, lp->column[j]))
             return j;
         if (s != sign || !fmb_lp_may_enter(lp, j))
             continue;
@@ -79,16 +79,15 @@ static fmb_status step(fmb_lp *lp, size_t r, size_t j)
 
 /* ---- phase one ------------------------------------------------------------------------------- */
 
-/* K / |e| of row r, roughly. */
-static double depth(const fmb_lp *lp, size_t r)
+double fmb_lp_ratio(const fmb_lp *lp, size_t r, size_t j)
 {
     const fmb_vec *v = &lp->row[r];
-    size_t k = fmb_lp_place(lp, FMB_LP_K), own = fmb_lp_place(lp, FMB_LP_OWN);
+    size_t own = fmb_lp_place(lp, FMB_LP_OWN);
     if (!v->z)
-        return (double)v->s[k] / -(double)v->s[own];
-    long ek, eo;
-    double a = mpz_get_d_2exp(&ek, v->z[k]), b = mpz_get_d_2exp(&eo, v->z[own]);
-    long shift = ek - eo > 1000 ? 1000 : ek - eo < -1000 ? -1000 : ek - eo;
+        return (double)v->s[j] / -(double)v->s[own];
+    long ej, eo;
+    double a = mpz_get_d_2exp(&ej, v->z[j]), b = mpz_get_d_2exp(&eo, v->z[own]);
+    long shift = ej - eo > 1000 ? 1000 : ej - eo < -1000 ? -1000 : ej - eo;
     return __builtin_ldexp(a / -b, (int)shift);
 }
 
@@ -101,7 +100,8 @@ static size_t find_negative(const fmb_lp *lp, bool least_index)
     for (size_t r = 0; r < lp->m; r++) {
         if (!fmb_lp_counts(lp, r) || fmb_lp_sign(lp, r) >= 0)
             continue;
-        double d = least_index ? (double)lp->basic[r] : depth(lp, r);
+        double d =
+            least_index ? (double)lp->basic[r] : fmb_lp_ratio(lp, r, fmb_lp_place(lp, FMB_LP_K));
         if (best == SIZE_MAX || d < best_depth) {
             best = r;
             best_depth = d;
@@ -224,6 +224,18 @@ static bool falls(const fmb_lp *lp, size_t j, size_t block, bool strict)
                 : v->s[d] > 0 && v->s[d] >= llabs(v->s[j]);
 }
 
+/* Is it broken already, at the current point? As above, the delta inside the slack of a strict row
+ * is taken out. */
+static bool is_broken(const fmb_lp *lp, size_t r, bool strict)
+{
+    const fmb_vec *v = &lp->row[r];
+    size_t d = fmb_lp_place(lp, FMB_LP_D), own = fmb_lp_place(lp, FMB_LP_OWN);
+    int k = fmb_vec_sgn(v, fmb_lp_place(lp, FMB_LP_K));
+    if (k != 0 || !strict)
+        return fmb_lp_sign(lp, r) < 0;
+    return v->z ? mpz_cmp(v->z[d], v->z[own]) <= 0 : v->s[d] <= v->s[own];
+}
+
 fmb_status fmb_lp_test(fmb_lp *lp, size_t i, fmb_lp_end *end)
 {
     size_t target = (size_t)lp->n + i;
@@ -235,8 +247,13 @@ fmb_status fmb_lp_test(fmb_lp *lp, size_t i, fmb_lp_end *end)
     for (;;) {
         size_t r = lp->where[target];
         bool basic = r < lp->m;
-        size_t j = lp->at_column = basic ? find_entering(lp, r, -1) : r - lp->m;
         lp->at_row = r;
+        lp->at_column = SIZE_MAX;
+        if (basic && is_broken(lp, r, strict)) {
+            *end = FMB_LP_VIOLATED;
+            return FMB_OK;
+        }
+        size_t j = lp->at_column = basic ? find_entering(lp, r, -1) : r - lp->m;
         if (j == SIZE_MAX) {
             lp->slack[i] = FMB_SLACK_RELAXED;
             *end = FMB_LP_OPTIMUM;

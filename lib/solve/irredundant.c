@@ -9,7 +9,10 @@ typedef struct pass {
     fmb_fate *fate;
     bool *slack; /* [m] known to be positive somewhere */
     const fmb_verdicts *told;
-    mpq_t *x; /* [n] scratch, if somebody is told of points */
+    bool as_given;  /* inequalities stay inequalities */
+    mpq_t *x;       /* [n] scratch */
+    double *center; /* [n] roughly inside: the mean of the points seen */
+    size_t points;  /* so far, of which center is the sum */
 } pass;
 
 /* Multipliers at hand: the minimum (-1) or maximum (1) of a slack. */
@@ -47,8 +50,10 @@ static fmb_status lock_equality(pass *p, size_t i)
 }
 
 /* Every slack that is positive at the current point is no implicit equality. */
-static void note_slacks(pass *p)
+static void note_point(pass *p)
 {
+    fmb_lp_add_point(p->lp, p->center);
+    p->points++;
     for (size_t i = 0; i < p->lp->m; i++)
         p->slack[i] = p->slack[i] || fmb_lp_is_slack(p->lp, i);
 }
@@ -58,11 +63,12 @@ static fmb_status find_equality(pass *p, size_t i)
 {
     fmb_lp_end end;
     bool depends;
-    note_slacks(p);
     if (p->slack[i])
         return FMB_OK;
     fmb_status st = fmb_lp_widen_slack(p->lp, i, &end);
-    if (st != FMB_OK || end != FMB_LP_OPTIMUM)
+    if (st == FMB_OK)
+        note_point(p);
+    if (st != FMB_OK || end != FMB_LP_OPTIMUM || p->as_given)
         return st;
     fmb_weights reverse = {0};
     st = fmb_lp_optimum(p->lp, 1, &reverse);
@@ -84,18 +90,26 @@ static fmb_status find_equality(pass *p, size_t i)
 static fmb_status test_row(pass *p, size_t i)
 {
     fmb_lp_end end;
-    fmb_status st = fmb_lp_test(p->lp, i, &end);
+    fmb_status st = fmb_lp_test_lazily(p->lp, i, p->center, p->x, &end);
     if (st != FMB_OK)
         return st;
     if (end == FMB_LP_OPTIMUM)
         return tell_redundant(p, i);
     p->fate[i] = FMB_FATE_KEPT;
-    if (p->x) {
-        st = fmb_lp_violation(p->lp, p->x);
-        if (st == FMB_OK)
-            st = p->told->irredundant(p->told->self, i, p->x);
-    }
+    if (p->told && p->told->irredundant)
+        st = p->told->irredundant(p->told->self, i, p->x);
     return st == FMB_OK ? fmb_lp_restore(p->lp) : st;
+}
+
+/* With fewer rows sleeping saves nothing. */
+#define MANY_ROWS 64
+
+static void prepare_tests(pass *p)
+{
+    for (int j = 0; p->points > 0 && j < p->lp->n; j++)
+        p->center[j] /= (double)p->points;
+    if (p->lp->m >= MANY_ROWS)
+        fmb_lp_sleep(p->lp);
 }
 
 static fmb_status run_passes(pass *p)
@@ -105,26 +119,45 @@ static fmb_status run_passes(pass *p)
     for (size_t i = 0; st == FMB_OK && i < m; i++)
         if (p->rel[i] == FMB_EQ)
             st = lock_equality(p, i);
+    note_point(p);
     for (size_t i = 0; st == FMB_OK && i < m; i++)
         if (p->rel[i] == FMB_LE)
             st = find_equality(p, i);
+    prepare_tests(p);
     for (size_t i = m; st == FMB_OK && i-- > 0;)
         if (p->fate[i] == FMB_FATE_UNKNOWN)
             st = test_row(p, i);
     return st;
 }
 
+static fmb_status open_pass(pass *p)
+{
+    fmb_mem *mem = p->lp->run->mem;
+    p->slack = fmb_mem_zero(mem, p->lp->m, sizeof *p->slack);
+    p->center = fmb_mem_zero(mem, (size_t)p->lp->n, sizeof *p->center);
+    if (!p->slack || !p->center)
+        return fmb_mem_status(mem);
+    return fmb_vector_new(&p->x, (size_t)p->lp->n, mem);
+}
+
+static fmb_status run(pass *p)
+{
+    fmb_mem *mem = p->lp->run->mem;
+    fmb_status st = open_pass(p);
+    if (st == FMB_OK)
+        st = run_passes(p);
+    fmb_vector_free(p->x, (size_t)p->lp->n, mem);
+    fmb_mem_put(mem, p->center, (size_t)p->lp->n, sizeof *p->center);
+    fmb_mem_put(mem, p->slack, p->lp->m, sizeof *p->slack);
+    return st;
+}
+
 fmb_status fmb_irredundant(fmb_lp *lp, const fmb_rel *rel, fmb_fate *fate, const fmb_verdicts *told)
 {
-    fmb_mem *mem = lp->run->mem;
-    pass p = {.lp = lp, .rel = rel, .fate = fate, .told = told};
-    p.slack = fmb_mem_zero(mem, lp->m, sizeof *p.slack);
-    fmb_status st = p.slack ? FMB_OK : fmb_mem_status(mem);
-    if (st == FMB_OK && told && told->irredundant)
-        st = fmb_vector_new(&p.x, (size_t)lp->n, mem);
-    if (st == FMB_OK)
-        st = run_passes(&p);
-    fmb_vector_free(p.x, (size_t)lp->n, mem);
-    fmb_mem_put(mem, p.slack, lp->m, sizeof *p.slack);
-    return st;
+    return run(&(pass){.lp = lp, .rel = rel, .fate = fate, .told = told});
+}
+
+fmb_status fmb_redundant(fmb_lp *lp, const fmb_rel *rel, fmb_fate *fate)
+{
+    return run(&(pass){.lp = lp, .rel = rel, .fate = fate, .as_given = true});
 }

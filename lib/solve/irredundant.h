@@ -28,5 +28,8 @@ typedef struct fmb_verdicts {
  * so far hold. */
 fmb_status fmb_irredundant(fmb_lp *lp, const fmb_rel *rel, fmb_fate *fate,
                            const fmb_verdicts *told);
+/* The same without the second pass: inequalities stay what they are, and only their redundancy is
+ * decided. */
+fmb_status fmb_redundant(fmb_lp *lp, const fmb_rel *rel, fmb_fate *fate);
 
 #endif

@@ -5,34 +5,51 @@
  */
 #include "solve/prune_lp.h"
 
-#include "lp/lp.h"
+#include "solve/irredundant.h"
 
-static fmb_status test_rows(fmb_lp *lp, const fmb_view *w, bool *drop, size_t *marked)
+/* What the oracle needs of the live rows. */
+typedef struct rows {
+    fmb_lp_row *row;
+    fmb_rel *rel;
+    fmb_fate *fate;
+    size_t size;
+} rows;
+
+static void close_rows(rows *a, fmb_mem *mem)
 {
-    fmb_status st = FMB_OK;
-    for (size_t i = w->rows; st == FMB_OK && i-- > 0;) {
-        fmb_lp_end end;
-        if (w->row[i].equality)
-            continue;
-        st = fmb_lp_test(lp, i, &end);
-        drop[i] = st == FMB_OK && end == FMB_LP_OPTIMUM;
-        *marked += drop[i];
-        if (st == FMB_OK && !drop[i])
-            st = fmb_lp_restore(lp);
-    }
-    return st;
+    fmb_mem_put(mem, a->row, a->size, sizeof *a->row);
+    fmb_mem_put(mem, a->rel, a->size, sizeof *a->rel);
+    fmb_mem_put(mem, a->fate, a->size, sizeof *a->fate);
 }
 
-static fmb_status ask(const fmb_prune_lp *p, const fmb_view *w, const fmb_lp_row *rows, bool *drop,
-                      size_t *marked)
+static fmb_status open_rows(rows *a, const fmb_view *w, fmb_mem *mem)
+{
+    *a = (rows){.size = w->rows};
+    a->row = fmb_mem_get(mem, w->rows, sizeof *a->row);
+    a->rel = fmb_mem_get(mem, w->rows, sizeof *a->rel);
+    a->fate = fmb_mem_zero(mem, w->rows, sizeof *a->fate);
+    if (!a->row || !a->rel || !a->fate) {
+        fmb_status st = fmb_mem_status(mem);
+        close_rows(a, mem);
+        return st;
+    }
+    for (size_t i = 0; i < w->rows; i++) {
+        const fmb_live *r = &w->row[i];
+        a->rel[i] = r->equality ? FMB_EQ : r->strict ? FMB_LT : FMB_LE;
+        a->row[i] = (fmb_lp_row){r->v, a->rel[i]};
+    }
+    return FMB_OK;
+}
+
+static fmb_status ask(const fmb_prune_lp *p, int n, rows *a)
 {
     fmb_lp lp;
     bool feasible = false;
-    fmb_status st = fmb_lp_init(&lp, p->run, w->n, w->rows, rows, p->wide_only);
+    fmb_status st = fmb_lp_init(&lp, p->run, n, a->size, a->row, p->wide_only);
     if (st == FMB_OK)
         st = fmb_lp_feasible(&lp, &feasible);
     if (st == FMB_OK && feasible) /* else the elimination will find the clash itself */
-        st = test_rows(&lp, w, drop, marked);
+        st = fmb_redundant(&lp, a->rel, a->fate);
     fmb_lp_clear(&lp);
     return st;
 }
@@ -41,17 +58,18 @@ static fmb_status end_round(void *state, const fmb_view *w, fmb_mem *mem, bool *
                             size_t *marked)
 {
     fmb_prune_lp *p = state;
+    rows a;
     if (w->rows < p->next)
         return FMB_OK;
-    fmb_lp_row *rows = fmb_mem_get(mem, w->rows, sizeof *rows);
-    if (!rows)
-        return fmb_mem_status(mem);
-    for (size_t i = 0; i < w->rows; i++)
-        rows[i] = (fmb_lp_row){w->row[i].v, w->row[i].equality ? FMB_EQ
-                                            : w->row[i].strict ? FMB_LT
-                                                               : FMB_LE};
-    fmb_status st = ask(p, w, rows, drop, marked);
-    fmb_mem_put(mem, rows, w->rows, sizeof *rows);
+    fmb_status st = open_rows(&a, w, mem);
+    if (st != FMB_OK)
+        return st;
+    st = ask(p, w->n, &a);
+    for (size_t i = 0; i < w->rows; i++) {
+        drop[i] = a.fate[i] == FMB_FATE_REDUNDANT;
+        *marked += drop[i];
+    }
+    close_rows(&a, mem);
     p->next = 2 * (w->rows - *marked) + 16;
     return st;
 }
