@@ -57,7 +57,7 @@ fmb_status fmb_smt_check_kind(fmb_smt *r, const fmb_smt_value *v, bool formula)
 
 static fmb_status declare(fmb_smt *r, size_t symbol, const char *at)
 {
-    fmb_smt_sort sort;
+    fmb_smt_sort sort = FMB_SMT_REAL;
     fmb_status st = read_sort(r, &sort);
     if (st == FMB_OK)
         st = fmb_smt_close_command(r);
@@ -111,7 +111,7 @@ fmb_status fmb_smt_define_sort(fmb_smt *r, const char *open)
 {
     fmb_smt_token t;
     size_t symbol;
-    fmb_smt_sort sort;
+    fmb_smt_sort sort = FMB_SMT_REAL;
     (void)open;
     fmb_status st = fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "the name of a sort", &t);
     if (st == FMB_OK)
@@ -197,7 +197,7 @@ fmb_status fmb_smt_define_const(fmb_smt *r, const char *open)
 {
     size_t symbol;
     const char *at;
-    fmb_smt_sort sort;
+    fmb_smt_sort sort = FMB_SMT_REAL;
     (void)open;
     fmb_status st = fmb_smt_new_name(r, &symbol, &at);
     if (st == FMB_OK)
@@ -210,7 +210,7 @@ fmb_status fmb_smt_define_fun(fmb_smt *r, const char *open)
     size_t symbol, n = 0;
     const char *at;
     fmb_smt_token t;
-    fmb_smt_sort sort;
+    fmb_smt_sort sort = FMB_SMT_REAL;
     (void)open;
     fmb_status st = fmb_smt_new_name(r, &symbol, &at);
     if (st == FMB_OK)

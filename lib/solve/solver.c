@@ -9,7 +9,7 @@ static fmb_status choose_rules(fmb_solver *v)
     const char *at = v->options.rules ? v->options.rules : "kohler,duplicate,lp";
     if (strcmp(at, "none") == 0)
         return FMB_OK;
-    while (*at) {
+    for (;; at++) {
         size_t size = strcspn(at, ",");
         const fmb_rule *rule = fmb_rule_find(at, size);
         if (size == 2 && memcmp(at, "lp", 2) == 0)
@@ -18,9 +18,10 @@ static fmb_status choose_rules(fmb_solver *v)
             return FMB_ERR_RULE;
         else
             v->rule[v->rules++] = rule;
-        at += size + (at[size] == ',');
+        at += size;
+        if (!*at)
+            return FMB_OK;
     }
-    return FMB_OK;
 }
 
 static bool is_sound(const fmb_options *o)
