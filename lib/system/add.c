@@ -62,49 +62,48 @@ static bool is_rel(fmb_rel rel)
     return rel == FMB_LE || rel == FMB_LT || rel == FMB_EQ;
 }
 
-fmb_status fmb_system_add(fmb_system *s, const double *a, fmb_rel rel, double b)
+/* q = the j-th number of an array. */
+typedef void setter(mpq_t q, const void *numbers, size_t j);
+
+static void set_double(mpq_t q, const void *numbers, size_t j)
 {
-    size_t dim = s->names.size;
-    bool good = is_rel(rel) && isfinite(b);
-    for (size_t j = 0; j < dim; j++)
-        good = good && isfinite(a[j]);
-    if (!good)
-        return FMB_ERR_ARG;
+    mpq_set_d(q, ((const double *)numbers)[j]);
+}
+
+static void set_int(mpq_t q, const void *numbers, size_t j)
+{
+    mpq_set_si(q, ((const int64_t *)numbers)[j], 1);
+}
+
+/* Append a.x REL *b; a has length dim. */
+static fmb_status add_dense(fmb_system *s, setter *set, const void *a, fmb_rel rel, const void *b)
+{
     draft d;
-    fmb_status st = draft_init(&d, dim, &s->mem);
+    fmb_status st = draft_init(&d, s->names.size, &s->mem);
     if (st != FMB_OK)
         return st;
-    for (size_t j = 0; j < dim; j++) {
-        if (a[j] == 0)
-            continue;
+    for (size_t j = 0; j < d.capacity; j++) {
+        set(d.q[d.n], a, j);
         d.var[d.n] = (int)j;
-        mpq_set_d(d.q[d.n++], a[j]);
+        d.n += mpq_sgn(d.q[d.n]) != 0;
     }
-    mpq_set_d(d.q[d.n], b);
+    set(d.q[d.n], b, 0);
     st = draft_append(&d, s, rel);
     draft_clear(&d, &s->mem);
     return st;
 }
 
+fmb_status fmb_system_add(fmb_system *s, const double *a, fmb_rel rel, double b)
+{
+    bool good = is_rel(rel) && isfinite(b);
+    for (size_t j = 0; j < s->names.size; j++)
+        good = good && isfinite(a[j]);
+    return good ? add_dense(s, set_double, a, rel, &b) : FMB_ERR_ARG;
+}
+
 fmb_status fmb_system_add_int(fmb_system *s, const int64_t *a, fmb_rel rel, int64_t b)
 {
-    size_t dim = s->names.size;
-    if (!is_rel(rel))
-        return FMB_ERR_ARG;
-    draft d;
-    fmb_status st = draft_init(&d, dim, &s->mem);
-    if (st != FMB_OK)
-        return st;
-    for (size_t j = 0; j < dim; j++) {
-        if (a[j] == 0)
-            continue;
-        d.var[d.n] = (int)j;
-        mpq_set_si(d.q[d.n++], a[j], 1);
-    }
-    mpq_set_si(d.q[d.n], b, 1);
-    st = draft_append(&d, s, rel);
-    draft_clear(&d, &s->mem);
-    return st;
+    return is_rel(rel) ? add_dense(s, set_int, a, rel, &b) : FMB_ERR_ARG;
 }
 
 typedef struct place {
