@@ -126,6 +126,33 @@ Test(memory, one_solver)
     cr_assert_eq(h.live, 0);
 }
 
+/* Every request of one query on a system large enough for rows to sleep, or for a guess. */
+static void every_large(const verb *w, int n, int m)
+{
+    hook h = {0};
+    fmb_alloc mem = hook_alloc(&h);
+    fmb_solver *v = solver(&h, FMB_METHOD_AUTO, NULL);
+    fmb_system *s = sample_hard(n, m, &mem);
+    char truth[VERB_ANSWER] = "";
+    fmb_result r = {0};
+    must(w->ask(v, s, &r, truth));
+    for (size_t k = 1; !fails_well(w, &h, v, s, k, false, truth); k++)
+        ;
+    fmb_system_free(s);
+    fmb_solver_free(v);
+    cr_assert_eq(h.live, 0);
+}
+
+Test(memory, many_rows)
+{
+    every_large(&VERBS[3], 3, 80);
+}
+
+Test(memory, many_variables)
+{
+    every_large(&VERBS[0], 17, 40);
+}
+
 Test(memory, solver_new)
 {
     hook h = {0};

@@ -98,11 +98,13 @@ static fmb_status bound(fmb_solver *v, const fmb_system *s, fmb_result *r, char 
     return finish(st, box == mark, v, s, r, out);
 }
 
+enum { MOST_ROWS = 128 };
+
 static fmb_status reduce(fmb_solver *v, const fmb_system *s, fmb_result *r, char *out)
 {
     fmb_system *const mark = (fmb_system *)out, *p = mark;
-    fmb_fate fate[64] = {FMB_FATE_UNKNOWN};
-    cr_assert_leq(fmb_system_rows(s), 64);
+    fmb_fate fate[MOST_ROWS] = {FMB_FATE_UNKNOWN};
+    cr_assert_leq(fmb_system_rows(s), MOST_ROWS);
     fmb_status st = fmb_reduce(v, s, fate, &p, r);
     for (size_t i = 0; st != FMB_OK && i < fmb_system_rows(s); i++)
         cr_assert_eq(fate[i], FMB_FATE_UNKNOWN, "a fate was touched");
