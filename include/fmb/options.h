@@ -39,7 +39,7 @@ typedef struct fmb_options {
     bool evidence;      /* keep proofs, so that fmb_solver_evidence works */
     double max_seconds; /* wall clock per query [s]; 0 = no limit */
     size_t max_rows;    /* live rows [rows]; 0 = no limit */
-    size_t max_bytes;   /* workspace [bytes]; 0 = no limit */
+    size_t max_bytes;   /* workspace, and as much again for evidence [bytes]; 0 = no limit */
 } fmb_options;
 
 FMB_API fmb_options fmb_options_default(void);

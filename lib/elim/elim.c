@@ -172,6 +172,9 @@ static fmb_status rebase(fmb_elim *e)
         memset(h, 0, e->words * sizeof *h);
         h[i / 64] = (uint64_t)1 << (i % 64);
         e->row[e->live[i]].history = h;
+        fmb_status st = fmb_run_poll(e->run);
+        if (st != FMB_OK)
+            return st;
     }
     return FMB_OK;
 }
@@ -238,14 +241,13 @@ static fmb_status pair_rows(fmb_elim *e, const fmb_round *round, size_t lowers)
             e->run->stats.pairs++;
             if (is_dropped(e, &w, p, q)) {
                 e->run->stats.rows_dropped++;
-                continue;
+                st = fmb_run_poll(e->run);
+            } else {
+                st = fmb_elim_combine(e, p, q, round->var);
             }
-            st = fmb_elim_combine(e, p, q, round->var);
             if (st != FMB_OK || e->clash != FMB_NO_ROW)
                 return st;
         }
-        if ((st = fmb_run_poll(e->run)) != FMB_OK)
-            return st;
     }
     return st;
 }

@@ -153,6 +153,8 @@ fmb_status fmb_lp_init(fmb_lp *lp, fmb_run *run, int n, size_t m, const fmb_lp_r
         lp->basic[i] = (size_t)n + i;
         lp->where[(size_t)n + i] = i;
         st = load_row(lp, i, &rows[i]);
+        if (st == FMB_OK)
+            st = fmb_run_poll(run);
     }
     for (size_t j = 0; st == FMB_OK && j < (size_t)n; j++) {
         lp->column[j] = j;

@@ -77,10 +77,33 @@ fmb_status fmb_evidence_vector(fmb_evidence *e, mpq_t **slot)
 
 /* ---- claims ---------------------------------------------------------------------------------- */
 
+static size_t limbs_of(mpq_t *q, size_t n)
+{
+    size_t limbs = 0;
+    for (size_t i = 0; q && i < n; i++)
+        limbs += mpz_size(mpq_numref(q[i])) + mpz_size(mpq_denref(q[i]));
+    return limbs;
+}
+
+/* Charge the limbs of the last claim, which is filled by now. */
+static fmb_status weigh_last(fmb_evidence *e)
+{
+    if (e->mem.limit == 0 || e->claims == 0)
+        return FMB_OK;
+    const fmb_claim *c = &e->claim[e->claims - 1];
+    size_t limbs = limbs_of(c->multipliers.value, c->multipliers.size) +
+                   limbs_of(c->reverse.value, c->reverse.size) +
+                   limbs_of(c->point, (size_t)e->dim) + limbs_of(c->ray, (size_t)e->dim);
+    return fmb_mem_charge(&e->mem, limbs * sizeof(mp_limb_t)) ? FMB_OK : fmb_mem_status(&e->mem);
+}
+
 fmb_status fmb_evidence_claim(fmb_evidence *e, fmb_claim_kind kind, fmb_claim **out)
 {
-    fmb_status st = fmb_mem_reserve(&e->mem, (void **)&e->claim, &e->claim_capacity, e->claims + 1,
-                                    sizeof *e->claim);
+    fmb_status st = weigh_last(e);
+    if (st != FMB_OK)
+        return st;
+    st = fmb_mem_reserve(&e->mem, (void **)&e->claim, &e->claim_capacity, e->claims + 1,
+                         sizeof *e->claim);
     if (st != FMB_OK)
         return st;
     fmb_claim *c = &e->claim[e->claims++];

@@ -33,7 +33,7 @@ typedef struct fmb_claim {
 } fmb_claim;
 
 struct fmb_evidence {
-    fmb_mem mem;
+    fmb_mem mem; /* under a limit each claim's limbs are charged, once the next claim begins */
     int dim;     /* of the system */
     size_t rows; /* of the system */
     fmb_claim *claim;

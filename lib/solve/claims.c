@@ -86,7 +86,9 @@ void fmb_query_scatter(const fmb_part *p, mpq_t *x, mpq_t *dense)
 
 fmb_status fmb_query_attach_point(fmb_query *q, fmb_claim *claim, const fmb_part *p, mpq_t *x)
 {
-    fmb_status st = fmb_evidence_vector(q->evidence, &claim->point);
+    fmb_status st = fmb_run_poll(&q->run);
+    if (st == FMB_OK)
+        st = fmb_evidence_vector(q->evidence, &claim->point);
     if (st != FMB_OK)
         return st;
     for (int j = 0; j < fmb_system_dim(q->s); j++)

@@ -6,8 +6,10 @@
 #include "elim/witness.h"
 #include "solve/solver.h"
 
-/* Elimination is tried on parts up to this size, and given up beyond this many rows. */
+/* Elimination is tried on parts up to this size, and given up beyond this many rows. (On many rows
+ * the first round alone makes far more than that, each with a history as long as all of them.) */
 #define TINY_VARIABLES 6
+#define TINY_ROWS      256
 #define TINY_BUDGET(m) (256 + 8 * (m))
 
 /* ---- by elimination -------------------------------------------------------------------------- */
@@ -92,7 +94,7 @@ static fmb_status decide_part(fmb_query *q, int part, bool oracles, fmb_verdict 
     *out = FMB_UNKNOWN;
     if (!oracles && method == FMB_METHOD_FM)
         st = eliminate_all(q, p, 0, out);
-    else if (!oracles && method == FMB_METHOD_AUTO && p->n <= TINY_VARIABLES)
+    else if (!oracles && method == FMB_METHOD_AUTO && p->n <= TINY_VARIABLES && p->m <= TINY_ROWS)
         st = eliminate_all(q, p, TINY_BUDGET(p->m), out);
     return st != FMB_OK || *out != FMB_UNKNOWN ? st : ask_oracle(q, part, out);
 }

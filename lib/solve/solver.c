@@ -93,6 +93,7 @@ static fmb_status open_evidence(fmb_query *q)
     if (st != FMB_OK)
         return st;
     q->evidence = v->evidence;
+    q->evidence->mem.limit = v->options.max_bytes;
     st = fmb_vector_new(&q->point, dim, &v->mem);
     return st == FMB_OK ? fmb_vector_new(&q->x, dim, &v->mem) : st;
 }

@@ -50,7 +50,8 @@ fmb_status fmb_run_poll_now(fmb_run *run)
 
 fmb_status fmb_run_poll(fmb_run *run)
 {
-    if (run->stop == FMB_STOP_DONE && (++run->tick & 63) != 0)
+    bool cancelled = atomic_load_explicit(run->cancel, memory_order_relaxed) != 0;
+    if (run->stop == FMB_STOP_DONE && !cancelled && (++run->tick & 15) != 0)
         return FMB_OK;
     return fmb_run_poll_now(run);
 }

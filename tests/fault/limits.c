@@ -155,3 +155,44 @@ Test(limits, outputs)
     fmb_solver_free(v);
     fmb_system_free(s);
 }
+
+/* Two variables in many rows: elimination would pair them all, each pair with a long history. */
+Test(limits, many_rows_of_two_variables)
+{
+    enum { ROWS = 4000 };
+    fmb_options o = options(FMB_METHOD_AUTO);
+    fmb_result r = {0};
+    fmb_system *s = NULL;
+    fmb_solver *v = NULL;
+    must(fmb_system_new(2, NULL, &s));
+    for (int64_t i = 0; i < ROWS; i++)
+        must(fmb_system_add_int(s, (int64_t[]){i * 37 % ROWS - ROWS / 2, i * 91 % ROWS - ROWS / 2},
+                                FMB_LE, 1 + i * 53 % ROWS));
+    o.max_bytes = (size_t)4 << 20;
+    must(fmb_solver_new(&o, NULL, &v));
+    must(fmb_solve(v, s, &r));
+    cr_expect_eq(r.stop, FMB_STOP_DONE, "%s", fmb_stop_text(r.stop));
+    cr_expect_eq(r.verdict, FMB_FEASIBLE);
+    fmb_solver_free(v);
+    fmb_system_free(s);
+}
+
+/* Each end of each variable comes with a dense ray: evidence is what grows here. */
+Test(limits, bytes_of_evidence)
+{
+    fmb_options o = options(FMB_METHOD_AUTO);
+    fmb_result r = {0};
+    fmb_system *s = NULL;
+    fmb_solver *v = NULL;
+    fmb_box *box = NULL;
+    must(fmb_system_new(500, NULL, &s));
+    o.max_bytes = (size_t)1 << 20;
+    must(fmb_solver_new(&o, NULL, &v));
+    must(fmb_bound(v, s, NULL, 0, &box, &r));
+    cr_expect_eq(r.stop, FMB_STOP_BYTES, "%s", fmb_stop_text(r.stop));
+    cr_expect_eq(fmb_box_end(box, 0, FMB_LOWER).kind, FMB_END_INFINITE);
+    cr_expect_eq(fmb_box_end(box, 499, FMB_UPPER).kind, FMB_END_UNKNOWN);
+    fmb_box_free(box);
+    fmb_solver_free(v);
+    fmb_system_free(s);
+}
