@@ -102,6 +102,13 @@ static fmb_status run_simplex(fmb_run *run, glp_prob *p)
     return st;
 }
 
+/* GLPK says why it aborts, even with its terminal output off. */
+static int swallow(void *self, const char *text)
+{
+    (void)self, (void)text;
+    return 1;
+}
+
 static void jump(void *self)
 {
     longjmp(*(jmp_buf *)self, 1);
@@ -131,13 +138,15 @@ static fmb_status ask(fmb_run *run, int n, size_t m, const fmb_lp_row *rows, boo
 
 fmb_status fmb_lp_guess(fmb_run *run, int n, size_t m, const fmb_lp_row *rows, bool *tight)
 {
-    if (n < FEW_VARIABLES || m > INT32_MAX / 4)
+    if (n < FEW_VARIABLES || m == 0 || m > INT32_MAX / 4)
         return FMB_OK;
     int made = glp_init_env();
     if (made > 1)
         return FMB_OK;
     int term = glp_term_out(GLP_OFF);
+    glp_term_hook(swallow, NULL);
     fmb_status st = ask(run, n, m, rows, tight);
+    glp_term_hook(NULL, NULL);
     if (made == 0)
         glp_free_env();
     else
