@@ -70,6 +70,9 @@ void fmb_elim_clear(fmb_elim *e);
 /* Add a base row (copied, [n + 1], primitive): its number is the count of rows before it. */
 fmb_status fmb_elim_add(fmb_elim *e, const fmb_vec *v, fmb_rel rel);
 
+/* Drop live rows as the rules say; var has just been eliminated, -1: none yet. */
+fmb_status fmb_elim_prune(fmb_elim *e, int var);
+
 /* Eliminate all variables with drop[var], in the engine's order, until done or a row clashes. */
 fmb_status fmb_elim_eliminate(fmb_elim *e, const bool *drop);
 
@@ -77,8 +80,6 @@ fmb_status fmb_elim_eliminate(fmb_elim *e, const bool *drop);
 
 /* The variable to eliminate next among those with drop[var] and not yet done, or -1. */
 int fmb_elim_choose(const fmb_elim *e, const bool *drop);
-/* Drop live rows as the rules say. */
-fmb_status fmb_elim_prune(fmb_elim *e, int var);
 /* Eliminate the last variable: every row of the round names no other. Only the tightest bounds are
  * combined. */
 fmb_status fmb_elim_squeeze(fmb_elim *e, const fmb_round *round, size_t lowers);

@@ -228,6 +228,13 @@ static void close_shadow(shadow *h)
     fmb_elim_clear(&h->e);
 }
 
+/* Many rows for their variables are mostly redundant: then the rule looks before the first pairs,
+ * whose number is the square of theirs. Else it waits until rows have doubled. */
+static bool is_crowded(const fmb_part *p)
+{
+    return p->m >= 64 && p->m / 8 >= (size_t)p->n;
+}
+
 static fmb_status eliminate(shadow *h)
 {
     fmb_query *q = h->q;
@@ -246,6 +253,10 @@ static fmb_status eliminate(shadow *h)
     for (int j = 0; j < h->p->n; j++)
         drop[j] = h->place[h->p->var[j]] < 0;
     fmb_status st = fmb_query_load(q, h->p, rule, rules, &h->e);
+    if (st == FMB_OK && v->prunes_by_lp && is_crowded(h->p)) {
+        state.next = 0;
+        st = fmb_elim_prune(&h->e, -1);
+    }
     return st == FMB_OK ? fmb_elim_eliminate(&h->e, drop) : st;
 }
 
