@@ -17,6 +17,23 @@ static const struct argp_option report_options[] = {
     {"trace", KEY_TRACE, "OUT", 0, "Write what the solver does to OUT, one JSON object a line", 2},
     {0}};
 
+static bool is_output(const char *path)
+{
+    return path && strcmp(path, "-") == 0;
+}
+
+/* A proof with anything else in it could not be checked, nor JSON be read. A trace may come before
+ * the text of a report. */
+static void check_outputs(const app_ask *ask, struct argp_state *state)
+{
+    if (ask->json && is_output(ask->proof))
+        argp_error(state, "--json and --proof - both want standard output");
+    if (ask->json && is_output(ask->trace))
+        argp_error(state, "--json and --trace - both want standard output");
+    if (ask->proof && ask->trace && strcmp(ask->proof, ask->trace) == 0)
+        argp_error(state, "--proof and --trace both want '%s'", ask->proof);
+}
+
 static error_t parse_report(int key, char *arg, struct argp_state *state)
 {
     app_ask *ask = state->input;
@@ -31,8 +48,7 @@ static error_t parse_report(int key, char *arg, struct argp_state *state)
         ask->proof = arg;
         return 0;
     case ARGP_KEY_END:
-        if (ask->json && app_ask_proof_only(ask))
-            argp_error(state, "--json and --proof - both want standard output");
+        check_outputs(ask, state);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -143,5 +159,5 @@ void app_ask_parse(app_ask *ask, const app_usage *usage, void *own_input, int ar
 
 bool app_ask_proof_only(const app_ask *ask)
 {
-    return ask->proof && strcmp(ask->proof, "-") == 0;
+    return is_output(ask->proof);
 }

@@ -27,11 +27,17 @@ int app_file_open(const char *path, FILE **out)
     if (!f || fstat(fileno(f), &info) != 0)
         return app_error(APP_CANNOT_OPEN, "%s: %s", app_file_shown(path), strerror(errno));
     if (S_ISDIR(info.st_mode)) {
-        app_file_close(f, path);
+        app_file_close_input(f);
         return app_error(APP_CANNOT_OPEN, "%s: %s", app_file_shown(path), strerror(EISDIR));
     }
     *out = f;
     return APP_YES;
+}
+
+void app_file_close_input(FILE *f)
+{
+    if (f != stdin)
+        fclose(f);
 }
 
 int app_file_create(const char *path, FILE **out)

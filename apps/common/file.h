@@ -7,9 +7,11 @@
 /* The name of an input in messages. */
 const char *app_file_shown(const char *path);
 
-/* [give, app_file_close] Open for reading: APP_YES or, with a message, APP_CANNOT_OPEN. A folder
- * cannot be opened. */
+/* [give, app_file_close_input] Open for reading: APP_YES or, with a message, APP_CANNOT_OPEN. A
+ * folder cannot be opened. */
 int app_file_open(const char *path, FILE **out);
+/* Close what was read; standard input is left alone. */
+void app_file_close_input(FILE *f);
 /* [give, app_file_close] Open for writing: APP_YES or, with a message, APP_CANNOT_WRITE. */
 int app_file_create(const char *path, FILE **out);
 /* Close; NULL and the standard streams are left alone. APP_YES, or APP_CANNOT_WRITE with a message

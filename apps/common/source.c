@@ -80,7 +80,7 @@ int app_source_read(const app_source *src, fmb_system **out)
     errno = 0;
     fmb_status st = fmb_system_read(in, &how, out, &where);
     code = app_source_outcome(st, src->file, &where);
-    app_file_close(in, src->file);
+    app_file_close_input(in);
     return code;
 }
 

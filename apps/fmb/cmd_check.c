@@ -69,7 +69,7 @@ static int read_proof(const request *r, const fmb_system *s, fmb_evidence **out)
     fmb_where where = {0};
     fmb_status st = fmb_evidence_read(in, s, out, &where);
     code = app_source_outcome(st, r->proof, &where);
-    app_file_close(in, r->proof);
+    app_file_close_input(in);
     return code;
 }
 
