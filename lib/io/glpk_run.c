@@ -131,6 +131,7 @@ static message parse_message(const fmb_glpk *g, const char *p, const char *end)
         m.line = 10 * m.line + (*p - '0');
     p += p < end && *p == ':';
     p += p < end && *p == ' ';
+    m.line = m.line > 0 ? m.line : 1; /* GLPK has not begun to read the first one */
     m.text = (fmb_span){p, (size_t)(end - p)};
     return m;
 }

@@ -54,7 +54,7 @@ Test(glpk_lp, mistakes)
         {HEAD " d: 1.00000000000000000001 x + y >= 1\nend", 5, 5, "not tell this one from 1"},
         {HEAD "end\nmore", 6, 1, "beyond 'end'"},
         {"x >= 1\n", 1, 1, "'minimize' or 'maximize'"},
-        {"", 0, 0, ""},
+        {"", 1, 1, "'minimize' or 'maximize'"},
     };
     check_mistakes(FMB_FORMAT_LP, table, sizeof table / sizeof *table);
 }
