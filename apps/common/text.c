@@ -41,6 +41,17 @@ static bool is_control(const unsigned char *p)
     return p[0] < 0x20 || p[0] == 0x7F || (p[0] == 0xC2 && p[1] < 0xA0);
 }
 
+static bool is_hex_digit(unsigned char byte)
+{
+    return (byte >= '0' && byte <= '9') || (byte >= 'a' && byte <= 'f');
+}
+
+/* What would be taken for an escape: then different names would look the same. */
+static bool is_escape(const unsigned char *p)
+{
+    return p[0] == '\\' && p[1] == 'x' && is_hex_digit(p[2]) && is_hex_digit(p[3]);
+}
+
 char *app_text(const char *raw, app_text_use use)
 {
     const unsigned char *p = (const unsigned char *)raw;
@@ -48,7 +59,7 @@ char *app_text(const char *raw, app_text_use use)
     char *out = text;
     while (*p) {
         size_t bytes = character(p);
-        if (bytes == 0 || (use == APP_TEXT_TERMINAL && is_control(p))) {
+        if (bytes == 0 || is_escape(p) || (use == APP_TEXT_TERMINAL && is_control(p))) {
             out += sprintf(out, "\\x%02x", *p++);
             continue;
         }

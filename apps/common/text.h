@@ -10,7 +10,8 @@ typedef enum app_text_use {
     APP_TEXT_JSON      /* JSON has its own escapes for them */
 } app_text_use;
 
-/* [give, free()] raw in valid UTF-8: bytes that are not are written \xHH. */
+/* [give, free()] raw in valid UTF-8: bytes that are not are written \xHH, and so is the
+ * backslash of a name that spells such an escape: different names stay different. */
 char *app_text(const char *raw, app_text_use use);
 
 /* Characters of a valid UTF-8 text: its width in a table (wide characters count as one). */

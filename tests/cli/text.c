@@ -31,6 +31,14 @@ Test(text, escapes_what_is_not)
     expect("\xf0\x9f\x98", APP_TEXT_JSON, "\\xf0\\x9f\\x98");
 }
 
+Test(text, different_names_stay_different)
+{
+    expect("\\xff", APP_TEXT_JSON, "\\x5cxff");
+    expect("\\x0a", APP_TEXT_TERMINAL, "\\x5cx0a");
+    expect("\\x\xff", APP_TEXT_JSON, "\\x\\xff");
+    expect("\\xi \\x5", APP_TEXT_JSON, "\\xi \\x5");
+}
+
 Test(text, terminals_get_no_controls)
 {
     expect("\x1b[7m", APP_TEXT_TERMINAL, "\\x1b[7m");
