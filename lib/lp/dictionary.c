@@ -238,7 +238,7 @@ fmb_status fmb_lp_pivot(fmb_lp *lp, size_t r, size_t j)
     swap_entries(&lp->temp, j, fmb_lp_place(lp, FMB_LP_SCRATCH));
     swap_entries(&lp->temp, j, own);
     for (size_t i = 0; i < lp->m; i++) {
-        if (i == r || fmb_vec_sgn(&lp->row[i], j) == 0 || is_out(lp, i))
+        if (i == r || is_out(lp, i) || fmb_vec_sgn(&lp->row[i], j) == 0)
             continue;
         st = replace(lp, i, j);
         if (st == FMB_OK)

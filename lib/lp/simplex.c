@@ -34,7 +34,7 @@ static size_t find_block(const fmb_lp *lp, size_t j, int sign)
 {
     size_t best = SIZE_MAX;
     for (size_t r = 0; r < lp->m; r++) {
-        if (fmb_vec_sgn(&lp->row[r], j) * sign >= 0 || !fmb_lp_counts(lp, r))
+        if (!fmb_lp_counts(lp, r) || fmb_vec_sgn(&lp->row[r], j) * sign >= 0)
             continue;
         int order = best == SIZE_MAX ? -1 : compare_steps(lp, r, best, j);
         if (order < 0 || (order == 0 && lp->basic[r] < lp->basic[best]))

@@ -82,8 +82,10 @@ fmb_status fmb_project(fmb_solver *v, const fmb_system *s, const int *keep, int 
     fmb_verdict verdict = FMB_UNKNOWN;
     fmb_status st = FMB_ERR_ARG;
     int *place = out ? invert(s, keep, n, &v->mem, &st) : NULL;
-    if (!place)
+    if (!place) {
+        v->answered &= st != FMB_ERR_MEMORY; /* the evidence at hand is that of an older query */
         return st;
+    }
     st = fmb_query_begin(&q, v, s, "project");
     if (st == FMB_OK)
         st = open_projection(s, keep, n, &image);

@@ -123,8 +123,12 @@ fmb_status fmb_reduce(fmb_solver *v, const fmb_system *s, fmb_fate *fate, fmb_sy
     fmb_system *reduced = NULL;
     size_t rows = fmb_system_rows(s);
     fmb_fate *mine = out ? fmb_mem_zero(&v->mem, rows, sizeof *mine) : NULL;
-    if (!mine)
-        return out ? FMB_ERR_MEMORY : FMB_ERR_ARG;
+    if (!out)
+        return FMB_ERR_ARG;
+    if (!mine) {
+        v->answered = false; /* the evidence at hand is that of an older query */
+        return FMB_ERR_MEMORY;
+    }
     fmb_status st = fmb_query_begin(&q, v, s, "reduce");
     if (st == FMB_OK)
         st = reduce(&q, mine, &verdict);

@@ -126,6 +126,27 @@ Test(memory, one_solver)
     cr_assert_eq(h.live, 0);
 }
 
+/* After a failure there is no evidence, least of all that of the query before. */
+Test(memory, no_stale_evidence)
+{
+    hook h = {0};
+    fmb_solver *v = solver(&h, FMB_METHOD_AUTO, NULL);
+    fmb_system *s = sample(0, NULL);
+    fmb_evidence *e = NULL;
+    for (int q = 0; q < VERBS_COUNT; q++) {
+        char answer[VERB_ANSWER] = "";
+        fmb_result r = {0};
+        must(VERBS[q].ask(v, s, &r, answer));
+        r = (fmb_result){0};
+        hook_arm(&h, 1, false);
+        cr_assert_eq(VERBS[q].ask(v, s, &r, answer), FMB_ERR_MEMORY);
+        hook_calm(&h);
+        cr_assert_eq(fmb_solver_evidence(v, &e), FMB_ERR_STATE, "%s", VERBS[q].name);
+    }
+    fmb_system_free(s);
+    fmb_solver_free(v);
+}
+
 /* Every request of one query on a system large enough for rows to sleep, or for a guess. */
 static void every_large(const verb *w, int n, int m)
 {
