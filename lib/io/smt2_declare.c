@@ -133,6 +133,21 @@ fmb_status fmb_smt_define_sort(fmb_smt *r, const char *open)
 
 /* ---- define-fun ------------------------------------------------------------------------------ */
 
+/* The name of a parameter, which the function has not had before: those it had are bound, to
+ * nothing, until all are read. */
+static fmb_status read_param_name(fmb_smt *r, size_t *symbol)
+{
+    fmb_smt_token t;
+    char buf[FMB_QUOTE];
+    fmb_status st = fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "the name of a parameter", &t);
+    if (st == FMB_OK)
+        st = fmb_smt_intern(&r->scope, t.text, symbol);
+    if (st == FMB_OK && fmb_smt_find_local(&r->scope, *symbol))
+        st = fmb_io_fail(r->c, t.at, "expected different names of parameters, found %s again",
+                         fmb_quote(r->c, t.at, buf));
+    return st == FMB_OK ? fmb_smt_bind(&r->scope, *symbol, (fmb_smt_value){.at = t.at}) : st;
+}
+
 /* (x Real) (y Bool) ... up to ')'; *n of them. */
 static fmb_status read_params(fmb_smt *r, size_t *n)
 {
@@ -141,13 +156,13 @@ static fmb_status read_params(fmb_smt *r, size_t *n)
         fmb_smt_param p;
         fmb_smt_sort sort;
         fmb_status st = fmb_smt_next(r->c, &t);
+        if (st == FMB_OK && t.kind == FMB_SMT_CLOSE)
+            fmb_smt_unbind(&r->scope, r->scope.locals - *n);
         if (st != FMB_OK || t.kind == FMB_SMT_CLOSE)
             return st;
         if (t.kind != FMB_SMT_OPEN)
             return fmb_io_fail(r->c, t.at, "expected '(' of a parameter, or ')' after the last");
-        st = fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "the name of a parameter", &t);
-        if (st == FMB_OK)
-            st = fmb_smt_intern(&r->scope, t.text, &p.symbol);
+        st = read_param_name(r, &p.symbol);
         if (st == FMB_OK)
             st = read_sort(r, &sort);
         if (st == FMB_OK)

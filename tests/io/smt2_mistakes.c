@@ -119,6 +119,7 @@ Test(smt2_mistakes, terms)
         {D "(assert (let (a x) (< a 0)))", 2, 15, "expected '(' of a binding"},
         {D "(assert (let ((a x y)) (< a 0)))", 2, 20, "expected ')' after the binding"},
         {D "(assert (let ((a x) (a y)) (< a 0)))", 2, 9, "expected different names in one let"},
+        {D "(define-fun f ((a Real) (a Real)) Real a)", 2, 26, "expected different names of param"},
         {D "(assert (let ((a x)) (< a 0) y))", 2, 30, "expected ')' after the body"},
         {D "(assert (let ((a x)) (< a 0)))(assert (< a 0))", 2, 42, "expected a declared name"},
         {D "(assert (! (< x 0) named))", 2, 20, "expected an attribute"},
