@@ -167,6 +167,7 @@ fmb_status fmb_query_oracle(fmb_query *q, int part, fmb_lp **out)
 fmb_status fmb_query_load(fmb_query *q, const fmb_part *p, const fmb_rule *const *rule, int rules,
                           fmb_elim *e)
 {
+    q->run.var_of = p->var;
     fmb_status st = fmb_elim_init(e, &q->run, &q->v->arena, p->n, &q->v->options, rule, rules);
     for (size_t i = 0; st == FMB_OK && i < p->m; i++)
         st = fmb_elim_add(e, &p->row[i], p->rel[i]);

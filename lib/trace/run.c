@@ -70,5 +70,7 @@ void fmb_run_emit(fmb_run *run, fmb_event e)
     if (!run->sink.put)
         return;
     e.seconds = now() - run->started;
+    if (run->var_of && e.var >= 0)
+        e.var = run->var_of[e.var];
     run->sink.put(run->sink.self, &e);
 }

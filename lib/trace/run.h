@@ -24,6 +24,7 @@ typedef struct fmb_run {
     unsigned tick;            /* polls so far: the clock is read at every 16th */
     fmb_stats stats;
     fmb_sink sink;
+    const int *var_of; /* the watcher's variable of each column, NULL: the same */
 } fmb_run;
 
 void fmb_run_begin(fmb_run *run, fmb_mem *mem, const fmb_options *o, const atomic_int *cancel,

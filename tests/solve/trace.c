@@ -158,3 +158,30 @@ Test(words, texts)
     cr_expect_not_null(fmb_stop_text((fmb_stop)99));
     cr_expect_not_null(strchr(fmb_version(), '.'));
 }
+
+static void note_round(void *self, const fmb_event *e)
+{
+    bool *seen = self;
+    if (e->kind == FMB_EVENT_ROUND)
+        seen[e->var] = true;
+}
+
+/* Variables are those of the system, also where it falls into parts. */
+Test(trace, variables_of_the_system)
+{
+    static const int64_t rows[][4] = {{1, 0, 0, 0}, {0, 0, 1, 1}, {0, 0, -1, 1}, {0, 0, 1, -1}};
+    static const bool expected[] = {true, false, true, true};
+    bool seen[4] = {false};
+    fmb_system *s = NULL;
+    fmb_solver *v = solver(FMB_METHOD_FM);
+    fmb_result r;
+    must(fmb_system_new(4, NULL, &s));
+    for (int i = 0; i < 4; i++)
+        must(fmb_system_add_int(s, rows[i], FMB_LE, 1));
+    fmb_solver_set_sink(v, (fmb_sink){note_round, seen});
+    must(fmb_solve(v, s, &r));
+    for (int j = 0; j < 4; j++)
+        cr_expect_eq(seen[j], expected[j], "x%d", j + 1);
+    fmb_system_free(s);
+    fmb_solver_free(v);
+}
