@@ -17,6 +17,8 @@ Test(glpk_lp, meanings)
               " t >= 1 p <= +inf\n 0.5 <= q\n s = - .25\nGenerals\n x\nBinaries\n b\nEnd\n",
          "vars: x y z w v u t p q s b\nc: -x - y <= -1\n-x <= 0\nx <= 4\n-y <= 1\ny <= 1\nw <= 3\n"
          "u = 2\n-t <= -1\n-p <= 0\n-q <= -1/2\ns = -1/4\n-b <= 0\nb <= 1\n"},
+        {HEAD "Bounds\n x <= 5\nBinary\n x y\nEnd\n",
+         "vars: x y\nc: -x - y <= -1\n-x <= 0\nx <= 5\n-y <= 0\ny <= 1\n"},
         {"max\n 0 x\nsuch that\n x + y <= +1\n - x > - 2\n x =< 3\nend",
          "vars: x y\nr.4: x + y <= 1\nr.5: x <= 2\nr.6: x <= 3\n-x <= 0\n-y <= 0\n"},
         {HEAD "bounds\n z <= +inf\n y <= 1e30\n x >= -1e31\nend",
