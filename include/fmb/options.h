@@ -19,7 +19,7 @@ typedef enum fmb_arith {
 
 typedef enum fmb_method {
     FMB_METHOD_AUTO = 0, /* by size and question */
-    FMB_METHOD_FM,       /* Fourier-Motzkin elimination only */
+    FMB_METHOD_FM,       /* elimination only (fmb_project and fmb_reduce still ask the oracle) */
     FMB_METHOD_LP        /* exact simplex only (fmb_project still eliminates) */
 } fmb_method;
 

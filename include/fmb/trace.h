@@ -12,7 +12,7 @@ typedef enum fmb_event_kind {
     FMB_EVENT_BEGIN = 0, /* name: the query */
     FMB_EVENT_ROUND,     /* a variable was eliminated */
     FMB_EVENT_RULE,      /* name: the rule; rows_in - rows_out rows were dropped by it */
-    FMB_EVENT_LP,        /* an exact linear program was solved */
+    FMB_EVENT_LP,        /* an exact linear program begins, over rows_in rows */
     FMB_EVENT_END        /* name: the verdict */
 } fmb_event_kind;
 

@@ -188,8 +188,7 @@ static fmb_status answer(fmb_lp *lp, const double *center, mpq_t *x, double *roo
         st = wake_broken(lp, x, count);
     if (st != FMB_OK || *count == 0)
         return st;
-    lp->run->stats.lps--; /* it is still the same one */
-    return fmb_lp_feasible(lp, &feasible);
+    return fmb_lp_make_feasible(lp, &feasible);
 }
 
 fmb_status fmb_lp_test_lazily(fmb_lp *lp, size_t i, const double *center, mpq_t *x, fmb_lp_end *end)

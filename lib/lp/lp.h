@@ -159,6 +159,8 @@ static inline bool fmb_lp_is_free(const fmb_lp *lp, size_t variable)
 double fmb_lp_ratio(const fmb_lp *lp, size_t r, size_t j);
 /* Sign of K + D delta in row r. */
 int fmb_lp_sign(const fmb_lp *lp, size_t r);
+/* fmb_lp_feasible, as a part of another program. */
+fmb_status fmb_lp_make_feasible(fmb_lp *lp, bool *feasible);
 /* Exchange the variables of row r and column j. Errors: MEMORY, LIMIT. */
 fmb_status fmb_lp_pivot(fmb_lp *lp, size_t r, size_t j);
 

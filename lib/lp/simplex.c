@@ -77,6 +77,15 @@ static fmb_status step(fmb_lp *lp, size_t r, size_t j)
     return fmb_lp_pivot(lp, r, j);
 }
 
+/* Count a program, and tell the watcher. */
+static void begin(fmb_lp *lp)
+{
+    lp->stalled = 0;
+    lp->run->stats.lps++;
+    fmb_run_emit(lp->run,
+                 (fmb_event){.kind = FMB_EVENT_LP, .var = -1, .rows_in = lp->m, .rows_out = lp->m});
+}
+
 /* ---- phase one ------------------------------------------------------------------------------- */
 
 double fmb_lp_ratio(const fmb_lp *lp, size_t r, size_t j)
@@ -125,10 +134,9 @@ static size_t find_broken_equality(const fmb_lp *lp)
 /* Dutertre and de Moura's check: bring a negative basic variable to 0 by any variable that can
  * raise it. It ends under Bland's rule, which takes over after as many pivots as the deepest-row
  * rule usually needs. */
-fmb_status fmb_lp_feasible(fmb_lp *lp, bool *feasible)
+fmb_status fmb_lp_make_feasible(fmb_lp *lp, bool *feasible)
 {
     size_t patience = lp->run->stats.pivots + 2 * ((size_t)lp->n + lp->m);
-    lp->run->stats.lps++;
     lp->stalled = 0;
     lp->at_row = find_broken_equality(lp);
     while (lp->at_row == SIZE_MAX) {
@@ -149,13 +157,18 @@ fmb_status fmb_lp_feasible(fmb_lp *lp, bool *feasible)
     return FMB_OK;
 }
 
+fmb_status fmb_lp_feasible(fmb_lp *lp, bool *feasible)
+{
+    begin(lp);
+    return fmb_lp_make_feasible(lp, feasible);
+}
+
 /* ---- phase two ------------------------------------------------------------------------------- */
 
 fmb_status fmb_lp_extreme(fmb_lp *lp, int x, int sign, fmb_lp_end *end)
 {
     size_t r = lp->where[x];
-    lp->stalled = 0;
-    lp->run->stats.lps++;
+    begin(lp);
     lp->at_row = r;
     if (r >= lp->m) { /* no row names x */
         lp->at_column = r - lp->m;
@@ -242,8 +255,7 @@ fmb_status fmb_lp_test(fmb_lp *lp, size_t i, fmb_lp_end *end)
     bool strict = lp->strict[i];
     lp->slack[i] = FMB_SLACK_TESTED;
     lp->tested = i;
-    lp->stalled = 0;
-    lp->run->stats.lps++;
+    begin(lp);
     for (;;) {
         size_t r = lp->where[target];
         bool basic = r < lp->m;
@@ -276,9 +288,7 @@ fmb_status fmb_lp_restore(fmb_lp *lp)
 {
     bool feasible;
     lp->slack[lp->tested] = FMB_SLACK_ACTIVE;
-    fmb_status st = fmb_lp_feasible(lp, &feasible);
-    lp->run->stats.lps--;
-    return st;
+    return fmb_lp_make_feasible(lp, &feasible);
 }
 
 bool fmb_lp_is_slack(const fmb_lp *lp, size_t i)
@@ -290,8 +300,7 @@ bool fmb_lp_is_slack(const fmb_lp *lp, size_t i)
 fmb_status fmb_lp_widen_slack(fmb_lp *lp, size_t i, fmb_lp_end *end)
 {
     size_t target = (size_t)lp->n + i;
-    lp->stalled = 0;
-    lp->run->stats.lps++;
+    begin(lp);
     for (;;) {
         size_t r = lp->where[target];
         bool basic = r < lp->m;

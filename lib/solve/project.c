@@ -36,20 +36,14 @@ fmb_status fmb_empty_set(const fmb_system *like, const int *keep, int n, fmb_sys
     return st;
 }
 
+/* Whether there is a solution is decided first: elimination may be a long way to a conflict. */
 static fmb_status project(fmb_query *q, const int *place, fmb_system *out, fmb_verdict *verdict)
 {
-    fmb_status st = FMB_OK;
-    fmb_verdict found = FMB_FEASIBLE;
-    if (q->parts.false_row != SIZE_MAX) {
-        *verdict = FMB_INFEASIBLE;
-        return fmb_query_claim_false_row(q, q->parts.false_row);
-    }
-    for (int c = 0; st == FMB_OK && found == FMB_FEASIBLE && c < q->parts.count; c++)
-        st = fmb_query_project_part(q, &q->parts.part[c], place, out, &found);
-    if (st == FMB_OK && found == FMB_FEASIBLE)
-        st = fmb_query_claim_feasible(q);
-    if (st == FMB_OK)
-        *verdict = found;
+    fmb_status st = fmb_query_decide(q, true, verdict);
+    if (st != FMB_OK || *verdict != FMB_FEASIBLE)
+        return st;
+    for (int c = 0; st == FMB_OK && c < q->parts.count; c++)
+        st = fmb_query_project_part(q, &q->parts.part[c], place, out);
     return st;
 }
 

@@ -1,8 +1,9 @@
 /* shadow.c: the projection of one part; see shadow.h. */
 #include "solve/shadow.h"
 
+#include <assert.h>
+
 #include "elim/derive.h"
-#include "elim/witness.h"
 #include "solve/irredundant.h"
 #include "solve/prune_lp.h"
 #include "system/system.h"
@@ -60,34 +61,6 @@ static fmb_status note_equality(void *self, size_t i, const fmb_weights *w)
                        : fmb_weights_add(&h->reverse[i], (uint32_t)row, w->value[k], h->q->run.mem);
     }
     mpq_clear(size);
-    return st;
-}
-
-static fmb_status claim_conflict(shadow *h)
-{
-    fmb_weights w = {0};
-    if (!h->q->evidence)
-        return FMB_OK;
-    fmb_status st = fmb_lp_conflict(&h->lp, &w);
-    if (st == FMB_OK)
-        st = derive(h, &w);
-    if (st == FMB_OK)
-        st = fmb_query_claim_infeasible(h->q, h->p, &w);
-    fmb_weights_clear(&w, h->q->run.mem);
-    return st;
-}
-
-/* A point of the projection, and above it one of the part. */
-static fmb_status note_point(shadow *h)
-{
-    fmb_query *q = h->q;
-    if (!q->evidence)
-        return FMB_OK;
-    fmb_status st = fmb_lp_point(&h->lp, false, q->x);
-    if (st == FMB_OK)
-        st = fmb_elim_point(&h->e, FMB_POINT_INSIDE, q->x);
-    if (st == FMB_OK)
-        fmb_query_scatter(h->p, q->x, q->point);
     return st;
 }
 
@@ -260,34 +233,25 @@ static fmb_status eliminate(shadow *h)
     return st == FMB_OK ? fmb_elim_eliminate(&h->e, drop) : st;
 }
 
-static fmb_status project_part(shadow *h, fmb_verdict *verdict)
+static fmb_status project_part(shadow *h)
 {
     bool feasible;
     fmb_status st = eliminate(h);
-    if (st != FMB_OK)
-        return st;
-    if (h->e.clash != FMB_NO_ROW) {
-        *verdict = FMB_INFEASIBLE;
-        return fmb_query_claim_clash(h->q, h->p, &h->e);
-    }
-    st = open_oracle(h);
+    if (st == FMB_OK)
+        st = open_oracle(h);
     if (st == FMB_OK)
         st = fmb_lp_feasible(&h->lp, &feasible);
     if (st != FMB_OK)
         return st;
-    if (!feasible) {
-        *verdict = FMB_INFEASIBLE;
-        return claim_conflict(h);
-    }
-    st = note_point(h);
-    return st == FMB_OK ? thin_out(h) : st;
+    assert(feasible && h->e.clash == FMB_NO_ROW);
+    return thin_out(h);
 }
 
 fmb_status fmb_query_project_part(fmb_query *q, const fmb_part *p, const int *place,
-                                  fmb_system *out, fmb_verdict *verdict)
+                                  fmb_system *out)
 {
     shadow h = {.q = q, .p = p, .place = place, .out = out, .e.run = &q->run};
-    fmb_status st = project_part(&h, verdict);
+    fmb_status st = project_part(&h);
     close_shadow(&h);
     return st;
 }

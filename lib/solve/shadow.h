@@ -8,10 +8,9 @@
 
 #include "solve/solver.h"
 
-/* Append the projection of part p to out, with claims; place[dim] is the column of a variable
- * there, -1 if it goes. *verdict becomes INFEASIBLE (and is claimed) if the part has no solution,
- * else it stays. */
+/* Append the projection of part p, which has a solution, to out, with claims; place[dim] is the
+ * column of a variable there, -1 if it goes. */
 fmb_status fmb_query_project_part(fmb_query *q, const fmb_part *p, const int *place,
-                                  fmb_system *out, fmb_verdict *verdict);
+                                  fmb_system *out);
 
 #endif

@@ -63,7 +63,7 @@ static void one_try(scene *c, const verb *w, const fmb_system *s, int *cancelled
 
 Test(cancel, from_another_thread)
 {
-    fmb_system *hard = sample_hard(12, 40, NULL), *easy = sample(1, NULL);
+    fmb_system *hard = sample_hard(20, 60, NULL), *easy = sample(1, NULL);
     fmb_options o = fmb_options_default();
     scene c = {0};
     unsigned seed = 7;

@@ -70,8 +70,10 @@ static void every_limit(set_limit *set, size_t most, fmb_stop stop, fmb_method m
             must(VERBS[q].ask(v, s, &r, truth));
             fmb_solver_free(v);
             set(&o, 1);
-            cr_expect_eq(ask(&VERBS[q], &o, s, stop, truth), stop, "%s: no limit at 1",
-                         VERBS[q].name);
+            fmb_stop tightest = ask(&VERBS[q], &o, s, stop, truth);
+            bool needs_rows = VERBS[q].ask == VERBS[0].ask || !strstr(truth, "infeasible");
+            cr_expect(tightest == stop || (set == set_rows && !needs_rows), "%s: no limit at 1",
+                      VERBS[q].name);
             for (size_t k = 2; k < most; k += 1 + k / 16) {
                 set(&o, k);
                 ask(&VERBS[q], &o, s, stop, truth);
@@ -83,7 +85,7 @@ static void every_limit(set_limit *set, size_t most, fmb_stop stop, fmb_method m
     }
 }
 
-/* Only solve and project eliminate. */
+/* Only solve and project eliminate, and project only what has a solution. */
 Test(limits, rows)
 {
     every_limit(set_rows, 10000, FMB_STOP_ROWS, FMB_METHOD_FM, 2);
