@@ -5,6 +5,8 @@
  */
 #include "solve/prune_lp.h"
 
+#include <assert.h>
+
 #include "solve/irredundant.h"
 
 /* What the oracle needs of the live rows. */
@@ -48,8 +50,10 @@ static fmb_status ask(const fmb_prune_lp *p, int n, rows *a)
     fmb_status st = fmb_lp_init(&lp, p->run, n, a->size, a->row, p->wide_only);
     if (st == FMB_OK)
         st = fmb_lp_feasible(&lp, &feasible);
-    if (st == FMB_OK && feasible) /* else the elimination will find the clash itself */
+    if (st == FMB_OK) {
+        assert(feasible); /* a projection is of something: that was decided first */
         st = fmb_redundant(&lp, a->rel, a->fate);
+    }
     fmb_lp_clear(&lp);
     return st;
 }
