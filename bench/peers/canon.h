@@ -1,0 +1,11 @@
+/* canon.h: one text for one polyhedron, whoever described it. */
+#ifndef FMB_PEERS_CANON_H
+#define FMB_PEERS_CANON_H
+
+#include <fmb/fmb.h>
+
+/* Rows one a line: equalities in reduced echelon form, then the irredundant inequalities reduced by
+ * them; primitive integers; sorted. "empty" if there is no solution. The caller frees it. */
+char *canonical_text(const fmb_system *s);
+
+#endif

@@ -1,0 +1,234 @@
+/* child.c: see child.h.
+ *
+ * The child opens the driver on all variants, runs the first of them cold, then rotates over the
+ * others while the runs are short, and writes lines to a pipe:
+ *     cannot | gave up | time SECONDS | verdict V | result BYTES, then the text | unlike
+ * SIGPROF (an interval timer on CPU time, armed for each run) ends a run that takes too long.
+ */
+#include <errno.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "../machine.h"
+#include "canon.h"
+#include "child.h"
+
+/* A driver's later runs take at most so much CPU time [s], and are at most so many. */
+static const double LATER_SECONDS = 0.2;
+enum { LATER_RUNS = 16 * CHILD_VARIANTS };
+/* To make a result canonical [s]. */
+static const double CANON_SECONDS = 60;
+
+/* ---- inside the child ------------------------------------------------------------------------ */
+
+static void arm(double seconds)
+{
+    double whole = (double)(long)seconds;
+    struct itimerval t = {
+        .it_value = {.tv_sec = (time_t)whole, .tv_usec = (suseconds_t)(1e6 * (seconds - whole))}};
+    setitimer(ITIMER_PROF, &t, NULL);
+}
+
+/* One run [s]; negative if the driver gave up. */
+static double timed_run(const peer *d, void *self, const child_limits *l, fmb_verdict *verdict)
+{
+    d->ready(self);
+    arm(l->seconds);
+    double begin = thread_seconds();
+    bool done = true;
+    if (l->decide)
+        *verdict = d->decide(self);
+    else
+        done = d->project(self);
+    double took = thread_seconds() - begin;
+    arm(0);
+    return done && (!l->decide || *verdict != FMB_UNKNOWN) ? took : -1;
+}
+
+static char *result_text(const peer *d, void *self)
+{
+    fmb_system *s = d->fetch(self);
+    arm(CANON_SECONDS);
+    char *text = canonical_text(s);
+    arm(0);
+    fmb_system_free(s);
+    return text;
+}
+
+typedef struct job {
+    const peer *driver;
+    const child_limits *limits;
+    void *self[CHILD_VARIANTS];
+    bool ran[CHILD_VARIANTS];
+    fmb_verdict verdict[CHILD_VARIANTS];
+    FILE *out;
+} job;
+
+/* The runs and their times; false if the driver gave up. */
+static bool run_all(job *j)
+{
+    double total = 0;
+    for (int i = 0; i <= LATER_RUNS && (i == 0 || total < LATER_SECONDS); i++) {
+        int v = i % CHILD_VARIANTS;
+        double t = timed_run(j->driver, j->self[v], j->limits, &j->verdict[v]);
+        if (t < 0) {
+            fprintf(j->out, "gave up\n");
+            return false;
+        }
+        fprintf(j->out, "time %.9e\n", t);
+        fflush(j->out);
+        j->ran[v] = true;
+        total += t;
+    }
+    return true;
+}
+
+/* What the variants gave: the first one's answer, and whether all are the same. */
+static void tell_results(job *j)
+{
+    char *first = NULL;
+    bool unlike = false;
+    if (j->limits->decide)
+        fprintf(j->out, "verdict %d\n", (int)j->verdict[0]);
+    else
+        first = result_text(j->driver, j->self[0]);
+    if (first)
+        fprintf(j->out, "result %zu\n%s", strlen(first), first);
+    fflush(j->out);
+    for (int v = 1; v < CHILD_VARIANTS && j->ran[v]; v++) {
+        char *text = first ? result_text(j->driver, j->self[v]) : NULL;
+        unlike |= first ? strcmp(first, text) != 0 : j->verdict[v] != j->verdict[0];
+        free(text);
+    }
+    if (unlike)
+        fprintf(j->out, "unlike\n");
+    free(first);
+}
+
+static void limit(int what, size_t amount)
+{
+    struct rlimit r = {amount, amount};
+    setrlimit(what, &r);
+}
+
+/* Peers talk to both streams; nobody listens. */
+static void mute(void)
+{
+    if (!freopen("/dev/null", "w", stdout) || !freopen("/dev/null", "w", stderr))
+        _exit(70);
+}
+
+static void run_child(const peer *d, const problem *variants, const child_limits *l, int out)
+{
+    job j = {.driver = d, .limits = l, .out = need(fdopen(out, "w"))};
+    peer_setup setup = {.options = l->options};
+    mute();
+    limit(RLIMIT_AS, l->bytes);
+    limit(RLIMIT_CORE, 0);
+    for (int v = 0; v < CHILD_VARIANTS; v++) {
+        j.self[v] = d->open(&variants[v], &setup);
+        if (!j.self[v]) {
+            fprintf(j.out, "cannot\n");
+            fflush(j.out);
+            _exit(0);
+        }
+    }
+    if (run_all(&j))
+        tell_results(&j);
+    fflush(j.out);
+    for (int v = 0; v < CHILD_VARIANTS; v++)
+        d->close(j.self[v]);
+    _exit(0);
+}
+
+/* ---- outside --------------------------------------------------------------------------------- */
+
+/* All the child writes, until it ends; killed if it sleeps for much longer than it may run. */
+static char *listen(int in, pid_t child, double patience, size_t *size)
+{
+    char *text = NULL, part[4096];
+    FILE *to = need(open_memstream(&text, size));
+    for (;;) {
+        struct pollfd p = {.fd = in, .events = POLLIN};
+        int ready = poll(&p, 1, (int)(1000 * patience));
+        if (ready < 0 && errno == EINTR)
+            continue;
+        if (ready == 0)
+            kill(child, SIGPROF);
+        ssize_t n = read(in, part, sizeof part);
+        if (n <= 0)
+            break;
+        fwrite(part, 1, (size_t)n, to);
+    }
+    fclose(to);
+    return text;
+}
+
+static void understand(child_outcome *o, char *text)
+{
+    double later[LATER_RUNS];
+    bool first = true;
+    for (char *at = text, *line; *at;) {
+        line = at;
+        at += strcspn(at, "\n");
+        at += *at == '\n';
+        double t;
+        size_t bytes;
+        int v;
+        if (strncmp(line, "cannot", 6) == 0) {
+            o->end = CHILD_CANNOT;
+        } else if (strncmp(line, "gave up", 7) == 0) {
+            o->end = CHILD_GAVE_UP;
+        } else if (strncmp(line, "unlike", 6) == 0) {
+            o->unlike = true;
+        } else if (sscanf(line, "time %lf", &t) == 1) {
+            if (first)
+                o->first = t;
+            else
+                later[o->runs++] = t;
+            first = false;
+        } else if (sscanf(line, "verdict %d", &v) == 1) {
+            o->verdict = (fmb_verdict)v;
+        } else if (sscanf(line, "result %zu", &bytes) == 1) {
+            o->text = need(strndup(at, bytes));
+            at += strlen(o->text);
+        }
+    }
+    o->typical = o->runs ? median(later, o->runs) : o->first;
+    if (first && o->end == CHILD_DONE)
+        o->end = CHILD_CRASHED;
+}
+
+child_outcome child_run(const peer *driver, const problem *variants, const child_limits *limits)
+{
+    child_outcome o = {0};
+    int ends[2], status = 0;
+    fflush(NULL);
+    if (pipe(ends) != 0)
+        need(NULL);
+    pid_t child = fork();
+    if (child < 0)
+        need(NULL);
+    if (child == 0) {
+        close(ends[0]);
+        run_child(driver, variants, limits, ends[1]);
+    }
+    close(ends[1]);
+    size_t size = 0;
+    char *text = listen(ends[0], child, 60 + 20 * limits->seconds, &size);
+    close(ends[0]);
+    waitpid(child, &status, 0);
+    understand(&o, text);
+    free(text);
+    bool killed = WIFSIGNALED(status);
+    o.signal = killed ? WTERMSIG(status) : 0;
+    if (o.first == 0 && killed)
+        o.end = o.signal == SIGPROF ? CHILD_TIME : CHILD_CRASHED;
+    return o;
+}

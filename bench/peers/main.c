@@ -1,0 +1,211 @@
+/* main.c: fmb beside other libraries, problem by problem. See ../README.md. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "report.h"
+
+static const char USAGE[] =
+    "usage: bench-peers [--decide] [--drivers A,B] [--seconds S] [--bytes B] [--set NAME=VALUE]\n"
+    "                   [--json FILE] [--quick] [--list] FILE... | manifest.txt\n";
+
+typedef struct setup {
+    report report;
+    fmb_options options;
+    const char *json, *drivers;
+    bool quick, list;
+    char **path; /* problems, owned */
+    size_t paths;
+} setup;
+
+/* ---- what to run ----------------------------------------------------------------------------- */
+
+static void add_path(setup *s, const char *path)
+{
+    s->path = need(realloc(s->path, (s->paths + 1) * sizeof *s->path));
+    s->path[s->paths++] = need(strdup(path));
+}
+
+/* The problems beside a manifest: the first word of each line is the name of one. */
+static bool add_manifest(setup *s, const char *path)
+{
+    FILE *in = fopen(path, "r");
+    char line[512], name[128], file[1024];
+    const char *slash = strrchr(path, '/');
+    int folder = slash ? (int)(slash - path) + 1 : 0;
+    if (!in)
+        return false;
+    while (fgets(line, sizeof line, in)) {
+        if (line[0] == '#' || sscanf(line, "%127s", name) != 1)
+            continue;
+        snprintf(file, sizeof file, "%.*s%s.ine", folder, path, name);
+        add_path(s, file);
+    }
+    fclose(in);
+    return true;
+}
+
+/* Is name in the comma list? A library's name stands for all its drivers. */
+static bool listed(const char *list, const peer *p)
+{
+    for (const char *at = list; *at;) {
+        size_t n = strcspn(at, ",");
+        if ((strlen(p->name) == n && strncmp(at, p->name, n) == 0) ||
+            (strlen(p->library) == n && strncmp(at, p->library, n) == 0))
+            return true;
+        at += n + (at[n] == ',');
+    }
+    return false;
+}
+
+/* fmb always; the others as asked, if they can answer the question. */
+static void choose_drivers(setup *s)
+{
+    report *r = &s->report;
+    for (int i = 0; peers[i] && r->drivers < REPORT_DRIVERS; i++) {
+        bool able = r->limits.decide ? peers[i]->decide != NULL : peers[i]->project != NULL;
+        if (able && (peers[i]->ours || !s->drivers || listed(s->drivers, peers[i])))
+            r->driver[r->drivers++] = peers[i];
+    }
+}
+
+/* ---- running --------------------------------------------------------------------------------- */
+
+/* With --quick a peer gets ten times the best peer's time, and not less than 0.2 s. */
+static double patience(const setup *s, const entry *e, int driver)
+{
+    double limit = s->report.limits.seconds;
+    for (int d = 1; s->quick && d < driver; d++) {
+        double t = 10 * e->outcome[d].typical;
+        if (e->outcome[d].end == CHILD_DONE && t < limit)
+            limit = t < 0.2 ? 0.2 : t;
+    }
+    return limit;
+}
+
+static bool run_problem(setup *s, const char *path)
+{
+    report *r = &s->report;
+    problem variants[CHILD_VARIANTS];
+    entry e = {0};
+    if (!problem_read(&e.problem, path))
+        return false;
+    if (!r->limits.decide && e.problem.keep == e.problem.n) {
+        fprintf(stderr, "%s: nothing to eliminate (no line \"* keep K\")\n", path);
+        problem_clear(&e.problem);
+        return true;
+    }
+    for (unsigned v = 0; v < CHILD_VARIANTS; v++)
+        problem_variant(&variants[v], &e.problem, v);
+    for (int d = 0; d < r->drivers; d++) {
+        child_limits limits = r->limits;
+        limits.seconds = patience(s, &e, d);
+        e.outcome[d] = child_run(r->driver[d], variants, &limits);
+    }
+    for (unsigned v = 0; v < CHILD_VARIANTS; v++)
+        problem_clear(&variants[v]);
+    problem_clear(&e.problem);
+    report_judge(r, &e);
+    report_line(r, &e);
+    r->list = need(realloc(r->list, (r->entries + 1) * sizeof *r->list));
+    r->list[r->entries++] = e;
+    return true;
+}
+
+/* ---- arguments ------------------------------------------------------------------------------- */
+
+static bool set_option(setup *s, const char *text)
+{
+    const char *equal = strchr(text, '=');
+    char name[64];
+    if (!equal || (size_t)(equal - text) >= sizeof name)
+        return false;
+    snprintf(name, sizeof name, "%.*s", (int)(equal - text), text);
+    return fmb_options_set(&s->options, name, equal + 1) == FMB_OK;
+}
+
+/* An option with a value; false if it is unknown or its value no good. */
+static bool take_value(setup *s, const char *name, const char *value)
+{
+    if (strcmp(name, "--drivers") == 0)
+        s->drivers = value;
+    else if (strcmp(name, "--json") == 0)
+        s->json = value;
+    else if (strcmp(name, "--set") == 0)
+        return set_option(s, value);
+    else if (strcmp(name, "--seconds") == 0)
+        return (s->report.limits.seconds = atof(value)) > 0;
+    else if (strcmp(name, "--bytes") == 0)
+        return (s->report.limits.bytes = (size_t)atof(value)) > 0;
+    else
+        return false;
+    return true;
+}
+
+static bool take_arguments(setup *s, int argc, char **argv)
+{
+    for (int i = 1; i < argc; i++) {
+        const char *a = argv[i], *dot = strrchr(a, '.');
+        if (strcmp(a, "--decide") == 0)
+            s->report.limits.decide = true;
+        else if (strcmp(a, "--quick") == 0)
+            s->quick = true;
+        else if (strcmp(a, "--list") == 0)
+            s->list = true;
+        else if (a[0] == '-') {
+            if (i + 1 >= argc || !take_value(s, a, argv[i + 1]))
+                return false;
+            i++;
+        } else if (dot && strcmp(dot, ".txt") == 0) {
+            if (!add_manifest(s, a))
+                return false;
+        } else
+            add_path(s, a);
+    }
+    return s->list || s->paths > 0;
+}
+
+static int finish(setup *s, bool good)
+{
+    int code = good ? 0 : 66;
+    if (s->report.entries > 0)
+        report_summary(&s->report);
+    for (size_t i = 0; i < s->report.entries; i++) {
+        if (s->report.list[i].wrong && code == 0)
+            code = 1;
+    }
+    if (s->json && !report_json(&s->report, s->json)) {
+        fprintf(stderr, "%s: cannot be written\n", s->json);
+        code = 74;
+    }
+    for (size_t i = 0; i < s->report.entries; i++) {
+        for (int d = 0; d < s->report.drivers; d++)
+            free(s->report.list[i].outcome[d].text);
+    }
+    free(s->report.list);
+    for (size_t i = 0; i < s->paths; i++)
+        free(s->path[i]);
+    free(s->path);
+    return code;
+}
+
+int main(int argc, char **argv)
+{
+    setup s = {.options = fmb_options_default()};
+    bool good = true;
+    s.options.evidence = false;
+    s.report.limits = (child_limits){.seconds = 5, .bytes = (size_t)4 << 30};
+    if (!take_arguments(&s, argc, argv)) {
+        fputs(USAGE, stderr);
+        return 64;
+    }
+    s.report.limits.options = &s.options;
+    setenv("OMP_NUM_THREADS", "1", 1);
+    choose_drivers(&s);
+    for (int d = 0; s.list && d < s.report.drivers; d++)
+        printf("%s\n", s.report.driver[d]->name);
+    if (!s.list)
+        report_head(&s.report);
+    for (size_t i = 0; i < s.paths && !s.list; i++)
+        good &= run_problem(&s, s.path[i]);
+    return finish(&s, good);
+}

@@ -1,0 +1,17 @@
+/* peers.h: the drivers there can be; peers.c lists those that were built. */
+#ifndef FMB_PEERS_PEERS_H
+#define FMB_PEERS_PEERS_H
+
+#include "peer.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+extern const peer peer_fmb, peer_cdd_block, peer_cdd_fourier, peer_cdd_gens, peer_ppl, peer_isl,
+    peer_normaliz_project, peer_normaliz_gens, peer_glpk, peer_qsopt, peer_z3;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

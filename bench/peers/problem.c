@@ -1,0 +1,181 @@
+/* problem.c: see problem.h. */
+#include <stdlib.h>
+#include <string.h>
+
+#include <fmb/gmp.h>
+
+#include "problem.h"
+
+void *need(void *p)
+{
+    if (!p) {
+        fprintf(stderr, "out of memory\n");
+        exit(70);
+    }
+    return p;
+}
+
+mpz_t *integers_new(size_t n)
+{
+    mpz_t *a = need(malloc((n ? n : 1) * sizeof *a));
+    for (size_t i = 0; i < n; i++)
+        mpz_init(a[i]);
+    return a;
+}
+
+void integers_free(mpz_t *a, size_t n)
+{
+    for (size_t i = 0; a && i < n; i++)
+        mpz_clear(a[i]);
+    free(a);
+}
+
+fmb_system *system_of_dim(int dim)
+{
+    fmb_system *s = NULL;
+    if (fmb_system_new(dim, NULL, &s) != FMB_OK)
+        need(NULL);
+    return s;
+}
+
+void system_add_row(fmb_system *s, mpz_t *a, fmb_rel rel)
+{
+    size_t n = (size_t)fmb_system_dim(s), terms = 0;
+    mpq_t *coef = need(calloc(n + 1, sizeof *coef));
+    int *var = need(calloc(n + 1, sizeof *var));
+    for (size_t j = 0; j <= n; j++) {
+        mpq_init(coef[j]);
+        if (j == n || mpz_sgn(a[j]) != 0) {
+            mpq_set_z(coef[terms], a[j]);
+            var[terms++] = (int)j;
+        }
+    }
+    if (fmb_system_add_q(s, terms - 1, var, coef, rel, coef[terms - 1]) != FMB_OK)
+        need(NULL);
+    for (size_t j = 0; j <= n; j++)
+        mpq_clear(coef[j]);
+    free(coef);
+    free(var);
+}
+
+/* ---- reading --------------------------------------------------------------------------------- */
+
+/* Row i of s with its denominators cleared. */
+static void integer_row(const fmb_system *s, size_t i, mpz_t *a)
+{
+    size_t n = (size_t)fmb_system_dim(s), terms = fmb_system_terms(s, i);
+    mpz_t common;
+    mpq_t q;
+    mpz_init(common);
+    mpq_init(q);
+    fmb_system_rhs_q(s, i, q);
+    mpz_set(common, mpq_denref(q));
+    for (size_t k = 0; k < terms; k++) {
+        fmb_system_term_q(s, i, k, q);
+        mpz_lcm(common, common, mpq_denref(q));
+    }
+    for (size_t k = 0; k <= terms; k++) {
+        size_t j = k < terms ? (size_t)fmb_system_term_q(s, i, k, q) : n;
+        if (k == terms)
+            fmb_system_rhs_q(s, i, q);
+        mpz_divexact(a[j], common, mpq_denref(q));
+        mpz_mul(a[j], a[j], mpq_numref(q));
+    }
+    mpq_clear(q);
+    mpz_clear(common);
+}
+
+/* The comment lines "* NAME family=WORD" and "* keep K", K variables stay. */
+static void read_comments(problem *p, FILE *in)
+{
+    char line[512];
+    p->keep = p->n;
+    snprintf(p->family, sizeof p->family, "file");
+    rewind(in);
+    while (fgets(line, sizeof line, in)) {
+        char *family = line[0] == '*' ? strstr(line, "family=") : NULL;
+        int keep;
+        if (family)
+            (void)sscanf(family, "family=%15s", p->family);
+        if (sscanf(line, "* keep %d", &keep) == 1 && keep >= 0 && keep <= p->n)
+            p->keep = keep;
+    }
+}
+
+/* "a/b/NAME.ine" */
+static void set_name(problem *p, const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    snprintf(p->name, sizeof p->name, "%s", slash ? slash + 1 : path);
+    char *dot = strrchr(p->name, '.');
+    if (dot)
+        *dot = '\0';
+}
+
+bool problem_read(problem *p, const char *path)
+{
+    FILE *in = fopen(path, "r");
+    fmb_reader how = {.format = fmb_format_of_name(path)};
+    fmb_where where = {0};
+    fmb_system *s = NULL;
+    if (!in || fmb_system_read(in, &how, &s, &where) != FMB_OK) {
+        fprintf(stderr, "%s:%ld:%ld: %s\n", path, where.line, where.column,
+                in ? where.text : "cannot be opened");
+        if (in)
+            fclose(in);
+        return false;
+    }
+    *p = (problem){.n = fmb_system_dim(s), .m = fmb_system_rows(s), .system = s};
+    set_name(p, path);
+    read_comments(p, in);
+    fclose(in);
+    p->rows = need(calloc(p->m + 1, sizeof *p->rows));
+    for (size_t i = 0; i < p->m; i++) {
+        p->rows[i] = (problem_row){integers_new((size_t)p->n + 1), fmb_system_rel(s, i)};
+        integer_row(s, i, p->rows[i].a);
+        p->equalities += p->rows[i].rel == FMB_EQ;
+        p->strict |= p->rows[i].rel == FMB_LT;
+    }
+    return true;
+}
+
+/* ---- variants -------------------------------------------------------------------------------- */
+
+/* SplitMix64 (Steele, Lea, Flood 2014). */
+static uint64_t next_random(uint64_t *state)
+{
+    uint64_t z = (*state += 0x9e3779b97f4a7c15u);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+}
+
+void problem_variant(problem *v, const problem *p, unsigned number)
+{
+    size_t width = (size_t)p->n + 1, *order = need(calloc(p->m + 1, sizeof *order));
+    uint64_t state = number;
+    *v = *p;
+    for (size_t i = 0; i < p->m; i++) {
+        size_t j = number ? (size_t)(next_random(&state) % (i + 1)) : i;
+        order[i] = order[j];
+        order[j] = i;
+    }
+    v->system = system_of_dim(p->n);
+    v->rows = need(calloc(p->m + 1, sizeof *v->rows));
+    for (size_t i = 0; i < p->m; i++) {
+        const problem_row *from = &p->rows[order[i]];
+        v->rows[i] = (problem_row){integers_new(width), from->rel};
+        for (size_t j = 0; j < width; j++)
+            mpz_set(v->rows[i].a[j], from->a[j]);
+        system_add_row(v->system, v->rows[i].a, from->rel);
+    }
+    free(order);
+}
+
+void problem_clear(problem *p)
+{
+    for (size_t i = 0; i < p->m; i++)
+        integers_free(p->rows[i].a, (size_t)p->n + 1);
+    free(p->rows);
+    fmb_system_free(p->system);
+}

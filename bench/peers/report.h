@@ -1,0 +1,35 @@
+/* report.h: the table, the summary and the JSON of a comparison. */
+#ifndef FMB_PEERS_REPORT_H
+#define FMB_PEERS_REPORT_H
+
+#include "child.h"
+
+enum { REPORT_DRIVERS = 16 };
+
+/* What one problem gave. */
+typedef struct entry {
+    problem problem; /* its rows are gone */
+    child_outcome outcome[REPORT_DRIVERS];
+    int best;     /* driver of the fastest peer that finished, -1 if none did */
+    double ratio; /* its time by fmb's; 0 if there is none or fmb has no time */
+    bool wrong;   /* some exact answers differ */
+    int inexact;  /* answers of inexact drivers that differ */
+} entry;
+
+typedef struct report {
+    const peer *driver[REPORT_DRIVERS];
+    int drivers;
+    child_limits limits;
+    entry *list;
+    size_t entries;
+} report;
+
+/* Fills best, ratio, wrong and inexact of e from its outcomes. */
+void report_judge(const report *r, entry *e);
+void report_head(const report *r);
+void report_line(const report *r, const entry *e);
+/* Per family and in all. */
+void report_summary(const report *r);
+bool report_json(const report *r, const char *path);
+
+#endif
