@@ -27,8 +27,10 @@ static const double CANON_SECONDS = 60;
 
 /* ---- inside the child ------------------------------------------------------------------------ */
 
+/* PPL puts a handler of its own on SIGPROF. */
 static void arm(double seconds)
 {
+    signal(SIGPROF, SIG_DFL);
     double whole = (double)(long)seconds;
     struct itimerval t = {
         .it_value = {.tv_sec = (time_t)whole, .tv_usec = (suseconds_t)(1e6 * (seconds - whole))}};

@@ -1,0 +1,160 @@
+/* peer_normaliz.cpp: Normaliz, in two ways; the better one counts. It has a C++ interface only.
+ *
+ * Both work on the cone { (t, x): A x <= b t, t >= 0 }; the projection is the slice t = 1 of the
+ * cone's projection.
+ * project: ConeProperty::ProjectCone (Normaliz's own projection along coordinates).
+ * gens:    extreme rays and maximal subspace, drop their coordinates, support hyperplanes of the
+ *          cone over those.
+ *
+ * Outside the clock: the cone, built of inequalities and equations (GMP integers; Normaliz tries
+ * 64-bit ones first). Inside: the computation. One thread. No strict rows.
+ */
+#include <libnormaliz/libnormaliz.h>
+
+#include <gmpxx.h>
+
+extern "C" {
+#include "peers.h"
+}
+
+namespace
+{
+
+using Cone = libnormaliz::Cone<mpz_class>;
+using Table = std::vector<std::vector<mpz_class>>;
+using libnormaliz::Type::InputType;
+namespace Property = libnormaliz::ConeProperty;
+
+struct State {
+    Table inequalities, equations;
+    size_t n, keep;
+    Cone *cone;
+    Table facets, hull; /* the projection: rows >= 0, rows = 0 */
+    bool empty;         /* no generators at all */
+};
+
+/* (b, -a), >= 0 or = 0 */
+std::vector<mpz_class> homogeneous(const problem_row &r, size_t n)
+{
+    std::vector<mpz_class> row(n + 1);
+    row[0] = mpz_class(r.a[n]);
+    for (size_t j = 0; j < n; j++)
+        row[j + 1] = -mpz_class(r.a[j]);
+    return row;
+}
+
+void *open_cone(const problem *p, const peer_setup *)
+{
+    if (p->strict)
+        return nullptr;
+    libnormaliz::setVerboseDefault(false);
+    libnormaliz::set_thread_limit(1);
+    State *s = new State{};
+    s->n = static_cast<size_t>(p->n);
+    s->keep = static_cast<size_t>(p->keep);
+    for (size_t i = 0; i < p->m; i++) {
+        Table &to = p->rows[i].rel == FMB_EQ ? s->equations : s->inequalities;
+        to.push_back(homogeneous(p->rows[i], s->n));
+    }
+    std::vector<mpz_class> positive(s->n + 1);
+    positive[0] = 1;
+    s->inequalities.push_back(positive);
+    return s;
+}
+
+void ready_project(void *self)
+{
+    State *s = static_cast<State *>(self);
+    Table coordinates(1, std::vector<mpz_class>(s->n + 1));
+    for (size_t j = 0; j <= s->keep; j++)
+        coordinates[0][j] = 1;
+    delete s->cone;
+    s->cone = new Cone(InputType::inequalities, s->inequalities, InputType::equations, s->equations,
+                       InputType::projection_coordinates, coordinates);
+}
+
+void ready_gens(void *self)
+{
+    State *s = static_cast<State *>(self);
+    delete s->cone;
+    s->cone =
+        new Cone(InputType::inequalities, s->inequalities, InputType::equations, s->equations);
+}
+
+bool project_project(void *self)
+try {
+    State *s = static_cast<State *>(self);
+    s->cone->compute(Property::ProjectCone);
+    Cone &shadow = s->cone->getProjectCone();
+    s->facets = shadow.getSupportHyperplanes();
+    s->hull = shadow.getEquations();
+    return true;
+} catch (const std::exception &) {
+    return false;
+}
+
+Table shortened(const Table &rows, size_t width)
+{
+    Table out;
+    for (const auto &row : rows)
+        out.emplace_back(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(width));
+    return out;
+}
+
+bool project_gens(void *self)
+try {
+    State *s = static_cast<State *>(self);
+    s->cone->compute(Property::ExtremeRays, Property::MaximalSubspace);
+    Table rays = shortened(s->cone->getExtremeRays(), s->keep + 1);
+    Table lines = shortened(s->cone->getMaximalSubspace(), s->keep + 1);
+    s->empty = rays.empty() && lines.empty();
+    if (s->empty)
+        return true;
+    Cone shadow(InputType::cone, rays, InputType::subspace, lines);
+    shadow.compute(Property::SupportHyperplanes);
+    s->facets = shadow.getSupportHyperplanes();
+    s->hull = shadow.getEquations();
+    return true;
+} catch (const std::exception &) {
+    return false;
+}
+
+void add_rows(fmb_system *out, const Table &rows, size_t keep, fmb_rel rel)
+{
+    mpz_t *a = integers_new(keep + 1);
+    for (const auto &row : rows) {
+        for (size_t j = 0; j < keep; j++)
+            mpz_neg(a[j], row[j + 1].get_mpz_t());
+        mpz_set(a[keep], row[0].get_mpz_t());
+        system_add_row(out, a, rel);
+    }
+    integers_free(a, keep + 1);
+}
+
+fmb_system *fetch_slice(void *self)
+{
+    State *s = static_cast<State *>(self);
+    fmb_system *out = system_of_dim(static_cast<int>(s->keep));
+    Table nothing(1, std::vector<mpz_class>(s->keep + 1));
+    nothing[0][0] = -1;
+    add_rows(out, s->empty ? nothing : s->facets, s->keep, FMB_LE);
+    if (!s->empty)
+        add_rows(out, s->hull, s->keep, FMB_EQ);
+    return out;
+}
+
+void close_cone(void *self)
+{
+    State *s = static_cast<State *>(self);
+    delete s->cone;
+    delete s;
+}
+
+} // namespace
+
+/* name, library, inexact, ours, open, ready, project, fetch, decide, close */
+const peer peer_normaliz_project = {"nmz-project", "normaliz",    false,           false,
+                                    open_cone,     ready_project, project_project, fetch_slice,
+                                    nullptr,       close_cone};
+const peer peer_normaliz_gens = {"nmz-gens", "normaliz",   false,       false,   open_cone,
+                                 ready_gens, project_gens, fetch_slice, nullptr, close_cone};
