@@ -1,0 +1,48 @@
+/* fmb/frame.h: cuboids and simplices in R^D, still or moving, and the systems that say where
+ * several of them meet.
+ *
+ * Source: Baillehache 2020 (FMB), whose system is the one in FMB_COORDINATES_LAST.
+ */
+#ifndef FMB_FRAME_H
+#define FMB_FRAME_H
+
+#include <fmb/system.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum fmb_shape {
+    FMB_CUBOID = 0, /* 0 <= c_i <= 1 */
+    FMB_SIMPLEX     /* 0 <= c_i, sum c_i <= 1 */
+} fmb_shape;
+
+/* The points origin + sum c_i axes_i + t speed, 0 <= t <= 1. naxes < dim gives faces, edges and
+ * points; a flat frame is legal. Arrays are borrowed. World length units; speed per unit of t. */
+typedef struct fmb_frame {
+    fmb_shape shape;
+    int dim, naxes;       /* 0 <= naxes <= dim */
+    const double *origin; /* [dim] */
+    const double *axes;   /* [naxes][dim], row i is edge i */
+    const double *speed;  /* [dim], or NULL: static */
+} fmb_frame;
+
+/* What the variables of a system are. The time t follows them if any frame has a speed. */
+typedef enum fmb_coordinates {
+    FMB_COORDINATES_EACH = 0, /* c of every frame, bound by equalities; any frames */
+    FMB_COORDINATES_WORLD,    /* the point itself: x1 ... xD */
+    FMB_COORDINATES_LAST      /* c of the last frame, whose axes may be anything */
+} fmb_coordinates;
+
+/* [give] A system that has a solution iff the closed frames share a point at one time: exact, rows
+ * of the frames in their order (lower ends, then upper ends), those of time at the end. A frame
+ * whose coordinates are no variables needs independent axes. Errors: ARG (no frame, different dim,
+ * dependent axes, a number that is not finite), MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_system_from_frames(const fmb_frame *f, size_t n,
+                                                      fmb_coordinates in, const fmb_alloc *mem,
+                                                      fmb_system **out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
