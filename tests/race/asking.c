@@ -1,0 +1,111 @@
+/* asking.c: see asking.h. */
+#include <stdarg.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include "asking.h"
+#include "rows.h"
+
+double asking_now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+void asking_fail(const char *format, ...)
+{
+    va_list list;
+    va_start(list, format);
+    vfprintf(stderr, format, list);
+    va_end(list);
+    fputc('\n', stderr);
+    exit(1);
+}
+
+/* Cut short or not, what is claimed is proved. */
+static void judge_evidence(const fmb_solver *v, const scene *c, const fmb_result *r)
+{
+    fmb_evidence *e = NULL;
+    fmb_judgement j;
+    must(fmb_solver_evidence(v, &e));
+    must(fmb_check(c->s, e, &j));
+    if (!j.accepted && fmb_evidence_claims(e) > 0)
+        asking_fail("%s: evidence rejected: %s", c->name, j.reason);
+    if (r->verdict != FMB_UNKNOWN && j.verdict != r->verdict)
+        asking_fail("%s: the evidence does not prove the verdict", c->name);
+    fmb_evidence_free(e);
+}
+
+static void judge_result(const scene *c, const fmb_result *r)
+{
+    if (r->verdict != FMB_UNKNOWN && r->verdict != c->verdict)
+        asking_fail("%s: %s", c->name, fmb_verdict_text(r->verdict));
+    if (r->verdict == FMB_UNKNOWN && r->stop == FMB_STOP_DONE)
+        asking_fail("%s: done without a verdict", c->name);
+}
+
+/* Ends of a cone are 0 and infinity, or not known if the query was cut short. */
+static void judge_box(const scene *c, const fmb_box *box, fmb_stop stop)
+{
+    for (int i = 0; i < fmb_box_size(box); i++) {
+        fmb_end lo = fmb_box_end(box, i, FMB_LOWER), hi = fmb_box_end(box, i, FMB_UPPER);
+        bool cut = lo.kind == FMB_END_UNKNOWN || hi.kind == FMB_END_UNKNOWN;
+        if (cut && stop == FMB_STOP_DONE)
+            asking_fail("%s: done without an end", c->name);
+        if (c->cone && lo.kind == FMB_END_FINITE && (lo.value < 0 || lo.value > 0))
+            asking_fail("%s: a lower end of %g", c->name, lo.value);
+        if (c->cone && hi.kind == FMB_END_FINITE)
+            asking_fail("%s: an upper end of %g", c->name, hi.value);
+    }
+}
+
+static void project(fmb_solver *v, const scene *c, fmb_result *r, double *returned)
+{
+    fmb_system *p = NULL;
+    must(fmb_project(v, c->s, c->keep, c->kept, &p, r));
+    *returned = asking_now();
+    if (!p && r->stop == FMB_STOP_DONE)
+        asking_fail("%s: done without a projection", c->name);
+    fmb_system_free(p);
+}
+
+static void bound(fmb_solver *v, const scene *c, fmb_result *r, double *returned)
+{
+    fmb_box *box = NULL;
+    must(fmb_bound(v, c->s, NULL, 0, &box, r));
+    *returned = asking_now();
+    if (!box && r->verdict == FMB_FEASIBLE)
+        asking_fail("%s: feasible without a box", c->name);
+    if (box)
+        judge_box(c, box, r->stop);
+    fmb_box_free(box);
+}
+
+static void reduce(fmb_solver *v, const scene *c, fmb_result *r, double *returned)
+{
+    fmb_system *p = NULL;
+    must(fmb_reduce(v, c->s, NULL, &p, r));
+    *returned = asking_now();
+    if (!p)
+        asking_fail("%s: no reduced system", c->name);
+    fmb_system_free(p);
+}
+
+fmb_result asking(fmb_solver *v, const scene *c, asking_kind kind, double *returned)
+{
+    fmb_result r = {0};
+    if (kind == ASKING_PROJECT)
+        project(v, c, &r, returned);
+    else if (kind == ASKING_BOUND)
+        bound(v, c, &r, returned);
+    else if (kind == ASKING_REDUCE)
+        reduce(v, c, &r, returned);
+    else {
+        must(fmb_solve(v, c->s, &r));
+        *returned = asking_now();
+    }
+    judge_result(c, &r);
+    judge_evidence(v, c, &r);
+    return r;
+}
