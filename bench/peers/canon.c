@@ -5,6 +5,7 @@
  * up to scale; and an irredundant closed system consists of exactly its facets. So equal text means
  * equal sets, and the reverse wherever no row is strict.
  */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

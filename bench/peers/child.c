@@ -113,10 +113,12 @@ static void tell_results(job *j)
     free(first);
 }
 
-static void limit(int what, size_t amount)
+static void limit_memory(size_t bytes)
 {
-    struct rlimit r = {amount, amount};
-    setrlimit(what, &r);
+    struct rlimit space = {bytes, bytes}, core = {0, 0};
+    if (bytes > 0)
+        setrlimit(RLIMIT_AS, &space);
+    setrlimit(RLIMIT_CORE, &core);
 }
 
 /* Peers talk to both streams; nobody listens. */
@@ -131,8 +133,7 @@ static void run_child(const peer *d, const problem *variants, const child_limits
     job j = {.driver = d, .limits = l, .out = need(fdopen(out, "w"))};
     peer_setup setup = {.options = l->options};
     mute();
-    limit(RLIMIT_AS, l->bytes);
-    limit(RLIMIT_CORE, 0);
+    limit_memory(l->bytes);
     for (int v = 0; v < CHILD_VARIANTS; v++) {
         j.self[v] = d->open(&variants[v], &setup);
         if (!j.self[v]) {
@@ -209,7 +210,7 @@ static void understand(child_outcome *o, char *text)
 
 child_outcome child_run(const peer *driver, const problem *variants, const child_limits *limits)
 {
-    child_outcome o = {0};
+    child_outcome o = {.limit = limits->seconds};
     int ends[2], status = 0;
     fflush(NULL);
     if (pipe(ends) != 0)

@@ -6,7 +6,7 @@
 
 typedef struct child_limits {
     double seconds; /* CPU time of one run [s] */
-    size_t bytes;   /* address space of the child [bytes] */
+    size_t bytes;   /* address space of the child; 0: no limit [bytes] */
     bool decide;    /* decide instead of project */
     const fmb_options *options;
 } child_limits;
@@ -22,6 +22,7 @@ typedef enum child_end {
 typedef struct child_outcome {
     child_end end;
     int signal;          /* of a crash */
+    double limit;        /* of one run [s] */
     double first;        /* the first run, cold [s] */
     double typical;      /* median of the later runs, or the first if there are none [s] */
     int runs;            /* later runs */

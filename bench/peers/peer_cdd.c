@@ -3,7 +3,9 @@
  * block:   dd_BlockElimination of all variables that go, then redundancy removal
  *          (dd_MatrixCanonicalize).
  * fourier: dd_FourierElimination of one variable after the other, redundant rows removed
- *          (dd_MatrixRedundancyRemove) after each. It refuses equalities: they come as two rows.
+ *          (dd_MatrixRedundancyRemove) after each. It refuses equalities: they come as two rows;
+ *          and of rows without a solution the removal may leave some that have one, so that the
+ *          feasibility program is solved first.
  * gens:    double description to generators, drop their coordinates, double description back.
  *
  * Outside the clock: the matrix. Decide: dd_Matrix2Feasibility and dd_LPSolve (dual simplex).
@@ -85,6 +87,28 @@ static void ready_cdd(void *self)
     s->work = dd_CopyMatrix(s->rows);
 }
 
+static fmb_verdict decide_cdd(void *self)
+{
+    state *s = self;
+    dd_ErrorType error = dd_NoError;
+    dd_LPPtr lp = dd_Matrix2Feasibility(s->work, &error);
+    if (error != dd_NoError)
+        return FMB_UNKNOWN;
+    dd_LPSolve(lp, dd_DualSimplex, &error);
+    bool positive = lp->LPS == dd_Optimal && dd_Positive(lp->optvalue);
+    bool zero = lp->LPS == dd_Optimal && dd_EqualToZero(lp->optvalue);
+    dd_FreeLPData(lp);
+    return error != dd_NoError ? FMB_UNKNOWN : positive || zero ? FMB_FEASIBLE : FMB_INFEASIBLE;
+}
+
+/* The result 0 >= 1. */
+static dd_MatrixPtr nothing(int keep)
+{
+    dd_MatrixPtr m = dd_CreateMatrix(1, (dd_colrange)keep + 1);
+    mpq_set_si(m->matrix[0][0], -1, 1);
+    return m;
+}
+
 /* ---- three ways ------------------------------------------------------------------------------ */
 
 static bool project_block(void *self)
@@ -113,6 +137,10 @@ static bool project_fourier(void *self)
 {
     state *s = self;
     dd_ErrorType error = dd_NoError;
+    if (decide_cdd(s) == FMB_INFEASIBLE) {
+        s->result = nothing(s->keep);
+        return true;
+    }
     s->result = dd_CopyMatrix(s->work);
     for (int j = s->n; j > s->keep && error == dd_NoError; j--) {
         dd_rowset redundant = NULL;
@@ -157,8 +185,7 @@ static bool project_gens(void *self)
     dd_FreePolyhedra(body);
     dd_FreeMatrix(all);
     if (some->rowsize == 0) { /* no generator: empty */
-        s->result = dd_CreateMatrix(1, (dd_colrange)s->keep + 1);
-        mpq_set_si(s->result->matrix[0][0], -1, 1);
+        s->result = nothing(s->keep);
         dd_FreeMatrix(some);
         return true;
     }
@@ -201,20 +228,6 @@ static fmb_system *fetch_cdd(void *self)
     }
     integers_free(a, (size_t)s->keep + 1);
     return out;
-}
-
-static fmb_verdict decide_cdd(void *self)
-{
-    state *s = self;
-    dd_ErrorType error = dd_NoError;
-    dd_LPPtr lp = dd_Matrix2Feasibility(s->work, &error);
-    if (error != dd_NoError)
-        return FMB_UNKNOWN;
-    dd_LPSolve(lp, dd_DualSimplex, &error);
-    bool positive = lp->LPS == dd_Optimal && dd_Positive(lp->optvalue);
-    bool zero = lp->LPS == dd_Optimal && dd_EqualToZero(lp->optvalue);
-    dd_FreeLPData(lp);
-    return error != dd_NoError ? FMB_UNKNOWN : positive || zero ? FMB_FEASIBLE : FMB_INFEASIBLE;
 }
 
 static void close_cdd(void *self)

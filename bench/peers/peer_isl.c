@@ -12,6 +12,7 @@
 #include <isl/set.h>
 #include <isl/val.h>
 #include <isl/val_gmp.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "peers.h"

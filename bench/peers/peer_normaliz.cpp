@@ -1,10 +1,9 @@
-/* peer_normaliz.cpp: Normaliz, in two ways; the better one counts. It has a C++ interface only.
+/* peer_normaliz.cpp: Normaliz, which has a C++ interface only.
  *
- * Both work on the cone { (t, x): A x <= b t, t >= 0 }; the projection is the slice t = 1 of the
- * cone's projection.
- * project: ConeProperty::ProjectCone (Normaliz's own projection along coordinates).
- * gens:    extreme rays and maximal subspace, drop their coordinates, support hyperplanes of the
- *          cone over those.
+ * On the cone { (t, x): A x <= b t, t >= 0 }: its extreme rays and maximal subspace, their
+ * coordinates that go dropped, support hyperplanes of the cone over the rest; the projection is the
+ * slice t = 1. (Normaliz's own ProjectCone starts from the extreme rays as well: it takes as long,
+ * and refuses the cone { 0 }.)
  *
  * Outside the clock: the cone, built of inequalities and equations (GMP integers; Normaliz tries
  * 64-bit ones first). Inside: the computation. One thread. No strict rows.
@@ -62,35 +61,12 @@ void *open_cone(const problem *p, const peer_setup *)
     return s;
 }
 
-void ready_project(void *self)
-{
-    State *s = static_cast<State *>(self);
-    Table coordinates(1, std::vector<mpz_class>(s->n + 1));
-    for (size_t j = 0; j <= s->keep; j++)
-        coordinates[0][j] = 1;
-    delete s->cone;
-    s->cone = new Cone(InputType::inequalities, s->inequalities, InputType::equations, s->equations,
-                       InputType::projection_coordinates, coordinates);
-}
-
-void ready_gens(void *self)
+void ready_cone(void *self)
 {
     State *s = static_cast<State *>(self);
     delete s->cone;
     s->cone =
         new Cone(InputType::inequalities, s->inequalities, InputType::equations, s->equations);
-}
-
-bool project_project(void *self)
-try {
-    State *s = static_cast<State *>(self);
-    s->cone->compute(Property::ProjectCone);
-    Cone &shadow = s->cone->getProjectCone();
-    s->facets = shadow.getSupportHyperplanes();
-    s->hull = shadow.getEquations();
-    return true;
-} catch (const std::exception &) {
-    return false;
 }
 
 Table shortened(const Table &rows, size_t width)
@@ -101,7 +77,7 @@ Table shortened(const Table &rows, size_t width)
     return out;
 }
 
-bool project_gens(void *self)
+bool project_cone(void *self)
 try {
     State *s = static_cast<State *>(self);
     s->cone->compute(Property::ExtremeRays, Property::MaximalSubspace);
@@ -153,8 +129,5 @@ void close_cone(void *self)
 } // namespace
 
 /* name, library, inexact, ours, open, ready, project, fetch, decide, close */
-const peer peer_normaliz_project = {"nmz-project", "normaliz",    false,           false,
-                                    open_cone,     ready_project, project_project, fetch_slice,
-                                    nullptr,       close_cone};
-const peer peer_normaliz_gens = {"nmz-gens", "normaliz",   false,       false,   open_cone,
-                                 ready_gens, project_gens, fetch_slice, nullptr, close_cone};
+const peer peer_normaliz = {"normaliz", "normaliz",   false,       false,   open_cone,
+                            ready_cone, project_cone, fetch_slice, nullptr, close_cone};

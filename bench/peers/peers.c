@@ -1,22 +1,21 @@
-/* peers.c: the drivers of this build. */
+/* peers.c: the drivers of this build, the usually fast ones first (see --quick). */
 #include "peers.h"
 
 const peer *const peers[] = {
     &peer_fmb,
-#ifdef PEERS_CDD
-    &peer_cdd_block,
-    &peer_cdd_fourier,
-    &peer_cdd_gens,
-#endif
 #ifdef PEERS_PPL
     &peer_ppl,
+#endif
+#ifdef PEERS_NORMALIZ
+    &peer_normaliz,
 #endif
 #ifdef PEERS_ISL
     &peer_isl,
 #endif
-#ifdef PEERS_NORMALIZ
-    &peer_normaliz_project,
-    &peer_normaliz_gens,
+#ifdef PEERS_CDD
+    &peer_cdd_block,
+    &peer_cdd_gens,
+    &peer_cdd_fourier,
 #endif
 #ifdef PEERS_GLPK
     &peer_glpk,

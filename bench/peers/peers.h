@@ -9,7 +9,7 @@ extern "C" {
 #endif
 
 extern const peer peer_fmb, peer_cdd_block, peer_cdd_fourier, peer_cdd_gens, peer_ppl, peer_isl,
-    peer_normaliz_project, peer_normaliz_gens, peer_glpk, peer_qsopt, peer_z3;
+    peer_normaliz, peer_glpk, peer_qsopt, peer_z3;
 
 #ifdef __cplusplus
 }

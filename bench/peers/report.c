@@ -23,13 +23,14 @@ static void judge_answers(const report *r, entry *e)
     int first = -1;
     for (int d = 0; d < r->drivers; d++) {
         const child_outcome *o = &e->outcome[d];
-        if (!answered(o, r->limits.decide))
+        if (!answered(o, r->limits.decide)) {
+            e->silent |= o->end != CHILD_CANNOT;
             continue;
+        }
         if (first < 0 && !r->driver[d]->inexact)
             first = d;
-        bool unlike = o->unlike || (first >= 0 && !same(&e->outcome[first], o, r->limits.decide));
-        e->wrong |= unlike && !r->driver[d]->inexact;
-        e->inexact += unlike && r->driver[d]->inexact;
+        e->unlike[d] = o->unlike || (first >= 0 && !same(&e->outcome[first], o, r->limits.decide));
+        e->wrong |= e->unlike[d] && !r->driver[d]->inexact;
     }
 }
 
@@ -62,7 +63,7 @@ static void put_seconds(double t)
         printf("%9.2f s ", t);
 }
 
-static void put_outcome(const child_outcome *o, double limit)
+static void put_outcome(const child_outcome *o)
 {
     char word[32];
     switch (o->end) {
@@ -70,7 +71,7 @@ static void put_outcome(const child_outcome *o, double limit)
         put_seconds(o->typical);
         return;
     case CHILD_TIME:
-        snprintf(word, sizeof word, "> %g s ", limit);
+        snprintf(word, sizeof word, "> %.3g s ", o->limit);
         break;
     case CHILD_GAVE_UP:
         snprintf(word, sizeof word, "gave up");
@@ -98,13 +99,18 @@ void report_line(const report *r, const entry *e)
     const problem *p = &e->problem;
     printf("%-20s%-9s%4d%5zu%4zu%5d", p->name, p->family, p->n, p->m, p->equalities, p->keep);
     for (int d = 0; d < r->drivers; d++)
-        put_outcome(&e->outcome[d], r->limits.seconds);
+        put_outcome(&e->outcome[d]);
     printf("  %-12s", e->best >= 0 ? r->driver[e->best]->name : "none");
     if (e->ratio > 0)
         printf("%9.2f", e->ratio);
     else
         printf("%9s", "");
-    printf("  %s\n", e->wrong ? "WRONG" : e->inexact ? "yes, but doubles" : "yes");
+    printf("  %s", e->wrong ? "WRONG:" : "yes");
+    for (int d = 0; d < r->drivers; d++) {
+        if (e->unlike[d])
+            printf(e->wrong ? " %s" : ", but not %s (doubles)", r->driver[d]->name);
+    }
+    printf("\n");
     fflush(stdout);
 }
 

@@ -10,10 +10,11 @@ enum { REPORT_DRIVERS = 16 };
 typedef struct entry {
     problem problem; /* its rows are gone */
     child_outcome outcome[REPORT_DRIVERS];
-    int best;     /* driver of the fastest peer that finished, -1 if none did */
-    double ratio; /* its time by fmb's; 0 if there is none or fmb has no time */
-    bool wrong;   /* some exact answers differ */
-    int inexact;  /* answers of inexact drivers that differ */
+    int best;                    /* driver of the fastest peer that finished, -1 if none did */
+    double ratio;                /* its time by fmb's; 0 if there is none or fmb has no time */
+    bool unlike[REPORT_DRIVERS]; /* answers that are not the first exact driver's */
+    bool wrong;                  /* some of them by exact drivers */
+    bool silent;                 /* some driver that is able to answer did not */
 } entry;
 
 typedef struct report {
@@ -24,7 +25,7 @@ typedef struct report {
     size_t entries;
 } report;
 
-/* Fills best, ratio, wrong and inexact of e from its outcomes. */
+/* Fills best, ratio, unlike and wrong of e from its outcomes. */
 void report_judge(const report *r, entry *e);
 void report_head(const report *r);
 void report_line(const report *r, const entry *e);
