@@ -9,6 +9,7 @@
 #include <fmb/io.h>
 #include <fmb/options.h>
 #include <fmb/proof.h>
+#include <fmb/rule.h>
 #include <fmb/solve.h>
 #include <fmb/system.h>
 #include <fmb/trace.h>

@@ -5,6 +5,7 @@
 #include <gmp.h>
 
 #include <fmb/proof.h>
+#include <fmb/rule.h>
 #include <fmb/solve.h>
 #include <fmb/system.h>
 
@@ -24,6 +25,10 @@ FMB_API void fmb_system_rhs_q(const fmb_system *s, size_t i, mpq_t b);
 
 /* Exact end of interval i of a box; false (and value untouched) unless the end is finite. */
 FMB_API bool fmb_box_end_q(const fmb_box *b, int i, fmb_side side, mpq_t value);
+
+/* Entry col of a row of a view; col = fmb_view_dim: the right side. And of a base row. */
+FMB_API void fmb_view_get(const fmb_view *w, size_t row, int col, mpz_t out);
+FMB_API void fmb_view_base_get(const fmb_view *w, size_t base, int col, mpz_t out);
 
 /* Multiplier of row r in claim i; coordinate j of its point, of its ray; its value. All 0 where the
  * claim has none. */

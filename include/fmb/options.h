@@ -20,7 +20,8 @@ typedef enum fmb_arith {
 typedef enum fmb_method {
     FMB_METHOD_AUTO = 0, /* by size and question */
     FMB_METHOD_FM,       /* elimination only (fmb_project and fmb_reduce still ask the oracle) */
-    FMB_METHOD_LP        /* exact simplex only (fmb_project still eliminates) */
+    FMB_METHOD_LP,       /* exact simplex only (fmb_project still eliminates) */
+    FMB_METHOD_FMPLEX    /* FMplex decides; everything else as with FM */
 } fmb_method;
 
 /* Which variable is eliminated next. */
@@ -31,11 +32,31 @@ typedef enum fmb_order {
     FMB_ORDER_FILL       /* least number of nonzeros in the combined rows */
 } fmb_order;
 
+/* When a rule that drops rows for other reasons than histories works beside one of histories, which
+ * then have to start anew from the rows at hand (a re-base; see fmb/rule.h). */
+typedef enum fmb_rebase {
+    FMB_REBASE_AUTO = 0, /* when it drops so many rows that it pays */
+    FMB_REBASE_ALWAYS,   /* whenever it drops a row */
+    FMB_REBASE_NEVER     /* such a mix is refused: FMB_ERR_RULE */
+} fmb_rebase;
+
+/* Instructions for the inner loops. */
+typedef enum fmb_simd {
+    FMB_SIMD_AUTO = 0, /* the widest that the processor has */
+    FMB_SIMD_PLAIN,    /* none: C */
+    FMB_SIMD_AVX2,
+    FMB_SIMD_AVX512 /* F, DQ and VPOPCNTDQ */
+} fmb_simd;
+
 typedef struct fmb_options {
     fmb_arith arith;
     fmb_method method;
     fmb_order order;
-    const char *rules;  /* comma list of pruning rules, "none", or NULL for the default; borrowed */
+    const char *rules; /* comma list of pruning rules, "none", or NULL for the default; borrowed */
+    fmb_rebase rebase;
+    const char *presolve; /* comma list of steps, "none", or NULL for all; borrowed */
+    fmb_simd simd;
+    bool trace_rows;    /* tell the watcher of every row that is made */
     bool evidence;      /* keep proofs, so that fmb_solver_evidence works */
     double max_seconds; /* wall clock per query [s]; 0 = no limit */
     size_t max_rows;    /* live rows [rows]; 0 = no limit */

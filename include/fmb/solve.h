@@ -23,6 +23,7 @@ typedef struct fmb_stats {
     uint64_t rounds;       /* variables eliminated by pairing rows */
     uint64_t pairs;        /* pairs of rows looked at */
     uint64_t rows_made;    /* rows combined */
+    uint64_t rows_kept;    /* of those, rows still there after the rules of their round */
     uint64_t rows_dropped; /* pairs and rows dropped by rules */
     uint64_t rows_peak;    /* most live rows at once */
     uint64_t promotions;   /* rows widened to GMP */

@@ -10,17 +10,36 @@ extern "C" {
 
 typedef enum fmb_event_kind {
     FMB_EVENT_BEGIN = 0, /* name: the query */
-    FMB_EVENT_ROUND,     /* a variable was eliminated */
-    FMB_EVENT_RULE,      /* name: the rule; rows_in - rows_out rows were dropped by it */
+    FMB_EVENT_ROUND,     /* a variable was eliminated: after the events of its rules and rows */
+    FMB_EVENT_RULE,      /* name: the rule, or "constant"; dropped: the pairs and rows it dropped */
     FMB_EVENT_LP,        /* an exact linear program begins, over rows_in rows */
-    FMB_EVENT_END        /* name: the verdict */
+    FMB_EVENT_END,       /* name: the verdict */
+    FMB_EVENT_ROW,       /* a row was made (options.trace_rows); row is set */
+    FMB_EVENT_REBASE     /* histories start anew from rows_in rows */
 } fmb_event_kind;
+
+/* A row just made, and what its history says about it. Bit sets are words of 64 bits, least first;
+ * they are the library's and good until the callback returns. */
+typedef struct fmb_row_event {
+    uint64_t row;              /* its number; base rows come first, from 0 */
+    uint64_t parent[2];        /* the rows combined */
+    const char *dropped_by;    /* the rule that dropped it, or NULL: it lives */
+    const uint64_t *history;   /* [history_words] base rows combined, or NULL: none are kept */
+    const uint64_t *effective; /* [column_words] columns effectively eliminated */
+    const uint64_t *implicit;  /* [column_words] columns implicitly eliminated */
+    size_t history_words, column_words;
+    int minimal; /* rank of the history: 1 minimal, 0 not, -1 not known */
+} fmb_row_event;
 
 typedef struct fmb_event {
     fmb_event_kind kind;
     int round, var; /* var: just eliminated, -1 if none */
     uint64_t rows_in, rows_out;
     uint64_t pairs;   /* pairs of rows looked at */
+    uint64_t made;    /* rows combined */
+    uint64_t dropped; /* pairs and rows dropped by rules */
+    uint64_t widened; /* rows widened to GMP */
+    const fmb_row_event *row;
     const char *name; /* static text, or NULL */
     double seconds;   /* since the query began [s] */
 } fmb_event;

@@ -79,6 +79,13 @@ static fmb_status run_sweep(const fmb_elim *e, sweep *s, uint32_t top, fmb_weigh
             st = fmb_weights_add(base, i, weight, mem);
             continue;
         }
+        if (r->q == FMB_NO_ROW) { /* the reverse of row p */
+            mpq_neg(weight, weight);
+            mpz_set_ui(s->alpha, 1);
+            mpq_set_ui(s->content, 1, 1);
+            st = push(s, r->p, s->alpha, weight, mem);
+            continue;
+        }
         factors(e, r, s);
         st = push(s, r->p, s->alpha, weight, mem);
         if (st == FMB_OK)

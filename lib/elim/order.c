@@ -1,12 +1,10 @@
 /* order.c: which variable goes next. A variant is a cost function; the least cost wins, ties go to
  * the lower index.
  *
- * Whatever the order, a variable in an equality goes first (substitution adds no rows), then one
- * whose column has one sign only (its rows just go).
+ * Unless a caller chooses, a variable in an equality goes first (substitution adds no rows), then
+ * one whose column has one sign only (its rows just go).
  */
-#include <string.h>
-
-#include "elim/elim.h"
+#include "elim/view.h"
 
 /* What a column looks like among the live rows. */
 typedef struct column {
@@ -15,29 +13,21 @@ typedef struct column {
     bool in_equality;
 } column;
 
-static size_t nonzeros(const fmb_elim *e, const fmb_derived *r)
+/* Count one row into its columns. */
+static void count_row(const fmb_elim *e, const fmb_derived *r, column *c)
 {
-    size_t count = 0;
-    for (int j = 0; j < e->n; j++)
-        count += fmb_vec_sgn(&r->v, (size_t)j) != 0;
-    return count;
-}
-
-static column look(const fmb_elim *e, int var)
-{
-    column c = {0};
-    bool fill = e->order == FMB_ORDER_FILL;
-    for (size_t i = 0; i < e->lives; i++) {
-        const fmb_derived *r = &e->row[e->live[i]];
-        int sign = fmb_vec_sgn(&r->v, (size_t)var);
+    size_t size = 0;
+    if (e->order == FMB_ORDER_FILL)
+        for (int j = 0; j < e->n; j++)
+            size += fmb_vec_sgn(&r->v, (size_t)j) != 0;
+    for (int j = 0; j < e->n; j++) {
+        int sign = fmb_vec_sgn(&r->v, (size_t)j);
         if (sign == 0)
             continue;
-        c.in_equality |= r->equality;
-        size_t size = fill ? nonzeros(e, r) : 0;
-        *(sign < 0 ? &c.lower : &c.upper) += 1;
-        *(sign < 0 ? &c.lower_size : &c.upper_size) += size;
+        c[j].in_equality |= r->equality;
+        *(sign < 0 ? &c[j].lower : &c[j].upper) += 1;
+        *(sign < 0 ? &c[j].lower_size : &c[j].upper_size) += size;
     }
-    return c;
 }
 
 static double pairs_cost(const column *c)
@@ -78,16 +68,22 @@ static bool is_done(const fmb_elim *e, int var)
     return false;
 }
 
-int fmb_elim_choose(const fmb_elim *e, const bool *drop)
+/* Whatever the order, equalities go first, then columns of one sign. */
+static int class_of(const fmb_elim *e, const column *c)
+{
+    bool onesided = c->lower == 0 || c->upper == 0;
+    if (c->in_equality)
+        return 0;
+    return onesided && fmb_elim_keeps(e, FMB_STEP_ONESIDED) ? 1 : 2;
+}
+
+static int cheapest(const fmb_elim *e, const column *c, const int *candidate, size_t n)
 {
     int best = -1, best_class = 0;
     double best_cost = 0;
-    for (int j = 0; j < e->n; j++) {
-        if (!drop[j] || is_done(e, j))
-            continue;
-        column c = look(e, j);
-        int class = c.in_equality ? 0 : c.lower == 0 || c.upper == 0 ? 1 : 2;
-        double cost = COST[e->order](&c);
+    for (size_t i = 0; i < n; i++) {
+        int j = candidate[i], class = class_of(e, &c[j]);
+        double cost = COST[e->order](&c[j]);
         if (best < 0 || class < best_class || (class == best_class && cost < best_cost)) {
             best = j;
             best_class = class;
@@ -95,4 +91,42 @@ int fmb_elim_choose(const fmb_elim *e, const bool *drop)
         }
     }
     return best;
+}
+
+static fmb_status ask_chooser(fmb_elim *e, const int *candidate, size_t n, int *var)
+{
+    fmb_window w;
+    fmb_window_open(&w, e, -1);
+    int chosen = e->chooser.choose(e->chooser.self, &w.view, candidate, n);
+    fmb_status st = fmb_window_close(&w);
+    bool known = false;
+    for (size_t i = 0; i < n; i++)
+        known |= candidate[i] == chosen;
+    if (st == FMB_OK && !known)
+        st = FMB_ERR_ARG;
+    *var = chosen;
+    return st;
+}
+
+fmb_status fmb_elim_choose(fmb_elim *e, const bool *drop, int *var)
+{
+    fmb_mem *mem = e->run->mem;
+    size_t n = (size_t)e->n, candidates = 0;
+    int *candidate = e->candidate;
+    for (int j = 0; j < e->n; j++)
+        if (drop[j] && !is_done(e, j))
+            candidate[candidates++] = j;
+    *var = candidates > 0 ? candidate[0] : -1;
+    if (candidates < 2)
+        return FMB_OK;
+    if (e->chooser.choose)
+        return ask_chooser(e, candidate, candidates, var);
+    column *c = fmb_mem_zero(mem, n, sizeof *c);
+    if (!c)
+        return fmb_mem_status(mem);
+    for (size_t i = 0; i < e->live.size; i++)
+        count_row(e, &e->row[e->live.row[i]], c);
+    *var = cheapest(e, c, candidate, candidates);
+    fmb_mem_put(mem, c, n, sizeof *c);
+    return FMB_OK;
 }

@@ -1,31 +1,19 @@
 /* prune.c: what the rules say at the end of a round; keeps history rules and the others apart. */
 #include <string.h>
 
-#include "elim/elim.h"
+#include "elim/view.h"
 
-/* The live rows as a rule sees them, made primitive; belongs to run->mem. */
-static fmb_status look(fmb_elim *e, fmb_live **out)
+static bool breaks_histories(const fmb_elim *e, const fmb_rule *rule)
 {
-    fmb_live *w = fmb_mem_get(e->run->mem, e->lives, sizeof *w);
-    fmb_status st = w ? FMB_OK : fmb_mem_status(e->run->mem);
-    for (size_t i = 0; st == FMB_OK && i < e->lives; i++) {
-        fmb_derived *r = &e->row[e->live[i]];
-        st = fmb_vec_reduce(&r->v, (size_t)e->n + 1, &e->num);
-        w[i] = (fmb_live){&r->v, r->history, r->strict, r->equality};
-    }
-    if (st == FMB_OK)
-        *out = w;
-    else
-        fmb_mem_put(e->run->mem, w, e->lives, sizeof *w);
-    return st;
+    return e->histories && (rule->flags & FMB_RULE_BREAKS_HISTORY) != 0;
 }
 
 /* A rule that breaks histories costs Kohler's count, which starts anew: worth it for many rows
  * only. */
 static bool pays(const fmb_elim *e, const fmb_rule *rule, size_t marked)
 {
-    bool breaks = (rule->flags & FMB_RULE_BREAKS_HISTORY) != 0;
-    return marked > 0 && (!breaks || !e->histories || 4 * marked >= e->lives);
+    bool always = !breaks_histories(e, rule) || e->rebase == FMB_REBASE_ALWAYS;
+    return marked > 0 && (always || 4 * marked >= e->live.size);
 }
 
 /* With few rows it cannot: the rows are not even looked at. */
@@ -33,57 +21,66 @@ static bool pays(const fmb_elim *e, const fmb_rule *rule, size_t marked)
 
 static bool can_pay(const fmb_elim *e, const fmb_rule *rule)
 {
-    bool breaks = (rule->flags & FMB_RULE_BREAKS_HISTORY) != 0;
-    return rule->end_round && e->lives > 0 &&
-           (!breaks || !e->histories || e->lives >= WORTH_LOOKING);
+    bool always = !breaks_histories(e, rule) || e->rebase == FMB_REBASE_ALWAYS;
+    return rule->end_round && e->live.size > 0 && (always || e->live.size >= WORTH_LOOKING);
 }
 
-static void drop_marked(fmb_elim *e, const bool *drop)
+static size_t drop_marked(fmb_elim *e, const bool *drop)
 {
-    size_t left = 0;
-    for (size_t i = 0; i < e->lives; i++)
+    size_t left = 0, before = e->live.size;
+    for (size_t i = 0; i < before; i++)
         if (!drop[i])
-            e->live[left++] = e->live[i];
-    e->run->stats.rows_dropped += e->lives - left;
-    e->lives = left;
+            e->live.row[left++] = e->live.row[i];
+    e->run->stats.rows_dropped += before - left;
+    e->live.size = left;
+    return before - left;
 }
 
-static fmb_status apply(fmb_elim *e, const fmb_rule *rule, const fmb_live *rows, int var)
+static fmb_status apply(fmb_elim *e, fmb_worker *worker, int var)
 {
     fmb_mem *mem = e->run->mem;
-    size_t before = e->lives, marked = 0;
-    fmb_view w = {e->n, e->since, e->words, e->lives, rows};
-    bool *drop = fmb_mem_zero(mem, before, sizeof *drop);
+    size_t rows = e->live.size, marked = 0;
+    fmb_window w;
+    bool *drop = fmb_mem_zero(mem, rows, sizeof *drop);
     if (!drop)
         return fmb_mem_status(mem);
-    fmb_status st = rule->end_round(rule->state, &w, mem, drop, &marked);
-    if (st == FMB_OK && pays(e, rule, marked)) {
-        drop_marked(e, drop);
-        if (rule->flags & FMB_RULE_BREAKS_HISTORY)
+    fmb_window_open(&w, e, var);
+    fmb_status said = worker->rule->end_round(worker->state, &w.view, drop);
+    fmb_status st = fmb_window_close(&w);
+    st = st != FMB_OK ? st : said;
+    for (size_t i = 0; i < rows; i++)
+        marked += drop[i];
+    if (st == FMB_OK && pays(e, worker->rule, marked)) {
+        worker->dropped += drop_marked(e, drop);
+        if (worker->rule->flags & FMB_RULE_BREAKS_HISTORY)
             e->based = false;
-        fmb_run_emit(e->run, (fmb_event){.kind = FMB_EVENT_RULE,
-                                         .round = e->rounds,
-                                         .var = var,
-                                         .rows_in = before,
-                                         .rows_out = e->lives,
-                                         .name = rule->name});
     }
-    fmb_mem_put(mem, drop, before, sizeof *drop);
+    fmb_mem_put(mem, drop, rows, sizeof *drop);
     return st;
 }
 
-fmb_status fmb_elim_prune(fmb_elim *e, int var)
+static fmb_status reduce_rows(fmb_elim *e)
 {
     fmb_status st = FMB_OK;
-    for (int k = 0; st == FMB_OK && k < e->rules; k++) {
-        if (!can_pay(e, e->rule[k]))
+    for (size_t i = 0; st == FMB_OK && i < e->live.size; i++)
+        st = fmb_vec_reduce(&e->row[e->live.row[i]].v, (size_t)e->n + 1, &e->num);
+    return st;
+}
+
+fmb_status fmb_elim_end_round(fmb_elim *e, int var)
+{
+    fmb_status st = FMB_OK;
+    for (int k = 0; st == FMB_OK && k < e->workers; k++) {
+        if (!can_pay(e, e->worker[k].rule))
             continue;
-        size_t seen = e->lives;
-        fmb_live *rows;
-        if ((st = look(e, &rows)) != FMB_OK)
-            return st;
-        st = apply(e, e->rule[k], rows, var);
-        fmb_mem_put(e->run->mem, rows, seen, sizeof *rows);
+        st = reduce_rows(e);
+        if (st == FMB_OK)
+            st = apply(e, &e->worker[k], var);
     }
     return st;
+}
+
+fmb_status fmb_elim_prune(fmb_elim *e)
+{
+    return fmb_elim_end_round(e, -1);
 }

@@ -89,9 +89,10 @@ static fmb_status cancel_small(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b,
     if ((pa > qb ? pa : qb) + 1 > FMB_SMALL_BITS)
         return cancel_128(dst, a, b, n, p, q, k);
     fmb_vec_clear(dst, n, k->mem);
-    for (size_t i = 0; i < n; i++)
-        dst->s[i] = p * a->s[i] + q * b->s[i];
-    fmb_vec_measure(dst, n);
+    bool narrow = (bc / g | ac / g) >> 31 == 0 && a->bits <= 31 && b->bits <= 31;
+    uint64_t all =
+        (narrow ? k->kernels->combine_narrow : k->kernels->combine)(dst->s, a->s, b->s, n, p, q);
+    dst->bits = fmb_bits64(all);
     if (dst->bits > FMB_LAZY_BITS)
         fmb_vec_reduce_small(dst, n);
     return FMB_OK;

@@ -7,7 +7,8 @@
 
 fmb_status fmb_num_init(fmb_num *k, fmb_mem *mem, size_t n, bool wide_only)
 {
-    *k = (fmb_num){.mem = mem, .wide_only = wide_only};
+    *k =
+        (fmb_num){.mem = mem, .wide_only = wide_only, .kernels = fmb_kernels_choose(FMB_SIMD_AUTO)};
     k->scratch = fmb_mem_get(mem, n, sizeof *k->scratch);
     if (!k->scratch)
         return fmb_mem_status(mem);

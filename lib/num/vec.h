@@ -11,6 +11,7 @@
 #include <gmp.h>
 
 #include "base/mem.h"
+#include "num/kernels.h"
 
 #define FMB_SMALL_BITS 62
 /* Up to this size a combination is left as it is: two such can be combined without leaving int64.
@@ -30,10 +31,11 @@ typedef struct fmb_vec {
 /* What the operations need: where wide entries are allocated, and scratch. */
 typedef struct fmb_num {
     fmb_mem *mem;
-    bool wide_only;      /* keep every vec wide (options.arith = gmp) */
-    uint64_t promotions; /* small vecs that became wide */
-    mpz_t p, q, t;       /* scratch */
-    fmb_i128 *scratch;   /* [scratch_size] */
+    bool wide_only;             /* keep every vec wide (options.arith = gmp) */
+    const fmb_kernels *kernels; /* the best that there are, unless the owner takes others */
+    uint64_t promotions;        /* small vecs that became wide */
+    mpz_t p, q, t;              /* scratch */
+    fmb_i128 *scratch;          /* [scratch_size] */
     size_t scratch_size;
 } fmb_num;
 

@@ -6,20 +6,21 @@
  * extreme ray has at most rank(A_k) + 1 <= k + 1 elements. The union of the parents' histories is
  * the history of the new row, so the test needs no arithmetic. Source: Kohler 1967, Projections of
  * convex polyhedral sets.
+ *
+ * A number to check: on the six systems of tests/regress no row with more than k + 1 base rows is
+ * ever made; 3D moving cuboids need about 69 rows with it, and about 49,000 without.
  */
 #include "rule/rule.h"
 
-static bool drop_pair(const fmb_view *w, const uint64_t *a, const uint64_t *b)
+static void drop_pairs(void *state, const fmb_view *w, size_t i, uint64_t *drop)
 {
-    int size = 0;
-    for (size_t i = 0; i < w->words; i++)
-        size += __builtin_popcountll(a[i] | b[i]);
-    return size > w->eliminated + 1;
+    (void)state;
+    fmb_view_drop_larger(w, i, fmb_view_eliminated(w) + 1, drop);
 }
 
 const fmb_rule fmb_rule_kohler = {
     .name = "kohler",
     .source = "Kohler1967",
     .flags = FMB_RULE_NEEDS_HISTORY,
-    .drop_pair = drop_pair,
+    .drop_pairs = drop_pairs,
 };

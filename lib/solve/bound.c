@@ -112,8 +112,8 @@ static uint32_t tightest(const job *j, const fmb_elim *e, mpq_t value)
     uint32_t best = FMB_NO_ROW;
     mpq_t t, a;
     mpq_inits(t, a, NULL);
-    for (size_t i = 0; i < e->lives; i++) {
-        const fmb_derived *r = &e->row[e->live[i]];
+    for (size_t i = 0; i < e->live.size; i++) {
+        const fmb_derived *r = &e->row[e->live.row[i]];
         int s = fmb_vec_sgn(&r->v, (size_t)j->column);
         if (s == 0 || (!r->equality && s != j->sign))
             continue;
@@ -124,7 +124,7 @@ static uint32_t tightest(const job *j, const fmb_elim *e, mpq_t value)
         mpq_div(t, t, a);
         int order = best == FMB_NO_ROW ? -1 : mpq_cmp(t, value) * j->sign;
         if (order < 0 || (order == 0 && r->strict && !e->row[best].strict)) {
-            best = e->live[i];
+            best = e->live.row[i];
             mpq_set(value, t);
         }
     }
@@ -183,7 +183,7 @@ static fmb_status eliminate_others(const job *j, fmb_elim *e)
         return fmb_mem_status(q->run.mem);
     for (int i = 0; i < j->p->n; i++)
         drop[i] = i != j->column;
-    fmb_status st = fmb_query_load(q, j->p, q->v->rule, q->v->rules, e);
+    fmb_status st = fmb_query_load(q, j->p, true, e);
     return st == FMB_OK ? fmb_elim_eliminate(e, drop) : st;
 }
 

@@ -33,7 +33,7 @@ static fmb_status eliminate_all(fmb_query *q, const fmb_part *p, size_t budget, 
         return fmb_mem_status(q->run.mem);
     for (int j = 0; j < p->n; j++)
         drop[j] = true;
-    fmb_status st = fmb_query_load(q, p, q->v->rule, q->v->rules, &e);
+    fmb_status st = fmb_query_load(q, p, false, &e);
     e.budget = budget;
     if (st == FMB_OK)
         st = fmb_elim_eliminate(&e, drop);

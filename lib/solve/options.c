@@ -1,7 +1,7 @@
 /* options.c: the one table of options. */
-#include <fmb/options.h>
-
 #include <string.h>
+
+#include "solve/solver.h"
 
 typedef enum kind { WORD, FLAG, TEXT, SECONDS, COUNT } kind;
 
@@ -13,15 +13,18 @@ typedef struct entry {
 } entry;
 
 static const char *const ARITH[] = {"auto", "int", "gmp", NULL};
-static const char *const METHOD[] = {"auto", "fm", "lp", NULL};
+static const char *const METHOD[] = {"auto", "fm", "lp", "fmplex", NULL};
 static const char *const ORDER[] = {"pairs", "given", "min", "fill", NULL};
+
+static const char *const REBASE[] = {"auto", "always", "never", NULL};
+static const char *const SIMD[] = {"auto", "plain", "avx2", "avx512", NULL};
 
 static const entry TABLE[] = {
     {{"arith", "auto|int|gmp", "auto", "Arithmetic of rows: int64 widening to GMP, or GMP only."},
      WORD,
      offsetof(fmb_options, arith),
      ARITH},
-    {{"method", "auto|fm|lp", "auto", "Fourier-Motzkin elimination, exact simplex, or by size."},
+    {{"method", "auto|fm|lp|fmplex", "auto", "Elimination, exact simplex, FMplex, or by size."},
      WORD,
      offsetof(fmb_options, method),
      METHOD},
@@ -29,9 +32,27 @@ static const entry TABLE[] = {
      WORD,
      offsetof(fmb_options, order),
      ORDER},
-    {{"rules", "LIST|none", "kohler,duplicate,lp", "Pruning rules, separated by commas."},
+    {{"rules", "LIST|none", "kohler,chernikov,box,duplicate,lp",
+      "Pruning rules, separated by commas."},
      TEXT,
      offsetof(fmb_options, rules),
+     NULL},
+    {{"rebase", "auto|always|never", "auto", "When other rules may interrupt history rules."},
+     WORD,
+     offsetof(fmb_options, rebase),
+     REBASE},
+    {{"presolve", "LIST|none", "equalities,components,onesided,bounds,refute",
+      "Steps before and beside the elimination, separated by commas."},
+     TEXT,
+     offsetof(fmb_options, presolve),
+     NULL},
+    {{"simd", "auto|plain|avx2|avx512", "auto", "Instructions for the inner loops."},
+     WORD,
+     offsetof(fmb_options, simd),
+     SIMD},
+    {{"trace_rows", "true|false", "false", "Put every row that is made into the trace."},
+     FLAG,
+     offsetof(fmb_options, trace_rows),
      NULL},
     {{"evidence", "true|false", "true", "Keep the numbers that prove the answer."},
      FLAG,
@@ -67,6 +88,11 @@ static const entry *find(const char *name)
         if (strcmp(TABLE[i].info.name, name) == 0)
             return &TABLE[i];
     return NULL;
+}
+
+const char *fmb_options_initial(const char *name)
+{
+    return find(name)->info.initial;
 }
 
 static fmb_status set_word(const entry *e, const char *value, void *field)

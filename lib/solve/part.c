@@ -25,6 +25,18 @@ static void connect(const fmb_system *s, int *up, bool *used)
     }
 }
 
+/* One component of all variables that a row names. */
+static void join_all(int *up, const bool *used, size_t dim)
+{
+    int first = -1;
+    for (size_t j = 0; j < dim; j++) {
+        if (!used[j])
+            continue;
+        first = first < 0 ? (int)j : first;
+        up[j] = first;
+    }
+}
+
 static bool is_false(const fmb_sysrow *r)
 {
     int b = fmb_vec_sgn(&r->val, 0);
@@ -118,7 +130,7 @@ static fmb_status load(fmb_parts *p, const fmb_system *s, fmb_run *run, fmb_aren
 }
 
 fmb_status fmb_parts_split(fmb_parts *p, const fmb_system *s, fmb_run *run, fmb_arena *arena,
-                           bool wide_only)
+                           bool wide_only, bool components)
 {
     size_t dim = (size_t)fmb_system_dim(s);
     *p = (fmb_parts){.false_row = SIZE_MAX};
@@ -135,6 +147,8 @@ fmb_status fmb_parts_split(fmb_parts *p, const fmb_system *s, fmb_run *run, fmb_
         p->part[j] = (fmb_part){0};
     }
     connect(s, up, used);
+    if (!components)
+        join_all(up, used, dim);
     count(p, s, up, used);
     fmb_num k;
     fmb_status st = fmb_num_init(&k, run->mem, 1, wide_only);

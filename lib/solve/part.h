@@ -31,7 +31,7 @@ typedef struct fmb_parts {
 
 /* Split s. Everything is in the arena but wide entries, which fmb_parts_clear releases. */
 fmb_status fmb_parts_split(fmb_parts *p, const fmb_system *s, fmb_run *run, fmb_arena *arena,
-                           bool wide_only);
+                           bool wide_only, bool components);
 void fmb_parts_clear(fmb_parts *p, fmb_mem *mem);
 
 /* The factor that turns a multiplier of the part's primitive row into one of row `source` as

@@ -1,13 +1,18 @@
 /* prune_lp.c: redundancy by linear programs while eliminating; see prune_lp.h.
  *
  * Each row is tested against those still there, so what goes is implied by what stays. Not a rule
- * of histories: the engine re-bases after it.
+ * of histories: the engine re-bases after it. Source: Schrijver 1986.
  */
 #include "solve/prune_lp.h"
 
 #include <assert.h>
 
+#include "elim/view.h"
 #include "solve/irredundant.h"
+
+typedef struct patience {
+    size_t next; /* rows from which on it looks again; 0: it has not looked */
+} patience;
 
 /* What the oracle needs of the live rows. */
 typedef struct rows {
@@ -24,30 +29,31 @@ static void close_rows(rows *a, fmb_mem *mem)
     fmb_mem_put(mem, a->fate, a->size, sizeof *a->fate);
 }
 
-static fmb_status open_rows(rows *a, const fmb_view *w, fmb_mem *mem)
+static fmb_status open_rows(rows *a, const fmb_elim *e)
 {
-    *a = (rows){.size = w->rows};
-    a->row = fmb_mem_get(mem, w->rows, sizeof *a->row);
-    a->rel = fmb_mem_get(mem, w->rows, sizeof *a->rel);
-    a->fate = fmb_mem_zero(mem, w->rows, sizeof *a->fate);
+    fmb_mem *mem = e->run->mem;
+    *a = (rows){.size = e->live.size};
+    a->row = fmb_mem_get(mem, a->size, sizeof *a->row);
+    a->rel = fmb_mem_get(mem, a->size, sizeof *a->rel);
+    a->fate = fmb_mem_zero(mem, a->size, sizeof *a->fate);
     if (!a->row || !a->rel || !a->fate) {
         fmb_status st = fmb_mem_status(mem);
         close_rows(a, mem);
         return st;
     }
-    for (size_t i = 0; i < w->rows; i++) {
-        const fmb_live *r = &w->row[i];
+    for (size_t i = 0; i < a->size; i++) {
+        const fmb_derived *r = &e->row[e->live.row[i]];
         a->rel[i] = r->equality ? FMB_EQ : r->strict ? FMB_LT : FMB_LE;
-        a->row[i] = (fmb_lp_row){r->v, a->rel[i]};
+        a->row[i] = (fmb_lp_row){&r->v, a->rel[i]};
     }
     return FMB_OK;
 }
 
-static fmb_status ask(const fmb_prune_lp *p, int n, rows *a)
+static fmb_status ask(const fmb_elim *e, rows *a)
 {
     fmb_lp lp;
     bool feasible = false;
-    fmb_status st = fmb_lp_init(&lp, p->run, n, a->size, a->row, p->wide_only);
+    fmb_status st = fmb_lp_init(&lp, e->run, e->n, a->size, a->row, e->num.wide_only);
     if (st == FMB_OK)
         st = fmb_lp_feasible(&lp, &feasible);
     if (st == FMB_OK) {
@@ -58,31 +64,30 @@ static fmb_status ask(const fmb_prune_lp *p, int n, rows *a)
     return st;
 }
 
-static fmb_status end_round(void *state, const fmb_view *w, fmb_mem *mem, bool *drop,
-                            size_t *marked)
+static fmb_status end_round(void *state, const fmb_view *w, bool *drop)
 {
-    fmb_prune_lp *p = state;
+    patience *p = state;
     rows a;
-    if (w->rows < p->next)
+    size_t marked = 0, size = fmb_view_rows(w);
+    if (p->next == 0)
+        p->next = 2 * fmb_view_bases(w) + 16;
+    if (fmb_view_column(w) >= 0 && size < p->next)
         return FMB_OK;
-    fmb_status st = open_rows(&a, w, mem);
+    fmb_status st = open_rows(&a, w->e);
     if (st != FMB_OK)
         return st;
-    st = ask(p, w->n, &a);
-    for (size_t i = 0; i < w->rows; i++) {
+    st = ask(w->e, &a);
+    for (size_t i = 0; i < size; i++) {
         drop[i] = a.fate[i] == FMB_FATE_REDUNDANT;
-        *marked += drop[i];
+        marked += drop[i];
     }
-    close_rows(&a, mem);
-    p->next = 2 * (w->rows - *marked) + 16;
+    close_rows(&a, w->e->run->mem);
+    p->next = 2 * (size - marked) + 16;
     return st;
 }
 
-fmb_rule fmb_prune_lp_rule(fmb_prune_lp *state)
-{
-    return (fmb_rule){.name = "lp",
-                      .source = "Schrijver1986",
-                      .flags = FMB_RULE_BREAKS_HISTORY,
-                      .end_round = end_round,
-                      .state = state};
-}
+const fmb_rule fmb_rule_lp = {.name = "lp",
+                              .source = "Schrijver1986",
+                              .flags = FMB_RULE_BREAKS_HISTORY,
+                              .state_bytes = sizeof(patience),
+                              .end_round = end_round};

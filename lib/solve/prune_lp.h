@@ -1,17 +1,11 @@
-/* prune_lp.h: the rule "lp": live rows that the others imply go, once there are many. */
+/* prune_lp.h: the rule "lp": redundancy by exact linear programs while eliminating. */
 #ifndef FMB_SOLVE_PRUNE_LP_H
 #define FMB_SOLVE_PRUNE_LP_H
 
-#include "rule/rule.h"
-#include "trace/run.h"
+#include <fmb/rule.h>
 
-typedef struct fmb_prune_lp {
-    fmb_run *run;
-    bool wide_only;
-    size_t next; /* live rows from which the rule acts: twice what the last time left */
-} fmb_prune_lp;
-
-/* The rule, with its state (borrowed). */
-fmb_rule fmb_prune_lp_rule(fmb_prune_lp *state);
+/* For systems that are known to be feasible. It looks at the rows when they have doubled since it
+ * looked last, and whenever it is asked between rounds. */
+extern const fmb_rule fmb_rule_lp;
 
 #endif

@@ -5,7 +5,6 @@
 
 #include "elim/derive.h"
 #include "solve/irredundant.h"
-#include "solve/prune_lp.h"
 #include "system/system.h"
 
 /* One part on its way. Row k of the oracle is row e.live[k] of the store. */
@@ -28,7 +27,7 @@ typedef struct shadow {
 static fmb_status derive(const shadow *h, fmb_weights *w)
 {
     for (size_t i = 0; i < w->size; i++)
-        w->index[i] = h->e.live[w->index[i]];
+        w->index[i] = h->e.live.row[w->index[i]];
     return fmb_elim_derive(&h->e, w);
 }
 
@@ -82,7 +81,7 @@ static fmb_status push_row(shadow *h, size_t k, int sign, fmb_sparse *list)
 
 static fmb_status fill_claim(shadow *h, size_t k, fmb_claim *claim)
 {
-    const fmb_derived *r = &h->e.row[h->e.live[k]];
+    const fmb_derived *r = &h->e.row[h->e.live.row[k]];
     fmb_status st = FMB_OK;
     claim->rel = h->fate[k] == FMB_FATE_EQUALITY ? FMB_EQ : h->rel[k];
     fmb_vec_get(&r->v, (size_t)h->p->n, mpq_numref(claim->value));
@@ -123,7 +122,7 @@ static fmb_status claim_row(shadow *h, size_t k)
 /* Oracle row k as a row of the projection. */
 static fmb_status append_row(shadow *h, size_t k)
 {
-    const fmb_derived *r = &h->e.row[h->e.live[k]];
+    const fmb_derived *r = &h->e.row[h->e.live.row[k]];
     size_t n = (size_t)h->p->n, terms = 0;
     fmb_mem *mem = h->q->run.mem;
     mpz_t *z = fmb_mem_get(mem, n + 2, sizeof *z);
@@ -155,7 +154,7 @@ static fmb_status thin_out(shadow *h)
 {
     fmb_verdicts told = {NULL, note_equality, NULL, h};
     fmb_status st = fmb_irredundant(&h->lp, h->rel, h->fate, h->q->evidence ? &told : NULL);
-    for (size_t k = 0; st == FMB_OK && k < h->e.lives; k++) {
+    for (size_t k = 0; st == FMB_OK && k < h->e.live.size; k++) {
         if (h->fate[k] == FMB_FATE_REDUNDANT)
             continue;
         st = append_row(h, k);
@@ -170,7 +169,7 @@ static fmb_status thin_out(shadow *h)
 static fmb_status open_oracle(shadow *h)
 {
     fmb_arena *arena = &h->q->v->arena;
-    size_t m = h->e.lives;
+    size_t m = h->e.live.size;
     fmb_lp_row *rows = fmb_arena_get(arena, m, sizeof *rows);
     h->rel = fmb_arena_get(arena, m, sizeof *h->rel);
     h->fate = fmb_arena_get(arena, m, sizeof *h->fate);
@@ -178,7 +177,7 @@ static fmb_status open_oracle(shadow *h)
     if (!rows || !h->rel || !h->fate || !reverse)
         return fmb_mem_status(arena->mem);
     for (size_t k = 0; k < m; k++) {
-        fmb_derived *r = &h->e.row[h->e.live[k]];
+        fmb_derived *r = &h->e.row[h->e.live.row[k]];
         fmb_status st = fmb_vec_reduce(&r->v, (size_t)h->e.n + 1, &h->e.num);
         if (st != FMB_OK)
             return st;
@@ -196,7 +195,7 @@ static void close_shadow(shadow *h)
 {
     if (h->has_lp)
         fmb_lp_clear(&h->lp);
-    for (size_t k = 0; h->reverse && k < h->e.lives; k++)
+    for (size_t k = 0; h->reverse && k < h->e.live.size; k++)
         fmb_weights_clear(&h->reverse[k], h->q->run.mem);
     fmb_elim_clear(&h->e);
 }
@@ -211,25 +210,14 @@ static bool is_crowded(const fmb_part *p)
 static fmb_status eliminate(shadow *h)
 {
     fmb_query *q = h->q;
-    const fmb_solver *v = q->v;
-    fmb_prune_lp state = {&q->run, fmb_query_is_wide(q), 2 * h->p->m + 16};
-    fmb_rule lp_rule = fmb_prune_lp_rule(&state);
-    const fmb_rule *rule[FMB_MAX_RULES];
-    int rules = 0;
-    for (; rules < v->rules && rules < FMB_MAX_RULES - 1; rules++)
-        rule[rules] = v->rule[rules];
-    if (v->prunes_by_lp)
-        rule[rules++] = &lp_rule;
     bool *drop = fmb_arena_get(&q->v->arena, (size_t)h->p->n, sizeof *drop);
     if (!drop)
         return fmb_mem_status(q->run.mem);
     for (int j = 0; j < h->p->n; j++)
         drop[j] = h->place[h->p->var[j]] < 0;
-    fmb_status st = fmb_query_load(q, h->p, rule, rules, &h->e);
-    if (st == FMB_OK && v->prunes_by_lp && is_crowded(h->p)) {
-        state.next = 0;
-        st = fmb_elim_prune(&h->e, -1);
-    }
+    fmb_status st = fmb_query_load(q, h->p, true, &h->e);
+    if (st == FMB_OK && is_crowded(h->p))
+        st = fmb_elim_prune(&h->e);
     return st == FMB_OK ? fmb_elim_eliminate(&h->e, drop) : st;
 }
 

@@ -3,32 +3,15 @@
 
 #include <string.h>
 
-/* Read the comma list of rules. */
-static fmb_status choose_rules(fmb_solver *v)
-{
-    const char *at = v->options.rules ? v->options.rules : "kohler,duplicate,lp";
-    if (strcmp(at, "none") == 0)
-        return FMB_OK;
-    for (;; at++) {
-        size_t size = strcspn(at, ",");
-        const fmb_rule *rule = fmb_rule_find(at, size);
-        if (size == 2 && memcmp(at, "lp", 2) == 0)
-            v->prunes_by_lp = true;
-        else if (!rule || v->rules == FMB_MAX_RULES)
-            return FMB_ERR_RULE;
-        else
-            v->rule[v->rules++] = rule;
-        at += size;
-        if (!*at)
-            return FMB_OK;
-    }
-}
+#include "solve/prune_lp.h"
 
 static bool is_sound(const fmb_options *o)
 {
     return o->arith >= FMB_ARITH_AUTO && o->arith <= FMB_ARITH_GMP &&
-           o->method >= FMB_METHOD_AUTO && o->method <= FMB_METHOD_LP &&
-           o->order >= FMB_ORDER_PAIRS && o->order <= FMB_ORDER_FILL && o->max_seconds >= 0;
+           o->method >= FMB_METHOD_AUTO && o->method <= FMB_METHOD_FMPLEX &&
+           o->order >= FMB_ORDER_PAIRS && o->order <= FMB_ORDER_FILL &&
+           o->rebase >= FMB_REBASE_AUTO && o->rebase <= FMB_REBASE_NEVER &&
+           fmb_kernels_choose(o->simd) && o->max_seconds >= 0;
 }
 
 fmb_status fmb_solver_new(const fmb_options *o, const fmb_alloc *hook, fmb_solver **out)
@@ -45,8 +28,8 @@ fmb_status fmb_solver_new(const fmb_options *o, const fmb_alloc *hook, fmb_solve
     v->options = options;
     atomic_init(&v->cancel, 0);
     fmb_arena_init(&v->arena, &v->mem);
-    fmb_status st = choose_rules(v);
-    v->options.rules = NULL; /* it was borrowed */
+    fmb_status st = fmb_rules_read(v, &options);
+    v->options.rules = v->options.presolve = NULL; /* they were borrowed */
     if (st == FMB_OK)
         *out = v;
     else
@@ -67,6 +50,11 @@ void fmb_solver_free(fmb_solver *v)
 void fmb_solver_cancel(fmb_solver *v)
 {
     atomic_store_explicit(&v->cancel, 1, memory_order_relaxed);
+}
+
+void fmb_solver_set_chooser(fmb_solver *v, fmb_chooser chooser)
+{
+    v->chooser = chooser;
 }
 
 void fmb_solver_set_sink(fmb_solver *v, fmb_sink sink)
@@ -109,9 +97,12 @@ fmb_status fmb_query_begin(fmb_query *q, fmb_solver *v, const fmb_system *s, con
     fmb_arena_reset(&v->arena);
     atomic_store_explicit(&v->cancel, 0, memory_order_relaxed);
     fmb_run_begin(&q->run, &v->mem, &v->options, &v->cancel, v->sink, name);
-    fmb_status st = open_evidence(q);
+    fmb_status st = fmb_rules_agree(v, name);
     if (st == FMB_OK)
-        st = fmb_parts_split(&q->parts, s, &q->run, &v->arena, fmb_query_is_wide(q));
+        st = open_evidence(q);
+    if (st == FMB_OK)
+        st = fmb_parts_split(&q->parts, s, &q->run, &v->arena, fmb_query_is_wide(q),
+                             (v->steps & FMB_STEP_COMPONENTS) != 0);
     if (st != FMB_OK)
         return st;
     size_t parts = (size_t)q->parts.count;
@@ -164,15 +155,30 @@ fmb_status fmb_query_oracle(fmb_query *q, int part, fmb_lp **out)
     return fmb_lp_init(lp, &q->run, p->n, p->m, rows, fmb_query_is_wide(q));
 }
 
-fmb_status fmb_query_load(fmb_query *q, const fmb_part *p, const fmb_rule *const *rule, int rules,
-                          fmb_elim *e)
+fmb_status fmb_query_load(fmb_query *q, const fmb_part *p, bool feasible, fmb_elim *e)
 {
+    const fmb_solver *v = q->v;
+    const fmb_rule *rule[FMB_MAX_RULES];
+    int rules = 0;
+    for (int k = 0; k < v->rules; k++)
+        if (feasible || v->rule[k] != &fmb_rule_lp)
+            rule[rules++] = v->rule[k];
+    fmb_elim_options o = {.order = v->options.order,
+                          .rebase = v->options.rebase,
+                          .steps = v->steps,
+                          .wide_only = fmb_query_is_wide(q),
+                          .chooser = v->chooser,
+                          .rule = rule,
+                          .rules = rules};
     q->run.var_of = p->var;
-    fmb_status st = fmb_elim_init(e, &q->run, &q->v->arena, p->n, &q->v->options, rule, rules);
+    fmb_status st = fmb_elim_init(e, &q->run, &q->v->arena, p->n, &o);
     for (size_t i = 0; st == FMB_OK && i < p->m; i++)
         st = fmb_elim_add(e, &p->row[i], p->rel[i]);
-    if (e->lives > q->run.stats.rows_peak)
-        q->run.stats.rows_peak = e->lives;
+    for (size_t i = 0; st == FMB_OK && !(v->steps & FMB_STEP_EQUALITIES) && i < p->m; i++)
+        if (p->rel[i] == FMB_EQ)
+            st = fmb_elim_split(e, (uint32_t)i);
+    if (e->live.size > q->run.stats.rows_peak)
+        q->run.stats.rows_peak = e->live.size;
     return st;
 }
 

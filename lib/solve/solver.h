@@ -18,9 +18,11 @@ struct fmb_solver {
     fmb_mem mem;
     fmb_arena arena;
     fmb_options options;
-    const fmb_rule *rule[FMB_MAX_RULES]; /* history and duplicate rules in use */
+    const fmb_rule *rule[FMB_MAX_RULES];
     int rules;
-    bool prunes_by_lp; /* the rule "lp" */
+    unsigned steps; /* of fmb_step: options.presolve */
+    fmb_chooser chooser;
+    char trouble[160]; /* why the last query returned FMB_ERR_RULE */
     atomic_int cancel;
     fmb_sink sink;
     bool answered;          /* the last query ended without an error */
@@ -38,7 +40,7 @@ typedef struct fmb_query {
     fmb_lp **lp; /* [parts] oracle of each part, or NULL */
 } fmb_query;
 
-/* Start: split s into parts. name is for the watcher. */
+/* Start: split s into parts. name is for the watcher. Errors: RULE, MEMORY. */
 fmb_status fmb_query_begin(fmb_query *q, fmb_solver *v, const fmb_system *s, const char *name);
 /* End: release everything, turn a limit into a result. The status to return from the verb; *res is
  * set when it is FMB_OK. */
@@ -57,9 +59,16 @@ fmb_status fmb_query_decide(fmb_query *q, bool oracles, fmb_verdict *out);
 fmb_status fmb_query_oracle(fmb_query *q, int part, fmb_lp **out);
 
 /* A fresh store with the rows of a part in it, row i of the part as base row i. fmb_elim_clear it.
- */
-fmb_status fmb_query_load(fmb_query *q, const fmb_part *p, const fmb_rule *const *rule, int rules,
-                          fmb_elim *e);
+ * The rule "lp" works only where the part is known to be feasible. */
+fmb_status fmb_query_load(fmb_query *q, const fmb_part *p, bool feasible, fmb_elim *e);
+
+/* options.c: the default of an option of the table, as text. */
+const char *fmb_options_initial(const char *name);
+
+/* rules.c: read options.rules and options.presolve; do the rules agree with each other and with the
+ * query of that name? Errors: ARG (no such step), RULE. */
+fmb_status fmb_rules_read(fmb_solver *v, const fmb_options *o);
+fmb_status fmb_rules_agree(fmb_solver *v, const char *query);
 
 /* ---- claims (claims.c): all do nothing without evidence -------------------------------------- */
 

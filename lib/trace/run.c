@@ -14,6 +14,8 @@ void fmb_run_begin(fmb_run *run, fmb_mem *mem, const fmb_options *o, const atomi
                    fmb_sink sink, const char *query)
 {
     *run = (fmb_run){.mem = mem, .cancel = cancel, .max_rows = o->max_rows, .sink = sink};
+    run->kernels = fmb_kernels_choose(o->simd);
+    run->tells_rows = o->trace_rows && sink.put != NULL;
     run->started = now();
     if (o->max_seconds > 0)
         run->deadline = run->started + o->max_seconds;

@@ -14,9 +14,11 @@
 #include <fmb/trace.h>
 
 #include "base/mem.h"
+#include "num/kernels.h"
 
 typedef struct fmb_run {
     fmb_mem *mem;
+    const fmb_kernels *kernels;
     const atomic_int *cancel; /* not 0: stop */
     fmb_stop stop;            /* the first limit reached */
     double started, deadline; /* monotonic clock [s]; deadline 0 = none */
@@ -24,6 +26,7 @@ typedef struct fmb_run {
     unsigned tick;            /* polls so far: the clock is read at every 16th */
     fmb_stats stats;
     fmb_sink sink;
+    bool tells_rows;   /* the watcher wants to know of every row */
     const int *var_of; /* the watcher's variable of each column, NULL: the same */
 } fmb_run;
 

@@ -27,7 +27,7 @@ static void open_bench(bench *b, support_family family, uint64_t seed)
     fmb_mem_init(&b->mem, NULL, 0);
     fmb_arena_init(&b->arena, &b->mem);
     fmb_run_begin(&b->run, &b->mem, &o, &b->cancel, (fmb_sink){0}, "test");
-    cr_assert_eq(fmb_parts_split(&b->parts, b->c.s, &b->run, &b->arena, false), FMB_OK);
+    cr_assert_eq(fmb_parts_split(&b->parts, b->c.s, &b->run, &b->arena, false, true), FMB_OK);
     if (b->parts.count == 0)
         return;
     b->p = &b->parts.part[0];

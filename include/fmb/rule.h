@@ -1,0 +1,139 @@
+/* fmb/rule.h: pruning rules, built in or your own, and who chooses the next variable.
+ *
+ * A rule is a const table. It may refuse pairs of rows before they are combined (drop_pairs),
+ * refuse a row just made (drop_row), or drop rows at the end of a round (end_round). It sees the
+ * rows through a window and changes nothing itself; a rule of yours is treated as the built-in ones
+ * are. docs/adding-a-rule.md writes one from scratch.
+ *
+ * Soundness. A rule *of histories* argues with the set of base rows that a row was combined from;
+ * its argument needs that every combination not refused by such a rule is present. A rule that
+ * drops rows for another reason breaks that, so after it the engine re-bases: each live row becomes
+ * its own history, and counting starts anew; multipliers over the rows of the system survive. The
+ * flags say which kind a rule is; obeying them is the engine's duty, never the caller's. What a
+ * rule says is believed until the evidence is checked: one that drops too much makes answers too
+ * large, and then fmb_check rejects the point that goes with them.
+ */
+#ifndef FMB_RULE_H
+#define FMB_RULE_H
+
+#include <fmb/base.h>
+#include <fmb/solve.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A round in progress: the live rows over columns 0 <= col < fmb_view_dim. A row has a name, a
+ * number that stays the same for the whole elimination; its entries are integers, a.x REL b. What a
+ * view gives is good until the callback returns. */
+typedef struct fmb_view fmb_view;
+
+typedef enum fmb_rule_flag {
+    FMB_RULE_NEEDS_HISTORY = 1,  /* reads histories */
+    FMB_RULE_BREAKS_HISTORY = 2, /* drops rows for reasons other than histories: re-base after it */
+    FMB_RULE_VERDICT_ONLY = 4,   /* keeps feasibility but not the projection: fmb_solve alone */
+    FMB_RULE_ONE_BASE = 8        /* no re-base may happen beside it: refused beside such rules */
+} fmb_rule_flag;
+
+/* Any callback may be NULL. state is fresh scratch of state_bytes zero bytes for each elimination
+ * (NULL if 0); clear, unless NULL, releases what it points to. */
+typedef struct fmb_rule {
+    const char *name;   /* the word users type: no commas or blanks */
+    const char *source; /* where it is from; built-in rules: key in docs/references.bib */
+    unsigned flags;     /* of fmb_rule_flag */
+    size_t state_bytes;
+    /* May the combinations of lower row number i (fmb_view_lower) with the upper rows be left out?
+     * Set bit j for upper row number j; bits set before are pairs already refused. */
+    void (*drop_pairs)(void *state, const fmb_view *w, size_t i, uint64_t *drop);
+    /* May the row just made be left out? Rules that do not need histories are asked about the base
+     * rows, too, when histories start. */
+    bool (*drop_row)(void *state, const fmb_view *w, size_t row);
+    /* Mark live rows that may go: drop[i] is for fmb_view_row(w, i), and false at first; entries
+     * have no common divisor then. Errors: any. */
+    fmb_status (*end_round)(void *state, const fmb_view *w, bool *drop);
+    void (*clear)(void *state);
+} fmb_rule;
+
+/* The built-in rule of that name, static, or NULL; and the i-th one, NULL past the end. */
+FMB_API const fmb_rule *fmb_rule_find(const char *name);
+FMB_API const fmb_rule *fmb_rule_at(size_t i);
+
+/* Use one more rule in the queries of this solver, after those in options.rules. The table is
+ * borrowed for the solver's life. Errors: ARG (no name), RULE (a rule of that name is in use, or
+ * too many are). Whether rules agree with each other and with a query is found out by the query: it
+ * returns FMB_ERR_RULE then, and fmb_solver_trouble names them. */
+FMB_API FMB_CHECKED fmb_status fmb_solver_add_rule(fmb_solver *v, const fmb_rule *rule);
+
+/* Why the last query returned FMB_ERR_RULE, one line; "" otherwise. Good until the next query. */
+FMB_API const char *fmb_solver_trouble(const fmb_solver *v);
+
+/* Choose the variable to eliminate next: one of col[0..n), n > 0. Anything else ends the query with
+ * FMB_ERR_ARG. */
+typedef struct fmb_chooser {
+    int (*choose)(void *self, const fmb_view *w, const int *col, size_t n);
+    void *self;
+} fmb_chooser;
+
+/* In place of options.order; {NULL, NULL}: options.order again. */
+FMB_API void fmb_solver_set_chooser(fmb_solver *v, fmb_chooser chooser);
+
+/* ---- the window ------------------------------------------------------------------------------ */
+
+FMB_API int fmb_view_dim(const fmb_view *w);               /* columns */
+FMB_API int fmb_view_variable(const fmb_view *w, int col); /* the system's variable of a column */
+FMB_API int fmb_view_column(const fmb_view *w);            /* of this round; -1: between rounds */
+FMB_API size_t fmb_view_rows(const fmb_view *w);           /* live rows */
+FMB_API size_t fmb_view_row(const fmb_view *w, size_t i);  /* the name of the i-th */
+/* Variables eliminated by pairing since the last re-base, that of this round included. */
+FMB_API int fmb_view_eliminated(const fmb_view *w);
+
+/* The rows to be paired: in lower ones the coefficient of the round's column is negative, in upper
+ * ones positive. None outside drop_pairs. */
+FMB_API size_t fmb_view_lowers(const fmb_view *w);
+FMB_API size_t fmb_view_uppers(const fmb_view *w);
+FMB_API size_t fmb_view_lower(const fmb_view *w, size_t i);
+FMB_API size_t fmb_view_upper(const fmb_view *w, size_t j);
+
+FMB_API fmb_rel fmb_view_rel(const fmb_view *w, size_t row);
+FMB_API int fmb_view_sign(const fmb_view *w, size_t row, int col); /* -1, 0, 1; col = dim: of b */
+/* The dim coefficients and the right side, or NULL if they do not fit. Any size: fmb_view_get in
+ * <fmb/gmp.h>. */
+FMB_API const int64_t *fmb_view_int64(const fmb_view *w, size_t row);
+
+/* Base rows combined into a row, as a bit set of *words words; NULL while no rule in use needs
+ * histories. */
+FMB_API const uint64_t *fmb_view_history(const fmb_view *w, size_t row, size_t *words);
+/* Columns effectively eliminated on the way to a row: those that some combination cancelled. */
+FMB_API const uint64_t *fmb_view_effective(const fmb_view *w, size_t row, size_t *words);
+/* Columns that stand in a base row of the history but in the row no longer, and are not effectively
+ * eliminated: they vanished by chance. out[words], words as above. */
+FMB_API void fmb_view_implicit(const fmb_view *w, size_t row, uint64_t *out);
+/* Columns eliminated by pairing since histories started, words as above. */
+FMB_API const uint64_t *fmb_view_gone(const fmb_view *w);
+/* The base rows: those alive when histories last started. */
+FMB_API size_t fmb_view_bases(const fmb_view *w);
+FMB_API int fmb_view_base_sign(const fmb_view *w, size_t base, int col);
+/* Is the rank of the row's base rows, in the columns eliminated, one less than their number? Then
+ * no other combination uses fewer of them. Exact. */
+FMB_API bool fmb_view_minimal(const fmb_view *w, size_t row);
+
+/* For drop_pairs. Set bit j where the union of the histories of lower row i and upper row j has
+ * more than `most` base rows. */
+FMB_API void fmb_view_drop_larger(const fmb_view *w, size_t i, int most, uint64_t *drop);
+/* Set bit j where some other row's history lies inside that union. The rows that said nothing (0 <=
+ * 3) and went are looked at, too. */
+FMB_API void fmb_view_drop_covered(const fmb_view *w, size_t i, uint64_t *drop);
+
+/* Over the box that the rows with one variable made when histories last started: the sign of the
+ * least of b - a.x. Positive: the row is strictly slack over the box, and holds in all of it. -1
+ * also if the box is open where it matters. */
+FMB_API int fmb_view_slack(const fmb_view *w, size_t row);
+
+/* Scratch memory until the callback returns, counted against the limits; NULL: return
+ * FMB_ERR_MEMORY. */
+FMB_API void *fmb_view_scratch(const fmb_view *w, size_t bytes);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,86 @@
+/* kernels_avx512.c: the inner loops eight words at a time, with an instruction that counts bits. */
+#include "num/kernels.h"
+
+#ifdef FMB_HAVE_X86
+#include <immintrin.h>
+
+#define AVX512 __attribute__((target("avx512f,avx512dq,avx512vpopcntdq")))
+
+/* The lanes of words j to j + 7 that are below count. */
+AVX512 static inline __mmask8 lanes(size_t count, size_t j)
+{
+    return count - j >= 8 ? 0xff : (__mmask8)((1u << (count - j)) - 1);
+}
+
+AVX512 static inline __m512i load(const void *p)
+{
+    return _mm512_loadu_si512(p);
+}
+
+AVX512 static void larger(const fmb_planes *p, const uint64_t *a, int most, uint64_t *drop)
+{
+    const __m512i bound = _mm512_set1_epi64(most);
+    for (size_t j = 0; j < p->count; j += 8) {
+        __m512i size = _mm512_setzero_si512();
+        for (size_t k = 0; k < p->words; k++) {
+            __m512i set = load(&p->bits[k * p->stride + j]);
+            __m512i both = _mm512_or_si512(set, _mm512_set1_epi64((long long)a[k]));
+            size = _mm512_add_epi64(size, _mm512_popcnt_epi64(both));
+        }
+        uint64_t mask = _mm512_mask_cmpgt_epi64_mask(lanes(p->count, j), size, bound);
+        drop[j / 64] |= mask << (j % 64);
+    }
+}
+
+AVX512 static size_t inside(const fmb_planes *p, const uint64_t *u, size_t enough)
+{
+    size_t found = 0;
+    for (size_t j = 0; j < p->count && found < enough; j += 8) {
+        __m512i outside = _mm512_setzero_si512();
+        for (size_t k = 0; k < p->words; k++) {
+            __m512i set = load(&p->bits[k * p->stride + j]);
+            __m512i over = _mm512_andnot_si512(_mm512_set1_epi64((long long)u[k]), set);
+            outside = _mm512_or_si512(outside, over);
+        }
+        __mmask8 mask = _mm512_mask_testn_epi64_mask(lanes(p->count, j), outside, outside);
+        found += (size_t)__builtin_popcount(mask);
+    }
+    return found;
+}
+
+AVX512 static uint64_t combine(int64_t *dst, const int64_t *a, const int64_t *b, size_t n,
+                               int64_t p, int64_t q)
+{
+    const __m512i vp = _mm512_set1_epi64(p), vq = _mm512_set1_epi64(q);
+    __m512i all = _mm512_setzero_si512();
+    for (size_t i = 0; i < n; i += 8) {
+        __mmask8 m = lanes(n, i);
+        __m512i x = _mm512_mullo_epi64(_mm512_maskz_loadu_epi64(m, &a[i]), vp);
+        __m512i y = _mm512_mullo_epi64(_mm512_maskz_loadu_epi64(m, &b[i]), vq);
+        __m512i sum = _mm512_add_epi64(x, y);
+        _mm512_mask_storeu_epi64(&dst[i], m, sum);
+        all = _mm512_or_si512(all, _mm512_abs_epi64(sum));
+    }
+    return (uint64_t)_mm512_reduce_or_epi64(all);
+}
+
+AVX512 static uint64_t combine_narrow(int64_t *dst, const int64_t *a, const int64_t *b, size_t n,
+                                      int64_t p, int64_t q)
+{
+    const __m512i vp = _mm512_set1_epi64(p), vq = _mm512_set1_epi64(q);
+    __m512i all = _mm512_setzero_si512();
+    for (size_t i = 0; i < n; i += 8) {
+        __mmask8 m = lanes(n, i);
+        __m512i x = _mm512_mul_epi32(_mm512_maskz_loadu_epi64(m, &a[i]), vp);
+        __m512i y = _mm512_mul_epi32(_mm512_maskz_loadu_epi64(m, &b[i]), vq);
+        __m512i sum = _mm512_add_epi64(x, y);
+        _mm512_mask_storeu_epi64(&dst[i], m, sum);
+        all = _mm512_or_si512(all, _mm512_abs_epi64(sum));
+    }
+    return (uint64_t)_mm512_reduce_or_epi64(all);
+}
+
+const fmb_kernels fmb_kernels_avx512 = {larger, inside, combine, combine_narrow};
+#else
+typedef int fmb_no_avx512;
+#endif

@@ -1,0 +1,33 @@
+/* chernikov.c: Chernikov's rule.
+ *
+ * A row whose history contains that of another row is not needed. With A_k as in kohler.c, a row
+ * that can be made is a ray of {y >= 0 : y A_k = 0}, and its history the ray's support. If the
+ * support of z lies strictly inside that of y, then y - t z is in the cone for some t > 0, so y is
+ * no extreme ray; and every ray is a sum of extreme ones. If every round keeps the extreme rays and
+ * nothing else, then two rows make an extreme one if and only if no third history lies inside the
+ * union of theirs (two extreme rays are neighbours if the least face with both has no third): so
+ * the test comes before the row is made. It needs no other row of equal support, and there is none:
+ * two rays of equal support would both have a smaller one inside.
+ *
+ * Rows that said nothing are rays, too; their histories are kept for this test. A row that it drops
+ * is a sum of rows that are there and rows that say nothing: implied. Source: Chernikov 1960;
+ * Fukuda and Prodon 1996 (the test of neighbours).
+ *
+ * A number to check: of a sheared cube in n dimensions exactly 2 (n - k) rows are left after k
+ * rounds, whatever the order.
+ */
+#include "rule/rule.h"
+
+static void drop_pairs(void *state, const fmb_view *w, size_t i, uint64_t *drop)
+{
+    (void)state;
+    fmb_view_drop_larger(w, i, fmb_view_eliminated(w) + 1, drop); /* cheap, and implied */
+    fmb_view_drop_covered(w, i, drop);
+}
+
+const fmb_rule fmb_rule_chernikov = {
+    .name = "chernikov",
+    .source = "Chernikov1960",
+    .flags = FMB_RULE_NEEDS_HISTORY,
+    .drop_pairs = drop_pairs,
+};

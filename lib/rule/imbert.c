@@ -1,0 +1,63 @@
+/* imbert.c: Imbert's two acceleration theorems, and the rank test where they leave a doubt.
+ *
+ * Let H be the history of a row, O the variables eliminated since the base, E those effectively
+ * eliminated on the way to the row (some combination cancelled them), and I those implicitly
+ * eliminated: in a base row of H, but neither in the row nor in E. I is computed afresh, from the
+ * base rows; the union of the parents' is wrong. A row is minimal if no other combination uses only
+ * rows of H, and only minimal rows are needed.
+ *   Theorem 1: a minimal row has 1 + |E| <= |H| <= 1 + |E u (I n O)|.
+ *   Theorem 2: if |H| = 1 + |E|, the row is minimal.
+ * Between the two, it is minimal if and only if the base rows of H have rank |H| - 1 in the columns
+ * O. Kohler's bound, |H| <= 1 + |O|, follows from the first, and is used before the row is made.
+ * Source: Imbert 1993, theorem 13 (doi 10.1016/B978-0-444-88771-9.50019-2).
+ */
+#include "rule/rule.h"
+
+static int count(const uint64_t *set, size_t words)
+{
+    int n = 0;
+    for (size_t k = 0; k < words; k++)
+        n += __builtin_popcountll(set[k]);
+    return n;
+}
+
+static void drop_pairs(void *state, const fmb_view *w, size_t i, uint64_t *drop)
+{
+    (void)state;
+    fmb_view_drop_larger(w, i, fmb_view_eliminated(w) + 1, drop);
+}
+
+/* |E u (I n O)|: E lies in O. */
+static int most_eliminated(const fmb_view *w, size_t row, const uint64_t *effective, size_t words)
+{
+    uint64_t *implicit = fmb_view_scratch(w, words * sizeof *implicit);
+    const uint64_t *gone = fmb_view_gone(w);
+    if (!implicit)
+        return fmb_view_eliminated(w);
+    fmb_view_implicit(w, row, implicit);
+    for (size_t k = 0; k < words; k++)
+        implicit[k] = effective[k] | (implicit[k] & gone[k]);
+    return count(implicit, words);
+}
+
+static bool drop_row(void *state, const fmb_view *w, size_t row)
+{
+    size_t words, columns;
+    const uint64_t *history = fmb_view_history(w, row, &words);
+    const uint64_t *effective = fmb_view_effective(w, row, &columns);
+    (void)state;
+    int size = count(history, words);
+    if (size == 1 + count(effective, columns))
+        return false;
+    if (size > 1 + most_eliminated(w, row, effective, columns))
+        return true;
+    return !fmb_view_minimal(w, row);
+}
+
+const fmb_rule fmb_rule_imbert = {
+    .name = "imbert",
+    .source = "Imbert1993",
+    .flags = FMB_RULE_NEEDS_HISTORY,
+    .drop_pairs = drop_pairs,
+    .drop_row = drop_row,
+};

@@ -1,0 +1,168 @@
+/* parallel.c: like rows found by hashing; see parallel.h.
+ *
+ * Rows are compared divided by the greatest common divisor (the scale) of the entries in question,
+ * without being divided: a is like b if a_j scale_b = b_j scale_a for each j. Numbers of any size
+ * are taken from GMP, small ones from the row itself, with equal hashes.
+ */
+#include "rule/parallel.h"
+
+#include <fmb/gmp.h>
+
+__extension__ typedef __int128 wide;
+
+typedef struct search {
+    const fmb_view *w;
+    int entries;
+    uint64_t *scale; /* [rows] of small rows */
+    size_t *slot;    /* [size] place in the view + 1, 0 = free: a table at most half full */
+    size_t size;     /* a power of two */
+    mpz_t a, b, scale_a, scale_b;
+} search;
+
+static uint64_t absolute(int64_t v)
+{
+    return v < 0 ? 0 - (uint64_t)v : (uint64_t)v;
+}
+
+static uint64_t gcd(uint64_t a, uint64_t b)
+{
+    while (b != 0) {
+        uint64_t t = a % b;
+        a = b;
+        b = t;
+    }
+    return a;
+}
+
+static uint64_t small_scale(const int64_t *row, int entries)
+{
+    uint64_t g = 0;
+    for (int j = 0; j < entries && g != 1; j++)
+        g = gcd(absolute(row[j]), g);
+    return g == 0 ? 1 : g;
+}
+
+static void wide_scale(search *s, size_t row, mpz_t g)
+{
+    mpz_set_ui(g, 0);
+    for (int j = 0; j < s->entries; j++) {
+        fmb_view_get(s->w, row, j, s->a);
+        mpz_gcd(g, g, s->a);
+    }
+    if (mpz_sgn(g) == 0)
+        mpz_set_ui(g, 1);
+}
+
+static uint64_t stir(uint64_t h, uint64_t low, bool negative)
+{
+    h = (h ^ (negative ? ~low : low)) * 0xff51afd7ed558ccdu;
+    return h ^ h >> 32;
+}
+
+static uint64_t hash(search *s, size_t i)
+{
+    size_t row = fmb_view_row(s->w, i);
+    const int64_t *v = fmb_view_int64(s->w, row);
+    uint64_t h = 0x9e3779b97f4a7c15u;
+    if (!v)
+        wide_scale(s, row, s->scale_a);
+    for (int j = 0; j < s->entries; j++) {
+        if (v) {
+            h = stir(h, absolute(v[j]) / s->scale[i], v[j] < 0);
+            continue;
+        }
+        fmb_view_get(s->w, row, j, s->a);
+        mpz_divexact(s->a, s->a, s->scale_a);
+        h = stir(h, mpz_get_ui(s->a), mpz_sgn(s->a) < 0);
+    }
+    return h;
+}
+
+/* The order of entry j of the i-th and the k-th row at equal scale. */
+static int compare(search *s, size_t i, size_t k, int j)
+{
+    size_t x = fmb_view_row(s->w, i), y = fmb_view_row(s->w, k);
+    const int64_t *u = fmb_view_int64(s->w, x), *v = fmb_view_int64(s->w, y);
+    if (u && v) {
+        wide left = (wide)u[j] * (int64_t)s->scale[k], right = (wide)v[j] * (int64_t)s->scale[i];
+        return (left > right) - (left < right);
+    }
+    wide_scale(s, x, s->scale_a);
+    wide_scale(s, y, s->scale_b);
+    fmb_view_get(s->w, x, j, s->a);
+    fmb_view_get(s->w, y, j, s->b);
+    mpz_mul(s->a, s->a, s->scale_b);
+    mpz_mul(s->b, s->b, s->scale_a);
+    return mpz_cmp(s->a, s->b);
+}
+
+static bool are_like(search *s, size_t i, size_t k)
+{
+    for (int j = 0; j < s->entries; j++)
+        if (compare(s, i, k, j) != 0)
+            return false;
+    return true;
+}
+
+/* The slot of a row like the i-th, or the free slot where that belongs. */
+static size_t *find(search *s, size_t i)
+{
+    for (size_t at = (size_t)hash(s, i);; at++) {
+        size_t *slot = &s->slot[at & (s->size - 1)];
+        if (*slot == 0 || are_like(s, i, *slot - 1))
+            return slot;
+    }
+}
+
+/* Is the bound of the i-th row tighter than that of the k-th, which is like it? */
+static bool is_tighter(search *s, size_t i, size_t k)
+{
+    int order = compare(s, i, k, fmb_view_dim(s->w));
+    fmb_rel a = fmb_view_rel(s->w, fmb_view_row(s->w, i));
+    fmb_rel b = fmb_view_rel(s->w, fmb_view_row(s->w, k));
+    return order < 0 || (order == 0 && a == FMB_LT && b != FMB_LT);
+}
+
+static void mark(search *s, bool *drop)
+{
+    for (size_t i = 0; i < fmb_view_rows(s->w); i++) {
+        if (fmb_view_rel(s->w, fmb_view_row(s->w, i)) == FMB_EQ)
+            continue;
+        size_t *slot = find(s, i);
+        bool first = *slot == 0, better = !first && is_tighter(s, i, *slot - 1);
+        if (!first)
+            drop[better ? *slot - 1 : i] = true;
+        if (first || better)
+            *slot = i + 1;
+    }
+}
+
+static bool open_search(search *s)
+{
+    size_t rows = fmb_view_rows(s->w);
+    s->size = 16;
+    while (s->size < 2 * rows)
+        s->size *= 2;
+    s->slot = fmb_view_scratch(s->w, s->size * sizeof *s->slot);
+    s->scale = fmb_view_scratch(s->w, rows * sizeof *s->scale);
+    if (!s->slot || !s->scale)
+        return false;
+    for (size_t k = 0; k < s->size; k++)
+        s->slot[k] = 0;
+    for (size_t i = 0; i < rows; i++) {
+        const int64_t *v = fmb_view_int64(s->w, fmb_view_row(s->w, i));
+        s->scale[i] = v ? small_scale(v, s->entries) : 0;
+    }
+    return true;
+}
+
+fmb_status fmb_parallel_drop(const fmb_view *w, int entries, bool *drop)
+{
+    search s = {.w = w, .entries = entries};
+    if (!open_search(&s))
+        return FMB_ERR_MEMORY;
+    mpz_inits(s.a, s.b, s.scale_a, s.scale_b, NULL);
+    mark(&s, drop);
+    mpz_clears(s.a, s.b, s.scale_a, s.scale_b, NULL);
+    return FMB_OK;
+}
