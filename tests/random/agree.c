@@ -145,7 +145,9 @@ static bool outward(const fmb_end *end, mpq_t exact, fmb_side side)
     return near != 0;
 }
 
-static bool judge_end(agree *g, const fmb_box *box, int i, fmb_side side, const truth *t)
+/* known: the truth, or NULL. */
+static bool judge_end(agree *g, const fmb_box *box, int i, fmb_side side,
+                      const fmb_exact_end *known)
 {
     static const char *const word[] = {"lower", "upper"};
     fmb_end end = fmb_box_end(box, i, side);
@@ -153,18 +155,18 @@ static bool judge_end(agree *g, const fmb_box *box, int i, fmb_side side, const 
     mpq_t q;
     mpq_init(q);
     if (fmb_box_end_q(box, i, side, q) != (end.kind == FMB_END_FINITE))
-        good = differ(g, "%s end of x%d: finite or not?", word[side], i + 1);
+        good = differ(g, "%s end of x%d: finite or not?", word[side], fmb_box_var(box, i) + 1);
     else if (end.kind == FMB_END_FINITE && !outward(&end, q, side))
-        good = differ(g, "%s end of x%d: rounded to %a", word[side], i + 1, end.value);
-    const fmb_exact_end *known = t->end ? &t->end[i][side] : NULL;
+        good = differ(g, "%s end of x%d: rounded to %a", word[side], fmb_box_var(box, i) + 1,
+                      end.value);
     if (good && known && end.kind != known->kind)
-        good = differ(g, "%s end of x%d: kind %d, truth %d", word[side], i + 1, (int)end.kind,
-                      (int)known->kind);
+        good = differ(g, "%s end of x%d: kind %d, truth %d", word[side], fmb_box_var(box, i) + 1,
+                      (int)end.kind, (int)known->kind);
     if (good && known && end.kind == FMB_END_FINITE && !mpq_equal(q, known->value))
-        good = differ(g, "%s end of x%d: about %g, truth %g", word[side], i + 1, mpq_get_d(q),
-                      mpq_get_d(known->value));
+        good = differ(g, "%s end of x%d: about %g, truth %g", word[side], fmb_box_var(box, i) + 1,
+                      mpq_get_d(q), mpq_get_d(known->value));
     if (good && known && end.attained != (known->kind == FMB_END_FINITE && known->attained))
-        good = differ(g, "%s end of x%d: attained or not?", word[side], i + 1);
+        good = differ(g, "%s end of x%d: attained or not?", word[side], fmb_box_var(box, i) + 1);
     mpq_clear(q);
     return good;
 }
@@ -176,8 +178,9 @@ static bool judge_box(agree *g, const fmb_box *box, const truth *t)
         return differ(g, "%d intervals", fmb_box_size(box));
     g->unjudged += t->end == NULL;
     for (int i = 0; i < dim; i++)
-        if (fmb_box_var(box, i) != i || !judge_end(g, box, i, FMB_LOWER, t) ||
-            !judge_end(g, box, i, FMB_UPPER, t))
+        if (fmb_box_var(box, i) != i ||
+            !judge_end(g, box, i, FMB_LOWER, t->end ? &t->end[i][FMB_LOWER] : NULL) ||
+            !judge_end(g, box, i, FMB_UPPER, t->end ? &t->end[i][FMB_UPPER] : NULL))
             return false;
     return true;
 }
@@ -195,6 +198,29 @@ bool agree_bound(agree *g, fmb_solver *v, const truth *t)
         if (good && box)
             good = judge_box(g, box, t) && judge_claims(g, e, FMB_CLAIM_BOUND, FMB_CLAIM_UNBOUNDED,
                                                         2 * (size_t)fmb_system_dim(t->s));
+    }
+    fmb_evidence_free(e);
+    fmb_box_free(box);
+    return good;
+}
+
+bool agree_end(agree *g, fmb_solver *v, const truth *t, int var)
+{
+    fmb_box *box = NULL;
+    fmb_result r;
+    bool good = judge_result(g, fmb_bound(v, t->s, &var, 1, &box, &r), &r, t);
+    fmb_evidence *e = NULL;
+    if (good && box && r.stop == FMB_STOP_DONE) {
+        fmb_exact_end end[2];
+        fmb_verdict known = FMB_UNKNOWN;
+        mpq_inits(end[0].value, end[1].value, NULL);
+        must(fmb_exact_bound(t->s, var, g->max_rows, end, &known));
+        g->unjudged += known != FMB_FEASIBLE;
+        good = judge_evidence(g, v, t->s, &r, &e) &&
+               judge_claims(g, e, FMB_CLAIM_BOUND, FMB_CLAIM_UNBOUNDED, 2);
+        for (int side = 0; good && side < 2; side++)
+            good = judge_end(g, box, 0, (fmb_side)side, known == FMB_FEASIBLE ? &end[side] : NULL);
+        mpq_clears(end[0].value, end[1].value, NULL);
     }
     fmb_evidence_free(e);
     fmb_box_free(box);

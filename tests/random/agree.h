@@ -16,6 +16,7 @@ typedef struct agree {
     char why[240];      /* the last disagreement */
     uint64_t questions; /* asked of the library */
     uint64_t unjudged;  /* parts of answers that the ground truth was too small for */
+    uint64_t by_proof;  /* systems too large for it: the truth is a checked proof of the oracle's */
     uint64_t undecided; /* queries that ended with a stop other than DONE */
 } agree;
 
@@ -33,6 +34,8 @@ void truth_clear(truth *t);
  * given, are the caller's to free (NULL if undecided). */
 bool agree_solve(agree *g, fmb_solver *v, const truth *t);
 bool agree_bound(agree *g, fmb_solver *v, const truth *t);
+/* The box of variable var alone. */
+bool agree_end(agree *g, fmb_solver *v, const truth *t, int var);
 bool agree_project(agree *g, fmb_solver *v, const truth *t, const int *keep, int n,
                    fmb_system **out);
 bool agree_reduce(agree *g, fmb_solver *v, const truth *t, fmb_system **out);

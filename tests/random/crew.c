@@ -32,6 +32,7 @@ static crew_sum work(crew_job *job, void *self, uint64_t first, uint64_t count, 
     }
     sum.questions = g.questions;
     sum.unjudged = g.unjudged;
+    sum.by_proof = g.by_proof;
     sum.undecided = g.undecided;
     return sum;
 }
@@ -50,6 +51,7 @@ static void add(crew_sum *to, const crew_sum *more)
     to->failures += more->failures;
     to->questions += more->questions;
     to->unjudged += more->unjudged;
+    to->by_proof += more->by_proof;
     to->undecided += more->undecided;
 }
 

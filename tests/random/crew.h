@@ -6,7 +6,7 @@
 
 /* What came of the jobs, added up over the processes. */
 typedef struct crew_sum {
-    uint64_t jobs, failures, questions, unjudged, undecided;
+    uint64_t jobs, failures, questions, unjudged, by_proof, undecided;
 } crew_sum;
 
 /* Job number i; counts go to g and failures. Ends the process's work early by returning false. */

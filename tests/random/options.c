@@ -40,8 +40,11 @@ fmb_options options_at(int i)
 void options_text(const fmb_options *o, char *out, size_t size)
 {
     static const char *const arith[] = {"auto", "int", "gmp"},
-                             *const method[] = {"auto", "fm", "lp"},
-                             *const order[] = {"pairs", "given", "min", "fill"};
-    snprintf(out, size, "method=%s arith=%s order=%s rules=%s", method[o->method], arith[o->arith],
-             order[o->order], o->rules ? o->rules : "(default)");
+                             *const method[] = {"auto", "fm", "lp", "fmplex"},
+                             *const order[] = {"pairs", "given", "min", "fill"},
+                             *const rebase[] = {"auto", "always", "never"},
+                             *const simd[] = {"auto", "plain", "avx2", "avx512"};
+    snprintf(out, size, "method=%s arith=%s order=%s rules=%s rebase=%s presolve=%s simd=%s",
+             method[o->method], arith[o->arith], order[o->order], o->rules ? o->rules : "(default)",
+             rebase[o->rebase], o->presolve ? o->presolve : "(default)", simd[o->simd]);
 }

@@ -25,6 +25,8 @@ bool question_holds(const question *q, agree *g, fmb_solver *v, const truth *t)
         return agree_project(g, v, t, keep, n, NULL);
     case ASK_REDUCE:
         return agree_reduce(g, v, t, NULL);
+    case ASK_END:
+        return agree_end(g, v, t, (int)(q->choice % (uint64_t)fmb_system_dim(t->s)));
     default:
         return property_holds(q, g, v, t);
     }
@@ -33,15 +35,14 @@ bool question_holds(const question *q, agree *g, fmb_solver *v, const truth *t)
 void question_text(const question *q, char *out, size_t size)
 {
     static const char *const kind[] = {"solve",  "bound",   "project", "reduce", "shuffled",
-                                       "scaled", "renamed", "padded",  "twice"};
-    char options[120];
+                                       "scaled", "renamed", "padded",  "twice",  "end"};
+    char options[200];
     options_text(&q->options, options, sizeof options);
     snprintf(out, size, "%s, %s, choice %llu", kind[q->kind], options,
              (unsigned long long)q->choice);
 }
 
-/* Ask again, about a smaller system. */
-static bool still_fails(void *self, const fmb_system *s)
+bool question_fails(void *self, const fmb_system *s)
 {
     const question *q = self;
     agree g = {.max_rows = 2000};
@@ -57,12 +58,12 @@ static bool still_fails(void *self, const fmb_system *s)
 
 void question_report(const question *q, agree *g, const support_case *c)
 {
-    char text[240];
+    char text[320];
     question again = *q;
     question_text(q, text, sizeof text);
     fprintf(stderr, "\ndisagreement: %s\n  %s\n", text, g->why);
-    if (still_fails(&again, c->s))
-        support_report(c, still_fails, &again);
+    if (question_fails(&again, c->s))
+        support_report(c, question_fails, &again);
     else
         fprintf(stderr, "  only with what the solver did before; seed %llu\n",
                 (unsigned long long)c->seed);

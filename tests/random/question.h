@@ -16,7 +16,8 @@ typedef enum question_kind {
     ASK_RENAMED,  /* variables in another order */
     ASK_PADDED,   /* with redundant rows */
     ASK_TWICE,    /* a projection of a projection */
-    ASK_KINDS
+    ASK_KINDS,
+    ASK_END = ASK_KINDS /* the box of one variable */
 } question_kind;
 
 typedef struct question {
@@ -33,6 +34,9 @@ bool question_holds(const question *q, agree *g, fmb_solver *v, const truth *t);
 
 /* "bound, method=fm arith=int order=given rules=kohler, choice 5" */
 void question_text(const question *q, char *out, size_t size);
+
+/* Is the answer about s wrong? self is the question: for the shrinker. */
+bool question_fails(void *self, const fmb_system *s);
 
 /* Print the disagreement g->why on stderr, with a shrunken system; seed and family come with the
  * case. */
