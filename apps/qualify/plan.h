@@ -1,0 +1,45 @@
+/* plan.h: what a study of rules is to look at, from its command line. */
+#ifndef QUALIFY_PLAN_H
+#define QUALIFY_PLAN_H
+
+#include <argp.h>
+
+#include "study/grid.h"
+
+enum { PLAN_MOST_SETS = 32, PLAN_MOST_ORDERS = 4, PLAN_MOST_DIM = 12, PLAN_MOST_FILES = 1024 };
+
+typedef struct qualify_plan {
+    study_family family;
+    bool dim[PLAN_MOST_DIM + 1];     /* which */
+    bool motion[2];                  /* static, dynamic */
+    bool kind[2][2];                 /* shapes of A and B */
+    bool meeting[2];                 /* no, yes */
+    bool frames_asked, pairs_asked;  /* --dim, --pairs were given */
+    const char *set[PLAN_MOST_SETS]; /* rules; "default" is the library's choice */
+    size_t sets; /* once made, set[0] is none; way k * sets + i is set i in order k */
+    fmb_order order[PLAN_MOST_ORDERS];
+    size_t orders;
+    const char *file[PLAN_MOST_FILES];
+    size_t files;
+    study_grid grid; /* numbers of the plan; filled by qualify_plan_make */
+    study_way way[PLAN_MOST_SETS * PLAN_MOST_ORDERS];
+    const char *out; /* folder for the report, or NULL */
+    bool json, counts, detail, quiet;
+} qualify_plan;
+
+extern const struct argp qualify_plan_argp;
+
+void qualify_plan_init(qualify_plan *p);
+/* Samples and ways of the grid; reads the files. An exit code, after a message unless 0. */
+int qualify_plan_make(qualify_plan *p);
+/* Only the ways of the grid, from sets and orders. */
+void qualify_plan_ways(qualify_plan *p);
+/* Wrong answers found. */
+size_t qualify_wrong(const qualify_plan *p);
+
+/* "pairs", ... */
+const char *qualify_order_text(fmb_order order);
+/* "kohler,box"; "default". */
+const char *qualify_set_text(const study_way *way);
+
+#endif

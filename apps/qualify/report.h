@@ -1,0 +1,44 @@
+/* report.h: what a study of rules found, in its many forms. Each takes the plan after the run. */
+#ifndef QUALIFY_REPORT_H
+#define QUALIFY_REPORT_H
+
+#include <jansson.h>
+
+#include "common/table.h"
+#include "qualify/plan.h"
+#include "study/digest.h"
+
+enum { ANY = -1, FILES = 0 };
+
+/* Which systems: -1 is any; dim 0 means files. */
+typedef struct qualify_select {
+    int dim, moves, kind, meets; /* kind: 2 * shape of A + shape of B */
+    const char *file;            /* this one alone, or NULL */
+} qualify_select;
+
+/* The digest of way number way (against `none` in the same order) over those systems. */
+study_digest qualify_digest(const qualify_plan *p, size_t way, const qualify_select *which);
+/* The selections of a report, finest first counting: every class and file on its own (detail), or
+ * every dimension and motion, and all files together. Calls use for each. */
+void qualify_each(const qualify_plan *p, bool detail, void *self,
+                  void (*use)(void *self, const qualify_plan *p, const qualify_select *which));
+/* [give, free()] "D3 static CC meeting", "D3 static", "files". */
+char *qualify_select_text(const qualify_select *which);
+
+/* Add a cell, as printf. */
+void qualify_cell(app_table *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* A ratio, "-" if there is none, "<" before one that can only be smaller. */
+void qualify_ratio_cell(app_table *t, double ratio, bool at_most);
+
+void qualify_tables(const qualify_plan *p);
+/* From which D on each set saves rows and time; the claims of the article. */
+void qualify_claims(const qualify_plan *p);
+
+/* Files in p->out: exit codes, after a message unless 0. */
+int qualify_write_csv(const qualify_plan *p);
+int qualify_write_plots(const qualify_plan *p);
+json_t *qualify_json(const qualify_plan *p);
+/* [give, app_file_close] Open p->out/name; *path, for messages, is the caller's. */
+int qualify_create(const qualify_plan *p, const char *name, FILE **f, char **path);
+
+#endif
