@@ -6,7 +6,8 @@
 static const char *const RULES[] = {NULL, "none", "duplicate", "kohler", "duplicate,kohler", "lp"};
 static const fmb_order ORDERS[] = {FMB_ORDER_GIVEN, FMB_ORDER_PAIRS, FMB_ORDER_MIN, FMB_ORDER_FILL};
 static const fmb_arith ARITHS[] = {FMB_ARITH_INT, FMB_ARITH_GMP};
-static const fmb_method METHODS[] = {FMB_METHOD_AUTO, FMB_METHOD_FM, FMB_METHOD_LP};
+static const fmb_method METHODS[] = {FMB_METHOD_AUTO, FMB_METHOD_FM, FMB_METHOD_LP,
+                                     FMB_METHOD_FMPLEX};
 
 enum {
     N_RULES = sizeof RULES / sizeof *RULES,

@@ -13,6 +13,24 @@ int question_keep(uint64_t choice, int dim, int *keep)
     return n;
 }
 
+/* The same choice whenever the same number of variables is left. */
+static int choose(void *self, const fmb_view *w, const int *col, size_t n)
+{
+    const question *q = self;
+    support_rng g = {q->order + n};
+    (void)w;
+    return col[support_next(&g) % n];
+}
+
+fmb_solver *question_solver(question *q)
+{
+    fmb_solver *v = NULL;
+    must(fmb_solver_new(&q->options, NULL, &v));
+    if (q->order != 0)
+        fmb_solver_set_chooser(v, (fmb_chooser){choose, q});
+    return v;
+}
+
 bool question_holds(const question *q, agree *g, fmb_solver *v, const truth *t)
 {
     int keep[64], n = question_keep(q->choice, fmb_system_dim(t->s), keep);
@@ -38,17 +56,16 @@ void question_text(const question *q, char *out, size_t size)
                                        "scaled", "renamed", "padded",  "twice",  "end"};
     char options[200];
     options_text(&q->options, options, sizeof options);
-    snprintf(out, size, "%s, %s, choice %llu", kind[q->kind], options,
-             (unsigned long long)q->choice);
+    snprintf(out, size, "%s, %s, choice %llu, order %llu", kind[q->kind], options,
+             (unsigned long long)q->choice, (unsigned long long)q->order);
 }
 
 bool question_fails(void *self, const fmb_system *s)
 {
-    const question *q = self;
+    question *q = self;
     agree g = {.max_rows = 2000};
-    fmb_solver *v = NULL;
+    fmb_solver *v = question_solver(q);
     truth t;
-    must(fmb_solver_new(&q->options, NULL, &v));
     truth_init(&t, s, g.max_rows);
     bool good = question_holds(q, &g, v, &t);
     truth_clear(&t);

@@ -24,7 +24,11 @@ typedef struct question {
     question_kind kind;
     fmb_options options;
     uint64_t choice; /* which variables are kept, which order is tried, ... */
+    uint64_t order;  /* not 0: a random order of elimination, in place of options.order */
 } question;
+
+/* A solver for the question, which stays where it is as long as the solver is used. */
+fmb_solver *question_solver(question *q);
 
 /* The variables that choice keeps, increasing; their number. keep[dim]. */
 int question_keep(uint64_t choice, int dim, int *keep);

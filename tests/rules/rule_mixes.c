@@ -68,8 +68,7 @@ static void report(question *q, const agree *g, const fmb_system *s, uint64_t se
 static void ask(const task *job, question q, agree *g, const truth *t, uint64_t seed,
                 uint64_t *failures)
 {
-    fmb_solver *v = NULL;
-    must(fmb_solver_new(&q.options, NULL, &v));
+    fmb_solver *v = question_solver(&q);
     bool good = question_holds(&q, g, v, t);
     fmb_solver_free(v);
     if (good)
@@ -95,6 +94,7 @@ static bool one_system(void *self, uint64_t i, agree *g, uint64_t *failures)
     question q = {.kind = ASK_SOLVE};
     for (uint64_t k = 0; k < job->mixes; k++) {
         q.options = way_at(&rng, job->mix[k]);
+        q.order = support_chance(&rng, 25) ? support_next(&rng) : 0;
         ask(job, q, g, &t, i, failures);
     }
     if (i % SHADOWS == 0 && !job->expects_wrong) {
