@@ -194,7 +194,7 @@ static fmb_status bound_variable(fmb_query *q, int var, fmb_exact_side *side)
     int part = q->parts.of_var[var];
     job j = {.q = q, .var = var};
     fmb_elim e = {.run = &q->run};
-    bool fm = part >= 0 && q->v->options.method == FMB_METHOD_FM;
+    bool fm = part >= 0 && fmb_query_eliminates(q);
     fmb_status st = FMB_OK;
     if (part >= 0) {
         j.p = &q->parts.part[part];
@@ -244,7 +244,7 @@ fmb_status fmb_bound(fmb_solver *v, const fmb_system *s, const int *vars, int n,
         return FMB_ERR_ARG;
     fmb_status st = fmb_query_begin(&q, v, s, "bound");
     if (st == FMB_OK)
-        st = fmb_query_decide(&q, v->options.method != FMB_METHOD_FM, &verdict);
+        st = fmb_query_decide(&q, !fmb_query_eliminates(&q), &verdict);
     if (st == FMB_OK && verdict == FMB_FEASIBLE) {
         st = fmb_box_new(vars, vars ? n : fmb_system_dim(s), &v->mem.alloc, &box);
         if (st == FMB_OK)

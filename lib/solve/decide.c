@@ -1,8 +1,9 @@
-/* decide.c: is it feasible? Part by part, by elimination or by the oracle.
+/* decide.c: is it feasible? Part by part, by elimination, by the oracle, or by FMplex.
  *
  * Tiny parts are eliminated: nothing is faster there. A part on which elimination would grow goes
  * to the oracle after a small budget of rows.
  */
+#include "elim/fmplex.h"
 #include "elim/witness.h"
 #include "solve/solver.h"
 
@@ -46,6 +47,25 @@ static fmb_status eliminate_all(fmb_query *q, const fmb_part *p, size_t budget, 
     return gave_up ? FMB_OK : st;
 }
 
+/* ---- by FMplex ------------------------------------------------------------------------------- */
+
+static fmb_status try_bounds(fmb_query *q, const fmb_part *p, fmb_verdict *out)
+{
+    fmb_weights w = {0};
+    bool feasible;
+    fmb_status st = fmb_fmplex(&q->run, &q->v->arena, p->n, p->m, p->row, p->rel, &q->v->options,
+                               &feasible, q->evidence ? q->x : NULL, q->evidence ? &w : NULL);
+    if (st == FMB_OK) {
+        *out = feasible ? FMB_FEASIBLE : FMB_INFEASIBLE;
+        if (feasible && q->evidence)
+            fmb_query_scatter(p, q->x, q->point);
+        else if (!feasible)
+            st = fmb_query_claim_infeasible(q, p, &w);
+    }
+    fmb_weights_clear(&w, q->run.mem);
+    return st;
+}
+
 /* ---- by the oracle --------------------------------------------------------------------------- */
 
 static fmb_status claim_conflict(fmb_query *q, const fmb_part *p, const fmb_lp *lp)
@@ -84,7 +104,7 @@ static fmb_status ask_oracle(fmb_query *q, int part, fmb_verdict *out)
     return feasible ? note_vertex(q, p, lp) : claim_conflict(q, p, lp);
 }
 
-/* ---- both ------------------------------------------------------------------------------------ */
+/* ---- all ------------------------------------------------------------------------------------- */
 
 static fmb_status decide_part(fmb_query *q, int part, bool oracles, fmb_verdict *out)
 {
@@ -94,6 +114,8 @@ static fmb_status decide_part(fmb_query *q, int part, bool oracles, fmb_verdict 
     *out = FMB_UNKNOWN;
     if (!oracles && method == FMB_METHOD_FM)
         st = eliminate_all(q, p, 0, out);
+    else if (!oracles && method == FMB_METHOD_FMPLEX)
+        st = try_bounds(q, p, out);
     else if (!oracles && method == FMB_METHOD_AUTO && p->n <= TINY_VARIABLES && p->m <= TINY_ROWS)
         st = eliminate_all(q, p, TINY_BUDGET(p->m), out);
     return st != FMB_OK || *out != FMB_UNKNOWN ? st : ask_oracle(q, part, out);

@@ -51,6 +51,13 @@ static inline bool fmb_query_is_wide(const fmb_query *q)
     return q->v->options.arith == FMB_ARITH_GMP;
 }
 
+/* Are questions about a feasible system answered by elimination, without the oracle? */
+static inline bool fmb_query_eliminates(const fmb_query *q)
+{
+    fmb_method method = q->v->options.method;
+    return method == FMB_METHOD_FM || method == FMB_METHOD_FMPLEX;
+}
+
 /* Decide the whole system, part by part; with `oracles`, each part keeps a feasible dictionary in
  * q->lp. Claims FEASIBLE or INFEASIBLE. */
 fmb_status fmb_query_decide(fmb_query *q, bool oracles, fmb_verdict *out);
