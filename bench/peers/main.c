@@ -44,17 +44,38 @@ static bool add_manifest(setup *s, const char *path)
     return true;
 }
 
-/* Is name in the comma list? A library's name stands for all its drivers. */
+/* Do the n bytes name p, or its library, which stands for all its drivers? */
+static bool names(const char *word, size_t n, const peer *p)
+{
+    return (strlen(p->name) == n && strncmp(word, p->name, n) == 0) ||
+           (strlen(p->library) == n && strncmp(word, p->library, n) == 0);
+}
+
+/* Is p in the comma list? */
 static bool listed(const char *list, const peer *p)
 {
     for (const char *at = list; *at;) {
         size_t n = strcspn(at, ",");
-        if ((strlen(p->name) == n && strncmp(at, p->name, n) == 0) ||
-            (strlen(p->library) == n && strncmp(at, p->library, n) == 0))
+        if (names(at, n, p))
             return true;
         at += n + (at[n] == ',');
     }
     return false;
+}
+
+/* Does each word of the list name a driver of this build? */
+static bool all_known(const char *list)
+{
+    for (const char *at = list; *at;) {
+        size_t n = strcspn(at, ",");
+        bool known = false;
+        for (int i = 0; peers[i] && !known; i++)
+            known = names(at, n, peers[i]);
+        if (!known)
+            return false;
+        at += n + (at[n] == ',');
+    }
+    return true;
 }
 
 /* fmb always; the others as asked, if they can answer the question. */
@@ -82,28 +103,35 @@ static double patience(const setup *s, const entry *e, int driver)
     return limit;
 }
 
-static bool run_problem(setup *s, const char *path)
+static void run_drivers(const setup *s, entry *e)
 {
-    report *r = &s->report;
+    const report *r = &s->report;
     problem variants[CHILD_VARIANTS];
-    entry e = {0};
-    if (!problem_read(&e.problem, path))
-        return false;
-    if (!r->limits.decide && e.problem.keep == e.problem.n) {
-        fprintf(stderr, "%s: nothing to eliminate (no line \"* keep K\")\n", path);
-        problem_clear(&e.problem);
-        return true;
-    }
     for (unsigned v = 0; v < CHILD_VARIANTS; v++)
-        problem_variant(&variants[v], &e.problem, v);
+        problem_variant(&variants[v], &e->problem, v);
     for (int d = 0; d < r->drivers; d++) {
         child_limits limits = r->limits;
-        limits.seconds = patience(s, &e, d);
-        e.outcome[d] = child_run(r->driver[d], variants, &limits);
+        limits.seconds = patience(s, e, d);
+        e->outcome[d] = child_run(r->driver[d], variants, &limits);
     }
     for (unsigned v = 0; v < CHILD_VARIANTS; v++)
         problem_clear(&variants[v]);
+}
+
+static bool run_problem(setup *s, const char *path)
+{
+    report *r = &s->report;
+    entry e = {0};
+    if (!problem_read(&e.problem, path))
+        return false;
+    bool idle = !r->limits.decide && e.problem.keep == e.problem.n;
+    if (idle)
+        fprintf(stderr, "%s: nothing to eliminate (no line \"* keep K\")\n", path);
+    else
+        run_drivers(s, &e);
     problem_clear(&e.problem);
+    if (idle)
+        return true;
     report_judge(r, &e);
     report_line(r, &e);
     r->list = need(realloc(r->list, (r->entries + 1) * sizeof *r->list));
@@ -127,7 +155,7 @@ static bool set_option(setup *s, const char *text)
 static bool take_value(setup *s, const char *name, const char *value)
 {
     if (strcmp(name, "--drivers") == 0)
-        s->drivers = value;
+        return all_known(s->drivers = value);
     else if (strcmp(name, "--json") == 0)
         s->json = value;
     else if (strcmp(name, "--set") == 0)
@@ -166,20 +194,8 @@ static bool take_arguments(setup *s, int argc, char **argv)
     return s->list || s->paths > 0;
 }
 
-static int finish(setup *s, bool good)
+static void forget(setup *s)
 {
-    int code = good ? 0 : 66;
-    if (s->report.entries > 0)
-        report_summary(&s->report);
-    for (size_t i = 0; i < s->report.entries; i++) {
-        const entry *e = &s->report.list[i];
-        if ((e->wrong || (s->all_answer && e->silent)) && code == 0)
-            code = 1;
-    }
-    if (s->json && !report_json(&s->report, s->json)) {
-        fprintf(stderr, "%s: cannot be written\n", s->json);
-        code = 74;
-    }
     for (size_t i = 0; i < s->report.entries; i++) {
         for (int d = 0; d < s->report.drivers; d++)
             free(s->report.list[i].outcome[d].text);
@@ -188,7 +204,23 @@ static int finish(setup *s, bool good)
     for (size_t i = 0; i < s->paths; i++)
         free(s->path[i]);
     free(s->path);
-    return code;
+}
+
+/* The exit code. */
+static int finish(setup *s, bool good)
+{
+    bool fault = false;
+    if (s->report.entries > 0)
+        report_summary(&s->report);
+    for (size_t i = 0; i < s->report.entries; i++) {
+        const entry *e = &s->report.list[i];
+        fault |= e->wrong || (s->all_answer && e->silent);
+    }
+    if (s->json && !report_json(&s->report, s->json)) {
+        fprintf(stderr, "%s: cannot be written\n", s->json);
+        return 74;
+    }
+    return !good ? 66 : fault ? 1 : 0;
 }
 
 int main(int argc, char **argv)
@@ -210,5 +242,7 @@ int main(int argc, char **argv)
         report_head(&s.report);
     for (size_t i = 0; i < s.paths && !s.list; i++)
         good &= run_problem(&s, s.path[i]);
-    return finish(&s, good);
+    int code = finish(&s, good);
+    forget(&s);
+    return code;
 }
