@@ -14,16 +14,20 @@ _fmb()
 
     local general="--help --usage --version"
     local source="--format --quiet"
-    local solver="--json --proof --trace --arith --method --order --rules
-        --max-seconds --max-rows --max-bytes"
+    local solver="--json --proof --trace --trace-rows --arith --method --order --rules --rebase
+        --presolve --simd --max-seconds --max-rows --max-bytes"
     local words
     case $prev in
         --format) words="auto fmb ine ieq smt2 mps lp" ;;
         --to) words="fmb ine smt2" ;;
         --arith) words="auto int gmp" ;;
-        --method) words="auto fm lp" ;;
+        --method) words="auto fm lp fmplex" ;;
         --order) words="pairs given min fill" ;;
-        --rules) words="none kohler duplicate lp kohler,duplicate,lp" ;;
+        --rules) words="none duplicate dominated kohler chernikov imbert box lp" ;;
+        --rebase) words="auto always never" ;;
+        --presolve) words="none equalities components onesided bounds refute" ;;
+        --simd) words="auto plain avx2 avx512" ;;
+        --trace-rows) words="true false" ;;
         --max-seconds | --max-rows | --max-bytes | --vars | --keep | --eliminate) return ;;
         --proof | --trace)
             compopt -o default

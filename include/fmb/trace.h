@@ -18,11 +18,15 @@ typedef enum fmb_event_kind {
     FMB_EVENT_REBASE     /* histories start anew from rows_in rows */
 } fmb_event_kind;
 
-/* A row just made, and what its history says about it. Bit sets are words of 64 bits, least first;
- * they are the library's and good until the callback returns. */
+/* A row just made, and what its history says about it. Rows are numbered from 0 within one
+ * elimination, those of the system first; a row that is dropped leaves its number to the next one.
+ * Bit sets are words of 64 bits, least first; what pointers show is the library's and good until
+ * the callback returns. */
 typedef struct fmb_row_event {
-    uint64_t row;              /* its number; base rows come first, from 0 */
+    uint64_t row;              /* its number */
     uint64_t parent[2];        /* the rows combined */
+    const int *variable;       /* the system's variable of each column, NULL: the same */
+    const uint32_t *base;      /* the row of each bit of a history */
     const char *dropped_by;    /* the rule that dropped it, or NULL: it lives */
     const uint64_t *history;   /* [history_words] base rows combined, or NULL: none are kept */
     const uint64_t *effective; /* [column_words] columns effectively eliminated */

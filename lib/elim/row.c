@@ -165,6 +165,8 @@ static fmb_status tell(fmb_elim *e, const char *dropped_by)
     const fmb_derived *r = &e->row[e->rows];
     fmb_row_event row = {.row = e->rows,
                          .parent = {r->p, r->q},
+                         .variable = e->run->var_of,
+                         .base = e->base,
                          .dropped_by = dropped_by,
                          .history_words = e->words,
                          .column_words = e->columns,

@@ -8,14 +8,22 @@
 /* What one option takes and refuses. */
 typedef struct values {
     const char *name;
-    const char *good[6], *bad[10];
+    const char *good[8], *bad[10];
 } values;
 
 static const values TABLE[] = {
     {"arith", {"auto", "int", "gmp"}, {"", "INT", "float", "int ", "in"}},
-    {"method", {"auto", "fm", "lp"}, {"", "simplex", "fm,lp", "0"}},
+    {"method", {"auto", "fm", "lp", "fmplex"}, {"", "simplex", "fm,lp", "0"}},
     {"order", {"pairs", "given", "min", "fill"}, {"", "max", "pair"}},
-    {"rules", {"none", "kohler", "duplicate", "duplicate,kohler"}, {NULL}},
+    {"rules",
+     {"none", "kohler", "duplicate", "duplicate,kohler", "chernikov,imbert,box,dominated,lp"},
+     {NULL}},
+    {"rebase", {"auto", "always", "never"}, {"", "sometimes", "Auto", "1"}},
+    {"presolve",
+     {"none", "equalities", "components", "onesided", "bounds", "refute", "refute,equalities"},
+     {NULL}},
+    {"simd", {"auto", "plain"}, {"", "sse", "avx", "512"}},
+    {"trace_rows", {"true", "false"}, {"", "yes", "1", "TRUE"}},
     {"evidence", {"true", "false"}, {"", "maybe", "2", "-1"}},
     {"max_seconds",
      {"0", "2.5", "1000", "0.001"},
@@ -47,7 +55,7 @@ Test(options, table_is_complete)
 Test(options, good_values)
 {
     for (size_t k = 0; k < LINES; k++)
-        for (int i = 0; i < 6 && TABLE[k].good[i]; i++) {
+        for (int i = 0; i < 8 && TABLE[k].good[i]; i++) {
             fmb_options o = fmb_options_default();
             fmb_solver *v = NULL;
             cr_expect_eq(fmb_options_set(&o, TABLE[k].name, TABLE[k].good[i]), FMB_OK, "%s = %s",
@@ -69,7 +77,9 @@ Test(options, bad_values)
             cr_expect(o.arith == untouched.arith && o.method == untouched.method &&
                       o.order == untouched.order && o.rules == untouched.rules &&
                       o.evidence == untouched.evidence && o.max_rows == untouched.max_rows &&
-                      o.max_bytes == untouched.max_bytes && o.max_seconds <= untouched.max_seconds);
+                      o.max_bytes == untouched.max_bytes && o.rebase == untouched.rebase &&
+                      o.simd == untouched.simd && o.trace_rows == untouched.trace_rows &&
+                      o.max_seconds <= untouched.max_seconds);
         }
     fmb_options o = fmb_options_default();
     cr_expect_eq(fmb_options_set(&o, "max-rows", "1"), FMB_ERR_ARG);
@@ -84,16 +94,17 @@ Test(options, defaults)
     const fmb_option_info *i;
     for (size_t n = 0; (i = fmb_options_describe(n)) != NULL; n++) {
         fmb_options o = d;
-        if (strcmp(i->name, "rules") != 0)
+        if (strcmp(i->name, "rules") != 0 && strcmp(i->name, "presolve") != 0)
             cr_expect_eq(fmb_options_set(&o, i->name, i->initial), FMB_OK, "%s = %s", i->name,
                          i->initial);
         cr_expect(o.arith == d.arith && o.method == d.method && o.order == d.order &&
                       o.evidence == d.evidence && o.max_rows == d.max_rows &&
-                      o.max_bytes == d.max_bytes,
+                      o.max_bytes == d.max_bytes && o.rebase == d.rebase && o.simd == d.simd &&
+                      o.trace_rows == d.trace_rows,
                   "%s", i->name);
         cr_expect_float_eq(o.max_seconds, d.max_seconds, 0);
     }
-    cr_expect_null(d.rules);
+    cr_expect(!d.rules && !d.presolve);
 }
 
 Test(options, values_arrive)
@@ -103,12 +114,17 @@ Test(options, values_arrive)
     cr_expect_eq(fmb_options_set(&o, "method", "lp"), FMB_OK);
     cr_expect_eq(fmb_options_set(&o, "order", "fill"), FMB_OK);
     cr_expect_eq(fmb_options_set(&o, "rules", "kohler"), FMB_OK);
+    cr_expect_eq(fmb_options_set(&o, "rebase", "never"), FMB_OK);
+    cr_expect_eq(fmb_options_set(&o, "presolve", "bounds"), FMB_OK);
+    cr_expect_eq(fmb_options_set(&o, "simd", "avx2"), FMB_OK);
+    cr_expect_eq(fmb_options_set(&o, "trace_rows", "true"), FMB_OK);
     cr_expect_eq(fmb_options_set(&o, "evidence", "true"), FMB_OK);
     cr_expect_eq(fmb_options_set(&o, "max_seconds", "2.5"), FMB_OK);
     cr_expect_eq(fmb_options_set(&o, "max_rows", "7"), FMB_OK);
     cr_expect_eq(fmb_options_set(&o, "max_bytes", "18446744073709551615"), FMB_OK);
     cr_expect(o.arith == FMB_ARITH_GMP && o.method == FMB_METHOD_LP && o.order == FMB_ORDER_FILL);
-    cr_expect(strcmp(o.rules, "kohler") == 0 && o.evidence);
+    cr_expect(strcmp(o.rules, "kohler") == 0 && strcmp(o.presolve, "bounds") == 0 && o.evidence);
+    cr_expect(o.rebase == FMB_REBASE_NEVER && o.simd == FMB_SIMD_AVX2 && o.trace_rows);
     cr_expect(o.max_rows == 7 && o.max_bytes == SIZE_MAX);
     cr_expect_float_eq(o.max_seconds, 2.5, 0);
 }
@@ -137,6 +153,12 @@ Test(options, solver_refuses)
     o = fmb_options_default();
     o.order = (fmb_order)4;
     expect_refused(o, FMB_ERR_ARG);
+    o = fmb_options_default();
+    o.rebase = (fmb_rebase)3;
+    expect_refused(o, FMB_ERR_ARG);
+    o = fmb_options_default();
+    o.simd = (fmb_simd)4;
+    expect_refused(o, FMB_ERR_ARG);
     static const char *const bad[] = {
         "koehler", "none,none",         ",",       "none,kohler",   "kohler,kohlr",
         "k",       "kohler, duplicate", "kohlerx", "kohler kohler", "KOHLER"};
@@ -144,5 +166,12 @@ Test(options, solver_refuses)
         o = fmb_options_default();
         o.rules = bad[i];
         expect_refused(o, FMB_ERR_RULE);
+    }
+    static const char *const steps[] = {"equality", "none,bounds", ",",     "bounds,",
+                                        "",         "bounds box",  "BOUNDS"};
+    for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
+        o = fmb_options_default();
+        o.presolve = steps[i];
+        expect_refused(o, FMB_ERR_ARG);
     }
 }
