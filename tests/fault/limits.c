@@ -101,6 +101,12 @@ Test(limits, bytes_lp)
     every_limit(set_bytes, 1 << 18, FMB_STOP_BYTES, FMB_METHOD_LP, VERBS_COUNT);
 }
 
+Test(limits, fmplex)
+{
+    every_limit(set_rows, 10000, FMB_STOP_ROWS, FMB_METHOD_FMPLEX, 1);
+    every_limit(set_bytes, 1 << 18, FMB_STOP_BYTES, FMB_METHOD_FMPLEX, VERBS_COUNT);
+}
+
 /* Ask with a limit of time, and be back soon after it. */
 static void expect_time(const verb *w, const fmb_system *s, double seconds)
 {
