@@ -27,8 +27,9 @@ static const char *presolve(support_rng *g)
 
 fmb_options way_at(support_rng *g, unsigned mix)
 {
-    static const fmb_arith arith[] = {FMB_ARITH_INT, FMB_ARITH_INT, FMB_ARITH_INT, FMB_ARITH_AUTO,
-                                      FMB_ARITH_GMP};
+    static int widest = -1;
+    if (widest < 0)
+        widest = (int)way_widest();
     fmb_options o = fmb_options_default();
     o.method = FMB_METHOD_FM;
     o.evidence = true;
@@ -36,11 +37,11 @@ fmb_options way_at(support_rng *g, unsigned mix)
     o.order = support_chance(g, 40)
                   ? FMB_ORDER_GIVEN
                   : (fmb_order)support_between(g, FMB_ORDER_PAIRS, FMB_ORDER_FILL);
-    o.arith = arith[support_between(g, 0, 4)];
+    o.arith = support_chance(g, 10) ? FMB_ARITH_GMP : FMB_ARITH_INT;
     o.rebase = support_chance(g, 80) ? FMB_REBASE_ALWAYS : FMB_REBASE_AUTO;
     o.presolve = presolve(g);
-    o.simd = (fmb_simd)support_between(g, FMB_SIMD_AUTO, (int)way_widest());
-    o.max_rows = 1000;
+    o.simd = (fmb_simd)support_between(g, FMB_SIMD_AUTO, widest);
+    o.max_rows = 500;
     o.max_bytes = (size_t)16 << 20;
     return o;
 }
