@@ -14,7 +14,7 @@ static const double CHANCE = 0.05;
 
 static bool saves(const study_digest *d)
 {
-    return d->both > 0 ? d->kept_ratio < 1 : d->only > 0;
+    return isnan(d->kept_ratio) ? d->only > 0 : d->kept_ratio < 1;
 }
 
 static bool pays(const study_digest *d)
@@ -39,11 +39,11 @@ static int from_which(const study_digest *of_dim, const bool *studied,
 
 static void add_dim(app_table *t, const study_digest *d)
 {
-    if (d->both > 0)
+    if (!isnan(d->kept_ratio))
         qualify_cell(t, "%+.0f %%", 100 * (d->kept_ratio - 1));
     else
         qualify_cell(t, "%s", d->only > 0 ? "decides" : "-");
-    qualify_ratio_cell(t, d->median_ratio, d->timed_only > 0);
+    qualify_time_cell(t, d, d->median_ratio);
 }
 
 static void add_from(app_table *t, int from)
@@ -96,12 +96,12 @@ static void add_article(app_table *t, const qualify_plan *p, size_t set)
     qualify_cell(t, "  %s", qualify_set_text(&p->way[set]));
     for (int dim = 2; dim <= 3; dim++) {
         study_digest d = qualify_digest(p, set, &(qualify_select){dim, 0, ANY, ANY, NULL});
-        if (d.both > 0)
+        if (!isnan(d.kept_ratio))
             qualify_cell(t, "%.0f %% fewer rows,", 100 * (1 - d.kept_ratio));
         else
             qualify_cell(t, "-");
         qualify_cell(t, "time x");
-        qualify_ratio_cell(t, d.median_ratio, d.timed_only > 0);
+        qualify_time_cell(t, &d, d.median_ratio);
     }
 }
 

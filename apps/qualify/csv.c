@@ -56,7 +56,7 @@ static void put_class(void *self, const qualify_plan *p, const qualify_select *w
         fprintf(f, ",%zu,%zu", d.both, d.only);
         put_ratio(f, d.kept_ratio);
         put_ratio(f, d.lived_ratio);
-        fprintf(f, ",%zu,%zu", d.timed, d.timed_only);
+        fprintf(f, ",%zu,%zu,%zu", d.timed, d.base_gave_up, d.gave_up);
         put_ratio(f, d.median_ratio);
         put_ratio(f, d.total_ratio);
         put_ratio(f, d.chance);
@@ -112,9 +112,10 @@ static int write_classes(const qualify_plan *p)
         fprintf(f, "systems,rules,order,n,decided,stopped,refused,wrong,pairs,made,kept,sum,peak,"
                    "held");
         put_dropped_titles(f, p);
-        fprintf(f,
-                ",both_decided,only_this_decided,kept_ratio,sum_ratio,timed,timed_against_stopped,"
-                "time_median_ratio,time_total_ratio,sign_test\n");
+        fprintf(
+            f,
+            ",both_decided,only_this_decided,kept_ratio,sum_ratio,timed,none_gave_up,this_gave_up,"
+            "time_median_ratio,time_total_ratio,sign_test\n");
         qualify_each(p, true, f, put_class);
         code = app_file_close(f, path);
     }

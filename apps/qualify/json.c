@@ -47,7 +47,8 @@ static void set_ratios(json_t *obj, const study_digest *d)
     app_json_set(obj, "kept_ratio", real(d->kept_ratio));
     app_json_set(obj, "sum_ratio", real(d->lived_ratio));
     app_json_set(obj, "timed", count(d->timed));
-    app_json_set(obj, "timed_against_stopped", count(d->timed_only));
+    app_json_set(obj, "none_gave_up", count(d->base_gave_up));
+    app_json_set(obj, "this_gave_up", count(d->gave_up));
     app_json_set(obj, "time_median_ratio", real(d->median_ratio));
     app_json_set(obj, "time_total_ratio", real(d->total_ratio));
     app_json_set(obj, "sign_test", real(d->chance));

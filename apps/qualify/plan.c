@@ -39,9 +39,10 @@ static const struct argp_option options[] = {
      "there, `default` is the choice of the library",
      2},
     {"orders", KEY_ORDERS, "WORD,...", 0, "pairs, given, min, fill [pairs]", 2},
-    {"presolve", KEY_PRESOLVE, "STEPS", 0, "As `fmb solve` takes it [none]", 2},
+    {"presolve", KEY_PRESOLVE, "STEPS", 0,
+     "As `fmb solve` takes it; the box rule needs bounds [bounds]", 2},
     {NULL, 0, NULL, 0, "Limits:", 3},
-    {"max-rows", KEY_ROWS, "N", 0, "Live rows at which a query is stopped [2000]", 3},
+    {"max-rows", KEY_ROWS, "N", 0, "Live rows at which a query is stopped [10000]", 3},
     {"max-seconds", KEY_SECONDS, "S", 0,
      "Time at which a query is stopped [20]: where that happens, counts depend on the machine", 3},
     {"passes", KEY_PASSES, "N", 0, "Of the clock over all systems; 0 measures no time [3]", 3},
@@ -89,7 +90,7 @@ void qualify_plan_init(qualify_plan *p)
     for (int d = 2; d <= 6; d++)
         p->dim[d] = true;
     p->grid = (study_grid){.seed = 1, .per_class = 12, .passes = 3};
-    p->grid.limits = (study_limits){.max_rows = 2000, .max_seconds = 20, .presolve = "none"};
+    p->grid.limits = (study_limits){.max_rows = 10000, .max_seconds = 20, .presolve = "bounds"};
 }
 
 /* ---- values ---------------------------------------------------------------------------------- */

@@ -21,12 +21,13 @@ typedef struct picture {
 
 static double rows(const study_digest *d)
 {
-    return d->systems > 0 && d->decided == d->systems ? d->lived : (double)NAN;
+    return d->stopped == 0 && d->lived > 0 ? d->lived : (double)NAN;
 }
 
 static double seconds(const study_digest *d)
 {
-    return d->systems > 0 && d->timed == d->systems ? d->median_ratio : (double)NAN;
+    return d->systems > 0 && d->timed == d->systems && d->gave_up == 0 ? d->median_ratio
+                                                                       : (double)NAN;
 }
 
 static const picture PICTURE[] = {

@@ -16,7 +16,9 @@ typedef struct qualify_select {
     const char *file;            /* this one alone, or NULL */
 } qualify_select;
 
-/* The digest of way number way (against `none` in the same order) over those systems. */
+/* The digest of way number way (against `none` in the same order) over those systems. Where pairs
+ * that meet and others come together, rows are counted of the first only: elsewhere the elimination
+ * ends early. */
 study_digest qualify_digest(const qualify_plan *p, size_t way, const qualify_select *which);
 /* The selections of a report, finest first counting: every class and file on its own (detail), or
  * every dimension and motion, and all files together. Calls use for each. */
@@ -27,8 +29,9 @@ char *qualify_select_text(const qualify_select *which);
 
 /* Add a cell, as printf. */
 void qualify_cell(app_table *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
-/* A ratio, "-" if there is none, "<" before one that can only be smaller. */
-void qualify_ratio_cell(app_table *t, double ratio, bool at_most);
+/* A ratio of d's times, "-" if there is none; "<", ">" before one that can only be smaller, larger,
+ * "~" if neither is certain. */
+void qualify_time_cell(app_table *t, const study_digest *d, double ratio);
 
 void qualify_tables(const qualify_plan *p);
 /* From which D on each set saves rows and time; the claims of the article. */

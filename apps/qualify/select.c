@@ -17,13 +17,35 @@ static bool selects(const void *self, const study_sample *s)
            (w->kind == ANY || w->kind == kind) && (w->meets == ANY || w->meets == c->meets);
 }
 
-study_digest qualify_digest(const qualify_plan *p, size_t way, const qualify_select *which)
+static study_digest digest(const qualify_plan *p, size_t way, const qualify_select *which)
 {
     study_digest d;
     size_t base = way - way % p->sets;
     if (study_digest_make(&p->grid, way, base, selects, which, &d) != FMB_OK)
         app_need(NULL);
     return d;
+}
+
+study_digest qualify_digest(const qualify_plan *p, size_t way, const qualify_select *which)
+{
+    study_digest d = digest(p, way, which);
+    if (which->dim <= FILES || which->meets != ANY || !p->meeting[1])
+        return d;
+    qualify_select meeting = *which;
+    meeting.meets = 1;
+    study_digest m = digest(p, way, &meeting);
+    m.systems = d.systems;
+    m.decided = d.decided;
+    m.stopped = d.stopped;
+    m.refused = d.refused;
+    m.wrong = d.wrong;
+    m.timed = d.timed;
+    m.base_gave_up = d.base_gave_up;
+    m.gave_up = d.gave_up;
+    m.total_ratio = d.total_ratio;
+    m.median_ratio = d.median_ratio;
+    m.chance = d.chance;
+    return m;
 }
 
 static bool same(const qualify_select *a, const qualify_select *b)
@@ -84,10 +106,14 @@ void qualify_cell(app_table *t, const char *format, ...)
     app_table_add(t, app_need(length < 0 ? NULL : text));
 }
 
-void qualify_ratio_cell(app_table *t, double ratio, bool at_most)
+void qualify_time_cell(app_table *t, const study_digest *d, double ratio)
 {
-    if (ratio != ratio)
+    const char *mark = d->base_gave_up > 0 && d->gave_up > 0 ? "~"
+                       : d->base_gave_up > 0                 ? "<"
+                       : d->gave_up > 0                      ? ">"
+                                                             : "";
+    if (d->timed == 0)
         qualify_cell(t, "-");
     else
-        qualify_cell(t, "%s%.*f", at_most ? "<" : "", ratio < 0.1 ? 3 : 2, ratio);
+        qualify_cell(t, "%s%.*f", mark, ratio < 0.1 ? 3 : 2, ratio);
 }

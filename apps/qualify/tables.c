@@ -1,4 +1,5 @@
 /* tables.c: the counts and times on standard output. */
+#include <math.h>
 #include <stdlib.h>
 
 #include "qualify/report.h"
@@ -37,9 +38,12 @@ static void add_line(page *g, const qualify_plan *p, size_t set, const qualify_s
             qualify_cell(t, "%.1f", mean[i]);
         else
             qualify_cell(t, "-");
-    qualify_ratio_cell(t, d.lived_ratio, false);
-    qualify_ratio_cell(t, d.median_ratio, d.timed_only > 0);
-    qualify_ratio_cell(t, d.total_ratio, d.timed_only > 0);
+    if (isnan(d.kept_ratio))
+        qualify_cell(t, "-");
+    else
+        qualify_cell(t, "%+.0f %%", 100 * (d.kept_ratio - 1));
+    qualify_time_cell(t, &d, d.median_ratio);
+    qualify_time_cell(t, &d, d.total_ratio);
 }
 
 static void add_lines(void *self, const qualify_plan *p, const qualify_select *which)
@@ -58,11 +62,11 @@ static void print_unknown(const qualify_plan *p)
 void qualify_tables(const qualify_plan *p)
 {
     printf(
-        "pairs, made: pairs looked at and rows combined; kept: of those, rows that outlived the "
-        "rules of\ntheir round; sum, peak: rows alive after a round, added up over the rounds, "
-        "and at most. Means over\nthe systems decided. rows: sum against no rules, ratio of "
-        "totals where both decided. time, total:\nverdict against no rules, median of ratios and "
-        "ratio of totals; < where no rules gave up first.\n");
+        "pairs, made: pairs looked at, rows combined; kept: of those, rows that outlived the rules "
+        "of their\nround; sum, peak: rows alive after a round, added up over the rounds, and at "
+        "most: means over the\nsystems decided, of pairs that meet. rows: change of kept against "
+        "no rules. time, total: of the verdict\nagainst no rules, median of ratios and ratio of "
+        "totals; < where no rules gave up first, > where these\ndid, ~ where both happened.\n");
     print_unknown(p);
     for (size_t k = 0; k < p->orders; k++) {
         page g = {{.columns = COLUMNS, .align = "llrrrrrrrrrrrr"}, k};

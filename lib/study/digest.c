@@ -46,16 +46,18 @@ static void add_pair(study_digest *d, sums *s, const study_run *plain, const stu
 
 static void add_time(study_digest *d, sums *s, const study_run *plain, const study_run *r)
 {
-    bool solved = r->solved == STUDY_DECIDED;
-    bool given_up = plain->solved == STUDY_STOPPED;
-    if (!solved || (plain->solved != STUDY_DECIDED && !given_up) || plain->seconds <= 0)
+    bool solved = r->solved == STUDY_DECIDED, base_solved = plain->solved == STUDY_DECIDED;
+    bool ran = solved || r->solved == STUDY_STOPPED;
+    bool base_ran = base_solved || plain->solved == STUDY_STOPPED;
+    if (!ran || !base_ran || !(solved || base_solved) || plain->seconds <= 0)
         return;
     s->ratio[d->timed++] = r->seconds / plain->seconds;
-    d->timed_only += given_up;
+    d->base_gave_up += !base_solved;
+    d->gave_up += !solved;
     s->seconds[0] += plain->seconds;
     s->seconds[1] += r->seconds;
-    s->gains += r->seconds < plain->seconds;
-    s->losses += r->seconds > plain->seconds;
+    s->gains += solved && r->seconds < plain->seconds;
+    s->losses += !solved || r->seconds > plain->seconds;
 }
 
 static void add_run(study_digest *d, sums *s, const study_run *plain, const study_run *r)

@@ -13,11 +13,12 @@ typedef struct study_digest {
      * none. only: systems that this way decided and base did not. */
     size_t both, only;
     double kept_ratio, lived_ratio;
-    /* Time against way base, over the systems that at least one of them solved: a system that base
-     * gave up enters with the time until then, so the ratio is too large there. */
-    size_t timed, timed_only; /* systems; of those, how many base gave up */
-    double total_ratio;       /* of totals */
-    double median_ratio;      /* median over the systems */
+    /* Time against way base, over the systems that at least one of them solved. One that gave up
+     * enters with its time until then: the ratio is too large where base did, too small where this
+     * way did. */
+    size_t timed, base_gave_up, gave_up; /* systems */
+    double total_ratio;                  /* of totals */
+    double median_ratio;                 /* median over the systems */
     double chance; /* that so many or more of the systems gain if gain and loss are equally likely:
                       the sign test, one-sided */
 } study_digest;

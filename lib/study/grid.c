@@ -137,10 +137,11 @@ static fmb_status count_one(bench *b, size_t way, const study_case *c, study_run
 {
     fmb_system *shadow;
     char *words = NULL;
-    fmb_status st = study_engine_count(&b->engine[way], c->s, c->keep, c->kept, run, &shadow);
+    const int *keep = c->truth == FMB_INFEASIBLE ? NULL : c->keep;
+    fmb_status st = study_engine_count(&b->engine[way], c->s, keep, c->kept, run, &shadow);
     bool decided = st == FMB_OK && run->outcome == STUDY_DECIDED;
     bool wrong = decided && c->truth != FMB_UNKNOWN && run->verdict != c->truth;
-    if (decided && !wrong && c->shadow && c->truth == FMB_FEASIBLE) {
+    if (decided && !wrong && shadow && c->shadow) {
         st = study_judge_words(&b->judge, shadow, &words);
         wrong = st == FMB_OK && words && strcmp(words, c->shadow) != 0;
     }

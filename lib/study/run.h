@@ -32,7 +32,7 @@ typedef enum study_outcome {
 } study_outcome;
 
 typedef struct study_run {
-    /* Elimination of all variables but those to keep. */
+    /* Elimination of all variables but those to keep; of a system without solutions, of all. */
     study_outcome outcome;
     fmb_stop stop;
     fmb_verdict verdict;
@@ -60,7 +60,7 @@ fmb_status study_engine_open(study_engine *e, const study_way *way, const study_
 void study_engine_close(study_engine *e);
 
 /* [give] Eliminate all but keep[0..n) and fill in that part of the run; *shadow is NULL unless it
- * was decided. */
+ * was decided. With keep NULL: all variables, until a row says 0 <= -1 if one does. */
 fmb_status study_engine_count(study_engine *e, const fmb_system *s, const int *keep, int n,
                               study_run *run, fmb_system **shadow);
 /* Decide s by elimination and fill in the rest. truth may be FMB_UNKNOWN. */
