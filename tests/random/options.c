@@ -3,7 +3,20 @@
 
 #include "options.h"
 
-static const char *const RULES[] = {NULL, "none", "duplicate", "kohler", "duplicate,kohler", "lp"};
+static const struct {
+    const char *names;
+    fmb_rebase rebase;
+} RULES[] = {
+    {NULL, FMB_REBASE_AUTO},
+    {"none", FMB_REBASE_AUTO},
+    {"duplicate", FMB_REBASE_AUTO},
+    {"kohler", FMB_REBASE_AUTO},
+    {"duplicate,kohler", FMB_REBASE_ALWAYS},
+    {"lp", FMB_REBASE_AUTO},
+    {"chernikov,dominated", FMB_REBASE_ALWAYS},
+    {"imbert,box", FMB_REBASE_AUTO},
+    {"box,lp,kohler,chernikov,imbert,duplicate,dominated", FMB_REBASE_ALWAYS},
+};
 static const fmb_order ORDERS[] = {FMB_ORDER_GIVEN, FMB_ORDER_PAIRS, FMB_ORDER_MIN, FMB_ORDER_FILL};
 static const fmb_arith ARITHS[] = {FMB_ARITH_INT, FMB_ARITH_GMP};
 static const fmb_method METHODS[] = {FMB_METHOD_AUTO, FMB_METHOD_FM, FMB_METHOD_LP,
@@ -28,7 +41,8 @@ fmb_options options_at(int i)
     if (i == 0)
         return o;
     i -= 1;
-    o.rules = RULES[i % N_RULES];
+    o.rules = RULES[i % N_RULES].names;
+    o.rebase = RULES[i % N_RULES].rebase;
     i /= N_RULES;
     o.order = ORDERS[i % N_ORDERS];
     i /= N_ORDERS;

@@ -1,14 +1,15 @@
 /* rule_mixes.c: every rule, pair and triple of rules on random systems, against the ground truth.
  *
- *   rule-mixes [--count=N] [--first=I] [--processes=P] [--mixes=all|rebased|others]
- * [--expect=wrong]
+ *   rule-mixes [--count=N] [--first=I] [--processes=P] [--each=K]
+ *              [--mixes=all|rebased|others] [--expect=wrong]
  *
  * System i is made from seed i alone (make.h). Its verdict comes from the ground truth, or, where
  * that grows too large, from a proof of the exact simplex that the checker has accepted.
- * Elimination is then asked for the verdict under MIXES mixes in turn, so that over N systems each
- * mix is asked MIXES * N / 41 times; and of every SHADOWS-th system a projection on random
- * variables and the box of one variable, under one mix, half of the time with the rule "lp" beside
- * it. Every answer is compared with the truth and its evidence checked.
+ * Elimination is then asked for the verdict under K of the mixes (all 41 unless K is given), which
+ * take turns, so that N systems ask each mix K N / 41 times; options are random (way.h), and so is,
+ * in one case of four, the order of elimination. Every SHADOWS-th system is also asked for a
+ * projection on random variables and the box of one variable, under one mix, half of the time with
+ * the rule "lp" beside it. Every answer is compared with the truth and its evidence checked.
  *
  * --mixes=rebased asks only of mixes that are right because the engine re-bases, others only of the
  * rest. --expect=wrong is for engines with a fault built in: verdicts only, and exit 0 only if one
@@ -23,11 +24,11 @@
 #include "question.h"
 #include "way.h"
 
-enum { SHADOWS = 4, GIVE_UP = 10, EXACT_ROWS = 150 };
+enum { SHADOWS = 8, GIVE_UP = 10, EXACT_ROWS = 150 };
 
 typedef struct task {
     unsigned mix[MIX_SMALL];
-    uint64_t mixes;
+    uint64_t mixes, each; /* in all; asked of each system */
     bool expects_wrong;
 } task;
 
@@ -92,8 +93,8 @@ static bool one_system(void *self, uint64_t i, agree *g, uint64_t *failures)
         ++*failures;
     }
     question q = {.kind = ASK_SOLVE};
-    for (uint64_t k = 0; k < job->mixes; k++) {
-        q.options = way_at(&rng, job->mix[k]);
+    for (uint64_t k = 0; k < job->each; k++) {
+        q.options = way_at(&rng, job->mix[(i * job->each + k) % job->mixes]);
         q.order = support_chance(&rng, 25) ? support_next(&rng) : 0;
         ask(job, q, g, &t, i, failures);
     }
@@ -130,26 +131,31 @@ static bool text(const char *arg, const char *name, const char **out)
 int main(int argc, char **argv)
 {
     task job = {0};
-    const char *count = "20000", *first = "0", *processes = "2", *mixes = "all", *expect = "right";
+    const char *count = "20000", *first = "0", *processes = "2", *mixes = "all", *expect = "right",
+               *each = "41";
     for (int i = 1; i < argc; i++)
         if (!text(argv[i], "--count=", &count) && !text(argv[i], "--first=", &first) &&
             !text(argv[i], "--processes=", &processes) && !text(argv[i], "--mixes=", &mixes) &&
-            !text(argv[i], "--expect=", &expect)) {
+            !text(argv[i], "--expect=", &expect) && !text(argv[i], "--each=", &each)) {
             fprintf(stderr, "usage: rule-mixes [--count=N] [--first=I] [--processes=P] "
-                            "[--mixes=all|rebased|others] [--expect=wrong]\n");
+                            "[--each=K] [--mixes=all|rebased|others] [--expect=wrong]\n");
             return 64;
         }
     choose_mixes(&job, mixes);
+    job.each = strtoull(each, NULL, 10);
+    job.each = job.each < job.mixes ? job.each : job.mixes;
     job.expects_wrong = strcmp(expect, "wrong") == 0;
     crew_sum sum;
     bool good = crew_run(one_system, &job, strtoull(first, NULL, 10), strtoull(count, NULL, 10),
                          atoi(processes), EXACT_ROWS, &sum);
-    printf("%llu systems, %llu mixes, %llu questions, %llu wrong; verdicts by checked proof for "
+    printf("%llu systems, %llu of %llu mixes each, %llu questions, %llu wrong; verdicts by checked "
+           "proof for "
            "lack of the ground truth: %llu, parts of projections and boxes it could not judge: "
            "%llu, undecided: %llu%s\n",
-           (unsigned long long)sum.jobs, (unsigned long long)job.mixes,
-           (unsigned long long)sum.questions, (unsigned long long)sum.failures,
-           (unsigned long long)sum.by_proof, (unsigned long long)sum.unjudged,
-           (unsigned long long)sum.undecided, good ? "" : "; a process died");
+           (unsigned long long)sum.jobs, (unsigned long long)job.each,
+           (unsigned long long)job.mixes, (unsigned long long)sum.questions,
+           (unsigned long long)sum.failures, (unsigned long long)sum.by_proof,
+           (unsigned long long)sum.unjudged, (unsigned long long)sum.undecided,
+           good ? "" : "; a process died");
     return good && (sum.failures > 0) == job.expects_wrong ? 0 : 1;
 }
