@@ -100,8 +100,9 @@ FMB_API int fmb_view_sign(const fmb_view *w, size_t row, int col); /* -1, 0, 1; 
  * <fmb/gmp.h>. */
 FMB_API const int64_t *fmb_view_int64(const fmb_view *w, size_t row);
 
-/* Base rows combined into a row, as a bit set of *words words; NULL while no rule in use needs
- * histories. */
+/* Base rows combined into a row, as a bit set of *words words; NULL while no histories are kept: no
+ * rule in use needs them, or they start anew before the next pairs. All that is said of histories
+ * below is then empty, and every row minimal. */
 FMB_API const uint64_t *fmb_view_history(const fmb_view *w, size_t row, size_t *words);
 /* Columns effectively eliminated on the way to a row: those that some combination cancelled. */
 FMB_API const uint64_t *fmb_view_effective(const fmb_view *w, size_t row, size_t *words);

@@ -42,6 +42,7 @@ fmb_status fmb_elim_init(fmb_elim *e, fmb_run *run, fmb_arena *arena, int n,
         *e->filter = (fmb_filter){0};
     if (!e->round || !e->candidate || !e->gone || !e->filter)
         return fmb_mem_status(arena->mem);
+    memset(e->gone, 0, e->columns * sizeof *e->gone);
     fmb_status st = hire(e, o);
     if (st == FMB_OK)
         st = fmb_num_init(&e->num, run->mem, (size_t)n + 1, o->wide_only);

@@ -100,6 +100,8 @@ static void note(const fmb_view *w, fmb_status st)
 
 void fmb_view_drop_larger(const fmb_view *w, size_t i, int most, uint64_t *drop)
 {
+    if (!w->e->histories)
+        return;
     fmb_status st = lay_out_uppers(w);
     if (st == FMB_OK)
         w->e->run->kernels->larger(&w->e->filter->uppers.planes, w->e->row[w->lower[i]].history,
@@ -111,6 +113,8 @@ void fmb_view_drop_larger(const fmb_view *w, size_t i, int most, uint64_t *drop)
 void fmb_view_drop_covered(const fmb_view *w, size_t i, uint64_t *drop)
 {
     fmb_elim *e = w->e;
+    if (!e->histories)
+        return;
     fmb_status st = lay_out_rows(w);
     uint64_t *u = st == FMB_OK ? fmb_history_get(e) : NULL;
     const uint64_t *a = e->row[w->lower[i]].history;

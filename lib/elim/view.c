@@ -2,6 +2,7 @@
 #include "elim/view.h"
 
 #include <fmb/gmp.h>
+#include <string.h>
 
 #include "elim/rank.h"
 
@@ -133,7 +134,11 @@ const uint64_t *fmb_view_effective(const fmb_view *w, size_t row, size_t *words)
 
 void fmb_view_implicit(const fmb_view *w, size_t row, uint64_t *out)
 {
-    fmb_history_implicit(w->e, &w->e->row[row], out);
+    size_t words;
+    if (fmb_view_history(w, row, &words))
+        fmb_history_implicit(w->e, &w->e->row[row], out);
+    else
+        memset(out, 0, w->e->columns * sizeof *out);
 }
 
 const uint64_t *fmb_view_gone(const fmb_view *w)
@@ -159,6 +164,9 @@ void fmb_view_base_get(const fmb_view *w, size_t base, int col, mpz_t out)
 bool fmb_view_minimal(const fmb_view *w, size_t row)
 {
     bool minimal = true;
+    size_t words;
+    if (!fmb_view_history(w, row, &words))
+        return true;
     fmb_status st = fmb_elim_minimal(w->e, &w->e->row[row], &minimal);
     if (*w->status == FMB_OK)
         *w->status = st;
