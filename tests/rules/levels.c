@@ -1,5 +1,6 @@
-/* levels.c: instructions, orders, presolve and sets of rules change the work, never the answer; and
- * instructions do not even change the work: every counter is the same. */
+/* levels.c: instructions, orders, presolve and sets of rules change the work, never the answer;
+ * instructions do not even change the work: every counter is the same; and mixes that need to
+ * re-base are refused where that is forbidden. */
 #include <criterion/criterion.h>
 
 #include "../random/agree.h"
@@ -73,4 +74,23 @@ Test(levels, same_answer)
         }
         fmb_system_free(s);
     }
+}
+
+Test(levels, refused)
+{
+    fmb_system *s = make_system(1);
+    for (unsigned mix = 0; mix < 2 * MIX_SUBSETS; mix++) {
+        fmb_options o = fmb_options_default();
+        fmb_solver *v = NULL;
+        fmb_result r;
+        o.rebase = FMB_REBASE_NEVER;
+        o.rules = mix_text(mix, 0);
+        must(fmb_solver_new(&o, NULL, &v));
+        fmb_status st = fmb_solve(v, s, &r);
+        cr_expect_eq(st, mix_needs_rebase(mix) ? FMB_ERR_RULE : FMB_OK, "%s: %s", o.rules,
+                     fmb_status_text(st));
+        cr_expect_eq(fmb_solver_trouble(v)[0] != '\0', mix_needs_rebase(mix), "%s", o.rules);
+        fmb_solver_free(v);
+    }
+    fmb_system_free(s);
 }
