@@ -27,8 +27,8 @@
  *   y_i < 0: the others, with their weights, add up to |y_i| times row i with a smaller right side:
  *     row i follows from the others and is dropped from N. N has the same solutions as before, is
  *     smaller by a row, and is searched anew; weights that refute it refute N with row i, too.
- *     Of the same side, a bound with a large part in that is tried next, as a pivot would: fewer
- *     than a third of the nodes of a fixed order on systems where many are tried.
+ *     Of the bounds of its side that imply it, the one with the largest part is tried next, as a
+ *     pivot would: mostly far fewer nodes than in any fixed order.
  * A single bound on its side meets no bound of the same side: all beta > 0, and y_i >= 0. So N is
  * refuted at the latest then. By induction over depth (n at most) and rows the search ends, and
  * what it returns at the root are weights over the user's rows: a certificate.

@@ -1,21 +1,6 @@
 /* fmplex_choose.c: which variable goes next, and by which of its bounds. Any choice is right. */
 #include "elim/fmplex_path.h"
 
-/* Rows of each kind in each column. */
-static void count(const fmb_plexpath *g, const fmb_plexnode *at)
-{
-    for (int j = 0; j < g->n; j++)
-        g->lower[j] = g->upper[j] = g->equal[j] = 0;
-    for (size_t i = 0; i < at->lives; i++) {
-        const fmb_plexrow *r = at->live[i];
-        for (int j = 0; j < g->n; j++) {
-            int sign = fmb_vec_sgn(&r->v, (size_t)j);
-            if (sign != 0)
-                ++*(r->equality ? &g->equal[j] : sign < 0 ? &g->lower[j] : &g->upper[j]);
-        }
-    }
-}
-
 /* Nodes to try below, less 1: none besides one for an equality or bounds of one sign. */
 static size_t branches(const fmb_plexpath *g, int j)
 {
@@ -75,10 +60,9 @@ static fmb_plexrow *choose_bound(const fmb_plexpath *g, const fmb_plexnode *at, 
 bool fmb_plexpath_choose(fmb_plexpath *g)
 {
     fmb_plexnode *at = &g->node[g->depth];
-    if (at->lives == 0)
-        return false;
-    count(g, at);
     int j = at->var = choose_var(g);
+    if (j < 0)
+        return false;
     if (g->equal[j] > 0)
         at->via = choose_bound(g, at, 0);
     else if (g->lower[j] == 0 || g->upper[j] == 0)

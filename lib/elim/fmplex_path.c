@@ -44,21 +44,30 @@ void fmb_plexpath_cap(const fmb_plexpath *g, fmb_plexnode *at, const fmb_plexrow
 
 /* ---- nodes ----------------------------------------------------------------------------------- */
 
-/* Room for `made` new rows, and `lives` live ones. No other node looks into this one now. */
-static fmb_status reserve(fmb_plexpath *g, fmb_plexnode *at, size_t lives, size_t made)
+/* Room for new rows. No other node looks into this one now. */
+static fmb_status reserve(fmb_plexpath *g, fmb_plexnode *at, size_t rows)
 {
     fmb_mem *mem = g->run->mem;
     size_t words;
-    if (__builtin_mul_overflow(made, g->length, &words))
+    if (__builtin_mul_overflow(rows, g->length, &words))
         return FMB_ERR_MEMORY;
     fmb_status st =
-        fmb_mem_reserve(mem, (void **)&at->live, &at->live_capacity, lives, sizeof *at->live);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(mem, (void **)&at->made, &at->made_capacity, made, sizeof *at->made);
+        fmb_mem_reserve(mem, (void **)&at->made, &at->made_capacity, rows, sizeof *at->made);
     if (st == FMB_OK)
         st =
             fmb_mem_reserve(mem, (void **)&at->words, &at->word_capacity, words, sizeof *at->words);
     return st;
+}
+
+/* A row begins (by = 1) or ceases (by = -1) to be live in the node at hand. */
+static void count(const fmb_plexpath *g, const fmb_plexrow *r, int by)
+{
+    for (size_t j = 0; j < (size_t)g->n; j++) {
+        int sign = fmb_vec_sgn(&r->v, j);
+        size_t *of = r->equality ? g->equal : sign < 0 ? g->lower : g->upper;
+        if (sign != 0)
+            of[j] += (size_t)by;
+    }
 }
 
 static void empty(fmb_plexpath *g, fmb_plexnode *at)
@@ -66,16 +75,48 @@ static void empty(fmb_plexpath *g, fmb_plexnode *at)
     for (size_t i = 0; i < at->mades; i++)
         fmb_vec_clear(&at->made[i].v, g->length, g->run->mem);
     g->held -= at->mades;
-    at->mades = at->lives = 0;
+    at->mades = at->lives = at->filled = 0;
     at->capped = false;
     at->via = NULL;
+}
+
+/* Back to the node above: the counts become its own again. */
+static void ascend(fmb_plexpath *g)
+{
+    fmb_plexnode *at = &g->node[g->depth--], *above = &g->node[g->depth];
+    for (size_t i = 0; i < at->filled; i++) {
+        bool is_live = i<at->lives, is_own = at->live[i]->node> g->depth;
+        if (is_live == is_own)
+            count(g, at->live[i], is_live ? -1 : 1);
+    }
+    for (size_t i = 0; i < above->lives; i++)
+        if (fmb_vec_sgn(&above->live[i]->v, (size_t)above->var) != 0)
+            count(g, above->live[i], 1);
+    empty(g, at);
 }
 
 void fmb_plexpath_leave(fmb_plexpath *g, int d)
 {
     while (g->depth > d)
-        empty(g, &g->node[g->depth--]);
+        ascend(g);
     g->clash = NULL;
+}
+
+static void enliven(fmb_plexnode *at, fmb_plexrow *r)
+{
+    at->live[at->lives++] = r;
+    at->filled = at->lives;
+}
+
+void fmb_plexpath_drop(fmb_plexpath *g)
+{
+    fmb_plexnode *at = &g->node[g->depth];
+    size_t i = 0;
+    while (at->live[i] != at->via)
+        i++;
+    at->live[i] = at->live[--at->lives];
+    at->live[at->lives] = at->via;
+    count(g, at->via, -1);
 }
 
 /* A row of zeros at the end of a node's rows, not live yet. */
@@ -94,7 +135,8 @@ static fmb_plexrow *open_row(fmb_plexpath *g, fmb_plexnode *at)
 static void close_row(fmb_plexpath *g, fmb_plexnode *at, fmb_plexrow *r)
 {
     if (!is_constant(g, r)) {
-        at->live[at->lives++] = r;
+        enliven(at, r);
+        count(g, r, 1);
         return;
     }
     if (is_false(g, r)) {
@@ -127,25 +169,43 @@ static fmb_status combine(fmb_plexpath *g, fmb_plexnode *at, const fmb_plexnode 
     return st != FMB_OK ? st : fmb_run_poll(g->run);
 }
 
+/* Rows without var stay as they are; the others go. Number of these. */
+static size_t inherit(fmb_plexpath *g, fmb_plexnode *at, const fmb_plexnode *above)
+{
+    size_t gone = 0;
+    for (size_t i = 0; i < above->lives; i++) {
+        fmb_plexrow *r = above->live[i];
+        if (fmb_vec_sgn(&r->v, (size_t)above->var) == 0) {
+            enliven(at, r);
+        } else {
+            count(g, r, -1);
+            gone++;
+        }
+    }
+    return gone;
+}
+
 fmb_status fmb_plexpath_descend(fmb_plexpath *g)
 {
     fmb_plexnode *above = &g->node[g->depth], *at = above + 1;
-    size_t column = (size_t)above->var, naming = 0;
-    for (size_t i = 0; i < above->lives; i++)
-        naming += fmb_vec_sgn(&above->live[i]->v, column) != 0;
-    fmb_status st = reserve(g, at, above->lives, above->via ? naming : 0);
+    fmb_mem *mem = g->run->mem;
+    fmb_status st = fmb_mem_reserve(mem, (void **)&at->live, &at->live_capacity, above->lives,
+                                    sizeof *at->live);
+    if (st != FMB_OK)
+        return st;
     g->depth++;
     g->run->stats.rounds++;
-    for (size_t i = 0; st == FMB_OK && !g->clash && i < above->lives; i++) {
+    size_t gone = inherit(g, at, above);
+    if (above->via)
+        st = reserve(g, at, gone);
+    for (size_t i = 0; above->via && st == FMB_OK && !g->clash && i < above->lives; i++) {
         fmb_plexrow *r = above->live[i];
-        if (fmb_vec_sgn(&r->v, column) == 0) {
-            at->live[at->lives++] = r;
-        } else if (above->via && r != above->via) {
-            g->run->stats.pairs++;
-            st = combine(g, at, above, r);
-        }
+        if (r == above->via || fmb_vec_sgn(&r->v, (size_t)above->var) == 0)
+            continue;
+        g->run->stats.pairs++;
+        st = combine(g, at, above, r);
     }
-    return st;
+    return st == FMB_OK ? fmb_run_poll(g->run) : st;
 }
 
 /* ---- the root -------------------------------------------------------------------------------- */
@@ -179,16 +239,17 @@ static fmb_status load_row(fmb_plexpath *g, const fmb_vec *row, fmb_rel rel)
 static fmb_status open_path(fmb_plexpath *g, fmb_arena *arena)
 {
     size_t n = (size_t)g->n;
-    g->lower = fmb_arena_get(arena, n, sizeof *g->lower);
-    g->upper = fmb_arena_get(arena, n, sizeof *g->upper);
-    g->equal = fmb_arena_get(arena, n, sizeof *g->equal);
+    g->lower = fmb_arena_get(arena, 3 * n, sizeof *g->lower);
     g->active = fmb_arena_get(arena, n + 3, sizeof *g->active);
-    mpq_t *weight = fmb_arena_get(arena, n + 3, sizeof *weight);
+    mpz_t *weight = fmb_arena_get(arena, n + 3, sizeof *weight);
     fmb_plexnode *node = fmb_arena_get(arena, n + 1, sizeof *node);
-    if (!g->lower || !g->upper || !g->equal || !g->active || !weight || !node)
+    if (!g->lower || !g->active || !weight || !node)
         return fmb_mem_status(arena->mem);
+    memset(g->lower, 0, 3 * n * sizeof *g->lower);
+    g->upper = g->lower + n;
+    g->equal = g->upper + n;
     for (size_t i = 0; i < n + 3; i++)
-        mpq_init(weight[i]);
+        mpz_init(weight[i]);
     for (size_t d = 0; d <= n; d++) {
         node[d] = (fmb_plexnode){0};
         mpq_init(node[d].cap);
@@ -204,13 +265,15 @@ fmb_status fmb_plexpath_init(fmb_plexpath *g, fmb_run *run, fmb_arena *arena, in
     *g = (fmb_plexpath){.run = run, .n = n, .length = (size_t)n + 1, .order = o->order};
     for (size_t i = 0; i < m && g->length == (size_t)n + 1; i++)
         g->length += rel[i] == FMB_LT;
-    mpz_inits(g->alpha, g->beta, g->t, g->u, NULL);
-    mpq_inits(g->content, g->share, NULL);
+    mpz_inits(g->alpha, g->beta, g->content, g->part, g->t, NULL);
     fmb_status st = fmb_num_init(&g->num, run->mem, g->length, o->arith == FMB_ARITH_GMP);
     if (st == FMB_OK)
         st = open_path(g, arena);
     if (st == FMB_OK)
-        st = reserve(g, &g->node[0], m, m);
+        st = fmb_mem_reserve(run->mem, (void **)&g->node[0].live, &g->node[0].live_capacity, m,
+                             sizeof *g->node[0].live);
+    if (st == FMB_OK)
+        st = reserve(g, &g->node[0], m);
     for (size_t i = 0; st == FMB_OK && !g->clash && i < m; i++)
         st = load_row(g, &row[i], rel[i]);
     return st != FMB_OK ? st : fmb_run_rows(run, g->held);
@@ -228,9 +291,8 @@ void fmb_plexpath_clear(fmb_plexpath *g)
         mpq_clear(at->cap);
     }
     for (size_t i = 0; g->weight && i < (size_t)g->n + 3; i++)
-        mpq_clear(g->weight[i]);
-    mpz_clears(g->alpha, g->beta, g->t, g->u, NULL);
-    mpq_clears(g->content, g->share, NULL);
+        mpz_clear(g->weight[i]);
+    mpz_clears(g->alpha, g->beta, g->content, g->part, g->t, NULL);
     g->run->stats.promotions += g->num.promotions;
     fmb_num_clear(&g->num);
 }

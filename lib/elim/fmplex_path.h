@@ -23,8 +23,8 @@ struct fmb_plexrow {
 };
 
 typedef struct fmb_plexnode {
-    fmb_plexrow **live; /* [lives] the system of this node */
-    size_t lives, live_capacity;
+    fmb_plexrow **live; /* [lives] the system of this node, [lives..filled) rows dropped from it */
+    size_t lives, filled, live_capacity;
     fmb_plexrow *made; /* [mades] rows made here */
     size_t mades, made_capacity;
     int64_t *words; /* [word_capacity] their entries */
@@ -45,13 +45,12 @@ typedef struct fmb_plexpath {
     int depth;                     /* the node at hand */
     size_t held;                   /* rows made along the path */
     fmb_plexrow *clash;            /* a false row of the node at hand, or NULL */
-    size_t *lower, *upper, *equal; /* [n] scratch: rows of each sign; equalities */
+    size_t *lower, *upper, *equal; /* [n] live inequalities of either sign; equalities */
 
     fmb_plexrow **active; /* [actives] the rows that a conflict combines, */
-    mpq_t *weight;        /* with these weights; there is room for n + 3 */
+    mpz_t *weight;        /* with these weights; there is room for n + 3 */
     size_t actives;
-    mpz_t alpha, beta, t, u;
-    mpq_t content, share;
+    mpz_t alpha, beta, content, part, t;
 } fmb_plexpath;
 
 /* The root: rows of the user. Errors: MEMORY, LIMIT; fmb_plexpath_clear in any case. */
@@ -64,6 +63,9 @@ void fmb_plexpath_clear(fmb_plexpath *g);
 fmb_status fmb_plexpath_descend(fmb_plexpath *g);
 /* Leave all nodes below d. */
 void fmb_plexpath_leave(fmb_plexpath *g, int d);
+
+/* Drop the via of the node at hand, which follows from the other rows. */
+void fmb_plexpath_drop(fmb_plexpath *g);
 
 /* Choose var and via of the node at hand; false: no row names a variable. */
 bool fmb_plexpath_choose(fmb_plexpath *g);
