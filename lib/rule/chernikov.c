@@ -13,8 +13,11 @@
  * is a sum of rows that are there and rows that say nothing: implied. Source: Chernikov 1960;
  * Fukuda and Prodon 1996 (the test of neighbours).
  *
- * A number to check: of a sheared cube in n dimensions exactly 2 (n - k) rows are left after k
- * rounds, whatever the order.
+ * Numbers to check: of |x1| + ... + |x4| <= 1, written as 16 rows, 28 rows are left after three
+ * rounds, whatever the order. The signs of three variables are corners of a cube, two rows at each;
+ * the minimal sets around the middle are its 4 diagonals and 2 regular tetrahedra, in 4 * 2^2 + 2 *
+ * 2^4 ways, of which 8 + 20 still name x4. Of |x_i - x_{i+1}| <= 1, |x_n| <= 1 exactly 2 (n - k)
+ * rows are left after k rounds.
  */
 #include "rule/rule.h"
 

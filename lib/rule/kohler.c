@@ -7,8 +7,9 @@
  * the history of the new row, so the test needs no arithmetic. Source: Kohler 1967, Projections of
  * convex polyhedral sets.
  *
- * A number to check: on the six systems of tests/regress no row with more than k + 1 base rows is
- * ever made; 3D moving cuboids need about 69 rows with it, and about 49,000 without.
+ * Numbers to check: of |x1| + ... + |x4| <= 1, written as 16 rows, 48 rows are left after three
+ * rounds, and 5,870 without it. Pairs of moving cuboids in 3D with small integers that meet need 60
+ * rows on the mean until only the time is left, and 383 without it.
  */
 #include "rule/rule.h"
 
