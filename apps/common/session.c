@@ -1,7 +1,9 @@
 /* session.c: see session.h. */
 #include "common/session.h"
 
+#include <fmb/rule.h>
 #include <stdarg.h>
+#include <string.h>
 
 #include "common/file.h"
 #include "common/message.h"
@@ -16,18 +18,50 @@ static int open_outputs(app_session *s)
     return code;
 }
 
+static const char *initial_of(const char *name)
+{
+    const fmb_option_info *info;
+    for (size_t i = 0; (info = fmb_options_describe(i)) != NULL; i++)
+        if (strcmp(info->name, name) == 0)
+            return info->initial;
+    return "";
+}
+
+/* What the command line could not know yet: instructions that this processor has not got, or a step
+ * of the presolve that is none. */
+static int bad_option(const app_ask *ask)
+{
+    fmb_options o = ask->options;
+    fmb_solver *v = NULL;
+    o.simd = FMB_SIMD_AUTO;
+    fmb_status st = fmb_solver_new(&o, NULL, &v);
+    fmb_solver_free(v);
+    if (st == FMB_OK)
+        return app_error(APP_USAGE, "--simd: this processor has no such instructions");
+    return app_error(APP_USAGE, "--presolve '%s': expected none, or some of %s",
+                     o.presolve ? o.presolve : "", initial_of("presolve"));
+}
+
+static int open_solver(app_session *s)
+{
+    const fmb_options *o = &s->ask->options;
+    fmb_status st = fmb_solver_new(o, NULL, &s->solver);
+    if (st == FMB_ERR_RULE)
+        return app_error(APP_USAGE, "--rules '%s': %s", o->rules ? o->rules : "",
+                         fmb_status_text(st));
+    if (st == FMB_ERR_ARG)
+        return bad_option(s->ask);
+    return st == FMB_OK ? APP_YES : app_status_error(st);
+}
+
 /* Outputs are opened after the input was read, as they may be the same file, and before the query,
  * as nobody likes to hear after an hour that a folder is missing. */
 int app_session_open(app_session *s, const app_ask *ask)
 {
     *s = (app_session){.ask = ask};
-    fmb_status st = fmb_solver_new(&ask->options, NULL, &s->solver);
-    if (st == FMB_ERR_RULE)
-        return app_error(APP_USAGE, "--rules '%s': %s",
-                         ask->options.rules ? ask->options.rules : "", fmb_status_text(st));
-    if (st != FMB_OK)
-        return app_status_error(st);
-    int code = app_source_read(&ask->source, &s->system);
+    int code = open_solver(s);
+    if (code == APP_YES)
+        code = app_source_read(&ask->source, &s->system);
     return code == APP_YES ? open_outputs(s) : code;
 }
 
@@ -42,6 +76,8 @@ void app_session_begin(app_session *s)
 int app_session_end(app_session *s, fmb_status st)
 {
     app_watch_end(&s->watch);
+    if (st == FMB_ERR_RULE)
+        return app_error(APP_USAGE, "%s", fmb_solver_trouble(s->solver));
     if (st != FMB_OK || !s->ask->options.evidence)
         return st == FMB_OK ? APP_YES : app_status_error(st);
     st = fmb_solver_evidence(s->solver, &s->evidence);

@@ -182,4 +182,18 @@ class Interruption(unittest.TestCase):
         self.assertEqual(last.strip(), b"", "the line was not erased")
 
 
+class Instructions(unittest.TestCase):
+    def test_what_there_is(self):
+        """Instructions that the processor has not got are refused in words."""
+        answers = {level: run("solve", "schedule.fmb", "--simd", level)
+                   for level in ("auto", "plain", "avx2", "avx512")}
+        for level, reply in answers.items():
+            if level in ("avx2", "avx512") and reply.returncode == 64:
+                self.assertEqual(reply.stderr,
+                                 b"fmb: --simd: this processor has no such instructions\n")
+            else:
+                self.assertEqual(reply.stdout, answers["plain"].stdout)
+                self.assertEqual(reply.returncode, 1)
+
+
 unittest.main(argv=sys.argv[:1])
