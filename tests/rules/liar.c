@@ -8,7 +8,7 @@
 #include "mixes.h"
 #include "way.h"
 
-enum { SYSTEMS = 300 };
+enum { SYSTEMS = 1500 };
 
 typedef struct liar {
     support_rng g;
@@ -28,6 +28,15 @@ static void drop_pairs(void *state, const fmb_view *w, size_t i, uint64_t *drop)
             drop[j / 64] |= (uint64_t)1 << (j % 64);
 }
 
+/* Honest as long as many rows are there. */
+static void drop_last(void *state, const fmb_view *w, size_t i, uint64_t *drop)
+{
+    (void)state;
+    (void)i;
+    for (size_t j = 0; j < fmb_view_uppers(w) && fmb_view_rows(w) < 24; j++)
+        drop[j / 64] |= (uint64_t)1 << (j % 64);
+}
+
 static fmb_status end_round(void *state, const fmb_view *w, bool *drop)
 {
     liar *l = state;
@@ -39,6 +48,7 @@ static fmb_status end_round(void *state, const fmb_view *w, bool *drop)
 static const fmb_rule LIAR[] = {
     {.name = "liar-row", .source = "none", .state_bytes = sizeof(liar), .drop_row = drop_row},
     {.name = "liar-pairs", .source = "none", .state_bytes = sizeof(liar), .drop_pairs = drop_pairs},
+    {.name = "liar-last", .source = "none", .drop_pairs = drop_last},
     {.name = "liar-round", .source = "none", .state_bytes = sizeof(liar), .end_round = end_round},
     {.name = "liar-rebased",
      .source = "none",
