@@ -161,6 +161,9 @@ double fmb_lp_ratio(const fmb_lp *lp, size_t r, size_t j);
 int fmb_lp_sign(const fmb_lp *lp, size_t r);
 /* fmb_lp_feasible, as a part of another program. */
 fmb_status fmb_lp_make_feasible(fmb_lp *lp, bool *feasible);
+/* The row that first reaches 0 when the variable of column j moves in the direction sign, SIZE_MAX
+ * if none does; of equals the one of least variable. */
+size_t fmb_lp_find_block(const fmb_lp *lp, size_t j, int sign);
 /* Exchange the variables of row r and column j. Errors: MEMORY, LIMIT. */
 fmb_status fmb_lp_pivot(fmb_lp *lp, size_t r, size_t j);
 

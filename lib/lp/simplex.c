@@ -28,9 +28,7 @@ static int compare_steps(const fmb_lp *lp, size_t a, size_t b, size_t j)
     return order;
 }
 
-/* The row that first reaches 0 when the variable of column j moves in the direction sign, SIZE_MAX
- * if none does; of equals the one of least variable. */
-static size_t find_block(const fmb_lp *lp, size_t j, int sign)
+size_t fmb_lp_find_block(const fmb_lp *lp, size_t j, int sign)
 {
     size_t best = SIZE_MAX;
     for (size_t r = 0; r < lp->m; r++) {
@@ -183,7 +181,7 @@ fmb_status fmb_lp_extreme(fmb_lp *lp, int x, int sign, fmb_lp_end *end)
             return FMB_OK;
         }
         lp->at_sign = fmb_vec_sgn(&lp->row[r], j) * sign;
-        size_t block = find_block(lp, j, lp->at_sign);
+        size_t block = fmb_lp_find_block(lp, j, lp->at_sign);
         if (block == SIZE_MAX) {
             *end = FMB_LP_UNBOUNDED;
             return FMB_OK;
@@ -272,7 +270,7 @@ fmb_status fmb_lp_test(fmb_lp *lp, size_t i, fmb_lp_end *end)
             return FMB_OK;
         }
         lp->at_sign = basic ? 1 : -1;
-        lp->block = find_block(lp, j, lp->at_sign);
+        lp->block = fmb_lp_find_block(lp, j, lp->at_sign);
         if (lp->block == SIZE_MAX ||
             (basic ? violates(lp, r, j, lp->block, strict) : falls(lp, j, lp->block, strict))) {
             *end = FMB_LP_VIOLATED;
@@ -309,7 +307,7 @@ fmb_status fmb_lp_widen_slack(fmb_lp *lp, size_t i, fmb_lp_end *end)
         *end = j == SIZE_MAX && !fmb_lp_is_slack(lp, i) ? FMB_LP_OPTIMUM : FMB_LP_UNBOUNDED;
         if (j == SIZE_MAX || fmb_lp_is_slack(lp, i))
             return FMB_OK;
-        size_t block = find_block(lp, j, 1);
+        size_t block = fmb_lp_find_block(lp, j, 1);
         if (block == SIZE_MAX)
             return FMB_OK;
         fmb_status st = step(lp, block, j);

@@ -36,14 +36,20 @@ fmb_status fmb_empty_set(const fmb_system *like, const int *keep, int n, fmb_sys
     return st;
 }
 
-/* Whether there is a solution is decided first: elimination may be a long way to a conflict. */
+/* Where proofs are wanted, whether there is a solution is decided first. */
 static fmb_status project(fmb_query *q, const int *place, fmb_system *out, fmb_verdict *verdict)
 {
-    fmb_status st = fmb_query_decide(q, true, verdict);
-    if (st != FMB_OK || *verdict != FMB_FEASIBLE)
+    bool feasible = true;
+    fmb_status st = FMB_OK;
+    q->decided = q->evidence != NULL || q->parts.false_row != SIZE_MAX;
+    if (q->decided)
+        st = fmb_query_decide(q, true, verdict);
+    if (st != FMB_OK || *verdict == FMB_INFEASIBLE)
         return st;
-    for (int c = 0; st == FMB_OK && c < q->parts.count; c++)
-        st = fmb_query_project_part(q, &q->parts.part[c], place, out);
+    for (int c = 0; st == FMB_OK && feasible && c < q->parts.count; c++)
+        st = fmb_query_project_part(q, c, place, out, &feasible);
+    if (st == FMB_OK)
+        *verdict = feasible ? FMB_FEASIBLE : FMB_INFEASIBLE;
     return st;
 }
 

@@ -1,10 +1,10 @@
 /* shadow.c: the projection of one part; see shadow.h. */
 #include "solve/shadow.h"
 
-#include <assert.h>
-
 #include "elim/derive.h"
 #include "solve/irredundant.h"
+#include "solve/polygon.h"
+#include "solve/prune_lp.h"
 #include "system/system.h"
 
 /* One part on its way. Row k of the oracle is row e.live[k] of the store. */
@@ -207,7 +207,8 @@ static bool is_crowded(const fmb_part *p)
     return p->m >= 64 && p->m / 8 >= (size_t)p->n;
 }
 
-static fmb_status eliminate(shadow *h)
+/* budget > 0: *done false when the store outgrows it. */
+static fmb_status eliminate(shadow *h, bool feasible, size_t budget, bool *done)
 {
     fmb_query *q = h->q;
     bool *drop = fmb_arena_get(&q->v->arena, (size_t)h->p->n, sizeof *drop);
@@ -215,31 +216,78 @@ static fmb_status eliminate(shadow *h)
         return fmb_mem_status(q->run.mem);
     for (int j = 0; j < h->p->n; j++)
         drop[j] = h->place[h->p->var[j]] < 0;
-    fmb_status st = fmb_query_load(q, h->p, true, &h->e);
-    if (st == FMB_OK && is_crowded(h->p))
+    fmb_status st = fmb_query_load(q, h->p, feasible, &h->e);
+    h->e.budget = budget;
+    if (st == FMB_OK && feasible && is_crowded(h->p))
         st = fmb_elim_prune(&h->e);
-    return st == FMB_OK ? fmb_elim_eliminate(&h->e, drop) : st;
+    if (st == FMB_OK)
+        st = fmb_elim_eliminate(&h->e, drop);
+    *done = st == FMB_OK;
+    return st == FMB_LIMIT && h->e.over_budget ? FMB_OK : st;
 }
 
-static fmb_status project_part(shadow *h)
+/* What is left of the rows, if it has a point at all. */
+static fmb_status finish(shadow *h, bool *feasible)
 {
-    bool feasible;
-    fmb_status st = eliminate(h);
-    if (st == FMB_OK)
-        st = open_oracle(h);
-    if (st == FMB_OK)
-        st = fmb_lp_feasible(&h->lp, &feasible);
-    if (st != FMB_OK)
-        return st;
-    assert(feasible && h->e.clash == FMB_NO_ROW);
-    return thin_out(h);
+    *feasible = h->e.clash == FMB_NO_ROW;
+    fmb_status st = *feasible ? open_oracle(h) : FMB_OK;
+    if (st == FMB_OK && *feasible)
+        st = fmb_lp_feasible(&h->lp, feasible);
+    return st == FMB_OK && *feasible ? thin_out(h) : st;
 }
 
-fmb_status fmb_query_project_part(fmb_query *q, const fmb_part *p, const int *place,
-                                  fmb_system *out)
+static fmb_status project_by_elimination(shadow *h, bool known, size_t budget, bool *feasible,
+                                         bool *done)
 {
-    shadow h = {.q = q, .p = p, .place = place, .out = out, .e.run = &q->run};
-    fmb_status st = project_part(&h);
-    close_shadow(&h);
+    fmb_status st = eliminate(h, known, budget, done);
+    if (st == FMB_OK && *done)
+        st = finish(h, feasible);
+    close_shadow(h);
     return st;
+}
+
+/* ---- which way ------------------------------------------------------------------------------- */
+
+/* A few rows are eliminated faster than anything else is done. */
+#define TRIAL_BUDGET(m) (128 + 4 * (m))
+
+static fmb_status ask_oracle(fmb_query *q, int part, bool *feasible)
+{
+    fmb_lp *lp;
+    fmb_status st = fmb_query_oracle(q, part, &lp);
+    return st == FMB_OK ? fmb_lp_feasible(lp, feasible) : st;
+}
+
+static bool uses_lp_rule(const fmb_solver *v)
+{
+    for (int k = 0; k < v->rules; k++)
+        if (v->rule[k] == &fmb_rule_lp)
+            return true;
+    return false;
+}
+
+/* First a short elimination; if that grows, the oracle finds out whether there is a solution, and
+ * goes around a projection in the plane; what is left is eliminated, and pruned by the oracle. With
+ * method fm there is no first try. */
+fmb_status fmb_query_project_part(fmb_query *q, int part, const int *place, fmb_system *out,
+                                  bool *feasible)
+{
+    const fmb_part *p = &q->parts.part[part];
+    const shadow start = {.q = q, .p = p, .place = place, .out = out, .e.run = &q->run};
+    bool fm = q->v->options.method == FMB_METHOD_FM, known = q->decided, done = false;
+    shadow h = start;
+    fmb_status st = FMB_OK;
+    *feasible = true;
+    if (!fm)
+        st = project_by_elimination(&h, false, TRIAL_BUDGET(p->m), feasible, &done);
+    if (st == FMB_OK && !done && !known && (!fm || uses_lp_rule(q->v))) {
+        st = ask_oracle(q, part, feasible);
+        known = true;
+    }
+    if (st == FMB_OK && !done && *feasible && !fm)
+        st = fmb_query_polygon_part(q, part, place, out, &done);
+    if (st != FMB_OK || done || !*feasible)
+        return st;
+    h = start;
+    return project_by_elimination(&h, known, 0, feasible, &done);
 }

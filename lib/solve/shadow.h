@@ -8,9 +8,9 @@
 
 #include "solve/solver.h"
 
-/* Append the projection of part p, which has a solution, to out, with claims; place[dim] is the
- * column of a variable there, -1 if it goes. */
-fmb_status fmb_query_project_part(fmb_query *q, const fmb_part *p, const int *place,
-                                  fmb_system *out);
+/* Append the projection of a part to out, with claims; place[dim] is the column of a variable
+ * there, -1 if it goes. *feasible false: it has no solution, and out is of no use. */
+fmb_status fmb_query_project_part(fmb_query *q, int part, const int *place, fmb_system *out,
+                                  bool *feasible);
 
 #endif

@@ -36,8 +36,9 @@ typedef struct fmb_query {
     fmb_parts parts;
     fmb_evidence *evidence; /* where claims go; NULL: none are wanted */
     mpq_t *point;           /* [dim] a solution as far as parts are done; NULL without evidence */
-    mpq_t *x;    /* [dim] scratch: a point or ray of the part at hand; NULL without evidence */
-    fmb_lp **lp; /* [parts] oracle of each part, or NULL */
+    mpq_t *x;     /* [dim] scratch: a point or ray of the part at hand; NULL without evidence */
+    bool decided; /* all parts are known to be feasible */
+    fmb_lp **lp;  /* [parts] oracle of each part, or NULL */
 } fmb_query;
 
 /* Start: split s into parts. name is for the watcher. Errors: RULE, MEMORY. */
