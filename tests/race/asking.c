@@ -1,16 +1,25 @@
 /* asking.c: see asking.h. */
 #include <stdarg.h>
 #include <stdlib.h>
-#include <time.h>
 
 #include "asking.h"
 #include "rows.h"
 
-double asking_now(void)
+static double seconds(clockid_t clock)
 {
     struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
+    clock_gettime(clock, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+double asking_now(void)
+{
+    return seconds(CLOCK_MONOTONIC);
+}
+
+moment asking_moment(clockid_t thread)
+{
+    return (moment){asking_now(), seconds(thread)};
 }
 
 void asking_fail(const char *format, ...)
@@ -60,21 +69,21 @@ static void judge_box(const scene *c, const fmb_box *box, fmb_stop stop)
     }
 }
 
-static void project(fmb_solver *v, const scene *c, fmb_result *r, double *returned)
+static void project(fmb_solver *v, const scene *c, fmb_result *r, moment *returned)
 {
     fmb_system *p = NULL;
     must(fmb_project(v, c->s, c->keep, c->kept, &p, r));
-    *returned = asking_now();
+    *returned = asking_moment(CLOCK_THREAD_CPUTIME_ID);
     if (!p && r->stop == FMB_STOP_DONE)
         asking_fail("%s: done without a projection", c->name);
     fmb_system_free(p);
 }
 
-static void bound(fmb_solver *v, const scene *c, fmb_result *r, double *returned)
+static void bound(fmb_solver *v, const scene *c, fmb_result *r, moment *returned)
 {
     fmb_box *box = NULL;
     must(fmb_bound(v, c->s, NULL, 0, &box, r));
-    *returned = asking_now();
+    *returned = asking_moment(CLOCK_THREAD_CPUTIME_ID);
     if (!box && r->verdict == FMB_FEASIBLE)
         asking_fail("%s: feasible without a box", c->name);
     if (box)
@@ -82,17 +91,17 @@ static void bound(fmb_solver *v, const scene *c, fmb_result *r, double *returned
     fmb_box_free(box);
 }
 
-static void reduce(fmb_solver *v, const scene *c, fmb_result *r, double *returned)
+static void reduce(fmb_solver *v, const scene *c, fmb_result *r, moment *returned)
 {
     fmb_system *p = NULL;
     must(fmb_reduce(v, c->s, NULL, &p, r));
-    *returned = asking_now();
+    *returned = asking_moment(CLOCK_THREAD_CPUTIME_ID);
     if (!p)
         asking_fail("%s: no reduced system", c->name);
     fmb_system_free(p);
 }
 
-fmb_result asking(fmb_solver *v, const scene *c, asking_kind kind, double *returned)
+fmb_result asking(fmb_solver *v, const scene *c, asking_kind kind, moment *returned)
 {
     fmb_result r = {0};
     if (kind == ASKING_PROJECT)
@@ -103,7 +112,7 @@ fmb_result asking(fmb_solver *v, const scene *c, asking_kind kind, double *retur
         reduce(v, c, &r, returned);
     else {
         must(fmb_solve(v, c->s, &r));
-        *returned = asking_now();
+        *returned = asking_moment(CLOCK_THREAD_CPUTIME_ID);
     }
     judge_result(c, &r);
     judge_evidence(v, c, &r);

@@ -2,6 +2,8 @@
 #ifndef FMB_TEST_ASKING_H
 #define FMB_TEST_ASKING_H
 
+#include <time.h>
+
 #include <fmb/solve.h>
 
 #include "scenes.h"
@@ -9,11 +11,19 @@
 typedef enum asking_kind { ASKING_SOLVE, ASKING_PROJECT, ASKING_BOUND, ASKING_REDUCE } asking_kind;
 enum { ASKING_KINDS = 4 };
 
+/* A moment on the wall, and in the processor time of one thread, which does not pass while others
+ * have the processor [s]. */
+typedef struct moment {
+    double wall, cpu;
+} moment;
+
 /* The query's result, if all is well: the verdict is unknown or the truth, the evidence is accepted
  * and says the same, and what else was handed out fits the stop. Otherwise the program ends with a
- * message. *returned is the time when the query came back [s]. */
-fmb_result asking(fmb_solver *v, const scene *c, asking_kind kind, double *returned);
+ * message. *returned is when the query came back. */
+fmb_result asking(fmb_solver *v, const scene *c, asking_kind kind, moment *returned);
 
+/* Now: on the wall, and of the thread whose processor clock this is. */
+moment asking_moment(clockid_t thread);
 /* Monotonic clock [s]. */
 double asking_now(void);
 /* Print and end the program. */
