@@ -83,6 +83,7 @@ static void make_plan(qualify_plan *c, const qualify_plan *p)
     c->grid.limits = p->grid.limits;
     c->grid.per_class = p->counts && p->pairs_asked ? p->grid.per_class : LEAST_PAIRS;
     c->grid.passes = 0;
+    c->orders = 1;
     c->grid.step = qualify_watch_step;
     c->grid.running = qualify_watch_solver();
     c->grid.limits.max_rows = 100000;

@@ -31,14 +31,14 @@ static const struct argp_option options[] = {
     {"meeting", KEY_MEETING, "yes|no", 0, "Pairs that meet, or those that do not [both]", 1},
     {"family", KEY_FAMILY, "small|float", 0,
      "Whole numbers up to 3, or doubles up to 10 as in the article [small]", 1},
-    {"pairs", 'n', "N", 0, "Pairs of each class [12]", 1},
+    {"pairs", 'n', "N", 0, "Pairs of each class [16]", 1},
     {"seed", 's', "S", 0, "Of the random numbers [1]", 1},
     {NULL, 0, NULL, 0, "Ways to eliminate:", 2},
     {"rules", 'r', "SET", 0,
      "A set of rules to study, such as kohler,box; again for each further one. `none` is always "
      "there, `default` is the choice of the library",
      2},
-    {"orders", KEY_ORDERS, "WORD,...", 0, "pairs, given, min, fill [pairs]", 2},
+    {"orders", KEY_ORDERS, "WORD,...", 0, "pairs, given, min, fill [pairs,given]", 2},
     {"presolve", KEY_PRESOLVE, "STEPS", 0,
      "As `fmb solve` takes it; the box rule needs bounds [bounds]", 2},
     {NULL, 0, NULL, 0, "Limits:", 3},
@@ -85,11 +85,11 @@ void qualify_plan_init(qualify_plan *p)
     *p = (qualify_plan){.motion = {true, true},
                         .kind = {{true, true}, {true, true}},
                         .meeting = {true, true},
-                        .order = {FMB_ORDER_PAIRS},
-                        .orders = 1};
+                        .order = {FMB_ORDER_PAIRS, FMB_ORDER_GIVEN},
+                        .orders = 2};
     for (int d = 2; d <= 6; d++)
         p->dim[d] = true;
-    p->grid = (study_grid){.seed = 1, .per_class = 12, .passes = 3};
+    p->grid = (study_grid){.seed = 1, .per_class = 16, .passes = 3};
     p->grid.limits = (study_limits){.max_rows = 10000, .max_seconds = 20, .presolve = "bounds"};
 }
 

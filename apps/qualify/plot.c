@@ -60,6 +60,18 @@ static void put_data(FILE *f, const qualify_plan *p, const picture *what, int mo
     }
 }
 
+/* Is there a point to draw? gnuplot fails on a picture without any. */
+static bool has_points(const qualify_plan *p, const picture *what, int moves)
+{
+    bool any = false;
+    for (int dim = 1; dim <= PLAN_MOST_DIM; dim++)
+        for (size_t i = 0; p->motion[moves] && p->dim[dim] && i < p->sets; i++) {
+            study_digest d = qualify_digest(p, i, &(qualify_select){dim, moves, ANY, ANY, NULL});
+            any |= !isnan(what->value(&d));
+        }
+    return any;
+}
+
 static int write_data(const qualify_plan *p, const picture *what, int moves)
 {
     FILE *f = NULL;
@@ -90,18 +102,29 @@ static void put_picture(FILE *f, const qualify_plan *p, const picture *what, int
                 what->label, p->sets + 1, what->name, MOTION[moves]);
 }
 
+static void put_head(FILE *f, const qualify_plan *p)
+{
+    int first = 1, last = PLAN_MOST_DIM;
+    while (first < last && !p->dim[first])
+        first++;
+    while (last > first && !p->dim[last])
+        last--;
+    fprintf(f,
+            "# gnuplot plots.gp\nset datafile missing '-'\nset key outside right noenhanced\n"
+            "set xlabel 'D'\nset xtics 1\nset xrange [%d.8:%d.2]\nset logscale y\nset grid\n",
+            first - 1, last);
+}
+
 static int write_script(const qualify_plan *p)
 {
     FILE *f = NULL;
     char *path;
     int code = qualify_create(p, "plots.gp", &f, &path);
     if (code == APP_YES) {
-        fputs("# gnuplot plots.gp\nset datafile missing '-'\nset key outside right noenhanced\n"
-              "set xlabel 'D'\nset xtics 1\nset logscale y\nset grid\nset offsets 0.2, 0.2, 0, 0\n",
-              f);
+        put_head(f, p);
         for (int k = 0; k < PICTURES; k++)
             for (int moves = 0; moves < 2; moves++)
-                if (p->motion[moves])
+                if (has_points(p, &PICTURE[k], moves))
                     put_picture(f, p, &PICTURE[k], moves);
         code = app_file_close(f, path);
     }

@@ -47,12 +47,16 @@ static int write_folder(const qualify_plan *p)
 
 static void print_title(const qualify_plan *p)
 {
-    printf("fmb-qualify rules, fmb %s: %s frames, %zu pairs of each class, seed %lu, at most %zu "
-           "rows, presolve %s\n",
-           fmb_version(), study_family_text(p->family), p->grid.per_class, p->grid.seed,
-           p->grid.limits.max_rows, p->grid.limits.presolve);
-    if (p->grid.complete < p->grid.samples)
-        printf("Interrupted after %zu of %zu classes.\n", p->grid.complete, p->grid.samples);
+    const study_grid *g = &p->grid;
+    printf("fmb-qualify rules, fmb %s: ", fmb_version());
+    if (p->files == 0 || p->frames_asked)
+        printf("%s frames, %zu pairs of each class, seed %lu, ", study_family_text(p->family),
+               g->per_class, g->seed);
+    if (p->files > 0)
+        printf("%zu files, ", p->files);
+    printf("at most %zu rows, presolve %s\n", g->limits.max_rows, g->limits.presolve);
+    if (g->complete < g->samples)
+        printf("Interrupted after %zu of %zu classes.\n", g->complete, g->samples);
 }
 
 static int report(const qualify_plan *p)

@@ -106,7 +106,7 @@ static fmb_status judge_sample(bench *b, study_sample *sample)
         study_case *c = &sample->item[i];
         if (c->truth == FMB_UNKNOWN)
             st = study_judge_verdict(&b->judge, c->s, &c->truth);
-        if (st == FMB_OK)
+        if (st == FMB_OK && !c->shadow)
             st = study_judge_shadow(&b->judge, c->s, c->keep, c->kept, &c->shadow);
     }
     return st;

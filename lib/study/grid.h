@@ -13,9 +13,9 @@
 
 typedef struct study_case {
     fmb_system *s;
-    int *keep, kept; /* variables to project on */
-    fmb_verdict truth;
-    char *shadow; /* what the projection is (judge.h), or NULL */
+    int *keep, kept;   /* variables to project on */
+    fmb_verdict truth; /* FMB_UNKNOWN: the judge will say */
+    char *shadow;      /* what the projection is (judge.h); NULL: the judge will say */
 } study_case;
 
 typedef struct study_sample {

@@ -1,0 +1,149 @@
+"""fmb-qualify rules from outside: exit codes, files, the same counts from the same seed, Ctrl-C.
+usage: qualify.py FMB_QUALIFY MAN_PAGE"""
+
+import csv
+import json
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+program, man_page = sys.argv[1], pathlib.Path(sys.argv[2])
+faults = []
+SMALL = ["--dim", "2", "--pairs", "2", "--rules", "kohler", "--rules", "kohler,box", "--passes", "1"]
+
+
+def expect(good, what):
+    if not good:
+        faults.append(what)
+
+
+def run(*args, env=None):
+    return subprocess.run([program, "rules", *args], capture_output=True, text=True, env=env)
+
+
+def counts(folder):
+    """runs.csv without the time."""
+    with open(folder / "runs.csv", newline="") as f:
+        return [row[:-1] for row in csv.reader(f)]
+
+
+def exit_codes(folder):
+    bad = folder / "bad.fmb"
+    bad.write_text("x <= <= 1\n")
+    for args, code in (([], 64), (["nonsense"], 64), (["rules", "--dim", "x"], 64),
+                       (["rules", "--pairs", "0"], 64), (["rules", "--orders", "best"], 64),
+                       (["rules", "--family", "huge"], 64), (["rules", "--kinds", "CX"], 64),
+                       (["rules", "--motion", "slow"], 64), (["rules", "--meeting", "maybe"], 64),
+                       (["rules", str(folder / "none.fmb")], 66), (["rules", str(bad)], 65),
+                       (["rules", *SMALL, "--out", str(bad / "x")], 74),
+                       (["--version"], 0), (["--help"], 0), (["rules", "--help"], 0)):
+        got = subprocess.run([program, *args], capture_output=True, text=True)
+        expect(got.returncode == code, f"{args}: exit code {got.returncode}, not {code}")
+
+
+def report(folder):
+    first, second, third = folder / "1", folder / "2", folder / "3"
+    for out, seed in ((first, "5"), (second, "5"), (third, "6")):
+        got = run(*SMALL, "--seed", seed, "--out", str(out))
+        expect(got.returncode == 0 and not got.stderr, f"report: {got.returncode} {got.stderr}")
+    expect(counts(first) == counts(second), "the same seed gives other counts")
+    expect(counts(first) != counts(third), "another seed gives the same counts")
+    rows = counts(first)
+    expect(len({len(row) for row in rows}) == 1, "lines of runs.csv differ in length")
+    expect(len(rows) == 1 + 16 * 2 * 3 * 2, f"{len(rows)} lines in runs.csv")
+    table = json.loads((first / "report.json").read_text())
+    expect(table["complete"] and len(table["classes"]) == 16 * 3 * 2, "report.json")
+    expect(all(c["wrong"] == 0 and c["n"] == 2 for c in table["classes"]), "report.json: counts")
+    with open(first / "classes.csv", newline="") as f:
+        expect(len(list(csv.DictReader(f))) == 16 * 3 * 2, "classes.csv")
+    endings = ["dat"] + (["svg", "png"] if shutil.which("gnuplot") else [])
+    for name in ("rows", "time"):
+        for motion in ("static", "dynamic"):
+            for ending in endings:
+                path = first / f"{name}-{motion}.{ending}"
+                expect(path.exists() and path.stat().st_size > 0, f"{path.name} is missing")
+
+
+def without_gnuplot(folder):
+    out = folder / "plain"
+    got = run(*SMALL, "--out", str(out), env={**os.environ, "PATH": str(folder)})
+    expect(got.returncode == 0 and "gnuplot is not installed" in got.stderr, got.stderr)
+    expect((out / "plots.gp").exists() and (out / "rows-static.dat").exists(), "script and data")
+    expect(not (out / "rows-static.svg").exists(), "a picture without gnuplot")
+    got = run(*SMALL, "--passes", "0", "--out", str(folder / "timeless"))
+    expect(got.returncode == 0 and not got.stderr, f"no time: {got.returncode} {got.stderr}")
+
+
+def tables():
+    got = run(*SMALL, "--orders", "pairs")
+    lines = got.stdout.partition("Order pairs\n\n")[2].partition("\n\n")[0].splitlines()
+    expect(len(lines) == 1 + 2 * 3 and len({len(line) for line in lines}) == 1,
+           "the table does not line up:\n" + "\n".join(lines))
+    expect("pays in time from" in got.stdout and "sum wanted" in got.stdout, "a section is missing")
+    detail = run(*SMALL, "--orders", "pairs", "--detail").stdout
+    expect("D2 static CT apart" in detail, "--detail")
+    printed = json.loads(run(*SMALL, "--json").stdout)
+    expect(printed["study"] == "rules", "--json")
+
+
+def stopped():
+    """No rules and few rows: stopped, the same each time, and not an error."""
+    args = ["--dim", "4", "--kinds", "CC", "--meeting", "yes", "--pairs", "2", "--max-rows", "40",
+            "--rules", "none", "--json", "--passes", "0", "--orders", "pairs"]
+    first, second = json.loads(run(*args).stdout), json.loads(run(*args).stdout)
+    expect(first == second and all(c["stopped"] == 2 for c in first["classes"]), "stopped")
+
+
+def files(folder):
+    """Which variables stay: the last one, or what the file asks for."""
+    last, asked = folder / "last.fmb", folder / "asked.ine"
+    last.write_text("x + y + z <= 1\n-x <= 0\n-y <= 0\n-z <= 0\n")
+    asked.write_text("asked\n* keep 2\nH-representation\nbegin\n4 4 integer\n1 -1 -1 -1\n0 1 0 0\n"
+                     "0 0 1 0\n0 0 0 1\nend\n")
+    got = run(str(last), str(asked), "--rules", "kohler", "--json", "--orders", "pairs")
+    rows = {(c["systems"], c["rules"]): c for c in json.loads(got.stdout)["classes"]}
+    expect(rows[str(last), "none"]["made"] == 2 and rows[str(asked), "none"]["made"] == 1,
+           f"files: {rows}")
+    text = run(str(last), "--rules", "kohler").stdout
+    expect("files" in text and "sum wanted" not in text, "a report on files")
+
+
+def interrupted(folder):
+    out = folder / "half"
+    child = subprocess.Popen([program, "rules", "--pairs", "200", "--out", str(out)],
+                             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    time.sleep(3)
+    child.send_signal(signal.SIGINT)
+    text, errors = child.communicate(timeout=60)
+    expect(child.returncode == 2 and "Interrupted" in text, f"Ctrl-C: {child.returncode} {errors}")
+    expect(not json.loads((out / "report.json").read_text())["complete"], "Ctrl-C: report.json")
+
+
+def documented():
+    text = man_page.read_text().replace("\\-", "-")
+    help_text = subprocess.run([program, "rules", "--help"], capture_output=True, text=True).stdout
+    wanted = set(re.findall(r"^ +(?:-\w, |-\?, )?(--[a-z-]+)", help_text, re.M)) - {"--usage"}
+    found = set(re.findall(r"(?<![\w-])--[a-z][a-z-]*", text))
+    expect(len(wanted) > 15, "--help was not understood")
+    expect(wanted <= found, f"man page: {sorted(wanted - found)} missing")
+    expect(found <= wanted | {"--usage"}, f"man page: {sorted(found - wanted)} are no options")
+
+
+with tempfile.TemporaryDirectory() as name:
+    root = pathlib.Path(name)
+    exit_codes(root)
+    report(root)
+    without_gnuplot(root)
+    tables()
+    stopped()
+    files(root)
+    interrupted(root)
+    documented()
+print("\n".join(faults) or "fmb-qualify: no faults")
+sys.exit(bool(faults))
