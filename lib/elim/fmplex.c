@@ -31,7 +31,8 @@
  *     pivot would: mostly far fewer nodes than in any fixed order.
  * A single bound on its side meets no bound of the same side: all beta > 0, and y_i >= 0. So N is
  * refuted at the latest then. By induction over depth (n at most) and rows the search ends, and
- * what it returns at the root are weights over the user's rows: a certificate.
+ * what it returns at the root are weights over the user's rows: a certificate. (A false row s d <=
+ * b has b < 0, or b = 0 and s > 0, and there s is the sum of the weights of strict rows.)
  *
  * Memory: one path, so at most (n + 1) m rows. Time: a node with p bounds has at most p children,
  * so there are at most m^n nodes: singly exponential.
