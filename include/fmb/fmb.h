@@ -6,6 +6,7 @@
 #define FMB_FMB_H
 
 #include <fmb/base.h>
+#include <fmb/frame.h>
 #include <fmb/io.h>
 #include <fmb/options.h>
 #include <fmb/proof.h>
