@@ -240,6 +240,8 @@ static fmb_status eliminate(fmb_elim *e, int var)
     fmb_list list = e->live;
     e->live = e->next;
     e->next = list;
+    e->based &= !e->broken; /* what was refused follows from rows that are there now */
+    e->broken = false;
     if (e->clash == FMB_NO_ROW && round->rows > 1)
         st = fmb_elim_end_round(e, var);
     close_round(e, var, &before);

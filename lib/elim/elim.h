@@ -102,6 +102,7 @@ typedef struct fmb_elim {
     bool over_budget; /* it held more: the elimination ended with FMB_LIMIT */
 
     bool based;                /* the live rows' histories are valid */
+    bool broken;               /* in this round a rule refused pairs or rows that they count on */
     uint32_t *base;            /* [bases] */
     size_t bases, words;       /* words of a history */
     size_t columns;            /* words of a set of columns */
@@ -146,6 +147,15 @@ fmb_status fmb_elim_pair(fmb_elim *e, const fmb_round *round, size_t lowers);
 /* squeeze.c: the same for the last variable, when every row of the round names no other: only the
  * tightest bounds are combined. */
 fmb_status fmb_elim_squeeze(fmb_elim *e, const fmb_round *round, size_t lowers);
+
+/* The rule has refused pairs or rows of this round. */
+static inline void fmb_elim_note_drop(fmb_elim *e, int worker, uint64_t dropped)
+{
+    fmb_worker *w = &e->worker[worker];
+    w->dropped += dropped;
+    e->run->stats.rows_dropped += dropped;
+    e->broken |= dropped > 0 && (w->rule->flags & FMB_RULE_BREAKS_HISTORY) != 0;
+}
 
 /* prune.c: what the rules say when a round of var (-1: none) has ended. */
 fmb_status fmb_elim_end_round(fmb_elim *e, int var);

@@ -31,8 +31,7 @@ static fmb_status refuse_pairs(fmb_elim *e, const fmb_round *round, size_t lower
         rule->drop_pairs(e->worker[k].state, &w.view, i, drop);
         st = fmb_window_close(&w);
         uint64_t after = count_bits(drop, words);
-        e->worker[k].dropped += after - before;
-        e->run->stats.rows_dropped += after - before;
+        fmb_elim_note_drop(e, k, after - before);
         before = after;
     }
     return st;

@@ -151,8 +151,7 @@ static fmb_status ask_rules(fmb_elim *e, const fmb_rule **by)
             return st;
         if (drop) {
             *by = rule;
-            e->worker[k].dropped++;
-            e->run->stats.rows_dropped++;
+            fmb_elim_note_drop(e, k, 1);
             return FMB_OK;
         }
     }

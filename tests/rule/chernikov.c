@@ -66,7 +66,7 @@ static void eliminate_cube(int *order, int n)
         for (int k = 0; k < rounds; k++)
             drop[order[k]] = true;
         cr_assert_eq(fmb_elim_eliminate(&b.e, drop), FMB_OK);
-        cr_expect_eq(b.e.live.size, 2 * (n - rounds));
+        cr_expect_eq(b.e.live.size, (size_t)(2 * (n - rounds)));
         bench_close(&b);
     }
 }

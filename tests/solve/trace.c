@@ -118,6 +118,95 @@ Test(trace, sinks)
     fmb_solver_free(v);
 }
 
+/* ---- every row ------------------------------------------------------------------------------- */
+
+/* Drops the first row that it is asked about, and has a name that JSON must not swallow. */
+static bool drop_first(void *state, const fmb_view *w, size_t row)
+{
+    bool *done = state, first = !*done && fmb_view_column(w) >= 0 && row > 0;
+    *done |= first;
+    return first;
+}
+
+static const fmb_rule odd = {.name = "od\"d\\",
+                             .flags = FMB_RULE_BREAKS_HISTORY,
+                             .state_bytes = sizeof(bool),
+                             .drop_row = drop_first};
+
+/* The lines of rows, rules and re-bases of one query, without their times. */
+static void keep_lines(char *text, char *out, size_t size)
+{
+    for (char *line = strtok(text, "\n"); line; line = strtok(NULL, "\n")) {
+        char *rest = strchr(line, ',');
+        cr_assert_not_null(rest = strchr(rest + 1, ','));
+        if (strstr(line, "\"row\"") || strstr(line, "\"rule\"") || strstr(line, "\"rebase\""))
+            snprintf(out + strlen(out), size - strlen(out), "%s\n", rest + 2);
+    }
+}
+
+static void expect_lines(const fmb_rule *more, const char *expected)
+{
+    static const int64_t row[][4] = {{0, 1, 1, 1}, {0, -1, 1, -1}, {0, -1, 0, 1}, {0, 0, -1, 0}};
+    static const int64_t right[] = {1, 1, 0, 0};
+    fmb_options o = fmb_options_default();
+    fmb_solver *v = NULL;
+    fmb_result r;
+    fmb_system *s = rows_none(4);
+    char *text = NULL, lines[2000] = "";
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    for (int i = 0; i < 4; i++)
+        must(fmb_system_add_int(s, row[i], FMB_LE, right[i]));
+    o.method = FMB_METHOD_FM;
+    o.order = FMB_ORDER_GIVEN;
+    o.rules = "imbert";
+    o.presolve = "components";
+    o.trace_rows = true;
+    must(fmb_solver_new(&o, NULL, &v));
+    if (more)
+        must(fmb_solver_add_rule(v, more));
+    fmb_solver_set_sink(v, fmb_sink_jsonl(out));
+    must(fmb_solve(v, s, &r));
+    fclose(out);
+    keep_lines(text, lines, sizeof lines);
+    cr_expect_str_eq(lines, expected);
+    free(text);
+    fmb_solver_free(v);
+    fmb_system_free(s);
+}
+
+/* Rows 1 and 2 cancel x2, and x4 by chance. */
+Test(trace, rows)
+{
+    expect_lines(NULL,
+                 "\"round\": 1, \"var\": 2, \"row\": 5, \"parents\": [2, 1], \"dropped_by\": null, "
+                 "\"history\": [1, 2], \"effective\": [2], \"implicit\": [4], \"minimal\": true}\n"
+                 "\"round\": 1, \"var\": 2, \"row\": 6, \"parents\": [3, 1], \"dropped_by\": null, "
+                 "\"history\": [1, 3], \"effective\": [2], \"implicit\": [], \"minimal\": true}\n"
+                 "\"round\": 2, \"var\": 3, \"row\": 7, \"parents\": [4, 5], \"dropped_by\": "
+                 "\"constant\", \"history\": [1, 2, 4], \"effective\": [2, 3], \"implicit\": [4], "
+                 "\"minimal\": true}\n"
+                 "\"round\": 2, \"var\": 3, \"row\": 7, \"parents\": [4, 6], \"dropped_by\": null, "
+                 "\"history\": [1, 3, 4], \"effective\": [2, 3], \"implicit\": [], "
+                 "\"minimal\": true}\n"
+                 "\"name\": \"constant\", \"round\": 2, \"var\": 3, \"dropped\": 1}\n");
+}
+
+/* The row that was dropped leaves its number to the next one, and histories start anew. */
+Test(trace, rows_dropped)
+{
+    expect_lines(&odd,
+                 "\"round\": 1, \"var\": 2, \"row\": 5, \"parents\": [2, 1], \"dropped_by\": "
+                 "\"od\\\"d\\\\\", \"history\": [1, 2], \"effective\": [2], \"implicit\": [4], "
+                 "\"minimal\": true}\n"
+                 "\"round\": 1, \"var\": 2, \"row\": 5, \"parents\": [3, 1], \"dropped_by\": null, "
+                 "\"history\": [1, 3], \"effective\": [2], \"implicit\": [], \"minimal\": true}\n"
+                 "\"name\": \"od\\\"d\\\\\", \"round\": 1, \"var\": 2, \"dropped\": 1}\n"
+                 "\"round\": 1, \"rows\": 2}\n"
+                 "\"round\": 2, \"var\": 3, \"row\": 6, \"parents\": [4, 5], \"dropped_by\": null, "
+                 "\"history\": [4, 5], \"effective\": [3], \"implicit\": [], \"minimal\": true}\n");
+}
+
 /* Eliminating by hand: two rows for and two against x, then y alone. */
 Test(trace, counted)
 {
