@@ -24,7 +24,7 @@
 #include "question.h"
 #include "way.h"
 
-enum { SHADOWS = 8, GIVE_UP = 10, EXACT_ROWS = 150 };
+enum { SHADOWS = 7, GIVE_UP = 10, EXACT_ROWS = 150 };
 
 typedef struct task {
     unsigned mix[MIX_SMALL];
