@@ -4,6 +4,7 @@
  * to the oracle after a small budget of rows.
  */
 #include "elim/fmplex.h"
+#include "elim/tiny.h"
 #include "elim/witness.h"
 #include "solve/solver.h"
 
@@ -138,10 +139,44 @@ fmb_status fmb_query_decide(fmb_query *q, bool oracles, fmb_verdict *out)
     return st;
 }
 
+/* ---- on the stack ---------------------------------------------------------------------------- */
+
+/* Does the query want the verdict only, found in the usual way? Limits on rows and bytes are left
+ * to the general way, which can stop at them. */
+static bool is_usual(const fmb_solver *v)
+{
+    const fmb_options *o = &v->options;
+    return v->rules == v->usual_rules && !o->evidence && !v->sink.put && !v->chooser.choose &&
+           o->method <= FMB_METHOD_FM && o->arith <= FMB_ARITH_INT && o->order == FMB_ORDER_PAIRS &&
+           o->rebase == FMB_REBASE_AUTO && o->max_rows == 0 && o->max_bytes == 0;
+}
+
+/* Without a query: true if that answered. */
+static bool decide_tiny(fmb_solver *v, const fmb_system *s, fmb_result *res)
+{
+    fmb_run run;
+    fmb_run_begin(&run, &v->mem, &v->options, &v->cancel, v->sink, "solve");
+    fmb_verdict verdict = fmb_tiny_decide(s, &run.stats);
+    if (verdict == FMB_UNKNOWN)
+        return false;
+    fmb_run_end(&run, verdict);
+    if (v->options.max_seconds > 0 && run.stats.seconds >= v->options.max_seconds)
+        return false;
+    fmb_evidence_free(v->evidence);
+    v->evidence = NULL;
+    v->trouble[0] = '\0';
+    v->answered = true;
+    if (res)
+        *res = (fmb_result){.verdict = verdict, .trust = FMB_TRUST_EXACT, .stats = run.stats};
+    return true;
+}
+
 fmb_status fmb_solve(fmb_solver *v, const fmb_system *s, fmb_result *res)
 {
     fmb_query q;
     fmb_verdict verdict = FMB_UNKNOWN;
+    if (is_usual(v) && decide_tiny(v, s, res))
+        return FMB_OK;
     fmb_status st = fmb_query_begin(&q, v, s, "solve");
     if (st == FMB_OK)
         st = fmb_query_decide(&q, false, &verdict);

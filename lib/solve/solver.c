@@ -29,6 +29,7 @@ fmb_status fmb_solver_new(const fmb_options *o, const fmb_alloc *hook, fmb_solve
     atomic_init(&v->cancel, 0);
     fmb_arena_init(&v->arena, &v->mem);
     fmb_status st = fmb_rules_read(v, &options);
+    v->usual_rules = options.rules || options.presolve ? -1 : v->rules;
     v->options.rules = v->options.presolve = NULL; /* they were borrowed */
     if (st == FMB_OK)
         *out = v;

@@ -20,7 +20,8 @@ struct fmb_solver {
     fmb_options options;
     const fmb_rule *rule[FMB_MAX_RULES];
     int rules;
-    unsigned steps; /* of fmb_step: options.presolve */
+    int usual_rules; /* their number, if rules and steps are those by default; else -1 */
+    unsigned steps;  /* of fmb_step: options.presolve */
     fmb_chooser chooser;
     char trouble[160]; /* why the last query returned FMB_ERR_RULE */
     atomic_int cancel;

@@ -1,0 +1,269 @@
+/* tiny.c: the rounds of a tiny elimination.
+ *
+ * The same elimination as the engine's, on the stack: no allocation, no proof. A round removes the
+ * variable with the fewest pairs; pairs are refused by Kohler's and Chernikov's rules (see
+ * rule/kohler.c, rule/chernikov.c), rows dropped or found false over the box of the rows with one
+ * variable (rule/box.c, refute.c). When two variables are left, the pairs of one are bounds on the
+ * other, of which only the tightest are kept (squeeze.c). Histories are sets of at most 64 base
+ * rows: one word.
+ *
+ * Numbers stay exact: what could overflow is formed in 128 bits, and the elimination is given up
+ * when a row does not fit after all. Then, and when a table is full, nothing is known.
+ */
+#include "elim/tiny_inside.h"
+
+#include "num/gcd.h"
+#include "system/system.h"
+
+/* ---- the next variable ----------------------------------------------------------------------- */
+
+/* Rows of either sign in each column. */
+typedef struct counts {
+    uint64_t of[2][FMB_TINY_WORDS];
+} counts;
+
+static void count(const fmb_tiny *t, counts *c)
+{
+    *c = (counts){0};
+    for (int i = 0; i < t->now->rows; i++) {
+        const int64_t *a = t->now->a[i];
+        for (int k = 1; k <= t->n; k++) {
+            c->of[0][k] += (uint64_t)a[k] >> 63;
+            c->of[1][k] += (uint64_t)-a[k] >> 63;
+        }
+    }
+}
+
+/* The place of fewest pairs; one with none comes first. */
+static int choose(const fmb_tiny *t)
+{
+    counts c;
+    int best = 1;
+    int64_t least = INT64_MAX;
+    count(t, &c);
+    for (int k = 1; k <= t->n; k++) {
+        int64_t p = (int64_t)c.of[0][k], q = (int64_t)c.of[1][k];
+        int64_t cost = p * q == 0 ? INT64_MIN : p * q - p - q;
+        if (cost < least) {
+            least = cost;
+            best = k;
+        }
+    }
+    return best;
+}
+
+/* ---- pairs ----------------------------------------------------------------------------------- */
+
+/* Rows of negative and of positive coefficient. */
+typedef struct sides {
+    uint8_t row[2][FMB_TINY_ROWS];
+    int rows[2];
+} sides;
+
+/* Has the set more than `most` elements? */
+static bool is_larger(uint64_t set, int most)
+{
+    for (; most > 0; most--)
+        set &= set - 1;
+    return set != 0;
+}
+
+/* Does the history of a third row lie in u, the union of those of rows p and q? */
+static bool is_covered(const fmb_tiny *t, uint64_t u, int p, int q)
+{
+    int inside = 0;
+    for (int i = 0; i < t->now->rows; i++)
+        inside += (t->now->history[i] & ~u) == 0;
+    for (int i = 0; i < t->silents; i++)
+        inside += (t->silent[i] & ~u) == 0;
+    (void)p;
+    (void)q;
+    return inside > 2;
+}
+
+static bool is_constant(const int64_t *a, int n)
+{
+    int64_t all = 0;
+    for (int k = 1; k <= n; k++)
+        all |= a[k];
+    return all == 0;
+}
+
+/* The row at the end of the next table has lost its column already. */
+static fmb_tiny_step settle(fmb_tiny *t)
+{
+    fmb_tiny_table *next = t->next;
+    int i = next->rows;
+    const int64_t *a = next->a[i];
+    if (is_constant(a, t->n - 1)) {
+        if (a[0] < 0 || (a[0] == 0 && next->strict[i]))
+            return FMB_TINY_CLASH;
+        if (t->silents == FMB_TINY_SILENT)
+            return FMB_TINY_FULL;
+        t->silent[t->silents++] = next->history[i];
+        return FMB_TINY_GO;
+    }
+    next->rows++;
+    return FMB_TINY_GO;
+}
+
+static fmb_tiny_step pair(fmb_tiny *t, int p, int q, int c)
+{
+    uint64_t u = t->now->history[p] | t->now->history[q];
+    t->stats->pairs++;
+    if (is_larger(u, t->since + 2) || (t->since > 0 && is_covered(t, u, p, q))) {
+        t->stats->rows_dropped++;
+        return FMB_TINY_GO;
+    }
+    if (t->next->rows == FMB_TINY_ROWS || !fmb_tiny_combine(t, p, q, c))
+        return FMB_TINY_FULL;
+    t->stats->rows_made++;
+    return settle(t);
+}
+
+/* ---- a round --------------------------------------------------------------------------------- */
+
+/* Rows with a column into sides, the others to the next table. */
+static void sort_rows(fmb_tiny *t, int c, sides *s)
+{
+    const fmb_tiny_table *now = t->now;
+    fmb_tiny_table *next = t->next;
+    next->rows = s->rows[0] = s->rows[1] = 0;
+    for (int i = 0; i < now->rows; i++) {
+        int64_t a = now->a[i][c];
+        if (a != 0) {
+            int side = a > 0;
+            s->row[side][s->rows[side]++] = (uint8_t)i;
+            continue;
+        }
+        int64_t *to = next->a[next->rows];
+        for (int k = 0; k < FMB_TINY_WORDS; k++)
+            to[k] = now->a[i][k];
+        to[c] = to[t->n];
+        next->bits[next->rows] = now->bits[i];
+        next->history[next->rows] = now->history[i];
+        next->strict[next->rows] = now->strict[i];
+        next->rows++;
+    }
+}
+
+/* Column c is gone, and the last one is in its place. */
+static void close_column(fmb_tiny *t, int c)
+{
+    int n = t->n--;
+    for (int side = 0; side < 2; side++) {
+        t->end[side][c] = t->end[side][n];
+        t->open[side] = (t->open[side] & ~(1u << c)) | (t->open[side] >> n & 1) << c;
+    }
+    t->place[c] = t->place[n];
+}
+
+/* Drop the rows that the box makes needless, from row `first` on. */
+static fmb_tiny_step ask_box(fmb_tiny *t, int first)
+{
+    fmb_tiny_table *next = t->next;
+    int left = first;
+    for (int i = first; i < next->rows; i++) {
+        fmb_tiny_step step = fmb_tiny_judge(t, next, i);
+        if (step == FMB_TINY_CLASH)
+            return step;
+        if (step == FMB_TINY_SLACK)
+            continue;
+        if (left < i) {
+            for (int k = 0; k < FMB_TINY_WORDS; k++)
+                next->a[left][k] = next->a[i][k];
+            next->bits[left] = next->bits[i];
+            next->history[left] = next->history[i];
+            next->strict[left] = next->strict[i];
+        }
+        left++;
+    }
+    t->stats->rows_dropped += (uint64_t)(next->rows - left);
+    next->rows = left;
+    return FMB_TINY_GO;
+}
+
+static fmb_tiny_step make_round(fmb_tiny *t)
+{
+    sides s;
+    fmb_tiny_step step = FMB_TINY_GO;
+    int c = choose(t);
+    sort_rows(t, c, &s);
+    int old = t->next->rows;
+    for (int i = 0; i < s.rows[0]; i++)
+        for (int j = 0; step == FMB_TINY_GO && j < s.rows[1]; j++)
+            step = pair(t, s.row[0][i], s.row[1][j], c);
+    if (s.rows[0] > 0 && s.rows[1] > 0) {
+        t->gone[t->since++] = t->place[c];
+        t->stats->rounds++;
+    }
+    close_column(t, c);
+    if (step == FMB_TINY_GO)
+        step = ask_box(t, old);
+    t->stats->rows_kept += (uint64_t)(t->next->rows - old);
+    if ((uint64_t)t->next->rows > t->stats->rows_peak)
+        t->stats->rows_peak = (uint64_t)t->next->rows;
+    fmb_tiny_table *free = t->now == &t->base ? &t->table[1] : t->now;
+    t->now = t->next;
+    t->next = free;
+    return step;
+}
+
+/* ---- the last two ---------------------------------------------------------------------------- */
+
+static fmb_tiny_step note_pair(fmb_tiny *t, int p, int q, int c, int d)
+{
+    const int64_t *a = t->now->a[p], *b = t->now->a[q];
+    t->stats->pairs++;
+    if (is_larger(t->now->history[p] | t->now->history[q], t->since + 2)) {
+        t->stats->rows_dropped++;
+        return FMB_TINY_GO;
+    }
+    t->stats->rows_made++;
+    fmb_i128 f = b[c], g = -a[c];
+    return fmb_tiny_note(t, f * a[d] + g * b[d], f * a[0] + g * b[0],
+                         t->now->strict[p] || t->now->strict[q]);
+}
+
+static fmb_tiny_step make_last_round(fmb_tiny *t)
+{
+    sides s;
+    fmb_tiny_step step = FMB_TINY_GO;
+    int c = t->n == 2 ? choose(t) : 2, d = 3 - c;
+    s.rows[0] = s.rows[1] = 0;
+    for (int i = 0; i < t->now->rows; i++) {
+        int64_t a = t->n == 2 ? t->now->a[i][c] : 0;
+        if (a != 0)
+            s.row[a > 0][s.rows[a > 0]++] = (uint8_t)i;
+        else if (step == FMB_TINY_GO)
+            step = fmb_tiny_note(t, t->now->a[i][d], t->now->a[i][0], t->now->strict[i]);
+    }
+    for (int i = 0; i < s.rows[0]; i++)
+        for (int j = 0; step == FMB_TINY_GO && j < s.rows[1]; j++)
+            step = note_pair(t, s.row[0][i], s.row[1][j], c, d);
+    t->stats->rounds += t->n == 2;
+    return step == FMB_TINY_GO && !fmb_tiny_is_open(t) ? FMB_TINY_CLASH : step;
+}
+
+fmb_verdict fmb_tiny_decide(const fmb_system *s, fmb_stats *stats)
+{
+    fmb_tiny t;
+    if (fmb_system_dim(s) > FMB_TINY_VARIABLES || s->rows > FMB_TINY_BASE)
+        return FMB_UNKNOWN;
+    t.stats = stats;
+    t.now = &t.base;
+    t.next = &t.table[0];
+    t.since = t.silents = 0;
+    t.last[0].known = t.last[1].known = false;
+    fmb_tiny_step step = fmb_tiny_load(&t, s);
+    for (int k = 1; k <= t.n; k++)
+        t.place[k] = k;
+    stats->rows_peak = (uint64_t)t.base.rows;
+    while (step == FMB_TINY_GO && t.n > 2)
+        step = make_round(&t);
+    if (step == FMB_TINY_GO)
+        step = make_last_round(&t);
+    return step == FMB_TINY_GO      ? FMB_FEASIBLE
+           : step == FMB_TINY_CLASH ? FMB_INFEASIBLE
+                                    : FMB_UNKNOWN;
+}

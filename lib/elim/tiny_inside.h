@@ -1,0 +1,71 @@
+/* tiny_inside.h: what the files of the tiny elimination share; see tiny.c.
+ *
+ * A row is 8 words: the right side at 0, the coefficients at 1..n. Every |word| < 2^62, which the
+ * row's bits bound more closely. A round that removes the column at place c moves the last one, at
+ * n, there, so rows stay compact and loops short.
+ */
+#ifndef FMB_ELIM_TINY_INSIDE_H
+#define FMB_ELIM_TINY_INSIDE_H
+
+#include "elim/tiny.h"
+#include "num/vec.h"
+
+#define FMB_TINY_VARIABLES 6
+#define FMB_TINY_BASE      64  /* base rows: a history is one word */
+#define FMB_TINY_ROWS      128 /* of a table */
+#define FMB_TINY_SILENT    128 /* rows that said nothing */
+#define FMB_TINY_WORDS     8   /* of a row */
+
+typedef struct fmb_tiny_table {
+    int64_t a[FMB_TINY_ROWS][FMB_TINY_WORDS];
+    uint64_t history[FMB_TINY_ROWS]; /* base rows combined */
+    uint8_t bits[FMB_TINY_ROWS];
+    bool strict[FMB_TINY_ROWS];
+    int rows;
+} fmb_tiny_table;
+
+/* What is known of the last variable: the least b / c, c > 0, of each side: x <= b / c of the upper
+ * one, -x <= b / c of the lower one. */
+typedef struct fmb_tiny_end {
+    fmb_i128 b, c;
+    bool strict, known;
+} fmb_tiny_end;
+
+typedef struct fmb_tiny {
+    int n;                             /* columns left */
+    int place[FMB_TINY_VARIABLES + 1]; /* of each column in the base */
+    int gone[FMB_TINY_VARIABLES];      /* places in the base of the columns paired away */
+    int since;                         /* their number */
+    int64_t end[2][FMB_TINY_WORDS];    /* the box, rounded outward, by place */
+    unsigned open[2];                  /* bit k: place k has no such end */
+    uint64_t silent[FMB_TINY_SILENT];  /* histories of rows that said nothing */
+    int silents;
+    fmb_tiny_table *now, *next;
+    fmb_tiny_end last[2];
+    fmb_stats *stats;
+    fmb_tiny_table base, table[2];
+} fmb_tiny;
+
+typedef enum fmb_tiny_step {
+    FMB_TINY_GO,
+    FMB_TINY_CLASH, /* no point satisfies the rows */
+    FMB_TINY_FULL,  /* no room for a row, or it does not fit */
+    FMB_TINY_SLACK  /* the row at hand holds strictly in the box */
+} fmb_tiny_step;
+
+/* tiny_load.c: the rows of s as the base; rows with one variable also as the box. */
+fmb_tiny_step fmb_tiny_load(fmb_tiny *t, const fmb_system *s);
+
+/* tiny_row.c: the combination of rows p and q of t->now that cancels place c, p's coefficient being
+ * negative and q's positive, at the end of t->next, not counted yet; false if it does not fit. */
+bool fmb_tiny_combine(fmb_tiny *t, int p, int q, int c);
+
+/* tiny_box.c: what does the box say of row i of a table? GO: nothing. */
+fmb_tiny_step fmb_tiny_judge(const fmb_tiny *t, const fmb_tiny_table *rows, int i);
+
+/* tiny_last.c: note c x <= b (< b). A constant row may be false. */
+fmb_tiny_step fmb_tiny_note(fmb_tiny *t, fmb_i128 c, fmb_i128 b, bool strict);
+/* Do the ends noted leave a value? */
+bool fmb_tiny_is_open(const fmb_tiny *t);
+
+#endif

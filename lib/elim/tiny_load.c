@@ -1,0 +1,117 @@
+/* tiny_load.c: rows of a system into a table on the stack.
+ *
+ * Of the rows with one variable only the tightest of each side stays. Its end, rounded outward to a
+ * whole number, is an end of the box: the box may be larger than what the rows say, and what holds
+ * in it strictly, or fails in all of it, does so in the smaller one.
+ */
+#include "elim/tiny_inside.h"
+#include "num/gcd.h"
+#include "system/system.h"
+
+/* Base rows that are ends: row[side][place], or -1. */
+typedef struct ends {
+    int row[2][FMB_TINY_WORDS];
+} ends;
+
+/* Is a x REL b tighter than row i on the same side of the same variable? */
+static bool is_tighter(const fmb_tiny_table *base, int i, int place, const fmb_sysrow *r)
+{
+    fmb_i128 mine = (fmb_i128)r->val.s[1] * (int64_t)fmb_abs64(base->a[i][place]);
+    fmb_i128 its = (fmb_i128)base->a[i][0] * (int64_t)fmb_abs64(r->val.s[0]);
+    return mine < its || (mine == its && r->rel == FMB_LT && !base->strict[i]);
+}
+
+static void put(fmb_tiny_table *base, int i, const fmb_sysrow *r)
+{
+    int64_t *a = base->a[i];
+    for (int k = 0; k < FMB_TINY_WORDS; k++)
+        a[k] = 0;
+    for (size_t k = 0; k < r->nnz; k++)
+        a[r->var[k] + 1] = r->val.s[k];
+    a[0] = r->val.s[r->nnz];
+    base->bits[i] = (uint8_t)r->val.bits;
+    base->strict[i] = r->rel == FMB_LT;
+}
+
+/* A row with one variable: as an end, unless there is a tighter one. */
+static void put_end(fmb_tiny_table *base, ends *e, const fmb_sysrow *r)
+{
+    int place = r->var[0] + 1, *end = &e->row[r->val.s[0] > 0][place];
+    if (*end < 0)
+        put(base, *end = base->rows++, r);
+    else if (is_tighter(base, *end, place, r))
+        put(base, *end, r);
+}
+
+/* The greatest whole number that is at most b / a, for a > 0. */
+static int64_t floor_divide(int64_t b, int64_t a)
+{
+    return a == 1 ? b : b / a - (b % a < 0);
+}
+
+static void make_box(fmb_tiny *t, const ends *e)
+{
+    t->open[0] = t->open[1] = 0;
+    for (int k = 1; k <= t->n; k++) {
+        for (int side = 0; side < 2; side++) {
+            int i = e->row[side][k];
+            t->open[side] |= (unsigned)(i < 0) << k;
+            if (i < 0)
+                continue;
+            const int64_t *a = t->base.a[i];
+            t->end[side][k] = side ? -floor_divide(-a[0], a[k]) : floor_divide(-a[0], -a[k]);
+        }
+    }
+}
+
+static void move(fmb_tiny_table *base, int to, int from)
+{
+    for (int k = 0; k < FMB_TINY_WORDS; k++)
+        base->a[to][k] = base->a[from][k];
+    base->bits[to] = base->bits[from];
+    base->strict[to] = base->strict[from];
+}
+
+/* Rows that hold strictly in the box go; the others are numbered. */
+static fmb_tiny_step prune(fmb_tiny *t)
+{
+    fmb_tiny_table *base = &t->base;
+    int left = 0;
+    for (int i = 0; i < base->rows; i++) {
+        fmb_tiny_step step = fmb_tiny_judge(t, base, i);
+        if (step == FMB_TINY_CLASH)
+            return step;
+        if (step == FMB_TINY_SLACK)
+            continue;
+        if (left < i)
+            move(base, left, i);
+        base->history[left] = (uint64_t)1 << left;
+        left++;
+    }
+    t->stats->rows_dropped += (uint64_t)(base->rows - left);
+    base->rows = left;
+    return FMB_TINY_GO;
+}
+
+fmb_tiny_step fmb_tiny_load(fmb_tiny *t, const fmb_system *s)
+{
+    ends e;
+    t->n = fmb_system_dim(s);
+    t->base.rows = 0;
+    for (int k = 0; k < FMB_TINY_WORDS; k++)
+        e.row[0][k] = e.row[1][k] = -1;
+    for (size_t i = 0; i < s->rows; i++) {
+        const fmb_sysrow *r = fmb_system_row(s, i);
+        if (fmb_vec_is_wide(&r->val) || r->rel == FMB_EQ)
+            return FMB_TINY_FULL;
+        int64_t b = r->val.s[r->nnz];
+        if (r->nnz == 1)
+            put_end(&t->base, &e, r);
+        else if (r->nnz > 1)
+            put(&t->base, t->base.rows++, r);
+        else if (b < 0 || (b == 0 && r->rel == FMB_LT))
+            return FMB_TINY_CLASH;
+    }
+    make_box(t, &e);
+    return prune(t);
+}
