@@ -1,58 +1,11 @@
 /* plan.c: see plan.h. */
 #include "qualify/plan.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "common/message.h"
 #include "qualify/files.h"
-
-enum {
-    KEY_DIM = 0x100,
-    KEY_MOTION,
-    KEY_KINDS,
-    KEY_MEETING,
-    KEY_FAMILY,
-    KEY_ORDERS,
-    KEY_ROWS,
-    KEY_SECONDS,
-    KEY_PASSES,
-    KEY_PRESOLVE,
-    KEY_COUNTS,
-    KEY_DETAIL
-};
-
-static const struct argp_option options[] = {
-    {NULL, 0, NULL, 0, "Systems:", 1},
-    {"dim", KEY_DIM, "D,...", 0, "Dimensions of the space of the frames [2,3,4,5,6]", 1},
-    {"motion", KEY_MOTION, "WORD,...", 0, "static, dynamic [both]", 1},
-    {"kinds", KEY_KINDS, "AB,...", 0, "Pairs of cuboids C and simplices T [CC,CT,TC,TT]", 1},
-    {"meeting", KEY_MEETING, "yes|no", 0, "Pairs that meet, or those that do not [both]", 1},
-    {"family", KEY_FAMILY, "small|float", 0,
-     "Whole numbers up to 3, or doubles up to 10 as in the article [small]", 1},
-    {"pairs", 'n', "N", 0, "Pairs of each class [16]", 1},
-    {"seed", 's', "S", 0, "Of the random numbers [1]", 1},
-    {NULL, 0, NULL, 0, "Ways to eliminate:", 2},
-    {"rules", 'r', "SET", 0,
-     "A set of rules to study, such as kohler,box; again for each further one. `none` is always "
-     "there, `default` is the choice of the library",
-     2},
-    {"orders", KEY_ORDERS, "WORD,...", 0, "pairs, given, min, fill [pairs,given]", 2},
-    {"presolve", KEY_PRESOLVE, "STEPS", 0,
-     "As `fmb solve` takes it; the box rule needs bounds [bounds]", 2},
-    {NULL, 0, NULL, 0, "Limits:", 3},
-    {"max-rows", KEY_ROWS, "N", 0, "Live rows at which a query is stopped [10000]", 3},
-    {"max-seconds", KEY_SECONDS, "S", 0,
-     "Time at which a query is stopped [20]: where that happens, counts depend on the machine", 3},
-    {"passes", KEY_PASSES, "N", 0, "Of the clock over all systems; 0 measures no time [3]", 3},
-    {NULL, 0, NULL, 0, "Report:", 4},
-    {"out", 'o', "DIR", 0, "Write CSV, JSON and plots into this folder, too", 4},
-    {"json", 'j', NULL, 0, "Print one JSON object instead of tables", 4},
-    {"detail", KEY_DETAIL, NULL, 0, "A table for each class, not only for each dimension", 4},
-    {"counts", KEY_COUNTS, NULL, 0, "Only the counts that the project holds itself to", 4},
-    {"quiet", 'q', NULL, 0, "No progress bar", 4},
-    {0}};
 
 /* What each order is called: the words of the library's own option. */
 static const char *const ORDER[] = {
@@ -75,6 +28,16 @@ const char *qualify_order_text(fmb_order order)
     return ORDER[order];
 }
 
+bool qualify_order_parse(const char *word, fmb_order *out)
+{
+    for (int i = 0; i < ORDERS; i++)
+        if (strcmp(word, ORDER[i]) == 0) {
+            *out = (fmb_order)i;
+            return true;
+        }
+    return false;
+}
+
 const char *qualify_set_text(const study_way *way)
 {
     return way->rules ? way->rules : "default";
@@ -92,192 +55,6 @@ void qualify_plan_init(qualify_plan *p)
     p->grid = (study_grid){.seed = 1, .per_class = 16, .passes = 3};
     p->grid.limits = (study_limits){.max_rows = 10000, .max_seconds = 20, .presolve = "bounds"};
 }
-
-/* ---- values ---------------------------------------------------------------------------------- */
-
-static double number(const char *text, double least, double most, struct argp_state *state)
-{
-    char *end;
-    errno = 0;
-    double x = strtod(text, &end);
-    if (end == text || *end != '\0' || errno != 0 || !(x >= least && x <= most))
-        argp_error(state, "'%s' is not a number from %g to %g", text, least, most);
-    return x;
-}
-
-static unsigned long whole(const char *text, unsigned long least, unsigned long most,
-                           struct argp_state *state)
-{
-    char *end;
-    errno = 0;
-    unsigned long x = strtoul(text, &end, 10);
-    if (end == text || *end != '\0' || errno != 0 || *text == '-' || x < least || x > most)
-        argp_error(state, "'%s' is not a whole number from %lu to %lu", text, least, most);
-    return x;
-}
-
-/* Call use for every word of a comma list. */
-static void each_word(char *list, void (*use)(qualify_plan *, const char *, struct argp_state *),
-                      struct argp_state *state)
-{
-    char *rest, *copy = app_need(strdup(list));
-    for (char *word = strtok_r(copy, ",", &rest); word; word = strtok_r(NULL, ",", &rest))
-        use(state->input, word, state);
-    free(copy);
-}
-
-static void use_dim(qualify_plan *p, const char *word, struct argp_state *state)
-{
-    p->dim[whole(word, 1, PLAN_MOST_DIM, state)] = true;
-}
-
-static void use_motion(qualify_plan *p, const char *word, struct argp_state *state)
-{
-    bool dynamic = strcmp(word, "dynamic") == 0;
-    if (!dynamic && strcmp(word, "static") != 0)
-        argp_error(state, "'%s' is neither static nor dynamic", word);
-    p->motion[dynamic] = true;
-}
-
-static void use_kind(qualify_plan *p, const char *word, struct argp_state *state)
-{
-    static const char letters[] = "CT";
-    if (strlen(word) != 2 || strspn(word, letters) != 2)
-        argp_error(state, "'%s' is not one of CC, CT, TC, TT", word);
-    p->kind[word[0] == 'T'][word[1] == 'T'] = true;
-}
-
-static void use_order(qualify_plan *p, const char *word, struct argp_state *state)
-{
-    int i = 0;
-    while (i < ORDERS && strcmp(word, ORDER[i]) != 0)
-        i++;
-    if (i == ORDERS || p->orders == PLAN_MOST_ORDERS)
-        argp_error(state, "'%s' is not an order: pairs, given, min, fill", word);
-    p->order[p->orders++] = (fmb_order)i;
-}
-
-static void use_meeting(qualify_plan *p, const char *word, struct argp_state *state)
-{
-    bool yes = strcmp(word, "yes") == 0;
-    if (!yes && strcmp(word, "no") != 0)
-        argp_error(state, "'%s' is neither yes nor no", word);
-    p->meeting[yes] = true;
-}
-
-/* ---- options --------------------------------------------------------------------------------- */
-
-static error_t parse_systems(int key, char *arg, struct argp_state *state)
-{
-    qualify_plan *p = state->input;
-    switch (key) {
-    case KEY_DIM:
-        memset(p->dim, 0, sizeof p->dim);
-        each_word(arg, use_dim, state);
-        p->frames_asked = true;
-        return 0;
-    case KEY_MOTION:
-        memset(p->motion, 0, sizeof p->motion);
-        each_word(arg, use_motion, state);
-        return 0;
-    case KEY_KINDS:
-        memset(p->kind, 0, sizeof p->kind);
-        each_word(arg, use_kind, state);
-        return 0;
-    case KEY_MEETING:
-        memset(p->meeting, 0, sizeof p->meeting);
-        use_meeting(p, arg, state);
-        return 0;
-    case KEY_FAMILY:
-        if (!study_family_parse(arg, &p->family))
-            argp_error(state, "'%s' is not a family: small, float", arg);
-        return 0;
-    case 'n':
-        p->grid.per_class = whole(arg, 1, 1000000, state);
-        p->pairs_asked = true;
-        return 0;
-    case 's':
-        p->grid.seed = whole(arg, 0, 0xffffffffUL, state);
-        return 0;
-    case ARGP_KEY_ARG:
-        if (p->files == PLAN_MOST_FILES)
-            argp_error(state, "more than %d files", PLAN_MOST_FILES);
-        p->file[p->files++] = arg;
-        return 0;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
-}
-
-static error_t parse_ways(int key, char *arg, struct argp_state *state)
-{
-    qualify_plan *p = state->input;
-    switch (key) {
-    case 'r':
-        if (p->sets == PLAN_MOST_SETS - 1)
-            argp_error(state, "more than %d sets of rules", PLAN_MOST_SETS - 1);
-        p->set[p->sets++] = arg;
-        return 0;
-    case KEY_ORDERS:
-        p->orders = 0;
-        each_word(arg, use_order, state);
-        return 0;
-    case KEY_PRESOLVE:
-        p->grid.limits.presolve = arg;
-        return 0;
-    case KEY_ROWS:
-        p->grid.limits.max_rows = whole(arg, 1, 1000000000, state);
-        return 0;
-    case KEY_SECONDS:
-        p->grid.limits.max_seconds = number(arg, 0, 1e6, state);
-        return 0;
-    case KEY_PASSES:
-        p->grid.passes = (int)whole(arg, 0, 9, state);
-        return 0;
-    default:
-        return parse_systems(key, arg, state);
-    }
-}
-
-static error_t parse(int key, char *arg, struct argp_state *state)
-{
-    qualify_plan *p = state->input;
-    switch (key) {
-    case 'o':
-        p->out = arg;
-        return 0;
-    case 'j':
-        p->json = true;
-        return 0;
-    case KEY_COUNTS:
-        p->counts = true;
-        return 0;
-    case KEY_DETAIL:
-        p->detail = true;
-        return 0;
-    case 'q':
-        p->quiet = true;
-        return 0;
-    default:
-        return parse_ways(key, arg, state);
-    }
-}
-
-static const char doc[] =
-    "Eliminate the variables of many systems with every set of rules and in every order, count "
-    "rows, measure time against no rules, and compare every answer with the exact one."
-    "\v"
-    "Without FILE the systems are random pairs of frames; with FILE only those files, unless --dim "
-    "asks for frames, too. Of a file, all but the last variable are eliminated, or all but those "
-    "that it asks for (`project` lines, or a comment `* keep K`: the first K).\n"
-    "The same seed gives the same counts.\n"
-    "\n"
-    "Examples:\n"
-    "  fmb-qualify rules --out report\n"
-    "  fmb-qualify rules --dim 3 --kinds CC --pairs 500 --rules kohler,box --orders pairs,given\n"
-    "  fmb-qualify rules --rules kohler cases/*.ine\n";
-
-const struct argp qualify_plan_argp = {options, parse, "[FILE...]", doc, NULL, NULL, NULL};
 
 /* ---- the grid -------------------------------------------------------------------------------- */
 
@@ -336,14 +113,34 @@ int qualify_plan_make(qualify_plan *p)
     return code;
 }
 
+/* Runs of which something is true. */
+static size_t count_runs(const qualify_plan *p, bool (*is)(const study_run *r))
+{
+    const study_grid *g = &p->grid;
+    size_t count = 0;
+    for (size_t k = 0; k < g->complete; k++)
+        for (size_t i = 0; i < g->sample[k].size; i++)
+            for (size_t w = 0; w < g->ways; w++)
+                count += is(study_grid_at(g, k, i, w));
+    return count;
+}
+
+static bool is_wrong(const study_run *r)
+{
+    return r->outcome == STUDY_WRONG || r->solved == STUDY_WRONG;
+}
+
+static bool ran_out_of_time(const study_run *r)
+{
+    return r->outcome == STUDY_STOPPED && r->stop == FMB_STOP_TIME;
+}
+
 size_t qualify_wrong(const qualify_plan *p)
 {
-    size_t wrong = 0;
-    for (size_t k = 0; k < p->grid.complete; k++)
-        for (size_t i = 0; i < p->grid.sample[k].size; i++)
-            for (size_t w = 0; w < p->grid.ways; w++) {
-                const study_run *r = study_grid_at(&p->grid, k, i, w);
-                wrong += r->outcome == STUDY_WRONG || r->solved == STUDY_WRONG;
-            }
-    return wrong;
+    return count_runs(p, is_wrong);
+}
+
+size_t qualify_stopped_by_time(const qualify_plan *p)
+{
+    return count_runs(p, ran_out_of_time);
 }

@@ -34,11 +34,13 @@ void qualify_plan_init(qualify_plan *p);
 int qualify_plan_make(qualify_plan *p);
 /* Only the ways of the grid, from sets and orders. */
 void qualify_plan_ways(qualify_plan *p);
-/* Wrong answers found. */
+/* Wrong answers found; queries that the clock stopped. */
 size_t qualify_wrong(const qualify_plan *p);
+size_t qualify_stopped_by_time(const qualify_plan *p);
 
-/* "pairs", ... */
+/* "pairs", ... and back: false if the word is unknown. */
 const char *qualify_order_text(fmb_order order);
+bool qualify_order_parse(const char *word, fmb_order *out);
 /* "kohler,box"; "default". */
 const char *qualify_set_text(const study_way *way);
 

@@ -68,6 +68,9 @@ void qualify_tables(const qualify_plan *p)
         "no rules. time, total: of the verdict\nagainst no rules, median of ratios and ratio of "
         "totals; < where no rules gave up first, > where these\ndid, ~ where both happened.\n");
     print_unknown(p);
+    if (qualify_stopped_by_time(p) > 0)
+        printf("The clock stopped %zu queries: their counts depend on the machine.\n",
+               qualify_stopped_by_time(p));
     for (size_t k = 0; k < p->orders; k++) {
         page g = {{.columns = COLUMNS, .align = "llrrrrrrrrrrrr"}, k};
         for (int c = 0; c < COLUMNS; c++)
