@@ -27,7 +27,8 @@ static const struct argp own = {.options = options, .parser = parse};
 static const app_usage usage = {
     .args = "FILE",
     .doc = "The tightest interval of every variable over the system in FILE, exactly. A round "
-           "bracket is an end that no solution reaches, ? an end that is not known."
+           "bracket is an end that no solution reaches. At a limit, 5? is an end that no solution "
+           "is beyond but that may be too far out, and ? one that is not known."
            "\v"
            "Exit codes: 0 all ends known, 1 infeasible, 2 undecided.\n"
            "\n"
@@ -46,6 +47,7 @@ static char *end_text(const fmb_box *box, int i, fmb_side side)
     case FMB_END_UNKNOWN:
         return NULL;
     case FMB_END_FINITE:
+    case FMB_END_OUTER:
         break;
     }
     mpq_t q;
@@ -56,14 +58,16 @@ static char *end_text(const fmb_box *box, int i, fmb_side side)
     return text;
 }
 
-/* "[1/2," and "inf)" */
+/* "[1/2,", "inf)" and "5?]" */
 static char *end_cell(const fmb_box *box, int i, fmb_side side)
 {
     char *value = end_text(box, i, side);
-    bool attained = fmb_box_end(box, i, side).attained;
-    const char *opening = side == FMB_UPPER ? "" : attained ? "[" : "(";
-    const char *closing = side == FMB_LOWER ? "," : attained ? "]" : ")";
-    char *cell = app_print("%s%s%s", opening, value ? value : "?", closing);
+    fmb_end end = fmb_box_end(box, i, side);
+    bool square = end.attained || end.kind == FMB_END_OUTER;
+    const char *opening = side == FMB_UPPER ? "" : square ? "[" : "(";
+    const char *closing = side == FMB_LOWER ? "," : square ? "]" : ")";
+    char *cell = app_print("%s%s%s%s", opening, value ? value : "",
+                           value && end.kind != FMB_END_OUTER ? "" : "?", closing);
     free(value);
     return cell;
 }
@@ -87,6 +91,25 @@ static json_t *end_json(const fmb_box *box, int i, fmb_side side)
     return value;
 }
 
+static bool is_outer(const fmb_box *box, int i, fmb_side side)
+{
+    return fmb_box_end(box, i, side).kind == FMB_END_OUTER;
+}
+
+static bool is_open(const fmb_box *box, int i, fmb_side side)
+{
+    return is_outer(box, i, side) || fmb_box_end(box, i, side).kind == FMB_END_UNKNOWN;
+}
+
+/* Is every end the tightest? */
+static bool is_tight(const fmb_box *box)
+{
+    for (int i = 0; i < fmb_box_size(box); i++)
+        if (is_open(box, i, FMB_LOWER) || is_open(box, i, FMB_UPPER))
+            return false;
+    return true;
+}
+
 static json_t *box_json(const app_session *s, const fmb_box *box)
 {
     json_t *all = app_need(json_object());
@@ -96,6 +119,10 @@ static json_t *box_json(const app_session *s, const fmb_box *box)
         app_json_set(one, "upper", end_json(box, i, FMB_UPPER));
         app_json_set(one, "lower_attained", json_boolean(fmb_box_end(box, i, FMB_LOWER).attained));
         app_json_set(one, "upper_attained", json_boolean(fmb_box_end(box, i, FMB_UPPER).attained));
+        if (is_outer(box, i, FMB_LOWER))
+            app_json_set(one, "lower_outer", json_true());
+        if (is_outer(box, i, FMB_UPPER))
+            app_json_set(one, "upper_outer", json_true());
         app_json_set_variable(all, s->system, fmb_box_var(box, i), one);
     }
     return all;
@@ -105,6 +132,8 @@ static void report(const app_session *s, const fmb_box *box)
 {
     if (s->ask->json) {
         json_t *obj = app_verdict_json(s);
+        if (box && !is_tight(box))
+            app_json_set(obj, "outer", json_true());
         if (box)
             app_json_set(obj, "bounds", box_json(s, box));
         app_json_set_stats(obj, &s->result.stats);
@@ -121,11 +150,10 @@ static int exit_code(const app_session *s, const fmb_box *box)
 {
     if (!box)
         return s->result.verdict == FMB_INFEASIBLE ? APP_NO : APP_UNDECIDED;
-    for (int i = 0; i < fmb_box_size(box); i++)
-        if (fmb_box_end(box, i, FMB_LOWER).kind == FMB_END_UNKNOWN ||
-            fmb_box_end(box, i, FMB_UPPER).kind == FMB_END_UNKNOWN)
-            return APP_UNDECIDED;
-    return APP_YES;
+    if (is_tight(box))
+        return APP_YES;
+    app_session_note(s, "undecided (%s): an outer box", fmb_stop_text(s->result.stop));
+    return APP_UNDECIDED;
 }
 
 int cmd_bounds(int argc, char **argv)

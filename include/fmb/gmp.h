@@ -23,7 +23,7 @@ FMB_API size_t fmb_system_terms(const fmb_system *s, size_t i);
 FMB_API int fmb_system_term_q(const fmb_system *s, size_t i, size_t k, mpq_t coef);
 FMB_API void fmb_system_rhs_q(const fmb_system *s, size_t i, mpq_t b);
 
-/* Exact end of interval i of a box; false (and value untouched) unless the end is finite. */
+/* Exact end of interval i of a box; false (and value untouched) unless it is finite or outer. */
 FMB_API bool fmb_box_end_q(const fmb_box *b, int i, fmb_side side, mpq_t value);
 
 /* Entry col of a row of a view; col = fmb_view_dim: the right side. And of a base row. */

@@ -62,8 +62,9 @@ FMB_API FMB_CHECKED fmb_status fmb_project(fmb_solver *v, const fmb_system *s, c
                                            int n, fmb_system **out, fmb_result *res);
 
 /* [give] The tightest interval of each of the variables vars[0..n), all of them if vars is NULL.
- * *out is NULL if s is infeasible or undecided. If a limit was reached, ends not yet proved are
- * FMB_END_UNKNOWN. Errors: ARG, MEMORY. */
+ * *out is NULL if s is infeasible. If a limit was reached, the verdict may be UNKNOWN; ends not yet
+ * known are then FMB_END_OUTER, or FMB_END_UNKNOWN where nothing cheap bounds them. Errors: ARG,
+ * MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_bound(fmb_solver *v, const fmb_system *s, const int *vars, int n,
                                          fmb_box **out, fmb_result *res);
 
@@ -88,13 +89,19 @@ FMB_API FMB_CHECKED fmb_status fmb_solver_evidence(const fmb_solver *v, fmb_evid
 
 /* ---- boxes ----------------------------------------------------------------------------------- */
 
-typedef enum fmb_end_kind { FMB_END_UNKNOWN = 0, FMB_END_FINITE, FMB_END_INFINITE } fmb_end_kind;
+typedef enum fmb_end_kind {
+    FMB_END_UNKNOWN = 0,
+    FMB_END_FINITE,
+    FMB_END_INFINITE,
+    FMB_END_OUTER /* no solution is beyond the end, but it may be too far out: a limit was reached
+                   */
+} fmb_end_kind;
 
 /* One end of an interval. */
 typedef struct fmb_end {
     fmb_end_kind kind;
-    bool attained; /* some solution reaches the end; false for infinite ends */
-    double value;  /* rounded outward; -INFINITY or INFINITY unless finite */
+    bool attained; /* some solution is known to reach the end; false unless finite */
+    double value;  /* rounded outward; -INFINITY or INFINITY unless finite or outer */
 } fmb_end;
 
 FMB_API void fmb_box_free(fmb_box *b);

@@ -73,6 +73,17 @@ void fmb_arena_reset(fmb_arena *a)
     a->at = 0;
 }
 
+fmb_arena_place fmb_arena_tell(const fmb_arena *a)
+{
+    return (fmb_arena_place){a->current, a->at};
+}
+
+void fmb_arena_rewind(fmb_arena *a, fmb_arena_place to)
+{
+    a->current = to.current;
+    a->at = to.at;
+}
+
 void fmb_arena_clear(fmb_arena *a)
 {
     for (fmb_chunk *c = a->first; c;) {

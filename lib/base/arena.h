@@ -22,6 +22,15 @@ void *fmb_arena_get(fmb_arena *a, size_t count, size_t size);
  * place is lost until the reset, so capacity doubles. Errors: MEMORY, LIMIT. */
 fmb_status fmb_arena_reserve(fmb_arena *a, void **p, size_t *capacity, size_t need, size_t size);
 void fmb_arena_reset(fmb_arena *a);
+
+/* How far the arena is filled; and take back all that it has handed out since. */
+typedef struct fmb_arena_place {
+    fmb_chunk *current;
+    size_t at;
+} fmb_arena_place;
+
+fmb_arena_place fmb_arena_tell(const fmb_arena *a);
+void fmb_arena_rewind(fmb_arena *a, fmb_arena_place to);
 void fmb_arena_clear(fmb_arena *a);
 
 #endif

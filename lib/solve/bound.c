@@ -1,28 +1,16 @@
 /* bound.c: the tightest interval of each variable.
  *
  * Each end is a linear program in the variable's own part, from the dictionary of the end before.
- * With method fm the part's other variables are eliminated instead, and the rows that remain are
- * the ends.
+ * With method fm the part's other variables are eliminated instead (bound_fm.c). At a limit, the
+ * ends not yet known are the best that is proved at little cost (outer.h).
  */
-#include "elim/derive.h"
-#include "elim/witness.h"
-#include "solve/box.h"
-#include "solve/solver.h"
+#include "solve/bound.h"
 
-/* One end being worked on: variable, side, sign 1 for the upper end, and where the answer goes. */
-typedef struct job {
-    fmb_query *q;
-    const fmb_part *p;
-    int var, column;
-    fmb_side side;
-    int sign;
-    fmb_exact_side *end;
-} job;
+#include "solve/outer.h"
 
 /* ---- claims ---------------------------------------------------------------------------------- */
 
-/* w proves the end; the query's x is a point at it. */
-static fmb_status claim_bound(job *j, const fmb_weights *w)
+fmb_status fmb_bound_claim(fmb_bound_job *j, const fmb_weights *w)
 {
     fmb_query *q = j->q;
     fmb_claim *claim;
@@ -41,8 +29,7 @@ static fmb_status claim_bound(job *j, const fmb_weights *w)
     return st;
 }
 
-/* The query's x is a ray of the part, or the variable is in no part. */
-static fmb_status claim_unbounded(job *j)
+fmb_status fmb_bound_claim_unbounded(fmb_bound_job *j)
 {
     fmb_claim *claim;
     if (!j->q->evidence)
@@ -64,7 +51,7 @@ static fmb_status claim_unbounded(job *j)
 
 /* ---- by the oracle --------------------------------------------------------------------------- */
 
-static fmb_status finish_optimum(job *j, const fmb_lp *lp)
+static fmb_status finish_optimum(fmb_bound_job *j, const fmb_lp *lp)
 {
     int step;
     fmb_weights w = {0};
@@ -76,7 +63,7 @@ static fmb_status finish_optimum(job *j, const fmb_lp *lp)
         if (st == FMB_OK)
             st = fmb_lp_point(lp, !j->end->attained, j->q->x);
         if (st == FMB_OK)
-            st = claim_bound(j, &w);
+            st = fmb_bound_claim(j, &w);
     }
     fmb_weights_clear(&w, j->q->run.mem);
     if (st == FMB_OK)
@@ -84,7 +71,7 @@ static fmb_status finish_optimum(job *j, const fmb_lp *lp)
     return st;
 }
 
-static fmb_status ask_oracle(job *j, int part)
+static fmb_status ask_oracle(fmb_bound_job *j, int part)
 {
     fmb_lp *lp;
     fmb_lp_end end;
@@ -97,132 +84,46 @@ static fmb_status ask_oracle(job *j, int part)
         return finish_optimum(j, lp);
     if (j->q->evidence)
         fmb_lp_ray(lp, j->q->x);
-    st = claim_unbounded(j);
+    st = fmb_bound_claim_unbounded(j);
     if (st == FMB_OK)
         j->end->kind = FMB_END_INFINITE;
     return st;
 }
 
-/* ---- by elimination -------------------------------------------------------------------------- */
+/* ---- all of them ----------------------------------------------------------------------------- */
 
-/* The live row that is tightest on this side, its bound in value; FMB_NO_ROW if none bounds it. A
- * row that is an equality bounds both sides. Of equal bounds a strict one counts. */
-static uint32_t tightest(const job *j, const fmb_elim *e, mpq_t value)
-{
-    uint32_t best = FMB_NO_ROW;
-    mpq_t t, a;
-    mpq_inits(t, a, NULL);
-    for (size_t i = 0; i < e->live.size; i++) {
-        const fmb_derived *r = &e->row[e->live.row[i]];
-        int s = fmb_vec_sgn(&r->v, (size_t)j->column);
-        if (s == 0 || (!r->equality && s != j->sign))
-            continue;
-        fmb_vec_get(&r->v, (size_t)e->n, mpq_numref(t));
-        mpz_set_ui(mpq_denref(t), 1);
-        fmb_vec_get(&r->v, (size_t)j->column, mpq_numref(a));
-        mpz_set_ui(mpq_denref(a), 1);
-        mpq_div(t, t, a);
-        int order = best == FMB_NO_ROW ? -1 : mpq_cmp(t, value) * j->sign;
-        if (order < 0 || (order == 0 && r->strict && !e->row[best].strict)) {
-            best = e->live.row[i];
-            mpq_set(value, t);
-        }
-    }
-    mpq_clears(t, a, NULL);
-    return best;
-}
-
-/* sign x_var <= sign value is the row divided by |its coefficient|; an equality may be turned
- * round. */
-static fmb_status claim_row(job *j, const fmb_elim *e, uint32_t row)
-{
-    const fmb_derived *r = &e->row[row];
-    fmb_weights w = {0};
-    mpq_t t;
-    mpq_init(t);
-    mpz_set_si(mpq_numref(t), j->sign);
-    fmb_vec_get(&r->v, (size_t)j->column, mpq_denref(t));
-    mpq_canonicalize(t);
-    fmb_status st = fmb_weights_add(&w, row, t, j->q->run.mem);
-    if (st == FMB_OK)
-        st = fmb_elim_derive(e, &w);
-    if (st == FMB_OK) {
-        mpq_set(j->q->x[j->column], j->end->value);
-        st = fmb_elim_point(e, j->end->attained ? FMB_POINT_INSIDE : FMB_POINT_CLOSURE, j->q->x);
-    }
-    if (st == FMB_OK)
-        st = claim_bound(j, &w);
-    fmb_weights_clear(&w, j->q->run.mem);
-    mpq_clear(t);
-    return st;
-}
-
-static fmb_status read_end(job *j, const fmb_elim *e)
-{
-    fmb_status st = FMB_OK;
-    uint32_t row = tightest(j, e, j->end->value);
-    if (row != FMB_NO_ROW) {
-        j->end->attained = !e->row[row].strict;
-        st = j->q->evidence ? claim_row(j, e, row) : FMB_OK;
-    } else if (j->q->evidence) {
-        mpq_set_si(j->q->x[j->column], j->sign, 1);
-        st = fmb_elim_point(e, FMB_POINT_RAY, j->q->x);
-        if (st == FMB_OK)
-            st = claim_unbounded(j);
-    }
-    if (st == FMB_OK)
-        j->end->kind = row != FMB_NO_ROW ? FMB_END_FINITE : FMB_END_INFINITE;
-    return st;
-}
-
-static fmb_status eliminate_others(const job *j, fmb_elim *e)
-{
-    fmb_query *q = j->q;
-    bool *drop = fmb_arena_get(&q->v->arena, (size_t)j->p->n, sizeof *drop);
-    if (!drop)
-        return fmb_mem_status(q->run.mem);
-    for (int i = 0; i < j->p->n; i++)
-        drop[i] = i != j->column;
-    fmb_status st = fmb_query_load(q, j->p, true, e);
-    return st == FMB_OK ? fmb_elim_eliminate(e, drop) : st;
-}
-
-/* ---- both ends of one variable --------------------------------------------------------------- */
-
-static fmb_status bound_variable(fmb_query *q, int var, fmb_exact_side *side)
+static fmb_status bound_by_oracle(fmb_query *q, int var, fmb_exact_side *side)
 {
     int part = q->parts.of_var[var];
-    job j = {.q = q, .var = var};
-    fmb_elim e = {.run = &q->run};
-    bool fm = part >= 0 && fmb_query_eliminates(q);
+    fmb_bound_job j = {.q = q, .var = var};
     fmb_status st = FMB_OK;
     if (part >= 0) {
         j.p = &q->parts.part[part];
         j.column = q->parts.place[var];
     }
-    if (fm)
-        st = eliminate_others(&j, &e);
     for (int k = FMB_LOWER; st == FMB_OK && k <= FMB_UPPER; k++) {
         j.side = (fmb_side)k;
         j.sign = k == FMB_LOWER ? -1 : 1;
         j.end = &side[k];
         if (part >= 0) {
-            st = fm ? read_end(&j, &e) : ask_oracle(&j, part);
+            st = ask_oracle(&j, part);
         } else {
-            st = claim_unbounded(&j);
+            st = fmb_bound_claim_unbounded(&j);
             j.end->kind = st == FMB_OK ? FMB_END_INFINITE : FMB_END_UNKNOWN;
         }
     }
-    if (fm)
-        fmb_elim_clear(&e);
     return st;
 }
 
 static fmb_status bound_all(fmb_query *q, fmb_box *box)
 {
+    bool fm = fmb_query_eliminates(q);
     fmb_status st = FMB_OK;
+    for (int c = 0; st == FMB_OK && fm && c < q->parts.count; c++)
+        st = fmb_bound_by_elimination(q, c, box);
     for (int i = 0; st == FMB_OK && i < box->size; i++)
-        st = bound_variable(q, box->var[i], box->side[i]);
+        if (!fm || q->parts.of_var[box->var[i]] < 0)
+            st = bound_by_oracle(q, box->var[i], box->side[i]);
     return st;
 }
 
@@ -234,6 +135,29 @@ static bool are_variables(const fmb_system *s, const int *vars, int n)
     return good;
 }
 
+/* At a limit the memory of the oracles and of eliminations is free again. */
+static fmb_status bound_outside(fmb_query *q, fmb_arena_place place, fmb_box *box,
+                                fmb_verdict *verdict)
+{
+    for (int c = 0; c < q->parts.count; c++) {
+        if (q->lp[c])
+            fmb_lp_clear(q->lp[c]);
+        q->lp[c] = NULL;
+    }
+    fmb_arena_rewind(&q->v->arena, place);
+    fmb_status st = fmb_outer_box(q, box, verdict);
+    return st == FMB_OK && *verdict != FMB_INFEASIBLE ? FMB_LIMIT : st;
+}
+
+static fmb_status bound(fmb_query *q, fmb_box *box, fmb_verdict *verdict)
+{
+    fmb_arena_place place = fmb_arena_tell(&q->v->arena);
+    fmb_status st = fmb_query_decide(q, !fmb_query_eliminates(q), verdict);
+    if (st == FMB_OK && *verdict == FMB_FEASIBLE)
+        st = bound_all(q, box);
+    return st == FMB_LIMIT ? bound_outside(q, place, box, verdict) : st;
+}
+
 fmb_status fmb_bound(fmb_solver *v, const fmb_system *s, const int *vars, int n, fmb_box **out,
                      fmb_result *res)
 {
@@ -243,17 +167,18 @@ fmb_status fmb_bound(fmb_solver *v, const fmb_system *s, const int *vars, int n,
     if (!out || !are_variables(s, vars, n))
         return FMB_ERR_ARG;
     fmb_status st = fmb_query_begin(&q, v, s, "bound");
+    fmb_status made = fmb_box_new(vars, vars ? n : fmb_system_dim(s), &v->mem.alloc, &box);
     if (st == FMB_OK)
-        st = fmb_query_decide(&q, !fmb_query_eliminates(&q), &verdict);
-    if (st == FMB_OK && verdict == FMB_FEASIBLE) {
-        st = fmb_box_new(vars, vars ? n : fmb_system_dim(s), &v->mem.alloc, &box);
-        if (st == FMB_OK)
-            st = bound_all(&q, box);
-    }
+        st = made == FMB_OK ? bound(&q, box, &verdict) : made;
+    else if (st == FMB_LIMIT && made != FMB_OK)
+        st = made;
     st = fmb_query_end(&q, st, verdict, res);
-    if (st == FMB_OK)
+    if (st == FMB_OK && verdict != FMB_INFEASIBLE) {
         *out = box;
-    else
-        fmb_box_free(box);
+        return FMB_OK;
+    }
+    fmb_box_free(box);
+    if (st == FMB_OK)
+        *out = NULL;
     return st;
 }

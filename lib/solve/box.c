@@ -65,10 +65,15 @@ static double round_outward(const mpq_t q, fmb_side side)
     return inside ? nextafter(d, out) : d;
 }
 
+static bool has_value(const fmb_exact_side *e)
+{
+    return e->kind == FMB_END_FINITE || e->kind == FMB_END_OUTER;
+}
+
 fmb_end fmb_box_end(const fmb_box *b, int i, fmb_side side)
 {
     const fmb_exact_side *e = &b->side[i][side];
-    if (e->kind != FMB_END_FINITE)
+    if (!has_value(e))
         return (fmb_end){e->kind, false, side == FMB_LOWER ? -INFINITY : INFINITY};
     return (fmb_end){e->kind, e->attained, round_outward(e->value, side)};
 }
@@ -76,7 +81,7 @@ fmb_end fmb_box_end(const fmb_box *b, int i, fmb_side side)
 bool fmb_box_end_q(const fmb_box *b, int i, fmb_side side, mpq_t value)
 {
     const fmb_exact_side *e = &b->side[i][side];
-    if (e->kind == FMB_END_FINITE)
+    if (has_value(e))
         mpq_set(value, e->value);
-    return e->kind == FMB_END_FINITE;
+    return has_value(e);
 }

@@ -9,7 +9,7 @@
 typedef struct fmb_exact_side {
     fmb_end_kind kind;
     bool attained;
-    mpq_t value; /* if finite */
+    mpq_t value; /* if finite or outer */
 } fmb_exact_side;
 
 struct fmb_box {

@@ -1,0 +1,246 @@
+/* bound_fm.c: intervals by elimination, by divide and conquer over sets of variables.
+ *
+ * When all other variables of a part are gone, the rows that remain are the ends. Of a set of
+ * variables that are asked for, one half is eliminated and the other half bounded the same way;
+ * then, from where it was before, the other way round. So D variables cost about D log D
+ * eliminations, not D (D - 1), and the first ones, which all share, are done once.
+ */
+#include "elim/derive.h"
+#include "elim/mark.h"
+#include "elim/witness.h"
+#include "solve/bound.h"
+#include "solve/bound_plane.h"
+#include "solve/outer.h"
+
+/* ---- by elimination -------------------------------------------------------------------------- */
+
+static void get_end(const fmb_derived *r, int n, int column, mpq_t value)
+{
+    mpq_t a;
+    mpq_init(a);
+    fmb_vec_get(&r->v, (size_t)n, mpq_numref(value));
+    mpz_set_ui(mpq_denref(value), 1);
+    fmb_vec_get(&r->v, (size_t)column, mpq_numref(a));
+    mpq_div(value, value, a);
+    mpq_clear(a);
+}
+
+/* The live row that is tightest on this side; FMB_NO_ROW if none bounds it. A row that is an
+ * equality bounds both sides. Of equal bounds a strict one counts. */
+static uint32_t tightest(const fmb_bound_job *j, const fmb_elim *e)
+{
+    uint32_t best = FMB_NO_ROW;
+    mpq_t value, t;
+    mpq_inits(value, t, NULL);
+    for (size_t i = 0; i < e->live.size; i++) {
+        const fmb_derived *r = &e->row[e->live.row[i]];
+        int s = fmb_vec_sgn(&r->v, (size_t)j->column);
+        if (s == 0 || (!r->equality && s != j->sign))
+            continue;
+        get_end(r, e->n, j->column, t);
+        int order = best == FMB_NO_ROW ? -1 : mpq_cmp(t, value) * j->sign;
+        if (order < 0 || (order == 0 && r->strict && !e->row[best].strict)) {
+            best = e->live.row[i];
+            mpq_set(value, t);
+        }
+    }
+    mpq_clears(value, t, NULL);
+    return best;
+}
+
+/* sign x_var <= sign value is the row divided by |its coefficient|; an equality may be turned
+ * round. */
+static fmb_status claim_row(fmb_bound_job *j, const fmb_elim *e, uint32_t row)
+{
+    const fmb_derived *r = &e->row[row];
+    fmb_weights w = {0};
+    mpq_t t;
+    mpq_init(t);
+    mpz_set_si(mpq_numref(t), j->sign);
+    fmb_vec_get(&r->v, (size_t)j->column, mpq_denref(t));
+    mpq_canonicalize(t);
+    fmb_status st = fmb_weights_add(&w, row, t, j->q->run.mem);
+    if (st == FMB_OK)
+        st = fmb_elim_derive(e, &w);
+    if (st == FMB_OK) {
+        mpq_set(j->q->x[j->column], j->end->value);
+        st = fmb_elim_point(e, j->end->attained ? FMB_POINT_INSIDE : FMB_POINT_CLOSURE, j->q->x);
+    }
+    if (st == FMB_OK)
+        st = fmb_bound_claim(j, &w);
+    fmb_weights_clear(&w, j->q->run.mem);
+    mpq_clear(t);
+    return st;
+}
+
+/* The end is in row, which names no other variable; FMB_NO_ROW: it is infinite. */
+static fmb_status put_end(fmb_bound_job *j, const fmb_elim *e, uint32_t row)
+{
+    fmb_status st = FMB_OK;
+    if (row != FMB_NO_ROW) {
+        get_end(&e->row[row], e->n, j->column, j->end->value);
+        j->end->attained = !e->row[row].strict;
+        st = j->q->evidence ? claim_row(j, e, row) : FMB_OK;
+    } else if (j->q->evidence) {
+        mpq_set_si(j->q->x[j->column], j->sign, 1);
+        st = fmb_elim_point(e, FMB_POINT_RAY, j->q->x);
+        if (st == FMB_OK)
+            st = fmb_bound_claim_unbounded(j);
+    }
+    if (st == FMB_OK)
+        j->end->kind = row != FMB_NO_ROW ? FMB_END_FINITE : FMB_END_INFINITE;
+    return st;
+}
+
+/* Both ends of a variable. plane: one more is left; NULL: none is. */
+static fmb_status read_ends(fmb_bound_job *j, fmb_elim *e, fmb_plane *plane, fmb_exact_side *side)
+{
+    fmb_status st = FMB_OK;
+    for (int k = FMB_LOWER; st == FMB_OK && k <= FMB_UPPER; k++) {
+        uint32_t row;
+        j->side = (fmb_side)k;
+        j->sign = k == FMB_LOWER ? -1 : 1;
+        j->end = &side[k];
+        if (plane)
+            st = fmb_plane_extreme(plane, j->sign, &row);
+        else
+            row = tightest(j, e);
+        if (st == FMB_OK)
+            st = put_end(j, e, row);
+    }
+    return st;
+}
+
+/* ---- divide and conquer ---------------------------------------------------------------------- */
+
+/* A part on its way. */
+typedef struct split {
+    fmb_query *q;
+    const fmb_part *p;
+    fmb_box *box;
+    fmb_elim e;
+    bool *drop; /* [n] scratch */
+    bool marks; /* the elimination can be returned to a mark */
+} split;
+
+static fmb_status eliminate(split *d, const int *column, int columns)
+{
+    for (int j = 0; j < d->p->n; j++)
+        d->drop[j] = false;
+    for (int i = 0; i < columns; i++)
+        d->drop[column[i]] = true;
+    return fmb_elim_eliminate(&d->e, d->drop);
+}
+
+/* The ends of a column into every interval of its variable. */
+static fmb_status read_column(split *d, int column, fmb_plane *plane)
+{
+    fmb_bound_job j = {.q = d->q, .p = d->p, .var = d->p->var[column], .column = column};
+    fmb_status st = FMB_OK;
+    for (int i = 0; st == FMB_OK && i < d->box->size; i++)
+        if (d->box->var[i] == j.var)
+            st = read_ends(&j, &d->e, plane, d->box->side[i]);
+    return st;
+}
+
+/* Bound x; only y is left beside it. *done: false if it cannot be done without eliminating y. */
+static fmb_status read_beside(split *d, int x, int y, bool *done)
+{
+    fmb_plane plane;
+    fmb_status st = fmb_plane_open(&plane, &d->e, x, y, done);
+    if (st != FMB_OK || !*done)
+        return st;
+    st = read_column(d, x, &plane);
+    fmb_plane_close(&plane);
+    return st;
+}
+
+static fmb_status conquer(split *d, int *column, int columns);
+
+/* Eliminate the columns of the second part, and bound those of the first. */
+static fmb_status descend(split *d, int *column, int columns, const int *others, int n)
+{
+    bool done = false;
+    fmb_status st = FMB_OK;
+    if (columns == 1 && n == 1)
+        st = read_beside(d, column[0], others[0], &done);
+    if (st != FMB_OK || done)
+        return st;
+    st = eliminate(d, others, n);
+    return st == FMB_OK ? conquer(d, column, columns) : st;
+}
+
+/* Bound column[0..columns), which are all that is left. */
+static fmb_status conquer(split *d, int *column, int columns)
+{
+    fmb_mark mark;
+    int half = columns / 2;
+    if (columns == 1)
+        return read_column(d, column[0], NULL);
+    fmb_status st = fmb_mark_set(&mark, &d->e);
+    if (st == FMB_OK)
+        st = descend(d, column, half, column + half, columns - half);
+    if (st != FMB_OK)
+        return st;
+    fmb_mark_return(&mark, &d->e);
+    return descend(d, column + half, columns - half, column, half);
+}
+
+/* The same for rules that a mark cannot bring back: each column from the start. */
+static fmb_status bound_apart(split *d, int *column, int columns)
+{
+    fmb_status st = FMB_OK;
+    for (int i = 0; st == FMB_OK && i < columns; i++) {
+        for (int j = 0; j < d->p->n; j++)
+            d->drop[j] = j != column[i];
+        if (i > 0) {
+            fmb_elim_clear(&d->e);
+            st = fmb_query_load(d->q, d->p, true, &d->e);
+        }
+        if (st == FMB_OK)
+            st = fmb_elim_eliminate(&d->e, d->drop);
+        if (st == FMB_OK)
+            st = read_column(d, column[i], NULL);
+    }
+    return st;
+}
+
+/* The columns whose variables the box asks for come first; their number. */
+static int sort_columns(const split *d, int *column)
+{
+    int asked = 0, others = d->p->n;
+    for (int j = 0; j < d->p->n; j++)
+        d->drop[j] = false;
+    for (int i = 0; i < d->box->size; i++)
+        if (d->q->parts.of_var[d->box->var[i]] == d->q->parts.of_var[d->p->var[0]])
+            d->drop[d->q->parts.place[d->box->var[i]]] = true;
+    for (int j = 0; j < d->p->n; j++)
+        column[d->drop[j] ? asked++ : --others] = j;
+    return asked;
+}
+
+fmb_status fmb_bound_by_elimination(fmb_query *q, int part, fmb_box *box)
+{
+    fmb_arena *arena = &q->v->arena;
+    split d = {.q = q, .p = &q->parts.part[part], .box = box, .e.run = &q->run};
+    size_t n = (size_t)d.p->n;
+    int *column = fmb_arena_get(arena, n, sizeof *column);
+    d.drop = fmb_arena_get(arena, n, sizeof *d.drop);
+    if (!column || !d.drop)
+        return fmb_mem_status(arena->mem);
+    int asked = sort_columns(&d, column);
+    if (asked == 0)
+        return FMB_OK;
+    fmb_status st = fmb_query_load(q, d.p, true, &d.e);
+    if (st == FMB_OK && !fmb_mark_possible(&d.e)) {
+        st = bound_apart(&d, column, asked);
+    } else {
+        if (st == FMB_OK)
+            st = eliminate(&d, column + asked, d.p->n - asked);
+        if (st == FMB_OK)
+            st = conquer(&d, column, asked);
+    }
+    fmb_status saved = st == FMB_LIMIT ? fmb_outer_from_rows(q, d.p, &d.e, box) : FMB_OK;
+    fmb_elim_clear(&d.e);
+    return saved != FMB_OK ? saved : st;
+}
