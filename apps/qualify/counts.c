@@ -18,7 +18,7 @@ static const bar BAR[] = {
     {3, 0, 0, 15, 12, false}, {3, 1, 0, 27, 15, false},  {4, 0, 0, 42, 20, false},
     {4, 0, 3, 35, 18, false}, {3, 1, 0, 400, 440, true},
 };
-enum { BARS = sizeof BAR / sizeof *BAR, LEAST_PAIRS = 200 };
+enum { BARS = sizeof BAR / sizeof *BAR, PAIRS = 200 };
 
 static const char *const SETS[] = {"none",
                                    "kohler",
@@ -60,13 +60,17 @@ static void add_bar(app_table *t, const qualify_plan *p, const bar *goal)
     qualify_cell(t, "%.1f", d.peak);
     qualify_cell(t, "%s %.0f", goal->plain ? "about" : "at most", goal->sum);
     qualify_cell(t, "%.0f", goal->peak);
+    if (goal->plain)
+        qualify_cell(t, "for scale");
+    else
+        qualify_cell(t, "%s", d.lived <= goal->sum && d.peak <= goal->peak ? "met" : "not met");
 }
 
 static void print_bars(const qualify_plan *p)
 {
-    app_table t = {.columns = 7, .align = "llrrrrr"};
-    static const char *const TITLE[] = {"systems", "rules",      "n",   "sum",
-                                        "peak",    "sum wanted", "peak"};
+    app_table t = {.columns = 8, .align = "llrrrrrl"};
+    static const char *const TITLE[] = {"systems", "rules",      "n",    "sum",
+                                        "peak",    "sum wanted", "peak", "bar"};
     for (size_t i = 0; i < t.columns; i++)
         qualify_cell(&t, "%s", TITLE[i]);
     for (int i = 0; i < BARS; i++)
@@ -81,7 +85,7 @@ static void make_plan(qualify_plan *c, const qualify_plan *p)
     qualify_plan_init(c);
     c->grid.seed = p->grid.seed;
     c->grid.limits = p->grid.limits;
-    c->grid.per_class = p->counts && p->pairs_asked ? p->grid.per_class : LEAST_PAIRS;
+    c->grid.per_class = p->pairs_asked ? p->grid.per_class : PAIRS;
     c->grid.passes = 0;
     c->orders = 1;
     c->grid.step = qualify_watch_step;

@@ -32,7 +32,8 @@ static double seconds(const study_digest *d)
 
 static const picture PICTURE[] = {
     {"rows", "Rows alive after a round, added up over the rounds (mean)", "rows", rows},
-    {"time", "Time against no rules (median of ratios)", "time / time without rules", seconds},
+    {"time", "Time against no rules (median of ratios; at most that where no rules gave up)",
+     "time / time without rules", seconds},
 };
 enum { PICTURES = sizeof PICTURE / sizeof *PICTURE };
 static const char *const MOTION[] = {"static", "dynamic"};
