@@ -11,13 +11,14 @@
 
 #include "shapes.h"
 
-#define MOST 4 /* variables */
+#define MOST  9 /* variables */
+#define TURNS 3 /* of the rotation, so that its entries stay small */
 
 typedef struct pair {
     int dim, n;
     bool moving, a_simplex, b_simplex;
-    int64_t r[3][3], q;
-    int64_t o[3], speed[3], s[3];
+    int64_t r[MOST][MOST], q;
+    int64_t o[MOST], speed[MOST], s[MOST];
 } pair;
 
 /* Steele, Lea and Flood's splitmix64. */
@@ -55,7 +56,7 @@ static void draw(pair *p, uint64_t *state)
         for (int k = 0; k < p->dim; k++)
             p->r[i][k] = i == k;
     p->q = 1;
-    for (int k = 0; k < p->dim; k++) {
+    for (int k = 0; k < p->dim && k < TURNS; k++) {
         int i = (int)between(state, 0, p->dim - 1);
         int j = (i + (int)between(state, 1, p->dim - 1)) % p->dim;
         turn(p, i, j, triple[next(state) % 4]);
@@ -80,12 +81,26 @@ static void coordinate(const pair *p, int i, int64_t a[MOST], int64_t *constant)
     }
 }
 
+/* The least common multiple of s. */
+static int64_t common_multiple(const pair *p)
+{
+    int64_t all = 1;
+    for (int i = 0; i < p->dim; i++) {
+        int64_t a = all, b = p->s[i];
+        while (b != 0) {
+            int64_t rest = a % b;
+            a = b;
+            b = rest;
+        }
+        all *= p->s[i] / a;
+    }
+    return all;
+}
+
 static bool add_a(const pair *p, fmb_system *s)
 {
-    int64_t sum[MOST] = {0}, sum_constant = 0, scale = p->q;
+    int64_t sum[MOST] = {0}, sum_constant = 0, scale = p->q * common_multiple(p);
     bool good = true;
-    for (int i = 0; i < p->dim; i++)
-        scale *= p->s[i];
     for (int i = 0; i < p->dim; i++) {
         int64_t a[MOST] = {0}, minus[MOST], c;
         coordinate(p, i, a, &c);
@@ -125,14 +140,14 @@ static bool add_b(const pair *p, fmb_system *s)
 fmb_system *shape_pair(unsigned i, char name[16])
 {
     uint64_t state = i;
-    pair p = {.dim = i & 1 ? 3 : 2,
-              .moving = (i & 2) != 0,
-              .a_simplex = (i & 4) != 0,
-              .b_simplex = (i & 8) != 0};
+    unsigned kind = i % SHAPE_KINDS, shapes = i / SHAPE_KINDS;
+    pair p = {.dim = 2 + (int)kind / 2,
+              .moving = kind % 2 != 0,
+              .a_simplex = (shapes & 1) != 0,
+              .b_simplex = (shapes & 2) != 0};
     p.n = p.dim + p.moving;
     draw(&p, &state);
-    snprintf(name, 16, "%dd-%s-%c%c", p.dim, p.moving ? "moving" : "still", p.a_simplex ? 'T' : 'C',
-             p.b_simplex ? 'T' : 'C');
+    snprintf(name, 16, "%dd-%s", p.dim, p.moving ? "moving" : "still");
     fmb_system *s = NULL;
     if (fmb_system_new(p.n, NULL, &s) == FMB_OK && add_a(&p, s) && add_b(&p, s))
         return s;

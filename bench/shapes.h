@@ -4,12 +4,12 @@
 
 #include <fmb/system.h>
 
-/* [give] Pair number i: kinds alternate between 2D and 3D, still and moving, cuboid (C) and simplex
- * (T) on either side; no two pairs are alike. name[16] gets the kind: "3d-moving-CT". NULL if
- * memory runs out. */
+/* [give] Pair number i: kinds alternate between 2D and 8D, still and moving, and within a kind
+ * cuboid and simplex on either side; no two pairs are alike. name[16] gets the kind: "3d-moving".
+ * NULL if memory runs out. */
 fmb_system *shape_pair(unsigned i, char name[16]);
 
 /* Kinds there are. */
-enum { SHAPE_KINDS = 16 };
+enum { SHAPE_KINDS = 14 };
 
 #endif

@@ -104,19 +104,63 @@ static void add_item(bench *b, const char *kind, fmb_system *s)
     snprintf(it->kind, sizeof it->kind, "%s", kind);
 }
 
-/* "dir/col_D3_CT_dyn_inf.ine": systems of at most 4 variables, all under one kind. */
+#define MOST 64 /* variables */
+
+/* A variant of s: its rows and variables in an order that depends on k. */
+static fmb_system *shuffle(const fmb_system *s, size_t k)
+{
+    size_t dim = (size_t)fmb_system_dim(s), rows = fmb_system_rows(s);
+    fmb_system *out = NULL;
+    mpq_t coef[MOST], b;
+    int var[MOST];
+    if (dim > MOST || fmb_system_new((int)dim, NULL, &out) != FMB_OK)
+        need(NULL);
+    for (size_t j = 0; j < dim; j++)
+        mpq_init(coef[j]);
+    mpq_init(b);
+    for (size_t i = 0; i < rows; i++) {
+        size_t from = (k % 2 ? i + k : rows - 1 - i + k) % rows, n = fmb_system_terms(s, from);
+        for (size_t t = 0; t < n; t++)
+            var[t] = (fmb_system_term_q(s, from, t, coef[t]) + (int)k) % (int)dim;
+        fmb_system_rhs_q(s, from, b);
+        if (fmb_system_add_q(out, n, var, coef, fmb_system_rel(s, from), b) != FMB_OK)
+            need(NULL);
+    }
+    for (size_t j = 0; j < dim; j++)
+        mpq_clear(coef[j]);
+    mpq_clear(b);
+    return out;
+}
+
+/* "dir/col_D3_CT_dyn_inf.ine" is of kind "file-D3-dyn", other names of kind "file". */
+static void name_kind(const char *path, char kind[16])
+{
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    bool moving = strstr(name, "_dyn") != NULL;
+    if (strncmp(name, "col_D", 5) == 0 && name[5] >= '1' && name[5] <= '9')
+        snprintf(kind, 16, "file-D%c-%s", name[5], moving ? "dyn" : "sta");
+    else
+        snprintf(kind, 16, "file");
+}
+
+#define VARIANTS 16
+
 static void add_file(bench *b, const char *path)
 {
     FILE *in = fopen(path, "r");
     fmb_reader how = {.format = FMB_FORMAT_INE};
     fmb_where where;
     fmb_system *s = NULL;
+    char kind[16];
     if (!in || fmb_system_read(in, &how, &s, &where) != FMB_OK) {
         fprintf(stderr, "%s: cannot be read\n", path);
         exit(66);
     }
     fclose(in);
-    add_item(b, "file", s);
+    name_kind(path, kind);
+    for (size_t k = 0; k < VARIANTS; k++)
+        add_item(b, kind, shuffle(s, k));
+    fmb_system_free(s);
 }
 
 static void add_pairs(bench *b, unsigned n)
@@ -245,7 +289,7 @@ int main(int argc, char **argv)
     fmb_options o = fmb_options_default();
     bool json = false;
     int passes = 9;
-    unsigned pairs = 8192;
+    unsigned pairs = 7168;
     o.evidence = false;
     if (fmb_solver_new(&o, NULL, &b.solver) != FMB_OK)
         need(NULL);

@@ -8,6 +8,15 @@
 #include "num/gcd.h"
 #include "system/system.h"
 
+static void prefetch(const void *p)
+{
+#ifdef __GNUC__
+    __builtin_prefetch(p);
+#else
+    (void)p;
+#endif
+}
+
 /* Base rows that are ends: row[side][place], or -1. */
 typedef struct ends {
     int row[2][FMB_TINY_WORDS];
@@ -93,23 +102,36 @@ static fmb_tiny_step prune(fmb_tiny *t)
     return FMB_TINY_GO;
 }
 
+/* Can all rows be taken? Their words, far apart in memory, are asked for on the way: at this size
+ * waiting for them one by one would take longer than all the rest. */
+static bool suits(const fmb_system *s)
+{
+    bool good = true;
+    for (size_t i = 0; i < s->rows; i++) {
+        const fmb_sysrow *r = fmb_system_row(s, i);
+        prefetch(r->var);
+        prefetch(r->val.s);
+        good &= !fmb_vec_is_wide(&r->val) & (r->rel != FMB_EQ);
+    }
+    return good;
+}
+
 fmb_tiny_step fmb_tiny_load(fmb_tiny *t, const fmb_system *s)
 {
     ends e;
     t->n = fmb_system_dim(s);
     t->base.rows = 0;
+    if (!suits(s))
+        return FMB_TINY_FULL;
     for (int k = 0; k < FMB_TINY_WORDS; k++)
         e.row[0][k] = e.row[1][k] = -1;
     for (size_t i = 0; i < s->rows; i++) {
         const fmb_sysrow *r = fmb_system_row(s, i);
-        if (fmb_vec_is_wide(&r->val) || r->rel == FMB_EQ)
-            return FMB_TINY_FULL;
-        int64_t b = r->val.s[r->nnz];
         if (r->nnz == 1)
             put_end(&t->base, &e, r);
         else if (r->nnz > 1)
             put(&t->base, t->base.rows++, r);
-        else if (b < 0 || (b == 0 && r->rel == FMB_LT))
+        else if (r->val.s[0] < 0 || (r->val.s[0] == 0 && r->rel == FMB_LT))
             return FMB_TINY_CLASH;
     }
     make_box(t, &e);
