@@ -75,7 +75,6 @@ fmb_status study_engine_count(study_engine *e, const fmb_system *s, const int *k
     fmb_result r;
     *shadow = NULL;
     e->run = run;
-    run->peak = fmb_system_rows(s);
     fmb_solver_set_sink(e->counting, (fmb_sink){put, e});
     fmb_status st =
         keep ? fmb_project(e->counting, s, keep, n, shadow, &r) : fmb_solve(e->counting, s, &r);

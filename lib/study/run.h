@@ -39,7 +39,7 @@ typedef struct study_run {
     uint64_t pairs, made; /* pairs looked at, rows combined */
     uint64_t kept;        /* rows combined that lived on after the rules of their round */
     uint64_t lived;       /* rows alive after each round, added up over the rounds */
-    uint64_t peak;        /* most rows alive between two rounds, the first rows included */
+    uint64_t peak;        /* most rows alive before or after a round */
     uint64_t held;        /* most rows alive at any moment */
     uint64_t dropped[STUDY_MOST_NAMES];
     /* Elimination of all variables, for the verdict. */
