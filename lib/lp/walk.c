@@ -241,42 +241,128 @@ static bool has_line(const walk *w)
     return false;
 }
 
-/* Reach the end, against the clock, of the face that is farthest along one axis. *found false: the
- * shadow goes to infinity in all four directions, or that face does. */
-static fmb_status find_start(walk *w, bool *found)
+/* Is a column j left with goal.R_j > 0? Of those, the one of least variable. */
+static size_t find_upward(walk *w, mpz_t *goal)
 {
-    *found = false;
-    for (int k = 0; !*found && k < 4; k++) {
-        int axis = k / 2, sign = k % 2 == 0 ? 1 : -1;
-        fmb_lp_end end;
-        bool unbounded = true;
-        fmb_status st = fmb_lp_extreme(w->lp, w->var[axis], sign, &end);
-        if (st != FMB_OK)
-            return st;
-        if (end != FMB_LP_OPTIMUM)
+    const fmb_lp *lp = w->lp;
+    size_t best = SIZE_MAX;
+    for (size_t j = 0; j < (size_t)lp->n; j++) {
+        if (!fmb_lp_may_enter(lp, j))
             continue;
-        mpz_set_si(w->along[X], axis == X ? 0 : -sign);
-        mpz_set_si(w->along[Y], axis == X ? sign : 0);
-        st = slide(w, &unbounded);
+        direction(w, j, w->r);
+        if (dot(w, goal, w->r) > 0 && (best == SIZE_MAX || lp->column[j] < lp->column[best]))
+            best = j;
+    }
+    return best;
+}
+
+/* Move the shadow point as far as it goes in the direction goal. *bounded false: it goes to
+ * infinity, along w->r. */
+static fmb_status climb(walk *w, mpz_t *goal, bool *bounded)
+{
+    for (;;) {
+        size_t j = find_upward(w, goal);
+        size_t block = j == SIZE_MAX ? 0 : fmb_lp_find_block(w->lp, j, 1);
+        *bounded = j == SIZE_MAX;
+        if (*bounded)
+            return FMB_OK;
+        if (block == SIZE_MAX) {
+            direction(w, j, w->r);
+            return FMB_OK;
+        }
+        fmb_status st = fmb_lp_pivot(w->lp, block, j);
         if (st != FMB_OK)
             return st;
-        *found = !unbounded;
     }
-    return FMB_OK;
+}
+
+/* The directions to infinity found so far all lie between side[0] and side[1], against the clock.
+ */
+typedef struct sector {
+    mpz_t side[2][2];
+    int sides;
+} sector;
+
+static void copy(mpz_t *to, mpz_t *from)
+{
+    mpz_gcd(to[X], from[X], from[Y]);
+    mpz_divexact(to[Y], from[Y], to[X]);
+    mpz_divexact(to[X], from[X], to[X]);
+}
+
+/* Take w->r into the sector; false if it then has half a turn or more. */
+static bool widen(walk *w, sector *s)
+{
+    if (s->sides == 0) {
+        copy(s->side[0], w->r);
+        copy(s->side[1], w->r);
+        s->sides = 1;
+        return true;
+    }
+    int before = cross(w, s->side[0], w->r), after = cross(w, s->side[1], w->r);
+    if (before < 0 && after < 0)
+        copy(s->side[0], w->r);
+    else if (before > 0 && after > 0)
+        copy(s->side[1], w->r);
+    else if (before <= 0 || after >= 0)
+        return false;
+    return true;
+}
+
+/* A goal against all of the sector: minus the middle of its sides, roughly. */
+static void oppose(sector *s, mpz_t *goal)
+{
+    double size[2];
+    for (int k = 0; k < 2; k++) {
+        mpz_abs(goal[X], s->side[k][X]);
+        mpz_abs(goal[Y], s->side[k][Y]);
+        mpz_add(goal[X], goal[X], goal[Y]);
+        size[k] = mpz_get_d(goal[X]);
+    }
+    for (int axis = X; axis <= Y; axis++) {
+        double middle =
+            mpz_get_d(s->side[0][axis]) / size[0] + mpz_get_d(s->side[1][axis]) / size[1];
+        mpz_set_d(goal[axis], -middle * 1048576);
+    }
+}
+
+/* Reach a vertex of the shadow that is farthest in some direction, and the end against the clock of
+ * the face there. *found false: there is no such vertex, or only far beyond a narrow gap. */
+static fmb_status find_start(walk *w, mpz_t *goal, sector *s, bool *found)
+{
+    fmb_status st = FMB_OK;
+    bool bounded = false, unbounded = true;
+    mpz_set_si(goal[X], 1);
+    for (int tries = 0; st == FMB_OK && tries < 16; tries++) {
+        st = climb(w, goal, &bounded);
+        if (st != FMB_OK || bounded || !widen(w, s))
+            break;
+        oppose(s, goal);
+        if (dot(w, goal, s->side[0]) >= 0 || dot(w, goal, s->side[1]) >= 0)
+            break;
+    }
+    if (st == FMB_OK && bounded) {
+        mpz_neg(w->along[X], goal[Y]);
+        mpz_set(w->along[Y], goal[X]);
+        st = slide(w, &unbounded);
+    }
+    *found = st == FMB_OK && bounded && !unbounded;
+    return st;
 }
 
 /* First against the clock; if that way leads to infinity, once more from the start with it. */
-static fmb_status walk_both_ways(walk *w, bool *done)
+static fmb_status walk_both_ways(walk *w, mpz_t *goal, bool *done)
 {
-    bool found, closed = false, flat = false;
-    fmb_status st = find_start(w, &found);
-    if (st != FMB_OK || !found)
-        return st;
+    bool bounded, unbounded, closed = false, flat = false;
     locate(w, w->start);
     w->turn = 1;
-    st = go_round(w, &closed, &flat);
+    fmb_status st = go_round(w, &closed, &flat);
     if (st == FMB_OK && !closed && !flat) {
-        st = find_start(w, &found);
+        st = climb(w, goal, &bounded);
+        mpz_neg(w->along[X], goal[Y]);
+        mpz_set(w->along[Y], goal[X]);
+        if (st == FMB_OK)
+            st = slide(w, &unbounded);
         mpz_neg(w->along[X], w->along[X]);
         mpz_neg(w->along[Y], w->along[Y]);
         w->turn = -1;
@@ -287,6 +373,23 @@ static fmb_status walk_both_ways(walk *w, bool *done)
     return st;
 }
 
+static fmb_status walk_somehow(walk *w, bool *done)
+{
+    sector s = {0};
+    mpz_t goal[2];
+    bool found;
+    mpz_inits(goal[X], goal[Y], NULL);
+    for (int k = 0; k < 2; k++)
+        mpz_inits(s.side[k][X], s.side[k][Y], NULL);
+    fmb_status st = find_start(w, goal, &s, &found);
+    if (st == FMB_OK && found)
+        st = walk_both_ways(w, goal, done);
+    for (int k = 0; k < 2; k++)
+        mpz_clears(s.side[k][X], s.side[k][Y], NULL);
+    mpz_clears(goal[X], goal[Y], NULL);
+    return st;
+}
+
 fmb_status fmb_lp_walk(fmb_lp *lp, int i, int j, fmb_edges *out, bool *done)
 {
     walk w = {.lp = lp, .var = {i, j}, .edges = out};
@@ -294,7 +397,7 @@ fmb_status fmb_lp_walk(fmb_lp *lp, int i, int j, fmb_edges *out, bool *done)
     if (lp->any_strict || lp->where[i] >= lp->m || lp->where[j] >= lp->m || has_line(&w))
         return FMB_OK;
     walk_init(&w);
-    fmb_status st = walk_both_ways(&w, done);
+    fmb_status st = walk_somehow(&w, done);
     walk_clear(&w);
     return st;
 }

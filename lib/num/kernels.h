@@ -25,6 +25,8 @@ typedef struct fmb_kernels {
                         int64_t q);
     uint64_t (*combine_narrow)(int64_t *dst, const int64_t *a, const int64_t *b, size_t n,
                                int64_t p, int64_t q);
+    /* out[i] += y x[i]. */
+    void (*accumulate)(double *out, const double *x, size_t n, double y);
 } fmb_kernels;
 
 /* The kernels of that level, NULL if this processor (or compiler) has not got it. */

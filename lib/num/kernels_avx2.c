@@ -117,7 +117,19 @@ AVX2 static uint64_t combine(int64_t *dst, const int64_t *a, const int64_t *b, s
     return all;
 }
 
-const fmb_kernels fmb_kernels_avx2 = {larger, inside, combine, combine_narrow};
+AVX2 static void accumulate(double *out, const double *x, size_t n, double y)
+{
+    const __m256d vy = _mm256_set1_pd(y);
+    size_t i = 0;
+    for (; i + 4 <= n; i += 4) {
+        __m256d product = _mm256_mul_pd(vy, _mm256_loadu_pd(&x[i]));
+        _mm256_storeu_pd(&out[i], _mm256_add_pd(_mm256_loadu_pd(&out[i]), product));
+    }
+    for (; i < n; i++)
+        out[i] += y * x[i];
+}
+
+const fmb_kernels fmb_kernels_avx2 = {larger, inside, combine, combine_narrow, accumulate};
 #else
 typedef int fmb_no_avx2;
 #endif

@@ -9,7 +9,7 @@
 /* The lanes of words j to j + 7 that are below count. */
 AVX512 static inline __mmask8 lanes(size_t count, size_t j)
 {
-    return count - j >= 8 ? 0xff : (__mmask8)((1u << (count - j)) - 1);
+    return (__mmask8)(count - j >= 8 ? 0xffu : (1u << (count - j)) - 1);
 }
 
 AVX512 static inline __m512i load(const void *p)
@@ -80,7 +80,19 @@ AVX512 static uint64_t combine_narrow(int64_t *dst, const int64_t *a, const int6
     return (uint64_t)_mm512_reduce_or_epi64(all);
 }
 
-const fmb_kernels fmb_kernels_avx512 = {larger, inside, combine, combine_narrow};
+/* A product and a sum, not a fused one: every level gives the same numbers. */
+AVX512 static void accumulate(double *out, const double *x, size_t n, double y)
+{
+    const __m512d vy = _mm512_set1_pd(y);
+    for (size_t i = 0; i < n; i += 8) {
+        __mmask8 m = lanes(n, i);
+        __m512d product = _mm512_mul_pd(vy, _mm512_maskz_loadu_pd(m, &x[i]));
+        __m512d sum = _mm512_add_pd(_mm512_maskz_loadu_pd(m, &out[i]), product);
+        _mm512_mask_storeu_pd(&out[i], m, sum);
+    }
+}
+
+const fmb_kernels fmb_kernels_avx512 = {larger, inside, combine, combine_narrow, accumulate};
 #else
 typedef int fmb_no_avx512;
 #endif

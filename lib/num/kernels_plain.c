@@ -43,4 +43,10 @@ static uint64_t combine(int64_t *dst, const int64_t *a, const int64_t *b, size_t
     return all;
 }
 
-const fmb_kernels fmb_kernels_plain = {larger, inside, combine, combine};
+static void accumulate(double *out, const double *x, size_t n, double y)
+{
+    for (size_t i = 0; i < n; i++)
+        out[i] += y * x[i];
+}
+
+const fmb_kernels fmb_kernels_plain = {larger, inside, combine, combine, accumulate};

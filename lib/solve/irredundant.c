@@ -121,7 +121,7 @@ static fmb_status run_passes(pass *p)
             st = lock_equality(p, i);
     note_point(p);
     for (size_t i = 0; st == FMB_OK && i < m; i++)
-        if (p->rel[i] == FMB_LE)
+        if (p->rel[i] == FMB_LE && p->fate[i] == FMB_FATE_UNKNOWN)
             st = find_equality(p, i);
     prepare_tests(p);
     for (size_t i = m; st == FMB_OK && i-- > 0;)

@@ -6,48 +6,57 @@
 #include "solve/prune_lp.h"
 
 #include "elim/view.h"
+#include "lp/implied.h"
 #include "solve/irredundant.h"
 
 typedef struct patience {
     size_t next; /* rows from which on it looks again; 0: it has not looked */
 } patience;
 
-/* What the oracle needs of the live rows. */
+/* Rows that still live, in lists for the oracle. */
 typedef struct rows {
     fmb_lp_row *row;
     fmb_rel *rel;
     fmb_fate *fate;
-    size_t size;
+    size_t *place; /* in the view */
+    size_t size, room;
 } rows;
 
 static void close_rows(rows *a, fmb_mem *mem)
 {
-    fmb_mem_put(mem, a->row, a->size, sizeof *a->row);
-    fmb_mem_put(mem, a->rel, a->size, sizeof *a->rel);
-    fmb_mem_put(mem, a->fate, a->size, sizeof *a->fate);
+    fmb_mem_put(mem, a->row, a->room, sizeof *a->row);
+    fmb_mem_put(mem, a->rel, a->room, sizeof *a->rel);
+    fmb_mem_put(mem, a->fate, a->room, sizeof *a->fate);
+    fmb_mem_put(mem, a->place, a->room, sizeof *a->place);
 }
 
-static fmb_status open_rows(rows *a, const fmb_elim *e)
+static fmb_status open_rows(rows *a, fmb_mem *mem, size_t room)
 {
-    fmb_mem *mem = e->run->mem;
-    *a = (rows){.size = e->live.size};
-    a->row = fmb_mem_get(mem, a->size, sizeof *a->row);
-    a->rel = fmb_mem_get(mem, a->size, sizeof *a->rel);
-    a->fate = fmb_mem_zero(mem, a->size, sizeof *a->fate);
-    if (!a->row || !a->rel || !a->fate) {
-        fmb_status st = fmb_mem_status(mem);
-        close_rows(a, mem);
-        return st;
-    }
-    for (size_t i = 0; i < a->size; i++) {
-        const fmb_derived *r = &e->row[e->live.row[i]];
-        a->rel[i] = r->equality ? FMB_EQ : r->strict ? FMB_LT : FMB_LE;
-        a->row[i] = (fmb_lp_row){&r->v, a->rel[i]};
-    }
-    return FMB_OK;
+    *a = (rows){.room = room};
+    a->row = fmb_mem_get(mem, room, sizeof *a->row);
+    a->rel = fmb_mem_get(mem, room, sizeof *a->rel);
+    a->fate = fmb_mem_get(mem, room, sizeof *a->fate);
+    a->place = fmb_mem_get(mem, room, sizeof *a->place);
+    return a->row && a->rel && a->fate && a->place ? FMB_OK : fmb_mem_status(mem);
 }
 
-static fmb_status ask(const fmb_elim *e, rows *a)
+/* List the live rows that are not dropped yet. */
+static void list_rows(rows *a, const fmb_elim *e, const bool *drop)
+{
+    a->size = 0;
+    for (size_t i = 0; i < e->live.size; i++) {
+        const fmb_derived *r = &e->row[e->live.row[i]];
+        fmb_rel rel = r->equality ? FMB_EQ : r->strict ? FMB_LT : FMB_LE;
+        if (drop[i])
+            continue;
+        a->place[a->size] = i;
+        a->rel[a->size] = rel;
+        a->fate[a->size] = FMB_FATE_UNKNOWN;
+        a->row[a->size++] = (fmb_lp_row){&r->v, rel};
+    }
+}
+
+static fmb_status ask_oracle(const fmb_elim *e, rows *a, bool *drop)
 {
     fmb_lp lp;
     bool feasible = false;
@@ -57,28 +66,40 @@ static fmb_status ask(const fmb_elim *e, rows *a)
     if (st == FMB_OK && feasible) /* if not, a rule lied when that was decided */
         st = fmb_redundant(&lp, a->rel, a->fate);
     fmb_lp_clear(&lp);
+    for (size_t i = 0; i < a->size; i++)
+        drop[a->place[i]] |= a->fate[i] == FMB_FATE_REDUNDANT;
     return st;
+}
+
+/* What a guess finds is cheap; the oracle is asked if that leaves many doubts. */
+static fmb_status prune(const fmb_elim *e, rows *a, bool *drop)
+{
+    fmb_sorting sorting = {.gone = drop};
+    list_rows(a, e, drop);
+    fmb_status st = fmb_lp_sort_rows(e->run, e->n, a->size, a->row, &sorting);
+    if (st != FMB_OK || 4 * sorting.doubtful < a->size)
+        return st;
+    list_rows(a, e, drop);
+    return ask_oracle(e, a, drop);
 }
 
 static fmb_status end_round(void *state, const fmb_view *w, bool *drop)
 {
     patience *p = state;
+    fmb_mem *mem = w->e->run->mem;
+    size_t left = 0, size = fmb_view_rows(w);
     rows a;
-    size_t marked = 0, size = fmb_view_rows(w);
     if (p->next == 0)
         p->next = 2 * fmb_view_bases(w) + 16;
     if (fmb_view_column(w) >= 0 && size < p->next)
         return FMB_OK;
-    fmb_status st = open_rows(&a, w->e);
-    if (st != FMB_OK)
-        return st;
-    st = ask(w->e, &a);
-    for (size_t i = 0; i < size; i++) {
-        drop[i] = a.fate[i] == FMB_FATE_REDUNDANT;
-        marked += drop[i];
-    }
-    close_rows(&a, w->e->run->mem);
-    p->next = 2 * (size - marked) + 16;
+    fmb_status st = open_rows(&a, mem, size);
+    if (st == FMB_OK)
+        st = prune(w->e, &a, drop);
+    close_rows(&a, mem);
+    for (size_t i = 0; i < size; i++)
+        left += !drop[i];
+    p->next = 3 * left / 2 + 16;
     return st;
 }
 

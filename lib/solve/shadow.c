@@ -2,6 +2,7 @@
 #include "solve/shadow.h"
 
 #include "elim/derive.h"
+#include "lp/implied.h"
 #include "solve/irredundant.h"
 #include "solve/polygon.h"
 #include "solve/prune_lp.h"
@@ -16,6 +17,7 @@ typedef struct shadow {
     fmb_elim e;
     fmb_lp lp;
     bool has_lp;
+    fmb_lp_row *row;      /* [lives] */
     fmb_rel *rel;         /* [lives] */
     fmb_fate *fate;       /* [lives] */
     fmb_weights *reverse; /* [lives] proofs that rows are equalities, over oracle rows */
@@ -149,12 +151,103 @@ static fmb_status append_row(shadow *h, size_t k)
     return st;
 }
 
-/* Keep what is irredundant of the rows left. */
-static fmb_status thin_out(shadow *h)
+/* ---- what is irredundant --------------------------------------------------------------------- */
+
+/* The rows left, as the oracle takes them. */
+static fmb_status list_rows(shadow *h)
 {
+    fmb_arena *arena = &h->q->v->arena;
+    size_t m = h->e.live.size;
+    h->row = fmb_arena_get(arena, m, sizeof *h->row);
+    h->rel = fmb_arena_get(arena, m, sizeof *h->rel);
+    h->fate = fmb_arena_get(arena, m, sizeof *h->fate);
+    if (!h->row || !h->rel || !h->fate)
+        return fmb_mem_status(arena->mem);
+    for (size_t k = 0; k < m; k++) {
+        fmb_derived *r = &h->e.row[h->e.live.row[k]];
+        fmb_status st = fmb_vec_reduce(&r->v, (size_t)h->e.n + 1, &h->e.num);
+        if (st != FMB_OK)
+            return st;
+        h->rel[k] = r->equality ? FMB_EQ : r->strict ? FMB_LT : FMB_LE;
+        h->fate[k] = FMB_FATE_UNKNOWN;
+        h->row[k] = (fmb_lp_row){&r->v, h->rel[k]};
+    }
+    return FMB_OK;
+}
+
+/* Drop the rows that are gone; note which are kept. */
+static void apply_sorting(shadow *h, const fmb_sorting *sorting)
+{
+    size_t left = 0;
+    for (size_t k = 0; k < h->e.live.size; k++) {
+        if (sorting->gone[k])
+            continue;
+        h->e.live.row[left] = h->e.live.row[k];
+        h->row[left] = h->row[k];
+        h->rel[left] = h->rel[k];
+        h->fate[left] = sorting->kept[k] ? FMB_FATE_KEPT : FMB_FATE_UNKNOWN;
+        left++;
+    }
+    h->e.live.size = left;
+}
+
+/* What a guess finds is cheap, and mostly all. *inner: the projection has a point strictly inside
+ * its rows. */
+static fmb_status sort_out(shadow *h, bool *inner)
+{
+    fmb_mem *mem = h->q->run.mem;
+    size_t m = h->e.live.size;
+    fmb_sorting sorting = {.gone = fmb_mem_zero(mem, m, sizeof *sorting.gone),
+                           .kept = fmb_mem_zero(mem, m, sizeof *sorting.kept)};
+    fmb_status st = sorting.gone && sorting.kept ? FMB_OK : fmb_mem_status(mem);
+    if (st == FMB_OK)
+        st = fmb_lp_sort_rows(&h->q->run, h->p->n, m, h->row, &sorting);
+    if (st == FMB_OK)
+        apply_sorting(h, &sorting);
+    *inner = sorting.inner;
+    fmb_mem_put(mem, sorting.gone, m, sizeof *sorting.gone);
+    fmb_mem_put(mem, sorting.kept, m, sizeof *sorting.kept);
+    return st;
+}
+
+static bool is_settled(const shadow *h)
+{
+    for (size_t k = 0; k < h->e.live.size; k++)
+        if (h->fate[k] == FMB_FATE_UNKNOWN)
+            return false;
+    return true;
+}
+
+/* The oracle decides what is left to decide. */
+static fmb_status ask_oracle_about_rows(shadow *h, bool *feasible)
+{
+    size_t m = h->e.live.size;
     fmb_verdicts told = {NULL, note_equality, NULL, h};
-    fmb_status st = fmb_irredundant(&h->lp, h->rel, h->fate, h->q->evidence ? &told : NULL);
-    for (size_t k = 0; st == FMB_OK && k < h->e.live.size; k++) {
+    h->reverse = fmb_arena_get(&h->q->v->arena, m, sizeof *h->reverse);
+    if (!h->reverse)
+        return fmb_mem_status(h->q->run.mem);
+    for (size_t k = 0; k < m; k++)
+        h->reverse[k] = (fmb_weights){0};
+    h->has_lp = true;
+    fmb_status st = fmb_lp_init(&h->lp, &h->q->run, h->p->n, m, h->row, fmb_query_is_wide(h->q));
+    if (st == FMB_OK)
+        st = fmb_lp_feasible(&h->lp, feasible);
+    if (st != FMB_OK || !*feasible)
+        return st;
+    return fmb_irredundant(&h->lp, h->rel, h->fate, h->q->evidence ? &told : NULL);
+}
+
+/* Put out what is irredundant of the rows left, if they have a solution. */
+static fmb_status thin_out(shadow *h, bool *feasible)
+{
+    bool inner = false;
+    *feasible = true;
+    fmb_status st = list_rows(h);
+    if (st == FMB_OK)
+        st = sort_out(h, &inner);
+    if (st == FMB_OK && !(inner && is_settled(h)))
+        st = ask_oracle_about_rows(h, feasible);
+    for (size_t k = 0; st == FMB_OK && *feasible && k < h->e.live.size; k++) {
         if (h->fate[k] == FMB_FATE_REDUNDANT)
             continue;
         st = append_row(h, k);
@@ -165,31 +258,6 @@ static fmb_status thin_out(shadow *h)
 }
 
 /* ---- one part -------------------------------------------------------------------------------- */
-
-static fmb_status open_oracle(shadow *h)
-{
-    fmb_arena *arena = &h->q->v->arena;
-    size_t m = h->e.live.size;
-    fmb_lp_row *rows = fmb_arena_get(arena, m, sizeof *rows);
-    h->rel = fmb_arena_get(arena, m, sizeof *h->rel);
-    h->fate = fmb_arena_get(arena, m, sizeof *h->fate);
-    fmb_weights *reverse = fmb_arena_get(arena, m, sizeof *reverse);
-    if (!rows || !h->rel || !h->fate || !reverse)
-        return fmb_mem_status(arena->mem);
-    for (size_t k = 0; k < m; k++) {
-        fmb_derived *r = &h->e.row[h->e.live.row[k]];
-        fmb_status st = fmb_vec_reduce(&r->v, (size_t)h->e.n + 1, &h->e.num);
-        if (st != FMB_OK)
-            return st;
-        h->rel[k] = r->equality ? FMB_EQ : r->strict ? FMB_LT : FMB_LE;
-        h->fate[k] = FMB_FATE_UNKNOWN;
-        reverse[k] = (fmb_weights){0};
-        rows[k] = (fmb_lp_row){&r->v, h->rel[k]};
-    }
-    h->reverse = reverse;
-    h->has_lp = true;
-    return fmb_lp_init(&h->lp, &h->q->run, h->p->n, m, rows, fmb_query_is_wide(h->q));
-}
 
 static void close_shadow(shadow *h)
 {
@@ -226,22 +294,14 @@ static fmb_status eliminate(shadow *h, bool feasible, size_t budget, bool *done)
     return st == FMB_LIMIT && h->e.over_budget ? FMB_OK : st;
 }
 
-/* What is left of the rows, if it has a point at all. */
-static fmb_status finish(shadow *h, bool *feasible)
-{
-    *feasible = h->e.clash == FMB_NO_ROW;
-    fmb_status st = *feasible ? open_oracle(h) : FMB_OK;
-    if (st == FMB_OK && *feasible)
-        st = fmb_lp_feasible(&h->lp, feasible);
-    return st == FMB_OK && *feasible ? thin_out(h) : st;
-}
-
 static fmb_status project_by_elimination(shadow *h, bool known, size_t budget, bool *feasible,
                                          bool *done)
 {
     fmb_status st = eliminate(h, known, budget, done);
     if (st == FMB_OK && *done)
-        st = finish(h, feasible);
+        *feasible = h->e.clash == FMB_NO_ROW;
+    if (st == FMB_OK && *done && *feasible)
+        st = thin_out(h, feasible);
     close_shadow(h);
     return st;
 }
