@@ -1,4 +1,5 @@
 /* asking.c: see asking.h. */
+#include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
 
@@ -54,19 +55,18 @@ static void judge_result(const scene *c, const fmb_result *r)
         asking_fail("%s: done without a verdict", c->name);
 }
 
-/* Ends of a cone are 0 and infinity, or not known if the query was cut short. */
-static void judge_box(const scene *c, const fmb_box *box, fmb_stop stop)
+/* An end of a cone is 0 below, infinite above. One that is only outer cuts nothing off. */
+static void judge_end(const scene *c, fmb_end end, fmb_side side, fmb_stop stop)
 {
-    for (int i = 0; i < fmb_box_size(box); i++) {
-        fmb_end lo = fmb_box_end(box, i, FMB_LOWER), hi = fmb_box_end(box, i, FMB_UPPER);
-        bool cut = lo.kind == FMB_END_UNKNOWN || hi.kind == FMB_END_UNKNOWN;
-        if (cut && stop == FMB_STOP_DONE)
-            asking_fail("%s: done without an end", c->name);
-        if (c->cone && lo.kind == FMB_END_FINITE && (lo.value < 0 || lo.value > 0))
-            asking_fail("%s: a lower end of %g", c->name, lo.value);
-        if (c->cone && hi.kind == FMB_END_FINITE)
-            asking_fail("%s: an upper end of %g", c->name, hi.value);
-    }
+    bool cut = end.kind != FMB_END_FINITE && end.kind != FMB_END_INFINITE;
+    if (cut && stop == FMB_STOP_DONE)
+        asking_fail("%s: done without an end", c->name);
+    if (!c->cone || end.kind == FMB_END_UNKNOWN)
+        return;
+    bool low = side == FMB_LOWER && end.value <= 0, tight = low && end.value >= 0;
+    bool high = side == FMB_UPPER && isinf(end.value);
+    if (!high && !(cut ? low : tight))
+        asking_fail("%s: an end of %g", c->name, end.value);
 }
 
 static void project(fmb_solver *v, const scene *c, fmb_result *r, moment *returned)
@@ -86,8 +86,9 @@ static void bound(fmb_solver *v, const scene *c, fmb_result *r, moment *returned
     *returned = asking_moment(CLOCK_THREAD_CPUTIME_ID);
     if (!box && r->verdict == FMB_FEASIBLE)
         asking_fail("%s: feasible without a box", c->name);
-    if (box)
-        judge_box(c, box, r->stop);
+    for (int i = 0; box && i < fmb_box_size(box); i++)
+        for (int side = FMB_LOWER; side <= FMB_UPPER; side++)
+            judge_end(c, fmb_box_end(box, i, (fmb_side)side), (fmb_side)side, r->stop);
     fmb_box_free(box);
 }
 
