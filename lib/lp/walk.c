@@ -17,7 +17,8 @@ typedef struct walk {
     fmb_lp *lp;
     int var[2];
     int turn;                  /* 1: against the clock, -1: with it */
-    mpz_t along[2];            /* the direction of the edge just walked */
+    mpz_t along[2];            /* the direction of the edge just walked, or looked along */
+    mpz_t from[2];             /* that in which the current vertex was reached */
     mpz_t r[2], best[2], t, u; /* scratch */
     mpq_t start[2], here[2], q;
     fmb_edges *edges;
@@ -25,14 +26,15 @@ typedef struct walk {
 
 static void walk_init(walk *w)
 {
-    mpz_inits(w->along[X], w->along[Y], w->r[X], w->r[Y], w->best[X], w->best[Y], w->t, w->u, NULL);
+    mpz_inits(w->along[X], w->along[Y], w->from[X], w->from[Y], w->r[X], w->r[Y], w->best[X],
+              w->best[Y], w->t, w->u, NULL);
     mpq_inits(w->start[X], w->start[Y], w->here[X], w->here[Y], w->q, NULL);
 }
 
 static void walk_clear(walk *w)
 {
-    mpz_clears(w->along[X], w->along[Y], w->r[X], w->r[Y], w->best[X], w->best[Y], w->t, w->u,
-               NULL);
+    mpz_clears(w->along[X], w->along[Y], w->from[X], w->from[Y], w->r[X], w->r[Y], w->best[X],
+               w->best[Y], w->t, w->u, NULL);
     mpq_clears(w->start[X], w->start[Y], w->here[X], w->here[Y], w->q, NULL);
 }
 
@@ -51,6 +53,12 @@ static void direction(walk *w, size_t j, mpz_t *r)
         mpz_mul(r[axis], r[axis], w->t);
         mpz_neg(r[axis], r[axis]);
     }
+}
+
+static void set(mpz_t *to, mpz_t *from)
+{
+    mpz_set(to[X], from[X]);
+    mpz_set(to[Y], from[Y]);
 }
 
 static bool is_zero(mpz_t *r)
@@ -186,7 +194,9 @@ static bool is_met_first(walk *w, mpz_t *a, mpz_t *b)
     return order > 0 || (order == 0 && dot(w, a, w->along) > dot(w, b, w->along));
 }
 
-/* Turn to the next edge; *flat: there is none but the way back. */
+/* Turn to the next edge. *flat: there is none before half a turn at this vertex. Then it is
+ * farthest in some direction and in the opposite one too, so the shadow has no inner points. (A
+ * walk around a single point would turn for ever.) */
 static void turn(walk *w, bool *flat)
 {
     const fmb_lp *lp = w->lp;
@@ -201,7 +211,8 @@ static void turn(walk *w, bool *flat)
         mpz_swap(w->r[X], w->best[X]);
         mpz_swap(w->r[Y], w->best[Y]);
     }
-    *flat = !any || (cross(w, w->along, w->best) == 0 && dot(w, w->along, w->best) < 0);
+    int side = cross(w, w->from, w->best) * w->turn;
+    *flat = !any || side < 0 || (side == 0 && dot(w, w->from, w->best) < 0);
     mpz_gcd(w->t, w->best[X], w->best[Y]);
     for (int axis = X; !*flat && axis <= Y; axis++)
         mpz_divexact(w->along[axis], w->best[axis], w->t);
@@ -223,6 +234,7 @@ static fmb_status go_round(walk *w, bool *closed, bool *flat)
         st = slide(w, &unbounded);
         if (st != FMB_OK || (!unbounded && is_at(w, before)))
             continue;
+        set(w->from, w->along);
         st = add_edge(w);
         *closed = !unbounded && is_at(w, w->start);
     }
@@ -283,92 +295,122 @@ typedef struct sector {
     int sides;
 } sector;
 
-static void copy(mpz_t *to, mpz_t *from)
+/* to = from without the common factor; to may be from. */
+static void shorten(mpz_t *to, mpz_t *from)
 {
-    mpz_gcd(to[X], from[X], from[Y]);
-    mpz_divexact(to[Y], from[Y], to[X]);
-    mpz_divexact(to[X], from[X], to[X]);
+    mpz_t g;
+    mpz_init(g);
+    mpz_gcd(g, from[X], from[Y]);
+    mpz_divexact(to[X], from[X], g);
+    mpz_divexact(to[Y], from[Y], g);
+    mpz_clear(g);
 }
 
 /* Take w->r into the sector; false if it then has half a turn or more. */
 static bool widen(walk *w, sector *s)
 {
     if (s->sides == 0) {
-        copy(s->side[0], w->r);
-        copy(s->side[1], w->r);
+        shorten(s->side[0], w->r);
+        shorten(s->side[1], w->r);
         s->sides = 1;
         return true;
     }
     int before = cross(w, s->side[0], w->r), after = cross(w, s->side[1], w->r);
     if (before < 0 && after < 0)
-        copy(s->side[0], w->r);
+        shorten(s->side[0], w->r);
     else if (before > 0 && after > 0)
-        copy(s->side[1], w->r);
+        shorten(s->side[1], w->r);
     else if (before <= 0 || after >= 0)
         return false;
     return true;
 }
 
-/* A goal against all of the sector: minus the middle of its sides, roughly. */
-static void oppose(sector *s, mpz_t *goal)
+/* Add |size| a, turned by a quarter against the clock (sign 1) or with it (-1). */
+static void add_turned(walk *w, mpz_t *to, mpz_t *a, int sign, mpz_t *size)
 {
-    double size[2];
-    for (int k = 0; k < 2; k++) {
-        mpz_abs(goal[X], s->side[k][X]);
-        mpz_abs(goal[Y], s->side[k][Y]);
-        mpz_add(goal[X], goal[X], goal[Y]);
-        size[k] = mpz_get_d(goal[X]);
+    mpz_abs(w->t, size[X]);
+    mpz_abs(w->u, size[Y]);
+    mpz_add(w->t, w->t, w->u);
+    if (sign < 0)
+        mpz_neg(w->t, w->t);
+    mpz_submul(to[X], a[Y], w->t);
+    mpz_addmul(to[Y], a[X], w->t);
+}
+
+/* A goal strictly against all of the sector, near the middle of all such: its sides, each turned by
+ * a quarter towards the other, add up to a direction at less than a quarter from both. */
+static void oppose(walk *w, sector *s, mpz_t *goal)
+{
+    mpz_set_ui(goal[X], 0);
+    mpz_set_ui(goal[Y], 0);
+    if (cross(w, s->side[0], s->side[1]) == 0) {
+        set(goal, s->side[0]);
+    } else {
+        add_turned(w, goal, s->side[0], 1, s->side[1]);
+        add_turned(w, goal, s->side[1], -1, s->side[0]);
     }
-    for (int axis = X; axis <= Y; axis++) {
-        double middle =
-            mpz_get_d(s->side[0][axis]) / size[0] + mpz_get_d(s->side[1][axis]) / size[1];
-        mpz_set_d(goal[axis], -middle * 1048576);
+    mpz_neg(goal[X], goal[X]);
+    mpz_neg(goal[Y], goal[Y]);
+    shorten(goal, goal);
+}
+
+/* Reach the end against the clock of the face farthest in the direction goal. *found false: there
+ * is none, and w->r leads to infinity. */
+static fmb_status reach(walk *w, mpz_t *goal, bool *found)
+{
+    bool unbounded = false;
+    fmb_status st = climb(w, goal, found);
+    if (st != FMB_OK || !*found)
+        return st;
+    mpz_neg(w->along[X], goal[Y]);
+    mpz_set(w->along[Y], goal[X]);
+    st = slide(w, &unbounded);
+    *found = !unbounded;
+    if (unbounded)
+        set(w->r, w->along);
+    return st;
+}
+
+/* Reach a vertex of the shadow, and a goal in which it is farthest. *found false: there is none.
+ * Every try that fails finds an edge to infinity outside of the sector of those found before, and
+ * there are only so many of them. */
+static fmb_status find_start(walk *w, mpz_t *goal, sector *s, bool *found)
+{
+    mpz_set_si(goal[X], 1);
+    for (;;) {
+        fmb_status st = reach(w, goal, found);
+        if (st != FMB_OK || *found || !widen(w, s))
+            return st;
+        oppose(w, s, goal);
     }
 }
 
-/* Reach a vertex of the shadow that is farthest in some direction, and the end against the clock of
- * the face there. *found false: there is no such vertex, or only far beyond a narrow gap. */
-static fmb_status find_start(walk *w, mpz_t *goal, sector *s, bool *found)
+/* The other way from the start, where the walk now comes in on its first edge. */
+static fmb_status go_back(walk *w, mpz_t *goal, mpz_t *normal, bool *flat)
 {
-    fmb_status st = FMB_OK;
-    bool bounded = false, unbounded = true;
-    mpz_set_si(goal[X], 1);
-    for (int tries = 0; st == FMB_OK && tries < 16; tries++) {
-        st = climb(w, goal, &bounded);
-        if (st != FMB_OK || bounded || !widen(w, s))
-            break;
-        oppose(s, goal);
-        if (dot(w, goal, s->side[0]) >= 0 || dot(w, goal, s->side[1]) >= 0)
-            break;
-    }
-    if (st == FMB_OK && bounded) {
-        mpz_neg(w->along[X], goal[Y]);
-        mpz_set(w->along[Y], goal[X]);
-        st = slide(w, &unbounded);
-    }
-    *found = st == FMB_OK && bounded && !unbounded;
-    return st;
+    bool found, closed;
+    fmb_status st = reach(w, goal, &found);
+    if (st != FMB_OK)
+        return st;
+    w->turn = -1;
+    mpz_neg(w->along[X], w->along[X]);
+    mpz_neg(w->along[Y], w->along[Y]);
+    mpz_set(w->from[X], normal[Y]);
+    mpz_neg(w->from[Y], normal[X]);
+    return go_round(w, &closed, flat);
 }
 
 /* First against the clock; if that way leads to infinity, once more from the start with it. */
 static fmb_status walk_both_ways(walk *w, mpz_t *goal, bool *done)
 {
-    bool bounded, unbounded, closed = false, flat = false;
+    bool closed, flat;
+    size_t first = w->edges->size;
     locate(w, w->start);
     w->turn = 1;
+    set(w->from, w->along);
     fmb_status st = go_round(w, &closed, &flat);
-    if (st == FMB_OK && !closed && !flat) {
-        st = climb(w, goal, &bounded);
-        mpz_neg(w->along[X], goal[Y]);
-        mpz_set(w->along[Y], goal[X]);
-        if (st == FMB_OK)
-            st = slide(w, &unbounded);
-        mpz_neg(w->along[X], w->along[X]);
-        mpz_neg(w->along[Y], w->along[Y]);
-        w->turn = -1;
-        if (st == FMB_OK)
-            st = go_round(w, &closed, &flat);
-    }
+    if (st == FMB_OK && !closed && !flat)
+        st = go_back(w, goal, w->edges->edge[first].normal, &flat);
     *done = st == FMB_OK && !flat;
     return st;
 }

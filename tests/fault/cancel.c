@@ -9,8 +9,6 @@
 #include "samples.h"
 #include "verbs.h"
 
-enum { TRIES = 400 };
-
 typedef struct scene {
     fmb_solver *v;
     atomic_bool running; /* set by the query's first event */
@@ -61,7 +59,8 @@ static void one_try(scene *c, const verb *w, const fmb_system *s, int *cancelled
     *cancelled += r.stop == FMB_STOP_CANCELLED;
 }
 
-Test(cancel, from_another_thread)
+/* The verbs w[0..verbs) in turn, each cancelled after at most `most` ns; how many were. */
+static int cancel_often(fmb_method method, const verb *w, int verbs, int tries, unsigned most)
 {
     fmb_system *hard = sample_hard(20, 60, NULL), *easy = sample(1, NULL);
     fmb_options o = fmb_options_default();
@@ -69,20 +68,33 @@ Test(cancel, from_another_thread)
     unsigned seed = 7;
     int cancelled = 0;
     o.evidence = true;
-    o.method = FMB_METHOD_FM;
+    o.method = method;
     o.max_seconds = 20;
     must(fmb_solver_new(&o, NULL, &c.v));
     fmb_solver_set_sink(c.v, (fmb_sink){note, &c});
-    for (int i = 0; i < TRIES; i++) {
+    for (int i = 0; i < tries; i++) {
         seed = seed * 1664525u + 1013904223u;
-        c.wait = (seed >> 8) % (i % 2 ? 4000000 : 100000);
-        one_try(&c, &VERBS[i % VERBS_COUNT], hard, &cancelled);
+        c.wait = (seed >> 8) % (i % 2 ? most : most / 40);
+        one_try(&c, &w[i % verbs], hard, &cancelled);
         expect_usable(c.v, easy, FMB_INFEASIBLE);
     }
-    cr_assert_gt(cancelled, TRIES * 9 / 10, "only %d of %d were cancelled", cancelled, TRIES);
     fmb_solver_free(c.v);
     fmb_system_free(hard);
     fmb_system_free(easy);
+    return cancelled;
+}
+
+Test(cancel, from_another_thread)
+{
+    int cancelled = cancel_often(FMB_METHOD_FM, VERBS, VERBS_COUNT, 400, 4000000);
+    cr_assert_gt(cancelled, 360, "only %d were cancelled", cancelled);
+}
+
+/* A projection that is walked around takes a tenth of a second or so. */
+Test(cancel, polygon)
+{
+    int cancelled = cancel_often(FMB_METHOD_AUTO, &VERBS[1], 1, 100, 12000000);
+    cr_assert_gt(cancelled, 25, "only %d were cancelled", cancelled);
 }
 
 /* A cancel that comes while nothing runs touches no later query. */

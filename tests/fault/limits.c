@@ -107,6 +107,27 @@ Test(limits, fmplex)
     every_limit(set_bytes, 1 << 18, FMB_STOP_BYTES, FMB_METHOD_FMPLEX, VERBS_COUNT);
 }
 
+/* A projection that is walked around: looser and looser limits on bytes, until it is done. */
+Test(limits, polygon)
+{
+    fmb_system *s = sample_hard(5, 18, NULL);
+    char truth[VERB_ANSWER] = "";
+    fmb_options o = options(FMB_METHOD_AUTO);
+    fmb_result r = {0};
+    fmb_solver *v = NULL;
+    size_t tries = 0;
+    must(fmb_solver_new(&o, NULL, &v));
+    must(VERBS[1].ask(v, s, &r, truth));
+    fmb_solver_free(v);
+    set_bytes(&o, 1);
+    for (size_t k = 1; ask(&VERBS[1], &o, s, FMB_STOP_BYTES, truth) != FMB_STOP_DONE; tries++) {
+        k += 1 + k / 512;
+        set_bytes(&o, k);
+    }
+    cr_expect_gt(tries, 100);
+    fmb_system_free(s);
+}
+
 /* Ask with a limit of time, and be back soon after it. */
 static void expect_time(const verb *w, const fmb_system *s, double seconds)
 {

@@ -175,6 +175,12 @@ Test(memory, many_variables)
     every_large(&VERBS[0], 17, 40);
 }
 
+/* Elimination is given up, and the projection walked around. */
+Test(memory, polygon)
+{
+    every_large(&VERBS[1], 5, 18);
+}
+
 Test(memory, solver_new)
 {
     hook h = {0};
