@@ -62,6 +62,7 @@ static fmb_status put_end(fmb_query *q, const fmb_part *p, const fmb_ends *f, in
     if (st != FMB_OK)
         return st;
     end->kind = FMB_END_OUTER;
+    end->attained = false;
     mpq_set(end->value, f->value[side][c]);
     return FMB_OK;
 }
