@@ -4,8 +4,8 @@
 
 #include <stdlib.h>
 
-#include "dense.h"
 #include "lp/walk.h"
+#include "shadows.h"
 
 enum { MOST_SECONDS = 60 };
 
@@ -245,224 +245,7 @@ static void check_walk(bench *b, int i, int j, tally *sum)
     fmb_edges_clear(&list, &b->mem);
 }
 
-/* ---- systems --------------------------------------------------------------------------------- */
-
-static mpz_ptr cell(const dense *d, int i, int j)
-{
-    return mpq_numref(dense_row(d, i)[j]);
-}
-
-static int any_dim(support_rng *g)
-{
-    return support_between(g, 2, 6);
-}
-
-static void fill(const dense *d, int i, support_rng *g, int most, int density)
-{
-    for (int j = 0; j < d->dim; j++)
-        mpz_set_si(cell(d, i, j), support_chance(g, density) ? support_between(g, -most, most) : 0);
-}
-
-/* b_i = a_i.point + slack. */
-static void let_in(const dense *d, int i, const int *point, int slack)
-{
-    mpz_ptr b = cell(d, i, d->dim);
-    mpz_set_si(b, slack);
-    for (int j = 0; j < d->dim; j++)
-        if (point[j] >= 0)
-            mpz_addmul_ui(b, cell(d, i, j), (unsigned)point[j]);
-        else
-            mpz_submul_ui(b, cell(d, i, j), (unsigned)-point[j]);
-}
-
-/* Rows +-x_j <= most from row i on. */
-static void fill_box(const dense *d, int i, int most)
-{
-    for (int k = 0; k < 2 * d->dim; k++) {
-        mpz_set_si(cell(d, i + k, k / 2), k % 2 ? 1 : -1);
-        mpz_set_si(cell(d, i + k, d->dim), most);
-    }
-}
-
-static void negate(const dense *d, int to, int from)
-{
-    for (int j = 0; j <= d->dim; j++)
-        mpz_neg(cell(d, to, j), cell(d, from, j));
-}
-
-static void any_point(support_rng *g, int *point)
-{
-    for (int j = 0; j < 6; j++)
-        point[j] = support_between(g, -3, 3);
-}
-
-static dense dense_rows(support_rng *g)
-{
-    dense d = dense_new(any_dim(g), support_between(g, 2, 12));
-    int density = support_between(g, 40, 100), most = support_chance(g, 30) ? 1 : 9;
-    for (int i = 0; i < d.rows; i++) {
-        fill(&d, i, g, most, density);
-        mpz_set_si(cell(&d, i, d.dim), support_between(g, -2, 12));
-    }
-    return d;
-}
-
-static dense bounded(support_rng *g)
-{
-    int n = any_dim(g), more = support_between(g, 0, 20 - 2 * n);
-    dense d = dense_new(n, 2 * n + more);
-    fill_box(&d, more, support_between(g, 1, 9));
-    for (int i = 0; i < more; i++) {
-        fill(&d, i, g, 9, 80);
-        mpz_set_si(cell(&d, i, n), support_between(g, 0, 20));
-    }
-    return d;
-}
-
-/* Many rows through one point; with all of them: a cone. */
-static dense through_a_point(support_rng *g)
-{
-    int point[6], share = support_chance(g, 40) ? 100 : support_between(g, 30, 90);
-    dense d = dense_new(any_dim(g), support_between(g, 2, 14));
-    int most = support_chance(g, 50) ? 1 : 4;
-    any_point(g, point);
-    for (int i = 0; i < d.rows; i++) {
-        fill(&d, i, g, most, 70);
-        let_in(&d, i, point, support_chance(g, share) ? 0 : support_between(g, 1, 6));
-    }
-    return d;
-}
-
-static dense cone(support_rng *g)
-{
-    dense d = dense_new(any_dim(g), support_between(g, 2, 12));
-    for (int i = 0; i < d.rows; i++)
-        fill(&d, i, g, support_chance(g, 50) ? 1 : 9, 90);
-    return d;
-}
-
-static dense with_equalities(support_rng *g)
-{
-    int point[6];
-    dense d = dense_new(any_dim(g), support_between(g, 4, 14));
-    any_point(g, point);
-    for (int i = 0; i < d.rows; i++) {
-        fill(&d, i, g, 5, 80);
-        bool equality = i < d.dim - 1 && support_chance(g, 40);
-        d.rel[i] = equality ? FMB_EQ : FMB_LE;
-        let_in(&d, i, point, equality ? 0 : support_between(g, 0, 9));
-    }
-    return d;
-}
-
-/* Pairs of opposite rows: equalities in disguise, of few variables each. */
-static dense flat(support_rng *g)
-{
-    int point[6], pairs = support_between(g, 1, 3), more = support_between(g, 0, 10);
-    dense d = dense_new(any_dim(g), 2 * pairs + more);
-    any_point(g, point);
-    for (int i = 0; i < 2 * pairs; i += 2) {
-        int a = support_between(g, 0, d.dim - 1), b = support_between(g, 0, d.dim - 1);
-        mpz_set_si(cell(&d, i, a), support_between(g, 1, 5));
-        mpz_set_si(cell(&d, i, b), support_between(g, -5, 5));
-        let_in(&d, i, point, 0);
-        negate(&d, i + 1, i);
-    }
-    for (int i = 2 * pairs; i < d.rows; i++) {
-        fill(&d, i, g, 5, 70);
-        let_in(&d, i, point, support_between(g, 0, 5));
-    }
-    return d;
-}
-
-/* x >= p, sum x <= sum p, and rows through p. */
-static dense single_point(support_rng *g)
-{
-    int point[6], n = any_dim(g);
-    dense d = dense_new(n, n + 1 + support_between(g, 0, 8));
-    any_point(g, point);
-    for (int i = 0; i < d.rows; i++) {
-        if (i < n)
-            mpz_set_si(cell(&d, i, i), -1);
-        else if (i > n)
-            fill(&d, i, g, 3, 80);
-        for (int j = 0; i == n && j < n; j++)
-            mpz_set_si(cell(&d, i, j), support_between(g, 1, 4));
-        let_in(&d, i, point, 0);
-    }
-    return d;
-}
-
-/* Cross-polytopes: many rows through every vertex. */
-static dense cross_polytope(support_rng *g)
-{
-    int n = support_between(g, 2, 4);
-    dense d = dense_new(n, 1 << n);
-    for (int i = 0; i < d.rows; i++)
-        for (int j = 0; j <= n; j++)
-            mpz_set_si(cell(&d, i, j), j == n || (i >> j) % 2 ? 1 : -1);
-    return d;
-}
-
-/* Over a cube: a pyramid, whose top is in 2 (n - 1) rows. */
-static dense pyramid(support_rng *g)
-{
-    int n = any_dim(g);
-    dense d = dense_new(n, 2 * n - 1);
-    for (int i = 0; i < d.rows - 1; i++) {
-        mpz_set_si(cell(&d, i, i / 2), i % 2 ? 1 : -1);
-        mpz_set_si(cell(&d, i, n - 1), 1);
-        mpz_set_si(cell(&d, i, n), support_between(g, 1, 2));
-    }
-    mpz_set_si(cell(&d, d.rows - 1, n - 1), -1);
-    return d;
-}
-
-/* Few directions lead to no end in the shadow, if any: it has a corner of almost half a turn. Or it
- * is a long needle. The other variables are mixed in. */
-static dense narrow(support_rng *g)
-{
-    int n = any_dim(g), point[6];
-    dense d = dense_new(n, 2 + support_between(g, 0, 4));
-    any_point(g, point);
-    for (int i = 0; i < d.rows; i++) {
-        mpz_set_si(cell(&d, i, 1), i < 2 ? -1 : support_between(g, -1, 1));
-        mpz_set_si(cell(&d, i, 0), i == 0 ? 1 : i == 1 ? -1 : support_between(g, -1, 1));
-        int bits = support_between(g, 0, 70);
-        mpz_mul_2exp(cell(&d, i, i % 2), cell(&d, i, i % 2), (mp_bitcnt_t)bits);
-        if (i < 2 && support_chance(g, 50))
-            mpz_swap(cell(&d, i, 0), cell(&d, i, 1));
-        for (int j = 2; j < n; j++)
-            mpz_set_si(cell(&d, i, j), i < 2 ? 0 : support_between(g, -1, 1));
-        let_in(&d, i, point, support_between(g, 0, 2));
-    }
-    return d;
-}
-
-/* Some column is empty. */
-static dense unnamed(support_rng *g)
-{
-    dense d = support_chance(g, 50) ? bounded(g) : dense_rows(g);
-    int j = support_between(g, 0, d.dim - 1);
-    for (int i = 0; i < d.rows; i++)
-        mpz_set_si(cell(&d, i, j), 0);
-    return d;
-}
-
-static dense wide(support_rng *g)
-{
-    static const int BITS[] = {31, 53, 61, 62, 63, 64, 200};
-    int n = support_between(g, 2, 4), bits = BITS[support_between(g, 0, 6)];
-    dense d = dense_new(n, support_between(g, 2, 10));
-    int point[6];
-    any_point(g, point);
-    for (int i = 0; i < d.rows; i++) {
-        for (int j = 0; j < n; j++)
-            support_integer(g, bits, cell(&d, i, j));
-        let_in(&d, i, point, support_between(g, 0, 9));
-    }
-    return d;
-}
+/* ---- families -------------------------------------------------------------------------------- */
 
 typedef struct family {
     const char *name;
@@ -493,71 +276,71 @@ static tally walk_family(family f)
 
 Test(walk, dense_rows)
 {
-    tally t = walk_family((family){"dense rows", dense_rows, 400});
+    tally t = walk_family((family){"dense rows", shadow_dense_rows, 400});
     cr_expect(t.done > 100 && t.no_vertex > 20, "%d %d", t.done, t.no_vertex);
 }
 
 Test(walk, bounded)
 {
-    tally t = walk_family((family){"bounded", bounded, 150});
+    tally t = walk_family((family){"bounded", shadow_bounded, 150});
     cr_expect_eq(t.done + t.unjudged, 300);
 }
 
 Test(walk, through_a_point)
 {
-    tally t = walk_family((family){"through a point", through_a_point, 400});
+    tally t = walk_family((family){"through a point", shadow_through_a_point, 400});
     cr_expect(t.done > 100 && t.flat > 0 && t.no_vertex > 20, "%d %d %d", t.done, t.flat,
               t.no_vertex);
 }
 
 Test(walk, cones)
 {
-    tally t = walk_family((family){"cone", cone, 300});
+    tally t = walk_family((family){"cone", shadow_cone, 300});
     cr_expect(t.done > 20 && t.flat > 0 && t.no_vertex > 20, "%d %d %d", t.done, t.flat,
               t.no_vertex);
 }
 
 Test(walk, equalities)
 {
-    tally t = walk_family((family){"with equalities", with_equalities, 300});
+    tally t = walk_family((family){"with equalities", shadow_with_equalities, 300});
     cr_expect(t.done > 100 && t.flat > 0, "%d %d", t.done, t.flat);
 }
 
 Test(walk, flat)
 {
-    tally t = walk_family((family){"flat", flat, 300});
+    tally t = walk_family((family){"flat", shadow_flat, 300});
     cr_expect(t.done > 20 && t.flat > 100, "%d %d", t.done, t.flat);
 }
 
 Test(walk, single_points)
 {
-    tally t = walk_family((family){"single point", single_point, 200});
+    tally t = walk_family((family){"single point", shadow_single_point, 200});
     cr_expect_eq(t.flat + t.unjudged, 400);
 }
 
 Test(walk, cubes_and_the_like)
 {
-    tally t = walk_family((family){"cross-polytope", cross_polytope, 20});
+    tally t = walk_family((family){"cross-polytope", shadow_cross_polytope, 20});
     cr_expect_eq(t.done, 40);
-    t = walk_family((family){"pyramid", pyramid, 60});
+    t = walk_family((family){"pyramid", shadow_pyramid, 60});
     cr_expect_eq(t.done, 120);
 }
 
 Test(walk, narrow)
 {
-    tally t = walk_family((family){"narrow", narrow, 600});
+    tally t = walk_family((family){"narrow", shadow_narrow, 600});
     cr_expect(t.done > 100, "%d", t.done);
 }
 
 Test(walk, unnamed_variables)
 {
-    tally t = walk_family((family){"unnamed", unnamed, 150});
+    tally t = walk_family((family){"unnamed", shadow_unnamed, 150});
     cr_expect(t.done > 50 && t.no_vertex > 20, "%d %d", t.done, t.no_vertex);
 }
 
 Test(walk, wide_numbers)
 {
-    tally t = walk_family((family){"wide", wide, 200});
+    tally t = walk_family((family){"wide", shadow_wide, 200});
     cr_expect(t.done > 50, "%d", t.done);
 }
 
@@ -566,7 +349,7 @@ Test(walk, strict)
 {
     for (uint64_t seed = 0; seed < 20; seed++) {
         support_rng g = {seed};
-        dense d = bounded(&g);
+        dense d = shadow_bounded(&g);
         fmb_edges list = {0};
         bool feasible, done;
         bench b;
