@@ -5,6 +5,8 @@
  * then, from where it was before, the other way round. So D variables cost about D log D
  * eliminations, not D (D - 1), and the first ones, which all share, are done once.
  */
+#include <string.h>
+
 #include "elim/derive.h"
 #include "elim/mark.h"
 #include "elim/witness.h"
@@ -119,8 +121,9 @@ typedef struct split {
     const fmb_part *p;
     fmb_box *box;
     fmb_elim e;
-    bool *drop; /* [n] scratch */
-    bool marks; /* the elimination can be returned to a mark */
+    bool *drop;  /* [n] scratch */
+    size_t *tie; /* [n] scratch */
+    bool marks;  /* the elimination can be returned to a mark */
 } split;
 
 static fmb_status eliminate(split *d, const int *column, int columns)
@@ -155,17 +158,56 @@ static fmb_status read_beside(split *d, int x, int y, bool *done)
     return st;
 }
 
+/* Add the number of rows that column c shares with each. */
+static void add_ties(split *d, int c)
+{
+    const fmb_elim *e = &d->e;
+    for (size_t i = 0; i < e->live.size; i++) {
+        const fmb_vec *v = &e->row[e->live.row[i]].v;
+        for (size_t j = 0; fmb_vec_sgn(v, (size_t)c) != 0 && j < (size_t)e->n; j++)
+            d->tie[j] += j != (size_t)c && fmb_vec_sgn(v, j) != 0;
+    }
+}
+
+/* Which half goes first? So that variables in the same rows stay together, the column least tied to
+ * others comes first, then always the one most tied to those before it. */
+static void gather(split *d, int *column, int columns)
+{
+    memset(d->tie, 0, (size_t)d->p->n * sizeof *d->tie);
+    for (int i = 0; i < columns; i++)
+        add_ties(d, column[i]);
+    for (int i = 0; i < columns; i++) {
+        int best = i;
+        for (int k = i + 1; k < columns; k++) {
+            size_t a = d->tie[column[k]], b = d->tie[column[best]];
+            if (i == 0 ? a < b : a > b)
+                best = k;
+        }
+        int c = column[best];
+        column[best] = column[i];
+        column[i] = c;
+        if (i == 0)
+            memset(d->tie, 0, (size_t)d->p->n * sizeof *d->tie);
+        add_ties(d, c);
+    }
+}
+
 static fmb_status conquer(split *d, int *column, int columns);
 
-/* Eliminate the columns of the second part, and bound those of the first. */
+/* Eliminate the others, of which there are n, and bound column[0..columns). */
 static fmb_status descend(split *d, int *column, int columns, const int *others, int n)
 {
     bool done = false;
     fmb_status st = FMB_OK;
-    if (columns == 1 && n == 1)
-        st = read_beside(d, column[0], others[0], &done);
-    if (st != FMB_OK || done)
-        return st;
+    if (columns == 1) {
+        st = eliminate(d, others, n - 1);
+        if (st == FMB_OK)
+            st = read_beside(d, column[0], others[n - 1], &done);
+        if (st != FMB_OK || done)
+            return st;
+        others += n - 1;
+        n = 1;
+    }
     st = eliminate(d, others, n);
     return st == FMB_OK ? conquer(d, column, columns) : st;
 }
@@ -177,6 +219,7 @@ static fmb_status conquer(split *d, int *column, int columns)
     int half = columns / 2;
     if (columns == 1)
         return read_column(d, column[0], NULL);
+    gather(d, column, columns);
     fmb_status st = fmb_mark_set(&mark, &d->e);
     if (st == FMB_OK)
         st = descend(d, column, half, column + half, columns - half);
@@ -226,7 +269,8 @@ fmb_status fmb_bound_by_elimination(fmb_query *q, int part, fmb_box *box)
     size_t n = (size_t)d.p->n;
     int *column = fmb_arena_get(arena, n, sizeof *column);
     d.drop = fmb_arena_get(arena, n, sizeof *d.drop);
-    if (!column || !d.drop)
+    d.tie = fmb_arena_get(arena, n, sizeof *d.tie);
+    if (!column || !d.drop || !d.tie)
         return fmb_mem_status(arena->mem);
     int asked = sort_columns(&d, column);
     if (asked == 0)
