@@ -174,15 +174,28 @@ static void add_pairs(bench *b, unsigned n)
 
 /* ---- passes ---------------------------------------------------------------------------------- */
 
-/* Seconds for one pass over the items of a kind (NULL: all). */
-static double pass_fmb(bench *b, const char *kind)
+/* The items of a kind (NULL: all). */
+typedef struct choice {
+    item **list;
+    size_t items;
+} choice;
+
+static choice choose(bench *b, const char *kind)
+{
+    choice c = {.list = need(calloc(b->items, sizeof *c.list))};
+    for (size_t i = 0; i < b->items; i++)
+        if (!kind || strcmp(kind, b->list[i].kind) == 0)
+            c.list[c.items++] = &b->list[i];
+    return c;
+}
+
+/* Seconds for one pass. */
+static double pass_fmb(bench *b, const choice *c)
 {
     double begin = thread_seconds();
-    for (size_t i = 0; i < b->items; i++) {
-        item *it = &b->list[i];
+    for (size_t i = 0; i < c->items; i++) {
+        item *it = c->list[i];
         fmb_result r = {0};
-        if (kind && strcmp(kind, it->kind) != 0)
-            continue;
         if (fmb_solve(b->solver, it->s, &r) != FMB_OK)
             need(NULL);
         it->ours = r.verdict;
@@ -190,17 +203,15 @@ static double pass_fmb(bench *b, const char *kind)
     return thread_seconds() - begin;
 }
 
-static double pass_glpk(bench *b, const char *kind)
+static double pass_glpk(const choice *c)
 {
     glp_smcp how;
     glp_init_smcp(&how);
     how.msg_lev = GLP_MSG_OFF;
     how.presolve = GLP_OFF;
     double begin = thread_seconds();
-    for (size_t i = 0; i < b->items; i++) {
-        item *it = &b->list[i];
-        if (kind && strcmp(kind, it->kind) != 0)
-            continue;
+    for (size_t i = 0; i < c->items; i++) {
+        item *it = c->list[i];
         glp_std_basis(it->lp);
         glp_simplex(it->lp, &how);
         int status = glp_get_status(it->lp);
@@ -221,22 +232,22 @@ static line measure(bench *b, const char *kind, int passes)
     line l = {0};
     double *fmb = need(calloc((size_t)passes, sizeof *fmb));
     double *glpk = need(calloc((size_t)passes, sizeof *glpk));
-    pass_fmb(b, kind);
-    pass_glpk(b, kind);
+    choice c = choose(b, kind);
+    pass_fmb(b, &c);
+    pass_glpk(&c);
     for (int i = 0; i < passes; i++) {
-        fmb[i] = pass_fmb(b, kind);
-        glpk[i] = pass_glpk(b, kind);
+        fmb[i] = pass_fmb(b, &c);
+        glpk[i] = pass_glpk(&c);
     }
-    for (size_t i = 0; i < b->items; i++) {
-        const item *it = &b->list[i];
-        if (kind && strcmp(kind, it->kind) != 0)
-            continue;
-        l.systems++;
+    l.systems = c.items;
+    for (size_t i = 0; i < c.items; i++) {
+        const item *it = c.list[i];
         l.feasible += it->ours == FMB_FEASIBLE;
         l.unlike += it->ours != it->theirs;
     }
     l.fmb = median(fmb, passes) / (double)(l.systems ? l.systems : 1);
     l.glpk = median(glpk, passes) / (double)(l.systems ? l.systems : 1);
+    free(c.list);
     free(fmb);
     free(glpk);
     return l;

@@ -1,11 +1,10 @@
 /* tiny.c: the rounds of a tiny elimination.
  *
  * The same elimination as the engine's, on the stack: no allocation, no proof. A round removes the
- * variable with the fewest pairs; pairs are refused by Kohler's and Chernikov's rules (see
- * rule/kohler.c, rule/chernikov.c), rows dropped or found false over the box of the rows with one
- * variable (rule/box.c, refute.c). When two variables are left, the pairs of one are bounds on the
- * other, of which only the tightest are kept (squeeze.c). Histories are sets of at most 64 base
- * rows: one word.
+ * variable with the fewest pairs; pairs are refused by Kohler's rule (see rule/kohler.c), rows
+ * dropped or found false over the box of the rows with one variable (rule/box.c, refute.c). When
+ * two variables are left, the pairs of one are bounds on the other, of which only the tightest are
+ * kept (squeeze.c). Histories are sets of at most 64 base rows: one word.
  *
  * Numbers stay exact: what could overflow is formed in 128 bits, and the elimination is given up
  * when a row does not fit after all. Then, and when a table is full, nothing is known.
@@ -68,19 +67,6 @@ static bool is_larger(uint64_t set, int most)
     return set != 0;
 }
 
-/* Does the history of a third row lie in u, the union of those of rows p and q? */
-static bool is_covered(const fmb_tiny *t, uint64_t u, int p, int q)
-{
-    int inside = 0;
-    for (int i = 0; i < t->now->rows; i++)
-        inside += (t->now->history[i] & ~u) == 0;
-    for (int i = 0; i < t->silents; i++)
-        inside += (t->silent[i] & ~u) == 0;
-    (void)p;
-    (void)q;
-    return inside > 2;
-}
-
 static bool is_constant(const int64_t *a, int n)
 {
     int64_t all = 0;
@@ -95,23 +81,18 @@ static fmb_tiny_step settle(fmb_tiny *t)
     fmb_tiny_table *next = t->next;
     int i = next->rows;
     const int64_t *a = next->a[i];
-    if (is_constant(a, t->n - 1)) {
-        if (a[0] < 0 || (a[0] == 0 && next->strict[i]))
-            return FMB_TINY_CLASH;
-        if (t->silents == FMB_TINY_SILENT)
-            return FMB_TINY_FULL;
-        t->silent[t->silents++] = next->history[i];
-        return FMB_TINY_GO;
-    }
-    next->rows++;
+    if (!is_constant(a, t->n - 1))
+        next->rows++;
+    else if (a[0] < 0 || (a[0] == 0 && next->strict[i]))
+        return FMB_TINY_CLASH;
     return FMB_TINY_GO;
 }
 
 static fmb_tiny_step pair(fmb_tiny *t, int p, int q, int c)
 {
-    uint64_t u = t->now->history[p] | t->now->history[q];
-    t->stats->pairs++;
-    if (is_larger(u, t->since + 2) || (t->since > 0 && is_covered(t, u, p, q))) {
+    if (t->stats->pairs++ >= FMB_TINY_PAIRS)
+        return FMB_TINY_FULL;
+    if (is_larger(t->now->history[p] | t->now->history[q], t->since + 2)) {
         t->stats->rows_dropped++;
         return FMB_TINY_GO;
     }
@@ -253,7 +234,7 @@ fmb_verdict fmb_tiny_decide(const fmb_system *s, fmb_stats *stats)
     t.stats = stats;
     t.now = &t.base;
     t.next = &t.table[0];
-    t.since = t.silents = 0;
+    t.since = 0;
     t.last[0].known = t.last[1].known = false;
     fmb_tiny_step step = fmb_tiny_load(&t, s);
     for (int k = 1; k <= t.n; k++)

@@ -10,11 +10,11 @@
 #include "elim/tiny.h"
 #include "num/vec.h"
 
-#define FMB_TINY_VARIABLES 6
-#define FMB_TINY_BASE      64  /* base rows: a history is one word */
-#define FMB_TINY_ROWS      128 /* of a table */
-#define FMB_TINY_SILENT    128 /* rows that said nothing */
-#define FMB_TINY_WORDS     8   /* of a row */
+#define FMB_TINY_VARIABLES 9
+#define FMB_TINY_BASE      64   /* base rows: a history is one word */
+#define FMB_TINY_ROWS      128  /* of a table */
+#define FMB_TINY_PAIRS     2048 /* looked at before giving up */
+#define FMB_TINY_WORDS     16   /* of a row */
 
 typedef struct fmb_tiny_table {
     int64_t a[FMB_TINY_ROWS][FMB_TINY_WORDS];
@@ -38,8 +38,6 @@ typedef struct fmb_tiny {
     int since;                         /* their number */
     int64_t end[2][FMB_TINY_WORDS];    /* the box, rounded outward, by place */
     unsigned open[2];                  /* bit k: place k has no such end */
-    uint64_t silent[FMB_TINY_SILENT];  /* histories of rows that said nothing */
-    int silents;
     fmb_tiny_table *now, *next;
     fmb_tiny_end last[2];
     fmb_stats *stats;

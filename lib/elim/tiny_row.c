@@ -76,6 +76,28 @@ static bool divide(int64_t *out, const fmb_i128 *v, int n, uint64_t d)
     return true;
 }
 
+/* out = v divided by its content, found by Euclid's algorithm: slow, and rarely needed. */
+static bool reduce(int64_t *out, const fmb_i128 *v, int n)
+{
+    fmb_i128 g = 0;
+    for (int k = 0; k <= n; k++) {
+        fmb_i128 a = v[k];
+        while (a != 0) {
+            fmb_i128 rest = g % a;
+            g = a;
+            a = rest;
+        }
+    }
+    g = g < 0 ? -g : g;
+    for (int k = 0; k <= n; k++) {
+        fmb_i128 quotient = g > 1 ? v[k] / g : v[k];
+        if (!fits(quotient))
+            return false;
+        out[k] = (int64_t)quotient;
+    }
+    return true;
+}
+
 /* ---- combinations ---------------------------------------------------------------------------- */
 
 /* out = f p + g q in 128 bits, divided by what divides it. */
@@ -88,7 +110,7 @@ static bool combine_wide(const fmb_tiny *t, int64_t *out, int p, int q, int64_t 
     uint64_t d = determinant(t, t->now->history[p] & t->now->history[q]);
     if (d != 0 && divide(out, v, t->n, d))
         return true;
-    return divide(out, v, t->n, fmb_gcd64((uint64_t)f, (uint64_t)g));
+    return reduce(out, v, t->n);
 }
 
 bool fmb_tiny_combine(fmb_tiny *t, int p, int q, int c)

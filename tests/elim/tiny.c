@@ -22,7 +22,7 @@ static const kind KINDS[] = {
     {5, 20, 1, 1, 50, 40},  {3, 64, 6, 3, 20, 10},  {6, 64, 2, 2, 60, 20},  {4, 12, 16, 50, 30, 40},
     {5, 12, 20, 9, 20, 20}, {3, 12, 31, 3, 20, 30}, {5, 12, 45, 3, 20, 30}, {4, 12, 61, 1, 20, 40},
 };
-enum { KINDS_SIZE = sizeof KINDS / sizeof *KINDS, MOST = 6 };
+enum { KINDS_SIZE = sizeof KINDS / sizeof *KINDS, MOST = 9 };
 
 static int64_t number(support_rng *g, int bits)
 {
@@ -204,9 +204,9 @@ Test(tiny, what_it_leaves_to_others)
 {
     fmb_stats stats = {0};
     fmb_system *s = NULL;
-    int64_t a[7] = {1, 1, 1, 1, 1, 1, 1};
-    cr_assert_eq(fmb_system_new(7, NULL, &s), FMB_OK);
-    cr_assert_eq(fmb_tiny_decide(s, &stats), FMB_UNKNOWN, "seven variables");
+    int64_t a[10] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+    cr_assert_eq(fmb_system_new(10, NULL, &s), FMB_OK);
+    cr_assert_eq(fmb_tiny_decide(s, &stats), FMB_UNKNOWN, "ten variables");
     fmb_system_free(s);
     cr_assert_eq(decide(1, 1, a, FMB_EQ, &stats), FMB_UNKNOWN, "an equality");
     cr_assert_eq(decide(0, 0, a, FMB_LE, &stats), FMB_FEASIBLE, "nothing");
@@ -214,5 +214,73 @@ Test(tiny, what_it_leaves_to_others)
     for (int i = 0; i < 65; i++)
         cr_assert_eq(fmb_system_add_int(s, a, FMB_LE, i), FMB_OK);
     cr_assert_eq(fmb_tiny_decide(s, &stats), FMB_UNKNOWN, "65 rows");
+    fmb_system_free(s);
+}
+
+/* ---- through fmb_solve ----------------------------------------------------------------------- */
+
+static fmb_solver *usual(void)
+{
+    fmb_options o = fmb_options_default();
+    fmb_solver *v = NULL;
+    o.evidence = false;
+    cr_assert_eq(fmb_solver_new(&o, NULL, &v), FMB_OK);
+    return v;
+}
+
+/* Systems of all families, with equalities and long numbers, some tiny and some not. */
+Test(tiny, families_through_the_solver)
+{
+    fmb_solver *v = usual(), *judge = simplex();
+    fmb_evidence *none = NULL;
+    uint64_t on_stack = 0;
+    for (uint64_t seed = 0; seed < 20000; seed++) {
+        support_case c = support_make((support_family)(seed % SUPPORT_FAMILIES), seed, NULL);
+        fmb_result r, truth;
+        fmb_stats stats = {0};
+        cr_assert_eq(fmb_solve(v, c.s, &r), FMB_OK);
+        cr_assert_eq(fmb_solve(judge, c.s, &truth), FMB_OK);
+        cr_assert_eq(r.verdict, truth.verdict, "seed %llu", (unsigned long long)seed);
+        cr_assert_eq(r.trust, FMB_TRUST_EXACT);
+        cr_assert_eq(r.stop, FMB_STOP_DONE);
+        if (fmb_tiny_decide(c.s, &stats) != FMB_UNKNOWN) {
+            on_stack++;
+            cr_assert_eq(r.stats.pairs, stats.pairs);
+            cr_assert_eq(r.stats.lps, 0);
+            cr_assert_gt(r.stats.seconds, 0);
+        }
+        cr_assert_eq(fmb_solver_evidence(v, &none), FMB_ERR_STATE);
+        support_case_clear(&c);
+    }
+    cr_expect_gt(on_stack, 4000);
+    cr_expect_lt(on_stack, 20000);
+    fmb_solver_free(v);
+    fmb_solver_free(judge);
+}
+
+/* What a query must stop at, it stops at. */
+Test(tiny, limits_are_kept)
+{
+    const int64_t row[] = {1, 1, 1, -1, 1, 1, 1, -1, 1, -1, -1, 1};
+    fmb_options o = fmb_options_default();
+    fmb_system *s = NULL;
+    fmb_solver *v = NULL;
+    fmb_result r;
+    o.evidence = false;
+    cr_assert_eq(fmb_system_new(2, NULL, &s), FMB_OK);
+    for (int i = 0; i < 4; i++)
+        cr_assert_eq(fmb_system_add_int(s, row + 3 * i, FMB_LE, row[3 * i + 2]), FMB_OK);
+    o.method = FMB_METHOD_FM;
+    o.max_seconds = 1e-9;
+    cr_assert_eq(fmb_solver_new(&o, NULL, &v), FMB_OK);
+    cr_assert_eq(fmb_solve(v, s, &r), FMB_OK);
+    cr_assert_eq(r.stop, FMB_STOP_TIME);
+    fmb_solver_free(v);
+    o.max_seconds = 0;
+    o.max_bytes = 1;
+    cr_assert_eq(fmb_solver_new(&o, NULL, &v), FMB_OK);
+    cr_assert_eq(fmb_solve(v, s, &r), FMB_OK);
+    cr_assert_eq(r.stop, FMB_STOP_BYTES);
+    fmb_solver_free(v);
     fmb_system_free(s);
 }
