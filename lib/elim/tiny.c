@@ -117,13 +117,8 @@ static void sort_rows(fmb_tiny *t, int c, sides *s)
             s->row[side][s->rows[side]++] = (uint8_t)i;
             continue;
         }
-        int64_t *to = next->a[next->rows];
-        for (int k = 0; k < FMB_TINY_WORDS; k++)
-            to[k] = now->a[i][k];
-        to[c] = to[t->n];
-        next->bits[next->rows] = now->bits[i];
-        next->history[next->rows] = now->history[i];
-        next->strict[next->rows] = now->strict[i];
+        fmb_tiny_copy(next, next->rows, now, i);
+        next->a[next->rows][c] = now->a[i][t->n];
         next->rows++;
     }
 }
@@ -136,32 +131,6 @@ static void close_column(fmb_tiny *t, int c)
         t->end[side][c] = t->end[side][n];
         t->open[side] = (t->open[side] & ~(1u << c)) | (t->open[side] >> n & 1) << c;
     }
-    t->place[c] = t->place[n];
-}
-
-/* Drop the rows that the box makes needless, from row `first` on. */
-static fmb_tiny_step ask_box(fmb_tiny *t, int first)
-{
-    fmb_tiny_table *next = t->next;
-    int left = first;
-    for (int i = first; i < next->rows; i++) {
-        fmb_tiny_step step = fmb_tiny_judge(t, next, i);
-        if (step == FMB_TINY_CLASH)
-            return step;
-        if (step == FMB_TINY_SLACK)
-            continue;
-        if (left < i) {
-            for (int k = 0; k < FMB_TINY_WORDS; k++)
-                next->a[left][k] = next->a[i][k];
-            next->bits[left] = next->bits[i];
-            next->history[left] = next->history[i];
-            next->strict[left] = next->strict[i];
-        }
-        left++;
-    }
-    t->stats->rows_dropped += (uint64_t)(next->rows - left);
-    next->rows = left;
-    return FMB_TINY_GO;
 }
 
 static fmb_tiny_step make_round(fmb_tiny *t)
@@ -175,16 +144,16 @@ static fmb_tiny_step make_round(fmb_tiny *t)
         for (int j = 0; step == FMB_TINY_GO && j < s.rows[1]; j++)
             step = pair(t, s.row[0][i], s.row[1][j], c);
     if (s.rows[0] > 0 && s.rows[1] > 0) {
-        t->gone[t->since++] = t->place[c];
+        t->since++;
         t->stats->rounds++;
     }
     close_column(t, c);
     if (step == FMB_TINY_GO)
-        step = ask_box(t, old);
+        step = fmb_tiny_prune(t, t->next, old);
     t->stats->rows_kept += (uint64_t)(t->next->rows - old);
     if ((uint64_t)t->next->rows > t->stats->rows_peak)
         t->stats->rows_peak = (uint64_t)t->next->rows;
-    fmb_tiny_table *free = t->now == &t->base ? &t->table[1] : t->now;
+    fmb_tiny_table *free = t->now;
     t->now = t->next;
     t->next = free;
     return step;
@@ -222,7 +191,7 @@ static fmb_tiny_step make_last_round(fmb_tiny *t)
     for (int i = 0; i < s.rows[0]; i++)
         for (int j = 0; step == FMB_TINY_GO && j < s.rows[1]; j++)
             step = note_pair(t, s.row[0][i], s.row[1][j], c, d);
-    t->stats->rounds += t->n == 2;
+    t->stats->rounds += s.rows[0] > 0 && s.rows[1] > 0;
     return step == FMB_TINY_GO && !fmb_tiny_is_open(t) ? FMB_TINY_CLASH : step;
 }
 
@@ -232,14 +201,12 @@ fmb_verdict fmb_tiny_decide(const fmb_system *s, fmb_stats *stats)
     if (fmb_system_dim(s) > FMB_TINY_VARIABLES || s->rows > FMB_TINY_BASE)
         return FMB_UNKNOWN;
     t.stats = stats;
-    t.now = &t.base;
-    t.next = &t.table[0];
+    t.now = &t.table[0];
+    t.next = &t.table[1];
     t.since = 0;
     t.last[0].known = t.last[1].known = false;
     fmb_tiny_step step = fmb_tiny_load(&t, s);
-    for (int k = 1; k <= t.n; k++)
-        t.place[k] = k;
-    stats->rows_peak = (uint64_t)t.base.rows;
+    stats->rows_peak = (uint64_t)t.now->rows;
     while (step == FMB_TINY_GO && t.n > 2)
         step = make_round(&t);
     if (step == FMB_TINY_GO)

@@ -7,7 +7,7 @@
 /* FMB_FEASIBLE or FMB_INFEASIBLE, both exact; or FMB_UNKNOWN if s is too large, has an equality, or
  * needs more rows or larger numbers than there is room for. The elimination is the engine's with
  * rules kohler and box, order pairs and all steps; its rounds, pairs and rows are counted in
- * *stats. Needs 60 KB of stack. */
+ * *stats. Needs 40 KB of stack. */
 fmb_verdict fmb_tiny_decide(const fmb_system *s, fmb_stats *stats);
 
 #endif

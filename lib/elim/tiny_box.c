@@ -4,7 +4,10 @@
  */
 #include "elim/tiny_inside.h"
 
-fmb_tiny_step fmb_tiny_judge(const fmb_tiny *t, const fmb_tiny_table *rows, int i)
+/* What the box says of a row. */
+typedef enum word { NOTHING, ALWAYS, NEVER } word;
+
+static word judge(const fmb_tiny *t, const fmb_tiny_table *rows, int i)
 {
     const int64_t *a = rows->a[i];
     unsigned no_most = 0, no_least = 0; /* the box is open where a.x is greatest, least */
@@ -19,8 +22,26 @@ fmb_tiny_step fmb_tiny_judge(const fmb_tiny *t, const fmb_tiny_table *rows, int 
         least += (fmb_i128)a[k] * t->end[!up][k];
     }
     if (!no_most && most < a[0])
-        return FMB_TINY_SLACK;
+        return ALWAYS;
     if (!no_least && (least > a[0] || (least == a[0] && rows->strict[i])))
-        return FMB_TINY_CLASH;
+        return NEVER;
+    return NOTHING;
+}
+
+fmb_tiny_step fmb_tiny_prune(fmb_tiny *t, fmb_tiny_table *rows, int first)
+{
+    int left = first;
+    for (int i = first; i < rows->rows; i++) {
+        word said = judge(t, rows, i);
+        if (said == NEVER)
+            return FMB_TINY_CLASH;
+        if (said == ALWAYS)
+            continue;
+        if (left < i)
+            fmb_tiny_copy(rows, left, rows, i);
+        left++;
+    }
+    t->stats->rows_dropped += (uint64_t)(rows->rows - left);
+    rows->rows = left;
     return FMB_TINY_GO;
 }

@@ -32,24 +32,30 @@ typedef struct fmb_tiny_end {
 } fmb_tiny_end;
 
 typedef struct fmb_tiny {
-    int n;                             /* columns left */
-    int place[FMB_TINY_VARIABLES + 1]; /* of each column in the base */
-    int gone[FMB_TINY_VARIABLES];      /* places in the base of the columns paired away */
-    int since;                         /* their number */
-    int64_t end[2][FMB_TINY_WORDS];    /* the box, rounded outward, by place */
-    unsigned open[2];                  /* bit k: place k has no such end */
+    int n;                          /* columns left */
+    int since;                      /* columns paired away */
+    int64_t end[2][FMB_TINY_WORDS]; /* the box, rounded outward, by place */
+    unsigned open[2];               /* bit k: place k has no such end */
     fmb_tiny_table *now, *next;
     fmb_tiny_end last[2];
     fmb_stats *stats;
-    fmb_tiny_table base, table[2];
+    fmb_tiny_table table[2];
 } fmb_tiny;
 
 typedef enum fmb_tiny_step {
     FMB_TINY_GO,
     FMB_TINY_CLASH, /* no point satisfies the rows */
-    FMB_TINY_FULL,  /* no room for a row, or it does not fit */
-    FMB_TINY_SLACK  /* the row at hand holds strictly in the box */
+    FMB_TINY_FULL   /* no room for a row, or it does not fit */
 } fmb_tiny_step;
+
+static inline void fmb_tiny_copy(fmb_tiny_table *to, int i, const fmb_tiny_table *from, int k)
+{
+    for (int word = 0; word < FMB_TINY_WORDS; word++)
+        to->a[i][word] = from->a[k][word];
+    to->history[i] = from->history[k];
+    to->bits[i] = from->bits[k];
+    to->strict[i] = from->strict[k];
+}
 
 /* tiny_load.c: the rows of s as the base; rows with one variable also as the box. */
 fmb_tiny_step fmb_tiny_load(fmb_tiny *t, const fmb_system *s);
@@ -58,8 +64,9 @@ fmb_tiny_step fmb_tiny_load(fmb_tiny *t, const fmb_system *s);
  * negative and q's positive, at the end of t->next, not counted yet; false if it does not fit. */
 bool fmb_tiny_combine(fmb_tiny *t, int p, int q, int c);
 
-/* tiny_box.c: what does the box say of row i of a table? GO: nothing. */
-fmb_tiny_step fmb_tiny_judge(const fmb_tiny *t, const fmb_tiny_table *rows, int i);
+/* tiny_box.c: drop the rows from number `first` on that hold strictly in the box. A clash is one
+ * that fails in all of it. */
+fmb_tiny_step fmb_tiny_prune(fmb_tiny *t, fmb_tiny_table *rows, int first);
 
 /* tiny_last.c: note c x <= b (< b). A constant row may be false. */
 fmb_tiny_step fmb_tiny_note(fmb_tiny *t, fmb_i128 c, fmb_i128 b, bool strict);

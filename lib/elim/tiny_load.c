@@ -38,6 +38,7 @@ static void put(fmb_tiny_table *base, int i, const fmb_sysrow *r)
     for (size_t k = 0; k < r->nnz; k++)
         a[r->var[k] + 1] = r->val.s[k];
     a[0] = r->val.s[r->nnz];
+    base->history[i] = 0; /* until it is known which rows stay */
     base->bits[i] = (uint8_t)r->val.bits;
     base->strict[i] = r->rel == FMB_LT;
 }
@@ -67,39 +68,10 @@ static void make_box(fmb_tiny *t, const ends *e)
             t->open[side] |= (unsigned)(i < 0) << k;
             if (i < 0)
                 continue;
-            const int64_t *a = t->base.a[i];
+            const int64_t *a = t->now->a[i];
             t->end[side][k] = side ? -floor_divide(-a[0], a[k]) : floor_divide(-a[0], -a[k]);
         }
     }
-}
-
-static void move(fmb_tiny_table *base, int to, int from)
-{
-    for (int k = 0; k < FMB_TINY_WORDS; k++)
-        base->a[to][k] = base->a[from][k];
-    base->bits[to] = base->bits[from];
-    base->strict[to] = base->strict[from];
-}
-
-/* Rows that hold strictly in the box go; the others are numbered. */
-static fmb_tiny_step prune(fmb_tiny *t)
-{
-    fmb_tiny_table *base = &t->base;
-    int left = 0;
-    for (int i = 0; i < base->rows; i++) {
-        fmb_tiny_step step = fmb_tiny_judge(t, base, i);
-        if (step == FMB_TINY_CLASH)
-            return step;
-        if (step == FMB_TINY_SLACK)
-            continue;
-        if (left < i)
-            move(base, left, i);
-        base->history[left] = (uint64_t)1 << left;
-        left++;
-    }
-    t->stats->rows_dropped += (uint64_t)(base->rows - left);
-    base->rows = left;
-    return FMB_TINY_GO;
 }
 
 /* Can all rows be taken? Their words, far apart in memory, are asked for on the way: at this size
@@ -120,7 +92,7 @@ fmb_tiny_step fmb_tiny_load(fmb_tiny *t, const fmb_system *s)
 {
     ends e;
     t->n = fmb_system_dim(s);
-    t->base.rows = 0;
+    t->now->rows = 0;
     if (!suits(s))
         return FMB_TINY_FULL;
     for (int k = 0; k < FMB_TINY_WORDS; k++)
@@ -128,12 +100,15 @@ fmb_tiny_step fmb_tiny_load(fmb_tiny *t, const fmb_system *s)
     for (size_t i = 0; i < s->rows; i++) {
         const fmb_sysrow *r = fmb_system_row(s, i);
         if (r->nnz == 1)
-            put_end(&t->base, &e, r);
+            put_end(t->now, &e, r);
         else if (r->nnz > 1)
-            put(&t->base, t->base.rows++, r);
+            put(t->now, t->now->rows++, r);
         else if (r->val.s[0] < 0 || (r->val.s[0] == 0 && r->rel == FMB_LT))
             return FMB_TINY_CLASH;
     }
     make_box(t, &e);
-    return prune(t);
+    fmb_tiny_step step = fmb_tiny_prune(t, t->now, 0);
+    for (int i = 0; i < t->now->rows; i++)
+        t->now->history[i] = (uint64_t)1 << i;
+    return step;
 }
