@@ -57,7 +57,7 @@ static const app_usage usage = {
            "system is the row "
            "0 <= -1."
            "\v"
-           "Exit codes: 0 done, 1 infeasible, 2 undecided (nothing is printed).\n"
+           "Exit codes: 0 done, 1 infeasible, 2 undecided: rows that follow, perhaps too few.\n"
            "\n"
            "Examples:\n"
            "  fmb project shape.fmb --keep x,y\n"
@@ -90,23 +90,23 @@ static int report(const app_session *s, const request *r, const fmb_system *shad
 {
     if (s->ask->json) {
         json_t *obj = app_verdict_json(s);
-        if (shadow)
-            app_json_set_system(obj, shadow);
+        if (s->result.stop != FMB_STOP_DONE)
+            app_json_set(obj, "outer", json_true());
+        app_json_set_system(obj, shadow);
         app_json_set_stats(obj, &s->result.stats);
         app_json_print(obj);
-    } else if (shadow && app_session_reports(s)) {
+    } else if (app_session_reports(s)) {
         return app_source_write(shadow, r->to ? r->to : app_source_written(&s->ask->source));
     }
     return APP_YES;
 }
 
-static int exit_code(const app_session *s, const fmb_system *shadow)
+static int exit_code(const app_session *s)
 {
-    if (!shadow) {
-        app_session_note(s, "undecided (%s)", fmb_stop_text(s->result.stop));
-        return APP_UNDECIDED;
-    }
-    return app_session_verdict_code(s);
+    if (s->result.stop == FMB_STOP_DONE)
+        return app_session_verdict_code(s);
+    app_session_note(s, "undecided (%s): an outer projection", fmb_stop_text(s->result.stop));
+    return APP_UNDECIDED;
 }
 
 int cmd_project(int argc, char **argv)
@@ -128,7 +128,7 @@ int cmd_project(int argc, char **argv)
     if (code == 0)
         code = report(&s, &r, shadow);
     if (code == 0)
-        code = exit_code(&s, shadow);
+        code = exit_code(&s);
     fmb_system_free(shadow);
     free(vars);
     return app_session_close(&s, code);

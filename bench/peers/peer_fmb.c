@@ -35,7 +35,7 @@ static bool project_fmb(void *self)
     state *s = self;
     fmb_result r = {0};
     return fmb_project(s->solver, s->system, s->keep, s->kept, &s->result, &r) == FMB_OK &&
-           s->result;
+           r.stop == FMB_STOP_DONE;
 }
 
 static fmb_system *fetch_fmb(void *self)

@@ -135,27 +135,17 @@ static bool are_variables(const fmb_system *s, const int *vars, int n)
     return good;
 }
 
-/* At a limit the memory of the oracles and of eliminations is free again. */
-static fmb_status bound_outside(fmb_query *q, fmb_arena_place place, fmb_box *box,
-                                fmb_verdict *verdict)
-{
-    for (int c = 0; c < q->parts.count; c++) {
-        if (q->lp[c])
-            fmb_lp_clear(q->lp[c]);
-        q->lp[c] = NULL;
-    }
-    fmb_arena_rewind(&q->v->arena, place);
-    fmb_status st = fmb_outer_box(q, box, verdict);
-    return st == FMB_OK && *verdict != FMB_INFEASIBLE ? FMB_LIMIT : st;
-}
-
 static fmb_status bound(fmb_query *q, fmb_box *box, fmb_verdict *verdict)
 {
     fmb_arena_place place = fmb_arena_tell(&q->v->arena);
     fmb_status st = fmb_query_decide(q, !fmb_query_eliminates(q), verdict);
     if (st == FMB_OK && *verdict == FMB_FEASIBLE)
         st = bound_all(q, box);
-    return st == FMB_LIMIT ? bound_outside(q, place, box, verdict) : st;
+    if (st != FMB_LIMIT)
+        return st;
+    fmb_outer_release(q, place);
+    st = fmb_outer_box(q, box, verdict);
+    return st == FMB_OK && *verdict != FMB_INFEASIBLE ? FMB_LIMIT : st;
 }
 
 fmb_status fmb_bound(fmb_solver *v, const fmb_system *s, const int *vars, int n, fmb_box **out,

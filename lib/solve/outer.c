@@ -154,3 +154,13 @@ fmb_status fmb_outer_box(fmb_query *q, fmb_box *box, fmb_verdict *verdict)
         q->run.stop = FMB_STOP_DONE;
     return st;
 }
+
+void fmb_outer_release(fmb_query *q, fmb_arena_place place)
+{
+    for (int c = 0; c < q->parts.count; c++) {
+        if (q->lp[c])
+            fmb_lp_clear(q->lp[c]);
+        q->lp[c] = NULL;
+    }
+    fmb_arena_rewind(&q->v->arena, place);
+}

@@ -23,4 +23,17 @@ fmb_status fmb_outer_from_rows(fmb_query *q, const fmb_part *p, fmb_elim *e, fmb
  * MEMORY. */
 fmb_status fmb_outer_box(fmb_query *q, fmb_box *box, fmb_verdict *verdict);
 
+/* Append to out all rows of e that name kept variables only, and ends of kept variables; with
+ * claims. place[dim] is the column of a variable in out, -1 if it goes. Errors: MEMORY. */
+fmb_status fmb_outer_rows(fmb_query *q, const fmb_part *p, fmb_elim *e, const int *place,
+                          fmb_system *out);
+
+/* The same for parts from..count, from the rows of the system; *verdict as above. */
+fmb_status fmb_outer_projection(fmb_query *q, int from, const int *place, fmb_system *out,
+                                fmb_verdict *verdict);
+
+/* Give back the memory of oracles, and of the arena since it was filled as far as that: before the
+ * functions about all parts. */
+void fmb_outer_release(fmb_query *q, fmb_arena_place place);
+
 #endif

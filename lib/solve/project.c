@@ -1,4 +1,5 @@
 /* project.c: the projection, part by part (shadow.h). */
+#include "solve/outer.h"
 #include "solve/shadow.h"
 #include "system/system.h"
 
@@ -36,8 +37,10 @@ fmb_status fmb_empty_set(const fmb_system *like, const int *keep, int n, fmb_sys
     return st;
 }
 
-/* Where proofs are wanted, whether there is a solution is decided first. */
-static fmb_status project(fmb_query *q, const int *place, fmb_system *out, fmb_verdict *verdict)
+/* Where proofs are wanted, whether there is a solution is decided first. *part is the one that a
+ * limit has cut short. */
+static fmb_status project_parts(fmb_query *q, const int *place, fmb_system *out,
+                                fmb_verdict *verdict, int *part)
 {
     bool feasible = true;
     fmb_status st = FMB_OK;
@@ -46,11 +49,28 @@ static fmb_status project(fmb_query *q, const int *place, fmb_system *out, fmb_v
         st = fmb_query_decide(q, true, verdict);
     if (st != FMB_OK || *verdict == FMB_INFEASIBLE)
         return st;
-    for (int c = 0; st == FMB_OK && feasible && c < q->parts.count; c++)
+    for (int c = 0; feasible && c < q->parts.count; c++) {
+        size_t rows = fmb_system_rows(out);
         st = fmb_query_project_part(q, c, place, out, &feasible);
-    if (st == FMB_OK)
-        *verdict = feasible ? FMB_FEASIBLE : FMB_INFEASIBLE;
-    return st;
+        *part =
+            fmb_system_rows(out) == rows ? c : c + 1; /* what there is need not be found again */
+        if (st != FMB_OK)
+            return st;
+    }
+    *verdict = feasible ? FMB_FEASIBLE : FMB_INFEASIBLE;
+    return FMB_OK;
+}
+
+static fmb_status project(fmb_query *q, const int *place, fmb_system *out, fmb_verdict *verdict)
+{
+    int part = 0;
+    fmb_arena_place start = fmb_arena_tell(&q->v->arena);
+    fmb_status st = project_parts(q, place, out, verdict, &part);
+    if (st != FMB_LIMIT)
+        return st;
+    fmb_outer_release(q, start);
+    st = fmb_outer_projection(q, part, place, out, verdict);
+    return st == FMB_OK && *verdict != FMB_INFEASIBLE ? FMB_LIMIT : st;
 }
 
 /* The place of each variable in keep, -1 where it is not kept; NULL if keep is not increasing. */
@@ -87,21 +107,18 @@ fmb_status fmb_project(fmb_solver *v, const fmb_system *s, const int *keep, int 
         return st;
     }
     st = fmb_query_begin(&q, v, s, "project");
-    if (st == FMB_OK)
-        st = open_projection(s, keep, n, &image);
+    fmb_status opened = open_projection(s, keep, n, &image);
+    if (opened != FMB_OK && (st == FMB_OK || st == FMB_LIMIT))
+        st = opened;
     if (st == FMB_OK)
         st = project(&q, place, image, &verdict);
-    if (st != FMB_OK || verdict == FMB_INFEASIBLE) {
-        fmb_system_free(image);
-        image = NULL;
-    }
     if (st == FMB_OK && verdict == FMB_INFEASIBLE)
         st = fmb_empty_set(s, keep, n, &empty);
     fmb_mem_put(&v->mem, place, (size_t)fmb_system_dim(s), sizeof *place);
     st = fmb_query_end(&q, st, verdict, res);
     if (st == FMB_OK)
         *out = empty ? empty : image;
-    else
-        fmb_system_free(empty ? empty : image);
+    fmb_system_free(st != FMB_OK || empty ? image : NULL);
+    fmb_system_free(st != FMB_OK ? empty : NULL);
     return st;
 }

@@ -4,6 +4,7 @@
 #include "elim/derive.h"
 #include "lp/implied.h"
 #include "solve/irredundant.h"
+#include "solve/outer.h"
 #include "solve/polygon.h"
 #include "solve/prune_lp.h"
 #include "system/system.h"
@@ -121,12 +122,11 @@ static fmb_status claim_row(shadow *h, size_t k)
 
 /* ---- rows out -------------------------------------------------------------------------------- */
 
-/* Oracle row k as a row of the projection. */
-static fmb_status append_row(shadow *h, size_t k)
+fmb_status fmb_query_append_row(fmb_query *q, const fmb_part *p, const fmb_derived *r, fmb_rel rel,
+                                const int *place, fmb_system *out)
 {
-    const fmb_derived *r = &h->e.row[h->e.live.row[k]];
-    size_t n = (size_t)h->p->n, terms = 0;
-    fmb_mem *mem = h->q->run.mem;
+    size_t n = (size_t)p->n, terms = 0;
+    fmb_mem *mem = q->run.mem;
     mpz_t *z = fmb_mem_get(mem, n + 2, sizeof *z);
     int *var = fmb_mem_get(mem, n, sizeof *var);
     fmb_status st = z && var ? FMB_OK : fmb_mem_status(mem);
@@ -135,20 +135,28 @@ static fmb_status append_row(shadow *h, size_t k)
     for (size_t j = 0; st == FMB_OK && j < n; j++) {
         if (fmb_vec_sgn(&r->v, j) == 0)
             continue;
-        var[terms] = h->place[h->p->var[j]];
+        var[terms] = place[p->var[j]];
         fmb_vec_get(&r->v, j, z[terms++]);
     }
     if (st == FMB_OK) {
         fmb_vec_get(&r->v, n, z[terms]);
         mpz_set_ui(z[terms + 1], 1);
-        st = fmb_system_append(h->out, terms, var, z,
-                               h->fate[k] == FMB_FATE_EQUALITY ? FMB_EQ : h->rel[k]);
+        st = fmb_system_append(out, terms, var, z, rel);
     }
     for (size_t j = 0; z && j < n + 2; j++)
         mpz_clear(z[j]);
     fmb_mem_put(mem, z, n + 2, sizeof *z);
     fmb_mem_put(mem, var, n, sizeof *var);
     return st;
+}
+
+/* Oracle row k as a row of the projection; a claim first, so that no row goes without. */
+static fmb_status put_row(shadow *h, size_t k)
+{
+    fmb_rel rel = h->fate[k] == FMB_FATE_EQUALITY ? FMB_EQ : h->rel[k];
+    const fmb_derived *r = &h->e.row[h->e.live.row[k]];
+    fmb_status st = claim_row(h, k);
+    return st == FMB_OK ? fmb_query_append_row(h->q, h->p, r, rel, h->place, h->out) : st;
 }
 
 /* ---- what is irredundant --------------------------------------------------------------------- */
@@ -247,13 +255,9 @@ static fmb_status thin_out(shadow *h, bool *feasible)
         st = sort_out(h, &inner);
     if (st == FMB_OK && !(inner && is_settled(h)))
         st = ask_oracle_about_rows(h, feasible);
-    for (size_t k = 0; st == FMB_OK && *feasible && k < h->e.live.size; k++) {
-        if (h->fate[k] == FMB_FATE_REDUNDANT)
-            continue;
-        st = append_row(h, k);
-        if (st == FMB_OK)
-            st = claim_row(h, k);
-    }
+    for (size_t k = 0; st == FMB_OK && *feasible && k < h->e.live.size; k++)
+        if (h->fate[k] != FMB_FATE_REDUNDANT)
+            st = put_row(h, k);
     return st;
 }
 
@@ -297,13 +301,18 @@ static fmb_status eliminate(shadow *h, bool feasible, size_t budget, bool *done)
 static fmb_status project_by_elimination(shadow *h, bool known, size_t budget, bool *feasible,
                                          bool *done)
 {
+    size_t rows = fmb_system_rows(h->out);
     fmb_status st = eliminate(h, known, budget, done);
     if (st == FMB_OK && *done)
         *feasible = h->e.clash == FMB_NO_ROW;
     if (st == FMB_OK && *done && *feasible)
         st = thin_out(h, feasible);
+    fmb_status saved = FMB_OK;
+    bool room = h->q->run.stop != FMB_STOP_DONE; /* else memory ran out */
+    if (st == FMB_LIMIT && room && fmb_system_rows(h->out) == rows)
+        saved = fmb_outer_rows(h->q, h->p, &h->e, h->place, h->out);
     close_shadow(h);
-    return st;
+    return saved != FMB_OK ? saved : st;
 }
 
 /* ---- which way ------------------------------------------------------------------------------- */

@@ -117,7 +117,7 @@ static support_case make_system(support_rng *g)
 }
 
 typedef struct tally {
-    int cut, refuted;
+    int cut;
     size_t outer;
 } tally;
 
@@ -153,6 +153,48 @@ Test(outer, boxes)
         support_case_clear(&c);
     }
     cr_expect(n.cut > 500 && n.outer > 500, "%d were cut short, %zu outer ends", n.cut, n.outer);
+}
+
+/* ---- projections ----------------------------------------------------------------------------- */
+
+static void project(support_rng *g, const truth *t, tally *n)
+{
+    cut c = make_cut(g);
+    agree judge = {.max_rows = 2000};
+    fmb_system *p = NULL;
+    fmb_result r;
+    int keep[8], kept = 0;
+    for (int j = 0; j < fmb_system_dim(t->s); j++)
+        if (support_chance(g, 50))
+            keep[kept++] = j;
+    open_cut(&c);
+    must(fmb_project(c.v, t->s, keep, kept, &p, &r));
+    cr_assert(p && fmb_system_dim(p) == kept);
+    cr_assert(r.verdict == FMB_UNKNOWN || r.verdict == t->verdict || t->verdict == FMB_UNKNOWN);
+    cr_assert(r.verdict == FMB_UNKNOWN ? r.stop != FMB_STOP_DONE : true);
+    if (r.verdict != FMB_INFEASIBLE)
+        cr_assert_geq(judge_claims(c.v, t->s, &r, FMB_CLAIM_IMPLIED), fmb_system_rows(p));
+    cr_assert(agree_implies(&judge, t->s, p, keep), "%s", judge.why);
+    n->cut += r.stop != FMB_STOP_DONE;
+    n->outer += r.stop != FMB_STOP_DONE ? fmb_system_rows(p) : 0;
+    fmb_system_free(p);
+    fmb_solver_free(c.v);
+}
+
+Test(outer, projections)
+{
+    support_rng g = {1827};
+    tally n = {0};
+    for (int i = 0; i < 300; i++) {
+        support_case c = make_system(&g);
+        truth t;
+        truth_init(&t, c.s, 2000);
+        for (int k = 0; k < 10; k++)
+            project(&g, &t, &n);
+        truth_clear(&t);
+        support_case_clear(&c);
+    }
+    cr_expect(n.cut > 150 && n.outer > 300, "%d were cut short, %zu rows", n.cut, n.outer);
 }
 
 /* ---- what is found --------------------------------------------------------------------------- */

@@ -1,0 +1,176 @@
+/* outer_rows.c: an outer projection; see outer.h.
+ *
+ * Rows that name kept variables only follow from the system, wherever the elimination was cut
+ * short; so do ends of kept variables.
+ */
+#include "elim/derive.h"
+#include "solve/bound_ends.h"
+#include "solve/outer.h"
+#include "solve/shadow.h"
+#include "system/system.h"
+
+/* Entries that are looked at in all rows, and rows that are looked at in all derivations. */
+#define MOST_ENTRIES ((size_t)1 << 20)
+#define MOST_STEPS   ((size_t)1 << 21)
+
+/* A part on its way. */
+typedef struct image {
+    fmb_query *q;
+    const fmb_part *p;
+    const int *place;
+    fmb_system *out;
+    fmb_elim *e;
+    size_t steps; /* that may still be taken */
+} image;
+
+static fmb_rel rel_of(const fmb_derived *r)
+{
+    return r->equality ? FMB_EQ : r->strict ? FMB_LT : FMB_LE;
+}
+
+/* Does the row name kept variables only, and one at least? */
+static bool is_kept(const image *m, const fmb_derived *r)
+{
+    bool any = false;
+    for (int j = 0; j < m->p->n; j++) {
+        if (fmb_vec_sgn(&r->v, (size_t)j) == 0)
+            continue;
+        if (m->place[m->p->var[j]] < 0)
+            return false;
+        any = true;
+    }
+    return any;
+}
+
+static fmb_status fill_claim(image *m, uint32_t r, fmb_claim *claim)
+{
+    const fmb_derived *d = &m->e->row[r];
+    fmb_weights w = {0};
+    fmb_status st = FMB_OK;
+    mpq_t t;
+    mpq_init(t);
+    claim->rel = rel_of(d);
+    fmb_vec_get(&d->v, (size_t)m->p->n, mpq_numref(claim->value));
+    for (int j = 0; st == FMB_OK && j < m->p->n; j++) {
+        fmb_vec_get(&d->v, (size_t)j, mpq_numref(t));
+        st = fmb_evidence_push(m->q->evidence, &claim->terms, (size_t)m->p->var[j], t);
+    }
+    mpq_set_ui(t, 1, 1);
+    if (st == FMB_OK)
+        st = fmb_weights_add(&w, r, t, m->q->run.mem);
+    if (st == FMB_OK)
+        st = fmb_elim_derive(m->e, &w);
+    if (st == FMB_OK)
+        st = fmb_query_push(m->q, m->p, &w, SIZE_MAX, 1, &claim->multipliers);
+    if (st == FMB_OK && d->equality)
+        st = fmb_query_push(m->q, m->p, &w, SIZE_MAX, -1, &claim->reverse);
+    fmb_weights_clear(&w, m->q->run.mem);
+    mpq_clear(t);
+    return st;
+}
+
+static fmb_status claim_row(image *m, uint32_t r)
+{
+    fmb_claim *claim;
+    if (!m->q->evidence)
+        return FMB_OK;
+    fmb_status st = fmb_evidence_claim(m->q->evidence, FMB_CLAIM_IMPLIED, &claim);
+    if (st != FMB_OK)
+        return st;
+    st = fill_claim(m, r, claim);
+    if (st != FMB_OK)
+        fmb_evidence_drop_last(m->q->evidence);
+    return st;
+}
+
+/* A row of the store, with its claim. */
+static fmb_status put_row(image *m, uint32_t r)
+{
+    fmb_status st = fmb_vec_reduce(&m->e->row[r].v, (size_t)m->e->n + 1, &m->e->num);
+    m->steps -= m->steps > r ? r : m->steps;
+    if (st == FMB_OK)
+        st = claim_row(m, r);
+    const fmb_derived *d = &m->e->row[r];
+    return st == FMB_OK ? fmb_query_append_row(m->q, m->p, d, rel_of(d), m->place, m->out) : st;
+}
+
+static fmb_status put_rows(image *m)
+{
+    fmb_status st = FMB_OK;
+    size_t rows = m->e->rows, most = MOST_ENTRIES / (size_t)m->e->n;
+    for (size_t i = 0; st == FMB_OK && m->steps > 0 && i < rows && i < most; i++)
+        if (is_kept(m, &m->e->row[i]))
+            st = put_row(m, (uint32_t)i);
+    return st;
+}
+
+/* Ends that are not rows already. */
+static fmb_status put_ends(image *m, const fmb_ends *f, size_t rows)
+{
+    fmb_status st = FMB_OK;
+    for (int c = 0; st == FMB_OK && c < m->p->n; c++)
+        for (int side = FMB_LOWER; st == FMB_OK && side <= FMB_UPPER; side++) {
+            uint32_t r = f->row[side][c];
+            bool seen = side == FMB_UPPER && r == f->row[FMB_LOWER][c];
+            if (m->place[m->p->var[c]] >= 0 && r != FMB_NO_ROW && r >= rows && !seen)
+                st = put_row(m, r);
+        }
+    return st;
+}
+
+fmb_status fmb_outer_rows(fmb_query *q, const fmb_part *p, fmb_elim *e, const int *place,
+                          fmb_system *out)
+{
+    image m = {.q = q, .p = p, .place = place, .out = out, .e = e, .steps = MOST_STEPS};
+    fmb_ends f;
+    size_t rows = e->rows;
+    fmb_status st = put_rows(&m);
+    fmb_status opened = st == FMB_OK ? fmb_ends_open(&f, e) : st;
+    if (opened == FMB_OK)
+        opened = fmb_ends_find(&f);
+    if (opened == FMB_OK && e->clash == FMB_NO_ROW)
+        opened = put_ends(&m, &f, rows);
+    if (st == FMB_OK)
+        fmb_ends_clear(&f);
+    return opened == FMB_LIMIT ? FMB_OK : opened;
+}
+
+/* The rows contradict each other. Claims made so far are gone, so without a new one rows go, too.
+ */
+static fmb_status refute(fmb_query *q, const fmb_part *p, const fmb_elim *e, fmb_system *out,
+                         fmb_verdict *verdict)
+{
+    fmb_status st = fmb_query_claim_clash(q, p, e);
+    if (st == FMB_OK)
+        *verdict = FMB_INFEASIBLE;
+    while (st != FMB_OK && fmb_system_rows(out) > 0)
+        fmb_system_remove(out, fmb_system_rows(out) - 1);
+    return st;
+}
+
+/* From the rows of the part alone. */
+static fmb_status put_part(fmb_query *q, const fmb_part *p, const int *place, fmb_system *out,
+                           fmb_verdict *verdict)
+{
+    fmb_elim e;
+    fmb_arena_place start = fmb_arena_tell(&q->v->arena);
+    fmb_status st = fmb_query_load(q, p, true, &e);
+    if (st == FMB_OK && e.clash == FMB_NO_ROW)
+        st = fmb_outer_rows(q, p, &e, place, out);
+    if (st == FMB_OK && e.clash != FMB_NO_ROW)
+        st = refute(q, p, &e, out, verdict);
+    fmb_elim_clear(&e);
+    fmb_arena_rewind(&q->v->arena, start);
+    return st == FMB_LIMIT ? FMB_OK : st;
+}
+
+fmb_status fmb_outer_projection(fmb_query *q, int from, const int *place, fmb_system *out,
+                                fmb_verdict *verdict)
+{
+    fmb_status st = FMB_OK;
+    for (int c = from; st == FMB_OK && *verdict != FMB_INFEASIBLE && c < q->parts.count; c++)
+        st = put_part(q, &q->parts.part[c], place, out, verdict);
+    if (*verdict == FMB_INFEASIBLE)
+        q->run.stop = FMB_STOP_DONE;
+    return st;
+}
