@@ -101,12 +101,79 @@ static void scale_ends(fmb_elim *e)
     }
 }
 
+/* ---- a budget -------------------------------------------------------------------------------- */
+
+/* The end at which s x_j is least: the lower one for positive s. */
+static int least_side(int64_t s)
+{
+    return s > 0 ? FMB_LOWER : FMB_UPPER;
+}
+
+/* Is the row a budget: an inequality in two variables or more, each with its least end, and one of
+ * them without the other? Then *room is what it leaves above the least ends. */
+static bool is_budget(const fmb_elim *e, const fmb_derived *r, int64_t *room)
+{
+    bool open = false;
+    int variables = 0;
+    if (r->equality || fmb_vec_is_wide(&r->v) ||
+        r->v.bits + e->box.bits + fmb_bits64((uint64_t)e->n + 1) > FMB_SMALL_BITS)
+        return false;
+    *room = r->v.s[e->n] * e->box.unit;
+    for (int j = 0; j < e->n; j++) {
+        int64_t s = r->v.s[j];
+        int side = least_side(s);
+        if (s == 0)
+            continue;
+        if (e->box.row[side][j] == FMB_NO_ROW)
+            return false;
+        open |= e->box.row[1 - side][j] == FMB_NO_ROW;
+        *room -= s * e->box.end[side][j];
+        variables++;
+    }
+    return open && variables > 1 && *room >= 0;
+}
+
+/* The first budget there is. Without histories nobody could tell which rows are made of it. */
+static void find_budget(fmb_elim *e)
+{
+    fmb_box_rows *box = &e->box;
+    for (size_t i = 0; e->histories && box->any && i < e->live.size; i++)
+        if (is_budget(e, &e->row[e->live.row[i]], &box->room)) {
+            int bits = fmb_bits64((uint64_t)box->room);
+            box->budget = e->live.row[i];
+            box->bits = bits > box->bits ? bits : box->bits;
+            return;
+        }
+}
+
+fmb_status fmb_box_mark(fmb_elim *e)
+{
+    fmb_box_rows *box = &e->box;
+    if (box->budget == FMB_NO_ROW)
+        return FMB_OK;
+    box->hard = fmb_arena_get(e->arena, e->words, sizeof *box->hard);
+    if (!box->hard)
+        return fmb_mem_status(e->arena->mem);
+    for (size_t k = 0; k < e->words; k++)
+        box->hard[k] = 0;
+    for (size_t i = 0; i < e->bases; i++) {
+        bool hard = e->base[i] == box->budget || single_column(e, &e->row[e->base[i]]) >= 0;
+        box->hard[i / 64] |= (uint64_t)hard << (i % 64);
+    }
+    return FMB_OK;
+}
+
+/* ---- all of it --------------------------------------------------------------------------------
+ */
+
 fmb_status fmb_box_make(fmb_elim *e)
 {
     fmb_box_rows *box = &e->box;
     size_t n = (size_t)e->n;
     box->unit = 1;
     box->any = false;
+    box->budget = FMB_NO_ROW;
+    box->hard = NULL;
     for (int side = FMB_LOWER; side <= FMB_UPPER; side++) {
         if (!box->row[side])
             box->row[side] = fmb_arena_get(e->arena, n, sizeof *box->row[side]);
@@ -126,6 +193,7 @@ fmb_status fmb_box_make(fmb_elim *e)
             if (box->row[side][c] != FMB_NO_ROW && !e->row[box->row[side][c]].v.z)
                 widen_unit(box, fmb_abs64(e->row[box->row[side][c]].v.s[c]));
     scale_ends(e);
+    find_budget(e);
     return FMB_OK;
 }
 
@@ -181,11 +249,62 @@ static int sign_at(const fmb_elim *e, const fmb_derived *r, int at)
     return r->v.z || bits > 126 ? wide_sign(e, r, at) : small_sign(e, r, at);
 }
 
+/* Does the row itself make an end or the budget? */
+static bool makes_box(const fmb_elim *e, const fmb_derived *r)
+{
+    uint32_t number = (uint32_t)(r - e->row);
+    int c = single_column(e, r);
+    return number == e->box.budget ||
+           (c >= 0 && e->box.row[fmb_vec_sgn(&r->v, (size_t)c) > 0][c] == number);
+}
+
+/* Is the row made of nothing but rows of the box and the budget? */
+static bool is_hard(const fmb_elim *e, const fmb_derived *r)
+{
+    if (!e->box.hard || !r->history)
+        return false;
+    for (size_t k = 0; k < e->words; k++)
+        if (r->history[k] & ~e->box.hard[k])
+            return false;
+    return true;
+}
+
+/* Over the box with a budget, a.x is greatest with all of the budget's variables at their least
+ * ends but one, which takes the room: that with the greatest gain a_j / s_j, if any gains. Sign of
+ * b - that, times unit and s_j. */
+static int sign_with_budget(const fmb_elim *e, const fmb_derived *r)
+{
+    const fmb_box_rows *box = &e->box;
+    const int64_t *a = r->v.s, *s = e->row[box->budget].v.s;
+    fmb_i128 sum = (fmb_i128)a[e->n] * box->unit;
+    int64_t gain = 0, price = 1;
+    int bits = r->v.bits + box->bits + fmb_bits64((uint64_t)e->n + 1);
+    if (r->v.z || bits + e->row[box->budget].v.bits > 126)
+        return -1;
+    for (int j = 0; j < e->n; j++) {
+        int side = s[j] != 0 ? least_side(s[j]) : a[j] > 0 ? FMB_UPPER : FMB_LOWER;
+        if (a[j] == 0)
+            continue;
+        if (box->row[side][j] == FMB_NO_ROW)
+            return -1;
+        sum -= (fmb_i128)a[j] * box->end[side][j];
+        int64_t g = s[j] < 0 ? -a[j] : a[j], p = (int64_t)fmb_abs64(s[j]);
+        if (p > 0 && g > 0 && (fmb_i128)g * price > (fmb_i128)gain * p) {
+            gain = g;
+            price = p;
+        }
+    }
+    sum = sum * price - (fmb_i128)gain * box->room;
+    return (sum > 0) - (sum < 0);
+}
+
 int fmb_box_slack(const fmb_elim *e, const fmb_derived *r)
 {
-    if (!e->box.any || !is_closed(e, r, 1))
+    if (!e->box.any || makes_box(e, r))
         return -1;
-    return sign_at(e, r, 1);
+    if (e->box.budget != FMB_NO_ROW)
+        return is_hard(e, r) ? -1 : sign_with_budget(e, r);
+    return is_closed(e, r, 1) ? sign_at(e, r, 1) : -1;
 }
 
 bool fmb_box_refutes(const fmb_elim *e, const fmb_derived *r)

@@ -248,13 +248,33 @@ static fmb_status eliminate(fmb_elim *e, int var)
     return st;
 }
 
+/* Is there a variable to eliminate, but none by substitution? */
+static bool is_ready_to_pair(const fmb_elim *e, const bool *drop)
+{
+    bool any = false;
+    for (size_t i = 0; i < e->live.size; i++) {
+        const fmb_derived *r = &e->row[e->live.row[i]];
+        for (int j = 0; (r->equality || !any) && j < e->n; j++) {
+            bool named = drop[j] && fmb_vec_sgn(&r->v, (size_t)j) != 0;
+            if (named && r->equality)
+                return false;
+            any |= named;
+        }
+    }
+    return any;
+}
+
+/* Histories start before the choice: what goes then is not counted in it. */
 fmb_status fmb_elim_eliminate(fmb_elim *e, const bool *drop)
 {
     fmb_status st = fmb_run_poll_now(e->run);
     while (st == FMB_OK && e->clash == FMB_NO_ROW) {
         int var;
-        st = fmb_elim_choose(e, drop, &var);
-        if (st != FMB_OK || var < 0)
+        if (!e->based && is_ready_to_pair(e, drop))
+            st = fmb_elim_start_histories(e);
+        if (st == FMB_OK && e->clash == FMB_NO_ROW)
+            st = fmb_elim_choose(e, drop, &var);
+        if (st != FMB_OK || e->clash != FMB_NO_ROW || var < 0)
             break;
         st = eliminate(e, var);
     }

@@ -92,7 +92,7 @@ static fmb_status number_rows(fmb_elim *e)
         if (st != FMB_OK)
             return st;
     }
-    return FMB_OK;
+    return fmb_box_mark(e);
 }
 
 /* Is there a row that the box refutes among the base rows? Then the elimination is over. */

@@ -1,8 +1,6 @@
 /* bound_plane.c: see bound_plane.h. */
 #include "solve/bound_plane.h"
 
-#include <assert.h>
-
 fmb_status fmb_plane_open(fmb_plane *p, fmb_elim *e, int x, int y, bool *possible)
 {
     fmb_round *round = &e->round[e->rounds];
@@ -151,9 +149,8 @@ static bool step(search *h)
         bool open = row[h->lower.row].strict || row[h->upper.row].strict;
         if (gap == 0 && open && !is_strict(h))
             take_pair(h);
-        if (gap >= 0)
+        if (gap >= 0 || mpq_sgn(h->s) <= 0) /* the latter: no solution, so some rule has lied */
             return false;
-        assert(mpq_sgn(h->s) > 0); /* else the rows had no solution */
     } else if (mpq_sgn(h->s) <= 0) {
         return false;
     }

@@ -343,7 +343,7 @@ fmb_status fmb_query_project_part(fmb_query *q, int part, const int *place, fmb_
 {
     const fmb_part *p = &q->parts.part[part];
     const shadow start = {.q = q, .p = p, .place = place, .out = out, .e.run = &q->run};
-    bool fm = q->v->options.method == FMB_METHOD_FM, known = q->decided, done = false;
+    bool fm = fmb_query_eliminates(q), known = q->decided, done = false;
     shadow h = start;
     fmb_status st = FMB_OK;
     *feasible = true;

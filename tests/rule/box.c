@@ -1,4 +1,5 @@
-/* box.c: rows that hold strictly in all of the box go; those that touch it stay. */
+/* box.c: rows that hold strictly in all of the box go; those that touch it go before the first
+ * round. */
 #include <criterion/criterion.h>
 
 #include "bench.h"
@@ -34,12 +35,12 @@ Test(box, strictly_slack_rows_go)
 {
     cr_expect(!stays((int64_t[]){1, 1, 3}, FMB_LT));
     cr_expect(!stays((int64_t[]){1, 1, 3}, FMB_LE));
-    cr_expect(stays((int64_t[]){1, 1, 2}, FMB_LE));
+    cr_expect(!stays((int64_t[]){1, 1, 2}, FMB_LE), "before histories start");
     cr_expect(stays((int64_t[]){1, 1, 2}, FMB_LT));
     cr_expect(!stays((int64_t[]){-1, -1, 1}, FMB_LE));
-    cr_expect(stays((int64_t[]){-1, -1, 0}, FMB_LE));
+    cr_expect(stays((int64_t[]){-1, -1, 0}, FMB_LT));
     cr_expect(!stays((int64_t[]){1, -1, 2}, FMB_LE));
-    cr_expect(stays((int64_t[]){1, -1, 1}, FMB_LE));
+    cr_expect(stays((int64_t[]){1, -1, 1}, FMB_LT));
 }
 
 /* An end that is missing, or a half: 2x <= 1 in place of x <= 1. */
@@ -77,7 +78,7 @@ Test(box, wide_rows)
         mpz_ui_pow_ui(z[2], 2, 201);
         mpz_add_ui(z[2], z[2], (unsigned long)slack);
         cr_assert_eq(fmb_vec_set_z(&v, 3, z, &b.mem), FMB_OK);
-        cr_assert_eq(fmb_elim_add(&b.e, &v, FMB_LE), FMB_OK);
+        cr_assert_eq(fmb_elim_add(&b.e, &v, FMB_LT), FMB_OK);
         fmb_vec_clear(&v, 3, &b.mem);
         for (int j = 0; j < 3; j++)
             mpz_clear(z[j]);
@@ -92,5 +93,5 @@ Test(box, moving_cuboids)
     double without = cuboids_rows_made("chernikov", NULL);
     double with = cuboids_rows_made("chernikov,box", NULL);
     cr_expect(59 < without && without < 60, "%g rows without", without);
-    cr_expect(27 < with && with < 28, "%g rows with it", with);
+    cr_expect(26 < with && with < 27, "%g rows with it", with);
 }
