@@ -147,7 +147,7 @@ static bool step(search *h)
     if (h->finite) {
         int gap = mpq_cmp(h->upper.at_t, h->lower.at_t);
         bool open = row[h->lower.row].strict || row[h->upper.row].strict;
-        if (gap == 0 && open && !is_strict(h))
+        if (gap == 0 && open && mpq_sgn(h->s) > 0 && !is_strict(h))
             take_pair(h);
         if (gap >= 0 || mpq_sgn(h->s) <= 0) /* the latter: no solution, so some rule has lied */
             return false;
