@@ -6,7 +6,7 @@
 #include "elim/derive.h"
 #include "solve/bound_ends.h"
 #include "solve/outer.h"
-#include "solve/shadow.h"
+#include "solve/thin.h"
 #include "system/system.h"
 
 /* Entries that are looked at in all rows, and rows that are looked at in all derivations. */

@@ -13,8 +13,4 @@
 fmb_status fmb_query_project_part(fmb_query *q, int part, const int *place, fmb_system *out,
                                   bool *feasible);
 
-/* Append row r of a part, which names kept variables only, to out as a row of that relation. */
-fmb_status fmb_query_append_row(fmb_query *q, const fmb_part *p, const fmb_derived *r, fmb_rel rel,
-                                const int *place, fmb_system *out);
-
 #endif
