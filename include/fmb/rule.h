@@ -68,7 +68,8 @@ FMB_API FMB_CHECKED fmb_status fmb_solver_add_rule(fmb_solver *v, const fmb_rule
 FMB_API const char *fmb_solver_trouble(const fmb_solver *v);
 
 /* Choose the variable to eliminate next: one of col[0..n), n > 0. Anything else ends the query with
- * FMB_ERR_ARG. */
+ * FMB_ERR_ARG. Beside a rule that wants one base only columns of equalities are offered while there
+ * are any: substituting one later would be a re-base. */
 typedef struct fmb_chooser {
     int (*choose)(void *self, const fmb_view *w, const int *col, size_t n);
     void *self;

@@ -93,9 +93,34 @@ static int cheapest(const fmb_elim *e, const column *c, const int *candidate, si
     return best;
 }
 
-static fmb_status ask_chooser(fmb_elim *e, const int *candidate, size_t n, int *var)
+static bool is_in_equality(const fmb_elim *e, int var)
+{
+    for (size_t i = 0; i < e->live.size; i++) {
+        const fmb_derived *r = &e->row[e->live.row[i]];
+        if (r->equality && fmb_vec_sgn(&r->v, (size_t)var) != 0)
+            return true;
+    }
+    return false;
+}
+
+/* Substitution starts histories anew: where that may not happen, equalities have to be used up
+ * before the first pairs. Only their columns stay among the candidates, if there are any. */
+static size_t keep_equalities(const fmb_elim *e, int *candidate, size_t n)
+{
+    size_t left = 0;
+    bool one_base = false;
+    for (int k = 0; k < e->workers; k++)
+        one_base |= (e->worker[k].rule->flags & FMB_RULE_ONE_BASE) != 0;
+    for (size_t i = 0; one_base && i < n; i++)
+        if (is_in_equality(e, candidate[i]))
+            candidate[left++] = candidate[i];
+    return left > 0 ? left : n;
+}
+
+static fmb_status ask_chooser(fmb_elim *e, int *candidate, size_t n, int *var)
 {
     fmb_window w;
+    n = keep_equalities(e, candidate, n);
     fmb_window_open(&w, e, -1);
     int chosen = e->chooser.choose(e->chooser.self, &w.view, candidate, n);
     fmb_status st = fmb_window_close(&w);

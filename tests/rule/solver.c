@@ -239,6 +239,66 @@ Test(chooser, is_obeyed)
     fmb_system_free(s);
 }
 
+/* The variable of the highest number: a pairing, where the equality of the test has none of it. */
+static int choose_last(void *self, const fmb_view *w, const int *col, size_t n)
+{
+    int *offered = self, best = 0;
+    for (size_t i = 1; i < n; i++)
+        if (fmb_view_variable(w, col[i]) > fmb_view_variable(w, col[best]))
+            best = (int)i;
+    *offered = *offered == 0 ? (int)n : *offered;
+    return col[best];
+}
+
+typedef struct bases {
+    bool paired;
+    int anew; /* histories started again after pairs */
+} bases;
+
+static void count_bases(void *self, const fmb_event *e)
+{
+    bases *b = self;
+    b->paired |= e->kind == FMB_EVENT_ROUND && e->pairs > 0;
+    b->anew += e->kind == FMB_EVENT_REBASE && b->paired;
+}
+
+/* Re-bases of a query about x1 = x2 and bounds around x3, x4 and x5, which the chooser takes first
+ * if it may. *offered: columns at its first choice. */
+static int rebases_beside(const fmb_rule *rule, int *offered)
+{
+    static const int64_t row[][6] = {{1, 0, 1, 0, 0, 3},  {-1, 0, -1, 1, 0, 2},
+                                     {0, 1, 0, -1, 1, 4}, {0, -1, 1, 0, -1, 5},
+                                     {0, 0, -1, 1, 1, 6}, {0, 0, 0, 0, -1, 1}};
+    fmb_system *s = NULL;
+    fmb_solver *v = open_solver("none", FMB_REBASE_AUTO);
+    fmb_result r;
+    bases b = {0};
+    must(fmb_system_new(5, NULL, &s));
+    must(fmb_system_add_int(s, (const int64_t[]){1, -1, 0, 0, 0}, FMB_EQ, 0));
+    for (int i = 0; i < 6; i++)
+        must(fmb_system_add_int(s, row[i], FMB_LE, row[i][5]));
+    must(fmb_solver_add_rule(v, rule));
+    *offered = 0;
+    fmb_solver_set_chooser(v, (fmb_chooser){choose_last, offered});
+    fmb_solver_set_sink(v, (fmb_sink){count_bases, &b});
+    cr_expect_eq(ask(v, s, SOLVE, &r), FMB_OK);
+    cr_expect_eq(r.verdict, FMB_FEASIBLE);
+    fmb_solver_free(v);
+    fmb_system_free(s);
+    return b.anew;
+}
+
+/* Pairs before the equality is used up are what makes histories start anew. */
+Test(chooser, beside_a_rule_of_one_base)
+{
+    static const fmb_rule many_bases = {.name = "many", .flags = FMB_RULE_NEEDS_HISTORY};
+    int offered;
+    cr_expect_gt(rebases_beside(&many_bases, &offered), 0, "else the test says nothing");
+    cr_expect_eq(offered, 5);
+    cr_expect_eq(rebases_beside(&one_base, &offered), 0);
+    cr_expect_eq(offered, 2, "columns of the equality only");
+}
+
 /* ---- callbacks that fail --------------------------------------------------------------------- */
 
 static size_t scratch_size;
