@@ -25,8 +25,8 @@ typedef struct fmb_verdicts {
 } fmb_verdicts;
 
 /* lp must be feasible. fate[m] comes in UNKNOWN, or KEPT for inequalities that are known to be
- * irredundant and not always tight: those are not looked at. told may be NULL. On FMB_LIMIT the fates set
- * so far hold. */
+ * irredundant and not always tight: those are not looked at. told may be NULL. On FMB_LIMIT the
+ * fates set so far hold. */
 fmb_status fmb_irredundant(fmb_lp *lp, const fmb_rel *rel, fmb_fate *fate,
                            const fmb_verdicts *told);
 /* The same without the second pass: inequalities stay what they are, and only their redundancy is
