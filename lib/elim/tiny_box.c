@@ -1,6 +1,6 @@
 /* tiny_box.c: rows over the box of a tiny elimination; see rule/box.c and box.c for why.
  *
- * A sum of 7 products of numbers below 2^62 is below 2^127.
+ * A sum of 9 products of numbers below 2^62 and 2^60 is below 2^126.
  */
 #include "elim/tiny_inside.h"
 

@@ -1,6 +1,6 @@
 /* tiny_inside.h: what the files of the tiny elimination share; see tiny.c.
  *
- * A row is 8 words: the right side at 0, the coefficients at 1..n. Every |word| < 2^62, which the
+ * A row is words: the right side at 0, the coefficients at 1..n. Every |word| < 2^62, which the
  * row's bits bound more closely. A round that removes the column at place c moves the last one, at
  * n, there, so rows stay compact and loops short.
  */
@@ -15,6 +15,7 @@
 #define FMB_TINY_ROWS      128  /* of a table */
 #define FMB_TINY_PAIRS     2048 /* looked at before giving up */
 #define FMB_TINY_WORDS     16   /* of a row */
+#define FMB_TINY_END_BITS  60   /* of an end of the box */
 
 typedef struct fmb_tiny_table {
     int64_t a[FMB_TINY_ROWS][FMB_TINY_WORDS];

@@ -59,17 +59,19 @@ static int64_t floor_divide(int64_t b, int64_t a)
     return a == 1 ? b : b / a - (b % a < 0);
 }
 
+/* Ends that are too large for the sums in tiny_box.c are left out. */
 static void make_box(fmb_tiny *t, const ends *e)
 {
     t->open[0] = t->open[1] = 0;
     for (int k = 1; k <= t->n; k++) {
         for (int side = 0; side < 2; side++) {
             int i = e->row[side][k];
-            t->open[side] |= (unsigned)(i < 0) << k;
-            if (i < 0)
-                continue;
-            const int64_t *a = t->now->a[i];
-            t->end[side][k] = side ? -floor_divide(-a[0], a[k]) : floor_divide(-a[0], -a[k]);
+            if (i >= 0) {
+                const int64_t *a = t->now->a[i];
+                t->end[side][k] = side ? -floor_divide(-a[0], a[k]) : floor_divide(-a[0], -a[k]);
+            }
+            bool open = i < 0 || fmb_bits64(fmb_abs64(t->end[side][k])) > FMB_TINY_END_BITS;
+            t->open[side] |= (unsigned)open << k;
         }
     }
 }

@@ -200,6 +200,24 @@ Test(tiny, long_fractions)
     cr_assert_eq(decide(2, 2, near, FMB_LE, &stats), FMB_FEASIBLE);
 }
 
+/* Over such ends nine products of 62 bits would not fit in 128. */
+Test(tiny, nine_large_ends)
+{
+    const int64_t most = ((int64_t)1 << 62) - 1;
+    int64_t row[10][10] = {{0}}; /* x_k <= most, sum of (most - 2k) x_k >= 1 */
+    fmb_stats stats;
+    for (int k = 0; k < 9; k++) {
+        row[k][k] = 1;
+        row[k][9] = most;
+        row[9][k] = 2 * k - most;
+    }
+    row[9][9] = -1;
+    cr_assert_neq(decide(9, 10, row[0], FMB_LE, &stats), FMB_INFEASIBLE);
+    for (int k = 0; k < 9; k++)
+        row[9][k] = -row[9][k]; /* and sum <= -1 */
+    cr_assert_neq(decide(9, 10, row[0], FMB_LE, &stats), FMB_INFEASIBLE);
+}
+
 Test(tiny, what_it_leaves_to_others)
 {
     fmb_stats stats = {0};
