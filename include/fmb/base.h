@@ -37,13 +37,13 @@ typedef enum fmb_status {
     FMB_ERR_PARSE,  /* malformed text; position and reason in fmb_where */
     FMB_ERR_IO,     /* stream failed; errno holds the cause */
     FMB_ERR_RULE,   /* rule unknown, or unsound for this query or beside another rule */
-    FMB_ERR_STATE   /* nothing to report yet: no query has finished on this solver */
+    FMB_ERR_STATE   /* nothing to report: no query has finished, or it kept no evidence */
 } fmb_status;
 
 /* The answer. Zero is "unknown", so forgotten memory never reads as an answer. */
 typedef enum fmb_verdict { FMB_UNKNOWN = 0, FMB_FEASIBLE, FMB_INFEASIBLE } fmb_verdict;
 
-/* How the answer was obtained. */
+/* How the answer was obtained: EXACT always, so far, or NONE where it is unknown. */
 typedef enum fmb_trust { FMB_TRUST_NONE = 0, FMB_TRUST_FLOAT, FMB_TRUST_EXACT } fmb_trust;
 
 /* Why a query ended. */

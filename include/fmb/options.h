@@ -20,16 +20,17 @@ typedef enum fmb_arith {
 typedef enum fmb_method {
     FMB_METHOD_AUTO = 0, /* by size and question */
     FMB_METHOD_FM,       /* elimination only (fmb_project and fmb_reduce still ask the oracle) */
-    FMB_METHOD_LP,       /* exact simplex only (fmb_project still eliminates) */
+    FMB_METHOD_LP,       /* exact simplex only (fmb_project as with AUTO) */
     FMB_METHOD_FMPLEX    /* FMplex decides; everything else as with FM */
 } fmb_method;
 
-/* Which variable is eliminated next. */
+/* Which variable is eliminated next, once there is none in an equality (it is substituted) or with
+ * a column of one sign (its rows just go). */
 typedef enum fmb_order {
     FMB_ORDER_PAIRS = 0, /* least p*q - p - q, with p and q rows of either sign */
-    FMB_ORDER_GIVEN,     /* by index */
+    FMB_ORDER_GIVEN,     /* the least index */
     FMB_ORDER_MIN,       /* least min(p, q) */
-    FMB_ORDER_FILL       /* least number of nonzeros in the combined rows */
+    FMB_ORDER_FILL       /* least number of nonzeros in the combined rows, were there no overlap */
 } fmb_order;
 
 /* When a rule that drops rows for other reasons than histories works beside one of histories, which

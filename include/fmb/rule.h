@@ -49,7 +49,8 @@ typedef struct fmb_rule {
      * rows, too, when histories start. */
     bool (*drop_row)(void *state, const fmb_view *w, size_t row);
     /* Mark live rows that may go: drop[i] is for fmb_view_row(w, i), and false at first; entries
-     * have no common divisor then. Errors: any. */
+     * have no common divisor then. Beside rules of histories and with FMB_REBASE_AUTO, a rule that
+     * breaks them is not asked about few rows, and few marks are ignored. Errors: any. */
     fmb_status (*end_round)(void *state, const fmb_view *w, bool *drop);
     void (*clear)(void *state);
 } fmb_rule;
@@ -126,9 +127,10 @@ FMB_API void fmb_view_drop_larger(const fmb_view *w, size_t i, int most, uint64_
  * 3) and went are looked at, too. */
 FMB_API void fmb_view_drop_covered(const fmb_view *w, size_t i, uint64_t *drop);
 
-/* Over the box that the rows with one variable made when histories last started: the sign of the
- * least of b - a.x. Positive: the row is strictly slack over the box, and holds in all of it. -1
- * also if the box is open where it matters. */
+/* Over the box that the rows with one variable made when histories last started, perhaps with one
+ * more that bounds a sum (a simplex): the sign of the least of b - a.x. Positive: the row is
+ * strictly slack over the box, and holds in all of it. -1 also if the box is open where it matters,
+ * and for rows of the box or made of nothing but these. */
 FMB_API int fmb_view_slack(const fmb_view *w, size_t row);
 
 /* Scratch memory until the callback returns, counted against the limits; NULL: return

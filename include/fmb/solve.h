@@ -3,6 +3,8 @@
  *
  * A solver owns the options, the workspace and the last answer; it belongs to one thread at a time
  * and may be used for any number of queries, also after a limit, a cancel or a failed allocation.
+ * Besides the errors listed, every query may return RULE, where rules do not go together, and what
+ * a rule or chooser of the caller's brings about (<fmb/rule.h>).
  */
 #ifndef FMB_SOLVE_H
 #define FMB_SOLVE_H
@@ -40,7 +42,8 @@ typedef struct fmb_result {
     fmb_stats stats;
 } fmb_result;
 
-/* [give] Options are copied. Errors: ARG (an option out of range), RULE, MEMORY. */
+/* [give] Options are copied. Errors: ARG (an option out of range, or instructions that the
+ * processor lacks), RULE (a name is unknown, or too many), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_solver_new(const fmb_options *o, const fmb_alloc *mem,
                                               fmb_solver **out);
 FMB_API void fmb_solver_free(fmb_solver *v);
