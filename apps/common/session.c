@@ -42,13 +42,29 @@ static int bad_option(const app_ask *ask)
                      o.presolve ? o.presolve : "", initial_of("presolve"));
 }
 
+/* The names of the rules there are, separated by commas. */
+static void list_rules(char *out, size_t size)
+{
+    const fmb_rule *rule;
+    size_t used = 0;
+    for (size_t i = 0; used < size && (rule = fmb_rule_at(i)) != NULL; i++)
+        used += (size_t)snprintf(out + used, size - used, "%s%s", i > 0 ? "," : "", rule->name);
+}
+
+static int bad_rules(const char *rules)
+{
+    char known[256] = "";
+    list_rules(known, sizeof known);
+    return app_error(APP_USAGE, "--rules '%s': expected none, or some of %s", rules ? rules : "",
+                     known);
+}
+
 static int open_solver(app_session *s)
 {
     const fmb_options *o = &s->ask->options;
     fmb_status st = fmb_solver_new(o, NULL, &s->solver);
     if (st == FMB_ERR_RULE)
-        return app_error(APP_USAGE, "--rules '%s': %s", o->rules ? o->rules : "",
-                         fmb_status_text(st));
+        return bad_rules(o->rules);
     if (st == FMB_ERR_ARG)
         return bad_option(s->ask);
     return st == FMB_OK ? APP_YES : app_status_error(st);
