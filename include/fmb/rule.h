@@ -137,6 +137,10 @@ FMB_API int fmb_view_slack(const fmb_view *w, size_t row);
  * FMB_ERR_MEMORY. */
 FMB_API void *fmb_view_scratch(const fmb_view *w, size_t bytes);
 
+/* Has the query to end, by a limit or a cancel? To be asked in long loops; if so, return anything:
+ * what the callback said is not used. */
+FMB_API bool fmb_view_stop(const fmb_view *w);
+
 #ifdef __cplusplus
 }
 #endif

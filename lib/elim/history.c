@@ -100,10 +100,13 @@ static fmb_status refute_rows(fmb_elim *e)
 {
     if (!fmb_elim_keeps(e, FMB_STEP_REFUTE))
         return FMB_OK;
-    for (size_t i = 0; i < e->live.size; i++)
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i < e->live.size; i++) {
         if (fmb_box_refutes(e, &e->row[e->live.row[i]]))
             return fmb_elim_refute(e, e->live.row[i]);
-    return FMB_OK;
+        st = fmb_run_poll(e->run);
+    }
+    return st;
 }
 
 fmb_status fmb_elim_start_histories(fmb_elim *e)

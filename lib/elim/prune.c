@@ -62,18 +62,23 @@ static fmb_status apply(fmb_elim *e, fmb_worker *worker, int var)
 static fmb_status reduce_rows(fmb_elim *e)
 {
     fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < e->live.size; i++)
+    for (size_t i = 0; st == FMB_OK && i < e->live.size; i++) {
         st = fmb_vec_reduce(&e->row[e->live.row[i]].v, (size_t)e->n + 1, &e->num);
+        if (st == FMB_OK)
+            st = fmb_run_poll(e->run);
+    }
     return st;
 }
 
 fmb_status fmb_elim_end_round(fmb_elim *e, int var)
 {
     fmb_status st = FMB_OK;
+    bool reduced = false;
     for (int k = 0; st == FMB_OK && k < e->workers; k++) {
         if (!can_pay(e, e->worker[k].rule))
             continue;
-        st = reduce_rows(e);
+        st = reduced ? FMB_OK : reduce_rows(e);
+        reduced = true;
         if (st == FMB_OK)
             st = apply(e, &e->worker[k], var);
     }

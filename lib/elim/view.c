@@ -44,6 +44,14 @@ void *fmb_view_scratch(const fmb_view *w, size_t bytes)
     return s->at;
 }
 
+bool fmb_view_stop(const fmb_view *w)
+{
+    fmb_status st = fmb_run_poll(w->e->run);
+    if (*w->status == FMB_OK)
+        *w->status = st;
+    return st != FMB_OK;
+}
+
 int fmb_view_dim(const fmb_view *w)
 {
     return w->e->n;

@@ -78,7 +78,17 @@ static uint64_t hash(search *s, size_t i)
     return h;
 }
 
-/* The order of entry j of the i-th and the k-th row at equal scale. */
+/* The scales of the i-th and the k-th row, where not both are small. */
+static void set_scales(search *s, size_t i, size_t k)
+{
+    size_t x = fmb_view_row(s->w, i), y = fmb_view_row(s->w, k);
+    if (fmb_view_int64(s->w, x) && fmb_view_int64(s->w, y))
+        return;
+    wide_scale(s, x, s->scale_a);
+    wide_scale(s, y, s->scale_b);
+}
+
+/* The order of entry j of the i-th and the k-th row at equal scale, after set_scales. */
 static int compare(search *s, size_t i, size_t k, int j)
 {
     size_t x = fmb_view_row(s->w, i), y = fmb_view_row(s->w, k);
@@ -87,8 +97,6 @@ static int compare(search *s, size_t i, size_t k, int j)
         wide left = (wide)u[j] * (int64_t)s->scale[k], right = (wide)v[j] * (int64_t)s->scale[i];
         return (left > right) - (left < right);
     }
-    wide_scale(s, x, s->scale_a);
-    wide_scale(s, y, s->scale_b);
     fmb_view_get(s->w, x, j, s->a);
     fmb_view_get(s->w, y, j, s->b);
     mpz_mul(s->a, s->a, s->scale_b);
@@ -98,6 +106,7 @@ static int compare(search *s, size_t i, size_t k, int j)
 
 static bool are_like(search *s, size_t i, size_t k)
 {
+    set_scales(s, i, k);
     for (int j = 0; j < s->entries; j++)
         if (compare(s, i, k, j) != 0)
             return false;
@@ -114,7 +123,7 @@ static size_t *find(search *s, size_t i)
     }
 }
 
-/* Is the bound of the i-th row tighter than that of the k-th, which is like it? */
+/* Is the bound of the i-th row tighter than that of the k-th, which was just found like it? */
 static bool is_tighter(search *s, size_t i, size_t k)
 {
     int order = compare(s, i, k, fmb_view_dim(s->w));
@@ -125,7 +134,7 @@ static bool is_tighter(search *s, size_t i, size_t k)
 
 static void mark(search *s, bool *drop)
 {
-    for (size_t i = 0; i < fmb_view_rows(s->w); i++) {
+    for (size_t i = 0; i < fmb_view_rows(s->w) && !fmb_view_stop(s->w); i++) {
         if (fmb_view_rel(s->w, fmb_view_row(s->w, i)) == FMB_EQ)
             continue;
         size_t *slot = find(s, i);

@@ -404,6 +404,52 @@ static fmb_status give_up(void *state, const fmb_view *w, bool *drop)
     return FMB_ERR_STATE;
 }
 
+/* Rules that go on until they are told to stop, in each of the callbacks. */
+static void pairs_for_ever(void *state, const fmb_view *w, size_t i, uint64_t *drop)
+{
+    (void)state, (void)i, (void)drop;
+    while (!fmb_view_stop(w))
+        continue;
+}
+
+static bool row_for_ever(void *state, const fmb_view *w, size_t row)
+{
+    (void)state, (void)row;
+    while (!fmb_view_stop(w))
+        continue;
+    return true;
+}
+
+static fmb_status round_for_ever(void *state, const fmb_view *w, bool *drop)
+{
+    (void)state;
+    while (!fmb_view_stop(w))
+        continue;
+    drop[0] = true;
+    return FMB_OK;
+}
+
+Test(rules, stop_when_told)
+{
+    static const fmb_rule endless[] = {{.name = "pairs", .drop_pairs = pairs_for_ever},
+                                       {.name = "row", .drop_row = row_for_ever},
+                                       {.name = "round", .end_round = round_for_ever}};
+    fmb_system *s = some();
+    for (int i = 0; i < 3; i++) {
+        fmb_options o = fmb_options_default();
+        fmb_solver *v = NULL;
+        fmb_result r;
+        o.method = FMB_METHOD_FM;
+        o.max_seconds = 0.01;
+        must(fmb_solver_new(&o, NULL, &v));
+        must(fmb_solver_add_rule(v, &endless[i]));
+        cr_expect_eq(ask(v, s, SOLVE, &r), FMB_OK);
+        cr_expect(r.stop == FMB_STOP_TIME && r.verdict == FMB_UNKNOWN, "%s", endless[i].name);
+        fmb_solver_free(v);
+    }
+    fmb_system_free(s);
+}
+
 Test(rules, errors_arrive)
 {
     static const fmb_rule tired = {.name = "tired", .end_round = give_up};
