@@ -16,9 +16,10 @@
 /* Pivots after which errors have gathered. */
 #define STALE 100
 
-fmb_status fmb_cone_init(fmb_cone *c, fmb_mem *mem, const fmb_kernels *kernels, size_t d)
+fmb_status fmb_cone_init(fmb_cone *c, fmb_run *run, size_t d)
 {
-    *c = (fmb_cone){.mem = mem, .kernels = kernels, .d = d};
+    fmb_mem *mem = run->mem;
+    *c = (fmb_cone){.run = run, .mem = mem, .kernels = run->kernels, .d = d};
     c->basic = fmb_mem_get(mem, d, sizeof *c->basic);
     c->inverse = fmb_mem_zero(mem, d * d, sizeof *c->inverse);
     c->value = fmb_mem_zero(mem, d, sizeof *c->value);
@@ -224,22 +225,28 @@ static void clear_gone(fmb_cone *c)
     }
 }
 
-fmb_guess fmb_cone_search(fmb_cone *c, const double *target, size_t banned)
+fmb_status fmb_cone_search(fmb_cone *c, const double *target, size_t banned, fmb_guess *out)
 {
+    fmb_status st = FMB_OK;
+    *out = FMB_GUESS_NONE;
     if (c->pivots > STALE && c->d <= 64)
         invert(c);
     clear_gone(c);
-    for (size_t steps = 0; steps < 8 * c->d + 32; steps++) {
+    for (size_t steps = 0; st == FMB_OK && steps < 8 * c->d + 32; steps++) {
         write_target(c, target);
         size_t r = find_leaving(c, banned);
-        if (r == SIZE_MAX)
-            return FMB_GUESS_INSIDE;
+        if (r == SIZE_MAX) {
+            *out = FMB_GUESS_INSIDE;
+            return FMB_OK;
+        }
         size_t j = find_entering(c, r, banned);
         if (j == SIZE_MAX) {
             set_normal(c, r);
-            return FMB_GUESS_OUTSIDE;
+            *out = FMB_GUESS_OUTSIDE;
+            return FMB_OK;
         }
         replace(c, r, j);
+        st = fmb_run_poll(c->run);
     }
-    return FMB_GUESS_NONE;
+    return st;
 }

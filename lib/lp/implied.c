@@ -180,8 +180,9 @@ static fmb_status try_asleep(search *s, size_t i)
     fmb_status st = FMB_OK;
     while (st == FMB_OK && s->number[i] == SIZE_MAX) {
         aim(s, i);
-        fmb_guess guess = fmb_cone_search(&s->cone, s->target, SIZE_MAX);
-        if (guess == FMB_GUESS_INSIDE)
+        fmb_guess guess;
+        st = fmb_cone_search(&s->cone, s->target, SIZE_MAX, &guess);
+        if (st == FMB_OK && guess == FMB_GUESS_INSIDE)
             st = conclude(s, i);
         if (guess == FMB_GUESS_INSIDE && s->gone[i])
             return st;
@@ -212,26 +213,29 @@ static void shoot_beyond(search *s)
 
 static fmb_status try_awake(search *s, size_t i)
 {
-    fmb_status st = FMB_OK;
+    fmb_guess guess;
     aim(s, i);
-    fmb_guess guess = fmb_cone_search(&s->cone, s->target, s->number[i]);
-    if (guess == FMB_GUESS_INSIDE)
+    fmb_status st = fmb_cone_search(&s->cone, s->target, s->number[i], &guess);
+    if (st == FMB_OK && guess == FMB_GUESS_INSIDE)
         st = conclude(s, i);
-    else if (guess == FMB_GUESS_OUTSIDE)
+    else if (st == FMB_OK && guess == FMB_GUESS_OUTSIDE)
         shoot_beyond(s);
     return st == FMB_OK ? fmb_run_poll(s->run) : st;
 }
 
 /* Shoot at every row: what is hit needs no search. */
-static void shoot_at_rows(search *s)
+static fmb_status shoot_at_rows(search *s)
 {
-    for (size_t i = 0; s->out->inner && i < s->m; i++) {
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && s->out->inner && i < s->m; i++) {
         for (size_t j = 0; j < s->n; j++)
             s->way[j] = (double)s->row[i].v->s[j];
         size_t hit = fmb_inside_shoot(&s->inside, s->way, s->gone);
         if (hit != SIZE_MAX)
             s->out->kept[hit] = true;
+        st = fmb_run_poll(s->run);
     }
+    return st;
 }
 
 static bool is_settled(const search *s, size_t i)
@@ -241,8 +245,7 @@ static bool is_settled(const search *s, size_t i)
 
 static fmb_status try_all(search *s)
 {
-    fmb_status st = FMB_OK;
-    shoot_at_rows(s);
+    fmb_status st = shoot_at_rows(s);
     for (size_t i = 0; st == FMB_OK && i < s->m; i++)
         if (is_settled(s, i) && s->number[i] == SIZE_MAX)
             st = wake(s, i);
@@ -271,6 +274,8 @@ static fmb_status span(search *s)
         st = wake(s, i);
         if (st == FMB_OK)
             fmb_cone_span(&s->cone, s->number[i]);
+        if (st == FMB_OK)
+            st = fmb_run_poll(s->run);
     }
     return st;
 }
@@ -311,7 +316,7 @@ static fmb_status open_search(search *s)
         scale_row(s, i);
         s->number[i] = SIZE_MAX;
     }
-    return fmb_cone_init(&s->cone, mem, s->run->kernels, s->d);
+    return fmb_cone_init(&s->cone, s->run, s->d);
 }
 
 static void close_search(search *s)
