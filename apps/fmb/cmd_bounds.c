@@ -26,15 +26,16 @@ static const struct argp own = {.options = options, .parser = parse};
 
 static const app_usage usage = {
     .args = "FILE",
-    .doc = "The tightest interval of every variable over the system in FILE, exactly. A round "
-           "bracket is an end that no solution reaches. At a limit, 5? is an end that no solution "
-           "is beyond but that may be too far out, and ? one that is not known."
-           "\v"
-           "Exit codes: 0 all ends known, 1 infeasible, 2 undecided.\n"
-           "\n"
-           "Examples:\n"
-           "  fmb bounds diet.fmb\n"
-           "  fmb bounds diet.fmb --vars bread,milk --json\n",
+    .doc =
+        "The tightest interval of every variable over the system in FILE, exactly. A round "
+        "bracket is an end that no solution reaches; 5? is an end that may be too far out, ? one "
+        "that is not known (at a limit)."
+        "\v"
+        "Exit codes: 0 all ends known, 1 infeasible, 2 undecided.\n"
+        "\n"
+        "Examples:\n"
+        "  fmb bounds diet.fmb\n"
+        "  fmb bounds diet.fmb --vars bread,milk --json\n",
     .own = &own,
 };
 

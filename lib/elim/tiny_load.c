@@ -72,6 +72,8 @@ static void make_box(fmb_tiny *t, const ends *e)
             }
             bool open = i < 0 || fmb_bits64(fmb_abs64(t->end[side][k])) > FMB_TINY_END_BITS;
             t->open[side] |= (unsigned)open << k;
+            if (open) /* counted all the same, and then left aside */
+                t->end[side][k] = 0;
         }
     }
 }

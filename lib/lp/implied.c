@@ -18,6 +18,8 @@
 /* Denominators of multipliers, and of all of them together. */
 #define MOST_ONE 4096
 #define MOST_ALL ((int64_t)1 << 31)
+/* Rows shot at before the search: each shot looks at all rows. */
+#define MOST_SHOTS 1024
 
 typedef struct search {
     fmb_run *run;
@@ -227,7 +229,7 @@ static fmb_status try_awake(search *s, size_t i)
 static fmb_status shoot_at_rows(search *s)
 {
     fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && s->out->inner && i < s->m; i++) {
+    for (size_t i = 0; st == FMB_OK && s->out->inner && i < s->m && i < MOST_SHOTS; i++) {
         for (size_t j = 0; j < s->n; j++)
             s->way[j] = (double)s->row[i].v->s[j];
         size_t hit = fmb_inside_shoot(&s->inside, s->way, s->gone);

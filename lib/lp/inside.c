@@ -45,7 +45,7 @@ static fmb_status reflect(fmb_inside *p, fmb_run *run, double margin, bool *insi
 {
     fmb_status st = FMB_OK;
     *inside = false;
-    for (size_t steps = 0; st == FMB_OK && steps < 4 * (p->n + p->m) + 50; steps++) {
+    for (size_t steps = 0; st == FMB_OK && steps < 50 + 16 * p->n; steps++) {
         double most;
         size_t i = find_worst(p, margin, &most);
         *inside = i == SIZE_MAX;
