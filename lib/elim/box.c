@@ -12,8 +12,7 @@
 #include "elim/elim.h"
 #include "num/gcd.h"
 
-/* The only column of the row, or -1. */
-static int single_column(const fmb_elim *e, const fmb_derived *r)
+int fmb_elim_single_column(const fmb_elim *e, const fmb_derived *r)
 {
     int found = -1;
     for (int j = 0; j < e->n; j++) {
@@ -41,7 +40,7 @@ static void find_ends(fmb_elim *e)
     fmb_box_rows *box = &e->box;
     for (size_t i = 0; i < e->live.size; i++) {
         uint32_t r = e->live.row[i];
-        int c = e->row[r].equality ? -1 : single_column(e, &e->row[r]);
+        int c = e->row[r].equality ? -1 : fmb_elim_single_column(e, &e->row[r]);
         if (c < 0)
             continue;
         uint32_t *end = &box->row[fmb_vec_sgn(&e->row[r].v, (size_t)c) > 0][c];
@@ -55,7 +54,7 @@ static void drop_others(fmb_elim *e)
     size_t left = 0;
     for (size_t i = 0; i < e->live.size; i++) {
         uint32_t r = e->live.row[i];
-        int c = e->row[r].equality ? -1 : single_column(e, &e->row[r]);
+        int c = e->row[r].equality ? -1 : fmb_elim_single_column(e, &e->row[r]);
         if (c < 0 || e->box.row[fmb_vec_sgn(&e->row[r].v, (size_t)c) > 0][c] == r)
             e->live.row[left++] = r;
     }
@@ -157,7 +156,8 @@ fmb_status fmb_box_mark(fmb_elim *e)
     for (size_t k = 0; k < e->words; k++)
         box->hard[k] = 0;
     for (size_t i = 0; i < e->bases; i++) {
-        bool hard = e->base[i] == box->budget || single_column(e, &e->row[e->base[i]]) >= 0;
+        bool hard =
+            e->base[i] == box->budget || fmb_elim_single_column(e, &e->row[e->base[i]]) >= 0;
         box->hard[i / 64] |= (uint64_t)hard << (i % 64);
     }
     return FMB_OK;
@@ -253,7 +253,7 @@ static int sign_at(const fmb_elim *e, const fmb_derived *r, int at)
 static bool makes_box(const fmb_elim *e, const fmb_derived *r)
 {
     uint32_t number = (uint32_t)(r - e->row);
-    int c = single_column(e, r);
+    int c = fmb_elim_single_column(e, r);
     return number == e->box.budget ||
            (c >= 0 && e->box.row[fmb_vec_sgn(&r->v, (size_t)c) > 0][c] == number);
 }

@@ -24,6 +24,9 @@ typedef struct fmb_box_rows {
     uint64_t *hard;  /* [words] base rows that make the ends and the budget */
 } fmb_box_rows;
 
+/* The only column of the row, or -1. */
+int fmb_elim_single_column(const struct fmb_elim *e, const struct fmb_derived *r);
+
 /* Make the box of the live rows; with it go rows with one variable that another one implies. */
 fmb_status fmb_box_make(struct fmb_elim *e);
 

@@ -51,20 +51,6 @@ static fmb_status take(fmb_ends *f, fmb_side side, int c, uint32_t r, const mpq_
     return note_clash(f, c);
 }
 
-/* The only column of the row, or -1. */
-static int single_column(const fmb_elim *e, const fmb_derived *r)
-{
-    int found = -1;
-    for (int j = 0; j < e->n; j++) {
-        if (fmb_vec_sgn(&r->v, (size_t)j) == 0)
-            continue;
-        if (found >= 0)
-            return -1;
-        found = j;
-    }
-    return found;
-}
-
 static void get(mpq_t out, const fmb_vec *v, int at)
 {
     mpz_set_ui(mpq_denref(out), 1);
@@ -74,7 +60,7 @@ static void get(mpq_t out, const fmb_vec *v, int at)
 static fmb_status take_single(fmb_ends *f, uint32_t i)
 {
     const fmb_derived *r = &f->e->row[i];
-    int c = single_column(f->e, r);
+    int c = fmb_elim_single_column(f->e, r);
     fmb_status st = FMB_OK;
     mpq_t value, a;
     if (c < 0)
