@@ -6,18 +6,6 @@
 #include "../random/options.h"
 #include "systems.h"
 
-static fmb_system *build(const regress *r, const int *place)
-{
-    fmb_system *s = rows_none(r->dim);
-    for (int i = 0; i < r->rows; i++) {
-        int64_t a[REGRESS_DIM];
-        for (int j = 0; j < r->dim; j++)
-            a[place[j]] = r->row[i][j];
-        must(fmb_system_add_int(s, a, FMB_LE, r->row[i][r->dim]));
-    }
-    return s;
-}
-
 /* The answers that the table gives. */
 static void expect_table(agree *g, fmb_solver *v, const regress *r, const fmb_system *s,
                          const int *place)
@@ -47,7 +35,7 @@ static void expect_agreement(agree *g, fmb_solver *v, const regress *r, const tr
 /* One numbering of the variables: the order "given" then eliminates in this order. */
 static void try_place(agree *g, const regress *r, const int *place)
 {
-    fmb_system *s = build(r, place);
+    fmb_system *s = regress_build(r, place);
     truth t;
     truth_init(&t, s, g->max_rows);
     cr_assert_eq(t.verdict, r->verdict);

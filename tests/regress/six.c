@@ -72,23 +72,11 @@ static void ask_all(setting *w, fmb_order order)
     }
 }
 
-static fmb_system *build(const regress *r, const int *place)
-{
-    fmb_system *s = rows_none(r->dim);
-    for (int i = 0; i < r->rows; i++) {
-        int64_t a[REGRESS_DIM];
-        for (int j = 0; j < r->dim; j++)
-            a[place[j]] = r->row[i][j];
-        must(fmb_system_add_int(s, a, FMB_LE, r->row[i][r->dim]));
-    }
-    return s;
-}
-
 /* Variable j of the table is variable place[j]. */
 static void open_setting(setting *w, const regress *r, const int *place)
 {
     *w = (setting){.r = r, .g = {.max_rows = 5000}};
-    truth_init(&w->t, build(r, place), w->g.max_rows);
+    truth_init(&w->t, regress_build(r, place), w->g.max_rows);
     cr_assert_eq(w->t.verdict, r->verdict);
     if (r->keep >= 0) {
         int64_t a = r->shadow[0];

@@ -23,4 +23,7 @@ typedef struct regress {
 extern const regress regress_systems[];
 extern const int regress_count;
 
+/* [give] The system, with variable j of the table as variable place[j]. */
+fmb_system *regress_build(const regress *r, const int *place);
+
 #endif
