@@ -9,6 +9,7 @@
 #include <fmb/frame.h>
 #include <fmb/io.h>
 #include <fmb/options.h>
+#include <fmb/pair.h>
 #include <fmb/proof.h>
 #include <fmb/rule.h>
 #include <fmb/solve.h>

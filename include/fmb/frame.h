@@ -27,20 +27,28 @@ typedef struct fmb_frame {
     const double *speed;  /* [dim], or NULL: static */
 } fmb_frame;
 
+/* Does a frame hold its faces? */
+typedef enum fmb_contact {
+    FMB_CONTACT_CLOSED = 0, /* yes: touching is meeting */
+    FMB_CONTACT_OPEN        /* no: its relative interior alone, 0 < c_i (< 1, or sum c_i < 1). Time
+                               stays closed */
+} fmb_contact;
+
 /* What the variables of a system are. The time t follows them if any frame has a speed. */
 typedef enum fmb_coordinates {
     FMB_COORDINATES_EACH = 0, /* c of every frame, bound by equalities; any frames */
     FMB_COORDINATES_WORLD,    /* the point itself: x1 ... xD */
-    FMB_COORDINATES_LAST      /* c of the last frame, whose axes may be anything */
+    FMB_COORDINATES_LAST,     /* c of the last frame, whose axes may be anything */
+    FMB_COORDINATES_ALL       /* the point, then c of every frame; any frames */
 } fmb_coordinates;
 
-/* [give] A system that has a solution iff the closed frames share a point at one time: exact, rows
- * of the frames in their order (lower ends, then upper ends), those of time at the end. A frame
- * whose coordinates are no variables needs independent axes. Errors: ARG (no frame, different dim,
+/* [give] A system that has a solution iff the frames share a point at one time: exact, rows of the
+ * frames in their order (lower ends, then upper ends), those of time at the end. A frame whose
+ * coordinates are no variables needs independent axes. Errors: ARG (no frame, different dim,
  * dependent axes, a number that is not finite), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_from_frames(const fmb_frame *f, size_t n,
-                                                      fmb_coordinates in, const fmb_alloc *mem,
-                                                      fmb_system **out);
+                                                      fmb_coordinates in, fmb_contact contact,
+                                                      const fmb_alloc *mem, fmb_system **out);
 
 #ifdef __cplusplus
 }

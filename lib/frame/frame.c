@@ -9,6 +9,7 @@
 
 #include <math.h>
 
+#include "frame/frame.h"
 #include "system/system.h"
 
 typedef struct maker {
@@ -17,6 +18,7 @@ typedef struct maker {
     fmb_system *s;
     int dim;
     int vars, time; /* columns; the one of t, or -1 */
+    fmb_rel inside; /* of the rows that hold a frame's coordinates */
     mpq_t *cell;    /* the work table: [dim][width], then a spare row */
     int width;      /* most axes + vars + 1 */
     int *var;       /* [vars] 0, 1, ... */
@@ -37,7 +39,7 @@ static bool are_finite(const double *a, int n)
     return good;
 }
 
-static bool is_frame(const fmb_frame *f, int dim)
+bool fmb_frame_is_good(const fmb_frame *f, int dim)
 {
     return f->dim == dim && dim >= 0 && f->naxes >= 0 && f->naxes <= dim &&
            (f->shape == FMB_CUBOID || f->shape == FMB_SIMPLEX) && are_finite(f->origin, dim) &&
@@ -48,7 +50,7 @@ static bool are_frames(const fmb_frame *f, size_t n)
 {
     bool good = f && n > 0;
     for (size_t i = 0; good && i < n; i++)
-        good = is_frame(&f[i], f[0].dim);
+        good = fmb_frame_is_good(&f[i], f[0].dim);
     return good;
 }
 
@@ -106,10 +108,11 @@ static fmb_status add_upper_ends(const maker *m, const fmb_frame *f, coordinate 
         for (int j = 0; j <= m->vars; j++)
             mpq_add(sum[j], sum[j], form[j]);
         if (f->shape == FMB_CUBOID)
-            st = add_form(m, form, 1, FMB_LE, 1);
+            st = add_form(m, form, 1, m->inside, 1);
     }
-    return st == FMB_OK && f->shape == FMB_SIMPLEX && f->naxes > 0 ? add_form(m, sum, 1, FMB_LE, 1)
-                                                                   : st;
+    return st == FMB_OK && f->shape == FMB_SIMPLEX && f->naxes > 0
+               ? add_form(m, sum, 1, m->inside, 1)
+               : st;
 }
 
 static fmb_status add_inside(const maker *m, const fmb_frame *f, coordinate *get, int from)
@@ -118,7 +121,7 @@ static fmb_status add_inside(const maker *m, const fmb_frame *f, coordinate *get
     fmb_status st = FMB_OK;
     for (int i = 0; st == FMB_OK && i < f->naxes; i++) {
         get(m, i, from, form);
-        st = add_form(m, form, -1, FMB_LE, 0);
+        st = add_form(m, form, -1, m->inside, 0);
     }
     return st == FMB_OK ? add_upper_ends(m, f, get, from) : st;
 }
@@ -214,14 +217,17 @@ static fmb_status add_solved(const maker *m, const fmb_frame *f, const fmb_frame
     return st;
 }
 
-/* The point of frame k is the point of frame 0. */
-static fmb_status add_meeting(const maker *m, size_t k, int from)
+/* The point of frame k is the point of frame 0, or the one that is variables. */
+static fmb_status add_meeting(const maker *m, size_t k, int from, bool is_variables)
 {
     fmb_status st = FMB_OK;
     for (int j = 0; st == FMB_OK && j < m->dim; j++) {
         mpq_t *form = row(m, j);
         set_form(m, form, NULL);
-        add_point(m, &m->frame[0], 0, j, 1, form);
+        if (is_variables)
+            mpq_set_ui(form[j], 1, 1);
+        else
+            add_point(m, &m->frame[0], 0, j, 1, form);
         add_point(m, &m->frame[k], from, j, -1, form);
         st = add_form(m, form, 1, FMB_EQ, 0);
     }
@@ -240,17 +246,18 @@ static fmb_status add_time(const maker *m)
 static fmb_status add_all(const maker *m, fmb_coordinates in)
 {
     const fmb_frame *last = in == FMB_COORDINATES_LAST ? &m->frame[m->frames - 1] : NULL;
+    bool each = in == FMB_COORDINATES_EACH, all = in == FMB_COORDINATES_ALL;
     fmb_status st = FMB_OK;
-    int from = 0;
+    int from = all ? m->dim : 0;
     for (size_t k = 0; st == FMB_OK && k < m->frames; k++) {
         const fmb_frame *f = &m->frame[k];
-        if (in != FMB_COORDINATES_EACH && f != last) {
+        if (!each && !all && f != last) {
             st = add_solved(m, f, last);
             continue;
         }
         st = add_inside(m, f, as_variable, from);
-        if (st == FMB_OK && in == FMB_COORDINATES_EACH && k > 0)
-            st = add_meeting(m, k, from);
+        if (st == FMB_OK && (all || (each && k > 0)))
+            st = add_meeting(m, k, from, all);
         from += f->naxes;
     }
     return st == FMB_OK && m->time >= 0 ? add_time(m) : st;
@@ -258,12 +265,12 @@ static fmb_status add_all(const maker *m, fmb_coordinates in)
 
 /* ---- the system ------------------------------------------------------------------------------ */
 
-/* "x3", "c2", "c1_2" and "t". */
+/* "x3", "c2", "c1_2" and "t"; x are the names that variables have anyway. */
 static fmb_status name_variables(const maker *m, fmb_coordinates in)
 {
     fmb_status st = FMB_OK;
     char name[48];
-    int j = 0;
+    int j = in == FMB_COORDINATES_ALL ? m->dim : 0;
     for (size_t k = in == FMB_COORDINATES_LAST ? m->frames - 1 : 0;
          in != FMB_COORDINATES_WORLD && k < m->frames; k++)
         for (int i = 0; st == FMB_OK && i < m->frame[k].naxes; i++) {
@@ -289,6 +296,7 @@ static void count_columns(maker *m, fmb_coordinates in)
     m->dim = m->frame[0].dim;
     m->vars = in == FMB_COORDINATES_WORLD  ? m->dim
               : in == FMB_COORDINATES_LAST ? m->frame[m->frames - 1].naxes
+              : in == FMB_COORDINATES_ALL  ? m->dim + axes
                                            : axes;
     m->time = moves ? m->vars++ : -1;
     m->width = most + m->vars + 1;
@@ -315,10 +323,11 @@ static fmb_status fill(maker *m, fmb_coordinates in)
 }
 
 fmb_status fmb_system_from_frames(const fmb_frame *f, size_t n, fmb_coordinates in,
-                                  const fmb_alloc *mem, fmb_system **out)
+                                  fmb_contact contact, const fmb_alloc *mem, fmb_system **out)
 {
-    maker m = {.frame = f, .frames = n};
-    if (!out || !are_frames(f, n) || (unsigned)in > FMB_COORDINATES_LAST)
+    maker m = {.frame = f, .frames = n, .inside = contact == FMB_CONTACT_OPEN ? FMB_LT : FMB_LE};
+    if (!out || !are_frames(f, n) || (unsigned)in > FMB_COORDINATES_ALL ||
+        (unsigned)contact > FMB_CONTACT_OPEN)
         return FMB_ERR_ARG;
     count_columns(&m, in);
     fmb_status st = fmb_system_new(m.vars, mem, &m.s);

@@ -79,10 +79,12 @@ fmb_status study_draw(gsl_rng *g, const study_class *c, fmb_system **out)
             fmb_frame f[2];
             for (int i = 0; i < 2; i++)
                 f[i] = draw_frame(g, c, i, number + (size_t)i * numbers);
-            st = fmb_system_from_frames(f, 2, FMB_COORDINATES_WORLD, NULL, &world);
+            st = fmb_system_from_frames(f, 2, FMB_COORDINATES_WORLD, FMB_CONTACT_CLOSED, NULL,
+                                        &world);
             fmb_system_free(world);
             if (st == FMB_OK)
-                st = fmb_system_from_frames(f, 2, FMB_COORDINATES_LAST, NULL, out);
+                st = fmb_system_from_frames(f, 2, FMB_COORDINATES_LAST, FMB_CONTACT_CLOSED, NULL,
+                                            out);
         } while (st == FMB_ERR_ARG);
     free(number);
     return st;

@@ -12,7 +12,7 @@
 static fmb_system *meeting(const fmb_frame *f, size_t n, fmb_coordinates in)
 {
     fmb_system *s = NULL;
-    must(fmb_system_from_frames(f, n, in, NULL, &s));
+    must(fmb_system_from_frames(f, n, in, FMB_CONTACT_CLOSED, NULL, &s));
     return s;
 }
 
@@ -175,14 +175,22 @@ Test(frame, arguments)
     for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++) {
         fmb_frame f[] = {good, wrong[k]};
         for (size_t i = 0; i < 3; i++)
-            cr_expect_eq(fmb_system_from_frames(f, 2, ALL[i], NULL, &s), FMB_ERR_ARG, "%zu", k);
+            cr_expect_eq(fmb_system_from_frames(f, 2, ALL[i], FMB_CONTACT_CLOSED, NULL, &s),
+                         FMB_ERR_ARG, "%zu", k);
     }
-    cr_expect_eq(fmb_system_from_frames(&good, 0, FMB_COORDINATES_EACH, NULL, &s), FMB_ERR_ARG);
-    cr_expect_eq(fmb_system_from_frames(NULL, 1, FMB_COORDINATES_EACH, NULL, &s), FMB_ERR_ARG);
-    cr_expect_eq(fmb_system_from_frames(&good, 1, (fmb_coordinates)3, NULL, &s), FMB_ERR_ARG);
+    cr_expect_eq(
+        fmb_system_from_frames(&good, 0, FMB_COORDINATES_EACH, FMB_CONTACT_CLOSED, NULL, &s),
+        FMB_ERR_ARG);
+    cr_expect_eq(
+        fmb_system_from_frames(NULL, 1, FMB_COORDINATES_EACH, FMB_CONTACT_CLOSED, NULL, &s),
+        FMB_ERR_ARG);
+    cr_expect_eq(fmb_system_from_frames(&good, 1, (fmb_coordinates)4, FMB_CONTACT_CLOSED, NULL, &s),
+                 FMB_ERR_ARG);
     fmb_frame f[] = {{FMB_CUBOID, 2, 2, o, same, NULL}, good};
-    cr_expect_eq(fmb_system_from_frames(f, 2, FMB_COORDINATES_WORLD, NULL, &s), FMB_ERR_ARG);
-    cr_expect_eq(fmb_system_from_frames(f, 2, FMB_COORDINATES_LAST, NULL, &s), FMB_ERR_ARG);
+    cr_expect_eq(fmb_system_from_frames(f, 2, FMB_COORDINATES_WORLD, FMB_CONTACT_CLOSED, NULL, &s),
+                 FMB_ERR_ARG);
+    cr_expect_eq(fmb_system_from_frames(f, 2, FMB_COORDINATES_LAST, FMB_CONTACT_CLOSED, NULL, &s),
+                 FMB_ERR_ARG);
     cr_expect_null(s);
     cr_expect(meet(f, 2, FMB_COORDINATES_EACH));
 }
@@ -198,7 +206,7 @@ Test(frame, memory)
         for (size_t k = 1; st != FMB_OK; k++) {
             fmb_system *s = NULL;
             hook_arm(&h, k, false);
-            st = fmb_system_from_frames(f, 2, ALL[i], &mem, &s);
+            st = fmb_system_from_frames(f, 2, ALL[i], FMB_CONTACT_CLOSED, &mem, &s);
             cr_assert(st == FMB_OK ? s != NULL : st == FMB_ERR_MEMORY && s == NULL);
             hook_calm(&h);
             fmb_system_free(s);
@@ -230,7 +238,7 @@ Test(frame, coordinates_agree)
         bool verdict = meet(f, 2, FMB_COORDINATES_EACH);
         yes += verdict;
         for (size_t i = 1; i < 3; i++)
-            if (fmb_system_from_frames(f, 2, ALL[i], NULL, &s) == FMB_OK) {
+            if (fmb_system_from_frames(f, 2, ALL[i], FMB_CONTACT_CLOSED, NULL, &s) == FMB_OK) {
                 fmb_system_free(s);
                 cr_expect_eq(meet(f, 2, ALL[i]), verdict, "round %d", round);
             }

@@ -31,8 +31,8 @@ static fmb_system *draw_pair(support_rng *g)
     fmb_system *s = NULL;
     do {
         fmb_frame a = draw_frame(g, &n[0]), b = draw_frame(g, &n[1]);
-        if (fmb_system_from_frames((fmb_frame[]){a, b}, 2, FMB_COORDINATES_LAST, NULL, &s) ==
-            FMB_OK)
+        if (fmb_system_from_frames((fmb_frame[]){a, b}, 2, FMB_COORDINATES_LAST, FMB_CONTACT_CLOSED,
+                                   NULL, &s) == FMB_OK)
             return s;
     } while (true);
 }

@@ -1,0 +1,84 @@
+/* fmb/pair.h: do two frames meet, where, and when?
+ *
+ * Doubles are asked first. They answer with an error bound, and say nothing where the truth lies
+ * within it; then an exact query decides. So every verdict is exact, and fast unless the frames
+ * nearly touch, are nearly flat, or have fewer axes than the space has dimensions.
+ *
+ * Source: Baillehache 2020 (FMB); docs/theory.md, "Pairs".
+ */
+#ifndef FMB_PAIR_H
+#define FMB_PAIR_H
+
+#include <fmb/frame.h>
+#include <fmb/options.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum fmb_pair_method {
+    FMB_PAIR_FMB = 0, /* Fourier-Motzkin elimination in doubles, then exact */
+    FMB_PAIR_SAT,     /* separating axes in doubles, for verdicts in two and three dimensions on
+                         frames with all axes; everything else as with FMB */
+    FMB_PAIR_EXACT    /* nothing but exact */
+} fmb_pair_method;
+
+typedef struct fmb_pair_options {
+    fmb_contact contact;
+    fmb_pair_method method;
+    bool tightest; /* ends of boxes are the exact ones, each rounded outward to a double; if not,
+                      they may lie farther out by 1e-12 of the largest coordinate of the frames */
+    bool doubles_only; /* do not ask exactly: the verdict may be UNKNOWN, which also stands where a
+                          box that was asked for is not known well enough */
+    fmb_simd simd;
+    double max_seconds; /* of one exact query [s]: the verdict may then be UNKNOWN; 0 = no limit */
+} fmb_pair_options;
+
+FMB_API fmb_pair_options fmb_pair_options_default(void);
+
+/* Where answers go: arrays of the caller's, for n pairs. Every one but verdict may be NULL. Of a
+ * pair that does not meet (or is UNKNOWN) only the verdict is written. The common points are those
+ * that both frames (closed, whatever the contact) hold at one time t; a witness is one of them, up
+ * to rounding. Ends come as lower, upper. [world length units; c and t have none] */
+typedef struct fmb_pair_answers {
+    fmb_verdict *verdict; /* [n] FEASIBLE: they meet */
+    double *world;        /* [n][dim][2] the common points, tightly */
+    double *inside;  /* [n][dim][2] their coordinates c in the second frame; rows from its naxes
+                        on are not written */
+    double *time;    /* [n][2] when they meet; 0, 1 if nothing moves */
+    double *witness; /* [n][dim] a common point */
+} fmb_pair_answers;
+
+typedef struct fmb_pair_counts {
+    uint64_t pairs;          /* asked so far */
+    uint64_t exact_verdicts; /* of those, decided exactly */
+    uint64_t exact_boxes;    /* of those, answered with more than a verdict by an exact query */
+} fmb_pair_counts;
+
+/* Workspace for pairs of frames of one dimension; it belongs to one thread at a time. */
+typedef struct fmb_pair fmb_pair;
+
+/* [give] Options are copied; NULL means the default. Errors: ARG (dim < 1, an option out of range,
+ * or instructions that the processor lacks), MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_pair_new(int dim, const fmb_pair_options *o,
+                                            const fmb_alloc *mem, fmb_pair **out);
+FMB_API void fmb_pair_free(fmb_pair *k);
+
+/* Answer pairs (p[i], q[i]), 0 <= i < n. A frame with a speed moves; t is the time of both.
+ * Verdicts and tightest ends are the same on every processor, and whether pairs are asked together
+ * or one by one; other ends and witnesses may differ by rounding. Only exact queries allocate. On
+ * an error, answers of some pairs may have been written. Errors: ARG (another dimension, a frame
+ * that is none, a number that is not finite), MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_pair_test(fmb_pair *k, size_t n, const fmb_frame *p,
+                                             const fmb_frame *q, const fmb_pair_answers *out);
+
+FMB_API fmb_pair_counts fmb_pair_count(const fmb_pair *k);
+
+/* Ask a running fmb_pair_test to stop soon: what is not decided is UNKNOWN. The one call allowed
+ * from another thread or a signal handler. */
+FMB_API void fmb_pair_cancel(fmb_pair *k);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

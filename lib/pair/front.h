@@ -1,0 +1,143 @@
+/* front.h: a block of pairs in the frame of A, without a division.
+ *
+ * With n_i the rows of the adjugate of the matrix whose columns are A's axes, n_i a_k is det A
+ * where i = k and 0 elsewhere. So in coordinates y_i = n_i (x - origin of A), times the sign of det
+ * A, the frame A is the cube (or simplex) 0 <= y_i (<= size), size = |det A|; B has its corner at
+ * `shift`, edges e_k, and moves by `drift`.
+ *
+ * Errors: with u = 2^-53 and most = 6 (2 in the plane), and alpha, beta, delta, omega the largest
+ * absolute values of A's axes, B's axes, shift and drift in the block,
+ *
+ *     |size|  <= most alpha^D          |e_ki|    <= most alpha^(D-1) beta
+ *     |shift| <= most alpha^(D-1) delta   |drift| <= most alpha^(D-1) omega
+ *
+ * and each number is within FMB_FRONT_ERROR times the bound on it. Proof, D = 3: an entry of n is
+ * a difference of two products, so at most 2 alpha^2, and off by at most u (|product| + |product| +
+ * |difference|) <= 4 u alpha^2 (1 + u). A sum of three products n_ij b_j is off by 3 times that
+ * times beta, and by 3 u times the sum of the absolute products <= 6 alpha^2 beta: in all 30 u
+ * alpha^2 beta and terms of u^2, that is 5 u times the bound; u more where b_j itself was rounded
+ * (shift, drift). D = 2: n is exact, and a sum of two products off by 2 u, or 3 u, times the bound.
+ *
+ * All this where `known` says so: alpha and beta are between 2^-50 and 2^50, delta and omega at
+ * most 2^50, nothing is a NaN, and the sign of det A is certain. Then polynomials in these numbers
+ * of degree up to 14 do not overflow, nor does underflow hurt. What underflows is off by 2^-1075,
+ * while the bound on it, a product of at most 14 of these numbers, is at least 2^-700, and u times
+ * that is the larger by far. (delta and omega may be less, but in all tests they stand in sums
+ * beside terms with alpha or beta in their place.)
+ */
+#ifndef FMB_PAIR_FRONT_H
+#define FMB_PAIR_FRONT_H
+
+#include "pair/lane.h"
+
+#define FMB_FRONT_ERROR (6.1 * 0x1p-53)
+
+typedef struct front {
+    lane size, e[3][3], shift[3], drift[3]; /* e[k][i]: coordinate i of edge k */
+    lane alpha, beta, delta, omega;
+    lane most_size, most_e, most_shift, most_drift; /* the bounds above */
+    lane_mask known;
+} front;
+
+FMB_INLINE lane front_largest(const double *rows, int n)
+{
+    lane most = lane_abs(lane_load(rows));
+    for (int r = 1; r < n; r++)
+        most = lane_max(most, lane_abs(lane_load(rows + r * FMB_LANES)));
+    return most;
+}
+
+/* Lanes without a NaN or an infinity: those would make the sum a NaN. */
+FMB_INLINE lane_mask front_finite(const double *rows, int n)
+{
+    lane sum = lane_of(0);
+    for (int r = 0; r < n; r++)
+        sum = lane_fma(lane_load(rows + r * FMB_LANES), lane_of(0), sum);
+    return lane_less(sum, lane_of(1));
+}
+
+/* The adjugate of a, whose rows are axes. */
+FMB_INLINE void front_adjugate(int dim, lane a[3][3], lane n[3][3])
+{
+    if (dim == 2) {
+        n[0][0] = a[1][1];
+        n[0][1] = -a[1][0];
+        n[1][0] = -a[0][1];
+        n[1][1] = a[0][0];
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        const lane *p = a[(i + 1) % 3], *q = a[(i + 2) % 3];
+        for (int j = 0; j < 3; j++) {
+            int s = (j + 1) % 3, t = (j + 2) % 3;
+            n[i][j] = lane_fms(p[s], q[t], p[t] * q[s]);
+        }
+    }
+}
+
+FMB_INLINE lane front_dot(int dim, const lane *n, const lane *x)
+{
+    lane sum = n[0] * x[0];
+    for (int j = 1; j < dim; j++)
+        sum = lane_fma(n[j], x[j], sum);
+    return sum;
+}
+
+FMB_INLINE void front_load(lane *x, const double *rows, int n)
+{
+    for (int j = 0; j < n; j++)
+        x[j] = lane_load(rows + j * FMB_LANES);
+}
+
+/* The bounds, and which lanes stay within them. */
+FMB_INLINE void front_measure(int dim, bool moves, const double *block, front *f)
+{
+    const double *axes = block + dim * FMB_LANES;
+    const lane low = lane_of(0x1p-50), high = lane_of(0x1p50);
+    f->alpha = front_largest(axes, dim * dim);
+    f->beta = front_largest(axes + dim * dim * FMB_LANES, dim * dim);
+    f->delta = front_largest(block, dim);
+    f->omega = moves ? front_largest(axes + 2 * dim * dim * FMB_LANES, dim) : lane_of(0);
+    lane scale = dim == 2 ? lane_of(2) * f->alpha : lane_of(6) * f->alpha * f->alpha;
+    f->most_size = scale * f->alpha;
+    f->most_e = scale * f->beta;
+    f->most_shift = scale * f->delta;
+    f->most_drift = scale * f->omega;
+    lane most = lane_max(lane_max(f->alpha, f->beta), lane_max(f->delta, f->omega));
+    f->known = lane_and(lane_less(low, lane_min(f->alpha, f->beta)), lane_less(most, high));
+    f->known = lane_and(f->known, front_finite(block, (moves ? 2 : 1) * dim + 2 * dim * dim));
+}
+
+FMB_INLINE front front_of(int dim, bool moves, const double *block)
+{
+    front f;
+    lane a[3][3], n[3][3], x[3];
+    const double *row = block + dim * FMB_LANES;
+    for (int k = 0; k < dim; k++, row += dim * FMB_LANES)
+        front_load(a[k], row, dim);
+    front_adjugate(dim, a, n);
+    lane det = front_dot(dim, n[0], a[0]);
+    f.size = lane_abs(det);
+    for (int i = 0; i < dim; i++)
+        for (int j = 0; j < dim; j++)
+            n[i][j] = lane_times_sign(n[i][j], det);
+    front_load(x, block, dim);
+    for (int i = 0; i < dim; i++)
+        f.shift[i] = front_dot(dim, n[i], x);
+    for (int k = 0; k < dim; k++, row += dim * FMB_LANES) {
+        front_load(x, row, dim);
+        for (int i = 0; i < dim; i++)
+            f.e[k][i] = front_dot(dim, n[i], x);
+    }
+    if (moves) {
+        front_load(x, row, dim);
+        for (int i = 0; i < dim; i++)
+            f.drift[i] = front_dot(dim, n[i], x);
+    }
+    front_measure(dim, moves, block, &f);
+    /* the sign of det A must be certain */
+    f.known = lane_and(f.known, lane_less(lane_of(FMB_FRONT_ERROR) * f.most_size, f.size));
+    return f;
+}
+
+#endif

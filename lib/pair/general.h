@@ -1,0 +1,22 @@
+/* general.h: pairs in any dimension, in doubles: guessed by elimination, proved with an error
+ * bound.
+ */
+#ifndef FMB_PAIR_GENERAL_H
+#define FMB_PAIR_GENERAL_H
+
+#include <fmb/pair.h>
+
+#include "base/mem.h"
+
+/* Workspace for one dimension. */
+typedef struct fmb_general fmb_general;
+
+/* [give] NULL without memory. */
+fmb_general *fmb_general_new(int dim, fmb_mem *mem);
+void fmb_general_free(fmb_general *g, fmb_mem *mem);
+
+/* Do the frames meet? FEASIBLE: their relative interiors certainly have a point together;
+ * INFEASIBLE: the closed frames certainly have none. Numbers are finite; nothing is allocated. */
+fmb_verdict fmb_general_decide(fmb_general *g, const fmb_frame *p, const fmb_frame *q);
+
+#endif

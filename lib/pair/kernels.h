@@ -1,0 +1,66 @@
+/* kernels.h: the inner loops over blocks of pairs, once for each width; chosen at run time.
+ *
+ * A block holds the numbers of `width` pairs (A, B) of one kind in rows: row r has number r of each
+ * pair, lane by lane. In D dimensions the rows are
+ *
+ *     shift   D     origin of B - origin of A
+ *     a       D D   axes of A, axis by axis
+ *     b       D D   axes of B
+ *     drift   D     speed of B - speed of A, if moving
+ *     place   D     origin of B         (boxes only)
+ *     speed   D     speed of B          (boxes only, if moving)
+ *
+ * Differences are rounded once, so shift and drift have a relative error of at most 2^-53; all
+ * other rows are exact. Every number is finite.
+ */
+#ifndef FMB_PAIR_KERNELS_H
+#define FMB_PAIR_KERNELS_H
+
+#include <fmb/pair.h>
+
+enum {
+    FMB_BLOCK_MOST_LANES = 8,
+    FMB_BLOCK_MOST_ROWS = 30, /* moving in 3D, with place and speed */
+    FMB_BOX_MOST_ROWS = 17
+};
+
+/* Bits of the lanes where the closed frames certainly have no point together; where their interiors
+ * certainly have one. A lane in neither is unknown. */
+typedef struct fmb_pair_bits {
+    unsigned apart, meet;
+} fmb_pair_bits;
+
+typedef fmb_pair_bits fmb_verdict_kernel(const double *block);
+
+/* For pairs that meet: rows of answers, D each: lower and upper ends in the world, lower and upper
+ * ends in coordinates of B; then first and last time; then D for a witness. The bits of the lanes
+ * where the ends contain the exact ones and exceed them by at most 1e-12 of the largest coordinate
+ * of a corner of A or B (at t = 0 or 1); other lanes mean nothing. Static: the times are 0 and 1.
+ */
+typedef unsigned fmb_box_kernel(const double *block, double *answer);
+
+/* Kinds of a pair; a simplex and a cuboid are swapped for a verdict. */
+enum { FMB_KIND_CC, FMB_KIND_CT, FMB_KIND_TT, FMB_KINDS };
+
+typedef struct fmb_pair_kernels {
+    int width;
+    /* [D - 2][moving][kind]; NULL: there is none. */
+    fmb_verdict_kernel *fmb[2][2][FMB_KINDS], *sat[2][2][FMB_KINDS];
+    /* [D - 2][moving][shape of A][shape of B] */
+    fmb_box_kernel *box[2][2][2][2];
+} fmb_pair_kernels;
+
+/* The kernels of that level, NULL if this processor (or compiler) has not got it. */
+const fmb_pair_kernels *fmb_pair_kernels_choose(fmb_simd level);
+
+/* One pair at a time, in plain C; for every processor. */
+extern const fmb_pair_kernels fmb_pair_kernels_one;
+
+/* ---- for the other files of this room -------------------------------------------------------- */
+
+#if defined __x86_64__ && defined __GNUC__
+#define FMB_HAVE_X86
+extern const fmb_pair_kernels fmb_pair_kernels_sse2, fmb_pair_kernels_avx2, fmb_pair_kernels_avx512;
+#endif
+
+#endif

@@ -1,0 +1,323 @@
+/* pair.c: see fmb/pair.h.
+ *
+ * The ladder: kernels (two and three dimensions, all axes), the general way in doubles, the exact
+ * query. Pairs for the kernels wait in blocks, one for each kind, until a block is full; the rest
+ * is answered at once.
+ */
+#include <fmb/pair.h>
+
+#include <stdatomic.h>
+
+#include "base/mem.h"
+#include "frame/frame.h"
+#include "pair/block.h"
+#include "pair/exact.h"
+#include "pair/general.h"
+
+enum { VERDICT_BLOCKS = 2 * FMB_KINDS, BOX_BLOCKS = 2 * 2 * 2 };
+
+struct fmb_pair {
+    fmb_mem mem;
+    fmb_pair_options options;
+    int dim;
+    const fmb_pair_kernels *wide;
+    fmb_general *general;
+    fmb_pair_oracle oracle;
+    fmb_pair_counts counts;
+    atomic_bool cancelled;
+    fmb_block verdict_block[VERDICT_BLOCKS]; /* [moves][kind] */
+    fmb_block box_block[BOX_BLOCKS];         /* [moves][shape of A][shape of B] */
+};
+
+/* One call of fmb_pair_test. */
+typedef struct query {
+    fmb_pair *k;
+    const fmb_frame *p, *q;
+    const fmb_pair_answers *out;
+    bool boxes; /* more than the verdict is wanted */
+} query;
+
+/* ---- life ------------------------------------------------------------------------------------ */
+
+fmb_pair_options fmb_pair_options_default(void)
+{
+    return (fmb_pair_options){0};
+}
+
+static bool are_options(const fmb_pair_options *o)
+{
+    return (unsigned)o->contact <= FMB_CONTACT_OPEN && (unsigned)o->method <= FMB_PAIR_EXACT &&
+           o->max_seconds >= 0 && fmb_pair_kernels_choose(o->simd);
+}
+
+fmb_status fmb_pair_new(int dim, const fmb_pair_options *o, const fmb_alloc *hook, fmb_pair **out)
+{
+    fmb_pair_options usual = fmb_pair_options_default();
+    fmb_mem mem;
+    o = o ? o : &usual;
+    if (!out || dim < 1 || !are_options(o))
+        return FMB_ERR_ARG;
+    fmb_mem_init(&mem, hook, 0);
+    fmb_pair *k = fmb_mem_zero(&mem, 1, sizeof *k);
+    if (!k)
+        return fmb_mem_status(&mem);
+    k->mem = mem;
+    k->options = *o;
+    k->dim = dim;
+    k->wide = fmb_pair_kernels_choose(o->simd);
+    k->general = fmb_general_new(dim, &k->mem);
+    fmb_status st = k->general ? fmb_pair_oracle_open(&k->oracle, o, hook) : FMB_ERR_MEMORY;
+    if (st == FMB_OK)
+        *out = k;
+    else
+        fmb_pair_free(k);
+    return st;
+}
+
+void fmb_pair_free(fmb_pair *k)
+{
+    if (!k)
+        return;
+    fmb_pair_oracle_close(&k->oracle);
+    fmb_general_free(k->general, &k->mem);
+    fmb_mem mem = k->mem;
+    fmb_mem_put(&mem, k, 1, sizeof *k);
+}
+
+fmb_pair_counts fmb_pair_count(const fmb_pair *k)
+{
+    return k->counts;
+}
+
+void fmb_pair_cancel(fmb_pair *k)
+{
+    atomic_store(&k->cancelled, true);
+    fmb_solver_cancel(k->oracle.solver);
+    fmb_solver_cancel(k->oracle.proving);
+}
+
+/* ---- one pair -------------------------------------------------------------------------------- */
+
+/* The places of pair i. */
+static fmb_pair_answers answers_of(const query *a, size_t i)
+{
+    size_t dim = (size_t)a->k->dim;
+    const fmb_pair_answers *o = a->out;
+    return (fmb_pair_answers){.verdict = o->verdict + i,
+                              .world = o->world ? o->world + 2 * dim * i : NULL,
+                              .inside = o->inside ? o->inside + 2 * dim * i : NULL,
+                              .time = o->time ? o->time + 2 * i : NULL,
+                              .witness = o->witness ? o->witness + dim * i : NULL};
+}
+
+static bool asks_exactly(const query *a)
+{
+    return !a->k->options.doubles_only && !atomic_load(&a->k->cancelled);
+}
+
+/* More than a verdict, which is FEASIBLE. */
+static fmb_status answer_exactly(const query *a, size_t i)
+{
+    fmb_pair_answers out = answers_of(a, i);
+    if (!asks_exactly(a)) {
+        *out.verdict = FMB_UNKNOWN;
+        return FMB_OK;
+    }
+    a->k->counts.exact_boxes++;
+    return fmb_pair_oracle_answer(&a->k->oracle, &a->p[i], &a->q[i], &out);
+}
+
+static fmb_status decide_exactly(const query *a, size_t i)
+{
+    fmb_verdict *out = &a->out->verdict[i];
+    *out = FMB_UNKNOWN;
+    if (!asks_exactly(a))
+        return FMB_OK;
+    a->k->counts.exact_verdicts++;
+    fmb_status st = fmb_pair_oracle_decide(&a->k->oracle, &a->p[i], &a->q[i], out);
+    return st == FMB_OK && *out == FMB_FEASIBLE && a->boxes ? answer_exactly(a, i) : st;
+}
+
+/* What no kernel answers. */
+static fmb_status decide_generally(const query *a, size_t i)
+{
+    fmb_pair *k = a->k;
+    if (!fmb_frame_is_good(&a->p[i], k->dim) || !fmb_frame_is_good(&a->q[i], k->dim))
+        return FMB_ERR_ARG;
+    if (k->options.method != FMB_PAIR_EXACT)
+        a->out->verdict[i] = fmb_general_decide(k->general, &a->p[i], &a->q[i]);
+    else
+        a->out->verdict[i] = FMB_UNKNOWN;
+    if (a->out->verdict[i] == FMB_UNKNOWN)
+        return decide_exactly(a, i);
+    return a->out->verdict[i] == FMB_FEASIBLE && a->boxes ? answer_exactly(a, i) : FMB_OK;
+}
+
+/* ---- boxes by kernels ------------------------------------------------------------------------ */
+
+static void write_lane(const query *a, const double *answer, int width, int lane, size_t i)
+{
+    int dim = a->k->dim;
+    fmb_pair_answers out = answers_of(a, i);
+    const double *from = answer + lane;
+    for (int j = 0; j < dim; j++) {
+        const double *world = from + j * width, *inside = from + (2 * dim + j) * width;
+        if (out.world) {
+            out.world[2 * j] = world[0];
+            out.world[2 * j + 1] = world[dim * width];
+        }
+        if (out.inside) {
+            out.inside[2 * j] = inside[0];
+            out.inside[2 * j + 1] = inside[dim * width];
+        }
+        if (out.witness)
+            out.witness[j] = from[(4 * dim + 2 + j) * width];
+    }
+    for (int side = 0; out.time && side < 2; side++)
+        out.time[side] = from[(4 * dim + side) * width];
+}
+
+/* Unused lanes repeat the first. */
+static void fill_up(fmb_block *b, int width)
+{
+    for (int r = 0; r < FMB_BLOCK_MOST_ROWS; r++)
+        for (int lane = b->lanes; lane < width; lane++)
+            b->number[r * width + lane] = b->number[r * width];
+}
+
+/* The numbers of the first lane alone, and the kernels for it. */
+static const fmb_pair_kernels *narrow(fmb_block *b, int width)
+{
+    for (int r = 1; r < FMB_BLOCK_MOST_ROWS; r++)
+        b->number[r] = b->number[r * width];
+    return &fmb_pair_kernels_one;
+}
+
+static const fmb_pair_kernels *ready(const fmb_pair *k, fmb_block *b)
+{
+    if (b->lanes == 1 && k->wide->width > 1)
+        return narrow(b, k->wide->width);
+    fill_up(b, k->wide->width);
+    return k->wide;
+}
+
+static fmb_status flush_boxes(const query *a, int which)
+{
+    fmb_pair *k = a->k;
+    fmb_block *b = &k->box_block[which];
+    double answer[FMB_BOX_MOST_ROWS * FMB_BLOCK_MOST_LANES];
+    fmb_status st = FMB_OK;
+    if (b->lanes == 0)
+        return FMB_OK;
+    const fmb_pair_kernels *kernels = ready(k, b);
+    unsigned good =
+        kernels->box[k->dim - 2][which / 4][which / 2 % 2][which % 2](b->number, answer);
+    for (int lane = 0; st == FMB_OK && lane < b->lanes; lane++)
+        if (good >> lane & 1)
+            write_lane(a, answer, kernels->width, lane, b->pair[lane]);
+        else
+            st = answer_exactly(a, b->pair[lane]);
+    b->lanes = 0;
+    return st;
+}
+
+/* Pair i meets; a kernel said so. */
+static fmb_status put_box(const query *a, size_t i)
+{
+    fmb_pair *k = a->k;
+    const fmb_frame *p = &a->p[i], *q = &a->q[i];
+    bool moves = p->speed || q->speed;
+    int which = 4 * moves + 2 * (int)p->shape + (int)q->shape;
+    if (k->options.tightest || !k->wide->box[k->dim - 2][moves][p->shape][q->shape])
+        return answer_exactly(a, i);
+    fmb_block *b = &k->box_block[which];
+    fmb_block_put(b, k->wide->width, p, q, moves, true, i);
+    return b->lanes == k->wide->width ? flush_boxes(a, which) : FMB_OK;
+}
+
+/* ---- verdicts by kernels --------------------------------------------------------------------- */
+
+static fmb_verdict_kernel *verdict_kernel(const fmb_pair *k, const fmb_pair_kernels *from,
+                                          int which)
+{
+    int d = k->dim - 2, moves = which / FMB_KINDS, kind = which % FMB_KINDS;
+    return k->options.method == FMB_PAIR_SAT ? from->sat[d][moves][kind]
+                                             : from->fmb[d][moves][kind];
+}
+
+static fmb_status flush_verdicts(const query *a, int which)
+{
+    fmb_pair *k = a->k;
+    fmb_block *b = &k->verdict_block[which];
+    fmb_status st = FMB_OK;
+    if (b->lanes == 0)
+        return FMB_OK;
+    fmb_pair_bits bits = verdict_kernel(k, ready(k, b), which)(b->number);
+    for (int lane = 0; st == FMB_OK && lane < b->lanes; lane++) {
+        size_t i = b->pair[lane];
+        if (bits.apart >> lane & 1) {
+            a->out->verdict[i] = FMB_INFEASIBLE;
+        } else if (bits.meet >> lane & 1) {
+            a->out->verdict[i] = FMB_FEASIBLE;
+            st = a->boxes ? put_box(a, i) : FMB_OK;
+        } else {
+            st = decide_generally(a, i);
+        }
+    }
+    b->lanes = 0;
+    return st;
+}
+
+static bool has_all_axes(const fmb_frame *f, int dim)
+{
+    return f->naxes == dim && f->origin && f->axes && (unsigned)f->shape <= FMB_SIMPLEX;
+}
+
+/* Which block pair i waits in, -1 if there is no kernel for it. */
+static int block_of(const query *a, size_t i)
+{
+    fmb_pair *k = a->k;
+    const fmb_frame *p = &a->p[i], *q = &a->q[i];
+    if (k->dim < 2 || k->dim > 3 || k->options.method == FMB_PAIR_EXACT ||
+        !has_all_axes(p, k->dim) || !has_all_axes(q, k->dim))
+        return -1;
+    int which = FMB_KINDS * (p->speed || q->speed) + (int)p->shape + (int)q->shape;
+    return verdict_kernel(k, k->wide, which) ? which : -1;
+}
+
+static fmb_status put(const query *a, size_t i)
+{
+    fmb_pair *k = a->k;
+    const fmb_frame *p = &a->p[i], *q = &a->q[i];
+    if (p->dim != k->dim || q->dim != k->dim)
+        return FMB_ERR_ARG;
+    int which = block_of(a, i);
+    if (which < 0)
+        return decide_generally(a, i);
+    bool swap = p->shape == FMB_SIMPLEX && q->shape == FMB_CUBOID;
+    fmb_block *b = &k->verdict_block[which];
+    fmb_block_put(b, k->wide->width, swap ? q : p, swap ? p : q, which >= FMB_KINDS, false, i);
+    return b->lanes == k->wide->width ? flush_verdicts(a, which) : FMB_OK;
+}
+
+fmb_status fmb_pair_test(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_frame *q,
+                         const fmb_pair_answers *out)
+{
+    if (!k || !out || (n > 0 && (!p || !q || !out->verdict)))
+        return FMB_ERR_ARG;
+    query a = {k, p, q, out, out->world || out->inside || out->time || out->witness};
+    fmb_status st = FMB_OK;
+    atomic_store(&k->cancelled, false);
+    for (size_t i = 0; st == FMB_OK && i < n; i++)
+        st = put(&a, i);
+    for (int which = 0; st == FMB_OK && which < VERDICT_BLOCKS; which++)
+        st = flush_verdicts(&a, which);
+    for (int which = 0; st == FMB_OK && which < BOX_BLOCKS; which++)
+        st = flush_boxes(&a, which);
+    for (int which = 0; which < VERDICT_BLOCKS; which++)
+        k->verdict_block[which].lanes = 0;
+    for (int which = 0; which < BOX_BLOCKS; which++)
+        k->box_block[which].lanes = 0;
+    k->counts.pairs += n;
+    return st;
+}
