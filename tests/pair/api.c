@@ -3,7 +3,7 @@
 
 #include <fmb/pair.h>
 
-#include "../support/support.h"
+#include "../random/rows.h"
 
 static const double UNIT[4] = {1, 0, 0, 1};
 
