@@ -4,6 +4,7 @@
 
 #include <gmp.h>
 
+#include <fmb/frame.h>
 #include <fmb/proof.h>
 #include <fmb/rule.h>
 #include <fmb/solve.h>
@@ -22,6 +23,21 @@ FMB_API FMB_CHECKED fmb_status fmb_system_add_q(fmb_system *s, size_t n, const i
 FMB_API size_t fmb_system_terms(const fmb_system *s, size_t i);
 FMB_API int fmb_system_term_q(const fmb_system *s, size_t i, size_t k, mpq_t coef);
 FMB_API void fmb_system_rhs_q(const fmb_system *s, size_t i, mpq_t b);
+
+/* A frame (<fmb/frame.h>) in rationals, canonical ones; they are only read. */
+typedef struct fmb_frame_q {
+    fmb_shape shape;
+    int dim, naxes;
+    mpq_t *origin; /* [dim] */
+    mpq_t *axes;   /* [naxes][dim], row i is edge i */
+    mpq_t *speed;  /* [dim], or NULL: static */
+} fmb_frame_q;
+
+/* [give] fmb_system_from_frames for these. Errors: ARG (no frame, different dim, dependent axes),
+ * MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_system_from_frames_q(const fmb_frame_q *f, size_t n,
+                                                        fmb_coordinates in, fmb_contact contact,
+                                                        const fmb_alloc *mem, fmb_system **out);
 
 /* Exact end of interval i of a box; false (and value untouched) unless it is finite or outer. */
 FMB_API bool fmb_box_end_q(const fmb_box *b, int i, fmb_side side, mpq_t value);

@@ -34,6 +34,12 @@ FMB_API FMB_CHECKED fmb_status fmb_system_add_int(fmb_system *s, const int64_t *
 /* Relation of row i < rows. */
 FMB_API fmb_rel fmb_system_rel(const fmb_system *s, size_t i);
 
+/* Append the rows of another system, with their labels; its variable j is variable var[j] of s,
+ * which may come twice. var NULL: the same numbers. So systems are stacked: the solutions of s are
+ * then common ones. Nothing is appended on failure. Errors: ARG (variable out of range), MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_system_join(fmb_system *s, const fmb_system *more,
+                                               const int *var);
+
 /* Append a variable (its coefficient is 0 in all rows so far); *index (may be NULL) gets its place.
  * name NULL means the default name. Errors: ARG (empty name, or name taken), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_add_variable(fmb_system *s, const char *name, int *index);

@@ -8,37 +8,10 @@
 
 #include "../fault/hook.h"
 #include "../random/rows.h"
-
-static fmb_system *meeting(const fmb_frame *f, size_t n, fmb_coordinates in)
-{
-    fmb_system *s = NULL;
-    must(fmb_system_from_frames(f, n, in, FMB_CONTACT_CLOSED, NULL, &s));
-    return s;
-}
-
-/* Do they meet? The evidence has to be accepted. */
-static bool meet(const fmb_frame *f, size_t n, fmb_coordinates in)
-{
-    fmb_options o = fmb_options_default();
-    fmb_solver *v = NULL;
-    fmb_evidence *e = NULL;
-    fmb_result r;
-    fmb_judgement j;
-    fmb_system *s = meeting(f, n, in);
-    o.evidence = true;
-    must(fmb_solver_new(&o, NULL, &v));
-    must(fmb_solve(v, s, &r));
-    must(fmb_solver_evidence(v, &e));
-    must(fmb_check(s, e, &j));
-    cr_assert(j.accepted && j.verdict == r.verdict, "%s", j.reason);
-    fmb_evidence_free(e);
-    fmb_solver_free(v);
-    fmb_system_free(s);
-    return r.verdict == FMB_FEASIBLE;
-}
+#include "meet.h"
 
 static const fmb_coordinates ALL[] = {FMB_COORDINATES_EACH, FMB_COORDINATES_WORLD,
-                                      FMB_COORDINATES_LAST};
+                                      FMB_COORDINATES_LAST, FMB_COORDINATES_ALL};
 
 static const double unit[] = {1, 0, 0, 1};
 
@@ -52,7 +25,7 @@ static bool squares_meet(double dx, fmb_coordinates in)
 
 Test(frame, touching)
 {
-    for (size_t i = 0; i < 3; i++) {
+    for (size_t i = 0; i < 4; i++) {
         cr_expect(squares_meet(0.5, ALL[i]));
         cr_expect(squares_meet(1, ALL[i]));
         cr_expect(squares_meet(-1, ALL[i]));
@@ -65,7 +38,7 @@ Test(frame, simplex)
 {
     double here[] = {0, 0}, there[] = {0.5, 0.5}, beyond[] = {0.5, 0.5 + 0x1p-53};
     fmb_frame f[] = {{FMB_SIMPLEX, 2, 2, here, unit, NULL}, {FMB_CUBOID, 2, 2, there, unit, NULL}};
-    for (size_t i = 0; i < 3; i++) {
+    for (size_t i = 0; i < 4; i++) {
         f[1].origin = there;
         cr_expect(meet(f, 2, ALL[i]));
         f[1].origin = beyond;
@@ -78,7 +51,7 @@ Test(frame, moving)
 {
     double here[] = {0, 0}, there[] = {3, 0}, fast[] = {-2, 0}, slow[] = {-2 + 0x1p-52, 0};
     fmb_frame f[] = {{FMB_CUBOID, 2, 2, here, unit, NULL}, {FMB_CUBOID, 2, 2, there, unit, fast}};
-    for (size_t i = 0; i < 3; i++) {
+    for (size_t i = 0; i < 4; i++) {
         f[1].speed = fast;
         cr_expect(meet(f, 2, ALL[i]));
         f[1].speed = slow;
@@ -100,7 +73,7 @@ Test(frame, flat)
                          {FMB_SIMPLEX, 2, 0, beside, NULL, NULL}};
     const bool truth[] = {true, true, false, true, false};
     for (size_t k = 0; k < 5; k++)
-        for (size_t i = 0; i < 3; i++) {
+        for (size_t i = 0; i < 4; i++) {
             fmb_frame f[] = {square, other[k]}, g[] = {other[k], square};
             cr_expect_eq(meet(f, 2, ALL[i]), truth[k], "%zu %zu", k, i);
             cr_expect_eq(meet(g, 2, ALL[i]), truth[k], "%zu %zu", k, i);
@@ -114,7 +87,7 @@ Test(frame, three)
     fmb_frame f[] = {{FMB_CUBOID, 2, 1, a, ab, NULL},
                      {FMB_CUBOID, 2, 1, a, ac, NULL},
                      {FMB_CUBOID, 2, 1, b, bc, NULL}};
-    for (size_t i = 0; i < 3; i++) {
+    for (size_t i = 0; i < 4; i++) {
         cr_expect_not(meet(f, 3, ALL[i]));
         cr_expect(meet(f, 2, ALL[i]) && meet(f + 1, 2, ALL[i]));
     }
@@ -124,7 +97,7 @@ Test(frame, three)
 Test(frame, no_dimension)
 {
     fmb_frame f[] = {{FMB_CUBOID, 0, 0, NULL, NULL, NULL}, {FMB_SIMPLEX, 0, 0, NULL, NULL, NULL}};
-    for (size_t i = 0; i < 3; i++)
+    for (size_t i = 0; i < 4; i++)
         cr_expect(meet(f, 2, ALL[i]));
 }
 
@@ -174,7 +147,7 @@ Test(frame, arguments)
     fmb_system *s = NULL;
     for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++) {
         fmb_frame f[] = {good, wrong[k]};
-        for (size_t i = 0; i < 3; i++)
+        for (size_t i = 0; i < 4; i++)
             cr_expect_eq(fmb_system_from_frames(f, 2, ALL[i], FMB_CONTACT_CLOSED, NULL, &s),
                          FMB_ERR_ARG, "%zu", k);
     }
@@ -201,7 +174,7 @@ Test(frame, memory)
     fmb_frame f[] = {{FMB_CUBOID, 2, 2, o, axes, v}, {FMB_SIMPLEX, 2, 1, o, unit, NULL}};
     hook h = {0};
     fmb_alloc mem = hook_alloc(&h);
-    for (size_t i = 0; i < 3; i++) {
+    for (size_t i = 0; i < 4; i++) {
         fmb_status st = FMB_ERR_MEMORY;
         for (size_t k = 1; st != FMB_OK; k++) {
             fmb_system *s = NULL;
@@ -237,7 +210,7 @@ Test(frame, coordinates_agree)
         fmb_system *s = NULL;
         bool verdict = meet(f, 2, FMB_COORDINATES_EACH);
         yes += verdict;
-        for (size_t i = 1; i < 3; i++)
+        for (size_t i = 1; i < 4; i++)
             if (fmb_system_from_frames(f, 2, ALL[i], FMB_CONTACT_CLOSED, NULL, &s) == FMB_OK) {
                 fmb_system_free(s);
                 cr_expect_eq(meet(f, 2, ALL[i]), verdict, "round %d", round);

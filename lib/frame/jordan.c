@@ -1,0 +1,69 @@
+/* jordan.c: see jordan.h.
+ *
+ * No fractions: with pivot p in row c, and the pivot before it, q (1 at first), every other row r
+ * becomes (p r - r_c row_c) / q. By Cramer's rule all entries are then minors of order c + 1 of the
+ * matrix at the start, so the division leaves no remainder, and numbers grow no longer than those
+ * minors. The rows that had their pivots before have p where q was.
+ *
+ * Source: E. H. Bareiss, Mathematics of Computation 22 (1968).
+ */
+#include "frame/jordan.h"
+
+typedef struct table {
+    mpz_t *cell;
+    int rows, width;
+    mpz_t t;
+} table;
+
+static mpz_t *row(const table *a, int i)
+{
+    return a->cell + (size_t)i * (size_t)a->width;
+}
+
+static void swap_rows(const table *a, int i, int k)
+{
+    for (int j = 0; i != k && j < a->width; j++)
+        mpz_swap(row(a, i)[j], row(a, k)[j]);
+}
+
+/* Row i, which is not row c, after column c got its pivot. Columns before c keep their shape. */
+static void clear_row(table *a, int i, int c, const mpz_t before)
+{
+    mpz_t *r = row(a, i), *p = row(a, c);
+    mpz_set(a->t, r[c]);
+    for (int j = 0; j < a->width; j++) {
+        mpz_mul(r[j], r[j], p[c]);
+        mpz_submul(r[j], a->t, p[j]);
+        mpz_divexact(r[j], r[j], before);
+    }
+}
+
+static bool pivot(table *a, int c, mpz_t det)
+{
+    int p = c;
+    while (p < a->rows && mpz_sgn(row(a, p)[c]) == 0)
+        p++;
+    if (p == a->rows)
+        return false;
+    swap_rows(a, c, p);
+    for (int i = 0; i < a->rows; i++)
+        if (i != c)
+            clear_row(a, i, c, det);
+    mpz_set(det, row(a, c)[c]);
+    return true;
+}
+
+bool fmb_jordan(mpz_t *cell, int rows, int width, int n, mpz_t det)
+{
+    table a = {.cell = cell, .rows = rows, .width = width};
+    bool good = true;
+    mpz_set_ui(det, 1);
+    mpz_init(a.t);
+    for (int c = 0; good && c < n; c++)
+        good = pivot(&a, c, det);
+    mpz_clear(a.t);
+    for (int i = 0; good && mpz_sgn(det) < 0 && i < rows * width; i++)
+        mpz_neg(cell[i], cell[i]);
+    mpz_abs(det, det);
+    return good;
+}
