@@ -1,8 +1,14 @@
 /* fmb-qualify.c: studies of the library: a table of subcommands, one a question. */
+#include <stdlib.h>
+#include <string.h>
+
 #include "common/dispatch.h"
-#include "qualify/commands.h"
+#include "common/message.h"
+#include "qualify/study.h"
 
 static const app_command commands[] = {
+    {"all", "fmb-qualify all", "all of them in one report: what is done without a STUDY",
+     qualify_all},
     {"rules", "fmb-qualify rules", "pruning rules x orders x systems: rows, time, errors",
      qualify_rules},
 };
@@ -15,8 +21,31 @@ static const char doc[] =
     "Exit codes: 0 done, 1 a wrong answer was found, 2 interrupted, 64 usage, 65 bad input, 66 "
     "cannot open, 70 internal error, 74 cannot write.\n"
     "\n"
-    "Example:\n"
+    "Examples:\n"
+    "  fmb-qualify\n"
+    "  fmb-qualify table1 --json\n"
     "  fmb-qualify rules --out report\n";
+
+/* Is that an option of the program as a whole? */
+static bool is_about(const char *word)
+{
+    static const char *const ABOUT[] = {"--help", "-?", "--usage", "--version", "-V"};
+    for (size_t i = 0; i < sizeof ABOUT / sizeof *ABOUT; i++)
+        if (strcmp(word, ABOUT[i]) == 0)
+            return true;
+    return false;
+}
+
+/* [give, free()] The command line with the word "all" in front of its options. */
+static char **with_all(int argc, char **argv)
+{
+    static char all[] = "all";
+    char **words = app_need(malloc(((size_t)argc + 2) * sizeof *words));
+    words[0] = argv[0];
+    words[1] = all;
+    memcpy(words + 2, argv + 1, (size_t)argc * sizeof *words);
+    return words;
+}
 
 int main(int argc, char **argv)
 {
@@ -24,9 +53,14 @@ int main(int argc, char **argv)
     const app_program program = {.name = name,
                                  .word = "study",
                                  .heading = "Studies",
-                                 .args = "STUDY [OPTION...]",
+                                 .args = "[STUDY] [OPTION...]",
                                  .doc = doc,
                                  .command = commands,
                                  .commands = sizeof commands / sizeof *commands};
-    return app_dispatch(&program, argc, argv);
+    if (argc > 1 && (argv[1][0] != '-' || is_about(argv[1])))
+        return app_dispatch(&program, argc, argv);
+    char **words = with_all(argc, argv);
+    int code = app_dispatch(&program, argc + 1, words);
+    free(words);
+    return code;
 }

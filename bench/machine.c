@@ -1,10 +1,10 @@
 /* machine.c: see machine.h. */
+#include "machine.h"
+
 #include <stdlib.h>
-#include <string.h>
 #include <time.h>
 
-#include "bench_commit.h"
-#include "machine.h"
+#include "common/machine.h"
 
 double thread_seconds(void)
 {
@@ -37,34 +37,15 @@ static void print_string(FILE *out, const char *text)
     fputc('"', out);
 }
 
-/* The processor's name, as Linux tells it. */
-static void cpu_name(char *name, size_t size)
-{
-    char line[256];
-    FILE *f = fopen("/proc/cpuinfo", "r");
-    snprintf(name, size, "unknown");
-    while (f && fgets(line, sizeof line, f)) {
-        char *colon = strchr(line, ':');
-        if (strncmp(line, "model name", 10) != 0 || !colon)
-            continue;
-        snprintf(name, size, "%s", colon + 2);
-        name[strcspn(name, "\n")] = '\0';
-        break;
-    }
-    if (f)
-        fclose(f);
-}
-
 void print_machine_json(FILE *out)
 {
-    char name[200];
-    cpu_name(name, sizeof name);
+    app_machine m = app_machine_find();
     fprintf(out, "\"machine\": ");
-    print_string(out, name);
+    print_string(out, m.cpu);
     fprintf(out, ", \"compiler\": ");
-    print_string(out, __VERSION__);
+    print_string(out, m.compiler);
     fprintf(out, ", \"flags\": ");
-    print_string(out, BENCH_FLAGS);
+    print_string(out, m.flags);
     fprintf(out, ", \"commit\": ");
-    print_string(out, BENCH_COMMIT);
+    print_string(out, m.commit);
 }

@@ -46,9 +46,15 @@ void app_table_print(app_table *t, FILE *out)
         if (t->align[c] == 'l' && !last)
             spaces(fill, out);
         fputc(last ? '\n' : ' ', out);
-        free(t->cell[i]);
     }
     free(width);
+    app_table_clear(t);
+}
+
+void app_table_clear(app_table *t)
+{
+    for (size_t i = 0; i < t->cells; i++)
+        free(t->cell[i]);
     free(t->cell);
     *t = (app_table){.columns = t->columns, .align = t->align};
 }

@@ -18,5 +18,7 @@ typedef struct app_table {
 void app_table_add(app_table *t, char *text);
 /* Print and clear. Columns are one space apart; lines carry no trailing spaces. */
 void app_table_print(app_table *t, FILE *out);
+/* Free all cells. */
+void app_table_clear(app_table *t);
 
 #endif

@@ -13,7 +13,7 @@
 
 #include <jansson.h>
 
-#include "common/table.h"
+#include "qualify/cells.h"
 
 typedef struct qualify_page qualify_page;
 
@@ -36,8 +36,6 @@ void qualify_page_text(qualify_page *g, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 /* The first line of t are the titles. Clears t. */
 void qualify_page_table(qualify_page *g, const char *name, const char *caption, app_table *t);
-/* Add a cell, as printf. */
-void qualify_cell(app_table *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* A figure: lines of data, missing numbers written "-", and the gnuplot commands that plot them;
  * there, the string variable `data` is the name of the file that holds them. */
@@ -50,10 +48,8 @@ typedef struct qualify_figure {
 void qualify_figure_begin(qualify_figure *f);
 /* Ends f. Without a folder nothing is drawn; what cannot be drawn is said. */
 void qualify_page_figure(qualify_page *g, const char *name, const char *caption, qualify_figure *f);
-/* Pictures FILE.svg and FILE.png that stand in the folder already. */
-void qualify_page_picture(qualify_page *g, const char *file, const char *caption);
-
-/* The folder, or NULL. */
-const char *qualify_page_folder(const qualify_page *g);
+/* One more file, STUDY-NAME, written by put(f, what); nothing without a folder. */
+void qualify_page_file(qualify_page *g, const char *name, void (*put)(FILE *f, const void *what),
+                       const void *what);
 
 #endif

@@ -1,9 +1,6 @@
-/* study.h: what all studies of fmb-qualify have in common: their options, and how they are run. */
+/* study.h: what the studies of fmb-qualify have in common: their options, and how they are run. */
 #ifndef QUALIFY_STUDY_H
 #define QUALIFY_STUDY_H
-
-#include <argp.h>
-#include <stdint.h>
 
 #include <fmb/options.h>
 
@@ -18,22 +15,32 @@ typedef struct qualify_setup {
     bool json, quiet;
 } qualify_setup;
 
+/* How much work: of each class so many pairs, and so many passes of the clock. */
+typedef struct qualify_effort {
+    size_t pairs;
+    int passes;
+} qualify_effort;
+
 typedef struct qualify_study {
-    const char *name, *title;         /* the title is one line */
-    const char *doc;                  /* for --help: what it does; may have \v as argp takes it */
-    size_t pairs, passes;             /* as long as nothing else is asked for: by itself */
-    size_t brief_pairs, brief_passes; /* as one of all studies, which take minutes together */
-    /* The study: adds to the page, and returns an exit code after a message unless it is APP_YES.
-     * Between its steps it asks qualify_watch_step, and ends early, with what is complete, if that
-     * says so. */
+    const char *name, *title; /* the title is one line */
+    const char *doc;          /* for --help, as argp takes it */
+    qualify_effort alone;     /* unless something else is asked for */
+    qualify_effort brief;     /* as one of all studies, which take minutes together */
+    /* The study: adds to the page, whose section has begun; an exit code, after a message unless it
+     * is APP_YES. It asks qualify_watch_step between its steps; where that says so it ends early,
+     * with what is complete. */
     int (*run)(const qualify_setup *o, qualify_page *page);
 } qualify_study;
 
 /* The studies in the order of the report. */
-extern const qualify_study qualify_table1, qualify_near, qualify_faces, qualify_boxes,
-    qualify_scaling, qualify_peers;
+extern const qualify_study qualify_study_table1, qualify_study_near, qualify_study_faces,
+    qualify_study_boxes, qualify_study_scaling, qualify_study_rules, qualify_study_peers;
 
-/* argv[0] is "fmb-qualify NAME"; an exit code. */
+/* One study; argv[0] is "fmb-qualify NAME". An exit code. */
 int qualify_study_main(const qualify_study *s, int argc, char **argv);
+
+/* Commands of fmb-qualify. rules has options of its own. */
+int qualify_all(int argc, char **argv);
+int qualify_rules(int argc, char **argv);
 
 #endif

@@ -13,6 +13,7 @@ static const double interval = 0.2; /* between two updates [s] */
 static fmb_solver *volatile running;
 static volatile sig_atomic_t asked_to_stop;
 static bool terminal;
+static const char *shown_name = "";
 static double shown; /* when the bar was drawn last [s] */
 
 static void cancel(int signal_number)
@@ -48,12 +49,17 @@ void qualify_watch_begin(bool quiet)
     handle(cancel);
 }
 
+void qualify_watch_name(const char *name)
+{
+    shown_name = name;
+}
+
 void qualify_watch_end(void)
 {
     handle(SIG_DFL);
     running = NULL;
     if (terminal)
-        fprintf(stderr, "\r%*s\r", BAR + 8, "");
+        fprintf(stderr, "\r%*s\r", BAR + 24, "");
     fflush(stderr);
 }
 
@@ -69,7 +75,7 @@ static void draw(size_t done, size_t all)
     for (size_t i = 0; i < BAR; i++)
         bar[i] = i * 1000 < part * BAR ? '#' : '.';
     bar[BAR] = '\0';
-    fprintf(stderr, "\r[%s] %3zu %%", bar, part / 10);
+    fprintf(stderr, "\r[%s] %3zu %% %-8.12s", bar, part / 10, shown_name);
     fflush(stderr);
 }
 

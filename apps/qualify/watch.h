@@ -11,6 +11,8 @@
  * one ends the process. */
 void qualify_watch_begin(bool quiet);
 void qualify_watch_end(void);
+/* What the bar is about; borrowed. */
+void qualify_watch_name(const char *name);
 
 /* Where the study notes the solver at work. */
 fmb_solver *volatile *qualify_watch_solver(void);

@@ -53,7 +53,7 @@ def rooms(root):
                 yield f"{path}: {fault}"
     for path in sources(root / "apps"):
         own = {"common", "fmb"}
-        if "qualify" in (path.parent.name, path.stem.removeprefix("fmb-")):
+        if "qualify" in (*path.relative_to(root).parts, path.stem.removeprefix("fmb-")):
             own |= {"qualify", "study"}
         for bracket, name in INCLUDE.findall(path.read_text()):
             if bracket == '"' and name.split("/")[0] not in own:

@@ -1,4 +1,4 @@
-"""fmb-qualify rules from outside: exit codes, files, the same counts from the same seed, Ctrl-C.
+"""fmb-qualify from outside: exit codes, files, the same counts from the same seed, Ctrl-C.
 usage: qualify.py FMB_QUALIFY MAN_PAGE"""
 
 import csv
@@ -28,15 +28,16 @@ def run(*args, env=None):
 
 
 def counts(folder):
-    """runs.csv without the time."""
-    with open(folder / "runs.csv", newline="") as f:
+    """rules-runs.csv without the time."""
+    with open(folder / "rules-runs.csv", newline="") as f:
         return [row[:-1] for row in csv.reader(f)]
 
 
 def exit_codes(folder):
     bad = folder / "bad.fmb"
     bad.write_text("x <= <= 1\n")
-    for args, code in (([], 64), (["nonsense"], 64), (["rules", "--dim", "x"], 64),
+    for args, code in ((["nonsense"], 64), (["all", "nonsense"], 64), (["--pairs", "0"], 64),
+                       (["all", "--simd", "best"], 64), (["rules", "--dim", "x"], 64),
                        (["rules", "--pairs", "0"], 64), (["rules", "--orders", "best"], 64),
                        (["rules", "--family", "huge"], 64), (["rules", "--kinds", "CX"], 64),
                        (["rules", "--motion", "slow"], 64), (["rules", "--meeting", "maybe"], 64),
@@ -60,13 +61,13 @@ def report(folder):
     table = json.loads((first / "report.json").read_text())
     expect(table["complete"] and len(table["classes"]) == 16 * 3 * 2, "report.json")
     expect(all(c["wrong"] == 0 and c["n"] == 2 for c in table["classes"]), "report.json: counts")
-    with open(first / "classes.csv", newline="") as f:
-        expect(len(list(csv.DictReader(f))) == 16 * 3 * 2, "classes.csv")
+    with open(first / "rules-classes.csv", newline="") as f:
+        expect(len(list(csv.DictReader(f))) == 16 * 3 * 2, "rules-classes.csv")
     endings = ["dat"] + (["svg", "png"] if shutil.which("gnuplot") else [])
     for name in ("rows", "time"):
         for motion in ("static", "dynamic"):
             for ending in endings:
-                path = first / f"{name}-{motion}.{ending}"
+                path = first / f"rules-{name}-{motion}.{ending}"
                 expect(path.exists() and path.stat().st_size > 0, f"{path.name} is missing")
 
 
@@ -74,8 +75,11 @@ def without_gnuplot(folder):
     out = folder / "plain"
     got = run(*SMALL, "--out", str(out), env={**os.environ, "PATH": str(folder)})
     expect(got.returncode == 0 and "gnuplot is not installed" in got.stderr, got.stderr)
-    expect((out / "plots.gp").exists() and (out / "rows-static.dat").exists(), "script and data")
-    expect(not (out / "rows-static.svg").exists(), "a picture without gnuplot")
+    expect(got.stderr.count("\n") == 1, f"gnuplot is missed more than once: {got.stderr}")
+    plot = out / "rules-rows-static"
+    expect(plot.with_suffix(".gp").exists() and plot.with_suffix(".dat").exists(), "script and data")
+    expect(not plot.with_suffix(".svg").exists(), "a picture without gnuplot")
+    expect("gnuplot is not installed" in (out / "report.html").read_text(), "nothing said of it")
     got = run(*SMALL, "--passes", "0", "--out", str(folder / "timeless"))
     expect(got.returncode == 0 and not got.stderr, f"no time: {got.returncode} {got.stderr}")
 

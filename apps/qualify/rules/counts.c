@@ -1,11 +1,11 @@
 /* counts.c: see counts.h. Sums are of rows alive after each round, all but the last variable
  * eliminated; peaks are the most rows alive between rounds. */
-#include "qualify/counts.h"
+#include "qualify/rules/counts.h"
 
 #include <stdlib.h>
 
 #include "common/message.h"
-#include "qualify/report.h"
+#include "qualify/rules/report.h"
 #include "qualify/watch.h"
 
 typedef struct bar {
@@ -66,7 +66,7 @@ static void add_bar(app_table *t, const qualify_plan *p, const bar *goal)
         qualify_cell(t, "%s", d.lived <= goal->sum && d.peak <= goal->peak ? "met" : "not met");
 }
 
-static void print_bars(const qualify_plan *p)
+static void add_bars(const qualify_plan *p, qualify_page *page)
 {
     app_table t = {.columns = 8, .align = "llrrrrrl"};
     static const char *const TITLE[] = {"systems", "rules",      "n",    "sum",
@@ -75,9 +75,10 @@ static void print_bars(const qualify_plan *p)
         qualify_cell(&t, "%s", TITLE[i]);
     for (int i = 0; i < BARS; i++)
         add_bar(&t, p, &BAR[i]);
-    printf("\nCounts on small frames, all but the last variable eliminated: mean sum and peak of "
-           "the rows alive\nafter a round, for the set of history rules with the least sum\n\n");
-    app_table_print(&t, stdout);
+    qualify_page_text(page, "Counts on small frames, all but the last variable eliminated: mean "
+                            "sum and peak of the rows alive after a round, for the set of history "
+                            "rules with the least sum.");
+    qualify_page_table(page, "counts", "Counts wanted", &t);
 }
 
 static void make_plan(qualify_plan *c, const qualify_plan *p)
@@ -105,14 +106,14 @@ static void make_plan(qualify_plan *c, const qualify_plan *p)
         }
 }
 
-int qualify_counts(const qualify_plan *p)
+int qualify_counts(const qualify_plan *p, qualify_page *page)
 {
     qualify_plan *c = app_need(malloc(sizeof *c));
     make_plan(c, p);
     qualify_plan_ways(c);
     fmb_status st = study_grid_run(&c->grid);
     if (st == FMB_OK && c->grid.complete == c->grid.samples)
-        print_bars(c);
+        add_bars(c, page);
     size_t wrong = qualify_wrong(c);
     study_grid_clear(&c->grid);
     free(c);

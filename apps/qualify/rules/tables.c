@@ -1,8 +1,8 @@
-/* tables.c: the counts and times on standard output. */
+/* tables.c: the counts and times. */
 #include <math.h>
 #include <stdlib.h>
 
-#include "qualify/report.h"
+#include "qualify/rules/report.h"
 
 static const char *const TITLE[] = {"systems", "rules", "n",    "decided", "stopped",
                                     "wrong",   "pairs", "made", "kept",    "sum",
@@ -52,31 +52,40 @@ static void add_lines(void *self, const qualify_plan *p, const qualify_select *w
         add_line(self, p, set, which);
 }
 
-static void print_unknown(const qualify_plan *p)
+static void say_unknown(const qualify_plan *p, qualify_page *to)
 {
     for (size_t i = 0; i < p->sets; i++)
         if (!p->grid.known[i])
-            printf("Left out: %s (no such rules here).\n", qualify_set_text(&p->way[i]));
+            qualify_page_text(to, "Left out: %s (no such rules here).",
+                              qualify_set_text(&p->way[i]));
 }
 
-void qualify_tables(const qualify_plan *p)
+static void add_order(const qualify_plan *p, size_t order, qualify_page *to)
 {
-    printf(
-        "pairs, made: pairs looked at, rows combined; kept: of those, rows that outlived the rules "
-        "of their\nround; sum, peak: rows alive after a round, added up over the rounds, and at "
-        "most: means over the\nsystems decided, of pairs that meet. rows: change of kept against "
-        "no rules. time, total: of the verdict\nagainst no rules, median of ratios and ratio of "
-        "totals; < where no rules gave up first, > where these\ndid, ~ where both happened.\n");
-    print_unknown(p);
+    page g = {{.columns = COLUMNS, .align = "llrrrrrrrrrrrr"}, order};
+    const char *word = qualify_order_text(p->order[order]);
+    char caption[40], name[40];
+    for (int c = 0; c < COLUMNS; c++)
+        qualify_cell(&g.table, "%s", TITLE[c]);
+    qualify_each(p, p->detail, &g, add_lines);
+    snprintf(caption, sizeof caption, "Order %s", word);
+    snprintf(name, sizeof name, "order-%s", word);
+    qualify_page_table(to, name, caption, &g.table);
+}
+
+void qualify_tables(const qualify_plan *p, qualify_page *to)
+{
+    qualify_page_text(
+        to, "pairs, made: pairs looked at, rows combined; kept: of those, rows that outlived the "
+            "rules of their round; sum, peak: rows alive after a round, added up over the rounds, "
+            "and at most: means over the systems decided, of pairs that meet. rows: change of kept "
+            "against no rules. time, total: of the verdict against no rules, median of ratios and "
+            "ratio of totals; < where no rules gave up first, > where these did, ~ where both "
+            "happened.");
+    say_unknown(p, to);
     if (qualify_stopped_by_time(p) > 0)
-        printf("The clock stopped %zu queries: their counts depend on the machine.\n",
-               qualify_stopped_by_time(p));
-    for (size_t k = 0; k < p->orders; k++) {
-        page g = {{.columns = COLUMNS, .align = "llrrrrrrrrrrrr"}, k};
-        for (int c = 0; c < COLUMNS; c++)
-            qualify_cell(&g.table, "%s", TITLE[c]);
-        qualify_each(p, p->detail, &g, add_lines);
-        printf("\nOrder %s\n\n", qualify_order_text(p->order[k]));
-        app_table_print(&g.table, stdout);
-    }
+        qualify_page_text(to, "The clock stopped %zu queries: their counts depend on the machine.",
+                          qualify_stopped_by_time(p));
+    for (size_t k = 0; k < p->orders; k++)
+        add_order(p, k, to);
 }

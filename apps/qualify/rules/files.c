@@ -1,5 +1,5 @@
 /* files.c: see files.h. */
-#include "qualify/files.h"
+#include "qualify/rules/files.h"
 
 #include <stdlib.h>
 

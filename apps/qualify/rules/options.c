@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "common/message.h"
-#include "qualify/plan.h"
+#include "qualify/rules/plan.h"
 
 enum {
     KEY_DIM = 0x100,

@@ -1,10 +1,9 @@
 /* select.c: which systems a line of a report is about. */
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "common/message.h"
-#include "qualify/report.h"
+#include "qualify/rules/report.h"
 
 static bool selects(const void *self, const study_sample *s)
 {
@@ -94,16 +93,6 @@ char *qualify_select_text(const qualify_select *w)
         fprintf(f, " %s", w->meets ? "meeting" : "apart");
     fclose(f);
     return app_need(text);
-}
-
-void qualify_cell(app_table *t, const char *format, ...)
-{
-    char *text;
-    va_list args;
-    va_start(args, format);
-    int length = vasprintf(&text, format, args);
-    va_end(args);
-    app_table_add(t, app_need(length < 0 ? NULL : text));
 }
 
 void qualify_time_cell(app_table *t, const study_digest *d, double ratio)

@@ -2,10 +2,8 @@
 #ifndef QUALIFY_REPORT_H
 #define QUALIFY_REPORT_H
 
-#include <jansson.h>
-
-#include "common/table.h"
-#include "qualify/plan.h"
+#include "qualify/page.h"
+#include "qualify/rules/plan.h"
 #include "study/digest.h"
 
 enum { ANY = -1, FILES = 0 };
@@ -27,21 +25,16 @@ void qualify_each(const qualify_plan *p, bool detail, void *self,
 /* [give, free()] "D3 static CC meeting", "D3 static", "files". */
 char *qualify_select_text(const qualify_select *which);
 
-/* Add a cell, as printf. */
-void qualify_cell(app_table *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* A ratio of d's times, "-" if there is none; "<", ">" before one that can only be smaller, larger,
  * "~" if neither is certain. */
 void qualify_time_cell(app_table *t, const study_digest *d, double ratio);
 
-void qualify_tables(const qualify_plan *p);
+/* Each adds its part to the page. */
+void qualify_tables(const qualify_plan *p, qualify_page *page);
 /* From which D on each set saves rows and time; the claims of the article. */
-void qualify_claims(const qualify_plan *p);
-
-/* Files in p->out: exit codes, after a message unless 0. */
-int qualify_write_csv(const qualify_plan *p);
-int qualify_write_plots(const qualify_plan *p);
-json_t *qualify_json(const qualify_plan *p);
-/* [give, app_file_close] Open p->out/name; *path, for messages, is the caller's. */
-int qualify_create(const qualify_plan *p, const char *name, FILE **f, char **path);
+void qualify_claims(const qualify_plan *p, qualify_page *page);
+void qualify_numbers(const qualify_plan *p, qualify_page *page);
+void qualify_csv_files(const qualify_plan *p, qualify_page *page);
+void qualify_plots(const qualify_plan *p, qualify_page *page);
 
 #endif

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "qualify/report.h"
+#include "qualify/rules/report.h"
 
 static const double CHANCE = 0.05;
 
@@ -68,11 +68,11 @@ static void add_set(app_table *t, const qualify_plan *p, size_t set, int moves)
     add_from(t, from_which(d, p->dim, pays));
 }
 
-static void print_motion(const qualify_plan *p, int moves)
+static void add_motion(const qualify_plan *p, int moves, qualify_page *page)
 {
-    char align[2 * PLAN_MOST_DIM + 4] = "l";
+    char align[2 * PLAN_MOST_DIM + 4] = "l", name[40];
     app_table t = {.columns = 1, .align = align};
-    qualify_cell(&t, "%s", moves ? "dynamic" : "static");
+    qualify_cell(&t, "rules");
     for (int dim = 1; dim <= PLAN_MOST_DIM; dim++)
         if (p->dim[dim]) {
             qualify_cell(&t, "D%d rows", dim);
@@ -86,49 +86,52 @@ static void print_motion(const qualify_plan *p, int moves)
     for (size_t set = 1; set < p->sets; set++)
         if (p->grid.known[set])
             add_set(&t, p, set, moves);
-    putchar('\n');
-    app_table_print(&t, stdout);
+    snprintf(name, sizeof name, "pays-%s", moves ? "dynamic" : "static");
+    qualify_page_table(page, name, moves ? "Dynamic frames" : "Static frames", &t);
 }
 
 /* Of the set's rows in 2D and 3D static. */
-static void add_article(app_table *t, const qualify_plan *p, size_t set)
+static void add_article_line(app_table *t, const qualify_plan *p, size_t set)
 {
-    qualify_cell(t, "  %s", qualify_set_text(&p->way[set]));
+    qualify_cell(t, "%s", qualify_set_text(&p->way[set]));
     for (int dim = 2; dim <= 3; dim++) {
         study_digest d = qualify_digest(p, set, &(qualify_select){dim, 0, ANY, ANY, NULL});
         if (!isnan(d.kept_ratio))
-            qualify_cell(t, "%.0f %% fewer rows,", 100 * (1 - d.kept_ratio));
+            qualify_cell(t, "%.0f %%", 100 * (1 - d.kept_ratio));
         else
             qualify_cell(t, "-");
-        qualify_cell(t, "time x");
         qualify_time_cell(t, &d, d.median_ratio);
     }
 }
 
-static void print_article(const qualify_plan *p)
+static void add_article(const qualify_plan *p, qualify_page *page)
 {
-    app_table t = {.columns = 7, .align = "lrlrrlr"};
+    static const char *const TITLES[] = {"rules", "2D: fewer rows", "time x", "3D: fewer rows",
+                                         "time x"};
+    app_table t = {.columns = 5, .align = "lrrrr"};
     if (!p->motion[0] || !p->dim[2] || !p->dim[3])
         return;
-    printf(
-        "\nThe article: pruning \"reduces by 15 %% in 2D and 40 %% in 3D static\", and \"may turn "
-        "in favour in\nhigher dimensions\". Here, 2D and 3D static:\n\n");
+    for (size_t c = 0; c < t.columns; c++)
+        qualify_cell(&t, "%s", TITLES[c]);
     for (size_t set = 1; set < p->sets; set++)
         if (p->grid.known[set])
-            add_article(&t, p, set);
-    app_table_print(&t, stdout);
+            add_article_line(&t, p, set);
+    qualify_page_text(page, "The article: pruning \"reduces by 15 %% in 2D and 40 %% in 3D "
+                            "static\", and \"may turn in favour in higher dimensions\".");
+    qualify_page_table(page, "article", "Here, 2D and 3D static", &t);
 }
 
-void qualify_claims(const qualify_plan *p)
+void qualify_claims(const qualify_plan *p, qualify_page *page)
 {
     if (p->grid.complete == 0 || p->grid.sample[0].file)
         return;
-    printf("\nFrom which D on does a rule pay? (order %s)\n\n"
-           "rows: change of the rows kept against no rules; time: median ratio of the verdict's "
-           "time. \"decides\":\nno rules never came to an end where these did.\n",
-           qualify_order_text(p->order[0]));
+    qualify_page_text(page,
+                      "From which D on does a rule pay? (order %s) rows: change of the rows kept "
+                      "against no rules; time: median ratio of the verdict's time. \"decides\": "
+                      "no rules never came to an end where these did.",
+                      qualify_order_text(p->order[0]));
     for (int moves = 0; moves < 2; moves++)
         if (p->motion[moves])
-            print_motion(p, moves);
-    print_article(p);
+            add_motion(p, moves, page);
+    add_article(p, page);
 }

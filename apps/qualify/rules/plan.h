@@ -25,6 +25,7 @@ typedef struct qualify_plan {
     study_way way[PLAN_MOST_SETS * PLAN_MOST_ORDERS];
     const char *out; /* folder for the report, or NULL */
     bool json, counts, detail, quiet;
+    bool brief; /* without the counts that the project holds itself to */
 } qualify_plan;
 
 extern const struct argp qualify_plan_argp;

@@ -1,10 +1,10 @@
-/* json.c: the study as one JSON object. */
+/* json.c: the numbers of the study, as keys of its JSON object. */
 #include <math.h>
 #include <stdlib.h>
 
 #include "common/json.h"
 #include "common/message.h"
-#include "qualify/report.h"
+#include "qualify/rules/report.h"
 
 static json_t *real(double x)
 {
@@ -71,11 +71,9 @@ static void add_class(void *self, const qualify_plan *p, const qualify_select *w
     free(name);
 }
 
-json_t *qualify_json(const qualify_plan *p)
+void qualify_numbers(const qualify_plan *p, qualify_page *page)
 {
-    json_t *obj = json_object(), *classes = json_array();
-    app_json_set(obj, "study", json_string("rules"));
-    app_json_set(obj, "version", json_string(fmb_version()));
+    json_t *obj = qualify_page_json(page), *classes = json_array();
     app_json_set(obj, "family", json_string(study_family_text(p->family)));
     app_json_set(obj, "seed", count(p->grid.seed));
     app_json_set(obj, "pairs", count(p->grid.per_class));
@@ -84,5 +82,4 @@ json_t *qualify_json(const qualify_plan *p)
     app_json_set(obj, "complete", json_boolean(p->grid.complete == p->grid.samples));
     qualify_each(p, true, classes, add_class);
     app_json_set(obj, "classes", classes);
-    return obj;
 }

@@ -1,11 +1,11 @@
 /* plan.c: see plan.h. */
-#include "qualify/plan.h"
+#include "qualify/rules/plan.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "common/message.h"
-#include "qualify/files.h"
+#include "qualify/rules/files.h"
 
 /* What each order is called: the words of the library's own option. */
 static const char *const ORDER[] = {

@@ -2,16 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "common/file.h"
-#include "common/message.h"
-#include "qualify/report.h"
-
-int qualify_create(const qualify_plan *p, const char *name, FILE **f, char **path)
-{
-    if (asprintf(path, "%s/%s", p->out, name) < 0)
-        app_need(NULL);
-    return app_file_create(*path, f);
-}
+#include "qualify/rules/report.h"
 
 static void put_ratio(FILE *f, double ratio)
 {
@@ -21,22 +12,10 @@ static void put_ratio(FILE *f, double ratio)
         fprintf(f, ",%.6g", ratio);
 }
 
-/* A field that may hold anything. */
-static void put_text(FILE *f, const char *text)
-{
-    fputc('"', f);
-    for (; *text; text++) {
-        if (*text == '"')
-            fputc('"', f);
-        fputc(*text, f);
-    }
-    fputc('"', f);
-}
-
 static void put_way(FILE *f, const qualify_plan *p, size_t way)
 {
     fputc(',', f);
-    put_text(f, qualify_set_text(&p->way[way]));
+    qualify_csv_text(f, qualify_set_text(&p->way[way]));
     fprintf(f, ",%s", qualify_order_text(p->way[way].order));
 }
 
@@ -46,7 +25,7 @@ static void put_class(void *self, const qualify_plan *p, const qualify_select *w
     char *name = qualify_select_text(which);
     for (size_t w = 0; w < p->grid.ways; w++) {
         study_digest d = qualify_digest(p, w, which);
-        put_text(f, name);
+        qualify_csv_text(f, name);
         put_way(f, p, w);
         fprintf(f, ",%zu,%zu,%zu,%zu,%zu", d.systems, d.decided, d.stopped, d.refused, d.wrong);
         fprintf(f, ",%.6g,%.6g,%.6g,%.6g,%.6g,%.6g", d.pairs, d.made, d.kept, d.lived, d.peak,
@@ -75,7 +54,7 @@ static void put_run(FILE *f, const qualify_plan *p, const char *name, size_t ite
                     const study_run *r)
 {
     static const char *const OUTCOME[] = {"not run", "decided", "stopped", "refused", "wrong"};
-    put_text(f, name);
+    qualify_csv_text(f, name);
     fprintf(f, ",%zu", item + 1);
     put_way(f, p, way);
     fprintf(f, ",%s,%s,%s", OUTCOME[r->outcome], fmb_stop_text(r->stop),
@@ -88,9 +67,13 @@ static void put_run(FILE *f, const qualify_plan *p, const char *name, size_t ite
     fprintf(f, ",%s,%.9f\n", OUTCOME[r->solved], r->seconds);
 }
 
-static void put_runs(FILE *f, const qualify_plan *p)
+static void put_runs(FILE *f, const void *plan)
 {
+    const qualify_plan *p = plan;
     const study_grid *g = &p->grid;
+    fprintf(f, "systems,number,rules,order,outcome,stop,verdict,pairs,made,kept,sum,peak,held");
+    put_dropped_titles(f, p);
+    fprintf(f, ",solved,seconds\n");
     for (size_t k = 0; k < g->complete; k++) {
         const study_class *c = &g->sample[k].class;
         qualify_select which = {c->dim, c->moves, 2 * (int)c->shape[0] + (int)c->shape[1], c->meets,
@@ -103,44 +86,18 @@ static void put_runs(FILE *f, const qualify_plan *p)
     }
 }
 
-static int write_classes(const qualify_plan *p)
+static void put_classes(FILE *f, const void *plan)
 {
-    FILE *f = NULL;
-    char *path;
-    int code = qualify_create(p, "classes.csv", &f, &path);
-    if (code == APP_YES) {
-        fprintf(f, "systems,rules,order,n,decided,stopped,refused,wrong,pairs,made,kept,sum,peak,"
-                   "held");
-        put_dropped_titles(f, p);
-        fprintf(
-            f,
-            ",both_decided,only_this_decided,kept_ratio,sum_ratio,timed,none_gave_up,this_gave_up,"
-            "time_median_ratio,time_total_ratio,sign_test\n");
-        qualify_each(p, true, f, put_class);
-        code = app_file_close(f, path);
-    }
-    free(path);
-    return code;
+    const qualify_plan *p = plan;
+    fprintf(f, "systems,rules,order,n,decided,stopped,refused,wrong,pairs,made,kept,sum,peak,held");
+    put_dropped_titles(f, p);
+    fprintf(f, ",both_decided,only_this_decided,kept_ratio,sum_ratio,timed,none_gave_up,"
+               "this_gave_up,time_median_ratio,time_total_ratio,sign_test\n");
+    qualify_each(p, true, f, put_class);
 }
 
-static int write_runs(const qualify_plan *p)
+void qualify_csv_files(const qualify_plan *p, qualify_page *page)
 {
-    FILE *f = NULL;
-    char *path;
-    int code = qualify_create(p, "runs.csv", &f, &path);
-    if (code == APP_YES) {
-        fprintf(f, "systems,number,rules,order,outcome,stop,verdict,pairs,made,kept,sum,peak,held");
-        put_dropped_titles(f, p);
-        fprintf(f, ",solved,seconds\n");
-        put_runs(f, p);
-        code = app_file_close(f, path);
-    }
-    free(path);
-    return code;
-}
-
-int qualify_write_csv(const qualify_plan *p)
-{
-    int code = write_classes(p);
-    return code == APP_YES ? write_runs(p) : code;
+    qualify_page_file(page, "classes.csv", put_classes, p);
+    qualify_page_file(page, "runs.csv", put_runs, p);
 }

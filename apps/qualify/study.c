@@ -1,0 +1,175 @@
+/* study.c: see study.h. */
+#include "qualify/study.h"
+
+#include <argp.h>
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/json.h"
+#include "common/message.h"
+#include "qualify/watch.h"
+#include "study/clock.h"
+
+enum { KEY_PASSES = 0x100, KEY_SIMD, MOST_PAIRS = 10000000 };
+
+static const struct argp_option options[] = {
+    {"pairs", 'n', "N", 0, "Pairs of each class", 1},
+    {"passes", KEY_PASSES, "N", 0, "Of the clock over all pairs", 1},
+    {"seed", 's', "S", 0, "Of the random numbers [1]", 1},
+    {"simd", KEY_SIMD, "LEVEL", 0, "auto, plain, avx2, avx512 [auto]", 1},
+    {"out", 'o', "DIR", 0, "Write report.html, CSV, JSON and plots into this folder, too", 2},
+    {"json", 'j', NULL, 0, "Print one JSON object instead of tables", 2},
+    {"quiet", 'q', NULL, 0, "No progress bar", 2},
+    {0}};
+
+static uint64_t whole(const char *text, uint64_t least, uint64_t most, struct argp_state *state)
+{
+    char *end;
+    errno = 0;
+    unsigned long long x = strtoull(text, &end, 10);
+    if (end == text || *end != '\0' || errno != 0 || strchr(text, '-') || x < least || x > most)
+        argp_error(state, "'%s' is not a whole number from %llu to %llu", text,
+                   (unsigned long long)least, (unsigned long long)most);
+    return x;
+}
+
+static fmb_simd simd_level(const char *word, struct argp_state *state)
+{
+    fmb_options o = fmb_options_default();
+    if (fmb_options_set(&o, "simd", word) != FMB_OK)
+        argp_error(state, "'%s' is not one of auto, plain, avx2, avx512", word);
+    return o.simd;
+}
+
+static error_t parse_report(int key, char *arg, struct argp_state *state)
+{
+    qualify_setup *o = state->input;
+    switch (key) {
+    case 'o':
+        o->out = arg;
+        return 0;
+    case 'j':
+        o->json = true;
+        return 0;
+    case 'q':
+        o->quiet = true;
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static error_t parse(int key, char *arg, struct argp_state *state)
+{
+    qualify_setup *o = state->input;
+    switch (key) {
+    case 'n':
+        o->pairs = (size_t)whole(arg, 1, MOST_PAIRS, state);
+        return 0;
+    case 's':
+        o->seed = whole(arg, 0, UINT64_MAX, state);
+        return 0;
+    case KEY_PASSES:
+        o->passes = (int)whole(arg, 1, STUDY_CLOCK_MOST_PASSES, state);
+        return 0;
+    case KEY_SIMD:
+        o->simd = simd_level(arg, state);
+        return 0;
+    default:
+        return parse_report(key, arg, state);
+    }
+}
+
+/* [give, free()] The help of a study, with its defaults. */
+static char *doc_of(const qualify_study *s)
+{
+    char *doc;
+    const char *more = strchr(s->doc, '\v');
+    int length = more ? (int)(more - s->doc) : (int)strlen(s->doc);
+    if (asprintf(&doc, "%.*s\v%s%sBy itself it looks at %zu pairs of each class, in %d passes.\n",
+                 length, s->doc, more ? more + 1 : "", more ? "\n" : "", s->alone.pairs,
+                 s->alone.passes) < 0)
+        app_need(NULL);
+    return doc;
+}
+
+static void read_options(const char *doc, int argc, char **argv, qualify_setup *o)
+{
+    const struct argp whole_line = {.options = options, .parser = parse, .doc = doc};
+    *o = (qualify_setup){.seed = 1};
+    argp_parse(&whole_line, argc, argv, 0, NULL, o);
+}
+
+/* What was not asked for is the usual. */
+static qualify_setup with_effort(const qualify_setup *asked, const qualify_effort *usual)
+{
+    qualify_setup o = *asked;
+    o.pairs = o.pairs > 0 ? o.pairs : usual->pairs;
+    o.passes = o.passes > 0 ? o.passes : usual->passes;
+    return o;
+}
+
+static int run_study(const qualify_study *s, const qualify_setup *asked,
+                     const qualify_effort *usual, qualify_page *page)
+{
+    qualify_setup o = with_effort(asked, usual);
+    qualify_page_begin(page, s->name, s->title);
+    qualify_watch_name(s->name);
+    app_json_set(qualify_page_json(page), "seed", json_integer((json_int_t)o.seed));
+    app_json_set(qualify_page_json(page), "pairs", json_integer((json_int_t)o.pairs));
+    app_json_set(qualify_page_json(page), "passes", json_integer(o.passes));
+    int code = s->run(&o, page);
+    if (qualify_watch_interrupted())
+        qualify_page_interrupted(page);
+    return code;
+}
+
+/* The first of two exit codes that says something; a Ctrl-C comes last. */
+static int first_code(int a, int b)
+{
+    return a != APP_YES ? a : b;
+}
+
+static int end(qualify_page *page, int code)
+{
+    code = first_code(code, qualify_page_close(page));
+    code = first_code(code, qualify_watch_interrupted() ? APP_UNDECIDED : APP_YES);
+    qualify_watch_end();
+    return code;
+}
+
+int qualify_study_main(const qualify_study *s, int argc, char **argv)
+{
+    qualify_setup o;
+    char *doc = doc_of(s);
+    read_options(doc, argc, argv, &o);
+    free(doc);
+    qualify_watch_begin(o.quiet);
+    qualify_page *page = qualify_page_open(o.out, o.json);
+    return end(page, run_study(s, &o, &s->alone, page));
+}
+
+/* ---- all of them ----------------------------------------------------------------------------- */
+
+static const char *const FOLDER = "fmb-report";
+
+static const qualify_study *const STUDY[] = {&qualify_study_rules};
+enum { STUDIES = sizeof STUDY / sizeof *STUDY };
+
+static const char all_doc[] =
+    "All studies, one after the other, with fewer pairs than each takes by itself: minutes. The "
+    "report is in DIR/report.html; DIR is fmb-report unless --out names another.";
+
+int qualify_all(int argc, char **argv)
+{
+    qualify_setup o;
+    int code = APP_YES;
+    read_options(all_doc, argc, argv, &o);
+    o.out = o.out ? o.out : FOLDER;
+    qualify_watch_begin(o.quiet);
+    qualify_page *page = qualify_page_open(o.out, o.json);
+    for (int i = 0; i < STUDIES && !qualify_watch_interrupted(); i++)
+        code = first_code(code, run_study(STUDY[i], &o, &STUDY[i]->brief, page));
+    return end(page, code);
+}
