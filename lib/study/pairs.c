@@ -89,28 +89,50 @@ static fmb_frame pack(const fmb_frame *f, double **to)
     return out;
 }
 
+fmb_status study_pairs_room(const study_pair_plan *plan, size_t n, study_pairs *out)
+{
+    size_t most = (size_t)(plan->dim * (plan->dim + 2));
+    *out = (study_pairs){.p = calloc(n + 1, sizeof *out->p),
+                         .q = calloc(n + 1, sizeof *out->q),
+                         .number = calloc(2 * n + 1, most * sizeof(double))};
+    if (out->p && out->q && out->number)
+        return FMB_OK;
+    study_pairs_free(out);
+    return FMB_ERR_MEMORY;
+}
+
+/* The first n pairs that keep likes, from pair out->drawn on. */
+static void fill(const study_pair_plan *plan, uint64_t seed, size_t n,
+                 bool (*keep)(void *self, const fmb_frame *p, const fmb_frame *q), void *self,
+                 study_pairs *out)
+{
+    study_pair one;
+    double *to = out->number;
+    out->n = 0;
+    while (out->n < n) {
+        study_pair_draw(plan, seed, out->drawn++, &one);
+        if (keep && !keep(self, &one.p, &one.q))
+            continue;
+        out->p[out->n] = pack(&one.p, &to);
+        out->q[out->n++] = pack(&one.q, &to);
+    }
+}
+
+void study_pairs_fill(const study_pair_plan *plan, uint64_t seed, uint64_t first, size_t n,
+                      study_pairs *out)
+{
+    out->drawn = first;
+    fill(plan, seed, n, NULL, NULL, out);
+}
+
 fmb_status study_pairs_make(const study_pair_plan *plan, uint64_t seed, size_t n,
                             bool (*keep)(void *self, const fmb_frame *p, const fmb_frame *q),
                             void *self, study_pairs *out)
 {
-    size_t most = (size_t)(plan->dim * (plan->dim + 2));
-    study_pair *one = malloc(sizeof *one);
-    *out = (study_pairs){.p = calloc(n + 1, sizeof *out->p),
-                         .q = calloc(n + 1, sizeof *out->q),
-                         .number = calloc(2 * n + 1, most * sizeof(double))};
-    double *to = out->number;
-    bool fits = one && out->p && out->q && out->number;
-    while (fits && out->n < n) {
-        study_pair_draw(plan, seed, out->drawn++, one);
-        if (keep && !keep(self, &one->p, &one->q))
-            continue;
-        out->p[out->n] = pack(&one->p, &to);
-        out->q[out->n++] = pack(&one->q, &to);
-    }
-    free(one);
-    if (!fits)
-        study_pairs_free(out);
-    return fits ? FMB_OK : FMB_ERR_MEMORY;
+    fmb_status st = study_pairs_room(plan, n, out);
+    if (st == FMB_OK)
+        fill(plan, seed, n, keep, self, out);
+    return st;
 }
 
 void study_pairs_free(study_pairs *s)

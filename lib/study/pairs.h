@@ -61,6 +61,12 @@ typedef struct study_pairs {
 fmb_status study_pairs_make(const study_pair_plan *plan, uint64_t seed, size_t n,
                             bool (*keep)(void *self, const fmb_frame *p, const fmb_frame *q),
                             void *self, study_pairs *out);
+/* [give, study_pairs_free] Room for n pairs of a plan, to be filled again and again. Errors:
+ * MEMORY. */
+fmb_status study_pairs_room(const study_pair_plan *plan, size_t n, study_pairs *out);
+/* Fill that room with pairs first ... first + n - 1, n as many as there is room for at most. */
+void study_pairs_fill(const study_pair_plan *plan, uint64_t seed, uint64_t first, size_t n,
+                      study_pairs *out);
 void study_pairs_free(study_pairs *s);
 
 #endif

@@ -53,8 +53,9 @@ def rooms(root):
                 yield f"{path}: {fault}"
     for path in sources(root / "apps"):
         own = {"common", "fmb"}
-        if "qualify" in (*path.relative_to(root).parts, path.stem.removeprefix("fmb-")):
-            own |= {"qualify", "study"}
+        for laboratory in ("qualify", "validate"):
+            if laboratory in (*path.relative_to(root).parts, path.stem.removeprefix("fmb-")):
+                own |= {laboratory, "study"}
         for bracket, name in INCLUDE.findall(path.read_text()):
             if bracket == '"' and name.split("/")[0] not in own:
                 yield f'{path}: "{name}": a command sees public headers only'

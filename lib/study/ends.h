@@ -1,0 +1,21 @@
+/* ends.h: is a box right? Beside the exact one, whose ends were rounded outward. */
+#ifndef FMB_STUDY_ENDS_H
+#define FMB_STUDY_ENDS_H
+
+#include <fmb/pair.h>
+
+/* The largest absolute coordinate of a corner of p or q at t = 0 or 1. */
+double study_largest_coordinate(const fmb_frame *p, const fmb_frame *q);
+
+/* Faults (verdicts.h) of one pair's answers beside the exact ones; tightest: ends must be equal.
+ * excess: the most by which an end lies farther out, over what counts as 1 there: the largest
+ * coordinate for places, 1 for coordinates of a frame and times. */
+unsigned study_box_faults(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *ours,
+                          const fmb_pair_answers *exact, bool tightest, double *excess);
+
+/* [give] The system of what p, q and the neighbourhood of x, as large as rounding, share; it has a
+ * solution iff x is a common point, up to rounding. Errors: ARG, MEMORY. */
+fmb_status study_witness_system(const fmb_frame *p, const fmb_frame *q, const double *x,
+                                fmb_system **out);
+
+#endif
