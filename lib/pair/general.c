@@ -1,28 +1,145 @@
-/* general.c: see general.h. */
-#include "pair/general.h"
+/* general.c: see general.h.
+ *
+ * Guess fast, prove exactly. The guess is Fourier-Motzkin elimination in plain doubles: either some
+ * combination of rows fails, and with it comes a direction in which the frames should be apart; or
+ * there is a point that should be inside both. Whatever rounding did on the way, the proof
+ * (general_prove.c) needs only that direction or that point, and has an error bound.
+ */
+#include "pair/general_inside.h"
 
-struct fmb_general {
-    int dim;
-};
+#include <math.h>
 
-fmb_general *fmb_general_new(int dim, fmb_mem *mem)
+/* Room for rows [rows]: enough for hard pairs of cuboids in eight dimensions. */
+static size_t most_rows(int dim)
+{
+    return dim < 4 ? (size_t)16 << 2 * dim : 4096;
+}
+
+static size_t solved_words(int dim)
+{
+    return (size_t)dim * (3 * (size_t)dim + 2);
+}
+
+fmb_general *fmb_general_new(int dim, fmb_simd simd, fmb_mem *mem)
 {
     fmb_general *g = fmb_mem_zero(mem, 1, sizeof *g);
-    if (g)
-        g->dim = dim;
-    return g;
+    if (!g)
+        return NULL;
+    size_t d = (size_t)dim, rows = most_rows(dim);
+    g->dim = dim;
+    if (dim > FMB_GENERAL_MOST_DIM)
+        return g;
+    g->kernels = fmb_kernels_choose(simd);
+    g->kernels = g->kernels ? g->kernels : fmb_kernels_choose(FMB_SIMD_PLAIN);
+    g->most_rows = rows;
+    g->stride = (2 * d + 1 + 7) / 8 * 8;
+    g->m = fmb_mem_get(mem, (2 * d + 1) * d, sizeof *g->m);
+    g->h = fmb_mem_get(mem, d, sizeof *g->h);
+    g->solved = fmb_mem_get(mem, solved_words(dim), sizeof *g->solved);
+    g->head = fmb_mem_get(mem, rows, sizeof *g->head);
+    g->cell = fmb_mem_get(mem, rows * g->stride, sizeof *g->cell);
+    g->named = fmb_mem_get(mem, rows, sizeof *g->named);
+    g->bits = fmb_mem_zero(mem, 2 * rows, sizeof *g->bits);
+    g->drop = fmb_mem_get(mem, rows / 64, sizeof *g->drop);
+    if (g->m && g->h && g->solved && g->head && g->cell && g->named && g->bits && g->drop)
+        return g;
+    fmb_general_free(g, mem);
+    return NULL;
 }
 
 void fmb_general_free(fmb_general *g, fmb_mem *mem)
 {
-    if (g)
-        fmb_mem_put(mem, g, 1, sizeof *g);
+    if (!g)
+        return;
+    size_t d = (size_t)g->dim, rows = g->most_rows;
+    fmb_mem_put(mem, g->m, (2 * d + 1) * d, sizeof *g->m);
+    fmb_mem_put(mem, g->h, d, sizeof *g->h);
+    fmb_mem_put(mem, g->solved, solved_words(g->dim), sizeof *g->solved);
+    fmb_mem_put(mem, g->head, rows, sizeof *g->head);
+    fmb_mem_put(mem, g->cell, rows * g->stride, sizeof *g->cell);
+    fmb_mem_put(mem, g->named, rows, sizeof *g->named);
+    fmb_mem_put(mem, g->bits, 2 * rows, sizeof *g->bits);
+    fmb_mem_put(mem, g->drop, rows / 64, sizeof *g->drop);
+    fmb_mem_put(mem, g, 1, sizeof *g);
+}
+
+/* ---- the pair -------------------------------------------------------------------------------- */
+
+static void put_axes(fmb_general *g, const fmb_frame *f, fmb_general_kind kind, double sign)
+{
+    double *to = g->m + g->columns * g->dim;
+    for (int j = 0; j < f->naxes * g->dim; j++)
+        to[j] = sign * f->axes[j];
+    for (int k = 0; k < f->naxes; k++)
+        g->kind[g->columns++] = f->shape == FMB_SIMPLEX ? kind : FMB_GENERAL_UNIT;
+}
+
+static double largest_in_row(const fmb_general *g, int i)
+{
+    double most = 0;
+    for (int j = 0; j < g->columns; j++)
+        most = fmax(most, fabs(g->m[j * g->dim + i]));
+    return most > 0 ? most : fabs(g->h[i]);
+}
+
+/* The power of two, in two factors as it may be as large as 2^1074. */
+static void scale_row(fmb_general *g, int i)
+{
+    int e;
+    frexp(largest_in_row(g, i), &e);
+    double half = ldexp(1, -(e / 2)), rest = ldexp(1, -(e - e / 2));
+    for (int j = 0; j < g->columns; j++)
+        g->m[j * g->dim + i] = g->m[j * g->dim + i] * half * rest;
+    g->h[i] = g->h[i] * half * rest;
+}
+
+/* False if differences or scaled numbers overflow. */
+static bool load(fmb_general *g, const fmb_frame *p, const fmb_frame *q)
+{
+    bool moves = p->speed || q->speed, good = true;
+    g->columns = 0;
+    put_axes(g, p, FMB_GENERAL_OF_A, 1);
+    put_axes(g, q, FMB_GENERAL_OF_B, -1);
+    double *drift = g->m + g->columns * g->dim;
+    for (int i = 0; i < g->dim; i++)
+        g->h[i] = q->origin[i] - p->origin[i];
+    for (int i = 0; moves && i < g->dim; i++)
+        drift[i] = (p->speed ? p->speed[i] : 0) - (q->speed ? q->speed[i] : 0);
+    for (int i = 0; moves && i < g->dim; i++)
+        good &= isfinite(drift[i]);
+    if (moves)
+        g->kind[g->columns++] = FMB_GENERAL_UNIT;
+    for (int i = 0; good && i < g->dim; i++) {
+        scale_row(g, i);
+        good = isfinite(g->h[i]);
+    }
+    return good;
+}
+
+/* ---- the verdict ----------------------------------------------------------------------------- */
+
+/* A row that has lost all unknowns: the frames lie in parallel flats. */
+static bool are_in_parallel_flats(const fmb_general *g)
+{
+    for (int i = 0; g->rank < g->dim && i < g->dim; i++)
+        if (g->pivot[i] < 0 && fmb_general_are_apart(g, fmb_general_inverse(g, i)))
+            return true;
+    return false;
 }
 
 fmb_verdict fmb_general_decide(fmb_general *g, const fmb_frame *p, const fmb_frame *q)
 {
-    (void)g;
-    (void)p;
-    (void)q;
+    if (g->dim > FMB_GENERAL_MOST_DIM || !load(g, p, q))
+        return FMB_UNKNOWN;
+    fmb_general_solve(g);
+    if (are_in_parallel_flats(g))
+        return FMB_INFEASIBLE;
+    fmb_general_step step = fmb_general_eliminate(g);
+    if (step == FMB_GENERAL_GO)
+        step = fmb_general_finish(g);
+    if (step == FMB_GENERAL_CLASH && fmb_general_are_apart(g, g->direction))
+        return FMB_INFEASIBLE;
+    if (step == FMB_GENERAL_GO && fmb_general_is_near_common(g, g->z))
+        return FMB_FEASIBLE;
     return FMB_UNKNOWN;
 }

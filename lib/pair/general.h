@@ -11,8 +11,8 @@
 /* Workspace for one dimension. */
 typedef struct fmb_general fmb_general;
 
-/* [give] NULL without memory. */
-fmb_general *fmb_general_new(int dim, fmb_mem *mem);
+/* [give] NULL without memory. The processor has those instructions. */
+fmb_general *fmb_general_new(int dim, fmb_simd simd, fmb_mem *mem);
 void fmb_general_free(fmb_general *g, fmb_mem *mem);
 
 /* Do the frames meet? FEASIBLE: their relative interiors certainly have a point together;

@@ -65,7 +65,7 @@ fmb_status fmb_pair_new(int dim, const fmb_pair_options *o, const fmb_alloc *hoo
     k->options = *o;
     k->dim = dim;
     k->wide = fmb_pair_kernels_choose(o->simd);
-    k->general = fmb_general_new(dim, &k->mem);
+    k->general = fmb_general_new(dim, o->simd, &k->mem);
     fmb_status st = k->general ? fmb_pair_oracle_open(&k->oracle, o, hook) : FMB_ERR_MEMORY;
     if (st == FMB_OK)
         *out = k;

@@ -1,0 +1,126 @@
+/* general_inside.h: what the files of the general way share; see general.c.
+ *
+ * The frames A and B have a point together iff M z = h for unknowns z = (c of A, c of B, t) in
+ * their places, with M = [axes of A, - axes of B, speed of A - speed of B] and h = origin of B -
+ * origin of A. Each world coordinate is scaled by a power of two of its own, so that the largest
+ * entry of each row of M is between 1/2 and 1 (of h, if M has nothing but 0 there). So an entry is
+ * off by at most u of itself, u = 2^-53, where it is a difference, and by 2^-1074 where scaling
+ * loses bits below the least double.
+ *
+ * Some unknowns, the pivots, are solved for in terms of the others, the free ones:
+ *
+ *     z_pivot(i) + sum T_ij z_free(j) = r_i,      which is row i of R (M z - h) = 0
+ *
+ * The elimination is on rows low <= a x <= high; x are the free unknowns not yet removed. Each row
+ * is known to be v (M z - h), for some v in R^D, in terms of x and of unknowns that their places
+ * bound, and keeps that v. So a row that nothing in the box of x satisfies says that the frames are
+ * apart in direction v.
+ */
+#ifndef FMB_PAIR_GENERAL_INSIDE_H
+#define FMB_PAIR_GENERAL_INSIDE_H
+
+#include "num/kernels.h"
+#include "pair/general.h"
+
+enum {
+    FMB_GENERAL_MOST_DIM = 24, /* base rows of a history fit into one word */
+    FMB_GENERAL_MOST_COLUMNS = 2 * FMB_GENERAL_MOST_DIM + 1
+};
+
+/* The place of an unknown: 0 <= z <= 1, or the simplex of A or of B. */
+typedef enum fmb_general_kind {
+    FMB_GENERAL_UNIT,
+    FMB_GENERAL_OF_A,
+    FMB_GENERAL_OF_B,
+    FMB_GENERAL_KINDS
+} fmb_general_kind;
+
+typedef struct fmb_general_head {
+    double low, high; /* infinite: no such end */
+    /* base rows that gave their upper ends to high (their lower ends to low), and base rows that
+     * gave their lower ends to high (their upper ends to low) */
+    uint64_t plus, minus;
+} fmb_general_head;
+
+/* The rows before a round. */
+typedef struct fmb_general_level {
+    size_t first, rows;
+    int place; /* of the unknown that the round removed; the last one moved there */
+} fmb_general_level;
+
+struct fmb_general {
+    int dim;
+    const fmb_kernels *kernels;
+
+    /* the pair */
+    int columns;
+    fmb_general_kind kind[FMB_GENERAL_MOST_COLUMNS];
+    double *m; /* [columns][dim] */
+    double *h; /* [dim] */
+
+    /* solved for the pivots */
+    double *solved; /* [dim][columns + 1 + dim]: T in the columns of M, r, R */
+    int rank;
+    int pivot[FMB_GENERAL_MOST_DIM]; /* [dim] column of row i, or -1 */
+    bool is_pivot[FMB_GENERAL_MOST_COLUMNS];
+
+    /* the elimination */
+    int n, removed;                        /* unknowns: left, removed */
+    int unknown[FMB_GENERAL_MOST_COLUMNS]; /* column of the one at each place */
+    bool all_unit;                         /* no free unknown is in a simplex */
+    size_t rows, most_rows, pairs, stride;
+    fmb_general_head *head; /* [most_rows] */
+    double *cell;           /* [most_rows][stride]: v, then a */
+    uint16_t *named;        /* [most_rows] rows with the unknown to be removed */
+    uint64_t *bits, *drop;  /* their histories, side by side; which of them not to pair */
+    fmb_general_level level[FMB_GENERAL_MOST_COLUMNS + 1];
+
+    /* what is found */
+    double direction[FMB_GENERAL_MOST_DIM]; /* v of a clash */
+    double z[FMB_GENERAL_MOST_COLUMNS];
+};
+
+typedef enum fmb_general_step {
+    FMB_GENERAL_GO,
+    FMB_GENERAL_CLASH, /* with a direction */
+    FMB_GENERAL_LOST   /* no room, or rounding has spoilt it */
+} fmb_general_step;
+
+static inline double *fmb_general_cell(const fmb_general *g, size_t i)
+{
+    return g->cell + i * g->stride;
+}
+
+static inline double *fmb_general_solved(const fmb_general *g, int i)
+{
+    return g->solved + (size_t)i * (size_t)(g->columns + 1 + g->dim);
+}
+
+/* Row i of R. */
+static inline const double *fmb_general_inverse(const fmb_general *g, int i)
+{
+    return fmb_general_solved(g, i) + g->columns + 1;
+}
+
+/* general_solve.c: choose pivots and solve for them. */
+void fmb_general_solve(fmb_general *g);
+
+/* general_rows.c: the rows of the pair. */
+fmb_general_step fmb_general_start(fmb_general *g);
+/* Keep the row at the end, of n unknowns, without ends that say nothing in the box. */
+fmb_general_step fmb_general_settle(fmb_general *g, int n);
+/* Bring the unknown at that place of row i to the last place, and its coefficient to 1 (or 0). */
+void fmb_general_turn(fmb_general *g, size_t i, int place);
+
+/* general_rounds.c: rounds until at most two unknowns are left. */
+fmb_general_step fmb_general_eliminate(fmb_general *g);
+
+/* general_last.c: the last two, then z from all rows. */
+fmb_general_step fmb_general_finish(fmb_general *g);
+
+/* general_prove.c: are the closed frames certainly apart in that direction? */
+bool fmb_general_are_apart(const fmb_general *g, const double *direction);
+/* Is there certainly a solution near z, strictly inside both frames? */
+bool fmb_general_is_near_common(const fmb_general *g, const double *z);
+
+#endif

@@ -1,0 +1,165 @@
+/* general_prove.c: what makes a guess an answer.
+ *
+ * u = 2^-53 below; a sum of n products is off by at most n u (1 + n u) times the sum of their
+ * absolute values, which is itself summed up, and that sum is off by as small a share. Counting
+ * each u twice covers all terms of higher order. What underflows is off by 2^-1074 at most each
+ * time; as there are less than 2^14 operations on numbers below 2^10, or with R below 2^501, 2^-500
+ * covers all of it.
+ */
+#include "pair/general_inside.h"
+
+#include <float.h>
+#include <math.h>
+
+#define UNDERFLOW 0x1p-500
+
+/* ---- apart ----------------------------------------------------------------------------------- */
+
+/* *size += sum |a_i b_i| */
+static double dot(const double *a, const double *b, int n, double *size)
+{
+    double sum = 0, all = 0;
+    for (int i = 0; i < n; i++) {
+        sum += a[i] * b[i];
+        all += fabs(a[i] * b[i]);
+    }
+    *size += all;
+    return sum;
+}
+
+/* Over all z in their places, w (M z - h) lies between the sums of least and of greatest w m_j z_j,
+ * less w h; where 0 does not, M z = h is impossible. Any w proves it, so it does not matter how it
+ * was found.
+ *
+ * Errors: an entry of M or h is off by u of itself, its product with w_i by u more, and goes
+ * through at most dim sums, the result through columns + 3. All that times size, the sum of the
+ * absolute products; which end of its place a z takes changes nothing, as least and greatest are
+ * off by no more than what they are taken of. If w has a NaN so has w h, and both comparisons fail.
+ */
+bool fmb_general_are_apart(const fmb_general *g, const double *direction)
+{
+    double w[FMB_GENERAL_MOST_DIM], largest = 0, size = 0;
+    double low[FMB_GENERAL_KINDS] = {0}, high[FMB_GENERAL_KINDS] = {0};
+    for (int i = 0; i < g->dim; i++)
+        largest = fmax(largest, fabs(direction[i]));
+    for (int i = 0; i < g->dim; i++)
+        w[i] = direction[i] / largest;
+    for (int j = 0; j < g->columns; j++) {
+        double d = dot(w, g->m + j * g->dim, g->dim, &size);
+        fmb_general_kind kind = g->kind[j];
+        bool is_unit = kind == FMB_GENERAL_UNIT;
+        low[kind] = is_unit ? low[kind] + fmin(d, 0) : fmin(low[kind], d);
+        high[kind] = is_unit ? high[kind] + fmax(d, 0) : fmax(high[kind], d);
+    }
+    double b = dot(w, g->h, g->dim, &size);
+    double error = (g->dim + g->columns + 8) * DBL_EPSILON * size + UNDERFLOW;
+    return b - (high[0] + high[1] + high[2]) > error || low[0] + low[1] + low[2] - b > error;
+}
+
+/* ---- together --------------------------------------------------------------------------------
+ *
+ * With P the columns of the pivots, let y solve (P R) y = h - M z. Then z + R y (added to the
+ * pivots) is a solution. Let E = I - P R, e_i the sum of |E_ij| over j, and all e_i < 1/2: then y
+ * is there, |y_i| <= |rest_i| + e_i 2 max |rest_j|, rest = h - M z. If no z leaves its place when
+ * moved by |R| |y|, the solution is strictly inside both frames.
+ */
+
+/* |rest_i|, with what it may be off: each product by u for its entry, u for itself, and u for each
+ * of the at most `columns` sums. */
+static void bound_rest(const fmb_general *g, const double *z, double *rest)
+{
+    double size[FMB_GENERAL_MOST_DIM];
+    for (int i = 0; i < g->dim; i++) {
+        rest[i] = g->h[i];
+        size[i] = fabs(g->h[i]);
+    }
+    for (int j = 0; j < g->columns; j++)
+        for (int i = 0; i < g->dim; i++) {
+            double product = g->m[j * g->dim + i] * z[j];
+            rest[i] -= product;
+            size[i] += fabs(product);
+        }
+    for (int i = 0; i < g->dim; i++)
+        rest[i] = fabs(rest[i]) + (g->columns + 8) * DBL_EPSILON * size[i] + UNDERFLOW;
+}
+
+/* e_i: each E_ij is a sum of dim products and of 1 (or 0), so off by at most (dim + 3) u times
+ * their absolute values; over all j, with the sums of dim^2 numbers, by less than what is added. */
+static double bound_defect(const fmb_general *g, int i)
+{
+    double defect[FMB_GENERAL_MOST_DIM] = {0}, size = 1, sum = 0;
+    defect[i] = -1;
+    for (int k = 0; k < g->dim; k++) {
+        const double *r = fmb_general_inverse(g, k);
+        double p = g->m[g->pivot[k] * g->dim + i];
+        for (int j = 0; j < g->dim; j++) {
+            defect[j] += p * r[j];
+            size += fabs(p * r[j]);
+        }
+    }
+    for (int j = 0; j < g->dim; j++)
+        sum += fabs(defect[j]);
+    return sum + (g->dim * g->dim + 8) * DBL_EPSILON * size;
+}
+
+static bool is_inverse_moderate(const fmb_general *g)
+{
+    bool good = true;
+    for (int i = 0; i < g->dim; i++)
+        for (int j = 0; j < g->dim; j++)
+            good &= fabs(fmb_general_inverse(g, i)[j]) < 0x1p500;
+    return good;
+}
+
+static bool bound_y(const fmb_general *g, const double *z, double *y)
+{
+    double largest = 0;
+    bool good = is_inverse_moderate(g);
+    bound_rest(g, z, y);
+    for (int i = 0; i < g->dim; i++)
+        largest = fmax(largest, y[i]);
+    for (int i = 0; good && i < g->dim; i++) {
+        double e = bound_defect(g, i);
+        good = e < 0.5;
+        y[i] += e * 2 * largest;
+    }
+    return good;
+}
+
+/* How far each unknown may be from the solution: more than it is, by the sums' own errors. */
+static void bound_way(const fmb_general *g, const double *y, double *way)
+{
+    for (int j = 0; j < g->columns; j++)
+        way[j] = 0;
+    for (int i = 0; i < g->dim; i++) {
+        const double *r = fmb_general_inverse(g, i);
+        double sum = 0;
+        for (int j = 0; j < g->dim; j++)
+            sum += fabs(r[j]) * y[j];
+        way[g->pivot[i]] = sum * (1 + (g->dim + 8) * DBL_EPSILON) + UNDERFLOW;
+    }
+}
+
+/* z > way says what it says; 1 - z is off by u of itself, less than what is added to way. */
+static bool stay_inside(const fmb_general *g, const double *z, const double *way)
+{
+    double sum[FMB_GENERAL_KINDS] = {0}, most = 1 - (g->columns + 8) * DBL_EPSILON;
+    bool good = true;
+    for (int j = 0; j < g->columns; j++) {
+        good &= z[j] > way[j];
+        if (g->kind[j] == FMB_GENERAL_UNIT)
+            good &= 1 - z[j] > way[j] * (1 + 8 * DBL_EPSILON);
+        else
+            sum[g->kind[j]] += z[j] + way[j];
+    }
+    return good && sum[FMB_GENERAL_OF_A] < most && sum[FMB_GENERAL_OF_B] < most;
+}
+
+bool fmb_general_is_near_common(const fmb_general *g, const double *z)
+{
+    double y[FMB_GENERAL_MOST_DIM], way[FMB_GENERAL_MOST_COLUMNS];
+    if (g->rank < g->dim || !bound_y(g, z, y))
+        return false;
+    bound_way(g, y, way);
+    return stay_inside(g, z, way);
+}
