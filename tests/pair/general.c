@@ -1,0 +1,296 @@
+/* general.c: the general way, in doubles, beside exact answers: never wrong, rarely silent. */
+#include <criterion/criterion.h>
+#include <math.h>
+
+#include <fmb/pair.h>
+
+#include "../fault/hook.h"
+#include "../random/rows.h"
+#include "../support/support.h"
+#include "pair/general_inside.h"
+
+enum { MOST = 16 };
+
+/* ---- pairs ----------------------------------------------------------------------------------- */
+
+typedef enum family {
+    ARTICLE,  /* evenly in -100 ... 100 */
+    LATTICE,  /* whole numbers -2 ... 2: touching, degenerate, dependent axes */
+    NEAR,     /* those, one origin a little aside */
+    FLAT,     /* article, one axis of 1e-8 */
+    TINY,     /* article, one frame by 1e-9 */
+    FAR,      /* article, both 1e9 away */
+    DENORMAL, /* lattice in multiples of the least double */
+    HUGE,     /* lattice in multiples of 2^1021: differences may overflow */
+    MIXED,    /* lattice, each world coordinate in a unit of its own */
+    FAMILIES
+} family;
+
+typedef struct two {
+    fmb_frame f[2];
+    double number[2][MOST * (MOST + 2)];
+} two;
+
+static double even(support_rng *g)
+{
+    return (double)(support_next(g) >> 11) * (200 * 0x1p-53) - 100;
+}
+
+static bool is_lattice(family of)
+{
+    return of == LATTICE || of == NEAR || of >= DENORMAL;
+}
+
+static void fill(support_rng *g, family of, double *x, int n)
+{
+    for (int i = 0; i < n; i++)
+        x[i] = is_lattice(of) ? support_between(g, -2, 2) : even(g);
+}
+
+static void scale(double *x, int n, int step, double by)
+{
+    for (int i = 0; i < n; i += step)
+        x[i] *= by;
+}
+
+/* Numbers of one frame: origin, axes, speed. */
+static void spoil(support_rng *g, family of, int dim, bool first, double *x)
+{
+    int all = dim * (dim + 2), j = support_between(g, 0, dim - 1);
+    if (of == NEAR && first)
+        x[j] += ldexp(support_between(g, -1, 1), -support_between(g, 10, 52));
+    if (of == FLAT && first)
+        scale(x + dim + dim * j, dim, 1, 1e-10);
+    if (of == TINY && first)
+        scale(x + dim, all - dim, 1, 1e-9);
+    for (int i = 0; of == FAR && i < dim; i++)
+        x[i] += i % 2 ? 1e9 : -1e9;
+    if (of == DENORMAL || of == HUGE)
+        scale(x, all, 1, of == HUGE ? 0x1p1021 : 0x1p-1074);
+    for (int i = 0; of == MIXED && i < dim; i++)
+        scale(x + i, all - i, dim, ldexp(1, 300 * (i % 5 - 2)));
+}
+
+/* closer: of the distance between the origins. */
+static void draw(support_rng *g, family of, int dim, bool moves, bool faces, double closer,
+                 two *out)
+{
+    for (int k = 0; k < 2; k++) {
+        double *x = out->number[k];
+        fill(g, of, x, dim * (dim + 2));
+        scale(x, dim, 1, closer);
+        spoil(g, of, dim, k == 0, x);
+        out->f[k] = (fmb_frame){
+            .shape = support_chance(g, 50) ? FMB_SIMPLEX : FMB_CUBOID,
+            .dim = dim,
+            .naxes = faces ? support_between(g, 0, dim) : dim,
+            .origin = x,
+            .axes = x + dim,
+            .speed = moves && support_chance(g, 80) ? x + dim + dim * dim : NULL,
+        };
+    }
+}
+
+/* ---- answers --------------------------------------------------------------------------------- */
+
+static fmb_pair *exact(int dim, fmb_contact contact)
+{
+    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair *k = NULL;
+    o.method = FMB_PAIR_EXACT;
+    o.contact = contact;
+    must(fmb_pair_new(dim, &o, NULL, &k));
+    return k;
+}
+
+static fmb_verdict ask(fmb_pair *k, const two *t)
+{
+    fmb_verdict verdict = FMB_UNKNOWN;
+    must(fmb_pair_test(k, 1, &t->f[0], &t->f[1], &(fmb_pair_answers){.verdict = &verdict}));
+    return verdict;
+}
+
+typedef struct judge {
+    fmb_mem mem;
+    fmb_general *general;
+    fmb_pair *closed, *open;
+    int asked, silent, clear; /* pairs; UNKNOWN though not touching; not touching */
+} judge;
+
+static judge judge_open(int dim, fmb_simd simd)
+{
+    judge j = {.closed = exact(dim, FMB_CONTACT_CLOSED), .open = exact(dim, FMB_CONTACT_OPEN)};
+    fmb_mem_init(&j.mem, NULL, 0);
+    j.general = fmb_general_new(dim, simd, &j.mem);
+    cr_assert(j.general);
+    return j;
+}
+
+static void judge_close(judge *j)
+{
+    fmb_general_free(j->general, &j->mem);
+    fmb_pair_free(j->closed);
+    fmb_pair_free(j->open);
+    cr_assert_eq(j->mem.used, 0u);
+}
+
+/* FEASIBLE means the interiors, INFEASIBLE the closed frames. */
+static void judge_pair(judge *j, const two *t, const char *name, int number)
+{
+    fmb_verdict said = fmb_general_decide(j->general, &t->f[0], &t->f[1]);
+    fmb_verdict closed = ask(j->closed, t), open = ask(j->open, t);
+    int dim = t->f[0].dim;
+    cr_assert(said != FMB_FEASIBLE || open == FMB_FEASIBLE, "%s %d in %d", name, number, dim);
+    cr_assert(said != FMB_INFEASIBLE || closed == FMB_INFEASIBLE, "%s %d in %d", name, number, dim);
+    j->asked++;
+    j->clear += closed == open;
+    j->silent += said == FMB_UNKNOWN && closed == open;
+}
+
+static void judge_family(judge *j, family of, int dim, bool faces, int pairs)
+{
+    support_rng g = {(uint64_t)(1000 * (int)of + 10 * dim + faces)};
+    static const char *const NAME[FAMILIES] = {"article", "lattice",  "near", "flat", "tiny",
+                                               "far",     "denormal", "huge", "mixed"};
+    for (int i = 0; i < pairs; i++) {
+        two t;
+        draw(&g, of, dim, i % 2, faces, i % 3 ? 0.3 : 1, &t);
+        judge_pair(j, &t, NAME[of], i);
+    }
+}
+
+Test(general, never_wrong)
+{
+    for (int dim = 1; dim <= 8; dim++) {
+        judge j = judge_open(dim, FMB_SIMD_AUTO);
+        for (int of = 0; of < FAMILIES; of++)
+            for (int faces = 0; faces < 2; faces++)
+                judge_family(&j, (family)of, dim, faces, dim < 4 ? 200 : dim < 6 ? 40 : 6);
+        judge_close(&j);
+    }
+}
+
+/* On the article's pairs it hardly ever needs the exact query. */
+Test(general, decides)
+{
+    for (int dim = 1; dim <= 6; dim++) {
+        judge j = judge_open(dim, FMB_SIMD_PLAIN);
+        judge_family(&j, ARTICLE, dim, false, dim < 4 ? 2000 : 300);
+        cr_expect_geq(j.clear, j.asked * 99 / 100);
+        cr_expect_leq(j.silent * 100, j.asked, "%d of %d in %d", j.silent, j.asked, dim);
+        judge_close(&j);
+    }
+}
+
+/* Edges, faces and points are apart or cross; whatever is not on the brink is decided. */
+Test(general, decides_faces)
+{
+    for (int dim = 2; dim <= 4; dim++) {
+        judge j = judge_open(dim, FMB_SIMD_AUTO);
+        judge_family(&j, ARTICLE, dim, true, 1000);
+        cr_expect_leq(j.silent * 100, j.asked, "%d of %d in %d", j.silent, j.asked, dim);
+        judge_close(&j);
+    }
+}
+
+/* ---- what it says ---------------------------------------------------------------------------- */
+
+/* Two unit cuboids in R^dim, the second moved to x along the first axis and to y along the others:
+ * the general way knows what is not on the brink. */
+static fmb_verdict cubes(int dim, double x, double y)
+{
+    double a[MOST] = {0}, b[MOST], axes[MOST * MOST] = {0};
+    fmb_mem mem;
+    fmb_mem_init(&mem, NULL, 0);
+    for (int i = 0; i < dim; i++) {
+        b[i] = i ? y : x;
+        axes[i * dim + i] = 1;
+    }
+    fmb_general *g = fmb_general_new(dim, FMB_SIMD_AUTO, &mem);
+    const fmb_frame p = {FMB_CUBOID, dim, dim, a, axes, NULL};
+    const fmb_frame q = {FMB_CUBOID, dim, dim, b, axes, NULL};
+    fmb_verdict said = fmb_general_decide(g, &p, &q);
+    fmb_general_free(g, &mem);
+    return said;
+}
+
+Test(general, cubes)
+{
+    for (int dim = 1; dim <= MOST; dim++) {
+        cr_expect_eq(cubes(dim, 0.5, 0), FMB_FEASIBLE, "%d", dim);
+        cr_expect_eq(cubes(dim, 1 - 0x1p-40, 0.25), FMB_FEASIBLE, "%d", dim);
+        cr_expect_eq(cubes(dim, 1, 0.25), FMB_UNKNOWN, "%d", dim);
+        cr_expect_eq(cubes(dim, 1 + 0x1p-40, 0.25), FMB_INFEASIBLE, "%d", dim);
+    }
+}
+
+/* ---- proofs ---------------------------------------------------------------------------------- */
+
+/* Guesses that are off prove nothing that is not so. */
+Test(general, proofs_of_wrong_guesses)
+{
+    support_rng g = {77};
+    int apart = 0, common = 0;
+    for (int dim = 1; dim <= 4; dim++) {
+        judge j = judge_open(dim, FMB_SIMD_AUTO);
+        for (int i = 0; i < 400; i++) {
+            two t;
+            double u[MOST], z[2 * MOST + 1];
+            draw(&g, i % 2 ? LATTICE : NEAR, dim, i % 4 > 1, false, 1, &t);
+            (void)fmb_general_decide(j.general, &t.f[0], &t.f[1]);
+            bool closed = ask(j.closed, &t) == FMB_FEASIBLE;
+            bool open = ask(j.open, &t) == FMB_FEASIBLE;
+            for (int try = 0; try < 20; try++) {
+                fill(&g, LATTICE, u, dim);
+                for (int k = 0; k < j.general->columns; k++)
+                    z[k] = support_between(&g, 0, 8) / 8.0;
+                bool says_apart = fmb_general_are_apart(j.general, u);
+                bool says_common = fmb_general_is_near_common(j.general, z);
+                cr_assert(!says_apart || !closed);
+                cr_assert(!says_common || open);
+                apart += says_apart;
+                common += says_common;
+            }
+        }
+        judge_close(&j);
+    }
+    cr_expect_gt(apart, 100);
+    cr_expect_gt(common, 10);
+}
+
+/* ---- failures -------------------------------------------------------------------------------- */
+
+Test(general, too_many_dimensions)
+{
+    fmb_mem mem;
+    const int dim = FMB_GENERAL_MOST_DIM + 1;
+    double zero[FMB_GENERAL_MOST_DIM + 1] = {0}, one[FMB_GENERAL_MOST_DIM + 1] = {1};
+    fmb_mem_init(&mem, NULL, 0);
+    fmb_general *g = fmb_general_new(dim, FMB_SIMD_AUTO, &mem);
+    const fmb_frame p = {FMB_CUBOID, dim, 0, zero, NULL, NULL};
+    const fmb_frame q = {FMB_CUBOID, dim, 0, one, NULL, NULL};
+    cr_assert(g);
+    cr_expect_eq(fmb_general_decide(g, &p, &q), FMB_UNKNOWN);
+    fmb_general_free(g, &mem);
+    cr_expect_eq(mem.used, 0u);
+}
+
+/* The k-th allocation fails, for every k. */
+Test(general, no_memory)
+{
+    for (int dim = 1; dim <= 5; dim += 2) {
+        hook h = {0};
+        fmb_alloc alloc = hook_alloc(&h);
+        fmb_pair *const mark = (fmb_pair *)&h, *k = mark;
+        fmb_status st = FMB_ERR_MEMORY;
+        for (size_t i = 1; st != FMB_OK; i++) {
+            hook_arm(&h, i, false);
+            st = fmb_pair_new(dim, NULL, &alloc, &k);
+            cr_assert(st == FMB_OK || (st == FMB_ERR_MEMORY && k == mark && h.live == 0));
+        }
+        cr_expect_gt(h.calls, 8u);
+        hook_calm(&h);
+        fmb_pair_free(k);
+        cr_expect_eq(h.live, 0u);
+    }
+}
