@@ -36,12 +36,34 @@ FMB_INLINE lane lane_abs(lane a)
 /* a, or -a where s is negative */
 FMB_INLINE lane lane_times_sign(lane a, lane s)
 {
-    return _mm512_xor_pd(a, _mm512_and_pd(s, _mm512_set1_pd(-0.0)));
+    const __m512i sign = _mm512_castpd_si512(_mm512_set1_pd(-0.0));
+    const int a_xor_s_and_sign = 0x78;
+    return _mm512_castsi512_pd(_mm512_ternarylogic_epi64(
+        _mm512_castpd_si512(a), _mm512_castpd_si512(s), sign, a_xor_s_and_sign));
+}
+/* Where the sign bit is set. */
+FMB_INLINE lane_mask lane_negative(lane a)
+{
+    return _mm512_movepi64_mask(_mm512_castpd_si512(a));
+}
+/* a > 0 and |b|: the larger, the smaller. */
+FMB_INLINE lane lane_max_abs(lane a, lane b)
+{
+    return _mm512_range_pd(a, b, 11);
+}
+FMB_INLINE lane lane_min_abs(lane a, lane b)
+{
+    return _mm512_range_pd(a, b, 10);
+}
+/* max(a, b) where m, else a */
+FMB_INLINE lane lane_max_where(lane_mask m, lane a, lane b)
+{
+    return _mm512_mask_max_pd(a, m, a, b);
 }
 #elif FMB_LANES == 4
 #include <immintrin.h>
 typedef __m256d lane;
-typedef __m256d lane_mask; /* all bits of each lane */
+typedef __m256d lane_mask; /* the sign bit of each lane */
 #define LANE(name, ...) _mm256_##name##_pd(__VA_ARGS__)
 FMB_INLINE lane_mask lane_less(lane a, lane b)
 {
@@ -62,6 +84,11 @@ FMB_INLINE lane lane_abs(lane a)
 FMB_INLINE lane lane_times_sign(lane a, lane s)
 {
     return _mm256_xor_pd(a, _mm256_and_pd(s, _mm256_set1_pd(-0.0)));
+}
+/* Only sign bits of masks are ever looked at. */
+FMB_INLINE lane_mask lane_negative(lane a)
+{
+    return a;
 }
 #elif FMB_LANES == 2
 #include <emmintrin.h>
@@ -88,6 +115,11 @@ FMB_INLINE lane lane_times_sign(lane a, lane s)
 {
     return _mm_xor_pd(a, _mm_and_pd(s, _mm_set1_pd(-0.0)));
 }
+FMB_INLINE lane_mask lane_negative(lane a)
+{
+    __m128i high = _mm_srai_epi32(_mm_castpd_si128(a), 31);
+    return _mm_castsi128_pd(_mm_shuffle_epi32(high, 0xf5));
+}
 #else
 typedef double lane;
 typedef unsigned lane_mask;
@@ -110,6 +142,10 @@ FMB_INLINE lane lane_abs(lane a)
 FMB_INLINE lane lane_times_sign(lane a, lane s)
 {
     return signbit(s) ? -a : a;
+}
+FMB_INLINE lane_mask lane_negative(lane a)
+{
+    return signbit(a) != 0;
 }
 #endif
 
@@ -157,7 +193,22 @@ FMB_INLINE lane lane_max(lane a, lane b)
 }
 #endif
 
-/* ab + c and ab - c, rounded once or twice. */
+#if FMB_LANES < 8
+FMB_INLINE lane lane_max_abs(lane a, lane b)
+{
+    return lane_max(a, lane_abs(b));
+}
+FMB_INLINE lane lane_min_abs(lane a, lane b)
+{
+    return lane_min(a, lane_abs(b));
+}
+FMB_INLINE lane lane_max_where(lane_mask m, lane a, lane b)
+{
+    return lane_max(a, lane_pick(m, b, a));
+}
+#endif
+
+/* ab + c, ab - c and c - ab, rounded once or twice. */
 #if FMB_LANES == 8 || FMB_LANES == 4
 FMB_INLINE lane lane_fma(lane a, lane b, lane c)
 {
@@ -167,6 +218,10 @@ FMB_INLINE lane lane_fms(lane a, lane b, lane c)
 {
     return LANE(fmsub, a, b, c);
 }
+FMB_INLINE lane lane_fnma(lane a, lane b, lane c)
+{
+    return LANE(fnmadd, a, b, c);
+}
 #else
 FMB_INLINE lane lane_fma(lane a, lane b, lane c)
 {
@@ -175,6 +230,10 @@ FMB_INLINE lane lane_fma(lane a, lane b, lane c)
 FMB_INLINE lane lane_fms(lane a, lane b, lane c)
 {
     return a * b - c;
+}
+FMB_INLINE lane lane_fnma(lane a, lane b, lane c)
+{
+    return c - a * b;
 }
 #endif
 
@@ -187,6 +246,10 @@ FMB_INLINE lane_mask lane_or(lane_mask a, lane_mask b)
 {
     return a | b;
 }
+FMB_INLINE lane_mask lane_xor(lane_mask a, lane_mask b)
+{
+    return a ^ b;
+}
 #elif FMB_LANES > 1
 FMB_INLINE lane_mask lane_and(lane_mask a, lane_mask b)
 {
@@ -196,6 +259,10 @@ FMB_INLINE lane_mask lane_or(lane_mask a, lane_mask b)
 {
     return LANE(or, a, b);
 }
+FMB_INLINE lane_mask lane_xor(lane_mask a, lane_mask b)
+{
+    return LANE(xor, a, b);
+}
 #else
 FMB_INLINE lane_mask lane_and(lane_mask a, lane_mask b)
 {
@@ -204,6 +271,10 @@ FMB_INLINE lane_mask lane_and(lane_mask a, lane_mask b)
 FMB_INLINE lane_mask lane_or(lane_mask a, lane_mask b)
 {
     return a | b;
+}
+FMB_INLINE lane_mask lane_xor(lane_mask a, lane_mask b)
+{
+    return a ^ b;
 }
 #endif
 

@@ -1,0 +1,75 @@
+/* fmb_gaps.h: what the rows of an elimination say together.
+ *
+ * The gap of a row, tested against A as a whole, is positive where it holds at no point of A. Rows
+ * are in classes; the gaps of a class have one error bound, so only the largest of a class counts.
+ *
+ * Error bounds are counted so, with u = 2^-53: a number x has a bound X >= |x| and a count a, which
+ * say |x^ - x| <= a u X. Products have the bound XY and the count a + b + 1; sums and differences
+ * X + Y and max(a, b) + 1. (|x^ y^ - xy| <= (a + b) u XY + a b u^2 XY, rounding adds u times that;
+ * likewise for sums. A multiplication fused with an addition rounds once less. Terms of u^2 are
+ * below 10^-13 of the first for counts up to 100; the final counts are rounded up by more.) The
+ * bound itself is rounded a few times, which the rounding up covers as well. Numbers of front.h
+ * have the count 6.1 on the bounds S, E, H, V = most_size, most_e, most_shift, most_drift.
+ */
+#ifndef FMB_PAIR_FMB_GAPS_H
+#define FMB_PAIR_FMB_GAPS_H
+
+#include "pair/front.h"
+#include "pair/kernels.h"
+
+typedef struct fmb_gaps {
+    lane apart; /* largest gap - its error: positive means apart */
+    lane meet;  /* largest gap + its error: negative means meet, if all rows were asked */
+} fmb_gaps;
+
+FMB_INLINE fmb_gaps fmb_gaps_none(void)
+{
+    return (fmb_gaps){lane_of(-INFINITY), lane_of(-INFINITY)};
+}
+
+/* count u bound */
+FMB_INLINE lane fmb_gaps_error(double count, lane bound)
+{
+    return lane_of(count * 0x1p-53) * bound;
+}
+
+/* A class whose largest gap has an error of at most count u bound. */
+FMB_INLINE void fmb_gaps_class(fmb_gaps *x, lane gap, double count, lane bound)
+{
+    lane error = fmb_gaps_error(count, bound);
+    x->apart = lane_max(x->apart, gap - error);
+    x->meet = lane_max(x->meet, gap + error);
+}
+
+/* They meet only where a number of that size is off by less: its sign is certain. */
+FMB_INLINE void fmb_gaps_certain(fmb_gaps *x, lane size, double count, lane bound)
+{
+    x->meet = lane_max(x->meet, fmb_gaps_error(count, bound) - size);
+}
+
+/* Are all lanes apart already? Then no other row needs to be asked. */
+FMB_INLINE bool fmb_gaps_done(const fmb_gaps *x, lane_mask known, fmb_pair_bits *out)
+{
+    const unsigned all = (1U << FMB_LANES) - 1;
+    out->apart = lane_bits(lane_and(known, lane_less(lane_of(0), x->apart)));
+    out->meet = 0;
+    return out->apart == all;
+}
+
+FMB_INLINE fmb_pair_bits fmb_gaps_bits(const fmb_gaps *x, lane_mask known)
+{
+    fmb_pair_bits out = {0, lane_bits(lane_and(known, lane_less(x->meet, lane_of(0))))};
+    out.apart = lane_bits(lane_and(known, lane_less(lane_of(0), x->apart)));
+    return out;
+}
+
+/* The 3 x 3 cross product. */
+FMB_INLINE void fmb_cross(const lane *a, const lane *b, lane *out)
+{
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        out[i] = lane_fms(a[j], b[k], a[k] * b[j]);
+    }
+}
+
+#endif
