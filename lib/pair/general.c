@@ -15,9 +15,20 @@ static size_t most_rows(int dim)
     return dim < 4 ? (size_t)16 << 2 * dim : 4096;
 }
 
-static size_t solved_words(int dim)
+static void clear_system(fmb_general_system *s, size_t rows, size_t columns, fmb_mem *mem)
 {
-    return (size_t)dim * (3 * (size_t)dim + 2);
+    fmb_mem_put(mem, s->m, columns * rows, sizeof *s->m);
+    fmb_mem_put(mem, s->h, rows, sizeof *s->h);
+    fmb_mem_put(mem, s->solved, rows * (columns + 1 + rows), sizeof *s->solved);
+}
+
+/* Room for that many; false without memory. */
+static bool open_system(fmb_general_system *s, size_t rows, size_t columns, fmb_mem *mem)
+{
+    s->m = fmb_mem_get(mem, columns * rows, sizeof *s->m);
+    s->h = fmb_mem_get(mem, rows, sizeof *s->h);
+    s->solved = fmb_mem_get(mem, rows * (columns + 1 + rows), sizeof *s->solved);
+    return s->m && s->h && s->solved;
 }
 
 fmb_general *fmb_general_new(int dim, fmb_simd simd, fmb_mem *mem)
@@ -33,15 +44,13 @@ fmb_general *fmb_general_new(int dim, fmb_simd simd, fmb_mem *mem)
     g->kernels = g->kernels ? g->kernels : fmb_kernels_choose(FMB_SIMD_PLAIN);
     g->most_rows = rows;
     g->stride = (2 * d + 1 + 7) / 8 * 8;
-    g->m = fmb_mem_get(mem, (2 * d + 1) * d, sizeof *g->m);
-    g->h = fmb_mem_get(mem, d, sizeof *g->h);
-    g->solved = fmb_mem_get(mem, solved_words(dim), sizeof *g->solved);
+    bool good = open_system(&g->pair, d, 2 * d + 1, mem);
     g->head = fmb_mem_get(mem, rows, sizeof *g->head);
     g->cell = fmb_mem_get(mem, rows * g->stride, sizeof *g->cell);
     g->named = fmb_mem_get(mem, rows, sizeof *g->named);
     g->bits = fmb_mem_zero(mem, 2 * rows, sizeof *g->bits);
     g->drop = fmb_mem_get(mem, rows / 64, sizeof *g->drop);
-    if (g->m && g->h && g->solved && g->head && g->cell && g->named && g->bits && g->drop)
+    if (good && g->head && g->cell && g->named && g->bits && g->drop)
         return g;
     fmb_general_free(g, mem);
     return NULL;
@@ -52,9 +61,7 @@ void fmb_general_free(fmb_general *g, fmb_mem *mem)
     if (!g)
         return;
     size_t d = (size_t)g->dim, rows = g->most_rows;
-    fmb_mem_put(mem, g->m, (2 * d + 1) * d, sizeof *g->m);
-    fmb_mem_put(mem, g->h, d, sizeof *g->h);
-    fmb_mem_put(mem, g->solved, solved_words(g->dim), sizeof *g->solved);
+    clear_system(&g->pair, d, 2 * d + 1, mem);
     fmb_mem_put(mem, g->head, rows, sizeof *g->head);
     fmb_mem_put(mem, g->cell, rows * g->stride, sizeof *g->cell);
     fmb_mem_put(mem, g->named, rows, sizeof *g->named);
@@ -67,19 +74,19 @@ void fmb_general_free(fmb_general *g, fmb_mem *mem)
 
 static void put_axes(fmb_general *g, const fmb_frame *f, fmb_general_kind kind, double sign)
 {
-    double *to = g->m + g->columns * g->dim;
+    double *to = g->pair.m + g->pair.columns * g->dim;
     for (int j = 0; j < f->naxes * g->dim; j++)
         to[j] = sign * f->axes[j];
     for (int k = 0; k < f->naxes; k++)
-        g->kind[g->columns++] = f->shape == FMB_SIMPLEX ? kind : FMB_GENERAL_UNIT;
+        g->pair.kind[g->pair.columns++] = f->shape == FMB_SIMPLEX ? kind : FMB_GENERAL_UNIT;
 }
 
 static double largest_in_row(const fmb_general *g, int i)
 {
     double most = 0;
-    for (int j = 0; j < g->columns; j++)
-        most = fmax(most, fabs(g->m[j * g->dim + i]));
-    return most > 0 ? most : fabs(g->h[i]);
+    for (int j = 0; j < g->pair.columns; j++)
+        most = fmax(most, fabs(g->pair.m[j * g->dim + i]));
+    return most > 0 ? most : fabs(g->pair.h[i]);
 }
 
 /* The power of two, in two factors as it may be as large as 2^1074. */
@@ -88,30 +95,31 @@ static void scale_row(fmb_general *g, int i)
     int e;
     frexp(largest_in_row(g, i), &e);
     double half = ldexp(1, -(e / 2)), rest = ldexp(1, -(e - e / 2));
-    for (int j = 0; j < g->columns; j++)
-        g->m[j * g->dim + i] = g->m[j * g->dim + i] * half * rest;
-    g->h[i] = g->h[i] * half * rest;
+    for (int j = 0; j < g->pair.columns; j++)
+        g->pair.m[j * g->dim + i] = g->pair.m[j * g->dim + i] * half * rest;
+    g->pair.h[i] = g->pair.h[i] * half * rest;
 }
 
 /* False if differences or scaled numbers overflow. */
 static bool load(fmb_general *g, const fmb_frame *p, const fmb_frame *q)
 {
     bool moves = p->speed || q->speed, good = true;
-    g->columns = 0;
+    g->pair.rows = g->dim;
+    g->pair.columns = 0;
     put_axes(g, p, FMB_GENERAL_OF_A, 1);
     put_axes(g, q, FMB_GENERAL_OF_B, -1);
-    double *drift = g->m + g->columns * g->dim;
+    double *drift = g->pair.m + g->pair.columns * g->dim;
     for (int i = 0; i < g->dim; i++)
-        g->h[i] = q->origin[i] - p->origin[i];
+        g->pair.h[i] = q->origin[i] - p->origin[i];
     for (int i = 0; moves && i < g->dim; i++)
         drift[i] = (p->speed ? p->speed[i] : 0) - (q->speed ? q->speed[i] : 0);
     for (int i = 0; moves && i < g->dim; i++)
         good &= isfinite(drift[i]);
     if (moves)
-        g->kind[g->columns++] = FMB_GENERAL_UNIT;
+        g->pair.kind[g->pair.columns++] = FMB_GENERAL_UNIT;
     for (int i = 0; good && i < g->dim; i++) {
         scale_row(g, i);
-        good = isfinite(g->h[i]);
+        good = isfinite(g->pair.h[i]);
     }
     return good;
 }
@@ -121,8 +129,9 @@ static bool load(fmb_general *g, const fmb_frame *p, const fmb_frame *q)
 /* A row that has lost all unknowns: the frames lie in parallel flats. */
 static bool are_in_parallel_flats(const fmb_general *g)
 {
-    for (int i = 0; g->rank < g->dim && i < g->dim; i++)
-        if (g->pivot[i] < 0 && fmb_general_are_apart(g, fmb_general_inverse(g, i)))
+    for (int i = 0; g->pair.rank < g->dim && i < g->dim; i++)
+        if (g->pair.pivot[i] < 0 &&
+            fmb_general_are_apart(&g->pair, fmb_general_inverse(&g->pair, i)))
             return true;
     return false;
 }
@@ -131,15 +140,15 @@ fmb_verdict fmb_general_decide(fmb_general *g, const fmb_frame *p, const fmb_fra
 {
     if (g->dim > FMB_GENERAL_MOST_DIM || !load(g, p, q))
         return FMB_UNKNOWN;
-    fmb_general_solve(g);
+    fmb_general_solve(&g->pair);
     if (are_in_parallel_flats(g))
         return FMB_INFEASIBLE;
     fmb_general_step step = fmb_general_eliminate(g);
     if (step == FMB_GENERAL_GO)
         step = fmb_general_finish(g);
-    if (step == FMB_GENERAL_CLASH && fmb_general_are_apart(g, g->direction))
+    if (step == FMB_GENERAL_CLASH && fmb_general_are_apart(&g->pair, g->direction))
         return FMB_INFEASIBLE;
-    if (step == FMB_GENERAL_GO && fmb_general_is_near_common(g, g->z))
+    if (step == FMB_GENERAL_GO && fmb_general_is_near_common(&g->pair, g->z))
         return FMB_FEASIBLE;
     return FMB_UNKNOWN;
 }

@@ -23,8 +23,9 @@
 #include "pair/general.h"
 
 enum {
-    FMB_GENERAL_MOST_DIM = 24, /* base rows of a history fit into one word */
-    FMB_GENERAL_MOST_COLUMNS = 2 * FMB_GENERAL_MOST_DIM + 1
+    FMB_GENERAL_MOST_DIM = 24,                        /* base rows of a history fit into one word */
+    FMB_GENERAL_MOST_ROWS = FMB_GENERAL_MOST_DIM + 2, /* of a system */
+    FMB_GENERAL_MOST_COLUMNS = 2 * FMB_GENERAL_MOST_DIM + 3
 };
 
 /* The place of an unknown: 0 <= z <= 1, or the simplex of A or of B. */
@@ -34,6 +35,29 @@ typedef enum fmb_general_kind {
     FMB_GENERAL_OF_B,
     FMB_GENERAL_KINDS
 } fmb_general_kind;
+
+/* M z = h, and what it says when solved for the pivots. */
+typedef struct fmb_general_system {
+    int rows, columns;
+    fmb_general_kind kind[FMB_GENERAL_MOST_COLUMNS];
+    double *m;      /* [columns][rows] */
+    double *h;      /* [rows] */
+    double *solved; /* [rows][columns + 1 + rows]: T in the columns of M, r, R */
+    int rank;
+    int pivot[FMB_GENERAL_MOST_ROWS]; /* [rows] column of row i, or -1 */
+    bool is_pivot[FMB_GENERAL_MOST_COLUMNS];
+} fmb_general_system;
+
+static inline double *fmb_general_solved(const fmb_general_system *s, int i)
+{
+    return s->solved + (size_t)i * (size_t)(s->columns + 1 + s->rows);
+}
+
+/* Row i of R. */
+static inline const double *fmb_general_inverse(const fmb_general_system *s, int i)
+{
+    return fmb_general_solved(s, i) + s->columns + 1;
+}
 
 typedef struct fmb_general_head {
     double low, high; /* infinite: no such end */
@@ -52,17 +76,7 @@ struct fmb_general {
     int dim;
     const fmb_kernels *kernels;
 
-    /* the pair */
-    int columns;
-    fmb_general_kind kind[FMB_GENERAL_MOST_COLUMNS];
-    double *m; /* [columns][dim] */
-    double *h; /* [dim] */
-
-    /* solved for the pivots */
-    double *solved; /* [dim][columns + 1 + dim]: T in the columns of M, r, R */
-    int rank;
-    int pivot[FMB_GENERAL_MOST_DIM]; /* [dim] column of row i, or -1 */
-    bool is_pivot[FMB_GENERAL_MOST_COLUMNS];
+    fmb_general_system pair;
 
     /* the elimination */
     int n, removed;                        /* unknowns: left, removed */
@@ -91,19 +105,10 @@ static inline double *fmb_general_cell(const fmb_general *g, size_t i)
     return g->cell + i * g->stride;
 }
 
-static inline double *fmb_general_solved(const fmb_general *g, int i)
-{
-    return g->solved + (size_t)i * (size_t)(g->columns + 1 + g->dim);
-}
-
-/* Row i of R. */
-static inline const double *fmb_general_inverse(const fmb_general *g, int i)
-{
-    return fmb_general_solved(g, i) + g->columns + 1;
-}
-
 /* general_solve.c: choose pivots and solve for them. */
-void fmb_general_solve(fmb_general *g);
+void fmb_general_solve(fmb_general_system *s);
+/* Make that column the pivot of that row. */
+void fmb_general_pivot(fmb_general_system *s, int row, int column);
 
 /* general_rows.c: the rows of the pair. */
 fmb_general_step fmb_general_start(fmb_general *g);
@@ -119,8 +124,8 @@ fmb_general_step fmb_general_eliminate(fmb_general *g);
 fmb_general_step fmb_general_finish(fmb_general *g);
 
 /* general_prove.c: are the closed frames certainly apart in that direction? */
-bool fmb_general_are_apart(const fmb_general *g, const double *direction);
+bool fmb_general_are_apart(const fmb_general_system *s, const double *direction);
 /* Is there certainly a solution near z, strictly inside both frames? */
-bool fmb_general_is_near_common(const fmb_general *g, const double *z);
+bool fmb_general_is_near_common(const fmb_general_system *s, const double *z);
 
 #endif

@@ -166,13 +166,13 @@ static void solve_pivots(fmb_general *g, const double *x, int n)
     for (int k = 0; k < n; k++)
         g->z[g->unknown[k]] = x[k];
     for (int i = 0; i < g->dim; i++) {
-        const double *row = fmb_general_solved(g, i);
-        double sum = row[g->columns];
-        if (g->pivot[i] < 0)
+        const double *row = fmb_general_solved(&g->pair, i);
+        double sum = row[g->pair.columns];
+        if (g->pair.pivot[i] < 0)
             continue;
         for (int k = 0; k < n; k++)
             sum -= row[g->unknown[k]] * x[k];
-        g->z[g->pivot[i]] = sum;
+        g->z[g->pair.pivot[i]] = sum;
     }
 }
 

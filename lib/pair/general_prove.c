@@ -36,23 +36,23 @@ static double dot(const double *a, const double *b, int n, double *size)
  * absolute products; which end of its place a z takes changes nothing, as least and greatest are
  * off by no more than what they are taken of. If w has a NaN so has w h, and both comparisons fail.
  */
-bool fmb_general_are_apart(const fmb_general *g, const double *direction)
+bool fmb_general_are_apart(const fmb_general_system *s, const double *direction)
 {
-    double w[FMB_GENERAL_MOST_DIM], largest = 0, size = 0;
+    double w[FMB_GENERAL_MOST_ROWS], largest = 0, size = 0;
     double low[FMB_GENERAL_KINDS] = {0}, high[FMB_GENERAL_KINDS] = {0};
-    for (int i = 0; i < g->dim; i++)
+    for (int i = 0; i < s->rows; i++)
         largest = fmax(largest, fabs(direction[i]));
-    for (int i = 0; i < g->dim; i++)
+    for (int i = 0; i < s->rows; i++)
         w[i] = direction[i] / largest;
-    for (int j = 0; j < g->columns; j++) {
-        double d = dot(w, g->m + j * g->dim, g->dim, &size);
-        fmb_general_kind kind = g->kind[j];
+    for (int j = 0; j < s->columns; j++) {
+        double d = dot(w, s->m + j * s->rows, s->rows, &size);
+        fmb_general_kind kind = s->kind[j];
         bool is_unit = kind == FMB_GENERAL_UNIT;
         low[kind] = is_unit ? low[kind] + fmin(d, 0) : fmin(low[kind], d);
         high[kind] = is_unit ? high[kind] + fmax(d, 0) : fmax(high[kind], d);
     }
-    double b = dot(w, g->h, g->dim, &size);
-    double error = (g->dim + g->columns + 8) * DBL_EPSILON * size + UNDERFLOW;
+    double b = dot(w, s->h, s->rows, &size);
+    double error = (s->rows + s->columns + 8) * DBL_EPSILON * size + UNDERFLOW;
     return b - (high[0] + high[1] + high[2]) > error || low[0] + low[1] + low[2] - b > error;
 }
 
@@ -66,60 +66,60 @@ bool fmb_general_are_apart(const fmb_general *g, const double *direction)
 
 /* |rest_i|, with what it may be off: each product by u for its entry, u for itself, and u for each
  * of the at most `columns` sums. */
-static void bound_rest(const fmb_general *g, const double *z, double *rest)
+static void bound_rest(const fmb_general_system *s, const double *z, double *rest)
 {
-    double size[FMB_GENERAL_MOST_DIM];
-    for (int i = 0; i < g->dim; i++) {
-        rest[i] = g->h[i];
-        size[i] = fabs(g->h[i]);
+    double size[FMB_GENERAL_MOST_ROWS];
+    for (int i = 0; i < s->rows; i++) {
+        rest[i] = s->h[i];
+        size[i] = fabs(s->h[i]);
     }
-    for (int j = 0; j < g->columns; j++)
-        for (int i = 0; i < g->dim; i++) {
-            double product = g->m[j * g->dim + i] * z[j];
+    for (int j = 0; j < s->columns; j++)
+        for (int i = 0; i < s->rows; i++) {
+            double product = s->m[j * s->rows + i] * z[j];
             rest[i] -= product;
             size[i] += fabs(product);
         }
-    for (int i = 0; i < g->dim; i++)
-        rest[i] = fabs(rest[i]) + (g->columns + 8) * DBL_EPSILON * size[i] + UNDERFLOW;
+    for (int i = 0; i < s->rows; i++)
+        rest[i] = fabs(rest[i]) + (s->columns + 8) * DBL_EPSILON * size[i] + UNDERFLOW;
 }
 
 /* e_i: each E_ij is a sum of dim products and of 1 (or 0), so off by at most (dim + 3) u times
  * their absolute values; over all j, with the sums of dim^2 numbers, by less than what is added. */
-static double bound_defect(const fmb_general *g, int i)
+static double bound_defect(const fmb_general_system *s, int i)
 {
-    double defect[FMB_GENERAL_MOST_DIM] = {0}, size = 1, sum = 0;
+    double defect[FMB_GENERAL_MOST_ROWS] = {0}, size = 1, sum = 0;
     defect[i] = -1;
-    for (int k = 0; k < g->dim; k++) {
-        const double *r = fmb_general_inverse(g, k);
-        double p = g->m[g->pivot[k] * g->dim + i];
-        for (int j = 0; j < g->dim; j++) {
+    for (int k = 0; k < s->rows; k++) {
+        const double *r = fmb_general_inverse(s, k);
+        double p = s->m[s->pivot[k] * s->rows + i];
+        for (int j = 0; j < s->rows; j++) {
             defect[j] += p * r[j];
             size += fabs(p * r[j]);
         }
     }
-    for (int j = 0; j < g->dim; j++)
+    for (int j = 0; j < s->rows; j++)
         sum += fabs(defect[j]);
-    return sum + (g->dim * g->dim + 8) * DBL_EPSILON * size;
+    return sum + (s->rows * s->rows + 8) * DBL_EPSILON * size;
 }
 
-static bool is_inverse_moderate(const fmb_general *g)
+static bool is_inverse_moderate(const fmb_general_system *s)
 {
     bool good = true;
-    for (int i = 0; i < g->dim; i++)
-        for (int j = 0; j < g->dim; j++)
-            good &= fabs(fmb_general_inverse(g, i)[j]) < 0x1p500;
+    for (int i = 0; i < s->rows; i++)
+        for (int j = 0; j < s->rows; j++)
+            good &= fabs(fmb_general_inverse(s, i)[j]) < 0x1p500;
     return good;
 }
 
-static bool bound_y(const fmb_general *g, const double *z, double *y)
+static bool bound_y(const fmb_general_system *s, const double *z, double *y)
 {
     double largest = 0;
-    bool good = is_inverse_moderate(g);
-    bound_rest(g, z, y);
-    for (int i = 0; i < g->dim; i++)
+    bool good = is_inverse_moderate(s);
+    bound_rest(s, z, y);
+    for (int i = 0; i < s->rows; i++)
         largest = fmax(largest, y[i]);
-    for (int i = 0; good && i < g->dim; i++) {
-        double e = bound_defect(g, i);
+    for (int i = 0; good && i < s->rows; i++) {
+        double e = bound_defect(s, i);
         good = e < 0.5;
         y[i] += e * 2 * largest;
     }
@@ -127,39 +127,39 @@ static bool bound_y(const fmb_general *g, const double *z, double *y)
 }
 
 /* How far each unknown may be from the solution: more than it is, by the sums' own errors. */
-static void bound_way(const fmb_general *g, const double *y, double *way)
+static void bound_way(const fmb_general_system *s, const double *y, double *way)
 {
-    for (int j = 0; j < g->columns; j++)
+    for (int j = 0; j < s->columns; j++)
         way[j] = 0;
-    for (int i = 0; i < g->dim; i++) {
-        const double *r = fmb_general_inverse(g, i);
+    for (int i = 0; i < s->rows; i++) {
+        const double *r = fmb_general_inverse(s, i);
         double sum = 0;
-        for (int j = 0; j < g->dim; j++)
+        for (int j = 0; j < s->rows; j++)
             sum += fabs(r[j]) * y[j];
-        way[g->pivot[i]] = sum * (1 + (g->dim + 8) * DBL_EPSILON) + UNDERFLOW;
+        way[s->pivot[i]] = sum * (1 + (s->rows + 8) * DBL_EPSILON) + UNDERFLOW;
     }
 }
 
 /* z > way says what it says; 1 - z is off by u of itself, less than what is added to way. */
-static bool stay_inside(const fmb_general *g, const double *z, const double *way)
+static bool stay_inside(const fmb_general_system *s, const double *z, const double *way)
 {
-    double sum[FMB_GENERAL_KINDS] = {0}, most = 1 - (g->columns + 8) * DBL_EPSILON;
+    double sum[FMB_GENERAL_KINDS] = {0}, most = 1 - (s->columns + 8) * DBL_EPSILON;
     bool good = true;
-    for (int j = 0; j < g->columns; j++) {
+    for (int j = 0; j < s->columns; j++) {
         good &= z[j] > way[j];
-        if (g->kind[j] == FMB_GENERAL_UNIT)
+        if (s->kind[j] == FMB_GENERAL_UNIT)
             good &= 1 - z[j] > way[j] * (1 + 8 * DBL_EPSILON);
         else
-            sum[g->kind[j]] += z[j] + way[j];
+            sum[s->kind[j]] += z[j] + way[j];
     }
     return good && sum[FMB_GENERAL_OF_A] < most && sum[FMB_GENERAL_OF_B] < most;
 }
 
-bool fmb_general_is_near_common(const fmb_general *g, const double *z)
+bool fmb_general_is_near_common(const fmb_general_system *s, const double *z)
 {
-    double y[FMB_GENERAL_MOST_DIM], way[FMB_GENERAL_MOST_COLUMNS];
-    if (g->rank < g->dim || !bound_y(g, z, y))
+    double y[FMB_GENERAL_MOST_ROWS], way[FMB_GENERAL_MOST_COLUMNS];
+    if (s->rank < s->rows || !bound_y(s, z, y))
         return false;
-    bound_way(g, y, way);
-    return stay_inside(g, z, way);
+    bound_way(s, y, way);
+    return stay_inside(s, z, way);
 }

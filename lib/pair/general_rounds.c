@@ -56,7 +56,7 @@ static fmb_general_step keep(fmb_general *g, size_t i, fmb_general_head head)
 static fmb_general_step pair_with_box(fmb_general *g, size_t p, int column)
 {
     fmb_general_head head = g->head[p];
-    head.low -= g->kind[column] == FMB_GENERAL_UNIT ? 1 : INFINITY;
+    head.low -= g->pair.kind[column] == FMB_GENERAL_UNIT ? 1 : INFINITY;
     head.minus |= (uint64_t)1 << column;
     if (is_silent(head.low, head.high))
         return FMB_GENERAL_GO;

@@ -22,7 +22,7 @@ static void measure(const fmb_general *g, const double *a, int n, double *least,
 {
     double low[FMB_GENERAL_KINDS] = {0}, high[FMB_GENERAL_KINDS] = {0};
     for (int k = 0; k < n; k++) {
-        fmb_general_kind kind = g->kind[g->unknown[k]];
+        fmb_general_kind kind = g->pair.kind[g->unknown[k]];
         double down = a[k] < 0 ? a[k] : 0, up = a[k] > 0 ? a[k] : 0;
         if (kind == FMB_GENERAL_UNIT) {
             low[kind] += down;
@@ -83,27 +83,29 @@ void fmb_general_turn(fmb_general *g, size_t i, int place)
 /* The place of a pivot: 0 <= r - T x <= 1, or no upper end. */
 static fmb_general_step put_pivot(fmb_general *g, int i)
 {
-    const double *row = fmb_general_solved(g, i), *inverse = fmb_general_inverse(g, i);
-    double *to = fmb_general_cell(g, g->rows), r = row[g->columns];
-    bool is_unit = g->kind[g->pivot[i]] == FMB_GENERAL_UNIT;
+    const double *row = fmb_general_solved(&g->pair, i),
+                 *inverse = fmb_general_inverse(&g->pair, i);
+    double *to = fmb_general_cell(g, g->rows), r = row[g->pair.columns];
+    bool is_unit = g->pair.kind[g->pair.pivot[i]] == FMB_GENERAL_UNIT;
     for (int k = 0; k < g->dim; k++)
         *to++ = inverse[k];
     for (int k = 0; k < g->n; k++)
         *to++ = row[g->unknown[k]];
     g->head[g->rows] = (fmb_general_head){
-        .low = is_unit ? r - 1 : -INFINITY, .high = r, .plus = (uint64_t)1 << g->pivot[i]};
+        .low = is_unit ? r - 1 : -INFINITY, .high = r, .plus = (uint64_t)1 << g->pair.pivot[i]};
     return fmb_general_settle(g, g->n);
 }
 
 /* to -= row i of the solved table; what is left of the right side */
 static double subtract_pivot(const fmb_general *g, int i, double *to)
 {
-    const double *row = fmb_general_solved(g, i), *inverse = fmb_general_inverse(g, i);
+    const double *row = fmb_general_solved(&g->pair, i),
+                 *inverse = fmb_general_inverse(&g->pair, i);
     for (int k = 0; k < g->dim; k++)
         to[k] -= inverse[k];
     for (int k = 0; k < g->n; k++)
         to[g->dim + k] -= row[g->unknown[k]];
-    return row[g->columns];
+    return row[g->pair.columns];
 }
 
 /* The sum of a simplex: of its free unknowns, or of all of them if any is a pivot. */
@@ -114,17 +116,17 @@ static fmb_general_step put_sum(fmb_general *g, fmb_general_kind kind, bool all)
     for (int k = 0; k < g->dim; k++)
         to[k] = 0;
     for (int k = 0; k < g->n; k++) {
-        to[g->dim + k] = g->kind[g->unknown[k]] == kind;
+        to[g->dim + k] = g->pair.kind[g->unknown[k]] == kind;
         says |= !all && to[g->dim + k] > 0;
     }
     for (int i = 0; all && i < g->dim; i++)
-        if (g->pivot[i] >= 0 && g->kind[g->pivot[i]] == kind) {
+        if (g->pair.pivot[i] >= 0 && g->pair.kind[g->pair.pivot[i]] == kind) {
             high -= subtract_pivot(g, i, to);
             says = true;
         }
     if (!says)
         return FMB_GENERAL_GO;
-    int bit = g->columns + 2 * ((int)kind - 1) + all;
+    int bit = g->pair.columns + 2 * ((int)kind - 1) + all;
     g->head[g->rows] =
         (fmb_general_head){.low = -INFINITY, .high = high, .plus = (uint64_t)1 << bit};
     return fmb_general_settle(g, g->n);
@@ -136,13 +138,13 @@ fmb_general_step fmb_general_start(fmb_general *g)
     g->n = g->removed = 0;
     g->rows = g->pairs = 0;
     g->all_unit = true;
-    for (int j = 0; j < g->columns; j++)
-        if (!g->is_pivot[j]) {
+    for (int j = 0; j < g->pair.columns; j++)
+        if (!g->pair.is_pivot[j]) {
             g->unknown[g->n++] = j;
-            g->all_unit &= g->kind[j] == FMB_GENERAL_UNIT;
+            g->all_unit &= g->pair.kind[j] == FMB_GENERAL_UNIT;
         }
     for (int i = 0; step == FMB_GENERAL_GO && i < g->dim; i++)
-        if (g->pivot[i] >= 0)
+        if (g->pair.pivot[i] >= 0)
             step = put_pivot(g, i);
     for (int kind = FMB_GENERAL_OF_A; kind <= FMB_GENERAL_OF_B; kind++)
         for (int all = 0; step == FMB_GENERAL_GO && all < 2; all++)

@@ -9,48 +9,48 @@
 
 #include <math.h>
 
-static void load(fmb_general *g)
+static void load(fmb_general_system *s)
 {
-    for (int i = 0; i < g->dim; i++) {
-        double *to = fmb_general_solved(g, i);
-        for (int j = 0; j < g->columns; j++)
-            *to++ = g->m[j * g->dim + i];
-        *to++ = g->h[i];
-        for (int k = 0; k < g->dim; k++)
+    for (int i = 0; i < s->rows; i++) {
+        double *to = fmb_general_solved(s, i);
+        for (int j = 0; j < s->columns; j++)
+            *to++ = s->m[j * s->rows + i];
+        *to++ = s->h[i];
+        for (int k = 0; k < s->rows; k++)
             *to++ = i == k;
-        g->pivot[i] = -1;
+        s->pivot[i] = -1;
     }
-    for (int j = 0; j < g->columns; j++)
-        g->is_pivot[j] = false;
+    for (int j = 0; j < s->columns; j++)
+        s->is_pivot[j] = false;
 }
 
 /* What the entries of a column count: 1 over its largest, and more if it should come first. */
-static void weigh(const fmb_general *g, double *weight)
+static void weigh(const fmb_general_system *s, double *weight)
 {
     bool has[FMB_GENERAL_KINDS] = {false};
-    for (int j = 0; j < g->columns; j++)
-        has[g->kind[j]] = true;
+    for (int j = 0; j < s->columns; j++)
+        has[s->kind[j]] = true;
     fmb_general_kind first =
         has[FMB_GENERAL_OF_A] && has[FMB_GENERAL_OF_B] ? FMB_GENERAL_OF_B : FMB_GENERAL_UNIT;
-    for (int j = 0; j < g->columns; j++) {
+    for (int j = 0; j < s->columns; j++) {
         double most = 0;
-        for (int i = 0; i < g->dim; i++)
-            most = fmax(most, fabs(g->m[j * g->dim + i]));
-        weight[j] = most > 0 ? (g->kind[j] == first ? 0x1p20 : 1) / most : 0;
+        for (int i = 0; i < s->rows; i++)
+            most = fmax(most, fabs(s->m[j * s->rows + i]));
+        weight[j] = most > 0 ? (s->kind[j] == first ? 0x1p20 : 1) / most : 0;
     }
 }
 
 /* The best entry in rows and columns without a pivot. Less than 2^-44 of what its column was is
  * taken for the rounding error of 0: a guess. */
-static bool choose(const fmb_general *g, const double *weight, int *row, int *column)
+static bool choose(const fmb_general_system *s, const double *weight, int *row, int *column)
 {
     double best = 0x1p-44;
     bool found = false;
-    for (int i = 0; i < g->dim; i++) {
-        const double *a = fmb_general_solved(g, i);
-        for (int j = 0; g->pivot[i] < 0 && j < g->columns; j++) {
+    for (int i = 0; i < s->rows; i++) {
+        const double *a = fmb_general_solved(s, i);
+        for (int j = 0; s->pivot[i] < 0 && j < s->columns; j++) {
             double worth = fabs(a[j]) * weight[j];
-            if (worth > best && !g->is_pivot[j]) {
+            if (worth > best && !s->is_pivot[j]) {
                 found = true;
                 best = worth;
                 *row = i;
@@ -61,33 +61,35 @@ static bool choose(const fmb_general *g, const double *weight, int *row, int *co
     return found;
 }
 
-static void clear_column(fmb_general *g, int row, int column)
+void fmb_general_pivot(fmb_general_system *s, int row, int column)
 {
-    int width = g->columns + 1 + g->dim;
-    double *restrict p = fmb_general_solved(g, row);
+    int width = s->columns + 1 + s->rows;
+    double *restrict p = fmb_general_solved(s, row);
     double factor = 1 / p[column];
     for (int k = 0; k < width; k++)
         p[k] *= factor;
     p[column] = 1;
-    for (int i = 0; i < g->dim; i++) {
-        double *restrict a = fmb_general_solved(g, i), f = a[column];
+    for (int i = 0; i < s->rows; i++) {
+        double *restrict a = fmb_general_solved(s, i), f = a[column];
         if (i == row || f == 0)
             continue;
         for (int k = 0; k < width; k++)
             a[k] -= f * p[k];
         a[column] = 0;
     }
+    if (s->pivot[row] >= 0)
+        s->is_pivot[s->pivot[row]] = false;
+    s->pivot[row] = column;
+    s->is_pivot[column] = true;
 }
 
-void fmb_general_solve(fmb_general *g)
+void fmb_general_solve(fmb_general_system *s)
 {
     double weight[FMB_GENERAL_MOST_COLUMNS];
     int row = 0, column = 0;
-    load(g);
-    weigh(g, weight);
-    for (g->rank = 0; g->rank < g->dim && choose(g, weight, &row, &column); g->rank++) {
-        clear_column(g, row, column);
-        g->pivot[row] = column;
-        g->is_pivot[column] = true;
+    load(s);
+    weigh(s, weight);
+    for (s->rank = 0; s->rank < s->rows && choose(s, weight, &row, &column); s->rank++) {
+        fmb_general_pivot(s, row, column);
     }
 }

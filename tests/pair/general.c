@@ -242,10 +242,10 @@ Test(general, proofs_of_wrong_guesses)
             bool open = ask(j.open, &t) == FMB_FEASIBLE;
             for (int try = 0; try < 20; try++) {
                 fill(&g, LATTICE, u, dim);
-                for (int k = 0; k < j.general->columns; k++)
+                for (int k = 0; k < j.general->pair.columns; k++)
                     z[k] = support_between(&g, 0, 8) / 8.0;
-                bool says_apart = fmb_general_are_apart(j.general, u);
-                bool says_common = fmb_general_is_near_common(j.general, z);
+                bool says_apart = fmb_general_are_apart(&j.general->pair, u);
+                bool says_common = fmb_general_is_near_common(&j.general->pair, z);
                 cr_assert(!says_apart || !closed);
                 cr_assert(!says_common || open);
                 apart += says_apart;
