@@ -25,7 +25,7 @@ static char *help_text(int key, const char *text, void *input)
     FILE *f = app_need(open_memstream(&out, &size));
     fprintf(f, "%s\n\n%s:\n", text, p->heading);
     for (size_t i = 0; i < p->commands; i++)
-        fprintf(f, "  %-9s%s\n", p->command[i].name, p->command[i].summary);
+        fprintf(f, "  %-11s%s\n", p->command[i].name, p->command[i].summary);
     fclose(f);
     return app_need(out);
 }

@@ -31,22 +31,31 @@ static void spaces(size_t n, FILE *out)
         fputc(' ', out);
 }
 
+/* One line. Spaces are owed until there is something to print behind them. */
+static void print_row(const app_table *t, char **cell, const size_t *width, FILE *out)
+{
+    size_t owed = 0;
+    for (size_t c = 0; c < t->columns; c++) {
+        size_t fill = width[c] - app_text_width(cell[c]);
+        if (t->align[c] == 'r')
+            owed += fill;
+        if (*cell[c]) {
+            spaces(owed, out);
+            owed = 0;
+        }
+        fputs(cell[c], out);
+        owed += 1 + (t->align[c] == 'l' ? fill : 0);
+    }
+    fputc('\n', out);
+}
+
 void app_table_print(app_table *t, FILE *out)
 {
     size_t *width = app_need(malloc(t->columns * sizeof *width));
     for (size_t c = 0; c < t->columns; c++)
         width[c] = column_width(t, c);
-    for (size_t i = 0; i < t->cells; i++) {
-        size_t c = i % t->columns;
-        bool last = c + 1 == t->columns;
-        size_t fill = width[c] - app_text_width(t->cell[i]);
-        if (t->align[c] == 'r')
-            spaces(fill, out);
-        fputs(t->cell[i], out);
-        if (t->align[c] == 'l' && !last)
-            spaces(fill, out);
-        fputc(last ? '\n' : ' ', out);
-    }
+    for (size_t i = 0; i < t->cells; i += t->columns)
+        print_row(t, t->cell + i, width, out);
     free(width);
     app_table_clear(t);
 }

@@ -8,7 +8,7 @@ _fmb()
     COMPREPLY=()
     for ((i = 1; i < COMP_CWORD; i++)); do
         case ${COMP_WORDS[i]} in
-            solve | bounds | project | reduce | check | convert) command=${COMP_WORDS[i]} && break ;;
+            solve | bounds | project | reduce | check | convert | intersect) command=${COMP_WORDS[i]} && break ;;
         esac
     done
 
@@ -28,6 +28,8 @@ _fmb()
         --presolve) words="none equalities components onesided bounds refute" ;;
         --simd) words="auto plain avx2 avx512" ;;
         --trace-rows) words="true false" ;;
+        --contact) words="closed open" ;;
+        --boxes) words="exact outward none" ;;
         --max-seconds | --max-rows | --max-bytes | --vars | --keep | --eliminate) return ;;
         --proof | --trace)
             compopt -o default
@@ -41,7 +43,8 @@ _fmb()
                 reduce) words="$general $source $solver --to" ;;
                 check) words="$general $source --json" ;;
                 convert) words="$general $source --to" ;;
-                *) words="$general solve bounds project reduce check convert" ;;
+                intersect) words="$general --quiet --json --contact --boxes --nearest --max-seconds" ;;
+                *) words="$general solve bounds project reduce check convert intersect" ;;
             esac
             if [[ -n $command && $cur != -* ]]; then
                 compopt -o default

@@ -9,5 +9,6 @@ int cmd_project(int argc, char **argv);
 int cmd_reduce(int argc, char **argv);
 int cmd_check(int argc, char **argv);
 int cmd_convert(int argc, char **argv);
+int cmd_intersect(int argc, char **argv);
 
 #endif

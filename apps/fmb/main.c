@@ -8,6 +8,8 @@ static const app_command commands[] = {
     {"project", "fmb project", "the projection on some variables", cmd_project},
     {"reduce", "fmb reduce", "the rows that matter; which others go, and why", cmd_reduce},
     {"check", "fmb check", "accept or reject the proof of an answer", cmd_check},
+    {"intersect", "fmb intersect", "do two frames meet, where and when? for pairs of them",
+     cmd_intersect},
     {"convert", "fmb convert", "write the system in another format", cmd_convert},
 };
 
@@ -17,7 +19,7 @@ static const char doc[] =
     "FILE may be - for standard input. Formats: .fmb text, .ine, .ieq, .smt2, .mps, .lp.\n"
     "`fmb COMMAND --help` tells the options of a command.\n"
     "\n"
-    "Exit codes: 0 yes or done, 1 no (infeasible, proof rejected), 2 undecided (a limit was "
+    "Exit codes: 0 yes or done, 1 no (infeasible, proof rejected, apart), 2 undecided (a limit was "
     "reached), "
     "64 usage, 65 bad input, 66 cannot open, 70 internal error, 74 cannot write.\n"
     "\n"
@@ -25,7 +27,8 @@ static const char doc[] =
     "  fmb solve diet.fmb\n"
     "  fmb bounds diet.fmb --vars bread,milk\n"
     "  fmb project shape.ine --keep x1,x2 --json\n"
-    "  fmb solve plan.smt2 --proof plan.proof; fmb check plan.smt2 plan.proof\n";
+    "  fmb solve plan.smt2 --proof plan.proof; fmb check plan.smt2 plan.proof\n"
+    "  fmb intersect rooms.jsonl\n";
 
 int main(int argc, char **argv)
 {

@@ -2,7 +2,8 @@
  *
  * Formats (docs/formats.md describes each): .fmb text for people, cddlib/lrslib .ine, PORTA .ieq,
  * SMT-LIB 2 conjunctions of linear constraints, MPS and CPLEX LP (read only, through GLPK). Numbers
- * are read exactly: decimals are rationals.
+ * are read exactly: decimals are rationals. Pairs of frames, a line of JSON each, are read by
+ * <fmb/gmp.h>.
  */
 #ifndef FMB_IO_H
 #define FMB_IO_H
@@ -36,6 +37,7 @@ typedef struct fmb_reader {
     /* Called for each thing that is ignored (an objective, integrality); may be NULL. */
     void (*warn)(void *self, const fmb_where *where);
     void *self;
+    bool nearest; /* of frames alone: a number means the double nearest to it */
 } fmb_reader;
 
 /* [give] Parse a whole stream. Errors: PARSE (*where is filled, if not NULL), IO, MEMORY, ARG. */

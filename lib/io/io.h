@@ -32,6 +32,12 @@ typedef struct fmb_cursor {
     fmb_where *where; /* never NULL */
 } fmb_cursor;
 
+/* A cursor at the start of a text, behind a byte order mark. */
+fmb_cursor fmb_io_cursor(const char *text, size_t size, const fmb_reader *how, fmb_mem *mem,
+                         fmb_where *where);
+/* Is it text, as said above? Errors: PARSE. */
+fmb_status fmb_io_check(fmb_cursor *c);
+
 /* Next byte, or -1 at the end. */
 static inline int fmb_peek(const fmb_cursor *c)
 {

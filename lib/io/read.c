@@ -15,7 +15,7 @@
 /* ---- is it text? ----------------------------------------------------------------------------- */
 
 /* UTF-8 without NUL and control bytes other than tab and line ends. */
-static fmb_status check_text(fmb_cursor *c)
+fmb_status fmb_io_check(fmb_cursor *c)
 {
     for (const char *p = c->begin; p < c->end;) {
         unsigned char b = (unsigned char)*p;
@@ -33,8 +33,8 @@ static fmb_status check_text(fmb_cursor *c)
 
 /* ---- parsing --------------------------------------------------------------------------------- */
 
-static fmb_cursor cursor_on(const char *text, size_t size, const fmb_reader *how, fmb_mem *mem,
-                            fmb_where *where)
+fmb_cursor fmb_io_cursor(const char *text, size_t size, const fmb_reader *how, fmb_mem *mem,
+                         fmb_where *where)
 {
     fmb_cursor c = {.begin = text, .end = text + size, .how = how, .mem = mem, .where = where};
     if (size >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0)
@@ -49,7 +49,7 @@ static fmb_cursor cursor_on(const char *text, size_t size, const fmb_reader *how
 
 static fmb_status parse_with(fmb_cursor *c, const fmb_codec *codec, fmb_system *s)
 {
-    fmb_status st = check_text(c);
+    fmb_status st = fmb_io_check(c);
     if (st != FMB_OK)
         return st;
     if (!codec)
@@ -72,7 +72,7 @@ fmb_status fmb_system_parse(const char *text, size_t size, const fmb_reader *how
     fmb_where at = {0};
     fmb_system *s;
     fmb_mem_init(&mem, how->mem, 0);
-    fmb_cursor c = cursor_on(text ? text : "", size, how, &mem, &at);
+    fmb_cursor c = fmb_io_cursor(text ? text : "", size, how, &mem, &at);
     fmb_status st = fmb_system_new(0, how->mem, &s);
     if (st != FMB_OK)
         return st;

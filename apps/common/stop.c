@@ -1,0 +1,62 @@
+/* stop.c: see stop.h. A signal handler can reach only static storage. */
+#include "common/stop.h"
+
+#include <signal.h>
+
+static fmb_solver *volatile running;
+static fmb_pair *volatile testing;
+static volatile sig_atomic_t asked_to_stop;
+
+static void cancel(int signal_number)
+{
+    (void)signal_number;
+    asked_to_stop = 1;
+    if (running)
+        fmb_solver_cancel(running);
+    if (testing)
+        fmb_pair_cancel(testing);
+}
+
+/* A signal that came before a query began is passed on as soon as the query shows a sign of life.
+ */
+static void put(void *self, const fmb_event *e)
+{
+    (void)e;
+    if (asked_to_stop)
+        fmb_solver_cancel(self);
+}
+
+static void handle(void (*handler)(int))
+{
+    struct sigaction act = {.sa_handler = handler};
+    sigemptyset(&act.sa_mask);
+    if (handler != SIG_DFL)
+        act.sa_flags = (int)(SA_RESETHAND | SA_RESTART);
+    sigaction(SIGINT, &act, NULL);
+    sigaction(SIGTERM, &act, NULL);
+}
+
+void app_stop_begin(fmb_solver *solver)
+{
+    asked_to_stop = 0;
+    fmb_solver_set_sink(solver, (fmb_sink){put, solver});
+    running = solver;
+    handle(cancel);
+}
+
+void app_stop_end(void)
+{
+    handle(SIG_DFL);
+    running = NULL;
+    testing = NULL;
+}
+
+void app_stop_pairs(fmb_pair *k)
+{
+    testing = k;
+}
+
+bool app_stop_asked(void)
+{
+    return asked_to_stop != 0;
+}

@@ -1,0 +1,234 @@
+/* cmd_intersect.c: fmb intersect FILE. */
+#include <argp.h>
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "common/file.h"
+#include "common/message.h"
+#include "common/source.h"
+#include "common/stop.h"
+#include "fmb/commands.h"
+#include "fmb/intersect.h"
+
+enum { KEY_CONTACT = 0x200, KEY_BOXES, KEY_NEAREST, KEY_SECONDS };
+
+static const struct argp_option options[] = {
+    {"contact", KEY_CONTACT, "closed|open", 0,
+     "Does touching count as meeting? closed: yes, open: no (default closed)", 1},
+    {"boxes", KEY_BOXES, "exact|outward|none", 0,
+     "The box of the common points: in rationals, in doubles that are rounded outward (fast), or "
+     "verdicts alone (faster) (default exact)",
+     1},
+    {"nearest", KEY_NEAREST, NULL, 0,
+     "A number means the double nearest to it; without this, 0.1 is 1/10", 1},
+    {"max-seconds", KEY_SECONDS, "SECONDS", 0,
+     "Limit of a verdict, and of a box; 0 is none (default 0)", 1},
+    {"json", 'j', NULL, 0, "Print one JSON object instead of text", 2},
+    {"quiet", 'q', NULL, 0, "Nothing on standard error but errors", 2},
+    {0}};
+
+/* The place of a word in a list, -1 if it is not there. */
+static int choice(const char *word, const char *const *list, int n)
+{
+    while (n-- > 0 && strcmp(word, list[n]) != 0)
+        ;
+    return n;
+}
+
+static void set_contact(intersect_ask *ask, const char *arg, struct argp_state *state)
+{
+    static const char *const words[] = {
+        [FMB_CONTACT_CLOSED] = "closed", [FMB_CONTACT_OPEN] = "open"};
+    int k = choice(arg, words, 2);
+    if (k < 0)
+        argp_error(state, "--contact: expected closed|open, found '%s'", arg);
+    ask->contact = (fmb_contact)k;
+}
+
+static void set_boxes(intersect_ask *ask, const char *arg, struct argp_state *state)
+{
+    static const char *const words[] = {
+        [BOXES_EXACT] = "exact", [BOXES_NONE] = "none", [BOXES_OUTWARD] = "outward"};
+    int k = choice(arg, words, 3);
+    if (k < 0)
+        argp_error(state, "--boxes: expected exact|outward|none, found '%s'", arg);
+    ask->boxes = (boxes)k;
+}
+
+static void set_seconds(intersect_ask *ask, const char *arg, struct argp_state *state)
+{
+    char *end;
+    ask->max_seconds = strtod(arg, &end);
+    if (end == arg || *end || !isfinite(ask->max_seconds) || ask->max_seconds < 0)
+        argp_error(state, "--max-seconds: expected a number >= 0, found '%s'", arg);
+}
+
+static error_t parse(int key, char *arg, struct argp_state *state)
+{
+    intersect_ask *ask = state->input;
+    switch (key) {
+    case KEY_CONTACT:
+        set_contact(ask, arg, state);
+        return 0;
+    case KEY_BOXES:
+        set_boxes(ask, arg, state);
+        return 0;
+    case KEY_NEAREST:
+        ask->nearest = true;
+        return 0;
+    case KEY_SECONDS:
+        set_seconds(ask, arg, state);
+        return 0;
+    case 'j':
+        ask->json = true;
+        return 0;
+    case 'q':
+        ask->quiet = true;
+        return 0;
+    case ARGP_KEY_ARG:
+        if (ask->file)
+            return ARGP_ERR_UNKNOWN;
+        ask->file = arg;
+        return 0;
+    case ARGP_KEY_END:
+        if (!ask->file)
+            argp_error(state, "FILE is missing (- is standard input)");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const char doc[] =
+    "Do two frames meet, where, and when? FILE has a pair of frames a line, in JSON "
+    "({\"A\": {\"type\": \"cuboid\", \"orig\": [0, 0], \"comp\": [[1, 0], [0, 1]]}, \"B\": ...}). "
+    "For a pair that meets, prints the tightest intervals of the common points (x), of their "
+    "coordinates in B (c), and of the times of contact (t) if something moves; behind them a "
+    "common "
+    "point."
+    "\v"
+    "Exit codes: 0 some pair meets, 1 none does, 2 undecided or interrupted. A line that is no "
+    "pair ends the command with 65; what was found of the lines before it is printed.\n"
+    "\n"
+    "Examples:\n"
+    "  fmb intersect rooms.jsonl\n"
+    "  fmb intersect rooms.jsonl --contact open --json\n"
+    "  fmb intersect - --boxes none --nearest < many.jsonl\n";
+
+/* ---- progress -------------------------------------------------------------------------------- */
+
+static const double interval_seconds = 0.2; /* between two updates */
+
+typedef struct progress {
+    bool shown, wanted;
+    double last; /* [s] */
+} progress;
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* Not where the report itself is seen to grow. */
+static progress progress_begin(const intersect_ask *ask)
+{
+    bool wanted = !ask->quiet && isatty(STDERR_FILENO) && !isatty(STDOUT_FILENO);
+    return (progress){.wanted = wanted, .last = wanted ? now() : 0};
+}
+
+static void progress_show(progress *p, const intersect *x)
+{
+    double t = p->wanted ? now() : 0;
+    if (!p->wanted || t - p->last < interval_seconds)
+        return;
+    fprintf(stderr, "\rfmb: %zu pairs, %zu meet", x->tested, x->meeting);
+    fflush(stderr);
+    p->shown = true;
+    p->last = t;
+}
+
+static void progress_end(const progress *p)
+{
+    if (p->shown)
+        fprintf(stderr, "\r%60s\r", "");
+}
+
+/* ---- the command ----------------------------------------------------------------------------- */
+
+/* Every line, up to the end, a mistake, or a signal. */
+static int read_all(intersect *x, fmb_frames *lines)
+{
+    batch *b = batch_new(x);
+    progress p = progress_begin(x->ask);
+    const fmb_frames_line *line = NULL;
+    fmb_where where = {0};
+    fmb_status asked = FMB_OK, st;
+    do {
+        errno = 0;
+        st = fmb_frames_next(lines, &line, &where);
+        if (st == FMB_OK && line)
+            asked = batch_put(b, line);
+        progress_show(&p, x);
+    } while (st == FMB_OK && line && asked == FMB_OK && !app_stop_asked());
+    int cause = errno;
+    if (asked == FMB_OK)
+        asked = batch_flush(b);
+    batch_free(b);
+    progress_end(&p);
+    errno = cause;
+    if (asked != FMB_OK)
+        return app_status_error(asked);
+    return app_source_outcome(st, x->ask->file, &where);
+}
+
+static int exit_code(const intersect *x)
+{
+    if (app_stop_asked())
+        return APP_UNDECIDED;
+    return x->meeting > 0 ? APP_YES : x->undecided > 0 ? APP_UNDECIDED : APP_NO;
+}
+
+static int run(intersect *x, FILE *in)
+{
+    const intersect_ask *ask = x->ask;
+    fmb_options how = fmb_options_default();
+    fmb_reader reading = {.nearest = ask->nearest};
+    fmb_frames *lines = NULL;
+    how.max_seconds = ask->max_seconds;
+    how.evidence = ask->boxes != BOXES_NONE;
+    fmb_status st = fmb_solver_new(&how, NULL, &x->solver);
+    if (st == FMB_OK)
+        st = fmb_frames_open(in, &reading, &lines);
+    if (st != FMB_OK)
+        return app_status_error(st);
+    report_begin(x);
+    app_stop_begin(x->solver);
+    int code = read_all(x, lines);
+    app_stop_end();
+    report_end(x);
+    fmb_frames_close(lines);
+    return code == APP_YES ? exit_code(x) : code;
+}
+
+int cmd_intersect(int argc, char **argv)
+{
+    static const struct argp whole = {
+        .options = options, .parser = parse, .args_doc = "FILE", .doc = doc};
+    intersect_ask ask = {0};
+    argp_parse(&whole, argc, argv, 0, NULL, &ask);
+    intersect x = {.ask = &ask};
+    FILE *in;
+    int code = app_file_open(ask.file, &in);
+    if (code != APP_YES)
+        return code;
+    code = run(&x, in);
+    fmb_solver_free(x.solver);
+    app_file_close_input(in);
+    return code;
+}

@@ -1,0 +1,184 @@
+/* intersect_batch.c: many pairs at once. Those in doubles wait for fmb_pair_test; those that come
+ * between them and are not are answered exactly at once, and wait with them to be reported. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/message.h"
+#include "common/stop.h"
+#include "fmb/intersect.h"
+
+enum {
+    MOST = 1024,       /* lines that wait */
+    NUMBERS = 1 << 21, /* doubles of frames that wait, at least of one pair */
+};
+
+struct batch {
+    intersect *x;
+    fmb_pair *k; /* for frames of dimension dim, or NULL */
+    int dim;
+    size_t lines, pairs, most; /* most: pairs that can wait */
+    meeting found[MOST];
+    size_t place[MOST];       /* of pair i among the lines */
+    fmb_frame frame[2][MOST]; /* [A or B][pair] */
+    double *number;           /* room for every pair that can wait */
+    double *answer;           /* and for the answers: world, inside, time, witness */
+    fmb_verdict verdict[MOST];
+};
+
+batch *batch_new(intersect *x)
+{
+    batch *b = app_need(calloc(1, sizeof *b));
+    b->x = x;
+    return b;
+}
+
+void batch_free(batch *b)
+{
+    if (!b)
+        return;
+    app_stop_pairs(NULL);
+    fmb_pair_free(b->k);
+    free(b->number);
+    free(b->answer);
+    free(b);
+}
+
+/* Numbers of a frame: origin, axes, speed. */
+static size_t frame_size(size_t dim)
+{
+    return dim * (dim + 2);
+}
+
+/* Numbers of an answer. */
+static size_t answer_size(size_t dim)
+{
+    return 5 * dim + 2;
+}
+
+/* A kernel for this dimension; nothing waits. */
+static fmb_status prepare(batch *b, int dim)
+{
+    size_t d = (size_t)dim;
+    fmb_pair_options o = fmb_pair_options_default();
+    o.contact = b->x->ask->contact;
+    o.max_seconds = b->x->ask->max_seconds;
+    app_stop_pairs(NULL);
+    fmb_pair_free(b->k);
+    b->k = NULL;
+    b->dim = dim;
+    b->most = NUMBERS / (2 * frame_size(d));
+    b->most = b->most < 1 ? 1 : b->most > MOST ? MOST : b->most;
+    b->number = app_need(realloc(b->number, 2 * b->most * frame_size(d) * sizeof *b->number));
+    b->answer = app_need(realloc(b->answer, b->most * answer_size(d) * sizeof *b->answer));
+    fmb_status st = fmb_pair_new(dim, &o, NULL, &b->k);
+    app_stop_pairs(b->k);
+    return st;
+}
+
+/* ---- answers --------------------------------------------------------------------------------- */
+
+static interval interval_of(const double *ends, char *at)
+{
+    return (interval){intersect_double(ends[0]), intersect_double(ends[1]), at, false};
+}
+
+/* What fmb_pair_test said of pair i. */
+static void take_answer(batch *b, size_t i, const fmb_pair_answers *a)
+{
+    meeting *m = &b->found[b->place[i]];
+    size_t d = (size_t)b->dim;
+    m->verdict = b->verdict[i];
+    m->stop = m->verdict == FMB_UNKNOWN ? FMB_STOP_TIME : FMB_STOP_DONE;
+    if (m->verdict == FMB_UNKNOWN && app_stop_asked())
+        m->stop = FMB_STOP_CANCELLED;
+    if (m->verdict != FMB_FEASIBLE || !a->world)
+        return;
+    const fmb_frame *p = &b->frame[0][i], *q = &b->frame[1][i];
+    m->dim = b->dim;
+    m->inside = q->naxes;
+    m->moves = p->speed || q->speed;
+    m->interval = app_need(calloc(2 * d + 1, sizeof *m->interval));
+    interval *to = m->interval;
+    for (size_t j = 0; j < d; j++)
+        *to++ = interval_of(a->world + 2 * (d * i + j), intersect_double(a->witness[d * i + j]));
+    for (size_t j = 0; j < (size_t)q->naxes; j++)
+        *to++ = interval_of(a->inside + 2 * (d * i + j), NULL);
+    if (m->moves)
+        *to = interval_of(a->time + 2 * i, NULL);
+}
+
+static fmb_status test_pairs(batch *b)
+{
+    size_t d = (size_t)b->dim, n = b->pairs;
+    fmb_pair_answers a = {.verdict = b->verdict};
+    if (n == 0)
+        return FMB_OK;
+    if (b->x->ask->boxes == BOXES_OUTWARD) {
+        a.world = b->answer;
+        a.inside = a.world + 2 * d * n;
+        a.time = a.inside + 2 * d * n;
+        a.witness = a.time + 2 * n;
+    }
+    fmb_status st = fmb_pair_test(b->k, n, b->frame[0], b->frame[1], &a);
+    for (size_t i = 0; st == FMB_OK && i < n; i++)
+        take_answer(b, i, &a);
+    return st;
+}
+
+fmb_status batch_flush(batch *b)
+{
+    fmb_status st = test_pairs(b);
+    for (size_t i = 0; st == FMB_OK && i < b->lines; i++)
+        report_pair(b->x, &b->found[i]);
+    b->lines = b->pairs = 0;
+    return st;
+}
+
+/* ---- lines ----------------------------------------------------------------------------------- */
+
+/* A copy whose numbers lie at `to`. */
+static fmb_frame copy_frame(const fmb_frame *f, double *to)
+{
+    size_t d = (size_t)f->dim, axes = d * (size_t)f->naxes;
+    fmb_frame copy = *f;
+    memcpy(to, f->origin, d * sizeof *to);
+    if (axes > 0)
+        memcpy(to + d, f->axes, axes * sizeof *to);
+    if (f->speed)
+        memcpy(to + d + axes, f->speed, d * sizeof *to);
+    copy.origin = to;
+    copy.axes = to + d;
+    copy.speed = f->speed ? to + d + axes : NULL;
+    return copy;
+}
+
+static void put_pair(batch *b, const fmb_frames_line *line)
+{
+    size_t each = frame_size((size_t)b->dim);
+    double *to = b->number + 2 * each * b->pairs;
+    b->frame[0][b->pairs] = copy_frame(&line->frame[0], to);
+    b->frame[1][b->pairs] = copy_frame(&line->frame[1], to + each);
+    b->place[b->pairs++] = b->lines;
+}
+
+fmb_status batch_put(batch *b, const fmb_frames_line *line)
+{
+    fmb_status st = FMB_OK;
+    bool fast = line->are_doubles && b->x->ask->boxes != BOXES_EXACT;
+    if (fast && line->dim != b->dim) {
+        st = batch_flush(b);
+        if (st == FMB_OK)
+            st = prepare(b, line->dim);
+    }
+    if (st != FMB_OK)
+        return st;
+    meeting *m = &b->found[b->lines];
+    *m = (meeting){.line = line->number, .id = line->id ? app_need(strdup(line->id)) : NULL};
+    if (fast)
+        put_pair(b, line);
+    else
+        st = intersect_exactly(b->x, line, m);
+    b->lines++;
+    bool full = b->lines == MOST || b->pairs == b->most || b->x->ask->boxes == BOXES_EXACT;
+    return st == FMB_OK && full ? batch_flush(b) : st;
+}

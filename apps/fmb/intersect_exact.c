@@ -1,0 +1,112 @@
+/* intersect_exact.c: one pair by the public verbs, in rationals. */
+#include <stdlib.h>
+
+#include "common/message.h"
+#include "common/show.h"
+#include "fmb/intersect.h"
+
+char *intersect_double(double d)
+{
+    char *text = app_print("%.15g", d);
+    for (int digits = 16; digits <= 17 && strtod(text, NULL) != d; digits++) {
+        free(text);
+        text = app_print("%.*g", digits, d);
+    }
+    return text;
+}
+
+/* The variables whose intervals are reported: the point, the coordinates in the second frame, the
+ * time. The system has those of the first frame before them, if that is one. */
+static void list_variables(const fmb_frames_line *line, const fmb_system *s, meeting *m, int *var)
+{
+    int n = 0;
+    bool first = !line->body[0].rows;
+    m->dim = line->dim;
+    m->inside = line->body[1].rows ? 0 : line->body[1].frame.naxes;
+    m->moves = line->body[0].frame.speed || line->body[1].frame.speed;
+    for (; n < m->dim; n++)
+        var[n] = n;
+    for (int i = 0; i < m->inside; i++)
+        var[n++] = m->dim + (first ? line->body[0].frame.naxes : 0) + i;
+    if (m->moves)
+        var[n] = fmb_system_dim(s) - 1;
+}
+
+static char *end_text(const intersect *x, const fmb_box *box, int i, fmb_side side)
+{
+    fmb_end end = fmb_box_end(box, i, side);
+    if (end.kind == FMB_END_UNKNOWN)
+        return NULL;
+    if (end.kind == FMB_END_INFINITE)
+        return app_print(side == FMB_LOWER ? "-inf" : "inf");
+    if (x->ask->boxes == BOXES_OUTWARD)
+        return intersect_double(end.value);
+    mpq_t q;
+    mpq_init(q);
+    fmb_box_end_q(box, i, side, q);
+    char *text = app_print("%Qd", q);
+    mpq_clear(q);
+    return text;
+}
+
+static bool is_open(const fmb_box *box, int i, fmb_side side)
+{
+    fmb_end_kind kind = fmb_box_end(box, i, side).kind;
+    return kind == FMB_END_OUTER || kind == FMB_END_UNKNOWN;
+}
+
+static char *witness_text(const intersect *x, const fmb_evidence *e, int var)
+{
+    if (x->ask->boxes == BOXES_OUTWARD)
+        return intersect_double(fmb_evidence_coordinate(e, 0, var));
+    mpq_t q;
+    mpq_init(q);
+    fmb_evidence_coordinate_q(e, 0, var, q);
+    char *text = app_print("%Qd", q);
+    mpq_clear(q);
+    return text;
+}
+
+/* The box of a pair that meets. A limit leaves ends outer or unknown. */
+static fmb_status find_box(const intersect *x, const fmb_frames_line *line, const fmb_system *s,
+                           const fmb_evidence *e, meeting *out)
+{
+    int *var = app_need(malloc((size_t)(fmb_system_dim(s) + 1) * sizeof *var));
+    fmb_box *box = NULL;
+    fmb_result res;
+    list_variables(line, s, out, var);
+    int n = out->dim + out->inside + out->moves;
+    out->interval = app_need(calloc((size_t)n, sizeof *out->interval));
+    for (int i = 0; i < n; i++)
+        out->interval[i].at = witness_text(x, e, var[i]);
+    fmb_status st = fmb_bound(x->solver, s, var, n, &box, &res);
+    for (int i = 0; st == FMB_OK && i < n; i++) {
+        interval *to = &out->interval[i];
+        to->outer = !box || is_open(box, i, FMB_LOWER) || is_open(box, i, FMB_UPPER);
+        to->lower = box ? end_text(x, box, i, FMB_LOWER) : NULL;
+        to->upper = box ? end_text(x, box, i, FMB_UPPER) : NULL;
+    }
+    fmb_box_free(box);
+    free(var);
+    return st;
+}
+
+fmb_status intersect_exactly(const intersect *x, const fmb_frames_line *line, meeting *out)
+{
+    fmb_system *s = NULL;
+    fmb_evidence *e = NULL;
+    fmb_result res = {0};
+    fmb_status st = fmb_system_from_line(line, x->ask->contact, NULL, &s);
+    if (st == FMB_OK)
+        st = fmb_solve(x->solver, s, &res);
+    out->verdict = res.verdict;
+    out->stop = res.stop;
+    if (st == FMB_OK && res.verdict == FMB_FEASIBLE && x->ask->boxes != BOXES_NONE) {
+        st = fmb_solver_evidence(x->solver, &e);
+        if (st == FMB_OK)
+            st = find_box(x, line, s, e, out);
+    }
+    fmb_evidence_free(e);
+    fmb_system_free(s);
+    return st;
+}

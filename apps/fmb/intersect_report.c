@@ -1,0 +1,192 @@
+/* intersect_report.c: pairs as text for people, and as one JSON object that is written as they
+ * come. */
+#include <jansson.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/message.h"
+#include "common/show.h"
+#include "common/table.h"
+#include "common/text.h"
+#include "fmb/intersect.h"
+
+/* ---- text ------------------------------------------------------------------------------------ */
+
+/* [give, free()] What a pair is called: a string without its quotes, any other id as it stands. */
+static char *name_of(const meeting *m)
+{
+    if (!m->id)
+        return app_print("line %ld", m->line);
+    json_t *value = json_loads(m->id, JSON_DECODE_ANY | JSON_ALLOW_NUL, NULL);
+    char *name =
+        app_text(json_is_string(value) ? json_string_value(value) : m->id, APP_TEXT_TERMINAL);
+    json_decref(value);
+    return name;
+}
+
+static char *interval_name(const meeting *m, int i)
+{
+    if (i < m->dim)
+        return app_print("  x%d", i + 1);
+    return i < m->dim + m->inside ? app_print("  c%d", i - m->dim + 1) : app_print("  t");
+}
+
+/* "[1/2,", "(-inf,", "5?]" of an end that may be too far out, "?]" */
+static char *end_cell(const interval *v, fmb_side side)
+{
+    const char *end = side == FMB_LOWER ? v->lower : v->upper;
+    bool round = end && strstr(end, "inf");
+    return app_print("%s%s%s%s",
+                     side == FMB_UPPER ? ""
+                     : round           ? "("
+                                       : "[",
+                     end ? end : "", v->outer ? "?" : "",
+                     side == FMB_LOWER ? ","
+                     : round           ? ")"
+                                       : "]");
+}
+
+static void print_box(const meeting *m)
+{
+    app_table table = {.columns = 4, .align = "lrrl"};
+    for (int i = 0; i < m->dim + m->inside + m->moves; i++) {
+        const interval *v = &m->interval[i];
+        app_table_add(&table, interval_name(m, i));
+        app_table_add(&table, end_cell(v, FMB_LOWER));
+        app_table_add(&table, end_cell(v, FMB_UPPER));
+        app_table_add(&table, v->at ? app_print("at %s", v->at) : app_print(""));
+    }
+    app_table_print(&table, stdout);
+}
+
+static void print_text(const meeting *m)
+{
+    static const char *const word[] = {
+        [FMB_UNKNOWN] = "undecided", [FMB_FEASIBLE] = "meet", [FMB_INFEASIBLE] = "apart"};
+    char *name = name_of(m);
+    printf("%-9s %s", word[m->verdict], name);
+    if (m->verdict == FMB_UNKNOWN)
+        printf(" (%s)", fmb_stop_text(m->stop));
+    putchar('\n');
+    if (m->interval)
+        print_box(m);
+    free(name);
+}
+
+/* ---- JSON ------------------------------------------------------------------------------------ */
+
+/* A rational is a string; a double is a number where JSON has one. */
+static void put_value(const intersect *x, const char *text)
+{
+    bool quoted = x->ask->boxes == BOXES_EXACT || (text && strstr(text, "inf"));
+    if (!text)
+        fputs("null", stdout);
+    else
+        printf(quoted ? "\"%s\"" : "%s", text);
+}
+
+static void put_interval(const intersect *x, const interval *v)
+{
+    putchar('[');
+    put_value(x, v->lower);
+    fputs(", ", stdout);
+    put_value(x, v->upper);
+    putchar(']');
+}
+
+static void put_intervals(const intersect *x, const char *key, const interval *v, int n)
+{
+    printf(", \"%s\": [", key);
+    for (int i = 0; i < n; i++) {
+        fputs(i > 0 ? ", " : "", stdout);
+        put_interval(x, &v[i]);
+    }
+    putchar(']');
+}
+
+static void put_witness(const intersect *x, const meeting *m)
+{
+    fputs(", \"witness\": [", stdout);
+    for (int i = 0; i < m->dim; i++) {
+        fputs(i > 0 ? ", " : "", stdout);
+        put_value(x, m->interval[i].at);
+    }
+    putchar(']');
+}
+
+static void put_box(const intersect *x, const meeting *m)
+{
+    const interval *inside = m->interval + m->dim, *time = inside + m->inside;
+    bool outer = false;
+    put_intervals(x, "world", m->interval, m->dim);
+    put_intervals(x, "inside", inside, m->inside);
+    if (m->moves) {
+        fputs(", \"time\": ", stdout);
+        put_interval(x, time);
+    }
+    put_witness(x, m);
+    if (m->moves && time->at) {
+        fputs(", \"witness_time\": ", stdout);
+        put_value(x, time->at);
+    }
+    for (int i = 0; i < m->dim + m->inside + m->moves; i++)
+        outer |= m->interval[i].outer;
+    if (outer)
+        fputs(", \"outer\": true", stdout);
+}
+
+static void print_json(const intersect *x, const meeting *m)
+{
+    printf("%s    {\"line\": %ld", x->tested > 0 ? ",\n" : "\n", m->line);
+    if (m->id)
+        printf(", \"id\": %s", m->id);
+    printf(", \"verdict\": \"%s\"", fmb_verdict_text(m->verdict));
+    if (m->verdict == FMB_UNKNOWN)
+        printf(", \"stop\": \"%s\"", fmb_stop_text(m->stop));
+    if (m->interval)
+        put_box(x, m);
+    putchar('}');
+}
+
+/* ---- all ------------------------------------------------------------------------------------- */
+
+void report_begin(const intersect *x)
+{
+    if (x->ask->json)
+        fputs("{\n  \"pairs\": [", stdout);
+}
+
+static void drop(meeting *m)
+{
+    for (int i = 0; m->interval && i < m->dim + m->inside + m->moves; i++) {
+        free(m->interval[i].lower);
+        free(m->interval[i].upper);
+        free(m->interval[i].at);
+    }
+    free(m->interval);
+    free(m->id);
+    *m = (meeting){0};
+}
+
+void report_pair(intersect *x, meeting *m)
+{
+    if (x->ask->json)
+        print_json(x, m);
+    else
+        print_text(m);
+    x->tested++;
+    x->meeting += m->verdict == FMB_FEASIBLE;
+    x->undecided += m->verdict == FMB_UNKNOWN;
+    drop(m);
+}
+
+void report_end(const intersect *x)
+{
+    size_t apart = x->tested - x->meeting - x->undecided;
+    if (x->ask->json)
+        printf("%s],\n  \"tested\": %zu,\n  \"meeting\": %zu,\n  \"undecided\": %zu\n}\n",
+               x->tested > 0 ? "\n  " : "", x->tested, x->meeting, x->undecided);
+    else
+        printf("%zu tested: %zu meet, %zu apart, %zu undecided\n", x->tested, x->meeting, apart,
+               x->undecided);
+}

@@ -1,0 +1,60 @@
+/* fuzz_frames.c: the reader of pairs of frames on any bytes: every line is a pair or a complaint
+ * with a place, and every pair makes a system. */
+#include <stdlib.h>
+
+#include <fmb/gmp.h>
+
+#include "round.h"
+
+static void demand(bool ok)
+{
+    if (!ok)
+        abort();
+}
+
+static void use(const fmb_frames_line *line)
+{
+    for (int contact = 0; contact < 2; contact++) {
+        fmb_system *s = NULL;
+        demand(fmb_system_from_line(line, (fmb_contact)contact, NULL, &s) == FMB_OK);
+        demand(fmb_system_dim(s) >= line->dim);
+        fmb_system_free(s);
+    }
+    fmb_system *s = NULL;
+    fmb_status st = FMB_OK;
+    if (line->are_doubles)
+        st = fmb_system_from_frames(line->frame, 2, FMB_COORDINATES_ALL, FMB_CONTACT_CLOSED, NULL,
+                                    &s);
+    demand(st == FMB_OK);
+    fmb_system_free(s);
+}
+
+static void read_all(const uint8_t *data, size_t size, bool nearest)
+{
+    FILE *in = fmemopen((void *)(uintptr_t)data, size, "rb");
+    fmb_frames *r = NULL;
+    const fmb_frames_line *line = NULL;
+    fmb_status st;
+    long last = 0;
+    demand(in && fmb_frames_open(in, &(fmb_reader){.nearest = nearest}, &r) == FMB_OK);
+    do {
+        fmb_where where = {.line = -1};
+        st = fmb_frames_next(r, &line, &where);
+        demand(st == FMB_OK || (st == FMB_ERR_PARSE && where.line > last && where.column > 0));
+        demand(st == FMB_ERR_PARSE || !line || line->number > last);
+        if (st == FMB_OK && line)
+            use(line);
+        last = st == FMB_ERR_PARSE ? where.line : line ? line->number : last;
+    } while (st == FMB_ERR_PARSE || line);
+    fmb_frames_close(r);
+    fclose(in);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    if (size > 0) {
+        read_all(data, size, false);
+        read_all(data, size, true);
+    }
+    return 0;
+}
