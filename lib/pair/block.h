@@ -10,7 +10,7 @@ typedef struct fmb_block {
     int lanes;                         /* that are taken */
 } fmb_block;
 
-/* Put pair i = (p, q) into the next lane of a block of that width; with place and speed if boxes
+/* Put pair i = (p, q) into the next lane of a block of that width; with places and speeds if boxes
  * are wanted. dim is that of both frames, which have all axes. */
 static inline void fmb_block_put(fmb_block *b, int width, const fmb_frame *p, const fmb_frame *q,
                                  bool moves, bool boxes, size_t i)
@@ -26,10 +26,12 @@ static inline void fmb_block_put(fmb_block *b, int width, const fmb_frame *p, co
         *to = q->axes[j];
     for (int j = 0; moves && j < dim; j++, to += width)
         *to = (q->speed ? q->speed[j] : 0) - (p->speed ? p->speed[j] : 0);
-    for (int j = 0; boxes && j < dim; j++, to += width)
-        *to = q->origin[j];
-    for (int j = 0; boxes && moves && j < dim; j++, to += width)
-        *to = q->speed ? q->speed[j] : 0;
+    for (int j = 0; boxes && j < 2 * dim; j++, to += width)
+        *to = j < dim ? p->origin[j] : q->origin[j - dim];
+    for (int j = 0; boxes && moves && j < 2 * dim; j++, to += width) {
+        const double *speed = j < dim ? p->speed : q->speed;
+        *to = speed ? speed[j % dim] : 0;
+    }
 }
 
 #endif

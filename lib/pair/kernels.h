@@ -7,8 +7,8 @@
  *     a       D D   axes of A, axis by axis
  *     b       D D   axes of B
  *     drift   D     speed of B - speed of A, if moving
- *     place   D     origin of B         (boxes only)
- *     speed   D     speed of B          (boxes only, if moving)
+ *     place   2 D   origin of A, of B   (boxes only)
+ *     speed   2 D   speed of A, of B    (boxes only, if moving)
  *
  * Differences are rounded once, so shift and drift have a relative error of at most 2^-53; all
  * other rows are exact. Every number is finite.
@@ -20,7 +20,7 @@
 
 enum {
     FMB_BLOCK_MOST_LANES = 8,
-    FMB_BLOCK_MOST_ROWS = 30, /* moving in 3D, with place and speed */
+    FMB_BLOCK_MOST_ROWS = 36, /* moving in 3D, with place and speed */
     FMB_BOX_MOST_ROWS = 17
 };
 
@@ -34,9 +34,9 @@ typedef fmb_pair_bits fmb_verdict_kernel(const double *block);
 
 /* For pairs that meet: rows of answers, D each: lower and upper ends in the world, lower and upper
  * ends in coordinates of B; then first and last time; then D for a witness. The bits of the lanes
- * where the ends contain the exact ones and exceed them by at most 1e-12 of the largest coordinate
- * of a corner of A or B (at t = 0 or 1); other lanes mean nothing. Static: the times are 0 and 1.
- */
+ * where the ends contain the exact ones and exceed them by at most 1e-12 (coordinates of B, times),
+ * or 1e-12 of the largest coordinate of a corner of A or B at t = 0 or 1 (world); other lanes mean
+ * nothing. Static: the times are 0 and 1. */
 typedef unsigned fmb_box_kernel(const double *block, double *answer);
 
 /* Kinds of a pair; a simplex and a cuboid are swapped for a verdict. */
@@ -46,8 +46,8 @@ typedef struct fmb_pair_kernels {
     int width;
     /* [D - 2][moving][kind]; NULL: there is none. */
     fmb_verdict_kernel *fmb[2][2][FMB_KINDS], *sat[2][2][FMB_KINDS];
-    /* [D - 2][moving][shape of A][shape of B] */
-    fmb_box_kernel *box[2][2][2][2];
+    /* [D - 2][moving][shape of A][shape of B]; fine: for lanes that box is not sure of, slower */
+    fmb_box_kernel *box[2][2][2][2], *fine[2][2][2][2];
 } fmb_pair_kernels;
 
 /* The kernels of that level, NULL if this processor (or compiler) has not got it. */

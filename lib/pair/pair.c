@@ -14,7 +14,7 @@
 #include "pair/exact.h"
 #include "pair/general.h"
 
-enum { VERDICT_BLOCKS = 2 * FMB_KINDS, BOX_BLOCKS = 2 * 2 * 2 };
+enum { VERDICT_BLOCKS = 2 * FMB_KINDS, BOX_BLOCKS = 2 * 2 * 2, BOX_LEVELS = 2 };
 
 struct fmb_pair {
     fmb_mem mem;
@@ -25,8 +25,8 @@ struct fmb_pair {
     fmb_pair_oracle oracle;
     fmb_pair_counts counts;
     atomic_bool cancelled;
-    fmb_block verdict_block[VERDICT_BLOCKS]; /* [moves][kind] */
-    fmb_block box_block[BOX_BLOCKS];         /* [moves][shape of A][shape of B] */
+    fmb_block verdict_block[VERDICT_BLOCKS];     /* [moves][kind] */
+    fmb_block box_block[BOX_LEVELS][BOX_BLOCKS]; /* [moves][shape of A][shape of B] */
 };
 
 /* One call of fmb_pair_test. */
@@ -201,38 +201,47 @@ static const fmb_pair_kernels *ready(const fmb_pair *k, fmb_block *b)
     return k->wide;
 }
 
-static fmb_status flush_boxes(const query *a, int which)
+/* The kernel of a level: at first that for boxes, then the fine one; NULL: there is none. */
+static fmb_box_kernel *box_kernel(const fmb_pair *k, const fmb_pair_kernels *from, int level,
+                                  int which)
+{
+    int d = k->dim - 2, moves = which / 4, a = which / 2 % 2, b = which % 2;
+    return level == 0 ? from->box[d][moves][a][b] : level == 1 ? from->fine[d][moves][a][b] : NULL;
+}
+
+static fmb_status put_box(const query *a, int level, size_t i);
+
+static fmb_status flush_boxes(const query *a, int level, int which)
 {
     fmb_pair *k = a->k;
-    fmb_block *b = &k->box_block[which];
+    fmb_block *b = &k->box_block[level][which];
     double answer[FMB_BOX_MOST_ROWS * FMB_BLOCK_MOST_LANES];
     fmb_status st = FMB_OK;
     if (b->lanes == 0)
         return FMB_OK;
     const fmb_pair_kernels *kernels = ready(k, b);
-    unsigned good =
-        kernels->box[k->dim - 2][which / 4][which / 2 % 2][which % 2](b->number, answer);
+    unsigned good = box_kernel(k, kernels, level, which)(b->number, answer);
     for (int lane = 0; st == FMB_OK && lane < b->lanes; lane++)
         if (good >> lane & 1)
             write_lane(a, answer, kernels->width, lane, b->pair[lane]);
         else
-            st = answer_exactly(a, b->pair[lane]);
+            st = put_box(a, level + 1, b->pair[lane]);
     b->lanes = 0;
     return st;
 }
 
 /* Pair i meets; a kernel said so. */
-static fmb_status put_box(const query *a, size_t i)
+static fmb_status put_box(const query *a, int level, size_t i)
 {
     fmb_pair *k = a->k;
     const fmb_frame *p = &a->p[i], *q = &a->q[i];
     bool moves = p->speed || q->speed;
     int which = 4 * moves + 2 * (int)p->shape + (int)q->shape;
-    if (k->options.tightest || !k->wide->box[k->dim - 2][moves][p->shape][q->shape])
+    if (k->options.tightest || !box_kernel(k, k->wide, level, which))
         return answer_exactly(a, i);
-    fmb_block *b = &k->box_block[which];
+    fmb_block *b = &k->box_block[level][which];
     fmb_block_put(b, k->wide->width, p, q, moves, true, i);
-    return b->lanes == k->wide->width ? flush_boxes(a, which) : FMB_OK;
+    return b->lanes == k->wide->width ? flush_boxes(a, level, which) : FMB_OK;
 }
 
 /* ---- verdicts by kernels --------------------------------------------------------------------- */
@@ -259,7 +268,7 @@ static fmb_status flush_verdicts(const query *a, int which)
             a->out->verdict[i] = FMB_INFEASIBLE;
         } else if (bits.meet >> lane & 1) {
             a->out->verdict[i] = FMB_FEASIBLE;
-            st = a->boxes ? put_box(a, i) : FMB_OK;
+            st = a->boxes ? put_box(a, 0, i) : FMB_OK;
         } else {
             st = decide_generally(a, i);
         }
@@ -312,12 +321,12 @@ fmb_status fmb_pair_test(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_fr
         st = put(&a, i);
     for (int which = 0; st == FMB_OK && which < VERDICT_BLOCKS; which++)
         st = flush_verdicts(&a, which);
-    for (int which = 0; st == FMB_OK && which < BOX_BLOCKS; which++)
-        st = flush_boxes(&a, which);
+    for (int box = 0; st == FMB_OK && box < BOX_LEVELS * BOX_BLOCKS; box++)
+        st = flush_boxes(&a, box / BOX_BLOCKS, box % BOX_BLOCKS);
     for (int which = 0; which < VERDICT_BLOCKS; which++)
         k->verdict_block[which].lanes = 0;
-    for (int which = 0; which < BOX_BLOCKS; which++)
-        k->box_block[which].lanes = 0;
+    for (int box = 0; box < BOX_LEVELS * BOX_BLOCKS; box++)
+        k->box_block[box / BOX_BLOCKS][box % BOX_BLOCKS].lanes = 0;
     k->counts.pairs += n;
     return st;
 }

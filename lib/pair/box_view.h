@@ -1,0 +1,191 @@
+/* box_view.h: one frame, the guest, in the coordinates of another, the host.
+ *
+ * With n_i the rows of the adjugate of the host's axes, times the sign of their determinant, a
+ * point x has values y_i = n_i (x - origin of the host). It is in the host where all values are
+ * within 0 ... size = |det|; for a simplex, where all are at least 0, with one value more, size -
+ * sum y_i. (The same idea as in front.h, with tighter bounds on errors.)
+ *
+ * Errors: with N_ij the sum of the absolute products whose difference is n_ij, and X_j the absolute
+ * shift, plus all absolute edges of the guest (twice those of a simplex), plus twice the absolute
+ * drift,
+ *
+ *     most_i = sum_j N_ij X_j + sum_j N_0j |a_0j|,    error_i = 14 unit most_i
+ *
+ * (for the value more, the sums of these over i) are bounds on value i, and on its error, of: size;
+ * any corner of the guest at t = 0 or 1; a corner plus an edge or the drift, the edge or drift
+ * counted twice; such a value taken from size. Proof. n_ij is off by 2 unit N_ij (each product
+ * once, the difference once). n_i x is off by 5 unit sum_j N_ij |x_j|, as each of its terms is
+ * rounded once and summed at most twice; by 6 where x_j was itself rounded. A corner takes at most
+ * 4 sums; then come one for size - y, or 3 for the value more: each is off by at most unit times
+ * most. That is 13 unit most_i; one is left for terms of unit^2 and for the rounding of most_i
+ * itself.
+ *
+ * `known` says where alpha, beta, drift and places are within 2^-40 ... 2^40 (the last two: at
+ * most) and size > its error. Then nothing overflows, and underflow does not hurt: it changes a
+ * value by less than 2^-1020, a product of three values by less than 2^-770, but to every most_i
+ * 2^-200 is added, which makes the bounds on these errors 2^-302 and 2^-700 at least.
+ */
+#ifndef FMB_PAIR_BOX_VIEW_H
+#define FMB_PAIR_BOX_VIEW_H
+
+#include "pair/box_twin.h"
+
+enum { BOX_CORNERS = 8, BOX_VALUES = 4 };
+
+/* What is constant in a kernel. */
+typedef struct box_kind {
+    int dim;
+    bool moves, fine;
+    int shape[2]; /* of A, of B */
+} box_kind;
+
+/* One frame of a block. */
+typedef struct box_frame {
+    lane origin[3], axes[3][3], speed[3];
+} box_frame;
+
+typedef struct box_view {
+    twin size;
+    twin start[BOX_VALUES], edge[3][BOX_VALUES], drift[BOX_VALUES]; /* of the guest */
+    lane most[BOX_VALUES], error[BOX_VALUES];
+    lane_mask known;
+} box_view;
+
+FMB_INLINE int box_values(const box_kind *k, int host)
+{
+    return k->dim + (k->shape[host] == FMB_SIMPLEX);
+}
+
+FMB_INLINE int box_corners(const box_kind *k, int guest)
+{
+    return k->shape[guest] == FMB_SIMPLEX ? k->dim + 1 : 1 << k->dim;
+}
+
+/* The adjugate of a, whose rows are axes, and N. */
+FMB_INLINE void box_adjugate(const box_kind *k, const lane a[3][3], twin n[3][3], lane most[3][3])
+{
+    if (k->dim == 2) {
+        for (int i = 0; i < 2; i++)
+            for (int j = 0; j < 2; j++) {
+                lane entry = a[1 - i][1 - j];
+                n[i][j] = twin_of(i == j ? entry : -entry);
+                most[i][j] = lane_abs(entry);
+            }
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        const lane *p = a[(i + 1) % 3], *q = a[(i + 2) % 3];
+        for (int j = 0; j < 3; j++) {
+            int s = (j + 1) % 3, t = (j + 2) % 3;
+            twin one = k->fine ? twin_product(p[s], q[t]) : twin_of(p[s] * q[t]);
+            twin two = k->fine ? twin_product(p[t], q[s]) : twin_of(p[t] * q[s]);
+            n[i][j] = twin_subtract(k->fine, one, two);
+            most[i][j] = lane_abs(one.hi) + lane_abs(two.hi);
+        }
+    }
+}
+
+FMB_INLINE twin box_dot(const box_kind *k, const twin *n, const twin *x)
+{
+    twin sum = twin_times(k->fine, n[0], x[0]);
+    for (int j = 1; j < k->dim; j++)
+        sum = twin_add(k->fine, sum, twin_times(k->fine, n[j], x[j]));
+    return sum;
+}
+
+FMB_INLINE twin box_dot_lanes(const box_kind *k, const twin *n, const lane *x)
+{
+    twin t[3];
+    for (int j = 0; j < k->dim; j++)
+        t[j] = twin_of(x[j]);
+    return box_dot(k, n, t);
+}
+
+/* y - x */
+FMB_INLINE void box_difference(const box_kind *k, const lane *x, const lane *y, twin *out)
+{
+    for (int j = 0; j < k->dim; j++)
+        out[j] = k->fine ? twin_sum(y[j], -x[j]) : twin_of(y[j] - x[j]);
+}
+
+/* The value that a simplex has besides. */
+FMB_INLINE void box_last_value(const box_kind *k, twin from, twin *y)
+{
+    for (int i = 0; i < k->dim; i++)
+        from = twin_subtract(k->fine, from, y[i]);
+    y[k->dim] = from;
+}
+
+FMB_INLINE void box_errors(const box_kind *k, int guest, const box_frame *a, const box_frame *b,
+                           lane most[3][3], const twin *shift, const twin *drift, box_view *v)
+{
+    lane x[3], whole = lane_of(0x1p-200), sum = lane_of(0), unit = lane_of(14 * BOX_UNIT(k->fine));
+    for (int j = 0; j < k->dim; j++) {
+        lane edges = lane_of(0);
+        for (int l = 0; l < k->dim; l++)
+            edges = edges + lane_abs(b->axes[l][j]);
+        if (k->shape[guest] == FMB_SIMPLEX)
+            edges = edges + edges;
+        x[j] = lane_abs(shift[j].hi) + edges;
+        if (k->moves)
+            x[j] = x[j] + lane_of(2) * lane_abs(drift[j].hi);
+        whole = lane_fma(most[0][j], lane_abs(a->axes[0][j]), whole);
+    }
+    for (int i = 0; i < k->dim; i++) {
+        v->most[i] = whole;
+        for (int j = 0; j < k->dim; j++)
+            v->most[i] = lane_fma(most[i][j], x[j], v->most[i]);
+        sum = sum + v->most[i];
+    }
+    v->most[k->dim] = sum;
+    for (int i = 0; i <= k->dim; i++)
+        v->error[i] = unit * v->most[i];
+    v->known = lane_less(unit * whole, v->size.hi);
+}
+
+FMB_INLINE box_view box_view_of(const box_kind *k, int guest, const box_frame *a,
+                                const box_frame *b)
+{
+    box_view v;
+    twin n[3][3], shift[3], drift[3];
+    lane most[3][3];
+    box_adjugate(k, a->axes, n, most);
+    twin det = box_dot_lanes(k, n[0], a->axes[0]);
+    v.size = twin_times_sign(k->fine, det, det.hi);
+    for (int i = 0; i < k->dim; i++)
+        for (int j = 0; j < k->dim; j++)
+            n[i][j] = twin_times_sign(k->fine, n[i][j], det.hi);
+    box_difference(k, a->origin, b->origin, shift);
+    if (k->moves)
+        box_difference(k, a->speed, b->speed, drift);
+    for (int i = 0; i < k->dim; i++) {
+        v.start[i] = box_dot(k, n[i], shift);
+        for (int l = 0; l < k->dim; l++)
+            v.edge[l][i] = box_dot_lanes(k, n[i], b->axes[l]);
+        if (k->moves)
+            v.drift[i] = box_dot(k, n[i], drift);
+    }
+    if (k->shape[1 - guest] == FMB_SIMPLEX) {
+        box_last_value(k, v.size, v.start);
+        for (int l = 0; l < k->dim; l++)
+            box_last_value(k, twin_of(lane_of(0)), v.edge[l]);
+        if (k->moves)
+            box_last_value(k, twin_of(lane_of(0)), v.drift);
+    }
+    box_errors(k, guest, a, b, most, shift, drift, &v);
+    return v;
+}
+
+/* Values of corner c of the guest at t = 0: bit l of c says whether edge l is taken; corner l + 1
+ * of a simplex is at the end of edge l. */
+FMB_INLINE void box_corner(const box_kind *k, int host, const box_view *v, int c, twin *y)
+{
+    for (int i = 0; i < box_values(k, host); i++) {
+        y[i] = v->start[i];
+        for (int l = 0; l < k->dim; l++)
+            if (k->shape[1 - host] == FMB_SIMPLEX ? c == l + 1 : c >> l & 1)
+                y[i] = twin_add(k->fine, y[i], v->edge[l][i]);
+    }
+}
+
+#endif
