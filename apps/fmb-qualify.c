@@ -6,9 +6,28 @@
 #include "common/message.h"
 #include "qualify/study.h"
 
+static int run_table1(int argc, char **argv)
+{
+    return qualify_study_main(&qualify_study_table1, argc, argv);
+}
+
+static int run_near(int argc, char **argv)
+{
+    return qualify_study_main(&qualify_study_near, argc, argv);
+}
+
+static int run_faces(int argc, char **argv)
+{
+    return qualify_study_main(&qualify_study_faces, argc, argv);
+}
+
 static const app_command commands[] = {
     {"all", "fmb-qualify all", "all of them in one report: what is done without a STUDY",
      qualify_all},
+    {"table1", "fmb-qualify table1", "verdicts by FMB and by SAT: the article's 24 cells",
+     run_table1},
+    {"near", "fmb-qualify near", "the same on pairs whose axis-aligned boxes meet", run_near},
+    {"faces", "fmb-qualify faces", "the same on faces with their unit normals", run_faces},
     {"rules", "fmb-qualify rules", "pruning rules x orders x systems: rows, time, errors",
      qualify_rules},
 };

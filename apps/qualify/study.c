@@ -154,7 +154,8 @@ int qualify_study_main(const qualify_study *s, int argc, char **argv)
 
 static const char *const FOLDER = "fmb-report";
 
-static const qualify_study *const STUDY[] = {&qualify_study_rules};
+static const qualify_study *const STUDY[] = {&qualify_study_table1, &qualify_study_near,
+                                             &qualify_study_faces, &qualify_study_rules};
 enum { STUDIES = sizeof STUDY / sizeof *STUDY };
 
 static const char all_doc[] =

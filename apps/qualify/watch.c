@@ -14,6 +14,7 @@ static fmb_solver *volatile running;
 static volatile sig_atomic_t asked_to_stop;
 static bool terminal;
 static const char *shown_name = "";
+static size_t part, parts;
 static double shown; /* when the bar was drawn last [s] */
 
 static void cancel(int signal_number)
@@ -71,11 +72,11 @@ fmb_solver *volatile *qualify_watch_solver(void)
 static void draw(size_t done, size_t all)
 {
     char bar[BAR + 1];
-    size_t part = all > 0 ? done * 1000 / all : 1000;
+    size_t permille = all > 0 ? done * 1000 / all : 1000;
     for (size_t i = 0; i < BAR; i++)
-        bar[i] = i * 1000 < part * BAR ? '#' : '.';
+        bar[i] = i * 1000 < permille * BAR ? '#' : '.';
     bar[BAR] = '\0';
-    fprintf(stderr, "\r[%s] %3zu %% %-8.12s", bar, part / 10, shown_name);
+    fprintf(stderr, "\r[%s] %3zu %% %-8.12s", bar, permille / 10, shown_name);
     fflush(stderr);
 }
 
@@ -88,6 +89,18 @@ bool qualify_watch_step(void *self, size_t done, size_t all)
         shown = t;
     }
     return !asked_to_stop;
+}
+
+void qualify_watch_part(size_t done, size_t all)
+{
+    part = done;
+    parts = all;
+}
+
+bool qualify_watch_step_within(void *self, size_t done, size_t all)
+{
+    enum { FINE = 1000 };
+    return qualify_watch_step(self, part * FINE + done * FINE / all, parts * FINE);
 }
 
 bool qualify_watch_interrupted(void)

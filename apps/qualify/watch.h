@@ -18,6 +18,9 @@ void qualify_watch_name(const char *name);
 fmb_solver *volatile *qualify_watch_solver(void);
 /* Show how far it is; false after a signal. self is not used: it fits study_grid.step. */
 bool qualify_watch_step(void *self, size_t done, size_t all);
+/* The same for a part of a study: part number `done` of `all` begins; then how far it is. */
+void qualify_watch_part(size_t done, size_t all);
+bool qualify_watch_step_within(void *self, size_t done, size_t all);
 /* Did a signal end the study? */
 bool qualify_watch_interrupted(void);
 

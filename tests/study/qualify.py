@@ -1,6 +1,8 @@
-"""fmb-qualify from outside: exit codes, files, the same counts from the same seed, Ctrl-C.
+"""fmb-qualify from outside: exit codes, files, the same counts from the same seed, Ctrl-C; the report
+holds every figure.
 usage: qualify.py FMB_QUALIFY MAN_PAGE"""
 
+import base64
 import csv
 import json
 import os
@@ -12,9 +14,11 @@ import subprocess
 import sys
 import tempfile
 import time
+import xml.etree.ElementTree
 
 program, man_page = sys.argv[1], pathlib.Path(sys.argv[2])
 faults = []
+STUDIES = ["table1", "near", "faces", "rules"]
 SMALL = ["--dim", "2", "--pairs", "2", "--rules", "kohler", "--rules", "kohler,box", "--passes", "1"]
 
 
@@ -129,10 +133,104 @@ def interrupted(folder):
     expect(not json.loads((out / "report.json").read_text())["complete"], "Ctrl-C: report.json")
 
 
+def study(name, *args, pairs=8):
+    got = subprocess.run([program, name, "--pairs", str(pairs), "--passes", "1", *args],
+                         capture_output=True, text=True)
+    expect(got.returncode == 0 and not got.stderr, f"{name} {args}: {got.returncode} {got.stderr}")
+    return got.stdout
+
+
+def cells(name, *args):
+    """The cells of a study of verdicts, by case, pair and meeting."""
+    printed = json.loads(study(name, "--json", *args))
+    expect(printed["machine"] and printed["complete"], f"{name}: machine, complete")
+    return {(c["case"], c["pair"], c["meeting"]): c for c in printed["cells"]}
+
+
+def verdicts():
+    """24 cells, in which FMB and SAT agree; those that meet have boxes that meet."""
+    table, near, faces = cells("table1"), cells("near"), cells("faces")
+    expect(set(table) == set(near) == {(f"{d}d-{m}", p, meets) for d in (2, 3)
+                                       for m in ("static", "dynamic") for p in ("CC", "CT", "TT")
+                                       for meets in (True, False)}, "cells")
+    expect(set(faces) == {key for key in table if key[0] == "3d-static"}, "cells of faces")
+    for cell in [*table.values(), *near.values(), *faces.values()]:
+        expect(cell["queries"] == 8 and cell["different"] == 0 <= cell["exact_share"] <= 1 and
+               min(cell["fmb_ns"], cell["sat_ns"]) > 0 and
+               cell["fmb_over_sat"]["least"] <= cell["fmb_over_sat"]["most"] and
+               cell["repeated"]["fmb_ns"]["least"] <= cell["repeated"]["fmb_ns"]["most"], str(cell))
+    drawn = {key: cell["drawn"] for key, cell in table.items()}
+    expect(drawn == {key: c["drawn"] for key, c in cells("table1").items()}, "the same seed")
+    expect(drawn != {key: c["drawn"] for key, c in cells("table1", "--seed", "2").items()},
+           "another seed")
+    for key, cell in near.items():
+        expect(cell["drawn"] == drawn[key] if key[2] else cell["drawn"] >= drawn[key], f"near {key}")
+    expect(sum(c["drawn"] for c in near.values()) > sum(drawn.values()), "near is like table1")
+
+
+def html_figures(folder):
+    """Names of the figures that report.html holds; each is a picture with lines in it."""
+    text = (folder / "report.html").read_text()
+    for name in re.findall(r'href="([^#"]+)"', text):
+        expect((folder / name).exists(), f"report.html: {name} is missing")
+    images = re.findall(r'<img alt="[^"]*" src="([^"]*)"', text)
+    for image in images:
+        kind, _, data = image.partition(",")
+        picture = xml.etree.ElementTree.fromstring(base64.b64decode(data))
+        drawn = sum(1 for e in picture.iter() if e.tag.endswith("}path"))
+        expect(kind == "data:image/svg+xml;base64" and drawn > 10, f"{kind}: {drawn} lines")
+    expect(text.count("<img") == len(images) and "Not drawn" not in text, "a figure is missing")
+    return set(re.findall(r'href="([\w-]+)\.svg"', text))
+
+
+def one_report(folder):
+    out = folder / "table1"
+    text = study("table1", "--out", str(out))
+    expect("one pair again and again" in text, "table1: a table is missing")
+    for name in ("cells", "single", "warm"):
+        with open(out / f"table1-{name}.csv", newline="") as f:
+            expect(len(list(csv.reader(f))) == 25, f"table1-{name}.csv")
+    expect(len(json.loads((out / "report.json").read_text())["cells"]) == 24, "table1: report.json")
+    if shutil.which("gnuplot"):
+        expect(html_figures(out) == {f"table1-ratio-{d}d-{m}" for d in (2, 3)
+                                     for m in ("static", "dynamic")}, "figures of table1")
+
+
+def whole_report(folder):
+    out = folder / "all"
+    study("all", "--out", str(out))
+    text = (out / "report.html").read_text()
+    found = [s["study"] for s in json.loads((out / "report.json").read_text())["studies"]]
+    expect(found == STUDIES, f"studies: {found}")
+    expect(re.findall(r'<h2 id="(\w+)"', text) == found == re.findall(r'href="#(\w+)"', text),
+           "sections of report.html")
+    if shutil.which("gnuplot"):
+        drawn = {name.partition("-")[0] for name in html_figures(out)}
+        expect(drawn == set(STUDIES), f"studies with figures: {sorted(drawn)}")
+
+
+def interrupted_all(folder):
+    """What is complete is in the report; without --out it is in fmb-report."""
+    child = subprocess.Popen([program], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                             text=True)
+    time.sleep(2)
+    child.send_signal(signal.SIGINT)
+    _, errors = child.communicate(timeout=60)
+    expect(child.returncode == 2 and not errors, f"Ctrl-C: {child.returncode} {errors}")
+    table = json.loads((folder / "fmb-report" / "report.json").read_text())
+    expect(table["study"] == "table1" and not table["complete"], "Ctrl-C: fmb-report/report.json")
+    expect("Interrupted" in (folder / "fmb-report" / "report.html").read_text(), "Ctrl-C: nothing said")
+
+
 def documented():
     text = man_page.read_text().replace("\\-", "-")
-    help_text = subprocess.run([program, "rules", "--help"], capture_output=True, text=True).stdout
-    wanted = set(re.findall(r"^ +(?:-\w, |-\?, )?(--[a-z-]+)", help_text, re.M)) - {"--usage"}
+    wanted = {"--usage"}
+    for name in ("all", *STUDIES):
+        help_text = subprocess.run([program, name, "--help"], capture_output=True, text=True).stdout
+        wanted |= set(re.findall(r"^ +(?:-\w, |-\?, )?(--[a-z-]+)", help_text, re.M))
+        expect(re.search(rf"^\.B \"?fmb-qualify {name}\b|^\.B {name}$", text, re.M),
+               f"man page: {name} is missing")
+    wanted -= {"--usage"}
     found = set(re.findall(r"(?<![\w-])--[a-z][a-z-]*", text))
     expect(len(wanted) > 15, "--help was not understood")
     expect(wanted <= found, f"man page: {sorted(wanted - found)} missing")
@@ -148,6 +246,10 @@ with tempfile.TemporaryDirectory() as name:
     stopped()
     files(root)
     interrupted(root)
+    verdicts()
+    one_report(root)
+    whole_report(root)
+    interrupted_all(root)
     documented()
 print("\n".join(faults) or "fmb-qualify: no faults")
 sys.exit(bool(faults))
