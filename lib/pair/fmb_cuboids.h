@@ -30,14 +30,22 @@ typedef struct fmb_cuboids {
     lane cross[6][3]; /* of g_a, g_b, a < b, at [b (b - 1) / 2 + a] */
 } fmb_cuboids;
 
-FMB_INLINE fmb_cuboids fmb_cuboids_of(const front *f, int dim, bool moves)
+/* How many g_k. */
+FMB_INLINE int fmb_cuboids_count(fmb_kind kind)
 {
-    fmb_cuboids c = {.dim = dim, .n = dim + moves, .size = f->size};
+    return kind.dim + kind.moves;
+}
+
+FMB_INLINE fmb_cuboids fmb_cuboids_of(fmb_kind kind, const front *f)
+{
+    const int dim = kind.dim, n = fmb_cuboids_count(kind);
+    fmb_cuboids c;
+    c.size = f->size;
     for (int i = 0; i < dim; i++) {
         lane sum = f->e[0][i];
-        for (int k = 0; k < c.n; k++)
+        for (int k = 0; k < n; k++)
             c.g[k][i] = k < dim ? f->e[k][i] : f->drift[i];
-        for (int k = 1; k < c.n; k++)
+        for (int k = 1; k < n; k++)
             sum = sum + c.g[k][i];
         c.center[i] = lane_fma(lane_of(2), f->shift[i], sum - f->size);
     }
@@ -47,12 +55,12 @@ FMB_INLINE fmb_cuboids fmb_cuboids_of(const front *f, int dim, bool moves)
 }
 
 /* A's rows: the largest gap. */
-FMB_INLINE lane fmb_cuboids_faces(const fmb_cuboids *c)
+FMB_INLINE lane fmb_cuboids_faces(fmb_kind kind, const fmb_cuboids *c)
 {
     lane most = lane_of(-INFINITY);
-    for (int i = 0; i < c->dim; i++) {
+    for (int i = 0; i < kind.dim; i++) {
         lane reach = c->size;
-        for (int k = 0; k < c->n; k++)
+        for (int k = 0; k < fmb_cuboids_count(kind); k++)
             reach = reach + lane_abs(c->g[k][i]);
         most = lane_max(most, lane_abs(c->center[i]) - reach);
     }
@@ -60,12 +68,12 @@ FMB_INLINE lane fmb_cuboids_faces(const fmb_cuboids *c)
 }
 
 /* In the plane: the row along g_a. */
-FMB_INLINE lane fmb_cuboids_turned(const fmb_cuboids *c, int a)
+FMB_INLINE lane fmb_cuboids_turned(fmb_kind kind, const fmb_cuboids *c, int a)
 {
     const lane *g = c->g[a];
     lane away = lane_abs(lane_fms(g[0], c->center[1], g[1] * c->center[0]));
     lane gap = lane_fnma(c->size, lane_abs(g[0]) + lane_abs(g[1]), away);
-    for (int b = 0; b < c->n; b++)
+    for (int b = 0; b < fmb_cuboids_count(kind); b++)
         if (b != a)
             gap = gap - lane_abs(lane_fms(g[0], c->g[b][1], g[1] * c->g[b][0]));
     return gap;
@@ -80,12 +88,12 @@ FMB_INLINE void fmb_cuboids_cross(fmb_cuboids *c, int first, int end)
 }
 
 /* In space: the row along g_a and g_b, a < b. */
-FMB_INLINE lane fmb_cuboids_side(const fmb_cuboids *c, int a, int b)
+FMB_INLINE lane fmb_cuboids_side(fmb_kind kind, const fmb_cuboids *c, int a, int b)
 {
     const lane *n = c->cross[b * (b - 1) / 2 + a];
     lane sum = lane_abs(n[0]) + lane_abs(n[1]) + lane_abs(n[2]);
     lane gap = lane_fnma(c->size, sum, lane_abs(front_dot(3, n, c->center)));
-    for (int k = 0; k < c->n; k++)
+    for (int k = 0; k < fmb_cuboids_count(kind); k++)
         if (k != a && k != b) {
             /* the same determinant in all three rows that have it */
             int x = k < a ? k : a, y = k < b ? (k < a ? a : k) : b, z = k < b ? b : k;
@@ -95,14 +103,14 @@ FMB_INLINE lane fmb_cuboids_side(const fmb_cuboids *c, int a, int b)
 }
 
 /* In space: the rows along g_a and an axis of A. */
-FMB_INLINE lane fmb_cuboids_edge(const fmb_cuboids *c, int a)
+FMB_INLINE lane fmb_cuboids_ridge(fmb_kind kind, const fmb_cuboids *c, int a)
 {
     const lane *g = c->g[a];
     lane most = lane_of(-INFINITY);
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
         lane away = lane_abs(lane_fms(g[k], c->center[j], g[j] * c->center[k])), wide = lane_of(0);
-        for (int b = 0; b < c->n; b++)
+        for (int b = 0; b < fmb_cuboids_count(kind); b++)
             if (b != a) {
                 int x = a < b ? a : b, y = a < b ? b : a;
                 wide = wide + lane_abs(c->cross[y * (y - 1) / 2 + x][i]);
@@ -115,39 +123,41 @@ FMB_INLINE lane fmb_cuboids_edge(const fmb_cuboids *c, int a)
 
 FMB_INLINE fmb_pair_bits fmb_cuboids_2d(const double *block, bool moves)
 {
+    const fmb_kind kind = {2, moves, false};
     front f = front_of(2, moves, block);
-    fmb_cuboids c = fmb_cuboids_of(&f, 2, moves);
+    fmb_cuboids c = fmb_cuboids_of(kind, &f);
     fmb_gaps gaps = fmb_gaps_none();
-    fmb_gaps_class(&gaps, fmb_cuboids_faces(&c), 26, c.bound);
-    lane most = lane_max(fmb_cuboids_turned(&c, 0), fmb_cuboids_turned(&c, 1));
+    fmb_gaps_class(&gaps, fmb_cuboids_faces(kind, &c), 26, c.bound);
+    lane most = lane_max(fmb_cuboids_turned(kind, &c, 0), fmb_cuboids_turned(kind, &c, 1));
     fmb_gaps_class(&gaps, most, 92, f.most_e * c.bound);
     if (moves)
-        fmb_gaps_class(&gaps, fmb_cuboids_turned(&c, 2), 92, f.most_drift * c.bound);
+        fmb_gaps_class(&gaps, fmb_cuboids_turned(kind, &c, 2), 92, f.most_drift * c.bound);
     return fmb_gaps_bits(&gaps, f.known);
 }
 
 FMB_INLINE fmb_pair_bits fmb_cuboids_3d(const double *block, bool moves)
 {
+    const fmb_kind kind = {3, moves, false};
     front f = front_of(3, moves, block);
-    fmb_cuboids c = fmb_cuboids_of(&f, 3, moves);
+    fmb_cuboids c = fmb_cuboids_of(kind, &f);
     fmb_gaps gaps = fmb_gaps_none();
     fmb_pair_bits out;
     fmb_cuboids_cross(&c, 0, 3);
-    fmb_gaps_class(&gaps, fmb_cuboids_faces(&c), 26, c.bound);
-    lane side = lane_max(fmb_cuboids_side(&c, 0, 1), fmb_cuboids_side(&c, 0, 2));
-    side = lane_max(side, fmb_cuboids_side(&c, 1, 2));
+    fmb_gaps_class(&gaps, fmb_cuboids_faces(kind, &c), 26, c.bound);
+    lane side = lane_max(fmb_cuboids_side(kind, &c, 0, 1), fmb_cuboids_side(kind, &c, 0, 2));
+    side = lane_max(side, fmb_cuboids_side(kind, &c, 1, 2));
     lane e_bound = f.most_e * c.bound, drift_bound = f.most_drift * c.bound;
     fmb_gaps_class(&gaps, side, 384, f.most_e * e_bound);
     if (fmb_gaps_done(&gaps, f.known, &out))
         return out;
-    fmb_cuboids_cross(&c, 3, c.n);
-    lane edge = lane_max(fmb_cuboids_edge(&c, 0), fmb_cuboids_edge(&c, 1));
-    fmb_gaps_class(&gaps, lane_max(edge, fmb_cuboids_edge(&c, 2)), 92, e_bound);
+    fmb_cuboids_cross(&c, 3, fmb_cuboids_count(kind));
+    lane edge = lane_max(fmb_cuboids_ridge(kind, &c, 0), fmb_cuboids_ridge(kind, &c, 1));
+    fmb_gaps_class(&gaps, lane_max(edge, fmb_cuboids_ridge(kind, &c, 2)), 92, e_bound);
     if (moves) {
-        lane swept = lane_max(fmb_cuboids_side(&c, 0, 3), fmb_cuboids_side(&c, 1, 3));
-        swept = lane_max(swept, fmb_cuboids_side(&c, 2, 3));
+        lane swept = lane_max(fmb_cuboids_side(kind, &c, 0, 3), fmb_cuboids_side(kind, &c, 1, 3));
+        swept = lane_max(swept, fmb_cuboids_side(kind, &c, 2, 3));
         fmb_gaps_class(&gaps, swept, 384, f.most_e * drift_bound);
-        fmb_gaps_class(&gaps, fmb_cuboids_edge(&c, 3), 92, drift_bound);
+        fmb_gaps_class(&gaps, fmb_cuboids_ridge(kind, &c, 3), 92, drift_bound);
     }
     return fmb_gaps_bits(&gaps, f.known);
 }

@@ -17,6 +17,12 @@
 #include "pair/front.h"
 #include "pair/kernels.h"
 
+/* What pairs a kernel is for; constant in each. */
+typedef struct fmb_kind {
+    int dim;
+    bool moves, simplex; /* simplex: A is one (fmb_simplices.h) */
+} fmb_kind;
+
 typedef struct fmb_gaps {
     lane apart; /* largest gap - its error: positive means apart */
     lane meet;  /* largest gap + its error: negative means meet, if all rows were asked */

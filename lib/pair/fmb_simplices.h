@@ -49,8 +49,6 @@
  * V, 25.3 for w_3: at most (655.2 + 455.4) E V X. In the plane the same bounds hold by far.
  */
 typedef struct fmb_simplices {
-    int dim, columns; /* coordinates: dim, or dim + 1 if A is a simplex */
-    bool moves, simplex;
     lane reach;                           /* half, or size */
     lane v[4], e[3][4], drift[4], end[4]; /* end = v + drift */
     lane w[4][3], det;
@@ -65,48 +63,49 @@ FMB_INLINE lane fmb_sum(const lane *x, int n)
     return sum;
 }
 
-FMB_INLINE fmb_simplices fmb_simplices_of(const front *f, int dim, bool moves, bool simplex)
+FMB_INLINE fmb_simplices fmb_simplices_of(fmb_kind kind, const front *f)
 {
-    fmb_simplices c = {.dim = dim, .columns = dim + simplex, .moves = moves, .simplex = simplex};
+    const int dim = kind.dim;
+    fmb_simplices c;
     c.reach = f->size;
-    if (!simplex)
+    if (!kind.simplex)
         c.reach = lane_of(0.5) * f->size;
     for (int i = 0; i < dim; i++) {
         c.v[i] = f->shift[i];
-        if (!simplex)
+        if (!kind.simplex)
             c.v[i] = c.v[i] - c.reach;
         c.drift[i] = lane_of(0);
-        if (moves)
+        if (kind.moves)
             c.drift[i] = f->drift[i];
         for (int k = 0; k < dim; k++)
             c.e[k][i] = f->e[k][i];
     }
-    if (simplex) {
+    if (kind.simplex) {
         c.v[dim] = f->size - fmb_sum(c.v, dim);
         c.drift[dim] = -fmb_sum(c.drift, dim);
         for (int k = 0; k < dim; k++)
             c.e[k][dim] = -fmb_sum(c.e[k], dim);
     }
-    for (int i = 0; i < c.columns; i++)
+    for (int i = 0; i < dim + kind.simplex; i++)
         c.end[i] = c.v[i] + c.drift[i];
     c.bound = (f->most_shift + f->most_size) + (f->most_e + f->most_drift);
     return c;
 }
 
 /* A's rows: the largest gap. */
-FMB_INLINE lane fmb_simplices_faces(const fmb_simplices *c)
+FMB_INLINE lane fmb_simplices_faces(fmb_kind kind, const fmb_simplices *c)
 {
     const lane zero = lane_of(0);
     lane most = lane_of(-INFINITY);
-    for (int i = 0; i < c->columns; i++) {
+    for (int i = 0; i < kind.dim + kind.simplex; i++) {
         lane low = zero, high = zero;
-        for (int k = 0; k < c->dim; k++) {
+        for (int k = 0; k < kind.dim; k++) {
             low = lane_min(low, c->e[k][i]);
             high = lane_max(high, c->e[k][i]);
         }
         low = lane_min(c->v[i], c->end[i]) + low;
         high = lane_max(c->v[i], c->end[i]) + high;
-        if (c->simplex)
+        if (kind.simplex)
             most = lane_max(most, -high);
         else
             most = lane_max(most, lane_max(low, -high) - c->reach);
@@ -115,30 +114,30 @@ FMB_INLINE lane fmb_simplices_faces(const fmb_simplices *c)
 }
 
 /* The largest value over A of the row with the coefficients w, with the sign of s. */
-FMB_INLINE lane fmb_simplices_most(const fmb_simplices *c, const lane *w, lane s)
+FMB_INLINE lane fmb_simplices_most(fmb_kind kind, const lane *w, lane s)
 {
-    lane most = c->simplex ? lane_of(0) : lane_abs(w[0]);
-    for (int i = 0; c->simplex && i < c->dim; i++)
+    lane most = kind.simplex ? lane_of(0) : lane_abs(w[0]);
+    for (int i = 0; kind.simplex && i < kind.dim; i++)
         most = lane_max(most, lane_times_sign(w[i], s));
-    for (int i = 1; !c->simplex && i < c->dim; i++)
+    for (int i = 1; !kind.simplex && i < kind.dim; i++)
         most = most + lane_abs(w[i]);
     return most;
 }
 
 /* ... of the row w, which is away at v and moves by along until t = 1, with the sign of s. */
-FMB_INLINE lane fmb_simplices_row(const fmb_simplices *c, const lane *w, lane away, lane along,
-                                  lane s)
+FMB_INLINE lane fmb_simplices_row(fmb_kind kind, const fmb_simplices *c, const lane *w, lane away,
+                                  lane along, lane s)
 {
     lane least = lane_times_sign(away, s);
-    if (c->moves)
+    if (kind.moves)
         least = least + lane_min(lane_times_sign(along, s), lane_of(0));
-    return lane_fnma(c->reach, fmb_simplices_most(c, w, s), least);
+    return lane_fnma(c->reach, fmb_simplices_most(kind, w, s), least);
 }
 
 /* B's rows: their coefficients, and the largest gap. */
-FMB_INLINE lane fmb_simplices_sides(fmb_simplices *c)
+FMB_INLINE lane fmb_simplices_sides(fmb_kind kind, fmb_simplices *c)
 {
-    int n = c->dim;
+    int n = kind.dim;
     if (n == 3) {
         for (int p = 0; p < 3; p++)
             fmb_cross(c->e[(p + 1) % 3], c->e[(p + 2) % 3], c->w[p]);
@@ -152,14 +151,14 @@ FMB_INLINE lane fmb_simplices_sides(fmb_simplices *c)
     lane most = lane_of(-INFINITY), away[4], along[4];
     for (int p = 0; p < n; p++) {
         away[p] = front_dot(n, c->w[p], c->v);
-        along[p] = c->moves ? front_dot(n, c->w[p], c->drift) : lane_of(0);
+        along[p] = kind.moves ? front_dot(n, c->w[p], c->drift) : lane_of(0);
     }
     for (int i = 0; i < n; i++)
         c->w[n][i] = -(c->w[0][i] + c->w[1][i] + (n == 3 ? c->w[2][i] : lane_of(0)));
     away[n] = -fmb_sum(away, n);
     along[n] = -fmb_sum(along, n);
     for (int p = 0; p <= n; p++) {
-        lane gap = fmb_simplices_row(c, c->w[p], away[p], along[p], c->det);
+        lane gap = fmb_simplices_row(kind, c, c->w[p], away[p], along[p], c->det);
         if (p == n)
             gap = gap - lane_abs(c->det);
         most = lane_max(most, gap);
@@ -192,13 +191,13 @@ FMB_INLINE void fmb_simplices_slopes(const fmb_simplices *c, int edge, lane *a)
 
 /* The row with x_l, -x_k, least on B with the sign of s, which is opposite to that of other, and
  * then away at t = 0, end at t = 1. */
-FMB_INLINE lane fmb_simplices_edge(const fmb_simplices *c, lane xk, lane xl, lane away, lane end,
-                                   lane s, lane other)
+FMB_INLINE lane fmb_simplices_edge(fmb_kind kind, const fmb_simplices *c, lane xk, lane xl,
+                                   lane away, lane end, lane s, lane other)
 {
     lane least = lane_times_sign(away, s), most;
-    if (c->moves)
+    if (kind.moves)
         least = lane_min(least, lane_times_sign(end, s));
-    if (c->simplex)
+    if (kind.simplex)
         most = lane_max(lane_max(lane_times_sign(xl, s), lane_of(0)), lane_times_sign(xk, other));
     else
         most = lane_abs(xk) + lane_abs(xl);
@@ -211,7 +210,7 @@ FMB_INLINE lane fmb_turned(const lane *x, const lane *y, fmb_columns in)
 }
 
 /* All pairs of rows of B, an edge of A eliminated: the largest gap; the least |a_p| so far. */
-FMB_INLINE lane fmb_simplices_edges(const fmb_simplices *c, int edge, lane *certain)
+FMB_INLINE lane fmb_simplices_edges(fmb_kind kind, const fmb_simplices *c, int edge, lane *certain)
 {
     lane most = lane_of(-INFINITY), a[4], away[3], end[3];
     lane_mask negative[4];
@@ -224,15 +223,16 @@ FMB_INLINE lane fmb_simplices_edges(const fmb_simplices *c, int edge, lane *cert
     for (int r = 0; r < 3; r++) {
         int p = (r + 1) % 3, q = (r + 2) % 3;
         away[r] = fmb_turned(c->e[r], c->v, in);
-        end[r] = c->moves ? fmb_turned(c->e[r], c->end, in) : lane_of(0);
-        lane gap = fmb_simplices_edge(c, c->e[r][in.k], c->e[r][in.l], away[r], end[r], a[p], a[q]);
+        end[r] = kind.moves ? fmb_turned(c->e[r], c->end, in) : lane_of(0);
+        lane gap =
+            fmb_simplices_edge(kind, c, c->e[r][in.k], c->e[r][in.l], away[r], end[r], a[p], a[q]);
         most = lane_max_where(lane_xor(negative[p], negative[q]), most, gap);
     }
     for (int r = 0; r < 3; r++) {
         int p = (r + 1) % 3, q = (r + 2) % 3;
         lane xk = c->e[r][in.k] - c->e[q][in.k], xl = c->e[r][in.l] - c->e[q][in.l];
-        lane gap = fmb_simplices_edge(c, xk, xl, away[r] - away[q] + a[p], end[r] - end[q] + a[p],
-                                      a[3], a[p]);
+        lane gap = fmb_simplices_edge(kind, c, xk, xl, away[r] - away[q] + a[p],
+                                      end[r] - end[q] + a[p], a[3], a[p]);
         most = lane_max_where(lane_xor(negative[3], negative[p]), most, gap);
     }
     return most;
@@ -241,7 +241,7 @@ FMB_INLINE lane fmb_simplices_edges(const fmb_simplices *c, int edge, lane *cert
 /* ---- in space: time eliminated --------------------------------------------------------------- */
 
 /* The row along the drift and an edge of A, from both sides: the larger gap. */
-FMB_INLINE lane fmb_simplices_swept(const fmb_simplices *c, int edge)
+FMB_INLINE lane fmb_simplices_swept(fmb_kind kind, const fmb_simplices *c, int edge)
 {
     fmb_columns in = fmb_columns_of(edge);
     lane low = lane_of(0), high = lane_of(0), xl = c->drift[in.l], xk = c->drift[in.k];
@@ -253,7 +253,7 @@ FMB_INLINE lane fmb_simplices_swept(const fmb_simplices *c, int edge)
     lane away = fmb_turned(c->drift, c->v, in);
     low = low + away;
     high = high + away;
-    if (!c->simplex) {
+    if (!kind.simplex) {
         lane reach = lane_abs(xk) + lane_abs(xl);
         return lane_fnma(c->reach, reach, lane_max(low, -high));
     }
@@ -263,13 +263,12 @@ FMB_INLINE lane fmb_simplices_swept(const fmb_simplices *c, int edge)
 }
 
 /* All pairs of rows of B, time eliminated. */
-FMB_INLINE lane fmb_simplices_times(const fmb_simplices *c, lane *certain)
+FMB_INLINE lane fmb_simplices_times(fmb_kind kind, const fmb_simplices *c, lane *certain)
 {
     const lane zero = lane_of(0);
     lane most = lane_of(-INFINITY), b[4], u[3][3], away[3];
     lane_mask negative[4];
-    fmb_simplices still = *c;
-    still.moves = false;
+    const fmb_kind still = {3, false, kind.simplex};
     for (int p = 0; p < 3; p++)
         b[p] = front_dot(3, c->w[p], c->drift);
     b[3] = -fmb_sum(b, 3);
@@ -281,13 +280,13 @@ FMB_INLINE lane fmb_simplices_times(const fmb_simplices *c, lane *certain)
         int p = (r + 1) % 3, q = (r + 2) % 3;
         fmb_cross(c->e[r], c->drift, u[r]);
         away[r] = front_dot(3, u[r], c->v);
-        lane gap = fmb_simplices_row(&still, u[r], away[r], zero, b[p]);
+        lane gap = fmb_simplices_row(still, c, u[r], away[r], zero, b[p]);
         most = lane_max_where(lane_xor(negative[p], negative[q]), most, gap);
     }
     for (int r = 0; r < 3; r++) {
         int p = (r + 1) % 3, q = (r + 2) % 3;
         const lane w[3] = {u[r][0] - u[q][0], u[r][1] - u[q][1], u[r][2] - u[q][2]};
-        lane gap = fmb_simplices_row(&still, w, away[r] - away[q] + b[p], zero, b[3]);
+        lane gap = fmb_simplices_row(still, c, w, away[r] - away[q] + b[p], zero, b[3]);
         most = lane_max_where(lane_xor(negative[3], negative[p]), most, gap);
     }
     return most;
@@ -295,35 +294,36 @@ FMB_INLINE lane fmb_simplices_times(const fmb_simplices *c, lane *certain)
 
 FMB_INLINE fmb_pair_bits fmb_simplices_3d(const double *block, bool moves, bool simplex)
 {
+    const fmb_kind kind = {3, moves, simplex};
     front f = front_of(3, moves, block);
-    fmb_simplices c = fmb_simplices_of(&f, 3, moves, simplex);
+    fmb_simplices c = fmb_simplices_of(kind, &f);
     fmb_gaps gaps = fmb_gaps_none();
     fmb_pair_bits out;
     lane ex = f.most_e * c.bound, vx = f.most_drift * c.bound, ee = f.most_e * f.most_e;
-    fmb_gaps_class(&gaps, fmb_simplices_faces(&c), 40, c.bound);
-    fmb_gaps_class(&gaps, fmb_simplices_sides(&c), 1210, f.most_e * ex);
+    fmb_gaps_class(&gaps, fmb_simplices_faces(kind, &c), 40, c.bound);
+    fmb_gaps_class(&gaps, fmb_simplices_sides(kind, &c), 1210, f.most_e * ex);
     if (fmb_gaps_done(&gaps, f.known, &out))
         return out;
     fmb_gaps_certain(&gaps, lane_abs(c.det), 150, f.most_e * ee);
     lane certain = lane_of(INFINITY), most = lane_of(-INFINITY);
     for (int edge = 0; edge < (simplex ? 6 : 3); edge++)
-        most = lane_max(most, fmb_simplices_edges(&c, edge, &certain));
+        most = lane_max(most, fmb_simplices_edges(kind, &c, edge, &certain));
     fmb_gaps_class(&gaps, most, 1060, ex);
     fmb_gaps_certain(&gaps, certain, 210, ee);
     if (moves) {
         lane swept = lane_of(-INFINITY);
         for (int edge = 0; edge < (simplex ? 6 : 3); edge++)
-            swept = lane_max(swept, fmb_simplices_swept(&c, edge));
+            swept = lane_max(swept, fmb_simplices_swept(kind, &c, edge));
         fmb_gaps_class(&gaps, swept, 410, vx);
         certain = lane_of(INFINITY);
-        fmb_gaps_class(&gaps, fmb_simplices_times(&c, &certain), 1130, f.most_drift * ex);
+        fmb_gaps_class(&gaps, fmb_simplices_times(kind, &c, &certain), 1130, f.most_drift * ex);
         fmb_gaps_certain(&gaps, certain, 470, f.most_drift * ee);
     }
     return fmb_gaps_bits(&gaps, f.known);
 }
 
 /* In the plane: the row along the drift, from both sides. */
-FMB_INLINE lane fmb_simplices_turned(const fmb_simplices *c)
+FMB_INLINE lane fmb_simplices_turned(fmb_kind kind, const fmb_simplices *c)
 {
     const fmb_columns in = {0, 1};
     lane low = lane_of(0), high = lane_of(0);
@@ -334,21 +334,22 @@ FMB_INLINE lane fmb_simplices_turned(const fmb_simplices *c)
         high = lane_max(high, at);
     }
     lane away = fmb_turned(c->drift, c->v, in);
-    lane above = lane_fnma(c->reach, fmb_simplices_most(c, w, lane_of(1)), away + low);
-    lane below = lane_fma(c->reach, fmb_simplices_most(c, w, lane_of(-1)), away + high);
+    lane above = lane_fnma(c->reach, fmb_simplices_most(kind, w, lane_of(1)), away + low);
+    lane below = lane_fma(c->reach, fmb_simplices_most(kind, w, lane_of(-1)), away + high);
     return lane_max(above, -below);
 }
 
 FMB_INLINE fmb_pair_bits fmb_simplices_2d(const double *block, bool moves, bool simplex)
 {
+    const fmb_kind kind = {2, moves, simplex};
     front f = front_of(2, moves, block);
-    fmb_simplices c = fmb_simplices_of(&f, 2, moves, simplex);
+    fmb_simplices c = fmb_simplices_of(kind, &f);
     fmb_gaps gaps = fmb_gaps_none();
-    fmb_gaps_class(&gaps, fmb_simplices_faces(&c), 40, c.bound);
-    fmb_gaps_class(&gaps, fmb_simplices_sides(&c), 1210, f.most_e * c.bound);
+    fmb_gaps_class(&gaps, fmb_simplices_faces(kind, &c), 40, c.bound);
+    fmb_gaps_class(&gaps, fmb_simplices_sides(kind, &c), 1210, f.most_e * c.bound);
     fmb_gaps_certain(&gaps, lane_abs(c.det), 150, f.most_e * f.most_e);
     if (moves)
-        fmb_gaps_class(&gaps, fmb_simplices_turned(&c), 410, f.most_drift * c.bound);
+        fmb_gaps_class(&gaps, fmb_simplices_turned(kind, &c), 410, f.most_drift * c.bound);
     return fmb_gaps_bits(&gaps, f.known);
 }
 

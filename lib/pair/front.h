@@ -43,17 +43,8 @@ FMB_INLINE lane front_largest(const double *rows, int n)
 {
     lane most = lane_abs(lane_load(rows));
     for (int r = 1; r < n; r++)
-        most = lane_max(most, lane_abs(lane_load(rows + r * FMB_LANES)));
+        most = lane_max_abs(most, lane_load(rows + r * FMB_LANES));
     return most;
-}
-
-/* Lanes without a NaN or an infinity: those would make the sum a NaN. */
-FMB_INLINE lane_mask front_finite(const double *rows, int n)
-{
-    lane sum = lane_of(0);
-    for (int r = 0; r < n; r++)
-        sum = lane_fma(lane_load(rows + r * FMB_LANES), lane_of(0), sum);
-    return lane_less(sum, lane_of(1));
 }
 
 /* The adjugate of a, whose rows are axes. */
@@ -89,7 +80,11 @@ FMB_INLINE void front_load(lane *x, const double *rows, int n)
         x[j] = lane_load(rows + j * FMB_LANES);
 }
 
-/* The bounds, and which lanes stay within them. */
+/* The bounds, and which lanes stay within them. A NaN may hide from the largest absolute value, and
+ * an infinity only behind a NaN. But all numbers of A are in det A, and all others in coordinates 0
+ * of what they belong to; so some NaN makes size or the sum of those coordinates a NaN, and no
+ * comparison with that is true.
+ */
 FMB_INLINE void front_measure(int dim, bool moves, const double *block, front *f)
 {
     const double *axes = block + dim * FMB_LANES;
@@ -105,7 +100,14 @@ FMB_INLINE void front_measure(int dim, bool moves, const double *block, front *f
     f->most_drift = scale * f->omega;
     lane most = lane_max(lane_max(f->alpha, f->beta), lane_max(f->delta, f->omega));
     f->known = lane_and(lane_less(low, lane_min(f->alpha, f->beta)), lane_less(most, high));
-    f->known = lane_and(f->known, front_finite(block, (moves ? 2 : 1) * dim + 2 * dim * dim));
+    /* the sign of det A must be certain */
+    f->known = lane_and(f->known, lane_less(lane_of(FMB_FRONT_ERROR) * f->most_size, f->size));
+    lane sum = f->shift[0];
+    for (int k = 0; k < dim; k++)
+        sum = sum + f->e[k][0];
+    if (moves)
+        sum = sum + f->drift[0];
+    f->known = lane_and(f->known, lane_less(sum, lane_of(0x1p1000)));
 }
 
 FMB_INLINE front front_of(int dim, bool moves, const double *block)
@@ -135,8 +137,6 @@ FMB_INLINE front front_of(int dim, bool moves, const double *block)
             f.drift[i] = front_dot(dim, n[i], x);
     }
     front_measure(dim, moves, block, &f);
-    /* the sign of det A must be certain */
-    f.known = lane_and(f.known, lane_less(lane_of(FMB_FRONT_ERROR) * f.most_size, f.size));
     return f;
 }
 
