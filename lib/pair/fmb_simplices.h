@@ -295,6 +295,7 @@ FMB_INLINE lane fmb_simplices_times(fmb_kind kind, const fmb_simplices *c, lane 
 FMB_INLINE fmb_pair_bits fmb_simplices_3d(const double *block, bool moves, bool simplex)
 {
     const fmb_kind kind = {3, moves, simplex};
+    const int edges = simplex ? 6 : 3; /* directions of edges of A */
     front f = front_of(3, moves, block);
     fmb_simplices c = fmb_simplices_of(kind, &f);
     fmb_gaps gaps = fmb_gaps_none();
@@ -306,13 +307,15 @@ FMB_INLINE fmb_pair_bits fmb_simplices_3d(const double *block, bool moves, bool 
         return out;
     fmb_gaps_certain(&gaps, lane_abs(c.det), 150, f.most_e * ee);
     lane certain = lane_of(INFINITY), most = lane_of(-INFINITY);
-    for (int edge = 0; edge < (simplex ? 6 : 3); edge++)
+#pragma GCC unroll 6
+    for (int edge = 0; edge < edges; edge++)
         most = lane_max(most, fmb_simplices_edges(kind, &c, edge, &certain));
     fmb_gaps_class(&gaps, most, 1060, ex);
     fmb_gaps_certain(&gaps, certain, 210, ee);
     if (moves) {
         lane swept = lane_of(-INFINITY);
-        for (int edge = 0; edge < (simplex ? 6 : 3); edge++)
+#pragma GCC unroll 6
+        for (int edge = 0; edge < edges; edge++)
             swept = lane_max(swept, fmb_simplices_swept(kind, &c, edge));
         fmb_gaps_class(&gaps, swept, 410, vx);
         certain = lane_of(INFINITY);

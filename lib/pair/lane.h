@@ -37,9 +37,8 @@ FMB_INLINE lane lane_abs(lane a)
 FMB_INLINE lane lane_times_sign(lane a, lane s)
 {
     const __m512i sign = _mm512_castpd_si512(_mm512_set1_pd(-0.0));
-    const int a_xor_s_and_sign = 0x78;
     return _mm512_castsi512_pd(_mm512_ternarylogic_epi64(
-        _mm512_castpd_si512(a), _mm512_castpd_si512(s), sign, a_xor_s_and_sign));
+        _mm512_castpd_si512(a), _mm512_castpd_si512(s), sign, 0x78 /* a ^ (s & sign) */));
 }
 /* Where the sign bit is set. */
 FMB_INLINE lane_mask lane_negative(lane a)
