@@ -1,18 +1,19 @@
 /* general.c: see general.h.
  *
- * Guess fast, prove exactly. The guess is Fourier-Motzkin elimination in plain doubles: either some
- * combination of rows fails, and with it comes a direction in which the frames should be apart; or
- * there is a point that should be inside both. Whatever rounding did on the way, the proof
- * (general_prove.c) needs only that direction or that point, and has an error bound.
+ * Guess fast, prove exactly. The guess is Fourier-Motzkin elimination in plain doubles (where that
+ * makes too many rows, the simplex method): either some combination of rows fails, and with it
+ * comes a direction in which the frames should be apart; or there is a point that should be inside
+ * both. Whatever rounding did on the way, the proof (general_prove.c) needs only that direction or
+ * that point, and has an error bound.
  */
 #include "pair/general_inside.h"
 
 #include <math.h>
 
-/* Room for rows [rows]: enough for hard pairs of cuboids in eight dimensions. */
+/* Room for rows [rows]: the pairs that are looked at make hardly more. */
 static size_t most_rows(int dim)
 {
-    return dim < 4 ? (size_t)16 << 2 * dim : 4096;
+    return dim < 3 ? (size_t)16 << 2 * dim : 1024;
 }
 
 static void clear_system(fmb_general_system *s, size_t rows, size_t columns, fmb_mem *mem)
@@ -45,6 +46,7 @@ fmb_general *fmb_general_new(int dim, fmb_simd simd, fmb_mem *mem)
     g->most_rows = rows;
     g->stride = (2 * d + 1 + 7) / 8 * 8;
     bool good = open_system(&g->pair, d, 2 * d + 1, mem);
+    good = open_system(&g->program, d + 2, 2 * d + 3, mem) && good;
     g->head = fmb_mem_get(mem, rows, sizeof *g->head);
     g->cell = fmb_mem_get(mem, rows * g->stride, sizeof *g->cell);
     g->named = fmb_mem_get(mem, rows, sizeof *g->named);
@@ -62,6 +64,7 @@ void fmb_general_free(fmb_general *g, fmb_mem *mem)
         return;
     size_t d = (size_t)g->dim, rows = g->most_rows;
     clear_system(&g->pair, d, 2 * d + 1, mem);
+    clear_system(&g->program, d + 2, 2 * d + 3, mem);
     fmb_mem_put(mem, g->head, rows, sizeof *g->head);
     fmb_mem_put(mem, g->cell, rows * g->stride, sizeof *g->cell);
     fmb_mem_put(mem, g->named, rows, sizeof *g->named);
@@ -100,8 +103,7 @@ static void scale_row(fmb_general *g, int i)
     g->pair.h[i] = g->pair.h[i] * half * rest;
 }
 
-/* False if differences or scaled numbers overflow. */
-static bool load(fmb_general *g, const fmb_frame *p, const fmb_frame *q)
+bool fmb_general_load(fmb_general *g, const fmb_frame *p, const fmb_frame *q)
 {
     bool moves = p->speed || q->speed, good = true;
     g->pair.rows = g->dim;
@@ -136,9 +138,21 @@ static bool are_in_parallel_flats(const fmb_general *g)
     return false;
 }
 
+/* Where elimination makes too many rows: a guess by the simplex method. */
+static fmb_verdict decide_by_program(fmb_general *g)
+{
+    fmb_general_step step = fmb_general_find_vertex(g);
+    if (step == FMB_GENERAL_CLASH && fmb_general_are_apart(&g->pair, g->direction))
+        return FMB_INFEASIBLE;
+    if (step == FMB_GENERAL_GO && fmb_general_find_inside(g, g->z) &&
+        fmb_general_is_near_common(&g->program, g->z))
+        return FMB_FEASIBLE;
+    return FMB_UNKNOWN;
+}
+
 fmb_verdict fmb_general_decide(fmb_general *g, const fmb_frame *p, const fmb_frame *q)
 {
-    if (g->dim > FMB_GENERAL_MOST_DIM || !load(g, p, q))
+    if (g->dim > FMB_GENERAL_MOST_DIM || !fmb_general_load(g, p, q))
         return FMB_UNKNOWN;
     fmb_general_solve(&g->pair);
     if (are_in_parallel_flats(g))
@@ -146,9 +160,9 @@ fmb_verdict fmb_general_decide(fmb_general *g, const fmb_frame *p, const fmb_fra
     fmb_general_step step = fmb_general_eliminate(g);
     if (step == FMB_GENERAL_GO)
         step = fmb_general_finish(g);
-    if (step == FMB_GENERAL_CLASH && fmb_general_are_apart(&g->pair, g->direction))
-        return FMB_INFEASIBLE;
-    if (step == FMB_GENERAL_GO && fmb_general_is_near_common(&g->pair, g->z))
-        return FMB_FEASIBLE;
-    return FMB_UNKNOWN;
+    if (step == FMB_GENERAL_LOST)
+        return decide_by_program(g);
+    if (step == FMB_GENERAL_CLASH)
+        return fmb_general_are_apart(&g->pair, g->direction) ? FMB_INFEASIBLE : FMB_UNKNOWN;
+    return fmb_general_is_near_common(&g->pair, g->z) ? FMB_FEASIBLE : FMB_UNKNOWN;
 }

@@ -89,6 +89,11 @@ struct fmb_general {
     uint64_t *bits, *drop;  /* their histories, side by side; which of them not to pair */
     fmb_general_level level[FMB_GENERAL_MOST_COLUMNS + 1];
 
+    /* linear programs: the pair with a slack for the sum of each simplex; all unknowns are unit */
+    fmb_general_system program;
+    bool is_high[FMB_GENERAL_MOST_COLUMNS]; /* the end of an unknown that is no pivot */
+    double vertex[FMB_GENERAL_MOST_COLUMNS];
+
     /* what is found */
     double direction[FMB_GENERAL_MOST_DIM]; /* v of a clash */
     double z[FMB_GENERAL_MOST_COLUMNS];
@@ -104,6 +109,9 @@ static inline double *fmb_general_cell(const fmb_general *g, size_t i)
 {
     return g->cell + i * g->stride;
 }
+
+/* general.c: the pair, scaled. False if differences or scaled numbers overflow. */
+bool fmb_general_load(fmb_general *g, const fmb_frame *p, const fmb_frame *q);
 
 /* general_solve.c: choose pivots and solve for them. */
 void fmb_general_solve(fmb_general_system *s);
@@ -123,9 +131,24 @@ fmb_general_step fmb_general_eliminate(fmb_general *g);
 /* general_last.c: the last two, then z from all rows. */
 fmb_general_step fmb_general_finish(fmb_general *g);
 
+/* general_program.c: a first vertex of the pair. */
+fmb_general_step fmb_general_find_vertex(fmb_general *g);
+/* From a vertex to one where cost z is greatest; y are the prices of M's rows. False if lost. */
+bool fmb_general_maximize(fmb_general *g, const double *cost, double *y);
+/* A point away from all ends, from a vertex. False if there seems to be none. */
+bool fmb_general_find_inside(fmb_general *g, double *z);
+
 /* general_prove.c: are the closed frames certainly apart in that direction? */
 bool fmb_general_are_apart(const fmb_general_system *s, const double *direction);
 /* Is there certainly a solution near z, strictly inside both frames? */
 bool fmb_general_is_near_common(const fmb_general_system *s, const double *z);
+
+/* Is there certainly a solution near z, inside both frames, whose unknowns that are no pivots are
+ * at an end? */
+bool fmb_general_is_near_vertex(const fmb_general_system *s, const double *z);
+/* cost z is certainly at most *most in the program, and at a solution near the vertex certainly at
+ * least *most - *gap. |cost_j| <= 1. False if nothing is known. */
+bool fmb_general_bound_cost(const fmb_general *g, const double *cost, const double *y, double *most,
+                            double *gap);
 
 #endif

@@ -163,3 +163,51 @@ bool fmb_general_is_near_common(const fmb_general_system *s, const double *z)
     bound_way(s, y, way);
     return stay_inside(s, z, way);
 }
+
+/* Only the pivots move; what is at an end stays there. */
+bool fmb_general_is_near_vertex(const fmb_general_system *s, const double *z)
+{
+    double y[FMB_GENERAL_MOST_ROWS], way[FMB_GENERAL_MOST_COLUMNS];
+    bool good = s->rank == s->rows && bound_y(s, z, y);
+    if (good)
+        bound_way(s, y, way);
+    for (int j = 0; good && j < s->columns; j++)
+        good = s->is_pivot[j] ? z[j] > way[j] && 1 - z[j] > way[j] * (1 + 8 * DBL_EPSILON)
+                              : z[j] == 0 || z[j] == 1;
+    return good;
+}
+
+/* ---- ends ------------------------------------------------------------------------------------
+ *
+ * For any y, cost z = y h + (cost - y M) z where M z = h; so it is at most y h + the sum of all
+ * positive d_j = cost_j - y m_j. At the vertex, where unknowns that are no pivots are at an end, it
+ * is y h + the d_j of the high ones, and of the pivots something between their negative and
+ * positive parts.
+ *
+ * Errors: d_j is off by (rows + 4) u times the absolute values it is made of (counted as above, but
+ * once, with 2 u to spare for higher orders); y h likewise.
+ */
+
+bool fmb_general_bound_cost(const fmb_general *g, const double *cost, const double *y, double *most,
+                            double *gap)
+{
+    const fmb_general_system *s = &g->program;
+    const double each = (s->rows + 4) * 0x1p-53, all = (s->columns + 6) * DBL_EPSILON;
+    double size = 0, b = dot(y, s->h, s->rows, &size), off = each * size, sum = 0, loss = 2 * off;
+    bool good = true;
+    for (int i = 0; i < s->rows; i++)
+        good &= fabs(y[i]) < 0x1p500;
+    for (int j = 0; j < s->columns; j++) {
+        double part = fabs(cost[j]), d = cost[j] - dot(y, s->m + j * s->rows, s->rows, &part);
+        double up = fmax(d + each * part, 0), down = d - each * part;
+        if (s->is_pivot[j])
+            loss += up - fmin(down, 0);
+        else
+            loss += g->is_high[j] ? up - down : up;
+        sum += up;
+    }
+    double rounding = all * (fabs(b) + sum) + UNDERFLOW;
+    *most = b + off + sum + rounding;
+    *gap = loss * (1 + all) + 2 * rounding;
+    return good;
+}
