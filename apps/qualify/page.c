@@ -1,7 +1,5 @@
 /* page.c: see page.h. The body of the report is kept as text until the end, when the list of its
  * sections is known. */
-#include "qualify/page.h"
-
 #include <errno.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -10,54 +8,19 @@
 
 #include <fmb/base.h>
 
-#include "common/file.h"
 #include "common/json.h"
 #include "common/machine.h"
 #include "common/message.h"
-#include "qualify/gnuplot.h"
 #include "qualify/html.h"
+#include "qualify/page_inside.h"
 
 enum { WIDTH = 100 }; /* of a text [characters] */
-
-/* A text that grows. */
-typedef struct growing {
-    FILE *f;
-    char *text;
-    size_t size;
-} growing;
-
-struct qualify_page {
-    const char *folder;
-    bool json, gnuplot_missed;
-    growing contents, body;
-    json_t *studies; /* array */
-    json_t *study;   /* the last of them, borrowed */
-    const char *name;
-    int code; /* of the first mistake */
-};
-
-static void growing_begin(growing *g)
-{
-    g->f = app_need(open_memstream(&g->text, &g->size));
-}
-
-static void growing_end(growing *g)
-{
-    if (fclose(g->f) != 0)
-        app_need(NULL);
-}
-
-static void note_code(qualify_page *g, int code)
-{
-    if (g->code == APP_YES)
-        g->code = code;
-}
 
 static void make_folder(qualify_page *g)
 {
     if (mkdir(g->folder, 0777) == 0 || errno == EEXIST)
         return;
-    note_code(g, app_error(APP_CANNOT_WRITE, "%s: %s", g->folder, strerror(errno)));
+    qualify_page_note(g, app_error(APP_CANNOT_WRITE, "%s: %s", g->folder, strerror(errno)));
     g->folder = NULL;
 }
 
@@ -67,50 +30,16 @@ qualify_page *qualify_page_open(const char *folder, bool json)
     g->folder = folder;
     g->json = json;
     g->studies = app_need(json_array());
-    growing_begin(&g->contents);
-    growing_begin(&g->body);
+    qualify_growing_begin(&g->contents);
+    qualify_growing_begin(&g->body);
     if (folder)
         make_folder(g);
     return g;
 }
 
-/* ---- files ----------------------------------------------------------------------------------- */
-
-/* [give, free()] Where a file of the report is. */
-static char *path_of(const qualify_page *g, const char *file)
+bool qualify_page_is_good(const qualify_page *g)
 {
-    char *path;
-    if (asprintf(&path, "%s/%s", g->folder, file) < 0)
-        app_need(NULL);
-    return path;
-}
-
-/* [give, free()] "STUDY-NAME.ENDING" */
-static char *file_of(const qualify_page *g, const char *name, const char *ending)
-{
-    char *file;
-    if (asprintf(&file, "%s-%s%s", g->name, name, ending) < 0)
-        app_need(NULL);
-    return file;
-}
-
-static void write_file(qualify_page *g, const char *file, void (*put)(FILE *f, const void *what),
-                       const void *what)
-{
-    FILE *f = NULL;
-    char *path = path_of(g, file);
-    int code = app_file_create(path, &f);
-    if (code == APP_YES) {
-        put(f, what);
-        code = app_file_close(f, path);
-    }
-    note_code(g, code);
-    free(path);
-}
-
-static void put_text(FILE *f, const void *text)
-{
-    fputs(text, f);
+    return g->code == APP_YES;
 }
 
 static void put_table(FILE *f, const void *table)
@@ -123,15 +52,6 @@ static void put_json(FILE *f, const void *obj)
     if (json_dumpf(obj, f, JSON_INDENT(2)) != 0 && !ferror(f))
         exit(app_status_error(FMB_ERR_MEMORY));
     fputc('\n', f);
-}
-
-void qualify_page_file(qualify_page *g, const char *name, void (*put)(FILE *f, const void *what),
-                       const void *what)
-{
-    char *file = file_of(g, name, "");
-    if (g->folder)
-        write_file(g, file, put, what);
-    free(file);
 }
 
 /* ---- studies --------------------------------------------------------------------------------- */
@@ -205,10 +125,10 @@ void qualify_page_text(qualify_page *g, const char *format, ...)
 
 void qualify_page_table(qualify_page *g, const char *name, const char *caption, app_table *t)
 {
-    char *file = file_of(g, name, ".csv");
+    char *file = qualify_page_name(g, name, ".csv");
     qualify_html_table(g->body.f, caption, t, g->folder ? file : NULL);
     if (g->folder)
-        write_file(g, file, put_table, t);
+        qualify_page_write(g, file, put_table, t);
     free(file);
     if (g->json) {
         app_table_clear(t);
@@ -219,100 +139,24 @@ void qualify_page_table(qualify_page *g, const char *name, const char *caption, 
     putchar('\n');
 }
 
-/* ---- figures --------------------------------------------------------------------------------- */
-
-void qualify_figure_begin(qualify_figure *f)
-{
-    *f = (qualify_figure){0};
-    f->data = app_need(open_memstream(&f->data_text, &f->data_size));
-    f->script = app_need(open_memstream(&f->script_text, &f->script_size));
-}
-
-static void missing(qualify_page *g, const char *caption, const char *why)
-{
-    fputs("<p class=\"missing\">", g->body.f);
-    qualify_html_text(g->body.f, caption);
-    fprintf(g->body.f, " <strong>Not drawn: %s.</strong></p>\n", why);
-}
-
-static void show_picture(qualify_page *g, const char *file, const char *caption)
-{
-    char *svg, *path;
-    if (asprintf(&svg, "%s.svg", file) < 0)
-        app_need(NULL);
-    path = path_of(g, svg);
-    if (!qualify_html_figure(g->body.f, caption, path, file))
-        missing(g, caption, "the picture cannot be read");
-    free(path);
-    free(svg);
-}
-
-static void draw(qualify_page *g, const char *script, const char *file, const char *caption)
-{
-    switch (qualify_gnuplot(g->folder, script)) {
-    case QUALIFY_DRAWN:
-        show_picture(g, file, caption);
-        break;
-    case QUALIFY_NO_GNUPLOT:
-        if (!g->gnuplot_missed)
-            app_error(0,
-                      "gnuplot is not installed: the pictures are missing; with it, `gnuplot *.gp` "
-                      "in %s makes them",
-                      g->folder);
-        g->gnuplot_missed = true;
-        missing(g, caption, "gnuplot is not installed");
-        break;
-    default:
-        note_code(g, APP_INTERNAL);
-        missing(g, caption, "gnuplot failed");
-    }
-}
-
-/* The same commands for both pictures. */
-static void put_script(FILE *f, const char *name, const char *commands)
-{
-    fprintf(f,
-            "# gnuplot %s.gp\ndata = '%s.dat'\nset datafile missing '-'\n"
-            "set terminal svg size 900,540 dynamic background 'white'\nset output '%s.svg'\n%s"
-            "set output\nreset\nset datafile missing '-'\nset terminal png size 900,540\n"
-            "set output '%s.png'\n%sset output\n",
-            name, name, name, commands, name, commands);
-}
-
-static void write_figure(qualify_page *g, const char *name, const char *caption,
-                         const qualify_figure *f)
-{
-    growing script;
-    char *base = file_of(g, name, ""), *data = file_of(g, name, ".dat"),
-         *commands = file_of(g, name, ".gp");
-    growing_begin(&script);
-    put_script(script.f, base, f->script_text);
-    growing_end(&script);
-    write_file(g, data, put_text, f->data_text);
-    write_file(g, commands, put_text, script.text);
-    draw(g, commands, base, caption);
-    free(script.text);
-    free(base);
-    free(data);
-    free(commands);
-}
-
-void qualify_page_figure(qualify_page *g, const char *name, const char *caption, qualify_figure *f)
-{
-    if (fclose(f->data) != 0 || fclose(f->script) != 0)
-        app_need(NULL);
-    if (g->folder)
-        write_figure(g, name, caption, f);
-    free(f->data_text);
-    free(f->script_text);
-}
-
 /* ---- the end --------------------------------------------------------------------------------- */
+
+static void put_machine(FILE *f)
+{
+    app_machine m = app_machine_find();
+    char *text;
+    if (asprintf(&text, "fmb %s (%s), compiler %s, %s, on %s", fmb_version(), m.commit, m.compiler,
+                 m.flags, m.cpu) < 0)
+        app_need(NULL);
+    qualify_html_paragraph(f, text);
+    free(text);
+}
 
 static void put_report(FILE *f, const void *page)
 {
     const qualify_page *g = page;
     qualify_html_head(f, "fmb-qualify");
+    put_machine(f);
     if (json_array_size(g->studies) > 1)
         fprintf(f, "<ul>\n%s</ul>\n", g->contents.text);
     fputs(g->body.text, f);
@@ -332,15 +176,16 @@ static json_t *whole(const qualify_page *g)
 int qualify_page_close(qualify_page *g)
 {
     json_t *all = whole(g);
-    growing_end(&g->contents);
-    growing_end(&g->body);
-    if (g->folder) {
-        write_file(g, "report.html", put_report, g);
-        write_file(g, "report.json", put_json, all);
+    size_t studies = json_array_size(g->studies);
+    qualify_growing_end(&g->contents);
+    qualify_growing_end(&g->body);
+    if (g->folder && studies > 0) {
+        qualify_page_write(g, "report.html", put_report, g);
+        qualify_page_write(g, "report.json", put_json, all);
         if (!g->json)
             printf("The report: %s/report.html\n", g->folder);
     }
-    if (g->json)
+    if (g->json && studies > 0)
         put_json(stdout, all);
     int code = g->code;
     json_decref(all);

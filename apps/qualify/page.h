@@ -20,6 +20,8 @@ typedef struct qualify_page qualify_page;
 /* folder may be NULL; it is made if it is not there. json: standard output gets nothing but one
  * JSON object, at the end. Never NULL. */
 qualify_page *qualify_page_open(const char *folder, bool json);
+/* Nothing went wrong so far. */
+bool qualify_page_is_good(const qualify_page *g);
 /* Write what is left to write; an exit code. */
 int qualify_page_close(qualify_page *g);
 

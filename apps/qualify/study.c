@@ -147,7 +147,10 @@ int qualify_study_main(const qualify_study *s, int argc, char **argv)
     free(doc);
     qualify_watch_begin(o.quiet);
     qualify_page *page = qualify_page_open(o.out, o.json);
-    return end(page, run_study(s, &o, &s->alone, page));
+    int code = APP_YES;
+    if (qualify_page_is_good(page))
+        code = run_study(s, &o, &s->alone, page);
+    return end(page, code);
 }
 
 /* ---- all of them ----------------------------------------------------------------------------- */
@@ -170,7 +173,8 @@ int qualify_all(int argc, char **argv)
     o.out = o.out ? o.out : FOLDER;
     qualify_watch_begin(o.quiet);
     qualify_page *page = qualify_page_open(o.out, o.json);
-    for (int i = 0; i < STUDIES && !qualify_watch_interrupted(); i++)
+    bool good = qualify_page_is_good(page);
+    for (int i = 0; good && i < STUDIES && !qualify_watch_interrupted(); i++)
         code = first_code(code, run_study(STUDY[i], &o, &STUDY[i]->brief, page));
     return end(page, code);
 }

@@ -65,9 +65,12 @@ static int run_page(qualify_plan *p)
 {
     qualify_watch_begin(p->quiet);
     qualify_page *page = qualify_page_open(p->out, p->json);
-    qualify_page_begin(page, qualify_study_rules.name, qualify_study_rules.title);
-    qualify_watch_name(qualify_study_rules.name);
-    int code = p->counts ? qualify_counts(p, page) : study(p, page);
+    int code = APP_YES;
+    if (qualify_page_is_good(page)) {
+        qualify_page_begin(page, qualify_study_rules.name, qualify_study_rules.title);
+        qualify_watch_name(qualify_study_rules.name);
+        code = p->counts ? qualify_counts(p, page) : study(p, page);
+    }
     int written = qualify_page_close(page);
     qualify_watch_end();
     return code != APP_YES ? code : written;
