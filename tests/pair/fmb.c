@@ -1,0 +1,268 @@
+/* fmb.c: verdicts by elimination, every kernel of every width beside exact answers: never wrong,
+ * hardly ever silent.
+ */
+#include <criterion/criterion.h>
+#include <float.h>
+#include <math.h>
+
+#include "../random/rows.h"
+#include "pair/block.h"
+#include "study/pairs.h"
+
+enum { LANES = FMB_BLOCK_MOST_LANES, WIDTHS = 4 };
+
+/* ---- kernels --------------------------------------------------------------------------------- */
+
+/* The kernels of this processor, one pair at a time first. */
+static int widths(const fmb_pair_kernels *out[WIDTHS])
+{
+    const fmb_simd level[3] = {FMB_SIMD_PLAIN, FMB_SIMD_AVX2, FMB_SIMD_AVX512};
+    int n = 0;
+    out[n++] = &fmb_pair_kernels_one;
+    for (int i = 0; i < 3; i++) {
+        const fmb_pair_kernels *k = fmb_pair_kernels_choose(level[i]);
+        if (k && k != out[0])
+            out[n++] = k;
+    }
+    return n;
+}
+
+typedef struct kind {
+    int dim, of; /* FMB_KIND_... */
+    bool moves;
+} kind;
+
+enum { KINDS = 12 };
+
+static kind kind_of(int i)
+{
+    return (kind){2 + i / 6, i % 3, i / 3 % 2};
+}
+
+static study_pair_plan plan_of(study_pair_family family, kind k)
+{
+    return (study_pair_plan){.family = family,
+                             .dim = k.dim,
+                             .moves = k.moves,
+                             .shape = {k.of == FMB_KIND_TT, k.of != FMB_KIND_CC}};
+}
+
+/* The answers on LANES pairs, however many at a time. */
+static fmb_pair_bits ask(const fmb_pair_kernels *w, kind k, const fmb_frame *p, const fmb_frame *q)
+{
+    fmb_pair_bits out = {0, 0};
+    for (int i = 0; i < LANES; i += w->width) {
+        fmb_block b = {.lanes = 0};
+        for (int lane = 0; lane < w->width; lane++)
+            fmb_block_put(&b, w->width, &p[i + lane], &q[i + lane], k.moves, false, 0);
+        fmb_pair_bits some = w->fmb[k.dim - 2][k.moves][k.of](b.number);
+        out.apart |= some.apart << i;
+        out.meet |= some.meet << i;
+    }
+    return out;
+}
+
+/* ---- the truth ------------------------------------------------------------------------------- */
+
+typedef struct truth {
+    fmb_pair *closed, *open;
+} truth;
+
+static truth truth_new(int dim)
+{
+    truth t;
+    fmb_pair_options o = fmb_pair_options_default();
+    o.method = FMB_PAIR_EXACT;
+    must(fmb_pair_new(dim, &o, NULL, &t.closed));
+    o.contact = FMB_CONTACT_OPEN;
+    must(fmb_pair_new(dim, &o, NULL, &t.open));
+    return t;
+}
+
+static void truth_free(truth *t)
+{
+    fmb_pair_free(t->closed);
+    fmb_pair_free(t->open);
+}
+
+/* Which pairs are apart when closed, which meet when open. */
+static fmb_pair_bits truth_of(const truth *t, const fmb_frame *p, const fmb_frame *q)
+{
+    fmb_verdict closed[LANES], open[LANES];
+    fmb_pair_bits out = {0, 0};
+    must(fmb_pair_test(t->closed, LANES, p, q, &(fmb_pair_answers){.verdict = closed}));
+    must(fmb_pair_test(t->open, LANES, p, q, &(fmb_pair_answers){.verdict = open}));
+    for (int i = 0; i < LANES; i++) {
+        out.apart |= (unsigned)(closed[i] == FMB_INFEASIBLE) << i;
+        out.meet |= (unsigned)(open[i] == FMB_FEASIBLE) << i;
+    }
+    return out;
+}
+
+/* Every width, in both orders where A and B are of one shape; the lanes that all know. */
+static unsigned check(const truth *t, kind k, const fmb_frame *p, const fmb_frame *q,
+                      const char *what)
+{
+    const fmb_pair_kernels *w[WIDTHS];
+    fmb_pair_bits is = truth_of(t, p, q);
+    unsigned known = (1U << LANES) - 1;
+    for (int i = 0, n = widths(w); i < n; i++)
+        for (int swapped = 0; swapped < (k.of == FMB_KIND_CT ? 1 : 2); swapped++) {
+            fmb_pair_bits says = ask(w[i], k, swapped ? q : p, swapped ? p : q);
+            cr_expect_eq(says.apart & ~is.apart, 0, "%s %dD %d %d: width %d, not apart", what,
+                         k.dim, k.moves, k.of, w[i]->width);
+            cr_expect_eq(says.meet & ~is.meet, 0, "%s %dD %d %d: width %d, not meeting", what,
+                         k.dim, k.moves, k.of, w[i]->width);
+            known &= says.apart | says.meet;
+        }
+    return known;
+}
+
+/* ---- random pairs ---------------------------------------------------------------------------- */
+
+static void draw(const study_pair_plan *plan, uint64_t first, study_pair *pair, fmb_frame *p,
+                 fmb_frame *q)
+{
+    for (int i = 0; i < LANES; i++) {
+        study_pair_draw(plan, 4, first + (uint64_t)i, &pair[i]);
+        p[i] = pair[i].p;
+        q[i] = pair[i].q;
+    }
+}
+
+static void check_family(study_pair_family family, int pairs, bool all_known)
+{
+    static study_pair pair[LANES];
+    for (int i = 0; i < KINDS; i++) {
+        kind k = kind_of(i);
+        study_pair_plan plan = plan_of(family, k);
+        truth t = truth_new(k.dim);
+        int known = 0;
+        for (int first = 0; first < pairs; first += LANES) {
+            fmb_frame p[LANES], q[LANES];
+            draw(&plan, (uint64_t)first, pair, p, q);
+            unsigned bits = check(&t, k, p, q, study_pair_family_text(family));
+            known += __builtin_popcount(bits);
+        }
+        if (all_known)
+            cr_expect_eq(known, pairs, "%dD %d %d: %d of %d", k.dim, k.moves, k.of, known, pairs);
+        truth_free(&t);
+    }
+}
+
+Test(pair_fmb, pairs_of_the_article_are_known_and_right)
+{
+    check_family(STUDY_PAIR_ARTICLE, 512, true);
+}
+
+Test(pair_fmb, never_wrong_on_hard_families)
+{
+    for (int family = STUDY_PAIR_LATTICE; family < STUDY_PAIR_FAMILIES; family++)
+        check_family((study_pair_family)family, 96, false);
+}
+
+Test(pair_fmb, fewer_than_one_pair_of_the_article_in_10000_is_unknown)
+{
+    static study_pair pair[LANES];
+    const fmb_pair_kernels *w[WIDTHS];
+    const int pairs = 1 << 14;
+    int unknown = 0, last = widths(w) - 1;
+    for (int i = 0; i < KINDS; i++) {
+        study_pair_plan plan = plan_of(STUDY_PAIR_ARTICLE, kind_of(i));
+        for (int first = 0; first < pairs; first += LANES) {
+            fmb_frame p[LANES], q[LANES];
+            draw(&plan, (uint64_t)first, pair, p, q);
+            fmb_pair_bits says = ask(w[last], kind_of(i), p, q);
+            unknown += LANES - __builtin_popcount(says.apart | says.meet);
+        }
+    }
+    cr_expect_lt(unknown, KINDS * pairs / 10000, "%d", unknown);
+}
+
+/* ---- all small pairs of the plane ------------------------------------------------------------ */
+
+/* A is the unit square or triangle, B any with axes of -1 ... 1 and origin -2 ... 2; moving ones by
+ * one of nine speeds in turn. */
+Test(pair_fmb, all_small_pairs_of_the_plane)
+{
+    static const double unit[4] = {1, 0, 0, 1}, zero[2] = {0, 0};
+    double origin[LANES][2], axes[LANES][4], speed[LANES][2];
+    fmb_frame p[LANES], q[LANES];
+    truth t = truth_new(2);
+    for (int i = 0; i < KINDS / 2; i++) {
+        kind k = kind_of(i);
+        study_pair_plan plan = plan_of(STUDY_PAIR_LATTICE, k);
+        for (int n = 0, lane = 0; n < 25 * 81; n++) {
+            for (int j = 0, rest = n / 25; j < 4; j++, rest /= 3)
+                axes[lane][j] = rest % 3 - 1;
+            origin[lane][0] = n % 5 - 2;
+            origin[lane][1] = n / 5 % 5 - 2;
+            speed[lane][0] = n % 3 - 1;
+            speed[lane][1] = n / 3 % 3 - 1;
+            p[lane] = (fmb_frame){(fmb_shape)plan.shape[0], 2, 2, zero, unit, NULL};
+            q[lane] = (fmb_frame){(fmb_shape)plan.shape[1],    2, 2, origin[lane], axes[lane],
+                                  k.moves ? speed[lane] : NULL};
+            if (++lane == LANES) {
+                check(&t, k, p, q, "small");
+                lane = 0;
+            }
+        }
+    }
+    truth_free(&t);
+}
+
+/* ---- numbers out of range -------------------------------------------------------------------- */
+
+/* A lane with a number that is none, or out of range, has no bit; the other lanes do not mind. */
+Test(pair_fmb, numbers_out_of_range_make_their_lane_unknown)
+{
+    static study_pair pair[LANES];
+    static const double strange[] = {NAN, -NAN, INFINITY, -INFINITY, 1e300, -DBL_MAX};
+    const fmb_pair_kernels *w[WIDTHS];
+    for (int i = 0, n = widths(w); i < n * KINDS; i++) {
+        const fmb_pair_kernels *with = w[i / KINDS];
+        kind k = kind_of(i % KINDS);
+        study_pair_plan plan = plan_of(STUDY_PAIR_ARTICLE, k);
+        int width = with->width, rows = k.dim * (2 * k.dim + 1 + k.moves);
+        fmb_frame p[LANES], q[LANES];
+        fmb_block b = {.lanes = 0};
+        draw(&plan, 0, pair, p, q);
+        for (int lane = 0; lane < width; lane++)
+            fmb_block_put(&b, width, &p[lane], &q[lane], k.moves, false, 0);
+        fmb_verdict_kernel *kernel = with->fmb[k.dim - 2][k.moves][k.of];
+        fmb_pair_bits before = kernel(b.number);
+        cr_assert_eq(before.apart | before.meet, (1U << width) - 1);
+        for (int r = 0; r < rows * (int)(sizeof strange / sizeof *strange); r++) {
+            int lane = r % width;
+            double *at = &b.number[r % rows * width + lane], kept = *at;
+            *at = strange[r / rows];
+            fmb_pair_bits now = kernel(b.number);
+            *at = kept;
+            cr_expect_eq(now.apart, before.apart & ~(1U << lane), "%d: %d", width, r);
+            cr_expect_eq(now.meet, before.meet & ~(1U << lane), "%d: %d", width, r);
+        }
+    }
+}
+
+/* Both NaN and infinity, in any two rows. */
+Test(pair_fmb, a_nan_does_not_hide_an_infinity)
+{
+    static study_pair pair;
+    for (int i = 0; i < KINDS; i++) {
+        kind k = kind_of(i);
+        study_pair_plan plan = plan_of(STUDY_PAIR_ARTICLE, k);
+        int rows = k.dim * (2 * k.dim + 1 + k.moves);
+        study_pair_draw(&plan, 4, 0, &pair);
+        const fmb_pair_kernels *w[WIDTHS];
+        for (int j = 0, n = widths(w); j < n; j++)
+            for (int r = 0; r < rows * rows; r++) {
+                fmb_block b = {.lanes = 0};
+                for (int lane = 0; lane < w[j]->width; lane++)
+                    fmb_block_put(&b, w[j]->width, &pair.p, &pair.q, k.moves, false, 0);
+                b.number[r / rows * w[j]->width] = INFINITY;
+                b.number[r % rows * w[j]->width] = NAN;
+                fmb_pair_bits says = w[j]->fmb[k.dim - 2][k.moves][k.of](b.number);
+                cr_expect_eq((says.apart | says.meet) & 1U, 0, "%d: %d", w[j]->width, r);
+            }
+    }
+}
