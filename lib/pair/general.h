@@ -19,4 +19,10 @@ void fmb_general_free(fmb_general *g, fmb_mem *mem);
  * INFEASIBLE: the closed frames certainly have none. Numbers are finite; nothing is allocated. */
 fmb_verdict fmb_general_decide(fmb_general *g, const fmb_frame *p, const fmb_frame *q);
 
+/* Of frames that meet: all that out asks for, but the verdict. Ends contain the exact ones, and
+ * exceed them by at most 1e-12 (coordinates of q, times), or 1e-12 of the largest coordinate of a
+ * corner of p or q at t = 0 or 1 (world). False, and nothing written, if that is not certain. */
+bool fmb_general_answer(fmb_general *g, const fmb_frame *p, const fmb_frame *q,
+                        const fmb_pair_answers *out);
+
 #endif

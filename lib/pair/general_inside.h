@@ -28,11 +28,13 @@ enum {
     FMB_GENERAL_MOST_COLUMNS = 2 * FMB_GENERAL_MOST_DIM + 3
 };
 
-/* The place of an unknown: 0 <= z <= 1, or the simplex of A or of B. */
+/* The place of an unknown: 0 <= z <= 1; the simplex of A or of B; 0 <= z, and a row of M sees to
+ * the sum. */
 typedef enum fmb_general_kind {
     FMB_GENERAL_UNIT,
     FMB_GENERAL_OF_A,
     FMB_GENERAL_OF_B,
+    FMB_GENERAL_SUMMED,
     FMB_GENERAL_KINDS
 } fmb_general_kind;
 
@@ -89,7 +91,7 @@ struct fmb_general {
     uint64_t *bits, *drop;  /* their histories, side by side; which of them not to pair */
     fmb_general_level level[FMB_GENERAL_MOST_COLUMNS + 1];
 
-    /* linear programs: the pair with a slack for the sum of each simplex; all unknowns are unit */
+    /* linear programs: the pair with a slack for the sum of each simplex */
     fmb_general_system program;
     bool is_high[FMB_GENERAL_MOST_COLUMNS]; /* the end of an unknown that is no pivot */
     double vertex[FMB_GENERAL_MOST_COLUMNS];

@@ -1,8 +1,9 @@
 /* general_program.c: linear programs over the common points of a pair, in doubles: guesses too.
  *
- * The system of the pair, with a slack for the sum of each simplex, so that every unknown lies
- * between 0 and 1. A vertex has all unknowns but the pivots at an end: bounded simplex (Dantzig
- * 1955), on the table that Gauss and Jordan's elimination left.
+ * The system of the pair, with a slack for the sum of each simplex, so that every unknown has ends
+ * of its own: 0, and 1 unless it is summed. A vertex has all unknowns but the pivots at an end.
+ * This is the simplex method with bounds (Dantzig 1955), on the table that Gauss and Jordan's
+ * elimination left.
  */
 #include "pair/general_inside.h"
 
@@ -13,26 +14,28 @@
 
 /* ---- the system ------------------------------------------------------------------------------ */
 
-/* Copy the pair; a row c_1 + ... + slack = 1 for each simplex. */
+/* The pair; for each simplex a row c_1 + ... + slack = 1. */
 static void load(const fmb_general_system *pair, fmb_general_system *s)
 {
-    bool has[FMB_GENERAL_KINDS] = {false};
+    int row[FMB_GENERAL_KINDS] = {-1, -1, -1, -1};
     for (int j = 0; j < pair->columns; j++)
-        has[pair->kind[j]] = true;
-    s->rows = pair->rows + has[FMB_GENERAL_OF_A] + has[FMB_GENERAL_OF_B];
-    s->columns = pair->columns + s->rows - pair->rows;
+        row[pair->kind[j]] = 0;
+    s->rows = pair->rows;
+    s->columns = pair->columns;
+    for (int kind = FMB_GENERAL_OF_A; kind <= FMB_GENERAL_OF_B; kind++)
+        if (row[kind] == 0) {
+            s->kind[s->columns++] = (fmb_general_kind)kind;
+            row[kind] = s->rows++;
+        }
     for (int i = 0; i < s->rows; i++)
         s->h[i] = i < pair->rows ? pair->h[i] : 1;
     for (int j = 0; j < s->columns; j++) {
         bool is_slack = j >= pair->columns;
-        fmb_general_kind kind = is_slack ? FMB_GENERAL_UNIT : pair->kind[j];
-        int sum = pair->rows + (kind == FMB_GENERAL_OF_B && has[FMB_GENERAL_OF_A]);
+        fmb_general_kind kind = is_slack ? s->kind[j] : pair->kind[j];
         double *to = s->m + j * s->rows;
-        s->kind[j] = FMB_GENERAL_UNIT;
         for (int i = 0; i < s->rows; i++)
-            to[i] = i < pair->rows && !is_slack ? pair->m[j * pair->rows + i] : 0;
-        if (kind != FMB_GENERAL_UNIT || is_slack)
-            to[is_slack ? pair->rows + j - pair->columns : sum] = 1;
+            to[i] = i < pair->rows ? (is_slack ? 0 : pair->m[j * pair->rows + i]) : i == row[kind];
+        s->kind[j] = kind == FMB_GENERAL_UNIT ? kind : FMB_GENERAL_SUMMED;
     }
 }
 
@@ -88,34 +91,38 @@ static int find_gain(const fmb_general *g, const double *gain)
     return best;
 }
 
-/* How far pivot value may go up or down until it is at an end; to the near one if it is outside,
- * and nothing stops it on its way farther out. */
-static double room(double value, bool up, bool *high)
+/* How far the value of a pivot may go up or down until it is at an end; to the near one if it is
+ * outside, and nothing stops it on its way farther out. */
+static double find_room(double value, bool is_unit, bool up, bool *high)
 {
-    *high = up ? value >= 0 : value > 1;
-    return up ? (value > 1 ? INFINITY : *high - value) : (value < 0 ? INFINITY : value - *high);
+    *high = up ? value >= 0 : is_unit && value > 1;
+    if (up ? *high && (!is_unit || value > 1) : value < 0)
+        return INFINITY;
+    return up ? *high - value : value - *high;
 }
 
 /* Move unknown j from its end until a pivot comes to one, or j to its other end. */
 static void move(fmb_general *g, int j)
 {
     fmb_general_system *s = &g->program;
-    double way = 1, weight = 0;
+    double way = s->kind[j] == FMB_GENERAL_UNIT ? 1 : INFINITY, weight = 0;
     int row = -1;
     bool high = false, end;
     for (int i = 0; i < s->rows; i++) {
         double t = fmb_general_solved(s, i)[j], rise = g->is_high[j] ? t : -t;
-        double reach = room(g->vertex[s->pivot[i]], rise > 0, &end) / fabs(rise);
-        if (fabs(rise) < 0x1p-30 || reach > way || (reach == way && fabs(rise) < weight))
+        bool is_unit = s->kind[s->pivot[i]] == FMB_GENERAL_UNIT;
+        double reach = find_room(g->vertex[s->pivot[i]], is_unit, rise > 0, &end) / fabs(rise);
+        if (fabs(rise) < 0x1p-30 || reach == INFINITY || reach > way ||
+            (reach == way && fabs(rise) < weight))
             continue;
         way = reach;
         weight = fabs(rise);
         row = i;
         high = end;
     }
-    if (row < 0) {
+    if (row < 0 && s->kind[j] == FMB_GENERAL_UNIT) {
         g->is_high[j] = !g->is_high[j];
-    } else {
+    } else if (row >= 0) {
         g->is_high[s->pivot[row]] = high;
         fmb_general_pivot(s, row, j);
     }
@@ -130,7 +137,8 @@ static int find_outside(const fmb_general *g, double *cost)
     const fmb_general_system *s = &g->program;
     int outside = 0;
     for (int j = 0; j < s->columns; j++) {
-        cost[j] = (g->vertex[j] < -NOTHING) - (g->vertex[j] > 1 + NOTHING);
+        bool is_unit = s->kind[j] == FMB_GENERAL_UNIT;
+        cost[j] = (g->vertex[j] < -NOTHING) - (is_unit && g->vertex[j] > 1 + NOTHING);
         outside += cost[j] != 0;
     }
     return outside;

@@ -149,8 +149,7 @@ static bool stay_inside(const fmb_general_system *s, const double *z, const doub
         good &= z[j] > way[j];
         if (s->kind[j] == FMB_GENERAL_UNIT)
             good &= 1 - z[j] > way[j] * (1 + 8 * DBL_EPSILON);
-        else
-            sum[s->kind[j]] += z[j] + way[j];
+        sum[s->kind[j]] += z[j] + way[j];
     }
     return good && sum[FMB_GENERAL_OF_A] < most && sum[FMB_GENERAL_OF_B] < most;
 }
@@ -164,16 +163,19 @@ bool fmb_general_is_near_common(const fmb_general_system *s, const double *z)
     return stay_inside(s, z, way);
 }
 
-/* Only the pivots move; what is at an end stays there. */
+/* Only the pivots move; what is at an end stays there. What is summed is at most 1 as none of the
+ * others is negative. */
 bool fmb_general_is_near_vertex(const fmb_general_system *s, const double *z)
 {
     double y[FMB_GENERAL_MOST_ROWS], way[FMB_GENERAL_MOST_COLUMNS];
     bool good = s->rank == s->rows && bound_y(s, z, y);
     if (good)
         bound_way(s, y, way);
-    for (int j = 0; good && j < s->columns; j++)
-        good = s->is_pivot[j] ? z[j] > way[j] && 1 - z[j] > way[j] * (1 + 8 * DBL_EPSILON)
-                              : z[j] == 0 || z[j] == 1;
+    for (int j = 0; good && j < s->columns; j++) {
+        bool is_unit = s->kind[j] == FMB_GENERAL_UNIT;
+        bool is_below = !is_unit || 1 - z[j] > way[j] * (1 + 8 * DBL_EPSILON);
+        good = s->is_pivot[j] ? z[j] > way[j] && is_below : z[j] == 0 || (is_unit && z[j] == 1);
+    }
     return good;
 }
 

@@ -14,7 +14,10 @@
 #include "pair/exact.h"
 #include "pair/general.h"
 
-enum { VERDICT_BLOCKS = 2 * FMB_KINDS, BOX_BLOCKS = 2 * 2 * 2, BOX_LEVELS = 2 };
+/* Blocks by number: for verdicts [moves][kind], then for boxes [level][moves][shape of A][of B].
+ * What a block leaves open goes to one with a higher number, or is settled without a block. */
+enum { BOX_LEVELS = 2, BOX_BLOCKS = 2 * 2 * 2, FIRST_BOX = 2 * FMB_KINDS };
+enum { BLOCKS = FIRST_BOX + BOX_LEVELS * BOX_BLOCKS };
 
 struct fmb_pair {
     fmb_mem mem;
@@ -25,8 +28,8 @@ struct fmb_pair {
     fmb_pair_oracle oracle;
     fmb_pair_counts counts;
     atomic_bool cancelled;
-    fmb_block verdict_block[VERDICT_BLOCKS];     /* [moves][kind] */
-    fmb_block box_block[BOX_LEVELS][BOX_BLOCKS]; /* [moves][shape of A][shape of B] */
+    uint32_t waiting; /* the blocks that are not empty */
+    fmb_block block[BLOCKS];
 };
 
 /* One call of fmb_pair_test. */
@@ -34,7 +37,8 @@ typedef struct query {
     fmb_pair *k;
     const fmb_frame *p, *q;
     const fmb_pair_answers *out;
-    bool boxes; /* more than the verdict is wanted */
+    bool boxes;                      /* more than the verdict is wanted */
+    const fmb_pair_kernels *kernels; /* a single pair needs no wide ones */
 } query;
 
 /* ---- life ------------------------------------------------------------------------------------ */
@@ -127,6 +131,17 @@ static fmb_status answer_exactly(const query *a, size_t i)
     return fmb_pair_oracle_answer(&a->k->oracle, &a->p[i], &a->q[i], &out);
 }
 
+/* The same, in doubles if they are good enough. */
+static fmb_status answer_generally(const query *a, size_t i)
+{
+    const fmb_pair *k = a->k;
+    fmb_pair_answers out = answers_of(a, i);
+    if (k->options.method != FMB_PAIR_EXACT && !k->options.tightest &&
+        fmb_general_answer(k->general, &a->p[i], &a->q[i], &out))
+        return FMB_OK;
+    return answer_exactly(a, i);
+}
+
 static fmb_status decide_exactly(const query *a, size_t i)
 {
     fmb_verdict *out = &a->out->verdict[i];
@@ -150,8 +165,11 @@ static fmb_status decide_generally(const query *a, size_t i)
         a->out->verdict[i] = FMB_UNKNOWN;
     if (a->out->verdict[i] == FMB_UNKNOWN)
         return decide_exactly(a, i);
-    return a->out->verdict[i] == FMB_FEASIBLE && a->boxes ? answer_exactly(a, i) : FMB_OK;
+    return a->out->verdict[i] == FMB_FEASIBLE && a->boxes ? answer_generally(a, i) : FMB_OK;
 }
+
+/* Let pair i = (p, q) wait in a block. */
+static fmb_status put(const query *a, int number, const fmb_frame *p, const fmb_frame *q, size_t i);
 
 /* ---- boxes by kernels ------------------------------------------------------------------------ */
 
@@ -177,91 +195,52 @@ static void write_lane(const query *a, const double *answer, int width, int lane
         out.time[side] = from[(4 * dim + side) * width];
 }
 
-/* Unused lanes repeat the first. */
-static void fill_up(fmb_block *b, int width)
-{
-    for (int r = 0; r < FMB_BLOCK_MOST_ROWS; r++)
-        for (int lane = b->lanes; lane < width; lane++)
-            b->number[r * width + lane] = b->number[r * width];
-}
-
-/* The numbers of the first lane alone, and the kernels for it. */
-static const fmb_pair_kernels *narrow(fmb_block *b, int width)
-{
-    for (int r = 1; r < FMB_BLOCK_MOST_ROWS; r++)
-        b->number[r] = b->number[r * width];
-    return &fmb_pair_kernels_one;
-}
-
-static const fmb_pair_kernels *ready(const fmb_pair *k, fmb_block *b)
-{
-    if (b->lanes == 1 && k->wide->width > 1)
-        return narrow(b, k->wide->width);
-    fill_up(b, k->wide->width);
-    return k->wide;
-}
-
 /* The kernel of a level: at first that for boxes, then the fine one; NULL: there is none. */
-static fmb_box_kernel *box_kernel(const fmb_pair *k, const fmb_pair_kernels *from, int level,
-                                  int which)
+static fmb_box_kernel *box_kernel(const query *a, int level, int which)
 {
-    int d = k->dim - 2, moves = which / 4, a = which / 2 % 2, b = which % 2;
-    return level == 0 ? from->box[d][moves][a][b] : level == 1 ? from->fine[d][moves][a][b] : NULL;
-}
-
-static fmb_status put_box(const query *a, int level, size_t i);
-
-static fmb_status flush_boxes(const query *a, int level, int which)
-{
-    fmb_pair *k = a->k;
-    fmb_block *b = &k->box_block[level][which];
-    double answer[FMB_BOX_MOST_ROWS * FMB_BLOCK_MOST_LANES];
-    fmb_status st = FMB_OK;
-    if (b->lanes == 0)
-        return FMB_OK;
-    const fmb_pair_kernels *kernels = ready(k, b);
-    unsigned good = box_kernel(k, kernels, level, which)(b->number, answer);
-    for (int lane = 0; st == FMB_OK && lane < b->lanes; lane++)
-        if (good >> lane & 1)
-            write_lane(a, answer, kernels->width, lane, b->pair[lane]);
-        else
-            st = put_box(a, level + 1, b->pair[lane]);
-    b->lanes = 0;
-    return st;
+    int d = a->k->dim - 2, moves = which / 4, p = which / 2 % 2, q = which % 2;
+    return level == 0   ? a->kernels->box[d][moves][p][q]
+           : level == 1 ? a->kernels->fine[d][moves][p][q]
+                        : NULL;
 }
 
 /* Pair i meets; a kernel said so. */
 static fmb_status put_box(const query *a, int level, size_t i)
 {
-    fmb_pair *k = a->k;
     const fmb_frame *p = &a->p[i], *q = &a->q[i];
     bool moves = p->speed || q->speed;
     int which = 4 * moves + 2 * (int)p->shape + (int)q->shape;
-    if (k->options.tightest || !box_kernel(k, k->wide, level, which))
-        return answer_exactly(a, i);
-    fmb_block *b = &k->box_block[level][which];
-    fmb_block_put(b, k->wide->width, p, q, moves, true, i);
-    return b->lanes == k->wide->width ? flush_boxes(a, level, which) : FMB_OK;
+    if (a->k->options.tightest || !box_kernel(a, level, which))
+        return answer_generally(a, i);
+    return put(a, FIRST_BOX + BOX_BLOCKS * level + which, p, q, i);
+}
+
+static fmb_status flush_boxes(const query *a, const fmb_block *b, int level, int which)
+{
+    double answer[FMB_BOX_MOST_ROWS * FMB_BLOCK_MOST_LANES];
+    fmb_status st = FMB_OK;
+    unsigned good = box_kernel(a, level, which)(b->number, answer);
+    for (int lane = 0; st == FMB_OK && lane < b->lanes; lane++)
+        if (good >> lane & 1)
+            write_lane(a, answer, a->kernels->width, lane, b->pair[lane]);
+        else
+            st = put_box(a, level + 1, b->pair[lane]);
+    return st;
 }
 
 /* ---- verdicts by kernels --------------------------------------------------------------------- */
 
-static fmb_verdict_kernel *verdict_kernel(const fmb_pair *k, const fmb_pair_kernels *from,
-                                          int which)
+static fmb_verdict_kernel *verdict_kernel(const query *a, int which)
 {
-    int d = k->dim - 2, moves = which / FMB_KINDS, kind = which % FMB_KINDS;
-    return k->options.method == FMB_PAIR_SAT ? from->sat[d][moves][kind]
-                                             : from->fmb[d][moves][kind];
+    int d = a->k->dim - 2, moves = which / FMB_KINDS, kind = which % FMB_KINDS;
+    return a->k->options.method == FMB_PAIR_SAT ? a->kernels->sat[d][moves][kind]
+                                                : a->kernels->fmb[d][moves][kind];
 }
 
-static fmb_status flush_verdicts(const query *a, int which)
+static fmb_status flush_verdicts(const query *a, const fmb_block *b, int which)
 {
-    fmb_pair *k = a->k;
-    fmb_block *b = &k->verdict_block[which];
     fmb_status st = FMB_OK;
-    if (b->lanes == 0)
-        return FMB_OK;
-    fmb_pair_bits bits = verdict_kernel(k, ready(k, b), which)(b->number);
+    fmb_pair_bits bits = verdict_kernel(a, which)(b->number);
     for (int lane = 0; st == FMB_OK && lane < b->lanes; lane++) {
         size_t i = b->pair[lane];
         if (bits.apart >> lane & 1) {
@@ -273,7 +252,6 @@ static fmb_status flush_verdicts(const query *a, int which)
             st = decide_generally(a, i);
         }
     }
-    b->lanes = 0;
     return st;
 }
 
@@ -282,31 +260,56 @@ static bool has_all_axes(const fmb_frame *f, int dim)
     return f->naxes == dim && f->origin && f->axes && (unsigned)f->shape <= FMB_SIMPLEX;
 }
 
-/* Which block pair i waits in, -1 if there is no kernel for it. */
-static int block_of(const query *a, size_t i)
-{
-    fmb_pair *k = a->k;
-    const fmb_frame *p = &a->p[i], *q = &a->q[i];
-    if (k->dim < 2 || k->dim > 3 || k->options.method == FMB_PAIR_EXACT ||
-        !has_all_axes(p, k->dim) || !has_all_axes(q, k->dim))
-        return -1;
-    int which = FMB_KINDS * (p->speed || q->speed) + (int)p->shape + (int)q->shape;
-    return verdict_kernel(k, k->wide, which) ? which : -1;
-}
-
-static fmb_status put(const query *a, size_t i)
+static fmb_status put_pair(const query *a, size_t i)
 {
     fmb_pair *k = a->k;
     const fmb_frame *p = &a->p[i], *q = &a->q[i];
     if (p->dim != k->dim || q->dim != k->dim)
         return FMB_ERR_ARG;
-    int which = block_of(a, i);
-    if (which < 0)
+    if (k->dim < 2 || k->dim > 3 || k->options.method == FMB_PAIR_EXACT ||
+        !has_all_axes(p, k->dim) || !has_all_axes(q, k->dim))
         return decide_generally(a, i);
     bool swap = p->shape == FMB_SIMPLEX && q->shape == FMB_CUBOID;
-    fmb_block *b = &k->verdict_block[which];
-    fmb_block_put(b, k->wide->width, swap ? q : p, swap ? p : q, which >= FMB_KINDS, false, i);
-    return b->lanes == k->wide->width ? flush_verdicts(a, which) : FMB_OK;
+    int which = FMB_KINDS * (p->speed || q->speed) + (int)p->shape + (int)q->shape;
+    return put(a, which, swap ? q : p, swap ? p : q, i);
+}
+
+/* ---- blocks ---------------------------------------------------------------------------------- */
+
+/* Unused lanes repeat the first. */
+static void fill_up(fmb_block *b, int width)
+{
+    for (int r = 0; b->lanes < width && r < FMB_BLOCK_MOST_ROWS; r++)
+        for (int lane = b->lanes; lane < width; lane++)
+            b->number[r * width + lane] = b->number[r * width];
+}
+
+static fmb_status flush(const query *a, int number)
+{
+    fmb_block *b = &a->k->block[number];
+    int box = number - FIRST_BOX;
+    fill_up(b, a->kernels->width);
+    fmb_status st = box < 0 ? flush_verdicts(a, b, number)
+                            : flush_boxes(a, b, box / BOX_BLOCKS, box % BOX_BLOCKS);
+    b->lanes = 0;
+    a->k->waiting &= ~(UINT32_C(1) << number);
+    return st;
+}
+
+static fmb_status put(const query *a, int number, const fmb_frame *p, const fmb_frame *q, size_t i)
+{
+    fmb_block *b = &a->k->block[number];
+    bool moves = p->speed || q->speed;
+    fmb_block_put(b, a->kernels->width, p, q, moves, number >= FIRST_BOX, i);
+    a->k->waiting |= UINT32_C(1) << number;
+    return b->lanes == a->kernels->width ? flush(a, number) : FMB_OK;
+}
+
+static void forget(fmb_pair *k)
+{
+    for (int number = 0; k->waiting && number < BLOCKS; number++)
+        k->block[number].lanes = 0;
+    k->waiting = 0;
 }
 
 fmb_status fmb_pair_test(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_frame *q,
@@ -314,19 +317,19 @@ fmb_status fmb_pair_test(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_fr
 {
     if (!k || !out || (n > 0 && (!p || !q || !out->verdict)))
         return FMB_ERR_ARG;
-    query a = {k, p, q, out, out->world || out->inside || out->time || out->witness};
+    query a = {k,
+               p,
+               q,
+               out,
+               out->world || out->inside || out->time || out->witness,
+               n == 1 ? &fmb_pair_kernels_one : k->wide};
     fmb_status st = FMB_OK;
-    atomic_store(&k->cancelled, false);
+    atomic_store_explicit(&k->cancelled, false, memory_order_relaxed);
     for (size_t i = 0; st == FMB_OK && i < n; i++)
-        st = put(&a, i);
-    for (int which = 0; st == FMB_OK && which < VERDICT_BLOCKS; which++)
-        st = flush_verdicts(&a, which);
-    for (int box = 0; st == FMB_OK && box < BOX_LEVELS * BOX_BLOCKS; box++)
-        st = flush_boxes(&a, box / BOX_BLOCKS, box % BOX_BLOCKS);
-    for (int which = 0; which < VERDICT_BLOCKS; which++)
-        k->verdict_block[which].lanes = 0;
-    for (int box = 0; box < BOX_LEVELS * BOX_BLOCKS; box++)
-        k->box_block[box / BOX_BLOCKS][box % BOX_BLOCKS].lanes = 0;
+        st = put_pair(&a, i);
+    while (st == FMB_OK && k->waiting)
+        st = flush(&a, __builtin_ctz(k->waiting));
+    forget(k);
     k->counts.pairs += n;
     return st;
 }

@@ -182,6 +182,25 @@ Test(general, decides)
     }
 }
 
+/* Where elimination would make too many rows. */
+Test(general, decides_in_many_dimensions)
+{
+    for (int dim = 8; dim <= 12; dim += 2) {
+        judge j = judge_open(dim, FMB_SIMD_AUTO);
+        support_rng g = {(uint64_t)dim};
+        int meet = 0;
+        for (int i = 0; i < 40; i++) {
+            two t;
+            draw(&g, ARTICLE, dim, i % 2, false, i % 4 ? 0.1 : 0.5, &t);
+            judge_pair(&j, &t, "article", i);
+            meet += ask(j.open, &t) == FMB_FEASIBLE;
+        }
+        cr_expect(meet > 5 && meet < 35, "%d", meet);
+        cr_expect_eq(j.silent, 0, "%d in %d", j.silent, dim);
+        judge_close(&j);
+    }
+}
+
 /* Edges, faces and points are apart or cross; whatever is not on the brink is decided. */
 Test(general, decides_faces)
 {
@@ -191,6 +210,123 @@ Test(general, decides_faces)
         cr_expect_leq(j.silent * 100, j.asked, "%d of %d in %d", j.silent, j.asked, dim);
         judge_close(&j);
     }
+}
+
+/* ---- boxes ----------------------------------------------------------------------------------- */
+
+typedef struct box {
+    double world[MOST][2], inside[MOST][2], time[2], witness[MOST];
+} box;
+
+static fmb_pair_answers into(box *b, fmb_verdict *verdict)
+{
+    return (fmb_pair_answers){verdict, b->world[0], b->inside[0], b->time, b->witness};
+}
+
+static double largest_corner(const fmb_frame *f)
+{
+    double largest = 0;
+    for (int i = 0; i < f->dim; i++)
+        for (int t = 0; t < 2; t++) {
+            double at = f->origin[i] + (t && f->speed ? f->speed[i] : 0), low = 0, high = 0;
+            for (int k = 0; k < f->naxes; k++) {
+                double a = f->axes[k * f->dim + i];
+                low = f->shape == FMB_CUBOID ? low + fmin(a, 0) : fmin(low, a);
+                high = f->shape == FMB_CUBOID ? high + fmax(a, 0) : fmax(high, a);
+            }
+            largest = fmax(largest, fmax(fabs(at + low), fabs(at + high)));
+        }
+    return largest;
+}
+
+/* tight: the exact ends, rounded outward by less than one double. */
+static void compare(const double *ends, const double *tight, double excess, const char *what)
+{
+    cr_assert_leq(ends[0], nextafter(tight[0], INFINITY), "%s: %.17g %.17g", what, ends[0],
+                  tight[0]);
+    cr_assert_geq(ends[1], nextafter(tight[1], -INFINITY), "%s: %.17g %.17g", what, ends[1],
+                  tight[1]);
+    cr_assert_leq(tight[0] - ends[0], excess, "%s: %.17g %.17g", what, ends[0], tight[0]);
+    cr_assert_leq(ends[1] - tight[1], excess, "%s: %.17g %.17g", what, ends[1], tight[1]);
+}
+
+/* Is the box known? If the frames meet. */
+static bool judge_box(judge *j, fmb_pair *tightest, const two *t)
+{
+    const fmb_frame *p = &t->f[0], *q = &t->f[1];
+    fmb_verdict verdict;
+    box mine, exact;
+    fmb_pair_answers a = into(&mine, NULL), b = into(&exact, &verdict);
+    must(fmb_pair_test(tightest, 1, p, q, &b));
+    if (verdict != FMB_FEASIBLE)
+        return false;
+    j->asked++;
+    mine.time[0] = mine.world[0][0] = -7;
+    if (!fmb_general_answer(j->general, p, q, &a)) {
+        cr_assert(mine.time[0] == -7 && mine.world[0][0] == -7);
+        return false;
+    }
+    double largest = fmax(largest_corner(p), largest_corner(q));
+    for (int i = 0; i < p->dim; i++) {
+        compare(mine.world[i], exact.world[i], 1e-12 * largest, "world");
+        cr_assert_geq(mine.witness[i], mine.world[i][0] - 1e-12 * largest);
+        cr_assert_leq(mine.witness[i], mine.world[i][1] + 1e-12 * largest);
+    }
+    for (int k = 0; k < q->naxes; k++)
+        compare(mine.inside[k], exact.inside[k], 1e-12, "inside");
+    compare(mine.time, exact.time, 1e-12, "time");
+    return true;
+}
+
+static fmb_pair *exact_tightest(int dim)
+{
+    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair *k = NULL;
+    o.method = FMB_PAIR_EXACT;
+    o.tightest = true;
+    must(fmb_pair_new(dim, &o, NULL, &k));
+    return k;
+}
+
+/* Ends contain the exact ones, tightly; on the article's pairs they are known. */
+Test(general, boxes)
+{
+    for (int dim = 1; dim <= 5; dim++) {
+        judge j = judge_open(dim, FMB_SIMD_AUTO);
+        fmb_pair *tightest = exact_tightest(dim);
+        support_rng g = {(uint64_t)dim};
+        for (int of = 0; of < FAMILIES; of++) {
+            int known = 0, meet = j.asked;
+            for (int i = 0; i < (dim < 4 ? 120 : 20); i++) {
+                two t;
+                draw(&g, (family)of, dim, i % 2, i % 3 == 2, 0.3, &t);
+                known += judge_box(&j, tightest, &t);
+            }
+            meet = j.asked - meet;
+            cr_expect(of != ARTICLE || known * 10 >= meet * 9, "%d of %d", known, meet);
+        }
+        fmb_pair_free(tightest);
+        judge_close(&j);
+    }
+}
+
+/* The public door asks here, too: hardly any exact query. */
+Test(general, boxes_by_the_public_door)
+{
+    enum { PAIRS = 60, DIM = 4 };
+    static two t[PAIRS];
+    fmb_pair *k = NULL;
+    support_rng g = {4};
+    must(fmb_pair_new(DIM, NULL, NULL, &k));
+    for (int i = 0; i < PAIRS; i++) {
+        box b;
+        fmb_verdict verdict;
+        draw(&g, ARTICLE, DIM, i % 2, false, 0.3, &t[i]);
+        fmb_pair_answers a = into(&b, &verdict);
+        must(fmb_pair_test(k, 1, &t[i].f[0], &t[i].f[1], &a));
+    }
+    cr_expect_leq(fmb_pair_count(k).exact_boxes + fmb_pair_count(k).exact_verdicts, 3u);
+    fmb_pair_free(k);
 }
 
 /* ---- what it says ---------------------------------------------------------------------------- */
