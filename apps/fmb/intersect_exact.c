@@ -91,12 +91,24 @@ static fmb_status find_box(const intersect *x, const fmb_frames_line *line, cons
     return st;
 }
 
+/* [give] What a verdict needs: fewer variables, where frames allow it. */
+static fmb_status small_system(const intersect *x, const fmb_frames_line *line, fmb_system **out)
+{
+    const fmb_frame_q f[] = {line->body[0].frame, line->body[1].frame};
+    fmb_status st = FMB_ERR_ARG;
+    if (!line->body[0].rows && !line->body[1].rows)
+        st = fmb_system_from_frames_q(f, 2, FMB_COORDINATES_LAST, x->ask->contact, NULL, out);
+    return st == FMB_ERR_ARG ? fmb_system_from_line(line, x->ask->contact, NULL, out) : st;
+}
+
 fmb_status intersect_exactly(const intersect *x, const fmb_frames_line *line, meeting *out)
 {
     fmb_system *s = NULL;
     fmb_evidence *e = NULL;
     fmb_result res = {0};
-    fmb_status st = fmb_system_from_line(line, x->ask->contact, NULL, &s);
+    fmb_status st = x->ask->boxes == BOXES_NONE
+                        ? small_system(x, line, &s)
+                        : fmb_system_from_line(line, x->ask->contact, NULL, &s);
     if (st == FMB_OK)
         st = fmb_solve(x->solver, s, &res);
     out->verdict = res.verdict;

@@ -1,6 +1,7 @@
 """What a transcript cannot show: JSON for programs, Ctrl-C, progress on a terminal.
 usage: behaviour.py FMB EXAMPLES"""
 
+import contextlib
 import fractions
 import json
 import os
@@ -12,6 +13,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import unittest
 
@@ -180,6 +182,65 @@ class Interruption(unittest.TestCase):
         self.assertIn(b"rows", shown)
         last = [part for part in shown.split(b"\r") if part][-1]
         self.assertEqual(last.strip(), b"", "the line was not erased")
+
+
+class Endless(unittest.TestCase):
+    """Pairs of frames that never end, until a signal comes."""
+
+    LINE = (b'{"A": {"type": "cuboid", "orig": [0, 0.1], "comp": [[1, 0], [0, 1]]}, '
+            b'"B": {"type": "simplex", "orig": [0.5, 0.3], "comp": [[1, 0], [0, 1]]}}\n')
+
+    def feed(self, p):
+        try:
+            while True:
+                p.stdin.write(self.LINE * 100)
+        except (OSError, ValueError):
+            pass
+
+    def play(self, *words, **streams):
+        """The process while it is fed, and its output in a file."""
+        out = tempfile.TemporaryFile()
+        p = subprocess.Popen([FMB, "intersect", "-", *words], stdin=subprocess.PIPE, stdout=out,
+                             **streams)
+        threading.Thread(target=self.feed, args=[p], daemon=True).start()
+        return p, out
+
+    def end(self, p, out):
+        """Everything that it wrote, after a signal."""
+        self.assertIsNone(p.poll(), "it was to go on")
+        p.send_signal(signal.SIGINT)
+        self.assertEqual(p.wait(timeout=30), 2)
+        with contextlib.suppress(OSError):
+            p.stdin.close()
+        with out:
+            out.seek(0)
+            return out.read()
+
+    def test_interrupt(self):
+        for boxes in ("none", "exact"):
+            p, out = self.play("--json", "--boxes", boxes)
+            time.sleep(1)
+            answer = json.loads(self.end(p, out))
+            self.assertEqual(len(answer["pairs"]), answer["tested"])
+            self.assertGreater(answer["meeting"], 0)
+            self.assertEqual(answer["pairs"][0].get("world") is None, boxes == "none")
+            self.assertEqual(answer["meeting"] + answer["undecided"], answer["tested"])
+            self.assertLess(answer["undecided"], 2)
+
+    def test_progress(self):
+        try:
+            ours, theirs = pty.openpty()
+        except OSError as e:
+            self.skipTest(f"no terminal to be had: {e}")
+        p, out = self.play("--boxes", "none", stderr=theirs)
+        os.close(theirs)
+        shown, begin = b"", time.monotonic()
+        while shown.count(b"pairs") < 2 and time.monotonic() - begin < 30:
+            if select.select([ours], [], [], 1)[0]:
+                shown += os.read(ours, 4096)
+        self.assertIn(b"meet", shown)
+        self.assertTrue(self.end(p, out).endswith(b"undecided\n"))
+        os.close(ours)
 
 
 class Instructions(unittest.TestCase):
