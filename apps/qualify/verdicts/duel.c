@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "qualify/watch.h"
+#include "study/sat_plain.h"
 
 enum {
     WARM_PAIRS = 1024,
@@ -57,6 +58,14 @@ static fmb_status warm(void *self, size_t first, size_t n)
     return st;
 }
 
+static fmb_status plainly(void *self, size_t first, size_t n)
+{
+    verdict_way *w = self;
+    for (size_t i = first; i < first + n; i++)
+        w->verdict[i] = study_sat_plain(&w->p[i], &w->q[i]) ? FMB_FEASIBLE : FMB_INFEASIBLE;
+    return FMB_OK;
+}
+
 /* ---- the duel -------------------------------------------------------------------------------- */
 
 static size_t count_wrong(const verdict_duel *d, const fmb_verdict *verdict)
@@ -78,11 +87,13 @@ static double share(fmb_pair_counts before, fmb_pair_counts after)
 static fmb_status run_cold(const verdict_pool *pool, const qualify_setup *o,
                            const verdict_rivals *r, fmb_verdict *verdict, verdict_duel *d)
 {
-    enum { FMB, SAT, ONE_FMB, ONE_SAT, WAYS };
+    enum { FMB, SAT, PLAIN, ONE_FMB, ONE_SAT, WAYS };
     verdict_way self[] = {{r->fmb, pool->p, pool->q, verdict},
-                          {r->sat, pool->p, pool->q, verdict + pool->n}};
+                          {r->sat, pool->p, pool->q, verdict + pool->n},
+                          {NULL, pool->p, pool->q, verdict + 2 * pool->n}};
     const study_timed way[WAYS] = {[FMB] = {verdict_way_all, &self[0]},
                                    [SAT] = {verdict_way_all, &self[1]},
+                                   [PLAIN] = {plainly, &self[2]},
                                    [ONE_FMB] = {one_by_one, &self[0]},
                                    [ONE_SAT] = {one_by_one, &self[1]}};
     study_clock c = {.way = way,
@@ -97,11 +108,14 @@ static fmb_status run_cold(const verdict_pool *pool, const qualify_setup *o,
     d->complete = c.complete == o->passes;
     d->fmb = study_clock_ns(&c, FMB);
     d->sat = study_clock_ns(&c, SAT);
+    d->plain = study_clock_ns(&c, PLAIN);
     d->fmb_sat = study_clock_ratio(&c, FMB, SAT);
+    d->plain_sat = study_clock_ratio(&c, PLAIN, SAT);
     d->one_fmb = study_clock_ns(&c, ONE_FMB);
     d->one_sat = study_clock_ns(&c, ONE_SAT);
     d->one_fmb_sat = study_clock_ratio(&c, ONE_FMB, ONE_SAT);
     d->wrong = count_wrong(d, verdict) + count_wrong(d, verdict + pool->n);
+    d->plain_wrong = count_wrong(d, verdict + 2 * pool->n);
     study_clock_clear(&c);
     return st;
 }
@@ -143,7 +157,7 @@ fmb_status verdict_duel_run(const verdict_source *from, const verdict_class *c,
 {
     verdict_pool pool = {0};
     *out = (verdict_duel){.class = *c, .queries = o->pairs};
-    fmb_verdict *verdict = calloc(2 * o->pairs, sizeof *verdict);
+    fmb_verdict *verdict = calloc(3 * o->pairs, sizeof *verdict);
     fmb_status st =
         verdict ? verdict_pool_make(from, c, o->seed, o->pairs, r->fmb, &pool) : FMB_ERR_MEMORY;
     out->drawn = pool.drawn;

@@ -19,15 +19,16 @@ void verdict_rivals_close(verdict_rivals *r);
 /* Times are of a query [ns], over the passes; of warm ones over the pairs. */
 typedef struct verdict_duel {
     verdict_class class;
-    size_t queries;                             /* distinct pairs, each asked once a pass */
-    uint64_t drawn;                             /* pairs looked at to find them */
-    bool complete;                              /* nothing was interrupted */
-    study_spread fmb, sat, fmb_sat;             /* all pairs in one call */
-    study_spread one_fmb, one_sat, one_fmb_sat; /* a call for each pair */
-    size_t warm_pairs;                          /* each of them asked many times in a row */
+    size_t queries;                                   /* distinct pairs, each asked once a pass */
+    uint64_t drawn;                                   /* pairs looked at to find them */
+    bool complete;                                    /* nothing was interrupted */
+    study_spread fmb, sat, plain, fmb_sat, plain_sat; /* all pairs in one call */
+    study_spread one_fmb, one_sat, one_fmb_sat;       /* a call for each pair */
+    size_t warm_pairs;                                /* each of them asked many times in a row */
     study_spread warm_fmb, warm_sat, warm_fmb_sat;
     double exact_share; /* of FMB's queries, decided exactly */
     size_t wrong;       /* verdicts of FMB or SAT that are not the class's */
+    size_t plain_wrong;
 } verdict_duel;
 
 fmb_status verdict_duel_run(const verdict_source *from, const verdict_class *c,
