@@ -1,14 +1,15 @@
-/* sat_axes.h: what all kernels of sat.h share: the pair about A's centre, and projections.
+/* sat_axes.h: what the kernels of sat.h share in the plane and in space.
  *
- * On an axis w the frames overlap by
+ * Everything is doubled and in the world, relative to the corner of A. A frame whose values on an
+ * axis go from low to high has the width high - low and the middle high + low; two frames overlap
+ * there by
  *
- *     min(high of B - low of A, high of A - low of B)
+ *     width of A + width of B - |middle of A - middle of B|
  *
- * which is negative exactly if w separates them. A cuboid reaches as far on both sides of its
- * centre, so for two of them this is (reach of A) + (reach of B) - |distance of the centres|
- * (Gottschalk 1996). A frame B that moves is B + [-v, v] with v half its drift; that adds |w v|.
- *
- * Units: two cuboids are doubled, so that nothing need be halved.
+ * (twice the depth, and negative if the axis separates them: Gottschalk, Lin, Manocha 1996). All
+ * numbers below are determinants of axes of A, axes of B, the drift d and the vectors of sat_rays.
+ * No number is scaled by the volume of A, so flat frames lose nothing, and no sign of a determinant
+ * matters.
  */
 #ifndef FMB_PAIR_SAT_AXES_H
 #define FMB_PAIR_SAT_AXES_H
@@ -17,151 +18,110 @@
 
 #include "pair/front.h"
 
-/* Which kernel; every one is compiled with a constant. A simplex A has a simplex B. */
+/* Which kernel; every one is compiled with a constant. If A is a simplex, so is B. */
 typedef struct sat_kind {
     int dim;
     bool moves, a_simplex, b_simplex;
 } sat_kind;
 
-/* Coordinate `dim` is for a simplex A, whose coordinates y_i with y_dim = size - sum y_i are all
- * alike: A is where none is negative. */
-typedef struct sat {
-    lane a;       /* half the size of a cuboid A (doubled: its size), the size of a simplex */
-    lane e[6][4]; /* edges of B: from its corner, then, of a simplex, opposite to edges from there;
-                     in 3D edge 3 + m goes from corner m + 1 to m + 2 (modulo 3) */
-    lane g[4];    /* from the centre of a cuboid A, or the corner of a simplex, to the centre of a
-                     cuboid B, or the corner of a simplex, at time 1/2 */
-    lane v[4];    /* half the drift */
-} sat;
+typedef struct sat_rays {
+    lane a[3][3], b[3][3]; /* axes */
+    lane drift[3];
+    lane corner[3]; /* (sum of a) - (2 shift + drift): twice the middle of a cuboid A, less twice
+                       B's corner at time 1/2 */
+    lane centre[3]; /* corner - (sum of b): the same for B's middle */
+    lane origin[3]; /* that less (sum of a): for A's corner */
+    lane alpha, beta, omega; /* the largest numbers of a, b and drift */
+    lane reach; /* 3 alpha + 3 beta + 2 delta + omega bounds corner, centre and origin */
+    lane_mask known;
+} sat_rays;
 
-/* How far values of an axis reach from 0: the highest, and minus the lowest. */
-typedef struct sat_reach {
-    lane high, low;
-} sat_reach;
+/* Of some values and 0. */
+typedef struct sat_span {
+    lane width, middle;
+} sat_span;
 
-/* From 0 to x; both ends are exact. */
-FMB_INLINE sat_reach sat_to(lane x)
+FMB_INLINE lane sat_largest(int dim, const lane *x, lane most)
 {
-    lane high = lane_max(x, lane_of(0));
-    return (sat_reach){high, high - x};
+    for (int j = 0; j < dim; j++)
+        most = lane_max(most, lane_abs(x[j]));
+    return most;
 }
 
-FMB_INLINE sat_reach sat_flip(sat_reach r)
-{
-    return (sat_reach){r.low, r.high};
-}
-
-FMB_INLINE sat_reach sat_join(sat_reach r, sat_reach s)
-{
-    return (sat_reach){lane_max(r.high, s.high), lane_max(r.low, s.low)};
-}
-
-FMB_INLINE sat_reach sat_even(lane radius)
-{
-    return (sat_reach){radius, radius};
-}
-
-/* A reaches a times ra from its centre or corner, B reaches rb from g. */
-FMB_INLINE lane sat_overlap(sat_kind k, lane a, sat_reach ra, sat_reach rb, lane g)
-{
-    if (!k.b_simplex)
-        return lane_fma(a, ra.high, rb.high) - lane_abs(g);
-    if (!k.a_simplex)
-        return lane_fma(a, ra.high, lane_min(rb.high + g, rb.low - g));
-    return lane_min(lane_fma(a, ra.low, rb.high) + g, lane_fma(a, ra.high, rb.low) - g);
-}
-
-/* The edges of a simplex B that do not touch its corner, and the last coordinates. */
-FMB_INLINE void sat_complete(sat_kind k, sat *s)
+/* What bounds the errors; lanes are known where front.h says so, but for the sign of det A, which
+ * does not matter here. A NaN anywhere makes one of centre. */
+FMB_INLINE void sat_measure(sat_kind k, const lane *shift, sat_rays *r)
 {
     int d = k.dim;
-    for (int i = 0; k.b_simplex && i < d; i++) {
-        for (int m = 0; d == 3 && m < 3; m++)
-            s->e[3 + m][i] = s->e[(m + 2) % 3][i] - s->e[(m + 1) % 3][i];
-        if (d == 2)
-            s->e[2][i] = s->e[1][i] - s->e[0][i];
+    lane zero = lane_of(0), alpha = zero, beta = zero, sum = r->centre[0] + r->centre[1];
+    for (int i = 0; i < d; i++) {
+        alpha = sat_largest(d, r->a[i], alpha);
+        beta = sat_largest(d, r->b[i], beta);
     }
-    if (!k.a_simplex)
-        return;
-    lane sum = s->g[0], drift = s->v[0];
-    for (int i = 1; i < d; i++) {
-        sum = sum + s->g[i];
-        drift = drift + s->v[i];
-    }
-    s->g[d] = s->a - sum;
-    s->v[d] = -drift;
-    for (int b = 0; b < (d == 3 ? 6 : 3); b++) {
-        sum = s->e[b][0];
-        for (int i = 1; i < d; i++)
-            sum = sum + s->e[b][i];
-        s->e[b][d] = -sum;
-    }
+    lane delta = sat_largest(d, shift, zero);
+    lane omega = k.moves ? sat_largest(d, r->drift, zero) : zero;
+    if (d == 3)
+        sum = sum + r->centre[2];
+    r->alpha = alpha;
+    r->beta = beta;
+    r->omega = omega;
+    r->reach = lane_of(3) * (alpha + beta) + (delta + delta) + omega;
+    lane most = lane_max(lane_max(alpha, beta), lane_max(delta, omega));
+    r->known = lane_and(lane_less(lane_of(0x1p-50), lane_min(alpha, beta)),
+                        lane_less(most, lane_of(0x1p50)));
+    r->known = lane_and(r->known, lane_less(lane_abs(sum), lane_of(INFINITY)));
 }
 
-FMB_INLINE sat sat_of(sat_kind k, const front *f)
+FMB_INLINE sat_rays sat_load(sat_kind k, const double *block)
 {
-    sat s;
-    s.a = lane_of(k.a_simplex == k.b_simplex ? 1 : 0.5) * f->size;
-    for (int i = 0; i < k.dim; i++) {
-        s.g[i] = lane_of(k.b_simplex ? 1 : 2) * f->shift[i];
-        if (!k.a_simplex)
-            s.g[i] = s.g[i] - s.a;
-        s.v[i] = lane_of(0);
-        if (k.moves) {
-            s.v[i] = lane_of(k.b_simplex ? 0.5 : 1) * f->drift[i];
-            s.g[i] = s.g[i] + s.v[i];
-        }
-        for (int b = 0; b < k.dim; b++) {
-            s.e[b][i] = f->e[b][i];
-            if (!k.b_simplex)
-                s.g[i] = s.g[i] + s.e[b][i];
-        }
+    sat_rays r;
+    int d = k.dim, row = d * FMB_LANES;
+    lane shift[3];
+    front_load(shift, block, d);
+    for (int i = 0; i < d; i++) {
+        front_load(r.a[i], block + (1 + i) * row, d);
+        front_load(r.b[i], block + (1 + d + i) * row, d);
     }
-    sat_complete(k, &s);
-    return s;
-}
-
-/* The least overlap on the normals of A. Of a simplex A only the outer side matters. */
-FMB_INLINE lane sat_normals_of_a(sat_kind k, const sat *s)
-{
-    lane least = lane_of(0);
-    for (int i = 0; i < k.dim + k.a_simplex; i++) {
-        lane high = lane_of(0), low = lane_of(0), overlap;
-        for (int b = 0; b < k.dim; b++) {
-            if (k.b_simplex) {
-                high = lane_max(high, s->e[b][i]);
-                low = lane_min(low, s->e[b][i]);
-            } else {
-                high = high + lane_abs(s->e[b][i]);
-            }
+    if (k.moves)
+        front_load(r.drift, block + (1 + 2 * d) * row, d);
+    for (int j = 0; j < d; j++) {
+        lane a = r.a[0][j] + r.a[1][j], b = r.b[0][j] + r.b[1][j], twice = shift[j] + shift[j];
+        if (d == 3) {
+            a = a + r.a[2][j];
+            b = b + r.b[2][j];
         }
-        if (k.a_simplex)
-            overlap = high + s->g[i];
-        else if (k.b_simplex)
-            overlap = s->a + lane_min(high + s->g[i], -(low + s->g[i]));
-        else
-            overlap = s->a + high - lane_abs(s->g[i]);
         if (k.moves)
-            overlap = overlap + lane_abs(s->v[i]);
-        least = i == 0 ? overlap : lane_min(least, overlap);
+            twice = twice + r.drift[j];
+        r.corner[j] = a - twice;
+        r.centre[j] = r.corner[j] - b;
+        r.origin[j] = -(twice + b);
     }
-    return least;
+    sat_measure(k, shift, &r);
+    return r;
 }
 
-/* From 0 how far A reaches, over a, in direction (x[0], x[1], x[2]). */
-FMB_INLINE sat_reach sat_reach_of_a(sat_kind k, const lane *x)
+FMB_INLINE sat_span sat_span_of(int n, const lane *x)
 {
-    if (!k.a_simplex)
-        return sat_even(lane_abs(x[0]) + lane_abs(x[1]) + lane_abs(x[2]));
-    return sat_join(sat_join(sat_to(x[0]), sat_to(x[1])), sat_to(x[2]));
+    lane high = lane_of(0), low = lane_of(0);
+    for (int i = 0; i < n; i++) {
+        high = lane_max(high, x[i]);
+        low = lane_min(low, x[i]);
+    }
+    return (sat_span){high - low, high + low};
 }
 
-/* The same across an edge (p, q) seen in a plane, on the axis (q, -p). */
-FMB_INLINE sat_reach sat_reach_across(sat_kind k, lane p, lane q)
+/* A cuboid with edges x, about its middle. */
+FMB_INLINE sat_span sat_span_of_cuboid(int n, const lane *x)
 {
-    if (!k.a_simplex)
-        return sat_even(lane_abs(p) + lane_abs(q));
-    return sat_join(sat_to(q), sat_flip(sat_to(p)));
+    lane width = lane_abs(x[0]);
+    for (int i = 1; i < n; i++)
+        width = width + lane_abs(x[i]);
+    return (sat_span){width, lane_of(0)};
+}
+
+FMB_INLINE sat_span sat_span_of_frame(bool simplex, int n, const lane *x)
+{
+    return simplex ? sat_span_of(n, x) : sat_span_of_cuboid(n, x);
 }
 
 #endif
