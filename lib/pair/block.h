@@ -10,22 +10,45 @@ typedef struct fmb_block {
     int lanes;                         /* that are taken */
 } fmb_block;
 
+/* n numbers, width apart; returns where the next one goes. n is constant, and never more than 9. */
+static inline __attribute__((always_inline)) double *fmb_block_copy(double *to, int width, int n,
+                                                                    const double *from)
+{
+#pragma GCC unroll 9
+    for (int j = 0; j < n; j++, to += width)
+        *to = from[j];
+    return to;
+}
+
+/* The rows that every kernel reads; dim is constant. */
+static inline __attribute__((always_inline)) double *
+fmb_block_fill(double *to, int width, int dim, const fmb_frame *p, const fmb_frame *q, bool moves)
+{
+    const double still[3] = {0};
+    double shift[3], drift[3];
+    for (int j = 0; j < dim; j++)
+        shift[j] = q->origin[j] - p->origin[j];
+    to = fmb_block_copy(to, width, dim, shift);
+    to = fmb_block_copy(to, width, dim * dim, p->axes);
+    to = fmb_block_copy(to, width, dim * dim, q->axes);
+    if (!moves)
+        return to;
+    const double *a = p->speed ? p->speed : still, *b = q->speed ? q->speed : still;
+    for (int j = 0; j < dim; j++)
+        drift[j] = b[j] - a[j];
+    return fmb_block_copy(to, width, dim, drift);
+}
+
 /* Put pair i = (p, q) into the next lane of a block of that width; with places and speeds if boxes
  * are wanted. dim is that of both frames, which have all axes. */
 static inline void fmb_block_put(fmb_block *b, int width, const fmb_frame *p, const fmb_frame *q,
                                  bool moves, bool boxes, size_t i)
 {
-    int dim = p->dim, all = dim * dim;
+    int dim = p->dim;
     double *to = b->number + b->lanes;
     b->pair[b->lanes++] = i;
-    for (int j = 0; j < dim; j++, to += width)
-        *to = q->origin[j] - p->origin[j];
-    for (int j = 0; j < all; j++, to += width)
-        *to = p->axes[j];
-    for (int j = 0; j < all; j++, to += width)
-        *to = q->axes[j];
-    for (int j = 0; moves && j < dim; j++, to += width)
-        *to = (q->speed ? q->speed[j] : 0) - (p->speed ? p->speed[j] : 0);
+    to = dim == 2 ? fmb_block_fill(to, width, 2, p, q, moves)
+                  : fmb_block_fill(to, width, 3, p, q, moves);
     for (int j = 0; boxes && j < 2 * dim; j++, to += width)
         *to = j < dim ? p->origin[j] : q->origin[j - dim];
     for (int j = 0; boxes && moves && j < 2 * dim; j++, to += width) {
