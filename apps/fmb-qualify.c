@@ -21,6 +21,21 @@ static int run_faces(int argc, char **argv)
     return qualify_study_main(&qualify_study_faces, argc, argv);
 }
 
+static int run_boxes(int argc, char **argv)
+{
+    return qualify_study_main(&qualify_study_boxes, argc, argv);
+}
+
+static int run_scaling(int argc, char **argv)
+{
+    return qualify_study_main(&qualify_study_scaling, argc, argv);
+}
+
+static int run_peers(int argc, char **argv)
+{
+    return qualify_study_main(&qualify_study_peers, argc, argv);
+}
+
 static const app_command commands[] = {
     {"all", "fmb-qualify all", "all of them in one report: what is done without a STUDY",
      qualify_all},
@@ -28,8 +43,13 @@ static const app_command commands[] = {
      run_table1},
     {"near", "fmb-qualify near", "the same on pairs whose axis-aligned boxes meet", run_near},
     {"faces", "fmb-qualify faces", "the same on faces with their unit normals", run_faces},
+    {"boxes", "fmb-qualify boxes",
+     "boxes of the common points over the tight one: ours, the article's, AABBs", run_boxes},
+    {"scaling", "fmb-qualify scaling", "what more dimensions cost: 2 to 8", run_scaling},
     {"rules", "fmb-qualify rules", "pruning rules x orders x systems: rows, time, errors",
      qualify_rules},
+    {"peers", "fmb-qualify peers", "other libraries on the same pairs: time, wrong answers",
+     run_peers},
 };
 
 static const char doc[] =

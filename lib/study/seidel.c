@@ -18,7 +18,7 @@
 
 #include "study/draft.h"
 
-static const double tolerance = 1e-12; /* of the largest coefficient of a row */
+static const double tolerance = 0x1p-48; /* some roundings of the largest coefficient of a row */
 
 enum {
     MOST_N = STUDY_ROWS_MOST_COLUMNS - 1,

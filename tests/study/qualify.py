@@ -18,7 +18,7 @@ import xml.etree.ElementTree
 
 program, man_page = sys.argv[1], pathlib.Path(sys.argv[2])
 faults = []
-STUDIES = ["table1", "near", "faces", "rules"]
+STUDIES = ["table1", "near", "faces", "boxes", "scaling", "rules", "peers"]
 SMALL = ["--dim", "2", "--pairs", "2", "--rules", "kohler", "--rules", "kohler,box", "--passes", "1"]
 
 
