@@ -20,6 +20,8 @@ typedef struct study_draft {
     fmb_shape shape[2];
     int naxes[2];
     double *origin[2], *axes[2], *speed[2]; /* [dim], [naxes][dim], [dim] */
+    double factor[2][STUDY_PAIR_MOST_DIM];  /* of the length of each axis of a touching frame */
+    double haste;                           /* and of its speed */
 } study_draft;
 
 static inline bool study_coin(study_draft *d)
@@ -55,7 +57,8 @@ void study_place(study_draft *d, const double *cp, const double *cq, double t, c
 
 /* Draw two frames that touch: exactly, in whole numbers of at most about 2^30 and sixteenths of
  * them; or, if not whole, up to rounding. normal: of length 1, of a plane between them, from A's
- * side to B's. */
+ * side to B's. Axes and speed are multiplied by factor and haste: powers of 2 keep things exact as
+ * long as the numbers have room. */
 void study_draw_touching(study_draft *d, bool whole, double *normal);
 
 /* One pair of each family, but for its shapes: all numbers. */

@@ -109,17 +109,29 @@ static void draw_touching(study_draft *d)
     study_draw_touching(d, true, normal);
 }
 
+/* Off contact by a share of 1e-6 ... 1e-15 of the longest axis, either way. */
 static void draw_near(study_draft *d)
 {
     double normal[STUDY_PAIR_MOST_DIM];
     study_draw_touching(d, study_coin(d), normal);
-    double size = 1;
+    double size = 0;
     for (int f = 0; f < 2; f++)
         size = fmax(size, largest(d->axes[f], d->naxes[f] * d->dim));
     double off = size * pow(10, -6 - 9 * gsl_rng_uniform(d->g));
     off = study_coin(d) ? off : -off;
     for (int j = 0; j < d->dim; j++)
         d->origin[1][j] += off * normal[j];
+}
+
+/* One in four pairs of some families touches, or nearly so. */
+static bool draw_in_contact(study_draft *d)
+{
+    bool whole = study_coin(d);
+    if (study_choice(d, 4) > 0)
+        return false;
+    double normal[STUDY_PAIR_MOST_DIM];
+    study_draw_touching(d, whole, normal);
+    return true;
 }
 
 /* A short axis in any direction, or a usual one that is off the others' plane by as little. */
@@ -142,9 +154,14 @@ static double flatten(study_draft *d, int f)
 
 static void draw_flat(study_draft *d)
 {
-    draw_article(d);
     int which = study_choice(d, 3);
     double thin = 0;
+    for (int f = 0; f < 2; f++)
+        if (which != f && d->naxes[f] > 0)
+            d->factor[f][study_choice(d, d->naxes[f])] = study_coin(d) ? 0x1p-20 : 0x1p-27;
+    if (draw_in_contact(d))
+        return;
+    draw_article(d);
     for (int f = 0; f < 2; f++)
         if (which != f)
             thin = fmax(thin, flatten(d, f));
@@ -193,8 +210,13 @@ static void draw_degenerate(study_draft *d)
 /* Frame f is the smaller one by 1e9. */
 static void draw_tiny(study_draft *d, int f)
 {
+    bool small = study_coin(d);
+    for (int i = 0; i < STUDY_PAIR_MOST_DIM; i++)
+        d->factor[small ? f : 1 - f][i] = small ? 0x1p-30 : 0x1p30;
+    if (draw_in_contact(d))
+        return;
     draw_article(d);
-    int small = study_coin(d), n = d->naxes[f] * d->dim, m = d->naxes[1 - f] * d->dim;
+    int n = d->naxes[f] * d->dim, m = d->naxes[1 - f] * d->dim;
     if (small)
         scale(d->axes[f], n, 1e-9);
     else
@@ -267,8 +289,14 @@ static void stretch(study_draft *d, double by)
 /* What does not move has one long axis in place of its way. */
 static void draw_swept(study_draft *d)
 {
+    int far = 3 + study_choice(d, 20);
+    d->haste = ldexp(1, far);
+    if (!d->moves && d->naxes[0] > 0)
+        d->factor[0][study_choice(d, d->naxes[0])] = d->haste;
+    if (draw_in_contact(d))
+        return;
     draw_article(d);
-    stretch(d, pow(10, 1 + 6 * gsl_rng_uniform(d->g)));
+    stretch(d, d->haste);
     put_beside(d, study_coin(d) ? 30 : 300);
 }
 

@@ -54,9 +54,11 @@ void study_pair_draw(const study_pair_plan *plan, uint64_t seed, uint64_t k, stu
 {
     uint64_t state;
     gsl_rng g = {&study_splitmix, &state};
-    study_draft d = {.g = &g, .dim = plan->dim, .moves = plan->moves, .still = -1};
+    study_draft d = {.g = &g, .dim = plan->dim, .moves = plan->moves, .still = -1, .haste = 1};
     gsl_rng_set(&g, seed_of(plan, seed, k));
     for (int f = 0; f < 2; f++) {
+        for (int i = 0; i < plan->dim; i++)
+            d.factor[f][i] = 1;
         d.naxes[f] = plan->naxes[f] ? plan->naxes[f] : plan->dim;
         d.origin[f] = out->number[f];
         d.axes[f] = d.origin[f] + d.dim;

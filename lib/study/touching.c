@@ -70,6 +70,13 @@ static void draw_edge(maker *m, int f, double *x)
     m->levels += f == 0;
 }
 
+/* As long as the axis in that place is to be. */
+static void stretch(const maker *m, int f, int place, double *x)
+{
+    for (int j = 0; j < m->d->dim; j++)
+        x[j] *= m->d->factor[f][place];
+}
+
 /* Let x point to the side of B (side > 0) or of A. */
 static void point(const maker *m, double *x, int side)
 {
@@ -94,6 +101,7 @@ static void make_cuboid(maker *m, int f, const int *order, int faces)
             draw(m, axis);
             *c = toward * study_dot(m->n, axis, d->dim) > 0;
         }
+        stretch(m, f, order[k], axis);
     }
 }
 
@@ -108,12 +116,14 @@ static void make_simplex(maker *m, int f, const int *order, int faces)
     if (on_tip) {
         draw(m, tip);
         point(m, tip, toward);
+        stretch(m, f, order[0], tip);
     }
     for (int k = on_tip; k < n; k++) {
         double *axis = d->axes[f] + order[k] * d->dim, *c = &m->c[f][order[k]];
         *c = 0;
         if (k < faces + on_tip) {
             draw_edge(m, f, axis);
+            stretch(m, f, order[k], axis);
             for (int j = 0; on_tip && j < d->dim; j++)
                 axis[j] += tip[j];
             int part = study_choice(d, left + 1);
@@ -122,6 +132,7 @@ static void make_simplex(maker *m, int f, const int *order, int faces)
         } else {
             draw(m, axis);
             point(m, axis, -toward);
+            stretch(m, f, order[k], axis);
         }
     }
     if (on_tip)
@@ -161,6 +172,8 @@ static double make_speeds(maker *m)
 {
     study_draft *d = m->d;
     double drift[STUDY_PAIR_MOST_DIM], t = make_drift(m, drift);
+    for (int j = 0; j < d->dim; j++)
+        drift[j] *= d->haste;
     draw(m, d->speed[0]);
     for (int j = 0; j < d->dim; j++) {
         if (d->still >= 0)

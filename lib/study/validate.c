@@ -2,15 +2,19 @@
 #include "study/validate.h"
 
 #include <math.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 
 #include "study/draft.h"
+#include "study/proofs.h"
 #include "study/validate_boxes.h"
 
 struct study_validator {
     study_validation v;
+    atomic_bool stopped;
     unsigned ways; /* bits: those that say something new in this dimension */
     fmb_pair *way[STUDY_PAIR_WAYS];
+    study_proofs *proofs;
     study_box_bench *boxes; /* NULL: not wanted */
     study_pairs pairs;
     study_verdicts verdicts[STUDY_VALIDATE_MOST];
@@ -41,6 +45,8 @@ fmb_status study_validator_open(const study_validation *v, study_validator **out
         fmb_pair_options o = study_way_options((study_way_of_pairs)i, v->simd);
         st = fmb_pair_new(v->plan.dim, &o, NULL, &s->way[i]);
     }
+    if (st == FMB_OK)
+        st = study_proofs_open(&s->proofs);
     if (st == FMB_OK && v->boxes)
         st = study_box_bench_open(v->plan.dim, v->simd, &s->boxes);
     if (st == FMB_OK)
@@ -56,6 +62,7 @@ void study_validator_close(study_validator *s)
         return;
     for (int i = 0; i < STUDY_PAIR_WAYS; i++)
         fmb_pair_free(s->way[i]);
+    study_proofs_close(s->proofs);
     study_box_bench_close(s->boxes);
     study_pairs_free(&s->pairs);
     free(s);
@@ -63,8 +70,10 @@ void study_validator_close(study_validator *s)
 
 void study_validator_cancel(study_validator *s)
 {
+    atomic_store(&s->stopped, true);
     for (int i = 0; i < STUDY_PAIR_WAYS; i++)
         fmb_pair_cancel(s->way[i]);
+    study_proofs_cancel(s->proofs);
     if (s->boxes)
         study_box_bench_cancel(s->boxes);
 }
@@ -176,10 +185,13 @@ fmb_status study_validator_run(study_validator *s, uint64_t first, size_t n, stu
     size_t chosen = s->chosen;
     for (int way = 0; way < STUDY_PAIR_WAYS; way++)
         for (int order = 0; st == FMB_OK && (s->ways >> way & 1) && order < 2; order++)
-            st = ask(s, way, order);
+            if (!atomic_load(&s->stopped))
+                st = ask(s, way, order);
     for (size_t i = 0; st == FMB_OK && i < n; i++)
         s->faults[i] = study_verdict_faults(&s->verdicts[i]);
-    if (st == FMB_OK && s->boxes)
+    if (st == FMB_OK && !atomic_load(&s->stopped))
+        st = study_proofs_run(s->proofs, s->chosen, s->p, s->q, s->index, s->verdicts, s->faults);
+    if (st == FMB_OK && s->boxes && !atomic_load(&s->stopped))
         st = ask_boxes(s, &t);
     s->chosen = chosen;
     if (st == FMB_OK) {

@@ -2,6 +2,7 @@
 #include "study/validate_boxes.h"
 
 #include <math.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 
 #include <fmb/solve.h>
@@ -17,6 +18,7 @@ typedef struct answers {
 
 struct study_box_bench {
     int dim;
+    atomic_bool stopped;
     fmb_pair *way[WAYS];
     answers said[WAYS];
     fmb_solver *solver; /* of witnesses */
@@ -75,6 +77,7 @@ void study_box_bench_close(study_box_bench *b)
 
 void study_box_bench_cancel(study_box_bench *b)
 {
+    atomic_store(&b->stopped, true);
     for (int i = 0; i < WAYS; i++)
         fmb_pair_cancel(b->way[i]);
     fmb_solver_cancel(b->solver);
@@ -136,11 +139,11 @@ fmb_status study_box_bench_run(study_box_bench *b, size_t n, const fmb_frame *p,
         faults[i] = 0;
     for (int order = 0; order < 2; order++) {
         const fmb_frame *x = order ? q : p, *y = order ? p : q;
-        for (int way = 0; st == FMB_OK && way < WAYS; way++) {
+        for (int way = 0; st == FMB_OK && way < WAYS && !atomic_load(&b->stopped); way++) {
             fmb_pair_answers out = of_pair(b, way, 0);
             st = fmb_pair_test(b->way[way], n, x, y, &out);
         }
-        for (size_t i = 0; st == FMB_OK && i < n; i++)
+        for (size_t i = 0; st == FMB_OK && i < n && !atomic_load(&b->stopped); i++)
             st = judge(b, i, &x[i], &y[i], &faults[i], tally);
     }
     tally->boxes += n;

@@ -19,8 +19,9 @@ static const way WAY[STUDY_PAIR_WAYS] = {
     [STUDY_EXACT_OPEN] = {"exact-open", FMB_PAIR_EXACT, false, true},
 };
 
-static const char *const FAULT[STUDY_FAULTS] = {
-    "sat", "exact", "itself", "contact", "undecided", "outside", "wide", "tightest", "witness"};
+static const char *const FAULT[STUDY_FAULTS] = {"sat",       "exact",   "itself", "contact",
+                                                "undecided", "outside", "wide",   "tightest",
+                                                "witness",   "unproved"};
 
 const char *study_fault_text(int i)
 {

@@ -37,7 +37,8 @@ enum {
     STUDY_FAULT_WIDE = 64,      /* a box is too large */
     STUDY_FAULT_TIGHTEST = 128, /* the tightest ends are not the exact ones */
     STUDY_FAULT_WITNESS = 256,  /* a witness is not in both frames */
-    STUDY_FAULTS = 9            /* kinds */
+    STUDY_FAULT_UNPROVED = 512, /* the exact verdict has no proof that is accepted */
+    STUDY_FAULTS = 10           /* kinds */
 };
 
 /* "sat", ... of bit 1 << i. */
