@@ -8,8 +8,8 @@
  * cover the rounding of an end, which matters only up to |s| <= 2: 4 unit |s| for the quotient,
  * unit (|s| + margin) for moving it, and a little for the margin itself.
  *
- * |d_i| is taken to be at least 2^-10 error_i: this changes it by less than twice that much, which
- * error_i has room for (13.1 of 14 units are used).
+ * |d_i| is taken to be at least 2^-10 error_i: this changes it by at most that much, which error_i
+ * has room for (a part of the unit that is left).
  *
  * Of each part there are an outer and an inner version. Outer empty: there is certainly no point.
  * Inner not empty: there certainly is one, and the outer ends exceed the exact ones by at most
@@ -26,8 +26,9 @@ typedef struct box_line {
 } box_line;
 
 typedef struct box_part {
-    twin lo, hi; /* outer; NaN where empty */
-    lane gap;    /* 0 where empty */
+    twin lo, hi;       /* outer; NaN where empty */
+    lane middle, half; /* of them, in doubles */
+    lane gap;          /* 0 where empty */
 } box_part;
 
 FMB_INLINE box_line box_line_of(const box_kind *k, int host, const box_view *v, const twin *d)
@@ -85,10 +86,17 @@ FMB_INLINE void box_above(const box_kind *k, const box_line *l, int i, twin y, b
     }
 }
 
+/* A little more on either side covers the rounding of both numbers. */
+FMB_INLINE void box_measure(box_part *p)
+{
+    p->middle = lane_of(0.5) * (p->lo.hi + p->hi.hi);
+    p->half = lane_fma(lane_of(0.5), p->hi.hi - p->lo.hi, lane_of(0x1p-52));
+}
+
 FMB_INLINE box_part box_part_of(const box_kind *k, const box_ends *e)
 {
     const lane zero = lane_of(0), none = lane_of(NAN);
-    box_part part = {e->outer[0], e->outer[1], zero};
+    box_part part = {.lo = e->outer[0], .hi = e->outer[1]};
     lane_mask empty = lane_less(twin_compare(k->fine, e->outer[1], e->outer[0]), zero);
     lane_mask doubtful = lane_less(twin_compare(k->fine, e->inner[1], e->inner[0]), zero);
     lane below = twin_compare(k->fine, e->inner[0], e->outer[0]);
@@ -97,6 +105,7 @@ FMB_INLINE box_part box_part_of(const box_kind *k, const box_ends *e)
     part.gap = lane_pick(empty, zero, part.gap);
     part.lo.hi = lane_pick(empty, none, part.lo.hi);
     part.hi.hi = lane_pick(empty, none, part.hi.hi);
+    box_measure(&part);
     return part;
 }
 

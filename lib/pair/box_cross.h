@@ -99,7 +99,7 @@ FMB_INLINE void box_cover_contact(const box_kind *k, const box_contact *x, const
     box_cover(x->t + of->margin, &h->time[0], &h->time[1]);
     for (int j = 0; j < k->dim; j++)
         at[j] = lane_fma(x->t, b->speed[j], g->world[c][j]);
-    box_cover_world(k, h, at, e->world, x->u, x->u);
+    box_cover_world(k, h, at, e->world, x->u, of->margin);
     h->gap = lane_max(h->gap, x->gap);
     h->inside_gap = lane_max(h->inside_gap, x->gap);
 }

@@ -93,13 +93,17 @@ FMB_INLINE void box_cover_host(const box_kind *k, box_hull *h, const twin *y, co
                                lane rho, const box_part *p)
 {
     for (int j = 0; j < k->dim; j++) {
-        lane g = p->gap * lane_abs(d[j].hi) * rho;
+        lane along = d[j].hi * rho, *lower = &h->inside[0][j], *upper = &h->inside[1][j];
+        h->inside_gap = lane_max(h->inside_gap, p->gap * lane_abs(along));
+        if (!k->fine) {
+            box_cover_span(y[j].hi * rho, along, p->middle, p->half, lower, upper);
+            continue;
+        }
         for (int side = 0; side < 2; side++) {
             twin s = side ? p->hi : p->lo;
             twin x = twin_add(k->fine, y[j], twin_times(k->fine, s, d[j]));
-            box_cover(x.hi * rho, &h->inside[0][j], &h->inside[1][j]);
+            box_cover(x.hi * rho, lower, upper);
         }
-        h->inside_gap = lane_max(h->inside_gap, g);
     }
 }
 
@@ -110,7 +114,7 @@ FMB_INLINE box_part box_cover_line(const box_kind *k, int guest, const box_view 
 {
     box_part p = box_clip(k, 1 - guest, v, l, g->y[c]);
     h->gap = lane_max(h->gap, p.gap);
-    box_cover_world(k, h, g->world[c], e->world, p.lo.hi, p.hi.hi);
+    box_cover_world(k, h, g->world[c], e->world, p.middle, p.half);
     if (guest == 1) {
         int own[3];
         box_own_corner(k, guest, c, own);
@@ -152,7 +156,7 @@ FMB_INLINE void box_cover_paths(const box_kind *k, int guest, const box_view *v,
     for (int c = 0; c < box_corners(k, guest); c++) {
         box_part p = box_cover_line(k, guest, v, &l, g, c, &e, rho, h);
         h->time[0] = lane_min(p.lo.hi, h->time[0]);
-        h->time[1] = lane_max(p.hi.hi, h->time[1]);
+        h->time[1] = lane_max(p.hi.hi + (p.lo.hi - p.lo.hi), h->time[1]);
     }
 }
 

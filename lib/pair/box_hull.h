@@ -35,18 +35,25 @@ FMB_INLINE void box_cover(lane x, lane *lower, lane *upper)
     *upper = lane_max(x, *upper);
 }
 
-/* from + s along for s = lo and s = hi */
-FMB_INLINE void box_cover_world(const box_kind *k, box_hull *h, const lane *from, const lane *along,
-                                lane lo, lane hi)
+/* The points from + s along, with s at most `half` from `middle`. */
+FMB_INLINE void box_cover_span(lane from, lane along, lane middle, lane half, lane *lower,
+                               lane *upper)
 {
-    const lane_mask some = lane_less(lane_of(-1), lo);
+    lane at = lane_fma(middle, along, from), far = half * lane_abs(along);
+    *lower = lane_min(at - far, *lower);
+    *upper = lane_max(at + far, *upper);
+}
+
+/* The same in the world. */
+FMB_INLINE void box_cover_world(const box_kind *k, box_hull *h, const lane *from, const lane *along,
+                                lane middle, lane half)
+{
+    const lane_mask some = lane_less(lane_of(-1), middle);
     for (int j = 0; j < k->dim; j++) {
-        lane x = lane_fma(lo, along[j], from[j]), y = lane_fma(hi, along[j], from[j]);
-        box_cover(x, &h->world[0][j], &h->world[1][j]);
-        box_cover(y, &h->world[0][j], &h->world[1][j]);
-        h->sum[j] = h->sum[j] + lane_pick(some, x + y, lane_of(0));
+        box_cover_span(from[j], along[j], middle, half, &h->world[0][j], &h->world[1][j]);
+        h->sum[j] = lane_pick(some, h->sum[j] + lane_fma(middle, along[j], from[j]), h->sum[j]);
     }
-    h->points = h->points + lane_pick(some, lane_of(2), lane_of(0));
+    h->points = lane_pick(some, h->points + lane_of(1), h->points);
 }
 
 /* Coordinates in B of points on an edge of B: from + s along, both whole numbers. */

@@ -18,6 +18,8 @@
 #ifndef FMB_PAIR_BOX_TWIN_H
 #define FMB_PAIR_BOX_TWIN_H
 
+#include <fmb/frame.h>
+
 #include "pair/lane.h"
 
 #define BOX_UNIT(fine) ((fine) ? 0x1p-102 : 0x1p-53)

@@ -6,19 +6,21 @@
  * sum y_i. (The same idea as in front.h, with tighter bounds on errors.)
  *
  * Errors: with N_ij the sum of the absolute products whose difference is n_ij, and X_j the absolute
- * shift, plus all absolute edges of the guest (twice those of a simplex), plus twice the absolute
- * drift,
+ * shift, plus all absolute edges of the guest (and the largest once more for a simplex), plus the
+ * absolute drift,
  *
- *     most_i = sum_j N_ij X_j + sum_j N_0j |a_0j|,    error_i = 14 unit most_i
+ *     most_i = sum_j N_ij X_j + sum_j N_0j |a_0j|,    error_i = steps unit most_i
  *
  * (for the value more, the sums of these over i) are bounds on value i, and on its error, of: size;
- * any corner of the guest at t = 0 or 1; a corner plus an edge or the drift, the edge or drift
- * counted twice; such a value taken from size. Proof. n_ij is off by 2 unit N_ij (each product
+ * any corner of the guest at t = 0 or 1; a point on an edge or on the path of a corner, as a sum
+ * y + s d, 0 <= s <= 1, of values of a corner and of an edge (for a simplex, the difference of two)
+ * or the drift; such a value taken from size. Proof. n_ij is off by 2 unit N_ij (each product
  * once, the difference once). n_i x is off by 5 unit sum_j N_ij |x_j|, as each of its terms is
  * rounded once and summed at most twice; by 6 where x_j was itself rounded. A corner takes at most
- * 4 sums; then come one for size - y, or 3 for the value more: each is off by at most unit times
- * most. That is 13 unit most_i; one is left for terms of unit^2 and for the rounding of most_i
- * itself.
+ * 2 sums where it starts an edge, 3 and one for t = 1 if something moves, and the difference of two
+ * edges one; then come one for size - y, or 3 for the value more: each is off by at most unit times
+ * most. With one left for terms of unit^2 and for the rounding of most_i itself, steps is 10, plus
+ * 2 if something moves, plus 2 if the host is a simplex.
  *
  * `known` says where alpha, beta, drift and places are within 2^-40 ... 2^40 (the last two: at
  * most) and size > its error. Then nothing overflows, and underflow does not hurt: it changes a
@@ -59,6 +61,12 @@ FMB_INLINE int box_values(const box_kind *k, int host)
 FMB_INLINE int box_corners(const box_kind *k, int guest)
 {
     return k->shape[guest] == FMB_SIMPLEX ? k->dim + 1 : 1 << k->dim;
+}
+
+/* The factor of unit most in errors. */
+FMB_INLINE double box_steps(const box_kind *k, int host)
+{
+    return 10 + 2 * k->moves + 2 * (k->shape[host] == FMB_SIMPLEX);
 }
 
 /* The adjugate of a, whose rows are axes, and N. */
@@ -119,16 +127,19 @@ FMB_INLINE void box_last_value(const box_kind *k, twin from, twin *y)
 FMB_INLINE void box_errors(const box_kind *k, int guest, const box_frame *a, const box_frame *b,
                            lane most[3][3], const twin *shift, const twin *drift, box_view *v)
 {
-    lane x[3], whole = lane_of(0x1p-200), sum = lane_of(0), unit = lane_of(14 * BOX_UNIT(k->fine));
+    lane x[3], whole = lane_of(0x1p-200), sum = lane_of(0),
+               unit = lane_of(box_steps(k, 1 - guest) * BOX_UNIT(k->fine));
     for (int j = 0; j < k->dim; j++) {
-        lane edges = lane_of(0);
-        for (int l = 0; l < k->dim; l++)
+        lane edges = lane_of(0), largest = lane_of(0);
+        for (int l = 0; l < k->dim; l++) {
             edges = edges + lane_abs(b->axes[l][j]);
+            largest = lane_max(largest, lane_abs(b->axes[l][j]));
+        }
         if (k->shape[guest] == FMB_SIMPLEX)
-            edges = edges + edges;
+            edges = edges + largest;
         x[j] = lane_abs(shift[j].hi) + edges;
         if (k->moves)
-            x[j] = x[j] + lane_of(2) * lane_abs(drift[j].hi);
+            x[j] = x[j] + lane_abs(drift[j].hi);
         whole = lane_fma(most[0][j], lane_abs(a->axes[0][j]), whole);
     }
     for (int i = 0; i < k->dim; i++) {

@@ -69,8 +69,9 @@ static bool is_good(box_check *c, const fmb_box *box, int i, fmb_side side, doub
     if (is) {
         mpq_set_d(ours, x);
         mpq_sub(ours, side == FMB_LOWER ? end : ours, side == FMB_LOWER ? ours : end);
-        double excess = mpq_get_d(ours) / allowed;
-        is = mpq_sgn(ours) >= 0 && (tightest ? x == outward(end, side) : excess <= 1);
+        bool exact = x == outward(end, side);
+        double excess = exact ? 0 : mpq_get_d(ours) / allowed;
+        is = mpq_sgn(ours) >= 0 && (exact || (!tightest && excess <= 1));
         if (!is)
             snprintf(c->why, sizeof c->why, "variable %d, side %d: %.17g for %.17g", i, (int)side,
                      x, mpq_get_d(end));
@@ -114,28 +115,37 @@ static bool witness_is_near(box_check *c, const fmb_system *s, int dim, const do
     return r.verdict == FMB_FEASIBLE;
 }
 
+static bool check_answer(box_check *c, const fmb_system *s, const fmb_box *box, const fmb_frame *p,
+                         const fmb_frame *q, box_answer a, bool tightest)
+{
+    int d = p->dim, time = d + p->naxes + q->naxes;
+    double large = 1e-12 * box_largest(p, q);
+    bool good = are_good(c, box, 0, d, a.world, large, tightest) &&
+                are_good(c, box, d + p->naxes, q->naxes, a.inside, 1e-12, tightest);
+    if (good && (p->speed || q->speed)) {
+        good = are_good(c, box, time, 1, &a.time, 1e-12, tightest);
+    } else if (good && (a.time[0] != 0 || a.time[1] != 1)) {
+        snprintf(c->why, sizeof c->why, "nothing moves, but times are %g, %g", a.time[0],
+                 a.time[1]);
+        good = false;
+    }
+    return good && witness_is_near(c, s, d, a.witness, large + 0x1p-1073);
+}
+
 bool box_check_pair(box_check *c, const fmb_frame *p, const fmb_frame *q, const box_answer *a,
-                    bool tightest)
+                    size_t n, bool tightest)
 {
     const fmb_frame both[2] = {*p, *q};
-    box_answer copy = *a;
     fmb_system *s = NULL;
     fmb_box *box = NULL;
     fmb_result r;
-    int d = p->dim, time = d + p->naxes + q->naxes;
-    double large = 1e-12 * box_largest(p, q);
     must(fmb_system_from_frames(both, 2, FMB_COORDINATES_ALL, FMB_CONTACT_CLOSED, NULL, &s));
     must(fmb_bound(c->solver, s, NULL, 0, &box, &r));
     bool good = r.verdict == FMB_FEASIBLE;
     if (!good)
         snprintf(c->why, sizeof c->why, "they do not meet");
-    good = good && are_good(c, box, 0, d, copy.world, large, tightest) &&
-           are_good(c, box, d + p->naxes, q->naxes, copy.inside, 1e-12, tightest);
-    if (good && (p->speed || q->speed))
-        good = are_good(c, box, time, 1, &copy.time, 1e-12, tightest);
-    else if (good)
-        good = a->time[0] == 0 && a->time[1] == 1;
-    good = good && witness_is_near(c, s, d, a->witness, large + 0x1p-1073);
+    for (size_t i = 0; good && i < n; i++)
+        good = check_answer(c, s, box, p, q, a[i], tightest);
     fmb_box_free(box);
     fmb_system_free(s);
     return good;

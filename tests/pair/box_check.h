@@ -28,10 +28,10 @@ typedef struct box_check {
 void box_check_open(box_check *c);
 void box_check_close(box_check *c);
 
-/* Every end contains the exact one and exceeds it by at most 1e-12 (of the largest coordinate, in
- * the world); tightest: it is the exact one, rounded outward. The witness is as near to a common
- * point. If not: false, and why. */
+/* n answers about one pair: every end contains the exact one and exceeds it by at most 1e-12 (of
+ * the largest coordinate, in the world); tightest: it is the exact one, rounded outward. The
+ * witness is as near to a common point. If not: false, and why. */
 bool box_check_pair(box_check *c, const fmb_frame *p, const fmb_frame *q, const box_answer *a,
-                    bool tightest);
+                    size_t n, bool tightest);
 
 #endif
