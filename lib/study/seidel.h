@@ -11,7 +11,8 @@
 
 #include "study/rows.h"
 
-/* Has s a solution in the unit box? random is a state of study_splitmix, any number, and moves on. */
+/* Has s a solution in the unit box? random is a state of study_splitmix, any number, and moves on.
+ */
 bool study_seidel_feasible(const study_rows *s, uint64_t *random);
 
 /* The same for a pair with all axes, p with an inverse; else UNKNOWN. */
