@@ -1,6 +1,8 @@
 /* exact.c: see exact.h. */
 #include "pair/exact.h"
 
+#include "base/mem.h"
+
 fmb_status fmb_pair_oracle_open(fmb_pair_oracle *x, const fmb_pair_options *o,
                                 const fmb_alloc *hook)
 {
@@ -47,20 +49,31 @@ static void write_interval(const fmb_box *box, int i, double *out)
     out[1] = fmb_box_end(box, i, FMB_UPPER).value;
 }
 
-/* The variables of the system are x, c of p, c of q, t. */
+/* The variables of the system are x, c of p, c of q, t; those that are asked for, in this order.
+ * Their number. */
+static int choose(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out, int *vars)
+{
+    int dim = p->dim, from = dim + p->naxes, n = 0;
+    for (int j = 0; out->world && j < dim; j++)
+        vars[n++] = j;
+    for (int j = 0; out->inside && j < q->naxes; j++)
+        vars[n++] = from + j;
+    if (out->time && (p->speed || q->speed))
+        vars[n++] = from + q->naxes;
+    return n;
+}
+
 static void write_box(const fmb_box *box, const fmb_frame *p, const fmb_frame *q,
                       const fmb_pair_answers *out)
 {
-    int dim = p->dim, from = dim + p->naxes, time = from + q->naxes;
-    for (int j = 0; out->world && j < dim; j++)
-        write_interval(box, j, out->world + 2 * j);
+    int i = 0;
+    for (int j = 0; out->world && j < p->dim; j++)
+        write_interval(box, i++, out->world + 2 * j);
     for (int j = 0; out->inside && j < q->naxes; j++)
-        write_interval(box, from + j, out->inside + 2 * j);
-    if (!out->time)
-        return;
-    if (p->speed || q->speed) {
-        write_interval(box, time, out->time);
-    } else {
+        write_interval(box, i++, out->inside + 2 * j);
+    if (out->time && (p->speed || q->speed)) {
+        write_interval(box, i, out->time);
+    } else if (out->time) {
         out->time[0] = 0;
         out->time[1] = 1;
     }
@@ -69,14 +82,21 @@ static void write_box(const fmb_box *box, const fmb_frame *p, const fmb_frame *q
 static fmb_status bound(fmb_pair_oracle *x, const fmb_system *s, const fmb_frame *p,
                         const fmb_frame *q, const fmb_pair_answers *out)
 {
+    size_t most = 2 * (size_t)p->dim + 1;
+    fmb_mem mem;
     fmb_box *box = NULL;
     fmb_result res;
-    fmb_status st = fmb_bound(x->solver, s, NULL, 0, &box, &res);
+    fmb_mem_init(&mem, x->hook.resize ? &x->hook : NULL, 0);
+    int *vars = fmb_mem_get(&mem, most, sizeof *vars);
+    if (!vars)
+        return fmb_mem_status(&mem);
+    fmb_status st = fmb_bound(x->solver, s, vars, choose(p, q, out, vars), &box, &res);
     if (st == FMB_OK)
         *out->verdict = res.stop == FMB_STOP_DONE ? res.verdict : FMB_UNKNOWN;
     if (st == FMB_OK && *out->verdict == FMB_FEASIBLE)
         write_box(box, p, q, out);
     fmb_box_free(box);
+    fmb_mem_put(&mem, vars, most, sizeof *vars);
     return st;
 }
 
