@@ -128,9 +128,10 @@ static void report_figure(const scaling_report *r, qualify_page *page, int moves
     fprintf(f.script,
             "set title '%s frames'\nset logscale y\nset grid\nset key left top\nset xlabel 'D'\n"
             "set xrange [%d.8:%d.2]\nset ylabel 'time of a verdict [us]'\n"
-            "plot for [i=2:%d] data using 1:i with linespoints linewidth 2 linetype i/2 "
-            "dashtype 1+i%%2 title columnheader(i)\n",
-            MOTION[moves], SCALING_LEAST_DIM - 1, SCALING_MOST_DIM, 2 * KINDS + 1);
+            "plot for [k=0:%d] data using 1:(column(2+2*k)) with linespoints linewidth 2 "
+            "linetype k+1 title columnheader(2+2*k), for [k=0:%d] data using 1:(column(3+2*k)) "
+            "with linespoints linewidth 1 linetype k+1 dashtype 2 title columnheader(3+2*k)\n",
+            MOTION[moves], SCALING_LEAST_DIM - 1, SCALING_MOST_DIM, KINDS - 1, KINDS - 1);
     qualify_page_figure(page, MOTION[moves], CAPTION[moves], &f);
 }
 
