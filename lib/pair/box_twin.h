@@ -13,7 +13,7 @@
  * 4 u |a/b|; what is left, a - q b, is off by at most 2.1 unit |a|, and a correction of at most
  * 4 u |a/b| is itself off by 5 u of it: less than 4 unit |a/b| in all.
  *
- * Source: Dekker 1971; Knuth, TAOCP 2, 4.2.2 (the exact sum).
+ * Source: Dekker 1971.
  */
 #ifndef FMB_PAIR_BOX_TWIN_H
 #define FMB_PAIR_BOX_TWIN_H
