@@ -1,5 +1,5 @@
-/* fmb.c: verdicts by elimination, every kernel of every width beside exact answers: never wrong,
- * hardly ever silent.
+/* kernels.c: verdicts by elimination (TABLE is fmb) or by separating axes (sat): every kernel of
+ * every width beside exact answers: never wrong, hardly ever silent.
  */
 #include <criterion/criterion.h>
 #include <float.h>
@@ -55,7 +55,7 @@ static fmb_pair_bits ask(const fmb_pair_kernels *w, kind k, const fmb_frame *p, 
         fmb_block b = {.lanes = 0};
         for (int lane = 0; lane < w->width; lane++)
             fmb_block_put(&b, w->width, &p[i + lane], &q[i + lane], k.moves, false, 0);
-        fmb_pair_bits some = w->fmb[k.dim - 2][k.moves][k.of](b.number);
+        fmb_pair_bits some = w->TABLE[k.dim - 2][k.moves][k.of](b.number);
         out.apart |= some.apart << i;
         out.meet |= some.meet << i;
     }
@@ -150,18 +150,18 @@ static void check_family(study_pair_family family, int pairs, bool all_known)
     }
 }
 
-Test(pair_fmb, pairs_of_the_article_are_known_and_right)
+Test(pair_kernels, pairs_of_the_article_are_known_and_right)
 {
     check_family(STUDY_PAIR_ARTICLE, 512, true);
 }
 
-Test(pair_fmb, never_wrong_on_hard_families)
+Test(pair_kernels, never_wrong_on_hard_families)
 {
     for (int family = STUDY_PAIR_LATTICE; family < STUDY_PAIR_FAMILIES; family++)
         check_family((study_pair_family)family, 96, false);
 }
 
-Test(pair_fmb, fewer_than_one_pair_of_the_article_in_10000_is_unknown)
+Test(pair_kernels, fewer_than_one_pair_of_the_article_in_10000_is_unknown)
 {
     static study_pair pair[LANES];
     const fmb_pair_kernels *w[WIDTHS];
@@ -183,7 +183,7 @@ Test(pair_fmb, fewer_than_one_pair_of_the_article_in_10000_is_unknown)
 
 /* A is the unit square or triangle, B any with axes of -1 ... 1 and origin -2 ... 2; moving ones by
  * one of nine speeds in turn. */
-Test(pair_fmb, all_small_pairs_of_the_plane)
+Test(pair_kernels, all_small_pairs_of_the_plane)
 {
     static const double unit[4] = {1, 0, 0, 1}, zero[2] = {0, 0};
     double origin[LANES][2], axes[LANES][4], speed[LANES][2];
@@ -214,7 +214,7 @@ Test(pair_fmb, all_small_pairs_of_the_plane)
 /* ---- numbers out of range -------------------------------------------------------------------- */
 
 /* A lane with a number that is none, or out of range, has no bit; the other lanes do not mind. */
-Test(pair_fmb, numbers_out_of_range_make_their_lane_unknown)
+Test(pair_kernels, numbers_out_of_range_make_their_lane_unknown)
 {
     static study_pair pair[LANES];
     static const double strange[] = {NAN, -NAN, INFINITY, -INFINITY, 1e300, -DBL_MAX};
@@ -229,7 +229,7 @@ Test(pair_fmb, numbers_out_of_range_make_their_lane_unknown)
         draw(&plan, 0, pair, p, q);
         for (int lane = 0; lane < width; lane++)
             fmb_block_put(&b, width, &p[lane], &q[lane], k.moves, false, 0);
-        fmb_verdict_kernel *kernel = with->fmb[k.dim - 2][k.moves][k.of];
+        fmb_verdict_kernel *kernel = with->TABLE[k.dim - 2][k.moves][k.of];
         fmb_pair_bits before = kernel(b.number);
         cr_assert_eq(before.apart | before.meet, (1U << width) - 1);
         for (int r = 0; r < rows * (int)(sizeof strange / sizeof *strange); r++) {
@@ -245,7 +245,7 @@ Test(pair_fmb, numbers_out_of_range_make_their_lane_unknown)
 }
 
 /* Both NaN and infinity, in any two rows. */
-Test(pair_fmb, a_nan_does_not_hide_an_infinity)
+Test(pair_kernels, a_nan_does_not_hide_an_infinity)
 {
     static study_pair pair;
     for (int i = 0; i < KINDS; i++) {
@@ -261,7 +261,7 @@ Test(pair_fmb, a_nan_does_not_hide_an_infinity)
                     fmb_block_put(&b, w[j]->width, &pair.p, &pair.q, k.moves, false, 0);
                 b.number[r / rows * w[j]->width] = INFINITY;
                 b.number[r % rows * w[j]->width] = NAN;
-                fmb_pair_bits says = w[j]->fmb[k.dim - 2][k.moves][k.of](b.number);
+                fmb_pair_bits says = w[j]->TABLE[k.dim - 2][k.moves][k.of](b.number);
                 cr_expect_eq((says.apart | says.meet) & 1U, 0, "%d: %d", w[j]->width, r);
             }
     }
