@@ -39,25 +39,23 @@ FMB_INLINE const double *box_load(int dim, const double *rows, lane *x, lane *mo
     return rows + dim * FMB_LANES;
 }
 
-FMB_INLINE box_pair box_pair_of(const box_kind *k, const double *block)
+FMB_INLINE void box_pair_of(const box_kind *k, const double *block, box_pair *p)
 {
     const int d = k->dim;
     const double *rows = block + d * FMB_LANES; /* shift is computed anew, with its lower half */
     lane edges[2] = {lane_of(0), lane_of(0)}, places = lane_of(0), speeds = lane_of(0);
-    box_pair p;
     for (int f = 0; f < 2; f++)
         for (int l = 0; l < d; l++)
-            rows = box_load(d, rows, p.frame[f].axes[l], &edges[f]);
+            rows = box_load(d, rows, p->frame[f].axes[l], &edges[f]);
     rows += k->moves ? d * FMB_LANES : 0;
     for (int f = 0; f < 2; f++)
-        rows = box_load(d, rows, p.frame[f].origin, &places);
+        rows = box_load(d, rows, p->frame[f].origin, &places);
     for (int f = 0; k->moves && f < 2; f++)
-        rows = box_load(d, rows, p.frame[f].speed, &speeds);
-    p.far = lane_of(3) * (places + speeds + edges[0] + edges[1]);
+        rows = box_load(d, rows, p->frame[f].speed, &speeds);
+    p->far = lane_of(3) * (places + speeds + edges[0] + edges[1]);
     lane most = lane_max(lane_max(places, speeds), lane_max(edges[0], edges[1]));
-    p.known = lane_and(lane_less(lane_of(0x1p-40), lane_min(edges[0], edges[1])),
-                       lane_less(most, lane_of(0x1p40)));
-    return p;
+    p->known = lane_and(lane_less(lane_of(0x1p-40), lane_min(edges[0], edges[1])),
+                        lane_less(most, lane_of(0x1p40)));
 }
 
 FMB_INLINE void box_store_ends(int dim, const lane lower[3], const lane upper[3], double *answer)
@@ -93,14 +91,18 @@ FMB_INLINE unsigned box_kernel(int dim, bool moves, int a, int b, bool fine, con
                                double *answer)
 {
     const box_kind kind = {dim, moves, fine, {a, b}}, *k = &kind;
-    const box_pair p = box_pair_of(k, block);
-    lane_mask known = p.known;
     lane blur[3], rho, most_blur = lane_of(0);
-    box_hull h = box_hull_empty();
+    box_pair p;
+    box_hull h;
+    box_pair_of(k, block, &p);
+    box_hull_empty(&h);
+    lane_mask known = p.known;
     for (int guest = 0; guest < 2; guest++) {
         const box_frame *host = &p.frame[1 - guest], *own = &p.frame[guest];
-        const box_view v = box_view_of(k, guest, host, own);
-        box_guest g = box_guest_of(k, guest, &v, own);
+        box_view v;
+        box_guest g;
+        box_view_of(k, guest, host, own, &v);
+        box_guest_of(k, guest, &v, own, &g);
         rho = lane_of(1) / v.size.hi;
         box_cover_edges(k, guest, &v, own, &g, 0, rho, &h);
         if (moves) {

@@ -31,17 +31,16 @@ typedef struct box_part {
     lane gap;          /* 0 where empty */
 } box_part;
 
-FMB_INLINE box_line box_line_of(const box_kind *k, int host, const box_view *v, const twin *d)
+FMB_INLINE void box_line_of(const box_kind *k, int host, const box_view *v, const twin *d,
+                            box_line *l)
 {
-    box_line l;
     for (int i = 0; i < box_values(k, host); i++) {
         lane least = lane_of(0x1p-10) * v->error[i];
         lane_mask tiny = lane_less(lane_abs(d[i].hi), least);
-        l.d[i] = twin_pick(k->fine, tiny, twin_of(lane_times_sign(least, d[i].hi)), d[i]);
-        l.r[i] = lane_of(1) / l.d[i].hi;
-        l.margin[i] = lane_fma(v->error[i], lane_abs(l.r[i]), lane_of(16 * BOX_UNIT(k->fine)));
+        l->d[i] = twin_pick(k->fine, tiny, twin_of(lane_times_sign(least, d[i].hi)), d[i]);
+        l->r[i] = lane_of(1) / l->d[i].hi;
+        l->margin[i] = lane_fma(v->error[i], lane_abs(l->r[i]), lane_of(16 * BOX_UNIT(k->fine)));
     }
-    return l;
 }
 
 typedef struct box_ends {

@@ -133,7 +133,8 @@ FMB_INLINE void box_cover_contacts(const box_kind *k, const box_view *v, const b
     static const int fixed[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 2, 0},
                                     {0, 3, 1}, {1, 3, 0}, {2, 3, 0}};
     for (int n = 0; n < box_directions(k, 1); n++) {
-        const box_direction e = box_direction_of(k, 1, v, b, n);
+        box_direction e;
+        box_direction_of(k, 1, v, b, n, &e);
         for (int m = 0; m < box_directions(k, 0); m++) {
             const box_cross x = box_cross_of(k, v, e.d, fixed[m][0], fixed[m][1], fixed[m][2]);
             box_cover_cross(k, v, b, g, n, &e, &x, h);

@@ -19,22 +19,20 @@ typedef struct box_direction {
     lane world[3];
 } box_direction;
 
-FMB_INLINE box_guest box_guest_of(const box_kind *k, int guest, const box_view *v,
-                                  const box_frame *f)
+FMB_INLINE void box_guest_of(const box_kind *k, int guest, const box_view *v, const box_frame *f,
+                             box_guest *g)
 {
-    box_guest g;
     for (int c = 0; c < box_corners(k, guest); c++) {
         int own[3];
         box_own_corner(k, guest, c, own);
-        box_corner(k, 1 - guest, v, c, g.y[c]);
+        box_corner(k, 1 - guest, v, c, g->y[c]);
         for (int j = 0; j < k->dim; j++) {
-            g.world[c][j] = f->origin[j];
+            g->world[c][j] = f->origin[j];
             for (int l = 0; l < k->dim; l++)
                 if (own[l])
-                    g.world[c][j] = g.world[c][j] + f->axes[l][j];
+                    g->world[c][j] = g->world[c][j] + f->axes[l][j];
         }
     }
-    return g;
 }
 
 /* From t = 0 to t = 1. */
@@ -68,24 +66,22 @@ FMB_INLINE bool box_starts(const box_kind *k, int guest, int n, int c)
     return k->shape[guest] == FMB_SIMPLEX ? c == box_simplex_from(n) : !(c >> n & 1);
 }
 
-FMB_INLINE box_direction box_direction_of(const box_kind *k, int guest, const box_view *v,
-                                          const box_frame *f, int n)
+FMB_INLINE void box_direction_of(const box_kind *k, int guest, const box_view *v,
+                                 const box_frame *f, int n, box_direction *e)
 {
-    box_direction e;
     bool simplex = k->shape[guest] == FMB_SIMPLEX;
     int ahead = !simplex ? n : n < 1 ? 0 : n < 3 ? 1 : 2;
     int back = simplex ? box_simplex_from(n) - 1 : -1; /* -1: the origin */
     for (int l = 0; l < k->dim; l++)
-        e.own[l] = (l == ahead) - (l == back);
+        e->own[l] = (l == ahead) - (l == back);
     for (int i = 0; i < box_values(k, 1 - guest); i++)
-        e.d[i] = back < 0 ? v->edge[ahead][i]
-                          : twin_subtract(k->fine, v->edge[ahead][i], v->edge[back][i]);
+        e->d[i] = back < 0 ? v->edge[ahead][i]
+                           : twin_subtract(k->fine, v->edge[ahead][i], v->edge[back][i]);
     for (int j = 0; j < k->dim; j++) {
-        e.world[j] = f->axes[ahead][j];
+        e->world[j] = f->axes[ahead][j];
         if (back >= 0)
-            e.world[j] = e.world[j] - f->axes[back][j];
+            e->world[j] = e->world[j] - f->axes[back][j];
     }
-    return e;
 }
 
 /* Coordinates in B, the host, of y + s d. */
@@ -131,8 +127,10 @@ FMB_INLINE void box_cover_edges(const box_kind *k, int guest, const box_view *v,
                                 const box_guest *g, double t, lane rho, box_hull *h)
 {
     for (int n = 0; n < box_directions(k, guest); n++) {
-        const box_direction e = box_direction_of(k, guest, v, f, n);
-        const box_line l = box_line_of(k, 1 - guest, v, e.d);
+        box_direction e;
+        box_line l;
+        box_direction_of(k, guest, v, f, n, &e);
+        box_line_of(k, 1 - guest, v, e.d, &l);
         for (int c = 0; c < box_corners(k, guest); c++) {
             if (!box_starts(k, guest, n, c))
                 continue;
@@ -147,12 +145,15 @@ FMB_INLINE void box_cover_edges(const box_kind *k, int guest, const box_view *v,
 FMB_INLINE void box_cover_paths(const box_kind *k, int guest, const box_view *v, const box_frame *f,
                                 const box_guest *g, lane rho, box_hull *h)
 {
-    box_direction e = {.own = {0}};
+    box_direction e;
+    box_line l;
     for (int i = 0; i < box_values(k, 1 - guest); i++)
         e.d[i] = v->drift[i];
-    for (int j = 0; j < k->dim; j++)
+    for (int j = 0; j < k->dim; j++) {
         e.world[j] = f->speed[j];
-    const box_line l = box_line_of(k, 1 - guest, v, e.d);
+        e.own[j] = 0;
+    }
+    box_line_of(k, 1 - guest, v, e.d, &l);
     for (int c = 0; c < box_corners(k, guest); c++) {
         box_part p = box_cover_line(k, guest, v, &l, g, c, &e, rho, h);
         h->time[0] = lane_min(p.lo.hi, h->time[0]);

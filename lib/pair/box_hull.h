@@ -15,18 +15,17 @@ typedef struct box_hull {
                              or of time, and of a coordinate in B */
 } box_hull;
 
-FMB_INLINE box_hull box_hull_empty(void)
+FMB_INLINE void box_hull_empty(box_hull *h)
 {
     const lane most = lane_of(HUGE_VAL), least = lane_of(-HUGE_VAL), zero = lane_of(0);
-    box_hull h = {.points = zero, .gap = zero, .inside_gap = zero};
+    h->points = h->gap = h->inside_gap = zero;
     for (int j = 0; j < 3; j++) {
-        h.world[0][j] = h.inside[0][j] = most;
-        h.world[1][j] = h.inside[1][j] = least;
-        h.sum[j] = zero;
+        h->world[0][j] = h->inside[0][j] = most;
+        h->world[1][j] = h->inside[1][j] = least;
+        h->sum[j] = zero;
     }
-    h.time[0] = most;
-    h.time[1] = least;
-    return h;
+    h->time[0] = most;
+    h->time[1] = least;
 }
 
 FMB_INLINE void box_cover(lane x, lane *lower, lane *upper)

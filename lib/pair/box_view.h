@@ -154,15 +154,14 @@ FMB_INLINE void box_errors(const box_kind *k, int guest, const box_frame *a, con
     v->known = lane_less(unit * whole, v->size.hi);
 }
 
-FMB_INLINE box_view box_view_of(const box_kind *k, int guest, const box_frame *a,
-                                const box_frame *b)
+FMB_INLINE void box_view_of(const box_kind *k, int guest, const box_frame *a, const box_frame *b,
+                            box_view *v)
 {
-    box_view v;
     twin n[3][3], shift[3], drift[3];
     lane most[3][3];
     box_adjugate(k, a->axes, n, most);
     twin det = box_dot_lanes(k, n[0], a->axes[0]);
-    v.size = twin_times_sign(k->fine, det, det.hi);
+    v->size = twin_times_sign(k->fine, det, det.hi);
     for (int i = 0; i < k->dim; i++)
         for (int j = 0; j < k->dim; j++)
             n[i][j] = twin_times_sign(k->fine, n[i][j], det.hi);
@@ -170,21 +169,20 @@ FMB_INLINE box_view box_view_of(const box_kind *k, int guest, const box_frame *a
     if (k->moves)
         box_difference(k, a->speed, b->speed, drift);
     for (int i = 0; i < k->dim; i++) {
-        v.start[i] = box_dot(k, n[i], shift);
+        v->start[i] = box_dot(k, n[i], shift);
         for (int l = 0; l < k->dim; l++)
-            v.edge[l][i] = box_dot_lanes(k, n[i], b->axes[l]);
+            v->edge[l][i] = box_dot_lanes(k, n[i], b->axes[l]);
         if (k->moves)
-            v.drift[i] = box_dot(k, n[i], drift);
+            v->drift[i] = box_dot(k, n[i], drift);
     }
     if (k->shape[1 - guest] == FMB_SIMPLEX) {
-        box_last_value(k, v.size, v.start);
+        box_last_value(k, v->size, v->start);
         for (int l = 0; l < k->dim; l++)
-            box_last_value(k, twin_of(lane_of(0)), v.edge[l]);
+            box_last_value(k, twin_of(lane_of(0)), v->edge[l]);
         if (k->moves)
-            box_last_value(k, twin_of(lane_of(0)), v.drift);
+            box_last_value(k, twin_of(lane_of(0)), v->drift);
     }
-    box_errors(k, guest, a, b, most, shift, drift, &v);
-    return v;
+    box_errors(k, guest, a, b, most, shift, drift, v);
 }
 
 /* Values of corner c of the guest at t = 0: bit l of c says whether edge l is taken; corner l + 1
