@@ -53,7 +53,7 @@ typedef struct fmb_pair_kernels {
 /* The kernels of that level, NULL if this processor (or compiler) has not got it. */
 const fmb_pair_kernels *fmb_pair_kernels_choose(fmb_simd level);
 
-/* One pair at a time, in plain C; for every processor. */
+/* One pair at a time; for every processor. */
 extern const fmb_pair_kernels fmb_pair_kernels_one;
 
 /* ---- for the other files of this room -------------------------------------------------------- */

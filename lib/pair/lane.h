@@ -1,7 +1,8 @@
 /* lane.h: numbers of several pairs side by side.
  *
  * The kernels are written once, in terms of `lane`: FMB_LANES doubles, one of each pair of a block.
- * kernels_*.c set FMB_LANES to 1, 2, 4 or 8 and are compiled for instructions that have it. The
+ * kernels_*.c set FMB_LANES to 1, 2, 4 or 8 and are compiled for instructions that have it
+ * (FMB_LANE_PLAIN: one lane in C alone, which other processors take and a test tries here). The
  * operators + - * / work on lanes. min and max are for numbers only: no NaN may get there.
  */
 #ifndef FMB_PAIR_LANE_H
@@ -9,6 +10,10 @@
 
 #include <math.h>
 #include <stdint.h>
+
+#if FMB_LANES == 1 && defined __SSE2__ && !defined FMB_LANE_PLAIN
+#define FMB_LANE_ALONE
+#endif
 
 #define FMB_INLINE static inline __attribute__((always_inline, unused))
 
@@ -89,9 +94,9 @@ FMB_INLINE lane_mask lane_negative(lane a)
 {
     return a;
 }
-#elif FMB_LANES == 2
+#elif FMB_LANES == 2 || defined FMB_LANE_ALONE
 #include <emmintrin.h>
-typedef __m128d lane;
+typedef __m128d lane; /* alone: the lower half, as vectors choose and compare without branches */
 typedef __m128d lane_mask;
 #define LANE(name, ...) _mm_##name##_pd(__VA_ARGS__)
 FMB_INLINE lane_mask lane_less(lane a, lane b)
@@ -104,7 +109,7 @@ FMB_INLINE lane lane_pick(lane_mask m, lane yes, lane no)
 }
 FMB_INLINE unsigned lane_bits(lane_mask m)
 {
-    return (unsigned)_mm_movemask_pd(m);
+    return (unsigned)_mm_movemask_pd(m) & ((1U << FMB_LANES) - 1);
 }
 FMB_INLINE lane lane_abs(lane a)
 {
@@ -148,11 +153,21 @@ FMB_INLINE lane_mask lane_negative(lane a)
 }
 #endif
 
-#if FMB_LANES > 1
+#if FMB_LANES > 1 || defined FMB_LANE_ALONE
 FMB_INLINE lane lane_of(double a)
 {
     return LANE(set1, a);
 }
+#ifdef FMB_LANE_ALONE
+FMB_INLINE lane lane_load(const double *a)
+{
+    return _mm_load_sd(a);
+}
+FMB_INLINE void lane_store(double *a, lane x)
+{
+    _mm_store_sd(a, x);
+}
+#else
 FMB_INLINE lane lane_load(const double *a)
 {
     return LANE(loadu, a);
@@ -161,6 +176,7 @@ FMB_INLINE void lane_store(double *a, lane x)
 {
     LANE(storeu, a, x);
 }
+#endif
 FMB_INLINE lane lane_min(lane a, lane b)
 {
     return LANE(min, a, b);
@@ -249,7 +265,7 @@ FMB_INLINE lane_mask lane_xor(lane_mask a, lane_mask b)
 {
     return a ^ b;
 }
-#elif FMB_LANES > 1
+#elif FMB_LANES > 1 || defined FMB_LANE_ALONE
 FMB_INLINE lane_mask lane_and(lane_mask a, lane_mask b)
 {
     return LANE(and, a, b);

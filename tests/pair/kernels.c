@@ -9,9 +9,12 @@
 #include "pair/block.h"
 #include "study/pairs.h"
 
-enum { LANES = FMB_BLOCK_MOST_LANES, WIDTHS = 4 };
+enum { LANES = FMB_BLOCK_MOST_LANES, WIDTHS = 5 };
 
 /* ---- kernels --------------------------------------------------------------------------------- */
+
+/* One pair at a time in C alone, as on processors without vectors. */
+extern const fmb_pair_kernels kernels_plain;
 
 /* The kernels of this processor, one pair at a time first. */
 static int widths(const fmb_pair_kernels *out[WIDTHS])
@@ -19,6 +22,7 @@ static int widths(const fmb_pair_kernels *out[WIDTHS])
     const fmb_simd level[3] = {FMB_SIMD_PLAIN, FMB_SIMD_AVX2, FMB_SIMD_AVX512};
     int n = 0;
     out[n++] = &fmb_pair_kernels_one;
+    out[n++] = &kernels_plain;
     for (int i = 0; i < 3; i++) {
         const fmb_pair_kernels *k = fmb_pair_kernels_choose(level[i]);
         if (k && k != out[0])
