@@ -23,6 +23,7 @@ typedef enum family {
     DENORMAL, /* lattice in multiples of the least double */
     HUGE,     /* lattice in multiples of 2^1021: differences may overflow */
     MIXED,    /* lattice, each world coordinate in a unit of its own */
+    GRAZING,  /* lattice, touching but for rounding */
     FAMILIES
 } family;
 
@@ -53,6 +54,23 @@ static void scale(double *x, int n, int step, double by)
         x[i] *= by;
 }
 
+/* The frames lie on either side of the plane x_1 = 0 with their origins and many axes in it, and
+ * move along it; then all is turned. Rounding leaves them touching, just apart or just overlapping,
+ * and those that were flat hardly so. */
+static void graze(support_rng *g, int dim, bool first, double *x)
+{
+    for (int i = 0; i < dim + 2; i++) {
+        double *v = x + i * dim;
+        bool leaves = i > 0 && i <= dim && support_chance(g, 50);
+        v[0] = !leaves ? 0 : first ? -fabs(v[0]) : fabs(v[0]);
+        for (int j = 0; j + 1 < dim; j++) {
+            double a = v[j], b = v[j + 1];
+            v[j] = 0.6 * a - 0.8 * b;
+            v[j + 1] = 0.8 * a + 0.6 * b;
+        }
+    }
+}
+
 /* Numbers of one frame: origin, axes, speed. */
 static void spoil(support_rng *g, family of, int dim, bool first, double *x)
 {
@@ -69,6 +87,8 @@ static void spoil(support_rng *g, family of, int dim, bool first, double *x)
         scale(x, all, 1, of == HUGE ? 0x1p1021 : 0x1p-1074);
     for (int i = 0; of == MIXED && i < dim; i++)
         scale(x + i, all - i, dim, ldexp(1, 300 * (i % 5 - 2)));
+    if (of == GRAZING)
+        graze(g, dim, first, x);
 }
 
 /* closer: of the distance between the origins. */
@@ -150,8 +170,8 @@ static void judge_pair(judge *j, const two *t, const char *name, int number)
 static void judge_family(judge *j, family of, int dim, bool faces, int pairs)
 {
     support_rng g = {(uint64_t)(1000 * (int)of + 10 * dim + faces)};
-    static const char *const NAME[FAMILIES] = {"article", "lattice",  "near", "flat", "tiny",
-                                               "far",     "denormal", "huge", "mixed"};
+    static const char *const NAME[FAMILIES] = {"article", "lattice",  "near", "flat",  "tiny",
+                                               "far",     "denormal", "huge", "mixed", "grazing"};
     for (int i = 0; i < pairs; i++) {
         two t;
         draw(&g, of, dim, i % 2, faces, i % 3 ? 0.3 : 1, &t);
