@@ -50,8 +50,12 @@ FMB_INLINE void box_pair_of(const box_kind *k, const double *block, box_pair *p)
     rows += k->moves ? d * FMB_LANES : 0;
     for (int f = 0; f < 2; f++)
         rows = box_load(d, rows, p->frame[f].origin, &places);
-    for (int f = 0; k->moves && f < 2; f++)
-        rows = box_load(d, rows, p->frame[f].speed, &speeds);
+    for (int f = 0; f < 2; f++)
+        if (k->moves)
+            rows = box_load(d, rows, p->frame[f].speed, &speeds);
+        else
+            for (int j = 0; j < d; j++)
+                p->frame[f].speed[j] = lane_of(0);
     p->far = lane_of(3) * (places + speeds + edges[0] + edges[1]);
     lane most = lane_max(lane_max(places, speeds), lane_max(edges[0], edges[1]));
     p->known = lane_and(lane_less(lane_of(0x1p-40), lane_min(edges[0], edges[1])),
@@ -87,7 +91,8 @@ FMB_INLINE void box_store(const box_kind *k, const box_pair *p, box_hull *h, con
     lane_store(answer + (4 * d + 1) * FMB_LANES, last);
 }
 
-FMB_INLINE unsigned box_kernel(int dim, bool moves, int a, int b, bool fine, const double *block,
+/* dim and fine are constants, the rest is not: that would make 28 copies of all this. */
+FMB_INLINE unsigned box_kernel(int dim, bool fine, bool moves, int a, int b, const double *block,
                                double *answer)
 {
     const box_kind kind = {dim, moves, fine, {a, b}}, *k = &kind;
@@ -124,24 +129,36 @@ FMB_INLINE unsigned box_kernel(int dim, bool moves, int a, int b, bool fine, con
     return lane_bits(lane_and(lane_and(known, near), lane_less(lane_of(0), h.points)));
 }
 
-#define BOX_KERNEL(name, dim, moves, a, b, fine)                                                   \
+#define BOX_ANY(name, dim, fine)                                                                   \
+    static __attribute__((noinline)) unsigned name(bool moves, int a, int b, const double *block,  \
+                                                   double *answer)                                 \
+    {                                                                                              \
+        return box_kernel(dim, fine, moves, a, b, block, answer);                                  \
+    }
+
+BOX_ANY(box_any_2, 2, false)
+BOX_ANY(box_any_3, 3, false)
+BOX_ANY(box_any_2_fine, 2, true)
+BOX_ANY(box_any_3_fine, 3, true)
+
+#define BOX_KERNEL(name, any, moves, a, b)                                                         \
     static unsigned name(const double *block, double *answer)                                      \
     {                                                                                              \
-        return box_kernel(dim, moves, a, b, fine, block, answer);                                  \
+        return any(moves, a, b, block, answer);                                                    \
     }
-#define BOX_KERNELS(name, dim, moves, fine)                                                        \
-    BOX_KERNEL(name##_cc, dim, moves, FMB_CUBOID, FMB_CUBOID, fine)                                \
-    BOX_KERNEL(name##_ct, dim, moves, FMB_CUBOID, FMB_SIMPLEX, fine)                               \
-    BOX_KERNEL(name##_tc, dim, moves, FMB_SIMPLEX, FMB_CUBOID, fine)                               \
-    BOX_KERNEL(name##_tt, dim, moves, FMB_SIMPLEX, FMB_SIMPLEX, fine)
+#define BOX_KERNELS(name, any, moves)                                                              \
+    BOX_KERNEL(name##_cc, any, moves, FMB_CUBOID, FMB_CUBOID)                                      \
+    BOX_KERNEL(name##_ct, any, moves, FMB_CUBOID, FMB_SIMPLEX)                                     \
+    BOX_KERNEL(name##_tc, any, moves, FMB_SIMPLEX, FMB_CUBOID)                                     \
+    BOX_KERNEL(name##_tt, any, moves, FMB_SIMPLEX, FMB_SIMPLEX)
 
-BOX_KERNELS(box_2, 2, false, false)
-BOX_KERNELS(box_2_moving, 2, true, false)
-BOX_KERNELS(box_3, 3, false, false)
-BOX_KERNELS(box_2_fine, 2, false, true)
-BOX_KERNELS(box_2_moving_fine, 2, true, true)
-BOX_KERNELS(box_3_fine, 3, false, true)
-BOX_KERNELS(box_3_moving_fine, 3, true, true)
+BOX_KERNELS(box_2, box_any_2, false)
+BOX_KERNELS(box_2_moving, box_any_2, true)
+BOX_KERNELS(box_3, box_any_3, false)
+BOX_KERNELS(box_2_fine, box_any_2_fine, false)
+BOX_KERNELS(box_2_moving_fine, box_any_2_fine, true)
+BOX_KERNELS(box_3_fine, box_any_3_fine, false)
+BOX_KERNELS(box_3_moving_fine, box_any_3_fine, true)
 
 #define BOX_SHAPES(name)                                                                           \
     {                                                                                              \

@@ -41,7 +41,7 @@ typedef struct box_kind {
     int shape[2]; /* of A, of B */
 } box_kind;
 
-/* One frame of a block. */
+/* One frame of a block; speed is 0 if nothing moves. */
 typedef struct box_frame {
     lane origin[3], axes[3][3], speed[3];
 } box_frame;
@@ -137,9 +137,7 @@ FMB_INLINE void box_errors(const box_kind *k, int guest, const box_frame *a, con
         }
         if (k->shape[guest] == FMB_SIMPLEX)
             edges = edges + largest;
-        x[j] = lane_abs(shift[j].hi) + edges;
-        if (k->moves)
-            x[j] = x[j] + lane_abs(drift[j].hi);
+        x[j] = lane_abs(shift[j].hi) + edges + lane_abs(drift[j].hi);
         whole = lane_fma(most[0][j], lane_abs(a->axes[0][j]), whole);
     }
     for (int i = 0; i < k->dim; i++) {
@@ -166,21 +164,18 @@ FMB_INLINE void box_view_of(const box_kind *k, int guest, const box_frame *a, co
         for (int j = 0; j < k->dim; j++)
             n[i][j] = twin_times_sign(k->fine, n[i][j], det.hi);
     box_difference(k, a->origin, b->origin, shift);
-    if (k->moves)
-        box_difference(k, a->speed, b->speed, drift);
+    box_difference(k, a->speed, b->speed, drift);
     for (int i = 0; i < k->dim; i++) {
         v->start[i] = box_dot(k, n[i], shift);
         for (int l = 0; l < k->dim; l++)
             v->edge[l][i] = box_dot_lanes(k, n[i], b->axes[l]);
-        if (k->moves)
-            v->drift[i] = box_dot(k, n[i], drift);
+        v->drift[i] = box_dot(k, n[i], drift);
     }
     if (k->shape[1 - guest] == FMB_SIMPLEX) {
         box_last_value(k, v->size, v->start);
         for (int l = 0; l < k->dim; l++)
             box_last_value(k, twin_of(lane_of(0)), v->edge[l]);
-        if (k->moves)
-            box_last_value(k, twin_of(lane_of(0)), v->drift);
+        box_last_value(k, twin_of(lane_of(0)), v->drift);
     }
     box_errors(k, guest, a, b, most, shift, drift, v);
 }
