@@ -27,41 +27,57 @@ static void write_failures(const validate_plan *p, uint64_t most, FILE *out)
             write_line(validate_failure(&p->job[i], &p->job[i].findings.item[k]), out);
 }
 
-static int write_files(const validate_plan *p)
+/* The files that were asked for, or NULL. */
+typedef struct files {
+    FILE *json, *failures;
+} files;
+
+/* Before the run: one that cannot be written must not cost an hour. */
+static int open_files(const validate_plan *p, files *f)
 {
-    FILE *f;
-    int code = APP_YES;
-    if (p->json) {
-        code = app_file_create(p->json, &f);
-        if (code != APP_YES)
-            return code;
-        write_line(validate_json(p), f);
-        code = app_file_close(f, p->json);
-    }
-    if (p->failures && code == APP_YES) {
-        code = app_file_create(p->failures, &f);
-        if (code != APP_YES)
-            return code;
-        write_failures(p, UINT64_MAX, f);
-        code = app_file_close(f, p->failures);
-    }
+    int code = p->json ? app_file_create(p->json, &f->json) : APP_YES;
+    if (p->failures && code == APP_YES)
+        code = app_file_create(p->failures, &f->failures);
     return code;
 }
 
-static int report(const validate_plan *p)
+/* The first of two exit codes that says something. */
+static int first_code(int a, int b)
+{
+    return a != APP_YES ? a : b;
+}
+
+static int close_files(const validate_plan *p, files *f)
+{
+    int code = app_file_close(f->json, p->json);
+    return first_code(code, app_file_close(f->failures, p->failures));
+}
+
+static int report(const validate_plan *p, const files *f)
 {
     uint64_t wrong = validate_disagreements(p);
-    bool only_json = p->json && p->json[0] == '-' && p->json[1] == '\0';
+    bool only_json = f->json == stdout;
     if (!only_json)
         validate_table(p);
-    if (!only_json && !p->failures)
+    if (!only_json && !f->failures)
         write_failures(p, SHOWN, stdout);
-    int code = write_files(p);
-    if (code != APP_YES)
-        return code;
+    if (f->json)
+        write_line(validate_json(p), f->json);
+    if (f->failures)
+        write_failures(p, UINT64_MAX, f->failures);
     if (wrong > 0)
         return app_error(APP_NO, "%llu pairs with answers that differ", (unsigned long long)wrong);
     return p->complete ? APP_YES : APP_UNDECIDED;
+}
+
+static int run(validate_plan *p, const files *f)
+{
+    fmb_status st = validate_run(p);
+    int code = st == FMB_ERR_ARG ? app_error(APP_USAGE, "this processor lacks those instructions")
+               : st != FMB_OK    ? app_status_error(st)
+                                 : report(p, f);
+    validate_clear(p);
+    return code;
 }
 
 static void print_version(FILE *out, struct argp_state *state)
@@ -77,10 +93,9 @@ int main(int argc, char **argv)
     app_file_guard_output();
     validate_plan_init(&plan);
     argp_parse(&validate_argp, argc, argv, 0, NULL, &plan);
-    fmb_status st = validate_run(&plan);
-    int code = st == FMB_ERR_ARG ? app_error(APP_USAGE, "this processor lacks those instructions")
-               : st != FMB_OK    ? app_status_error(st)
-                                 : report(&plan);
-    validate_clear(&plan);
-    return code;
+    files f = {NULL, NULL};
+    int code = open_files(&plan, &f);
+    if (code == APP_YES)
+        code = run(&plan, &f);
+    return first_code(close_files(&plan, &f), code);
 }

@@ -1,6 +1,7 @@
 /* message.c: see message.h. */
 #include "common/message.h"
 
+#include <errno.h>
 #include <stdarg.h>
 #include <stdlib.h>
 
@@ -10,7 +11,7 @@ int app_error(int code, const char *format, ...)
 {
     va_list args;
     va_start(args, format);
-    fputs("fmb: ", stderr);
+    fprintf(stderr, "%s: ", program_invocation_short_name);
     vfprintf(stderr, format, args);
     fputc('\n', stderr);
     va_end(args);
@@ -20,7 +21,7 @@ int app_error(int code, const char *format, ...)
 static void say_at(const char *file, const fmb_where *where, const char *kind)
 {
     char *text = app_text(where->text, APP_TEXT_TERMINAL);
-    fprintf(stderr, "fmb: %s:", file);
+    fprintf(stderr, "%s: %s:", program_invocation_short_name, file);
     if (where->line > 0)
         fprintf(stderr, "%ld:", where->line);
     if (where->line > 0 && where->column > 0)

@@ -6,10 +6,10 @@
 
 #include "common/exit_code.h"
 
-/* "fmb: TEXT"; returns code, so that a caller may write `return app_error(APP_USAGE, ...)`. */
+/* "PROGRAM: TEXT"; returns code, so that a caller may write `return app_error(APP_USAGE, ...)`. */
 int app_error(int code, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* "fmb: FILE:LINE:COLUMN: TEXT", without the numbers that are 0; returns code. */
+/* "PROGRAM: FILE:LINE:COLUMN: TEXT", without the numbers that are 0; returns code. */
 int app_error_at(int code, const char *file, const fmb_where *where);
 void app_warning_at(const char *file, const fmb_where *where);
 

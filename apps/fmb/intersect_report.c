@@ -12,12 +12,13 @@
 
 /* ---- text ------------------------------------------------------------------------------------ */
 
-/* [give, free()] What a pair is called: a string without its quotes, any other id as it stands. */
+/* [give, free()] What a pair is called: a string without its quotes, any other id, and one that
+ * holds a NUL, as it stands. */
 static char *name_of(const meeting *m)
 {
     if (!m->id)
         return app_print("line %ld", m->line);
-    json_t *value = json_loads(m->id, JSON_DECODE_ANY | JSON_ALLOW_NUL, NULL);
+    json_t *value = json_loads(m->id, JSON_DECODE_ANY, NULL);
     char *name =
         app_text(json_is_string(value) ? json_string_value(value) : m->id, APP_TEXT_TERMINAL);
     json_decref(value);

@@ -68,7 +68,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         o->pairs = (size_t)whole(arg, 1, MOST_PAIRS, state);
         return 0;
     case 's':
-        o->seed = whole(arg, 0, UINT64_MAX, state);
+        o->seed = whole(arg, 0, INT64_MAX, state); /* as JSON has it */
         return 0;
     case KEY_PASSES:
         o->passes = (int)whole(arg, 1, STUDY_CLOCK_MOST_PASSES, state);

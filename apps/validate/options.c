@@ -58,13 +58,15 @@ static double share(const char *text, struct argp_state *state)
     return x;
 }
 
-/* Call use for every word of a comma list. */
+/* Call use for every word of a comma list; there must be one. */
 static void each_word(const char *list,
                       void (*use)(validate_plan *, const char *, struct argp_state *),
                       struct argp_state *state)
 {
-    char *rest, *copy = app_need(strdup(list));
-    for (char *word = strtok_r(copy, ",", &rest); word; word = strtok_r(NULL, ",", &rest))
+    char *rest, *copy = app_need(strdup(list)), *word = strtok_r(copy, ",", &rest);
+    if (!word)
+        argp_error(state, "'%s' has no words", list);
+    for (; word; word = strtok_r(NULL, ",", &rest))
         use(state->input, word, state);
     free(copy);
 }
@@ -179,7 +181,7 @@ static error_t parse_pairs(int key, char *arg, struct argp_state *state)
         p->pairs = whole(arg, 1, UINT64_C(1000000000000), state);
         return 0;
     case 's':
-        p->usual.seed = whole(arg, 0, UINT64_MAX, state);
+        p->usual.seed = whole(arg, 0, INT64_MAX, state); /* as JSON has it */
         return 0;
     case 'f':
         each_word(arg, use_family, state);

@@ -135,7 +135,7 @@ fmb_status validate_run(validate_plan *p)
 {
     double start = now();
     fmb_status st = make_jobs(p);
-    validate_watch_begin(p->quiet, p->pairs / p->shards * p->jobs + 1);
+    validate_watch_begin(p->quiet, (p->pairs / p->shards + 1) * p->jobs);
     for (size_t i = 0; st == FMB_OK && i < p->jobs && !validate_watch_interrupted(); i++)
         st = do_job(p, &p->job[i]);
     validate_watch_end();

@@ -40,6 +40,7 @@ def exit_codes(folder):
                        (["--dim", "17"], 64), (["--pairs", "0"], 64), (["--pairs", "-1"], 64),
                        (["--families", "easy"], 64), (["--seed", "x"], 64), (["--sample", "2"], 64),
                        (["--shard", "3/2"], 64), (["--shard", "0/2"], 64), (["--shard", "1"], 64),
+                       (["--seed", str(1 << 63)], 64), (["--families", ","], 64), (["--dim", ""], 64),
                        (["--simd", "mmx"], 64), (["--threads", "0"], 64), (["--axes", "3,3", "--dim", "2"], 64),
                        (["--pairs", "1", "--json", str(folder)], 74), (["--nonsense"], 64),
                        (["--pairs", "1", "--failures", str(folder / "no" / "x")], 74),
@@ -115,6 +116,21 @@ def files(folder):
     expect(failures.read_text() == "", "failures that are none")
 
 
+def unwritable(folder):
+    """It is noticed at once, not after an hour."""
+    for option in ("--json", "--failures"):
+        got = subprocess.run([program, "--pairs", "1000000000000", option, str(folder)],
+                             capture_output=True, text=True, timeout=60)
+        expect(got.returncode == 74 and not got.stdout and
+               got.stderr == f"fmb-validate: {folder}: Is a directory\n", f"{option}: {got}")
+
+
+def seeds():
+    for seed in (0, (1 << 63) - 1):
+        got = run("--json", "-", "--pairs", "1", "--seed", str(seed), "2d-static")
+        expect(json.loads(got.stdout)["seed"] == seed, f"seed {seed}: {got.stdout}")
+
+
 def interrupted():
     child = subprocess.Popen([program, "--pairs", "1000000000", "--threads", "2", "--json", "-"],
                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
@@ -142,6 +158,8 @@ with tempfile.TemporaryDirectory() as name:
     shards_and_threads()
     every_family()
     files(here)
+    unwritable(here)
+    seeds()
     interrupted()
     documented()
 print("\n".join(faults) or "fmb-validate: no faults")
