@@ -6,7 +6,7 @@
  * `shift`, edges e_k, and moves by `drift`.
  *
  * Errors: with u = 2^-53 and most = 6 (2 in the plane), and alpha, beta, delta, omega the largest
- * absolute values of A's axes, B's axes, shift and drift in the block,
+ * absolute values of A's axes, B's axes, shift and drift in the block (omega at least 2^-50),
  *
  *     |size|  <= most alpha^D          |e_ki|    <= most alpha^(D-1) beta
  *     |shift| <= most alpha^(D-1) delta   |drift| <= most alpha^(D-1) omega
@@ -22,8 +22,8 @@
  * most 2^50, nothing is a NaN, and the sign of det A is certain. Then polynomials in these numbers
  * of degree up to 14 do not overflow, nor does underflow hurt. What underflows is off by 2^-1075,
  * while the bound on it, a product of at most 14 of these numbers, is at least 2^-700, and u times
- * that is the larger by far. (delta and omega may be less, but in all tests they stand in sums
- * beside terms with alpha or beta in their place.)
+ * that is the larger by far. (delta may be less, but in all tests it stands in sums beside terms
+ * with alpha or beta in its place.)
  */
 #ifndef FMB_PAIR_FRONT_H
 #define FMB_PAIR_FRONT_H
@@ -92,7 +92,9 @@ FMB_INLINE void front_measure(int dim, bool moves, const double *block, front *f
     f->alpha = front_largest(axes, dim * dim);
     f->beta = front_largest(axes + dim * dim * FMB_LANES, dim * dim);
     f->delta = front_largest(block, dim);
-    f->omega = moves ? front_largest(axes + 2 * dim * dim * FMB_LANES, dim) : lane_of(0);
+    f->omega = lane_of(0);
+    if (moves) /* or else errors of rows along a slow drift underflow, and so do their bounds */
+        f->omega = lane_max(front_largest(axes + 2 * dim * dim * FMB_LANES, dim), low);
     lane scale = dim == 2 ? lane_of(2) * f->alpha : lane_of(6) * f->alpha * f->alpha;
     f->most_size = scale * f->alpha;
     f->most_e = scale * f->beta;

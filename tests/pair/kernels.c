@@ -183,6 +183,35 @@ Test(pair_kernels, fewer_than_one_pair_of_the_article_in_10000_is_unknown)
     cr_expect_lt(unknown, KINDS * pairs / 10000, "%d", unknown);
 }
 
+static void scale(double *x, int n, double by)
+{
+    for (int i = 0; i < n; i++)
+        x[i] *= by;
+}
+
+/* Speeds of a few times the least double, so that products with them underflow. */
+Test(pair_kernels, never_wrong_on_slow_pairs)
+{
+    static study_pair pair[LANES];
+    for (int i = 0; i < KINDS; i++) {
+        kind k = kind_of(i);
+        study_pair_plan plan = plan_of(STUDY_PAIR_ARTICLE, k);
+        truth t = truth_new(k.dim);
+        for (int first = 0; k.moves && first < 128; first += LANES) {
+            fmb_frame p[LANES], q[LANES];
+            draw(&plan, (uint64_t)first, pair, p, q);
+            for (int j = 0; j < 2 * LANES; j++) {
+                double *x = pair[j / 2].number[j % 2], *speed = x + k.dim * (k.dim + 1);
+                scale(x, k.dim * (k.dim + 1), 0x1p-7);
+                scale(speed, k.dim, 0x1p-1000);
+                scale(speed, k.dim, 0x1p-80);
+            }
+            check(&t, k, p, q, "slow");
+        }
+        truth_free(&t);
+    }
+}
+
 /* ---- all small pairs of the plane ------------------------------------------------------------ */
 
 /* A is the unit square or triangle, B any with axes of -1 ... 1 and origin -2 ... 2; moving ones by
