@@ -32,7 +32,7 @@ static const struct argp_option options[] = {
     {NULL, 0, NULL, 0, "Report:", 4},
     {"json", 'j', "FILE", 0, "Write the counts as JSON; - prints them instead of the table", 4},
     {"failures", KEY_FAILURES, "FILE", 0,
-     "Write every disagreement as a line that `fmb intersect` reads", 4},
+     "Write every disagreement as a line for `fmb intersect --nearest`", 4},
     {"quiet", 'q', NULL, 0, "No progress bar", 4},
     {0}};
 

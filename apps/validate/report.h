@@ -11,7 +11,8 @@ void validate_table(const validate_plan *p);
 
 /* [give] All counts. */
 json_t *validate_json(const validate_plan *p);
-/* [give] One disagreement: the pair as `fmb intersect` reads it, and what was said of it. */
+/* [give] One disagreement: the pair as `fmb intersect --nearest` reads it, and what was said of it.
+ */
 json_t *validate_failure(const validate_job *job, const study_finding *finding);
 
 #endif

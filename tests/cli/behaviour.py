@@ -184,6 +184,29 @@ class Interruption(unittest.TestCase):
         self.assertEqual(last.strip(), b"", "the line was not erased")
 
 
+class Ids(unittest.TestCase):
+    POINT = '{"type": "simplex", "orig": [0], "comp": []}'
+
+    def lines(self, ids):
+        pair = f'"A": {self.POINT}, "B": {self.POINT}'
+        return "".join(f'{{"id": {word}, {pair}}}\n' for word in ids).encode()
+
+    def test_json(self):
+        """Whatever the ids are, the report is JSON and has them."""
+        ids = [r'"a\"b\\c\u0000d\u001b"', r'"\ud800"', '"\u202ex"', "1e400", "-0.0", "null", '""',
+               "1234567890123456789012345678901234567890", '{"k": [1, {"x": null}]}', '"%s%n"']
+        for boxes in ("exact", "outward", "none"):
+            answer = ask(0, "intersect", "-", "--boxes", boxes, text=self.lines(ids))
+            self.assertEqual([p["id"] for p in answer["pairs"]], [json.loads(i) for i in ids])
+
+    def test_text(self):
+        """A name is not cut at a NUL, and has no control bytes."""
+        text = self.lines([r'"a\u0000b"', r'"a\nb"'])
+        reply = run("intersect", "-", "--boxes", "none", text=text)
+        self.assertEqual(reply.stdout.splitlines()[:2],
+                         [b'meet      "a\\u0000b"', b"meet      a\\x0ab"])
+
+
 class Endless(unittest.TestCase):
     """Pairs of frames that never end, until a signal comes."""
 
