@@ -3,6 +3,8 @@
 
 #include <signal.h>
 
+#include "common/signals.h"
+
 static fmb_solver *volatile running;
 static fmb_pair *volatile testing;
 static volatile sig_atomic_t asked_to_stop;
@@ -26,27 +28,17 @@ static void put(void *self, const fmb_event *e)
         fmb_solver_cancel(self);
 }
 
-static void handle(void (*handler)(int))
-{
-    struct sigaction act = {.sa_handler = handler};
-    sigemptyset(&act.sa_mask);
-    if (handler != SIG_DFL)
-        act.sa_flags = (int)(SA_RESETHAND | SA_RESTART);
-    sigaction(SIGINT, &act, NULL);
-    sigaction(SIGTERM, &act, NULL);
-}
-
 void app_stop_begin(fmb_solver *solver)
 {
     asked_to_stop = 0;
     fmb_solver_set_sink(solver, (fmb_sink){put, solver});
     running = solver;
-    handle(cancel);
+    app_signals_set(cancel);
 }
 
 void app_stop_end(void)
 {
-    handle(SIG_DFL);
+    app_signals_set(SIG_DFL);
     running = NULL;
     testing = NULL;
 }

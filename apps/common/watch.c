@@ -1,9 +1,11 @@
 /* watch.c: see watch.h. A signal handler can reach only static storage, so the solver that is
- * running stands there; SA_RESETHAND lets the second signal have its default effect. */
+ * running stands there. */
 #include "common/watch.h"
 
 #include <signal.h>
 #include <unistd.h>
+
+#include "common/signals.h"
 
 static fmb_solver *volatile running;
 static volatile sig_atomic_t asked_to_stop;
@@ -57,16 +59,6 @@ static void put(void *self, const fmb_event *e)
         show_progress(w, e->seconds);
 }
 
-static void handle(void (*handler)(int))
-{
-    struct sigaction act = {.sa_handler = handler};
-    sigemptyset(&act.sa_mask);
-    if (handler != SIG_DFL)
-        act.sa_flags = (int)(SA_RESETHAND | SA_RESTART);
-    sigaction(SIGINT, &act, NULL);
-    sigaction(SIGTERM, &act, NULL);
-}
-
 void app_watch_begin(app_watch *w, fmb_solver *solver, fmb_sink trace, bool quiet)
 {
     *w = (app_watch){.solver = solver, .trace = trace};
@@ -74,12 +66,12 @@ void app_watch_begin(app_watch *w, fmb_solver *solver, fmb_sink trace, bool quie
     fmb_solver_set_sink(solver, (fmb_sink){put, w});
     asked_to_stop = 0;
     running = solver;
-    handle(cancel);
+    app_signals_set(cancel);
 }
 
 void app_watch_end(app_watch *w)
 {
-    handle(SIG_DFL);
+    app_signals_set(SIG_DFL);
     running = NULL;
     fmb_solver_set_sink(w->solver, (fmb_sink){NULL, NULL});
     erase_progress(w);

@@ -16,9 +16,13 @@
 
 enum { WIDTH = 100 }; /* of a text [characters] */
 
+/* One that is there is fine; a file is not. */
 static void make_folder(qualify_page *g)
 {
-    if (mkdir(g->folder, 0777) == 0 || errno == EEXIST)
+    struct stat info;
+    if (mkdir(g->folder, 0777) == 0)
+        return;
+    if (errno == EEXIST && stat(g->folder, &info) == 0 && S_ISDIR(info.st_mode))
         return;
     qualify_page_note(g, app_error(APP_CANNOT_WRITE, "%s: %s", g->folder, strerror(errno)));
     g->folder = NULL;

@@ -55,6 +55,9 @@ static error_t parse_report(int key, char *arg, struct argp_state *state)
     case 'q':
         o->quiet = true;
         return 0;
+    case ARGP_KEY_ARG:
+        argp_error(state, "'%s': no more than one study, and that first", arg);
+        return 0;
     default:
         return ARGP_ERR_UNKNOWN;
     }

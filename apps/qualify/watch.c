@@ -7,6 +7,8 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "common/signals.h"
+
 enum { BAR = 40 };                  /* characters */
 static const double interval = 0.2; /* between two updates [s] */
 
@@ -25,16 +27,6 @@ static void cancel(int signal_number)
         fmb_solver_cancel(running);
 }
 
-static void handle(void (*handler)(int))
-{
-    struct sigaction act = {.sa_handler = handler};
-    sigemptyset(&act.sa_mask);
-    if (handler != SIG_DFL)
-        act.sa_flags = (int)(SA_RESETHAND | SA_RESTART);
-    sigaction(SIGINT, &act, NULL);
-    sigaction(SIGTERM, &act, NULL);
-}
-
 static double now(void)
 {
     struct timespec t;
@@ -47,7 +39,7 @@ void qualify_watch_begin(bool quiet)
     terminal = !quiet && isatty(STDERR_FILENO);
     asked_to_stop = 0;
     shown = now();
-    handle(cancel);
+    app_signals_set(cancel);
 }
 
 void qualify_watch_name(const char *name)
@@ -57,7 +49,7 @@ void qualify_watch_name(const char *name)
 
 void qualify_watch_end(void)
 {
-    handle(SIG_DFL);
+    app_signals_set(SIG_DFL);
     running = NULL;
     if (terminal)
         fprintf(stderr, "\r%*s\r", BAR + 24, "");

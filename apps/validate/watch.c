@@ -8,6 +8,8 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "common/signals.h"
+
 enum { BAR = 40 };                  /* characters */
 static const double interval = 0.2; /* between two updates [s] */
 
@@ -30,16 +32,6 @@ static void cancel(int signal_number)
     }
 }
 
-static void handle(void (*handler)(int))
-{
-    struct sigaction act = {.sa_handler = handler};
-    sigemptyset(&act.sa_mask);
-    if (handler != SIG_DFL)
-        act.sa_flags = (int)(SA_RESETHAND | SA_RESTART);
-    sigaction(SIGINT, &act, NULL);
-    sigaction(SIGTERM, &act, NULL);
-}
-
 static double now(void)
 {
     struct timespec t;
@@ -54,12 +46,12 @@ void validate_watch_begin(bool quiet, uint64_t all)
     atomic_store(&asked_to_stop, false);
     atomic_store(&done, 0);
     shown = now();
-    handle(cancel);
+    app_signals_set(cancel);
 }
 
 void validate_watch_end(void)
 {
-    handle(SIG_DFL);
+    app_signals_set(SIG_DFL);
     if (terminal)
         fprintf(stderr, "\r%*s\r", BAR + 8, "");
     fflush(stderr);

@@ -47,7 +47,7 @@ def exit_codes(folder):
                        (["rules", "--motion", "slow"], 64), (["rules", "--meeting", "maybe"], 64),
                        (["rules", str(folder / "none.fmb")], 66), (["rules", str(bad)], 65),
                        (["rules", *SMALL, "--out", str(bad / "x")], 74),
-                       (["all", "--out", str(bad / "x")], 74),
+                       (["all", "--out", str(bad / "x")], 74), (["all", "--out", str(bad)], 74),
                        (["--version"], 0), (["--help"], 0), (["rules", "--help"], 0)):
         got = subprocess.run([program, *args], capture_output=True, text=True)
         expect(got.returncode == code, f"{args}: exit code {got.returncode}, not {code}")
