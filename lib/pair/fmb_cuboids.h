@@ -4,8 +4,8 @@
 
 #include "pair/fmb_gaps.h"
 
-/* In coordinates z = 2 y - size of A's frame: A is |z_i| <= size, and B, with all its places from t
- * = 0 to 1, is center + sum x_k g_k, |x_k| <= 1, over its edges and, if it moves, the drift.
+/* In coordinates z = 2 y - det A of A's frame: A is |z_i| <= size, and B, with all its places from
+ * t = 0 to 1, is center + sum x_k g_k, |x_k| <= 1, over its edges and, if it moves, the drift.
  *
  * Eliminating x from the rows of B leaves slabs |n (z - center)| <= sum |n g_k|: n = g_a x g_b in
  * space, or g_a turned by a right angle in the plane, has all other unknowns eliminated; in space n
@@ -36,22 +36,20 @@ FMB_INLINE int fmb_cuboids_count(fmb_kind kind)
     return kind.dim + kind.moves;
 }
 
-FMB_INLINE fmb_cuboids fmb_cuboids_of(fmb_kind kind, const front *f)
+FMB_INLINE void fmb_cuboids_make(fmb_kind kind, const front *f, fmb_cuboids *c)
 {
     const int dim = kind.dim, n = fmb_cuboids_count(kind);
-    fmb_cuboids c;
-    c.size = f->size;
+    c->size = f->size;
     for (int i = 0; i < dim; i++) {
         lane sum = f->e[0][i];
         for (int k = 0; k < n; k++)
-            c.g[k][i] = k < dim ? f->e[k][i] : f->drift[i];
+            c->g[k][i] = k < dim ? f->e[k][i] : f->drift[i];
         for (int k = 1; k < n; k++)
-            sum = sum + c.g[k][i];
-        c.center[i] = lane_fma(lane_of(2), f->shift[i], sum - f->size);
+            sum = sum + c->g[k][i];
+        c->center[i] = lane_fma(lane_of(2), f->shift[i], sum - f->volume);
     }
-    c.bound = lane_fma(lane_of(2), f->most_shift, f->most_size);
-    c.bound = lane_fma(lane_of(dim), f->most_e, c.bound + f->most_drift);
-    return c;
+    c->bound = lane_fma(lane_of(2), f->most_shift, f->most_size);
+    c->bound = lane_fma(lane_of(dim), f->most_e, c->bound + f->most_drift);
 }
 
 /* A's rows: the largest gap. */
@@ -124,29 +122,35 @@ FMB_INLINE lane fmb_cuboids_ridge(fmb_kind kind, const fmb_cuboids *c, int a)
 FMB_INLINE fmb_pair_bits fmb_cuboids_2d(const double *block, bool moves)
 {
     const fmb_kind kind = {2, moves, false};
-    front f = front_of(2, moves, block);
-    fmb_cuboids c = fmb_cuboids_of(kind, &f);
+    front f;
+    front_make(2, moves, false, block, &f);
+    fmb_cuboids c;
+    fmb_cuboids_make(kind, &f, &c);
     fmb_gaps gaps = fmb_gaps_none();
     fmb_gaps_class(&gaps, fmb_cuboids_faces(kind, &c), 26, c.bound);
     lane most = lane_max(fmb_cuboids_turned(kind, &c, 0), fmb_cuboids_turned(kind, &c, 1));
     fmb_gaps_class(&gaps, most, 92, f.most_e * c.bound);
     if (moves)
-        fmb_gaps_class(&gaps, fmb_cuboids_turned(kind, &c, 2), 92, f.most_drift * c.bound);
+        fmb_gaps_class(&gaps, fmb_cuboids_turned(kind, &c, 2), 92, fmb_gaps_speed(&f) * c.bound);
     return fmb_gaps_bits(&gaps, f.known);
 }
 
 FMB_INLINE fmb_pair_bits fmb_cuboids_3d(const double *block, bool moves)
 {
     const fmb_kind kind = {3, moves, false};
-    front f = front_of(3, moves, block);
-    fmb_cuboids c = fmb_cuboids_of(kind, &f);
+    front f;
+    front_make(3, moves, false, block, &f);
+    fmb_cuboids c;
+    fmb_cuboids_make(kind, &f, &c);
     fmb_gaps gaps = fmb_gaps_none();
     fmb_pair_bits out;
-    fmb_cuboids_cross(&c, 0, 3);
     fmb_gaps_class(&gaps, fmb_cuboids_faces(kind, &c), 26, c.bound);
+    if (FMB_LANES < 8 && fmb_gaps_done(&gaps, f.known, &out))
+        return out;
+    fmb_cuboids_cross(&c, 0, 3);
     lane side = lane_max(fmb_cuboids_side(kind, &c, 0, 1), fmb_cuboids_side(kind, &c, 0, 2));
     side = lane_max(side, fmb_cuboids_side(kind, &c, 1, 2));
-    lane e_bound = f.most_e * c.bound, drift_bound = f.most_drift * c.bound;
+    lane e_bound = f.most_e * c.bound, drift_bound = fmb_gaps_speed(&f) * c.bound;
     fmb_gaps_class(&gaps, side, 384, f.most_e * e_bound);
     if (fmb_gaps_done(&gaps, f.known, &out))
         return out;

@@ -39,6 +39,13 @@ FMB_INLINE lane fmb_gaps_error(double count, lane bound)
     return lane_of(count * 0x1p-53) * bound;
 }
 
+/* V as a factor: the drift may be so small that products with it underflow, so 2^-100 E more. Then
+ * errors are above 2^-700, and what underflows is off by 2^-1075. */
+FMB_INLINE lane fmb_gaps_speed(const front *f)
+{
+    return lane_fma(lane_of(0x1p-100), f->most_e, f->most_drift);
+}
+
 /* A class whose largest gap has an error of at most count u bound. */
 FMB_INLINE void fmb_gaps_class(fmb_gaps *x, lane gap, double count, lane bound)
 {

@@ -5,54 +5,73 @@
 
 #include "pair/fmb_gaps.h"
 
-/* B is the simplex v, v + e_0, ..., moving by t drift. A is either the cube |y_i| <= half, with y
- * measured from its center, or the simplex of y_i >= 0 with sum size over one more coordinate, the
- * last, which all of B has as well.
+/* B is the simplex v, v + e_0, ..., moving by t drift. A is the cube or the simplex 0 <= y_i / det
+ * A
+ * (<= 1), sum <= 1; for a simplex y has the sign of det A, and one coordinate more, the last, what
+ * is left of the sum. size = |det A|. Where rows are slabs, all is doubled and from A's middle: s =
+ * 2 v - det A is B's start, and m = s + sum e + drift; then A is |z_i| <= size, also the simplex in
+ * the coordinates along one of its edges.
  *
  * Rows of B, in space: w_p = e_q x e_r with (p, q, r) = (0, 1, 2) or turned round, and w_3 = -(w_0
  * + w_1 + w_2); with the sign of det B, w_p (y - v) >= 0, and >= -|det B| for w_3. (In the plane:
- * w_0 = e_1, w_1 = -e_0, each turned by a right angle.)
+ * w_0 = e_1, w_1 = -e_0, each turned by a right angle.) Where A is a cube, both sides of B are
+ * compared, as slabs: w_p m for p < D, w_D m + (D - 1) det B is the distance of the middles, |det
+ * B| B's width.
  *
- * Eliminating a direction d from two rows p, q of opposite a_p = w_p d leaves the row along the
- * edge that the two faces share: a_p w_q - a_q w_p = det B (e_r x d), for p, q < 3. So no row needs
- * to be formed: with u = e_r x d, the row says that u, with the sign of a_p, is least on B at v. At
- * the other two vertices e_q, e_p it is a_p, -a_q more: whence the signs. From rows 3 and p comes u
- * = (e_r - e_q) x d, least at v + e_q with the sign of a_3: at v and e_p it is -a_p, a_3 more. In
- * coordinates k, l of A's frame, d being an edge of A along which these are constant, u y is x_l
- * y_k - x_k y_l for the edge x of B; and where d is the drift, u is x x drift. That is how time is
- * eliminated; if time remains, the earliest or the latest B counts, so min(0, u drift) is added.
+ * Eliminating a direction d from two rows p, q leaves the row along the edge that the two faces
+ * share: with a_p = w_p d, a_p w_q - a_q w_p = det B (e_r x d), for p, q < 3. So no row needs to be
+ * formed. On u = e_r x d the other two vertices of B have a_p and -a_q more than v; on u = (e_r -
+ * e_q) x d, from rows 3 and p, v and e_p have -a_p and a_3 more than v + e_q. Only if these agree
+ * in sign is the pair one to eliminate with, and then B reaches from 0 to their sum. So B may be
+ * taken to reach from min(0, x) + min(0, y) to max(0, x) + max(0, y), which is never too little:
+ * width |x| + |y|, middle x + y, and no sign is asked for. Of a simplex A the same holds in
+ * coordinates k, l along its edge d: size |x_k| + size |x_l| for the edge x of B. The distance of
+ * the middles is T = x_l m_k - x_k m_l for e_r; for e_r - e_q it is the difference of those, less 2
+ * a_p; and for d = d_j - d_k that of d_j and d_k, and 2 det A x_i more, i the third. Moving, |u
+ * drift| is added, a coordinate of the cross product of edge and drift. Time is eliminated in the
+ * same way: u = e_r x drift, and drift for d; and the drift is eliminated with an edge of A.
  *
- * Complete: A and B meet in interiors unless a facet of the set of all b + t drift - a keeps 0 out.
- * Two edges, of A or of B, or one and the drift, are parallel to the facet. Both of A: a row of A.
- * Both of B: a row of B, as det B is certain. One of each: eliminate that edge of A; the facet is
- * not along a face of B (or it is a row of B), so the two rows of B at the edge of B have opposite
- * signs. An edge of B and the drift: likewise. An edge of A and the drift: the row along both,
- * where nothing is known of signs, so both sides of A and B are compared.
+ * Complete: A and B meet in interiors unless a facet of the set of all b + t drift - a, which is
+ * not flat as A is not, keeps 0 out. Two edges, of A or of B, or one and the drift, are parallel to
+ * the facet and belong to the faces of A and B that make it. Both of A: a row of A. Both of B: a
+ * row of B. One of each: the facet leaves all of B on one side of its edge, and all of A, so what
+ * is said of both reaches is exact. An edge and the drift: likewise, the other frame with all its
+ * vertices. (If B is flat, a row that vanishes has the gap 0, so "meet" is not said; where rows
+ * stand on one side only, A being a simplex, the sign of det B must be certain.)
  *
- * Signs: where that of some a_p is uncertain, no verdict is "meet". "Apart" is right all the same:
- * if the sign of a_p is wrong then B is below the row by at most |a_p|, so by at most its error.
+ * Signs: if that of det B is wrong, "apart" is right all the same: B is below the row by at most
+ * |det B|, so by at most its error.
  *
- * Errors: in sums, X = H + S + E + V, which is at least any of v, v + e, ... over the first
- * coordinates, and 3 X over the last. Counts: v 9.1 (3 H + S), e and drift over the last
- * coordinate 8.1 (3 E), differences of edges 9.1 (6 E).
- *   A's rows: 3 X; lowest or highest of B 11.1, the gap 12.1.
- *   a_p: 4 E^2, 15.2; a_3: 12 E^2, 17.2.
- *   u v: 6 E (3 H + S), 19.2; over a difference twice that and 4 E^2, 21.2; at t = 1 with 3 H + 3 V
- *     for 3 H, 22.2. A's reach: 6 E S, 16.2. The gap: 36 E (H + V) + 18 E S + 4 E^2 <= 36 E X,
- * count 23.2. With the error of a wrong sign, 17.2 * 12 E^2: at most (835.2 + 206.4) E X. drift x
- * d: u v: 6 V (3 H + S), 19.2; edges: 18 E V; A: 3 V S. In all 18 V X, count 22.2. B's rows: w_p: 2
- * E^2, 14.2; w_3: 6 E^2, 16.2; w_p v: 6 E^2 (H + S), 24.3; w_3 v: 18 E^2 (H + S), 26.3; times the
- * drift: 18 E^2 V, 26.3; det B: 6 E^3, 23.3; A's reach: 18 E^2 S, 26.3. The gap: 36 E^2 X,
- * count 29.3; with a wrong sign of det B 1195 E^2 X. Rows along the drift: e x drift: 2 E V, 14.2,
- * or 4 E V, 15.2; times v: 6 E V (H + S), 24.3, of differences 12 E V (H + S) + 6 E^2 V, 26.3; A's
- * reach: 12 E V S, 24.3. The gap: 24 E V X, count 27.3. Signs: w_p drift: 6 E^2 V, 23.3, and 18 E^2
- * V, 25.3 for w_3: at most (655.2 + 455.4) E V X. In the plane the same bounds hold by far.
+ * Errors: in sums, X = H + S + E + V and Y = X + 2 E. Counts: v 6.1 (H), of the last coordinate 9.1
+ * (3 H + S); e and drift there 8.1 (3 E, 3 V), differences of edges 9.1 (6 E); s 7.1 (2 H + S);
+ * m 11.1 (M = 2 H + S + 3 E + V).
+ *   A's rows: of the simplex, 3 X, lowest or highest of B 11.1, the gap 12.1. Of the cube, 2 (H + S
+ *     + V) + 4 E <= 4 X, 12.1.
+ *   w_p: 2 E^2, 14.2; w_3: 6 E^2, 16.2; det B: 6 E^3, 23.3; A's reach: 18 E^2 S, 26.3.
+ *   B's rows, on one side: w_p v: 6 E^2 (H + S), 24.3; w_3 v: 18 E^2 (H + S), 26.3; times the
+ *     drift: 18 E^2 V, 26.3. The gap: 36 E^2 X, 29.3; with a wrong sign of det B 1195 E^2 X.
+ *   Slabs: w_p m: 6 E^2 M, 28.3; w_3 m: 18 E^2 M + 12 E^3, 31.3; drift and A as above. The gap: 36
+ *     E^2 (H + S + V) + 72 E^3 <= 36 E^2 Y, 34.3.
+ *   a_p: 4 E^2, 15.2; a_3: 12 E^2, 17.2. T: 2 E M, 19.2; over a difference of edges of A
+ *     4 E M + 2 S E, 21.2; of edges of B 8 E M + 4 S E + 8 E^2, 23.2. A's reach: 8 E S, 18.2.
+ *     e x drift: 2 E V, 14.2, of two differences 8 E V, 16.2.
+ *     The gap: 16 E (H + V) + 20 E S + 48 E^2 <= 20 E Y, 24.2.
+ *   drift x d: with s 2 V (2 H + S), 15.2, or 4 V (2 H + S) + 2 S V, 17.2; with e 4 E V, 15.2.
+ *     B's middle and width: 8 E V, 16.2; A's reach: 4 V S, 17.2.
+ *     The gap: V (8 H + 10 S + 16 E) <= 10 V Y, 20.2.
+ *   e x drift times m: 6 E V M, 28.3, of differences 12 E V M + 12 E^2 V, 30.3.
+ *     A's middle and reach: 16 E V S, 24.3; w_p drift: 6 E^2 V, 23.3; w_3 drift: 18 E^2 V, 25.3.
+ *     The gap: 24 E V H + 72 E^2 V + 28 E V S + 12 E V^2 <= 28 E V Y, 33.3.
+ * In the plane the same bounds hold by far.
  */
 typedef struct fmb_simplices {
-    lane reach;                           /* half, or size */
     lane v[4], e[3][4], drift[4], end[4]; /* end = v + drift */
     lane w[4][3], det;
-    lane bound; /* X */
+    lane bound, more; /* X, Y */
+    /* in space, and doubled */
+    lane size, twice;                       /* twice = 2 size */
+    lane start[3], middle[3];               /* s, m */
+    lane swept[3][3], along[3][3], past[3]; /* e x drift, T, the same of drift and s */
 } fmb_simplices;
 
 FMB_INLINE lane fmb_sum(const lane *x, int n)
@@ -63,33 +82,38 @@ FMB_INLINE lane fmb_sum(const lane *x, int n)
     return sum;
 }
 
-FMB_INLINE fmb_simplices fmb_simplices_of(fmb_kind kind, const front *f)
+FMB_INLINE void fmb_simplices_make(fmb_kind kind, const front *f, fmb_simplices *c)
 {
     const int dim = kind.dim;
-    fmb_simplices c;
-    c.reach = f->size;
-    if (!kind.simplex)
-        c.reach = lane_of(0.5) * f->size;
     for (int i = 0; i < dim; i++) {
-        c.v[i] = f->shift[i];
-        if (!kind.simplex)
-            c.v[i] = c.v[i] - c.reach;
-        c.drift[i] = lane_of(0);
+        c->v[i] = f->shift[i];
+        c->drift[i] = lane_of(0);
         if (kind.moves)
-            c.drift[i] = f->drift[i];
+            c->drift[i] = f->drift[i];
         for (int k = 0; k < dim; k++)
-            c.e[k][i] = f->e[k][i];
+            c->e[k][i] = f->e[k][i];
     }
     if (kind.simplex) {
-        c.v[dim] = f->size - fmb_sum(c.v, dim);
-        c.drift[dim] = -fmb_sum(c.drift, dim);
+        c->v[dim] = f->size - fmb_sum(c->v, dim);
+        c->drift[dim] = -fmb_sum(c->drift, dim);
         for (int k = 0; k < dim; k++)
-            c.e[k][dim] = -fmb_sum(c.e[k], dim);
+            c->e[k][dim] = -fmb_sum(c->e[k], dim);
     }
     for (int i = 0; i < dim + kind.simplex; i++)
-        c.end[i] = c.v[i] + c.drift[i];
-    c.bound = (f->most_shift + f->most_size) + (f->most_e + f->most_drift);
-    return c;
+        c->end[i] = c->v[i] + c->drift[i];
+    c->size = f->size;
+    c->twice = f->size + f->size;
+    for (int i = 0; i < dim; i++) {
+        lane sum = f->e[0][i] + f->e[1][i];
+        if (dim == 3)
+            sum = sum + f->e[2][i];
+        c->start[i] = lane_fms(lane_of(2), f->shift[i], f->volume);
+        if (kind.moves)
+            sum = sum + f->drift[i];
+        c->middle[i] = c->start[i] + sum;
+    }
+    c->bound = (f->most_shift + f->most_size) + (f->most_e + f->most_drift);
+    c->more = lane_fma(lane_of(2), f->most_e, c->bound);
 }
 
 /* A's rows: the largest gap. */
@@ -103,39 +127,43 @@ FMB_INLINE lane fmb_simplices_faces(fmb_kind kind, const fmb_simplices *c)
             low = lane_min(low, c->e[k][i]);
             high = lane_max(high, c->e[k][i]);
         }
-        low = lane_min(c->v[i], c->end[i]) + low;
-        high = lane_max(c->v[i], c->end[i]) + high;
-        if (kind.simplex)
-            most = lane_max(most, -high);
-        else
-            most = lane_max(most, lane_max(low, -high) - c->reach);
+        if (kind.simplex) {
+            most = lane_max(most, -(lane_max(c->v[i], c->end[i]) + high));
+            continue;
+        }
+        lane away = c->start[i] + (high + low), width = high - low;
+        if (kind.moves) {
+            away = away + c->drift[i];
+            width = width + lane_abs(c->drift[i]);
+        }
+        most = lane_max(most, lane_abs(away) - width);
     }
-    return most;
+    if (kind.simplex)
+        return most;
+    return most - c->size;
 }
 
-/* The largest value over A of the row with the coefficients w, with the sign of s. */
+/* The largest value over A, a simplex, of the row with the coefficients w, with the sign of s. */
 FMB_INLINE lane fmb_simplices_most(fmb_kind kind, const lane *w, lane s)
 {
-    lane most = kind.simplex ? lane_of(0) : lane_abs(w[0]);
-    for (int i = 0; kind.simplex && i < kind.dim; i++)
+    lane most = lane_of(0);
+    for (int i = 0; i < kind.dim; i++)
         most = lane_max(most, lane_times_sign(w[i], s));
-    for (int i = 1; !kind.simplex && i < kind.dim; i++)
-        most = most + lane_abs(w[i]);
     return most;
 }
 
-/* ... of the row w, which is away at v and moves by along until t = 1, with the sign of s. */
+/* The gap of the row w, which is away at v and moves by along until t = 1, with the sign of s. */
 FMB_INLINE lane fmb_simplices_row(fmb_kind kind, const fmb_simplices *c, const lane *w, lane away,
                                   lane along, lane s)
 {
     lane least = lane_times_sign(away, s);
     if (kind.moves)
         least = least + lane_min(lane_times_sign(along, s), lane_of(0));
-    return lane_fnma(c->reach, fmb_simplices_most(kind, w, s), least);
+    return lane_fnma(c->size, fmb_simplices_most(kind, w, s), least);
 }
 
-/* B's rows: their coefficients, and the largest gap. */
-FMB_INLINE lane fmb_simplices_sides(fmb_kind kind, fmb_simplices *c)
+/* B's rows: their coefficients. */
+FMB_INLINE void fmb_simplices_rows(fmb_kind kind, fmb_simplices *c)
 {
     int n = kind.dim;
     if (n == 3) {
@@ -148,13 +176,41 @@ FMB_INLINE lane fmb_simplices_sides(fmb_kind kind, fmb_simplices *c)
         c->w[1][1] = c->e[0][0];
     }
     c->det = front_dot(n, c->w[0], c->e[0]);
+    for (int i = 0; i < n; i++)
+        c->w[n][i] = -(c->w[0][i] + c->w[1][i] + (n == 3 ? c->w[2][i] : lane_of(0)));
+}
+
+/* ... the largest gap; A is a cuboid. */
+FMB_INLINE lane fmb_simplices_slabs(fmb_kind kind, const fmb_simplices *c)
+{
+    const int n = kind.dim;
+    lane most = lane_of(-INFINITY), away[4], along[4];
+    for (int p = 0; p < n; p++) {
+        away[p] = front_dot(n, c->w[p], c->middle);
+        along[p] = kind.moves ? front_dot(n, c->w[p], c->drift) : lane_of(0);
+    }
+    away[n] = lane_fms(lane_of(n - 1), c->det, fmb_sum(away, n));
+    along[n] = fmb_sum(along, n);
+    for (int p = 0; p <= n; p++) {
+        lane gap = lane_abs(away[p]), wide = lane_abs(c->w[p][0]) + lane_abs(c->w[p][1]);
+        if (n == 3)
+            wide = wide + lane_abs(c->w[p][2]);
+        if (kind.moves)
+            gap = gap - lane_abs(along[p]);
+        most = lane_max(most, lane_fnma(c->size, wide, gap));
+    }
+    return most - lane_abs(c->det);
+}
+
+/* ... the largest gap; A is a simplex. */
+FMB_INLINE lane fmb_simplices_sides(fmb_kind kind, const fmb_simplices *c)
+{
+    const int n = kind.dim;
     lane most = lane_of(-INFINITY), away[4], along[4];
     for (int p = 0; p < n; p++) {
         away[p] = front_dot(n, c->w[p], c->v);
         along[p] = kind.moves ? front_dot(n, c->w[p], c->drift) : lane_of(0);
     }
-    for (int i = 0; i < n; i++)
-        c->w[n][i] = -(c->w[0][i] + c->w[1][i] + (n == 3 ? c->w[2][i] : lane_of(0)));
     away[n] = -fmb_sum(away, n);
     along[n] = -fmb_sum(along, n);
     for (int p = 0; p <= n; p++) {
@@ -164,6 +220,21 @@ FMB_INLINE lane fmb_simplices_sides(fmb_kind kind, fmb_simplices *c)
         most = lane_max(most, gap);
     }
     return most;
+}
+
+/* The class of B's rows. */
+FMB_INLINE void fmb_simplices_ask(fmb_kind kind, const front *f, fmb_simplices *c, fmb_gaps *gaps)
+{
+    lane power = f->most_e; /* E^(D - 1) */
+    if (kind.dim == 3)
+        power = power * f->most_e;
+    fmb_simplices_rows(kind, c);
+    if (!kind.simplex) {
+        fmb_gaps_class(gaps, fmb_simplices_slabs(kind, c), 1260, power * c->more);
+        return;
+    }
+    fmb_gaps_class(gaps, fmb_simplices_sides(kind, c), 1210, power * c->bound);
+    fmb_gaps_certain(gaps, lane_abs(c->det), 150, power * f->most_e);
 }
 
 /* ---- in space: a direction eliminated -------------------------------------------------------- */
@@ -178,116 +249,142 @@ FMB_INLINE fmb_columns fmb_columns_of(int edge)
     return edge < 3 ? (fmb_columns){(edge + 1) % 3, (edge + 2) % 3} : (fmb_columns){edge - 3, 3};
 }
 
-/* What the rows of B have of the edge of A. */
-FMB_INLINE void fmb_simplices_slopes(const fmb_simplices *c, int edge, lane *a)
-{
-    for (int p = 0; p < 3; p++)
-        if (edge < 3)
-            a[p] = c->w[p][edge];
-        else
-            a[p] = c->w[p][(edge + 1) % 3] - c->w[p][(edge + 2) % 3];
-    a[3] = -fmb_sum(a, 3);
-}
-
-/* The row with x_l, -x_k, least on B with the sign of s, which is opposite to that of other, and
- * then away at t = 0, end at t = 1. */
-FMB_INLINE lane fmb_simplices_edge(fmb_kind kind, const fmb_simplices *c, lane xk, lane xl,
-                                   lane away, lane end, lane s, lane other)
-{
-    lane least = lane_times_sign(away, s), most;
-    if (kind.moves)
-        least = lane_min(least, lane_times_sign(end, s));
-    if (kind.simplex)
-        most = lane_max(lane_max(lane_times_sign(xl, s), lane_of(0)), lane_times_sign(xk, other));
-    else
-        most = lane_abs(xk) + lane_abs(xl);
-    return lane_fnma(c->reach, most, least);
-}
-
 FMB_INLINE lane fmb_turned(const lane *x, const lane *y, fmb_columns in)
 {
     return lane_fms(x[in.l], y[in.k], x[in.k] * y[in.l]);
 }
 
-/* All pairs of rows of B, an edge of A eliminated: the largest gap; the least |a_p| so far. */
-FMB_INLINE lane fmb_simplices_edges(fmb_kind kind, const fmb_simplices *c, int edge, lane *certain)
+/* Edge j of B, of 6; edge 3 + p is e_r - e_q. The two faces beside it: of those rows, in this
+ * order, comes the row along the edge. */
+FMB_INLINE int fmb_simplices_face(int j, int side)
 {
-    lane most = lane_of(-INFINITY), a[4], away[3], end[3];
-    lane_mask negative[4];
-    fmb_columns in = fmb_columns_of(edge);
-    fmb_simplices_slopes(c, edge, a);
-    for (int p = 0; p < 4; p++) {
-        negative[p] = lane_negative(a[p]);
-        *certain = lane_min_abs(*certain, a[p]);
+    if (j < 3)
+        return (j + 1 + side) % 3;
+    return side == 0 ? j - 3 : 3;
+}
+
+/* What lies along axis i of A: of the cross products with it, and of those with the drift. */
+FMB_INLINE void fmb_simplices_look(fmb_kind kind, fmb_simplices *c, int i)
+{
+    const fmb_columns in = fmb_columns_of(i);
+    for (int p = 0; p < 3; p++) {
+        c->along[p][i] = fmb_turned(c->e[p], c->middle, in);
+        if (kind.moves)
+            c->swept[p][i] = fmb_turned(c->drift, c->e[p], in);
     }
-    for (int r = 0; r < 3; r++) {
-        int p = (r + 1) % 3, q = (r + 2) % 3;
-        away[r] = fmb_turned(c->e[r], c->v, in);
-        end[r] = kind.moves ? fmb_turned(c->e[r], c->end, in) : lane_of(0);
-        lane gap =
-            fmb_simplices_edge(kind, c, c->e[r][in.k], c->e[r][in.l], away[r], end[r], a[p], a[q]);
-        most = lane_max_where(lane_xor(negative[p], negative[q]), most, gap);
+}
+
+/* x on direction `edge` of A: the first three are x itself. */
+FMB_INLINE lane fmb_simplices_on(const lane *x, int edge)
+{
+    if (edge < 3)
+        return x[edge];
+    return x[(edge + 1) % 3] - x[(edge + 2) % 3];
+}
+
+/* All pairs of rows of B that share an edge, one of A eliminated: the largest gap. */
+FMB_INLINE lane fmb_simplices_edges(fmb_kind kind, fmb_simplices *c, int edge)
+{
+    const fmb_columns in = fmb_columns_of(edge);
+    lane a[4], width[4], t[6], swept[6], most = lane_of(-INFINITY);
+    if (edge < 3)
+        fmb_simplices_look(kind, c, edge);
+    for (int p = 0; p < 3; p++) {
+        a[p] = fmb_simplices_on(c->w[p], edge);
+        t[p] = fmb_simplices_on(c->along[p], edge);
+        if (edge >= 3)
+            t[p] = lane_fma(c->twice, c->e[p][edge - 3], t[p]);
+        if (kind.moves)
+            swept[p] = fmb_simplices_on(c->swept[p], edge);
     }
-    for (int r = 0; r < 3; r++) {
-        int p = (r + 1) % 3, q = (r + 2) % 3;
-        lane xk = c->e[r][in.k] - c->e[q][in.k], xl = c->e[r][in.l] - c->e[q][in.l];
-        lane gap = fmb_simplices_edge(kind, c, xk, xl, away[r] - away[q] + a[p],
-                                      end[r] - end[q] + a[p], a[3], a[p]);
-        most = lane_max_where(lane_xor(negative[3], negative[p]), most, gap);
+    a[3] = fmb_sum(a, 3);
+    for (int p = 0; p < 4; p++)
+        width[p] = lane_abs(a[p]);
+    for (int p = 0; p < 3; p++) {
+        int q = (p + 1) % 3, r = (p + 2) % 3;
+        t[3 + p] = lane_fnma(lane_of(2), a[p], t[r] - t[q]);
+        if (kind.moves)
+            swept[3 + p] = swept[r] - swept[q];
+    }
+#pragma GCC unroll 6
+    for (int j = 0; j < 6; j++) {
+        int q = (j + 1) % 3, r = (j + 2) % 3;
+        lane k = c->e[j % 3][in.k], l = c->e[j % 3][in.l];
+        if (j >= 3) {
+            k = c->e[r][in.k] - c->e[q][in.k];
+            l = c->e[r][in.l] - c->e[q][in.l];
+        }
+        lane reach = width[fmb_simplices_face(j, 0)] + width[fmb_simplices_face(j, 1)];
+        if (kind.moves)
+            reach = reach + lane_abs(swept[j]);
+        reach = lane_fma(c->size, lane_abs(k) + lane_abs(l), reach);
+        most = lane_max(most, lane_abs(t[j]) - reach);
     }
     return most;
 }
 
 /* ---- in space: time eliminated --------------------------------------------------------------- */
 
-/* The row along the drift and an edge of A, from both sides: the larger gap. */
-FMB_INLINE lane fmb_simplices_swept(fmb_kind kind, const fmb_simplices *c, int edge)
+/* The row along the drift and an edge of A. */
+FMB_INLINE lane fmb_simplices_swept(fmb_simplices *c, int edge)
 {
-    fmb_columns in = fmb_columns_of(edge);
-    lane low = lane_of(0), high = lane_of(0), xl = c->drift[in.l], xk = c->drift[in.k];
+    const fmb_columns in = fmb_columns_of(edge);
+    lane low = lane_of(0), high = lane_of(0), away;
+    if (edge < 3)
+        c->past[edge] = fmb_turned(c->drift, c->start, in);
+    away = fmb_simplices_on(c->past, edge);
+    if (edge >= 3)
+        away = lane_fma(c->twice, c->drift[edge - 3], away);
     for (int p = 0; p < 3; p++) {
-        lane at = fmb_turned(c->drift, c->e[p], in);
+        lane at = fmb_simplices_on(c->swept[p], edge);
         low = lane_min(low, at);
         high = lane_max(high, at);
     }
-    lane away = fmb_turned(c->drift, c->v, in);
-    low = low + away;
-    high = high + away;
-    if (!kind.simplex) {
-        lane reach = lane_abs(xk) + lane_abs(xl);
-        return lane_fnma(c->reach, reach, lane_max(low, -high));
-    }
-    lane most = lane_max(lane_max(xl, -xk), lane_of(0));
-    lane least = lane_min(lane_min(xl, -xk), lane_of(0));
-    return lane_max(lane_fnma(c->reach, most, low), lane_fms(c->reach, least, high));
+    lane reach = lane_fma(c->size, lane_abs(c->drift[in.k]) + lane_abs(c->drift[in.l]), high - low);
+    return lane_abs(away + (high + low)) - reach;
 }
 
-/* All pairs of rows of B, time eliminated. */
-FMB_INLINE lane fmb_simplices_times(fmb_kind kind, const fmb_simplices *c, lane *certain)
+/* A row along the drift and an edge of B, which is u; B and A's middle are away from each other. */
+FMB_INLINE lane fmb_simplices_late(fmb_kind kind, const fmb_simplices *c, const lane *u, lane away)
 {
-    const lane zero = lane_of(0);
-    lane most = lane_of(-INFINITY), b[4], u[3][3], away[3];
-    lane_mask negative[4];
-    const fmb_kind still = {3, false, kind.simplex};
-    for (int p = 0; p < 3; p++)
+    lane low = lane_of(0), high = lane_of(0);
+    if (!kind.simplex)
+        return lane_fnma(c->size, lane_abs(u[0]) + lane_abs(u[1]) + lane_abs(u[2]), lane_abs(away));
+    for (int i = 0; i < 3; i++) {
+        low = lane_min(low, u[i]);
+        high = lane_max(high, u[i]);
+    }
+    away = lane_fnma(c->size, high + low, away);
+    return lane_fnma(c->size, high - low, lane_abs(away));
+}
+
+/* All pairs of rows of B that share an edge, time eliminated. */
+FMB_INLINE lane fmb_simplices_times(fmb_kind kind, const fmb_simplices *c)
+{
+    lane b[4], away[3], from[3], most = lane_of(-INFINITY);
+    for (int i = 0; i < 3; i++) {
+        from[i] = c->middle[i];
+        if (kind.simplex)
+            from[i] = from[i] + c->size;
+    }
+    for (int p = 0; p < 3; p++) {
         b[p] = front_dot(3, c->w[p], c->drift);
-    b[3] = -fmb_sum(b, 3);
-    for (int p = 0; p < 4; p++) {
-        negative[p] = lane_negative(b[p]);
-        *certain = lane_min_abs(*certain, b[p]);
+        away[p] = front_dot(3, c->swept[p], from);
     }
-    for (int r = 0; r < 3; r++) {
-        int p = (r + 1) % 3, q = (r + 2) % 3;
-        fmb_cross(c->e[r], c->drift, u[r]);
-        away[r] = front_dot(3, u[r], c->v);
-        lane gap = fmb_simplices_row(still, c, u[r], away[r], zero, b[p]);
-        most = lane_max_where(lane_xor(negative[p], negative[q]), most, gap);
-    }
-    for (int r = 0; r < 3; r++) {
-        int p = (r + 1) % 3, q = (r + 2) % 3;
-        const lane w[3] = {u[r][0] - u[q][0], u[r][1] - u[q][1], u[r][2] - u[q][2]};
-        lane gap = fmb_simplices_row(still, c, w, away[r] - away[q] + b[p], zero, b[3]);
-        most = lane_max_where(lane_xor(negative[3], negative[p]), most, gap);
+    b[3] = fmb_sum(b, 3);
+#pragma GCC unroll 6
+    for (int j = 0; j < 6; j++) {
+        lane width = lane_abs(b[fmb_simplices_face(j, 0)]) + lane_abs(b[fmb_simplices_face(j, 1)]);
+        lane u[3], at = away[j % 3];
+        int q = (j + 1) % 3, r = (j + 2) % 3;
+        for (int i = 0; i < 3; i++) {
+            u[i] = c->swept[j % 3][i];
+            if (j >= 3)
+                u[i] = c->swept[r][i] - c->swept[q][i];
+        }
+        if (j >= 3)
+            at = lane_fnma(lane_of(2), b[j - 3], away[r] - away[q]);
+        most = lane_max(most, fmb_simplices_late(kind, c, u, at) - width);
     }
     return most;
 }
@@ -296,63 +393,67 @@ FMB_INLINE fmb_pair_bits fmb_simplices_3d(const double *block, bool moves, bool 
 {
     const fmb_kind kind = {3, moves, simplex};
     const int edges = simplex ? 6 : 3; /* directions of edges of A */
-    front f = front_of(3, moves, block);
-    fmb_simplices c = fmb_simplices_of(kind, &f);
+    front f;
+    front_make(3, moves, simplex, block, &f);
+    fmb_simplices c;
+    fmb_simplices_make(kind, &f, &c);
     fmb_gaps gaps = fmb_gaps_none();
     fmb_pair_bits out;
-    lane ex = f.most_e * c.bound, vx = f.most_drift * c.bound, ee = f.most_e * f.most_e;
-    fmb_gaps_class(&gaps, fmb_simplices_faces(kind, &c), 40, c.bound);
-    fmb_gaps_class(&gaps, fmb_simplices_sides(kind, &c), 1210, f.most_e * ex);
+    lane ex = f.most_e * c.more;
+    fmb_gaps_class(&gaps, fmb_simplices_faces(kind, &c), 52, c.bound);
+    if (FMB_LANES < 8 && fmb_gaps_done(&gaps, f.known, &out))
+        return out;
+    fmb_simplices_ask(kind, &f, &c, &gaps);
     if (fmb_gaps_done(&gaps, f.known, &out))
         return out;
-    fmb_gaps_certain(&gaps, lane_abs(c.det), 150, f.most_e * ee);
-    lane certain = lane_of(INFINITY), most = lane_of(-INFINITY);
+    lane most = lane_of(-INFINITY), swept = most, speed = fmb_gaps_speed(&f);
 #pragma GCC unroll 6
-    for (int edge = 0; edge < edges; edge++)
-        most = lane_max(most, fmb_simplices_edges(kind, &c, edge, &certain));
-    fmb_gaps_class(&gaps, most, 1060, ex);
-    fmb_gaps_certain(&gaps, certain, 210, ee);
+    for (int edge = 0; edge < edges; edge++) {
+        most = lane_max(most, fmb_simplices_edges(kind, &c, edge));
+        if (moves)
+            swept = lane_max(swept, fmb_simplices_swept(&c, edge));
+    }
+    fmb_gaps_class(&gaps, most, 500, ex);
     if (moves) {
-        lane swept = lane_of(-INFINITY);
-#pragma GCC unroll 6
-        for (int edge = 0; edge < edges; edge++)
-            swept = lane_max(swept, fmb_simplices_swept(kind, &c, edge));
-        fmb_gaps_class(&gaps, swept, 410, vx);
-        certain = lane_of(INFINITY);
-        fmb_gaps_class(&gaps, fmb_simplices_times(kind, &c, &certain), 1130, f.most_drift * ex);
-        fmb_gaps_certain(&gaps, certain, 470, f.most_drift * ee);
+        fmb_gaps_class(&gaps, swept, 220, speed * c.more);
+        fmb_gaps_class(&gaps, fmb_simplices_times(kind, &c), 960, speed * ex);
     }
     return fmb_gaps_bits(&gaps, f.known);
 }
 
-/* In the plane: the row along the drift, from both sides. */
+/* In the plane: the row along the drift. */
 FMB_INLINE lane fmb_simplices_turned(fmb_kind kind, const fmb_simplices *c)
 {
     const fmb_columns in = {0, 1};
-    lane low = lane_of(0), high = lane_of(0);
     const lane w[2] = {c->drift[1], -c->drift[0]};
+    lane low = lane_of(0), high = low, first = low, last = low;
     for (int p = 0; p < 2; p++) {
         lane at = fmb_turned(c->drift, c->e[p], in);
         low = lane_min(low, at);
         high = lane_max(high, at);
+        first = lane_min(first, w[p]);
+        last = lane_max(last, w[p]);
+    }
+    if (!kind.simplex) {
+        lane away = lane_abs(fmb_turned(c->drift, c->start, in) + (high + low));
+        return lane_fnma(c->size, lane_abs(w[0]) + lane_abs(w[1]), away - (high - low));
     }
     lane away = fmb_turned(c->drift, c->v, in);
-    lane above = lane_fnma(c->reach, fmb_simplices_most(kind, w, lane_of(1)), away + low);
-    lane below = lane_fma(c->reach, fmb_simplices_most(kind, w, lane_of(-1)), away + high);
-    return lane_max(above, -below);
+    return lane_max(lane_fnma(c->size, last, away + low), lane_fms(c->size, first, away + high));
 }
 
 FMB_INLINE fmb_pair_bits fmb_simplices_2d(const double *block, bool moves, bool simplex)
 {
     const fmb_kind kind = {2, moves, simplex};
-    front f = front_of(2, moves, block);
-    fmb_simplices c = fmb_simplices_of(kind, &f);
+    front f;
+    front_make(2, moves, simplex, block, &f);
+    fmb_simplices c;
+    fmb_simplices_make(kind, &f, &c);
     fmb_gaps gaps = fmb_gaps_none();
-    fmb_gaps_class(&gaps, fmb_simplices_faces(kind, &c), 40, c.bound);
-    fmb_gaps_class(&gaps, fmb_simplices_sides(kind, &c), 1210, f.most_e * c.bound);
-    fmb_gaps_certain(&gaps, lane_abs(c.det), 150, f.most_e * f.most_e);
+    fmb_gaps_class(&gaps, fmb_simplices_faces(kind, &c), 52, c.bound);
+    fmb_simplices_ask(kind, &f, &c, &gaps);
     if (moves)
-        fmb_gaps_class(&gaps, fmb_simplices_turned(kind, &c), 410, f.most_drift * c.bound);
+        fmb_gaps_class(&gaps, fmb_simplices_turned(kind, &c), 410, fmb_gaps_speed(&f) * c.bound);
     return fmb_gaps_bits(&gaps, f.known);
 }
 

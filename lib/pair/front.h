@@ -34,6 +34,7 @@
 
 typedef struct front {
     lane size, e[3][3], shift[3], drift[3]; /* e[k][i]: coordinate i of edge k */
+    lane volume;                            /* size, but for front_make */
     lane alpha, beta, delta, omega;
     lane most_size, most_e, most_shift, most_drift; /* the bounds above */
     lane_mask known;
@@ -112,33 +113,43 @@ FMB_INLINE void front_measure(int dim, bool moves, const double *block, front *f
     f->known = lane_and(f->known, lane_less(sum, lane_of(0x1p1000)));
 }
 
-FMB_INLINE front front_of(int dim, bool moves, const double *block)
+/* In place, as a returned structure of this size may be copied. If not turned then y is without the
+ * sign of det A, and A is 0 <= y_i / volume (<= 1). */
+FMB_INLINE void front_make(int dim, bool moves, bool turned, const double *block, front *f)
 {
-    front f;
     lane a[3][3], n[3][3], x[3];
     const double *row = block + dim * FMB_LANES;
     for (int k = 0; k < dim; k++, row += dim * FMB_LANES)
         front_load(a[k], row, dim);
     front_adjugate(dim, a, n);
     lane det = front_dot(dim, n[0], a[0]);
-    f.size = lane_abs(det);
-    for (int i = 0; i < dim; i++)
+    f->size = lane_abs(det);
+    f->volume = det;
+    if (turned)
+        f->volume = f->size;
+    for (int i = 0; turned && i < dim; i++)
         for (int j = 0; j < dim; j++)
             n[i][j] = lane_times_sign(n[i][j], det);
     front_load(x, block, dim);
     for (int i = 0; i < dim; i++)
-        f.shift[i] = front_dot(dim, n[i], x);
+        f->shift[i] = front_dot(dim, n[i], x);
     for (int k = 0; k < dim; k++, row += dim * FMB_LANES) {
         front_load(x, row, dim);
         for (int i = 0; i < dim; i++)
-            f.e[k][i] = front_dot(dim, n[i], x);
+            f->e[k][i] = front_dot(dim, n[i], x);
     }
     if (moves) {
         front_load(x, row, dim);
         for (int i = 0; i < dim; i++)
-            f.drift[i] = front_dot(dim, n[i], x);
+            f->drift[i] = front_dot(dim, n[i], x);
     }
-    front_measure(dim, moves, block, &f);
+    front_measure(dim, moves, block, f);
+}
+
+FMB_INLINE front front_of(int dim, bool moves, const double *block)
+{
+    front f;
+    front_make(dim, moves, true, block, &f);
     return f;
 }
 
