@@ -124,20 +124,26 @@ FMB_INLINE void box_last_value(const box_kind *k, twin from, twin *y)
     y[k->dim] = from;
 }
 
+/* X_j but for the drift, given the shift. */
+FMB_INLINE lane box_extent(const box_kind *k, int guest, const box_frame *b, int j, lane shift)
+{
+    lane edges = lane_of(0), largest = lane_of(0);
+    for (int l = 0; l < k->dim; l++) {
+        edges = edges + lane_abs(b->axes[l][j]);
+        largest = lane_max(largest, lane_abs(b->axes[l][j]));
+    }
+    if (k->shape[guest] == FMB_SIMPLEX)
+        edges = edges + largest;
+    return lane_abs(shift) + edges;
+}
+
 FMB_INLINE void box_errors(const box_kind *k, int guest, const box_frame *a, const box_frame *b,
                            lane most[3][3], const twin *shift, const twin *drift, box_view *v)
 {
     lane x[3], whole = lane_of(0x1p-200), sum = lane_of(0),
                unit = lane_of(box_steps(k, 1 - guest) * BOX_UNIT(k->fine));
     for (int j = 0; j < k->dim; j++) {
-        lane edges = lane_of(0), largest = lane_of(0);
-        for (int l = 0; l < k->dim; l++) {
-            edges = edges + lane_abs(b->axes[l][j]);
-            largest = lane_max(largest, lane_abs(b->axes[l][j]));
-        }
-        if (k->shape[guest] == FMB_SIMPLEX)
-            edges = edges + largest;
-        x[j] = lane_abs(shift[j].hi) + edges + lane_abs(drift[j].hi);
+        x[j] = box_extent(k, guest, b, j, shift[j].hi) + lane_abs(drift[j].hi);
         whole = lane_fma(most[0][j], lane_abs(a->axes[0][j]), whole);
     }
     for (int i = 0; i < k->dim; i++) {

@@ -215,17 +215,27 @@ static fmb_status put_box(const query *a, int level, size_t i)
     return put(a, FIRST_BOX + BOX_BLOCKS * level + which, p, q, i);
 }
 
-static fmb_status flush_boxes(const query *a, const fmb_block *b, int level, int which)
+/* Boxes of these lanes of a block. */
+static fmb_status box_lanes(const query *a, const fmb_block *b, int level, int which,
+                            unsigned lanes)
 {
     double answer[FMB_BOX_MOST_ROWS * FMB_BLOCK_MOST_LANES];
     fmb_status st = FMB_OK;
     unsigned good = box_kernel(a, level, which)(b->number, answer);
-    for (int lane = 0; st == FMB_OK && lane < b->lanes; lane++)
+    for (int lane = 0; st == FMB_OK && lane < b->lanes; lane++) {
+        if (!(lanes >> lane & 1))
+            continue;
         if (good >> lane & 1)
             write_lane(a, answer, a->kernels->width, lane, b->pair[lane]);
         else
             st = put_box(a, level + 1, b->pair[lane]);
+    }
     return st;
+}
+
+static fmb_status flush_boxes(const query *a, const fmb_block *b, int level, int which)
+{
+    return box_lanes(a, b, level, which, ~0U);
 }
 
 /* ---- verdicts by kernels --------------------------------------------------------------------- */
@@ -237,17 +247,37 @@ static fmb_verdict_kernel *verdict_kernel(const query *a, int which)
                                                 : a->kernels->fmb[d][moves][kind];
 }
 
+/* Do these lanes go on to boxes as they stand? Where most lanes do not meet, it is cheaper to put
+ * those that do into a block of their own, and that must be where a pair was swapped. */
+static unsigned stay(const query *a, const fmb_block *b, int which, unsigned meet)
+{
+    unsigned lanes = 0;
+    int moves = which / FMB_KINDS, kind = which % FMB_KINDS;
+    meet &= (1U << b->lanes) - 1;
+    if (!a->boxes || a->k->options.tightest || 2 * __builtin_popcount(meet) <= a->kernels->width ||
+        !a->kernels->box[a->k->dim - 2][moves][kind == FMB_KIND_TT][kind != FMB_KIND_CC])
+        return 0;
+    for (int lane = 0; lane < b->lanes; lane++)
+        if (meet >> lane & 1 && (kind != FMB_KIND_CT || a->p[b->pair[lane]].shape == FMB_CUBOID))
+            lanes |= 1U << lane;
+    return lanes;
+}
+
 static fmb_status flush_verdicts(const query *a, const fmb_block *b, int which)
 {
-    fmb_status st = FMB_OK;
+    static const int shapes[FMB_KINDS] = {[FMB_KIND_CC] = 0, [FMB_KIND_CT] = 1, [FMB_KIND_TT] = 3};
     fmb_pair_bits bits = verdict_kernel(a, which)(b->number);
+    unsigned boxed = stay(a, b, which, bits.meet & ~bits.apart);
+    fmb_status st = FMB_OK;
+    if (boxed)
+        st = box_lanes(a, b, 0, 4 * (which / FMB_KINDS) + shapes[which % FMB_KINDS], boxed);
     for (int lane = 0; st == FMB_OK && lane < b->lanes; lane++) {
         size_t i = b->pair[lane];
         if (bits.apart >> lane & 1) {
             a->out->verdict[i] = FMB_INFEASIBLE;
         } else if (bits.meet >> lane & 1) {
             a->out->verdict[i] = FMB_FEASIBLE;
-            st = a->boxes ? put_box(a, 0, i) : FMB_OK;
+            st = a->boxes && !(boxed >> lane & 1) ? put_box(a, 0, i) : FMB_OK;
         } else {
             st = decide_generally(a, i);
         }
@@ -300,7 +330,7 @@ static fmb_status put(const query *a, int number, const fmb_frame *p, const fmb_
 {
     fmb_block *b = &a->k->block[number];
     bool moves = p->speed || q->speed;
-    fmb_block_put(b, a->kernels->width, p, q, moves, number >= FIRST_BOX, i);
+    fmb_block_put(b, a->kernels->width, p, q, moves, a->boxes, i);
     a->k->waiting |= UINT32_C(1) << number;
     return b->lanes == a->kernels->width ? flush(a, number) : FMB_OK;
 }
