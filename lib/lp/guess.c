@@ -95,10 +95,14 @@ static fmb_status run_simplex(fmb_run *run, glp_prob *p)
     smcp.it_lim = ITERATIONS;
     glp_scale_prob(p, GLP_SF_AUTO);
     glp_adv_basis(p, 0);
+    /* In doubles it may go round in circles. Any basis will do to start from, so there is an end.
+     */
+    int left = 1000 + 100 * (glp_get_num_rows(p) + glp_get_num_cols(p));
     do {
         st = fmb_run_poll_now(run);
         why = st == FMB_OK ? glp_simplex(p, &smcp) : 0;
-    } while (why == GLP_EITLIM);
+        left -= ITERATIONS;
+    } while (why == GLP_EITLIM && left > 0);
     return st;
 }
 

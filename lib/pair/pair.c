@@ -269,8 +269,6 @@ static fmb_status flush_verdicts(const query *a, const fmb_block *b, int which)
     fmb_pair_bits bits = verdict_kernel(a, which)(b->number);
     unsigned boxed = stay(a, b, which, bits.meet & ~bits.apart);
     fmb_status st = FMB_OK;
-    if (boxed)
-        st = box_lanes(a, b, 0, 4 * (which / FMB_KINDS) + shapes[which % FMB_KINDS], boxed);
     for (int lane = 0; st == FMB_OK && lane < b->lanes; lane++) {
         size_t i = b->pair[lane];
         if (bits.apart >> lane & 1) {
@@ -282,6 +280,8 @@ static fmb_status flush_verdicts(const query *a, const fmb_block *b, int which)
             st = decide_generally(a, i);
         }
     }
+    if (st == FMB_OK && boxed)
+        st = box_lanes(a, b, 0, 4 * (which / FMB_KINDS) + shapes[which % FMB_KINDS], boxed);
     return st;
 }
 
