@@ -16,7 +16,7 @@ import tempfile
 import time
 import xml.etree.ElementTree
 
-program, man_page = sys.argv[1], pathlib.Path(sys.argv[2])
+program, man_page = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2])
 faults = []
 STUDIES = ["table1", "near", "faces", "boxes", "scaling", "rules", "peers"]
 SMALL = ["--dim", "2", "--pairs", "2", "--rules", "kohler", "--rules", "kohler,box", "--passes", "1"]
