@@ -175,19 +175,28 @@ typedef struct members {
     unsigned *seen;
 } members;
 
-static fmb_status read_member(void *self, fmb_cursor *c)
+/* A key and its colon. */
+static fmb_status read_key(fmb_cursor *c, fmb_span *name)
 {
-    const members *m = self;
-    fmb_span name;
-    fmb_json_blanks(c);
-    const char *p = c->at;
-    fmb_status st = fmb_json_string(c, "a key in quotes", &name);
+    fmb_status st = fmb_json_string(c, "a key in quotes", name);
     if (st != FMB_OK)
         return st;
     fmb_json_blanks(c);
     if (fmb_peek(c) != ':')
         return fail(c, "':'");
     c->at++;
+    return FMB_OK;
+}
+
+static fmb_status read_member(void *self, fmb_cursor *c)
+{
+    const members *m = self;
+    fmb_span name;
+    fmb_json_blanks(c);
+    const char *p = c->at;
+    fmb_status st = read_key(c, &name);
+    if (st != FMB_OK)
+        return st;
     size_t k = 0;
     while (k < m->n && !fmb_json_spells(name, m->key[k].name))
         k++;
@@ -222,14 +231,8 @@ static fmb_status skip(void *self, fmb_cursor *c);
 static fmb_status skip_member(void *self, fmb_cursor *c)
 {
     fmb_span name;
-    fmb_status st = fmb_json_string(c, "a key in quotes", &name);
-    if (st != FMB_OK)
-        return st;
-    fmb_json_blanks(c);
-    if (fmb_peek(c) != ':')
-        return fail(c, "':'");
-    c->at++;
-    return skip(self, c);
+    fmb_status st = read_key(c, &name);
+    return st == FMB_OK ? skip(self, c) : st;
 }
 
 /* self points to the depth. */
