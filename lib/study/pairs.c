@@ -43,7 +43,7 @@ static uint64_t scatter(uint64_t seed, uint64_t more)
 static uint64_t seed_of(const study_pair_plan *plan, uint64_t seed, uint64_t k)
 {
     uint64_t key = plan->moves;
-    int field[] = {plan->family,       plan->dim,      plan->shape[0] + 1,
+    int field[] = {(int)plan->family,  plan->dim,      plan->shape[0] + 1,
                    plan->shape[1] + 1, plan->naxes[0], plan->naxes[1]};
     for (size_t i = 0; i < sizeof field / sizeof *field; i++)
         key = key * 32 + (uint64_t)field[i];
