@@ -44,15 +44,17 @@ fmb_block_fill(double *to, int width, int dim, const fmb_frame *p, const fmb_fra
 static inline void fmb_block_put(fmb_block *b, int width, const fmb_frame *p, const fmb_frame *q,
                                  bool moves, bool boxes, size_t i)
 {
+    bool swap = p->shape == FMB_SIMPLEX && q->shape == FMB_CUBOID;
+    const fmb_frame *first = swap ? q : p, *second = swap ? p : q;
     int dim = p->dim;
     double *to = b->number + b->lanes;
     b->pair[b->lanes++] = i;
-    to = dim == 2 ? fmb_block_fill(to, width, 2, p, q, moves)
-                  : fmb_block_fill(to, width, 3, p, q, moves);
+    to = dim == 2 ? fmb_block_fill(to, width, 2, first, second, moves)
+                  : fmb_block_fill(to, width, 3, first, second, moves);
     for (int j = 0; boxes && j < 2 * dim; j++, to += width)
-        *to = j < dim ? p->origin[j] : q->origin[j - dim];
+        *to = j < dim ? first->origin[j] : second->origin[j - dim];
     for (int j = 0; boxes && moves && j < 2 * dim; j++, to += width) {
-        const double *speed = j < dim ? p->speed : q->speed;
+        const double *speed = j < dim ? first->speed : second->speed;
         *to = speed ? speed[j % dim] : 0;
     }
 }

@@ -40,23 +40,24 @@ FMB_INLINE const double *box_load(int dim, const double *rows, lane *x, lane *mo
     return rows + dim * FMB_LANES;
 }
 
+/* A block has a cuboid before a simplex. */
 FMB_INLINE void box_pair_of(const box_kind *k, const double *block, box_pair *p)
 {
-    const int d = k->dim;
+    const int d = k->dim, swapped = k->shape[0] == FMB_SIMPLEX && k->shape[1] == FMB_CUBOID;
     const double *rows = block + d * FMB_LANES; /* shift is computed anew, with its lower half */
     lane edges[2] = {lane_of(0), lane_of(0)}, places = lane_of(0), speeds = lane_of(0);
     for (int f = 0; f < 2; f++)
         for (int l = 0; l < d; l++)
-            rows = box_load(d, rows, p->frame[f].axes[l], &edges[f]);
+            rows = box_load(d, rows, p->frame[f ^ swapped].axes[l], &edges[f]);
     rows += k->moves ? d * FMB_LANES : 0;
     for (int f = 0; f < 2; f++)
-        rows = box_load(d, rows, p->frame[f].origin, &places);
+        rows = box_load(d, rows, p->frame[f ^ swapped].origin, &places);
     for (int f = 0; f < 2; f++)
         if (k->moves)
-            rows = box_load(d, rows, p->frame[f].speed, &speeds);
+            rows = box_load(d, rows, p->frame[f ^ swapped].speed, &speeds);
         else
             for (int j = 0; j < d; j++)
-                p->frame[f].speed[j] = lane_of(0);
+                p->frame[f ^ swapped].speed[j] = lane_of(0);
     p->far = lane_of(3) * (places + speeds + edges[0] + edges[1]);
     lane edge = lane_max(edges[0], edges[1]), most = lane_max(lane_max(places, speeds), edge);
     p->least = lane_max(places, lane_of(0.5) * edge);

@@ -10,6 +10,10 @@
  *     place   2 D   origin of A, of B   (boxes only)
  *     speed   2 D   speed of A, of B    (boxes only, if moving)
  *
+ * In a block a cuboid comes before a simplex: pairs (simplex, cuboid) are swapped, so A and B here
+ * are the pair's second and first frame. Boxes are in coordinates of the pair's second one all the
+ * same.
+ *
  * Differences are rounded once, so shift and drift have a relative error of at most 2^-53; all
  * other rows are exact. Every number is finite.
  */
@@ -39,7 +43,7 @@ typedef fmb_pair_bits fmb_verdict_kernel(const double *block);
  * nothing. Static: the times are 0 and 1. */
 typedef unsigned fmb_box_kernel(const double *block, double *answer);
 
-/* Kinds of a pair; a simplex and a cuboid are swapped for a verdict. */
+/* Kinds of a block for verdicts. */
 enum { FMB_KIND_CC, FMB_KIND_CT, FMB_KIND_TT, FMB_KINDS };
 
 typedef struct fmb_pair_kernels {
