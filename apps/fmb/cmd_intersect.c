@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "common/file.h"
+#include "common/listen.h"
 #include "common/message.h"
 #include "common/source.h"
 #include "common/stop.h"
@@ -161,30 +162,57 @@ static void progress_end(const progress *p)
 
 /* ---- the command ----------------------------------------------------------------------------- */
 
-/* Every line, up to the end, a mistake, or a signal. */
-static int read_all(intersect *x, fmb_frames *lines)
+/* Lines on their way to answers. */
+typedef struct work {
+    intersect *x;
+    batch *b;
+    fmb_frames *lines;
+    fmb_status asked; /* FMB_OK, or what the batch failed with */
+} work;
+
+/* Whoever sends the lines may want an answer before the next one. */
+static void answer_what_waits(void *self)
 {
-    batch *b = batch_new(x);
-    progress p = progress_begin(x->ask);
+    work *w = self;
+    if (w->asked == FMB_OK)
+        w->asked = batch_flush(w->b);
+    fflush(stdout);
+}
+
+/* Every line, up to the end, a mistake (then *where and errno tell it), or a signal, which may cut
+ * the last line. */
+static fmb_status read_all(work *w, fmb_where *where)
+{
+    progress p = progress_begin(w->x->ask);
     const fmb_frames_line *line = NULL;
-    fmb_where where = {0};
-    fmb_status asked = FMB_OK, st;
+    fmb_status st;
+    int cause;
     do {
         errno = 0;
-        st = fmb_frames_next(lines, &line, &where);
-        if (st == FMB_OK && line)
-            asked = batch_put(b, line);
-        progress_show(&p, x);
-    } while (st == FMB_OK && line && asked == FMB_OK && !app_stop_asked());
-    int cause = errno;
-    if (asked == FMB_OK)
-        asked = batch_flush(b);
-    batch_free(b);
+        st = fmb_frames_next(w->lines, &line, where);
+        cause = errno;
+        if (st == FMB_OK && line && w->asked == FMB_OK)
+            w->asked = batch_put(w->b, line);
+        progress_show(&p, w->x);
+    } while (st == FMB_OK && line && w->asked == FMB_OK && !app_stop_asked());
     progress_end(&p);
     errno = cause;
-    if (asked != FMB_OK)
-        return app_status_error(asked);
-    return app_source_outcome(st, x->ask->file, &where);
+    return st == FMB_ERR_PARSE && app_stop_asked() ? FMB_OK : st;
+}
+
+static int answer_all(work *w)
+{
+    fmb_where where = {0};
+    w->b = batch_new(w->x);
+    fmb_status st = read_all(w, &where);
+    int cause = errno;
+    if (w->asked == FMB_OK)
+        w->asked = batch_flush(w->b);
+    batch_free(w->b);
+    errno = cause;
+    if (w->asked != FMB_OK)
+        return app_status_error(w->asked);
+    return app_source_outcome(st, w->x->ask->file, &where);
 }
 
 static int exit_code(const intersect *x)
@@ -199,20 +227,24 @@ static int run(intersect *x, FILE *in)
     const intersect_ask *ask = x->ask;
     fmb_options how = fmb_options_default();
     fmb_reader reading = {.nearest = ask->nearest};
-    fmb_frames *lines = NULL;
+    work w = {.x = x};
+    app_listener listener = {in, answer_what_waits, &w};
+    FILE *heard = app_need(app_listen(&listener));
     how.max_seconds = ask->max_seconds;
     how.evidence = ask->boxes != BOXES_NONE;
     fmb_status st = fmb_solver_new(&how, NULL, &x->solver);
     if (st == FMB_OK)
-        st = fmb_frames_open(in, &reading, &lines);
-    if (st != FMB_OK)
-        return app_status_error(st);
-    report_begin(x);
-    app_stop_begin(x->solver);
-    int code = read_all(x, lines);
-    app_stop_end();
-    report_end(x);
-    fmb_frames_close(lines);
+        st = fmb_frames_open(heard, &reading, &w.lines);
+    int code = st == FMB_OK ? APP_YES : app_status_error(st);
+    if (code == APP_YES) {
+        report_begin(x);
+        app_stop_begin(x->solver);
+        code = answer_all(&w);
+        app_stop_end();
+        report_end(x);
+    }
+    fmb_frames_close(w.lines);
+    fclose(heard);
     return code == APP_YES ? exit_code(x) : code;
 }
 

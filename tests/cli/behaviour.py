@@ -266,6 +266,30 @@ class Endless(unittest.TestCase):
         os.close(ours)
 
 
+class Waiting(unittest.TestCase):
+    """Pairs of frames that come one by one."""
+
+    def expect(self, p, line):
+        self.assertTrue(select.select([p.stdout], [], [], 30)[0], "no answer")
+        self.assertEqual(p.stdout.readline(), line)
+
+    def test_answers_at_once(self):
+        """Whoever sends a pair and waits gets its answer; then a signal ends the command at once."""
+        for number in (signal.SIGINT, signal.SIGTERM):
+            for rest in (b"", Endless.LINE[:30]):
+                with subprocess.Popen([FMB, "intersect", "-", "--boxes", "none"], bufsize=0,
+                                      stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                      stderr=subprocess.PIPE) as p:
+                    p.stdin.write(Endless.LINE)
+                    self.expect(p, b"meet      line 1\n")
+                    p.stdin.write(Endless.LINE + rest)
+                    self.expect(p, b"meet      line 2\n")
+                    p.send_signal(number)
+                    self.assertEqual(p.wait(timeout=2), 2)
+                    self.assertEqual((p.stdout.read(), p.stderr.read()),
+                                     (b"2 tested: 2 meet, 0 apart, 0 undecided\n", b""))
+
+
 class Instructions(unittest.TestCase):
     def test_what_there_is(self):
         """Instructions that the processor has not got are refused in words."""

@@ -1,0 +1,17 @@
+/* listen.h: input that may be long in coming. */
+#ifndef APP_LISTEN_H
+#define APP_LISTEN_H
+
+#include <stdio.h>
+
+typedef struct app_listener {
+    FILE *in;                 /* nothing was read from it yet */
+    void (*idle)(void *self); /* called before there is a wait */
+    void *self;
+} app_listener;
+
+/* [give, fclose()] What comes in, between app_stop_begin and app_stop_end: the stream ends at a
+ * signal, too, even in the middle of a line. It borrows l. NULL without memory. */
+FILE *app_listen(app_listener *l);
+
+#endif
