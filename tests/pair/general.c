@@ -414,6 +414,37 @@ Test(general, proofs_of_wrong_guesses)
     cr_expect_gt(common, 10);
 }
 
+/* The inverse is a guess, too: what it is off by is part of the proof. Elimination leaves it right
+ * but for rounding, so here its rows are stretched or shrunk. */
+Test(general, proofs_by_a_wrong_inverse)
+{
+    support_rng g = {78};
+    int common = 0;
+    for (int dim = 1; dim <= 3; dim++) {
+        judge j = judge_open(dim, FMB_SIMD_AUTO);
+        fmb_general_system *s = &j.general->pair;
+        for (int i = 0; i < 400; i++) {
+            two t;
+            double z[2 * MOST + 1];
+            draw(&g, i % 2 ? LATTICE : NEAR, dim, false, false, 1, &t);
+            (void)fmb_general_decide(j.general, &t.f[0], &t.f[1]);
+            bool open = ask(j.open, &t) == FMB_FEASIBLE;
+            for (int row = 0; row < dim; row++)
+                scale(fmb_general_solved(s, row) + s->columns + 1, dim, 1,
+                      1 + support_between(&g, -8, 8) / 10.0);
+            for (int try = 0; try < 20; try++) {
+                for (int k = 0; k < s->columns; k++)
+                    z[k] = support_between(&g, 1, 7) / 8.0;
+                bool says_common = fmb_general_is_near_common(s, z);
+                cr_assert(!says_common || open, "%d in %d", i, dim);
+                common += says_common;
+            }
+        }
+        judge_close(&j);
+    }
+    cr_expect_gt(common, 10, "%d", common);
+}
+
 /* ---- failures -------------------------------------------------------------------------------- */
 
 Test(general, too_many_dimensions)
