@@ -75,6 +75,28 @@ static void add_size(boxes_report *r, const boxes_class *c, const boxes_sizes *s
     app_json_append(r->size_cells, obj);
 }
 
+/* Some curves nearly coincide: the wider ones are drawn first. One lies at 1: not on the frame. */
+static void put_script(const boxes_class *c, FILE *f)
+{
+    static const struct {
+        int kind, width;
+    } CURVE[BOXES_WORLD] = {{BOXES_AABBS, 9},
+                            {BOXES_CLIPPED, 5},
+                            {BOXES_MENDED, 2},
+                            {BOXES_ARTICLE, 2},
+                            {BOXES_OURS, 2}};
+    fprintf(f,
+            "set title '%s'\nset logscale y\nset yrange [0.5:]\nset grid\nset key left top\n"
+            "set xlabel 'pairs with at most that ratio [%%]'\n"
+            "set ylabel 'volume of the box over the tight one'\nplot",
+            c->title);
+    for (int i = 0; i < BOXES_WORLD; i++)
+        fprintf(f, "%s data using 1:%d with lines linetype %d linewidth %d title columnheader(%d)",
+                i > 0 ? "," : "", CURVE[i].kind + 2, CURVE[i].kind + 1, CURVE[i].width,
+                CURVE[i].kind + 2);
+    fputc('\n', f);
+}
+
 /* Quantiles, once the ratios are sorted. */
 static void draw_sizes(qualify_page *page, const boxes_class *c, const boxes_sizes *s)
 {
@@ -91,12 +113,7 @@ static void draw_sizes(qualify_page *page, const boxes_class *c, const boxes_siz
             fprintf(f.data, " %.6g", s->ratio[kind][i * (s->n - 1) / STEPS]);
     }
     fputc('\n', f.data);
-    fprintf(f.script,
-            "set title '%s'\nset logscale y\nset grid\nset key left top\n"
-            "set xlabel 'pairs with at most that ratio [%%]'\n"
-            "set ylabel 'volume of the box over the tight one'\n"
-            "plot for [i=2:%d] data using 1:i with lines linewidth 2 title columnheader(i)\n",
-            c->title, BOXES_WORLD + 1);
+    put_script(c, f.script);
     if (asprintf(&caption, "Volumes of boxes over the tight one, %s: quantiles", c->title) < 0)
         app_need(NULL);
     qualify_page_figure(page, c->name, caption, &f);
