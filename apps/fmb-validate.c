@@ -41,16 +41,10 @@ static int open_files(const validate_plan *p, files *f)
     return code;
 }
 
-/* The first of two exit codes that says something. */
-static int first_code(int a, int b)
-{
-    return a != APP_YES ? a : b;
-}
-
 static int close_files(const validate_plan *p, files *f)
 {
     int code = app_file_close(f->json, p->json);
-    return first_code(code, app_file_close(f->failures, p->failures));
+    return app_first_code(code, app_file_close(f->failures, p->failures));
 }
 
 static int report(const validate_plan *p, const files *f)
@@ -97,5 +91,5 @@ int main(int argc, char **argv)
     int code = open_files(&plan, &f);
     if (code == APP_YES)
         code = run(&plan, &f);
-    return first_code(close_files(&plan, &f), code);
+    return app_first_code(close_files(&plan, &f), code);
 }

@@ -14,4 +14,10 @@ enum app_exit_code {
     APP_CANNOT_WRITE = 74 /* a full disk, a missing folder */
 };
 
+/* The first of two exit codes that says something. */
+static inline int app_first_code(int a, int b)
+{
+    return a != APP_YES ? a : b;
+}
+
 #endif

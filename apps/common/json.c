@@ -1,6 +1,7 @@
 /* json.c: see json.h. */
 #include "common/json.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -25,6 +26,11 @@ json_t *app_json_text(const char *raw)
     json_t *value = json_string(text);
     free(text);
     return value;
+}
+
+json_t *app_json_real(double x)
+{
+    return isfinite(x) ? json_real(x) : json_null();
 }
 
 void app_json_print(json_t *obj)

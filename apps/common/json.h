@@ -9,6 +9,8 @@ void app_json_set(json_t *obj, const char *key, json_t *value);
 void app_json_append(json_t *array, json_t *value);
 /* Any bytes as a string in valid UTF-8. */
 json_t *app_json_text(const char *raw);
+/* A number; null if it is not finite. */
+json_t *app_json_real(double x);
 /* Print obj to standard output and give it up. */
 void app_json_print(json_t *obj);
 

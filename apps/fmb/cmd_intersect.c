@@ -4,9 +4,9 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "common/clock.h"
 #include "common/file.h"
 #include "common/listen.h"
 #include "common/message.h"
@@ -129,23 +129,16 @@ typedef struct progress {
     double last; /* [s] */
 } progress;
 
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 /* Not where the report itself is seen to grow. */
 static progress progress_begin(const intersect_ask *ask)
 {
     bool wanted = !ask->quiet && isatty(STDERR_FILENO) && !isatty(STDOUT_FILENO);
-    return (progress){.wanted = wanted, .last = wanted ? now() : 0};
+    return (progress){.wanted = wanted, .last = wanted ? app_now() : 0};
 }
 
 static void progress_show(progress *p, const intersect *x)
 {
-    double t = p->wanted ? now() : 0;
+    double t = p->wanted ? app_now() : 0;
     if (!p->wanted || t - p->last < interval_seconds)
         return;
     fprintf(stderr, "\rfmb: %zu pairs, %zu meet", x->tested, x->meeting);

@@ -1,6 +1,7 @@
 /* cells.c: see cells.h. */
 #include "qualify/cells.h"
 
+#include <math.h>
 #include <stdarg.h>
 
 #include "common/message.h"
@@ -13,6 +14,20 @@ void qualify_cell(app_table *t, const char *format, ...)
     int length = vasprintf(&text, format, args);
     va_end(args);
     app_table_add(t, app_need(length < 0 ? NULL : text));
+}
+
+void qualify_number_cell(app_table *t, const char *format, double x)
+{
+    if (isfinite(x))
+        qualify_cell(t, format, x);
+    else
+        qualify_cell(t, "-");
+}
+
+void qualify_titles(app_table *t, const char *const *title)
+{
+    for (size_t i = 0; i < t->columns; i++)
+        qualify_cell(t, "%s", title[i]);
 }
 
 void qualify_csv_text(FILE *f, const char *text)

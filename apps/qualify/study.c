@@ -2,12 +2,12 @@
 #include "qualify/study.h"
 
 #include <argp.h>
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "common/json.h"
 #include "common/message.h"
+#include "common/value.h"
 #include "qualify/watch.h"
 #include "study/clock.h"
 
@@ -22,25 +22,6 @@ static const struct argp_option options[] = {
     {"json", 'j', NULL, 0, "Print one JSON object instead of tables", 2},
     {"quiet", 'q', NULL, 0, "No progress bar", 2},
     {0}};
-
-static uint64_t whole(const char *text, uint64_t least, uint64_t most, struct argp_state *state)
-{
-    char *end;
-    errno = 0;
-    unsigned long long x = strtoull(text, &end, 10);
-    if (end == text || *end != '\0' || errno != 0 || strchr(text, '-') || x < least || x > most)
-        argp_error(state, "'%s' is not a whole number from %llu to %llu", text,
-                   (unsigned long long)least, (unsigned long long)most);
-    return x;
-}
-
-static fmb_simd simd_level(const char *word, struct argp_state *state)
-{
-    fmb_options o = fmb_options_default();
-    if (fmb_options_set(&o, "simd", word) != FMB_OK)
-        argp_error(state, "'%s' is not one of auto, plain, avx2, avx512", word);
-    return o.simd;
-}
 
 static error_t parse_report(int key, char *arg, struct argp_state *state)
 {
@@ -68,16 +49,16 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     qualify_setup *o = state->input;
     switch (key) {
     case 'n':
-        o->pairs = (size_t)whole(arg, 1, MOST_PAIRS, state);
+        o->pairs = (size_t)app_value_whole(arg, 1, MOST_PAIRS, state);
         return 0;
     case 's':
-        o->seed = whole(arg, 0, INT64_MAX, state); /* as JSON has it */
+        o->seed = app_value_whole(arg, 0, INT64_MAX, state); /* as JSON has it */
         return 0;
     case KEY_PASSES:
-        o->passes = (int)whole(arg, 1, STUDY_CLOCK_MOST_PASSES, state);
+        o->passes = (int)app_value_whole(arg, 1, STUDY_CLOCK_MOST_PASSES, state);
         return 0;
     case KEY_SIMD:
-        o->simd = simd_level(arg, state);
+        o->simd = app_value_simd(arg, state);
         return 0;
     default:
         return parse_report(key, arg, state);
@@ -128,16 +109,11 @@ static int run_study(const qualify_study *s, const qualify_setup *asked,
     return code;
 }
 
-/* The first of two exit codes that says something; a Ctrl-C comes last. */
-static int first_code(int a, int b)
-{
-    return a != APP_YES ? a : b;
-}
-
+/* A Ctrl-C comes last. */
 static int end(qualify_page *page, int code)
 {
-    code = first_code(code, qualify_page_close(page));
-    code = first_code(code, qualify_watch_interrupted() ? APP_UNDECIDED : APP_YES);
+    code = app_first_code(code, qualify_page_close(page));
+    code = app_first_code(code, qualify_watch_interrupted() ? APP_UNDECIDED : APP_YES);
     qualify_watch_end();
     return code;
 }
@@ -179,6 +155,6 @@ int qualify_all(int argc, char **argv)
     qualify_page *page = qualify_page_open(o.out, o.json);
     bool good = qualify_page_is_good(page);
     for (int i = 0; good && i < STUDIES && !qualify_watch_interrupted(); i++)
-        code = first_code(code, run_study(STUDY[i], &o, &STUDY[i]->brief, page));
+        code = app_first_code(code, run_study(STUDY[i], &o, &STUDY[i]->brief, page));
     return end(page, code);
 }

@@ -1,9 +1,9 @@
 /* options.c: the command line of fmb-validate; see plan.h. */
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "common/message.h"
+#include "common/value.h"
 #include "validate/plan.h"
 #include "validate/watch.h"
 
@@ -38,41 +38,9 @@ static const struct argp_option options[] = {
 
 /* ---- values ---------------------------------------------------------------------------------- */
 
-static uint64_t whole(const char *text, uint64_t least, uint64_t most, struct argp_state *state)
+static void use_family(const char *word, struct argp_state *state)
 {
-    char *end;
-    errno = 0;
-    unsigned long long x = strtoull(text, &end, 10);
-    if (*text < '0' || *text > '9' || *end != '\0' || errno != 0 || x < least || x > most)
-        argp_error(state, "'%s' is not a whole number from %llu to %llu", text,
-                   (unsigned long long)least, (unsigned long long)most);
-    return x;
-}
-
-static double share(const char *text, struct argp_state *state)
-{
-    char *end;
-    double x = strtod(text, &end);
-    if (end == text || *end != '\0' || !(x >= 0 && x <= 1))
-        argp_error(state, "'%s' is not a share from 0 to 1", text);
-    return x;
-}
-
-/* Call use for every word of a comma list; there must be one. */
-static void each_word(const char *list,
-                      void (*use)(validate_plan *, const char *, struct argp_state *),
-                      struct argp_state *state)
-{
-    char *rest, *copy = app_need(strdup(list)), *word = strtok_r(copy, ",", &rest);
-    if (!word)
-        argp_error(state, "'%s' has no words", list);
-    for (; word; word = strtok_r(NULL, ",", &rest))
-        use(state->input, word, state);
-    free(copy);
-}
-
-static void use_family(validate_plan *p, const char *word, struct argp_state *state)
-{
+    validate_plan *p = state->input;
     study_pair_family family = STUDY_PAIR_ARTICLE;
     bool all = strcmp(word, "all") == 0;
     if (!all && !study_pair_family_parse(word, &family))
@@ -84,9 +52,10 @@ static void use_family(validate_plan *p, const char *word, struct argp_state *st
         p->family[i] |= all || i == (int)family;
 }
 
-static void use_dim(validate_plan *p, const char *word, struct argp_state *state)
+static void use_dim(const char *word, struct argp_state *state)
 {
-    uint64_t dim = whole(word, 1, STUDY_PAIR_MOST_DIM, state);
+    validate_plan *p = state->input;
+    uint64_t dim = app_value_whole(word, 1, STUDY_PAIR_MOST_DIM, state);
     p->wanted[dim][0] = p->wanted[dim][1] = true;
 }
 
@@ -111,8 +80,8 @@ static void two(const char *text, char between, uint64_t most, uint64_t out[2],
     if (!second)
         argp_error(state, "'%s' is not two numbers with a '%c' between", text, between);
     *second++ = '\0';
-    out[0] = whole(copy, 1, most, state);
-    out[1] = whole(second, 1, most, state);
+    out[0] = app_value_whole(copy, 1, most, state);
+    out[1] = app_value_whole(second, 1, most, state);
     free(copy);
 }
 
@@ -132,20 +101,6 @@ static void use_axes(validate_plan *p, const char *text, struct argp_state *stat
     two(text, ',', STUDY_PAIR_MOST_DIM, n, state);
     for (int f = 0; f < 2; f++)
         p->usual.plan.naxes[f] = (int)n[f];
-}
-
-static void use_simd(validate_plan *p, const char *word, struct argp_state *state)
-{
-    static const char *const NAME[] = {[FMB_SIMD_AUTO] = "auto",
-                                       [FMB_SIMD_PLAIN] = "plain",
-                                       [FMB_SIMD_AVX2] = "avx2",
-                                       [FMB_SIMD_AVX512] = "avx512"};
-    for (size_t i = 0; i < sizeof NAME / sizeof *NAME; i++)
-        if (strcmp(word, NAME[i]) == 0) {
-            p->usual.simd = (fmb_simd)i;
-            return;
-        }
-    argp_error(state, "'%s' is not auto, plain, avx2 or avx512", word);
 }
 
 /* ---- options --------------------------------------------------------------------------------- */
@@ -178,16 +133,16 @@ static error_t parse_pairs(int key, char *arg, struct argp_state *state)
     validate_plan *p = state->input;
     switch (key) {
     case 'n':
-        p->pairs = whole(arg, 1, UINT64_C(1000000000000), state);
+        p->pairs = app_value_whole(arg, 1, UINT64_C(1000000000000), state);
         return 0;
     case 's':
-        p->usual.seed = whole(arg, 0, INT64_MAX, state); /* as JSON has it */
+        p->usual.seed = app_value_whole(arg, 0, INT64_MAX, state); /* as JSON has it */
         return 0;
     case 'f':
-        each_word(arg, use_family, state);
+        app_value_each(arg, use_family, state);
         return 0;
     case KEY_DIM:
-        each_word(arg, use_dim, state);
+        app_value_each(arg, use_dim, state);
         return 0;
     case KEY_AXES:
         use_axes(p, arg, state);
@@ -208,16 +163,16 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     validate_plan *p = state->input;
     switch (key) {
     case KEY_SAMPLE:
-        p->usual.sample = share(arg, state);
+        p->usual.sample = app_value_number(arg, 0, 1, state);
         return 0;
     case KEY_BOXES:
         p->usual.boxes = true;
         return 0;
     case KEY_SIMD:
-        use_simd(p, arg, state);
+        p->usual.simd = app_value_simd(arg, state);
         return 0;
     case 't':
-        p->threads = (int)whole(arg, 1, VALIDATE_MOST_THREADS, state);
+        p->threads = (int)app_value_whole(arg, 1, VALIDATE_MOST_THREADS, state);
         return 0;
     case KEY_SHARD:
         use_shard(p, arg, state);

@@ -3,8 +3,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
+#include "common/clock.h"
 #include "validate/plan.h"
 #include "validate/watch.h"
 
@@ -124,23 +124,16 @@ static fmb_status make_jobs(validate_plan *p)
     return FMB_OK;
 }
 
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 fmb_status validate_run(validate_plan *p)
 {
-    double start = now();
+    double start = app_now();
     fmb_status st = make_jobs(p);
     validate_watch_begin(p->quiet, (p->pairs / p->shards + 1) * p->jobs);
     for (size_t i = 0; st == FMB_OK && i < p->jobs && !validate_watch_interrupted(); i++)
         st = do_job(p, &p->job[i]);
     validate_watch_end();
     p->complete = !validate_watch_interrupted();
-    p->seconds = now() - start;
+    p->seconds = app_now() - start;
     return st;
 }
 

@@ -4,22 +4,16 @@
 
 #include <signal.h>
 #include <stdatomic.h>
-#include <stdio.h>
-#include <time.h>
-#include <unistd.h>
 
+#include "common/bar.h"
 #include "common/signals.h"
-
-enum { BAR = 40 };                  /* characters */
-static const double interval = 0.2; /* between two updates [s] */
 
 static study_validator *_Atomic running[VALIDATE_MOST_THREADS];
 static atomic_bool asked_to_stop;
 static atomic_uint_least64_t done;
 static atomic_flag drawing = ATOMIC_FLAG_INIT;
 static uint64_t all_pairs;
-static bool terminal;
-static double shown; /* when the bar was drawn last [s] */
+static app_bar bar;
 
 static void cancel(int signal_number)
 {
@@ -32,29 +26,19 @@ static void cancel(int signal_number)
     }
 }
 
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 void validate_watch_begin(bool quiet, uint64_t all)
 {
-    terminal = !quiet && isatty(STDERR_FILENO);
+    bar = app_bar_begin(quiet);
     all_pairs = all;
     atomic_store(&asked_to_stop, false);
     atomic_store(&done, 0);
-    shown = now();
     app_signals_set(cancel);
 }
 
 void validate_watch_end(void)
 {
     app_signals_set(SIG_DFL);
-    if (terminal)
-        fprintf(stderr, "\r%*s\r", BAR + 8, "");
-    fflush(stderr);
+    app_bar_end(&bar);
 }
 
 void validate_watch_set(int thread, study_validator *s)
@@ -62,25 +46,12 @@ void validate_watch_set(int thread, study_validator *s)
     atomic_store(&running[thread], s);
 }
 
-static void draw(uint64_t part) /* thousandths */
-{
-    char bar[BAR + 1];
-    for (unsigned i = 0; i < BAR; i++)
-        bar[i] = i * 1000 < part * BAR ? '#' : '.';
-    bar[BAR] = '\0';
-    fprintf(stderr, "\r[%s] %3u %%", bar, (unsigned)(part / 10));
-    fflush(stderr);
-}
-
 void validate_watch_step(uint64_t pairs)
 {
     uint64_t so_far = atomic_fetch_add(&done, pairs) + pairs;
-    if (!terminal || atomic_flag_test_and_set(&drawing))
+    if (!bar.wanted || atomic_flag_test_and_set(&drawing))
         return;
-    if (now() - shown > interval) {
-        draw(so_far * 1000 / all_pairs);
-        shown = now();
-    }
+    app_bar_show(&bar, so_far, all_pairs, NULL);
     atomic_flag_clear(&drawing);
 }
 

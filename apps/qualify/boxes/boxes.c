@@ -182,12 +182,6 @@ static int run_class(boxes_report *r, qualify_page *page, const boxes_class *c)
     return code;
 }
 
-static void add_titles(app_table *t, const char *const *title)
-{
-    for (size_t i = 0; i < t->columns; i++)
-        qualify_cell(t, "%s", title[i]);
-}
-
 static int conclude(boxes_report *r, qualify_page *page)
 {
     qualify_page_table(
@@ -224,8 +218,8 @@ static int run(const qualify_setup *o, qualify_page *page)
                       .size_cells = app_need(json_array()),
                       .time_cells = app_need(json_array())};
     int code = APP_YES;
-    add_titles(&r.sizes, SIZES);
-    add_titles(&r.times, TIMES);
+    qualify_titles(&r.sizes, SIZES);
+    qualify_titles(&r.times, TIMES);
     for (int i = 0; code == APP_YES && i < CLASSES && !qualify_watch_interrupted(); i++) {
         qualify_watch_part((size_t)i, CLASSES);
         code = run_class(&r, page, &CLASS[i]);

@@ -55,18 +55,6 @@ static char *missing(void)
 
 /* ---- times ----------------------------------------------------------------------------------- */
 
-static void number_cell(app_table *t, const char *format, double x)
-{
-    char text[32];
-    snprintf(text, sizeof text, format, x);
-    qualify_cell(t, "%s", isfinite(x) ? text : "-");
-}
-
-static json_t *real(double x)
-{
-    return isfinite(x) ? json_real(x) : json_null();
-}
-
 /* ns first, then, beside it, how many times driver 0's. */
 static void report_times(const peers_report *r, qualify_page *page)
 {
@@ -87,13 +75,13 @@ static void report_times(const peers_report *r, qualify_page *page)
             double time = t->complete ? t->ns[i].median : NAN,
                    times = t->complete ? t->ratio[i].median : NAN;
             json_t *obj = json_object();
-            number_cell(&ns, "%.1f", time);
-            number_cell(&ratio, "%.2f", times);
+            qualify_number_cell(&ns, "%.1f", time);
+            qualify_number_cell(&ratio, "%.2f", times);
             app_json_set(obj, "peer", json_string(DRIVER[i]->name));
             app_json_set(obj, "cell", json_string(CELL[c]));
             app_json_set(obj, "queries", json_integer((json_int_t)t->pairs));
-            app_json_set(obj, "ns", real(time));
-            app_json_set(obj, "over_fmb", real(times));
+            app_json_set(obj, "ns", app_json_real(time));
+            app_json_set(obj, "over_fmb", app_json_real(times));
             app_json_append(cells, obj);
         }
     }

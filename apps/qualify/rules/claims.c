@@ -111,8 +111,7 @@ static void add_article(const qualify_plan *p, qualify_page *page)
     app_table t = {.columns = 5, .align = "lrrrr"};
     if (!p->motion[0] || !p->dim[2] || !p->dim[3])
         return;
-    for (size_t c = 0; c < t.columns; c++)
-        qualify_cell(&t, "%s", TITLES[c]);
+    qualify_titles(&t, TITLES);
     for (size_t set = 1; set < p->sets; set++)
         if (p->grid.known[set])
             add_article_line(&t, p, set);

@@ -71,8 +71,7 @@ static void add_bars(const qualify_plan *p, qualify_page *page)
     app_table t = {.columns = 8, .align = "llrrrrrl"};
     static const char *const TITLE[] = {"systems", "rules",      "n",    "sum",
                                         "peak",    "sum wanted", "peak", "bar"};
-    for (size_t i = 0; i < t.columns; i++)
-        qualify_cell(&t, "%s", TITLE[i]);
+    qualify_titles(&t, TITLE);
     for (int i = 0; i < BARS; i++)
         add_bar(&t, p, &BAR[i]);
     qualify_page_text(page, "Counts on small frames, all but the last variable eliminated: mean "

@@ -1,15 +1,9 @@
 /* json.c: the numbers of the study, as keys of its JSON object. */
-#include <math.h>
 #include <stdlib.h>
 
 #include "common/json.h"
 #include "common/message.h"
 #include "qualify/rules/report.h"
-
-static json_t *real(double x)
-{
-    return isfinite(x) ? json_real(x) : json_null();
-}
 
 static json_t *count(size_t n)
 {
@@ -44,14 +38,14 @@ static void set_ratios(json_t *obj, const study_digest *d)
 {
     app_json_set(obj, "both_decided", count(d->both));
     app_json_set(obj, "only_this_decided", count(d->only));
-    app_json_set(obj, "kept_ratio", real(d->kept_ratio));
-    app_json_set(obj, "sum_ratio", real(d->lived_ratio));
+    app_json_set(obj, "kept_ratio", app_json_real(d->kept_ratio));
+    app_json_set(obj, "sum_ratio", app_json_real(d->lived_ratio));
     app_json_set(obj, "timed", count(d->timed));
     app_json_set(obj, "none_gave_up", count(d->base_gave_up));
     app_json_set(obj, "this_gave_up", count(d->gave_up));
-    app_json_set(obj, "time_median_ratio", real(d->median_ratio));
-    app_json_set(obj, "time_total_ratio", real(d->total_ratio));
-    app_json_set(obj, "sign_test", real(d->chance));
+    app_json_set(obj, "time_median_ratio", app_json_real(d->median_ratio));
+    app_json_set(obj, "time_total_ratio", app_json_real(d->total_ratio));
+    app_json_set(obj, "sign_test", app_json_real(d->chance));
 }
 
 static void add_class(void *self, const qualify_plan *p, const qualify_select *which)

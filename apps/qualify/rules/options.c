@@ -1,9 +1,8 @@
 /* options.c: the command line of fmb-qualify rules; see plan.h. */
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/message.h"
+#include "common/value.h"
 #include "qualify/rules/plan.h"
 
 enum {
@@ -54,60 +53,33 @@ static const struct argp_option options[] = {
 
 /* ---- values ---------------------------------------------------------------------------------- */
 
-static double number(const char *text, double least, double most, struct argp_state *state)
+static void use_dim(const char *word, struct argp_state *state)
 {
-    char *end;
-    errno = 0;
-    double x = strtod(text, &end);
-    if (end == text || *end != '\0' || errno != 0 || !(x >= least && x <= most))
-        argp_error(state, "'%s' is not a number from %g to %g", text, least, most);
-    return x;
+    qualify_plan *p = state->input;
+    p->dim[app_value_whole(word, 1, PLAN_MOST_DIM, state)] = true;
 }
 
-static unsigned long whole(const char *text, unsigned long least, unsigned long most,
-                           struct argp_state *state)
+static void use_motion(const char *word, struct argp_state *state)
 {
-    char *end;
-    errno = 0;
-    unsigned long x = strtoul(text, &end, 10);
-    if (end == text || *end != '\0' || errno != 0 || *text == '-' || x < least || x > most)
-        argp_error(state, "'%s' is not a whole number from %lu to %lu", text, least, most);
-    return x;
-}
-
-/* Call use for every word of a comma list. */
-static void each_word(char *list, void (*use)(qualify_plan *, const char *, struct argp_state *),
-                      struct argp_state *state)
-{
-    char *rest, *copy = app_need(strdup(list));
-    for (char *word = strtok_r(copy, ",", &rest); word; word = strtok_r(NULL, ",", &rest))
-        use(state->input, word, state);
-    free(copy);
-}
-
-static void use_dim(qualify_plan *p, const char *word, struct argp_state *state)
-{
-    p->dim[whole(word, 1, PLAN_MOST_DIM, state)] = true;
-}
-
-static void use_motion(qualify_plan *p, const char *word, struct argp_state *state)
-{
+    qualify_plan *p = state->input;
     bool dynamic = strcmp(word, "dynamic") == 0;
     if (!dynamic && strcmp(word, "static") != 0)
         argp_error(state, "'%s' is neither static nor dynamic", word);
     p->motion[dynamic] = true;
 }
 
-static void use_kind(qualify_plan *p, const char *word, struct argp_state *state)
+static void use_kind(const char *word, struct argp_state *state)
 {
+    qualify_plan *p = state->input;
     static const char letters[] = "CT";
     if (strlen(word) != 2 || strspn(word, letters) != 2)
         argp_error(state, "'%s' is not one of CC, CT, TC, TT", word);
     p->kind[word[0] == 'T'][word[1] == 'T'] = true;
 }
 
-static void use_order(qualify_plan *p, const char *word, struct argp_state *state)
+static void use_order(const char *word, struct argp_state *state)
 {
+    qualify_plan *p = state->input;
     fmb_order order = FMB_ORDER_PAIRS;
     if (!qualify_order_parse(word, &order) || p->orders == PLAN_MOST_ORDERS)
         argp_error(state, "'%s' is not an order: pairs, given, min, fill", word);
@@ -130,16 +102,16 @@ static error_t parse_systems(int key, char *arg, struct argp_state *state)
     switch (key) {
     case KEY_DIM:
         memset(p->dim, 0, sizeof p->dim);
-        each_word(arg, use_dim, state);
+        app_value_each(arg, use_dim, state);
         p->frames_asked = true;
         return 0;
     case KEY_MOTION:
         memset(p->motion, 0, sizeof p->motion);
-        each_word(arg, use_motion, state);
+        app_value_each(arg, use_motion, state);
         return 0;
     case KEY_KINDS:
         memset(p->kind, 0, sizeof p->kind);
-        each_word(arg, use_kind, state);
+        app_value_each(arg, use_kind, state);
         return 0;
     case KEY_MEETING:
         memset(p->meeting, 0, sizeof p->meeting);
@@ -150,11 +122,11 @@ static error_t parse_systems(int key, char *arg, struct argp_state *state)
             argp_error(state, "'%s' is not a family: small, float", arg);
         return 0;
     case 'n':
-        p->grid.per_class = whole(arg, 1, 1000000, state);
+        p->grid.per_class = app_value_whole(arg, 1, 1000000, state);
         p->pairs_asked = true;
         return 0;
     case 's':
-        p->grid.seed = whole(arg, 0, 0xffffffffUL, state);
+        p->grid.seed = app_value_whole(arg, 0, 0xffffffffUL, state);
         return 0;
     case ARGP_KEY_ARG:
         if (p->files == PLAN_MOST_FILES)
@@ -177,19 +149,19 @@ static error_t parse_ways(int key, char *arg, struct argp_state *state)
         return 0;
     case KEY_ORDERS:
         p->orders = 0;
-        each_word(arg, use_order, state);
+        app_value_each(arg, use_order, state);
         return 0;
     case KEY_PRESOLVE:
         p->grid.limits.presolve = arg;
         return 0;
     case KEY_ROWS:
-        p->grid.limits.max_rows = whole(arg, 1, 1000000000, state);
+        p->grid.limits.max_rows = app_value_whole(arg, 1, 1000000000, state);
         return 0;
     case KEY_SECONDS:
-        p->grid.limits.max_seconds = number(arg, 0, 1e6, state);
+        p->grid.limits.max_seconds = app_value_number(arg, 0, 1e6, state);
         return 0;
     case KEY_PASSES:
-        p->grid.passes = (int)whole(arg, 0, 9, state);
+        p->grid.passes = (int)app_value_whole(arg, 0, 9, state);
         return 0;
     default:
         return parse_systems(key, arg, state);

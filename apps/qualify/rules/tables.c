@@ -65,8 +65,7 @@ static void add_order(const qualify_plan *p, size_t order, qualify_page *to)
     page g = {{.columns = COLUMNS, .align = "llrrrrrrrrrrrr"}, order};
     const char *word = qualify_order_text(p->order[order]);
     char caption[40], name[40];
-    for (int c = 0; c < COLUMNS; c++)
-        qualify_cell(&g.table, "%s", TITLE[c]);
+    qualify_titles(&g.table, TITLE);
     qualify_each(p, p->detail, &g, add_lines);
     snprintf(caption, sizeof caption, "Order %s", word);
     snprintf(name, sizeof name, "order-%s", word);

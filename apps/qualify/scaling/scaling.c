@@ -18,11 +18,6 @@ typedef struct scaling_report {
 
 /* ---- one cell -------------------------------------------------------------------------------- */
 
-static json_t *real(double x)
-{
-    return isfinite(x) ? json_real(x) : json_null();
-}
-
 static json_t *cell_json(const scaling_cell *x, int kind)
 {
     json_t *obj = json_object();
@@ -31,11 +26,11 @@ static json_t *cell_json(const scaling_cell *x, int kind)
     app_json_set(obj, "pair", json_string(KIND[kind]));
     app_json_set(obj, "queries", json_integer((json_int_t)x->pairs));
     app_json_set(obj, "meeting", json_integer((json_int_t)x->meeting));
-    app_json_set(obj, "fmb_ns", real(x->ns.median));
-    app_json_set(obj, "exact_share", real(x->exact_share));
-    app_json_set(obj, "rows", real(x->rows));
-    app_json_set(obj, "lp_ns", real(x->lp_ns.median));
-    app_json_set(obj, "fmb_over_lp", real(x->over_lp.median));
+    app_json_set(obj, "fmb_ns", app_json_real(x->ns.median));
+    app_json_set(obj, "exact_share", app_json_real(x->exact_share));
+    app_json_set(obj, "rows", app_json_real(x->rows));
+    app_json_set(obj, "lp_ns", app_json_real(x->lp_ns.median));
+    app_json_set(obj, "fmb_over_lp", app_json_real(x->over_lp.median));
     app_json_set(obj, "lp_queries", json_integer((json_int_t)x->lp_pairs));
     app_json_set(obj, "lp_wrong", json_integer((json_int_t)x->lp_wrong));
     app_json_set(obj, "checked", json_integer((json_int_t)x->checked));
@@ -45,14 +40,6 @@ static json_t *cell_json(const scaling_cell *x, int kind)
     return obj;
 }
 
-/* "-" if it was not measured. */
-static void number_cell(app_table *t, const char *format, double x)
-{
-    char text[32];
-    snprintf(text, sizeof text, format, x);
-    qualify_cell(t, "%s", isfinite(x) ? text : "-");
-}
-
 static void add_line(app_table *t, const scaling_cell *x, int kind, const scaling_cell *smaller)
 {
     qualify_cell(t, "%d", x->class.dim);
@@ -60,12 +47,12 @@ static void add_line(app_table *t, const scaling_cell *x, int kind, const scalin
     qualify_cell(t, "%s", KIND[kind]);
     qualify_cell(t, "%zu", x->pairs);
     qualify_cell(t, "%.0f", 100 * (double)x->meeting / (double)x->pairs);
-    number_cell(t, "%.3f", x->ns.median / 1000);
-    number_cell(t, "%.1f", smaller ? x->ns.median / smaller->ns.median : NAN);
-    number_cell(t, "%.2f", 100 * x->exact_share);
-    number_cell(t, "%.0f", x->rows);
-    number_cell(t, "%.3f", x->lp_ns.median / 1000);
-    number_cell(t, "%.2f", x->over_lp.median);
+    qualify_number_cell(t, "%.3f", x->ns.median / 1000);
+    qualify_number_cell(t, "%.1f", smaller ? x->ns.median / smaller->ns.median : NAN);
+    qualify_number_cell(t, "%.2f", 100 * x->exact_share);
+    qualify_number_cell(t, "%.0f", x->rows);
+    qualify_number_cell(t, "%.3f", x->lp_ns.median / 1000);
+    qualify_number_cell(t, "%.2f", x->over_lp.median);
     qualify_cell(t, "%zu/%zu", x->wrong, x->checked);
     qualify_cell(t, "%zu/%zu", x->bad_boxes, x->boxes);
 }
@@ -79,8 +66,7 @@ static void report_table(const scaling_report *r, qualify_page *page)
                                          "us/LP", "wrong",  "boxes"};
     app_table t = {.columns = sizeof TITLES / sizeof *TITLES, .align = "rllrrrrrrrrrr"};
     json_t *cells = app_need(json_array());
-    for (size_t i = 0; i < t.columns; i++)
-        qualify_cell(&t, "%s", TITLES[i]);
+    qualify_titles(&t, TITLES);
     for (int moves = 0; moves < 2; moves++)
         for (int kind = 0; kind < KINDS; kind++)
             for (int d = 0; d < DIMS; d++) {

@@ -8,12 +8,6 @@
  * in 2D and in 3D. */
 static const double MOST_RATIO = 1.0, NOISE = 0.05, LEAST_SPEEDUP[] = {6, 20};
 
-static void put_titles(app_table *t, const char *const *title)
-{
-    for (size_t c = 0; c < t->columns; c++)
-        qualify_cell(t, "%s", title[c]);
-}
-
 static void put_class(app_table *t, const verdict_class *c)
 {
     qualify_cell(t, "%s", verdict_case_text(c->dim, c->moves));
@@ -35,7 +29,7 @@ static void add_cells(const verdict_study *s, qualify_page *page)
                                         "SAT ns",       "FMB/SAT",       "least", "most",
                                         "sat-plain ns", "sat-plain/SAT", "exact"};
     app_table t = {.columns = 11, .align = "lllrrrrrrrr"};
-    put_titles(&t, TITLE);
+    qualify_titles(&t, TITLE);
     for (size_t i = 0; i < s->duels; i++) {
         const verdict_duel *d = &s->duel[i];
         put_class(&t, &d->class);
@@ -56,7 +50,7 @@ static void add_single(const verdict_study *s, qualify_page *page)
     static const char *const TITLE[] = {"case",   "pair",    "meets", "FMB ns",
                                         "SAT ns", "FMB/SAT", "least", "most"};
     app_table t = {.columns = 8, .align = "lllrrrrr"};
-    put_titles(&t, TITLE);
+    qualify_titles(&t, TITLE);
     for (size_t i = 0; i < s->duels; i++) {
         const verdict_duel *d = &s->duel[i];
         put_class(&t, &d->class);
@@ -75,7 +69,7 @@ static void add_warm(const verdict_study *s, qualify_page *page)
         "case",      "pair",   "meets",   "pairs",         "FMB least", "median", "most ns",
         "SAT least", "median", "most ns", "FMB/SAT least", "median",    "most"};
     app_table t = {.columns = 13, .align = "lllrrrrrrrrrr"};
-    put_titles(&t, TITLE);
+    qualify_titles(&t, TITLE);
     for (size_t i = 0; i < s->duels; i++) {
         const verdict_duel *d = &s->duel[i];
         put_class(&t, &d->class);
