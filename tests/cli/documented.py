@@ -44,6 +44,8 @@ def complete(*words):
 
 for words, offered in ((("fmb", ""), commands), (("fmb", "solve", "f", "--me"), ["--method"]),
                        (("fmb", "solve", "--method", ""), ["auto", "fm", "lp"]),
+                       (("fmb", "solve", "--method", "="), ["auto", "fm", "lp"]),
+                       (("fmb", "intersect", "f", "--boxes", "=", "o"), ["outward"]),
                        (("fmb", "convert", "--t"), ["--to"]), (("fmb", "check", "--proo"), [])):
     if not set(offered) <= set(complete(*words)) or (not offered and complete(*words)):
         faults.append(f"completion of {words}: {complete(*words)}")

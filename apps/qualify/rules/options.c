@@ -203,7 +203,7 @@ static const char doc[] =
     "\n"
     "Examples:\n"
     "  fmb-qualify rules --out report\n"
-    "  fmb-qualify rules --dim 3 --kinds CC --pairs 500 --rules kohler,box --orders pairs,given\n"
+    "  fmb-qualify rules --dim 3 --kinds CC --pairs 500 --rules kohler,box\n"
     "  fmb-qualify rules --rules kohler cases/*.ine\n";
 
 const struct argp qualify_plan_argp = {options, parse, "[FILE...]", doc, NULL, NULL, NULL};
