@@ -2,46 +2,69 @@
 #include "common/value.h"
 
 #include <errno.h>
+#include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "common/message.h"
 
-uint64_t app_value_whole(const char *text, uint64_t least, uint64_t most, struct argp_state *state)
+uint64_t app_value_whole(const char *option, const char *text, uint64_t least, uint64_t most,
+                         struct argp_state *state)
 {
     char *end;
     errno = 0;
     unsigned long long x = strtoull(text, &end, 10);
     if (*text < '0' || *text > '9' || *end != '\0' || errno != 0 || x < least || x > most)
-        argp_error(state, "'%s' is not a whole number from %llu to %llu", text,
-                   (unsigned long long)least, (unsigned long long)most);
+        argp_error(state, "%s: expected a whole number from %llu to %llu, found '%s'", option,
+                   (unsigned long long)least, (unsigned long long)most, text);
     return x;
 }
 
-double app_value_number(const char *text, double least, double most, struct argp_state *state)
+double app_value_number(const char *option, const char *text, double least, double most,
+                        struct argp_state *state)
 {
     char *end;
-    errno = 0;
     double x = strtod(text, &end);
-    if (end == text || *end != '\0' || errno != 0 || !(x >= least && x <= most))
-        argp_error(state, "'%s' is not a number from %g to %g", text, least, most);
+    bool good = end != text && *end == '\0' && x >= least && x <= most;
+    if (!good && most == DBL_MAX)
+        argp_error(state, "%s: expected a number >= %g, found '%s'", option, least, text);
+    if (!good)
+        argp_error(state, "%s: expected a number from %g to %g, found '%s'", option, least, most,
+                   text);
     return x;
+}
+
+int app_value_choice(const char *option, const char *word, const char *const *list,
+                     struct argp_state *state)
+{
+    char all[200] = "";
+    for (int i = 0; list[i]; i++) {
+        size_t used = strlen(all);
+        if (strcmp(word, list[i]) == 0)
+            return i;
+        snprintf(all + used, sizeof all - used, "%s%s", i > 0 ? "|" : "", list[i]);
+    }
+    argp_error(state, "%s: expected %s, found '%s'", option, all, word);
+    return 0;
 }
 
 fmb_simd app_value_simd(const char *word, struct argp_state *state)
 {
-    fmb_options o = fmb_options_default();
-    if (fmb_options_set(&o, "simd", word) != FMB_OK)
-        argp_error(state, "'%s' is not one of auto, plain, avx2, avx512", word);
-    return o.simd;
+    static const char *const LEVEL[] = {[FMB_SIMD_AUTO] = "auto",
+                                        [FMB_SIMD_PLAIN] = "plain",
+                                        [FMB_SIMD_AVX2] = "avx2",
+                                        [FMB_SIMD_AVX512] = "avx512",
+                                        NULL};
+    return (fmb_simd)app_value_choice("--simd", word, LEVEL, state);
 }
 
-void app_value_each(const char *list, void (*use)(const char *word, struct argp_state *state),
+void app_value_each(const char *option, const char *list,
+                    void (*use)(const char *word, struct argp_state *state),
                     struct argp_state *state)
 {
     char *rest, *copy = app_need(strdup(list)), *word = strtok_r(copy, ",", &rest);
     if (!word)
-        argp_error(state, "'%s' has no words", list);
+        argp_error(state, "%s: expected words with a comma between, found '%s'", option, list);
     for (; word; word = strtok_r(NULL, ",", &rest))
         use(word, state);
     free(copy);

@@ -1,4 +1,6 @@
-/* value.h: values of options. One that is no good ends the program with APP_USAGE. */
+/* value.h: values of options. One that is no good ends the program with APP_USAGE and the message
+ * "OPTION: expected ..., found '...'".
+ */
 #ifndef APP_VALUE_H
 #define APP_VALUE_H
 
@@ -7,11 +9,19 @@
 
 #include <fmb/options.h>
 
-uint64_t app_value_whole(const char *text, uint64_t least, uint64_t most, struct argp_state *state);
-double app_value_number(const char *text, double least, double most, struct argp_state *state);
+uint64_t app_value_whole(const char *option, const char *text, uint64_t least, uint64_t most,
+                         struct argp_state *state);
+/* most = DBL_MAX: there is no upper end. */
+double app_value_number(const char *option, const char *text, double least, double most,
+                        struct argp_state *state);
+/* The place of the word in a list that NULL ends. */
+int app_value_choice(const char *option, const char *word, const char *const *list,
+                     struct argp_state *state);
+/* Of --simd. */
 fmb_simd app_value_simd(const char *word, struct argp_state *state);
 /* Call use for every word of a comma list; there must be one. */
-void app_value_each(const char *list, void (*use)(const char *word, struct argp_state *state),
+void app_value_each(const char *option, const char *list,
+                    void (*use)(const char *word, struct argp_state *state),
                     struct argp_state *state);
 
 #endif

@@ -1,9 +1,7 @@
 /* cmd_intersect.c: fmb intersect FILE. */
 #include <argp.h>
 #include <errno.h>
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
+#include <float.h>
 #include <unistd.h>
 
 #include "common/clock.h"
@@ -12,6 +10,7 @@
 #include "common/message.h"
 #include "common/source.h"
 #include "common/stop.h"
+#include "common/value.h"
 #include "fmb/commands.h"
 #include "fmb/intersect.h"
 
@@ -32,40 +31,18 @@ static const struct argp_option options[] = {
     {"quiet", 'q', NULL, 0, "Nothing on standard error but errors", 2},
     {0}};
 
-/* The place of a word in a list, -1 if it is not there. */
-static int choice(const char *word, const char *const *list, int n)
+static fmb_contact contact_of(const char *word, struct argp_state *state)
 {
-    while (n-- > 0 && strcmp(word, list[n]) != 0)
-        ;
-    return n;
+    static const char *const WORD[] = {
+        [FMB_CONTACT_CLOSED] = "closed", [FMB_CONTACT_OPEN] = "open", NULL};
+    return (fmb_contact)app_value_choice("--contact", word, WORD, state);
 }
 
-static void set_contact(intersect_ask *ask, const char *arg, struct argp_state *state)
+static boxes boxes_of(const char *word, struct argp_state *state)
 {
-    static const char *const words[] = {
-        [FMB_CONTACT_CLOSED] = "closed", [FMB_CONTACT_OPEN] = "open"};
-    int k = choice(arg, words, 2);
-    if (k < 0)
-        argp_error(state, "--contact: expected closed|open, found '%s'", arg);
-    ask->contact = (fmb_contact)k;
-}
-
-static void set_boxes(intersect_ask *ask, const char *arg, struct argp_state *state)
-{
-    static const char *const words[] = {
-        [BOXES_EXACT] = "exact", [BOXES_NONE] = "none", [BOXES_OUTWARD] = "outward"};
-    int k = choice(arg, words, 3);
-    if (k < 0)
-        argp_error(state, "--boxes: expected exact|outward|none, found '%s'", arg);
-    ask->boxes = (boxes)k;
-}
-
-static void set_seconds(intersect_ask *ask, const char *arg, struct argp_state *state)
-{
-    char *end;
-    ask->max_seconds = strtod(arg, &end);
-    if (end == arg || *end || !isfinite(ask->max_seconds) || ask->max_seconds < 0)
-        argp_error(state, "--max-seconds: expected a number >= 0, found '%s'", arg);
+    static const char *const WORD[] = {
+        [BOXES_EXACT] = "exact", [BOXES_OUTWARD] = "outward", [BOXES_NONE] = "none", NULL};
+    return (boxes)app_value_choice("--boxes", word, WORD, state);
 }
 
 static error_t parse(int key, char *arg, struct argp_state *state)
@@ -73,16 +50,16 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     intersect_ask *ask = state->input;
     switch (key) {
     case KEY_CONTACT:
-        set_contact(ask, arg, state);
+        ask->contact = contact_of(arg, state);
         return 0;
     case KEY_BOXES:
-        set_boxes(ask, arg, state);
+        ask->boxes = boxes_of(arg, state);
         return 0;
     case KEY_NEAREST:
         ask->nearest = true;
         return 0;
     case KEY_SECONDS:
-        set_seconds(ask, arg, state);
+        ask->max_seconds = app_value_number("--max-seconds", arg, 0, DBL_MAX, state);
         return 0;
     case 'j':
         ask->json = true;

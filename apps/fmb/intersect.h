@@ -11,8 +11,8 @@
 
 typedef enum boxes {
     BOXES_EXACT = 0, /* in rationals */
-    BOXES_NONE,      /* verdicts alone */
-    BOXES_OUTWARD    /* in doubles, rounded outward */
+    BOXES_OUTWARD,   /* in doubles, rounded outward */
+    BOXES_NONE       /* verdicts alone */
 } boxes;
 
 typedef struct intersect_ask {

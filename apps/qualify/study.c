@@ -37,7 +37,7 @@ static error_t parse_report(int key, char *arg, struct argp_state *state)
         o->quiet = true;
         return 0;
     case ARGP_KEY_ARG:
-        argp_error(state, "'%s': no more than one study, and that first", arg);
+        argp_error(state, "expected no more than one study, and that first, found '%s'", arg);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -49,13 +49,13 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     qualify_setup *o = state->input;
     switch (key) {
     case 'n':
-        o->pairs = (size_t)app_value_whole(arg, 1, MOST_PAIRS, state);
+        o->pairs = (size_t)app_value_whole("--pairs", arg, 1, MOST_PAIRS, state);
         return 0;
     case 's':
-        o->seed = app_value_whole(arg, 0, INT64_MAX, state); /* as JSON has it */
+        o->seed = app_value_whole("--seed", arg, 0, INT64_MAX, state); /* as JSON has it */
         return 0;
     case KEY_PASSES:
-        o->passes = (int)app_value_whole(arg, 1, STUDY_CLOCK_MOST_PASSES, state);
+        o->passes = (int)app_value_whole("--passes", arg, 1, STUDY_CLOCK_MOST_PASSES, state);
         return 0;
     case KEY_SIMD:
         o->simd = app_value_simd(arg, state);

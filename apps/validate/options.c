@@ -2,12 +2,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/message.h"
 #include "common/value.h"
 #include "validate/plan.h"
 #include "validate/watch.h"
 
 enum { KEY_DIM = 0x100, KEY_AXES, KEY_SAMPLE, KEY_BOXES, KEY_SHARD, KEY_SIMD, KEY_FAILURES };
+enum { MOST_SHARDS = 1000000 };
 
 static const struct argp_option options[] = {
     {NULL, 0, NULL, 0, "Pairs:", 1},
@@ -45,8 +45,8 @@ static void use_family(const char *word, struct argp_state *state)
     bool all = strcmp(word, "all") == 0;
     if (!all && !study_pair_family_parse(word, &family))
         argp_error(state,
-                   "'%s' is not a family: article, lattice, touching, near, flat, "
-                   "degenerate, tiny-A, tiny-B, far, denormal, swept, integer, all",
+                   "--families: expected article|lattice|touching|near|flat|degenerate|tiny-A|"
+                   "tiny-B|far|denormal|swept|integer|all, found '%s'",
                    word);
     for (int i = 0; i < STUDY_PAIR_FAMILIES; i++)
         p->family[i] |= all || i == (int)family;
@@ -55,7 +55,7 @@ static void use_family(const char *word, struct argp_state *state)
 static void use_dim(const char *word, struct argp_state *state)
 {
     validate_plan *p = state->input;
-    uint64_t dim = app_value_whole(word, 1, STUDY_PAIR_MOST_DIM, state);
+    uint64_t dim = app_value_whole("--dim", word, 1, STUDY_PAIR_MOST_DIM, state);
     p->wanted[dim][0] = p->wanted[dim][1] = true;
 }
 
@@ -72,25 +72,26 @@ static void use_case(validate_plan *p, const char *word, struct argp_state *stat
     p->wanted[dim][moves] = true;
 }
 
-/* Two numbers with `between` between. */
-static void two(const char *text, char between, uint64_t most, uint64_t out[2],
-                struct argp_state *state)
+/* Two numbers from 1 to most with `between` between; false if the text is something else. */
+static bool two(const char *text, char between, uint64_t most, uint64_t out[2])
 {
-    char *copy = app_need(strdup(text)), *second = strchr(copy, between);
-    if (!second)
-        argp_error(state, "'%s' is not two numbers with a '%c' between", text, between);
-    *second++ = '\0';
-    out[0] = app_value_whole(copy, 1, most, state);
-    out[1] = app_value_whole(second, 1, most, state);
-    free(copy);
+    for (int i = 0; i < 2; i++) {
+        char *end;
+        out[i] = strtoull(text, &end, 10);
+        if (*text < '0' || *text > '9' || *end != (i == 0 ? between : '\0') || out[i] < 1 ||
+            out[i] > most)
+            return false;
+        text = end + 1;
+    }
+    return true;
 }
 
 static void use_shard(validate_plan *p, const char *text, struct argp_state *state)
 {
     uint64_t part[2];
-    two(text, '/', 1000000, part, state);
-    if (part[0] > part[1])
-        argp_error(state, "'%s': there is no such part", text);
+    if (!two(text, '/', MOST_SHARDS, part) || part[0] > part[1])
+        argp_error(state, "--shard: expected I/N, where 1 <= I <= N <= %d, found '%s'", MOST_SHARDS,
+                   text);
     p->shard = part[0];
     p->shards = part[1];
 }
@@ -98,7 +99,9 @@ static void use_shard(validate_plan *p, const char *text, struct argp_state *sta
 static void use_axes(validate_plan *p, const char *text, struct argp_state *state)
 {
     uint64_t n[2];
-    two(text, ',', STUDY_PAIR_MOST_DIM, n, state);
+    if (!two(text, ',', STUDY_PAIR_MOST_DIM, n))
+        argp_error(state, "--axes: expected A,B, each from 1 to %d, found '%s'",
+                   STUDY_PAIR_MOST_DIM, text);
     for (int f = 0; f < 2; f++)
         p->usual.plan.naxes[f] = (int)n[f];
 }
@@ -121,8 +124,8 @@ static void finish(validate_plan *p, struct argp_state *state)
     }
     for (int f = 0; f < 2; f++)
         if (p->usual.plan.naxes[f] > least)
-            argp_error(state, "%d axes are too many in %d dimensions", p->usual.plan.naxes[f],
-                       least);
+            argp_error(state, "--axes: %d axes are too many in %d dimensions",
+                       p->usual.plan.naxes[f], least);
     for (int i = 0; i < STUDY_PAIR_FAMILIES; i++)
         some_family |= p->family[i];
     p->family[STUDY_PAIR_ARTICLE] |= !some_family;
@@ -133,16 +136,16 @@ static error_t parse_pairs(int key, char *arg, struct argp_state *state)
     validate_plan *p = state->input;
     switch (key) {
     case 'n':
-        p->pairs = app_value_whole(arg, 1, UINT64_C(1000000000000), state);
+        p->pairs = app_value_whole("--pairs", arg, 1, UINT64_C(1000000000000), state);
         return 0;
     case 's':
-        p->usual.seed = app_value_whole(arg, 0, INT64_MAX, state); /* as JSON has it */
+        p->usual.seed = app_value_whole("--seed", arg, 0, INT64_MAX, state); /* as JSON has it */
         return 0;
     case 'f':
-        app_value_each(arg, use_family, state);
+        app_value_each("--families", arg, use_family, state);
         return 0;
     case KEY_DIM:
-        app_value_each(arg, use_dim, state);
+        app_value_each("--dim", arg, use_dim, state);
         return 0;
     case KEY_AXES:
         use_axes(p, arg, state);
@@ -163,7 +166,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     validate_plan *p = state->input;
     switch (key) {
     case KEY_SAMPLE:
-        p->usual.sample = app_value_number(arg, 0, 1, state);
+        p->usual.sample = app_value_number("--sample", arg, 0, 1, state);
         return 0;
     case KEY_BOXES:
         p->usual.boxes = true;
@@ -172,7 +175,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         p->usual.simd = app_value_simd(arg, state);
         return 0;
     case 't':
-        p->threads = (int)app_value_whole(arg, 1, VALIDATE_MOST_THREADS, state);
+        p->threads = (int)app_value_whole("--threads", arg, 1, VALIDATE_MOST_THREADS, state);
         return 0;
     case KEY_SHARD:
         use_shard(p, arg, state);

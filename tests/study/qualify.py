@@ -51,6 +51,8 @@ def exit_codes(folder):
                        (["--version"], 0), (["--help"], 0), (["rules", "--help"], 0)):
         got = subprocess.run([program, *args], capture_output=True, text=True)
         expect(got.returncode == code, f"{args}: exit code {got.returncode}, not {code}")
+        for option in [word for word in args if code == 64 and word.startswith("--")]:
+            expect(f": {option}: " in got.stderr, f"{args}: which option? {got.stderr}")
 
 
 def report(folder):

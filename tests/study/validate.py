@@ -47,6 +47,8 @@ def exit_codes(folder):
                        (["--version"], 0), (["--help"], 0)):
         got = run(*args)
         expect(got.returncode == code, f"{args}: exit code {got.returncode}, not {code}")
+        if code == 64 and len(args) > 1:
+            expect(f": {args[0]}: " in got.stderr, f"{args}: which option? {got.stderr}")
 
 
 def table():

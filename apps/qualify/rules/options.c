@@ -1,5 +1,4 @@
 /* options.c: the command line of fmb-qualify rules; see plan.h. */
-#include <stdlib.h>
 #include <string.h>
 
 #include "common/value.h"
@@ -56,25 +55,22 @@ static const struct argp_option options[] = {
 static void use_dim(const char *word, struct argp_state *state)
 {
     qualify_plan *p = state->input;
-    p->dim[app_value_whole(word, 1, PLAN_MOST_DIM, state)] = true;
+    p->dim[app_value_whole("--dim", word, 1, PLAN_MOST_DIM, state)] = true;
 }
 
 static void use_motion(const char *word, struct argp_state *state)
 {
+    static const char *const MOTION[] = {"static", "dynamic", NULL};
     qualify_plan *p = state->input;
-    bool dynamic = strcmp(word, "dynamic") == 0;
-    if (!dynamic && strcmp(word, "static") != 0)
-        argp_error(state, "'%s' is neither static nor dynamic", word);
-    p->motion[dynamic] = true;
+    p->motion[app_value_choice("--motion", word, MOTION, state)] = true;
 }
 
 static void use_kind(const char *word, struct argp_state *state)
 {
+    static const char *const KIND[] = {"CC", "CT", "TC", "TT", NULL};
     qualify_plan *p = state->input;
-    static const char letters[] = "CT";
-    if (strlen(word) != 2 || strspn(word, letters) != 2)
-        argp_error(state, "'%s' is not one of CC, CT, TC, TT", word);
-    p->kind[word[0] == 'T'][word[1] == 'T'] = true;
+    int k = app_value_choice("--kinds", word, KIND, state);
+    p->kind[k / 2][k % 2] = true;
 }
 
 static void use_order(const char *word, struct argp_state *state)
@@ -82,16 +78,14 @@ static void use_order(const char *word, struct argp_state *state)
     qualify_plan *p = state->input;
     fmb_order order = FMB_ORDER_PAIRS;
     if (!qualify_order_parse(word, &order) || p->orders == PLAN_MOST_ORDERS)
-        argp_error(state, "'%s' is not an order: pairs, given, min, fill", word);
+        argp_error(state, "--orders: expected pairs|given|min|fill, found '%s'", word);
     p->order[p->orders++] = order;
 }
 
 static void use_meeting(qualify_plan *p, const char *word, struct argp_state *state)
 {
-    bool yes = strcmp(word, "yes") == 0;
-    if (!yes && strcmp(word, "no") != 0)
-        argp_error(state, "'%s' is neither yes nor no", word);
-    p->meeting[yes] = true;
+    static const char *const MEETING[] = {"no", "yes", NULL};
+    p->meeting[app_value_choice("--meeting", word, MEETING, state)] = true;
 }
 
 /* ---- options --------------------------------------------------------------------------------- */
@@ -102,16 +96,16 @@ static error_t parse_systems(int key, char *arg, struct argp_state *state)
     switch (key) {
     case KEY_DIM:
         memset(p->dim, 0, sizeof p->dim);
-        app_value_each(arg, use_dim, state);
+        app_value_each("--dim", arg, use_dim, state);
         p->frames_asked = true;
         return 0;
     case KEY_MOTION:
         memset(p->motion, 0, sizeof p->motion);
-        app_value_each(arg, use_motion, state);
+        app_value_each("--motion", arg, use_motion, state);
         return 0;
     case KEY_KINDS:
         memset(p->kind, 0, sizeof p->kind);
-        app_value_each(arg, use_kind, state);
+        app_value_each("--kinds", arg, use_kind, state);
         return 0;
     case KEY_MEETING:
         memset(p->meeting, 0, sizeof p->meeting);
@@ -119,14 +113,14 @@ static error_t parse_systems(int key, char *arg, struct argp_state *state)
         return 0;
     case KEY_FAMILY:
         if (!study_family_parse(arg, &p->family))
-            argp_error(state, "'%s' is not a family: small, float", arg);
+            argp_error(state, "--family: expected small|float, found '%s'", arg);
         return 0;
     case 'n':
-        p->grid.per_class = app_value_whole(arg, 1, 1000000, state);
+        p->grid.per_class = app_value_whole("--pairs", arg, 1, 1000000, state);
         p->pairs_asked = true;
         return 0;
     case 's':
-        p->grid.seed = app_value_whole(arg, 0, 0xffffffffUL, state);
+        p->grid.seed = app_value_whole("--seed", arg, 0, 0xffffffffUL, state);
         return 0;
     case ARGP_KEY_ARG:
         if (p->files == PLAN_MOST_FILES)
@@ -149,19 +143,19 @@ static error_t parse_ways(int key, char *arg, struct argp_state *state)
         return 0;
     case KEY_ORDERS:
         p->orders = 0;
-        app_value_each(arg, use_order, state);
+        app_value_each("--orders", arg, use_order, state);
         return 0;
     case KEY_PRESOLVE:
         p->grid.limits.presolve = arg;
         return 0;
     case KEY_ROWS:
-        p->grid.limits.max_rows = app_value_whole(arg, 1, 1000000000, state);
+        p->grid.limits.max_rows = app_value_whole("--max-rows", arg, 1, 1000000000, state);
         return 0;
     case KEY_SECONDS:
-        p->grid.limits.max_seconds = app_value_number(arg, 0, 1e6, state);
+        p->grid.limits.max_seconds = app_value_number("--max-seconds", arg, 0, 1e6, state);
         return 0;
     case KEY_PASSES:
-        p->grid.passes = (int)app_value_whole(arg, 0, 9, state);
+        p->grid.passes = (int)app_value_whole("--passes", arg, 0, 9, state);
         return 0;
     default:
         return parse_systems(key, arg, state);
