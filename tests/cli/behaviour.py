@@ -285,7 +285,7 @@ class Waiting(unittest.TestCase):
                     p.stdin.write(Endless.LINE + rest)
                     self.expect(p, b"meet      line 2\n")
                     p.send_signal(number)
-                    self.assertEqual(p.wait(timeout=2), 2)
+                    self.assertEqual(p.wait(timeout=10), 2)
                     self.assertEqual((p.stdout.read(), p.stderr.read()),
                                      (b"2 tested: 2 meet, 0 apart, 0 undecided\n", b""))
 
