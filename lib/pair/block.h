@@ -20,23 +20,36 @@ static inline __attribute__((always_inline)) double *fmb_block_copy(double *to, 
     return to;
 }
 
-/* The rows that every kernel reads; dim is constant. */
 static inline __attribute__((always_inline)) double *
-fmb_block_fill(double *to, int width, int dim, const fmb_frame *p, const fmb_frame *q, bool moves)
+fmb_block_differ(double *to, int width, int n, const double *a, const double *b)
 {
-    const double still[3] = {0};
-    double shift[3], drift[3];
-    for (int j = 0; j < dim; j++)
-        shift[j] = q->origin[j] - p->origin[j];
-    to = fmb_block_copy(to, width, dim, shift);
+#pragma GCC unroll 3
+    for (int j = 0; j < n; j++, to += width)
+        *to = b[j] - a[j];
+    return to;
+}
+
+/* One lane; dim is constant. */
+static inline __attribute__((always_inline)) void fmb_block_fill(double *to, int width, int dim,
+                                                                 const fmb_frame *p,
+                                                                 const fmb_frame *q, bool moves,
+                                                                 bool boxes)
+{
+    static const double still[3] = {0};
+    const double *a = p->speed ? p->speed : still, *b = q->speed ? q->speed : still;
+    to = fmb_block_differ(to, width, dim, p->origin, q->origin);
     to = fmb_block_copy(to, width, dim * dim, p->axes);
     to = fmb_block_copy(to, width, dim * dim, q->axes);
+    if (moves)
+        to = fmb_block_differ(to, width, dim, a, b);
+    if (!boxes)
+        return;
+    to = fmb_block_copy(to, width, dim, p->origin);
+    to = fmb_block_copy(to, width, dim, q->origin);
     if (!moves)
-        return to;
-    const double *a = p->speed ? p->speed : still, *b = q->speed ? q->speed : still;
-    for (int j = 0; j < dim; j++)
-        drift[j] = b[j] - a[j];
-    return fmb_block_copy(to, width, dim, drift);
+        return;
+    to = fmb_block_copy(to, width, dim, a);
+    fmb_block_copy(to, width, dim, b);
 }
 
 /* Put pair i = (p, q) into the next lane of a block of that width; with places and speeds if boxes
@@ -46,17 +59,12 @@ static inline void fmb_block_put(fmb_block *b, int width, const fmb_frame *p, co
 {
     bool swap = p->shape == FMB_SIMPLEX && q->shape == FMB_CUBOID;
     const fmb_frame *first = swap ? q : p, *second = swap ? p : q;
-    int dim = p->dim;
     double *to = b->number + b->lanes;
     b->pair[b->lanes++] = i;
-    to = dim == 2 ? fmb_block_fill(to, width, 2, first, second, moves)
-                  : fmb_block_fill(to, width, 3, first, second, moves);
-    for (int j = 0; boxes && j < 2 * dim; j++, to += width)
-        *to = j < dim ? first->origin[j] : second->origin[j - dim];
-    for (int j = 0; boxes && moves && j < 2 * dim; j++, to += width) {
-        const double *speed = j < dim ? first->speed : second->speed;
-        *to = speed ? speed[j % dim] : 0;
-    }
+    if (p->dim == 2)
+        fmb_block_fill(to, width, 2, first, second, moves, boxes);
+    else
+        fmb_block_fill(to, width, 3, first, second, moves, boxes);
 }
 
 #endif

@@ -65,15 +65,19 @@ static fmb_pair_bits fmb_3d_moving_tt(const double *block)
     return fmb_simplices_3d(block, true, true);
 }
 
+/* A block (simplex, cuboid) is swapped. */
+#define FMB_SHAPES(name)                                                                           \
+    {                                                                                              \
+        {name##_cc, name##_ct},                                                                    \
+        {                                                                                          \
+            name##_ct, name##_tt                                                                   \
+        }                                                                                          \
+    }
 #define FMB_VERDICTS_BY_FMB                                                                        \
     {                                                                                              \
-        {{fmb_2d_cc, fmb_2d_ct, fmb_2d_tt},                                                        \
-         {fmb_2d_moving_cc, fmb_2d_moving_ct, fmb_2d_moving_tt}},                                  \
+        {FMB_SHAPES(fmb_2d), FMB_SHAPES(fmb_2d_moving)},                                           \
         {                                                                                          \
-            {fmb_3d_cc, fmb_3d_ct, fmb_3d_tt},                                                     \
-            {                                                                                      \
-                fmb_3d_moving_cc, fmb_3d_moving_ct, fmb_3d_moving_tt                               \
-            }                                                                                      \
+            FMB_SHAPES(fmb_3d), FMB_SHAPES(fmb_3d_moving)                                          \
         }                                                                                          \
     }
 

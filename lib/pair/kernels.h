@@ -43,14 +43,11 @@ typedef fmb_pair_bits fmb_verdict_kernel(const double *block);
  * nothing. Static: the times are 0 and 1. */
 typedef unsigned fmb_box_kernel(const double *block, double *answer);
 
-/* Kinds of a block for verdicts. */
-enum { FMB_KIND_CC, FMB_KIND_CT, FMB_KIND_TT, FMB_KINDS };
-
 typedef struct fmb_pair_kernels {
     int width;
-    /* [D - 2][moving][kind]; NULL: there is none. */
-    fmb_verdict_kernel *fmb[2][2][FMB_KINDS], *sat[2][2][FMB_KINDS];
-    /* [D - 2][moving][shape of A][shape of B]; fine: for lanes that box is not sure of, slower */
+    /* All are [D - 2][moving][shape of A][shape of B]. */
+    fmb_verdict_kernel *fmb[2][2][2][2], *sat[2][2][2][2];
+    /* fine: for lanes that box is not sure of, slower; NULL: there is none */
     fmb_box_kernel *box[2][2][2][2], *fine[2][2][2][2];
 } fmb_pair_kernels;
 

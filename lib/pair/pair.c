@@ -14,10 +14,9 @@
 #include "pair/exact.h"
 #include "pair/general.h"
 
-/* Blocks by number: for verdicts [moves][kind], then for boxes [level][moves][shape of A][of B].
- * What a block leaves open goes to one with a higher number, or is settled without a block. */
-enum { BOX_LEVELS = 2, BOX_BLOCKS = 2 * 2 * 2, FIRST_BOX = 2 * FMB_KINDS };
-enum { BLOCKS = FIRST_BOX + BOX_LEVELS * BOX_BLOCKS };
+/* Blocks by number: [stage][kind], where a kind is [moves][shape of A][shape of B]. What a block
+ * leaves open goes to one of a later stage, or is settled without a block. */
+enum { STAGE_VERDICT, STAGE_BOX, STAGE_FINE, STAGES, KINDS = 2 * 2 * 2, BLOCKS = STAGES * KINDS };
 
 struct fmb_pair {
     fmb_mem mem;
@@ -168,106 +167,94 @@ static fmb_status decide_generally(const query *a, size_t i)
     return a->out->verdict[i] == FMB_FEASIBLE && a->boxes ? answer_generally(a, i) : FMB_OK;
 }
 
-/* Let pair i = (p, q) wait in a block. */
-static fmb_status put(const query *a, int number, const fmb_frame *p, const fmb_frame *q, size_t i);
+/* Let pair i wait in a block of that stage. */
+static fmb_status put(const query *a, int stage, size_t i);
 
 /* ---- boxes by kernels ------------------------------------------------------------------------ */
 
-static void write_lane(const query *a, const double *answer, int width, int lane, size_t i)
+/* Rows of lower, then of upper ends, in turn. */
+static inline __attribute__((always_inline)) void write_ends(int dim, const double *from, int width,
+                                                             double *to)
 {
-    int dim = a->k->dim;
-    fmb_pair_answers out = answers_of(a, i);
-    const double *from = answer + lane;
+#pragma GCC unroll 3
     for (int j = 0; j < dim; j++) {
-        const double *world = from + j * width, *inside = from + (2 * dim + j) * width;
-        if (out.world) {
-            out.world[2 * j] = world[0];
-            out.world[2 * j + 1] = world[dim * width];
-        }
-        if (out.inside) {
-            out.inside[2 * j] = inside[0];
-            out.inside[2 * j + 1] = inside[dim * width];
-        }
-        if (out.witness)
-            out.witness[j] = from[(4 * dim + 2 + j) * width];
+        to[2 * j] = from[j * width];
+        to[2 * j + 1] = from[(dim + j) * width];
     }
-    for (int side = 0; out.time && side < 2; side++)
-        out.time[side] = from[(4 * dim + side) * width];
 }
 
-/* The kernel of a level: at first that for boxes, then the fine one; NULL: there is none. */
-static fmb_box_kernel *box_kernel(const query *a, int level, int which)
+/* dim is constant. */
+static inline __attribute__((always_inline)) void
+write_lane(int dim, const fmb_pair_answers *out, const double *from, int width, size_t i)
 {
-    int d = a->k->dim - 2, moves = which / 4, p = which / 2 % 2, q = which % 2;
-    return level == 0   ? a->kernels->box[d][moves][p][q]
-           : level == 1 ? a->kernels->fine[d][moves][p][q]
-                        : NULL;
+    size_t d = (size_t)dim;
+    if (out->world)
+        write_ends(dim, from, width, out->world + 2 * d * i);
+    if (out->inside)
+        write_ends(dim, from + 2 * dim * width, width, out->inside + 2 * d * i);
+    if (out->time)
+        write_ends(1, from + 4 * dim * width, width, out->time + 2 * i);
+    for (int j = 0; out->witness && j < dim; j++)
+        out->witness[d * i + (size_t)j] = from[(4 * dim + 2 + j) * width];
+}
+
+static void write_lanes(const query *a, const fmb_block *b, unsigned lanes, const double *answer)
+{
+    for (; lanes; lanes &= lanes - 1) {
+        int lane = __builtin_ctz(lanes);
+        if (a->k->dim == 2)
+            write_lane(2, a->out, answer + lane, a->kernels->width, b->pair[lane]);
+        else
+            write_lane(3, a->out, answer + lane, a->kernels->width, b->pair[lane]);
+    }
+}
+
+/* The kernel of a stage; NULL: there is none. */
+static fmb_box_kernel *box_kernel(const query *a, int stage, int kind)
+{
+    fmb_box_kernel *const(*of)[2][2][2] = stage == STAGE_BOX ? a->kernels->box : a->kernels->fine;
+    return a->k->options.tightest ? NULL : of[a->k->dim - 2][kind / 4][kind / 2 % 2][kind % 2];
 }
 
 /* Pair i meets; a kernel said so. */
-static fmb_status put_box(const query *a, int level, size_t i)
+static fmb_status put_box(const query *a, int stage, int kind, size_t i)
 {
-    const fmb_frame *p = &a->p[i], *q = &a->q[i];
-    bool moves = p->speed || q->speed;
-    int which = 4 * moves + 2 * (int)p->shape + (int)q->shape;
-    if (a->k->options.tightest || !box_kernel(a, level, which))
-        return answer_generally(a, i);
-    return put(a, FIRST_BOX + BOX_BLOCKS * level + which, p, q, i);
+    return stage < STAGES && box_kernel(a, stage, kind) ? put(a, stage, i) : answer_generally(a, i);
 }
 
 /* Boxes of these lanes of a block. */
-static fmb_status box_lanes(const query *a, const fmb_block *b, int level, int which,
-                            unsigned lanes)
+static fmb_status box_lanes(const query *a, const fmb_block *b, int stage, int kind, unsigned lanes)
 {
-    double answer[FMB_BOX_MOST_ROWS * FMB_BLOCK_MOST_LANES];
+    _Alignas(64) double answer[FMB_BOX_MOST_ROWS * FMB_BLOCK_MOST_LANES];
+    unsigned good = box_kernel(a, stage, kind)(b->number, answer);
     fmb_status st = FMB_OK;
-    unsigned good = box_kernel(a, level, which)(b->number, answer);
-    for (int lane = 0; st == FMB_OK && lane < b->lanes; lane++) {
-        if (!(lanes >> lane & 1))
-            continue;
-        if (good >> lane & 1)
-            write_lane(a, answer, a->kernels->width, lane, b->pair[lane]);
-        else
-            st = put_box(a, level + 1, b->pair[lane]);
-    }
+    write_lanes(a, b, lanes & good, answer);
+    for (lanes &= ~good; st == FMB_OK && lanes; lanes &= lanes - 1)
+        st = put_box(a, stage + 1, kind, b->pair[__builtin_ctz(lanes)]);
     return st;
-}
-
-static fmb_status flush_boxes(const query *a, const fmb_block *b, int level, int which)
-{
-    return box_lanes(a, b, level, which, ~0U);
 }
 
 /* ---- verdicts by kernels --------------------------------------------------------------------- */
 
-static fmb_verdict_kernel *verdict_kernel(const query *a, int which)
+static fmb_verdict_kernel *verdict_kernel(const query *a, int kind)
 {
-    int d = a->k->dim - 2, moves = which / FMB_KINDS, kind = which % FMB_KINDS;
-    return a->k->options.method == FMB_PAIR_SAT ? a->kernels->sat[d][moves][kind]
-                                                : a->kernels->fmb[d][moves][kind];
+    fmb_verdict_kernel *const(*of)[2][2][2] =
+        a->k->options.method == FMB_PAIR_SAT ? a->kernels->sat : a->kernels->fmb;
+    return of[a->k->dim - 2][kind / 4][kind / 2 % 2][kind % 2];
 }
 
-/* Do these lanes go on to boxes as they stand? Where most lanes do not meet, it is cheaper to put
- * those that do into a block of their own, and that must be where a pair was swapped. */
-static unsigned stay(const query *a, const fmb_block *b, int which, unsigned meet)
+static unsigned taken(const fmb_block *b)
 {
-    unsigned lanes = 0;
-    int moves = which / FMB_KINDS, kind = which % FMB_KINDS;
-    meet &= (1U << b->lanes) - 1;
-    if (!a->boxes || a->k->options.tightest || 2 * __builtin_popcount(meet) <= a->kernels->width ||
-        !a->kernels->box[a->k->dim - 2][moves][kind == FMB_KIND_TT][kind != FMB_KIND_CC])
-        return 0;
-    for (int lane = 0; lane < b->lanes; lane++)
-        if (meet >> lane & 1 && (kind != FMB_KIND_CT || a->p[b->pair[lane]].shape == FMB_CUBOID))
-            lanes |= 1U << lane;
-    return lanes;
+    return (1U << b->lanes) - 1;
 }
 
-static fmb_status flush_verdicts(const query *a, const fmb_block *b, int which)
+/* Where most lanes meet, they go on to boxes as they stand; else it is cheaper to put them into a
+ * block of their own. */
+static fmb_status flush_verdicts(const query *a, const fmb_block *b, int kind)
 {
-    static const int shapes[FMB_KINDS] = {[FMB_KIND_CC] = 0, [FMB_KIND_CT] = 1, [FMB_KIND_TT] = 3};
-    fmb_pair_bits bits = verdict_kernel(a, which)(b->number);
-    unsigned boxed = stay(a, b, which, bits.meet & ~bits.apart);
+    fmb_pair_bits bits = verdict_kernel(a, kind)(b->number);
+    unsigned boxed = a->boxes ? bits.meet & ~bits.apart & taken(b) : 0;
+    bool stay = 2 * __builtin_popcount(boxed) > a->kernels->width && box_kernel(a, STAGE_BOX, kind);
     fmb_status st = FMB_OK;
     for (int lane = 0; st == FMB_OK && lane < b->lanes; lane++) {
         size_t i = b->pair[lane];
@@ -275,14 +262,12 @@ static fmb_status flush_verdicts(const query *a, const fmb_block *b, int which)
             a->out->verdict[i] = FMB_INFEASIBLE;
         } else if (bits.meet >> lane & 1) {
             a->out->verdict[i] = FMB_FEASIBLE;
-            st = a->boxes && !(boxed >> lane & 1) ? put_box(a, 0, i) : FMB_OK;
+            st = a->boxes && !stay ? put_box(a, STAGE_BOX, kind, i) : FMB_OK;
         } else {
             st = decide_generally(a, i);
         }
     }
-    if (st == FMB_OK && boxed)
-        st = box_lanes(a, b, 0, 4 * (which / FMB_KINDS) + shapes[which % FMB_KINDS], boxed);
-    return st;
+    return st == FMB_OK && stay ? box_lanes(a, b, STAGE_BOX, kind, boxed) : st;
 }
 
 static bool has_all_axes(const fmb_frame *f, int dim)
@@ -299,9 +284,7 @@ static fmb_status put_pair(const query *a, size_t i)
     if (k->dim < 2 || k->dim > 3 || k->options.method == FMB_PAIR_EXACT ||
         !has_all_axes(p, k->dim) || !has_all_axes(q, k->dim))
         return decide_generally(a, i);
-    bool swap = p->shape == FMB_SIMPLEX && q->shape == FMB_CUBOID;
-    int which = FMB_KINDS * (p->speed || q->speed) + (int)p->shape + (int)q->shape;
-    return put(a, which, swap ? q : p, swap ? p : q, i);
+    return put(a, STAGE_VERDICT, i);
 }
 
 /* ---- blocks ---------------------------------------------------------------------------------- */
@@ -317,19 +300,21 @@ static void fill_up(fmb_block *b, int width)
 static fmb_status flush(const query *a, int number)
 {
     fmb_block *b = &a->k->block[number];
-    int box = number - FIRST_BOX;
+    int stage = number / KINDS, kind = number % KINDS;
     fill_up(b, a->kernels->width);
-    fmb_status st = box < 0 ? flush_verdicts(a, b, number)
-                            : flush_boxes(a, b, box / BOX_BLOCKS, box % BOX_BLOCKS);
+    fmb_status st = stage == STAGE_VERDICT ? flush_verdicts(a, b, kind)
+                                           : box_lanes(a, b, stage, kind, taken(b));
     b->lanes = 0;
     a->k->waiting &= ~(UINT32_C(1) << number);
     return st;
 }
 
-static fmb_status put(const query *a, int number, const fmb_frame *p, const fmb_frame *q, size_t i)
+static fmb_status put(const query *a, int stage, size_t i)
 {
-    fmb_block *b = &a->k->block[number];
+    const fmb_frame *p = &a->p[i], *q = &a->q[i];
     bool moves = p->speed || q->speed;
+    int number = KINDS * stage + 4 * moves + 2 * (int)p->shape + (int)q->shape;
+    fmb_block *b = &a->k->block[number];
     fmb_block_put(b, a->kernels->width, p, q, moves, a->boxes, i);
     a->k->waiting |= UINT32_C(1) << number;
     return b->lanes == a->kernels->width ? flush(a, number) : FMB_OK;

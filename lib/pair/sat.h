@@ -186,15 +186,19 @@ static fmb_pair_bits sat_3d_moving_tt(const double *block)
     return sat_decide((sat_kind){3, true, true, true}, block);
 }
 
+/* A block (simplex, cuboid) is swapped. */
+#define SAT_SHAPES(name)                                                                           \
+    {                                                                                              \
+        {name##_cc, name##_ct},                                                                    \
+        {                                                                                          \
+            name##_ct, name##_tt                                                                   \
+        }                                                                                          \
+    }
 #define FMB_VERDICTS_BY_SAT                                                                        \
     {                                                                                              \
-        {{sat_2d_cc, sat_2d_ct, sat_2d_tt},                                                        \
-         {sat_2d_moving_cc, sat_2d_moving_ct, sat_2d_moving_tt}},                                  \
+        {SAT_SHAPES(sat_2d), SAT_SHAPES(sat_2d_moving)},                                           \
         {                                                                                          \
-            {sat_3d_cc, sat_3d_ct, sat_3d_tt},                                                     \
-            {                                                                                      \
-                sat_3d_moving_cc, sat_3d_moving_ct, sat_3d_moving_tt                               \
-            }                                                                                      \
+            SAT_SHAPES(sat_3d), SAT_SHAPES(sat_3d_moving)                                          \
         }                                                                                          \
     }
 
