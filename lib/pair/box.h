@@ -94,53 +94,6 @@ FMB_INLINE void box_store(const box_kind *k, const box_pair *p, box_hull *h, con
     lane_store(answer + (4 * d + 1) * FMB_LANES, last);
 }
 
-FMB_INLINE void still_cover(const box_kind *k, int guest, const box_pair *p, box_view *v,
-                            lane *wide, lane *rho, still_hull *h)
-{
-    const box_frame *own = &p->frame[guest];
-    box_guest g;
-    box_view_of(k, guest, &p->frame[1 - guest], own, v);
-    box_guest_of(k, guest, v, own, &g);
-    still_wide(k, guest, &p->frame[1 - guest], own, v, wide);
-    *rho = lane_of(1) / v->size.hi;
-    for (int n = 0; n < box_directions(k, guest); n++) {
-        box_direction e;
-        box_direction_of(k, guest, v, own, n, &e);
-        still_cover_direction(k, guest, v, wide, &g, n, &e, *rho, h);
-    }
-}
-
-/* Everything but the block is constant. Ends in the world are moved out by 16 u far <= 240 u M, and
- * exceed the exact ones by at most that twice and `reach`: less than 1e-12 M. */
-FMB_INLINE unsigned still_kernel(int dim, int a, int b, const double *block, double *answer)
-{
-    const box_kind kind = {dim, false, false, {a, b}}, *k = &kind;
-    const lane out = lane_of(16 * 0x1p-53), bar = lane_of(9e-13);
-    lane rho, wide[BOX_VALUES], excess = lane_of(0);
-    box_pair p;
-    box_view v[2];
-    still_hull h;
-    box_pair_of(k, block, &p);
-    still_hull_empty(&h);
-    still_cover(k, 1, &p, &v[1], wide, &rho, &h);
-    still_cover(k, 0, &p, &v[0], wide, &rho, &h);
-    for (int j = 0; j < dim; j++) {
-        excess = lane_max(still_inside(&h, j, rho * wide[j]), excess);
-        h.world[0][j] = h.world[0][j] - out * p.far;
-        h.world[1][j] = h.world[1][j] + out * p.far;
-        lane_store(answer + (4 * dim + 2 + j) * FMB_LANES, h.witness[j]);
-    }
-    box_store_ends(dim, h.world[0], h.world[1], answer);
-    box_store_ends(dim, h.outer[0], h.outer[1], answer + 2 * dim * FMB_LANES);
-    lane_store(answer + 4 * dim * FMB_LANES, lane_of(0));
-    lane_store(answer + (4 * dim + 1) * FMB_LANES, lane_of(1));
-    lane_mask known = lane_and(p.known, lane_and(v[0].known, v[1].known));
-    lane_mask near = lane_and(lane_less(excess, bar), lane_less(h.reach, bar * p.least));
-    lane_mask some = lane_less(h.world[0][0], lane_of(HUGE_VAL));
-    lane_mask good = lane_and(lane_and(known, near), some);
-    return lane_bits(good) & ~lane_bits(h.doubt);
-}
-
 /* dim and fine are constants, the rest is not: that would make 28 copies of all this. */
 FMB_INLINE unsigned box_kernel(int dim, bool fine, bool moves, int a, int b, const double *block,
                                double *answer)
@@ -207,19 +160,21 @@ BOX_KERNELS(box_2_moving_fine, box_any_2_fine, true)
 BOX_KERNELS(box_3_fine, box_any_3_fine, false)
 BOX_KERNELS(box_3_moving_fine, box_any_3_fine, true)
 
-#define STILL_KERNEL(name, dim, a, b)                                                              \
+#define STILL_KERNEL(name, dim, fine, a, b)                                                        \
     static unsigned name(const double *block, double *answer)                                      \
     {                                                                                              \
-        return still_kernel(dim, a, b, block, answer);                                             \
+        return still_kernel(dim, fine, a, b, block, answer);                                       \
     }
-#define STILL_KERNELS(name, dim)                                                                   \
-    STILL_KERNEL(name##_cc, dim, FMB_CUBOID, FMB_CUBOID)                                           \
-    STILL_KERNEL(name##_ct, dim, FMB_CUBOID, FMB_SIMPLEX)                                          \
-    STILL_KERNEL(name##_tc, dim, FMB_SIMPLEX, FMB_CUBOID)                                          \
-    STILL_KERNEL(name##_tt, dim, FMB_SIMPLEX, FMB_SIMPLEX)
+#define STILL_KERNELS(name, dim, fine)                                                             \
+    STILL_KERNEL(name##_cc, dim, fine, FMB_CUBOID, FMB_CUBOID)                                     \
+    STILL_KERNEL(name##_ct, dim, fine, FMB_CUBOID, FMB_SIMPLEX)                                    \
+    STILL_KERNEL(name##_tc, dim, fine, FMB_SIMPLEX, FMB_CUBOID)                                    \
+    STILL_KERNEL(name##_tt, dim, fine, FMB_SIMPLEX, FMB_SIMPLEX)
 
-STILL_KERNELS(still_2, 2)
-STILL_KERNELS(still_3, 3)
+STILL_KERNELS(still_2, 2, false)
+STILL_KERNELS(still_3, 3, false)
+STILL_KERNELS(still_2_fine, 2, true)
+STILL_KERNELS(still_3_fine, 3, true)
 
 #define BOX_SHAPES(name)                                                                           \
     {                                                                                              \
@@ -229,20 +184,28 @@ STILL_KERNELS(still_3, 3)
         }                                                                                          \
     }
 
+#define BOX_DIMS(still_2, moving_2, still_3, moving_3)                                             \
+    {                                                                                              \
+        {still_2, moving_2},                                                                       \
+        {                                                                                          \
+            still_3, moving_3                                                                      \
+        }                                                                                          \
+    }
+#define BOX_NONE                                                                                   \
+    {                                                                                              \
+        {                                                                                          \
+            NULL                                                                                   \
+        }                                                                                          \
+    }
+
 /* Moving in three dimensions, plain doubles are hardly ever sure of edges against edges. */
 #define FMB_BOXES                                                                                  \
     {                                                                                              \
-        {BOX_SHAPES(still_2), BOX_SHAPES(box_2_moving)},                                           \
-        {                                                                                          \
-            BOX_SHAPES(still_3), BOX_SHAPES(box_3_moving_fine)                                     \
-        }                                                                                          \
-    }
-#define FMB_FINE_BOXES                                                                             \
-    {                                                                                              \
-        {BOX_SHAPES(box_2_fine), BOX_SHAPES(box_2_moving_fine)},                                   \
-        {                                                                                          \
-            BOX_SHAPES(box_3_fine)                                                                 \
-        }                                                                                          \
+        BOX_DIMS(BOX_SHAPES(still_2), BOX_SHAPES(box_2_moving), BOX_SHAPES(still_3),               \
+                 BOX_SHAPES(box_3_moving_fine)),                                                   \
+            BOX_DIMS(BOX_SHAPES(still_2_fine), BOX_SHAPES(box_2_moving_fine),                      \
+                     BOX_SHAPES(still_3_fine), BOX_NONE),                                          \
+            BOX_DIMS(BOX_SHAPES(box_2_fine), BOX_NONE, BOX_SHAPES(box_3_fine), BOX_NONE),          \
     }
 
 #endif

@@ -52,12 +52,16 @@ FMB_INLINE int box_directions(const box_kind *k, int guest)
     return k->shape[guest] == FMB_SIMPLEX ? k->dim * (k->dim + 1) / 2 : k->dim;
 }
 
-/* Direction n of a simplex is from corner `from` to corner `to`, 0 <= from < to, n = to (to - 1) /
- * 2
- * + from. */
+/* Direction n of a simplex is from corner `from` to corner `to`, 0 <= from < to,
+ * n = to (to - 1) / 2 + from. */
 FMB_INLINE int box_simplex_from(int n)
 {
     return n < 1 ? 0 : n < 3 ? n - 1 : n - 3;
+}
+
+FMB_INLINE int box_simplex_to(int n)
+{
+    return n < 1 ? 1 : n < 3 ? 2 : 3;
 }
 
 /* Does an edge in direction n start at corner c? */
@@ -70,7 +74,7 @@ FMB_INLINE void box_direction_of(const box_kind *k, int guest, const box_view *v
                                  const box_frame *f, int n, box_direction *e)
 {
     bool simplex = k->shape[guest] == FMB_SIMPLEX;
-    int ahead = !simplex ? n : n < 1 ? 0 : n < 3 ? 1 : 2;
+    int ahead = simplex ? box_simplex_to(n) - 1 : n;
     int back = simplex ? box_simplex_from(n) - 1 : -1; /* -1: the origin */
     for (int l = 0; l < k->dim; l++)
         e->own[l] = (l == ahead) - (l == back);

@@ -6,8 +6,5 @@
 #include "pair/fmb.h"
 #include "pair/sat.h"
 
-const fmb_pair_kernels FMB_TABLE = {.width = FMB_LANES,
-                                    .fmb = FMB_VERDICTS_BY_FMB,
-                                    .sat = FMB_VERDICTS_BY_SAT,
-                                    .box = FMB_BOXES,
-                                    .fine = FMB_FINE_BOXES};
+const fmb_pair_kernels FMB_TABLE = {
+    .width = FMB_LANES, .fmb = FMB_VERDICTS_BY_FMB, .sat = FMB_VERDICTS_BY_SAT, .box = FMB_BOXES};

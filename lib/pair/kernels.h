@@ -25,7 +25,8 @@
 enum {
     FMB_BLOCK_MOST_LANES = 8,
     FMB_BLOCK_MOST_ROWS = 36, /* moving in 3D, with place and speed */
-    FMB_BOX_MOST_ROWS = 17
+    FMB_BOX_MOST_ROWS = 17,
+    FMB_BOX_LEVELS = 3
 };
 
 /* Bits of the lanes where the closed frames certainly have no point together; where their interiors
@@ -47,8 +48,9 @@ typedef struct fmb_pair_kernels {
     int width;
     /* All are [D - 2][moving][shape of A][shape of B]. */
     fmb_verdict_kernel *fmb[2][2][2][2], *sat[2][2][2][2];
-    /* fine: for lanes that box is not sure of, slower; NULL: there is none */
-    fmb_box_kernel *box[2][2][2][2], *fine[2][2][2][2];
+    /* The first index is the level: for lanes that the level before is not sure of, and slower.
+     * NULL: there is no more. */
+    fmb_box_kernel *box[FMB_BOX_LEVELS][2][2][2][2];
 } fmb_pair_kernels;
 
 /* The kernels of that level, NULL if this processor (or compiler) has not got it. */

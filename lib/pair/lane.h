@@ -17,6 +17,12 @@
 
 #define FMB_INLINE static inline __attribute__((always_inline, unused))
 
+/* Before a loop over a few values that stands in constants: nothing of it is left. */
+#define FMB_UNROLL _Pragma("GCC unroll 16")
+
+/* Are products fused with sums, so that they are not rounded? */
+#define FMB_LANE_FUSED (FMB_LANES == 8 || FMB_LANES == 4)
+
 #if FMB_LANES == 8
 #include <immintrin.h>
 typedef __m512d lane;
@@ -223,8 +229,8 @@ FMB_INLINE lane lane_max_where(lane_mask m, lane a, lane b)
 }
 #endif
 
-/* ab + c, ab - c and c - ab, rounded once or twice. */
-#if FMB_LANES == 8 || FMB_LANES == 4
+/* ab + c, ab - c, c - ab and -ab - c, rounded once or twice. */
+#if FMB_LANE_FUSED
 FMB_INLINE lane lane_fma(lane a, lane b, lane c)
 {
     return LANE(fmadd, a, b, c);
@@ -236,6 +242,10 @@ FMB_INLINE lane lane_fms(lane a, lane b, lane c)
 FMB_INLINE lane lane_fnma(lane a, lane b, lane c)
 {
     return LANE(fnmadd, a, b, c);
+}
+FMB_INLINE lane lane_fnms(lane a, lane b, lane c)
+{
+    return LANE(fnmsub, a, b, c);
 }
 #else
 FMB_INLINE lane lane_fma(lane a, lane b, lane c)
@@ -249,6 +259,10 @@ FMB_INLINE lane lane_fms(lane a, lane b, lane c)
 FMB_INLINE lane lane_fnma(lane a, lane b, lane c)
 {
     return c - a * b;
+}
+FMB_INLINE lane lane_fnms(lane a, lane b, lane c)
+{
+    return -(a * b) - c;
 }
 #endif
 

@@ -16,7 +16,8 @@
 
 /* Blocks by number: [stage][kind], where a kind is [moves][shape of A][shape of B]. What a block
  * leaves open goes to one of a later stage, or is settled without a block. */
-enum { STAGE_VERDICT, STAGE_BOX, STAGE_FINE, STAGES, KINDS = 2 * 2 * 2, BLOCKS = STAGES * KINDS };
+enum { STAGE_VERDICT, STAGE_BOX, STAGES = STAGE_BOX + FMB_BOX_LEVELS };
+enum { KINDS = 2 * 2 * 2, BLOCKS = STAGES * KINDS };
 
 struct fmb_pair {
     fmb_mem mem;
@@ -212,7 +213,7 @@ static void write_lanes(const query *a, const fmb_block *b, unsigned lanes, cons
 /* The kernel of a stage; NULL: there is none. */
 static fmb_box_kernel *box_kernel(const query *a, int stage, int kind)
 {
-    fmb_box_kernel *const(*of)[2][2][2] = stage == STAGE_BOX ? a->kernels->box : a->kernels->fine;
+    fmb_box_kernel *const(*of)[2][2][2] = a->kernels->box[stage - STAGE_BOX];
     return a->k->options.tightest ? NULL : of[a->k->dim - 2][kind / 4][kind / 2 % 2][kind % 2];
 }
 
@@ -273,6 +274,17 @@ static fmb_status flush_verdicts(const query *a, const fmb_block *b, int kind)
 static bool has_all_axes(const fmb_frame *f, int dim)
 {
     return f->naxes == dim && f->origin && f->axes && (unsigned)f->shape <= FMB_SIMPLEX;
+}
+
+/* Frames that are soon put into blocks: their numbers may still be far from the processor. */
+enum { AHEAD = 12 };
+
+static void expect(const fmb_frame *p, const fmb_frame *q)
+{
+    __builtin_prefetch(p->axes);
+    __builtin_prefetch(p->axes + 8);
+    __builtin_prefetch(q->axes);
+    __builtin_prefetch(q->axes + 8);
 }
 
 static fmb_status put_pair(const query *a, size_t i)
@@ -340,8 +352,11 @@ fmb_status fmb_pair_test(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_fr
                n == 1 ? &fmb_pair_kernels_one : k->wide};
     fmb_status st = FMB_OK;
     atomic_store_explicit(&k->cancelled, false, memory_order_relaxed);
-    for (size_t i = 0; st == FMB_OK && i < n; i++)
+    for (size_t i = 0; st == FMB_OK && i < n; i++) {
+        if (i + AHEAD < n)
+            expect(&p[i + AHEAD], &q[i + AHEAD]);
         st = put_pair(&a, i);
+    }
     while (st == FMB_OK && k->waiting)
         st = flush(&a, __builtin_ctz(k->waiting));
     forget(k);

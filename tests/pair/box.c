@@ -10,7 +10,7 @@
 #include "rows.h"
 #include "study/pairs.h"
 
-enum { LEVELS = 2, WIDTHS = 4 };
+enum { LEVELS = FMB_BOX_LEVELS, WIDTHS = 4 };
 
 static const fmb_pair_kernels *kernels_of(int width)
 {
@@ -23,7 +23,7 @@ static fmb_box_kernel *kernel_of(const fmb_pair_kernels *k, int level, const fmb
                                  const fmb_frame *q)
 {
     int d = p->dim - 2, moves = p->speed || q->speed;
-    return (level ? k->fine : k->box)[d][moves][p->shape][q->shape];
+    return k->box[level][d][moves][p->shape][q->shape];
 }
 
 static void read_lane(const double *from, int width, int dim, box_answer *a)
