@@ -85,19 +85,25 @@ FMB_INLINE void still_slabs_of(const box_kind *k, int host, const still_view *v,
     }
 }
 
-/* Value i of the host cuts off what is below or above; the ends move in by `less`. */
+/* Value i of the host cuts off what is below or above; ends move in by `less`, unless NULL: a sum
+ * with 0 would be computed. */
 FMB_INLINE void still_cut(const box_kind *k, int host, const still_slabs *b, int i, lane y,
-                          lane less, still_part *p)
+                          const lane *less, still_part *p)
 {
-    if (k->shape[host] == FMB_SIMPLEX) {
-        lane end = lane_fnma(y, b->r[i], lane_of(0));
-        lane lower = lane_max(end + less, p->lower), upper = lane_min(end - less, p->upper);
-        p->lower = lane_pick(b->falls[i], p->lower, lower);
-        p->upper = lane_pick(b->falls[i], upper, p->upper);
-    } else {
-        p->lower = lane_max(lane_fnms(y, b->r[i], b->room[i]) + less, p->lower);
-        p->upper = lane_min(lane_fnma(y, b->r[i], b->room[i]) - less, p->upper);
+    const bool simplex = k->shape[host] == FMB_SIMPLEX;
+    lane lower = lane_fnma(y, b->r[i], lane_of(0)), upper = lower;
+    if (!simplex) {
+        lower = lane_fnms(y, b->r[i], b->room[i]);
+        upper = lane_fnma(y, b->r[i], b->room[i]);
     }
+    if (less) {
+        lower = lower + *less;
+        upper = upper - *less;
+    }
+    lower = lane_max(lower, p->lower);
+    upper = lane_min(upper, p->upper);
+    p->lower = simplex ? lane_pick(b->falls[i], p->lower, lower) : lower;
+    p->upper = simplex ? lane_pick(b->falls[i], upper, p->upper) : upper;
 }
 
 FMB_INLINE still_part still_clip(const box_kind *k, int host, const still_slabs *b, const lane *y)
@@ -105,7 +111,7 @@ FMB_INLINE still_part still_clip(const box_kind *k, int host, const still_slabs 
     still_part p = {.lower = lane_of(0), .upper = lane_of(1)};
     FMB_UNROLL
     for (int i = 0; i < box_values(k, host); i++)
-        still_cut(k, host, b, i, y[i], lane_of(0), &p);
+        still_cut(k, host, b, i, y[i], NULL, &p);
     p.length = p.upper - p.lower;
     p.some = lane_less(lane_of(0), p.length);
     p.sum = lane_pick(p.some, p.upper + p.lower, lane_of(NAN));
@@ -181,10 +187,14 @@ FMB_INLINE void still_cover_own_cuboid(int dim, int n, const still_part p[4], st
     for (int c = 0; c < 1 << (dim - 1); c++) {
         lower = lane_min(lane_pick(p[c].some, p[c].lower, none), lower);
         upper = lane_max(lane_pick(p[c].some, p[c].upper, none), upper);
+    }
+    FMB_UNROLL
+    for (int l = 1; l < dim; l++) {
         FMB_UNROLL
-        for (int l = 1; l < dim; l++) {
-            lane_mask *at = &h->at[c >> (l - 1) & 1][(n + l) % dim];
-            *at = lane_or(*at, p[c].some);
+        for (int side = 0; side < 2; side++) {
+            const int c = side << (l - 1), next = dim == 3 ? c ^ (3 - l) : c;
+            lane_mask *at = &h->at[side][(n + l) % dim];
+            *at = lane_or(*at, lane_or(p[c].some, p[next].some));
         }
     }
     h->own[0][n] = lower;

@@ -84,8 +84,10 @@ FMB_INLINE void still_measure(const box_kind *k, int guest, const still_view *v,
 FMB_INLINE lane still_gap(const box_kind *k, int host, const still_slabs *b, const lane *y)
 {
     still_part p = still_clip(k, host, b, y), in = p;
-    for (int i = 0; i < box_values(k, host); i++)
-        still_cut(k, host, b, i, y[i], b->margin[i] + b->margin[i], &in);
+    for (int i = 0; i < box_values(k, host); i++) {
+        lane twice = b->margin[i] + b->margin[i];
+        still_cut(k, host, b, i, y[i], &twice, &in);
+    }
     lane gap = lane_max(in.lower - p.lower, p.upper - in.upper);
     return lane_pick(lane_less(p.upper, p.lower), lane_of(0), gap);
 }

@@ -153,21 +153,6 @@ static fmb_status decide_exactly(const query *a, size_t i)
     return st == FMB_OK && *out == FMB_FEASIBLE && a->boxes ? answer_exactly(a, i) : st;
 }
 
-/* What no kernel answers. */
-static fmb_status decide_generally(const query *a, size_t i)
-{
-    fmb_pair *k = a->k;
-    if (!fmb_frame_is_good(&a->p[i], k->dim) || !fmb_frame_is_good(&a->q[i], k->dim))
-        return FMB_ERR_ARG;
-    if (k->options.method != FMB_PAIR_EXACT)
-        a->out->verdict[i] = fmb_general_decide(k->general, &a->p[i], &a->q[i]);
-    else
-        a->out->verdict[i] = FMB_UNKNOWN;
-    if (a->out->verdict[i] == FMB_UNKNOWN)
-        return decide_exactly(a, i);
-    return a->out->verdict[i] == FMB_FEASIBLE && a->boxes ? answer_generally(a, i) : FMB_OK;
-}
-
 /* Let pair i wait in a block of that stage. */
 static fmb_status put(const query *a, int stage, size_t i);
 
@@ -235,7 +220,22 @@ static fmb_status box_lanes(const query *a, const fmb_block *b, int stage, int k
     return st;
 }
 
-/* ---- verdicts by kernels --------------------------------------------------------------------- */
+/* ---- verdicts --------------------------------------------------------------------- */
+
+/* What no kernel decides. Then its box may still be one for kernels, from that stage on. */
+static fmb_status decide_generally(const query *a, int stage, int kind, size_t i)
+{
+    fmb_pair *k = a->k;
+    if (!fmb_frame_is_good(&a->p[i], k->dim) || !fmb_frame_is_good(&a->q[i], k->dim))
+        return FMB_ERR_ARG;
+    if (k->options.method != FMB_PAIR_EXACT)
+        a->out->verdict[i] = fmb_general_decide(k->general, &a->p[i], &a->q[i]);
+    else
+        a->out->verdict[i] = FMB_UNKNOWN;
+    if (a->out->verdict[i] == FMB_UNKNOWN)
+        return decide_exactly(a, i);
+    return a->out->verdict[i] == FMB_FEASIBLE && a->boxes ? put_box(a, stage, kind, i) : FMB_OK;
+}
 
 static fmb_verdict_kernel *verdict_kernel(const query *a, int kind)
 {
@@ -265,7 +265,7 @@ static fmb_status flush_verdicts(const query *a, const fmb_block *b, int kind)
             a->out->verdict[i] = FMB_FEASIBLE;
             st = a->boxes && !stay ? put_box(a, STAGE_BOX, kind, i) : FMB_OK;
         } else {
-            st = decide_generally(a, i);
+            st = decide_generally(a, STAGE_BOX, kind, i);
         }
     }
     return st == FMB_OK && stay ? box_lanes(a, b, STAGE_BOX, kind, boxed) : st;
@@ -295,7 +295,7 @@ static fmb_status put_pair(const query *a, size_t i)
         return FMB_ERR_ARG;
     if (k->dim < 2 || k->dim > 3 || k->options.method == FMB_PAIR_EXACT ||
         !has_all_axes(p, k->dim) || !has_all_axes(q, k->dim))
-        return decide_generally(a, i);
+        return decide_generally(a, STAGES, 0, i);
     return put(a, STAGE_VERDICT, i);
 }
 
