@@ -86,13 +86,12 @@ FMB_INLINE void still_pair_of(const box_kind *k, const double *block, still_pair
 
 /* ---- edges ----------------------------------------------------------------------------------- */
 
-/* A loop over directions, as code for each of them would have to keep too many numbers. */
 FMB_INLINE void still_cover_cuboid(const box_kind *k, int guest, const still_view *v,
                                    const still_frame *f, const still_limits *limit, still_hull *h,
                                    still_gaps *g)
 {
     const int dim = k->dim, corners = 1 << (dim - 1);
-#pragma GCC unroll 1
+    FMB_UNROLL
     for (int n = 0; n < dim; n++) {
         twin at[4][BOX_VALUES];
         lane y[4][BOX_VALUES];
