@@ -27,8 +27,8 @@
 
 typedef struct box_pair {
     box_frame frame[2]; /* A, B */
-    lane far, least;    /* `least` <= M */
-    lane_mask known;    /* numbers are of a size that no error bound minds */
+    lane far;
+    lane_mask known; /* numbers are of a size that no error bound minds */
 } box_pair;
 
 FMB_INLINE const double *box_load(int dim, const double *rows, lane *x, lane *most)
@@ -60,7 +60,6 @@ FMB_INLINE void box_pair_of(const box_kind *k, const double *block, box_pair *p)
                 p->frame[f ^ swapped].speed[j] = lane_of(0);
     p->far = lane_of(3) * (places + speeds + edges[0] + edges[1]);
     lane edge = lane_max(edges[0], edges[1]), most = lane_max(lane_max(places, speeds), edge);
-    p->least = lane_max(places, lane_of(0.5) * edge);
     p->known = lane_and(lane_less(lane_of(0x1p-40), lane_min(edges[0], edges[1])),
                         lane_less(most, lane_of(0x1p40)));
 }

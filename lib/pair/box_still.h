@@ -37,11 +37,14 @@ FMB_INLINE lane still_frame_of(const box_kind *k, int which, const double *axes,
     lane most = lane_of(0);
     FMB_UNROLL
     for (int j = 0; j < k->dim; j++) {
-        lane at = place[j] + f->origin[j], sum = lane_of(0);
-        f->extent[j] = sum;
+        lane at = place[j] + f->origin[j], sum = lane_load(axes + j * FMB_LANES);
+        f->axes[0][j] = sum;
+        f->extent[j] = lane_abs(sum);
         most = lane_max_abs(most, at);
+        if (simplex)
+            most = lane_max_abs(most, at + sum);
         FMB_UNROLL
-        for (int l = 0; l < k->dim; l++) {
+        for (int l = 1; l < k->dim; l++) {
             f->axes[l][j] = lane_load(axes + (l * k->dim + j) * FMB_LANES);
             f->extent[j] = f->extent[j] + lane_abs(f->axes[l][j]);
             sum = sum + f->axes[l][j];
