@@ -42,6 +42,10 @@ void print_machine_json(FILE *out)
     app_machine m = app_machine_find();
     fprintf(out, "\"machine\": ");
     print_string(out, m.cpu);
+    fprintf(out, ", \"cores\": %ld, \"load\": %.2f, \"os\": ", m.cores, m.load);
+    print_string(out, m.os);
+    fprintf(out, ", \"kernel\": ");
+    print_string(out, m.kernel);
     fprintf(out, ", \"compiler\": ");
     print_string(out, m.compiler);
     fprintf(out, ", \"flags\": ");

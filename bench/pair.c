@@ -9,8 +9,9 @@
 #include <string.h>
 
 #include "machine.h"
-#include "study/clock.h"
-#include "study/pairs.h"
+#include "study/clock/clock.h"
+#include "study/draw/pairs.h"
+#include "study/sat/sat.h"
 
 enum { PAIRS = 65536, PASSES = 9 };
 
@@ -67,10 +68,10 @@ static void measure(const setting *how, const study_pair_plan *plan, fmb_verdict
     study_timed timed[2];
     for (int i = 0; i < 2; i++) {
         fmb_pair_options o = fmb_pair_options_default();
-        o.method = i == 0 ? FMB_PAIR_FMB : FMB_PAIR_SAT;
         o.simd = how->simd;
         w[i] = (way){.pairs = &pairs, .verdict = out[i], .one = how->one};
-        must(fmb_pair_new(plan->dim, &o, NULL, &w[i].k));
+        must(i == 0 ? fmb_pair_new(plan->dim, &o, NULL, &w[i].k)
+                    : study_sat_new(plan->dim, &o, &w[i].k));
         timed[i] = (study_timed){run, &w[i]};
     }
     wanted only = {w[0].k, verdict};
@@ -80,7 +81,7 @@ static void measure(const setting *how, const study_pair_plan *plan, fmb_verdict
     printf("%dD %-6s %s %-5s  %7.1f  %7.1f  %6.3f\n", plan->dim, plan->moves ? "moving" : "still",
            kind[plan->shape[0] + plan->shape[1]], verdict == FMB_FEASIBLE ? "meet" : "apart",
            study_clock_ns(&c, 0).median, study_clock_ns(&c, 1).median,
-           study_clock_ratio(&c, 0, 1).median);
+           study_clock_ratio(&c, 0, 1).ratio);
     if (memcmp(out[0], out[1], sizeof out[0]) != 0)
         printf("the two differ\n");
     study_clock_clear(&c);

@@ -17,9 +17,11 @@ typedef struct app_program {
     const char *args, *doc;     /* as argp takes them; the table stands after doc's first part */
     const app_command *command;
     size_t commands;
+    const app_command *otherwise; /* what options without a subcommand mean, or NULL */
 } app_program;
 
-/* Read the command line up to the subcommand, and run that. Does not return after a mistake. */
+/* Run the subcommand that the command line names, with the options before it as well as those
+ * behind. Does not return after a mistake. */
 int app_dispatch(const app_program *p, int argc, char **argv);
 
 #endif

@@ -2,22 +2,32 @@
 #include "common/machine.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <sys/utsname.h>
+#include <unistd.h>
 
 #include "common/commit.h"
 
-/* The processor's name, as Linux tells it. */
-static void find_cpu(char *name, size_t size)
+#ifdef __clang__
+#define COMPILER "clang " __clang_version__
+#else
+#define COMPILER "gcc " __VERSION__
+#endif
+
+/* What stands behind the key in a line of the file, without quotes. */
+static void find_in_file(const char *file, const char *key, char *out, size_t size)
 {
     char line[256];
-    FILE *f = fopen("/proc/cpuinfo", "r");
-    snprintf(name, size, "unknown");
+    FILE *f = fopen(file, "r");
+    snprintf(out, size, "unknown");
     while (f && fgets(line, sizeof line, f)) {
-        char *colon = strchr(line, ':');
-        if (strncmp(line, "model name", 10) != 0 || !colon)
+        if (strncmp(line, key, strlen(key)) != 0)
             continue;
-        snprintf(name, size, "%s", colon + 2);
-        name[strcspn(name, "\n")] = '\0';
+        char *text = line + strlen(key);
+        text += strspn(text, "\t :=\"");
+        text[strcspn(text, "\"\n")] = '\0';
+        snprintf(out, size, "%s", text);
         break;
     }
     if (f)
@@ -26,7 +36,16 @@ static void find_cpu(char *name, size_t size)
 
 app_machine app_machine_find(void)
 {
-    app_machine m = {.compiler = __VERSION__, .flags = APP_FLAGS, .commit = APP_COMMIT};
-    find_cpu(m.cpu, sizeof m.cpu);
+    app_machine m = {.cores = sysconf(_SC_NPROCESSORS_ONLN),
+                     .memory = (uint64_t)sysconf(_SC_PHYS_PAGES) * (uint64_t)sysconf(_SC_PAGESIZE),
+                     .compiler = COMPILER,
+                     .flags = APP_FLAGS,
+                     .commit = APP_COMMIT};
+    struct utsname name;
+    find_in_file("/proc/cpuinfo", "model name", m.cpu, sizeof m.cpu);
+    find_in_file("/etc/os-release", "PRETTY_NAME", m.os, sizeof m.os);
+    snprintf(m.kernel, sizeof m.kernel, "%s", uname(&name) == 0 ? name.release : "unknown");
+    if (getloadavg(&m.load, 1) != 1)
+        m.load = 0;
     return m;
 }

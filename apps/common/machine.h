@@ -1,9 +1,16 @@
-/* machine.h: what a measurement was made on and with. */
+/* machine.h: what a measurement was made on and with, as a paper would cite it. Sources: Linux's
+ * /proc/cpuinfo, /etc/os-release, uname(2), sysconf(3), getloadavg(3). "unknown" or 0 where these
+ * say nothing. */
 #ifndef APP_MACHINE_H
 #define APP_MACHINE_H
 
+#include <stdint.h>
+
 typedef struct app_machine {
-    char cpu[200];
+    char cpu[200], os[200], kernel[200];
+    long cores;      /* that may be used */
+    uint64_t memory; /* [bytes] */
+    double load;     /* average of the last minute, now */
     const char *compiler, *flags, *commit;
 } app_machine;
 

@@ -2,16 +2,23 @@
 #include "common/source.h"
 
 #include <errno.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "common/file.h"
 #include "common/message.h"
+#include "common/text.h"
+#include "common/value.h"
+
+enum { KEY_MAX_INPUT = 0x300 };
 
 #define FORMATS "auto|fmb|ine|ieq|smt2|mps|lp"
 
 static const struct argp_option source_options[] = {
     {"format", 'f', "FORMAT", 0,
      "FILE is in this format: " FORMATS " (default auto: by name, else by content)", 1},
+    {"max-input", KEY_MAX_INPUT, "BYTES", 0, "Refuse a FILE that is longer (default 1073741824)",
+     1},
     {"quiet", 'q', NULL, 0, "Nothing on standard error but errors", 1},
     {0}};
 
@@ -22,6 +29,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case 'f':
         if (!fmb_format_parse(arg, &src->format))
             argp_error(state, "--format: expected " FORMATS ", found '%s'", arg);
+        return 0;
+    case KEY_MAX_INPUT:
+        src->max_input = app_value_whole("--max-input", arg, 1, SIZE_MAX, state);
         return 0;
     case 'q':
         src->quiet = true;
@@ -42,11 +52,26 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 
 const struct argp app_source_argp = {.options = source_options, .parser = parse};
 
+/* "PROGRAM: FILE:LINE:COLUMN: TEXT", without the numbers that are 0. */
+static void say_where(const char *file, const fmb_where *where, const char *kind)
+{
+    char *text = app_text(where->text, APP_TEXT_TERMINAL),
+         *name = app_text(file, APP_TEXT_TERMINAL);
+    fprintf(stderr, "%s: %s:", program_invocation_short_name, name);
+    if (where->line > 0)
+        fprintf(stderr, "%ld:", where->line);
+    if (where->line > 0 && where->column > 0)
+        fprintf(stderr, "%ld:", where->column);
+    fprintf(stderr, " %s%s\n", kind, text);
+    free(name);
+    free(text);
+}
+
 static void warn(void *self, const fmb_where *where)
 {
     const app_source *src = self;
     if (!src->quiet)
-        app_warning_at(app_file_shown(src->file), where);
+        say_where(app_file_shown(src->file), where, "warning: ");
 }
 
 int app_source_outcome(fmb_status st, const char *path, const fmb_where *where)
@@ -57,7 +82,8 @@ int app_source_outcome(fmb_status st, const char *path, const fmb_where *where)
         return APP_YES;
     case FMB_ERR_PARSE:
     case FMB_ERR_ARG:
-        return app_error_at(APP_BAD_INPUT, file, where);
+        say_where(file, where, "");
+        return APP_BAD_INPUT;
     case FMB_ERR_IO:
         return app_error(APP_CANNOT_OPEN, "%s: %s", file,
                          errno ? strerror(errno) : "reading failed");
@@ -73,7 +99,8 @@ int app_source_read(const app_source *src, fmb_system **out)
     if (code != APP_YES)
         return code;
     app_source self = *src;
-    fmb_reader how = {.format = src->format, .warn = warn, .self = &self};
+    fmb_reader how = {
+        .format = src->format, .warn = warn, .self = &self, .max_bytes = src->max_input};
     if (how.format == FMB_FORMAT_AUTO)
         how.format = fmb_format_of_name(src->file);
     fmb_where where = {0};

@@ -8,7 +8,8 @@
 typedef struct app_source {
     const char *file;
     fmb_format format;
-    bool quiet; /* nothing on standard error but errors */
+    bool quiet;       /* nothing on standard error but errors */
+    size_t max_input; /* longest file [bytes]; 0: FMB_READER_MAX_BYTES */
 } app_source;
 
 /* Parser of FILE, --format and --quiet, to be a child of a command's own; its input is an

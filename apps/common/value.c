@@ -20,6 +20,19 @@ uint64_t app_value_whole(const char *option, const char *text, uint64_t least, u
     return x;
 }
 
+bool app_value_two(const char *text, char between, uint64_t most, uint64_t out[2])
+{
+    for (int i = 0; i < 2; i++) {
+        char *end;
+        out[i] = strtoull(text, &end, 10);
+        if (*text < '0' || *text > '9' || *end != (i == 0 ? between : '\0') || out[i] < 1 ||
+            out[i] > most)
+            return false;
+        text = end + 1;
+    }
+    return true;
+}
+
 double app_value_number(const char *option, const char *text, double least, double most,
                         struct argp_state *state)
 {

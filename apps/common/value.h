@@ -5,12 +5,15 @@
 #define APP_VALUE_H
 
 #include <argp.h>
+#include <stdbool.h>
 #include <stdint.h>
 
 #include <fmb/options.h>
 
 uint64_t app_value_whole(const char *option, const char *text, uint64_t least, uint64_t most,
                          struct argp_state *state);
+/* Two numbers from 1 to most with `between` between; false if the text is something else. */
+bool app_value_two(const char *text, char between, uint64_t most, uint64_t out[2]);
 /* most = DBL_MAX: there is no upper end. */
 double app_value_number(const char *option, const char *text, double least, double most,
                         struct argp_state *state);

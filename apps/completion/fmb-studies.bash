@@ -42,7 +42,7 @@ _fmb_validate()
         *)
             if [[ $cur == -* ]]; then
                 _fmb_study_offer "--help --usage --version --pairs --seed --families --dim --axes
-                    --sample --boxes --simd --threads --shard --json --failures --quiet"
+                    --sample --boxes --simd --threads --shard --merge --json --failures --quiet"
             else
                 _fmb_study_offer "$(echo {1..16}d-{static,dynamic})"
             fi
@@ -70,11 +70,13 @@ _fmb_qualify()
             _fmb_study_list "none default duplicate dominated kohler chernikov imbert box lp"
             ;;
         --presolve) _fmb_study_list "none equalities components onesided bounds refute" ;;
+        --rule-library) compopt -o default ;;
         -o | --out) compopt -o dirnames ;;
-        -n | --pairs | -s | --seed | --passes | --dim | --max-rows | --max-seconds) ;;
+        -n | --pairs | -s | --seed | --passes | --dim | --max-rows | --max-seconds | --shard) ;;
         *)
             if [[ $cur == -* && $study == rules ]]; then
-                _fmb_study_offer "$general --dim --motion --kinds --meeting --family --rules --orders
+                _fmb_study_offer "$general --dim --motion --kinds --meeting --family --rules
+                    --rule-library --orders --shard --merge
                     --presolve --max-rows --max-seconds --detail --counts"
             elif [[ $cur == -* ]]; then
                 _fmb_study_offer "$general --simd"

@@ -13,20 +13,20 @@ _fmb()
     COMPREPLY=()
     for ((i = 1; i < COMP_CWORD; i++)); do
         case ${COMP_WORDS[i]} in
-            solve | bounds | project | reduce | check | convert | intersect) command=${COMP_WORDS[i]} && break ;;
+            solve | bounds | optimize | project | reduce | check | convert | intersect) command=${COMP_WORDS[i]} && break ;;
         esac
     done
 
     local general="--help --usage --version"
-    local source="--format --quiet"
-    local solver="--json --proof --trace --trace-rows --arith --method --order --rules --rebase
-        --presolve --simd --max-seconds --max-rows --max-bytes"
+    local source="--format --quiet --max-input"
+    local solver="--json --proof --relax --trace --trace-rows --arith --method --order --rules --rule-library --rebase
+        --presolve --simd --max-seconds --max-rows --max-bytes --threads"
     local words
     case $prev in
         --format) words="auto fmb ine ieq smt2 mps lp" ;;
         --to) words="fmb ine smt2" ;;
         --arith) words="auto int gmp" ;;
-        --method) words="auto fm lp fmplex" ;;
+        --method) words="auto fm lp" ;;
         --order) words="pairs given min fill" ;;
         --rules) words="none duplicate dominated kohler chernikov imbert box lp" ;;
         --rebase) words="auto always never" ;;
@@ -35,8 +35,8 @@ _fmb()
         --trace-rows) words="true false" ;;
         --contact) words="closed open" ;;
         --boxes) words="exact outward none" ;;
-        --max-seconds | --max-rows | --max-bytes | --vars | --keep | --eliminate) return ;;
-        --proof | --trace)
+        --max-seconds | --max-rows | --max-bytes | --threads | --max-input | --max | --min | --vars | --keep | --eliminate) return ;;
+        --proof | --trace | --rule-library)
             compopt -o default
             return
             ;;
@@ -44,12 +44,13 @@ _fmb()
             case $command in
                 solve) words="$general $source $solver" ;;
                 bounds) words="$general $source $solver --vars" ;;
+                optimize) words="$general $source $solver --max --min" ;;
                 project) words="$general $source $solver --keep --eliminate --to" ;;
                 reduce) words="$general $source $solver --to" ;;
-                check) words="$general $source --json" ;;
+                check) words="$general $source --list --expect --json" ;;
                 convert) words="$general $source --to" ;;
-                intersect) words="$general --quiet --json --contact --boxes --nearest --max-seconds" ;;
-                *) words="$general solve bounds project reduce check convert intersect" ;;
+                intersect) words="$general --quiet --json --contact --boxes --nearest --max-seconds --max-bytes --max-input" ;;
+                *) words="$general solve bounds optimize project reduce check convert intersect" ;;
             esac
             if [[ -n $command && $cur != -* ]]; then
                 compopt -o default

@@ -2,11 +2,12 @@
 #include <stdlib.h>
 
 #include "common/message.h"
-#include "common/show.h"
 #include "common/table.h"
-#include "common/variables.h"
-#include "common/verdict.h"
 #include "fmb/commands.h"
+#include "fmb/integers.h"
+#include "fmb/show.h"
+#include "fmb/variables.h"
+#include "fmb/verdict.h"
 
 enum { KEY_VARS = 0x200 };
 
@@ -169,6 +170,7 @@ int cmd_bounds(int argc, char **argv)
     if (code == 0 && names.lists > 0)
         code = app_names_select(&names, s.system, true, &vars, &n);
     if (code == 0) {
+        app_integers_note(&s);
         app_session_begin(&s);
         fmb_status st = fmb_bound(s.solver, s.system, vars, n, &box, &s.result);
         code = app_session_end(&s, st);

@@ -8,21 +8,78 @@
 #include <string.h>
 
 #include "common/file.h"
+#include "common/form.h"
 #include "common/json.h"
 #include "common/message.h"
+#include "common/options.h"
 #include "common/source.h"
 #include "fmb/commands.h"
 
-enum { KEY_JSON = 'j' };
+enum { KEY_JSON = 'j', KEY_LIST = 'l', KEY_EXPECT = 'e' };
 
 typedef struct request {
     app_source source;
     const char *proof;
-    bool json;
+    bool json, list;
+    fmb_demand demand;
+    const char *projection; /* the file that holds it, where that is what is demanded */
+    const char *form;       /* the objective, where one is given */
+    fmb_sense sense;        /* which way it goes */
 } request;
 
 static const struct argp_option options[] = {
-    {"json", KEY_JSON, NULL, 0, "Print one JSON object instead of text", 2}, {0}};
+    {"list", KEY_LIST, NULL, 0, "Tell of every claim", 2},
+    {"expect", KEY_EXPECT, "WHAT", 0,
+     "Demand more: feasible, infeasible, bounds (both ends of every variable), reduced (each row "
+     "goes, stays, or is an equality), projection=OUT (each row of the system in OUT follows), "
+     "optimum (of the objective of FILE), max=FORM or min=FORM (of this one)",
+     2},
+    {"json", KEY_JSON, NULL, 0, "Print one JSON object instead of text", 2},
+    {0}};
+
+#define PROJECTION "projection="
+
+/* False: no such demand. */
+static bool read_demand(request *r, const char *word)
+{
+    static const char *const known[] = {[FMB_DEMAND_FEASIBLE] = "feasible",
+                                        [FMB_DEMAND_INFEASIBLE] = "infeasible",
+                                        [FMB_DEMAND_BOUNDS] = "bounds",
+                                        [FMB_DEMAND_REDUCED] = "reduced"};
+    if (strncmp(word, PROJECTION, sizeof PROJECTION - 1) == 0) {
+        r->demand = FMB_DEMAND_PROJECTION;
+        r->projection = word + sizeof PROJECTION - 1;
+        return true;
+    }
+    bool max = strncmp(word, "max=", 4) == 0, min = strncmp(word, "min=", 4) == 0;
+    if (max || min || strcmp(word, "optimum") == 0) {
+        r->demand = FMB_DEMAND_OPTIMUM;
+        r->form = max || min ? word + 4 : NULL;
+        r->sense = max ? FMB_SENSE_MAX : FMB_SENSE_MIN;
+        return true;
+    }
+    for (int k = FMB_DEMAND_FEASIBLE; k <= FMB_DEMAND_REDUCED; k++)
+        if (strcmp(word, known[k]) == 0) {
+            r->demand = (fmb_demand)k;
+            return true;
+        }
+    return false;
+}
+
+static bool both_are_input(const char *a, const char *b)
+{
+    return strcmp(a, "-") == 0 && strcmp(b, "-") == 0;
+}
+
+static void check_files(const request *r, struct argp_state *state)
+{
+    if (!r->proof)
+        argp_error(state, "FILE or PROOF is missing");
+    else if (both_are_input(r->source.file, r->proof))
+        argp_error(state, "FILE and PROOF cannot both be standard input");
+    else if (r->projection && strcmp(r->projection, "-") == 0)
+        argp_error(state, "--expect " PROJECTION "OUT: OUT cannot be standard input");
+}
 
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
@@ -34,16 +91,23 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case KEY_JSON:
         r->json = true;
         return 0;
+    case KEY_LIST:
+        r->list = true;
+        return 0;
+    case KEY_EXPECT:
+        if (!read_demand(r, arg))
+            argp_error(state,
+                       "--expect: expected feasible, infeasible, bounds, reduced, " PROJECTION
+                       "OUT, optimum, max=FORM or min=FORM, found '%s'",
+                       arg);
+        return 0;
     case ARGP_KEY_ARG:
         if (!r->source.file || r->proof)
             return ARGP_ERR_UNKNOWN;
         r->proof = arg;
         return 0;
     case ARGP_KEY_END:
-        if (!r->proof)
-            argp_error(state, "FILE or PROOF is missing");
-        else if (strcmp(r->source.file, "-") == 0 && strcmp(r->proof, "-") == 0)
-            argp_error(state, "FILE and PROOF cannot both be standard input");
+        check_files(r, state);
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -52,13 +116,14 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 
 static const char doc[] =
     "Judge the claims in PROOF about the system in FILE, in exact arithmetic and without the "
-    "solver."
+    "solver, and say what they are."
     "\v"
-    "Exit codes: 0 accepted, 1 rejected.\n"
+    "Exit codes: 0 accepted, 1 rejected, or not all that is expected.\n"
     "\n"
     "Examples:\n"
     "  fmb solve plan.smt2 --proof plan.proof; fmb check plan.smt2 plan.proof\n"
-    "  fmb bounds diet.fmb --proof - | fmb check diet.fmb -\n";
+    "  fmb bounds diet.fmb --proof - | fmb check diet.fmb - --expect bounds\n"
+    "  fmb check diet.fmb cheap.proof --expect 'min=0.4 bread + 0.35 milk'\n";
 
 static int read_proof(const request *r, const fmb_system *s, fmb_evidence **out)
 {
@@ -73,43 +138,147 @@ static int read_proof(const request *r, const fmb_system *s, fmb_evidence **out)
     return code;
 }
 
-/* What a proof that is accepted says; one without a verdict still makes claims. */
-static void print_text(const fmb_judgement *j, const fmb_evidence *e)
+/* ---- what was found -------------------------------------------------------------------------- */
+
+typedef struct finding {
+    const fmb_system *s;
+    const fmb_evidence *e;
+    fmb_judgement j;
+    bool meets; /* the demand */
+    char missing[160];
+} finding;
+
+static const char *const KIND[] = {
+    [FMB_CLAIM_FEASIBLE] = "feasible", [FMB_CLAIM_INFEASIBLE] = "infeasible",
+    [FMB_CLAIM_BOUND] = "bound",       [FMB_CLAIM_UNBOUNDED] = "unbounded",
+    [FMB_CLAIM_IMPLIED] = "implied",   [FMB_CLAIM_REDUNDANT] = "redundant",
+    [FMB_CLAIM_EQUALITY] = "equality", [FMB_CLAIM_IRREDUNDANT] = "irredundant"};
+
+enum { KINDS = sizeof KIND / sizeof *KIND };
+
+static void count_kinds(const fmb_evidence *e, size_t count[KINDS])
 {
-    if (!j->accepted && j->claim == SIZE_MAX)
-        printf("rejected: %s\n", j->reason);
-    else if (!j->accepted)
-        printf("rejected: claim %zu: %s\n", j->claim + 1, j->reason);
-    else if (j->verdict != FMB_UNKNOWN)
-        printf("accepted: %s\n", fmb_verdict_text(j->verdict));
-    else
-        printf("accepted: %zu claims\n", fmb_evidence_claims(e));
+    for (size_t i = 0; i < fmb_evidence_claims(e); i++)
+        count[fmb_evidence_kind(e, i)]++;
 }
 
-static void print_json(const fmb_judgement *j, const fmb_evidence *e)
+/* "(1 feasible, 6 bound)" */
+static void print_kinds(const fmb_evidence *e)
 {
-    json_t *obj = app_need(json_object());
-    app_json_set(obj, "accepted", json_boolean(j->accepted));
-    app_json_set(obj, "verdict", json_string(fmb_verdict_text(j->verdict)));
-    app_json_set(obj, "claims", json_integer((json_int_t)fmb_evidence_claims(e)));
-    if (!j->accepted && j->claim != SIZE_MAX)
-        app_json_set(obj, "claim", json_integer((json_int_t)j->claim + 1));
-    if (!j->accepted)
-        app_json_set(obj, "reason", app_json_text(j->reason));
+    size_t count[KINDS] = {0};
+    const char *before = " (";
+    count_kinds(e, count);
+    for (int k = FMB_CLAIM_FEASIBLE; k < KINDS; k++) {
+        if (count[k] == 0)
+            continue;
+        printf("%s%zu %s", before, count[k], KIND[k]);
+        before = ", ";
+    }
+    printf(")\n");
+}
+
+static int list_claims(const finding *f)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i < fmb_evidence_claims(f->e); i++) {
+        printf("claim %zu: ", i + 1);
+        st = fmb_evidence_tell(f->e, f->s, i, stdout);
+    }
+    return st == FMB_OK ? APP_YES : app_status_error(st);
+}
+
+/* A proof without a verdict still makes claims. */
+static int print_text(const request *r, const finding *f)
+{
+    const fmb_judgement *j = &f->j;
+    if (!j->accepted && j->claim == SIZE_MAX) {
+        printf("rejected: %s\n", j->reason);
+    } else if (!j->accepted) {
+        printf("rejected: claim %zu: %s\n", j->claim + 1, j->reason);
+    } else {
+        bool decided = j->verdict != FMB_UNKNOWN;
+        printf("accepted%s%s", decided ? ": " : "", decided ? fmb_verdict_text(j->verdict) : "");
+        print_kinds(f->e);
+        if (r->list && list_claims(f) != APP_YES)
+            return APP_INTERNAL;
+    }
+    if (j->accepted && !f->meets)
+        printf("missing: %s\n", f->missing);
+    return APP_YES;
+}
+
+/* [give] The words of fmb_evidence_tell. */
+static json_t *claim_json(const finding *f, size_t i)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    fmb_status st = out ? fmb_evidence_tell(f->e, f->s, i, out) : FMB_ERR_MEMORY;
+    if (out)
+        fclose(out);
+    if (text)
+        text[strcspn(text, "\n")] = '\0';
+    json_t *words = st == FMB_OK && text ? app_json_text(text) : json_null();
+    free(text);
+    return words;
+}
+
+static void print_json(const request *r, const finding *f)
+{
+    json_t *obj = app_need(json_object()), *kinds = app_need(json_object());
+    size_t count[KINDS] = {0}, claims = fmb_evidence_claims(f->e);
+    count_kinds(f->e, count);
+    app_json_set(obj, "accepted", json_boolean(f->j.accepted));
+    app_json_set(obj, "verdict", json_string(fmb_verdict_text(f->j.verdict)));
+    app_json_set(obj, "claims", json_integer((json_int_t)claims));
+    for (int k = FMB_CLAIM_FEASIBLE; k < KINDS; k++)
+        if (count[k] > 0)
+            app_json_set(kinds, KIND[k], json_integer((json_int_t)count[k]));
+    app_json_set(obj, "kinds", kinds);
+    json_t *list = r->list ? app_need(json_array()) : NULL;
+    for (size_t i = 0; list && i < claims; i++)
+        json_array_append_new(list, claim_json(f, i));
+    if (list)
+        app_json_set(obj, "list", list);
+    if (!f->j.accepted && f->j.claim != SIZE_MAX)
+        app_json_set(obj, "claim", json_integer((json_int_t)f->j.claim + 1));
+    if (!f->j.accepted)
+        app_json_set(obj, "reason", app_json_text(f->j.reason));
+    if (f->j.accepted && !f->meets)
+        app_json_set(obj, "missing", app_json_text(f->missing));
     app_json_print(obj);
 }
 
-static int judge(const request *r, const fmb_system *s, const fmb_evidence *e)
+static int judge(const request *r, const fmb_system *s, const fmb_evidence *e,
+                 const fmb_system *image)
 {
-    fmb_judgement j = {0};
-    fmb_status st = fmb_check(s, e, &j);
+    finding f = {.s = s, .e = e};
+    fmb_status st = fmb_check(s, e, &f.j);
+    if (st == FMB_OK)
+        st = fmb_evidence_meets(e, s, r->demand, image, &f.meets, f.missing, sizeof f.missing);
     if (st != FMB_OK)
         return app_status_error(st);
+    int code = APP_YES;
     if (r->json)
-        print_json(&j, e);
+        print_json(r, &f);
     else
-        print_text(&j, e);
-    return j.accepted ? APP_YES : APP_NO;
+        code = print_text(r, &f);
+    return code != APP_YES ? code : f.j.accepted && f.meets ? APP_YES : APP_NO;
+}
+
+/* [give] The projection, or a copy of s with the objective, that is demanded; NULL for neither. */
+static int read_image(const request *r, const fmb_system *s, fmb_system **out)
+{
+    if (r->form) {
+        fmb_status st = fmb_system_copy(s, out);
+        return st == FMB_OK ? app_form_read("--expect", r->form, r->sense, *out)
+                            : app_status_error(st);
+    }
+
+    app_source other = r->source;
+    other.file = r->projection;
+    other.format = FMB_FORMAT_AUTO;
+    return r->projection ? app_source_read(&other, out) : APP_YES;
 }
 
 int cmd_check(int argc, char **argv)
@@ -122,15 +291,18 @@ int cmd_check(int argc, char **argv)
                                       .doc = doc,
                                       .children = children};
     request r = {.proof = NULL};
-    argp_parse(&whole, argc, argv, 0, NULL, &r);
-    fmb_system *s = NULL;
+    app_options_parse(&whole, argc, argv, &r);
+    fmb_system *s = NULL, *image = NULL;
     fmb_evidence *e = NULL;
     int code = app_source_read(&r.source, &s);
     if (code == APP_YES)
         code = read_proof(&r, s, &e);
     if (code == APP_YES)
-        code = judge(&r, s, e);
+        code = read_image(&r, s, &image);
+    if (code == APP_YES)
+        code = judge(&r, s, e, image);
     fmb_evidence_free(e);
+    fmb_system_free(image);
     fmb_system_free(s);
     return code;
 }

@@ -1,7 +1,9 @@
 /* cmd_convert.c: fmb convert FILE --to FORMAT. */
 #include "common/message.h"
+#include "common/options.h"
 #include "common/source.h"
 #include "fmb/commands.h"
+#include "fmb/integers.h"
 
 enum { KEY_TO = 0x200 };
 
@@ -47,9 +49,11 @@ int cmd_convert(int argc, char **argv)
     static const struct argp whole = {
         .options = options, .parser = parse, .args_doc = "FILE", .doc = doc, .children = children};
     request r = {.to = FMB_FORMAT_AUTO};
-    argp_parse(&whole, argc, argv, 0, NULL, &r);
+    app_options_parse(&whole, argc, argv, &r);
     fmb_system *s = NULL;
     int code = app_source_read(&r.source, &s);
+    if (code == APP_YES && r.to == FMB_FORMAT_INE && !r.source.quiet && app_has_integers(s))
+        fputs("fmb: .ine cannot say which variables are integer\n", stderr);
     if (code == APP_YES)
         code = app_source_write(s, r.to);
     fmb_system_free(s);

@@ -2,19 +2,22 @@
 #include <argp.h>
 #include <errno.h>
 #include <float.h>
+#include <stdlib.h>
 #include <unistd.h>
 
 #include "common/clock.h"
 #include "common/file.h"
-#include "common/listen.h"
 #include "common/message.h"
+#include "common/options.h"
 #include "common/source.h"
-#include "common/stop.h"
 #include "common/value.h"
+#include "fmb/ask.h"
 #include "fmb/commands.h"
 #include "fmb/intersect.h"
+#include "fmb/listen.h"
+#include "fmb/stop.h"
 
-enum { KEY_CONTACT = 0x200, KEY_BOXES, KEY_NEAREST, KEY_SECONDS };
+enum { KEY_CONTACT = 0x200, KEY_BOXES, KEY_NEAREST, KEY_SECONDS, KEY_BYTES, KEY_MAX_INPUT };
 
 static const struct argp_option options[] = {
     {"contact", KEY_CONTACT, "closed|open", 0,
@@ -27,6 +30,12 @@ static const struct argp_option options[] = {
      "A number means the double nearest to it; without this, 0.1 is 1/10", 1},
     {"max-seconds", KEY_SECONDS, "SECONDS", 0,
      "Limit of a verdict, and of a box; 0 is none (default 0)", 1},
+    {"max-bytes", KEY_BYTES, "BYTES", 0,
+     "Limit of memory of a verdict, of a box, and of the system that they are about; 0 is none "
+     "(default half of the memory)",
+     1},
+    {"max-input", KEY_MAX_INPUT, "BYTES", 0, "Refuse a line that is longer (default 1073741824)",
+     1},
     {"json", 'j', NULL, 0, "Print one JSON object instead of text", 2},
     {"quiet", 'q', NULL, 0, "Nothing on standard error but errors", 2},
     {0}};
@@ -60,6 +69,12 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         return 0;
     case KEY_SECONDS:
         ask->max_seconds = app_value_number("--max-seconds", arg, 0, DBL_MAX, state);
+        return 0;
+    case KEY_BYTES:
+        ask->max_bytes = app_value_whole("--max-bytes", arg, 0, SIZE_MAX, state);
+        return 0;
+    case KEY_MAX_INPUT:
+        ask->max_input = app_value_whole("--max-input", arg, 1, SIZE_MAX, state);
         return 0;
     case 'j':
         ask->json = true;
@@ -167,7 +182,7 @@ static fmb_status read_all(work *w, fmb_where *where)
     } while (st == FMB_OK && line && w->asked == FMB_OK && !app_stop_asked());
     progress_end(&p);
     errno = cause;
-    return st == FMB_ERR_PARSE && app_stop_asked() ? FMB_OK : st;
+    return st;
 }
 
 static int answer_all(work *w)
@@ -196,11 +211,12 @@ static int run(intersect *x, FILE *in)
 {
     const intersect_ask *ask = x->ask;
     fmb_options how = fmb_options_default();
-    fmb_reader reading = {.nearest = ask->nearest};
+    fmb_reader reading = {.nearest = ask->nearest, .max_bytes = ask->max_input};
     work w = {.x = x};
     app_listener listener = {in, answer_what_waits, &w};
     FILE *heard = app_need(app_listen(&listener));
     how.max_seconds = ask->max_seconds;
+    how.max_bytes = ask->max_bytes;
     how.evidence = ask->boxes != BOXES_NONE;
     fmb_status st = fmb_solver_new(&how, NULL, &x->solver);
     if (st == FMB_OK)
@@ -209,10 +225,13 @@ static int run(intersect *x, FILE *in)
     if (code == APP_YES) {
         report_begin(x);
         app_stop_begin(x->solver);
+        app_stop_reader(w.lines);
         code = answer_all(&w);
         app_stop_end();
         report_end(x);
     }
+    if (app_stop_asked()) /* giving back a million numbers one by one would take too long */
+        exit(code == APP_YES ? exit_code(x) : code);
     fmb_frames_close(w.lines);
     fclose(heard);
     return code == APP_YES ? exit_code(x) : code;
@@ -222,8 +241,8 @@ int cmd_intersect(int argc, char **argv)
 {
     static const struct argp whole = {
         .options = options, .parser = parse, .args_doc = "FILE", .doc = doc};
-    intersect_ask ask = {0};
-    argp_parse(&whole, argc, argv, 0, NULL, &ask);
+    intersect_ask ask = {.max_bytes = app_ask_half_of_memory()};
+    app_options_parse(&whole, argc, argv, &ask);
     intersect x = {.ask = &ask};
     FILE *in;
     int code = app_file_open(ask.file, &in);

@@ -2,10 +2,11 @@
 #include <stdlib.h>
 
 #include "common/message.h"
-#include "common/show.h"
-#include "common/variables.h"
-#include "common/verdict.h"
 #include "fmb/commands.h"
+#include "fmb/integers.h"
+#include "fmb/show.h"
+#include "fmb/variables.h"
+#include "fmb/verdict.h"
 
 enum { KEY_KEEP = 0x200, KEY_ELIMINATE, KEY_TO };
 
@@ -121,6 +122,7 @@ int cmd_project(int argc, char **argv)
     if (code == 0)
         code = choose(&r, s.system, &vars, &n);
     if (code == 0) {
+        app_integers_note(&s);
         app_session_begin(&s);
         fmb_status st = fmb_project(s.solver, s.system, vars, n, &shadow, &s.result);
         code = app_session_end(&s, st);

@@ -2,9 +2,10 @@
 #include <stdlib.h>
 
 #include "common/message.h"
-#include "common/show.h"
-#include "common/verdict.h"
 #include "fmb/commands.h"
+#include "fmb/integers.h"
+#include "fmb/show.h"
+#include "fmb/verdict.h"
 
 enum { KEY_TO = 0x200 };
 
@@ -37,6 +38,7 @@ static const app_usage usage = {
            "  fmb reduce shape.ine > small.ine\n"
            "  fmb reduce shape.ine --proof shape.proof --json\n",
     .own = &own,
+    .shows_claims = true,
 };
 
 /* ---- why rows went --------------------------------------------------------------------------- */
@@ -154,6 +156,7 @@ int cmd_reduce(int argc, char **argv)
     int code = app_session_open(&s, &ask);
     if (code == 0) {
         fate = app_need(calloc(fmb_system_rows(s.system) + 1, sizeof *fate));
+        app_integers_note(&s);
         app_session_begin(&s);
         fmb_status st = fmb_reduce(s.solver, s.system, fate, &small, &s.result);
         code = app_session_end(&s, st);

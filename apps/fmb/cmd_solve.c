@@ -1,7 +1,9 @@
 /* cmd_solve.c: fmb solve FILE. */
-#include "common/show.h"
-#include "common/verdict.h"
+#include "common/message.h"
 #include "fmb/commands.h"
+#include "fmb/integers.h"
+#include "fmb/show.h"
+#include "fmb/verdict.h"
 
 static const app_usage usage = {
     .args = "FILE",
@@ -9,7 +11,8 @@ static const app_usage usage = {
         "Is the system in FILE feasible? Prints a point that satisfies every row, or the rows in "
         "conflict: with their multipliers they add up to 0 <= negative, or 0 < 0."
         "\v"
-        "Exit codes: 0 feasible, 1 infeasible, 2 undecided.\n"
+        "Exit codes: 0 feasible, 1 infeasible, 2 undecided, or feasible over the reals where no "
+        "integral point was found for the integer variables of the file.\n"
         "\n"
         "Examples:\n"
         "  fmb solve diet.fmb\n"
@@ -40,14 +43,18 @@ int cmd_solve(int argc, char **argv)
     app_ask_parse(&ask, &usage, NULL, argc, argv);
     app_session s;
     int code = app_session_open(&s, &ask);
+    if (code == 0 && fmb_system_sense(s.system) != FMB_SENSE_NONE)
+        app_session_note(&s, "the objective does not count here: `fmb optimize` answers it");
     if (code == 0) {
         app_session_begin(&s);
         fmb_status st = fmb_solve(s.solver, s.system, &s.result);
         code = app_session_end(&s, st);
     }
+    if (code == 0)
+        code = app_integers_seek(&s);
     if (code == 0) {
         report(&s);
-        code = app_session_verdict_code(&s);
+        code = s.relaxed && !ask.relax ? APP_UNDECIDED : app_session_verdict_code(&s);
     }
     return app_session_close(&s, code);
 }

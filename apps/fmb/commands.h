@@ -5,6 +5,7 @@
 
 int cmd_solve(int argc, char **argv);
 int cmd_bounds(int argc, char **argv);
+int cmd_optimize(int argc, char **argv);
 int cmd_project(int argc, char **argv);
 int cmd_reduce(int argc, char **argv);
 int cmd_check(int argc, char **argv);

@@ -21,6 +21,8 @@ typedef struct intersect_ask {
     boxes boxes;
     bool json, quiet, nearest;
     double max_seconds;
+    size_t max_bytes; /* 0: no limit */
+    size_t max_input; /* longest line [bytes]; 0: FMB_READER_MAX_BYTES */
 } intersect_ask;
 
 /* One variable of a box: lower end, upper end, and where the witness is; texts from malloc. An end

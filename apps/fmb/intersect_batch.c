@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "common/message.h"
-#include "common/stop.h"
 #include "fmb/intersect.h"
+#include "fmb/stop.h"
 
 enum {
     MOST = 1024,       /* lines that wait */
@@ -62,6 +62,7 @@ static fmb_status prepare(batch *b, int dim)
     fmb_pair_options o = fmb_pair_options_default();
     o.contact = b->x->ask->contact;
     o.max_seconds = b->x->ask->max_seconds;
+    o.max_bytes = b->x->ask->max_bytes;
     app_stop_pairs(NULL);
     fmb_pair_free(b->k);
     b->k = NULL;
@@ -88,7 +89,9 @@ static void take_answer(batch *b, size_t i, const fmb_pair_answers *a)
     meeting *m = &b->found[b->place[i]];
     size_t d = (size_t)b->dim;
     m->verdict = b->verdict[i];
-    m->stop = m->verdict == FMB_UNKNOWN ? FMB_STOP_TIME : FMB_STOP_DONE;
+    m->stop = m->verdict != FMB_UNKNOWN    ? FMB_STOP_DONE
+              : b->x->ask->max_seconds > 0 ? FMB_STOP_TIME
+                                           : FMB_STOP_BYTES;
     if (m->verdict == FMB_UNKNOWN && app_stop_asked())
         m->stop = FMB_STOP_CANCELLED;
     if (m->verdict != FMB_FEASIBLE || !a->world)
@@ -119,7 +122,11 @@ static fmb_status test_pairs(batch *b)
         a.time = a.inside + 2 * d * n;
         a.witness = a.time + 2 * n;
     }
-    fmb_status st = fmb_pair_test(b->k, n, b->frame[0], b->frame[1], &a);
+    for (size_t i = 0; i < n; i++)
+        b->verdict[i] = FMB_UNKNOWN;
+    /* A signal that came before would not be meant for this test. */
+    fmb_status st =
+        app_stop_asked() ? FMB_OK : fmb_pair_test(b->k, n, b->frame[0], b->frame[1], &a);
     for (size_t i = 0; st == FMB_OK && i < n; i++)
         take_answer(b, i, &a);
     return st;

@@ -2,8 +2,8 @@
 #include <stdlib.h>
 
 #include "common/message.h"
-#include "common/show.h"
 #include "fmb/intersect.h"
+#include "fmb/show.h"
 
 char *intersect_double(double d)
 {
@@ -91,14 +91,21 @@ static fmb_status find_box(const intersect *x, const fmb_frames_line *line, cons
     return st;
 }
 
-/* [give] What a verdict needs: fewer variables, where frames allow it. */
-static fmb_status small_system(const intersect *x, const fmb_frames_line *line, fmb_system **out)
+/* Beyond it the coordinates of one frame in terms of the other's are too dear to write down. */
+#define MOST_SOLVED_DIM 32
+
+/* [give] What a box needs; or a verdict: fewer variables, where frames allow it. */
+static fmb_status make_system(const intersect *x, const fmb_frames_line *line, fmb_system **out,
+                              fmb_stop *stop)
 {
-    const fmb_frame_q f[] = {line->body[0].frame, line->body[1].frame};
+    fmb_contact contact = x->ask->contact;
     fmb_status st = FMB_ERR_ARG;
-    if (!line->body[0].rows && !line->body[1].rows)
-        st = fmb_system_from_frames_q(f, 2, FMB_COORDINATES_LAST, x->ask->contact, NULL, out);
-    return st == FMB_ERR_ARG ? fmb_system_from_line(line, x->ask->contact, NULL, out) : st;
+    if (x->ask->boxes == BOXES_NONE && !line->body[0].rows && !line->body[1].rows &&
+        line->dim <= MOST_SOLVED_DIM)
+        st = fmb_system_from_line_within(line, FMB_COORDINATES_LAST, contact, x->solver, out, stop);
+    return st == FMB_ERR_ARG ? fmb_system_from_line_within(line, FMB_COORDINATES_ALL, contact,
+                                                           x->solver, out, stop)
+                             : st;
 }
 
 fmb_status intersect_exactly(const intersect *x, const fmb_frames_line *line, meeting *out)
@@ -106,10 +113,8 @@ fmb_status intersect_exactly(const intersect *x, const fmb_frames_line *line, me
     fmb_system *s = NULL;
     fmb_evidence *e = NULL;
     fmb_result res = {0};
-    fmb_status st = x->ask->boxes == BOXES_NONE
-                        ? small_system(x, line, &s)
-                        : fmb_system_from_line(line, x->ask->contact, NULL, &s);
-    if (st == FMB_OK)
+    fmb_status st = make_system(x, line, &s, &res.stop);
+    if (st == FMB_OK && s)
         st = fmb_solve(x->solver, s, &res);
     out->verdict = res.verdict;
     out->stop = res.stop;

@@ -5,10 +5,10 @@
 #include <string.h>
 
 #include "common/message.h"
-#include "common/show.h"
 #include "common/table.h"
 #include "common/text.h"
 #include "fmb/intersect.h"
+#include "fmb/show.h"
 
 /* ---- text ------------------------------------------------------------------------------------ */
 

@@ -5,6 +5,7 @@
 static const app_command commands[] = {
     {"solve", "fmb solve", "is it feasible? a point, or the rows in conflict", cmd_solve},
     {"bounds", "fmb bounds", "the tightest interval of every variable", cmd_bounds},
+    {"optimize", "fmb optimize", "the best value of a linear form", cmd_optimize},
     {"project", "fmb project", "the projection on some variables", cmd_project},
     {"reduce", "fmb reduce", "the rows that matter; which others go, and why", cmd_reduce},
     {"check", "fmb check", "accept or reject the proof of an answer", cmd_check},
@@ -26,6 +27,7 @@ static const char doc[] =
     "Examples:\n"
     "  fmb solve diet.fmb\n"
     "  fmb bounds diet.fmb --vars bread,milk\n"
+    "  fmb optimize diet.fmb --min '0.4 bread + 0.35 milk'\n"
     "  fmb project shape.ine --keep x1,x2 --json\n"
     "  fmb solve plan.smt2 --proof plan.proof; fmb check plan.smt2 plan.proof\n"
     "  fmb intersect rooms.jsonl\n";

@@ -2,7 +2,8 @@
  *
  * The child opens the driver on all variants, runs the first of them cold, then rotates over the
  * others while the runs are short, and writes lines to a pipe:
- *     cannot | gave up | time SECONDS | verdict V | result BYTES, then the text | unlike
+ *     cannot | gave up | time SECONDS | peak BYTES | verdict V | number X | proved 1 or 0, SECONDS
+ *     | result BYTES, then the text | unlike
  * SIGPROF (an interval timer on CPU time, armed for each run) ends a run that takes too long.
  */
 #include <errno.h>
@@ -18,9 +19,9 @@
 #include "../machine.h"
 #include "canon.h"
 #include "child.h"
+#include "peak.h"
 
-/* A driver's later runs take at most so much CPU time [s], and are at most so many. */
-static const double LATER_SECONDS = 0.2;
+/* A driver's later runs are at most so many. */
 enum { LATER_RUNS = 16 * CHILD_VARIANTS };
 /* To make a result canonical [s]. */
 static const double CANON_SECONDS = 60;
@@ -44,13 +45,13 @@ static double timed_run(const peer *d, void *self, const child_limits *l, fmb_ve
     arm(l->seconds);
     double begin = thread_seconds();
     bool done = true;
-    if (l->decide)
-        *verdict = d->decide(self);
-    else
+    if (l->question == PEER_PROJECT)
         done = d->project(self);
+    else
+        done = (*verdict = peer_way(d, l->question)(self)) != FMB_UNKNOWN;
     double took = thread_seconds() - begin;
     arm(0);
-    return done && (!l->decide || *verdict != FMB_UNKNOWN) ? took : -1;
+    return done ? took : -1;
 }
 
 static char *result_text(const peer *d, void *self)
@@ -76,14 +77,17 @@ typedef struct job {
 static bool run_all(job *j)
 {
     double total = 0;
-    for (int i = 0; i <= LATER_RUNS && (i == 0 || total < LATER_SECONDS); i++) {
-        int v = i % CHILD_VARIANTS;
+    for (int i = 0; i <= LATER_RUNS && (i == 0 || total < j->limits->later); i++) {
+        int v = i % j->limits->variants;
+        size_t before = i == 0 ? peak_begin() : 0;
         double t = timed_run(j->driver, j->self[v], j->limits, &j->verdict[v]);
         if (t < 0) {
             fprintf(j->out, "gave up\n");
             return false;
         }
         fprintf(j->out, "time %.9e\n", t);
+        if (i == 0)
+            fprintf(j->out, "peak %zu\n", peak_end(before));
         fflush(j->out);
         j->ran[v] = true;
         total += t;
@@ -91,19 +95,35 @@ static bool run_all(job *j)
     return true;
 }
 
+/* The verdict on the first variant, its numbers, and whether its proof holds. */
+static void tell_answer(job *j)
+{
+    const peer *d = j->driver;
+    const peer_numbers *numbers = d->numbers ? d->numbers(j->self[0]) : NULL;
+    fprintf(j->out, "verdict %d\n", (int)j->verdict[0]);
+    for (size_t i = 0; numbers && i < numbers->n; i++)
+        fprintf(j->out, "number %.17g\n", numbers->value[i]);
+    fflush(j->out);
+    if (!d->prove)
+        return;
+    double begin = thread_seconds();
+    bool good = d->prove(j->self[0], j->limits->question);
+    fprintf(j->out, "proved %d %.9e\n", good, thread_seconds() - begin);
+}
+
 /* What the variants gave: the first one's answer, and whether all are the same. */
 static void tell_results(job *j)
 {
     char *first = NULL;
     bool unlike = false;
-    if (j->limits->decide)
-        fprintf(j->out, "verdict %d\n", (int)j->verdict[0]);
-    else
+    if (j->limits->question == PEER_PROJECT)
         first = result_text(j->driver, j->self[0]);
+    else
+        tell_answer(j);
     if (first)
         fprintf(j->out, "result %zu\n%s", strlen(first), first);
     fflush(j->out);
-    for (int v = 1; v < CHILD_VARIANTS && j->ran[v]; v++) {
+    for (int v = 1; v < j->limits->variants && j->ran[v]; v++) {
         char *text = first ? result_text(j->driver, j->self[v]) : NULL;
         unlike |= first ? strcmp(first, text) != 0 : j->verdict[v] != j->verdict[0];
         free(text);
@@ -131,10 +151,10 @@ static void mute(void)
 static void run_child(const peer *d, const problem *variants, const child_limits *l, int out)
 {
     job j = {.driver = d, .limits = l, .out = need(fdopen(out, "w"))};
-    peer_setup setup = {.options = l->options};
+    peer_setup setup = {l->options, l->question};
     mute();
     limit_memory(l->bytes);
-    for (int v = 0; v < CHILD_VARIANTS; v++) {
+    for (int v = 0; v < l->variants; v++) {
         j.self[v] = d->open(&variants[v], &setup);
         if (!j.self[v]) {
             fprintf(j.out, "cannot\n");
@@ -145,7 +165,7 @@ static void run_child(const peer *d, const problem *variants, const child_limits
     if (run_all(&j))
         tell_results(&j);
     fflush(j.out);
-    for (int v = 0; v < CHILD_VARIANTS; v++)
+    for (int v = 0; v < l->variants; v++)
         d->close(j.self[v]);
     _exit(0);
 }
@@ -173,6 +193,13 @@ static char *listen(int in, pid_t child, double patience, size_t *size)
     return text;
 }
 
+static void take_number(child_outcome *o, double x)
+{
+    if ((o->numbers & (o->numbers - 1)) == 0)
+        o->number = need(realloc(o->number, (o->numbers ? 2 * o->numbers : 1) * sizeof x));
+    o->number[o->numbers++] = x;
+}
+
 static void understand(child_outcome *o, char *text)
 {
     double later[LATER_RUNS];
@@ -184,6 +211,7 @@ static void understand(child_outcome *o, char *text)
         double t;
         size_t bytes;
         int v;
+        double x;
         if (strncmp(line, "cannot", 6) == 0) {
             o->end = CHILD_CANNOT;
         } else if (strncmp(line, "gave up", 7) == 0) {
@@ -196,6 +224,14 @@ static void understand(child_outcome *o, char *text)
             else
                 later[o->runs++] = t;
             first = false;
+        } else if (sscanf(line, "peak %zu", &bytes) == 1) {
+            o->peak = bytes;
+        } else if (sscanf(line, "number %lf", &x) == 1) {
+            take_number(o, x);
+        } else if (sscanf(line, "proved %d %lf", &v, &x) == 2) {
+            o->has_proof = true;
+            o->proved = v;
+            o->proving = x;
         } else if (sscanf(line, "verdict %d", &v) == 1) {
             o->verdict = (fmb_verdict)v;
         } else if (sscanf(line, "result %zu", &bytes) == 1) {
@@ -206,6 +242,12 @@ static void understand(child_outcome *o, char *text)
     o->typical = o->runs ? median(later, o->runs) : o->first;
     if (first && o->end == CHILD_DONE)
         o->end = CHILD_CRASHED;
+}
+
+void child_outcome_clear(child_outcome *o)
+{
+    free(o->text);
+    free(o->number);
 }
 
 child_outcome child_run(const peer *driver, const problem *variants, const child_limits *limits)

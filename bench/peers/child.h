@@ -7,7 +7,9 @@
 typedef struct child_limits {
     double seconds; /* CPU time of one run [s] */
     size_t bytes;   /* address space of the child; 0: no limit [bytes] */
-    bool decide;    /* decide instead of project */
+    peer_question question;
+    double later; /* CPU time of the runs after the first [s] */
+    int variants; /* of the problem that are there, 1 ... CHILD_VARIANTS */
     const fmb_options *options;
 } child_limits;
 
@@ -28,11 +30,17 @@ typedef struct child_outcome {
     int runs;            /* later runs */
     char *text;          /* canonical result; NULL if it could not be made; owned */
     bool unlike;         /* the driver's results on two variants of the problem differ */
-    fmb_verdict verdict; /* when asked to decide */
+    fmb_verdict verdict; /* unless asked to project */
+    size_t peak;         /* what the first run added to the memory of the child [bytes] */
+    double *number;      /* [numbers] of the answer; owned */
+    size_t numbers;
+    bool has_proof, proved; /* the driver has evidence of the first answer; it is accepted */
+    double proving;         /* ... and that took [s] */
 } child_outcome;
 
-#define CHILD_VARIANTS 16
+enum { CHILD_VARIANTS = 16 };
 
+void child_outcome_clear(child_outcome *o);
 child_outcome child_run(const peer *driver, const problem *variants, const child_limits *limits);
 
 #endif

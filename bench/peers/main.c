@@ -83,7 +83,9 @@ static void choose_drivers(setup *s)
 {
     report *r = &s->report;
     for (int i = 0; peers[i] && r->drivers < REPORT_DRIVERS; i++) {
-        bool able = r->limits.decide ? peers[i]->decide != NULL : peers[i]->project != NULL;
+        bool able = r->limits.question == PEER_PROJECT
+                        ? peers[i]->project != NULL
+                        : peer_way(peers[i], r->limits.question) && !peers[i]->prove;
         if (able && (peers[i]->ours || !s->drivers || listed(s->drivers, peers[i])))
             r->driver[r->drivers++] = peers[i];
     }
@@ -124,7 +126,7 @@ static bool run_problem(setup *s, const char *path)
     entry e = {0};
     if (!problem_read(&e.problem, path))
         return false;
-    bool idle = !r->limits.decide && e.problem.keep == e.problem.n;
+    bool idle = r->limits.question == PEER_PROJECT && e.problem.keep == e.problem.n;
     if (idle)
         fprintf(stderr, "%s: nothing to eliminate (no line \"* keep K\")\n", path);
     else
@@ -174,7 +176,7 @@ static bool take_arguments(setup *s, int argc, char **argv)
     for (int i = 1; i < argc; i++) {
         const char *a = argv[i], *dot = strrchr(a, '.');
         if (strcmp(a, "--decide") == 0)
-            s->report.limits.decide = true;
+            s->report.limits.question = PEER_DECIDE;
         else if (strcmp(a, "--quick") == 0)
             s->quick = true;
         else if (strcmp(a, "--all-answer") == 0)
@@ -198,7 +200,7 @@ static void forget(setup *s)
 {
     for (size_t i = 0; i < s->report.entries; i++) {
         for (int d = 0; d < s->report.drivers; d++)
-            free(s->report.list[i].outcome[d].text);
+            child_outcome_clear(&s->report.list[i].outcome[d]);
     }
     free(s->report.list);
     for (size_t i = 0; i < s->paths; i++)
@@ -228,7 +230,8 @@ int main(int argc, char **argv)
     setup s = {.options = fmb_options_default()};
     bool good = true;
     s.options.evidence = false;
-    s.report.limits = (child_limits){.seconds = 5, .bytes = (size_t)4 << 30};
+    s.report.limits = (child_limits){
+        .seconds = 5, .bytes = (size_t)4 << 30, .later = 0.2, .variants = CHILD_VARIANTS};
     if (!take_arguments(&s, argc, argv)) {
         fputs(USAGE, stderr);
         return 64;

@@ -1,6 +1,6 @@
 /* peer.h: a driver of one library, as a const table.
  *
- * Inside the clock: project and decide, nothing else. A driver runs in a child process of its own:
+ * Inside the clock: the questions, nothing else. A driver runs in a child process of its own:
  * it may abort, leak at its end, and leave its library's globals as it likes.
  */
 #ifndef FMB_PEERS_PEER_H
@@ -8,10 +8,28 @@
 
 #include "problem.h"
 
-/* How fmb is driven, for its driver. */
+/* What is asked. */
+typedef enum peer_question {
+    PEER_PROJECT = 0,
+    PEER_DECIDE,
+    PEER_BOX,      /* both ends of every variable */
+    PEER_REDUCE,   /* which rows stay */
+    PEER_OPTIMIZE, /* how far the objective goes */
+    PEER_QUESTIONS
+} peer_question;
+
+/* What a driver is told before it opens. */
 typedef struct peer_setup {
     const fmb_options *options;
+    peer_question question;
 } peer_setup;
+
+/* What an answer came to in doubles: the ends of a box, 2n of them; how many rows stay; the best
+ * value of an objective. Owned by the driver. */
+typedef struct peer_numbers {
+    double *value;
+    size_t n;
+} peer_numbers;
 
 typedef struct peer {
     const char *name;    /* "cdd-block" */
@@ -27,10 +45,22 @@ typedef struct peer {
     bool (*project)(void *self);
     /* The last projection, as a system of keep variables. */
     fmb_system *(*fetch)(void *self);
-    /* Has the system a solution? NULL if the library is not asked. */
+    /* Has the system a solution? The others say so, too. NULL if the library is not asked. */
     fmb_verdict (*decide)(void *self);
+    fmb_verdict (*box)(void *self);
+    fmb_verdict (*reduce)(void *self);
+    fmb_verdict (*optimize)(void *self);
+    /* Of the last box, reduction or optimum; NULL: there are none. */
+    const peer_numbers *(*numbers)(void *self);
+    /* Does fmb_check accept the evidence of the last answer, and is it all that the question takes?
+     * Not inside the clock; NULL: there is no evidence. */
+    bool (*prove)(void *self, peer_question question);
     void (*close)(void *self);
 } peer;
+
+/* The driver's way to a question of verdicts; NULL if there is none, or it asks to project. */
+typedef fmb_verdict peer_ask(void *self);
+peer_ask *peer_way(const peer *p, peer_question question);
 
 /* All drivers of this build; NULL ends the list. fmb is the first. */
 extern const peer *const peers[];

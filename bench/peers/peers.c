@@ -1,8 +1,25 @@
 /* peers.c: the drivers of this build, the usually fast ones first (see --quick). */
 #include "peers.h"
 
+peer_ask *peer_way(const peer *p, peer_question question)
+{
+    switch (question) {
+    case PEER_DECIDE:
+        return p->decide;
+    case PEER_BOX:
+        return p->box;
+    case PEER_REDUCE:
+        return p->reduce;
+    case PEER_OPTIMIZE:
+        return p->optimize;
+    default:
+        return NULL;
+    }
+}
+
 const peer *const peers[] = {
     &peer_fmb,
+    &peer_fmb_proof,
 #ifdef PEERS_PPL
     &peer_ppl,
 #endif

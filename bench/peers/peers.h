@@ -8,8 +8,8 @@
 extern "C" {
 #endif
 
-extern const peer peer_fmb, peer_cdd_block, peer_cdd_fourier, peer_cdd_gens, peer_ppl, peer_isl,
-    peer_normaliz, peer_glpk, peer_qsopt, peer_z3;
+extern const peer peer_fmb, peer_fmb_proof, peer_cdd_block, peer_cdd_fourier, peer_cdd_gens,
+    peer_ppl, peer_isl, peer_normaliz, peer_glpk, peer_qsopt, peer_z3;
 
 #ifdef __cplusplus
 }

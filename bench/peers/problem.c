@@ -5,6 +5,7 @@
 #include <fmb/gmp.h>
 
 #include "problem.h"
+#include "study/program/random.h"
 
 void *need(void *p)
 {
@@ -89,7 +90,6 @@ static void integer_row(const fmb_system *s, size_t i, mpz_t *a)
 static void read_comments(problem *p, FILE *in)
 {
     char line[512];
-    p->keep = p->n;
     snprintf(p->family, sizeof p->family, "file");
     rewind(in);
     while (fgets(line, sizeof line, in)) {
@@ -103,13 +103,27 @@ static void read_comments(problem *p, FILE *in)
 }
 
 /* "a/b/NAME.ine" */
-static void set_name(problem *p, const char *path)
+static void set_name(char name[64], const char *path)
 {
     const char *slash = strrchr(path, '/');
-    snprintf(p->name, sizeof p->name, "%s", slash ? slash + 1 : path);
-    char *dot = strrchr(p->name, '.');
+    snprintf(name, 64, "%s", slash ? slash + 1 : path);
+    char *dot = strrchr(name, '.');
     if (dot)
         *dot = '\0';
+}
+
+void problem_of_system(problem *p, const char *name, fmb_system *s)
+{
+    *p = (problem){.n = fmb_system_dim(s), .m = fmb_system_rows(s), .system = s};
+    p->keep = p->n;
+    snprintf(p->name, sizeof p->name, "%s", name);
+    p->rows = need(calloc(p->m + 1, sizeof *p->rows));
+    for (size_t i = 0; i < p->m; i++) {
+        p->rows[i] = (problem_row){integers_new((size_t)p->n + 1), fmb_system_rel(s, i)};
+        integer_row(s, i, p->rows[i].a);
+        p->equalities += p->rows[i].rel == FMB_EQ;
+        p->strict |= p->rows[i].rel == FMB_LT;
+    }
 }
 
 bool problem_read(problem *p, const char *path)
@@ -125,38 +139,64 @@ bool problem_read(problem *p, const char *path)
             fclose(in);
         return false;
     }
-    *p = (problem){.n = fmb_system_dim(s), .m = fmb_system_rows(s), .system = s};
-    set_name(p, path);
+    char name[sizeof p->name];
+    set_name(name, path);
+    problem_of_system(p, name, s);
     read_comments(p, in);
     fclose(in);
-    p->rows = need(calloc(p->m + 1, sizeof *p->rows));
-    for (size_t i = 0; i < p->m; i++) {
-        p->rows[i] = (problem_row){integers_new((size_t)p->n + 1), fmb_system_rel(s, i)};
-        integer_row(s, i, p->rows[i].a);
-        p->equalities += p->rows[i].rel == FMB_EQ;
-        p->strict |= p->rows[i].rel == FMB_LT;
-    }
     return true;
 }
 
 /* ---- variants -------------------------------------------------------------------------------- */
 
-/* SplitMix64 (Steele, Lea, Flood 2014). */
-static uint64_t next_random(uint64_t *state)
+/* Row i of from behind those of to, in the same numbers. */
+static void append_row(fmb_system *to, const fmb_system *from, size_t i)
 {
-    uint64_t z = (*state += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
+    size_t n = fmb_system_terms(from, i);
+    mpq_t *q = need(calloc(n + 1, sizeof *q));
+    int *var = need(calloc(n + 1, sizeof *var));
+    for (size_t k = 0; k <= n; k++) {
+        mpq_init(q[k]);
+        if (k < n)
+            var[k] = fmb_system_term_q(from, i, k, q[k]);
+    }
+    fmb_system_rhs_q(from, i, q[n]);
+    if (fmb_system_add_q(to, n, var, q, fmb_system_rel(from, i), q[n]) != FMB_OK)
+        need(NULL);
+    for (size_t k = 0; k <= n; k++)
+        mpq_clear(q[k]);
+    free(q);
+    free(var);
+}
+
+/* The objective of one system becomes that of another. */
+static void copy_objective(const fmb_system *from, fmb_system *to)
+{
+    size_t n = fmb_system_objective_terms(from);
+    mpq_t *q = need(calloc(n + 1, sizeof *q));
+    int *var = need(calloc(n + 1, sizeof *var));
+    for (size_t k = 0; k <= n; k++) {
+        mpq_init(q[k]);
+        if (k < n)
+            var[k] = fmb_system_objective_term_q(from, k, q[k]);
+    }
+    fmb_system_objective_constant_q(from, q[n]);
+    fmb_objective_q o = {fmb_system_sense(from), n, var, q, q[n]};
+    if (fmb_system_set_objective_q(to, &o) != FMB_OK)
+        need(NULL);
+    for (size_t k = 0; k <= n; k++)
+        mpq_clear(q[k]);
+    free(q);
+    free(var);
 }
 
 void problem_variant(problem *v, const problem *p, unsigned number)
 {
     size_t width = (size_t)p->n + 1, *order = need(calloc(p->m + 1, sizeof *order));
-    uint64_t state = number;
+    study_random g = {number};
     *v = *p;
     for (size_t i = 0; i < p->m; i++) {
-        size_t j = number ? (size_t)(next_random(&state) % (i + 1)) : i;
+        size_t j = number ? (size_t)(study_random_next(&g) % (i + 1)) : i;
         order[i] = order[j];
         order[j] = i;
     }
@@ -167,8 +207,9 @@ void problem_variant(problem *v, const problem *p, unsigned number)
         v->rows[i] = (problem_row){integers_new(width), from->rel};
         for (size_t j = 0; j < width; j++)
             mpz_set(v->rows[i].a[j], from->a[j]);
-        system_add_row(v->system, v->rows[i].a, from->rel);
+        append_row(v->system, p->system, order[i]);
     }
+    copy_objective(p->system, v->system);
     free(order);
 }
 

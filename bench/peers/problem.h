@@ -26,6 +26,8 @@ typedef struct problem {
 
 /* Reads a file; a message on stderr and false if it cannot be used. */
 bool problem_read(problem *p, const char *path);
+/* A problem of a system, which it takes over. */
+void problem_of_system(problem *p, const char *name, fmb_system *s);
 /* The same rows in an order of its own for each number; 0 is the order of the file. */
 void problem_variant(problem *v, const problem *p, unsigned number);
 void problem_clear(problem *p);

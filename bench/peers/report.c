@@ -7,6 +7,11 @@
 
 /* ---- judging --------------------------------------------------------------------------------- */
 
+static bool is_decision(const report *r)
+{
+    return r->limits.question != PEER_PROJECT;
+}
+
 static bool answered(const child_outcome *o, bool decide)
 {
     return o->end == CHILD_DONE && (decide ? o->verdict != FMB_UNKNOWN : o->text != NULL);
@@ -23,13 +28,13 @@ static void judge_answers(const report *r, entry *e)
     int first = -1;
     for (int d = 0; d < r->drivers; d++) {
         const child_outcome *o = &e->outcome[d];
-        if (!answered(o, r->limits.decide)) {
+        if (!answered(o, is_decision(r))) {
             e->silent |= o->end != CHILD_CANNOT;
             continue;
         }
         if (first < 0 && !r->driver[d]->inexact)
             first = d;
-        e->unlike[d] = o->unlike || (first >= 0 && !same(&e->outcome[first], o, r->limits.decide));
+        e->unlike[d] = o->unlike || (first >= 0 && !same(&e->outcome[first], o, is_decision(r)));
         e->wrong |= e->unlike[d] && !r->driver[d]->inexact;
     }
 }
@@ -218,8 +223,8 @@ bool report_json(const report *r, const char *path)
     fprintf(out,
             ", \"question\": \"%s\", \"seconds\": %g, \"problems\": %d, \"some_peer\": %d, "
             "\"fmb_won\": %d, \"geometric_mean\": %.4f, \"wrong\": %d, \"lines\": [\n",
-            r->limits.decide ? "decide" : "project", r->limits.seconds, t.problems, t.finished,
-            t.won, t.finished ? exp(t.log_ratio / t.finished) : 0, t.wrong);
+            is_decision(r) ? "decide" : "project", r->limits.seconds, t.problems, t.finished, t.won,
+            t.finished ? exp(t.log_ratio / t.finished) : 0, t.wrong);
     for (size_t i = 0; i < r->entries; i++) {
         json_entry(out, r, &r->list[i]);
         fprintf(out, i + 1 < r->entries ? ",\n" : "\n");

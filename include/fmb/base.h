@@ -25,6 +25,14 @@
 #define FMB_CHECKED
 #endif
 
+/* The version of these headers: "major.minor.patch", and one number to compare. Before 1.0 a new
+ * minor version may change what there was. */
+#define FMB_VERSION_MAJOR  0
+#define FMB_VERSION_MINOR  2
+#define FMB_VERSION_PATCH  0
+#define FMB_VERSION        "0.2.0"
+#define FMB_VERSION_NUMBER (FMB_VERSION_MAJOR * 10000 + FMB_VERSION_MINOR * 100 + FMB_VERSION_PATCH)
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -37,7 +45,8 @@ typedef enum fmb_status {
     FMB_ERR_PARSE,  /* malformed text; position and reason in fmb_where */
     FMB_ERR_IO,     /* stream failed; errno holds the cause */
     FMB_ERR_RULE,   /* rule unknown, or unsound for this query or beside another rule */
-    FMB_ERR_STATE   /* nothing to report: no query has finished, or it kept no evidence */
+    FMB_ERR_STATE   /* not now: no query has finished, it kept no evidence, nothing is loaded or
+                       pushed */
 } fmb_status;
 
 /* The answer. Zero is "unknown", so forgotten memory never reads as an answer. */
@@ -51,19 +60,27 @@ typedef enum fmb_stop {
     FMB_STOP_DONE = 0,
     FMB_STOP_TIME,     /* options.max_seconds passed */
     FMB_STOP_ROWS,     /* options.max_rows live rows exceeded */
-    FMB_STOP_BYTES,    /* options.max_bytes of workspace exceeded */
+    FMB_STOP_BYTES,    /* options.max_bytes exceeded */
     FMB_STOP_CANCELLED /* fmb_solver_cancel was called */
 } fmb_stop;
 
-/* Relation of a row a.x REL b. */
-typedef enum fmb_rel { FMB_LE = 0, FMB_LT, FMB_EQ } fmb_rel;
+/* Relation of a row a.x REL b. GE and GT are for adding rows: what is kept, and handed out, is
+ * -a.x LE -b and -a.x LT -b. */
+typedef enum fmb_rel { FMB_LE = 0, FMB_LT, FMB_EQ, FMB_GE, FMB_GT } fmb_rel;
 
 /* Which end of an interval. */
 typedef enum fmb_side { FMB_LOWER = 0, FMB_UPPER } fmb_side;
 
 /* Allocator; NULL wherever one is expected means malloc, realloc and free. resize(self, NULL, 0, n)
- * allocates, resize(self, p, n, 0) frees and returns NULL. Sizes are in bytes. The limbs of GMP
- * integers come from GMP's own allocator. The struct is copied; self must outlive its users. */
+ * allocates, resize(self, p, n, 0) frees and returns NULL. Sizes are in bytes. The struct is
+ * copied; self must outlive its users.
+ *
+ * When it fails, the call returns FMB_ERR_MEMORY. The limbs of GMP integers do not come from it but
+ * from GMP's own allocator, and when that one fails, GMP ends the process: no status can tell. So
+ * options.max_bytes must be below the memory there is. It counts what rows, evidence and results
+ * hold, limbs too, as soon as a step has made them. On top come the numbers on which one step
+ * works: a row of a combination, a point, a ray, the ends of a box; and the input. Readers refuse
+ * text whose numbers would take far more than the text does. */
 typedef struct fmb_alloc {
     void *(*resize)(void *self, void *p, size_t old_bytes, size_t new_bytes);
     void *self;
@@ -76,7 +93,7 @@ typedef struct fmb_where {
     char text[160];
 } fmb_where;
 
-/* "major.minor.patch", static. */
+/* The version of the library in use, as FMB_VERSION was when it was compiled; static. */
 FMB_API const char *fmb_version(void);
 
 /* One line in English for each status, verdict or stop; static, never NULL. Stops and verdicts are

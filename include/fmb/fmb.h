@@ -12,6 +12,7 @@
 #include <fmb/pair.h>
 #include <fmb/proof.h>
 #include <fmb/rule.h>
+#include <fmb/session.h>
 #include <fmb/solve.h>
 #include <fmb/system.h>
 #include <fmb/trace.h>

@@ -17,11 +17,14 @@ typedef enum fmb_shape {
     FMB_SIMPLEX     /* 0 <= c_i, sum c_i <= 1 */
 } fmb_shape;
 
+/* dim of a frame: one of more is refused before anything is read. */
+enum { FMB_FRAME_MOST_DIM = 1000000 };
+
 /* The points origin + sum c_i axes_i + t speed, 0 <= t <= 1. naxes < dim gives faces, edges and
  * points; a flat frame is legal. Arrays are borrowed. World length units; speed per unit of t. */
 typedef struct fmb_frame {
     fmb_shape shape;
-    int dim, naxes;       /* 0 <= naxes <= dim */
+    int dim, naxes;       /* 0 <= naxes <= dim <= FMB_FRAME_MOST_DIM */
     const double *origin; /* [dim] */
     const double *axes;   /* [naxes][dim], row i is edge i */
     const double *speed;  /* [dim], or NULL: static */
@@ -44,8 +47,9 @@ typedef enum fmb_coordinates {
 
 /* [give] A system that has a solution iff the frames share a point at one time: exact, rows of the
  * frames in their order (lower ends, then upper ends), those of time at the end. A frame whose
- * coordinates are no variables needs independent axes. Errors: ARG (no frame, different dim,
- * dependent axes, a number that is not finite), MEMORY. */
+ * coordinates are no variables needs independent axes. Errors: ARG (no frame, one whose dim,
+ * naxes or shape is none or whose arrays are NULL, different dim, dependent axes, a number that is
+ * not finite, more variables than a system has), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_from_frames(const fmb_frame *f, size_t n,
                                                       fmb_coordinates in, fmb_contact contact,
                                                       const fmb_alloc *mem, fmb_system **out);

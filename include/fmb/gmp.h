@@ -8,6 +8,7 @@
 #include <fmb/io.h>
 #include <fmb/proof.h>
 #include <fmb/rule.h>
+#include <fmb/session.h>
 #include <fmb/solve.h>
 #include <fmb/system.h>
 
@@ -16,16 +17,42 @@ extern "C" {
 #endif
 
 /* Append sum coef[k] x_var[k] REL b, n terms in any order; a variable that comes twice is added
- * up; coef is only read (ISO C cannot say so of an array type). Errors: ARG (variable out of
- * range), MEMORY. */
+ * up; coef is only read (ISO C cannot say so of an array type). Rationals need not be in lowest
+ * terms, nor their denominators positive. Errors: ARG (NULL, variable out of range, denominator 0,
+ * bad relation), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_add_q(fmb_system *s, size_t n, const int *var,
                                                 mpq_t *coef, fmb_rel rel, const mpq_t b);
-/* Number of nonzero terms of row i; its k-th term by increasing variable; its right side. */
+/* Number of nonzero terms of row i; its k-th term by increasing variable; its right side. Where
+ * there is no such row or term: 0; the variable is then -1. */
 FMB_API size_t fmb_system_terms(const fmb_system *s, size_t i);
 FMB_API int fmb_system_term_q(const fmb_system *s, size_t i, size_t k, mpq_t coef);
 FMB_API void fmb_system_rhs_q(const fmb_system *s, size_t i, mpq_t b);
 
-/* A frame (<fmb/frame.h>) in rationals, canonical ones; they are only read. */
+/* An objective (<fmb/system.h>) in rationals; they are only read. */
+typedef struct fmb_objective_q {
+    fmb_sense sense;
+    size_t n;            /* terms, in any order; a variable that comes twice is added up */
+    const int *var;      /* [n] */
+    mpq_t *coef;         /* [n] */
+    mpq_srcptr constant; /* NULL: 0 */
+} fmb_objective_q;
+
+/* fmb_system_set_objective for these. Errors: ARG (also: variable out of range, denominator 0),
+ * MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_system_set_objective_q(fmb_system *s, const fmb_objective_q *o);
+/* Number of nonzero terms of the objective; its k-th term by increasing variable; its constant.
+ * Where there is none: 0; the variable is then -1. */
+FMB_API size_t fmb_system_objective_terms(const fmb_system *s);
+FMB_API int fmb_system_objective_term_q(const fmb_system *s, size_t k, mpq_t coef);
+FMB_API void fmb_system_objective_constant_q(const fmb_system *s, mpq_t constant);
+
+/* fmb_solver_add (<fmb/session.h>) for these, n terms in any order as in fmb_system_add_q; and
+ * fmb_solver_set_right. Errors: ARG (as there, a denominator 0), STATE, MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_solver_add_q(fmb_solver *v, size_t n, const int *var,
+                                                mpq_t *coef, fmb_rel rel, const mpq_t b);
+FMB_API FMB_CHECKED fmb_status fmb_solver_set_right_q(fmb_solver *v, size_t row, const mpq_t b);
+
+/* A frame (<fmb/frame.h>) in rationals; they are only read. */
 typedef struct fmb_frame_q {
     fmb_shape shape;
     int dim, naxes;
@@ -34,7 +61,7 @@ typedef struct fmb_frame_q {
     mpq_t *speed;  /* [dim], or NULL: static */
 } fmb_frame_q;
 
-/* [give] fmb_system_from_frames for these. Errors: ARG (no frame, different dim, dependent axes),
+/* [give] fmb_system_from_frames for these. Errors: ARG (as there; a denominator 0),
  * MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_from_frames_q(const fmb_frame_q *f, size_t n,
                                                         fmb_coordinates in, fmb_contact contact,
@@ -68,9 +95,12 @@ FMB_API FMB_CHECKED fmb_status fmb_frames_open(FILE *in, const fmb_reader *how, 
 FMB_API void fmb_frames_close(fmb_frames *r);
 /* The next line that is not blank, or *out = NULL at the end. It belongs to the reader and is valid
  * until the next call. After PARSE (*where is filled, if not NULL) the next call goes on with the
- * next line. Errors: PARSE, IO, MEMORY. */
+ * next line. Errors: PARSE, IO, MEMORY, ARG (*where says which argument). */
 FMB_API FMB_CHECKED fmb_status fmb_frames_next(fmb_frames *r, const fmb_frames_line **out,
                                                fmb_where *where);
+/* From now on there is no next line, and one that is being read is given up. The one call allowed
+ * from another thread or a signal handler. NULL is fine. */
+FMB_API void fmb_frames_cancel(fmb_frames *r);
 
 /* [give] The system that says where the bodies of a line meet: fmb_system_from_frames_q in
  * FMB_COORDINATES_ALL of those that are frames (c1_1 ... are those of the first of them), then the
@@ -79,20 +109,45 @@ FMB_API FMB_CHECKED fmb_status fmb_frames_next(fmb_frames *r, const fmb_frames_l
 FMB_API FMB_CHECKED fmb_status fmb_system_from_line(const fmb_frames_line *line,
                                                     fmb_contact contact, const fmb_alloc *mem,
                                                     fmb_system **out);
+/* [give] The same within the limits of v, whose allocator it uses: max_seconds and max_bytes hold
+ * for this system, and a fmb_solver_cancel since v's last query began counts. *stop tells which of
+ * them ended it, and *out is then NULL. Two frames may also be told of in other coordinates.
+ * Errors: ARG (also: other coordinates and no two frames, or axes that depend on each other),
+ * MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_system_from_line_within(const fmb_frames_line *line,
+                                                           fmb_coordinates in, fmb_contact contact,
+                                                           fmb_solver *v, fmb_system **out,
+                                                           fmb_stop *stop);
 
-/* Exact end of interval i of a box; false (and value untouched) unless it is finite or outer. */
+/* Exact end of interval i of a box; false (and value untouched) unless it is finite or outer, and
+ * where there is no such interval. */
 FMB_API bool fmb_box_end_q(const fmb_box *b, int i, fmb_side side, mpq_t value);
+
+/* [give] fmb_optimize for an objective in rationals. Errors: ARG (also: variable out of range,
+ * denominator 0), MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_optimize_q(fmb_solver *v, const fmb_system *s,
+                                              const fmb_objective_q *objective, fmb_optimum **out,
+                                              fmb_result *res);
+/* The exact value; false (and value untouched) unless it is finite or outer. The point and the ray.
+ */
+FMB_API bool fmb_optimum_value_q(const fmb_optimum *o, mpq_t value);
+FMB_API void fmb_optimum_coordinate_q(const fmb_optimum *o, int j, mpq_t out);
+FMB_API void fmb_optimum_ray_q(const fmb_optimum *o, int j, mpq_t out);
 
 /* Entry col of a row of a view; col = fmb_view_dim: the right side. And of a base row. */
 FMB_API void fmb_view_get(const fmb_view *w, size_t row, int col, mpz_t out);
 FMB_API void fmb_view_base_get(const fmb_view *w, size_t base, int col, mpz_t out);
 
 /* Multiplier of row r in claim i; coordinate j of its point, of its ray; its value. All 0 where the
- * claim has none. */
+ * claim has none, or is none. */
 FMB_API void fmb_evidence_multiplier_q(const fmb_evidence *e, size_t i, size_t r, mpq_t out);
 FMB_API void fmb_evidence_coordinate_q(const fmb_evidence *e, size_t i, int j, mpq_t out);
 FMB_API void fmb_evidence_ray_q(const fmb_evidence *e, size_t i, int j, mpq_t out);
 FMB_API void fmb_evidence_value_q(const fmb_evidence *e, size_t i, mpq_t out);
+/* Number of terms of the linear form that a claim IMPLIED, BOUND or UNBOUNDED is about, unless it
+ * is one variable (fmb_evidence_var); its k-th term, or -1 and 0. */
+FMB_API size_t fmb_evidence_terms(const fmb_evidence *e, size_t i);
+FMB_API int fmb_evidence_term_q(const fmb_evidence *e, size_t i, size_t k, mpq_t coef);
 
 #ifdef __cplusplus
 }

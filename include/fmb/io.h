@@ -1,7 +1,7 @@
 /* fmb/io.h: systems from and to text.
  *
  * Formats (docs/formats.md describes each): .fmb text for people, cddlib/lrslib .ine, PORTA .ieq,
- * SMT-LIB 2 conjunctions of linear constraints, MPS and CPLEX LP (read only, through GLPK). Numbers
+ * SMT-LIB 2 conjunctions of linear constraints, MPS and CPLEX LP (read only). Numbers
  * are read exactly: decimals are rationals. Pairs of frames, a line of JSON each, are read by
  * <fmb/gmp.h>.
  */
@@ -20,33 +20,55 @@ typedef enum fmb_format {
     FMB_FORMAT_INE,      /* .ine */
     FMB_FORMAT_IEQ,      /* .ieq, reading only */
     FMB_FORMAT_SMT2,     /* .smt2 */
-    FMB_FORMAT_MPS,      /* .mps, reading only, needs GLPK */
-    FMB_FORMAT_LP        /* .lp, reading only, needs GLPK */
+    FMB_FORMAT_MPS,      /* .mps, reading only */
+    FMB_FORMAT_LP        /* .lp, reading only */
 } fmb_format;
 
 /* "fmb", "ine", ... of a format; and back (also "auto"): false if the word is unknown. */
 FMB_API const char *fmb_format_text(fmb_format f);
 FMB_API bool fmb_format_parse(const char *word, fmb_format *out);
-/* Format by the ending of a file name ("a/b.ine"), FMB_FORMAT_AUTO if it says nothing. */
+/* Format by the ending of a file name ("a/b.ine"), FMB_FORMAT_AUTO if it says nothing or is NULL.
+ */
 FMB_API fmb_format fmb_format_of_name(const char *path);
+
+/* Longest text that is read unless a reader says otherwise [bytes]. */
+#define FMB_READER_MAX_BYTES ((size_t)1 << 30)
 
 /* How to read. Zero-initialise for defaults. */
 typedef struct fmb_reader {
     fmb_format format;    /* AUTO: guess from the content */
     const fmb_alloc *mem; /* NULL: malloc */
-    /* Called for each thing that is ignored (an objective, integrality); may be NULL. */
+    /* Called for each thing that is ignored (a second objective); may be NULL. */
     void (*warn)(void *self, const fmb_where *where);
     void *self;
     bool nearest; /* of frames alone: a number means the double nearest to it */
+    /* Longest text, of frames: longest line [bytes]; 0: FMB_READER_MAX_BYTES. */
+    size_t max_bytes;
 } fmb_reader;
 
-/* [give] Parse a whole stream. Errors: PARSE (*where is filled, if not NULL), IO, MEMORY, ARG. */
+/* [give] Parse a whole stream. A text without any row or variable is no system. Errors: PARSE
+ * (malformed, empty, or longer than max_bytes), IO, MEMORY, ARG (a pointer that must not be NULL,
+ * no such format). After PARSE and ARG *where is filled, if not NULL: which argument is wrong, with
+ * line 0. */
 FMB_API FMB_CHECKED fmb_status fmb_system_read(FILE *in, const fmb_reader *how, fmb_system **out,
                                                fmb_where *where);
 /* [give] The same from size bytes of text (need not end in NUL). */
 FMB_API FMB_CHECKED fmb_status fmb_system_parse(const char *text, size_t size,
                                                 const fmb_reader *how, fmb_system **out,
                                                 fmb_where *where);
+/* Give s the objective that `size` bytes of text spell in the way of .fmb files, over the variables
+ * that there are: "3x + 1/2 (y - 4)". Errors: PARSE (malformed, no such variable; *where is filled,
+ * if not NULL), ARG (a pointer that must not be NULL, no such sense), MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_system_parse_objective(fmb_system *s, fmb_sense sense,
+                                                          const char *text, size_t size,
+                                                          fmb_where *where);
+/* Bytes of the UTF-8 character at text, of which left bytes are there: shortest forms only, no
+ * surrogates, at most U+10FFFF (Unicode Standard 15, table 3-7); 0 if there is none. The second
+ * gives 0 for control characters, too (C0, DEL, C1): names and labels may hold any bytes, and a
+ * terminal must not obey them. */
+FMB_API size_t fmb_utf8_length(const char *text, size_t left);
+FMB_API size_t fmb_utf8_printable(const char *text, size_t left);
+
 /* Write s so that reading it back gives the same rows in the same order. Errors: ARG (format cannot
  * be written), IO, MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_write(const fmb_system *s, fmb_format f, FILE *out);

@@ -20,8 +20,7 @@ typedef enum fmb_arith {
 typedef enum fmb_method {
     FMB_METHOD_AUTO = 0, /* by size and question */
     FMB_METHOD_FM,       /* elimination only (fmb_project and fmb_reduce still ask the oracle) */
-    FMB_METHOD_LP,       /* exact simplex only (fmb_project as with AUTO) */
-    FMB_METHOD_FMPLEX    /* FMplex decides; everything else as with FM */
+    FMB_METHOD_LP        /* exact simplex only (fmb_project as with AUTO) */
 } fmb_method;
 
 /* Which variable is eliminated next, once there is none in an equality (it is substituted) or with
@@ -49,6 +48,13 @@ typedef enum fmb_simd {
     FMB_SIMD_AVX512 /* F, DQ and VPOPCNTDQ */
 } fmb_simd;
 
+/* Which claims are kept. Those of an answer may need much memory: a point for each end of a box. */
+typedef enum fmb_evidence_kept {
+    FMB_EVIDENCE_NONE = 0,
+    FMB_EVIDENCE_ALL,    /* whatever proves the answer */
+    FMB_EVIDENCE_VERDICT /* why it is feasible or infeasible */
+} fmb_evidence_kept;
+
 typedef struct fmb_options {
     fmb_arith arith;
     fmb_method method;
@@ -57,11 +63,16 @@ typedef struct fmb_options {
     fmb_rebase rebase;
     const char *presolve; /* comma list of steps, "none", or NULL for all; borrowed */
     fmb_simd simd;
-    bool trace_rows;    /* tell the watcher of every row that is made */
-    bool evidence;      /* keep proofs, so that fmb_solver_evidence works */
-    double max_seconds; /* wall clock per query [s]; 0 = no limit */
-    size_t max_rows;    /* live rows [rows]; 0 = no limit */
-    size_t max_bytes;   /* workspace, and as much again for evidence [bytes]; 0 = no limit */
+    bool trace_rows;            /* tell the watcher of every row that is made */
+    fmb_evidence_kept evidence; /* for fmb_solver_evidence */
+    double max_seconds;         /* wall clock per query [s]; 0 = no limit */
+    size_t max_rows;            /* live rows [rows]; 0 = no limit */
+    size_t max_bytes;           /* the sum of workspace, evidence and results [bytes], limbs too
+                                   (<fmb/base.h>); a reduced system counts from the start, as much
+                                   as the whole one, and is given out even so; 0 = no limit */
+    size_t threads;             /* for the ends of a box; 0 or 1: the caller's alone. The allocator
+                                   (<fmb/base.h>) must then be safe for threads. Answers are the
+                                   same for any number; proofs may differ from those of one */
 } fmb_options;
 
 FMB_API fmb_options fmb_options_default(void);

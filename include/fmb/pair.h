@@ -18,8 +18,6 @@ extern "C" {
 
 typedef enum fmb_pair_method {
     FMB_PAIR_FMB = 0, /* Fourier-Motzkin elimination in doubles, then exact */
-    FMB_PAIR_SAT,     /* separating axes in doubles, for verdicts in two and three dimensions on
-                         frames with all axes; everything else as with FMB */
     FMB_PAIR_EXACT    /* nothing but exact */
 } fmb_pair_method;
 
@@ -31,7 +29,10 @@ typedef struct fmb_pair_options {
     bool doubles_only; /* do not ask exactly: the verdict may be UNKNOWN, which also stands where a
                           box that was asked for is not known well enough */
     fmb_simd simd;
-    double max_seconds; /* of one exact query [s]: the verdict may then be UNKNOWN; 0 = no limit */
+    /* Limits of one exact query: beyond them the verdict is UNKNOWN. */
+    double max_seconds; /* [s]; 0 = no limit */
+    size_t max_bytes;   /* its system and workspace, and as much again for the proof of a witness
+                           [bytes]; 0 = no limit; 1 GiB unless set */
 } fmb_pair_options;
 
 FMB_API fmb_pair_options fmb_pair_options_default(void);
@@ -58,8 +59,8 @@ typedef struct fmb_pair_counts {
 /* Workspace for pairs of frames of one dimension; it belongs to one thread at a time. */
 typedef struct fmb_pair fmb_pair;
 
-/* [give] Options are copied; NULL means the default. Errors: ARG (dim < 1, an option out of range,
- * or instructions that the processor lacks), MEMORY. */
+/* [give] Options are copied; NULL means the default. Errors: ARG (dim not 1 to FMB_FRAME_MOST_DIM,
+ * an option out of range, or instructions that the processor lacks), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_pair_new(int dim, const fmb_pair_options *o,
                                             const fmb_alloc *mem, fmb_pair **out);
 FMB_API void fmb_pair_free(fmb_pair *k);
@@ -68,14 +69,19 @@ FMB_API void fmb_pair_free(fmb_pair *k);
  * Verdicts and tightest ends are the same on every processor, and whether pairs are asked together
  * or one by one; other ends and witnesses may differ by rounding. Only exact queries allocate. On
  * an error, answers of some pairs may have been written. Errors: ARG (another dimension, a frame
- * that is none, a number that is not finite), MEMORY. */
+ * that is none, a number that is not finite; fmb_pair_trouble says more), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_pair_test(fmb_pair *k, size_t n, const fmb_frame *p,
                                              const fmb_frame *q, const fmb_pair_answers *out);
 
+/* Why the last fmb_pair_test returned FMB_ERR_ARG, one line: "q[17]: axes[0][2] is not finite" is
+ * about that number of frame q[17]; "" otherwise, and for NULL. Good until the next call. */
+FMB_API const char *fmb_pair_trouble(const fmb_pair *k);
+
+/* All 0 for NULL. */
 FMB_API fmb_pair_counts fmb_pair_count(const fmb_pair *k);
 
 /* Ask a running fmb_pair_test to stop soon: what is not decided is UNKNOWN. The one call allowed
- * from another thread or a signal handler. */
+ * from another thread or a signal handler. NULL is fine. */
 FMB_API void fmb_pair_cancel(fmb_pair *k);
 
 #ifdef __cplusplus

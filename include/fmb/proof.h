@@ -21,21 +21,27 @@ typedef enum fmb_claim_kind {
     FMB_CLAIM_NONE = 0,
     FMB_CLAIM_FEASIBLE,   /* point: satisfies every row */
     FMB_CLAIM_INFEASIBLE, /* multipliers: their combination reads 0 <= negative, or 0 < 0 */
-    FMB_CLAIM_BOUND,      /* var, side, value, rel: multipliers prove it, point shows it tight */
-    FMB_CLAIM_UNBOUNDED,  /* var, side: ray */
-    FMB_CLAIM_IMPLIED,    /* an inequality (fmb_claim_terms): multipliers prove it */
+    FMB_CLAIM_BOUND,      /* of a variable, or of a linear form (fmb_evidence_term_q): side, value,
+                             rel: multipliers prove it, point shows it tight */
+    FMB_CLAIM_UNBOUNDED,  /* of a variable or a form: side, ray */
+    FMB_CLAIM_IMPLIED,    /* an inequality (fmb_evidence_term_q): multipliers prove it */
     FMB_CLAIM_REDUNDANT,  /* row: follows from rows that no claim REDUNDANT names up to here */
     FMB_CLAIM_EQUALITY,   /* row: holds with equality everywhere: multipliers prove the reverse */
     FMB_CLAIM_IRREDUNDANT /* row: point satisfies the other rows that stay, and not this one */
 } fmb_claim_kind;
 
 FMB_API void fmb_evidence_free(fmb_evidence *e);
-/* Number of claims, and the kind of claim i. */
+/* Number of claims, and the kind of claim i. Where there is no claim i, or no number of it, here
+ * and below: NONE, SIZE_MAX for a row, -1 for a variable, and 0. */
 FMB_API size_t fmb_evidence_claims(const fmb_evidence *e);
 FMB_API fmb_claim_kind fmb_evidence_kind(const fmb_evidence *e, size_t i);
-/* The row a claim is about, or SIZE_MAX; the variable, or -1. */
+/* The row a claim is about, or SIZE_MAX; the variable, or -1, of forms too. */
 FMB_API size_t fmb_evidence_row(const fmb_evidence *e, size_t i);
 FMB_API int fmb_evidence_var(const fmb_evidence *e, size_t i);
+/* Of BOUND and UNBOUNDED: which end. Of BOUND: LE if the end is attained, LT if not; of IMPLIED:
+ * the relation. */
+FMB_API fmb_side fmb_evidence_side(const fmb_evidence *e, size_t i);
+FMB_API fmb_rel fmb_evidence_rel(const fmb_evidence *e, size_t i);
 
 /* The multiplier of row r in claim i (0 if absent), and coordinate j of its point, both as the
  * nearest double (0 where the claim has none). */
@@ -60,6 +66,32 @@ typedef struct fmb_judgement {
  * Errors: ARG (e was made for another shape of system), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_check(const fmb_system *s, const fmb_evidence *e,
                                          fmb_judgement *out);
+
+/* Claim i in words on one line, without its proof: "max x = 5/2", "row 3 follows from rows that
+ * stay". Errors: ARG, IO. */
+FMB_API FMB_CHECKED fmb_status fmb_evidence_tell(const fmb_evidence *e, const fmb_system *s,
+                                                 size_t i, FILE *out);
+
+/* What a proof may be wanted for. */
+typedef enum fmb_demand {
+    FMB_DEMAND_NOTHING = 0,
+    FMB_DEMAND_FEASIBLE,
+    FMB_DEMAND_INFEASIBLE,
+    FMB_DEMAND_BOUNDS,     /* both ends of every variable: BOUND or UNBOUNDED */
+    FMB_DEMAND_REDUCED,    /* each inequality: REDUNDANT, EQUALITY or IRREDUNDANT */
+    FMB_DEMAND_PROJECTION, /* each row of a projection, whose variables go by their names: IMPLIED,
+                              up to a factor; or the system is INFEASIBLE */
+    FMB_DEMAND_OPTIMUM /* BOUND or UNBOUNDED for an objective, its constant left out: that of image,
+                          whose variables go by their names, else that of the system, and where it
+                          has none, any; or the system is INFEASIBLE */
+} fmb_demand;
+
+/* Are there the claims of e that this takes? Whether they hold is for fmb_check to say. image is
+ * the projection, or may carry the objective; else NULL. *meets; if not, why[size] says what is
+ * missing; why may be NULL. Errors: ARG, MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_evidence_meets(const fmb_evidence *e, const fmb_system *s,
+                                                  fmb_demand what, const fmb_system *image,
+                                                  bool *meets, char *why, size_t size);
 
 #ifdef __cplusplus
 }

@@ -55,18 +55,20 @@ typedef struct fmb_rule {
     void (*clear)(void *state);
 } fmb_rule;
 
+/* What a shared object exports to be given to the commands as --rule-library: its rules, NULL ends
+ * them. Their names are none of the built-in ones. This library does not define it. */
+extern FMB_API const fmb_rule *const fmb_rule_library[];
+
 /* The built-in rule of that name, static, or NULL; and the i-th one, NULL past the end. */
 FMB_API const fmb_rule *fmb_rule_find(const char *name);
 FMB_API const fmb_rule *fmb_rule_at(size_t i);
 
 /* Use one more rule in the queries of this solver, after those in options.rules. The table is
  * borrowed for the solver's life. Errors: ARG (no name), RULE (a rule of that name is in use, or
- * too many are). Whether rules agree with each other and with a query is found out by the query: it
- * returns FMB_ERR_RULE then, and fmb_solver_trouble names them. */
+ * too many are): fmb_solver_trouble says which. Whether rules agree with each other and with a
+ * query is found out by the query: it returns FMB_ERR_RULE then, and fmb_solver_trouble names them.
+ */
 FMB_API FMB_CHECKED fmb_status fmb_solver_add_rule(fmb_solver *v, const fmb_rule *rule);
-
-/* Why the last query returned FMB_ERR_RULE, one line; "" otherwise. Good until the next query. */
-FMB_API const char *fmb_solver_trouble(const fmb_solver *v);
 
 /* Choose the variable to eliminate next: one of col[0..n), n > 0. Anything else ends the query with
  * FMB_ERR_ARG. Beside a rule that wants one base only columns of equalities are offered while there
@@ -81,11 +83,12 @@ FMB_API void fmb_solver_set_chooser(fmb_solver *v, fmb_chooser chooser);
 
 /* ---- the window ------------------------------------------------------------------------------ */
 
-FMB_API int fmb_view_dim(const fmb_view *w);               /* columns */
-FMB_API int fmb_view_variable(const fmb_view *w, int col); /* the system's variable of a column */
-FMB_API int fmb_view_column(const fmb_view *w);            /* of this round; -1: between rounds */
-FMB_API size_t fmb_view_rows(const fmb_view *w);           /* live rows */
-FMB_API size_t fmb_view_row(const fmb_view *w, size_t i);  /* the name of the i-th */
+FMB_API int fmb_view_dim(const fmb_view *w); /* columns */
+/* The system's variable of a column; -1: the form of fmb_optimize, which is never eliminated. */
+FMB_API int fmb_view_variable(const fmb_view *w, int col);
+FMB_API int fmb_view_column(const fmb_view *w);           /* of this round; -1: between rounds */
+FMB_API size_t fmb_view_rows(const fmb_view *w);          /* live rows */
+FMB_API size_t fmb_view_row(const fmb_view *w, size_t i); /* the name of the i-th */
 /* Variables eliminated by pairing since the last re-base, that of this round included. */
 FMB_API int fmb_view_eliminated(const fmb_view *w);
 

@@ -1,10 +1,12 @@
-/* fmb/solve.h: the four questions. Is it feasible, what is its projection, its tightest box, which
- * rows are redundant.
+/* fmb/solve.h: the five questions. Is it feasible, what is its projection, its tightest box, the
+ * best value of a linear form, which rows are redundant.
  *
  * A solver owns the options, the workspace and the last answer; it belongs to one thread at a time
  * and may be used for any number of queries, also after a limit, a cancel or a failed allocation.
  * Besides the errors listed, every query may return RULE, where rules do not go together, and what
- * a rule or chooser of the caller's brings about (<fmb/rule.h>).
+ * a rule or chooser of the caller's brings about (<fmb/rule.h>). No argument crashes: a solver,
+ * system or out that is NULL, or a variable out of range, is ARG, and fmb_solver_trouble says
+ * which; the last answer stays. res may be NULL.
  */
 #ifndef FMB_SOLVE_H
 #define FMB_SOLVE_H
@@ -20,6 +22,7 @@ extern "C" {
 
 typedef struct fmb_solver fmb_solver;
 typedef struct fmb_box fmb_box;
+typedef struct fmb_optimum fmb_optimum;
 
 typedef struct fmb_stats {
     uint64_t rounds;       /* variables eliminated by pairing rows */
@@ -36,7 +39,7 @@ typedef struct fmb_stats {
 } fmb_stats;
 
 typedef struct fmb_result {
-    fmb_verdict verdict; /* the answer; of project, bound and reduce: is the system feasible */
+    fmb_verdict verdict; /* the answer; of all other verbs: is the system feasible */
     fmb_trust trust;     /* how it was obtained */
     fmb_stop stop;       /* FMB_STOP_DONE unless cut short */
     fmb_stats stats;
@@ -52,10 +55,15 @@ FMB_API void fmb_solver_free(fmb_solver *v);
  * from another thread or a signal handler. */
 FMB_API void fmb_solver_cancel(fmb_solver *v);
 
+/* Why the last call with this solver returned FMB_ERR_ARG or FMB_ERR_RULE, one line that names the
+ * argument, its value or the rules: "keep[2] is 7, but there are 3 variables"; "" if it did not.
+ * Good until the next call. A call without a solver has nowhere to say it. */
+FMB_API const char *fmb_solver_trouble(const fmb_solver *v);
+
 /* Watch queries from now on; {NULL, NULL} is silence. */
 FMB_API void fmb_solver_set_sink(fmb_solver *v, fmb_sink sink);
 
-/* Is s satisfiable? Cost can be doubly exponential in dim: set a limit. Errors: MEMORY. */
+/* Is s satisfiable? Cost can be doubly exponential in dim: set a limit. Errors: ARG, MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_solve(fmb_solver *v, const fmb_system *s, fmb_result *res);
 
 /* [give] The projection of s on the variables keep[0..n), strictly increasing: an irredundant
@@ -72,6 +80,16 @@ FMB_API FMB_CHECKED fmb_status fmb_project(fmb_solver *v, const fmb_system *s, c
 FMB_API FMB_CHECKED fmb_status fmb_bound(fmb_solver *v, const fmb_system *s, const int *vars, int n,
                                          fmb_box **out, fmb_result *res);
 
+/* [give] The best value of a linear form over s: the largest or the least, as objective->sense
+ * says; objective NULL: of the objective that s carries. *out is NULL if s is infeasible. If a
+ * limit was reached, the verdict may be UNKNOWN, and the value may be FMB_END_OUTER or
+ * FMB_END_UNKNOWN. Its multipliers are in the evidence, which claims a BOUND or UNBOUNDED of the
+ * form without its constant. Errors: ARG (no such sense, a number that is not finite; NULL, and s
+ * carries none), MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_optimize(fmb_solver *v, const fmb_system *s,
+                                            const fmb_objective *objective, fmb_optimum **out,
+                                            fmb_result *res);
+
 /* What became of a row. */
 typedef enum fmb_fate {
     FMB_FATE_UNKNOWN = 0, /* a limit was reached first */
@@ -83,12 +101,12 @@ typedef enum fmb_fate {
 /* [give] An irredundant system with the same solutions: rows of s in their order, inequalities that
  * always hold with equality turned into equalities; the single row 0 <= -1 if s is infeasible.
  * fate[rows], unless NULL, says what became of each. If a limit was reached, rows not yet tested
- * are kept. Errors: MEMORY. */
+ * are kept. Errors: ARG, MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_reduce(fmb_solver *v, const fmb_system *s, fmb_fate *fate,
                                           fmb_system **out, fmb_result *res);
 
-/* [give] Evidence for the last query. Errors: STATE (no answer, or options.evidence off), MEMORY.
- */
+/* [give] Evidence for the last query; nothing is copied. Where a limit was reached, what was proved
+ * so far. Errors: ARG, STATE (no answer, or options.evidence is NONE). */
 FMB_API FMB_CHECKED fmb_status fmb_solver_evidence(const fmb_solver *v, fmb_evidence **out);
 
 /* ---- boxes ----------------------------------------------------------------------------------- */
@@ -108,10 +126,27 @@ typedef struct fmb_end {
     double value;  /* rounded outward; -INFINITY or INFINITY unless finite or outer */
 } fmb_end;
 
+/* Where there is no such interval or side: -1, and an end UNKNOWN with value 0. */
 FMB_API void fmb_box_free(fmb_box *b);
 FMB_API int fmb_box_size(const fmb_box *b);       /* number of intervals */
 FMB_API int fmb_box_var(const fmb_box *b, int i); /* the variable of interval i */
 FMB_API fmb_end fmb_box_end(const fmb_box *b, int i, fmb_side side);
+
+/* ---- optima ---------------------------------------------------------------------------------- */
+
+FMB_API void fmb_optimum_free(fmb_optimum *o);
+/* Which way the form was to go; NONE for NULL. */
+FMB_API fmb_sense fmb_optimum_sense(const fmb_optimum *o);
+/* How far it goes, its constant included. FINITE: the optimum, attained or approached; OUTER: no
+ * solution is beyond; INFINITE: unbounded. UNKNOWN for NULL. */
+FMB_API fmb_end fmb_optimum_end(const fmb_optimum *o);
+/* Coordinate j, as the nearest double, of a point and, if the form is unbounded, of a ray. The
+ * point is at the optimum where that is FINITE: a solution if it is attained, else it satisfies the
+ * rows with < read as <=, and solutions come as near as you like. In other cases, where the system
+ * is known to be feasible, it is some solution. From a solution every point along the ray is one,
+ * and the form grows (for MIN: falls). 0 where there is none. */
+FMB_API double fmb_optimum_coordinate(const fmb_optimum *o, int j);
+FMB_API double fmb_optimum_ray(const fmb_optimum *o, int j);
 
 #ifdef __cplusplus
 }

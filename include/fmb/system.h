@@ -16,49 +16,88 @@ extern "C" {
 
 typedef struct fmb_system fmb_system;
 
-/* [give] An empty system over dim >= 0 variables named x1, x2, ... Errors: ARG, MEMORY. */
+/* The most variables of a system: names and marks take some 70 bytes each, asked for or not. */
+#define FMB_DIM_MAX 1000000
+
+/* [give] An empty system over 0 <= dim <= FMB_DIM_MAX variables named x1, x2, ... Errors: ARG,
+ * MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_new(int dim, const fmb_alloc *mem, fmb_system **out);
-/* [give] A deep copy with the same allocator. Errors: MEMORY. */
+/* [give] A deep copy with the same allocator. Errors: ARG (NULL), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_copy(const fmb_system *s, fmb_system **out);
 FMB_API void fmb_system_free(fmb_system *s);
+
+/* What was wrong with the arguments of the last call on s that returned FMB_ERR_ARG, in one line:
+ * which one, and its value or name; "" if there was none. Valid until the next change of s. */
+FMB_API const char *fmb_system_trouble(const fmb_system *s);
 
 /* Number of variables; number of rows. */
 FMB_API int fmb_system_dim(const fmb_system *s);
 FMB_API size_t fmb_system_rows(const fmb_system *s);
 
-/* Append a.x REL b; a has length dim. Errors: ARG (non-finite, bad relation), MEMORY. */
+/* Append a.x REL b; a has length dim. Errors: ARG (NULL, non-finite, bad relation), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_add(fmb_system *s, const double *a, fmb_rel rel,
                                               double b);
 FMB_API FMB_CHECKED fmb_status fmb_system_add_int(fmb_system *s, const int64_t *a, fmb_rel rel,
                                                   int64_t b);
-/* Relation of row i < rows. */
+/* Relation of row i < rows; FMB_LE where there is no such row. */
 FMB_API fmb_rel fmb_system_rel(const fmb_system *s, size_t i);
 
 /* Append the rows of another system, with their labels; its variable j is variable var[j] of s,
- * which may come twice. var NULL: the same numbers. So systems are stacked: the solutions of s are
- * then common ones. Nothing is appended on failure. Errors: ARG (variable out of range), MEMORY. */
+ * which may come twice, and is integer if either is. var NULL: the same numbers. So systems are
+ * stacked: the solutions of s are then common ones. Nothing is appended on failure. Errors: ARG
+ * (variable out of range), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_join(fmb_system *s, const fmb_system *more,
                                                const int *var);
 
 /* Append a variable (its coefficient is 0 in all rows so far); *index (may be NULL) gets its place.
- * name NULL means the default name. Errors: ARG (empty name, or name taken), MEMORY. */
+ * name NULL means the default name. Errors: ARG (empty name, name taken, or FMB_DIM_MAX variables
+ * already), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_add_variable(fmb_system *s, const char *name, int *index);
-/* Name of variable j < dim: never NULL, owned by s, valid until the next change of s. */
+/* Name of variable j, owned by s, valid until the next change of s; NULL unless 0 <= j < dim. */
 FMB_API const char *fmb_system_name(const fmb_system *s, int j);
 /* Rename variable j. Errors: ARG (empty, or taken by another variable), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_set_name(fmb_system *s, int j, const char *name);
 /* Index of the variable of that name, or -1. */
 FMB_API int fmb_system_find(const fmb_system *s, const char *name);
 
-/* Label of row i: NULL if it has none; owned by s. Setting NULL removes it. Errors: MEMORY. */
+/* Label of row i: NULL if it has none; owned by s. Setting NULL removes it. Errors: ARG, MEMORY. */
 FMB_API const char *fmb_system_label(const fmb_system *s, size_t i);
 FMB_API FMB_CHECKED fmb_status fmb_system_set_label(fmb_system *s, size_t i, const char *label);
 
 /* The variables that the source asks to project on (`project` and `eliminate` lines of .ine files):
- * a mark per variable, all false if the source asks for nothing. Errors: MEMORY. */
+ * a mark per variable, all false if the source asks for nothing. */
 FMB_API bool fmb_system_asks_projection(const fmb_system *s);
 FMB_API bool fmb_system_is_kept(const fmb_system *s, int j);
 FMB_API void fmb_system_set_kept(fmb_system *s, int j, bool kept);
+
+/* The variables that the source says are integer (`Int` of SMT-LIB, integer columns of MPS and LP,
+ * `integer` lines of .fmb): a mark per variable, false unless it was set, which copies and joins
+ * keep. It is a note to the caller, as libfmb answers over the reals: infeasible, a bound and a
+ * redundant row hold for integers too, but "feasible" says so only if the witness is integral on
+ * the marked variables. Errors: ARG (no such variable); is_integer of no variable is false. */
+FMB_API FMB_CHECKED fmb_status fmb_system_set_integer(fmb_system *s, int j, bool integer);
+FMB_API bool fmb_system_is_integer(const fmb_system *s, int j);
+
+/* Which way a linear form is to go. */
+typedef enum fmb_sense { FMB_SENSE_NONE = 0, FMB_SENSE_MAX, FMB_SENSE_MIN } fmb_sense;
+
+/* A linear form coef.x + constant that is to become as large or as small as it can; in rationals:
+ * fmb_objective_q of <fmb/gmp.h>. */
+typedef struct fmb_objective {
+    fmb_sense sense;
+    const double *coef; /* [dim]; a double means its exact binary value */
+    double constant;
+} fmb_objective;
+
+/* A system may carry one objective, which fmb_optimize asks about and nothing else: `max` and `min`
+ * lines of .fmb, `maximize` and `minimize` of .ine and SMT-LIB, the objectives of MPS and LP. The
+ * objective is copied and takes the place of an older one; NULL, or one without sense, removes it.
+ * Copies of a system keep it, and what fmb_reduce makes of it; so does a projection on all
+ * variables that the objective names. A join leaves that of s as it is. Errors: ARG (coef NULL, a
+ * number that is not finite, no such sense), MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_system_set_objective(fmb_system *s, const fmb_objective *o);
+/* Sense of the objective; NONE: there is none. */
+FMB_API fmb_sense fmb_system_sense(const fmb_system *s);
 
 #ifdef __cplusplus
 }

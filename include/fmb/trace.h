@@ -21,8 +21,10 @@ typedef enum fmb_event_kind {
 /* A row just made, and what its history says about it. Rows are numbered from 0 within one
  * elimination, those of the system first; a row that is dropped leaves its number to the next one.
  * fmb_bound goes back to an earlier round to go on another way (its number comes again): the rows
- * made since leave their numbers, too. Bit sets are words of 64 bits, least first; what pointers
- * show is the library's and good until the callback returns. */
+ * made since leave their numbers, too. fmb_optimize adds a row behind those of the system, and a
+ * column behind those of the variables, which says what the form is: its variable is -1. Bit sets
+ * are words of 64 bits, least first; what pointers show is the library's and good until the
+ * callback returns. */
 typedef struct fmb_row_event {
     uint64_t row;              /* its number */
     uint64_t parent[2];        /* the rows combined */

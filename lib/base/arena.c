@@ -18,7 +18,7 @@ void fmb_arena_init(fmb_arena *a, fmb_mem *mem)
 }
 
 /* Move on to a chunk with room for bytes: the next one if it is large enough, else a new one. */
-static bool advance(fmb_arena *a, size_t bytes)
+static bool move_to_roomy_chunk(fmb_arena *a, size_t bytes)
 {
     fmb_chunk *next = a->current ? a->current->next : a->first;
     if (!next || next->size < bytes) {
@@ -45,7 +45,7 @@ void *fmb_arena_get(fmb_arena *a, size_t count, size_t size)
         return NULL;
     }
     bytes = (bytes + 15) & ~(size_t)15;
-    if ((!a->current || a->current->size - a->at < bytes) && !advance(a, bytes))
+    if ((!a->current || a->current->size - a->at < bytes) && !move_to_roomy_chunk(a, bytes))
         return NULL;
     void *p = a->current->data + a->at;
     a->at += bytes;

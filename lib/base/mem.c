@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void *default_resize(void *self, void *p, size_t old_bytes, size_t new_bytes)
+static void *resize_by_realloc(void *self, void *p, size_t old_bytes, size_t new_bytes)
 {
     (void)self;
     (void)old_bytes;
@@ -18,28 +18,49 @@ static void *default_resize(void *self, void *p, size_t old_bytes, size_t new_by
 void fmb_mem_init(fmb_mem *m, const fmb_alloc *hook, size_t limit)
 {
     *m = (fmb_mem){.limit = limit};
-    m->alloc = hook ? *hook : (fmb_alloc){default_resize, NULL};
+    m->alloc = hook ? *hook : (fmb_alloc){resize_by_realloc, NULL};
+}
+
+static void count(fmb_mem *m, size_t bytes)
+{
+    m->used += bytes;
+    if (m->used > m->peak)
+        m->peak = m->used;
 }
 
 bool fmb_mem_charge(fmb_mem *m, size_t bytes)
 {
-    if (m->limit > 0 && (bytes > m->limit || m->used > m->limit - bytes)) {
+    bool over = m->limit > 0 && (bytes > m->limit || m->used > m->limit - bytes);
+    if (over || (m->within && !fmb_mem_charge(m->within, bytes))) {
         m->over = true;
         return false;
     }
-    m->used += bytes;
-    if (m->used > m->peak)
-        m->peak = m->used;
+    count(m, bytes);
     return true;
 }
 
 void fmb_mem_refund(fmb_mem *m, size_t bytes)
 {
     m->used -= bytes;
+    if (m->within)
+        m->within->used -= bytes;
+}
+
+void fmb_mem_enter(fmb_mem *m, fmb_mem *outer)
+{
+    m->within = outer;
+    count(outer, m->used);
+}
+
+void fmb_mem_leave(fmb_mem *m)
+{
+    if (m->within)
+        m->within->used -= m->used;
+    m->within = NULL;
 }
 
 /* count * size, at least 1, or false on overflow. */
-static bool product(size_t count, size_t size, size_t *bytes)
+static bool multiply_sizes(size_t count, size_t size, size_t *bytes)
 {
     if (__builtin_mul_overflow(count, size, bytes) || *bytes > PTRDIFF_MAX)
         return false;
@@ -52,8 +73,8 @@ void *fmb_mem_grow(fmb_mem *m, void *p, size_t old, size_t count, size_t size)
 {
     size_t before = 0, bytes;
     if (p)
-        (void)product(old, size, &before);
-    if (!product(count, size, &bytes)) {
+        (void)multiply_sizes(old, size, &before);
+    if (!multiply_sizes(count, size, &bytes)) {
         m->over = false;
         return NULL;
     }
@@ -86,7 +107,7 @@ void fmb_mem_put(fmb_mem *m, void *p, size_t count, size_t size)
     if (!p)
         return;
     size_t bytes = 0;
-    (void)product(count, size, &bytes);
+    (void)multiply_sizes(count, size, &bytes);
     m->alloc.resize(m->alloc.self, p, bytes, 0);
     fmb_mem_refund(m, bytes);
 }

@@ -2,7 +2,8 @@
  *
  * Invariants: used is the sum of all live blocks and charges [bytes], used <= limit when limit > 0.
  * The limbs of GMP integers come from GMP's allocator; their owners charge them here, so that a
- * limit on bytes counts them too.
+ * limit on bytes counts them too. What is charged to a mem that stands within another counts there
+ * as well: so one limit holds for the sum of a query's workspace, evidence and results.
  */
 #ifndef FMB_BASE_MEM_H
 #define FMB_BASE_MEM_H
@@ -16,6 +17,7 @@ typedef struct fmb_mem {
     fmb_alloc alloc;
     size_t used, peak, limit; /* [bytes]; limit 0 = none */
     bool over;                /* the last failure was the limit, not the allocator */
+    struct fmb_mem *within;   /* where all this counts too, or NULL */
 } fmb_mem;
 
 /* hook NULL means malloc. */
@@ -34,6 +36,11 @@ fmb_status fmb_mem_reserve(fmb_mem *m, void **p, size_t *capacity, size_t need, 
 /* Count bytes that come from elsewhere; false (nothing charged) if the limit forbids it. */
 bool fmb_mem_charge(fmb_mem *m, size_t bytes);
 void fmb_mem_refund(fmb_mem *m, size_t bytes);
+
+/* From now on what m holds counts in outer too; what it holds already is counted whatever the limit
+ * there. Until fmb_mem_leave. */
+void fmb_mem_enter(fmb_mem *m, fmb_mem *outer);
+void fmb_mem_leave(fmb_mem *m);
 
 /* FMB_LIMIT or FMB_ERR_MEMORY, after a failure. */
 fmb_status fmb_mem_status(const fmb_mem *m);

@@ -22,7 +22,7 @@ const char *fmb_status_text(fmb_status st)
     case FMB_ERR_RULE:
         return "pruning rule unknown, or unsound here";
     case FMB_ERR_STATE:
-        return "nothing to report: no query has finished, or it kept no evidence";
+        return "not now: no query has finished, it kept no evidence, nothing is loaded or pushed";
     }
     return "unknown status";
 }

@@ -8,29 +8,90 @@
 
 /* ---- arguments ------------------------------------------------------------------------------- */
 
-static bool are_finite(const double *a, int n)
+/* The first of n numbers that is not finite; n: there is none. */
+static size_t find_infinite(const double *a, size_t n)
 {
-    bool good = a || n == 0;
-    for (int i = 0; good && i < n; i++)
-        good = isfinite(a[i]);
-    return good;
+    size_t i = 0;
+    while (i < n && isfinite(a[i]))
+        i++;
+    return i;
 }
 
-static bool is_outline(fmb_shape shape, int naxes, int dim)
+static bool is_outline_possible(fmb_shape shape, int naxes, int dim)
 {
-    return dim >= 0 && naxes >= 0 && naxes <= dim && (unsigned)shape <= FMB_SIMPLEX;
+    return dim >= 0 && dim <= FMB_FRAME_MOST_DIM && naxes >= 0 && naxes <= dim &&
+           (unsigned)shape <= FMB_SIMPLEX;
+}
+
+/* The arrays of a frame: [rows][dim] each. */
+typedef struct part {
+    const char *name;
+    const double *number;
+    size_t rows;
+} part;
+
+static bool describe_part(const part *a, size_t dim, char *text, size_t size)
+{
+    size_t n = a->rows * dim, i = a->number ? find_infinite(a->number, n) : 0;
+    if (i == n)
+        return false;
+    if (!a->number)
+        snprintf(text, size, "%s is NULL", a->name);
+    else if (a->name[0] == 'a')
+        snprintf(text, size, "axes[%zu][%zu] is not finite", i / dim, i % dim);
+    else
+        snprintf(text, size, "%s[%zu] is not finite", a->name, i);
+    return true;
+}
+
+static bool describe_outline(const fmb_frame *f, int dim, char *text, size_t size)
+{
+    if (f->dim != dim)
+        snprintf(text, size, "dim is %d, not %d", f->dim, dim);
+    else if (dim < 0 || dim > FMB_FRAME_MOST_DIM)
+        snprintf(text, size, "dim is %d, not 0 to %d", dim, (int)FMB_FRAME_MOST_DIM);
+    else if (f->naxes < 0 || f->naxes > dim)
+        snprintf(text, size, "naxes is %d, not 0 to %d", f->naxes, dim);
+    else if ((unsigned)f->shape > FMB_SIMPLEX)
+        snprintf(text, size, "shape is %d, which is none", (int)f->shape);
+    else
+        return false;
+    return true;
+}
+
+bool fmb_frame_describe_fault(const fmb_frame *f, int dim, char *text, size_t size)
+{
+    if (describe_outline(f, dim, text, size))
+        return true;
+    const part parts[] = {{"origin", f->origin, 1},
+                          {"axes", f->axes, (size_t)f->naxes},
+                          {"speed", f->speed, f->speed != NULL}};
+    bool found = false;
+    for (int k = 0; !found && k < 3; k++)
+        found = describe_part(&parts[k], (size_t)dim, text, size);
+    return found;
 }
 
 bool fmb_frame_is_good(const fmb_frame *f, int dim)
 {
-    return f->dim == dim && is_outline(f->shape, f->naxes, dim) && are_finite(f->origin, dim) &&
-           are_finite(f->axes, f->naxes * dim) && (!f->speed || are_finite(f->speed, dim));
+    char text[FMB_FRAME_FAULT_SIZE];
+    return !fmb_frame_describe_fault(f, dim, text, sizeof text);
 }
 
-static bool is_good_q(const fmb_frame_q *f, int dim)
+static bool has_denominators(mpq_t *a, size_t n)
 {
-    return f->dim == dim && is_outline(f->shape, f->naxes, dim) && (f->origin || dim == 0) &&
-           (f->axes || f->naxes == 0);
+    size_t i = 0;
+    while (a && i < n && mpz_sgn(mpq_denref(a[i])) != 0)
+        i++;
+    return i == n;
+}
+
+static bool is_good_rational_frame(const fmb_frame_q *f, int dim)
+{
+    size_t d = (size_t)dim;
+    return f->dim == dim && is_outline_possible(f->shape, f->naxes, dim) &&
+           has_denominators(f->origin, d) && has_denominators(f->axes, (size_t)f->naxes * d) &&
+           (!f->speed || has_denominators(f->speed, d));
 }
 
 /* ---- variables ------------------------------------------------------------------------------- */
@@ -63,42 +124,48 @@ static fmb_status add_names(const fmb_maker *m)
     return st == FMB_OK && m->time >= 0 ? fmb_system_add_variable(m->s, "t", NULL) : st;
 }
 
-static void count_columns(fmb_maker *m)
+/* False: more than a system has. */
+static bool count_columns(fmb_maker *m)
 {
     const fmb_scene *w = &m->scene;
     bool moves = false;
-    int axes = 0, most = 0;
-    for (size_t k = 0; k < w->frames; k++) {
+    int64_t axes = 0, vars;
+    int most = 0;
+    for (size_t k = 0; k < w->frames && axes < INT32_MAX; k++) {
         const fmb_whole *f = &w->frame[k];
         moves |= f->moves;
         axes += f->naxes;
         most = f->naxes > most ? f->naxes : most;
     }
     m->dim = w->dim;
-    m->vars = m->in == FMB_COORDINATES_WORLD  ? w->dim
-              : m->in == FMB_COORDINATES_LAST ? w->frame[w->frames - 1].naxes
-              : m->in == FMB_COORDINATES_ALL  ? w->dim + axes
-                                              : axes;
+    vars = m->in == FMB_COORDINATES_WORLD  ? w->dim
+           : m->in == FMB_COORDINATES_LAST ? w->frame[w->frames - 1].naxes
+           : m->in == FMB_COORDINATES_ALL  ? w->dim + axes
+                                           : axes;
+    if (vars >= INT32_MAX / 2)
+        return false;
+    m->vars = (int)vars;
     m->time = moves ? m->vars++ : -1;
     m->width = most + m->vars + 1;
+    return true;
 }
 
 /* ---- the system ------------------------------------------------------------------------------ */
 
 static fmb_status open_work(fmb_maker *m, fmb_mem *mem)
 {
-    size_t table = (size_t)m->dim * (size_t)m->width, form = (size_t)m->vars + 1;
-    m->cells = table + 3 * form + 3;
-    m->cell = fmb_mem_get(mem, m->cells, sizeof *m->cell);
-    m->var = fmb_mem_get(mem, (size_t)m->vars, sizeof *m->var);
-    for (size_t i = 0; m->cell && i < m->cells; i++)
-        mpz_init(m->cell[i]);
+    bool solves = m->in == FMB_COORDINATES_WORLD || m->in == FMB_COORDINATES_LAST;
+    size_t table = solves ? (size_t)m->dim * (size_t)m->width : 0, form = (size_t)m->vars + 1;
+    m->cells = table + 2 * form + 3;
+    m->cell = fmb_vec_block(m->cells, mem);
+    m->var = fmb_mem_get(mem, form, sizeof *m->var);
     if (!m->cell || !m->var)
         return fmb_mem_status(mem);
-    m->form = m->cell + table;
-    m->sum = m->form + form;
+    m->table = m->cell;
+    m->sum = m->table + table;
     m->row = m->sum + form;
     m->scale = m->row + form + 1;
+    m->spare = m->scale + 1;
     return FMB_OK;
 }
 
@@ -107,12 +174,13 @@ static void close_work(fmb_maker *m, fmb_mem *mem)
     for (size_t i = 0; m->cell && i < m->cells; i++)
         mpz_clear(m->cell[i]);
     fmb_mem_put(mem, m->cell, m->cells, sizeof *m->cell);
-    fmb_mem_put(mem, m->var, (size_t)m->vars, sizeof *m->var);
+    fmb_mem_put(mem, m->var, (size_t)m->vars + 1, sizeof *m->var);
 }
 
-static fmb_status make(fmb_maker *m)
+static fmb_status make_system(fmb_maker *m)
 {
-    count_columns(m);
+    if (!count_columns(m))
+        return FMB_ERR_ARG;
     fmb_status st = open_work(m, &m->s->mem);
     if (st == FMB_OK)
         st = add_names(m);
@@ -123,21 +191,26 @@ static fmb_status make(fmb_maker *m)
 }
 
 /* One of f and q is given. */
-static fmb_status make_from(const fmb_frame *f, const fmb_frame_q *q, size_t n, fmb_coordinates in,
-                            fmb_contact contact, const fmb_alloc *hook, fmb_system **out)
+static fmb_status make_system_from(const fmb_frame *f, const fmb_frame_q *q, size_t n,
+                                   fmb_coordinates in, fmb_contact contact, const fmb_alloc *hook,
+                                   fmb_run *run, fmb_system **out)
 {
-    fmb_maker m = {.in = in, .inside = contact == FMB_CONTACT_OPEN ? FMB_LT : FMB_LE};
+    fmb_maker m = {.in = in, .inside = contact == FMB_CONTACT_OPEN ? FMB_LT : FMB_LE, .run = run};
     if (!out || (unsigned)in > FMB_COORDINATES_ALL || (unsigned)contact > FMB_CONTACT_OPEN)
         return FMB_ERR_ARG;
     fmb_status st = fmb_system_new(0, hook, &m.s);
     if (st != FMB_OK)
         return st;
     fmb_mem *mem = &m.s->mem;
-    st =
-        f ? fmb_scene_of_doubles(&m.scene, f, n, mem) : fmb_scene_of_rationals(&m.scene, q, n, mem);
+    mem->limit = run ? run->mem->limit : 0;
+    st = f ? fmb_scene_of_doubles(&m.scene, f, n, mem, run)
+           : fmb_scene_of_rationals(&m.scene, q, n, mem, run);
     if (st == FMB_OK)
-        st = make(&m);
+        st = make_system(&m);
     fmb_scene_clear(&m.scene);
+    if (st == FMB_ERR_MEMORY)
+        st = fmb_mem_status(mem);
+    mem->limit = 0;
     if (st == FMB_OK)
         *out = m.s;
     else
@@ -145,20 +218,34 @@ static fmb_status make_from(const fmb_frame *f, const fmb_frame_q *q, size_t n, 
     return st;
 }
 
-fmb_status fmb_system_from_frames(const fmb_frame *f, size_t n, fmb_coordinates in,
-                                  fmb_contact contact, const fmb_alloc *mem, fmb_system **out)
+fmb_status fmb_frames_within_limits(const fmb_frame *f, size_t n, fmb_coordinates in,
+                                    fmb_contact contact, const fmb_alloc *mem, fmb_run *run,
+                                    fmb_system **out)
 {
     bool good = f && n > 0;
     for (size_t k = 0; good && k < n; k++)
         good = fmb_frame_is_good(&f[k], f[0].dim);
-    return good ? make_from(f, NULL, n, in, contact, mem, out) : FMB_ERR_ARG;
+    return good ? make_system_from(f, NULL, n, in, contact, mem, run, out) : FMB_ERR_ARG;
+}
+
+fmb_status fmb_system_from_frames(const fmb_frame *f, size_t n, fmb_coordinates in,
+                                  fmb_contact contact, const fmb_alloc *mem, fmb_system **out)
+{
+    return fmb_frames_within_limits(f, n, in, contact, mem, NULL, out);
+}
+
+fmb_status fmb_frames_q_within_limits(const fmb_frame_q *f, size_t n, fmb_coordinates in,
+                                      fmb_contact contact, const fmb_alloc *mem, fmb_run *run,
+                                      fmb_system **out)
+{
+    bool good = f && n > 0;
+    for (size_t k = 0; good && k < n; k++)
+        good = is_good_rational_frame(&f[k], f[0].dim);
+    return good ? make_system_from(NULL, f, n, in, contact, mem, run, out) : FMB_ERR_ARG;
 }
 
 fmb_status fmb_system_from_frames_q(const fmb_frame_q *f, size_t n, fmb_coordinates in,
                                     fmb_contact contact, const fmb_alloc *mem, fmb_system **out)
 {
-    bool good = f && n > 0;
-    for (size_t k = 0; good && k < n; k++)
-        good = is_good_q(&f[k], f[0].dim);
-    return good ? make_from(NULL, f, n, in, contact, mem, out) : FMB_ERR_ARG;
+    return fmb_frames_q_within_limits(f, n, in, contact, mem, NULL, out);
 }

@@ -13,9 +13,10 @@ typedef struct table {
     mpz_t *cell;
     int rows, width;
     mpz_t t;
+    fmb_run *run; /* or NULL */
 } table;
 
-static mpz_t *row(const table *a, int i)
+static mpz_t *row_of_table(const table *a, int i)
 {
     return a->cell + (size_t)i * (size_t)a->width;
 }
@@ -23,13 +24,13 @@ static mpz_t *row(const table *a, int i)
 static void swap_rows(const table *a, int i, int k)
 {
     for (int j = 0; i != k && j < a->width; j++)
-        mpz_swap(row(a, i)[j], row(a, k)[j]);
+        mpz_swap(row_of_table(a, i)[j], row_of_table(a, k)[j]);
 }
 
 /* Row i, which is not row c, after column c got its pivot. Columns before c keep their shape. */
-static void clear_row(table *a, int i, int c, const mpz_t before)
+static void clear_column_in_row(table *a, int i, int c, const mpz_t before)
 {
-    mpz_t *r = row(a, i), *p = row(a, c);
+    mpz_t *r = row_of_table(a, i), *p = row_of_table(a, c);
     mpz_set(a->t, r[c]);
     for (int j = 0; j < a->width; j++) {
         mpz_mul(r[j], r[j], p[c]);
@@ -38,32 +39,35 @@ static void clear_row(table *a, int i, int c, const mpz_t before)
     }
 }
 
-static bool pivot(table *a, int c, mpz_t det)
+static fmb_status pivot_on_column(table *a, int c, mpz_t det)
 {
     int p = c;
-    while (p < a->rows && mpz_sgn(row(a, p)[c]) == 0)
+    while (p < a->rows && mpz_sgn(row_of_table(a, p)[c]) == 0)
         p++;
     if (p == a->rows)
-        return false;
+        return FMB_ERR_ARG;
     swap_rows(a, c, p);
-    for (int i = 0; i < a->rows; i++)
+    fmb_status st = FMB_OK;
+    for (int i = 0; st == FMB_OK && i < a->rows; i++) {
         if (i != c)
-            clear_row(a, i, c, det);
-    mpz_set(det, row(a, c)[c]);
-    return true;
+            clear_column_in_row(a, i, c, det);
+        st = fmb_poll_if_limited(a->run);
+    }
+    mpz_set(det, row_of_table(a, c)[c]);
+    return st;
 }
 
-bool fmb_jordan(mpz_t *cell, int rows, int width, int n, mpz_t det)
+fmb_status fmb_jordan(mpz_t *cell, int rows, int width, int n, mpz_t det, fmb_run *run)
 {
-    table a = {.cell = cell, .rows = rows, .width = width};
-    bool good = true;
+    table a = {.cell = cell, .rows = rows, .width = width, .run = run};
+    fmb_status st = FMB_OK;
     mpz_set_ui(det, 1);
     mpz_init(a.t);
-    for (int c = 0; good && c < n; c++)
-        good = pivot(&a, c, det);
+    for (int c = 0; st == FMB_OK && c < n; c++)
+        st = pivot_on_column(&a, c, det);
     mpz_clear(a.t);
-    for (int i = 0; good && mpz_sgn(det) < 0 && i < rows * width; i++)
+    for (int i = 0; st == FMB_OK && mpz_sgn(det) < 0 && i < rows * width; i++)
         mpz_neg(cell[i], cell[i]);
     mpz_abs(det, det);
-    return good;
+    return st;
 }

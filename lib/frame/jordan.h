@@ -3,10 +3,12 @@
 #define FMB_FRAME_JORDAN_H
 
 #include <gmp.h>
-#include <stdbool.h>
+
+#include "trace/run.h"
 
 /* Combine the rows of cell, [rows][width], until its first n columns are *det times the first n
- * unit vectors, det > 0. False if those columns are dependent; cell is then anything. */
-bool fmb_jordan(mpz_t *cell, int rows, int width, int n, mpz_t det);
+ * unit vectors, det > 0. run: whose limits hold, or NULL. Errors: ARG (those columns are
+ * dependent), LIMIT; cell is then anything. */
+fmb_status fmb_jordan(mpz_t *cell, int rows, int width, int n, mpz_t det, fmb_run *run);
 
 #endif

@@ -3,20 +3,26 @@
 
 #include <math.h>
 
-/* Where numbers come from: number j of row i of a frame. */
-typedef struct origin {
-    size_t size; /* of a frame [bytes] */
+#include "num/vec.h"
+
+struct fmb_number_source {
     /* Make unit a multiple of itself that is a multiple of the denominator. */
     void (*widen)(mpz_t unit, const void *frame, int i, int j);
     /* out = the number times unit. */
     void (*take)(mpz_t out, const void *frame, int i, int j, const mpz_t unit);
-} origin;
+};
+
+/* Of row i of a frame whose rows are origin, edges, speed. */
+static size_t edge_cell(int i, int j, int dim)
+{
+    return (size_t)(i - 1) * (size_t)dim + (size_t)j;
+}
 
 /* ---- doubles --------------------------------------------------------------------------------- */
 
 static double double_at(const fmb_frame *f, int i, int j)
 {
-    return i == 0 ? f->origin[j] : i <= f->naxes ? f->axes[(i - 1) * f->dim + j] : f->speed[j];
+    return i == 0 ? f->origin[j] : i <= f->naxes ? f->axes[edge_cell(i, j, f->dim)] : f->speed[j];
 }
 
 /* x = odd 2^*exponent; 0 = 0 2^0. */
@@ -32,7 +38,7 @@ static int64_t odd_part(double x, int *exponent)
 }
 
 /* k of unit = 2^k */
-static int log_of(const mpz_t unit)
+static int log_of_unit(const mpz_t unit)
 {
     return (int)mpz_sizeinbase(unit, 2) - 1;
 }
@@ -41,22 +47,22 @@ static void widen_double(mpz_t unit, const void *frame, int i, int j)
 {
     int exponent;
     odd_part(double_at(frame, i, j), &exponent);
-    if (-exponent > log_of(unit))
-        mpz_mul_2exp(unit, unit, (mp_bitcnt_t)(-exponent - log_of(unit)));
+    if (-exponent > log_of_unit(unit))
+        mpz_mul_2exp(unit, unit, (mp_bitcnt_t)(-exponent - log_of_unit(unit)));
 }
 
 static void take_double(mpz_t out, const void *frame, int i, int j, const mpz_t unit)
 {
     int exponent;
     mpz_set_si(out, odd_part(double_at(frame, i, j), &exponent));
-    mpz_mul_2exp(out, out, (mp_bitcnt_t)(log_of(unit) + exponent));
+    mpz_mul_2exp(out, out, (mp_bitcnt_t)(log_of_unit(unit) + exponent));
 }
 
 /* ---- rationals ------------------------------------------------------------------------------- */
 
 static mpq_srcptr rational_at(const fmb_frame_q *f, int i, int j)
 {
-    return i == 0 ? f->origin[j] : i <= f->naxes ? f->axes[(i - 1) * f->dim + j] : f->speed[j];
+    return i == 0 ? f->origin[j] : i <= f->naxes ? f->axes[edge_cell(i, j, f->dim)] : f->speed[j];
 }
 
 static void widen_rational(mpz_t unit, const void *frame, int i, int j)
@@ -73,80 +79,65 @@ static void take_rational(mpz_t out, const void *frame, int i, int j, const mpz_
 
 /* ---- both ------------------------------------------------------------------------------------ */
 
-static const void *frame_at(const origin *from, const void *frames, size_t k)
+/* The frames are described. */
+static fmb_status find_units(fmb_scene *w, fmb_run *run)
 {
-    return (const char *)frames + k * from->size;
-}
-
-static void fill_axis(fmb_scene *w, const origin *from, const void *frames, int j)
-{
-    mpz_set_ui(w->unit[j], 1);
-    for (size_t k = 0; k < w->frames; k++)
-        for (int i = 0; i < w->frame[k].rows; i++)
-            from->widen(w->unit[j], frame_at(from, frames, k), i, j);
-    for (size_t k = 0; k < w->frames; k++)
-        for (int i = 0; i < w->frame[k].rows; i++)
-            from->take(w->frame[k].number[i * w->dim + j], frame_at(from, frames, k), i, j,
-                       w->unit[j]);
-}
-
-/* The frames themselves are described, but for the numbers. */
-static fmb_status fill(fmb_scene *w, const origin *from, const void *frames)
-{
-    size_t rows = 1, dim = (size_t)w->dim;
-    for (size_t k = 0; k < w->frames; k++)
-        rows += (size_t)w->frame[k].rows;
-    w->cells = rows * dim;
-    w->cell = fmb_mem_get(w->mem, w->cells, sizeof *w->cell);
-    if (!w->cell)
+    fmb_status st = FMB_OK;
+    w->unit = fmb_vec_block((size_t)w->dim, w->mem);
+    if (!w->unit)
         return fmb_mem_status(w->mem);
-    for (size_t i = 0; i < w->cells; i++)
-        mpz_init(w->cell[i]);
-    w->unit = w->cell;
-    mpz_t *next = w->cell + dim;
-    for (size_t k = 0; k < w->frames; k++) {
-        w->frame[k].number = next;
-        next += (size_t)w->frame[k].rows * dim;
+    for (int j = 0; st == FMB_OK && j < w->dim; j++) {
+        mpz_set_ui(w->unit[j], 1);
+        for (size_t k = 0; k < w->frames; k++)
+            for (int i = 0; i < w->frame[k].rows; i++)
+                w->from->widen(w->unit[j], w->frame[k].source, i, j);
+        st = fmb_poll_if_limited(run);
     }
-    for (int j = 0; j < w->dim; j++)
-        fill_axis(w, from, frames, j);
-    return FMB_OK;
+    return st;
 }
 
-static fmb_status begin(fmb_scene *w, int dim, size_t n, fmb_mem *mem)
+static fmb_status open_scene(fmb_scene *w, int dim, size_t n, fmb_mem *mem,
+                             const fmb_number_source *from)
 {
-    *w = (fmb_scene){.mem = mem, .dim = dim, .frames = n};
+    *w = (fmb_scene){.mem = mem, .dim = dim, .frames = n, .from = from};
     w->frame = fmb_mem_get(mem, n, sizeof *w->frame);
     return w->frame ? FMB_OK : fmb_mem_status(mem);
 }
 
-static fmb_whole outline(fmb_shape shape, int naxes, bool moves)
+static fmb_whole outline_of_frame(fmb_shape shape, int naxes, bool moves, const void *source)
 {
-    return (fmb_whole){.shape = shape, .naxes = naxes, .rows = 1 + naxes + moves, .moves = moves};
+    return (fmb_whole){shape, naxes, 1 + naxes + moves, moves, source};
 }
 
-fmb_status fmb_scene_of_doubles(fmb_scene *w, const fmb_frame *f, size_t n, fmb_mem *mem)
+fmb_status fmb_scene_of_doubles(fmb_scene *w, const fmb_frame *f, size_t n, fmb_mem *mem,
+                                fmb_run *run)
 {
-    static const origin doubles = {sizeof *f, widen_double, take_double};
-    fmb_status st = begin(w, f[0].dim, n, mem);
+    static const fmb_number_source doubles = {widen_double, take_double};
+    fmb_status st = open_scene(w, f[0].dim, n, mem, &doubles);
     for (size_t k = 0; st == FMB_OK && k < n; k++)
-        w->frame[k] = outline(f[k].shape, f[k].naxes, f[k].speed != NULL);
-    return st == FMB_OK ? fill(w, &doubles, f) : st;
+        w->frame[k] = outline_of_frame(f[k].shape, f[k].naxes, f[k].speed != NULL, &f[k]);
+    return st == FMB_OK ? find_units(w, run) : st;
 }
 
-fmb_status fmb_scene_of_rationals(fmb_scene *w, const fmb_frame_q *f, size_t n, fmb_mem *mem)
+fmb_status fmb_scene_of_rationals(fmb_scene *w, const fmb_frame_q *f, size_t n, fmb_mem *mem,
+                                  fmb_run *run)
 {
-    static const origin rationals = {sizeof *f, widen_rational, take_rational};
-    fmb_status st = begin(w, f[0].dim, n, mem);
+    static const fmb_number_source rationals = {widen_rational, take_rational};
+    fmb_status st = open_scene(w, f[0].dim, n, mem, &rationals);
     for (size_t k = 0; st == FMB_OK && k < n; k++)
-        w->frame[k] = outline(f[k].shape, f[k].naxes, f[k].speed != NULL);
-    return st == FMB_OK ? fill(w, &rationals, f) : st;
+        w->frame[k] = outline_of_frame(f[k].shape, f[k].naxes, f[k].speed != NULL, &f[k]);
+    return st == FMB_OK ? find_units(w, run) : st;
 }
 
 void fmb_scene_clear(fmb_scene *w)
 {
-    for (size_t i = 0; w->cell && i < w->cells; i++)
-        mpz_clear(w->cell[i]);
-    fmb_mem_put(w->mem, w->cell, w->cells, sizeof *w->cell);
+    for (int j = 0; w->unit && j < w->dim; j++)
+        mpz_clear(w->unit[j]);
+    fmb_mem_put(w->mem, w->unit, (size_t)w->dim, sizeof *w->unit);
     fmb_mem_put(w->mem, w->frame, w->frames, sizeof *w->frame);
+}
+
+void fmb_scene_number(const fmb_scene *w, const fmb_whole *f, int i, int j, mpz_t out)
+{
+    w->from->take(out, f->source, i, j, w->unit[j]);
 }

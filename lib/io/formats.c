@@ -1,23 +1,17 @@
-/* formats.c: the table of formats, and what is looked up in it; see io.h and sniff.c. */
+/* formats.c: the table of formats, and what is looked up in it; see formats.h and sniff.c. */
 #include <string.h>
 
-#include "io/io.h"
+#include "io/formats.h"
 #include "io/sniff.h"
-
-#ifdef FMB_HAVE_GLPK
-#define GLPK_READER(f) f
-#else
-#define GLPK_READER(f) NULL
-#endif
 
 /* Guessing takes the first that fits. */
 static const fmb_codec table[] = {
-    {FMB_FORMAT_INE, "ine", fmb_read_ine, fmb_write_ine, fmb_sniff_ine, NULL},
-    {FMB_FORMAT_IEQ, "ieq", fmb_read_ieq, NULL, fmb_sniff_ieq, NULL},
-    {FMB_FORMAT_SMT2, "smt2", fmb_read_smt2, fmb_write_smt2, fmb_sniff_smt2, NULL},
-    {FMB_FORMAT_MPS, "mps", GLPK_READER(fmb_read_mps), NULL, fmb_sniff_mps, "GLPK"},
-    {FMB_FORMAT_LP, "lp", GLPK_READER(fmb_read_lp), NULL, fmb_sniff_lp, "GLPK"},
-    {FMB_FORMAT_TEXT, "fmb", fmb_read_text, fmb_write_text, NULL, NULL},
+    {FMB_FORMAT_INE, "ine", fmb_read_ine, fmb_write_ine, fmb_sniff_ine},
+    {FMB_FORMAT_IEQ, "ieq", fmb_read_ieq, NULL, fmb_sniff_ieq},
+    {FMB_FORMAT_SMT2, "smt2", fmb_read_smt2, fmb_write_smt2, fmb_sniff_smt2},
+    {FMB_FORMAT_MPS, "mps", fmb_read_mps, NULL, fmb_sniff_mps},
+    {FMB_FORMAT_LP, "lp", fmb_read_lp, NULL, fmb_sniff_lp},
+    {FMB_FORMAT_TEXT, "fmb", fmb_read_text, fmb_write_text, NULL},
 };
 
 #define TABLE_SIZE (sizeof table / sizeof *table)
@@ -47,6 +41,8 @@ const char *fmb_format_text(fmb_format f)
 bool fmb_format_parse(const char *word, fmb_format *out)
 {
     fmb_format f = FMB_FORMAT_AUTO;
+    if (!word || !out)
+        return false;
     for (size_t i = 0; i < TABLE_SIZE; i++)
         if (strcmp(table[i].name, word) == 0)
             f = table[i].format;
@@ -58,7 +54,7 @@ bool fmb_format_parse(const char *word, fmb_format *out)
 
 fmb_format fmb_format_of_name(const char *path)
 {
-    const char *dot = strrchr(path, '.');
+    const char *dot = path ? strrchr(path, '.') : NULL;
     if (!dot || strchr(dot, '/'))
         return FMB_FORMAT_AUTO;
     fmb_span ending = {dot + 1, strlen(dot + 1)};

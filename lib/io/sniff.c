@@ -4,7 +4,7 @@
 #include "io/sniff.h"
 
 /* Some line consists of exactly this word. */
-static bool has_line(fmb_cursor c, const char *word)
+static bool has_line_of_word(fmb_cursor c, const char *word)
 {
     for (; c.at < c.end; fmb_next_line(&c)) {
         fmb_skip_blanks(&c);
@@ -19,17 +19,17 @@ static bool has_line(fmb_cursor c, const char *word)
 
 bool fmb_sniff_ine(const fmb_cursor *c)
 {
-    return has_line(*c, "begin") || has_line(*c, "H-representation") ||
-           has_line(*c, "V-representation");
+    return has_line_of_word(*c, "begin") || has_line_of_word(*c, "H-representation") ||
+           has_line_of_word(*c, "V-representation");
 }
 
 bool fmb_sniff_ieq(const fmb_cursor *c)
 {
-    return has_line(*c, "INEQUALITIES_SECTION");
+    return has_line_of_word(*c, "INEQUALITIES_SECTION");
 }
 
 /* Past blank lines and lines that begin with this byte. */
-static void skip_comments(fmb_cursor *c, int mark)
+static void skip_comment_lines(fmb_cursor *c, int mark)
 {
     fmb_skip_space(c);
     while (fmb_peek(c) == mark) {
@@ -44,7 +44,7 @@ bool fmb_sniff_smt2(const fmb_cursor *from)
     static const char *const heads[] = {"set-",   "declare-", "define-", "assert",
                                         "check-", "push",     "echo",    "exit"};
     fmb_cursor c = *from;
-    skip_comments(&c, ';');
+    skip_comment_lines(&c, ';');
     if (!fmb_accept(&c, "("))
         return false;
     fmb_skip_space(&c);
@@ -56,7 +56,7 @@ bool fmb_sniff_smt2(const fmb_cursor *from)
 
 bool fmb_sniff_mps(const fmb_cursor *c)
 {
-    return has_line(*c, "ROWS") && has_line(*c, "COLUMNS");
+    return has_line_of_word(*c, "ROWS") && has_line_of_word(*c, "COLUMNS");
 }
 
 /* An objective first, and a section of rows somewhere. */
@@ -66,7 +66,7 @@ bool fmb_sniff_lp(const fmb_cursor *from)
     static const char *const rows[] = {"st", "s.t.", "st.", "subject", "such"};
     bool objective = false, section = false;
     fmb_cursor c = *from;
-    skip_comments(&c, '\\');
+    skip_comment_lines(&c, '\\');
     fmb_span word = fmb_scan_word(&c);
     for (size_t i = 0; i < sizeof heads / sizeof *heads; i++)
         objective = objective || fmb_span_is_nocase(word, heads[i]);

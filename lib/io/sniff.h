@@ -4,7 +4,7 @@
 #ifndef FMB_IO_SNIFF_H
 #define FMB_IO_SNIFF_H
 
-#include "io/io.h"
+#include "io/core/cursor.h"
 
 bool fmb_sniff_ine(const fmb_cursor *c);
 bool fmb_sniff_ieq(const fmb_cursor *c);

@@ -4,12 +4,12 @@
 #include "num/gcd.h"
 #include "num/vec.h"
 
-static fmb_u128 abs128(fmb_i128 v)
+static fmb_u128 absolute_128(fmb_i128 v)
 {
     return v < 0 ? 0 - (fmb_u128)v : (fmb_u128)v;
 }
 
-static fmb_status set_from_scratch(fmb_vec *dst, size_t n, fmb_num *k, fmb_u128 all)
+static fmb_status store_scratch(fmb_vec *dst, size_t n, fmb_num *k, fmb_u128 all)
 {
     const fmb_i128 *w = k->scratch;
     if (all >> FMB_SMALL_BITS == 0) {
@@ -24,7 +24,7 @@ static fmb_status set_from_scratch(fmb_vec *dst, size_t n, fmb_num *k, fmb_u128 
     if (!dst->z)
         return fmb_mem_status(k->mem);
     for (size_t i = 0; i < n; i++) {
-        fmb_u128 m = abs128(w[i]);
+        fmb_u128 m = absolute_128(w[i]);
         mpz_set_ui(dst->z[i], (uint64_t)(m >> 64));
         mpz_mul_2exp(dst->z[i], dst->z[i], 64);
         mpz_add_ui(dst->z[i], dst->z[i], (uint64_t)m);
@@ -34,21 +34,21 @@ static fmb_status set_from_scratch(fmb_vec *dst, size_t n, fmb_num *k, fmb_u128 
     return fmb_vec_settle(dst, n, k->mem);
 }
 
-static int ctz128(fmb_u128 v)
+static int trailing_zeros_128(fmb_u128 v)
 {
     uint64_t low = (uint64_t)v;
     return low != 0 ? __builtin_ctzll(low) : 64 + __builtin_ctzll((uint64_t)(v >> 64));
 }
 
 /* As fmb_gcd64, until both fit. */
-static fmb_u128 gcd128(fmb_u128 a, fmb_u128 b)
+static fmb_u128 gcd_of_128_bits(fmb_u128 a, fmb_u128 b)
 {
     if (a == 0 || b == 0)
         return a | b;
-    int shift = ctz128(a | b);
-    a >>= ctz128(a);
+    int shift = trailing_zeros_128(a | b);
+    a >>= trailing_zeros_128(a);
     while (b != 0 && (a | b) >> 64 != 0) {
-        b >>= ctz128(b);
+        b >>= trailing_zeros_128(b);
         fmb_u128 low = a < b ? a : b;
         b = a < b ? b - a : a - b;
         a = low;
@@ -57,29 +57,29 @@ static fmb_u128 gcd128(fmb_u128 a, fmb_u128 b)
 }
 
 /* p a + q b in 128 bits, divided by its content before it is stored. */
-static fmb_status cancel_128(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size_t n, int64_t p,
-                             int64_t q, fmb_num *k)
+static fmb_status cancel_in_128_bits(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size_t n,
+                                     int64_t p, int64_t q, fmb_num *k)
 {
     fmb_i128 *w = k->scratch;
     fmb_u128 g = 0, all = 0;
     for (size_t i = 0; i < n; i++) {
         w[i] = (fmb_i128)p * a->s[i] + (fmb_i128)q * b->s[i];
         if (g != 1)
-            g = gcd128(g, abs128(w[i]));
+            g = gcd_of_128_bits(g, absolute_128(w[i]));
     }
     for (size_t i = 0; i < n; i++) {
         if (g > 1)
             w[i] /= (fmb_i128)g;
-        all |= abs128(w[i]);
+        all |= absolute_128(w[i]);
     }
-    fmb_status st = set_from_scratch(dst, n, k, all);
+    fmb_status st = store_scratch(dst, n, k, all);
     if (st == FMB_OK && !dst->z)
         fmb_vec_measure(dst, n);
     return st;
 }
 
-static fmb_status cancel_small(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size_t n, size_t c,
-                               fmb_num *k)
+static fmb_status cancel_in_int64(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size_t n,
+                                  size_t c, fmb_num *k)
 {
     uint64_t ac = fmb_abs64(a->s[c]), bc = fmb_abs64(b->s[c]), g = fmb_gcd64(ac, bc);
     int64_t p = (int64_t)(bc / g), q = (int64_t)(ac / g);
@@ -87,7 +87,7 @@ static fmb_status cancel_small(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b,
     if ((a->s[c] > 0) == (b->s[c] > 0))
         q = -q;
     if ((pa > qb ? pa : qb) + 1 > FMB_SMALL_BITS)
-        return cancel_128(dst, a, b, n, p, q, k);
+        return cancel_in_128_bits(dst, a, b, n, p, q, k);
     fmb_vec_clear(dst, n, k->mem);
     bool narrow = (bc / g | ac / g) >> 31 == 0 && a->bits <= 31 && b->bits <= 31;
     uint64_t all =
@@ -99,7 +99,7 @@ static fmb_status cancel_small(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b,
 }
 
 /* Entry i of v as an mpz, without copying a wide one. */
-static mpz_srcptr entry(const fmb_vec *v, size_t i, mpz_t room)
+static mpz_srcptr entry_as_mpz(const fmb_vec *v, size_t i, mpz_t room)
 {
     if (v->z)
         return v->z[i];
@@ -107,8 +107,8 @@ static mpz_srcptr entry(const fmb_vec *v, size_t i, mpz_t room)
     return room;
 }
 
-static fmb_status cancel_wide(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size_t n, size_t c,
-                              fmb_num *k)
+static fmb_status cancel_in_gmp(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size_t n,
+                                size_t c, fmb_num *k)
 {
     mpz_t *z = dst->z; /* entry i is read before it is written: dst may be a */
     if (!z)
@@ -125,8 +125,8 @@ static fmb_status cancel_wide(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, 
     else
         mpz_neg(k->q, k->q);
     for (size_t i = 0; i < n; i++) {
-        mpz_mul(z[i], k->p, entry(a, i, k->t));
-        mpz_addmul(z[i], k->q, entry(b, i, k->t));
+        mpz_mul(z[i], k->p, entry_as_mpz(a, i, k->t));
+        mpz_addmul(z[i], k->q, entry_as_mpz(b, i, k->t));
     }
     k->promotions += dst->z == NULL;
     dst->z = z;
@@ -137,7 +137,7 @@ fmb_status fmb_vec_cancel(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size
                           fmb_num *k)
 {
     fmb_status st =
-        a->z || b->z ? cancel_wide(dst, a, b, n, c, k) : cancel_small(dst, a, b, n, c, k);
+        a->z || b->z ? cancel_in_gmp(dst, a, b, n, c, k) : cancel_in_int64(dst, a, b, n, c, k);
     if (st == FMB_OK && k->wide_only)
         st = fmb_vec_widen(dst, n, k->mem);
     return st;

@@ -38,12 +38,13 @@ void fmb_vec_clear(fmb_vec *v, size_t n, fmb_mem *mem)
     v->limbs = 0;
 }
 
-/* GMP rounds an allocation up to 16 bytes or so; two limbs more an entry come near enough. */
+/* What an entry holds, which may be more than its number needs. malloc rounds an allocation up to
+ * 16 bytes or so; two limbs more an entry come near enough. */
 fmb_status fmb_vec_settle(fmb_vec *v, size_t n, fmb_mem *mem)
 {
     size_t limbs = 2 * n;
     for (size_t i = 0; i < n; i++)
-        limbs += mpz_size(v->z[i]);
+        limbs += (size_t)v->z[i]->_mp_alloc;
     fmb_mem_refund(mem, v->limbs * sizeof(mp_limb_t));
     v->limbs = 0;
     if (limbs > UINT32_MAX)
@@ -136,7 +137,7 @@ fmb_status fmb_vec_copy(fmb_vec *to, const fmb_vec *from, size_t n, fmb_mem *mem
 
 /* The least entry is the first guess of the divisor: mostly it is 1, or the remainders soon are 0.
  */
-static uint64_t content_small(const fmb_vec *v, size_t n)
+static uint64_t content_of_small(const fmb_vec *v, size_t n)
 {
     uint64_t g = UINT64_MAX;
     for (size_t i = 0; i < n; i++) { /* 0 counts as the largest */
@@ -151,7 +152,7 @@ static uint64_t content_small(const fmb_vec *v, size_t n)
 
 void fmb_vec_reduce_small(fmb_vec *v, size_t n)
 {
-    uint64_t g = content_small(v, n);
+    uint64_t g = content_of_small(v, n);
     if (g > 1)
         for (size_t i = 0; i < n; i++)
             v->s[i] /= (int64_t)g;
@@ -184,7 +185,8 @@ fmb_status fmb_vec_reduce(fmb_vec *v, size_t n, fmb_num *k)
 }
 
 /* out = x_i |y_j|. */
-static void product(mpz_t out, mpz_t room, const fmb_vec *x, size_t i, const fmb_vec *y, size_t j)
+static void multiply_absolute(mpz_t out, mpz_t room, const fmb_vec *x, size_t i, const fmb_vec *y,
+                              size_t j)
 {
     fmb_vec_get(x, i, out);
     fmb_vec_get(y, j, room);
@@ -202,8 +204,8 @@ int fmb_vec_compare_products(const fmb_vec *x, size_t i, const fmb_vec *y, size_
     }
     mpz_t left, right, room;
     mpz_inits(left, right, room, NULL);
-    product(left, room, x, i, y, j);
-    product(right, room, z, k, w, l);
+    multiply_absolute(left, room, x, i, y, j);
+    multiply_absolute(right, room, z, k, w, l);
     int order = mpz_cmp(left, right);
     mpz_clears(left, right, room, NULL);
     return order;

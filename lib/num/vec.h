@@ -55,6 +55,11 @@ static inline int fmb_vec_sgn(const fmb_vec *v, size_t i)
     return v->z ? mpz_sgn(v->z[i]) : (v->s[i] > 0) - (v->s[i] < 0);
 }
 void fmb_vec_get(const fmb_vec *v, size_t i, mpz_t out);
+static inline void fmb_vec_get_q(const fmb_vec *v, size_t i, mpq_t out)
+{
+    fmb_vec_get(v, i, mpq_numref(out));
+    mpz_set_ui(mpq_denref(out), 1);
+}
 
 /* Recompute bits of a small vec whose s was filled in. |s[i]| < 2^62 is the caller's promise. */
 void fmb_vec_measure(fmb_vec *v, size_t n);

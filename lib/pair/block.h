@@ -2,7 +2,10 @@
 #ifndef FMB_PAIR_BLOCK_H
 #define FMB_PAIR_BLOCK_H
 
-#include "pair/kernels.h"
+#include "pair/kernels/kernels.h"
+
+/* Straight code: what is constant to the caller is so inside. */
+#define FMB_BLOCK_INLINE static inline __attribute__((always_inline))
 
 typedef struct fmb_block {
     double number[FMB_BLOCK_MOST_ROWS * FMB_BLOCK_MOST_LANES];
@@ -10,61 +13,90 @@ typedef struct fmb_block {
     int lanes;                         /* that are taken */
 } fmb_block;
 
+/* A block of two lanes for one pair: both hold it, written at once, as they are read. */
+typedef double fmb_block_twice __attribute__((vector_size(16), aligned(8), may_alias));
+
+/* alone is constant here and below. */
+FMB_BLOCK_INLINE void fmb_block_write(double *to, bool alone, double x)
+{
+    if (alone)
+        *(fmb_block_twice *)to = (fmb_block_twice){x, x};
+    else
+        *to = x;
+}
+
 /* n numbers, width apart; returns where the next one goes. n is constant, and never more than 9. */
-static inline __attribute__((always_inline)) double *fmb_block_copy(double *to, int width, int n,
-                                                                    const double *from)
+FMB_BLOCK_INLINE double *fmb_block_copy(double *to, int width, bool alone, int n,
+                                        const double *from)
 {
 #pragma GCC unroll 9
     for (int j = 0; j < n; j++, to += width)
-        *to = from[j];
+        fmb_block_write(to, alone, from[j]);
     return to;
 }
 
-static inline __attribute__((always_inline)) double *
-fmb_block_differ(double *to, int width, int n, const double *a, const double *b)
+FMB_BLOCK_INLINE double *fmb_block_differ(double *to, int width, bool alone, int n, const double *a,
+                                          const double *b)
 {
 #pragma GCC unroll 3
     for (int j = 0; j < n; j++, to += width)
-        *to = b[j] - a[j];
+        fmb_block_write(to, alone, b[j] - a[j]);
     return to;
 }
 
 /* One lane; dim is constant. */
-static inline __attribute__((always_inline)) void fmb_block_fill(double *to, int width, int dim,
-                                                                 const fmb_frame *p,
-                                                                 const fmb_frame *q, bool moves,
-                                                                 bool boxes)
+FMB_BLOCK_INLINE void fmb_block_fill(double *to, int width, bool alone, int dim, const fmb_frame *p,
+                                     const fmb_frame *q, bool moves, bool boxes)
 {
     static const double still[3] = {0};
     const double *a = p->speed ? p->speed : still, *b = q->speed ? q->speed : still;
-    to = fmb_block_differ(to, width, dim, p->origin, q->origin);
-    to = fmb_block_copy(to, width, dim * dim, p->axes);
-    to = fmb_block_copy(to, width, dim * dim, q->axes);
+    to = fmb_block_differ(to, width, alone, dim, p->origin, q->origin);
+    to = fmb_block_copy(to, width, alone, dim * dim, p->axes);
+    to = fmb_block_copy(to, width, alone, dim * dim, q->axes);
     if (moves)
-        to = fmb_block_differ(to, width, dim, a, b);
+        to = fmb_block_differ(to, width, alone, dim, a, b);
     if (!boxes)
         return;
-    to = fmb_block_copy(to, width, dim, p->origin);
-    to = fmb_block_copy(to, width, dim, q->origin);
+    to = fmb_block_copy(to, width, alone, dim, p->origin);
+    to = fmb_block_copy(to, width, alone, dim, q->origin);
     if (!moves)
         return;
-    to = fmb_block_copy(to, width, dim, a);
-    fmb_block_copy(to, width, dim, b);
+    to = fmb_block_copy(to, width, alone, dim, a);
+    fmb_block_copy(to, width, alone, dim, b);
 }
 
-/* Put pair i = (p, q) into the next lane of a block of that width; with places and speeds if boxes
- * are wanted. dim is that of both frames, which have all axes. */
-static inline void fmb_block_put(fmb_block *b, int width, const fmb_frame *p, const fmb_frame *q,
-                                 bool moves, bool boxes, size_t i)
+/* dim is that of both frames, which have all axes. */
+FMB_BLOCK_INLINE void fmb_block_load(double *to, int width, bool alone, const fmb_frame *p,
+                                     const fmb_frame *q, bool moves, bool boxes)
 {
     bool swap = p->shape == FMB_SIMPLEX && q->shape == FMB_CUBOID;
     const fmb_frame *first = swap ? q : p, *second = swap ? p : q;
+    if (p->dim == 2)
+        fmb_block_fill(to, width, alone, 2, first, second, moves, boxes);
+    else
+        fmb_block_fill(to, width, alone, 3, first, second, moves, boxes);
+}
+
+/* Put pair i = (p, q) into the next lane of a block of that width; with places and speeds if boxes
+ * are wanted. */
+static inline void fmb_block_put(fmb_block *b, int width, const fmb_frame *p, const fmb_frame *q,
+                                 bool moves, bool boxes, size_t i)
+{
     double *to = b->number + b->lanes;
     b->pair[b->lanes++] = i;
-    if (p->dim == 2)
-        fmb_block_fill(to, width, 2, first, second, moves, boxes);
+    fmb_block_load(to, width, false, p, q, moves, boxes);
+}
+
+/* Put the only pair (p, q) into all lanes, one or two, of an empty block; one counts as taken. */
+static inline void fmb_block_put_alone(fmb_block *b, int width, const fmb_frame *p,
+                                       const fmb_frame *q, bool moves, bool boxes)
+{
+    b->pair[0] = 0;
+    b->lanes = 1;
+    if (width == 1)
+        fmb_block_load(b->number, 1, false, p, q, moves, boxes);
     else
-        fmb_block_fill(to, width, 3, first, second, moves, boxes);
+        fmb_block_load(b->number, 2, true, p, q, moves, boxes);
 }
 
 #endif

@@ -1,18 +1,26 @@
 /* exact.c: see exact.h. */
 #include "pair/exact.h"
 
-#include "base/mem.h"
+#include "frame/frame.h"
+#include "solve/query/solver.h"
+#include "system/system.h"
 
 fmb_status fmb_pair_oracle_open(fmb_pair_oracle *x, const fmb_pair_options *o,
                                 const fmb_alloc *hook)
 {
-    *x = (fmb_pair_oracle){.hook = hook ? *hook : (fmb_alloc){0}, .contact = o->contact};
+    *x = (fmb_pair_oracle){.contact = o->contact, .limits = fmb_options_default()};
+    x->limits.max_seconds = o->max_seconds;
+    x->limits.max_bytes = o->max_bytes;
+    fmb_mem_init(&x->mem, hook, 0);
     fmb_options how = fmb_options_default();
     how.evidence = false;
-    how.max_seconds = o->max_seconds;
     fmb_status st = fmb_solver_new(&how, hook, &x->solver);
     how.evidence = true;
-    return st == FMB_OK ? fmb_solver_new(&how, hook, &x->proving) : st;
+    if (st == FMB_OK)
+        st = fmb_solver_new(&how, hook, &x->proving);
+    if (st == FMB_OK)
+        x->solver->within = x->proving->within = &x->run;
+    return st;
 }
 
 void fmb_pair_oracle_close(fmb_pair_oracle *x)
@@ -21,26 +29,32 @@ void fmb_pair_oracle_close(fmb_pair_oracle *x)
     fmb_solver_free(x->proving);
 }
 
-/* [give] */
-static fmb_status make(const fmb_pair_oracle *x, const fmb_frame *p, const fmb_frame *q,
-                       fmb_coordinates in, fmb_system **out)
+/* [give] Start a query: its clock, its system, and what that leaves of its memory. */
+static fmb_status start_query(fmb_pair_oracle *x, const fmb_frame *p, const fmb_frame *q,
+                              fmb_coordinates in, fmb_system **out)
 {
     const fmb_frame both[2] = {*p, *q};
-    return fmb_system_from_frames(both, 2, in, x->contact, x->hook.resize ? &x->hook : NULL, out);
+    size_t most = x->limits.max_bytes;
+    fmb_run_begin(&x->run, &x->mem, &x->limits, &x->cancel, (fmb_sink){0}, "pair");
+    fmb_status st = fmb_frames_within_limits(both, 2, in, x->contact, &x->mem.alloc, &x->run, out);
+    if (st == FMB_OK && most > 0)
+        most = most > (*out)->mem.used ? most - (*out)->mem.used : 1;
+    x->solver->options.max_bytes = x->proving->options.max_bytes = most;
+    return st;
 }
 
 fmb_status fmb_pair_oracle_decide(fmb_pair_oracle *x, const fmb_frame *p, const fmb_frame *q,
                                   fmb_verdict *out)
 {
     fmb_system *s = NULL;
-    fmb_result res;
-    fmb_status st = make(x, p, q, FMB_COORDINATES_EACH, &s);
+    fmb_result res = {0};
+    fmb_status st = start_query(x, p, q, FMB_COORDINATES_EACH, &s);
     if (st == FMB_OK)
         st = fmb_solve(x->solver, s, &res);
-    if (st == FMB_OK)
+    if (st == FMB_OK || st == FMB_LIMIT)
         *out = res.verdict;
     fmb_system_free(s);
-    return st;
+    return st == FMB_LIMIT ? FMB_OK : st;
 }
 
 static void write_interval(const fmb_box *box, int i, double *out)
@@ -51,7 +65,8 @@ static void write_interval(const fmb_box *box, int i, double *out)
 
 /* The variables of the system are x, c of p, c of q, t; those that are asked for, in this order.
  * Their number. */
-static int choose(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out, int *vars)
+static int list_variables_asked(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out,
+                                int *vars)
 {
     int dim = p->dim, from = dim + p->naxes, n = 0;
     for (int j = 0; out->world && j < dim; j++)
@@ -63,8 +78,8 @@ static int choose(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers
     return n;
 }
 
-static void write_box(const fmb_box *box, const fmb_frame *p, const fmb_frame *q,
-                      const fmb_pair_answers *out)
+static void write_box_asked(const fmb_box *box, const fmb_frame *p, const fmb_frame *q,
+                            const fmb_pair_answers *out)
 {
     int i = 0;
     for (int j = 0; out->world && j < p->dim; j++)
@@ -79,24 +94,23 @@ static void write_box(const fmb_box *box, const fmb_frame *p, const fmb_frame *q
     }
 }
 
-static fmb_status bound(fmb_pair_oracle *x, const fmb_system *s, const fmb_frame *p,
-                        const fmb_frame *q, const fmb_pair_answers *out)
+static fmb_status bound_variables_asked(fmb_pair_oracle *x, const fmb_system *s, const fmb_frame *p,
+                                        const fmb_frame *q, const fmb_pair_answers *out)
 {
     size_t most = 2 * (size_t)p->dim + 1;
-    fmb_mem mem;
     fmb_box *box = NULL;
     fmb_result res;
-    fmb_mem_init(&mem, x->hook.resize ? &x->hook : NULL, 0);
-    int *vars = fmb_mem_get(&mem, most, sizeof *vars);
+    int *vars = fmb_mem_get(&x->mem, most, sizeof *vars);
     if (!vars)
-        return fmb_mem_status(&mem);
-    fmb_status st = fmb_bound(x->solver, s, vars, choose(p, q, out, vars), &box, &res);
+        return fmb_mem_status(&x->mem);
+    fmb_status st =
+        fmb_bound(x->solver, s, vars, list_variables_asked(p, q, out, vars), &box, &res);
     if (st == FMB_OK)
         *out->verdict = res.stop == FMB_STOP_DONE ? res.verdict : FMB_UNKNOWN;
     if (st == FMB_OK && *out->verdict == FMB_FEASIBLE)
-        write_box(box, p, q, out);
+        write_box_asked(box, p, q, out);
     fmb_box_free(box);
-    fmb_mem_put(&mem, vars, most, sizeof *vars);
+    fmb_mem_put(&x->mem, vars, most, sizeof *vars);
     return st;
 }
 
@@ -120,12 +134,14 @@ fmb_status fmb_pair_oracle_answer(fmb_pair_oracle *x, const fmb_frame *p, const 
                                   const fmb_pair_answers *out)
 {
     fmb_system *s = NULL;
-    fmb_status st = make(x, p, q, FMB_COORDINATES_ALL, &s);
+    fmb_status st = start_query(x, p, q, FMB_COORDINATES_ALL, &s);
     if (st == FMB_OK && out->witness)
         st = find_witness(x, s, p->dim, out);
     bool goes_on = !out->witness || *out->verdict == FMB_FEASIBLE;
     if (st == FMB_OK && goes_on && (out->world || out->inside || out->time))
-        st = bound(x, s, p, q, out);
+        st = bound_variables_asked(x, s, p, q, out);
+    if (st == FMB_LIMIT)
+        *out->verdict = FMB_UNKNOWN;
     fmb_system_free(s);
-    return st;
+    return st == FMB_LIMIT ? FMB_OK : st;
 }

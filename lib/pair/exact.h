@@ -1,18 +1,23 @@
-/* exact.h: one pair, exactly, by the public verbs. */
+/* exact.h: one pair, exactly, by the public verbs, within the limits of the options. */
 #ifndef FMB_PAIR_EXACT_H
 #define FMB_PAIR_EXACT_H
 
 #include <fmb/pair.h>
 #include <fmb/solve.h>
 
+#include "trace/run.h"
+
 typedef struct fmb_pair_oracle {
-    fmb_alloc hook;
+    fmb_mem mem; /* its limit is that of a query */
+    fmb_run run; /* of the query at hand: both solvers work within it */
     fmb_contact contact;
+    fmb_options limits;  /* max_seconds, max_bytes */
+    atomic_int cancel;   /* not 0: stop */
     fmb_solver *solver;  /* keeps no evidence */
     fmb_solver *proving; /* keeps evidence: the witness */
 } fmb_pair_oracle;
 
-/* Errors: ARG, MEMORY; what was opened is closed by fmb_pair_oracle_close. */
+/* x stays where it is. Errors: ARG, MEMORY; what was opened is closed by fmb_pair_oracle_close. */
 fmb_status fmb_pair_oracle_open(fmb_pair_oracle *x, const fmb_pair_options *o,
                                 const fmb_alloc *hook);
 void fmb_pair_oracle_close(fmb_pair_oracle *x);
@@ -20,7 +25,8 @@ void fmb_pair_oracle_close(fmb_pair_oracle *x);
 /* UNKNOWN if a limit was reached. Errors: MEMORY. */
 fmb_status fmb_pair_oracle_decide(fmb_pair_oracle *x, const fmb_frame *p, const fmb_frame *q,
                                   fmb_verdict *out);
-/* Fill in all that out, of this one pair, asks for; every end is the exact one, rounded outward. */
+/* Fill in all that out, of this one pair, asks for; every end is the exact one, rounded outward.
+ * The verdict becomes UNKNOWN if a limit was reached. Errors: MEMORY. */
 fmb_status fmb_pair_oracle_answer(fmb_pair_oracle *x, const fmb_frame *p, const fmb_frame *q,
                                   const fmb_pair_answers *out);
 

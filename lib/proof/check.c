@@ -25,8 +25,13 @@ typedef struct court {
     size_t now;    /* the claim being judged */
     bool feasible; /* a claim FEASIBLE was accepted */
     char *reason;  /* [sizeof fmb_judgement.reason] */
-    /* The combination minus the inequality it shall prove: left.x <= right, or < if strict. */
+    mpq_srcptr *x; /* [dim] the point or ray at hand: NULL is 0 */
+    /* The combination minus the inequality it shall prove: left.x <= right, or < if strict. Entries
+     * of left that are not in used are 0. */
     mpq_t *left, right; /* left[dim] */
+    int *used;          /* [uses] variables */
+    bool *is_used;      /* [dim] */
+    size_t uses;
     bool strict;
     mpq_t sum, weight; /* scratch */
     mpz_t z, t;
@@ -60,13 +65,32 @@ static void add_product(court *c, mpq_ptr sum, mpz_srcptr factor, mpq_srcptr x)
 
 /* ---- points ---------------------------------------------------------------------------------- */
 
+/* Lay a claim's point or ray out by variable; afterwards take it away again. */
+static bool lay_out(court *c, const fmb_sparse *x)
+{
+    for (size_t k = 0; k < x->size; k++)
+        if (x->index[k] >= (size_t)c->e->dim)
+            return refuse(c, "a coordinate is of no variable");
+    for (size_t k = 0; k < x->size; k++)
+        c->x[x->index[k]] = x->value[k];
+    return true;
+}
+
+static void take_away(court *c, const fmb_sparse *x)
+{
+    for (size_t k = 0; k < x->size; k++)
+        c->x[x->index[k]] = NULL;
+}
+
 /* The sign of a.x - b for row a.x REL b; for a direction, the sign of a.x. */
-static int side_of(court *c, const fmb_sysrow *row, mpq_t *x, bool direction)
+static int side_of(court *c, const fmb_sysrow *row, bool direction)
 {
     mpq_set_ui(c->sum, 0, 1);
     for (size_t k = 0; k < row->nnz; k++) {
+        if (!c->x[row->var[k]])
+            continue;
         fmb_vec_get(&row->val, k, c->z);
-        add_product(c, c->sum, c->z, x[row->var[k]]);
+        add_product(c, c->sum, c->z, c->x[row->var[k]]);
     }
     if (!direction) {
         fmb_vec_get(&row->val, row->nnz, c->z);
@@ -84,27 +108,40 @@ typedef enum reading { AS_WRITTEN, CLOSED, DIRECTION } reading;
 
 /* Does x keep every row: as written; with < read as <=; or as a direction in which one can walk
  * for ever without leaving the rows? */
-static bool keeps_all(court *c, mpq_t *x, reading how)
+static bool keeps_all(court *c, const fmb_sparse *x, reading how)
 {
-    if (!x)
-        return refuse(c, "the claim has no %s", how == DIRECTION ? "ray" : "point");
-    for (size_t i = 0; i < c->s->rows; i++) {
+    bool good = true;
+    if (!lay_out(c, x))
+        return false;
+    for (size_t i = 0; good && i < c->s->rows; i++) {
         const fmb_sysrow *row = fmb_system_row(c->s, i);
         fmb_rel rel = row->rel == FMB_LT && how != AS_WRITTEN ? FMB_LE : row->rel;
-        if (!keeps(side_of(c, row, x, how == DIRECTION), rel))
-            return refuse(c, "the %s violates row %zu", how == DIRECTION ? "ray" : "point", i + 1);
+        good = keeps(side_of(c, row, how == DIRECTION), rel) ||
+               refuse(c, "the %s violates row %zu", how == DIRECTION ? "ray" : "point", i + 1);
     }
-    return true;
+    take_away(c, x);
+    return good;
 }
 
 /* ---- combinations ---------------------------------------------------------------------------- */
 
 static void clear_combination(court *c)
 {
-    for (int j = 0; j < c->e->dim; j++)
-        mpq_set_ui(c->left[j], 0, 1);
+    for (; c->uses > 0; c->uses--) {
+        mpq_set_ui(c->left[c->used[c->uses - 1]], 0, 1);
+        c->is_used[c->used[c->uses - 1]] = false;
+    }
     mpq_set_ui(c->right, 0, 1);
     c->strict = false;
+}
+
+/* The entry of variable j, to be changed. */
+static mpq_ptr left_of(court *c, int j)
+{
+    if (!c->is_used[j])
+        c->used[c->uses++] = j;
+    c->is_used[j] = true;
+    return c->left[j];
 }
 
 /* Add weight times row i, which is (val / den). */
@@ -116,7 +153,7 @@ static void add_row(court *c, size_t i, mpq_srcptr weight)
     mpq_div(c->weight, weight, c->weight);
     for (size_t k = 0; k < row->nnz; k++) {
         fmb_vec_get(&row->val, k, c->z);
-        add_product(c, c->left[row->var[k]], c->z, c->weight);
+        add_product(c, left_of(c, row->var[k]), c->z, c->weight);
     }
     fmb_vec_get(&row->val, row->nnz, c->z);
     add_product(c, c->right, c->z, c->weight);
@@ -160,9 +197,12 @@ static bool proves(court *c, const fmb_sparse *multipliers, bool strict_goal, ba
         c->strict = c->strict || (rel == FMB_LT && sign > 0);
         add_row(c, i, multipliers->value[k]);
     }
-    for (int j = 0; j < c->e->dim; j++)
-        if (mpq_sgn(c->left[j]) != 0)
-            return refuse(c, "the combined coefficient of %s is wrong", fmb_system_name(c->s, j));
+    int wrong = -1; /* the first variable whose coefficient is */
+    for (size_t k = 0; k < c->uses; k++)
+        if (mpq_sgn(c->left[c->used[k]]) != 0 && (wrong < 0 || c->used[k] < wrong))
+            wrong = c->used[k];
+    if (wrong >= 0)
+        return refuse(c, "the combined coefficient of %s is wrong", fmb_system_name(c->s, wrong));
     if (mpq_sgn(c->right) > 0)
         return refuse(c, "the combined right side is too large");
     if (mpq_sgn(c->right) == 0 && strict_goal && !c->strict)
@@ -174,7 +214,7 @@ static bool proves(court *c, const fmb_sparse *multipliers, bool strict_goal, ba
 
 static bool judge_feasible(court *c, const fmb_claim *q)
 {
-    return keeps_all(c, q->point, AS_WRITTEN);
+    return keeps_all(c, &q->point, AS_WRITTEN);
 }
 
 /* Infeasible: the rows prove 0 < 0. */
@@ -184,62 +224,88 @@ static bool judge_infeasible(court *c, const fmb_claim *q)
     return proves(c, &q->multipliers, true, WRITTEN);
 }
 
-/* x_var <= value and a solution attains it; or x_var < value and solutions come as near as you
- * like. For the latter, let p satisfy the rows with < read as <=, p_var = value, and let q be a
+/* The form of a claim is its variable, if it names one, plus its terms. */
+static bool has_form(court *c, const fmb_claim *q)
+{
+    bool good = q->var >= -1 && q->var < c->e->dim;
+    for (size_t k = 0; k < q->terms.size; k++)
+        good = good && q->terms.index[k] < (size_t)c->e->dim;
+    return good || refuse(c, "the claim is about no variable");
+}
+
+/* Load the negation of the claim's own inequality, form <= value, times sign. */
+static void oppose_form(court *c, const fmb_claim *q, int sign)
+{
+    mpz_set_si(c->z, -sign);
+    clear_combination(c);
+    if (q->var >= 0)
+        mpq_set_si(left_of(c, q->var), -sign, 1);
+    for (size_t k = 0; k < q->terms.size; k++)
+        add_product(c, left_of(c, (int)q->terms.index[k]), c->z, q->terms.value[k]);
+    add_product(c, c->right, c->z, q->value);
+}
+
+/* c->sum = the form's value at x. */
+static void form_at(court *c, const fmb_claim *q, const fmb_sparse *x)
+{
+    mpq_srcptr at = q->var >= 0 ? fmb_sparse_find(x, (size_t)q->var) : NULL;
+    mpq_set_ui(c->sum, 0, 1);
+    if (at)
+        mpq_set(c->sum, at);
+    for (size_t k = 0; k < q->terms.size; k++) {
+        if (!(at = fmb_sparse_find(x, q->terms.index[k])))
+            continue;
+        mpq_mul(c->weight, at, q->terms.value[k]);
+        mpq_add(c->sum, c->sum, c->weight);
+    }
+}
+
+/* form <= value and a solution attains it; or form < value and solutions come as near as you like.
+ * For the latter, let p satisfy the rows with < read as <=, form(p) = value, and let q be a
  * solution. Every q + t(p - q), 0 <= t < 1, is a solution (a strict row holds strictly at q), and
- * its coordinate tends to value as t tends to 1. Lower ends are upper ends of -x_var. */
+ * the form tends to value as t tends to 1. Lower ends are upper ends of -form. */
 static bool judge_bound(court *c, const fmb_claim *q)
 {
-    if (q->var < 0 || q->var >= c->e->dim || q->rel == FMB_EQ)
-        return refuse(c, "the claim is no bound of a variable");
+    if (q->rel == FMB_EQ)
+        return refuse(c, "the claim is no bound");
+    if (!has_form(c, q))
+        return false;
     bool open = q->rel == FMB_LT;
-    clear_combination(c);
-    mpq_set_si(c->left[q->var], q->side == FMB_UPPER ? -1 : 1, 1);
-    mpq_set(c->right, q->value);
-    if (q->side == FMB_UPPER)
-        mpq_neg(c->right, c->right);
+    oppose_form(c, q, q->side == FMB_UPPER ? 1 : -1);
     if (!proves(c, &q->multipliers, open, WRITTEN))
         return false;
     if (open && !c->feasible)
         return refuse(c, "no claim shows that the system is feasible");
-    if (!keeps_all(c, q->point, open ? CLOSED : AS_WRITTEN))
+    if (!keeps_all(c, &q->point, open ? CLOSED : AS_WRITTEN))
         return false;
-    return mpq_equal(q->point[q->var], q->value) || refuse(c, "the point is not at the bound");
+    form_at(c, q, &q->point);
+    return mpq_equal(c->sum, q->value) || refuse(c, "the point is not at the bound");
 }
 
 /* From a solution one can walk along the ray for ever. */
 static bool judge_unbounded(court *c, const fmb_claim *q)
 {
-    if (q->var < 0 || q->var >= c->e->dim)
-        return refuse(c, "the claim is about no variable");
+    if (!has_form(c, q))
+        return false;
     if (!c->feasible)
         return refuse(c, "no claim shows that the system is feasible");
-    if (!keeps_all(c, q->ray, DIRECTION))
+    if (!keeps_all(c, &q->ray, DIRECTION))
         return false;
-    return mpq_sgn(q->ray[q->var]) == (q->side == FMB_UPPER ? 1 : -1) ||
+    form_at(c, q, &q->ray);
+    return mpq_sgn(c->sum) == (q->side == FMB_UPPER ? 1 : -1) ||
            refuse(c, "the ray does not go that way");
-}
-
-/* Load the negation of the claim's own inequality, times sign. */
-static bool oppose_terms(court *c, const fmb_claim *q, int sign)
-{
-    mpz_set_si(c->z, -sign);
-    clear_combination(c);
-    for (size_t k = 0; k < q->terms.size; k++) {
-        if (q->terms.index[k] >= (size_t)c->e->dim)
-            return refuse(c, "a term is about no variable");
-        add_product(c, c->left[q->terms.index[k]], c->z, q->terms.value[k]);
-    }
-    add_product(c, c->right, c->z, q->value);
-    return true;
 }
 
 /* An equality needs both directions. */
 static bool judge_implied(court *c, const fmb_claim *q)
 {
-    if (!oppose_terms(c, q, 1) || !proves(c, &q->multipliers, q->rel == FMB_LT, WRITTEN))
+    if (!has_form(c, q))
         return false;
-    return q->rel != FMB_EQ || (oppose_terms(c, q, -1) && proves(c, &q->reverse, false, WRITTEN));
+    oppose_form(c, q, 1);
+    if (!proves(c, &q->multipliers, q->rel == FMB_LT, WRITTEN))
+        return false;
+    oppose_form(c, q, -1);
+    return q->rel != FMB_EQ || proves(c, &q->reverse, false, WRITTEN);
 }
 
 /* Load the negation of row i, times sign. */
@@ -284,20 +350,20 @@ static bool judge_equality(court *c, const fmb_claim *q)
 /* Without row i the rows that stay would let the point in. */
 static bool judge_irredundant(court *c, const fmb_claim *q)
 {
-    if (!has_row(c, q))
+    bool good = true;
+    if (!has_row(c, q) || !lay_out(c, &q->point))
         return false;
-    if (!q->point)
-        return refuse(c, "the claim has no point");
-    for (size_t i = 0; i < c->s->rows; i++) {
+    for (size_t i = 0; good && i < c->s->rows; i++) {
         const fmb_sysrow *row = fmb_system_row(c->s, i);
         if (c->goes[i] != SIZE_MAX && i != q->row)
             continue;
         fmb_rel rel = c->equal[i] != SIZE_MAX ? FMB_EQ : row->rel;
-        bool kept = keeps(side_of(c, row, q->point, false), rel);
+        bool kept = keeps(side_of(c, row, false), rel);
         if (kept == (i == q->row))
-            return refuse(c, "the point %s row %zu", kept ? "satisfies" : "violates", i + 1);
+            good = refuse(c, "the point %s row %zu", kept ? "satisfies" : "violates", i + 1);
     }
-    return true;
+    take_away(c, &q->point);
+    return good;
 }
 
 /* ---- the session ----------------------------------------------------------------------------- */
@@ -365,15 +431,18 @@ static void mark_rows(court *c)
 
 fmb_status fmb_check(const fmb_system *s, const fmb_evidence *e, fmb_judgement *out)
 {
-    if (e->dim != fmb_system_dim(s) || e->rows != fmb_system_rows(s))
+    if (!out || !fmb_evidence_fits(e, s))
         return FMB_ERR_ARG;
     court c = {.s = s, .e = e};
     size_t dim = (size_t)e->dim, rows = e->rows;
     fmb_mem_init(&c.mem, &s->mem.alloc, 0);
     c.goes = fmb_mem_get(&c.mem, rows, sizeof *c.goes);
     c.equal = fmb_mem_get(&c.mem, rows, sizeof *c.equal);
+    c.x = fmb_mem_zero(&c.mem, dim, sizeof *c.x);
     c.left = fmb_mem_get(&c.mem, dim, sizeof *c.left);
-    bool ready = c.goes && c.equal && c.left;
+    c.used = fmb_mem_get(&c.mem, dim, sizeof *c.used);
+    c.is_used = fmb_mem_zero(&c.mem, dim, sizeof *c.is_used);
+    bool ready = c.goes && c.equal && c.x && c.left && c.used && c.is_used;
     if (ready) {
         for (size_t j = 0; j < dim; j++)
             mpq_init(c.left[j]);
@@ -389,6 +458,9 @@ fmb_status fmb_check(const fmb_system *s, const fmb_evidence *e, fmb_judgement *
     }
     fmb_mem_put(&c.mem, c.goes, rows, sizeof *c.goes);
     fmb_mem_put(&c.mem, c.equal, rows, sizeof *c.equal);
+    fmb_mem_put(&c.mem, c.x, dim, sizeof *c.x);
     fmb_mem_put(&c.mem, c.left, dim, sizeof *c.left);
+    fmb_mem_put(&c.mem, c.used, dim, sizeof *c.used);
+    fmb_mem_put(&c.mem, c.is_used, dim, sizeof *c.is_used);
     return ready ? FMB_OK : FMB_ERR_MEMORY;
 }

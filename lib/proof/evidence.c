@@ -1,31 +1,25 @@
 /* evidence.c: life of an fmb_evidence, and its public accessors; see evidence.h. */
 #include "proof/evidence.h"
 
-#include <math.h>
 #include <string.h>
 
-/* ---- lists and vectors of rationals ---------------------------------------------------------- */
+#include "num/rationals.h"
 
-/* n rationals, all 0; NULL without memory. */
-static mpq_t *rationals(fmb_mem *mem, size_t n)
-{
-    mpq_t *q = fmb_mem_get(mem, n, sizeof *q);
-    for (size_t i = 0; q && i < n; i++)
-        mpq_init(q[i]);
-    return q;
-}
+/* ---- lists ----------------------------------------------------------------------------------- */
 
-static void put_rationals(fmb_mem *mem, mpq_t *q, size_t n)
+/* What the limbs of a rational take from malloc, about: blocks of 16 bytes, the first 8 its own. */
+static size_t limb_bytes(mpq_srcptr q)
 {
-    for (size_t i = 0; q && i < n; i++)
-        mpq_clear(q[i]);
-    fmb_mem_put(mem, q, n, sizeof *q);
+    size_t num = mpz_size(mpq_numref(q)), den = mpz_size(mpq_denref(q));
+    return (num + den) * sizeof(mp_limb_t) + 2 * 24;
 }
 
 static void clear_list(fmb_mem *mem, fmb_sparse *list)
 {
-    for (size_t k = 0; k < list->size; k++)
+    for (size_t k = 0; k < list->size; k++) {
+        fmb_mem_refund(mem, limb_bytes(list->value[k]));
         mpq_clear(list->value[k]);
+    }
     fmb_mem_put(mem, list->index, list->capacity, sizeof *list->index);
     fmb_mem_put(mem, list->value, list->capacity, sizeof *list->value);
     *list = (fmb_sparse){.size = 0};
@@ -48,7 +42,7 @@ static fmb_status grow_list(fmb_mem *mem, fmb_sparse *list)
     }
     fmb_mem_put(mem, list->index, list->capacity, sizeof *index);
     fmb_mem_put(mem, list->value, list->capacity, sizeof *value);
-    *list = (fmb_sparse){index, value, list->size, capacity};
+    *list = (fmb_sparse){index, value, list->size, capacity, list->mixed};
     return FMB_OK;
 }
 
@@ -59,51 +53,77 @@ fmb_status fmb_evidence_push(fmb_evidence *e, fmb_sparse *list, size_t index, co
     fmb_status st = list->size == list->capacity ? grow_list(&e->mem, list) : FMB_OK;
     if (st != FMB_OK)
         return st;
+    if (!fmb_mem_charge(&e->mem, limb_bytes(value)))
+        return fmb_mem_status(&e->mem);
+    list->mixed = list->mixed || (list->size > 0 && list->index[list->size - 1] > index);
     list->index[list->size] = index;
     mpq_init(list->value[list->size]);
     mpq_set(list->value[list->size++], value);
     return FMB_OK;
 }
 
-fmb_status fmb_evidence_vector(fmb_evidence *e, mpq_t **slot)
+fmb_status fmb_evidence_push_all(fmb_evidence *e, fmb_sparse *list, size_t n, const int *at,
+                                 mpq_t *x)
 {
-    mpq_t *q = rationals(&e->mem, (size_t)e->dim);
-    if (!q)
-        return fmb_mem_status(&e->mem);
-    put_rationals(&e->mem, *slot, (size_t)e->dim);
-    *slot = q;
-    return FMB_OK;
+    fmb_status st = FMB_OK;
+    for (size_t j = 0; st == FMB_OK && j < n; j++)
+        st = fmb_evidence_push(e, list, at ? (size_t)at[j] : j, x[j]);
+    return st;
+}
+
+fmb_status fmb_evidence_scale(fmb_evidence *e, fmb_sparse *list, const mpq_t factor)
+{
+    fmb_status st = FMB_OK;
+    mpq_t product;
+    mpq_init(product);
+    for (size_t k = 0; st == FMB_OK && k < list->size; k++) {
+        mpq_mul(product, list->value[k], factor);
+        if (!fmb_mem_charge(&e->mem, limb_bytes(product))) {
+            st = fmb_mem_status(&e->mem);
+            break;
+        }
+        fmb_mem_refund(&e->mem, limb_bytes(list->value[k]));
+        mpq_set(list->value[k], product);
+    }
+    mpq_clear(product);
+    return st;
+}
+
+/* By halving, where the indices increase. */
+mpq_srcptr fmb_sparse_find(const fmb_sparse *list, size_t index)
+{
+    size_t low = 0, high = list->size;
+    while (!list->mixed && high - low > 1) {
+        size_t middle = low + (high - low) / 2;
+        *(list->index[middle] <= index ? &low : &high) = middle;
+    }
+    for (; low < high; low++)
+        if (list->index[low] == index)
+            return list->value[low];
+    return NULL;
 }
 
 /* ---- claims ---------------------------------------------------------------------------------- */
 
-static size_t limbs_of(mpq_t *q, size_t n)
+/* Charge the limbs of the last claim's value, which is filled in by now. */
+static fmb_status weigh_last_value(fmb_evidence *e)
 {
-    size_t limbs = 0;
-    for (size_t i = 0; q && i < n; i++)
-        limbs += mpz_size(mpq_numref(q[i])) + mpz_size(mpq_denref(q[i]));
-    return limbs;
-}
-
-/* Charge the limbs of the last claim, which is filled by now. */
-static fmb_status weigh_last(fmb_evidence *e)
-{
-    if (e->mem.limit == 0 || e->claims == 0)
+    fmb_claim *c = e->claims > 0 ? &e->claim[e->claims - 1] : NULL;
+    size_t bytes = c ? limb_bytes(c->value) : 0;
+    if (!c || bytes <= c->value_bytes)
         return FMB_OK;
-    const fmb_claim *c = &e->claim[e->claims - 1];
-    size_t limbs = limbs_of(c->multipliers.value, c->multipliers.size) +
-                   limbs_of(c->reverse.value, c->reverse.size) +
-                   limbs_of(c->point, (size_t)e->dim) + limbs_of(c->ray, (size_t)e->dim);
-    return fmb_mem_charge(&e->mem, limbs * sizeof(mp_limb_t)) ? FMB_OK : fmb_mem_status(&e->mem);
+    if (!fmb_mem_charge(&e->mem, bytes - c->value_bytes))
+        return fmb_mem_status(&e->mem);
+    c->value_bytes = bytes;
+    return FMB_OK;
 }
 
 fmb_status fmb_evidence_claim(fmb_evidence *e, fmb_claim_kind kind, fmb_claim **out)
 {
-    fmb_status st = weigh_last(e);
-    if (st != FMB_OK)
-        return st;
-    st = fmb_mem_reserve(&e->mem, (void **)&e->claim, &e->claim_capacity, e->claims + 1,
-                         sizeof *e->claim);
+    fmb_status st = weigh_last_value(e);
+    if (st == FMB_OK)
+        st = fmb_mem_reserve(&e->mem, (void **)&e->claim, &e->claim_capacity, e->claims + 1,
+                             sizeof *e->claim);
     if (st != FMB_OK)
         return st;
     fmb_claim *c = &e->claim[e->claims++];
@@ -116,12 +136,13 @@ fmb_status fmb_evidence_claim(fmb_evidence *e, fmb_claim_kind kind, fmb_claim **
 void fmb_evidence_drop_last(fmb_evidence *e)
 {
     fmb_claim *c = &e->claim[--e->claims];
+    fmb_mem_refund(&e->mem, c->value_bytes);
     mpq_clear(c->value);
     clear_list(&e->mem, &c->terms);
     clear_list(&e->mem, &c->multipliers);
     clear_list(&e->mem, &c->reverse);
-    put_rationals(&e->mem, c->point, (size_t)e->dim);
-    put_rationals(&e->mem, c->ray, (size_t)e->dim);
+    clear_list(&e->mem, &c->point);
+    clear_list(&e->mem, &c->ray);
 }
 
 void fmb_evidence_reset(fmb_evidence *e)
@@ -140,15 +161,22 @@ fmb_status fmb_evidence_new(int dim, size_t rows, const fmb_alloc *hook, fmb_evi
     if (!e)
         return FMB_ERR_MEMORY;
     e->mem = mem;
+    atomic_init(&e->holders, 1);
     e->dim = dim;
     e->rows = rows;
     *out = e;
     return FMB_OK;
 }
 
+fmb_evidence *fmb_evidence_share(fmb_evidence *e)
+{
+    atomic_fetch_add_explicit(&e->holders, 1, memory_order_relaxed);
+    return e;
+}
+
 void fmb_evidence_free(fmb_evidence *e)
 {
-    if (!e)
+    if (!e || atomic_fetch_sub_explicit(&e->holders, 1, memory_order_acq_rel) > 1)
         return;
     fmb_evidence_reset(e);
     fmb_mem_put(&e->mem, e->claim, e->claim_capacity, sizeof *e->claim);
@@ -156,147 +184,93 @@ void fmb_evidence_free(fmb_evidence *e)
     fmb_mem_put(&mem, e, 1, sizeof *e);
 }
 
-static fmb_status copy_list(fmb_evidence *e, fmb_sparse *to, const fmb_sparse *from)
-{
-    fmb_status st = FMB_OK;
-    for (size_t k = 0; st == FMB_OK && k < from->size; k++)
-        st = fmb_evidence_push(e, to, from->index[k], from->value[k]);
-    return st;
-}
-
-static fmb_status copy_vector(fmb_evidence *e, mpq_t **to, mpq_t *from)
-{
-    if (!from)
-        return FMB_OK;
-    fmb_status st = fmb_evidence_vector(e, to);
-    for (int j = 0; st == FMB_OK && j < e->dim; j++)
-        mpq_set((*to)[j], from[j]);
-    return st;
-}
-
-static fmb_status copy_claim(fmb_evidence *e, const fmb_claim *from)
-{
-    fmb_claim *to;
-    fmb_status st = fmb_evidence_claim(e, from->kind, &to);
-    if (st != FMB_OK)
-        return st;
-    to->row = from->row;
-    to->var = from->var;
-    to->side = from->side;
-    to->rel = from->rel;
-    mpq_set(to->value, from->value);
-    st = copy_list(e, &to->terms, &from->terms);
-    if (st == FMB_OK)
-        st = copy_list(e, &to->multipliers, &from->multipliers);
-    if (st == FMB_OK)
-        st = copy_list(e, &to->reverse, &from->reverse);
-    if (st == FMB_OK)
-        st = copy_vector(e, &to->point, from->point);
-    if (st == FMB_OK)
-        st = copy_vector(e, &to->ray, from->ray);
-    return st;
-}
-
-fmb_status fmb_evidence_copy(const fmb_evidence *e, fmb_evidence **out)
-{
-    fmb_evidence *copy;
-    fmb_status st = fmb_evidence_new(e->dim, e->rows, &e->mem.alloc, &copy);
-    if (st != FMB_OK)
-        return st;
-    for (size_t i = 0; st == FMB_OK && i < e->claims; i++)
-        st = copy_claim(copy, &e->claim[i]);
-    if (st == FMB_OK)
-        *out = copy;
-    else
-        fmb_evidence_free(copy);
-    return st;
-}
-
 /* ---- accessors ------------------------------------------------------------------------------- */
+
+/* Claim i, or one without numbers where there is none. */
+static const fmb_claim *claim_at(const fmb_evidence *e, size_t i)
+{
+    static const fmb_claim none = {.row = SIZE_MAX, .var = -1};
+    return i < fmb_evidence_claims(e) ? &e->claim[i] : &none;
+}
 
 size_t fmb_evidence_claims(const fmb_evidence *e)
 {
-    return e->claims;
+    return e ? e->claims : 0;
 }
 
 fmb_claim_kind fmb_evidence_kind(const fmb_evidence *e, size_t i)
 {
-    return e->claim[i].kind;
+    return claim_at(e, i)->kind;
 }
 
 size_t fmb_evidence_row(const fmb_evidence *e, size_t i)
 {
-    return e->claim[i].row;
+    return claim_at(e, i)->row;
 }
 
 int fmb_evidence_var(const fmb_evidence *e, size_t i)
 {
-    return e->claim[i].var;
+    return claim_at(e, i)->var;
+}
+
+fmb_side fmb_evidence_side(const fmb_evidence *e, size_t i)
+{
+    return claim_at(e, i)->side;
+}
+
+fmb_rel fmb_evidence_rel(const fmb_evidence *e, size_t i)
+{
+    return claim_at(e, i)->rel;
 }
 
 /* Copy q to out, 0 for NULL. */
-static void give(mpq_srcptr q, mpq_t out)
+static void give_rational(mpq_srcptr q, mpq_t out)
 {
-    if (q)
+    if (out && q)
         mpq_set(out, q);
-    else
+    else if (out)
         mpq_set_ui(out, 0, 1);
-}
-
-static mpq_srcptr multiplier(const fmb_evidence *e, size_t i, size_t r)
-{
-    const fmb_sparse *list = &e->claim[i].multipliers;
-    for (size_t k = 0; k < list->size; k++)
-        if (list->index[k] == r)
-            return list->value[k];
-    return NULL;
 }
 
 void fmb_evidence_multiplier_q(const fmb_evidence *e, size_t i, size_t r, mpq_t out)
 {
-    give(multiplier(e, i, r), out);
+    give_rational(fmb_sparse_find(&claim_at(e, i)->multipliers, r), out);
 }
 
 void fmb_evidence_coordinate_q(const fmb_evidence *e, size_t i, int j, mpq_t out)
 {
-    give(e->claim[i].point ? e->claim[i].point[j] : NULL, out);
+    give_rational(fmb_sparse_find(&claim_at(e, i)->point, (size_t)j), out);
 }
 
 void fmb_evidence_ray_q(const fmb_evidence *e, size_t i, int j, mpq_t out)
 {
-    give(e->claim[i].ray ? e->claim[i].ray[j] : NULL, out);
+    give_rational(fmb_sparse_find(&claim_at(e, i)->ray, (size_t)j), out);
 }
 
 void fmb_evidence_value_q(const fmb_evidence *e, size_t i, mpq_t out)
 {
-    mpq_set(out, e->claim[i].value);
+    give_rational(i < fmb_evidence_claims(e) ? e->claim[i].value : NULL, out);
 }
 
-/* The double nearest to q: mpq_get_d cuts towards zero, so the answer is that or the next one
- * outward, whichever lies on q's side of the middle (inward on the middle itself). */
-static double nearest(mpq_srcptr q)
+size_t fmb_evidence_terms(const fmb_evidence *e, size_t i)
 {
-    double in = mpq_get_d(q), out = nextafter(in, mpq_sgn(q) < 0 ? -INFINITY : INFINITY);
-    if (mpq_sgn(q) == 0 || isinf(out))
-        return in;
-    mpq_t middle, other;
-    mpq_inits(middle, other, NULL);
-    mpq_set_d(middle, in);
-    mpq_set_d(other, out);
-    mpq_add(middle, middle, other);
-    mpq_div_2exp(middle, middle, 1);
-    bool beyond = mpq_cmp(q, middle) * mpq_sgn(q) > 0;
-    mpq_clears(middle, other, NULL);
-    return beyond ? out : in;
+    return claim_at(e, i)->terms.size;
+}
+
+int fmb_evidence_term_q(const fmb_evidence *e, size_t i, size_t k, mpq_t coef)
+{
+    const fmb_sparse *terms = &claim_at(e, i)->terms;
+    bool there = k < terms->size;
+    give_rational(there ? terms->value[k] : NULL, coef);
+    return there ? (int)terms->index[k] : -1;
 }
 
 double fmb_evidence_multiplier(const fmb_evidence *e, size_t i, size_t r)
 {
-    mpq_srcptr q = multiplier(e, i, r);
-    return q ? nearest(q) : 0;
+    return fmb_nearest_double(fmb_sparse_find(&claim_at(e, i)->multipliers, r));
 }
 
 double fmb_evidence_coordinate(const fmb_evidence *e, size_t i, int j)
 {
-    return e->claim[i].point ? nearest(e->claim[i].point[j]) : 0;
+    return fmb_nearest_double(fmb_sparse_find(&claim_at(e, i)->point, (size_t)j));
 }

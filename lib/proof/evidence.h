@@ -1,39 +1,45 @@
 /* evidence.h: inside of an fmb_evidence: claims about one system and the numbers that prove them.
  *
- * Multipliers count for the rows as the user wrote them (fmb_sysrow.val / den). Points and rays are
- * dense. Every claim owns its numbers; unused ones are empty (NULL, size 0).
+ * Multipliers count for the rows as the user wrote them (fmb_sysrow.val / den). Every claim owns
+ * its numbers, without zeros. Claims are appended by one holder; once it shares them, nobody
+ * changes them any more, so handing out evidence copies nothing.
  */
 #ifndef FMB_PROOF_EVIDENCE_H
 #define FMB_PROOF_EVIDENCE_H
+
+#include <stdatomic.h>
 
 #include <fmb/gmp.h>
 #include <fmb/proof.h>
 
 #include "base/mem.h"
 
-/* A sparse list of rationals with an index each: multipliers by row, terms by variable. */
+/* A sparse list of rationals with an index each: multipliers by row, the rest by variable. */
 typedef struct fmb_sparse {
     size_t *index;
     mpq_t *value;
     size_t size, capacity;
+    bool mixed; /* some index is smaller than the one before */
 } fmb_sparse;
 
 typedef struct fmb_claim {
     fmb_claim_kind kind;
     size_t row;             /* REDUNDANT, EQUALITY, IRREDUNDANT; else SIZE_MAX */
-    int var;                /* BOUND, UNBOUNDED; else -1 */
+    int var;                /* BOUND, UNBOUNDED: of this variable; else -1 */
     fmb_side side;          /* BOUND, UNBOUNDED */
     fmb_rel rel;            /* BOUND: LE attained, LT not; IMPLIED: the relation */
     mpq_t value;            /* BOUND: the end; IMPLIED: the right side */
-    fmb_sparse terms;       /* IMPLIED: left side, by variable */
+    size_t value_bytes;     /* of its limbs, charged when the next claim begins */
+    fmb_sparse terms;       /* IMPLIED; BOUND, UNBOUNDED without var: left side, by variable */
     fmb_sparse multipliers; /* by row; >= 0 unless the row is an equality */
     fmb_sparse reverse;     /* IMPLIED with EQ, REDUNDANT equality: the same for the reverse */
-    mpq_t *point;           /* [dim] or NULL */
-    mpq_t *ray;             /* [dim] or NULL */
+    fmb_sparse point;       /* by variable: FEASIBLE, BOUND, IRREDUNDANT */
+    fmb_sparse ray;         /* by variable: UNBOUNDED */
 } fmb_claim;
 
 struct fmb_evidence {
-    fmb_mem mem; /* under a limit each claim's limbs are charged, once the next claim begins */
+    fmb_mem mem; /* limbs are charged to it, too */
+    atomic_size_t holders;
     int dim;     /* of the system */
     size_t rows; /* of the system */
     fmb_claim *claim;
@@ -41,17 +47,28 @@ struct fmb_evidence {
 };
 
 fmb_status fmb_evidence_new(int dim, size_t rows, const fmb_alloc *hook, fmb_evidence **out);
-fmb_status fmb_evidence_copy(const fmb_evidence *e, fmb_evidence **out);
+/* Are both there, and is s of the shape that the claims are about? */
+static inline bool fmb_evidence_fits(const fmb_evidence *e, const fmb_system *s)
+{
+    return e && s && e->dim == fmb_system_dim(s) && e->rows == fmb_system_rows(s);
+}
+/* [give] The same claims for one holder more, who gives them back by fmb_evidence_free. */
+fmb_evidence *fmb_evidence_share(fmb_evidence *e);
 /* Forget all claims. */
 void fmb_evidence_reset(fmb_evidence *e);
 /* Append an empty claim of that kind; *out points to it until the next call. If filling it fails,
- * fmb_evidence_drop_last takes it back. */
+ * fmb_evidence_drop_last takes it back. Errors: MEMORY, LIMIT, here and below. */
 fmb_status fmb_evidence_claim(fmb_evidence *e, fmb_claim_kind kind, fmb_claim **out);
 void fmb_evidence_drop_last(fmb_evidence *e);
 /* Append (index, value) to a list; zero values are skipped. An index comes at most once in a list:
  * the caller's promise. */
 fmb_status fmb_evidence_push(fmb_evidence *e, fmb_sparse *list, size_t index, const mpq_t value);
-/* Give the claim a point or ray of dim zeros: *slot is claim->point or claim->ray. */
-fmb_status fmb_evidence_vector(fmb_evidence *e, mpq_t **slot);
+/* Append the entries x[0..n) that are not 0: entry j for index at[j], or j if at is NULL. */
+fmb_status fmb_evidence_push_all(fmb_evidence *e, fmb_sparse *list, size_t n, const int *at,
+                                 mpq_t *x);
+/* Multiply all values by a factor that is not 0. On failure some are not. */
+fmb_status fmb_evidence_scale(fmb_evidence *e, fmb_sparse *list, const mpq_t factor);
+/* The value of that index, NULL where the list has none. */
+mpq_srcptr fmb_sparse_find(const fmb_sparse *list, size_t index);
 
 #endif

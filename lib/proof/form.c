@@ -2,7 +2,7 @@
 #include "proof/form.h"
 
 const fmb_part_form fmb_part_forms[FMB_PARTS] = {
-    [FMB_PART_POINT] = {"point", .dense = true},      [FMB_PART_RAY] = {"ray", .dense = true},
+    [FMB_PART_POINT] = {"point", .by_row = false},    [FMB_PART_RAY] = {"ray", .by_row = false},
     [FMB_PART_TERM] = {"term", .by_row = false},      [FMB_PART_ROW] = {"row", .by_row = true},
     [FMB_PART_REVERSE] = {"reverse", .by_row = true},
 };
@@ -12,8 +12,10 @@ const fmb_claim_form fmb_claim_forms[FMB_CLAIM_IRREDUNDANT + 1] = {
     [FMB_CLAIM_INFEASIBLE] = {"infeasible", FMB_HEADING_NONE, {[FMB_PART_ROW] = true}},
     [FMB_CLAIM_BOUND] = {"bound",
                          FMB_HEADING_BOUND,
-                         {[FMB_PART_ROW] = true, [FMB_PART_POINT] = true}},
-    [FMB_CLAIM_UNBOUNDED] = {"unbounded", FMB_HEADING_END, {[FMB_PART_RAY] = true}},
+                         {[FMB_PART_TERM] = true, [FMB_PART_ROW] = true, [FMB_PART_POINT] = true}},
+    [FMB_CLAIM_UNBOUNDED] = {"unbounded",
+                             FMB_HEADING_END,
+                             {[FMB_PART_TERM] = true, [FMB_PART_RAY] = true}},
     [FMB_CLAIM_IMPLIED] =
         {"implied",
          FMB_HEADING_INEQUALITY,
@@ -32,15 +34,17 @@ const char *fmb_form_relation(fmb_rel rel, fmb_side side)
     return text[rel][side];
 }
 
-mpq_t **fmb_form_vector(fmb_claim *c, fmb_part part)
+bool fmb_form_allows(const fmb_claim *c, fmb_part part)
 {
-    return part == FMB_PART_POINT ? &c->point : part == FMB_PART_RAY ? &c->ray : NULL;
+    return fmb_claim_forms[c->kind].part[part] && (part != FMB_PART_TERM || c->var < 0);
 }
 
 fmb_sparse *fmb_form_list(fmb_claim *c, fmb_part part)
 {
-    return part == FMB_PART_TERM      ? &c->terms
-           : part == FMB_PART_ROW     ? &c->multipliers
-           : part == FMB_PART_REVERSE ? &c->reverse
-                                      : NULL;
+    fmb_sparse *const list[FMB_PARTS] = {[FMB_PART_POINT] = &c->point,
+                                         [FMB_PART_RAY] = &c->ray,
+                                         [FMB_PART_TERM] = &c->terms,
+                                         [FMB_PART_ROW] = &c->multipliers,
+                                         [FMB_PART_REVERSE] = &c->reverse};
+    return list[part];
 }

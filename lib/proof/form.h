@@ -1,7 +1,8 @@
 /* form.h: the text form of evidence as a table, shared by reader and writer.
  *
  * A claim is a heading ("claim bound upper x <= 5/2"), lines of parts ("row 3 1", "point x 5/2")
- * and "end". docs/proof-format.md is the description for people.
+ * and "end"; after the last one "claims 7" counts them. docs/proof-format.md is the description for
+ * people.
  */
 #ifndef FMB_PROOF_FORM_H
 #define FMB_PROOF_FORM_H
@@ -14,8 +15,8 @@
 /* What follows "claim KIND" on the heading line. */
 typedef enum fmb_heading {
     FMB_HEADING_NONE,
-    FMB_HEADING_END,        /* side, variable */
-    FMB_HEADING_BOUND,      /* side, variable, relation, value */
+    FMB_HEADING_END,        /* side, variable; without one the terms are lines */
+    FMB_HEADING_BOUND,      /* side, variable, relation, value; the same */
     FMB_HEADING_INEQUALITY, /* relation, value */
     FMB_HEADING_ROW         /* row */
 } fmb_heading;
@@ -33,7 +34,6 @@ typedef enum fmb_part {
 typedef struct fmb_part_form {
     const char *word;
     bool by_row; /* the key is a row; else a variable */
-    bool dense;  /* every key comes exactly once; else at most once */
 } fmb_part_form;
 
 typedef struct fmb_claim_form {
@@ -48,8 +48,10 @@ extern const fmb_claim_form fmb_claim_forms[FMB_CLAIM_IRREDUNDANT + 1]; /* by ki
 /* Sign of a relation for that end of an interval: an upper end is <= or <, a lower one >= or >. */
 const char *fmb_form_relation(fmb_rel rel, fmb_side side);
 
-/* The dense part (point, ray) or the sparse part of a claim; NULL for a part of the other sort. */
-mpq_t **fmb_form_vector(fmb_claim *c, fmb_part part);
+/* May this claim have lines of that part? One about a variable alone has no terms. */
+bool fmb_form_allows(const fmb_claim *c, fmb_part part);
+
+/* The list of a claim that holds a part. */
 fmb_sparse *fmb_form_list(fmb_claim *c, fmb_part part);
 
 #endif

@@ -1,8 +1,8 @@
 /* read.c: evidence from its text form (docs/proof-format.md).
  *
  * Memory is bounded by the length of the text and the size of the system: the shape in the header
- * must be that of the system, a claim with a point or a ray spells it out, and seen holds a mark
- * per part and key.
+ * must be that of the system, a line gives one number at most, and seen holds a mark per part and
+ * key. A text that was cut off lacks the count of its claims.
  */
 #include <string.h>
 
@@ -16,8 +16,7 @@ typedef struct reader {
     fmb_evidence *e;
     /* seen[part][key] == number of claims so far: the key has come in this claim */
     size_t *seen[FMB_PARTS];
-    size_t count[FMB_PARTS]; /* of distinct keys in this claim */
-    mpq_t number;            /* scratch */
+    mpq_t number; /* scratch */
 } reader;
 
 static size_t keys(const reader *r, fmb_part part)
@@ -27,25 +26,20 @@ static size_t keys(const reader *r, fmb_part part)
 
 /* ---- pieces of a line ------------------------------------------------------------------------ */
 
-/* The next word must be this one. */
-static fmb_status read_keyword(reader *r, const char *word)
+/* The variable that the current word names. */
+static fmb_status find_variable(reader *r, int *out)
 {
-    fmb_status st = fmb_words_next(&r->words);
-    return st == FMB_OK && !fmb_words_is(&r->words, word)
-               ? fmb_words_expected(&r->words, "'%s'", word)
-               : st;
-}
-
-static fmb_status read_variable(reader *r, int *out)
-{
-    fmb_status st = fmb_words_next(&r->words);
-    if (st != FMB_OK)
-        return st;
     int j = r->words.size > 0 ? fmb_system_find(r->s, r->words.text) : -1;
     if (j < 0)
         return fmb_words_expected(&r->words, "the name of a variable of the system");
     *out = j;
     return FMB_OK;
+}
+
+static fmb_status read_variable(reader *r, int *out)
+{
+    fmb_status st = fmb_words_next(&r->words);
+    return st == FMB_OK ? find_variable(r, out) : st;
 }
 
 static fmb_status read_row(reader *r, size_t *out)
@@ -77,17 +71,26 @@ static fmb_status read_side(reader *r, fmb_side *out)
     return FMB_OK;
 }
 
+/* What a word says as a relation, of the first n; -1: it is none. */
+static int relation_of_word(const reader *r, fmb_side side, int n)
+{
+    int rel = n - 1;
+    while (rel >= 0 && !fmb_words_is(&r->words, fmb_form_relation((fmb_rel)rel, side)))
+        rel--;
+    return rel;
+}
+
 /* One of the first n relations <=, <, =, as that end of an interval spells them. */
 static fmb_status read_relation(reader *r, fmb_side side, int n, fmb_rel *out)
 {
     fmb_status st = fmb_words_next(&r->words);
     if (st != FMB_OK)
         return st;
-    for (int rel = 0; rel < n; rel++)
-        if (fmb_words_is(&r->words, fmb_form_relation((fmb_rel)rel, side))) {
-            *out = (fmb_rel)rel;
-            return FMB_OK;
-        }
+    int rel = relation_of_word(r, side, n);
+    if (rel >= 0) {
+        *out = (fmb_rel)rel;
+        return FMB_OK;
+    }
     return fmb_words_expected(&r->words, "'%s'%s '%s'%s", fmb_form_relation(FMB_LE, side),
                               n > 2 ? "," : " or", fmb_form_relation(FMB_LT, side),
                               n > 2 ? " or '='" : "");
@@ -95,23 +98,56 @@ static fmb_status read_relation(reader *r, fmb_side side, int n, fmb_rel *out)
 
 /* ---- claims ---------------------------------------------------------------------------------- */
 
+/* "[VARIABLE]" */
+static fmb_status read_end_heading(reader *r, fmb_claim *c)
+{
+    fmb_status st = fmb_words_next(&r->words);
+    return st == FMB_OK && r->words.size > 0 ? find_variable(r, &c->var) : st;
+}
+
+/* "[VARIABLE] REL VALUE". A variable may be called like a relation: then another one follows. */
+static fmb_status read_bound_heading(reader *r, fmb_claim *c)
+{
+    fmb_status st = fmb_words_next(&r->words);
+    if (st != FMB_OK)
+        return st;
+    int first = relation_of_word(r, c->side, 2), second = -1;
+    if (first >= 0 && (st = fmb_words_next(&r->words)) == FMB_OK)
+        second = relation_of_word(r, c->side, 2);
+    if (st == FMB_OK && first >= 0 && second < 0) {
+        c->rel = (fmb_rel)first;
+        return fmb_words_rational(&r->words, c->value);
+    }
+    if (st == FMB_OK && first >= 0) {
+        c->var = fmb_system_find(r->s, fmb_form_relation((fmb_rel)first, c->side));
+        c->rel = (fmb_rel)second;
+        if (c->var < 0)
+            st = fmb_words_expected(&r->words, "a number");
+    } else if (st == FMB_OK) {
+        st = find_variable(r, &c->var);
+        if (st == FMB_OK)
+            st = read_relation(r, c->side, 2, &c->rel);
+    }
+    return st == FMB_OK ? read_number(r, c->value) : st;
+}
+
 static fmb_status read_heading(reader *r, fmb_claim *c)
 {
     fmb_heading heading = fmb_claim_forms[c->kind].heading;
     fmb_status st = FMB_OK;
     if (heading == FMB_HEADING_ROW)
         st = read_row(r, &c->row);
-    if (heading == FMB_HEADING_END || heading == FMB_HEADING_BOUND) {
+    if (heading == FMB_HEADING_END || heading == FMB_HEADING_BOUND)
         st = read_side(r, &c->side);
-        if (st == FMB_OK)
-            st = read_variable(r, &c->var);
-    }
+    if (st == FMB_OK && heading == FMB_HEADING_END)
+        st = read_end_heading(r, c);
     if (st == FMB_OK && heading == FMB_HEADING_BOUND)
-        st = read_relation(r, c->side, 2, &c->rel);
-    if (heading == FMB_HEADING_INEQUALITY)
+        st = read_bound_heading(r, c);
+    if (heading == FMB_HEADING_INEQUALITY) {
         st = read_relation(r, FMB_UPPER, 3, &c->rel);
-    if (st == FMB_OK && (heading == FMB_HEADING_BOUND || heading == FMB_HEADING_INEQUALITY))
-        st = read_number(r, c->value);
+        if (st == FMB_OK)
+            st = read_number(r, c->value);
+    }
     return st == FMB_OK ? fmb_words_end(&r->words) : st;
 }
 
@@ -130,7 +166,6 @@ static fmb_status read_key(reader *r, fmb_part part, size_t *out)
         return fmb_words_expected(&r->words, "each %s at most once in the lines '%s'",
                                   form->by_row ? "row" : "variable", form->word);
     r->seen[part][key] = r->e->claims;
-    r->count[part]++;
     *out = key;
     return FMB_OK;
 }
@@ -145,35 +180,15 @@ static fmb_status read_part(reader *r, fmb_claim *c, fmb_part part)
         st = fmb_words_end(&r->words);
     if (st != FMB_OK)
         return st;
-    if (!fmb_part_forms[part].dense)
-        return fmb_evidence_push(r->e, fmb_form_list(c, part), key, r->number);
-    mpq_set((*fmb_form_vector(c, part))[key], r->number);
-    return FMB_OK;
-}
-
-/* At "end": every variable must have come in a point or a ray. */
-static fmb_status end_claim(reader *r, const fmb_claim *c)
-{
-    for (fmb_part part = 0; part < FMB_PARTS; part++) {
-        if (!fmb_claim_forms[c->kind].part[part] || !fmb_part_forms[part].dense)
-            continue;
-        if (r->count[part] == (size_t)r->e->dim)
-            continue;
-        int j = 0;
-        while (r->seen[part][j] == r->e->claims)
-            j++;
-        return fmb_words_expected(&r->words, "a line '%s' for %.80s before the end",
-                                  fmb_part_forms[part].word, fmb_system_name(r->s, j));
-    }
-    return fmb_words_end(&r->words);
+    return fmb_evidence_push(r->e, fmb_form_list(c, part), key, r->number);
 }
 
 /* The part whose line begins with the current word, if the claim may have it; else FMB_PARTS. */
 static fmb_part find_part(const reader *r, const fmb_claim *c)
 {
     fmb_part part = 0;
-    while (part < FMB_PARTS && !(fmb_claim_forms[c->kind].part[part] &&
-                                 fmb_words_is(&r->words, fmb_part_forms[part].word)))
+    while (part < FMB_PARTS &&
+           !(fmb_form_allows(c, part) && fmb_words_is(&r->words, fmb_part_forms[part].word)))
         part++;
     return part;
 }
@@ -184,7 +199,7 @@ static fmb_status expected_part(reader *r, const fmb_claim *c)
     char list[80];
     size_t n = 0;
     for (fmb_part part = 0; part < FMB_PARTS; part++)
-        if (fmb_claim_forms[c->kind].part[part])
+        if (fmb_form_allows(c, part))
             n += (size_t)snprintf(list + n, sizeof list - n, "%s'%s'", n > 0 ? ", " : "",
                                   fmb_part_forms[part].word);
     return fmb_words_expected(&r->words, "%s or 'end'", list);
@@ -193,14 +208,13 @@ static fmb_status expected_part(reader *r, const fmb_claim *c)
 static fmb_status read_parts(reader *r, fmb_claim *c)
 {
     fmb_status st;
-    memset(r->count, 0, sizeof r->count);
     while ((st = fmb_words_line(&r->words)) == FMB_OK && !fmb_words_is(&r->words, "end")) {
         fmb_part part = find_part(r, c);
         st = part < FMB_PARTS ? read_part(r, c, part) : expected_part(r, c);
         if (st != FMB_OK)
             return st;
     }
-    return st == FMB_OK ? end_claim(r, c) : st;
+    return st == FMB_OK ? fmb_words_end(&r->words) : st;
 }
 
 /* The kind named by the current word, or NONE. */
@@ -224,9 +238,6 @@ static fmb_status read_claim(reader *r)
     st = fmb_evidence_claim(r->e, kind, &c);
     if (st == FMB_OK)
         st = read_heading(r, c);
-    for (fmb_part part = 0; st == FMB_OK && part < FMB_PARTS; part++)
-        if (fmb_claim_forms[kind].part[part] && fmb_part_forms[part].dense)
-            st = fmb_evidence_vector(r->e, fmb_form_vector(c, part));
     return st == FMB_OK ? read_parts(r, c) : st;
 }
 
@@ -258,28 +269,59 @@ static fmb_status read_line_keyword(reader *r, const char *word)
                : st;
 }
 
+/* "claims 12", behind the last claim. */
+static fmb_status read_count(reader *r)
+{
+    char count[24];
+    snprintf(count, sizeof count, "%zu", r->e->claims);
+    fmb_status st = fmb_words_next(&r->words);
+    if (st == FMB_OK && !fmb_words_is(&r->words, count))
+        st = fmb_words_expected(&r->words, "'claims %s', as there are", count);
+    if (st == FMB_OK)
+        st = fmb_words_end(&r->words);
+    if (st == FMB_OK)
+        st = fmb_words_line(&r->words);
+    return st == FMB_OK && r->words.size > 0 ? fmb_words_expected(&r->words, "the end of the text")
+                                             : st;
+}
+
+/* All that version 2 can say means the same now. */
+static fmb_status read_version(reader *r)
+{
+    fmb_status st = fmb_words_next(&r->words);
+    if (st == FMB_OK && !fmb_words_is(&r->words, "2") && !fmb_words_is(&r->words, "3"))
+        st = fmb_words_expected(&r->words, "'3' or '2'");
+    return st;
+}
+
 static fmb_status read_text(reader *r)
 {
     fmb_status st = read_line_keyword(r, "fmb-proof");
     if (st == FMB_OK)
-        st = read_keyword(r, "1");
+        st = read_version(r);
     if (st == FMB_OK)
         st = fmb_words_end(&r->words);
     if (st == FMB_OK)
         st = read_line_keyword(r, "system");
     if (st == FMB_OK)
         st = read_shape(r);
-    while (st == FMB_OK && (st = fmb_words_line(&r->words)) == FMB_OK && r->words.size > 0)
-        st = fmb_words_is(&r->words, "claim")
-                 ? read_claim(r)
-                 : fmb_words_expected(&r->words, "'claim' or the end of the text");
-    return st;
+    while (st == FMB_OK && (st = fmb_words_line(&r->words)) == FMB_OK &&
+           fmb_words_is(&r->words, "claim"))
+        st = read_claim(r);
+    if (st != FMB_OK)
+        return st;
+    return fmb_words_is(&r->words, "claims")
+               ? read_count(r)
+               : fmb_words_expected(&r->words, "'claim' or, at the end, 'claims %zu'",
+                                    r->e->claims);
 }
 
 fmb_status fmb_evidence_read(FILE *in, const fmb_system *s, fmb_evidence **out, fmb_where *where)
 {
     fmb_where unwanted;
     reader r = {.s = s};
+    if (!in || !s || !out)
+        return FMB_ERR_ARG;
     fmb_status st = fmb_evidence_new(fmb_system_dim(s), fmb_system_rows(s), &s->mem.alloc, &r.e);
     if (st != FMB_OK)
         return st;

@@ -40,6 +40,12 @@ static bool has_var(const fmb_evidence *e, int var)
     return var >= 0 && var < e->dim;
 }
 
+/* A variable of the system, or a form in its place. */
+static bool names_one_form(const fmb_evidence *e, const fmb_claim *c)
+{
+    return c->var == -1 || (has_var(e, c->var) && c->terms.size == 0);
+}
+
 static bool write_heading(FILE *out, const fmb_evidence *e, const fmb_system *s, const fmb_claim *c)
 {
     const fmb_claim_form *form = &fmb_claim_forms[c->kind];
@@ -51,10 +57,12 @@ static bool write_heading(FILE *out, const fmb_evidence *e, const fmb_system *s,
         good = c->row < e->rows;
     }
     if (form->heading == FMB_HEADING_END || bound) {
-        fputs(c->side == FMB_UPPER ? " upper " : " lower ", out);
-        good = has_var(e, c->var) && !(bound && c->rel == FMB_EQ);
-        if (good)
+        fputs(c->side == FMB_UPPER ? " upper" : " lower", out);
+        good = names_one_form(e, c) && !(bound && c->rel == FMB_EQ);
+        if (good && c->var >= 0) {
+            fputc(' ', out);
             write_name(out, fmb_system_name(s, c->var));
+        }
     }
     if (bound || form->heading == FMB_HEADING_INEQUALITY) {
         fprintf(out, " %s ", fmb_form_relation(c->rel, bound ? c->side : FMB_UPPER));
@@ -77,18 +85,11 @@ static bool write_part(FILE *out, const fmb_system *s, fmb_part part, size_t key
     return good;
 }
 
-/* All lines of one part. False if it is missing, or about what the system does not have. */
+/* All lines of one part. False if it is about what the system does not have. */
 static bool write_parts(FILE *out, const fmb_evidence *e, const fmb_system *s, fmb_claim *c,
                         fmb_part part)
 {
     size_t keys = fmb_part_forms[part].by_row ? e->rows : (size_t)e->dim;
-    if (fmb_part_forms[part].dense) {
-        mpq_t *vector = *fmb_form_vector(c, part);
-        bool good = vector != NULL;
-        for (size_t j = 0; good && j < keys; j++)
-            good = write_part(out, s, part, j, vector[j]);
-        return good;
-    }
     const fmb_sparse *list = fmb_form_list(c, part);
     for (size_t k = 0; k < list->size; k++)
         if (list->index[k] >= keys || !write_part(out, s, part, list->index[k], list->value[k]))
@@ -102,7 +103,7 @@ static bool write_claim(FILE *out, const fmb_evidence *e, const fmb_system *s, f
         return false;
     bool good = write_heading(out, e, s, c);
     for (fmb_part part = 0; good && part < FMB_PARTS; part++)
-        if (fmb_claim_forms[c->kind].part[part])
+        if (fmb_form_allows(c, part))
             good = write_parts(out, e, s, c, part);
     fputs("end\n", out);
     return good;
@@ -110,11 +111,101 @@ static bool write_claim(FILE *out, const fmb_evidence *e, const fmb_system *s, f
 
 fmb_status fmb_evidence_write(const fmb_evidence *e, const fmb_system *s, FILE *out)
 {
-    if (e->dim != fmb_system_dim(s) || e->rows != fmb_system_rows(s))
+    if (!out || !fmb_evidence_fits(e, s))
         return FMB_ERR_ARG;
-    fprintf(out, "fmb-proof 1\nsystem %zu rows %d variables\n", e->rows, e->dim);
+    fprintf(out, "fmb-proof 3\nsystem %zu rows %d variables\n", e->rows, e->dim);
     for (size_t i = 0; i < e->claims; i++)
         if (!write_claim(out, e, s, &e->claim[i]))
             return FMB_ERR_ARG;
+    fprintf(out, "claims %zu\n", e->claims);
+    return ferror(out) ? FMB_ERR_IO : FMB_OK;
+}
+
+/* ---- in words -------------------------------------------------------------------------------- */
+
+/* "x + 2 y": the left side of a claim. */
+static void tell_form(FILE *out, const fmb_system *s, const fmb_claim *c)
+{
+    mpq_t one;
+    mpq_init(one);
+    if (c->var >= 0)
+        write_name(out, fmb_system_name(s, c->var));
+    else if (c->terms.size == 0)
+        fputc('0', out);
+    for (size_t k = 0; k < c->terms.size; k++) {
+        int sign = mpq_sgn(c->terms.value[k]);
+        mpq_abs(one, c->terms.value[k]);
+        fputs(k > 0 ? (sign < 0 ? " - " : " + ") : sign < 0 ? "-" : "", out);
+        if (mpq_cmp_ui(one, 1, 1) != 0) {
+            mpq_out_str(out, 10, one);
+            fputc(' ', out);
+        }
+        write_name(out, fmb_system_name(s, (int)c->terms.index[k]));
+    }
+    mpq_clear(one);
+}
+
+static void tell_inequality(FILE *out, const fmb_system *s, const fmb_claim *c)
+{
+    tell_form(out, s, c);
+    fprintf(out, " %s ", fmb_form_relation(c->rel, FMB_UPPER));
+    mpq_out_str(out, 10, c->value);
+}
+
+/* "max x = 5/2", "sup x = 5/2, not attained" */
+static void tell_bound(FILE *out, const fmb_system *s, const fmb_claim *c)
+{
+    static const char *const word[][2] = {{"inf ", "sup "}, {"min ", "max "}};
+    fputs(word[c->rel == FMB_LE][c->side], out);
+    tell_form(out, s, c);
+    fputs(" = ", out);
+    mpq_out_str(out, 10, c->value);
+    if (c->rel != FMB_LE)
+        fputs(", not attained", out);
+}
+
+static void tell_claim(FILE *out, const fmb_system *s, const fmb_claim *c)
+{
+    static const char *const said[FMB_CLAIM_IRREDUNDANT + 1] = {
+        [FMB_CLAIM_FEASIBLE] = "a point satisfies every row",
+        [FMB_CLAIM_INFEASIBLE] = "no point satisfies every row",
+        [FMB_CLAIM_UNBOUNDED] = " has no end",
+        [FMB_CLAIM_IMPLIED] = " follows",
+        [FMB_CLAIM_REDUNDANT] = " follows from rows that stay",
+        [FMB_CLAIM_EQUALITY] = " always holds with equality",
+        [FMB_CLAIM_IRREDUNDANT] = " follows from no others that stay"};
+    if (c->kind == FMB_CLAIM_BOUND)
+        tell_bound(out, s, c);
+    else if (c->kind == FMB_CLAIM_UNBOUNDED)
+        tell_form(out, s, c);
+    else if (c->kind == FMB_CLAIM_IMPLIED)
+        tell_inequality(out, s, c);
+    else if (fmb_claim_forms[c->kind].heading == FMB_HEADING_ROW)
+        fprintf(out, "row %zu", c->row + 1);
+    fputs(said[c->kind] ? said[c->kind] : "", out);
+    if (c->kind == FMB_CLAIM_UNBOUNDED)
+        fputs(c->side == FMB_UPPER ? " above" : " below", out);
+}
+
+/* Does the claim name only what the system has? */
+static bool is_about(const fmb_evidence *e, const fmb_claim *c)
+{
+    fmb_heading heading = fmb_claim_forms[c->kind].heading;
+    bool good = heading != FMB_HEADING_ROW || c->row < e->rows;
+    if (heading == FMB_HEADING_END || heading == FMB_HEADING_BOUND)
+        good = names_one_form(e, c);
+    for (size_t k = 0; k < c->terms.size; k++)
+        good = good && c->terms.index[k] < (size_t)e->dim;
+    return good;
+}
+
+fmb_status fmb_evidence_tell(const fmb_evidence *e, const fmb_system *s, size_t i, FILE *out)
+{
+    bool known = out && fmb_evidence_fits(e, s) && i < e->claims &&
+                 e->claim[i].kind > FMB_CLAIM_NONE && e->claim[i].kind <= FMB_CLAIM_IRREDUNDANT;
+    if (!known || !is_about(e, &e->claim[i]))
+        return FMB_ERR_ARG;
+    tell_claim(out, s, &e->claim[i]);
+    fputc('\n', out);
     return ferror(out) ? FMB_ERR_IO : FMB_OK;
 }

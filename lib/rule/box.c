@@ -18,7 +18,7 @@
  */
 #include "rule/rule.h"
 
-static bool drop_row(void *state, const fmb_view *w, size_t row)
+static bool drop_row_slack_in_box(void *state, const fmb_view *w, size_t row)
 {
     bool started = fmb_view_column(w) >= 0;
     (void)state;
@@ -30,5 +30,5 @@ static bool drop_row(void *state, const fmb_view *w, size_t row)
 const fmb_rule fmb_rule_box = {
     .name = "box",
     .source = "Baillehache2020",
-    .drop_row = drop_row,
+    .drop_row = drop_row_slack_in_box,
 };

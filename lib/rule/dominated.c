@@ -7,7 +7,7 @@
  */
 #include "rule/parallel.h"
 
-static fmb_status end_round(void *state, const fmb_view *w, bool *drop)
+static fmb_status mark_dominated_rows(void *state, const fmb_view *w, bool *drop)
 {
     (void)state;
     return fmb_parallel_drop(w, fmb_view_dim(w), drop);
@@ -17,5 +17,5 @@ const fmb_rule fmb_rule_dominated = {
     .name = "dominated",
     .source = "Baillehache2020",
     .flags = FMB_RULE_BREAKS_HISTORY,
-    .end_round = end_round,
+    .end_round = mark_dominated_rows,
 };

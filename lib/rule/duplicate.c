@@ -8,7 +8,7 @@
  */
 #include "rule/parallel.h"
 
-static fmb_status end_round(void *state, const fmb_view *w, bool *drop)
+static fmb_status mark_duplicate_rows(void *state, const fmb_view *w, bool *drop)
 {
     (void)state;
     return fmb_parallel_drop(w, fmb_view_dim(w) + 1, drop);
@@ -18,5 +18,5 @@ const fmb_rule fmb_rule_duplicate = {
     .name = "duplicate",
     .source = "Fourier1827",
     .flags = FMB_RULE_BREAKS_HISTORY,
-    .end_round = end_round,
+    .end_round = mark_duplicate_rows,
 };

@@ -15,7 +15,7 @@
  */
 #include "rule/rule.h"
 
-static int count(const uint64_t *set, size_t words)
+static int count_elements(const uint64_t *set, size_t words)
 {
     int n = 0;
     for (size_t k = 0; k < words; k++)
@@ -23,14 +23,15 @@ static int count(const uint64_t *set, size_t words)
     return n;
 }
 
-static void drop_pairs(void *state, const fmb_view *w, size_t i, uint64_t *drop)
+static void drop_pairs_beyond_kohler(void *state, const fmb_view *w, size_t i, uint64_t *drop)
 {
     (void)state;
     fmb_view_drop_larger(w, i, fmb_view_eliminated(w) + 1, drop);
 }
 
 /* |E u (I n O)|: E lies in O. */
-static int most_eliminated(const fmb_view *w, size_t row, const uint64_t *effective, size_t words)
+static int count_possibly_eliminated(const fmb_view *w, size_t row, const uint64_t *effective,
+                                     size_t words)
 {
     uint64_t *implicit = fmb_view_scratch(w, words * sizeof *implicit);
     const uint64_t *gone = fmb_view_gone(w);
@@ -39,19 +40,19 @@ static int most_eliminated(const fmb_view *w, size_t row, const uint64_t *effect
     fmb_view_implicit(w, row, implicit);
     for (size_t k = 0; k < words; k++)
         implicit[k] = effective[k] | (implicit[k] & gone[k]);
-    return count(implicit, words);
+    return count_elements(implicit, words);
 }
 
-static bool drop_row(void *state, const fmb_view *w, size_t row)
+static bool drop_row_unless_minimal(void *state, const fmb_view *w, size_t row)
 {
     size_t words, columns;
     const uint64_t *history = fmb_view_history(w, row, &words);
     const uint64_t *effective = fmb_view_effective(w, row, &columns);
     (void)state;
-    int size = count(history, words);
-    if (size == 1 + count(effective, columns))
+    int size = count_elements(history, words);
+    if (size == 1 + count_elements(effective, columns))
         return false;
-    if (size > 1 + most_eliminated(w, row, effective, columns))
+    if (size > 1 + count_possibly_eliminated(w, row, effective, columns))
         return true;
     return !fmb_view_minimal(w, row);
 }
@@ -60,6 +61,6 @@ const fmb_rule fmb_rule_imbert = {
     .name = "imbert",
     .source = "Imbert1993",
     .flags = FMB_RULE_NEEDS_HISTORY,
-    .drop_pairs = drop_pairs,
-    .drop_row = drop_row,
+    .drop_pairs = drop_pairs_beyond_kohler,
+    .drop_row = drop_row_unless_minimal,
 };

@@ -19,12 +19,12 @@ typedef struct search {
     mpz_t a, b, scale_a, scale_b;
 } search;
 
-static uint64_t absolute(int64_t v)
+static uint64_t absolute_value(int64_t v)
 {
     return v < 0 ? 0 - (uint64_t)v : (uint64_t)v;
 }
 
-static uint64_t gcd(uint64_t a, uint64_t b)
+static uint64_t gcd_by_euclid(uint64_t a, uint64_t b)
 {
     while (b != 0) {
         uint64_t t = a % b;
@@ -34,15 +34,15 @@ static uint64_t gcd(uint64_t a, uint64_t b)
     return a;
 }
 
-static uint64_t small_scale(const int64_t *row, int entries)
+static uint64_t scale_of_int64_row(const int64_t *row, int entries)
 {
     uint64_t g = 0;
     for (int j = 0; j < entries && g != 1; j++)
-        g = gcd(absolute(row[j]), g);
+        g = gcd_by_euclid(absolute_value(row[j]), g);
     return g == 0 ? 1 : g;
 }
 
-static void wide_scale(search *s, size_t row, mpz_t g)
+static void scale_of_gmp_row(search *s, size_t row, mpz_t g)
 {
     mpz_set_ui(g, 0);
     for (int j = 0; j < s->entries; j++) {
@@ -53,43 +53,43 @@ static void wide_scale(search *s, size_t row, mpz_t g)
         mpz_set_ui(g, 1);
 }
 
-static uint64_t stir(uint64_t h, uint64_t low, bool negative)
+static uint64_t stir_into_hash(uint64_t h, uint64_t low, bool negative)
 {
     h = (h ^ (negative ? ~low : low)) * 0xff51afd7ed558ccdu;
     return h ^ h >> 32;
 }
 
-static uint64_t hash(search *s, size_t i)
+static uint64_t hash_of_row(search *s, size_t i)
 {
     size_t row = fmb_view_row(s->w, i);
     const int64_t *v = fmb_view_int64(s->w, row);
     uint64_t h = 0x9e3779b97f4a7c15u;
     if (!v)
-        wide_scale(s, row, s->scale_a);
+        scale_of_gmp_row(s, row, s->scale_a);
     for (int j = 0; j < s->entries; j++) {
         if (v) {
-            h = stir(h, absolute(v[j]) / s->scale[i], v[j] < 0);
+            h = stir_into_hash(h, absolute_value(v[j]) / s->scale[i], v[j] < 0);
             continue;
         }
         fmb_view_get(s->w, row, j, s->a);
         mpz_divexact(s->a, s->a, s->scale_a);
-        h = stir(h, mpz_get_ui(s->a), mpz_sgn(s->a) < 0);
+        h = stir_into_hash(h, mpz_get_ui(s->a), mpz_sgn(s->a) < 0);
     }
     return h;
 }
 
 /* The scales of the i-th and the k-th row, where not both are small. */
-static void set_scales(search *s, size_t i, size_t k)
+static void set_scales_in_gmp(search *s, size_t i, size_t k)
 {
     size_t x = fmb_view_row(s->w, i), y = fmb_view_row(s->w, k);
     if (fmb_view_int64(s->w, x) && fmb_view_int64(s->w, y))
         return;
-    wide_scale(s, x, s->scale_a);
-    wide_scale(s, y, s->scale_b);
+    scale_of_gmp_row(s, x, s->scale_a);
+    scale_of_gmp_row(s, y, s->scale_b);
 }
 
 /* The order of entry j of the i-th and the k-th row at equal scale, after set_scales. */
-static int compare(search *s, size_t i, size_t k, int j)
+static int compare_entries(search *s, size_t i, size_t k, int j)
 {
     size_t x = fmb_view_row(s->w, i), y = fmb_view_row(s->w, k);
     const int64_t *u = fmb_view_int64(s->w, x), *v = fmb_view_int64(s->w, y);
@@ -104,41 +104,41 @@ static int compare(search *s, size_t i, size_t k, int j)
     return mpz_cmp(s->a, s->b);
 }
 
-static bool are_like(search *s, size_t i, size_t k)
+static bool are_rows_like(search *s, size_t i, size_t k)
 {
-    set_scales(s, i, k);
+    set_scales_in_gmp(s, i, k);
     for (int j = 0; j < s->entries; j++)
-        if (compare(s, i, k, j) != 0)
+        if (compare_entries(s, i, k, j) != 0)
             return false;
     return true;
 }
 
 /* The slot of a row like the i-th, or the free slot where that belongs. */
-static size_t *find(search *s, size_t i)
+static size_t *find_slot_of_like(search *s, size_t i)
 {
-    for (size_t at = (size_t)hash(s, i);; at++) {
+    for (size_t at = (size_t)hash_of_row(s, i);; at++) {
         size_t *slot = &s->slot[at & (s->size - 1)];
-        if (*slot == 0 || are_like(s, i, *slot - 1))
+        if (*slot == 0 || are_rows_like(s, i, *slot - 1))
             return slot;
     }
 }
 
 /* Is the bound of the i-th row tighter than that of the k-th, which was just found like it? */
-static bool is_tighter(search *s, size_t i, size_t k)
+static bool is_bound_tighter(search *s, size_t i, size_t k)
 {
-    int order = compare(s, i, k, fmb_view_dim(s->w));
+    int order = compare_entries(s, i, k, fmb_view_dim(s->w));
     fmb_rel a = fmb_view_rel(s->w, fmb_view_row(s->w, i));
     fmb_rel b = fmb_view_rel(s->w, fmb_view_row(s->w, k));
     return order < 0 || (order == 0 && a == FMB_LT && b != FMB_LT);
 }
 
-static void mark(search *s, bool *drop)
+static void mark_looser_rows(search *s, bool *drop)
 {
     for (size_t i = 0; i < fmb_view_rows(s->w) && !fmb_view_stop(s->w); i++) {
         if (fmb_view_rel(s->w, fmb_view_row(s->w, i)) == FMB_EQ)
             continue;
-        size_t *slot = find(s, i);
-        bool first = *slot == 0, better = !first && is_tighter(s, i, *slot - 1);
+        size_t *slot = find_slot_of_like(s, i);
+        bool first = *slot == 0, better = !first && is_bound_tighter(s, i, *slot - 1);
         if (!first)
             drop[better ? *slot - 1 : i] = true;
         if (first || better)
@@ -146,7 +146,7 @@ static void mark(search *s, bool *drop)
     }
 }
 
-static bool open_search(search *s)
+static bool open_hash_table(search *s)
 {
     size_t rows = fmb_view_rows(s->w);
     s->size = 16;
@@ -160,7 +160,7 @@ static bool open_search(search *s)
         s->slot[k] = 0;
     for (size_t i = 0; i < rows; i++) {
         const int64_t *v = fmb_view_int64(s->w, fmb_view_row(s->w, i));
-        s->scale[i] = v ? small_scale(v, s->entries) : 0;
+        s->scale[i] = v ? scale_of_int64_row(v, s->entries) : 0;
     }
     return true;
 }
@@ -168,10 +168,10 @@ static bool open_search(search *s)
 fmb_status fmb_parallel_drop(const fmb_view *w, int entries, bool *drop)
 {
     search s = {.w = w, .entries = entries};
-    if (!open_search(&s))
+    if (!open_hash_table(&s))
         return FMB_ERR_MEMORY;
     mpz_inits(s.a, s.b, s.scale_a, s.scale_b, NULL);
-    mark(&s, drop);
+    mark_looser_rows(&s, drop);
     mpz_clears(s.a, s.b, s.scale_a, s.scale_b, NULL);
     return FMB_OK;
 }

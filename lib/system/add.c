@@ -34,12 +34,13 @@ static void draft_clear(draft *d, fmb_mem *mem)
     fmb_mem_put(mem, d->q, d->capacity + 1, sizeof *d->q);
 }
 
-/* Bring the n terms and the right side q[n] over their common denominator and append them. */
+/* Bring the n terms and the right side q[n] over their common denominator and append them, with the
+ * other sign if they are to be greater. */
 static fmb_status draft_append(const draft *d, fmb_system *s, fmb_rel rel)
 {
     mpz_t *z = fmb_mem_get(&s->mem, d->n + 2, sizeof *z);
     if (!z)
-        return FMB_ERR_MEMORY;
+        return fmb_mem_status(&s->mem);
     for (size_t i = 0; i < d->n + 2; i++)
         mpz_init(z[i]);
     mpz_ptr den = z[d->n + 1];
@@ -49,7 +50,10 @@ static fmb_status draft_append(const draft *d, fmb_system *s, fmb_rel rel)
     for (size_t i = 0; i <= d->n; i++) {
         mpz_divexact(z[i], den, mpq_denref(d->q[i]));
         mpz_mul(z[i], z[i], mpq_numref(d->q[i]));
+        if (rel == FMB_GE || rel == FMB_GT)
+            mpz_neg(z[i], z[i]);
     }
+    rel = rel == FMB_GE ? FMB_LE : rel == FMB_GT ? FMB_LT : rel;
     fmb_status st = fmb_system_append(s, d->n, d->var, z, rel);
     for (size_t i = 0; i < d->n + 2; i++)
         mpz_clear(z[i]);
@@ -57,9 +61,9 @@ static fmb_status draft_append(const draft *d, fmb_system *s, fmb_rel rel)
     return st;
 }
 
-static bool is_rel(fmb_rel rel)
+static fmb_status check_relation(fmb_system *s, fmb_rel rel)
 {
-    return rel == FMB_LE || rel == FMB_LT || rel == FMB_EQ;
+    return (unsigned)rel <= FMB_GT ? FMB_OK : fmb_system_refuse(s, "relation %d is none", (int)rel);
 }
 
 /* q = the j-th number of an array. */
@@ -93,17 +97,29 @@ static fmb_status add_dense(fmb_system *s, setter *set, const void *a, fmb_rel r
     return st;
 }
 
+/* What fmb_system_add and fmb_system_add_int may not be given. */
+static fmb_status check_dense(fmb_system *s, const void *a, fmb_rel rel)
+{
+    if (!s || (!a && s->names.size > 0))
+        return fmb_system_refuse(s, "coefficients that are NULL");
+    return check_relation(s, rel);
+}
+
 fmb_status fmb_system_add(fmb_system *s, const double *a, fmb_rel rel, double b)
 {
-    bool good = is_rel(rel) && isfinite(b);
-    for (size_t j = 0; j < s->names.size; j++)
-        good = good && isfinite(a[j]);
-    return good ? add_dense(s, set_double, a, rel, &b) : FMB_ERR_ARG;
+    fmb_status st = check_dense(s, a, rel);
+    for (size_t j = 0; st == FMB_OK && j < s->names.size; j++)
+        if (!isfinite(a[j]))
+            st = fmb_system_refuse(s, "coefficient of %.80s is %g", s->names.name[j], a[j]);
+    if (st == FMB_OK && !isfinite(b))
+        st = fmb_system_refuse(s, "right side is %g", b);
+    return st == FMB_OK ? add_dense(s, set_double, a, rel, &b) : st;
 }
 
 fmb_status fmb_system_add_int(fmb_system *s, const int64_t *a, fmb_rel rel, int64_t b)
 {
-    return is_rel(rel) ? add_dense(s, set_int, a, rel, &b) : FMB_ERR_ARG;
+    fmb_status st = check_dense(s, a, rel);
+    return st == FMB_OK ? add_dense(s, set_int, a, rel, &b) : st;
 }
 
 typedef struct place {
@@ -118,44 +134,77 @@ static int by_var(const void *x, const void *y)
                             : (a->at > b->at) - (a->at < b->at);
 }
 
-/* Terms sorted by variable, equal variables added up, zeros dropped. */
-static fmb_status draft_gather(draft *d, size_t n, const int *var, mpq_t *coef, fmb_mem *mem)
+/* to += from. GMP needs lowest terms over a positive denominator even to copy; the caller may have
+ * written otherwise. */
+static void add_rational(mpq_t to, mpq_srcptr from, mpq_t scratch)
 {
+    mpz_set(mpq_numref(scratch), mpq_numref(from));
+    mpz_set(mpq_denref(scratch), mpq_denref(from));
+    mpq_canonicalize(scratch);
+    mpq_add(to, to, scratch);
+}
+
+/* Terms sorted by variable, equal variables added up, zeros dropped; then the right side. */
+static fmb_status draft_gather(draft *d, size_t n, const int *var, mpq_t *coef, mpq_srcptr b,
+                               fmb_mem *mem)
+{
+    mpq_t scratch;
     place *order = fmb_mem_get(mem, n, sizeof *order);
     if (!order)
         return fmb_mem_status(mem);
     for (size_t k = 0; k < n; k++)
         order[k] = (place){var[k], k};
     qsort(order, n, sizeof *order, by_var);
+    mpq_init(scratch);
     for (size_t k = 0; k < n;) {
         int v = order[k].var;
         mpq_set_ui(d->q[d->n], 0, 1);
         for (; k < n && order[k].var == v; k++)
-            mpq_add(d->q[d->n], d->q[d->n], coef[order[k].at]);
+            add_rational(d->q[d->n], coef[order[k].at], scratch);
         d->var[d->n] = v;
         d->n += mpq_sgn(d->q[d->n]) != 0;
     }
+    add_rational(d->q[d->n], b, scratch);
+    mpq_clear(scratch);
     fmb_mem_put(mem, order, n, sizeof *order);
     return FMB_OK;
+}
+
+static bool is_rational(mpq_srcptr q)
+{
+    return mpz_sgn(mpq_denref(q)) != 0;
+}
+
+/* What fmb_system_add_q may not be given. */
+static fmb_status check_terms(fmb_system *s, size_t n, const int *var, mpq_t *coef, mpq_srcptr b)
+{
+    if (!s || !b || (n > 0 && (!var || !coef)))
+        return fmb_system_refuse(s, "%s NULL",
+                                 b ? "variables or coefficients are" : "right side is");
+    for (size_t k = 0; k < n; k++)
+        if (var[k] < 0 || var[k] >= fmb_system_dim(s))
+            return fmb_system_refuse(s, "term %zu is of variable %d, and the system has %d", k,
+                                     var[k], fmb_system_dim(s));
+        else if (!is_rational(coef[k]))
+            return fmb_system_refuse(s, "coefficient of %.80s has denominator 0",
+                                     s->names.name[var[k]]);
+    return is_rational(b) ? FMB_OK : fmb_system_refuse(s, "right side has denominator 0");
 }
 
 fmb_status fmb_system_add_q(fmb_system *s, size_t n, const int *var, mpq_t *coef, fmb_rel rel,
                             const mpq_t b)
 {
-    if (!is_rel(rel))
-        return FMB_ERR_ARG;
-    for (size_t k = 0; k < n; k++)
-        if (var[k] < 0 || var[k] >= fmb_system_dim(s))
-            return FMB_ERR_ARG;
     draft d;
-    fmb_status st = draft_init(&d, n, &s->mem);
+    fmb_status st = check_terms(s, n, var, coef, b);
+    if (st == FMB_OK)
+        st = check_relation(s, rel);
+    if (st == FMB_OK)
+        st = draft_init(&d, n, &s->mem);
     if (st != FMB_OK)
         return st;
-    st = draft_gather(&d, n, var, coef, &s->mem);
-    if (st == FMB_OK) {
-        mpq_set(d.q[d.n], b);
+    st = draft_gather(&d, n, var, coef, b, &s->mem);
+    if (st == FMB_OK)
         st = draft_append(&d, s, rel);
-    }
     draft_clear(&d, &s->mem);
     return st;
 }
@@ -164,11 +213,16 @@ fmb_status fmb_system_add_q(fmb_system *s, size_t n, const int *var, mpq_t *coef
 
 size_t fmb_system_terms(const fmb_system *s, size_t i)
 {
-    return s->row[i].nnz;
+    return i < fmb_system_rows(s) ? s->row[i].nnz : 0;
 }
 
-static void get_q(const fmb_sysrow *r, size_t k, mpq_t out)
+void fmb_sysrow_get_q(const fmb_sysrow *r, size_t k, mpq_t out)
 {
+    if (!out)
+        return;
+    mpq_set_ui(out, 0, 1);
+    if (!r || k > r->nnz)
+        return;
     fmb_vec_get(&r->val, k, mpq_numref(out));
     fmb_vec_get(&r->val, r->nnz + 1, mpq_denref(out));
     mpq_canonicalize(out);
@@ -176,11 +230,13 @@ static void get_q(const fmb_sysrow *r, size_t k, mpq_t out)
 
 int fmb_system_term_q(const fmb_system *s, size_t i, size_t k, mpq_t coef)
 {
-    get_q(&s->row[i], k, coef);
-    return s->row[i].var[k];
+    bool there = k < fmb_system_terms(s, i);
+    fmb_sysrow_get_q(there ? &s->row[i] : NULL, k, coef);
+    return there ? s->row[i].var[k] : -1;
 }
 
 void fmb_system_rhs_q(const fmb_system *s, size_t i, mpq_t b)
 {
-    get_q(&s->row[i], s->row[i].nnz, b);
+    bool there = i < fmb_system_rows(s);
+    fmb_sysrow_get_q(there ? &s->row[i] : NULL, there ? s->row[i].nnz : 0, b);
 }

@@ -11,7 +11,7 @@ typedef struct joiner {
     mpq_t rhs;
 } joiner;
 
-static fmb_status copy_row(joiner *j, size_t i)
+static fmb_status append_copy_of_row(joiner *j, size_t i)
 {
     size_t n = fmb_system_terms(j->more, i);
     for (size_t k = 0; k < n; k++) {
@@ -25,30 +25,40 @@ static fmb_status copy_row(joiner *j, size_t i)
 }
 
 /* All rows or none. */
-static fmb_status copy_rows(joiner *j)
+static fmb_status append_copies_of_rows(joiner *j)
 {
     size_t before = j->s->rows, rows = j->more->rows;
     fmb_status st = FMB_OK;
     for (size_t i = 0; st == FMB_OK && i < rows; i++)
-        st = copy_row(j, i);
+        st = append_copy_of_row(j, i);
     while (st != FMB_OK && j->s->rows > before)
         fmb_system_remove(j->s, j->s->rows - 1);
+    for (int v = 0; st == FMB_OK && v < fmb_system_dim(j->more); v++)
+        j->s->mark[j->map ? j->map[v] : v].integer |= j->more->mark[v].integer;
     return st;
 }
 
-static bool is_map(const fmb_system *s, const fmb_system *more, const int *var)
+/* Does every variable of more get a place in s? */
+static fmb_status check_map(fmb_system *s, const fmb_system *more, const int *var)
 {
-    bool good = var || fmb_system_dim(more) <= fmb_system_dim(s);
-    for (int v = 0; var && good && v < fmb_system_dim(more); v++)
-        good = var[v] >= 0 && var[v] < fmb_system_dim(s);
-    return good;
+    int dim = fmb_system_dim(s), most = fmb_system_dim(more);
+    if (!s || !more)
+        return fmb_system_refuse(s, "a system to join that is NULL");
+    if (!var && most > dim)
+        return fmb_system_refuse(s, "a system over %d variables to join one over %d", most, dim);
+    for (int v = 0; var && v < most; v++)
+        if (var[v] < 0 || var[v] >= dim)
+            return fmb_system_refuse(s, "variable %d is to be %d of a system that has %d", v,
+                                     var[v], dim);
+    return FMB_OK;
 }
 
 fmb_status fmb_system_join(fmb_system *s, const fmb_system *more, const int *var)
 {
     joiner j = {.s = s, .more = more, .map = var};
-    if (!s || !more || !is_map(s, more, var))
-        return FMB_ERR_ARG;
+    fmb_status st = check_map(s, more, var);
+    if (st != FMB_OK)
+        return st;
     for (size_t i = 0; i < more->rows; i++)
         j.most = more->row[i].nnz > j.most ? more->row[i].nnz : j.most;
     j.var = fmb_mem_get(&s->mem, j.most, sizeof *j.var);
@@ -56,7 +66,7 @@ fmb_status fmb_system_join(fmb_system *s, const fmb_system *more, const int *var
     for (size_t k = 0; j.coef && k < j.most; k++)
         mpq_init(j.coef[k]);
     mpq_init(j.rhs);
-    fmb_status st = j.var && j.coef ? copy_rows(&j) : fmb_mem_status(&s->mem);
+    st = j.var && j.coef ? append_copies_of_rows(&j) : fmb_mem_status(&s->mem);
     mpq_clear(j.rhs);
     for (size_t k = 0; j.coef && k < j.most; k++)
         mpq_clear(j.coef[k]);

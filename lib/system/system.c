@@ -1,14 +1,45 @@
 /* system.c: life of a system, its variables and labels; see system.h. */
 #include "system/system.h"
 
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 static fmb_status add_default_name(fmb_system *s);
 
+/* ---- what was wrong -------------------------------------------------------------------------- */
+
+fmb_status fmb_system_refuse(fmb_system *s, const char *format, ...)
+{
+    va_list args;
+    if (!s)
+        return FMB_ERR_ARG;
+    va_start(args, format);
+    vsnprintf(s->trouble, sizeof s->trouble, format, args);
+    va_end(args);
+    return FMB_ERR_ARG;
+}
+
+static fmb_status refuse_variable(fmb_system *s, int j)
+{
+    return fmb_system_refuse(s, "variable %d of a system that has %d", j, fmb_system_dim(s));
+}
+
+static fmb_status refuse_row(fmb_system *s, size_t i)
+{
+    return fmb_system_refuse(s, "row %zu of a system that has %zu", i, fmb_system_rows(s));
+}
+
+const char *fmb_system_trouble(const fmb_system *s)
+{
+    return s ? s->trouble : "";
+}
+
+/* ---- life ------------------------------------------------------------------------------------ */
+
 fmb_status fmb_system_new(int dim, const fmb_alloc *hook, fmb_system **out)
 {
-    if (dim < 0 || !out)
+    if (dim < 0 || dim > FMB_DIM_MAX || !out)
         return FMB_ERR_ARG;
     fmb_mem mem;
     fmb_mem_init(&mem, hook, 0);
@@ -27,7 +58,7 @@ fmb_status fmb_system_new(int dim, const fmb_alloc *hook, fmb_system **out)
     return FMB_OK;
 }
 
-static void free_row(fmb_system *s, fmb_sysrow *r)
+void fmb_system_free_row(fmb_system *s, fmb_sysrow *r)
 {
     fmb_vec_clear(&r->val, r->nnz + 2, &s->mem);
     fmb_mem_put(&s->mem, r->val.s, r->nnz + 2, sizeof *r->val.s);
@@ -40,9 +71,10 @@ void fmb_system_free(fmb_system *s)
     if (!s)
         return;
     for (size_t i = 0; i < s->rows; i++)
-        free_row(s, &s->row[i]);
+        fmb_system_free_row(s, &s->row[i]);
+    fmb_system_drop_objective(s);
     fmb_mem_put(&s->mem, s->row, s->row_capacity, sizeof *s->row);
-    fmb_mem_put(&s->mem, s->kept, s->kept_capacity, sizeof *s->kept);
+    fmb_mem_put(&s->mem, s->mark, s->mark_capacity, sizeof *s->mark);
     fmb_names_clear(&s->names, &s->mem);
     fmb_mem mem = s->mem;
     fmb_mem_put(&mem, s, 1, sizeof *s);
@@ -52,20 +84,25 @@ void fmb_system_free(fmb_system *s)
 
 int fmb_system_dim(const fmb_system *s)
 {
-    return (int)s->names.size;
+    return s ? (int)s->names.size : 0;
+}
+
+static bool has_variable(const fmb_system *s, int j)
+{
+    return j >= 0 && j < fmb_system_dim(s);
 }
 
 static fmb_status add_name(fmb_system *s, const char *name)
 {
     size_t n = s->names.size;
-    if (n >= INT32_MAX / 2)
-        return FMB_ERR_ARG;
+    if (n >= FMB_DIM_MAX)
+        return fmb_system_refuse(s, "more than %d variables", FMB_DIM_MAX);
     fmb_status st =
-        fmb_mem_reserve(&s->mem, (void **)&s->kept, &s->kept_capacity, n + 1, sizeof *s->kept);
+        fmb_mem_reserve(&s->mem, (void **)&s->mark, &s->mark_capacity, n + 1, sizeof *s->mark);
     if (st == FMB_OK)
         st = fmb_names_add(&s->names, name, &s->mem);
     if (st == FMB_OK)
-        s->kept[n] = false;
+        s->mark[n] = (fmb_mark){0};
     return st;
 }
 
@@ -81,11 +118,23 @@ static fmb_status add_default_name(fmb_system *s)
     return add_name(s, name);
 }
 
+/* May variable j (-1: a new one) be called that? */
+static fmb_status check_name(fmb_system *s, int j, const char *name)
+{
+    if (!name || !*name)
+        return fmb_system_refuse(s, "a name that is %s", name ? "empty" : "NULL");
+    int taken = fmb_names_find(&s->names, name);
+    return taken < 0 || taken == j ? FMB_OK
+                                   : fmb_system_refuse(s, "the name \"%.80s\" is taken", name);
+}
+
 fmb_status fmb_system_add_variable(fmb_system *s, const char *name, int *index)
 {
-    if (name && (!*name || fmb_names_find(&s->names, name) >= 0))
+    if (!s)
         return FMB_ERR_ARG;
-    fmb_status st = name ? add_name(s, name) : add_default_name(s);
+    fmb_status st = name ? check_name(s, -1, name) : FMB_OK;
+    if (st == FMB_OK)
+        st = name ? add_name(s, name) : add_default_name(s);
     if (st == FMB_OK && index)
         *index = fmb_system_dim(s) - 1;
     return st;
@@ -93,64 +142,81 @@ fmb_status fmb_system_add_variable(fmb_system *s, const char *name, int *index)
 
 const char *fmb_system_name(const fmb_system *s, int j)
 {
-    return s->names.name[j];
+    return has_variable(s, j) ? s->names.name[j] : NULL;
 }
 
 fmb_status fmb_system_set_name(fmb_system *s, int j, const char *name)
 {
-    if (j < 0 || j >= fmb_system_dim(s) || !name || !*name)
-        return FMB_ERR_ARG;
-    int taken = fmb_names_find(&s->names, name);
-    if (taken >= 0)
-        return taken == j ? FMB_OK : FMB_ERR_ARG;
+    if (!has_variable(s, j))
+        return refuse_variable(s, j);
+    fmb_status st = check_name(s, j, name);
+    if (st != FMB_OK || strcmp(name, s->names.name[j]) == 0)
+        return st;
     return fmb_names_change(&s->names, j, name, &s->mem);
 }
 
 int fmb_system_find(const fmb_system *s, const char *name)
 {
-    return fmb_names_find(&s->names, name);
+    return s && name ? fmb_names_find(&s->names, name) : -1;
 }
 
 bool fmb_system_asks_projection(const fmb_system *s)
 {
-    return s->asks_projection;
+    return s && s->asks_projection;
 }
 
 bool fmb_system_is_kept(const fmb_system *s, int j)
 {
-    return s->kept[j];
+    return has_variable(s, j) && s->mark[j].kept;
 }
 
 void fmb_system_set_kept(fmb_system *s, int j, bool kept)
 {
+    if (!has_variable(s, j)) {
+        (void)refuse_variable(s, j);
+        return;
+    }
     s->asks_projection = true;
-    s->kept[j] = kept;
+    s->mark[j].kept = kept;
+}
+
+fmb_status fmb_system_set_integer(fmb_system *s, int j, bool integer)
+{
+    if (!has_variable(s, j))
+        return refuse_variable(s, j);
+    s->mark[j].integer = integer;
+    return FMB_OK;
+}
+
+bool fmb_system_is_integer(const fmb_system *s, int j)
+{
+    return has_variable(s, j) && s->mark[j].integer;
 }
 
 /* ---- rows ------------------------------------------------------------------------------------ */
 
 size_t fmb_system_rows(const fmb_system *s)
 {
-    return s->rows;
+    return s ? s->rows : 0;
 }
 
 fmb_rel fmb_system_rel(const fmb_system *s, size_t i)
 {
-    return s->row[i].rel;
+    return i < fmb_system_rows(s) ? s->row[i].rel : FMB_LE;
 }
 
 const char *fmb_system_label(const fmb_system *s, size_t i)
 {
-    return s->row[i].label;
+    return i < fmb_system_rows(s) ? s->row[i].label : NULL;
 }
 
 fmb_status fmb_system_set_label(fmb_system *s, size_t i, const char *label)
 {
     char *copy = NULL;
-    if (i >= s->rows)
-        return FMB_ERR_ARG;
+    if (i >= fmb_system_rows(s))
+        return refuse_row(s, i);
     if (label && !(copy = fmb_mem_text(&s->mem, label)))
-        return FMB_ERR_MEMORY;
+        return fmb_mem_status(&s->mem);
     fmb_mem_put_text(&s->mem, s->row[i].label);
     s->row[i].label = copy;
     return FMB_OK;
@@ -168,8 +234,9 @@ static fmb_status open_row(fmb_system *s, size_t n, fmb_sysrow **out)
     r->var = fmb_mem_get(&s->mem, n, sizeof *r->var);
     r->val.s = fmb_mem_get(&s->mem, n + 2, sizeof *r->val.s);
     if (!r->var || !r->val.s) {
-        free_row(s, r);
-        return FMB_ERR_MEMORY;
+        fmb_status why = fmb_mem_status(&s->mem);
+        fmb_system_free_row(s, r);
+        return why;
     }
     *out = r;
     return FMB_OK;
@@ -177,13 +244,13 @@ static fmb_status open_row(fmb_system *s, size_t n, fmb_sysrow **out)
 
 fmb_status fmb_system_append(fmb_system *s, size_t n, const int *var, mpz_t *z, fmb_rel rel)
 {
-    fmb_sysrow *r;
+    fmb_sysrow *r = NULL;
     fmb_status st = open_row(s, n, &r);
     if (st != FMB_OK)
         return st;
     st = fmb_vec_set_z(&r->val, n + 2, z, &s->mem);
     if (st != FMB_OK) {
-        free_row(s, r);
+        fmb_system_free_row(s, r);
         return st;
     }
     if (n > 0)
@@ -195,14 +262,21 @@ fmb_status fmb_system_append(fmb_system *s, size_t n, const int *var, mpz_t *z, 
 
 void fmb_system_remove(fmb_system *s, size_t i)
 {
-    free_row(s, &s->row[i]);
+    fmb_system_free_row(s, &s->row[i]);
     s->rows--;
     memmove(&s->row[i], &s->row[i + 1], (s->rows - i) * sizeof *s->row);
 }
 
-static fmb_status copy_row(fmb_system *to, const fmb_sysrow *from)
+void fmb_system_drop_objective(fmb_system *s)
 {
-    fmb_sysrow *r;
+    if (s->sense != FMB_SENSE_NONE)
+        fmb_system_free_row(s, &s->objective);
+    s->sense = FMB_SENSE_NONE;
+}
+
+fmb_status fmb_system_copy_row(fmb_system *to, const fmb_sysrow *from)
+{
+    fmb_sysrow *r = NULL;
     fmb_status st = open_row(to, from->nnz, &r);
     if (st != FMB_OK)
         return st;
@@ -211,9 +285,9 @@ static fmb_status copy_row(fmb_system *to, const fmb_sysrow *from)
     r->rel = from->rel;
     st = fmb_vec_copy(&r->val, &from->val, from->nnz + 2, &to->mem);
     if (st == FMB_OK && from->label && !(r->label = fmb_mem_text(&to->mem, from->label)))
-        st = FMB_ERR_MEMORY;
+        st = fmb_mem_status(&to->mem);
     if (st != FMB_OK)
-        free_row(to, r);
+        fmb_system_free_row(to, r);
     else
         to->rows++;
     return st;
@@ -226,24 +300,44 @@ static fmb_status copy_variables(fmb_system *t, const fmb_system *s)
         fmb_status st = add_name(t, fmb_system_name(s, j));
         if (st != FMB_OK)
             return st;
-        t->kept[j] = s->kept[j];
+        t->mark[j] = s->mark[j];
     }
     t->asks_projection = s->asks_projection;
     return FMB_OK;
 }
 
-fmb_status fmb_system_copy(const fmb_system *s, fmb_system **out)
+/* The objective of s onto t, which has no rows yet. */
+static fmb_status copy_objective(fmb_system *t, const fmb_system *s)
+{
+    if (s->sense == FMB_SENSE_NONE)
+        return FMB_OK;
+    fmb_status st = fmb_system_copy_row(t, &s->objective);
+    if (st != FMB_OK)
+        return st;
+    t->objective = t->row[--t->rows];
+    t->sense = s->sense;
+    return FMB_OK;
+}
+
+fmb_status fmb_system_copy_to(const fmb_system *s, const fmb_alloc *hook, fmb_system **out)
 {
     fmb_system *t;
-    fmb_status st = fmb_system_new(0, &s->mem.alloc, &t);
+    fmb_status st = fmb_system_new(0, hook, &t);
     if (st != FMB_OK)
         return st;
     st = copy_variables(t, s);
+    if (st == FMB_OK)
+        st = copy_objective(t, s);
     for (size_t i = 0; st == FMB_OK && i < s->rows; i++)
-        st = copy_row(t, &s->row[i]);
+        st = fmb_system_copy_row(t, &s->row[i]);
     if (st == FMB_OK)
         *out = t;
     else
         fmb_system_free(t);
     return st;
+}
+
+fmb_status fmb_system_copy(const fmb_system *s, fmb_system **out)
+{
+    return s && out ? fmb_system_copy_to(s, &s->mem.alloc, out) : FMB_ERR_ARG;
 }

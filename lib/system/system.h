@@ -21,14 +21,23 @@ typedef struct fmb_sysrow {
     char *label; /* or NULL */
 } fmb_sysrow;
 
+/* What the source says of a variable. */
+typedef struct fmb_mark {
+    bool kept; /* by the projection that it asks for */
+    bool integer;
+} fmb_mark;
+
 struct fmb_system {
     fmb_mem mem;
     fmb_sysrow *row; /* [rows] */
     size_t rows, row_capacity;
     fmb_names names;
-    bool *kept; /* [names.size] marks of the projection the source asks for */
-    size_t kept_capacity;
+    fmb_mark *mark; /* [names.size] */
+    size_t mark_capacity;
     bool asks_projection;
+    fmb_sense sense;
+    fmb_sysrow objective; /* unless sense is NONE: the right side is the constant */
+    char trouble[160];    /* what fmb_system_refuse said last */
 };
 
 static inline const fmb_sysrow *fmb_system_row(const fmb_system *s, size_t i)
@@ -36,11 +45,36 @@ static inline const fmb_sysrow *fmb_system_row(const fmb_system *s, size_t i)
     return &s->row[i];
 }
 
+/* Put down which argument was wrong, for fmb_system_trouble; always FMB_ERR_ARG. s may be NULL. */
+__attribute__((format(printf, 2, 3))) fmb_status fmb_system_refuse(fmb_system *s,
+                                                                   const char *format, ...);
+
 /* Append sum coef[k]/den x_var[k] REL rhs/den with integers z = coef[0..n), rhs, den (n + 2 of
  * them, den > 0), var strictly increasing, no zero coefficient. Errors: MEMORY. */
 fmb_status fmb_system_append(fmb_system *s, size_t n, const int *var, mpz_t *z, fmb_rel rel);
 
+/* Append a copy of a row, with its label. Errors: MEMORY. */
+fmb_status fmb_system_copy_row(fmb_system *to, const fmb_sysrow *from);
+/* Row i leaves, or comes back to, a system that has room for it as it had it before. Not freed,
+ * not copied. */
+void fmb_system_take_row(fmb_system *s, size_t i, fmb_sysrow *out);
+void fmb_system_put_row(fmb_system *s, size_t i, const fmb_sysrow *r);
+void fmb_system_free_row(fmb_system *s, fmb_sysrow *r);
+/* Row i gets another right side, as written: *old is what it was, without the label, which stays.
+ * Errors: ARG (denominator 0), MEMORY. */
+fmb_status fmb_system_change_right(fmb_system *s, size_t i, const mpq_t b, fmb_sysrow *old);
+/* [give] fmb_system_copy with that allocator. */
+fmb_status fmb_system_copy_to(const fmb_system *s, const fmb_alloc *hook, fmb_system **out);
+
 /* Remove row i; the rows behind it move up. */
 void fmb_system_remove(fmb_system *s, size_t i);
+/* Give t the objective of s, whose variable j is place[j] there, or none (-1): then one that names
+ * it is left out. Errors: MEMORY. */
+fmb_status fmb_system_carry_objective(fmb_system *t, const fmb_system *s, const int *place);
+/* From now on there is no objective. */
+void fmb_system_drop_objective(fmb_system *s);
+
+/* Entry k of a row as written, k = nnz being the right side; 0 where r is NULL or has none. */
+void fmb_sysrow_get_q(const fmb_sysrow *r, size_t k, mpq_t out);
 
 #endif

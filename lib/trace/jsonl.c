@@ -7,7 +7,7 @@
 static const char *const KIND[] = {"begin", "round", "rule", "lp", "end", "row", "rebase"};
 
 /* Names of rules may come from anywhere. */
-static void put_word(FILE *out, const char *key, const char *word)
+static void print_quoted_word(FILE *out, const char *key, const char *word)
 {
     fprintf(out, ", \"%s\": \"", key);
     for (; *word; word++) {
@@ -18,37 +18,40 @@ static void put_word(FILE *out, const char *key, const char *word)
     fputc('"', out);
 }
 
-static void put_count(FILE *out, const char *key, uint64_t n)
+static void print_count(FILE *out, const char *key, uint64_t n)
 {
     fprintf(out, ", \"%s\": %" PRIu64, key, n);
 }
 
 /* The least element of a set that is at least i; 64 words or more: there is none. */
-static size_t next_bit(const uint64_t *set, size_t words, size_t i)
+static size_t find_next_element(const uint64_t *set, size_t words, size_t i)
 {
     while (i < 64 * words && !(set[i / 64] >> (i % 64) & 1))
         i++;
     return i;
 }
 
-static void put_columns(FILE *out, const char *key, const uint64_t *set, const fmb_row_event *r)
+static void print_variables(FILE *out, const char *key, const uint64_t *set, const fmb_row_event *r)
 {
     const char *comma = "";
     size_t end = 64 * r->column_words;
     fprintf(out, ", \"%s\": [", key);
-    for (size_t i = 0; (i = next_bit(set, r->column_words, i)) < end; i++) {
-        fprintf(out, "%s%d", comma, (r->variable ? r->variable[i] : (int)i) + 1);
+    for (size_t i = 0; (i = find_next_element(set, r->column_words, i)) < end; i++) {
+        int variable = r->variable ? r->variable[i] : (int)i;
+        if (variable < 0) /* the form of an optimum */
+            continue;
+        fprintf(out, "%s%d", comma, variable + 1);
         comma = ", ";
     }
     fputc(']', out);
 }
 
-static void put_history(FILE *out, const fmb_row_event *r)
+static void print_history(FILE *out, const fmb_row_event *r)
 {
     const char *comma = "";
     size_t end = 64 * r->history_words;
     fputs(", \"history\": [", out);
-    for (size_t i = 0; (i = next_bit(r->history, r->history_words, i)) < end; i++) {
+    for (size_t i = 0; (i = find_next_element(r->history, r->history_words, i)) < end; i++) {
         fprintf(out, "%s%" PRIu64, comma, (uint64_t)r->base[i] + 1);
         comma = ", ";
     }
@@ -56,86 +59,86 @@ static void put_history(FILE *out, const fmb_row_event *r)
 }
 
 /* Without histories there is nothing to say about them. */
-static void put_row(FILE *out, const fmb_row_event *r)
+static void print_derived_row(FILE *out, const fmb_row_event *r)
 {
     static const char *const MINIMAL[] = {"null", "false", "true"};
-    put_count(out, "row", r->row + 1);
+    print_count(out, "row", r->row + 1);
     fprintf(out, ", \"parents\": [%" PRIu64 ", %" PRIu64 "]", r->parent[0] + 1, r->parent[1] + 1);
     if (r->dropped_by)
-        put_word(out, "dropped_by", r->dropped_by);
+        print_quoted_word(out, "dropped_by", r->dropped_by);
     else
         fputs(", \"dropped_by\": null", out);
     if (r->history) {
-        put_history(out, r);
-        put_columns(out, "effective", r->effective, r);
-        put_columns(out, "implicit", r->implicit, r);
+        print_history(out, r);
+        print_variables(out, "effective", r->effective, r);
+        print_variables(out, "implicit", r->implicit, r);
     }
     fprintf(out, ", \"minimal\": %s", MINIMAL[r->minimal + 1]);
 }
 
-static void put_place(FILE *out, const fmb_event *e)
+static void print_round_and_variable(FILE *out, const fmb_event *e)
 {
     fprintf(out, ", \"round\": %d", e->round);
     if (e->var >= 0)
         fprintf(out, ", \"var\": %d", e->var + 1);
 }
 
-static void put_rows(FILE *out, const fmb_event *e)
+static void print_rows_in_and_out(FILE *out, const fmb_event *e)
 {
-    put_count(out, "rows_in", e->rows_in);
-    put_count(out, "rows_out", e->rows_out);
+    print_count(out, "rows_in", e->rows_in);
+    print_count(out, "rows_out", e->rows_out);
 }
 
-static void put_round(FILE *out, const fmb_event *e)
+static void print_round_counts(FILE *out, const fmb_event *e)
 {
-    put_rows(out, e);
-    put_count(out, "pairs", e->pairs);
-    put_count(out, "made", e->made);
-    put_count(out, "dropped", e->dropped);
-    put_count(out, "widened", e->widened);
+    print_rows_in_and_out(out, e);
+    print_count(out, "pairs", e->pairs);
+    print_count(out, "made", e->made);
+    print_count(out, "dropped", e->dropped);
+    print_count(out, "widened", e->widened);
 }
 
-static void put_body(FILE *out, const fmb_event *e)
+static void print_kind_of_event(FILE *out, const fmb_event *e)
 {
     switch (e->kind) {
     case FMB_EVENT_BEGIN:
     case FMB_EVENT_END:
         break;
     case FMB_EVENT_ROUND:
-        put_place(out, e);
-        put_round(out, e);
+        print_round_and_variable(out, e);
+        print_round_counts(out, e);
         break;
     case FMB_EVENT_RULE:
-        put_place(out, e);
-        put_count(out, "dropped", e->dropped);
+        print_round_and_variable(out, e);
+        print_count(out, "dropped", e->dropped);
         break;
     case FMB_EVENT_LP:
-        put_rows(out, e);
+        print_rows_in_and_out(out, e);
         break;
     case FMB_EVENT_ROW:
-        put_place(out, e);
-        put_row(out, e->row);
+        print_round_and_variable(out, e);
+        print_derived_row(out, e->row);
         break;
     case FMB_EVENT_REBASE:
-        put_place(out, e);
-        put_count(out, "rows", e->rows_in);
+        print_round_and_variable(out, e);
+        print_count(out, "rows", e->rows_in);
         break;
     }
 }
 
-static void put_line(void *self, const fmb_event *e)
+static void print_event_as_line(void *self, const fmb_event *e)
 {
     FILE *out = self;
     uint64_t micros = (uint64_t)(e->seconds * 1e6);
     fprintf(out, "{\"event\": \"%s\", \"seconds\": %" PRIu64 ".%06" PRIu64, KIND[e->kind],
             micros / 1000000, micros % 1000000);
     if (e->name)
-        put_word(out, "name", e->name);
-    put_body(out, e);
+        print_quoted_word(out, "name", e->name);
+    print_kind_of_event(out, e);
     fputs("}\n", out);
 }
 
 fmb_sink fmb_sink_jsonl(FILE *out)
 {
-    return (fmb_sink){put_line, out};
+    return (fmb_sink){print_event_as_line, out};
 }

@@ -3,7 +3,7 @@
 
 #include <time.h>
 
-static double now(void)
+static double monotonic_seconds(void)
 {
     struct timespec t;
     clock_gettime(CLOCK_MONOTONIC, &t);
@@ -16,7 +16,7 @@ void fmb_run_begin(fmb_run *run, fmb_mem *mem, const fmb_options *o, const atomi
     *run = (fmb_run){.mem = mem, .cancel = cancel, .max_rows = o->max_rows, .sink = sink};
     run->kernels = fmb_kernels_choose(o->simd);
     run->tells_rows = o->trace_rows && sink.put != NULL;
-    run->started = now();
+    run->started = monotonic_seconds();
     if (o->max_seconds > 0)
         run->deadline = run->started + o->max_seconds;
     mem->limit = o->max_bytes;
@@ -26,13 +26,13 @@ void fmb_run_begin(fmb_run *run, fmb_mem *mem, const fmb_options *o, const atomi
 
 void fmb_run_end(fmb_run *run, fmb_verdict v)
 {
-    run->stats.seconds = now() - run->started;
+    run->stats.seconds = monotonic_seconds() - run->started;
     run->stats.bytes_peak = run->mem->peak;
     run->mem->limit = 0;
     fmb_run_emit(run, (fmb_event){.kind = FMB_EVENT_END, .var = -1, .name = fmb_verdict_text(v)});
 }
 
-static fmb_status stop(fmb_run *run, fmb_stop why)
+static fmb_status note_first_stop(fmb_run *run, fmb_stop why)
 {
     if (run->stop == FMB_STOP_DONE)
         run->stop = why;
@@ -44,9 +44,9 @@ fmb_status fmb_run_poll_now(fmb_run *run)
     if (run->stop != FMB_STOP_DONE)
         return FMB_LIMIT;
     if (atomic_load_explicit(run->cancel, memory_order_relaxed))
-        return stop(run, FMB_STOP_CANCELLED);
-    if (run->deadline > 0 && now() >= run->deadline)
-        return stop(run, FMB_STOP_TIME);
+        return note_first_stop(run, FMB_STOP_CANCELLED);
+    if (run->deadline > 0 && monotonic_seconds() >= run->deadline)
+        return note_first_stop(run, FMB_STOP_TIME);
     return FMB_OK;
 }
 
@@ -63,7 +63,7 @@ fmb_status fmb_run_rows(fmb_run *run, size_t rows)
     if (rows > run->stats.rows_peak)
         run->stats.rows_peak = rows;
     if (run->max_rows > 0 && rows > run->max_rows)
-        return stop(run, FMB_STOP_ROWS);
+        return note_first_stop(run, FMB_STOP_ROWS);
     return FMB_OK;
 }
 
@@ -71,7 +71,7 @@ void fmb_run_emit(fmb_run *run, fmb_event e)
 {
     if (!run->sink.put)
         return;
-    e.seconds = now() - run->started;
+    e.seconds = monotonic_seconds() - run->started;
     if (run->var_of && e.var >= 0)
         e.var = run->var_of[e.var];
     run->sink.put(run->sink.self, &e);

@@ -39,6 +39,11 @@ void fmb_run_end(fmb_run *run, fmb_verdict v);
 fmb_status fmb_run_poll(fmb_run *run);
 /* The same, with the clock read at every call: before long steps. */
 fmb_status fmb_run_poll_now(fmb_run *run);
+/* The same; FMB_OK without a run. */
+static inline fmb_status fmb_poll_if_limited(fmb_run *run)
+{
+    return run ? fmb_run_poll_now(run) : FMB_OK;
+}
 /* Note that `rows` rows are alive: keeps the peak, checks the limit. */
 fmb_status fmb_run_rows(fmb_run *run, size_t rows);
 

@@ -68,6 +68,25 @@ class Json(unittest.TestCase):
                                                  "lower_attained": False, "upper_attained": False})
         self.assertIn("conflict", ask(1, "bounds", "schedule.fmb"))
 
+    def test_optimize(self):
+        answer = ask(0, "optimize", "breakfast.fmb", "--min", "0.4 bread + 0.35 milk + 7")
+        self.assertEqual(set(answer), {"verdict", "stop", "objective", "optimum", "witness",
+                                       "multipliers", "stats"})
+        self.assertEqual(answer["objective"], {"sense": "min", "coefficients": ["2/5", "7/20", "0"],
+                                               "constant": "7"})
+        best = fractions.Fraction(answer["optimum"]["value"])
+        x = {name: fractions.Fraction(value) for name, value in answer["witness"].items()}
+        self.assertEqual(x["bread"] * 2 / 5 + x["milk"] * 7 / 20 + 7, best)
+        self.assertIs(answer["optimum"]["attained"], True)
+        for row in answer["multipliers"]:
+            self.assertEqual(set(row), {"row", "label", "multiplier"})
+        answer = ask(0, "optimize", "-", "--min", "x", text=b"x < 3\n")
+        self.assertEqual(answer["optimum"], {"value": "-inf", "attained": False})
+        self.assertEqual(answer["ray"], {"x": "-1"})
+        self.assertIn("conflict", ask(1, "optimize", "schedule.fmb", "--max", "carpet"))
+        answer = ask(0, "reduce", "-", text=b"max: 2x\nx <= 3\nx <= 4\n")
+        self.assertEqual(answer["objective"]["coefficients"], ["2"])
+
     def test_project_and_reduce(self):
         answer = ask(0, "project", "cube.ine")
         self.assertEqual(len(answer["variables"]), 2)
@@ -102,7 +121,8 @@ class Json(unittest.TestCase):
             proof = os.path.join(folder, "p")
             ask(1, "solve", "schedule.fmb", "--proof", proof)
             self.assertEqual(ask(0, "check", "schedule.fmb", proof),
-                             {"accepted": True, "verdict": "infeasible", "claims": 1})
+                             {"accepted": True, "verdict": "infeasible", "claims": 1,
+                              "kinds": {"infeasible": 1}})
             with open(proof) as f:
                 wrong = re.sub("row 4 .*", "row 4 77", f.read())
             answer = ask(1, "check", "schedule.fmb", "-", text=wrong.encode())

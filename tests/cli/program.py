@@ -23,12 +23,21 @@ def call(command, **env):
 
 
 def try_program(folder, name, flags, libraries):
+    """Compile the program with the flags of pkg-config and run it."""
     source, binary = folder / f"{name}.c", folder / name
     source.write_text(program)
     strict = ["-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]
     call(["gcc", *strict, *flags, str(source), "-o", str(binary), *flags])
     found = call([str(binary)], LD_LIBRARY_PATH=str(libraries))
     assert found == expected, f"{name}: {found!r} instead of {expected!r}"
+
+
+def can_link(folder, flags):
+    """Are these libraries there?"""
+    empty = folder / "empty.c"
+    empty.write_text("int main(void) { return 0; }\n")
+    return subprocess.run(["gcc", str(empty), "-o", str(folder / "empty"), *flags],
+                          capture_output=True).returncode == 0
 
 
 def sanitizers():
@@ -51,7 +60,17 @@ with tempfile.TemporaryDirectory() as name:
                              PKG_CONFIG_PATH=str(pc.parent), PKG_CONFIG_SYSROOT_DIR=str(home)))
     try_program(scratch, "installed", [*flags, *extra], next(home.rglob("libfmb.so")).parent)
 
+    # Statically, where what GLPK's static library wants is there (libltdl-dev, zlib1g-dev), and no
+    # sanitizer, which cannot.
+    flags = shlex.split(call(["pkg-config", "--static", "--cflags", "--libs", "fmb"],
+                             PKG_CONFIG_PATH=str(pc.parent), PKG_CONFIG_SYSROOT_DIR=str(home)))
+    needed = [f for f in flags if f.startswith("-l") and f != "-lfmb"]
+    static = not extra and can_link(scratch, ["-static", *needed])
+    if static:
+        try_program(scratch, "static", ["-static", *flags], scratch)
+
     installed = {p.name for p in home.rglob("*") if p.is_file() or p.is_symlink()}
-    wanted = {"fmb", "fmb.h", "gmp.h", "libfmb.a", "libfmb.so", "fmb.1", "fmb.pc"}
+    wanted = {"fmb", "fmb.h", "gmp.h", "libfmb.a", "libfmb.so", "fmb.1", "fmb.pc", "LICENSE",
+              "theory.md", "breakfast.fmb", "same_rows.c", "_fmb", "fmb.fish"}
     assert wanted <= installed, f"not installed: {wanted - installed}"
-print("built and installed: the program says", expected.strip())
+print("built, installed" + ", static" * static + ": the program says", expected.strip())

@@ -85,7 +85,8 @@ with tempfile.TemporaryDirectory() as name:
     some = folder / "some.fmb"
     some.write_text(SOME)
     for file, dims, keep in ((some, 4, "x"), (examples / "breakfast.fmb", 3, "milk")):
-        for verb in (["solve"], ["bounds"], ["reduce"], ["project", "--keep", keep]):
+        for verb in (["solve"], ["bounds"], ["reduce"], ["project", "--keep", keep],
+                     ["optimize", "--max", " + ".join(keep.split(","))]):
             for rules in ("none", "kohler", "imbert,box", "kohler,duplicate"):
                 for more in ([], ["--rebase", "always"], ["--presolve", "none", "--method", "fm"]):
                     look(trace(folder, verb[0], str(file), *verb[1:], "--rules", rules, *more), dims)

@@ -1,8 +1,8 @@
 /* building.c: the k-th allocation fails while a system is built, changed and copied. */
 #include <criterion/criterion.h>
 
-#include "../random/rows.h"
 #include "hook.h"
+#include "property/random/rows.h"
 #include "samples.h"
 
 /* One step of building; step s of STEPS. */
@@ -32,12 +32,16 @@ static fmb_status step(fmb_system *s, int number)
         return st;
     case 5:
         return fmb_system_set_label(s, 0, "a longer label than before");
+    case 6:
+        return fmb_system_set_objective(s, &(fmb_objective){FMB_SENSE_MAX, real, 0.1});
+    case 7:
+        return fmb_system_parse_objective(s, FMB_SENSE_MIN, "2 x3 + height/3 - 1e30", 22, NULL);
     default:
         return fmb_system_add_variable(s, "w", NULL);
     }
 }
 
-enum { STEPS = 7 };
+enum { STEPS = 9 };
 
 static char *print(const fmb_system *s)
 {
@@ -45,6 +49,7 @@ static char *print(const fmb_system *s)
     size_t size = 0;
     FILE *f = open_memstream(&text, &size);
     rows_print(s, f);
+    must(fmb_system_write(s, FMB_FORMAT_TEXT, f)); /* the objective too */
     fprintf(f, "%s", fmb_system_rows(s) && fmb_system_label(s, 0) ? fmb_system_label(s, 0) : "");
     fclose(f);
     return text;
@@ -73,6 +78,7 @@ static void build(hook *h, size_t fail_at, size_t *calls)
         free(before);
     }
     cr_assert_eq(fmb_system_rows(s), 3);
+    cr_assert_eq(fmb_system_sense(s), FMB_SENSE_MIN);
     cr_assert_eq(fmb_system_find(s, "height"), 1);
     cr_assert_eq(fmb_system_find(s, "w"), 3);
     cr_assert_str_eq(fmb_system_label(s, 0), "a longer label than before");

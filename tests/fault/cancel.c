@@ -5,7 +5,7 @@
 #include <stdatomic.h>
 #include <time.h>
 
-#include "../random/rows.h"
+#include "property/random/rows.h"
 #include "samples.h"
 #include "verbs.h"
 
@@ -62,7 +62,7 @@ static void one_try(scene *c, const verb *w, const fmb_system *s, int *cancelled
 /* The verbs w[0..verbs) in turn, each cancelled after at most `most` ns; how many were. */
 static int cancel_often(fmb_method method, const verb *w, int verbs, int tries, unsigned most)
 {
-    fmb_system *hard = sample_hard(20, 60, NULL), *easy = sample(1, NULL);
+    fmb_system *hard = sample_hard(40, 120, NULL), *easy = sample(1, NULL);
     fmb_options o = fmb_options_default();
     scene c = {0};
     unsigned seed = 7;

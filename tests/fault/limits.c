@@ -4,7 +4,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "../random/rows.h"
+#include "property/random/rows.h"
 #include "samples.h"
 #include "verbs.h"
 
@@ -99,12 +99,6 @@ Test(limits, bytes)
 Test(limits, bytes_lp)
 {
     every_limit(set_bytes, 1 << 18, FMB_STOP_BYTES, FMB_METHOD_LP, VERBS_COUNT);
-}
-
-Test(limits, fmplex)
-{
-    every_limit(set_rows, 10000, FMB_STOP_ROWS, FMB_METHOD_FMPLEX, 1);
-    every_limit(set_bytes, 1 << 18, FMB_STOP_BYTES, FMB_METHOD_FMPLEX, VERBS_COUNT);
 }
 
 /* A projection that is walked around: looser and looser limits on bytes, until it is done. */
@@ -207,21 +201,56 @@ Test(limits, many_rows_of_two_variables)
     fmb_system_free(s);
 }
 
-/* Each end of each variable comes with a dense ray: evidence is what grows here. */
+/* x_j in [1, j + 1]: each end of each variable comes with a point that has no zero. */
+static fmb_system *many_intervals(int dim)
+{
+    fmb_system *s = NULL;
+    mpq_t one, end;
+    mpq_inits(one, end, NULL);
+    must(fmb_system_new(dim, NULL, &s));
+    for (int j = 0; j < dim; j++)
+        for (int sign = -1; sign <= 1; sign += 2) {
+            mpq_set_si(one, sign, 1);
+            mpq_set_si(end, sign < 0 ? -1 : j + 1, 1);
+            must(fmb_system_add_q(s, 1, &j, &one, FMB_LE, end));
+        }
+    mpq_clears(one, end, NULL);
+    return s;
+}
+
+/* Evidence is what grows here: it counts together with all the rest, what is proved so far stays,
+ * and to keep less is a way out. */
 Test(limits, bytes_of_evidence)
 {
     fmb_options o = options(FMB_METHOD_AUTO);
     fmb_result r = {0};
-    fmb_system *s = NULL;
+    fmb_system *s = many_intervals(500);
     fmb_solver *v = NULL;
     fmb_box *box = NULL;
-    must(fmb_system_new(500, NULL, &s));
-    o.max_bytes = (size_t)1 << 20;
+    fmb_evidence *e = NULL;
+    fmb_judgement j;
+    o.max_bytes = (size_t)4 << 20;
     must(fmb_solver_new(&o, NULL, &v));
     must(fmb_bound(v, s, NULL, 0, &box, &r));
     cr_expect_eq(r.stop, FMB_STOP_BYTES, "%s", fmb_stop_text(r.stop));
-    cr_expect_eq(fmb_box_end(box, 0, FMB_LOWER).kind, FMB_END_INFINITE);
-    cr_expect_eq(fmb_box_end(box, 499, FMB_UPPER).kind, FMB_END_UNKNOWN);
+    cr_expect_leq(r.stats.bytes_peak, o.max_bytes);
+    cr_expect_eq(fmb_box_end(box, 0, FMB_LOWER).kind, FMB_END_FINITE);
+    cr_expect_neq(fmb_box_end(box, 499, FMB_UPPER).kind, FMB_END_FINITE);
+    must(fmb_solver_evidence(v, &e));
+    must(fmb_check(s, e, &j));
+    cr_expect(j.accepted && j.verdict == FMB_FEASIBLE && fmb_evidence_claims(e) > 20, "%s",
+              j.reason);
+    fmb_box_free(box);
+    fmb_solver_free(v);
+    cr_expect_eq(fmb_evidence_kind(e, 0), FMB_CLAIM_FEASIBLE, "it outlives the solver");
+    fmb_evidence_free(e);
+    o.evidence = FMB_EVIDENCE_VERDICT;
+    must(fmb_solver_new(&o, NULL, &v));
+    must(fmb_bound(v, s, NULL, 0, &box, &r));
+    cr_expect_eq(r.stop, FMB_STOP_DONE, "%s", fmb_stop_text(r.stop));
+    must(fmb_solver_evidence(v, &e));
+    cr_expect_eq(fmb_evidence_claims(e), 1);
+    fmb_evidence_free(e);
     fmb_box_free(box);
     fmb_solver_free(v);
     fmb_system_free(s);

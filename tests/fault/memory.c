@@ -6,8 +6,8 @@
 #include <criterion/criterion.h>
 #include <string.h>
 
-#include "../random/rows.h"
 #include "hook.h"
+#include "property/random/rows.h"
 #include "samples.h"
 #include "verbs.h"
 
@@ -81,7 +81,6 @@ static void every_sample(const verb *w)
             every_request(w, i, FMB_METHOD_FM, RULES[k], false);
         every_request(w, i, FMB_METHOD_AUTO, NULL, true);
         every_request(w, i, FMB_METHOD_LP, NULL, false);
-        every_request(w, i, FMB_METHOD_FMPLEX, NULL, false);
     }
 }
 
@@ -103,6 +102,11 @@ Test(memory, bound)
 Test(memory, reduce)
 {
     every_sample(&VERBS[3]);
+}
+
+Test(memory, optimize)
+{
+    every_sample(&VERBS[4]);
 }
 
 /* One solver outlives all failures. */

@@ -1,7 +1,7 @@
 /* samples.c: see samples.h. */
 #include "samples.h"
 
-#include "../random/rows.h"
+#include "property/random/rows.h"
 
 #define DIM  4
 #define ROWS 8

@@ -3,7 +3,7 @@
 #include <stdarg.h>
 #include <string.h>
 
-#include "../random/rows.h"
+#include "property/random/rows.h"
 #include "verbs.h"
 
 /* Append to a text of VERB_ANSWER bytes. */
@@ -115,5 +115,29 @@ static fmb_status reduce(fmb_solver *v, const fmb_system *s, fmb_result *r, char
     return finish(st, p == mark, v, s, r, out);
 }
 
-const verb VERBS[] = {{"solve", solve}, {"project", project}, {"bound", bound}, {"reduce", reduce}};
+/* max 2 x1 - x2 + 2 x3 ... + 1/2 */
+static fmb_status optimize(fmb_solver *v, const fmb_system *s, fmb_result *r, char *out)
+{
+    enum { MOST_VARIABLES = 64 };
+    double coef[MOST_VARIABLES];
+    fmb_optimum *const mark = (fmb_optimum *)out, *o = mark;
+    cr_assert_leq(fmb_system_dim(s), MOST_VARIABLES);
+    for (int j = 0; j < MOST_VARIABLES; j++)
+        coef[j] = j % 2 ? -1 : 2;
+    fmb_status st = fmb_optimize(v, s, &(fmb_objective){FMB_SENSE_MAX, coef, 0.5}, &o, r);
+    if (st == FMB_OK && o) {
+        fmb_end e = fmb_optimum_end(o);
+        say(out, "%d %d %a\n", (int)e.kind, e.attained, e.value);
+        for (int j = 0; j < fmb_system_dim(s); j++)
+            say(out, "%a %a\n", fmb_optimum_coordinate(o, j), fmb_optimum_ray(o, j));
+        fmb_optimum_free(o);
+    }
+    return finish(st, o == mark, v, s, r, out);
+}
+
+const verb VERBS[] = {{"solve", solve},
+                      {"project", project},
+                      {"bound", bound},
+                      {"reduce", reduce},
+                      {"optimize", optimize}};
 const int VERBS_COUNT = (int)(sizeof VERBS / sizeof *VERBS);

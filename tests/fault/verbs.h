@@ -4,7 +4,7 @@
 
 #include <fmb/gmp.h>
 
-enum { VERB_ANSWER = 1 << 14 };
+enum { VERB_ANSWER = 1 << 18 };
 
 typedef struct verb {
     const char *name;

@@ -4,9 +4,9 @@
  * about it. A proof that can be read is judged like the naive judge does, proves no verdict that
  * the ground truth denies, and comes back the same from what is written of it.
  */
-#include "../proof/naive.h"
-#include "exact/exact.h"
 #include "round.h"
+#include "study/textbook/exact.h"
+#include "unit/proof/naive.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -26,7 +26,7 @@ static void judge(const fmb_system *s, const fmb_evidence *e)
     demand(fmb_check(s, e, &j) == FMB_OK);
     demand(j.claim == naive_first_failing(s, e));
     demand(j.accepted == (e->claims > 0 && j.claim == SIZE_MAX));
-    demand(fmb_exact_solve(s, TRUTH_ROWS, &truth) == FMB_OK);
+    demand(study_textbook_solve(s, TRUTH_ROWS, &truth) == FMB_OK);
     demand(j.verdict == FMB_UNKNOWN || truth == FMB_UNKNOWN || j.verdict == truth);
 }
 

@@ -5,8 +5,8 @@
  * bits choose the relation and whose high bits how wide the numbers are, one byte for each
  * coefficient and the right side. What is missing is 0.
  */
-#include "../random/agree.h"
-#include "../random/options.h"
+#include "property/random/agree.h"
+#include "property/random/options.h"
 #include "round.h"
 
 #include <stdlib.h>
@@ -65,15 +65,17 @@ static bool ask(int question, int kept, agree *g, fmb_solver *v, const truth *t)
     for (int j = 0; j < fmb_system_dim(t->s); j++)
         if (kept >> j & 1)
             keep[n++] = j;
-    switch (question % 4) {
+    switch (question % 5) {
     case 0:
         return agree_solve(g, v, t);
     case 1:
         return agree_bound(g, v, t);
     case 2:
         return agree_project(g, v, t, keep, n, NULL);
-    default:
+    case 3:
         return agree_reduce(g, v, t, NULL);
+    default:
+        return agree_optimize(g, v, t, (uint64_t)kept);
     }
 }
 

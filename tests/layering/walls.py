@@ -1,5 +1,6 @@
-"""The walls of the house: which room includes which, what a public header needs, what the library
-exports, and that every public function is mentioned in a test. usage: walls.py CHECK ROOT [LIBRARY]
+"""The walls of the house: which room includes which, that no files form a ring, what static functions
+are called, what a public header needs, what the library exports, and that every public function is
+mentioned in a test. usage: walls.py CHECK ROOT [LIBRARY...]
 """
 
 import pathlib
@@ -9,12 +10,14 @@ import sys
 import tempfile
 
 # Rooms include only rooms to their left (and themselves).
-ORDER = "base num system trace proof exact rule elim lp solve frame pair io study".split()
+ORDER = "base num system trace proof rule elim lp hull solve frame pair io".split()
 # The checker is the trusted base: it sees no more than it needs. Rules see what users' rules see: the
 # public headers.
 ONLY = {"proof": {"base", "num", "system", "proof"}, "rule": {"rule"}}
 # Elimination is handed rules; it knows none.
 NEVER = {"elim": {"rule"}}
+# Folders inside a room that include only those to their left; the rest of the room may see them all.
+FOLDERS = {"elim": "store history rules round".split(), "lp": "float exact oracle redundancy".split()}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]', re.M)
 FUNCTION = re.compile(r"FMB_API\b[^;{]*?\b(fmb_\w+)\s*\(", re.S)
@@ -40,6 +43,11 @@ def room_faults(path, room):
             yield f'"{name}": {room} may not know {target}'
         elif target in NEVER.get(room, ()):
             yield f'"{name}": {room} may not know {target}'
+        elif target == room:
+            folders = FOLDERS.get(room, [])
+            ranks = [folders.index(f) for f in (path.parent.name, name.split("/")[1]) if f in folders]
+            if ranks != sorted(ranks, reverse=True):
+                yield f'"{name}": {room}/{path.parent.name} stands below it'
 
 
 def rooms(root):
@@ -53,14 +61,100 @@ def rooms(root):
                 yield f"{path}: {fault}"
     for path in sources(root / "apps"):
         own = {"common", "fmb"}
-        for laboratory in ("qualify", "validate"):
-            if laboratory in (*path.relative_to(root).parts, path.stem.removeprefix("fmb-")):
+        for laboratory in ("fmb-qualify", "fmb-validate"):
+            if laboratory in path.relative_to(root).parts:
                 own |= {laboratory, "study"}
         for bracket, name in INCLUDE.findall(path.read_text()):
             if bracket == '"' and name.split("/")[0] not in own:
                 yield f'{path}: "{name}": a command sees public headers only'
             if path.name == "cmd_check.c" and re.match(r"fmb/(solve|options|trace|fmb)\.h", name):
                 yield f"{path}: <{name}>: the checker knows nothing that solves"
+
+
+def circles(uses):
+    """Strongly connected components of more than one node (Tarjan 1972), sorted."""
+    number, low, stack, found = {}, {}, [], []
+
+    def visit(node):
+        number[node] = low[node] = len(number)
+        stack.append(node)
+        for other in sorted(uses.get(node, ())):
+            if other not in number:
+                visit(other)
+                low[node] = min(low[node], low[other])
+            elif other in stack:
+                low[node] = min(low[node], number[other])
+        if low[node] == number[node]:
+            circle = stack[stack.index(node):]
+            del stack[stack.index(node):]
+            if len(circle) > 1:
+                found.append(sorted(circle))
+
+    for node in sorted(uses):
+        if node not in number:
+            visit(node)
+    return sorted(found)
+
+
+def includes(root):
+    """No file, and no folder of the library, includes itself through others."""
+    for top in ("lib", "apps", "bench"):
+        uses, folders = {}, {}
+        for path in sources(root / top):
+            names = {n for b, n in INCLUDE.findall(path.read_text()) if b == '"'}
+            place = path.relative_to(root / top)
+            uses[str(place)] = names
+            folder = folders.setdefault(str(place.parent), set())
+            folder |= {n.rpartition("/")[0] for n in names} - {str(place.parent)}
+        for circle in circles(uses) + (circles(folders) if top == "lib" else []):
+            yield f"{top}: include each other: {', '.join(circle)}"
+
+
+def rings(_root, *libraries):
+    """No object files of a library or program call each other in a circle."""
+    for library in libraries:
+        owner, wanted = {}, {}
+        paths = [library]
+        if pathlib.Path(library).is_dir():  # objects of a program
+            paths = sorted(pathlib.Path(library).rglob("*.o"))
+        lines = subprocess.run(["nm", "-A", "-P", *paths], capture_output=True, text=True,
+                               check=True).stdout.splitlines()
+        for line in lines:
+            place, symbol = line.split(": ", 1)
+            name, kind = symbol.split()[:2]
+            place = place.split("[")[-1].rstrip("]")
+            if kind == "U":
+                wanted.setdefault(place, set()).add(name)
+            elif kind.isupper():
+                owner[name] = place
+        uses = {place: {owner[n] for n in names if owner.get(n, place) != place}
+                for place, names in wanted.items()}
+        for circle in circles(uses):
+            yield f"{library}: call each other: {', '.join(circle)}"
+
+
+STATIC = re.compile(r"^(?:[A-Z\d]+ )?(?:static|FMB_INLINE) (?:inline )?[\w ]*?[ *]?(\w+)\(", re.M)
+
+
+def static_names(root):
+    """(room, name, path) of every static function of the library."""
+    for path in sources(root / "lib"):
+        for name in STATIC.findall(COMMENT.sub("", path.read_text())):
+            yield path.relative_to(root / "lib").parts[0], name, path
+
+
+def names(root):
+    """A static function's name stands once in its room; half of them have 13 letters and more."""
+    places, lengths = {}, []
+    for room, name, path in static_names(root):
+        places.setdefault((room, name), set()).add(path)
+    for (room, name), paths in sorted(places.items()):
+        lengths.append(len(name))
+        if len(paths) > 1:
+            yield f"{name} stands in {', '.join(str(p) for p in sorted(paths))}"
+    lengths.sort()
+    if lengths and lengths[len(lengths) // 2] < 13:
+        yield f"the median name of a static function has {lengths[len(lengths) // 2]} letters"
 
 
 def headers(root):
@@ -106,10 +200,13 @@ def selftest(_root):
     with tempfile.TemporaryDirectory() as name:
         root = pathlib.Path(name)
         bad = {
-            "lib/proof/a.c": '#include "elim/elim.h"\n',
+            "lib/proof/a.c": '#include "elim/store/store.h"\n',
             "lib/elim/b.c": '#include "rule/rule.h"\n',
+            "lib/elim/store/b.c": '#include "elim/round/elim.h"\n',
             "lib/rule/h.c": '#include "num/vec.h"\n',
             "lib/base/c.c": '#include "num/vec.h"\n',
+            "lib/num/one/i.c": '#include "num/two/j.h"\n',
+            "lib/num/two/k.c": '#include "num/one/l.h"\n',
             "lib/attic/d.c": "",
             "apps/fmb/e.c": '#include "num/vec.h"\n',
             "apps/fmb/cmd_check.c": "#include <fmb/solve.h>\n",
@@ -119,7 +216,7 @@ def selftest(_root):
         for path, content in bad.items():
             (root / path).parent.mkdir(parents=True, exist_ok=True)
             (root / path).write_text(content)
-        for check, expected in ((rooms, 7), (headers, 2), (mentioned, 1)):
+        for check, expected in ((rooms, 8), (headers, 2), (mentioned, 1)):
             found = list(check(root))
             if len(found) != expected:
                 yield f"{check.__name__} found {len(found)} of {expected} faults: {found}"

@@ -1,5 +1,5 @@
 /* build.c: the systems of the table, with their variables renumbered. */
-#include "../random/agree.h"
+#include "property/random/agree.h"
 #include "systems.h"
 
 fmb_system *regress_build(const regress *r, const int *place)

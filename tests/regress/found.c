@@ -6,8 +6,8 @@
 
 #include <fmb/io.h>
 
-#include "../random/agree.h"
-#include "../random/options.h"
+#include "property/random/agree.h"
+#include "property/random/options.h"
 
 static const struct {
     const char *what, *text;

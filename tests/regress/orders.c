@@ -2,8 +2,8 @@
  * arithmetic and method: the answers stand, and every piece of evidence is accepted. */
 #include <criterion/criterion.h>
 
-#include "../random/agree.h"
-#include "../random/options.h"
+#include "property/random/agree.h"
+#include "property/random/options.h"
 #include "systems.h"
 
 /* The answers that the table gives. */

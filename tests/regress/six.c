@@ -4,9 +4,9 @@
  * choose. Verdicts and projections are those of the table, and all evidence is accepted. */
 #include <criterion/criterion.h>
 
-#include "../random/agree.h"
-#include "../random/options.h"
-#include "../rules/mixes.h"
+#include "property/random/agree.h"
+#include "property/random/options.h"
+#include "property/rules/mixes.h"
 #include "systems.h"
 
 /* What is asked again and again, with one numbering of the variables. */

@@ -3,12 +3,12 @@
 #include <stdlib.h>
 
 #include "dense.h"
-#include "exact/exact.h"
+#include "study/textbook/exact.h"
 
 static fmb_verdict solve(const fmb_system *s)
 {
     fmb_verdict v = FMB_UNKNOWN;
-    cr_assert_eq(fmb_exact_solve(s, 20000, &v), FMB_OK);
+    cr_assert_eq(study_textbook_solve(s, 20000, &v), FMB_OK);
     return v;
 }
 

@@ -1,0 +1,8 @@
+/* need.h: memory that a command cannot do without. */
+#ifndef APP_NEED_H
+#define APP_NEED_H
+
+/* A pointer that must not be NULL: else says so and exits with APP_INTERNAL. */
+void *app_need(void *p);
+
+#endif

@@ -1,0 +1,130 @@
+/* rule_library.c: see rule_library.h. */
+#include "common/rule_library.h"
+
+#include <dlfcn.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/message.h"
+#include "common/text.h"
+
+static const char SYMBOL[] = "fmb_rule_library";
+
+/* What dlopen says may hold a file's name, with whatever bytes that has. */
+static int refuse_library(const char *path, const char *why)
+{
+    char *file = app_text(path, APP_TEXT_TERMINAL), *text = app_text(why, APP_TEXT_TERMINAL);
+    app_error(APP_CANNOT_OPEN, "--rule-library '%s': %s", file, text);
+    free(file);
+    free(text);
+    return APP_CANNOT_OPEN;
+}
+
+/* A name that --rules can tell from those that mean something else. */
+static bool has_name_of_its_own(const fmb_rule *rule)
+{
+    const char *name = rule->name;
+    return name && *name && strcspn(name, ", \t\n") == strlen(name) && strcmp(name, "none") != 0 &&
+           strcmp(name, "default") != 0 && !fmb_rule_find(name);
+}
+
+/* A path without a slash would be looked for where the system keeps its libraries. */
+static void *load_from_here(const char *path)
+{
+    char *here = NULL;
+    if (!strchr(path, '/') && asprintf(&here, "./%s", path) < 0)
+        app_need(NULL);
+    void *handle = dlopen(here ? here : path, RTLD_NOW | RTLD_LOCAL);
+    free(here);
+    return handle;
+}
+
+int app_rule_library_open(const char *path, app_rule_library *out)
+{
+    app_rule_library l = {.handle = load_from_here(path)};
+    if (!l.handle)
+        return refuse_library(path, dlerror());
+    l.rule = dlsym(l.handle, SYMBOL);
+    const char *why = l.rule ? (*l.rule ? NULL : "no rules in it") : dlerror();
+    for (size_t i = 0; !why && l.rule[i]; i++)
+        if (!has_name_of_its_own(l.rule[i]))
+            why = "a rule without a name, or with one that the library uses";
+    if (why) {
+        int code = refuse_library(path, why);
+        app_rule_library_close(&l);
+        return code;
+    }
+    *out = l;
+    return APP_YES;
+}
+
+void app_rule_library_close(app_rule_library *l)
+{
+    if (l->handle)
+        dlclose(l->handle);
+    *l = (app_rule_library){0};
+}
+
+/* ---- sets ------------------------------------------------------------------------------------ */
+
+static const fmb_rule *find_rule(const app_rule_library *l, const char *name)
+{
+    for (size_t i = 0; l->rule && l->rule[i]; i++)
+        if (strcmp(l->rule[i]->name, name) == 0)
+            return l->rule[i];
+    return NULL;
+}
+
+/* False if there is no more room. */
+static bool add_rule(app_rule_set *set, const fmb_rule *rule)
+{
+    for (size_t i = 0; i < APP_MOST_ADDED; i++)
+        if (!set->added[i]) {
+            set->added[i] = rule;
+            return true;
+        }
+    return false;
+}
+
+/* Words that l does not know stay, in their order, empty ones, too: the solver refuses them. If
+ * none stays, nothing else is asked for. */
+static bool sort_words(const app_rule_library *l, const char *words, app_rule_set *out)
+{
+    char *copy = app_need(strdup(words)), *rest = copy, *word;
+    bool room = true, others = false;
+    out->words = app_need(calloc(strlen(words) + sizeof "none", 1));
+    while ((word = strsep(&rest, ",")) != NULL) {
+        const fmb_rule *rule = find_rule(l, word);
+        if (rule)
+            room = add_rule(out, rule) && room;
+        else
+            sprintf(out->words + strlen(out->words), "%s%s", others ? "," : "", word);
+        others |= !rule;
+    }
+    if (!others)
+        strcpy(out->words, "none");
+    free(copy);
+    return room;
+}
+
+int app_rule_library_split(const app_rule_library *l, const char *set, app_rule_set *out)
+{
+    bool room = true;
+    *out = (app_rule_set){0};
+    if (set)
+        room = sort_words(l, set, out);
+    for (size_t i = 0; !set && l->rule && l->rule[i]; i++)
+        room = add_rule(out, l->rule[i]) && room;
+    return room ? APP_YES
+                : app_error(APP_USAGE, "--rules: more than %d rules of --rule-library",
+                            APP_MOST_ADDED);
+}
+
+fmb_status app_rule_set_add(const app_rule_set *set, fmb_solver *v)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && set->added[i]; i++)
+        st = fmb_solver_add_rule(v, set->added[i]);
+    return st;
+}

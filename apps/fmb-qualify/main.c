@@ -1,0 +1,76 @@
+/* fmb-qualify.c: studies of the library: a table of subcommands, one a question. */
+#include "common/dispatch.h"
+#include "fmb-qualify/study.h"
+
+static int run_table1(int argc, char **argv)
+{
+    return qualify_study_main(&qualify_study_table1, argc, argv);
+}
+
+static int run_near(int argc, char **argv)
+{
+    return qualify_study_main(&qualify_study_near, argc, argv);
+}
+
+static int run_faces(int argc, char **argv)
+{
+    return qualify_study_main(&qualify_study_faces, argc, argv);
+}
+
+static int run_boxes(int argc, char **argv)
+{
+    return qualify_study_main(&qualify_study_boxes, argc, argv);
+}
+
+static int run_scaling(int argc, char **argv)
+{
+    return qualify_study_main(&qualify_study_scaling, argc, argv);
+}
+
+static int run_peers(int argc, char **argv)
+{
+    return qualify_study_main(&qualify_study_peers, argc, argv);
+}
+
+static const app_command commands[] = {
+    {"all", "fmb-qualify all", "all of them in one report: what is done without a STUDY",
+     qualify_all},
+    {"table1", "fmb-qualify table1", "verdicts by FMB and by SAT: the article's 24 cells",
+     run_table1},
+    {"near", "fmb-qualify near", "the same on pairs whose axis-aligned boxes meet", run_near},
+    {"faces", "fmb-qualify faces", "the same on faces with their unit normals", run_faces},
+    {"boxes", "fmb-qualify boxes", "how large boxes of the common points are, over the tight one",
+     run_boxes},
+    {"scaling", "fmb-qualify scaling", "what more dimensions cost: 2 to 8", run_scaling},
+    {"rules", "fmb-qualify rules", "pruning rules x orders x systems: rows, time, errors",
+     qualify_rules},
+    {"peers", "fmb-qualify peers", "other libraries on the same pairs: time, wrong answers",
+     run_peers},
+};
+
+static const char doc[] =
+    "Measure the library on random frames and on files, with seeds and against exact answers."
+    "\v"
+    "`fmb-qualify STUDY --help` tells the options of a study.\n"
+    "\n"
+    "Exit codes: 0 done, 1 a wrong answer was found, 2 interrupted, 64 usage, 65 bad input, 66 "
+    "cannot open, 70 internal error, 74 cannot write.\n"
+    "\n"
+    "Examples:\n"
+    "  fmb-qualify\n"
+    "  fmb-qualify table1 --json\n"
+    "  fmb-qualify rules --out report\n";
+
+int main(int argc, char **argv)
+{
+    static char name[] = "fmb-qualify";
+    const app_program program = {.name = name,
+                                 .word = "study",
+                                 .heading = "Studies",
+                                 .args = "[STUDY] [OPTION...]",
+                                 .doc = doc,
+                                 .command = commands,
+                                 .commands = sizeof commands / sizeof *commands,
+                                 .otherwise = &commands[0]};
+    return app_dispatch(&program, argc, argv);
+}

@@ -1,0 +1,55 @@
+/* peer.h: somebody else's way to find out whether two frames meet, behind one door.
+ *
+ * A driver prepares all pairs outside the clock, as a user of that library would who keeps shapes;
+ * inside the clock it answers. What a library is not made for is not asked of it.
+ */
+#ifndef QUALIFY_PEER_H
+#define QUALIFY_PEER_H
+
+#include <fmb/pair.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Pairs of static frames with three axes in three dimensions; borrowed as long as a driver is open.
+ */
+typedef struct peer_work {
+    size_t n;
+    const fmb_frame *p, *q;
+    fmb_simd simd;
+} peer_work;
+
+typedef struct peer_driver {
+    const char *name;
+    const char *how;      /* what is measured; one line */
+    bool simplices_alone; /* it takes no cuboids */
+    /* Errors: MEMORY. */
+    fmb_status (*open)(const peer_work *w, void **self);
+    /* Pairs first ... first + n - 1 into verdict[0..n). */
+    fmb_status (*ask)(void *self, size_t first, size_t n, fmb_verdict *verdict);
+    void (*close)(void *self);
+} peer_driver;
+
+/* Ours, and what bench/study has. */
+extern const peer_driver peer_fmb, peer_sat, peer_article, peer_seidel, peer_tetra;
+/* Where they are installed. */
+extern const peer_driver peer_ccd_gjk, peer_ccd_mpr, peer_fcl_ccd, peer_fcl_own, peer_ode;
+
+/* ---- frames as polytopes --------------------------------------------------------------------- */
+
+enum { PEER_MOST_VERTICES = 8, PEER_MOST_FACES = 6 };
+
+typedef struct peer_hull {
+    int vertices, faces, corners; /* corners of each face */
+    double vertex[PEER_MOST_VERTICES][3];
+    int face[PEER_MOST_FACES][4]; /* anticlockwise as seen from outside */
+} peer_hull;
+
+void peer_hull_of(const fmb_frame *f, peer_hull *out);
+void peer_centre(const fmb_frame *f, double *out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

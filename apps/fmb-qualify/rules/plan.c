@@ -1,0 +1,175 @@
+/* plan.c: see plan.h. */
+#include "fmb-qualify/rules/plan.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/message.h"
+#include "common/parts.h"
+#include "fmb-qualify/rules/files.h"
+
+/* What each order is called: the words of the library's own option. */
+static const char *const ORDER[] = {
+    [FMB_ORDER_PAIRS] = "pairs",
+    [FMB_ORDER_GIVEN] = "given",
+    [FMB_ORDER_MIN] = "min",
+    [FMB_ORDER_FILL] = "fill",
+};
+enum { ORDERS = sizeof ORDER / sizeof *ORDER };
+
+/* Rules alone and the mixes that make sense: histories with each other and with the box. */
+static const char *const SETS[] = {
+    "duplicate",  "dominated", "kohler",     "chernikov",     "imbert",
+    "box",        "lp",        "kohler,box", "chernikov,box", "kohler,chernikov,box",
+    "imbert,box", "default"};
+enum { DEFAULT_SETS = sizeof SETS / sizeof *SETS };
+
+const char *qualify_order_text(fmb_order order)
+{
+    return ORDER[order];
+}
+
+void qualify_order_key(fmb_order order, char out[PLAN_ORDER_KEY])
+{
+    snprintf(out, PLAN_ORDER_KEY, "order-%s", ORDER[order]);
+}
+
+bool qualify_order_parse(const char *word, fmb_order *out)
+{
+    for (int i = 0; i < ORDERS; i++)
+        if (strcmp(word, ORDER[i]) == 0) {
+            *out = (fmb_order)i;
+            return true;
+        }
+    return false;
+}
+
+void qualify_plan_init(qualify_plan *p)
+{
+    *p = (qualify_plan){.motion = {true, true},
+                        .kind = {{true, true}, {true, true}},
+                        .meeting = {true, true},
+                        .order = {FMB_ORDER_PAIRS, FMB_ORDER_GIVEN},
+                        .orders = 2};
+    p->arguments = app_need(json_array());
+    for (int d = 2; d <= 6; d++)
+        p->dim[d] = true;
+    p->grid = (study_grid){.seed = 1, .per_class = 16, .passes = 3};
+    p->grid.limits = (study_limits){.max_rows = 10000, .max_seconds = 20, .presolve = "bounds"};
+}
+
+/* ---- the grid -------------------------------------------------------------------------------- */
+
+static void add_set(qualify_plan *p, const char *words)
+{
+    if (strcmp(words, "none") != 0 && p->sets < PLAN_MOST_SETS)
+        p->set[p->sets++] = words;
+}
+
+/* `none` in front of the sets that were asked for; else those that make sense, and each rule of
+ * one's own. */
+static void make_sets(qualify_plan *p)
+{
+    const char *asked[PLAN_MOST_SETS];
+    size_t n = p->sets;
+    memcpy(asked, p->set, n * sizeof *asked);
+    p->sets = 0;
+    p->set[p->sets++] = "none";
+    for (size_t i = 0; i < n; i++)
+        add_set(p, asked[i]);
+    for (size_t i = 0; n == 0 && i < DEFAULT_SETS; i++)
+        add_set(p, SETS[i]);
+    for (size_t i = 0; n == 0 && p->library.rule && p->library.rule[i]; i++)
+        add_set(p, p->library.rule[i]->name);
+}
+
+int qualify_plan_ways(qualify_plan *p)
+{
+    int code = APP_YES;
+    if (p->rule_library)
+        code = app_rule_library_open(p->rule_library, &p->library);
+    make_sets(p);
+    for (size_t i = 0; code == APP_YES && i < p->sets; i++) {
+        bool usual = strcmp(p->set[i], "default") == 0;
+        if (!usual)
+            code = app_rule_library_split(&p->library, p->set[i], &p->rules[i]);
+        for (size_t k = 0; k < p->orders; k++)
+            p->way[k * p->sets + i] =
+                (study_way){p->set[i], p->rules[i].words, p->rules[i].added, p->order[k]};
+    }
+    p->grid.way = p->way;
+    p->grid.ways = p->orders * p->sets;
+    return code;
+}
+
+void qualify_plan_clear(qualify_plan *p)
+{
+    study_grid_clear(&p->grid);
+    for (size_t i = 0; i < p->sets; i++)
+        free(p->rules[i].words);
+    app_rule_library_close(&p->library);
+    json_decref(p->arguments);
+    app_parts_free(p->part, p->parts);
+}
+
+static void add_class(qualify_plan *p, int dim, int moves, int kinds)
+{
+    for (int meets = 1; meets >= 0; meets--) {
+        study_sample s = {.class = {.family = p->family,
+                                    .dim = dim,
+                                    .moves = moves,
+                                    .shape = {(fmb_shape)(kinds >> 1), (fmb_shape)(kinds & 1)},
+                                    .meets = meets}};
+        if (p->meeting[meets] && study_grid_add(&p->grid, &s) != FMB_OK)
+            app_need(NULL);
+    }
+}
+
+int qualify_plan_make(qualify_plan *p)
+{
+    int code = qualify_plan_ways(p);
+    p->grid.shard = p->shard;
+    p->grid.shards = p->shards;
+    for (int dim = 0; dim <= PLAN_MOST_DIM; dim++)
+        for (int moves = 0; moves < 2; moves++)
+            for (int kinds = 0; kinds < 4; kinds++)
+                if (p->dim[dim] && p->motion[moves] && p->kind[kinds >> 1][kinds & 1] &&
+                    (p->files == 0 || p->frames_asked))
+                    add_class(p, dim, moves, kinds);
+    for (size_t i = 0; code == APP_YES && i < p->files; i++)
+        code = qualify_files_add(&p->grid, p->file[i], !p->part);
+    return code;
+}
+
+/* Runs of which something is true. */
+static size_t count_runs(const qualify_plan *p, bool (*is)(const study_run *r))
+{
+    const study_grid *g = &p->grid;
+    size_t count = 0;
+    for (size_t k = 0; k < g->complete; k++)
+        for (size_t i = 0; i < g->sample[k].size; i++)
+            for (size_t w = 0; w < g->ways; w++)
+                count += is(study_grid_at(g, k, i, w));
+    return count;
+}
+
+static bool is_wrong(const study_run *r)
+{
+    return r->outcome == STUDY_WRONG || r->solved == STUDY_WRONG;
+}
+
+static bool ran_out_of_time(const study_run *r)
+{
+    return r->outcome == STUDY_STOPPED && r->stop == FMB_STOP_TIME;
+}
+
+size_t qualify_wrong(const qualify_plan *p)
+{
+    return count_runs(p, is_wrong);
+}
+
+size_t qualify_stopped_by_time(const qualify_plan *p)
+{
+    return count_runs(p, ran_out_of_time);
+}

@@ -1,0 +1,46 @@
+/* study.h: what the studies of fmb-qualify have in common: their options, and how they are run. */
+#ifndef QUALIFY_STUDY_H
+#define QUALIFY_STUDY_H
+
+#include <fmb/options.h>
+
+#include "fmb-qualify/page.h"
+
+typedef struct qualify_setup {
+    size_t pairs; /* of each class */
+    int passes;   /* of the clock */
+    uint64_t seed;
+    fmb_simd simd;
+    const char *out; /* folder for the report, or NULL */
+    bool json, quiet;
+} qualify_setup;
+
+/* How much work: of each class so many pairs, and so many passes of the clock. */
+typedef struct qualify_effort {
+    size_t pairs;
+    int passes;
+} qualify_effort;
+
+typedef struct qualify_study {
+    const char *name, *title; /* the title is one line */
+    const char *doc;          /* for --help, as argp takes it */
+    qualify_effort alone;     /* unless something else is asked for */
+    qualify_effort brief;     /* as one of all studies, which take minutes together */
+    /* The study: adds to the page, whose section has begun; an exit code, after a message unless it
+     * is APP_YES. It asks qualify_watch_step between its steps; where that says so it ends early,
+     * with what is complete. */
+    int (*run)(const qualify_setup *o, qualify_page *page);
+} qualify_study;
+
+/* The studies in the order of the report. */
+extern const qualify_study qualify_study_table1, qualify_study_near, qualify_study_faces,
+    qualify_study_boxes, qualify_study_scaling, qualify_study_rules, qualify_study_peers;
+
+/* One study; argv[0] is "fmb-qualify NAME". An exit code. */
+int qualify_study_main(const qualify_study *s, int argc, char **argv);
+
+/* Commands of fmb-qualify. rules has options of its own. */
+int qualify_all(int argc, char **argv);
+int qualify_rules(int argc, char **argv);
+
+#endif

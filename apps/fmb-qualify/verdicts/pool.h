@@ -1,0 +1,39 @@
+/* pool.h: pairs of one class, as many as are asked for, side by side in memory. */
+#ifndef QUALIFY_POOL_H
+#define QUALIFY_POOL_H
+
+#include "study/draw/pairs.h"
+
+/* CT holds both orders, in turn; ANY is what the article's generator draws. */
+typedef enum verdict_kind { VERDICT_CC, VERDICT_CT, VERDICT_TT, VERDICT_ANY } verdict_kind;
+
+typedef struct verdict_class {
+    int dim;
+    bool moves, meets;
+    verdict_kind kind;
+} verdict_class;
+
+/* "2d-static", "CC" */
+const char *verdict_case_text(int dim, bool moves);
+const char *verdict_kind_text(verdict_kind kind);
+
+/* Where pairs come from: the article's generator, and what is done to its pairs. */
+typedef struct verdict_source {
+    bool near;                     /* only pairs whose axis-aligned boxes meet */
+    void (*reshape)(double *axes); /* of each frame, in place; or NULL */
+} verdict_source;
+
+typedef struct verdict_pool {
+    size_t n;
+    fmb_frame *p, *q; /* [n], in the order in which they are drawn */
+    uint64_t drawn;   /* pairs looked at */
+    study_pairs part[2];
+} verdict_pool;
+
+/* [give, verdict_pool_free] n pairs of the class; judge says whether they meet. After a Ctrl-C the
+ * pairs are not all of the class. Errors: MEMORY. */
+fmb_status verdict_pool_make(const verdict_source *from, const verdict_class *c, uint64_t seed,
+                             size_t n, fmb_pair *judge, verdict_pool *out);
+void verdict_pool_free(verdict_pool *pool);
+
+#endif

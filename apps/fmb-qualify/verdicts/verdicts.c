@@ -1,0 +1,154 @@
+/* verdicts.c: see verdicts.h; and the three studies made of it. */
+#include "fmb-qualify/verdicts/verdicts.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "common/message.h"
+#include "fmb-qualify/watch.h"
+
+static const struct {
+    int dim;
+    bool moves;
+} CASE[VERDICT_CASES] = {{2, false}, {3, false}, {2, true}, {3, true}};
+
+/* ---- the run --------------------------------------------------------------------------------- */
+
+enum { UNITS_OF_A_CASE = 2 * VERDICT_ANY + 2 }; /* of progress; the mix counts as two */
+
+static fmb_status run_duels(const verdict_source *from, int number, size_t *unit, size_t units,
+                            const qualify_setup *o, verdict_rivals *r, verdict_study *s)
+{
+    fmb_status st = FMB_OK;
+    for (int i = 0; st == FMB_OK && i < 2 * VERDICT_ANY && !qualify_watch_interrupted(); i++) {
+        verdict_class c = {CASE[number].dim, CASE[number].moves, i % 2 == 0, (verdict_kind)(i / 2)};
+        qualify_watch_part((*unit)++, units);
+        st = verdict_duel_run(from, &c, o, r, &s->duel[s->duels]);
+        s->duels += s->duel[s->duels].complete;
+    }
+    return st;
+}
+
+static fmb_status run_case(const verdict_source *from, int number, size_t *unit, size_t units,
+                           const qualify_setup *o, verdict_study *s)
+{
+    verdict_rivals r;
+    verdict_mix *mix = &s->mix[s->mixes];
+    fmb_status st = verdict_rivals_open(&r, CASE[number].dim, o->simd);
+    *mix = (verdict_mix){.dim = CASE[number].dim, .moves = CASE[number].moves};
+    if (st == FMB_OK)
+        st = run_duels(from, number, unit, units, o, &r, s);
+    qualify_watch_part(*unit, units);
+    *unit += 2;
+    if (st == FMB_OK && !qualify_watch_interrupted())
+        st = verdict_mix_run(from, o, &r, mix);
+    s->mixes += mix->complete;
+    verdict_rivals_close(&r);
+    return st;
+}
+
+static size_t count_wrong(const verdict_study *s)
+{
+    size_t wrong = 0;
+    for (size_t i = 0; i < s->duels; i++)
+        wrong += s->duel[i].wrong;
+    return wrong;
+}
+
+static int report(const verdict_study *s, qualify_page *page)
+{
+    verdict_numbers(s, page);
+    verdict_tables(s, page);
+    size_t wrong = count_wrong(s);
+    return wrong > 0 ? app_error(APP_NO, "%zu verdicts differ", wrong) : APP_YES;
+}
+
+int verdict_study_run(const verdict_source *from, const bool is_case[VERDICT_CASES],
+                      const qualify_setup *o, qualify_page *page)
+{
+    verdict_study *s = app_need(calloc(1, sizeof *s));
+    size_t unit = 0, units = 0;
+    fmb_status st = FMB_OK;
+    for (int i = 0; i < VERDICT_CASES; i++)
+        units += is_case[i] ? UNITS_OF_A_CASE : 0;
+    for (int i = 0; st == FMB_OK && i < VERDICT_CASES && !qualify_watch_interrupted(); i++)
+        if (is_case[i])
+            st = run_case(from, i, &unit, units, o, s);
+    int code = st == FMB_OK ? report(s, page) : app_status_error(st);
+    free(s);
+    return code;
+}
+
+/* ---- the studies ----------------------------------------------------------------------------- */
+
+static const bool ALL_CASES[VERDICT_CASES] = {true, true, true, true};
+static const bool STATIC_3D[VERDICT_CASES] = {[1] = true};
+
+static int run_table1(const qualify_setup *o, qualify_page *page)
+{
+    qualify_page_text(page,
+                      "Pairs of the article's generator: origins, axes and speeds evenly from -100 "
+                      "to 100, |det| > 0.1. C is a cuboid, T a simplex; CT holds both orders.");
+    return verdict_study_run(&(verdict_source){0}, ALL_CASES, o, page);
+}
+
+static int run_near(const qualify_setup *o, qualify_page *page)
+{
+    qualify_page_text(page,
+                      "Pairs as in table1, but only those whose axis-aligned boxes meet: what "
+                      "a broad phase leaves to be asked. Boxes of moving frames hold all "
+                      "places where these come.");
+    return verdict_study_run(&(verdict_source){.near = true}, ALL_CASES, o, page);
+}
+
+/* The third axis becomes the unit normal of the other two. */
+static void make_face(double *axes)
+{
+    double *a = axes, *b = axes + 3, *normal = axes + 6, length = 0;
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        normal[i] = a[j] * b[k] - a[k] * b[j];
+    }
+    length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    for (int i = 0; i < 3; i++)
+        normal[i] /= length;
+}
+
+static int run_faces(const qualify_setup *o, qualify_page *page)
+{
+    qualify_page_text(page, "The article's faces in 3D: parallelograms and triangles of the "
+                            "generator's first two axes, one unit thick: their third axis is the "
+                            "unit normal.");
+    return verdict_study_run(&(verdict_source){.reshape = make_face}, STATIC_3D, o, page);
+}
+
+static const char doc[] =
+    "Time verdicts by FMB, by SAT, and by SAT as the article has it, on distinct random pairs, all "
+    "in one run; and on one pair repeated, as the article does.";
+
+const qualify_study qualify_study_table1 = {
+    .name = "table1",
+    .title = "verdicts by FMB and by SAT, the article's 24 cells",
+    .doc = doc,
+    .alone = {65536, 9},
+    .brief = {65536, 5},
+    .run = run_table1,
+};
+
+const qualify_study qualify_study_near = {
+    .name = "near",
+    .title = "verdicts on pairs whose axis-aligned boxes meet",
+    .doc = doc,
+    .alone = {65536, 9},
+    .brief = {65536, 3},
+    .run = run_near,
+};
+
+const qualify_study qualify_study_faces = {
+    .name = "faces",
+    .title = "verdicts on faces with their unit normals",
+    .doc = doc,
+    .alone = {65536, 9},
+    .brief = {65536, 5},
+    .run = run_faces,
+};

@@ -1,0 +1,68 @@
+/* table.c: the counts in aligned columns. */
+#include <inttypes.h>
+#include <stdarg.h>
+#include <stdlib.h>
+
+#include "common/message.h"
+#include "common/table.h"
+#include "fmb-validate/report.h"
+
+static void add(app_table *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+static void add(app_table *t, const char *format, ...)
+{
+    va_list args;
+    char *text;
+    va_start(args, format);
+    app_need(vasprintf(&text, format, args) < 0 ? NULL : text);
+    va_end(args);
+    app_table_add(t, text);
+}
+
+static void add_head(app_table *t, bool boxes)
+{
+    static const char *const HEAD[] = {"case",        "family",  "tested",      "meeting",
+                                       "not meeting", "share %", "touching",    "exact",
+                                       "textbook",    "left",    "FMB unknown", "SAT unknown",
+                                       "disagreeing", "boxes",   "excess",      "by doubles %"};
+    for (size_t i = 0; i < sizeof HEAD / sizeof *HEAD - (boxes ? 0 : 3); i++)
+        add(t, "%s", HEAD[i]);
+}
+
+static double percent(uint64_t part, uint64_t all)
+{
+    return all > 0 ? 100 * (double)part / (double)all : 0;
+}
+
+static void add_job(app_table *t, const validate_job *job)
+{
+    const study_tally *n = &job->tally;
+    char text[16];
+    validate_case_text(job, text);
+    add(t, "%s", text);
+    add(t, "%s", study_pair_family_text(job->v.plan.family));
+    uint64_t counts[] = {n->tested, n->meeting, n->tested - n->meeting};
+    for (int i = 0; i < 3; i++)
+        add(t, "%" PRIu64, counts[i]);
+    add(t, "%.2f", percent(n->meeting, n->tested));
+    uint64_t more[] = {n->touching,   n->exact,      n->textbook,   n->left,
+                       n->unknown[0], n->unknown[1], n->disagreeing};
+    for (int i = 0; i < 7; i++)
+        add(t, "%" PRIu64, more[i]);
+    if (!job->v.boxes)
+        return;
+    add(t, "%" PRIu64, n->boxes);
+    add(t, "%.1e", n->excess);
+    add(t, "%.1f", percent(2 * n->boxes - n->doubtful, 2 * n->boxes));
+}
+
+void validate_table(const validate_plan *p)
+{
+    bool boxes = p->usual.boxes;
+    app_table t = {.columns = boxes ? 16 : 13, .align = "llrrrrrrrrrrrrrr"};
+    add_head(&t, boxes);
+    for (size_t i = 0; i < p->jobs; i++)
+        if (p->job[i].tally.tested > 0)
+            add_job(&t, &p->job[i]);
+    app_table_print(&t, stdout);
+}

@@ -1,0 +1,38 @@
+/* ask.h: what the commands that solve have in common on their command line. */
+#ifndef APP_ASK_H
+#define APP_ASK_H
+
+#include <fmb/options.h>
+
+#include "common/source.h"
+
+typedef struct app_ask {
+    app_source source;
+    fmb_options options;
+    bool json;
+    bool relax;               /* integer variables are meant as reals */
+    const char *trace;        /* file for the events, or NULL */
+    const char *proof;        /* file for the evidence, or NULL */
+    const char *rule_library; /* shared object with rules, or NULL */
+    void *own_input;          /* of the command's own parser */
+} app_ask;
+
+/* What tells one command from the next. */
+typedef struct app_usage {
+    const char *args, *doc;
+    const struct argp *own; /* options of this command alone, or NULL */
+    bool shows_claims;      /* the report tells of other claims than that of the verdict */
+} app_usage;
+
+/* Parse the words of a command; the parser of usage->own gets own_input as state->input. Exits with
+ * APP_USAGE, or after --help. */
+void app_ask_parse(app_ask *ask, const app_usage *usage, void *own_input, int argc, char **argv);
+
+/* A command must not bring its machine down: unless told otherwise it takes half of the memory, or
+ * of what this process may have [bytes]. */
+size_t app_ask_half_of_memory(void);
+
+/* Is the proof to stand where the report would? (--proof -) */
+bool app_ask_proof_only(const app_ask *ask);
+
+#endif

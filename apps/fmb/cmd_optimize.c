@@ -1,0 +1,302 @@
+/* cmd_optimize.c: fmb optimize FILE. */
+#include <stdlib.h>
+
+#include "common/form.h"
+#include "common/message.h"
+#include "common/table.h"
+#include "fmb/commands.h"
+#include "fmb/integers.h"
+#include "fmb/show.h"
+#include "fmb/verdict.h"
+
+enum { KEY_MAX = 0x200, KEY_MIN };
+
+static const struct argp_option options[] = {
+    {"max", KEY_MAX, "FORM", 0, "Make this as large as it gets (3x + 2y)", 1},
+    {"min", KEY_MIN, "FORM", 0, "Or this as small; without either, the objective of FILE counts",
+     1},
+    {0}};
+
+typedef struct request {
+    fmb_sense sense; /* NONE: the file says what is wanted */
+    const char *form;
+} request;
+
+static error_t parse(int key, char *arg, struct argp_state *state)
+{
+    request *r = state->input;
+    if (key != KEY_MAX && key != KEY_MIN)
+        return ARGP_ERR_UNKNOWN;
+    if (r->form)
+        argp_error(state, "--max or --min: given more than once");
+    r->sense = key == KEY_MAX ? FMB_SENSE_MAX : FMB_SENSE_MIN;
+    r->form = arg;
+    return 0;
+}
+
+static const struct argp own = {.options = options, .parser = parse};
+
+static const app_usage usage = {
+    .args = "FILE",
+    .doc =
+        "The best value of a linear form over the system in FILE, exactly; a point where it is "
+        "reached; and the rows that leave no more, with multipliers by which they add up to just "
+        "that. A value that no solution reaches is told as sup or inf, with the point that "
+        "solutions approach (->)."
+        "\v"
+        "FORM is written as in .fmb files, with the names of FILE. Exit codes: 0 the value is "
+        "known, or the form is unbounded; 1 infeasible; 2 undecided, or known over the reals while "
+        "FILE has integer variables.\n"
+        "\n"
+        "Examples:\n"
+        "  fmb optimize diet.fmb --min '0.4 bread + 0.35 milk'\n"
+        "  fmb optimize netlib.mps --max-seconds 10 --json\n"
+        "  fmb optimize plan.fmb --proof - | fmb check plan.fmb - --expect optimum\n",
+    .own = &own,
+    .shows_claims = true,
+};
+
+/* The objective of the file, or that of the command line in its place. */
+static int choose_objective(const request *r, app_session *s)
+{
+    if (r->form)
+        return app_form_read(r->sense == FMB_SENSE_MAX ? "--max" : "--min", r->form, r->sense,
+                             s->system);
+    if (fmb_system_sense(s->system) != FMB_SENSE_NONE)
+        return APP_YES;
+    return app_error(APP_USAGE, "the file has no objective: say --max FORM or --min FORM");
+}
+
+static bool is_known(const fmb_optimum *o)
+{
+    fmb_end_kind kind = fmb_optimum_end(o).kind;
+    return kind == FMB_END_FINITE || kind == FMB_END_INFINITE;
+}
+
+/* Does the optimum have a point that tells something? */
+static bool has_point(const app_session *s, const fmb_optimum *o)
+{
+    return o && s->result.verdict == FMB_FEASIBLE;
+}
+
+/* ---- text ------------------------------------------------------------------------------------ */
+
+/* "max over the reals = 13/2", "inf = 0, not attained", "min >= 3", "unbounded above" */
+static void print_value(const app_session *s, const fmb_optimum *o)
+{
+    static const char *const word[][2] = {{"inf", "sup"}, {"min", "max"}};
+    fmb_end end = fmb_optimum_end(o);
+    bool max = fmb_optimum_sense(o) == FMB_SENSE_MAX;
+    const char *reals = s->relaxed ? " over the reals" : "";
+    mpq_t value;
+    mpq_init(value);
+    fmb_optimum_value_q(o, value);
+    if (end.kind == FMB_END_FINITE)
+        gmp_printf("%s%s = %Qd%s\n", word[end.attained][max], reals, value,
+                   end.attained ? "" : ", not attained");
+    else if (end.kind == FMB_END_INFINITE)
+        printf("unbounded %s%s\n", max ? "above" : "below", reals);
+    else if (end.kind == FMB_END_OUTER)
+        gmp_printf("%s %s %Qd\n", word[1][max], max ? "<=" : ">=", value);
+    else
+        printf("%sunknown (%s)\n",
+               s->result.verdict == FMB_FEASIBLE ? "feasible; the optimum is " : "",
+               fmb_stop_text(s->result.stop));
+    mpq_clear(value);
+}
+
+/* The letter along which a ray goes: t, unless a variable is called that. */
+static const char *ray_letter(const fmb_system *s)
+{
+    static const char *const letter[] = {"t", "s", "r", "lambda"};
+    size_t i = 0;
+    while (i < 3 && fmb_system_find(s, letter[i]) >= 0)
+        i++;
+    return letter[i];
+}
+
+/* [give, free()] "3", "3 + 1/2 t", "-t" */
+static char *coordinate_text(const app_session *s, const fmb_optimum *o, int j)
+{
+    mpq_t p, r;
+    mpq_inits(p, r, NULL);
+    fmb_optimum_coordinate_q(o, j, p);
+    fmb_optimum_ray_q(o, j, r);
+    bool minus = mpq_sgn(r) < 0, start = mpq_sgn(p) != 0, still = mpq_sgn(r) == 0;
+    mpq_abs(r, r);
+    char *from = start || still ? app_print("%Qd", p) : app_print("");
+    char *pace = still || mpq_cmp_ui(r, 1, 1) == 0 ? app_print("") : app_print("%Qd ", r);
+    char *text =
+        still ? app_print("%s", from)
+              : app_print("%s%s%s%s", from, start ? (minus ? " - " : " + ") : (minus ? "-" : ""),
+                          pace, ray_letter(s->system));
+    free(from);
+    free(pace);
+    mpq_clears(p, r, NULL);
+    return text;
+}
+
+static void print_coordinates(const app_session *s, const fmb_optimum *o)
+{
+    fmb_end end = fmb_optimum_end(o);
+    bool limit = end.kind == FMB_END_FINITE && !end.attained;
+    app_table table = {.columns = 3, .align = "lll"};
+    for (int j = 0; j < fmb_system_dim(s->system); j++) {
+        app_table_add(&table, app_show_name(s->system, j));
+        app_table_add(&table, app_print(limit ? "->" : "="));
+        app_table_add(&table, coordinate_text(s, o, j));
+    }
+    app_table_print(&table, stdout);
+    if (end.kind == FMB_END_INFINITE)
+        printf("for all %s >= 0\n", ray_letter(s->system));
+}
+
+/* "sum: -2 x - y <= -13/2, that is 2 x + y - 1 >= 11/2": the rows add up to an upper end of the
+ * form, or of its negative; the constant counts for nothing before. */
+static void print_sum(const app_session *s, const fmb_optimum *o, const mpq_t sum, bool strict)
+{
+    static const char *const relation[][2] = {{">=", "<="}, {">", "<"}};
+    bool max = fmb_optimum_sense(o) == FMB_SENSE_MAX;
+    mpq_t value, constant;
+    mpq_inits(value, constant, NULL);
+    fmb_system_objective_constant_q(s->system, constant);
+    char *form = app_show_objective(s->system, max ? 1 : -1, false);
+    gmp_printf("sum: %s %s %Qd", form, strict ? "<" : "<=", sum);
+    free(form);
+    if (!max || mpq_sgn(constant) != 0) {
+        fmb_optimum_value_q(o, value);
+        form = app_show_objective(s->system, 1, true);
+        gmp_printf(", that is %s %s %Qd", form, relation[strict][max], value);
+        free(form);
+    }
+    putchar('\n');
+    mpq_clears(value, constant, NULL);
+}
+
+/* The claim whose multipliers prove the value; SIZE_MAX: none. */
+static size_t find_value_claim(const app_session *s, const fmb_optimum *o)
+{
+    fmb_end_kind kind = fmb_optimum_end(o).kind;
+    return kind == FMB_END_FINITE  ? app_verdict_claim(s, FMB_CLAIM_BOUND)
+           : kind == FMB_END_OUTER ? app_verdict_claim(s, FMB_CLAIM_IMPLIED)
+                                   : SIZE_MAX;
+}
+
+static void print_optimum(const app_session *s, const fmb_optimum *o)
+{
+    print_value(s, o);
+    if (has_point(s, o))
+        print_coordinates(s, o);
+    size_t claim = find_value_claim(s, o);
+    if (claim == SIZE_MAX)
+        return;
+    bool strict;
+    mpq_t sum;
+    mpq_init(sum);
+    app_verdict_print_multipliers(s, claim, sum, &strict);
+    print_sum(s, o, sum, strict && !fmb_optimum_end(o).attained);
+    mpq_clear(sum);
+}
+
+/* ---- JSON ------------------------------------------------------------------------------------ */
+
+static json_t *value_json(const fmb_optimum *o)
+{
+    fmb_end end = fmb_optimum_end(o);
+    json_t *obj = app_need(json_object()), *value = json_null();
+    mpq_t q;
+    mpq_init(q);
+    if (fmb_optimum_value_q(o, q))
+        value = app_json_number(q);
+    else if (end.kind == FMB_END_INFINITE)
+        value = json_string(fmb_optimum_sense(o) == FMB_SENSE_MAX ? "inf" : "-inf");
+    mpq_clear(q);
+    app_json_set(obj, "value", value);
+    app_json_set(obj, "attained", json_boolean(end.attained));
+    if (end.kind == FMB_END_OUTER)
+        app_json_set(obj, "outer", json_true());
+    return obj;
+}
+
+typedef void coordinate_of(const fmb_optimum *o, int j, mpq_t out);
+
+static json_t *coordinates_json(const app_session *s, const fmb_optimum *o, coordinate_of *of)
+{
+    json_t *obj = app_need(json_object());
+    mpq_t q;
+    mpq_init(q);
+    for (int j = 0; j < fmb_system_dim(s->system); j++) {
+        of(o, j, q);
+        app_json_set_variable(obj, s->system, j, app_json_number(q));
+    }
+    mpq_clear(q);
+    return obj;
+}
+
+static void report_json(const app_session *s, const fmb_optimum *o)
+{
+    json_t *obj = app_verdict_json(s);
+    app_json_set_objective(obj, s->system);
+    if (o) {
+        fmb_end end = fmb_optimum_end(o);
+        bool limit = end.kind == FMB_END_FINITE && !end.attained;
+        app_json_set(obj, "optimum", value_json(o));
+        if (has_point(s, o))
+            app_json_set(obj, limit ? "limit" : "witness",
+                         coordinates_json(s, o, fmb_optimum_coordinate_q));
+        if (end.kind == FMB_END_INFINITE)
+            app_json_set(obj, "ray", coordinates_json(s, o, fmb_optimum_ray_q));
+        size_t claim = find_value_claim(s, o);
+        if (claim != SIZE_MAX)
+            app_json_set(obj, "multipliers", app_json_multipliers(s, claim));
+    }
+    app_json_set_stats(obj, &s->result.stats);
+    app_json_print(obj);
+}
+
+/* ---- the command ----------------------------------------------------------------------------- */
+
+static void report(const app_session *s, const fmb_optimum *o)
+{
+    if (s->ask->json)
+        report_json(s, o);
+    else if (app_session_reports(s) && o)
+        print_optimum(s, o);
+    else if (app_session_reports(s))
+        app_verdict_print(s);
+}
+
+static int exit_code(const app_session *s, const fmb_optimum *o)
+{
+    if (!o)
+        return s->result.verdict == FMB_INFEASIBLE ? APP_NO : APP_UNDECIDED;
+    if (is_known(o))
+        return s->relaxed && !s->ask->relax ? APP_UNDECIDED : APP_YES;
+    if (fmb_optimum_end(o).kind == FMB_END_OUTER)
+        app_session_note(s, "undecided (%s): an outer end", fmb_stop_text(s->result.stop));
+    return APP_UNDECIDED;
+}
+
+int cmd_optimize(int argc, char **argv)
+{
+    app_ask ask;
+    request r = {.sense = FMB_SENSE_NONE};
+    app_ask_parse(&ask, &usage, &r, argc, argv);
+    app_session s;
+    fmb_optimum *o = NULL;
+    int code = app_session_open(&s, &ask);
+    if (code == 0)
+        code = choose_objective(&r, &s);
+    if (code == 0) {
+        app_session_begin(&s);
+        fmb_status st = fmb_optimize(s.solver, s.system, NULL, &o, &s.result);
+        code = app_session_end(&s, st);
+    }
+    if (code == 0) {
+        app_integers_judge(&s, o);
+        report(&s, o);
+        code = exit_code(&s, o);
+    }
+    fmb_optimum_free(o);
+    return app_session_close(&s, code);
+}

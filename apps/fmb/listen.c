@@ -1,0 +1,40 @@
+/* listen.c: see listen.h. A signal may come just before a wait begins: signals are held back until
+ * ppoll waits, which lets them through and hears of them in one step. Calls that write go on after
+ * a signal (signals.h), so nothing that was answered is lost. */
+#include "fmb/listen.h"
+
+#include <poll.h>
+#include <signal.h>
+#include <sys/types.h>
+#include <unistd.h>
+
+#include "fmb/stop.h"
+
+/* Until there is input, its end, or a signal. */
+static void wait_for(struct pollfd *p)
+{
+    sigset_t held, before;
+    sigemptyset(&held);
+    sigaddset(&held, SIGINT);
+    sigaddset(&held, SIGTERM);
+    sigprocmask(SIG_BLOCK, &held, &before);
+    if (!app_stop_asked())
+        ppoll(p, 1, NULL, &before);
+    sigprocmask(SIG_SETMASK, &before, NULL);
+}
+
+static ssize_t take(void *cookie, char *to, size_t size)
+{
+    const app_listener *l = cookie;
+    struct pollfd p = {.fd = fileno(l->in), .events = POLLIN};
+    if (poll(&p, 1, 0) == 0) {
+        l->idle(l->self);
+        wait_for(&p);
+    }
+    return app_stop_asked() ? 0 : read(p.fd, to, size);
+}
+
+FILE *app_listen(app_listener *l)
+{
+    return fopencookie(l, "r", (cookie_io_functions_t){.read = take});
+}

@@ -1,0 +1,204 @@
+/* session.c: see session.h. */
+#include "fmb/session.h"
+
+#include <fmb/rule.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/file.h"
+#include "common/message.h"
+#include "common/nearest.h"
+
+static int open_outputs(app_session *s)
+{
+    int code = APP_YES;
+    if (s->ask->trace)
+        code = app_file_create(s->ask->trace, &s->trace);
+    if (code == APP_YES && s->ask->proof)
+        code = app_file_create(s->ask->proof, &s->proof);
+    return code;
+}
+
+static const char *initial_of(const char *name)
+{
+    const fmb_option_info *info;
+    for (size_t i = 0; (info = fmb_options_describe(i)) != NULL; i++)
+        if (strcmp(info->name, name) == 0)
+            return info->initial;
+    return "";
+}
+
+/* What the command line could not know yet: instructions that this processor has not got, or a step
+ * of the presolve that is none. */
+static int bad_option(const app_ask *ask)
+{
+    fmb_options o = ask->options;
+    fmb_solver *v = NULL;
+    o.simd = FMB_SIMD_AUTO;
+    fmb_status st = fmb_solver_new(&o, NULL, &v);
+    fmb_solver_free(v);
+    if (st == FMB_OK)
+        return app_error(APP_USAGE, "--simd: this processor has no such instructions");
+    return app_error(APP_USAGE, "--presolve '%s': expected none, or some of %s",
+                     o.presolve ? o.presolve : "", initial_of("presolve"));
+}
+
+/* The names of the rules there are, separated by commas. */
+static void list_rules(const app_rule_library *own, char *out, size_t size)
+{
+    const fmb_rule *rule;
+    size_t used = 0;
+    for (size_t i = 0; used < size && (rule = fmb_rule_at(i)) != NULL; i++)
+        used += (size_t)snprintf(out + used, size - used, "%s%s", i > 0 ? "," : "", rule->name);
+    for (size_t i = 0; used < size && own->rule && own->rule[i]; i++)
+        used += (size_t)snprintf(out + used, size - used, ",%s", own->rule[i]->name);
+}
+
+/* "; did you mean ...?" for the first word of the list that is no rule. */
+static const char *hint_at_rule(const app_rule_library *own, const char *rules,
+                                char hint[APP_HINT_SIZE])
+{
+    char word[64];
+    for (const char *w = rules; *w; w += strcspn(w, ","), w += *w == ',') {
+        const fmb_rule *rule;
+        snprintf(word, sizeof word, "%.*s", (int)strcspn(w, ","), w);
+        app_nearest near = app_nearest_to(word);
+        for (size_t i = 0; (rule = fmb_rule_at(i)) != NULL; i++)
+            app_nearest_try(&near, rule->name);
+        for (size_t i = 0; own->rule && own->rule[i]; i++)
+            app_nearest_try(&near, own->rule[i]->name);
+        if (near.best && near.distance > 0)
+            return app_nearest_hint(&near, hint);
+    }
+    return "";
+}
+
+static int bad_rules(const app_session *s)
+{
+    char known[256] = "", hint[APP_HINT_SIZE];
+    const char *rules = s->ask->options.rules;
+    list_rules(&s->library, known, sizeof known);
+    return app_error(APP_USAGE, "--rules '%s': expected none, or some of %s%s", rules ? rules : "",
+                     known, hint_at_rule(&s->library, rules ? rules : "", hint));
+}
+
+/* Rules of a library of one's own are told from those that the solver knows by name. */
+static int open_rules(app_session *s)
+{
+    int code = APP_YES;
+    if (s->ask->rule_library)
+        code = app_rule_library_open(s->ask->rule_library, &s->library);
+    return code == APP_YES ? app_rule_library_split(&s->library, s->ask->options.rules, &s->rules)
+                           : code;
+}
+
+static int open_solver(app_session *s)
+{
+    fmb_options o = s->ask->options;
+    int code = open_rules(s);
+    if (code != APP_YES)
+        return code;
+    o.rules = s->rules.words;
+    fmb_status st = fmb_solver_new(&o, NULL, &s->solver);
+    if (st == FMB_OK)
+        st = app_rule_set_add(&s->rules, s->solver);
+    if (st == FMB_ERR_RULE)
+        return bad_rules(s);
+    if (st == FMB_ERR_ARG)
+        return bad_option(s->ask);
+    return st == FMB_OK ? APP_YES : app_status_error(st);
+}
+
+/* Outputs are opened after the input was read, so that one which is the input is refused, and
+ * before the query, as nobody likes to hear after an hour that a folder is missing. */
+int app_session_open(app_session *s, const app_ask *ask)
+{
+    *s = (app_session){.ask = ask};
+    int code = open_solver(s);
+    if (code == APP_YES)
+        code = app_source_read(&ask->source, &s->system);
+    return code == APP_YES ? open_outputs(s) : code;
+}
+
+void app_session_begin(app_session *s)
+{
+    fmb_sink trace = {NULL, NULL};
+    if (s->trace)
+        trace = fmb_sink_jsonl(s->trace);
+    app_watch_begin(&s->watch, s->solver, trace, s->ask->source.quiet);
+}
+
+int app_session_end(app_session *s, fmb_status st)
+{
+    app_watch_end(&s->watch);
+    if (st == FMB_ERR_RULE)
+        return app_error(APP_USAGE, "%s", fmb_solver_trouble(s->solver));
+    if (st != FMB_OK || !s->ask->options.evidence)
+        return st == FMB_OK ? APP_YES : app_status_error(st);
+    st = fmb_solver_evidence(s->solver, &s->evidence);
+    return st == FMB_OK || st == FMB_ERR_STATE ? APP_YES : app_status_error(st);
+}
+
+bool app_session_reports(const app_session *s)
+{
+    return !app_ask_proof_only(s->ask);
+}
+
+int app_session_verdict_code(const app_session *s)
+{
+    switch (s->result.verdict) {
+    case FMB_FEASIBLE:
+        return APP_YES;
+    case FMB_INFEASIBLE:
+        return APP_NO;
+    case FMB_UNKNOWN:
+        break;
+    }
+    return APP_UNDECIDED;
+}
+
+void app_session_note(const app_session *s, const char *format, ...)
+{
+    if (s->ask->source.quiet)
+        return;
+    va_list args;
+    va_start(args, format);
+    fputs("fmb: ", stderr);
+    vfprintf(stderr, format, args);
+    fputc('\n', stderr);
+    va_end(args);
+}
+
+/* Errors of the stream stay in it until it is closed. */
+static int write_proof(app_session *s)
+{
+    if (!s->proof)
+        return APP_YES;
+    if (!s->evidence || fmb_evidence_claims(s->evidence) == 0) {
+        app_session_note(s, "nothing was proved: %s is empty", s->ask->proof);
+        return APP_YES;
+    }
+    fmb_status st = fmb_evidence_write(s->evidence, s->system, s->proof);
+    return st == FMB_OK || st == FMB_ERR_IO ? APP_YES : app_status_error(st);
+}
+
+int app_session_close(app_session *s, int code)
+{
+    if (code >= APP_USAGE) { /* what was there before stays */
+        app_file_discard(s->proof);
+        app_file_discard(s->trace);
+        s->proof = s->trace = NULL;
+    }
+    int failed = write_proof(s);
+    int closed = app_file_close(s->proof, s->ask->proof);
+    failed = failed ? failed : closed;
+    closed = app_file_close(s->trace, s->ask->trace);
+    failed = failed ? failed : closed;
+    fmb_evidence_free(s->evidence);
+    fmb_system_free(s->system);
+    fmb_solver_free(s->solver);
+    free(s->rules.words);
+    app_rule_library_close(&s->library);
+    return failed ? failed : code;
+}

@@ -1,0 +1,47 @@
+/* session.h: one question to the solver from its command line to its exit code.
+ *
+ *   app_session_open -> app_session_begin -> the query -> app_session_end -> a report
+ *                    -> app_session_close
+ */
+#ifndef APP_SESSION_H
+#define APP_SESSION_H
+
+#include <fmb/solve.h>
+
+#include "common/rule_library.h"
+#include "fmb/ask.h"
+#include "fmb/watch.h"
+
+typedef struct app_session {
+    const app_ask *ask;
+    app_rule_library library;
+    app_rule_set rules;
+    fmb_solver *solver;
+    fmb_system *system;
+    FILE *trace, *proof;
+    app_watch watch;
+    fmb_result result;
+    fmb_evidence *evidence; /* NULL if nothing was proved */
+    bool relaxed;           /* the file has integers, and the answer is over the reals */
+} app_session;
+
+/* Check the options, read the system, open the outputs: APP_YES, or an exit code after a message.
+ * app_session_close is due in any case. */
+int app_session_open(app_session *s, const app_ask *ask);
+/* Around the query. end takes what the query returned and fetches the evidence; an exit code,
+ * APP_YES if there is a result. */
+void app_session_begin(app_session *s);
+int app_session_end(app_session *s, fmb_status st);
+
+/* Should the report go to standard output? Not if the proof takes its place. */
+bool app_session_reports(const app_session *s);
+/* The exit code for the verdict. */
+int app_session_verdict_code(const app_session *s);
+/* A line on standard error unless --quiet. */
+void app_session_note(const app_session *s, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* Write the proof, close and free everything; code, or the exit code of what went wrong now. */
+int app_session_close(app_session *s, int code);
+
+#endif

@@ -1,0 +1,207 @@
+/* show.c: see show.h. */
+#include "fmb/show.h"
+
+#include <stdlib.h>
+
+#include "common/message.h"
+#include "common/text.h"
+
+static const char *const relation[] = {[FMB_LE] = "<=", [FMB_LT] = "<", [FMB_EQ] = "="};
+
+/* gmp_vasprintf allocates with GMP's functions, which are malloc's: nobody here sets others. */
+char *app_print(const char *format, ...)
+{
+    char *text = NULL;
+    va_list args;
+    va_start(args, format);
+    gmp_vasprintf(&text, format, args);
+    va_end(args);
+    return app_need(text);
+}
+
+char *app_show_name(const fmb_system *s, int j)
+{
+    return app_text(fmb_system_name(s, j), APP_TEXT_TERMINAL);
+}
+
+char *app_show_row_name(const fmb_system *s, size_t i)
+{
+    const char *raw = fmb_system_label(s, i);
+    if (!raw)
+        return app_print("row %zu", i + 1);
+    char *label = app_text(raw, APP_TEXT_TERMINAL);
+    char *text = app_print("row %zu (%s)", i + 1, label);
+    free(label);
+    return text;
+}
+
+/* One term: its sign (none in front of the first if positive), its size unless 1, its variable. */
+static void put_term(FILE *out, const fmb_system *s, size_t k, int j, mpq_t coef)
+{
+    int sign = mpq_sgn(coef);
+    fputs(k == 0 ? (sign < 0 ? "-" : "") : (sign < 0 ? " - " : " + "), out);
+    mpq_abs(coef, coef);
+    if (mpq_cmp_ui(coef, 1, 1) != 0)
+        gmp_fprintf(out, "%Qd ", coef);
+    char *name = app_show_name(s, j);
+    fputs(name, out);
+    free(name);
+}
+
+char *app_show_row(const fmb_system *s, size_t i)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *out = app_need(open_memstream(&text, &size));
+    mpq_t q;
+    mpq_init(q);
+    for (size_t k = 0; k < fmb_system_terms(s, i); k++) {
+        int j = fmb_system_term_q(s, i, k, q);
+        put_term(out, s, k, j, q);
+    }
+    if (fmb_system_terms(s, i) == 0)
+        fputc('0', out);
+    fmb_system_rhs_q(s, i, q);
+    gmp_fprintf(out, " %s %Qd", relation[fmb_system_rel(s, i)], q);
+    mpq_clear(q);
+    fclose(out);
+    return app_need(text);
+}
+
+char *app_show_objective(const fmb_system *s, int sign, bool constant)
+{
+    char *text = NULL;
+    size_t size, n = fmb_system_objective_terms(s);
+    FILE *out = app_need(open_memstream(&text, &size));
+    mpq_t q;
+    mpq_init(q);
+    for (size_t k = 0; k < n; k++) {
+        int j = fmb_system_objective_term_q(s, k, q);
+        if (sign < 0)
+            mpq_neg(q, q);
+        put_term(out, s, k, j, q);
+    }
+    if (constant)
+        fmb_system_objective_constant_q(s, q);
+    else
+        mpq_set_ui(q, 0, 1);
+    if (sign < 0)
+        mpq_neg(q, q);
+    if (n > 0 && mpq_sgn(q) != 0) {
+        fputs(mpq_sgn(q) < 0 ? " - " : " + ", out);
+        mpq_abs(q, q);
+    }
+    if (n == 0 || mpq_sgn(q) != 0)
+        gmp_fprintf(out, "%Qd", q);
+    mpq_clear(q);
+    fclose(out);
+    return app_need(text);
+}
+
+/* ---- JSON ------------------------------------------------------------------------------------ */
+
+json_t *app_json_number(const mpq_t q)
+{
+    char *text = app_print("%Qd", q);
+    json_t *value = json_string(text);
+    free(text);
+    return value;
+}
+
+void app_json_set_variable(json_t *obj, const fmb_system *s, int j, json_t *value)
+{
+    char *name = app_text(fmb_system_name(s, j), APP_TEXT_JSON);
+    app_json_set(obj, name, value);
+    free(name);
+}
+
+/* null if the row has none. */
+static json_t *json_label(const fmb_system *s, size_t i)
+{
+    const char *label = fmb_system_label(s, i);
+    return label ? app_json_text(label) : json_null();
+}
+
+json_t *app_json_row_name(const fmb_system *s, size_t i)
+{
+    json_t *obj = app_need(json_object());
+    app_json_set(obj, "row", json_integer((json_int_t)i + 1));
+    app_json_set(obj, "label", json_label(s, i));
+    return obj;
+}
+
+/* The coefficients of row i over all variables. */
+static json_t *coefficients(const fmb_system *s, size_t i, mpq_t q)
+{
+    json_t *list = app_need(json_array());
+    size_t k = 0;
+    int next = k < fmb_system_terms(s, i) ? fmb_system_term_q(s, i, k, q) : -1;
+    for (int j = 0; j < fmb_system_dim(s); j++) {
+        if (j != next) {
+            app_json_append(list, json_string("0"));
+            continue;
+        }
+        app_json_append(list, app_json_number(q));
+        k++;
+        next = k < fmb_system_terms(s, i) ? fmb_system_term_q(s, i, k, q) : -1;
+    }
+    return list;
+}
+
+static json_t *row(const fmb_system *s, size_t i, mpq_t q)
+{
+    json_t *obj = app_need(json_object());
+    if (fmb_system_label(s, i))
+        app_json_set(obj, "label", json_label(s, i));
+    app_json_set(obj, "coefficients", coefficients(s, i, q));
+    app_json_set(obj, "relation", json_string(relation[fmb_system_rel(s, i)]));
+    fmb_system_rhs_q(s, i, q);
+    app_json_set(obj, "rhs", app_json_number(q));
+    return obj;
+}
+
+/* The coefficients of the objective over all variables. */
+static json_t *objective_coefficients(const fmb_system *s, mpq_t q)
+{
+    json_t *list = app_need(json_array());
+    size_t k = 0;
+    for (int j = 0; j < fmb_system_dim(s); j++) {
+        bool named = fmb_system_objective_term_q(s, k, q) == j;
+        if (!named)
+            mpq_set_ui(q, 0, 1);
+        app_json_append(list, app_json_number(q));
+        k += named;
+    }
+    return list;
+}
+
+void app_json_set_objective(json_t *obj, const fmb_system *s)
+{
+    fmb_sense sense = fmb_system_sense(s);
+    if (sense == FMB_SENSE_NONE)
+        return;
+    mpq_t q;
+    mpq_init(q);
+    json_t *o = app_need(json_object());
+    app_json_set(o, "sense", json_string(sense == FMB_SENSE_MAX ? "max" : "min"));
+    app_json_set(o, "coefficients", objective_coefficients(s, q));
+    fmb_system_objective_constant_q(s, q);
+    app_json_set(o, "constant", app_json_number(q));
+    app_json_set(obj, "objective", o);
+    mpq_clear(q);
+}
+
+void app_json_set_system(json_t *obj, const fmb_system *s)
+{
+    json_t *names = app_need(json_array()), *rows = app_need(json_array());
+    for (int j = 0; j < fmb_system_dim(s); j++)
+        app_json_append(names, app_json_text(fmb_system_name(s, j)));
+    mpq_t q;
+    mpq_init(q);
+    for (size_t i = 0; i < fmb_system_rows(s); i++)
+        app_json_append(rows, row(s, i, q));
+    mpq_clear(q);
+    app_json_set(obj, "variables", names);
+    app_json_set_objective(obj, s);
+    app_json_set(obj, "rows", rows);
+}

@@ -1,0 +1,24 @@
+/* fmplex.h: is a system feasible? Fourier-Motzkin elimination that tries bounds one by one instead
+ * of pairing them all: singly exponential, and never more than m rows a level. */
+#ifndef FMB_STUDY_FMPLEX_H
+#define FMB_STUDY_FMPLEX_H
+
+#include "base/arena.h"
+#include "num/vec.h"
+#include "num/weights.h"
+#include "trace/run.h"
+
+/* fmb_solve's question, part by part: with its evidence, limits, counters and watcher, and its
+ * errors. Of the solver's options those that choose an engine or rules are not looked at; an order
+ * other than FMB_ORDER_GIVEN is FMplex's own. */
+fmb_status study_fmplex_solve(fmb_solver *v, const fmb_system *s, fmb_result *res);
+
+/* Decide row[i] (n coefficients, right side) REL rel[i], i < m, for real x[n]. If it is feasible, x
+ * (unless NULL) is set to a solution; else multipliers over the m rows are appended to w (unless
+ * NULL): they are >= 0 unless the row is an equality, and combine the rows to 0 <= negative or
+ * 0 < 0. Errors: MEMORY, LIMIT. */
+fmb_status study_fmplex_decide(fmb_run *run, fmb_arena *arena, int n, size_t m, const fmb_vec *row,
+                               const fmb_rel *rel, const fmb_options *o, bool *feasible, mpq_t *x,
+                               fmb_weights *w);
+
+#endif

@@ -1,0 +1,68 @@
+/* grid.h: ways x systems: the whole of a study of rules.
+ *
+ * A sample is the systems of one line of a table: drawn pairs of one class, or one system that was
+ * read. Counts depend on the plan alone. Time is taken over all systems of a sample in turn, never
+ * one repeated, a few passes in which the ways take turns; each system keeps its median.
+ */
+#ifndef FMB_STUDY_GRID_H
+#define FMB_STUDY_GRID_H
+
+#include "study/draw/draw.h"
+#include "study/grid/run.h"
+#include "study/judge/judge.h"
+
+typedef struct study_case {
+    fmb_system *s;
+    int *keep, kept;   /* variables to project on */
+    fmb_verdict truth; /* FMB_UNKNOWN: the judge will say */
+    char *shadow;      /* what the projection is (judge.h); NULL: the judge will say */
+} study_case;
+
+typedef struct study_sample {
+    study_class class; /* of drawn systems */
+    const char *file;  /* of a system that was read, borrowed; NULL if drawn */
+    study_case *item;
+    size_t size, capacity;
+} study_sample;
+
+typedef struct study_grid {
+    /* The plan: set before study_grid_run. */
+    unsigned long seed;
+    size_t per_class; /* systems drawn of each class */
+    study_limits limits;
+    study_way *way; /* [ways], borrowed */
+    size_t ways;
+    int passes;           /* of the clock */
+    size_t shard, shards; /* only part `shard` of 1 ... shards is run; 0 of 0: all */
+    /* Called before each query; false ends the study early. May be NULL. */
+    bool (*step)(void *self, size_t done, size_t all);
+    void *self;
+    fmb_solver *volatile *running; /* where to note the solver at work, so that it can be cancelled
+                                      from outside; or NULL */
+
+    study_sample *sample; /* [samples] */
+    size_t samples, sample_capacity;
+    /* The results. */
+    study_names names;
+    bool *known;     /* [ways] every rule of it exists */
+    study_run *run;  /* [samples][most][ways] */
+    size_t most;     /* systems in the largest sample */
+    size_t prepared; /* samples that are drawn and judged */
+    size_t complete; /* samples that all ways have gone through */
+    size_t rejected; /* answers of the judge that the checker did not accept */
+} study_grid;
+
+/* Append an empty sample. Errors: MEMORY. */
+fmb_status study_grid_add(study_grid *g, const study_sample *sample);
+/* Put a system into a sample; takes over s and keep. Errors: MEMORY (s and keep are freed). */
+fmb_status study_sample_put(study_sample *sample, fmb_system *s, int *keep, int kept);
+
+fmb_status study_grid_run(study_grid *g);
+void study_grid_clear(study_grid *g);
+
+static inline study_run *study_grid_at(const study_grid *g, size_t sample, size_t item, size_t way)
+{
+    return &g->run[(sample * g->most + item) * g->ways + way];
+}
+
+#endif

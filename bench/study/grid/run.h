@@ -1,0 +1,75 @@
+/* run.h: one system, one way to eliminate, one line of numbers. */
+#ifndef FMB_STUDY_RUN_H
+#define FMB_STUDY_RUN_H
+
+#include <fmb/rule.h>
+#include <fmb/solve.h>
+
+/* How to eliminate. */
+typedef struct study_way {
+    const char *name;             /* of the set of rules, in reports */
+    const char *rules;            /* as options.rules takes them; or "fmplex", which decides,
+                                     but projects not */
+    const fmb_rule *const *added; /* more rules, NULL ends them; or NULL */
+    fmb_order order;
+} study_way;
+
+typedef struct study_limits {
+    size_t max_rows;      /* live rows; what reaches it is stopped, on every machine alike */
+    double max_seconds;   /* [s] a query; 0 = no limit */
+    const char *presolve; /* as options.presolve takes it */
+} study_limits;
+
+/* Rules (and "constant") by name, in the order they were met. */
+enum { STUDY_MOST_NAMES = 16 };
+typedef struct study_names {
+    const char *name[STUDY_MOST_NAMES];
+    size_t size;
+} study_names;
+
+typedef enum study_outcome {
+    STUDY_NOT_RUN = 0,
+    STUDY_DECIDED,
+    STUDY_STOPPED, /* by a limit */
+    STUDY_REFUSED, /* the rules cannot work here, or not together */
+    STUDY_WRONG    /* not what the judge says */
+} study_outcome;
+
+typedef struct study_run {
+    /* Elimination of all variables but those to keep; of a system without solutions, of all. */
+    study_outcome outcome;
+    fmb_stop stop;
+    fmb_verdict verdict;
+    uint64_t pairs, made; /* pairs looked at, rows combined */
+    uint64_t kept;        /* rows combined that lived on after the rules of their round */
+    uint64_t lived;       /* rows alive after each round, added up over the rounds */
+    uint64_t peak;        /* most rows alive before or after a round */
+    uint64_t held;        /* most rows alive at any moment */
+    uint64_t dropped[STUDY_MOST_NAMES];
+    /* Elimination of all variables, for the verdict. */
+    study_outcome solved;
+    double seconds; /* of the thread [s]; of a query that was stopped, until then */
+} study_run;
+
+/* Both queries of one way. */
+typedef struct study_engine {
+    fmb_solver *counting, *timing;
+    bool by_fmplex; /* timing asks FMplex, and there is nothing to count */
+    study_names *names;
+    study_run *run; /* filled by the sink */
+} study_engine;
+
+/* Errors: RULE (a rule is unknown), ARG, MEMORY. */
+fmb_status study_engine_open(study_engine *e, const study_way *way, const study_limits *limits,
+                             study_names *names);
+void study_engine_close(study_engine *e);
+
+/* [give] Eliminate all but keep[0..n) and fill in that part of the run; *shadow is NULL unless it
+ * was decided. With keep NULL: all variables, until a row says 0 <= -1 if one does. */
+fmb_status study_engine_count(study_engine *e, const fmb_system *s, const int *keep, int n,
+                              study_run *run, fmb_system **shadow);
+/* Decide s by elimination and fill in the rest. truth may be FMB_UNKNOWN. */
+fmb_status study_engine_time(study_engine *e, const fmb_system *s, fmb_verdict truth,
+                             study_run *run);
+
+#endif

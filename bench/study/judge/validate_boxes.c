@@ -1,0 +1,152 @@
+/* validate_boxes.c: see validate_boxes.h. */
+#include "study/judge/validate_boxes.h"
+
+#include <math.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+
+#include <fmb/solve.h>
+
+#include "study/judge/ends.h"
+
+enum { USUAL, TIGHTEST, EXACT, WAYS, MOST = STUDY_PAIR_MOST_DIM };
+
+typedef struct answers {
+    fmb_verdict *verdict;
+    double *world, *inside, *time, *witness;
+} answers;
+
+struct study_box_bench {
+    int dim;
+    atomic_bool stopped;
+    fmb_pair *way[WAYS];
+    answers said[WAYS];
+    fmb_solver *solver; /* of witnesses */
+};
+
+/* ---- life ------------------------------------------------------------------------------------ */
+
+static fmb_status open_way(study_box_bench *b, int i, fmb_simd simd)
+{
+    size_t n = STUDY_VALIDATE_MOST, dim = (size_t)b->dim;
+    fmb_pair_options o = fmb_pair_options_default();
+    o.method = i == EXACT ? FMB_PAIR_EXACT : FMB_PAIR_FMB;
+    o.tightest = i == TIGHTEST;
+    o.simd = simd;
+    b->said[i] = (answers){calloc(n, sizeof(fmb_verdict)), calloc(2 * n * dim, sizeof(double)),
+                           calloc(2 * n * dim, sizeof(double)), calloc(2 * n, sizeof(double)),
+                           calloc(n * dim, sizeof(double))};
+    const answers *a = &b->said[i];
+    if (!a->verdict || !a->world || !a->inside || !a->time || !a->witness)
+        return FMB_ERR_MEMORY;
+    return fmb_pair_new(b->dim, &o, NULL, &b->way[i]);
+}
+
+fmb_status study_box_bench_open(int dim, fmb_simd simd, study_box_bench **out)
+{
+    study_box_bench *b = calloc(1, sizeof *b);
+    if (!b)
+        return FMB_ERR_MEMORY;
+    b->dim = dim;
+    fmb_options o = fmb_options_default();
+    o.evidence = false;
+    fmb_status st = fmb_solver_new(&o, NULL, &b->solver);
+    for (int i = 0; st == FMB_OK && i < WAYS; i++)
+        st = open_way(b, i, simd);
+    if (st == FMB_OK)
+        *out = b;
+    else
+        study_box_bench_close(b);
+    return st;
+}
+
+void study_box_bench_close(study_box_bench *b)
+{
+    if (!b)
+        return;
+    for (int i = 0; i < WAYS; i++) {
+        answers *a = &b->said[i];
+        void *all[] = {a->verdict, a->world, a->inside, a->time, a->witness};
+        for (size_t k = 0; k < sizeof all / sizeof *all; k++)
+            free(all[k]);
+        fmb_pair_free(b->way[i]);
+    }
+    fmb_solver_free(b->solver);
+    free(b);
+}
+
+void study_box_bench_cancel(study_box_bench *b)
+{
+    atomic_store(&b->stopped, true);
+    for (int i = 0; i < WAYS; i++)
+        fmb_pair_cancel(b->way[i]);
+    fmb_solver_cancel(b->solver);
+}
+
+/* ---- questions ------------------------------------------------------------------------------- */
+
+static fmb_pair_answers of_pair(const study_box_bench *b, int way, size_t i)
+{
+    const answers *a = &b->said[way];
+    size_t dim = (size_t)b->dim;
+    return (fmb_pair_answers){a->verdict + i, a->world + 2 * dim * i, a->inside + 2 * dim * i,
+                              a->time + 2 * i, a->witness + dim * i};
+}
+
+static fmb_status check_witness(study_box_bench *b, const fmb_frame *p, const fmb_frame *q,
+                                const double *x, unsigned *faults)
+{
+    fmb_system *s = NULL;
+    fmb_result res = {0};
+    for (int j = 0; j < b->dim; j++)
+        if (!isfinite(x[j])) {
+            *faults |= STUDY_FAULT_WITNESS;
+            return FMB_OK;
+        }
+    fmb_status st = study_witness_system(p, q, x, &s);
+    if (st == FMB_OK)
+        st = fmb_solve(b->solver, s, &res);
+    if (st == FMB_OK && res.verdict != FMB_FEASIBLE)
+        *faults |= STUDY_FAULT_WITNESS;
+    fmb_system_free(s);
+    return st;
+}
+
+/* Pair i, once everything was asked about it. */
+static fmb_status judge(study_box_bench *b, size_t i, const fmb_frame *p, const fmb_frame *q,
+                        unsigned *faults, study_tally *tally)
+{
+    fmb_pair_answers usual = of_pair(b, USUAL, i), tightest = of_pair(b, TIGHTEST, i);
+    fmb_pair_answers exact = of_pair(b, EXACT, i);
+    double excess, none;
+    if (*usual.verdict != FMB_FEASIBLE || *tightest.verdict != FMB_FEASIBLE ||
+        *exact.verdict != FMB_FEASIBLE) {
+        *faults |= STUDY_FAULT_UNDECIDED;
+        return FMB_OK;
+    }
+    *faults |= study_box_faults(p, q, &usual, &exact, false, &excess);
+    *faults |= study_box_faults(p, q, &tightest, &exact, true, &none);
+    tally->excess = fmax(tally->excess, excess);
+    return check_witness(b, p, q, usual.witness, faults);
+}
+
+fmb_status study_box_bench_run(study_box_bench *b, size_t n, const fmb_frame *p, const fmb_frame *q,
+                               unsigned *faults, study_tally *tally)
+{
+    fmb_status st = FMB_OK;
+    uint64_t before = fmb_pair_count(b->way[USUAL]).exact_boxes;
+    for (size_t i = 0; i < n; i++)
+        faults[i] = 0;
+    for (int order = 0; order < 2; order++) {
+        const fmb_frame *x = order ? q : p, *y = order ? p : q;
+        for (int way = 0; st == FMB_OK && way < WAYS && !atomic_load(&b->stopped); way++) {
+            fmb_pair_answers out = of_pair(b, way, 0);
+            st = fmb_pair_test(b->way[way], n, x, y, &out);
+        }
+        for (size_t i = 0; st == FMB_OK && i < n && !atomic_load(&b->stopped); i++)
+            st = judge(b, i, &x[i], &y[i], &faults[i], tally);
+    }
+    tally->boxes += n;
+    tally->doubtful += fmb_pair_count(b->way[USUAL]).exact_boxes - before;
+    return st;
+}

@@ -1,0 +1,54 @@
+/* writer.h: a program while it is being written; for the families.
+ *
+ * A row is written term by term and ended. After a failure nothing more is written, and the writer
+ * remembers why.
+ */
+#ifndef FMB_STUDY_PROGRAM_WRITER_H
+#define FMB_STUDY_PROGRAM_WRITER_H
+
+#include "study/program/program.h"
+#include "study/program/random.h"
+
+typedef struct study_writer {
+    study_random g;
+    int rows, variables; /* as planned */
+    study_program *to;
+    fmb_status st;
+    double *goal; /* [dim] the objective: whole numbers below 2^53 */
+    /* The row under way. */
+    int *var;
+    mpq_t *coef;
+    size_t terms, capacity;
+    mpq_t right;
+} study_writer;
+
+/* Begin a system of so many variables; false without memory. Once, first. */
+bool study_write_begin(study_writer *w, int variables);
+
+void study_write_term(study_writer *w, int var, int64_t coef);
+void study_write_term_q(study_writer *w, int var, int64_t num, uint64_t den);
+void study_write_end(study_writer *w, fmb_rel rel, int64_t right);
+void study_write_end_q(study_writer *w, fmb_rel rel, int64_t num, uint64_t den);
+/* x_var >= least; x_var <= most. */
+void study_write_least(study_writer *w, int var, int64_t least);
+void study_write_most(study_writer *w, int var, int64_t most);
+
+/* What is known of the program. */
+void study_write_best(study_writer *w, int64_t num, uint64_t den);
+/* The goal is a random one, -9 ... 9. */
+void study_write_any_goal(study_writer *w);
+
+typedef void study_family(study_writer *w);
+
+/* families_random.c: rows at random, around a point or a conflict */
+study_family study_sparse_origin, study_sparse_point, study_sparse_conflict;
+study_family study_dense_origin, study_dense_point, study_dense_conflict;
+study_family study_degenerate, study_strict, study_equalities, study_unbounded, study_ball,
+    study_sphere;
+/* families_known.c: by name and from the books */
+study_family study_klee_minty, study_beale, study_kuhn, study_cube, study_chain, study_chain_equal,
+    study_strict_cycle;
+/* families_flow.c: what practice looks like */
+study_family study_assignment, study_transport, study_staircase;
+
+#endif

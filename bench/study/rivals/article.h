@@ -1,0 +1,38 @@
+/* article.h: FMB as published, to be measured and compared, never to answer. It has the faults of
+ * its original: one absolute epsilon, frames without an inverse refused, another answer for (q, p)
+ * than for (p, q) where they touch, boxes far too large, and a corner forgotten where they move
+ * (docs/theory.md, "What the article's boxes are").
+ *
+ * Source: Baillehache 2020, and its program: variables go in their order, c first and t last; each
+ * new row is tested against the unit box. No row is ever dropped.
+ */
+#ifndef FMB_STUDY_ARTICLE_H
+#define FMB_STUDY_ARTICLE_H
+
+#include "study/rivals/rows.h"
+
+/* What becomes of the intervals on the way back. */
+typedef enum study_article_box_kind {
+    STUDY_ARTICLE_PUBLISHED = 0, /* each row may only widen 0 ... 1: so all but the last variable */
+    STUDY_ARTICLE_MENDED         /* each row bounds its variable, and no corner is forgotten */
+} study_article_box_kind;
+
+typedef struct study_article_box {
+    double inside[STUDY_ROWS_MOST_DIM + 1][2]; /* c of q, then t if anything moves */
+    double world[STUDY_ROWS_MOST_DIM][2];
+} study_article_box;
+
+/* Workspace, for any pairs. */
+typedef struct study_article study_article;
+
+/* [give, study_article_free] Errors: MEMORY. */
+fmb_status study_article_new(study_article **out);
+void study_article_free(study_article *w);
+
+/* The verdict on two frames with all axes; UNKNOWN if p has no inverse, or more rows arise than any
+ * study wants. box, unless NULL, is written if they meet. Errors: MEMORY. */
+fmb_status study_article_test(study_article *w, const fmb_frame *p, const fmb_frame *q,
+                              study_article_box_kind kind, study_article_box *box,
+                              fmb_verdict *out);
+
+#endif

@@ -1,0 +1,197 @@
+/* rows.c: see rows.h. */
+#include "study/rivals/rows.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { D = STUDY_ROWS_MOST_DIM };
+
+/* ---- the inverse ----------------------------------------------------------------------------- */
+
+/* Row i of to is the functional that is 1 on axis i and 0 on the others. */
+typedef struct dual {
+    double to[D][D];
+} dual;
+
+/* Two and three axes: cofactors over the determinant, which is returned. */
+static double invert_by_cofactors(int dim, const double *a, dual *out)
+{
+    double det;
+    if (dim == 2) {
+        det = a[0] * a[3] - a[1] * a[2];
+        out->to[0][0] = a[3] / det;
+        out->to[0][1] = -a[2] / det;
+        out->to[1][0] = -a[1] / det;
+        out->to[1][1] = a[0] / det;
+        return det;
+    }
+    for (int i = 0; i < 3; i++) {
+        const double *p = a + 3 * ((i + 1) % 3), *q = a + 3 * ((i + 2) % 3);
+        for (int j = 0; j < 3; j++)
+            out->to[i][j] = p[(j + 1) % 3] * q[(j + 2) % 3] - p[(j + 2) % 3] * q[(j + 1) % 3];
+    }
+    det = a[0] * out->to[0][0] + a[1] * out->to[0][1] + a[2] * out->to[0][2];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            out->to[i][j] /= det;
+    return det;
+}
+
+static void swap_rows(double *p, double *q, int n)
+{
+    for (int j = 0; j < n; j++) {
+        double kept = p[j];
+        p[j] = q[j];
+        q[j] = kept;
+    }
+}
+
+/* Any number of axes: Gauss-Jordan on (axes | 1), the largest pivot of each column; w becomes
+ * (1 | inverse). The determinant. */
+static double reduce(int dim, double w[D][2 * D])
+{
+    double det = 1;
+    for (int k = 0; k < dim; k++) {
+        int best = k;
+        for (int i = k + 1; i < dim; i++)
+            if (fabs(w[i][k]) > fabs(w[best][k]))
+                best = i;
+        if (w[best][k] == 0)
+            return 0;
+        if (best != k) {
+            swap_rows(w[k], w[best], 2 * dim);
+            det = -det;
+        }
+        double pivot = w[k][k];
+        det *= pivot;
+        for (int j = k; j < 2 * dim; j++)
+            w[k][j] /= pivot;
+        for (int i = 0; i < dim; i++) {
+            double times = w[i][k];
+            for (int j = k; i != k && j < 2 * dim; j++)
+                w[i][j] -= times * w[k][j];
+        }
+    }
+    return det;
+}
+
+/* Rows of `axes` are axes, so column i of its inverse is 1 on axis i and 0 on the others. */
+static double invert_by_elimination(int dim, const double *a, dual *out)
+{
+    double w[D][2 * D] = {{0}};
+    for (int i = 0; i < dim; i++) {
+        memcpy(w[i], a + i * dim, (size_t)dim * sizeof *a);
+        w[i][dim + i] = 1;
+    }
+    double det = reduce(dim, w);
+    for (int i = 0; i < dim; i++)
+        for (int j = 0; j < dim; j++)
+            out->to[i][j] = w[j][dim + i];
+    return det;
+}
+
+static double invert(int dim, const double *a, dual *out)
+{
+    return dim == 2 || dim == 3 ? invert_by_cofactors(dim, a, out)
+                                : invert_by_elimination(dim, a, out);
+}
+
+/* ---- the rows -------------------------------------------------------------------------------- */
+
+/* Coordinate i of x is base[i] + sum over the variables of to[i][.]: the second frame as p sees it.
+ */
+typedef struct image {
+    double base[D], to[D][D + 1];
+} image;
+
+static double dot(int dim, const double *x, const double *y)
+{
+    double sum = 0;
+    for (int j = 0; j < dim; j++)
+        sum += x[j] * y[j];
+    return sum;
+}
+
+static void project(const fmb_frame *p, const fmb_frame *q, bool moves, const dual *inverse,
+                    image *out)
+{
+    int dim = p->dim;
+    double shift[D], drift[D];
+    for (int j = 0; j < dim; j++) {
+        shift[j] = q->origin[j] - p->origin[j];
+        drift[j] = (q->speed ? q->speed[j] : 0) - (p->speed ? p->speed[j] : 0);
+    }
+    for (int i = 0; i < dim; i++) {
+        out->base[i] = dot(dim, inverse->to[i], shift);
+        for (int k = 0; k < dim; k++)
+            out->to[i][k] = dot(dim, inverse->to[i], q->axes + k * dim);
+        if (moves)
+            out->to[i][dim] = dot(dim, inverse->to[i], drift);
+    }
+}
+
+static double *next_row(study_rows *s)
+{
+    double *row = s->a[s->m++];
+    memset(row, 0, (size_t)(s->n + 1) * sizeof *row);
+    return row;
+}
+
+/* 0 <= coordinates of p (<= 1, or their sum <= 1). */
+static void put_facets(const fmb_frame *p, const image *x, study_rows *s)
+{
+    int dim = p->dim, n = s->n;
+    for (int i = 0; i < dim; i++) {
+        double *row = next_row(s);
+        for (int k = 0; k < n; k++)
+            row[k] = -x->to[i][k];
+        row[n] = x->base[i];
+    }
+    double *row = NULL;
+    for (int i = 0; i < dim; i++) {
+        if (!row || p->shape == FMB_CUBOID) {
+            row = next_row(s);
+            row[n] = 1;
+        }
+        for (int k = 0; k < n; k++)
+            row[k] += x->to[i][k];
+        row[n] -= x->base[i];
+    }
+    s->facets = s->m;
+}
+
+/* 0 <= c (<= 1, or sum c <= 1), 0 <= t <= 1. */
+static void put_bounds(const fmb_frame *q, study_rows *s)
+{
+    int dim = q->dim, n = s->n;
+    double *row = NULL;
+    for (int k = 0; k < dim; k++) {
+        if (!row || q->shape == FMB_CUBOID)
+            row = next_row(s);
+        row[k] = 1;
+        row[n] = 1;
+    }
+    for (int k = 0; k < dim; k++)
+        next_row(s)[k] = -1;
+    if (n > dim) {
+        row = next_row(s);
+        row[dim] = row[n] = 1;
+        next_row(s)[dim] = -1;
+    }
+}
+
+bool study_rows_make(const fmb_frame *p, const fmb_frame *q, double least, study_rows *out)
+{
+    bool moves = p->speed || q->speed;
+    dual inverse;
+    image x;
+    double det = invert(p->dim, p->axes, &inverse);
+    if (!(fabs(det) >= least) || det == 0)
+        return false;
+    project(p, q, moves, &inverse, &x);
+    out->n = p->dim + moves;
+    out->m = 0;
+    put_facets(p, &x, out);
+    put_bounds(q, out);
+    return true;
+}

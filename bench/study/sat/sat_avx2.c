@@ -1,0 +1,5 @@
+/* sat_avx2.c: four pairs at a time; see sat.h. */
+#define FMB_LANES 4
+#define FMB_TABLE study_sat_avx2
+
+#include "study/sat/inside.h"

@@ -1,0 +1,65 @@
+/* fmb/session.h: systems that change. Load one, ask, add or remove rows, ask again.
+ *
+ *   fmb_solver_load(v, s);
+ *   fmb_solve(v, fmb_solver_system(v), &answer);
+ *   fmb_solver_push(v);
+ *   fmb_solver_add_int(v, cut, FMB_LE, 7);
+ *   fmb_solve(v, fmb_solver_system(v), &answer);
+ *   fmb_solver_pop(v);
+ *
+ * The solver keeps a copy of the system, and what fmb_solve, fmb_bound and fmb_optimize have found
+ * out about it: the next of them that is asked about it, that is about the very pointer that
+ * fmb_solver_system returns, goes on from there (with any method but FM). The answers are those
+ * that a fresh solver gives of a copy, with evidence of the rows as they then are; the point of a
+ * solution may be another one. Every other query may be asked about it as about any system.
+ *
+ * Cost: a change costs time in proportion to the row, or (remove) to the number of rows, and linear
+ * programs nothing; what is undone before the next question costs it nothing. That question then
+ * looks at all rows once, and makes as many steps of the simplex method as it takes from the last
+ * basis: often none where rows went or where the last point satisfies the new ones. Rows that are
+ * gone stay behind, switched off; when they are most of the rows, and after a limit or a failed
+ * allocation has ended a query, the next one begins afresh. All this counts in options.max_bytes.
+ *
+ * Errors of all changes: STATE, where nothing is loaded; MEMORY; ARG, which fmb_solver_trouble
+ * explains. A change that fails changes nothing. Take evidence (fmb_solver_evidence) before the
+ * next change: it speaks of the rows as they were. GLPK, where it is installed, keeps its memory by
+ * thread: ask about a loaded system, and unload it, in one thread, or some memory is lost.
+ */
+#ifndef FMB_SESSION_H
+#define FMB_SESSION_H
+
+#include <fmb/solve.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Keep a copy of s, in the place of one that was loaded. Errors: ARG (NULL), MEMORY: the older one
+ * stays. */
+FMB_API FMB_CHECKED fmb_status fmb_solver_load(fmb_solver *v, const fmb_system *s);
+/* From now on nothing is loaded; as before where nothing was. */
+FMB_API void fmb_solver_unload(fmb_solver *v);
+/* The system as it is now, owned by v; the same pointer until another one is loaded. NULL: none. */
+FMB_API const fmb_system *fmb_solver_system(const fmb_solver *v);
+
+/* Append a.x REL b; a has length dim. Errors: ARG as of fmb_system_add. */
+FMB_API FMB_CHECKED fmb_status fmb_solver_add(fmb_solver *v, const double *a, fmb_rel rel,
+                                              double b);
+FMB_API FMB_CHECKED fmb_status fmb_solver_add_int(fmb_solver *v, const int64_t *a, fmb_rel rel,
+                                                  int64_t b);
+/* Remove a row; the rows behind it move up. Errors: ARG (no such row). */
+FMB_API FMB_CHECKED fmb_status fmb_solver_remove(fmb_solver *v, size_t row);
+/* Give a row another right side. It is that of the row as it is kept: a row that was added as
+ * a.x >= b is -a.x <= -b. Errors: ARG (no such row, not finite). */
+FMB_API FMB_CHECKED fmb_status fmb_solver_set_right(fmb_solver *v, size_t row, double b);
+
+/* Begin a level; levels nest. */
+FMB_API FMB_CHECKED fmb_status fmb_solver_push(fmb_solver *v);
+/* End the last level: rows are as they were when it began, in their order, with their labels.
+ * Errors: STATE (no level), and never MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_solver_pop(fmb_solver *v);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

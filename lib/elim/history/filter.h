@@ -1,0 +1,48 @@
+/* filter.h: histories side by side, so that many pairs are refused at once.
+ *
+ * At the first question of a round the histories of its upper rows, or of all live rows, are laid
+ * out in planes for the vector kernels. A row that said nothing (0 <= 3) leaves its history behind:
+ * it still covers others.
+ */
+#ifndef FMB_ELIM_FILTER_H
+#define FMB_ELIM_FILTER_H
+
+#include "elim/store/store.h"
+
+/* Planes that grow. */
+typedef struct fmb_layout {
+    uint64_t *bits;
+    size_t capacity; /* words */
+    fmb_planes planes;
+    bool ready; /* for this round */
+} fmb_layout;
+
+typedef struct fmb_filter {
+    fmb_layout uppers, rows;
+    const uint64_t **silent; /* histories of rows that said nothing since the base */
+    size_t silents, silent_capacity;
+    bool wants_silent; /* some rule has asked what covers a pair */
+    uint64_t *drop;    /* [capacity] bits of the upper rows, for the rules */
+    size_t drop_capacity;
+} fmb_filter;
+
+/* A new round of this base; a new base. */
+void fmb_filter_new_round(fmb_filter *f);
+void fmb_filter_forget(fmb_filter *f);
+void fmb_filter_clear(fmb_filter *f, fmb_mem *mem);
+
+/* All false bits for so many upper rows, or NULL. */
+uint64_t *fmb_filter_bits(fmb_filter *f, size_t uppers, fmb_mem *mem);
+
+/* The row at the end of the store says nothing: is its history kept, as it can cover others? */
+fmb_status fmb_filter_keep_silent(fmb_elim *e, bool *kept);
+
+/* Pairs of a row with the round's upper rows upper[0..uppers): set their bit in drop where the
+ * union of the two histories has more than `most` base rows, or where it covers a third row's.
+ * Errors: MEMORY, LIMIT. */
+fmb_status fmb_filter_drop_larger(fmb_elim *e, uint32_t row, const uint32_t *upper, size_t uppers,
+                                  int most, uint64_t *drop);
+fmb_status fmb_filter_drop_covered(fmb_elim *e, uint32_t row, const uint32_t *upper, size_t uppers,
+                                   uint64_t *drop);
+
+#endif

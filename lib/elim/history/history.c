@@ -1,0 +1,65 @@
+/* history.c: sets of base rows and of variables; see history.h. */
+#include "elim/history/history.h"
+
+#include <string.h>
+
+uint64_t *fmb_history_get(fmb_elim *e)
+{
+    uint64_t *h = e->spare_history;
+    e->spare_history = NULL;
+    return h ? h : fmb_arena_get(e->arena, e->words + e->var_words, sizeof *h);
+}
+
+fmb_status fmb_history_number_base(fmb_elim *e)
+{
+    e->words = fmb_set_words(e->bases);
+    e->spare_history = NULL; /* its size is no longer right */
+    for (size_t i = 0; i < e->bases; i++) {
+        uint64_t *h = fmb_history_get(e);
+        if (!h)
+            return fmb_mem_status(e->arena->mem);
+        memset(h, 0, (e->words + e->var_words) * sizeof *h);
+        h[i / 64] = (uint64_t)1 << (i % 64);
+        e->row[e->base[i]].history = h;
+        fmb_status st = fmb_run_poll(e->run);
+        if (st != FMB_OK)
+            return st;
+    }
+    return FMB_OK;
+}
+
+fmb_status fmb_history_join(fmb_elim *e, fmb_derived *r, const fmb_derived *p, const fmb_derived *q)
+{
+    if (!e->histories || !e->based)
+        return FMB_OK;
+    r->history = fmb_history_get(e);
+    if (!r->history)
+        return fmb_mem_status(e->arena->mem);
+    size_t size = e->words + e->var_words;
+    for (size_t i = 0; i < size; i++)
+        r->history[i] = p->history[i] | q->history[i];
+    r->history[e->words + (size_t)r->var / 64] |= (uint64_t)1 << (r->var % 64);
+    return FMB_OK;
+}
+
+static void add_variables_of_row(const fmb_elim *e, const fmb_derived *r, uint64_t *set)
+{
+    for (int j = 0; j < e->n; j++)
+        if (fmb_vec_sgn(&r->v, (size_t)j) != 0)
+            set[j / 64] |= (uint64_t)1 << (j % 64);
+}
+
+/* Imbert's I is computed afresh from the base rows: unions of the parents' I are wrong, since a
+ * variable that vanished by chance can come back. */
+void fmb_history_implicit(const fmb_elim *e, const fmb_derived *r, uint64_t *out)
+{
+    memset(out, 0, e->var_words * sizeof *out);
+    for (size_t w = 0; w < e->words; w++)
+        for (uint64_t left = r->history[w]; left != 0; left &= left - 1)
+            add_variables_of_row(e, &e->row[e->base[w * 64 + (size_t)__builtin_ctzll(left)]], out);
+    for (int j = 0; j < e->n; j++)
+        if (fmb_vec_sgn(&r->v, (size_t)j) != 0)
+            out[j / 64] &= ~((uint64_t)1 << (j % 64));
+    for (size_t w = 0; w < e->var_words; w++)
+        out[w] &= ~r->history[e->words + w];
+}

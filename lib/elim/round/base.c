@@ -1,0 +1,52 @@
+/* base.c: where a base begins. */
+#include <string.h>
+
+#include "elim/history/filter.h"
+#include "elim/history/history.h"
+#include "elim/round/round.h"
+#include "elim/rules/box.h"
+#include "elim/rules/prune.h"
+
+/* Is there a row that the box refutes among the base rows? Then the elimination is over. */
+static fmb_status refute_base_rows(fmb_elim *e)
+{
+    if (!fmb_elim_keeps(e, FMB_STEP_REFUTE))
+        return FMB_OK;
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i < e->live.size; i++) {
+        if (fmb_box_refutes(e, &e->row[e->live.row[i]]))
+            return fmb_box_refute(e, e->live.row[i]);
+        st = fmb_run_poll(e->run);
+    }
+    return st;
+}
+
+fmb_status fmb_elim_start_histories(fmb_elim *e)
+{
+    fmb_status st = fmb_box_make(e);
+    if (st == FMB_OK)
+        st = refute_base_rows(e);
+    if (st == FMB_OK && e->clash == FMB_NO_ROW)
+        st = fmb_rules_drop_base_rows(e);
+    if (st != FMB_OK || e->clash != FMB_NO_ROW)
+        return st;
+    e->bases = e->live.size;
+    e->base = fmb_arena_get(e->arena, e->bases, sizeof *e->base);
+    if (!e->base)
+        return fmb_mem_status(e->arena->mem);
+    memcpy(e->base, e->live.row, e->bases * sizeof *e->base);
+    memset(e->gone, 0, e->var_words * sizeof *e->gone);
+    e->based = true;
+    e->since = 0;
+    fmb_filter_forget(e->filter);
+    if (e->rounds > 0)
+        fmb_run_emit(e->run, (fmb_event){.kind = FMB_EVENT_REBASE,
+                                         .round = e->rounds,
+                                         .var = -1,
+                                         .rows_in = e->bases,
+                                         .rows_out = e->bases});
+    if (!e->histories)
+        return FMB_OK;
+    st = fmb_history_number_base(e);
+    return st == FMB_OK ? fmb_box_mark(e) : st;
+}

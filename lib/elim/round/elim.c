@@ -1,0 +1,291 @@
+/* elim.c: the rounds; see elim.h. */
+#include "elim/round/elim.h"
+
+#include <string.h>
+
+#include "elim/history/filter.h"
+#include "elim/round/round.h"
+#include "elim/rules/prune.h"
+
+static fmb_status hire_rules(fmb_elim *e, const fmb_elim_options *o)
+{
+    for (int k = 0; k < o->rules; k++) {
+        const fmb_rule *rule = o->rule[k];
+        fmb_worker w = {.rule = rule};
+        if (rule->state_bytes > 0) {
+            w.state = fmb_arena_get(e->arena, rule->state_bytes, 1);
+            if (!w.state)
+                return fmb_mem_status(e->arena->mem);
+            memset(w.state, 0, rule->state_bytes);
+        }
+        e->worker[e->workers++] = w;
+        e->histories |= (rule->flags & FMB_RULE_NEEDS_HISTORY) != 0;
+    }
+    return FMB_OK;
+}
+
+fmb_status fmb_elim_init(fmb_elim *e, fmb_run *run, fmb_arena *arena, int n,
+                         const fmb_elim_options *o)
+{
+    *e = (fmb_elim){.run = run,
+                    .arena = arena,
+                    .n = n,
+                    .order = o->order,
+                    .rebase = o->rebase,
+                    .steps = o->steps,
+                    .chooser = o->chooser,
+                    .clash = FMB_NO_ROW,
+                    .var_words = fmb_set_words((size_t)n)};
+    e->round = fmb_arena_get(arena, (size_t)n, sizeof *e->round);
+    e->candidate = fmb_arena_get(arena, (size_t)n, sizeof *e->candidate);
+    e->gone = fmb_arena_get(arena, e->var_words, sizeof *e->gone);
+    e->filter = fmb_arena_get(arena, 1, sizeof *e->filter);
+    if (e->filter)
+        *e->filter = (fmb_filter){0};
+    if (!e->round || !e->candidate || !e->gone || !e->filter)
+        return fmb_mem_status(arena->mem);
+    memset(e->gone, 0, e->var_words * sizeof *e->gone);
+    fmb_status st = hire_rules(e, o);
+    if (st == FMB_OK)
+        st = fmb_num_init(&e->num, run->mem, (size_t)n + 1, o->wide_only);
+    e->num.kernels = run->kernels;
+    return st;
+}
+
+void fmb_elim_clear(fmb_elim *e)
+{
+    fmb_mem *mem = e->run->mem;
+    for (size_t i = 0; i < e->rows; i++)
+        fmb_vec_clear(&e->row[i].v, (size_t)e->n + 1, mem);
+    for (int k = 0; k < e->workers; k++)
+        if (e->worker[k].rule->clear)
+            e->worker[k].rule->clear(e->worker[k].state);
+    if (e->filter)
+        fmb_filter_clear(e->filter, mem);
+    e->run->stats.promotions += e->num.promotions;
+    fmb_num_clear(&e->num);
+}
+
+/* ---- by substitution ------------------------------------------------------------------------- */
+
+/* The equality with var in it that is cheapest to substitute (fewest nonzeros), or FMB_NO_ROW. */
+static uint32_t find_sparsest_equality(const fmb_elim *e, int var)
+{
+    uint32_t best = FMB_NO_ROW;
+    int best_size = 0;
+    for (size_t i = 0; i < e->live.size; i++) {
+        const fmb_derived *r = &e->row[e->live.row[i]];
+        if (!r->equality || fmb_vec_sgn(&r->v, (size_t)var) == 0)
+            continue;
+        int size = r->v.z != NULL ? e->n : 0;
+        for (int j = 0; j < e->n; j++)
+            size += fmb_vec_sgn(&r->v, (size_t)j) != 0;
+        if (best == FMB_NO_ROW || size < best_size) {
+            best = e->live.row[i];
+            best_size = size;
+        }
+    }
+    return best;
+}
+
+/* Use the equality q to remove var from every other row. Histories start anew: what follows is a
+ * smaller system with the same solutions, whose rows are not combinations of pairs. */
+static fmb_status substitute_equality(fmb_elim *e, uint32_t q, int var)
+{
+    fmb_status st = FMB_OK;
+    fmb_round *round = &e->round[e->rounds];
+    round->row[0] = q;
+    round->rows = 1;
+    round->equality = true;
+    e->based = false;
+    for (size_t i = 0; st == FMB_OK && e->clash == FMB_NO_ROW && i < e->live.size; i++) {
+        uint32_t p = e->live.row[i];
+        if (p == q)
+            continue;
+        bool has = fmb_vec_sgn(&e->row[p].v, (size_t)var) != 0;
+        st = has ? fmb_elim_combine(e, p, q, var) : fmb_list_push(e, &e->next, p);
+    }
+    return st;
+}
+
+/* ---- by pairing ------------------------------------------------------------------------------ */
+
+/* Does var stand in live rows with either sign? */
+static bool stands_with_both_signs(const fmb_elim *e, int var)
+{
+    bool lower = false, upper = false;
+    for (size_t i = 0; !(lower && upper) && i < e->live.size; i++) {
+        int sign = fmb_vec_sgn(&e->row[e->live.row[i]].v, (size_t)var);
+        lower |= sign < 0;
+        upper |= sign > 0;
+    }
+    return lower && upper;
+}
+
+/* The rows with var into the round, lower ones first, the others to the next live rows. */
+static fmb_status sort_rows_by_sign(fmb_elim *e, fmb_round *round, size_t *lowers)
+{
+    fmb_status st = FMB_OK;
+    round->rows = *lowers = 0;
+    for (int sign = -1; sign <= 1; sign += 2) {
+        for (size_t i = 0; i < e->live.size; i++)
+            if (fmb_vec_sgn(&e->row[e->live.row[i]].v, (size_t)round->var) == sign)
+                round->row[round->rows++] = e->live.row[i];
+        *lowers = sign < 0 ? round->rows : *lowers;
+    }
+    for (size_t i = 0; st == FMB_OK && i < e->live.size; i++)
+        if (fmb_vec_sgn(&e->row[e->live.row[i]].v, (size_t)round->var) == 0)
+            st = fmb_list_push(e, &e->next, e->live.row[i]);
+    return st;
+}
+
+/* Does no row of the round name another variable? */
+static bool names_no_other_variable(const fmb_elim *e, const fmb_round *round)
+{
+    for (size_t i = 0; i < round->rows; i++)
+        for (int j = 0; j < e->n; j++)
+            if (j != round->var && fmb_vec_sgn(&e->row[round->row[i]].v, (size_t)j) != 0)
+                return false;
+    return true;
+}
+
+/* Remove var by pairing. A variable of one sign only makes no pairs: its rows go, and histories
+ * stay as they are, since the rest is what the elimination of the other variables alone would give.
+ */
+static fmb_status eliminate_by_pairs(fmb_elim *e, int var)
+{
+    fmb_round *round = &e->round[e->rounds];
+    fmb_status st = FMB_OK;
+    size_t lowers;
+    if (!e->based && stands_with_both_signs(e, var))
+        st = fmb_elim_start_histories(e);
+    if (st == FMB_OK && e->clash == FMB_NO_ROW)
+        st = sort_rows_by_sign(e, round, &lowers);
+    if (st != FMB_OK || e->clash != FMB_NO_ROW || lowers == 0 || lowers == round->rows)
+        return st;
+    e->since++;
+    e->gone[var / 64] |= (uint64_t)1 << (var % 64);
+    e->run->stats.rounds++;
+    return names_no_other_variable(e, round) ? fmb_elim_squeeze(e, round, lowers)
+                                             : fmb_elim_pair(e, round, lowers);
+}
+
+/* ---- a round --------------------------------------------------------------------------------- */
+
+/* What was counted before the round, to be told as differences. */
+typedef struct tally {
+    size_t live, rows;
+    uint64_t pairs, made, dropped, widened;
+} tally;
+
+static tally take_tally(const fmb_elim *e)
+{
+    const fmb_stats *s = &e->run->stats;
+    return (tally){e->live.size, e->rows,         s->pairs,
+                   s->rows_made, s->rows_dropped, e->num.promotions};
+}
+
+static void emit_rule_events(fmb_elim *e, int var)
+{
+    for (int k = 0; k < e->workers; k++) {
+        if (e->worker[k].dropped > 0)
+            fmb_run_emit(e->run, (fmb_event){.kind = FMB_EVENT_RULE,
+                                             .round = e->rounds,
+                                             .var = var,
+                                             .dropped = e->worker[k].dropped,
+                                             .name = e->worker[k].rule->name});
+        e->worker[k].dropped = 0;
+    }
+    if (e->constants > 0)
+        fmb_run_emit(e->run, (fmb_event){.kind = FMB_EVENT_RULE,
+                                         .round = e->rounds,
+                                         .var = var,
+                                         .dropped = e->constants,
+                                         .name = "constant"});
+    e->constants = 0;
+}
+
+/* The round is over: count what is left of the rows that it made, and tell. */
+static void close_round(fmb_elim *e, int var, const tally *before)
+{
+    tally after = take_tally(e);
+    uint64_t kept = 0;
+    for (size_t i = after.live; i-- > 0 && e->live.row[i] >= before->rows;)
+        kept++;
+    e->run->stats.rows_kept += kept;
+    if (!e->run->sink.put)
+        return;
+    emit_rule_events(e, var);
+    fmb_run_emit(e->run, (fmb_event){.kind = FMB_EVENT_ROUND,
+                                     .round = e->rounds,
+                                     .var = var,
+                                     .rows_in = before->live,
+                                     .rows_out = after.live,
+                                     .pairs = after.pairs - before->pairs,
+                                     .made = after.made - before->made,
+                                     .dropped = after.dropped - before->dropped,
+                                     .widened = after.widened - before->widened});
+}
+
+static fmb_status eliminate_variable(fmb_elim *e, int var)
+{
+    fmb_round *round = &e->round[e->rounds];
+    tally before = take_tally(e);
+    *round = (fmb_round){.var = var};
+    round->row = fmb_arena_get(e->arena, e->live.size, sizeof *round->row);
+    if (!round->row)
+        return fmb_mem_status(e->arena->mem);
+    e->next.size = 0;
+    uint32_t q = find_sparsest_equality(e, var);
+    fmb_status st = q != FMB_NO_ROW ? substitute_equality(e, q, var) : eliminate_by_pairs(e, var);
+    if (st != FMB_OK)
+        return st;
+    e->rounds++;
+    fmb_list list = e->live;
+    e->live = e->next;
+    e->next = list;
+    e->based &= !e->broken; /* what was refused follows from rows that are there now */
+    e->broken = false;
+    if (e->clash == FMB_NO_ROW && round->rows > 1)
+        st = fmb_rules_end_round(e, var);
+    close_round(e, var, &before);
+    return st;
+}
+
+/* Is there a variable to eliminate, but none by substitution? */
+static bool is_ready_to_pair(const fmb_elim *e, const bool *drop)
+{
+    bool any = false;
+    for (size_t i = 0; i < e->live.size; i++) {
+        const fmb_derived *r = &e->row[e->live.row[i]];
+        for (int j = 0; (r->equality || !any) && j < e->n; j++) {
+            bool named = drop[j] && fmb_vec_sgn(&r->v, (size_t)j) != 0;
+            if (named && r->equality)
+                return false;
+            any |= named;
+        }
+    }
+    return any;
+}
+
+/* Histories start before the choice: what goes then is not counted in it. */
+fmb_status fmb_elim_eliminate(fmb_elim *e, const bool *drop)
+{
+    fmb_status st = fmb_run_poll_now(e->run);
+    while (st == FMB_OK && e->clash == FMB_NO_ROW) {
+        int var;
+        if (!e->based && is_ready_to_pair(e, drop))
+            st = fmb_elim_start_histories(e);
+        if (st == FMB_OK && e->clash == FMB_NO_ROW)
+            st = fmb_elim_choose(e, drop, &var);
+        if (st != FMB_OK || e->clash != FMB_NO_ROW || var < 0)
+            break;
+        st = eliminate_variable(e, var);
+    }
+    return st;
+}
+
+fmb_status fmb_elim_prune(fmb_elim *e)
+{
+    return fmb_rules_end_round(e, -1);
+}

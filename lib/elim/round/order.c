@@ -1,0 +1,160 @@
+/* order.c: which variable goes next. A variant is a cost function; the least cost wins, ties go to
+ * the lower index.
+ *
+ * Unless a caller chooses, a variable in an equality goes first (substitution adds no rows), then
+ * one that stands with one sign only (its rows just go).
+ */
+#include "elim/round/round.h"
+#include "elim/rules/view.h"
+
+/* How a variable stands in the live rows. */
+typedef struct occurrence {
+    size_t lower, upper;           /* rows of negative, positive coefficient */
+    size_t lower_size, upper_size; /* nonzeros in them */
+    bool in_equality;
+} occurrence;
+
+/* Count one row for each of its variables. */
+static void count_row_occurrences(const fmb_elim *e, const fmb_derived *r, occurrence *c)
+{
+    size_t size = 0;
+    if (e->order == FMB_ORDER_FILL)
+        for (int j = 0; j < e->n; j++)
+            size += fmb_vec_sgn(&r->v, (size_t)j) != 0;
+    for (int j = 0; j < e->n; j++) {
+        int sign = fmb_vec_sgn(&r->v, (size_t)j);
+        if (sign == 0)
+            continue;
+        c[j].in_equality |= r->equality;
+        *(sign < 0 ? &c[j].lower : &c[j].upper) += 1;
+        *(sign < 0 ? &c[j].lower_size : &c[j].upper_size) += size;
+    }
+}
+
+static double cost_in_pairs(const occurrence *c)
+{
+    double p = (double)c->lower, q = (double)c->upper;
+    return p * q - p - q;
+}
+
+static double cost_as_given(const occurrence *c)
+{
+    (void)c;
+    return 0;
+}
+
+static double cost_of_smaller_side(const occurrence *c)
+{
+    return (double)(c->lower < c->upper ? c->lower : c->upper);
+}
+
+/* Nonzeros of all combinations, were there no overlap. */
+static double cost_in_nonzeros(const occurrence *c)
+{
+    return (double)c->lower * (double)c->upper_size + (double)c->upper * (double)c->lower_size;
+}
+
+static double (*const COST[])(const occurrence *) = {
+    [FMB_ORDER_PAIRS] = cost_in_pairs,
+    [FMB_ORDER_GIVEN] = cost_as_given,
+    [FMB_ORDER_MIN] = cost_of_smaller_side,
+    [FMB_ORDER_FILL] = cost_in_nonzeros,
+};
+
+static bool is_eliminated(const fmb_elim *e, int var)
+{
+    for (int i = 0; i < e->rounds; i++)
+        if (e->round[i].var == var)
+            return true;
+    return false;
+}
+
+/* Whatever the order, equalities go first, then variables of one sign. */
+static int priority_of(const fmb_elim *e, const occurrence *c)
+{
+    bool onesided = c->lower == 0 || c->upper == 0;
+    if (c->in_equality)
+        return 0;
+    return onesided && fmb_elim_keeps(e, FMB_STEP_ONESIDED) ? 1 : 2;
+}
+
+static int find_cheapest_candidate(const fmb_elim *e, const occurrence *c, const int *candidate,
+                                   size_t n)
+{
+    int best = -1, best_priority = 0;
+    double best_cost = 0;
+    for (size_t i = 0; i < n; i++) {
+        int j = candidate[i], priority = priority_of(e, &c[j]);
+        double cost = COST[e->order](&c[j]);
+        if (best < 0 || priority < best_priority ||
+            (priority == best_priority && cost < best_cost)) {
+            best = j;
+            best_priority = priority;
+            best_cost = cost;
+        }
+    }
+    return best;
+}
+
+static bool stands_in_equality(const fmb_elim *e, int var)
+{
+    for (size_t i = 0; i < e->live.size; i++) {
+        const fmb_derived *r = &e->row[e->live.row[i]];
+        if (r->equality && fmb_vec_sgn(&r->v, (size_t)var) != 0)
+            return true;
+    }
+    return false;
+}
+
+/* Substitution starts histories anew: where that may not happen, equalities have to be used up
+ * before the first pairs. Only their variables stay among the candidates, if there are any. */
+static size_t keep_those_in_equalities(const fmb_elim *e, int *candidate, size_t n)
+{
+    size_t left = 0;
+    bool one_base = false;
+    for (int k = 0; k < e->workers; k++)
+        one_base |= (e->worker[k].rule->flags & FMB_RULE_ONE_BASE) != 0;
+    for (size_t i = 0; one_base && i < n; i++)
+        if (stands_in_equality(e, candidate[i]))
+            candidate[left++] = candidate[i];
+    return left > 0 ? left : n;
+}
+
+static fmb_status ask_chooser(fmb_elim *e, int *candidate, size_t n, int *var)
+{
+    fmb_window w;
+    n = keep_those_in_equalities(e, candidate, n);
+    fmb_window_open(&w, e, -1);
+    int chosen = e->chooser.choose(e->chooser.self, &w.view, candidate, n);
+    fmb_status st = fmb_window_close(&w);
+    bool known = false;
+    for (size_t i = 0; i < n; i++)
+        known |= candidate[i] == chosen;
+    if (st == FMB_OK && !known)
+        st = FMB_ERR_ARG;
+    *var = chosen;
+    return st;
+}
+
+fmb_status fmb_elim_choose(fmb_elim *e, const bool *drop, int *var)
+{
+    fmb_mem *mem = e->run->mem;
+    size_t n = (size_t)e->n, candidates = 0;
+    int *candidate = e->candidate;
+    for (int j = 0; j < e->n; j++)
+        if (drop[j] && !is_eliminated(e, j))
+            candidate[candidates++] = j;
+    *var = candidates > 0 ? candidate[0] : -1;
+    if (candidates < 2)
+        return FMB_OK;
+    if (e->chooser.choose)
+        return ask_chooser(e, candidate, candidates, var);
+    occurrence *c = fmb_mem_zero(mem, n, sizeof *c);
+    if (!c)
+        return fmb_mem_status(mem);
+    for (size_t i = 0; i < e->live.size; i++)
+        count_row_occurrences(e, &e->row[e->live.row[i]], c);
+    *var = find_cheapest_candidate(e, c, candidate, candidates);
+    fmb_mem_put(mem, c, n, sizeof *c);
+    return FMB_OK;
+}

@@ -1,0 +1,179 @@
+/* prune.c: rules are asked, and what they refuse is counted; see prune.h. */
+#include "elim/rules/prune.h"
+
+#include "elim/rules/view.h"
+
+/* The rule has refused pairs or rows of this round. */
+static void note_drop_of_rule(fmb_elim *e, int worker, uint64_t dropped)
+{
+    fmb_worker *w = &e->worker[worker];
+    w->dropped += dropped;
+    e->run->stats.rows_dropped += dropped;
+    e->broken |= dropped > 0 && (w->rule->flags & FMB_RULE_BREAKS_HISTORY) != 0;
+}
+
+fmb_status fmb_rules_drop_base_rows(fmb_elim *e)
+{
+    fmb_window w;
+    fmb_status st = FMB_OK;
+    for (int k = 0; st == FMB_OK && k < e->workers; k++) {
+        const fmb_rule *rule = e->worker[k].rule;
+        size_t left = 0;
+        if (!rule->drop_row || (rule->flags & FMB_RULE_NEEDS_HISTORY))
+            continue;
+        fmb_window_open(&w, e, -1);
+        for (size_t i = 0; i < e->live.size; i++) {
+            uint32_t r = e->live.row[i];
+            if (e->row[r].equality || !rule->drop_row(e->worker[k].state, &w.view, r))
+                e->live.row[left++] = r;
+        }
+        e->worker[k].dropped += e->live.size - left;
+        e->run->stats.rows_dropped += e->live.size - left;
+        e->live.size = left;
+        st = fmb_window_close(&w);
+    }
+    return st;
+}
+
+static uint64_t count_bits(const uint64_t *set, size_t words)
+{
+    uint64_t n = 0;
+    for (size_t k = 0; k < words; k++)
+        n += (uint64_t)__builtin_popcountll(set[k]);
+    return n;
+}
+
+/* What each rule adds to drop is its own. */
+fmb_status fmb_rules_refuse_pairs(fmb_elim *e, const fmb_round *round, size_t lowers, size_t i,
+                                  uint64_t *drop)
+{
+    size_t words = fmb_set_words(round->rows - lowers);
+    uint64_t before = 0;
+    fmb_status st = FMB_OK;
+    for (int k = 0; st == FMB_OK && k < e->workers; k++) {
+        const fmb_rule *rule = e->worker[k].rule;
+        if (!rule->drop_pairs)
+            continue;
+        fmb_window w;
+        fmb_window_open(&w, e, round->var);
+        w.view.lower = round->row;
+        w.view.lowers = lowers;
+        w.view.upper = round->row + lowers;
+        w.view.uppers = round->rows - lowers;
+        rule->drop_pairs(e->worker[k].state, &w.view, i, drop);
+        st = fmb_window_close(&w);
+        uint64_t after = count_bits(drop, words);
+        note_drop_of_rule(e, k, after - before);
+        before = after;
+    }
+    return st;
+}
+
+/* Rows made by substitution are the base to come: rules wait until it is complete. */
+fmb_status fmb_rules_drop_row(fmb_elim *e, const fmb_rule **by)
+{
+    *by = NULL;
+    if (!e->based || e->row[e->rows].equality)
+        return FMB_OK;
+    for (int k = 0; k < e->workers; k++) {
+        const fmb_rule *rule = e->worker[k].rule;
+        if (!rule->drop_row)
+            continue;
+        fmb_window w;
+        fmb_window_open(&w, e, e->row[e->rows].var);
+        bool drop = rule->drop_row(e->worker[k].state, &w.view, e->rows);
+        fmb_status st = fmb_window_close(&w);
+        if (st != FMB_OK)
+            return st;
+        if (drop) {
+            *by = rule;
+            note_drop_of_rule(e, k, 1);
+            return FMB_OK;
+        }
+    }
+    return FMB_OK;
+}
+
+/* ---- the end of a round ---------------------------------------------------------------------- */
+
+static bool rebases_always(const fmb_elim *e, const fmb_rule *rule)
+{
+    return !e->histories || (rule->flags & FMB_RULE_BREAKS_HISTORY) == 0 ||
+           e->rebase == FMB_REBASE_ALWAYS;
+}
+
+/* A rule that breaks histories costs Kohler's count, which starts anew: worth it for many rows
+ * only. */
+static bool pays_for_rebase(const fmb_elim *e, const fmb_rule *rule, size_t marked)
+{
+    return marked > 0 && (rebases_always(e, rule) || 4 * marked >= e->live.size);
+}
+
+/* With few rows it cannot: the rows are not even looked at. */
+#define WORTH_LOOKING 32
+
+static bool can_pay_for_rebase(const fmb_elim *e, const fmb_rule *rule)
+{
+    return rule->end_round && e->live.size > 0 &&
+           (rebases_always(e, rule) || e->live.size >= WORTH_LOOKING);
+}
+
+static size_t drop_marked_rows(fmb_elim *e, const bool *drop)
+{
+    size_t left = 0, before = e->live.size;
+    for (size_t i = 0; i < before; i++)
+        if (!drop[i])
+            e->live.row[left++] = e->live.row[i];
+    e->run->stats.rows_dropped += before - left;
+    e->live.size = left;
+    return before - left;
+}
+
+static fmb_status ask_at_end_of_round(fmb_elim *e, fmb_worker *worker, int var)
+{
+    fmb_mem *mem = e->run->mem;
+    size_t rows = e->live.size, marked = 0;
+    fmb_window w;
+    bool *drop = fmb_mem_zero(mem, rows, sizeof *drop);
+    if (!drop)
+        return fmb_mem_status(mem);
+    fmb_window_open(&w, e, var);
+    fmb_status said = worker->rule->end_round(worker->state, &w.view, drop);
+    fmb_status st = fmb_window_close(&w);
+    st = st != FMB_OK ? st : said;
+    for (size_t i = 0; i < rows; i++)
+        marked += drop[i];
+    if (st == FMB_OK && pays_for_rebase(e, worker->rule, marked)) {
+        worker->dropped += drop_marked_rows(e, drop);
+        if (worker->rule->flags & FMB_RULE_BREAKS_HISTORY)
+            e->based = false;
+    }
+    fmb_mem_put(mem, drop, rows, sizeof *drop);
+    return st;
+}
+
+static fmb_status reduce_live_rows(fmb_elim *e)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i < e->live.size; i++) {
+        st = fmb_vec_reduce(&e->row[e->live.row[i]].v, (size_t)e->n + 1, &e->num);
+        if (st == FMB_OK)
+            st = fmb_run_poll(e->run);
+    }
+    return st;
+}
+
+fmb_status fmb_rules_end_round(fmb_elim *e, int var)
+{
+    fmb_status st = FMB_OK;
+    bool reduced = false;
+    for (int k = 0; st == FMB_OK && k < e->workers; k++) {
+        if (!can_pay_for_rebase(e, e->worker[k].rule))
+            continue;
+        st = reduced ? FMB_OK : reduce_live_rows(e);
+        reduced = true;
+        if (st == FMB_OK)
+            st = ask_at_end_of_round(e, &e->worker[k], var);
+    }
+    return st;
+}

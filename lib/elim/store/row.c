@@ -1,0 +1,126 @@
+/* row.c: rows enter the store: base rows, and combinations. */
+#include "elim/store/store.h"
+
+/* An empty row at the end of the store, not counted yet. */
+static fmb_status open_row(fmb_elim *e, fmb_derived **out)
+{
+    fmb_status st = fmb_arena_reserve(e->arena, (void **)&e->row, &e->row_capacity, e->rows + 1,
+                                      sizeof *e->row);
+    if (st != FMB_OK)
+        return st;
+    if (e->rows >= FMB_NO_ROW)
+        return FMB_ERR_MEMORY;
+    fmb_derived *r = &e->row[e->rows];
+    *r = (fmb_derived){.p = FMB_NO_ROW, .q = FMB_NO_ROW, .var = -1};
+    r->v.s = e->spare ? e->spare : fmb_arena_get(e->arena, (size_t)e->n + 1, sizeof *r->v.s);
+    if (!r->v.s)
+        return fmb_mem_status(e->arena->mem);
+    e->spare = NULL;
+    *out = r;
+    return FMB_OK;
+}
+
+void fmb_elim_forget_row(fmb_elim *e, bool keep_history)
+{
+    fmb_derived *r = &e->row[e->rows];
+    fmb_vec_clear(&r->v, (size_t)e->n + 1, e->run->mem);
+    e->spare = r->v.s;
+    if (!keep_history && r->history)
+        e->spare_history = r->history;
+}
+
+fmb_status fmb_list_push(fmb_elim *e, fmb_list *list, uint32_t row)
+{
+    fmb_status st = fmb_arena_reserve(e->arena, (void **)&list->row, &list->capacity,
+                                      list->size + 1, sizeof *list->row);
+    if (st == FMB_OK)
+        list->row[list->size++] = row;
+    return st;
+}
+
+/* Count the row at the end of the store, or forget it if something went wrong. */
+static fmb_status close_row(fmb_elim *e, fmb_status st)
+{
+    if (st == FMB_OK)
+        e->rows++;
+    else
+        fmb_elim_forget_row(e, false);
+    return st;
+}
+
+fmb_status fmb_elim_add(fmb_elim *e, const fmb_vec *v, fmb_rel rel)
+{
+    fmb_derived *r = NULL;
+    size_t n = (size_t)e->n + 1;
+    fmb_status st = open_row(e, &r);
+    if (st != FMB_OK)
+        return st;
+    st = fmb_vec_copy(&r->v, v, n, e->run->mem);
+    if (st == FMB_OK && e->num.wide_only)
+        st = fmb_vec_widen(&r->v, n, e->run->mem);
+    r->strict = rel == FMB_LT;
+    r->equality = rel == FMB_EQ;
+    if (st == FMB_OK && !fmb_elim_is_constant(e, r))
+        st = fmb_list_push(e, &e->live, (uint32_t)e->rows);
+    else if (st == FMB_OK && fmb_elim_is_false(e, r))
+        e->clash = (uint32_t)e->rows;
+    return close_row(e, st);
+}
+
+fmb_status fmb_elim_split(fmb_elim *e, uint32_t i)
+{
+    fmb_derived *r = NULL;
+    size_t n = (size_t)e->n + 1;
+    fmb_status st = open_row(e, &r);
+    if (st != FMB_OK)
+        return st;
+    e->row[i].equality = false;
+    r->p = i;
+    st = fmb_vec_copy(&r->v, &e->row[i].v, n, e->run->mem);
+    for (size_t j = 0; st == FMB_OK && j < n; j++) {
+        if (r->v.z)
+            mpz_neg(r->v.z[j], r->v.z[j]);
+        else
+            r->v.s[j] = -r->v.s[j];
+    }
+    if (st == FMB_OK)
+        st = fmb_list_push(e, &e->live, (uint32_t)e->rows);
+    return close_row(e, st);
+}
+
+/* ---- combinations ---------------------------------------------------------------------------- */
+
+fmb_status fmb_elim_form_row(fmb_elim *e, uint32_t p, uint32_t q, int var)
+{
+    fmb_derived *r = NULL;
+    fmb_status st = open_row(e, &r);
+    if (st != FMB_OK)
+        return st;
+    const fmb_derived *a = &e->row[p], *b = &e->row[q];
+    r->p = p;
+    r->q = q;
+    r->var = var;
+    r->strict = a->strict || b->strict;
+    r->equality = a->equality && b->equality;
+    st = fmb_vec_cancel(&r->v, &a->v, &b->v, (size_t)e->n + 1, (size_t)var, &e->num);
+    if (st == FMB_OK && e->budget > 0 && e->rows >= e->budget) {
+        e->over_budget = true;
+        st = FMB_LIMIT;
+    }
+    if (st != FMB_OK)
+        fmb_elim_forget_row(e, false);
+    else
+        e->run->stats.rows_made++;
+    return st;
+}
+
+fmb_status fmb_elim_derive_row(fmb_elim *e, uint32_t p, uint32_t q, int var, uint32_t *out)
+{
+    fmb_status st = fmb_elim_form_row(e, p, q, var);
+    if (st != FMB_OK)
+        return st;
+    *out = (uint32_t)e->rows++;
+    if (fmb_elim_is_constant(e, &e->row[*out]) && fmb_elim_is_false(e, &e->row[*out]))
+        e->clash = *out;
+    return FMB_OK;
+}

@@ -1,0 +1,182 @@
+/* store.h: rows that know where they come from, and all that an elimination knows of them.
+ *
+ * Rows live in one store and never move; a row is named by its number. A *base* row was put in; any
+ * other is a combination of two earlier rows that cancels one variable, so the store is a
+ * derivation from which multipliers over the base rows can be read (derive.h), and the rows that
+ * each round removed are all that back-substitution needs (witness.h). Rows are primitive integer
+ * vectors: n coefficients and the right side, a.x <= b, < b or = b.
+ *
+ * Variables are numbered 0 <= var < n here; which of the system's they are, the run knows (var_of).
+ *
+ * Histories (history.h) are kept from a *base* on: the rows alive when the first pairs were made
+ * after the start, after a substitution, or after a rule dropped rows for reasons of its own.
+ */
+#ifndef FMB_ELIM_STORE_H
+#define FMB_ELIM_STORE_H
+
+#include <fmb/rule.h>
+
+#include "base/arena.h"
+#include "num/vec.h"
+#include "trace/run.h"
+
+#define FMB_NO_ROW    UINT32_MAX
+#define FMB_MAX_RULES 16
+
+typedef struct fmb_derived {
+    fmb_vec v;
+    uint64_t *history; /* [words] of the base in force when it was made, then [var_words] variables
+                          eliminated */
+    uint32_t p, q;     /* parents; FMB_NO_ROW for a base row; q alone: the reverse of p */
+    int32_t var;       /* the variable they cancelled */
+    bool strict, equality;
+} fmb_derived;
+
+static inline fmb_rel fmb_derived_rel(const fmb_derived *r)
+{
+    return r->equality ? FMB_EQ : r->strict ? FMB_LT : FMB_LE;
+}
+
+/* What a round removed: the rows in which var stood, in the order found. */
+typedef struct fmb_round {
+    uint32_t *row;
+    size_t rows;
+    int var;
+    bool equality; /* row[0] is an equality, solved for var; the others are its results' parents */
+} fmb_round;
+
+/* A growing list of rows. */
+typedef struct fmb_list {
+    uint32_t *row;
+    size_t size, capacity;
+} fmb_list;
+
+/* A rule at work. */
+typedef struct fmb_worker {
+    const fmb_rule *rule;
+    void *state;      /* [rule->state_bytes] */
+    uint64_t dropped; /* pairs and rows, in this round */
+} fmb_worker;
+
+/* Steps that may be left out for study. */
+typedef enum fmb_step {
+    FMB_STEP_EQUALITIES = 1, /* substitute equalities */
+    FMB_STEP_COMPONENTS = 2, /* part by part */
+    FMB_STEP_ONESIDED = 4,   /* variables of one sign first */
+    FMB_STEP_BOUNDS = 8,     /* the tightest row with one variable of each side makes a box */
+    FMB_STEP_REFUTE = 16     /* a row that the box refutes ends the elimination */
+} fmb_step;
+
+/* The box that rows with one variable make (box.h). Ends are multiples of 1 / unit, so that a row
+ * is compared in integers. */
+typedef struct fmb_box_rows {
+    uint32_t *row[2]; /* [side][n]: the row that makes the end, FMB_NO_ROW where there is none */
+    int64_t *end[2];  /* [side][n]: unit times the end */
+    int64_t unit;
+    int bits;        /* of every end, of unit and of room */
+    bool any;        /* there is an end */
+    uint32_t budget; /* a base row sum s_j x_j <= c over variables with an end where s_j x_j is
+                        least, some without the other one; FMB_NO_ROW: there is none */
+    int64_t room;    /* unit times (c - the least of sum s_j x_j) >= 0 */
+    uint64_t *hard;  /* [words] base rows that make the ends and the budget */
+} fmb_box_rows;
+
+typedef struct fmb_elim {
+    fmb_run *run;
+    fmb_arena *arena;
+    fmb_num num;
+    int n;
+    fmb_order order;
+    fmb_rebase rebase;
+    unsigned steps; /* of fmb_step */
+    fmb_chooser chooser;
+    fmb_worker worker[FMB_MAX_RULES];
+    int workers;
+    bool histories;     /* some rule needs them */
+    uint64_t constants; /* rows of this round that said nothing */
+
+    fmb_derived *row;
+    size_t rows, row_capacity;
+    int64_t *spare; /* words of a row that was given up, or NULL */
+    uint64_t *spare_history;
+    fmb_list live, next; /* rows alive; rows alive after the round being made */
+    fmb_round *round;    /* [n], in the order made */
+    int rounds;
+    int *candidate; /* [n] scratch of the choice */
+
+    size_t budget;    /* rows that the store may hold, 0 = any number: set it after init */
+    bool over_budget; /* it held more: the elimination ended with FMB_LIMIT */
+
+    bool based;                /* the live rows' histories are valid */
+    bool broken;               /* in this round a rule refused pairs or rows that they count on */
+    uint32_t *base;            /* [bases] */
+    size_t bases, words;       /* words of a history */
+    size_t var_words;          /* words of a set of variables */
+    uint64_t *gone;            /* [var_words] eliminated by pairing since the last re-base */
+    int since;                 /* their number */
+    fmb_box_rows box;          /* of the base */
+    struct fmb_filter *filter; /* histories in planes; see filter.h */
+    uint32_t clash; /* a row that no point satisfies (0 <= -1, 0 < 0, 0 = 1), or FMB_NO_ROW */
+} fmb_elim;
+
+/* Add a base row (copied, [n + 1], primitive): its number is the count of rows before it. */
+fmb_status fmb_elim_add(fmb_elim *e, const fmb_vec *v, fmb_rel rel);
+
+/* Take equality i, a base row, for two inequalities: itself and its reverse, a new row. */
+fmb_status fmb_elim_split(fmb_elim *e, uint32_t i);
+
+/* The only variable of the row, or -1. */
+static inline int fmb_elim_single_variable(const fmb_elim *e, const fmb_derived *r)
+{
+    int found = -1;
+    for (int j = 0; j < e->n; j++) {
+        if (fmb_vec_sgn(&r->v, (size_t)j) == 0)
+            continue;
+        if (found >= 0)
+            return -1;
+        found = j;
+    }
+    return found;
+}
+
+/* Combine p and q so that var is cancelled, without asking anybody: *out is the new row, which is
+ * not alive. */
+fmb_status fmb_elim_derive_row(fmb_elim *e, uint32_t p, uint32_t q, int var, uint32_t *out);
+
+/* ---- for the other files of this room -------------------------------------------------------- */
+
+/* The same, at the end of the store and not counted yet; e->rows++ keeps it. */
+fmb_status fmb_elim_form_row(fmb_elim *e, uint32_t p, uint32_t q, int var);
+/* Forget the row at the end of the store; its memory serves the next one. */
+void fmb_elim_forget_row(fmb_elim *e, bool keep_history);
+
+/* Does the row name no variable? */
+static inline bool fmb_elim_is_constant(const fmb_elim *e, const fmb_derived *r)
+{
+    for (int j = 0; j < e->n; j++)
+        if (fmb_vec_sgn(&r->v, (size_t)j) != 0)
+            return false;
+    return true;
+}
+
+/* Is the constant row false? */
+static inline bool fmb_elim_is_false(const fmb_elim *e, const fmb_derived *r)
+{
+    int b = fmb_vec_sgn(&r->v, (size_t)e->n);
+    return r->equality ? b != 0 : r->strict ? b <= 0 : b < 0;
+}
+
+fmb_status fmb_list_push(fmb_elim *e, fmb_list *list, uint32_t row);
+
+static inline bool fmb_elim_keeps(const fmb_elim *e, fmb_step step)
+{
+    return (e->steps & (unsigned)step) != 0;
+}
+
+/* Words of 64 bits for a set of n. */
+static inline size_t fmb_set_words(size_t n)
+{
+    return (n + 63) / 64;
+}
+
+#endif

@@ -1,0 +1,92 @@
+/* cursor.h: moving over a text, and saying where it goes wrong.
+ *
+ * The text has been checked before (fmb_io_check): valid UTF-8, no NUL, no control bytes but blanks
+ * and line ends. It need not end in NUL: look at c->at only while c->at < c->end (fmb_peek does).
+ *
+ * Cost: a short text must not become much memory. A number costs the digits that its exponent adds,
+ * a row those that its common denominator adds; the sum is bounded by c->budget, a multiple of the
+ * size of the text, and a text that spends more is malformed.
+ */
+#ifndef FMB_IO_CURSOR_H
+#define FMB_IO_CURSOR_H
+
+#include <fmb/gmp.h>
+#include <fmb/io.h>
+
+#include "base/mem.h"
+
+/* at may be moved freely within [begin, end]; line and column are found only when they are asked
+ * for. */
+typedef struct fmb_cursor {
+    const char *begin, *at, *end;
+    const char *mark; /* start of line number `line`, at or before the last place asked for */
+    long line;
+    size_t budget; /* decimal digits that the text may still grow by */
+    const fmb_reader *how;
+    fmb_mem *mem;     /* scratch of the reader */
+    fmb_where *where; /* never NULL */
+} fmb_cursor;
+
+/* A cursor at the start of a text, behind a byte order mark. */
+fmb_cursor fmb_io_cursor(const char *text, size_t size, const fmb_reader *how, fmb_mem *mem,
+                         fmb_where *where);
+/* Longest text of a reader, which may be NULL; a text that is longer. Errors: PARSE. */
+size_t fmb_io_max_bytes(const fmb_reader *how);
+fmb_status fmb_io_fail_too_long(fmb_cursor *c, const char *p);
+/* Is it text, as said above? Errors: PARSE. */
+fmb_status fmb_io_check(fmb_cursor *c);
+
+/* Next byte, or -1 at the end. */
+static inline int fmb_peek(const fmb_cursor *c)
+{
+    return c->at < c->end ? (unsigned char)*c->at : -1;
+}
+
+/* Skip blanks within the line (space, tab, CR, FF, VT); line ends too. */
+void fmb_skip_blanks(fmb_cursor *c);
+void fmb_skip_space(fmb_cursor *c);
+/* To the next line end (not past it); past it. */
+void fmb_skip_line(fmb_cursor *c);
+void fmb_next_line(fmb_cursor *c);
+
+/* The text at c starts with this word / is now past it. Case matters. */
+bool fmb_accept(fmb_cursor *c, const char *word);
+
+/* A piece of the text. */
+typedef struct fmb_span {
+    const char *p;
+    size_t n;
+} fmb_span;
+
+/* Bytes up to the next blank, line end or end (n may be 0). */
+fmb_span fmb_scan_word(fmb_cursor *c);
+/* The span is this word (case matters; or not). */
+bool fmb_span_is(fmb_span w, const char *word);
+bool fmb_span_is_nocase(fmb_span w, const char *word);
+/* What a message quotes of a text at p: the word there, cut short, or "end of file", "end of line".
+ * buf is returned. */
+#define FMB_QUOTE 48
+const char *fmb_quote(const fmb_cursor *c, const char *p, char buf[FMB_QUOTE]);
+/* The same of a name. */
+const char *fmb_quote_name(const char *name, char buf[FMB_QUOTE]);
+
+/* Malformed at p (NULL: as a whole): fills *c->where and returns FMB_ERR_PARSE. Say what was
+ * expected, then what was found: "expected a relation, found 'x'". */
+#if defined(__GNUC__)
+__attribute__((format(printf, 3, 4)))
+#endif
+fmb_status
+fmb_io_fail(fmb_cursor *c, const char *p, const char *format, ...);
+/* ARG, and *where (may be NULL) says why. */
+fmb_status fmb_io_refuse_argument(fmb_where *where, const char *trouble);
+/* The text at p grows by that many decimal digits. Errors: PARSE (beyond the budget). */
+fmb_status fmb_io_charge(fmb_cursor *c, const char *p, size_t digits);
+/* Decimal digits of a rational, at least roughly; 0 for those that fit two machine words. */
+size_t fmb_io_digits(mpq_srcptr q);
+/* Something at p (NULL: the text as a whole) is ignored: tells how->warn. */
+#if defined(__GNUC__)
+__attribute__((format(printf, 3, 4)))
+#endif
+void fmb_io_warn(fmb_cursor *c, const char *p, const char *format, ...);
+
+#endif

@@ -1,0 +1,24 @@
+/* number.h: exact numbers from and to text. */
+#ifndef FMB_IO_NUMBER_H
+#define FMB_IO_NUMBER_H
+
+#include "io/core/cursor.h"
+
+enum {
+    FMB_NUM_SIGN = 1,     /* "-1", "+1" */
+    FMB_NUM_DECIMAL = 2,  /* "1.5", ".5", "1." */
+    FMB_NUM_EXPONENT = 4, /* "1e3", "1E-3": only where digits follow the e */
+    FMB_NUM_FRACTION = 8, /* "1/2": no blanks around '/', both parts as the other flags say, the
+                             sign only in front; only where a digit follows the '/' */
+    FMB_NUM_ALL = 15
+};
+
+/* The exact value of the number at c, canonical; c is then past it. what names it in messages ("a
+ * coefficient"). Errors: PARSE (no number here, zero denominator, too many digits). */
+fmb_status fmb_scan_number(fmb_cursor *c, int flags, const char *what, mpq_t out);
+/* Digits of a count or index, at most max. Errors: PARSE. */
+fmb_status fmb_scan_count(fmb_cursor *c, size_t max, const char *what, size_t *out);
+/* Write q: "3", "-1/2". */
+void fmb_print_q(FILE *out, mpq_srcptr q);
+
+#endif

@@ -1,0 +1,159 @@
+/* body.c: a frame or a polytope in JSON; docs/formats.md, "frames". */
+#include "io/frames/frames.h"
+
+/* ---- rows of a polytope ---------------------------------------------------------------------- */
+
+static fmb_status read_coefficients(void *reader, fmb_cursor *c)
+{
+    fmb_frames *r = reader;
+    fmb_numbers *a = &r->now->coefficients;
+    a->n = 0;
+    return fmb_frames_point(r, c, a);
+}
+
+static fmb_status read_relation_word(void *reader, fmb_cursor *c)
+{
+    static const char what[] = "\"<=\", \"<\" or \"=\"";
+    fmb_frames *r = reader;
+    const char *p = c->at;
+    fmb_span word;
+    fmb_status st = fmb_json_string(c, what, &word);
+    if (st != FMB_OK)
+        return st;
+    bool le = fmb_json_spells(word, "<="), eq = fmb_json_spells(word, "=");
+    r->rel = le ? FMB_LE : eq ? FMB_EQ : FMB_LT;
+    return le || eq || fmb_json_spells(word, "<") ? FMB_OK : fmb_io_fail(c, p, "expected %s", what);
+}
+
+static fmb_status read_right_side(void *reader, fmb_cursor *c)
+{
+    fmb_frames *r = reader;
+    double near;
+    return fmb_frames_value(r, c, r->row.rhs, &near);
+}
+
+static fmb_status append_polytope_row(fmb_frames *r, fmb_cursor *c, const char *p)
+{
+    fmb_body_draft *b = r->now;
+    fmb_status st = FMB_OK;
+    if (!b->rows)
+        st = fmb_system_new(r->dim, r->how.mem, &b->rows);
+    r->row.n = 0;
+    for (int j = 0; st == FMB_OK && j < r->dim; j++) {
+        mpq_ptr slot;
+        st = fmb_draft_term(&r->row, j, &slot);
+        if (st == FMB_OK)
+            mpq_set(slot, b->coefficients.q[j]);
+    }
+    return st == FMB_OK ? fmb_draft_append(c, p, &r->row, r->rel, b->rows) : st;
+}
+
+static fmb_status read_polytope_row(void *reader, fmb_cursor *c)
+{
+    static const fmb_json_key keys[] = {{"coefficients", read_coefficients},
+                                        {"relation", read_relation_word},
+                                        {"rhs", read_right_side}};
+    fmb_frames *r = reader;
+    unsigned seen;
+    fmb_json_blanks(c);
+    const char *p = c->at;
+    fmb_status st = fmb_json_object(c, "a row", keys, 3, r, &seen);
+    if (st == FMB_OK && seen != 7)
+        st = fmb_io_fail(c, p, "expected \"coefficients\", \"relation\" and \"rhs\" in a row");
+    return st == FMB_OK ? append_polytope_row(r, c, p) : st;
+}
+
+static fmb_status read_polytope_rows(void *reader, fmb_cursor *c)
+{
+    return fmb_json_array(c, "an array of rows", read_polytope_row, reader);
+}
+
+/* ---- frames ---------------------------------------------------------------------------------- */
+
+static fmb_status read_body_type(void *reader, fmb_cursor *c)
+{
+    static const char what[] = "\"cuboid\", \"simplex\", \"tetrahedron\" or \"polytope\"";
+    fmb_body_draft *b = ((fmb_frames *)reader)->now;
+    const char *p = c->at;
+    fmb_span word;
+    fmb_status st = fmb_json_string(c, what, &word);
+    if (st != FMB_OK)
+        return st;
+    b->is_polytope = fmb_json_spells(word, "polytope");
+    b->shape = fmb_json_spells(word, "cuboid") ? FMB_CUBOID : FMB_SIMPLEX;
+    return b->is_polytope || b->shape == FMB_CUBOID || fmb_json_spells(word, "simplex") ||
+                   fmb_json_spells(word, "tetrahedron")
+               ? FMB_OK
+               : fmb_io_fail(c, p, "expected %s", what);
+}
+
+static fmb_status read_frame_origin(void *reader, fmb_cursor *c)
+{
+    fmb_frames *r = reader;
+    return fmb_frames_point(r, c, &r->now->origin);
+}
+
+static fmb_status read_frame_axis(void *reader, fmb_cursor *c)
+{
+    fmb_frames *r = reader;
+    fmb_json_blanks(c);
+    const char *p = c->at;
+    fmb_status st = fmb_frames_point(r, c, &r->now->axes);
+    if (st == FMB_OK && ++r->now->naxes > r->dim)
+        st = fmb_io_fail(c, p, "expected at most %d edges in %d dimensions", r->dim, r->dim);
+    return st;
+}
+
+static fmb_status read_frame_axes(void *reader, fmb_cursor *c)
+{
+    return fmb_json_array(c, "an array of edges", read_frame_axis, reader);
+}
+
+/* A speed that is 0 is none. */
+static fmb_status read_frame_speed(void *reader, fmb_cursor *c)
+{
+    fmb_frames *r = reader;
+    fmb_numbers *a = &r->now->speed;
+    if (fmb_json_null(c))
+        return FMB_OK;
+    fmb_status st = fmb_frames_point(r, c, a);
+    bool moves = false;
+    for (size_t j = 0; j < a->n; j++)
+        moves |= mpq_sgn(a->q[j]) != 0;
+    a->n = moves ? a->n : 0;
+    return st;
+}
+
+/* ---- bodies ---------------------------------------------------------------------------------- */
+
+static void reset_body_draft(fmb_body_draft *b)
+{
+    b->origin.n = b->axes.n = b->speed.n = 0;
+    b->naxes = 0;
+    b->is_polytope = false;
+    fmb_system_free(b->rows);
+    b->rows = NULL;
+}
+
+fmb_status fmb_frames_body(fmb_frames *r, fmb_cursor *c)
+{
+    enum { TYPE = 1, ORIG = 2, COMP = 4, VEL = 8, ROWS = 16 };
+    static const fmb_json_key keys[] = {{"type", read_body_type},
+                                        {"orig", read_frame_origin},
+                                        {"comp", read_frame_axes},
+                                        {"vel", read_frame_speed},
+                                        {"rows", read_polytope_rows}};
+    const char *p = c->at;
+    unsigned seen;
+    reset_body_draft(r->now);
+    fmb_status st = fmb_json_object(c, "a frame", keys, 5, r, &seen);
+    if (st != FMB_OK)
+        return st;
+    if (!(seen & TYPE))
+        return fmb_io_fail(c, p, "expected a \"type\"");
+    if (r->now->is_polytope && (seen != (TYPE | ROWS) || !r->now->rows))
+        return fmb_io_fail(c, p, "expected \"rows\" in a polytope, and no \"orig\" or \"comp\"");
+    if (!r->now->is_polytope && (seen & ~(unsigned)VEL) != (TYPE | ORIG | COMP))
+        return fmb_io_fail(c, p, "expected \"orig\" and \"comp\" in a frame, and no \"rows\"");
+    return FMB_OK;
+}

@@ -1,0 +1,209 @@
+/* frames.c: pairs of frames from text, line by line; see fmb/gmp.h. */
+#include "io/frames/frames.h"
+
+#include <errno.h>
+#include <string.h>
+
+#include "system/system.h"
+
+/* ---- one line -------------------------------------------------------------------------------- */
+
+static fmb_status copy_pair_id_as_json(void *reader, fmb_cursor *c)
+{
+    fmb_frames *r = reader;
+    const char *p = c->at;
+    fmb_status st = fmb_json_skip(c);
+    size_t n = (size_t)(c->at - p);
+    if (st == FMB_OK)
+        st = fmb_mem_reserve(&r->mem, (void **)&r->id, &r->id_capacity, n + 1, 1);
+    if (st != FMB_OK)
+        return st;
+    memcpy(r->id, p, n);
+    r->id[n] = '\0';
+    r->line.id = r->id;
+    return FMB_OK;
+}
+
+static fmb_status read_first_body(void *reader, fmb_cursor *c)
+{
+    fmb_frames *r = reader;
+    r->now = &r->body[0];
+    return fmb_frames_body(r, c);
+}
+
+static fmb_status read_second_body(void *reader, fmb_cursor *c)
+{
+    fmb_frames *r = reader;
+    r->now = &r->body[1];
+    return fmb_frames_body(r, c);
+}
+
+/* All numbers of one world axis get a common denominator, as long as all theirs together. */
+static fmb_status charge_common_denominators(fmb_frames *r, fmb_cursor *c, const char *p)
+{
+    size_t each = r->numbers / (size_t)r->dim + 1;
+    return fmb_io_charge(c, p, r->digits > SIZE_MAX / each ? SIZE_MAX : r->digits * each);
+}
+
+static fmb_status read_pair_object(fmb_frames *r, fmb_cursor *c)
+{
+    static const fmb_json_key keys[] = {
+        {"A", read_first_body}, {"B", read_second_body}, {"id", copy_pair_id_as_json}};
+    char found[FMB_QUOTE];
+    unsigned seen;
+    const char *p = c->at;
+    r->dim = 0;
+    r->exact = true;
+    r->digits = r->numbers = 0;
+    r->line.id = NULL;
+    fmb_status st = fmb_json_object(c, "a pair of frames, {...}", keys, 3, r, &seen);
+    if (st == FMB_OK && (seen & 3) != 3)
+        st = fmb_io_fail(c, p, "expected \"A\" and \"B\" in a pair");
+    if (st != FMB_OK)
+        return st;
+    fmb_skip_blanks(c);
+    if (fmb_peek(c) >= 0 && fmb_peek(c) != '\n')
+        return fmb_io_fail(c, c->at, "expected end of line, found %s", fmb_quote(c, c->at, found));
+    return charge_common_denominators(r, c, p);
+}
+
+/* ---- the answer ------------------------------------------------------------------------------ */
+
+static void publish_body(fmb_frames *r, int k)
+{
+    const fmb_body_draft *b = &r->body[k];
+    bool moves = b->speed.n > 0;
+    r->line.body[k].rows = b->rows;
+    r->line.body[k].frame = (fmb_frame_q){.dim = r->dim};
+    r->line.frame[k] = (fmb_frame){.dim = r->dim};
+    if (b->rows)
+        return;
+    r->line.body[k].frame = (fmb_frame_q){b->shape,    r->dim,    b->naxes,
+                                          b->origin.q, b->axes.q, moves ? b->speed.q : NULL};
+    r->line.frame[k] =
+        (fmb_frame){b->shape, r->dim, b->naxes, b->origin.d, b->axes.d, moves ? b->speed.d : NULL};
+}
+
+static void publish_pair(fmb_frames *r)
+{
+    r->line.dim = r->dim;
+    publish_body(r, 0);
+    publish_body(r, 1);
+    r->line.are_doubles = r->exact && !r->body[0].rows && !r->body[1].rows;
+}
+
+/* ---- lines ----------------------------------------------------------------------------------- */
+
+/* The next line, with its end; size 0 at the end of the stream. Of a line that is too long, one
+ * byte more than the limit is kept. */
+static fmb_status fetch_line_of_stream(fmb_frames *r)
+{
+    const size_t most = fmb_io_max_bytes(&r->how);
+    int b = 0;
+    r->size = 0;
+    while (b != '\n' && (b = getc_unlocked(r->in)) != EOF) {
+        fmb_status st = FMB_OK;
+        if (r->size > most)
+            continue;
+        if (r->size == r->capacity && (st = fmb_frames_poll(r)) == FMB_OK)
+            st = fmb_mem_reserve(&r->mem, (void **)&r->text, &r->capacity, r->size + 1, 1);
+        if (st != FMB_OK)
+            return st;
+        r->text[r->size++] = (char)b;
+    }
+    r->line.number++;
+    return ferror(r->in) ? FMB_ERR_IO : FMB_OK;
+}
+
+/* *blank: there is no pair. */
+static fmb_status parse_pair_line(fmb_frames *r, bool *blank, fmb_where *where)
+{
+    fmb_where at = {0};
+    fmb_cursor c = fmb_io_cursor(r->text, r->size, &r->how, &r->mem, &at);
+    if (r->line.number > 1)
+        c.begin = c.at = c.mark = r->text;
+    c.line = r->line.number;
+    fmb_status st =
+        r->size > fmb_io_max_bytes(&r->how) ? fmb_io_fail_too_long(&c, c.begin) : fmb_io_check(&c);
+    fmb_skip_space(&c);
+    *blank = c.at == c.end;
+    if (st == FMB_OK && !*blank)
+        st = read_pair_object(r, &c);
+    if (st == FMB_ERR_PARSE && where)
+        *where = at;
+    return st;
+}
+
+fmb_status fmb_frames_next(fmb_frames *r, const fmb_frames_line **out, fmb_where *where)
+{
+    fmb_status st;
+    bool blank = true;
+    if (!r || !out)
+        return fmb_io_refuse_argument(where, r ? "out is NULL" : "the reader of frames is NULL");
+    do {
+        errno = 0;
+        st = fetch_line_of_stream(r);
+        if (st == FMB_OK && r->size > 0)
+            st = parse_pair_line(r, &blank, where);
+    } while (st == FMB_OK && blank && r->size > 0);
+    if (fmb_frames_poll(r) != FMB_OK) {
+        *out = NULL;
+        return FMB_OK;
+    }
+    if (st != FMB_OK)
+        return st;
+    if (!blank)
+        publish_pair(r);
+    *out = blank ? NULL : &r->line;
+    return FMB_OK;
+}
+
+void fmb_frames_cancel(fmb_frames *r)
+{
+    if (r)
+        atomic_store_explicit(&r->cancel, 1, memory_order_relaxed);
+}
+
+/* ---- life ------------------------------------------------------------------------------------ */
+
+fmb_status fmb_frames_open(FILE *in, const fmb_reader *how, fmb_frames **out)
+{
+    fmb_mem mem;
+    if (!in || !out)
+        return FMB_ERR_ARG;
+    fmb_mem_init(&mem, how ? how->mem : NULL, 0);
+    fmb_frames *r = fmb_mem_zero(&mem, 1, sizeof *r);
+    if (!r)
+        return fmb_mem_status(&mem);
+    r->mem = mem;
+    r->in = in;
+    atomic_init(&r->cancel, 0);
+    r->how = how ? *how : (fmb_reader){0};
+    r->hook = mem.alloc;
+    r->how.mem = &r->hook;
+    fmb_draft_init(&r->row, &r->mem);
+    *out = r;
+    return FMB_OK;
+}
+
+static void free_body_draft(fmb_body_draft *b, fmb_mem *mem)
+{
+    fmb_numbers_clear(&b->origin, mem);
+    fmb_numbers_clear(&b->axes, mem);
+    fmb_numbers_clear(&b->speed, mem);
+    fmb_numbers_clear(&b->coefficients, mem);
+    fmb_system_free(b->rows);
+}
+
+void fmb_frames_close(fmb_frames *r)
+{
+    if (!r)
+        return;
+    free_body_draft(&r->body[0], &r->mem);
+    free_body_draft(&r->body[1], &r->mem);
+    fmb_draft_clear(&r->row);
+    fmb_mem_put(&r->mem, r->text, r->capacity, 1);
+    fmb_mem_put(&r->mem, r->id, r->id_capacity, 1);
+    fmb_mem mem = r->mem;
+    fmb_mem_put(&mem, r, 1, sizeof *r);
+}

@@ -1,0 +1,69 @@
+/* frames.h: inside of the reader of pairs of frames.
+ *
+ * Arrays are kept from line to line, and so are their rationals: only a line that is longer than
+ * all before it allocates.
+ */
+#ifndef FMB_IO_FRAMES_H
+#define FMB_IO_FRAMES_H
+
+#include <stdatomic.h>
+
+#include "io/frames/json.h"
+
+/* Most numbers of a point: products of two such are an int. */
+#define FMB_FRAMES_DIM 10000
+
+/* Numbers as they come, exactly and as the nearest doubles. q[0..capacity) are initialised. */
+typedef struct fmb_numbers {
+    mpq_t *q;
+    double *d;
+    size_t n, capacity, d_capacity;
+} fmb_numbers;
+
+/* A body while it is read. */
+typedef struct fmb_body_draft {
+    fmb_numbers origin, axes, speed, coefficients; /* coefficients: of one row */
+    fmb_shape shape;
+    bool is_polytope;
+    int naxes;
+    fmb_system *rows; /* or NULL */
+} fmb_body_draft;
+
+struct fmb_frames {
+    fmb_mem mem;
+    fmb_alloc hook;
+    fmb_reader how;
+    FILE *in;
+    atomic_int cancel;
+    char *text; /* the line, with its end */
+    size_t size, capacity;
+    char *id;
+    size_t id_capacity;
+    fmb_frames_line line;
+    /* of the line that is being read: */
+    fmb_body_draft body[2], *now;
+    int dim;            /* of the pair; 0: not known yet */
+    bool exact;         /* all numbers so far are doubles */
+    size_t digits;      /* in long numbers, roughly */
+    size_t numbers;     /* all of them */
+    fmb_numbers *point; /* where the numbers of an array go */
+    fmb_draft row;      /* of a polytope */
+    fmb_rel rel;        /* its relation */
+};
+
+/* FMB_LIMIT once the reader was cancelled. */
+static inline fmb_status fmb_frames_poll(const fmb_frames *r)
+{
+    return atomic_load_explicit(&r->cancel, memory_order_relaxed) ? FMB_LIMIT : FMB_OK;
+}
+
+/* The number at c. Errors: PARSE. */
+fmb_status fmb_frames_value(fmb_frames *r, fmb_cursor *c, mpq_t out, double *near);
+/* An array of dim numbers, behind those that are there. Errors: PARSE, MEMORY, LIMIT. */
+fmb_status fmb_frames_point(fmb_frames *r, fmb_cursor *c, fmb_numbers *to);
+void fmb_numbers_clear(fmb_numbers *a, fmb_mem *mem);
+
+/* The body at c into *r->now. Errors: PARSE, MEMORY, LIMIT. */
+fmb_status fmb_frames_body(fmb_frames *r, fmb_cursor *c);
+
+#endif

@@ -1,0 +1,46 @@
+/* ine.h: a cddlib/lrslib file while it is read: what its lines ask for, kept until all rows are
+ * there.
+ */
+#ifndef FMB_IO_INE_H
+#define FMB_IO_INE_H
+
+#include "io/core/io.h"
+
+/* A number of a list, and where it stands. */
+typedef struct fmb_ine_item {
+    size_t index; /* from 1 */
+    const char *at;
+} fmb_ine_item;
+
+typedef struct fmb_ine_list {
+    fmb_ine_item *item;
+    size_t size, capacity;
+} fmb_ine_list;
+
+typedef struct fmb_ine {
+    fmb_cursor *c;
+    fmb_system *s;
+    fmb_ine_list linear, strict; /* rows */
+    fmb_ine_list marks;          /* variables of the project or eliminate line */
+    const char *asked;           /* that line, or NULL */
+    const char *matrix;          /* the line "begin" */
+    bool marks_keep;             /* it was project */
+    fmb_sense sense;
+    const char *objective; /* behind the word maximize or minimize; NULL: there is none */
+} fmb_ine;
+
+/* Takes the line at c if it is an option of the table; *known says whether it was. c is then at the
+ * start of a line. */
+fmb_status fmb_ine_option(fmb_ine *f, bool *known);
+/* A number with a blank or an end behind it. Errors: PARSE. */
+fmb_status fmb_ine_number(fmb_cursor *c, mpq_t out);
+/* Past the rest of this line and lines of numbers, the arguments of an option. */
+void fmb_ine_skip_arguments(fmb_cursor *c);
+/* Names and labels in comments before the matrix, now that rows and variables are known. Errors:
+ * MEMORY. */
+fmb_status fmb_ine_take_names(fmb_ine *f);
+/* Carry out what was asked for, now that rows and variables are known. */
+fmb_status fmb_ine_finish(fmb_ine *f);
+void fmb_ine_clear(fmb_ine *f);
+
+#endif

@@ -1,0 +1,222 @@
+/* declare.c: the commands of a script that give names a meaning; see term.h. */
+#include "io/smt2/term.h"
+
+/* ---- names and sorts ------------------------------------------------------------------------- */
+
+static fmb_status read_known_sort(fmb_smt *r, fmb_smt_sort *out)
+{
+    fmb_smt_token t;
+    size_t symbol;
+    fmb_status st = fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "the sort Real, Int or Bool", &t);
+    if (st == FMB_OK)
+        st = fmb_smt_intern(&r->scope, t.text, &symbol);
+    if (st != FMB_OK)
+        return st;
+    if (!r->scope.symbol[symbol].is_sort) {
+        char buf[FMB_QUOTE];
+        return fmb_io_fail(r->c, t.at, "expected the sort Real, Int or Bool, found %s",
+                           fmb_quote(r->c, t.at, buf));
+    }
+    *out = r->scope.symbol[symbol].sort;
+    return FMB_OK;
+}
+
+/* ---- declarations ---------------------------------------------------------------------------- */
+
+/* A Boolean unknown: the declared-th of the facts, which a reading before may have told. */
+static fmb_status declare_boolean(fmb_smt *r, fmb_smt_symbol *symbol)
+{
+    fmb_smt_facts *facts = r->forms.facts;
+    if (facts->declared == facts->unknowns) {
+        fmb_status st = fmb_mem_reserve(r->c->mem, (void **)&facts->truth, &facts->capacity,
+                                        facts->unknowns + 1, sizeof *facts->truth);
+        if (st != FMB_OK)
+            return st;
+        facts->truth[facts->unknowns++] = FMB_SMT_OPEN_TRUTH;
+    }
+    symbol->meaning = FMB_SMT_UNKNOWN;
+    symbol->index = facts->declared++;
+    facts->open += facts->truth[symbol->index] == FMB_SMT_OPEN_TRUTH;
+    return FMB_OK;
+}
+
+static fmb_status declare_unknown(fmb_smt *r, size_t symbol, const char *at)
+{
+    fmb_smt_sort sort = FMB_SMT_REAL;
+    fmb_status st = read_known_sort(r, &sort);
+    if (st == FMB_OK)
+        st = fmb_smt_close_command(r);
+    if (st != FMB_OK)
+        return st;
+    if (sort == FMB_SMT_BOOL)
+        return declare_boolean(r, &r->scope.symbol[symbol]);
+    fmb_smt_value v = {.at = at};
+    int var;
+    st = fmb_span_variable(r->c, r->scope.symbol[symbol].text, r->s, &var);
+    if (st == FMB_OK && sort == FMB_SMT_INT)
+        st = fmb_system_set_integer(r->s, var, true);
+    if (st == FMB_OK)
+        st = fmb_lin_variable(&r->lin, var, &v.id);
+    if (st == FMB_OK) {
+        r->scope.symbol[symbol].meaning = FMB_SMT_VALUE;
+        r->scope.symbol[symbol].value = v;
+    }
+    return st;
+}
+
+fmb_status fmb_smt_declare_const(fmb_smt *r, const char *open)
+{
+    size_t symbol;
+    const char *at;
+    (void)open;
+    fmb_status st = fmb_smt_new_name(r, &symbol, &at);
+    return st == FMB_OK ? declare_unknown(r, symbol, at) : st;
+}
+
+fmb_status fmb_smt_declare_fun(fmb_smt *r, const char *open)
+{
+    size_t symbol;
+    const char *at;
+    fmb_smt_token t;
+    (void)open;
+    fmb_status st = fmb_smt_new_name(r, &symbol, &at);
+    if (st == FMB_OK)
+        st = fmb_smt_expect(r->c, FMB_SMT_OPEN, "'(' and ')'", &t);
+    if (st == FMB_OK)
+        st = fmb_smt_expect(r->c, FMB_SMT_CLOSE, "')': unknown functions are not linear arithmetic",
+                            &t);
+    return st == FMB_OK ? declare_unknown(r, symbol, at) : st;
+}
+
+fmb_status fmb_smt_define_sort(fmb_smt *r, const char *open)
+{
+    fmb_smt_token t;
+    size_t symbol;
+    fmb_smt_sort sort = FMB_SMT_REAL;
+    (void)open;
+    fmb_status st = fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "the name of a sort", &t);
+    if (st == FMB_OK)
+        st = fmb_smt_intern(&r->scope, t.text, &symbol);
+    if (st == FMB_OK && r->scope.symbol[symbol].is_sort)
+        st = fmb_io_fail(r->c, t.at, "expected a new name for a sort");
+    if (st == FMB_OK)
+        st = fmb_smt_expect(r->c, FMB_SMT_OPEN, "'(' and ')'", &t);
+    if (st == FMB_OK)
+        st = fmb_smt_expect(r->c, FMB_SMT_CLOSE, "')': sorts with parameters cannot be read", &t);
+    if (st == FMB_OK)
+        st = read_known_sort(r, &sort);
+    if (st != FMB_OK)
+        return st;
+    r->scope.symbol[symbol].is_sort = true;
+    r->scope.symbol[symbol].sort = sort;
+    return fmb_smt_close_command(r);
+}
+
+/* ---- define-fun ------------------------------------------------------------------------------ */
+
+/* The name of a parameter, which the function has not had before: those it had are bound, to
+ * nothing, until all are read. */
+static fmb_status read_parameter_name(fmb_smt *r, size_t *symbol)
+{
+    fmb_smt_token t;
+    char buf[FMB_QUOTE];
+    fmb_status st = fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "the name of a parameter", &t);
+    if (st == FMB_OK)
+        st = fmb_smt_intern(&r->scope, t.text, symbol);
+    if (st == FMB_OK && fmb_smt_find_local(&r->scope, *symbol))
+        st = fmb_io_fail(r->c, t.at, "expected different names of parameters, found %s again",
+                         fmb_quote(r->c, t.at, buf));
+    return st == FMB_OK ? fmb_smt_bind(&r->scope, *symbol, (fmb_smt_value){.at = t.at}) : st;
+}
+
+/* (x Real) (y Bool) ... up to ')'; *n of them. */
+static fmb_status read_parameters(fmb_smt *r, size_t *n)
+{
+    for (*n = 0;; ++*n) {
+        fmb_smt_token t;
+        fmb_smt_param p;
+        fmb_smt_sort sort;
+        fmb_status st = fmb_smt_next(r->c, &t);
+        if (st == FMB_OK && t.kind == FMB_SMT_CLOSE)
+            fmb_smt_unbind(&r->scope, r->scope.locals - *n);
+        if (st != FMB_OK || t.kind == FMB_SMT_CLOSE)
+            return st;
+        if (t.kind != FMB_SMT_OPEN)
+            return fmb_io_fail(r->c, t.at, "expected '(' of a parameter, or ')' after the last");
+        st = read_parameter_name(r, &p.symbol);
+        if (st == FMB_OK)
+            st = read_known_sort(r, &sort);
+        if (st == FMB_OK)
+            st = fmb_smt_expect(r->c, FMB_SMT_CLOSE, "')' after the parameter", &t);
+        if (st == FMB_OK)
+            st = fmb_mem_reserve(r->c->mem, (void **)&r->param, &r->param_capacity, r->params + 1,
+                                 sizeof *r->param);
+        if (st != FMB_OK)
+            return st;
+        p.formula = sort == FMB_SMT_BOOL;
+        r->param[r->params++] = p;
+    }
+}
+
+/* With parameters only the place of the body is kept. */
+static fmb_status define_macro_body(fmb_smt *r, size_t symbol, size_t n, bool formula)
+{
+    fmb_smt_macro m = {.first = r->params - n, .n = n, .formula = formula, .body = r->c->at};
+    fmb_status st = fmb_smt_skip(r->c, "the body of the function");
+    m.bytes = (size_t)(r->c->at - m.body);
+    if (st == FMB_OK)
+        st = fmb_mem_reserve(r->c->mem, (void **)&r->macro, &r->macro_capacity, r->macros + 1,
+                             sizeof *r->macro);
+    if (st != FMB_OK)
+        return st;
+    r->macro[r->macros] = m;
+    r->scope.symbol[symbol].meaning = FMB_SMT_MACRO;
+    r->scope.symbol[symbol].index = r->macros++;
+    return fmb_smt_close_command(r);
+}
+
+static fmb_status define_named_value(fmb_smt *r, size_t symbol, bool formula)
+{
+    fmb_smt_value v;
+    fmb_status st = fmb_smt_term(r, &v);
+    if (st == FMB_OK)
+        st = fmb_smt_check_kind(r, &v, formula);
+    if (st != FMB_OK)
+        return st;
+    r->named = true;
+    r->scope.symbol[symbol].meaning = FMB_SMT_VALUE;
+    r->scope.symbol[symbol].value = v;
+    return fmb_smt_close_command(r);
+}
+
+fmb_status fmb_smt_define_const(fmb_smt *r, const char *open)
+{
+    size_t symbol;
+    const char *at;
+    fmb_smt_sort sort = FMB_SMT_REAL;
+    (void)open;
+    fmb_status st = fmb_smt_new_name(r, &symbol, &at);
+    if (st == FMB_OK)
+        st = read_known_sort(r, &sort);
+    return st == FMB_OK ? define_named_value(r, symbol, sort == FMB_SMT_BOOL) : st;
+}
+
+fmb_status fmb_smt_define_fun(fmb_smt *r, const char *open)
+{
+    size_t symbol, n = 0;
+    const char *at;
+    fmb_smt_token t;
+    fmb_smt_sort sort = FMB_SMT_REAL;
+    (void)open;
+    fmb_status st = fmb_smt_new_name(r, &symbol, &at);
+    if (st == FMB_OK)
+        st = fmb_smt_expect(r->c, FMB_SMT_OPEN, "'(' before the parameters", &t);
+    if (st == FMB_OK)
+        st = read_parameters(r, &n);
+    if (st == FMB_OK)
+        st = read_known_sort(r, &sort);
+    if (st != FMB_OK)
+        return st;
+    return n == 0 ? define_named_value(r, symbol, sort == FMB_SMT_BOOL)
+                  : define_macro_body(r, symbol, n, sort == FMB_SMT_BOOL);
+}

@@ -1,0 +1,133 @@
+/* expand.c: a shared linear term spelled out over the variables; see linear.h.
+ *
+ * All nodes that the term reaches are collected and visited from the latest to the earliest: then
+ * the factor of a node is complete when its turn comes, and each node is visited once, however
+ * often it is shared.
+ */
+#include <stdlib.h>
+
+#include "io/smt2/linear.h"
+
+static int compare_latest_first(const void *x, const void *y)
+{
+    uint32_t a = *(const uint32_t *)x, b = *(const uint32_t *)y;
+    return (a < b) - (a > b);
+}
+
+static fmb_status mark_as_reached(fmb_lin *l, uint32_t node, size_t *n)
+{
+    if (l->node[node].stamp == l->stamp)
+        return FMB_OK;
+    fmb_status st = fmb_mem_reserve(l->c->mem, (void **)&l->reached, &l->reached_capacity, *n + 1,
+                                    sizeof *l->reached);
+    if (st != FMB_OK)
+        return st;
+    l->node[node].stamp = l->stamp;
+    l->reached[(*n)++] = node;
+    return FMB_OK;
+}
+
+static fmb_status reserve_factors(fmb_lin *l, size_t n)
+{
+    size_t capacity = l->factors;
+    fmb_status st =
+        fmb_mem_reserve(l->c->mem, (void **)&l->factor, &capacity, n, sizeof *l->factor);
+    for (; l->factors < capacity; l->factors++)
+        mpq_init(l->factor[l->factors]);
+    return st;
+}
+
+/* reached[0..*n): the node and all below it, latest first, with their factors set to zero. */
+static fmb_status collect_reached_nodes(fmb_lin *l, uint32_t node, size_t *n)
+{
+    *n = 0;
+    l->stamp++;
+    fmb_status st = mark_as_reached(l, node, n);
+    for (size_t i = 0; st == FMB_OK && i < *n; i++) {
+        const fmb_lin_node v = l->node[l->reached[i]];
+        for (uint32_t k = 0; st == FMB_OK && k < v.n; k++)
+            st = mark_as_reached(l, l->term[v.first + k].leaf, n);
+    }
+    if (st == FMB_OK)
+        st = reserve_factors(l, *n);
+    if (st != FMB_OK)
+        return st;
+    qsort(l->reached, *n, sizeof *l->reached, compare_latest_first);
+    for (size_t i = 0; i < *n; i++) {
+        l->node[l->reached[i]].place = (uint32_t)i;
+        mpq_set_ui(l->factor[i], 0, 1);
+    }
+    return FMB_OK;
+}
+
+/* sum += a b. */
+static fmb_status add_charged_product(fmb_lin *l, const char *at, mpq_ptr sum, mpq_srcptr a,
+                                      mpq_srcptr b)
+{
+    mpq_mul(l->product, a, b);
+    mpq_add(sum, sum, l->product);
+    return fmb_io_charge(l->c, at, fmb_io_digits(sum));
+}
+
+/* Hand the factor of the i-th reached node, a sum, down to its leaves and to -constant. */
+static fmb_status hand_factor_to_leaves(fmb_lin *l, const char *at, size_t i,
+                                        mpq_ptr minus_constant)
+{
+    const fmb_lin_node *v = &l->node[l->reached[i]];
+    mpq_neg(l->factor[i], l->factor[i]);
+    fmb_status st = add_charged_product(l, at, minus_constant, l->factor[i], v->constant);
+    mpq_neg(l->factor[i], l->factor[i]);
+    for (uint32_t k = 0; st == FMB_OK && k < v->n; k++) {
+        const fmb_lin_term *t = &l->term[v->first + k];
+        st = add_charged_product(l, at, l->factor[l->node[t->leaf].place], l->factor[i], t->coef);
+    }
+    return st;
+}
+
+fmb_status fmb_lin_expand(fmb_lin *l, const char *at, uint32_t node, fmb_draft *d)
+{
+    size_t n;
+    fmb_status st = collect_reached_nodes(l, node, &n);
+    if (st != FMB_OK)
+        return st;
+    fmb_draft_reset(d);
+    mpq_set_ui(l->factor[0], 1, 1);
+    for (size_t i = 0; st == FMB_OK && i < n; i++) {
+        const fmb_lin_node *v = &l->node[l->reached[i]];
+        mpq_ptr slot;
+        if (mpq_sgn(l->factor[i]) == 0)
+            continue;
+        if (v->var < 0)
+            st = hand_factor_to_leaves(l, at, i, d->rhs);
+        else if ((st = fmb_draft_term(d, v->var, &slot)) == FMB_OK)
+            mpq_set(slot, l->factor[i]);
+    }
+    return st;
+}
+
+/* All leaves are variables: then nothing can cancel any more. */
+static bool has_only_variables(const fmb_lin *l, const fmb_lin_node *v)
+{
+    for (uint32_t k = 0; k < v->n; k++)
+        if (l->node[l->term[v->first + k].leaf].var < 0)
+            return false;
+    return true;
+}
+
+fmb_status fmb_lin_constant(fmb_lin *l, const char *at, uint32_t node, bool *yes, mpq_t value)
+{
+    *yes = fmb_lin_is_bare(l, node);
+    if (*yes)
+        mpq_set(value, l->node[node].constant);
+    if (*yes || has_only_variables(l, &l->node[node]))
+        return FMB_OK;
+    fmb_draft d;
+    fmb_draft_init(&d, l->c->mem);
+    fmb_status st = fmb_lin_expand(l, at, node, &d);
+    if (st == FMB_OK && d.n == 0) {
+        mpq_neg(value, d.rhs);
+        *yes = true;
+    }
+    fmb_draft_clear(&d);
+    return st;
+}

@@ -1,0 +1,84 @@
+/* formula.h: formulas of an SMT-LIB text, shared as the text shares them.
+ *
+ * A formula is a literal: twice a node, plus 1 if it is negated. Nodes are the constant true, atoms
+ * (a linear term REL 0), Boolean unknowns, conjunctions, labelled formulas, and formulas beyond
+ * conjunctions ("hard"), which are an error only where an assertion needs them. `a or b` is
+ * not(not a and not b). An assertion of a Boolean unknown is a fact (facts.h) and no row.
+ *
+ * Invariant: children are smaller than their node.
+ */
+#ifndef FMB_IO_SMT2_FORMULA_H
+#define FMB_IO_SMT2_FORMULA_H
+
+#include "io/smt2/facts.h"
+#include "io/smt2/linear.h"
+
+#define FMB_SMT_TRUE  ((uint32_t)0)
+#define FMB_SMT_FALSE ((uint32_t)1)
+
+typedef enum fmb_form_kind {
+    FMB_FORM_TRUE = 0,
+    FMB_FORM_ATOM,
+    FMB_FORM_UNKNOWN,
+    FMB_FORM_AND,
+    FMB_FORM_LABEL,
+    FMB_FORM_HARD
+} fmb_form_kind;
+
+typedef struct fmb_form_node {
+    fmb_form_kind kind;
+    fmb_smt_truth truth;
+    const char *at;   /* blamed for what goes wrong with it */
+    const char *word; /* AND, HARD: what the text calls it */
+    fmb_rel rel;      /* ATOM */
+    uint32_t lin;     /* ATOM: its linear term */
+    size_t unknown;   /* UNKNOWN: its number among the facts */
+    fmb_span label;   /* LABEL */
+    size_t first;     /* AND, LABEL: child[first .. first + n) */
+    uint32_t n;
+    uint32_t stamp[2]; /* assertion that has taken it in already, plain and negated */
+} fmb_form_node;
+
+/* A formula that is to hold, and the label its rows get. */
+typedef struct fmb_form_task {
+    uint32_t literal;
+    fmb_span label; /* p NULL: none */
+} fmb_form_task;
+
+typedef struct fmb_forms {
+    fmb_lin *lin;
+    fmb_smt_facts *facts;
+    fmb_form_node *node;
+    size_t nodes, node_capacity;
+    uint32_t *child;
+    size_t children, child_capacity;
+    fmb_form_task *task; /* scratch of assertion */
+    size_t task_capacity;
+    fmb_draft row;
+    uint32_t stamp;
+} fmb_forms;
+
+/* Errors: MEMORY. */
+fmb_status fmb_forms_init(fmb_forms *f, fmb_lin *lin, fmb_smt_facts *facts);
+void fmb_forms_clear(fmb_forms *f);
+/* Forget the nodes from number `nodes` on. */
+void fmb_forms_forget(fmb_forms *f, size_t nodes);
+
+fmb_smt_truth fmb_form_truth(const fmb_forms *f, uint32_t literal);
+
+/* New formulas; at is where the text has them, word (static) what it calls them. Errors: MEMORY. */
+fmb_status fmb_form_atom(fmb_forms *f, const char *at, uint32_t lin, fmb_rel rel, uint32_t *out);
+fmb_status fmb_form_and(fmb_forms *f, const char *at, const char *word, size_t n,
+                        const uint32_t *literal, uint32_t *out);
+fmb_status fmb_form_label(fmb_forms *f, const char *at, fmb_span label, uint32_t literal,
+                          uint32_t *out);
+/* A Boolean unknown by its number: a constant if a fact says which. */
+fmb_status fmb_form_unknown(fmb_forms *f, const char *at, size_t unknown, uint32_t *out);
+fmb_status fmb_form_hard(fmb_forms *f, const char *at, const char *word, uint32_t *out);
+
+/* The text at `at` is no conjunction, as far as is known: what needs a search over cases. */
+fmb_status fmb_form_undecided(fmb_forms *f, const char *at, const char *what);
+/* Append the rows of a formula that shall hold. Errors: MEMORY, PARSE ("not a conjunction"). */
+fmb_status fmb_form_assert(fmb_forms *f, uint32_t literal, fmb_system *s);
+
+#endif

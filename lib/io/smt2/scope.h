@@ -1,0 +1,72 @@
+/* scope.h: what the names of an SMT-LIB text mean, and where.
+ *
+ * A symbol is a different spelling (bars do not count). It may have a global meaning, given once by
+ * a command, and local ones, given by let and by parameters of a define-fun: the newest hides the
+ * others.
+ *
+ * Invariants: slots is a power of two above twice the number of symbols; local[symbol.newest] is
+ * the newest local meaning of symbol, and older ones hang from it. Inside the body of a define-fun
+ * only local meanings from number `visible` on count: its text knows nothing of the let around its
+ * use.
+ */
+#ifndef FMB_IO_SMT2_SCOPE_H
+#define FMB_IO_SMT2_SCOPE_H
+
+#include "io/core/io.h"
+
+/* A term or a formula, and where the text has it. */
+typedef struct fmb_smt_value {
+    bool formula;
+    uint32_t id; /* node of a linear term; literal */
+    const char *at;
+} fmb_smt_value;
+
+typedef enum fmb_smt_sort { FMB_SMT_REAL = 0, FMB_SMT_INT, FMB_SMT_BOOL } fmb_smt_sort;
+
+typedef enum fmb_smt_meaning {
+    FMB_SMT_NOTHING = 0,
+    FMB_SMT_VALUE,   /* value */
+    FMB_SMT_UNKNOWN, /* a Boolean unknown */
+    FMB_SMT_MACRO,   /* index: a define-fun with parameters */
+    FMB_SMT_OPERATOR /* index: in the table of operators */
+} fmb_smt_meaning;
+
+#define FMB_SMT_NONE SIZE_MAX
+
+typedef struct fmb_smt_symbol {
+    fmb_span text;
+    fmb_smt_meaning meaning; /* as a function */
+    fmb_smt_value value;
+    size_t index;
+    bool is_sort; /* sorts have names of their own */
+    fmb_smt_sort sort;
+    size_t newest; /* local meaning, or FMB_SMT_NONE */
+} fmb_smt_symbol;
+
+typedef struct fmb_smt_local {
+    size_t symbol, older;
+    fmb_smt_value value;
+} fmb_smt_local;
+
+typedef struct fmb_smt_scope {
+    fmb_mem *mem;
+    fmb_smt_symbol *symbol;
+    size_t symbols, symbol_capacity;
+    size_t *slot; /* [slots] symbol + 1; 0 = free */
+    size_t slots;
+    fmb_smt_local *local;
+    size_t locals, local_capacity;
+    size_t visible;
+} fmb_smt_scope;
+
+void fmb_smt_scope_init(fmb_smt_scope *s, fmb_mem *mem);
+void fmb_smt_scope_clear(fmb_smt_scope *s);
+/* Number of the symbol, new or known. Its text must live as long as the scope. Errors: MEMORY. */
+fmb_status fmb_smt_intern(fmb_smt_scope *s, fmb_span text, size_t *out);
+/* A new local meaning; back to the first `locals` of them. Errors: MEMORY. */
+fmb_status fmb_smt_bind(fmb_smt_scope *s, size_t symbol, fmb_smt_value value);
+void fmb_smt_unbind(fmb_smt_scope *s, size_t locals);
+/* The local meaning that counts here, or NULL. */
+const fmb_smt_local *fmb_smt_find_local(const fmb_smt_scope *s, size_t symbol);
+
+#endif

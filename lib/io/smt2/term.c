@@ -1,0 +1,335 @@
+/* term.c: reading one term; see term.h.
+ *
+ * Each open parenthesis is a frame; a finished term is handed to the frame on top, which may finish
+ * another one, and so on.
+ */
+#include "io/smt2/term.h"
+
+static fmb_status push_open_frame(fmb_smt *r, fmb_smt_frame_kind kind, const char *at)
+{
+    fmb_status st = fmb_mem_reserve(r->c->mem, (void **)&r->frame, &r->frame_capacity,
+                                    r->frames + 1, sizeof *r->frame);
+    if (st == FMB_OK)
+        r->frame[r->frames++] = (fmb_smt_frame){.kind = kind,
+                                                .at = at,
+                                                .values = r->values,
+                                                .locals = r->scope.locals,
+                                                .names = r->names};
+    return st;
+}
+
+static fmb_status push_argument_value(fmb_smt *r, fmb_smt_value v)
+{
+    fmb_status st = fmb_mem_reserve(r->c->mem, (void **)&r->value, &r->value_capacity,
+                                    r->values + 1, sizeof *r->value);
+    if (st == FMB_OK)
+        r->value[r->values++] = v;
+    return st;
+}
+
+static fmb_status expect_closing(fmb_smt *r, const char *what)
+{
+    fmb_smt_token t;
+    return fmb_smt_expect(r->c, FMB_SMT_CLOSE, what, &t);
+}
+
+/* ---- let ------------------------------------------------------------------------------------- */
+
+/* All bindings read: they count from here on, all at once. */
+static fmb_status bind_let_names(fmb_smt *r, fmb_smt_frame *f)
+{
+    for (size_t k = 0; f->values + k < r->values; k++) {
+        size_t symbol = r->name[f->names + k];
+        size_t newest = r->scope.symbol[symbol].newest;
+        if (newest != FMB_SMT_NONE && newest >= f->locals)
+            return fmb_io_fail(r->c, f->at, "expected different names in one let");
+        fmb_status st = fmb_smt_bind(&r->scope, symbol, r->value[f->values + k]);
+        if (st != FMB_OK)
+            return st;
+    }
+    r->values = f->values;
+    r->names = f->names;
+    f->kind = FMB_SMT_BODY;
+    return FMB_OK;
+}
+
+/* After a binding, or the parenthesis that starts them: the next one's name, or their end. */
+static fmb_status read_next_binding(fmb_smt *r)
+{
+    fmb_smt_token t;
+    fmb_status st = fmb_smt_next(r->c, &t);
+    if (st == FMB_OK && t.kind == FMB_SMT_CLOSE)
+        return bind_let_names(r, &r->frame[r->frames - 1]);
+    if (st == FMB_OK && t.kind != FMB_SMT_OPEN) {
+        char buf[FMB_QUOTE];
+        return fmb_io_fail(r->c, t.at, "expected '(' of a binding, or ')' after the last, found %s",
+                           fmb_quote(r->c, t.at, buf));
+    }
+    size_t symbol;
+    if (st == FMB_OK)
+        st = fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "the name of a binding", &t);
+    if (st == FMB_OK)
+        st = fmb_smt_intern(&r->scope, t.text, &symbol);
+    if (st == FMB_OK)
+        st = fmb_mem_reserve(r->c->mem, (void **)&r->name, &r->name_capacity, r->names + 1,
+                             sizeof *r->name);
+    if (st == FMB_OK)
+        r->name[r->names++] = symbol;
+    return st;
+}
+
+/* ---- annotations ----------------------------------------------------------------------------- */
+
+/* :named gives the term a name for later, and its rows a label. */
+static fmb_status take_named_attribute(fmb_smt *r, fmb_smt_value *v)
+{
+    size_t symbol;
+    const char *at;
+    fmb_status st = fmb_smt_new_name(r, &symbol, &at);
+    if (st != FMB_OK)
+        return st;
+    r->scope.symbol[symbol].meaning = FMB_SMT_VALUE;
+    r->scope.symbol[symbol].value = *v;
+    r->named = true;
+    if (!v->formula)
+        return FMB_OK;
+    return fmb_form_label(&r->forms, v->at, r->scope.symbol[symbol].text, v->id, &v->id);
+}
+
+/* Attributes up to ')': keywords, each with at most one value. */
+static fmb_status take_all_attributes(fmb_smt *r, fmb_smt_value *v)
+{
+    for (;;) {
+        fmb_smt_token t;
+        fmb_status st = fmb_smt_next(r->c, &t);
+        if (st != FMB_OK || t.kind == FMB_SMT_CLOSE)
+            return st;
+        if (t.kind != FMB_SMT_KEYWORD) {
+            char buf[FMB_QUOTE];
+            return fmb_io_fail(r->c, t.at, "expected an attribute or ')', found %s",
+                               fmb_quote(r->c, t.at, buf));
+        }
+        if (fmb_span_is(t.text, "named")) {
+            st = take_named_attribute(r, v);
+        } else {
+            const char *before = r->c->at;
+            st = fmb_smt_next(r->c, &t);
+            r->c->at = before;
+            if (st == FMB_OK && t.kind != FMB_SMT_KEYWORD && t.kind != FMB_SMT_CLOSE)
+                st = fmb_smt_skip(r->c, "the value of an attribute");
+        }
+        if (st != FMB_OK)
+            return st;
+    }
+}
+
+/* ---- define-fun with parameters -------------------------------------------------------------- */
+
+/* The top frame, whose arguments are read, becomes the body of the macro. The text read again is
+ * paid for: macros that use macros can make a short text very long. */
+static fmb_status enter_macro_body(fmb_smt *r, const fmb_smt_macro *m)
+{
+    fmb_smt_frame *f = &r->frame[r->frames - 1];
+    size_t n = r->values - f->values;
+    if (n != m->n)
+        return fmb_io_fail(r->c, f->at, "expected %zu argument%s, found %zu", m->n,
+                           m->n == 1 ? "" : "s", n);
+    fmb_status st = fmb_io_charge(r->c, f->at, FMB_SMT_BYTE_DIGITS * m->bytes);
+    if (st == FMB_ERR_PARSE)
+        return fmb_io_fail(r->c, f->at,
+                           "expected fewer uses of functions: written out, those up "
+                           "to here are far longer than the text");
+    for (size_t k = 0; st == FMB_OK && k < n; k++) {
+        const fmb_smt_param *p = &r->param[m->first + k];
+        fmb_smt_value v = r->value[f->values + k];
+        if (v.formula != p->formula)
+            st = fmb_io_fail(r->c, v.at, "expected a %s as argument, found a %s",
+                             p->formula ? "formula" : "number", v.formula ? "formula" : "number");
+        else
+            st = fmb_smt_bind(&r->scope, p->symbol, v);
+    }
+    f->kind = FMB_SMT_CALL;
+    f->visible = r->scope.visible;
+    f->back = r->c->at;
+    r->scope.visible = f->locals;
+    r->values = f->values;
+    r->c->at = m->body;
+    return st;
+}
+
+/* The body is read: back to where the macro is used. */
+static fmb_status leave_macro_body(fmb_smt *r, const fmb_smt_frame *f, fmb_smt_value *v)
+{
+    bool formula = r->macro[r->scope.symbol[f->symbol].index].formula;
+    r->c->at = f->back;
+    r->scope.visible = f->visible;
+    v->at = f->at;
+    if (v->formula == formula)
+        return FMB_OK;
+    return fmb_io_fail(r->c, f->at, "expected a %s from this function, found a %s",
+                       formula ? "formula" : "number", formula ? "number" : "formula");
+}
+
+/* ---- the machine ----------------------------------------------------------------------------- */
+
+static void leave_top_frame(fmb_smt *r)
+{
+    const fmb_smt_frame *f = &r->frame[--r->frames];
+    fmb_smt_unbind(&r->scope, f->locals);
+}
+
+/* Hand v to the frames above base; *done if it is the term asked for. */
+static fmb_status deliver_to_open_frames(fmb_smt *r, size_t base, fmb_smt_value *v, bool *done)
+{
+    fmb_status st = FMB_OK;
+    while (st == FMB_OK && r->frames > base) {
+        fmb_smt_frame *f = &r->frame[r->frames - 1];
+        switch (f->kind) {
+        case FMB_SMT_APPLY:
+            return push_argument_value(r, *v);
+        case FMB_SMT_LET:
+            st = push_argument_value(r, *v);
+            if (st == FMB_OK)
+                st = expect_closing(r, "')' after the binding");
+            return st == FMB_OK ? read_next_binding(r) : st;
+        case FMB_SMT_BODY:
+            st = expect_closing(r, "')' after the body of let");
+            break;
+        case FMB_SMT_NOTE:
+            st = take_all_attributes(r, v);
+            break;
+        case FMB_SMT_CALL:
+            st = leave_macro_body(r, f, v);
+            break;
+        }
+        leave_top_frame(r);
+    }
+    *done = st == FMB_OK;
+    return st;
+}
+
+/* ')' after arguments: the operator gives a value, a macro goes on with its body. */
+static fmb_status close_application(fmb_smt *r, size_t base, const fmb_smt_token *t,
+                                    fmb_smt_value *v, bool *ready)
+{
+    if (r->frames == base || r->frame[r->frames - 1].kind != FMB_SMT_APPLY)
+        return fmb_io_fail(r->c, t->at, "expected a term, found ')'");
+    fmb_smt_frame *f = &r->frame[r->frames - 1];
+    const fmb_smt_symbol *head = &r->scope.symbol[f->symbol];
+    if (head->meaning == FMB_SMT_MACRO)
+        return enter_macro_body(r, &r->macro[head->index]);
+    fmb_status st = fmb_smt_operate(r, fmb_smt_operator_at(head->index), f->at,
+                                    &r->value[f->values], r->values - f->values, v);
+    r->values = f->values;
+    leave_top_frame(r);
+    *ready = st == FMB_OK;
+    return st;
+}
+
+static fmb_status fail_unknown_name(fmb_smt *r, const fmb_smt_token *t)
+{
+    char buf[FMB_QUOTE];
+    return fmb_io_fail(r->c, t->at, "expected a declared name, found %s",
+                       fmb_quote(r->c, t->at, buf));
+}
+
+/* '(' and a name that is no reserved word. */
+static fmb_status open_application(fmb_smt *r, const char *at, const fmb_smt_token *t)
+{
+    size_t symbol;
+    fmb_status st = fmb_smt_intern(&r->scope, t->text, &symbol);
+    if (st != FMB_OK)
+        return st;
+    fmb_smt_meaning m = r->scope.symbol[symbol].meaning;
+    if (fmb_smt_find_local(&r->scope, symbol) || m == FMB_SMT_VALUE || m == FMB_SMT_UNKNOWN)
+        return fmb_io_fail(r->c, t->at, "expected an operator or a function with arguments");
+    if (m == FMB_SMT_NOTHING)
+        return fail_unknown_name(r, t);
+    st = push_open_frame(r, FMB_SMT_APPLY, at);
+    if (st == FMB_OK)
+        r->frame[r->frames - 1].symbol = symbol;
+    return st;
+}
+
+static fmb_status open_parenthesis(fmb_smt *r, const char *at)
+{
+    fmb_smt_token t;
+    fmb_status st = fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "an operator", &t);
+    if (st != FMB_OK)
+        return st;
+    if (fmb_smt_is_word(&t, "!"))
+        return push_open_frame(r, FMB_SMT_NOTE, at);
+    if (fmb_smt_is_word(&t, "let")) {
+        st = push_open_frame(r, FMB_SMT_LET, at);
+        if (st == FMB_OK)
+            st = fmb_smt_expect(r->c, FMB_SMT_OPEN, "'(' before the bindings of let", &t);
+        return st == FMB_OK ? read_next_binding(r) : st;
+    }
+    if (fmb_smt_is_word(&t, "forall") || fmb_smt_is_word(&t, "exists"))
+        return fmb_io_fail(r->c, at, "not a conjunction: a quantifier cannot be read");
+    if (fmb_smt_is_word(&t, "_") || fmb_smt_is_word(&t, "as") || fmb_smt_is_word(&t, "match"))
+        return fmb_io_fail(r->c, at, "expected linear arithmetic, found '(%.*s'", (int)t.text.n,
+                           t.text.p);
+    return open_application(r, at, &t);
+}
+
+static fmb_status value_of_name(fmb_smt *r, const fmb_smt_token *t, fmb_smt_value *v)
+{
+    size_t symbol;
+    fmb_status st = fmb_smt_intern(&r->scope, t->text, &symbol);
+    if (st != FMB_OK)
+        return st;
+    const fmb_smt_local *local = fmb_smt_find_local(&r->scope, symbol);
+    const fmb_smt_symbol *known = &r->scope.symbol[symbol];
+    *v = local ? local->value : known->value;
+    v->at = t->at;
+    if (local || known->meaning == FMB_SMT_VALUE)
+        return FMB_OK;
+    v->formula = true;
+    if (known->meaning == FMB_SMT_UNKNOWN)
+        return fmb_form_unknown(&r->forms, t->at, known->index, &v->id);
+    if (known->meaning == FMB_SMT_NOTHING)
+        return fail_unknown_name(r, t);
+    char buf[FMB_QUOTE];
+    return fmb_io_fail(r->c, t->at, "expected '(' and arguments around %s",
+                       fmb_quote(r->c, t->at, buf));
+}
+
+static fmb_status value_of_numeral(fmb_smt *r, const fmb_smt_token *t, fmb_smt_value *v)
+{
+    r->c->at = t->at;
+    *v = (fmb_smt_value){.at = t->at};
+    fmb_status st = fmb_scan_number(r->c, FMB_NUM_DECIMAL, "a number", r->number);
+    return st == FMB_OK ? fmb_lin_number(&r->lin, r->number, &v->id) : st;
+}
+
+fmb_status fmb_smt_term(fmb_smt *r, fmb_smt_value *out)
+{
+    size_t base = r->frames;
+    bool done = false;
+    while (!done) {
+        fmb_smt_token t;
+        fmb_smt_value v;
+        bool ready = false;
+        fmb_status st = fmb_smt_next(r->c, &t);
+        if (st == FMB_OK && t.kind == FMB_SMT_OPEN)
+            st = open_parenthesis(r, t.at);
+        else if (st == FMB_OK && t.kind == FMB_SMT_CLOSE)
+            st = close_application(r, base, &t, &v, &ready);
+        else if (st == FMB_OK) {
+            ready = true;
+            char buf[FMB_QUOTE];
+            st = t.kind == FMB_SMT_SYMBOL   ? value_of_name(r, &t, &v)
+                 : t.kind == FMB_SMT_NUMBER ? value_of_numeral(r, &t, &v)
+                                            : fmb_io_fail(r->c, t.at, "expected a term, found %s",
+                                                          fmb_quote(r->c, t.at, buf));
+        }
+        if (st == FMB_OK && ready)
+            st = deliver_to_open_frames(r, base, &v, &done);
+        if (st != FMB_OK)
+            return st;
+        if (done)
+            *out = v;
+    }
+    return FMB_OK;
+}

@@ -1,0 +1,104 @@
+/* term.h: terms of an SMT-LIB text, and what reading one needs.
+ *
+ * Terms are read with stacks of our own, never by recursion: nesting is bounded by memory alone.
+ */
+#ifndef FMB_IO_SMT2_TERM_H
+#define FMB_IO_SMT2_TERM_H
+
+#include "io/smt2/formula.h"
+#include "io/smt2/lex.h"
+#include "io/smt2/scope.h"
+
+/* A define-fun with parameters: its body is read anew at each use. */
+typedef struct fmb_smt_macro {
+    size_t first, n; /* param[first .. first + n) */
+    bool formula;
+    const char *body;
+    size_t bytes;
+} fmb_smt_macro;
+
+typedef struct fmb_smt_param {
+    size_t symbol;
+    bool formula;
+} fmb_smt_param;
+
+/* What an open parenthesis waits for. */
+typedef enum fmb_smt_frame_kind {
+    FMB_SMT_APPLY, /* arguments, then ')' */
+    FMB_SMT_LET,   /* the term of a binding */
+    FMB_SMT_BODY,  /* the body of a let */
+    FMB_SMT_NOTE,  /* the term of (! term attributes) */
+    FMB_SMT_CALL   /* the body of a macro, which stands elsewhere in the text */
+} fmb_smt_frame_kind;
+
+typedef struct fmb_smt_frame {
+    fmb_smt_frame_kind kind;
+    size_t symbol;         /* APPLY */
+    const char *at;        /* the parenthesis */
+    const char *back;      /* CALL: where reading goes on */
+    size_t values, locals; /* how many there were */
+    size_t names;          /* LET: pending names there were */
+    size_t visible;        /* CALL: to be restored */
+} fmb_smt_frame;
+
+typedef struct fmb_smt {
+    fmb_cursor *c;
+    fmb_system *s;
+    fmb_lin lin;
+    fmb_forms forms;
+    fmb_smt_scope scope;
+    fmb_smt_frame *frame;
+    size_t frames, frame_capacity;
+    fmb_smt_value *value;
+    size_t values, value_capacity;
+    size_t *name; /* names of let bindings whose terms are being read */
+    size_t names, name_capacity;
+    fmb_smt_macro *macro;
+    size_t macros, macro_capacity;
+    fmb_smt_param *param;
+    size_t params, param_capacity;
+    uint32_t *literal; /* scratch of operators */
+    size_t literal_capacity;
+    mpq_t number; /* scratch */
+    bool named;   /* a command gave a term a global name: its nodes must stay */
+    bool checked, warned_late;
+} fmb_smt;
+
+/* facts outlives r. Errors: MEMORY. */
+fmb_status fmb_smt_init(fmb_smt *r, fmb_cursor *c, fmb_system *s, fmb_smt_facts *facts);
+void fmb_smt_clear(fmb_smt *r);
+
+/* The term at the cursor. Errors: PARSE, MEMORY. */
+fmb_status fmb_smt_term(fmb_smt *r, fmb_smt_value *out);
+/* A symbol that has no global meaning yet. Errors: PARSE, MEMORY. */
+fmb_status fmb_smt_new_name(fmb_smt *r, size_t *symbol, const char **at);
+
+/* The ')' of a command. A term where a formula is needed, or the other way round. Errors: PARSE. */
+fmb_status fmb_smt_close_command(fmb_smt *r);
+fmb_status fmb_smt_check_kind(fmb_smt *r, const fmb_smt_value *v, bool formula);
+
+/* The rest of a command that began at open. Errors: PARSE, MEMORY. */
+typedef fmb_status fmb_smt_command(fmb_smt *r, const char *open);
+fmb_smt_command fmb_smt_declare_const, fmb_smt_declare_fun, fmb_smt_define_const,
+    fmb_smt_define_fun, fmb_smt_define_sort;
+
+/* One operator. */
+typedef struct fmb_smt_operator fmb_smt_operator;
+struct fmb_smt_operator {
+    const char *name;
+    enum { FMB_SMT_TERMS, FMB_SMT_FORMULAS, FMB_SMT_EITHER } takes;
+    size_t least, most; /* arguments */
+    fmb_status (*apply)(fmb_smt *r, const fmb_smt_operator *op, const char *at,
+                        const fmb_smt_value *arg, size_t n, fmb_smt_value *out);
+    fmb_rel rel; /* comparisons; FMB_LE elsewhere */
+    bool swap;   /* >= and > */
+};
+
+/* The i-th operator, NULL past the end. */
+const fmb_smt_operator *fmb_smt_operator_at(size_t i);
+/* The operator applied, after a check of number and kind of its arguments. Errors: PARSE, MEMORY.
+ */
+fmb_status fmb_smt_operate(fmb_smt *r, const fmb_smt_operator *op, const char *at,
+                           const fmb_smt_value *arg, size_t n, fmb_smt_value *out);
+
+#endif

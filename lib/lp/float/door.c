@@ -1,0 +1,143 @@
+/* door.c: see door.h.
+ *
+ * Our own simplex is asked first, GLPK where that gives up; then ours goes on from the basis at
+ * which GLPK stood.
+ */
+#include "lp/float/door.h"
+
+#include "lp/float/side.h"
+
+struct fmb_door {
+    fmb_reals reals;
+    const fmb_door_side *side;  /* who answers */
+    const fmb_door_side *spare; /* who does where that gives up, or NULL */
+    void *self;                 /* of the side */
+    double *cost;               /* [n] scaled as the columns are */
+    fmb_status late;            /* of a call that has none */
+    bool behind;                /* there are rows that the side has yet to take in */
+};
+
+void fmb_door_close(fmb_door *d)
+{
+    if (!d)
+        return;
+    if (d->self)
+        d->side->close(d->self);
+    fmb_mem *mem = d->reals.run->mem;
+    fmb_mem_put(mem, d->cost, d->reals.n, sizeof *d->cost);
+    fmb_reals_clear(&d->reals);
+    fmb_mem_put(mem, d, 1, sizeof *d);
+}
+
+static fmb_status open_door(fmb_run *run, const fmb_program *p, const fmb_door_side *side,
+                            const fmb_door_side *spare, fmb_door **out)
+{
+    fmb_door *d = fmb_mem_zero(run->mem, 1, sizeof *d);
+    if (!d)
+        return fmb_mem_status(run->mem);
+    d->side = side;
+    d->spare = spare;
+    fmb_status st = fmb_reals_init(&d->reals, run, p);
+    d->cost = fmb_mem_get(run->mem, d->reals.n, sizeof *d->cost);
+    if (st == FMB_OK && !d->cost)
+        st = fmb_mem_status(run->mem);
+    if (st == FMB_OK)
+        st = side->open(&d->reals, &d->self);
+    if (st == FMB_OK && d->self)
+        *out = d;
+    else
+        fmb_door_close(d);
+    return st;
+}
+
+fmb_status fmb_door_open(fmb_run *run, const fmb_program *p, bool plain, fmb_door **out)
+{
+    return open_door(run, p, &fmb_door_side_own, plain ? NULL : &fmb_door_side_glpk, out);
+}
+
+fmb_status fmb_door_open_side(fmb_run *run, const fmb_program *p, const fmb_door_side *side,
+                              fmb_door **out)
+{
+    *out = NULL;
+    return open_door(run, p, side, NULL, out);
+}
+
+static fmb_status ask_side(const fmb_door_side *side, void *self, const double *cost, fmb_hint *h)
+{
+    return cost ? side->maximize(self, cost, h) : side->search(self, h);
+}
+
+/* The spare side takes over for this question, and the other one stands where that ended. */
+static fmb_status ask_spare_side(fmb_door *d, const double *cost, fmb_hint *h)
+{
+    void *self = NULL;
+    fmb_status st = d->spare->open(&d->reals, &self);
+    if (st != FMB_OK || !self)
+        return st;
+    st = d->spare->place(self, h->basis);
+    if (st == FMB_OK)
+        st = ask_side(d->spare, self, cost, h);
+    d->spare->close(self);
+    return st == FMB_OK ? d->side->place(d->self, h->basis) : st;
+}
+
+static fmb_status ask_door(fmb_door *d, const double *cost, fmb_hint *h)
+{
+    fmb_status st = d->late == FMB_OK ? fmb_door_grow(d) : d->late;
+    d->late = FMB_OK;
+    h->kind = FMB_HINT_NONE;
+    if (st == FMB_OK)
+        st = ask_side(d->side, d->self, cost, h);
+    return st == FMB_OK && h->kind == FMB_HINT_NONE && d->spare ? ask_spare_side(d, cost, h) : st;
+}
+
+fmb_status fmb_door_search(fmb_door *d, fmb_hint *h)
+{
+    return ask_door(d, NULL, h);
+}
+
+fmb_status fmb_door_maximize(fmb_door *d, const double *cost, fmb_hint *h)
+{
+    bool is_finite = fmb_reals_scale_cost(&d->reals, cost, d->cost);
+    fmb_status st = ask_door(d, is_finite ? d->cost : NULL, h);
+    h->kind = is_finite ? h->kind : FMB_HINT_NONE;
+    return st;
+}
+
+fmb_status fmb_door_grow(fmb_door *d)
+{
+    d->behind = d->behind || d->reals.m < d->reals.p->m;
+    fmb_status st = d->behind ? fmb_reals_grow(&d->reals) : FMB_OK;
+    if (st == FMB_OK && d->behind)
+        st = d->side->grow(d->self);
+    d->behind = st != FMB_OK;
+    return st;
+}
+
+void fmb_door_switch(fmb_door *d, size_t i, bool on)
+{
+    if (d->reals.off[i] != on)
+        return;
+    d->reals.off[i] = !on;
+    fmb_status st = d->side->switch_row(d->self, i);
+    d->late = d->late == FMB_OK ? st : d->late;
+}
+
+void fmb_door_place(fmb_door *d, const size_t *basis)
+{
+    fmb_status st = fmb_door_grow(d);
+    if (st == FMB_OK)
+        st = d->side->place(d->self, basis);
+    d->late = d->late == FMB_OK ? st : d->late;
+}
+
+void fmb_door_shift(fmb_door *d, const double *right)
+{
+    fmb_reals_shift(&d->reals, right);
+    d->side->shift(d->self);
+}
+
+void fmb_door_sharpen(fmb_door *d)
+{
+    d->reals.sharp = true;
+}

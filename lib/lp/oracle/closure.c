@@ -1,0 +1,214 @@
+/* closure.c: the closure of a program, all rows <= or =: guess, certify, and if need be walk on;
+ * see oracle.h. */
+#include "lp/oracle/state.h"
+
+/* Exact pivots between two refinements of a guess, and how many of those there are. */
+#define FEW_STEPS   4
+#define REFINEMENTS 6
+
+fmb_status fmb_oracle_new(fmb_run *run, const fmb_program *p, fmb_oracle **out)
+{
+    fmb_mem *mem = run->mem;
+    size_t n = (size_t)p->n;
+    fmb_oracle *o = fmb_mem_zero(mem, 1, sizeof *o);
+    if (!o)
+        return fmb_mem_status(mem);
+    o->run = run;
+    o->p = p;
+    o->n = n;
+    mpz_inits(o->cost_unit, o->point_den, NULL);
+    o->hint = fmb_mem_get(mem, n, sizeof *o->hint);
+    o->price = fmb_mem_get(mem, n, sizeof *o->price);
+    fmb_status st = o->hint && o->price ? FMB_OK : fmb_mem_status(mem);
+    o->v.run = run; /* whatever fails, all of it can be cleared */
+    o->w.v = &o->v;
+    *out = o;
+    if (st == FMB_OK)
+        st = fmb_integers_init(&o->cost, n, mem);
+    if (st == FMB_OK)
+        st = fmb_integers_init(&o->point, n, mem);
+    return st;
+}
+
+void fmb_oracle_free(fmb_oracle *o)
+{
+    if (!o)
+        return;
+    fmb_mem *mem = o->run->mem;
+    fmb_door_close(o->door);
+    if (o->v.p) {
+        fmb_walk_clear(&o->w);
+        fmb_vertex_clear(&o->v);
+    }
+    fmb_weights_clear(&o->margin, mem);
+    fmb_integers_clear(&o->cost, mem);
+    fmb_integers_clear(&o->point, mem);
+    fmb_mem_put(mem, o->hint, o->n, sizeof *o->hint);
+    fmb_mem_put(mem, o->price, o->n, sizeof *o->price);
+    mpz_clears(o->cost_unit, o->point_den, NULL);
+    fmb_mem_put(mem, o, 1, sizeof *o);
+}
+
+/* The door and the vertex are made when they are needed: the origin may do. */
+static fmb_status need_door(fmb_oracle *o)
+{
+    if (o->door)
+        return FMB_OK;
+    fmb_status st = fmb_vertex_init(&o->v, o->run, o->p);
+    if (st == FMB_OK)
+        st = fmb_walk_init(&o->w, &o->v);
+    return st == FMB_OK ? fmb_door_open(o->run, o->p, false, &o->door) : st;
+}
+
+void fmb_closure_begin(fmb_oracle *o)
+{
+    o->answer = FMB_ANSWER_NONE;
+    o->has_margin = false;
+    o->run->stats.lps++;
+    fmb_run_emit(
+        o->run,
+        (fmb_event){.kind = FMB_EVENT_LP, .var = -1, .rows_in = o->p->m, .rows_out = o->p->m});
+}
+
+/* ---- is there a solution --------------------------------------------------------------------- */
+
+static fmb_status take_vertex(fmb_oracle *o)
+{
+    for (size_t j = 0; j < o->n; j++)
+        mpz_set(o->point.z[j], o->v.x.z[j]);
+    mpz_set(o->point_den, o->v.den);
+    return fmb_integers_settle(&o->point, o->run->mem);
+}
+
+/* Ask the door again from the basis at hand, through a magnifying glass: right sides are what is
+ * left of them at the exact vertex, times `scale`. */
+static fmb_status refine_guess(fmb_oracle *o, double scale, fmb_hint *h)
+{
+    fmb_vertex *v = &o->v;
+    double *right = fmb_mem_get(o->run->mem, v->m, sizeof *right);
+    if (!right)
+        return fmb_mem_status(o->run->mem);
+    for (size_t i = 0; i < v->m; i++)
+        right[i] = fmb_vertex_holds(v, i) ? 0 : scale * fmb_vertex_slack(v, i);
+    fmb_door_place(o->door, v->basis);
+    fmb_door_shift(o->door, right);
+    fmb_status st = fmb_door_search(o->door, h);
+    fmb_door_shift(o->door, NULL);
+    fmb_mem_put(o->run->mem, right, v->m, sizeof *right);
+    return st;
+}
+
+/* From the basis at hand: a few exact pivots, then a finer guess, and so on; in the end as many
+ * pivots as it takes. */
+static fmb_status reach_feasible(fmb_oracle *o, fmb_walk_end *end)
+{
+    fmb_hint h = {.basis = o->hint};
+    fmb_status st = fmb_walk_to_feasible(&o->w, FEW_STEPS, end);
+    double scale = 0x1p20;
+    for (int k = 0; st == FMB_OK && *end == FMB_WALK_TIRED && k < REFINEMENTS; k++) {
+        st = refine_guess(o, scale, &h);
+        if (st == FMB_OK)
+            st = fmb_vertex_set(&o->v, o->hint);
+        if (st == FMB_OK && h.kind == FMB_HINT_INFEASIBLE)
+            st = fmb_walk_try_conflict(&o->w, h.odd, end);
+        if (st == FMB_OK && *end == FMB_WALK_TIRED)
+            st = fmb_walk_to_feasible(&o->w, FEW_STEPS, end);
+        scale *= 0x1p10;
+    }
+    if (st == FMB_OK && *end == FMB_WALK_TIRED)
+        st = fmb_walk_to_feasible(&o->w, 0, end);
+    return st;
+}
+
+/* The closure of the rows: a vertex or a conflict. */
+fmb_status fmb_closure_decide(fmb_oracle *o, fmb_walk_end *end)
+{
+    fmb_hint h = {.basis = o->hint};
+    *end = FMB_WALK_TIRED;
+    fmb_status st = need_door(o);
+    if (st == FMB_OK)
+        st = fmb_door_search(o->door, &h);
+    if (st == FMB_OK)
+        st = fmb_vertex_set(&o->v, o->hint);
+    if (st == FMB_OK && h.kind == FMB_HINT_INFEASIBLE)
+        st = fmb_walk_try_conflict(&o->w, h.odd, end);
+    if (st == FMB_OK && *end == FMB_WALK_TIRED)
+        st = reach_feasible(o, end);
+    return st == FMB_OK && *end == FMB_WALK_THERE ? take_vertex(o) : st;
+}
+
+/* ---- how far does it go ---------------------------------------------------------------------- */
+
+/* cost as integers, with their common denominator. */
+static fmb_status take_cost(fmb_oracle *o, const fmb_weights *cost)
+{
+    mpz_set_ui(o->cost_unit, 1);
+    for (size_t j = 0; j < o->n; j++) {
+        mpz_set_ui(o->cost.z[j], 0);
+        o->price[j] = 0;
+    }
+    for (size_t k = 0; k < cost->size; k++)
+        mpz_lcm(o->cost_unit, o->cost_unit, mpq_denref(cost->value[k]));
+    for (size_t k = 0; k < cost->size; k++) {
+        mpz_ptr at = o->cost.z[cost->index[k]];
+        mpz_divexact(at, o->cost_unit, mpq_denref(cost->value[k]));
+        mpz_mul(at, at, mpq_numref(cost->value[k]));
+        o->price[cost->index[k]] = mpq_get_d(cost->value[k]);
+    }
+    return fmb_integers_settle(&o->cost, o->run->mem);
+}
+
+/* From a guess to the optimum, exactly. */
+static fmb_status certify_optimum(fmb_oracle *o, fmb_walk_end *end)
+{
+    fmb_walk_end there;
+    fmb_status st = reach_feasible(o, &there);
+    return st == FMB_OK ? fmb_walk_to_optimum(&o->w, o->cost.z, end) : st;
+}
+
+fmb_status fmb_closure_maximize(fmb_oracle *o, const fmb_weights *cost, fmb_walk_end *end)
+{
+    fmb_hint h = {.basis = o->hint};
+    *end = FMB_WALK_TIRED;
+    fmb_status st = need_door(o);
+    if (st == FMB_OK)
+        st = take_cost(o, cost);
+    if (st == FMB_OK)
+        st = fmb_door_maximize(o->door, o->price, &h);
+    if (st == FMB_OK)
+        st = fmb_vertex_set(&o->v, o->hint);
+    if (st == FMB_OK && h.kind == FMB_HINT_UNBOUNDED)
+        st = fmb_walk_try_ray(&o->w, h.odd, o->cost.z, end);
+    if (st == FMB_OK && *end == FMB_WALK_TIRED)
+        st = certify_optimum(o, end);
+    return st == FMB_OK && *end == FMB_WALK_THERE ? take_vertex(o) : st;
+}
+
+/* ---- a program that changes ------------------------------------------------------------------ */
+
+fmb_status fmb_oracle_grow(fmb_oracle *o)
+{
+    o->feasible = false;
+    if (!o->door)
+        return FMB_OK;
+    fmb_status st = fmb_vertex_grow(&o->v);
+    return st == FMB_OK ? fmb_door_grow(o->door) : st;
+}
+
+void fmb_oracle_switch(fmb_oracle *o, size_t i, bool on)
+{
+    o->feasible = false;
+    if (!o->door)
+        return;
+    o->v.feasible = false;
+    fmb_door_switch(o->door, i, on);
+}
+
+void fmb_oracle_shift(fmb_oracle *o)
+{
+    o->feasible = false;
+    if (!o->door)
+        return;
+    o->v.solved = o->v.feasible = false;
+    fmb_door_shift(o->door, NULL);
+}

@@ -1,0 +1,96 @@
+/* oracle.c: the door of oracles: what is plain, then the closure, then strict rows; see oracle.h.
+ */
+#include "lp/oracle/state.h"
+
+/* ---- is there a solution --------------------------------------------------------------------- */
+
+static bool is_origin_a_solution(const fmb_program *p)
+{
+    for (size_t i = 0; i < p->m; i++) {
+        const fmb_program_row *r = &p->row[i];
+        int b = fmb_vec_sgn(r->value, r->size);
+        if (!r->off && (r->rel == FMB_EQ ? b != 0 : r->rel == FMB_LT ? b <= 0 : b < 0))
+            return false;
+    }
+    return true;
+}
+
+static void take_origin(fmb_oracle *o)
+{
+    for (size_t j = 0; j < o->n; j++)
+        mpz_set_ui(o->point.z[j], 0);
+    mpz_set_ui(o->point_den, 1);
+}
+
+/* Is the point found last, before rows changed, a solution still? Not asked if nothing was found.
+ */
+static fmb_status try_last_point(fmb_oracle *o, bool *holds)
+{
+    *holds = false;
+    if (!o->has_point || !o->door)
+        return FMB_OK;
+    return fmb_vertex_try_point(&o->v, o->point.z, o->point_den, o->price, holds);
+}
+
+/* A point strictly inside, or a conflict. */
+static fmb_status search_for_point(fmb_oracle *o, bool *feasible)
+{
+    fmb_walk_end end;
+    bool room = true;
+    fmb_status st = fmb_closure_decide(o, &end);
+    if (st == FMB_OK && end == FMB_WALK_THERE && o->p->any_strict && !fmb_vertex_is_inside(&o->v))
+        st = fmb_oracle_find_room(o, false, &room);
+    *feasible = end == FMB_WALK_THERE && room;
+    return st;
+}
+
+fmb_status fmb_oracle_feasible(fmb_oracle *o, bool *feasible)
+{
+    bool found = is_origin_a_solution(o->p);
+    fmb_status st = FMB_OK;
+    fmb_closure_begin(o);
+    o->feasible = false;
+    if (found)
+        take_origin(o);
+    else
+        st = try_last_point(o, &found);
+    if (st == FMB_OK && !found)
+        st = search_for_point(o, &found);
+    if (st != FMB_OK)
+        return st;
+    o->has_point = o->has_point || found;
+    o->feasible = *feasible = found;
+    o->answer = found ? FMB_ANSWER_POINT : FMB_ANSWER_CONFLICT;
+    return FMB_OK;
+}
+
+/* ---- how far does it go ---------------------------------------------------------------------- */
+
+/* The optimum's vertex satisfies the closure of all rows: does a solution reach it? Not if a row
+ * that counts in the proof is strict. */
+static fmb_status find_whether_attained(fmb_oracle *o, bool *attained)
+{
+    fmb_vertex *v = &o->v;
+    *attained = true;
+    if (!o->p->any_strict || fmb_vertex_is_inside(v))
+        return FMB_OK;
+    for (size_t r = 0; r < v->n && *attained; r++)
+        *attained = fmb_vertex_is_loose(v, r) || mpz_sgn(v->y.z[r]) == 0 ||
+                    o->p->row[v->basis[r]].rel != FMB_LT;
+    return *attained ? fmb_oracle_find_room(o, true, attained) : FMB_OK;
+}
+
+fmb_status fmb_oracle_maximize(fmb_oracle *o, const fmb_weights *cost, fmb_oracle_end *out,
+                               bool *attained)
+{
+    fmb_walk_end end;
+    fmb_closure_begin(o);
+    fmb_status st = fmb_closure_maximize(o, cost, &end);
+    *out = end == FMB_WALK_RAY ? FMB_ORACLE_UNBOUNDED : FMB_ORACLE_OPTIMUM;
+    *attained = false;
+    if (st == FMB_OK && end == FMB_WALK_THERE)
+        st = find_whether_attained(o, attained);
+    if (st == FMB_OK)
+        o->answer = end == FMB_WALK_RAY ? FMB_ANSWER_RAY : FMB_ANSWER_OPTIMUM;
+    return st;
+}

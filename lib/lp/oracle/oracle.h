@@ -1,0 +1,53 @@
+/* oracle.h: linear programs, guessed in doubles and certified exactly.
+ *
+ * The door (lp/float/door.h) guesses a basis; its vertex, multipliers or ray are solved for exactly
+ * (lp/exact/factor.h), and every row is checked. A guess that is not quite right is walked on from
+ * by exact pivots, or refined; Bland's rule ends every walk. Nothing is answered that does not hold
+ * exactly.
+ *
+ * Sources: Applegate, Cook, Dash, Espinoza 2007, Exact solutions to linear programming problems;
+ * Gleixner, Steffy, Wolter 2016, Iterative refinement for linear programming.
+ */
+#ifndef FMB_LP_ORACLE_H
+#define FMB_LP_ORACLE_H
+
+#include "lp/program.h"
+#include "num/weights.h"
+#include "trace/run.h"
+
+typedef struct fmb_oracle fmb_oracle;
+
+typedef enum fmb_oracle_end { FMB_ORACLE_OPTIMUM = 0, FMB_ORACLE_UNBOUNDED } fmb_oracle_end;
+
+/* p must outlive the oracle. Errors: MEMORY, LIMIT. */
+fmb_status fmb_oracle_new(fmb_run *run, const fmb_program *p, fmb_oracle **out);
+void fmb_oracle_free(fmb_oracle *o);
+
+/* Is there a solution? If so fmb_oracle_point reads it, else fmb_oracle_conflict says why not. */
+fmb_status fmb_oracle_feasible(fmb_oracle *o, bool *feasible);
+
+/* From a feasible program: how large can cost.x become, cost over columns? Of rows that are strict
+ * the closure counts; *attained tells whether a solution reaches the optimum. */
+fmb_status fmb_oracle_maximize(fmb_oracle *o, const fmb_weights *cost, fmb_oracle_end *end,
+                               bool *attained);
+
+/* Rows were appended, row i was left out or taken in again, or rows have other right sides: ask
+ * fmb_oracle_feasible first. */
+fmb_status fmb_oracle_grow(fmb_oracle *o);
+void fmb_oracle_shift(fmb_oracle *o);
+void fmb_oracle_switch(fmb_oracle *o, size_t i, bool on);
+
+/* ---- answers: valid until the next call ------------------------------------------------------ */
+
+/* x[n]: the solution; after an optimum, one that reaches it, or if none does, one of the closure.
+ */
+void fmb_oracle_point(const fmb_oracle *o, mpq_t *x);
+void fmb_oracle_value(const fmb_oracle *o, mpq_t value);
+/* Multipliers over rows: their combination is cost.x <= value, with < if it is not attained. */
+fmb_status fmb_oracle_multipliers(const fmb_oracle *o, fmb_weights *w);
+/* Their combination is 0 <= negative, or 0 < 0. */
+fmb_status fmb_oracle_conflict(const fmb_oracle *o, fmb_weights *w);
+/* A direction in which every solution goes on for ever, and cost.x grows. */
+void fmb_oracle_ray(const fmb_oracle *o, mpq_t *x);
+
+#endif

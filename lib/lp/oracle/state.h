@@ -1,0 +1,49 @@
+/* state.h: the inside of an oracle. */
+#ifndef FMB_LP_ORACLE_STATE_H
+#define FMB_LP_ORACLE_STATE_H
+
+#include "lp/float/door.h"
+#include "lp/oracle/oracle.h"
+#include "lp/oracle/walk.h"
+
+typedef enum fmb_oracle_answer {
+    FMB_ANSWER_NONE = 0,
+    FMB_ANSWER_POINT,
+    FMB_ANSWER_CONFLICT,
+    FMB_ANSWER_OPTIMUM,
+    FMB_ANSWER_RAY
+} fmb_oracle_answer;
+
+struct fmb_oracle {
+    fmb_run *run;
+    const fmb_program *p;
+    size_t n;
+    fmb_door *door; /* made when it is first asked */
+    fmb_vertex v;
+    fmb_walk w;
+    size_t *hint;      /* [n] a guessed basis */
+    fmb_integers cost; /* [n] the last cost, times cost_unit */
+    mpz_t cost_unit;
+    double *price;      /* [n] roughly the cost */
+    bool feasible;      /* known */
+    bool has_point;     /* point is some point, found for these rows or for others */
+    fmb_integers point; /* [n], over point_den: a solution, strict rows included */
+    mpz_t point_den;
+    fmb_oracle_answer answer;
+    bool has_margin; /* the answer's multipliers are those of `margin`, from margin.c */
+    fmb_weights margin;
+};
+
+/* closure.c: the same questions about the closure. Count a program, and tell the watcher. */
+void fmb_closure_begin(fmb_oracle *o);
+/* THERE, and o->point is a vertex, or CONFLICT. Errors: MEMORY, LIMIT. */
+fmb_status fmb_closure_decide(fmb_oracle *o, fmb_walk_end *end);
+/* THERE, and o->point is the optimum, or RAY. */
+fmb_status fmb_closure_maximize(fmb_oracle *o, const fmb_weights *cost, fmb_walk_end *end);
+
+/* margin.c: the rows hold, but is there room where they are strict? *room; if there is, o->point is
+ * such a solution, else o->margin a conflict. face: of those with cost.x at its optimum; then
+ * o->margin proves cost.x < optimum. Errors: MEMORY, LIMIT. */
+fmb_status fmb_oracle_find_room(fmb_oracle *o, bool face, bool *room);
+
+#endif

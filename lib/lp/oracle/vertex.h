@@ -1,0 +1,77 @@
+/* vertex.h: a basis, its vertex and its prices, exactly.
+ *
+ * The basis is n rows that hold with equality, or m + j for x_j = 0. Row i of the program stands in
+ * is_basic at n + i, the row x_j = 0 at j, since programs grow.
+ */
+#ifndef FMB_LP_VERTEX_H
+#define FMB_LP_VERTEX_H
+
+#include "lp/exact/factor.h"
+#include "num/integers.h"
+
+typedef struct fmb_vertex {
+    fmb_run *run;
+    const fmb_program *p;
+    size_t n, m; /* m: rows that basis counts with */
+    fmb_factor *factor;
+    size_t *basis;     /* [n] */
+    bool *is_basic;    /* [n + m] */
+    size_t marks;      /* room of is_basic */
+    fmb_integers x, y; /* [n] vertex x / den; prices y / unit, by place */
+    mpz_t den, unit;
+    fmb_integers right; /* [n] scratch */
+    double *roughly;    /* [n] x / den */
+    bool set, solved;   /* there is a basis; x belongs to it */
+    bool feasible;      /* x is known to satisfy the closure of every row */
+    mpz_t sum;          /* scratch */
+} fmb_vertex;
+
+/* Errors: MEMORY, LIMIT. In any case fmb_vertex_clear it. */
+fmb_status fmb_vertex_init(fmb_vertex *v, fmb_run *run, const fmb_program *p);
+void fmb_vertex_clear(fmb_vertex *v);
+/* Take in rows that were appended. */
+fmb_status fmb_vertex_grow(fmb_vertex *v);
+
+/* Go to this basis[n], or to one near it where it is singular. */
+fmb_status fmb_vertex_set(fmb_vertex *v, const size_t *basis);
+/* Row i takes the place r. */
+fmb_status fmb_vertex_replace(fmb_vertex *v, size_t r, size_t i);
+/* Solve for x. */
+fmb_status fmb_vertex_solve(fmb_vertex *v);
+/* Solve for prices y: sum_r y_r / unit (row r of the basis) = cost, cost[n] by column. */
+fmb_status fmb_vertex_price(fmb_vertex *v, mpz_t *cost);
+/* d[n] / den: how x moves when the row at place r is left; its a.x falls by 1, or rises. */
+fmb_status fmb_vertex_leave(fmb_vertex *v, size_t r, bool falls, fmb_integers *d, mpz_t den);
+
+static inline bool fmb_vertex_is_unit(const fmb_vertex *v, size_t r)
+{
+    return v->basis[r] >= v->m;
+}
+/* Does nothing demand what stands at place r? x_j = 0, or a row that was left out. */
+static inline bool fmb_vertex_is_loose(const fmb_vertex *v, size_t r)
+{
+    return fmb_vertex_is_unit(v, r) || v->p->row[v->basis[r]].off;
+}
+static inline bool fmb_vertex_is_equality(const fmb_vertex *v, size_t r)
+{
+    return !fmb_vertex_is_loose(v, r) && v->p->row[v->basis[r]].rel == FMB_EQ;
+}
+static inline bool fmb_vertex_holds(const fmb_vertex *v, size_t row)
+{
+    return v->is_basic[v->n + row];
+}
+
+/* A row whose closure x violates: the deepest (roughly), or the first; SIZE_MAX: none. *sign: -1
+ * where a.x is too small for an equality, else 1. */
+fmb_status fmb_vertex_find_violated(fmb_vertex *v, bool first, size_t *row, int *sign);
+/* Does the vertex satisfy every strict row strictly? */
+bool fmb_vertex_is_inside(fmb_vertex *v);
+/* Does the point x / den satisfy every row, strict ones strictly? roughly[n] is scratch. */
+fmb_status fmb_vertex_try_point(fmb_vertex *v, mpz_t *x, const mpz_t den, double *roughly,
+                                bool *holds);
+/* b_i - a_i.x, rounded. */
+double fmb_vertex_slack(fmb_vertex *v, size_t i);
+/* Its sign, exactly. */
+int fmb_vertex_slack_sign(fmb_vertex *v, size_t i);
+
+#endif

@@ -1,0 +1,42 @@
+/* walk.h: exact pivots from a basis to one that answers: the way on from a guess that is not quite
+ * right. Each pivot is a factorisation and two or three solutions, so few are hoped for; Bland's
+ * rule, after some patience, sees to it that there is an end.
+ */
+#ifndef FMB_LP_ORACLE_WALK_H
+#define FMB_LP_ORACLE_WALK_H
+
+#include "lp/oracle/vertex.h"
+
+/* Why a walk to a feasible vertex ended. */
+typedef enum fmb_walk_end {
+    FMB_WALK_THERE = 0, /* the vertex satisfies all rows; or, of the other walk, is the optimum */
+    FMB_WALK_CONFLICT,  /* row `odd`, times `sign`, contradicts the basis; y are its prices */
+    FMB_WALK_RAY,       /* `ray` leads away for ever */
+    FMB_WALK_TIRED      /* so many steps were not enough */
+} fmb_walk_end;
+
+typedef struct fmb_walk {
+    fmb_vertex *v;
+    fmb_integers cost; /* [n] scratch: what is priced */
+    size_t odd;
+    int sign;
+    fmb_integers ray;                              /* [n], over ray_den */
+    mpz_t ray_den, ratio_num, ratio_den, num, den; /* the last four are scratch */
+} fmb_walk;
+
+/* Errors: MEMORY, LIMIT. In any case fmb_walk_clear it. */
+fmb_status fmb_walk_init(fmb_walk *w, fmb_vertex *v);
+void fmb_walk_clear(fmb_walk *w);
+
+/* Is row `odd` in conflict with the basis at hand, as a guess has it? CONFLICT, or TIRED. */
+fmb_status fmb_walk_try_conflict(fmb_walk *w, size_t odd, fmb_walk_end *end);
+/* Does leaving the row at place r lead away for ever, raising cost? RAY, or TIRED. */
+fmb_status fmb_walk_try_ray(fmb_walk *w, size_t r, mpz_t *cost, fmb_walk_end *end);
+
+/* To a vertex that satisfies all rows, in at most so many steps (0: any number): THERE, CONFLICT or
+ * TIRED. The dual simplex method without costs (Dutertre and de Moura 2006). */
+fmb_status fmb_walk_to_feasible(fmb_walk *w, size_t steps, fmb_walk_end *end);
+/* From there to where cost.x is greatest: THERE or RAY. */
+fmb_status fmb_walk_to_optimum(fmb_walk *w, mpz_t *cost, fmb_walk_end *end);
+
+#endif

@@ -1,0 +1,31 @@
+/* inside.h: a point strictly inside, and which rows are seen from there. */
+#ifndef FMB_LP_INSIDE_H
+#define FMB_LP_INSIDE_H
+
+#include "lp/row.h"
+#include "trace/run.h"
+
+typedef struct fmb_inside {
+    fmb_mem *mem;
+    size_t n, m;
+    const fmb_lp_row *row;
+    double *x;      /* [n] the point, exactly */
+    int64_t *slack; /* [m] UNIT (b - a.x) > 0 */
+    int64_t *way;   /* [n] scratch */
+    double *size;   /* [m] 1 / |a| */
+} fmb_inside;
+
+/* *possible false: there are equalities, or the numbers are too large. Errors: MEMORY. In any case
+ * fmb_inside_clear it. */
+fmb_status fmb_inside_open(fmb_inside *p, fmb_mem *mem, int n, size_t m, const fmb_lp_row *row,
+                           bool *possible);
+/* Look for a point strictly inside all of the rows, from where the last search ended. *found false:
+ * none was found. A glance costs little. Errors: LIMIT. */
+fmb_status fmb_inside_find(fmb_inside *p, fmb_run *run, bool *found);
+fmb_status fmb_inside_glance(fmb_inside *p, fmb_run *run, bool *found);
+void fmb_inside_clear(fmb_inside *p);
+/* The row among those not gone that a ray from the point in direction way[n] (roughly) meets before
+ * any other: it is irredundant. SIZE_MAX: it meets several at once, or none. Exact. */
+size_t fmb_inside_shoot(const fmb_inside *p, const double *way, const bool *gone);
+
+#endif

@@ -1,0 +1,37 @@
+/* irredundant.h: which rows of a feasible dictionary can go, one after another.
+ *
+ * Three passes over the oracle's rows: equalities that depend on others go; inequalities that
+ * always hold with equality become equalities (or go, if they depend on others); every other
+ * inequality that the rows still there imply goes. A row is proved redundant from rows not yet
+ * gone, so the removals are sound in their order. Source: Schrijver 1986, section 8.1; Fukuda,
+ * Frequently asked questions in polyhedral computation, 2.21.
+ */
+#ifndef FMB_LP_IRREDUNDANT_H
+#define FMB_LP_IRREDUNDANT_H
+
+#include <fmb/solve.h>
+
+#include "lp/exact/dictionary.h"
+#include "num/weights.h"
+
+/* Told of each decision as it falls; the oracle's reading functions are valid during the call. */
+typedef struct fmb_verdicts {
+    /* Row i is a combination (w) of rows not yet gone. */
+    fmb_status (*redundant)(void *self, size_t i, const fmb_weights *w);
+    /* Row i always holds with equality: w combines rows to its reverse. */
+    fmb_status (*equality)(void *self, size_t i, const fmb_weights *w);
+    /* x[n] satisfies all rows not yet gone but row i. */
+    fmb_status (*irredundant)(void *self, size_t i, mpq_t *x);
+    void *self;
+} fmb_verdicts;
+
+/* lp must be feasible. fate[m] comes in UNKNOWN, or KEPT for inequalities that are known to be
+ * irredundant and not always tight: those are not looked at. told may be NULL. On FMB_LIMIT the
+ * fates set so far hold. */
+fmb_status fmb_irredundant(fmb_lp *lp, const fmb_rel *rel, fmb_fate *fate,
+                           const fmb_verdicts *told);
+/* The same without the second pass: inequalities stay what they are, and only their redundancy is
+ * decided. */
+fmb_status fmb_redundant(fmb_lp *lp, const fmb_rel *rel, fmb_fate *fate);
+
+#endif

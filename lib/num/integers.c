@@ -1,0 +1,35 @@
+/* integers.c: vectors of integers; see integers.h. */
+#include "num/integers.h"
+
+fmb_status fmb_integers_init(fmb_integers *v, size_t n, fmb_mem *mem)
+{
+    *v = (fmb_integers){.z = fmb_mem_get(mem, n, sizeof *v->z)};
+    if (!v->z)
+        return fmb_mem_status(mem);
+    v->size = n;
+    for (size_t i = 0; i < n; i++)
+        mpz_init(v->z[i]);
+    return FMB_OK;
+}
+
+void fmb_integers_clear(fmb_integers *v, fmb_mem *mem)
+{
+    for (size_t i = 0; i < v->size; i++)
+        mpz_clear(v->z[i]);
+    fmb_mem_put(mem, v->z, v->size, sizeof *v->z);
+    fmb_mem_refund(mem, v->limbs * sizeof(mp_limb_t));
+    *v = (fmb_integers){0};
+}
+
+fmb_status fmb_integers_settle(fmb_integers *v, fmb_mem *mem)
+{
+    size_t limbs = 0;
+    for (size_t i = 0; i < v->size; i++)
+        limbs += (size_t)v->z[i]->_mp_alloc;
+    fmb_mem_refund(mem, v->limbs * sizeof(mp_limb_t));
+    v->limbs = 0;
+    if (!fmb_mem_charge(mem, limbs * sizeof(mp_limb_t)))
+        return fmb_mem_status(mem);
+    v->limbs = limbs;
+    return FMB_OK;
+}

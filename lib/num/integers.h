@@ -1,0 +1,20 @@
+/* integers.h: vectors of integers whose limbs are charged. */
+#ifndef FMB_NUM_INTEGERS_H
+#define FMB_NUM_INTEGERS_H
+
+#include <gmp.h>
+
+#include "base/mem.h"
+
+typedef struct fmb_integers {
+    mpz_t *z;           /* [size] */
+    size_t size, limbs; /* limbs charged */
+} fmb_integers;
+
+/* n zeros. Errors: MEMORY, LIMIT. In any case fmb_integers_clear it. */
+fmb_status fmb_integers_init(fmb_integers *v, size_t n, fmb_mem *mem);
+void fmb_integers_clear(fmb_integers *v, fmb_mem *mem);
+/* Charge what the numbers hold now. Errors: LIMIT. */
+fmb_status fmb_integers_settle(fmb_integers *v, fmb_mem *mem);
+
+#endif

@@ -1,0 +1,17 @@
+/* rationals.h: vectors of rationals. */
+#ifndef FMB_NUM_RATIONALS_H
+#define FMB_NUM_RATIONALS_H
+
+#include <gmp.h>
+
+#include "base/mem.h"
+
+/* n rationals, 0 at first. Errors: MEMORY, LIMIT. */
+fmb_status fmb_rationals_new(mpq_t **out, size_t n, fmb_mem *mem);
+/* x may be NULL. */
+void fmb_rationals_free(mpq_t *x, size_t n, fmb_mem *mem);
+
+/* The double nearest to q; 0 for NULL. */
+double fmb_nearest_double(mpq_srcptr q);
+
+#endif

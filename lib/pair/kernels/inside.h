@@ -1,0 +1,8 @@
+/* inside.h: all kernels of one width; the body of kernels_*.c, which set FMB_LANES and name the
+ * table FMB_TABLE. */
+#include "pair/kernels/kernels.h"
+
+#include "pair/kernels/box.h"
+#include "pair/kernels/fmb.h"
+
+const fmb_pair_kernels FMB_TABLE = {.width = FMB_LANES, .verdict = FMB_VERDICTS, .box = FMB_BOXES};

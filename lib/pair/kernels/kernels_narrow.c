@@ -1,0 +1,12 @@
+/* kernels_narrow.c: what every processor has: two pairs at a time on x86-64, elsewhere one; see
+ * kernels.h. A test names the table otherwise, and wants C alone. */
+#if defined __SSE2__ && !defined FMB_LANE_PLAIN
+#define FMB_LANES 2
+#else
+#define FMB_LANES 1
+#endif
+#ifndef FMB_TABLE
+#define FMB_TABLE fmb_pair_kernels_narrow
+#endif
+
+#include "pair/kernels/inside.h"

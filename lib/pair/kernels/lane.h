@@ -1,0 +1,295 @@
+/* lane.h: numbers of several pairs side by side.
+ *
+ * The kernels are written once, in terms of `lane`: FMB_LANES doubles, one of each pair of a block.
+ * kernels_*.c set FMB_LANES to 1, 2, 4 or 8 (2: SSE2, 4: AVX2 with FMA, 8: AVX-512 F and DQ) and
+ * are compiled for those instructions; one lane is C alone. The operators + - * / work on lanes,
+ * each rounded once; where FMB_LANE_FUSED, products in sums are not rounded (docs/error-bounds.md,
+ * "The calculus"). min and max are for numbers only: no NaN may get there, but as box_hull.h says.
+ */
+#ifndef FMB_PAIR_LANE_H
+#define FMB_PAIR_LANE_H
+
+#include <math.h>
+#include <stdint.h>
+
+#define FMB_INLINE static inline __attribute__((always_inline, unused))
+
+/* Functions of boxes; and before a loop over a few values that stands in constants: nothing of it
+ * is left. A kernel of boxes in one piece takes clang minutes (gcc seconds), so it may choose. */
+#ifdef __clang__
+#define FMB_BOX_INLINE static inline __attribute__((unused))
+#define FMB_UNROLL
+#else
+#define FMB_BOX_INLINE FMB_INLINE
+#define FMB_UNROLL     _Pragma("GCC unroll 16")
+#endif
+
+/* Are products fused with sums, so that they are not rounded? */
+#define FMB_LANE_FUSED (FMB_LANES == 8 || FMB_LANES == 4)
+
+#if FMB_LANES == 8
+#include <immintrin.h>
+typedef __m512d lane;
+typedef __mmask8 lane_mask; /* a bit of each lane */
+#define LANE(name, ...) _mm512_##name##_pd(__VA_ARGS__)
+FMB_INLINE lane_mask lane_less(lane a, lane b)
+{
+    return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ);
+}
+FMB_INLINE lane lane_pick(lane_mask m, lane yes, lane no)
+{
+    return _mm512_mask_blend_pd(m, no, yes);
+}
+FMB_INLINE unsigned lane_bits(lane_mask m)
+{
+    return m;
+}
+FMB_INLINE lane lane_abs(lane a)
+{
+    return _mm512_abs_pd(a);
+}
+/* a, or -a where s is negative */
+FMB_INLINE lane lane_times_sign(lane a, lane s)
+{
+    const __m512i sign = _mm512_castpd_si512(_mm512_set1_pd(-0.0));
+    return _mm512_castsi512_pd(_mm512_ternarylogic_epi64(
+        _mm512_castpd_si512(a), _mm512_castpd_si512(s), sign, 0x78 /* a ^ (s & sign) */));
+}
+/* Where the sign bit is set. */
+FMB_INLINE lane_mask lane_negative(lane a)
+{
+    return _mm512_movepi64_mask(_mm512_castpd_si512(a));
+}
+/* a > 0 and |b|: the larger, the smaller. (Without optimisation these are macros of gcc's header,
+ * which warns of itself.) */
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+FMB_INLINE lane lane_max_abs(lane a, lane b)
+{
+    return _mm512_range_pd(a, b, 11);
+}
+FMB_INLINE lane lane_min_abs(lane a, lane b)
+{
+    return _mm512_range_pd(a, b, 10);
+}
+#pragma GCC diagnostic pop
+/* max(a, b) where m, else a */
+FMB_INLINE lane lane_max_where(lane_mask m, lane a, lane b)
+{
+    return _mm512_mask_max_pd(a, m, a, b);
+}
+#elif FMB_LANES == 4
+#include <immintrin.h>
+typedef __m256d lane;
+typedef __m256d lane_mask; /* the sign bit of each lane */
+#define LANE(name, ...) _mm256_##name##_pd(__VA_ARGS__)
+FMB_INLINE lane_mask lane_less(lane a, lane b)
+{
+    return _mm256_cmp_pd(a, b, _CMP_LT_OQ);
+}
+FMB_INLINE lane lane_pick(lane_mask m, lane yes, lane no)
+{
+    return _mm256_blendv_pd(no, yes, m);
+}
+FMB_INLINE unsigned lane_bits(lane_mask m)
+{
+    return (unsigned)_mm256_movemask_pd(m);
+}
+FMB_INLINE lane lane_abs(lane a)
+{
+    return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a);
+}
+FMB_INLINE lane lane_times_sign(lane a, lane s)
+{
+    return _mm256_xor_pd(a, _mm256_and_pd(s, _mm256_set1_pd(-0.0)));
+}
+/* Only sign bits of masks are ever looked at. */
+FMB_INLINE lane_mask lane_negative(lane a)
+{
+    return a;
+}
+#elif FMB_LANES == 2
+#include <emmintrin.h>
+typedef __m128d lane;
+typedef __m128d lane_mask;
+#define LANE(name, ...) _mm_##name##_pd(__VA_ARGS__)
+FMB_INLINE lane_mask lane_less(lane a, lane b)
+{
+    return _mm_cmplt_pd(a, b);
+}
+FMB_INLINE lane lane_pick(lane_mask m, lane yes, lane no)
+{
+    return _mm_or_pd(_mm_and_pd(m, yes), _mm_andnot_pd(m, no));
+}
+FMB_INLINE unsigned lane_bits(lane_mask m)
+{
+    return (unsigned)_mm_movemask_pd(m);
+}
+FMB_INLINE lane lane_abs(lane a)
+{
+    return _mm_andnot_pd(_mm_set1_pd(-0.0), a);
+}
+FMB_INLINE lane lane_times_sign(lane a, lane s)
+{
+    return _mm_xor_pd(a, _mm_and_pd(s, _mm_set1_pd(-0.0)));
+}
+FMB_INLINE lane_mask lane_negative(lane a)
+{
+    __m128i high = _mm_srai_epi32(_mm_castpd_si128(a), 31);
+    return _mm_castsi128_pd(_mm_shuffle_epi32(high, 0xf5));
+}
+#else
+typedef double lane;
+typedef unsigned lane_mask;
+FMB_INLINE lane_mask lane_less(lane a, lane b)
+{
+    return a < b;
+}
+FMB_INLINE lane lane_pick(lane_mask m, lane yes, lane no)
+{
+    return m ? yes : no;
+}
+FMB_INLINE unsigned lane_bits(lane_mask m)
+{
+    return m;
+}
+FMB_INLINE lane lane_abs(lane a)
+{
+    return fabs(a);
+}
+FMB_INLINE lane lane_times_sign(lane a, lane s)
+{
+    return signbit(s) ? -a : a;
+}
+FMB_INLINE lane_mask lane_negative(lane a)
+{
+    return signbit(a) != 0;
+}
+#endif
+
+#if FMB_LANES > 1
+FMB_INLINE lane lane_of(double a)
+{
+    return LANE(set1, a);
+}
+FMB_INLINE lane lane_load(const double *a)
+{
+    return LANE(loadu, a);
+}
+FMB_INLINE void lane_store(double *a, lane x)
+{
+    LANE(storeu, a, x);
+}
+FMB_INLINE lane lane_min(lane a, lane b)
+{
+    return LANE(min, a, b);
+}
+FMB_INLINE lane lane_max(lane a, lane b)
+{
+    return LANE(max, a, b);
+}
+#else
+FMB_INLINE lane lane_of(double a)
+{
+    return a;
+}
+FMB_INLINE lane lane_load(const double *a)
+{
+    return *a;
+}
+FMB_INLINE void lane_store(double *a, lane x)
+{
+    *a = x;
+}
+FMB_INLINE lane lane_min(lane a, lane b)
+{
+    return a < b ? a : b;
+}
+FMB_INLINE lane lane_max(lane a, lane b)
+{
+    return a > b ? a : b;
+}
+#endif
+
+#if FMB_LANES < 8
+FMB_INLINE lane lane_max_abs(lane a, lane b)
+{
+    return lane_max(a, lane_abs(b));
+}
+FMB_INLINE lane lane_min_abs(lane a, lane b)
+{
+    return lane_min(a, lane_abs(b));
+}
+FMB_INLINE lane lane_max_where(lane_mask m, lane a, lane b)
+{
+    return lane_max(a, lane_pick(m, b, a));
+}
+#endif
+
+/* ab + c, ab - c, c - ab and -ab - c, rounded once or twice. */
+#if FMB_LANE_FUSED
+FMB_INLINE lane lane_fma(lane a, lane b, lane c)
+{
+    return LANE(fmadd, a, b, c);
+}
+FMB_INLINE lane lane_fms(lane a, lane b, lane c)
+{
+    return LANE(fmsub, a, b, c);
+}
+FMB_INLINE lane lane_fnma(lane a, lane b, lane c)
+{
+    return LANE(fnmadd, a, b, c);
+}
+FMB_INLINE lane lane_fnms(lane a, lane b, lane c)
+{
+    return LANE(fnmsub, a, b, c);
+}
+#else
+FMB_INLINE lane lane_fma(lane a, lane b, lane c)
+{
+    return a * b + c;
+}
+FMB_INLINE lane lane_fms(lane a, lane b, lane c)
+{
+    return a * b - c;
+}
+FMB_INLINE lane lane_fnma(lane a, lane b, lane c)
+{
+    return c - a * b;
+}
+FMB_INLINE lane lane_fnms(lane a, lane b, lane c)
+{
+    return -(a * b) - c;
+}
+#endif
+
+#if FMB_LANES == 8
+FMB_INLINE lane_mask lane_and(lane_mask a, lane_mask b)
+{
+    return a & b;
+}
+FMB_INLINE lane_mask lane_or(lane_mask a, lane_mask b)
+{
+    return a | b;
+}
+#elif FMB_LANES > 1
+FMB_INLINE lane_mask lane_and(lane_mask a, lane_mask b)
+{
+    return LANE(and, a, b);
+}
+FMB_INLINE lane_mask lane_or(lane_mask a, lane_mask b)
+{
+    return LANE(or, a, b);
+}
+#else
+FMB_INLINE lane_mask lane_and(lane_mask a, lane_mask b)
+{
+    return a & b;
+}
+FMB_INLINE lane_mask lane_or(lane_mask a, lane_mask b)
+{
+    return a | b;
+}
+#endif
+
+#endif

@@ -1,5 +1,0 @@
-/* kernels_avx2.c: four pairs at a time; see kernels.h. */
-#define FMB_LANES 4
-#define FMB_TABLE fmb_pair_kernels_avx2
-
-#include "pair/inside.h"

@@ -1,5 +1,0 @@
-/* kernels_avx512.c: eight pairs at a time; see kernels.h. */
-#define FMB_LANES 8
-#define FMB_TABLE fmb_pair_kernels_avx512
-
-#include "pair/inside.h"

@@ -1,0 +1,39 @@
+/* ladder.h: the ways to an answer, one after another.
+ *
+ * Kernels (two and three dimensions, all axes), the general way in doubles, the exact query. Pairs
+ * for the kernels wait in blocks, one for each kind, until a block is full; the rest is answered at
+ * once.
+ */
+#ifndef FMB_PAIR_LADDER_H
+#define FMB_PAIR_LADDER_H
+
+#include "base/mem.h"
+#include "frame/frame.h"
+#include "pair/block.h"
+#include "pair/exact.h"
+#include "pair/general/general.h"
+
+/* Blocks by number: [stage][kind], where a kind is [moves][shape of A][shape of B]. What a block
+ * leaves open goes to one of a later stage, or is settled without a block. */
+enum { STAGE_VERDICT, STAGE_BOX, STAGES = STAGE_BOX + FMB_BOX_LEVELS };
+enum { KINDS = 2 * 2 * 2, BLOCKS = STAGES * KINDS };
+
+struct fmb_pair {
+    fmb_mem mem;
+    fmb_pair_options options;
+    int dim;
+    const fmb_pair_kernels *one, *wide; /* for a single pair, for many */
+    fmb_general *general;
+    fmb_pair_oracle oracle;
+    fmb_pair_counts counts;
+    char trouble[FMB_FRAME_FAULT_SIZE + 40]; /* why the last call returned FMB_ERR_ARG */
+    uint32_t waiting;                        /* the blocks that are not empty */
+    fmb_block block[BLOCKS];
+};
+
+/* Answer all pairs; after a cancel, those that are left are UNKNOWN. Errors: ARG, with k->trouble
+ * set, MEMORY. */
+fmb_status fmb_pair_answer_all(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_frame *q,
+                               const fmb_pair_answers *out);
+
+#endif

@@ -1,0 +1,192 @@
+/* demand.c: do the claims of a proof say what somebody wants to hear? Whether they hold is the
+ * judge's business (check.c); here they are only read. */
+#include <stdarg.h>
+#include <stdio.h>
+
+#include "proof/evidence.h"
+#include "system/system.h"
+
+/* What is missing goes to why; always false. */
+typedef struct asker {
+    const fmb_evidence *e;
+    const fmb_system *s, *image;
+    fmb_mem mem;
+    char *why;
+    size_t size;
+} asker;
+
+__attribute__((format(printf, 2, 3))) static bool miss(const asker *a, const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    vsnprintf(a->why, a->size, format, args);
+    va_end(args);
+    return false;
+}
+
+static bool has_claim(const asker *a, fmb_claim_kind kind)
+{
+    for (size_t i = 0; i < a->e->claims; i++)
+        if (a->e->claim[i].kind == kind)
+            return true;
+    return false;
+}
+
+/* Two marks a variable. */
+static bool names_all_ends(const asker *a, bool *seen)
+{
+    for (size_t i = 0; i < a->e->claims; i++) {
+        const fmb_claim *c = &a->e->claim[i];
+        bool is_end = c->kind == FMB_CLAIM_BOUND || c->kind == FMB_CLAIM_UNBOUNDED;
+        if (is_end && c->var >= 0 && c->var < a->e->dim)
+            seen[2 * c->var + (c->side == FMB_UPPER)] = true;
+    }
+    for (int j = 0; j < a->e->dim; j++)
+        for (int side = FMB_LOWER; side <= FMB_UPPER; side++)
+            if (!seen[2 * j + side])
+                return miss(a, "no claim is about the %s end of %.80s",
+                            side == FMB_LOWER ? "lower" : "upper", fmb_system_name(a->s, j));
+    return true;
+}
+
+/* A mark a row; equalities may stay without a word. */
+static bool names_all_rows(const asker *a, bool *seen)
+{
+    for (size_t i = 0; i < a->e->claims; i++)
+        if (a->e->claim[i].row < a->e->rows)
+            seen[a->e->claim[i].row] = true;
+    for (size_t i = 0; i < a->e->rows; i++)
+        if (!seen[i] && fmb_system_rel(a->s, i) != FMB_EQ)
+            return miss(a, "no claim is about row %zu", i + 1);
+    return true;
+}
+
+/* ---- projections ----------------------------------------------------------------------------- */
+
+/* Is row i of the image a multiple of the claim's left side, times *factor? One without terms is no
+ * multiple of anything. */
+static bool is_multiple(const asker *a, const fmb_claim *c, size_t i, mpq_t factor, mpq_t t)
+{
+    size_t n = fmb_system_terms(a->image, i);
+    bool good = n > 0 && n == c->terms.size;
+    for (size_t k = 0; good && k < n; k++) {
+        int j =
+            fmb_system_find(a->s, fmb_system_name(a->image, fmb_system_term_q(a->image, i, k, t)));
+        mpq_srcptr g = j >= 0 ? fmb_sparse_find(&c->terms, (size_t)j) : NULL;
+        good = g && mpq_sgn(g) != 0;
+        if (good)
+            mpq_div(t, t, g);
+        if (good && k == 0)
+            mpq_set(factor, t);
+        good = good && mpq_equal(factor, t);
+    }
+    return good;
+}
+
+/* Does the claim's inequality, times that factor, say as much as row i? */
+static bool is_as_tight(const asker *a, const fmb_claim *c, size_t i, const mpq_t factor, mpq_t t)
+{
+    fmb_rel wanted = fmb_system_rel(a->image, i);
+    if ((c->rel != FMB_EQ && mpq_sgn(factor) < 0) || (wanted == FMB_EQ && c->rel != FMB_EQ))
+        return false;
+    mpq_t right;
+    mpq_init(right);
+    mpq_mul(right, c->value, factor);
+    fmb_system_rhs_q(a->image, i, t);
+    int order = mpq_cmp(right, t);
+    mpq_clear(right);
+    bool equal_will_do = wanted != FMB_LT || c->rel == FMB_LT;
+    return order == 0 ? equal_will_do : order < 0 && wanted != FMB_EQ;
+}
+
+/* Is each row of the image implied by a claim? They come in the same order, mostly. */
+static bool names_image(const asker *a)
+{
+    bool good = true;
+    size_t at = 0, claims = a->e->claims;
+    mpq_t factor, t;
+    mpq_inits(factor, t, NULL);
+    for (size_t i = 0; good && i < fmb_system_rows(a->image); i++) {
+        bool found = false;
+        for (size_t k = 0; !found && k < claims; k++, at = (at + 1) % claims) {
+            const fmb_claim *c = &a->e->claim[at];
+            found = c->kind == FMB_CLAIM_IMPLIED && is_multiple(a, c, i, factor, t) &&
+                    is_as_tight(a, c, i, factor, t);
+        }
+        good = found || miss(a, "no claim implies row %zu of the projection", i + 1);
+    }
+    mpq_clears(factor, t, NULL);
+    return good;
+}
+
+/* ---- optima ---------------------------------------------------------------------------------- */
+
+/* Is the form of the claim, variable or terms, that objective? */
+static bool is_about_objective(const asker *a, const fmb_claim *c, const fmb_system *of, mpq_t t)
+{
+    size_t n = fmb_system_objective_terms(of);
+    bool upper = fmb_system_sense(of) == FMB_SENSE_MAX;
+    bool good = n == (c->var >= 0 ? 1 : c->terms.size) && upper == (c->side == FMB_UPPER);
+    for (size_t k = 0; good && k < n; k++) {
+        int j = fmb_system_find(a->s, fmb_system_name(of, fmb_system_objective_term_q(of, k, t)));
+        mpq_srcptr g = c->var < 0 && j >= 0 ? fmb_sparse_find(&c->terms, (size_t)j) : NULL;
+        good = c->var >= 0 ? j == c->var && mpq_cmp_ui(t, 1, 1) == 0 : g && mpq_equal(g, t);
+    }
+    return good;
+}
+
+static bool names_optimum(const asker *a)
+{
+    const fmb_system *of = a->image ? a->image : a->s;
+    bool any = fmb_system_sense(of) == FMB_SENSE_NONE, found = false;
+    mpq_t t;
+    mpq_init(t);
+    for (size_t i = 0; !found && i < a->e->claims; i++) {
+        const fmb_claim *c = &a->e->claim[i];
+        found = (c->kind == FMB_CLAIM_BOUND || c->kind == FMB_CLAIM_UNBOUNDED) &&
+                (any || is_about_objective(a, c, of, t));
+    }
+    mpq_clear(t);
+    return found || miss(a, "no claim is about %s optimum", any ? "an" : "that");
+}
+
+/* ---- all ------------------------------------------------------------------------------------- */
+
+static bool meets_demand(const asker *a, fmb_demand what, bool *seen)
+{
+    switch (what) {
+    case FMB_DEMAND_FEASIBLE:
+        return has_claim(a, FMB_CLAIM_FEASIBLE) || miss(a, "no claim is feasible");
+    case FMB_DEMAND_INFEASIBLE:
+        return has_claim(a, FMB_CLAIM_INFEASIBLE) || miss(a, "no claim is infeasible");
+    case FMB_DEMAND_BOUNDS:
+        return names_all_ends(a, seen);
+    case FMB_DEMAND_REDUCED:
+        return names_all_rows(a, seen);
+    case FMB_DEMAND_PROJECTION: /* of the empty set everything is true */
+        return has_claim(a, FMB_CLAIM_INFEASIBLE) || names_image(a);
+    case FMB_DEMAND_OPTIMUM:
+        return has_claim(a, FMB_CLAIM_INFEASIBLE) || names_optimum(a);
+    case FMB_DEMAND_NOTHING:
+        break;
+    }
+    return true;
+}
+
+fmb_status fmb_evidence_meets(const fmb_evidence *e, const fmb_system *s, fmb_demand what,
+                              const fmb_system *image, bool *meets, char *why, size_t size)
+{
+    if (!meets || !fmb_evidence_fits(e, s) || (what == FMB_DEMAND_PROJECTION && !image) ||
+        what < FMB_DEMAND_NOTHING || what > FMB_DEMAND_OPTIMUM)
+        return FMB_ERR_ARG;
+    char unwanted[1];
+    asker a = {.e = e, .s = s, .image = image, .why = why ? why : unwanted, .size = why ? size : 1};
+    size_t marks = 2 * (size_t)e->dim + e->rows;
+    fmb_mem_init(&a.mem, &s->mem.alloc, 0);
+    bool *seen = fmb_mem_zero(&a.mem, marks, sizeof *seen);
+    if (!seen)
+        return FMB_ERR_MEMORY;
+    *meets = meets_demand(&a, what, seen);
+    fmb_mem_put(&a.mem, seen, marks, sizeof *seen);
+    return FMB_OK;
+}

@@ -1,0 +1,141 @@
+/* bound.c: the tightest interval of each variable.
+ *
+ * Each end is a linear program in the variable's own part, from the vertex of the end before.
+ * With method fm the part's other variables are eliminated instead (halving.c). At a limit, the
+ * ends not yet known are the best that is proved at little cost (outer.h).
+ */
+#include "solve/bound/ends.h"
+#include "solve/limit/outer.h"
+
+/* ---- by the oracle --------------------------------------------------------------------------- */
+
+static fmb_status push_end_by_oracle(fmb_bound_job *j, int part)
+{
+    fmb_oracle *o;
+    fmb_found_end f;
+    fmb_mem *mem = j->q->run.mem;
+    size_t n = (size_t)j->p->n;
+    fmb_status st = fmb_query_oracle(j->q, part, &o);
+    if (st != FMB_OK)
+        return st;
+    st = fmb_found_end_init(&f, n, j->q->claims != NULL, mem);
+    if (st == FMB_OK)
+        st = fmb_find_end(o, j->column, j->sign, mem, &f);
+    if (st == FMB_OK)
+        st = fmb_note_end(j, &f);
+    fmb_found_end_clear(&f, n, mem);
+    return st;
+}
+
+/* ---- all of them ----------------------------------------------------------------------------- */
+
+static fmb_status bound_variable_by_oracle(fmb_query *q, int var, fmb_exact_side *side)
+{
+    int part = q->parts.of_var[var];
+    fmb_bound_job j = {.q = q, .var = var};
+    fmb_status st = FMB_OK;
+    if (part >= 0) {
+        j.p = &q->parts.part[part];
+        j.column = q->parts.place[var];
+    }
+    for (int k = FMB_LOWER; st == FMB_OK && k <= FMB_UPPER; k++) {
+        j.side = (fmb_side)k;
+        j.sign = k == FMB_LOWER ? -1 : 1;
+        j.end = &side[k];
+        if (part >= 0) {
+            st = push_end_by_oracle(&j, part);
+        } else {
+            st = fmb_bound_claim_unbounded(&j);
+            j.end->kind = st == FMB_OK ? FMB_END_INFINITE : FMB_END_UNKNOWN;
+        }
+    }
+    /* There may be many parts: that of the last variable is asked no more. */
+    if (j.p && j.column == j.p->n - 1)
+        fmb_query_close_oracle(q, part);
+    return st;
+}
+
+/* Few ends are not worth a second thread. */
+#define FEW_ENDS 32
+
+/* The variables of a part that are asked for, by several threads if that may pay; *done if so. */
+static fmb_status bound_part_together(fmb_query *q, int part, fmb_box *box, bool *done)
+{
+    int count = 0;
+    *done = false;
+    if (q->v->options.threads < 2 || q->session)
+        return FMB_OK;
+    int *place = fmb_arena_get(&q->v->arena, (size_t)box->size, sizeof *place);
+    if (!place)
+        return fmb_mem_status(q->run.mem);
+    for (int i = 0; i < box->size; i++)
+        if (q->parts.of_var[box->var[i]] == part)
+            place[count++] = i;
+    *done = 2 * count > FEW_ENDS;
+    return *done ? fmb_find_ends_together(q, part, box, place, count) : FMB_OK;
+}
+
+static fmb_status bound_variables_asked(fmb_query *q, fmb_box *box)
+{
+    bool fm = fmb_query_eliminates(q);
+    size_t parts = (size_t)q->parts.count;
+    fmb_status st = FMB_OK;
+    bool *done = fmb_arena_get(&q->v->arena, parts, sizeof *done);
+    if (!done)
+        return fmb_mem_status(q->run.mem);
+    for (int c = 0; st == FMB_OK && c < q->parts.count; c++) {
+        done[c] = fm;
+        st = fm ? fmb_bound_by_elimination(q, c, box) : bound_part_together(q, c, box, &done[c]);
+    }
+    for (int i = 0; st == FMB_OK && i < box->size; i++) {
+        int part = q->parts.of_var[box->var[i]];
+        if (part < 0 || !done[part])
+            st = bound_variable_by_oracle(q, box->var[i], box->side[i]);
+    }
+    return st;
+}
+
+static fmb_status bound_or_outer_box(fmb_query *q, fmb_box *box, fmb_verdict *verdict)
+{
+    fmb_arena_place place = fmb_arena_tell(&q->v->arena);
+    fmb_status st = fmb_query_decide(q, q->session && !fmb_query_eliminates(q), verdict);
+    if (st == FMB_OK && *verdict == FMB_FEASIBLE)
+        st = bound_variables_asked(q, box);
+    if (st != FMB_LIMIT)
+        return st;
+    fmb_outer_release(q, place);
+    st = fmb_outer_box(q, box, verdict);
+    return st == FMB_OK && *verdict != FMB_INFEASIBLE ? FMB_LIMIT : st;
+}
+
+fmb_status fmb_bound(fmb_solver *v, const fmb_system *s, const int *vars, int n, fmb_box **out,
+                     fmb_result *res)
+{
+    fmb_query q;
+    fmb_box *box = NULL;
+    fmb_verdict verdict = FMB_UNKNOWN;
+    fmb_status st = fmb_solver_expect(v, s, out != NULL);
+    if (st == FMB_OK)
+        st = fmb_solver_expect_variables(v, s, "vars", vars, n);
+    if (st != FMB_OK)
+        return st;
+    st = fmb_query_resume(&q, v, s, "bound");
+    fmb_status made = fmb_box_new(vars, vars ? n : fmb_system_dim(s), &v->mem.alloc, &box);
+    if (made == FMB_OK)
+        fmb_mem_enter(&box->mem, &v->mem);
+    if (st == FMB_OK)
+        st = made == FMB_OK ? bound_or_outer_box(&q, box, &verdict) : made;
+    else if (st == FMB_LIMIT && made != FMB_OK)
+        st = made;
+    if (box)
+        fmb_mem_leave(&box->mem);
+    st = fmb_query_end(&q, st, verdict, res);
+    if (st == FMB_OK && verdict != FMB_INFEASIBLE) {
+        *out = box;
+        return FMB_OK;
+    }
+    fmb_box_free(box);
+    if (st == FMB_OK)
+        *out = NULL;
+    return st;
+}

@@ -1,0 +1,334 @@
+/* optimize.c: the best value of a linear form.
+ *
+ * Rows of different parts say nothing of one another, so the form is as large as it gets when it is
+ * so over each part, and its largest value is the sum. It is reached if that of every part is; a
+ * point is put together from points. One part, or one variable that no row names, along which it
+ * grows for ever will do for all. At a limit, the ends of variables (limit/ends.h) may still bound
+ * what is left.
+ */
+#include "solve/limit/outer.h"
+#include "solve/optimize/optimum.h"
+#include "solve/optimize/peak.h"
+#include "system/system.h"
+
+/* The question on its way through its parts. */
+typedef struct ascent {
+    fmb_query *q;
+    const fmb_goal *g;
+    fmb_optimum *o;
+    fmb_peak peak;    /* of the part at hand */
+    fmb_claim *claim; /* that the parts so far have put their multipliers into; NULL: none */
+    mpq_t sum;        /* of their values: of the goal, without the constant */
+    bool attained, exact;
+    bool lost; /* multipliers, for want of memory: without them no end is told */
+} ascent;
+
+/* ---- claims ---------------------------------------------------------------------------------- */
+
+static fmb_status open_optimum_claim(ascent *a)
+{
+    fmb_status st = FMB_OK;
+    if (a->q->claims && !a->claim)
+        st = fmb_evidence_claim(a->q->claims, FMB_CLAIM_BOUND, &a->claim);
+    return st;
+}
+
+static void drop_optimum_claim(ascent *a)
+{
+    if (a->claim)
+        fmb_evidence_drop_last(a->q->claims);
+    a->claim = NULL;
+}
+
+/* The form as the caller has it, or (as_goal) as what is made large. */
+static fmb_status put_terms_of_form(ascent *a, fmb_claim *claim, bool as_goal)
+{
+    fmb_status st = FMB_OK;
+    mpq_t q;
+    mpq_init(q);
+    for (size_t j = 0; st == FMB_OK && j < a->g->dim; j++) {
+        mpq_set(q, a->g->coef[j]);
+        if (a->g->sense == FMB_SENSE_MIN && !as_goal)
+            mpq_neg(q, q);
+        st = fmb_evidence_push(a->q->claims, &claim->terms, j, q);
+    }
+    mpq_clear(q);
+    return st;
+}
+
+/* BOUND with the point where it is reached; of an outer end, IMPLIED: goal <= sum. */
+static fmb_status close_optimum_claim(ascent *a)
+{
+    fmb_claim *claim = a->claim;
+    if (!claim)
+        return FMB_OK;
+    claim->kind = a->exact ? FMB_CLAIM_BOUND : FMB_CLAIM_IMPLIED;
+    claim->side = a->exact ? fmb_goal_side(a->g) : FMB_LOWER;
+    claim->rel = a->attained || !a->exact ? FMB_LE : FMB_LT;
+    mpq_set(claim->value, a->sum);
+    if (a->exact && a->g->sense == FMB_SENSE_MIN)
+        mpq_neg(claim->value, a->sum);
+    fmb_status st = put_terms_of_form(a, claim, !a->exact);
+    if (st == FMB_OK && a->exact)
+        st = fmb_evidence_push_all(a->q->claims, &claim->point, a->g->dim, NULL, a->o->point);
+    return st;
+}
+
+static fmb_status claim_endless(ascent *a)
+{
+    fmb_claim *claim;
+    if (!a->q->claims)
+        return FMB_OK;
+    fmb_status st = fmb_evidence_claim(a->q->claims, FMB_CLAIM_UNBOUNDED, &claim);
+    if (st != FMB_OK)
+        return st;
+    claim->side = fmb_goal_side(a->g);
+    st = put_terms_of_form(a, claim, false);
+    if (st == FMB_OK)
+        st = fmb_evidence_push_all(a->q->claims, &claim->ray, a->g->dim, NULL, a->o->ray);
+    return fmb_query_finish_claim(a->q, st);
+}
+
+/* ---- answers --------------------------------------------------------------------------------- */
+
+/* The solution that the decision has found. */
+static void return_to_solution(ascent *a)
+{
+    for (size_t j = 0; j < a->g->dim; j++)
+        mpq_set(a->o->point[j], a->q->point[j]);
+}
+
+/* The ray is in the optimum. */
+static fmb_status answer_endless(ascent *a)
+{
+    drop_optimum_claim(a);
+    return_to_solution(a);
+    fmb_status st = claim_endless(a);
+    if (st == FMB_OK)
+        a->o->best.kind = FMB_END_INFINITE;
+    return st;
+}
+
+/* All parts have said how far they go. */
+static fmb_status answer_sum(ascent *a)
+{
+    fmb_exact_side *best = &a->o->best;
+    fmb_status st = close_optimum_claim(a);
+    if (st != FMB_OK)
+        return st;
+    best->kind = a->exact ? FMB_END_FINITE : FMB_END_OUTER;
+    best->attained = a->exact && a->attained;
+    mpq_set(best->value, a->sum);
+    if (a->g->sense == FMB_SENSE_MIN)
+        mpq_neg(best->value, best->value);
+    mpq_add(best->value, best->value, a->g->constant);
+    if (!a->exact)
+        return_to_solution(a);
+    return FMB_OK;
+}
+
+/* ---- part by part ---------------------------------------------------------------------------- */
+
+/* A variable that no row names and the form does, or -1. */
+static int find_endless_variable(const ascent *a)
+{
+    int j = fmb_system_dim(a->q->s) - 1;
+    while (j >= 0 && (a->q->parts.of_var[j] >= 0 || mpq_sgn(a->g->coef[j]) == 0))
+        j--;
+    return j;
+}
+
+static fmb_status answer_endless_variable(ascent *a, int j)
+{
+    mpq_set_si(a->o->ray[j], mpq_sgn(a->g->coef[j]), 1);
+    return answer_endless(a);
+}
+
+/* The peak is finite, or an outer end. */
+static fmb_status add_peak(ascent *a, const fmb_part *p)
+{
+    const fmb_peak *k = &a->peak;
+    bool exact = k->kind == FMB_END_FINITE;
+    fmb_status st = open_optimum_claim(a);
+    if (st == FMB_OK && a->claim)
+        st = fmb_query_push(a->q, p, &k->w, SIZE_MAX, 1, &a->claim->multipliers);
+    a->lost = a->lost || st != FMB_OK;
+    if (st != FMB_OK)
+        return st;
+    mpq_add(a->sum, a->sum, k->value);
+    a->attained = a->attained && k->attained;
+    a->exact = a->exact && exact;
+    if (exact)
+        fmb_query_scatter(p, k->x, a->o->point);
+    return FMB_OK;
+}
+
+static bool is_part_asked(const ascent *a, int c)
+{
+    const fmb_part *p = &a->q->parts.part[c];
+    return fmb_goal_names(a->g, p->var, p->n);
+}
+
+/* From part *c on, which is the one at hand when a limit is reached. *ends: the form does. */
+static fmb_status climb_all_parts(ascent *a, int *c, bool *ends)
+{
+    fmb_climb *climb = fmb_query_eliminates(a->q) ? fmb_peak_by_elimination : fmb_peak_by_oracle;
+    fmb_status st = FMB_OK;
+    for (*ends = true; st == FMB_OK && *c < a->q->parts.count; *c += st == FMB_OK) {
+        if (!is_part_asked(a, *c))
+            continue;
+        const fmb_part *p = &a->q->parts.part[*c];
+        st = climb(a->q, a->g, *c, &a->peak);
+        if (st == FMB_OK && a->peak.kind == FMB_END_INFINITE) {
+            fmb_query_scatter(p, a->peak.x, a->o->ray);
+            *ends = false;
+            return answer_endless(a);
+        }
+        if (st == FMB_OK || (st == FMB_LIMIT && a->peak.kind == FMB_END_OUTER)) {
+            fmb_status added = add_peak(a, p);
+            *c += st == FMB_LIMIT && added == FMB_OK;
+            st = added == FMB_OK ? st : added;
+        }
+    }
+    return st;
+}
+
+/* The decision, then the parts; *c as above. */
+static fmb_status climb_from_solution(ascent *a, int *c, fmb_verdict *verdict)
+{
+    bool ends = true;
+    fmb_status st = fmb_query_decide(a->q, a->q->session && !fmb_query_eliminates(a->q), verdict);
+    if (st != FMB_OK || *verdict != FMB_FEASIBLE)
+        return st;
+    return_to_solution(a);
+    int j = find_endless_variable(a);
+    if (j >= 0)
+        return answer_endless_variable(a, j);
+    st = open_optimum_claim(a);
+    if (st == FMB_OK)
+        st = climb_all_parts(a, c, &ends);
+    return st == FMB_OK && ends ? answer_sum(a) : st;
+}
+
+/* ---- at a limit ------------------------------------------------------------------------------ */
+
+/* What is left, from part c on, by the ends of variables; *bounded: all of it. */
+static fmb_status bound_parts_left(ascent *a, int c, bool *bounded, fmb_verdict *verdict)
+{
+    fmb_status st = FMB_OK;
+    *bounded = find_endless_variable(a) < 0;
+    for (; st == FMB_OK && *bounded && c < a->q->parts.count; c++) {
+        if (!is_part_asked(a, c))
+            continue;
+        st = fmb_peak_at_limit(a->q, a->g, c, &a->peak);
+        if (st == FMB_OK && a->peak.clash) {
+            *verdict = FMB_INFEASIBLE;
+            a->q->run.stop = FMB_STOP_DONE;
+            a->claim = NULL; /* it went with all others */
+            return FMB_OK;
+        }
+        *bounded = a->peak.kind == FMB_END_OUTER;
+        if (st == FMB_OK && *bounded)
+            st = add_peak(a, &a->q->parts.part[c]);
+    }
+    return st;
+}
+
+/* An outer end, where that is to be had; there is a limit on memory, too. */
+static fmb_status settle_for_outer_end(ascent *a, int c, fmb_verdict *verdict)
+{
+    bool bounded = false;
+    a->exact = false;
+    fmb_status st = a->lost ? FMB_OK : open_optimum_claim(a);
+    if (st == FMB_OK && !a->lost)
+        st = bound_parts_left(a, c, &bounded, verdict);
+    if (*verdict == FMB_INFEASIBLE)
+        return st;
+    if (st == FMB_OK && bounded)
+        st = answer_sum(a);
+    if (st != FMB_OK || !bounded)
+        drop_optimum_claim(a);
+    if (*verdict == FMB_FEASIBLE)
+        return_to_solution(a);
+    return st == FMB_OK ? FMB_LIMIT : st;
+}
+
+static fmb_status climb_or_settle(ascent *a, fmb_verdict *verdict)
+{
+    int c = 0;
+    fmb_arena_place place = fmb_arena_tell(&a->q->v->arena);
+    fmb_status st = climb_from_solution(a, &c, verdict);
+    if (st == FMB_LIMIT && a->o->best.kind == FMB_END_UNKNOWN) {
+        fmb_outer_release(a->q, place);
+        return settle_for_outer_end(a, c, verdict);
+    }
+    return st;
+}
+
+/* ---- the verb -------------------------------------------------------------------------------- */
+
+static fmb_status climb_within_query(fmb_query *q, const fmb_system *s, fmb_wish wish,
+                                     fmb_optimum *o, fmb_verdict *verdict)
+{
+    fmb_goal g;
+    ascent a = {.q = q, .g = &g, .o = o, .attained = true, .exact = true};
+    fmb_mem *mem = q->run.mem;
+    fmb_status st = fmb_goal_init(&g, s, wish, mem);
+    if (st == FMB_OK) {
+        mpq_init(a.sum);
+        st = fmb_peak_init(&a.peak, q);
+        if (st == FMB_OK)
+            st = fmb_query_want_point(q);
+        if (st == FMB_OK)
+            st = climb_or_settle(&a, verdict);
+        fmb_peak_clear(&a.peak, q);
+        mpq_clear(a.sum);
+    }
+    fmb_goal_clear(&g, mem);
+    return st;
+}
+
+static fmb_status optimize_wish(fmb_solver *v, const fmb_system *s, fmb_wish wish,
+                                fmb_optimum **out, fmb_result *res)
+{
+    fmb_query q;
+    fmb_optimum *o = NULL;
+    fmb_verdict verdict = FMB_UNKNOWN;
+    fmb_status st = fmb_solver_expect(v, s, out != NULL);
+    if (st == FMB_OK)
+        st = fmb_goal_expect(v, s, wish);
+    if (st != FMB_OK)
+        return st;
+    st = fmb_query_resume(&q, v, s, "optimize");
+    fmb_status made =
+        fmb_optimum_new(fmb_wish_sense(s, wish), (size_t)fmb_system_dim(s), &v->mem.alloc, &o);
+    if (made == FMB_OK)
+        fmb_mem_enter(&o->mem, &v->mem);
+    if (st == FMB_OK)
+        st = made == FMB_OK ? climb_within_query(&q, s, wish, o, &verdict) : made;
+    else if (st == FMB_LIMIT && made != FMB_OK)
+        st = made;
+    if (o)
+        fmb_mem_leave(&o->mem);
+    st = fmb_query_end(&q, st, verdict, res);
+    if (st == FMB_OK && verdict != FMB_INFEASIBLE) {
+        *out = o;
+        return FMB_OK;
+    }
+    fmb_optimum_free(o);
+    if (st == FMB_OK)
+        *out = NULL;
+    return st;
+}
+
+fmb_status fmb_optimize(fmb_solver *v, const fmb_system *s, const fmb_objective *objective,
+                        fmb_optimum **out, fmb_result *res)
+{
+    return optimize_wish(v, s, (fmb_wish){.doubles = objective}, out, res);
+}
+
+fmb_status fmb_optimize_q(fmb_solver *v, const fmb_system *s, const fmb_objective_q *objective,
+                          fmb_optimum **out, fmb_result *res)
+{
+    return optimize_wish(v, s, (fmb_wish){.rationals = objective}, out, res);
+}

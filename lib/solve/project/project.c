@@ -1,0 +1,145 @@
+/* project.c: the projection, part by part (ladder.h). */
+#include "solve/limit/outer.h"
+#include "solve/project/ladder.h"
+#include "system/system.h"
+
+/* An empty system over the variables kept; keep NULL: the first n. */
+static fmb_status open_empty_projection(const fmb_system *s, const int *keep, int n,
+                                        fmb_system **out)
+{
+    fmb_system *t;
+    fmb_status st = fmb_system_new(0, &s->mem.alloc, &t);
+    if (st != FMB_OK)
+        return st;
+    for (int i = 0; st == FMB_OK && i < n; i++) {
+        int j = keep ? keep[i] : i;
+        st = fmb_system_add_variable(t, fmb_system_name(s, j), NULL);
+        if (st == FMB_OK)
+            t->mark[i].integer = s->mark[j].integer;
+    }
+    if (st == FMB_OK)
+        *out = t;
+    else
+        fmb_system_free(t);
+    return st;
+}
+
+fmb_status fmb_empty_set(const fmb_system *like, const int *keep, int n, fmb_system **out)
+{
+    fmb_system *t;
+    mpz_t z[2];
+    fmb_status st = open_empty_projection(like, keep, n, &t);
+    if (st != FMB_OK)
+        return st;
+    mpz_init_set_si(z[0], -1);
+    mpz_init_set_ui(z[1], 1);
+    st = fmb_system_append(t, 0, NULL, z, FMB_LE);
+    mpz_clears(z[0], z[1], NULL);
+    if (st == FMB_OK)
+        *out = t;
+    else
+        fmb_system_free(t);
+    return st;
+}
+
+/* Where proofs are wanted, whether there is a solution is decided first. *part is the one that a
+ * limit has cut short. */
+static fmb_status project_all_parts(fmb_query *q, const int *place, fmb_system *out,
+                                    fmb_verdict *verdict, int *part)
+{
+    bool feasible = true;
+    fmb_status st = FMB_OK;
+    q->decided = q->evidence != NULL || q->parts.false_row != SIZE_MAX;
+    if (q->decided)
+        st = fmb_query_decide(q, true, verdict);
+    if (st != FMB_OK || *verdict == FMB_INFEASIBLE)
+        return st;
+    for (int c = 0; feasible && c < q->parts.count; c++) {
+        size_t rows = fmb_system_rows(out);
+        st = fmb_query_project_part(q, c, place, out, &feasible);
+        *part =
+            fmb_system_rows(out) == rows ? c : c + 1; /* what there is need not be found again */
+        if (st != FMB_OK)
+            return st;
+    }
+    *verdict = feasible ? FMB_FEASIBLE : FMB_INFEASIBLE;
+    return FMB_OK;
+}
+
+static fmb_status project_or_outer_rows(fmb_query *q, const int *place, fmb_system *out,
+                                        fmb_verdict *verdict)
+{
+    int part = 0;
+    fmb_arena_place start = fmb_arena_tell(&q->v->arena);
+    fmb_status st = project_all_parts(q, place, out, verdict, &part);
+    if (st != FMB_LIMIT)
+        return st;
+    fmb_outer_release(q, start);
+    st = fmb_outer_projection(q, part, place, out, verdict);
+    return st == FMB_OK && *verdict != FMB_INFEASIBLE ? FMB_LIMIT : st;
+}
+
+static fmb_status expect_increasing(fmb_solver *v, const fmb_system *s, const int *keep, int n)
+{
+    fmb_status st = fmb_solver_expect_variables(v, s, "keep", keep, n);
+    if (st == FMB_OK && !keep && n > 0)
+        return fmb_solver_refuse(v, FMB_ERR_ARG, "keep is NULL, but n is %d", n);
+    for (int i = 1; st == FMB_OK && i < n; i++)
+        if (keep[i] <= keep[i - 1])
+            st = fmb_solver_refuse(v, FMB_ERR_ARG, "keep[%d] is %d, after %d: they must increase",
+                                   i, keep[i], keep[i - 1]);
+    return st;
+}
+
+/* The place of each variable in keep, -1 where it is not kept; NULL without memory. */
+static int *places_of_kept(const fmb_system *s, const int *keep, int n, fmb_mem *mem)
+{
+    int dim = fmb_system_dim(s);
+    int *place = fmb_mem_get(mem, (size_t)dim, sizeof *place);
+    for (int j = 0; place && j < dim; j++)
+        place[j] = -1;
+    for (int i = 0; place && i < n; i++)
+        place[keep[i]] = i;
+    return place;
+}
+
+fmb_status fmb_project(fmb_solver *v, const fmb_system *s, const int *keep, int n, fmb_system **out,
+                       fmb_result *res)
+{
+    fmb_query q;
+    fmb_system *image = NULL, *empty = NULL;
+    fmb_verdict verdict = FMB_UNKNOWN;
+    fmb_status st = fmb_solver_expect(v, s, out != NULL);
+    if (st == FMB_OK)
+        st = expect_increasing(v, s, keep, n);
+    if (st != FMB_OK)
+        return st;
+    int *place = places_of_kept(s, keep, n, &v->mem);
+    if (!place) {
+        v->answered = false; /* the evidence at hand is that of an older query */
+        return FMB_ERR_MEMORY;
+    }
+    st = fmb_query_begin(&q, v, s, "project");
+    fmb_status opened = open_empty_projection(s, keep, n, &image);
+    if (opened != FMB_OK && (st == FMB_OK || st == FMB_LIMIT))
+        st = opened;
+    if (opened == FMB_OK)
+        fmb_mem_enter(&image->mem, &v->mem);
+    if (st == FMB_OK)
+        st = project_or_outer_rows(&q, place, image, &verdict);
+    if (st == FMB_OK && verdict == FMB_INFEASIBLE)
+        st = fmb_empty_set(s, keep, n, &empty);
+    if (st == FMB_OK || st == FMB_LIMIT) {
+        fmb_status carried = fmb_system_carry_objective(empty ? empty : image, s, place);
+        st = carried == FMB_OK ? st : carried;
+    }
+    fmb_mem_put(&v->mem, place, (size_t)fmb_system_dim(s), sizeof *place);
+    if (image)
+        fmb_mem_leave(&image->mem);
+    st = fmb_query_end(&q, st, verdict, res);
+    if (st == FMB_OK)
+        *out = empty ? empty : image;
+    fmb_system_free(st != FMB_OK || empty ? image : NULL);
+    fmb_system_free(st != FMB_OK ? empty : NULL);
+    return st;
+}

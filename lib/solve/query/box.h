@@ -1,0 +1,29 @@
+/* box.h: inside of an fmb_box: exact intervals of some variables. */
+#ifndef FMB_SOLVE_BOX_H
+#define FMB_SOLVE_BOX_H
+
+#include <fmb/gmp.h>
+
+#include "base/mem.h"
+
+typedef struct fmb_exact_side {
+    fmb_end_kind kind;
+    bool attained;
+    mpq_t value; /* if finite or outer */
+} fmb_exact_side;
+
+struct fmb_box {
+    fmb_mem mem;
+    int size;
+    int *var;                  /* [size] */
+    fmb_exact_side (*side)[2]; /* [size] by fmb_side */
+};
+
+/* As a double, rounded outward; does it have a value? */
+fmb_end fmb_exact_side_end(const fmb_exact_side *e, fmb_side side);
+bool fmb_exact_side_has_value(const fmb_exact_side *e);
+
+/* [give] size intervals, all ends unknown, over var[0..size), or over 0, 1, ... if var is NULL. */
+fmb_status fmb_box_new(const int *var, int size, const fmb_alloc *hook, fmb_box **out);
+
+#endif

@@ -1,0 +1,231 @@
+/* claims.c: what the verbs write into the evidence; see solver.h. */
+#include "elim/store/derive.h"
+#include "solve/query/solver.h"
+#include "system/system.h"
+
+fmb_status fmb_query_push(fmb_query *q, const fmb_part *p, const fmb_weights *w, size_t target,
+                          int sign, fmb_sparse *list)
+{
+    fmb_status st = FMB_OK;
+    mpq_t t, unit;
+    mpq_inits(t, unit, NULL);
+    mpq_set_si(unit, sign, 1);
+    if (target != SIZE_MAX) {
+        fmb_part_scale(q->s, p->source[target], t);
+        mpq_div(unit, unit, t);
+    }
+    for (size_t i = 0; st == FMB_OK && i < w->size; i++) {
+        size_t source = p->source[w->index[i]];
+        fmb_part_scale(q->s, source, t);
+        mpq_mul(t, t, w->value[i]);
+        mpq_mul(t, t, unit);
+        st = fmb_evidence_push(q->evidence, list, source, t);
+    }
+    mpq_clears(t, unit, NULL);
+    return st;
+}
+
+fmb_status fmb_query_finish_claim(fmb_query *q, fmb_status st)
+{
+    if (st != FMB_OK)
+        fmb_evidence_drop_last(q->evidence);
+    return st;
+}
+
+/* Multipliers of a conflict may be scaled at will: in lowest terms they are coprime integers. */
+static fmb_status reduce_to_lowest_terms(fmb_evidence *e, fmb_sparse *list)
+{
+    mpq_t scale; /* least common denominator over greatest common numerator */
+    mpz_ptr common = mpq_denref(scale);
+    fmb_status st = FMB_OK;
+    mpq_init(scale);
+    mpz_set_ui(mpq_numref(scale), 1);
+    mpz_set_ui(common, list->size == 0);
+    for (size_t k = 0; k < list->size; k++)
+        if (mpz_cmp_ui(mpq_denref(list->value[k]), 1) != 0)
+            mpz_lcm(mpq_numref(scale), mpq_numref(scale), mpq_denref(list->value[k]));
+    for (size_t k = 0; mpz_cmp_ui(common, 1) != 0 && k < list->size; k++)
+        mpz_gcd(common, common, mpq_numref(list->value[k]));
+    if (mpq_cmp_ui(scale, 1, 1) != 0)
+        st = fmb_evidence_scale(e, list, scale);
+    mpq_clear(scale);
+    return st;
+}
+
+fmb_status fmb_query_claim_infeasible(fmb_query *q, const fmb_part *p, const fmb_weights *w)
+{
+    fmb_claim *claim;
+    if (!q->evidence)
+        return FMB_OK;
+    fmb_evidence_reset(q->evidence);
+    fmb_status st = fmb_evidence_claim(q->evidence, FMB_CLAIM_INFEASIBLE, &claim);
+    if (st != FMB_OK)
+        return st;
+    st = fmb_query_push(q, p, w, SIZE_MAX, 1, &claim->multipliers);
+    if (st == FMB_OK)
+        st = reduce_to_lowest_terms(q->evidence, &claim->multipliers);
+    return fmb_query_finish_claim(q, st);
+}
+
+fmb_status fmb_query_derive(fmb_query *q, const fmb_elim *e, uint32_t r, const mpq_t factor,
+                            fmb_weights *w)
+{
+    fmb_status st = fmb_weights_add(w, r, factor, q->run.mem);
+    return st == FMB_OK ? fmb_elim_derive(e, w) : st;
+}
+
+fmb_status fmb_query_claim_clash(fmb_query *q, const fmb_part *p, const fmb_elim *e)
+{
+    if (!q->evidence)
+        return FMB_OK;
+    const fmb_derived *r = &e->row[e->clash];
+    fmb_weights w = {0};
+    mpq_t one; /* 0 = positive is an equality: turn it round */
+    mpq_init(one);
+    mpq_set_si(one, fmb_vec_sgn(&r->v, (size_t)e->n) > 0 ? -1 : 1, 1);
+    fmb_status st = fmb_query_derive(q, e, e->clash, one, &w);
+    if (st == FMB_OK)
+        st = fmb_query_thin_conflict(q, p, &w);
+    if (st == FMB_OK)
+        st = fmb_query_claim_infeasible(q, p, &w);
+    fmb_weights_clear(&w, q->run.mem);
+    mpq_clear(one);
+    return st;
+}
+
+fmb_status fmb_query_claim_false_row(fmb_query *q, size_t i)
+{
+    fmb_claim *claim;
+    if (!q->evidence)
+        return FMB_OK;
+    fmb_status st = fmb_evidence_claim(q->evidence, FMB_CLAIM_INFEASIBLE, &claim);
+    if (st != FMB_OK)
+        return st;
+    mpq_t b;
+    mpq_init(b);
+    fmb_system_rhs_q(q->s, i, b);
+    mpq_set_si(b, mpq_sgn(b) > 0 ? -1 : 1, 1); /* 0 = positive is an equality: turn it round */
+    st = fmb_evidence_push(q->evidence, &claim->multipliers, i, b);
+    mpq_clear(b);
+    return fmb_query_finish_claim(q, st);
+}
+
+void fmb_query_scatter(const fmb_part *p, mpq_t *x, mpq_t *dense)
+{
+    for (int j = 0; j < p->n; j++)
+        mpq_set(dense[p->var[j]], x[j]);
+}
+
+fmb_status fmb_query_attach_point(fmb_query *q, fmb_claim *claim, const fmb_part *p, mpq_t *x)
+{
+    fmb_status st = fmb_run_poll_now(&q->run);
+    for (int j = 0; st == FMB_OK && j < fmb_system_dim(q->s); j++) {
+        bool moved = x && q->parts.of_var[j] == p - q->parts.part;
+        mpq_srcptr value = moved ? x[q->parts.place[j]] : q->point[j];
+        st = fmb_evidence_push(q->evidence, &claim->point, (size_t)j, value);
+    }
+    return st;
+}
+
+fmb_status fmb_query_claim_feasible(fmb_query *q)
+{
+    fmb_claim *claim;
+    if (!q->evidence)
+        return FMB_OK;
+    fmb_status st = fmb_evidence_claim(q->evidence, FMB_CLAIM_FEASIBLE, &claim);
+    return st != FMB_OK ? st
+                        : fmb_query_finish_claim(q, fmb_query_attach_point(q, claim, NULL, NULL));
+}
+
+/* ---- rows that follow ------------------------------------------------------------------------ */
+
+static fmb_status fill_implied_claim(fmb_query *q, const fmb_part *p, const fmb_vec *row,
+                                     const mpq_t factor, fmb_rel rel, fmb_claim *claim)
+{
+    fmb_status st = FMB_OK;
+    bool scaled = mpq_cmp_ui(factor, 1, 1) != 0;
+    mpq_t t;
+    mpq_init(t);
+    claim->rel = rel;
+    for (int j = 0; st == FMB_OK && j <= p->n; j++) {
+        fmb_vec_get_q(row, (size_t)j, t);
+        if (scaled)
+            mpq_mul(t, t, factor);
+        if (j < p->n)
+            st = fmb_evidence_push(q->evidence, &claim->terms, (size_t)p->var[j], t);
+        else
+            mpq_set(claim->value, t);
+    }
+    mpq_clear(t);
+    return st;
+}
+
+fmb_status fmb_query_claim_implied(fmb_query *q, const fmb_part *p, const fmb_vec *row,
+                                   const mpq_t factor, fmb_rel rel, const fmb_weights *proof,
+                                   const fmb_weights *reverse)
+{
+    fmb_claim *claim;
+    fmb_status st = fmb_evidence_claim(q->evidence, FMB_CLAIM_IMPLIED, &claim);
+    if (st != FMB_OK)
+        return st;
+    st = fill_implied_claim(q, p, row, factor, rel, claim);
+    if (st == FMB_OK)
+        st = fmb_query_push(q, p, proof, SIZE_MAX, 1, &claim->multipliers);
+    if (st == FMB_OK && rel == FMB_EQ)
+        st = fmb_query_push(q, p, reverse ? reverse : proof, SIZE_MAX, reverse ? 1 : -1,
+                            &claim->reverse);
+    return fmb_query_finish_claim(q, st);
+}
+
+static fmb_status claim_derived_row(fmb_query *q, const fmb_part *p, const fmb_elim *e, uint32_t r,
+                                    fmb_rel rel, const fmb_weights *reverse)
+{
+    fmb_weights w = {0};
+    mpq_t one;
+    if (!q->claims)
+        return FMB_OK;
+    mpq_init(one);
+    mpq_set_ui(one, 1, 1);
+    fmb_status st = fmb_query_derive(q, e, r, one, &w);
+    if (st == FMB_OK)
+        st = fmb_query_claim_implied(q, p, &e->row[r].v, one, rel, &w, reverse);
+    fmb_weights_clear(&w, q->run.mem);
+    mpq_clear(one);
+    return st;
+}
+
+fmb_status fmb_query_append_row(fmb_query *q, const fmb_part *p, const fmb_vec *row, fmb_rel rel,
+                                const int *place, fmb_system *out)
+{
+    size_t n = (size_t)p->n, terms = 0;
+    fmb_mem *mem = q->run.mem;
+    mpz_t *z = fmb_mem_get(mem, n + 2, sizeof *z);
+    int *var = fmb_mem_get(mem, n, sizeof *var);
+    fmb_status st = z && var ? FMB_OK : fmb_mem_status(mem);
+    for (size_t j = 0; z && j < n + 2; j++)
+        mpz_init(z[j]);
+    for (size_t j = 0; st == FMB_OK && j < n; j++) {
+        if (fmb_vec_sgn(row, j) == 0)
+            continue;
+        var[terms] = place[p->var[j]];
+        fmb_vec_get(row, j, z[terms++]);
+    }
+    if (st == FMB_OK) {
+        fmb_vec_get(row, n, z[terms]);
+        mpz_set_ui(z[terms + 1], 1);
+        st = fmb_system_append(out, terms, var, z, rel);
+    }
+    for (size_t j = 0; z && j < n + 2; j++)
+        mpz_clear(z[j]);
+    fmb_mem_put(mem, z, n + 2, sizeof *z);
+    fmb_mem_put(mem, var, n, sizeof *var);
+    return st;
+}
+
+fmb_status fmb_query_put_row(fmb_query *q, const fmb_part *p, const fmb_elim *e, uint32_t r,
+                             fmb_rel rel, const fmb_weights *reverse, const int *place,
+                             fmb_system *out)
+{
+    fmb_status st = claim_derived_row(q, p, e, r, rel, reverse);
+    return st == FMB_OK ? fmb_query_append_row(q, p, &e->row[r].v, rel, place, out) : st;
+}

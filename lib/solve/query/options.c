@@ -1,0 +1,180 @@
+/* options.c: the one table of options. */
+#include <string.h>
+
+#include "solve/query/solver.h"
+
+typedef enum kind { WORD, FLAG, TEXT, SECONDS, COUNT } kind;
+
+typedef struct entry {
+    fmb_option_info info;
+    kind kind;
+    size_t offset;
+    const char *const *words; /* WORD: the values of the enum, in order */
+} entry;
+
+static const char *const ARITH[] = {"auto", "int", "gmp", NULL};
+static const char *const METHOD[] = {"auto", "fm", "lp", NULL};
+static const char *const ORDER[] = {"pairs", "given", "min", "fill", NULL};
+
+static const char *const EVIDENCE[] = {"none", "all", "verdict", NULL};
+static const char *const REBASE[] = {"auto", "always", "never", NULL};
+static const char *const SIMD[] = {"auto", "plain", "avx2", "avx512", NULL};
+
+static const entry TABLE[] = {
+    {{"arith", "auto|int|gmp", "auto", "Arithmetic of rows: int64 widening to GMP, or GMP only."},
+     WORD,
+     offsetof(fmb_options, arith),
+     ARITH},
+    {{"method", "auto|fm|lp", "auto", "Elimination, exact simplex, or by size."},
+     WORD,
+     offsetof(fmb_options, method),
+     METHOD},
+    {{"order", "pairs|given|min|fill", "pairs", "Which variable is eliminated next."},
+     WORD,
+     offsetof(fmb_options, order),
+     ORDER},
+    {{"rules", "LIST|none", "kohler,chernikov,box,duplicate,lp",
+      "Pruning rules, separated by commas."},
+     TEXT,
+     offsetof(fmb_options, rules),
+     NULL},
+    {{"rebase", "auto|always|never", "auto", "When other rules may interrupt history rules."},
+     WORD,
+     offsetof(fmb_options, rebase),
+     REBASE},
+    {{"presolve", "LIST|none", "equalities,components,onesided,bounds,refute",
+      "Steps before and beside the elimination, separated by commas."},
+     TEXT,
+     offsetof(fmb_options, presolve),
+     NULL},
+    {{"simd", "auto|plain|avx2|avx512", "auto", "Instructions for the inner loops."},
+     WORD,
+     offsetof(fmb_options, simd),
+     SIMD},
+    {{"trace_rows", "true|false", "false", "Put every row that is made into the trace."},
+     FLAG,
+     offsetof(fmb_options, trace_rows),
+     NULL},
+    {{"evidence", "none|all|verdict", "all",
+      "Keep the numbers that prove the answer, or its verdict only."},
+     WORD,
+     offsetof(fmb_options, evidence),
+     EVIDENCE},
+    {{"max_seconds", "SECONDS", "0", "Wall-clock limit of a query; 0 is none."},
+     SECONDS,
+     offsetof(fmb_options, max_seconds),
+     NULL},
+    {{"max_rows", "ROWS", "0", "Limit on live rows of an elimination; 0 is none."},
+     COUNT,
+     offsetof(fmb_options, max_rows),
+     NULL},
+    {{"max_bytes", "BYTES", "0", "Limit on workspace, evidence and result, in all; 0 is none."},
+     COUNT,
+     offsetof(fmb_options, max_bytes),
+     NULL},
+    {{"threads", "THREADS", "0", "Threads for the ends of a box; 0 is one."},
+     COUNT,
+     offsetof(fmb_options, threads),
+     NULL},
+};
+
+fmb_options fmb_options_default(void)
+{
+    return (fmb_options){.evidence = FMB_EVIDENCE_ALL};
+}
+
+const fmb_option_info *fmb_options_describe(size_t i)
+{
+    return i < sizeof TABLE / sizeof *TABLE ? &TABLE[i].info : NULL;
+}
+
+static const entry *find_option(const char *name)
+{
+    for (size_t i = 0; i < sizeof TABLE / sizeof *TABLE; i++)
+        if (strcmp(TABLE[i].info.name, name) == 0)
+            return &TABLE[i];
+    return NULL;
+}
+
+const char *fmb_options_initial(const char *name)
+{
+    return find_option(name)->info.initial;
+}
+
+static fmb_status set_word_option(const entry *e, const char *value, void *field)
+{
+    for (int i = 0; e->words[i]; i++)
+        if (strcmp(e->words[i], value) == 0) {
+            *(int *)field = i;
+            return FMB_OK;
+        }
+    return FMB_ERR_ARG;
+}
+
+/* Decimal digits only: no sign, no blanks. */
+static fmb_status set_count_option(const char *value, size_t *field)
+{
+    size_t n = 0;
+    if (!*value)
+        return FMB_ERR_ARG;
+    for (; *value; value++) {
+        if (*value < '0' || *value > '9' || __builtin_mul_overflow(n, 10, &n) ||
+            __builtin_add_overflow(n, (size_t)(*value - '0'), &n))
+            return FMB_ERR_ARG;
+    }
+    *field = n;
+    return FMB_OK;
+}
+
+/* A plain decimal "12.5": read without the locale. */
+static fmb_status set_seconds_option(const char *value, double *field)
+{
+    double whole = 0, unit = 1;
+    bool point = false, digits = false;
+    for (; *value; value++) {
+        if (*value == '.' && !point) {
+            point = true;
+            continue;
+        }
+        if (*value < '0' || *value > '9')
+            return FMB_ERR_ARG;
+        digits = true;
+        whole = whole * 10 + (*value - '0');
+        unit *= point ? 10 : 1;
+    }
+    if (!digits || !(whole / unit <= 1e15))
+        return FMB_ERR_ARG;
+    *field = whole / unit;
+    return FMB_OK;
+}
+
+static fmb_status set_flag_option(const char *value, bool *field)
+{
+    bool on = strcmp(value, "true") == 0;
+    if (!on && strcmp(value, "false") != 0)
+        return FMB_ERR_ARG;
+    *field = on;
+    return FMB_OK;
+}
+
+fmb_status fmb_options_set(fmb_options *o, const char *name, const char *value)
+{
+    const entry *e = find_option(name);
+    if (!e || !value)
+        return FMB_ERR_ARG;
+    void *field = (char *)o + e->offset;
+    switch (e->kind) {
+    case WORD:
+        return set_word_option(e, value, field);
+    case FLAG:
+        return set_flag_option(value, field);
+    case SECONDS:
+        return set_seconds_option(value, field);
+    case COUNT:
+        return set_count_option(value, field);
+    case TEXT:
+        *(const char **)field = value;
+        return FMB_OK;
+    }
+    return FMB_ERR_ARG;
+}

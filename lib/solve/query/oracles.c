@@ -1,0 +1,133 @@
+/* oracles.c: what is made of a part when it is first asked for: dense rows, an oracle, a
+ * dictionary; see solver.h. */
+#include "lp/exact/simplex.h"
+#include "solve/query/solver.h"
+#include "system/system.h"
+
+fmb_status fmb_query_write_rows(fmb_query *q, int part)
+{
+    return fmb_part_load(&q->parts.part[part], q->s, q->parts.place, &q->run, fmb_query_is_wide(q));
+}
+
+static fmb_status load_program(fmb_query *q, const fmb_part *p, fmb_program *out)
+{
+    fmb_status st = FMB_OK;
+    fmb_program_init(out, q->run.mem, p->n);
+    for (size_t i = 0; st == FMB_OK && i < p->m; i++) {
+        const fmb_sysrow *r = fmb_system_row(q->s, p->source[i]);
+        st = fmb_program_add(out, r->nnz, r->var, q->parts.place, &r->val, r->rel);
+    }
+    return st;
+}
+
+/* The oracle of the system that is loaded, which catches up with it when it is first asked. */
+static fmb_status enter_session(fmb_query *q, fmb_oracle **out)
+{
+    fmb_status st = q->entered ? FMB_OK : fmb_session_enter(q->session, &q->run);
+    q->entered = true;
+    *out = fmb_session_oracle(q->session);
+    return st;
+}
+
+fmb_status fmb_query_oracle(fmb_query *q, int part, fmb_oracle **out)
+{
+    if (q->session)
+        return enter_session(q, out);
+    if (!q->oracle[part]) {
+        fmb_program *program = &q->program[part];
+        fmb_status st = load_program(q, &q->parts.part[part], program);
+        if (st == FMB_OK)
+            st = fmb_oracle_new(&q->run, program, &q->oracle[part]);
+        if (st != FMB_OK && !q->oracle[part])
+            fmb_program_clear(program);
+        if (st != FMB_OK)
+            return st;
+    }
+    *out = q->oracle[part];
+    return FMB_OK;
+}
+
+void fmb_query_take_integer_weights(const fmb_query *q, const fmb_part *p, fmb_weights *w)
+{
+    mpq_t content;
+    mpq_init(content);
+    for (size_t k = 0; k < w->size; k++) {
+        fmb_part_content(q->s, p->source[w->index[k]], mpq_numref(content));
+        mpq_mul(w->value[k], w->value[k], content);
+    }
+    mpq_clear(content);
+}
+
+/* Rows of the system become such of the part, which has them in increasing order. */
+static void number_rows_as_part(const fmb_part *p, fmb_weights *w)
+{
+    for (size_t k = 0; k < w->size; k++) {
+        size_t low = 0, high = p->m;
+        while (high - low > 1) {
+            size_t middle = low + (high - low) / 2;
+            *(p->source[middle] <= w->index[k] ? &low : &high) = middle;
+        }
+        w->index[k] = (uint32_t)low;
+    }
+}
+
+void fmb_query_take_oracle_weights(const fmb_query *q, const fmb_part *p, fmb_weights *w)
+{
+    if (q->entered) {
+        fmb_session_take_weights(q->session, w);
+        number_rows_as_part(p, w);
+    }
+    fmb_query_take_integer_weights(q, p, w);
+}
+
+fmb_status fmb_query_dictionary(fmb_query *q, int part, fmb_lp **out, bool *feasible)
+{
+    const fmb_part *p = &q->parts.part[part];
+    *feasible = true;
+    if (q->lp[part]) {
+        *out = q->lp[part];
+        return FMB_OK;
+    }
+    fmb_status st = fmb_query_write_rows(q, part);
+    if (st != FMB_OK)
+        return st;
+    fmb_lp *lp = fmb_arena_get(&q->v->arena, 1, sizeof *lp);
+    fmb_lp_row *rows = fmb_arena_get(&q->v->arena, p->m, sizeof *rows);
+    if (!lp || !rows)
+        return fmb_mem_status(&q->v->mem);
+    for (size_t i = 0; i < p->m; i++)
+        rows[i] = (fmb_lp_row){&p->row[i], p->rel[i]};
+    q->lp[part] = lp;
+    *out = lp;
+    st = fmb_lp_init(lp, &q->run, p->n, p->m, rows, fmb_query_is_wide(q));
+    return st == FMB_OK ? fmb_lp_feasible(lp, feasible) : st;
+}
+
+void fmb_query_leave_session(fmb_query *q, bool forget)
+{
+    if (!q->entered)
+        return;
+    fmb_session_leave(q->session, &q->run);
+    if (forget)
+        fmb_session_forget(q->session);
+    q->entered = false;
+}
+
+void fmb_query_close_oracle(fmb_query *q, int part)
+{
+    if (q->lp[part])
+        fmb_lp_clear(q->lp[part]);
+    q->lp[part] = NULL;
+    if (q->oracle[part]) {
+        fmb_oracle_free(q->oracle[part]);
+        fmb_program_clear(&q->program[part]);
+    }
+    q->oracle[part] = NULL;
+}
+
+void fmb_query_close_oracles(fmb_query *q)
+{
+    fmb_query_leave_session(q, true);
+    for (int c = 0; q->lp && c < q->parts.count; c++)
+        fmb_query_close_oracle(q, c);
+}

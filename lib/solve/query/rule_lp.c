@@ -1,0 +1,111 @@
+/* rule_lp.c: redundancy by linear programs while eliminating; see rule_lp.h.
+ *
+ * Each row is tested against those still there, so what goes is implied by what stays. Not a rule
+ * of histories: the engine re-bases after it. Source: Schrijver 1986.
+ */
+#include "solve/query/rule_lp.h"
+
+#include "elim/rules/view.h"
+#include "lp/exact/simplex.h"
+#include "lp/redundancy/implied.h"
+#include "lp/redundancy/irredundant.h"
+
+typedef struct patience {
+    size_t next; /* rows from which on it looks again; 0: it has not looked */
+} patience;
+
+/* Rows that still live, in lists for the oracle. */
+typedef struct rows {
+    fmb_lp_row *row;
+    fmb_rel *rel;
+    fmb_fate *fate;
+    size_t *place; /* in the view */
+    size_t size, room;
+} rows;
+
+static void free_row_lists(rows *a, fmb_mem *mem)
+{
+    fmb_mem_put(mem, a->row, a->room, sizeof *a->row);
+    fmb_mem_put(mem, a->rel, a->room, sizeof *a->rel);
+    fmb_mem_put(mem, a->fate, a->room, sizeof *a->fate);
+    fmb_mem_put(mem, a->place, a->room, sizeof *a->place);
+}
+
+static fmb_status allocate_row_lists(rows *a, fmb_mem *mem, size_t room)
+{
+    *a = (rows){.room = room};
+    a->row = fmb_mem_get(mem, room, sizeof *a->row);
+    a->rel = fmb_mem_get(mem, room, sizeof *a->rel);
+    a->fate = fmb_mem_get(mem, room, sizeof *a->fate);
+    a->place = fmb_mem_get(mem, room, sizeof *a->place);
+    return a->row && a->rel && a->fate && a->place ? FMB_OK : fmb_mem_status(mem);
+}
+
+/* List the live rows that are not dropped yet. */
+static void list_undropped_rows(rows *a, const fmb_elim *e, const bool *drop)
+{
+    a->size = 0;
+    for (size_t i = 0; i < e->live.size; i++) {
+        const fmb_derived *r = &e->row[e->live.row[i]];
+        fmb_rel rel = fmb_derived_rel(r);
+        if (drop[i])
+            continue;
+        a->place[a->size] = i;
+        a->rel[a->size] = rel;
+        a->fate[a->size] = FMB_FATE_UNKNOWN;
+        a->row[a->size++] = (fmb_lp_row){&r->v, rel};
+    }
+}
+
+static fmb_status drop_rows_by_oracle(const fmb_elim *e, rows *a, bool *drop)
+{
+    fmb_lp lp;
+    bool feasible = false;
+    fmb_status st = fmb_lp_init(&lp, e->run, e->n, a->size, a->row, e->num.wide_only);
+    if (st == FMB_OK)
+        st = fmb_lp_feasible(&lp, &feasible);
+    if (st == FMB_OK && feasible) /* if not, a rule lied when that was decided */
+        st = fmb_redundant(&lp, a->rel, a->fate);
+    fmb_lp_clear(&lp);
+    for (size_t i = 0; i < a->size; i++)
+        drop[a->place[i]] |= a->fate[i] == FMB_FATE_REDUNDANT;
+    return st;
+}
+
+/* What a guess finds is cheap; the oracle is asked if that leaves many doubts. */
+static fmb_status drop_implied_rows(const fmb_elim *e, rows *a, bool *drop)
+{
+    fmb_sorting sorting = {.gone = drop};
+    list_undropped_rows(a, e, drop);
+    fmb_status st = fmb_lp_sort_rows(e->run, e->n, a->size, a->row, &sorting);
+    if (st != FMB_OK || 4 * sorting.doubtful < a->size)
+        return st;
+    list_undropped_rows(a, e, drop);
+    return drop_rows_by_oracle(e, a, drop);
+}
+
+static fmb_status prune_doubled_rows(void *state, const fmb_view *w, bool *drop)
+{
+    patience *p = state;
+    fmb_mem *mem = w->e->run->mem;
+    size_t left = 0, size = fmb_view_rows(w);
+    rows a;
+    if (p->next == 0)
+        p->next = 2 * fmb_view_bases(w) + 16;
+    if (fmb_view_column(w) >= 0 && size < p->next)
+        return FMB_OK;
+    fmb_status st = allocate_row_lists(&a, mem, size);
+    if (st == FMB_OK)
+        st = drop_implied_rows(w->e, &a, drop);
+    free_row_lists(&a, mem);
+    for (size_t i = 0; i < size; i++)
+        left += !drop[i];
+    p->next = 3 * left / 2 + 16;
+    return st;
+}
+
+const fmb_rule fmb_rule_lp = {.name = "lp",
+                              .source = "Schrijver1986",
+                              .flags = FMB_RULE_BREAKS_HISTORY,
+                              .state_bytes = sizeof(patience),
+                              .end_round = prune_doubled_rows};

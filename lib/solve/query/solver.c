@@ -1,0 +1,215 @@
+/* solver.c: life of a solver, and the frame of every query; see solver.h. */
+#include "solve/query/solver.h"
+
+#include "num/rationals.h"
+#include "solve/query/rule_lp.h"
+
+static bool are_options_sound(const fmb_options *o)
+{
+    return o->arith >= FMB_ARITH_AUTO && o->arith <= FMB_ARITH_GMP &&
+           o->method >= FMB_METHOD_AUTO && o->method <= FMB_METHOD_LP &&
+           o->order >= FMB_ORDER_PAIRS && o->order <= FMB_ORDER_FILL &&
+           o->rebase >= FMB_REBASE_AUTO && o->rebase <= FMB_REBASE_NEVER &&
+           o->evidence >= FMB_EVIDENCE_NONE && o->evidence <= FMB_EVIDENCE_VERDICT &&
+           fmb_kernels_choose(o->simd) && o->max_seconds >= 0;
+}
+
+fmb_status fmb_solver_new(const fmb_options *o, const fmb_alloc *hook, fmb_solver **out)
+{
+    fmb_options options = o ? *o : fmb_options_default();
+    if (!out || !are_options_sound(&options))
+        return FMB_ERR_ARG;
+    fmb_mem mem;
+    fmb_mem_init(&mem, hook, 0);
+    fmb_solver *v = fmb_mem_zero(&mem, 1, sizeof *v);
+    if (!v)
+        return FMB_ERR_MEMORY;
+    v->mem = mem;
+    v->options = options;
+    atomic_init(&v->cancel, 0);
+    fmb_arena_init(&v->arena, &v->mem);
+    fmb_status st = fmb_rules_read(v, &options);
+    v->usual_rules = options.rules || options.presolve ? -1 : v->rules;
+    v->options.rules = v->options.presolve = NULL; /* they were borrowed */
+    if (st == FMB_OK)
+        *out = v;
+    else
+        fmb_solver_free(v);
+    return st;
+}
+
+void fmb_solver_free(fmb_solver *v)
+{
+    if (!v)
+        return;
+    fmb_evidence_free(v->evidence);
+    fmb_session_free(v->session);
+    fmb_arena_clear(&v->arena);
+    fmb_mem mem = v->mem;
+    fmb_mem_put(&mem, v, 1, sizeof *v);
+}
+
+/* ---- life ------------------------------------------------------------------------------------ */
+
+void fmb_solver_cancel(fmb_solver *v)
+{
+    if (v)
+        atomic_store_explicit(&v->cancel, 1, memory_order_relaxed);
+}
+
+void fmb_solver_set_chooser(fmb_solver *v, fmb_chooser chooser)
+{
+    if (v)
+        v->chooser = chooser;
+}
+
+void fmb_solver_set_sink(fmb_solver *v, fmb_sink sink)
+{
+    if (v)
+        v->sink = sink;
+}
+
+fmb_status fmb_solver_evidence(const fmb_solver *v, fmb_evidence **out)
+{
+    if (!v || !out)
+        return FMB_ERR_ARG;
+    if (!v->answered || !v->evidence)
+        return FMB_ERR_STATE;
+    *out = fmb_evidence_share(v->evidence);
+    return FMB_OK;
+}
+
+/* ---- queries --------------------------------------------------------------------------------- */
+
+fmb_status fmb_query_want_point(fmb_query *q)
+{
+    size_t dim = (size_t)fmb_system_dim(q->s);
+    fmb_status st = q->point ? FMB_OK : fmb_rationals_new(&q->point, dim, &q->v->mem);
+    return st == FMB_OK && !q->x ? fmb_rationals_new(&q->x, dim, &q->v->mem) : st;
+}
+
+static fmb_status open_query_evidence(fmb_query *q)
+{
+    fmb_solver *v = q->v;
+    if (v->options.evidence == FMB_EVIDENCE_NONE)
+        return FMB_OK;
+    size_t dim = (size_t)fmb_system_dim(q->s);
+    fmb_status st = fmb_evidence_new((int)dim, fmb_system_rows(q->s), &v->mem.alloc, &v->evidence);
+    if (st != FMB_OK)
+        return st;
+    q->evidence = v->evidence;
+    q->claims = v->options.evidence == FMB_EVIDENCE_ALL ? q->evidence : NULL;
+    fmb_mem_enter(&q->evidence->mem, &v->mem);
+    return fmb_query_want_point(q);
+}
+
+static fmb_status begin_query(fmb_query *q, fmb_solver *v, const fmb_system *s, const char *name,
+                              fmb_session *session)
+{
+    *q = (fmb_query){.v = v, .s = s, .session = session};
+    v->answered = false;
+    fmb_evidence_free(v->evidence);
+    v->evidence = NULL;
+    if (v->options.max_bytes > 0)
+        fmb_arena_clear(&v->arena); /* what older queries left shall not count for this one */
+    fmb_arena_reset(&v->arena);
+    atomic_store_explicit(&v->cancel, 0, memory_order_relaxed);
+    fmb_run_begin(&q->run, &v->mem, &v->options, &v->cancel, v->sink, name);
+    if (v->within) {
+        q->run.cancel = v->within->cancel;
+        q->run.deadline = v->within->deadline;
+    }
+    fmb_status st = fmb_rules_agree(v, name);
+    if (st == FMB_OK)
+        st = open_query_evidence(q);
+    if (st == FMB_OK)
+        st = fmb_parts_split(&q->parts, s, &q->run, &v->arena,
+                             session                            ? FMB_SPLIT_ALL
+                             : (v->steps & FMB_STEP_COMPONENTS) ? FMB_SPLIT_COMPONENTS
+                                                                : FMB_SPLIT_NAMED);
+    if (st != FMB_OK)
+        return st;
+    size_t parts = (size_t)q->parts.count;
+    fmb_lp **lp = fmb_arena_get(&v->arena, parts, sizeof *lp);
+    q->program = fmb_arena_get(&v->arena, parts, sizeof *q->program);
+    q->oracle = fmb_arena_get(&v->arena, parts, sizeof *q->oracle);
+    if (!lp || !q->program || !q->oracle)
+        return fmb_mem_status(&v->mem);
+    for (size_t i = 0; i < parts; i++) {
+        lp[i] = NULL;
+        q->oracle[i] = NULL;
+    }
+    q->lp = lp;
+    return FMB_OK;
+}
+
+fmb_status fmb_query_begin(fmb_query *q, fmb_solver *v, const fmb_system *s, const char *name)
+{
+    return begin_query(q, v, s, name, NULL);
+}
+
+fmb_status fmb_query_resume(fmb_query *q, fmb_solver *v, const fmb_system *s, const char *name)
+{
+    bool warm =
+        v->session && s == fmb_session_system(v->session) && v->options.method != FMB_METHOD_FM;
+    return begin_query(q, v, s, name, warm ? v->session : NULL);
+}
+
+fmb_status fmb_query_end(fmb_query *q, fmb_status st, fmb_verdict verdict, fmb_result *res)
+{
+    fmb_solver *v = q->v;
+    fmb_query_leave_session(q, st != FMB_OK);
+    if (st == FMB_LIMIT && q->run.stop == FMB_STOP_DONE)
+        q->run.stop = FMB_STOP_BYTES;
+    fmb_query_close_oracles(q);
+    fmb_parts_clear(&q->parts, &v->mem);
+    fmb_rationals_free(q->point, (size_t)fmb_system_dim(q->s), &v->mem);
+    fmb_rationals_free(q->x, (size_t)fmb_system_dim(q->s), &v->mem);
+    if (q->evidence)
+        fmb_mem_leave(&q->evidence->mem);
+    fmb_run_end(&q->run, verdict);
+    if (st == FMB_ERR_ARG)
+        return fmb_solver_refuse(v, st,
+                                 "the chooser named a variable that was not on offer, or a rule "
+                                 "returned FMB_ERR_ARG");
+    if (st != FMB_OK && st != FMB_LIMIT)
+        return st;
+    v->answered = true;
+    if (res)
+        *res = (fmb_result){.verdict = verdict,
+                            .trust = verdict == FMB_UNKNOWN ? FMB_TRUST_NONE : FMB_TRUST_EXACT,
+                            .stop = q->run.stop,
+                            .stats = q->run.stats};
+    return FMB_OK;
+}
+
+fmb_status fmb_query_load(fmb_query *q, const fmb_part *p, bool feasible, fmb_elim *e)
+{
+    const fmb_solver *v = q->v;
+    const fmb_rule *rule[FMB_MAX_RULES];
+    int rules = 0;
+    for (int k = 0; k < v->rules; k++)
+        if (feasible || v->rule[k] != &fmb_rule_lp)
+            rule[rules++] = v->rule[k];
+    fmb_elim_options o = {.order = v->options.order,
+                          .rebase = v->options.rebase,
+                          .steps = v->steps,
+                          .wide_only = fmb_query_is_wide(q),
+                          .chooser = v->chooser,
+                          .rule = rule,
+                          .rules = rules};
+    q->run.var_of = p->var;
+    *e = (fmb_elim){.run = &q->run}; /* it can be cleared, whatever fails */
+    fmb_status st = p->row ? FMB_OK : fmb_query_write_rows(q, (int)(p - q->parts.part));
+    if (st != FMB_OK)
+        return st;
+    st = fmb_elim_init(e, &q->run, &q->v->arena, p->n, &o);
+    for (size_t i = 0; st == FMB_OK && i < p->m; i++)
+        st = fmb_elim_add(e, &p->row[i], p->rel[i]);
+    for (size_t i = 0; st == FMB_OK && !(v->steps & FMB_STEP_EQUALITIES) && i < p->m; i++)
+        if (p->rel[i] == FMB_EQ)
+            st = fmb_elim_split(e, (uint32_t)i);
+    if (e->live.size > q->run.stats.rows_peak)
+        q->run.stats.rows_peak = e->live.size;
+    return st;
+}

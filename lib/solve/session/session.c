@@ -1,0 +1,136 @@
+/* session.c: the system and its journal; see session.h and state.h. */
+#include "solve/session/state.h"
+
+#include <string.h>
+
+/* ---- life ------------------------------------------------------------------------------------ */
+
+fmb_status fmb_session_new(fmb_mem *mem, const fmb_system *s, fmb_session **out)
+{
+    fmb_session *c = fmb_mem_zero(mem, 1, sizeof *c);
+    if (!c)
+        return fmb_mem_status(mem);
+    size_t rows = fmb_system_rows(s);
+    c->mem = mem;
+    fmb_status st = fmb_system_copy_to(s, &mem->alloc, &c->s);
+    if (st == FMB_OK)
+        st = fmb_mem_reserve(mem, (void **)&c->row, &c->row_room, rows, sizeof *c->row);
+    if (st != FMB_OK) {
+        fmb_session_free(c);
+        return st;
+    }
+    for (size_t i = 0; i < rows; i++)
+        c->row[i] = (fmb_session_row){.slot = FMB_NO_SLOT};
+    *out = c;
+    return FMB_OK;
+}
+
+void fmb_session_free(fmb_session *c)
+{
+    if (!c)
+        return;
+    fmb_session_forget(c);
+    for (size_t k = 0; k < c->changes; k++)
+        if (c->journal[k].kind != FMB_CHANGE_ADDED)
+            fmb_system_free_row(c->s, &c->journal[k].old);
+    fmb_mem_put(c->mem, c->row, c->row_room, sizeof *c->row);
+    fmb_mem_put(c->mem, c->journal, c->change_room, sizeof *c->journal);
+    fmb_mem_put(c->mem, c->level, c->level_room, sizeof *c->level);
+    fmb_system_free(c->s);
+    fmb_mem_put(c->mem, c, 1, sizeof *c);
+}
+
+const fmb_system *fmb_session_system(const fmb_session *c)
+{
+    return c->s;
+}
+
+/* ---- changes --------------------------------------------------------------------------------- */
+
+fmb_status fmb_session_reserve(fmb_session *c)
+{
+    fmb_status st = fmb_mem_reserve(c->mem, (void **)&c->row, &c->row_room,
+                                    fmb_system_rows(c->s) + 1, sizeof *c->row);
+    if (st == FMB_OK && c->levels > 0)
+        st = fmb_mem_reserve(c->mem, (void **)&c->journal, &c->change_room, c->changes + 1,
+                             sizeof *c->journal);
+    return st;
+}
+
+/* Note a change; what it replaced goes where nobody will want it back. */
+static void note_change(fmb_session *c, fmb_change change)
+{
+    if (c->levels > 0)
+        c->journal[c->changes++] = change;
+    else if (change.kind != FMB_CHANGE_ADDED)
+        fmb_system_free_row(c->s, &change.old);
+}
+
+void fmb_session_note_added(fmb_session *c)
+{
+    size_t last = fmb_system_rows(c->s) - 1;
+    c->row[last] = (fmb_session_row){.slot = FMB_NO_SLOT};
+    note_change(c, (fmb_change){.kind = FMB_CHANGE_ADDED, .row = last});
+}
+
+void fmb_session_remove(fmb_session *c, size_t i)
+{
+    fmb_change change = {.kind = FMB_CHANGE_REMOVED, .row = i, .place = c->row[i]};
+    fmb_system_take_row(c->s, i, &change.old);
+    memmove(&c->row[i], &c->row[i + 1], (fmb_system_rows(c->s) - i) * sizeof *c->row);
+    note_change(c, change);
+}
+
+fmb_status fmb_session_set_right(fmb_session *c, size_t i, const mpq_t b)
+{
+    fmb_change change = {.kind = FMB_CHANGE_RIGHT, .row = i};
+    fmb_status st = fmb_system_change_right(c->s, i, b, &change.old);
+    if (st != FMB_OK)
+        return st;
+    c->row[i].shifted = true;
+    note_change(c, change);
+    return FMB_OK;
+}
+
+/* ---- levels ---------------------------------------------------------------------------------- */
+
+fmb_status fmb_session_push(fmb_session *c)
+{
+    fmb_status st = fmb_mem_reserve(c->mem, (void **)&c->level, &c->level_room, c->levels + 1,
+                                    sizeof *c->level);
+    if (st == FMB_OK)
+        c->level[c->levels++] = c->changes;
+    return st;
+}
+
+static void restore_removed_row(fmb_session *c, const fmb_change *change)
+{
+    size_t i = change->row;
+    memmove(&c->row[i + 1], &c->row[i], (fmb_system_rows(c->s) - i) * sizeof *c->row);
+    fmb_system_put_row(c->s, i, &change->old);
+    c->row[i] = change->place;
+}
+
+static void restore_right_side(fmb_session *c, fmb_change *change)
+{
+    fmb_sysrow *row = &c->s->row[change->row], now = *row;
+    *row = change->old;
+    row->label = now.label;
+    now.label = NULL;
+    fmb_system_free_row(c->s, &now);
+    c->row[change->row].shifted = true;
+}
+
+void fmb_session_pop(fmb_session *c)
+{
+    size_t first = c->level[--c->levels];
+    while (c->changes > first) {
+        fmb_change *change = &c->journal[--c->changes];
+        if (change->kind == FMB_CHANGE_ADDED)
+            fmb_system_remove(c->s, change->row);
+        else if (change->kind == FMB_CHANGE_REMOVED)
+            restore_removed_row(c, change);
+        else
+            restore_right_side(c, change);
+    }
+}

@@ -1,0 +1,169 @@
+/* decide.c: is it feasible? Part by part, by elimination or by the oracle.
+ *
+ * Tiny parts are eliminated: nothing is faster there. A part on which elimination would grow goes
+ * to the oracle after a small budget of rows.
+ */
+#include "elim/round/witness.h"
+#include "elim/tiny/tiny.h"
+#include "solve/query/solver.h"
+
+/* Elimination is tried on parts up to this size, and given up beyond this many rows. (On many rows
+ * the first round alone makes far more than that, each with a history as long as all of them.) */
+#define TINY_VARIABLES 6
+#define TINY_ROWS      256
+#define TINY_BUDGET(m) (256 + 8 * (m))
+
+/* ---- by elimination -------------------------------------------------------------------------- */
+
+static fmb_status note_eliminated_point(fmb_query *q, const fmb_part *p, const fmb_elim *e)
+{
+    if (!q->point)
+        return FMB_OK;
+    fmb_status st = fmb_elim_point(e, FMB_POINT_INSIDE, q->x);
+    if (st == FMB_OK)
+        fmb_query_scatter(p, q->x, q->point);
+    return st;
+}
+
+/* budget > 0: *out stays UNKNOWN when the store outgrows it. */
+static fmb_status decide_by_elimination(fmb_query *q, const fmb_part *p, size_t budget,
+                                        fmb_verdict *out)
+{
+    fmb_elim e;
+    bool *drop = fmb_arena_get(&q->v->arena, (size_t)p->n, sizeof *drop);
+    if (!drop)
+        return fmb_mem_status(q->run.mem);
+    for (int j = 0; j < p->n; j++)
+        drop[j] = true;
+    fmb_status st = fmb_query_load(q, p, false, &e);
+    e.budget = budget;
+    if (st == FMB_OK)
+        st = fmb_elim_eliminate(&e, drop);
+    if (st == FMB_OK) {
+        *out = e.clash != FMB_NO_ROW ? FMB_INFEASIBLE : FMB_FEASIBLE;
+        st = *out == FMB_INFEASIBLE ? fmb_query_claim_clash(q, p, &e)
+                                    : note_eliminated_point(q, p, &e);
+    }
+    bool gave_up = st == FMB_LIMIT && e.over_budget;
+    fmb_elim_clear(&e);
+    return gave_up ? FMB_OK : st;
+}
+
+/* ---- by the oracle --------------------------------------------------------------------------- */
+
+static fmb_status claim_oracle_conflict(fmb_query *q, const fmb_part *p, const fmb_oracle *o)
+{
+    fmb_weights w = {0};
+    if (!q->evidence)
+        return FMB_OK;
+    fmb_status st = fmb_oracle_conflict(o, &w);
+    fmb_query_take_oracle_weights(q, p, &w);
+    if (st == FMB_OK)
+        st = fmb_query_claim_infeasible(q, p, &w);
+    fmb_weights_clear(&w, q->run.mem);
+    return st;
+}
+
+static void note_oracle_point(fmb_query *q, const fmb_part *p, const fmb_oracle *o)
+{
+    if (!q->point)
+        return;
+    fmb_oracle_point(o, q->x);
+    fmb_query_scatter(p, q->x, q->point);
+}
+
+static fmb_status decide_by_oracle(fmb_query *q, int part, fmb_verdict *out)
+{
+    const fmb_part *p = &q->parts.part[part];
+    fmb_oracle *o;
+    bool feasible;
+    fmb_status st = fmb_query_oracle(q, part, &o);
+    if (st == FMB_OK)
+        st = fmb_oracle_feasible(o, &feasible);
+    if (st != FMB_OK)
+        return st;
+    *out = feasible ? FMB_FEASIBLE : FMB_INFEASIBLE;
+    if (!feasible)
+        return claim_oracle_conflict(q, p, o);
+    note_oracle_point(q, p, o);
+    return FMB_OK;
+}
+
+/* ---- all ------------------------------------------------------------------------------------- */
+
+static fmb_status decide_one_part(fmb_query *q, int part, bool oracles, fmb_verdict *out)
+{
+    const fmb_part *p = &q->parts.part[part];
+    fmb_method method = q->v->options.method;
+    fmb_status st = FMB_OK;
+    *out = FMB_UNKNOWN;
+    if (!oracles && method == FMB_METHOD_FM)
+        st = decide_by_elimination(q, p, 0, out);
+    else if (!oracles && method == FMB_METHOD_AUTO && p->n <= TINY_VARIABLES && p->m <= TINY_ROWS)
+        st = decide_by_elimination(q, p, TINY_BUDGET(p->m), out);
+    return st != FMB_OK || *out != FMB_UNKNOWN ? st : decide_by_oracle(q, part, out);
+}
+
+fmb_status fmb_query_decide(fmb_query *q, bool oracles, fmb_verdict *out)
+{
+    if (q->parts.false_row != SIZE_MAX) {
+        fmb_status claimed = fmb_query_claim_false_row(q, q->parts.false_row);
+        *out = claimed == FMB_OK ? FMB_INFEASIBLE : *out;
+        return claimed;
+    }
+    fmb_status st = fmb_run_poll_now(&q->run);
+    fmb_verdict verdict = FMB_FEASIBLE;
+    oracles = oracles || q->session;
+    for (int c = 0; st == FMB_OK && verdict == FMB_FEASIBLE && c < q->parts.count; c++)
+        st = decide_one_part(q, c, oracles, &verdict);
+    if (st == FMB_OK && verdict == FMB_FEASIBLE)
+        st = fmb_query_claim_feasible(q);
+    if (st == FMB_OK)
+        *out = verdict;
+    return st;
+}
+
+/* ---- on the stack ---------------------------------------------------------------------------- */
+
+/* Does the query want the verdict only, found in the usual way? A limit on rows is left to the
+ * general way, which can stop at it; of bytes none are taken. */
+static bool wants_verdict_only(const fmb_solver *v)
+{
+    const fmb_options *o = &v->options;
+    return v->rules == v->usual_rules && !o->evidence && !v->sink.put && !v->chooser.choose &&
+           o->method <= FMB_METHOD_FM && o->arith <= FMB_ARITH_INT && o->order == FMB_ORDER_PAIRS &&
+           o->rebase == FMB_REBASE_AUTO && o->max_rows == 0;
+}
+
+/* Without a query: true if that answered. */
+static bool decide_on_stack(fmb_solver *v, const fmb_system *s, fmb_result *res)
+{
+    fmb_run run;
+    fmb_run_begin(&run, &v->mem, &v->options, &v->cancel, v->sink, "solve");
+    fmb_verdict verdict = fmb_tiny_decide(s, &run.stats);
+    if (verdict == FMB_UNKNOWN)
+        return false;
+    fmb_run_end(&run, verdict);
+    if (v->options.max_seconds > 0 && run.stats.seconds >= v->options.max_seconds)
+        return false;
+    fmb_evidence_free(v->evidence);
+    v->evidence = NULL;
+    v->trouble[0] = '\0';
+    v->answered = true;
+    if (res)
+        *res = (fmb_result){.verdict = verdict, .trust = FMB_TRUST_EXACT, .stats = run.stats};
+    return true;
+}
+
+fmb_status fmb_solve(fmb_solver *v, const fmb_system *s, fmb_result *res)
+{
+    fmb_query q;
+    fmb_verdict verdict = FMB_UNKNOWN;
+    fmb_status st = fmb_solver_expect(v, s, true);
+    if (st != FMB_OK || (wants_verdict_only(v) && decide_on_stack(v, s, res)))
+        return st;
+    st = fmb_query_resume(&q, v, s, "solve");
+    if (st == FMB_OK)
+        st = fmb_query_decide(&q, false, &verdict);
+    return fmb_query_end(&q, st, verdict, res);
+}

@@ -1,0 +1,41 @@
+/* change.c: rows that leave a system whole, and come back; see system.h. */
+#include <string.h>
+
+#include "num/rationals.h"
+#include "system/system.h"
+
+void fmb_system_take_row(fmb_system *s, size_t i, fmb_sysrow *out)
+{
+    *out = s->row[i];
+    s->rows--;
+    memmove(&s->row[i], &s->row[i + 1], (s->rows - i) * sizeof *s->row);
+}
+
+void fmb_system_put_row(fmb_system *s, size_t i, const fmb_sysrow *r)
+{
+    memmove(&s->row[i + 1], &s->row[i], (s->rows - i) * sizeof *s->row);
+    s->row[i] = *r;
+    s->rows++;
+}
+
+fmb_status fmb_system_change_right(fmb_system *s, size_t i, const mpq_t b, fmb_sysrow *old)
+{
+    mpq_t *coef;
+    size_t n = s->row[i].nnz;
+    fmb_sysrow changed;
+    fmb_status st = fmb_rationals_new(&coef, n, &s->mem);
+    if (st != FMB_OK)
+        return st;
+    for (size_t k = 0; k < n; k++)
+        fmb_sysrow_get_q(&s->row[i], k, coef[k]);
+    st = fmb_system_add_q(s, n, s->row[i].var, coef, s->row[i].rel, b);
+    fmb_rationals_free(coef, n, &s->mem);
+    if (st != FMB_OK)
+        return st;
+    fmb_system_take_row(s, s->rows - 1, &changed);
+    *old = s->row[i];
+    s->row[i] = changed;
+    s->row[i].label = old->label;
+    old->label = NULL;
+    return FMB_OK;
+}

@@ -1,0 +1,101 @@
+/* objective.c: the linear form that a system may carry. It is kept as a row whose right side is the
+ * constant, so what makes rows makes it, too.
+ */
+#include <math.h>
+
+#include "system/system.h"
+
+static bool is_sense(fmb_sense sense)
+{
+    return sense == FMB_SENSE_MAX || sense == FMB_SENSE_MIN;
+}
+
+static fmb_status refuse_sense(fmb_system *s, fmb_sense sense)
+{
+    return fmb_system_refuse(s, "sense %d is none", (int)sense);
+}
+
+/* A row was appended to be the objective. */
+static fmb_status turn_last_row_into_objective(fmb_system *s, fmb_sense sense)
+{
+    fmb_system_drop_objective(s);
+    s->objective = s->row[--s->rows];
+    s->sense = sense;
+    return FMB_OK;
+}
+
+fmb_status fmb_system_set_objective(fmb_system *s, const fmb_objective *o)
+{
+    if (!s)
+        return FMB_ERR_ARG;
+    if (!o || o->sense == FMB_SENSE_NONE) {
+        fmb_system_drop_objective(s);
+        return FMB_OK;
+    }
+    if (!is_sense(o->sense))
+        return refuse_sense(s, o->sense);
+    if (!isfinite(o->constant))
+        return fmb_system_refuse(s, "constant is %g", o->constant);
+    fmb_status st = fmb_system_add(s, o->coef, FMB_LE, o->constant);
+    return st == FMB_OK ? turn_last_row_into_objective(s, o->sense) : st;
+}
+
+fmb_status fmb_system_set_objective_q(fmb_system *s, const fmb_objective_q *o)
+{
+    if (!s)
+        return FMB_ERR_ARG;
+    if (!o || o->sense == FMB_SENSE_NONE) {
+        fmb_system_drop_objective(s);
+        return FMB_OK;
+    }
+    if (!is_sense(o->sense))
+        return refuse_sense(s, o->sense);
+    if (o->constant && mpz_sgn(mpq_denref(o->constant)) == 0)
+        return fmb_system_refuse(s, "constant has denominator 0");
+    mpq_t zero;
+    mpq_init(zero);
+    fmb_status st =
+        fmb_system_add_q(s, o->n, o->var, o->coef, FMB_LE, o->constant ? o->constant : zero);
+    mpq_clear(zero);
+    return st == FMB_OK ? turn_last_row_into_objective(s, o->sense) : st;
+}
+
+fmb_status fmb_system_carry_objective(fmb_system *t, const fmb_system *s, const int *place)
+{
+    fmb_status st = FMB_OK;
+    bool named = s->sense != FMB_SENSE_NONE;
+    for (size_t k = 0; named && k < s->objective.nnz; k++)
+        named = place[s->objective.var[k]] >= 0;
+    if (!named)
+        return FMB_OK;
+    st = fmb_system_copy_row(t, &s->objective);
+    if (st != FMB_OK)
+        return st;
+    fmb_sysrow *row = &t->row[t->rows - 1];
+    for (size_t k = 0; k < row->nnz; k++)
+        row->var[k] = place[row->var[k]];
+    return turn_last_row_into_objective(t, s->sense);
+}
+
+fmb_sense fmb_system_sense(const fmb_system *s)
+{
+    return s ? s->sense : FMB_SENSE_NONE;
+}
+
+size_t fmb_system_objective_terms(const fmb_system *s)
+{
+    return s && s->sense ? s->objective.nnz : 0;
+}
+
+int fmb_system_objective_term_q(const fmb_system *s, size_t k, mpq_t coef)
+{
+    bool there = k < fmb_system_objective_terms(s);
+    fmb_sysrow_get_q(there ? &s->objective : NULL, k, coef);
+    return there ? s->objective.var[k] : -1;
+}
+
+void fmb_system_objective_constant_q(const fmb_system *s, mpq_t constant)
+{
+    bool there = s && s->sense;
+    fmb_sysrow_get_q(there ? &s->objective : NULL, there ? s->objective.nnz : 0, constant);
+}

@@ -1,9 +1,0 @@
-NAME test
-ROWS
- N cost
- L lim
- G low
-COLUMNS
- x lim 0.1
- y lim 0.10000000000000000001
-ENDATA

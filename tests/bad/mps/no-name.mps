@@ -1,4 +1,0 @@
-ROWS
- N cost
-COLUMNS
-ENDATA

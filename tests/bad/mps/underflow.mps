@@ -1,8 +1,0 @@
-NAME test
-ROWS
- N cost
- L lim
- G low
-COLUMNS
- x lim 1e-320
-ENDATA

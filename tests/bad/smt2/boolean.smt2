@@ -1,2 +1,0 @@
-(declare-fun p () Bool)
-(assert p)

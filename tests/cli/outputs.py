@@ -1,0 +1,79 @@
+"""What a command writes to a file gets its name when it is whole, an input is never written to, and
+names of files cannot speak to a terminal. usage: outputs.py FMB EXAMPLES"""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+fmb, examples = sys.argv[1], pathlib.Path(sys.argv[2])
+faults = []
+
+
+def expect(truth, what):
+    if not truth:
+        faults.append(what)
+
+
+def run(*words, **how):
+    return subprocess.run([fmb, *map(str, words)], capture_output=True, text=True, **how)
+
+
+def clean(folder, *names):
+    return sorted(p.name for p in folder.iterdir()) == sorted(names)
+
+
+with tempfile.TemporaryDirectory() as name:
+    folder = pathlib.Path(name)
+    os.umask(mask := os.umask(0))
+    system, proof = folder / "s.fmb", folder / "s.proof"
+    shutil.copy(examples / "breakfast.fmb", system)
+    before = system.read_text()
+
+    expect(run("solve", system, "--proof", proof).returncode == 0, "a proof is written")
+    expect(clean(folder, "s.fmb", "s.proof"), "no temporary file stays")
+    expect(proof.stat().st_mode & 0o777 == 0o666 & ~mask, "mode of an output")
+    good = proof.read_text()
+
+    for words in (("solve", system, "--proof", system), ("bounds", system, "--trace", system)):
+        r = run(*words)
+        expect(r.returncode == 64 and "cannot be an output" in r.stderr, f"refused: {r.stderr}")
+        expect(system.read_text() == before, "the input is as it was")
+    (folder / "link").symlink_to(system)
+    expect(run("solve", system, "--proof", folder / "link").returncode == 64, "nor through a link")
+    with open(system, "a") as out:
+        r = subprocess.run([fmb, "convert", system, "--to", "fmb"], stdout=out,
+                           stderr=subprocess.PIPE, text=True)
+    expect(r.returncode == 64 and "this very file" in r.stderr, f"FILE >> FILE: {r.stderr}")
+    expect(system.read_text() == before, "nothing is appended to the input")
+    (folder / "link").unlink()
+
+    # A failure leaves what was there: here the rules do not go together, which shows at the query.
+    r = run("solve", system, "--rebase=never", "--proof", proof, "--trace", folder / "t")
+    expect(r.returncode == 64 and proof.read_text() == good, "a failure keeps the old proof")
+    expect(clean(folder, "s.fmb", "s.proof"), f"a failure leaves no file: {os.listdir(folder)}")
+
+    # A proof through a link goes to the file behind it.
+    (folder / "latest").symlink_to(proof)
+    expect(run("bounds", system, "--proof", folder / "latest").returncode == 0, "through a link")
+    expect((folder / "latest").is_symlink() and proof.read_text() != good, "the link stays")
+
+    r = run("solve", system, "--proof", proof, "--trace", folder / "latest")
+    expect(r.returncode == 64 and "two outputs" in r.stderr, f"two outputs, one file: {r.stderr}")
+
+    full = run("solve", system, "--proof", "/dev/full")
+    expect(full.returncode == 74, "a device is written to as it is")
+
+    evil = folder / "a\x1b[31m\nb.fmb"
+    r = run("solve", evil)
+    expect(r.returncode == 66 and "\x1b" not in r.stderr and r"a\x1b[31m\x0ab.fmb" in r.stderr,
+           f"escapes in names: {r.stderr!r}")
+    evil.write_text("x <= ,\n")
+    r = run("solve", evil)
+    expect(r.returncode == 65 and "\x1b" not in r.stderr and r"\x1b" in r.stderr,
+           f"escapes in places: {r.stderr!r}")
+
+print("\n".join(faults) or "outputs: no faults")
+sys.exit(bool(faults))

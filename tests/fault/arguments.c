@@ -1,0 +1,349 @@
+/* arguments.c: wrong arguments of the functions of systems, evidence and boxes: NULL for each
+ * pointer in turn, numbers out of range: a status or 0, never a crash, and a word about it. */
+#include <criterion/criterion.h>
+#include <math.h>
+#include <string.h>
+
+#include "property/random/rows.h"
+#include "verbs.h"
+
+/* What the calls are about; nothing here may change. */
+typedef struct world {
+    fmb_system *s;
+    fmb_evidence *e; /* of a feasible system: one claim */
+    fmb_box *box;    /* of its variables */
+    FILE *stream;
+    mpq_t q;
+} world;
+
+static world open_world(void)
+{
+    world w = {.stream = tmpfile()};
+    fmb_solver *v = NULL;
+    fmb_result r;
+    mpq_init(w.q);
+    must(fmb_system_new(2, NULL, &w.s));
+    must(fmb_system_add_int(w.s, (int64_t[]){1, 1}, FMB_LE, 4));
+    must(fmb_solver_new(NULL, NULL, &v));
+    must(fmb_bound(v, w.s, NULL, 0, &w.box, &r));
+    must(fmb_solve(v, w.s, &r));
+    must(fmb_solver_evidence(v, &w.e));
+    fmb_solver_free(v);
+    cr_assert_not_null(w.stream);
+    return w;
+}
+
+static void close_world(world *w)
+{
+    fclose(w->stream);
+    mpq_clear(w->q);
+    fmb_box_free(w->box);
+    fmb_evidence_free(w->e);
+    fmb_system_free(w->s);
+}
+
+/* ---- NULL for each pointer ------------------------------------------------------------------- */
+
+/* The k-th pointer of a call, NULL in its turn. A call gives its status; an accessor gives OK, and
+ * ARG if it told of anything. */
+#define P(k, pointer) (null == (k) ? NULL : (pointer))
+
+static fmb_status on_new(world *w, int null)
+{
+    (void)w;
+    fmb_system *out = NULL;
+    fmb_status st = fmb_system_new(1, NULL, P(0, &out));
+    fmb_system_free(out);
+    return st;
+}
+
+static fmb_status on_copy(world *w, int null)
+{
+    fmb_system *out = NULL;
+    fmb_status st = fmb_system_copy(P(0, w->s), P(1, &out));
+    fmb_system_free(out);
+    return st;
+}
+
+static fmb_status on_add(world *w, int null)
+{
+    return fmb_system_add(P(0, w->s), P(1, ((double[]){1, 2})), FMB_LE, 1);
+}
+
+static fmb_status on_add_int(world *w, int null)
+{
+    return fmb_system_add_int(P(0, w->s), P(1, ((int64_t[]){1, 2})), FMB_LE, 1);
+}
+
+static fmb_status on_add_q(world *w, int null)
+{
+    return fmb_system_add_q(P(0, w->s), 1, P(1, (int[]){0}), P(2, &w->q), FMB_LE, P(3, w->q));
+}
+
+static fmb_status on_objective(world *w, int null)
+{
+    fmb_objective o = {FMB_SENSE_MAX, P(1, ((double[]){1, 2})), 0};
+    return fmb_system_set_objective(P(0, w->s), &o);
+}
+
+static fmb_status on_objective_q(world *w, int null)
+{
+    fmb_objective_q o = {FMB_SENSE_MAX, 1, P(1, (int[]){0}), P(2, &w->q), NULL};
+    return fmb_system_set_objective_q(P(0, w->s), &o);
+}
+
+static fmb_status on_parse_objective(world *w, int null)
+{
+    return fmb_system_parse_objective(P(0, w->s), FMB_SENSE_MIN, P(1, "x1"), 2, NULL);
+}
+
+static fmb_status on_join(world *w, int null)
+{
+    return fmb_system_join(P(0, w->s), P(1, w->s), NULL);
+}
+
+static fmb_status on_add_variable(world *w, int null)
+{
+    return fmb_system_add_variable(P(0, w->s), NULL, NULL);
+}
+
+static fmb_status on_set_name(world *w, int null)
+{
+    return fmb_system_set_name(P(0, w->s), 0, P(1, "y"));
+}
+
+static fmb_status on_set_label(world *w, int null)
+{
+    return fmb_system_set_label(P(0, w->s), 0, "row");
+}
+
+static fmb_status on_read(world *w, int null)
+{
+    fmb_evidence *out = NULL;
+    rewind(w->stream);
+    fmb_status st = fmb_evidence_read(P(0, w->stream), P(1, w->s), P(2, &out), NULL);
+    fmb_evidence_free(out);
+    return st;
+}
+
+static fmb_status on_write(world *w, int null)
+{
+    return fmb_evidence_write(P(0, w->e), P(1, w->s), P(2, w->stream));
+}
+
+static fmb_status on_check(world *w, int null)
+{
+    fmb_judgement j = {0};
+    return fmb_check(P(0, w->s), P(1, w->e), P(2, &j));
+}
+
+static fmb_status on_tell(world *w, int null)
+{
+    return fmb_evidence_tell(P(0, w->e), P(1, w->s), 0, P(2, w->stream));
+}
+
+static fmb_status on_meets(world *w, int null)
+{
+    bool meets;
+    char why[160];
+    return fmb_evidence_meets(P(0, w->e), P(1, w->s), FMB_DEMAND_PROJECTION, P(2, w->s),
+                              P(3, &meets), why, sizeof why);
+}
+
+static const struct {
+    const char *name;
+    int pointers;
+    fmb_status (*call)(world *w, int null);
+} CALLS[] = {
+    {"fmb_system_new", 1, on_new},
+    {"fmb_system_copy", 2, on_copy},
+    {"fmb_system_add", 2, on_add},
+    {"fmb_system_add_int", 2, on_add_int},
+    {"fmb_system_add_q", 4, on_add_q},
+    {"fmb_system_join", 2, on_join},
+    {"fmb_system_set_objective", 2, on_objective},
+    {"fmb_system_set_objective_q", 3, on_objective_q},
+    {"fmb_system_parse_objective", 2, on_parse_objective},
+    {"fmb_system_set_name", 2, on_set_name},
+    {"fmb_system_add_variable", 1, on_add_variable},
+    {"fmb_evidence_read", 3, on_read},
+    {"fmb_system_set_label", 1, on_set_label},
+    {"fmb_evidence_write", 3, on_write},
+    {"fmb_check", 3, on_check},
+    {"fmb_evidence_tell", 3, on_tell},
+    {"fmb_evidence_meets", 4, on_meets},
+};
+
+Test(arguments, null)
+{
+    world w = open_world();
+    for (size_t i = 0; i < sizeof CALLS / sizeof *CALLS; i++)
+        for (int null = 0; null < CALLS[i].pointers; null++)
+            cr_expect_eq(CALLS[i].call(&w, null), FMB_ERR_ARG, "%s, pointer %d", CALLS[i].name,
+                         null);
+    cr_expect_eq(fmb_system_rows(w.s), 1);
+    cr_expect_eq(fmb_system_dim(w.s), 2);
+    close_world(&w);
+}
+
+/* ---- accessors ------------------------------------------------------------------------------- */
+
+/* Systems: of nothing, or of a row or variable that there is not. */
+static void ask_system(fmb_system *s, size_t i, int j)
+{
+    mpq_t q;
+    mpq_init(q);
+    mpq_set_ui(q, 5, 1);
+    cr_expect_eq(fmb_system_rel(s, i), FMB_LE);
+    cr_expect_null(fmb_system_label(s, i));
+    cr_expect_null(fmb_system_name(s, j));
+    cr_expect_eq(fmb_system_find(s, NULL), -1);
+    cr_expect_not(fmb_system_is_kept(s, j));
+    fmb_system_set_kept(s, j, true);
+    cr_expect_not(fmb_system_asks_projection(s));
+    cr_expect_eq(fmb_system_terms(s, i), 0);
+    cr_expect_eq(fmb_system_term_q(s, i, 0, q), -1);
+    cr_expect_eq(mpq_sgn(q), 0);
+    cr_expect_eq(fmb_system_term_q(s, i, 0, NULL), -1);
+    mpq_set_ui(q, 5, 1);
+    fmb_system_rhs_q(s, i, q);
+    cr_expect_eq(mpq_sgn(q), 0);
+    fmb_system_rhs_q(s, i, NULL);
+    cr_expect_eq(fmb_system_set_label(s, i, "x"), FMB_ERR_ARG);
+    cr_expect_eq(fmb_system_set_name(s, j, "x"), FMB_ERR_ARG);
+    mpq_clear(q);
+}
+
+static void ask_evidence(const fmb_evidence *e, size_t i, int j)
+{
+    mpq_t q;
+    mpq_init(q);
+    cr_expect_eq(fmb_evidence_kind(e, i), FMB_CLAIM_NONE);
+    cr_expect_eq(fmb_evidence_row(e, i), SIZE_MAX);
+    cr_expect_eq(fmb_evidence_var(e, i), -1);
+    cr_expect_eq(fmb_evidence_side(e, i), FMB_LOWER);
+    cr_expect_eq(fmb_evidence_rel(e, i), FMB_LE);
+    cr_expect_eq(fmb_evidence_terms(e, i), 0);
+    cr_expect_eq(fmb_evidence_term_q(e, i, 0, q), -1);
+    cr_expect_eq(fmb_evidence_multiplier(e, i, SIZE_MAX), 0);
+    cr_expect_eq(fmb_evidence_coordinate(e, i, j), 0);
+    fmb_evidence_multiplier_q(e, i, 0, q);
+    fmb_evidence_coordinate_q(e, i, j, q);
+    fmb_evidence_ray_q(e, i, j, q);
+    fmb_evidence_value_q(e, i, q);
+    cr_expect_eq(mpq_sgn(q), 0);
+    fmb_evidence_multiplier_q(e, i, 0, NULL);
+    fmb_evidence_value_q(e, i, NULL);
+    mpq_clear(q);
+}
+
+static void ask_box(const fmb_box *b, int i, fmb_side side)
+{
+    mpq_t q;
+    mpq_init(q);
+    cr_expect_eq(fmb_box_end(b, i, side).kind, FMB_END_UNKNOWN);
+    cr_expect_not(fmb_box_end_q(b, i, side, q));
+    mpq_clear(q);
+}
+
+Test(arguments, accessors)
+{
+    world w = open_world();
+    cr_expect_eq(fmb_system_dim(NULL), 0);
+    cr_expect_eq(fmb_system_rows(NULL), 0);
+    cr_expect_str_eq(fmb_system_trouble(NULL), "");
+    ask_system(NULL, 0, 0);
+    for (int j = -1; j <= 2; j += 3)
+        ask_system(w.s, j < 0 ? SIZE_MAX : 1, j);
+    cr_expect_eq(fmb_system_term_q(w.s, 0, 2, w.q), -1);
+    cr_expect_eq(fmb_evidence_claims(NULL), 0);
+    ask_evidence(NULL, 0, 0);
+    ask_evidence(w.e, 1, 0);
+    ask_evidence(w.e, SIZE_MAX, -1);
+    cr_expect_eq(fmb_evidence_coordinate(w.e, 0, -1), 0);
+    cr_expect_eq(fmb_box_size(NULL), 0);
+    cr_expect_eq(fmb_box_var(NULL, 0), -1);
+    cr_expect_eq(fmb_box_var(w.box, 2), -1);
+    ask_box(NULL, 0, FMB_LOWER);
+    ask_box(w.box, -1, FMB_LOWER);
+    ask_box(w.box, 2, FMB_UPPER);
+    ask_box(w.box, 0, (fmb_side)2);
+    cr_expect_not(fmb_box_end_q(w.box, 0, FMB_LOWER, NULL));
+    cr_expect_not_null(fmb_status_text((fmb_status)-1));
+    cr_expect_not_null(fmb_verdict_text((fmb_verdict)77));
+    cr_expect_not_null(fmb_stop_text((fmb_stop)77));
+    close_world(&w);
+}
+
+/* ---- what is wrong, in words ----------------------------------------------------------------- */
+
+static void expect_trouble(const fmb_system *s, fmb_status st, const char *words)
+{
+    cr_expect_eq(st, FMB_ERR_ARG, "%s", words);
+    cr_expect_not_null(strstr(fmb_system_trouble(s), words), "\"%s\" instead of \"%s\"",
+                       fmb_system_trouble(s), words);
+}
+
+Test(arguments, trouble)
+{
+    world w = open_world();
+    fmb_system *wide = NULL, *s = w.s;
+    int zero = 0, far = 7;
+    must(fmb_system_new(3, NULL, &wide));
+    cr_expect_str_eq(fmb_system_trouble(s), "");
+    expect_trouble(s, fmb_system_add(s, (double[]){1, NAN}, FMB_LE, 0), "coefficient of x2 is nan");
+    expect_trouble(s, fmb_system_add(s, (double[]){1, 1}, FMB_LE, INFINITY), "right side is inf");
+    expect_trouble(s, fmb_system_add_int(s, (int64_t[]){1, 1}, (fmb_rel)9, 1), "relation 9");
+    expect_trouble(s, fmb_system_add_q(s, 1, &far, &w.q, FMB_LE, w.q), "term 0 is of variable 7");
+    mpz_set_ui(mpq_denref(w.q), 0);
+    expect_trouble(s, fmb_system_add_q(s, 1, &zero, &w.q, FMB_LE, w.q), "x1 has denominator 0");
+    expect_trouble(s, fmb_system_add_q(s, 0, NULL, NULL, FMB_LE, w.q),
+                   "right side has denominator");
+    mpz_set_ui(mpq_denref(w.q), 1);
+    expect_trouble(s, fmb_system_join(s, wide, NULL), "over 3 variables to join one over 2");
+    expect_trouble(s, fmb_system_join(s, s, (int[]){0, 2}), "variable 1 is to be 2");
+    expect_trouble(s, fmb_system_set_name(s, 2, "y"), "variable 2 of a system that has 2");
+    expect_trouble(s, fmb_system_set_name(s, 0, "x2"), "\"x2\" is taken");
+    expect_trouble(s, fmb_system_set_name(s, 0, ""), "empty");
+    expect_trouble(s, fmb_system_add_variable(s, "x1", NULL), "\"x1\" is taken");
+    expect_trouble(s, fmb_system_set_label(s, 3, "y"), "row 3 of a system that has 1");
+    fmb_system_free(wide);
+    close_world(&w);
+}
+
+/* Rationals that are not in lowest terms mean what they say. */
+Test(arguments, rationals)
+{
+    static const long given[][2] = {{6, 4}, {-6, -4}, {3, 2}, {-300, -200}};
+    for (size_t i = 0; i < sizeof given / sizeof *given; i++) {
+        world w = open_world();
+        int var[] = {1, 1};
+        mpq_t coef[2], got;
+        mpq_inits(coef[0], coef[1], got, NULL);
+        for (int k = 0; k < 2; k++) {
+            mpz_set_si(mpq_numref(coef[k]), given[i][0]);
+            mpz_set_si(mpq_denref(coef[k]), given[i][1]);
+        }
+        must(fmb_system_add_q(w.s, 2, var, coef, FMB_LE, coef[0]));
+        cr_expect_eq(fmb_system_term_q(w.s, 1, 0, got), 1);
+        cr_expect_eq(mpq_cmp_si(got, 3, 1), 0);
+        fmb_system_rhs_q(w.s, 1, got);
+        cr_expect_eq(mpq_cmp_si(got, 3, 2), 0);
+        cr_expect_eq(mpz_cmp_si(mpq_denref(coef[0]), given[i][1]), 0, "only read");
+        mpq_clears(coef[0], coef[1], got, NULL);
+        close_world(&w);
+    }
+}
+
+/* Nobody asks for gigabytes by a number. */
+Test(arguments, huge)
+{
+    fmb_system *s = NULL;
+    cr_expect_eq(fmb_system_new(INT32_MAX, NULL, &s), FMB_ERR_ARG);
+    cr_expect_eq(fmb_system_new(FMB_DIM_MAX + 1, NULL, &s), FMB_ERR_ARG);
+    cr_expect_eq(fmb_system_new(-1, NULL, &s), FMB_ERR_ARG);
+    cr_expect_null(s);
+    must(fmb_system_new(FMB_DIM_MAX, NULL, &s));
+    expect_trouble(s, fmb_system_add_variable(s, "one more", NULL), "more than 1000000 variables");
+    fmb_system_free(s);
+}

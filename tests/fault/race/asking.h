@@ -1,0 +1,41 @@
+/* asking.h: ask a solver one question about a scene, and judge whatever comes back. */
+#ifndef FMB_TEST_ASKING_H
+#define FMB_TEST_ASKING_H
+
+#include <time.h>
+
+#include <fmb/solve.h>
+
+#include "scenes.h"
+
+typedef enum asking_kind {
+    ASKING_SOLVE,
+    ASKING_PROJECT,
+    ASKING_BOUND,
+    ASKING_REDUCE,
+    ASKING_OPTIMIZE,
+    ASKING_KINDS
+} asking_kind;
+
+/* A moment on the wall, and in the processor time of one thread, which does not pass while others
+ * have the processor [s]. */
+typedef struct moment {
+    double wall, cpu;
+} moment;
+
+/* The query's result, if all is well: the verdict is unknown or the truth, the evidence is accepted
+ * and says the same, and what else was handed out fits the stop. Otherwise the program ends with a
+ * message. *returned is when the query came back. */
+fmb_result asking(fmb_solver *v, const scene *c, asking_kind kind, moment *returned);
+
+/* Now: on the wall, and of the thread whose processor clock this is. */
+moment asking_moment(clockid_t thread);
+/* Monotonic clock [s]. */
+double asking_now(void);
+/* Print and end the program. */
+#if defined(__GNUC__)
+__attribute__((format(printf, 1, 2), noreturn))
+#endif
+void asking_fail(const char *format, ...);
+
+#endif

@@ -1,0 +1,7 @@
+(declare-const b Bool)(declare-const c Bool)(declare-const x Real)
+(define-fun k () Real (ite b 1 (- 2)))
+(assert (! (ite c (< x k) (> x 7)) :named l))
+(assert (=> c (= x 3)))
+(assert (= c (not b)))
+(maximize (+ k (* 2 x) 1))
+(assert b)

@@ -1,0 +1,153 @@
+/* memory.c: the allocator counts, obeys its limit, and the arena hands out what it promises. */
+#include <criterion/criterion.h>
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/arena.h"
+
+Test(mem, counts_what_is_alive)
+{
+    fmb_mem m;
+    fmb_mem_init(&m, NULL, 0);
+    char *p = fmb_mem_get(&m, 10, 3);
+    cr_assert_eq(m.used, 30);
+    p = fmb_mem_grow(&m, p, 10, 20, 3);
+    cr_assert_eq(m.used, 60);
+    p = fmb_mem_grow(&m, p, 20, 5, 3);
+    cr_assert_eq(m.used, 15);
+    fmb_mem_put(&m, p, 5, 3);
+    cr_assert_eq(m.used, 0);
+    cr_assert_eq(m.peak, 60);
+}
+
+Test(mem, limit_is_told_from_failure)
+{
+    fmb_mem m;
+    fmb_mem_init(&m, NULL, 100);
+    void *p = fmb_mem_get(&m, 60, 1);
+    cr_assert_not_null(p);
+    cr_assert_null(fmb_mem_get(&m, 41, 1));
+    cr_assert_eq(fmb_mem_status(&m), FMB_LIMIT);
+    cr_assert_null(fmb_mem_get(&m, SIZE_MAX, 2), "a product that overflows is no block");
+    cr_assert_eq(fmb_mem_status(&m), FMB_ERR_MEMORY);
+    void *q = fmb_mem_get(&m, 40, 1);
+    cr_assert_not_null(q);
+    cr_assert_not(fmb_mem_charge(&m, 1));
+    fmb_mem_put(&m, q, 40, 1);
+    cr_assert(fmb_mem_charge(&m, 40));
+    fmb_mem_refund(&m, 40);
+    fmb_mem_put(&m, p, 60, 1);
+    cr_assert_eq(m.used, 0);
+}
+
+Test(mem, reserve_keeps_the_contents)
+{
+    fmb_mem m;
+    int *p = NULL;
+    size_t capacity = 0;
+    fmb_mem_init(&m, NULL, 0);
+    for (int i = 0; i < 1000; i++) {
+        cr_assert_eq(fmb_mem_reserve(&m, (void **)&p, &capacity, (size_t)i + 1, sizeof *p), FMB_OK);
+        p[i] = i;
+    }
+    for (int i = 0; i < 1000; i++)
+        cr_assert_eq(p[i], i);
+    fmb_mem_put(&m, p, capacity, sizeof *p);
+    cr_assert_eq(m.used, 0);
+}
+
+Test(mem, texts_are_copies)
+{
+    fmb_mem m;
+    char text[] = "wall";
+    fmb_mem_init(&m, NULL, 0);
+    char *copy = fmb_mem_text(&m, text);
+    text[0] = 'b';
+    cr_assert_str_eq(copy, "wall");
+    fmb_mem_put_text(&m, copy);
+    fmb_mem_put_text(&m, NULL);
+    cr_assert_eq(m.used, 0);
+}
+
+Test(arena, pieces_are_apart_and_aligned)
+{
+    fmb_mem m;
+    fmb_arena a;
+    unsigned char *piece[500];
+    fmb_mem_init(&m, NULL, 0);
+    fmb_arena_init(&a, &m);
+    for (size_t i = 0; i < 500; i++) {
+        piece[i] = fmb_arena_get(&a, i, 7);
+        cr_assert_eq((uintptr_t)piece[i] % 16, 0);
+        memset(piece[i], (int)(i & 255), 7 * i);
+    }
+    for (size_t i = 0; i < 500; i++)
+        for (size_t k = 0; k < 7 * i; k++)
+            cr_assert_eq(piece[i][k], i & 255);
+    fmb_arena_clear(&a);
+    cr_assert_eq(m.used, 0);
+}
+
+Test(arena, reset_uses_the_same_chunks)
+{
+    fmb_mem m;
+    fmb_arena a;
+    fmb_mem_init(&m, NULL, 0);
+    fmb_arena_init(&a, &m);
+    for (int round = 0; round < 3; round++) {
+        size_t before = m.used;
+        for (int i = 0; i < 100; i++)
+            cr_assert_not_null(fmb_arena_get(&a, 1000, 1));
+        cr_assert(round == 0 || m.used == before);
+        fmb_arena_reset(&a);
+    }
+    cr_assert_null(fmb_arena_get(&a, SIZE_MAX, 2));
+    cr_assert_eq(fmb_mem_status(&m), FMB_ERR_MEMORY);
+    fmb_arena_clear(&a);
+}
+
+Test(arena, reserve_moves_the_contents)
+{
+    fmb_mem m;
+    fmb_arena a;
+    int *p = NULL;
+    size_t capacity = 0;
+    fmb_mem_init(&m, NULL, 0);
+    fmb_arena_init(&a, &m);
+    for (int i = 0; i < 5000; i++) {
+        cr_assert_eq(fmb_arena_reserve(&a, (void **)&p, &capacity, (size_t)i + 1, sizeof *p),
+                     FMB_OK);
+        p[i] = -i;
+    }
+    for (int i = 0; i < 5000; i++)
+        cr_assert_eq(p[i], -i);
+    fmb_arena_clear(&a);
+}
+
+Test(words, every_status_verdict_and_stop_has_one)
+{
+    for (int i = FMB_OK; i <= FMB_ERR_STATE; i++)
+        cr_assert_str_neq(fmb_status_text((fmb_status)i), "unknown status");
+    cr_assert_str_eq(fmb_status_text((fmb_status)99), "unknown status");
+    cr_assert_str_eq(fmb_verdict_text(FMB_UNKNOWN), "unknown");
+    cr_assert_str_eq(fmb_verdict_text(FMB_FEASIBLE), "feasible");
+    cr_assert_str_eq(fmb_verdict_text(FMB_INFEASIBLE), "infeasible");
+    cr_assert_str_eq(fmb_stop_text(FMB_STOP_DONE), "done");
+    cr_assert_str_eq(fmb_stop_text(FMB_STOP_TIME), "time");
+    cr_assert_str_eq(fmb_stop_text(FMB_STOP_ROWS), "rows");
+    cr_assert_str_eq(fmb_stop_text(FMB_STOP_BYTES), "bytes");
+    cr_assert_str_eq(fmb_stop_text(FMB_STOP_CANCELLED), "cancelled");
+}
+
+Test(words, the_version_is_the_same_everywhere)
+{
+    char numbers[32];
+    snprintf(numbers, sizeof numbers, "%d.%d.%d", FMB_VERSION_MAJOR, FMB_VERSION_MINOR,
+             FMB_VERSION_PATCH);
+    cr_assert_str_eq(numbers, FMB_VERSION);
+    cr_assert_str_eq(fmb_version(), FMB_VERSION);
+    cr_assert_str_eq(MESON_VERSION, FMB_VERSION);
+    cr_assert_eq(FMB_VERSION_NUMBER,
+                 FMB_VERSION_MAJOR * 10000 + FMB_VERSION_MINOR * 100 + FMB_VERSION_PATCH);
+}

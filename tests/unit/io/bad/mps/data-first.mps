@@ -1,0 +1,6 @@
+NAME t
+ x r 1
+ROWS
+ N cost
+COLUMNS
+ENDATA

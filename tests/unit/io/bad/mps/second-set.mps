@@ -1,0 +1,9 @@
+NAME t
+ROWS
+ L r
+COLUMNS
+ x r 1
+RHS
+ A r 1
+ B q 2
+ENDATA

@@ -1,0 +1,7 @@
+NAME t
+OBJSENSE
+    MOST
+ROWS
+ N cost
+COLUMNS
+ENDATA

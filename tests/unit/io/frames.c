@@ -1,0 +1,350 @@
+/* frames.c: pairs of frames from text: what they say, and where they go wrong. */
+#include <criterion/criterion.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include <fmb/gmp.h>
+
+#include "parse.h"
+
+#define LINE 1024
+
+/* A reader of a text, and its stream. */
+typedef struct reading {
+    FILE *in;
+    fmb_frames *r;
+} reading;
+
+static reading begin(const char *text, size_t size, const fmb_reader *how)
+{
+    reading a = {.in = fmemopen((void *)(uintptr_t)text, size, "rb")};
+    cr_assert(a.in);
+    cr_assert_eq(fmb_frames_open(a.in, how, &a.r), FMB_OK);
+    return a;
+}
+
+static void end(reading *a)
+{
+    fmb_frames_close(a->r);
+    fclose(a->in);
+}
+
+static const fmb_frames_line *next(const reading *a)
+{
+    const fmb_frames_line *line = NULL;
+    fmb_where w = {0};
+    fmb_status st = fmb_frames_next(a->r, &line, &w);
+    cr_assert_eq(st, FMB_OK, "%ld:%ld: %s", w.line, w.column, w.text);
+    return line;
+}
+
+static void expect_numbers(mpq_t *a, const char *const *want, int n)
+{
+    mpq_t q;
+    mpq_init(q);
+    for (int i = 0; i < n; i++) {
+        mpq_set_str(q, want[i], 10);
+        cr_expect(mpq_equal(a[i], q), "number %d is not %s", i, want[i]);
+    }
+    mpq_clear(q);
+}
+
+/* ---- what they say --------------------------------------------------------------------------- */
+
+Test(frames, numbers)
+{
+    static const char text[] =
+        "\xEF\xBB\xBF{\"id\": \"one\", \"A\": {\"type\": \"cuboid\", \"vel\": [0, 0.0, -0e5], "
+        "\"comp\": [[1e-2, \"-1/3\", 0.125], [\"0.5/1.5\", 2E+1, -3]], \"orig\": [0.1, -7, 12]}, "
+        "\"note\": {\"vel\": [[{}]], \"x\": [true, false, null, 1e999999, \"\\\"\\u12aF\"]},\r\n"
+        "\n  \t\r\n"
+        "{\"B\": {\"t\\u0079pe\": \"tetrahedron\", \"orig\": [0.5], \"comp\": [], \"vel\": [3]}, "
+        "\"A\": {\"type\": \"simplex\", \"orig\": [1], \"comp\": [[-0.25]], \"vel\": null}, "
+        "\"id\": 17}";
+    const char *broken = strchr(text, '\n');
+    /* the first line lacks its B */
+    reading a = begin(text, (size_t)(broken - text), NULL);
+    const fmb_frames_line *line = NULL;
+    fmb_where w = {0};
+    cr_expect_eq(fmb_frames_next(a.r, &line, &w), FMB_ERR_PARSE);
+    cr_expect(w.line == 1 && strstr(w.text, "key in quotes, found"), "%ld: %s", w.line, w.text);
+    end(&a);
+    a = begin(text, sizeof text - 1, NULL);
+    cr_expect_eq(fmb_frames_next(a.r, &line, &w), FMB_ERR_PARSE);
+    line = next(&a);
+    cr_assert(line);
+    cr_expect_eq(line->number, 4);
+    cr_expect_str_eq(line->id, "17");
+    cr_expect_eq(line->dim, 1);
+    cr_expect(line->are_doubles);
+    cr_expect_eq(line->body[0].frame.shape, FMB_SIMPLEX);
+    cr_expect_null(line->body[0].frame.speed);
+    cr_expect_null(line->frame[0].speed);
+    expect_numbers(line->body[0].frame.axes, (const char *[]){"-1/4"}, 1);
+    cr_expect_eq(line->frame[0].axes[0], -0.25);
+    cr_expect_eq(line->body[1].frame.naxes, 0);
+    expect_numbers(line->body[1].frame.speed, (const char *[]){"3"}, 1);
+    cr_expect_eq(line->frame[1].speed[0], 3);
+    cr_expect_null(next(&a));
+    cr_expect_null(next(&a));
+    end(&a);
+}
+
+#define POINT "{\"type\": \"cuboid\", \"orig\": [0, 0, 0], \"comp\": []}"
+
+Test(frames, rationals)
+{
+    static const char text[] =
+        "{\"A\": {\"type\": \"cuboid\", \"vel\": [0, 0.0, -0e5], \"comp\": [[1e-2, \"-1/3\", "
+        "0.125], [\"0.5/1.5\", 2E+1, -3]], \"orig\": [0.1, -7, 12]}, \"B\": " POINT "}\n";
+    reading a = begin(text, sizeof text - 1, NULL);
+    const fmb_frames_line *line = next(&a);
+    cr_assert(line && !line->id && !line->are_doubles);
+    const fmb_frame_q *f = &line->body[0].frame;
+    cr_expect(f->dim == 3 && f->naxes == 2 && f->shape == FMB_CUBOID);
+    cr_expect_null(f->speed, "a speed of 0 is none");
+    expect_numbers(f->axes, (const char *[]){"1/100", "-1/3", "1/8", "1/3", "20", "-3"}, 6);
+    expect_numbers(f->origin, (const char *[]){"1/10", "-7", "12"}, 3);
+    end(&a);
+}
+
+/* The double nearest to a decimal: ties to even, denormals, the largest. */
+Test(frames, nearest)
+{
+    static const char text[] =
+        "{\"A\": {\"type\": \"cuboid\", \"orig\": [0.1, 9007199254740993, -9007199254740995], "
+        "\"comp\": [[5e-324, 2.4703282292062327e-324, 2.4703282292062328e-324], "
+        "[1.7976931348623157e308, -0.3, 1e22], [\"1/3\", 1e-400, 123456789.123456789]]}, "
+        "\"B\": " POINT "}";
+    static const double want[] = {0.1,
+                                  9007199254740992,
+                                  -9007199254740996,
+                                  0x1p-1074,
+                                  0,
+                                  0x1p-1074,
+                                  1.7976931348623157e308,
+                                  -0.3,
+                                  1e22,
+                                  1.0 / 3,
+                                  0,
+                                  123456789.123456789};
+    for (int nearest = 0; nearest < 2; nearest++) {
+        reading a = begin(text, sizeof text - 1, &(fmb_reader){.nearest = nearest != 0});
+        const fmb_frames_line *line = next(&a);
+        mpq_t q;
+        mpq_init(q);
+        cr_assert_eq(line->are_doubles, nearest != 0);
+        for (int i = 0; i < 12; i++) {
+            double d = i < 3 ? line->frame[0].origin[i] : line->frame[0].axes[i - 3];
+            cr_expect_eq(d, want[i], "%d: %.17g", i, d);
+            mpq_set_d(q, d);
+            if (nearest)
+                cr_expect(mpq_equal(q, i < 3 ? line->body[0].frame.origin[i]
+                                             : line->body[0].frame.axes[i - 3]));
+        }
+        mpq_clear(q);
+        end(&a);
+    }
+}
+
+Test(frames, polytopes)
+{
+    static const char text[] =
+        "{\"A\": {\"rows\": [{\"relation\": \"<\", \"rhs\": \"1/2\", \"coefficients\": [1, 0, "
+        "0.1]}, {\"coefficients\": [0, 1, 0], \"relation\": \"=\", \"rhs\": -2, \"label\": "
+        "\"x\"}], \"type\": \"polytope\"}, \"B\": " POINT "}";
+    reading a = begin(text, sizeof text - 1, NULL);
+    const fmb_frames_line *line = next(&a);
+    cr_assert(line->body[0].rows && !line->body[1].rows && !line->are_doubles);
+    char *rows = write_text(line->body[0].rows, FMB_FORMAT_TEXT);
+    cr_expect_str_eq(rows, "vars: x1 x2 x3\nx1 + 1/10 x3 < 1/2\nx2 = -2\n");
+    free(rows);
+    for (int contact = 0; contact < 2; contact++) {
+        fmb_system *s = NULL;
+        cr_assert_eq(fmb_system_from_line(line, (fmb_contact)contact, NULL, &s), FMB_OK);
+        cr_expect_eq(fmb_system_dim(s), 3);
+        cr_expect_eq(fmb_system_rows(s), 5u);
+        cr_expect_eq(fmb_system_rel(s, 3), FMB_LT);
+        cr_expect_eq(fmb_system_rel(s, 4), FMB_EQ);
+        fmb_system_free(s);
+    }
+    end(&a);
+}
+
+/* ---- where they go wrong --------------------------------------------------------------------- */
+
+static double seconds(void)
+{
+    return (double)clock() / CLOCKS_PER_SEC;
+}
+
+static void check_complaint(const char *path, long row, long column, const char *piece)
+{
+    FILE *in = fopen(path, "rb");
+    fmb_frames *r = NULL;
+    const fmb_frames_line *line = NULL;
+    fmb_where w = {0};
+    double start = seconds();
+    cr_assert(in, "%s is missing", path);
+    cr_assert_eq(fmb_frames_open(in, NULL, &r), FMB_OK);
+    fmb_status st;
+    do
+        st = fmb_frames_next(r, &line, &w);
+    while (st == FMB_OK && line);
+    cr_expect(st == FMB_ERR_PARSE, "%s is read", path);
+    cr_expect(w.line == row && w.column == column && strstr(w.text, piece),
+              "%s complains at %ld:%ld: %s\nnot at %ld:%ld: %s", path, w.line, w.column, w.text,
+              row, column, piece);
+    cr_expect_eq(fmb_frames_next(r, &line, NULL), FMB_OK, "the next line is another matter");
+    cr_expect(seconds() - start < 1, "%s took %g s", path, seconds() - start);
+    fmb_frames_close(r);
+    fclose(in);
+}
+
+Test(frames, complaints)
+{
+    char text[LINE], name[LINE / 2], path[LINE], piece[LINE];
+    long row, column;
+    int count = 0;
+    FILE *list = fopen(TESTS_BAD "/frames.tsv", "r");
+    cr_assert(list);
+    while (fgets(text, sizeof text, list)) {
+        if (*text == '#')
+            continue;
+        cr_assert_eq(sscanf(text, "%511[^\t]\t%ld\t%ld\t%1023[^\n]", name, &row, &column, piece), 4,
+                     "%s", text);
+        snprintf(path, sizeof path, "%s/%s", TESTS_BAD, name);
+        check_complaint(path, row, column, piece);
+        count++;
+    }
+    fclose(list);
+    cr_expect(count >= 45, "%d", count);
+}
+
+Test(frames, arguments)
+{
+    fmb_frames *r = NULL;
+    fmb_system *s = NULL;
+    const fmb_frames_line *line = NULL;
+    cr_expect_eq(fmb_frames_open(NULL, NULL, &r), FMB_ERR_ARG);
+    cr_expect_eq(fmb_frames_open(stdin, NULL, NULL), FMB_ERR_ARG);
+    cr_expect_eq(fmb_frames_next(NULL, &line, NULL), FMB_ERR_ARG);
+    fmb_where w = {.line = 3};
+    cr_expect(fmb_frames_next(NULL, &line, &w) == FMB_ERR_ARG && strstr(w.text, "reader") &&
+              w.line == 0);
+    cr_expect_eq(fmb_system_from_line(NULL, FMB_CONTACT_CLOSED, NULL, &s), FMB_ERR_ARG);
+    fmb_frames_close(NULL);
+    FILE *in = fopen(TESTS_BAD, "rb"); /* a folder opens, but cannot be read */
+    cr_assert(in);
+    cr_assert_eq(fmb_frames_open(in, NULL, &r), FMB_OK);
+    cr_expect_eq(fmb_frames_next(r, &line, NULL), FMB_ERR_IO);
+    fmb_frames_close(r);
+    fclose(in);
+}
+
+/* A reader that was cancelled gives no line more; limits hold for the system of a line. */
+Test(frames, limits)
+{
+    static const char text[] =
+        "{\"A\": " POINT ", \"B\": " POINT "}\n{\"A\": " POINT ", \"B\": " POINT "}\n";
+    reading a = begin(text, sizeof text - 1, NULL);
+    const fmb_frames_line *line = NULL;
+    fmb_options o = fmb_options_default();
+    fmb_solver *v = NULL;
+    fmb_system *s = NULL;
+    fmb_stop stop = FMB_STOP_ROWS;
+    cr_assert(fmb_frames_next(a.r, &line, NULL) == FMB_OK && line);
+    for (int limit = 0; limit < 4; limit++) {
+        static const fmb_stop due[] = {FMB_STOP_DONE, FMB_STOP_TIME, FMB_STOP_BYTES,
+                                       FMB_STOP_CANCELLED};
+        o.max_seconds = limit == 1 ? 1e-9 : 0;
+        o.max_bytes = limit == 2 ? 10 : 0;
+        cr_assert_eq(fmb_solver_new(&o, NULL, &v), FMB_OK);
+        if (limit == 3)
+            fmb_solver_cancel(v);
+        for (int in = FMB_COORDINATES_WORLD; in <= FMB_COORDINATES_ALL; in++) {
+            cr_expect_eq(fmb_system_from_line_within(line, (fmb_coordinates)in, FMB_CONTACT_CLOSED,
+                                                     v, &s, &stop),
+                         FMB_OK);
+            cr_expect(stop == due[limit] && (limit > 0) == (s == NULL), "limit %d: %s", limit,
+                      fmb_stop_text(stop));
+            fmb_system_free(s);
+            s = NULL;
+        }
+        fmb_solver_free(v);
+    }
+    cr_expect_eq(
+        fmb_system_from_line_within(line, FMB_COORDINATES_ALL, FMB_CONTACT_CLOSED, NULL, &s, &stop),
+        FMB_ERR_ARG);
+    fmb_frames_cancel(a.r);
+    cr_expect(fmb_frames_next(a.r, &line, NULL) == FMB_OK && !line);
+    fmb_frames_cancel(NULL);
+    end(&a);
+}
+
+/* A line beyond the limit is an error; the next one is read. */
+Test(frames, longest_line)
+{
+    static const char text[] =
+        "{\"A\": " POINT ", \"B\": " POINT "}\n{\"A\": " POINT ", \"B\":         " POINT
+        "}\n{\"A\": " POINT ", \"B\": " POINT "}\n";
+    size_t most = (size_t)(strchr(text, '\n') - text) + 1;
+    reading a = begin(text, sizeof text - 1, &(fmb_reader){.max_bytes = most});
+    const fmb_frames_line *line = NULL;
+    fmb_where w = {0};
+    cr_expect(fmb_frames_next(a.r, &line, &w) == FMB_OK && line->number == 1);
+    cr_expect(fmb_frames_next(a.r, &line, &w) == FMB_ERR_PARSE && w.line == 2 &&
+              strstr(w.text, "expected at most"));
+    cr_expect(fmb_frames_next(a.r, &line, &w) == FMB_OK && line && line->number == 3);
+    cr_expect(fmb_frames_next(a.r, &line, &w) == FMB_OK && !line);
+    end(&a);
+}
+
+/* Whichever request fails: nothing is lost. */
+Test(frames, memory)
+{
+    static const char text[] =
+        "{\"id\": \"x\", \"A\": {\"type\": \"polytope\", \"rows\": [{\"coefficients\": [1, 2, 3], "
+        "\"relation\": \"<\", \"rhs\": 1}]}, \"B\": " POINT "}\n{}\n";
+    fmb_status st = FMB_ERR_MEMORY;
+    for (size_t k = 0; st == FMB_ERR_MEMORY; k++) {
+        countdown c = {.left = k};
+        fmb_alloc mem = countdown_alloc(&c);
+        FILE *in = fmemopen((void *)(uintptr_t)text, sizeof text - 1, "rb");
+        fmb_frames *r = NULL;
+        const fmb_frames_line *line = NULL;
+        st = fmb_frames_open(in, &(fmb_reader){.mem = &mem}, &r);
+        while (st == FMB_OK && (!line || line->number < 2)) {
+            fmb_system *s = NULL;
+            st = fmb_frames_next(r, &line, NULL);
+            if (st == FMB_OK)
+                st = fmb_system_from_line(line, FMB_CONTACT_CLOSED, &mem, &s);
+            fmb_system_free(s);
+        }
+        fmb_frames_close(r);
+        cr_assert_eq(c.live, 0, "%zu bytes lost when request %zu failed", c.live, k);
+        fclose(in);
+    }
+    cr_expect_eq(st, FMB_ERR_PARSE);
+}
+
+/* A megabyte of anything takes no long time. */
+Test(frames, megabyte)
+{
+    static const char *const unit[] = {"[", "{\"a\": ", "1", "\"", "[1],", "1e99999,", " "};
+    for (size_t u = 0; u < sizeof unit / sizeof *unit; u++) {
+        size_t n = strlen(unit[u]), most = (size_t)1 << 20, at = 0;
+        char *text = malloc(most + 64);
+        at += (size_t)sprintf(text, "{\"A\": {\"type\": \"cuboid\", \"orig\": [");
+        for (; at + n < most; at += n)
+            memcpy(text + at, unit[u], n);
+        reading a = begin(text, at, NULL);
+        const fmb_frames_line *line = NULL;
+        double start = seconds();
+        cr_expect_eq(fmb_frames_next(a.r, &line, NULL), FMB_ERR_PARSE);
+        cr_expect(seconds() - start < 1, "%s: %g s", unit[u], seconds() - start);
+        end(&a);
+        free(text);
+    }
+}

@@ -1,0 +1,44 @@
+/* mps_cases.c: the collected MPS files have the variables and rows that answers.json says. There a
+ * fixed column counts as two rows; here it is one equation.
+ */
+#include <criterion/criterion.h>
+#include <jansson.h>
+#include <stdlib.h>
+
+#include "parse.h"
+
+/* Equations of one variable without a label: rows of the file have labels. */
+static size_t fixed_columns(const fmb_system *s)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < fmb_system_rows(s); i++)
+        n += fmb_system_rel(s, i) == FMB_EQ && !fmb_system_label(s, i);
+    return n;
+}
+
+Test(mps_cases, all)
+{
+    const char *key;
+    json_t *said;
+    json_t *answers = json_load_file(CASES "/lp/answers.json", 0, NULL);
+    if (!answers)
+        cr_skip_test("no collected cases here");
+    cr_expect(json_object_size(answers) >= 84);
+    json_object_foreach(answers, key, said)
+    {
+        char path[1024];
+        size_t size;
+        snprintf(path, sizeof path, CASES "/%s", key);
+        char *text = slurp_file(path, &size);
+        cr_assert(text, "%s is missing", path);
+        fmb_system *s = parse(FMB_FORMAT_AUTO, text, size);
+        cr_expect(fmb_system_dim(s) == json_integer_value(json_object_get(said, "n")),
+                  "%s has %d variables", key, fmb_system_dim(s));
+        size_t rows = fmb_system_rows(s) + fixed_columns(s);
+        cr_expect((json_int_t)rows == json_integer_value(json_object_get(said, "m")),
+                  "%s has %zu rows", key, rows);
+        fmb_system_free(s);
+        free(text);
+    }
+    json_decref(answers);
+}

@@ -1,0 +1,163 @@
+/* round.c: what is written reads back as the same system: random rows with large and small
+ * rationals, all relations, awkward names and labels, marks.
+ */
+#include <criterion/criterion.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "parse.h"
+
+/* splitmix64. */
+static uint64_t next(uint64_t *seed)
+{
+    uint64_t z = *seed += 0x9e3779b97f4a7c15u;
+    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
+    return z ^ z >> 31;
+}
+
+static size_t below(uint64_t *seed, size_t n)
+{
+    return (size_t)(next(seed) % n);
+}
+
+/* Half of the numbers are small integers, some have hundreds of digits. */
+static void random_number(uint64_t *seed, mpq_t q)
+{
+    mpq_set_si(q, (long)below(seed, 19) - 9, 1);
+    if (below(seed, 4) == 0)
+        mpq_set_si(q, (long)below(seed, 2001) - 1000, 1 + below(seed, 1000));
+    if (below(seed, 8) == 0)
+        mpz_ui_pow_ui(mpq_denref(q), 2 + below(seed, 9), below(seed, 300));
+    if (below(seed, 8) == 0)
+        mpz_ui_pow_ui(mpq_numref(q), 2 + below(seed, 9), below(seed, 300));
+    mpq_canonicalize(q);
+}
+
+static const char *const words[] = {
+    "e3",        "x",     "vars",         "project",   "a b",      " lead",     "trail ",
+    "q\"uote\\", "c:d",   "h#sh",         "\xCE\xB1",  "\xff\xfe", "line\nend", "x(1)",
+    "1st",       "<=",    "\xE2\x89\xA4", "tab\t",     "e",        ".dot",      "m\xC2\xB7n",
+    "-x",        "a'[1]", "\xE2\x82\x81", "eliminate", "x#",       "\\x41",
+};
+
+#define WORDS (sizeof words / sizeof *words)
+
+static void random_names(uint64_t *seed, fmb_system *s)
+{
+    for (int j = 0; j < fmb_system_dim(s); j++)
+        if (below(seed, 2) == 0) /* a name that is taken is left */
+            (void)!fmb_system_set_name(s, j, words[below(seed, WORDS)]);
+}
+
+/* A row, or with a sense the objective. */
+static void random_form(uint64_t *seed, fmb_system *s, fmb_sense sense)
+{
+    enum { MOST = 12 };
+    int var[MOST];
+    mpq_t coef[MOST], b;
+    int dim = fmb_system_dim(s);
+    size_t n = dim > 0 ? below(seed, MOST + 1) : 0;
+    mpq_init(b);
+    random_number(seed, b);
+    for (size_t k = 0; k < MOST; k++) {
+        mpq_init(coef[k]);
+        random_number(seed, coef[k]);
+        var[k] = dim > 0 ? (int)below(seed, (size_t)dim) : 0;
+    }
+    fmb_objective_q o = {sense, n, var, coef, b};
+    cr_assert((sense ? fmb_system_set_objective_q(s, &o)
+                     : fmb_system_add_q(s, n, var, coef, (fmb_rel)below(seed, 3), b)) == FMB_OK);
+    for (size_t k = 0; k < MOST; k++)
+        mpq_clear(coef[k]);
+    mpq_clear(b);
+}
+
+static fmb_system *random_system(uint64_t *seed, bool marks)
+{
+    fmb_system *s;
+    cr_assert(fmb_system_new((int)below(seed, 9), NULL, &s) == FMB_OK);
+    random_names(seed, s);
+    for (size_t i = below(seed, 12) + (fmb_system_dim(s) == 0); i > 0; i--) {
+        random_form(seed, s, FMB_SENSE_NONE);
+        const char *label = below(seed, 8) == 0 ? "" : words[below(seed, WORDS)];
+        if (below(seed, 2) == 0)
+            cr_assert(fmb_system_set_label(s, fmb_system_rows(s) - 1, label) == FMB_OK);
+    }
+    if (below(seed, 2) == 0)
+        random_form(seed, s, below(seed, 2) == 0 ? FMB_SENSE_MAX : FMB_SENSE_MIN);
+    bool asks = marks && below(seed, 3) == 0;
+    for (int j = 0; asks && j < fmb_system_dim(s); j++)
+        fmb_system_set_kept(s, j, below(seed, 2) == 0);
+    return s;
+}
+
+/* named: names and labels come back; marks: so do marks. */
+static void check_round(fmb_format f, bool named, bool marks)
+{
+    for (uint64_t i = 0; i < 2000; i++) {
+        uint64_t seed = i;
+        fmb_system *s = random_system(&seed, marks);
+        char *text = write_text(s, f);
+        fmb_system *back = parse(f, text, strlen(text));
+        cr_assert(same_system(s, back, named), "seed %zu comes back otherwise:\n%s", (size_t)i,
+                  text);
+        fmb_system *guessed = parse(FMB_FORMAT_AUTO, text, strlen(text));
+        cr_assert(same_system(s, guessed, named), "seed %zu is taken for another format:\n%s",
+                  (size_t)i, text);
+        free(text);
+        fmb_system_free(guessed);
+        fmb_system_free(back);
+        fmb_system_free(s);
+    }
+}
+
+Test(round, text)
+{
+    check_round(FMB_FORMAT_TEXT, true, true);
+}
+
+/* Names and labels come back where a symbol can spell them: see smt2_symbols. */
+Test(round, smt2)
+{
+    check_round(FMB_FORMAT_SMT2, false, false);
+}
+
+Test(round, ine)
+{
+    check_round(FMB_FORMAT_INE, true, true);
+}
+
+/* What SMT-LIB can spell is kept, quoted if need be; other names are replaced, other labels
+ * dropped, and so is a label that is taken. */
+Test(round, smt2_symbols)
+{
+    static const char *const name[] = {"x", "a b", "let", "1st", "|", "and", "x5", "\xCE\xB1"};
+    static const char *const label[] = {"r", "r", "a b", "x", "not", "b\\c", "(+ 1)"};
+    fmb_system *s;
+    const double a[8] = {1, -1, 0.5, 0, 2, 0, 0, -3};
+    cr_assert(fmb_system_new(0, NULL, &s) == FMB_OK);
+    for (size_t j = 0; j < 8; j++)
+        cr_assert(fmb_system_add_variable(s, name[j], NULL) == FMB_OK);
+    for (size_t i = 0; i < 7; i++) {
+        cr_assert(fmb_system_add(s, a, (fmb_rel)(i % 3), -0.25) == FMB_OK);
+        cr_assert(fmb_system_set_label(s, i, label[i]) == FMB_OK);
+    }
+    char *text = write_text(s, FMB_FORMAT_SMT2);
+    cr_expect(strstr(text, "(declare-fun |a b| () Real)\n(declare-fun |let| () Real)\n"
+                           "(declare-fun |1st| () Real)\n(declare-fun x5_ () Real)\n"
+                           "(declare-fun x6 () Real)\n(declare-fun x5 () Real)\n"
+                           "(declare-fun |\xCE\xB1| () Real)\n"),
+              "%s", text);
+    cr_expect(strstr(text, "(assert (! (<= (+ x (- |a b|) (* (/ 1 2) |let|) (* 2 x5_) "
+                           "(* (- 3) |\xCE\xB1|)) (- (/ 1 4))) :named r))\n(assert (< "),
+              "%s", text);
+    fmb_system *back = parse(FMB_FORMAT_SMT2, text, strlen(text));
+    cr_expect(same_system(s, back, false));
+    cr_expect_str_eq(fmb_system_label(back, 6), "(+ 1)");
+    cr_expect(!fmb_system_label(back, 1) && !fmb_system_label(back, 3) &&
+              !fmb_system_label(back, 4) && !fmb_system_label(back, 5));
+    free(text);
+    fmb_system_free(back);
+    fmb_system_free(s);
+}

@@ -1,0 +1,498 @@
+/* factor.c: exact solutions by lifting, against elimination without fractions (Bareiss 1968). */
+#include <criterion/criterion.h>
+
+#include <stdlib.h>
+
+#include "lp/exact/factor.h"
+#include "lp/exact/prime.h"
+#include "lp/exact/rational.h"
+#include "support.h"
+
+/* ---- the truth ------------------------------------------------------------------------------- */
+
+static mpz_t *integers(size_t n)
+{
+    mpz_t *z = malloc(n * sizeof *z);
+    for (size_t i = 0; i < n; i++)
+        mpz_init(z[i]);
+    return z;
+}
+
+static void free_integers(mpz_t *z, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        mpz_clear(z[i]);
+    free(z);
+}
+
+/* Rank of a[n][width], whose first n columns count; a becomes triangular, and where the rank is n,
+ * a[n-1][n-1] is the determinant but for its sign. */
+static size_t eliminate_plainly(mpz_t *a, size_t n, size_t width)
+{
+    mpz_t last, t;
+    mpz_init_set_ui(last, 1);
+    mpz_init(t);
+    size_t rank = 0;
+    for (size_t c = 0; c < n; c++) {
+        size_t p = rank;
+        while (p < n && mpz_sgn(a[p * width + c]) == 0)
+            p++;
+        if (p == n)
+            continue;
+        for (size_t j = 0; p != rank && j < width; j++)
+            mpz_swap(a[p * width + j], a[rank * width + j]);
+        for (size_t i = rank + 1; i < n; i++) {
+            for (size_t j = c + 1; j < width; j++) {
+                mpz_mul(a[i * width + j], a[i * width + j], a[rank * width + c]);
+                mpz_mul(t, a[i * width + c], a[rank * width + j]);
+                mpz_sub(a[i * width + j], a[i * width + j], t);
+                mpz_divexact(a[i * width + j], a[i * width + j], last);
+            }
+            mpz_set_ui(a[i * width + c], 0);
+        }
+        mpz_set(last, a[rank * width + c]);
+        rank++;
+    }
+    mpz_clears(last, t, NULL);
+    return rank;
+}
+
+static size_t rank_of(mpz_t *a, size_t n)
+{
+    mpz_t *copy = integers(n * n);
+    for (size_t t = 0; t < n * n; t++)
+        mpz_set(copy[t], a[t]);
+    size_t rank = eliminate_plainly(copy, n, n);
+    free_integers(copy, n * n);
+    return rank;
+}
+
+/* x / den with A x = den right, in lowest terms; A is regular. */
+static void solve_plainly(mpz_t *a, size_t n, mpz_t *right, mpz_t *x, mpz_t den)
+{
+    mpz_t *w = integers(n * (n + 1)), g;
+    mpz_init(g);
+    for (size_t i = 0; i < n; i++) {
+        for (size_t j = 0; j < n; j++)
+            mpz_set(w[i * (n + 1) + j], a[i * n + j]);
+        mpz_set(w[i * (n + 1) + n], right[i]);
+    }
+    cr_assert_eq(eliminate_plainly(w, n, n + 1), n);
+    mpz_set(den, w[(n - 1) * (n + 1) + n - 1]);
+    for (size_t i = n; i-- > 0;) { /* Cramer: each den x is an integer */
+        mpz_mul(x[i], w[i * (n + 1) + n], den);
+        for (size_t j = i + 1; j < n; j++)
+            mpz_submul(x[i], w[i * (n + 1) + j], x[j]);
+        mpz_divexact(x[i], x[i], w[i * (n + 1) + i]);
+    }
+    mpz_set(g, den);
+    for (size_t i = 0; i < n; i++)
+        mpz_gcd(g, g, x[i]);
+    if (mpz_sgn(den) < 0)
+        mpz_neg(g, g);
+    mpz_divexact(den, den, g);
+    for (size_t i = 0; i < n; i++)
+        mpz_divexact(x[i], x[i], g);
+    mpz_clear(g);
+    free_integers(w, n * (n + 1));
+}
+
+/* ---- a matrix and its factor ----------------------------------------------------------------- */
+
+typedef struct bench {
+    size_t n, m; /* the program has m rows */
+    mpz_t *a;    /* [n][n] the basis, densely */
+    size_t *basis;
+    fmb_mem mem;
+    fmb_run run;
+    atomic_int cancel;
+    fmb_program p;
+    fmb_factor *f;
+} bench;
+
+static void open_bench(bench *b, size_t n)
+{
+    fmb_options o = fmb_options_default();
+    *b = (bench){.n = n, .a = integers(n * n), .basis = malloc(n * sizeof *b->basis)};
+    fmb_mem_init(&b->mem, NULL, 0);
+    fmb_run_begin(&b->run, &b->mem, &o, &b->cancel, (fmb_sink){0}, "test");
+    fmb_program_init(&b->p, &b->mem, (int)n);
+}
+
+/* The rows of a, in another order; some that are unit vectors are so by their number. */
+static void build_program(bench *b, support_rng *g)
+{
+    mpz_t *row = integers(b->n + 1);
+    for (size_t i = 0; i < b->n; i++)
+        b->basis[i] = i;
+    for (size_t i = b->n; i-- > 1;) {
+        size_t j = (size_t)support_between(g, 0, (int)i), t = b->basis[i];
+        b->basis[i] = b->basis[j];
+        b->basis[j] = t;
+    }
+    for (size_t i = 0; i < b->n; i++) {
+        size_t r = 0;
+        while (b->basis[r] != i)
+            r++;
+        for (size_t j = 0; j < b->n; j++)
+            mpz_set(row[j], b->a[r * b->n + j]);
+        cr_assert_eq(fmb_program_add_integers(&b->p, row, FMB_LE), FMB_OK);
+    }
+    b->m = b->n;
+    free_integers(row, b->n + 1);
+    cr_assert_eq(fmb_factor_new(&b->run, &b->p, &b->f), FMB_OK);
+}
+
+static void make_unit_row(bench *b, size_t r, size_t j)
+{
+    for (size_t k = 0; k < b->n; k++)
+        mpz_set_ui(b->a[r * b->n + k], k == j);
+    b->basis[r] = b->m + j;
+}
+
+static void close_bench(bench *b)
+{
+    fmb_factor_free(b->f);
+    fmb_program_clear(&b->p);
+    cr_assert_eq(b->mem.used, 0);
+    free_integers(b->a, b->n * b->n);
+    free(b->basis);
+}
+
+/* Both solutions, for a random right side, against the plain way where n is small, and by
+ * multiplication in any case. */
+static void check_solution(bench *b, support_rng *g, bool across, int bits, int percent)
+{
+    size_t n = b->n;
+    mpz_t *right = integers(n), *x = integers(n), *truth = integers(n), *a = integers(n * n), den,
+          t;
+    mpz_inits(den, t, NULL);
+    for (size_t i = 0; i < n; i++) {
+        if (support_chance(g, percent))
+            support_integer(g, bits, right[i]);
+        for (size_t j = 0; j < n; j++)
+            mpz_set(a[across ? j * n + i : i * n + j], b->a[i * n + j]);
+    }
+    fmb_status (*solve)(fmb_factor *, mpz_t *, mpz_t *, mpz_t) =
+        across ? fmb_factor_solve_transposed : fmb_factor_solve;
+    cr_assert_eq(solve(b->f, (mpz_t *)right, x, den), FMB_OK);
+    cr_assert_gt(mpz_sgn(den), 0);
+    for (size_t i = 0; i < n; i++) {
+        mpz_mul(t, den, right[i]);
+        for (size_t j = 0; j < n; j++)
+            mpz_submul(t, a[i * n + j], x[j]);
+        cr_assert_eq(mpz_sgn(t), 0, "row %zu of %zu", i, n);
+    }
+    if (n <= 24) {
+        solve_plainly(a, n, right, truth, t);
+        cr_assert_eq(mpz_cmp(den, t), 0);
+        for (size_t i = 0; i < n; i++)
+            cr_assert_eq(mpz_cmp(x[i], truth[i]), 0);
+    }
+    for (size_t i = 0; i < n; i++) /* lowest terms */
+        mpz_gcd(den, den, x[i]);
+    cr_assert_eq(mpz_cmp_ui(den, 1), 0);
+    mpz_clears(den, t, NULL);
+    free_integers(right, n);
+    free_integers(x, n);
+    free_integers(truth, n);
+    free_integers(a, n * n);
+}
+
+static void check_all_solutions(bench *b, support_rng *g)
+{
+    static const int bits[] = {0, 0, 30, 61, 62, 63, 64, 130, 700};
+    for (size_t k = 0; k < sizeof bits / sizeof *bits; k++)
+        check_solution(b, g, k % 2 != 0, bits[k], k % 3 == 0 ? 10 : 100);
+    check_solution(b, g, true, 0, 0);
+    check_solution(b, g, false, 0, 100);
+}
+
+/* ---- matrices -------------------------------------------------------------------------------- */
+
+/* percent of the entries are not 0. */
+static void fill(bench *b, support_rng *g, int percent, int bits)
+{
+    for (size_t t = 0; t < b->n * b->n; t++)
+        if (support_chance(g, percent))
+            support_integer(g, bits, b->a[t]);
+}
+
+static void make_triangular(bench *b, support_rng *g)
+{
+    for (size_t i = 0; i < b->n; i++) {
+        for (size_t j = i + 1; j < b->n; j++)
+            mpz_set_ui(b->a[i * b->n + j], 0);
+        while (mpz_sgn(b->a[i * b->n + i]) == 0)
+            support_integer(g, 0, b->a[i * b->n + i]);
+    }
+}
+
+static void shuffle_columns(bench *b, support_rng *g)
+{
+    for (size_t j = b->n; j-- > 1;) {
+        size_t k = (size_t)support_between(g, 0, (int)j);
+        for (size_t i = 0; i < b->n; i++)
+            mpz_swap(b->a[i * b->n + j], b->a[i * b->n + k]);
+    }
+}
+
+/* Row r becomes a combination of two others. */
+static void make_row_dependent(bench *b, support_rng *g, size_t r)
+{
+    size_t i = (size_t)support_between(g, 0, (int)b->n - 1);
+    size_t k = (size_t)support_between(g, 0, (int)b->n - 1);
+    mpz_t f, h;
+    mpz_inits(f, h, NULL);
+    mpz_set_si(f, i == r ? 0 : support_between(g, -3, 3));
+    mpz_set_si(h, k == r ? 0 : support_between(g, -3, 3));
+    for (size_t j = 0; j < b->n; j++) {
+        mpz_set_ui(b->a[r * b->n + j], 0);
+        if (mpz_sgn(f) != 0)
+            mpz_addmul(b->a[r * b->n + j], f, b->a[i * b->n + j]);
+        if (mpz_sgn(h) != 0)
+            mpz_addmul(b->a[r * b->n + j], h, b->a[k * b->n + j]);
+    }
+    mpz_clears(f, h, NULL);
+}
+
+/* Factor; take over what was exchanged, and check that it had to be and helps. */
+static void factor_and_check_rank(bench *b)
+{
+    size_t n = b->n, rank = rank_of(b->a, n), exchanged = 0;
+    size_t *before = malloc(n * sizeof *before);
+    bool changed;
+    for (size_t r = 0; r < n; r++)
+        before[r] = b->basis[r];
+    cr_assert_eq(fmb_factor_set(b->f, b->basis, &changed), FMB_OK);
+    cr_assert_eq(changed, rank < n, "n %zu rank %zu", n, rank);
+    for (size_t r = 0; r < n; r++) {
+        if (b->basis[r] == before[r])
+            continue;
+        exchanged++;
+        cr_assert(b->basis[r] >= b->m && b->basis[r] < b->m + n);
+        make_unit_row(b, r, b->basis[r] - b->m);
+    }
+    cr_assert_eq(exchanged, n - rank);
+    cr_assert_eq(rank_of(b->a, n), n);
+    free(before);
+}
+
+static void check_random_matrix(uint64_t seed)
+{
+    static const int bits[] = {0, 0, 0, 30, 33, 61, 62, 64, 200};
+    support_rng g = {seed};
+    bench b;
+    open_bench(&b, (size_t)support_between(&g, 1, seed % 10 == 0 ? 60 : 14));
+    int percent = seed % 3 == 0 ? 100 : support_between(&g, 5, 60);
+    fill(&b, &g, percent, bits[seed % 9]);
+    if (seed % 4 == 1)
+        make_triangular(&b, &g);
+    shuffle_columns(&b, &g);
+    if (seed % 5 == 2)
+        make_row_dependent(&b, &g, 0);
+    if (seed % 5 >= 1 && b.n > 4)
+        make_row_dependent(&b, &g, 2);
+    build_program(&b, &g);
+    for (size_t r = 0; r < b.n; r++)
+        if (support_chance(&g, (int)(seed % 7) * 10))
+            make_unit_row(&b, r, (size_t)support_between(&g, 0, (int)b.n - 1));
+    factor_and_check_rank(&b);
+    check_all_solutions(&b, &g);
+    close_bench(&b);
+}
+
+Test(factor, random_matrices)
+{
+    for (uint64_t seed = 1; seed <= 600; seed++)
+        check_random_matrix(seed);
+}
+
+/* Sparse ones with a nucleus, and a dense one: checked by multiplication. */
+Test(factor, larger_matrices)
+{
+    for (uint64_t seed = 1; seed <= 8; seed++) {
+        support_rng g = {seed};
+        bench b;
+        bool changed;
+        open_bench(&b, 120);
+        fill(&b, &g, seed == 1 ? 100 : 3, seed == 2 ? 40 : 0);
+        for (size_t i = 0; i < b.n; i++)
+            if (support_chance(&g, 70))
+                mpz_set_si(b.a[i * b.n + i], support_between(&g, 1, 9));
+        shuffle_columns(&b, &g);
+        build_program(&b, &g);
+        cr_assert_eq(fmb_factor_set(b.f, b.basis, &changed), FMB_OK);
+        for (size_t r = 0; r < b.n; r++)
+            if (b.basis[r] >= b.m)
+                make_unit_row(&b, r, b.basis[r] - b.m);
+        check_all_solutions(&b, &g);
+        close_bench(&b);
+    }
+}
+
+/* The primes stand in the matrix, and in the determinant only. */
+Test(factor, determinants_divisible_by_the_prime)
+{
+    for (int both = 0; both < 2; both++)
+        for (size_t n = 1; n <= 12; n++) {
+            support_rng g = {n};
+            bench b;
+            bool changed;
+            open_bench(&b, n);
+            fill(&b, &g, 100, 0);
+            make_triangular(&b, &g);
+            mpz_set_ui(b.a[(n - 1) * n + n - 1], fmb_prime_number(0).p);
+            if (both)
+                mpz_set_ui(b.a[0], fmb_prime_number(1).p);
+            for (size_t j = 1; j < n; j++) { /* column j plus column j - 1 */
+                for (size_t i = 0; i < n; i++)
+                    mpz_add(b.a[i * n + j], b.a[i * n + j], b.a[i * n + j - 1]);
+            }
+            shuffle_columns(&b, &g);
+            build_program(&b, &g);
+            cr_assert_eq(fmb_factor_set(b.f, b.basis, &changed), FMB_OK);
+            cr_assert(both || !changed);
+            for (size_t r = 0; r < n; r++)
+                if (b.basis[r] >= b.m)
+                    make_unit_row(&b, r, b.basis[r] - b.m);
+            check_all_solutions(&b, &g);
+            close_bench(&b);
+        }
+}
+
+Test(factor, no_columns_at_all)
+{
+    bench b;
+    bool changed = true;
+    mpz_t den, none[1];
+    mpz_inits(den, none[0], NULL);
+    open_bench(&b, 0);
+    cr_assert_eq(fmb_factor_new(&b.run, &b.p, &b.f), FMB_OK);
+    cr_assert_eq(fmb_factor_set(b.f, b.basis, &changed), FMB_OK);
+    cr_assert(!changed);
+    cr_assert_eq(fmb_factor_solve(b.f, (mpz_t *)none, none, den), FMB_OK);
+    cr_assert_eq(mpz_cmp_ui(den, 1), 0);
+    mpz_clears(den, none[0], NULL);
+    close_bench(&b);
+}
+
+/* ---- limits ---------------------------------------------------------------------------------- */
+
+static fmb_status solve_once(bench *b, mpz_t *right, mpz_t *x, mpz_t den)
+{
+    bool changed;
+    fmb_factor *f;
+    fmb_status st = fmb_factor_new(&b->run, &b->p, &f);
+    if (st != FMB_OK)
+        return st;
+    st = fmb_factor_set(f, b->basis, &changed);
+    if (st == FMB_OK)
+        st = fmb_factor_solve(f, (mpz_t *)right, x, den);
+    if (st == FMB_OK)
+        st = fmb_factor_solve_transposed(f, (mpz_t *)right, x, den);
+    fmb_factor_free(f);
+    return st;
+}
+
+/* Less and less memory, down to none: a limit each time, and nothing is left behind. */
+Test(factor, limits_on_memory_leave_nothing_behind)
+{
+    for (int wide = 0; wide < 2; wide++) {
+        support_rng g = {3};
+        bench b;
+        open_bench(&b, 60);
+        fill(&b, &g, 8, wide ? 200 : 0);
+        for (size_t i = 0; i < b.n; i++)
+            mpz_set_ui(b.a[i * b.n + i], 1);
+        build_program(&b, &g);
+        mpz_t *right = integers(b.n), *x = integers(b.n), den;
+        mpz_init(den);
+        for (size_t i = 0; i < b.n; i++)
+            support_integer(&g, 70, right[i]);
+        cr_assert_eq(solve_once(&b, right, x, den), FMB_OK);
+        size_t used = b.mem.used, peak = b.mem.peak;
+        for (size_t part = 1; part < 60; part++) {
+            b.mem.limit = used + (peak - used) * part / 60;
+            cr_assert_eq(solve_once(&b, right, x, den), FMB_LIMIT);
+            cr_assert_eq(b.mem.used, used);
+        }
+        b.mem.limit = 0;
+        atomic_store(&b.cancel, 1);
+        cr_assert_eq(solve_once(&b, right, x, den), FMB_LIMIT);
+        cr_assert_eq(b.mem.used, used);
+        mpz_clear(den);
+        free_integers(right, b.n);
+        free_integers(x, b.n);
+        close_bench(&b);
+    }
+}
+
+/* ---- fractions ------------------------------------------------------------------------------- */
+
+Test(factor, fractions_come_back_from_residues)
+{
+    support_rng g = {9};
+    fmb_rational w;
+    mpz_t m, y, a, b, num, den, t;
+    fmb_rational_init(&w);
+    mpz_inits(m, y, a, b, num, den, t, NULL);
+    for (int k = 0; k < 3000; k++) {
+        int a_bits = support_between(&g, 1, k % 10 ? 150 : 2000);
+        int b_bits = support_between(&g, 1, k % 10 ? 150 : 2000);
+        mpz_set_ui(m, 1);
+        while (mpz_sizeinbase(m, 2) < (size_t)(a_bits + b_bits + 2))
+            mpz_mul_ui(m, m, fmb_prime_number(0).p);
+        do {
+            support_integer(&g, support_between(&g, 0, a_bits - 1), num);
+            for (int s = 0; s < 5; s++) {
+                mpz_mul_ui(num, num, (unsigned)support_between(&g, 1, 1000));
+                mpz_fdiv_r_2exp(num, num, (mp_bitcnt_t)a_bits);
+            }
+            mpz_set_ui(den, 1);
+            while (mpz_sizeinbase(den, 2) + 10 < (size_t)b_bits)
+                mpz_mul_ui(den, den, (unsigned)support_between(&g, 2, 1000));
+            mpz_gcd(t, num, den);
+        } while (mpz_cmp_ui(t, 1) != 0);
+        if (support_chance(&g, 50))
+            mpz_neg(num, num);
+        cr_assert(mpz_invert(t, den, m));
+        mpz_mul(y, num, t);
+        mpz_fdiv_r(y, y, m);
+        cr_assert(fmb_rational_find(&w, y, m, (size_t)a_bits, (size_t)b_bits, a, b));
+        cr_assert_eq(mpz_cmp(a, num), 0);
+        cr_assert_eq(mpz_cmp(b, den), 0);
+    }
+    mpz_clears(m, y, a, b, num, den, t, NULL);
+    fmb_rational_clear(&w);
+}
+
+/* ---- the prime ------------------------------------------------------------------------------- */
+
+Test(factor, arithmetic_modulo_each_prime)
+{
+    support_rng g = {5};
+    mpz_t p, x, y;
+    mpz_inits(p, x, y, NULL);
+    for (int k = 0; k < FMB_PRIMES; k++) {
+        fmb_prime q = fmb_prime_number(k);
+        mpz_set_ui(p, q.p);
+        cr_assert(mpz_probab_prime_p(p, 30));
+        cr_assert_eq(q.p * q.inverse, 1);
+        for (int s = 0; s < 2000; s++) {
+            uint64_t high = s < 2 ? UINT64_MAX : support_next(&g);
+            uint64_t low = s % 2 ? UINT64_MAX : support_next(&g);
+            mpz_set_ui(x, high);
+            mpz_mul_2exp(x, x, 64);
+            mpz_add_ui(x, x, low);
+            cr_assert_eq(fmb_prime_fold(&q, (fmb_u128)high << 64 | low), mpz_fdiv_ui(x, q.p));
+            int64_t z = (int64_t)(low >> 1) - (support_chance(&g, 50) ? (int64_t)4 << 60 : 0);
+            mpz_set_si(x, z);
+            cr_assert_eq(fmb_prime_of_signed(&q, z), mpz_fdiv_ui(x, q.p));
+            uint64_t a = s < 20 ? (uint64_t)s + 1 : s < 40 ? q.p - (uint64_t)s + 19 : low % q.p;
+            a = a ? a : 1;
+            cr_assert_eq(fmb_prime_times(&q, a, fmb_prime_inverse(&q, a)), 1);
+        }
+    }
+    mpz_clears(p, x, y, NULL);
+}

@@ -1,0 +1,191 @@
+/* hulls.c: is a point in a hull? What the search in doubles claims is recomputed from the points
+ * alone. And exact combinations, formed again from the rows. */
+#include <criterion/criterion.h>
+#include <math.h>
+
+#include "lp/exact/combination.h"
+#include "lp/float/gauge.h"
+#include "scene.h"
+#include "support/dense.h"
+
+/* ---- hulls ----------------------------------------------------------------------------------- */
+
+enum { MOST_D = 6, MOST_POINTS = 60 };
+
+typedef struct cloud {
+    size_t d, n;
+    double at[MOST_POINTS][MOST_D];
+} cloud;
+
+static void draw_point(support_rng *g, const cloud *p, double *q)
+{
+    int most = support_chance(g, 30) ? 1 : 100; /* some of them degenerate */
+    for (size_t k = 0; k < p->d; k++)
+        q[k] = (double)support_between(g, -most, most) / most;
+}
+
+static double times(const cloud *p, const double *a, const double *b)
+{
+    double sum = 0;
+    for (size_t k = 0; k < p->d; k++)
+        sum += a[k] * b[k];
+    return sum;
+}
+
+/* z >= 0 makes up the target, and adds up to 1 at most; walls of the cube are large or small. */
+static bool check_inside(const cloud *p, const fmb_gauge *g, const double *q)
+{
+    double sum = 0, left[MOST_D];
+    for (size_t k = 0; k < p->d; k++)
+        left[k] = q[k];
+    for (size_t r = 0; r < p->d; r++) {
+        size_t j = fmb_gauge_name(g, r);
+        cr_assert_geq(g->value[r], -1e-8);
+        if (j == SIZE_MAX && g->value[r] > 1e-8)
+            return false;
+        sum += g->value[r];
+        for (size_t k = 0; j != SIZE_MAX && k < p->d; k++)
+            left[k] -= g->value[r] * p->at[j][k];
+    }
+    cr_assert_leq(sum, 1 + 1e-7);
+    cr_assert_leq(times(p, left, left), 1e-14);
+    return true;
+}
+
+/* Rounding errors begin with the size of the cube, where the search starts. */
+static void check_outside(const cloud *p, const fmb_gauge *g, const double *q, const bool *in)
+{
+    double error = 1e-6 + 1e-13 * g->cube;
+    cr_assert_gt(times(p, g->w, q), 1 - error);
+    for (size_t j = 0; j < p->n; j++)
+        cr_assert(!in[j] || times(p, g->w, p->at[j]) < 1 + error);
+}
+
+/* Points come and are forgotten between questions. */
+static void question_cloud(support_rng *g, size_t *answers)
+{
+    cloud p = {.d = (size_t)support_between(g, 1, MOST_D)};
+    bool in[MOST_POINTS] = {0};
+    fmb_mem mem;
+    fmb_gauge gauge;
+    fmb_mem_init(&mem, NULL, 0);
+    cr_assert_eq(fmb_gauge_init(&gauge, &mem, fmb_kernels_choose(FMB_SIMD_AUTO), p.d, 1000),
+                 FMB_OK);
+    for (int k = 0; k < 80; k++) {
+        double q[MOST_D];
+        fmb_side_of_hull side;
+        if (p.n < MOST_POINTS && support_chance(g, 60)) {
+            draw_point(g, &p, p.at[p.n]);
+            in[p.n] = true;
+            cr_assert_eq(fmb_gauge_add(&gauge, p.at[p.n], p.n), FMB_OK);
+            p.n++;
+        }
+        if (support_chance(g, 5)) {
+            fmb_gauge_forget(&gauge);
+            for (size_t j = 0; j < p.n; j++)
+                in[j] = false;
+            for (size_t j = 0; j < gauge.size; j++)
+                in[gauge.name[j]] = true;
+        }
+        if (gauge.cube < 1e9 && support_chance(g, 2))
+            fmb_gauge_resize_cube(&gauge, 64 * gauge.cube);
+        draw_point(g, &p, q);
+        cr_assert_eq(fmb_gauge_ask(&gauge, q, NULL, &side), FMB_OK);
+        if (side == FMB_HULL_OUTSIDE)
+            check_outside(&p, &gauge, q, in);
+        answers[side == FMB_HULL_INSIDE && !check_inside(&p, &gauge, q) ? 0 : side]++;
+    }
+    fmb_gauge_clear(&gauge);
+    cr_expect_eq(mem.used, 0);
+}
+
+Test(hulls, inside_or_outside)
+{
+    support_rng g = {3};
+    size_t answers[FMB_HULL_OUTSIDE + 1] = {0};
+    for (int k = 0; k < 400; k++)
+        question_cloud(&g, answers);
+    cr_expect_gt(answers[FMB_HULL_INSIDE], 3000);
+    cr_expect_gt(answers[FMB_HULL_OUTSIDE], 3000);
+    cr_expect_lt(answers[FMB_HULL_NONE], 100, "%zu", answers[FMB_HULL_NONE]);
+}
+
+/* ---- combinations ---------------------------------------------------------------------------- */
+
+/* all (row i) = sum of part_k (row k), in every column; left is what the right sides leave. */
+static void check_combination(const scene *c, const fmb_combination *f, size_t i)
+{
+    mpz_t sum, t, product;
+    mpz_inits(sum, t, product, NULL);
+    cr_assert_gt(mpz_sgn(f->all), 0);
+    for (size_t j = 0; j <= c->n; j++) {
+        fmb_vec_get(c->row[i].v, j, sum);
+        mpz_mul(sum, sum, f->all);
+        for (size_t k = 0; k < f->size; k++) {
+            fmb_vec_get(c->row[f->index[k]].v, j, t);
+            mpz_submul(sum, t, f->part[k]);
+        }
+        cr_assert_eq(j < c->n ? mpz_sgn(sum) : mpz_cmp(sum, f->left), 0);
+    }
+    mpz_clears(sum, t, product, NULL);
+}
+
+/* Random rows, the last one a combination of the first ones, or not. */
+static bool combine_drawn_rows(support_rng *g, int n, int size, int bits, bool planted)
+{
+    dense d = dense_new(n, size + 1);
+    mpz_t z;
+    mpz_init(z);
+    for (int i = 0; i <= size; i++)
+        for (int j = 0; j <= n; j++) {
+            if (i < size || !planted) {
+                support_integer(g, bits, z);
+                mpq_set_z(dense_row(&d, i)[j], z);
+                continue;
+            }
+            for (int k = 0; k < size; k++) {
+                mpq_t t;
+                mpq_init(t);
+                mpq_set_si(t, 3 * k - 4, (unsigned long)k + 1);
+                mpq_canonicalize(t);
+                mpq_mul(t, t, dense_row(&d, k)[j]);
+                mpq_add(dense_row(&d, i)[j], dense_row(&d, i)[j], t);
+                mpq_clear(t);
+            }
+        }
+    fmb_system *s = dense_system(&d);
+    scene c;
+    bool found = false;
+    if (scene_open(&c, s) && c.m == (size_t)size + 1) {
+        fmb_combination f;
+        size_t support[16];
+        for (size_t k = 0; k < (size_t)size; k++)
+            support[k] = k;
+        cr_assert_eq(fmb_combination_init(&f, &c.mem, c.n, c.row), FMB_OK);
+        cr_assert_eq(fmb_combine(&f, &c.run, (size_t)size, support, (size_t)size, &found), FMB_OK);
+        if (found)
+            check_combination(&c, &f, (size_t)size);
+        fmb_combination_clear(&f);
+    }
+    scene_close(&c);
+    fmb_system_free(s);
+    dense_free(&d);
+    mpz_clear(z);
+    return found;
+}
+
+Test(hulls, exact_combinations)
+{
+    static const int bits[] = {0, 31, 62, 63, 200};
+    support_rng g = {9};
+    int found = 0, square = 0;
+    for (int k = 0; k < 300; k++) {
+        int n = support_between(&g, 1, 12), size = support_between(&g, 1, n);
+        found += combine_drawn_rows(&g, n, size, bits[k % 5], true);
+        square += combine_drawn_rows(&g, n, n, bits[k % 5], false);
+        if (n >= 3) /* a row that is no combination is none */
+            cr_expect(!combine_drawn_rows(&g, n, n - 2, 31, false));
+    }
+    cr_expect_gt(found, 270, "%d", found); /* where the rows are independent */
+    cr_expect_gt(square, 270, "%d", square);
+}

@@ -1,0 +1,239 @@
+/* box.c: boxes, times and witnesses of pairs that meet: the kernels of every width, and all of
+ * fmb_pair_test, against exact boxes.
+ */
+#include <criterion/criterion.h>
+#include <string.h>
+
+#include "box_check.h"
+#include "pair/block.h"
+#include "pair/kernels/kernels.h"
+#include "rows.h"
+#include "study/draw/pairs.h"
+
+enum { LEVELS = FMB_BOX_LEVELS, WIDTHS = 4 };
+
+/* One pair at a time, as on processors without vectors. */
+extern const fmb_pair_kernels kernels_plain;
+
+static const fmb_pair_kernels *kernels_of(int width)
+{
+    static const fmb_simd level[WIDTHS] = {FMB_SIMD_AUTO, FMB_SIMD_PLAIN, FMB_SIMD_AVX2,
+                                           FMB_SIMD_AVX512};
+    return width == 0 ? &kernels_plain : fmb_pair_kernels_choose(level[width]);
+}
+
+static fmb_box_kernel *kernel_of(const fmb_pair_kernels *k, int level, const fmb_frame *p,
+                                 const fmb_frame *q)
+{
+    int d = p->dim - 2, moves = p->speed || q->speed;
+    return k->box[level][d][moves][p->shape][q->shape];
+}
+
+static void read_lane(const double *from, int width, int dim, box_answer *a)
+{
+    memset(a, 0, sizeof *a);
+    for (int j = 0; j < dim; j++) {
+        a->world[j][0] = from[j * width];
+        a->world[j][1] = from[(dim + j) * width];
+        a->inside[j][0] = from[(2 * dim + j) * width];
+        a->inside[j][1] = from[(3 * dim + j) * width];
+        a->witness[j] = from[(4 * dim + 2 + j) * width];
+    }
+    a->time[0] = from[4 * dim * width];
+    a->time[1] = from[(4 * dim + 1) * width];
+}
+
+/* Does that kernel answer the pair, put into one lane among others? */
+static bool ask(const fmb_pair_kernels *k, int level, int lane, const fmb_frame *other,
+                const fmb_frame *p, const fmb_frame *q, box_answer *a)
+{
+    fmb_box_kernel *kernel = kernel_of(k, level, p, q);
+    double answer[FMB_BOX_MOST_ROWS * FMB_BLOCK_MOST_LANES];
+    fmb_block b = {.lanes = 0};
+    bool moves = p->speed || q->speed;
+    if (!kernel)
+        return false;
+    for (int i = 0; i < k->width; i++)
+        fmb_block_put(&b, k->width, i == lane ? p : other, i == lane ? q : other, moves, true, 0);
+    unsigned sure = kernel(b.number, answer);
+    read_lane(answer + lane, k->width, p->dim, a);
+    return sure >> lane & 1;
+}
+
+/* All kernels on one pair; counts how many answered. */
+static void ask_all(box_check *c, const fmb_frame *p, const fmb_frame *q, uint64_t number,
+                    uint64_t answered[LEVELS])
+{
+    box_answer a[LEVELS * WIDTHS];
+    size_t n = 0;
+    for (int width = 0; width < WIDTHS; width++) {
+        const fmb_pair_kernels *k = kernels_of(width);
+        for (int level = 0; k && level < LEVELS; level++)
+            if (ask(k, level, (int)(number % (unsigned)k->width), p, p, q, &a[n])) {
+                answered[level]++;
+                n++;
+            }
+    }
+    cr_assert(box_check_pair(c, p, q, a, n, false), "pair %llu in %d dimensions: %s",
+              (unsigned long long)number, p->dim, c->why);
+}
+
+static bool meet(fmb_pair *k, const study_pair *s)
+{
+    fmb_verdict v;
+    must(fmb_pair_test(k, 1, &s->p, &s->q, &(fmb_pair_answers){.verdict = &v}));
+    return v == FMB_FEASIBLE;
+}
+
+/* The first `want` pairs of a plan that meet. */
+static void kernels_against_exact(box_check *c, const study_pair_plan *plan, int want,
+                                  uint64_t answered[LEVELS])
+{
+    static study_pair s;
+    fmb_pair *k = NULL;
+    must(fmb_pair_new(plan->dim, NULL, NULL, &k));
+    for (uint64_t i = 0; want > 0 && i < 500; i++) {
+        study_pair_draw(plan, 11, i, &s);
+        if (!meet(k, &s))
+            continue;
+        ask_all(c, &s.p, &s.q, i, answered);
+        want--;
+    }
+    fmb_pair_free(k);
+}
+
+static void all_kinds(study_pair_family family, int dim, int want, uint64_t answered[LEVELS])
+{
+    box_check c;
+    box_check_open(&c);
+    for (int kind = 0; kind < 8; kind++) {
+        const study_pair_plan plan = {
+            .family = family, .dim = dim, .moves = kind >> 2, .shape = {kind >> 1 & 1, kind & 1}};
+        kernels_against_exact(&c, &plan, want, answered);
+    }
+    box_check_close(&c);
+}
+
+/* How many widths this build and processor have. */
+static unsigned count_widths(void)
+{
+    unsigned n = 0;
+    for (int width = 0; width < WIDTHS; width++)
+        n += kernels_of(width) != NULL;
+    return n;
+}
+
+Test(box, kernels_in_the_plane)
+{
+    for (int f = 0; f < STUDY_PAIR_FAMILIES; f++) {
+        uint64_t answered[LEVELS] = {0};
+        all_kinds((study_pair_family)f, 2, 4, answered);
+        if (f == STUDY_PAIR_ARTICLE)
+            cr_expect(answered[0] > 15 * count_widths() && answered[1] > 15 * count_widths());
+    }
+}
+
+Test(box, kernels_in_space)
+{
+    for (int f = 0; f < STUDY_PAIR_FAMILIES; f++) {
+        uint64_t answered[LEVELS] = {0};
+        all_kinds((study_pair_family)f, 3, 2, answered);
+        if (f == STUDY_PAIR_ARTICLE)
+            cr_expect(answered[0] > 7 * count_widths() && answered[1] > 4 * count_widths());
+    }
+}
+
+/* Aligned cubes, whose edges lie along each other's faces, are
+ * answered by plain doubles. */
+Test(box, aligned_cubes)
+{
+    const double zero[3] = {0}, place[3] = {0.5, 0.25, -0.75},
+                 unit[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const fmb_frame p = {FMB_CUBOID, 3, 3, zero, unit, NULL},
+                    q = {FMB_CUBOID, 3, 3, place, unit, NULL};
+    box_check c;
+    box_check_open(&c);
+    for (int width = 0; width < WIDTHS; width++) {
+        const fmb_pair_kernels *k = kernels_of(width);
+        box_answer a;
+        cr_assert(!k || ask(k, 0, 0, &p, &p, &q, &a));
+        cr_assert(!k || box_check_pair(&c, &p, &q, &a, 1, false), "%s", c.why);
+    }
+    box_check_close(&c);
+}
+
+/* The kernels never answer about a lane whose numbers they cannot bear: a flat frame, huge ones. */
+Test(box, lanes_that_kernels_leave_alone)
+{
+    const double zero[3] = {0}, unit[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const double flat[9] = {1, 0, 0, 0, 1, 0, 1, 1, 0}, far[3] = {0x1p300, 0, 0};
+    const fmb_frame p = {FMB_CUBOID, 3, 3, zero, unit, NULL};
+    const fmb_frame q[2] = {{FMB_CUBOID, 3, 3, zero, flat, NULL},
+                            {FMB_CUBOID, 3, 3, far, unit, NULL}};
+    for (int width = 0; width < WIDTHS; width++) {
+        const fmb_pair_kernels *k = kernels_of(width);
+        box_answer a;
+        for (int level = 0; k && level < LEVELS; level++)
+            for (int i = 0; i < 2; i++) {
+                cr_expect_not(ask(k, level, 0, &p, &p, &q[i], &a));
+                cr_expect_not(ask(k, level, 0, &p, &q[i], &p, &a));
+            }
+    }
+}
+
+/* All of fmb_pair_test, many pairs a call, in any dimension. */
+static void whole(study_pair_family family, int dim, bool moves, size_t n, bool tightest)
+{
+    const study_pair_plan plan = {.family = family,
+                                  .dim = dim,
+                                  .moves = moves,
+                                  .shape = {STUDY_PAIR_ANY_SHAPE, STUDY_PAIR_ANY_SHAPE}};
+    study_pairs s;
+    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair *k = NULL;
+    box_check c;
+    box_check_open(&c);
+    o.tightest = tightest;
+    must(fmb_pair_new(dim, &o, NULL, &k));
+    must(study_pairs_make(&plan, 3, n, NULL, NULL, &s));
+    size_t d = (size_t)dim;
+    fmb_verdict *v = calloc(n, sizeof *v);
+    double *number = calloc(n * (5 * d + 2), sizeof *number);
+    cr_assert(v && number);
+    const fmb_pair_answers out = {v, number, number + 2 * d * n, number + 4 * d * n,
+                                  number + (4 * d + 2) * n};
+    must(fmb_pair_test(k, n, s.p, s.q, &out));
+    for (size_t i = 0; i < n; i++) {
+        box_answer a = {0};
+        if (v[i] != FMB_FEASIBLE)
+            continue;
+        memcpy(a.world, out.world + 2 * d * i, 2 * d * sizeof(double));
+        memcpy(a.inside, out.inside + 2 * d * i, 2 * d * sizeof(double));
+        memcpy(a.time, out.time + 2 * i, 2 * sizeof(double));
+        memcpy(a.witness, out.witness + d * i, d * sizeof(double));
+        cr_assert(box_check_pair(&c, &s.p[i], &s.q[i], &a, 1, tightest), "pair %zu: %s", i, c.why);
+    }
+    free(number);
+    free(v);
+    study_pairs_free(&s);
+    fmb_pair_free(k);
+    box_check_close(&c);
+}
+
+Test(box, together_and_in_any_dimension)
+{
+    for (int dim = 1; dim <= 4; dim++)
+        for (int moves = 0; moves < 2; moves++) {
+            whole(STUDY_PAIR_ARTICLE, dim, moves, 40, false);
+            whole(STUDY_PAIR_LATTICE, dim, moves, 10, false);
+            whole(STUDY_PAIR_DENORMAL, dim, moves, 10, false);
+        }
+}
+
+Test(box, tightest)
+{
+    for (int dim = 2; dim <= 3; dim++)
+        for (int moves = 0; moves < 2; moves++)
+            for (int f = 0; f < STUDY_PAIR_FAMILIES; f++)
+                whole((study_pair_family)f, dim, moves, 8, true);
+}

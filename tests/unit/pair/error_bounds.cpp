@@ -1,0 +1,564 @@
+// error_bounds.cpp: every error bound of the kernels, counted anew by machine
+// (docs/error-bounds.md).
+//
+// The kernels' headers are compiled with numbers that count (counted.h). Bounds made of the sizes
+// of frames are counted on majorants: those sizes are drawn at random over many magnitudes, so that
+// each is the largest by far in some draw. Bounds made of a pair's own numbers are counted on
+// random pairs. No bound may be less than what is counted; none may be so large that an eighth of
+// it would do, or this test would not notice what it is there for.
+#include "counted.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <string>
+
+#include "pair/kernels/fmb_gaps.h"
+
+/* ---- what was claimed, what is needed -------------------------------------------------------- */
+
+static std::map<std::string, double> most; // needed, as a part of what is claimed
+static std::string kernel;
+
+static void claim(const std::string &what, double needed, double claimed)
+{
+    double part = needed == 0 ? 0 : needed / claimed;
+    double &worst = most[kernel + what];
+    worst = std::max(worst, part);
+}
+
+static std::string flavour(const char *what, int dim, bool moves)
+{
+    return std::string(what) + ", " + std::to_string(dim) + (moves ? "D moving: " : "D: ");
+}
+
+static bool report()
+{
+    bool good = !most.empty();
+    for (const auto &m : most) {
+        bool fits = m.second <= 1 && m.second > 1.0 / 8;
+        std::printf("%-44s %6.3f of the bound%s\n", m.first.c_str(), m.second,
+                    fits ? "" : "  <-- wrong");
+        good &= fits;
+    }
+    return good;
+}
+
+/* ---- random sizes ---------------------------------------------------------------------------- */
+
+static uint64_t state = 1;
+
+static double uniform() // 0 ... 1
+{
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return (double)(state >> 11) * 0x1p-53;
+}
+
+static double some_size()
+{
+    return std::ldexp(1 + uniform(), (int)(uniform() * 40) - 20);
+}
+
+static const double *rows; // of a block
+static double alpha, beta, delta, omega;
+static int dimension;
+
+static lane lane_load(const double *a)
+{
+    if (!rows)
+        return {*a, 0};
+    int row = (int)(a - rows), d = dimension;
+    if (row < d)
+        return {delta, delta};
+    if (row < d + d * d)
+        return {alpha, 0};
+    return row < d + 2 * d * d ? lane{beta, 0} : lane{omega, omega};
+}
+
+/* ---- verdicts: the local frame --------------------------------------------------------------- */
+
+static double answer[64];
+static lane stored[64]; // in answer
+
+static void lane_store(double *a, lane x)
+{
+    stored[a - answer] = x;
+}
+
+static void claim_number(const char *what, lane x, lane bound)
+{
+    claim(std::string(what) + " is at most", size_of(x), bound.v * (1 + 1e-12));
+    claim(std::string(what) + " is off by", x.e, LOCAL_FRAME_ERROR / UNIT * bound.v);
+}
+
+static void count_local_frame(int dim, bool moves)
+{
+    static const double block[40] = {0};
+    local_frame f;
+    rows = block;
+    dimension = dim;
+    kernel = flavour("local frame", dim, moves);
+    local_frame_make(dim, moves, true, block, &f);
+    claim_number("size", f.size, f.most_size);
+    for (int i = 0; i < dim; i++) {
+        claim_number("shift", f.shift[i], f.most_shift);
+        claim_number("edge", f.e[i % dim][i], f.most_e);
+        if (moves)
+            claim_number("drift", f.drift[i], f.most_drift);
+    }
+}
+
+/* What the kernels below take for the numbers of a block: bounds, and errors as claimed above. */
+static void make_bounds(int, bool, bool, const double *, local_frame *f)
+{
+    const double count = LOCAL_FRAME_ERROR / UNIT;
+    double bound[4];
+    for (double &b : bound)
+        b = some_size();
+    lane *const is[4] = {&f->most_size, &f->most_e, &f->most_shift, &f->most_drift};
+    lane x[4];
+    for (int i = 0; i < 4; i++) {
+        *is[i] = {bound[i], 0};
+        x[i] = {bound[i], count * bound[i]};
+    }
+    f->size = f->volume = x[0];
+    for (int i = 0; i < 3; i++) {
+        f->shift[i] = x[2];
+        f->drift[i] = x[3];
+        for (int k = 0; k < 3; k++)
+            f->e[k][i] = x[1];
+    }
+    f->known = true;
+}
+
+/* A gap, and what was made of the sign of a determinant: if that sign is wrong, the determinant is
+ * less than its error, which comes on top. */
+static void count_class(fmb_gaps *, lane gap, double count, lane bound)
+{
+    claim("gap to " + std::to_string((int)count) + " u", gap.e + counted_sign, count * bound.v);
+    counted_sign = 0;
+}
+
+static void count_certain(fmb_gaps *, lane size, double count, lane bound)
+{
+    claim("det B to " + std::to_string((int)count) + " u", size.e, count * bound.v);
+}
+
+#define local_frame_make make_bounds
+#define fmb_gaps_class   count_class
+#define fmb_gaps_certain count_certain
+#include "pair/kernels/fmb.h"
+#undef local_frame_make
+
+/* ---- verdicts: separating axes --------------------------------------------------------------- */
+
+#include "study/sat/axes.h"
+
+static void count_overlap(sat_state *, lane least, lane error)
+{
+    claim("overlap", least.e, error.v / UNIT);
+}
+
+#define sat_learn count_overlap
+#include "study/sat/kernels.h"
+
+static void count_axes(int dim, bool moves, bool a, bool b)
+{
+    const sat_kind kind = {dim, moves, a, b};
+    kernel = flavour(!b  ? "axes, two cuboids"
+                     : a ? "axes, two simplices"
+                         : "axes, one of each",
+                     dim, moves);
+    dim == 2 ? sat_decide_flat(kind, rows) : sat_decide(kind, rows);
+}
+
+/* ---- boxes of frames that stand still -------------------------------------------------------- */
+
+#include "pair/kernels/box.h"
+
+static double some_number() // of either sign; often a small one
+{
+    return uniform() < 0.2 ? std::ldexp(uniform() - 0.5, -20) : 2 * uniform() - 1;
+}
+
+static still_frame some_frame(int dim)
+{
+    still_frame f = {};
+    for (int j = 0; j < dim; j++) {
+        for (int l = 0; l < dim; l++) {
+            f.axes[l][j] = {some_number(), 0};
+            f.extent[j] = f.extent[j] + lane_abs(f.axes[l][j]);
+        }
+    }
+    return f;
+}
+
+/* What a pair is off by if its lower half is dropped. */
+static double dropped(lane2 x)
+{
+    return x.hi.e + x.lo.e + size_of(x.lo) / UNIT;
+}
+
+static double off(lane2 x)
+{
+    return x.hi.e + x.lo.e;
+}
+
+/* A point on the edge along axis `ahead`, from the end of axis `back` (-1: from corner y), and what
+ * clipping rounds. The errors of the two axes count by halves, as the point is between their ends.
+ */
+static void claim_wide(const still_view *v, bool fine, bool simplex, int i, lane2 y, int back,
+                       int ahead)
+{
+    const double half = simplex ? 0 : v->half.v, bound = simplex ? 0 : v->half.e + 2 * fine * half;
+    lane2 d = v->edge[ahead][i];
+    double axes = off(d), corner = dropped(y), twice = 0;
+    if (back >= 0) {
+        d = lane2_subtract(fine, d, v->edge[back][i]);
+        twice = off(v->edge[back][i]);
+        corner -= twice;
+        axes = std::max(off(v->edge[ahead][i]), twice);
+    }
+    double rounding = dropped(d) - off(v->edge[ahead][i]) - twice;
+    double needed = corner + axes + rounding + bound;
+    needed += 2 * (std::fabs(y.hi.v) + std::fabs(d.hi.v)) + 3 * half;
+    claim("wide", needed * (1 + 0x1p-10), v->wide[i].v / UNIT);
+}
+
+static void count_still_view(int dim, bool fine, int host, int guest)
+{
+    const box_kind kind = {dim, false, fine, {guest, host}}, *k = &kind; /* the guest is A */
+    const still_frame a = some_frame(dim), b = some_frame(dim);
+    lane shift[3], low[3];
+    still_view v;
+    for (int j = 0; j < dim; j++) {
+        double from = 4 * some_number(), to = 4 * some_number();
+        lane2 s = two_sum({to, 0}, {-from, 0});
+        shift[j] = {s.hi.v, fine ? 0 : std::fabs(s.hi.v)};
+        low[j] = s.lo;
+    }
+    still_view_of(k, 0, &a, &b, shift, low, &v);
+    kernel = flavour(fine            ? "still view, fine"
+                     : counted_fused ? "still view, fused"
+                                     : "still view",
+                     dim, false) +
+             (host ? "simplex host, " : "cuboid host, ");
+    const bool simplex = guest == FMB_SIMPLEX;
+    for (int c = 0; c < (simplex ? dim + 1 : 1 << dim); c++)
+        for (int i = 0; i < box_values(k, 1); i++) {
+            lane2 y = v.start[i];
+            for (int l = 0; l < dim; l++)
+                if (simplex ? c == l + 1 : c >> l & 1)
+                    y = lane2_add(fine, y, v.edge[l][i]);
+            for (int l = 0; l < dim; l++)
+                if (simplex ? c != l + 1 : !(c >> l & 1))
+                    claim_wide(&v, fine, host == FMB_SIMPLEX, i, y, simplex ? c - 1 : -1, l);
+        }
+}
+
+/* ---- boxes of any frames --------------------------------------------------------------------- */
+
+static box_frame moving_frame(int dim, bool moves)
+{
+    box_frame f = {};
+    for (int j = 0; j < dim; j++) {
+        f.origin[j] = {4 * some_number(), 0};
+        f.speed[j] = {moves ? some_number() : 0, 0};
+        for (int l = 0; l < dim; l++)
+            f.axes[l][j] = {some_number(), 0};
+    }
+    return f;
+}
+
+static void count_view(int dim, bool moves, bool fine, int host, int guest)
+{
+    const box_kind kind = {dim, moves, fine, {guest, host}}, *k = &kind;
+    const box_frame a = moving_frame(dim, moves), b = moving_frame(dim, moves);
+    box_view v;
+    box_guest g;
+    box_view_of(k, 0, &a, &b, &v);
+    box_guest_of(k, 0, &v, &b, &g);
+    kernel = flavour(fine ? "view, fine" : "view", dim, moves) +
+             (host ? "simplex host, " : "cuboid host, ");
+    for (int at = 0; at <= moves; at++) {
+        for (int n = 0; n < box_directions(k, 0); n++) {
+            box_direction e;
+            box_direction_of(k, 0, &v, &b, n, &e);
+            for (int c = 0; c < box_corners(k, 0); c++)
+                for (int i = 0; box_starts(k, 0, n, c) && i < box_values(k, 1); i++) {
+                    lane2 rest = lane2_subtract(fine, v.size, g.y[c][i]);
+                    double y = host == FMB_SIMPLEX ? off(g.y[c][i]) : off(rest);
+                    claim("edge", y + off(e.d[i]), v.error[i].v / UNIT);
+                    claim("path", y + off(v.drift[i]), v.error[i].v / UNIT);
+                }
+        }
+        box_guest_move(k, 0, &v, &b, &g);
+    }
+}
+
+/* Edges that meet, on majorants: values are at most `most`, and off by 14 times that. */
+static void count_contact()
+{
+    const box_kind kind = {3, true, false, {FMB_CUBOID, FMB_CUBOID}}, *k = &kind;
+    box_view v = {};
+    lane2 value[3];
+    for (int i = 0; i < 3; i++) {
+        v.most[i] = {some_size(), 0};
+        v.drift[i] = value[i] = {{v.most[i].v, 14 * v.most[i].v}, {0, 0}};
+    }
+    double least = std::min(v.most[0].v, std::min(v.most[1].v, v.most[2].v));
+    v.size = {{least, 14 * least}, {0, 0}};
+    const box_cross x = box_cross_of(k, &v, value, 0, 1, 2);
+    lane2 det = box_det(k, value[0], value[1], value[0], value[1]);
+    lane2 w = lane2_times(false, det, value[2]);
+    w = lane2_add(false, lane2_add(false, w, w), w);
+    kernel = "edges that meet: ";
+    claim("plane", 2 * det.hi.e, x.far_plane.v / UNIT);
+    claim("along", w.hi.e, x.far_along.v / UNIT);
+    claim("size along", lane2_subtract(false, x.whole, w).hi.e, x.far_along.v / UNIT);
+    claim("parameter", 2 * det.hi.e, 121 * v.most[0].v * v.most[1].v);
+}
+
+/* Ends |s| <= 2 of a part of a line, but for the error of values. */
+static void count_clipping()
+{
+    lane d = {some_size(), 0}, r = lane_of(1) / d;
+    lane2 y = lane2_of({2 * d.v * (1 - uniform() / 8), 0});
+    lane2 s = lane2_over(false, y, lane2_of(d), r);
+    kernel = "clipping: ";
+    claim("end", lane2_subtract(false, s, lane2_of({0x1p-20, 0})).hi.e, 16);
+}
+
+/* ---- boxes in the world ---------------------------------------------------------------------- */
+
+/* Numbers of a block, and the rows that only boxes have. */
+static void some_block(double *block)
+{
+    double part[4];
+    for (double &p : part)
+        p = std::ldexp(1, -(int)(uniform() * 30));
+    for (int i = 0; i < FMB_BLOCK_MOST_ROWS; i++)
+        block[i] = part[(int)(uniform() * 4)] * some_number();
+}
+
+/* The largest coordinate of a corner of a frame, from its origin. */
+template <class F> static double farthest(int dim, bool simplex, const F &f, const lane *from)
+{
+    double most = 0;
+    for (int j = 0; j < dim; j++)
+        for (int c = 0; c < (simplex ? dim + 1 : 1 << dim); c++) {
+            double x = from[j].v;
+            for (int l = 0; l < dim; l++)
+                if (simplex ? c == l + 1 : c >> l & 1)
+                    x += f.axes[l][j].v;
+            most = std::max(most, std::fabs(x));
+        }
+    return most;
+}
+
+/* What is stored as a coordinate in the world; ends exceed the exact ones for this, and as gaps
+ * allow. */
+static void claim_world(int dim, double out, double far, double largest, double most, double gaps)
+{
+    for (int j = 0; j < 2 * dim; j++)
+        claim("world", stored[j].e, out * far * (1 - 1e-12));
+    claim("far", far * (1 - 1e-12), most * largest);
+    claim("excess", 2 * out * most * UNIT + gaps, 1e-12);
+}
+
+/* A part of an edge or path in doubles: the lower halves of its ends are left out. */
+static box_part some_part(bool fine)
+{
+    double lo = uniform() / 2, hi = lo + uniform() / 2;
+    box_part p = {lane2_of({lo, 0}), lane2_of({hi, 0}), {0, 0}, {0, 0}, {0, 0}};
+    box_measure(&p);
+    claim("middle and half", p.middle.e + p.half.e, 2 * (1 + 1e-12));
+    p.middle.e = 0;
+    p.half.e = fine;
+    return p;
+}
+
+static void count_world(int dim, bool moves, bool fine, int one, int two)
+{
+    const box_kind kind = {dim, moves, fine, {one, two}}, *k = &kind;
+    double block[FMB_BLOCK_MOST_ROWS], largest = 0;
+    const lane blur[3] = {};
+    box_pair p;
+    box_hull h;
+    some_block(block);
+    box_pair_of(k, block, &p);
+    box_hull_empty(&h);
+    h.time[0] = h.time[1] = {0.5, 0};
+    kernel = flavour(fine ? "box, fine" : "box", dim, moves);
+    for (int guest = 0; guest < 2; guest++) {
+        const box_frame *f = &p.frame[guest];
+        const box_view v = {};
+        box_guest g;
+        box_guest_of(k, guest, &v, f, &g);
+        for (int n = 0; n < box_directions(k, guest); n++) {
+            box_direction e;
+            box_direction_of(k, guest, &v, f, n, &e);
+            for (int c = 0; c < box_corners(k, guest); c++) {
+                if (!box_starts(k, guest, n, c))
+                    continue;
+                box_part part = some_part(fine);
+                box_cover_world(k, &h, g.world[c], e.world, part.middle, part.half);
+                box_cover_world(k, &h, g.world[c], f->speed, part.middle, part.half);
+                if (guest == 1 && dim == 3 && moves) { /* off by the lower halves */
+                    const box_contact x = {{uniform(), 1}, {uniform(), 1}, {0, 0}};
+                    const box_cross of = {};
+                    box_cover_contact(k, &x, &of, f, &g, c, &e, &h);
+                }
+            }
+        }
+        lane end[3];
+        for (int j = 0; j < dim; j++)
+            end[j] = f->origin[j] + f->speed[j];
+        largest = std::max(largest, farthest(dim, k->shape[guest], *f, f->origin));
+        largest = std::max(largest, farthest(dim, k->shape[guest], *f, end));
+        box_guest_move(k, guest, &v, f, &g);
+        for (int c = 0; moves && c < box_corners(k, guest); c++)
+            box_cover_world(k, &h, g.world[c], f->axes[0], {0, 0}, {0, 0});
+    }
+    box_store(k, &p, &h, blur, answer);
+    claim_world(dim, 12, p.far.v, largest, 21, 9e-13);
+    if (dim == 3 && moves)
+        claim("time", stored[4 * dim].e, 8);
+}
+
+static void count_still_world(int dim, int one, int two)
+{
+    const box_kind kind = {dim, false, false, {one, two}}, *k = &kind;
+    double block[FMB_BLOCK_MOST_ROWS], largest = 0;
+    const still_view v = {};
+    still_pair p;
+    still_hull h;
+    some_block(block);
+    still_pair_of(k, block, &p);
+    still_hull_empty(&h);
+    kernel = flavour("still box", dim, false);
+    for (int guest = 0; guest < 2; guest++) {
+        still_frame *f = &p.frame[guest];
+        lane from[3], y[1][BOX_VALUES] = {};
+        for (int j = 0; j < dim; j++) {
+            f->origin[j].e = guest * size_of(p.low[j]) / UNIT;
+            from[j] = p.place[j] + f->origin[j];
+        }
+        largest = std::max(largest, farthest(dim, k->shape[guest], *f, from));
+        for (int n = 0; n < dim; n++) { /* from the corner farthest from the origin */
+            const int next = (n + 1) % dim, last = (n + 2) % dim;
+            still_direction e;
+            still_direction_of(k, guest, &v, f, n, k->shape[guest] ? next : -1, &e);
+            lane start[3];
+            for (int j = 0; j < dim; j++) {
+                start[j] = f->origin[j] + f->axes[next][j];
+                if (!k->shape[guest] && dim == 3)
+                    start[j] = start[j] + f->axes[last][j];
+            }
+            still_part part = {{uniform() / 2, 0}, {(1 + uniform()) / 2, 0}};
+            part.length = part.upper - part.lower;
+            part.sum = part.upper + part.lower;
+            part.some = true;
+            still_cover_parts(k, guest, &e, 1, &part, y, start, nullptr, nullptr, &h);
+        }
+    }
+    still_store(k, &p, &h, answer);
+    claim_world(dim, 16, p.far.v, largest, 15, 9.4e-13);
+}
+
+/* Ends in coordinates of B, points of edges of A being exact. */
+static void count_still_inside()
+{
+    const box_kind kind = {3, false, true, {FMB_CUBOID, FMB_CUBOID}}, *k = &kind;
+    still_view v = {};
+    still_hull h;
+    still_hull_empty(&h);
+    const double size = some_size();
+    v.size = {size, size}; // its lower half is left out
+    v.half = lane_of(0.5) * v.size;
+    h.guest[0][0] = {size * (uniform() - 0.5), 0};
+    h.guest[1][0] = {size / 2, 0};
+    still_inside(k, &v, lane_of(1) / v.size, 0, &h);
+    kernel = "still box: ";
+    claim("inside", std::max(h.own[0][0].e, h.own[1][0].e), 8);
+    claim("excess inside", 9.9e-13 + 2 * 8 * UNIT, 1e-12);
+}
+
+/* Where edges meet, t and u are off by the margin: the world's ends are out by both. */
+static void count_contact_world()
+{
+    const box_kind kind = {3, true, true, {FMB_CUBOID, FMB_CUBOID}}, *k = &kind;
+    const box_contact x = {{uniform(), 0}, {uniform(), 0}, {0x1p-42, 0}};
+    box_frame b = moving_frame(3, true);
+    box_cross of = {};
+    box_direction e = {};
+    box_guest g = {};
+    box_hull h;
+    of.margin = {0x1p-43, 0};
+    for (int j = 0; j < 3; j++)
+        e.world[j] = {some_number(), 0};
+    box_hull_empty(&h);
+    box_cover_contact(k, &x, &of, &b, &g, 0, &e, &h);
+    kernel = "edges that meet: ";
+    for (int j = 0; j < 3; j++) {
+        double at = x.t.v * b.speed[j].v + x.u.v * e.world[j].v;
+        double off = of.margin.v * (size_of(b.speed[j]) + size_of(e.world[j])) - 0x1p-50;
+        claim("ends in the world", off, at - h.world[0][j].v);
+        claim("ends in the world", off, h.world[1][j].v - at);
+        claim("excess of them", off + (at - h.world[0][j].v),
+              h.gap.v * std::max(size_of(b.speed[j]), size_of(e.world[j])) + 0x1p-50);
+    }
+    const lane u = {x.u.v, 0}, r = lane_of(1) / lane_of(3);
+    lane2 quotient = lane2_over(false, lane2_of(lane_of(3) * u), lane2_of(lane_of(3)), r);
+    claim("rounding of a parameter", (quotient.hi - of.margin).e, 16);
+}
+
+int main()
+{
+    counted_majorant = true;
+    for (int i = 0; i < 4000; i++) {
+        counted_fused = i & 1;
+        alpha = some_size();
+        beta = some_size();
+        delta = some_size();
+        omega = some_size();
+        for (int dim = 2; dim <= 3; dim++)
+            for (int moves = 0; moves < 2; moves++) {
+                counted_sign = 0;
+                count_local_frame(dim, moves);
+                counted_sign = 0;
+                kernel = flavour("cuboids", dim, moves);
+                dim == 2 ? fmb_cuboids_2d(nullptr, moves) : fmb_cuboids_3d(nullptr, moves);
+                for (int simplex = 0; simplex < 2; simplex++) {
+                    kernel = flavour(simplex ? "two simplices" : "cuboid, simplex", dim, moves);
+                    dim == 2 ? fmb_simplices_2d(nullptr, moves, simplex)
+                             : fmb_simplices_3d(nullptr, moves, simplex);
+                }
+                count_axes(dim, moves, false, false);
+                count_axes(dim, moves, false, true);
+                count_axes(dim, moves, true, true);
+            }
+    }
+    for (int i = 0; i < 4000; i++)
+        count_contact();
+    counted_majorant = false;
+    for (int i = 0; i < 1000; i++) {
+        counted_fused = i & 1;
+        count_clipping();
+        count_contact_world();
+        count_still_inside();
+        for (int shapes = 0; shapes < 4; shapes++)
+            for (int fine = 0; fine < 2; fine++)
+                for (int dim = 2; dim <= 3; dim++) {
+                    rows = nullptr;
+                    count_still_world(dim, shapes / 2, shapes % 2);
+                    count_world(dim, false, fine, shapes / 2, shapes % 2);
+                    count_world(dim, true, fine, shapes / 2, shapes % 2);
+                    count_still_view(dim, fine, shapes / 2, shapes % 2);
+                    count_view(dim, false, fine, shapes / 2, shapes % 2);
+                    count_view(dim, true, fine, shapes / 2, shapes % 2);
+                }
+    }
+    return report() ? 0 : 1;
+}

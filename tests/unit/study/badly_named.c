@@ -1,0 +1,6 @@
+/* badly_named.c: a rule library whose rule has the name of one that is built in. */
+#include <fmb/rule.h>
+
+static const fmb_rule kohler = {.name = "kohler", .source = "none"};
+
+const fmb_rule *const fmb_rule_library[] = {&kohler, NULL};

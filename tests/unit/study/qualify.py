@@ -1,0 +1,338 @@
+"""fmb-qualify from outside: exit codes, files, the same counts from the same seed, Ctrl-C; the report
+holds every figure.
+usage: qualify.py FMB_QUALIFY MAN_PAGE"""
+
+import csv
+import json
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import xml.etree.ElementTree
+
+program, man_page = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2])
+faults = []
+STUDIES = ["table1", "near", "faces", "boxes", "scaling", "rules", "peers"]
+SMALL = ["--dim", "2", "--pairs", "2", "--rules", "kohler", "--rules", "kohler,box", "--passes", "1"]
+
+
+def expect(good, what):
+    if not good:
+        faults.append(what)
+
+
+def run(*args, env=None):
+    return subprocess.run([program, "rules", *args], capture_output=True, text=True, env=env)
+
+
+def counts(folder):
+    """rules-runs.csv without the time."""
+    with open(folder / "rules-runs.csv", newline="") as f:
+        return [row[:-1] for row in csv.reader(f)]
+
+
+def exit_codes(folder):
+    bad = folder / "bad.fmb"
+    bad.write_text("x <= <= 1\n")
+    for args, code in ((["nonsense"], 64), (["all", "nonsense"], 64), (["--pairs", "0"], 64),
+                       (["all", "--simd", "best"], 64), (["rules", "--dim", "x"], 64),
+                       (["rules", "--pairs", "0"], 64), (["rules", "--orders", "best"], 64),
+                       (["rules", "--family", "huge"], 64), (["rules", "--kinds", "CX"], 64),
+                       (["rules", "--motion", "slow"], 64), (["rules", "--meeting", "maybe"], 64),
+                       (["rules", str(folder / "none.fmb")], 66), (["rules", str(bad)], 65),
+                       (["rules", *SMALL, "--out", str(bad / "x")], 74),
+                       (["all", "--out", str(bad / "x")], 74), (["all", "--out", str(bad)], 74),
+                       (["--version"], 0), (["--help"], 0), (["rules", "--help"], 0)):
+        got = subprocess.run([program, *args], capture_output=True, text=True)
+        expect(got.returncode == code, f"{args}: exit code {got.returncode}, not {code}")
+        for option in [word for word in args if code == 64 and word.startswith("--")]:
+            expect(f": {option}: " in got.stderr, f"{args}: which option? {got.stderr}")
+
+
+def report(folder):
+    first, second, third = folder / "1", folder / "2", folder / "3"
+    for out, seed in ((first, "5"), (second, "5"), (third, "6")):
+        got = run(*SMALL, "--seed", seed, "--out", str(out))
+        expect(got.returncode == 0 and not got.stderr, f"report: {got.returncode} {got.stderr}")
+    expect(counts(first) == counts(second), "the same seed gives other counts")
+    expect(counts(first) != counts(third), "another seed gives the same counts")
+    rows = counts(first)
+    expect(len({len(row) for row in rows}) == 1, "lines of runs.csv differ in length")
+    expect(len(rows) == 1 + 16 * 2 * 3 * 2, f"{len(rows)} lines in runs.csv")
+    table = json.loads((first / "report.json").read_text())
+    expect(table["complete"] and len(table["classes"]) == 16 * 3 * 2, "report.json")
+    expect(all(c["wrong"] == 0 and c["n"] == 2 for c in table["classes"]), "report.json: counts")
+    with open(first / "rules-classes.csv", newline="") as f:
+        expect(len(list(csv.DictReader(f))) == 16 * 3 * 2, "rules-classes.csv")
+    for name in ("rows", "time"):
+        for motion in ("static", "dynamic"):
+            for ending in ["gp"] + (["svg", "png"] if shutil.which("gnuplot") else []):
+                path = first / f"rules-{name}-{motion}.{ending}"
+                expect(path.exists() and path.stat().st_size > 0, f"{path.name} is missing")
+
+
+def bare_numbers(folder):
+    """Programs read the CSV: a number is a number, whatever the table says of it."""
+    for path in (folder / "1").glob("*.csv"):
+        with open(path, newline="") as f:
+            titles, *rows = list(csv.reader(f))
+        expect(rows and all(len(row) == len(titles) for row in rows), f"{path.name}: lines differ in length")
+        for row in rows:
+            for title, field in zip(titles, row):
+                expect(not re.match(r"[-+]?[0-9.]", field) or re.fullmatch(r"[-+]?[0-9.]+(e[-+]?[0-9]+)?", field),
+                       f"{path.name}: {title}: {field}")
+                expect(not re.search(r"[%\u00a0]", field) and field != "-", f"{path.name}: {title}: {field}")
+
+
+def without_tools(folder):
+    """Without gnuplot the report has no pictures, without Python there is none; numbers are there."""
+    tools = folder / "tools"
+    tools.mkdir()
+    (tools / "python3").symlink_to(sys.executable)
+    out = folder / "plain"
+    got = run(*SMALL, "--out", str(out), env={**os.environ, "PATH": str(tools)})
+    expect(got.returncode == 0 and "gnuplot is not installed" in got.stderr, got.stderr)
+    expect(got.stderr.count("\n") == 1, f"gnuplot is missed more than once: {got.stderr}")
+    expect((out / "rules-rows-static.gp").exists() and not (out / "rules-rows-static.svg").exists(), "pictures")
+    expect("gnuplot is not installed" in (out / "report.html").read_text(), "nothing said of it")
+    out = folder / "plainer"
+    got = run(*SMALL, "--out", str(out), env={**os.environ, "PATH": str(folder)})
+    expect(got.returncode == 0 and "python3 is not installed" in got.stderr and got.stderr.count("\n") == 1, got.stderr)
+    expect((out / "report.json").exists() and (out / "rules-classes.csv").exists() and
+           not (out / "report.html").exists(), "without Python")
+    got = run(*SMALL, "--passes", "0", "--out", str(folder / "timeless"))
+    expect(got.returncode == 0 and not got.stderr, f"no time: {got.returncode} {got.stderr}")
+
+
+def machine():
+    """What a paper cites; who had to wait is told."""
+    study_of = lambda process: json.loads(process.communicate(timeout=100)[0])
+    start = lambda: subprocess.Popen([program, "near", "--json", "--pairs", "2000", "--passes", "3"],
+                                     stdout=subprocess.PIPE, text=True)
+    child = start()
+    time.sleep(0.1)
+    child.send_signal(signal.SIGSTOP)
+    time.sleep(3)
+    child.send_signal(signal.SIGCONT)
+    waited = study_of(child)
+    for found in (waited, study_of(start())):
+        m = found["machine"]
+        expect(m["cores"] >= 1 and m["memory_bytes"] > 1 << 20 and m["load"] >= 0, f"machine: {m}")
+        expect(re.match(r"(gcc|clang) \d+\.", m["compiler"]) and "-O" in m["flags"], f"machine: {m}")
+        expect(m["cpu"] and m["os"] and m["kernel"] == os.uname().release, f"machine: {m}")
+        warned = any("repeat the study" in part.get("text", "") for part in found["page"])
+        expect(warned == (found["wall_seconds"] > 1.1 * found["cpu_seconds"]), f"busy? {found['wall_seconds']}")
+    expect(waited["wall_seconds"] > 2.5, "the child did not stop")
+
+
+def no_contradictions(cell):
+    """Who divides the times beside a ratio finds the ratio, within its interval."""
+    for part, ways in ((cell, ("fmb", "sat", "fmb_over_sat")), (cell, ("sat_plain", "sat", "sat_plain_over_sat")),
+                       (cell["one_a_call"], ("fmb", "sat", "fmb_over_sat")),
+                       (cell["repeated"], ("fmb", "sat", "fmb_over_sat"))):
+        over, ratio = part[ways[0] + "_ns"] / part[ways[1] + "_ns"], part[ways[2]]
+        expect(abs(over / ratio["ratio"] - 1) < 1e-9, f"{ways}: {over}, {ratio}")
+        expect(ratio["least"] <= ratio["low"] <= ratio["ratio"] <= ratio["high"] <= ratio["most"], f"{ways}: {ratio}")
+
+
+def tables():
+    got = run(*SMALL, "--orders", "pairs")
+    lines = got.stdout.partition("Order pairs\n\n")[2].partition("\n\n")[0].splitlines()
+    expect(len(lines) == 1 + 2 * 3 and len({len(line) for line in lines}) == 1,
+           "the table does not line up:\n" + "\n".join(lines))
+    expect("pays in time from" in got.stdout and "Counts of the best rules" in got.stdout, "a section is missing")
+    expect("wanted" not in got.stdout and "bar" not in got.stdout.split(), "goals of the house")
+    detail = run(*SMALL, "--orders", "pairs", "--detail").stdout
+    expect("D2 static CT apart" in detail, "--detail")
+    printed = json.loads(run(*SMALL, "--json").stdout)
+    expect(printed["study"] == "rules", "--json")
+
+
+def stopped():
+    """No rules and few rows: stopped, the same each time, and not an error."""
+    args = ["--dim", "4", "--kinds", "CC", "--meeting", "yes", "--pairs", "2", "--max-rows", "40",
+            "--rules", "none", "--json", "--passes", "0", "--orders", "pairs"]
+    first, second = json.loads(run(*args).stdout), json.loads(run(*args).stdout)
+    expect(first["classes"] == second["classes"] and all(c["stopped"] == 2 for c in first["classes"]), "stopped")
+
+
+def merged(folder):
+    """The runs of all shards make the counts of one run, to the byte; anything else is refused."""
+    file = folder / "square.fmb"
+    file.write_text("x + y <= 1\n-x <= 0\n-y <= 0\n")
+    args = [*SMALL, "--orders", "pairs", "--pairs", "5", str(file)]
+    parts = [str(folder / f"part{i}") for i in (1, 2, 3)]
+    for i, part in enumerate(parts):
+        pathlib.Path(part).write_text(run(*args, "--shard", f"{i + 1}/3", "--json").stdout)
+    file.unlink()
+    got = run("--merge", "--json", *parts[1:], parts[0])
+    expect(got.returncode == 0 and not got.stderr, f"--merge: {got.returncode} {got.stderr}")
+    file.write_text("x + y <= 1\n-x <= 0\n-y <= 0\n")
+    once, whole = run(*args, "--json").stdout, got.stdout
+    counts = lambda text: re.search(r'^  "classes": \[.*?^  \]', text, re.M | re.S)[0]
+    expect(counts(once) == counts(whole) and len(counts(once)) > 10000, "--merge: other counts than in one run")
+    timed = json.loads(whole)["times"]
+    expect(any(t["timed"] > 0 and t["time_median"]["ratio"] > 0 for t in timed), "--merge: no times")
+    other = folder / "other"
+    other.write_text(run(*args, "--seed", "2", "--shard", "3/3", "--json").stdout)
+    for words, code in ((parts[:2], 65), ([*parts[:2], parts[0]], 65), ([*parts[:2], str(other)], 65), ([], 64),
+                        ([*parts[:2], str(folder / "none")], 66), ([str(file)], 65)):
+        got = run("--merge", *words)
+        expect(got.returncode == code and got.stderr.count("\n") == 1, f"--merge {words}: {got.returncode} {got.stderr}")
+    expect(run("--shard", "4/3").returncode == 64, "--shard 4/3")
+
+
+def files(folder):
+    """Which variables stay: the last one, or what the file asks for."""
+    last, asked = folder / "last.fmb", folder / "asked.ine"
+    last.write_text("x + y + z <= 1\n-x <= 0\n-y <= 0\n-z <= 0\n")
+    asked.write_text("asked\n* keep 2\nH-representation\nbegin\n4 4 integer\n1 -1 -1 -1\n0 1 0 0\n"
+                     "0 0 1 0\n0 0 0 1\nend\n")
+    got = run(str(last), str(asked), "--rules", "kohler", "--json", "--orders", "pairs")
+    rows = {(c["systems"], c["rules"]): c for c in json.loads(got.stdout)["classes"]}
+    expect(rows[str(last), "none"]["made"] == 2 and rows[str(asked), "none"]["made"] == 1,
+           f"files: {rows}")
+    text = run(str(last), "--rules", "kohler").stdout
+    expect("files" in text and "Counts" not in text, "a report on files")
+
+
+def interrupted(folder):
+    out = folder / "half"
+    child = subprocess.Popen([program, "rules", "--pairs", "200", "--out", str(out)],
+                             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    time.sleep(3)
+    child.send_signal(signal.SIGINT)
+    text, errors = child.communicate(timeout=60)
+    expect(child.returncode == 2 and "Interrupted" in text, f"Ctrl-C: {child.returncode} {errors}")
+    expect(not json.loads((out / "report.json").read_text())["complete"], "Ctrl-C: report.json")
+
+
+def study(name, *args, pairs=8):
+    got = subprocess.run([program, name, "--pairs", str(pairs), "--passes", "1", *args],
+                         capture_output=True, text=True)
+    expect(got.returncode == 0 and not got.stderr, f"{name} {args}: {got.returncode} {got.stderr}")
+    return got.stdout
+
+
+def cells(name, *args):
+    """The cells of a study of verdicts, by case, pair and meeting."""
+    printed = json.loads(study(name, "--json", *args))
+    expect(printed["machine"] and printed["complete"], f"{name}: machine, complete")
+    return {(c["case"], c["pair"], c["meeting"]): c for c in printed["cells"]}
+
+
+def verdicts():
+    """24 cells, in which FMB and SAT agree; those that meet have boxes that meet."""
+    table, near, faces = cells("table1"), cells("near"), cells("faces")
+    expect(set(table) == set(near) == {(f"{d}d-{m}", p, meets) for d in (2, 3)
+                                       for m in ("static", "dynamic") for p in ("CC", "CT", "TT")
+                                       for meets in (True, False)}, "cells")
+    expect(set(faces) == {key for key in table if key[0] == "3d-static"}, "cells of faces")
+    for cell in [*table.values(), *near.values(), *faces.values()]:
+        expect(cell["queries"] == 8 and cell["different"] == 0 <= cell["exact_share"] <= 1 and
+               min(cell["fmb_ns"], cell["sat_ns"], cell["sat_plain_ns"]) > 0, str(cell))
+        no_contradictions(cell)
+    drawn = {key: cell["drawn"] for key, cell in table.items()}
+    expect(drawn == {key: c["drawn"] for key, c in cells("table1").items()}, "the same seed")
+    expect(drawn != {key: c["drawn"] for key, c in cells("table1", "--seed", "2").items()},
+           "another seed")
+    for key, cell in near.items():
+        expect(cell["drawn"] == drawn[key] if key[2] else cell["drawn"] >= drawn[key], f"near {key}")
+    expect(sum(c["drawn"] for c in near.values()) > sum(drawn.values()), "near is like table1")
+
+
+def html_figures(folder):
+    """Names of the figures that report.html holds; each is a picture with lines in it."""
+    text = (folder / "report.html").read_text()
+    for name in re.findall(r'href="([\w.-]+\.\w+)"', text):
+        expect((folder / name).exists(), f"report.html: {name} is missing")
+    pictures = re.findall(r"<svg.*?</svg>", text, re.S)
+    names = []
+    for picture in pictures:
+        tree = xml.etree.ElementTree.fromstring(picture)
+        names += [e.get("id") for e in tree.iter() if e.get("id")]
+        expect(sum(1 for e in tree.iter() if e.tag.endswith("}path")) > 10, "a picture without lines")
+    expect(len(names) == len(set(names)), "names of one picture clash with those of another")
+    expect(text.count("<figure>") == len(pictures) and "Not drawn" not in text, "a figure is missing")
+    expect("src=" not in text and "http" not in re.sub(r'xmlns(:\w+)?="[^"]*"', "", text), "not one file")
+    return set(re.findall(r'href="([\w-]+)\.svg"', text))
+
+
+def one_report(folder):
+    out = folder / "table1"
+    text = study("table1", "--out", str(out))
+    expect("one pair again and again" in text, "table1: a table is missing")
+    for name in ("cells", "single", "repeated"):
+        with open(out / f"table1-{name}.csv", newline="") as f:
+            expect(len(list(csv.reader(f))) == 25, f"table1-{name}.csv")
+    expect(len(json.loads((out / "report.json").read_text())["cells"]) == 24, "table1: report.json")
+    if shutil.which("gnuplot"):
+        expect(html_figures(out) == {f"table1-ratio-{d}d-{m}" for d in (2, 3)
+                                     for m in ("static", "dynamic")}, "figures of table1")
+
+
+def whole_report(folder):
+    out = folder / "all"
+    study("all", "--out", str(out))
+    text = (out / "report.html").read_text()
+    found = [s["study"] for s in json.loads((out / "report.json").read_text())["studies"]]
+    expect(found == STUDIES, f"studies: {found}")
+    expect(re.findall(r'<h2 id="(\w+)"', text) == found == re.findall(r'<a href="#(\w+)"', text),
+           "sections of report.html")
+    if shutil.which("gnuplot"):
+        drawn = {name.partition("-")[0] for name in html_figures(out)}
+        expect(drawn == set(STUDIES), f"studies with figures: {sorted(drawn)}")
+
+
+def interrupted_all(folder):
+    """What is complete is in the report; without --out it is in fmb-report."""
+    child = subprocess.Popen([program], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                             text=True)
+    time.sleep(2)
+    child.send_signal(signal.SIGINT)
+    _, errors = child.communicate(timeout=60)
+    expect(child.returncode == 2 and not errors, f"Ctrl-C: {child.returncode} {errors}")
+    table = json.loads((folder / "fmb-report" / "report.json").read_text())
+    expect(table["study"] == "table1" and not table["complete"], "Ctrl-C: fmb-report/report.json")
+    expect("Interrupted" in (folder / "fmb-report" / "report.html").read_text(), "Ctrl-C: nothing said")
+
+
+def documented():
+    text = man_page.read_text().replace("\\-", "-")
+    wanted = {"--usage"}
+    for name in ("all", *STUDIES):
+        help_text = subprocess.run([program, name, "--help"], capture_output=True, text=True).stdout
+        wanted |= set(re.findall(r"^ +(?:-\w, |-\?, )?(--[a-z-]+)", help_text, re.M))
+        expect(re.search(rf"^\.B \"?fmb-qualify {name}\b|^\.B {name}$", text, re.M),
+               f"man page: {name} is missing")
+    wanted -= {"--usage"}
+    found = set(re.findall(r"(?<![\w-])--[a-z][a-z-]*", text))
+    expect(len(wanted) > 15, "--help was not understood")
+    expect(wanted <= found, f"man page: {sorted(wanted - found)} missing")
+    expect(found <= wanted | {"--usage"}, f"man page: {sorted(found - wanted)} are no options")
+
+
+with tempfile.TemporaryDirectory() as name:
+    root = pathlib.Path(name)
+    exit_codes(root)
+    report(root)
+    bare_numbers(root)
+    without_tools(root)
+    machine()
+    tables()
+    stopped()
+    files(root)
+    merged(root)
+    interrupted(root)
+    verdicts()
+    one_report(root)
+    whole_report(root)
+    interrupted_all(root)
+    documented()
+print("\n".join(faults) or "fmb-qualify: no faults")
+sys.exit(bool(faults))

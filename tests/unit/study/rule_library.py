@@ -1,0 +1,78 @@
+"""Rules from a shared object: fmb-qualify counts their wrong answers, fmb uses them, and says what is
+wrong with a file that is none.
+usage: rule_library.py FMB_QUALIFY FMB SAME_ROWS LIAR BADLY_NAMED"""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+qualify, fmb, same_rows, liar, badly_named = sys.argv[1:]
+faults = []
+SMALL = ["--dim", "2", "--motion", "static", "--kinds", "CC", "--pairs", "6", "--orders", "given",
+         "--passes", "0"]
+# x and y are pressed together until nothing is left.
+EMPTY = "vars: x y z\nx + y <= 1\nx - y <= 0\ny - x <= 0\nx >= 1\nz <= 5\n-z <= x\n"
+
+
+def expect(good, what):
+    if not good:
+        faults.append(what)
+
+
+def run(*words):
+    return subprocess.run(words, capture_output=True, text=True)
+
+
+def wrong(library, *sets):
+    """Wrong answers by set of rules, and the exit code."""
+    words = [word for s in sets for word in ("--rules", s)]
+    got = run(qualify, "rules", *SMALL, "--rule-library", library, *words, "--json")
+    found = {}
+    for line in json.loads(got.stdout)["classes"]:
+        found[line["rules"]] = found.get(line["rules"], 0) + line["wrong"]
+        expect(line["refused"] == 0 and line["n"] > 0, f"{library}: {line}")
+    return found, got.returncode
+
+
+def studies():
+    found, code = wrong(same_rows, "same-rows", "same-rows,kohler", "kohler")
+    expect(code == 0 and found == {"none": 0, "same-rows": 0, "same-rows,kohler": 0, "kohler": 0}, f"honest: {found}")
+    found, code = wrong(liar, "liar", "kohler")
+    expect(code == 1 and found["liar"] > 0 == found["none"] == found["kohler"], f"liar: {found}")
+    found, _ = wrong(liar)
+    expect(found["liar"] > 0 and "imbert,box" in found, f"without --rules: {found}")
+
+
+def command(folder):
+    file = folder / "empty.fmb"
+    file.write_text(EMPTY)
+    words = [fmb, "solve", file, "--method", "fm", "--presolve", "none", "--order", "given", "--json"]
+    for library, rules, code in ((same_rows, "same-rows,kohler", 1), (same_rows, "same-rows", 1), (liar, "liar", 0)):
+        got = run(*words, "--rule-library", library, "--rules", rules)
+        expect(got.returncode == code and not got.stderr, f"{rules}: {got.returncode} {got.stderr}")
+    proof = folder / "proof"
+    run(*words[:-1], "--rule-library", liar, "--rules", "liar", "--proof", proof)
+    checked = run(fmb, "check", file, proof)
+    expect(checked.returncode == 1 and "violates" in checked.stdout + checked.stderr, f"the checker believes it: {checked}")
+    got = run(*words, "--rule-library", same_rows, "--rules", "mine")
+    expect(got.returncode == 64 and "same-rows" in got.stderr, got.stderr)
+
+
+def faulty(folder):
+    text = folder / "text.so"
+    text.write_text(100 * "no library\n")
+    for path, why in ((folder / "none.so", "No such file"), (text, "invalid ELF header"),
+                      (badly_named, "one that the library uses")):
+        for words in ([qualify, "rules", *SMALL], [fmb, "solve", "-"]):
+            got = run(*words, "--rule-library", path)
+            expect(got.returncode == 66 and why in got.stderr and got.stderr.count("\n") == 1, f"{path}: {got}")
+
+
+with tempfile.TemporaryDirectory() as name:
+    studies()
+    command(pathlib.Path(name))
+    faulty(pathlib.Path(name))
+print("\n".join(faults) or "rule library: no faults")
+sys.exit(bool(faults))
