@@ -20,9 +20,13 @@
 /* Pivots after which errors have gathered. */
 #define STALE 64
 
+/* Room for hull points at first. */
+#define FIRST_POINTS 64
+
 /* ---- life ------------------------------------------------------------------------------------ */
 
 static void start_from_cube(fmb_gauge *g, const double *q);
+static fmb_status reserve_hull_points(fmb_gauge *g, size_t capacity);
 
 fmb_status fmb_gauge_init(fmb_gauge *g, fmb_mem *mem, const fmb_kernels *kernels, size_t n,
                           double cube)
@@ -37,8 +41,10 @@ fmb_status fmb_gauge_init(fmb_gauge *g, fmb_mem *mem, const fmb_kernels *kernels
     g->work = fmb_mem_get(mem, 2 * n * n, sizeof *g->work);
     if (!g->basic || !g->inverse || !g->length || !g->value || !g->w || !g->entry || !g->work)
         return fmb_mem_status(mem);
-    start_from_cube(g, NULL);
-    return FMB_OK;
+    fmb_status st = reserve_hull_points(g, FIRST_POINTS);
+    if (st == FMB_OK)
+        start_from_cube(g, NULL);
+    return st;
 }
 
 static void free_hull_points(fmb_gauge *g)
@@ -475,7 +481,7 @@ fmb_status fmb_gauge_add(fmb_gauge *g, const double *q, size_t name)
 {
     fmb_status st = FMB_OK;
     if (g->size == g->capacity)
-        st = reserve_hull_points(g, g->capacity == 0 ? 64 : 2 * g->capacity);
+        st = reserve_hull_points(g, 2 * g->capacity);
     if (st != FMB_OK)
         return st;
     for (size_t k = 0; k < g->n; k++)

@@ -161,8 +161,9 @@ static double score_known_rows(fmb_sieve *s)
 {
     double most[4] = {0};
     size_t j = 0;
-    if (s->known > 0)
-        memset(s->score, 0, s->known * sizeof *s->score);
+    if (s->known == 0)
+        return 0;
+    memset(s->score, 0, s->known * sizeof *s->score);
     for (size_t k = 0; k < s->polar.d; k++)
         s->run->kernels->accumulate(s->score, &s->at[k * s->capacity], s->known, s->target[k]);
     for (; j + 4 <= s->known; j += 4)
