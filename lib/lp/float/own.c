@@ -131,19 +131,27 @@ static fmb_status maximize_own(void *self, const double *cost, fmb_hint *h)
 
 /* ---- changes --------------------------------------------------------------------------------- */
 
-/* A row that is left out leaves the basis. */
+/* The place of row i in the basis, or FMB_NOWHERE. */
+static size_t find_member(const fmb_stand *o, size_t i)
+{
+    for (size_t r = 0; r < o->n; r++)
+        if (o->corner.member[r] == i)
+            return r;
+    return FMB_NOWHERE;
+}
+
+/* A row that is left out leaves the basis, whose members may change places before. */
 static fmb_status switch_own(void *self, size_t i)
 {
     fmb_stand *o = self;
-    bool off = o->f->off[i];
+    bool off = o->f->off[i], leaves = off && find_member(o, i) != FMB_NOWHERE;
+    fmb_status st = leaves ? fmb_stand_refresh(o) : FMB_OK;
+    size_t r = leaves ? find_member(o, i) : FMB_NOWHERE;
     o->feasible = o->feasible && off;
-    for (size_t r = 0; off && r < o->n; r++)
-        if (o->corner.member[r] == i) {
-            fmb_status st = fmb_stand_refresh(o);
-            return st == FMB_OK ? fmb_stand_expel(o, r) : st;
-        }
+    if (st == FMB_OK && r != FMB_NOWHERE)
+        return fmb_stand_expel(o, r);
     fmb_stand_note_role(o, i);
-    return FMB_OK;
+    return st;
 }
 
 static fmb_status place_own(void *self, const size_t *basis)

@@ -1,6 +1,7 @@
 /* stand.c: see stand.h. */
 #include "lp/float/stand.h"
 
+#include <assert.h>
 #include <math.h>
 
 /* Rows of the basis that are off by more show that it is inexact. */
@@ -213,6 +214,7 @@ static size_t find_nearest_row(const fmb_stand *o)
 static fmb_status exchange_for_unit(fmb_stand *o, size_t r)
 {
     size_t best = fmb_spread_key(&o->edge, 0), old = o->corner.member[r];
+    assert(old < FMB_UNIT);
     for (size_t t = 1; t < fmb_spread_count(&o->edge); t++) {
         size_t j = fmb_spread_key(&o->edge, t);
         best = fabs(o->edge.at[j]) > fabs(o->edge.at[best]) ? j : best;

@@ -9,11 +9,12 @@
 #include "property/random/rows.h"
 #include "support.h"
 
-/* Random steps, against a fresh solver each. FMB_SESSION_STEPS=10000: the slow suite. */
-static int count_steps(void)
+/* Random steps, against a fresh solver each. FMB_SESSION_STEPS=10000: the slow suite; other games
+ * with another FMB_SESSION_SEED. */
+static int read_setting(const char *name, int otherwise)
 {
-    const char *text = getenv("FMB_SESSION_STEPS");
-    return text ? atoi(text) : 500;
+    const char *text = getenv(name);
+    return text ? atoi(text) : otherwise;
 }
 
 /* ---- at random ------------------------------------------------------------------------------- */
@@ -152,7 +153,7 @@ static void play_at_random(uint64_t seed, int dim, int steps)
 Test(session, at_random)
 {
     static const int DIM[] = {1, 2, 3, 5, 8, 12, 20};
-    int n = (int)(sizeof DIM / sizeof *DIM);
+    int n = (int)(sizeof DIM / sizeof *DIM), seed = read_setting("FMB_SESSION_SEED", 0);
     for (int k = 0; k < n; k++)
-        play_at_random((uint64_t)k, DIM[k], count_steps() / n);
+        play_at_random((uint64_t)(seed + k), DIM[k], read_setting("FMB_SESSION_STEPS", 500) / n);
 }
