@@ -9,12 +9,12 @@
 
 struct fmb_door {
     fmb_reals reals;
-    const fmb_door_side *side;  /* who answers */
-    const fmb_door_side *spare; /* who does where that gives up, or NULL */
-    void *self;                 /* of the side */
-    double *cost;               /* [n] scaled as the columns are */
-    fmb_status late;            /* of a call that has none */
-    bool behind;                /* there are rows that the side has yet to take in */
+    const fmb_door_side *side; /* who answers */
+    void *self;                /* of the side */
+    double *cost;              /* [n] scaled as the columns are */
+    fmb_status late;           /* of a call that has none */
+    bool behind;               /* there are rows that the side has yet to take in */
+    bool alone;                /* GLPK is not asked where the side gives up */
 };
 
 void fmb_door_close(fmb_door *d)
@@ -30,13 +30,13 @@ void fmb_door_close(fmb_door *d)
 }
 
 static fmb_status open_door(fmb_run *run, const fmb_program *p, const fmb_door_side *side,
-                            const fmb_door_side *spare, fmb_door **out)
+                            bool alone, fmb_door **out)
 {
     fmb_door *d = fmb_mem_zero(run->mem, 1, sizeof *d);
     if (!d)
         return fmb_mem_status(run->mem);
     d->side = side;
-    d->spare = spare;
+    d->alone = alone;
     fmb_status st = fmb_reals_init(&d->reals, run, p);
     d->cost = fmb_mem_get(run->mem, d->reals.n, sizeof *d->cost);
     if (st == FMB_OK && !d->cost)
@@ -52,33 +52,14 @@ static fmb_status open_door(fmb_run *run, const fmb_program *p, const fmb_door_s
 
 fmb_status fmb_door_open(fmb_run *run, const fmb_program *p, bool plain, fmb_door **out)
 {
-    return open_door(run, p, &fmb_door_side_own, plain ? NULL : &fmb_door_side_glpk, out);
+    return open_door(run, p, &fmb_door_side_own, plain, out);
 }
 
 fmb_status fmb_door_open_side(fmb_run *run, const fmb_program *p, const fmb_door_side *side,
                               fmb_door **out)
 {
     *out = NULL;
-    return open_door(run, p, side, NULL, out);
-}
-
-static fmb_status ask_side(const fmb_door_side *side, void *self, const double *cost, fmb_hint *h)
-{
-    return cost ? side->maximize(self, cost, h) : side->search(self, h);
-}
-
-/* The spare side takes over for this question, and the other one stands where that ended. */
-static fmb_status ask_spare_side(fmb_door *d, const double *cost, fmb_hint *h)
-{
-    void *self = NULL;
-    fmb_status st = d->spare->open(&d->reals, &self);
-    if (st != FMB_OK || !self)
-        return st;
-    st = d->spare->place(self, h->basis);
-    if (st == FMB_OK)
-        st = ask_side(d->spare, self, cost, h);
-    d->spare->close(self);
-    return st == FMB_OK ? d->side->place(d->self, h->basis) : st;
+    return open_door(run, p, side, true, out);
 }
 
 static fmb_status ask_door(fmb_door *d, const double *cost, fmb_hint *h)
@@ -87,8 +68,11 @@ static fmb_status ask_door(fmb_door *d, const double *cost, fmb_hint *h)
     d->late = FMB_OK;
     h->kind = FMB_HINT_NONE;
     if (st == FMB_OK)
-        st = ask_side(d->side, d->self, cost, h);
-    return st == FMB_OK && h->kind == FMB_HINT_NONE && d->spare ? ask_spare_side(d, cost, h) : st;
+        st = cost ? d->side->maximize(d->self, cost, h) : d->side->search(d->self, h);
+    if (st != FMB_OK || h->kind != FMB_HINT_NONE || d->alone)
+        return st;
+    st = fmb_glpk_ask(&d->reals, cost, h);
+    return st == FMB_OK ? d->side->place(d->self, h->basis) : st;
 }
 
 fmb_status fmb_door_search(fmb_door *d, fmb_hint *h)

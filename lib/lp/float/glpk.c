@@ -1,4 +1,4 @@
-/* glpk.c: GLPK behind the door; see side.h.
+/* glpk.c: GLPK, asked once where our own simplex gives up; see side.h.
  *
  * Columns of the program are free structural variables of GLPK. A row of one term is a bound of its
  * column, the tightest one counts; every other row is a row of GLPK, whose auxiliary variable it
@@ -6,8 +6,8 @@
  * hands out.
  *
  * A search is the dual method with objective 0, for which every basis is dual feasible. GLPK may
- * abort (memory, failed assertions): that ends in a jump, and the door goes on without it. Its
- * environment is freed by the door that made it if nobody uses it by then.
+ * abort (memory, failed assertions): that ends in a jump, and there is no hint. Its environment is
+ * freed by who made it if nobody uses it by then.
  *
  * Source: Applegate, Cook, Dash, Espinoza 2007, Exact solutions to linear programming problems.
  */
@@ -15,7 +15,6 @@
 
 #ifdef FMB_HAVE_GLPK
 
-#include <float.h>
 #include <glpk.h>
 #include <math.h>
 #include <setjmp.h>
@@ -36,19 +35,14 @@ typedef struct fmb_glpk {
     glp_prob *lp;
     bool broken, made_environment, feasible;
     size_t charged;     /* [bytes] for what GLPK allocates, roughly */
-    size_t m;           /* rows of the program taken in */
     int *row;           /* [m] the row of GLPK, 0: a bound */
-    size_t *source;     /* [rows of GLPK + 1] the row of the program */
+    size_t *source;     /* [m + 1] by rows of GLPK: the row of the program */
     size_t *next;       /* [m] the next row that bounds the same column */
     size_t *first;      /* [n] the first row that bounds this column */
     size_t *low, *high; /* [n] the tightest of them */
-    int *index;         /* [n + rows + 1] scratch */
+    int *index;         /* [n + m + 1] scratch */
     double *value;      /* likewise */
-    size_t row_room, source_room, next_room, index_room, value_room;
-    /* What the jobs are about. */
-    const double *cost;
-    const size_t *basis;
-    size_t which;
+    const double *cost; /* [n], or NULL: any point */
     fmb_hint *hint;
     fmb_status status;
 } fmb_glpk;
@@ -67,7 +61,7 @@ static void leave_glpk_by_jump(void *self)
     longjmp(*(jmp_buf *)self, 1);
 }
 
-/* Do what asks GLPK; a jump out of it breaks this side of the door for good. */
+/* Do what asks GLPK, unless a jump out of it has broken all before. */
 static void call_glpk(fmb_glpk *g, void (*job)(fmb_glpk *))
 {
     jmp_buf here;
@@ -148,14 +142,14 @@ static void load_terms_of_row(fmb_glpk *g, size_t i)
     load_bound_of_row(g, i);
 }
 
-/* Rows g->m, ... of the reals. */
-static void load_new_rows(fmb_glpk *g)
+/* A row of the program is a bound of a column or a row of GLPK. */
+static void sort_rows_of_program(fmb_glpk *g)
 {
     const fmb_reals *f = g->f;
-    int before = glp_get_num_rows(g->lp), more = 0;
-    for (size_t i = g->m; i < f->m; i++) {
+    int rows = 0;
+    for (size_t i = 0; i < f->m; i++) {
         bool is_bound = f->p->row[i].size == 1;
-        g->row[i] = is_bound ? 0 : before + ++more;
+        g->row[i] = is_bound ? 0 : ++rows;
         if (is_bound) {
             size_t j = (size_t)fmb_reals_columns(f, i)[0];
             g->next[i] = g->first[j];
@@ -164,15 +158,8 @@ static void load_new_rows(fmb_glpk *g)
             g->source[g->row[i]] = i;
         }
     }
-    if (more > 0)
-        glp_add_rows(g->lp, more);
-    for (size_t i = g->m; i < f->m; i++)
-        if (g->row[i] > 0)
-            load_terms_of_row(g, i);
-        else
-            load_bounds_of_column(g, (size_t)fmb_reals_columns(f, i)[0]);
-    g->m = f->m;
-    g->feasible = false;
+    if (rows > 0)
+        glp_add_rows(g->lp, rows);
 }
 
 static void load_program(fmb_glpk *g)
@@ -180,116 +167,37 @@ static void load_program(fmb_glpk *g)
     g->lp = glp_create_prob();
     glp_set_obj_dir(g->lp, GLP_MAX);
     glp_add_cols(g->lp, (int)g->f->n);
+    sort_rows_of_program(g);
     for (size_t j = 0; j < g->f->n; j++)
         load_bounds_of_column(g, j);
-    load_new_rows(g);
-    glp_std_basis(g->lp);
+    for (size_t i = 0; i < g->f->m; i++)
+        if (g->row[i] > 0)
+            load_terms_of_row(g, i);
 }
 
-/* ---- life ------------------------------------------------------------------------------------ */
-
-/* About what GLPK takes for a program: matrix by rows and columns, a copy of it, the factors. */
-static fmb_status charge_for_glpk(fmb_glpk *g)
+/* Make row i of the program, or a unit vector, nonbasic. */
+static void set_nonbasic(fmb_glpk *g, size_t i)
 {
-    size_t bytes = 160 * g->f->start[g->f->m] + 800 * (g->f->m + g->f->n);
-    if (bytes > g->charged && !fmb_mem_charge(g->mem, bytes - g->charged))
-        return fmb_mem_status(g->mem);
-    g->charged = bytes > g->charged ? bytes : g->charged;
-    return FMB_OK;
-}
-
-static fmb_status reserve_for_rows(fmb_glpk *g)
-{
-    size_t m = g->f->m, both = g->f->n + m + 2;
-    fmb_status st = fmb_mem_reserve(g->mem, (void **)&g->row, &g->row_room, m, sizeof *g->row);
-    if (st == FMB_OK)
-        st =
-            fmb_mem_reserve(g->mem, (void **)&g->source, &g->source_room, m + 1, sizeof *g->source);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(g->mem, (void **)&g->next, &g->next_room, m, sizeof *g->next);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(g->mem, (void **)&g->index, &g->index_room, both, sizeof *g->index);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(g->mem, (void **)&g->value, &g->value_room, both, sizeof *g->value);
-    return st == FMB_OK ? charge_for_glpk(g) : st;
-}
-
-static fmb_status reserve_for_columns(fmb_glpk *g)
-{
-    size_t n = g->f->n;
-    g->first = fmb_mem_get(g->mem, n, sizeof *g->first);
-    g->low = fmb_mem_get(g->mem, n, sizeof *g->low);
-    g->high = fmb_mem_get(g->mem, n, sizeof *g->high);
-    if (!g->first || !g->low || !g->high)
-        return fmb_mem_status(g->mem);
-    for (size_t j = 0; j < n; j++)
-        g->first[j] = FMB_NOWHERE;
-    return reserve_for_rows(g);
-}
-
-/* Would GLPK take this program? */
-static bool is_for_glpk(const fmb_reals *f)
-{
-    size_t most = INT32_MAX / 8;
-    return f->n > 0 && f->n < most && f->m < most && f->start[f->m] < most;
-}
-
-static void close_glpk(void *self);
-
-static fmb_status open_glpk(const fmb_reals *f, void **out)
-{
-    int made = is_for_glpk(f) ? glp_init_env() : 2;
-    if (made > 1) {
-        *out = NULL;
-        return FMB_OK;
+    size_t m = g->f->m;
+    if (i >= m) {
+        glp_set_col_stat(g->lp, (int)(i - m) + 1, GLP_NF);
+    } else if (g->row[i] > 0) {
+        glp_set_row_stat(g->lp, g->row[i], GLP_NU);
+    } else {
+        bool up = g->f->value[g->f->start[i]] > 0;
+        glp_set_col_stat(g->lp, fmb_reals_columns(g->f, i)[0] + 1, up ? GLP_NU : GLP_NL);
     }
-    fmb_glpk *g = fmb_mem_zero(f->run->mem, 1, sizeof *g);
-    if (!g)
-        return fmb_mem_status(f->run->mem);
-    g->f = f;
-    g->mem = f->run->mem;
-    g->made_environment = made == 0;
-    fmb_status st = reserve_for_columns(g);
-    if (st == FMB_OK)
-        call_glpk(g, load_program);
-    if (st == FMB_OK)
-        *out = g;
-    else
-        close_glpk(g);
-    return st;
 }
 
-static void delete_glpk_program(fmb_glpk *g)
+static void place_basis_in_glpk(fmb_glpk *g)
 {
-    if (g->lp)
-        glp_delete_prob(g->lp);
-}
-
-/* The environment goes with the last program that is in it, if a door made it. */
-static void leave_environment(fmb_glpk *g)
-{
-    int blocks = 0;
-    glp_mem_usage(&blocks, NULL, NULL, NULL);
-    if (g->made_environment && blocks == 0)
-        glp_free_env();
-}
-
-static void close_glpk(void *self)
-{
-    fmb_glpk *g = self;
-    call_glpk(g, delete_glpk_program);
-    if (!g->broken)
-        leave_environment(g);
-    fmb_mem_put(g->mem, g->row, g->row_room, sizeof *g->row);
-    fmb_mem_put(g->mem, g->source, g->source_room, sizeof *g->source);
-    fmb_mem_put(g->mem, g->next, g->next_room, sizeof *g->next);
-    fmb_mem_put(g->mem, g->index, g->index_room, sizeof *g->index);
-    fmb_mem_put(g->mem, g->value, g->value_room, sizeof *g->value);
-    fmb_mem_put(g->mem, g->first, g->f->n, sizeof *g->first);
-    fmb_mem_put(g->mem, g->low, g->f->n, sizeof *g->low);
-    fmb_mem_put(g->mem, g->high, g->f->n, sizeof *g->high);
-    fmb_mem_refund(g->mem, g->charged);
-    fmb_mem_put(g->mem, g, 1, sizeof *g);
+    int rows = glp_get_num_rows(g->lp), n = (int)g->f->n;
+    for (int i = 1; i <= rows; i++)
+        glp_set_row_stat(g->lp, i, GLP_BS);
+    for (int j = 1; j <= n; j++)
+        glp_set_col_stat(g->lp, j, GLP_BS);
+    for (int r = 0; r < n; r++)
+        set_nonbasic(g, g->hint->basis[r]);
 }
 
 /* ---- reading a basis ------------------------------------------------------------------------- */
@@ -445,10 +353,6 @@ static void search_by_glpk(fmb_glpk *g)
 static void maximize_by_glpk(fmb_glpk *g)
 {
     fmb_hint *h = g->hint;
-    if (!g->feasible)
-        search_by_glpk(g);
-    if (!g->feasible)
-        return;
     h->kind = FMB_HINT_NONE;
     for (size_t j = 0; j < g->f->n; j++)
         glp_set_obj_coef(g->lp, (int)j + 1, g->cost[j]);
@@ -465,194 +369,110 @@ static void maximize_by_glpk(fmb_glpk *g)
     }
 }
 
-static fmb_status do_job_of_glpk(fmb_glpk *g, void (*job)(fmb_glpk *), const double *cost,
-                                 fmb_hint *h)
+static void ask_glpk_program(fmb_glpk *g)
 {
-    g->hint = h;
-    g->cost = cost;
-    g->status = FMB_OK;
+    load_program(g);
+    place_basis_in_glpk(g);
+    search_by_glpk(g);
+    if (g->cost && g->feasible)
+        maximize_by_glpk(g);
+}
+
+/* ---- life ------------------------------------------------------------------------------------ */
+
+/* About what GLPK takes for a program: matrix by rows and columns, a copy of it, the factors. */
+static fmb_status charge_for_glpk(fmb_glpk *g)
+{
+    size_t bytes = 160 * g->f->start[g->f->m] + 800 * (g->f->m + g->f->n);
+    if (!fmb_mem_charge(g->mem, bytes))
+        return fmb_mem_status(g->mem);
+    g->charged = bytes;
+    return FMB_OK;
+}
+
+static fmb_status reserve_for_glpk(fmb_glpk *g)
+{
+    size_t n = g->f->n, m = g->f->m;
+    g->row = fmb_mem_get(g->mem, m, sizeof *g->row);
+    g->source = fmb_mem_get(g->mem, m + 1, sizeof *g->source);
+    g->next = fmb_mem_get(g->mem, m, sizeof *g->next);
+    g->first = fmb_mem_get(g->mem, n, sizeof *g->first);
+    g->low = fmb_mem_get(g->mem, n, sizeof *g->low);
+    g->high = fmb_mem_get(g->mem, n, sizeof *g->high);
+    g->index = fmb_mem_get(g->mem, n + m + 1, sizeof *g->index);
+    g->value = fmb_mem_get(g->mem, n + m + 1, sizeof *g->value);
+    if (!g->row || !g->source || !g->next || !g->first || !g->low || !g->high || !g->index ||
+        !g->value)
+        return fmb_mem_status(g->mem);
+    for (size_t j = 0; j < n; j++)
+        g->first[j] = FMB_NOWHERE;
+    return charge_for_glpk(g);
+}
+
+static void free_glpk_scratch(fmb_glpk *g)
+{
+    size_t n = g->f->n, m = g->f->m;
+    fmb_mem_put(g->mem, g->row, m, sizeof *g->row);
+    fmb_mem_put(g->mem, g->source, m + 1, sizeof *g->source);
+    fmb_mem_put(g->mem, g->next, m, sizeof *g->next);
+    fmb_mem_put(g->mem, g->first, n, sizeof *g->first);
+    fmb_mem_put(g->mem, g->low, n, sizeof *g->low);
+    fmb_mem_put(g->mem, g->high, n, sizeof *g->high);
+    fmb_mem_put(g->mem, g->index, n + m + 1, sizeof *g->index);
+    fmb_mem_put(g->mem, g->value, n + m + 1, sizeof *g->value);
+    fmb_mem_refund(g->mem, g->charged);
+}
+
+static void delete_glpk_program(fmb_glpk *g)
+{
+    if (g->lp)
+        glp_delete_prob(g->lp);
+}
+
+/* The environment goes with the last program that is in it, if we made it. */
+static void leave_environment(fmb_glpk *g)
+{
+    int blocks = 0;
+    glp_mem_usage(&blocks, NULL, NULL, NULL);
+    if (g->made_environment && blocks == 0)
+        glp_free_env();
+}
+
+/* Would GLPK take this program? */
+static bool is_for_glpk(const fmb_reals *f)
+{
+    size_t most = INT32_MAX / 8;
+    return f->n > 0 && f->n < most && f->m < most && f->start[f->m] < most;
+}
+
+fmb_status fmb_glpk_ask(const fmb_reals *f, const double *cost, fmb_hint *h)
+{
+    fmb_glpk g = {.f = f, .mem = f->run->mem, .cost = cost, .hint = h};
+    int made = is_for_glpk(f) ? glp_init_env() : 2;
     h->kind = FMB_HINT_NONE;
-    for (size_t j = 0; j < g->f->n; j++)
-        h->basis[j] = g->f->m + j;
-    call_glpk(g, job);
-    h->kind = g->broken ? FMB_HINT_NONE : h->kind;
-    return g->status;
-}
-
-static fmb_status search_glpk(void *self, fmb_hint *h)
-{
-    return do_job_of_glpk(self, search_by_glpk, NULL, h);
-}
-
-static fmb_status maximize_glpk(void *self, const double *cost, fmb_hint *h)
-{
-    return do_job_of_glpk(self, maximize_by_glpk, cost, h);
-}
-
-/* ---- changes --------------------------------------------------------------------------------- */
-
-static fmb_status grow_glpk(void *self)
-{
-    fmb_glpk *g = self;
-    if (!is_for_glpk(g->f))
-        g->broken = true;
-    fmb_status st = reserve_for_rows(g);
-    if (st == FMB_OK)
-        call_glpk(g, load_new_rows);
+    if (made > 1)
+        return FMB_OK;
+    g.made_environment = made == 0;
+    fmb_status st = reserve_for_glpk(&g);
+    if (st == FMB_OK) {
+        call_glpk(&g, ask_glpk_program);
+        st = g.status;
+    }
+    call_glpk(&g, delete_glpk_program);
+    h->kind = g.broken ? FMB_HINT_NONE : h->kind;
+    if (!g.broken)
+        leave_environment(&g);
+    free_glpk_scratch(&g);
     return st;
 }
 
-/* The end of basic variable k that stops it when it changes at this rate, and how far that is. */
-static double find_room_of_variable(const fmb_glpk *g, int k, double rate)
-{
-    int rows = glp_get_num_rows(g->lp);
-    bool is_row = k <= rows;
-    double at = is_row ? glp_get_row_prim(g->lp, k) : glp_get_col_prim(g->lp, k - rows);
-    double low = is_row ? glp_get_row_lb(g->lp, k) : glp_get_col_lb(g->lp, k - rows);
-    double high = is_row ? glp_get_row_ub(g->lp, k) : glp_get_col_ub(g->lp, k - rows);
-    if (rate > 0)
-        return high < DBL_MAX ? fmax(0, high - at) / rate : INFINITY;
-    return low > -DBL_MAX ? fmax(0, at - low) / -rate : INFINITY;
-}
-
-static void set_status_of_variable(fmb_glpk *g, int k, int status)
-{
-    int rows = glp_get_num_rows(g->lp);
-    if (k <= rows)
-        glp_set_row_stat(g->lp, k, status);
-    else
-        glp_set_col_stat(g->lp, k - rows, status);
-}
-
-/* Nonbasic variable k becomes basic: it moves, either way, until another one comes to an end; or a
- * free one takes its place. */
-static void expel_variable(fmb_glpk *g, int k)
-{
-    if (glp_warm_up(g->lp) != 0)
-        return;
-    int size = glp_eval_tab_col(g->lp, k, g->index, g->value), leaving = 0, status = GLP_NF;
-    double least = INFINITY, most = 0;
-    for (int t = 1; t <= size; t++) {
-        double weight = fabs(g->value[t]);
-        if (weight < 1e-9)
-            continue;
-        for (int way = -1; way <= 1; way += 2) {
-            double rate = way * g->value[t], room = find_room_of_variable(g, g->index[t], rate);
-            bool is_free_column = room == INFINITY && g->index[t] > glp_get_num_rows(g->lp);
-            if ((room == INFINITY && !is_free_column) || room > least ||
-                (room == least && weight <= most))
-                continue;
-            leaving = g->index[t];
-            least = room;
-            most = weight;
-            status = room == INFINITY ? GLP_NF : rate > 0 ? GLP_NU : GLP_NL;
-        }
-    }
-    if (leaving == 0)
-        return;
-    set_status_of_variable(g, leaving, status);
-    set_status_of_variable(g, k, GLP_BS);
-}
-
-/* The variable of GLPK that row i of the program bounds. */
-static int variable_of_row(const fmb_glpk *g, size_t i)
-{
-    return g->row[i] > 0 ? g->row[i] : glp_get_num_rows(g->lp) + 1 + fmb_reals_columns(g->f, i)[0];
-}
-
-/* Does the basis hold row i? */
-static bool is_tight_in_glpk(const fmb_glpk *g, size_t i)
-{
-    if (g->row[i] > 0)
-        return glp_get_row_stat(g->lp, g->row[i]) != GLP_BS;
-    size_t j = (size_t)fmb_reals_columns(g->f, i)[0];
-    int status = glp_get_col_stat(g->lp, (int)j + 1);
-    return status != GLP_BS && status != GLP_NF && (g->low[j] == i || g->high[j] == i);
-}
-
-/* A row that is left out leaves the basis before. */
-static void switch_row_of_glpk(fmb_glpk *g)
-{
-    size_t i = g->which;
-    bool off = g->f->off[i];
-    if (off && is_tight_in_glpk(g, i))
-        expel_variable(g, variable_of_row(g, i));
-    g->feasible = g->feasible && off;
-    if (g->row[i] > 0)
-        load_bound_of_row(g, i);
-    else
-        load_bounds_of_column(g, (size_t)fmb_reals_columns(g->f, i)[0]);
-}
-
-static fmb_status switch_glpk(void *self, size_t i)
-{
-    fmb_glpk *g = self;
-    g->which = i;
-    call_glpk(g, switch_row_of_glpk);
-    return FMB_OK;
-}
-
-static void load_all_bounds_again(fmb_glpk *g)
-{
-    g->feasible = false;
-    for (size_t i = 0; i < g->m; i++)
-        if (g->row[i] > 0)
-            load_bound_of_row(g, i);
-    for (size_t j = 0; j < g->f->n; j++)
-        load_bounds_of_column(g, j);
-}
-
-static void shift_glpk(void *self)
-{
-    call_glpk(self, load_all_bounds_again);
-}
-
-/* Make row i of the program, or a unit vector, nonbasic. */
-static void set_nonbasic(fmb_glpk *g, size_t i)
-{
-    size_t m = g->f->m;
-    if (i >= m) {
-        glp_set_col_stat(g->lp, (int)(i - m) + 1, GLP_NF);
-    } else if (g->row[i] > 0) {
-        glp_set_row_stat(g->lp, g->row[i], GLP_NU);
-    } else {
-        bool up = g->f->value[g->f->start[i]] > 0;
-        glp_set_col_stat(g->lp, fmb_reals_columns(g->f, i)[0] + 1, up ? GLP_NU : GLP_NL);
-    }
-}
-
-static void place_basis_in_glpk(fmb_glpk *g)
-{
-    int rows = glp_get_num_rows(g->lp), n = (int)g->f->n;
-    g->feasible = false;
-    for (int i = 1; i <= rows; i++)
-        glp_set_row_stat(g->lp, i, GLP_BS);
-    for (int j = 1; j <= n; j++)
-        glp_set_col_stat(g->lp, j, GLP_BS);
-    for (int r = 0; r < n; r++)
-        set_nonbasic(g, g->basis[r]);
-}
-
-static fmb_status place_glpk(void *self, const size_t *basis)
-{
-    fmb_glpk *g = self;
-    g->basis = basis;
-    call_glpk(g, place_basis_in_glpk);
-    return FMB_OK;
-}
-
-const fmb_door_side fmb_door_side_glpk = {open_glpk, close_glpk,  search_glpk, maximize_glpk,
-                                          grow_glpk, switch_glpk, place_glpk,  shift_glpk};
-
 #else
 
-static fmb_status open_no_glpk(const fmb_reals *f, void **out)
+fmb_status fmb_glpk_ask(const fmb_reals *f, const double *cost, fmb_hint *h)
 {
-    (void)f;
-    *out = NULL;
+    (void)f, (void)cost;
+    h->kind = FMB_HINT_NONE;
     return FMB_OK;
 }
-
-const fmb_door_side fmb_door_side_glpk = {.open = open_no_glpk};
 
 #endif

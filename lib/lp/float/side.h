@@ -23,8 +23,6 @@ typedef struct fmb_door_side {
     void (*shift)(void *self);
 } fmb_door_side;
 
-/* GLPK, where it is installed. It is closed by the thread that opened it. */
-extern const fmb_door_side fmb_door_side_glpk;
 /* Our own; the second one has factors of the basis however few columns there are, for tests. */
 extern const fmb_door_side fmb_door_side_own, fmb_door_side_factors;
 
@@ -32,5 +30,10 @@ extern const fmb_door_side fmb_door_side_own, fmb_door_side_factors;
  * Errors: MEMORY, LIMIT. */
 fmb_status fmb_door_open_side(fmb_run *run, const fmb_program *p, const fmb_door_side *side,
                               fmb_door **out);
+
+/* Ask GLPK once, from the basis that h holds, which becomes the one where GLPK stopped: for the
+ * most of cost[n], scaled as the columns are, or any point if that is NULL. No hint where GLPK is
+ * not installed, or gives up. Errors: MEMORY, LIMIT. */
+fmb_status fmb_glpk_ask(const fmb_reals *f, const double *cost, fmb_hint *h);
 
 #endif

@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-#include "lp/float/side.h"
+#include "glpk_side.h"
 #include "solve/query/part.h"
 #include "support/support.h"
 
@@ -336,7 +336,7 @@ static fmb_hint ask(bench *b, fmb_door *d, bool search, tally *t)
 static bool open_side(bench *b, const fmb_door_side *side, fmb_door **d)
 {
     cr_assert_eq(fmb_door_open_side(&b->run, &b->p, side, d), FMB_OK);
-    cr_assert(*d || side == &fmb_door_side_glpk);
+    cr_assert(*d || side == &glpk_side);
     return *d != NULL;
 }
 
@@ -370,7 +370,7 @@ static void expect_share(const char *what, const tally *t, double share)
 static void ask_small_systems(const fmb_door_side *side)
 {
     tally narrow = {0}, wide = {0};
-    for (uint64_t seed = 0; seed < 3000; seed++) {
+    for (uint64_t seed = 0; seed < 1000; seed++) {
         support_shape shape = {.dim = 1 + (int)(seed % 6), .rows = 1 + (int)(seed % 13)};
         support_family family = (support_family)(seed % SUPPORT_FAMILIES);
         bool is_narrow = seed % 3 > 0;
@@ -410,8 +410,8 @@ Test(door, hints_of_factors_are_proved)
 
 Test(door, hints_of_glpk_are_proved)
 {
-    ask_small_systems(&fmb_door_side_glpk);
-    ask_larger_systems(&fmb_door_side_glpk);
+    ask_small_systems(&glpk_side);
+    ask_larger_systems(&glpk_side);
 }
 
 /* ---- changes --------------------------------------------------------------------------------- */
@@ -422,11 +422,11 @@ typedef void change(bench *b, fmb_door *d, support_rng *g, tally *t);
 static void ask_while(const char *what, change *changes, int share)
 {
     static const fmb_door_side *const sides[] = {&fmb_door_side_own, &fmb_door_side_factors,
-                                                 &fmb_door_side_glpk};
+                                                 &glpk_side};
     static const support_shape shape = {.dim = 6, .rows = 24};
     for (int side = 0; side < 3; side++) {
         tally t = {0};
-        for (uint64_t seed = 0; seed < 300; seed++) {
+        for (uint64_t seed = 0; seed < 120; seed++) {
             support_rng g = {seed};
             bench b;
             fmb_door *d;
