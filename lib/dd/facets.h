@@ -1,0 +1,68 @@
+/* facets.h: the facets of the cone spanned by vectors of integers, kept up to date as vectors come.
+ *
+ * The convex hull of points and rays is such a cone, one dimension higher: (x0, x) with x0 > 0 is
+ * the point x / x0, and (0, x) is a ray. One of its facets may be x0 >= 0, the face at infinity.
+ *
+ * Invariants between calls, `rank` being the dimension of what the generators span:
+ * - equation[0..d - rank) are independent, and 0 on all generators;
+ * - the normal of a facet is >= 0 on all generators, and 0 exactly on those in its set `on`, which
+ *   span rank - 1 dimensions;
+ * - `next` of a facet names the facets with which it shares a ridge, rank - 2 dimensions.
+ * Normals are unique up to a positive factor and up to equations. Cones that contain lines are no
+ * exception: their lines are on every facet.
+ *
+ * Sources: Seidel 1981 (beneath and beyond); Barber, Dobkin, Huhdanpaa 1996 (quickhull); Fukuda and
+ * Prodon 1996 (adjacency by sets, of cones that are not simplicial).
+ */
+#ifndef FMB_DD_FACETS_H
+#define FMB_DD_FACETS_H
+
+#include "num/vec.h"
+#include "trace/run.h"
+
+typedef struct fmb_facet {
+    fmb_vec normal;    /* [d + 1]; the last entry is scratch, 0 between calls */
+    double *roughly;   /* [d] the normal, scaled */
+    uint64_t *on;      /* [words] set of generators, */
+    size_t words, ons; /* and how many they are */
+    uint32_t *next;    /* [nexts] */
+    size_t nexts, next_capacity;
+    int side;    /* sign of the normal on the generator added last */
+    bool valued; /* scratch: the last entry is the normal's value on that generator */
+    bool alive;
+    bool stands; /* whoever holds the facets may note something here; false at first */
+} fmb_facet;
+
+typedef struct fmb_facets {
+    fmb_run *run;
+    fmb_num num;
+    size_t d, rank;
+    fmb_vec *equation;  /* [d], d + 1 entries each, as those of normals */
+    fmb_vec *generator; /* [generators], d entries each, coprime */
+    size_t generators, generator_capacity, words;
+    fmb_facet *facet; /* [slots]; those not alive are free */
+    size_t slots, facet_capacity, alive;
+    fmb_vec g;                                /* [d] the generator at hand, */
+    double *near;                             /* [d] and roughly */
+    uint32_t *seen, *touched, *made, *unused; /* lists of facets, scratch; free slots */
+    size_t seens, toucheds, mades, unuseds;
+    size_t seen_capacity, touched_capacity, made_capacity, unused_capacity;
+    uint64_t *common; /* [common_words] scratch */
+    size_t common_words;
+} fmb_facets;
+
+/* No generators yet: the cone {0}. Errors: MEMORY, LIMIT, as below. In any case fmb_facets_clear.
+ */
+fmb_status fmb_facets_init(fmb_facets *f, fmb_run *run, size_t d);
+void fmb_facets_clear(fmb_facets *f);
+
+/* Take in g[d], not 0. *grown: it was outside of the cone, and is generator number
+ * f->generators - 1. After an error nothing but fmb_facets_clear may be called. */
+fmb_status fmb_facets_add(fmb_facets *f, mpz_t *g, bool *grown);
+
+static inline bool fmb_facet_holds(const fmb_facet *a, size_t generator)
+{
+    return a->on[generator / 64] >> generator % 64 & 1;
+}
+
+#endif

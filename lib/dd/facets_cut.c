@@ -1,0 +1,168 @@
+/* facets_cut.c: a generator beyond some facets; see facets.h.
+ *
+ * Facets that see the generator g go. Each ridge between one of those, v, and one that does not see
+ * it, n, spans a facet with g: the combination of both normals that is 0 on g. A facet whose
+ * hyperplane holds g grows by it; it has a ridge with one that goes. On a facet that is new stands,
+ * besides g, what stands on both v and n: the combination is 0 exactly where both are.
+ *
+ * All new ridges contain g, so they lie between facets that are new or have grown. Two of these
+ * share a ridge if and only if no third facet holds all that both hold; such a third one would hold
+ * g as well. Two that have grown may share a ridge that they did not share before.
+ */
+#include "dd/facets_inside.h"
+
+/* ---- new facets ------------------------------------------------------------------------------ */
+
+static fmb_status need_value(fmb_facets *f, fmb_facet *a)
+{
+    if (a->valued)
+        return FMB_OK;
+    a->valued = true;
+    return fmb_facets_evaluate(f, &a->normal);
+}
+
+static fmb_status combine_normals(fmb_facets *f, uint32_t at, uint32_t n, uint32_t v)
+{
+    fmb_facet *a = &f->facet[at];
+    fmb_status st = need_value(f, &f->facet[n]);
+    if (st == FMB_OK)
+        st = need_value(f, &f->facet[v]);
+    if (st == FMB_OK)
+        st = fmb_vec_cancel(&a->normal, &f->facet[n].normal, &f->facet[v].normal, f->d + 1, f->d,
+                            &f->num);
+    if (st == FMB_OK)
+        st = fmb_facets_tidy(f, &a->normal);
+    fmb_facets_round(&a->normal, f->d, a->roughly);
+    return st;
+}
+
+static fmb_status make_facet_over_ridge(fmb_facets *f, uint32_t v, uint32_t n, size_t generator)
+{
+    uint32_t at;
+    fmb_status st = fmb_facets_open_slot(f, &at);
+    if (st == FMB_OK)
+        st = combine_normals(f, at, n, v);
+    if (st != FMB_OK)
+        return st;
+    fmb_facet *a = &f->facet[at];
+    for (size_t w = 0; w < f->words; w++) {
+        a->on[w] = f->facet[v].on[w] & f->facet[n].on[w];
+        a->ons += (size_t)__builtin_popcountll(a->on[w]);
+    }
+    fmb_facet_put_on(a, generator);
+    fmb_facets_part(f, n, v);
+    st = fmb_facets_join(f, at, n);
+    return st == FMB_OK ? fmb_facets_list(f, &f->made, &f->mades, &f->made_capacity, at) : st;
+}
+
+static fmb_status replace_facets_that_see(fmb_facets *f, size_t generator)
+{
+    fmb_status st = FMB_OK;
+    f->mades = 0;
+    for (size_t i = 0; st == FMB_OK && i < f->seens; i++) {
+        uint32_t v = f->seen[i];
+        for (size_t k = 0; st == FMB_OK && k < f->facet[v].nexts; k++) {
+            uint32_t n = f->facet[v].next[k];
+            if (f->facet[n].side > 0)
+                st = make_facet_over_ridge(f, v, n, generator);
+            else if (f->facet[n].side == 0)
+                fmb_facets_part(f, n, v);
+        }
+        if (st == FMB_OK)
+            st = fmb_run_poll(f->run);
+    }
+    return st;
+}
+
+/* ---- new ridges ------------------------------------------------------------------------------ */
+
+static bool are_neighbours(const fmb_facet *a, uint32_t b)
+{
+    for (size_t k = 0; k < a->nexts; k++)
+        if (a->next[k] == b)
+            return true;
+    return false;
+}
+
+/* f->common = what both hold; how much that is. */
+static size_t find_common(fmb_facets *f, const fmb_facet *a, const fmb_facet *b)
+{
+    size_t count = 0;
+    for (size_t w = 0; w < f->words; w++) {
+        f->common[w] = a->on[w] & b->on[w];
+        count += (size_t)__builtin_popcountll(f->common[w]);
+    }
+    return count;
+}
+
+static bool holds_common(const fmb_facets *f, const fmb_facet *a)
+{
+    for (size_t w = 0; w < f->words; w++)
+        if (f->common[w] & ~a->on[w])
+            return false;
+    return true;
+}
+
+/* Facet number i of those that are new or have grown. */
+static uint32_t candidate(const fmb_facets *f, size_t i)
+{
+    return i < f->mades ? f->made[i] : f->touched[i - f->mades];
+}
+
+/* rank - 1 generators on a facet are independent, and any rank - 2 of them span a ridge. */
+static bool share_a_ridge(fmb_facets *f, uint32_t a, uint32_t b)
+{
+    const fmb_facet *p = &f->facet[a], *q = &f->facet[b];
+    size_t count = find_common(f, p, q);
+    if (count + 2 < f->rank)
+        return false;
+    if (count + 2 == f->rank && (p->ons + 1 == f->rank || q->ons + 1 == f->rank))
+        return true;
+    for (size_t i = 0; i < f->mades + f->toucheds; i++) {
+        uint32_t c = candidate(f, i);
+        if (c != a && c != b && holds_common(f, &f->facet[c]))
+            return false;
+    }
+    return true;
+}
+
+static fmb_status join_new_neighbours(fmb_facets *f)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = 1; st == FMB_OK && i < f->mades + f->toucheds; i++) {
+        uint32_t a = candidate(f, i);
+        for (size_t j = 0; st == FMB_OK && j < i; j++) {
+            uint32_t b = candidate(f, j);
+            bool old = j >= f->mades && are_neighbours(&f->facet[a], b);
+            if (!old && share_a_ridge(f, a, b))
+                st = fmb_facets_join(f, a, b);
+        }
+        if (st == FMB_OK)
+            st = fmb_run_poll(f->run);
+    }
+    return st;
+}
+
+static fmb_status forget_values(fmb_facets *f)
+{
+    fmb_status st = FMB_OK;
+    for (size_t a = 0; st == FMB_OK && a < f->slots; a++) {
+        if (!f->facet[a].alive || !f->facet[a].valued)
+            continue;
+        f->facet[a].valued = false;
+        st = fmb_facets_tidy(f, &f->facet[a].normal);
+    }
+    return st;
+}
+
+fmb_status fmb_facets_cut(fmb_facets *f, size_t generator)
+{
+    for (size_t i = 0; i < f->toucheds; i++)
+        fmb_facet_put_on(&f->facet[f->touched[i]], generator);
+    fmb_status st = replace_facets_that_see(f, generator);
+    for (size_t i = 0; st == FMB_OK && i < f->seens; i++)
+        fmb_facets_close_slot(f, f->seen[i]);
+    if (st == FMB_OK)
+        st = forget_values(f);
+    return st == FMB_OK ? join_new_neighbours(f) : st;
+}

@@ -1,0 +1,45 @@
+/* facets_inside.h: what the files of the facets share; see facets.h. */
+#ifndef FMB_DD_FACETS_INSIDE_H
+#define FMB_DD_FACETS_INSIDE_H
+
+#include "dd/facets.h"
+
+/* ---- facets.c -------------------------------------------------------------------------------- */
+
+/* A facet without anything on it and without neighbours, alive; its normal is undefined. */
+fmb_status fmb_facets_open_slot(fmb_facets *f, uint32_t *out);
+void fmb_facets_close_slot(fmb_facets *f, uint32_t a);
+/* Append b to the neighbours of a, and a to those of b. */
+fmb_status fmb_facets_join(fmb_facets *f, uint32_t a, uint32_t b);
+/* b is no neighbour of a any more. */
+void fmb_facets_part(fmb_facets *f, uint32_t a, uint32_t b);
+/* Append to one of the lists. */
+fmb_status fmb_facets_list(fmb_facets *f, uint32_t **list, size_t *size, size_t *capacity,
+                           uint32_t a);
+static inline void fmb_facet_put_on(fmb_facet *a, size_t generator)
+{
+    a->ons += !fmb_facet_holds(a, generator);
+    a->on[generator / 64] |= (uint64_t)1 << generator % 64;
+}
+
+/* ---- facets_value.c -------------------------------------------------------------------------- */
+
+/* v.g for the generator at hand: as the last entry of v, or its sign. */
+fmb_status fmb_facets_evaluate(fmb_facets *f, fmb_vec *v);
+int fmb_facets_sign(fmb_facets *f, const fmb_vec *v);
+/* The same for a facet, in doubles where they are sure. */
+int fmb_facets_side(fmb_facets *f, const fmb_facet *a);
+/* The last entry of v is 0 again, and v in lowest terms. */
+fmb_status fmb_facets_tidy(fmb_facets *f, fmb_vec *v);
+/* out[n] = v, up to a positive factor. */
+void fmb_facets_round(const fmb_vec *v, size_t n, double *out);
+
+/* ---- one generator more ---------------------------------------------------------------------- */
+
+/* facets_raise.c: it is not in the span, where equation e says something of it. */
+fmb_status fmb_facets_raise(fmb_facets *f, size_t e, size_t generator);
+/* facets_cut.c: it is, and sides are known; those that see it are listed in f->seen, those whose
+ * hyperplane holds it in f->touched. */
+fmb_status fmb_facets_cut(fmb_facets *f, size_t generator);
+
+#endif

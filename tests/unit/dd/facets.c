@@ -1,0 +1,407 @@
+/* facets.c: facets as vectors come, against all hyperplanes through enough of the vectors, and
+ * polytopes whose facets are known. */
+#include <criterion/criterion.h>
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "dd/facets.h"
+#include "support/support.h"
+
+enum { MOST_D = 6, MOST = 24 };
+
+/* Vectors, small enough for determinants in int64. */
+typedef struct cloud {
+    int d, size;
+    int64_t v[MOST][MOST_D];
+} cloud;
+
+/* ---- the truth ------------------------------------------------------------------------------- */
+
+/* Rank of rows[size][d], d columns; the determinant where they are square. */
+static int eliminate(int64_t row[][MOST_D], int size, int d, int64_t *det)
+{
+    int rank = 0, sign = 1;
+    int64_t last = 1;
+    for (int c = 0; c < d && rank < size; c++) {
+        int r = rank;
+        while (r < size && row[r][c] == 0)
+            r++;
+        if (r == size)
+            continue;
+        for (int j = 0; j < d && r != rank; j++) {
+            int64_t t = row[r][j];
+            row[r][j] = row[rank][j];
+            row[rank][j] = t;
+        }
+        sign = r == rank ? sign : -sign;
+        for (int i = rank + 1; i < size; i++) {
+            for (int j = c + 1; j < d; j++)
+                row[i][j] = (row[i][j] * row[rank][c] - row[i][c] * row[rank][j]) / last;
+            row[i][c] = 0;
+        }
+        last = row[rank++][c];
+    }
+    *det = rank == d ? sign * last : 0;
+    return rank;
+}
+
+static int rank_of(const cloud *c, uint32_t set)
+{
+    int64_t row[MOST][MOST_D], det;
+    int size = 0;
+    for (int i = 0; i < c->size; i++)
+        if (set >> i & 1)
+            memcpy(row[size++], c->v[i], sizeof row[0]);
+    return eliminate(row, size, c->d, &det);
+}
+
+/* The same cone in as many dimensions as it has: a column that is not missed goes. */
+static cloud without_idle_columns(cloud c)
+{
+    int rank = rank_of(&c, (1u << c.size) - 1);
+    for (int j = c.d - 1; j >= 0 && c.d > rank; j--) {
+        cloud t = c;
+        t.d--;
+        for (int i = 0; i < c.size; i++)
+            for (int k = j; k < t.d; k++)
+                t.v[i][k] = c.v[i][k + 1];
+        if (rank_of(&t, (1u << t.size) - 1) == rank)
+            c = t;
+    }
+    return c;
+}
+
+/* normal[d] is 0 on the d - 1 vectors of the set; its entries are minors. */
+static void normal_of(const cloud *c, uint32_t set, int64_t *normal)
+{
+    for (int j = 0; j < c->d; j++) {
+        int64_t row[MOST][MOST_D];
+        int size = 0;
+        for (int i = 0; i < c->size; i++) {
+            if (!(set >> i & 1))
+                continue;
+            for (int k = 0, to = 0; k < c->d; k++)
+                if (k != j)
+                    row[size][to++] = c->v[i][k];
+            size++;
+        }
+        normal[j] = 1;
+        if (c->d > 1)
+            eliminate(row, size, c->d - 1, &normal[j]);
+        normal[j] = j % 2 ? -normal[j] : normal[j];
+    }
+}
+
+static int64_t dot(const cloud *c, int i, const int64_t *normal)
+{
+    int64_t sum = 0;
+    for (int k = 0; k < c->d; k++)
+        sum += c->v[i][k] * normal[k];
+    return sum;
+}
+
+static size_t put_set(uint32_t *list, size_t size, uint32_t set)
+{
+    for (size_t i = 0; i < size; i++)
+        if (list[i] == set)
+            return size;
+    list[size] = set;
+    return size + 1;
+}
+
+/* The facets as sets of vectors. */
+static size_t true_facets(const cloud *full, uint32_t *out)
+{
+    cloud c = without_idle_columns(*full);
+    size_t size = 0;
+    for (uint32_t set = 0; set < 1u << c.size; set++) {
+        int64_t normal[MOST_D];
+        if (__builtin_popcount(set) != c.d - 1 || rank_of(&c, set) != c.d - 1)
+            continue;
+        normal_of(&c, set, normal);
+        uint32_t on = 0;
+        int above = 0, below = 0;
+        for (int i = 0; i < c.size; i++) {
+            int64_t t = dot(&c, i, normal);
+            above += t > 0;
+            below += t < 0;
+            on |= (uint32_t)(t == 0) << i;
+        }
+        if ((above > 0) != (below > 0))
+            size = put_set(out, size, on);
+    }
+    return size;
+}
+
+/* ---- what is tested -------------------------------------------------------------------------- */
+
+typedef struct bench {
+    fmb_mem mem;
+    fmb_run run;
+    atomic_int cancel;
+    fmb_facets f;
+    int d;
+    mpz_t z[MOST_D];
+} bench;
+
+static void open_bench(bench *b, int d)
+{
+    fmb_options o = fmb_options_default();
+    *b = (bench){.d = d};
+    fmb_mem_init(&b->mem, NULL, 0);
+    fmb_run_begin(&b->run, &b->mem, &o, &b->cancel, (fmb_sink){0}, "test");
+    for (int j = 0; j < MOST_D; j++)
+        mpz_init(b->z[j]);
+    cr_assert_eq(fmb_facets_init(&b->f, &b->run, (size_t)d), FMB_OK);
+}
+
+static void close_bench(bench *b)
+{
+    fmb_facets_clear(&b->f);
+    for (int j = 0; j < MOST_D; j++)
+        mpz_clear(b->z[j]);
+    cr_assert_eq(b->mem.used, 0);
+}
+
+/* v, with every entry j > 0 made larger by 2^bits times the one before: the same cone, sheared. */
+static bool add(bench *b, const int64_t *v, int bits)
+{
+    bool grown;
+    for (int j = 0; j < b->d; j++) {
+        mpz_set_si(b->z[j], v[j]);
+        if (bits > 0 && j > 0) {
+            mpz_t t;
+            mpz_init(t);
+            mpz_mul_2exp(t, b->z[j - 1], (mp_bitcnt_t)bits);
+            mpz_add(b->z[j], b->z[j], t);
+            mpz_clear(t);
+        }
+    }
+    cr_assert_eq(fmb_facets_add(&b->f, b->z, &grown), FMB_OK);
+    return grown;
+}
+
+static int sign_on(const bench *b, const fmb_vec *normal, const int64_t *v, int bits)
+{
+    mpz_t sum, last, t;
+    mpz_inits(sum, last, t, NULL);
+    for (int j = 0; j < b->d; j++) {
+        mpz_mul_2exp(last, last, (mp_bitcnt_t)bits);
+        if (bits == 0 || j == 0)
+            mpz_set_ui(last, 0);
+        if (v[j] >= 0)
+            mpz_add_ui(last, last, (unsigned long)v[j]);
+        else
+            mpz_sub_ui(last, last, (unsigned long)-v[j]);
+        fmb_vec_get(normal, (size_t)j, t);
+        mpz_addmul(sum, last, t);
+    }
+    int sign = mpz_sgn(sum);
+    mpz_clears(sum, last, t, NULL);
+    return sign;
+}
+
+/* What of the cloud is on a facet; and no vector is behind it. */
+static uint32_t set_on(const bench *b, const fmb_facet *a, const cloud *c, int bits)
+{
+    uint32_t on = 0;
+    for (int i = 0; i < c->size; i++) {
+        int sign = sign_on(b, &a->normal, c->v[i], bits);
+        cr_assert_geq(sign, 0);
+        on |= (uint32_t)(sign == 0) << i;
+    }
+    return on;
+}
+
+static void check_neighbours(const bench *b, const cloud *c, const uint32_t *on, int rank)
+{
+    const fmb_facets *f = &b->f;
+    for (size_t i = 0; i < f->slots; i++) {
+        const fmb_facet *a = &f->facet[i];
+        size_t ridges = 0;
+        for (size_t k = 0; a->alive && k < f->slots; k++)
+            ridges += k != i && f->facet[k].alive && rank_of(c, on[i] & on[k]) == rank - 2;
+        if (a->alive)
+            cr_assert_eq(a->nexts, ridges, "%zu neighbours of %zu", a->nexts, ridges);
+        for (size_t k = 0; a->alive && k < a->nexts; k++) {
+            cr_assert(f->facet[a->next[k]].alive);
+            cr_assert_eq(rank_of(c, on[i] & on[a->next[k]]), rank - 2);
+        }
+    }
+}
+
+static void check_cloud(const cloud *c, int bits)
+{
+    bench b;
+    static uint32_t truth[1 << 16];
+    size_t size = true_facets(c, truth), met = 0;
+    int generator[MOST], generators = 0;
+    open_bench(&b, c->d);
+    for (int i = 0; i < c->size; i++)
+        if (add(&b, c->v[i], bits))
+            generator[generators++] = i;
+    int rank = rank_of(c, (1u << c->size) - 1);
+    cr_assert_eq(b.f.rank, (size_t)rank);
+    cr_assert_eq(b.f.generators, (size_t)generators);
+    cr_assert_eq(b.f.alive, size, "%zu facets of %zu", b.f.alive, size);
+    for (int e = 0; e < c->d - rank; e++)
+        for (int i = 0; i < c->size; i++)
+            cr_assert_eq(sign_on(&b, &b.f.equation[e], c->v[i], bits), 0);
+    uint32_t *on = calloc(b.f.slots + 1, sizeof *on);
+    for (size_t a = 0; a < b.f.slots; a++) {
+        const fmb_facet *t = &b.f.facet[a];
+        if (!t->alive)
+            continue;
+        on[a] = set_on(&b, t, c, bits);
+        met += put_set(truth, size, on[a]) == size;
+        for (int i = 0; i < generators; i++)
+            cr_assert_eq(fmb_facet_holds(t, (size_t)i), on[a] >> generator[i] & 1);
+        cr_assert(!t->valued && fmb_vec_sgn(&t->normal, (size_t)c->d) == 0);
+    }
+    cr_assert_eq(met, size);
+    check_neighbours(&b, c, on, rank);
+    free(on);
+    close_bench(&b);
+}
+
+/* ---- clouds ---------------------------------------------------------------------------------- */
+
+/* Points, mostly, with numbers up to `most`; the last `flat` columns depend on the others. */
+static cloud random_cloud(support_rng *g)
+{
+    cloud c = {support_between(g, 1, 5), support_between(g, 1, 11), {{0}}};
+    int most = support_between(g, 1, 5), rays = support_chance(g, 50) ? 0 : 40;
+    int flat = support_chance(g, 30) ? support_between(g, 0, c.d - 1) : 0;
+    for (int i = 0; i < c.size; i++) {
+        bool any = false;
+        c.v[i][0] = !support_chance(g, rays);
+        for (int j = 1; j < c.d; j++)
+            c.v[i][j] =
+                j < c.d - flat ? support_between(g, -most, most) : c.v[i][j - 1] - c.v[i][0];
+        for (int j = 0; j < c.d; j++)
+            any |= c.v[i][j] != 0;
+        c.v[i][0] = any ? c.v[i][0] : 1;
+    }
+    return c;
+}
+
+Test(facets, random_clouds)
+{
+    for (uint64_t seed = 0; seed < 3000; seed++) {
+        support_rng g = {seed};
+        cloud c = random_cloud(&g);
+        check_cloud(&c, seed % 5 == 0 ? 40 : seed % 7 == 0 ? 100 : 0);
+    }
+}
+
+/* Vectors in all directions: cones that contain lines, or all there is. */
+Test(facets, lines)
+{
+    for (uint64_t seed = 0; seed < 1000; seed++) {
+        support_rng g = {seed};
+        cloud c = {support_between(&g, 1, 4), support_between(&g, 1, 9), {{0}}};
+        for (int i = 0; i < c.size; i++) {
+            for (int j = 0; j < c.d; j++)
+                c.v[i][j] = support_between(&g, -1, 1);
+            c.v[i][i % c.d] += c.v[i][i % c.d] == 0;
+        }
+        check_cloud(&c, 0);
+    }
+}
+
+static size_t facets_of(bench *b)
+{
+    size_t alive = b->f.alive;
+    close_bench(b);
+    return alive;
+}
+
+Test(facets, cubes)
+{
+    for (int n = 1; n <= 5; n++) {
+        bench b;
+        open_bench(&b, n + 1);
+        for (int i = 0; i < 1 << n; i++) {
+            int64_t v[MOST_D] = {1};
+            for (int j = 0; j < n; j++)
+                v[j + 1] = i >> j & 1 ? 1 : -1;
+            cr_assert(add(&b, v, 0));
+        }
+        cr_assert_eq(facets_of(&b), (size_t)(2 * n));
+    }
+}
+
+Test(facets, cross_polytopes)
+{
+    for (int n = 1; n <= 5; n++) {
+        bench b;
+        open_bench(&b, n + 1);
+        for (int i = 0; i < 2 * n; i++) {
+            int64_t v[MOST_D] = {1};
+            v[1 + i / 2] = i % 2 ? 1 : -1;
+            cr_assert(add(&b, v, 0));
+        }
+        cr_assert_eq(facets_of(&b), (size_t)1 << n);
+    }
+}
+
+/* On the curve (t, t^2, ..., t^n): n / (n - k) choose(n - k, k) facets for n = 2k dimensions of v
+ * points, here v (v - 3) / 2 in four. */
+Test(facets, cyclic)
+{
+    bench b;
+    open_bench(&b, 5);
+    for (int64_t t = 1; t <= 80; t++) {
+        const int64_t v[MOST_D] = {1, t, t * t, t * t * t, t * t * t * t};
+        cr_assert(add(&b, v, 0));
+    }
+    cr_assert_eq(facets_of(&b), (size_t)(80 * 77 / 2));
+}
+
+/* A grid in a triangle has three facets, in whatever order its points come; all others are on
+ * them or inside. */
+Test(facets, grids)
+{
+    for (uint64_t seed = 0; seed < 50; seed++) {
+        support_rng g = {seed};
+        bench b;
+        int64_t v[66][MOST_D];
+        int size = 0;
+        for (int x = 0; x <= 10; x++)
+            for (int y = 0; x + y <= 10; y++) {
+                const int64_t t[MOST_D] = {1, x, y};
+                memcpy(v[size++], t, sizeof t);
+            }
+        open_bench(&b, 3);
+        for (int i = 0; i < size; i++) {
+            int k = support_between(&g, i, size - 1);
+            int64_t t[MOST_D];
+            memcpy(t, v[k], sizeof t);
+            memcpy(v[k], v[i], sizeof t);
+            add(&b, t, 0);
+        }
+        cr_assert_eq(facets_of(&b), 3);
+    }
+}
+
+/* Points on a sphere in general position: 2v - 4 triangles. */
+Test(facets, sphere)
+{
+    support_rng g = {7};
+    bench b;
+    open_bench(&b, 4);
+    for (int i = 0; i < 300; i++) {
+        int64_t p = support_between(&g, -999, 999), q = support_between(&g, -999, 999);
+        int64_t n = 1000003 + p * p + q * q; /* stereographic: all on one sphere */
+        const int64_t v[MOST_D] = {n, 2 * p * 1000, 2 * q * 1000, n - 2 * 1000003};
+        add(&b, v, 0);
+    }
+    size_t v = b.f.generators;
+    cr_assert_gt(v, 250);
+    size_t edges = 0;
+    for (size_t a = 0; a < b.f.slots; a++)
+        edges += b.f.facet[a].alive ? b.f.facet[a].nexts : 0;
+    cr_assert_eq(v + b.f.alive, edges / 2 + 2);
+    close_bench(&b);
+}
