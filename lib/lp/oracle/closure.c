@@ -158,15 +158,7 @@ static fmb_status take_cost(fmb_oracle *o, const fmb_weights *cost)
     return fmb_integers_settle(&o->cost, o->run->mem);
 }
 
-/* From a guess to the optimum, exactly. */
-static fmb_status certify_optimum(fmb_oracle *o, fmb_walk_end *end)
-{
-    fmb_walk_end there;
-    fmb_status st = reach_feasible(o, &there);
-    return st == FMB_OK ? fmb_walk_to_optimum(&o->w, o->cost.z, end) : st;
-}
-
-fmb_status fmb_closure_maximize(fmb_oracle *o, const fmb_weights *cost, fmb_walk_end *end)
+fmb_status fmb_closure_approach(fmb_oracle *o, const fmb_weights *cost, fmb_walk_end *end)
 {
     fmb_hint h = {.basis = o->hint};
     *end = FMB_WALK_TIRED;
@@ -180,7 +172,13 @@ fmb_status fmb_closure_maximize(fmb_oracle *o, const fmb_weights *cost, fmb_walk
     if (st == FMB_OK && h.kind == FMB_HINT_UNBOUNDED)
         st = fmb_walk_try_ray(&o->w, h.odd, o->cost.z, end);
     if (st == FMB_OK && *end == FMB_WALK_TIRED)
-        st = certify_optimum(o, end);
+        st = reach_feasible(o, end);
+    return st == FMB_OK && *end == FMB_WALK_THERE ? take_vertex(o) : st;
+}
+
+fmb_status fmb_closure_climb(fmb_oracle *o, fmb_walk_end *end)
+{
+    fmb_status st = fmb_walk_to_optimum(&o->w, o->cost.z, end);
     return st == FMB_OK && *end == FMB_WALK_THERE ? take_vertex(o) : st;
 }
 

@@ -89,7 +89,9 @@ static fmb_status widen_margin(fmb_oracle *o, fmb_oracle *t, bool face, bool *ro
     if (st == FMB_OK)
         st = fmb_closure_decide(t, &end);
     if (st == FMB_OK)
-        st = fmb_closure_maximize(t, &cost, &end);
+        st = fmb_closure_approach(t, &cost, &end);
+    if (st == FMB_OK && end == FMB_WALK_THERE)
+        st = fmb_closure_climb(t, &end);
     if (st == FMB_OK) {
         fmb_oracle_value(t, most);
         *room = mpq_sgn(most) > 0;

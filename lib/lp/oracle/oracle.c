@@ -80,17 +80,42 @@ static fmb_status find_whether_attained(fmb_oracle *o, bool *attained)
     return *attained ? fmb_oracle_find_room(o, true, attained) : FMB_OK;
 }
 
-fmb_status fmb_oracle_maximize(fmb_oracle *o, const fmb_weights *cost, fmb_oracle_end *out,
-                               bool *attained)
+static fmb_status note_end(fmb_oracle *o, fmb_status st, fmb_walk_end end, fmb_oracle_end *out)
+{
+    *out = end == FMB_WALK_RAY ? FMB_ORACLE_UNBOUNDED : FMB_ORACLE_OPTIMUM;
+    if (st == FMB_OK)
+        o->answer = end == FMB_WALK_RAY ? FMB_ANSWER_RAY : FMB_ANSWER_OPTIMUM;
+    return st;
+}
+
+fmb_status fmb_oracle_approach(fmb_oracle *o, const fmb_weights *cost, fmb_oracle_end *out)
 {
     fmb_walk_end end;
     fmb_closure_begin(o);
-    fmb_status st = fmb_closure_maximize(o, cost, &end);
-    *out = end == FMB_WALK_RAY ? FMB_ORACLE_UNBOUNDED : FMB_ORACLE_OPTIMUM;
+    fmb_status st = fmb_closure_approach(o, cost, &end);
+    return note_end(o, st, end, out);
+}
+
+fmb_status fmb_oracle_climb(fmb_oracle *o, fmb_oracle_end *out)
+{
+    fmb_walk_end end;
+    fmb_status st = fmb_closure_climb(o, &end);
+    return note_end(o, st, end, out);
+}
+
+fmb_status fmb_oracle_attain(fmb_oracle *o, bool *attained)
+{
+    return find_whether_attained(o, attained);
+}
+
+fmb_status fmb_oracle_maximize(fmb_oracle *o, const fmb_weights *cost, fmb_oracle_end *out,
+                               bool *attained)
+{
     *attained = false;
-    if (st == FMB_OK && end == FMB_WALK_THERE)
-        st = find_whether_attained(o, attained);
-    if (st == FMB_OK)
-        o->answer = end == FMB_WALK_RAY ? FMB_ANSWER_RAY : FMB_ANSWER_OPTIMUM;
+    fmb_status st = fmb_oracle_approach(o, cost, out);
+    if (st == FMB_OK && *out == FMB_ORACLE_OPTIMUM)
+        st = fmb_oracle_climb(o, out);
+    if (st == FMB_OK && *out == FMB_ORACLE_OPTIMUM)
+        st = fmb_oracle_attain(o, attained);
     return st;
 }

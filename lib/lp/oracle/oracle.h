@@ -31,6 +31,13 @@ fmb_status fmb_oracle_feasible(fmb_oracle *o, bool *feasible);
 fmb_status fmb_oracle_maximize(fmb_oracle *o, const fmb_weights *cost, fmb_oracle_end *end,
                                bool *attained);
 
+/* The same in three steps, the last two for whoever needs them. To a vertex where cost.x is large,
+ * as the guess has it; or OPTIMUM is not said, but UNBOUNDED, for sure. From there to the optimum
+ * of the closure. Is that attained? Then the point may be another one. */
+fmb_status fmb_oracle_approach(fmb_oracle *o, const fmb_weights *cost, fmb_oracle_end *end);
+fmb_status fmb_oracle_climb(fmb_oracle *o, fmb_oracle_end *end);
+fmb_status fmb_oracle_attain(fmb_oracle *o, bool *attained);
+
 /* Rows were appended, row i was left out or taken in again, or rows have other right sides: ask
  * fmb_oracle_feasible first. */
 fmb_status fmb_oracle_grow(fmb_oracle *o);
@@ -42,6 +49,8 @@ void fmb_oracle_switch(fmb_oracle *o, size_t i, bool on);
 /* x[n]: the solution; after an optimum, one that reaches it, or if none does, one of the closure.
  */
 void fmb_oracle_point(const fmb_oracle *o, mpq_t *x);
+/* The same in integers, over *den > 0. */
+void fmb_oracle_point_integers(const fmb_oracle *o, mpz_t *x, mpz_t den);
 void fmb_oracle_value(const fmb_oracle *o, mpq_t value);
 /* Multipliers over rows: their combination is cost.x <= value, with < if it is not attained. */
 fmb_status fmb_oracle_multipliers(const fmb_oracle *o, fmb_weights *w);
@@ -49,5 +58,6 @@ fmb_status fmb_oracle_multipliers(const fmb_oracle *o, fmb_weights *w);
 fmb_status fmb_oracle_conflict(const fmb_oracle *o, fmb_weights *w);
 /* A direction in which every solution goes on for ever, and cost.x grows. */
 void fmb_oracle_ray(const fmb_oracle *o, mpq_t *x);
+void fmb_oracle_ray_integers(const fmb_oracle *o, mpz_t *x);
 
 #endif

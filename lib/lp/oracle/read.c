@@ -20,6 +20,19 @@ void fmb_oracle_ray(const fmb_oracle *o, mpq_t *x)
         set_ratio(x[j], o->w.ray.z[j], o->w.ray_den);
 }
 
+void fmb_oracle_point_integers(const fmb_oracle *o, mpz_t *x, mpz_t den)
+{
+    for (size_t j = 0; j < o->n; j++)
+        mpz_set(x[j], o->point.z[j]);
+    mpz_set(den, o->point_den);
+}
+
+void fmb_oracle_ray_integers(const fmb_oracle *o, mpz_t *x)
+{
+    for (size_t j = 0; j < o->n; j++)
+        mpz_set(x[j], o->w.ray.z[j]);
+}
+
 /* Add sign times the prices of the basis, over `unit`, as weights of its rows. */
 static fmb_status add_prices(const fmb_oracle *o, const mpz_t unit, int sign, fmb_weights *w)
 {

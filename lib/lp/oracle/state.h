@@ -38,8 +38,10 @@ struct fmb_oracle {
 void fmb_closure_begin(fmb_oracle *o);
 /* THERE, and o->point is a vertex, or CONFLICT. Errors: MEMORY, LIMIT. */
 fmb_status fmb_closure_decide(fmb_oracle *o, fmb_walk_end *end);
-/* THERE, and o->point is the optimum, or RAY. */
-fmb_status fmb_closure_maximize(fmb_oracle *o, const fmb_weights *cost, fmb_walk_end *end);
+/* To a vertex where cost.x is large: THERE, and o->point is it; or RAY. */
+fmb_status fmb_closure_approach(fmb_oracle *o, const fmb_weights *cost, fmb_walk_end *end);
+/* From there: THERE, and o->point is the optimum, or RAY. */
+fmb_status fmb_closure_climb(fmb_oracle *o, fmb_walk_end *end);
 
 /* margin.c: the rows hold, but is there room where they are strict? *room; if there is, o->point is
  * such a solution, else o->margin a conflict. face: of those with cost.x at its optimum; then

@@ -3,6 +3,7 @@
 
 #include "solve/limit/outer.h"
 #include "solve/project/polygon.h"
+#include "solve/project/support.h"
 #include "solve/project/thin.h"
 #include "solve/query/rule_lp.h"
 
@@ -92,9 +93,11 @@ fmb_status fmb_query_project_part(fmb_query *q, int part, const int *place, fmb_
     shadow h = start;
     fmb_status st = FMB_OK;
     *feasible = true;
-    if (!fm)
+    if (q->v->options.method == FMB_METHOD_HULL)
+        st = fmb_query_support_part(q, part, place, out, feasible, &done);
+    if (st == FMB_OK && !done && *feasible && !fm)
         st = project_by_elimination(&h, false, TRIAL_BUDGET(p->m), feasible, &done);
-    if (st == FMB_OK && !done && !known && (!fm || uses_lp_rule(q->v))) {
+    if (st == FMB_OK && !done && *feasible && !known && (!fm || uses_lp_rule(q->v))) {
         st = is_part_feasible(q, part, feasible);
         known = true;
     }

@@ -1,0 +1,119 @@
+/* support.c: life, and which facet is asked about next; see support.h. */
+#include "hull/support_inside.h"
+
+/* ---- life ------------------------------------------------------------------------------------ */
+
+fmb_status fmb_support_init(fmb_support *s, fmb_run *run, fmb_oracle *oracle, size_t n,
+                            const int *kept, size_t k, bool proves)
+{
+    *s =
+        (fmb_support){.run = run, .oracle = oracle, .n = n, .k = k, .kept = kept, .proves = proves};
+    mpz_inits(s->den, s->t, NULL);
+    fmb_status st = fmb_integers_init(&s->x, n, run->mem);
+    if (st == FMB_OK)
+        st = fmb_integers_init(&s->g, k + 1, run->mem);
+    return st == FMB_OK ? fmb_facets_init(&s->hull, run, k + 1) : st;
+}
+
+void fmb_support_clear(fmb_support *s)
+{
+    fmb_mem *mem = s->run->mem;
+    for (size_t i = 0; i < s->rows; i++) {
+        fmb_integers_clear(&s->row[i].z, mem);
+        fmb_weights_clear(&s->row[i].proof, mem);
+        fmb_weights_clear(&s->row[i].reverse, mem);
+    }
+    fmb_mem_put(mem, s->row, s->row_capacity, sizeof *s->row);
+    fmb_facets_clear(&s->hull);
+    fmb_integers_clear(&s->x, mem);
+    fmb_integers_clear(&s->g, mem);
+    mpz_clears(s->den, s->t, NULL);
+}
+
+/* ---- the next question ----------------------------------------------------------------------- */
+
+/* Some vertex of the program. */
+static fmb_status find_first_point(fmb_support *s)
+{
+    const fmb_weights nowhere = {0};
+    fmb_oracle_end end;
+    bool grown;
+    fmb_status st = fmb_oracle_approach(s->oracle, &nowhere, &end);
+    s->begun = true;
+    return st == FMB_OK ? fmb_support_add_point(s, &grown) : st;
+}
+
+/* An equation that all generators satisfy: on either side, does the projection go further? */
+static fmb_status ask_about_equation(fmb_support *s)
+{
+    fmb_support_row row = {.rel = FMB_EQ};
+    bool stands;
+    const fmb_vec *e = &s->hull.equation[s->equations];
+    fmb_status st = fmb_support_query(s, e, 1, &row, &stands);
+    if (st == FMB_OK && stands)
+        st = fmb_support_query(s, e, -1, &row, &stands);
+    if (st == FMB_OK && stands) {
+        s->equations++;
+        return fmb_support_keep(s, &row);
+    }
+    fmb_support_drop(s, &row);
+    return st;
+}
+
+/* A facet that nothing is known of; SIZE_MAX if there is none. It is the youngest, roughly: its
+ * direction is near that of the last query. */
+static size_t find_open_facet(fmb_support *s)
+{
+    const fmb_facets *f = &s->hull;
+    for (size_t i = 0; i < f->slots; i++) {
+        s->at = (s->at + f->slots - 1) % f->slots;
+        if (f->facet[s->at].alive && !f->facet[s->at].stands)
+            return s->at;
+    }
+    return SIZE_MAX;
+}
+
+/* Is it x0 >= 0, the face at infinity? */
+static bool is_at_infinity(const fmb_support *s, const fmb_vec *normal)
+{
+    for (size_t j = 1; j <= s->k; j++)
+        if (fmb_vec_sgn(normal, j) != 0)
+            return false;
+    return true;
+}
+
+static fmb_status ask_about_facet(fmb_support *s, size_t at)
+{
+    fmb_support_row row = {0};
+    bool stands;
+    const fmb_vec *normal = &s->hull.facet[at].normal;
+    if (is_at_infinity(s, normal)) {
+        s->hull.facet[at].stands = true;
+        return FMB_OK;
+    }
+    fmb_status st = fmb_support_query(s, normal, 1, &row, &stands);
+    if (st == FMB_OK && stands) {
+        s->hull.facet[at].stands = true;
+        return fmb_support_keep(s, &row);
+    }
+    fmb_support_drop(s, &row);
+    return st;
+}
+
+fmb_status fmb_support_ask(fmb_support *s, size_t queries, bool *done)
+{
+    const fmb_facets *f = &s->hull;
+    fmb_status st = s->begun ? FMB_OK : find_first_point(s);
+    *done = false;
+    for (size_t i = 0; st == FMB_OK && !*done && i < queries; i++) {
+        size_t at = SIZE_MAX;
+        st = fmb_run_poll_now(s->run);
+        if (st == FMB_OK && s->equations < f->d - f->rank)
+            st = ask_about_equation(s);
+        else if (st == FMB_OK && (at = find_open_facet(s)) != SIZE_MAX)
+            st = ask_about_facet(s, at);
+        else
+            *done = st == FMB_OK;
+    }
+    return st;
+}

@@ -1,0 +1,55 @@
+/* support.h: a projection as the hull of what support queries find (convex hull method).
+ *
+ * An inner hull of points and rays of the projection is kept, facet by facet (dd/facets.h). How far
+ * does the projection go in the direction of a facet? If no further than the facet, it stands: the
+ * multipliers of the optimum prove its row. Else the optimum is a point more, or the way to
+ * infinity a ray. Each query finds a facet or a generator, and there are only so many vertices and
+ * rays of a program. At any time there are inner points and proved rows.
+ *
+ * The same for hulls that are flat: an equation of all generators stands if the projection goes no
+ * further on either side.
+ *
+ * Sources: Lassez 1990, Querying constraints; Huynh, Lassez, Lassez 1992; Jones, Kerrigan,
+ * Maciejowski 2004, Equality set projection.
+ */
+#ifndef FMB_HULL_SUPPORT_H
+#define FMB_HULL_SUPPORT_H
+
+#include "dd/facets.h"
+#include "lp/oracle/oracle.h"
+#include "num/integers.h"
+
+/* A row of the projection: a.x <= b, < b or = b over its k variables. */
+typedef struct fmb_support_row {
+    fmb_integers z; /* [k + 1] a, then b: coprime */
+    fmb_rel rel;
+    fmb_weights proof, reverse; /* over the oracle's rows; reverse: of an equality, a.x >= b */
+} fmb_support_row;
+
+typedef struct fmb_support {
+    fmb_run *run;
+    fmb_oracle *oracle;
+    size_t n, k;     /* columns; those that are kept, */
+    const int *kept; /* [k], increasing */
+    bool proves;     /* proofs are wanted */
+    fmb_facets hull; /* of (1, x) and (0, x) */
+    bool begun;
+    size_t equations;     /* these of the hull stand */
+    size_t at;            /* the facet to begin with when looking for one that does not stand */
+    fmb_support_row *row; /* [rows] proved */
+    size_t rows, row_capacity;
+    fmb_integers x, g; /* scratch: [n] a point or ray, [k + 1] its shadow */
+    mpz_t den, t;
+} fmb_support;
+
+/* The oracle's program, of n columns, is known to have a solution. kept[k] must outlive this. In
+ * any case fmb_support_clear it. Errors: MEMORY, LIMIT, here and below. */
+fmb_status fmb_support_init(fmb_support *s, fmb_run *run, fmb_oracle *oracle, size_t n,
+                            const int *kept, size_t k, bool proves);
+void fmb_support_clear(fmb_support *s);
+
+/* Ask for so many facets and equations, or until all stand: *done. What is proved stays so,
+ * whatever ends the call; but after an error it is the last one. */
+fmb_status fmb_support_ask(fmb_support *s, size_t queries, bool *done);
+
+#endif

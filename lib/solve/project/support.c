@@ -1,0 +1,119 @@
+/* support.c: rows of a projection from support queries (hull/support.h); see support.h. */
+#include "solve/project/support.h"
+
+#include "hull/support.h"
+
+/* A part on its way. */
+typedef struct queries {
+    fmb_query *q;
+    const fmb_part *p;
+    const int *place;
+    fmb_system *out;
+    int *column; /* [k] of the part, those that are kept */
+    size_t k;
+    fmb_support s;
+    mpz_t *z;    /* [n + 1] scratch: a row of the part */
+    fmb_vec row; /* the same */
+} queries;
+
+/* ---- rows ------------------------------------------------------------------------------------ */
+
+static fmb_status claim_support_row(queries *h, fmb_support_row *r)
+{
+    mpq_t one;
+    if (!h->q->claims)
+        return FMB_OK;
+    mpq_init(one);
+    mpq_set_ui(one, 1, 1);
+    fmb_query_take_oracle_weights(h->q, h->p, &r->proof);
+    fmb_query_take_oracle_weights(h->q, h->p, &r->reverse);
+    fmb_status st =
+        fmb_query_claim_implied(h->q, h->p, &h->row, one, r->rel, &r->proof, &r->reverse);
+    mpq_clear(one);
+    return st;
+}
+
+static fmb_status put_support_row(queries *h, fmb_support_row *r)
+{
+    size_t n = (size_t)h->p->n;
+    for (size_t j = 0; j < h->k; j++)
+        mpz_set(h->z[h->column[j]], r->z.z[j]);
+    mpz_set(h->z[n], r->z.z[h->k]);
+    fmb_status st = fmb_vec_set_z(&h->row, n + 1, h->z, h->q->run.mem);
+    if (st == FMB_OK)
+        st = claim_support_row(h, r);
+    return st == FMB_OK ? fmb_query_append_row(h->q, h->p, &h->row, r->rel, h->place, h->out) : st;
+}
+
+static fmb_status put_all_support_rows(queries *h)
+{
+    size_t n = (size_t)h->p->n + 1;
+    fmb_mem *mem = h->q->run.mem;
+    h->z = fmb_mem_get(mem, n, sizeof *h->z);
+    h->row.s = fmb_mem_get(mem, n, sizeof *h->row.s);
+    fmb_status st = h->z && h->row.s ? FMB_OK : fmb_mem_status(mem);
+    for (size_t j = 0; h->z && j < n; j++)
+        mpz_init(h->z[j]);
+    for (size_t i = 0; st == FMB_OK && i < h->s.rows; i++)
+        st = put_support_row(h, &h->s.row[i]);
+    for (size_t j = 0; h->z && j < n; j++)
+        mpz_clear(h->z[j]);
+    fmb_mem_put(mem, h->z, n, sizeof *h->z);
+    fmb_vec_clear(&h->row, n, mem);
+    fmb_mem_put(mem, h->row.s, n, sizeof *h->row.s);
+    return st;
+}
+
+/* ---- a part ---------------------------------------------------------------------------------- */
+
+/* At a limit, too, what is proved is put out; if there is no memory for that, it is not. */
+static fmb_status ask_until_all_stands(queries *h, fmb_oracle *o)
+{
+    bool done = false;
+    fmb_status st = fmb_support_init(&h->s, &h->q->run, o, (size_t)h->p->n, h->column, h->k,
+                                     h->q->claims != NULL);
+    while (st == FMB_OK && !done)
+        st = fmb_support_ask(&h->s, SIZE_MAX, &done);
+    fmb_status put = st == FMB_OK || st == FMB_LIMIT ? put_all_support_rows(h) : st;
+    fmb_support_clear(&h->s);
+    return st == FMB_LIMIT && put == FMB_OK ? st : put;
+}
+
+static fmb_status list_kept_columns(queries *h)
+{
+    h->column = fmb_arena_get(&h->q->v->arena, (size_t)h->p->n, sizeof *h->column);
+    if (!h->column)
+        return fmb_mem_status(h->q->run.mem);
+    for (int j = 0; j < h->p->n; j++)
+        if (h->place[h->p->var[j]] >= 0)
+            h->column[h->k++] = j;
+    return FMB_OK;
+}
+
+static bool has_strict_rows(const fmb_part *p)
+{
+    for (size_t i = 0; i < p->m; i++)
+        if (p->rel[i] == FMB_LT)
+            return true;
+    return false;
+}
+
+fmb_status fmb_query_support_part(fmb_query *q, int part, const int *place, fmb_system *out,
+                                  bool *feasible, bool *done)
+{
+    const fmb_part *p = &q->parts.part[part];
+    queries h = {.q = q, .p = p, .place = place, .out = out};
+    fmb_oracle *o;
+    *done = false;
+    *feasible = true;
+    fmb_status st = list_kept_columns(&h);
+    if (st != FMB_OK || h.k == 0 || has_strict_rows(p))
+        return st;
+    st = fmb_query_oracle(q, part, &o);
+    if (st == FMB_OK && !q->decided)
+        st = fmb_oracle_feasible(o, feasible);
+    if (st == FMB_OK && *feasible)
+        st = ask_until_all_stands(&h, o);
+    *done = st == FMB_OK;
+    return st;
+}
