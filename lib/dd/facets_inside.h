@@ -4,11 +4,13 @@
 
 #include "dd/facets.h"
 
-/* ---- facets.c -------------------------------------------------------------------------------- */
+/* ---- facets_slots.c -------------------------------------------------------------------------- */
 
 /* A facet without anything on it and without neighbours, alive; its normal is undefined. */
 fmb_status fmb_facets_open_slot(fmb_facets *f, uint32_t *out);
 void fmb_facets_close_slot(fmb_facets *f, uint32_t a);
+/* Room for more generators in all sets. */
+fmb_status fmb_facets_widen_sets(fmb_facets *f);
 /* Append b to the neighbours of a, and a to those of b. */
 fmb_status fmb_facets_join(fmb_facets *f, uint32_t a, uint32_t b);
 /* b is no neighbour of a any more. */

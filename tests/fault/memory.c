@@ -81,6 +81,7 @@ static void every_sample(const verb *w)
             every_request(w, i, FMB_METHOD_FM, RULES[k], false);
         every_request(w, i, FMB_METHOD_AUTO, NULL, true);
         every_request(w, i, FMB_METHOD_LP, NULL, false);
+        every_request(w, i, FMB_METHOD_HULL, NULL, false);
     }
 }
 

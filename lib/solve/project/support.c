@@ -107,12 +107,12 @@ fmb_status fmb_query_support_part(fmb_query *q, int part, const int *place, fmb_
     *done = false;
     *feasible = true;
     fmb_status st = list_kept_columns(&h);
-    if (st != FMB_OK || h.k == 0 || has_strict_rows(p))
+    if (st != FMB_OK || has_strict_rows(p))
         return st;
     st = fmb_query_oracle(q, part, &o);
     if (st == FMB_OK && !q->decided)
         st = fmb_oracle_feasible(o, feasible);
-    if (st == FMB_OK && *feasible)
+    if (st == FMB_OK && *feasible && h.k > 0)
         st = ask_until_all_stands(&h, o);
     *done = st == FMB_OK;
     return st;

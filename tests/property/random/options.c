@@ -19,7 +19,8 @@ static const struct {
 };
 static const fmb_order ORDERS[] = {FMB_ORDER_GIVEN, FMB_ORDER_PAIRS, FMB_ORDER_MIN, FMB_ORDER_FILL};
 static const fmb_arith ARITHS[] = {FMB_ARITH_INT, FMB_ARITH_GMP};
-static const fmb_method METHODS[] = {FMB_METHOD_AUTO, FMB_METHOD_FM, FMB_METHOD_LP};
+static const fmb_method METHODS[] = {FMB_METHOD_AUTO, FMB_METHOD_FM, FMB_METHOD_LP,
+                                     FMB_METHOD_HULL};
 
 enum {
     N_RULES = sizeof RULES / sizeof *RULES,
@@ -54,7 +55,7 @@ fmb_options options_at(int i)
 void options_text(const fmb_options *o, char *out, size_t size)
 {
     static const char *const arith[] = {"auto", "int", "gmp"},
-                             *const method[] = {"auto", "fm", "lp"},
+                             *const method[] = {"auto", "fm", "lp", "hull"},
                              *const order[] = {"pairs", "given", "min", "fill"},
                              *const rebase[] = {"auto", "always", "never"},
                              *const simd[] = {"auto", "plain", "avx2", "avx512"};
