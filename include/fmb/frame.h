@@ -14,7 +14,12 @@ extern "C" {
 
 typedef enum fmb_shape {
     FMB_CUBOID = 0, /* 0 <= c_i <= 1 */
-    FMB_SIMPLEX     /* 0 <= c_i, sum c_i <= 1 */
+    FMB_SIMPLEX,    /* 0 <= c_i, sum c_i <= 1 */
+    /* The same by their corners: row i of axes is the corner at the end of edge i, and the edge is
+     * axes_i - origin, exactly. That difference of two doubles need be none, and neighbours whose
+     * edges are rounded may come apart where they share a corner; by corners they meet. */
+    FMB_CUBOID_BY_CORNERS,
+    FMB_SIMPLEX_BY_CORNERS
 } fmb_shape;
 
 /* dim of a frame: one of more is refused before anything is read. */
@@ -26,7 +31,7 @@ typedef struct fmb_frame {
     fmb_shape shape;
     int dim, naxes;       /* 0 <= naxes <= dim <= FMB_FRAME_MOST_DIM */
     const double *origin; /* [dim] */
-    const double *axes;   /* [naxes][dim], row i is edge i */
+    const double *axes;   /* [naxes][dim], row i is edge i, or the corner at its end */
     const double *speed;  /* [dim], or NULL: static */
 } fmb_frame;
 

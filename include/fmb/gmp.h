@@ -57,7 +57,7 @@ typedef struct fmb_frame_q {
     fmb_shape shape;
     int dim, naxes;
     mpq_t *origin; /* [dim] */
-    mpq_t *axes;   /* [naxes][dim], row i is edge i */
+    mpq_t *axes;   /* [naxes][dim], row i is edge i, or the corner at its end */
     mpq_t *speed;  /* [dim], or NULL: static */
 } fmb_frame_q;
 

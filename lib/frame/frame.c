@@ -20,7 +20,7 @@ static size_t find_infinite(const double *a, size_t n)
 static bool is_outline_possible(fmb_shape shape, int naxes, int dim)
 {
     return dim >= 0 && dim <= FMB_FRAME_MOST_DIM && naxes >= 0 && naxes <= dim &&
-           (unsigned)shape <= FMB_SIMPLEX;
+           (unsigned)shape <= FMB_SIMPLEX_BY_CORNERS;
 }
 
 /* The arrays of a frame: [rows][dim] each. */
@@ -52,7 +52,7 @@ static bool describe_outline(const fmb_frame *f, int dim, char *text, size_t siz
         snprintf(text, size, "dim is %d, not 0 to %d", dim, (int)FMB_FRAME_MOST_DIM);
     else if (f->naxes < 0 || f->naxes > dim)
         snprintf(text, size, "naxes is %d, not 0 to %d", f->naxes, dim);
-    else if ((unsigned)f->shape > FMB_SIMPLEX)
+    else if ((unsigned)f->shape > FMB_SIMPLEX_BY_CORNERS)
         snprintf(text, size, "shape is %d, which is none", (int)f->shape);
     else
         return false;

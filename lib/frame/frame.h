@@ -9,6 +9,11 @@
 /* A frame in R^dim, all of its numbers finite. */
 bool fmb_frame_is_good(const fmb_frame *f, int dim);
 
+static inline bool fmb_frame_is_by_corners(fmb_shape shape)
+{
+    return shape == FMB_CUBOID_BY_CORNERS || shape == FMB_SIMPLEX_BY_CORNERS;
+}
+
 /* What keeps f from being one: "axes[2][0] is not finite". False: nothing does. */
 enum { FMB_FRAME_FAULT_SIZE = 64 };
 bool fmb_frame_describe_fault(const fmb_frame *f, int dim, char *text, size_t size);

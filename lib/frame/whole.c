@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "frame/frame.h"
 #include "num/vec.h"
 
 struct fmb_number_source {
@@ -106,7 +107,13 @@ static fmb_status open_scene(fmb_scene *w, int dim, size_t n, fmb_mem *mem,
 
 static fmb_whole outline_of_frame(fmb_shape shape, int naxes, bool moves, const void *source)
 {
-    return (fmb_whole){shape, naxes, 1 + naxes + moves, moves, source};
+    bool is_simplex = shape == FMB_SIMPLEX || shape == FMB_SIMPLEX_BY_CORNERS;
+    return (fmb_whole){.shape = is_simplex ? FMB_SIMPLEX : FMB_CUBOID,
+                       .naxes = naxes,
+                       .rows = 1 + naxes + moves,
+                       .moves = moves,
+                       .by_corners = fmb_frame_is_by_corners(shape),
+                       .source = source};
 }
 
 fmb_status fmb_scene_of_doubles(fmb_scene *w, const fmb_frame *f, size_t n, fmb_mem *mem,
@@ -140,4 +147,11 @@ void fmb_scene_clear(fmb_scene *w)
 void fmb_scene_number(const fmb_scene *w, const fmb_whole *f, int i, int j, mpz_t out)
 {
     w->from->take(out, f->source, i, j, w->unit[j]);
+    if (!f->by_corners || i == 0 || i > f->naxes)
+        return;
+    mpz_t origin;
+    mpz_init(origin);
+    w->from->take(origin, f->source, 0, j, w->unit[j]);
+    mpz_sub(out, out, origin);
+    mpz_clear(origin);
 }

@@ -3,6 +3,8 @@
 
 #include <stdio.h>
 
+#include "pair/edges.h"
+
 /* One call of fmb_pair_test. */
 typedef struct query {
     fmb_pair *k;
@@ -31,6 +33,12 @@ static fmb_pair_answers answers_of(const query *a, size_t i)
                               .witness = o->witness ? o->witness + dim * i : NULL};
 }
 
+/* Pair i as frames by edges, as doubles want them. False: an edge is no double. */
+static bool take_edges(const query *a, size_t i, fmb_edges *p, fmb_edges *q)
+{
+    return fmb_edges_of_frame(&a->p[i], p) && fmb_edges_of_frame(&a->q[i], q);
+}
+
 static bool asks_exactly(const query *a)
 {
     return !a->k->options.doubles_only && !is_cancelled(a->k);
@@ -53,8 +61,9 @@ static fmb_status answer_generally(const query *a, size_t i)
 {
     const fmb_pair *k = a->k;
     fmb_pair_answers out = answers_of(a, i);
-    if (k->options.method != FMB_PAIR_EXACT && !k->options.tightest &&
-        fmb_general_answer(k->general, &a->p[i], &a->q[i], &out))
+    fmb_edges p, q;
+    if (k->options.method != FMB_PAIR_EXACT && !k->options.tightest && take_edges(a, i, &p, &q) &&
+        fmb_general_answer(k->general, &p.frame, &q.frame, &out))
         return FMB_OK;
     return answer_exactly(a, i);
 }
@@ -157,10 +166,10 @@ static fmb_status decide_generally(const query *a, int stage, int kind, size_t i
     fmb_pair *k = a->k;
     if (!fmb_frame_is_good(&a->p[i], k->dim) || !fmb_frame_is_good(&a->q[i], k->dim))
         return refuse_pair(a, i);
-    if (k->options.method != FMB_PAIR_EXACT && !is_cancelled(k))
-        a->out->verdict[i] = fmb_general_decide(k->general, &a->p[i], &a->q[i]);
-    else
-        a->out->verdict[i] = FMB_UNKNOWN;
+    fmb_edges p, q;
+    a->out->verdict[i] = FMB_UNKNOWN;
+    if (k->options.method != FMB_PAIR_EXACT && !is_cancelled(k) && take_edges(a, i, &p, &q))
+        a->out->verdict[i] = fmb_general_decide(k->general, &p.frame, &q.frame);
     if (a->out->verdict[i] == FMB_UNKNOWN)
         return decide_exactly(a, i);
     return a->out->verdict[i] == FMB_FEASIBLE && a->boxes ? find_box_from_stage(a, stage, kind, i)
@@ -199,9 +208,13 @@ static fmb_status flush_verdicts(const query *a, const fmb_block *b, int kind)
     return st == FMB_OK && stay ? find_boxes_of_lanes(a, b, STAGE_BOX, kind, boxed) : st;
 }
 
+/* And edges that are doubles. */
 static bool has_all_axes(const fmb_frame *f, int dim)
 {
-    return f->naxes == dim && f->origin && f->axes && (unsigned)f->shape <= FMB_SIMPLEX;
+    fmb_edges ignored;
+    return f->naxes == dim && f->origin && f->axes &&
+           ((unsigned)f->shape <= FMB_SIMPLEX ||
+            (fmb_frame_is_by_corners(f->shape) && fmb_edges_of_frame(f, &ignored)));
 }
 
 /* Frames that are soon put into blocks: their numbers may still be far from the processor. */
@@ -253,6 +266,11 @@ static fmb_status flush_block(const query *a, int number)
 static fmb_status wait_in_block(const query *a, int stage, size_t i)
 {
     const fmb_frame *p = &a->p[i], *q = &a->q[i];
+    fmb_edges of_p, of_q;
+    if (((unsigned)p->shape | (unsigned)q->shape) > FMB_SIMPLEX && take_edges(a, i, &of_p, &of_q)) {
+        p = &of_p.frame;
+        q = &of_q.frame;
+    }
     bool moves = p->speed || q->speed;
     int number = KINDS * stage + 4 * moves + 2 * (int)p->shape + (int)q->shape;
     fmb_block *b = &a->k->block[number];

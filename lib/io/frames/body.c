@@ -104,6 +104,18 @@ static fmb_status read_frame_axis(void *reader, fmb_cursor *c)
     return st;
 }
 
+/* The first one is the origin. */
+static fmb_status read_frame_corner(void *reader, fmb_cursor *c)
+{
+    fmb_frames *r = reader;
+    return r->now->origin.n == 0 ? read_frame_origin(r, c) : read_frame_axis(r, c);
+}
+
+static fmb_status read_frame_corners(void *reader, fmb_cursor *c)
+{
+    return fmb_json_array(c, "an array of points", read_frame_corner, reader);
+}
+
 static fmb_status read_frame_axes(void *reader, fmb_cursor *c)
 {
     return fmb_json_array(c, "an array of edges", read_frame_axis, reader);
@@ -137,23 +149,27 @@ static void reset_body_draft(fmb_body_draft *b)
 
 fmb_status fmb_frames_body(fmb_frames *r, fmb_cursor *c)
 {
-    enum { TYPE = 1, ORIG = 2, COMP = 4, VEL = 8, ROWS = 16 };
-    static const fmb_json_key keys[] = {{"type", read_body_type},
-                                        {"orig", read_frame_origin},
-                                        {"comp", read_frame_axes},
-                                        {"vel", read_frame_speed},
-                                        {"rows", read_polytope_rows}};
+    enum { TYPE = 1, ORIG = 2, COMP = 4, VEL = 8, ROWS = 16, POINTS = 32 };
+    static const fmb_json_key keys[] = {
+        {"type", read_body_type},  {"orig", read_frame_origin},  {"comp", read_frame_axes},
+        {"vel", read_frame_speed}, {"rows", read_polytope_rows}, {"points", read_frame_corners}};
     const char *p = c->at;
     unsigned seen;
     reset_body_draft(r->now);
-    fmb_status st = fmb_json_object(c, "a frame", keys, 5, r, &seen);
+    fmb_status st = fmb_json_object(c, "a frame", keys, 6, r, &seen);
     if (st != FMB_OK)
         return st;
     if (!(seen & TYPE))
         return fmb_io_fail(c, p, "expected a \"type\"");
     if (r->now->is_polytope && (seen != (TYPE | ROWS) || !r->now->rows))
         return fmb_io_fail(c, p, "expected \"rows\" in a polytope, and no \"orig\" or \"comp\"");
-    if (!r->now->is_polytope && (seen & ~(unsigned)VEL) != (TYPE | ORIG | COMP))
+    bool by_corners = !r->now->is_polytope && (seen & ~(unsigned)VEL) == (TYPE | POINTS);
+    if (by_corners && r->now->origin.n == 0)
+        return fmb_io_fail(c, p, "expected \"points\" that are not empty");
+    if (by_corners)
+        r->now->shape =
+            r->now->shape == FMB_CUBOID ? FMB_CUBOID_BY_CORNERS : FMB_SIMPLEX_BY_CORNERS;
+    else if (!r->now->is_polytope && (seen & ~(unsigned)VEL) != (TYPE | ORIG | COMP))
         return fmb_io_fail(c, p, "expected \"orig\" and \"comp\" in a frame, and no \"rows\"");
     return FMB_OK;
 }

@@ -105,7 +105,7 @@ Test(rational, arguments)
                 bad[5] = {good, good, good, good, good};
     fmb_system *s = NULL;
     bad[0].naxes = 3;
-    bad[1].shape = (fmb_shape)2;
+    bad[1].shape = (fmb_shape)4;
     bad[2].origin = NULL;
     bad[3].axes = NULL;
     bad[4].dim = 1;

@@ -136,7 +136,7 @@ Test(pair, arguments)
     wrong[1].origin = huge;
     wrong[2].dim = 3;
     wrong[3].naxes = 3;
-    wrong[4].shape = (fmb_shape)2;
+    wrong[4].shape = (fmb_shape)4;
     wrong[5].axes = NULL;
     for (int i = 0; i < 6; i++) {
         cr_expect_eq(fmb_pair_test(k, 1, &good, &wrong[i], &out), FMB_ERR_ARG, "%d", i);
