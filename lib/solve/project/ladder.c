@@ -81,9 +81,20 @@ static bool uses_lp_rule(const fmb_solver *v)
     return false;
 }
 
+/* A hull in so many dimensions mostly has few enough facets. */
+#define FEW_KEPT 6
+
+static int kept_columns(const fmb_part *p, const int *place)
+{
+    int kept = 0;
+    for (int j = 0; j < p->n; j++)
+        kept += place[p->var[j]] >= 0;
+    return kept;
+}
+
 /* First a short elimination; if that grows, the oracle finds out whether there is a solution, and
- * goes around a projection in the plane; what is left is eliminated, and pruned by the oracle. With
- * method fm there is no first try. */
+ * goes around a projection in the plane, or asks how far one in few dimensions goes; what is left
+ * is eliminated, and pruned by the oracle. With method fm there is no first try. */
 fmb_status fmb_query_project_part(fmb_query *q, int part, const int *place, fmb_system *out,
                                   bool *feasible)
 {
@@ -103,6 +114,8 @@ fmb_status fmb_query_project_part(fmb_query *q, int part, const int *place, fmb_
     }
     if (st == FMB_OK && !done && *feasible && !fm)
         st = fmb_query_polygon_part(q, part, place, out, &done);
+    if (st == FMB_OK && !done && *feasible && !fm && kept_columns(p, place) <= FEW_KEPT)
+        st = fmb_query_support_part(q, part, place, out, feasible, &done);
     if (st != FMB_OK || done || !*feasible)
         return st;
     h = start;
