@@ -76,3 +76,34 @@ void fmb_run_emit(fmb_run *run, fmb_event e)
         e.var = run->var_of[e.var];
     run->sink.put(run->sink.self, &e);
 }
+
+/* ---- shares ---------------------------------------------------------------------------------- */
+
+static size_t share_of_memory(const fmb_mem *mem, size_t shares)
+{
+    if (mem->limit == 0)
+        return 0;
+    size_t left = mem->limit > mem->used ? mem->limit - mem->used : 0;
+    return left / shares + 1;
+}
+
+void fmb_share_begin(fmb_share *s, const fmb_run *run, size_t shares)
+{
+    fmb_mem_init(&s->mem, &run->mem->alloc, share_of_memory(run->mem, shares));
+    s->st = FMB_OK;
+    s->run = *run;
+    s->run.mem = &s->mem;
+    s->run.sink = (fmb_sink){0};
+    s->run.tells_rows = false;
+    s->run.stats = (fmb_stats){0};
+}
+
+void fmb_share_end(const fmb_share *s, fmb_run *run, size_t *peak)
+{
+    run->stats.pivots += s->run.stats.pivots;
+    run->stats.lps += s->run.stats.lps;
+    *peak += s->mem.peak;
+    if (run->stop == FMB_STOP_DONE)
+        run->stop =
+            s->st == FMB_LIMIT && s->run.stop == FMB_STOP_DONE ? FMB_STOP_BYTES : s->run.stop;
+}

@@ -35,6 +35,19 @@ void fmb_run_begin(fmb_run *run, fmb_mem *mem, const fmb_options *o, const atomi
 /* Fill in the times and bytes of run->stats; tell the watcher the answer. */
 void fmb_run_end(fmb_run *run, fmb_verdict v);
 
+/* A share of a query for one thread: with the same limits, memory and counts of its own (out of
+ * what is left of the memory that is limited, one of so many shares), and nobody watching. */
+typedef struct fmb_share {
+    fmb_mem mem;
+    fmb_run run;
+    fmb_status st; /* of what was done */
+} fmb_share;
+
+/* The share must not move. */
+void fmb_share_begin(fmb_share *s, const fmb_run *run, size_t shares);
+/* What was done counts for the query; *peak [bytes] of all shares grows by that of this one. */
+void fmb_share_end(const fmb_share *s, fmb_run *run, size_t *peak);
+
 /* FMB_OK, or FMB_LIMIT when the query must stop. Cheap. */
 fmb_status fmb_run_poll(fmb_run *run);
 /* The same, with the clock read at every call: before long steps. */

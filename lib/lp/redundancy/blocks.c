@@ -102,9 +102,10 @@ static void enclose_block(fmb_polar *p, size_t b)
     p->radius[b] = sqrt(most) + 0x1p-40 * p->reach[b];
 }
 
-/* values[i] of row i goes to where the row stands. */
-static void put_in_order(const fmb_polar *p, double *values, double *scratch)
+/* values[i] of row i goes to where the row stands; round points are not there yet. */
+static void put_in_order(const fmb_polar *p, double *values)
 {
+    double *scratch = p->round;
     memcpy(scratch, values, p->m * sizeof *values);
     for (size_t at = 0; at < p->m; at++)
         values[at] = scratch[p->order[at]];
@@ -118,8 +119,9 @@ void fmb_polar_arrange(fmb_polar *p)
     for (size_t at = 0; at < p->m; at++)
         p->place[p->order[at]] = at;
     for (size_t k = 0; k < p->d; k++)
-        put_in_order(p, &p->sight[k * p->m], p->rate);
-    put_in_order(p, p->size, p->rate);
+        put_in_order(p, &p->sight[k * p->m]);
+    if (p->d > 0)
+        put_in_order(p, p->size);
     for (size_t b = 0; b < p->blocks; b++)
         enclose_block(p, b);
 }

@@ -35,28 +35,16 @@ static fmb_status allocate_polar(fmb_polar *p)
     p->middle = fmb_mem_get(mem, d * blocks, sizeof *p->middle);
     p->radius = fmb_mem_get(mem, blocks, sizeof *p->radius);
     p->reach = fmb_mem_get(mem, blocks, sizeof *p->reach);
-    p->bound = fmb_mem_get(mem, blocks, sizeof *p->bound);
     p->sight = fmb_mem_get(mem, d * p->m, sizeof *p->sight);
     p->round = fmb_mem_get(mem, d * p->m, sizeof *p->round);
     p->size = fmb_mem_get(mem, p->m, sizeof *p->size);
-    p->rate = fmb_mem_get(mem, p->m, sizeof *p->rate);
     p->half = fmb_mem_get(mem, d * d, sizeof *p->half);
-    p->scaled = fmb_mem_get(mem, d, sizeof *p->scaled);
-    p->aside = fmb_mem_get(mem, d, sizeof *p->aside);
-    p->tried = fmb_mem_get(mem, FMB_POLAR_TRIES, sizeof *p->tried);
     p->x = fmb_mem_get(mem, d, sizeof *p->x);
-    p->way = fmb_mem_get(mem, d, sizeof *p->way);
-    for (size_t k = 0; k < d; k++) {
-        if (p->x)
-            mpz_init(p->x[k]);
-        if (p->way)
-            mpz_init(p->way[k]);
-    }
-    bool blocked = p->order && p->place && p->middle && p->radius && p->reach && p->bound;
-    bool seen = p->sight && p->round && p->size && p->rate && p->half;
-    return blocked && seen && p->exponent && p->scaled && p->aside && p->tried && p->x && p->way
-               ? FMB_OK
-               : fmb_mem_status(mem);
+    for (size_t k = 0; p->x && k < d; k++)
+        mpz_init(p->x[k]);
+    bool blocked = p->order && p->place && p->middle && p->radius && p->reach;
+    bool seen = p->sight && p->round && p->size && p->half;
+    return blocked && seen && p->exponent && p->x ? FMB_OK : fmb_mem_status(mem);
 }
 
 void fmb_polar_clear(fmb_polar *p)
@@ -65,12 +53,8 @@ void fmb_polar_clear(fmb_polar *p)
     size_t d = p->d;
     if (!mem)
         return;
-    for (size_t k = 0; k < d; k++) {
-        if (p->x)
-            mpz_clear(p->x[k]);
-        if (p->way)
-            mpz_clear(p->way[k]);
-    }
+    for (size_t k = 0; p->x && k < d; k++)
+        mpz_clear(p->x[k]);
     fmb_mem_put(mem, p->column, p->n, sizeof *p->column);
     fmb_mem_put(mem, p->exponent, d, sizeof *p->exponent);
     fmb_mem_put(mem, p->order, p->m, sizeof *p->order);
@@ -78,17 +62,11 @@ void fmb_polar_clear(fmb_polar *p)
     fmb_mem_put(mem, p->middle, d * p->blocks, sizeof *p->middle);
     fmb_mem_put(mem, p->radius, p->blocks, sizeof *p->radius);
     fmb_mem_put(mem, p->reach, p->blocks, sizeof *p->reach);
-    fmb_mem_put(mem, p->bound, p->blocks, sizeof *p->bound);
     fmb_mem_put(mem, p->sight, d * p->m, sizeof *p->sight);
     fmb_mem_put(mem, p->round, d * p->m, sizeof *p->round);
     fmb_mem_put(mem, p->size, p->m, sizeof *p->size);
-    fmb_mem_put(mem, p->rate, p->m, sizeof *p->rate);
     fmb_mem_put(mem, p->half, d * d, sizeof *p->half);
-    fmb_mem_put(mem, p->scaled, d, sizeof *p->scaled);
-    fmb_mem_put(mem, p->aside, d, sizeof *p->aside);
-    fmb_mem_put(mem, p->tried, FMB_POLAR_TRIES, sizeof *p->tried);
     fmb_mem_put(mem, p->x, d, sizeof *p->x);
-    fmb_mem_put(mem, p->way, d, sizeof *p->way);
     p->mem = NULL;
 }
 
@@ -270,8 +248,7 @@ fmb_status fmb_polar_open(fmb_polar *p, fmb_run *run, size_t n, size_t m, const 
                           bool *inside)
 {
     fmb_centre c = {0};
-    *p = (fmb_polar){
-        .mem = run->mem, .kernels = run->kernels, .n = n, .m = m, .row = row, .hit = SIZE_MAX};
+    *p = (fmb_polar){.mem = run->mem, .kernels = run->kernels, .n = n, .m = m, .row = row};
     *inside = false;
     fmb_status st = list_named_columns(p);
     if (st == FMB_OK)

@@ -1,10 +1,8 @@
 /* polar.h: rows as points, seen from a point strictly inside.
  *
  * Seen from x, row a.y <= b is the point a / (b - a.x) of the polar: a ray from x in direction w
- * meets row i at the time 1 / (w.p_i), so before all others if w.p_i is the largest. Such a row is
- * irredundant, since just behind it lies a point that breaks it and no other. The point x is exact,
- * and that a row is met first is proved: by bounds on the errors of doubles, and in integers where
- * these do not tell.
+ * (ray.h) meets row i at the time 1 / (w.p_i). The point x is exact, and strictly inside of every
+ * row, exactly.
  */
 #ifndef FMB_LP_POLAR_H
 #define FMB_LP_POLAR_H
@@ -33,17 +31,6 @@ typedef struct fmb_polar {
     double *middle; /* [blocks][d] of the points of a block, */
     double *radius; /* [blocks] from where none is farther than this, */
     double *reach;  /* [blocks] and none longer than that */
-    double *bound;  /* [blocks] scratch */
-    /* The last ray. */
-    mpz_t *way; /* [d] its direction: way / 2^unit */
-    int unit;
-    double *scaled; /* [d] the same in scaled columns */
-    double *aside;  /* [d] scratch */
-    double *rate;   /* [m] w.p_i, roughly, in blocks that were looked at */
-    size_t hit;     /* the row that it met */
-    size_t *tried;  /* rows that might have been the first, hit among them */
-    size_t tries;
-    double rest; /* all other rows have smaller rates than this */
 } fmb_polar;
 
 /* *inside false: no point was found; there may be one. Errors: MEMORY, LIMIT. In any case
@@ -55,12 +42,6 @@ void fmb_polar_clear(fmb_polar *p);
 void fmb_polar_point(const fmb_polar *p, mpq_t *x);
 /* Row i does not count any longer. */
 void fmb_polar_hide(fmb_polar *p, size_t i);
-/* The row that a ray in direction way[d], in round coordinates, meets first: of several at once,
- * one that a ray close by meets alone. SIZE_MAX: none, or that did not come out. A direction taken
- * roughly gives points with shorter numbers. */
-size_t fmb_polar_shoot(fmb_polar *p, const double *way, bool roughly);
-/* A point beyond the row that the last ray met, and beyond no other, x[n]. */
-void fmb_polar_beyond(fmb_polar *p, mpq_t *x);
 /* q[d] = the point of row i, in round coordinates. */
 void fmb_polar_round_point(const fmb_polar *p, size_t i, double *q);
 
@@ -68,8 +49,6 @@ void fmb_polar_round_point(const fmb_polar *p, size_t i, double *q);
 
 /* Points stand together in blocks of so many. */
 #define FMB_POLAR_BLOCK 64
-/* Rows whose times are compared exactly; if there are more, a ray says nothing. */
-#define FMB_POLAR_TRIES 64
 /* Find an order with neighbours near each other, and put the points of sight into it. */
 void fmb_polar_arrange(fmb_polar *p);
 /* slack = 2^shift b - a.x of row i. */

@@ -14,12 +14,10 @@ enum { GROUP = 16 };
 
 /* One group of variables, and what its thread works with. */
 typedef struct group {
-    fmb_mem mem;
-    fmb_run run;
+    fmb_share share;
     int first, count;
     fmb_found_end end[GROUP][2];
     int ready; /* ends initialised */
-    fmb_status st;
 } group;
 
 typedef struct team {
@@ -32,34 +30,21 @@ typedef struct team {
     int groups;
 } team;
 
-static void open_group(team *t, int k, int count, size_t share)
-{
-    fmb_query *q = t->q;
-    group *g = &t->group[k];
-    g->first = k * GROUP;
-    g->count = count - g->first < GROUP ? count - g->first : GROUP;
-    fmb_mem_init(&g->mem, &q->run.mem->alloc, share);
-    g->run = q->run;
-    g->run.mem = &g->mem;
-    g->run.sink = (fmb_sink){0};
-    g->run.tells_rows = false;
-    g->run.stats = (fmb_stats){0};
-}
-
 static fmb_status find_ends_of_group(team *t, group *g)
 {
     fmb_oracle *o = NULL;
     bool feasible;
-    fmb_status st = fmb_oracle_new(&g->run, t->program, &o);
+    fmb_status st = fmb_oracle_new(&g->share.run, t->program, &o);
     if (st == FMB_OK)
         st = fmb_oracle_feasible(o, &feasible);
     for (int k = 0; st == FMB_OK && k < 2 * g->count; k++) {
         int var = t->box->var[t->place[g->first + k / 2]];
         fmb_found_end *f = &g->end[k / 2][k % 2];
-        st = fmb_found_end_init(f, (size_t)t->p->n, t->q->claims != NULL, &g->mem);
+        st = fmb_found_end_init(f, (size_t)t->p->n, t->q->claims != NULL, &g->share.mem);
         g->ready++;
         if (st == FMB_OK)
-            st = fmb_find_end(o, t->q->parts.place[var], k % 2 == FMB_LOWER ? -1 : 1, &g->mem, f);
+            st = fmb_find_end(o, t->q->parts.place[var], k % 2 == FMB_LOWER ? -1 : 1, &g->share.mem,
+                              f);
     }
     fmb_oracle_free(o);
     return st;
@@ -72,18 +57,7 @@ static void find_all_ends(team *t, int threads)
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
 #endif
     for (int k = 0; k < t->groups; k++)
-        t->group[k].st = find_ends_of_group(t, &t->group[k]);
-}
-
-/* What the threads did counts for the query. */
-static void take_over_statistics(fmb_query *q, const group *g, size_t *peak)
-{
-    q->run.stats.pivots += g->run.stats.pivots;
-    q->run.stats.lps += g->run.stats.lps;
-    *peak += g->mem.peak;
-    if (q->run.stop == FMB_STOP_DONE)
-        q->run.stop =
-            g->st == FMB_LIMIT && g->run.stop == FMB_STOP_DONE ? FMB_STOP_BYTES : g->run.stop;
+        t->group[k].share.st = find_ends_of_group(t, &t->group[k]);
 }
 
 static fmb_status note_ends_of_group(team *t, group *g, fmb_box *box)
@@ -107,7 +81,7 @@ static fmb_status note_ends_of_group(team *t, group *g, fmb_box *box)
 static void close_group(team *t, group *g)
 {
     for (int k = 0; k < g->ready; k++)
-        fmb_found_end_clear(&g->end[k / 2][k % 2], (size_t)t->p->n, &g->mem);
+        fmb_found_end_clear(&g->end[k / 2][k % 2], (size_t)t->p->n, &g->share.mem);
 }
 
 /* Notes what was found, then says what went wrong first. */
@@ -120,23 +94,14 @@ static fmb_status finish_team(team *t, fmb_box *box)
         group *g = &t->group[k];
         if (st == FMB_OK)
             st = note_ends_of_group(t, g, box);
-        if (worst == FMB_OK || (worst == FMB_LIMIT && g->st != FMB_OK))
-            worst = g->st;
-        take_over_statistics(t->q, g, &peak);
+        if (worst == FMB_OK || (worst == FMB_LIMIT && g->share.st != FMB_OK))
+            worst = g->share.st;
+        fmb_share_end(&g->share, &t->q->run, &peak);
         close_group(t, g);
     }
     if (mem->used + peak > mem->peak)
         mem->peak = mem->used + peak;
     return st != FMB_OK ? st : worst;
-}
-
-/* What a group may use of the memory that the limit leaves. */
-static size_t share_of_memory(const fmb_mem *mem, size_t groups)
-{
-    if (mem->limit == 0)
-        return 0;
-    size_t left = mem->limit > mem->used ? mem->limit - mem->used : 0;
-    return left / groups + 1;
 }
 
 fmb_status fmb_find_ends_together(fmb_query *q, int part, fmb_box *box, const int *place, int count)
@@ -156,8 +121,12 @@ fmb_status fmb_find_ends_together(fmb_query *q, int part, fmb_box *box, const in
     if (!t.group)
         return fmb_mem_status(q->run.mem);
     threads = threads > (size_t)t.groups ? (size_t)t.groups : threads;
-    for (int k = 0; k < t.groups; k++)
-        open_group(&t, k, count, share_of_memory(q->run.mem, (size_t)t.groups));
+    for (int k = 0; k < t.groups; k++) {
+        int first = k * GROUP;
+        t.group[k].first = first;
+        t.group[k].count = count - first < GROUP ? count - first : GROUP;
+        fmb_share_begin(&t.group[k].share, &q->run, (size_t)t.groups);
+    }
     find_all_ends(&t, (int)threads);
     st = finish_team(&t, box);
     fmb_mem_put(q->run.mem, t.group, (size_t)t.groups, sizeof *t.group);

@@ -73,7 +73,7 @@ static const entry TABLE[] = {
      COUNT,
      offsetof(fmb_options, max_bytes),
      NULL},
-    {{"threads", "THREADS", "0", "Threads for the ends of a box; 0 is one."},
+    {{"threads", "THREADS", "0", "Threads for the ends of a box and for redundant rows; 0 is one."},
      COUNT,
      offsetof(fmb_options, threads),
      NULL},

@@ -1,6 +1,9 @@
-/* threads.c: the ends of a box by several threads are those by one, and proved; under limits too.
- */
+/* threads.c: the ends of a box, and the rows that stay, by several threads are those by one, and
+ * proved; under limits too. */
 #include <criterion/criterion.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 
 #include "property/random/agree.h"
 #include "support.h"
@@ -100,5 +103,88 @@ Test(threads, limits)
         fmb_box_free(some);
     }
     fmb_box_free(one);
+    fmb_system_free(s);
+}
+
+/* ---- rows that stay -------------------------------------------------------------------------- */
+
+enum { MANY = 2500 };
+
+/* [give] Rows around a ball, some of them farther away, some twice. */
+static fmb_system *around_ball(support_rng *g)
+{
+    fmb_system *s = rows_none(3);
+    int64_t a[3] = {1, 0, 0}, right = 0;
+    for (int i = 0; i < MANY; i++) {
+        double square = 0;
+        for (int j = 0; j < 3 && (i == 0 || support_chance(g, 95)); j++)
+            a[j] = support_between(g, -500, 500);
+        for (int j = 0; j < 3; j++)
+            square += (double)(a[j] * a[j]);
+        right = (int64_t)(1000 * sqrt(square)) + support_between(g, 0, 40) * 1000 + 1;
+        must(fmb_system_add_int(s, a, support_chance(g, 10) ? FMB_LT : FMB_LE, right));
+    }
+    return s;
+}
+
+/* [give] The proof, as text. */
+static char *reduce_by(const fmb_system *s, size_t threads, fmb_stop stop, double seconds,
+                       fmb_fate *fate)
+{
+    fmb_options o = fmb_options_default();
+    fmb_solver *v = NULL;
+    fmb_evidence *e = NULL;
+    fmb_system *reduced = NULL;
+    fmb_judgement j;
+    fmb_result r;
+    char *text = NULL;
+    size_t size = 0;
+    FILE *f = open_memstream(&text, &size);
+    o.threads = threads;
+    o.max_seconds = seconds;
+    o.evidence = FMB_EVIDENCE_ALL;
+    must(fmb_solver_new(&o, NULL, &v));
+    must(fmb_reduce(v, s, fate, &reduced, &r));
+    must(fmb_solver_evidence(v, &e));
+    cr_expect(stop == r.stop || stop != FMB_STOP_DONE);
+    must(fmb_check(s, e, &j));
+    cr_expect(j.accepted, "%s", j.reason);
+    must(fmb_evidence_write(e, s, f));
+    fclose(f);
+    fmb_evidence_free(e);
+    fmb_system_free(reduced);
+    fmb_solver_free(v);
+    return text;
+}
+
+Test(threads, same_rows_stay)
+{
+    support_rng g = {79};
+    fmb_system *s = around_ball(&g);
+    fmb_fate one[MANY], two[MANY], five[MANY];
+    char *alone = reduce_by(s, 1, FMB_STOP_DONE, 0, one);
+    char *by_two = reduce_by(s, 2, FMB_STOP_DONE, 0, two);
+    char *by_five = reduce_by(s, 5, FMB_STOP_DONE, 0, five);
+    for (int i = 0; i < MANY; i++)
+        cr_assert(one[i] != FMB_FATE_UNKNOWN && one[i] == two[i] && one[i] == five[i], "row %d", i);
+    cr_expect_str_eq(by_two, by_five);
+    free(alone);
+    free(by_two);
+    free(by_five);
+    fmb_system_free(s);
+}
+
+/* What is known when time is up is proved. */
+Test(threads, rows_under_a_limit)
+{
+    support_rng g = {80};
+    fmb_system *s = around_ball(&g);
+    fmb_fate all[MANY], some[MANY];
+    free(reduce_by(s, 1, FMB_STOP_DONE, 0, all));
+    for (int k = 1; k <= 3; k++) {
+        free(reduce_by(s, 3, FMB_STOP_TIME, 0.004 * k, some));
+        for (int i = 0; i < MANY; i++)
+            cr_expect(some[i] == FMB_FATE_UNKNOWN || some[i] == all[i], "row %d", i);
+    }
     fmb_system_free(s);
 }
