@@ -26,7 +26,7 @@ _fmb()
         --format) words="auto fmb ine ieq smt2 mps lp" ;;
         --to) words="fmb ine smt2" ;;
         --arith) words="auto int gmp" ;;
-        --method) words="auto fm hull lp" ;;
+        --method) words="auto dd fm hull lp" ;;
         --order) words="pairs given min fill" ;;
         --rules) words="none duplicate dominated kohler chernikov imbert box lp" ;;
         --rebase) words="auto always never" ;;

@@ -21,7 +21,8 @@ typedef enum fmb_method {
     FMB_METHOD_AUTO = 0, /* by size and question */
     FMB_METHOD_FM,       /* elimination only (fmb_project and fmb_reduce still ask the oracle) */
     FMB_METHOD_LP,       /* exact simplex only (fmb_project as with AUTO) */
-    FMB_METHOD_HULL      /* fmb_project by support queries; all else as with LP */
+    FMB_METHOD_HULL,     /* fmb_project by support queries; all else as with LP */
+    FMB_METHOD_DD        /* fmb_project by double description; the others as with AUTO */
 } fmb_method;
 
 /* Which variable is eliminated next, once there is none in an equality (it is substituted) or with

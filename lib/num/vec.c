@@ -135,6 +135,27 @@ fmb_status fmb_vec_copy(fmb_vec *to, const fmb_vec *from, size_t n, fmb_mem *mem
     return FMB_OK;
 }
 
+fmb_status fmb_vec_drop_entry(fmb_vec *v, size_t n, size_t c, fmb_mem *mem)
+{
+    if (!v->z) {
+        v->s[c] = v->s[n - 1];
+        return FMB_OK;
+    }
+    mpz_swap(v->z[c], v->z[n - 1]);
+    __mpz_struct last = *v->z[n - 1];
+    mpz_t *z = fmb_mem_grow(mem, v->z, n, n - 1, sizeof *z);
+    if (!z) {
+        fmb_status st = fmb_mem_status(mem);
+        fmb_vec_clear(v, n, mem);
+        memset(v->s, 0, n * sizeof *v->s);
+        v->bits = 0;
+        return st;
+    }
+    mpz_clear(&last);
+    v->z = z;
+    return fmb_vec_settle(v, n - 1, mem);
+}
+
 /* The least entry is the first guess of the divisor: mostly it is 1, or the remainders soon are 0.
  */
 static uint64_t content_of_small(const fmb_vec *v, size_t n)

@@ -71,6 +71,10 @@ fmb_status fmb_vec_copy(fmb_vec *to, const fmb_vec *from, size_t n, fmb_mem *mem
 /* Make a small vec wide. */
 fmb_status fmb_vec_widen(fmb_vec *v, size_t n, fmb_mem *mem);
 
+/* Entry c goes, and the last of the n takes its place. The vec is good in any case; after an error
+ * it is zero. Errors: MEMORY, LIMIT. */
+fmb_status fmb_vec_drop_entry(fmb_vec *v, size_t n, size_t c, fmb_mem *mem);
+
 /* Divide by the greatest common divisor of the entries; a vec of zeros stays. Wide vecs that fit
  * become small again unless k->wide_only. */
 fmb_status fmb_vec_reduce(fmb_vec *v, size_t n, fmb_num *k);

@@ -164,7 +164,7 @@ static void ask_all(const char *name, fmb_system *s)
 {
     size_t stopped = 0;
     for (int w = 0; w < 4; w++)
-        for (fmb_method method = FMB_METHOD_AUTO; method <= FMB_METHOD_HULL; method++)
+        for (fmb_method method = FMB_METHOD_AUTO; method <= FMB_METHOD_DD; method++)
             for (size_t limit = (size_t)1 << 16; limit <= (size_t)1 << 22; limit *= 4)
                 stopped += ask_within(name, w, method, s, limit) == FMB_STOP_BYTES;
     cr_expect_gt(stopped, 0, "%s", name);

@@ -101,6 +101,11 @@ Test(limits, bytes_lp)
     every_limit(set_bytes, 1 << 18, FMB_STOP_BYTES, FMB_METHOD_LP, VERBS_COUNT);
 }
 
+Test(limits, bytes_dd)
+{
+    every_limit(set_bytes, 1 << 18, FMB_STOP_BYTES, FMB_METHOD_DD, 2);
+}
+
 /* A projection that is walked around: looser and looser limits on bytes, until it is done. */
 Test(limits, polygon)
 {

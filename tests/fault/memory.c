@@ -93,6 +93,8 @@ Test(memory, solve)
 Test(memory, project)
 {
     every_sample(&VERBS[1]);
+    for (int i = 0; i < samples_count(); i++)
+        every_request(&VERBS[1], i, FMB_METHOD_DD, NULL, i % 2 == 0);
 }
 
 Test(memory, bound)

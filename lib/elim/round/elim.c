@@ -280,6 +280,8 @@ fmb_status fmb_elim_eliminate(fmb_elim *e, const bool *drop)
             st = fmb_elim_choose(e, drop, &var);
         if (st != FMB_OK || e->clash != FMB_NO_ROW || var < 0)
             break;
+        if (e->cheap_only && !fmb_elim_is_cheap(e, var))
+            break;
         st = eliminate_variable(e, var);
     }
     return st;

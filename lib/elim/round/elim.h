@@ -27,7 +27,8 @@ void fmb_elim_clear(fmb_elim *e);
 /* Drop live rows as the rules say, between rounds. */
 fmb_status fmb_elim_prune(fmb_elim *e);
 
-/* Eliminate all variables with drop[var], in the engine's order, until done or a row clashes. */
+/* Eliminate all variables with drop[var], in the engine's order, until done, a row clashes or, if
+ * the store is so set, what comes next is not cheap. */
 fmb_status fmb_elim_eliminate(fmb_elim *e, const bool *drop);
 
 #endif

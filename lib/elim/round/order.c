@@ -61,6 +61,19 @@ static double (*const COST[])(const occurrence *) = {
     [FMB_ORDER_FILL] = cost_in_nonzeros,
 };
 
+bool fmb_elim_is_cheap(const fmb_elim *e, int var)
+{
+    occurrence c = {0};
+    for (size_t i = 0; i < e->live.size; i++) {
+        const fmb_derived *r = &e->row[e->live.row[i]];
+        int sign = fmb_vec_sgn(&r->v, (size_t)var);
+        c.in_equality |= sign != 0 && r->equality;
+        c.lower += sign < 0;
+        c.upper += sign > 0;
+    }
+    return c.in_equality || cost_in_pairs(&c) <= 0;
+}
+
 static bool is_eliminated(const fmb_elim *e, int var)
 {
     for (int i = 0; i < e->rounds; i++)

@@ -104,6 +104,7 @@ typedef struct fmb_elim {
     int rounds;
     int *candidate; /* [n] scratch of the choice */
 
+    bool cheap_only;  /* stop before a variable that makes more rows than go: set it after init */
     size_t budget;    /* rows that the store may hold, 0 = any number: set it after init */
     bool over_budget; /* it held more: the elimination ended with FMB_LIMIT */
 

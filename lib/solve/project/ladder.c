@@ -3,6 +3,7 @@
 
 #include "solve/limit/outer.h"
 #include "solve/project/polygon.h"
+#include "solve/project/rays.h"
 #include "solve/project/support.h"
 #include "solve/project/thin.h"
 #include "solve/query/rule_lp.h"
@@ -106,6 +107,8 @@ fmb_status fmb_query_project_part(fmb_query *q, int part, const int *place, fmb_
     *feasible = true;
     if (q->v->options.method == FMB_METHOD_HULL)
         st = fmb_query_support_part(q, part, place, out, feasible, &done);
+    if (q->v->options.method == FMB_METHOD_DD)
+        st = fmb_query_project_by_rays(q, part, place, out, feasible, &done);
     if (st == FMB_OK && !done && *feasible && !fm)
         st = project_by_elimination(&h, false, TRIAL_BUDGET(p->m), feasible, &done);
     if (st == FMB_OK && !done && *feasible && !known && (!fm || uses_lp_rule(q->v))) {

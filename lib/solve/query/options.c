@@ -13,7 +13,7 @@ typedef struct entry {
 } entry;
 
 static const char *const ARITH[] = {"auto", "int", "gmp", NULL};
-static const char *const METHOD[] = {"auto", "fm", "lp", "hull", NULL};
+static const char *const METHOD[] = {"auto", "fm", "lp", "hull", "dd", NULL};
 static const char *const ORDER[] = {"pairs", "given", "min", "fill", NULL};
 
 static const char *const EVIDENCE[] = {"none", "all", "verdict", NULL};
@@ -25,8 +25,9 @@ static const entry TABLE[] = {
      WORD,
      offsetof(fmb_options, arith),
      ARITH},
-    {{"method", "auto|fm|lp|hull", "auto",
-      "Elimination, exact simplex, projections by support queries, or by size."},
+    {{"method", "auto|fm|lp|hull|dd", "auto",
+      "Elimination, exact simplex, projections by support queries or double description, or by "
+      "size."},
      WORD,
      offsetof(fmb_options, method),
      METHOD},

@@ -7,7 +7,7 @@
 static bool are_options_sound(const fmb_options *o)
 {
     return o->arith >= FMB_ARITH_AUTO && o->arith <= FMB_ARITH_GMP &&
-           o->method >= FMB_METHOD_AUTO && o->method <= FMB_METHOD_HULL &&
+           o->method >= FMB_METHOD_AUTO && o->method <= FMB_METHOD_DD &&
            o->order >= FMB_ORDER_PAIRS && o->order <= FMB_ORDER_FILL &&
            o->rebase >= FMB_REBASE_AUTO && o->rebase <= FMB_REBASE_NEVER &&
            o->evidence >= FMB_EVIDENCE_NONE && o->evidence <= FMB_EVIDENCE_VERDICT &&

@@ -60,7 +60,7 @@ static void note(void *self, const fmb_event *e)
 static fmb_options some_options(support_rng *g)
 {
     fmb_options o = fmb_options_default();
-    o.method = (fmb_method)support_between(g, FMB_METHOD_AUTO, FMB_METHOD_HULL);
+    o.method = (fmb_method)support_between(g, FMB_METHOD_AUTO, FMB_METHOD_DD);
     o.arith = support_chance(g, 20) ? FMB_ARITH_GMP : FMB_ARITH_AUTO;
     o.evidence = true;
     return o;

@@ -20,7 +20,7 @@ static const struct {
 static const fmb_order ORDERS[] = {FMB_ORDER_GIVEN, FMB_ORDER_PAIRS, FMB_ORDER_MIN, FMB_ORDER_FILL};
 static const fmb_arith ARITHS[] = {FMB_ARITH_INT, FMB_ARITH_GMP};
 static const fmb_method METHODS[] = {FMB_METHOD_AUTO, FMB_METHOD_FM, FMB_METHOD_LP,
-                                     FMB_METHOD_HULL};
+                                     FMB_METHOD_HULL, FMB_METHOD_DD};
 
 enum {
     N_RULES = sizeof RULES / sizeof *RULES,
@@ -55,7 +55,7 @@ fmb_options options_at(int i)
 void options_text(const fmb_options *o, char *out, size_t size)
 {
     static const char *const arith[] = {"auto", "int", "gmp"},
-                             *const method[] = {"auto", "fm", "lp", "hull"},
+                             *const method[] = {"auto", "fm", "lp", "hull", "dd"},
                              *const order[] = {"pairs", "given", "min", "fill"},
                              *const rebase[] = {"auto", "always", "never"},
                              *const simd[] = {"auto", "plain", "avx2", "avx512"};

@@ -1,0 +1,158 @@
+/* adjacent.c: adjacency of extreme rays; see adjacent.h.
+ *
+ * A third ray inside the union of supports a and b shares as many zeros with a as b does. So it is
+ * looked for among those few alone, which are listed when the first pair of a needs them.
+ */
+#include "dd/adjacent.h"
+
+#include <string.h>
+
+void fmb_adjacency_start(fmb_adjacency *p)
+{
+    p->large.ready = p->rest.ready = p->near.ready = false;
+}
+
+void fmb_adjacency_clear(fmb_adjacency *p, fmb_mem *mem)
+{
+    fmb_mem_put(mem, p->large.word, p->large.capacity, sizeof *p->large.word);
+    fmb_mem_put(mem, p->rest.word, p->rest.capacity, sizeof *p->rest.word);
+    fmb_mem_put(mem, p->near.word, p->near.capacity, sizeof *p->near.word);
+    fmb_mem_put(mem, p->far, p->far_capacity, sizeof *p->far);
+    fmb_mem_put(mem, p->far_rest, p->far_rest_capacity, sizeof *p->far_rest);
+    fmb_mem_put(mem, p->nearby, p->nearby_capacity, sizeof *p->nearby);
+    fmb_mem_put(mem, p->joint, p->joint_capacity, sizeof *p->joint);
+    fmb_mem_put(mem, p->found, p->found_capacity, sizeof *p->found);
+}
+
+/* ---- planes ---------------------------------------------------------------------------------- */
+
+static fmb_status gather_supports(const fmb_cone *c, fmb_support_planes *s, const uint32_t *ray,
+                                  size_t count)
+{
+    size_t words = c->ray.words, stride = (count + 7) / 8 * 8;
+    fmb_status st = fmb_mem_reserve(c->run->mem, (void **)&s->word, &s->capacity, words * stride,
+                                    sizeof *s->word);
+    if (st != FMB_OK)
+        return st;
+    for (size_t j = 0; j < count; j++) {
+        const uint64_t *from = fmb_rays_support(&c->ray, ray[j]);
+        for (size_t k = 0; k < words; k++)
+            s->word[k * stride + j] = from[k];
+    }
+    for (size_t k = 0; k < words && stride > count; k++)
+        memset(&s->word[k * stride + count], 0, (stride - count) * sizeof *s->word);
+    s->planes = (fmb_planes){s->word, stride, words, count};
+    s->ready = true;
+    return FMB_OK;
+}
+
+/* Bits of the sets whose union with a is larger than `most`. */
+static fmb_status mark_far_supports(const fmb_cone *c, const fmb_support_planes *s,
+                                    const uint64_t *a, size_t most, uint64_t **far,
+                                    size_t *capacity)
+{
+    size_t words = s->planes.stride / 64 + 1;
+    fmb_status st = fmb_mem_reserve(c->run->mem, (void **)far, capacity, words, sizeof **far);
+    if (st != FMB_OK)
+        return st;
+    memset(*far, 0, words * sizeof **far);
+    c->run->kernels->larger(&s->planes, a, (int)most, *far);
+    return FMB_OK;
+}
+
+/* ---- a third ray ----------------------------------------------------------------------------- */
+
+static size_t list_unmarked_rays(const uint64_t *far, const uint32_t *ray, size_t n, uint32_t *to,
+                                 size_t at)
+{
+    for (size_t j = 0; j < n; j++)
+        if (!(far[j / 64] >> (j % 64) & 1))
+            to[at++] = ray[j];
+    return at;
+}
+
+/* All rays that share zeros enough with a. */
+static fmb_status gather_near_rays(fmb_cone *c, uint32_t a, size_t most)
+{
+    fmb_insertion *s = c->at;
+    fmb_adjacency *p = &s->pairs;
+    const uint32_t *large = s->ray + s->small, *zero = large + s->large;
+    fmb_status st = fmb_mem_reserve(c->run->mem, (void **)&p->nearby, &p->nearby_capacity, s->rays,
+                                    sizeof *p->nearby);
+    if (st == FMB_OK && !p->rest.ready) {
+        memcpy(p->nearby, s->ray, s->small * sizeof *p->nearby);
+        memcpy(p->nearby + s->small, zero, s->zeros * sizeof *p->nearby);
+        st = gather_supports(c, &p->rest, p->nearby, s->small + s->zeros);
+    }
+    if (st == FMB_OK)
+        st = mark_far_supports(c, &p->rest, fmb_rays_support(&c->ray, a), most, &p->far_rest,
+                               &p->far_rest_capacity);
+    if (st != FMB_OK)
+        return st;
+    size_t n = list_unmarked_rays(p->far, large, s->large, p->nearby, 0);
+    for (size_t j = 0; j < s->small + s->zeros; j++)
+        if (!(p->far_rest[j / 64] >> (j % 64) & 1))
+            p->nearby[n++] = j < s->small ? s->ray[j] : zero[j - s->small];
+    return gather_supports(c, &p->near, p->nearby, n);
+}
+
+/* The supports of a and b are inside their union; is another one? */
+static bool is_third_ray_between(fmb_cone *c, uint32_t a, uint32_t b)
+{
+    fmb_adjacency *p = &c->at->pairs;
+    const uint64_t *x = fmb_rays_support(&c->ray, a), *y = fmb_rays_support(&c->ray, b);
+    for (size_t k = 0; k < c->ray.words; k++)
+        p->joint[k] = x[k] | y[k];
+    return c->run->kernels->inside(&p->near.planes, p->joint, 3) >= 3;
+}
+
+/* ---- pairs ----------------------------------------------------------------------------------- */
+
+static size_t count_support(const fmb_cone *c, uint32_t i)
+{
+    const uint64_t *s = fmb_rays_support(&c->ray, i);
+    size_t n = 0;
+    for (size_t k = 0; k < c->ray.words; k++)
+        n += (size_t)__builtin_popcountll(s[k]);
+    return n;
+}
+
+static fmb_status prepare_pairs(fmb_cone *c)
+{
+    fmb_insertion *s = c->at;
+    fmb_adjacency *p = &s->pairs;
+    fmb_mem *mem = c->run->mem;
+    fmb_status st = fmb_mem_reserve(mem, (void **)&p->joint, &p->joint_capacity, c->ray.words,
+                                    sizeof *p->joint);
+    if (st == FMB_OK)
+        st = fmb_mem_reserve(mem, (void **)&p->found, &p->found_capacity, s->large,
+                             sizeof *p->found);
+    return st == FMB_OK ? gather_supports(c, &p->large, s->ray + s->small, s->large) : st;
+}
+
+fmb_status fmb_find_adjacent(fmb_cone *c, uint32_t a, size_t *found)
+{
+    fmb_insertion *s = c->at;
+    fmb_adjacency *p = &s->pairs;
+    const uint32_t *large = s->ray + s->small;
+    size_t most = c->bits + 2 - c->rank; /* of a union: rank - 2 zeros are shared */
+    size_t simple = c->bits + 1 - c->rank;
+    bool is_simple = count_support(c, a) == simple;
+    fmb_status st = p->large.ready ? FMB_OK : prepare_pairs(c);
+    if (st == FMB_OK)
+        st = mark_far_supports(c, &p->large, fmb_rays_support(&c->ray, a), most, &p->far,
+                               &p->far_capacity);
+    p->near.ready = false;
+    *found = 0;
+    size_t near = st == FMB_OK ? list_unmarked_rays(p->far, large, s->large, p->found, 0) : 0;
+    c->run->stats.pairs += s->large;
+    for (size_t k = 0; st == FMB_OK && k < near; k++) {
+        uint32_t b = p->found[k];
+        bool adjacent = is_simple || count_support(c, b) == simple;
+        if (!adjacent && !p->near.ready)
+            st = gather_near_rays(c, a, most);
+        if (adjacent || (st == FMB_OK && !is_third_ray_between(c, a, b)))
+            p->found[(*found)++] = b;
+    }
+    return st;
+}

@@ -1,0 +1,235 @@
+/* cone.c: the rows of a cone, one after another; see cone.h.
+ *
+ * Equalities come first, then rows that meet lines: the cone they make has as many rays as rows.
+ * Of the other rows the one with most negative rays comes next: what it removes is never combined
+ * again.
+ */
+#include "dd/cone.h"
+
+#include "dd/insert.h"
+#include "num/gcd.h"
+
+/* ---- life ------------------------------------------------------------------------------------ */
+
+static size_t entry_count(const fmb_cone_problem *of)
+{
+    return of->keep ? of->keeps + of->m : of->d + 1;
+}
+
+/* Line j is the unit vector e_j: its value in a row is the row's entry j. */
+static fmb_status write_unit_line(fmb_cone *c, size_t j, mpz_t *z)
+{
+    size_t width = c->line.width;
+    fmb_status st = fmb_rays_add(&c->line);
+    if (st != FMB_OK)
+        return st;
+    for (size_t k = 0; k < width; k++)
+        mpz_set_ui(z[k], 0);
+    for (size_t k = 0; k < c->coords; k++)
+        if ((c->of.keep ? c->of.keep[k] : k) == j)
+            mpz_set_ui(z[k], 1);
+    for (size_t k = 0; c->of.keep && k < c->of.m; k++)
+        fmb_vec_get(c->of.row[k].v, j, z[c->coords + k]);
+    fmb_vec *v = &c->line.v[c->line.size - 1];
+    st = fmb_vec_set_z(v, width, z, c->run->mem);
+    return st == FMB_OK && c->of.wide_only ? fmb_vec_widen(v, width, c->run->mem) : st;
+}
+
+static fmb_status write_unit_lines(fmb_cone *c)
+{
+    fmb_mem *mem = c->run->mem;
+    mpz_t *z = fmb_vec_block(c->line.width, mem);
+    if (!z)
+        return fmb_mem_status(mem);
+    fmb_status st = FMB_OK;
+    for (size_t j = 0; st == FMB_OK && j < c->of.d; j++)
+        st = write_unit_line(c, j, z);
+    for (size_t k = 0; k < c->line.width; k++)
+        mpz_clear(z[k]);
+    fmb_mem_put(mem, z, c->line.width, sizeof *z);
+    return st;
+}
+
+fmb_status fmb_cone_init(fmb_cone *c, fmb_run *run, const fmb_cone_problem *of)
+{
+    fmb_mem *mem = run->mem;
+    size_t width = entry_count(of), words = of->keep ? (of->m + 63) / 64 : 1;
+    *c = (fmb_cone){.run = run, .of = *of, .coords = of->keep ? of->keeps : of->d};
+    fmb_rays_init(&c->line, mem, width, 1);
+    fmb_rays_init(&c->ray, mem, width, words > 0 ? words : 1);
+    c->lefts = of->keep ? of->m : 0;
+    c->row_of_bit = fmb_mem_get(mem, of->m, sizeof *c->row_of_bit);
+    c->left = fmb_mem_get(mem, of->m, sizeof *c->left);
+    c->negatives = fmb_mem_zero(mem, of->m, sizeof *c->negatives);
+    c->at = fmb_mem_zero(mem, 1, sizeof *c->at);
+    if (!c->row_of_bit || !c->left || !c->negatives || !c->at)
+        return fmb_mem_status(mem);
+    for (size_t k = 0; k < c->lefts; k++)
+        c->left[k] = k;
+    fmb_status st = fmb_num_init(&c->num, mem, width, of->wide_only);
+    c->num.kernels = run->kernels;
+    return st == FMB_OK ? write_unit_lines(c) : st;
+}
+
+void fmb_cone_clear(fmb_cone *c)
+{
+    if (!c->run)
+        return;
+    fmb_mem *mem = c->run->mem;
+    fmb_rays_clear(&c->line);
+    fmb_rays_clear(&c->ray);
+    fmb_mem_put(mem, c->row_of_bit, c->of.m, sizeof *c->row_of_bit);
+    fmb_mem_put(mem, c->left, c->of.m, sizeof *c->left);
+    fmb_mem_put(mem, c->negatives, c->of.m, sizeof *c->negatives);
+    if (c->at)
+        fmb_insertion_clear(c->at, mem);
+    fmb_mem_put(mem, c->at, 1, sizeof *c->at);
+    c->run->stats.promotions += c->num.promotions;
+    fmb_num_clear(&c->num);
+    c->run = NULL;
+}
+
+/* ---- values by dot products ------------------------------------------------------------------ */
+
+static fmb_status set_wide_value(fmb_cone *c, fmb_vec *v, const fmb_vec *row)
+{
+    fmb_status st = fmb_vec_widen(v, c->ray.width, c->run->mem);
+    if (st != FMB_OK)
+        return st;
+    mpz_ptr sum = v->z[c->coords];
+    mpz_set_ui(sum, 0);
+    for (size_t k = 0; k < c->coords; k++) {
+        fmb_vec_get(row, k, c->num.t);
+        mpz_addmul(sum, c->num.t, v->z[k]);
+    }
+    return fmb_vec_settle(v, c->ray.width, c->run->mem);
+}
+
+/* The entry behind the coordinates becomes row.v. */
+static fmb_status set_value_in_row(fmb_cone *c, fmb_vec *v, const fmb_vec *row)
+{
+    int bits = v->bits + row->bits + fmb_bits64(c->coords);
+    if (v->z || row->z || bits > 126)
+        return set_wide_value(c, v, row);
+    fmb_i128 sum = 0;
+    for (size_t k = 0; k < c->coords; k++)
+        sum += (fmb_i128)row->s[k] * v->s[k];
+    if (bits > FMB_SMALL_BITS && (sum >> FMB_SMALL_BITS != 0 && sum >> FMB_SMALL_BITS != -1))
+        return set_wide_value(c, v, row);
+    v->s[c->coords] = (int64_t)sum;
+    fmb_vec_measure(v, c->ray.width);
+    return FMB_OK;
+}
+
+static fmb_status set_values_in_row(fmb_cone *c, const fmb_vec *row)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i < c->line.size; i++)
+        st = set_value_in_row(c, &c->line.v[i], row);
+    for (size_t i = 0; st == FMB_OK && i < c->ray.size; i++) {
+        st = set_value_in_row(c, &c->ray.v[i], row);
+        if (st == FMB_OK)
+            st = fmb_run_poll(c->run);
+    }
+    return st;
+}
+
+/* ---- which row comes next -------------------------------------------------------------------- */
+
+/* The line with the least nonzero entry there; SIZE_MAX if there is none. */
+static size_t find_line_meeting_row(const fmb_cone *c, size_t entry)
+{
+    size_t best = SIZE_MAX;
+    for (size_t i = 0; i < c->line.size; i++) {
+        const fmb_vec *v = &c->line.v[i];
+        if (fmb_vec_sgn(v, entry) == 0)
+            continue;
+        bool less = best == SIZE_MAX ||
+                    (!v->z && (c->line.v[best].z ||
+                               fmb_abs64(v->s[entry]) < fmb_abs64(c->line.v[best].s[entry])));
+        best = less ? i : best;
+    }
+    return best;
+}
+
+/* A carried row: number c->left[*k], which meets line *line (SIZE_MAX: none). */
+static void choose_carried_row(const fmb_cone *c, size_t *k, size_t *line)
+{
+    size_t most = 0;
+    for (int equality = 1; c->line.size > 0 && equality >= 0; equality--)
+        for (*k = 0; *k < c->lefts; ++*k) {
+            if (c->of.row[c->left[*k]].equality != (bool)equality)
+                continue;
+            *line = find_line_meeting_row(c, c->coords + *k);
+            if (*line != SIZE_MAX)
+                return;
+        }
+    *line = SIZE_MAX;
+    *k = 0;
+    for (size_t i = 0; i < c->lefts; i++)
+        if (c->negatives[i] > most) {
+            most = c->negatives[i];
+            *k = i;
+        }
+}
+
+/* The row at entry coords + k is inserted: its values go. */
+static fmb_status drop_carried_row(fmb_cone *c, size_t k)
+{
+    c->lefts--;
+    c->left[k] = c->left[c->lefts];
+    c->negatives[k] = c->negatives[c->lefts];
+    fmb_status line = fmb_rays_drop_entry(&c->line, c->coords + k);
+    fmb_status ray = fmb_rays_drop_entry(&c->ray, c->coords + k);
+    return line != FMB_OK ? line : ray;
+}
+
+/* ---- the rows, one after another ------------------------------------------------------------- */
+
+/* Equalities come before there are rays: one that meets no line says nothing new. */
+static fmb_status insert_row(fmb_cone *c, size_t row, size_t entry, size_t line)
+{
+    c->at->entry = entry;
+    if (line != SIZE_MAX)
+        return fmb_insertion_break_line(c, row, entry, line);
+    return c->of.row[row].equality ? FMB_OK : fmb_insertion_begin(c, row, entry);
+}
+
+static fmb_status insert_next_row(fmb_cone *c)
+{
+    size_t k = c->next, line;
+    if (c->of.keep) {
+        choose_carried_row(c, &k, &line);
+        return insert_row(c, c->left[k], c->coords + k, line);
+    }
+    c->next++;
+    fmb_status st = set_values_in_row(c, c->of.row[k].v);
+    line = find_line_meeting_row(c, c->coords);
+    return st == FMB_OK ? insert_row(c, k, c->coords, line) : st;
+}
+
+/* Is a row in progress, or one left? */
+static bool is_cone_unfinished(const fmb_cone *c)
+{
+    return c->at->running || (c->of.keep ? c->lefts > 0 : c->next < c->of.m);
+}
+
+fmb_status fmb_cone_run(fmb_cone *c, uint64_t rays, bool *done)
+{
+    uint64_t most = rays > 0 ? c->made + rays : UINT64_MAX;
+    fmb_status st = fmb_run_poll_now(c->run);
+    *done = false;
+    while (st == FMB_OK && is_cone_unfinished(c) && c->made < most) {
+        if (!c->at->running)
+            st = insert_next_row(c);
+        size_t entry = c->at->entry;
+        if (st == FMB_OK && c->at->running)
+            st = fmb_insertion_run(c, most);
+        if (st == FMB_OK && !c->at->running && c->of.keep)
+            st = drop_carried_row(c, entry - c->coords);
+        if (st == FMB_OK)
+            st = fmb_run_rows(c->run, c->ray.size);
+    }
+    *done = st == FMB_OK && !is_cone_unfinished(c);
+    return st;
+}

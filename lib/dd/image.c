@@ -1,0 +1,254 @@
+/* image.c: the image of a cone, and its facets; see image.h. */
+#include "dd/image.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "num/gcd.h"
+
+/* ---- rays of the image ----------------------------------------------------------------------- */
+
+static bool is_zero_vector(const fmb_vec *v, size_t n)
+{
+    for (size_t k = 0; k < n; k++)
+        if (fmb_vec_sgn(v, k) != 0)
+            return false;
+    return true;
+}
+
+/* The coordinates of a ray or line, in lowest terms. */
+static fmb_status copy_coordinates(fmb_image *m, fmb_vec *to, const fmb_vec *from)
+{
+    *to = (fmb_vec){.s = fmb_arena_get(&m->arena, m->n, sizeof *to->s)};
+    if (!to->s)
+        return fmb_mem_status(m->run->mem);
+    fmb_status st = fmb_vec_copy(to, from, m->n, m->run->mem);
+    if (st == FMB_OK && !to->z)
+        fmb_vec_measure(to, m->n);
+    return st == FMB_OK ? fmb_vec_reduce(to, m->n, &m->num) : st;
+}
+
+static void unite_supports(fmb_image *m, uint64_t *to, const uint64_t *from)
+{
+    for (size_t k = 0; k < m->words; k++)
+        to[k] |= from[k];
+}
+
+typedef struct sorted_ray {
+    fmb_vec v;
+    uint64_t *support;
+    size_t n;
+} sorted_ray;
+
+static int compare_entry(const fmb_vec *a, const fmb_vec *b, size_t k)
+{
+    if (!a->z && !b->z)
+        return (a->s[k] > b->s[k]) - (a->s[k] < b->s[k]);
+    return a->z && b->z ? mpz_cmp(a->z[k], b->z[k])
+           : a->z       ? mpz_cmp_si(a->z[k], b->s[k])
+                        : -mpz_cmp_si(b->z[k], a->s[k]);
+}
+
+static int compare_rays_lexicographically(const void *x, const void *y)
+{
+    const sorted_ray *a = x, *b = y;
+    for (size_t k = 0; k < a->n; k++) {
+        int order = compare_entry(&a->v, &b->v, k);
+        if (order != 0)
+            return order;
+    }
+    return 0;
+}
+
+/* Sort, and make one of equal ones. */
+static fmb_status sort_rays_of_image(fmb_image *m)
+{
+    fmb_mem *mem = m->run->mem;
+    size_t rays = m->rays, left = 0;
+    sorted_ray *list = fmb_mem_get(mem, rays, sizeof *list);
+    if (!list)
+        return fmb_mem_status(mem);
+    for (size_t i = 0; i < rays; i++)
+        list[i] = (sorted_ray){m->ray[i], m->support[i], m->n};
+    qsort(list, rays, sizeof *list, compare_rays_lexicographically);
+    for (size_t i = 0; i < rays; i++) {
+        bool twin = i > 0 && fmb_vec_equal(&m->ray[left - 1], &list[i].v, m->n);
+        if (twin) {
+            unite_supports(m, m->support[left - 1], list[i].support);
+            fmb_vec_clear(&list[i].v, m->n, mem);
+            continue;
+        }
+        m->ray[left] = list[i].v;
+        m->support[left++] = list[i].support;
+    }
+    m->rays = left;
+    fmb_mem_put(mem, list, rays, sizeof *list);
+    return FMB_OK;
+}
+
+/* A ray that is 0 in the image is above each of its points. */
+static fmb_status add_ray_of_image(fmb_image *m, size_t i)
+{
+    const uint64_t *support = fmb_rays_support(&m->of->ray, i);
+    if (is_zero_vector(&m->of->ray.v[i], m->n)) {
+        unite_supports(m, m->everywhere, support);
+        return FMB_OK;
+    }
+    uint64_t *own = fmb_arena_get(&m->arena, m->words, sizeof *own);
+    if (!own)
+        return fmb_mem_status(m->run->mem);
+    memcpy(own, support, m->words * sizeof *own);
+    m->support[m->rays] = own;
+    fmb_status st = copy_coordinates(m, &m->ray[m->rays], &m->of->ray.v[i]);
+    m->has_point |= fmb_vec_sgn(&m->ray[m->rays++], m->n - 1) > 0;
+    return st;
+}
+
+fmb_status fmb_image_init(fmb_image *m, fmb_run *run, const fmb_cone *of, bool wide_only)
+{
+    fmb_status st;
+    *m = (fmb_image){.run = run, .of = of, .n = of->coords, .words = of->ray.words};
+    fmb_arena_init(&m->arena, run->mem);
+    st = fmb_num_init(&m->num, run->mem, m->n, wide_only);
+    if (st != FMB_OK)
+        return st;
+    m->room = of->ray.size;
+    m->ray = fmb_arena_get(&m->arena, m->room, sizeof *m->ray);
+    m->support = fmb_arena_get(&m->arena, m->room, sizeof *m->support);
+    m->line = fmb_arena_get(&m->arena, of->line.size, sizeof *m->line);
+    m->everywhere = fmb_arena_get(&m->arena, m->words, sizeof *m->everywhere);
+    if (!m->ray || !m->support || !m->line || !m->everywhere)
+        return fmb_mem_status(run->mem);
+    memset(m->everywhere, 0, m->words * sizeof *m->everywhere);
+    for (size_t i = 0; st == FMB_OK && i < of->line.size; i++)
+        if (!is_zero_vector(&of->line.v[i], m->n))
+            st = copy_coordinates(m, &m->line[m->lines++], &of->line.v[i]);
+    for (size_t i = 0; st == FMB_OK && i < of->ray.size; i++)
+        st = add_ray_of_image(m, i);
+    return st == FMB_OK ? sort_rays_of_image(m) : st;
+}
+
+void fmb_image_clear(fmb_image *m)
+{
+    if (!m->run)
+        return;
+    fmb_mem *mem = m->run->mem;
+    for (size_t i = 0; i < m->rays; i++)
+        fmb_vec_clear(&m->ray[i], m->n, mem);
+    for (size_t i = 0; i < m->lines; i++)
+        fmb_vec_clear(&m->line[i], m->n, mem);
+    for (size_t i = 0; i < m->facets; i++)
+        fmb_vec_clear(&m->facet[i].v, m->n, mem);
+    fmb_mem_put(mem, m->facet, m->facet_capacity, sizeof *m->facet);
+    fmb_arena_clear(&m->arena);
+    fmb_num_clear(&m->num);
+    m->run = NULL;
+}
+
+/* ---- facets ---------------------------------------------------------------------------------- */
+
+int fmb_image_side(fmb_image *m, const fmb_image_row *f, const fmb_vec *ray)
+{
+    size_t t = m->n - 1;
+    if (!f->v.z && !ray->z && f->v.bits + ray->bits + fmb_bits64(m->n) <= 126) {
+        fmb_i128 sum = (fmb_i128)f->v.s[t] * ray->s[t];
+        for (size_t k = 0; k < t; k++)
+            sum -= (fmb_i128)f->v.s[k] * ray->s[k];
+        return (sum > 0) - (sum < 0);
+    }
+    mpz_set_ui(m->num.t, 0);
+    for (size_t k = 0; k <= t; k++) {
+        fmb_vec_get(&f->v, k, m->num.p);
+        fmb_vec_get(ray, k, m->num.q);
+        if (k < t)
+            mpz_submul(m->num.t, m->num.p, m->num.q);
+        else
+            mpz_addmul(m->num.t, m->num.p, m->num.q);
+    }
+    return mpz_sgn(m->num.t);
+}
+
+/* y.(x, t) >= 0 as a.x <= b. */
+static void turn_to_row(fmb_vec *v, size_t n)
+{
+    for (size_t k = 0; k + 1 < n; k++) {
+        if (v->z)
+            mpz_neg(v->z[k], v->z[k]);
+        else
+            v->s[k] = -v->s[k];
+    }
+}
+
+/* Unite the supports above the facet; *proper: it holds a point, not directions alone. */
+static fmb_status look_above_facet(fmb_image *m, fmb_image_row *f, bool *proper)
+{
+    if (f->slack)
+        memcpy(f->slack, m->everywhere, m->words * sizeof *f->slack);
+    *proper = false;
+    for (size_t i = 0; i < m->rays && (f->slack || !*proper); i++) {
+        if (fmb_image_side(m, f, &m->ray[i]) != 0)
+            continue;
+        *proper |= fmb_vec_sgn(&m->ray[i], m->n - 1) > 0;
+        if (f->slack)
+            unite_supports(m, f->slack, m->support[i]);
+    }
+    return fmb_run_poll(m->run);
+}
+
+static fmb_status add_facet(fmb_image *m, const fmb_vec *y, bool equality, bool slacks)
+{
+    bool proper;
+    fmb_status st = fmb_mem_reserve(m->run->mem, (void **)&m->facet, &m->facet_capacity,
+                                    m->facets + 1, sizeof *m->facet);
+    if (st != FMB_OK)
+        return st;
+    fmb_image_row *f = &m->facet[m->facets];
+    *f = (fmb_image_row){.equality = equality};
+    st = copy_coordinates(m, &f->v, y);
+    m->facets++;
+    if (st == FMB_OK && slacks) {
+        f->slack = fmb_arena_get(&m->arena, m->words, sizeof *f->slack);
+        st = f->slack ? FMB_OK : fmb_mem_status(m->run->mem);
+    }
+    if (st != FMB_OK)
+        return st;
+    turn_to_row(&f->v, m->n);
+    st = look_above_facet(m, f, &proper);
+    if (!proper)
+        fmb_vec_clear(&m->facet[--m->facets].v, m->n, m->run->mem);
+    return st;
+}
+
+static fmb_status take_facets_of_dual(fmb_image *m, const fmb_cone *dual, bool slacks)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i < dual->line.size; i++)
+        st = add_facet(m, &dual->line.v[i], true, slacks);
+    for (size_t i = 0; st == FMB_OK && i < dual->ray.size; i++)
+        st = add_facet(m, &dual->ray.v[i], false, slacks);
+    return st;
+}
+
+/* The rows of the dual cone: lines are equalities; rays come in lexicographic order. */
+fmb_status fmb_image_find_facets(fmb_image *m, bool slacks)
+{
+    size_t rows = m->lines + m->rays;
+    fmb_cone dual = {0};
+    fmb_cone_row *row = fmb_mem_get(m->run->mem, rows, sizeof *row);
+    if (!row)
+        return fmb_mem_status(m->run->mem);
+    for (size_t i = 0; i < m->lines; i++)
+        row[i] = (fmb_cone_row){.v = &m->line[i], .equality = true};
+    for (size_t i = 0; i < m->rays; i++)
+        row[m->lines + i] = (fmb_cone_row){.v = &m->ray[i]};
+    fmb_cone_problem of = {.d = m->n, .m = rows, .row = row, .wide_only = m->num.wide_only};
+    bool done;
+    fmb_status st = fmb_cone_init(&dual, m->run, &of);
+    if (st == FMB_OK)
+        st = fmb_cone_run(&dual, 0, &done);
+    if (st == FMB_OK)
+        st = take_facets_of_dual(m, &dual, slacks);
+    fmb_cone_clear(&dual);
+    fmb_mem_put(m->run->mem, row, rows, sizeof *row);
+    return st;
+}

@@ -1,0 +1,53 @@
+/* image.h: what a cone looks like in some of its coordinates, by rays, and the rows that say so.
+ *
+ * A cone over (x, t) with t >= 0 stands for the polyhedron of its points at t = 1; rays with t = 0
+ * are directions. Leaving out coordinates of its rays and lines projects it; the rows of the
+ * projection are the rays of the dual cone, those that are always equalities its lines.
+ *
+ * Each point of the projection keeps the support of the rays above it, so that of each facet the
+ * rows are known that are tight on all of its preimage: the facet is a combination of those, it is
+ * strict if one of them is, and no others are needed to prove it.
+ */
+#ifndef FMB_DD_IMAGE_H
+#define FMB_DD_IMAGE_H
+
+#include "dd/cone.h"
+
+/* A facet of the image: v[0..n-1).x <= v[n-1], or = . */
+typedef struct fmb_image_row {
+    fmb_vec v;
+    bool equality;
+    uint64_t *slack; /* rows of the cone, by bit, that are positive somewhere above the facet */
+} fmb_image_row;
+
+typedef struct fmb_image {
+    fmb_run *run;
+    fmb_num num;
+    const fmb_cone *of;
+    fmb_arena arena;
+    size_t n, words; /* coordinates, t last; words of a support */
+    fmb_vec *ray;    /* [rays], each once, sorted; not 0 */
+    uint64_t **support;
+    size_t rays;
+    fmb_vec *line; /* [lines], not 0 */
+    size_t lines;
+    size_t room;          /* of ray */
+    uint64_t *everywhere; /* union of the supports of rays that are 0 in the image */
+    bool has_point;       /* some ray has t > 0 */
+    fmb_image_row *facet;
+    size_t facets, facet_capacity;
+} fmb_image;
+
+/* The cone is complete, carries n coordinates of which t is the last, and outlives the image.
+ * Errors: MEMORY, LIMIT. In any case fmb_image_clear it. */
+fmb_status fmb_image_init(fmb_image *m, fmb_run *run, const fmb_cone *of, bool wide_only);
+void fmb_image_clear(fmb_image *m);
+
+/* Find the facets of an image that has a point. With `slacks` each facet gets its slack. Errors:
+ * MEMORY, LIMIT. */
+fmb_status fmb_image_find_facets(fmb_image *m, bool slacks);
+
+/* Sign of b t - a.x: of a facet at a ray. */
+int fmb_image_side(fmb_image *m, const fmb_image_row *f, const fmb_vec *ray);
+
+#endif

@@ -1,0 +1,53 @@
+/* insert.h: one row comes into a cone; see cone.h. */
+#ifndef FMB_DD_INSERT_H
+#define FMB_DD_INSERT_H
+
+#include "dd/cone.h"
+
+/* Sets in planes, as the kernels want them. */
+typedef struct fmb_support_planes {
+    uint64_t *word; /* [capacity] */
+    size_t capacity;
+    fmb_planes planes;
+    bool ready;
+} fmb_support_planes;
+
+/* What is known for the pairs of one row (adjacent.c). */
+typedef struct fmb_adjacency {
+    fmb_support_planes large; /* supports of the larger side */
+    fmb_support_planes rest;  /* of the smaller side, then of rays with value 0 */
+    fmb_support_planes near;  /* of all rays that share zeros enough with the one at hand */
+    uint64_t *far, *far_rest; /* bits: those of large, of rest that share too few */
+    size_t far_capacity, far_rest_capacity;
+    uint32_t *nearby; /* the rays of near */
+    size_t nearby_capacity;
+    uint64_t *joint; /* the union of two supports */
+    size_t joint_capacity;
+    uint32_t *found; /* adjacent rays */
+    size_t found_capacity;
+} fmb_adjacency;
+
+/* A row that separates rays. Pairs are taken by the rays of the smaller side, one after another. */
+typedef struct fmb_insertion {
+    bool running;
+    size_t entry; /* of vectors: their value in the row */
+    size_t row;
+    size_t rays;   /* before it */
+    uint32_t *ray; /* [ray_capacity] the smaller side, the larger side, those with value 0 */
+    size_t ray_capacity;
+    size_t small, large, zeros;
+    bool small_is_positive;
+    size_t next; /* of the smaller side */
+    fmb_adjacency pairs;
+} fmb_insertion;
+
+/* Vectors have their value in the row at that entry. Errors: MEMORY, LIMIT. */
+fmb_status fmb_insertion_begin(fmb_cone *c, size_t row, size_t entry);
+/* Go on until it is done or c->made reaches `most`. Errors: MEMORY, LIMIT. */
+fmb_status fmb_insertion_run(fmb_cone *c, uint64_t most);
+void fmb_insertion_clear(fmb_insertion *s, fmb_mem *mem);
+
+/* The row meets line number i. Errors: MEMORY, LIMIT. */
+fmb_status fmb_insertion_break_line(fmb_cone *c, size_t row, size_t entry, size_t i);
+
+#endif

@@ -1,0 +1,82 @@
+/* rays.c: the rays of a cone; see rays.h. */
+#include "dd/rays.h"
+
+#include <string.h>
+
+void fmb_rays_init(fmb_rays *r, fmb_mem *mem, size_t width, size_t words)
+{
+    *r = (fmb_rays){.mem = mem, .width = width, .words = words};
+    fmb_arena_init(&r->arena, mem);
+}
+
+void fmb_rays_clear(fmb_rays *r)
+{
+    for (size_t i = 0; i < r->size; i++)
+        fmb_vec_clear(&r->v[i], r->width, r->mem);
+    fmb_mem_put(r->mem, r->v, r->capacity, sizeof *r->v);
+    fmb_mem_put(r->mem, r->support, r->capacity_words, sizeof *r->support);
+    fmb_arena_clear(&r->arena);
+    *r = (fmb_rays){.mem = r->mem};
+}
+
+fmb_status fmb_rays_add(fmb_rays *r)
+{
+    size_t i = r->size;
+    fmb_status st = fmb_mem_reserve(r->mem, (void **)&r->v, &r->capacity, i + 1, sizeof *r->v);
+    if (st == FMB_OK)
+        st = fmb_mem_reserve(r->mem, (void **)&r->support, &r->capacity_words, (i + 1) * r->words,
+                             sizeof *r->support);
+    if (st != FMB_OK)
+        return st;
+    if (i == r->made) {
+        int64_t *s = fmb_arena_get(&r->arena, r->width, sizeof *s);
+        if (!s)
+            return fmb_mem_status(r->mem);
+        r->v[r->made++] = (fmb_vec){.s = s};
+    }
+    memset(fmb_rays_support(r, i), 0, r->words * sizeof *r->support);
+    r->size++;
+    return FMB_OK;
+}
+
+void fmb_rays_remove(fmb_rays *r, size_t i)
+{
+    size_t last = --r->size;
+    fmb_vec gone = r->v[i];
+    r->v[i] = r->v[last];
+    r->v[last] = gone;
+    fmb_vec_clear(&r->v[last], r->width, r->mem);
+    if (i != last)
+        memcpy(fmb_rays_support(r, i), fmb_rays_support(r, last), r->words * sizeof *r->support);
+}
+
+fmb_status fmb_rays_reserve_bits(fmb_rays *r, size_t bits)
+{
+    size_t old = r->words, words = old;
+    if (bits <= 64 * old)
+        return FMB_OK;
+    while (64 * words < bits)
+        words *= 2;
+    fmb_status st = fmb_mem_reserve(r->mem, (void **)&r->support, &r->capacity_words,
+                                    r->size * words, sizeof *r->support);
+    if (st != FMB_OK)
+        return st;
+    for (size_t i = r->size; i-- > 0;) {
+        uint64_t *to = r->support + i * words;
+        memmove(to, r->support + i * old, old * sizeof *to);
+        memset(to + old, 0, (words - old) * sizeof *to);
+    }
+    r->words = words;
+    return FMB_OK;
+}
+
+fmb_status fmb_rays_drop_entry(fmb_rays *r, size_t c)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; i < r->size; i++) {
+        fmb_status dropped = fmb_vec_drop_entry(&r->v[i], r->width, c, r->mem);
+        st = st == FMB_OK ? dropped : st;
+    }
+    r->width--;
+    return st;
+}
