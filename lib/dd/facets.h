@@ -30,7 +30,7 @@ typedef struct fmb_facet {
     int side;    /* sign of the normal on the generator added last */
     bool valued; /* scratch: the last entry is the normal's value on that generator */
     bool alive;
-    bool stands; /* whoever holds the facets may note something here; false at first */
+    int note; /* whoever holds the facets may note something here; 0 at first */
 } fmb_facet;
 
 typedef struct fmb_facets {

@@ -36,7 +36,7 @@ static fmb_status lift_facets_and_equations(fmb_facets *f, size_t e, size_t gene
         st = lift_to_generator(f, &t->normal, &f->equation[e]);
         fmb_facets_round(&t->normal, f->d, t->roughly);
         fmb_facet_put_on(t, generator);
-        t->stands = false;
+        t->note = 0;
     }
     for (size_t i = 0; st == FMB_OK && i < f->d - f->rank; i++)
         if (i != e)

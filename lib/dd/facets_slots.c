@@ -59,7 +59,8 @@ fmb_status fmb_facets_open_slot(fmb_facets *f, uint32_t *out)
     fmb_facet *a = &f->facet[*out];
     memset(a->on, 0, f->words * sizeof *a->on);
     a->ons = a->nexts = 0;
-    a->valued = a->stands = false;
+    a->valued = false;
+    a->note = 0;
     a->alive = true;
     f->alive++;
     return FMB_OK;

@@ -4,10 +4,15 @@
 /* ---- life ------------------------------------------------------------------------------------ */
 
 fmb_status fmb_support_init(fmb_support *s, fmb_run *run, fmb_oracle *oracle, size_t n,
-                            const int *kept, size_t k, bool proves)
+                            const int *kept, size_t k, bool strict, bool proves)
 {
-    *s =
-        (fmb_support){.run = run, .oracle = oracle, .n = n, .k = k, .kept = kept, .proves = proves};
+    *s = (fmb_support){.run = run,
+                       .oracle = oracle,
+                       .n = n,
+                       .k = k,
+                       .kept = kept,
+                       .strict = strict,
+                       .proves = proves};
     mpz_inits(s->den, s->t, NULL);
     fmb_status st = fmb_integers_init(&s->x, n, run->mem);
     if (st == FMB_OK)
@@ -67,7 +72,7 @@ static size_t find_open_facet(fmb_support *s)
     const fmb_facets *f = &s->hull;
     for (size_t i = 0; i < f->slots; i++) {
         s->at = (s->at + f->slots - 1) % f->slots;
-        if (f->facet[s->at].alive && !f->facet[s->at].stands)
+        if (f->facet[s->at].alive && f->facet[s->at].note == FMB_FACET_OPEN)
             return s->at;
     }
     return SIZE_MAX;
@@ -88,12 +93,12 @@ static fmb_status ask_about_facet(fmb_support *s, size_t at)
     bool stands;
     const fmb_vec *normal = &s->hull.facet[at].normal;
     if (is_at_infinity(s, normal)) {
-        s->hull.facet[at].stands = true;
+        s->hull.facet[at].note = FMB_FACET_STANDS;
         return FMB_OK;
     }
     fmb_status st = fmb_support_query(s, normal, 1, &row, &stands);
     if (st == FMB_OK && stands) {
-        s->hull.facet[at].stands = true;
+        s->hull.facet[at].note = row.rel == FMB_LT ? FMB_FACET_MISSING : FMB_FACET_STANDS;
         return fmb_support_keep(s, &row);
     }
     fmb_support_drop(s, &row);
@@ -115,5 +120,7 @@ fmb_status fmb_support_ask(fmb_support *s, size_t queries, bool *done)
         else
             *done = st == FMB_OK;
     }
+    if (*done && s->strict)
+        st = fmb_support_find_missing_faces(s);
     return st;
 }

@@ -7,7 +7,8 @@
  * rays of a program. At any time there are inner points and proved rows.
  *
  * The same for hulls that are flat: an equation of all generators stands if the projection goes no
- * further on either side.
+ * further on either side. Of rows that are strict the closure counts; at the end is asked which
+ * facets and other faces the projection lacks (support_strict.c).
  *
  * Sources: Lassez 1990, Querying constraints; Huynh, Lassez, Lassez 1992; Jones, Kerrigan,
  * Maciejowski 2004, Equality set projection.
@@ -31,6 +32,7 @@ typedef struct fmb_support {
     fmb_oracle *oracle;
     size_t n, k;     /* columns; those that are kept, */
     const int *kept; /* [k], increasing */
+    bool strict;     /* some row of the program is strict */
     bool proves;     /* proofs are wanted */
     fmb_facets hull; /* of (1, x) and (0, x) */
     bool begun;
@@ -45,7 +47,7 @@ typedef struct fmb_support {
 /* The oracle's program, of n columns, is known to have a solution. kept[k] must outlive this. In
  * any case fmb_support_clear it. Errors: MEMORY, LIMIT, here and below. */
 fmb_status fmb_support_init(fmb_support *s, fmb_run *run, fmb_oracle *oracle, size_t n,
-                            const int *kept, size_t k, bool proves);
+                            const int *kept, size_t k, bool strict, bool proves);
 void fmb_support_clear(fmb_support *s);
 
 /* Ask for so many facets and equations, or until all stand: *done. What is proved stays so,

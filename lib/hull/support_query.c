@@ -65,11 +65,11 @@ static bool is_point_beyond(fmb_support *s, const fmb_vec *h, int sign)
 /* It is the optimum, and not beyond h. */
 static fmb_status prove_row(fmb_support *s, const fmb_vec *h, int sign, fmb_support_row *row)
 {
-    bool attained;
-    fmb_status st = fmb_oracle_attain(s->oracle, &attained);
+    bool attained = true;
+    fmb_status st = row->rel == FMB_EQ ? FMB_OK : fmb_oracle_attain(s->oracle, &attained);
     if (st == FMB_OK && sign > 0)
         st = fmb_support_write_row(s, h, row);
-    if (st == FMB_OK && !attained && row->rel != FMB_EQ)
+    if (st == FMB_OK && !attained)
         row->rel = FMB_LT;
     if (st == FMB_OK && s->proves)
         st = fmb_oracle_multipliers(s->oracle, sign > 0 ? &row->proof : &row->reverse);

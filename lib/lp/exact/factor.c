@@ -20,6 +20,7 @@ struct fmb_factor {
     fmb_lift lift[2];
     fmb_rational rational;
     mpz_t m, y, a, d;
+    size_t usual[2]; /* digits that were enough last time */
 };
 
 fmb_status fmb_factor_new(fmb_run *run, const fmb_program *p, fmb_factor **out)
@@ -175,9 +176,12 @@ static bool find_common_denominator(fmb_factor *f, const asked *s)
     return mpz_sizeinbase(f->d, 2) + s->right_bits + 2 <= m_bits;
 }
 
+/* Fractions are not looked for before there are as many digits as were enough last time, roughly:
+ * digits are cheaper than looking in vain. */
 static fmb_status lift_until_found(fmb_factor *f, asked *s, size_t most)
 {
-    size_t next = 1;
+    size_t *usual = &f->usual[s->lift - f->lift];
+    size_t first = *usual < most ? *usual : most, next = first;
     while (true) {
         fmb_status st = fmb_lift_step(s->lift);
         if (st == FMB_OK)
@@ -188,8 +192,10 @@ static fmb_status lift_until_found(fmb_factor *f, asked *s, size_t most)
         size_t digits = s->lift->digits;
         if (digits < next)
             continue;
-        if (find_common_denominator(f, s))
+        if (find_common_denominator(f, s)) {
+            *usual = digits > first ? digits : digits - (digits > 0);
             return FMB_OK;
+        }
         assert(digits <= most);
         if (digits > most) /* only if our arithmetic is wrong: rather that than for ever */
             return FMB_ERR_STATE;

@@ -85,7 +85,7 @@ static bool uses_lp_rule(const fmb_solver *v)
 /* A hull in so many dimensions mostly has few enough facets. */
 #define FEW_KEPT 6
 
-static int kept_columns(const fmb_part *p, const int *place)
+static int count_kept_columns(const fmb_part *p, const int *place)
 {
     int kept = 0;
     for (int j = 0; j < p->n; j++)
@@ -93,9 +93,26 @@ static int kept_columns(const fmb_part *p, const int *place)
     return kept;
 }
 
-/* First a short elimination; if that grows, the oracle finds out whether there is a solution, and
- * goes around a projection in the plane, or asks how far one in few dimensions goes; what is left
- * is eliminated, and pruned by the oracle. With method fm there is no first try. */
+/* In the plane around it, in a few dimensions by asking how far it goes: both without elimination.
+ */
+static fmb_status project_by_looks(fmb_query *q, int part, const int *place, fmb_system *out,
+                                   bool *feasible, bool *done)
+{
+    int kept = count_kept_columns(&q->parts.part[part], place);
+    fmb_status st = FMB_OK;
+    if (kept <= 2 && !q->decided)
+        st = is_part_feasible(q, part, feasible);
+    if (st == FMB_OK && kept <= 2 && *feasible)
+        st = fmb_query_polygon_part(q, part, place, out, done);
+    if (st != FMB_OK || *done || !*feasible || kept > FEW_KEPT)
+        return st;
+    *done = true;
+    return fmb_query_support_part(q, part, place, out, feasible);
+}
+
+/* First a short elimination; if that grows, what the projection looks like; if it has too many
+ * dimensions for that, the oracle finds out whether there is a solution, and what is left is
+ * eliminated, and pruned by the oracle. With method fm there is no first try. */
 fmb_status fmb_query_project_part(fmb_query *q, int part, const int *place, fmb_system *out,
                                   bool *feasible)
 {
@@ -106,19 +123,17 @@ fmb_status fmb_query_project_part(fmb_query *q, int part, const int *place, fmb_
     fmb_status st = FMB_OK;
     *feasible = true;
     if (q->v->options.method == FMB_METHOD_HULL)
-        st = fmb_query_support_part(q, part, place, out, feasible, &done);
+        return fmb_query_support_part(q, part, place, out, feasible);
     if (q->v->options.method == FMB_METHOD_DD)
         st = fmb_query_project_by_rays(q, part, place, out, feasible, &done);
     if (st == FMB_OK && !done && *feasible && !fm)
         st = project_by_elimination(&h, false, TRIAL_BUDGET(p->m), feasible, &done);
+    if (st == FMB_OK && !done && *feasible && !fm)
+        st = project_by_looks(q, part, place, out, feasible, &done);
     if (st == FMB_OK && !done && *feasible && !known && (!fm || uses_lp_rule(q->v))) {
         st = is_part_feasible(q, part, feasible);
         known = true;
     }
-    if (st == FMB_OK && !done && *feasible && !fm)
-        st = fmb_query_polygon_part(q, part, place, out, &done);
-    if (st == FMB_OK && !done && *feasible && !fm && kept_columns(p, place) <= FEW_KEPT)
-        st = fmb_query_support_part(q, part, place, out, feasible, &done);
     if (st != FMB_OK || done || !*feasible)
         return st;
     h = start;

@@ -7,6 +7,7 @@
 typedef struct queries {
     fmb_query *q;
     const fmb_part *p;
+    int part;
     const int *place;
     fmb_system *out;
     int *column; /* [k] of the part, those that are kept */
@@ -71,7 +72,7 @@ static fmb_status ask_until_all_stands(queries *h, fmb_oracle *o)
 {
     bool done = false;
     fmb_status st = fmb_support_init(&h->s, &h->q->run, o, (size_t)h->p->n, h->column, h->k,
-                                     h->q->claims != NULL);
+                                     h->q->program[h->part].any_strict, h->q->claims != NULL);
     while (st == FMB_OK && !done)
         st = fmb_support_ask(&h->s, SIZE_MAX, &done);
     fmb_status put = st == FMB_OK || st == FMB_LIMIT ? put_all_support_rows(h) : st;
@@ -90,30 +91,19 @@ static fmb_status list_kept_columns(queries *h)
     return FMB_OK;
 }
 
-static bool has_strict_rows(const fmb_part *p)
-{
-    for (size_t i = 0; i < p->m; i++)
-        if (p->rel[i] == FMB_LT)
-            return true;
-    return false;
-}
-
 fmb_status fmb_query_support_part(fmb_query *q, int part, const int *place, fmb_system *out,
-                                  bool *feasible, bool *done)
+                                  bool *feasible)
 {
     const fmb_part *p = &q->parts.part[part];
-    queries h = {.q = q, .p = p, .place = place, .out = out};
+    queries h = {.q = q, .p = p, .part = part, .place = place, .out = out};
     fmb_oracle *o;
-    *done = false;
     *feasible = true;
     fmb_status st = list_kept_columns(&h);
-    if (st != FMB_OK || has_strict_rows(p))
-        return st;
-    st = fmb_query_oracle(q, part, &o);
+    if (st == FMB_OK)
+        st = fmb_query_oracle(q, part, &o);
     if (st == FMB_OK && !q->decided)
         st = fmb_oracle_feasible(o, feasible);
     if (st == FMB_OK && *feasible && h.k > 0)
         st = ask_until_all_stands(&h, o);
-    *done = st == FMB_OK;
     return st;
 }

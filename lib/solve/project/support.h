@@ -6,9 +6,9 @@
 #include "solve/query/solver.h"
 
 /* Append the projection of a part on those of its variables with place[] >= 0, perhaps none, to
- * out. *feasible false: the part has no solution. *done false, and nothing appended: it has strict
- * rows; then it must be eliminated. At a limit (LIMIT), the rows that are proved are appended. */
+ * out. *feasible false: the part has no solution. At a limit (LIMIT), the rows that are proved are
+ * appended. */
 fmb_status fmb_query_support_part(fmb_query *q, int part, const int *place, fmb_system *out,
-                                  bool *feasible, bool *done);
+                                  bool *feasible);
 
 #endif
