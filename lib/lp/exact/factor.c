@@ -193,7 +193,7 @@ static fmb_status lift_until_found(fmb_factor *f, asked *s, size_t most)
         if (digits < next)
             continue;
         if (find_common_denominator(f, s)) {
-            *usual = digits > first ? digits : digits - (digits > 0);
+            *usual = digits > first ? digits : digits - digits / 8 - 1;
             return FMB_OK;
         }
         assert(digits <= most);
