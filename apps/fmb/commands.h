@@ -11,5 +11,6 @@ int cmd_reduce(int argc, char **argv);
 int cmd_check(int argc, char **argv);
 int cmd_convert(int argc, char **argv);
 int cmd_intersect(int argc, char **argv);
+int cmd_mesh(int argc, char **argv);
 
 #endif

@@ -11,6 +11,7 @@ static const app_command commands[] = {
     {"check", "fmb check", "accept or reject the proof of an answer", cmd_check},
     {"intersect", "fmb intersect", "do two frames meet, where and when? for pairs of them",
      cmd_intersect},
+    {"mesh", "fmb mesh", "which cells of one or two meshes meet, and how", cmd_mesh},
     {"convert", "fmb convert", "write the system in another format", cmd_convert},
 };
 

@@ -8,6 +8,7 @@
 #include <fmb/base.h>
 #include <fmb/frame.h>
 #include <fmb/io.h>
+#include <fmb/mesh.h>
 #include <fmb/options.h>
 #include <fmb/pair.h>
 #include <fmb/proof.h>

@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <string.h>
 
+#include "io/core/stream.h"
 #include "io/formats.h"
 
 /* ---- parsing --------------------------------------------------------------------------------- */
@@ -66,38 +67,17 @@ fmb_status fmb_system_parse(const char *text, size_t size, const fmb_reader *how
 
 /* ---- streams --------------------------------------------------------------------------------- */
 
-typedef struct bytes {
-    char *p;
-    size_t size, capacity;
-} bytes;
-
-/* All of a stream, or one byte more than most. Memory follows what has been read, never what a
- * stream claims to hold. */
-static fmb_status read_whole_stream(FILE *in, size_t most, bytes *b, fmb_mem *mem)
-{
-    while (b->size <= most) {
-        fmb_status st = fmb_mem_reserve(mem, (void **)&b->p, &b->capacity, b->size + (1 << 14), 1);
-        if (st != FMB_OK)
-            return st;
-        size_t n = fread(b->p + b->size, 1, b->capacity - b->size, in);
-        b->size += n;
-        if (n == 0)
-            return ferror(in) ? FMB_ERR_IO : FMB_OK;
-    }
-    return FMB_OK;
-}
-
 fmb_status fmb_system_read(FILE *in, const fmb_reader *how, fmb_system **out, fmb_where *where)
 {
     fmb_mem mem;
-    bytes b = {0};
+    fmb_bytes b = {0};
     fmb_status st = check_reader_arguments(how, out, where);
     if (st != FMB_OK)
         return st;
     if (!in)
         return fmb_io_refuse_argument(where, "in is NULL");
     fmb_mem_init(&mem, how ? how->mem : NULL, 0);
-    st = read_whole_stream(in, fmb_io_max_bytes(how), &b, &mem);
+    st = fmb_read_whole_stream(in, fmb_io_max_bytes(how), &b, &mem);
     int cause = errno;
     if (st == FMB_OK)
         st = fmb_system_parse(b.p, b.size, how, out, where);

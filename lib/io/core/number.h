@@ -16,6 +16,12 @@ enum {
 /* The exact value of the number at c, canonical; c is then past it. what names it in messages ("a
  * coefficient"). Errors: PARSE (no number here, zero denominator, too many digits). */
 fmb_status fmb_scan_number(fmb_cursor *c, int flags, const char *what, mpq_t out);
+/* The double nearest to q, of two that are equally near the even one; infinite beyond the largest.
+ * *exact: it is q. */
+double fmb_io_nearest(mpq_srcptr q, bool *exact);
+/* The double nearest to the number at c, with sign, point and exponent. Errors: PARSE (as above,
+ * beyond all doubles). */
+fmb_status fmb_scan_nearest(fmb_cursor *c, const char *what, double *out);
 /* Digits of a count or index, at most max. Errors: PARSE. */
 fmb_status fmb_scan_count(fmb_cursor *c, size_t max, const char *what, size_t *out);
 /* Write q: "3", "-1/2". */

@@ -1,38 +1,8 @@
 /* value.c: the numbers of frames, exactly and as doubles. */
 #include <math.h>
-#include <string.h>
 
+#include "io/core/number.h"
 #include "io/frames/frames.h"
-
-static bool has_odd_significand(double d)
-{
-    uint64_t bits;
-    memcpy(&bits, &d, sizeof bits);
-    return bits & 1;
-}
-
-/* The double nearest to q, of two that are equally near the even one; infinite beyond the largest.
- * *exact: it is q. mpq_get_d cuts towards zero, so the answer is that or the next one outward. */
-static double round_to_nearest_double(mpq_srcptr q, bool *exact)
-{
-    double in = mpq_get_d(q), out = nextafter(in, mpq_sgn(q) < 0 ? -INFINITY : INFINITY);
-    int beyond = 1;
-    mpq_t a, b;
-    *exact = false;
-    if (!isfinite(in))
-        return in;
-    mpq_inits(a, b, NULL);
-    mpq_set_d(a, in);
-    *exact = mpq_equal(a, q) != 0;
-    if (!*exact && isfinite(out)) {
-        mpq_set_d(b, out);
-        mpq_add(a, a, b);
-        mpq_div_2exp(a, a, 1);
-        beyond = mpq_cmp(q, a) * mpq_sgn(q);
-    }
-    mpq_clears(a, b, NULL);
-    return !*exact && (beyond > 0 || (beyond == 0 && has_odd_significand(in))) ? out : in;
-}
 
 fmb_status fmb_frames_value(fmb_frames *r, fmb_cursor *c, mpq_t out, double *near)
 {
@@ -42,7 +12,7 @@ fmb_status fmb_frames_value(fmb_frames *r, fmb_cursor *c, mpq_t out, double *nea
     fmb_status st = fmb_json_number(c, "a number", out);
     if (st != FMB_OK)
         return st;
-    *near = round_to_nearest_double(out, &exact);
+    *near = fmb_io_nearest(out, &exact);
     if (r->how.nearest && !isfinite(*near))
         return fmb_io_fail(c, p, "expected a number that is not beyond all doubles");
     if (r->how.nearest)

@@ -1,0 +1,251 @@
+/* cmd_mesh.c: fmb mesh A [B]. */
+#include <argp.h>
+#include <float.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "common/bar.h"
+#include "common/file.h"
+#include "common/message.h"
+#include "common/options.h"
+#include "common/source.h"
+#include "common/value.h"
+#include "fmb/ask.h"
+#include "fmb/commands.h"
+#include "fmb/mesh_ask.h"
+#include "fmb/stop.h"
+
+enum {
+    KEY_MOVE = 0x200,
+    KEY_SCALE,
+    KEY_MIRROR,
+    KEY_MOTION,
+    KEY_NEIGHBOURS,
+    KEY_CSV,
+    KEY_FORMAT,
+    KEY_BYTES,
+    KEY_MAX_INPUT
+};
+
+static const struct argp_option options[] = {
+    {"move", KEY_MOVE, "X,Y,Z", 0, "Move B (A, if it is alone) by so much, after --scale", 1},
+    {"scale", KEY_SCALE, "S[,T,U]", 0, "Scale its coordinates, all alike or each by its own", 1},
+    {"mirror", KEY_MIRROR, "x|y|z", 0, "Turn the sign of that coordinate", 1},
+    {"motion", KEY_MOTION, "X,Y,Z", 0,
+     "B moves by so much while t goes from 0 to 1: which cells meet at some time?", 1},
+    {"neighbours", KEY_NEIGHBOURS, NULL, 0,
+     "List cells, too, that meet in what their common vertices span and nowhere else", 1},
+    {"format", KEY_FORMAT, "auto|off|obj|ply|stl|mesh", 0,
+     "What the files are (default: by name, else by content)", 1},
+    {"max-bytes", KEY_BYTES, "BYTES", 0,
+     "Limit of memory of what meets; 0 is none (default half of the memory)", 1},
+    {"max-input", KEY_MAX_INPUT, "BYTES", 0, "Refuse a longer file (default 1073741824)", 1},
+    {"json", 'j', NULL, 0, "Print one JSON object instead of text", 2},
+    {"csv", KEY_CSV, NULL, 0, "Print comma-separated values instead of text", 2},
+    {"quiet", 'q', NULL, 0, "Nothing on standard error but errors", 2},
+    {0}};
+
+/* ---- options --------------------------------------------------------------------------------- */
+
+/* One number for all, if `one` allows that, or three with commas between. */
+static void read_three_numbers(const char *option, const char *text, bool one, double out[3],
+                               struct argp_state *state)
+{
+    const char *at = text;
+    int n = 0;
+    for (bool more = true; more && n < 3; n++) {
+        char piece[64];
+        size_t length = strcspn(at, ",");
+        if (length >= sizeof piece)
+            argp_error(state, "%s: expected shorter numbers, found '%s'", option, text);
+        memcpy(piece, at, length);
+        piece[length] = '\0';
+        out[n] = app_value_number(option, piece, -DBL_MAX, DBL_MAX, state);
+        more = at[length] == ',';
+        at += length + more;
+        if (n == 2 && more)
+            argp_error(state, "%s: expected 3 numbers, found '%s'", option, text);
+    }
+    if (n == 1 && one)
+        out[1] = out[2] = out[0];
+    else if (n != 3)
+        argp_error(state, "%s: expected 3 numbers, found '%s'", option, text);
+}
+
+static void use_number_of_place(mesh_ask *ask, int key, const char *arg, struct argp_state *state)
+{
+    static const char *const axis[] = {"x", "y", "z", NULL};
+    switch (key) {
+    case KEY_MOVE:
+        read_three_numbers("--move", arg, false, ask->place.move, state);
+        break;
+    case KEY_SCALE:
+        read_three_numbers("--scale", arg, true, ask->scale, state);
+        break;
+    case KEY_MOTION:
+        read_three_numbers("--motion", arg, false, ask->motion, state);
+        ask->moves = true;
+        break;
+    default:
+        ask->mirror[app_value_choice("--mirror", arg, axis, state)] = true;
+    }
+}
+
+static fmb_mesh_format format_of(const char *word, struct argp_state *state)
+{
+    fmb_mesh_format f = FMB_MESH_AUTO;
+    if (!fmb_mesh_format_parse(word, &f))
+        argp_error(state, "--format: expected auto, off, obj, ply, stl or mesh, found '%s'", word);
+    return f;
+}
+
+static error_t check_arguments(const mesh_ask *ask, struct argp_state *state)
+{
+    if (!ask->file[0])
+        argp_error(state, "A is missing (- is standard input)");
+    if (ask->moves && !ask->file[1])
+        argp_error(state, "--motion: expected a second mesh, which moves");
+    if (ask->json && ask->csv)
+        argp_error(state, "--json, --csv: expected one of them");
+    return 0;
+}
+
+static error_t parse(int key, char *arg, struct argp_state *state)
+{
+    mesh_ask *ask = state->input;
+    switch (key) {
+    case KEY_MOVE:
+    case KEY_SCALE:
+    case KEY_MIRROR:
+    case KEY_MOTION:
+        use_number_of_place(ask, key, arg, state);
+        return 0;
+    case KEY_NEIGHBOURS:
+        ask->neighbours = true;
+        return 0;
+    case KEY_FORMAT:
+        ask->format = format_of(arg, state);
+        return 0;
+    case KEY_BYTES:
+        ask->max_bytes = app_value_whole("--max-bytes", arg, 0, SIZE_MAX, state);
+        return 0;
+    case KEY_MAX_INPUT:
+        ask->max_input = app_value_whole("--max-input", arg, 1, SIZE_MAX, state);
+        return 0;
+    case 'j':
+        ask->json = true;
+        return 0;
+    case KEY_CSV:
+        ask->csv = true;
+        return 0;
+    case 'q':
+        ask->quiet = true;
+        return 0;
+    case ARGP_KEY_ARG:
+        if (state->arg_num > 1)
+            return ARGP_ERR_UNKNOWN;
+        ask->file[state->arg_num] = arg;
+        return 0;
+    case ARGP_KEY_END:
+        return check_arguments(ask, state);
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const char doc[] =
+    "Which triangles or tetrahedra of two meshes meet, and how? Of one mesh: which of its own meet "
+    "in more than their common vertices span? Exact for the coordinates as doubles. Formats: OFF, "
+    "OBJ, PLY, STL, medit .mesh."
+    "\v"
+    "A line is: how they meet, the face (from 0) of A, that of B, their common vertices. cross: "
+    "their interiors meet; coplanar: so they do, in one plane; touch: they meet, but not so; "
+    "share: "
+    "in common vertices and what these span alone.\n"
+    "\n"
+    "Exit codes: 0 some cells meet, 1 none do, 2 undecided or interrupted.\n"
+    "\n"
+    "Examples:\n"
+    "  fmb mesh part.stl\n"
+    "  fmb mesh bunny.ply bunny.ply --scale 1000 --mirror x --move 50,-10,0\n"
+    "  fmb mesh robot.obj room.obj --motion 0,0,-2 --json\n";
+
+/* ---- the command ----------------------------------------------------------------------------- */
+
+static int read_mesh(const mesh_ask *ask, int which, fmb_mesh **out)
+{
+    const char *path = ask->file[which];
+    fmb_mesh_format f = ask->format != FMB_MESH_AUTO ? ask->format : fmb_mesh_format_of_name(path);
+    fmb_reader how = {.max_bytes = ask->max_input};
+    fmb_where where = {0};
+    FILE *in;
+    int code = app_file_open(path, &in);
+    if (code != APP_YES)
+        return code;
+    fmb_status st = fmb_mesh_read(in, f, &how, out, &where);
+    app_file_close_input(in);
+    return app_source_outcome(st, path, &where);
+}
+
+/* The last mesh, at its place. */
+static int place_mesh(const mesh_ask *ask, fmb_mesh **m)
+{
+    fmb_mesh_place place = ask->place;
+    fmb_mesh *placed = NULL;
+    for (int j = 0; j < 3; j++)
+        place.scale[j] = ask->mirror[j] ? -ask->scale[j] : ask->scale[j];
+    fmb_status st = fmb_mesh_placed(*m, &place, NULL, &placed);
+    if (st == FMB_ERR_ARG)
+        return app_error(APP_USAGE, "--scale, --move: a coordinate is beyond all doubles");
+    if (st != FMB_OK)
+        return app_status_error(st);
+    fmb_mesh_free(*m);
+    *m = placed;
+    return APP_YES;
+}
+
+static bool show_progress(void *self, double done)
+{
+    app_bar_show(self, (uint64_t)(done * 1000), 1000, NULL);
+    return !app_stop_asked();
+}
+
+static int meet(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b)
+{
+    app_bar bar = app_bar_begin(ask->quiet);
+    fmb_mesh_options how = {.neighbours = ask->neighbours,
+                            .motion = ask->moves ? ask->motion : NULL,
+                            .max_bytes = ask->max_bytes,
+                            .progress = show_progress,
+                            .self = &bar};
+    fmb_mesh_answer answer = {0};
+    fmb_status st = fmb_mesh_meet(a, b, &how, &answer);
+    app_bar_end(&bar);
+    if (st != FMB_OK)
+        return app_status_error(st);
+    mesh_report(ask, a, b ? b : a, &answer);
+    int code = answer.stop != FMB_STOP_DONE ? APP_UNDECIDED : answer.hits > 0 ? APP_YES : APP_NO;
+    fmb_mesh_answer_clear(&answer);
+    return code;
+}
+
+int cmd_mesh(int argc, char **argv)
+{
+    static const struct argp whole = {
+        .options = options, .parser = parse, .args_doc = "A [B]", .doc = doc};
+    mesh_ask ask = {.max_bytes = app_ask_half_of_memory(), .scale = {1, 1, 1}};
+    app_options_parse(&whole, argc, argv, &ask);
+    fmb_mesh *m[2] = {NULL, NULL};
+    int files = ask.file[1] ? 2 : 1, code = APP_YES;
+    app_stop_begin(NULL);
+    for (int i = 0; code == APP_YES && i < files; i++)
+        code = read_mesh(&ask, i, &m[i]);
+    if (code == APP_YES)
+        code = place_mesh(&ask, &m[files - 1]);
+    if (code == APP_YES)
+        code = meet(&ask, m[0], m[1]);
+    app_stop_end();
+    fmb_mesh_free(m[0]);
+    fmb_mesh_free(m[1]);
+    return code;
+}

@@ -1,0 +1,146 @@
+/* fmb/mesh.h: which cells of one or two meshes meet, and how.
+ *
+ * A mesh is a set of triangles or of tetrahedra over common vertices in space. Every answer is
+ * exact for the vertices as they are given: cells that share a vertex meet, however the differences
+ * of coordinates round. Boxes around groups of cells, in a tree, tell which pairs need a look;
+ * signs of determinants, in doubles with an error bound, then exactly, decide them; flat cells and
+ * moving ones are asked as pairs of frames by their corners (<fmb/pair.h>).
+ *
+ * Sources: Devillers and Guigue, Faster triangle-triangle intersection tests, INRIA RR-4488, 2002
+ * (signs of volumes); Gottschalk, Lin and Manocha, OBBTree, SIGGRAPH 1996 (two trees side by side).
+ */
+#ifndef FMB_MESH_H
+#define FMB_MESH_H
+
+#include <fmb/io.h>
+#include <fmb/options.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- meshes ---------------------------------------------------------------------------------- */
+
+typedef struct fmb_mesh fmb_mesh;
+
+/* Most vertices, and most cells. */
+#define FMB_MESH_MOST ((size_t)UINT32_MAX - 1)
+
+/* [give] A mesh of cells with `corners` vertices each, 3 (triangles) or 4 (tetrahedra); everything
+ * is copied. point: [vertices][3] in world length units; corner: [cells][corners], numbers of
+ * vertices from 0. Cells may be flat, and may come more than once. Errors: ARG (corners, a count
+ * beyond FMB_MESH_MOST, a number that is not finite, no such vertex), MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_mesh_new(int corners, size_t vertices, const double *point,
+                                            size_t cells, const uint32_t *corner,
+                                            const fmb_alloc *mem, fmb_mesh **out);
+FMB_API void fmb_mesh_free(fmb_mesh *m);
+
+/* Of NULL all of these are 0 or NULL. */
+FMB_API int fmb_mesh_corners(const fmb_mesh *m);
+FMB_API size_t fmb_mesh_vertices(const fmb_mesh *m);
+FMB_API size_t fmb_mesh_cells(const fmb_mesh *m);
+/* [vertices][3] and [cells][corners], as they were given; they live as long as the mesh. */
+FMB_API const double *fmb_mesh_points(const fmb_mesh *m);
+FMB_API const uint32_t *fmb_mesh_indices(const fmb_mesh *m);
+/* The number in its file, from 0, of the face or tetrahedron that cell c comes from: a face of more
+ * than three corners is cut into triangles around its first corner. Of other meshes it is c. */
+FMB_API size_t fmb_mesh_face(const fmb_mesh *m, size_t c);
+
+/* How a mesh is placed: x_j becomes scale_j x_j + move_j, each coordinate the double nearest to
+ * that. So equal vertices stay equal, and the mesh asked about is the one of the rounded vertices.
+ */
+typedef struct fmb_mesh_place {
+    double scale[3], move[3];
+} fmb_mesh_place;
+
+/* [give] The mesh at its place. Errors: ARG (a number that is not finite, now or then), MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_mesh_placed(const fmb_mesh *m, const fmb_mesh_place *place,
+                                               const fmb_alloc *mem, fmb_mesh **out);
+
+/* ---- files ----------------------------------------------------------------------------------- */
+
+/* docs/formats.md, "meshes". */
+typedef enum fmb_mesh_format {
+    FMB_MESH_AUTO = 0, /* by content */
+    FMB_MESH_OFF,
+    FMB_MESH_OBJ,
+    FMB_MESH_PLY,  /* text, or binary of either byte order */
+    FMB_MESH_STL,  /* text or binary */
+    FMB_MESH_MEDIT /* .mesh */
+} fmb_mesh_format;
+
+/* "off", "obj", "ply", "stl", "mesh" of a format; and back (also "auto"): false if the word is
+ * unknown. */
+FMB_API const char *fmb_mesh_format_text(fmb_mesh_format f);
+FMB_API bool fmb_mesh_format_parse(const char *word, fmb_mesh_format *out);
+/* Format by the ending of a file name, AUTO if it says nothing. */
+FMB_API fmb_mesh_format fmb_mesh_format_of_name(const char *path);
+
+/* [give] Read a mesh: a decimal means the double nearest to it. how->format and how->nearest do not
+ * count; how may be NULL. Errors: PARSE (malformed, no cell, or longer than max_bytes), IO, MEMORY,
+ * ARG (a pointer that must not be NULL, no such format). After PARSE and ARG *where is filled, if
+ * not NULL. */
+FMB_API FMB_CHECKED fmb_status fmb_mesh_read(FILE *in, fmb_mesh_format f, const fmb_reader *how,
+                                             fmb_mesh **out, fmb_where *where);
+/* [give] The same from size bytes. */
+FMB_API FMB_CHECKED fmb_status fmb_mesh_parse(const char *text, size_t size, fmb_mesh_format f,
+                                              const fmb_reader *how, fmb_mesh **out,
+                                              fmb_where *where);
+
+/* ---- queries --------------------------------------------------------------------------------- */
+
+/* How two cells (closed) meet. The interior of a cell is its relative one: a triangle's without its
+ * edges. */
+typedef enum fmb_mesh_how {
+    FMB_MESH_APART = 0,
+    FMB_MESH_SHARE,   /* in the vertices that they share, and what these span, alone: neighbours of
+                         a sound mesh */
+    FMB_MESH_TOUCH,   /* their interiors do not meet, but more is common than what they share */
+    FMB_MESH_CROSS,   /* their interiors meet */
+    FMB_MESH_COPLANAR /* the same of two triangles in one plane: they overlap; but CROSS if one is
+                         flat, or has a coordinate beyond 2^200 or, other than 0, below 2^-200 */
+} fmb_mesh_how;
+
+/* "apart", "share", "touch", "cross", "coplanar" */
+FMB_API const char *fmb_mesh_how_text(fmb_mesh_how h);
+
+typedef struct fmb_mesh_hit {
+    uint32_t a, b;    /* cells: of the first and of the second mesh; of one mesh, a < b */
+    int shared;       /* vertices in common: equal points, whatever their numbers */
+    fmb_mesh_how how; /* if something moves: TOUCH, for "they meet at some time" */
+} fmb_mesh_hit;
+
+/* Zero-initialise for defaults: hits that are not mere neighbours, nothing moves, no limit. */
+typedef struct fmb_mesh_options {
+    bool neighbours;      /* hits of kind SHARE are wanted, too: most pairs of a mesh with itself */
+    const double *motion; /* [3] or NULL: the second mesh moves by so much while t goes from 0 to 1
+                             [world length units] */
+    size_t max_bytes;     /* of the hits [bytes]; 0 = no limit */
+    const fmb_alloc *mem; /* NULL: malloc */
+    /* Told now and then how much is done, 0 to 1; false: stop. May be NULL. */
+    bool (*progress)(void *self, double done);
+    void *self;
+} fmb_mesh_options;
+
+typedef struct fmb_mesh_answer {
+    size_t hits;
+    fmb_mesh_hit *hit; /* [hits] by a, then b */
+    uint64_t tested;   /* pairs of cells whose boxes meet */
+    uint64_t framed;   /* of those, decided as frames */
+    fmb_stop stop;     /* DONE; CANCELLED, BYTES: hits are some of those there are */
+    size_t capacity;   /* of hit, with the allocator that it came from */
+    fmb_alloc mem;
+} fmb_mesh_answer;
+
+/* [give, fmb_mesh_answer_clear] Which cells of a and b meet; b NULL or a: which cells of a meet
+ * one another. Errors: ARG (a or out NULL, a motion that is not finite, or of a mesh against
+ * itself), MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_mesh_meet(const fmb_mesh *a, const fmb_mesh *b,
+                                             const fmb_mesh_options *o, fmb_mesh_answer *out);
+/* NULL and an answer of zeros are fine. */
+FMB_API void fmb_mesh_answer_clear(fmb_mesh_answer *a);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

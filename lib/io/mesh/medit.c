@@ -1,0 +1,118 @@
+/* medit.c: medit's .mesh: sections of a keyword, a count and lines, each with a reference number
+ * behind it that is passed over, as sections are that say nothing of points, faces or tetrahedra.
+ */
+#include "io/core/chars.h"
+#include "io/mesh/draft.h"
+
+/* The numbers of a section that does not count. */
+static fmb_status skip_numbers(fmb_cursor *c, fmb_mesh_draft *d)
+{
+    for (d->skip(c); fmb_starts_number(fmb_peek(c)); d->skip(c))
+        fmb_scan_word(c);
+    return FMB_OK;
+}
+
+static fmb_status check_dimension(fmb_cursor *c, fmb_mesh_draft *d)
+{
+    size_t dim = 0;
+    d->skip(c);
+    const char *p = c->at;
+    fmb_status st = fmb_mesh_scan_size(c, d, "3", &dim);
+    return st == FMB_OK && dim != 3 ? fmb_io_fail(c, p, "expected 3 dimensions, found %zu", dim)
+                                    : st;
+}
+
+static fmb_status skip_reference(fmb_cursor *c, fmb_mesh_draft *d)
+{
+    double ignored;
+    return fmb_mesh_scan_real(c, d, &ignored);
+}
+
+static fmb_status read_medit_vertex(fmb_cursor *c, fmb_mesh_draft *d)
+{
+    double p[3];
+    fmb_status st = fmb_mesh_scan_point(c, d, p);
+    return st == FMB_OK ? fmb_mesh_draft_point(c, d, p) : st;
+}
+
+static fmb_status read_medit_face(fmb_cursor *c, fmb_mesh_draft *d, int corners)
+{
+    fmb_status st = FMB_OK;
+    size_t v;
+    fmb_mesh_draft_face(d);
+    for (int k = 0; st == FMB_OK && k < corners; k++) {
+        st = fmb_mesh_scan_vertex(c, d, 1, d->points, &v);
+        if (st == FMB_OK)
+            st = fmb_mesh_draft_corner(c, d, v);
+    }
+    return st;
+}
+
+static fmb_status read_medit_triangle(fmb_cursor *c, fmb_mesh_draft *d)
+{
+    return read_medit_face(c, d, 3);
+}
+
+static fmb_status read_medit_quadrilateral(fmb_cursor *c, fmb_mesh_draft *d)
+{
+    return read_medit_face(c, d, 4);
+}
+
+static fmb_status read_medit_tetrahedron(fmb_cursor *c, fmb_mesh_draft *d)
+{
+    uint32_t corner[4];
+    fmb_status st = FMB_OK;
+    for (int k = 0; st == FMB_OK && k < 4; k++) {
+        size_t v = 0;
+        st = fmb_mesh_scan_vertex(c, d, 1, d->points, &v);
+        corner[k] = (uint32_t)v;
+    }
+    return st == FMB_OK ? fmb_mesh_draft_tetrahedron(c, d, corner) : st;
+}
+
+typedef struct medit_section {
+    const char *name;
+    fmb_mesh_read_fn *line;
+} medit_section;
+
+static fmb_status read_medit_section(fmb_cursor *c, fmb_mesh_draft *d, const medit_section *s)
+{
+    size_t n = 0;
+    fmb_status st = fmb_mesh_scan_size(c, d, "the number of lines of a section", &n);
+    for (size_t i = 0; st == FMB_OK && i < n; i++) {
+        st = s->line(c, d);
+        if (st == FMB_OK)
+            st = skip_reference(c, d);
+    }
+    return st;
+}
+
+static fmb_status read_medit_keyword(fmb_cursor *c, fmb_mesh_draft *d, fmb_span word)
+{
+    static const medit_section sections[] = {{"Vertices", read_medit_vertex},
+                                             {"Triangles", read_medit_triangle},
+                                             {"Quadrilaterals", read_medit_quadrilateral},
+                                             {"Tetrahedra", read_medit_tetrahedron}};
+    for (size_t i = 0; i < sizeof sections / sizeof *sections; i++)
+        if (fmb_span_is_nocase(word, sections[i].name))
+            return read_medit_section(c, d, &sections[i]);
+    return fmb_span_is_nocase(word, "Dimension") ? check_dimension(c, d) : skip_numbers(c, d);
+}
+
+fmb_status fmb_mesh_read_medit(fmb_cursor *c, fmb_mesh_draft *d)
+{
+    char found[FMB_QUOTE];
+    fmb_status st = FMB_OK;
+    d->skip = fmb_mesh_skip_comments;
+    for (d->skip(c); st == FMB_OK && c->at < c->end; d->skip(c)) {
+        const char *p = c->at;
+        fmb_span word = fmb_scan_word(c);
+        if (fmb_span_is_nocase(word, "End"))
+            return FMB_OK;
+        int letter = *p | 32;
+        st = letter >= 'a' && letter <= 'z'
+                 ? read_medit_keyword(c, d, word)
+                 : fmb_io_fail(c, p, "expected a keyword, found %s", fmb_quote(c, p, found));
+    }
+    return st;
+}

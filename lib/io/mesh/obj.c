@@ -1,0 +1,91 @@
+/* obj.c: Wavefront OBJ, a statement a line: v and f count, all others say how things look. Faces
+ * may name vertices that come later, and count back from the last one by negative numbers.
+ */
+#include <string.h>
+
+#include "io/core/number.h"
+#include "io/mesh/draft.h"
+
+/* Blanks, and line ends behind a backslash. */
+static void skip_blanks_of_statement(fmb_cursor *c)
+{
+    for (fmb_skip_blanks(c); fmb_peek(c) == '\\'; fmb_skip_blanks(c)) {
+        const char *p = c->at++;
+        fmb_skip_blanks(c);
+        if (fmb_peek(c) != '\n') {
+            c->at = p;
+            return;
+        }
+        c->at++;
+    }
+}
+
+static bool is_end_of_statement(const fmb_cursor *c)
+{
+    return fmb_peek(c) < 0 || fmb_peek(c) == '\n' || fmb_peek(c) == '#';
+}
+
+/* "7", "-1", with "/2/3" behind it, which is texture and normal. */
+static fmb_status read_obj_corner(fmb_cursor *c, fmb_mesh_draft *d)
+{
+    char found[FMB_QUOTE];
+    const char *p = c->at;
+    bool back = fmb_accept(c, "-");
+    size_t v = 0;
+    fmb_status st = fmb_scan_count(c, FMB_MESH_MOST, "the number of a vertex", &v);
+    if (st == FMB_OK && (v == 0 || (back && v > d->points)))
+        st = fmb_io_fail(c, p, "expected one of %zu vertices, numbered from 1, found %s", d->points,
+                         fmb_quote(c, p, found));
+    if (st == FMB_OK && fmb_peek(c) == '/')
+        fmb_scan_word(c);
+    if (st == FMB_OK && !is_end_of_statement(c) && !strchr(" \t\r\f\v\\", fmb_peek(c)))
+        st = fmb_io_fail(c, p, "expected the number of a vertex, found %s", fmb_quote(c, p, found));
+    return st == FMB_OK ? fmb_mesh_draft_corner(c, d, back ? d->points - v : v - 1) : st;
+}
+
+static fmb_status read_obj_face(fmb_cursor *c, fmb_mesh_draft *d, const char *p)
+{
+    fmb_status st = FMB_OK;
+    fmb_mesh_draft_face(d);
+    for (d->skip(c); st == FMB_OK && !is_end_of_statement(c); d->skip(c))
+        st = read_obj_corner(c, d);
+    if (st == FMB_OK && d->face_corners < 3)
+        st = fmb_io_fail(c, p, "expected a face of at least 3 corners, found %d", d->face_corners);
+    return st;
+}
+
+static fmb_status read_obj_statement(fmb_cursor *c, fmb_mesh_draft *d)
+{
+    double x[3];
+    fmb_skip_blanks(c);
+    const char *p = c->at;
+    fmb_span word = fmb_scan_word(c);
+    if (fmb_span_is(word, "f"))
+        return read_obj_face(c, d, p);
+    if (!fmb_span_is(word, "v"))
+        return FMB_OK;
+    fmb_status st = fmb_mesh_scan_point(c, d, x);
+    return st == FMB_OK ? fmb_mesh_draft_point(c, d, x) : st;
+}
+
+/* All faces are read: are all their corners there? */
+static fmb_status check_obj_corners(fmb_cursor *c, const fmb_mesh_draft *d)
+{
+    for (size_t i = 0; i < 3 * d->triangles; i++)
+        if (d->triangle[i] >= d->points)
+            return fmb_io_fail(
+                c, NULL, "expected %zu vertices, as face %zu has one with that number, found %zu",
+                (size_t)d->triangle[i] + 1, (size_t)d->face[i / 3] + 1, d->points);
+    return FMB_OK;
+}
+
+fmb_status fmb_mesh_read_obj(fmb_cursor *c, fmb_mesh_draft *d)
+{
+    fmb_status st = FMB_OK;
+    d->skip = skip_blanks_of_statement;
+    while (st == FMB_OK && c->at < c->end) {
+        st = read_obj_statement(c, d);
+        fmb_next_line(c);
+    }
+    return st == FMB_OK ? check_obj_corners(c, d) : st;
+}

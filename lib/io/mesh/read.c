@@ -1,0 +1,183 @@
+/* read.c: from a stream or a piece of memory to a mesh: what the formats share. */
+#include <errno.h>
+#include <string.h>
+
+#include "io/core/stream.h"
+#include "io/mesh/draft.h"
+
+/* ---- the table ------------------------------------------------------------------------------- */
+
+static bool starts_with_word(const fmb_cursor *from, const char *word)
+{
+    fmb_cursor c = *from;
+    fmb_mesh_skip_comments(&c);
+    return fmb_span_is_nocase(fmb_scan_word(&c), word);
+}
+
+static bool looks_like_off(const fmb_cursor *c)
+{
+    return starts_with_word(c, "OFF") || starts_with_word(c, "COFF") || starts_with_word(c, "NOFF");
+}
+
+static bool looks_like_ply(const fmb_cursor *c)
+{
+    return starts_with_word(c, "ply");
+}
+
+static bool looks_like_medit(const fmb_cursor *c)
+{
+    return starts_with_word(c, "MeshVersionFormatted");
+}
+
+static bool looks_like_stl(const fmb_cursor *c)
+{
+    return starts_with_word(c, "solid") || fmb_mesh_is_binary_stl(c);
+}
+
+typedef struct mesh_codec {
+    fmb_mesh_format format;
+    const char *name; /* its ending */
+    bool is_text;     /* if not, the reader looks at the bytes itself */
+    fmb_mesh_read_fn *read;
+    bool (*sniff)(const fmb_cursor *c); /* NULL: what nothing else fits */
+} mesh_codec;
+
+static const mesh_codec codecs[] = {
+    {FMB_MESH_PLY, "ply", false, fmb_mesh_read_ply, looks_like_ply},
+    {FMB_MESH_OFF, "off", true, fmb_mesh_read_off, looks_like_off},
+    {FMB_MESH_MEDIT, "mesh", true, fmb_mesh_read_medit, looks_like_medit},
+    {FMB_MESH_STL, "stl", false, fmb_mesh_read_stl, looks_like_stl},
+    {FMB_MESH_OBJ, "obj", true, fmb_mesh_read_obj, NULL},
+};
+
+enum { CODECS = sizeof codecs / sizeof *codecs };
+
+static const mesh_codec *find_mesh_codec(fmb_mesh_format f)
+{
+    for (int i = 0; i < CODECS; i++)
+        if (codecs[i].format == f)
+            return &codecs[i];
+    return NULL;
+}
+
+static const mesh_codec *guess_mesh_codec(const fmb_cursor *c)
+{
+    int i = 0;
+    while (codecs[i].sniff && !codecs[i].sniff(c))
+        i++;
+    return &codecs[i];
+}
+
+const char *fmb_mesh_format_text(fmb_mesh_format f)
+{
+    const mesh_codec *codec = find_mesh_codec(f);
+    return codec ? codec->name : "auto";
+}
+
+static const mesh_codec *find_codec_of_word(fmb_span word)
+{
+    for (int i = 0; i < CODECS; i++)
+        if (fmb_span_is_nocase(word, codecs[i].name))
+            return &codecs[i];
+    return NULL;
+}
+
+bool fmb_mesh_format_parse(const char *word, fmb_mesh_format *out)
+{
+    if (!word || !out)
+        return false;
+    const mesh_codec *codec = find_codec_of_word((fmb_span){word, strlen(word)});
+    if (!codec && strcmp(word, "auto") != 0)
+        return false;
+    *out = codec ? codec->format : FMB_MESH_AUTO;
+    return true;
+}
+
+fmb_mesh_format fmb_mesh_format_of_name(const char *path)
+{
+    const char *dot = path ? strrchr(path, '.') : NULL;
+    if (!dot || strchr(dot, '/'))
+        return FMB_MESH_AUTO;
+    const mesh_codec *codec = find_codec_of_word((fmb_span){dot + 1, strlen(dot + 1)});
+    return codec ? codec->format : FMB_MESH_AUTO;
+}
+
+/* ---- parsing --------------------------------------------------------------------------------- */
+
+/* Tetrahedra, if there are any: triangles beside them are their surface. */
+static fmb_status make_mesh_of_draft(fmb_cursor *c, const fmb_mesh_draft *d, fmb_mesh **out)
+{
+    const fmb_alloc *hook = c->how->mem;
+    if (d->tetrahedra > 0)
+        return fmb_mesh_new_of_faces(4, d->points, d->point, d->tetrahedra, d->tetrahedron, NULL,
+                                     hook, out);
+    if (d->triangles == 0)
+        return fmb_io_fail(c, NULL, "expected triangles or tetrahedra, found none");
+    return fmb_mesh_new_of_faces(3, d->points, d->point, d->triangles, d->triangle, d->face, hook,
+                                 out);
+}
+
+static fmb_status parse_mesh(const char *text, size_t size, fmb_mesh_format f,
+                             const fmb_reader *how, fmb_mesh **out, fmb_where *where)
+{
+    fmb_mem mem;
+    fmb_mem_init(&mem, how->mem, 0);
+    fmb_cursor c = fmb_io_cursor(text, size, how, &mem, where);
+    fmb_mesh_draft d = {.mem = &mem, .skip = fmb_skip_space};
+    const mesh_codec *codec = f == FMB_MESH_AUTO ? guess_mesh_codec(&c) : find_mesh_codec(f);
+    fmb_status st = size > fmb_io_max_bytes(how) ? fmb_io_fail_too_long(&c, NULL)
+                    : codec->is_text             ? fmb_io_check(&c)
+                                                 : FMB_OK;
+    if (st == FMB_OK)
+        st = codec->read(&c, &d);
+    if (st == FMB_OK)
+        st = make_mesh_of_draft(&c, &d, out);
+    fmb_mesh_draft_clear(&d);
+    return st;
+}
+
+static fmb_status check_mesh_arguments(fmb_mesh_format f, fmb_mesh **out, fmb_where *where)
+{
+    if (!out)
+        return fmb_io_refuse_argument(where, "out is NULL");
+    return f == FMB_MESH_AUTO || find_mesh_codec(f)
+               ? FMB_OK
+               : fmb_io_refuse_argument(where, "f is no fmb_mesh_format");
+}
+
+fmb_status fmb_mesh_parse(const char *text, size_t size, fmb_mesh_format f, const fmb_reader *how,
+                          fmb_mesh **out, fmb_where *where)
+{
+    static const fmb_reader plain = {.format = FMB_FORMAT_AUTO};
+    fmb_where at = {0};
+    fmb_status st = check_mesh_arguments(f, out, where);
+    if (st != FMB_OK)
+        return st;
+    if (!text && size > 0)
+        return fmb_io_refuse_argument(where, "text is NULL");
+    st = parse_mesh(text ? text : "", size, f, how ? how : &plain, out, &at);
+    if (st == FMB_ERR_PARSE && where)
+        *where = at;
+    return st;
+}
+
+fmb_status fmb_mesh_read(FILE *in, fmb_mesh_format f, const fmb_reader *how, fmb_mesh **out,
+                         fmb_where *where)
+{
+    fmb_mem mem;
+    fmb_bytes b = {0};
+    fmb_status st = check_mesh_arguments(f, out, where);
+    if (st != FMB_OK)
+        return st;
+    if (!in)
+        return fmb_io_refuse_argument(where, "in is NULL");
+    fmb_mem_init(&mem, how ? how->mem : NULL, 0);
+    st = fmb_read_whole_stream(in, fmb_io_max_bytes(how), &b, &mem);
+    int cause = errno;
+    if (st == FMB_OK)
+        st = fmb_mesh_parse(b.p, b.size, f, how, out, where);
+    fmb_mem_put(&mem, b.p, b.capacity, 1);
+    if (st == FMB_ERR_IO)
+        errno = cause;
+    return st;
+}

@@ -1,0 +1,120 @@
+/* stl.c: STL, text or binary: three points a facet, which meet others in equal points alone.
+ * Normals are passed over.
+ *
+ * Binary: 80 bytes of anything (even "solid"), the number of facets in 4 bytes, 50 bytes a facet:
+ * 12 floats, then two bytes of anything; the least significant byte first.
+ */
+#include <math.h>
+
+#include "io/mesh/draft.h"
+
+enum { HEADER_BYTES = 80, FACET_BYTES = 50 };
+
+static uint64_t count_binary_facets(const fmb_cursor *from)
+{
+    fmb_cursor c = *from;
+    uint64_t facets = 0;
+    c.at += HEADER_BYTES;
+    for (int k = 0; k < 4; k++)
+        facets |= (uint64_t)(unsigned char)c.at[k] << 8 * k;
+    return facets;
+}
+
+bool fmb_mesh_is_binary_stl(const fmb_cursor *c)
+{
+    size_t size = (size_t)(c->end - c->begin);
+    return size >= HEADER_BYTES + 4 &&
+           count_binary_facets(c) * FACET_BYTES + HEADER_BYTES + 4 == size;
+}
+
+static fmb_status add_facet(fmb_cursor *c, fmb_mesh_draft *d, double corner[3][3])
+{
+    fmb_status st = FMB_OK;
+    fmb_mesh_draft_face(d);
+    for (int k = 0; st == FMB_OK && k < 3; k++) {
+        st = fmb_mesh_draft_corner(c, d, d->points);
+        if (st == FMB_OK)
+            st = fmb_mesh_draft_point(c, d, corner[k]);
+    }
+    return st;
+}
+
+static fmb_status read_binary_facet(fmb_cursor *c, fmb_mesh_draft *d)
+{
+    double corner[3][3];
+    uint64_t bits;
+    fmb_status st = FMB_OK;
+    c->at += 12;
+    for (int k = 0; st == FMB_OK && k < 9; k++) {
+        st = fmb_mesh_take_bytes(c, 4, false, "a coordinate", &bits);
+        if (st != FMB_OK)
+            return st;
+        corner[k / 3][k % 3] = fmb_mesh_real_of_bits(bits, 4);
+        if (!isfinite(corner[k / 3][k % 3]))
+            st = fmb_io_fail(c, NULL, "expected finite coordinates in facet %zu", d->faces);
+    }
+    c->at += 2;
+    return st == FMB_OK ? add_facet(c, d, corner) : st;
+}
+
+static fmb_status expect_word(fmb_cursor *c, fmb_mesh_draft *d, const char *word)
+{
+    char found[FMB_QUOTE];
+    d->skip(c);
+    const char *p = c->at;
+    return fmb_span_is_nocase(fmb_scan_word(c), word)
+               ? FMB_OK
+               : fmb_io_fail(c, p, "expected %s, found %s", word, fmb_quote(c, p, found));
+}
+
+/* Behind "facet": a normal, which may be no number, ends where "outer" begins. */
+static fmb_status read_text_facet(fmb_cursor *c, fmb_mesh_draft *d)
+{
+    static const char *const end[] = {"endloop", "endfacet"};
+    double corner[3][3];
+    fmb_skip_line(c);
+    fmb_status st = expect_word(c, d, "outer");
+    if (st == FMB_OK)
+        st = expect_word(c, d, "loop");
+    for (int k = 0; st == FMB_OK && k < 3; k++) {
+        st = expect_word(c, d, "vertex");
+        if (st == FMB_OK)
+            st = fmb_mesh_scan_point(c, d, corner[k]);
+    }
+    for (int k = 0; st == FMB_OK && k < 2; k++)
+        st = expect_word(c, d, end[k]);
+    return st == FMB_OK ? add_facet(c, d, corner) : st;
+}
+
+/* One solid after another. */
+static fmb_status read_text_stl(fmb_cursor *c, fmb_mesh_draft *d)
+{
+    char found[FMB_QUOTE];
+    bool inside = false;
+    fmb_status st = fmb_io_check(c);
+    for (d->skip(c); st == FMB_OK && (c->at < c->end || inside); d->skip(c)) {
+        const char *p = c->at;
+        fmb_span word = fmb_scan_word(c);
+        bool solid = fmb_span_is_nocase(word, inside ? "endsolid" : "solid");
+        if (inside && fmb_span_is_nocase(word, "facet"))
+            st = read_text_facet(c, d);
+        else if (!solid)
+            st = fmb_io_fail(c, p, "expected %s, found %s", inside ? "facet or endsolid" : "solid",
+                             fmb_quote(c, p, found));
+        else
+            fmb_skip_line(c);
+        inside ^= solid;
+    }
+    return st;
+}
+
+fmb_status fmb_mesh_read_stl(fmb_cursor *c, fmb_mesh_draft *d)
+{
+    if (!fmb_mesh_is_binary_stl(c))
+        return read_text_stl(c, d);
+    fmb_status st = FMB_OK;
+    c->at = c->begin + HEADER_BYTES + 4;
+    while (st == FMB_OK && c->at < c->end)
+        st = read_binary_facet(c, d);
+    return st;
+}

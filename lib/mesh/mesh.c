@@ -1,0 +1,254 @@
+/* mesh.c: a mesh from arrays; see fmb/mesh.h. */
+#include "mesh/mesh.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "mesh/volume.h"
+
+/* ---- equal points ---------------------------------------------------------------------------- */
+
+/* Points by their place in a table of open addressing; UINT32_MAX: none. */
+typedef struct point_table {
+    uint32_t *slot;
+    size_t size; /* a power of two */
+} point_table;
+
+/* splitmix64 of the bits, with -0 as 0. */
+static uint64_t hash_point(const double *p)
+{
+    uint64_t h = 0;
+    for (int j = 0; j < 3; j++) {
+        double x = p[j] + 0.0;
+        uint64_t bits;
+        memcpy(&bits, &x, sizeof bits);
+        h = (h ^ bits) * UINT64_C(0x9E3779B97F4A7C15);
+        h = (h ^ (h >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
+        h ^= h >> 27;
+    }
+    return h;
+}
+
+static bool are_equal_points(const double *p, const double *q)
+{
+    return p[0] == q[0] && p[1] == q[1] && p[2] == q[2];
+}
+
+/* The vertex at point v of m that came first; v + offset if it is the first one. Numbers below
+ * `offset` are vertices of `other`. */
+static uint32_t find_or_enter_point(point_table *t, const fmb_mesh *m, const fmb_mesh *other,
+                                    size_t v, size_t offset)
+{
+    const double *p = m->point + 3 * v;
+    size_t at = hash_point(p) & (t->size - 1);
+    for (; t->slot[at] != UINT32_MAX; at = (at + 1) & (t->size - 1)) {
+        uint32_t id = t->slot[at];
+        const double *q =
+            id < offset ? other->point + 3 * (size_t)id : m->point + 3 * (id - offset);
+        if (are_equal_points(p, q))
+            return id;
+    }
+    return t->slot[at] = (uint32_t)(v + offset);
+}
+
+fmb_status fmb_mesh_find_same(const fmb_mesh *m, const fmb_mesh *other, fmb_mem *mem, uint32_t *out)
+{
+    point_table t = {.size = 16};
+    size_t offset = other ? other->vertices : 0;
+    while (t.size < 2 * (m->vertices + offset))
+        t.size *= 2;
+    t.slot = fmb_mem_get(mem, t.size, sizeof *t.slot);
+    if (!t.slot)
+        return fmb_mem_status(mem);
+    memset(t.slot, 0xff, t.size * sizeof *t.slot);
+    for (size_t v = 0; v < offset; v++)
+        find_or_enter_point(&t, other, NULL, v, 0);
+    for (size_t v = 0; v < m->vertices; v++)
+        out[v] = find_or_enter_point(&t, m, other, v, offset);
+    fmb_mem_put(mem, t.slot, t.size, sizeof *t.slot);
+    return FMB_OK;
+}
+
+/* ---- cells ----------------------------------------------------------------------------------- */
+
+fmb_mesh_cell fmb_mesh_cell_of(const fmb_mesh *m, const uint32_t *ids_of, size_t c)
+{
+    fmb_mesh_cell out = {.corners = m->corners, .by_signs = !m->trouble[c]};
+    const uint32_t *corner = m->corner + c * (size_t)m->corners;
+    for (int k = 0; k < m->corners; k++) {
+        out.point[k] = m->point + 3 * (size_t)corner[k];
+        out.id[k] = ids_of[corner[k]];
+    }
+    return out;
+}
+
+/* A triangle is flat if no projection of it has an area. */
+static bool is_flat_cell(const fmb_mesh_cell *c)
+{
+    static const double zero[3] = {0}, unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const double *const *p = c->point;
+    if (c->corners == 4)
+        return fmb_sign_of_volume(p[0], p[1], p[2], p[3]) == 0;
+    int k = 0;
+    while (k < 3 &&
+           fmb_sign_of_determinant((fmb_difference){p[1], p[0]}, (fmb_difference){p[2], p[0]},
+                                   (fmb_difference){unit[k], zero}) == 0)
+        k++;
+    return k == 3;
+}
+
+static bool is_tame_cell(const fmb_mesh_cell *c)
+{
+    bool tame = true;
+    for (int k = 0; k < 3 * c->corners; k++)
+        tame &= fmb_is_tame(c->point[k / 3][k % 3]);
+    return tame;
+}
+
+static void look_at_cells(fmb_mesh *m)
+{
+    memset(m->trouble, 0, m->cells);
+    for (size_t i = 0; i < m->cells; i++) {
+        fmb_mesh_cell c = fmb_mesh_cell_of(m, m->same, i);
+        if (!is_tame_cell(&c))
+            m->trouble[i] = FMB_MESH_WILD;
+        else if (is_flat_cell(&c))
+            m->trouble[i] = FMB_MESH_FLAT;
+    }
+}
+
+/* ---- life ------------------------------------------------------------------------------------ */
+
+static bool are_mesh_arguments(int corners, size_t vertices, const double *point, size_t cells,
+                               const uint32_t *corner)
+{
+    bool good = (corners == 3 || corners == 4) && vertices <= FMB_MESH_MOST &&
+                cells <= FMB_MESH_MOST && (point || vertices == 0) && (corner || cells == 0);
+    for (size_t i = 0; good && i < 3 * vertices; i++)
+        good = isfinite(point[i]);
+    for (size_t i = 0; good && i < (size_t)corners * cells; i++)
+        good = corner[i] < vertices;
+    return good;
+}
+
+static void *copy_array(fmb_mem *mem, const void *from, size_t n, size_t size)
+{
+    void *to = fmb_mem_get(mem, n, size);
+    if (to && n > 0)
+        memcpy(to, from, n * size);
+    return to;
+}
+
+static fmb_status fill_mesh(fmb_mesh *m, const double *point, const uint32_t *corner,
+                            const uint32_t *face)
+{
+    fmb_mem *mem = &m->mem;
+    m->point = copy_array(mem, point, 3 * m->vertices, sizeof *point);
+    m->corner = copy_array(mem, corner, m->cells * (size_t)m->corners, sizeof *corner);
+    m->face = face ? copy_array(mem, face, m->cells, sizeof *face) : NULL;
+    m->same = fmb_mem_get(mem, m->vertices, sizeof *m->same);
+    m->trouble = fmb_mem_get(mem, m->cells, sizeof *m->trouble);
+    if (!m->point || !m->corner || (face && !m->face) || !m->same || !m->trouble)
+        return fmb_mem_status(mem);
+    fmb_status st = fmb_mesh_find_same(m, NULL, mem, m->same);
+    if (st != FMB_OK)
+        return st;
+    look_at_cells(m);
+    return fmb_mesh_grow_tree(m);
+}
+
+fmb_status fmb_mesh_new_of_faces(int corners, size_t vertices, const double *point, size_t cells,
+                                 const uint32_t *corner, const uint32_t *face,
+                                 const fmb_alloc *hook, fmb_mesh **out)
+{
+    fmb_mem mem;
+    if (!out || !are_mesh_arguments(corners, vertices, point, cells, corner))
+        return FMB_ERR_ARG;
+    fmb_mem_init(&mem, hook, 0);
+    fmb_mesh *m = fmb_mem_zero(&mem, 1, sizeof *m);
+    if (!m)
+        return fmb_mem_status(&mem);
+    m->mem = mem;
+    m->corners = corners;
+    m->vertices = vertices;
+    m->cells = cells;
+    fmb_status st = fill_mesh(m, point, corner, face);
+    if (st == FMB_OK)
+        *out = m;
+    else
+        fmb_mesh_free(m);
+    return st;
+}
+
+fmb_status fmb_mesh_new(int corners, size_t vertices, const double *point, size_t cells,
+                        const uint32_t *corner, const fmb_alloc *mem, fmb_mesh **out)
+{
+    return fmb_mesh_new_of_faces(corners, vertices, point, cells, corner, NULL, mem, out);
+}
+
+void fmb_mesh_free(fmb_mesh *m)
+{
+    if (!m)
+        return;
+    fmb_mem mem = m->mem;
+    fmb_mem_put(&mem, m->point, 3 * m->vertices, sizeof *m->point);
+    fmb_mem_put(&mem, m->corner, m->cells * (size_t)m->corners, sizeof *m->corner);
+    fmb_mem_put(&mem, m->face, m->cells, sizeof *m->face);
+    fmb_mem_put(&mem, m->same, m->vertices, sizeof *m->same);
+    fmb_mem_put(&mem, m->trouble, m->cells, sizeof *m->trouble);
+    fmb_mem_put(&mem, m->order, m->cells, sizeof *m->order);
+    fmb_mem_put(&mem, m->node, m->nodes, sizeof *m->node);
+    fmb_mem_put(&mem, m, 1, sizeof *m);
+}
+
+/* ---- placing --------------------------------------------------------------------------------- */
+
+fmb_status fmb_mesh_placed(const fmb_mesh *m, const fmb_mesh_place *place, const fmb_alloc *hook,
+                           fmb_mesh **out)
+{
+    fmb_mem mem;
+    if (!m || !place || !out)
+        return FMB_ERR_ARG;
+    fmb_mem_init(&mem, hook, 0);
+    double *point = fmb_mem_get(&mem, 3 * m->vertices, sizeof *point);
+    if (!point)
+        return fmb_mem_status(&mem);
+    for (size_t i = 0; i < 3 * m->vertices; i++)
+        point[i] = fma(place->scale[i % 3], m->point[i], place->move[i % 3]);
+    fmb_status st = fmb_mesh_new_of_faces(m->corners, m->vertices, point, m->cells, m->corner,
+                                          m->face, hook, out);
+    fmb_mem_put(&mem, point, 3 * m->vertices, sizeof *point);
+    return st;
+}
+
+/* ---- what a mesh says of itself -------------------------------------------------------------- */
+
+int fmb_mesh_corners(const fmb_mesh *m)
+{
+    return m ? m->corners : 0;
+}
+
+size_t fmb_mesh_vertices(const fmb_mesh *m)
+{
+    return m ? m->vertices : 0;
+}
+
+size_t fmb_mesh_cells(const fmb_mesh *m)
+{
+    return m ? m->cells : 0;
+}
+
+const double *fmb_mesh_points(const fmb_mesh *m)
+{
+    return m ? m->point : NULL;
+}
+
+const uint32_t *fmb_mesh_indices(const fmb_mesh *m)
+{
+    return m ? m->corner : NULL;
+}
+
+size_t fmb_mesh_face(const fmb_mesh *m, size_t c)
+{
+    return m && m->face && c < m->cells ? m->face[c] : m ? c : 0;
+}

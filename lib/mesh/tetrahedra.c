@@ -1,0 +1,123 @@
+/* tetrahedra.c: how two tetrahedra that are not flat meet, by signs of determinants alone.
+ *
+ * Separating axes, exactly. A - B is a polytope whose facets are parallel to a face of A, to one of
+ * B, or to an edge of A and one of B. A and B are apart iff the origin is strictly outside one of
+ * them, and their interiors do not meet iff it is not strictly inside all. If a plane H has A on
+ * one side and B on the other, all common points lie in H; so if the corners of A in H, or those of
+ * B, are shared, there are no others than what these span.
+ */
+#include "mesh/decide.h"
+#include "mesh/volume.h"
+
+/* What the planes looked at tell so far. */
+typedef struct separation {
+    const fmb_mesh_cell *a, *b;
+    int shared;
+    bool apart, weakly, only_shared;
+} separation;
+
+static bool has_corner(const fmb_mesh_cell *c, uint32_t id)
+{
+    int k = 0;
+    while (k < c->corners && c->id[k] != id)
+        k++;
+    return k < c->corners;
+}
+
+/* Bits are corners of c. */
+static bool are_shared_corners(const fmb_mesh_cell *c, const fmb_mesh_cell *other, unsigned bits)
+{
+    bool shared = true;
+    for (int k = 0; k < 4; k++)
+        shared &= !(bits >> k & 1) || has_corner(other, c->id[k]);
+    return shared;
+}
+
+/* Signs of the corners beside a plane: bits of those on it; false if one is on the wrong side. */
+static bool add_corner(int sign, int k, unsigned *on)
+{
+    *on |= sign == 0 ? 1U << k : 0;
+    return sign >= 0;
+}
+
+static void note_plane(separation *s, bool strictly, unsigned on_a, unsigned on_b)
+{
+    s->weakly = true;
+    s->apart |= strictly;
+    s->only_shared |= s->shared > 0 && (are_shared_corners(s->a, s->b, on_a) ||
+                                        are_shared_corners(s->b, s->a, on_b));
+}
+
+static bool is_decided(const separation *s)
+{
+    return s->apart || s->only_shared;
+}
+
+/* The plane of the face of c that misses corner k. */
+static void look_at_face(separation *s, const fmb_mesh_cell *c, const fmb_mesh_cell *other, int k)
+{
+    const double *p = c->point[(k + 1) % 4], *q = c->point[(k + 2) % 4], *r = c->point[(k + 3) % 4];
+    int inner = fmb_sign_of_volume(p, q, r, c->point[k]);
+    unsigned on = 0, face = 15U & ~(1U << k);
+    bool outside = true;
+    for (int j = 0; outside && j < 4; j++) {
+        bool shared = has_corner(c, other->id[j]) && other->id[j] != c->id[k];
+        int sign = shared ? 0 : -inner * fmb_sign_of_volume(p, q, r, other->point[j]);
+        outside = add_corner(sign, j, &on);
+    }
+    if (outside)
+        note_plane(s, on == 0, c == s->a ? face : on, c == s->a ? on : face);
+}
+
+/* Corners of a tetrahedron on an edge, and the two others. */
+static const int edge_corner[6][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2},
+                                      {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}};
+
+/* The two corners off an edge of c lie beyond no plane through it and along f: the common sign of
+ * theirs, 0 if there are two, or none. */
+static int find_side_of_others(const fmb_mesh_cell *c, const int *edge, fmb_difference e,
+                               fmb_difference f, unsigned *on)
+{
+    int sign[2];
+    *on = 1U << edge[0] | 1U << edge[1];
+    for (int i = 0; i < 2; i++) {
+        sign[i] = fmb_sign_of_determinant(
+            e, f, (fmb_difference){c->point[edge[2 + i]], c->point[edge[0]]});
+        *on |= sign[i] == 0 ? 1U << edge[2 + i] : 0;
+    }
+    return sign[0] * sign[1] < 0 ? 0 : sign[0] + sign[1] > 0 ? 1 : sign[0] + sign[1] < 0 ? -1 : 0;
+}
+
+/* Planes parallel to edge i of A and edge j of B. If these are parallel, all signs are 0. */
+static void look_at_edges(separation *s, int i, int j)
+{
+    const fmb_mesh_cell *a = s->a, *b = s->b;
+    const int *of_a = edge_corner[i], *of_b = edge_corner[j];
+    fmb_difference e = {a->point[of_a[1]], a->point[of_a[0]]};
+    fmb_difference f = {b->point[of_b[1]], b->point[of_b[0]]};
+    unsigned on_a, on_b;
+    int side_a = find_side_of_others(a, of_a, e, f, &on_a);
+    if (side_a == 0)
+        return;
+    int side_b = find_side_of_others(b, of_b, e, f, &on_b);
+    if (side_b != -side_a)
+        return;
+    int gap = fmb_sign_of_determinant(e, f, (fmb_difference){b->point[of_b[0]], a->point[of_a[0]]});
+    if (gap * side_b >= 0)
+        note_plane(s, gap != 0, on_a, on_b);
+}
+
+fmb_mesh_how fmb_mesh_decide_tetrahedra(const fmb_mesh_cell *a, const fmb_mesh_cell *b, int shared)
+{
+    separation s = {.a = a, .b = b, .shared = shared};
+    for (int k = 0; !is_decided(&s) && k < 4; k++)
+        look_at_face(&s, a, b, k);
+    for (int k = 0; !is_decided(&s) && k < 4; k++)
+        look_at_face(&s, b, a, k);
+    for (int k = 0; !is_decided(&s) && k < 36; k++)
+        look_at_edges(&s, k / 6, k % 6);
+    return s.apart         ? FMB_MESH_APART
+           : s.only_shared ? FMB_MESH_SHARE
+           : s.weakly      ? FMB_MESH_TOUCH
+                           : FMB_MESH_CROSS;
+}

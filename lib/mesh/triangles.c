@@ -1,0 +1,188 @@
+/* triangles.c: how two triangles that are not flat meet, by signs of volumes alone.
+ *
+ * Let A lie in the plane H, B in K. If all of B is strictly on one side of H, or all of A of K,
+ * they are apart. If H = K, see below. Else H and K meet in a line L, A meets K in an interval P of
+ * L, B meets H in an interval Q, and the common points are P and Q's. An end of P is where an edge
+ * uw of A meets K: w strictly on one side, u in K or on the other side. For an end x of P on uw and
+ * an end y of Q on kl, with directions e of uw and f of kl,
+ *
+ *     vol(u, w, k, l) = det(w - u, k - u, l - u) ~ det(e, y - x, f)
+ *
+ * up to positive factors, as k - u is y - x plus multiples of e and f. The part of e across L has
+ * the sign of w's side of K, that of f the sign of l's side of H. So vol times both sides has the
+ * sign of x - y along L, up to one factor that is common to all ends. No order along L is needed:
+ * P and Q are apart iff all x - y have one strict sign; they have at most one point in common iff
+ * none is positive or none is negative.
+ *
+ * Source: Devillers and Guigue, INRIA RR-4488, 2002.
+ */
+#include "mesh/decide.h"
+#include "mesh/volume.h"
+
+static bool is_corner(const fmb_mesh_cell *c, uint32_t id)
+{
+    return c->id[0] == id || c->id[1] == id || c->id[2] == id;
+}
+
+/* On which side of b's plane the corners of a are: -1, 0, 1. */
+static void find_sides_of_plane(const fmb_mesh_cell *a, const fmb_mesh_cell *b, int side[3])
+{
+    for (int i = 0; i < 3; i++)
+        side[i] = is_corner(b, a->id[i])
+                      ? 0
+                      : fmb_sign_of_volume(b->point[0], b->point[1], b->point[2], a->point[i]);
+}
+
+static bool are_all_equal(const int side[3], int value)
+{
+    return side[0] == value && side[1] == value && side[2] == value;
+}
+
+static bool are_on_both_sides(const int side[3])
+{
+    int seen = 0;
+    for (int i = 0; i < 3; i++)
+        seen |= side[i] > 0 ? 2 : side[i] < 0 ? 1 : 0;
+    return seen == 3;
+}
+
+/* ---- two planes ------------------------------------------------------------------------------ */
+
+/* An edge by its ends u, w. */
+typedef struct crossing_edge {
+    int u, w;
+} crossing_edge;
+
+/* The one or two ends of the interval that a triangle with these sides cuts from the other plane.
+ */
+static int find_ends_of_interval(const int side[3], crossing_edge out[2])
+{
+    int n = 0;
+    for (int i = 0; i < 3; i++) {
+        int next = (i + 1) % 3, last = (i + 2) % 3;
+        if (side[i] == 0)
+            out[n++] = (crossing_edge){i, side[next] != 0 ? next : last};
+        if (side[i] * side[next] < 0)
+            out[n++] = (crossing_edge){i, next};
+    }
+    return n;
+}
+
+/* The sign of x - y along the common line, x on edge e of a and y on edge f of b. */
+static int compare_ends(const fmb_mesh_cell *a, crossing_edge e, const fmb_mesh_cell *b,
+                        crossing_edge f)
+{
+    bool same = a->id[e.u] == b->id[f.u] || a->id[e.u] == b->id[f.w] || a->id[e.w] == b->id[f.u] ||
+                a->id[e.w] == b->id[f.w];
+    return same ? 0
+                : fmb_sign_of_volume(a->point[e.u], a->point[e.w], b->point[f.u], b->point[f.w]);
+}
+
+static fmb_mesh_how decide_across_planes(const fmb_mesh_cell *a, const int *side_a,
+                                         const fmb_mesh_cell *b, const int *side_b, int shared)
+{
+    crossing_edge e[2], f[2];
+    int n = find_ends_of_interval(side_a, e), m = find_ends_of_interval(side_b, f), seen = 0;
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < m; j++) {
+            int sign = compare_ends(a, e[i], b, f[j]) * side_a[e[i].w] * side_b[f[j].w];
+            seen |= 1 << (sign + 1);
+        }
+    enum { BELOW = 1, EQUAL = 2, ABOVE = 4 };
+    if (seen == BELOW || seen == ABOVE)
+        return FMB_MESH_APART;
+    bool overlap = (seen & BELOW) && (seen & ABOVE);
+    if (overlap && are_on_both_sides(side_a) && are_on_both_sides(side_b))
+        return FMB_MESH_CROSS;
+    bool is_point = n == 1 || m == 1 || !overlap;
+    return shared == 1 && is_point ? FMB_MESH_SHARE : FMB_MESH_TOUCH;
+}
+
+/* ---- one plane ------------------------------------------------------------------------------- */
+
+/* Orientation of p, q, r, seen along axis k. */
+static int find_turn(int k, const double *p, const double *q, const double *r)
+{
+    static const double zero[3] = {0}, unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    return fmb_sign_of_determinant((fmb_difference){q, p}, (fmb_difference){r, p},
+                                   (fmb_difference){unit[k], zero});
+}
+
+/* 1: an edge of a has all of b strictly outside; 0: outside or on it; -1: no edge has. */
+static int separate_by_edges(int k, const fmb_mesh_cell *a, const fmb_mesh_cell *b)
+{
+    int best = -1, inner = find_turn(k, a->point[0], a->point[1], a->point[2]);
+    for (int i = 0; i < 3; i++) {
+        int least = 1;
+        for (int j = 0; j < 3; j++) {
+            int out = -inner * find_turn(k, a->point[i], a->point[(i + 1) % 3], b->point[j]);
+            least = out < least ? out : least;
+        }
+        best = least > best ? least : best;
+    }
+    return best;
+}
+
+/* p - v and q - v have one direction, if they are parallel and not 0. */
+static bool are_same_way(const double *v, const double *p, const double *q)
+{
+    int j = 0;
+    while (j < 2 && p[j] == v[j])
+        j++;
+    return (p[j] > v[j]) == (q[j] > v[j]);
+}
+
+/* Triangles with one common corner whose interiors do not meet: all common points lie in a line
+ * through the corner that separates them. They are more than the corner iff both have an edge on
+ * the same ray of it. */
+static bool have_edges_on_one_ray(int k, const fmb_mesh_cell *a, const fmb_mesh_cell *b)
+{
+    int i = 0, j = 0;
+    while (!is_corner(b, a->id[i]))
+        i++;
+    while (a->id[i] != b->id[j])
+        j++;
+    const double *v = a->point[i];
+    for (int s = 1; s < 3; s++)
+        for (int t = 1; t < 3; t++) {
+            const double *p = a->point[(i + s) % 3], *q = b->point[(j + t) % 3];
+            if (find_turn(k, v, p, q) == 0 && are_same_way(v, p, q))
+                return true;
+        }
+    return false;
+}
+
+/* In the plane, convex polygons with interiors that do not meet are separated by the line of an
+ * edge; strictly, if they are apart. */
+static fmb_mesh_how decide_in_plane(const fmb_mesh_cell *a, const fmb_mesh_cell *b, int shared)
+{
+    int k = 0;
+    while (k < 2 && find_turn(k, a->point[0], a->point[1], a->point[2]) == 0)
+        k++;
+    int of_a = separate_by_edges(k, a, b), of_b = of_a > 0 ? 1 : separate_by_edges(k, b, a);
+    if (of_a > 0 || of_b > 0)
+        return FMB_MESH_APART;
+    if (of_a < 0 && of_b < 0)
+        return FMB_MESH_COPLANAR;
+    bool only_shared = shared == 2 || (shared == 1 && !have_edges_on_one_ray(k, a, b));
+    return only_shared ? FMB_MESH_SHARE : FMB_MESH_TOUCH;
+}
+
+/* ---- both ------------------------------------------------------------------------------------ */
+
+/* Two common corners and two planes: the common points are those of the common edge. */
+fmb_mesh_how fmb_mesh_decide_triangles(const fmb_mesh_cell *a, const fmb_mesh_cell *b, int shared)
+{
+    int side_a[3], side_b[3];
+    find_sides_of_plane(b, a, side_b);
+    if (side_b[0] != 0 && are_all_equal(side_b, side_b[0]))
+        return FMB_MESH_APART;
+    if (are_all_equal(side_b, 0))
+        return decide_in_plane(a, b, shared);
+    if (shared == 2)
+        return FMB_MESH_SHARE;
+    find_sides_of_plane(a, b, side_a);
+    if (side_a[0] != 0 && are_all_equal(side_a, side_a[0]))
+        return FMB_MESH_APART;
+    return decide_across_planes(a, side_a, b, side_b, shared);
+}

@@ -1,0 +1,34 @@
+/* volume.h: signs of determinants of differences of points, exactly.
+ *
+ * A coordinate is tame if it is 0 or 2^-200 <= |x| <= 2^200. Tame coordinates and their differences
+ * are multiples of 2^-252, products of three of these multiples of 2^-756 and below 2^604: so
+ * nothing here underflows or overflows.
+ *
+ * Source: Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric
+ * predicates, Discrete & Computational Geometry 18, 1997.
+ */
+#ifndef FMB_MESH_VOLUME_H
+#define FMB_MESH_VOLUME_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* A vector to - from. */
+typedef struct fmb_difference {
+    const double *to, *from;
+} fmb_difference;
+
+bool fmb_is_tame(double x);
+
+/* -1, 0 or 1, the sign of det(u, v, w); all coordinates are tame. */
+int fmb_sign_of_determinant(fmb_difference u, fmb_difference v, fmb_difference w);
+
+/* Of the volume of the tetrahedron p, q, r, s: of det(q - p, r - p, s - p). */
+static inline int fmb_sign_of_volume(const double *p, const double *q, const double *r,
+                                     const double *s)
+{
+    return fmb_sign_of_determinant((fmb_difference){q, p}, (fmb_difference){r, p},
+                                   (fmb_difference){s, p});
+}
+
+#endif
