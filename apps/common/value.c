@@ -39,6 +39,8 @@ double app_value_number(const char *option, const char *text, double least, doub
     char *end;
     double x = strtod(text, &end);
     bool good = end != text && *end == '\0' && x >= least && x <= most;
+    if (!good && least == -DBL_MAX && most == DBL_MAX)
+        argp_error(state, "%s: expected a number, found '%s'", option, text);
     if (!good && most == DBL_MAX)
         argp_error(state, "%s: expected a number >= %g, found '%s'", option, least, text);
     if (!good)

@@ -13,7 +13,7 @@ _fmb()
     COMPREPLY=()
     for ((i = 1; i < COMP_CWORD; i++)); do
         case ${COMP_WORDS[i]} in
-            solve | bounds | optimize | project | reduce | check | convert | intersect) command=${COMP_WORDS[i]} && break ;;
+            solve | bounds | optimize | project | reduce | check | convert | intersect | mesh) command=${COMP_WORDS[i]} && break ;;
         esac
     done
 
@@ -23,7 +23,11 @@ _fmb()
         --presolve --simd --max-seconds --max-rows --max-bytes --threads"
     local words
     case $prev in
-        --format) words="auto fmb ine ieq smt2 mps lp" ;;
+        --format)
+            words="auto fmb ine ieq smt2 mps lp"
+            [[ $command == mesh ]] && words="auto off obj ply stl mesh"
+            ;;
+        --mirror) words="x y z" ;;
         --to) words="fmb ine smt2" ;;
         --arith) words="auto int gmp" ;;
         --method) words="auto dd fm hull lp" ;;
@@ -35,7 +39,7 @@ _fmb()
         --trace-rows) words="true false" ;;
         --contact) words="closed open" ;;
         --boxes) words="exact outward none" ;;
-        --max-seconds | --max-rows | --max-bytes | --threads | --max-input | --max | --min | --vars | --keep | --eliminate) return ;;
+        --max-seconds | --max-rows | --max-bytes | --threads | --max-input | --max | --min | --vars | --keep | --eliminate | --move | --scale | --motion) return ;;
         --proof | --trace | --rule-library)
             compopt -o default
             return
@@ -50,7 +54,8 @@ _fmb()
                 check) words="$general $source --list --expect --json" ;;
                 convert) words="$general $source --to" ;;
                 intersect) words="$general --quiet --json --contact --boxes --nearest --max-seconds --max-bytes --max-input" ;;
-                *) words="$general solve bounds optimize project reduce check convert intersect" ;;
+                mesh) words="$general --quiet --json --csv --move --scale --mirror --motion --neighbours --format --max-bytes --max-input" ;;
+                *) words="$general solve bounds optimize project reduce check convert intersect mesh" ;;
             esac
             if [[ -n $command && $cur != -* ]]; then
                 compopt -o default

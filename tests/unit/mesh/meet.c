@@ -1,12 +1,229 @@
-/* meet.c: trees find what all pairs find. */
+/* meet.c: trees find what all pairs find, in order; places, motions and limits. */
 #include <criterion/criterion.h>
+#include <math.h>
+#include <string.h>
 
 #include <fmb/mesh.h>
+#include <fmb/pair.h>
 
 #include "property/random/rows.h"
 #include "support/support.h"
 
-Test(meet, nothing)
+enum { VERTICES = 60, CELLS = 90 };
+
+typedef struct soup {
+    double point[3 * VERTICES];
+    uint32_t corner[4 * CELLS];
+    int corners;
+    size_t cells;
+} soup;
+
+/* Small cells on a grid: many touch, share corners, are flat. */
+static void draw_soup(support_rng *g, int corners, size_t cells, soup *s)
 {
-    cr_expect(fmb_mesh_meet(NULL, NULL, NULL, NULL) == FMB_ERR_ARG);
+    s->corners = corners;
+    s->cells = cells;
+    for (int i = 0; i < 3 * VERTICES; i++)
+        s->point[i] = support_between(g, 0, 5);
+    for (size_t i = 0; i < cells * (size_t)corners; i++)
+        s->corner[i] = (uint32_t)support_between(g, 0, VERTICES - 1);
+}
+
+static fmb_mesh *mesh_of(const soup *s)
+{
+    fmb_mesh *m = NULL;
+    must(fmb_mesh_new(s->corners, VERTICES, s->point, s->cells, s->corner, NULL, &m));
+    return m;
+}
+
+static fmb_mesh *cell_of(const soup *s, size_t c)
+{
+    fmb_mesh *m = NULL;
+    must(fmb_mesh_new(s->corners, VERTICES, s->point, 1, s->corner + c * (size_t)s->corners, NULL,
+                      &m));
+    return m;
+}
+
+/* The answer of meshes of one cell each. */
+static fmb_mesh_hit ask_cells(const soup *s, size_t a, const soup *t, size_t b,
+                              const fmb_mesh_options *o)
+{
+    fmb_mesh *m = cell_of(s, a), *n = cell_of(t, b);
+    fmb_mesh_answer answer = {0};
+    fmb_mesh_hit hit = {.how = FMB_MESH_APART};
+    must(fmb_mesh_meet(m, n, o, &answer));
+    cr_assert(answer.hits <= 1);
+    if (answer.hits > 0)
+        hit = answer.hit[0];
+    hit.a = (uint32_t)a;
+    hit.b = (uint32_t)b;
+    fmb_mesh_answer_clear(&answer);
+    fmb_mesh_free(m);
+    fmb_mesh_free(n);
+    return hit;
+}
+
+static void compare(const soup *s, const soup *t, const fmb_mesh_options *o)
+{
+    fmb_mesh *m = mesh_of(s), *n = t ? mesh_of(t) : NULL;
+    fmb_mesh_answer answer = {0};
+    size_t next = 0;
+    must(fmb_mesh_meet(m, n, o, &answer));
+    for (size_t a = 0; a < s->cells; a++)
+        for (size_t b = t ? 0 : a + 1; b < (t ? t->cells : s->cells); b++) {
+            fmb_mesh_hit want = ask_cells(s, a, t ? t : s, b, o);
+            if (want.how == FMB_MESH_APART)
+                continue;
+            cr_assert(next < answer.hits);
+            const fmb_mesh_hit *got = &answer.hit[next++];
+            cr_expect(got->a == want.a && got->b == want.b && got->how == want.how &&
+                          got->shared == want.shared,
+                      "%u %u %s, not %u %u %s", got->a, got->b, fmb_mesh_how_text(got->how), want.a,
+                      want.b, fmb_mesh_how_text(want.how));
+        }
+    cr_expect(next == answer.hits && next > 10, "%zu of %zu", next, answer.hits);
+    fmb_mesh_answer_clear(&answer);
+    fmb_mesh_free(m);
+    fmb_mesh_free(n);
+}
+
+Test(meet, soups)
+{
+    support_rng g = {7};
+    soup s, t;
+    for (int neighbours = 0; neighbours < 2; neighbours++) {
+        fmb_mesh_options o = {.neighbours = neighbours};
+        draw_soup(&g, 3, 40, &s);
+        draw_soup(&g, 4, 20, &t);
+        compare(&s, NULL, &o);
+        compare(&t, NULL, &o);
+        compare(&s, &t, &o);
+        compare(&t, &s, &o);
+    }
+}
+
+Test(meet, motion)
+{
+    support_rng g = {8};
+    soup s, t;
+    draw_soup(&g, 3, 12, &s);
+    draw_soup(&g, 3, 12, &t);
+    const double motion[3] = {0.5, -3, 1.25};
+    compare(&s, &t, &(fmb_mesh_options){.motion = motion});
+}
+
+/* Every cell of a sound mesh meets its neighbours and no one else, however coordinates round. */
+Test(meet, neighbours)
+{
+    enum { SIDE = 24 };
+    static double point[SIDE * SIDE][3];
+    static uint32_t corner[2 * (SIDE - 1) * (SIDE - 1)][3];
+    size_t cells = 0, meet = 0;
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        double x = i % SIDE / 7.0, y = i / SIDE / 3.0;
+        point[i][0] = x + 100;
+        point[i][1] = y;
+        point[i][2] = sin(x) * cos(y) / 3;
+    }
+    for (uint32_t i = 0; i < SIDE * (SIDE - 1); i++)
+        if (i % SIDE < SIDE - 1) {
+            const uint32_t square[2][3] = {{i, i + 1, i + SIDE}, {i + SIDE + 1, i + SIDE, i + 1}};
+            memcpy(corner[cells], square, sizeof square);
+            cells += 2;
+        }
+    fmb_mesh *m = NULL;
+    fmb_mesh_answer answer = {0};
+    must(fmb_mesh_new(3, SIDE * SIDE, point[0], cells, corner[0], NULL, &m));
+    must(fmb_mesh_meet(m, NULL, &(fmb_mesh_options){.neighbours = true}, &answer));
+    for (size_t i = 0; i < answer.hits; i++) {
+        meet++;
+        cr_expect(answer.hit[i].how == FMB_MESH_SHARE && answer.hit[i].shared > 0);
+    }
+    size_t want = 0;
+    for (size_t a = 0; a < cells; a++)
+        for (size_t b = a + 1; b < cells; b++) {
+            bool common = false;
+            for (int k = 0; k < 9; k++)
+                common |= corner[a][k / 3] == corner[b][k % 3];
+            want += common;
+        }
+    cr_expect(meet == want && want > 5000, "%zu of %zu", meet, want);
+    cr_expect(answer.framed == 0);
+    fmb_mesh_answer_clear(&answer);
+    must(fmb_mesh_meet(m, m, NULL, &answer));
+    cr_expect(answer.hits == 0 && answer.stop == FMB_STOP_DONE);
+    fmb_mesh_answer_clear(&answer);
+    fmb_mesh_free(m);
+}
+
+Test(meet, place)
+{
+    support_rng g = {9};
+    soup s;
+    draw_soup(&g, 3, 4, &s);
+    fmb_mesh *m = mesh_of(&s), *placed = NULL;
+    fmb_mesh_place p = {{-3, 1 / 3.0, 0}, {0.1, 0.2, 0.3}};
+    must(fmb_mesh_placed(m, &p, NULL, &placed));
+    for (int i = 0; i < 3 * VERTICES; i++)
+        cr_expect(fmb_mesh_points(placed)[i] == fma(p.scale[i % 3], s.point[i], p.move[i % 3]));
+    cr_expect(memcmp(fmb_mesh_indices(placed), s.corner, 12 * sizeof *s.corner) == 0);
+    fmb_mesh_free(placed);
+    p.scale[0] = 1e308;
+    p.move[0] = INFINITY;
+    cr_expect(fmb_mesh_placed(m, &p, NULL, &placed) == FMB_ERR_ARG);
+    fmb_mesh_free(m);
+}
+
+static bool stop(void *self, double done)
+{
+    ++*(int *)self;
+    return done < 0;
+}
+
+Test(meet, limits)
+{
+    support_rng g = {10};
+    soup s;
+    int calls = 0;
+    draw_soup(&g, 3, CELLS, &s);
+    fmb_mesh *m = mesh_of(&s);
+    fmb_mesh_answer answer = {0};
+    must(fmb_mesh_meet(m, NULL, &(fmb_mesh_options){.progress = stop, .self = &calls}, &answer));
+    cr_expect(answer.stop == FMB_STOP_CANCELLED && calls == 1);
+    fmb_mesh_answer_clear(&answer);
+    must(fmb_mesh_meet(m, NULL, &(fmb_mesh_options){.max_bytes = 300}, &answer));
+    cr_expect(answer.stop == FMB_STOP_BYTES && answer.hits > 0 &&
+              answer.hits * sizeof *answer.hit <= 300);
+    fmb_mesh_answer_clear(&answer);
+    fmb_mesh_free(m);
+}
+
+Test(meet, arguments)
+{
+    const double point[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, bad[3] = {0, INFINITY, 0};
+    const uint32_t corner[3] = {0, 1, 2}, beyond[3] = {0, 1, 3};
+    fmb_mesh *m = NULL, *none = NULL;
+    fmb_mesh_answer answer = {0};
+    must(fmb_mesh_new(3, 3, point, 1, corner, NULL, &m));
+    cr_expect(fmb_mesh_new(2, 3, point, 1, corner, NULL, &none) == FMB_ERR_ARG);
+    cr_expect(fmb_mesh_new(3, 3, point, 1, beyond, NULL, &none) == FMB_ERR_ARG);
+    cr_expect(fmb_mesh_new(3, 1, bad, 0, NULL, NULL, &none) == FMB_ERR_ARG);
+    cr_expect(fmb_mesh_new(3, 3, NULL, 1, corner, NULL, &none) == FMB_ERR_ARG);
+    cr_expect(fmb_mesh_new(3, 3, point, 1, corner, NULL, NULL) == FMB_ERR_ARG);
+    cr_expect(fmb_mesh_meet(NULL, m, NULL, &answer) == FMB_ERR_ARG);
+    cr_expect(fmb_mesh_meet(m, NULL, NULL, NULL) == FMB_ERR_ARG);
+    cr_expect(fmb_mesh_meet(m, NULL, &(fmb_mesh_options){.motion = point}, &answer) == FMB_ERR_ARG);
+    cr_expect(fmb_mesh_meet(m, m, &(fmb_mesh_options){.motion = bad}, &answer) == FMB_ERR_ARG);
+    cr_expect(!none && fmb_mesh_cells(NULL) == 0 && !fmb_mesh_points(NULL) &&
+              !fmb_mesh_indices(NULL) && fmb_mesh_corners(NULL) == 0 &&
+              fmb_mesh_vertices(NULL) == 0 && fmb_mesh_face(NULL, 3) == 0);
+    fmb_mesh_free(m);
+    fmb_mesh_free(NULL);
+    fmb_mesh_answer_clear(NULL);
+    fmb_mesh_answer_clear(&answer);
+    must(fmb_mesh_new(4, 0, NULL, 0, NULL, NULL, &m));
+    must(fmb_mesh_meet(m, NULL, NULL, &answer));
+    cr_expect(answer.hits == 0);
+    fmb_mesh_answer_clear(&answer);
+    fmb_mesh_free(m);
 }
