@@ -167,7 +167,7 @@ static const char doc[] =
     "\n"
     "Examples:\n"
     "  fmb mesh part.stl\n"
-    "  fmb mesh bunny.ply bunny.ply --scale 1000 --mirror x --move 50,-10,0\n"
+    "  fmb mesh bunny.ply bunny.ply --mirror x --move 0.05,-0.01,0\n"
     "  fmb mesh robot.obj room.obj --motion 0,0,-2 --json\n";
 
 /* ---- the command ----------------------------------------------------------------------------- */

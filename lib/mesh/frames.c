@@ -3,7 +3,7 @@
 
 #include <fmb/solve.h>
 
-#include "mesh/decide.h"
+#include "mesh/frames.h"
 
 fmb_status fmb_mesh_frames_open(fmb_mesh_frames *x, const fmb_alloc *hook, const double *motion)
 {
@@ -29,26 +29,18 @@ void fmb_mesh_frames_close(fmb_mesh_frames *x)
 
 /* A cell as a frame; its numbers. */
 typedef struct framed_cell {
-    double number[FMB_MESH_MOST_CORNERS][3];
+    double number[FMB_CELL_MOST_CORNERS][3];
     fmb_frame frame;
 } framed_cell;
 
-static bool is_corner_of(const fmb_mesh_cell *c, uint32_t id)
-{
-    int k = 0;
-    while (k < c->corners && c->id[k] != id)
-        k++;
-    return k < c->corners;
-}
-
 /* The corners that c shares with another cell come first. */
-static void frame_cell(const fmb_mesh_cell *c, const fmb_mesh_cell *other, const double *speed,
+static void frame_cell(const fmb_cell *c, const fmb_cell *other, const double *speed,
                        framed_cell *out)
 {
     int n = 0;
     for (int shared = 1; shared >= 0; shared--)
         for (int k = 0; k < c->corners; k++)
-            if (is_corner_of(other, c->id[k]) == shared)
+            if (fmb_cell_has(other, c->id[k]) == shared)
                 memcpy(out->number[n++], c->point[k], sizeof out->number[0]);
     out->frame = (fmb_frame){.shape = FMB_SIMPLEX_BY_CORNERS,
                              .dim = 3,
@@ -63,7 +55,7 @@ static void frame_cell(const fmb_mesh_cell *c, const fmb_mesh_cell *other, const
 static fmb_status ask_beyond_shared(fmb_mesh_frames *x, const fmb_frame f[2], int shared, bool *out)
 {
     const fmb_alloc *hook = x->mem.resize ? &x->mem : NULL;
-    int64_t row[2 * FMB_MESH_MOST_CORNERS] = {0};
+    int64_t row[2 * FMB_CELL_MOST_CORNERS] = {0};
     fmb_system *s = NULL;
     fmb_result result = {0};
     for (int i = shared - 1; i < f[0].naxes; i++)
@@ -90,10 +82,10 @@ static fmb_status ask_pair(fmb_pair *k, const fmb_frame f[2], bool *meet)
 
 /* Which of both is the first matters where one is flat: its points have coordinates that are not
  * unique, those of the other one are. */
-fmb_status fmb_mesh_decide_frames(fmb_mesh_frames *x, const fmb_mesh_cell *a,
-                                  const fmb_mesh_cell *b, int shared, fmb_mesh_how *out)
+fmb_status fmb_mesh_decide_frames(fmb_mesh_frames *x, const fmb_cell *a, const fmb_cell *b,
+                                  bool flat_b, int shared, fmb_mesh_how *out)
 {
-    bool swap = !x->motion && b->by_signs, meet = true, cross = false, beyond = false;
+    bool swap = !x->motion && !flat_b, meet = true, cross = false, beyond = false;
     framed_cell p, q;
     frame_cell(swap ? b : a, swap ? a : b, NULL, &p);
     frame_cell(swap ? a : b, swap ? b : a, x->motion, &q);

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "mesh/decide.h"
+#include "mesh/frames.h"
 
 typedef struct meeting {
     const fmb_mesh *a, *b;         /* the same one for self-intersections */
@@ -37,7 +37,7 @@ static bool do_boxes_meet(const fmb_mesh_box *p, const fmb_mesh_box *q)
            q->lower[1] <= p->upper[1] && p->lower[2] <= q->upper[2] && q->lower[2] <= p->upper[2];
 }
 
-static fmb_mesh_box box_of_cell(const fmb_mesh_cell *c)
+static fmb_mesh_box box_of_cell(const fmb_cell *c)
 {
     fmb_mesh_box b;
     for (int j = 0; j < 3; j++) {
@@ -53,19 +53,19 @@ static fmb_mesh_box box_of_cell(const fmb_mesh_cell *c)
 
 /* ---- pairs of cells -------------------------------------------------------------------------- */
 
-static fmb_status decide_cells(meeting *x, const fmb_mesh_cell *a, const fmb_mesh_cell *b,
+static fmb_status decide_cells(meeting *x, const fmb_cell *a, const fmb_cell *b, unsigned trouble,
                                int shared, fmb_mesh_how *how)
 {
-    bool alike = a->corners == b->corners && a->by_signs && b->by_signs && !x->o->motion;
+    bool alike = a->corners == b->corners && !trouble && !x->o->motion;
     *how = FMB_MESH_TOUCH;
     if (alike && a->corners == 3)
-        *how = fmb_mesh_decide_triangles(a, b, shared);
+        *how = fmb_decide_triangles(a, b, shared);
     else if (alike)
-        *how = fmb_mesh_decide_tetrahedra(a, b, shared);
+        *how = fmb_decide_tetrahedra(a, b, shared);
     if (alike && (a->corners == 3 || shared == 0 || *how != FMB_MESH_TOUCH))
         return FMB_OK;
     x->out->framed++;
-    return fmb_mesh_decide_frames(&x->frames, a, b, shared, how);
+    return fmb_mesh_decide_frames(&x->frames, a, b, trouble >> 4 != 0, shared, how);
 }
 
 static fmb_status append_hit(meeting *x, fmb_mesh_hit hit)
@@ -78,13 +78,14 @@ static fmb_status append_hit(meeting *x, fmb_mesh_hit hit)
     return st;
 }
 
-static fmb_status look_at_cells_of_leaves(meeting *x, const fmb_mesh_cell *a, uint32_t i,
-                                          const fmb_mesh_cell *b, uint32_t j)
+static fmb_status look_at_cells_of_leaves(meeting *x, const fmb_cell *a, uint32_t i,
+                                          const fmb_cell *b, uint32_t j)
 {
     fmb_mesh_how how;
-    int shared = fmb_mesh_count_shared(a, b);
+    int shared = fmb_cells_count_shared(a, b);
     x->out->tested++;
-    fmb_status st = decide_cells(x, a, b, shared, &how);
+    unsigned trouble = x->a->trouble[i] | (unsigned)x->b->trouble[j] << 4;
+    fmb_status st = decide_cells(x, a, b, trouble, shared, &how);
     bool wanted = how != FMB_MESH_APART && (how != FMB_MESH_SHARE || x->o->neighbours);
     return st == FMB_OK && wanted ? append_hit(x, (fmb_mesh_hit){i, j, shared, how}) : st;
 }
@@ -112,11 +113,11 @@ static fmb_status meet_leaves(meeting *x, const fmb_mesh_node *p, const fmb_mesh
     fmb_status st = FMB_OK;
     for (uint32_t i = p->from; st == FMB_OK && i < p->to; i++) {
         uint32_t c = x->a->order[i];
-        fmb_mesh_cell a = fmb_mesh_cell_of(x->a, x->ids_a, c);
+        fmb_cell a = fmb_mesh_cell_of(x->a, x->ids_a, c);
         fmb_mesh_box box_a = box_of_cell(&a);
         for (uint32_t j = p == q ? i + 1 : q->from; st == FMB_OK && j < q->to; j++) {
             uint32_t d = x->b->order[j];
-            fmb_mesh_cell b = fmb_mesh_cell_of(x->b, x->ids_b, d);
+            fmb_cell b = fmb_mesh_cell_of(x->b, x->ids_b, d);
             fmb_mesh_box box_b = box_of_cell(&b);
             box_b = sweep_box(&box_b, x->o->motion);
             bool swap = x->a == x->b && d < c;

@@ -4,8 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "mesh/volume.h"
-
 /* ---- equal points ---------------------------------------------------------------------------- */
 
 /* Points by their place in a table of open addressing; UINT32_MAX: none. */
@@ -71,9 +69,9 @@ fmb_status fmb_mesh_find_same(const fmb_mesh *m, const fmb_mesh *other, fmb_mem 
 
 /* ---- cells ----------------------------------------------------------------------------------- */
 
-fmb_mesh_cell fmb_mesh_cell_of(const fmb_mesh *m, const uint32_t *ids_of, size_t c)
+fmb_cell fmb_mesh_cell_of(const fmb_mesh *m, const uint32_t *ids_of, size_t c)
 {
-    fmb_mesh_cell out = {.corners = m->corners, .by_signs = !m->trouble[c]};
+    fmb_cell out = {.corners = m->corners};
     const uint32_t *corner = m->corner + c * (size_t)m->corners;
     for (int k = 0; k < m->corners; k++) {
         out.point[k] = m->point + 3 * (size_t)corner[k];
@@ -82,37 +80,14 @@ fmb_mesh_cell fmb_mesh_cell_of(const fmb_mesh *m, const uint32_t *ids_of, size_t
     return out;
 }
 
-/* A triangle is flat if no projection of it has an area. */
-static bool is_flat_cell(const fmb_mesh_cell *c)
-{
-    static const double zero[3] = {0}, unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    const double *const *p = c->point;
-    if (c->corners == 4)
-        return fmb_sign_of_volume(p[0], p[1], p[2], p[3]) == 0;
-    int k = 0;
-    while (k < 3 &&
-           fmb_sign_of_determinant((fmb_difference){p[1], p[0]}, (fmb_difference){p[2], p[0]},
-                                   (fmb_difference){unit[k], zero}) == 0)
-        k++;
-    return k == 3;
-}
-
-static bool is_tame_cell(const fmb_mesh_cell *c)
-{
-    bool tame = true;
-    for (int k = 0; k < 3 * c->corners; k++)
-        tame &= fmb_is_tame(c->point[k / 3][k % 3]);
-    return tame;
-}
-
 static void look_at_cells(fmb_mesh *m)
 {
     memset(m->trouble, 0, m->cells);
     for (size_t i = 0; i < m->cells; i++) {
-        fmb_mesh_cell c = fmb_mesh_cell_of(m, m->same, i);
-        if (!is_tame_cell(&c))
+        fmb_cell c = fmb_mesh_cell_of(m, m->same, i);
+        if (!fmb_cell_is_tame(&c))
             m->trouble[i] = FMB_MESH_WILD;
-        else if (is_flat_cell(&c))
+        else if (fmb_cell_is_flat(&c))
             m->trouble[i] = FMB_MESH_FLAT;
     }
 }

@@ -7,8 +7,7 @@
 #include <fmb/mesh.h>
 
 #include "base/mem.h"
-
-enum { FMB_MESH_MOST_CORNERS = 4 };
+#include "pair/corners/cell.h"
 
 /* An axis-aligned box; all of its numbers are coordinates of vertices, unrounded. */
 typedef struct fmb_mesh_box {
@@ -34,22 +33,14 @@ struct fmb_mesh {
     uint32_t *corner; /* [cells][corners] */
     uint32_t *face;   /* [cells] where in its file, or NULL */
     uint8_t *trouble; /* [cells] FLAT: its corners lie in a line (of a tetrahedron: in a plane);
-                         WILD: a coordinate is not tame (volume.h), and nobody knows */
+                         WILD: a coordinate is not tame (pair/corners/volume.h), and nobody knows */
     uint32_t *order;  /* [cells] of the tree */
     fmb_mesh_node *node;
     size_t nodes;
 };
 
-/* A cell with its corners at hand. */
-typedef struct fmb_mesh_cell {
-    const double *point[FMB_MESH_MOST_CORNERS];
-    uint32_t id[FMB_MESH_MOST_CORNERS]; /* equal where points are */
-    int corners;
-    bool by_signs; /* neither flat nor wild */
-} fmb_mesh_cell;
-
 /* The cell as one of a mesh; `ids_of` lets points of two meshes be known as equal. */
-fmb_mesh_cell fmb_mesh_cell_of(const fmb_mesh *m, const uint32_t *ids_of, size_t c);
+fmb_cell fmb_mesh_cell_of(const fmb_mesh *m, const uint32_t *ids_of, size_t c);
 
 /* fmb_mesh_new, with faces [cells], or NULL. */
 fmb_status fmb_mesh_new_of_faces(int corners, size_t vertices, const double *point, size_t cells,

@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 
+#include "pair/corners/cell.h"
 #include "pair/edges.h"
 
 /* One call of fmb_pair_test. */
@@ -167,9 +168,12 @@ static fmb_status decide_generally(const query *a, int stage, int kind, size_t i
     if (!fmb_frame_is_good(&a->p[i], k->dim) || !fmb_frame_is_good(&a->q[i], k->dim))
         return refuse_pair(a, i);
     fmb_edges p, q;
-    a->out->verdict[i] = FMB_UNKNOWN;
-    if (k->options.method != FMB_PAIR_EXACT && !is_cancelled(k) && take_edges(a, i, &p, &q))
-        a->out->verdict[i] = fmb_general_decide(k->general, &p.frame, &q.frame);
+    fmb_verdict *out = &a->out->verdict[i];
+    *out = FMB_UNKNOWN;
+    if (k->options.method != FMB_PAIR_EXACT && !is_cancelled(k) &&
+        !fmb_decide_corners(&a->p[i], &a->q[i], k->options.contact, out) &&
+        take_edges(a, i, &p, &q))
+        *out = fmb_general_decide(k->general, &p.frame, &q.frame);
     if (a->out->verdict[i] == FMB_UNKNOWN)
         return decide_exactly(a, i);
     return a->out->verdict[i] == FMB_FEASIBLE && a->boxes ? find_box_from_stage(a, stage, kind, i)

@@ -3,7 +3,7 @@
 #include <gmp.h>
 #include <math.h>
 
-#include "mesh/volume.h"
+#include "pair/corners/volume.h"
 #include "support/support.h"
 
 static int truth(double p[6][3])

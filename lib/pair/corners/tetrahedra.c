@@ -6,30 +6,22 @@
  * one side and B on the other, all common points lie in H; so if the corners of A in H, or those of
  * B, are shared, there are no others than what these span.
  */
-#include "mesh/decide.h"
-#include "mesh/volume.h"
+#include "pair/corners/cell.h"
+#include "pair/corners/volume.h"
 
 /* What the planes looked at tell so far. */
 typedef struct separation {
-    const fmb_mesh_cell *a, *b;
+    const fmb_cell *a, *b;
     int shared;
     bool apart, weakly, only_shared;
 } separation;
 
-static bool has_corner(const fmb_mesh_cell *c, uint32_t id)
-{
-    int k = 0;
-    while (k < c->corners && c->id[k] != id)
-        k++;
-    return k < c->corners;
-}
-
 /* Bits are corners of c. */
-static bool are_shared_corners(const fmb_mesh_cell *c, const fmb_mesh_cell *other, unsigned bits)
+static bool are_shared_corners(const fmb_cell *c, const fmb_cell *other, unsigned bits)
 {
     bool shared = true;
     for (int k = 0; k < 4; k++)
-        shared &= !(bits >> k & 1) || has_corner(other, c->id[k]);
+        shared &= !(bits >> k & 1) || fmb_cell_has(other, c->id[k]);
     return shared;
 }
 
@@ -54,14 +46,14 @@ static bool is_decided(const separation *s)
 }
 
 /* The plane of the face of c that misses corner k. */
-static void look_at_face(separation *s, const fmb_mesh_cell *c, const fmb_mesh_cell *other, int k)
+static void look_at_face(separation *s, const fmb_cell *c, const fmb_cell *other, int k)
 {
     const double *p = c->point[(k + 1) % 4], *q = c->point[(k + 2) % 4], *r = c->point[(k + 3) % 4];
     int inner = fmb_sign_of_volume(p, q, r, c->point[k]);
     unsigned on = 0, face = 15U & ~(1U << k);
     bool outside = true;
     for (int j = 0; outside && j < 4; j++) {
-        bool shared = has_corner(c, other->id[j]) && other->id[j] != c->id[k];
+        bool shared = fmb_cell_has(c, other->id[j]) && other->id[j] != c->id[k];
         int sign = shared ? 0 : -inner * fmb_sign_of_volume(p, q, r, other->point[j]);
         outside = add_corner(sign, j, &on);
     }
@@ -75,7 +67,7 @@ static const int edge_corner[6][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2},
 
 /* The two corners off an edge of c lie beyond no plane through it and along f: the common sign of
  * theirs, 0 if there are two, or none. */
-static int find_side_of_others(const fmb_mesh_cell *c, const int *edge, fmb_difference e,
+static int find_side_of_others(const fmb_cell *c, const int *edge, fmb_difference e,
                                fmb_difference f, unsigned *on)
 {
     int sign[2];
@@ -91,7 +83,7 @@ static int find_side_of_others(const fmb_mesh_cell *c, const int *edge, fmb_diff
 /* Planes parallel to edge i of A and edge j of B. If these are parallel, all signs are 0. */
 static void look_at_edges(separation *s, int i, int j)
 {
-    const fmb_mesh_cell *a = s->a, *b = s->b;
+    const fmb_cell *a = s->a, *b = s->b;
     const int *of_a = edge_corner[i], *of_b = edge_corner[j];
     fmb_difference e = {a->point[of_a[1]], a->point[of_a[0]]};
     fmb_difference f = {b->point[of_b[1]], b->point[of_b[0]]};
@@ -107,7 +99,7 @@ static void look_at_edges(separation *s, int i, int j)
         note_plane(s, gap != 0, on_a, on_b);
 }
 
-fmb_mesh_how fmb_mesh_decide_tetrahedra(const fmb_mesh_cell *a, const fmb_mesh_cell *b, int shared)
+fmb_mesh_how fmb_decide_tetrahedra(const fmb_cell *a, const fmb_cell *b, int shared)
 {
     separation s = {.a = a, .b = b, .shared = shared};
     for (int k = 0; !is_decided(&s) && k < 4; k++)

@@ -16,19 +16,14 @@
  *
  * Source: Devillers and Guigue, INRIA RR-4488, 2002.
  */
-#include "mesh/decide.h"
-#include "mesh/volume.h"
-
-static bool is_corner(const fmb_mesh_cell *c, uint32_t id)
-{
-    return c->id[0] == id || c->id[1] == id || c->id[2] == id;
-}
+#include "pair/corners/cell.h"
+#include "pair/corners/volume.h"
 
 /* On which side of b's plane the corners of a are: -1, 0, 1. */
-static void find_sides_of_plane(const fmb_mesh_cell *a, const fmb_mesh_cell *b, int side[3])
+static void find_sides_of_plane(const fmb_cell *a, const fmb_cell *b, int side[3])
 {
     for (int i = 0; i < 3; i++)
-        side[i] = is_corner(b, a->id[i])
+        side[i] = fmb_cell_has(b, a->id[i])
                       ? 0
                       : fmb_sign_of_volume(b->point[0], b->point[1], b->point[2], a->point[i]);
 }
@@ -69,8 +64,7 @@ static int find_ends_of_interval(const int side[3], crossing_edge out[2])
 }
 
 /* The sign of x - y along the common line, x on edge e of a and y on edge f of b. */
-static int compare_ends(const fmb_mesh_cell *a, crossing_edge e, const fmb_mesh_cell *b,
-                        crossing_edge f)
+static int compare_ends(const fmb_cell *a, crossing_edge e, const fmb_cell *b, crossing_edge f)
 {
     bool same = a->id[e.u] == b->id[f.u] || a->id[e.u] == b->id[f.w] || a->id[e.w] == b->id[f.u] ||
                 a->id[e.w] == b->id[f.w];
@@ -78,8 +72,8 @@ static int compare_ends(const fmb_mesh_cell *a, crossing_edge e, const fmb_mesh_
                 : fmb_sign_of_volume(a->point[e.u], a->point[e.w], b->point[f.u], b->point[f.w]);
 }
 
-static fmb_mesh_how decide_across_planes(const fmb_mesh_cell *a, const int *side_a,
-                                         const fmb_mesh_cell *b, const int *side_b, int shared)
+static fmb_mesh_how decide_across_planes(const fmb_cell *a, const int *side_a, const fmb_cell *b,
+                                         const int *side_b, int shared)
 {
     crossing_edge e[2], f[2];
     int n = find_ends_of_interval(side_a, e), m = find_ends_of_interval(side_b, f), seen = 0;
@@ -109,7 +103,7 @@ static int find_turn(int k, const double *p, const double *q, const double *r)
 }
 
 /* 1: an edge of a has all of b strictly outside; 0: outside or on it; -1: no edge has. */
-static int separate_by_edges(int k, const fmb_mesh_cell *a, const fmb_mesh_cell *b)
+static int separate_by_edges(int k, const fmb_cell *a, const fmb_cell *b)
 {
     int best = -1, inner = find_turn(k, a->point[0], a->point[1], a->point[2]);
     for (int i = 0; i < 3; i++) {
@@ -135,10 +129,10 @@ static bool are_same_way(const double *v, const double *p, const double *q)
 /* Triangles with one common corner whose interiors do not meet: all common points lie in a line
  * through the corner that separates them. They are more than the corner iff both have an edge on
  * the same ray of it. */
-static bool have_edges_on_one_ray(int k, const fmb_mesh_cell *a, const fmb_mesh_cell *b)
+static bool have_edges_on_one_ray(int k, const fmb_cell *a, const fmb_cell *b)
 {
     int i = 0, j = 0;
-    while (!is_corner(b, a->id[i]))
+    while (!fmb_cell_has(b, a->id[i]))
         i++;
     while (a->id[i] != b->id[j])
         j++;
@@ -154,7 +148,7 @@ static bool have_edges_on_one_ray(int k, const fmb_mesh_cell *a, const fmb_mesh_
 
 /* In the plane, convex polygons with interiors that do not meet are separated by the line of an
  * edge; strictly, if they are apart. */
-static fmb_mesh_how decide_in_plane(const fmb_mesh_cell *a, const fmb_mesh_cell *b, int shared)
+static fmb_mesh_how decide_in_plane(const fmb_cell *a, const fmb_cell *b, int shared)
 {
     int k = 0;
     while (k < 2 && find_turn(k, a->point[0], a->point[1], a->point[2]) == 0)
@@ -171,7 +165,7 @@ static fmb_mesh_how decide_in_plane(const fmb_mesh_cell *a, const fmb_mesh_cell 
 /* ---- both ------------------------------------------------------------------------------------ */
 
 /* Two common corners and two planes: the common points are those of the common edge. */
-fmb_mesh_how fmb_mesh_decide_triangles(const fmb_mesh_cell *a, const fmb_mesh_cell *b, int shared)
+fmb_mesh_how fmb_decide_triangles(const fmb_cell *a, const fmb_cell *b, int shared)
 {
     int side_a[3], side_b[3];
     find_sides_of_plane(b, a, side_b);

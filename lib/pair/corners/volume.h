@@ -7,8 +7,8 @@
  * Source: Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric
  * predicates, Discrete & Computational Geometry 18, 1997.
  */
-#ifndef FMB_MESH_VOLUME_H
-#define FMB_MESH_VOLUME_H
+#ifndef FMB_PAIR_VOLUME_H
+#define FMB_PAIR_VOLUME_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -3,7 +3,7 @@
  * An expansion is a sum of doubles, not 0, that do not overlap, from the smallest on: its sign is
  * that of the last one. The empty expansion is 0.
  */
-#include "mesh/volume.h"
+#include "pair/corners/volume.h"
 
 #include <math.h>
 

@@ -1,0 +1,114 @@
+/* cases.c: the collected meshes have the numbers of vertices and cells that answers.json says, and
+ * the pairs of cells listed there meet, or do not, as several exact tools agree.
+ */
+#include <criterion/criterion.h>
+#include <jansson.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <fmb/mesh.h>
+
+#include "property/random/rows.h"
+
+static fmb_mesh *read_case(const char *key)
+{
+    char path[1024];
+    fmb_where w = {0};
+    fmb_mesh *m = NULL;
+    snprintf(path, sizeof path, CASES "/%s", key);
+    FILE *in = fopen(path, "rb");
+    cr_assert(in, "%s is missing", path);
+    fmb_status st = fmb_mesh_read(in, fmb_mesh_format_of_name(path), NULL, &m, &w);
+    cr_assert(st == FMB_OK, "%s:%ld:%ld: %s", key, w.line, w.column, w.text);
+    fclose(in);
+    return m;
+}
+
+static size_t whole(const json_t *row, size_t i)
+{
+    return (size_t)json_integer_value(json_array_get(row, i));
+}
+
+static bool is_sat(const json_t *row, size_t i)
+{
+    return strcmp(json_string_value(json_array_get(row, i)), "sat") == 0;
+}
+
+/* The cells with these faces, as meshes of their own; a face may be several triangles. How the
+ * first and the second meet, at worst. */
+static fmb_mesh_how ask_faces(const fmb_mesh *m, size_t a, size_t b)
+{
+    fmb_mesh *part[2] = {NULL, NULL};
+    fmb_mesh_answer answer = {0};
+    fmb_mesh_how worst = FMB_MESH_APART;
+    size_t corners = (size_t)fmb_mesh_corners(m);
+    for (int k = 0; k < 2; k++) {
+        size_t from = 0, n = 0;
+        while (fmb_mesh_face(m, from) < (k ? b : a))
+            from++;
+        while (from + n < fmb_mesh_cells(m) && fmb_mesh_face(m, from + n) == (k ? b : a))
+            n++;
+        uint32_t index[4 * 64];
+        double point[3 * 4 * 64];
+        cr_assert(n > 0 && n <= 64);
+        for (size_t i = 0; i < n * corners; i++) {
+            size_t v = fmb_mesh_indices(m)[from * corners + i];
+            memcpy(point + 3 * i, fmb_mesh_points(m) + 3 * v, 3 * sizeof *point);
+            index[i] = (uint32_t)i;
+        }
+        must(fmb_mesh_new((int)corners, n * corners, point, n, index, NULL, &part[k]));
+    }
+    must(fmb_mesh_meet(part[0], part[1], &(fmb_mesh_options){.neighbours = true}, &answer));
+    for (size_t i = 0; i < answer.hits; i++)
+        worst = answer.hit[i].how > worst ? answer.hit[i].how : worst;
+    fmb_mesh_answer_clear(&answer);
+    fmb_mesh_free(part[0]);
+    fmb_mesh_free(part[1]);
+    return worst;
+}
+
+/* Rows of faces: [a, b, closed]; of tetrahedra: [shared, a, b, closed, open]. */
+static size_t check_pairs(const char *key, const fmb_mesh *m, const json_t *said)
+{
+    const json_t *rows = json_object_get(json_object_get(said, "pairs"), "rows"), *row;
+    size_t i, at = fmb_mesh_corners(m) == 4;
+    json_array_foreach(rows, i, row)
+    {
+        size_t a = whole(row, at), b = whole(row, at + 1);
+        fmb_mesh_how how = ask_faces(m, a, b);
+        cr_expect((how != FMB_MESH_APART) == is_sat(row, at + 2), "%s: %zu %zu %s", key, a, b,
+                  fmb_mesh_how_text(how));
+        if (at)
+            cr_expect((how == FMB_MESH_CROSS) == is_sat(row, 4), "%s: %zu %zu", key, a, b);
+    }
+    return json_array_size(rows);
+}
+
+static size_t count(const json_t *said, const char *key)
+{
+    return (size_t)json_integer_value(json_object_get(said, key));
+}
+
+Test(cases, meshes)
+{
+    const char *key;
+    json_t *said, *answers = json_load_file(CASES "/geom/answers.json", 0, NULL);
+    size_t meshes = 0, pairs = 0;
+    if (!answers)
+        cr_skip_test("no collected cases here");
+    json_object_foreach(answers, key, said)
+    {
+        if (!json_object_get(said, "vertices") || strstr(key, ".node"))
+            continue;
+        fmb_mesh *m = read_case(key);
+        size_t tets = count(said, "tets"), last = fmb_mesh_face(m, fmb_mesh_cells(m) - 1);
+        cr_expect(fmb_mesh_vertices(m) == count(said, "vertices"), "%s", key);
+        cr_expect(last + 1 == (tets ? tets : count(said, "faces")), "%s: %zu", key, last);
+        cr_expect((fmb_mesh_corners(m) == 4) == (tets > 0));
+        pairs += check_pairs(key, m, said);
+        fmb_mesh_free(m);
+        meshes++;
+    }
+    cr_expect(meshes >= 24 && pairs >= 2500, "%zu %zu", meshes, pairs);
+    json_decref(answers);
+}
