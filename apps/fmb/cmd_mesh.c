@@ -7,6 +7,7 @@
 #include "common/bar.h"
 #include "common/file.h"
 #include "common/message.h"
+#include "common/need.h"
 #include "common/options.h"
 #include "common/source.h"
 #include "common/value.h"
@@ -156,7 +157,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 static const char doc[] =
     "Which triangles or tetrahedra of two meshes meet, and how? Of one mesh: which of its own meet "
     "in more than their common vertices span? Exact for the coordinates as doubles. Formats: OFF, "
-    "OBJ, PLY, STL, medit .mesh."
+    "OBJ, PLY, STL, medit .mesh, and TetGen .node, whose .ele stands beside it."
     "\v"
     "A line is: how they meet, the face (from 0) of A, that of B, their common vertices. cross: "
     "their interiors meet; coplanar: so they do, in one plane; touch: they meet, but not so; "
@@ -172,9 +173,42 @@ static const char doc[] =
 
 /* ---- the command ----------------------------------------------------------------------------- */
 
-static int read_mesh(const mesh_ask *ask, int which, fmb_mesh **out)
+/* [give, free()] "a/b.node" or "a/b.ele" with the ending of the other; NULL: neither. */
+static char *partner_of_tetgen(const char *path, bool *is_node)
 {
-    const char *path = ask->file[which];
+    size_t n = strlen(path);
+    *is_node = n > 5 && strcmp(path + n - 5, ".node") == 0;
+    bool is_ele = n > 4 && strcmp(path + n - 4, ".ele") == 0;
+    if (!*is_node && !is_ele)
+        return NULL;
+    char *other = app_need(malloc(n + 2));
+    memcpy(other, path, n);
+    strcpy(other + n - (*is_node ? 5 : 4), *is_node ? ".ele" : ".node");
+    return other;
+}
+
+static int read_tetgen(const mesh_ask *ask, const char *node, const char *ele, fmb_mesh **out)
+{
+    fmb_reader how = {.max_bytes = ask->max_input};
+    fmb_where where = {0};
+    bool in_cells = false;
+    FILE *points = NULL, *cells = NULL;
+    int code = app_file_open(node, &points);
+    if (code == APP_YES)
+        code = app_file_open(ele, &cells);
+    if (code == APP_YES) {
+        fmb_status st = fmb_mesh_read_tetgen(points, cells, &how, out, &where, &in_cells);
+        code = app_source_outcome(st, in_cells ? ele : node, &where);
+    }
+    if (points)
+        app_file_close_input(points);
+    if (cells)
+        app_file_close_input(cells);
+    return code;
+}
+
+static int read_one_file(const mesh_ask *ask, const char *path, fmb_mesh **out)
+{
     fmb_mesh_format f = ask->format != FMB_MESH_AUTO ? ask->format : fmb_mesh_format_of_name(path);
     fmb_reader how = {.max_bytes = ask->max_input};
     fmb_where where = {0};
@@ -185,6 +219,17 @@ static int read_mesh(const mesh_ask *ask, int which, fmb_mesh **out)
     fmb_status st = fmb_mesh_read(in, f, &how, out, &where);
     app_file_close_input(in);
     return app_source_outcome(st, path, &where);
+}
+
+static int read_mesh(const mesh_ask *ask, const char *path, fmb_mesh **out)
+{
+    bool is_node = false;
+    char *other = ask->format == FMB_MESH_AUTO ? partner_of_tetgen(path, &is_node) : NULL;
+    int code = !other    ? read_one_file(ask, path, out)
+               : is_node ? read_tetgen(ask, path, other, out)
+                         : read_tetgen(ask, other, path, out);
+    free(other);
+    return code;
 }
 
 /* The last mesh, at its place. */
@@ -239,7 +284,7 @@ int cmd_mesh(int argc, char **argv)
     int files = ask.file[1] ? 2 : 1, code = APP_YES;
     app_stop_begin(NULL);
     for (int i = 0; code == APP_YES && i < files; i++)
-        code = read_mesh(&ask, i, &m[i]);
+        code = read_mesh(&ask, ask.file[i], &m[i]);
     if (code == APP_YES)
         code = place_mesh(&ask, &m[files - 1]);
     if (code == APP_YES)

@@ -87,6 +87,12 @@ FMB_API FMB_CHECKED fmb_status fmb_mesh_parse(const char *text, size_t size, fmb
                                               const fmb_reader *how, fmb_mesh **out,
                                               fmb_where *where);
 
+/* [give] Read TetGen's two files, points and tetrahedra. Errors: as above, and *in_cells (may be NULL)
+ * says whether a mistake is in the second one. */
+FMB_API FMB_CHECKED fmb_status fmb_mesh_read_tetgen(FILE *points, FILE *cells,
+                                                    const fmb_reader *how, fmb_mesh **out,
+                                                    fmb_where *where, bool *in_cells);
+
 /* ---- queries --------------------------------------------------------------------------------- */
 
 /* How two cells (closed) meet. The interior of a cell is its relative one: a triangle's without its

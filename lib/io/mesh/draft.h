@@ -18,6 +18,7 @@ typedef struct fmb_mesh_draft {
     size_t faces;         /* of the file */
     uint32_t first, last; /* corners of the face that is being added */
     int face_corners;
+    size_t base; /* the number of the first vertex: 0 or 1 (TetGen) */
     void (*skip)(fmb_cursor *c); /* what stands between two words */
 } fmb_mesh_draft;
 
@@ -47,7 +48,7 @@ fmb_status fmb_mesh_scan_vertex(fmb_cursor *c, const fmb_mesh_draft *d, size_t b
 
 typedef fmb_status fmb_mesh_read_fn(fmb_cursor *c, fmb_mesh_draft *d);
 fmb_mesh_read_fn fmb_mesh_read_off, fmb_mesh_read_obj, fmb_mesh_read_ply, fmb_mesh_read_stl,
-    fmb_mesh_read_medit;
+    fmb_mesh_read_medit, fmb_mesh_read_node, fmb_mesh_read_ele;
 /* It has as many bytes as binary STL says in front. */
 bool fmb_mesh_is_binary_stl(const fmb_cursor *c);
 

@@ -181,3 +181,57 @@ fmb_status fmb_mesh_read(FILE *in, fmb_mesh_format f, const fmb_reader *how, fmb
         errno = cause;
     return st;
 }
+
+/* ---- TetGen ---------------------------------------------------------------------------------- */
+
+/* A whole stream into a draft. */
+static fmb_status read_part_of_tetgen(FILE *in, const fmb_reader *how, fmb_mesh_read_fn *read,
+                                      fmb_mesh_draft *d, fmb_where *where)
+{
+    fmb_bytes b = {0};
+    fmb_status st = fmb_read_whole_stream(in, fmb_io_max_bytes(how), &b, d->mem);
+    fmb_cursor c = fmb_io_cursor(b.p ? b.p : "", b.size, how, d->mem, where);
+    int cause = errno;
+    if (st == FMB_OK && b.size > fmb_io_max_bytes(how))
+        st = fmb_io_fail_too_long(&c, NULL);
+    if (st == FMB_OK)
+        st = fmb_io_check(&c);
+    if (st == FMB_OK)
+        st = read(&c, d);
+    fmb_mem_put(d->mem, b.p, b.capacity, 1);
+    errno = cause;
+    return st;
+}
+
+static fmb_status read_tetgen(FILE *points, FILE *cells, const fmb_reader *how, fmb_mesh **out,
+                              fmb_where *where, bool *in_cells)
+{
+    fmb_mem mem;
+    fmb_mem_init(&mem, how->mem, 0);
+    fmb_mesh_draft d = {.mem = &mem};
+    fmb_cursor none = fmb_io_cursor("", 0, how, &mem, where);
+    fmb_status st = read_part_of_tetgen(points, how, fmb_mesh_read_node, &d, where);
+    *in_cells = st == FMB_OK;
+    if (st == FMB_OK)
+        st = read_part_of_tetgen(cells, how, fmb_mesh_read_ele, &d, where);
+    if (st == FMB_OK)
+        st = make_mesh_of_draft(&none, &d, out);
+    fmb_mesh_draft_clear(&d);
+    return st;
+}
+
+fmb_status fmb_mesh_read_tetgen(FILE *points, FILE *cells, const fmb_reader *how, fmb_mesh **out,
+                                fmb_where *where, bool *in_cells)
+{
+    static const fmb_reader plain = {.format = FMB_FORMAT_AUTO};
+    fmb_where at = {0};
+    bool second = false;
+    if (!points || !cells || !out)
+        return fmb_io_refuse_argument(where, "points, cells or out is NULL");
+    fmb_status st = read_tetgen(points, cells, how ? how : &plain, out, &at, &second);
+    if (st == FMB_ERR_PARSE && where)
+        *where = at;
+    if (in_cells)
+        *in_cells = second;
+    return st;
+}

@@ -165,6 +165,40 @@ Test(mesh, medit)
     expect_mesh(read_text(text, FMB_MESH_AUTO), 4, 4, 1, corner, NULL);
 }
 
+static fmb_status read_tetgen(const char *node, const char *ele, fmb_mesh **out, fmb_where *w,
+                              bool *in_cells)
+{
+    FILE *points = fmemopen((void *)(uintptr_t)node, strlen(node), "r");
+    FILE *cells = fmemopen((void *)(uintptr_t)ele, strlen(ele), "r");
+    fmb_status st = fmb_mesh_read_tetgen(points, cells, NULL, out, w, in_cells);
+    fclose(points);
+    fclose(cells);
+    return st;
+}
+
+Test(mesh, tetgen)
+{
+    static const char node[] =
+        "# points\n4 3 1 1\n1 0 0 0 7 1\n2 1 0 0 7 1\n3 1 1 0 7 1\n4 0 1 1 7 0\n";
+    static const char *const bad[][3] = {{node, "1 5 0\n", "4 or 10"},
+                                         {node, "1 4 0\n3 1 2 3 4\n", "line number 1"},
+                                         {node, "1 4 0\n1 1 2 3 0\n", "one of 4 vertices"},
+                                         {"4 2\n", "1 4 0\n", "3 dimensions"},
+                                         {"2 3\n0 0 0 0\n2 0 0 0\n", "1 4 0\n", "line number 1"}};
+    static const uint32_t corner[] = {0, 1, 2, 3};
+    fmb_mesh *m = NULL;
+    fmb_where w = {0};
+    bool in_cells = false;
+    cr_assert(read_tetgen(node, "1 4 1\n1 1 2 3 4 -5\n", &m, &w, &in_cells) == FMB_OK);
+    expect_mesh(m, 4, 4, 1, corner, NULL);
+    m = NULL;
+    for (int i = 0; i < 5; i++) {
+        cr_expect(read_tetgen(bad[i][0], bad[i][1], &m, &w, &in_cells) == FMB_ERR_PARSE && !m);
+        cr_expect(strstr(w.text, bad[i][2]) && in_cells == (i < 3), "%d: %s", i, w.text);
+    }
+    cr_expect(fmb_mesh_read_tetgen(NULL, stdin, NULL, &m, &w, NULL) == FMB_ERR_ARG);
+}
+
 typedef struct mistake {
     fmb_mesh_format format;
     long line, column;

@@ -1,0 +1,70 @@
+/* tetgen.c: TetGen's .node and .ele: counts, then lines of a number and what it stands for. The
+ * number of the first point, 0 or 1, tells where numbers begin in both; what stands behind
+ * coordinates or corners in a line is passed over.
+ */
+#include "io/mesh/draft.h"
+
+/* The number in front of a line: they go up one by one. */
+static fmb_status read_line_number(fmb_cursor *c, fmb_mesh_draft *d, size_t i, size_t *base)
+{
+    size_t number = 0;
+    d->skip(c);
+    const char *p = c->at;
+    fmb_status st = fmb_mesh_scan_size(c, d, "the number of a line", &number);
+    if (st == FMB_OK && i == 0 && number <= 1)
+        *base = number;
+    if (st == FMB_OK && number != *base + i)
+        st = fmb_io_fail(c, p, "expected line number %zu, found %zu", *base + i, number);
+    return st;
+}
+
+fmb_status fmb_mesh_read_node(fmb_cursor *c, fmb_mesh_draft *d)
+{
+    size_t points = 0, dim = 3;
+    double p[3];
+    d->skip = fmb_mesh_skip_comments;
+    fmb_status st = fmb_mesh_scan_size(c, d, "the number of points", &points);
+    d->skip(c);
+    const char *at = c->at;
+    if (st == FMB_OK)
+        st = fmb_mesh_scan_size(c, d, "the dimension", &dim);
+    if (st == FMB_OK && dim != 3)
+        st = fmb_io_fail(c, at, "expected 3 dimensions, found %zu", dim);
+    fmb_skip_line(c);
+    for (size_t i = 0; st == FMB_OK && i < points; i++) {
+        st = read_line_number(c, d, i, &d->base);
+        if (st == FMB_OK)
+            st = fmb_mesh_scan_point(c, d, p);
+        if (st == FMB_OK)
+            st = fmb_mesh_draft_point(c, d, p);
+        fmb_skip_line(c);
+    }
+    return st;
+}
+
+fmb_status fmb_mesh_read_ele(fmb_cursor *c, fmb_mesh_draft *d)
+{
+    size_t cells = 0, corners = 4, first = d->base;
+    uint32_t corner[4];
+    d->skip = fmb_mesh_skip_comments;
+    fmb_status st = fmb_mesh_scan_size(c, d, "the number of tetrahedra", &cells);
+    d->skip(c);
+    const char *at = c->at;
+    if (st == FMB_OK)
+        st = fmb_mesh_scan_size(c, d, "the number of corners", &corners);
+    if (st == FMB_OK && corners != 4 && corners != 10)
+        st = fmb_io_fail(c, at, "expected 4 or 10 corners of a tetrahedron, found %zu", corners);
+    fmb_skip_line(c);
+    for (size_t i = 0; st == FMB_OK && i < cells; i++) {
+        st = read_line_number(c, d, i, &first);
+        for (int k = 0; st == FMB_OK && k < 4; k++) {
+            size_t v = 0;
+            st = fmb_mesh_scan_vertex(c, d, d->base, d->points, &v);
+            corner[k] = (uint32_t)v;
+        }
+        if (st == FMB_OK)
+            st = fmb_mesh_draft_tetrahedron(c, d, corner);
+        fmb_skip_line(c);
+    }
+    return st;
+}
