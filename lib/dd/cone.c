@@ -228,7 +228,7 @@ fmb_status fmb_cone_run(fmb_cone *c, uint64_t rays, bool *done)
         if (st == FMB_OK && !c->at->running && c->of.keep)
             st = drop_carried_row(c, entry - c->coords);
         if (st == FMB_OK)
-            st = fmb_run_rows(c->run, c->ray.size);
+            st = fmb_run_poll(c->run);
     }
     *done = st == FMB_OK && !is_cone_unfinished(c);
     return st;

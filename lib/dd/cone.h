@@ -51,7 +51,7 @@ typedef struct fmb_cone {
     size_t lefts, *left;
     size_t *negatives;        /* [lefts] how many rays are negative there */
     size_t next;              /* not carried: rows before it are inserted */
-    uint64_t made;            /* rays made so far */
+    uint64_t made;            /* rays made so far; wide ones count more */
     struct fmb_insertion *at; /* the one in progress */
 } fmb_cone;
 

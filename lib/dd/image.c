@@ -17,7 +17,7 @@ static bool is_zero_vector(const fmb_vec *v, size_t n)
 }
 
 /* The coordinates of a ray or line, in lowest terms. */
-static fmb_status copy_coordinates(fmb_image *m, fmb_vec *to, const fmb_vec *from)
+fmb_status fmb_image_copy_coordinates(fmb_image *m, fmb_vec *to, const fmb_vec *from)
 {
     *to = (fmb_vec){.s = fmb_arena_get(&m->arena, m->n, sizeof *to->s)};
     if (!to->s)
@@ -99,7 +99,7 @@ static fmb_status add_ray_of_image(fmb_image *m, size_t i)
         return fmb_mem_status(m->run->mem);
     memcpy(own, support, m->words * sizeof *own);
     m->support[m->rays] = own;
-    fmb_status st = copy_coordinates(m, &m->ray[m->rays], &m->of->ray.v[i]);
+    fmb_status st = fmb_image_copy_coordinates(m, &m->ray[m->rays], &m->of->ray.v[i]);
     m->has_point |= fmb_vec_sgn(&m->ray[m->rays++], m->n - 1) > 0;
     return st;
 }
@@ -122,7 +122,7 @@ fmb_status fmb_image_init(fmb_image *m, fmb_run *run, const fmb_cone *of, bool w
     memset(m->everywhere, 0, m->words * sizeof *m->everywhere);
     for (size_t i = 0; st == FMB_OK && i < of->line.size; i++)
         if (!is_zero_vector(&of->line.v[i], m->n))
-            st = copy_coordinates(m, &m->line[m->lines++], &of->line.v[i]);
+            st = fmb_image_copy_coordinates(m, &m->line[m->lines++], &of->line.v[i]);
     for (size_t i = 0; st == FMB_OK && i < of->ray.size; i++)
         st = add_ray_of_image(m, i);
     return st == FMB_OK ? sort_rays_of_image(m) : st;
@@ -145,7 +145,8 @@ void fmb_image_clear(fmb_image *m)
     m->run = NULL;
 }
 
-/* ---- facets ---------------------------------------------------------------------------------- */
+/* ---- rows and rays ----------------------------------------------------------------------------
+ */
 
 int fmb_image_side(fmb_image *m, const fmb_image_row *f, const fmb_vec *ray)
 {
@@ -166,89 +167,4 @@ int fmb_image_side(fmb_image *m, const fmb_image_row *f, const fmb_vec *ray)
             mpz_addmul(m->num.t, m->num.p, m->num.q);
     }
     return mpz_sgn(m->num.t);
-}
-
-/* y.(x, t) >= 0 as a.x <= b. */
-static void turn_to_row(fmb_vec *v, size_t n)
-{
-    for (size_t k = 0; k + 1 < n; k++) {
-        if (v->z)
-            mpz_neg(v->z[k], v->z[k]);
-        else
-            v->s[k] = -v->s[k];
-    }
-}
-
-/* Unite the supports above the facet; *proper: it holds a point, not directions alone. */
-static fmb_status look_above_facet(fmb_image *m, fmb_image_row *f, bool *proper)
-{
-    if (f->slack)
-        memcpy(f->slack, m->everywhere, m->words * sizeof *f->slack);
-    *proper = false;
-    for (size_t i = 0; i < m->rays && (f->slack || !*proper); i++) {
-        if (fmb_image_side(m, f, &m->ray[i]) != 0)
-            continue;
-        *proper |= fmb_vec_sgn(&m->ray[i], m->n - 1) > 0;
-        if (f->slack)
-            unite_supports(m, f->slack, m->support[i]);
-    }
-    return fmb_run_poll(m->run);
-}
-
-static fmb_status add_facet(fmb_image *m, const fmb_vec *y, bool equality, bool slacks)
-{
-    bool proper;
-    fmb_status st = fmb_mem_reserve(m->run->mem, (void **)&m->facet, &m->facet_capacity,
-                                    m->facets + 1, sizeof *m->facet);
-    if (st != FMB_OK)
-        return st;
-    fmb_image_row *f = &m->facet[m->facets];
-    *f = (fmb_image_row){.equality = equality};
-    st = copy_coordinates(m, &f->v, y);
-    m->facets++;
-    if (st == FMB_OK && slacks) {
-        f->slack = fmb_arena_get(&m->arena, m->words, sizeof *f->slack);
-        st = f->slack ? FMB_OK : fmb_mem_status(m->run->mem);
-    }
-    if (st != FMB_OK)
-        return st;
-    turn_to_row(&f->v, m->n);
-    st = look_above_facet(m, f, &proper);
-    if (!proper)
-        fmb_vec_clear(&m->facet[--m->facets].v, m->n, m->run->mem);
-    return st;
-}
-
-static fmb_status take_facets_of_dual(fmb_image *m, const fmb_cone *dual, bool slacks)
-{
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < dual->line.size; i++)
-        st = add_facet(m, &dual->line.v[i], true, slacks);
-    for (size_t i = 0; st == FMB_OK && i < dual->ray.size; i++)
-        st = add_facet(m, &dual->ray.v[i], false, slacks);
-    return st;
-}
-
-/* The rows of the dual cone: lines are equalities; rays come in lexicographic order. */
-fmb_status fmb_image_find_facets(fmb_image *m, bool slacks)
-{
-    size_t rows = m->lines + m->rays;
-    fmb_cone dual = {0};
-    fmb_cone_row *row = fmb_mem_get(m->run->mem, rows, sizeof *row);
-    if (!row)
-        return fmb_mem_status(m->run->mem);
-    for (size_t i = 0; i < m->lines; i++)
-        row[i] = (fmb_cone_row){.v = &m->line[i], .equality = true};
-    for (size_t i = 0; i < m->rays; i++)
-        row[m->lines + i] = (fmb_cone_row){.v = &m->ray[i]};
-    fmb_cone_problem of = {.d = m->n, .m = rows, .row = row, .wide_only = m->num.wide_only};
-    bool done;
-    fmb_status st = fmb_cone_init(&dual, m->run, &of);
-    if (st == FMB_OK)
-        st = fmb_cone_run(&dual, 0, &done);
-    if (st == FMB_OK)
-        st = take_facets_of_dual(m, &dual, slacks);
-    fmb_cone_clear(&dual);
-    fmb_mem_put(m->run->mem, row, rows, sizeof *row);
-    return st;
 }

@@ -13,10 +13,10 @@
 
 #include "dd/cone.h"
 
-/* A facet of the image: v[0..n-1).x <= v[n-1], or = . */
+/* A row of the image: v[0..n-1).x <= v[n-1], or = , or <. */
 typedef struct fmb_image_row {
     fmb_vec v;
-    bool equality;
+    bool equality, strict;
     uint64_t *slack; /* rows of the cone, by bit, that are positive somewhere above the facet */
 } fmb_image_row;
 
@@ -47,7 +47,21 @@ void fmb_image_clear(fmb_image *m);
  * MEMORY, LIMIT. */
 fmb_status fmb_image_find_facets(fmb_image *m, bool slacks);
 
+/* Where rows of the cone are strict, by bit (excludes[words]), faces of the image are not in the
+ * projection: those above which a strict row is tight everywhere. Facets become strict; a lower
+ * face gets a row of its own, the sum of facets that meet in it. *empty: no point is left. *done
+ * false: there are too many faces to look at. Facets have been found, with slacks. Errors: MEMORY,
+ * LIMIT. */
+fmb_status fmb_image_open_faces(fmb_image *m, const uint64_t *excludes, bool *empty, bool *done);
+
 /* Sign of b t - a.x: of a facet at a ray. */
 int fmb_image_side(fmb_image *m, const fmb_image_row *f, const fmb_vec *ray);
+
+/* ---- for the other files of this room ---------------------------------------------------------
+ */
+
+/* *to, new, becomes the first coordinates of a ray or line, in lowest terms. Errors: MEMORY, LIMIT.
+ * In any case clear it. */
+fmb_status fmb_image_copy_coordinates(fmb_image *m, fmb_vec *to, const fmb_vec *from);
 
 #endif

@@ -10,6 +10,9 @@
 
 #include "dd/adjacent.h"
 
+/* So many small rays take as long as one of GMP's integers. */
+#define WIDE_RAY 16
+
 void fmb_insertion_clear(fmb_insertion *s, fmb_mem *mem)
 {
     fmb_mem_put(mem, s->ray, s->ray_capacity, sizeof *s->ray);
@@ -170,7 +173,8 @@ static fmb_status combine_pair_of_rays(fmb_cone *c, uint32_t a, uint32_t b)
     for (size_t k = 0; k < c->ray.words; k++)
         to[k] = x[k] | y[k];
     count_negatives_of_ray(c, v, 1);
-    return ++c->made % 256 == 0 ? fmb_run_poll_now(c->run) : FMB_OK;
+    c->made += v->z ? WIDE_RAY : 1;
+    return fmb_run_poll(c->run);
 }
 
 fmb_status fmb_insertion_run(fmb_cone *c, uint64_t most)

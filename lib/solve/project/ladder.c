@@ -27,7 +27,8 @@ static bool has_rows_in_plenty(const fmb_part *p)
 }
 
 /* budget > 0: *done false when the store outgrows it. */
-static fmb_status eliminate_unkept_columns(shadow *h, bool feasible, size_t budget, bool *done)
+static fmb_status eliminate_uncount_kept_columns(shadow *h, bool feasible, size_t budget,
+                                                 bool *done)
 {
     fmb_query *q = h->q;
     bool *drop = fmb_arena_get(&q->v->arena, (size_t)h->p->n, sizeof *drop);
@@ -49,7 +50,7 @@ static fmb_status project_by_elimination(shadow *h, bool known, size_t budget, b
                                          bool *done)
 {
     size_t rows = fmb_system_rows(h->out);
-    fmb_status st = eliminate_unkept_columns(h, known, budget, done);
+    fmb_status st = eliminate_uncount_kept_columns(h, known, budget, done);
     if (st == FMB_OK && *done)
         *feasible = h->e.clash == FMB_NO_ROW;
     if (st == FMB_OK && *done && *feasible)
@@ -82,6 +83,11 @@ static bool uses_lp_rule(const fmb_solver *v)
     return false;
 }
 
+/* Cones with so few dimensions, or rows beyond them, never had very many rays; and what a second
+ * try may make in three kept variables, which takes as long as support queries. */
+#define FEW_FREEDOMS       10
+#define RAYS_OF_SECOND_TRY 1000
+
 /* A hull in so many dimensions mostly has few enough facets. */
 #define FEW_KEPT 6
 
@@ -93,49 +99,120 @@ static int count_kept_columns(const fmb_part *p, const int *place)
     return kept;
 }
 
-/* In the plane around it, in a few dimensions by asking how far it goes: both without elimination.
- */
-static fmb_status project_by_looks(fmb_query *q, int part, const int *place, fmb_system *out,
-                                   bool *feasible, bool *done)
+static bool has_strict_rows(const fmb_part *p)
 {
-    int kept = count_kept_columns(&q->parts.part[part], place);
-    fmb_status st = FMB_OK;
-    if (kept <= 2 && !q->decided)
-        st = is_part_feasible(q, part, feasible);
-    if (st == FMB_OK && kept <= 2 && *feasible)
-        st = fmb_query_polygon_part(q, part, place, out, done);
-    if (st != FMB_OK || *done || !*feasible || kept > FEW_KEPT)
-        return st;
-    *done = true;
-    return fmb_query_support_part(q, part, place, out, feasible);
+    for (size_t i = 0; i < p->m; i++)
+        if (p->rel[i] == FMB_LT)
+            return true;
+    return false;
 }
 
-/* First a short elimination; if that grows, what the projection looks like; if it has too many
- * dimensions for that, the oracle finds out whether there is a solution, and what is left is
- * eliminated, and pruned by the oracle. With method fm there is no first try. */
+/* Rays that a second try may make, before the oracle is asked: none where a shadow is walked
+ * around, nor where cones tend to have very many; more where the oracle has more to do, or cannot
+ * help. */
+static uint64_t rays_before_queries(const fmb_lift *lift, const fmb_part *p, const int *place)
+{
+    int kept = count_kept_columns(p, place);
+    if (fmb_lift_freedom(lift) > FEW_FREEDOMS)
+        return 0;
+    if (has_strict_rows(p) || kept > 4)
+        return 16 * RAYS_OF_SECOND_TRY;
+    return kept == 4 ? 8 * RAYS_OF_SECOND_TRY : kept == 3 ? RAYS_OF_SECOND_TRY : 0;
+}
+
+/* A part, and what has been found out about it. */
+typedef struct rungs {
+    fmb_query *q;
+    int part;
+    const int *place;
+    fmb_system *out;
+    fmb_lift *lift;
+    bool known, *feasible, done;
+} rungs;
+
+static fmb_status try_rays(rungs *r, uint64_t rays)
+{
+    return fmb_lift_run(r->lift, rays, r->out, r->feasible, &r->done);
+}
+
+static fmb_status try_elimination(rungs *r, bool known, size_t budget)
+{
+    shadow h = {.q = r->q,
+                .p = &r->q->parts.part[r->part],
+                .place = r->place,
+                .out = r->out,
+                .e.run = &r->q->run};
+    return project_by_elimination(&h, known, budget, r->feasible, &r->done);
+}
+
+/* In the plane around it, in a few dimensions by asking how far it goes: both without elimination.
+ * In more, whether there is a solution at all. */
+static fmb_status try_oracle(rungs *r)
+{
+    int kept = count_kept_columns(&r->q->parts.part[r->part], r->place);
+    bool queries = kept > 2 && kept <= FEW_KEPT;
+    fmb_status st = FMB_OK;
+    if (!queries && !r->known) {
+        st = is_part_feasible(r->q, r->part, r->feasible);
+        r->known = true;
+    }
+    if (st == FMB_OK && *r->feasible && kept <= 2)
+        st = fmb_query_polygon_part(r->q, r->part, r->place, r->out, &r->done);
+    if (st != FMB_OK || r->done || !*r->feasible || kept > FEW_KEPT)
+        return st;
+    r->done = true;
+    return fmb_query_support_part(r->q, r->part, r->place, r->out, r->feasible);
+}
+
+static bool is_open(fmb_status st, const rungs *r)
+{
+    return st == FMB_OK && !r->done && *r->feasible;
+}
+
+/* A few rays, then a short elimination; if both grow, some more rays where there seem to be few;
+ * then the oracle. What is left is eliminated, and pruned by the oracle, in turns with rays. */
+static fmb_status climb_rungs(rungs *r)
+{
+    const fmb_part *p = &r->q->parts.part[r->part];
+    size_t budget = TRIAL_BUDGET(p->m);
+    fmb_status st = fmb_lift_open(r->q, r->part, r->place, &r->lift, r->feasible);
+    if (is_open(st, r))
+        st = try_rays(r, r->q->v->options.method == FMB_METHOD_DD ? 0 : budget);
+    if (is_open(st, r))
+        st = try_elimination(r, false, budget);
+    uint64_t more = is_open(st, r) ? rays_before_queries(r->lift, p, r->place) : 0;
+    if (more > 0)
+        st = try_rays(r, more);
+    if (is_open(st, r))
+        st = try_oracle(r);
+    while (is_open(st, r)) {
+        budget *= 8;
+        st = try_rays(r, budget);
+        if (is_open(st, r))
+            st = try_elimination(r, true, fmb_lift_has_given_up(r->lift) ? 0 : budget);
+    }
+    fmb_lift_close(r->lift);
+    return st;
+}
+
 fmb_status fmb_query_project_part(fmb_query *q, int part, const int *place, fmb_system *out,
                                   bool *feasible)
 {
-    const fmb_part *p = &q->parts.part[part];
-    const shadow start = {.q = q, .p = p, .place = place, .out = out, .e.run = &q->run};
-    bool fm = fmb_query_eliminates(q), known = q->decided, done = false;
-    shadow h = start;
+    rungs r = {.q = q,
+               .part = part,
+               .place = place,
+               .out = out,
+               .known = q->decided,
+               .feasible = feasible};
     fmb_status st = FMB_OK;
     *feasible = true;
     if (q->v->options.method == FMB_METHOD_HULL)
         return fmb_query_support_part(q, part, place, out, feasible);
-    if (q->v->options.method == FMB_METHOD_DD)
-        st = fmb_query_project_by_rays(q, part, place, out, feasible, &done);
-    if (st == FMB_OK && !done && *feasible && !fm)
-        st = project_by_elimination(&h, false, TRIAL_BUDGET(p->m), feasible, &done);
-    if (st == FMB_OK && !done && *feasible && !fm)
-        st = project_by_looks(q, part, place, out, feasible, &done);
-    if (st == FMB_OK && !done && *feasible && !known && (!fm || uses_lp_rule(q->v))) {
+    if (!fmb_query_eliminates(q))
+        return climb_rungs(&r);
+    if (!r.known && uses_lp_rule(q->v)) {
         st = is_part_feasible(q, part, feasible);
-        known = true;
+        r.known = true;
     }
-    if (st != FMB_OK || done || !*feasible)
-        return st;
-    h = start;
-    return project_by_elimination(&h, known, 0, feasible, &done);
+    return is_open(st, &r) ? try_elimination(&r, r.known, 0) : st;
 }

@@ -7,6 +7,8 @@
  */
 #include "solve/project/rays.h"
 
+#include <string.h>
+
 #include "dd/image.h"
 #include "elim/store/derive.h"
 #include "lp/exact/read.h"
@@ -14,7 +16,7 @@
 #include "solve/project/thin.h"
 
 /* A part on its way. Row 0 of the cone is t >= 0, row 1 + i is live row i. */
-typedef struct lifted {
+struct fmb_lift {
     fmb_query *q;
     const fmb_part *p;
     const int *place; /* [dim] column in the projection, -1 for variables that go */
@@ -28,12 +30,14 @@ typedef struct lifted {
     fmb_cone cone;
     fmb_image image;
     fmb_vec facet; /* scratch: a row of the part */
-} lifted;
+    bool rest;     /* variables that go are left in live rows */
+    bool lifted;   /* the cone is there */
+    bool over;     /* too many faces are excluded */
+};
 
 /* ---- the cone -------------------------------------------------------------------------------- */
 
-/* Eliminate what is cheap. *rest: other variables that go are left in the rows. */
-static fmb_status eliminate_cheap_columns(lifted *h, bool *rest)
+static fmb_status eliminate_cheap_columns(fmb_lift *h)
 {
     fmb_query *q = h->q;
     bool *drop = fmb_arena_get(&q->v->arena, (size_t)h->p->n, sizeof *drop);
@@ -47,10 +51,9 @@ static fmb_status eliminate_cheap_columns(lifted *h, bool *rest)
     h->e.cheap_only = true;
     if (st == FMB_OK)
         st = fmb_elim_eliminate(&h->e, drop);
-    *rest = false;
     for (size_t i = 0; st == FMB_OK && i < h->e.live.size; i++)
         for (int j = 0; j < h->p->n; j++)
-            *rest |= drop[j] && fmb_vec_sgn(&h->e.row[h->e.live.row[i]].v, (size_t)j) != 0;
+            h->rest |= drop[j] && fmb_vec_sgn(&h->e.row[h->e.live.row[i]].v, (size_t)j) != 0;
     return st;
 }
 
@@ -62,7 +65,7 @@ static bool is_column_named(const fmb_elim *e, int j)
     return false;
 }
 
-static fmb_status list_coordinates(lifted *h)
+static fmb_status list_coordinates(fmb_lift *h)
 {
     fmb_arena *arena = &h->q->v->arena;
     size_t n = (size_t)h->p->n + 1;
@@ -82,7 +85,7 @@ static fmb_status list_coordinates(lifted *h)
 }
 
 /* a.x <= b as b t - a.x >= 0; z[d]. */
-static fmb_status write_cone_row(lifted *h, size_t i, mpz_t *z)
+static fmb_status write_cone_row(fmb_lift *h, size_t i, mpz_t *z)
 {
     fmb_vec *v = &h->v[i];
     const fmb_derived *r = i > 0 ? &h->e.row[h->e.live.row[i - 1]] : NULL;
@@ -102,7 +105,7 @@ static fmb_status write_cone_row(lifted *h, size_t i, mpz_t *z)
     return fmb_vec_set_z(v, h->d, z, h->q->run.mem);
 }
 
-static fmb_status write_cone_rows(lifted *h)
+static fmb_status write_cone_rows(fmb_lift *h)
 {
     fmb_arena *arena = &h->q->v->arena;
     fmb_mem *mem = h->q->run.mem;
@@ -124,9 +127,8 @@ static fmb_status write_cone_rows(lifted *h)
     return st;
 }
 
-static fmb_status find_rays_of_part(lifted *h)
+static fmb_status open_cone_of_part(fmb_lift *h)
 {
-    bool done;
     fmb_status st = list_coordinates(h);
     if (st == FMB_OK)
         st = write_cone_rows(h);
@@ -136,15 +138,14 @@ static fmb_status find_rays_of_part(lifted *h)
                            .keeps = h->keeps,
                            .keep = h->keep,
                            .wide_only = fmb_query_is_wide(h->q)};
-    if (st == FMB_OK)
-        st = fmb_cone_init(&h->cone, &h->q->run, &of);
-    return st == FMB_OK ? fmb_cone_run(&h->cone, 0, &done) : st;
+    h->lifted = true;
+    return st == FMB_OK ? fmb_cone_init(&h->cone, &h->q->run, &of) : st;
 }
 
 /* ---- proofs ---------------------------------------------------------------------------------- */
 
 /* The row of the cone, of that bit or any equality, is tight on all of the facet's preimage. */
-static size_t list_tight_rows(const lifted *h, const fmb_image_row *f, uint32_t *live)
+static size_t list_tight_rows(const fmb_lift *h, const fmb_image_row *f, uint32_t *live)
 {
     size_t n = 0;
     for (size_t i = 1; i < h->rows; i++)
@@ -157,7 +158,7 @@ static size_t list_tight_rows(const lifted *h, const fmb_image_row *f, uint32_t 
 }
 
 /* The last of m rows is a combination of the others: which? */
-static fmb_status combine_rows_to_last(lifted *h, size_t m, const fmb_lp_row *rows,
+static fmb_status combine_rows_to_last(fmb_lift *h, size_t m, const fmb_lp_row *rows,
                                        const uint32_t *live, fmb_weights *w)
 {
     fmb_lp lp;
@@ -186,7 +187,7 @@ static void negate_row(fmb_vec *v, size_t n)
     }
 }
 
-static fmb_status claim_facet(lifted *h, const fmb_image_row *f, fmb_rel rel)
+static fmb_status claim_facet(fmb_lift *h, const fmb_image_row *f, fmb_rel rel)
 {
     fmb_mem *mem = h->q->run.mem;
     fmb_weights w[2] = {{0}, {0}};
@@ -222,7 +223,7 @@ static fmb_status claim_facet(lifted *h, const fmb_image_row *f, fmb_rel rel)
 /* ---- rows ------------------------------------------------------------------------------------ */
 
 /* The facet as a row over the part's columns; z[n + 1] comes in 0, and leaves so. */
-static fmb_status write_facet_row(lifted *h, const fmb_image_row *f, mpz_t *z)
+static fmb_status write_facet_row(fmb_lift *h, const fmb_image_row *f, mpz_t *z)
 {
     size_t n = (size_t)h->p->n;
     for (size_t k = 0; k + 1 < h->keeps; k++)
@@ -234,16 +235,16 @@ static fmb_status write_facet_row(lifted *h, const fmb_image_row *f, mpz_t *z)
     return st;
 }
 
-static fmb_status put_facet(lifted *h, const fmb_image_row *f, mpz_t *z)
+static fmb_status put_facet(fmb_lift *h, const fmb_image_row *f, mpz_t *z)
 {
-    fmb_rel rel = f->equality ? FMB_EQ : FMB_LE;
+    fmb_rel rel = f->equality ? FMB_EQ : f->strict ? FMB_LT : FMB_LE;
     fmb_status st = write_facet_row(h, f, z);
     if (st == FMB_OK && h->q->claims)
         st = claim_facet(h, f, rel);
     return st == FMB_OK ? fmb_query_append_row(h->q, h->p, &h->facet, rel, h->place, h->out) : st;
 }
 
-static fmb_status put_all_facets(lifted *h)
+static fmb_status put_all_facets(fmb_lift *h)
 {
     fmb_mem *mem = h->q->run.mem;
     size_t n = (size_t)h->p->n + 1;
@@ -261,27 +262,59 @@ static fmb_status put_all_facets(lifted *h)
 
 /* ---- the whole way --------------------------------------------------------------------------- */
 
-static fmb_status project_rays(lifted *h, bool *feasible)
+static bool has_strict_row(const fmb_lift *h)
 {
-    fmb_status st = find_rays_of_part(h);
-    if (st == FMB_OK)
-        st = fmb_image_init(&h->image, &h->q->run, &h->cone, fmb_query_is_wide(h->q));
-    *feasible = h->image.has_point;
-    if (st == FMB_OK && *feasible)
-        st = fmb_image_find_facets(&h->image, h->q->claims != NULL);
-    return st == FMB_OK && *feasible ? put_all_facets(h) : st;
-}
-
-static bool has_strict_row(const fmb_part *p)
-{
-    for (size_t i = 0; i < p->m; i++)
-        if (p->rel[i] == FMB_LT)
+    for (size_t i = 0; i < h->rows; i++)
+        if (h->row[i].wanted)
             return true;
     return false;
 }
 
-static void close_lifted(lifted *h)
+static fmb_status exclude_faces(fmb_lift *h, bool *feasible, bool *done)
 {
+    size_t words = h->image.words;
+    bool empty;
+    uint64_t *excludes = fmb_arena_get(&h->q->v->arena, words, sizeof *excludes);
+    if (!excludes)
+        return fmb_mem_status(h->q->run.mem);
+    memset(excludes, 0, words * sizeof *excludes);
+    for (size_t b = 0; b < h->cone.bits; b++)
+        if (h->row[h->cone.row_of_bit[b]].wanted)
+            excludes[b / 64] |= (uint64_t)1 << (b % 64);
+    fmb_status st = fmb_image_open_faces(&h->image, excludes, &empty, done);
+    *feasible = st != FMB_OK || !empty;
+    return st;
+}
+
+static fmb_status project_rays(fmb_lift *h, bool *feasible, bool *done)
+{
+    bool strict = has_strict_row(h);
+    fmb_status st = fmb_image_init(&h->image, &h->q->run, &h->cone, fmb_query_is_wide(h->q));
+    *feasible = h->image.has_point;
+    if (st == FMB_OK && *feasible)
+        st = fmb_image_find_facets(&h->image, strict || h->q->claims);
+    if (st == FMB_OK && *feasible && strict)
+        st = exclude_faces(h, feasible, done);
+    h->over = !*done;
+    return st == FMB_OK && *feasible && *done ? put_all_facets(h) : st;
+}
+
+fmb_status fmb_lift_open(fmb_query *q, int part, const int *place, fmb_lift **out, bool *feasible)
+{
+    fmb_lift *h = fmb_arena_get(&q->v->arena, 1, sizeof *h);
+    if (!h)
+        return fmb_mem_status(&q->v->mem);
+    *h = (fmb_lift){.q = q, .p = &q->parts.part[part], .place = place, .e.run = &q->run};
+    *out = h;
+    fmb_status st = eliminate_cheap_columns(h);
+    *feasible = st != FMB_OK || h->e.clash == FMB_NO_ROW;
+    return st;
+}
+
+void fmb_lift_close(fmb_lift *h)
+{
+    if (!h)
+        return;
     for (size_t i = 0; i < h->rows; i++)
         fmb_vec_clear(&h->v[i], h->d, h->q->run.mem);
     fmb_image_clear(&h->image);
@@ -289,21 +322,28 @@ static void close_lifted(lifted *h)
     fmb_elim_clear(&h->e);
 }
 
-fmb_status fmb_query_project_by_rays(fmb_query *q, int part, const int *place, fmb_system *out,
-                                     bool *feasible, bool *done)
+fmb_status fmb_lift_run(fmb_lift *h, uint64_t rays, fmb_system *out, bool *feasible, bool *done)
 {
-    const fmb_part *p = &q->parts.part[part];
-    lifted h = {.q = q, .p = p, .place = place, .out = out, .e.run = &q->run};
-    bool rest = false;
-    *done = !has_strict_row(p);
+    h->out = out;
     *feasible = true;
-    if (!*done)
+    *done = !h->rest;
+    if (!h->rest)
+        return fmb_thin_out(h->q, h->p, h->place, &h->e, h->q->decided, out, feasible);
+    if (h->over)
         return FMB_OK;
-    fmb_status st = eliminate_cheap_columns(&h, &rest);
-    *feasible = st != FMB_OK || h.e.clash == FMB_NO_ROW;
-    if (st == FMB_OK && *feasible)
-        st = rest ? project_rays(&h, feasible)
-                  : fmb_thin_out(q, p, place, &h.e, q->decided, out, feasible);
-    close_lifted(&h);
-    return st;
+    fmb_status st = h->lifted ? FMB_OK : open_cone_of_part(h);
+    if (st == FMB_OK)
+        st = fmb_cone_run(&h->cone, rays, done);
+    return st == FMB_OK && *done ? project_rays(h, feasible, done) : st;
+}
+
+bool fmb_lift_has_given_up(const fmb_lift *h)
+{
+    return h->over;
+}
+
+size_t fmb_lift_freedom(const fmb_lift *h)
+{
+    size_t rows = h->e.live.size, d = (size_t)h->p->n - (size_t)h->e.rounds + 1;
+    return rows > d && rows - d > d ? d : rows > d ? rows - d : 0;
 }

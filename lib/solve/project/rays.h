@@ -1,12 +1,25 @@
-/* rays.h: the projection of a part by double description. */
+/* rays.h: the projection of a part by double description, some rays at a time. */
 #ifndef FMB_SOLVE_RAYS_H
 #define FMB_SOLVE_RAYS_H
 
 #include "solve/query/solver.h"
 
-/* Append the projection of a part to out, with claims, as fmb_query_project_part does. *done false,
- * and nothing appended: it must be eliminated. */
-fmb_status fmb_query_project_by_rays(fmb_query *q, int part, const int *place, fmb_system *out,
-                                     bool *feasible, bool *done);
+/* A part on its way, in the query's arena. */
+typedef struct fmb_lift fmb_lift;
+
+/* Eliminate what is cheap of a part. *feasible false: its rows contradict each other. Errors:
+ * MEMORY, LIMIT. Close *out, unless it is NULL, in any case. */
+fmb_status fmb_lift_open(fmb_query *q, int part, const int *place, fmb_lift **out, bool *feasible);
+void fmb_lift_close(fmb_lift *h);
+
+/* Go on, until about that many more rays were made (0: any number). *done: the projection has been
+ * appended to out, with claims, as fmb_query_project_part does; or *feasible is false. Errors:
+ * MEMORY, LIMIT. */
+fmb_status fmb_lift_run(fmb_lift *h, uint64_t rays, fmb_system *out, bool *feasible, bool *done);
+/* There is no use in going on: it must be eliminated. */
+bool fmb_lift_has_given_up(const fmb_lift *h);
+/* The least of dimensions and of rows beyond as many, of the cone: up to 10 or so it has few rays.
+ */
+size_t fmb_lift_freedom(const fmb_lift *h);
 
 #endif

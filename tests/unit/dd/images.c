@@ -64,3 +64,36 @@ Test(images, gmp_only)
 {
     check_projections(40000, 150, 0, FMB_ARITH_GMP);
 }
+
+/* Many rows through few points, many of them strict: faces of every dimension are excluded. */
+static fmb_system *strict_rows(support_rng *g, int dim)
+{
+    fmb_system *s = rows_none(dim);
+    int rows = support_between(g, 2, 9);
+    for (int i = 0; i < rows; i++) {
+        int64_t a[4];
+        for (int j = 0; j < dim; j++)
+            a[j] = support_between(g, -1, 1);
+        must(fmb_system_add_int(s, a, support_chance(g, 40) ? FMB_LT : FMB_LE,
+                                support_chance(g, 70) ? 0 : 1));
+    }
+    return s;
+}
+
+Test(images, faces_that_strict_rows_exclude)
+{
+    agree a = {.max_rows = 2000};
+    fmb_solver *v = dd_solver(FMB_ARITH_AUTO);
+    for (uint64_t seed = 50000; seed < 51000; seed++) {
+        support_rng g = {seed};
+        int dim = support_between(&g, 2, 4), keep[8], n = choose_kept(&g, dim, keep);
+        fmb_system *s = strict_rows(&g, dim);
+        truth t;
+        truth_init(&t, s, a.max_rows);
+        cr_assert(agree_project(&a, v, &t, keep, n, NULL), "seed %lu: %s", (unsigned long)seed,
+                  a.why);
+        truth_clear(&t);
+        fmb_system_free(s);
+    }
+    fmb_solver_free(v);
+}
