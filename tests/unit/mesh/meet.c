@@ -6,6 +6,7 @@
 #include <fmb/mesh.h>
 #include <fmb/pair.h>
 
+#include "fault/hook.h"
 #include "property/random/rows.h"
 #include "support/support.h"
 
@@ -226,4 +227,45 @@ Test(meet, arguments)
     cr_expect(answer.hits == 0);
     fmb_mesh_answer_clear(&answer);
     fmb_mesh_free(m);
+}
+
+/* Read, place and ask, with flat cells among them. */
+static fmb_status do_all(const char *text, const fmb_alloc *mem)
+{
+    fmb_mesh *m = NULL, *placed = NULL;
+    fmb_mesh_answer answer = {0};
+    const fmb_mesh_place place = {{1, 1, 1}, {0.25, 0, 0}};
+    fmb_reader how = {.mem = mem};
+    fmb_where w;
+    fmb_status st = fmb_mesh_parse(text, strlen(text), FMB_MESH_AUTO, &how, &m, &w);
+    if (st == FMB_OK)
+        st = fmb_mesh_placed(m, &place, mem, &placed);
+    if (st == FMB_OK)
+        st = fmb_mesh_meet(m, placed, &(fmb_mesh_options){.neighbours = true, .mem = mem}, &answer);
+    cr_expect(st == FMB_OK ? answer.hits > 3 && answer.framed > 0 : answer.hits == 0);
+    fmb_mesh_answer_clear(&answer);
+    fmb_mesh_free(placed);
+    fmb_mesh_free(m);
+    return st;
+}
+
+Test(meet, memory)
+{
+    static const char *const text[] = {
+        "OFF 5 4 0\n0 0 0\n1 0 0\n0 1 0\n2 0 0\n1.5 1 1\n3 0 1 2\n3 0 1 3\n3 1 2 4\n4 0 1 4 2",
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 4\nproperty list uchar int vertex_index\nend_header\n"
+        "0 0 0 1 0 0 2 0 0 1 1 1 3 0 1 2 3 0 1 3 3 1 2 3 3 0 2 3"};
+    hook h = {0};
+    fmb_alloc mem = hook_alloc(&h);
+    for (int i = 0; i < 2; i++) {
+        fmb_status st = FMB_ERR_MEMORY;
+        for (size_t k = 1; st != FMB_OK; k++) {
+            hook_arm(&h, k, false);
+            st = do_all(text[i], &mem);
+            hook_calm(&h);
+            cr_assert(st == FMB_OK || st == FMB_ERR_MEMORY, "%zu: %s", k, fmb_status_text(st));
+            cr_assert(h.live == 0, "%zu: %zu bytes", k, h.live);
+        }
+    }
 }
