@@ -54,7 +54,7 @@ complete -F _fmb_validate fmb-validate
 _fmb_qualify()
 {
     local cur prev study=all
-    local studies="all table1 near faces boxes scaling rules peers"
+    local studies="all table1 near faces boxes scaling rules peers bunny"
     local general="--help --usage --version --pairs --passes --seed --out --json --quiet"
     _fmb_study_words
     COMPREPLY=()
@@ -82,7 +82,7 @@ _fmb_qualify()
                 _fmb_study_offer "$general --simd"
             elif ((COMP_CWORD == 1)); then
                 _fmb_study_offer "$studies"
-            elif [[ $study == rules ]]; then
+            elif [[ $study == rules || $study == bunny ]]; then
                 compopt -o default
             fi
             ;;

@@ -32,6 +32,11 @@ static int run_peers(int argc, char **argv)
     return qualify_study_main(&qualify_study_peers, argc, argv);
 }
 
+static int run_bunny_study(int argc, char **argv)
+{
+    return qualify_study_main(&qualify_study_bunny, argc, argv);
+}
+
 static const app_command commands[] = {
     {"all", "fmb-qualify all", "all of them in one report: what is done without a STUDY",
      qualify_all},
@@ -46,6 +51,8 @@ static const app_command commands[] = {
      qualify_rules},
     {"peers", "fmb-qualify peers", "other libraries on the same pairs: time, wrong answers",
      run_peers},
+    {"bunny", "fmb-qualify bunny", "a scan against its mirror image: trees, and all pairs",
+     run_bunny_study},
 };
 
 static const char doc[] =

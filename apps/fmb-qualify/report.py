@@ -128,8 +128,17 @@ def peer_figures(study):
            'set logscale y\nset yrange [5:*]\nset xtics rotate by -20\nset ylabel "time of a query [ns]"', bars)
 
 
+def bunny_figures(study):
+    dots = "points pointtype 7 pointsize "
+    yield ("faces", f'Faces that meet the mirror image, seen along z: {len(study["faces_of_A_that_meet"])} of {study["faces"]}.',
+           'set size ratio -1\nset xlabel "x"\nset ylabel "y"',
+           [("the mesh", study["dots_a"], dots + "0.15", 0), ("its mirror image", study["dots_b"], dots + "0.15", 2),
+            ("faces that meet", study["dots_meeting"], dots + "0.45", 1)])
+
+
 FIGURES = {"table1": verdict_figures, "near": verdict_figures, "faces": verdict_figures,
-           "boxes": box_figures, "scaling": scaling_figures, "rules": rule_figures, "peers": peer_figures}
+           "boxes": box_figures, "scaling": scaling_figures, "rules": rule_figures, "peers": peer_figures,
+           "bunny": bunny_figures}
 
 
 def gnuplot_script(base, settings, curves):

@@ -37,6 +37,10 @@ static error_t parse_report(int key, char *arg, struct argp_state *state)
         o->quiet = true;
         return 0;
     case ARGP_KEY_ARG:
+        if (o->takes_file && !o->file) {
+            o->file = arg;
+            return 0;
+        }
         argp_error(state, "expected no more than one study, and that first, found '%s'", arg);
         return 0;
     default:
@@ -78,10 +82,11 @@ static char *doc_of(const qualify_study *s)
     return doc;
 }
 
-static void read_options(const char *doc, int argc, char **argv, qualify_setup *o)
+static void read_options(const char *doc, bool takes_file, int argc, char **argv, qualify_setup *o)
 {
-    const struct argp whole_line = {.options = options, .parser = parse, .doc = doc};
-    *o = (qualify_setup){.seed = 1};
+    const struct argp whole_line = {
+        .options = options, .parser = parse, .args_doc = takes_file ? "[FILE]" : NULL, .doc = doc};
+    *o = (qualify_setup){.seed = 1, .takes_file = takes_file};
     argp_parse(&whole_line, argc, argv, 0, NULL, o);
 }
 
@@ -123,7 +128,7 @@ int qualify_study_main(const qualify_study *s, int argc, char **argv)
 {
     qualify_setup o;
     char *doc = doc_of(s);
-    read_options(doc, argc, argv, &o);
+    read_options(doc, s->takes_file, argc, argv, &o);
     free(doc);
     qualify_watch_begin(o.quiet);
     qualify_page *page = qualify_page_open(o.out, o.json);
@@ -139,7 +144,7 @@ static const char *const FOLDER = "fmb-report";
 
 static const qualify_study *const STUDY[] = {
     &qualify_study_table1,  &qualify_study_near,  &qualify_study_faces, &qualify_study_boxes,
-    &qualify_study_scaling, &qualify_study_rules, &qualify_study_peers};
+    &qualify_study_scaling, &qualify_study_rules, &qualify_study_peers, &qualify_study_bunny};
 enum { STUDIES = sizeof STUDY / sizeof *STUDY };
 
 static const char all_doc[] =
@@ -150,7 +155,7 @@ int qualify_all(int argc, char **argv)
 {
     qualify_setup o;
     int code = APP_YES;
-    read_options(all_doc, argc, argv, &o);
+    read_options(all_doc, false, argc, argv, &o);
     o.out = o.out ? o.out : FOLDER;
     qualify_watch_begin(o.quiet);
     qualify_page *page = qualify_page_open(o.out, o.json);

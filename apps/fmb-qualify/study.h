@@ -11,7 +11,9 @@ typedef struct qualify_setup {
     int passes;   /* of the clock */
     uint64_t seed;
     fmb_simd simd;
-    const char *out; /* folder for the report, or NULL */
+    const char *out;  /* folder for the report, or NULL */
+    const char *file; /* that the study is about, or NULL */
+    bool takes_file;
     bool json, quiet;
 } qualify_setup;
 
@@ -24,6 +26,7 @@ typedef struct qualify_effort {
 typedef struct qualify_study {
     const char *name, *title; /* the title is one line */
     const char *doc;          /* for --help, as argp takes it */
+    bool takes_file;          /* a FILE may stand on its command line */
     qualify_effort alone;     /* unless something else is asked for */
     qualify_effort brief;     /* as one of all studies, which take minutes together */
     /* The study: adds to the page, whose section has begun; an exit code, after a message unless it
@@ -34,7 +37,8 @@ typedef struct qualify_study {
 
 /* The studies in the order of the report. */
 extern const qualify_study qualify_study_table1, qualify_study_near, qualify_study_faces,
-    qualify_study_boxes, qualify_study_scaling, qualify_study_rules, qualify_study_peers;
+    qualify_study_boxes, qualify_study_scaling, qualify_study_rules, qualify_study_peers,
+    qualify_study_bunny;
 
 /* One study; argv[0] is "fmb-qualify NAME". An exit code. */
 int qualify_study_main(const qualify_study *s, int argc, char **argv);

@@ -1,0 +1,225 @@
+/* bunny.c: the article's study: which faces of a scan, a unit thick, meet its mirror image? By
+ * trees of boxes, and by all pairs, of which some faces against all are timed and the rest is
+ * concluded. */
+#include <string.h>
+
+#include "common/message.h"
+#include "fmb-qualify/bunny/bunny.h"
+#include "fmb-qualify/numbers.h"
+#include "fmb-qualify/study.h"
+#include "fmb-qualify/watch.h"
+#include "study/clock/clock.h"
+
+typedef struct bunny_study {
+    const qualify_setup *setup;
+    bunny_body a, b;
+    fmb_mesh_answer answer;
+    double tree_seconds, meet_seconds, pair_ns; /* thread time */
+    size_t sampled, wrong;                      /* pairs */
+} bunny_study;
+
+/* ---- by trees -------------------------------------------------------------------------------- */
+
+static bool tell_bunny_progress(void *self, double done)
+{
+    (void)self;
+    return qualify_watch_step_within(NULL, (size_t)(done * 1000), 1000);
+}
+
+/* Frames, their corners and trees; then what meets. */
+static fmb_status ask_by_trees(bunny_study *s, const fmb_mesh *m)
+{
+    const fmb_mesh_options o = {.neighbours = true, .progress = tell_bunny_progress};
+    double start = study_thread_seconds();
+    fmb_status st = bunny_body_make(m, false, &s->a);
+    if (st == FMB_OK)
+        st = bunny_body_make(m, true, &s->b);
+    double middle = study_thread_seconds();
+    if (st == FMB_OK)
+        st = fmb_mesh_meet(s->a.cells, s->b.cells, &o, &s->answer);
+    s->tree_seconds = middle - start;
+    s->meet_seconds = study_thread_seconds() - middle;
+    return st;
+}
+
+/* ---- all pairs, sampled ---------------------------------------------------------------------- */
+
+/* Did face i of A and face j of B meet? Hits are in order. */
+static bool find_hit(const fmb_mesh_answer *answer, size_t i, size_t j)
+{
+    size_t low = 0, high = answer->hits;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        const fmb_mesh_hit *h = &answer->hit[middle];
+        if (h->a < i || (h->a == i && h->b < j))
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < answer->hits && answer->hit[low].a == i && answer->hit[low].b == j;
+}
+
+/* Face i of A against all of B; its time is added. */
+static fmb_status ask_face(bunny_study *s, fmb_pair *k, size_t i, fmb_frame *same, fmb_verdict *v,
+                           double *seconds)
+{
+    size_t n = s->b.faces;
+    for (size_t j = 0; j < n; j++)
+        same[j] = s->a.frame[i];
+    double start = study_thread_seconds();
+    fmb_status st = fmb_pair_test(k, n, same, s->b.frame, &(fmb_pair_answers){.verdict = v});
+    *seconds += study_thread_seconds() - start;
+    for (size_t j = 0; st == FMB_OK && j < n; j++)
+        s->wrong += (v[j] == FMB_FEASIBLE) != find_hit(&s->answer, i, j);
+    s->sampled += n;
+    return st;
+}
+
+/* Faces of A spread evenly, so many that there are as many pairs as asked for; and those that meet,
+ * at most as many again. */
+static fmb_status ask_some_faces(bunny_study *s, fmb_pair *k)
+{
+    size_t n = s->a.faces, rows = s->setup->pairs / (s->b.faces + 1) + 1, before = 0;
+    fmb_frame *same = app_need(malloc((s->b.faces + 1) * sizeof *same));
+    fmb_verdict *v = app_need(malloc((s->b.faces + 1) * sizeof *v));
+    double seconds = 0, more = 0;
+    fmb_status st = FMB_OK;
+    rows = rows < n ? rows : n;
+    for (size_t r = 0; st == FMB_OK && r < rows && qualify_watch_step_within(NULL, r, rows); r++)
+        st = ask_face(s, k, (size_t)((2 * (uint64_t)r + 1) * n / (2 * rows)), same, v, &seconds);
+    s->pair_ns = s->sampled > 0 ? 1e9 * seconds / (double)s->sampled : 0;
+    for (size_t r = 0; st == FMB_OK && r < rows && r < s->answer.hits; r++) {
+        size_t i = s->answer.hit[r * s->answer.hits / rows % s->answer.hits].a;
+        if (i != before && !qualify_watch_interrupted())
+            st = ask_face(s, k, i, same, v, &more);
+        before = i;
+    }
+    free(same);
+    free(v);
+    return st;
+}
+
+static fmb_status ask_by_pairs(bunny_study *s)
+{
+    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair *k = NULL;
+    o.simd = s->setup->simd;
+    fmb_status st = fmb_pair_new(3, &o, NULL, &k);
+    if (st == FMB_OK)
+        st = ask_some_faces(s, k);
+    fmb_pair_free(k);
+    return st;
+}
+
+/* ---- the report ------------------------------------------------------------------------------ */
+
+static void add_way(json_t *ways, const char *way, double tests, double seconds, size_t faces)
+{
+    json_t *obj = json_object();
+    app_json_set(obj, "way", json_string(way));
+    app_json_set(obj, "tests", app_json_real(tests));
+    app_json_set(obj, "seconds", app_json_real(seconds));
+    app_json_set(obj, "ns", app_json_real(tests > 0 ? 1e9 * seconds / tests : 0));
+    app_json_set(obj, "meeting_faces", faces > 0 ? qualify_count_json(faces) : json_null());
+    app_json_append(ways, obj);
+}
+
+/* The faces of A that meet some face of B. */
+static json_t *list_meeting_faces(const fmb_mesh_answer *answer)
+{
+    json_t *list = app_need(json_array());
+    for (size_t i = 0; i < answer->hits; i++)
+        if (i == 0 || answer->hit[i].a != answer->hit[i - 1].a)
+            app_json_append(list, qualify_count_json(answer->hit[i].a));
+    return list;
+}
+
+/* Corners for the picture: x and y of some faces, or of those that meet. */
+static json_t *list_places(const bunny_body *b, size_t n, const json_t *faces)
+{
+    json_t *list = app_need(json_array());
+    size_t all = faces ? json_array_size(faces) : n;
+    for (size_t i = 0; i < all; i++) {
+        size_t face =
+            faces ? (size_t)json_integer_value(json_array_get(faces, i)) : i * b->faces / n;
+        json_t *point = json_array();
+        for (size_t j = 0; j < 2; j++)
+            app_json_append(point, app_json_real(b->number[12 * face + j]));
+        app_json_append(list, point);
+    }
+    return list;
+}
+
+static const qualify_column WAYS[] = {{"way", "way", NULL},
+                                      {"tests", "pairs tested", "%.0f"},
+                                      {"ns", "a pair [ns]", "%.1f"},
+                                      {"seconds", "all [s]", "%.3f"},
+                                      {"meeting_faces", "faces of A that meet", "%.0f"},
+                                      {0}};
+
+static int conclude_bunny(bunny_study *s, qualify_page *page)
+{
+    enum { DOTS = 6000 };
+    json_t *obj = qualify_page_json(page), *ways = app_need(json_array());
+    json_t *faces = list_meeting_faces(&s->answer);
+    double all = (double)s->a.faces * (double)s->b.faces;
+    add_way(ways, "trees of boxes", (double)s->answer.tested, s->meet_seconds,
+            json_array_size(faces));
+    add_way(ways, "all pairs, concluded from the sample", all, 1e-9 * s->pair_ns * all, 0);
+    app_json_set(obj, "ways", ways);
+    app_json_set(obj, "faces", qualify_count_json(s->a.faces));
+    app_json_set(obj, "hits", qualify_count_json(s->answer.hits));
+    app_json_set(obj, "sampled", qualify_count_json(s->sampled));
+    app_json_set(obj, "wrong", qualify_count_json(s->wrong));
+    app_json_set(obj, "dots_a", list_places(&s->a, DOTS, NULL));
+    app_json_set(obj, "dots_b", list_places(&s->b, DOTS, NULL));
+    app_json_set(obj, "dots_meeting", list_places(&s->a, 0, faces));
+    app_json_set(obj, "faces_of_A_that_meet", faces);
+    qualify_page_table(page, "ways",
+                       "Which of the faces, each a unit thick, meet the mirror image? Time of one "
+                       "thread, without that of reading and of making frames and trees",
+                       WAYS, "ways");
+    qualify_page_text(page,
+                      "%zu faces; %zu pairs of faces meet. Frames, their corners and both trees "
+                      "take %.3f s. Of the sample, %zu pairs, %zu verdicts differ from those by "
+                      "trees.",
+                      s->a.faces, s->answer.hits, s->tree_seconds, s->sampled, s->wrong);
+    return s->wrong > 0 ? app_error(APP_NO, "%zu verdicts differ", s->wrong) : APP_YES;
+}
+
+static int run_bunny(const qualify_setup *o, qualify_page *page)
+{
+    bunny_study s = {.setup = o};
+    fmb_mesh *m = NULL;
+    int code = bunny_read(o->file, &m);
+    if (code != APP_YES)
+        return code;
+    qualify_watch_part(0, 2);
+    fmb_status st = ask_by_trees(&s, m);
+    qualify_watch_part(1, 2);
+    if (st == FMB_OK && !qualify_watch_interrupted())
+        st = ask_by_pairs(&s);
+    if (st != FMB_OK)
+        code = app_status_error(st);
+    else if (!qualify_watch_interrupted())
+        code = conclude_bunny(&s, page);
+    fmb_mesh_answer_clear(&s.answer);
+    bunny_body_clear(&s.a);
+    bunny_body_clear(&s.b);
+    fmb_mesh_free(m);
+    return code;
+}
+
+const qualify_study qualify_study_bunny = {
+    .name = "bunny",
+    .title = "a scan against its mirror image: by trees, and by all pairs",
+    .doc =
+        "Which faces of a mesh, each a unit thick, meet the mesh mirrored and moved? By trees of "
+        "boxes; and by all pairs, of which --pairs are asked, and compared. FILE is the mesh, in "
+        "metres, such as the Stanford Bunny that the article has (coordinates times 1000; the "
+        "mirror image of (x, y, z) is (50 - x, y - 10, z)). Without FILE it is a bumpy ball.",
+    .takes_file = true,
+    .alone = {10000000, 1},
+    .brief = {1000000, 1},
+    .run = run_bunny,
+};
