@@ -88,7 +88,8 @@ with tempfile.TemporaryDirectory() as name:
         for verb in (["solve"], ["bounds"], ["reduce"], ["project", "--keep", keep],
                      ["optimize", "--max", " + ".join(keep.split(","))]):
             for rules in ("none", "kohler", "imbert,box", "kohler,duplicate"):
-                for more in ([], ["--rebase", "always"], ["--presolve", "none", "--method", "fm"]):
+                for more in ([], ["--rebase", "always", "--method", "fm"],
+                             ["--presolve", "none", "--method", "fm"]):
                     look(trace(folder, verb[0], str(file), *verb[1:], "--rules", rules, *more), dims)
 assert all(seen.values()), f"nothing to look at: {seen}"
 print(seen)

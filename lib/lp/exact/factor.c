@@ -7,6 +7,7 @@
 #include "lp/exact/lift.h"
 #include "lp/exact/lu.h"
 #include "lp/exact/rational.h"
+#include "lp/exact/substitute.h"
 
 struct fmb_factor {
     fmb_run *run;
@@ -18,6 +19,7 @@ struct fmb_factor {
     fmb_sparse b[2];     /* in the order of the pivots, and its transpose */
     fmb_sweep across[2]; /* the transposes of lu.upper, lu.lower */
     fmb_lift lift[2];
+    bool *reached; /* [n] scratch of substitution */
     fmb_rational rational;
     mpz_t m, y, a, d;
     size_t usual[2]; /* digits that were enough last time */
@@ -82,6 +84,9 @@ fmb_status fmb_factor_set(fmb_factor *f, size_t *basis, bool *changed)
         st = fmb_sparse_gather(&rows, &f->passing, f->p, basis);
     if (st == FMB_OK)
         st = fmb_sparse_permute(&rows, &f->lasting, f->lu.row_at, f->lu.column_place, &f->b[0]);
+    f->reached = fmb_arena_get(&f->lasting, f->lu.n, sizeof *f->reached);
+    if (st == FMB_OK && !f->reached)
+        st = fmb_mem_status(f->mem);
     if (st == FMB_OK)
         st = fmb_lift_init(&f->lift[0], &f->lasting, &f->q, &f->b[0], &f->lu.lower, &f->lu.upper);
     return st;
@@ -231,14 +236,27 @@ static fmb_status solve_by_lifting(fmb_factor *f, fmb_lift *lift, mpz_t *right, 
     return st;
 }
 
+static bool substitute(fmb_factor *f, bool across, mpz_t *right, mpz_t *x, mpz_t den)
+{
+    fmb_triangle t = {
+        .b = &f->b[across], .turn = f->lu.turn, .backwards = across, .reached = f->reached};
+    const int *row = f->lu.row_at, *column = f->lu.column_at;
+    return f->lu.is_triangular &&
+           fmb_substitute(&t, right, across ? column : row, across ? row : column, x, den);
+}
+
 fmb_status fmb_factor_solve(fmb_factor *f, mpz_t *right, mpz_t *x, mpz_t den)
 {
+    if (substitute(f, false, right, x, den))
+        return fmb_run_poll(f->run);
     return solve_by_lifting(f, &f->lift[0], right, f->lu.row_at, f->lu.column_at, x, den);
 }
 
 fmb_status fmb_factor_solve_transposed(fmb_factor *f, mpz_t *cost, mpz_t *y, mpz_t den)
 {
     fmb_status st = prepare_transposed(f);
+    if (st == FMB_OK && substitute(f, true, cost, y, den))
+        return fmb_run_poll(f->run);
     if (st == FMB_OK)
         st = solve_by_lifting(f, &f->lift[1], cost, f->lu.column_at, f->lu.row_at, y, den);
     return st;

@@ -297,6 +297,20 @@ static fmb_status write_factors(const peeling *p, fmb_arena *arena, const fmb_nu
     return st;
 }
 
+/* See lu.h. */
+static void order_turns(const peeling *p)
+{
+    fmb_lu *f = p->f;
+    size_t turns = 0;
+    f->is_triangular = p->pivots == f->n;
+    for (size_t k = 0; f->is_triangular && k < f->n; k++)
+        if (p->by_row[k])
+            f->turn[turns++] = (int)k;
+    for (size_t k = f->n; f->is_triangular && k-- > 0;)
+        if (!p->by_row[k])
+            f->turn[turns++] = (int)k;
+}
+
 /* ---- the door -------------------------------------------------------------------------------- */
 
 static fmb_status open_lu(fmb_lu *f, fmb_arena *arena, size_t n)
@@ -306,7 +320,8 @@ static fmb_status open_lu(fmb_lu *f, fmb_arena *arena, size_t n)
     f->column_at = fmb_arena_get(arena, n, sizeof *f->column_at);
     f->row_place = fmb_arena_get(arena, n, sizeof *f->row_place);
     f->column_place = fmb_arena_get(arena, n, sizeof *f->column_place);
-    if (!f->row_at || !f->column_at || !f->row_place || !f->column_place)
+    f->turn = fmb_arena_get(arena, n, sizeof *f->turn);
+    if (!f->row_at || !f->column_at || !f->row_place || !f->column_place || !f->turn)
         return fmb_mem_status(arena->mem);
     memset(f->row_place, -1, n * sizeof *f->row_place);
     memset(f->column_place, -1, n * sizeof *f->column_place);
@@ -326,6 +341,7 @@ fmb_status fmb_lu_factor(fmb_lu *f, fmb_run *run, fmb_arena *lasting, fmb_arena 
         return st;
     count_entries_to_peel(&p);
     peel_all_pivots(&p);
+    order_turns(&p);
     st = load_nucleus(&p, &u, run, passing, &rows, &columns);
     if (st == FMB_OK)
         st = fmb_nucleus_factor(&u);

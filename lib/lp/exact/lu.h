@@ -7,6 +7,10 @@
  * Order: pivot k stands in row row_at[k] and column column_at[k]; in that order the matrix is lower
  * times upper. Pivots from `rank` on are none: rows that depend on others, beside columns left
  * over. They are factored as if row row_at[k] were the unit vector of column_at[k].
+ *
+ * A row that is peeled by itself names columns peeled by rows before it and its own; one that goes
+ * with its column, any. So if all are peeled, the matrix is triangular in the order of `turn`: by
+ * rows, in order, then by columns, backwards.
  */
 #ifndef FMB_LP_LU_H
 #define FMB_LP_LU_H
@@ -20,6 +24,8 @@ typedef struct fmb_lu {
     int *row_at, *column_at;       /* [n] */
     int *row_place, *column_place; /* [n] the inverse of these */
     fmb_sweep lower, upper;
+    bool is_triangular; /* all pivots were peeled */
+    int *turn;          /* [n] then: pivots in the order in which unknowns are solved for */
 } fmb_lu;
 
 /* The factors lie in lasting, scratch in passing. Errors: MEMORY, LIMIT. */

@@ -5,6 +5,8 @@
  */
 #include "lp/float/door.h"
 
+#include <math.h>
+
 #include "lp/float/side.h"
 
 struct fmb_door {
@@ -119,6 +121,32 @@ void fmb_door_shift(fmb_door *d, const double *right)
 {
     fmb_reals_shift(&d->reals, right);
     d->side->shift(d->self);
+}
+
+void fmb_door_move_in(fmb_door *d, double by)
+{
+    fmb_reals_move_in(&d->reals, by);
+    d->side->shift(d->self);
+}
+
+bool fmb_door_point(fmb_door *d, int fine, mpz_t *x, mpz_t den)
+{
+    const int *exponent = d->reals.column_exponent;
+    double *scaled = d->cost;
+    int places = 0;
+    d->side->point(d->self, scaled);
+    for (size_t j = 0; j < d->reals.n; j++) {
+        places = fine + exponent[j] > places ? fine + exponent[j] : places;
+        if (!isfinite(ldexp(scaled[j], fine)))
+            return false;
+    }
+    for (size_t j = 0; j < d->reals.n; j++) {
+        mpz_set_d(x[j], nearbyint(ldexp(scaled[j], fine)));
+        mpz_mul_2exp(x[j], x[j], (mp_bitcnt_t)(places - fine - exponent[j]));
+    }
+    mpz_set_ui(den, 0);
+    mpz_setbit(den, (mp_bitcnt_t)places);
+    return true;
 }
 
 void fmb_door_sharpen(fmb_door *d)

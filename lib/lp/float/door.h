@@ -45,6 +45,12 @@ void fmb_door_place(fmb_door *d, const size_t *basis);
 /* Right sides by other numbers, right[m]; NULL: those of the program. For refinement, which looks
  * at a solution through a magnifying glass (Gleixner, Steffy, Wolter 2016). */
 void fmb_door_shift(fmb_door *d, const double *right);
+/* Likewise, right sides of inequalities less by `by` times the sizes of a row's coefficients, as
+ * rows and columns are scaled; until the next shift. */
+void fmb_door_move_in(fmb_door *d, double by);
+/* x[n] / den: where the last question ended, rounded to multiples of 2^-fine, as columns are
+ * scaled. False: it is beyond doubles. */
+bool fmb_door_point(fmb_door *d, int fine, mpz_t *x, mpz_t den);
 /* Tolerances as tight as they go, from now on. */
 void fmb_door_sharpen(fmb_door *d);
 

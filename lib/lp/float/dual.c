@@ -12,12 +12,20 @@
 
 #include "lp/float/walk.h"
 
-/* Multipliers may become negative by so much. */
-#define SLIP             1e-9
 #define PATIENCE_OF_DUAL 200
-/* Less than this times the largest entry is no pivot; that of a unit vector, which need not go. */
-#define NO_PIVOT      1e-9
-#define NO_UNIT_PIVOT 1e-7
+
+/* Multipliers may become negative by so much; less than this times the largest entry is no pivot.
+ */
+static double find_zero_of_multipliers(const fmb_stand *o)
+{
+    return o->f->sharp ? 1e-12 : 1e-9;
+}
+
+/* Likewise, of a unit vector, which need not go. */
+static double find_zero_of_units(const fmb_stand *o)
+{
+    return o->f->sharp ? 1e-12 : 1e-7;
+}
 
 /* By how much row i, outside and on, is violated; 0 if not by more than rounding errors. */
 static inline double find_excess(const fmb_stand *o, size_t i)
@@ -100,13 +108,13 @@ static size_t find_leaving_unit(const fmb_stand *o, double zero)
  * one with the largest entry. */
 static size_t find_leaving_member(const fmb_stand *o, double sign, double zero)
 {
-    double least = INFINITY, most = 0;
+    double least = INFINITY, most = 0, slip = find_zero_of_multipliers(o);
     size_t best = FMB_NOWHERE, count = fmb_spread_count(&o->entry);
     for (size_t t = 0; t < count; t++) {
         size_t r = fmb_spread_key(&o->entry, t);
         double entry = sign * o->entry.at[r];
         if (entry > zero && o->member_role[r] == FMB_ROLE_LESS)
-            least = fmin(least, (fmax(o->y[r], 0) + SLIP) / entry);
+            least = fmin(least, (fmax(o->y[r], 0) + slip) / entry);
     }
     for (size_t t = 0; t < count && least < INFINITY; t++) {
         size_t r = fmb_spread_key(&o->entry, t);
@@ -155,9 +163,9 @@ static fmb_status take_dual_step(fmb_stand *o, fmb_walk *end, size_t *odd)
     double sign = o->slack[i] < 0 ? 1 : -1;
     fmb_corner_write(&o->corner, i, &o->entry);
     double largest = find_largest_entry(o);
-    size_t r = find_leaving_unit(o, NO_UNIT_PIVOT * largest);
+    size_t r = find_leaving_unit(o, find_zero_of_units(o) * largest);
     if (r == FMB_NOWHERE)
-        r = find_leaving_member(o, sign, NO_PIVOT * largest);
+        r = find_leaving_member(o, sign, find_zero_of_multipliers(o) * largest);
     if (r == FMB_NOWHERE) {
         *odd = i;
         *end = FMB_WALK_STOPPED;

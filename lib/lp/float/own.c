@@ -40,20 +40,6 @@ static fmb_status search_on(fmb_stand *o, fmb_hint *h)
     return st;
 }
 
-/* A cost that nobody asked for, of which every multiplier is positive. */
-__attribute__((unused)) static void draw_cost(fmb_stand *o)
-{
-    memset(o->cost, 0, o->n * sizeof *o->cost);
-    for (size_t r = 0; r < o->n; r++) {
-        size_t i = o->corner.member[r];
-        if (o->member_role[r] != FMB_ROLE_LESS)
-            continue;
-        double part = 1e-2 * fmb_stand_draw(o);
-        for (size_t k = 0; k < o->f->start[i + 1] - o->f->start[i]; k++)
-            o->cost[fmb_reals_columns(o->f, i)[k]] += part * o->f->value[o->f->start[i] + k];
-    }
-}
-
 /* Begin where bounds of columns meet, of each the one nearer to 0. */
 static fmb_status start_at_bounds(fmb_stand *o)
 {
@@ -127,6 +113,13 @@ static fmb_status maximize_own(void *self, const double *cost, fmb_hint *h)
         st = climb_to_optimum(o, cost, h);
     hand_out_members(o, h);
     return st;
+}
+
+static void point_of_own(void *self, double *x)
+{
+    fmb_stand *o = self;
+    fmb_stand_find_point(o);
+    memcpy(x, o->edge.at, o->n * sizeof *x);
 }
 
 /* ---- changes --------------------------------------------------------------------------------- */
@@ -209,7 +202,8 @@ static fmb_status open_own_factors(const fmb_reals *f, void **out)
     return open_stand(f, true, out);
 }
 
-const fmb_door_side fmb_door_side_own = {open_own, close_own,  search_own, maximize_own,
-                                         grow_own, switch_own, place_own,  shift_own};
-const fmb_door_side fmb_door_side_factors = {open_own_factors, close_own,  search_own, maximize_own,
-                                             grow_own,         switch_own, place_own,  shift_own};
+const fmb_door_side fmb_door_side_own = {open_own,   close_own, search_own, maximize_own, grow_own,
+                                         switch_own, place_own, shift_own,  point_of_own};
+const fmb_door_side fmb_door_side_factors = {open_own_factors, close_own, search_own,
+                                             maximize_own,     grow_own,  switch_own,
+                                             place_own,        shift_own, point_of_own};

@@ -200,6 +200,17 @@ void fmb_reals_shift(fmb_reals *f, const double *right)
                             : right_side_divided(&f->p->row[i], f->exponent[i]);
 }
 
+void fmb_reals_move_in(fmb_reals *f, double by)
+{
+    for (size_t i = 0; i < f->m; i++) {
+        double sum = 0;
+        for (size_t t = f->start[i]; t < f->start[i + 1]; t++)
+            sum += fabs(f->value[t]);
+        if (!fmb_reals_is_equality(f, i))
+            f->right[i] -= by * sum;
+    }
+}
+
 bool fmb_reals_scale_cost(const fmb_reals *f, const double *cost, double *scaled)
 {
     double largest = 0;

@@ -39,6 +39,8 @@ void fmb_reals_clear(fmb_reals *f);
 fmb_status fmb_reals_grow(fmb_reals *f);
 /* Right sides by other numbers, right[m], in the units of the program; NULL: the program's. */
 void fmb_reals_shift(fmb_reals *f, const double *right);
+/* Right sides of inequalities by less: `by` times the sum of |coefficients|. */
+void fmb_reals_move_in(fmb_reals *f, double by);
 /* scaled[n] = cost[n] for these columns, the largest about 1. False: not all are finite. */
 bool fmb_reals_scale_cost(const fmb_reals *f, const double *cost, double *scaled);
 

@@ -21,6 +21,8 @@ typedef struct fmb_door_side {
     fmb_status (*switch_row)(void *self, size_t i);
     fmb_status (*place)(void *self, const size_t *basis);
     void (*shift)(void *self);
+    /* Where the last question ended, scaled as the columns are: x[n]. */
+    void (*point)(void *self, double *x);
 } fmb_door_side;
 
 /* Our own; the second one has factors of the basis however few columns there are, for tests. */

@@ -122,15 +122,20 @@ fmb_status fmb_stand_place(fmb_stand *o, const size_t *member)
     return st;
 }
 
-/* Slacks from the basis; how far its rows are off. */
-static double find_slacks(fmb_stand *o)
+void fmb_stand_find_point(fmb_stand *o)
 {
-    double most = 0;
     for (size_t r = 0; r < o->n; r++) {
         size_t i = o->corner.member[r];
         o->given[r] = i < FMB_UNIT ? o->right[i] : 0;
     }
     fmb_corner_point(&o->corner, o->given, &o->edge);
+}
+
+/* Slacks from the basis; how far its rows are off. */
+static double find_slacks(fmb_stand *o)
+{
+    double most = 0;
+    fmb_stand_find_point(o);
     fmb_columns_times(&o->columns, &o->edge, &o->rate);
     if (o->m > 0)
         memcpy(o->slack, o->right, o->m * sizeof *o->slack);

@@ -52,6 +52,8 @@ fmb_status fmb_stand_place(fmb_stand *o, const size_t *member);
 /* Slacks and multipliers from the basis alone, which is computed afresh where it is stale, or found
  * to be inexact. */
 fmb_status fmb_stand_refresh(fmb_stand *o);
+/* The point, into `edge`. */
+void fmb_stand_find_point(fmb_stand *o);
 /* What row i is, inside or outside, on or off, has changed. */
 void fmb_stand_note_role(fmb_stand *o, size_t i);
 

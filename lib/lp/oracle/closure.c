@@ -1,10 +1,16 @@
 /* closure.c: the closure of a program, all rows <= or =: guess, certify, and if need be walk on;
  * see oracle.h. */
+#include <math.h>
+#include <string.h>
+
 #include "lp/oracle/state.h"
 
 /* Exact pivots between two refinements of a guess, and how many of those there are. */
 #define FEW_STEPS   4
 #define REFINEMENTS 6
+/* The same on the way to an optimum. */
+#define FEW_PIVOTS  2
+#define MOST_OPTIMA 40
 
 fmb_status fmb_oracle_new(fmb_run *run, const fmb_program *p, fmb_oracle **out)
 {
@@ -98,6 +104,33 @@ static fmb_status refine_guess(fmb_oracle *o, double scale, fmb_hint *h)
     return st;
 }
 
+/* Does the basis at hand contradict row h->odd? Where numbers are long, its prices are solved for
+ * only when somebody wants them; and doubles look twice before that, as what long numbers say may
+ * hang on their last digits. */
+static fmb_status try_conflict(fmb_oracle *o, fmb_hint *h, fmb_walk_end *end)
+{
+    fmb_status st = FMB_OK;
+    bool sure = false, is_long = fmb_refute_is_worth_it(&o->v);
+    if (is_long)
+        st = fmb_refute(&o->v, h->odd, &o->w.sign, &sure);
+    if (st == FMB_OK && is_long && !sure) {
+        fmb_door_sharpen(o->door);
+        st = fmb_door_search(o->door, h);
+        if (st == FMB_OK)
+            st = fmb_vertex_set(&o->v, o->hint);
+        if (st == FMB_OK && h->kind == FMB_HINT_INFEASIBLE)
+            st = fmb_refute(&o->v, h->odd, &o->w.sign, &sure);
+    }
+    if (st != FMB_OK || h->kind != FMB_HINT_INFEASIBLE)
+        return st;
+    if (!sure)
+        return fmb_walk_try_conflict(&o->w, h->odd, end);
+    o->w.odd = h->odd;
+    o->w.is_priced = false;
+    *end = FMB_WALK_CONFLICT;
+    return FMB_OK;
+}
+
 /* From the basis at hand: a few exact pivots, then a finer guess, and so on; in the end as many
  * pivots as it takes. */
 static fmb_status reach_feasible(fmb_oracle *o, fmb_walk_end *end)
@@ -110,7 +143,7 @@ static fmb_status reach_feasible(fmb_oracle *o, fmb_walk_end *end)
         if (st == FMB_OK)
             st = fmb_vertex_set(&o->v, o->hint);
         if (st == FMB_OK && h.kind == FMB_HINT_INFEASIBLE)
-            st = fmb_walk_try_conflict(&o->w, h.odd, end);
+            st = try_conflict(o, &h, end);
         if (st == FMB_OK && *end == FMB_WALK_TIRED)
             st = fmb_walk_to_feasible(&o->w, FEW_STEPS, end);
         scale *= 0x1p10;
@@ -120,21 +153,30 @@ static fmb_status reach_feasible(fmb_oracle *o, fmb_walk_end *end)
     return st;
 }
 
-/* The closure of the rows: a vertex or a conflict. */
-fmb_status fmb_closure_decide(fmb_oracle *o, fmb_walk_end *end)
+fmb_status fmb_closure_guess(fmb_oracle *o, fmb_hint *h)
 {
-    fmb_hint h = {.basis = o->hint};
-    *end = FMB_WALK_TIRED;
+    *h = (fmb_hint){.basis = o->hint};
     fmb_status st = need_door(o);
-    if (st == FMB_OK)
-        st = fmb_door_search(o->door, &h);
-    if (st == FMB_OK)
-        st = fmb_vertex_set(&o->v, o->hint);
-    if (st == FMB_OK && h.kind == FMB_HINT_INFEASIBLE)
-        st = fmb_walk_try_conflict(&o->w, h.odd, end);
+    return st == FMB_OK ? fmb_door_search(o->door, h) : st;
+}
+
+/* The closure of the rows: a vertex or a conflict. */
+fmb_status fmb_closure_certify(fmb_oracle *o, fmb_hint *h, fmb_walk_end *end)
+{
+    *end = FMB_WALK_TIRED;
+    fmb_status st = fmb_vertex_set(&o->v, o->hint);
+    if (st == FMB_OK && h->kind == FMB_HINT_INFEASIBLE)
+        st = try_conflict(o, h, end);
     if (st == FMB_OK && *end == FMB_WALK_TIRED)
         st = reach_feasible(o, end);
     return st == FMB_OK && *end == FMB_WALK_THERE ? take_vertex(o) : st;
+}
+
+fmb_status fmb_closure_decide(fmb_oracle *o, fmb_walk_end *end)
+{
+    fmb_hint h;
+    fmb_status st = fmb_closure_guess(o, &h);
+    return st == FMB_OK ? fmb_closure_certify(o, &h, end) : st;
 }
 
 /* ---- how far does it go ---------------------------------------------------------------------- */
@@ -158,6 +200,69 @@ static fmb_status take_cost(fmb_oracle *o, const fmb_weights *cost)
     return fmb_integers_settle(&o->cost, o->run->mem);
 }
 
+/* The price of place r, by the size of its row. */
+static double weigh_place(const fmb_oracle *o, size_t r)
+{
+    const fmb_vertex *v = &o->v;
+    double largest = 0, price = fmb_vertex_rough_price(v, r);
+    if (fmb_vertex_is_unit(v, r))
+        return price;
+    for (size_t k = 0; k < v->p->row[v->basis[r]].size; k++)
+        largest = fmax(largest, fabs(fmb_program_double(v->p, v->basis[r], k)));
+    return price * largest;
+}
+
+static void add_place_to_price(fmb_oracle *o, size_t r, double part)
+{
+    const fmb_vertex *v = &o->v;
+    const fmb_program_row *row = &v->p->row[v->basis[r]];
+    if (fmb_vertex_is_unit(v, r))
+        o->price[v->basis[r] - v->m] += part;
+    else
+        for (size_t k = 0; k < row->size; k++)
+            o->price[row->column[k]] += part * fmb_program_double(v->p, v->basis[r], k);
+}
+
+/* Ask the door again from the basis at hand, whose prices these are, as through a magnifying glass:
+ * the largest price that is not allowed counts 1, and those that are allowed no more than that.
+ * What they say beside the others is below what doubles see. */
+static fmb_status refine_optimum(fmb_oracle *o, fmb_hint *h)
+{
+    fmb_vertex *v = &o->v;
+    double most = 0;
+    memset(o->price, 0, o->n * sizeof *o->price);
+    for (size_t r = 0; r < v->n; r++)
+        if (!fmb_walk_is_price_allowed(v, r, 1))
+            most = fmax(most, fabs(weigh_place(o, r)));
+    for (size_t r = 0; r < v->n; r++) {
+        double weight = weigh_place(o, r);
+        if (weight != 0)
+            add_place_to_price(o, r, fmb_vertex_rough_price(v, r) / fmax(most, fabs(weight)));
+    }
+    fmb_door_place(o->door, v->basis);
+    fmb_status st = fmb_door_maximize(o->door, o->price, h);
+    return st == FMB_OK ? fmb_vertex_set(v, o->hint) : st;
+}
+
+/* From a guess to the optimum, exactly. If it took pivots, the door goes on from there. */
+static fmb_status climb_to_optimum(fmb_oracle *o, fmb_walk_end *end)
+{
+    fmb_hint h = {.basis = o->hint};
+    fmb_walk_end there;
+    uint64_t pivots = o->run->stats.pivots;
+    fmb_status st = fmb_walk_to_optimum(&o->w, FEW_PIVOTS, o->cost.z, end);
+    for (int k = 0; st == FMB_OK && *end == FMB_WALK_TIRED && k <= MOST_OPTIMA; k++) {
+        st = refine_optimum(o, &h);
+        if (st == FMB_OK)
+            st = reach_feasible(o, &there);
+        if (st == FMB_OK)
+            st = fmb_walk_to_optimum(&o->w, k < MOST_OPTIMA ? FEW_PIVOTS : 0, o->cost.z, end);
+    }
+    if (st == FMB_OK && *end == FMB_WALK_THERE && o->run->stats.pivots != pivots)
+        fmb_door_place(o->door, o->v.basis);
+    return st;
+}
+
 fmb_status fmb_closure_approach(fmb_oracle *o, const fmb_weights *cost, fmb_walk_end *end)
 {
     fmb_hint h = {.basis = o->hint};
@@ -178,7 +283,7 @@ fmb_status fmb_closure_approach(fmb_oracle *o, const fmb_weights *cost, fmb_walk
 
 fmb_status fmb_closure_climb(fmb_oracle *o, fmb_walk_end *end)
 {
-    fmb_status st = fmb_walk_to_optimum(&o->w, o->cost.z, end);
+    fmb_status st = climb_to_optimum(o, end);
     return st == FMB_OK && *end == FMB_WALK_THERE ? take_vertex(o) : st;
 }
 

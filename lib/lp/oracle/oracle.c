@@ -36,8 +36,15 @@ static fmb_status try_last_point(fmb_oracle *o, bool *holds)
 static fmb_status search_for_point(fmb_oracle *o, bool *feasible)
 {
     fmb_walk_end end;
+    fmb_hint h;
     bool room = true;
-    fmb_status st = fmb_closure_decide(o, &end);
+    *feasible = false;
+    fmb_status st = fmb_closure_guess(o, &h);
+    if (st == FMB_OK && h.kind == FMB_HINT_OPTIMUM)
+        st = fmb_oracle_look_on_grid(o, &h, feasible);
+    if (st != FMB_OK || *feasible)
+        return st;
+    st = fmb_closure_certify(o, &h, &end);
     if (st == FMB_OK && end == FMB_WALK_THERE && o->p->any_strict && !fmb_vertex_is_inside(&o->v))
         st = fmb_oracle_find_room(o, false, &room);
     *feasible = end == FMB_WALK_THERE && room;

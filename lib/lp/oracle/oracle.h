@@ -55,7 +55,7 @@ void fmb_oracle_value(const fmb_oracle *o, mpq_t value);
 /* Multipliers over rows: their combination is cost.x <= value, with < if it is not attained. */
 fmb_status fmb_oracle_multipliers(const fmb_oracle *o, fmb_weights *w);
 /* Their combination is 0 <= negative, or 0 < 0. */
-fmb_status fmb_oracle_conflict(const fmb_oracle *o, fmb_weights *w);
+fmb_status fmb_oracle_conflict(fmb_oracle *o, fmb_weights *w);
 /* A direction in which every solution goes on for ever, and cost.x grows. */
 void fmb_oracle_ray(const fmb_oracle *o, mpq_t *x);
 void fmb_oracle_ray_integers(const fmb_oracle *o, mpz_t *x);

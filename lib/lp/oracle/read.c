@@ -91,14 +91,17 @@ void fmb_oracle_value(const fmb_oracle *o, mpq_t value)
 }
 
 /* sign a_odd - sum_r y_r a_r = 0, and so on the right side, which is negative. */
-fmb_status fmb_oracle_conflict(const fmb_oracle *o, fmb_weights *w)
+fmb_status fmb_oracle_conflict(fmb_oracle *o, fmb_weights *w)
 {
+    mpq_t one;
     if (o->has_margin)
         return add_margin_weights(o, w);
-    mpq_t one;
+    fmb_status st = fmb_walk_price_conflict(&o->w);
+    if (st != FMB_OK)
+        return st;
     mpq_init(one);
     mpq_set_si(one, o->w.sign, 1);
-    fmb_status st = fmb_weights_add(w, (uint32_t)o->w.odd, one, o->run->mem);
+    st = fmb_weights_add(w, (uint32_t)o->w.odd, one, o->run->mem);
     mpq_clear(one);
     return st == FMB_OK ? add_prices(o, o->v.unit, -1, w) : st;
 }

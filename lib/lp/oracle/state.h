@@ -4,6 +4,7 @@
 
 #include "lp/float/door.h"
 #include "lp/oracle/oracle.h"
+#include "lp/oracle/refute.h"
 #include "lp/oracle/walk.h"
 
 typedef enum fmb_oracle_answer {
@@ -38,10 +39,17 @@ struct fmb_oracle {
 void fmb_closure_begin(fmb_oracle *o);
 /* THERE, and o->point is a vertex, or CONFLICT. Errors: MEMORY, LIMIT. */
 fmb_status fmb_closure_decide(fmb_oracle *o, fmb_walk_end *end);
+/* Its two halves. */
+fmb_status fmb_closure_guess(fmb_oracle *o, fmb_hint *h);
+fmb_status fmb_closure_certify(fmb_oracle *o, fmb_hint *h, fmb_walk_end *end);
 /* To a vertex where cost.x is large: THERE, and o->point is it; or RAY. */
 fmb_status fmb_closure_approach(fmb_oracle *o, const fmb_weights *cost, fmb_walk_end *end);
 /* From there: THERE, and o->point is the optimum, or RAY. */
 fmb_status fmb_closure_climb(fmb_oracle *o, fmb_walk_end *end);
+
+/* grid.c: the guess h is a vertex: is there a solution of short numbers near it? If *found, it is
+ * o->point. Else h is asked for again. Errors: MEMORY, LIMIT. */
+fmb_status fmb_oracle_look_on_grid(fmb_oracle *o, fmb_hint *h, bool *found);
 
 /* margin.c: the rows hold, but is there room where they are strict? *room; if there is, o->point is
  * such a solution, else o->margin a conflict. face: of those with cost.x at its optimum; then

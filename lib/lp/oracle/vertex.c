@@ -145,6 +145,11 @@ fmb_status fmb_vertex_leave(fmb_vertex *v, size_t r, bool falls, fmb_integers *d
     return st == FMB_OK ? fmb_integers_settle(d, v->run->mem) : st;
 }
 
+double fmb_vertex_rough_price(const fmb_vertex *v, size_t r)
+{
+    return ratio_as_double(v->y.z[r], v->unit);
+}
+
 /* ---- the rows -------------------------------------------------------------------------------- */
 
 /* Sign of b_i - a_i.x / den. */

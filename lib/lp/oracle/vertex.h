@@ -69,6 +69,8 @@ bool fmb_vertex_is_inside(fmb_vertex *v);
 /* Does the point x / den satisfy every row, strict ones strictly? roughly[n] is scratch. */
 fmb_status fmb_vertex_try_point(fmb_vertex *v, mpz_t *x, const mpz_t den, double *roughly,
                                 bool *holds);
+/* The price of place r, rounded. */
+double fmb_vertex_rough_price(const fmb_vertex *v, size_t r);
 /* b_i - a_i.x, rounded. */
 double fmb_vertex_slack(fmb_vertex *v, size_t i);
 /* Its sign, exactly. */

@@ -37,9 +37,7 @@ static fmb_status price_row(fmb_walk *w, size_t row, int sign)
     return fmb_vertex_price(w->v, w->cost.z);
 }
 
-/* Can the price of place r be had from a proof? Those of rows that nothing demands are 0, and
- * `sign` times those of inequalities are not negative. */
-static bool is_price_allowed(const fmb_vertex *v, size_t r, int sign)
+bool fmb_walk_is_price_allowed(const fmb_vertex *v, size_t r, int sign)
 {
     int s = mpz_sgn(v->y.z[r]);
     return s == 0 || (fmb_vertex_is_loose(v, r)      ? false
@@ -54,7 +52,7 @@ static size_t find_place_to_leave(const fmb_vertex *v, int sign, bool least)
     size_t best = SIZE_MAX;
     bool loose = false;
     for (size_t r = 0; r < v->n; r++) {
-        if (is_price_allowed(v, r, sign))
+        if (fmb_walk_is_price_allowed(v, r, sign))
             continue;
         bool now = fmb_vertex_is_loose(v, r);
         bool better = best == SIZE_MAX ? true
@@ -87,6 +85,15 @@ static int sign_of_remainder(fmb_walk *w, size_t row, int sign)
     return mpz_sgn(w->num);
 }
 
+/* Its prices are at hand. */
+static void note_conflict(fmb_walk *w, size_t odd, int sign, fmb_walk_end *end)
+{
+    w->odd = odd;
+    w->sign = sign;
+    w->is_priced = true;
+    *end = FMB_WALK_CONFLICT;
+}
+
 fmb_status fmb_walk_try_conflict(fmb_walk *w, size_t odd, fmb_walk_end *end)
 {
     const fmb_program_row *row = &w->v->p->row[odd];
@@ -99,12 +106,17 @@ fmb_status fmb_walk_try_conflict(fmb_walk *w, size_t odd, fmb_walk_end *end)
             return st;
         if (find_place_to_leave(w->v, -1, true) != SIZE_MAX || sign_of_remainder(w, odd, sign) >= 0)
             continue;
-        w->odd = odd;
-        w->sign = sign;
-        *end = FMB_WALK_CONFLICT;
+        note_conflict(w, odd, sign, end);
         return FMB_OK;
     }
     return FMB_OK;
+}
+
+fmb_status fmb_walk_price_conflict(fmb_walk *w)
+{
+    fmb_status st = w->is_priced ? FMB_OK : price_row(w, w->odd, w->sign);
+    w->is_priced = st == FMB_OK;
+    return st;
 }
 
 /* Row `row` is violated by sign: a place of the basis makes room for it, or there is a conflict. */
@@ -116,9 +128,7 @@ static fmb_status make_row_hold(fmb_walk *w, size_t row, int sign, bool least, f
     size_t r = find_place_to_leave(w->v, -1, least);
     if (r != SIZE_MAX)
         return fmb_vertex_replace(w->v, r, row);
-    w->odd = row;
-    w->sign = sign;
-    *end = FMB_WALK_CONFLICT;
+    note_conflict(w, row, sign, end);
     return FMB_OK;
 }
 
@@ -212,7 +222,7 @@ fmb_status fmb_walk_try_ray(fmb_walk *w, size_t r, mpz_t *cost, fmb_walk_end *en
     size_t block;
     *end = FMB_WALK_TIRED;
     fmb_status st = fmb_vertex_price(w->v, cost);
-    if (st != FMB_OK || is_price_allowed(w->v, r, 1) || fmb_vertex_is_equality(w->v, r))
+    if (st != FMB_OK || fmb_walk_is_price_allowed(w->v, r, 1) || fmb_vertex_is_equality(w->v, r))
         return st;
     st = fmb_vertex_solve(w->v);
     if (st == FMB_OK)
@@ -222,12 +232,12 @@ fmb_status fmb_walk_try_ray(fmb_walk *w, size_t r, mpz_t *cost, fmb_walk_end *en
     return st;
 }
 
-fmb_status fmb_walk_to_optimum(fmb_walk *w, mpz_t *cost, fmb_walk_end *end)
+fmb_status fmb_walk_to_optimum(fmb_walk *w, size_t steps, mpz_t *cost, fmb_walk_end *end)
 {
     fmb_vertex *v = w->v;
     size_t stalled = 0, block;
     *end = FMB_WALK_THERE;
-    for (;;) {
+    for (size_t k = 0;; k++) {
         fmb_status st = fmb_run_poll_now(v->run);
         if (st == FMB_OK)
             st = fmb_vertex_solve(v);
@@ -236,6 +246,10 @@ fmb_status fmb_walk_to_optimum(fmb_walk *w, mpz_t *cost, fmb_walk_end *end)
         size_t r = st == FMB_OK ? find_place_to_leave(v, 1, stalled > PATIENCE(v)) : SIZE_MAX;
         if (r == SIZE_MAX)
             return st;
+        if (steps > 0 && k >= steps) {
+            *end = FMB_WALK_TIRED;
+            return FMB_OK;
+        }
         st = leave_place(w, r, &block);
         if (st != FMB_OK)
             return st;

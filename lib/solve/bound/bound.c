@@ -29,29 +29,53 @@ static fmb_status push_end_by_oracle(fmb_bound_job *j, int part)
 
 /* ---- all of them ----------------------------------------------------------------------------- */
 
-static fmb_status bound_variable_by_oracle(fmb_query *q, int var, fmb_exact_side *side)
+static fmb_status find_end_by_oracle(fmb_query *q, int var, fmb_side side, fmb_exact_side *end)
 {
     int part = q->parts.of_var[var];
-    fmb_bound_job j = {.q = q, .var = var};
+    fmb_bound_job j = {
+        .q = q, .var = var, .side = side, .sign = side == FMB_LOWER ? -1 : 1, .end = end};
+    if (part < 0) {
+        fmb_status st = fmb_bound_claim_unbounded(&j);
+        j.end->kind = st == FMB_OK ? FMB_END_INFINITE : FMB_END_UNKNOWN;
+        return st;
+    }
+    j.p = &q->parts.part[part];
+    j.column = q->parts.place[var];
+    return push_end_by_oracle(&j, part);
+}
+
+/* Lower ends, then upper ones: one is often where the one before was. */
+static fmb_status find_ends_of_part(fmb_query *q, fmb_box *box, int i, const int *next)
+{
     fmb_status st = FMB_OK;
-    if (part >= 0) {
-        j.p = &q->parts.part[part];
-        j.column = q->parts.place[var];
+    for (int k = FMB_LOWER; k <= FMB_UPPER; k++)
+        for (int at = i; st == FMB_OK && at >= 0; at = next[at])
+            st = find_end_by_oracle(q, box->var[at], (fmb_side)k, &box->side[at][k]);
+    return st;
+}
+
+/* Part by part, as there may be many: an oracle is closed before the next one is opened. */
+static fmb_status find_ends_by_oracles(fmb_query *q, fmb_box *box, const bool *done)
+{
+    fmb_status st = FMB_OK;
+    int *first = fmb_arena_get(&q->v->arena, (size_t)q->parts.count + 1, sizeof *first);
+    int *next = fmb_arena_get(&q->v->arena, (size_t)box->size, sizeof *next);
+    if (!first || !next)
+        return fmb_mem_status(q->run.mem);
+    for (int c = -1; c < q->parts.count; c++)
+        first[c + 1] = -1;
+    for (int i = box->size - 1; i >= 0; i--) {
+        int *head = &first[q->parts.of_var[box->var[i]] + 1];
+        next[i] = *head;
+        *head = i;
     }
-    for (int k = FMB_LOWER; st == FMB_OK && k <= FMB_UPPER; k++) {
-        j.side = (fmb_side)k;
-        j.sign = k == FMB_LOWER ? -1 : 1;
-        j.end = &side[k];
-        if (part >= 0) {
-            st = push_end_by_oracle(&j, part);
-        } else {
-            st = fmb_bound_claim_unbounded(&j);
-            j.end->kind = st == FMB_OK ? FMB_END_INFINITE : FMB_END_UNKNOWN;
-        }
+    for (int c = -1; st == FMB_OK && c < q->parts.count; c++) {
+        if (c >= 0 && done[c])
+            continue;
+        st = find_ends_of_part(q, box, first[c + 1], next);
+        if (c >= 0)
+            fmb_query_close_oracle(q, c);
     }
-    /* There may be many parts: that of the last variable is asked no more. */
-    if (j.p && j.column == j.p->n - 1)
-        fmb_query_close_oracle(q, part);
     return st;
 }
 
@@ -87,12 +111,7 @@ static fmb_status bound_variables_asked(fmb_query *q, fmb_box *box)
         done[c] = fm;
         st = fm ? fmb_bound_by_elimination(q, c, box) : bound_part_together(q, c, box, &done[c]);
     }
-    for (int i = 0; st == FMB_OK && i < box->size; i++) {
-        int part = q->parts.of_var[box->var[i]];
-        if (part < 0 || !done[part])
-            st = bound_variable_by_oracle(q, box->var[i], box->side[i]);
-    }
-    return st;
+    return st == FMB_OK ? find_ends_by_oracles(q, box, done) : st;
 }
 
 static fmb_status bound_or_outer_box(fmb_query *q, fmb_box *box, fmb_verdict *verdict)

@@ -20,8 +20,7 @@ static fmb_status load_rows_of_conflict(const fmb_query *q, const fmb_part *p, c
 }
 
 /* The conflict of o, its rows numbered as in the part. */
-static fmb_status take_conflict(fmb_query *q, const fmb_part *p, const fmb_oracle *o,
-                                fmb_weights *w)
+static fmb_status take_conflict(fmb_query *q, const fmb_part *p, fmb_oracle *o, fmb_weights *w)
 {
     fmb_weights less = {0};
     fmb_status st = fmb_oracle_conflict(o, &less);

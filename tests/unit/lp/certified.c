@@ -121,7 +121,7 @@ static void combine(const bench *b, const fmb_weights *w, mpq_t *to, mpq_t rest,
     mpq_clear(t);
 }
 
-static void expect_conflict(bench *b, const fmb_oracle *o)
+static void expect_conflict(bench *b, fmb_oracle *o)
 {
     fmb_weights w = {0};
     bool strict;

@@ -1,0 +1,116 @@
+/* long_numbers.c: verdicts on linear programs, which are had without an exact solution where that
+ * is possible (lp/oracle/grid.c, refute.c), against answers whose evidence fmb_check accepts.
+ */
+#include <criterion/criterion.h>
+
+#include <string.h>
+
+#include "property/random/rows.h"
+#include "study/program/program.h"
+#include "support/support.h"
+
+static fmb_verdict ask_with(const fmb_system *s, fmb_method method, fmb_evidence_kept evidence)
+{
+    fmb_options o = fmb_options_default();
+    fmb_solver *v = NULL;
+    fmb_result r;
+    o.method = method;
+    o.evidence = evidence;
+    must(fmb_solver_new(&o, NULL, &v));
+    must(fmb_solve(v, s, &r));
+    if (evidence != FMB_EVIDENCE_NONE) {
+        fmb_evidence *e = NULL;
+        fmb_judgement j;
+        must(fmb_solver_evidence(v, &e));
+        must(fmb_check(s, e, &j));
+        cr_assert(j.accepted, "%s", j.reason);
+        cr_assert_eq(j.verdict, r.verdict);
+        fmb_evidence_free(e);
+    }
+    fmb_solver_free(v);
+    return r.verdict;
+}
+
+/* The same verdict with evidence, which is accepted, and without. */
+static fmb_verdict ask_oracle(const fmb_system *s)
+{
+    fmb_verdict proved = ask_with(s, FMB_METHOD_LP, FMB_EVIDENCE_ALL);
+    cr_assert_eq(ask_with(s, FMB_METHOD_LP, FMB_EVIDENCE_NONE), proved);
+    return proved;
+}
+
+static fmb_verdict ask_text(const char *text)
+{
+    fmb_system *s = NULL;
+    must(fmb_system_parse(text, strlen(text), NULL, &s, NULL));
+    fmb_verdict verdict = ask_oracle(s);
+    cr_assert_eq(ask_with(s, FMB_METHOD_FM, FMB_EVIDENCE_ALL), verdict, "%s", text);
+    fmb_system_free(s);
+    return verdict;
+}
+
+Test(long_numbers, programs_in_every_dress_have_the_verdict_that_is_proved)
+{
+    static const char *const plan[] = {
+        "sparse-point:60x20", "sparse-conflict:60x20",
+        "dense-point:40x12",  "dense-conflict:60x12",
+        "strict:40x12",       "strict-cycle:30x10",
+        "equalities:40x16",   "degenerate:40x10",
+        "unbounded:30x12",    "ball:80x5",
+        "chain:12",           "chain-equal:12",
+    };
+    for (size_t k = 0; k < 2 * sizeof plan / sizeof *plan; k++) {
+        study_program_plan how;
+        study_program p;
+        fmb_system *s = NULL, *t = NULL;
+        const char *bad = "";
+        cr_assert(study_program_plan_parse(plan[k / 2], &how, &bad), "%s", bad);
+        how.seed = k;
+        must(study_program_draw(&how, &p));
+        if (p.verdict != FMB_UNKNOWN)
+            cr_assert_eq(ask_oracle(p.s), p.verdict, "%s", plan[k / 2]);
+        must(study_system_fractions(p.s, k % 2 ? 3 : 12, k, &s));
+        ask_oracle(s);
+        must(study_system_rescale(s, 20, k, NULL, &t));
+        cr_assert_eq(ask_oracle(t), ask_oracle(s), "%s", plan[k / 2]);
+        fmb_system_free(s);
+        fmb_system_free(t);
+        study_program_clear(&p);
+    }
+}
+
+Test(long_numbers, small_systems_of_long_fractions_have_the_verdict_of_elimination)
+{
+    for (uint64_t seed = 0; seed < 150; seed++) {
+        fmb_system *s = NULL;
+        support_shape shape = {.dim = 4, .rows = 9, .bits = seed % 2 ? 0 : 200};
+        support_case c = support_make((support_family)(seed % SUPPORT_FAMILIES), seed, &shape);
+        must(study_system_fractions(c.s, 15, seed, &s));
+        cr_assert_eq(ask_oracle(s), ask_with(s, FMB_METHOD_FM, FMB_EVIDENCE_NONE), "seed %lu",
+                     (unsigned long)seed);
+        fmb_system_free(s);
+        support_case_clear(&c);
+    }
+}
+
+#define THIN  "1/1000000000000000000000000000000"
+#define LARGE "1000000000000000000000000000000"
+
+Test(long_numbers, margins_are_told_apart_however_thin)
+{
+    cr_assert_eq(ask_text("x + y + z <= 1\nx + y + z >= 1\nx - y <= 0\ny - x <= 0\n"),
+                 FMB_FEASIBLE);
+    cr_assert_eq(ask_text("x + 3y < 1\nx + 3y > 1\n"), FMB_INFEASIBLE);
+    cr_assert_eq(ask_text("x + 3y < 1 + " THIN "\nx + 3y > 1\nx >= 3\n"), FMB_FEASIBLE);
+    cr_assert_eq(ask_text("x + 3y <= 1 - " THIN "\nx + 3y >= 1\nx - y >= 3\n"), FMB_INFEASIBLE);
+    cr_assert_eq(ask_text("x + y <= 1\n-x + " THIN "y <= -1\ny >= " THIN "\n"), FMB_INFEASIBLE);
+    cr_assert_eq(ask_text("x + y <= 1\n-x + " THIN "y <= -1\ny >= -1\n"), FMB_FEASIBLE);
+    cr_assert_eq(ask_text("x + y + " LARGE " z <= 1\ny + z >= " LARGE "\nx >= 0\nx < " THIN "\n"),
+                 FMB_FEASIBLE);
+    cr_assert_eq(ask_text(LARGE " x = 1\nx + y = 1\ny >= 1\nx + 2y < 5\n"), FMB_INFEASIBLE);
+    cr_assert_eq(ask_text(LARGE " x = 1\nx + y = 1\ny < 1\nx + 2y < 5\n"), FMB_FEASIBLE);
+    cr_assert_eq(ask_text("x - " LARGE " y >= 1\ny - " LARGE " z >= 1\nz - " LARGE " x >= 1\n"),
+                 FMB_FEASIBLE);
+    cr_assert_eq(ask_text("x - " LARGE " y >= 1\ny - " LARGE " z >= 1\nz >= 0\nx <= 1\n"),
+                 FMB_INFEASIBLE);
+}
