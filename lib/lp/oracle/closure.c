@@ -245,7 +245,7 @@ static fmb_status refine_optimum(fmb_oracle *o, fmb_hint *h)
 }
 
 /* From a guess to the optimum, exactly. If it took pivots, the door goes on from there. */
-static fmb_status climb_to_optimum(fmb_oracle *o, fmb_walk_end *end)
+static fmb_status climb_with_refinements(fmb_oracle *o, fmb_walk_end *end)
 {
     fmb_hint h = {.basis = o->hint};
     fmb_walk_end there;
@@ -283,7 +283,7 @@ fmb_status fmb_closure_approach(fmb_oracle *o, const fmb_weights *cost, fmb_walk
 
 fmb_status fmb_closure_climb(fmb_oracle *o, fmb_walk_end *end)
 {
-    fmb_status st = climb_to_optimum(o, end);
+    fmb_status st = climb_with_refinements(o, end);
     return st == FMB_OK && *end == FMB_WALK_THERE ? take_vertex(o) : st;
 }
 

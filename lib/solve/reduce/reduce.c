@@ -6,6 +6,7 @@
  * point.
  */
 #include "lp/exact/simplex.h"
+#include "lp/redundancy/by_oracle.h"
 #include "lp/redundancy/sieve.h"
 #include "solve/query/solver.h"
 #include "system/system.h"
@@ -141,26 +142,43 @@ static fmb_status sift_rows_of_part(progress *g, const fmb_verdicts *told, bool 
     return st;
 }
 
+static fmb_status ask_dictionary_about_all(progress *g, int part, const fmb_verdicts *told)
+{
+    fmb_lp *lp;
+    bool feasible;
+    fmb_status st = fmb_query_dictionary(g->q, part, &lp, &feasible);
+    return st == FMB_OK ? fmb_irredundant(lp, g->p->rel, g->fate, told) : st;
+}
+
+/* Beyond so many variables a pivot of a dictionary costs more than a linear program that is
+ * guessed. */
+#define FEW_VARIABLES 8
+
+static bool suits_oracle(const fmb_part *p)
+{
+    bool strict = false;
+    for (size_t i = 0; i < p->m; i++)
+        strict = strict || p->rel[i] == FMB_LT;
+    return !strict && p->n > FEW_VARIABLES;
+}
+
 /* fate[rows] is by row of the system. */
 static fmb_status decide_rows_of_part(fmb_query *q, int part, fmb_fate *fate)
 {
     progress g = {.q = q, .p = &q->parts.part[part]};
     fmb_verdicts told = {claim_redundant_row, claim_equality_row, claim_irredundant_row, &g};
     const fmb_verdicts *listener = q->claims ? &told : NULL;
-    fmb_lp *lp;
-    bool inner = false, feasible;
+    bool inner = false;
     fmb_status st = list_rows_of_part(&g, part);
     if (st != FMB_OK)
         return st;
     if (is_sieve_affordable(g.p))
         st = sift_rows_of_part(&g, listener, &inner);
-    if (st == FMB_OK && inner && is_some_row_unknown(&g)) {
-        st = ask_dictionary_about_rest(&g, listener);
-    } else if (st == FMB_OK && !inner) {
-        st = fmb_query_dictionary(q, part, &lp, &feasible);
-        if (st == FMB_OK)
-            st = fmb_irredundant(lp, g.p->rel, g.fate, listener);
-    }
+    if (st == FMB_OK && is_some_row_unknown(&g))
+        st = suits_oracle(g.p) ? fmb_irredundant_by_oracle(&q->run, (size_t)g.p->n, g.p->m, g.row,
+                                                           g.fate, listener)
+             : inner           ? ask_dictionary_about_rest(&g, listener)
+                               : ask_dictionary_about_all(&g, part, listener);
     for (size_t i = 0; i < g.p->m; i++)
         fate[g.p->source[i]] = g.fate[i];
     return st;

@@ -69,5 +69,6 @@ static void note_no_shift(void *self)
     (void)self;
 }
 
-const fmb_door_side glpk_side = {open_state,   close_state, search_with_glpk, maximize_with_glpk,
-                                 note_nothing, note_no_row, note_no_basis,    note_no_shift};
+const fmb_door_side glpk_side = {open_state,         close_state,   search_with_glpk,
+                                 maximize_with_glpk, note_nothing,  note_no_row,
+                                 note_no_basis,      note_no_shift, NULL};
