@@ -101,13 +101,16 @@ static fmb_status maximize_row(pruner *p, fmb_oracle *o, size_t i, int sign, fmb
     const fmb_program_row *r = &p->all.row[i];
     fmb_status st = FMB_OK;
     bool attained;
+    mpq_t a;
+    mpq_init(a);
     fmb_weights_clear(&p->form, p->run->mem);
     for (size_t k = 0; st == FMB_OK && k < r->size; k++) {
-        fmb_vec_get_q(r->value, k, p->term);
+        fmb_vec_get_q(r->value, k, a);
         if (sign < 0)
-            mpq_neg(p->term, p->term);
-        st = fmb_weights_add(&p->form, (uint32_t)r->column[k], p->term, p->run->mem);
+            mpq_neg(a, a);
+        st = fmb_weights_add(&p->form, (uint32_t)r->column[k], a, p->run->mem);
     }
+    mpq_clear(a);
     return st == FMB_OK ? fmb_oracle_maximize(o, &p->form, end, &attained) : st;
 }
 
