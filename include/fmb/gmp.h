@@ -5,6 +5,7 @@
 #include <gmp.h>
 
 #include <fmb/frame.h>
+#include <fmb/generators.h>
 #include <fmb/io.h>
 #include <fmb/proof.h>
 #include <fmb/rule.h>
@@ -51,6 +52,13 @@ FMB_API void fmb_system_objective_constant_q(const fmb_system *s, mpq_t constant
 FMB_API FMB_CHECKED fmb_status fmb_solver_add_q(fmb_solver *v, size_t n, const int *var,
                                                 mpq_t *coef, fmb_rel rel, const mpq_t b);
 FMB_API FMB_CHECKED fmb_status fmb_solver_set_right_q(fmb_solver *v, size_t row, const mpq_t b);
+
+/* fmb_generators_add (<fmb/generators.h>) of rationals x[dim]; they are only read. Errors: ARG
+ * (also: denominator 0), MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_generators_add_q(fmb_generators *g, fmb_generator_kind kind,
+                                                    mpq_t *x);
+/* Coordinate j of generator i; 0 where there is none. Those of rays and lines are integers. */
+FMB_API void fmb_generators_get_q(const fmb_generators *g, size_t i, int j, mpq_t out);
 
 /* A frame (<fmb/frame.h>) in rationals; they are only read. */
 typedef struct fmb_frame_q {

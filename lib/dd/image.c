@@ -87,10 +87,9 @@ static fmb_status sort_rays_of_image(fmb_image *m)
 }
 
 /* A ray that is 0 in the image is above each of its points. */
-static fmb_status add_ray_of_image(fmb_image *m, size_t i)
+static fmb_status add_ray_to_image(fmb_image *m, const fmb_vec *v, const uint64_t *support)
 {
-    const uint64_t *support = fmb_rays_support(&m->of->ray, i);
-    if (is_zero_vector(&m->of->ray.v[i], m->n)) {
+    if (is_zero_vector(v, m->n)) {
         unite_supports(m, m->everywhere, support);
         return FMB_OK;
     }
@@ -99,32 +98,56 @@ static fmb_status add_ray_of_image(fmb_image *m, size_t i)
         return fmb_mem_status(m->run->mem);
     memcpy(own, support, m->words * sizeof *own);
     m->support[m->rays] = own;
-    fmb_status st = fmb_image_copy_coordinates(m, &m->ray[m->rays], &m->of->ray.v[i]);
-    m->has_point |= fmb_vec_sgn(&m->ray[m->rays++], m->n - 1) > 0;
+    fmb_status st = fmb_image_copy_coordinates(m, &m->ray[m->rays], v);
+    m->has_point |= st == FMB_OK && fmb_vec_sgn(&m->ray[m->rays], m->n - 1) > 0;
+    m->rays++;
     return st;
+}
+
+static fmb_status add_line_to_image(fmb_image *m, const fmb_vec *v)
+{
+    return is_zero_vector(v, m->n) ? FMB_OK
+                                   : fmb_image_copy_coordinates(m, &m->line[m->lines++], v);
+}
+
+/* Room for so many rays and lines. */
+static fmb_status open_image(fmb_image *m, fmb_run *run, size_t n, size_t words, size_t rays,
+                             size_t lines, bool wide_only)
+{
+    *m = (fmb_image){.run = run, .n = n, .words = words};
+    fmb_arena_init(&m->arena, run->mem);
+    fmb_status st = fmb_num_init(&m->num, run->mem, n, wide_only);
+    if (st != FMB_OK)
+        return st;
+    m->ray = fmb_arena_get(&m->arena, rays, sizeof *m->ray);
+    m->support = fmb_arena_get(&m->arena, rays, sizeof *m->support);
+    m->line = fmb_arena_get(&m->arena, lines, sizeof *m->line);
+    m->everywhere = fmb_arena_get(&m->arena, words, sizeof *m->everywhere);
+    if (!m->ray || !m->support || !m->line || !m->everywhere)
+        return fmb_mem_status(run->mem);
+    memset(m->everywhere, 0, words * sizeof *m->everywhere);
+    return FMB_OK;
 }
 
 fmb_status fmb_image_init(fmb_image *m, fmb_run *run, const fmb_cone *of, bool wide_only)
 {
-    fmb_status st;
-    *m = (fmb_image){.run = run, .of = of, .n = of->coords, .words = of->ray.words};
-    fmb_arena_init(&m->arena, run->mem);
-    st = fmb_num_init(&m->num, run->mem, m->n, wide_only);
-    if (st != FMB_OK)
-        return st;
-    m->room = of->ray.size;
-    m->ray = fmb_arena_get(&m->arena, m->room, sizeof *m->ray);
-    m->support = fmb_arena_get(&m->arena, m->room, sizeof *m->support);
-    m->line = fmb_arena_get(&m->arena, of->line.size, sizeof *m->line);
-    m->everywhere = fmb_arena_get(&m->arena, m->words, sizeof *m->everywhere);
-    if (!m->ray || !m->support || !m->line || !m->everywhere)
-        return fmb_mem_status(run->mem);
-    memset(m->everywhere, 0, m->words * sizeof *m->everywhere);
-    for (size_t i = 0; st == FMB_OK && i < of->line.size; i++)
-        if (!is_zero_vector(&of->line.v[i], m->n))
-            st = fmb_image_copy_coordinates(m, &m->line[m->lines++], &of->line.v[i]);
-    for (size_t i = 0; st == FMB_OK && i < of->ray.size; i++)
-        st = add_ray_of_image(m, i);
+    size_t rays = of->ray.size, lines = of->line.size;
+    fmb_status st = open_image(m, run, of->coords, of->ray.words, rays, lines, wide_only);
+    m->of = of;
+    for (size_t i = 0; st == FMB_OK && i < lines; i++)
+        st = add_line_to_image(m, &of->line.v[i]);
+    for (size_t i = 0; st == FMB_OK && i < rays; i++)
+        st = add_ray_to_image(m, &of->ray.v[i], fmb_rays_support(&of->ray, i));
+    return st == FMB_OK ? sort_rays_of_image(m) : st;
+}
+
+fmb_status fmb_image_init_vectors(fmb_image *m, fmb_run *run, size_t n, size_t vectors,
+                                  const fmb_vec *v, const bool *line, bool wide_only)
+{
+    static const uint64_t none;
+    fmb_status st = open_image(m, run, n, 1, vectors, vectors, wide_only);
+    for (size_t i = 0; st == FMB_OK && i < vectors; i++)
+        st = line[i] ? add_line_to_image(m, &v[i]) : add_ray_to_image(m, &v[i], &none);
     return st == FMB_OK ? sort_rays_of_image(m) : st;
 }
 

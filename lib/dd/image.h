@@ -23,7 +23,7 @@ typedef struct fmb_image_row {
 typedef struct fmb_image {
     fmb_run *run;
     fmb_num num;
-    const fmb_cone *of;
+    const fmb_cone *of; /* or NULL */
     fmb_arena arena;
     size_t n, words; /* coordinates, t last; words of a support */
     fmb_vec *ray;    /* [rays], each once, sorted; not 0 */
@@ -31,7 +31,6 @@ typedef struct fmb_image {
     size_t rays;
     fmb_vec *line; /* [lines], not 0 */
     size_t lines;
-    size_t room;          /* of ray */
     uint64_t *everywhere; /* union of the supports of rays that are 0 in the image */
     bool has_point;       /* some ray has t > 0 */
     fmb_image_row *facet;
@@ -41,6 +40,9 @@ typedef struct fmb_image {
 /* The cone is complete, carries n coordinates of which t is the last, and outlives the image.
  * Errors: MEMORY, LIMIT. In any case fmb_image_clear it. */
 fmb_status fmb_image_init(fmb_image *m, fmb_run *run, const fmb_cone *of, bool wide_only);
+/* The same of vectors v[vectors], n entries each, rays or lines. Errors: MEMORY, LIMIT. */
+fmb_status fmb_image_init_vectors(fmb_image *m, fmb_run *run, size_t n, size_t vectors,
+                                  const fmb_vec *v, const bool *line, bool wide_only);
 void fmb_image_clear(fmb_image *m);
 
 /* Find the facets of an image that has a point. With `slacks` each facet gets its slack. Errors:

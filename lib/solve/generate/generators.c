@@ -1,0 +1,174 @@
+/* generators.c: lists of vertices, rays and lines; see generators.h. */
+#include "solve/generate/generators.h"
+
+#include <math.h>
+
+#include "num/rationals.h"
+
+fmb_status fmb_generators_new(int dim, const fmb_alloc *hook, fmb_generators **out)
+{
+    fmb_mem mem;
+    if (dim < 0 || !out)
+        return FMB_ERR_ARG;
+    fmb_mem_init(&mem, hook, 0);
+    fmb_generators *g = fmb_mem_zero(&mem, 1, sizeof *g);
+    if (!g)
+        return FMB_ERR_MEMORY;
+    g->mem = mem;
+    g->dim = dim;
+    *out = g;
+    return FMB_OK;
+}
+
+void fmb_generators_free(fmb_generators *g)
+{
+    if (!g)
+        return;
+    size_t n = (size_t)g->dim + 1;
+    for (size_t i = 0; i < g->size; i++) {
+        fmb_vec_clear(&g->vec[i], n, &g->mem);
+        fmb_mem_put(&g->mem, g->vec[i].s, n, sizeof *g->vec[i].s);
+    }
+    fmb_mem_put(&g->mem, g->vec, g->vec_capacity, sizeof *g->vec);
+    fmb_mem_put(&g->mem, g->kind, g->kind_capacity, sizeof *g->kind);
+    fmb_mem mem = g->mem;
+    fmb_mem_put(&mem, g, 1, sizeof *g);
+}
+
+/* ---- one more -------------------------------------------------------------------------------- */
+
+/* Room for one more, which is counted. */
+static fmb_status open_generator(fmb_generators *g, fmb_generator_kind kind, fmb_vec **out)
+{
+    fmb_status st =
+        fmb_mem_reserve(&g->mem, (void **)&g->vec, &g->vec_capacity, g->size + 1, sizeof *g->vec);
+    if (st == FMB_OK)
+        st = fmb_mem_reserve(&g->mem, (void **)&g->kind, &g->kind_capacity, g->size + 1,
+                             sizeof *g->kind);
+    if (st != FMB_OK)
+        return st;
+    fmb_vec v = {.s = fmb_mem_get(&g->mem, (size_t)g->dim + 1, sizeof *v.s)};
+    if (!v.s)
+        return fmb_mem_status(&g->mem);
+    *out = &g->vec[g->size];
+    **out = v;
+    g->kind[g->size++] = kind;
+    return FMB_OK;
+}
+
+static fmb_status close_generator(fmb_generators *g, fmb_status st)
+{
+    if (st == FMB_OK)
+        return st;
+    fmb_vec *v = &g->vec[--g->size];
+    fmb_vec_clear(v, (size_t)g->dim + 1, &g->mem);
+    fmb_mem_put(&g->mem, v->s, (size_t)g->dim + 1, sizeof *v->s);
+    return st;
+}
+
+fmb_status fmb_generators_append(fmb_generators *g, fmb_generator_kind kind, const fmb_vec *v)
+{
+    fmb_vec *to;
+    fmb_status st = open_generator(g, kind, &to);
+    return st == FMB_OK ? close_generator(g, fmb_vec_copy(to, v, (size_t)g->dim + 1, &g->mem)) : st;
+}
+
+/* z[dim + 1] = x times the least common denominator, which is t of a vertex. */
+static void write_common_multiple(const fmb_generators *g, fmb_generator_kind kind, mpq_t *x,
+                                  mpz_t *z)
+{
+    size_t n = (size_t)g->dim;
+    mpz_set_ui(z[n], 1);
+    for (size_t j = 0; j < n; j++)
+        mpz_lcm(z[n], z[n], mpq_denref(x[j]));
+    for (size_t j = 0; j < n; j++) {
+        mpz_divexact(z[j], z[n], mpq_denref(x[j]));
+        mpz_mul(z[j], z[j], mpq_numref(x[j]));
+    }
+    if (kind != FMB_VERTEX)
+        mpz_set_ui(z[n], 0);
+}
+
+static bool are_generator_arguments_good(const fmb_generators *g, fmb_generator_kind kind,
+                                         const void *x)
+{
+    return g && (x || g->dim == 0) && kind >= FMB_VERTEX && kind <= FMB_LINE;
+}
+
+fmb_status fmb_generators_add_q(fmb_generators *g, fmb_generator_kind kind, mpq_t *x)
+{
+    if (!are_generator_arguments_good(g, kind, x))
+        return FMB_ERR_ARG;
+    for (int j = 0; j < g->dim; j++)
+        if (mpz_sgn(mpq_denref(x[j])) == 0)
+            return FMB_ERR_ARG;
+    size_t n = (size_t)g->dim + 1;
+    fmb_vec *v;
+    mpz_t *z = fmb_vec_block(n, &g->mem);
+    fmb_status st = z ? open_generator(g, kind, &v) : FMB_ERR_MEMORY;
+    if (st == FMB_OK) {
+        write_common_multiple(g, kind, x, z);
+        st = close_generator(g, fmb_vec_set_z(v, n, z, &g->mem));
+    }
+    for (size_t j = 0; z && j < n; j++)
+        mpz_clear(z[j]);
+    fmb_mem_put(&g->mem, z, n, sizeof *z);
+    return st;
+}
+
+fmb_status fmb_generators_add(fmb_generators *g, fmb_generator_kind kind, const double *x)
+{
+    mpq_t *q;
+    if (!are_generator_arguments_good(g, kind, x))
+        return FMB_ERR_ARG;
+    for (int j = 0; j < g->dim; j++)
+        if (!isfinite(x[j]))
+            return FMB_ERR_ARG;
+    fmb_status st = fmb_rationals_new(&q, (size_t)g->dim, &g->mem);
+    if (st != FMB_OK)
+        return st;
+    for (int j = 0; j < g->dim; j++)
+        mpq_set_d(q[j], x[j]);
+    st = fmb_generators_add_q(g, kind, q);
+    fmb_rationals_free(q, (size_t)g->dim, &g->mem);
+    return st;
+}
+
+/* ---- reading --------------------------------------------------------------------------------- */
+
+int fmb_generators_dim(const fmb_generators *g)
+{
+    return g ? g->dim : 0;
+}
+
+size_t fmb_generators_size(const fmb_generators *g)
+{
+    return g ? g->size : 0;
+}
+
+fmb_generator_kind fmb_generators_kind(const fmb_generators *g, size_t i)
+{
+    return i < fmb_generators_size(g) ? g->kind[i] : FMB_VERTEX;
+}
+
+void fmb_generators_get_q(const fmb_generators *g, size_t i, int j, mpq_t out)
+{
+    mpq_set_ui(out, 0, 1);
+    if (i >= fmb_generators_size(g) || j < 0 || j >= g->dim)
+        return;
+    fmb_vec_get(&g->vec[i], (size_t)j, mpq_numref(out));
+    if (g->kind[i] != FMB_VERTEX)
+        return;
+    fmb_vec_get(&g->vec[i], (size_t)g->dim, mpq_denref(out));
+    mpq_canonicalize(out);
+}
+
+double fmb_generators_coordinate(const fmb_generators *g, size_t i, int j)
+{
+    mpq_t q;
+    mpq_init(q);
+    fmb_generators_get_q(g, i, j, q);
+    double d = fmb_nearest_double(q);
+    mpq_clear(q);
+    return d;
+}

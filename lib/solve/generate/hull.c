@@ -1,0 +1,97 @@
+/* hull.c: from vertices, rays and lines to rows (dd/image.h). */
+#include "dd/image.h"
+#include "solve/generate/generators.h"
+#include "solve/query/solver.h"
+#include "system/system.h"
+
+static fmb_status append_facet(const fmb_image_row *f, size_t n, fmb_system *out, int *var,
+                               mpz_t *z)
+{
+    size_t terms = 0;
+    for (size_t k = 0; k < n; k++) {
+        if (fmb_vec_sgn(&f->v, k) == 0)
+            continue;
+        var[terms] = (int)k;
+        fmb_vec_get(&f->v, k, z[terms++]);
+    }
+    fmb_vec_get(&f->v, n, z[terms]);
+    mpz_set_ui(z[terms + 1], 1);
+    return fmb_system_append(out, terms, var, z, f->equality ? FMB_EQ : FMB_LE);
+}
+
+static fmb_status append_all_facets(const fmb_image *m, fmb_system *out)
+{
+    fmb_mem *mem = m->run->mem;
+    size_t n = m->n - 1;
+    int *var = fmb_mem_get(mem, n, sizeof *var);
+    mpz_t *z = fmb_vec_block(n + 2, mem);
+    fmb_status st = var && z ? FMB_OK : fmb_mem_status(mem);
+    for (size_t i = 0; st == FMB_OK && i < m->facets; i++)
+        st = append_facet(&m->facet[i], n, out, var, z);
+    for (size_t k = 0; z && k < n + 2; k++)
+        mpz_clear(z[k]);
+    fmb_mem_put(mem, z, n + 2, sizeof *z);
+    fmb_mem_put(mem, var, n, sizeof *var);
+    return st;
+}
+
+/* out has no rows yet. */
+static fmb_status find_hull(fmb_query *q, const fmb_generators *g, fmb_system *out,
+                            fmb_verdict *verdict)
+{
+    fmb_image m = {0};
+    bool *line = fmb_arena_get(&q->v->arena, g->size, sizeof *line);
+    if (!line)
+        return fmb_mem_status(&q->v->mem);
+    for (size_t i = 0; i < g->size; i++)
+        line[i] = g->kind[i] == FMB_LINE;
+    fmb_status st = fmb_image_init_vectors(&m, &q->run, (size_t)g->dim + 1, g->size, g->vec, line,
+                                           fmb_query_is_wide(q));
+    if (st == FMB_OK)
+        *verdict = m.has_point ? FMB_FEASIBLE : FMB_INFEASIBLE;
+    if (st == FMB_OK && m.has_point)
+        st = fmb_image_find_facets(&m, false);
+    if (st == FMB_OK && m.has_point)
+        st = append_all_facets(&m, out);
+    fmb_image_clear(&m);
+    return st;
+}
+
+/* The query is one about a system without rows: what it needs of one is its dimension. */
+static fmb_status ask_for_hull(fmb_solver *v, const fmb_generators *g, fmb_system *hull,
+                               fmb_verdict *verdict, fmb_result *res)
+{
+    fmb_query q;
+    fmb_status st = fmb_query_begin(&q, v, hull, "hull");
+    fmb_mem_enter(&hull->mem, &v->mem);
+    if (st == FMB_OK)
+        st = find_hull(&q, g, hull, verdict);
+    fmb_mem_leave(&hull->mem);
+    bool done = st == FMB_OK;
+    st = fmb_query_end(&q, st, *verdict, res);
+    v->answered = false;
+    *verdict = done ? *verdict : FMB_UNKNOWN;
+    return st;
+}
+
+fmb_status fmb_hull(fmb_solver *v, const fmb_generators *g, fmb_system **out, fmb_result *res)
+{
+    fmb_system *hull = NULL, *empty = NULL;
+    fmb_verdict verdict = FMB_UNKNOWN;
+    if (!v || !g || !out)
+        return fmb_solver_refuse(v, FMB_ERR_ARG, "%s is NULL",
+                                 !v   ? "the solver"
+                                 : !g ? "g"
+                                      : "out");
+    fmb_status st = fmb_system_new(g->dim, &v->mem.alloc, &hull);
+    if (st != FMB_OK)
+        return st;
+    st = ask_for_hull(v, g, hull, &verdict, res);
+    if (st == FMB_OK && verdict == FMB_INFEASIBLE)
+        st = fmb_empty_set(hull, NULL, g->dim, &empty);
+    if (st == FMB_OK)
+        *out = verdict == FMB_FEASIBLE ? hull : empty;
+    if (st != FMB_OK || verdict != FMB_FEASIBLE)
+        fmb_system_free(hull);
+    return st;
+}

@@ -1,0 +1,211 @@
+/* generators.c: vertices, rays and lines of systems, and hulls of those: there and back again. */
+#include <criterion/criterion.h>
+
+#include <fmb/generators.h>
+
+#include "fault/hook.h"
+#include "property/random/agree.h"
+#include "support.h"
+
+static fmb_solver *plain_solver(void)
+{
+    fmb_options o = fmb_options_default();
+    fmb_solver *v = NULL;
+    must(fmb_solver_new(&o, NULL, &v));
+    return v;
+}
+
+static size_t count_kind(const fmb_generators *g, fmb_generator_kind kind)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < fmb_generators_size(g); i++)
+        n += fmb_generators_kind(g, i) == kind;
+    return n;
+}
+
+Test(generators, a_cube_has_its_corners)
+{
+    fmb_solver *v = plain_solver();
+    fmb_system *s = rows_none(3);
+    fmb_generators *g = NULL;
+    fmb_result r;
+    for (int j = 0; j < 6; j++) {
+        int64_t a[3] = {0};
+        a[j / 2] = j % 2 ? 2 : -2;
+        must(fmb_system_add_int(s, a, FMB_LE, j % 2));
+    }
+    must(fmb_generate(v, s, &g, &r));
+    cr_assert(g && r.verdict == FMB_FEASIBLE);
+    cr_expect(fmb_generators_dim(g) == 3 && fmb_generators_size(g) == 8);
+    cr_expect_eq(count_kind(g, FMB_VERTEX), 8);
+    cr_expect_eq(fmb_generators_coordinate(g, 7, 2), 0.5);
+    cr_expect_eq(fmb_generators_coordinate(g, 8, 2), 0);
+    fmb_generators_free(g);
+    fmb_system_free(s);
+    fmb_solver_free(v);
+}
+
+/* The closure of s, as generators say it; NULL if it is empty. */
+static fmb_system *there_and_back(fmb_solver *v, const fmb_system *s, fmb_verdict *verdict)
+{
+    fmb_generators *g = NULL;
+    fmb_system *t = NULL;
+    fmb_result r;
+    fmb_evidence *e = NULL;
+    fmb_judgement j;
+    must(fmb_generate(v, s, &g, &r));
+    *verdict = r.verdict;
+    cr_assert_eq(g != NULL, r.verdict == FMB_FEASIBLE);
+    must(fmb_solver_evidence(v, &e));
+    must(fmb_check(s, e, &j));
+    cr_assert(j.accepted, "%s", j.reason);
+    fmb_evidence_free(e);
+    if (!g)
+        return NULL;
+    must(fmb_hull(v, g, &t, &r));
+    cr_assert(t && r.verdict == FMB_FEASIBLE);
+    cr_assert_eq(fmb_solver_evidence(v, &e), FMB_ERR_STATE);
+    fmb_generators_free(g);
+    return t;
+}
+
+/* s with < for <=. */
+static fmb_system *closure_of(const fmb_system *s)
+{
+    fmb_system *t = rows_none(fmb_system_dim(s));
+    for (size_t i = 0; i < fmb_system_rows(s); i++) {
+        int var[16];
+        mpq_t coef[16], b;
+        size_t n = fmb_system_terms(s, i);
+        mpq_init(b);
+        for (size_t k = 0; k < n; k++) {
+            mpq_init(coef[k]);
+            var[k] = fmb_system_term_q(s, i, k, coef[k]);
+        }
+        fmb_system_rhs_q(s, i, b);
+        fmb_rel rel = fmb_system_rel(s, i) == FMB_EQ ? FMB_EQ : FMB_LE;
+        must(fmb_system_add_q(t, n, var, coef, rel, b));
+        for (size_t k = 0; k < n; k++)
+            mpq_clear(coef[k]);
+        mpq_clear(b);
+    }
+    return t;
+}
+
+Test(generators, there_and_back_again)
+{
+    static const int BITS[] = {0, 0, 31, 63, 200};
+    int feasible = 0;
+    agree a = {.max_rows = 5000};
+    fmb_solver *v = plain_solver();
+    for (uint64_t seed = 0; seed < 400; seed++) {
+        support_rng g = {seed};
+        support_shape shape = {support_between(&g, 1, 4), support_between(&g, 1, 8),
+                               BITS[seed % 5]};
+        support_case c = support_make((support_family)(seed % SUPPORT_FAMILIES), seed, &shape);
+        fmb_verdict verdict;
+        fmb_system *t = there_and_back(v, c.s, &verdict);
+        cr_assert(c.verdict == FMB_UNKNOWN || c.verdict == verdict, "seed %lu",
+                  (unsigned long)seed);
+        if (t) {
+            fmb_system *closed = closure_of(c.s);
+            cr_assert(agree_same(&a, closed, t), "seed %lu: %s", (unsigned long)seed, a.why);
+            cr_assert(agree_irredundant(&a, t), "seed %lu: %s", (unsigned long)seed, a.why);
+            fmb_system_free(closed);
+            feasible++;
+        }
+        fmb_system_free(t);
+        support_case_clear(&c);
+    }
+    cr_expect_gt(feasible, 150);
+    fmb_solver_free(v);
+}
+
+Test(generators, by_hand)
+{
+    fmb_solver *v = plain_solver();
+    fmb_generators *g = NULL;
+    fmb_system *t = NULL;
+    fmb_result r;
+    must(fmb_generators_new(2, NULL, &g));
+    must(fmb_hull(v, g, &t, &r));
+    cr_assert(r.verdict == FMB_INFEASIBLE && fmb_system_rows(t) == 1);
+    fmb_system_free(t);
+    must(fmb_generators_add(g, FMB_VERTEX, (double[]){0.5, 0}));
+    must(fmb_generators_add(g, FMB_RAY, (double[]){1, 0}));
+    must(fmb_generators_add(g, FMB_LINE, (double[]){0, 1}));
+    must(fmb_hull(v, g, &t, &r));
+    cr_assert(r.verdict == FMB_FEASIBLE && fmb_system_rows(t) == 1);
+    fmb_system_free(t);
+    mpq_t x[2], q;
+    mpq_inits(x[0], x[1], q, NULL);
+    mpq_set_si(x[0], -1, 3);
+    must(fmb_generators_add_q(g, FMB_VERTEX, x));
+    fmb_generators_get_q(g, 3, 0, q);
+    cr_expect(mpq_equal(q, x[0]));
+    mpq_clears(x[0], x[1], q, NULL);
+    cr_expect_eq(fmb_generators_kind(g, 2), FMB_LINE);
+    cr_expect_eq(fmb_generators_add(g, FMB_VERTEX, NULL), FMB_ERR_ARG);
+    cr_expect_eq(fmb_generators_add(g, (fmb_generator_kind)7, (double[]){0, 0}), FMB_ERR_ARG);
+    cr_expect_eq(fmb_generators_new(-1, NULL, &g), FMB_ERR_ARG);
+    cr_expect_eq(fmb_hull(v, NULL, &t, &r), FMB_ERR_ARG);
+    cr_expect_eq(fmb_generate(v, NULL, &g, &r), FMB_ERR_ARG);
+    fmb_generators_free(g);
+    fmb_solver_free(v);
+}
+
+Test(generators, at_a_limit)
+{
+    fmb_options o = fmb_options_default();
+    fmb_solver *v = NULL;
+    fmb_system *s = rows_none(18);
+    fmb_generators *g = NULL;
+    fmb_result r;
+    o.max_bytes = 1 << 20;
+    must(fmb_solver_new(&o, NULL, &v));
+    for (int j = 0; j < 36; j++) {
+        int64_t a[18] = {0};
+        a[j / 2] = j % 2 ? 1 : -1;
+        must(fmb_system_add_int(s, a, FMB_LE, 1));
+    }
+    must(fmb_generate(v, s, &g, &r));
+    cr_expect(!g && r.stop == FMB_STOP_BYTES);
+    fmb_system_free(s);
+    fmb_solver_free(v);
+}
+
+/* ---- memory that runs out -------------------------------------------------------------------- */
+
+static fmb_status ask_there_and_back(fmb_solver *v, const fmb_system *s)
+{
+    fmb_generators *g = NULL;
+    fmb_system *t = NULL;
+    fmb_result r;
+    fmb_status st = fmb_generate(v, s, &g, &r);
+    if (st == FMB_OK && g)
+        st = fmb_hull(v, g, &t, &r);
+    fmb_system_free(t);
+    fmb_generators_free(g);
+    return st;
+}
+
+Test(generators, every_request_may_fail)
+{
+    hook h = {0};
+    fmb_alloc mem = hook_alloc(&h);
+    fmb_options o = fmb_options_default();
+    fmb_solver *v = NULL;
+    support_shape shape = {3, 7, 63};
+    support_case c = support_make(SUPPORT_PLANTED_POINT, 3, &shape);
+    fmb_status st = FMB_ERR_MEMORY;
+    for (size_t k = 1; st == FMB_ERR_MEMORY; k++) {
+        must(fmb_solver_new(&o, &mem, &v));
+        hook_arm(&h, k, k % 2 == 0);
+        st = ask_there_and_back(v, c.s);
+        hook_calm(&h);
+        fmb_solver_free(v);
+        cr_assert_eq(h.live, 0, "request %zu: %zu bytes leak", k, h.live);
+        cr_assert(st == FMB_OK || st == FMB_ERR_MEMORY);
+    }
+    support_case_clear(&c);
+}
