@@ -45,15 +45,16 @@ static bool is_decided(const separation *s)
     return s->apart || s->only_shared;
 }
 
-/* The plane of the face of c that misses corner k. */
+/* The plane of the face of c that misses corner k, which is not beyond it: nor is the other cell,
+ * if that is a corner of it, too. */
 static void look_at_face(separation *s, const fmb_cell *c, const fmb_cell *other, int k)
 {
     const double *p = c->point[(k + 1) % 4], *q = c->point[(k + 2) % 4], *r = c->point[(k + 3) % 4];
-    int inner = fmb_sign_of_volume(p, q, r, c->point[k]);
     unsigned on = 0, face = 15U & ~(1U << k);
-    bool outside = true;
+    bool outside = !fmb_cell_has(other, c->id[k]);
+    int inner = outside ? fmb_sign_of_volume(p, q, r, c->point[k]) : 0;
     for (int j = 0; outside && j < 4; j++) {
-        bool shared = fmb_cell_has(c, other->id[j]) && other->id[j] != c->id[k];
+        bool shared = fmb_cell_has(c, other->id[j]);
         int sign = shared ? 0 : -inner * fmb_sign_of_volume(p, q, r, other->point[j]);
         outside = add_corner(sign, j, &on);
     }
@@ -80,11 +81,18 @@ static int find_side_of_others(const fmb_cell *c, const int *edge, fmb_differenc
     return sign[0] * sign[1] < 0 ? 0 : sign[0] + sign[1] > 0 ? 1 : sign[0] + sign[1] < 0 ? -1 : 0;
 }
 
-/* Planes parallel to edge i of A and edge j of B. If these are parallel, all signs are 0. */
-static void look_at_edges(separation *s, int i, int j)
+/* Edges have a corner in common. */
+static bool do_edges_share(const separation *s, const int *of_a, const int *of_b)
+{
+    const uint32_t *p = s->a->id, *q = s->b->id;
+    return p[of_a[0]] == q[of_b[0]] || p[of_a[0]] == q[of_b[1]] || p[of_a[1]] == q[of_b[0]] ||
+           p[of_a[1]] == q[of_b[1]];
+}
+
+/* Planes parallel to an edge of A and one of B. If these are parallel, all signs are 0. */
+static void look_at_edges(separation *s, const int *of_a, const int *of_b, bool share)
 {
     const fmb_cell *a = s->a, *b = s->b;
-    const int *of_a = edge_corner[i], *of_b = edge_corner[j];
     fmb_difference e = {a->point[of_a[1]], a->point[of_a[0]]};
     fmb_difference f = {b->point[of_b[1]], b->point[of_b[0]]};
     unsigned on_a, on_b;
@@ -94,9 +102,23 @@ static void look_at_edges(separation *s, int i, int j)
     int side_b = find_side_of_others(b, of_b, e, f, &on_b);
     if (side_b != -side_a)
         return;
-    int gap = fmb_sign_of_determinant(e, f, (fmb_difference){b->point[of_b[0]], a->point[of_a[0]]});
+    int gap =
+        share
+            ? 0
+            : fmb_sign_of_determinant(e, f, (fmb_difference){b->point[of_b[0]], a->point[of_a[0]]});
     if (gap * side_b >= 0)
         note_plane(s, gap != 0, on_a, on_b);
+}
+
+/* Those that share a corner come first: most cells that share one are separated there. */
+static void look_at_all_edges(separation *s)
+{
+    for (int share = s->shared > 0; share >= 0; share--)
+        for (int k = 0; !is_decided(s) && k < 36; k++) {
+            const int *of_a = edge_corner[k / 6], *of_b = edge_corner[k % 6];
+            if (do_edges_share(s, of_a, of_b) == share)
+                look_at_edges(s, of_a, of_b, share);
+        }
 }
 
 fmb_mesh_how fmb_decide_tetrahedra(const fmb_cell *a, const fmb_cell *b, int shared)
@@ -106,8 +128,7 @@ fmb_mesh_how fmb_decide_tetrahedra(const fmb_cell *a, const fmb_cell *b, int sha
         look_at_face(&s, a, b, k);
     for (int k = 0; !is_decided(&s) && k < 4; k++)
         look_at_face(&s, b, a, k);
-    for (int k = 0; !is_decided(&s) && k < 36; k++)
-        look_at_edges(&s, k / 6, k % 6);
+    look_at_all_edges(&s);
     return s.apart         ? FMB_MESH_APART
            : s.only_shared ? FMB_MESH_SHARE
            : s.weakly      ? FMB_MESH_TOUCH
