@@ -4,7 +4,8 @@
  * B, or to an edge of A and one of B. A and B are apart iff the origin is strictly outside one of
  * them, and their interiors do not meet iff it is not strictly inside all. If a plane H has A on
  * one side and B on the other, all common points lie in H; so if the corners of A in H, or those of
- * B, are shared, there are no others than what these span.
+ * B, are shared, there are no others than what these span. Nor are there if those of A and those of
+ * B are edges with a common corner and different directions.
  */
 #include "pair/corners/cell.h"
 #include "pair/corners/volume.h"
@@ -106,8 +107,10 @@ static void look_at_edges(separation *s, const int *of_a, const int *of_b, bool 
         share
             ? 0
             : fmb_sign_of_determinant(e, f, (fmb_difference){b->point[of_b[0]], a->point[of_a[0]]});
-    if (gap * side_b >= 0)
-        note_plane(s, gap != 0, on_a, on_b);
+    if (gap * side_b < 0)
+        return;
+    note_plane(s, gap != 0, on_a, on_b);
+    s->only_shared |= share && __builtin_popcount(on_a) == 2 && __builtin_popcount(on_b) == 2;
 }
 
 /* Those that share a corner come first: most cells that share one are separated there. */
