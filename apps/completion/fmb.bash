@@ -40,7 +40,7 @@ _fmb()
         --contact) words="closed open" ;;
         --boxes) words="exact outward none" ;;
         --max-seconds | --max-rows | --max-bytes | --threads | --max-input | --max | --min | --vars | --keep | --eliminate | --move | --scale | --motion) return ;;
-        --proof | --trace | --rule-library)
+        --proof | --trace | --rule-library | --marked)
             compopt -o default
             return
             ;;
@@ -54,7 +54,7 @@ _fmb()
                 check) words="$general $source --list --expect --json" ;;
                 convert) words="$general $source --to" ;;
                 intersect) words="$general --quiet --json --contact --boxes --nearest --max-seconds --max-bytes --max-input" ;;
-                mesh) words="$general --quiet --json --csv --move --scale --mirror --motion --neighbours --format --max-bytes --max-input" ;;
+                mesh) words="$general --quiet --json --csv --move --scale --mirror --motion --neighbours --where --marked --format --max-bytes --max-input" ;;
                 *) words="$general solve bounds optimize project reduce check convert intersect mesh" ;;
             esac
             if [[ -n $command && $cur != -* ]]; then

@@ -5,11 +5,8 @@
 #include <string.h>
 
 #include "common/bar.h"
-#include "common/file.h"
 #include "common/message.h"
-#include "common/need.h"
 #include "common/options.h"
-#include "common/source.h"
 #include "common/value.h"
 #include "fmb/ask.h"
 #include "fmb/commands.h"
@@ -22,6 +19,8 @@ enum {
     KEY_MIRROR,
     KEY_MOTION,
     KEY_NEIGHBOURS,
+    KEY_WHERE,
+    KEY_MARKED,
     KEY_CSV,
     KEY_FORMAT,
     KEY_BYTES,
@@ -36,6 +35,12 @@ static const struct argp_option options[] = {
      "B moves by so much while t goes from 0 to 1: which cells meet at some time?", 1},
     {"neighbours", KEY_NEIGHBOURS, NULL, 0,
      "List cells, too, that meet in what their common vertices span and nowhere else", 1},
+    {"where", KEY_WHERE, NULL, 0,
+     "With the box of the common points of each pair, and when they meet if B moves: each end "
+     "rounded outward",
+     1},
+    {"marked", KEY_MARKED, "FILE", 0,
+     "Write both meshes as PLY with colours: cells that meet are red", 1},
     {"format", KEY_FORMAT, "auto|off|obj|ply|stl|mesh", 0,
      "What the files are (default: by name, else by content)", 1},
     {"max-bytes", KEY_BYTES, "BYTES", 0,
@@ -124,6 +129,12 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case KEY_NEIGHBOURS:
         ask->neighbours = true;
         return 0;
+    case KEY_WHERE:
+        ask->where = true;
+        return 0;
+    case KEY_MARKED:
+        ask->marked = arg;
+        return 0;
     case KEY_FORMAT:
         ask->format = format_of(arg, state);
         return 0;
@@ -173,82 +184,6 @@ static const char doc[] =
 
 /* ---- the command ----------------------------------------------------------------------------- */
 
-/* [give, free()] "a/b.node" or "a/b.ele" with the ending of the other; NULL: neither. */
-static char *partner_of_tetgen(const char *path, bool *is_node)
-{
-    size_t n = strlen(path);
-    *is_node = n > 5 && strcmp(path + n - 5, ".node") == 0;
-    bool is_ele = n > 4 && strcmp(path + n - 4, ".ele") == 0;
-    if (!*is_node && !is_ele)
-        return NULL;
-    char *other = app_need(malloc(n + 2));
-    memcpy(other, path, n);
-    strcpy(other + n - (*is_node ? 5 : 4), *is_node ? ".ele" : ".node");
-    return other;
-}
-
-static int read_tetgen(const mesh_ask *ask, const char *node, const char *ele, fmb_mesh **out)
-{
-    fmb_reader how = {.max_bytes = ask->max_input};
-    fmb_where where = {0};
-    bool in_cells = false;
-    FILE *points = NULL, *cells = NULL;
-    int code = app_file_open(node, &points);
-    if (code == APP_YES)
-        code = app_file_open(ele, &cells);
-    if (code == APP_YES) {
-        fmb_status st = fmb_mesh_read_tetgen(points, cells, &how, out, &where, &in_cells);
-        code = app_source_outcome(st, in_cells ? ele : node, &where);
-    }
-    if (points)
-        app_file_close_input(points);
-    if (cells)
-        app_file_close_input(cells);
-    return code;
-}
-
-static int read_one_file(const mesh_ask *ask, const char *path, fmb_mesh **out)
-{
-    fmb_mesh_format f = ask->format != FMB_MESH_AUTO ? ask->format : fmb_mesh_format_of_name(path);
-    fmb_reader how = {.max_bytes = ask->max_input};
-    fmb_where where = {0};
-    FILE *in;
-    int code = app_file_open(path, &in);
-    if (code != APP_YES)
-        return code;
-    fmb_status st = fmb_mesh_read(in, f, &how, out, &where);
-    app_file_close_input(in);
-    return app_source_outcome(st, path, &where);
-}
-
-static int read_mesh(const mesh_ask *ask, const char *path, fmb_mesh **out)
-{
-    bool is_node = false;
-    char *other = ask->format == FMB_MESH_AUTO ? partner_of_tetgen(path, &is_node) : NULL;
-    int code = !other    ? read_one_file(ask, path, out)
-               : is_node ? read_tetgen(ask, path, other, out)
-                         : read_tetgen(ask, other, path, out);
-    free(other);
-    return code;
-}
-
-/* The last mesh, at its place. */
-static int place_mesh(const mesh_ask *ask, fmb_mesh **m)
-{
-    fmb_mesh_place place = ask->place;
-    fmb_mesh *placed = NULL;
-    for (int j = 0; j < 3; j++)
-        place.scale[j] = ask->mirror[j] ? -ask->scale[j] : ask->scale[j];
-    fmb_status st = fmb_mesh_placed(*m, &place, NULL, &placed);
-    if (st == FMB_ERR_ARG)
-        return app_error(APP_USAGE, "--scale, --move: a coordinate is beyond all doubles");
-    if (st != FMB_OK)
-        return app_status_error(st);
-    fmb_mesh_free(*m);
-    *m = placed;
-    return APP_YES;
-}
-
 static bool show_progress(void *self, double done)
 {
     app_bar_show(self, (uint64_t)(done * 1000), 1000, NULL);
@@ -268,8 +203,10 @@ static int meet(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b)
     app_bar_end(&bar);
     if (st != FMB_OK)
         return app_status_error(st);
-    mesh_report(ask, a, b ? b : a, &answer);
     int code = answer.stop != FMB_STOP_DONE ? APP_UNDECIDED : answer.hits > 0 ? APP_YES : APP_NO;
+    code = mesh_report(ask, a, b ? b : a, &answer, code);
+    if (ask->marked)
+        code = mesh_mark(ask, a, b, &answer, code);
     fmb_mesh_answer_clear(&answer);
     return code;
 }
@@ -284,9 +221,9 @@ int cmd_mesh(int argc, char **argv)
     int files = ask.file[1] ? 2 : 1, code = APP_YES;
     app_stop_begin(NULL);
     for (int i = 0; code == APP_YES && i < files; i++)
-        code = read_mesh(&ask, ask.file[i], &m[i]);
+        code = mesh_file_read(&ask, ask.file[i], &m[i]);
     if (code == APP_YES)
-        code = place_mesh(&ask, &m[files - 1]);
+        code = mesh_file_place(&ask, &m[files - 1]);
     if (code == APP_YES)
         code = meet(&ask, m[0], m[1]);
     app_stop_end();

@@ -1,4 +1,4 @@
-/* mesh_ask.h: what `fmb mesh` is asked, and its report. */
+/* mesh_ask.h: what `fmb mesh` is asked, and what it answers. */
 #ifndef APP_MESH_ASK_H
 #define APP_MESH_ASK_H
 
@@ -6,15 +6,28 @@
 
 typedef struct mesh_ask {
     const char *file[2]; /* the second may be NULL */
+    const char *marked;  /* a file to write, or NULL */
     fmb_mesh_format format;
     fmb_mesh_place place; /* its move; the scale is the following */
     double scale[3], motion[3];
-    bool mirror[3], moves, neighbours, json, csv, quiet;
+    bool mirror[3], moves, neighbours, where, json, csv, quiet;
     size_t max_bytes, max_input;
 } mesh_ask;
 
-/* Print the answer. */
-void mesh_report(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b,
-                 const fmb_mesh_answer *answer);
+/* ---- mesh_files.c: exit codes, after messages ------------------------------------------------ */
+
+/* [give, fmb_mesh_free] */
+int mesh_file_read(const mesh_ask *ask, const char *path, fmb_mesh **out);
+/* *m becomes the mesh at its place. */
+int mesh_file_place(const mesh_ask *ask, fmb_mesh **m);
+/* Write both meshes, b may be NULL: code, unless something goes wrong. */
+int mesh_mark(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b,
+              const fmb_mesh_answer *answer, int code);
+
+/* ---- mesh_report.c --------------------------------------------------------------------------- */
+
+/* Print the answer: code, unless something goes wrong. */
+int mesh_report(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b,
+                const fmb_mesh_answer *answer, int code);
 
 #endif

@@ -1,84 +1,200 @@
 /* mesh_report.c: cells that meet as text, as CSV, and as one JSON object. */
 #include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
 
+#include <fmb/pair.h>
+
+#include "common/message.h"
+#include "fmb/intersect.h"
 #include "fmb/mesh_ask.h"
+#include "fmb/stop.h"
 
-/* Hits of each kind. */
-typedef struct tally {
-    size_t of[FMB_MESH_COPLANAR + 1];
-} tally;
+/* A report on its way. */
+typedef struct report {
+    const mesh_ask *ask;
+    const fmb_mesh *a, *b;
+    const fmb_mesh_answer *answer;
+    fmb_pair *pair; /* NULL: nobody asks where */
+} report;
 
-static tally count_kinds(const fmb_mesh_answer *answer)
+/* Lower, upper; x, y, z, t. */
+typedef struct place_of_hit {
+    char *end[8];
+    int intervals; /* 0: not known */
+} place_of_hit;
+
+/* ---- where ----------------------------------------------------------------------------------- */
+
+/* A cell as a frame by its corners; number holds 12. */
+static fmb_frame frame_of_cell(const fmb_mesh *m, size_t c, const double *speed, double *number)
 {
-    tally t = {{0}};
-    for (size_t i = 0; i < answer->hits; i++)
-        t.of[answer->hit[i].how]++;
-    return t;
+    size_t corners = (size_t)fmb_mesh_corners(m);
+    for (size_t k = 0; k < corners; k++)
+        memcpy(number + 3 * k,
+               fmb_mesh_points(m) + 3 * (size_t)fmb_mesh_indices(m)[c * corners + k],
+               3 * sizeof *number);
+    return (fmb_frame){.shape = FMB_SIMPLEX_BY_CORNERS,
+                       .dim = 3,
+                       .naxes = (int)corners - 1,
+                       .origin = number,
+                       .axes = number + 3,
+                       .speed = speed};
 }
 
-static const char *word_of(const mesh_ask *ask, const fmb_mesh_hit *h)
+static fmb_status find_place(const report *r, const fmb_mesh_hit *h, place_of_hit *out)
 {
-    return ask->moves ? "meet" : fmb_mesh_how_text(h->how);
+    double number[2][12], ends[8];
+    const double *motion = r->ask->moves ? r->ask->motion : NULL;
+    fmb_frame p = frame_of_cell(r->a, h->a, NULL, number[0]);
+    fmb_frame q = frame_of_cell(r->b, h->b, motion, number[1]);
+    fmb_verdict v;
+    fmb_pair_answers answers = {.verdict = &v, .world = ends, .time = ends + 6};
+    *out = (place_of_hit){.intervals = 0};
+    if (!r->pair)
+        return FMB_OK;
+    fmb_status st = fmb_pair_test(r->pair, 1, &p, &q, &answers);
+    if (st == FMB_OK && v == FMB_FEASIBLE)
+        out->intervals = motion ? 4 : 3;
+    for (int i = 0; i < 2 * out->intervals; i++)
+        out->end[i] = intersect_double(ends[i]);
+    return st;
 }
 
-static void print_text(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b,
-                       const fmb_mesh_answer *answer)
+static void forget_place(place_of_hit *p)
 {
-    for (size_t i = 0; i < answer->hits; i++) {
-        const fmb_mesh_hit *h = &answer->hit[i];
-        printf("%-8s %zu %zu", word_of(ask, h), fmb_mesh_face(a, h->a), fmb_mesh_face(b, h->b));
-        printf(h->shared > 0 ? " (%d common)\n" : "\n", h->shared);
-    }
-    tally t = count_kinds(answer);
-    printf("%zu and %zu cells, %" PRIu64 " pairs tested: %zu meet", fmb_mesh_cells(a),
-           fmb_mesh_cells(b), answer->tested, answer->hits);
-    for (int k = FMB_MESH_COPLANAR; !ask->moves && k > FMB_MESH_APART; k--)
-        if (t.of[k] > 0)
-            printf(", %zu %s", t.of[k], fmb_mesh_how_text((fmb_mesh_how)k));
-    printf(answer->stop == FMB_STOP_DONE ? "\n" : "; stopped (%s)\n", fmb_stop_text(answer->stop));
+    for (int i = 0; i < 2 * p->intervals; i++)
+        free(p->end[i]);
 }
 
-static void print_csv(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b,
-                      const fmb_mesh_answer *answer)
+/* ---- a hit ----------------------------------------------------------------------------------- */
+
+static const char *word_of(const report *r, const fmb_mesh_hit *h)
 {
-    puts("how,a,b,common");
-    for (size_t i = 0; i < answer->hits; i++) {
-        const fmb_mesh_hit *h = &answer->hit[i];
-        printf("%s,%zu,%zu,%d\n", word_of(ask, h), fmb_mesh_face(a, h->a), fmb_mesh_face(b, h->b),
-               h->shared);
-    }
+    return r->ask->moves ? "meet" : fmb_mesh_how_text(h->how);
 }
 
-static void print_mesh_json(const char *key, const fmb_mesh *m)
+static void print_hit(const report *r, const fmb_mesh_hit *h, const place_of_hit *p)
+{
+    static const char *const before[] = {" in", " x", " x", " at"};
+    printf("%-8s %zu %zu", word_of(r, h), fmb_mesh_face(r->a, h->a), fmb_mesh_face(r->b, h->b));
+    if (h->shared > 0)
+        printf(" (%d common)", h->shared);
+    for (int i = 0; i < p->intervals; i++)
+        printf("%s [%s, %s]", before[i], p->end[2 * i], p->end[2 * i + 1]);
+    putchar('\n');
+}
+
+static void print_hit_as_csv(const report *r, const fmb_mesh_hit *h, const place_of_hit *p)
+{
+    printf("%s,%zu,%zu,%d", word_of(r, h), fmb_mesh_face(r->a, h->a), fmb_mesh_face(r->b, h->b),
+           h->shared);
+    for (int i = 0; i < 2 * p->intervals; i++)
+        printf(",%s", p->end[i]);
+    putchar('\n');
+}
+
+static void print_hit_as_json(const report *r, const fmb_mesh_hit *h, const place_of_hit *p)
+{
+    printf("%s\n    {\"how\": \"%s\", \"a\": %zu, \"b\": %zu, \"common\": %d",
+           h == r->answer->hit ? "" : ",", word_of(r, h), fmb_mesh_face(r->a, h->a),
+           fmb_mesh_face(r->b, h->b), h->shared);
+    for (int i = 0; i < p->intervals; i++)
+        printf("%s[%s, %s]",
+               i == 0   ? ", \"world\": ["
+               : i == 3 ? "], \"time\": "
+                        : ", ",
+               p->end[2 * i], p->end[2 * i + 1]);
+    printf("%s}", p->intervals == 3 ? "]" : "");
+}
+
+/* ---- what stands around ---------------------------------------------------------------------- */
+
+static void print_counts(const report *r)
+{
+    size_t of[FMB_MESH_COPLANAR + 1] = {0};
+    for (size_t i = 0; i < r->answer->hits; i++)
+        of[r->answer->hit[i].how]++;
+    printf("%zu and %zu cells, %" PRIu64 " pairs tested: %zu meet", fmb_mesh_cells(r->a),
+           fmb_mesh_cells(r->b), r->answer->tested, r->answer->hits);
+    for (int k = FMB_MESH_COPLANAR; !r->ask->moves && k > FMB_MESH_APART; k--)
+        if (of[k] > 0)
+            printf(", %zu %s", of[k], fmb_mesh_how_text((fmb_mesh_how)k));
+    if (r->answer->stop != FMB_STOP_DONE)
+        printf("; stopped (%s)", fmb_stop_text(r->answer->stop));
+    putchar('\n');
+}
+
+static void print_csv_head(const report *r)
+{
+    printf("how,a,b,common%s%s\n",
+           r->pair ? ",x_lower,x_upper,y_lower,y_upper,z_lower,z_upper" : "",
+           r->pair && r->ask->moves ? ",t_lower,t_upper" : "");
+}
+
+static void print_mesh_as_json(const char *key, const fmb_mesh *m)
 {
     printf("  \"%s\": {\"cells\": %zu, \"vertices\": %zu, \"corners\": %d},\n", key,
            fmb_mesh_cells(m), fmb_mesh_vertices(m), fmb_mesh_corners(m));
 }
 
-static void print_json(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b,
-                       const fmb_mesh_answer *answer)
+static void print_json_head(const report *r)
 {
     puts("{");
-    print_mesh_json("A", a);
-    print_mesh_json("B", b);
+    print_mesh_as_json("A", r->a);
+    print_mesh_as_json("B", r->b);
     printf("  \"stop\": \"%s\",\n  \"tested\": %" PRIu64 ",\n  \"meet\": %zu,\n  \"hits\": [",
-           fmb_stop_text(answer->stop), answer->tested, answer->hits);
-    for (size_t i = 0; i < answer->hits; i++) {
-        const fmb_mesh_hit *h = &answer->hit[i];
-        printf("%s\n    {\"how\": \"%s\", \"a\": %zu, \"b\": %zu, \"common\": %d}",
-               i > 0 ? "," : "", word_of(ask, h), fmb_mesh_face(a, h->a), fmb_mesh_face(b, h->b),
-               h->shared);
-    }
-    puts(answer->hits > 0 ? "\n  ]\n}" : "]\n}");
+           fmb_stop_text(r->answer->stop), r->answer->tested, r->answer->hits);
 }
 
-void mesh_report(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b,
-                 const fmb_mesh_answer *answer)
+static void print_json_end(const report *r)
 {
-    if (ask->json)
-        print_json(ask, a, b, answer);
-    else if (ask->csv)
-        print_csv(ask, a, b, answer);
-    else
-        print_text(ask, a, b, answer);
+    puts(r->answer->hits > 0 ? "\n  ]\n}" : "]\n}");
+}
+
+/* ---- the report ------------------------------------------------------------------------------ */
+
+/* One way to print it. head and end may be NULL. */
+typedef struct manner {
+    void (*head)(const report *r);
+    void (*hit)(const report *r, const fmb_mesh_hit *h, const place_of_hit *p);
+    void (*end)(const report *r);
+} manner;
+
+static fmb_status print_report(const report *r)
+{
+    static const manner text = {NULL, print_hit, print_counts},
+                        csv = {print_csv_head, print_hit_as_csv, NULL},
+                        json = {print_json_head, print_hit_as_json, print_json_end};
+    const manner *m = r->ask->json ? &json : r->ask->csv ? &csv : &text;
+    fmb_status st = FMB_OK;
+    if (m->head)
+        m->head(r);
+    for (size_t i = 0; st == FMB_OK && i < r->answer->hits && !app_stop_asked(); i++) {
+        place_of_hit p;
+        st = find_place(r, &r->answer->hit[i], &p);
+        if (st == FMB_OK)
+            m->hit(r, &r->answer->hit[i], &p);
+        forget_place(&p);
+    }
+    if (m->end)
+        m->end(r);
+    return st;
+}
+
+int mesh_report(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b,
+                const fmb_mesh_answer *answer, int code)
+{
+    report r = {.ask = ask, .a = a, .b = b, .answer = answer};
+    fmb_pair_options o = fmb_pair_options_default();
+    fmb_status st = FMB_OK;
+    o.tightest = true;
+    if (ask->where)
+        st = fmb_pair_new(3, &o, NULL, &r.pair);
+    if (st == FMB_OK)
+        st = print_report(&r);
+    fmb_pair_free(r.pair);
+    if (st != FMB_OK)
+        return app_status_error(st);
+    return app_stop_asked() ? APP_UNDECIDED : code;
 }
