@@ -331,6 +331,27 @@ Test(factor, larger_matrices)
     }
 }
 
+/* Solved by substitution, or lifted where the product of the diagonal is long. */
+Test(factor, triangular_matrices)
+{
+    for (uint64_t seed = 1; seed <= 12; seed++) {
+        support_rng g = {seed};
+        bench b;
+        bool changed;
+        open_bench(&b, seed % 3 == 0 ? 80 : 20);
+        fill(&b, &g, 15, 0);
+        for (size_t i = 0; i < b.n; i++)
+            support_integer(&g, seed % 2 ? 0 : 60, b.a[i * b.n + i]);
+        make_triangular(&b, &g);
+        shuffle_columns(&b, &g);
+        build_program(&b, &g);
+        cr_assert_eq(fmb_factor_set(b.f, b.basis, &changed), FMB_OK);
+        cr_assert(!changed);
+        check_all_solutions(&b, &g);
+        close_bench(&b);
+    }
+}
+
 /* The primes stand in the matrix, and in the determinant only. */
 Test(factor, determinants_divisible_by_the_prime)
 {

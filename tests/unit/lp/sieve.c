@@ -4,57 +4,11 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "claims.h"
 #include "lp/exact/simplex.h"
 #include "lp/redundancy/sieve.h"
 #include "num/rationals.h"
-#include "scene.h"
 #include "support/dense.h"
-
-/* ---- claims, as they fall -------------------------------------------------------------------- */
-
-typedef struct listener {
-    const scene *c;
-    bool *gone;
-    size_t claims;
-} listener;
-
-/* The combination is the row, or stronger, over rows that are still there. */
-static fmb_status hear_redundant(void *self, size_t i, const fmb_weights *w)
-{
-    listener *l = self;
-    const scene *c = l->c;
-    bool strict = false;
-    mpq_t sum, want;
-    mpq_inits(sum, want, NULL);
-    for (size_t k = 0; k < w->size; k++) {
-        cr_assert(!l->gone[w->index[k]] && w->index[k] != i);
-        cr_assert(mpq_sgn(w->value[k]) > 0 || c->rel[w->index[k]] == FMB_EQ);
-        strict |= c->rel[w->index[k]] == FMB_LT && mpq_sgn(w->value[k]) > 0;
-    }
-    for (size_t j = 0; j <= c->n; j++) {
-        scene_combine(c, w->index, w->value, w->size, j, sum);
-        fmb_vec_get_q(c->row[i].v, j, want);
-        int order = mpq_cmp(sum, want);
-        if (j < c->n || c->rel[i] == FMB_EQ)
-            cr_assert_eq(order, 0);
-        else
-            cr_assert(order < 0 || (order == 0 && (strict || c->rel[i] == FMB_LE)));
-    }
-    mpq_clears(sum, want, NULL);
-    l->gone[i] = true;
-    l->claims++;
-    return FMB_OK;
-}
-
-/* The point breaks this row alone of those still there. */
-static fmb_status hear_irredundant(void *self, size_t i, mpq_t *x)
-{
-    listener *l = self;
-    for (size_t k = 0; k < l->c->m; k++)
-        cr_assert(l->gone[k] || scene_holds(l->c, k, x) == (k != i));
-    l->claims++;
-    return FMB_OK;
-}
 
 /* ---- both ways ------------------------------------------------------------------------------- */
 
@@ -91,8 +45,8 @@ static void sort_and_compare(scene *c, const char *what, uint64_t seed, tally *t
 {
     fmb_fate *fate = calloc(c->m, sizeof *fate), *truth = calloc(c->m, sizeof *truth);
     bool *gone = calloc(c->m, sizeof *gone), inner = false;
-    listener l = {c, gone, 0};
-    fmb_verdicts told = {hear_redundant, NULL, hear_irredundant, &l};
+    scene_listener l = {c, gone, 0};
+    fmb_verdicts told = {scene_hear_redundant, NULL, scene_hear_irredundant, &l};
     fmb_sieve s;
     t->systems++;
     support_must(fmb_sieve_open(&s, &c->run, c->n, c->m, c->row, &inner));
