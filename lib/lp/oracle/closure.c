@@ -244,7 +244,14 @@ static fmb_status refine_optimum(fmb_oracle *o, fmb_hint *h)
     return st == FMB_OK ? fmb_vertex_set(v, o->hint) : st;
 }
 
-/* From a guess to the optimum, exactly. If it took pivots, the door goes on from there. */
+/* Where exact pivots were taken, the door goes on from where they ended. */
+static void let_door_follow(fmb_oracle *o, uint64_t pivots, fmb_walk_end end)
+{
+    if (end == FMB_WALK_THERE && o->run->stats.pivots != pivots)
+        fmb_door_place(o->door, o->v.basis);
+}
+
+/* From a guess to the optimum, exactly. */
 static fmb_status climb_with_refinements(fmb_oracle *o, fmb_walk_end *end)
 {
     fmb_hint h = {.basis = o->hint};
@@ -258,14 +265,15 @@ static fmb_status climb_with_refinements(fmb_oracle *o, fmb_walk_end *end)
         if (st == FMB_OK)
             st = fmb_walk_to_optimum(&o->w, k < MOST_OPTIMA ? FEW_PIVOTS : 0, o->cost.z, end);
     }
-    if (st == FMB_OK && *end == FMB_WALK_THERE && o->run->stats.pivots != pivots)
-        fmb_door_place(o->door, o->v.basis);
+    if (st == FMB_OK)
+        let_door_follow(o, pivots, *end);
     return st;
 }
 
 fmb_status fmb_closure_approach(fmb_oracle *o, const fmb_weights *cost, fmb_walk_end *end)
 {
     fmb_hint h = {.basis = o->hint};
+    uint64_t pivots = o->run->stats.pivots;
     *end = FMB_WALK_TIRED;
     fmb_status st = need_door(o);
     if (st == FMB_OK)
@@ -278,6 +286,8 @@ fmb_status fmb_closure_approach(fmb_oracle *o, const fmb_weights *cost, fmb_walk
         st = fmb_walk_try_ray(&o->w, h.odd, o->cost.z, end);
     if (st == FMB_OK && *end == FMB_WALK_TIRED)
         st = reach_feasible(o, end);
+    if (st == FMB_OK)
+        let_door_follow(o, pivots, *end);
     return st == FMB_OK && *end == FMB_WALK_THERE ? take_vertex(o) : st;
 }
 
