@@ -69,7 +69,8 @@ FMB_API FMB_CHECKED fmb_status fmb_solve(fmb_solver *v, const fmb_system *s, fmb
 /* [give] The projection of s on the variables keep[0..n), strictly increasing: an irredundant
  * system of dimension n with their names; the single row 0 <= -1 if s is infeasible. If a limit was
  * reached (res->stop), *out is an outer one: rows that follow from s, perhaps too few or more than
- * are needed. Errors: ARG, MEMORY. */
+ * are needed; and evidence of what was found from within has claims FEASIBLE: the kept coordinates
+ * of their points are in the projection. Errors: ARG, MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_project(fmb_solver *v, const fmb_system *s, const int *keep,
                                            int n, fmb_system **out, fmb_result *res);
 

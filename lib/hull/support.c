@@ -29,6 +29,9 @@ void fmb_support_clear(fmb_support *s)
         fmb_weights_clear(&s->row[i].reverse, mem);
     }
     fmb_mem_put(mem, s->row, s->row_capacity, sizeof *s->row);
+    for (size_t i = 0; i < s->points; i++)
+        fmb_integers_clear(&s->point[i], mem);
+    fmb_mem_put(mem, s->point, s->point_capacity, sizeof *s->point);
     fmb_facets_clear(&s->hull);
     fmb_integers_clear(&s->x, mem);
     fmb_integers_clear(&s->g, mem);
@@ -42,10 +45,9 @@ static fmb_status find_first_point(fmb_support *s)
 {
     const fmb_weights nowhere = {0};
     fmb_oracle_end end;
-    bool grown;
     fmb_status st = fmb_oracle_approach(s->oracle, &nowhere, &end);
     s->begun = true;
-    return st == FMB_OK ? fmb_support_add_point(s, &grown) : st;
+    return st == FMB_OK ? fmb_support_add_point(s) : st;
 }
 
 /* An equation that all generators satisfy: on either side, does the projection go further? */

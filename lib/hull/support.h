@@ -42,6 +42,8 @@ typedef struct fmb_support {
     size_t rows, row_capacity;
     fmb_integers x, g; /* scratch: [n] a point or ray, [k + 1] its shadow */
     mpz_t den, t;
+    fmb_integers *point; /* [points] of proofs: x[0..n) over x[n], whose shadows are in the hull */
+    size_t points, point_capacity;
 } fmb_support;
 
 /* The oracle's program, of n columns, is known to have a solution. kept[k] must outlive this. In

@@ -17,7 +17,7 @@ enum {
 fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, int sign, fmb_support_row *row,
                              bool *stands);
 /* The point at which the oracle stands, if it is outside. */
-fmb_status fmb_support_add_point(fmb_support *s, bool *grown);
+fmb_status fmb_support_add_point(fmb_support *s);
 
 /* support_row.c: a row is proved, or of no use. */
 fmb_status fmb_support_write_row(fmb_support *s, const fmb_vec *h, fmb_support_row *row);

@@ -16,10 +16,32 @@ static fmb_status add_shadow(fmb_support *s, const mpz_t first, bool *grown)
     return fmb_facets_add(&s->hull, s->g.z, grown);
 }
 
-fmb_status fmb_support_add_point(fmb_support *s, bool *grown)
+/* A point of the closure need not be a solution where rows are strict. */
+static fmb_status note_inner_point(fmb_support *s)
 {
+    fmb_mem *mem = s->run->mem;
+    if (!s->proves || s->strict)
+        return FMB_OK;
+    fmb_status st = fmb_mem_reserve(mem, (void **)&s->point, &s->point_capacity, s->points + 1,
+                                    sizeof *s->point);
+    if (st != FMB_OK)
+        return st;
+    fmb_integers *x = &s->point[s->points++];
+    st = fmb_integers_init(x, s->n + 1, mem);
+    for (size_t j = 0; st == FMB_OK && j < s->n; j++)
+        mpz_set(x->z[j], s->x.z[j]);
+    if (st != FMB_OK)
+        return st;
+    mpz_set(x->z[s->n], s->den);
+    return fmb_integers_settle(x, mem);
+}
+
+fmb_status fmb_support_add_point(fmb_support *s)
+{
+    bool grown;
     fmb_oracle_point_integers(s->oracle, s->x.z, s->den);
-    return add_shadow(s, s->den, grown);
+    fmb_status st = add_shadow(s, s->den, &grown);
+    return st == FMB_OK && grown ? note_inner_point(s) : st;
 }
 
 static fmb_status add_ray(fmb_support *s)
@@ -81,7 +103,7 @@ fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, int sign, fmb_sup
 {
     fmb_weights cost = {0};
     fmb_oracle_end end;
-    bool beyond = false, grown;
+    bool beyond = false;
     *stands = false;
     fmb_status st = write_cost(s, h, sign, &cost);
     if (st == FMB_OK)
@@ -98,7 +120,7 @@ fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, int sign, fmb_sup
     if (end == FMB_ORACLE_UNBOUNDED)
         return add_ray(s);
     if (beyond)
-        return fmb_support_add_point(s, &grown);
+        return fmb_support_add_point(s);
     *stands = true;
     return prove_row(s, h, sign, row);
 }

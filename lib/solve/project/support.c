@@ -2,6 +2,7 @@
 #include "solve/project/support.h"
 
 #include "hull/support.h"
+#include "system/system.h"
 
 /* A part on its way. */
 typedef struct queries {
@@ -65,9 +66,41 @@ static fmb_status put_all_support_rows(queries *h)
     return st;
 }
 
+/* ---- inner points ---------------------------------------------------------------------------- */
+
+/* A claim that there is a solution there. */
+static fmb_status claim_inner_point(queries *h, const fmb_integers *x)
+{
+    fmb_query *q = h->q;
+    fmb_claim *claim;
+    fmb_status st = fmb_evidence_claim(q->claims, FMB_CLAIM_FEASIBLE, &claim);
+    if (st != FMB_OK)
+        return st;
+    for (int j = 0; j < h->p->n; j++) {
+        mpz_set(mpq_numref(q->x[j]), x->z[j]);
+        mpz_set(mpq_denref(q->x[j]), x->z[h->p->n]);
+        mpq_canonicalize(q->x[j]);
+    }
+    for (int j = 0; st == FMB_OK && j < fmb_system_dim(q->s); j++) {
+        mpq_srcptr value = q->parts.of_var[j] == h->part ? q->x[q->parts.place[j]] : q->point[j];
+        st = fmb_evidence_push(q->claims, &claim->point, (size_t)j, value);
+    }
+    return fmb_query_finish_claim(q, st);
+}
+
+/* Without memory for more, it is those so far. */
+static fmb_status claim_inner_points(queries *h)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && h->q->claims && i < h->s.points; i++)
+        st = claim_inner_point(h, &h->s.point[i]);
+    return st == FMB_LIMIT ? FMB_OK : st;
+}
+
 /* ---- a part ---------------------------------------------------------------------------------- */
 
-/* At a limit, too, what is proved is put out; if there is no memory for that, it is not. */
+/* At a limit what is proved is put out, and points as claims: so much of the projection is known
+ * from within. */
 static fmb_status ask_until_all_stands(queries *h, fmb_oracle *o)
 {
     bool done = false;
@@ -75,7 +108,10 @@ static fmb_status ask_until_all_stands(queries *h, fmb_oracle *o)
                                      h->q->program[h->part].any_strict, h->q->claims != NULL);
     while (st == FMB_OK && !done)
         st = fmb_support_ask(&h->s, SIZE_MAX, &done);
+    fmb_facets_clear(&h->s.hull); /* what is put out needs memory, too */
     fmb_status put = st == FMB_OK || st == FMB_LIMIT ? put_all_support_rows(h) : st;
+    if (st == FMB_LIMIT && put == FMB_OK)
+        put = claim_inner_points(h);
     fmb_support_clear(&h->s);
     return st == FMB_LIMIT && put == FMB_OK ? st : put;
 }

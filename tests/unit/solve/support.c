@@ -138,6 +138,82 @@ Test(support, strict_rows)
     }
 }
 
+/* 0 <= x_j <= 1 in eight variables, and rows that cut the cube's corners. */
+static fmb_system *cut_cube(void)
+{
+    support_rng g = {5};
+    fmb_system *s = rows_none(8);
+    for (int i = 0; i < 32; i++) {
+        int64_t a[8] = {0}, b = i < 8;
+        for (int j = 0; j < 8; j++)
+            a[j] = i < 16 ? (j == i % 8) * (i < 8 ? 1 : -1) : support_between(&g, -5, 5);
+        for (int j = 0; i >= 16 && j < 8; j++)
+            b += a[j] > 0 ? a[j] : 0;
+        must(fmb_system_add_int(s, a, FMB_LE, i < 16 ? b : b - support_between(&g, 1, 3)));
+    }
+    return s;
+}
+
+static size_t count_claims(const fmb_evidence *e, fmb_claim_kind kind)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < fmb_evidence_claims(e); i++)
+        count += fmb_evidence_kind(e, i) == kind;
+    return count;
+}
+
+/* Cancels a solver after so many linear programs. */
+typedef struct patience {
+    fmb_solver *v;
+    int programs;
+} patience;
+
+static void lose_patience(void *self, const fmb_event *event)
+{
+    patience *p = self;
+    if (event->kind == FMB_EVENT_LP && --p->programs == 0)
+        fmb_solver_cancel(p->v);
+}
+
+/* Cut short after so many programs: true of all that comes out; how many rows and points. */
+static bool cut_short(const fmb_system *s, int programs, size_t *rows, size_t *points)
+{
+    static const int keep[] = {0, 1, 2};
+    fmb_solver *v = solver(FMB_EVIDENCE_ALL);
+    patience p = {v, programs};
+    fmb_system *out = NULL;
+    fmb_evidence *e = NULL;
+    fmb_judgement j;
+    fmb_result r;
+    fmb_solver_set_sink(v, (fmb_sink){lose_patience, &p});
+    must(fmb_project(v, s, keep, 3, &out, &r));
+    must(fmb_solver_evidence(v, &e));
+    must(fmb_check(s, e, &j));
+    cr_assert(j.accepted || fmb_evidence_claims(e) == 0, "claim %zu: %s", j.claim, j.reason);
+    *rows = fmb_system_rows(out);
+    *points = count_claims(e, FMB_CLAIM_FEASIBLE);
+    cr_assert_eq(count_claims(e, FMB_CLAIM_IMPLIED), *rows);
+    fmb_evidence_free(e);
+    fmb_system_free(out);
+    fmb_solver_free(v);
+    return r.stop == FMB_STOP_CANCELLED;
+}
+
+/* At any time there are rows that are proved, and points. */
+Test(support, cut_short)
+{
+    fmb_system *s = cut_cube();
+    size_t rows = 0, points = 0, last = 0;
+    int programs = 1;
+    for (; cut_short(s, programs, &rows, &points); programs++) {
+        cr_assert(programs < 12 || rows + points > (size_t)programs / 2, "%d: %zu, %zu", programs,
+                  rows, points);
+        last = rows > 0 ? points : last;
+    }
+    cr_expect(programs > 15 && last > 5 && points == 1, "%d, %zu", programs, last);
+    fmb_system_free(s);
+}
+
 Test(support, wide)
 {
     check_family((family){"wide", shadow_wide, 20, 0});
