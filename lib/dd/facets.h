@@ -8,8 +8,8 @@
  * - the normal of a facet is >= 0 on all generators, and 0 exactly on those in its set `on`, which
  *   span rank - 1 dimensions;
  * - `next` of a facet names the facets with which it shares a ridge, rank - 2 dimensions.
- * Normals are unique up to a positive factor and up to equations. Cones that contain lines are no
- * exception: their lines are on every facet.
+ * Normals are coprime, and unique up to equations. Cones that contain lines are no exception:
+ * their lines are on every facet.
  *
  * Sources: Seidel 1981 (beneath and beyond); Barber, Dobkin, Huhdanpaa 1996 (quickhull); Fukuda and
  * Prodon 1996 (adjacency by sets, of cones that are not simplicial).

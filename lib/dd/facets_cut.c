@@ -126,13 +126,22 @@ static bool share_a_ridge(fmb_facets *f, uint32_t a, uint32_t b)
     return true;
 }
 
+/* A simplex all of whose ridges are found. */
+static bool has_all_neighbours(const fmb_facets *f, uint32_t a)
+{
+    const fmb_facet *t = &f->facet[a];
+    return t->ons + 1 == f->rank && t->nexts + 1 == f->rank;
+}
+
 static fmb_status join_new_neighbours(fmb_facets *f)
 {
     fmb_status st = FMB_OK;
     for (size_t i = 1; st == FMB_OK && i < f->mades + f->toucheds; i++) {
         uint32_t a = candidate(f, i);
-        for (size_t j = 0; st == FMB_OK && j < i; j++) {
+        for (size_t j = 0; st == FMB_OK && j < i && !has_all_neighbours(f, a); j++) {
             uint32_t b = candidate(f, j);
+            if (has_all_neighbours(f, b))
+                continue;
             bool old = j >= f->mades && are_neighbours(&f->facet[a], b);
             if (!old && share_a_ridge(f, a, b))
                 st = fmb_facets_join(f, a, b);

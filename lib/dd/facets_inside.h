@@ -31,7 +31,8 @@ fmb_status fmb_facets_evaluate(fmb_facets *f, fmb_vec *v);
 int fmb_facets_sign(fmb_facets *f, const fmb_vec *v);
 /* The same for a facet, in doubles where they are sure. */
 int fmb_facets_side(fmb_facets *f, const fmb_facet *a);
-/* The last entry of v is 0 again, and v in lowest terms. */
+/* The last entry of v, a combination or what was in lowest terms, is 0 again, and v in lowest
+ * terms. */
 fmb_status fmb_facets_tidy(fmb_facets *f, fmb_vec *v);
 /* out[n] = v, up to a positive factor. */
 void fmb_facets_round(const fmb_vec *v, size_t n, double *out);

@@ -78,13 +78,21 @@ fmb_status fmb_facets_evaluate(fmb_facets *f, fmb_vec *v)
     return fmb_vec_settle(v, f->d + 1, f->num.mem);
 }
 
+/* Wide vectors are in lowest terms already; one that was wide for its last entry alone is so no
+ * more. */
 fmb_status fmb_facets_tidy(fmb_facets *f, fmb_vec *v)
 {
-    if (v->z)
-        mpz_set_ui(v->z[f->d], 0);
-    else
+    size_t bits = 0;
+    if (!v->z) {
         v->s[f->d] = 0;
-    return fmb_vec_reduce(v, f->d + 1, &f->num);
+        return fmb_vec_reduce(v, f->d + 1, &f->num);
+    }
+    mpz_set_ui(v->z[f->d], 0);
+    for (size_t j = 0; j < f->d; j++) {
+        size_t b = mpz_sizeinbase(v->z[j], 2);
+        bits = b > bits ? b : bits;
+    }
+    return bits > FMB_SMALL_BITS ? FMB_OK : fmb_vec_reduce(v, f->d + 1, &f->num);
 }
 
 void fmb_facets_round(const fmb_vec *v, size_t n, double *out)
