@@ -42,6 +42,7 @@ typedef struct fmb_facets {
     size_t generators, generator_capacity, words;
     fmb_facet *facet; /* [slots]; those not alive are free */
     size_t slots, facet_capacity, alive;
+    uint64_t opened;                          /* facets made so far */
     fmb_vec g;                                /* [d] the generator at hand, */
     double *near;                             /* [d] and roughly */
     uint32_t *seen, *touched, *made, *unused; /* lists of facets, scratch; free slots */

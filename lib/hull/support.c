@@ -107,22 +107,33 @@ static fmb_status ask_about_facet(fmb_support *s, size_t at)
     return st;
 }
 
-fmb_status fmb_support_ask(fmb_support *s, size_t queries, bool *done)
+static fmb_status ask_next_question(fmb_support *s, bool *done)
 {
     const fmb_facets *f = &s->hull;
+    size_t at;
+    fmb_status st = fmb_run_poll_now(s->run);
+    if (st != FMB_OK)
+        return st;
+    if (s->equations < f->d - f->rank)
+        return ask_about_equation(s);
+    if ((at = find_open_facet(s)) != SIZE_MAX)
+        return ask_about_facet(s, at);
+    *done = true;
+    return s->strict ? fmb_support_find_missing_faces(s) : FMB_OK;
+}
+
+/* A query takes about as long as so many new facets. */
+#define FACETS_OF_QUERY 16
+
+fmb_status fmb_support_ask(fmb_support *s, size_t effort, bool *done)
+{
     fmb_status st = s->begun ? FMB_OK : find_first_point(s);
+    uint64_t first = s->hull.opened;
     *done = false;
-    for (size_t i = 0; st == FMB_OK && !*done && i < queries; i++) {
-        size_t at = SIZE_MAX;
-        st = fmb_run_poll_now(s->run);
-        if (st == FMB_OK && s->equations < f->d - f->rank)
-            st = ask_about_equation(s);
-        else if (st == FMB_OK && (at = find_open_facet(s)) != SIZE_MAX)
-            st = ask_about_facet(s, at);
-        else
-            *done = st == FMB_OK;
+    for (size_t asked = 0; st == FMB_OK && !*done; asked++) {
+        if (effort > 0 && asked + (s->hull.opened - first) / FACETS_OF_QUERY >= effort)
+            break;
+        st = ask_next_question(s, done);
     }
-    if (*done && s->strict)
-        st = fmb_support_find_missing_faces(s);
     return st;
 }

@@ -52,8 +52,9 @@ fmb_status fmb_support_init(fmb_support *s, fmb_run *run, fmb_oracle *oracle, si
                             const int *kept, size_t k, bool strict, bool proves);
 void fmb_support_clear(fmb_support *s);
 
-/* Ask for so many facets and equations, or until all stand: *done. What is proved stays so,
- * whatever ends the call; but after an error it is the last one. */
-fmb_status fmb_support_ask(fmb_support *s, size_t queries, bool *done);
+/* Ask about facets and equations for about as long as so many queries take (0: any number), or
+ * until all stand: *done. What is proved stays so, whatever ends the call; but after an error it is
+ * the last one. */
+fmb_status fmb_support_ask(fmb_support *s, size_t effort, bool *done);
 
 #endif

@@ -88,8 +88,13 @@ static bool uses_lp_rule(const fmb_solver *v)
 #define FEW_FREEDOMS       10
 #define RAYS_OF_SECOND_TRY 1000
 
+/* The walk around a shadow is on a dictionary, which becomes dense; it is quick if it has no more
+ * columns. */
+#define WALKED_COLUMNS 24
 /* A hull in so many dimensions mostly has few enough facets. */
 #define FEW_KEPT 6
+/* In more dimensions, as many queries are tried before elimination goes on. */
+#define FIRST_QUERIES 16
 
 static int count_kept_columns(const fmb_part *p, const int *place)
 {
@@ -127,6 +132,7 @@ typedef struct rungs {
     const int *place;
     fmb_system *out;
     fmb_lift *lift;
+    fmb_queries *queries;
     bool known, *feasible, done;
 } rungs;
 
@@ -149,19 +155,31 @@ static fmb_status try_elimination(rungs *r, bool known, size_t budget)
  * In more, whether there is a solution at all. */
 static fmb_status try_oracle(rungs *r)
 {
-    int kept = count_kept_columns(&r->q->parts.part[r->part], r->place);
-    bool queries = kept > 2 && kept <= FEW_KEPT;
+    const fmb_part *p = &r->q->parts.part[r->part];
+    int kept = count_kept_columns(p, r->place);
+    bool walk = kept <= 2 && p->n <= WALKED_COLUMNS, queries = !walk && kept <= FEW_KEPT;
     fmb_status st = FMB_OK;
     if (!queries && !r->known) {
         st = is_part_feasible(r->q, r->part, r->feasible);
         r->known = true;
     }
-    if (st == FMB_OK && *r->feasible && kept <= 2)
+    if (st == FMB_OK && *r->feasible && walk)
         st = fmb_query_polygon_part(r->q, r->part, r->place, r->out, &r->done);
     if (st != FMB_OK || r->done || !*r->feasible || kept > FEW_KEPT)
         return st;
     r->done = true;
     return fmb_query_support_part(r->q, r->part, r->place, r->out, r->feasible);
+}
+
+/* Queries in many dimensions: few, if the projection has few facets. */
+static fmb_status try_queries(rungs *r, size_t effort)
+{
+    fmb_status st = FMB_OK;
+    if (!r->queries)
+        st = fmb_queries_open(r->q, r->part, r->place, &r->queries, r->feasible);
+    if (st != FMB_OK || !*r->feasible)
+        return st;
+    return fmb_queries_run(r->queries, effort, r->out, &r->done);
 }
 
 static bool is_open(fmb_status st, const rungs *r)
@@ -170,11 +188,12 @@ static bool is_open(fmb_status st, const rungs *r)
 }
 
 /* A few rays, then a short elimination; if both grow, some more rays where there seem to be few;
- * then the oracle. What is left is eliminated, and pruned by the oracle, in turns with rays. */
+ * then the oracle. What is left is eliminated, and pruned by the oracle, in turns with rays and
+ * queries. */
 static fmb_status climb_rungs(rungs *r)
 {
     const fmb_part *p = &r->q->parts.part[r->part];
-    size_t budget = TRIAL_BUDGET(p->m);
+    size_t budget = TRIAL_BUDGET(p->m), effort = FIRST_QUERIES;
     fmb_status st = fmb_lift_open(r->q, r->part, r->place, &r->lift, r->feasible);
     if (is_open(st, r))
         st = try_rays(r, r->q->v->options.method == FMB_METHOD_DD ? 0 : budget);
@@ -186,12 +205,16 @@ static fmb_status climb_rungs(rungs *r)
     if (is_open(st, r))
         st = try_oracle(r);
     while (is_open(st, r)) {
+        effort *= 4;
         budget *= 8;
-        st = try_rays(r, budget);
+        st = try_queries(r, effort);
+        if (is_open(st, r))
+            st = try_rays(r, budget);
         if (is_open(st, r))
             st = try_elimination(r, true, fmb_lift_has_given_up(r->lift) ? 0 : budget);
     }
     fmb_lift_close(r->lift);
+    fmb_queries_close(r->queries);
     return st;
 }
 

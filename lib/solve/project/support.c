@@ -4,23 +4,22 @@
 #include "hull/support.h"
 #include "system/system.h"
 
-/* A part on its way. */
-typedef struct queries {
+struct fmb_queries {
     fmb_query *q;
     const fmb_part *p;
     int part;
     const int *place;
-    fmb_system *out;
-    int *column; /* [k] of the part, those that are kept */
+    int *column; /* [n], k of them: of the part, those that are kept */
     size_t k;
     fmb_support s;
     mpz_t *z;    /* [n + 1] scratch: a row of the part */
     fmb_vec row; /* the same */
-} queries;
+    bool begun;  /* there is an s */
+};
 
 /* ---- rows ------------------------------------------------------------------------------------ */
 
-static fmb_status claim_support_row(queries *h, fmb_support_row *r)
+static fmb_status claim_support_row(fmb_queries *h, fmb_support_row *r)
 {
     mpq_t one;
     if (!h->q->claims)
@@ -35,7 +34,7 @@ static fmb_status claim_support_row(queries *h, fmb_support_row *r)
     return st;
 }
 
-static fmb_status put_support_row(queries *h, fmb_support_row *r)
+static fmb_status put_support_row(fmb_queries *h, fmb_support_row *r, fmb_system *out)
 {
     size_t n = (size_t)h->p->n;
     for (size_t j = 0; j < h->k; j++)
@@ -44,10 +43,10 @@ static fmb_status put_support_row(queries *h, fmb_support_row *r)
     fmb_status st = fmb_vec_set_z(&h->row, n + 1, h->z, h->q->run.mem);
     if (st == FMB_OK)
         st = claim_support_row(h, r);
-    return st == FMB_OK ? fmb_query_append_row(h->q, h->p, &h->row, r->rel, h->place, h->out) : st;
+    return st == FMB_OK ? fmb_query_append_row(h->q, h->p, &h->row, r->rel, h->place, out) : st;
 }
 
-static fmb_status put_all_support_rows(queries *h)
+static fmb_status put_all_support_rows(fmb_queries *h, fmb_system *out)
 {
     size_t n = (size_t)h->p->n + 1;
     fmb_mem *mem = h->q->run.mem;
@@ -57,7 +56,7 @@ static fmb_status put_all_support_rows(queries *h)
     for (size_t j = 0; h->z && j < n; j++)
         mpz_init(h->z[j]);
     for (size_t i = 0; st == FMB_OK && i < h->s.rows; i++)
-        st = put_support_row(h, &h->s.row[i]);
+        st = put_support_row(h, &h->s.row[i], out);
     for (size_t j = 0; h->z && j < n; j++)
         mpz_clear(h->z[j]);
     fmb_mem_put(mem, h->z, n, sizeof *h->z);
@@ -69,7 +68,7 @@ static fmb_status put_all_support_rows(queries *h)
 /* ---- inner points ---------------------------------------------------------------------------- */
 
 /* A claim that there is a solution there. */
-static fmb_status claim_inner_point(queries *h, const fmb_integers *x)
+static fmb_status claim_inner_point(fmb_queries *h, const fmb_integers *x)
 {
     fmb_query *q = h->q;
     fmb_claim *claim;
@@ -89,7 +88,7 @@ static fmb_status claim_inner_point(queries *h, const fmb_integers *x)
 }
 
 /* Without memory for more, it is those so far. */
-static fmb_status claim_inner_points(queries *h)
+static fmb_status claim_inner_points(fmb_queries *h)
 {
     fmb_status st = FMB_OK;
     for (size_t i = 0; st == FMB_OK && h->q->claims && i < h->s.points; i++)
@@ -99,26 +98,9 @@ static fmb_status claim_inner_points(queries *h)
 
 /* ---- a part ---------------------------------------------------------------------------------- */
 
-/* At a limit what is proved is put out, and points as claims: so much of the projection is known
- * from within. */
-static fmb_status ask_until_all_stands(queries *h, fmb_oracle *o)
+static fmb_status list_kept_columns(fmb_queries *h)
 {
-    bool done = false;
-    fmb_status st = fmb_support_init(&h->s, &h->q->run, o, (size_t)h->p->n, h->column, h->k,
-                                     h->q->program[h->part].any_strict, h->q->claims != NULL);
-    while (st == FMB_OK && !done)
-        st = fmb_support_ask(&h->s, SIZE_MAX, &done);
-    fmb_facets_clear(&h->s.hull); /* what is put out needs memory, too */
-    fmb_status put = st == FMB_OK || st == FMB_LIMIT ? put_all_support_rows(h) : st;
-    if (st == FMB_LIMIT && put == FMB_OK)
-        put = claim_inner_points(h);
-    fmb_support_clear(&h->s);
-    return st == FMB_LIMIT && put == FMB_OK ? st : put;
-}
-
-static fmb_status list_kept_columns(queries *h)
-{
-    h->column = fmb_arena_get(&h->q->v->arena, (size_t)h->p->n, sizeof *h->column);
+    h->column = fmb_mem_get(h->q->run.mem, (size_t)h->p->n, sizeof *h->column);
     if (!h->column)
         return fmb_mem_status(h->q->run.mem);
     for (int j = 0; j < h->p->n; j++)
@@ -127,19 +109,62 @@ static fmb_status list_kept_columns(queries *h)
     return FMB_OK;
 }
 
-fmb_status fmb_query_support_part(fmb_query *q, int part, const int *place, fmb_system *out,
-                                  bool *feasible)
+fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, fmb_queries **out,
+                            bool *feasible)
 {
-    const fmb_part *p = &q->parts.part[part];
-    queries h = {.q = q, .p = p, .part = part, .place = place, .out = out};
     fmb_oracle *o;
+    fmb_queries *h = fmb_mem_zero(q->run.mem, 1, sizeof *h);
+    *out = h;
     *feasible = true;
-    fmb_status st = list_kept_columns(&h);
+    if (!h)
+        return fmb_mem_status(q->run.mem);
+    *h = (fmb_queries){.q = q, .p = &q->parts.part[part], .part = part, .place = place};
+    fmb_status st = list_kept_columns(h);
     if (st == FMB_OK)
         st = fmb_query_oracle(q, part, &o);
     if (st == FMB_OK && !q->decided)
         st = fmb_oracle_feasible(o, feasible);
-    if (st == FMB_OK && *feasible && h.k > 0)
-        st = ask_until_all_stands(&h, o);
+    if (st != FMB_OK || !*feasible)
+        return st;
+    h->begun = true;
+    return fmb_support_init(&h->s, &q->run, o, (size_t)h->p->n, h->column, h->k,
+                            q->program[part].any_strict, q->claims != NULL);
+}
+
+void fmb_queries_close(fmb_queries *h)
+{
+    if (!h)
+        return;
+    fmb_mem *mem = h->q->run.mem;
+    if (h->begun)
+        fmb_support_clear(&h->s);
+    fmb_mem_put(mem, h->column, (size_t)h->p->n, sizeof *h->column);
+    fmb_mem_put(mem, h, 1, sizeof *h);
+}
+
+/* At a limit what is proved is put out, and points as claims: so much of the projection is known
+ * from within. */
+fmb_status fmb_queries_run(fmb_queries *h, size_t effort, fmb_system *out, bool *done)
+{
+    *done = h->k == 0;
+    fmb_status st = *done ? FMB_OK : fmb_support_ask(&h->s, effort, done);
+    if (st == FMB_OK ? !*done : st != FMB_LIMIT)
+        return st;
+    fmb_facets_clear(&h->s.hull); /* what is put out needs memory, too */
+    fmb_status put = put_all_support_rows(h, out);
+    if (st == FMB_LIMIT && put == FMB_OK)
+        put = claim_inner_points(h);
+    return put == FMB_OK ? st : put;
+}
+
+fmb_status fmb_query_support_part(fmb_query *q, int part, const int *place, fmb_system *out,
+                                  bool *feasible)
+{
+    bool done;
+    fmb_queries *h;
+    fmb_status st = fmb_queries_open(q, part, place, &h, feasible);
+    if (st == FMB_OK && *feasible)
+        st = fmb_queries_run(h, 0, out, &done);
+    fmb_queries_close(h);
     return st;
 }

@@ -1,13 +1,25 @@
 /* support.h: the projection of a part as the hull of what support queries find, without eliminating
- * anything. */
+ * anything; in turns, if need be.
+ */
 #ifndef FMB_SOLVE_SUPPORT_H
 #define FMB_SOLVE_SUPPORT_H
 
 #include "solve/query/solver.h"
 
-/* Append the projection of a part on those of its variables with place[] >= 0, perhaps none, to
- * out. *feasible false: the part has no solution. At a limit (LIMIT), the rows that are proved are
- * appended. */
+typedef struct fmb_queries fmb_queries;
+
+/* On those of the part's variables with place[] >= 0, perhaps none; place outlives it. *feasible
+ * false: the part has no solution, and nothing can be asked. In any case fmb_queries_close what is
+ * not NULL. Errors: MEMORY, LIMIT, here and below. */
+fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, fmb_queries **out,
+                            bool *feasible);
+void fmb_queries_close(fmb_queries *h);
+
+/* Go on for about as long as so many queries take, 0: to the end. *done: the projection has been
+ * appended to out; else nothing, but at a limit (LIMIT) the rows that are proved. */
+fmb_status fmb_queries_run(fmb_queries *h, size_t effort, fmb_system *out, bool *done);
+
+/* All at once. */
 fmb_status fmb_query_support_part(fmb_query *q, int part, const int *place, fmb_system *out,
                                   bool *feasible);
 
