@@ -49,10 +49,9 @@ static void put_combination(const app_session *s, size_t claim)
     mpq_t q;
     mpq_init(q);
     bool first = true;
-    for (size_t i = 0; i < fmb_system_rows(s->system); i++) {
+    for (size_t i = fmb_evidence_next_row(s->evidence, claim, 0); i != SIZE_MAX;
+         i = fmb_evidence_next_row(s->evidence, claim, i + 1)) {
         fmb_evidence_multiplier_q(s->evidence, claim, i, q);
-        if (mpq_sgn(q) == 0)
-            continue;
         gmp_fprintf(stderr, "%s%Qd * row %zu", first ? "" : " + ", q, i + 1);
         first = false;
     }

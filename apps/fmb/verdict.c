@@ -39,10 +39,9 @@ void app_verdict_print_multipliers(const app_session *s, size_t claim, mpq_t sum
     mpq_inits(q, b, NULL);
     mpq_set_ui(sum, 0, 1);
     *strict = false;
-    for (size_t i = 0; i < fmb_system_rows(s->system); i++) {
+    for (size_t i = fmb_evidence_next_row(s->evidence, claim, 0); i != SIZE_MAX;
+         i = fmb_evidence_next_row(s->evidence, claim, i + 1)) {
         fmb_evidence_multiplier_q(s->evidence, claim, i, q);
-        if (mpq_sgn(q) == 0)
-            continue;
         app_table_add(&table, app_print("%Qd", q));
         app_table_add(&table, app_print("*"));
         app_table_add(&table, app_show_row_name(s->system, i));
@@ -91,10 +90,9 @@ json_t *app_json_multipliers(const app_session *s, size_t claim)
     json_t *list = app_need(json_array());
     mpq_t q;
     mpq_init(q);
-    for (size_t i = 0; i < fmb_system_rows(s->system); i++) {
+    for (size_t i = fmb_evidence_next_row(s->evidence, claim, 0); i != SIZE_MAX;
+         i = fmb_evidence_next_row(s->evidence, claim, i + 1)) {
         fmb_evidence_multiplier_q(s->evidence, claim, i, q);
-        if (mpq_sgn(q) == 0)
-            continue;
         json_t *item = app_json_row_name(s->system, i);
         app_json_set(item, "multiplier", app_json_number(q));
         app_json_append(list, item);

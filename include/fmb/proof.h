@@ -47,6 +47,8 @@ FMB_API fmb_rel fmb_evidence_rel(const fmb_evidence *e, size_t i);
  * nearest double (0 where the claim has none). */
 FMB_API double fmb_evidence_multiplier(const fmb_evidence *e, size_t i, size_t r);
 FMB_API double fmb_evidence_coordinate(const fmb_evidence *e, size_t i, int j);
+/* The first row from r on whose multiplier in claim i is not 0, SIZE_MAX if there is none. */
+FMB_API size_t fmb_evidence_next_row(const fmb_evidence *e, size_t i, size_t r);
 
 /* [give] Read the text form. Names of variables are those of s. Errors: PARSE, IO, MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_evidence_read(FILE *in, const fmb_system *s, fmb_evidence **out,

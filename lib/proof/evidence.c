@@ -270,6 +270,20 @@ double fmb_evidence_multiplier(const fmb_evidence *e, size_t i, size_t r)
     return fmb_nearest_double(fmb_sparse_find(&claim_at(e, i)->multipliers, r));
 }
 
+size_t fmb_evidence_next_row(const fmb_evidence *e, size_t i, size_t r)
+{
+    const fmb_sparse *list = &claim_at(e, i)->multipliers;
+    size_t low = 0, high = list->size, next = SIZE_MAX;
+    while (!list->mixed && high - low > 1) {
+        size_t middle = low + (high - low) / 2;
+        *(list->index[middle] <= r ? &low : &high) = middle;
+    }
+    for (high = list->size; low < high && (list->mixed || next == SIZE_MAX); low++)
+        if (list->index[low] >= r && list->index[low] < next && mpq_sgn(list->value[low]) != 0)
+            next = list->index[low];
+    return next;
+}
+
 double fmb_evidence_coordinate(const fmb_evidence *e, size_t i, int j)
 {
     return fmb_nearest_double(fmb_sparse_find(&claim_at(e, i)->point, (size_t)j));

@@ -226,6 +226,7 @@ static void ask_evidence(const fmb_evidence *e, size_t i, int j)
     cr_expect_eq(fmb_evidence_terms(e, i), 0);
     cr_expect_eq(fmb_evidence_term_q(e, i, 0, q), -1);
     cr_expect_eq(fmb_evidence_multiplier(e, i, SIZE_MAX), 0);
+    cr_expect_eq(fmb_evidence_next_row(e, i, 0), SIZE_MAX);
     cr_expect_eq(fmb_evidence_coordinate(e, i, j), 0);
     fmb_evidence_multiplier_q(e, i, 0, q);
     fmb_evidence_coordinate_q(e, i, j, q);

@@ -147,6 +147,9 @@ Test(claims, accessors)
     cr_expect_eq(fmb_evidence_row(e, 0), SIZE_MAX);
     cr_expect_eq(fmb_evidence_multiplier(e, 0, 3), 1.0 / 3);
     cr_expect_eq(fmb_evidence_multiplier(e, 0, 0), 0);
+    cr_expect_eq(fmb_evidence_next_row(e, 0, 0), 3);
+    cr_expect_eq(fmb_evidence_next_row(e, 0, 3), 3);
+    cr_expect_eq(fmb_evidence_next_row(e, 0, 4), SIZE_MAX);
     cr_expect_eq(fmb_evidence_coordinate(e, 0, 0), 1.0 / 3);
     cr_expect_eq(fmb_evidence_coordinate(e, 0, 1), 9007199254740992.0);
     cr_expect_eq(fmb_evidence_coordinate(e, 1, 1), 0);
