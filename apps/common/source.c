@@ -92,6 +92,12 @@ int app_source_outcome(fmb_status st, const char *path, const fmb_where *where)
     }
 }
 
+static fmb_reader reader_of(app_source *src)
+{
+    return (fmb_reader){
+        .format = src->format, .warn = warn, .self = src, .max_bytes = src->max_input};
+}
+
 int app_source_read(const app_source *src, fmb_system **out)
 {
     FILE *in;
@@ -99,13 +105,28 @@ int app_source_read(const app_source *src, fmb_system **out)
     if (code != APP_YES)
         return code;
     app_source self = *src;
-    fmb_reader how = {
-        .format = src->format, .warn = warn, .self = &self, .max_bytes = src->max_input};
+    fmb_reader how = reader_of(&self);
     if (how.format == FMB_FORMAT_AUTO)
         how.format = fmb_format_of_name(src->file);
     fmb_where where = {0};
     errno = 0;
     fmb_status st = fmb_system_read(in, &how, out, &where);
+    code = app_source_outcome(st, src->file, &where);
+    app_file_close_input(in);
+    return code;
+}
+
+int app_source_read_generators(const app_source *src, fmb_generators **out)
+{
+    FILE *in;
+    int code = app_file_open(src->file, &in);
+    if (code != APP_YES)
+        return code;
+    app_source self = *src;
+    fmb_reader how = reader_of(&self);
+    fmb_where where = {0};
+    errno = 0;
+    fmb_status st = fmb_generators_read(in, &how, out, &where);
     code = app_source_outcome(st, src->file, &where);
     app_file_close_input(in);
     return code;

@@ -20,6 +20,9 @@ extern const struct argp app_source_argp;
  * standard error. */
 int app_source_read(const app_source *src, fmb_system **out);
 
+/* [give, fmb_generators_free] The same of a V-representation. */
+int app_source_read_generators(const app_source *src, fmb_generators **out);
+
 /* The exit code for what a reader of the library returned, after a message unless it is FMB_OK. */
 int app_source_outcome(fmb_status st, const char *path, const fmb_where *where);
 

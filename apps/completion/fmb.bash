@@ -13,7 +13,7 @@ _fmb()
     COMPREPLY=()
     for ((i = 1; i < COMP_CWORD; i++)); do
         case ${COMP_WORDS[i]} in
-            solve | bounds | optimize | project | reduce | check | convert | intersect | mesh) command=${COMP_WORDS[i]} && break ;;
+            solve | bounds | optimize | project | reduce | vertices | hull | check | convert | intersect | mesh) command=${COMP_WORDS[i]} && break ;;
         esac
     done
 
@@ -51,11 +51,13 @@ _fmb()
                 optimize) words="$general $source $solver --max --min" ;;
                 project) words="$general $source $solver --keep --eliminate --to" ;;
                 reduce) words="$general $source $solver --to" ;;
+                vertices) words="$general $source $solver" ;;
+                hull) words="$general $source --to" ;;
                 check) words="$general $source --list --expect --json" ;;
                 convert) words="$general $source --to" ;;
                 intersect) words="$general --quiet --json --contact --boxes --nearest --max-seconds --max-bytes --max-input" ;;
                 mesh) words="$general --quiet --json --csv --move --scale --mirror --motion --neighbours --where --marked --format --max-bytes --max-input" ;;
-                *) words="$general solve bounds optimize project reduce check convert intersect mesh" ;;
+                *) words="$general solve bounds optimize project reduce vertices hull check convert intersect mesh" ;;
             esac
             if [[ -n $command && $cur != -* ]]; then
                 compopt -o default

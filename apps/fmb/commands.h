@@ -8,6 +8,8 @@ int cmd_bounds(int argc, char **argv);
 int cmd_optimize(int argc, char **argv);
 int cmd_project(int argc, char **argv);
 int cmd_reduce(int argc, char **argv);
+int cmd_vertices(int argc, char **argv);
+int cmd_hull(int argc, char **argv);
 int cmd_check(int argc, char **argv);
 int cmd_convert(int argc, char **argv);
 int cmd_intersect(int argc, char **argv);

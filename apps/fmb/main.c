@@ -8,6 +8,8 @@ static const app_command commands[] = {
     {"optimize", "fmb optimize", "the best value of a linear form", cmd_optimize},
     {"project", "fmb project", "the projection on some variables", cmd_project},
     {"reduce", "fmb reduce", "the rows that matter; which others go, and why", cmd_reduce},
+    {"vertices", "fmb vertices", "its vertices, rays and lines", cmd_vertices},
+    {"hull", "fmb hull", "the system of given vertices, rays and lines", cmd_hull},
     {"check", "fmb check", "accept or reject the proof of an answer", cmd_check},
     {"intersect", "fmb intersect", "do two frames meet, where and when? for pairs of them",
      cmd_intersect},

@@ -73,6 +73,18 @@ FMB_API size_t fmb_utf8_printable(const char *text, size_t left);
  * be written), IO, MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_write(const fmb_system *s, fmb_format f, FILE *out);
 
+typedef struct fmb_generators fmb_generators; /* <fmb/generators.h> */
+
+/* [give] The same of generators (<fmb/generators.h>): a V-representation of cddlib and lrslib
+ * (.ext), whatever how->format says; rows of its linearity line are lines. Errors: as above. */
+FMB_API FMB_CHECKED fmb_status fmb_generators_read(FILE *in, const fmb_reader *how,
+                                                   fmb_generators **out, fmb_where *where);
+FMB_API FMB_CHECKED fmb_status fmb_generators_parse(const char *text, size_t size,
+                                                    const fmb_reader *how, fmb_generators **out,
+                                                    fmb_where *where);
+/* Write g so that reading it back gives the same. Errors: ARG, IO. */
+FMB_API FMB_CHECKED fmb_status fmb_generators_write(const fmb_generators *g, FILE *out);
+
 #ifdef __cplusplus
 }
 #endif

@@ -25,6 +25,7 @@ typedef struct fmb_ine {
     const char *asked;           /* that line, or NULL */
     const char *matrix;          /* the line "begin" */
     bool marks_keep;             /* it was project */
+    bool generators;             /* rows are vertices and rays: (1, x) and (0, x) */
     fmb_sense sense;
     const char *objective; /* behind the word maximize or minimize; NULL: there is none */
 } fmb_ine;
@@ -32,6 +33,9 @@ typedef struct fmb_ine {
 /* Takes the line at c if it is an option of the table; *known says whether it was. c is then at the
  * start of a line. */
 fmb_status fmb_ine_option(fmb_ine *f, bool *known);
+/* Read the whole text; a row (b, a) of the matrix becomes -a.x <= b, or = where it is on the
+ * linearity line. */
+fmb_status fmb_ine_read(fmb_ine *f);
 /* A number with a blank or an end behind it. Errors: PARSE. */
 fmb_status fmb_ine_number(fmb_cursor *c, mpq_t out);
 /* Past the rest of this line and lines of numbers, the arguments of an option. */

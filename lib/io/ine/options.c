@@ -123,15 +123,19 @@ static fmb_status take_minimize_line(fmb_ine *f, const char *line)
     return take_ine_objective(f, line, FMB_SENSE_MIN);
 }
 
-static fmb_status refuse_v_representation(fmb_ine *f, const char *line)
+static fmb_status take_v_representation(fmb_ine *f, const char *line)
 {
-    return fmb_io_fail(f->c, line,
-                       "expected an H-representation, found vertices and rays (V-representation)");
+    if (!f->generators)
+        return fmb_io_fail(
+            f->c, line, "expected an H-representation, found vertices and rays (V-representation)");
+    fmb_ine_skip_arguments(f->c);
+    return FMB_OK;
 }
 
-static fmb_status pass_over_command(fmb_ine *f, const char *line)
+static fmb_status take_h_representation(fmb_ine *f, const char *line)
 {
-    (void)line;
+    if (f->generators)
+        return fmb_io_fail(f->c, line, "expected a V-representation, found an H-representation");
     fmb_ine_skip_arguments(f->c);
     return FMB_OK;
 }
@@ -140,12 +144,18 @@ static const struct option {
     const char *word;
     fmb_status (*take)(fmb_ine *f, const char *line); /* c is past the word */
 } options[] = {
-    {"H-representation", pass_over_command}, {"V-representation", refuse_v_representation},
-    {"linearity", take_linearity_list},      {"equality", take_linearity_list},
-    {"partial_enum", take_linearity_list},   {"partial_enumeration", take_linearity_list},
-    {"strict_inequality", take_strict_list}, {"project", take_project_line},
-    {"eliminate", take_eliminate_line},      {"nonnegative", ignore_nonnegative},
-    {"maximize", take_maximize_line},        {"minimize", take_minimize_line},
+    {"H-representation", take_h_representation},
+    {"V-representation", take_v_representation},
+    {"linearity", take_linearity_list},
+    {"equality", take_linearity_list},
+    {"partial_enum", take_linearity_list},
+    {"partial_enumeration", take_linearity_list},
+    {"strict_inequality", take_strict_list},
+    {"project", take_project_line},
+    {"eliminate", take_eliminate_line},
+    {"nonnegative", ignore_nonnegative},
+    {"maximize", take_maximize_line},
+    {"minimize", take_minimize_line},
 };
 
 /* Commands to those programs. */
@@ -165,8 +175,10 @@ fmb_status fmb_ine_option(fmb_ine *f, bool *known)
         if (fmb_span_is_nocase(word, options[i].word))
             return options[i].take(f, line);
     for (size_t i = 0; i < sizeof commands / sizeof *commands; i++)
-        if (fmb_span_is_nocase(word, commands[i]))
-            return pass_over_command(f, line);
+        if (fmb_span_is_nocase(word, commands[i])) {
+            fmb_ine_skip_arguments(f->c);
+            return FMB_OK;
+        }
     f->c->at = line;
     *known = false;
     return FMB_OK;

@@ -202,18 +202,22 @@ static fmb_status read_lines_after_matrix(fmb_ine *f)
     return FMB_OK;
 }
 
+fmb_status fmb_ine_read(fmb_ine *f)
+{
+    fmb_status st = read_lines_before_matrix(f);
+    if (st == FMB_OK)
+        st = read_ine_matrix(f);
+    if (st == FMB_OK)
+        st = read_lines_after_matrix(f);
+    if (st == FMB_OK)
+        st = fmb_ine_take_names(f);
+    if (st == FMB_OK)
+        st = fmb_ine_finish(f);
+    fmb_ine_clear(f);
+    return st;
+}
+
 fmb_status fmb_read_ine(fmb_cursor *c, fmb_system *s)
 {
-    fmb_ine f = {.c = c, .s = s};
-    fmb_status st = read_lines_before_matrix(&f);
-    if (st == FMB_OK)
-        st = read_ine_matrix(&f);
-    if (st == FMB_OK)
-        st = read_lines_after_matrix(&f);
-    if (st == FMB_OK)
-        st = fmb_ine_take_names(&f);
-    if (st == FMB_OK)
-        st = fmb_ine_finish(&f);
-    fmb_ine_clear(&f);
-    return st;
+    return fmb_ine_read(&(fmb_ine){.c = c, .s = s});
 }

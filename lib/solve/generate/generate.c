@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "dd/image.h"
-#include "solve/generate/generators.h"
+#include "system/generators.h"
 #include "solve/query/solver.h"
 #include "system/system.h"
 

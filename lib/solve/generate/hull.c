@@ -1,6 +1,6 @@
 /* hull.c: from vertices, rays and lines to rows (dd/image.h). */
 #include "dd/image.h"
-#include "solve/generate/generators.h"
+#include "system/generators.h"
 #include "solve/query/solver.h"
 #include "system/system.h"
 

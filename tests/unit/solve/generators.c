@@ -1,6 +1,8 @@
 /* generators.c: vertices, rays and lines of systems, and hulls of those: there and back again. */
 #include <criterion/criterion.h>
 
+#include <string.h>
+
 #include <fmb/generators.h>
 
 #include "fault/hook.h"
@@ -208,4 +210,57 @@ Test(generators, every_request_may_fail)
         cr_assert(st == FMB_OK || st == FMB_ERR_MEMORY);
     }
     support_case_clear(&c);
+}
+
+/* ---- V-representations ----------------------------------------------------------------------- */
+
+static const char EXT[] = "V-representation\nlinearity 1 3\nbegin\n3 3 rational\n"
+                          "1 1/2 -5\n0 1 1\n0 0 1\nend\n";
+
+Test(generators, are_written_and_read)
+{
+    fmb_generators *g = NULL, *h = NULL;
+    fmb_where where;
+    char text[256] = "";
+    FILE *file = tmpfile();
+    must(fmb_generators_parse(EXT, sizeof EXT - 1, NULL, &g, &where));
+    cr_assert_eq(fmb_generators_size(g), 3);
+    cr_expect(fmb_generators_kind(g, 0) == FMB_VERTEX && fmb_generators_kind(g, 1) == FMB_RAY);
+    cr_expect_eq(fmb_generators_kind(g, 2), FMB_LINE);
+    cr_expect(fmb_generators_coordinate(g, 0, 0) == 0.5 &&
+              fmb_generators_coordinate(g, 0, 1) == -5);
+    must(fmb_generators_write(g, file));
+    rewind(file);
+    cr_assert_eq(fread(text, 1, sizeof text - 1, file), sizeof EXT - 1);
+    cr_expect_str_eq(text, EXT);
+    rewind(file);
+    must(fmb_generators_read(file, NULL, &h, &where));
+    cr_expect_eq(fmb_generators_size(h), 3);
+    fclose(file);
+    fmb_generators_free(g);
+    fmb_generators_free(h);
+}
+
+Test(generators, bad_texts_are_told)
+{
+    static const struct {
+        const char *text;
+        long line;
+    } bad[] = {{"", 0},
+               {"H-representation\nbegin\n1 2 integer\n1 0\nend\n", 1},
+               {"V-representation\nbegin\n1 2 integer\n1 x\nend\n", 4},
+               {"V-representation\nbegin\n1 2 integer\n-1 1\nend\n", 0},
+               {"V-representation\nlinearity 1 1\nbegin\n1 2 integer\n1 1\nend\n", 0}};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        fmb_generators *g = NULL;
+        fmb_where where = {0};
+        cr_expect_eq(fmb_generators_parse(bad[i].text, strlen(bad[i].text), NULL, &g, &where),
+                     FMB_ERR_PARSE);
+        cr_expect(!g && (bad[i].line == 0 || where.line == bad[i].line), "%zu: line %ld", i,
+                  (long)where.line);
+    }
+    fmb_generators *g = NULL;
+    cr_expect_eq(fmb_generators_parse(NULL, 1, NULL, &g, NULL), FMB_ERR_ARG);
+    cr_expect_eq(fmb_generators_read(NULL, NULL, &g, NULL), FMB_ERR_ARG);
+    cr_expect_eq(fmb_generators_write(NULL, stdout), FMB_ERR_ARG);
 }

@@ -1,6 +1,6 @@
 /* generators.h: inside of fmb_generators: vectors over (x, t), with t > 0 for vertices. */
-#ifndef FMB_SOLVE_GENERATORS_H
-#define FMB_SOLVE_GENERATORS_H
+#ifndef FMB_SYSTEM_GENERATORS_H
+#define FMB_SYSTEM_GENERATORS_H
 
 #include <fmb/gmp.h>
 

@@ -1,5 +1,5 @@
 /* generators.c: lists of vertices, rays and lines; see generators.h. */
-#include "solve/generate/generators.h"
+#include "system/generators.h"
 
 #include <math.h>
 

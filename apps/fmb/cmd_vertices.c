@@ -1,0 +1,95 @@
+/* cmd_vertices.c: fmb vertices FILE. */
+#include <fmb/gmp.h>
+#include <stdlib.h>
+
+#include "common/json.h"
+#include "common/message.h"
+#include "fmb/commands.h"
+#include "fmb/integers.h"
+#include "fmb/verdict.h"
+
+static const app_usage usage = {
+    .args = "FILE",
+    .doc = "Vertices, rays and lines of the system in FILE, as a V-representation (.ext) of cddlib "
+           "and "
+           "lrslib: a row (1, x) is a vertex, (0, x) a ray, one on the linearity line a line. Rows "
+           "with "
+           "< are taken for <=."
+           "\v"
+           "Exit codes: 0 done, 1 infeasible, 2 undecided.\n"
+           "\n"
+           "Examples:\n"
+           "  fmb vertices cube.ine > cube.ext\n"
+           "  fmb vertices cube.ine --json\n",
+};
+
+/* ---- the report ------------------------------------------------------------------------------ */
+
+static json_t *generator_json(const fmb_generators *g, size_t i)
+{
+    json_t *list = app_need(json_array());
+    mpq_t q;
+    mpq_init(q);
+    for (int j = 0; j < fmb_generators_dim(g); j++) {
+        fmb_generators_get_q(g, i, j, q);
+        char *text = app_need(mpq_get_str(NULL, 10, q));
+        app_json_append(list, json_string(text));
+        free(text);
+    }
+    mpq_clear(q);
+    return list;
+}
+
+static json_t *generators_json(const fmb_generators *g, fmb_generator_kind kind)
+{
+    json_t *list = app_need(json_array());
+    for (size_t i = 0; i < fmb_generators_size(g); i++)
+        if (fmb_generators_kind(g, i) == kind)
+            app_json_append(list, generator_json(g, i));
+    return list;
+}
+
+static void report_json(const app_session *s, const fmb_generators *g)
+{
+    json_t *obj = app_verdict_json(s);
+    if (g) {
+        app_json_set(obj, "vertices", generators_json(g, FMB_VERTEX));
+        app_json_set(obj, "rays", generators_json(g, FMB_RAY));
+        app_json_set(obj, "lines", generators_json(g, FMB_LINE));
+    }
+    app_json_set_stats(obj, &s->result.stats);
+    app_json_print(obj);
+}
+
+static int report(const app_session *s, const fmb_generators *g)
+{
+    if (s->ask->json)
+        report_json(s, g);
+    else if (!g)
+        app_verdict_print(s);
+    else if (app_session_reports(s)) {
+        fmb_status st = fmb_generators_write(g, stdout);
+        if (st != FMB_OK && st != FMB_ERR_IO)
+            return app_status_error(st);
+    }
+    return app_session_verdict_code(s);
+}
+
+int cmd_vertices(int argc, char **argv)
+{
+    app_ask ask;
+    app_session s;
+    fmb_generators *g = NULL;
+    app_ask_parse(&ask, &usage, NULL, argc, argv);
+    int code = app_session_open(&s, &ask);
+    if (code == 0) {
+        app_integers_note(&s);
+        app_session_begin(&s);
+        fmb_status st = fmb_generate(s.solver, s.system, &g, &s.result);
+        code = app_session_end(&s, st);
+    }
+    if (code == 0)
+        code = report(&s, g);
+    fmb_generators_free(g);
+    return app_session_close(&s, code);
+}

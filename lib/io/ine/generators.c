@@ -1,0 +1,154 @@
+/* generators.c: V-representations of cddlib and lrslib: (1, x) is a vertex, (0, x) a ray, and a row
+ * of the linearity line a line. Read as rows -x.y <= 1 or 0, and turned into what they stand for.
+ */
+#include <errno.h>
+
+#include <fmb/gmp.h>
+
+#include "io/core/stream.h"
+#include "io/ine/ine.h"
+#include "num/rationals.h"
+
+/* ---- reading --------------------------------------------------------------------------------- */
+
+static fmb_status add_generator_of_row(fmb_cursor *c, const fmb_system *s, size_t i, mpq_t *x,
+                                       fmb_generators *g)
+{
+    mpq_t t;
+    for (int j = 0; j < fmb_system_dim(s); j++)
+        mpq_set_ui(x[j], 0, 1);
+    mpq_init(t);
+    for (size_t k = 0; k < fmb_system_terms(s, i); k++) {
+        int j = fmb_system_term_q(s, i, k, t);
+        mpq_neg(x[j], t);
+    }
+    fmb_system_rhs_q(s, i, t);
+    bool vertex = mpq_cmp_ui(t, 1, 1) == 0, ray = mpq_sgn(t) == 0;
+    mpq_clear(t);
+    bool line = fmb_system_rel(s, i) == FMB_EQ;
+    if (line ? !ray : !vertex && !ray)
+        return fmb_io_fail(c, NULL, "expected %s at the start of row %zu",
+                           line ? "0, as it is a line," : "1 for a vertex or 0 for a ray", i + 1);
+    return fmb_generators_add_q(g, line ? FMB_LINE : ray ? FMB_RAY : FMB_VERTEX, x);
+}
+
+static fmb_status turn_rows_to_generators(fmb_cursor *c, const fmb_system *s, fmb_generators *g)
+{
+    mpq_t *x;
+    size_t dim = (size_t)fmb_system_dim(s);
+    fmb_status st = fmb_rationals_new(&x, dim, c->mem);
+    if (st != FMB_OK)
+        return st;
+    for (size_t i = 0; st == FMB_OK && i < fmb_system_rows(s); i++)
+        st = add_generator_of_row(c, s, i, x, g);
+    fmb_rationals_free(x, dim, c->mem);
+    return st;
+}
+
+static fmb_status parse_generators(fmb_cursor *c, const fmb_alloc *hook, fmb_generators **out)
+{
+    fmb_system *s = NULL;
+    fmb_generators *g = NULL;
+    fmb_status st = fmb_io_check(c);
+    if (st == FMB_OK)
+        st = fmb_system_new(0, hook, &s);
+    if (st == FMB_OK)
+        st = fmb_ine_read(&(fmb_ine){.c = c, .s = s, .generators = true});
+    if (st == FMB_OK)
+        st = fmb_generators_new(fmb_system_dim(s), hook, &g);
+    if (st == FMB_OK)
+        st = turn_rows_to_generators(c, s, g);
+    fmb_system_free(s);
+    if (st == FMB_OK)
+        *out = g;
+    else
+        fmb_generators_free(g);
+    return st;
+}
+
+fmb_status fmb_generators_parse(const char *text, size_t size, const fmb_reader *how,
+                                fmb_generators **out, fmb_where *where)
+{
+    static const fmb_reader plain = {.format = FMB_FORMAT_AUTO};
+    fmb_where at = {0};
+    fmb_mem mem;
+    if (!out || (!text && size > 0))
+        return fmb_io_refuse_argument(where, out ? "text is NULL" : "out is NULL");
+    how = how ? how : &plain;
+    fmb_mem_init(&mem, how->mem, 0);
+    fmb_cursor c = fmb_io_cursor(text ? text : "", size, how, &mem, &at);
+    fmb_status st = size > fmb_io_max_bytes(how) ? fmb_io_fail_too_long(&c, NULL)
+                                                 : parse_generators(&c, how->mem, out);
+    if (st == FMB_ERR_PARSE && where)
+        *where = at;
+    return st;
+}
+
+fmb_status fmb_generators_read(FILE *in, const fmb_reader *how, fmb_generators **out,
+                               fmb_where *where)
+{
+    fmb_mem mem;
+    fmb_bytes b = {0};
+    if (!out || !in)
+        return fmb_io_refuse_argument(where, out ? "in is NULL" : "out is NULL");
+    fmb_mem_init(&mem, how ? how->mem : NULL, 0);
+    fmb_status st = fmb_read_whole_stream(in, fmb_io_max_bytes(how), &b, &mem);
+    int cause = errno;
+    if (st == FMB_OK)
+        st = fmb_generators_parse(b.p, b.size, how, out, where);
+    fmb_mem_put(&mem, b.p, b.capacity, 1);
+    if (st == FMB_ERR_IO)
+        errno = cause;
+    return st;
+}
+
+/* ---- writing --------------------------------------------------------------------------------- */
+
+static void write_linearity_line(const fmb_generators *g, FILE *out)
+{
+    size_t lines = 0;
+    for (size_t i = 0; i < fmb_generators_size(g); i++)
+        lines += fmb_generators_kind(g, i) == FMB_LINE;
+    if (lines == 0)
+        return;
+    fprintf(out, "linearity %zu", lines);
+    for (size_t i = 0; i < fmb_generators_size(g); i++)
+        if (fmb_generators_kind(g, i) == FMB_LINE)
+            fprintf(out, " %zu", i + 1);
+    fputc('\n', out);
+}
+
+static bool are_all_coordinates_integer(const fmb_generators *g, mpq_t q)
+{
+    for (size_t i = 0; i < fmb_generators_size(g); i++)
+        for (int j = 0; j < fmb_generators_dim(g); j++) {
+            fmb_generators_get_q(g, i, j, q);
+            if (mpz_cmp_ui(mpq_denref(q), 1) != 0)
+                return false;
+        }
+    return true;
+}
+
+fmb_status fmb_generators_write(const fmb_generators *g, FILE *out)
+{
+    mpq_t q;
+    if (!g || !out)
+        return FMB_ERR_ARG;
+    mpq_init(q);
+    fputs("V-representation\n", out);
+    write_linearity_line(g, out);
+    fprintf(out, "begin\n%zu %d %s\n", fmb_generators_size(g), fmb_generators_dim(g) + 1,
+            are_all_coordinates_integer(g, q) ? "integer" : "rational");
+    for (size_t i = 0; i < fmb_generators_size(g); i++) {
+        fputc(fmb_generators_kind(g, i) == FMB_VERTEX ? '1' : '0', out);
+        for (int j = 0; j < fmb_generators_dim(g); j++) {
+            fmb_generators_get_q(g, i, j, q);
+            fputc(' ', out);
+            fmb_print_q(out, q);
+        }
+        fputc('\n', out);
+    }
+    fputs("end\n", out);
+    mpq_clear(q);
+    return fflush(out) != 0 || ferror(out) ? FMB_ERR_IO : FMB_OK;
+}
