@@ -24,7 +24,8 @@ enum {
     KEY_CSV,
     KEY_FORMAT,
     KEY_BYTES,
-    KEY_MAX_INPUT
+    KEY_MAX_INPUT,
+    KEY_THREADS
 };
 
 static const struct argp_option options[] = {
@@ -45,6 +46,7 @@ static const struct argp_option options[] = {
      "What the files are (default: by name, else by content)", 1},
     {"max-bytes", KEY_BYTES, "BYTES", 0,
      "Limit of memory of what meets; 0 is none (default half of the memory)", 1},
+    {"threads", KEY_THREADS, "N", 0, "Threads, at most 64 (default 1)", 1},
     {"max-input", KEY_MAX_INPUT, "BYTES", 0, "Refuse a longer file (default 1073741824)", 1},
     {"json", 'j', NULL, 0, "Print one JSON object instead of text", 2},
     {"csv", KEY_CSV, NULL, 0, "Print comma-separated values instead of text", 2},
@@ -141,6 +143,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case KEY_BYTES:
         ask->max_bytes = app_value_whole("--max-bytes", arg, 0, SIZE_MAX, state);
         return 0;
+    case KEY_THREADS:
+        ask->threads = app_value_whole("--threads", arg, 1, 64, state);
+        return 0;
     case KEY_MAX_INPUT:
         ask->max_input = app_value_whole("--max-input", arg, 1, SIZE_MAX, state);
         return 0;
@@ -196,6 +201,7 @@ static int meet(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b)
     fmb_mesh_options how = {.neighbours = ask->neighbours,
                             .motion = ask->moves ? ask->motion : NULL,
                             .max_bytes = ask->max_bytes,
+                            .threads = ask->threads,
                             .progress = show_progress,
                             .self = &bar};
     fmb_mesh_answer answer = {0};

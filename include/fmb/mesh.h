@@ -87,8 +87,8 @@ FMB_API FMB_CHECKED fmb_status fmb_mesh_parse(const char *text, size_t size, fmb
                                               const fmb_reader *how, fmb_mesh **out,
                                               fmb_where *where);
 
-/* [give] Read TetGen's two files, points and tetrahedra. Errors: as above, and *in_cells (may be NULL)
- * says whether a mistake is in the second one. */
+/* [give] Read TetGen's two files, points and tetrahedra. Errors: as above, and *in_cells (may be
+ * NULL) says whether a mistake is in the second one. */
 FMB_API FMB_CHECKED fmb_status fmb_mesh_read_tetgen(FILE *points, FILE *cells,
                                                     const fmb_reader *how, fmb_mesh **out,
                                                     fmb_where *where, bool *in_cells);
@@ -122,8 +122,11 @@ typedef struct fmb_mesh_options {
     const double *motion; /* [3] or NULL: the second mesh moves by so much while t goes from 0 to 1
                              [world length units] */
     size_t max_bytes;     /* of the hits [bytes]; 0 = no limit */
+    size_t threads; /* at most 64; 0 or 1: the caller's alone. mem must then be safe for threads.
+                       Answers are the same for any number, but for those at a limit */
     const fmb_alloc *mem; /* NULL: malloc */
-    /* Told now and then how much is done, 0 to 1; false: stop. May be NULL. */
+    /* Told now and then how much is done, 0 to 1, by the caller's thread; false: stop. May be NULL.
+     */
     bool (*progress)(void *self, double done);
     void *self;
 } fmb_mesh_options;

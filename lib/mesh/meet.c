@@ -1,166 +1,12 @@
-/* meet.c: which cells of two meshes meet: two trees side by side, then pair by pair.
- *
- * A box that moves sweeps the box around its first and its last place, rounded outward.
- */
+/* meet.c: which cells of two meshes meet, by one thread or several, in order. */
 #include <math.h>
 #include <string.h>
 
-#include "mesh/frames.h"
+#include "mesh/walk.h"
 
-typedef struct meeting {
-    const fmb_mesh *a, *b;         /* the same one for self-intersections */
-    const uint32_t *ids_a, *ids_b; /* equal numbers for equal points, across both */
-    const fmb_mesh_options *o;
-    fmb_mem *mem;
-    fmb_mesh_frames frames;
-    fmb_mesh_answer *out;
-    double done;      /* of the pairs of cells, roughly */
-    unsigned unheard; /* leaves since the last progress */
-} meeting;
-
-/* ---- boxes ----------------------------------------------------------------------------------- */
-
-static fmb_mesh_box sweep_box(const fmb_mesh_box *b, const double *motion)
-{
-    fmb_mesh_box s = *b;
-    for (int j = 0; motion && j < 3; j++) {
-        double *end = motion[j] < 0 ? &s.lower[j] : &s.upper[j];
-        if (motion[j] != 0)
-            *end = nextafter(*end + motion[j], motion[j] < 0 ? -INFINITY : INFINITY);
-    }
-    return s;
-}
-
-static bool do_boxes_meet(const fmb_mesh_box *p, const fmb_mesh_box *q)
-{
-    return p->lower[0] <= q->upper[0] && q->lower[0] <= p->upper[0] && p->lower[1] <= q->upper[1] &&
-           q->lower[1] <= p->upper[1] && p->lower[2] <= q->upper[2] && q->lower[2] <= p->upper[2];
-}
-
-static fmb_mesh_box box_of_cell(const fmb_cell *c)
-{
-    fmb_mesh_box b;
-    for (int j = 0; j < 3; j++) {
-        b.lower[j] = b.upper[j] = c->point[0][j];
-        for (int k = 1; k < c->corners; k++) {
-            double x = c->point[k][j];
-            b.lower[j] = x < b.lower[j] ? x : b.lower[j];
-            b.upper[j] = x > b.upper[j] ? x : b.upper[j];
-        }
-    }
-    return b;
-}
-
-/* ---- pairs of cells -------------------------------------------------------------------------- */
-
-static fmb_status decide_cells(meeting *x, const fmb_cell *a, const fmb_cell *b, unsigned trouble,
-                               int shared, fmb_mesh_how *how)
-{
-    bool alike = a->corners == b->corners && !trouble && !x->o->motion;
-    *how = FMB_MESH_TOUCH;
-    if (alike && a->corners == 3)
-        *how = fmb_decide_triangles(a, b, shared);
-    else if (alike)
-        *how = fmb_decide_tetrahedra(a, b, shared);
-    if (alike && (a->corners == 3 || shared == 0 || *how != FMB_MESH_TOUCH))
-        return FMB_OK;
-    x->out->framed++;
-    return fmb_mesh_decide_frames(&x->frames, a, b, trouble >> 4 != 0, shared, how);
-}
-
-static fmb_status append_hit(meeting *x, fmb_mesh_hit hit)
-{
-    fmb_mesh_answer *out = x->out;
-    fmb_status st = fmb_mem_reserve(x->mem, (void **)&out->hit, &out->capacity, out->hits + 1,
-                                    sizeof *out->hit);
-    if (st == FMB_OK)
-        out->hit[out->hits++] = hit;
-    return st;
-}
-
-static fmb_status look_at_cells_of_leaves(meeting *x, const fmb_cell *a, uint32_t i,
-                                          const fmb_cell *b, uint32_t j)
-{
-    fmb_mesh_how how;
-    int shared = fmb_cells_count_shared(a, b);
-    x->out->tested++;
-    unsigned trouble = x->a->trouble[i] | (unsigned)x->b->trouble[j] << 4;
-    fmb_status st = decide_cells(x, a, b, trouble, shared, &how);
-    bool wanted = how != FMB_MESH_APART && (how != FMB_MESH_SHARE || x->o->neighbours);
-    return st == FMB_OK && wanted ? append_hit(x, (fmb_mesh_hit){i, j, shared, how}) : st;
-}
-
-/* ---- trees ----------------------------------------------------------------------------------- */
-
-enum { LEAVES_BETWEEN_SIGNS = 256 };
-
-/* So much more is done. FMB_LIMIT: stop. */
-static fmb_status tell_progress(meeting *x, double weight)
-{
-    x->done += weight;
-    if (!x->o->progress || ++x->unheard < LEAVES_BETWEEN_SIGNS)
-        return FMB_OK;
-    x->unheard = 0;
-    if (x->o->progress(x->o->self, x->done < 1 ? x->done : 1))
-        return FMB_OK;
-    x->out->stop = FMB_STOP_CANCELLED;
-    return FMB_LIMIT;
-}
-
-/* Of one node with itself: each pair once, the smaller number first. */
-static fmb_status meet_leaves(meeting *x, const fmb_mesh_node *p, const fmb_mesh_node *q)
-{
-    fmb_status st = FMB_OK;
-    for (uint32_t i = p->from; st == FMB_OK && i < p->to; i++) {
-        uint32_t c = x->a->order[i];
-        fmb_cell a = fmb_mesh_cell_of(x->a, x->ids_a, c);
-        fmb_mesh_box box_a = box_of_cell(&a);
-        for (uint32_t j = p == q ? i + 1 : q->from; st == FMB_OK && j < q->to; j++) {
-            uint32_t d = x->b->order[j];
-            fmb_cell b = fmb_mesh_cell_of(x->b, x->ids_b, d);
-            fmb_mesh_box box_b = box_of_cell(&b);
-            box_b = sweep_box(&box_b, x->o->motion);
-            bool swap = x->a == x->b && d < c;
-            if (do_boxes_meet(&box_a, &box_b))
-                st = swap ? look_at_cells_of_leaves(x, &b, d, &a, c)
-                          : look_at_cells_of_leaves(x, &a, c, &b, d);
-        }
-    }
-    return st;
-}
-
-/* The larger node of both gives way to its children. */
-static fmb_status meet_nodes(meeting *x, const fmb_mesh_node *p, const fmb_mesh_node *q,
-                             double weight)
-{
-    fmb_mesh_box swept = sweep_box(&q->box, x->o->motion);
-    fmb_status st = FMB_OK;
-    if (!do_boxes_meet(&p->box, &swept))
-        return tell_progress(x, weight);
-    if (!p->left && !q->left) {
-        st = meet_leaves(x, p, q);
-        return st == FMB_OK ? tell_progress(x, weight) : st;
-    }
-    bool split_p = p->left && (!q->left || p->to - p->from >= q->to - q->from);
-    for (uint32_t i = 0; st == FMB_OK && i < 2; i++)
-        st = split_p ? meet_nodes(x, &x->a->node[p->left + i], q, weight / 2)
-                     : meet_nodes(x, p, &x->b->node[q->left + i], weight / 2);
-    return st;
-}
-
-/* All pairs within one node of the only mesh. */
-static fmb_status meet_within_node(meeting *x, const fmb_mesh_node *p, double weight)
-{
-    if (!p->left) {
-        fmb_status st = meet_leaves(x, p, p);
-        return st == FMB_OK ? tell_progress(x, weight) : st;
-    }
-    const fmb_mesh_node *child = &x->a->node[p->left];
-    fmb_status st = meet_within_node(x, &child[0], weight / 4);
-    if (st == FMB_OK)
-        st = meet_within_node(x, &child[1], weight / 4);
-    return st == FMB_OK ? meet_nodes(x, &child[0], &child[1], weight / 2) : st;
-}
+#ifdef _OPENMP
+#include <omp.h>
+#endif
 
 /* ---- the order of hits ----------------------------------------------------------------------- */
 
@@ -182,12 +28,11 @@ static void sort_hits_by(bool by_a, const fmb_mesh_hit *from, size_t n, size_t *
         to[start[key_of_hit(&from[i], by_a)]++] = from[i];
 }
 
-static fmb_status sort_hits(meeting *x)
+static fmb_status sort_hits(const fmb_walk_plan *plan, fmb_mesh_answer *out)
 {
-    fmb_mesh_answer *out = x->out;
-    size_t keys = x->a->cells > x->b->cells ? x->a->cells : x->b->cells;
+    size_t keys = plan->a->cells > plan->b->cells ? plan->a->cells : plan->b->cells;
     fmb_mem mem;
-    fmb_mem_init(&mem, &x->mem->alloc, 0);
+    fmb_mem_init(&mem, &out->mem, 0);
     fmb_mesh_hit *other = fmb_mem_get(&mem, out->hits, sizeof *other);
     size_t *start = fmb_mem_get(&mem, keys + 1, sizeof *start);
     fmb_status st = other && start ? FMB_OK : fmb_mem_status(&mem);
@@ -200,6 +45,115 @@ static fmb_status sort_hits(meeting *x)
     return st;
 }
 
+/* ---- threads --------------------------------------------------------------------------------- */
+
+enum { MOST_THREADS = 64 };
+
+static void walk_part(fmb_walk *x, const fmb_walk_part *part)
+{
+    if (x->st != FMB_OK)
+        return;
+    x->st = fmb_walk_part_of_trees(x, part);
+    if (x->st != FMB_OK)
+        atomic_store(&x->plan->stopped, 1);
+}
+
+static void walk_all_parts(fmb_walk_plan *plan, fmb_walk *walk, int threads)
+{
+    fmb_walk_part part[FMB_WALK_MOST_PARTS];
+    int parts = fmb_walk_parts(plan, part);
+    (void)threads;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+#endif
+    for (int k = 0; k < parts; k++) {
+#ifdef _OPENMP
+        int thread = omp_get_thread_num();
+#else
+        int thread = 0;
+#endif
+        walk_part(&walk[thread], &part[k]);
+    }
+}
+
+/* All hits go to the first one's. */
+static fmb_status join_walks(const fmb_walk_plan *plan, fmb_walk *walk, int threads)
+{
+    fmb_mesh_answer *out = &walk[0].out;
+    fmb_status st = FMB_OK;
+    bool limited = false;
+    for (int t = 0; st == FMB_OK && t < threads; t++) {
+        limited |= walk[t].st == FMB_LIMIT;
+        st = walk[t].st == FMB_LIMIT ? FMB_OK : walk[t].st;
+    }
+    walk[0].mem.limit = 0;
+    for (int t = 1; st == FMB_OK && t < threads; t++) {
+        const fmb_mesh_answer *more = &walk[t].out;
+        st = fmb_mem_reserve(&walk[0].mem, (void **)&out->hit, &out->capacity,
+                             out->hits + more->hits, sizeof *out->hit);
+        if (st == FMB_OK && more->hits > 0)
+            memcpy(out->hit + out->hits, more->hit, more->hits * sizeof *out->hit);
+        out->hits += st == FMB_OK ? more->hits : 0;
+        out->tested += more->tested;
+        out->framed += more->framed;
+    }
+    out->stop = !limited ? FMB_STOP_DONE : plan->cancelled ? FMB_STOP_CANCELLED : FMB_STOP_BYTES;
+    return st == FMB_OK ? sort_hits(plan, out) : st;
+}
+
+static fmb_status open_walks(fmb_walk_plan *plan, fmb_walk *walk, int threads)
+{
+    fmb_status st = FMB_OK;
+    for (int t = 0; st == FMB_OK && t < threads; t++) {
+        walk[t].plan = plan;
+        walk[t].tells = t == 0;
+        fmb_mem_init(&walk[t].mem, plan->o->mem, plan->o->max_bytes / (size_t)threads);
+        if (plan->o->max_bytes > 0 && walk[t].mem.limit == 0)
+            walk[t].mem.limit = 1;
+        walk[t].out.mem = walk[t].mem.alloc;
+        st = fmb_mesh_frames_open(&walk[t].frames, plan->o->mem, plan->o->motion);
+    }
+    return st;
+}
+
+static void close_walks(fmb_walk *walk, int threads)
+{
+    for (int t = 0; t < threads; t++) {
+        fmb_mesh_frames_close(&walk[t].frames);
+        fmb_mesh_answer_clear(&walk[t].out);
+    }
+}
+
+static int count_threads(const fmb_mesh_options *o)
+{
+#ifdef _OPENMP
+    return o->threads < 1 ? 1 : o->threads > MOST_THREADS ? MOST_THREADS : (int)o->threads;
+#else
+    (void)o;
+    return 1;
+#endif
+}
+
+static fmb_status meet_by_threads(fmb_walk_plan *plan, fmb_mem *mem, fmb_mesh_answer *out)
+{
+    int threads = count_threads(plan->o);
+    fmb_walk *walk = fmb_mem_zero(mem, (size_t)threads, sizeof *walk);
+    if (!walk)
+        return fmb_mem_status(mem);
+    fmb_status st = open_walks(plan, walk, threads);
+    if (st == FMB_OK && plan->a->cells > 0 && plan->b->cells > 0)
+        walk_all_parts(plan, walk, threads);
+    if (st == FMB_OK)
+        st = join_walks(plan, walk, threads);
+    if (st == FMB_OK) {
+        *out = walk[0].out;
+        walk[0].out = (fmb_mesh_answer){0};
+    }
+    close_walks(walk, threads);
+    fmb_mem_put(mem, walk, (size_t)threads, sizeof *walk);
+    return st;
+}
+
 /* ---- the query ------------------------------------------------------------------------------- */
 
 static bool is_good_motion(const double *motion)
@@ -207,33 +161,23 @@ static bool is_good_motion(const double *motion)
     return !motion || (isfinite(motion[0]) && isfinite(motion[1]) && isfinite(motion[2]));
 }
 
-static fmb_status meet_meshes(meeting *x)
-{
-    fmb_status st = FMB_OK;
-    if (x->a->cells > 0 && x->b->cells > 0)
-        st = x->a == x->b ? meet_within_node(x, x->a->node, 1)
-                          : meet_nodes(x, x->a->node, x->b->node, 1);
-    if (st == FMB_LIMIT && x->out->stop == FMB_STOP_DONE)
-        x->out->stop = FMB_STOP_BYTES;
-    return st == FMB_OK || st == FMB_LIMIT ? sort_hits(x) : st;
-}
-
 /* Numbers of b's points, as a knows them. */
-static fmb_status meet_with_ids(meeting *x, fmb_mem *mem)
+static fmb_status meet_with_ids(fmb_walk_plan *plan, fmb_mem *mem, fmb_mesh_answer *out)
 {
+    const fmb_mesh *a = plan->a, *b = plan->b;
     uint32_t *ids = NULL;
     fmb_status st = FMB_OK;
-    x->ids_a = x->ids_b = x->a->same;
-    if (x->a != x->b) {
-        if (x->a->vertices + x->b->vertices > FMB_MESH_MOST)
+    plan->ids_a = plan->ids_b = a->same;
+    if (a != b) {
+        if (a->vertices + b->vertices > FMB_MESH_MOST)
             return FMB_ERR_ARG;
-        ids = fmb_mem_get(mem, x->b->vertices, sizeof *ids);
-        st = ids ? fmb_mesh_find_same(x->b, x->a, mem, ids) : fmb_mem_status(mem);
-        x->ids_b = ids;
+        ids = fmb_mem_get(mem, b->vertices, sizeof *ids);
+        st = ids ? fmb_mesh_find_same(b, a, mem, ids) : fmb_mem_status(mem);
+        plan->ids_b = ids;
     }
     if (st == FMB_OK)
-        st = meet_meshes(x);
-    fmb_mem_put(mem, ids, x->b->vertices, sizeof *ids);
+        st = meet_by_threads(plan, mem, out);
+    fmb_mem_put(mem, ids, b->vertices, sizeof *ids);
     return st;
 }
 
@@ -241,24 +185,13 @@ fmb_status fmb_mesh_meet(const fmb_mesh *a, const fmb_mesh *b, const fmb_mesh_op
                          fmb_mesh_answer *out)
 {
     static const fmb_mesh_options usual = {0};
-    fmb_mesh_answer answer = {0};
-    fmb_mem hits, work;
+    fmb_mem mem;
     o = o ? o : &usual;
     if (!a || !out || !is_good_motion(o->motion) || ((!b || b == a) && o->motion))
         return FMB_ERR_ARG;
-    fmb_mem_init(&hits, o->mem, o->max_bytes);
-    fmb_mem_init(&work, o->mem, 0);
-    answer.mem = hits.alloc;
-    meeting x = {.a = a, .b = b ? b : a, .o = o, .mem = &hits, .out = &answer};
-    fmb_status st = fmb_mesh_frames_open(&x.frames, o->mem, o->motion);
-    if (st == FMB_OK)
-        st = meet_with_ids(&x, &work);
-    fmb_mesh_frames_close(&x.frames);
-    if (st == FMB_OK)
-        *out = answer;
-    else
-        fmb_mesh_answer_clear(&answer);
-    return st;
+    fmb_mem_init(&mem, o->mem, 0);
+    fmb_walk_plan plan = {.a = a, .b = b ? b : a, .o = o};
+    return meet_with_ids(&plan, &mem, out);
 }
 
 void fmb_mesh_answer_clear(fmb_mesh_answer *a)

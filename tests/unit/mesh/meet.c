@@ -229,6 +229,31 @@ Test(meet, arguments)
     fmb_mesh_free(m);
 }
 
+/* The same from any number of threads. */
+Test(meet, threads)
+{
+    support_rng g = {11};
+    soup s, t;
+    draw_soup(&g, 3, CELLS, &s);
+    draw_soup(&g, 4, CELLS, &t);
+    fmb_mesh *m = mesh_of(&s), *n = mesh_of(&t);
+    for (int both = 0; both < 2; both++) {
+        fmb_mesh_answer one = {0}, many = {0};
+        must(fmb_mesh_meet(m, both ? n : NULL, &(fmb_mesh_options){.neighbours = true}, &one));
+        must(fmb_mesh_meet(m, both ? n : NULL,
+                           &(fmb_mesh_options){.neighbours = true, .threads = 3}, &many));
+        cr_assert(one.hits == many.hits && one.hits > 100);
+        cr_expect(one.tested == many.tested && one.framed == many.framed);
+        for (size_t i = 0; i < one.hits; i++)
+            cr_expect(one.hit[i].a == many.hit[i].a && one.hit[i].b == many.hit[i].b &&
+                      one.hit[i].how == many.hit[i].how && one.hit[i].shared == many.hit[i].shared);
+        fmb_mesh_answer_clear(&one);
+        fmb_mesh_answer_clear(&many);
+    }
+    fmb_mesh_free(m);
+    fmb_mesh_free(n);
+}
+
 /* Read, place and ask, with flat cells among them. */
 static fmb_status do_all(const char *text, const fmb_alloc *mem)
 {

@@ -1,0 +1,47 @@
+/* walk.h: two trees side by side, or one with itself, down to pairs of cells. */
+#ifndef FMB_MESH_WALK_H
+#define FMB_MESH_WALK_H
+
+#include <stdatomic.h>
+
+#include "mesh/frames.h"
+
+/* What all threads share. */
+typedef struct fmb_walk_plan {
+    const fmb_mesh *a, *b;         /* the same one for self-intersections */
+    const uint32_t *ids_a, *ids_b; /* equal numbers for equal points, across both */
+    const fmb_mesh_options *o;
+    atomic_int stopped;    /* by the caller, or since a thread failed */
+    bool cancelled;        /* the former */
+    _Atomic uint64_t done; /* of the pairs of cells, roughly [1 / FMB_WALK_UNITS] */
+} fmb_walk_plan;
+
+#define FMB_WALK_UNITS 0x1p50
+
+/* One thread's way through some pairs of nodes. */
+typedef struct fmb_walk {
+    fmb_walk_plan *plan;
+    fmb_mem mem; /* of the hits */
+    fmb_mesh_frames frames;
+    fmb_mesh_answer out;
+    bool tells;       /* this thread tells progress */
+    unsigned unheard; /* leaves since what is done was shared; */
+    double weight;    /* theirs */
+    fmb_status st;
+} fmb_walk;
+
+/* A pair of nodes, q that of b; p == q: all pairs within it. */
+typedef struct fmb_walk_part {
+    const fmb_mesh_node *p, *q;
+    double weight; /* of all pairs of cells, roughly */
+} fmb_walk_part;
+
+enum { FMB_WALK_MOST_PARTS = 256 };
+
+/* All pairs, in at most so many parts; their number. */
+int fmb_walk_parts(const fmb_walk_plan *plan, fmb_walk_part out[FMB_WALK_MOST_PARTS]);
+
+/* Append hits to x->out. Errors: MEMORY, LIMIT (of x->mem; or stopped). */
+fmb_status fmb_walk_part_of_trees(fmb_walk *x, const fmb_walk_part *part);
+
+#endif
