@@ -235,7 +235,7 @@ Test(meet, threads)
     support_rng g = {11};
     soup s, t;
     draw_soup(&g, 3, CELLS, &s);
-    draw_soup(&g, 4, CELLS, &t);
+    draw_soup(&g, 4, 30, &t);
     fmb_mesh *m = mesh_of(&s), *n = mesh_of(&t);
     for (int both = 0; both < 2; both++) {
         fmb_mesh_answer one = {0}, many = {0};
