@@ -168,10 +168,17 @@ static void put_pair(batch *b, const fmb_frames_line *line)
     b->place[b->pairs++] = b->lines;
 }
 
+/* Frames of doubles, as far as there is room for their numbers. */
+static bool is_for_batch(const batch *b, const fmb_frames_line *line)
+{
+    return line->are_doubles && b->x->ask->boxes != BOXES_EXACT &&
+           line->frame[0].naxes <= line->dim && line->frame[1].naxes <= line->dim;
+}
+
 fmb_status batch_put(batch *b, const fmb_frames_line *line)
 {
     fmb_status st = FMB_OK;
-    bool fast = line->are_doubles && b->x->ask->boxes != BOXES_EXACT;
+    bool fast = is_for_batch(b, line);
     if (fast && line->dim != b->dim) {
         st = batch_flush(b);
         if (st == FMB_OK)

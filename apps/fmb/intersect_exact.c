@@ -23,6 +23,7 @@ static void list_variables(const fmb_frames_line *line, const fmb_system *s, mee
     bool first = !line->body[0].rows;
     m->dim = line->dim;
     m->inside = line->body[1].rows ? 0 : line->body[1].frame.naxes;
+    m->inside = m->inside > m->dim ? 0 : m->inside; /* of a hull they are not unique */
     m->moves = line->body[0].frame.speed || line->body[1].frame.speed;
     for (; n < m->dim; n++)
         var[n] = n;

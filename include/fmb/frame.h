@@ -19,7 +19,8 @@ typedef enum fmb_shape {
      * axes_i - origin, exactly. That difference of two doubles need be none, and neighbours whose
      * edges are rounded may come apart where they share a corner; by corners they meet. */
     FMB_CUBOID_BY_CORNERS,
-    FMB_SIMPLEX_BY_CORNERS
+    FMB_SIMPLEX_BY_CORNERS /* may have any number of corners: it is their convex hull, though its
+                              coordinates c are then not unique */
 } fmb_shape;
 
 /* dim of a frame: one of more is refused before anything is read. */
@@ -29,7 +30,8 @@ enum { FMB_FRAME_MOST_DIM = 1000000 };
  * points; a flat frame is legal. Arrays are borrowed. World length units; speed per unit of t. */
 typedef struct fmb_frame {
     fmb_shape shape;
-    int dim, naxes;       /* 0 <= naxes <= dim <= FMB_FRAME_MOST_DIM */
+    int dim, naxes;       /* 0 <= naxes <= dim <= FMB_FRAME_MOST_DIM (SIMPLEX_BY_CORNERS: naxes <=
+                             FMB_FRAME_MOST_DIM) */
     const double *origin; /* [dim] */
     const double *axes;   /* [naxes][dim], row i is edge i, or the corner at its end */
     const double *speed;  /* [dim], or NULL: static */

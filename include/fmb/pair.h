@@ -45,7 +45,7 @@ typedef struct fmb_pair_answers {
     fmb_verdict *verdict; /* [n] FEASIBLE: they meet */
     double *world;        /* [n][dim][2] the common points, tightly */
     double *inside;  /* [n][dim][2] their coordinates c in the second frame; rows from its naxes
-                        on are not written */
+                        on are not written, and none is where naxes > dim */
     double *time;    /* [n][2] when they meet; 0, 1 if nothing moves */
     double *witness; /* [n][dim] a common point */
 } fmb_pair_answers;

@@ -17,10 +17,15 @@ static size_t find_infinite(const double *a, size_t n)
     return i;
 }
 
+static int most_axes_of_shape(fmb_shape shape, int dim)
+{
+    return shape == FMB_SIMPLEX_BY_CORNERS ? FMB_FRAME_MOST_DIM : dim;
+}
+
 static bool is_outline_possible(fmb_shape shape, int naxes, int dim)
 {
-    return dim >= 0 && dim <= FMB_FRAME_MOST_DIM && naxes >= 0 && naxes <= dim &&
-           (unsigned)shape <= FMB_SIMPLEX_BY_CORNERS;
+    return dim >= 0 && dim <= FMB_FRAME_MOST_DIM && naxes >= 0 &&
+           naxes <= most_axes_of_shape(shape, dim) && (unsigned)shape <= FMB_SIMPLEX_BY_CORNERS;
 }
 
 /* The arrays of a frame: [rows][dim] each. */
@@ -50,8 +55,9 @@ static bool describe_outline(const fmb_frame *f, int dim, char *text, size_t siz
         snprintf(text, size, "dim is %d, not %d", f->dim, dim);
     else if (dim < 0 || dim > FMB_FRAME_MOST_DIM)
         snprintf(text, size, "dim is %d, not 0 to %d", dim, (int)FMB_FRAME_MOST_DIM);
-    else if (f->naxes < 0 || f->naxes > dim)
-        snprintf(text, size, "naxes is %d, not 0 to %d", f->naxes, dim);
+    else if (f->naxes < 0 || f->naxes > most_axes_of_shape(f->shape, dim))
+        snprintf(text, size, "naxes is %d, not 0 to %d", f->naxes,
+                 most_axes_of_shape(f->shape, dim));
     else if ((unsigned)f->shape > FMB_SIMPLEX_BY_CORNERS)
         snprintf(text, size, "shape is %d, which is none", (int)f->shape);
     else

@@ -14,7 +14,7 @@ bool fmb_edges_of_frame(const fmb_frame *f, fmb_edges *out)
     out->frame = *f;
     if (!fmb_frame_is_by_corners(f->shape))
         return true;
-    if (f->dim > FMB_EDGES_MOST_DIM)
+    if (f->dim > FMB_EDGES_MOST_DIM || f->naxes > f->dim)
         return false;
     bool exact = true;
     for (int i = 0; i < f->naxes * f->dim; i++) {

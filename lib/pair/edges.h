@@ -4,7 +4,7 @@
 
 #include "frame/frame.h"
 
-/* Frames by corners in more dimensions are asked exactly. */
+/* Frames by corners in more dimensions are asked exactly, and so are those with more axes. */
 enum { FMB_EDGES_MOST_DIM = 3 };
 
 /* Stands where it was made: frame may point into it. */

@@ -63,6 +63,12 @@ static void write_interval(const fmb_box *box, int i, double *out)
     out[1] = fmb_box_end(box, i, FMB_UPPER).value;
 }
 
+/* The coordinates in a hull are not unique, and more than there is room for. */
+static bool asks_inside(const fmb_frame *q, const fmb_pair_answers *out)
+{
+    return out->inside && q->naxes <= q->dim;
+}
+
 /* The variables of the system are x, c of p, c of q, t; those that are asked for, in this order.
  * Their number. */
 static int list_variables_asked(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out,
@@ -71,7 +77,7 @@ static int list_variables_asked(const fmb_frame *p, const fmb_frame *q, const fm
     int dim = p->dim, from = dim + p->naxes, n = 0;
     for (int j = 0; out->world && j < dim; j++)
         vars[n++] = j;
-    for (int j = 0; out->inside && j < q->naxes; j++)
+    for (int j = 0; asks_inside(q, out) && j < q->naxes; j++)
         vars[n++] = from + j;
     if (out->time && (p->speed || q->speed))
         vars[n++] = from + q->naxes;
@@ -84,7 +90,7 @@ static void write_box_asked(const fmb_box *box, const fmb_frame *p, const fmb_fr
     int i = 0;
     for (int j = 0; out->world && j < p->dim; j++)
         write_interval(box, i++, out->world + 2 * j);
-    for (int j = 0; out->inside && j < q->naxes; j++)
+    for (int j = 0; asks_inside(q, out) && j < q->naxes; j++)
         write_interval(box, i++, out->inside + 2 * j);
     if (out->time && (p->speed || q->speed)) {
         write_interval(box, i, out->time);

@@ -72,7 +72,7 @@ static fmb_status read_polytope_rows(void *reader, fmb_cursor *c)
 
 static fmb_status read_body_type(void *reader, fmb_cursor *c)
 {
-    static const char what[] = "\"cuboid\", \"simplex\", \"tetrahedron\" or \"polytope\"";
+    static const char what[] = "\"cuboid\", \"simplex\", \"tetrahedron\", \"hull\" or \"polytope\"";
     fmb_body_draft *b = ((fmb_frames *)reader)->now;
     const char *p = c->at;
     fmb_span word;
@@ -81,8 +81,9 @@ static fmb_status read_body_type(void *reader, fmb_cursor *c)
         return st;
     b->is_polytope = fmb_json_spells(word, "polytope");
     b->shape = fmb_json_spells(word, "cuboid") ? FMB_CUBOID : FMB_SIMPLEX;
-    return b->is_polytope || b->shape == FMB_CUBOID || fmb_json_spells(word, "simplex") ||
-                   fmb_json_spells(word, "tetrahedron")
+    b->is_hull = fmb_json_spells(word, "hull");
+    return b->is_polytope || b->is_hull || b->shape == FMB_CUBOID ||
+                   fmb_json_spells(word, "simplex") || fmb_json_spells(word, "tetrahedron")
                ? FMB_OK
                : fmb_io_fail(c, p, "expected %s", what);
 }
@@ -108,9 +109,13 @@ static fmb_status read_frame_axis(void *reader, fmb_cursor *c)
 static fmb_status read_frame_corner(void *reader, fmb_cursor *c)
 {
     fmb_frames *r = reader;
-    return r->now->origin.n == 0 ? read_frame_origin(r, c) : read_frame_axis(r, c);
+    if (r->now->origin.n == 0)
+        return read_frame_origin(r, c);
+    r->now->naxes++;
+    return fmb_frames_point(r, c, &r->now->axes);
 }
 
+/* Only the number of a hull's is not limited, and the type may stand behind them. */
 static fmb_status read_frame_corners(void *reader, fmb_cursor *c)
 {
     return fmb_json_array(c, "an array of points", read_frame_corner, reader);
@@ -142,7 +147,7 @@ static void reset_body_draft(fmb_body_draft *b)
 {
     b->origin.n = b->axes.n = b->speed.n = 0;
     b->naxes = 0;
-    b->is_polytope = false;
+    b->is_polytope = b->is_hull = false;
     fmb_system_free(b->rows);
     b->rows = NULL;
 }
@@ -166,6 +171,11 @@ fmb_status fmb_frames_body(fmb_frames *r, fmb_cursor *c)
     bool by_corners = !r->now->is_polytope && (seen & ~(unsigned)VEL) == (TYPE | POINTS);
     if (by_corners && r->now->origin.n == 0)
         return fmb_io_fail(c, p, "expected \"points\" that are not empty");
+    if (by_corners && !r->now->is_hull && r->now->naxes > r->dim)
+        return fmb_io_fail(c, p, "expected at most %d points in %d dimensions, or a \"hull\"",
+                           r->dim + 1, r->dim);
+    if (r->now->is_hull && !by_corners)
+        return fmb_io_fail(c, p, "expected \"points\" in a hull");
     if (by_corners)
         r->now->shape =
             r->now->shape == FMB_CUBOID ? FMB_CUBOID_BY_CORNERS : FMB_SIMPLEX_BY_CORNERS;

@@ -24,7 +24,7 @@ typedef struct fmb_numbers {
 typedef struct fmb_body_draft {
     fmb_numbers origin, axes, speed, coefficients; /* coefficients: of one row */
     fmb_shape shape;
-    bool is_polytope;
+    bool is_polytope, is_hull;
     int naxes;
     fmb_system *rows; /* or NULL */
 } fmb_body_draft;

@@ -134,3 +134,64 @@ Test(corners, neighbours_meet)
     cr_expect(rounded_apart > 0);
     fmb_pair_free(k);
 }
+
+/* A simplex by corners may have any number of them: closed and open, it is their hull. */
+enum { CORNERS = 7 };
+
+static fmb_verdict truth_of_hulls(int dim, const int *corners, double p[2][CORNERS][3], bool open)
+{
+    int n = corners[0] + corners[1];
+    fmb_system *s = NULL;
+    must(fmb_system_new(n, NULL, &s));
+    for (int j = 0; j <= dim + 1; j++) {
+        double row[2 * CORNERS] = {0};
+        for (int i = 0; i < n; i++) {
+            int which = i >= corners[0];
+            double x = p[which][which ? i - corners[0] : i][j < dim ? j : 0];
+            row[i] = j < dim ? (which ? -x : x) : which == j - dim;
+        }
+        must(fmb_system_add(s, row, FMB_EQ, j < dim ? 0 : 1));
+    }
+    for (int i = 0; i < n; i++) {
+        double row[2 * CORNERS] = {0};
+        row[i] = -1;
+        must(fmb_system_add(s, row, open ? FMB_LT : FMB_LE, 0));
+    }
+    fmb_verdict v = is_feasible(s) ? FMB_FEASIBLE : FMB_INFEASIBLE;
+    fmb_system_free(s);
+    return v;
+}
+
+Test(corners, hulls)
+{
+    support_rng g = {14};
+    int count[3] = {0};
+    for (int round = 0; round < 200; round++) {
+        double p[2][CORNERS][3], number[2][CORNERS * 3], world[6];
+        int corners[2], dim = support_between(&g, 1, 3);
+        fmb_frame f[2];
+        for (int k = 0; k < 2; k++) {
+            corners[k] = support_between(&g, 1, CORNERS);
+            for (int i = 0; i < corners[k] * dim; i++)
+                number[k][i] = p[k][i / dim][i % dim] = support_between(&g, -3, 3) + 3 * k;
+            f[k] = (fmb_frame){.shape = FMB_SIMPLEX_BY_CORNERS,
+                               .dim = dim,
+                               .naxes = corners[k] - 1,
+                               .origin = number[k],
+                               .axes = number[k] + dim};
+        }
+        fmb_pair_options o = fmb_pair_options_default();
+        fmb_pair *k = NULL;
+        fmb_verdict got, want = truth_of_hulls(dim, corners, p, round & 1);
+        o.contact = round & 1 ? FMB_CONTACT_OPEN : FMB_CONTACT_CLOSED;
+        must(fmb_pair_new(dim, &o, NULL, &k));
+        must(fmb_pair_test(k, 1, &f[0], &f[1],
+                           &(fmb_pair_answers){.verdict = &got, .world = world}));
+        cr_expect(got == want, "round %d", round);
+        for (int j = 0; got == FMB_FEASIBLE && j < dim; j++)
+            cr_expect(world[2 * j] <= world[2 * j + 1]);
+        fmb_pair_free(k);
+        count[want]++;
+    }
+    cr_expect(count[FMB_FEASIBLE] > 20 && count[FMB_INFEASIBLE] > 20);
+}

@@ -6,7 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <fmb/gmp.h>
 #include <fmb/mesh.h>
+#include <fmb/solve.h>
 
 #include "property/random/rows.h"
 
@@ -122,4 +124,52 @@ Test(cases, meshes)
     }
     cr_expect(meshes == 25 && pairs >= 2500, "%zu %zu", meshes, pairs);
     json_decref(answers);
+}
+
+/* Hulls of points, as the lines that fmb intersect reads. */
+static void check_hulls(const char *name, bool *found)
+{
+    char path[1024], *text = NULL;
+    snprintf(path, sizeof path, CASES "/geom/hulls_%s.json", name);
+    json_t *said = json_load_file(path, 0, NULL);
+    *found = said != NULL;
+    if (!said)
+        return;
+    char *p = json_dumps(json_object_get(said, "P"), JSON_COMPACT);
+    char *q = json_dumps(json_object_get(said, "Q"), JSON_COMPACT);
+    cr_assert(asprintf(&text,
+                       "{\"A\": {\"type\": \"hull\", \"points\": %s}, \"B\": {\"points\": %s, "
+                       "\"type\": \"hull\"}}\n",
+                       p, q) > 0);
+    FILE *in = fmemopen(text, strlen(text), "r");
+    fmb_frames *r = NULL;
+    const fmb_frames_line *line = NULL;
+    fmb_system *s = NULL;
+    fmb_solver *v = NULL;
+    fmb_result result;
+    must(fmb_frames_open(in, NULL, &r));
+    must(fmb_frames_next(r, &line, NULL));
+    must(fmb_system_from_line(line, FMB_CONTACT_CLOSED, NULL, &s));
+    must(fmb_solver_new(NULL, NULL, &v));
+    must(fmb_solve(v, s, &result));
+    cr_expect((result.verdict == FMB_FEASIBLE) == json_is_true(json_object_get(said, "expected")),
+              "%s", name);
+    fmb_solver_free(v);
+    fmb_system_free(s);
+    fmb_frames_close(r);
+    fclose(in);
+    free(text);
+    free(p);
+    free(q);
+    json_decref(said);
+}
+
+Test(cases, hulls)
+{
+    static const char *const name[] = {"kroitor-i6a", "kroitor-i6b", "opengjk-userPQ"};
+    bool found = true;
+    for (int i = 0; found && i < 3; i++)
+        check_hulls(name[i], &found);
+    if (!found)
+        cr_skip_test("no collected cases here");
 }
