@@ -68,7 +68,7 @@ static fmb_status close_generator(fmb_generators *g, fmb_status st)
 
 fmb_status fmb_generators_append(fmb_generators *g, fmb_generator_kind kind, const fmb_vec *v)
 {
-    fmb_vec *to;
+    fmb_vec *to = NULL;
     fmb_status st = open_generator(g, kind, &to);
     return st == FMB_OK ? close_generator(g, fmb_vec_copy(to, v, (size_t)g->dim + 1, &g->mem)) : st;
 }
@@ -103,7 +103,7 @@ fmb_status fmb_generators_add_q(fmb_generators *g, fmb_generator_kind kind, mpq_
         if (mpz_sgn(mpq_denref(x[j])) == 0)
             return FMB_ERR_ARG;
     size_t n = (size_t)g->dim + 1;
-    fmb_vec *v;
+    fmb_vec *v = NULL;
     mpz_t *z = fmb_vec_block(n, &g->mem);
     fmb_status st = z ? open_generator(g, kind, &v) : FMB_ERR_MEMORY;
     if (st == FMB_OK) {
