@@ -42,9 +42,9 @@ typedef struct fmb_facets {
     size_t generators, generator_capacity, words;
     fmb_facet *facet; /* [slots]; those not alive are free */
     size_t slots, facet_capacity, alive;
-    uint64_t opened;                          /* facets made so far */
-    fmb_vec g;                                /* [d] the generator at hand, */
-    double *near;                             /* [d] and roughly */
+    uint64_t pairs; /* of facets, of which it was asked whether they share a ridge */
+    fmb_vec g;      /* [d] the generator at hand, */
+    double *near;   /* [d] and roughly */
     uint32_t *seen, *touched, *made, *unused; /* lists of facets, scratch; free slots */
     size_t seens, toucheds, mades, unuseds;
     size_t seen_capacity, touched_capacity, made_capacity, unused_capacity;

@@ -142,6 +142,7 @@ static fmb_status join_new_neighbours(fmb_facets *f)
             uint32_t b = candidate(f, j);
             if (has_all_neighbours(f, b))
                 continue;
+            f->pairs++;
             bool old = j >= f->mades && are_neighbours(&f->facet[a], b);
             if (!old && share_a_ridge(f, a, b))
                 st = fmb_facets_join(f, a, b);

@@ -63,7 +63,6 @@ fmb_status fmb_facets_open_slot(fmb_facets *f, uint32_t *out)
     a->note = 0;
     a->alive = true;
     f->alive++;
-    f->opened++;
     return FMB_OK;
 }
 

@@ -122,18 +122,12 @@ static fmb_status ask_next_question(fmb_support *s, bool *done)
     return s->strict ? fmb_support_find_missing_faces(s) : FMB_OK;
 }
 
-/* A query takes about as long as so many new facets. */
-#define FACETS_OF_QUERY 16
-
-fmb_status fmb_support_ask(fmb_support *s, size_t effort, bool *done)
+fmb_status fmb_support_ask(fmb_support *s, uint64_t pairs, bool *done)
 {
     fmb_status st = s->begun ? FMB_OK : find_first_point(s);
-    uint64_t first = s->hull.opened;
+    uint64_t first = s->hull.pairs;
     *done = false;
-    for (size_t asked = 0; st == FMB_OK && !*done; asked++) {
-        if (effort > 0 && asked + (s->hull.opened - first) / FACETS_OF_QUERY >= effort)
-            break;
+    while (st == FMB_OK && !*done && (pairs == 0 || s->hull.pairs - first < pairs))
         st = ask_next_question(s, done);
-    }
     return st;
 }

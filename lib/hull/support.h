@@ -52,9 +52,10 @@ fmb_status fmb_support_init(fmb_support *s, fmb_run *run, fmb_oracle *oracle, si
                             const int *kept, size_t k, bool strict, bool proves);
 void fmb_support_clear(fmb_support *s);
 
-/* Ask about facets and equations for about as long as so many queries take (0: any number), or
- * until all stand: *done. What is proved stays so, whatever ends the call; but after an error it is
- * the last one. */
-fmb_status fmb_support_ask(fmb_support *s, size_t effort, bool *done);
+/* Ask about facets and equations until all stand: *done; or until the hull has looked at so many
+ * pairs of facets for ridges, 0: any number. (Queries are about as many as the projection has
+ * facets and vertices; it is inner hulls that may have many more.) What is proved stays so,
+ * whatever ends the call; but after an error it is the last one. */
+fmb_status fmb_support_ask(fmb_support *s, uint64_t pairs, bool *done);
 
 #endif

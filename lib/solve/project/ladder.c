@@ -93,8 +93,8 @@ static bool uses_lp_rule(const fmb_solver *v)
 #define WALKED_COLUMNS 24
 /* A hull in so many dimensions mostly has few enough facets. */
 #define FEW_KEPT 6
-/* In more dimensions, as many queries are tried before elimination goes on. */
-#define FIRST_QUERIES 16
+/* In more dimensions, so many pairs of facets of a hull take as long as a few queries. */
+#define FIRST_PAIRS ((uint64_t)1 << 17)
 
 static int count_kept_columns(const fmb_part *p, const int *place)
 {
@@ -151,40 +151,37 @@ static fmb_status try_elimination(rungs *r, bool known, size_t budget)
     return project_by_elimination(&h, known, budget, r->feasible, &r->done);
 }
 
-/* In the plane around it, in a few dimensions by asking how far it goes: both without elimination.
- * In more, whether there is a solution at all. */
-static fmb_status try_oracle(rungs *r)
+static bool is_open(fmb_status st, const rungs *r)
 {
-    const fmb_part *p = &r->q->parts.part[r->part];
-    int kept = count_kept_columns(p, r->place);
-    bool walk = kept <= 2 && p->n <= WALKED_COLUMNS, queries = !walk && kept <= FEW_KEPT;
-    fmb_status st = FMB_OK;
-    if (!queries && !r->known) {
-        st = is_part_feasible(r->q, r->part, r->feasible);
-        r->known = true;
-    }
-    if (st == FMB_OK && *r->feasible && walk)
-        st = fmb_query_polygon_part(r->q, r->part, r->place, r->out, &r->done);
-    if (st != FMB_OK || r->done || !*r->feasible || kept > FEW_KEPT)
-        return st;
-    r->done = true;
-    return fmb_query_support_part(r->q, r->part, r->place, r->out, r->feasible);
+    return st == FMB_OK && !r->done && *r->feasible;
 }
 
-/* Queries in many dimensions: few, if the projection has few facets. */
-static fmb_status try_queries(rungs *r, size_t effort)
+/* pairs: 0, any number. */
+static fmb_status try_queries(rungs *r, uint64_t pairs)
 {
     fmb_status st = FMB_OK;
     if (!r->queries)
         st = fmb_queries_open(r->q, r->part, r->place, &r->queries, r->feasible);
-    if (st != FMB_OK || !*r->feasible)
-        return st;
-    return fmb_queries_run(r->queries, effort, r->out, &r->done);
+    r->known = true;
+    return is_open(st, r) ? fmb_queries_run(r->queries, pairs, r->out, &r->done) : st;
 }
 
-static bool is_open(fmb_status st, const rungs *r)
+static fmb_status try_walk(rungs *r)
 {
-    return st == FMB_OK && !r->done && *r->feasible;
+    fmb_status st = FMB_OK;
+    if (!r->known)
+        st = is_part_feasible(r->q, r->part, r->feasible);
+    r->known = true;
+    return is_open(st, r) ? fmb_query_polygon_part(r->q, r->part, r->place, r->out, &r->done) : st;
+}
+
+/* In the plane around it; in a few dimensions, by asking how far it goes; in more, so far. */
+static fmb_status try_oracle(rungs *r)
+{
+    const fmb_part *p = &r->q->parts.part[r->part];
+    int kept = count_kept_columns(p, r->place);
+    fmb_status st = kept <= 2 && p->n <= WALKED_COLUMNS ? try_walk(r) : FMB_OK;
+    return is_open(st, r) ? try_queries(r, kept <= FEW_KEPT ? 0 : FIRST_PAIRS) : st;
 }
 
 /* A few rays, then a short elimination; if both grow, some more rays where there seem to be few;
@@ -193,7 +190,8 @@ static bool is_open(fmb_status st, const rungs *r)
 static fmb_status climb_rungs(rungs *r)
 {
     const fmb_part *p = &r->q->parts.part[r->part];
-    size_t budget = TRIAL_BUDGET(p->m), effort = FIRST_QUERIES;
+    size_t budget = TRIAL_BUDGET(p->m);
+    uint64_t pairs = FIRST_PAIRS;
     fmb_status st = fmb_lift_open(r->q, r->part, r->place, &r->lift, r->feasible);
     if (is_open(st, r))
         st = try_rays(r, r->q->v->options.method == FMB_METHOD_DD ? 0 : budget);
@@ -205,13 +203,13 @@ static fmb_status climb_rungs(rungs *r)
     if (is_open(st, r))
         st = try_oracle(r);
     while (is_open(st, r)) {
-        effort *= 4;
+        pairs *= 4;
         budget *= 8;
-        st = try_queries(r, effort);
-        if (is_open(st, r))
-            st = try_rays(r, budget);
+        st = try_rays(r, budget);
         if (is_open(st, r))
             st = try_elimination(r, true, fmb_lift_has_given_up(r->lift) ? 0 : budget);
+        if (is_open(st, r))
+            st = try_queries(r, pairs);
     }
     fmb_lift_close(r->lift);
     fmb_queries_close(r->queries);

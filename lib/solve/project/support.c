@@ -144,10 +144,10 @@ void fmb_queries_close(fmb_queries *h)
 
 /* At a limit what is proved is put out, and points as claims: so much of the projection is known
  * from within. */
-fmb_status fmb_queries_run(fmb_queries *h, size_t effort, fmb_system *out, bool *done)
+fmb_status fmb_queries_run(fmb_queries *h, uint64_t pairs, fmb_system *out, bool *done)
 {
     *done = h->k == 0;
-    fmb_status st = *done ? FMB_OK : fmb_support_ask(&h->s, effort, done);
+    fmb_status st = *done ? FMB_OK : fmb_support_ask(&h->s, pairs, done);
     if (st == FMB_OK ? !*done : st != FMB_LIMIT)
         return st;
     fmb_facets_clear(&h->s.hull); /* what is put out needs memory, too */

@@ -15,9 +15,9 @@ fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, fmb_querie
                             bool *feasible);
 void fmb_queries_close(fmb_queries *h);
 
-/* Go on for about as long as so many queries take, 0: to the end. *done: the projection has been
- * appended to out; else nothing, but at a limit (LIMIT) the rows that are proved. */
-fmb_status fmb_queries_run(fmb_queries *h, size_t effort, fmb_system *out, bool *done);
+/* Go on until the hull has looked at so many pairs of facets, 0: to the end. *done: the projection
+ * has been appended to out; else nothing, but at a limit (LIMIT) the rows that are proved. */
+fmb_status fmb_queries_run(fmb_queries *h, uint64_t pairs, fmb_system *out, bool *done);
 
 /* All at once. */
 fmb_status fmb_query_support_part(fmb_query *q, int part, const int *place, fmb_system *out,

@@ -1,5 +1,5 @@
 /* support.c: support queries by themselves: at any moment rows are proved and points lie inside,
- * and queries in small portions end where all at once do. */
+ * and queries in portions end where all at once do. */
 #include <criterion/criterion.h>
 
 #include "hull/support.h"
