@@ -3,8 +3,8 @@
  * On each axis of the world there is a unit, the least common denominator of all the numbers that
  * belong to that axis (a power of two, if they come from doubles). Numbers are counted in those
  * units: a row of a system that says something about world axis j is only multiplied by it. Numbers
- * are converted when they are asked for: of frames in a large space there may be millions. Frames by
- * corners are frames like others from here on.
+ * are converted when they are asked for: of frames in a large space there may be millions. Frames
+ * by corners are frames like others from here on.
  */
 #ifndef FMB_FRAME_WHOLE_H
 #define FMB_FRAME_WHOLE_H

@@ -18,7 +18,7 @@ typedef struct fmb_mesh_draft {
     size_t faces;         /* of the file */
     uint32_t first, last; /* corners of the face that is being added */
     int face_corners;
-    size_t base; /* the number of the first vertex: 0 or 1 (TetGen) */
+    size_t base;                 /* the number of the first vertex: 0 or 1 (TetGen) */
     void (*skip)(fmb_cursor *c); /* what stands between two words */
 } fmb_mesh_draft;
 

@@ -2,8 +2,8 @@
 #include <string.h>
 
 #include "dd/image.h"
-#include "system/generators.h"
 #include "solve/query/solver.h"
+#include "system/generators.h"
 #include "system/system.h"
 
 /* The cone over the solutions of a system: row 0 is t >= 0, row 1 + i is row i. */

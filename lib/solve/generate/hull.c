@@ -1,7 +1,7 @@
 /* hull.c: from vertices, rays and lines to rows (dd/image.h). */
 #include "dd/image.h"
-#include "system/generators.h"
 #include "solve/query/solver.h"
+#include "system/generators.h"
 #include "system/system.h"
 
 static fmb_status append_facet(const fmb_image_row *f, size_t n, fmb_system *out, int *var,

@@ -19,8 +19,8 @@ static const struct {
 };
 static const fmb_order ORDERS[] = {FMB_ORDER_GIVEN, FMB_ORDER_PAIRS, FMB_ORDER_MIN, FMB_ORDER_FILL};
 static const fmb_arith ARITHS[] = {FMB_ARITH_INT, FMB_ARITH_GMP};
-static const fmb_method METHODS[] = {FMB_METHOD_AUTO, FMB_METHOD_FM, FMB_METHOD_LP,
-                                     FMB_METHOD_HULL, FMB_METHOD_DD};
+static const fmb_method METHODS[] = {FMB_METHOD_AUTO, FMB_METHOD_FM, FMB_METHOD_LP, FMB_METHOD_HULL,
+                                     FMB_METHOD_DD};
 
 enum {
     N_RULES = sizeof RULES / sizeof *RULES,
