@@ -185,6 +185,7 @@ static fmb_status take_dual_step(fmb_stand *o, fmb_walk *end, size_t *odd)
 fmb_status fmb_walk_dually(fmb_stand *o, fmb_walk *end, size_t *odd)
 {
     bool fresh = true;
+    int looks = 0;
     for (size_t i = 0; i < o->m; i++)
         o->row_weight[i] = 1;
     fmb_status st = fmb_stand_refresh(o);
@@ -196,7 +197,8 @@ fmb_status fmb_walk_dually(fmb_stand *o, fmb_walk *end, size_t *odd)
         else
             st = take_dual_step(o, end, odd);
         bool ended = *end == FMB_WALK_DONE || *end == FMB_WALK_STOPPED;
-        if (st == FMB_OK && ((ended && !fresh) || fmb_corner_is_stale(&o->corner))) {
+        bool looks_again = ended && !fresh && looks++ < FMB_WALK_MOST_LOOKS;
+        if (st == FMB_OK && (looks_again || (!ended && fmb_corner_is_stale(&o->corner)))) {
             st = fmb_stand_refresh(o);
             list_all_violated(o);
             *end = FMB_WALK_ON;

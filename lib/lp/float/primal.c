@@ -132,6 +132,7 @@ static fmb_status take_primal_step(fmb_stand *o, fmb_walk *end, size_t *odd, siz
 fmb_status fmb_walk_primally(fmb_stand *o, fmb_walk *end, size_t *odd)
 {
     bool fresh = true;
+    int looks = 0;
     size_t idle = 0;
     for (size_t r = 0; r < o->n; r++)
         o->edge_weight[r] = 1;
@@ -143,7 +144,8 @@ fmb_status fmb_walk_primally(fmb_stand *o, fmb_walk *end, size_t *odd)
         else
             st = take_primal_step(o, end, odd, &idle);
         bool ended = *end == FMB_WALK_DONE || *end == FMB_WALK_STOPPED;
-        if (st == FMB_OK && ((ended && !fresh) || fmb_corner_is_stale(&o->corner))) {
+        bool looks_again = ended && !fresh && looks++ < FMB_WALK_MOST_LOOKS;
+        if (st == FMB_OK && (looks_again || (!ended && fmb_corner_is_stale(&o->corner)))) {
             st = fmb_stand_refresh(o);
             *end = FMB_WALK_ON;
             ended = true;

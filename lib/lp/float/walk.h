@@ -18,6 +18,10 @@ fmb_status fmb_walk_dually(fmb_stand *o, fmb_walk *end, size_t *odd);
  * way, and are not moved back. Errors: MEMORY, LIMIT. */
 fmb_status fmb_walk_primally(fmb_stand *o, fmb_walk *end, size_t *odd);
 
+/* What an end says is looked at again from a basis computed afresh, so often at most: that may drop
+ * a member that depends on others, nearly, which the next step takes in again. */
+#define FMB_WALK_MOST_LOOKS 8
+
 /* More steps are a circle. */
 static inline size_t fmb_walk_most_steps(const fmb_stand *o)
 {
