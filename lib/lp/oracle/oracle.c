@@ -71,6 +71,11 @@ fmb_status fmb_oracle_feasible(fmb_oracle *o, bool *feasible)
     return FMB_OK;
 }
 
+bool fmb_oracle_has_solution(const fmb_oracle *o)
+{
+    return o->feasible;
+}
+
 /* ---- how far does it go ---------------------------------------------------------------------- */
 
 /* The optimum's vertex satisfies the closure of all rows: does a solution reach it? Not if a row

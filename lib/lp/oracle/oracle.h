@@ -25,6 +25,8 @@ void fmb_oracle_free(fmb_oracle *o);
 
 /* Is there a solution? If so fmb_oracle_point reads it, else fmb_oracle_conflict says why not. */
 fmb_status fmb_oracle_feasible(fmb_oracle *o, bool *feasible);
+/* Has a solution been found since rows changed? */
+bool fmb_oracle_has_solution(const fmb_oracle *o);
 
 /* From a feasible program: how large can cost.x become, cost over columns? Of rows that are strict
  * the closure counts; *attained tells whether a solution reaches the optimum. */

@@ -274,11 +274,11 @@ static fmb_status test_row_by_oracle(pruner *p, size_t i)
 
 static fmb_status prune_in_three_passes(pruner *p)
 {
-    bool feasible;
+    bool feasible = false; /* if it is not, a rule lied when that was decided */
     fmb_status st = lock_equalities(p);
     if (st == FMB_OK)
         st = fmb_oracle_feasible(p->over_all, &feasible);
-    if (st != FMB_OK)
+    if (st != FMB_OK || !feasible)
         return st;
     fmb_oracle_point(p->over_all, p->inner);
     note_slacks_at_point(p, p->inner);

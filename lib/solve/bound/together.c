@@ -107,7 +107,7 @@ static fmb_status finish_team(team *t, fmb_box *box)
 fmb_status fmb_find_ends_together(fmb_query *q, int part, fmb_box *box, const int *place, int count)
 {
     fmb_oracle *o; /* made, for its program */
-    fmb_status st = fmb_query_oracle(q, part, &o);
+    fmb_status st = fmb_query_feasible_oracle(q, part, &o);
     if (st != FMB_OK)
         return st;
     size_t threads = q->v->options.threads;

@@ -79,7 +79,7 @@ fmb_status fmb_peak_by_oracle(fmb_query *q, const fmb_goal *g, int part, fmb_pea
     fmb_oracle_end end = FMB_ORACLE_OPTIMUM;
     fmb_weights cost = {0};
     forget_peak(k, q);
-    fmb_status st = fmb_query_oracle(q, part, &o);
+    fmb_status st = fmb_query_feasible_oracle(q, part, &o);
     if (st == FMB_OK)
         st = weigh_columns(q, g, p, &cost);
     if (st == FMB_OK)

@@ -122,7 +122,7 @@ fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, fmb_querie
     fmb_status st = list_kept_columns(h);
     if (st == FMB_OK)
         st = fmb_query_oracle(q, part, &o);
-    if (st == FMB_OK && !q->decided)
+    if (st == FMB_OK && !fmb_oracle_has_solution(o))
         st = fmb_oracle_feasible(o, feasible);
     if (st != FMB_OK || !*feasible)
         return st;

@@ -47,6 +47,15 @@ fmb_status fmb_query_oracle(fmb_query *q, int part, fmb_oracle **out)
     return FMB_OK;
 }
 
+fmb_status fmb_query_feasible_oracle(fmb_query *q, int part, fmb_oracle **out)
+{
+    bool feasible = true;
+    fmb_status st = fmb_query_oracle(q, part, out);
+    if (st == FMB_OK && !fmb_oracle_has_solution(*out))
+        st = fmb_oracle_feasible(*out, &feasible);
+    return st == FMB_OK && !feasible ? FMB_LIMIT : st;
+}
+
 void fmb_query_take_integer_weights(const fmb_query *q, const fmb_part *p, fmb_weights *w)
 {
     mpq_t content;

@@ -91,6 +91,9 @@ fmb_status fmb_query_decide(fmb_query *q, bool oracles, fmb_verdict *out);
  * vertex to vertex, or *feasible false. Made on the first call. */
 fmb_status fmb_query_write_rows(fmb_query *q, int part);
 fmb_status fmb_query_oracle(fmb_query *q, int part, fmb_oracle **out);
+/* The same of a part that was said to have a solution. LIMIT, too, if it has none: a rule lied, and
+ * nothing is proved from there on. */
+fmb_status fmb_query_feasible_oracle(fmb_query *q, int part, fmb_oracle **out);
 fmb_status fmb_query_dictionary(fmb_query *q, int part, fmb_lp **out, bool *feasible);
 /* Weights of rows of a part, over integers of the system's rows, become such over the part's
  * primitive rows. */

@@ -120,9 +120,9 @@ int scenes_all(scene out[SCENES_MOST])
     out[n++] = shannon_scene(4, true);
     out[n++] = shannon_scene(4, false);
     out[n++] = random_scene(6, 20, 20, true, 3);
-    out[n++] = random_scene(12, 40, 50, true, 5);
-    out[n++] = random_scene(20, 60, 0, true, 6);
-    out[n++] = random_scene(20, 60, 70, false, 7);
+    out[n++] = random_scene(20, 80, 30, true, 5);
+    out[n++] = random_scene(30, 120, 0, true, 6);
+    out[n++] = random_scene(31, 150, 50, false, 7);
     out[n++] = shannon_scene(5, true);
     out[n++] = shannon_scene(5, false);
     return n;
