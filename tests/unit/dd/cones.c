@@ -173,7 +173,7 @@ static void list_rays_by_subsets(const plain *p, ray_list *out)
     out->lines = p->d - find_kernel(p, (1u << p->m) - 1, x);
     for (unsigned rows = 0; rows < 1u << p->m; rows++) {
         unsigned equalities = 0;
-        for (size_t i = 0; i < p->m; i++)
+        for (size_t i = 0; i < p->m && i < MOST_ROWS; i++)
             equalities |= (unsigned)p->equality[i] << i;
         if ((rows & equalities) != equalities || find_kernel(p, rows, x) + 1 != p->d)
             continue;
