@@ -2,17 +2,19 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bars.h"
 #include "report.h"
 
 static const char USAGE[] =
     "usage: bench-peers [--decide] [--drivers A,B] [--seconds S] [--bytes B] [--set NAME=VALUE]\n"
-    "                   [--json FILE] [--quick] [--all-answer] [--list] FILE... | manifest.txt\n";
+    "                   [--json FILE] [--quick] [--bars] [--methods] [--all-answer] [--list]\n"
+    "                   FILE... | manifest.txt...\n";
 
 typedef struct setup {
     report report;
     fmb_options options;
     const char *json, *drivers;
-    bool quick, list, all_answer;
+    bool quick, list, all_answer, bars, methods;
     char **path; /* problems, owned */
     size_t paths;
 } setup;
@@ -44,41 +46,7 @@ static bool add_manifest(setup *s, const char *path)
     return true;
 }
 
-/* Do the n bytes name p, or its library, which stands for all its drivers? */
-static bool names(const char *word, size_t n, const peer *p)
-{
-    return (strlen(p->name) == n && strncmp(word, p->name, n) == 0) ||
-           (strlen(p->library) == n && strncmp(word, p->library, n) == 0);
-}
-
-/* Is p in the comma list? */
-static bool listed(const char *list, const peer *p)
-{
-    for (const char *at = list; *at;) {
-        size_t n = strcspn(at, ",");
-        if (names(at, n, p))
-            return true;
-        at += n + (at[n] == ',');
-    }
-    return false;
-}
-
-/* Does each word of the list name a driver of this build? */
-static bool all_known(const char *list)
-{
-    for (const char *at = list; *at;) {
-        size_t n = strcspn(at, ",");
-        bool known = false;
-        for (int i = 0; peers[i] && !known; i++)
-            known = names(at, n, peers[i]);
-        if (!known)
-            return false;
-        at += n + (at[n] == ',');
-    }
-    return true;
-}
-
-/* fmb always; the others as asked, if they can answer the question. */
+/* fmb always, its single ways with --methods; the others as asked. All that can answer. */
 static void choose_drivers(setup *s)
 {
     report *r = &s->report;
@@ -86,20 +54,24 @@ static void choose_drivers(setup *s)
         bool able = r->limits.question == PEER_PROJECT
                         ? peers[i]->project != NULL
                         : peer_way(peers[i], r->limits.question) && !peers[i]->prove;
-        if (able && (peers[i]->ours || !s->drivers || listed(s->drivers, peers[i])))
+        bool wanted = peers[i]->ours || !s->drivers || peer_is_listed(s->drivers, peers[i]);
+        if (able && wanted && (s->methods || !peers[i]->single))
             r->driver[r->drivers++] = peers[i];
     }
 }
 
 /* ---- running --------------------------------------------------------------------------------- */
 
-/* With --quick a peer gets four times the best peer's time, and not less than 0.2 s. */
+/* With --quick a driver gets four times the best time of its side so far, and not less than 0.2 s.
+ */
 static double patience(const setup *s, const entry *e, int driver)
 {
-    double limit = s->report.limits.seconds;
-    for (int d = 1; s->quick && d < driver; d++) {
+    const report *r = &s->report;
+    double limit = r->limits.seconds;
+    for (int d = 0; s->quick && d < driver; d++) {
         double t = 4 * e->outcome[d].typical;
-        if (e->outcome[d].end == CHILD_DONE && t < limit)
+        bool beside = bars_same_side(r->driver[d], r->driver[driver]);
+        if (beside && e->outcome[d].end == CHILD_DONE && t < limit)
             limit = t < 0.2 ? 0.2 : t;
     }
     return limit;
@@ -157,7 +129,7 @@ static bool set_option(setup *s, const char *text)
 static bool take_value(setup *s, const char *name, const char *value)
 {
     if (strcmp(name, "--drivers") == 0)
-        return all_known(s->drivers = value);
+        return peers_know_all(s->drivers = value);
     else if (strcmp(name, "--json") == 0)
         s->json = value;
     else if (strcmp(name, "--set") == 0)
@@ -183,6 +155,10 @@ static bool take_arguments(setup *s, int argc, char **argv)
             s->all_answer = true;
         else if (strcmp(a, "--list") == 0)
             s->list = true;
+        else if (strcmp(a, "--bars") == 0)
+            s->bars = true;
+        else if (strcmp(a, "--methods") == 0)
+            s->methods = true;
         else if (a[0] == '-') {
             if (i + 1 >= argc || !take_value(s, a, argv[i + 1]))
                 return false;
@@ -214,6 +190,8 @@ static int finish(setup *s, bool good)
     bool fault = false;
     if (s->report.entries > 0)
         report_summary(&s->report);
+    if (s->report.entries > 0 && s->bars)
+        bars_print(&s->report);
     for (size_t i = 0; i < s->report.entries; i++) {
         const entry *e = &s->report.list[i];
         fault |= e->wrong || (s->all_answer && e->silent);

@@ -56,11 +56,17 @@ typedef struct peer {
      * Not inside the clock; NULL: there is no evidence. */
     bool (*prove)(void *self, peer_question question);
     void (*close)(void *self);
+    bool single; /* fmb, told which way to go: runs where all ways are asked for */
 } peer;
 
 /* The driver's way to a question of verdicts; NULL if there is none, or it asks to project. */
 typedef fmb_verdict peer_ask(void *self);
 peer_ask *peer_way(const peer *p, peer_question question);
+
+/* Is it in a comma list of drivers and libraries? A library stands for all its drivers. */
+bool peer_is_listed(const char *list, const peer *p);
+/* Does each word of the list name a driver of this build? */
+bool peers_know_all(const char *list);
 
 /* All drivers of this build; NULL ends the list. fmb is the first. */
 extern const peer *const peers[];

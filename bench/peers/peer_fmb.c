@@ -1,5 +1,6 @@
 /* peer_fmb.c: fmb itself. The solver is made outside the clock. `fmb` keeps no evidence, unless the
- * setup says so; `fmb-proof` keeps all, and its answers are proved again by fmb_check. */
+ * setup says so; `fmb-proof` keeps all, and its answers are proved again by fmb_check. `fmb-fm`,
+ * `fmb-dd` and `fmb-hull` project by one method each. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -41,6 +42,28 @@ static void *open_proof(const problem *p, const peer_setup *setup)
     fmb_options o = *setup->options;
     o.evidence = FMB_EVIDENCE_ALL;
     return open_with(p, &o);
+}
+
+static void *open_by(const problem *p, const peer_setup *setup, fmb_method method)
+{
+    fmb_options o = *setup->options;
+    o.method = method;
+    return open_with(p, &o);
+}
+
+static void *open_fm(const problem *p, const peer_setup *setup)
+{
+    return open_by(p, setup, FMB_METHOD_FM);
+}
+
+static void *open_dd(const problem *p, const peer_setup *setup)
+{
+    return open_by(p, setup, FMB_METHOD_DD);
+}
+
+static void *open_hull(const problem *p, const peer_setup *setup)
+{
+    return open_by(p, setup, FMB_METHOD_HULL);
 }
 
 static void ready_fmb(void *self)
@@ -183,5 +206,41 @@ const peer peer_fmb_proof = {
     .optimize = optimize_fmb,
     .numbers = numbers_fmb,
     .prove = prove_fmb,
+    .close = close_fmb,
+};
+
+const peer peer_fmb_fm = {
+    .name = "fmb-fm",
+    .library = "fmb",
+    .ours = true,
+    .single = true,
+    .open = open_fm,
+    .ready = ready_fmb,
+    .project = project_fmb,
+    .fetch = fetch_fmb,
+    .close = close_fmb,
+};
+
+const peer peer_fmb_dd = {
+    .name = "fmb-dd",
+    .library = "fmb",
+    .ours = true,
+    .single = true,
+    .open = open_dd,
+    .ready = ready_fmb,
+    .project = project_fmb,
+    .fetch = fetch_fmb,
+    .close = close_fmb,
+};
+
+const peer peer_fmb_hull = {
+    .name = "fmb-hull",
+    .library = "fmb",
+    .ours = true,
+    .single = true,
+    .open = open_hull,
+    .ready = ready_fmb,
+    .project = project_fmb,
+    .fetch = fetch_fmb,
     .close = close_fmb,
 };

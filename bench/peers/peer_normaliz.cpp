@@ -128,8 +128,8 @@ void close_cone(void *self)
 
 } // namespace
 
-/* name, library, inexact, ours, open, ready, project, fetch, decide, box, reduce, optimize, numbers,
- * prove, close */
-const peer peer_normaliz = {"normaliz", "normaliz",   false,       false,   open_cone,
-                            ready_cone, project_cone, fetch_slice, nullptr, nullptr,
-                            nullptr,    nullptr,      nullptr,     nullptr, close_cone};
+/* name, library, inexact, ours, open, ready, project, fetch, decide, box, reduce, optimize,
+ * numbers, prove, close, single */
+const peer peer_normaliz = {"normaliz",   "normaliz",  false,      false,   open_cone, ready_cone,
+                            project_cone, fetch_slice, nullptr,    nullptr, nullptr,   nullptr,
+                            nullptr,      nullptr,     close_cone, false};

@@ -8,8 +8,9 @@
 extern "C" {
 #endif
 
-extern const peer peer_fmb, peer_fmb_proof, peer_cdd_block, peer_cdd_fourier, peer_cdd_gens,
-    peer_ppl, peer_isl, peer_normaliz, peer_glpk, peer_qsopt, peer_z3;
+extern const peer peer_fmb, peer_fmb_proof, peer_fmb_fm, peer_fmb_dd, peer_fmb_hull, peer_cdd_block,
+    peer_cdd_fourier, peer_cdd_gens, peer_ppl, peer_pplite, peer_isl, peer_normaliz, peer_glpk,
+    peer_qsopt, peer_z3;
 
 #ifdef __cplusplus
 }
