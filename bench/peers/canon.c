@@ -107,8 +107,9 @@ static void reduce_by_equalities(const table *t)
     }
 }
 
-/* The row as primitive integers, "3 0 -1 <= 7\n"; NULL if it says nothing (0 <= b). */
-static char *row_text(mpq_t *row, size_t width, fmb_rel rel)
+/* The row as primitive integers, "3 0 -1 <= 7\n"; NULL if it is constant (0 <= b) and these say
+ * nothing. */
+static char *row_text(mpq_t *row, size_t width, fmb_rel rel, bool constants)
 {
     static const char *const word[] = {[FMB_LE] = "<=", [FMB_LT] = "<", [FMB_EQ] = "="};
     char *text = NULL;
@@ -136,7 +137,7 @@ static char *row_text(mpq_t *row, size_t width, fmb_rel rel)
     }
     fclose(out);
     mpz_clears(common, divisor, z, NULL);
-    if (!zero)
+    if (!zero || constants)
         return text;
     free(text);
     return NULL;
@@ -147,12 +148,12 @@ static int by_text(const void *a, const void *b)
     return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
-static char *sorted_rows(const table *t)
+static char *sorted_rows(const table *t, bool constants)
 {
     char **line = need(calloc(t->rows + 1, sizeof *line)), *text = NULL;
     size_t lines = 0, size = 0;
     for (size_t i = 0; i < t->rows; i++) {
-        line[lines] = row_text(row_of(t, i), t->width, t->rel[i]);
+        line[lines] = row_text(row_of(t, i), t->width, t->rel[i], constants);
         lines += line[lines] != NULL;
     }
     qsort(line, lines, sizeof *line, by_text);
@@ -184,9 +185,28 @@ char *canonical_text(const fmb_system *s)
     } else {
         table t = table_of(least);
         reduce_by_equalities(&t);
-        text = sorted_rows(&t);
+        text = sorted_rows(&t, false);
         table_clear(&t);
     }
     fmb_system_free(least);
+    return text;
+}
+
+/* Does a row have a right side? */
+static bool has_right_side(const table *t)
+{
+    for (size_t i = 0; i < t->rows; i++)
+        if (mpq_sgn(row_of(t, i)[t->width - 1]) != 0)
+            return true;
+    return false;
+}
+
+char *canonical_list(const fmb_system *s, bool generators)
+{
+    table t = table_of(s);
+    reduce_by_equalities(&t);
+    char *text =
+        generators && !has_right_side(&t) ? need(strdup("empty\n")) : sorted_rows(&t, generators);
+    table_clear(&t);
     return text;
 }

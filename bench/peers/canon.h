@@ -8,4 +8,9 @@
  * them; primitive integers; sorted. "empty" if there is no solution. The caller frees it. */
 char *canonical_text(const fmb_system *s);
 
+/* The same of a list that is irredundant, its equalities told: rows, or generators, where the row
+ * x <= t is the vertex x / t or a ray, and x = 0 a line. Inequalities are unique up to equalities,
+ * so are vertices and rays up to lines. */
+char *canonical_list(const fmb_system *s, bool generators);
+
 #endif

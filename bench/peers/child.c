@@ -45,20 +45,21 @@ static double timed_run(const peer *d, void *self, const child_limits *l, fmb_ve
     arm(l->seconds);
     double begin = thread_seconds();
     bool done = true;
-    if (l->question == PEER_PROJECT)
-        done = d->project(self);
+    if (peer_is_list(l->question))
+        done = peer_maker(d, l->question)(self);
     else
         done = (*verdict = peer_way(d, l->question)(self)) != FMB_UNKNOWN;
     double took = thread_seconds() - begin;
     arm(0);
-    return done ? took : -1;
+    return !done ? -1 : d->elsewhere ? took + d->elsewhere(self) : took;
 }
 
-static char *result_text(const peer *d, void *self)
+static char *result_text(const peer *d, void *self, peer_question question)
 {
     fmb_system *s = d->fetch(self);
     arm(CANON_SECONDS);
-    char *text = canonical_text(s);
+    char *text =
+        question == PEER_PROJECT ? canonical_text(s) : canonical_list(s, question == PEER_VERTICES);
     arm(0);
     fmb_system_free(s);
     return text;
@@ -116,15 +117,16 @@ static void tell_results(job *j)
 {
     char *first = NULL;
     bool unlike = false;
-    if (j->limits->question == PEER_PROJECT)
-        first = result_text(j->driver, j->self[0]);
+    peer_question question = j->limits->question;
+    if (peer_is_list(question))
+        first = result_text(j->driver, j->self[0], question);
     else
         tell_answer(j);
     if (first)
         fprintf(j->out, "result %zu\n%s", strlen(first), first);
     fflush(j->out);
     for (int v = 1; v < j->limits->variants && j->ran[v]; v++) {
-        char *text = first ? result_text(j->driver, j->self[v]) : NULL;
+        char *text = first ? result_text(j->driver, j->self[v], question) : NULL;
         unlike |= first ? strcmp(first, text) != 0 : j->verdict[v] != j->verdict[0];
         free(text);
     }
@@ -151,7 +153,7 @@ static void mute(void)
 static void run_child(const peer *d, const problem *variants, const child_limits *l, int out)
 {
     job j = {.driver = d, .limits = l, .out = need(fdopen(out, "w"))};
-    peer_setup setup = {l->options, l->question};
+    peer_setup setup = {l->options, l->question, l->seconds};
     mute();
     limit_memory(l->bytes);
     for (int v = 0; v < l->variants; v++) {

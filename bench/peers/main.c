@@ -3,18 +3,22 @@
 #include <string.h>
 
 #include "bars.h"
+#include "polytope.h"
 #include "report.h"
 
 static const char USAGE[] =
-    "usage: bench-peers [--decide] [--drivers A,B] [--seconds S] [--bytes B] [--set NAME=VALUE]\n"
-    "                   [--json FILE] [--quick] [--bars] [--methods] [--all-answer] [--list]\n"
-    "                   FILE... | manifest.txt...\n";
+    "usage: bench-peers [--decide | --vertices | --hull] [--drivers A,B] [--seconds S] [--bytes "
+    "B]\n"
+    "                   [--set NAME=VALUE] [--json FILE] [--quick] [--bars] [--methods]\n"
+    "                   [--all-answer] [--list] [--seed N]\n"
+    "                   FILE... | manifest.txt... | FAMILY:SIZE[:ROWS]...\n";
 
 typedef struct setup {
     report report;
     fmb_options options;
     const char *json, *drivers;
     bool quick, list, all_answer, bars, methods;
+    uint64_t seed;
     char **path; /* problems, owned */
     size_t paths;
 } setup;
@@ -51,8 +55,8 @@ static void choose_drivers(setup *s)
 {
     report *r = &s->report;
     for (int i = 0; peers[i] && r->drivers < REPORT_DRIVERS; i++) {
-        bool able = r->limits.question == PEER_PROJECT
-                        ? peers[i]->project != NULL
+        bool able = peer_is_list(r->limits.question)
+                        ? peer_maker(peers[i], r->limits.question) != NULL
                         : peer_way(peers[i], r->limits.question) && !peers[i]->prove;
         bool wanted = peers[i]->ours || !s->drivers || peer_is_listed(s->drivers, peers[i]);
         if (able && wanted && (s->methods || !peers[i]->single))
@@ -61,6 +65,12 @@ static void choose_drivers(setup *s)
 }
 
 /* ---- running --------------------------------------------------------------------------------- */
+
+/* Large problems come in one order: each variant is held twice. */
+static int count_variants(const problem *p)
+{
+    return p->m * (size_t)(p->n + 1) > 20000 ? 1 : CHILD_VARIANTS;
+}
 
 /* With --quick a driver gets four times the best time of its side so far, and not less than 0.2 s.
  */
@@ -81,30 +91,52 @@ static void run_drivers(const setup *s, entry *e)
 {
     const report *r = &s->report;
     problem variants[CHILD_VARIANTS];
-    for (unsigned v = 0; v < CHILD_VARIANTS; v++)
-        problem_variant(&variants[v], &e->problem, v);
+    int count = count_variants(&e->problem);
+    for (int v = 0; v < count; v++)
+        problem_variant(&variants[v], &e->problem, (unsigned)v);
     for (int d = 0; d < r->drivers; d++) {
         child_limits limits = r->limits;
         limits.seconds = patience(s, e, d);
+        limits.variants = count;
         e->outcome[d] = child_run(r->driver[d], variants, &limits);
     }
-    for (unsigned v = 0; v < CHILD_VARIANTS; v++)
+    for (int v = 0; v < count; v++)
         problem_clear(&variants[v]);
+}
+
+/* A file, or a family of polytopes. */
+static bool read_problem(const setup *s, problem *p, const char *path)
+{
+    polytope_plan plan = {.seed = s->seed};
+    if (!polytope_parse(path, &plan))
+        return problem_read(p, path);
+    polytope_draw(&plan, p, path);
+    return true;
+}
+
+/* Why the question cannot be asked; NULL if it can. */
+static const char *reason_to_skip(peer_question question, problem *p)
+{
+    if (question == PEER_PROJECT && p->keep == p->n)
+        return "nothing to eliminate (no line \"* keep K\")";
+    if (question == PEER_HULL && !problem_turn_over(p))
+        return "there are no generators, or too many";
+    return question != PEER_HULL && !p->system ? "there are no rows" : NULL;
 }
 
 static bool run_problem(setup *s, const char *path)
 {
     report *r = &s->report;
     entry e = {0};
-    if (!problem_read(&e.problem, path))
+    if (!read_problem(s, &e.problem, path))
         return false;
-    bool idle = r->limits.question == PEER_PROJECT && e.problem.keep == e.problem.n;
-    if (idle)
-        fprintf(stderr, "%s: nothing to eliminate (no line \"* keep K\")\n", path);
+    const char *why = reason_to_skip(r->limits.question, &e.problem);
+    if (why)
+        fprintf(stderr, "%s: %s\n", path, why);
     else
         run_drivers(s, &e);
     problem_clear(&e.problem);
-    if (idle)
+    if (why)
         return true;
     report_judge(r, &e);
     report_line(r, &e);
@@ -136,6 +168,8 @@ static bool take_value(setup *s, const char *name, const char *value)
         return set_option(s, value);
     else if (strcmp(name, "--seconds") == 0)
         return (s->report.limits.seconds = atof(value)) > 0;
+    else if (strcmp(name, "--seed") == 0)
+        s->seed = strtoull(value, NULL, 10);
     else if (strcmp(name, "--bytes") == 0)
         s->report.limits.bytes = (size_t)strtoull(value, NULL, 10);
     else
@@ -149,6 +183,10 @@ static bool take_arguments(setup *s, int argc, char **argv)
         const char *a = argv[i], *dot = strrchr(a, '.');
         if (strcmp(a, "--decide") == 0)
             s->report.limits.question = PEER_DECIDE;
+        else if (strcmp(a, "--vertices") == 0)
+            s->report.limits.question = PEER_VERTICES;
+        else if (strcmp(a, "--hull") == 0)
+            s->report.limits.question = PEER_HULL;
         else if (strcmp(a, "--quick") == 0)
             s->quick = true;
         else if (strcmp(a, "--all-answer") == 0)
@@ -205,7 +243,7 @@ static int finish(setup *s, bool good)
 
 int main(int argc, char **argv)
 {
-    setup s = {.options = fmb_options_default()};
+    setup s = {.options = fmb_options_default(), .seed = 1};
     bool good = true;
     s.options.evidence = false;
     s.report.limits = (child_limits){

@@ -11,6 +11,8 @@
 /* What is asked. */
 typedef enum peer_question {
     PEER_PROJECT = 0,
+    PEER_VERTICES, /* vertices, rays and lines from rows */
+    PEER_HULL,     /* rows from those */
     PEER_DECIDE,
     PEER_BOX,      /* both ends of every variable */
     PEER_REDUCE,   /* which rows stay */
@@ -22,6 +24,7 @@ typedef enum peer_question {
 typedef struct peer_setup {
     const fmb_options *options;
     peer_question question;
+    double seconds; /* of CPU time that a run may take */
 } peer_setup;
 
 /* What an answer came to in doubles: the ends of a box, 2n of them; how many rows stay; the best
@@ -43,8 +46,14 @@ typedef struct peer {
     /* The projection on the first keep variables, irredundant; NULL if the library has none.
      * False if it gave up. */
     bool (*project)(void *self);
-    /* The last projection, as a system of keep variables. */
+    /* Irredundant vertices, rays and lines of the rows; an irredundant system of such. */
+    bool (*vertices)(void *self);
+    bool (*hull)(void *self);
+    /* The last of these, as a system of keep variables; a vertex x / t, a ray (t = 0) or a line is
+     * the row x <= t or x = 0. */
     fmb_system *(*fetch)(void *self);
+    /* CPU time of the last run in other processes [s]; NULL: there are none. */
+    double (*elsewhere)(void *self);
     /* Has the system a solution? The others say so, too. NULL if the library is not asked. */
     fmb_verdict (*decide)(void *self);
     fmb_verdict (*box)(void *self);
@@ -62,6 +71,13 @@ typedef struct peer {
 /* The driver's way to a question of verdicts; NULL if there is none, or it asks to project. */
 typedef fmb_verdict peer_ask(void *self);
 peer_ask *peer_way(const peer *p, peer_question question);
+/* The same of questions whose answers are lists of rows, or of generators. */
+typedef bool peer_make(void *self);
+peer_make *peer_maker(const peer *p, peer_question question);
+static inline bool peer_is_list(peer_question question)
+{
+    return question <= PEER_HULL;
+}
 
 /* Is it in a comma list of drivers and libraries? A library stands for all its drivers. */
 bool peer_is_listed(const char *list, const peer *p);

@@ -126,10 +126,18 @@ void close_cone(void *self)
     delete s;
 }
 
+peer make_peer()
+{
+    peer p = {};
+    p.name = p.library = "normaliz";
+    p.open = open_cone;
+    p.ready = ready_cone;
+    p.project = project_cone;
+    p.fetch = fetch_slice;
+    p.close = close_cone;
+    return p;
+}
+
 } // namespace
 
-/* name, library, inexact, ours, open, ready, project, fetch, decide, box, reduce, optimize,
- * numbers, prove, close, single */
-const peer peer_normaliz = {"normaliz",   "normaliz",  false,      false,   open_cone, ready_cone,
-                            project_cone, fetch_slice, nullptr,    nullptr, nullptr,   nullptr,
-                            nullptr,      nullptr,     close_cone, false};
+const peer peer_normaliz = make_peer();

@@ -91,10 +91,18 @@ void close_pplite(void *self)
     delete static_cast<State *>(self);
 }
 
+peer make_peer()
+{
+    peer p = {};
+    p.name = p.library = "pplite";
+    p.open = open_pplite;
+    p.ready = ready_pplite;
+    p.project = project_pplite;
+    p.fetch = fetch_pplite;
+    p.close = close_pplite;
+    return p;
+}
+
 } // namespace
 
-/* name, library, inexact, ours, open, ready, project, fetch, decide, box, reduce, optimize,
- * numbers, prove, close, single */
-const peer peer_pplite = {
-    "pplite", "pplite", false,   false,   open_pplite, ready_pplite, project_pplite, fetch_pplite,
-    nullptr,  nullptr,  nullptr, nullptr, nullptr,     nullptr,      close_pplite,   false};
+const peer peer_pplite = make_peer();

@@ -51,9 +51,18 @@ peer_ask *peer_way(const peer *p, peer_question question)
     }
 }
 
+peer_make *peer_maker(const peer *p, peer_question question)
+{
+    return question == PEER_PROJECT    ? p->project
+           : question == PEER_VERTICES ? p->vertices
+           : question == PEER_HULL     ? p->hull
+                                       : NULL;
+}
+
 const peer *const peers[] = {
     &peer_fmb,
     &peer_fmb_proof,
+    &peer_fmb_cones,
     &peer_fmb_fm,
     &peer_fmb_dd,
     &peer_fmb_hull,
@@ -62,9 +71,11 @@ const peer *const peers[] = {
 #endif
 #ifdef PEERS_PPL
     &peer_ppl,
+    &peer_ppl_cones,
 #endif
 #ifdef PEERS_NORMALIZ
     &peer_normaliz,
+    &peer_normaliz_cones,
 #endif
 #ifdef PEERS_ISL
     &peer_isl,
@@ -73,6 +84,7 @@ const peer *const peers[] = {
     &peer_cdd_block,
     &peer_cdd_gens,
     &peer_cdd_fourier,
+    &peer_cdd_cones,
 #endif
 #ifdef PEERS_GLPK
     &peer_glpk,
@@ -82,6 +94,9 @@ const peer *const peers[] = {
 #endif
 #ifdef PEERS_Z3
     &peer_z3,
+#endif
+#ifdef PEERS_LRS
+    &peer_lrs,
 #endif
     NULL,
 };

@@ -10,7 +10,8 @@ extern "C" {
 
 extern const peer peer_fmb, peer_fmb_proof, peer_fmb_fm, peer_fmb_dd, peer_fmb_hull, peer_cdd_block,
     peer_cdd_fourier, peer_cdd_gens, peer_ppl, peer_pplite, peer_isl, peer_normaliz, peer_glpk,
-    peer_qsopt, peer_z3;
+    peer_qsopt, peer_z3, peer_fmb_cones, peer_ppl_cones, peer_normaliz_cones, peer_cdd_cones,
+    peer_lrs;
 
 #ifdef __cplusplus
 }

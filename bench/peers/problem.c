@@ -86,6 +86,27 @@ static void integer_row(const fmb_system *s, size_t i, mpz_t *a)
     mpz_clear(common);
 }
 
+/* Generator i of g with its denominators cleared. */
+static void integer_generator(const fmb_generators *g, size_t i, mpz_t *a)
+{
+    int n = fmb_generators_dim(g);
+    mpq_t q;
+    mpq_init(q);
+    mpz_set_ui(a[n], 1);
+    for (int j = 0; j < n; j++) {
+        fmb_generators_get_q(g, i, j, q);
+        mpz_lcm(a[n], a[n], mpq_denref(q));
+    }
+    for (int j = 0; j < n; j++) {
+        fmb_generators_get_q(g, i, j, q);
+        mpz_divexact(a[j], a[n], mpq_denref(q));
+        mpz_mul(a[j], a[j], mpq_numref(q));
+    }
+    if (fmb_generators_kind(g, i) != FMB_VERTEX)
+        mpz_set_ui(a[n], 0);
+    mpq_clear(q);
+}
+
 /* The comment lines "* NAME family=WORD" and "* keep K", K variables stay. */
 static void read_comments(problem *p, FILE *in)
 {
@@ -126,13 +147,66 @@ void problem_of_system(problem *p, const char *name, fmb_system *s)
     }
 }
 
+void problem_of_generators(problem *p, const char *name, fmb_generators *g)
+{
+    *p = (problem){.n = fmb_generators_dim(g), .m = fmb_generators_size(g), .generators = g};
+    p->keep = p->n;
+    snprintf(p->name, sizeof p->name, "%s", name);
+    p->rows = need(calloc(p->m + 1, sizeof *p->rows));
+    for (size_t i = 0; i < p->m; i++) {
+        bool line = fmb_generators_kind(g, i) == FMB_LINE;
+        p->rows[i] = (problem_row){integers_new((size_t)p->n + 1), line ? FMB_EQ : FMB_LE};
+        integer_generator(g, i, p->rows[i].a);
+        p->equalities += line;
+    }
+}
+
+fmb_system *system_of_generators(const fmb_generators *g)
+{
+    int n = fmb_generators_dim(g);
+    fmb_system *s = system_of_dim(n);
+    mpz_t *a = integers_new((size_t)n + 1);
+    for (size_t i = 0; i < fmb_generators_size(g); i++) {
+        integer_generator(g, i, a);
+        system_add_row(s, a, fmb_generators_kind(g, i) == FMB_LINE ? FMB_EQ : FMB_LE);
+    }
+    integers_free(a, (size_t)n + 1);
+    return s;
+}
+
+bool problem_turn_over(problem *p)
+{
+    fmb_options o = fmb_options_default();
+    fmb_solver *v = NULL;
+    fmb_generators *g = NULL;
+    fmb_result r = {0};
+    o.evidence = false;
+    o.max_seconds = 10;
+    if (p->generators)
+        return true;
+    if (fmb_solver_new(&o, NULL, &v) != FMB_OK || fmb_generate(v, p->system, &g, &r) != FMB_OK)
+        need(NULL);
+    fmb_solver_free(v);
+    if (!g)
+        return false;
+    problem before = *p;
+    problem_clear(p);
+    problem_of_generators(p, before.name, g);
+    memcpy(p->family, before.family, sizeof p->family);
+    return true;
+}
+
 bool problem_read(problem *p, const char *path)
 {
     FILE *in = fopen(path, "r");
     fmb_reader how = {.format = fmb_format_of_name(path)};
     fmb_where where = {0};
     fmb_system *s = NULL;
-    if (!in || fmb_system_read(in, &how, &s, &where) != FMB_OK) {
+    fmb_generators *g = NULL;
+    const char *dot = strrchr(path, '.');
+    bool points = dot && strcmp(dot, ".ext") == 0;
+    if (!in || (points ? fmb_generators_read(in, &how, &g, &where)
+                       : fmb_system_read(in, &how, &s, &where)) != FMB_OK) {
         fprintf(stderr, "%s:%ld:%ld: %s\n", path, where.line, where.column,
                 in ? where.text : "cannot be opened");
         if (in)
@@ -141,7 +215,10 @@ bool problem_read(problem *p, const char *path)
     }
     char name[sizeof p->name];
     set_name(name, path);
-    problem_of_system(p, name, s);
+    if (points)
+        problem_of_generators(p, name, g);
+    else
+        problem_of_system(p, name, s);
     read_comments(p, in);
     fclose(in);
     return true;
@@ -190,6 +267,27 @@ static void copy_objective(const fmb_system *from, fmb_system *to)
     free(var);
 }
 
+/* Row a as a generator behind those of to. */
+static void append_generator(fmb_generators *to, const problem_row *r)
+{
+    size_t n = (size_t)fmb_generators_dim(to);
+    bool vertex = mpz_sgn(r->a[n]) > 0;
+    mpq_t *q = need(calloc(n + 1, sizeof *q));
+    for (size_t j = 0; j < n; j++) {
+        mpq_init(q[j]);
+        mpz_set(mpq_numref(q[j]), r->a[j]);
+        if (vertex)
+            mpz_set(mpq_denref(q[j]), r->a[n]);
+        mpq_canonicalize(q[j]);
+    }
+    fmb_generator_kind kind = r->rel == FMB_EQ ? FMB_LINE : vertex ? FMB_VERTEX : FMB_RAY;
+    if (fmb_generators_add_q(to, kind, q) != FMB_OK)
+        need(NULL);
+    for (size_t j = 0; j < n; j++)
+        mpq_clear(q[j]);
+    free(q);
+}
+
 void problem_variant(problem *v, const problem *p, unsigned number)
 {
     size_t width = (size_t)p->n + 1, *order = need(calloc(p->m + 1, sizeof *order));
@@ -200,16 +298,23 @@ void problem_variant(problem *v, const problem *p, unsigned number)
         order[i] = order[j];
         order[j] = i;
     }
-    v->system = system_of_dim(p->n);
+    v->system = p->system ? system_of_dim(p->n) : NULL;
+    v->generators = NULL;
+    if (p->generators && fmb_generators_new(p->n, NULL, &v->generators) != FMB_OK)
+        need(NULL);
     v->rows = need(calloc(p->m + 1, sizeof *v->rows));
     for (size_t i = 0; i < p->m; i++) {
         const problem_row *from = &p->rows[order[i]];
         v->rows[i] = (problem_row){integers_new(width), from->rel};
         for (size_t j = 0; j < width; j++)
             mpz_set(v->rows[i].a[j], from->a[j]);
-        append_row(v->system, p->system, order[i]);
+        if (p->system)
+            append_row(v->system, p->system, order[i]);
+        else
+            append_generator(v->generators, from);
     }
-    copy_objective(p->system, v->system);
+    if (p->system)
+        copy_objective(p->system, v->system);
     free(order);
 }
 
@@ -219,4 +324,5 @@ void problem_clear(problem *p)
         integers_free(p->rows[i].a, (size_t)p->n + 1);
     free(p->rows);
     fmb_system_free(p->system);
+    fmb_generators_free(p->generators);
 }

@@ -9,7 +9,7 @@
 
 static bool is_decision(const report *r)
 {
-    return r->limits.question != PEER_PROJECT;
+    return !peer_is_list(r->limits.question);
 }
 
 static bool answered(const child_outcome *o, bool decide)
@@ -153,6 +153,27 @@ static void put_total(const char *name, const total *t)
            t->finished ? exp(t->log_ratio / t->finished) : 0, t->finished ? t->least : 0, t->wrong);
 }
 
+/* Against one peer alone: where it finished, fmb's limit of time standing for fmb's time where fmb
+ * did not. */
+static total add_up_peer(const report *r, int d)
+{
+    total t = {.least = INFINITY};
+    for (size_t i = 0; i < r->entries; i++) {
+        const child_outcome *us = &r->list[i].outcome[0], *them = &r->list[i].outcome[d];
+        t.problems++;
+        t.ours += us->end == CHILD_DONE;
+        t.wrong += r->list[i].unlike[d];
+        if (them->end != CHILD_DONE)
+            continue;
+        double ratio = them->typical / (us->end == CHILD_DONE ? us->typical : r->limits.seconds);
+        t.finished++;
+        t.won += ratio >= 1;
+        t.log_ratio += log(ratio);
+        t.least = fmin(t.least, ratio);
+    }
+    return t;
+}
+
 /* Is problem i the first of its family? */
 static bool opens_family(const report *r, size_t i)
 {
@@ -175,6 +196,13 @@ void report_summary(const report *r)
     }
     total t = add_up(r, NULL);
     put_total("all", &t);
+    printf("\n%-10s%9s%7s%11s%9s%9s%12s%9s%7s\n", "peer", "problems", "fmb", "peer", "fmb won",
+           "share", "geo. mean", "least", "unlike");
+    for (int d = 0; d < r->drivers; d++) {
+        t = add_up_peer(r, d);
+        if (!r->driver[d]->ours)
+            put_total(r->driver[d]->name, &t);
+    }
 }
 
 /* ---- JSON ------------------------------------------------------------------------------------ */
@@ -217,13 +245,17 @@ bool report_json(const report *r, const char *path)
     FILE *out = fopen(path, "w");
     if (!out)
         return false;
+    static const char *const word[PEER_QUESTIONS] = {[PEER_PROJECT] = "project",
+                                                     [PEER_DECIDE] = "decide",
+                                                     [PEER_VERTICES] = "vertices",
+                                                     [PEER_HULL] = "hull"};
     total t = add_up(r, NULL);
     fprintf(out, "{");
     print_machine_json(out);
     fprintf(out,
             ", \"question\": \"%s\", \"seconds\": %g, \"problems\": %d, \"some_peer\": %d, "
             "\"fmb_won\": %d, \"geometric_mean\": %.4f, \"wrong\": %d, \"lines\": [\n",
-            is_decision(r) ? "decide" : "project", r->limits.seconds, t.problems, t.finished, t.won,
+            word[r->limits.question], r->limits.seconds, t.problems, t.finished, t.won,
             t.finished ? exp(t.log_ratio / t.finished) : 0, t.wrong);
     for (size_t i = 0; i < r->entries; i++) {
         json_entry(out, r, &r->list[i]);
