@@ -7,7 +7,7 @@
  * Ownership: only functions marked [give] hand out objects; each has one *_free, which accepts
  * NULL. Nothing takes over an argument. Out arguments are untouched unless FMB_OK is returned.
  * Threads: const arguments may be shared; any other object belongs to one thread at a time. The
- * library keeps no globals, starts no threads, prints nothing and never exits.
+ * library keeps no globals, starts no threads unless asked to, prints nothing and never exits.
  */
 #ifndef FMB_BASE_H
 #define FMB_BASE_H

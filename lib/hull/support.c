@@ -6,15 +6,9 @@
 fmb_status fmb_support_init(fmb_support *s, fmb_run *run, fmb_oracle *oracle, size_t n,
                             const int *kept, size_t k, bool strict, bool proves)
 {
-    *s = (fmb_support){.run = run,
-                       .oracle = oracle,
-                       .n = n,
-                       .k = k,
-                       .kept = kept,
-                       .strict = strict,
-                       .proves = proves};
-    mpz_inits(s->den, s->t, NULL);
-    fmb_status st = fmb_integers_init(&s->x, n, run->mem);
+    *s =
+        (fmb_support){.run = run, .n = n, .k = k, .kept = kept, .strict = strict, .proves = proves};
+    fmb_status st = fmb_scout_init(&s->scout, run, oracle, n);
     if (st == FMB_OK)
         st = fmb_integers_init(&s->g, k + 1, run->mem);
     return st == FMB_OK ? fmb_facets_init(&s->hull, run, k + 1) : st;
@@ -23,19 +17,16 @@ fmb_status fmb_support_init(fmb_support *s, fmb_run *run, fmb_oracle *oracle, si
 void fmb_support_clear(fmb_support *s)
 {
     fmb_mem *mem = s->run->mem;
-    for (size_t i = 0; i < s->rows; i++) {
-        fmb_integers_clear(&s->row[i].z, mem);
-        fmb_weights_clear(&s->row[i].proof, mem);
-        fmb_weights_clear(&s->row[i].reverse, mem);
-    }
+    fmb_support_dismiss(s);
+    for (size_t i = 0; i < s->rows; i++)
+        fmb_support_drop(&s->row[i], mem);
     fmb_mem_put(mem, s->row, s->row_capacity, sizeof *s->row);
     for (size_t i = 0; i < s->points; i++)
         fmb_integers_clear(&s->point[i], mem);
     fmb_mem_put(mem, s->point, s->point_capacity, sizeof *s->point);
     fmb_facets_clear(&s->hull);
-    fmb_integers_clear(&s->x, mem);
     fmb_integers_clear(&s->g, mem);
-    mpz_clears(s->den, s->t, NULL);
+    fmb_scout_clear(&s->scout);
 }
 
 /* ---- the next question ----------------------------------------------------------------------- */
@@ -45,9 +36,11 @@ static fmb_status find_first_point(fmb_support *s)
 {
     const fmb_weights nowhere = {0};
     fmb_oracle_end end;
-    fmb_status st = fmb_oracle_approach(s->oracle, &nowhere, &end);
+    fmb_status st = fmb_oracle_approach(s->scout.oracle, &nowhere, &end);
     s->begun = true;
-    return st == FMB_OK ? fmb_support_add_point(s) : st;
+    if (st == FMB_OK)
+        fmb_oracle_point_integers(s->scout.oracle, s->scout.x.z, s->scout.den);
+    return st == FMB_OK ? fmb_support_take(s, &s->scout) : st;
 }
 
 /* An equation that all generators satisfy: on either side, does the projection go further? */
@@ -63,21 +56,8 @@ static fmb_status ask_about_equation(fmb_support *s)
         s->equations++;
         return fmb_support_keep(s, &row);
     }
-    fmb_support_drop(s, &row);
+    fmb_support_drop(&row, s->run->mem);
     return st;
-}
-
-/* A facet that nothing is known of; SIZE_MAX if there is none. It is the youngest, roughly: its
- * direction is near that of the last query. */
-static size_t find_open_facet(fmb_support *s)
-{
-    const fmb_facets *f = &s->hull;
-    for (size_t i = 0; i < f->slots; i++) {
-        s->at = (s->at + f->slots - 1) % f->slots;
-        if (f->facet[s->at].alive && f->facet[s->at].note == FMB_FACET_OPEN)
-            return s->at;
-    }
-    return SIZE_MAX;
 }
 
 /* Is it x0 >= 0, the face at infinity? */
@@ -89,22 +69,44 @@ static bool is_at_infinity(const fmb_support *s, const fmb_vec *normal)
     return true;
 }
 
+/* A facet that nothing is known of; SIZE_MAX if there is none. It is the youngest, roughly: its
+ * direction is near that of the last query. */
+static size_t find_open_facet(fmb_support *s)
+{
+    const fmb_facets *f = &s->hull;
+    for (size_t i = 0; i < f->slots; i++) {
+        s->at = (s->at + f->slots - 1) % f->slots;
+        fmb_facet *a = &f->facet[s->at];
+        if (!a->alive || a->note != FMB_FACET_OPEN)
+            continue;
+        if (!is_at_infinity(s, &a->normal))
+            return s->at;
+        a->note = FMB_FACET_STANDS;
+    }
+    return SIZE_MAX;
+}
+
 static fmb_status ask_about_facet(fmb_support *s, size_t at)
 {
     fmb_support_row row = {0};
     bool stands;
     const fmb_vec *normal = &s->hull.facet[at].normal;
-    if (is_at_infinity(s, normal)) {
-        s->hull.facet[at].note = FMB_FACET_STANDS;
-        return FMB_OK;
-    }
     fmb_status st = fmb_support_query(s, normal, 1, &row, &stands);
     if (st == FMB_OK && stands) {
         s->hull.facet[at].note = row.rel == FMB_LT ? FMB_FACET_MISSING : FMB_FACET_STANDS;
         return fmb_support_keep(s, &row);
     }
-    fmb_support_drop(s, &row);
+    fmb_support_drop(&row, s->run->mem);
     return st;
+}
+
+/* That one and others. */
+static fmb_status ask_about_facets_at_once(fmb_support *s, size_t first)
+{
+    size_t facet[FMB_CREW], n = 0;
+    for (size_t at = first; n < FMB_CREW && (n == 0 || at != first); at = find_open_facet(s))
+        facet[n++] = at;
+    return fmb_support_ask_crew(s, n, facet);
 }
 
 static fmb_status ask_next_question(fmb_support *s, bool *done)
@@ -117,7 +119,8 @@ static fmb_status ask_next_question(fmb_support *s, bool *done)
     if (s->equations < f->d - f->rank)
         return ask_about_equation(s);
     if ((at = find_open_facet(s)) != SIZE_MAX)
-        return ask_about_facet(s, at);
+        return s->crew && s->rows >= FMB_ROWS_ALONE ? ask_about_facets_at_once(s, at)
+                                                    : ask_about_facet(s, at);
     *done = true;
     return s->strict ? fmb_support_find_missing_faces(s) : FMB_OK;
 }

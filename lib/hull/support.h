@@ -19,6 +19,7 @@
 #include "dd/facets.h"
 #include "lp/oracle/oracle.h"
 #include "num/integers.h"
+#include "trace/team.h"
 
 /* A row of the projection: a.x <= b, < b or = b over its k variables. */
 typedef struct fmb_support_row {
@@ -27,9 +28,21 @@ typedef struct fmb_support_row {
     fmb_weights proof, reverse; /* over the oracle's rows; reverse: of an equality, a.x >= b */
 } fmb_support_row;
 
-typedef struct fmb_support {
+/* Who looks how far the projection goes, and what was seen last: the point x / den, or den = 0 and
+ * the direction x in which it goes on for ever. */
+typedef struct fmb_scout {
     fmb_run *run;
     fmb_oracle *oracle;
+    fmb_integers x; /* [n] */
+    mpz_t den, t;   /* t: scratch */
+} fmb_scout;
+
+typedef struct fmb_crew fmb_crew; /* scouts that look at several facets at once (support_crew.c) */
+
+typedef struct fmb_support {
+    fmb_run *run;
+    fmb_scout scout;
+    fmb_crew *crew;  /* or NULL */
     size_t n, k;     /* columns; those that are kept, */
     const int *kept; /* [k], increasing */
     bool strict;     /* some row of the program is strict */
@@ -40,8 +53,7 @@ typedef struct fmb_support {
     size_t at;            /* the facet to begin with when looking for one that does not stand */
     fmb_support_row *row; /* [rows] proved */
     size_t rows, row_capacity;
-    fmb_integers x, g; /* scratch: [n] a point or ray, [k + 1] its shadow */
-    mpz_t den, t;
+    fmb_integers g;      /* scratch: [k + 1] a point or ray of the projection */
     fmb_integers *point; /* [points] of proofs: x[0..n) over x[n], whose shadows are in the hull */
     size_t points, point_capacity;
 } fmb_support;
@@ -51,6 +63,10 @@ typedef struct fmb_support {
 fmb_status fmb_support_init(fmb_support *s, fmb_run *run, fmb_oracle *oracle, size_t n,
                             const int *kept, size_t k, bool strict, bool proves);
 void fmb_support_clear(fmb_support *s);
+/* From now on look at several facets at once, by as many threads as the run has (at least two),
+ * each with an oracle of its own of p, the program. What is found is the same for any number of
+ * threads, but perhaps in another order than by one alone. Errors: MEMORY, LIMIT. */
+fmb_status fmb_support_hire(fmb_support *s, const fmb_program *p);
 
 /* Ask about facets and equations until all stand: *done; or until the hull has looked at so many
  * pairs of facets for ridges, 0: any number. (Queries are about as many as the projection has

@@ -11,18 +11,43 @@ enum {
     FMB_FACET_MISSING /* the same, but the projection only comes near */
 };
 
-/* support_query.c: does the projection satisfy sign (h0 + h1 x1 + ...) >= 0, h[k + 1], which all
- * generators do? *stands: if so, and the row is written down, proof included (of an equality, with
- * sign -1 the reverse). Else the hull has grown. */
+/* ---- support_query.c ------------------------------------------------------------------------- */
+
+/* The oracle must outlive the scout. In any case fmb_scout_clear it. Errors: MEMORY, LIMIT. */
+fmb_status fmb_scout_init(fmb_scout *c, fmb_run *run, fmb_oracle *oracle, size_t n);
+void fmb_scout_clear(fmb_scout *c);
+/* Does the projection satisfy sign (h0 + h1 x1 + ...) >= 0, h[k + 1], which all generators do?
+ * *stands: if so, and the row is written down, proof included (of an equality, with sign -1 the
+ * reverse), in the scout's memory. Else the scout sees a point or ray beyond. */
+fmb_status fmb_scout_look(fmb_scout *c, const fmb_support *s, const fmb_vec *h, int sign,
+                          fmb_support_row *row, bool *stands);
+/* The hull takes in what the scout saw. */
+fmb_status fmb_support_take(fmb_support *s, fmb_scout *c);
+/* Both, alone. */
 fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, int sign, fmb_support_row *row,
                              bool *stands);
-/* The point at which the oracle stands, if it is outside. */
-fmb_status fmb_support_add_point(fmb_support *s);
 
-/* support_row.c: a row is proved, or of no use. */
-fmb_status fmb_support_write_row(fmb_support *s, const fmb_vec *h, fmb_support_row *row);
+/* ---- support_crew.c -------------------------------------------------------------------------- */
+
+/* Scouts of a crew, and facets that are asked about at once. */
+#define FMB_CREW 8
+/* Before so many rows are proved, oracles that begin anew cost more than they save. */
+#define FMB_ROWS_ALONE 32
+
+/* Ask about n <= FMB_CREW different facets that are open. There is a crew. */
+fmb_status fmb_support_ask_crew(fmb_support *s, size_t n, const size_t *facet);
+void fmb_support_dismiss(fmb_support *s);
+
+/* ---- support_row.c: a row is proved, or of no use -------------------------------------------- */
+
+fmb_status fmb_support_write_row(const fmb_support *s, const fmb_vec *h, fmb_support_row *row,
+                                 fmb_mem *mem);
+/* Takes over the row, whatever the status. */
 fmb_status fmb_support_keep(fmb_support *s, fmb_support_row *row);
-void fmb_support_drop(fmb_support *s, fmb_support_row *row);
+/* A copy of a row that is held elsewhere. In any case fmb_support_drop it. */
+fmb_status fmb_support_copy_row(const fmb_support *s, const fmb_support_row *from,
+                                fmb_support_row *to);
+void fmb_support_drop(fmb_support_row *row, fmb_mem *mem);
 
 /* support_strict.c: all facets stand. Rows for the other faces that the projection lacks. */
 fmb_status fmb_support_find_missing_faces(fmb_support *s);

@@ -2,9 +2,10 @@
 #include "hull/support_inside.h"
 
 /* h0 + h.x >= 0 as -h.x <= h0. */
-fmb_status fmb_support_write_row(fmb_support *s, const fmb_vec *h, fmb_support_row *row)
+fmb_status fmb_support_write_row(const fmb_support *s, const fmb_vec *h, fmb_support_row *row,
+                                 fmb_mem *mem)
 {
-    fmb_status st = fmb_integers_init(&row->z, s->k + 1, s->run->mem);
+    fmb_status st = fmb_integers_init(&row->z, s->k + 1, mem);
     if (st != FMB_OK)
         return st;
     for (size_t j = 0; j < s->k; j++) {
@@ -12,7 +13,7 @@ fmb_status fmb_support_write_row(fmb_support *s, const fmb_vec *h, fmb_support_r
         mpz_neg(row->z.z[j], row->z.z[j]);
     }
     fmb_vec_get(h, 0, row->z.z[s->k]);
-    return fmb_integers_settle(&row->z, s->run->mem);
+    return fmb_integers_settle(&row->z, mem);
 }
 
 fmb_status fmb_support_keep(fmb_support *s, fmb_support_row *row)
@@ -22,13 +23,28 @@ fmb_status fmb_support_keep(fmb_support *s, fmb_support_row *row)
     if (st == FMB_OK)
         s->row[s->rows++] = *row;
     else
-        fmb_support_drop(s, row);
+        fmb_support_drop(row, s->run->mem);
     return st;
 }
 
-void fmb_support_drop(fmb_support *s, fmb_support_row *row)
+fmb_status fmb_support_copy_row(const fmb_support *s, const fmb_support_row *from,
+                                fmb_support_row *to)
 {
     fmb_mem *mem = s->run->mem;
+    *to = (fmb_support_row){.rel = from->rel};
+    fmb_status st = fmb_integers_init(&to->z, s->k + 1, mem);
+    if (st != FMB_OK)
+        return st;
+    for (size_t j = 0; j <= s->k; j++)
+        mpz_set(to->z.z[j], from->z.z[j]);
+    st = fmb_integers_settle(&to->z, mem);
+    if (st == FMB_OK)
+        st = fmb_weights_append(&to->proof, &from->proof, mem);
+    return st == FMB_OK ? fmb_weights_append(&to->reverse, &from->reverse, mem) : st;
+}
+
+void fmb_support_drop(fmb_support_row *row, fmb_mem *mem)
+{
     fmb_integers_clear(&row->z, mem);
     fmb_weights_clear(&row->proof, mem);
     fmb_weights_clear(&row->reverse, mem);

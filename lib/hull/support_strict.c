@@ -105,7 +105,7 @@ static fmb_status ask_about_face(lattice *l, const uint64_t *set, fmb_support_ro
         st = fmb_support_query(l->s, &l->h, 1, row, &stands);
     *missing = st == FMB_OK && row->rel == FMB_LT;
     if (!*missing)
-        fmb_support_drop(l->s, row);
+        fmb_support_drop(row, l->s->run->mem);
     return st;
 }
 
@@ -124,7 +124,7 @@ static fmb_status find_missing_points(lattice *l)
         if (!missing) {
             st = ask_about_face(l, one, &row, &missing);
             if (missing)
-                fmb_support_drop(l->s, &row);
+                fmb_support_drop(&row, l->s->run->mem);
         }
         if (missing)
             put_in_set(l->missing, i);
@@ -202,7 +202,7 @@ static fmb_status keep_missing_face(lattice *l, size_t i, fmb_support_row *row)
 {
     fmb_status st = reserve_set(l, &l->gone, l->gones, &l->gone_capacity);
     if (st != FMB_OK) {
-        fmb_support_drop(l->s, row);
+        fmb_support_drop(row, l->s->run->mem);
         return st;
     }
     memcpy(l->gone + l->gones++ * l->words, l->face + i * l->words, l->words * sizeof *l->gone);

@@ -16,6 +16,14 @@ fmb_status fmb_weights_add(fmb_weights *w, uint32_t row, const mpq_t value, fmb_
     return FMB_OK;
 }
 
+fmb_status fmb_weights_append(fmb_weights *w, const fmb_weights *from, fmb_mem *mem)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i < from->size; i++)
+        st = fmb_weights_add(w, from->index[i], from->value[i], mem);
+    return st;
+}
+
 void fmb_weights_clear(fmb_weights *w, fmb_mem *mem)
 {
     for (size_t i = 0; i < w->size; i++)

@@ -15,6 +15,7 @@ void fmb_run_begin(fmb_run *run, fmb_mem *mem, const fmb_options *o, const atomi
 {
     *run = (fmb_run){.mem = mem, .cancel = cancel, .max_rows = o->max_rows, .sink = sink};
     run->kernels = fmb_kernels_choose(o->simd);
+    run->threads = o->threads > 1 ? o->threads : 1;
     run->tells_rows = o->trace_rows && sink.put != NULL;
     run->started = monotonic_seconds();
     if (o->max_seconds > 0)
@@ -95,6 +96,7 @@ void fmb_share_begin(fmb_share *s, const fmb_run *run, size_t shares)
     s->run.mem = &s->mem;
     s->run.sink = (fmb_sink){0};
     s->run.tells_rows = false;
+    s->run.threads = 1;
     s->run.stats = (fmb_stats){0};
 }
 

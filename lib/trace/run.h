@@ -23,6 +23,7 @@ typedef struct fmb_run {
     fmb_stop stop;            /* the first limit reached */
     double started, deadline; /* monotonic clock [s]; deadline 0 = none */
     size_t max_rows;          /* live rows; 0 = none */
+    size_t threads;           /* that may work on it, at least 1 */
     unsigned tick;            /* polls so far: the clock is read at every 16th */
     fmb_stats stats;
     fmb_sink sink;

@@ -9,13 +9,10 @@
 
 #include <string.h>
 
-#ifdef _OPENMP
-#include <omp.h>
-#endif
-
 #include "lp/redundancy/findings.h"
 #include "lp/redundancy/sift.h"
 #include "lp/redundancy/twins.h"
+#include "trace/team.h"
 
 enum { GROUP = 1024 };
 
@@ -46,75 +43,64 @@ static fmb_status sift_rows(const fmb_sieve *s, fmb_run *run, fmb_fate *fate,
 
 /* ---- together -------------------------------------------------------------------------------- */
 
-typedef struct group {
-    fmb_share share;
-    fmb_findings found;
-} group;
+typedef struct sifting {
+    const fmb_sieve *s;
+    fmb_findings *found; /* [groups] */
+} sifting;
 
 /* With fates of its own, which begin as they are. */
-static fmb_status sift_group(const fmb_sieve *s, group *g, size_t from)
+static fmb_status sift_group(void *self, size_t number, fmb_run *run)
 {
-    size_t m = s->polar.m, to = from + GROUP < m ? from + GROUP : m;
-    fmb_fate *fate = fmb_mem_get(&g->share.mem, m, sizeof *fate);
-    const fmb_verdicts *told = s->told ? &g->found.listener : NULL;
-    fmb_findings_begin(&g->found, &g->share.mem, s->polar.n);
+    const sifting *all = self;
+    const fmb_sieve *s = all->s;
+    fmb_findings *found = &all->found[number];
+    size_t m = s->polar.m, from = number * GROUP, to = from + GROUP < m ? from + GROUP : m;
+    fmb_fate *fate = fmb_mem_get(run->mem, m, sizeof *fate);
+    const fmb_verdicts *told = s->told ? &found->listener : NULL;
+    fmb_findings_begin(found, run->mem, s->polar.n);
     if (!fate)
-        return fmb_mem_status(&g->share.mem);
+        return fmb_mem_status(run->mem);
     memcpy(fate, s->fate, m * sizeof *fate);
-    fmb_status st = sift_rows(s, &g->share.run, fate, told, from, to);
+    fmb_status st = sift_rows(s, run, fate, told, from, to);
     for (size_t i = 0; (st == FMB_OK || st == FMB_LIMIT) && !told && i < m; i++)
         if (fate[i] != s->fate[i])
-            st = fmb_findings_note(&g->found, i, fate[i]) == FMB_OK ? st : FMB_ERR_MEMORY;
-    fmb_mem_put(&g->share.mem, fate, m, sizeof *fate);
+            st = fmb_findings_note(found, i, fate[i]) == FMB_OK ? st : FMB_ERR_MEMORY;
+    fmb_mem_put(run->mem, fate, m, sizeof *fate);
     return st;
 }
 
-static void sift_all_groups(const fmb_sieve *s, group *all, size_t groups, size_t threads)
-{
-    (void)threads;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 1) num_threads((int)threads)
-#endif
-    for (size_t k = 0; k < groups; k++)
-        all[k].share.st = sift_group(s, &all[k], k * GROUP);
-}
-
 /* Tells what was found, in order, then says what went wrong first. */
-static fmb_status finish_groups(fmb_sieve *s, group *all, size_t groups)
+static fmb_status sift_all_groups(fmb_sieve *s, fmb_findings *found, size_t groups)
 {
-    fmb_status st = FMB_OK, worst = FMB_OK;
-    fmb_mem *mem = s->run->mem;
-    size_t peak = 0;
-    for (size_t k = 0; k < groups; k++) {
+    fmb_team team;
+    sifting all = {s, found};
+    fmb_status st = FMB_OK, worst = fmb_team_open(&team, s->run, groups);
+    bool begun = worst == FMB_OK;
+    if (begun)
+        worst = fmb_team_do(&team, groups, sift_group, &all);
+    for (size_t k = 0; begun && k < groups; k++) {
         if (st == FMB_OK)
-            st = fmb_findings_tell(&all[k].found, s->fate, s->told);
-        if (worst == FMB_OK || (worst == FMB_LIMIT && all[k].share.st != FMB_OK))
-            worst = all[k].share.st;
-        fmb_findings_end(&all[k].found);
-        fmb_share_end(&all[k].share, s->run, &peak);
+            st = fmb_findings_tell(&found[k], s->fate, s->told);
+        fmb_findings_end(&found[k]);
     }
-    if (mem->used + peak > mem->peak)
-        mem->peak = mem->used + peak;
+    fmb_team_close(&team);
     return st != FMB_OK ? st : worst;
 }
 
-static fmb_status sift_together(fmb_sieve *s, size_t groups, size_t threads)
+static fmb_status sift_together(fmb_sieve *s, size_t groups)
 {
     fmb_mem *mem = s->run->mem;
-    group *all = fmb_mem_zero(mem, groups, sizeof *all);
-    if (!all)
+    fmb_findings *found = fmb_mem_zero(mem, groups, sizeof *found);
+    if (!found)
         return fmb_mem_status(mem);
-    for (size_t k = 0; k < groups; k++)
-        fmb_share_begin(&all[k].share, s->run, groups);
-    sift_all_groups(s, all, groups, threads < groups ? threads : groups);
-    fmb_status st = finish_groups(s, all, groups);
-    fmb_mem_put(mem, all, groups, sizeof *all);
+    fmb_status st = sift_all_groups(s, found, groups);
+    fmb_mem_put(mem, found, groups, sizeof *found);
     return st;
 }
 
 /* ---- all rows -------------------------------------------------------------------------------- */
 
-fmb_status fmb_sieve_sort(fmb_sieve *s, size_t threads, fmb_fate *fate, const fmb_verdicts *told)
+fmb_status fmb_sieve_sort(fmb_sieve *s, fmb_fate *fate, const fmb_verdicts *told)
 {
     const fmb_polar *p = &s->polar;
     size_t groups = (p->m + GROUP - 1) / GROUP;
@@ -126,7 +112,7 @@ fmb_status fmb_sieve_sort(fmb_sieve *s, size_t threads, fmb_fate *fate, const fm
     for (size_t i = 0; i < p->m; i++)
         if (fate[i] == FMB_FATE_REDUNDANT)
             fmb_polar_hide(&s->polar, i);
-    if (threads > 1 && groups > 1)
-        return sift_together(s, groups, threads);
+    if (s->run->threads > 1 && groups > 1)
+        return sift_together(s, groups);
     return sift_rows(s, s->run, fate, told, 0, p->m);
 }

@@ -23,9 +23,9 @@ fmb_status fmb_sieve_open(fmb_sieve *s, fmb_run *run, size_t n, size_t m, const 
                           bool *inner);
 void fmb_sieve_close(fmb_sieve *s);
 /* With a point inside: fate[m], UNKNOWN on entry, becomes KEPT or REDUNDANT; a few rows may stay
- * UNKNOWN. told may be NULL. With more than one thread, many rows are sorted by several; what
+ * UNKNOWN. told may be NULL. Where the run has several threads, they sort many rows; what
  * becomes of them, and what is told, is the same for any number of these. On LIMIT the fates set so
  * far hold. Errors: MEMORY, LIMIT. */
-fmb_status fmb_sieve_sort(fmb_sieve *s, size_t threads, fmb_fate *fate, const fmb_verdicts *told);
+fmb_status fmb_sieve_sort(fmb_sieve *s, fmb_fate *fate, const fmb_verdicts *told);
 
 #endif

@@ -1,6 +1,8 @@
 /* support.c: rows of a projection from support queries (hull/support.h); see support.h. */
 #include "solve/project/support.h"
 
+#include <stdlib.h>
+
 #include "hull/support.h"
 #include "system/system.h"
 
@@ -46,6 +48,16 @@ static fmb_status put_support_row(fmb_queries *h, fmb_support_row *r, fmb_system
     return st == FMB_OK ? fmb_query_append_row(h->q, h->p, &h->row, r->rel, h->place, out) : st;
 }
 
+static int compare_support_rows(const void *a, const void *b)
+{
+    const fmb_integers *x = &((const fmb_support_row *)a)->z, *y = &((const fmb_support_row *)b)->z;
+    int sign = 0;
+    for (size_t j = 0; sign == 0 && j < x->size; j++)
+        sign = mpz_cmp(x->z[j], y->z[j]);
+    return sign;
+}
+
+/* In an order that does not depend on when they were found. */
 static fmb_status put_all_support_rows(fmb_queries *h, fmb_system *out)
 {
     size_t n = (size_t)h->p->n + 1;
@@ -55,6 +67,7 @@ static fmb_status put_all_support_rows(fmb_queries *h, fmb_system *out)
     fmb_status st = h->z && h->row.s ? FMB_OK : fmb_mem_status(mem);
     for (size_t j = 0; h->z && j < n; j++)
         mpz_init(h->z[j]);
+    qsort(h->s.row, h->s.rows, sizeof *h->s.row, compare_support_rows);
     for (size_t i = 0; st == FMB_OK && i < h->s.rows; i++)
         st = put_support_row(h, &h->s.row[i], out);
     for (size_t j = 0; h->z && j < n; j++)
@@ -127,8 +140,11 @@ fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, fmb_querie
     if (st != FMB_OK || !*feasible)
         return st;
     h->begun = true;
-    return fmb_support_init(&h->s, &q->run, o, (size_t)h->p->n, h->column, h->k,
-                            q->program[part].any_strict, q->claims != NULL);
+    st = fmb_support_init(&h->s, &q->run, o, (size_t)h->p->n, h->column, h->k,
+                          q->program[part].any_strict, q->claims != NULL);
+    if (st == FMB_OK && q->run.threads > 1 && !q->session)
+        st = fmb_support_hire(&h->s, &q->program[part]);
+    return st;
 }
 
 void fmb_queries_close(fmb_queries *h)

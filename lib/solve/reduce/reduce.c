@@ -137,7 +137,7 @@ static fmb_status sift_rows_of_part(progress *g, const fmb_verdicts *told, bool 
     fmb_sieve sieve;
     fmb_status st = fmb_sieve_open(&sieve, &g->q->run, (size_t)g->p->n, g->p->m, g->row, inner);
     if (st == FMB_OK && *inner)
-        st = fmb_sieve_sort(&sieve, g->q->v->options.threads, g->fate, told);
+        st = fmb_sieve_sort(&sieve, g->fate, told);
     fmb_sieve_close(&sieve);
     return st;
 }

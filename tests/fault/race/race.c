@@ -26,7 +26,7 @@ typedef struct stage {
     scene scene[SCENES_MOST];
     int scenes;
     support_rng g;
-    size_t bytes; /* that solvers hold */
+    atomic_size_t bytes; /* that solvers hold */
     fmb_solver *v;
     atomic_bool running; /* set by the query's first event */
     atomic_bool over;    /* set when it has returned */
@@ -61,6 +61,7 @@ static fmb_options some_options(support_rng *g)
 {
     fmb_options o = fmb_options_default();
     o.method = (fmb_method)support_between(g, FMB_METHOD_AUTO, FMB_METHOD_DD);
+    o.threads = support_chance(g, 50) ? (size_t)support_between(g, 2, 5) : 1;
     o.arith = support_chance(g, 20) ? FMB_ARITH_GMP : FMB_ARITH_AUTO;
     o.evidence = true;
     return o;

@@ -52,7 +52,7 @@ static void sort_and_compare(scene *c, const char *what, uint64_t seed, tally *t
     support_must(fmb_sieve_open(&s, &c->run, c->n, c->m, c->row, &inner));
     if (inner) {
         t->inner++;
-        support_must(fmb_sieve_sort(&s, 1, fate, &told));
+        support_must(fmb_sieve_sort(&s, fate, &told));
         count_fates(c, fate, t);
         cr_assert(decide_by_dictionary(c, truth), "%s, seed %llu", what, (unsigned long long)seed);
     }

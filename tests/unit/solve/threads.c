@@ -1,5 +1,5 @@
-/* threads.c: the ends of a box, and the rows that stay, by several threads are those by one, and
- * proved; under limits too. */
+/* threads.c: the ends of a box, the rows that stay, and those of a projection, by several threads
+ * are those by one, and proved; under limits too. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <stdio.h>
@@ -186,6 +186,103 @@ Test(threads, rows_under_a_limit)
         free(reduce_by(s, 3, FMB_STOP_TIME, 0.004 * k, some));
         for (int i = 0; i < MANY; i++)
             cr_expect(some[i] == FMB_FATE_UNKNOWN || some[i] == all[i], "row %d", i);
+    }
+    fmb_system_free(s);
+}
+
+/* ---- projections ----------------------------------------------------------------------------- */
+
+enum { LIFTED = 7, KEPT = 4 };
+
+/* [give] Rows around the origin; in some directions it may go on for ever. */
+static fmb_system *around_origin(support_rng *g)
+{
+    fmb_system *s = rows_none(LIFTED);
+    for (int i = 0; i < 4 * LIFTED; i++) {
+        int64_t a[LIFTED];
+        for (int j = 0; j < LIFTED; j++)
+            a[j] = support_between(g, -9, 9);
+        must(fmb_system_add_int(s, a, support_chance(g, 5) ? FMB_LT : FMB_LE,
+                                support_between(g, 10, 99)));
+    }
+    return s;
+}
+
+/* [give] The projection, and its proof as text. */
+static fmb_system *project_by(const fmb_system *s, size_t threads, double seconds, fmb_stop *stop,
+                              char **proof)
+{
+    static const int keep[KEPT] = {0, 2, 3, 5};
+    fmb_options o = fmb_options_default();
+    fmb_solver *v = NULL;
+    fmb_evidence *e = NULL;
+    fmb_system *p = NULL;
+    fmb_judgement j;
+    fmb_result r;
+    size_t size = 0;
+    FILE *f = open_memstream(proof, &size);
+    o.threads = threads;
+    o.max_seconds = seconds;
+    o.method = FMB_METHOD_HULL;
+    must(fmb_solver_new(&o, NULL, &v));
+    must(fmb_project(v, s, keep, KEPT, &p, &r));
+    must(fmb_solver_evidence(v, &e));
+    must(fmb_check(s, e, &j));
+    cr_expect(j.accepted || (r.stop != FMB_STOP_DONE && fmb_evidence_claims(e) == 0), "%s",
+              j.reason);
+    must(fmb_evidence_write(e, s, f));
+    fclose(f);
+    *stop = r.stop;
+    fmb_evidence_free(e);
+    fmb_solver_free(v);
+    return p;
+}
+
+static void expect_same_rows(const fmb_system *a, const fmb_system *b)
+{
+    char *text[2] = {NULL, NULL};
+    size_t size;
+    for (int i = 0; i < 2; i++) {
+        FILE *f = open_memstream(&text[i], &size);
+        must(fmb_system_write(i == 0 ? a : b, FMB_FORMAT_TEXT, f));
+        fclose(f);
+    }
+    cr_expect_str_eq(text[0], text[1]);
+    free(text[0]);
+    free(text[1]);
+}
+
+Test(threads, same_projection)
+{
+    support_rng g = {81};
+    for (int i = 0; i < 6; i++) {
+        fmb_system *s = around_origin(&g), *p[3];
+        char *proof[3];
+        fmb_stop stop;
+        for (int k = 0; k < 3; k++) {
+            p[k] = project_by(s, (size_t[]){1, 2, 5}[k], 0, &stop, &proof[k]);
+            cr_assert(p[k] && stop == FMB_STOP_DONE && fmb_system_rows(p[k]) > 40);
+            expect_same_rows(p[0], p[k]);
+        }
+        cr_expect_str_eq(proof[1], proof[2]);
+        for (int k = 0; k < 3; k++) {
+            fmb_system_free(p[k]);
+            free(proof[k]);
+        }
+        fmb_system_free(s);
+    }
+}
+
+/* What is known when time is up is proved. */
+Test(threads, projection_under_a_limit)
+{
+    support_rng g = {82};
+    fmb_system *s = around_origin(&g);
+    for (int k = 1; k <= 4; k++) {
+        char *proof;
+        fmb_stop stop;
+        fmb_system_free(project_by(s, 3, 0.004 * k, &stop, &proof));
+        free(proof);
     }
     fmb_system_free(s);
 }
