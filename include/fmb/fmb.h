@@ -13,6 +13,7 @@
 #include <fmb/options.h>
 #include <fmb/pair.h>
 #include <fmb/proof.h>
+#include <fmb/proximity.h>
 #include <fmb/rule.h>
 #include <fmb/session.h>
 #include <fmb/solve.h>

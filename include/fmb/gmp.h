@@ -8,6 +8,7 @@
 #include <fmb/generators.h>
 #include <fmb/io.h>
 #include <fmb/proof.h>
+#include <fmb/proximity.h>
 #include <fmb/rule.h>
 #include <fmb/session.h>
 #include <fmb/solve.h>
@@ -74,6 +75,23 @@ typedef struct fmb_frame_q {
 FMB_API FMB_CHECKED fmb_status fmb_system_from_frames_q(const fmb_frame_q *f, size_t n,
                                                         fmb_coordinates in, fmb_contact contact,
                                                         const fmb_alloc *mem, fmb_system **out);
+
+/* <fmb/proximity.h> for two of these. Errors: ARG (as there; a denominator 0), MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_distance_q(fmb_solver *v, const fmb_frame_q *f, fmb_norm norm,
+                                              fmb_proximity **out, fmb_result *res);
+FMB_API FMB_CHECKED fmb_status fmb_depth_q(fmb_solver *v, const fmb_frame_q *f, fmb_norm norm,
+                                           fmb_proximity **out, fmb_result *res);
+FMB_API FMB_CHECKED fmb_status fmb_separate_q(fmb_solver *v, const fmb_frame_q *f,
+                                              fmb_contact contact, fmb_system **out,
+                                              fmb_result *res);
+FMB_API bool fmb_separates_q(const fmb_frame_q *f, fmb_contact contact, const fmb_system *row);
+FMB_API FMB_CHECKED fmb_status fmb_common_q(fmb_solver *v, const fmb_frame_q *f,
+                                            fmb_generators **out, fmb_result *res);
+/* The exact values: the length, but its square where the norm is Euclidean; and the rest. */
+FMB_API void fmb_proximity_measure_q(const fmb_proximity *p, mpq_t out);
+FMB_API void fmb_proximity_shift_q(const fmb_proximity *p, int j, mpq_t out);
+FMB_API void fmb_proximity_point_q(const fmb_proximity *p, int which, int j, mpq_t out);
+FMB_API void fmb_proximity_time_q(const fmb_proximity *p, mpq_t out);
 
 /* ---- pairs of frames from text (docs/formats.md, "frames") ----------------------------------- */
 

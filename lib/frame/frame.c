@@ -92,7 +92,7 @@ static bool has_denominators(mpq_t *a, size_t n)
     return i == n;
 }
 
-static bool is_good_rational_frame(const fmb_frame_q *f, int dim)
+bool fmb_frame_q_is_good(const fmb_frame_q *f, int dim)
 {
     size_t d = (size_t)dim;
     return f->dim == dim && is_outline_possible(f->shape, f->naxes, dim) &&
@@ -246,7 +246,7 @@ fmb_status fmb_frames_q_within_limits(const fmb_frame_q *f, size_t n, fmb_coordi
 {
     bool good = f && n > 0;
     for (size_t k = 0; good && k < n; k++)
-        good = is_good_rational_frame(&f[k], f[0].dim);
+        good = fmb_frame_q_is_good(&f[k], f[0].dim);
     return good ? make_system_from(NULL, f, n, in, contact, mem, run, out) : FMB_ERR_ARG;
 }
 

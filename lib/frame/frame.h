@@ -9,6 +9,9 @@
 /* A frame in R^dim, all of its numbers finite. */
 bool fmb_frame_is_good(const fmb_frame *f, int dim);
 
+/* The same in rationals: all denominators are there. */
+bool fmb_frame_q_is_good(const fmb_frame_q *f, int dim);
+
 static inline bool fmb_frame_is_by_corners(fmb_shape shape)
 {
     return shape == FMB_CUBOID_BY_CORNERS || shape == FMB_SIMPLEX_BY_CORNERS;

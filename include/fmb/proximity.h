@@ -1,0 +1,77 @@
+/* fmb/proximity.h: two frames that meet: where all, and how deep; two that do not: how far apart,
+ * and a row between them. Everything is exact, in any dimension, and asked for by itself: verdicts
+ * (<fmb/pair.h>) do not wait for it.
+ *
+ * f is always an array of two frames of one dimension, at least 1; they are closed unless a contact
+ * is asked for. If one of them moves, it is about all times from 0 to 1 together. Numbers are
+ * handed out as the doubles nearest to them, and exactly by <fmb/gmp.h>, which also takes frames in
+ * rationals. *out is NULL where there is nothing to hand out, and at a limit, which res->stop tells.
+ *
+ * Sources: Wolfe, Finding the nearest point in a polytope, Mathematical Programming 11 (1976);
+ * Cameron and Culley, Determining the minimum translational distance between two convex polyhedra,
+ * IEEE Conf. Robotics and Automation 1986.
+ */
+#ifndef FMB_PROXIMITY_H
+#define FMB_PROXIMITY_H
+
+#include <fmb/frame.h>
+#include <fmb/generators.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* How a vector is measured. */
+typedef enum fmb_norm {
+    FMB_NORM_EUCLIDEAN = 0,
+    FMB_NORM_MAX /* its largest coordinate, without sign */
+} fmb_norm;
+
+typedef struct fmb_proximity fmb_proximity;
+
+/* [give] How near the frames come, and two points where they do; the verdict is FEASIBLE if they
+ * meet, and the distance then 0. The plane at right angles to the shift (Euclidean) proves it.
+ * Errors: ARG, MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_distance(fmb_solver *v, const fmb_frame *f, fmb_norm norm,
+                                            fmb_proximity **out, fmb_result *res);
+
+/* [give] How deep they are in each other: the length of the shortest translation of the second
+ * after which they do no more than touch; 0 if that is all they do. *out is NULL, and the verdict
+ * INFEASIBLE, if they are apart. It projects a system of all coordinates, so set a limit in high
+ * dimensions. Errors: ARG, MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_depth(fmb_solver *v, const fmb_frame *f, fmb_norm norm,
+                                         fmb_proximity **out, fmb_result *res);
+
+FMB_API void fmb_proximity_free(fmb_proximity *p);
+
+/* Of NULL, and of a coordinate that is none, all of these are 0. */
+/* The distance or the depth [world length units]. */
+FMB_API double fmb_proximity_length(const fmb_proximity *p);
+/* Coordinate j of the translation of the second frame, of that length, after which they touch. */
+FMB_API double fmb_proximity_shift(const fmb_proximity *p, int j);
+/* Of a distance: coordinate j of a point of the first (which = 0) or second frame (1), and the time
+ * when they are that near. */
+FMB_API double fmb_proximity_point(const fmb_proximity *p, int which, int j);
+FMB_API double fmb_proximity_time(const fmb_proximity *p);
+
+/* [give] A row a.x <= b over x1, x2, ... and, if something moves, t: the first frame satisfies it,
+ * the second a.x >= b, and fmb_separates accepts it. *out is NULL if they meet. Errors: ARG,
+ * MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_separate(fmb_solver *v, const fmb_frame *f, fmb_contact contact,
+                                            fmb_system **out, fmb_result *res);
+
+/* Does the one row of that system prove that the frames have no common point? The first must lie
+ * on the side of <= at all times, the second on the other, and not both in the plane. It evaluates
+ * corners, and knows nothing else. False for arguments that are none; the frames must be such. */
+FMB_API bool fmb_separates(const fmb_frame *f, fmb_contact contact, const fmb_system *row);
+
+/* [give] The common points: vertices of a point, segment, polygon, polytope, over x1, x2, ... and,
+ * if something moves, t. Without any the verdict is INFEASIBLE, and *out NULL. Errors: ARG, MEMORY.
+ */
+FMB_API FMB_CHECKED fmb_status fmb_common(fmb_solver *v, const fmb_frame *f, fmb_generators **out,
+                                          fmb_result *res);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,272 @@
+/* nearest.c: the point of a polytope nearest to 0, by P. Wolfe's algorithm, in rationals.
+ *
+ * A corral is a set of vertices, affinely independent, whose affine hull has its point x nearest to
+ * 0 inside their convex hull. If no vertex v of M has v.x < x.x, then M lies beyond the plane
+ * through x at right angles to it, and x is the answer. If one has, it joins the corral: the point y
+ * nearest to 0 of the new affine hull is nearer than x, and if it lies outside of the convex hull,
+ * one goes from x towards y as far as the hull reaches, drops the vertices that have no weight
+ * there, and asks again. Each step of the outer loop comes nearer to 0, so no corral comes twice,
+ * and there are finitely many. All signs are exact.
+ *
+ * Source: P. Wolfe, Finding the nearest point in a polytope, Mathematical Programming 11 (1976).
+ */
+#include "frame/jordan.h"
+#include "num/rationals.h"
+#include "num/vec.h"
+#include "proximity/proximity.h"
+
+typedef struct wolfe {
+    fmb_minkowski *m;
+    fmb_run *run;
+    size_t most;      /* vertices in a corral, dim + 1, and one more */
+    size_t n;         /* those in it */
+    mpz_t **vertex;   /* [most] (minkowski.h) */
+    mpz_t *vertices;  /* their numbers */
+    mpz_t *table;     /* [most + 1][most + 2] */
+    mpz_t *direction; /* [dim] x times the determinant */
+    mpz_t *sums;      /* [dim] scratch */
+    mpq_t *weight;    /* [most] of the vertices in x */
+    mpq_t *wish;      /* [most] in y */
+    mpz_t det, a, b;
+    mpq_t step, t;
+} wolfe;
+
+static size_t vertex_size(const wolfe *w)
+{
+    return FMB_VERTEX_ROWS * (size_t)w->m->dim;
+}
+
+static size_t table_size(const wolfe *w)
+{
+    return (w->most + 1) * (w->most + 2);
+}
+
+/* ---- life ------------------------------------------------------------------------------------ */
+
+static fmb_status open_wolfe(wolfe *w, fmb_minkowski *m, fmb_run *run)
+{
+    size_t dim = (size_t)m->dim;
+    fmb_mem *mem = m->mem;
+    *w = (wolfe){.m = m, .run = run, .most = dim + 2};
+    mpz_inits(w->det, w->a, w->b, NULL);
+    mpq_inits(w->step, w->t, NULL);
+    w->vertex = fmb_mem_get(mem, w->most, sizeof(mpz_t *));
+    w->vertices = fmb_vec_block(w->most * vertex_size(w), mem);
+    w->table = fmb_vec_block(table_size(w), mem);
+    w->direction = fmb_vec_block(dim, mem);
+    w->sums = fmb_vec_block(dim, mem);
+    if (!w->vertex || !w->vertices || !w->table || !w->direction || !w->sums)
+        return fmb_mem_status(mem);
+    for (size_t i = 0; i < w->most; i++)
+        w->vertex[i] = w->vertices + i * vertex_size(w);
+    fmb_status st = fmb_rationals_new(&w->weight, w->most, mem);
+    return st == FMB_OK ? fmb_rationals_new(&w->wish, w->most, mem) : st;
+}
+
+static void free_block(wolfe *w, mpz_t *block, size_t n)
+{
+    for (size_t i = 0; block && i < n; i++)
+        mpz_clear(block[i]);
+    fmb_mem_put(w->m->mem, block, n, sizeof *block);
+}
+
+static void close_wolfe(wolfe *w)
+{
+    size_t dim = (size_t)w->m->dim;
+    fmb_mem *mem = w->m->mem;
+    free_block(w, w->vertices, w->most * vertex_size(w));
+    free_block(w, w->table, table_size(w));
+    free_block(w, w->direction, dim);
+    free_block(w, w->sums, dim);
+    fmb_mem_put(mem, w->vertex, w->most, sizeof *w->vertex);
+    fmb_rationals_free(w->weight, w->most, mem);
+    fmb_rationals_free(w->wish, w->most, mem);
+    mpz_clears(w->det, w->a, w->b, NULL);
+    mpq_clears(w->step, w->t, NULL);
+}
+
+/* ---- the nearest point of an affine hull ----------------------------------------------------- */
+
+/* The weights of y make all v_i.y equal and add up to 1. The matrix is regular as the vertices are
+ * affinely independent. */
+static fmb_status find_wish(wolfe *w)
+{
+    size_t n = w->n, width = n + 2;
+    for (size_t i = 0; i <= n; i++) {
+        mpz_t *row = w->table + i * width;
+        for (size_t k = 0; k < n; k++)
+            if (i < n)
+                fmb_minkowski_dot(w->m, w->vertex[i], w->vertex[k], row[k]);
+            else
+                mpz_set_ui(row[k], 1);
+        mpz_set_ui(row[n], i < n);
+        mpz_set_ui(row[n + 1], i == n);
+    }
+    fmb_status st =
+        fmb_jordan(w->table, (int)n + 1, (int)width, (int)n + 1, w->det, w->run);
+    for (size_t i = 0; st == FMB_OK && i < n; i++) {
+        mpz_set(mpq_numref(w->wish[i]), w->table[i * width + n + 1]);
+        mpz_set(mpq_denref(w->wish[i]), w->det);
+        mpq_canonicalize(w->wish[i]);
+    }
+    return st;
+}
+
+static bool is_wish_inside(const wolfe *w)
+{
+    size_t i = 0;
+    while (i < w->n && mpq_sgn(w->wish[i]) > 0)
+        i++;
+    return i == w->n;
+}
+
+/* How far from x towards y all weights stay at least 0. */
+static void find_step(wolfe *w)
+{
+    mpq_set_ui(w->step, 1, 1);
+    for (size_t i = 0; i < w->n; i++) {
+        if (mpq_sgn(w->wish[i]) > 0)
+            continue;
+        mpq_sub(w->t, w->weight[i], w->wish[i]);
+        if (mpq_sgn(w->t) == 0)
+            mpq_set_ui(w->t, 0, 1); /* both are 0: no step */
+        else
+            mpq_div(w->t, w->weight[i], w->t);
+        if (mpq_cmp(w->t, w->step) < 0)
+            mpq_set(w->step, w->t);
+    }
+}
+
+static void drop_vertex(wolfe *w, size_t i)
+{
+    size_t last = --w->n;
+    mpz_t *vertex = w->vertex[i];
+    w->vertex[i] = w->vertex[last];
+    w->vertex[last] = vertex;
+    mpq_set(w->weight[i], w->weight[last]);
+    mpq_set(w->wish[i], w->wish[last]);
+}
+
+/* At least one vertex is dropped: the one that stopped the step. */
+static void step_towards_wish(wolfe *w)
+{
+    find_step(w);
+    for (size_t i = w->n; i-- > 0;) {
+        mpq_sub(w->t, w->wish[i], w->weight[i]);
+        mpq_mul(w->t, w->t, w->step);
+        mpq_add(w->weight[i], w->weight[i], w->t);
+        if (mpq_sgn(w->weight[i]) == 0 && mpq_sgn(w->wish[i]) <= 0)
+            drop_vertex(w, i);
+    }
+}
+
+/* ---- corrals --------------------------------------------------------------------------------- */
+
+static fmb_status make_corral(wolfe *w)
+{
+    fmb_status st = find_wish(w);
+    while (st == FMB_OK && !is_wish_inside(w)) {
+        step_towards_wish(w);
+        st = find_wish(w);
+    }
+    for (size_t i = 0; st == FMB_OK && i < w->n; i++)
+        mpq_set(w->weight[i], w->wish[i]);
+    return st;
+}
+
+/* direction = det x, a whole vector. */
+static void find_direction(wolfe *w)
+{
+    for (int j = 0; j < w->m->dim; j++)
+        mpz_set_ui(w->direction[j], 0);
+    for (size_t i = 0; i < w->n; i++) {
+        mpz_ptr share = w->table[i * (w->n + 2) + w->n + 1];
+        for (int j = 0; j < w->m->dim; j++)
+            mpz_addmul(w->direction[j], share, w->vertex[i][j]);
+    }
+}
+
+/* Does the vertex behind those of the corral have v.x < x.x? */
+static bool is_nearer(wolfe *w)
+{
+    fmb_minkowski_dot(w->m, w->direction, w->vertex[w->n], w->a);
+    mpz_mul(w->a, w->a, w->det);
+    fmb_minkowski_dot(w->m, w->direction, w->direction, w->b);
+    return mpz_cmp(w->a, w->b) < 0;
+}
+
+static fmb_status find_nearest_corral(wolfe *w)
+{
+    fmb_minkowski_lowest(w->m, w->direction, w->vertex[0]); /* any will do: the direction is 0 */
+    mpq_set_ui(w->weight[0], 1, 1);
+    fmb_status st = FMB_OK;
+    bool goes_on = true;
+    for (w->n = 1; st == FMB_OK && goes_on; w->n += goes_on) {
+        st = make_corral(w);
+        if (st != FMB_OK)
+            break;
+        find_direction(w);
+        fmb_minkowski_lowest(w->m, w->direction, w->vertex[w->n]);
+        goes_on = is_nearer(w);
+        if (goes_on)
+            mpq_set_ui(w->weight[w->n], 0, 1);
+        st = fmb_run_poll(w->run);
+    }
+    return st;
+}
+
+/* ---- the answer ------------------------------------------------------------------------------ */
+
+/* out = sum of weight_i number_i, a number of each vertex, over unit. */
+static void weigh_number(wolfe *w, size_t place, const mpz_t unit, mpq_t out)
+{
+    mpq_set_ui(out, 0, 1);
+    for (size_t i = 0; i < w->n; i++) {
+        mpq_set_z(w->t, w->vertex[i][place]);
+        mpq_mul(w->t, w->t, w->weight[i]);
+        mpq_add(out, out, w->t);
+    }
+    mpq_set_z(w->t, unit);
+    mpq_div(out, out, w->t);
+}
+
+static void add_travel(wolfe *w, int k, int j, fmb_proximity *out)
+{
+    const fmb_minkowski_frame *f = &w->m->frame[k];
+    mpq_set_z(w->t, f->row[(size_t)(f->naxes + 1) * (size_t)w->m->dim + (size_t)j]);
+    mpz_set(mpq_denref(w->step), w->m->unit);
+    mpz_set_ui(mpq_numref(w->step), 1);
+    mpq_mul(w->t, w->t, w->step);
+    mpq_mul(w->t, w->t, out->time);
+    mpq_add(out->point[k][j], out->point[k][j], w->t);
+}
+
+static void write_nearest(wolfe *w, fmb_proximity *out)
+{
+    size_t dim = (size_t)w->m->dim;
+    mpz_set_ui(w->a, 1);
+    if (dim > 0)
+        weigh_number(w, 3 * dim, w->a, out->time);
+    mpq_set_ui(out->measure, 0, 1);
+    for (size_t j = 0; j < dim; j++) {
+        for (size_t k = 0; k < 2; k++) {
+            weigh_number(w, (k + 1) * dim + j, w->m->unit, out->point[k][j]);
+            add_travel(w, (int)k, (int)j, out);
+        }
+        mpq_sub(out->shift[j], out->point[0][j], out->point[1][j]);
+        mpq_mul(w->t, out->shift[j], out->shift[j]);
+        mpq_add(out->measure, out->measure, w->t);
+    }
+}
+
+fmb_status fmb_find_nearest(fmb_minkowski *m, fmb_run *run, fmb_proximity *out)
+{
+    wolfe w;
+    fmb_status st = open_wolfe(&w, m, run);
+    if (st == FMB_OK)
+        st = find_nearest_corral(&w);
+    if (st == FMB_OK)
+        write_nearest(&w, out);
+    close_wolfe(&w);
+    return st;
+}

@@ -1,0 +1,108 @@
+/* proximity.c: see proximity.h and fmb/proximity.h. */
+#include "proximity/proximity.h"
+
+#include <math.h>
+
+#include "num/rationals.h"
+
+fmb_status fmb_proximity_new(int dim, fmb_norm norm, const fmb_alloc *hook, fmb_proximity **out)
+{
+    fmb_mem mem;
+    fmb_mem_init(&mem, hook, 0);
+    fmb_proximity *p = fmb_mem_zero(&mem, 1, sizeof *p);
+    if (!p)
+        return fmb_mem_status(&mem);
+    mpq_init(p->measure);
+    mpq_init(p->time);
+    p->mem = mem;
+    p->dim = dim;
+    p->norm = norm;
+    mpq_t **const list[] = {&p->point[0], &p->point[1], &p->shift};
+    fmb_status st = FMB_OK;
+    for (int k = 0; st == FMB_OK && k < 3; k++)
+        st = fmb_rationals_new(list[k], (size_t)dim, &p->mem);
+    if (st == FMB_OK)
+        *out = p;
+    else
+        fmb_proximity_free(p);
+    return st;
+}
+
+void fmb_proximity_free(fmb_proximity *p)
+{
+    if (!p)
+        return;
+    for (int k = 0; k < 2; k++)
+        fmb_rationals_free(p->point[k], (size_t)p->dim, &p->mem);
+    fmb_rationals_free(p->shift, (size_t)p->dim, &p->mem);
+    mpq_clear(p->measure);
+    mpq_clear(p->time);
+    fmb_mem mem = p->mem;
+    fmb_mem_put(&mem, p, 1, sizeof *p);
+}
+
+/* ---- what it says ---------------------------------------------------------------------------- */
+
+static bool is_coordinate(const fmb_proximity *p, int j)
+{
+    return p && j >= 0 && j < p->dim;
+}
+
+static mpq_srcptr point_of(const fmb_proximity *p, int which, int j)
+{
+    return is_coordinate(p, j) && (which == 0 || which == 1) ? p->point[which][j] : NULL;
+}
+
+static mpq_srcptr shift_of(const fmb_proximity *p, int j)
+{
+    return is_coordinate(p, j) ? p->shift[j] : NULL;
+}
+
+static void copy_or_zero(mpq_t out, mpq_srcptr from)
+{
+    if (from)
+        mpq_set(out, from);
+    else
+        mpq_set_ui(out, 0, 1);
+}
+
+double fmb_proximity_length(const fmb_proximity *p)
+{
+    double measure = fmb_nearest_double(p ? p->measure : NULL);
+    return p && p->norm == FMB_NORM_EUCLIDEAN ? sqrt(measure) : measure;
+}
+
+double fmb_proximity_time(const fmb_proximity *p)
+{
+    return fmb_nearest_double(p ? p->time : NULL);
+}
+
+double fmb_proximity_point(const fmb_proximity *p, int which, int j)
+{
+    return fmb_nearest_double(point_of(p, which, j));
+}
+
+double fmb_proximity_shift(const fmb_proximity *p, int j)
+{
+    return fmb_nearest_double(shift_of(p, j));
+}
+
+void fmb_proximity_measure_q(const fmb_proximity *p, mpq_t out)
+{
+    copy_or_zero(out, p ? p->measure : NULL);
+}
+
+void fmb_proximity_time_q(const fmb_proximity *p, mpq_t out)
+{
+    copy_or_zero(out, p ? p->time : NULL);
+}
+
+void fmb_proximity_point_q(const fmb_proximity *p, int which, int j, mpq_t out)
+{
+    copy_or_zero(out, point_of(p, which, j));
+}
+
+void fmb_proximity_shift_q(const fmb_proximity *p, int j, mpq_t out)
+{
+    copy_or_zero(out, shift_of(p, j));
+}

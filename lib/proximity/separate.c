@@ -1,0 +1,180 @@
+/* separate.c: a row that keeps two frames apart; see fmb/proximity.h.
+ *
+ * Farkas multipliers of the system that says where the frames meet, x and t being variables, fall
+ * into those of the first frame's rows, of the second's, and of time's. The coordinates c of the
+ * first frame are in its rows alone, so these combine to a row w.x + k t <= b that holds for the
+ * first frame, and those of the second to one that holds for it and contradicts the first: w
+ * separates. Once w is known, the row that is handed out rests on the second frame: x is counted as
+ * it moves, and the right side is as far as the first one comes.
+ */
+#include "num/rationals.h"
+#include "num/vec.h"
+#include "proximity/proximity.h"
+#include "system/system.h"
+
+/* Rows of a frame before those that tell its point (frame/rows.c). */
+static size_t rows_before_point(const fmb_minkowski_frame *f)
+{
+    size_t n = (size_t)f->naxes;
+    return f->shape == FMB_CUBOID ? 2 * n : n + (n > 0);
+}
+
+static size_t find_conflict(const fmb_evidence *e)
+{
+    size_t i = 0;
+    while (i < fmb_evidence_claims(e) && fmb_evidence_kind(e, i) != FMB_CLAIM_INFEASIBLE)
+        i++;
+    return i;
+}
+
+/* w_j is the multiplier of the row that tells x_j, times the coefficient of x_j in it. */
+static void read_direction(const fmb_minkowski *m, const fmb_system *s, const fmb_evidence *e,
+                           mpq_t *w)
+{
+    size_t claim = find_conflict(e), row = rows_before_point(&m->frame[0]);
+    mpq_t coef;
+    mpq_init(coef);
+    for (int j = 0; j < m->dim; j++) {
+        fmb_evidence_multiplier_q(e, claim, row + (size_t)j, w[j]);
+        fmb_system_term_q(s, row + (size_t)j, 0, coef); /* x comes before all other variables */
+        mpq_mul(w[j], w[j], coef);
+    }
+    mpq_clear(coef);
+}
+
+/* out = w without fractions. */
+static void make_direction_whole(const fmb_minkowski *m, mpq_t *w, mpz_t *out)
+{
+    mpz_t scale;
+    mpz_init_set_ui(scale, 1);
+    for (int j = 0; j < m->dim; j++)
+        mpz_lcm(scale, scale, mpq_denref(w[j]));
+    for (int j = 0; j < m->dim; j++) {
+        mpz_divexact(out[j], scale, mpq_denref(w[j]));
+        mpz_mul(out[j], out[j], mpq_numref(w[j]));
+    }
+    mpz_clear(scale);
+}
+
+/* The row over x and, if something moves, t. The vertex is the one of M where w is largest. */
+static fmb_status append_separating_row(fmb_minkowski *m, mpz_t *w, mpz_t *vertex, fmb_system *out)
+{
+    size_t dim = (size_t)m->dim, n = 0;
+    const fmb_minkowski_frame *q = &m->frame[1];
+    int *var = fmb_mem_get(m->mem, dim + 1, sizeof *var);
+    mpz_t *z = fmb_vec_block(dim + 3, m->mem);
+    fmb_status st = var && z ? FMB_OK : fmb_mem_status(m->mem);
+    for (size_t j = 0; st == FMB_OK && j < dim; j++)
+        if (mpz_sgn(w[j]) != 0) {
+            var[n] = (int)j;
+            mpz_mul(z[n++], w[j], m->unit);
+        }
+    if (st == FMB_OK) {
+        fmb_minkowski_dot(m, w, q->row + (size_t)(q->naxes + 1) * dim, z[n]);
+        mpz_neg(z[n], z[n]);
+        var[n] = (int)dim;
+        n += mpz_sgn(z[n]) != 0;
+        fmb_minkowski_dot(m, w, vertex + dim, z[n]);
+        fmb_minkowski_dot(m, w, m->drift, m->t[0]);
+        mpz_addmul(z[n], m->t[0], vertex[3 * dim]);
+        mpz_set_ui(z[n + 1], 1);
+        st = fmb_system_append(out, n, var, z, FMB_LE);
+    }
+    for (size_t k = 0; z && k < dim + 3; k++)
+        mpz_clear(z[k]);
+    fmb_mem_put(m->mem, z, dim + 3, sizeof *z);
+    fmb_mem_put(m->mem, var, dim + 1, sizeof *var);
+    return st;
+}
+
+/* Scratch is whole numbers: w, then -w, then a vertex. */
+static fmb_status find_row(fmb_minkowski *m, const fmb_system *s, const fmb_evidence *e,
+                           fmb_system *out)
+{
+    size_t dim = (size_t)m->dim, size = (2 + FMB_VERTEX_ROWS) * dim;
+    mpq_t *w = NULL;
+    mpz_t *whole = fmb_vec_block(size, m->mem);
+    fmb_status st = whole ? fmb_rationals_new(&w, dim, m->mem) : fmb_mem_status(m->mem);
+    if (st == FMB_OK) {
+        read_direction(m, s, e, w);
+        make_direction_whole(m, w, whole);
+        for (size_t j = 0; j < dim; j++)
+            mpz_neg(whole[dim + j], whole[j]);
+        fmb_minkowski_lowest(m, whole + dim, whole + 2 * dim);
+        st = append_separating_row(m, whole, whole + 2 * dim, out);
+    }
+    fmb_rationals_free(w, dim, m->mem);
+    for (size_t k = 0; whole && k < size; k++)
+        mpz_clear(whole[k]);
+    fmb_mem_put(m->mem, whole, size, sizeof *whole);
+    return st;
+}
+
+/* [give] A system over x1, x2, ... and, if something moves, t, with that one row. */
+static fmb_status make_row(fmb_solver *v, const fmb_two *two, const fmb_system *s,
+                           const fmb_evidence *e, fmb_system **out)
+{
+    fmb_minkowski m;
+    fmb_system *row = NULL;
+    fmb_status st = fmb_minkowski_init(&m, two, &v->mem);
+    if (st == FMB_OK)
+        st = fmb_system_new(m.dim, &v->mem.alloc, &row);
+    if (st == FMB_OK && m.moves)
+        st = fmb_system_add_variable(row, "t", NULL);
+    if (st == FMB_OK)
+        st = find_row(&m, s, e, row);
+    fmb_minkowski_clear(&m);
+    if (st == FMB_OK)
+        *out = row;
+    else
+        fmb_system_free(row);
+    return st;
+}
+
+/* The conflict is wanted, whatever the solver keeps otherwise. */
+static fmb_status solve_with_evidence(fmb_solver *v, const fmb_system *s, fmb_evidence **out,
+                                      fmb_result *res)
+{
+    fmb_evidence_kept wanted = v->options.evidence;
+    v->options.evidence = FMB_EVIDENCE_VERDICT;
+    fmb_status st = fmb_solve(v, s, res);
+    v->options.evidence = wanted;
+    if (st == FMB_OK && res->verdict == FMB_INFEASIBLE)
+        st = fmb_solver_evidence(v, out);
+    v->answered = false;
+    return st;
+}
+
+static fmb_status separate_two(fmb_solver *v, const fmb_two *two, fmb_contact contact,
+                               fmb_system **out, fmb_result *res)
+{
+    fmb_system *s = NULL, *row = NULL;
+    fmb_evidence *e = NULL;
+    fmb_result own;
+    fmb_status st = fmb_two_expect(v, two, out != NULL);
+    if (st == FMB_OK && (unsigned)contact > FMB_CONTACT_OPEN)
+        st = fmb_solver_refuse(v, FMB_ERR_ARG, "contact is %d, which is none", (int)contact);
+    if (st == FMB_OK)
+        st = fmb_two_system(two, FMB_COORDINATES_ALL, contact, &v->mem.alloc, &s);
+    if (st == FMB_OK)
+        st = solve_with_evidence(v, s, &e, res ? res : &own);
+    if (st == FMB_OK && e)
+        st = make_row(v, two, s, e, &row);
+    if (st == FMB_OK)
+        *out = row;
+    fmb_evidence_free(e);
+    fmb_system_free(s);
+    return st;
+}
+
+fmb_status fmb_separate(fmb_solver *v, const fmb_frame *f, fmb_contact contact, fmb_system **out,
+                        fmb_result *res)
+{
+    return separate_two(v, &(fmb_two){.f = f}, contact, out, res);
+}
+
+fmb_status fmb_separate_q(fmb_solver *v, const fmb_frame_q *f, fmb_contact contact,
+                          fmb_system **out, fmb_result *res)
+{
+    return separate_two(v, &(fmb_two){.q = f}, contact, out, res);
+}

@@ -1,0 +1,49 @@
+/* two.c: see two.h. */
+#include "proximity/two.h"
+
+fmb_status fmb_two_expect(fmb_solver *v, const fmb_two *two, bool out)
+{
+    char fault[FMB_FRAME_FAULT_SIZE] = "";
+    if (!v || !out || (!two->f && !two->q))
+        return fmb_solver_refuse(v, FMB_ERR_ARG, "%s is NULL",
+                                 !v     ? "the solver"
+                                 : !out ? "out"
+                                        : "f");
+    if (fmb_two_dim(two) < 1)
+        return fmb_solver_refuse(v, FMB_ERR_ARG, "dim is %d, not at least 1", fmb_two_dim(two));
+    for (int k = 0; two->f && k < 2; k++)
+        if (fmb_frame_describe_fault(&two->f[k], two->f[0].dim, fault, sizeof fault))
+            return fmb_solver_refuse(v, FMB_ERR_ARG, "f[%d]: %s", k, fault);
+    for (int k = 0; two->q && k < 2; k++)
+        if (!fmb_frame_q_is_good(&two->q[k], two->q[0].dim))
+            return fmb_solver_refuse(v, FMB_ERR_ARG, "f[%d] is no frame", k);
+    return FMB_OK;
+}
+
+int fmb_two_dim(const fmb_two *two)
+{
+    return two->f ? two->f[0].dim : two->q[0].dim;
+}
+
+bool fmb_two_moves(const fmb_two *two)
+{
+    return two->f ? two->f[0].speed || two->f[1].speed : two->q[0].speed || two->q[1].speed;
+}
+
+int fmb_two_axes(const fmb_two *two, int k)
+{
+    return two->f ? two->f[k].naxes : two->q[k].naxes;
+}
+
+fmb_status fmb_two_system(const fmb_two *two, fmb_coordinates in, fmb_contact contact,
+                          const fmb_alloc *mem, fmb_system **out)
+{
+    return two->f ? fmb_system_from_frames(two->f, 2, in, contact, mem, out)
+                  : fmb_system_from_frames_q(two->q, 2, in, contact, mem, out);
+}
+
+fmb_status fmb_two_scene(const fmb_two *two, fmb_mem *mem, fmb_scene *out)
+{
+    return two->f ? fmb_scene_of_doubles(out, two->f, 2, mem, NULL)
+                  : fmb_scene_of_rationals(out, two->q, 2, mem, NULL);
+}

@@ -1,0 +1,433 @@
+/* proximity.c: distance, depth and common points of random pairs, by what makes them true: corners
+ * of the Minkowski difference, and verdicts on frames that were moved. */
+#include <criterion/criterion.h>
+#include <math.h>
+
+#include <fmb/fmb.h>
+#include <fmb/gmp.h>
+
+#include "../frame/meet.h"
+#include "bodies.h"
+#include "property/random/rows.h"
+
+static fmb_solver *solver;
+
+static void open_solver(void)
+{
+    must(fmb_solver_new(NULL, NULL, &solver));
+}
+
+static void close_solver(void)
+{
+    fmb_solver_free(solver);
+}
+
+TestSuite(proximity, .init = open_solver, .fini = close_solver);
+
+/* The shift of an answer, and how long it is. */
+typedef struct vector {
+    int dim;
+    mpq_t x[BODIES_MOST_DIM], square, most, sum;
+} vector;
+
+static void measure_vector(vector *u)
+{
+    mpq_t t;
+    mpq_init(t);
+    mpq_set_ui(u->square, 0, 1);
+    mpq_set_ui(u->most, 0, 1);
+    mpq_set_ui(u->sum, 0, 1);
+    for (int j = 0; j < u->dim; j++) {
+        mpq_mul(t, u->x[j], u->x[j]);
+        mpq_add(u->square, u->square, t);
+        mpq_abs(t, u->x[j]);
+        mpq_add(u->sum, u->sum, t);
+        if (mpq_cmp(t, u->most) > 0)
+            mpq_set(u->most, t);
+    }
+    mpq_clear(t);
+}
+
+static vector vector_new(int dim)
+{
+    vector u = {.dim = dim};
+    for (int j = 0; j < dim; j++)
+        mpq_init(u.x[j]);
+    mpq_inits(u.square, u.most, u.sum, NULL);
+    return u;
+}
+
+static vector shift_of(const fmb_proximity *p, int dim)
+{
+    vector u = vector_new(dim);
+    for (int j = 0; j < dim; j++)
+        fmb_proximity_shift_q(p, j, u.x[j]);
+    measure_vector(&u);
+    return u;
+}
+
+static vector draw_vector(support_rng *g, int dim)
+{
+    vector u = vector_new(dim);
+    for (int j = 0; j < dim; j++)
+        mpq_set_si(u.x[j], support_between(g, -9, 9), 1);
+    measure_vector(&u);
+    return u;
+}
+
+static void vector_free(vector *u)
+{
+    for (int j = 0; j < u->dim; j++)
+        mpq_clear(u->x[j]);
+    mpq_clears(u->square, u->most, u->sum, NULL);
+}
+
+static void scale(vector *u, long p, unsigned long q)
+{
+    mpq_t t;
+    mpq_init(t);
+    mpq_set_si(t, p, q);
+    for (int j = 0; j < u->dim; j++)
+        mpq_mul(u->x[j], u->x[j], t);
+    measure_vector(u);
+    mpq_clear(t);
+}
+
+/* Do the frames meet after the second was moved? */
+static bool meet_after(const fmb_frame *f, mpq_t *shift)
+{
+    fmb_frame_q q[2] = {bodies_moved(&f[0], NULL), bodies_moved(&f[1], shift)};
+    fmb_system *s = NULL;
+    must(fmb_system_from_frames_q(q, 2, FMB_COORDINATES_EACH, FMB_CONTACT_CLOSED, NULL, &s));
+    bool yes = is_feasible(s);
+    fmb_system_free(s);
+    rational_free(&q[0]);
+    rational_free(&q[1]);
+    return yes;
+}
+
+static void expect_measure(const fmb_proximity *p, mpq_srcptr want)
+{
+    mpq_t got;
+    mpq_init(got);
+    fmb_proximity_measure_q(p, got);
+    cr_expect(mpq_equal(got, want));
+    mpq_clear(got);
+}
+
+/* A point of an answer belongs to its frame at that time. */
+static void expect_inside(const fmb_frame *f, int which, const fmb_proximity *p)
+{
+    int dim = f->dim;
+    fmb_frame_q q[2] = {bodies_moved(&f[which], NULL), rational_new(FMB_CUBOID, dim, 0, false)};
+    fmb_system *s = NULL;
+    mpq_t t;
+    mpq_init(t);
+    fmb_proximity_time_q(p, t);
+    for (int j = 0; j < dim; j++) {
+        mpq_ptr x = q[1].origin[j];
+        fmb_proximity_point_q(p, which, j, x);
+        if (q[0].speed) {
+            mpq_mul(q[0].speed[j], q[0].speed[j], t);
+            mpq_sub(x, x, q[0].speed[j]);
+            mpq_set_ui(q[0].speed[j], 0, 1);
+        }
+    }
+    must(fmb_system_from_frames_q(q, 2, FMB_COORDINATES_EACH, FMB_CONTACT_CLOSED, NULL, &s));
+    cr_expect(is_feasible(s));
+    fmb_system_free(s);
+    mpq_clear(t);
+    rational_free(&q[0]);
+    rational_free(&q[1]);
+}
+
+/* ---- distance -------------------------------------------------------------------------------- */
+
+/* The plane at right angles to the shift proves that no corner is nearer. */
+static void expect_nearest(const fmb_frame *f, const fmb_proximity *p)
+{
+    difference *m = difference_new(f);
+    vector u = shift_of(p, f->dim);
+    mpq_t least;
+    mpq_init(least);
+    expect_measure(p, u.square);
+    cr_expect(meet_after(f, u.x));
+    difference_least(m, u.x, least);
+    cr_expect(mpq_cmp(least, u.square) >= 0);
+    expect_inside(f, 0, p);
+    expect_inside(f, 1, p);
+    mpq_clear(least);
+    vector_free(&u);
+    difference_free(m);
+}
+
+/* No direction proves that it is farther, and in a plane, one proves that it is not nearer: the
+ * facets of the difference and of a cube are all those of their sum. */
+static void expect_smallest_cube(support_rng *g, const fmb_frame *f, const fmb_proximity *p)
+{
+    difference *m = difference_new(f);
+    vector u = shift_of(p, f->dim);
+    mpq_t least, bound;
+    mpq_inits(least, bound, NULL);
+    expect_measure(p, u.most);
+    cr_expect(meet_after(f, u.x));
+    for (int round = 0; round < 20; round++) {
+        vector w = draw_vector(g, f->dim);
+        difference_least(m, w.x, least);
+        mpq_mul(bound, u.most, w.sum);
+        cr_expect(mpq_cmp(least, bound) <= 0);
+        vector_free(&w);
+    }
+    scale(&u, 999, 1000);
+    expect_inside(f, 0, p);
+    expect_inside(f, 1, p);
+    mpq_clears(least, bound, NULL);
+    vector_free(&u);
+    difference_free(m);
+}
+
+Test(proximity, distances_are_proved_by_corners)
+{
+    support_rng g = {21};
+    int apart = 0;
+    for (int round = 0; round < 300; round++) {
+        bodies b;
+        int dim = support_between(&g, 1, BODIES_MOST_DIM);
+        bodies_draw(&g, dim, round % 2 == 0, support_between(&g, 2, 12), &b);
+        bool meets = meet(b.f, 2, FMB_COORDINATES_EACH);
+        for (fmb_norm norm = FMB_NORM_EUCLIDEAN; norm <= FMB_NORM_MAX; norm++) {
+            fmb_proximity *p = NULL;
+            fmb_result r;
+            must(fmb_distance(solver, b.f, norm, &p, &r));
+            cr_assert(p && r.verdict == (meets ? FMB_FEASIBLE : FMB_INFEASIBLE));
+            cr_expect((fmb_proximity_length(p) == 0) == meets);
+            if (norm == FMB_NORM_EUCLIDEAN)
+                expect_nearest(b.f, p);
+            else
+                expect_smallest_cube(&g, b.f, p);
+            fmb_proximity_free(p);
+        }
+        apart += !meets;
+    }
+    cr_expect(apart > 50 && apart < 250, "%d", apart);
+}
+
+/* Two squares at a corner: the difference has its nearest point at (2, 1) - (1, 0). */
+Test(proximity, distance_of_two_squares)
+{
+    const double unit[4] = {1, 0, 0, 1}, at[2][2] = {{0, 0}, {4, 5}};
+    fmb_frame f[2];
+    for (int k = 0; k < 2; k++)
+        f[k] = (fmb_frame){.shape = FMB_CUBOID, .dim = 2, .naxes = 2, .origin = at[k], .axes = unit};
+    fmb_proximity *p = NULL;
+    must(fmb_distance(solver, f, FMB_NORM_EUCLIDEAN, &p, NULL));
+    cr_expect(fmb_proximity_length(p) == 5);
+    cr_expect(fmb_proximity_shift(p, 0) == -3 && fmb_proximity_shift(p, 1) == -4);
+    cr_expect(fmb_proximity_point(p, 0, 0) == 1 && fmb_proximity_point(p, 1, 1) == 5);
+    cr_expect(fmb_proximity_point(p, 2, 0) == 0 && fmb_proximity_point(p, 0, 2) == 0);
+    fmb_proximity_free(p);
+    p = NULL;
+    must(fmb_distance(solver, f, FMB_NORM_MAX, &p, NULL));
+    cr_expect(fmb_proximity_length(p) == 4 && fmb_proximity_time(p) == 0);
+    fmb_proximity_free(p);
+}
+
+/* ---- depth ----------------------------------------------------------------------------------- */
+
+/* depth = the least over all directions u of (the largest u.m) / |u|: no direction has less. */
+static void expect_no_shallower(support_rng *g, const difference *m, fmb_norm norm, mpq_srcptr most)
+{
+    mpq_t far;
+    mpq_init(far);
+    for (int round = 0; round < 30; round++) {
+        vector u = draw_vector(g, m->dim);
+        difference_least(m, u.x, far); /* of u, that is the largest of -u, with its sign */
+        mpq_neg(far, far);
+        if (norm == FMB_NORM_EUCLIDEAN) {
+            mpq_mul(far, far, far);
+            mpq_mul(u.square, u.square, most);
+            cr_expect(mpq_cmp(far, u.square) >= 0);
+        } else {
+            mpq_mul(u.sum, u.sum, most);
+            cr_expect(mpq_cmp(far, u.sum) >= 0);
+        }
+        vector_free(&u);
+    }
+    mpq_clear(far);
+}
+
+Test(proximity, depths_part_the_frames)
+{
+    support_rng g = {22};
+    int deep = 0;
+    for (int round = 0; round < 160; round++) {
+        bodies b;
+        int dim = support_between(&g, 1, 3);
+        bodies_draw(&g, dim, round % 2 == 0, support_between(&g, 1, 5), &b);
+        bool meets = meet(b.f, 2, FMB_COORDINATES_EACH);
+        for (fmb_norm norm = FMB_NORM_EUCLIDEAN; norm <= FMB_NORM_MAX; norm++) {
+            fmb_proximity *p = NULL;
+            fmb_result r;
+            must(fmb_depth(solver, b.f, norm, &p, &r));
+            cr_assert((p != NULL) == meets &&
+                      r.verdict == (meets ? FMB_FEASIBLE : FMB_INFEASIBLE));
+            if (!p)
+                continue;
+            difference *m = difference_new(b.f);
+            vector u = shift_of(p, dim);
+            expect_measure(p, norm == FMB_NORM_EUCLIDEAN ? u.square : u.most);
+            expect_no_shallower(&g, m, norm, norm == FMB_NORM_EUCLIDEAN ? u.square : u.most);
+            cr_expect(meet_after(b.f, u.x));
+            if (mpq_sgn(u.square) > 0) {
+                scale(&u, 1001, 1000);
+                cr_expect(!meet_after(b.f, u.x));
+                deep++;
+            }
+            vector_free(&u);
+            difference_free(m);
+            fmb_proximity_free(p);
+        }
+    }
+    cr_expect(deep > 60, "%d", deep);
+}
+
+/* ---- common points --------------------------------------------------------------------------- */
+
+/* The box of the vertices is the box of the common points. */
+static void expect_box(const fmb_frame *f, const fmb_generators *g)
+{
+    fmb_system *s = meeting(f, 2, FMB_COORDINATES_ALL);
+    fmb_box *box = NULL;
+    fmb_result r;
+    mpq_t end, x;
+    mpq_inits(end, x, NULL);
+    must(fmb_bound(solver, s, NULL, 0, &box, &r));
+    for (int j = 0; j < 2 * f->dim; j++) {
+        fmb_side side = j % 2 ? FMB_UPPER : FMB_LOWER;
+        cr_assert(fmb_box_end_q(box, j / 2, side, end));
+        int reached = 0;
+        for (size_t i = 0; i < fmb_generators_size(g); i++) {
+            fmb_generators_get_q(g, i, j / 2, x);
+            int beyond = mpq_cmp(x, end);
+            cr_expect(side == FMB_UPPER ? beyond <= 0 : beyond >= 0);
+            reached += beyond == 0;
+        }
+        cr_expect(reached > 0);
+    }
+    mpq_clears(end, x, NULL);
+    fmb_box_free(box);
+    fmb_system_free(s);
+}
+
+Test(proximity, common_points_fill_the_box)
+{
+    support_rng g = {23};
+    int meeting_pairs = 0;
+    for (int round = 0; round < 200; round++) {
+        bodies b;
+        bodies_draw(&g, support_between(&g, 1, 3), round % 2 == 0, support_between(&g, 1, 5), &b);
+        bool meets = meet(b.f, 2, FMB_COORDINATES_EACH), moves = b.f[0].speed || b.f[1].speed;
+        fmb_generators *common = NULL;
+        fmb_result r;
+        must(fmb_common(solver, b.f, &common, &r));
+        cr_assert((common != NULL) == meets);
+        if (!meets)
+            continue;
+        cr_expect(fmb_generators_dim(common) == b.f[0].dim + moves);
+        for (size_t i = 0; i < fmb_generators_size(common); i++)
+            cr_expect(fmb_generators_kind(common, i) == FMB_VERTEX);
+        expect_box(b.f, common);
+        fmb_generators_free(common);
+        meeting_pairs++;
+    }
+    cr_expect(meeting_pairs > 60, "%d", meeting_pairs);
+}
+
+/* ---- arguments, rationals, limits ------------------------------------------------------------ */
+
+Test(proximity, rationals_are_exact)
+{
+    fmb_frame_q f[2] = {rational_new(FMB_CUBOID, 1, 1, false),
+                        rational_new(FMB_SIMPLEX, 1, 1, false)};
+    fmb_proximity *p = NULL;
+    fmb_generators *common = NULL;
+    fmb_system *row = NULL;
+    mpq_t third;
+    mpq_init(third);
+    mpq_set_ui(third, 1, 3);
+    mpq_set_ui(f[0].axes[0], 1, 1);
+    mpq_set_ui(f[1].origin[0], 4, 3);
+    mpq_set_ui(f[1].axes[0], 1, 1);
+    must(fmb_distance_q(solver, f, FMB_NORM_MAX, &p, NULL));
+    expect_measure(p, third);
+    fmb_proximity_free(p);
+    p = NULL;
+    must(fmb_separate_q(solver, f, FMB_CONTACT_CLOSED, &row, NULL));
+    cr_expect(row && fmb_separates_q(f, FMB_CONTACT_CLOSED, row));
+    fmb_system_free(row);
+    must(fmb_common_q(solver, f, &common, NULL));
+    cr_expect_null(common);
+    mpq_set_ui(f[1].origin[0], 2, 3);
+    must(fmb_depth_q(solver, f, FMB_NORM_EUCLIDEAN, &p, NULL));
+    mpq_mul(third, third, third);
+    expect_measure(p, third);
+    fmb_proximity_point_q(NULL, 0, 0, third);
+    cr_expect(mpq_sgn(third) == 0);
+    fmb_proximity_free(p);
+    mpq_clear(third);
+    rational_free(&f[0]);
+    rational_free(&f[1]);
+}
+
+Test(proximity, arguments)
+{
+    const double x[2] = {0, 0}, infinite[2] = {0, INFINITY};
+    fmb_frame point = {.shape = FMB_CUBOID, .dim = 2, .naxes = 0, .origin = x};
+    fmb_frame f[2] = {point, point}, bad[2] = {point, point}, none[2] = {point, point};
+    fmb_proximity *p = NULL;
+    fmb_generators *g = NULL;
+    fmb_system *row = NULL;
+    bad[1].origin = infinite;
+    none[0].dim = none[1].dim = 0;
+    cr_expect(fmb_distance(NULL, f, FMB_NORM_MAX, &p, NULL) == FMB_ERR_ARG);
+    cr_expect(fmb_distance(solver, NULL, FMB_NORM_MAX, &p, NULL) == FMB_ERR_ARG);
+    cr_expect(fmb_distance(solver, f, FMB_NORM_MAX, NULL, NULL) == FMB_ERR_ARG);
+    cr_expect(fmb_distance(solver, f, (fmb_norm)2, &p, NULL) == FMB_ERR_ARG);
+    cr_expect(fmb_distance(solver, bad, FMB_NORM_MAX, &p, NULL) == FMB_ERR_ARG);
+    cr_expect_str_eq(fmb_solver_trouble(solver), "f[1]: origin[1] is not finite");
+    cr_expect(fmb_depth(solver, bad, FMB_NORM_MAX, &p, NULL) == FMB_ERR_ARG);
+    cr_expect(fmb_depth(solver, none, FMB_NORM_MAX, &p, NULL) == FMB_ERR_ARG);
+    cr_expect(fmb_separate(solver, f, (fmb_contact)2, &row, NULL) == FMB_ERR_ARG);
+    cr_expect(fmb_common(solver, bad, &g, NULL) == FMB_ERR_ARG);
+    cr_expect(!p && !g && !row);
+    cr_expect(!fmb_separates(f, FMB_CONTACT_CLOSED, NULL));
+    must(fmb_depth(solver, f, FMB_NORM_EUCLIDEAN, &p, NULL)); /* a point on itself */
+    cr_expect(p && fmb_proximity_length(p) == 0);
+    fmb_proximity_free(p);
+    fmb_proximity_free(NULL);
+    cr_expect(fmb_proximity_length(NULL) == 0);
+}
+
+Test(proximity, limits)
+{
+    support_rng g = {24};
+    bodies b;
+    bodies_draw(&g, 3, false, 20, &b);
+    fmb_options o = fmb_options_default();
+    fmb_solver *small = NULL;
+    o.max_bytes = 100;
+    must(fmb_solver_new(&o, NULL, &small));
+    for (int verb = 0; verb < 4; verb++) {
+        fmb_proximity *p = NULL;
+        fmb_generators *common = NULL;
+        fmb_system *row = NULL;
+        fmb_result r;
+        must(verb == 0   ? fmb_distance(small, b.f, FMB_NORM_EUCLIDEAN, &p, &r)
+             : verb == 1 ? fmb_depth(small, b.f, FMB_NORM_MAX, &p, &r)
+             : verb == 2 ? fmb_common(small, b.f, &common, &r)
+                         : fmb_separate(small, b.f, FMB_CONTACT_CLOSED, &row, &r));
+        cr_expect(r.verdict == FMB_UNKNOWN && r.stop == FMB_STOP_BYTES, "%d", verb);
+        cr_expect(!p && !common && !row);
+    }
+    fmb_solver_free(small);
+}
