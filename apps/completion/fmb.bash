@@ -39,7 +39,8 @@ _fmb()
         --trace-rows) words="true false" ;;
         --contact) words="closed open" ;;
         --boxes) words="exact outward none" ;;
-        --max-seconds | --max-rows | --max-bytes | --threads | --max-input | --max | --min | --vars | --keep | --eliminate | --move | --scale | --motion) return ;;
+        --norm) words="euclidean max" ;;
+        --max-seconds | --max-rows | --max-bytes | --threads | --max-input | --max | --min | --vars | --keep | --eliminate | --move | --scale | --motion | --within) return ;;
         --proof | --trace | --rule-library | --marked)
             compopt -o default
             return
@@ -55,7 +56,7 @@ _fmb()
                 hull) words="$general $source --to" ;;
                 check) words="$general $source --list --expect --json" ;;
                 convert) words="$general $source --to" ;;
-                intersect) words="$general --quiet --json --contact --boxes --nearest --max-seconds --max-bytes --max-input" ;;
+                intersect) words="$general --quiet --json --contact --boxes --distance --depth --within --norm --separate --common --nearest --max-seconds --max-bytes --max-input" ;;
                 mesh) words="$general --quiet --json --csv --move --scale --mirror --motion --neighbours --where --marked --format --threads --max-bytes --max-input" ;;
                 *) words="$general solve bounds optimize project reduce vertices hull check convert intersect mesh" ;;
             esac

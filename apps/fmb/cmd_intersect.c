@@ -17,7 +17,20 @@
 #include "fmb/listen.h"
 #include "fmb/stop.h"
 
-enum { KEY_CONTACT = 0x200, KEY_BOXES, KEY_NEAREST, KEY_SECONDS, KEY_BYTES, KEY_MAX_INPUT };
+enum {
+    KEY_CONTACT = 0x200,
+    KEY_BOXES,
+    KEY_DISTANCE,
+    KEY_DEPTH,
+    KEY_WITHIN,
+    KEY_NORM,
+    KEY_COMMON,
+    KEY_SEPARATE,
+    KEY_NEAREST,
+    KEY_SECONDS,
+    KEY_BYTES,
+    KEY_MAX_INPUT
+};
 
 static const struct argp_option options[] = {
     {"contact", KEY_CONTACT, "closed|open", 0,
@@ -25,6 +38,20 @@ static const struct argp_option options[] = {
     {"boxes", KEY_BOXES, "exact|outward|none", 0,
      "The box of the common points: in rationals, in doubles that are rounded outward (fast), or "
      "verdicts alone (faster) (default exact)",
+     1},
+    {"distance", KEY_DISTANCE, NULL, 0, "Of pairs that are apart: how far, and the nearest points",
+     1},
+    {"depth", KEY_DEPTH, NULL, 0,
+     "Of pairs that meet: how deep, that is the shortest way for B out of A", 1},
+    {"within", KEY_WITHIN, "LENGTH", 0,
+     "Is the distance at most that? 0 of the exit code: it is, "
+     "of some pair",
+     1},
+    {"norm", KEY_NORM, "euclidean|max", 0,
+     "How lengths are measured; max: by the largest coordinate (default euclidean)", 1},
+    {"separate", KEY_SEPARATE, NULL, 0,
+     "Of pairs that are apart: a row that A satisfies and B does not, or only just", 1},
+    {"common", KEY_COMMON, NULL, 0, "Of pairs that meet: the vertices of what they have in common",
      1},
     {"nearest", KEY_NEAREST, NULL, 0,
      "A number means the double nearest to it; without this, 0.1 is 1/10", 1},
@@ -52,6 +79,36 @@ static boxes boxes_of(const char *word, struct argp_state *state)
     static const char *const WORD[] = {
         [BOXES_EXACT] = "exact", [BOXES_OUTWARD] = "outward", [BOXES_NONE] = "none", NULL};
     return (boxes)app_value_choice("--boxes", word, WORD, state);
+}
+
+static fmb_norm norm_of(const char *word, struct argp_state *state)
+{
+    static const char *const WORD[] = {
+        [FMB_NORM_EUCLIDEAN] = "euclidean", [FMB_NORM_MAX] = "max", NULL};
+    return (fmb_norm)app_value_choice("--norm", word, WORD, state);
+}
+
+/* An option about what is near; ARGP_ERR_UNKNOWN: it is none. */
+static error_t parse_near(int key, const char *arg, near_ask *ask, struct argp_state *state)
+{
+    switch (key) {
+    case KEY_DISTANCE:
+        return ask->distance = true, 0;
+    case KEY_DEPTH:
+        return ask->depth = true, 0;
+    case KEY_COMMON:
+        return ask->common = true, 0;
+    case KEY_SEPARATE:
+        return ask->separate = true, 0;
+    case KEY_NORM:
+        return ask->norm = norm_of(arg, state), 0;
+    case KEY_WITHIN:
+        if (near_read_margin(ask, arg) != APP_YES)
+            exit(APP_USAGE);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
 }
 
 static error_t parse(int key, char *arg, struct argp_state *state)
@@ -92,7 +149,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
             argp_error(state, "FILE is missing (- is standard input)");
         return 0;
     default:
-        return ARGP_ERR_UNKNOWN;
+        return parse_near(key, arg, &ask->near, state);
     }
 }
 
@@ -204,7 +261,7 @@ static int exit_code(const intersect *x)
 {
     if (app_stop_asked())
         return APP_UNDECIDED;
-    return x->meeting > 0 ? APP_YES : x->undecided > 0 ? APP_UNDECIDED : APP_NO;
+    return x->meeting + x->within > 0 ? APP_YES : x->undecided > 0 ? APP_UNDECIDED : APP_NO;
 }
 
 static int run(intersect *x, FILE *in)

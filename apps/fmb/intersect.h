@@ -9,6 +9,8 @@
 #include <fmb/gmp.h>
 #include <fmb/pair.h>
 
+#include "fmb/intersect_near.h"
+
 typedef enum boxes {
     BOXES_EXACT = 0, /* in rationals */
     BOXES_OUTWARD,   /* in doubles, rounded outward */
@@ -19,6 +21,7 @@ typedef struct intersect_ask {
     const char *file;
     fmb_contact contact;
     boxes boxes;
+    near_ask near;
     bool json, quiet, nearest;
     double max_seconds;
     size_t max_bytes; /* 0: no limit */
@@ -41,12 +44,13 @@ typedef struct meeting {
     int dim, inside;    /* intervals of the world, of the second frame */
     bool moves;         /* then one of time */
     interval *interval; /* [dim + inside + moves], or NULL if there is no box; from malloc */
+    near_found near;
 } meeting;
 
 typedef struct intersect {
     const intersect_ask *ask;
     fmb_solver *solver;
-    size_t tested, meeting, undecided;
+    size_t tested, meeting, undecided, within;
 } intersect;
 
 /* ---- intersect_exact.c ----------------------------------------------------------------------- */

@@ -168,11 +168,13 @@ static void put_pair(batch *b, const fmb_frames_line *line)
     b->place[b->pairs++] = b->lines;
 }
 
-/* Frames of doubles, as far as there is room for their numbers. */
+/* Frames of doubles, as far as there is room for their numbers, of which no more is asked than
+ * verdicts and boxes. */
 static bool is_for_batch(const batch *b, const fmb_frames_line *line)
 {
     return line->are_doubles && b->x->ask->boxes != BOXES_EXACT &&
-           line->frame[0].naxes <= line->dim && line->frame[1].naxes <= line->dim;
+           !near_is_asked(&b->x->ask->near) && line->frame[0].naxes <= line->dim &&
+           line->frame[1].naxes <= line->dim;
 }
 
 fmb_status batch_put(batch *b, const fmb_frames_line *line)

@@ -126,5 +126,7 @@ fmb_status intersect_exactly(const intersect *x, const fmb_frames_line *line, me
     }
     fmb_evidence_free(e);
     fmb_system_free(s);
+    if (st == FMB_OK && near_is_asked(&x->ask->near))
+        st = near_find(&x->ask->near, x->solver, line, x->ask->contact, out->verdict, &out->near);
     return st;
 }

@@ -60,7 +60,7 @@ static void print_box(const meeting *m)
     app_table_print(&table, stdout);
 }
 
-static void print_text(const meeting *m)
+static void print_text(const intersect *x, const meeting *m)
 {
     static const char *const word[] = {
         [FMB_UNKNOWN] = "undecided", [FMB_FEASIBLE] = "meet", [FMB_INFEASIBLE] = "apart"};
@@ -71,6 +71,7 @@ static void print_text(const meeting *m)
     putchar('\n');
     if (m->interval)
         print_box(m);
+    near_print(&x->ask->near, &m->near);
     free(name);
 }
 
@@ -146,6 +147,7 @@ static void print_json(const intersect *x, const meeting *m)
         printf(", \"stop\": \"%s\"", fmb_stop_text(m->stop));
     if (m->interval)
         put_box(x, m);
+    near_print_json(&x->ask->near, &m->near);
     putchar('}');
 }
 
@@ -165,6 +167,7 @@ static void drop(meeting *m)
         free(m->interval[i].at);
     }
     free(m->interval);
+    near_clear(&m->near);
     free(m->id);
     *m = (meeting){0};
 }
@@ -174,10 +177,11 @@ void report_pair(intersect *x, meeting *m)
     if (x->ask->json)
         print_json(x, m);
     else
-        print_text(m);
+        print_text(x, m);
     x->tested++;
     x->meeting += m->verdict == FMB_FEASIBLE;
     x->undecided += m->verdict == FMB_UNKNOWN;
+    x->within += m->near.is_within;
     drop(m);
 }
 

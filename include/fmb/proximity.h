@@ -5,7 +5,8 @@
  * f is always an array of two frames of one dimension, at least 1; they are closed unless a contact
  * is asked for. If one of them moves, it is about all times from 0 to 1 together. Numbers are
  * handed out as the doubles nearest to them, and exactly by <fmb/gmp.h>, which also takes frames in
- * rationals. *out is NULL where there is nothing to hand out, and at a limit, which res->stop tells.
+ * rationals. *out is NULL where there is nothing to hand out, and at a limit, which res->stop
+ * tells.
  *
  * Sources: Wolfe, Finding the nearest point in a polytope, Mathematical Programming 11 (1976);
  * Cameron and Culley, Determining the minimum translational distance between two convex polyhedra,
@@ -45,6 +46,8 @@ FMB_API FMB_CHECKED fmb_status fmb_depth(fmb_solver *v, const fmb_frame *f, fmb_
 FMB_API void fmb_proximity_free(fmb_proximity *p);
 
 /* Of NULL, and of a coordinate that is none, all of these are 0. */
+/* Dimension of the frames. */
+FMB_API int fmb_proximity_dim(const fmb_proximity *p);
 /* The distance or the depth [world length units]. */
 FMB_API double fmb_proximity_length(const fmb_proximity *p);
 /* Coordinate j of the translation of the second frame, of that length, after which they touch. */

@@ -1,6 +1,6 @@
 /* common.c: the points that two frames have in common, as a polytope; see fmb/proximity.h. */
-#include "proximity/proximity.h"
 #include "num/rationals.h"
+#include "proximity/proximity.h"
 #include "system/generators.h"
 
 /* [give] The generators of g without all coordinates but the first few and, if asked for, the
@@ -46,8 +46,7 @@ static fmb_status find_from_all(fmb_solver *v, const fmb_two *two, fmb_generator
 {
     fmb_system *s = NULL;
     fmb_generators *all = NULL, *points = NULL;
-    fmb_status st =
-        fmb_two_system(two, FMB_COORDINATES_ALL, FMB_CONTACT_CLOSED, &v->mem.alloc, &s);
+    fmb_status st = fmb_two_system(two, FMB_COORDINATES_ALL, FMB_CONTACT_CLOSED, &v->mem.alloc, &s);
     if (st == FMB_OK)
         st = fmb_generate(v, s, &all, res);
     if (st == FMB_OK && all)
@@ -65,20 +64,21 @@ static fmb_status find_common_points(fmb_solver *v, const fmb_two *two, fmb_gene
 {
     fmb_system *s = NULL;
     fmb_generators *found = NULL;
-    fmb_result own;
+    fmb_result r = {0};
     fmb_status st = fmb_two_expect(v, two, out != NULL);
     if (st != FMB_OK)
         return st;
-    res = res ? res : &own;
     st = fmb_two_system(two, FMB_COORDINATES_WORLD, FMB_CONTACT_CLOSED, &v->mem.alloc, &s);
     if (st == FMB_ERR_ARG)
-        st = find_from_all(v, two, &found, res);
+        st = find_from_all(v, two, &found, &r);
     else if (st == FMB_OK)
-        st = fmb_generate(v, s, &found, res);
+        st = fmb_generate(v, s, &found, &r);
     v->answered = false;
     fmb_system_free(s);
-    if (st == FMB_OK)
+    if (st == FMB_OK) {
         *out = found;
+        *(res ? res : &r) = r;
+    }
     return st;
 }
 

@@ -113,25 +113,26 @@ static fmb_status find_depth(fmb_solver *v, const fmb_two *two, fmb_norm norm, f
 {
     fmb_system *facets = NULL;
     fmb_proximity *p = NULL;
-    fmb_result own;
+    fmb_result r = {0};
     fmb_status st = fmb_two_expect(v, two, out != NULL);
     if (st == FMB_OK && (unsigned)norm > FMB_NORM_MAX)
         st = fmb_solver_refuse(v, FMB_ERR_ARG, "norm is %d, which is none", (int)norm);
     if (st != FMB_OK)
         return st;
-    res = res ? res : &own;
-    st = find_facets(v, two, &facets, res);
+    st = find_facets(v, two, &facets, &r);
     if (st != FMB_OK)
         return st;
-    res->verdict = res->stop != FMB_STOP_DONE ? FMB_UNKNOWN
-                   : holds_origin(facets)     ? FMB_FEASIBLE
-                                              : FMB_INFEASIBLE;
-    if (res->verdict == FMB_FEASIBLE)
+    r.verdict = r.stop != FMB_STOP_DONE ? FMB_UNKNOWN
+                : holds_origin(facets)  ? FMB_FEASIBLE
+                                        : FMB_INFEASIBLE;
+    if (r.verdict == FMB_FEASIBLE)
         st = fmb_proximity_new(fmb_two_dim(two), norm, &v->mem.alloc, &p);
     if (p)
         find_least_depth(facets, p);
-    if (st == FMB_OK)
+    if (st == FMB_OK) {
         *out = p;
+        *(res ? res : &r) = r;
+    }
     fmb_system_free(facets);
     return st;
 }

@@ -121,23 +121,24 @@ static fmb_status find_distance(fmb_solver *v, const fmb_two *two, fmb_norm norm
 {
     fmb_minkowski m;
     fmb_proximity *p = NULL;
-    fmb_result own;
+    fmb_result r = {0};
     fmb_status st = fmb_two_expect(v, two, out != NULL);
     if (st == FMB_OK && (unsigned)norm > FMB_NORM_MAX)
         st = fmb_solver_refuse(v, FMB_ERR_ARG, "norm is %d, which is none", (int)norm);
     if (st != FMB_OK)
         return st;
-    res = res ? res : &own;
     st = fmb_minkowski_init(&m, two, &v->mem);
     if (st == FMB_OK)
         st = fmb_proximity_new(m.dim, norm, &v->mem.alloc, &p);
     if (st == FMB_OK)
-        st = norm == FMB_NORM_EUCLIDEAN ? ask_nearest(v, &m, p, res)
-                                        : ask_smallest_cube(v, &m, p, res);
+        st = norm == FMB_NORM_EUCLIDEAN ? ask_nearest(v, &m, p, &r)
+                                        : ask_smallest_cube(v, &m, p, &r);
     fmb_minkowski_clear(&m);
-    bool known = st == FMB_OK && res->verdict != FMB_UNKNOWN;
-    if (st == FMB_OK)
+    bool known = st == FMB_OK && r.verdict != FMB_UNKNOWN;
+    if (st == FMB_OK) {
         *out = known ? p : NULL;
+        *(res ? res : &r) = r;
+    }
     if (!known)
         fmb_proximity_free(p);
     return st;

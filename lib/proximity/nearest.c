@@ -2,11 +2,11 @@
  *
  * A corral is a set of vertices, affinely independent, whose affine hull has its point x nearest to
  * 0 inside their convex hull. If no vertex v of M has v.x < x.x, then M lies beyond the plane
- * through x at right angles to it, and x is the answer. If one has, it joins the corral: the point y
- * nearest to 0 of the new affine hull is nearer than x, and if it lies outside of the convex hull,
- * one goes from x towards y as far as the hull reaches, drops the vertices that have no weight
- * there, and asks again. Each step of the outer loop comes nearer to 0, so no corral comes twice,
- * and there are finitely many. All signs are exact.
+ * through x at right angles to it, and x is the answer. If one has, it joins the corral: the point
+ * y nearest to 0 of the new affine hull is nearer than x, and if it lies outside of the convex
+ * hull, one goes from x towards y as far as the hull reaches, drops the vertices that have no
+ * weight there, and asks again. Each step of the outer loop comes nearer to 0, so no corral comes
+ * twice, and there are finitely many. All signs are exact.
  *
  * Source: P. Wolfe, Finding the nearest point in a polytope, Mathematical Programming 11 (1976).
  */
@@ -102,8 +102,7 @@ static fmb_status find_wish(wolfe *w)
         mpz_set_ui(row[n], i < n);
         mpz_set_ui(row[n + 1], i == n);
     }
-    fmb_status st =
-        fmb_jordan(w->table, (int)n + 1, (int)width, (int)n + 1, w->det, w->run);
+    fmb_status st = fmb_jordan(w->table, (int)n + 1, (int)width, (int)n + 1, w->det, w->run);
     for (size_t i = 0; st == FMB_OK && i < n; i++) {
         mpz_set(mpq_numref(w->wish[i]), w->table[i * width + n + 1]);
         mpz_set(mpq_denref(w->wish[i]), w->det);

@@ -66,6 +66,11 @@ static void copy_or_zero(mpq_t out, mpq_srcptr from)
         mpq_set_ui(out, 0, 1);
 }
 
+int fmb_proximity_dim(const fmb_proximity *p)
+{
+    return p ? p->dim : 0;
+}
+
 double fmb_proximity_length(const fmb_proximity *p)
 {
     double measure = fmb_nearest_double(p ? p->measure : NULL);

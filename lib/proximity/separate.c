@@ -56,6 +56,18 @@ static void make_direction_whole(const fmb_minkowski *m, mpq_t *w, mpz_t *out)
     mpz_clear(scale);
 }
 
+/* What n numbers have in common is divided out. */
+static void make_primitive(mpz_t *z, size_t n)
+{
+    mpz_t g;
+    mpz_init(g);
+    for (size_t k = 0; k < n; k++)
+        mpz_gcd(g, g, z[k]);
+    for (size_t k = 0; mpz_cmp_ui(g, 1) > 0 && k < n; k++)
+        mpz_divexact(z[k], z[k], g);
+    mpz_clear(g);
+}
+
 /* The row over x and, if something moves, t. The vertex is the one of M where w is largest. */
 static fmb_status append_separating_row(fmb_minkowski *m, mpz_t *w, mpz_t *vertex, fmb_system *out)
 {
@@ -77,6 +89,7 @@ static fmb_status append_separating_row(fmb_minkowski *m, mpz_t *w, mpz_t *verte
         fmb_minkowski_dot(m, w, vertex + dim, z[n]);
         fmb_minkowski_dot(m, w, m->drift, m->t[0]);
         mpz_addmul(z[n], m->t[0], vertex[3 * dim]);
+        make_primitive(z, n + 1);
         mpz_set_ui(z[n + 1], 1);
         st = fmb_system_append(out, n, var, z, FMB_LE);
     }
@@ -150,18 +163,20 @@ static fmb_status separate_two(fmb_solver *v, const fmb_two *two, fmb_contact co
 {
     fmb_system *s = NULL, *row = NULL;
     fmb_evidence *e = NULL;
-    fmb_result own;
+    fmb_result r = {0};
     fmb_status st = fmb_two_expect(v, two, out != NULL);
     if (st == FMB_OK && (unsigned)contact > FMB_CONTACT_OPEN)
         st = fmb_solver_refuse(v, FMB_ERR_ARG, "contact is %d, which is none", (int)contact);
     if (st == FMB_OK)
         st = fmb_two_system(two, FMB_COORDINATES_ALL, contact, &v->mem.alloc, &s);
     if (st == FMB_OK)
-        st = solve_with_evidence(v, s, &e, res ? res : &own);
+        st = solve_with_evidence(v, s, &e, &r);
     if (st == FMB_OK && e)
         st = make_row(v, two, s, e, &row);
-    if (st == FMB_OK)
+    if (st == FMB_OK) {
         *out = row;
+        *(res ? res : &r) = r;
+    }
     fmb_evidence_free(e);
     fmb_system_free(s);
     return st;

@@ -1,12 +1,13 @@
 /* separates.c: does a row keep two frames apart? The judge of separate.c, which shares nothing with
  * it but public headers.
  *
- * At a time t the numbers w.x + k t of a frame's points are an interval, whose ends are affine in t:
- * what holds at t = 0 and at t = 1 holds between. The row separates if the first frame is on its one
- * side and the second on the other at both times, and no point of both lies on the plane. Either
- * there is a gap between the intervals at both times, and so between; or, with open contact, one of
- * the frames has points beside the plane: then its relative interior has none on it, as a linear
- * form that is not constant on a convex set takes its largest value on no relative interior point.
+ * At a time t the numbers w.x + k t of a frame's points are an interval, whose ends are affine in
+ * t: what holds at t = 0 and at t = 1 holds between. The row separates if the first frame is on its
+ * one side and the second on the other at both times, and no point of both lies on the plane.
+ * Either there is a gap between the intervals at both times, and so between; or, with open contact,
+ * one of the frames has points beside the plane: then its relative interior has none on it, as a
+ * linear form that is not constant on a convex set takes its largest value on no relative interior
+ * point.
  */
 #include <fmb/proximity.h>
 

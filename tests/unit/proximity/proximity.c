@@ -218,10 +218,11 @@ Test(proximity, distance_of_two_squares)
     const double unit[4] = {1, 0, 0, 1}, at[2][2] = {{0, 0}, {4, 5}};
     fmb_frame f[2];
     for (int k = 0; k < 2; k++)
-        f[k] = (fmb_frame){.shape = FMB_CUBOID, .dim = 2, .naxes = 2, .origin = at[k], .axes = unit};
+        f[k] =
+            (fmb_frame){.shape = FMB_CUBOID, .dim = 2, .naxes = 2, .origin = at[k], .axes = unit};
     fmb_proximity *p = NULL;
     must(fmb_distance(solver, f, FMB_NORM_EUCLIDEAN, &p, NULL));
-    cr_expect(fmb_proximity_length(p) == 5);
+    cr_expect(fmb_proximity_dim(p) == 2 && fmb_proximity_length(p) == 5);
     cr_expect(fmb_proximity_shift(p, 0) == -3 && fmb_proximity_shift(p, 1) == -4);
     cr_expect(fmb_proximity_point(p, 0, 0) == 1 && fmb_proximity_point(p, 1, 1) == 5);
     cr_expect(fmb_proximity_point(p, 2, 0) == 0 && fmb_proximity_point(p, 0, 2) == 0);
@@ -269,8 +270,7 @@ Test(proximity, depths_part_the_frames)
             fmb_proximity *p = NULL;
             fmb_result r;
             must(fmb_depth(solver, b.f, norm, &p, &r));
-            cr_assert((p != NULL) == meets &&
-                      r.verdict == (meets ? FMB_FEASIBLE : FMB_INFEASIBLE));
+            cr_assert((p != NULL) == meets && r.verdict == (meets ? FMB_FEASIBLE : FMB_INFEASIBLE));
             if (!p)
                 continue;
             difference *m = difference_new(b.f);
