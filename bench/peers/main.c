@@ -1,16 +1,18 @@
 /* main.c: fmb beside other libraries, problem by problem. See ../README.md. */
+#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "bars.h"
 #include "polytope.h"
 #include "report.h"
+#include "study/program/projection.h"
 
 static const char USAGE[] =
     "usage: bench-peers [--decide | --vertices | --hull] [--drivers A,B] [--seconds S] [--bytes "
     "B]\n"
     "                   [--set NAME=VALUE] [--json FILE] [--quick] [--bars] [--methods]\n"
-    "                   [--all-answer] [--list] [--seed N]\n"
+    "                   [--all-answer] [--list] [--families] [--seed N] [--each N]\n"
     "                   FILE... | manifest.txt... | FAMILY:SIZE[:ROWS]...\n";
 
 typedef struct setup {
@@ -18,9 +20,10 @@ typedef struct setup {
     fmb_options options;
     const char *json, *drivers;
     bool quick, list, all_answer, bars, methods;
-    uint64_t seed;
     char **path; /* problems, owned */
     size_t paths;
+    bool families; /* draw problems of them */
+    uint64_t seed, each;
 } setup;
 
 /* ---- what to run ----------------------------------------------------------------------------- */
@@ -124,25 +127,51 @@ static const char *reason_to_skip(peer_question question, problem *p)
     return question != PEER_HULL && !p->system ? "there are no rows" : NULL;
 }
 
-static bool run_problem(setup *s, const char *path)
+/* Runs and forgets the rows of p. */
+static void run_problem(setup *s, problem *p)
 {
     report *r = &s->report;
-    entry e = {0};
-    if (!read_problem(s, &e.problem, path))
-        return false;
-    const char *why = reason_to_skip(r->limits.question, &e.problem);
-    if (why)
-        fprintf(stderr, "%s: %s\n", path, why);
-    else
-        run_drivers(s, &e);
-    problem_clear(&e.problem);
-    if (why)
-        return true;
+    entry e = {.problem = *p};
+    run_drivers(s, &e);
+    problem_clear(p);
     report_judge(r, &e);
     report_line(r, &e);
     r->list = need(realloc(r->list, (r->entries + 1) * sizeof *r->list));
     r->list[r->entries++] = e;
+}
+
+static bool run_path(setup *s, const char *path)
+{
+    problem p;
+    if (!read_problem(s, &p, path))
+        return false;
+    const char *why = reason_to_skip(s->report.limits.question, &p);
+    if (!why) {
+        run_problem(s, &p);
+        return true;
+    }
+    fprintf(stderr, "%s: %s\n", path, why);
+    problem_clear(&p);
     return true;
+}
+
+/* Each family under so many seeds. */
+static void run_families(setup *s)
+{
+    for (int f = 0; f < study_projections(); f++) {
+        for (uint64_t seed = s->seed; seed < s->seed + s->each; seed++) {
+            study_projection drawn;
+            problem p;
+            char name[sizeof p.name];
+            if (study_projection_draw(f, seed, &drawn) != FMB_OK)
+                need(NULL);
+            snprintf(name, sizeof name, "%s_%" PRIu64, study_projection_name(f), seed);
+            problem_of_system(&p, name, drawn.s);
+            snprintf(p.family, sizeof p.family, "%s", study_projection_name(f));
+            p.keep = drawn.keep;
+            run_problem(s, &p);
+        }
+    }
 }
 
 /* ---- arguments ------------------------------------------------------------------------------- */
@@ -170,6 +199,8 @@ static bool take_value(setup *s, const char *name, const char *value)
         return (s->report.limits.seconds = atof(value)) > 0;
     else if (strcmp(name, "--seed") == 0)
         s->seed = strtoull(value, NULL, 10);
+    else if (strcmp(name, "--each") == 0)
+        s->each = strtoull(value, NULL, 10);
     else if (strcmp(name, "--bytes") == 0)
         s->report.limits.bytes = (size_t)strtoull(value, NULL, 10);
     else
@@ -197,6 +228,8 @@ static bool take_arguments(setup *s, int argc, char **argv)
             s->bars = true;
         else if (strcmp(a, "--methods") == 0)
             s->methods = true;
+        else if (strcmp(a, "--families") == 0)
+            s->families = true;
         else if (a[0] == '-') {
             if (i + 1 >= argc || !take_value(s, a, argv[i + 1]))
                 return false;
@@ -207,7 +240,7 @@ static bool take_arguments(setup *s, int argc, char **argv)
         } else
             add_path(s, a);
     }
-    return s->list || s->paths > 0;
+    return s->list || s->families || s->paths > 0;
 }
 
 static void forget(setup *s)
@@ -243,7 +276,7 @@ static int finish(setup *s, bool good)
 
 int main(int argc, char **argv)
 {
-    setup s = {.options = fmb_options_default(), .seed = 1};
+    setup s = {.options = fmb_options_default(), .seed = 1, .each = 4};
     bool good = true;
     s.options.evidence = false;
     s.report.limits = (child_limits){
@@ -260,7 +293,9 @@ int main(int argc, char **argv)
     if (!s.list)
         report_head(&s.report);
     for (size_t i = 0; i < s.paths && !s.list; i++)
-        good &= run_problem(&s, s.path[i]);
+        good &= run_path(&s, s.path[i]);
+    if (s.families && !s.list)
+        run_families(&s);
     int code = finish(&s, good);
     forget(&s);
     return code;

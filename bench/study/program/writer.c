@@ -12,6 +12,18 @@ bool study_write_begin(study_writer *w, int variables)
     return w->st == FMB_OK;
 }
 
+bool study_write_image(study_writer *w, int variables, int keep)
+{
+    w->variables = variables;
+    w->keep = keep;
+    return study_write_begin(w, variables);
+}
+
+int study_draw(study_writer *w, int lo, int hi)
+{
+    return (int)study_random_between(&w->g, lo, hi);
+}
+
 /* Room for one more term. */
 static bool has_room_for_term(study_writer *w)
 {

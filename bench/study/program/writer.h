@@ -12,6 +12,7 @@
 typedef struct study_writer {
     study_random g;
     int rows, variables; /* as planned */
+    int keep;            /* projections: the first so many stay */
     study_program *to;
     fmb_status st;
     double *goal; /* [dim] the objective: whole numbers below 2^53 */
@@ -24,6 +25,10 @@ typedef struct study_writer {
 
 /* Begin a system of so many variables; false without memory. Once, first. */
 bool study_write_begin(study_writer *w, int variables);
+/* The same where the first keep of them stay. */
+bool study_write_image(study_writer *w, int variables, int keep);
+/* A number lo ... hi. */
+int study_draw(study_writer *w, int lo, int hi);
 
 void study_write_term(study_writer *w, int var, int64_t coef);
 void study_write_term_q(study_writer *w, int var, int64_t num, uint64_t den);
@@ -50,5 +55,16 @@ study_family study_klee_minty, study_beale, study_kuhn, study_cube, study_chain,
     study_strict_cycle;
 /* families_flow.c: what practice looks like */
 study_family study_assignment, study_transport, study_staircase;
+
+/* images_rows.c: projections of rows at random; the writer draws sizes */
+study_family study_image_dense, study_image_wide, study_image_sparse, study_image_strict,
+    study_image_cone, study_image_long, study_image_octagon, study_image_equal, study_image_endless,
+    study_image_flat, study_image_none, study_image_cube, study_image_slice;
+/* images_lifted.c: polytopes that have fewer rows in more variables */
+study_family study_image_union, study_image_sum, study_image_zonotope, study_image_orbit,
+    study_image_parity, study_image_knapsack;
+/* images_systems.c: what systems can do: networks, controllers, programs, clocks */
+study_family study_image_relu, study_image_control, study_image_value, study_image_chain,
+    study_image_flow, study_image_transport, study_image_clocks;
 
 #endif

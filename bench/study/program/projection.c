@@ -1,0 +1,75 @@
+/* projection.c: the table of families of projections. See projection.h. */
+#include "study/program/projection.h"
+
+#include <stdlib.h>
+
+#include "study/program/writer.h"
+
+static const struct {
+    const char *name, *about;
+    study_family *write;
+} FAMILY[] = {
+    {"dense", "all terms, around the origin; two or three of up to eight stay", study_image_dense},
+    {"wide", "all terms, few rows, four to six of up to nine stay", study_image_wide},
+    {"sparse", "three terms a row", study_image_sparse},
+    {"strict", "all terms, every other row strict", study_image_strict},
+    {"cone", "all rows through the origin", study_image_cone},
+    {"long", "numbers of ten digits", study_image_long},
+    {"octagon", "+-x +-y <= c", study_image_octagon},
+    {"equal", "a third of the variables are bound by equalities", study_image_equal},
+    {"endless", "all rows let a planted ray through", study_image_endless},
+    {"flat", "a hidden equality between variables that stay and others", study_image_flat},
+    {"none", "a hidden contradiction", study_image_none},
+    {"cube", "a sheared cube", study_image_cube},
+    {"slice", "a unit cube between three pairs of parallel planes", study_image_slice},
+    {"relu", "outputs of a network of rectifiers, by the triangle relaxation", study_image_relu},
+    {"control", "states that can be kept in a box by bounded inputs", study_image_control},
+    {"union", "the convex hull of polytopes (Balas)", study_image_union},
+    {"sum", "the Minkowski sum of two polytopes", study_image_sum},
+    {"zonotope", "a sum of segments", study_image_zonotope},
+    {"orbit", "the hull of all orders of some numbers, by doubly stochastic matrices",
+     study_image_orbit},
+    {"parity", "0/1 vectors of even or odd sum", study_image_parity},
+    {"value", "the best value of a linear program over its right side", study_image_value},
+    {"chain", "x_i+1 in terms of x_i, three along it stay", study_image_chain},
+    {"flow", "what arcs of a network can carry", study_image_flow},
+    {"transport", "what some of the shipments can be", study_image_transport},
+    {"knapsack", "0/1 knapsacks as paths through a table", study_image_knapsack},
+    {"clocks", "differences of clocks, after a delay", study_image_clocks},
+};
+
+enum { FAMILIES = sizeof FAMILY / sizeof *FAMILY };
+
+int study_projections(void)
+{
+    return FAMILIES;
+}
+
+const char *study_projection_name(int family)
+{
+    return FAMILY[family].name;
+}
+
+const char *study_projection_about(int family)
+{
+    return FAMILY[family].about;
+}
+
+fmb_status study_projection_draw(int family, uint64_t seed, study_projection *out)
+{
+    study_program p = {.s = NULL};
+    study_writer w = {.to = &p, .g.state = seed * FAMILIES + (uint64_t)family};
+    mpq_inits(p.best, w.right, NULL);
+    FAMILY[family].write(&w);
+    for (size_t k = 0; k < w.capacity; k++)
+        mpq_clear(w.coef[k]);
+    mpq_clears(p.best, w.right, NULL);
+    free(w.var);
+    free(w.goal);
+    free(w.coef);
+    if (w.st == FMB_OK)
+        *out = (study_projection){p.s, w.keep};
+    else
+        fmb_system_free(p.s);
+    return w.st;
+}

@@ -1,0 +1,78 @@
+/* projection.c: families of projections: a seed is a problem, something stays and something goes,
+ * and there is something to project but where that was planned. */
+#include <criterion/criterion.h>
+
+#include <stdlib.h>
+#include <string.h>
+
+#include <fmb/fmb.h>
+
+#include "study/program/projection.h"
+
+static study_projection draw(int family, uint64_t seed)
+{
+    study_projection p;
+    cr_assert_eq(study_projection_draw(family, seed, &p), FMB_OK);
+    return p;
+}
+
+static fmb_verdict proved_verdict(const fmb_system *s)
+{
+    fmb_options o = fmb_options_default();
+    fmb_solver *v = NULL;
+    fmb_result r;
+    fmb_evidence *e = NULL;
+    fmb_judgement j;
+    o.evidence = FMB_EVIDENCE_ALL;
+    cr_assert_eq(fmb_solver_new(&o, NULL, &v), FMB_OK);
+    cr_assert_eq(fmb_solve(v, s, &r), FMB_OK);
+    cr_assert_eq(fmb_solver_evidence(v, &e), FMB_OK);
+    cr_assert_eq(fmb_check(s, e, &j), FMB_OK);
+    cr_assert(j.accepted, "%s", j.reason);
+    fmb_evidence_free(e);
+    fmb_solver_free(v);
+    return j.verdict;
+}
+
+Test(projection, there_is_something_to_project)
+{
+    for (int f = 0; f < study_projections(); f++) {
+        const char *name = study_projection_name(f);
+        int points = 0;
+        for (uint64_t seed = 0; seed < 8; seed++) {
+            study_projection p = draw(f, seed);
+            cr_assert(p.keep > 0 && p.keep < fmb_system_dim(p.s), "%s", name);
+            cr_assert_gt(fmb_system_rows(p.s), 0);
+            points += proved_verdict(p.s) == FMB_FEASIBLE;
+            fmb_system_free(p.s);
+        }
+        cr_assert(strcmp(name, "none") == 0 ? points == 0 : points >= 4, "%s: %d of 8", name,
+                  points);
+    }
+}
+
+static char *text_of(const fmb_system *s)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    cr_assert_eq(fmb_system_write(s, FMB_FORMAT_TEXT, out), FMB_OK);
+    fclose(out);
+    return text;
+}
+
+Test(projection, a_seed_is_a_problem)
+{
+    for (int f = 0; f < study_projections(); f++) {
+        char *text[3];
+        for (int i = 0; i < 3; i++) {
+            study_projection p = draw(f, i < 2 ? 5 : 6);
+            text[i] = text_of(p.s);
+            fmb_system_free(p.s);
+        }
+        cr_assert_str_eq(text[0], text[1]);
+        cr_assert_str_neq(text[0], text[2], "%s", study_projection_name(f));
+        for (int i = 0; i < 3; i++)
+            free(text[i]);
+    }
+}
