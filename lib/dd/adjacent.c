@@ -7,15 +7,8 @@
 
 #include <string.h>
 
-void fmb_adjacency_start(fmb_adjacency *p)
-{
-    p->large.ready = p->rest.ready = p->near.ready = false;
-}
-
 void fmb_adjacency_clear(fmb_adjacency *p, fmb_mem *mem)
 {
-    fmb_mem_put(mem, p->large.word, p->large.capacity, sizeof *p->large.word);
-    fmb_mem_put(mem, p->rest.word, p->rest.capacity, sizeof *p->rest.word);
     fmb_mem_put(mem, p->near.word, p->near.capacity, sizeof *p->near.word);
     fmb_mem_put(mem, p->far, p->far_capacity, sizeof *p->far);
     fmb_mem_put(mem, p->far_rest, p->far_rest_capacity, sizeof *p->far_rest);
@@ -26,12 +19,12 @@ void fmb_adjacency_clear(fmb_adjacency *p, fmb_mem *mem)
 
 /* ---- planes ---------------------------------------------------------------------------------- */
 
-static fmb_status gather_supports(const fmb_cone *c, fmb_support_planes *s, const uint32_t *ray,
-                                  size_t count)
+static fmb_status gather_supports(const fmb_cone *c, fmb_mem *mem, fmb_support_planes *s,
+                                  const uint32_t *ray, size_t count)
 {
     size_t words = c->ray.words, stride = (count + 7) / 8 * 8;
-    fmb_status st = fmb_mem_reserve(c->run->mem, (void **)&s->word, &s->capacity, words * stride,
-                                    sizeof *s->word);
+    fmb_status st =
+        fmb_mem_reserve(mem, (void **)&s->word, &s->capacity, words * stride, sizeof *s->word);
     if (st != FMB_OK)
         return st;
     for (size_t j = 0; j < count; j++) {
@@ -47,16 +40,15 @@ static fmb_status gather_supports(const fmb_cone *c, fmb_support_planes *s, cons
 }
 
 /* Bits of the sets whose union with a is larger than `most`. */
-static fmb_status mark_far_supports(const fmb_cone *c, const fmb_support_planes *s,
-                                    const uint64_t *a, size_t most, uint64_t **far,
-                                    size_t *capacity)
+static fmb_status mark_far_supports(fmb_run *run, const fmb_support_planes *s, const uint64_t *a,
+                                    size_t most, uint64_t **far, size_t *capacity)
 {
     size_t words = s->planes.stride / 64 + 1;
-    fmb_status st = fmb_mem_reserve(c->run->mem, (void **)far, capacity, words, sizeof **far);
+    fmb_status st = fmb_mem_reserve(run->mem, (void **)far, capacity, words, sizeof **far);
     if (st != FMB_OK)
         return st;
     memset(*far, 0, words * sizeof **far);
-    c->run->kernels->larger(&s->planes, a, (int)most, *far);
+    run->kernels->larger(&s->planes, a, (int)most, *far);
     return FMB_OK;
 }
 
@@ -72,34 +64,27 @@ static size_t list_unmarked_rays(const uint64_t *far, const uint32_t *ray, size_
 }
 
 /* All rays that share zeros enough with a. */
-static fmb_status gather_near_rays(fmb_cone *c, uint32_t a, size_t most)
+static fmb_status gather_near_rays(fmb_cone *c, fmb_run *run, fmb_adjacency *p, uint32_t a,
+                                   size_t most)
 {
-    fmb_insertion *s = c->at;
-    fmb_adjacency *p = &s->pairs;
-    const uint32_t *large = s->ray + s->small, *zero = large + s->large;
-    fmb_status st = fmb_mem_reserve(c->run->mem, (void **)&p->nearby, &p->nearby_capacity, s->rays,
-                                    sizeof *p->nearby);
-    if (st == FMB_OK && !p->rest.ready) {
-        memcpy(p->nearby, s->ray, s->small * sizeof *p->nearby);
-        memcpy(p->nearby + s->small, zero, s->zeros * sizeof *p->nearby);
-        st = gather_supports(c, &p->rest, p->nearby, s->small + s->zeros);
-    }
+    const fmb_insertion *s = c->at;
+    fmb_status st = s->rest.ready ? FMB_OK : fmb_adjacency_gather_rest(c);
     if (st == FMB_OK)
-        st = mark_far_supports(c, &p->rest, fmb_rays_support(&c->ray, a), most, &p->far_rest,
+        st = fmb_mem_reserve(run->mem, (void **)&p->nearby, &p->nearby_capacity, s->rays,
+                             sizeof *p->nearby);
+    if (st == FMB_OK)
+        st = mark_far_supports(run, &s->rest, fmb_rays_support(&c->ray, a), most, &p->far_rest,
                                &p->far_rest_capacity);
     if (st != FMB_OK)
         return st;
-    size_t n = list_unmarked_rays(p->far, large, s->large, p->nearby, 0);
-    for (size_t j = 0; j < s->small + s->zeros; j++)
-        if (!(p->far_rest[j / 64] >> (j % 64) & 1))
-            p->nearby[n++] = j < s->small ? s->ray[j] : zero[j - s->small];
-    return gather_supports(c, &p->near, p->nearby, n);
+    size_t n = list_unmarked_rays(p->far, s->ray, s->large, p->nearby, 0);
+    n = list_unmarked_rays(p->far_rest, s->ray + s->large, s->small + s->zeros, p->nearby, n);
+    return gather_supports(c, run->mem, &p->near, p->nearby, n);
 }
 
 /* The supports of a and b are inside their union; is another one? */
-static bool is_third_ray_between(fmb_cone *c, uint32_t a, uint32_t b)
+static bool is_third_ray_between(const fmb_cone *c, const fmb_adjacency *p, uint32_t a, uint32_t b)
 {
-    fmb_adjacency *p = &c->at->pairs;
     const uint64_t *x = fmb_rays_support(&c->ray, a), *y = fmb_rays_support(&c->ray, b);
     for (size_t k = 0; k < c->ray.words; k++)
         p->joint[k] = x[k] | y[k];
@@ -117,42 +102,48 @@ static size_t count_support(const fmb_cone *c, uint32_t i)
     return n;
 }
 
-static fmb_status prepare_pairs(fmb_cone *c)
+fmb_status fmb_adjacency_begin(fmb_cone *c)
 {
     fmb_insertion *s = c->at;
-    fmb_adjacency *p = &s->pairs;
-    fmb_mem *mem = c->run->mem;
-    fmb_status st = fmb_mem_reserve(mem, (void **)&p->joint, &p->joint_capacity, c->ray.words,
-                                    sizeof *p->joint);
-    if (st == FMB_OK)
-        st = fmb_mem_reserve(mem, (void **)&p->found, &p->found_capacity, s->large,
-                             sizeof *p->found);
-    return st == FMB_OK ? gather_supports(c, &p->large, s->ray + s->small, s->large) : st;
+    return gather_supports(c, c->run->mem, &s->large_side, s->ray, s->large);
 }
 
-fmb_status fmb_find_adjacent(fmb_cone *c, uint32_t a, size_t *found)
+fmb_status fmb_adjacency_gather_rest(fmb_cone *c)
 {
     fmb_insertion *s = c->at;
-    fmb_adjacency *p = &s->pairs;
-    const uint32_t *large = s->ray + s->small;
+    return gather_supports(c, c->run->mem, &s->rest, s->ray + s->large, s->small + s->zeros);
+}
+
+static fmb_status reserve_pairs(const fmb_cone *c, fmb_adjacency *p, fmb_mem *mem)
+{
+    fmb_status st = fmb_mem_reserve(mem, (void **)&p->joint, &p->joint_capacity, c->ray.words,
+                                    sizeof *p->joint);
+    return st == FMB_OK ? fmb_mem_reserve(mem, (void **)&p->found, &p->found_capacity, c->at->large,
+                                          sizeof *p->found)
+                        : st;
+}
+
+fmb_status fmb_find_adjacent(fmb_cone *c, fmb_run *run, fmb_adjacency *p, uint32_t a)
+{
+    fmb_insertion *s = c->at;
     size_t most = c->bits + 2 - c->rank; /* of a union: rank - 2 zeros are shared */
     size_t simple = c->bits + 1 - c->rank;
     bool is_simple = count_support(c, a) == simple;
-    fmb_status st = p->large.ready ? FMB_OK : prepare_pairs(c);
+    fmb_status st = reserve_pairs(c, p, run->mem);
     if (st == FMB_OK)
-        st = mark_far_supports(c, &p->large, fmb_rays_support(&c->ray, a), most, &p->far,
+        st = mark_far_supports(run, &s->large_side, fmb_rays_support(&c->ray, a), most, &p->far,
                                &p->far_capacity);
     p->near.ready = false;
-    *found = 0;
-    size_t near = st == FMB_OK ? list_unmarked_rays(p->far, large, s->large, p->found, 0) : 0;
-    c->run->stats.pairs += s->large;
+    p->founds = 0;
+    size_t near = st == FMB_OK ? list_unmarked_rays(p->far, s->ray, s->large, p->found, 0) : 0;
+    run->stats.pairs += s->large;
     for (size_t k = 0; st == FMB_OK && k < near; k++) {
         uint32_t b = p->found[k];
         bool adjacent = is_simple || count_support(c, b) == simple;
         if (!adjacent && !p->near.ready)
-            st = gather_near_rays(c, a, most);
-        if (adjacent || (st == FMB_OK && !is_third_ray_between(c, a, b)))
-            p->found[(*found)++] = b;
+            st = gather_near_rays(c, run, p, a, most);
+        if (adjacent || (st == FMB_OK && !is_third_ray_between(c, p, a, b)))
+            p->found[p->founds++] = b;
     }
     return st;
 }

@@ -13,12 +13,15 @@
 
 #include "dd/insert.h"
 
-/* A new row. */
-void fmb_adjacency_start(fmb_adjacency *p);
 void fmb_adjacency_clear(fmb_adjacency *p, fmb_mem *mem);
 
-/* The rays of the larger side that are adjacent to ray a of the smaller one, into found. Errors:
- * MEMORY, LIMIT. */
-fmb_status fmb_find_adjacent(fmb_cone *c, uint32_t a, size_t *found);
+/* A new row: gather the supports of the larger side. Errors: MEMORY, LIMIT. */
+fmb_status fmb_adjacency_begin(fmb_cone *c);
+/* And those of all other rays: before threads look for neighbours. Errors: MEMORY, LIMIT. */
+fmb_status fmb_adjacency_gather_rest(fmb_cone *c);
+
+/* The rays of the larger side that are adjacent to ray a of the smaller one, into p->found; memory
+ * and counts are those of the run. Errors: MEMORY, LIMIT. */
+fmb_status fmb_find_adjacent(fmb_cone *c, fmb_run *run, fmb_adjacency *p, uint32_t a);
 
 #endif

@@ -13,9 +13,22 @@
 /* So many small rays take as long as one of GMP's integers. */
 #define WIDE_RAY 16
 
+static void dismiss_crew(fmb_insertion *s, fmb_mem *mem)
+{
+    if (!s->crew)
+        return;
+    for (size_t k = 0; k < s->crew->team.size; k++)
+        fmb_adjacency_clear(&s->crew->pairs[k], &s->crew->team.share[k].mem);
+    fmb_team_close(&s->crew->team);
+    fmb_mem_put(mem, s->crew, 1, sizeof *s->crew);
+}
+
 void fmb_insertion_clear(fmb_insertion *s, fmb_mem *mem)
 {
+    dismiss_crew(s, mem);
     fmb_mem_put(mem, s->ray, s->ray_capacity, sizeof *s->ray);
+    fmb_mem_put(mem, s->large_side.word, s->large_side.capacity, sizeof *s->large_side.word);
+    fmb_mem_put(mem, s->rest.word, s->rest.capacity, sizeof *s->rest.word);
     fmb_adjacency_clear(&s->pairs, mem);
     *s = (fmb_insertion){0};
 }
@@ -101,7 +114,7 @@ static size_t list_rays_of_sign(const fmb_cone *c, fmb_insertion *s, size_t at, 
 static void give_bit_to_positives(fmb_cone *c)
 {
     fmb_insertion *s = c->at;
-    const uint32_t *positive = s->small_is_positive ? s->ray : s->ray + s->small;
+    const uint32_t *positive = s->small_is_positive ? s->ray + s->large : s->ray;
     size_t n = s->small_is_positive ? s->small : s->large;
     for (size_t k = 0; k < n; k++)
         fmb_rays_support(&c->ray, positive[k])[c->bits / 64] |= (uint64_t)1 << (c->bits % 64);
@@ -111,7 +124,7 @@ static void give_bit_to_positives(fmb_cone *c)
 static void remove_negatives(fmb_cone *c)
 {
     fmb_insertion *s = c->at;
-    const uint32_t *negative = s->small_is_positive ? s->ray + s->small : s->ray;
+    const uint32_t *negative = s->small_is_positive ? s->ray : s->ray + s->large;
     for (size_t k = s->small_is_positive ? s->large : s->small; k-- > 0;) {
         count_negatives_of_ray(c, &c->ray.v[negative[k]], -1);
         fmb_rays_remove(&c->ray, negative[k]);
@@ -144,17 +157,17 @@ fmb_status fmb_insertion_begin(fmb_cone *c, size_t row, size_t entry)
     s->row = row;
     s->rays = rays;
     s->next = 0;
-    s->small = list_rays_of_sign(c, s, 0, 1);
-    s->large = list_rays_of_sign(c, s, s->small, -1) - s->small;
+    s->large = list_rays_of_sign(c, s, 0, -1);
+    s->small = list_rays_of_sign(c, s, s->large, 1) - s->large;
     s->small_is_positive = s->small <= s->large;
     if (!s->small_is_positive) {
-        s->small = list_rays_of_sign(c, s, 0, -1);
-        s->large = list_rays_of_sign(c, s, s->small, 1) - s->small;
+        s->large = list_rays_of_sign(c, s, 0, 1);
+        s->small = list_rays_of_sign(c, s, s->large, -1) - s->large;
     }
     size_t signs = s->small + s->large;
     s->zeros = list_rays_of_sign(c, s, signs, 0) - signs;
     s->running = true;
-    fmb_adjacency_start(&s->pairs);
+    s->large_side.ready = s->rest.ready = false;
     return FMB_OK;
 }
 
@@ -177,19 +190,84 @@ static fmb_status combine_pair_of_rays(fmb_cone *c, uint32_t a, uint32_t b)
     return fmb_run_poll(c->run);
 }
 
+static fmb_status combine_with_found(fmb_cone *c, uint32_t a, const fmb_adjacency *p)
+{
+    fmb_status st = FMB_OK;
+    for (size_t k = 0; st == FMB_OK && k < p->founds; k++)
+        st = combine_pair_of_rays(c, a, p->found[k]);
+    return st;
+}
+
+static fmb_status pair_next_ray(fmb_cone *c)
+{
+    fmb_insertion *s = c->at;
+    uint32_t a = s->ray[s->large + s->next];
+    fmb_status st = fmb_run_poll(c->run);
+    if (st == FMB_OK)
+        st = fmb_find_adjacent(c, c->run, &s->pairs, a);
+    s->next++;
+    return st == FMB_OK ? combine_with_found(c, a, &s->pairs) : st;
+}
+
+/* ---- by several threads ---------------------------------------------------------------------- */
+
+/* With fewer pairs in a round, threads wait longer than they work. */
+#define PAIRS_FOR_CREW ((size_t)1 << 15)
+
+static fmb_status hire_crew(fmb_cone *c)
+{
+    fmb_insertion *s = c->at;
+    s->crew = fmb_mem_zero(c->run->mem, 1, sizeof *s->crew);
+    return s->crew ? fmb_team_open(&s->crew->team, c->run, FMB_INSERTION_CREW)
+                   : fmb_mem_status(c->run->mem);
+}
+
+static fmb_status find_neighbours_of_ray(void *self, size_t k, fmb_run *run)
+{
+    fmb_cone *c = self;
+    const fmb_insertion *s = c->at;
+    fmb_status st = fmb_run_poll(run);
+    return st == FMB_OK
+               ? fmb_find_adjacent(c, run, &s->crew->pairs[k], s->ray[s->large + s->next + k])
+               : st;
+}
+
+/* Neighbours of several rays are found at once; they are combined as if one after another. What a
+ * pause leaves is looked for again. */
+static fmb_status pair_next_rays_at_once(fmb_cone *c, uint64_t most)
+{
+    fmb_insertion *s = c->at;
+    size_t left = s->small - s->next, n = left < FMB_INSERTION_CREW ? left : FMB_INSERTION_CREW;
+    fmb_status st = s->crew ? FMB_OK : hire_crew(c);
+    if (st == FMB_OK && !s->rest.ready)
+        st = fmb_adjacency_gather_rest(c);
+    if (st == FMB_OK)
+        st = fmb_team_do(&s->crew->team, n, find_neighbours_of_ray, c);
+    for (size_t k = 0; st == FMB_OK && k < n && c->made < most; k++) {
+        uint32_t a = s->ray[s->large + s->next];
+        s->next++;
+        st = combine_with_found(c, a, &s->crew->pairs[k]);
+    }
+    return st;
+}
+
+/* ---- all pairs ------------------------------------------------------------------------------- */
+
+static bool is_work_for_crew(const fmb_cone *c)
+{
+    const fmb_insertion *s = c->at;
+    return c->run->threads > 1 && s->next + FMB_INSERTION_CREW <= s->small &&
+           s->large * FMB_INSERTION_CREW >= PAIRS_FOR_CREW;
+}
+
 fmb_status fmb_insertion_run(fmb_cone *c, uint64_t most)
 {
     fmb_insertion *s = c->at;
     fmb_status st = FMB_OK;
-    for (; st == FMB_OK && s->next < s->small && s->large > 0 && c->made < most; s->next++) {
-        uint32_t a = s->ray[s->next];
-        size_t found;
-        st = fmb_run_poll(c->run);
-        if (st == FMB_OK)
-            st = fmb_find_adjacent(c, a, &found);
-        for (size_t k = 0; st == FMB_OK && k < found; k++)
-            st = combine_pair_of_rays(c, a, s->pairs.found[k]);
-    }
+    if (s->large > 0 && !s->large_side.ready)
+        st = fmb_adjacency_begin(c);
+    while (st == FMB_OK && s->next < s->small && s->large > 0 && c->made < most)
+        st = is_work_for_crew(c) ? pair_next_rays_at_once(c, most) : pair_next_ray(c);
     if (st == FMB_OK && (s->next == s->small || s->large == 0))
         finish_insertion(c);
     return st;

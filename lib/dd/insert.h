@@ -3,6 +3,7 @@
 #define FMB_DD_INSERT_H
 
 #include "dd/cone.h"
+#include "trace/team.h"
 
 /* Sets in planes, as the kernels want them. */
 typedef struct fmb_support_planes {
@@ -12,10 +13,8 @@ typedef struct fmb_support_planes {
     bool ready;
 } fmb_support_planes;
 
-/* What is known for the pairs of one row (adjacent.c). */
+/* What one thread needs to find the neighbours of a ray (adjacent.c). */
 typedef struct fmb_adjacency {
-    fmb_support_planes large; /* supports of the larger side */
-    fmb_support_planes rest;  /* of the smaller side, then of rays with value 0 */
     fmb_support_planes near;  /* of all rays that share zeros enough with the one at hand */
     uint64_t *far, *far_rest; /* bits: those of large, of rest that share too few */
     size_t far_capacity, far_rest_capacity;
@@ -24,8 +23,16 @@ typedef struct fmb_adjacency {
     uint64_t *joint; /* the union of two supports */
     size_t joint_capacity;
     uint32_t *found; /* adjacent rays */
-    size_t found_capacity;
+    size_t founds, found_capacity;
 } fmb_adjacency;
+
+/* Rays of the smaller side whose neighbours are looked for at once, by several threads. */
+#define FMB_INSERTION_CREW 16
+
+typedef struct fmb_insertion_crew {
+    fmb_team team;
+    fmb_adjacency pairs[FMB_INSERTION_CREW];
+} fmb_insertion_crew;
 
 /* A row that separates rays. Pairs are taken by the rays of the smaller side, one after another. */
 typedef struct fmb_insertion {
@@ -33,12 +40,14 @@ typedef struct fmb_insertion {
     size_t entry; /* of vectors: their value in the row */
     size_t row;
     size_t rays;   /* before it */
-    uint32_t *ray; /* [ray_capacity] the smaller side, the larger side, those with value 0 */
+    uint32_t *ray; /* [ray_capacity] the larger side, the smaller side, those with value 0 */
     size_t ray_capacity;
     size_t small, large, zeros;
     bool small_is_positive;
-    size_t next; /* of the smaller side */
+    size_t next;                         /* of the smaller side */
+    fmb_support_planes large_side, rest; /* supports; rest: of the smaller side, then of value 0 */
     fmb_adjacency pairs;
+    fmb_insertion_crew *crew; /* or NULL */
 } fmb_insertion;
 
 /* Vectors have their value in the row at that entry. Errors: MEMORY, LIMIT. */

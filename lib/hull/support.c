@@ -119,8 +119,9 @@ static fmb_status ask_next_question(fmb_support *s, bool *done)
     if (s->equations < f->d - f->rank)
         return ask_about_equation(s);
     if ((at = find_open_facet(s)) != SIZE_MAX)
-        return s->crew && s->rows >= FMB_ROWS_ALONE ? ask_about_facets_at_once(s, at)
-                                                    : ask_about_facet(s, at);
+        return s->crew && s->rows + f->generators >= FMB_QUERIES_ALONE
+                   ? ask_about_facets_at_once(s, at)
+                   : ask_about_facet(s, at);
     *done = true;
     return s->strict ? fmb_support_find_missing_faces(s) : FMB_OK;
 }

@@ -31,8 +31,8 @@ fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, int sign, fmb_sup
 
 /* Scouts of a crew, and facets that are asked about at once. */
 #define FMB_CREW 8
-/* Before so many rows are proved, oracles that begin anew cost more than they save. */
-#define FMB_ROWS_ALONE 32
+/* For so many rows and generators, oracles that begin anew would cost more than they save. */
+#define FMB_QUERIES_ALONE 32
 
 /* Ask about n <= FMB_CREW different facets that are open. There is a crew. */
 fmb_status fmb_support_ask_crew(fmb_support *s, size_t n, const size_t *facet);

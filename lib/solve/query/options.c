@@ -75,7 +75,7 @@ static const entry TABLE[] = {
      offsetof(fmb_options, max_bytes),
      NULL},
     {{"threads", "THREADS", "0",
-      "Threads for the ends of a box, redundant rows and support queries; 0 is one."},
+      "Threads for ends of a box, redundant rows, support queries and rays; 0 is one."},
      COUNT,
      offsetof(fmb_options, threads),
      NULL},

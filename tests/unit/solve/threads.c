@@ -192,25 +192,26 @@ Test(threads, rows_under_a_limit)
 
 /* ---- projections ----------------------------------------------------------------------------- */
 
-enum { LIFTED = 7, KEPT = 4 };
+enum { LIFTED = 8, KEPT = 4 };
 
-/* [give] Rows around the origin; in some directions it may go on for ever. */
-static fmb_system *around_origin(support_rng *g)
+/* [give] Rows around the origin, so many of 100 strict; in some directions it may go on for ever.
+ */
+static fmb_system *around_origin(support_rng *g, int strict)
 {
     fmb_system *s = rows_none(LIFTED);
     for (int i = 0; i < 4 * LIFTED; i++) {
         int64_t a[LIFTED];
         for (int j = 0; j < LIFTED; j++)
             a[j] = support_between(g, -9, 9);
-        must(fmb_system_add_int(s, a, support_chance(g, 5) ? FMB_LT : FMB_LE,
+        must(fmb_system_add_int(s, a, support_chance(g, strict) ? FMB_LT : FMB_LE,
                                 support_between(g, 10, 99)));
     }
     return s;
 }
 
 /* [give] The projection, and its proof as text. */
-static fmb_system *project_by(const fmb_system *s, size_t threads, double seconds, fmb_stop *stop,
-                              char **proof)
+static fmb_system *project_by(const fmb_system *s, fmb_method method, size_t threads,
+                              double seconds, fmb_stop *stop, char **proof)
 {
     static const int keep[KEPT] = {0, 2, 3, 5};
     fmb_options o = fmb_options_default();
@@ -223,7 +224,7 @@ static fmb_system *project_by(const fmb_system *s, size_t threads, double second
     FILE *f = open_memstream(proof, &size);
     o.threads = threads;
     o.max_seconds = seconds;
-    o.method = FMB_METHOD_HULL;
+    o.method = method;
     must(fmb_solver_new(&o, NULL, &v));
     must(fmb_project(v, s, keep, KEPT, &p, &r));
     must(fmb_solver_evidence(v, &e));
@@ -255,16 +256,19 @@ static void expect_same_rows(const fmb_system *a, const fmb_system *b)
 Test(threads, same_projection)
 {
     support_rng g = {81};
-    for (int i = 0; i < 6; i++) {
-        fmb_system *s = around_origin(&g), *p[3];
+    for (int i = 0; i < 4; i++) {
+        fmb_method method = i % 2 == 0 ? FMB_METHOD_HULL : FMB_METHOD_DD;
+        fmb_system *s = around_origin(&g, method == FMB_METHOD_DD ? 0 : 5), *p[3];
         char *proof[3];
         fmb_stop stop;
         for (int k = 0; k < 3; k++) {
-            p[k] = project_by(s, (size_t[]){1, 2, 5}[k], 0, &stop, &proof[k]);
+            p[k] = project_by(s, method, (size_t[]){1, 2, 5}[k], 0, &stop, &proof[k]);
             cr_assert(p[k] && stop == FMB_STOP_DONE && fmb_system_rows(p[k]) > 40);
             expect_same_rows(p[0], p[k]);
         }
         cr_expect_str_eq(proof[1], proof[2]);
+        if (method == FMB_METHOD_DD)
+            cr_expect_str_eq(proof[0], proof[1]);
         for (int k = 0; k < 3; k++) {
             fmb_system_free(p[k]);
             free(proof[k]);
@@ -277,11 +281,12 @@ Test(threads, same_projection)
 Test(threads, projection_under_a_limit)
 {
     support_rng g = {82};
-    fmb_system *s = around_origin(&g);
+    fmb_system *s = around_origin(&g, 5);
     for (int k = 1; k <= 4; k++) {
         char *proof;
         fmb_stop stop;
-        fmb_system_free(project_by(s, 3, 0.004 * k, &stop, &proof));
+        fmb_system_free(project_by(s, k % 2 == 0 ? FMB_METHOD_DD : FMB_METHOD_HULL, 3, 0.004 * k,
+                                   &stop, &proof));
         free(proof);
     }
     fmb_system_free(s);
