@@ -1,5 +1,6 @@
 /* common.c: the points that two frames have in common, as a polytope; see fmb/proximity.h. */
 #include "num/rationals.h"
+#include "proximity/around.h"
 #include "proximity/proximity.h"
 #include "system/generators.h"
 
@@ -75,6 +76,10 @@ static fmb_status find_common_points(fmb_solver *v, const fmb_two *two, fmb_gene
         st = fmb_generate(v, s, &found, &r);
     v->answered = false;
     fmb_system_free(s);
+    if (st == FMB_OK && found)
+        st = fmb_sort_around(&found, &v->mem);
+    if (st != FMB_OK)
+        fmb_generators_free(found);
     if (st == FMB_OK) {
         *out = found;
         *(res ? res : &r) = r;

@@ -319,6 +319,26 @@ static void expect_box(const fmb_frame *f, const fmb_generators *g)
     fmb_system_free(s);
 }
 
+/* Every corner of a polygon in the plane turns the same way. */
+static void expect_order(const fmb_generators *g)
+{
+    size_t n = fmb_generators_size(g);
+    int turns[2] = {0, 0};
+    mpq_t x[6], t;
+    mpq_inits(x[0], x[1], x[2], x[3], x[4], x[5], t, NULL);
+    for (size_t i = 0; n > 3 && i < n; i++) {
+        for (size_t k = 0; k < 6; k++)
+            fmb_generators_get_q(g, (i + k / 2) % n, (int)(k % 2), x[k]);
+        for (int k = 5; k > 1; k--)
+            mpq_sub(x[k], x[k], x[k % 2]);
+        mpq_mul(t, x[2], x[5]);
+        mpq_mul(x[3], x[3], x[4]);
+        turns[mpq_cmp(t, x[3]) > 0]++;
+    }
+    cr_expect(turns[0] == 0 || turns[1] == 0);
+    mpq_clears(x[0], x[1], x[2], x[3], x[4], x[5], t, NULL);
+}
+
 Test(proximity, common_points_fill_the_box)
 {
     support_rng g = {23};
@@ -337,6 +357,8 @@ Test(proximity, common_points_fill_the_box)
         for (size_t i = 0; i < fmb_generators_size(common); i++)
             cr_expect(fmb_generators_kind(common, i) == FMB_VERTEX);
         expect_box(b.f, common);
+        if (b.f[0].dim == 2 && !moves)
+            expect_order(common);
         fmb_generators_free(common);
         meeting_pairs++;
     }
@@ -344,6 +366,32 @@ Test(proximity, common_points_fill_the_box)
 }
 
 /* ---- arguments, rationals, limits ------------------------------------------------------------ */
+
+/* The plane z = x through a cube of side 2: a rectangle with a corner cut off, in its order. */
+Test(proximity, polygons_in_space_are_in_order)
+{
+    const double zero[3] = {0, 0, 0}, cube[9] = {2, 0, 0, 0, 2, 0, 0, 0, 2};
+    const double triangle[6] = {4, 0, 4, 0, 3, 0};
+    const fmb_frame f[2] = {
+        {.shape = FMB_CUBOID, .dim = 3, .naxes = 3, .origin = zero, .axes = cube},
+        {.shape = FMB_SIMPLEX, .dim = 3, .naxes = 2, .origin = zero, .axes = triangle}};
+    fmb_generators *g = NULL;
+    must(fmb_common(solver, f, &g, NULL));
+    size_t n = fmb_generators_size(g);
+    cr_assert_eq(n, 5);
+    for (size_t i = 0; i < n; i++) {
+        /* neighbours share one of x = 0, x = 2, y = 0, y = 2, 3 x + 4 y = 12 */
+        double x[2], y[2];
+        for (size_t k = 0; k < 2; k++) {
+            x[k] = fmb_generators_coordinate(g, (i + k) % n, 0);
+            y[k] = fmb_generators_coordinate(g, (i + k) % n, 1);
+        }
+        bool cut = 3 * x[0] + 4 * y[0] > 11.9 && 3 * x[1] + 4 * y[1] > 11.9;
+        bool side = x[0] == x[1] && (x[0] == 0 || x[0] == 2);
+        cr_expect(cut || side || (y[0] == y[1] && (y[0] == 0 || y[0] == 2)));
+    }
+    fmb_generators_free(g);
+}
 
 Test(proximity, rationals_are_exact)
 {
