@@ -20,6 +20,7 @@ enum {
     KEY_MOTION,
     KEY_NEIGHBOURS,
     KEY_WHERE,
+    KEY_COMMON,
     KEY_MARKED,
     KEY_CSV,
     KEY_FORMAT,
@@ -39,6 +40,10 @@ static const struct argp_option options[] = {
     {"where", KEY_WHERE, NULL, 0,
      "With the box of the common points of each pair, and when they meet if B moves: each end "
      "rounded outward",
+     1},
+    {"common", KEY_COMMON, NULL, 0,
+     "With the vertices of all that each pair has in common, a point, segment, polygon or "
+     "polyhedron, exactly; with the time behind x, y, z if B moves",
      1},
     {"marked", KEY_MARKED, "FILE", 0,
      "Write both meshes as PLY with colours: cells that meet are red", 1},
@@ -133,6 +138,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         return 0;
     case KEY_WHERE:
         ask->where = true;
+        return 0;
+    case KEY_COMMON:
+        ask->common = true;
         return 0;
     case KEY_MARKED:
         ask->marked = arg;

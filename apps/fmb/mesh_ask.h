@@ -10,7 +10,7 @@ typedef struct mesh_ask {
     fmb_mesh_format format;
     fmb_mesh_place place; /* its move; the scale is the following */
     double scale[3], motion[3];
-    bool mirror[3], moves, neighbours, where, json, csv, quiet;
+    bool mirror[3], moves, neighbours, where, common, json, csv, quiet;
     size_t max_bytes, max_input, threads;
 } mesh_ask;
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include <fmb/pair.h>
+#include <fmb/proximity.h>
 
 #include "common/message.h"
 #include "fmb/intersect.h"
@@ -15,13 +16,15 @@ typedef struct report {
     const mesh_ask *ask;
     const fmb_mesh *a, *b;
     const fmb_mesh_answer *answer;
-    fmb_pair *pair; /* NULL: nobody asks where */
+    fmb_pair *pair;     /* NULL: nobody asks where */
+    fmb_solver *solver; /* NULL: nor for all common points */
 } report;
 
 /* Lower, upper; x, y, z, t. */
 typedef struct place_of_hit {
     char *end[8];
-    int intervals; /* 0: not known */
+    int intervals;          /* 0: not known */
+    fmb_generators *common; /* or NULL */
 } place_of_hit;
 
 /* ---- where ----------------------------------------------------------------------------------- */
@@ -42,6 +45,13 @@ static fmb_frame frame_of_cell(const fmb_mesh *m, size_t c, const double *speed,
                        .speed = speed};
 }
 
+static fmb_status common_points(const report *r, const fmb_frame *p, const fmb_frame *q,
+                                place_of_hit *out)
+{
+    const fmb_frame both[2] = {*p, *q};
+    return fmb_common(r->solver, both, &out->common, NULL);
+}
+
 static fmb_status find_place(const report *r, const fmb_mesh_hit *h, place_of_hit *out)
 {
     double number[2][12], ends[8];
@@ -51,9 +61,10 @@ static fmb_status find_place(const report *r, const fmb_mesh_hit *h, place_of_hi
     fmb_verdict v;
     fmb_pair_answers answers = {.verdict = &v, .world = ends, .time = ends + 6};
     *out = (place_of_hit){.intervals = 0};
-    if (!r->pair)
-        return FMB_OK;
-    fmb_status st = fmb_pair_test(r->pair, 1, &p, &q, &answers);
+    fmb_status st = r->solver ? common_points(r, &p, &q, out) : FMB_OK;
+    if (st != FMB_OK || !r->pair)
+        return st;
+    st = fmb_pair_test(r->pair, 1, &p, &q, &answers);
     if (st == FMB_OK && v == FMB_FEASIBLE)
         out->intervals = motion ? 4 : 3;
     for (int i = 0; i < 2 * out->intervals; i++)
@@ -65,6 +76,39 @@ static void forget_place(place_of_hit *p)
 {
     for (int i = 0; i < 2 * p->intervals; i++)
         free(p->end[i]);
+    fmb_generators_free(p->common);
+}
+
+/* ---- common points --------------------------------------------------------------------------- */
+
+/* Coordinate j of point i as "p/q". */
+static void put_coordinate(const fmb_generators *g, size_t i, int j)
+{
+    mpq_t q;
+    mpq_init(q);
+    fmb_generators_get_q(g, i, j, q);
+    char *text = app_need(mpq_get_str(NULL, 10, q));
+    fputs(text, stdout);
+    free(text);
+    mpq_clear(q);
+}
+
+/* All points, with texts before, between and behind their coordinates, and between points. */
+typedef struct point_style {
+    const char *open, *between, *close, *next;
+} point_style;
+
+static void put_points(const fmb_generators *g, const point_style *style)
+{
+    for (size_t i = 0; i < fmb_generators_size(g); i++) {
+        fputs(i > 0 ? style->next : "", stdout);
+        fputs(style->open, stdout);
+        for (int j = 0; j < fmb_generators_dim(g); j++) {
+            fputs(j > 0 ? style->between : "", stdout);
+            put_coordinate(g, i, j);
+        }
+        fputs(style->close, stdout);
+    }
 }
 
 /* ---- a hit ----------------------------------------------------------------------------------- */
@@ -82,6 +126,8 @@ static void print_hit(const report *r, const fmb_mesh_hit *h, const place_of_hit
         printf(" (%d common)", h->shared);
     for (int i = 0; i < p->intervals; i++)
         printf("%s [%s, %s]", before[i], p->end[2 * i], p->end[2 * i + 1]);
+    if (p->common)
+        put_points(p->common, &(point_style){" (", ", ", ")", ""});
     putchar('\n');
 }
 
@@ -91,6 +137,9 @@ static void print_hit_as_csv(const report *r, const fmb_mesh_hit *h, const place
            h->shared);
     for (int i = 0; i < 2 * p->intervals; i++)
         printf(",%s", p->end[i]);
+    fputs(r->solver ? "," : "", stdout);
+    if (p->common)
+        put_points(p->common, &(point_style){"", " ", "", ";"});
     putchar('\n');
 }
 
@@ -105,7 +154,13 @@ static void print_hit_as_json(const report *r, const fmb_mesh_hit *h, const plac
                : i == 3 ? "], \"time\": "
                         : ", ",
                p->end[2 * i], p->end[2 * i + 1]);
-    printf("%s}", p->intervals == 3 ? "]" : "");
+    fputs(p->intervals == 3 ? "]" : "", stdout);
+    if (p->common) {
+        fputs(", \"points\": [", stdout);
+        put_points(p->common, &(point_style){"[\"", "\", \"", "\"]", ", "});
+        putchar(']');
+    }
+    putchar('}');
 }
 
 /* ---- what stands around ---------------------------------------------------------------------- */
@@ -127,9 +182,9 @@ static void print_counts(const report *r)
 
 static void print_csv_head(const report *r)
 {
-    printf("how,a,b,common%s%s\n",
+    printf("how,a,b,common%s%s%s\n",
            r->pair ? ",x_lower,x_upper,y_lower,y_upper,z_lower,z_upper" : "",
-           r->pair && r->ask->moves ? ",t_lower,t_upper" : "");
+           r->pair && r->ask->moves ? ",t_lower,t_upper" : "", r->solver ? ",points" : "");
 }
 
 static void print_mesh_as_json(const char *key, const fmb_mesh *m)
@@ -191,9 +246,12 @@ int mesh_report(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b,
     o.tightest = true;
     if (ask->where)
         st = fmb_pair_new(3, &o, NULL, &r.pair);
+    if (st == FMB_OK && ask->common)
+        st = fmb_solver_new(NULL, NULL, &r.solver);
     if (st == FMB_OK)
         st = print_report(&r);
     fmb_pair_free(r.pair);
+    fmb_solver_free(r.solver);
     if (st != FMB_OK)
         return app_status_error(st);
     return app_stop_asked() ? APP_UNDECIDED : code;
