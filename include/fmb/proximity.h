@@ -69,7 +69,8 @@ FMB_API FMB_CHECKED fmb_status fmb_separate(fmb_solver *v, const fmb_frame *f, f
 FMB_API bool fmb_separates(const fmb_frame *f, fmb_contact contact, const fmb_system *row);
 
 /* [give] The common points: vertices of a point, segment, polygon (in their order around it) or
- * polytope, over x1, x2, ... and, if something moves, t. Without any the verdict is INFEASIBLE, and *out NULL. Errors: ARG, MEMORY.
+ * polytope, over x1, x2, ... and, if something moves, t. Without any the verdict is INFEASIBLE, and
+ * *out NULL. Errors: ARG, MEMORY.
  */
 FMB_API FMB_CHECKED fmb_status fmb_common(fmb_solver *v, const fmb_frame *f, fmb_generators **out,
                                           fmb_result *res);
