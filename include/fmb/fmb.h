@@ -7,6 +7,7 @@
 
 #include <fmb/base.h>
 #include <fmb/frame.h>
+#include <fmb/frames.h>
 #include <fmb/generators.h>
 #include <fmb/io.h>
 #include <fmb/mesh.h>

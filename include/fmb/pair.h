@@ -29,6 +29,8 @@ typedef struct fmb_pair_options {
     bool doubles_only; /* do not ask exactly: the verdict may be UNKNOWN, which also stands where a
                           box that was asked for is not known well enough */
     fmb_simd simd;
+    size_t threads; /* of queries over sets (<fmb/frames.h>), at most 64; 0 or 1: the caller's
+                       alone. The allocator must then be safe for threads */
     /* Limits of one exact query: beyond them the verdict is UNKNOWN. */
     double max_seconds; /* [s]; 0 = no limit */
     size_t max_bytes;   /* its system and workspace, and as much again for the proof of a witness

@@ -99,4 +99,24 @@ static inline void fmb_block_put_alone(fmb_block *b, int width, const fmb_frame 
         fmb_block_load(b->number, 2, true, p, q, moves, boxes);
 }
 
+/* Put pair i = (p, q) of frames by edges, of any number of axes, into the next lane of a block;
+ * rows of missing axes stay as they were. */
+static inline void fmb_block_put_flat(fmb_block *b, int width, const fmb_frame *p,
+                                      const fmb_frame *q, size_t i)
+{
+    static const double still[3] = {0};
+    const double *from = p->speed ? p->speed : still, *to = q->speed ? q->speed : still;
+    const int dim = p->dim, row = width * dim;
+    double *number = b->number + b->lanes;
+    b->pair[b->lanes++] = i;
+    for (int j = 0; j < dim; j++) {
+        number[j * width] = q->origin[j] - p->origin[j];
+        number[(1 + 2 * dim) * row + j * width] = to[j] - from[j];
+    }
+    for (int j = 0; j < p->naxes * dim; j++)
+        number[row + j * width] = p->axes[j];
+    for (int j = 0; j < q->naxes * dim; j++)
+        number[(1 + dim) * row + j * width] = q->axes[j];
+}
+
 #endif

@@ -5,6 +5,7 @@
 
 #include "pair/corners/cell.h"
 #include "pair/edges.h"
+#include "pair/kernels/packed.h"
 
 /* One call of fmb_pair_test. */
 typedef struct query {
@@ -14,11 +15,6 @@ typedef struct query {
     bool boxes, alone; /* more than the verdict is wanted; this is the only pair */
     const fmb_pair_kernels *kernels;
 } query;
-
-static bool is_cancelled(const fmb_pair *k)
-{
-    return atomic_load_explicit(&k->oracle.cancel, memory_order_relaxed) != 0;
-}
 
 /* ---- one pair -------------------------------------------------------------------------------- */
 
@@ -42,7 +38,7 @@ static bool take_edges(const query *a, size_t i, fmb_edges *p, fmb_edges *q)
 
 static bool asks_exactly(const query *a)
 {
-    return !a->k->options.doubles_only && !is_cancelled(a->k);
+    return !a->k->options.doubles_only && !fmb_pair_is_cancelled(a->k);
 }
 
 /* More than a verdict, which is FEASIBLE. */
@@ -93,6 +89,8 @@ static fmb_status refuse_pair(const query *a, size_t i)
 
 /* Let pair i wait in a block of that stage. */
 static fmb_status wait_in_block(const query *a, int stage, size_t i);
+/* Let it wait in the block for any number of axes, if its edges are doubles. */
+static fmb_status wait_in_flat_block(const query *a, size_t i);
 
 /* ---- boxes by kernels ------------------------------------------------------------------------ */
 
@@ -170,7 +168,7 @@ static fmb_status decide_generally(const query *a, int stage, int kind, size_t i
     fmb_edges p, q;
     fmb_verdict *out = &a->out->verdict[i];
     *out = FMB_UNKNOWN;
-    if (k->options.method != FMB_PAIR_EXACT && !is_cancelled(k) &&
+    if (k->options.method != FMB_PAIR_EXACT && !fmb_pair_is_cancelled(k) &&
         !fmb_decide_corners(&a->p[i], &a->q[i], k->options.contact, out) &&
         take_edges(a, i, &p, &q))
         *out = fmb_general_decide(k->general, &p.frame, &q.frame);
@@ -212,6 +210,24 @@ static fmb_status flush_verdicts(const query *a, const fmb_block *b, int kind)
     return st == FMB_OK && stay ? find_boxes_of_lanes(a, b, STAGE_BOX, kind, boxed) : st;
 }
 
+/* The same of the block of frames with any number of axes. */
+static fmb_status flush_flat_verdicts(const query *a, const fmb_block *b)
+{
+    fmb_pair_bits bits = a->kernels->packed->flat[a->k->dim - 2](&a->k->flat, b->number);
+    fmb_status st = FMB_OK;
+    for (int lane = 0; st == FMB_OK && lane < b->lanes; lane++) {
+        size_t i = b->pair[lane];
+        bool meet = bits.meet >> lane & 1, apart = bits.apart >> lane & 1;
+        if (meet || apart)
+            a->out->verdict[i] = meet ? FMB_FEASIBLE : FMB_INFEASIBLE;
+        if (!meet && !apart)
+            st = decide_generally(a, STAGES, 0, i);
+        else if (meet && a->boxes)
+            st = answer_generally(a, i);
+    }
+    return st;
+}
+
 /* And edges that are doubles. */
 static bool has_all_axes(const fmb_frame *f, int dim)
 {
@@ -238,9 +254,10 @@ static fmb_status answer_or_wait(const query *a, size_t i)
     const fmb_frame *p = &a->p[i], *q = &a->q[i];
     if (p->dim != k->dim || q->dim != k->dim)
         return refuse_pair(a, i);
-    if (k->dim < 2 || k->dim > 3 || k->options.method == FMB_PAIR_EXACT ||
-        !has_all_axes(p, k->dim) || !has_all_axes(q, k->dim))
+    if (k->dim < 2 || k->dim > 3 || k->options.method == FMB_PAIR_EXACT)
         return decide_generally(a, STAGES, 0, i);
+    if (!has_all_axes(p, k->dim) || !has_all_axes(q, k->dim))
+        return wait_in_flat_block(a, i);
     return wait_in_block(a, STAGE_VERDICT, i);
 }
 
@@ -258,12 +275,14 @@ static fmb_status flush_block(const query *a, int number)
 {
     fmb_block *b = &a->k->block[number];
     int stage = number / KINDS, kind = number % KINDS;
-    if (!a->alone)
+    if (!a->alone || number == FLAT_BLOCK)
         fill_unused_lanes(b, a->kernels->width);
-    fmb_status st = stage == STAGE_VERDICT ? flush_verdicts(a, b, kind)
-                                           : find_boxes_of_lanes(a, b, stage, kind, lanes_taken(b));
+    fmb_status st = number == FLAT_BLOCK ? flush_flat_verdicts(a, b)
+                    : stage == STAGE_VERDICT
+                        ? flush_verdicts(a, b, kind)
+                        : find_boxes_of_lanes(a, b, stage, kind, lanes_taken(b));
     b->lanes = 0;
-    a->k->waiting &= ~(UINT32_C(1) << number);
+    a->k->waiting &= ~(UINT64_C(1) << number);
     return st;
 }
 
@@ -282,8 +301,44 @@ static fmb_status wait_in_block(const query *a, int stage, size_t i)
         fmb_block_put_alone(b, a->kernels->width, p, q, moves, a->boxes);
     else
         fmb_block_put(b, a->kernels->width, p, q, moves, a->boxes, i);
-    a->k->waiting |= UINT32_C(1) << number;
+    a->k->waiting |= UINT64_C(1) << number;
     return b->lanes == a->kernels->width ? flush_block(a, number) : FMB_OK;
+}
+
+static bool is_flat_kind(const fmb_flat_kind *k, bool moves, const fmb_frame *p, const fmb_frame *q)
+{
+    return k->moves == moves && k->side[0].naxes == p->naxes && k->side[1].naxes == q->naxes &&
+           k->side[0].simplex == (bool)p->shape && k->side[1].simplex == (bool)q->shape;
+}
+
+/* The block holds one kind at a time: another one makes it go. */
+static fmb_status prepare_flat_block(const query *a, const fmb_frame *p, const fmb_frame *q)
+{
+    const int naxes[2] = {p->naxes, q->naxes};
+    const bool simplex[2] = {p->shape, q->shape}, moves = p->speed || q->speed;
+    fmb_pair *k = a->k;
+    fmb_status st = FMB_OK;
+    if (k->flat.dim > 0 && is_flat_kind(&k->flat, moves, p, q))
+        return FMB_OK;
+    if (k->block[FLAT_BLOCK].lanes > 0)
+        st = flush_block(a, FLAT_BLOCK);
+    fmb_flat_kind_of(k->dim, moves, naxes, simplex, &k->flat);
+    return st;
+}
+
+static fmb_status wait_in_flat_block(const query *a, size_t i)
+{
+    fmb_pair *k = a->k;
+    fmb_block *b = &k->block[FLAT_BLOCK];
+    fmb_edges p, q;
+    if (!fmb_frame_is_good(&a->p[i], k->dim) || !fmb_frame_is_good(&a->q[i], k->dim) ||
+        !take_edges(a, i, &p, &q))
+        return decide_generally(a, STAGES, 0, i);
+    fmb_status st = prepare_flat_block(a, &p.frame, &q.frame);
+    int width = a->kernels->width;
+    fmb_block_put_flat(b, width, &p.frame, &q.frame, i);
+    k->waiting |= UINT64_C(1) << FLAT_BLOCK;
+    return st == FMB_OK && b->lanes == width ? flush_block(a, FLAT_BLOCK) : st;
 }
 
 static void forget_waiting_pairs(fmb_pair *k)
@@ -320,7 +375,7 @@ fmb_status fmb_pair_answer_all(fmb_pair *k, size_t n, const fmb_frame *p, const 
                n == 1 ? k->one : k->wide};
     fmb_status st = FMB_OK;
     size_t next = 0;
-    while (st == FMB_OK && next < n && !is_cancelled(k)) {
+    while (st == FMB_OK && next < n && !fmb_pair_is_cancelled(k)) {
         size_t from = next;
         next = n - from < PAIRS_AT_ONCE ? n : from + PAIRS_AT_ONCE;
         st = answer_some(&a, from, next, n);
@@ -328,7 +383,7 @@ fmb_status fmb_pair_answer_all(fmb_pair *k, size_t n, const fmb_frame *p, const 
     for (size_t i = next; st == FMB_OK && i < n; i++)
         out->verdict[i] = FMB_UNKNOWN;
     while (st == FMB_OK && k->waiting)
-        st = flush_block(&a, __builtin_ctz(k->waiting));
+        st = flush_block(&a, __builtin_ctzll(k->waiting));
     forget_waiting_pairs(k);
     return st;
 }

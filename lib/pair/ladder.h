@@ -12,11 +12,13 @@
 #include "pair/block.h"
 #include "pair/exact.h"
 #include "pair/general/general.h"
+#include "pair/kernels/flat.h"
 
 /* Blocks by number: [stage][kind], where a kind is [moves][shape of A][shape of B]. What a block
- * leaves open goes to one of a later stage, or is settled without a block. */
+ * leaves open goes to one of a later stage, or is settled without a block. The last one is for
+ * verdicts of frames with any number of axes, those of pair.flat. */
 enum { STAGE_VERDICT, STAGE_BOX, STAGES = STAGE_BOX + FMB_BOX_LEVELS };
-enum { KINDS = 2 * 2 * 2, BLOCKS = STAGES * KINDS };
+enum { KINDS = 2 * 2 * 2, FLAT_BLOCK = STAGES * KINDS, BLOCKS };
 
 struct fmb_pair {
     fmb_mem mem;
@@ -26,10 +28,19 @@ struct fmb_pair {
     fmb_general *general;
     fmb_pair_oracle oracle;
     fmb_pair_counts counts;
+    fmb_pair **crew; /* [threads - 1] one for each other thread, of sets of frames; or NULL */
+    int threads;     /* at least 1 */
     char trouble[FMB_FRAME_FAULT_SIZE + 40]; /* why the last call returned FMB_ERR_ARG */
-    uint32_t waiting;                        /* the blocks that are not empty */
+    uint64_t waiting;                        /* the blocks that are not empty */
+    fmb_flat_kind flat;                      /* what waits in the last block */
     fmb_block block[BLOCKS];
 };
+
+/* Has fmb_pair_cancel been called? */
+static inline bool fmb_pair_is_cancelled(const fmb_pair *k)
+{
+    return atomic_load_explicit(&k->oracle.cancel, memory_order_relaxed) != 0;
+}
 
 /* Answer all pairs; after a cancel, those that are left are UNKNOWN. Errors: ARG, with k->trouble
  * set, MEMORY. */

@@ -12,6 +12,41 @@ fmb_pair_options fmb_pair_options_default(void)
     return (fmb_pair_options){.max_bytes = (size_t)1 << 30};
 }
 
+enum { MOST_THREADS = 64 };
+
+static int count_threads_of_pairs(const fmb_pair_options *o)
+{
+#ifdef _OPENMP
+    return o->threads < 1 ? 1 : o->threads > MOST_THREADS ? MOST_THREADS : (int)o->threads;
+#else
+    (void)o;
+    return 1;
+#endif
+}
+
+/* The others that work for k: each has all of k's options but threads. */
+static fmb_status hire_crew(fmb_pair *k, const fmb_alloc *hook)
+{
+    fmb_pair_options o = k->options;
+    fmb_status st = FMB_OK;
+    o.threads = 1;
+    if (k->threads == 1)
+        return FMB_OK;
+    k->crew = fmb_mem_zero(&k->mem, (size_t)k->threads - 1, sizeof *k->crew);
+    if (!k->crew)
+        return fmb_mem_status(&k->mem);
+    for (int i = 0; st == FMB_OK && i < k->threads - 1; i++)
+        st = fmb_pair_new(k->dim, &o, hook, &k->crew[i]);
+    return st;
+}
+
+static void dismiss_crew(fmb_pair *k)
+{
+    for (int i = 0; k->crew && i < k->threads - 1; i++)
+        fmb_pair_free(k->crew[i]);
+    fmb_mem_put(&k->mem, k->crew, (size_t)k->threads - 1, sizeof *k->crew);
+}
+
 static bool are_options(const fmb_pair_options *o)
 {
     return (unsigned)o->contact <= FMB_CONTACT_OPEN && (unsigned)o->method <= FMB_PAIR_EXACT &&
@@ -32,9 +67,12 @@ fmb_status fmb_pair_new(int dim, const fmb_pair_options *o, const fmb_alloc *hoo
     k->mem = mem;
     k->options = *o;
     k->dim = dim;
+    k->threads = count_threads_of_pairs(o);
     fmb_pair_use_kernels(k, &fmb_pair_kernels_narrow, fmb_pair_kernels_choose(o->simd));
     k->general = fmb_general_new(dim, o->simd, &k->mem);
     fmb_status st = k->general ? fmb_pair_oracle_open(&k->oracle, o, hook) : FMB_ERR_MEMORY;
+    if (st == FMB_OK)
+        st = hire_crew(k, hook);
     if (st == FMB_OK)
         *out = k;
     else
@@ -46,6 +84,7 @@ void fmb_pair_free(fmb_pair *k)
 {
     if (!k)
         return;
+    dismiss_crew(k);
     fmb_pair_oracle_close(&k->oracle);
     fmb_general_free(k->general, &k->mem);
     fmb_mem mem = k->mem;
@@ -56,11 +95,20 @@ void fmb_pair_use_kernels(fmb_pair *k, const fmb_pair_kernels *one, const fmb_pa
 {
     k->one = one;
     k->wide = wide;
+    for (int i = 0; k->crew && i < k->threads - 1; i++)
+        fmb_pair_use_kernels(k->crew[i], one, wide);
 }
 
 fmb_pair_counts fmb_pair_count(const fmb_pair *k)
 {
-    return k ? k->counts : (fmb_pair_counts){0};
+    fmb_pair_counts all = {0};
+    for (int i = -1; k && i < k->threads - 1; i++) {
+        const fmb_pair_counts *c = i < 0 ? &k->counts : &k->crew[i]->counts;
+        all.pairs += c->pairs;
+        all.exact_verdicts += c->exact_verdicts;
+        all.exact_boxes += c->exact_boxes;
+    }
+    return all;
 }
 
 const char *fmb_pair_trouble(const fmb_pair *k)
@@ -70,8 +118,8 @@ const char *fmb_pair_trouble(const fmb_pair *k)
 
 void fmb_pair_cancel(fmb_pair *k)
 {
-    if (k)
-        atomic_store(&k->oracle.cancel, 1);
+    for (int i = -1; k && i < k->threads - 1; i++)
+        atomic_store(i < 0 ? &k->oracle.cancel : &k->crew[i]->oracle.cancel, 1);
 }
 
 /* The argument that is missing, or NULL. */

@@ -5,6 +5,9 @@
 #else
 #define FMB_LANES 1
 #endif
+#ifndef FMB_PACKED_TABLE
+#define FMB_PACKED_TABLE fmb_packed_narrow
+#endif
 #ifndef FMB_TABLE
 #define FMB_TABLE study_sat_narrow
 #endif

@@ -4,5 +4,8 @@
 
 #include "pair/kernels/box.h"
 #include "pair/kernels/fmb.h"
+#include "pair/kernels/packed.h"
 
-const fmb_pair_kernels FMB_TABLE = {.width = FMB_LANES, .verdict = FMB_VERDICTS, .box = FMB_BOXES};
+extern const fmb_packed FMB_PACKED_TABLE;
+const fmb_pair_kernels FMB_TABLE = {
+    .width = FMB_LANES, .packed = &FMB_PACKED_TABLE, .verdict = FMB_VERDICTS, .box = FMB_BOXES};

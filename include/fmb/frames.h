@@ -1,0 +1,96 @@
+/* fmb/frames.h: sets of frames, stored once and asked often.
+ *
+ * A set keeps each frame as one record of aligned numbers, edges and all, checked once. Queries
+ * name frames by their numbers: records of a block of pairs are turned into lanes in registers, so
+ * that no pointer is followed and nothing is copied twice; where one frame is asked against many,
+ * or all against all, its own lanes and those of a chunk of the others are made once. Verdicts are
+ * those of fmb_pair_test (<fmb/pair.h>), which decides what doubles leave open.
+ *
+ *   fmb_frames_new(3, n, frames, NULL, &set);
+ *   fmb_pair_new(3, NULL, NULL, &k);
+ *   fmb_frames_meet(k, set, NULL, told, self);      which pairs of the set meet, in order
+ *
+ * Source: Baillehache 2020 (FMB), whose frames are prepared "once for all".
+ */
+#ifndef FMB_FRAMES_H
+#define FMB_FRAMES_H
+
+#include <fmb/pair.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- sets ------------------------------------------------------------------------------------ */
+
+/* Frames of one dimension. Never changed once it is made: threads may share it. */
+typedef struct fmb_frames fmb_frames;
+
+/* Most frames. */
+#define FMB_FRAMES_MOST ((size_t)UINT32_MAX - 1)
+
+/* [give] A set of n frames of that dimension; everything is copied. Frames may be of different
+ * shapes, with any number of axes, by edges or by corners, still or moving. Errors: ARG (dim not 1
+ * to FMB_FRAME_MOST_DIM, too many frames, one that is none, a number that is not finite), MEMORY.
+ */
+FMB_API FMB_CHECKED fmb_status fmb_frames_new(int dim, size_t n, const fmb_frame *f,
+                                              const fmb_alloc *mem, fmb_frames **out);
+
+/* Frames of one shape in arrays, of double or of float. */
+typedef struct fmb_frame_arrays {
+    fmb_shape shape;
+    int naxes;
+    bool single;        /* numbers are float, not double */
+    const void *origin; /* [n][dim] */
+    const void *axes;   /* [n][naxes][dim] */
+    const void *speed;  /* [n][dim], or NULL: nothing moves */
+} fmb_frame_arrays;
+
+/* [give] The same from arrays. Errors: as above, also ARG (an array that must not be NULL). */
+FMB_API FMB_CHECKED fmb_status fmb_frames_from_arrays(int dim, size_t n, const fmb_frame_arrays *a,
+                                                      const fmb_alloc *mem, fmb_frames **out);
+FMB_API void fmb_frames_free(fmb_frames *s);
+
+/* 0 for NULL. */
+FMB_API int fmb_frames_dim(const fmb_frames *s);
+FMB_API size_t fmb_frames_count(const fmb_frames *s);
+/* Frame i < count; its arrays live as long as the set. */
+FMB_API fmb_frame fmb_frames_at(const fmb_frames *s, size_t i);
+
+/* ---- queries --------------------------------------------------------------------------------- */
+
+/* Frame a of the first set and frame b of the second. */
+typedef struct fmb_frames_pair {
+    uint32_t a, b;
+} fmb_frames_pair;
+
+/* Answers to pairs pair[i], 0 <= i < n, in the arrays of out, [n] each, as fmb_pair_test gives
+ * them. With options.threads, pairs are shared among so many threads; answers are the same for any
+ * number. fmb_pair_cancel holds for this, too. Errors: ARG (NULL, sets of another dimension than
+ * k, no such frame: fmb_pair_trouble says which pair), MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_frames_test(fmb_pair *k, const fmb_frames *a,
+                                               const fmb_frames *b, size_t n,
+                                               const fmb_frames_pair *pair,
+                                               const fmb_pair_answers *out);
+
+/* One against many: verdict[j] on frame i of a and frame j of b, for all of b. Errors: as above. */
+FMB_API FMB_CHECKED fmb_status fmb_frames_test_row(fmb_pair *k, const fmb_frames *a, size_t i,
+                                                   const fmb_frames *b, fmb_verdict *verdict);
+
+/* Told of n > 0 pairs with that verdict, FEASIBLE or UNKNOWN; false: stop. */
+typedef bool fmb_frames_told(void *self, fmb_verdict verdict, size_t n,
+                             const fmb_frames_pair *pair);
+
+/* All against all: told hears, in several calls, of every pair of a frame of a and one of b that
+ * meet, by a, then b; b NULL or a: of the pairs (i, j), i < j, of a. Pairs that are UNKNOWN are
+ * told after those of the same portion that meet. Calls come one at a time and are the same for any
+ * number of threads, though perhaps from other threads than the caller's. Errors: as above; after
+ * told said false, or a cancel, OK. */
+FMB_API FMB_CHECKED fmb_status fmb_frames_meet(fmb_pair *k, const fmb_frames *a,
+                                               const fmb_frames *b, fmb_frames_told *told,
+                                               void *self);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

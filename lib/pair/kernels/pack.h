@@ -1,0 +1,315 @@
+/* pack.h: records of a set (pair/packed/set.h) turned into lanes.
+ *
+ * Four rows of all lanes come from one load of each record and three shuffles a row at most: the
+ * cost of a block is mainly that of the shuffles, not of the loads.
+ */
+#ifndef FMB_PAIR_PACK_H
+#define FMB_PAIR_PACK_H
+
+#include <string.h>
+
+#include "pair/kernels/fmb_flat.h"
+#include "pair/kernels/lane.h"
+#include "pair/kernels/packed.h"
+
+/* Numbers r ... r + 3 of FMB_LANES records. */
+FMB_INLINE void transpose_four(const double *const *from, int r, lane out[4])
+{
+#if FMB_LANES == 8
+    /* Records k and k + 2 (k + 4, k + 6) side by side, so that the last shuffles put all in order.
+     */
+    static const int low[4] = {0, 1, 4, 5};
+    __m512d x[4];
+#pragma GCC unroll 4
+    for (int k = 0; k < 4; k++)
+        x[k] = _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(from[low[k]] + r)),
+                                  _mm256_loadu_pd(from[low[k] + 2] + r), 1);
+    __m512d even[2] = {_mm512_unpacklo_pd(x[0], x[1]), _mm512_unpacklo_pd(x[2], x[3])};
+    __m512d odd[2] = {_mm512_unpackhi_pd(x[0], x[1]), _mm512_unpackhi_pd(x[2], x[3])};
+    out[0] = _mm512_shuffle_f64x2(even[0], even[1], 0x88);
+    out[1] = _mm512_shuffle_f64x2(odd[0], odd[1], 0x88);
+    out[2] = _mm512_shuffle_f64x2(even[0], even[1], 0xdd);
+    out[3] = _mm512_shuffle_f64x2(odd[0], odd[1], 0xdd);
+#elif FMB_LANES == 4
+    __m256d x[4];
+    for (int k = 0; k < 4; k++)
+        x[k] = _mm256_loadu_pd(from[k] + r);
+    __m256d even[2] = {_mm256_unpacklo_pd(x[0], x[1]), _mm256_unpacklo_pd(x[2], x[3])};
+    __m256d odd[2] = {_mm256_unpackhi_pd(x[0], x[1]), _mm256_unpackhi_pd(x[2], x[3])};
+    out[0] = _mm256_permute2f128_pd(even[0], even[1], 0x20);
+    out[1] = _mm256_permute2f128_pd(odd[0], odd[1], 0x20);
+    out[2] = _mm256_permute2f128_pd(even[0], even[1], 0x31);
+    out[3] = _mm256_permute2f128_pd(odd[0], odd[1], 0x31);
+#elif FMB_LANES == 2
+    for (int k = 0; k < 4; k += 2) {
+        __m128d x = _mm_loadu_pd(from[0] + r + k), y = _mm_loadu_pd(from[1] + r + k);
+        out[k] = _mm_unpacklo_pd(x, y);
+        out[k + 1] = _mm_unpackhi_pd(x, y);
+    }
+#else
+    for (int k = 0; k < 4; k++)
+        out[k] = from[0][r + k];
+#endif
+}
+
+/* All numbers of the records; the speed only if it counts. */
+FMB_INLINE void pack_records(int dim, bool moves, const double *const *from, lane *out)
+{
+    const int rows = dim == 2 ? 8 : moves ? 16 : 12;
+#pragma GCC unroll 4
+    for (int r = 0; r < rows; r += 4)
+        transpose_four(from, r, out + r);
+}
+
+/* A block of the lanes of A and of B. */
+FMB_INLINE void pack_block(int dim, bool moves, const lane *a, const lane *b, double *block)
+{
+    double *to = block;
+#pragma GCC unroll 3
+    for (int j = 0; j < dim; j++, to += FMB_LANES)
+        lane_store(to, b[j] - a[j]);
+#pragma GCC unroll 9
+    for (int j = 0; j < dim * dim; j++, to += FMB_LANES)
+        lane_store(to, a[dim + j]);
+#pragma GCC unroll 9
+    for (int j = 0; j < dim * dim; j++, to += FMB_LANES)
+        lane_store(to, b[dim + j]);
+#pragma GCC unroll 3
+    for (int j = 0; moves && j < dim; j++, to += FMB_LANES)
+        lane_store(to, b[dim + dim * dim + j] - a[dim + dim * dim + j]);
+}
+
+/* ---- pairs by index -------------------------------------------------------------------------- */
+
+/* The verdicts of the lanes. */
+FMB_INLINE void write_verdicts(fmb_pair_bits bits, fmb_verdict *out)
+{
+#if FMB_LANES == 8
+    __m512i v = _mm512_maskz_set1_epi32((__mmask16)bits.meet, FMB_FEASIBLE);
+    v = _mm512_mask_set1_epi32(v, (__mmask16)bits.apart, FMB_INFEASIBLE);
+    _mm256_storeu_si256((__m256i *)out, _mm512_castsi512_si256(v));
+#else
+    for (int l = 0; l < FMB_LANES; l++)
+        out[l] = bits.apart >> l & 1  ? FMB_INFEASIBLE
+                 : bits.meet >> l & 1 ? FMB_FEASIBLE
+                                      : FMB_UNKNOWN;
+#endif
+}
+
+/* Numbers of a record. */
+FMB_INLINE size_t count_record(int dim)
+{
+    return dim == 2 ? 8 : 16;
+}
+
+/* Blocks whose records are on their way to the processor; a power of two. */
+enum { PACKED_AHEAD = 4 };
+
+/* The records of one side of these blocks. */
+typedef const double *packed_places[PACKED_AHEAD][FMB_LANES];
+
+/* Find and prefetch records of one side of the block of pairs at `i`. */
+FMB_INLINE void find_records(int dim, const double *record, const uint32_t *index, size_t i,
+                             packed_places out)
+{
+    const double **at = out[i / FMB_LANES % PACKED_AHEAD];
+#pragma GCC unroll 8
+    for (size_t l = 0; l < FMB_LANES; l++) {
+        at[l] = record + count_record(dim) * index[2 * (i + l)];
+        __builtin_prefetch(at[l]);
+        if (dim == 3)
+            __builtin_prefetch(at[l] + 8);
+    }
+}
+
+FMB_INLINE fmb_pair_bits ask_packed_block(const fmb_verdict_way *way, const double *block)
+{
+    return way->kernel ? way->kernel(block) : way->flat(way->kind, block);
+}
+
+/* The block of pairs at i, whose records are found. */
+FMB_INLINE fmb_pair_bits ask_pairs_at(int dim, bool moves, const fmb_packed_pairs *x, size_t i,
+                                      packed_places at[2], double *block)
+{
+    lane a[16], b[16];
+    pack_records(dim, moves, at[0][i / FMB_LANES % PACKED_AHEAD], a);
+    pack_records(dim, moves, at[1][i / FMB_LANES % PACKED_AHEAD], b);
+    pack_block(dim, moves, a, b, block);
+    return ask_packed_block(&x->way, block);
+}
+
+/* Whole blocks: x->n is a multiple of FMB_LANES. */
+FMB_INLINE bool packed_blocks(int dim, bool moves, const fmb_packed_pairs *x, fmb_verdict *out)
+{
+    _Alignas(64) double block[FMB_BLOCK_MOST_ROWS * FMB_LANES];
+    const size_t ahead = PACKED_AHEAD * FMB_LANES - FMB_LANES;
+    packed_places at[2];
+    unsigned known = (1U << FMB_LANES) - 1;
+    for (size_t i = 0; i < x->n + ahead; i += FMB_LANES) {
+        for (int side = 0; i < x->n && side < 2; side++)
+            find_records(dim, x->record[side], x->index[side], i, at[side]);
+        if (i < ahead)
+            continue;
+        fmb_pair_bits bits = ask_pairs_at(dim, moves, x, i - ahead, at, block);
+        known &= bits.apart | bits.meet;
+        write_verdicts(bits, out + (i - ahead));
+    }
+    return known == (1U << FMB_LANES) - 1;
+}
+
+/* The last pairs, less than FMB_LANES: their block repeats the last one. */
+FMB_INLINE bool packed_rest(int dim, bool moves, const fmb_packed_pairs *x, size_t from,
+                            fmb_verdict *out)
+{
+    fmb_verdict verdict[FMB_LANES];
+    uint32_t index[2][2 * FMB_LANES];
+    for (size_t l = 0; l < FMB_LANES; l++)
+        for (int side = 0; side < 2; side++)
+            index[side][2 * l] = x->index[side][2 * (from + l < x->n ? from + l : x->n - 1)];
+    fmb_packed_pairs rest = *x;
+    rest.index[0] = index[0];
+    rest.index[1] = index[1];
+    rest.n = FMB_LANES;
+    bool known = packed_blocks(dim, moves, &rest, verdict);
+    memcpy(out + from, verdict, (x->n - from) * sizeof *out);
+    return known;
+}
+
+FMB_INLINE bool packed_pairs(int dim, bool moves, const fmb_packed_pairs *x, fmb_verdict *out)
+{
+    fmb_packed_pairs whole = *x;
+    whole.n -= x->n % FMB_LANES;
+    bool known = packed_blocks(dim, moves, &whole, out);
+    if (whole.n < x->n)
+        known &= packed_rest(dim, moves, x, whole.n, out);
+    return known;
+}
+
+static bool packed_pairs_2d(const fmb_packed_pairs *x, fmb_verdict *out)
+{
+    return x->moves ? packed_pairs(2, true, x, out) : packed_pairs(2, false, x, out);
+}
+
+static bool packed_pairs_3d(const fmb_packed_pairs *x, fmb_verdict *out)
+{
+    return x->moves ? packed_pairs(3, true, x, out) : packed_pairs(3, false, x, out);
+}
+
+/* ---- one against many ------------------------------------------------------------------------ */
+
+/* Tiles of FMB_LANES frames: all rows of their records, lane by lane. */
+FMB_INLINE void packed_tiles(int dim, const double *record, const uint32_t *index, size_t n,
+                             double *tiles)
+{
+    const size_t rows = count_record(dim), whole = (n + 7) / 8 * 8;
+    for (size_t i = 0; i < whole; i += FMB_LANES, tiles += rows * FMB_LANES) {
+        const double *from[FMB_LANES];
+        lane x[16];
+        for (size_t l = 0; l < FMB_LANES; l++)
+            from[l] = record + rows * index[i + l < n ? i + l : n - 1];
+        pack_records(dim, true, from, x);
+#pragma GCC unroll 16
+        for (size_t r = 0; r < rows; r++)
+            lane_store(tiles + r * FMB_LANES, x[r]);
+    }
+}
+
+static void packed_tiles_2d(const double *record, const uint32_t *index, size_t n, double *tiles)
+{
+    packed_tiles(2, record, index, n, tiles);
+}
+
+static void packed_tiles_3d(const double *record, const uint32_t *index, size_t n, double *tiles)
+{
+    packed_tiles(3, record, index, n, tiles);
+}
+
+/* Eight frames of a row of tiles. */
+FMB_INLINE fmb_pair_bits ask_eight_tiled(int dim, bool moves, const fmb_packed_row *x,
+                                         const lane *one, const double *tiles)
+{
+    _Alignas(64) double block[FMB_BLOCK_MOST_ROWS * FMB_LANES];
+    const int rows = (int)count_record(dim), used = dim * (dim + 1 + moves);
+    fmb_pair_bits out = {0, 0};
+    for (unsigned l = 0; l < 8; l += FMB_LANES, tiles += rows * FMB_LANES) {
+        lane other[16];
+#pragma GCC unroll 16
+        for (int r = 0; r < used; r++)
+            other[r] = lane_load(tiles + r * FMB_LANES);
+        if (x->swapped)
+            pack_block(dim, moves, other, one, block);
+        else
+            pack_block(dim, moves, one, other, block);
+        fmb_pair_bits some = ask_packed_block(&x->way, block);
+        out.apart |= some.apart << l;
+        out.meet |= some.meet << l;
+    }
+    return out;
+}
+
+FMB_INLINE void packed_row(int dim, bool moves, const fmb_packed_row *x, fmb_packed_bits *out)
+{
+    const size_t rows = count_record(dim);
+    lane one[16];
+#pragma GCC unroll 16
+    for (size_t r = 0; r < rows; r++)
+        one[r] = lane_of(x->one[r]);
+    for (size_t g = 0; g < x->eights; g++) {
+        fmb_pair_bits bits = ask_eight_tiled(dim, moves, x, one, x->tiles + 8 * rows * g);
+        out[g] = (fmb_packed_bits){(uint8_t)bits.apart, (uint8_t)bits.meet};
+    }
+}
+
+static void packed_row_2d(const fmb_packed_row *x, fmb_packed_bits *out)
+{
+    if (x->moves)
+        packed_row(2, true, x, out);
+    else
+        packed_row(2, false, x, out);
+}
+
+static void packed_row_3d(const fmb_packed_row *x, fmb_packed_bits *out)
+{
+    if (x->moves)
+        packed_row(3, true, x, out);
+    else
+        packed_row(3, false, x, out);
+}
+
+/* ---- any axes -------------------------------------------------------------------------------- */
+
+static fmb_pair_bits fmb_flat_2d(const fmb_flat_kind *kind, const double *block)
+{
+    return fmb_flat(2, kind, block);
+}
+
+static fmb_pair_bits fmb_flat_3d(const fmb_flat_kind *kind, const double *block)
+{
+    return fmb_flat(3, kind, block);
+}
+
+/* ---- indices --------------------------------------------------------------------------------- */
+
+/* Sixteen at a time, as compilers make vectors of that. */
+static void packed_largest(const uint32_t *index, size_t n, uint32_t out[2])
+{
+    uint32_t most[16] = {0};
+    size_t i = 0;
+    for (; i + 16 <= n; i += 16)
+        for (size_t l = 0; l < 16; l++)
+            most[l] = most[l] > index[i + l] ? most[l] : index[i + l];
+    for (size_t l = 0; i < n; i++, l++)
+        most[l] = most[l] > index[i] ? most[l] : index[i];
+    out[0] = out[1] = 0;
+    for (size_t l = 0; l < 16; l++)
+        out[l % 2] = out[l % 2] > most[l] ? out[l % 2] : most[l];
+}
+
+extern const fmb_packed FMB_PACKED_TABLE;
+const fmb_packed FMB_PACKED_TABLE = {.flat = {fmb_flat_2d, fmb_flat_3d},
+                                     .pairs = {packed_pairs_2d, packed_pairs_3d},
+                                     .tiles = {packed_tiles_2d, packed_tiles_3d},
+                                     .row = {packed_row_2d, packed_row_3d},
+                                     .largest = packed_largest};
+
+#endif

@@ -1,0 +1,61 @@
+/* packed.h: the kernels over records of sets (pair/packed/set.h), once for each width.
+ *
+ * A record is 8 (in the plane) or 16 (in space) numbers: origin, D axes, speed. Records of the
+ * frames of a block are transposed into its rows, and a kernel of kernels.h answers it.
+ */
+#ifndef FMB_PAIR_KERNELS_PACKED_H
+#define FMB_PAIR_KERNELS_PACKED_H
+
+#include "pair/kernels/flat.h"
+#include "pair/kernels/kernels.h"
+
+/* The verdict kernel of frames with any number of axes; rows of missing axes are not looked at. */
+typedef fmb_pair_bits fmb_flat_kernel(const fmb_flat_kind *kind, const double *block);
+
+/* How a block is decided: by kernel, or else by flat. */
+typedef struct fmb_verdict_way {
+    fmb_verdict_kernel *kernel;
+    fmb_flat_kernel *flat;
+    const fmb_flat_kind *kind;
+} fmb_verdict_way;
+
+/* n > 0 pairs of one kind: record index[2 i] of each side. */
+typedef struct fmb_packed_pairs {
+    const double *record[2];
+    const uint32_t *index[2];
+    size_t n;
+    bool moves;
+    fmb_verdict_way way;
+} fmb_packed_pairs;
+
+/* One frame against many of one kind, in tiles. */
+typedef struct fmb_packed_row {
+    const double *one; /* its record */
+    const double *tiles;
+    size_t eights; /* frames / 8 */
+    bool moves;
+    bool swapped; /* the one is B of the blocks */
+    fmb_verdict_way way;
+} fmb_packed_row;
+
+/* Of eight frames. */
+typedef struct fmb_packed_bits {
+    uint8_t apart, meet;
+} fmb_packed_bits;
+
+/* All by D - 2. */
+typedef struct fmb_packed {
+    fmb_flat_kernel *flat[2];
+    /* Are all verdicts known? */
+    bool (*pairs[2])(const fmb_packed_pairs *x, fmb_verdict *out);
+    /* Records index[0] ... index[n - 1], n > 0, as tiles: n rounded up to eights records. */
+    void (*tiles[2])(const double *record, const uint32_t *index, size_t n, double *tiles);
+    void (*row[2])(const fmb_packed_row *x, fmb_packed_bits *out);
+    /* The largest of n numbers in the even and in the odd places; n is even. */
+    void (*largest)(const uint32_t *index, size_t n, uint32_t out[2]);
+} fmb_packed;
+
+/* Named by FMB_PACKED_TABLE; a test names one more. */
+extern const fmb_packed fmb_packed_narrow, fmb_packed_avx2, fmb_packed_avx512;
+
+#endif

@@ -1,0 +1,5 @@
+/* packed_avx2.c: four pairs at a time; see packed.h. */
+#define FMB_LANES        4
+#define FMB_PACKED_TABLE fmb_packed_avx2
+
+#include "pair/kernels/pack.h"

@@ -1,0 +1,5 @@
+/* packed_avx512.c: eight pairs at a time; see packed.h. */
+#define FMB_LANES        8
+#define FMB_PACKED_TABLE fmb_packed_avx512
+
+#include "pair/kernels/pack.h"

@@ -1,0 +1,29 @@
+/* packed.h: what the queries over sets share. */
+#ifndef FMB_PAIR_PACKED_H
+#define FMB_PAIR_PACKED_H
+
+#include "pair/kernels/packed.h"
+#include "pair/ladder.h"
+#include "pair/packed/set.h"
+
+/* How kernels decide pairs of two kinds. */
+typedef struct fmb_packed_plan {
+    bool moves, swapped; /* swapped: blocks hold (b, a) */
+    fmb_verdict_way way; /* may point to flat: a plan stays where it was made */
+    fmb_flat_kind flat;
+} fmb_packed_plan;
+
+/* False: no kernel does. */
+bool fmb_packed_plan_of(const fmb_pair *k, int kind_a, int kind_b, fmb_packed_plan *out);
+
+/* Verdicts of n pairs by fmb_pair_answer_all. Errors: MEMORY. */
+fmb_status fmb_packed_decide(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
+                             const fmb_frames_pair *pair, fmb_verdict *out);
+
+/* Are the arguments sets of the dimension of k? If not, k->trouble says so. A query begins. */
+bool fmb_packed_begin(fmb_pair *k, const fmb_frames *a, const fmb_frames *b);
+
+/* Of the thread that runs. */
+fmb_pair *fmb_packed_worker(fmb_pair *k);
+
+#endif

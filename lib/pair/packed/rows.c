@@ -1,0 +1,305 @@
+/* rows.c: one frame against many, and all against all.
+ *
+ * The frames of the second set are taken kind by kind, in chunks that stay in the first cache as
+ * tiles of lanes while all frames of a band of the first set are asked against them. What the
+ * kernels say of a band is kept in bits, so that answers come by number, whatever the order of
+ * work.
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "pair/packed/packed.h"
+
+enum {
+    CHUNK = 256, /* frames of the second set at a time */
+    EIGHTS = CHUNK / 8,
+    BAND = 64 /* frames of the first set at a time */
+};
+
+/* ---- chunks ---------------------------------------------------------------------------------- */
+
+/* Frames order[from ... from + n - 1] of a set, of one kind, as tiles. */
+typedef struct chunk {
+    const fmb_frames *set;
+    size_t from, n;
+    int kind;
+    _Alignas(64) double tiles[CHUNK * 2 * FMB_RECORD_LINE];
+} chunk;
+
+/* The chunk that begins at `from`; its end. */
+static size_t load_chunk(const fmb_pair *k, const fmb_frames *s, size_t from, chunk *out)
+{
+    int kind = s->kind[s->order[from]];
+    size_t end = s->first[kind + 1];
+    end = end - from < CHUNK ? end : from + CHUNK;
+    out->set = s;
+    out->from = from;
+    out->n = end - from;
+    out->kind = kind;
+    if (kind != FMB_KIND_NONE) {
+        k->wide->packed->tiles[k->dim - 2](s->record, s->order + from, out->n, out->tiles);
+    }
+    return end;
+}
+
+/* Frame i of a against a chunk. */
+static void ask_chunk(const fmb_pair *k, const fmb_frames *a, size_t i, const chunk *c,
+                      fmb_packed_bits out[EIGHTS])
+{
+    fmb_packed_plan plan;
+    if (!fmb_packed_plan_of(k, a->kind[i], c->kind, &plan)) {
+        memset(out, 0, EIGHTS * sizeof *out);
+        return;
+    }
+    const fmb_packed_row row = {.one = fmb_frames_record(a, i),
+                                .tiles = c->tiles,
+                                .eights = (c->n + 7) / 8,
+                                .moves = plan.moves,
+                                .swapped = plan.swapped,
+                                .way = plan.way};
+    k->wide->packed->row[k->dim - 2](&row, out);
+}
+
+/* ---- one against many ------------------------------------------------------------------------ */
+
+/* Frames of the chunk, all of them. */
+static void write_row_verdicts(const chunk *c, const fmb_packed_bits *bits, fmb_verdict *out)
+{
+    for (size_t j = 0; j < c->n; j++) {
+        const fmb_packed_bits *b = &bits[j / 8];
+        out[c->set->order[c->from + j]] = b->apart >> j % 8 & 1  ? FMB_INFEASIBLE
+                                          : b->meet >> j % 8 & 1 ? FMB_FEASIBLE
+                                                                 : FMB_UNKNOWN;
+    }
+}
+
+/* Those that are UNKNOWN. */
+static fmb_status decide_open_row(fmb_pair *k, const fmb_frames *a, size_t i, const fmb_frames *b,
+                                  fmb_verdict *out)
+{
+    fmb_status st = FMB_OK;
+    for (size_t j = 0; st == FMB_OK && j < b->n; j++)
+        if (out[j] == FMB_UNKNOWN)
+            st = fmb_packed_decide(k, a, b, 1, &(fmb_frames_pair){(uint32_t)i, (uint32_t)j},
+                                   &out[j]);
+    return st;
+}
+
+fmb_status fmb_frames_test_row(fmb_pair *k, const fmb_frames *a, size_t i, const fmb_frames *b,
+                               fmb_verdict *verdict)
+{
+    if (!k || !fmb_packed_begin(k, a, b))
+        return FMB_ERR_ARG;
+    if (i >= a->n || (b->n > 0 && !verdict)) {
+        snprintf(k->trouble, sizeof k->trouble, "%s",
+                 i >= a->n ? "no such frame" : "verdict is NULL");
+        return FMB_ERR_ARG;
+    }
+    k->counts.pairs += b->n;
+    for (size_t from = 0; from < b->n;) {
+        chunk c;
+        fmb_packed_bits bits[EIGHTS];
+        from = load_chunk(k, b, from, &c);
+        ask_chunk(k, a, i, &c, bits);
+        write_row_verdicts(&c, bits, verdict);
+    }
+    return decide_open_row(k, a, i, b, verdict);
+}
+
+/* ---- all against all ------------------------------------------------------------------------- */
+
+/* A query; told hears of it one band at a time. */
+typedef struct all_query {
+    const fmb_frames *a, *b;
+    bool within;  /* a and b are the same: i < j alone */
+    size_t words; /* of bits for a row */
+    size_t rows;  /* of a band */
+    fmb_frames_told *told;
+    void *self;
+    atomic_bool over; /* told said so, or there was an error */
+} all_query;
+
+/* What is known of a band, row by row: bits by number of the second frame; and pairs to tell. */
+typedef struct band {
+    fmb_pair *k;
+    fmb_mem mem;
+    size_t first, rows;
+    uint64_t *meet, *open;     /* [rows][words] */
+    fmb_frames_pair *found[2]; /* that meet, that are UNKNOWN */
+    size_t count[2], capacity[2];
+} band;
+
+/* What a row of a chunk said. A set of one kind has its numbers in order. */
+static void note_bits_of_chunk(const all_query *x, const chunk *c, const fmb_packed_bits *bits,
+                               uint64_t *meet, uint64_t *open)
+{
+    const uint32_t *number = x->b->order + c->from;
+    for (size_t g = 0; g < (c->n + 7) / 8; g++) {
+        unsigned left = c->n - 8 * g < 8 ? (1U << (c->n - 8 * g)) - 1 : 0xff;
+        unsigned met = bits[g].meet & left, unknown = ~(bits[g].meet | bits[g].apart) & left;
+        for (unsigned both = met | unknown; both; both &= both - 1) {
+            unsigned l = (unsigned)__builtin_ctz(both);
+            size_t j = number[8 * g + l];
+            (met >> l & 1 ? meet : open)[j / 64] |= UINT64_C(1) << j % 64;
+        }
+    }
+}
+
+/* All chunks with a frame that comes after the first of the band, if that is asked for. */
+static void ask_band(const all_query *x, band *w)
+{
+    for (size_t from = 0; from < x->b->n && !fmb_pair_is_cancelled(w->k);) {
+        chunk c;
+        size_t end = load_chunk(w->k, x->b, from, &c);
+        bool counts = !x->within || x->b->order[end - 1] > w->first;
+        for (size_t r = 0; counts && r < w->rows; r++) {
+            fmb_packed_bits bits[EIGHTS];
+            ask_chunk(w->k, x->a, w->first + r, &c, bits);
+            note_bits_of_chunk(x, &c, bits, w->meet + r * x->words, w->open + r * x->words);
+        }
+        from = end;
+    }
+}
+
+static fmb_status note_pair(band *w, bool unknown, size_t i, size_t j)
+{
+    fmb_status st = fmb_mem_reserve(&w->mem, (void **)&w->found[unknown], &w->capacity[unknown],
+                                    w->count[unknown] + 1, sizeof(fmb_frames_pair));
+    if (st == FMB_OK)
+        w->found[unknown][w->count[unknown]++] = (fmb_frames_pair){(uint32_t)i, (uint32_t)j};
+    return st;
+}
+
+/* Pairs of frame i with these of the second set, those that meet and those that are open. */
+static fmb_status note_pairs_of_word(const all_query *x, band *w, size_t i, size_t word,
+                                     uint64_t meet, uint64_t open)
+{
+    fmb_status st = FMB_OK;
+    for (uint64_t both = meet | open; st == FMB_OK && both; both &= both - 1) {
+        int bit = __builtin_ctzll(both);
+        fmb_frames_pair pair = {(uint32_t)i, (uint32_t)(64 * word + (size_t)bit)};
+        fmb_verdict is = FMB_FEASIBLE;
+        if (open >> bit & 1)
+            st = fmb_packed_decide(w->k, x->a, x->b, 1, &pair, &is);
+        if (st == FMB_OK && is != FMB_INFEASIBLE)
+            st = note_pair(w, is == FMB_UNKNOWN, pair.a, pair.b);
+    }
+    return st;
+}
+
+static fmb_status note_pairs_of_band(const all_query *x, band *w)
+{
+    fmb_status st = FMB_OK;
+    for (size_t r = 0; st == FMB_OK && r < w->rows; r++) {
+        size_t i = w->first + r, from = x->within ? (i + 1) / 64 : 0;
+        for (size_t word = from; st == FMB_OK && word < x->words; word++) {
+            uint64_t asked = UINT64_MAX;
+            if (x->within && word == from)
+                asked <<= (i + 1) % 64;
+            st = note_pairs_of_word(x, w, i, word, w->meet[r * x->words + word] & asked,
+                                    w->open[r * x->words + word] & asked);
+        }
+    }
+    return st;
+}
+
+/* The band that begins at row `first`. */
+static fmb_status work_on_band(const all_query *x, band *w, size_t first)
+{
+    w->first = first;
+    w->rows = x->a->n - first < x->rows ? x->a->n - first : x->rows;
+    w->count[0] = w->count[1] = 0;
+    memset(w->meet, 0, x->rows * x->words * sizeof *w->meet);
+    memset(w->open, 0, x->rows * x->words * sizeof *w->open);
+    ask_band(x, w);
+    for (size_t r = 0; r < w->rows; r++)
+        w->k->counts.pairs += x->within ? x->b->n - first - r - 1 : x->b->n;
+    return note_pairs_of_band(x, w);
+}
+
+static bool tell_band(const all_query *x, const band *w)
+{
+    bool goes_on = true;
+    for (int unknown = 0; goes_on && unknown < 2; unknown++)
+        if (w->count[unknown] > 0)
+            goes_on = x->told(x->self, unknown ? FMB_UNKNOWN : FMB_FEASIBLE, w->count[unknown],
+                              w->found[unknown]);
+    return goes_on;
+}
+
+/* ---- threads --------------------------------------------------------------------------------- */
+
+static fmb_status open_bands(const all_query *x, fmb_pair *k, band *w)
+{
+    fmb_status st = FMB_OK;
+    for (int t = 0; st == FMB_OK && t < k->threads; t++) {
+        w[t].k = t == 0 ? k : k->crew[t - 1];
+        fmb_mem_init(&w[t].mem, &k->mem.alloc, 0);
+        w[t].meet = fmb_mem_get(&w[t].mem, x->rows * x->words, sizeof *w[t].meet);
+        w[t].open =
+            w[t].meet ? fmb_mem_get(&w[t].mem, x->rows * x->words, sizeof *w[t].open) : NULL;
+        st = w[t].open ? FMB_OK : fmb_mem_status(&w[t].mem);
+    }
+    return st;
+}
+
+static void close_bands(const all_query *x, const fmb_pair *k, band *w)
+{
+    for (int t = 0; t < k->threads; t++) {
+        fmb_mem_put(&w[t].mem, w[t].meet, x->rows * x->words, sizeof *w[t].meet);
+        fmb_mem_put(&w[t].mem, w[t].open, x->rows * x->words, sizeof *w[t].open);
+        for (int unknown = 0; unknown < 2; unknown++)
+            fmb_mem_put(&w[t].mem, w[t].found[unknown], w[t].capacity[unknown],
+                        sizeof *w[t].found[unknown]);
+    }
+}
+
+/* Bands are worked on side by side, and told of in their order. */
+static fmb_status work_on_all_bands(all_query *x, fmb_pair *k, band *w)
+{
+    fmb_status all = FMB_OK;
+#ifdef _OPENMP
+#pragma omp parallel for ordered schedule(dynamic, 1) num_threads(k->threads)
+#endif
+    for (size_t first = 0; first < x->a->n; first += x->rows) {
+        fmb_pair *worker = fmb_packed_worker(k);
+        band *mine = w;
+        while (mine->k != worker)
+            mine++;
+        fmb_status st = atomic_load(&x->over) ? FMB_OK : work_on_band(x, mine, first);
+#ifdef _OPENMP
+#pragma omp ordered
+#endif
+        if (!atomic_load(&x->over)) {
+            all = st;
+            if (st != FMB_OK || fmb_pair_is_cancelled(k) || !tell_band(x, mine))
+                atomic_store(&x->over, true);
+        }
+    }
+    return all;
+}
+
+/* Bits of a band: at most this many words [8 bytes], but for a single row. */
+enum { MOST_WORDS = 1 << 18 };
+
+fmb_status fmb_frames_meet(fmb_pair *k, const fmb_frames *a, const fmb_frames *b,
+                           fmb_frames_told *told, void *self)
+{
+    b = b ? b : a;
+    if (!k || !told || !fmb_packed_begin(k, a, b))
+        return FMB_ERR_ARG;
+    all_query x = {.a = a, .b = b, .within = a == b, .told = told, .self = self};
+    x.words = b->n / 64 + 1;
+    x.rows = MOST_WORDS / x.words < 1      ? 1
+             : MOST_WORDS / x.words < BAND ? MOST_WORDS / x.words
+                                           : BAND;
+    band *w = fmb_mem_zero(&k->mem, (size_t)k->threads, sizeof *w);
+    if (!w)
+        return fmb_mem_status(&k->mem);
+    fmb_status st = open_bands(&x, k, w);
+    if (st == FMB_OK)
+        st = work_on_all_bands(&x, k, w);
+    close_bands(&x, k, w);
+    fmb_mem_put(&k->mem, w, (size_t)k->threads, sizeof *w);
+    return st;
+}

@@ -1,0 +1,258 @@
+/* set.c: see set.h. */
+#include "pair/packed/set.h"
+
+#include <string.h>
+
+#include "frame/frame.h"
+#include "pair/edges.h"
+
+enum { LINE = FMB_RECORD_LINE };
+
+/* ---- life ------------------------------------------------------------------------------------ */
+
+/* To two lines, which are fetched together. */
+static double *align_to_lines(double *p)
+{
+    return p + (2 * LINE - (uintptr_t)p / sizeof *p % (2 * LINE)) % (2 * LINE);
+}
+
+static fmb_status make_room_for_records(fmb_frames *s)
+{
+    s->stride = s->dim == 2 ? LINE : s->dim == 3 ? 2 * LINE : 0;
+    s->kind = fmb_mem_get(&s->mem, s->n, sizeof *s->kind);
+    s->order = s->kind ? fmb_mem_get(&s->mem, s->n, sizeof *s->order) : NULL;
+    if (s->stride > 0 && s->order) {
+        s->room_size = s->n * s->stride + 2 * LINE;
+        s->room = fmb_mem_get(&s->mem, s->room_size, sizeof *s->room);
+    }
+    bool good = s->order && (s->stride == 0 || s->room);
+    s->record = s->room ? align_to_lines(s->room) : NULL;
+    return good ? FMB_OK : fmb_mem_status(&s->mem);
+}
+
+/* Room for frames as they were given, of so many numbers in all. */
+static fmb_status make_room_beside(fmb_frames *s, size_t numbers)
+{
+    s->given = fmb_mem_zero(&s->mem, s->n, sizeof *s->given);
+    s->beside_size = numbers;
+    s->beside = s->given ? fmb_mem_get(&s->mem, numbers, sizeof *s->beside) : NULL;
+    return s->beside ? FMB_OK : fmb_mem_status(&s->mem);
+}
+
+/* [give] */
+static fmb_status open_set(int dim, size_t n, size_t numbers_beside, const fmb_alloc *hook,
+                           fmb_frames **out)
+{
+    fmb_mem mem;
+    fmb_mem_init(&mem, hook, 0);
+    fmb_frames *s = fmb_mem_zero(&mem, 1, sizeof *s);
+    if (!s)
+        return fmb_mem_status(&mem);
+    s->mem = mem;
+    s->dim = dim;
+    s->n = n;
+    fmb_status st = make_room_for_records(s);
+    if (st == FMB_OK && numbers_beside > 0)
+        st = make_room_beside(s, numbers_beside);
+    if (st == FMB_OK)
+        *out = s;
+    else
+        fmb_frames_free(s);
+    return st;
+}
+
+void fmb_frames_free(fmb_frames *s)
+{
+    if (!s)
+        return;
+    fmb_mem mem = s->mem;
+    fmb_mem_put(&mem, s->kind, s->n, sizeof *s->kind);
+    fmb_mem_put(&mem, s->order, s->n, sizeof *s->order);
+    fmb_mem_put(&mem, s->room, s->room_size, sizeof *s->room);
+    fmb_mem_put(&mem, s->beside, s->beside_size, sizeof *s->beside);
+    fmb_mem_put(&mem, s->given, s->n, sizeof *s->given);
+    fmb_mem_put(&mem, s, 1, sizeof *s);
+}
+
+/* ---- frames ---------------------------------------------------------------------------------- */
+
+static size_t count_numbers(const fmb_frame *f)
+{
+    return (size_t)f->dim * ((size_t)f->naxes + 1 + (f->speed != NULL));
+}
+
+/* Does f stand beside its record? */
+static bool stands_beside(const fmb_frame *f)
+{
+    return f->dim < 2 || f->dim > 3 || fmb_frame_is_by_corners(f->shape);
+}
+
+static void write_record(const fmb_frame *f, double *to)
+{
+    size_t dim = (size_t)f->dim, axes = dim * (size_t)f->naxes;
+    memset(to, 0, (dim == 2 ? LINE : 2 * LINE) * sizeof *to);
+    memcpy(to, f->origin, dim * sizeof *to);
+    if (axes > 0)
+        memcpy(to + dim, f->axes, axes * sizeof *to);
+    if (f->speed)
+        memcpy(to + dim + dim * dim, f->speed, dim * sizeof *to);
+}
+
+/* Copy the numbers of f to the end of those beside, of which *used there are. */
+static void copy_beside(fmb_frames *s, size_t i, const fmb_frame *f, size_t *used)
+{
+    const double *const from[3] = {f->origin, f->axes, f->speed};
+    const size_t dim = (size_t)f->dim, rows[3] = {1, (size_t)f->naxes, f->speed != NULL};
+    const double *to[3];
+    for (int k = 0; k < 3; k++) {
+        to[k] = s->beside + *used;
+        if (rows[k] > 0)
+            memcpy(s->beside + *used, from[k], dim * rows[k] * sizeof(double));
+        *used += dim * rows[k];
+    }
+    s->given[i] = *f;
+    s->given[i].origin = to[0];
+    s->given[i].axes = to[1];
+    s->given[i].speed = f->speed ? to[2] : NULL;
+}
+
+/* f is good. */
+static void add_frame(fmb_frames *s, size_t i, const fmb_frame *f, size_t *used)
+{
+    fmb_edges by_edges;
+    int kind = FMB_KIND_NONE;
+    if (s->stride > 0 && fmb_edges_of_frame(f, &by_edges)) {
+        const fmb_frame *e = &by_edges.frame;
+        kind = 2 * e->naxes + (int)e->shape + (e->speed ? FMB_KIND_MOVES : 0);
+        write_record(e, s->record + s->stride * i);
+    }
+    if (stands_beside(f))
+        copy_beside(s, i, f, used);
+    s->kind[i] = (uint8_t)kind;
+    s->only = i == 0 || s->only == kind ? kind : -1;
+}
+
+/* Counting sort. */
+static void order_by_kind(fmb_frames *s)
+{
+    size_t next[FMB_KINDS];
+    for (size_t i = 0; i < s->n; i++)
+        s->first[s->kind[i] + 1]++;
+    for (int kind = 0; kind < FMB_KINDS; kind++) {
+        s->first[kind + 1] += s->first[kind];
+        next[kind] = s->first[kind];
+    }
+    for (size_t i = 0; i < s->n; i++)
+        s->order[next[s->kind[i]]++] = (uint32_t)i;
+}
+
+static bool is_dimension(int dim)
+{
+    return dim >= 1 && dim <= FMB_FRAME_MOST_DIM;
+}
+
+fmb_status fmb_frames_new(int dim, size_t n, const fmb_frame *f, const fmb_alloc *mem,
+                          fmb_frames **out)
+{
+    size_t beside = 0, used = 0;
+    if (!out || !is_dimension(dim) || n > FMB_FRAMES_MOST || (n > 0 && !f))
+        return FMB_ERR_ARG;
+    for (size_t i = 0; i < n; i++) {
+        if (!fmb_frame_is_good(&f[i], dim))
+            return FMB_ERR_ARG;
+        beside += stands_beside(&f[i]) ? count_numbers(&f[i]) : 0;
+    }
+    fmb_frames *s = NULL;
+    fmb_status st = open_set(dim, n, beside, mem, &s);
+    for (size_t i = 0; st == FMB_OK && i < n; i++)
+        add_frame(s, i, &f[i], &used);
+    if (st == FMB_OK) {
+        order_by_kind(s);
+        *out = s;
+    }
+    return st;
+}
+
+/* ---- arrays ---------------------------------------------------------------------------------- */
+
+/* One part of frame i, `count` numbers a frame, as doubles at *to, which moves on behind them. */
+static const double *take_part(const void *from, bool single, size_t i, size_t count, double **to)
+{
+    double *at = *to;
+    if (!from)
+        return NULL;
+    *to += count;
+    for (size_t j = 0; j < count; j++)
+        at[j] = single ? (double)((const float *)from)[i * count + j]
+                       : ((const double *)from)[i * count + j];
+    return at;
+}
+
+/* number: room for one frame. */
+static fmb_frame frame_of_arrays(int dim, const fmb_frame_arrays *a, size_t i, double *number)
+{
+    size_t d = (size_t)dim;
+    fmb_frame f = {.shape = a->shape, .dim = dim, .naxes = a->naxes};
+    f.origin = take_part(a->origin, a->single, i, d, &number);
+    f.axes = take_part(a->axes, a->single, i, d * (size_t)a->naxes, &number);
+    f.speed = take_part(a->speed, a->single, i, d, &number);
+    return f;
+}
+
+fmb_status fmb_frames_from_arrays(int dim, size_t n, const fmb_frame_arrays *a,
+                                  const fmb_alloc *mem, fmb_frames **out)
+{
+    if (!out || !a || !is_dimension(dim) || n > FMB_FRAMES_MOST || a->naxes < 0 ||
+        a->naxes > FMB_FRAME_MOST_DIM || (unsigned)a->shape > FMB_SIMPLEX_BY_CORNERS ||
+        (n > 0 && (!a->origin || (a->naxes > 0 && !a->axes))))
+        return FMB_ERR_ARG;
+    const fmb_frame like = {.shape = a->shape, .dim = dim, .naxes = a->naxes, .speed = a->speed};
+    size_t each = count_numbers(&like), used = 0;
+    fmb_frames *s = NULL;
+    fmb_status st = open_set(dim, n, stands_beside(&like) ? n * each : 0, mem, &s);
+    if (st != FMB_OK)
+        return st;
+    double *number = fmb_mem_get(&s->mem, each, sizeof *number);
+    st = number ? FMB_OK : fmb_mem_status(&s->mem);
+    for (size_t i = 0; st == FMB_OK && i < n; i++) {
+        fmb_frame f = frame_of_arrays(dim, a, i, number);
+        st = fmb_frame_is_good(&f, dim) ? FMB_OK : FMB_ERR_ARG;
+        if (st == FMB_OK)
+            add_frame(s, i, &f, &used);
+    }
+    fmb_mem_put(&s->mem, number, each, sizeof *number);
+    if (st == FMB_OK) {
+        order_by_kind(s);
+        *out = s;
+    } else {
+        fmb_frames_free(s);
+    }
+    return st;
+}
+
+/* ---- questions ------------------------------------------------------------------------------- */
+
+int fmb_frames_dim(const fmb_frames *s)
+{
+    return s ? s->dim : 0;
+}
+
+size_t fmb_frames_count(const fmb_frames *s)
+{
+    return s ? s->n : 0;
+}
+
+fmb_frame fmb_frames_at(const fmb_frames *s, size_t i)
+{
+    if (s->given && s->given[i].dim > 0)
+        return s->given[i];
+    size_t dim = (size_t)s->dim;
+    int kind = s->kind[i];
+    const double *from = fmb_frames_record(s, i);
+    return (fmb_frame){.shape = fmb_kind_shape(kind),
+                       .dim = s->dim,
+                       .naxes = fmb_kind_naxes(kind),
+                       .origin = from,
+                       .axes = from + dim,
+                       .speed = kind & FMB_KIND_MOVES ? from + dim + dim * dim : NULL};
+}

@@ -1,0 +1,55 @@
+/* set.h: a set of frames as records.
+ *
+ * In the plane and in space a record has 8 or 16 numbers and begins where a cache line does:
+ *
+ *     origin  D      axes  D D, row i is edge i, missing ones 0      speed  D, of a still frame 0
+ *
+ * A kind says what a record holds. What no record can hold (other dimensions; corners whose
+ * differences are no doubles) is of kind NONE; it stands beside, and so does every frame by
+ * corners, as it was given: exact queries want that.
+ */
+#ifndef FMB_PAIR_SET_H
+#define FMB_PAIR_SET_H
+
+#include <fmb/frames.h>
+
+#include "base/mem.h"
+
+/* 2 naxes + shape, and more if it moves. */
+enum { FMB_KIND_MOVES = 8, FMB_KIND_NONE = 16, FMB_KINDS };
+
+/* Numbers of a record in the plane; twice as many in space. */
+enum { FMB_RECORD_LINE = 8 };
+
+struct fmb_frames {
+    fmb_mem mem;
+    int dim;
+    size_t n;
+    size_t stride;               /* numbers of a record; 0: there are none */
+    double *record;              /* [n][stride], aligned, within room */
+    uint8_t *kind;               /* [n] */
+    int only;                    /* the kind of all, or -1 */
+    uint32_t *order;             /* [n] frames by kind, then number */
+    size_t first[FMB_KINDS + 1]; /* in order, of each kind */
+    fmb_frame *given; /* [n], or NULL: none is by corners; dim 0: the record says it all */
+    double *beside;   /* the numbers of given */
+    double *room;     /* of the records */
+    size_t room_size, beside_size; /* [doubles] */
+};
+
+static inline const double *fmb_frames_record(const fmb_frames *s, size_t i)
+{
+    return s->record + s->stride * i;
+}
+
+/* Shape and number of axes of a kind but NONE. */
+static inline fmb_shape fmb_kind_shape(int kind)
+{
+    return (fmb_shape)(kind & 1);
+}
+static inline int fmb_kind_naxes(int kind)
+{
+    return kind % FMB_KIND_MOVES / 2;
+}
+
+#endif
