@@ -15,6 +15,9 @@
 #include "pair/kernels/flat.h"
 #include "pair/kernels/fmb_gaps.h"
 
+/* A gap is off by this many u times the reach and the sizes of the directions of its normal. */
+enum { FLAT_ERROR_PLANE = 24, FLAT_ERROR_SPACE = 96 };
+
 typedef struct flat_pair {
     lane direction[FMB_FLAT_DIRECTIONS][3], size[FMB_FLAT_DIRECTIONS];
     lane shift[3], reach;
@@ -133,7 +136,8 @@ FMB_INLINE fmb_pair_bits fmb_flat(int dim, const fmb_flat_kind *k, const double 
     for (int i = 0; i < k->normals; i++) {
         lane n[3];
         lane bound = flat_normal(dim, k, &p, i, n) * p.reach;
-        fmb_gaps_class(&gaps, flat_gap(dim, k, &p, n), dim == 2 ? 24 : 96, bound);
+        fmb_gaps_class(&gaps, flat_gap(dim, k, &p, n),
+                       dim == 2 ? FLAT_ERROR_PLANE : FLAT_ERROR_SPACE, bound);
         if (i % 4 == 1 && fmb_gaps_done(&gaps, known, &out))
             return out;
     }

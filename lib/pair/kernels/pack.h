@@ -74,9 +74,11 @@ FMB_INLINE void pack_block(int dim, bool moves, const lane *a, const lane *b, do
 #pragma GCC unroll 9
     for (int j = 0; j < dim * dim; j++, to += FMB_LANES)
         lane_store(to, b[dim + j]);
+    if (!moves)
+        return;
 #pragma GCC unroll 3
-    for (int j = 0; moves && j < dim; j++, to += FMB_LANES)
-        lane_store(to, b[dim + dim * dim + j] - a[dim + dim * dim + j]);
+    for (int j = dim * (dim + 1); j < dim * (dim + 2); j++, to += FMB_LANES)
+        lane_store(to, b[j] - a[j]);
 }
 
 /* ---- pairs by index -------------------------------------------------------------------------- */

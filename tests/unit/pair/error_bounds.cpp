@@ -151,6 +151,47 @@ static void count_certain(fmb_gaps *, lane size, double count, lane bound)
 #include "pair/kernels/fmb.h"
 #undef local_frame_make
 
+/* ---- verdicts: any axes ---------------------------------------------------------------------- */
+
+#include "pair/kernels/flat.c"
+#include "pair/kernels/fmb_flat.h"
+
+/* Directions of any size; differences of axes are rounded, and so are shift and drift. */
+static void make_flat_pair(const fmb_flat_kind *k, flat_pair *p)
+{
+    const double shift = some_size();
+    p->reach = {shift, 0};
+    for (lane &x : p->shift)
+        x = {shift, shift};
+    for (int i = 0; i < FMB_FLAT_DIRECTIONS; i++) {
+        const int side = i / FMB_FLAT_MOST_EDGES, edge = i % FMB_FLAT_MOST_EDGES;
+        const bool is_axis = side < 2 && edge < k->side[side].naxes;
+        const double size = i < FMB_FLAT_WORLD ? some_size() : 1;
+        for (lane &x : p->direction[i])
+            x = {size, is_axis || i >= FMB_FLAT_WORLD ? 0 : size};
+        p->size[i] = {size, 0};
+        if (is_axis || (k->moves && i == FMB_FLAT_DRIFT))
+            p->reach.v += size;
+    }
+}
+
+static void count_flat(int dim, bool moves, int shapes)
+{
+    const int naxes[2] = {shapes % (dim + 1), shapes / (dim + 1) % (dim + 1)};
+    const bool simplex[2] = {shapes % 2 == 1, shapes / 2 % 2 == 1};
+    fmb_flat_kind k;
+    flat_pair p;
+    fmb_flat_kind_of(dim, moves, naxes, simplex, &k);
+    make_flat_pair(&k, &p);
+    kernel = flavour("any axes", dim, moves);
+    for (int i = 0; i < k.normals; i++) {
+        lane n[3];
+        double bound = flat_normal(dim, &k, &p, i, n).v * p.reach.v;
+        claim("gap", flat_gap(dim, &k, &p, n).e,
+              (dim == 2 ? FLAT_ERROR_PLANE : FLAT_ERROR_SPACE) * bound);
+    }
+}
+
 /* ---- verdicts: separating axes --------------------------------------------------------------- */
 
 #include "study/sat/axes.h"
@@ -535,6 +576,7 @@ int main()
                     dim == 2 ? fmb_simplices_2d(nullptr, moves, simplex)
                              : fmb_simplices_3d(nullptr, moves, simplex);
                 }
+                count_flat(dim, moves, i);
                 count_axes(dim, moves, false, false);
                 count_axes(dim, moves, false, true);
                 count_axes(dim, moves, true, true);
