@@ -11,6 +11,9 @@
  */
 #include "dd/facets_inside.h"
 
+/* Combinations of so many bits stay small. */
+#define EXACT_BITS 56
+
 /* ---- new facets ------------------------------------------------------------------------------ */
 
 static fmb_status need_value(fmb_facets *f, fmb_facet *a)
@@ -21,19 +24,36 @@ static fmb_status need_value(fmb_facets *f, fmb_facet *a)
     return fmb_facets_evaluate(f, &a->normal);
 }
 
-static fmb_status combine_normals(fmb_facets *f, uint32_t at, uint32_t n, uint32_t v)
+/* Short numbers are quicker than doubles with bounds; and where there are equations, normals are
+ * not told by what is on them. */
+static bool is_combination_exact(const fmb_facets *f, const fmb_facet *n, const fmb_facet *v)
 {
-    fmb_facet *a = &f->facet[at];
-    fmb_status st = need_value(f, &f->facet[n]);
+    const fmb_vec *p = &n->normal, *q = &v->normal, *g = &f->g;
+    bool is_short = !p->z && !q->z && !g->z && p->bits + q->bits + g->bits < EXACT_BITS;
+    return n->known && v->known && (is_short || f->rank < f->d || f->d > FMB_FACETS_FEW);
+}
+
+static fmb_status combine_exactly(fmb_facets *f, fmb_facet *a, fmb_facet *n, fmb_facet *v)
+{
+    fmb_status st = need_value(f, n);
     if (st == FMB_OK)
-        st = need_value(f, &f->facet[v]);
+        st = need_value(f, v);
     if (st == FMB_OK)
-        st = fmb_vec_cancel(&a->normal, &f->facet[n].normal, &f->facet[v].normal, f->d + 1, f->d,
-                            &f->num);
+        st = fmb_vec_cancel(&a->normal, &n->normal, &v->normal, f->d + 1, f->d, &f->num);
     if (st == FMB_OK)
         st = fmb_facets_tidy(f, &a->normal);
-    fmb_facets_round(&a->normal, f->d, a->roughly);
+    a->known = st == FMB_OK;
+    fmb_facets_round_normal(f, a);
     return st;
+}
+
+static fmb_status combine_normals(fmb_facets *f, uint32_t at, uint32_t n, uint32_t v)
+{
+    fmb_facet *a = &f->facet[at], *p = &f->facet[n], *q = &f->facet[v];
+    if (is_combination_exact(f, p, q))
+        return combine_exactly(f, a, p, q);
+    fmb_facets_combine_roughly(f, a, p, q);
+    return FMB_OK;
 }
 
 static fmb_status make_facet_over_ridge(fmb_facets *f, uint32_t v, uint32_t n, size_t generator)

@@ -26,16 +26,38 @@ static inline void fmb_facet_put_on(fmb_facet *a, size_t generator)
 
 /* ---- facets_value.c -------------------------------------------------------------------------- */
 
-/* v.g for the generator at hand: as the last entry of v, or its sign. */
+/* v.g for the generator at hand, as the last entry of v. */
 fmb_status fmb_facets_evaluate(fmb_facets *f, fmb_vec *v);
-int fmb_facets_sign(fmb_facets *f, const fmb_vec *v);
-/* The same for a facet, in doubles where they are sure. */
-int fmb_facets_side(fmb_facets *f, const fmb_facet *a);
+/* The sign of v.g. */
+int fmb_facets_sign(fmb_facets *f, const fmb_vec *v, const fmb_vec *g);
+void fmb_facets_negate(fmb_vec *v, size_t n);
 /* The last entry of v, a combination or what was in lowest terms, is 0 again, and v in lowest
  * terms. */
 fmb_status fmb_facets_tidy(fmb_facets *f, fmb_vec *v);
+
+/* ---- facets_roughly.c ------------------------------------------------------------------------ */
+
 /* out[n] = v, up to a positive factor. */
 void fmb_facets_round(const fmb_vec *v, size_t n, double *out);
+/* The normal of a facet is known: round it. */
+void fmb_facets_round_normal(fmb_facets *f, fmb_facet *a);
+/* Roughly, the normal of a is that combination of n's and v's which is 0 on the generator at hand,
+ * positive on n and negative on v. */
+void fmb_facets_combine_roughly(fmb_facets *f, fmb_facet *a, const fmb_facet *n,
+                                const fmb_facet *v);
+/* The sign of a facet's normal on g[d], near[d] being g roughly up to a positive factor, entry by
+ * entry within 2^-50. */
+fmb_status fmb_facets_side(fmb_facets *f, size_t at, const fmb_vec *g, const double *near,
+                           int *side);
+/* The same in doubles alone. Is it sure? */
+bool fmb_facets_guess_side(const fmb_facets *f, fmb_facet *a, const double *near, int *side);
+
+/* ---- facets.c -------------------------------------------------------------------------------- */
+
+/* Take in v, which is beyond facet `at`. */
+fmb_status fmb_facets_add_beyond(fmb_facets *f, const fmb_vec *v, size_t at);
+/* Does some equation say something of v? */
+bool fmb_facets_is_off_span(fmb_facets *f, const fmb_vec *v);
 
 /* ---- one generator more ---------------------------------------------------------------------- */
 

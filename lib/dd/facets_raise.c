@@ -7,16 +7,6 @@
  */
 #include "dd/facets_inside.h"
 
-static void negate_vector(fmb_vec *v, size_t n)
-{
-    for (size_t j = 0; j < n; j++) {
-        if (v->z)
-            mpz_neg(v->z[j], v->z[j]);
-        else
-            v->s[j] = -v->s[j];
-    }
-}
-
 /* Make v 0 on the generator, by e. */
 static fmb_status lift_to_generator(fmb_facets *f, fmb_vec *v, const fmb_vec *e)
 {
@@ -34,7 +24,7 @@ static fmb_status lift_facets_and_equations(fmb_facets *f, size_t e, size_t gene
         if (!t->alive)
             continue;
         st = lift_to_generator(f, &t->normal, &f->equation[e]);
-        fmb_facets_round(&t->normal, f->d, t->roughly);
+        fmb_facets_round_normal(f, t);
         fmb_facet_put_on(t, generator);
         t->note = 0;
     }
@@ -56,7 +46,8 @@ static fmb_status open_base(fmb_facets *f, size_t e, size_t generator)
     st = fmb_vec_copy(&b->normal, &f->equation[e], f->d + 1, f->num.mem);
     if (st == FMB_OK)
         st = fmb_facets_tidy(f, &b->normal);
-    fmb_facets_round(&b->normal, f->d, b->roughly);
+    b->known = st == FMB_OK;
+    fmb_facets_round_normal(f, b);
     for (size_t i = 0; i < generator; i++)
         fmb_facet_put_on(b, i);
     for (size_t a = 0; st == FMB_OK && a < slots; a++)
@@ -68,8 +59,8 @@ static fmb_status open_base(fmb_facets *f, size_t e, size_t generator)
 fmb_status fmb_facets_raise(fmb_facets *f, size_t e, size_t generator)
 {
     fmb_vec *equation = &f->equation[e], *last = &f->equation[f->d - f->rank - 1], t;
-    if (fmb_facets_sign(f, equation) < 0)
-        negate_vector(equation, f->d + 1);
+    if (fmb_facets_sign(f, equation, &f->g) < 0)
+        fmb_facets_negate(equation, f->d + 1);
     fmb_status st = fmb_facets_evaluate(f, equation);
     if (st == FMB_OK)
         st = lift_facets_and_equations(f, e, generator);

@@ -37,7 +37,7 @@ static fmb_status make_slot(fmb_facets *f, uint32_t *out)
     fmb_facet *a = &f->facet[f->slots++];
     *a = (fmb_facet){0};
     a->normal.s = fmb_mem_zero(mem, f->d + 1, sizeof *a->normal.s);
-    a->roughly = fmb_mem_get(mem, f->d, sizeof *a->roughly);
+    a->roughly = fmb_mem_get(mem, 2 * f->d, sizeof *a->roughly);
     a->on = fmb_mem_get(mem, f->words, sizeof *a->on);
     a->words = f->words;
     *out = (uint32_t)(f->slots - 1);
@@ -59,7 +59,7 @@ fmb_status fmb_facets_open_slot(fmb_facets *f, uint32_t *out)
     fmb_facet *a = &f->facet[*out];
     memset(a->on, 0, f->words * sizeof *a->on);
     a->ons = a->nexts = 0;
-    a->valued = false;
+    a->valued = a->known = false;
     a->note = 0;
     a->alive = true;
     f->alive++;
@@ -108,6 +108,17 @@ void fmb_facets_part(fmb_facets *f, uint32_t a, uint32_t b)
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
+static fmb_status open_vectors(fmb_facets *f)
+{
+    for (size_t i = 0; i < f->d; i++) {
+        f->equation[i].s = fmb_mem_zero(f->num.mem, f->d + 1, sizeof *f->equation[i].s);
+        if (!f->equation[i].s)
+            return fmb_mem_status(f->num.mem);
+        f->equation[i].s[i] = f->equation[i].bits = 1;
+    }
+    return FMB_OK;
+}
+
 fmb_status fmb_facets_init(fmb_facets *f, fmb_run *run, size_t d)
 {
     fmb_mem *mem = run->mem;
@@ -122,13 +133,7 @@ fmb_status fmb_facets_init(fmb_facets *f, fmb_run *run, size_t d)
     f->equation = fmb_mem_zero(mem, d, sizeof *f->equation);
     if (!f->g.s || !f->near || !f->common || !f->equation)
         return fmb_mem_status(mem);
-    for (size_t i = 0; i < d; i++) {
-        f->equation[i].s = fmb_mem_zero(mem, d + 1, sizeof *f->equation[i].s);
-        if (!f->equation[i].s)
-            return fmb_mem_status(mem);
-        f->equation[i].s[i] = f->equation[i].bits = 1;
-    }
-    return FMB_OK;
+    return open_vectors(f);
 }
 
 static void clear_facet_slot(fmb_facets *f, fmb_facet *a)
@@ -136,7 +141,7 @@ static void clear_facet_slot(fmb_facets *f, fmb_facet *a)
     fmb_mem *mem = f->num.mem;
     fmb_vec_clear(&a->normal, f->d + 1, mem);
     fmb_mem_put(mem, a->normal.s, f->d + 1, sizeof *a->normal.s);
-    fmb_mem_put(mem, a->roughly, f->d, sizeof *a->roughly);
+    fmb_mem_put(mem, a->roughly, 2 * f->d, sizeof *a->roughly);
     fmb_mem_put(mem, a->on, a->words, sizeof *a->on);
     fmb_mem_put(mem, a->next, a->next_capacity, sizeof *a->next);
 }
@@ -158,6 +163,10 @@ void fmb_facets_clear(fmb_facets *f)
     for (size_t a = 0; a < f->slots; a++)
         clear_facet_slot(f, &f->facet[a]);
     clear_vectors(f->equation, f->d, f->d, f->d + 1, mem);
+    for (size_t i = 0; f->minor && i < (size_t)1 << f->d; i++)
+        mpz_clear(f->minor[i]);
+    if (f->minor)
+        fmb_mem_put(mem, f->minor, (size_t)1 << f->d, sizeof *f->minor);
     clear_vectors(f->generator, f->generators, f->generator_capacity, f->d, mem);
     fmb_vec_clear(&f->g, f->d, mem);
     fmb_mem_put(mem, f->g.s, f->d, sizeof *f->g.s);

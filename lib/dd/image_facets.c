@@ -1,11 +1,9 @@
 /* image_facets.c: the rows of an image; see image.h.
  *
  * They are the facets of the cone that its rays and lines span. In few coordinates rays come one
- * after another to the facets so far (facets.h), those farthest beyond one of them first, as
- * quickhull has it; a guess in doubles, as in the end every ray comes. Else they are the rays of
- * the dual cone, whose rows are the rays of the image in lexicographic order.
+ * after another to the facets so far (facets.h), those farthest beyond one of them first. Else they
+ * are the rays of the dual cone, whose rows are the rays of the image in lexicographic order.
  */
-#include <math.h>
 #include <string.h>
 
 #include "dd/facets.h"
@@ -65,113 +63,25 @@ static fmb_status add_facet(fmb_image *m, const fmb_vec *y, bool equality, bool 
 /* ---- ray by ray -------------------------------------------------------------------------------
  */
 
-typedef struct ray_by_ray {
-    fmb_image *m;
-    fmb_facets facets;
-    double *near; /* [rays][n] roughly the rays: points at t = 1, directions of length 1 */
-    mpz_t *z;     /* [n] scratch */
-} ray_by_ray;
-
-static fmb_status add_generator(ray_by_ray *h, const fmb_vec *v, int sign, bool *grown)
+/* A line is a ray both ways. */
+static fmb_status add_lines_to_facets(const fmb_image *m, fmb_facets *f)
 {
-    size_t n = h->m->n;
-    for (size_t k = 0; k < n; k++) {
-        fmb_vec_get(v, k, h->z[k]);
-        if (sign < 0)
-            mpz_neg(h->z[k], h->z[k]);
-    }
-    fmb_status st = fmb_run_poll(h->m->run);
-    return st == FMB_OK ? fmb_facets_add(&h->facets, h->z, grown) : st;
-}
-
-static double entry_as_double(const fmb_vec *v, size_t k)
-{
-    return v->z ? mpz_get_d(v->z[k]) : (double)v->s[k];
-}
-
-static void round_rays(ray_by_ray *h)
-{
-    size_t n = h->m->n;
-    for (size_t i = 0; i < h->m->rays; i++) {
-        const fmb_vec *v = &h->m->ray[i];
-        double *x = h->near + i * n, size = entry_as_double(v, n - 1);
-        for (size_t k = 0; fmb_vec_sgn(v, n - 1) == 0 && k < n; k++)
-            size = fmax(size, fabs(entry_as_double(v, k)));
-        for (size_t k = 0; k < n; k++)
-            x[k] = entry_as_double(v, k) / size;
-    }
-}
-
-/* The ray with the least product with a. */
-static size_t find_farthest_ray(const ray_by_ray *h, const double *a, double *least)
-{
-    size_t n = h->m->n, best = 0;
-    *least = INFINITY;
-    for (size_t i = 0; i < h->m->rays; i++) {
-        const double *x = h->near + i * n;
-        double sum = 0;
-        for (size_t k = 0; k < n; k++)
-            sum += a[k] * x[k];
-        if (sum < *least) {
-            *least = sum;
-            best = i;
-        }
-    }
-    return best;
-}
-
-/* The rays farthest out both ways in each coordinate. */
-static fmb_status add_outermost_rays(ray_by_ray *h)
-{
-    double a[FEW_COORDINATES] = {0}, least;
     bool grown;
     fmb_status st = FMB_OK;
-    for (size_t k = 0; k < h->m->n; k++) {
-        for (int sign = -1; st == FMB_OK && sign <= 1; sign += 2) {
-            a[k] = sign;
-            st = add_generator(h, &h->m->ray[find_farthest_ray(h, a, &least)], 1, &grown);
+    mpz_t *z = fmb_vec_block(m->n, f->num.mem);
+    if (!z)
+        return fmb_mem_status(f->num.mem);
+    for (size_t i = 0; st == FMB_OK && i < 2 * m->lines; i++) {
+        for (size_t k = 0; k < m->n; k++) {
+            fmb_vec_get(&m->line[i / 2], k, z[k]);
+            if (i % 2 == 0)
+                mpz_neg(z[k], z[k]);
         }
-        a[k] = 0;
+        st = fmb_facets_add(f, z, &grown);
     }
-    return st;
-}
-
-/* What is farthest beyond each facet, until nothing seems to be. */
-static fmb_status add_rays_beyond_facets(ray_by_ray *h)
-{
-    fmb_facets *f = &h->facets;
-    bool any = true, grown;
-    fmb_status st = FMB_OK;
-    while (any) {
-        any = false;
-        for (size_t i = 0; st == FMB_OK && i < f->slots; i++) {
-            double least;
-            if (!f->facet[i].alive || f->facet[i].note)
-                continue;
-            size_t ray = find_farthest_ray(h, f->facet[i].roughly, &least);
-            f->facet[i].note = 1;
-            if (least < 0)
-                st = add_generator(h, &h->m->ray[ray], 1, &grown);
-            any |= least < 0 && grown;
-        }
-        any &= st == FMB_OK;
-    }
-    return st;
-}
-
-static fmb_status add_all_rays(ray_by_ray *h)
-{
-    const fmb_image *m = h->m;
-    bool grown;
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < 2 * m->lines; i++)
-        st = add_generator(h, &m->line[i / 2], i % 2 ? 1 : -1, &grown);
-    if (st == FMB_OK)
-        st = add_outermost_rays(h);
-    if (st == FMB_OK)
-        st = add_rays_beyond_facets(h);
-    for (size_t i = 0; st == FMB_OK && i < m->rays; i++)
-        st = add_generator(h, &m->ray[i], 1, &grown);
+    for (size_t k = 0; k < m->n; k++)
+        mpz_clear(z[k]);
+    fmb_mem_put(f->num.mem, z, m->n, sizeof *z);
     return st;
 }
 
@@ -184,29 +94,32 @@ static bool holds_facet_a_point(const fmb_facets *f, const fmb_facet *a)
     return false;
 }
 
+static fmb_status take_facets(fmb_image *m, fmb_facets *f, bool slacks)
+{
+    fmb_status st = FMB_OK;
+    for (size_t e = 0; st == FMB_OK && e < m->n - f->rank; e++)
+        st = add_facet(m, &f->equation[e], true, slacks);
+    for (size_t i = 0; st == FMB_OK && i < f->slots; i++) {
+        if (!f->facet[i].alive || !holds_facet_a_point(f, &f->facet[i]))
+            continue;
+        st = fmb_facets_need_normal(f, i);
+        if (st == FMB_OK)
+            st = add_facet(m, &f->facet[i].normal, false, slacks);
+    }
+    return st;
+}
+
 static fmb_status find_facets_ray_by_ray(fmb_image *m, bool slacks)
 {
-    ray_by_ray h = {.m = m};
-    fmb_mem *mem = m->run->mem;
-    fmb_status st = fmb_facets_init(&h.facets, m->run, m->n);
-    h.near = fmb_mem_get(mem, m->rays * m->n, sizeof *h.near);
-    h.z = fmb_vec_block(m->n, mem);
-    if (st == FMB_OK && (!h.near || !h.z))
-        st = fmb_mem_status(mem);
+    fmb_facets f;
+    fmb_status st = fmb_facets_init(&f, m->run, m->n);
     if (st == FMB_OK)
-        round_rays(&h);
+        st = add_lines_to_facets(m, &f);
     if (st == FMB_OK)
-        st = add_all_rays(&h);
-    for (size_t e = 0; st == FMB_OK && e < m->n - h.facets.rank; e++)
-        st = add_facet(m, &h.facets.equation[e], true, slacks);
-    for (size_t i = 0; st == FMB_OK && i < h.facets.slots; i++)
-        if (h.facets.facet[i].alive && holds_facet_a_point(&h.facets, &h.facets.facet[i]))
-            st = add_facet(m, &h.facets.facet[i].normal, false, slacks);
-    for (size_t k = 0; h.z && k < m->n; k++)
-        mpz_clear(h.z[k]);
-    fmb_mem_put(mem, h.z, m->n, sizeof *h.z);
-    fmb_mem_put(mem, h.near, m->rays * m->n, sizeof *h.near);
-    fmb_facets_clear(&h.facets);
+        st = fmb_facets_add_all(&f, m->ray, m->rays, m->n - 1);
+    if (st == FMB_OK)
+        st = take_facets(m, &f, slacks);
+    fmb_facets_clear(&f);
     return st;
 }
 

@@ -69,21 +69,27 @@ static bool is_at_infinity(const fmb_support *s, const fmb_vec *normal)
     return true;
 }
 
-/* A facet that nothing is known of; SIZE_MAX if there is none. It is the youngest, roughly: its
- * direction is near that of the last query. */
-static size_t find_open_facet(fmb_support *s)
+/* A facet that nothing is known of, its normal known; SIZE_MAX if there is none. It is the
+ * youngest, roughly: its direction is near that of the last query. */
+static fmb_status find_open_facet(fmb_support *s, size_t *at)
 {
-    const fmb_facets *f = &s->hull;
+    fmb_facets *f = &s->hull;
+    *at = SIZE_MAX;
     for (size_t i = 0; i < f->slots; i++) {
         s->at = (s->at + f->slots - 1) % f->slots;
         fmb_facet *a = &f->facet[s->at];
         if (!a->alive || a->note != FMB_FACET_OPEN)
             continue;
-        if (!is_at_infinity(s, &a->normal))
-            return s->at;
+        fmb_status st = fmb_facets_need_normal(f, s->at);
+        if (st != FMB_OK)
+            return st;
+        if (!is_at_infinity(s, &a->normal)) {
+            *at = s->at;
+            return FMB_OK;
+        }
         a->note = FMB_FACET_STANDS;
     }
-    return SIZE_MAX;
+    return FMB_OK;
 }
 
 static fmb_status ask_about_facet(fmb_support *s, size_t at)
@@ -103,10 +109,13 @@ static fmb_status ask_about_facet(fmb_support *s, size_t at)
 /* That one and others. */
 static fmb_status ask_about_facets_at_once(fmb_support *s, size_t first)
 {
-    size_t facet[FMB_CREW], n = 0;
-    for (size_t at = first; n < FMB_CREW && (n == 0 || at != first); at = find_open_facet(s))
+    size_t facet[FMB_CREW], n = 0, at = first;
+    fmb_status st = FMB_OK;
+    while (st == FMB_OK && n < FMB_CREW && (n == 0 || at != first)) {
         facet[n++] = at;
-    return fmb_support_ask_crew(s, n, facet);
+        st = find_open_facet(s, &at);
+    }
+    return st == FMB_OK ? fmb_support_ask_crew(s, n, facet) : st;
 }
 
 static fmb_status ask_next_question(fmb_support *s, bool *done)
@@ -118,7 +127,10 @@ static fmb_status ask_next_question(fmb_support *s, bool *done)
         return st;
     if (s->equations < f->d - f->rank)
         return ask_about_equation(s);
-    if ((at = find_open_facet(s)) != SIZE_MAX)
+    st = find_open_facet(s, &at);
+    if (st != FMB_OK)
+        return st;
+    if (at != SIZE_MAX)
         return s->crew && s->rows + f->generators >= FMB_QUERIES_ALONE
                    ? ask_about_facets_at_once(s, at)
                    : ask_about_facet(s, at);

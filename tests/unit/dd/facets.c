@@ -164,10 +164,10 @@ static void close_bench(bench *b)
     cr_assert_eq(b->mem.used, 0);
 }
 
-/* v, with every entry j > 0 made larger by 2^bits times the one before: the same cone, sheared. */
-static bool add(bench *b, const int64_t *v, int bits)
+/* b->z = v, with every entry j > 0 made larger by 2^bits times the one before: the same cone,
+ * sheared. */
+static void shear(bench *b, const int64_t *v, int bits)
 {
-    bool grown;
     for (int j = 0; j < b->d; j++) {
         mpz_set_si(b->z[j], v[j]);
         if (bits > 0 && j > 0) {
@@ -178,6 +178,12 @@ static bool add(bench *b, const int64_t *v, int bits)
             mpz_clear(t);
         }
     }
+}
+
+static bool add(bench *b, const int64_t *v, int bits)
+{
+    bool grown;
+    shear(b, v, bits);
     cr_assert_eq(fmb_facets_add(&b->f, b->z, &grown), FMB_OK);
     return grown;
 }
@@ -231,16 +237,54 @@ static void check_neighbours(const bench *b, const cloud *c, const uint32_t *on,
     }
 }
 
-static void check_cloud(const cloud *c, int bits)
+/* One by one; generator[] gets the vectors that became generators. */
+static int add_one_by_one(bench *b, const cloud *c, int bits, int *generator)
+{
+    int generators = 0;
+    for (int i = 0; i < c->size; i++)
+        if (add(b, c->v[i], bits))
+            generator[generators++] = i;
+    return generators;
+}
+
+static int find_vector(const fmb_vec *v, int size, const fmb_vec *wanted, size_t d)
+{
+    int i = 0;
+    while (i < size && !fmb_vec_equal(&v[i], wanted, d))
+        i++;
+    return i;
+}
+
+/* All at once. */
+static int add_all(bench *b, const cloud *c, int bits, int *generator)
+{
+    fmb_vec v[MOST] = {{0}};
+    size_t d = (size_t)c->d;
+    for (int i = 0; i < c->size; i++) {
+        v[i].s = calloc(d, sizeof *v[i].s);
+        shear(b, c->v[i], bits);
+        cr_assert_eq(fmb_vec_set_z(&v[i], d, b->z, &b->mem), FMB_OK);
+        cr_assert_eq(fmb_vec_reduce(&v[i], d, &b->f.num), FMB_OK);
+    }
+    cr_assert_eq(fmb_facets_add_all(&b->f, v, (size_t)c->size, 0), FMB_OK);
+    for (size_t i = 0; i < b->f.generators; i++)
+        generator[i] = find_vector(v, c->size, &b->f.generator[i], d);
+    for (int i = 0; i < c->size; i++) {
+        fmb_vec_clear(&v[i], d, &b->mem);
+        free(v[i].s);
+    }
+    return (int)b->f.generators;
+}
+
+static void check_cloud_with(const cloud *c, int bits,
+                             int (*fill)(bench *, const cloud *, int, int *))
 {
     bench b;
     static uint32_t truth[1 << 16];
     size_t size = true_facets(c, truth), met = 0;
-    int generator[MOST], generators = 0;
+    int generator[MOST];
     open_bench(&b, c->d);
-    for (int i = 0; i < c->size; i++)
-        if (add(&b, c->v[i], bits))
-            generator[generators++] = i;
+    int generators = fill(&b, c, bits, generator);
     int rank = rank_of(c, (1u << c->size) - 1);
     cr_assert_eq(b.f.rank, (size_t)rank);
     cr_assert_eq(b.f.generators, (size_t)generators);
@@ -253,6 +297,7 @@ static void check_cloud(const cloud *c, int bits)
         const fmb_facet *t = &b.f.facet[a];
         if (!t->alive)
             continue;
+        cr_assert_eq(fmb_facets_need_normal(&b.f, a), FMB_OK);
         on[a] = set_on(&b, t, c, bits);
         met += put_set(truth, size, on[a]) == size;
         for (int i = 0; i < generators; i++)
@@ -263,6 +308,12 @@ static void check_cloud(const cloud *c, int bits)
     check_neighbours(&b, c, on, rank);
     free(on);
     close_bench(&b);
+}
+
+static void check_cloud(const cloud *c, int bits)
+{
+    check_cloud_with(c, bits, add_one_by_one);
+    check_cloud_with(c, bits, add_all);
 }
 
 /* ---- clouds ---------------------------------------------------------------------------------- */
@@ -292,6 +343,24 @@ Test(facets, random_clouds)
         support_rng g = {seed};
         cloud c = random_cloud(&g);
         check_cloud(&c, seed % 5 == 0 ? 40 : seed % 7 == 0 ? 100 : 0);
+    }
+}
+
+/* Numbers so long that normals are kept in doubles, in more dimensions longer than 64 bits. */
+Test(facets, long_numbers)
+{
+    for (uint64_t seed = 0; seed < 400; seed++) {
+        support_rng g = {seed};
+        cloud c = {support_between(&g, 3, 5), support_between(&g, 6, 12), {{0}}};
+        int most = c.d == 5 ? 200 : 10000; /* the truth is found in int64 */
+        for (int i = 0; i < c.size; i++) {
+            c.v[i][0] = 1;
+            for (int j = 1; j < c.d; j++)
+                c.v[i][j] = support_between(&g, -most, most);
+        }
+        for (int j = 0; j < c.d; j++) /* four in a plane */
+            c.v[5][j] = c.v[0][j] + c.v[1][j] - c.v[2][j];
+        check_cloud(&c, seed % 3 == 0 ? 20 : 0);
     }
 }
 
