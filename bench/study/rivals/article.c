@@ -9,6 +9,9 @@ static const double epsilon = 1e-7; /* of the article: absolute, in units of the
 
 enum { MOST_ROWS = 1 << 20, LEVELS = STUDY_ROWS_MOST_DIM + 1 };
 
+/* Inlined, so that the usual numbers of variables are constants, as the program has them. */
+#define ARTICLE_INLINE static inline __attribute__((always_inline))
+
 /* The rows over the variables from a certain one on, the right side last. */
 typedef struct level {
     double *a; /* [m][columns] */
@@ -17,9 +20,11 @@ typedef struct level {
 } level;
 
 struct study_article {
-    study_rows rows;
     level at[LEVELS]; /* at[k]: over the variables k, k + 1, ... */
 };
+
+/* How far one came. */
+typedef enum progress { GOES_ON, REFUTED, TOO_MANY, NO_MEMORY } progress;
 
 fmb_status study_article_new(study_article **out)
 {
@@ -39,87 +44,181 @@ void study_article_free(study_article *w)
     free(w);
 }
 
-/* ---- elimination ----------------------------------------------------------------------------- */
+/* Room for so many rows more. */
+static inline bool reserve(level *to, size_t more)
+{
+    if (to->m + more <= to->capacity)
+        return true;
+    size_t wanted = 2 * to->capacity + more + 256;
+    double *grown = realloc(to->a, wanted * (size_t)(LEVELS + 1) * sizeof *grown);
+    if (!grown)
+        return false;
+    to->a = grown;
+    to->capacity = wanted;
+    return true;
+}
+
+/* ---- the rows -------------------------------------------------------------------------------- */
 
 /* The article's inconsistency: no point of the unit box satisfies the row, by more than slack. */
-static bool is_refuted(const double *row, int n, double slack)
+ARTICLE_INLINE bool is_refuted(const double *row, int n, double slack)
 {
     double least = 0;
     for (int j = 0; j < n; j++)
-        least += fmin(row[j], 0);
+        least += row[j] < 0 ? row[j] : 0;
     return row[n] < least - slack;
 }
 
-/* A new last row; NULL without memory. */
-static double *push(level *to)
+/* 0 <= coordinates of p (<= 1, or their sum <= 1); each row is tested as soon as it is there. */
+ARTICLE_INLINE progress put_facets(int dim, int n, const fmb_frame *p, const study_rows_image *x,
+                                   double *row)
 {
-    if (to->m == to->capacity) {
-        size_t more = to->capacity ? 2 * to->capacity : 256;
-        double *grown = realloc(to->a, more * (size_t)LEVELS * sizeof *grown);
-        if (!grown)
-            return NULL;
-        to->a = grown;
-        to->capacity = more;
+    for (int i = 0; i < dim; i++, row += n + 1) {
+        for (int k = 0; k < n; k++)
+            row[k] = -x->to[i][k];
+        row[n] = x->base[i];
+        if (is_refuted(row, n, 0))
+            return REFUTED;
     }
-    return to->a + to->m++ * (size_t)to->columns;
+    for (int i = 0; p->shape == FMB_CUBOID && i < dim; i++, row += n + 1) {
+        for (int k = 0; k < n; k++)
+            row[k] = x->to[i][k];
+        row[n] = 1 - x->base[i];
+        if (is_refuted(row, n, 0))
+            return REFUTED;
+    }
+    if (p->shape == FMB_CUBOID)
+        return GOES_ON;
+    memset(row, 0, (size_t)n * sizeof *row);
+    row[n] = 1;
+    for (int i = 0; i < dim; i++) {
+        for (int k = 0; k < n; k++)
+            row[k] += x->to[i][k];
+        row[n] -= x->base[i];
+    }
+    return is_refuted(row, n, 0) ? REFUTED : GOES_ON;
 }
 
-/* Add the pair of rows p and q, each over its |first coefficient|. UNKNOWN goes on. */
-static fmb_status pair_rows(const double *p, const double *q, level *to, fmb_verdict *out)
+/* c <= 1, or their sum <= 1; 0 <= c; 0 <= t <= 1. Where the rows end. */
+ARTICLE_INLINE double *put_bounds(int dim, int n, const fmb_frame *q, double *row)
 {
-    double *row = push(to), over_p = fabs(p[0]), over_q = fabs(q[0]);
-    if (!row)
-        return FMB_ERR_MEMORY;
-    for (int j = 0; j < to->columns; j++)
-        row[j] = p[j + 1] / over_p + q[j + 1] / over_q;
-    if (is_refuted(row, to->columns - 1, epsilon))
-        *out = FMB_INFEASIBLE;
-    return FMB_OK;
+    size_t size = (size_t)(n + 1) * sizeof *row;
+    for (int i = 0; q->shape == FMB_CUBOID && i < dim; i++, row += n + 1) {
+        memset(row, 0, size);
+        row[i] = row[n] = 1;
+    }
+    if (q->shape == FMB_SIMPLEX) {
+        for (int k = 0; k <= n; k++)
+            row[k] = 1;
+        if (n > dim)
+            row[dim] = 0;
+        row += n + 1;
+    }
+    for (int i = 0; i < dim; i++, row += n + 1) {
+        memset(row, 0, size);
+        row[i] = -1;
+    }
+    for (int side = 1; n > dim && side >= -1; side -= 2, row += n + 1) {
+        memset(row, 0, size);
+        row[dim] = side;
+        row[n] = side == 1;
+    }
+    return row;
+}
+
+ARTICLE_INLINE progress put_rows(int dim, int n, const fmb_frame *p, const fmb_frame *q,
+                                 const study_rows_image *x, level *to)
+{
+    int facets = p->shape == FMB_CUBOID ? 2 * dim : dim + 1;
+    to->m = 0;
+    to->columns = n + 1;
+    if (!reserve(to, STUDY_ROWS_MOST))
+        return NO_MEMORY;
+    progress at = put_facets(dim, n, p, x, to->a);
+    if (at != GOES_ON)
+        return at;
+    double *end = put_bounds(dim, n, q, to->a + facets * (n + 1));
+    to->m = (size_t)(end - to->a) / (size_t)(n + 1);
+    return GOES_ON;
+}
+
+static progress load(const fmb_frame *p, const fmb_frame *q, int n, const study_rows_image *x,
+                     level *to)
+{
+    if (n == 2 && p->dim == 2)
+        return put_rows(2, 2, p, q, x, to);
+    if (n == 3 && p->dim == 2)
+        return put_rows(2, 3, p, q, x, to);
+    if (n == 3)
+        return put_rows(3, 3, p, q, x, to);
+    if (n == 4 && p->dim == 3)
+        return put_rows(3, 4, p, q, x, to);
+    return put_rows(p->dim, n, p, q, x, to);
+}
+
+/* ---- elimination ----------------------------------------------------------------------------- */
+
+/* Add the pairs of p and the rows after it, each over its |first coefficient|. */
+ARTICLE_INLINE progress pair_rows(const double *p, const double *end, int columns, level *to)
+{
+    double over_p = fabs(p[0]), rest = p[columns] / over_p;
+    double *row = to->a + to->m * (size_t)columns;
+    for (const double *q = p + columns + 1; q < end; q += columns + 1) {
+        double over_q = fabs(q[0]), least = 0;
+        if ((p[0] > 0) == (q[0] > 0) || over_q <= epsilon)
+            continue;
+        for (int j = 0; j < columns - 1; j++) {
+            row[j] = p[j + 1] / over_p + q[j + 1] / over_q;
+            least += row[j] < 0 ? row[j] : 0;
+        }
+        row[columns - 1] = rest + q[columns] / over_q;
+        if (row[columns - 1] < least - epsilon)
+            return REFUTED;
+        row += columns;
+        to->m++;
+    }
+    return GOES_ON;
 }
 
 /* The first variable goes: every pair of opposite signs in the order of the rows, then the rows
  * without it. */
-static fmb_status eliminate(const level *from, level *to, fmb_verdict *out)
+ARTICLE_INLINE progress eliminate_into(int columns, const level *from, level *to)
 {
-    const double *end = from->a + from->m * (size_t)from->columns;
-    fmb_status st = FMB_OK;
-    to->m = 0;
-    to->columns = from->columns - 1;
-    for (const double *p = from->a; p < end; p += from->columns)
-        for (const double *q = p + from->columns; fabs(p[0]) > epsilon && q < end;
-             q += from->columns) {
-            if (fabs(q[0]) <= epsilon || (p[0] > 0) == (q[0] > 0))
-                continue;
-            st = pair_rows(p, q, to, out);
-            if (st != FMB_OK || *out == FMB_INFEASIBLE || to->m > MOST_ROWS)
-                return st;
-        }
-    for (const double *p = from->a; p < end; p += from->columns)
-        if (fabs(p[0]) < epsilon) {
-            double *row = push(to);
-            if (!row)
-                return FMB_ERR_MEMORY;
-            memcpy(row, p + 1, (size_t)to->columns * sizeof *row);
-        }
-    return FMB_OK;
+    const double *end = from->a + from->m * (size_t)(columns + 1);
+    for (const double *p = from->a; p < end; p += columns + 1) {
+        if (fabs(p[0]) <= epsilon)
+            continue;
+        if (to->m > MOST_ROWS || !reserve(to, from->m))
+            return to->m > MOST_ROWS ? TOO_MANY : NO_MEMORY;
+        if (pair_rows(p, end, columns, to) == REFUTED)
+            return REFUTED;
+    }
+    if (!reserve(to, from->m))
+        return NO_MEMORY;
+    for (const double *p = from->a; p < end; p += columns + 1) {
+        if (fabs(p[0]) >= epsilon)
+            continue;
+        double *row = to->a + to->m++ * (size_t)columns;
+        for (int j = 0; j < columns; j++)
+            row[j] = p[j + 1];
+    }
+    return GOES_ON;
 }
 
-/* The rows as they are, unless one of the first frame is refuted. */
-static fmb_status load(study_article *w, fmb_verdict *out)
+static progress eliminate(const level *from, level *to)
 {
-    const study_rows *s = &w->rows;
-    level *to = &w->at[0];
     to->m = 0;
-    to->columns = s->n + 1;
-    for (int i = 0; i < s->m; i++) {
-        double *row = push(to);
-        if (!row)
-            return FMB_ERR_MEMORY;
-        memcpy(row, s->a[i], (size_t)(s->n + 1) * sizeof *row);
-        if (i < s->facets && is_refuted(row, s->n, 0))
-            *out = FMB_INFEASIBLE;
+    to->columns = from->columns - 1;
+    switch (to->columns) {
+    case 2:
+        return eliminate_into(2, from, to);
+    case 3:
+        return eliminate_into(3, from, to);
+    case 4:
+        return eliminate_into(4, from, to);
+    default:
+        return eliminate_into(to->columns, from, to);
     }
-    return FMB_OK;
 }
 
 /* ---- boxes ----------------------------------------------------------------------------------- */
@@ -127,14 +226,15 @@ static fmb_status load(study_article *w, fmb_verdict *out)
 /* The last variable: its rows bound it. */
 static void bound_last(const level *rows, double *end)
 {
+    const double *row = rows->a;
     end[0] = 0;
     end[1] = 1;
-    for (size_t i = 0; i < rows->m; i++) {
-        const double *row = rows->a + i * (size_t)rows->columns;
-        if (row[0] > epsilon)
-            end[1] = fmin(end[1], row[1] / row[0]);
-        else if (row[0] < -epsilon)
-            end[0] = fmax(end[0], row[1] / row[0]);
+    for (size_t i = 0; i < rows->m; i++, row += 2) {
+        double bound = row[1] / row[0];
+        if (row[0] > epsilon && bound < end[1])
+            end[1] = bound;
+        else if (row[0] < -epsilon && bound > end[0])
+            end[0] = bound;
     }
 }
 
@@ -199,30 +299,30 @@ static void export_box(const fmb_frame *q, int n, study_article_box_kind kind,
 
 /* ---- the test -------------------------------------------------------------------------------- */
 
-/* Down to one variable; *out is INFEASIBLE if a row was refuted, else UNKNOWN; *all: it got there.
- */
-static fmb_status go_down(study_article *w, bool *all, fmb_verdict *out)
+/* Down to one variable. */
+static progress go_down(study_article *w, const fmb_frame *p, const fmb_frame *q, int n,
+                        const study_rows_image *x)
 {
-    fmb_status st = load(w, out);
-    int last = w->rows.n - 1, k = 0;
-    for (; st == FMB_OK && *out == FMB_UNKNOWN && k < last && w->at[k].m <= MOST_ROWS; k++)
-        st = eliminate(&w->at[k], &w->at[k + 1], out);
-    *all = st == FMB_OK && *out == FMB_UNKNOWN && k == last && w->at[k].m <= MOST_ROWS;
-    return st;
+    progress at = load(p, q, n, x, &w->at[0]);
+    for (int k = 0; at == GOES_ON && k < n - 1; k++)
+        at = eliminate(&w->at[k], &w->at[k + 1]);
+    return at;
 }
 
 fmb_status study_article_test(study_article *w, const fmb_frame *p, const fmb_frame *q,
                               study_article_box_kind kind, study_article_box *box, fmb_verdict *out)
 {
     double ends[2];
-    bool all;
+    study_rows_image x;
+    int n = p->dim + (p->speed || q->speed), last = n - 1;
     *out = FMB_UNKNOWN;
-    if (!study_rows_make(p, q, epsilon, &w->rows))
+    if (!study_rows_see(p, q, epsilon, &x))
         return FMB_OK;
-    int n = w->rows.n, last = n - 1;
-    fmb_status st = go_down(w, &all, out);
-    if (!all)
-        return st;
+    progress at = go_down(w, p, q, n, &x);
+    if (at == REFUTED)
+        *out = FMB_INFEASIBLE;
+    if (at != GOES_ON)
+        return at == NO_MEMORY ? FMB_ERR_MEMORY : FMB_OK;
     bound_last(&w->at[last], ends);
     *out = ends[0] < ends[1] ? FMB_FEASIBLE : FMB_INFEASIBLE;
     if (!box || *out == FMB_INFEASIBLE)

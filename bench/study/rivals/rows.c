@@ -14,7 +14,7 @@ typedef struct dual {
 } dual;
 
 /* Two and three axes: cofactors over the determinant, which is returned. */
-static double invert_by_cofactors(int dim, const double *a, dual *out)
+static inline double invert_by_cofactors(int dim, const double *a, dual *out)
 {
     double det;
     if (dim == 2) {
@@ -90,7 +90,7 @@ static double invert_by_elimination(int dim, const double *a, dual *out)
     return det;
 }
 
-static double invert(int dim, const double *a, dual *out)
+static inline double invert(int dim, const double *a, dual *out)
 {
     return dim == 2 || dim == 3 ? invert_by_cofactors(dim, a, out)
                                 : invert_by_elimination(dim, a, out);
@@ -98,13 +98,10 @@ static double invert(int dim, const double *a, dual *out)
 
 /* ---- the rows -------------------------------------------------------------------------------- */
 
-/* Coordinate i of x is base[i] + sum over the variables of to[i][.]: the second frame as p sees it.
- */
-typedef struct image {
-    double base[D], to[D][D + 1];
-} image;
+/* Inlined, so that the usual numbers of dimensions are constants. */
+#define ROWS_INLINE static inline __attribute__((always_inline))
 
-static double dot(int dim, const double *x, const double *y)
+ROWS_INLINE double dot(int dim, const double *x, const double *y)
 {
     double sum = 0;
     for (int j = 0; j < dim; j++)
@@ -112,21 +109,38 @@ static double dot(int dim, const double *x, const double *y)
     return sum;
 }
 
-static void project(const fmb_frame *p, const fmb_frame *q, bool moves, const dual *inverse,
-                    image *out)
+ROWS_INLINE bool project(int dim, const fmb_frame *p, const fmb_frame *q, double least,
+                         study_rows_image *out)
 {
-    int dim = p->dim;
-    double shift[D], drift[D];
+    dual inverse;
+    double shift[D], drift[D], det = invert(dim, p->axes, &inverse);
+    bool moves = p->speed || q->speed;
+    if (!(fabs(det) >= least) || det == 0)
+        return false;
     for (int j = 0; j < dim; j++) {
         shift[j] = q->origin[j] - p->origin[j];
-        drift[j] = (q->speed ? q->speed[j] : 0) - (p->speed ? p->speed[j] : 0);
+        if (moves)
+            drift[j] = (q->speed ? q->speed[j] : 0) - (p->speed ? p->speed[j] : 0);
     }
     for (int i = 0; i < dim; i++) {
-        out->base[i] = dot(dim, inverse->to[i], shift);
+        out->base[i] = dot(dim, inverse.to[i], shift);
         for (int k = 0; k < dim; k++)
-            out->to[i][k] = dot(dim, inverse->to[i], q->axes + k * dim);
+            out->to[i][k] = dot(dim, inverse.to[i], q->axes + k * dim);
         if (moves)
-            out->to[i][dim] = dot(dim, inverse->to[i], drift);
+            out->to[i][dim] = dot(dim, inverse.to[i], drift);
+    }
+    return true;
+}
+
+bool study_rows_see(const fmb_frame *p, const fmb_frame *q, double least, study_rows_image *out)
+{
+    switch (p->dim) {
+    case 2:
+        return project(2, p, q, least, out);
+    case 3:
+        return project(3, p, q, least, out);
+    default:
+        return project(p->dim, p, q, least, out);
     }
 }
 
@@ -138,7 +152,7 @@ static double *next_row(study_rows *s)
 }
 
 /* 0 <= coordinates of p (<= 1, or their sum <= 1). */
-static void put_facets(const fmb_frame *p, const image *x, study_rows *s)
+static void put_facets(const fmb_frame *p, const study_rows_image *x, study_rows *s)
 {
     int dim = p->dim, n = s->n;
     for (int i = 0; i < dim; i++) {
@@ -182,14 +196,10 @@ static void put_bounds(const fmb_frame *q, study_rows *s)
 
 bool study_rows_make(const fmb_frame *p, const fmb_frame *q, double least, study_rows *out)
 {
-    bool moves = p->speed || q->speed;
-    dual inverse;
-    image x;
-    double det = invert(p->dim, p->axes, &inverse);
-    if (!(fabs(det) >= least) || det == 0)
+    study_rows_image x;
+    if (!study_rows_see(p, q, least, &x))
         return false;
-    project(p, q, moves, &inverse, &x);
-    out->n = p->dim + moves;
+    out->n = p->dim + (p->speed || q->speed);
     out->m = 0;
     put_facets(p, &x, out);
     put_bounds(q, out);

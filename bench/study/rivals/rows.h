@@ -22,6 +22,15 @@ typedef struct study_rows {
     double a[STUDY_ROWS_MOST][STUDY_ROWS_MOST_COLUMNS]; /* a[i] x <= a[i][n] */
 } study_rows;
 
+/* The second frame as the first one sees it: coordinate i of a point of it is base[i] + the sum
+ * over the variables of to[i][.] times these. */
+typedef struct study_rows_image {
+    double base[STUDY_ROWS_MOST_DIM], to[STUDY_ROWS_MOST_DIM][STUDY_ROWS_MOST_DIM + 1];
+} study_rows_image;
+
+/* p as study_rows_make takes it; false likewise. */
+bool study_rows_see(const fmb_frame *p, const fmb_frame *q, double least, study_rows_image *out);
+
 /* Rows of p's lower ends, its upper ends, q's upper ends, its lower ends, those of time. Both
  * frames have all axes of at most STUDY_ROWS_MOST_DIM. False if |det p| < least or 0: there is no
  * inverse. */

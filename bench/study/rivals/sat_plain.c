@@ -3,160 +3,183 @@
  * Two convex polytopes are apart iff a normal of a face of one of them, or a cross product of an
  * edge of each, separates them; in the plane, a normal of an edge. Seen from P, a moving Q sweeps
  * the sum of Q and the segment of its way: a polytope that has that way as one more edge.
+ *
+ * The cost is the article's, too: on each axis all corners are added up anew, each is compared with
+ * what came before it, and those of Q once more where the way ends. The order of the axes is that
+ * of its program, for it decides what a pair that is apart costs.
  */
 #include "study/rivals/sat_plain.h"
 
-#include <math.h>
-#include <string.h>
+enum { MOST_EDGES = 6 };
 
-enum { MOST_CORNERS = 8, MOST_EDGES = 6 };
+/* Compiled once for each number of dimensions. */
+#define SAT_PLAIN_INLINE static inline __attribute__((always_inline))
 
-/* A frame in the world; in the plane, the third coordinate is 0. */
-typedef struct solid {
-    int corners, edges;
-    double corner[MOST_CORNERS][3], edge[MOST_EDGES][3];
-} solid;
-
-static void cross(const double *a, const double *b, double *out)
-{
-    out[0] = a[1] * b[2] - a[2] * b[1];
-    out[1] = a[2] * b[0] - a[0] * b[2];
-    out[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-/* ---- corners and edges ----------------------------------------------------------------------- */
-
-/* The corner of a cuboid whose coordinates are the bits of which; of a simplex, its corner number
- * which. */
-static void put_corner(const fmb_frame *f, int which, double *corner)
-{
-    for (int j = 0; j < f->dim; j++) {
-        corner[j] = f->origin[j];
-        for (int k = 0; k < f->dim; k++)
-            if (f->shape == FMB_CUBOID ? which >> k & 1 : which == k + 1)
-                corner[j] += f->axes[k * f->dim + j];
-    }
-}
-
-/* Edges in all directions: the axes, and of a simplex their differences. */
-static void put_edges(const fmb_frame *f, solid *s)
-{
-    for (int k = 0; k < f->dim; k++, s->edges++)
-        memcpy(s->edge[k], f->axes + k * f->dim, (size_t)f->dim * sizeof(double));
-    for (int k = 0; f->shape == FMB_SIMPLEX && k < f->dim; k++)
-        for (int l = 0; l < k; l++, s->edges++)
-            for (int j = 0; j < f->dim; j++)
-                s->edge[s->edges][j] = s->edge[k][j] - s->edge[l][j];
-}
-
-static void solid_of(const fmb_frame *f, solid *s)
-{
-    memset(s, 0, sizeof *s);
-    s->corners = f->shape == FMB_CUBOID ? 1 << f->dim : f->dim + 1;
-    for (int i = 0; i < s->corners; i++)
-        put_corner(f, i, s->corner[i]);
-    put_edges(f, s);
-}
-
-/* ---- axes ------------------------------------------------------------------------------------ */
-
-/* Both, and the way of Q as P sees it; NULL if nothing moves. */
+/* Both frames, and the way of Q as P sees it; NULL if nothing moves. */
 typedef struct scene {
-    solid p, q;
+    const fmb_frame *p, *q;
     const double *way;
 } scene;
 
-static double dot(const double *a, const double *b)
+/* ---- one axis -------------------------------------------------------------------------------- */
+
+SAT_PLAIN_INLINE double dot(int dim, const double *a, const double *b)
 {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    double sum = a[0] * b[0] + a[1] * b[1];
+    return dim == 2 ? sum : sum + a[2] * b[2];
 }
 
-static void project(const solid *s, const double *axis, double *least, double *most)
+/* The first dim + 1 corners are those of a simplex, all 2^dim those of a cuboid. */
+SAT_PLAIN_INLINE void add_up_corner(int dim, const fmb_frame *f, int which, double *corner)
 {
-    *least = INFINITY;
-    *most = -INFINITY;
-    for (int i = 0; i < s->corners; i++) {
-        double x = dot(axis, s->corner[i]);
-        if (x < *least)
-            *least = x;
-        if (x > *most)
-            *most = x;
-    }
+    static const int AXES[8] = {0, 1, 2, 4, 3, 5, 6, 7}; /* in space, as bits */
+    int axes = dim == 2 ? which : AXES[which];
+    for (int j = 0; j < dim; j++)
+        corner[j] = f->origin[j];
+    for (int k = 0; k < dim; k++)
+        for (int j = 0; axes >> k & 1 && j < dim; j++)
+            corner[j] += f->axes[k * dim + j];
 }
 
-static bool separates(const scene *s, const double *axis)
+SAT_PLAIN_INLINE void widen(double x, double *ends)
 {
-    double p[2], q[2];
-    project(&s->p, axis, &p[0], &p[1]);
-    project(&s->q, axis, &q[0], &q[1]);
-    if (s->way) {
-        double x = dot(axis, s->way);
-        if (x < 0)
-            q[0] += x;
+    if (ends[0] > x)
+        ends[0] = x;
+    if (ends[1] < x)
+        ends[1] = x;
+}
+
+/* Where f lies on the axis, on all of its way. */
+SAT_PLAIN_INLINE void project_corners(int dim, const fmb_frame *f, const double *way,
+                                      const double *axis, double *ends)
+{
+    double corner[3];
+    bool first = true;
+    for (int i = f->shape == FMB_CUBOID ? 1 << dim : dim + 1; i--; first = false) {
+        add_up_corner(dim, f, i, corner);
+        double x = dot(dim, corner, axis);
+        if (first)
+            ends[0] = ends[1] = x;
         else
-            q[1] += x;
+            widen(x, ends);
+        for (int j = 0; way && j < dim; j++)
+            corner[j] += way[j];
+        if (way)
+            widen(dot(dim, corner, axis), ends);
     }
-    return p[1] < q[0] || q[1] < p[0];
 }
 
-static bool separates_across(const scene *s, const double *a, const double *b)
+SAT_PLAIN_INLINE bool separates_frames(int dim, bool moves, const scene *s, const double *axis)
 {
-    double axis[3];
-    cross(a, b, axis);
-    return separates(s, axis);
+    double ends[2][2];
+    for (int i = 0; i < 2; i++)
+        project_corners(dim, i == 0 ? s->p : s->q, moves && i == 1 ? s->way : NULL, axis, ends[i]);
+    return ends[0][1] < ends[1][0] || ends[1][1] < ends[0][0];
 }
 
-/* Faces in three dimensions: two axes span one, and two differences of axes the last of a simplex,
- * whose edges 3, 4, 5 are those. */
-static bool faces_separate(const scene *s, const solid *of)
+SAT_PLAIN_INLINE bool separates(int dim, const scene *s, const double *axis)
 {
-    for (int k = 0; k < 3; k++)
-        if (separates_across(s, of->edge[k], of->edge[(k + 1) % 3]))
-            return true;
-    return of->edges > 3 && separates_across(s, of->edge[3], of->edge[4]);
+    return s->way ? separates_frames(dim, true, s, axis) : separates_frames(dim, false, s, axis);
 }
 
-static bool edges_separate(const scene *s)
-{
-    for (int i = 0; i < s->p.edges; i++)
-        for (int j = 0; j < s->q.edges; j++)
-            if (separates_across(s, s->p.edge[i], s->q.edge[j]))
-                return true;
-    return false;
-}
+/* ---- in the plane ---------------------------------------------------------------------------- */
 
-/* Edges of one of them across a direction: the way; in the plane, what stands on it. */
-static bool edges_separate_across(const scene *s, const solid *of, const double *direction)
+SAT_PLAIN_INLINE bool normal_separates(const scene *s, const double *edge)
 {
-    for (int k = 0; k < of->edges; k++)
-        if (separates_across(s, of->edge[k], direction))
-            return true;
-    return false;
+    double normal[2] = {edge[1], -edge[0]};
+    return separates(2, s, normal);
 }
 
 static bool apart_in_plane(const scene *s)
 {
-    static const double UP[3] = {0, 0, 1};
-    return edges_separate_across(s, &s->p, UP) || edges_separate_across(s, &s->q, UP) ||
-           (s->way && separates_across(s, s->way, UP));
+    const fmb_frame *f = s->p;
+    if (s->way && normal_separates(s, s->way))
+        return true;
+    for (int i = 0; i < 2; i++, f = s->q) {
+        double third[2] = {f->axes[2] - f->axes[0], f->axes[3] - f->axes[1]};
+        for (int k = f->shape == FMB_SIMPLEX ? 3 : 2; k--;)
+            if (normal_separates(s, k == 2 ? third : f->axes + 2 * k))
+                return true;
+    }
+    return false;
+}
+
+/* ---- in space -------------------------------------------------------------------------------- */
+
+/* In all directions: the axes, and of a simplex their differences. */
+typedef struct edges {
+    int n;
+    const double *edge[MOST_EDGES];
+    double difference[3][3];
+} edges;
+
+static void list_edges(const fmb_frame *f, edges *s)
+{
+    static const int FROM[3] = {0, 2, 0}, TO[3] = {1, 1, 2};
+    s->n = 3;
+    for (int k = 0; k < 3; k++)
+        s->edge[k] = f->axes + 3 * k;
+    for (int k = 0; f->shape == FMB_SIMPLEX && k < 3; k++) {
+        for (int j = 0; j < 3; j++)
+            s->difference[k][j] = s->edge[TO[k]][j] - s->edge[FROM[k]][j];
+        s->edge[s->n++] = s->difference[k];
+    }
+}
+
+static bool cross_separates(const scene *s, const double *a, const double *b)
+{
+    double axis[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                      a[0] * b[1] - a[1] * b[0]};
+    return separates(3, s, axis);
+}
+
+/* Two axes span a face, and two differences of axes the last of a simplex. */
+static bool faces_separate(const scene *s, const edges *of)
+{
+    return (of->n > 3 && cross_separates(s, of->edge[3], of->edge[4])) ||
+           cross_separates(s, of->edge[2], of->edge[1]) ||
+           cross_separates(s, of->edge[0], of->edge[2]) ||
+           cross_separates(s, of->edge[0], of->edge[1]);
+}
+
+/* Faces that Q sweeps. */
+static bool swept_faces_separate(const scene *s, const edges *q)
+{
+    for (int k = q->n; k--;)
+        if (cross_separates(s, s->way, q->edge[k]))
+            return true;
+    return false;
+}
+
+static bool edges_separate(const scene *s, const edges *p, const edges *q)
+{
+    for (int i = p->n; i--;) {
+        if (s->way && cross_separates(s, p->edge[i], s->way))
+            return true;
+        for (int j = q->n; j--;)
+            if (cross_separates(s, p->edge[i], q->edge[j]))
+                return true;
+    }
+    return false;
 }
 
 static bool apart_in_space(const scene *s)
 {
-    return faces_separate(s, &s->p) || faces_separate(s, &s->q) || edges_separate(s) ||
-           (s->way &&
-            (edges_separate_across(s, &s->p, s->way) || edges_separate_across(s, &s->q, s->way)));
+    edges p, q;
+    list_edges(s->p, &p);
+    list_edges(s->q, &q);
+    return faces_separate(s, &p) || (s->way && swept_faces_separate(s, &q)) ||
+           faces_separate(s, &q) || edges_separate(s, &p, &q);
 }
 
 bool study_sat_plain(const fmb_frame *p, const fmb_frame *q)
 {
-    scene s = {.way = NULL};
-    double way[3] = {0, 0, 0};
-    solid_of(p, &s.p);
-    solid_of(q, &s.q);
-    for (int j = 0; j < p->dim; j++)
-        way[j] = (q->speed ? q->speed[j] : 0) - (p->speed ? p->speed[j] : 0);
-    if (p->speed || q->speed)
+    scene s = {p, q, NULL};
+    double way[3];
+    if (p->speed || q->speed) {
+        for (int j = 0; j < p->dim; j++)
+            way[j] = (q->speed ? q->speed[j] : 0) - (p->speed ? p->speed[j] : 0);
         s.way = way;
+    }
     return !(p->dim == 2 ? apart_in_plane(&s) : apart_in_space(&s));
 }

@@ -1,5 +1,6 @@
 /* sat_plain.h: separating axes as the article's program has them, to be measured beside ours: in
- * the world, all corners projected on each axis, one axis after the other with a branch for each.
+ * the world, all corners added up and projected on each axis, one axis after the other, with a
+ * branch for each comparison. What it costs is what the article's program costs.
  *
  * Source: Baillehache 2020, whose SAT is that of Gottschalk, Lin and Manocha 1996. Written from the
  * description.
