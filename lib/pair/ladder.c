@@ -5,6 +5,7 @@
 
 #include "pair/corners/cell.h"
 #include "pair/edges.h"
+#include "pair/extreme/extreme.h"
 #include "pair/kernels/packed.h"
 
 /* One call of fmb_pair_test. */
@@ -53,14 +54,18 @@ static fmb_status answer_exactly(const query *a, size_t i)
     return fmb_pair_oracle_answer(&a->k->oracle, &a->p[i], &a->q[i], &out);
 }
 
-/* The same, in doubles if they are good enough. */
+/* The same, in doubles if they are good enough, or at vertices that are proved. */
 static fmb_status answer_generally(const query *a, size_t i)
 {
     const fmb_pair *k = a->k;
     fmb_pair_answers out = answers_of(a, i);
     fmb_edges p, q;
-    if (k->options.method != FMB_PAIR_EXACT && !k->options.tightest && take_edges(a, i, &p, &q) &&
+    if (k->options.method == FMB_PAIR_EXACT)
+        return answer_exactly(a, i);
+    if (!k->options.tightest && take_edges(a, i, &p, &q) &&
         fmb_general_answer(k->general, &p.frame, &q.frame, &out))
+        return FMB_OK;
+    if (asks_exactly(a) && fmb_extreme_answer(&a->p[i], &a->q[i], &out))
         return FMB_OK;
     return answer_exactly(a, i);
 }
@@ -73,7 +78,7 @@ static fmb_status decide_exactly(const query *a, size_t i)
         return FMB_OK;
     a->k->counts.exact_verdicts++;
     fmb_status st = fmb_pair_oracle_decide(&a->k->oracle, &a->p[i], &a->q[i], out);
-    return st == FMB_OK && *out == FMB_FEASIBLE && a->boxes ? answer_exactly(a, i) : st;
+    return st == FMB_OK && *out == FMB_FEASIBLE && a->boxes ? answer_generally(a, i) : st;
 }
 
 /* Say what is wrong with pair i. */

@@ -181,13 +181,11 @@ Test(box, lanes_that_kernels_leave_alone)
     }
 }
 
-/* All of fmb_pair_test, many pairs a call, in any dimension. */
-static void whole(study_pair_family family, int dim, bool moves, size_t n, bool tightest)
+/* All of fmb_pair_test, many pairs a call, in any dimension. Returns how many were asked exactly.
+ */
+static uint64_t whole_plan(const study_pair_plan *plan, size_t n, bool tightest)
 {
-    const study_pair_plan plan = {.family = family,
-                                  .dim = dim,
-                                  .moves = moves,
-                                  .shape = {STUDY_PAIR_ANY_SHAPE, STUDY_PAIR_ANY_SHAPE}};
+    int dim = plan->dim;
     study_pairs s;
     fmb_pair_options o = fmb_pair_options_default();
     fmb_pair *k = NULL;
@@ -195,7 +193,7 @@ static void whole(study_pair_family family, int dim, bool moves, size_t n, bool 
     box_check_open(&c);
     o.tightest = tightest;
     must(fmb_pair_new(dim, &o, NULL, &k));
-    must(study_pairs_make(&plan, 3, n, NULL, NULL, &s));
+    must(study_pairs_make(plan, 3, n, NULL, NULL, &s));
     size_t d = (size_t)dim;
     fmb_verdict *v = calloc(n, sizeof *v);
     double *number = calloc(n * (5 * d + 2), sizeof *number);
@@ -216,8 +214,19 @@ static void whole(study_pair_family family, int dim, bool moves, size_t n, bool 
     free(number);
     free(v);
     study_pairs_free(&s);
+    uint64_t asked = fmb_pair_count(k).exact_boxes;
     fmb_pair_free(k);
     box_check_close(&c);
+    return asked;
+}
+
+static uint64_t whole(study_pair_family family, int dim, bool moves, size_t n, bool tightest)
+{
+    return whole_plan(&(study_pair_plan){.family = family,
+                                         .dim = dim,
+                                         .moves = moves,
+                                         .shape = {STUDY_PAIR_ANY_SHAPE, STUDY_PAIR_ANY_SHAPE}},
+                      n, tightest);
 }
 
 Test(box, together_and_in_any_dimension)
@@ -232,8 +241,35 @@ Test(box, together_and_in_any_dimension)
 
 Test(box, tightest)
 {
-    for (int dim = 2; dim <= 3; dim++)
+    for (int dim = 1; dim <= 3; dim++)
         for (int moves = 0; moves < 2; moves++)
             for (int f = 0; f < STUDY_PAIR_FAMILIES; f++)
                 whole((study_pair_family)f, dim, moves, 8, true);
+}
+
+/* Points, edges and faces, too. */
+Test(box, tightest_of_flat_frames)
+{
+    for (int dim = 2; dim <= 3; dim++)
+        for (int axes = 1; axes < dim * dim; axes++)
+            for (int moves = 0; moves < 2; moves++)
+                whole_plan(&(study_pair_plan){.family = STUDY_PAIR_LATTICE,
+                                              .dim = dim,
+                                              .moves = moves,
+                                              .shape = {STUDY_PAIR_ANY_SHAPE, FMB_SIMPLEX},
+                                              .naxes = {1 + axes % dim, 1 + axes / dim}},
+                           12, true);
+}
+
+/* No pair of these is left to the exact way: degenerate ones are not, nor are those that touch. */
+Test(box, tightest_without_asking_exactly)
+{
+    static const study_pair_family family[] = {STUDY_PAIR_ARTICLE, STUDY_PAIR_LATTICE,
+                                               STUDY_PAIR_TOUCHING, STUDY_PAIR_DEGENERATE,
+                                               STUDY_PAIR_INTEGER};
+    for (int dim = 1; dim <= 3; dim++)
+        for (int moves = 0; moves < 2; moves++)
+            for (size_t f = 0; f < sizeof family / sizeof *family; f++)
+                cr_expect(whole(family[f], dim, moves, 10, true) == 0, "%s, %d dimensions",
+                          study_pair_family_text(family[f]), dim);
 }

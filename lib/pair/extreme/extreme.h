@@ -1,0 +1,13 @@
+/* extreme.h: boxes of pairs in up to three dimensions, exactly: doubles walk from vertex to vertex,
+ * and each vertex where an end of the box is found is computed and proved in integers (certify.h).
+ */
+#ifndef FMB_PAIR_EXTREME_H
+#define FMB_PAIR_EXTREME_H
+
+#include <fmb/pair.h>
+
+/* Of good frames that meet: all that out asks for, but the verdict; every end is the exact one,
+ * rounded outward. False, and nothing written, if that was not proved. Nothing is allocated. */
+bool fmb_extreme_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out);
+
+#endif

@@ -1,0 +1,215 @@
+/* wide.h: integers of a few words, on the stack: sums and products that need no memory.
+ *
+ * A sign and a magnitude of n words, the last of them not 0; 0 has none. Who calculates knows that
+ * what comes out has at most FMB_WIDE_BITS bits.
+ */
+#ifndef FMB_PAIR_WIDE_H
+#define FMB_PAIR_WIDE_H
+
+#include <assert.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "num/vec.h"
+
+enum { FMB_WIDE_WORDS = 12, FMB_WIDE_BITS = 64 * (FMB_WIDE_WORDS - 1) };
+
+typedef struct fmb_wide {
+    int n;
+    bool minus;
+    uint64_t word[FMB_WIDE_WORDS];
+} fmb_wide;
+
+static inline int fmb_wide_sign(const fmb_wide *a)
+{
+    return a->n == 0 ? 0 : a->minus ? -1 : 1;
+}
+
+static inline void fmb_wide_set_word(fmb_wide *out, uint64_t x)
+{
+    out->n = x != 0;
+    out->minus = false;
+    out->word[0] = x;
+}
+
+static inline void fmb_wide_copy(fmb_wide *out, const fmb_wide *a)
+{
+    out->n = a->n;
+    out->minus = a->minus;
+    for (int i = 0; i < a->n; i++)
+        out->word[i] = a->word[i];
+}
+
+static inline void fmb_wide_negate(fmb_wide *a)
+{
+    a->minus = !a->minus && a->n > 0;
+}
+
+/* Bits of the magnitude. */
+static inline int fmb_wide_bits(const fmb_wide *a)
+{
+    return a->n == 0 ? 0 : 64 * a->n - __builtin_clzll(a->word[a->n - 1]);
+}
+
+static inline void fmb_wide_trim(fmb_wide *a)
+{
+    while (a->n > 0 && a->word[a->n - 1] == 0)
+        a->n--;
+    a->minus = a->minus && a->n > 0;
+}
+
+static inline int fmb_wide_compare_magnitudes(const fmb_wide *a, const fmb_wide *b)
+{
+    if (a->n != b->n)
+        return a->n < b->n ? -1 : 1;
+    for (int i = a->n - 1; i >= 0; i--)
+        if (a->word[i] != b->word[i])
+            return a->word[i] < b->word[i] ? -1 : 1;
+    return 0;
+}
+
+static inline int fmb_wide_compare(const fmb_wide *a, const fmb_wide *b)
+{
+    int sign = fmb_wide_sign(a);
+    if (sign != fmb_wide_sign(b))
+        return sign < fmb_wide_sign(b) ? -1 : 1;
+    return sign * fmb_wide_compare_magnitudes(a, b);
+}
+
+/* a += b in magnitude */
+static inline void fmb_wide_add_magnitude(fmb_wide *a, const fmb_wide *b)
+{
+    uint64_t carry = 0;
+    int n = a->n > b->n ? a->n : b->n;
+    for (int i = 0; i < n; i++) {
+        fmb_u128 sum = (fmb_u128)(i < a->n ? a->word[i] : 0) + carry;
+        sum += i < b->n ? b->word[i] : 0;
+        a->word[i] = (uint64_t)sum;
+        carry = (uint64_t)(sum >> 64);
+    }
+    assert(n < FMB_WIDE_WORDS);
+    a->word[n] = carry;
+    a->n = n + (carry != 0);
+}
+
+/* a = large - small in magnitude; a may be either. */
+static inline void fmb_wide_subtract_magnitudes(fmb_wide *a, const fmb_wide *large,
+                                                const fmb_wide *small)
+{
+    uint64_t borrow = 0;
+    int n = large->n;
+    for (int i = 0; i < n; i++) {
+        uint64_t x = large->word[i], y = i < small->n ? small->word[i] : 0;
+        uint64_t less = x - y, both = less - borrow;
+        borrow = (x < y) | (less < borrow);
+        a->word[i] = both;
+    }
+    a->n = n;
+    fmb_wide_trim(a);
+}
+
+/* a += b, or a -= b */
+static inline void fmb_wide_gather(fmb_wide *a, const fmb_wide *b, bool subtract)
+{
+    bool minus = b->minus != subtract;
+    if (b->n == 0)
+        return;
+    if (a->n == 0) {
+        fmb_wide_copy(a, b);
+        a->minus = minus;
+    } else if (a->minus == minus) {
+        fmb_wide_add_magnitude(a, b);
+    } else if (fmb_wide_compare_magnitudes(a, b) >= 0) {
+        fmb_wide_subtract_magnitudes(a, a, b);
+    } else {
+        a->minus = minus;
+        fmb_wide_subtract_magnitudes(a, b, a);
+    }
+}
+
+static inline void fmb_wide_add(fmb_wide *a, const fmb_wide *b)
+{
+    fmb_wide_gather(a, b, false);
+}
+
+static inline void fmb_wide_subtract(fmb_wide *a, const fmb_wide *b)
+{
+    fmb_wide_gather(a, b, true);
+}
+
+/* out = a b; out is neither. */
+static inline void fmb_wide_multiply(fmb_wide *out, const fmb_wide *a, const fmb_wide *b)
+{
+    out->n = 0;
+    out->minus = false;
+    if (a->n == 0 || b->n == 0)
+        return;
+    assert(a->n + b->n <= FMB_WIDE_WORDS);
+    for (int j = 0; j < b->n; j++)
+        out->word[j] = 0;
+    for (int i = 0; i < a->n; i++) {
+        uint64_t carry = 0;
+        for (int j = 0; j < b->n; j++) {
+            fmb_u128 sum = (fmb_u128)a->word[i] * b->word[j];
+            sum += (fmb_u128)out->word[i + j] + carry;
+            out->word[i + j] = (uint64_t)sum;
+            carry = (uint64_t)(sum >> 64);
+        }
+        out->word[i + b->n] = carry;
+    }
+    out->n = a->n + b->n;
+    out->minus = a->minus != b->minus;
+    fmb_wide_trim(out);
+}
+
+/* sum += a b */
+static inline void fmb_wide_add_product(fmb_wide *sum, const fmb_wide *a, const fmb_wide *b)
+{
+    fmb_wide product;
+    fmb_wide_multiply(&product, a, b);
+    fmb_wide_gather(sum, &product, false);
+}
+
+/* sum -= a b */
+static inline void fmb_wide_subtract_product(fmb_wide *sum, const fmb_wide *a, const fmb_wide *b)
+{
+    fmb_wide product;
+    fmb_wide_multiply(&product, a, b);
+    fmb_wide_gather(sum, &product, true);
+}
+
+/* a *= 2^bits */
+static inline void fmb_wide_shift(fmb_wide *a, int bits)
+{
+    int words = bits / 64, rest = bits % 64;
+    if (a->n == 0)
+        return;
+    assert(a->n + words < FMB_WIDE_WORDS);
+    a->word[a->n] = 0;
+    for (int i = a->n; i >= 0; i--) {
+        uint64_t below = i > 0 && rest > 0 ? a->word[i - 1] >> (64 - rest) : 0;
+        a->word[i + words] = (a->word[i] << rest) | below;
+    }
+    for (int i = 0; i < words; i++)
+        a->word[i] = 0;
+    a->n += words + 1;
+    fmb_wide_trim(a);
+}
+
+/* Off by at most 2^-52 of itself: what is below the upper two words is less than 2^-64 of it, and
+ * there are two roundings. */
+static inline double fmb_wide_to_double(const fmb_wide *a)
+{
+    static const double unit[FMB_WIDE_WORDS] = {0x1p0,   0x1p64,  0x1p128, 0x1p192,
+                                                0x1p256, 0x1p320, 0x1p384, 0x1p448,
+                                                0x1p512, 0x1p576, 0x1p640, 0x1p704};
+    if (a->n == 0)
+        return 0;
+    double x = (double)a->word[a->n - 1] * unit[a->n - 1];
+    if (a->n > 1)
+        x += (double)a->word[a->n - 2] * unit[a->n - 2];
+    return a->minus ? -x : x;
+}
+
+#endif
