@@ -25,64 +25,70 @@ typedef fmb_extreme_near near;
 /* The reference that unknown j is relative to, or -1. */
 static int reference_of(const fmb_extreme *v, int j)
 {
-    int group = v->program->group[j];
+    int group = j < 0 ? FMB_EXTREME_NONE : v->program->group[j];
     return group <= FMB_EXTREME_OF_B ? v->reference[group] : -1;
 }
 
-/* Entry of column j; NULL: 0. */
-static const fmb_wide *entry_of_column(const fmb_extreme_program *s, int j, int row)
+typedef fmb_extreme_number number;
+
+static const number zero = {{0, false, {0}}, 0}, one = {{1, false, {1}}, 1};
+
+/* Of the slacks, and of no unknown (-1), they are 0. */
+static const number *entry_of_column(const fmb_extreme_program *s, int j, int row)
 {
-    static const fmb_wide one = {1, false, {1}};
     if (j >= FMB_EXTREME_ARTIFICIAL)
-        return j - FMB_EXTREME_ARTIFICIAL == row ? &one : NULL;
-    return j >= 0 && j < FMB_EXTREME_COLUMNS ? &s->m[j][row] : NULL;
+        return j - FMB_EXTREME_ARTIFICIAL == row ? &one : &zero;
+    return j >= 0 && j < FMB_EXTREME_COLUMNS ? &s->m[j][row] : &zero;
 }
 
-/* What one unit of unknown j adds to the goal; NULL: 0. In coordinates of B goals of the world have
- * the other sign: - x_i = - origin of B + (- axes of B, - speed of B) z + the artificial unknown of
- * row i, which tells how far the two are apart. */
-static const fmb_wide *cost_of_unknown(const fmb_extreme *v, const fmb_extreme_goal *goal, int j)
+/* What one unit of unknown j adds to the goal. In coordinates of B goals of the world have the
+ * other sign: - x_i = - origin of B + (- axes of B, - speed of B) z + the artificial unknown of row
+ * i, which tells how far the two are apart. */
+static const number *cost_of_unknown(const fmb_extreme *v, const fmb_extreme_goal *goal, int j)
 {
-    static const fmb_wide one = {1, false, {1}};
     const fmb_extreme_program *s = v->program;
     if (!goal->is_world)
-        return j == goal->number ? &one : NULL;
+        return j == goal->number ? &one : &zero;
     if (v->side == 1 && j == FMB_EXTREME_ARTIFICIAL + goal->number)
         return &one;
     if (j < 0 || j >= s->columns)
-        return NULL;
+        return &zero;
     if (j == s->time)
         return &s->speed[v->side][goal->number];
-    return (j < s->first_of_b) == (v->side == 0) ? &s->m[j][goal->number] : NULL;
+    return (j < s->first_of_b) == (v->side == 0) ? &s->m[j][goal->number] : &zero;
 }
 
-/* out = a - b */
-static void subtract_from(fmb_wide *out, const fmb_wide *a, const fmb_wide *b)
+/* a - b */
+typedef struct relative {
+    const number *a, *b;
+} relative;
+
+static relative relative_entry(const fmb_extreme *v, int j, int row)
 {
-    if (a)
-        fmb_wide_copy(out, a);
-    else
-        fmb_wide_set_word(out, 0);
-    if (b)
-        fmb_wide_subtract(out, b);
+    return (relative){entry_of_column(v->program, j, row),
+                      entry_of_column(v->program, reference_of(v, j), row)};
 }
 
-static void relative_entry(const fmb_extreme *v, int j, int row, fmb_wide *out)
+static relative relative_cost(const fmb_extreme *v, const fmb_extreme_goal *goal, int j)
 {
-    subtract_from(out, entry_of_column(v->program, j, row),
-                  entry_of_column(v->program, reference_of(v, j), row));
+    return (relative){cost_of_unknown(v, goal, j), cost_of_unknown(v, goal, reference_of(v, j))};
 }
 
-static void relative_cost(const fmb_extreme *v, const fmb_extreme_goal *goal, int j, fmb_wide *out)
+/* It lies at x->a, or in *room. */
+static const fmb_wide *exact_difference(relative x, fmb_wide *room)
 {
-    subtract_from(out, cost_of_unknown(v, goal, j), cost_of_unknown(v, goal, reference_of(v, j)));
+    if (x.b->whole.n == 0)
+        return &x.a->whole;
+    fmb_wide_copy(room, &x.a->whole);
+    fmb_wide_subtract(room, &x.b->whole);
+    return room;
 }
 
 /* ---- in doubles ------------------------------------------------------------------------------ */
 
-static near near_difference(double a, double b)
+static near near_difference(relative x)
 {
-    return (near){a - b, fabs(a) + fabs(b)};
+    return (near){x.a->near - x.b->near, fabs(x.a->near) + fabs(x.b->near)};
 }
 
 /* sum += a b */
@@ -103,27 +109,12 @@ static int sign_of_near(near a)
     return (a.x > 0) - (a.x < 0);
 }
 
-static double near_entry(const fmb_extreme_program *s, int j, int row)
-{
-    if (j >= FMB_EXTREME_ARTIFICIAL)
-        return j - FMB_EXTREME_ARTIFICIAL == row;
-    return j >= 0 && j < FMB_EXTREME_COLUMNS ? s->near_m[j][row] : 0;
-}
-
-static double near_cost(const fmb_extreme *v, const fmb_extreme_goal *goal, int j)
-{
-    const fmb_wide *c = cost_of_unknown(v, goal, j);
-    return c ? fmb_wide_to_double(c) : 0;
-}
-
 /* Row k of the adjugate is the cross product of the two other columns. */
 static void find_near_adjugate(fmb_extreme *v)
 {
     for (int k = 0; k < DIM; k++)
         for (int row = 0; row < DIM; row++)
-            v->near_column[k][row] =
-                near_difference(near_entry(v->program, v->basic[k], row),
-                                near_entry(v->program, reference_of(v, v->basic[k]), row));
+            v->near_column[k][row] = near_difference(relative_entry(v, v->basic[k], row));
     for (int k = 0; k < DIM; k++) {
         const near *a = v->near_column[(k + 1) % DIM], *b = v->near_column[(k + 2) % DIM];
         for (int row = 0; row < DIM; row++) {
@@ -148,11 +139,11 @@ static void find_near_values(fmb_extreme *v)
     const fmb_extreme_program *s = v->program;
     near rest[DIM];
     for (int row = 0; row < DIM; row++) {
-        rest[row] = near_difference(s->near_h[row], 0);
+        rest[row] = (near){s->h[row].near, fabs(s->h[row].near)};
         for (int j = 0; j < s->columns; j++)
             if (is_one(v, j)) {
-                rest[row].x -= s->near_m[j][row];
-                rest[row].size += fabs(s->near_m[j][row]);
+                rest[row].x -= s->m[j][row].near;
+                rest[row].size += fabs(s->m[j][row].near);
             }
     }
     v->near_reference[0] = v->near_reference[1] = v->near_det;
@@ -170,33 +161,33 @@ static void find_near_values(fmb_extreme *v)
 
 static void need_row_of_adjugate(fmb_extreme *v, int k)
 {
-    fmb_wide a[DIM], b[DIM];
+    fmb_wide room[2][DIM];
+    const fmb_wide *a[DIM], *b[DIM];
     if (v->has_row >> k & 1)
         return;
     for (int row = 0; row < DIM; row++) {
-        relative_entry(v, v->basic[(k + 1) % DIM], row, &a[row]);
-        relative_entry(v, v->basic[(k + 2) % DIM], row, &b[row]);
+        a[row] = exact_difference(relative_entry(v, v->basic[(k + 1) % DIM], row), &room[0][row]);
+        b[row] = exact_difference(relative_entry(v, v->basic[(k + 2) % DIM], row), &room[1][row]);
     }
     for (int row = 0; row < DIM; row++) {
         int i = (row + 1) % DIM, j = (row + 2) % DIM;
-        fmb_wide_multiply(&v->adjugate[k][row], &a[i], &b[j]);
-        fmb_wide_subtract_product(&v->adjugate[k][row], &a[j], &b[i]);
+        fmb_wide_multiply(&v->adjugate[k][row], a[i], b[j]);
+        fmb_wide_subtract_product(&v->adjugate[k][row], a[j], b[i]);
     }
     v->has_row |= 1u << k;
 }
 
 static void need_det(fmb_extreme *v)
 {
-    fmb_wide entry;
+    fmb_wide room;
     int k = v->has_row == 0 ? 0 : __builtin_ctz(v->has_row);
     if (v->has_det)
         return;
     need_row_of_adjugate(v, k);
     fmb_wide_set_word(&v->det, 0);
-    for (int row = 0; row < DIM; row++) {
-        relative_entry(v, v->basic[k], row, &entry);
-        fmb_wide_add_product(&v->det, &v->adjugate[k][row], &entry);
-    }
+    for (int row = 0; row < DIM; row++)
+        fmb_wide_add_product(&v->det, &v->adjugate[k][row],
+                             exact_difference(relative_entry(v, v->basic[k], row), &room));
     v->has_det = true;
 }
 
@@ -205,10 +196,10 @@ static void need_rest(fmb_extreme *v)
 {
     const fmb_extreme_program *s = v->program;
     for (int row = 0; row < DIM && !v->has_rest; row++) {
-        fmb_wide_copy(&v->rest[row], &s->h[row]);
+        fmb_wide_copy(&v->rest[row], &s->h[row].whole);
         for (int j = 0; j < s->columns; j++)
             if (is_one(v, j))
-                fmb_wide_subtract(&v->rest[row], &s->m[j][row]);
+                fmb_wide_subtract(&v->rest[row], &s->m[j][row].whole);
     }
     v->has_rest = true;
 }
@@ -343,52 +334,45 @@ static void find_near_prices(const fmb_extreme *v, const fmb_extreme_goal *goal,
     for (int row = 0; row < DIM; row++)
         y[row] = (near){0, 0};
     for (int k = 0; k < DIM; k++) {
-        near c = near_difference(near_cost(v, goal, v->basic[k]),
-                                 near_cost(v, goal, reference_of(v, v->basic[k])));
+        near c = near_difference(relative_cost(v, goal, v->basic[k]));
         for (int row = 0; c.size != 0 && row < DIM; row++)
             add_near_product(&y[row], c, v->near_adjugate[k][row]);
     }
 }
 
-/* d_j det */
-static near find_near_gain(const fmb_extreme *v, const fmb_extreme_goal *goal, const near *y, int j)
+/* - d_j det */
+static near find_near_loss(const fmb_extreme *v, const fmb_extreme_goal *goal, const near *y, int j)
 {
-    int reference = reference_of(v, j);
-    near gain = {0, 0};
-    add_near_product(&gain, v->near_det,
-                     near_difference(near_cost(v, goal, j), near_cost(v, goal, reference)));
+    near cost = near_difference(relative_cost(v, goal, j)), loss = {0, 0};
+    add_near_product(&loss, v->near_det, (near){-cost.x, cost.size});
     for (int row = 0; row < DIM; row++)
-        add_near_product(&gain, y[row],
-                         near_difference(near_entry(v->program, reference, row),
-                                         near_entry(v->program, j, row)));
-    return gain;
+        add_near_product(&loss, y[row], near_difference(relative_entry(v, j, row)));
+    return loss;
 }
 
 static void find_prices(fmb_extreme *v, const fmb_extreme_goal *goal, fmb_wide *y)
 {
-    fmb_wide cost;
+    fmb_wide room;
     for (int row = 0; row < DIM; row++)
         fmb_wide_set_word(&y[row], 0);
     for (int k = 0; k < DIM; k++) {
-        relative_cost(v, goal, v->basic[k], &cost);
+        const fmb_wide *cost = exact_difference(relative_cost(v, goal, v->basic[k]), &room);
         need_row_of_adjugate(v, k);
         for (int row = 0; row < DIM; row++)
-            fmb_wide_add_product(&y[row], &cost, &v->adjugate[k][row]);
+            fmb_wide_add_product(&y[row], cost, &v->adjugate[k][row]);
     }
 }
 
-static int exact_sign_of_gain(fmb_extreme *v, const fmb_extreme_goal *goal, int j)
+static int exact_sign_of_loss(fmb_extreme *v, const fmb_extreme_goal *goal, int j)
 {
-    fmb_wide y[DIM], gain, of_j;
+    fmb_wide y[DIM], loss, room;
     find_prices(v, goal, y);
     need_det(v);
-    relative_cost(v, goal, j, &of_j);
-    fmb_wide_multiply(&gain, &of_j, &v->det);
-    for (int row = 0; row < DIM; row++) {
-        relative_entry(v, j, row, &of_j);
-        fmb_wide_subtract_product(&gain, &y[row], &of_j);
-    }
-    return fmb_wide_sign(&gain);
+    fmb_wide_multiply(&loss, exact_difference(relative_cost(v, goal, j), &room), &v->det);
+    fmb_wide_negate(&loss);
+    for (int row = 0; row < DIM; row++)
+        fmb_wide_add_product(&loss, &y[row], exact_difference(relative_entry(v, j, row), &room));
+    return fmb_wide_sign(&loss);
 }
 
 bool fmb_extreme_is_farthest(fmb_extreme *v, const fmb_extreme_goal *goal)
@@ -401,9 +385,9 @@ bool fmb_extreme_is_farthest(fmb_extreme *v, const fmb_extreme_goal *goal)
         int place = v->basis.place[j];
         if (place == FMB_EXTREME_BASIC || v->program->group[j] == FMB_EXTREME_NONE)
             continue;
-        near gain = find_near_gain(v, goal, y, j);
-        int sign = is_sign_known(gain) ? sign_of_near(gain) : exact_sign_of_gain(v, goal, j);
-        if (sign == (place == FMB_EXTREME_HIGH ? -upward : upward))
+        near loss = find_near_loss(v, goal, y, j);
+        int sign = is_sign_known(loss) ? sign_of_near(loss) : exact_sign_of_loss(v, goal, j);
+        if (sign == (place == FMB_EXTREME_HIGH ? upward : -upward))
             return false;
     }
     return true;
@@ -414,40 +398,35 @@ bool fmb_extreme_is_farthest(fmb_extreme *v, const fmb_extreme_goal *goal)
 static void find_constant(const fmb_extreme *v, const fmb_extreme_goal *goal, fmb_wide *out)
 {
     const fmb_extreme_program *s = v->program;
-    subtract_from(out, goal->is_world ? &s->origin[v->side][goal->number] : NULL, NULL);
-    for (int j = 0; j < s->columns; j++) {
-        const fmb_wide *c = cost_of_unknown(v, goal, j);
-        if (c && is_one(v, j))
-            fmb_wide_add(out, c);
-    }
+    fmb_wide_copy(out, &(goal->is_world ? &s->origin[v->side][goal->number] : &zero)->whole);
+    for (int j = 0; j < s->columns; j++)
+        if (is_one(v, j))
+            fmb_wide_add(out, &cost_of_unknown(v, goal, j)->whole);
 }
 
 void fmb_extreme_value(fmb_extreme *v, const fmb_extreme_goal *goal, fmb_wide *numerator,
                        fmb_wide *denominator)
 {
-    fmb_wide constant, cost[DIM];
+    fmb_wide constant, room[DIM];
+    const fmb_wide *cost[DIM];
     bool is_whole = true;
     find_constant(v, goal, &constant);
     for (int k = 0; k < DIM; k++) {
-        relative_cost(v, goal, v->basic[k], &cost[k]);
-        is_whole = is_whole && fmb_wide_sign(&cost[k]) == 0;
-    }
-    fmb_wide_copy(numerator, &constant);
-    fmb_wide_set_word(denominator, 1);
-    for (int k = 0; k < DIM; k++)
-        if (fmb_wide_sign(&cost[k]) != 0)
+        cost[k] = exact_difference(relative_cost(v, goal, v->basic[k]), &room[k]);
+        is_whole = is_whole && cost[k]->n == 0;
+        if (cost[k]->n != 0)
             need_x(v, k);
-    if (!is_whole) {
-        need_det(v);
-        fmb_wide_copy(denominator, &v->det);
-        fmb_wide_multiply(numerator, &constant, &v->det);
     }
+    if (!is_whole)
+        need_det(v);
+    fmb_wide_copy(denominator, is_whole ? &one.whole : &v->det);
+    fmb_wide_multiply(numerator, &constant, denominator);
     for (int k = 0; k < DIM; k++)
-        if (fmb_wide_sign(&cost[k]) != 0)
-            fmb_wide_add_product(numerator, &cost[k], &v->x[k]);
+        if (cost[k]->n != 0)
+            fmb_wide_add_product(numerator, cost[k], &v->x[k]);
     if (goal->is_world && v->side == 1)
         fmb_wide_negate(numerator);
-    if (fmb_wide_sign(denominator) < 0) {
+    if (denominator->minus) {
         fmb_wide_negate(denominator);
         fmb_wide_negate(numerator);
     }

@@ -1,6 +1,8 @@
 /* load.c: frames as integers; see program.h. */
 #include "pair/extreme/program.h"
 
+#include <string.h>
+
 #include "frame/frame.h"
 
 /* Reads number i of a row. */
@@ -10,13 +12,17 @@ enum { ORIGIN = -1, SPEED = -2 }; /* in place of an axis */
 
 /* ---- doubles --------------------------------------------------------------------------------- */
 
-/* x = m 2^e, m odd or 0. */
-static int64_t split_into_odd_and_power(double x, int *e)
+/* |x| = m 2^e, m odd or 0. */
+static uint64_t split_into_odd_and_power(double x, int *e)
 {
-    int64_t m = (int64_t)ldexp(frexp(x, e), 53);
-    int zeros = m == 0 ? 0 : __builtin_ctzll((uint64_t)m);
-    *e += zeros - 53;
-    return m / (INT64_C(1) << zeros);
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    uint64_t m = bits & ((UINT64_C(1) << 52) - 1);
+    int exponent = (int)(bits >> 52 & 0x7ff);
+    m |= (uint64_t)(exponent > 0) << 52;
+    int zeros = m == 0 ? 0 : __builtin_ctzll(m);
+    *e = (exponent > 0 ? exponent : 1) - 1075 + zeros;
+    return m >> zeros;
 }
 
 typedef struct double_pair {
@@ -43,8 +49,8 @@ static bool find_unit_of_row(double_pair *d, int row)
             int low, high;
             if (x == 0)
                 continue;
-            (void)split_into_odd_and_power(x, &low);
-            (void)frexp(x, &high);
+            uint64_t m = split_into_odd_and_power(x, &low);
+            high = low + 64 - __builtin_clzll(m);
             least = low < least ? low : least;
             most = high > most ? high : most;
         }
@@ -55,11 +61,11 @@ static bool find_unit_of_row(double_pair *d, int row)
 static void read_double(const void *self, int frame, int axis, int row, fmb_wide *out)
 {
     const double_pair *d = self;
+    double x = number_of_frame(d->frame[frame], axis, row);
     int e;
-    int64_t m = split_into_odd_and_power(number_of_frame(d->frame[frame], axis, row), &e);
-    fmb_wide_set_word(out, m < 0 ? -(uint64_t)m : (uint64_t)m);
-    out->minus = m < 0;
-    fmb_wide_shift(out, m == 0 ? 0 : e + d->exponent[row]);
+    fmb_wide_set_word(out, split_into_odd_and_power(x, &e));
+    out->minus = x < 0;
+    fmb_wide_shift(out, x == 0 ? 0 : e + d->exponent[row]);
 }
 
 /* ---- rationals ------------------------------------------------------------------------------- */
@@ -132,7 +138,7 @@ static void load_axes_of_frame(fmb_extreme_program *s, int k, const body *b,
     for (int axis = 0; axis < b->naxes; axis++, s->columns++) {
         s->group[s->columns] = (signed char)(s->is_simplex[k] ? k : FMB_EXTREME_UNIT);
         for (int row = 0; row < s->dim; row++) {
-            fmb_wide *to = &s->m[s->columns][row], origin;
+            fmb_wide *to = &s->m[s->columns][row].whole, origin;
             read(self, k, axis, row, to);
             if (by_corners) {
                 read(self, k, ORIGIN, row, &origin);
@@ -149,34 +155,32 @@ static void load_axes_of_frame(fmb_extreme_program *s, int k, const body *b,
 static void load_places_and_speeds(fmb_extreme_program *s, fmb_extreme_reader *read,
                                    const void *self)
 {
-    fmb_wide *drift = s->m[s->columns];
+    fmb_extreme_number *drift = s->m[s->columns];
     for (int row = 0; row < s->dim; row++) {
+        fmb_wide *h = &s->h[row].whole, *less = &s->origin[1][row].whole;
         for (int k = 0; k < 2; k++) {
-            read(self, k, ORIGIN, row, &s->origin[k][row]);
-            read(self, k, SPEED, row, &s->speed[k][row]);
+            read(self, k, ORIGIN, row, &s->origin[k][row].whole);
+            read(self, k, SPEED, row, &s->speed[k][row].whole);
         }
-        fmb_wide_copy(&s->h[row], &s->origin[1][row]);
-        fmb_wide_subtract(&s->h[row], &s->origin[0][row]);
-        fmb_wide_negate(&s->origin[1][row]);
-        fmb_wide_negate(&s->speed[1][row]);
+        fmb_wide_copy(h, less);
+        fmb_wide_subtract(h, &s->origin[0][row].whole);
+        fmb_wide_negate(less);
+        fmb_wide_negate(&s->speed[1][row].whole);
         if (s->time < 0)
             continue;
-        fmb_wide_copy(&drift[row], &s->speed[0][row]);
-        fmb_wide_add(&drift[row], &s->speed[1][row]);
+        fmb_wide_copy(&drift[row].whole, &s->speed[0][row].whole);
+        fmb_wide_add(&drift[row].whole, &s->speed[1][row].whole);
     }
     if (s->time >= 0)
         s->group[s->columns++] = FMB_EXTREME_UNIT;
 }
 
-static void clear_row(fmb_extreme_program *s, int row)
+/* A row that is left over is 0. */
+static void finish_number(const fmb_extreme_program *s, int row, fmb_extreme_number *x)
 {
-    fmb_wide_set_word(&s->h[row], 0);
-    for (int k = 0; k < 2; k++) {
-        fmb_wide_set_word(&s->origin[k][row], 0);
-        fmb_wide_set_word(&s->speed[k][row], 0);
-    }
-    for (int j = 0; j < s->columns; j++)
-        fmb_wide_set_word(&s->m[j][row], 0);
+    if (row >= s->dim)
+        fmb_wide_set_word(&x->whole, 0);
+    x->near = fmb_wide_to_double(&x->whole);
 }
 
 static void load_both(fmb_extreme_program *s, const body *p, const body *q,
@@ -192,11 +196,13 @@ static void load_both(fmb_extreme_program *s, const body *p, const body *q,
     load_axes_of_frame(s, 1, q, read, self);
     load_places_and_speeds(s, read, self);
     for (int row = 0; row < FMB_EXTREME_DIM; row++) {
-        if (row >= s->dim)
-            clear_row(s, row);
-        s->near_h[row] = fmb_wide_to_double(&s->h[row]);
+        finish_number(s, row, &s->h[row]);
+        for (int k = 0; k < 2; k++) {
+            finish_number(s, row, &s->origin[k][row]);
+            finish_number(s, row, &s->speed[k][row]);
+        }
         for (int j = 0; j < s->columns; j++)
-            s->near_m[j][row] = fmb_wide_to_double(&s->m[j][row]);
+            finish_number(s, row, &s->m[j][row]);
     }
 }
 

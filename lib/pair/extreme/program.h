@@ -36,16 +36,21 @@ enum {
 /* Which group an unknown is in. */
 enum { FMB_EXTREME_OF_A, FMB_EXTREME_OF_B, FMB_EXTREME_UNIT, FMB_EXTREME_ZERO, FMB_EXTREME_NONE };
 
+/* A whole number, and the double next to it, which is off by at most 2^-51 of it. */
+typedef struct fmb_extreme_number {
+    fmb_wide whole;
+    double near;
+} fmb_extreme_number;
+
 typedef struct fmb_extreme_program {
     int dim, columns;
     int first_of_b, time; /* columns; time is -1 if nothing moves */
     bool is_simplex[2];
-    signed char group[FMB_EXTREME_UNKNOWNS];          /* NONE: there is no such unknown */
-    fmb_wide m[FMB_EXTREME_COLUMNS][FMB_EXTREME_DIM]; /* [column][row] */
-    fmb_wide h[FMB_EXTREME_DIM];
-    fmb_wide origin[2][FMB_EXTREME_DIM], speed[2][FMB_EXTREME_DIM]; /* of A; of B, but negative */
-    /* M and h in doubles, each off by at most 2^-51 of itself */
-    double near_m[FMB_EXTREME_COLUMNS][FMB_EXTREME_DIM], near_h[FMB_EXTREME_DIM];
+    signed char group[FMB_EXTREME_UNKNOWNS];                    /* NONE: there is no such unknown */
+    fmb_extreme_number m[FMB_EXTREME_COLUMNS][FMB_EXTREME_DIM]; /* [column][row] */
+    fmb_extreme_number h[FMB_EXTREME_DIM];
+    fmb_extreme_number origin[2][FMB_EXTREME_DIM],
+        speed[2][FMB_EXTREME_DIM]; /* of A; of B, negative */
     /* A number x of row i is x / unit_i: 2^exponent[i], or unit[i] where numbers are rationals. */
     int exponent[FMB_EXTREME_DIM];
 } fmb_extreme_program;

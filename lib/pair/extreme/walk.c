@@ -24,10 +24,10 @@ static int group_of(const fmb_extreme_walk *w, int unknown)
 /* A power of two that makes the largest number of a row about 1. */
 static double scale_of_row(const fmb_extreme_program *s, int row)
 {
-    double most = fabs(s->near_h[row]);
+    double most = fabs(s->h[row].near);
     int e;
     for (int j = 0; j < s->columns; j++)
-        most = fmax(most, fabs(s->near_m[j][row]));
+        most = fmax(most, fabs(s->m[j][row].near));
     frexp(most, &e);
     return ldexp(1, -e);
 }
@@ -36,13 +36,13 @@ static void put_row_of_world(fmb_extreme_walk *w, int row, double scale)
 {
     const fmb_extreme_program *s = w->program;
     w->basic[row] = FMB_EXTREME_ARTIFICIAL + row;
-    w->value[row] = s->near_h[row] * scale;
+    w->value[row] = s->h[row].near * scale;
     for (int j = 0; j < s->columns; j++) {
-        w->entry[row][j] = s->near_m[j][row] * scale;
+        w->entry[row][j] = s->m[j][row].near * scale;
         w->world[row][j] = j < s->first_of_b ? w->entry[row][j] : 0;
     }
     if (s->time >= 0)
-        w->world[row][s->time] = fmb_wide_to_double(&s->speed[0][row]) * scale;
+        w->world[row][s->time] = s->speed[0][row].near * scale;
 }
 
 static void put_row_of_simplex(fmb_extreme_walk *w, int k)
@@ -75,21 +75,22 @@ static void put_first_basis(fmb_extreme_walk *w, const fmb_extreme_program *s)
  * of the basic unknown of row r. */
 static int find_entering(const fmb_extreme_walk *w, const double *cost, const double *weight)
 {
+    double gain[FMB_WALK_COLUMNS], size[FMB_WALK_COLUMNS], most = 0;
     int best = -1;
-    double most = 0;
-    for (int j = 0; j < w->columns; j++) {
-        double gain = cost[j], size = fabs(gain);
-        if (w->basis.place[j] == FMB_EXTREME_BASIC || group_of(w, j) == FMB_EXTREME_NONE)
-            continue;
-        for (int r = 0; r < w->rows; r++) {
+    for (int j = 0; j < FMB_WALK_COLUMNS; j++) {
+        gain[j] = cost[j];
+        size[j] = fabs(cost[j]);
+    }
+    for (int r = 0; r < w->rows; r++)
+        for (int j = 0; weight[r] != 0 && j < FMB_WALK_COLUMNS; j++) {
             double part = weight[r] * w->entry[r][j];
-            gain -= part;
-            size += fabs(part);
+            gain[j] -= part;
+            size[j] += fabs(part);
         }
-        if (w->basis.place[j] == FMB_EXTREME_HIGH)
-            gain = -gain;
-        if (gain > most && gain > NO_GAIN * size) {
-            most = gain;
+    for (int j = 0; j < w->columns; j++) {
+        double up = w->basis.place[j] == FMB_EXTREME_HIGH ? -gain[j] : gain[j];
+        if (up > most && up > NO_GAIN * size[j] && w->basis.place[j] != FMB_EXTREME_BASIC) {
+            most = up;
             best = j;
         }
     }

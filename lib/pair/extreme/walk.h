@@ -5,12 +5,14 @@
 #include "pair/extreme/program.h"
 
 enum {
-    FMB_WALK_ROWS = FMB_EXTREME_DIM + 2,      /* with a sum for each simplex */
-    FMB_WALK_COLUMNS = FMB_EXTREME_ARTIFICIAL /* artificial unknowns never come back */
+    FMB_WALK_ROWS = FMB_EXTREME_DIM + 2, /* with a sum for each simplex */
+    /* Artificial unknowns never come back; an even number, as vectors like it. */
+    FMB_WALK_COLUMNS = (FMB_EXTREME_ARTIFICIAL + 1) / 2 * 2
 };
 
 /* Every unknown j written by those that are basic: z_basic(r) = value_r at the basic solution, and
- * falls by entry[r][j] for each unit that z_j rises. */
+ * falls by entry[r][j] for each unit that z_j rises. Columns of unknowns that are not there are 0.
+ */
 typedef struct fmb_extreme_walk {
     const fmb_extreme_program *program;
     int rows, columns; /* columns: 1 + the last that there is */

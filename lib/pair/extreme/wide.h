@@ -81,16 +81,17 @@ static inline int fmb_wide_compare(const fmb_wide *a, const fmb_wide *b)
 static inline void fmb_wide_add_magnitude(fmb_wide *a, const fmb_wide *b)
 {
     uint64_t carry = 0;
-    int n = a->n > b->n ? a->n : b->n;
-    for (int i = 0; i < n; i++) {
-        fmb_u128 sum = (fmb_u128)(i < a->n ? a->word[i] : 0) + carry;
-        sum += i < b->n ? b->word[i] : 0;
+    for (; a->n < b->n; a->n++)
+        a->word[a->n] = 0;
+    for (int i = 0; i < a->n && (i < b->n || carry != 0); i++) {
+        fmb_u128 sum = (fmb_u128)a->word[i] + (i < b->n ? b->word[i] : 0) + carry;
         a->word[i] = (uint64_t)sum;
         carry = (uint64_t)(sum >> 64);
     }
-    assert(n < FMB_WIDE_WORDS);
-    a->word[n] = carry;
-    a->n = n + (carry != 0);
+    if (carry != 0) {
+        assert(a->n < FMB_WIDE_WORDS);
+        a->word[a->n++] = carry;
+    }
 }
 
 /* a = large - small in magnitude; a may be either. */
@@ -98,14 +99,18 @@ static inline void fmb_wide_subtract_magnitudes(fmb_wide *a, const fmb_wide *lar
                                                 const fmb_wide *small)
 {
     uint64_t borrow = 0;
-    int n = large->n;
+    int n = small->n;
     for (int i = 0; i < n; i++) {
-        uint64_t x = large->word[i], y = i < small->n ? small->word[i] : 0;
-        uint64_t less = x - y, both = less - borrow;
+        uint64_t x = large->word[i], y = small->word[i], less = x - y;
+        a->word[i] = less - borrow;
         borrow = (x < y) | (less < borrow);
-        a->word[i] = both;
     }
-    a->n = n;
+    for (int i = n; i < large->n; i++) {
+        uint64_t x = large->word[i];
+        a->word[i] = x - borrow;
+        borrow = x < borrow;
+    }
+    a->n = large->n;
     fmb_wide_trim(a);
 }
 
@@ -138,6 +143,18 @@ static inline void fmb_wide_subtract(fmb_wide *a, const fmb_wide *b)
     fmb_wide_gather(a, b, true);
 }
 
+/* out += x b, from word `at` on, where out has b->n words and then one that is not set. */
+static inline void fmb_wide_add_row(fmb_wide *out, int at, uint64_t x, const fmb_wide *b)
+{
+    uint64_t carry = 0;
+    for (int j = 0; j < b->n; j++) {
+        fmb_u128 sum = (fmb_u128)x * b->word[j] + out->word[at + j] + carry;
+        out->word[at + j] = (uint64_t)sum;
+        carry = (uint64_t)(sum >> 64);
+    }
+    out->word[at + b->n] = carry;
+}
+
 /* out = a b; out is neither. */
 static inline void fmb_wide_multiply(fmb_wide *out, const fmb_wide *a, const fmb_wide *b)
 {
@@ -148,16 +165,8 @@ static inline void fmb_wide_multiply(fmb_wide *out, const fmb_wide *a, const fmb
     assert(a->n + b->n <= FMB_WIDE_WORDS);
     for (int j = 0; j < b->n; j++)
         out->word[j] = 0;
-    for (int i = 0; i < a->n; i++) {
-        uint64_t carry = 0;
-        for (int j = 0; j < b->n; j++) {
-            fmb_u128 sum = (fmb_u128)a->word[i] * b->word[j];
-            sum += (fmb_u128)out->word[i + j] + carry;
-            out->word[i + j] = (uint64_t)sum;
-            carry = (uint64_t)(sum >> 64);
-        }
-        out->word[i + b->n] = carry;
-    }
+    for (int i = 0; i < a->n; i++)
+        fmb_wide_add_row(out, i, a->word[i], b);
     out->n = a->n + b->n;
     out->minus = a->minus != b->minus;
     fmb_wide_trim(out);
