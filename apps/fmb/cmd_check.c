@@ -32,12 +32,14 @@ static const struct argp_option options[] = {
     {"expect", KEY_EXPECT, "WHAT", 0,
      "Demand more: feasible, infeasible, bounds (both ends of every variable), reduced (each row "
      "goes, stays, or is an equality), projection=OUT (each row of the system in OUT follows), "
+     "whole=OUT (and no row is missing there), "
      "optimum (of the objective of FILE), max=FORM or min=FORM (of this one)",
      2},
     {"json", KEY_JSON, NULL, 0, "Print one JSON object instead of text", 2},
     {0}};
 
 #define PROJECTION "projection="
+#define WHOLE      "whole="
 
 /* False: no such demand. */
 static bool read_demand(request *r, const char *word)
@@ -49,6 +51,11 @@ static bool read_demand(request *r, const char *word)
     if (strncmp(word, PROJECTION, sizeof PROJECTION - 1) == 0) {
         r->demand = FMB_DEMAND_PROJECTION;
         r->projection = word + sizeof PROJECTION - 1;
+        return true;
+    }
+    if (strncmp(word, WHOLE, sizeof WHOLE - 1) == 0) {
+        r->demand = FMB_DEMAND_WHOLE;
+        r->projection = word + sizeof WHOLE - 1;
         return true;
     }
     bool max = strncmp(word, "max=", 4) == 0, min = strncmp(word, "min=", 4) == 0;
@@ -78,7 +85,8 @@ static void check_files(const request *r, struct argp_state *state)
     else if (both_are_input(r->source.file, r->proof))
         argp_error(state, "FILE and PROOF cannot both be standard input");
     else if (r->projection && strcmp(r->projection, "-") == 0)
-        argp_error(state, "--expect " PROJECTION "OUT: OUT cannot be standard input");
+        argp_error(state, "--expect %s=OUT: OUT cannot be standard input",
+                   r->demand == FMB_DEMAND_WHOLE ? "whole" : "projection");
 }
 
 static error_t parse(int key, char *arg, struct argp_state *state)
@@ -98,7 +106,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         if (!read_demand(r, arg))
             argp_error(state,
                        "--expect: expected feasible, infeasible, bounds, reduced, " PROJECTION
-                       "OUT, optimum, max=FORM or min=FORM, found '%s'",
+                       "OUT, " WHOLE "OUT, optimum, max=FORM or min=FORM, found '%s'",
                        arg);
         return 0;
     case ARGP_KEY_ARG:
@@ -146,13 +154,16 @@ typedef struct finding {
     fmb_judgement j;
     bool meets; /* the demand */
     char missing[160];
+    bool tells_rows; /* that follow, perhaps those of a projection ... */
+    bool whole;      /* ... of which none is missing */
 } finding;
 
 static const char *const KIND[] = {
     [FMB_CLAIM_FEASIBLE] = "feasible", [FMB_CLAIM_INFEASIBLE] = "infeasible",
     [FMB_CLAIM_BOUND] = "bound",       [FMB_CLAIM_UNBOUNDED] = "unbounded",
     [FMB_CLAIM_IMPLIED] = "implied",   [FMB_CLAIM_REDUNDANT] = "redundant",
-    [FMB_CLAIM_EQUALITY] = "equality", [FMB_CLAIM_IRREDUNDANT] = "irredundant"};
+    [FMB_CLAIM_EQUALITY] = "equality", [FMB_CLAIM_IRREDUNDANT] = "irredundant",
+    [FMB_CLAIM_CORNER] = "corner",     [FMB_CLAIM_WHOLE] = "whole"};
 
 enum { KINDS = sizeof KIND / sizeof *KIND };
 
@@ -160,6 +171,18 @@ static void count_kinds(const fmb_evidence *e, size_t count[KINDS])
 {
     for (size_t i = 0; i < fmb_evidence_claims(e); i++)
         count[fmb_evidence_kind(e, i)]++;
+}
+
+/* Is anything said of a projection, and is it whole: the one that is demanded, or any? */
+static fmb_status look_at_projection(const request *r, const fmb_system *image, finding *f)
+{
+    size_t count[KINDS] = {0};
+    bool of_image = r->demand == FMB_DEMAND_PROJECTION || r->demand == FMB_DEMAND_WHOLE;
+    count_kinds(f->e, count);
+    f->whole = count[FMB_CLAIM_WHOLE] > 0;
+    f->tells_rows = f->whole || count[FMB_CLAIM_IMPLIED] > 0 || of_image;
+    return of_image ? fmb_evidence_meets(f->e, f->s, FMB_DEMAND_WHOLE, image, &f->whole, NULL, 0)
+                    : FMB_OK;
 }
 
 /* "(1 feasible, 6 bound)" */
@@ -199,6 +222,9 @@ static int print_text(const request *r, const finding *f)
         bool decided = j->verdict != FMB_UNKNOWN;
         printf("accepted%s%s", decided ? ": " : "", decided ? fmb_verdict_text(j->verdict) : "");
         print_kinds(f->e);
+        if (f->tells_rows)
+            printf("%s\n", f->whole ? "whole: no row of the projection is missing"
+                                    : "outward only: rows of a projection may be missing");
         if (r->list && list_claims(f) != APP_YES)
             return APP_INTERNAL;
     }
@@ -235,6 +261,8 @@ static void print_json(const request *r, const finding *f)
         if (count[k] > 0)
             app_json_set(kinds, KIND[k], json_integer((json_int_t)count[k]));
     app_json_set(obj, "kinds", kinds);
+    if (f->tells_rows)
+        app_json_set(obj, "whole", json_boolean(f->whole));
     json_t *list = r->list ? app_need(json_array()) : NULL;
     for (size_t i = 0; list && i < claims; i++)
         json_array_append_new(list, claim_json(f, i));
@@ -256,6 +284,8 @@ static int judge(const request *r, const fmb_system *s, const fmb_evidence *e,
     fmb_status st = fmb_check(s, e, &f.j);
     if (st == FMB_OK)
         st = fmb_evidence_meets(e, s, r->demand, image, &f.meets, f.missing, sizeof f.missing);
+    if (st == FMB_OK)
+        st = look_at_projection(r, image, &f);
     if (st != FMB_OK)
         return app_status_error(st);
     int code = APP_YES;

@@ -115,6 +115,8 @@ int cmd_project(int argc, char **argv)
     app_ask ask;
     request r = {.keep = {.option = "--keep"}, .eliminate = {.option = "--eliminate"}};
     app_ask_parse(&ask, &usage, &r, argc, argv);
+    if (ask.proof)
+        ask.options.evidence = FMB_EVIDENCE_WHOLE;
     app_session s;
     int *vars = NULL, n = 0;
     fmb_system *shadow = NULL;

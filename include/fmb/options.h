@@ -53,8 +53,10 @@ typedef enum fmb_simd {
 /* Which claims are kept. Those of an answer may need much memory: a point for each end of a box. */
 typedef enum fmb_evidence_kept {
     FMB_EVIDENCE_NONE = 0,
-    FMB_EVIDENCE_ALL,    /* whatever proves the answer */
-    FMB_EVIDENCE_VERDICT /* why it is feasible or infeasible */
+    FMB_EVIDENCE_ALL,     /* whatever proves the answer */
+    FMB_EVIDENCE_VERDICT, /* why it is feasible or infeasible */
+    FMB_EVIDENCE_WHOLE    /* all; and of a projection, that no row is missing, unless that takes too
+                             long: points or directions for each vertex, ray and line */
 } fmb_evidence_kept;
 
 typedef struct fmb_options {

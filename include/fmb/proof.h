@@ -19,15 +19,18 @@ typedef struct fmb_evidence fmb_evidence;
 
 typedef enum fmb_claim_kind {
     FMB_CLAIM_NONE = 0,
-    FMB_CLAIM_FEASIBLE,   /* point: satisfies every row */
-    FMB_CLAIM_INFEASIBLE, /* multipliers: their combination reads 0 <= negative, or 0 < 0 */
-    FMB_CLAIM_BOUND,      /* of a variable, or of a linear form (fmb_evidence_term_q): side, value,
-                             rel: multipliers prove it, point shows it tight */
-    FMB_CLAIM_UNBOUNDED,  /* of a variable or a form: side, ray */
-    FMB_CLAIM_IMPLIED,    /* an inequality (fmb_evidence_term_q): multipliers prove it */
-    FMB_CLAIM_REDUNDANT,  /* row: follows from rows that no claim REDUNDANT names up to here */
-    FMB_CLAIM_EQUALITY,   /* row: holds with equality everywhere: multipliers prove the reverse */
-    FMB_CLAIM_IRREDUNDANT /* row: point satisfies the other rows that stay, and not this one */
+    FMB_CLAIM_FEASIBLE,    /* point: satisfies every row */
+    FMB_CLAIM_INFEASIBLE,  /* multipliers: their combination reads 0 <= negative, or 0 < 0 */
+    FMB_CLAIM_BOUND,       /* of a variable, or of a linear form (fmb_evidence_term_q): side, value,
+                              rel: multipliers prove it, point shows it tight */
+    FMB_CLAIM_UNBOUNDED,   /* of a variable or a form: side, ray */
+    FMB_CLAIM_IMPLIED,     /* an inequality (fmb_evidence_term_q): multipliers prove it */
+    FMB_CLAIM_REDUNDANT,   /* row: follows from rows that no claim REDUNDANT names up to here */
+    FMB_CLAIM_EQUALITY,    /* row: holds with equality everywhere: multipliers prove the reverse */
+    FMB_CLAIM_IRREDUNDANT, /* row: point satisfies the other rows that stay, and not this one */
+    FMB_CLAIM_CORNER,      /* point: satisfies every row, < read as <=; or ray: a direction */
+    FMB_CLAIM_WHOLE /* variables (fmb_evidence_term_q): the projection on them is what the claims
+                       IMPLIED say that name no others: corners span all of it */
 } fmb_claim_kind;
 
 FMB_API void fmb_evidence_free(fmb_evidence *e);
@@ -83,6 +86,7 @@ typedef enum fmb_demand {
     FMB_DEMAND_REDUCED,    /* each inequality: REDUNDANT, EQUALITY or IRREDUNDANT */
     FMB_DEMAND_PROJECTION, /* each row of a projection, whose variables go by their names: IMPLIED,
                               up to a factor; or the system is INFEASIBLE */
+    FMB_DEMAND_WHOLE,      /* the same, and no row is missing: WHOLE, and no other row is IMPLIED */
     FMB_DEMAND_OPTIMUM /* BOUND or UNBOUNDED for an objective, its constant left out: that of image,
                           whose variables go by their names, else that of the system, and where it
                           has none, any; or the system is INFEASIBLE */

@@ -14,6 +14,7 @@
 #include <stdio.h>
 
 #include "proof/evidence.h"
+#include "proof/whole.h"
 #include "system/system.h"
 
 typedef struct court {
@@ -24,6 +25,8 @@ typedef struct court {
     size_t *equal; /* [rows] the first claim EQUALITY that names the row, SIZE_MAX: none */
     size_t now;    /* the claim being judged */
     bool feasible; /* a claim FEASIBLE was accepted */
+    bool doubtful; /* a claim other than WHOLE was not */
+    fmb_status st; /* not FMB_OK: there was no memory to go on */
     char *reason;  /* [sizeof fmb_judgement.reason] */
     mpq_srcptr *x; /* [dim] the point or ray at hand: NULL is 0 */
     /* The combination minus the inequality it shall prove: left.x <= right, or < if strict. Entries
@@ -366,6 +369,27 @@ static bool judge_irredundant(court *c, const fmb_claim *q)
     return good;
 }
 
+/* A point of the closure, or a direction in it. */
+static bool judge_corner(court *c, const fmb_claim *q)
+{
+    if (q->point.size > 0 && q->ray.size > 0)
+        return refuse(c, "the corner is both a point and a ray");
+    return q->ray.size > 0 ? keeps_all(c, &q->ray, DIRECTION) : keeps_all(c, &q->point, CLOSED);
+}
+
+/* See whole.c. */
+static bool judge_whole(court *c, const fmb_claim *q)
+{
+    static const fmb_patience endless = {0};
+    const char *why = NULL;
+    if (!has_form(c, q))
+        return false;
+    if (c->doubtful)
+        return refuse(c, "it leans on claims that do not hold");
+    c->st = fmb_whole_judge(c->s, c->e, q, &c->mem, &endless, &why, NULL);
+    return !why || refuse(c, "%s", why);
+}
+
 /* ---- the session ----------------------------------------------------------------------------- */
 
 static bool judge(court *c, const fmb_claim *q)
@@ -374,8 +398,9 @@ static bool judge(court *c, const fmb_claim *q)
         [FMB_CLAIM_FEASIBLE] = judge_feasible, [FMB_CLAIM_INFEASIBLE] = judge_infeasible,
         [FMB_CLAIM_BOUND] = judge_bound,       [FMB_CLAIM_UNBOUNDED] = judge_unbounded,
         [FMB_CLAIM_IMPLIED] = judge_implied,   [FMB_CLAIM_REDUNDANT] = judge_redundant,
-        [FMB_CLAIM_EQUALITY] = judge_equality, [FMB_CLAIM_IRREDUNDANT] = judge_irredundant};
-    if (q->kind <= FMB_CLAIM_NONE || q->kind > FMB_CLAIM_IRREDUNDANT)
+        [FMB_CLAIM_EQUALITY] = judge_equality, [FMB_CLAIM_IRREDUNDANT] = judge_irredundant,
+        [FMB_CLAIM_CORNER] = judge_corner,     [FMB_CLAIM_WHOLE] = judge_whole};
+    if (q->kind <= FMB_CLAIM_NONE || q->kind > FMB_CLAIM_WHOLE)
         return refuse(c, "the claim is of no known kind");
     return by_kind[q->kind](c, q);
 }
@@ -390,26 +415,34 @@ static fmb_verdict meaning(const fmb_claim *q)
     return has_solution ? FMB_FEASIBLE : FMB_UNKNOWN;
 }
 
-/* Claims FEASIBLE come first: others lean on them. The reason of the first failing claim wins. */
+/* Claims FEASIBLE come first, others lean on them; claims WHOLE last, they lean on all others. */
+static int turn_of(const fmb_claim *q)
+{
+    return q->kind == FMB_CLAIM_FEASIBLE ? 0 : q->kind != FMB_CLAIM_WHOLE ? 1 : 2;
+}
+
+/* The reason of the first failing claim wins. */
 static void judge_all(court *c, fmb_judgement *out)
 {
     const fmb_evidence *e = c->e;
     char reason[sizeof out->reason] = "";
     c->reason = reason;
-    for (int feasible = 1; feasible >= 0; feasible--)
+    for (int turn = 0; turn <= 2; turn++) {
+        c->doubtful = out->claim != SIZE_MAX;
         for (size_t i = 0; i < e->claims; i++) {
             const fmb_claim *q = &e->claim[i];
-            if ((q->kind == FMB_CLAIM_FEASIBLE) != feasible)
+            if (turn_of(q) != turn)
                 continue;
             c->now = i;
             if (judge(c, q)) {
-                c->feasible = c->feasible || feasible;
+                c->feasible = c->feasible || turn == 0;
                 out->verdict = meaning(q) != FMB_UNKNOWN ? meaning(q) : out->verdict;
             } else if (i < out->claim) {
                 out->claim = i;
                 snprintf(out->reason, sizeof out->reason, "%s", reason);
             }
         }
+    }
     out->accepted = e->claims > 0 && out->claim == SIZE_MAX;
     if (e->claims == 0)
         snprintf(out->reason, sizeof out->reason, "there is no claim");
@@ -462,5 +495,5 @@ fmb_status fmb_check(const fmb_system *s, const fmb_evidence *e, fmb_judgement *
     fmb_mem_put(&c.mem, c.left, dim, sizeof *c.left);
     fmb_mem_put(&c.mem, c.used, dim, sizeof *c.used);
     fmb_mem_put(&c.mem, c.is_used, dim, sizeof *c.is_used);
-    return ready ? FMB_OK : FMB_ERR_MEMORY;
+    return ready ? c.st : FMB_ERR_MEMORY;
 }

@@ -3,7 +3,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-#include "proof/evidence.h"
+#include "proof/whole.h"
 #include "system/system.h"
 
 /* What is missing goes to why; always false. */
@@ -119,6 +119,87 @@ static bool names_image(const asker *a)
     return good;
 }
 
+/* A constant row that no point satisfies. */
+static bool has_false_row(const asker *a)
+{
+    bool found = false;
+    mpq_t b;
+    mpq_init(b);
+    for (size_t i = 0; !found && i < fmb_system_rows(a->image); i++) {
+        fmb_system_rhs_q(a->image, i, b);
+        fmb_rel rel = fmb_system_rel(a->image, i);
+        found = fmb_system_terms(a->image, i) == 0 &&
+                (rel == FMB_EQ ? mpq_sgn(b) != 0 : mpq_sgn(b) < (rel == FMB_LT));
+    }
+    mpq_clear(b);
+    return found;
+}
+
+/* Is 0 REL value true? */
+static bool says_nothing(const fmb_claim *c)
+{
+    int sign = mpq_sgn(c->value);
+    return c->terms.size == 0 && (c->rel == FMB_EQ   ? sign == 0
+                                  : c->rel == FMB_LT ? sign > 0
+                                                     : sign >= 0);
+}
+
+/* Row i of the image is the claim's left side times that factor: does it say as much as the claim?
+ */
+static bool says_as_much(const asker *a, const fmb_claim *c, size_t i, const mpq_t factor, mpq_t t)
+{
+    fmb_rel rel = fmb_system_rel(a->image, i);
+    if (rel != FMB_EQ && (mpq_sgn(factor) < 0 || c->rel == FMB_EQ))
+        return false;
+    fmb_system_rhs_q(a->image, i, t);
+    mpq_div(t, t, factor);
+    int order = mpq_cmp(t, c->value);
+    bool equal_will_do = c->rel != FMB_LT || rel == FMB_LT;
+    return order == 0 ? equal_will_do : order < 0 && c->rel != FMB_EQ;
+}
+
+static bool is_in_image(const asker *a, const fmb_claim *c)
+{
+    bool found = says_nothing(c);
+    mpq_t factor, t;
+    mpq_inits(factor, t, NULL);
+    for (size_t i = 0; !found && i < fmb_system_rows(a->image); i++)
+        found = is_multiple(a, c, i, factor, t) && says_as_much(a, c, i, factor, t);
+    mpq_clears(factor, t, NULL);
+    return found;
+}
+
+/* kept[dim]: variables of the image. Is there a claim WHOLE about these? */
+static bool names_whole(const asker *a, bool *kept)
+{
+    size_t size = (size_t)fmb_system_dim(a->image);
+    bool found = false, known = true;
+    for (size_t i = 0; known && i < size; i++) {
+        int j = fmb_system_find(a->s, fmb_system_name(a->image, (int)i));
+        known = j >= 0;
+        if (known)
+            kept[j] = true;
+    }
+    for (size_t i = 0; known && !found && i < a->e->claims; i++) {
+        const fmb_claim *c = &a->e->claim[i];
+        found = c->kind == FMB_CLAIM_WHOLE && c->terms.size == size &&
+                fmb_whole_names_only(c, a->e->dim, kept);
+    }
+    return found || miss(a, "no claim is about the whole projection");
+}
+
+/* What the claim WHOLE leans on must be in the image. */
+static bool names_whole_image(const asker *a, bool *kept)
+{
+    bool good = names_image(a) && names_whole(a, kept);
+    for (size_t i = 0; good && i < a->e->claims; i++) {
+        const fmb_claim *c = &a->e->claim[i];
+        if (c->kind == FMB_CLAIM_IMPLIED && fmb_whole_names_only(c, a->e->dim, kept))
+            good = is_in_image(a, c) || miss(a, "the projection lacks claim %zu", i + 1);
+    }
+    return good;
+}
+
 /* ---- optima ---------------------------------------------------------------------------------- */
 
 /* Is the form of the claim, variable or terms, that objective? */
@@ -165,6 +246,10 @@ static bool meets_demand(const asker *a, fmb_demand what, bool *seen)
         return names_all_rows(a, seen);
     case FMB_DEMAND_PROJECTION: /* of the empty set everything is true */
         return has_claim(a, FMB_CLAIM_INFEASIBLE) || names_image(a);
+    case FMB_DEMAND_WHOLE:
+        return has_claim(a, FMB_CLAIM_INFEASIBLE)
+                   ? has_false_row(a) || miss(a, "the projection of the empty set is empty")
+                   : names_whole_image(a, seen);
     case FMB_DEMAND_OPTIMUM:
         return has_claim(a, FMB_CLAIM_INFEASIBLE) || names_optimum(a);
     case FMB_DEMAND_NOTHING:
@@ -176,8 +261,9 @@ static bool meets_demand(const asker *a, fmb_demand what, bool *seen)
 fmb_status fmb_evidence_meets(const fmb_evidence *e, const fmb_system *s, fmb_demand what,
                               const fmb_system *image, bool *meets, char *why, size_t size)
 {
-    if (!meets || !fmb_evidence_fits(e, s) || (what == FMB_DEMAND_PROJECTION && !image) ||
-        what < FMB_DEMAND_NOTHING || what > FMB_DEMAND_OPTIMUM)
+    bool of_image = what == FMB_DEMAND_PROJECTION || what == FMB_DEMAND_WHOLE;
+    if (!meets || !fmb_evidence_fits(e, s) || (of_image && !image) || what < FMB_DEMAND_NOTHING ||
+        what > FMB_DEMAND_OPTIMUM)
         return FMB_ERR_ARG;
     char unwanted[1];
     asker a = {.e = e, .s = s, .image = image, .why = why ? why : unwanted, .size = why ? size : 1};

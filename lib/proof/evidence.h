@@ -30,11 +30,12 @@ typedef struct fmb_claim {
     fmb_rel rel;            /* BOUND: LE attained, LT not; IMPLIED: the relation */
     mpq_t value;            /* BOUND: the end; IMPLIED: the right side */
     size_t value_bytes;     /* of its limbs, charged when the next claim begins */
-    fmb_sparse terms;       /* IMPLIED; BOUND, UNBOUNDED without var: left side, by variable */
+    fmb_sparse terms;       /* IMPLIED; BOUND, UNBOUNDED without var: left side, by variable; WHOLE:
+                               which variables, whatever the numbers */
     fmb_sparse multipliers; /* by row; >= 0 unless the row is an equality */
     fmb_sparse reverse;     /* IMPLIED with EQ, REDUNDANT equality: the same for the reverse */
-    fmb_sparse point;       /* by variable: FEASIBLE, BOUND, IRREDUNDANT */
-    fmb_sparse ray;         /* by variable: UNBOUNDED */
+    fmb_sparse point;       /* by variable: FEASIBLE, BOUND, IRREDUNDANT, CORNER */
+    fmb_sparse ray;         /* by variable: UNBOUNDED, CORNER */
 } fmb_claim;
 
 struct fmb_evidence {

@@ -7,7 +7,7 @@ const fmb_part_form fmb_part_forms[FMB_PARTS] = {
     [FMB_PART_REVERSE] = {"reverse", .by_row = true},
 };
 
-const fmb_claim_form fmb_claim_forms[FMB_CLAIM_IRREDUNDANT + 1] = {
+const fmb_claim_form fmb_claim_forms[FMB_CLAIM_WHOLE + 1] = {
     [FMB_CLAIM_FEASIBLE] = {"feasible", FMB_HEADING_NONE, {[FMB_PART_POINT] = true}},
     [FMB_CLAIM_INFEASIBLE] = {"infeasible", FMB_HEADING_NONE, {[FMB_PART_ROW] = true}},
     [FMB_CLAIM_BOUND] = {"bound",
@@ -25,6 +25,10 @@ const fmb_claim_form fmb_claim_forms[FMB_CLAIM_IRREDUNDANT + 1] = {
                              {[FMB_PART_ROW] = true, [FMB_PART_REVERSE] = true}},
     [FMB_CLAIM_EQUALITY] = {"equality", FMB_HEADING_ROW, {[FMB_PART_ROW] = true}},
     [FMB_CLAIM_IRREDUNDANT] = {"irredundant", FMB_HEADING_ROW, {[FMB_PART_POINT] = true}},
+    [FMB_CLAIM_CORNER] = {"corner",
+                          FMB_HEADING_NONE,
+                          {[FMB_PART_POINT] = true, [FMB_PART_RAY] = true}},
+    [FMB_CLAIM_WHOLE] = {"whole", FMB_HEADING_VARIABLES, {false}},
 };
 
 const char *fmb_form_relation(fmb_rel rel, fmb_side side)

@@ -18,7 +18,8 @@ typedef enum fmb_heading {
     FMB_HEADING_END,        /* side, variable; without one the terms are lines */
     FMB_HEADING_BOUND,      /* side, variable, relation, value; the same */
     FMB_HEADING_INEQUALITY, /* relation, value */
-    FMB_HEADING_ROW         /* row */
+    FMB_HEADING_ROW,        /* row */
+    FMB_HEADING_VARIABLES   /* variables: terms */
 } fmb_heading;
 
 /* Kinds of lines inside a claim: "WORD KEY NUMBER". */
@@ -43,7 +44,7 @@ typedef struct fmb_claim_form {
 } fmb_claim_form;
 
 extern const fmb_part_form fmb_part_forms[FMB_PARTS];
-extern const fmb_claim_form fmb_claim_forms[FMB_CLAIM_IRREDUNDANT + 1]; /* by kind */
+extern const fmb_claim_form fmb_claim_forms[FMB_CLAIM_WHOLE + 1]; /* by kind */
 
 /* Sign of a relation for that end of an interval: an upper end is <= or <, a lower one >= or >. */
 const char *fmb_form_relation(fmb_rel rel, fmb_side side);

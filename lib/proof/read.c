@@ -131,6 +131,35 @@ static fmb_status read_bound_heading(reader *r, fmb_claim *c)
     return st == FMB_OK ? read_number(r, c->value) : st;
 }
 
+/* Note that the key has come as that part of this claim; it must be new there. */
+static fmb_status mark_key(reader *r, fmb_part part, size_t key)
+{
+    const fmb_part_form *form = &fmb_part_forms[part];
+    if (r->seen[part][key] == r->e->claims)
+        return fmb_words_expected(&r->words, "each %s at most once in the lines '%s'",
+                                  form->by_row ? "row" : "variable", form->word);
+    r->seen[part][key] = r->e->claims;
+    return FMB_OK;
+}
+
+/* "[VARIABLE ...]" up to the end of the line, as terms. */
+static fmb_status read_variables(reader *r, fmb_claim *c)
+{
+    fmb_status st;
+    mpq_set_ui(r->number, 1, 1);
+    while ((st = fmb_words_next(&r->words)) == FMB_OK && r->words.size > 0) {
+        int var = 0;
+        st = find_variable(r, &var);
+        if (st == FMB_OK)
+            st = mark_key(r, FMB_PART_TERM, (size_t)var);
+        if (st == FMB_OK)
+            st = fmb_evidence_push(r->e, &c->terms, (size_t)var, r->number);
+        if (st != FMB_OK)
+            break;
+    }
+    return st;
+}
+
 static fmb_status read_heading(reader *r, fmb_claim *c)
 {
     fmb_heading heading = fmb_claim_forms[c->kind].heading;
@@ -148,6 +177,8 @@ static fmb_status read_heading(reader *r, fmb_claim *c)
         if (st == FMB_OK)
             st = read_number(r, c->value);
     }
+    if (heading == FMB_HEADING_VARIABLES)
+        return read_variables(r, c);
     return st == FMB_OK ? fmb_words_end(&r->words) : st;
 }
 
@@ -162,12 +193,8 @@ static fmb_status read_key(reader *r, fmb_part part, size_t *out)
         return st;
     if (!form->by_row)
         key = (size_t)var;
-    if (r->seen[part][key] == r->e->claims)
-        return fmb_words_expected(&r->words, "each %s at most once in the lines '%s'",
-                                  form->by_row ? "row" : "variable", form->word);
-    r->seen[part][key] = r->e->claims;
     *out = key;
-    return FMB_OK;
+    return mark_key(r, part, key);
 }
 
 static fmb_status read_part(reader *r, fmb_claim *c, fmb_part part)
@@ -220,7 +247,7 @@ static fmb_status read_parts(reader *r, fmb_claim *c)
 /* The kind named by the current word, or NONE. */
 static fmb_claim_kind find_kind(const reader *r)
 {
-    fmb_claim_kind kind = FMB_CLAIM_IRREDUNDANT;
+    fmb_claim_kind kind = FMB_CLAIM_WHOLE;
     while (kind > FMB_CLAIM_NONE && !fmb_words_is(&r->words, fmb_claim_forms[kind].word))
         kind--;
     return kind;
@@ -285,12 +312,13 @@ static fmb_status read_count(reader *r)
                                              : st;
 }
 
-/* All that version 2 can say means the same now. */
+/* All that versions 2 and 3 can say means the same now. */
 static fmb_status read_version(reader *r)
 {
     fmb_status st = fmb_words_next(&r->words);
-    if (st == FMB_OK && !fmb_words_is(&r->words, "2") && !fmb_words_is(&r->words, "3"))
-        st = fmb_words_expected(&r->words, "'3' or '2'");
+    if (st == FMB_OK && !fmb_words_is(&r->words, "2") && !fmb_words_is(&r->words, "3") &&
+        !fmb_words_is(&r->words, "4"))
+        st = fmb_words_expected(&r->words, "'4', '3' or '2'");
     return st;
 }
 

@@ -46,6 +46,20 @@ static bool names_one_form(const fmb_evidence *e, const fmb_claim *c)
     return c->var == -1 || (has_var(e, c->var) && c->terms.size == 0);
 }
 
+/* False: some there are not. */
+static bool write_names(FILE *out, const fmb_evidence *e, const fmb_system *s,
+                        const fmb_sparse *list)
+{
+    bool good = true;
+    for (size_t k = 0; good && k < list->size; k++) {
+        good = list->index[k] < (size_t)e->dim;
+        fputc(' ', out);
+        if (good)
+            write_name(out, fmb_system_name(s, (int)list->index[k]));
+    }
+    return good;
+}
+
 static bool write_heading(FILE *out, const fmb_evidence *e, const fmb_system *s, const fmb_claim *c)
 {
     const fmb_claim_form *form = &fmb_claim_forms[c->kind];
@@ -56,6 +70,8 @@ static bool write_heading(FILE *out, const fmb_evidence *e, const fmb_system *s,
         fprintf(out, " %zu", c->row + 1);
         good = c->row < e->rows;
     }
+    if (form->heading == FMB_HEADING_VARIABLES)
+        good = write_names(out, e, s, &c->terms);
     if (form->heading == FMB_HEADING_END || bound) {
         fputs(c->side == FMB_UPPER ? " upper" : " lower", out);
         good = names_one_form(e, c) && !(bound && c->rel == FMB_EQ);
@@ -99,7 +115,7 @@ static bool write_parts(FILE *out, const fmb_evidence *e, const fmb_system *s, f
 
 static bool write_claim(FILE *out, const fmb_evidence *e, const fmb_system *s, fmb_claim *c)
 {
-    if (c->kind <= FMB_CLAIM_NONE || c->kind > FMB_CLAIM_IRREDUNDANT)
+    if (c->kind <= FMB_CLAIM_NONE || c->kind > FMB_CLAIM_WHOLE)
         return false;
     bool good = write_heading(out, e, s, c);
     for (fmb_part part = 0; good && part < FMB_PARTS; part++)
@@ -113,7 +129,7 @@ fmb_status fmb_evidence_write(const fmb_evidence *e, const fmb_system *s, FILE *
 {
     if (!out || !fmb_evidence_fits(e, s))
         return FMB_ERR_ARG;
-    fprintf(out, "fmb-proof 3\nsystem %zu rows %d variables\n", e->rows, e->dim);
+    fprintf(out, "fmb-proof 4\nsystem %zu rows %d variables\n", e->rows, e->dim);
     for (size_t i = 0; i < e->claims; i++)
         if (!write_claim(out, e, s, &e->claim[i]))
             return FMB_ERR_ARG;
@@ -152,6 +168,16 @@ static void tell_inequality(FILE *out, const fmb_system *s, const fmb_claim *c)
     mpq_out_str(out, 10, c->value);
 }
 
+/* "x, y" */
+static void tell_variables(FILE *out, const fmb_system *s, const fmb_sparse *list)
+{
+    for (size_t k = 0; k < list->size; k++) {
+        fputs(k > 0 ? ", " : "", out);
+        write_name(out, fmb_system_name(s, (int)list->index[k]));
+    }
+    fputs(list->size > 0 ? "" : "no variable", out);
+}
+
 /* "max x = 5/2", "sup x = 5/2, not attained" */
 static void tell_bound(FILE *out, const fmb_system *s, const fmb_claim *c)
 {
@@ -166,14 +192,16 @@ static void tell_bound(FILE *out, const fmb_system *s, const fmb_claim *c)
 
 static void tell_claim(FILE *out, const fmb_system *s, const fmb_claim *c)
 {
-    static const char *const said[FMB_CLAIM_IRREDUNDANT + 1] = {
+    static const char *const said[FMB_CLAIM_WHOLE + 1] = {
         [FMB_CLAIM_FEASIBLE] = "a point satisfies every row",
         [FMB_CLAIM_INFEASIBLE] = "no point satisfies every row",
         [FMB_CLAIM_UNBOUNDED] = " has no end",
         [FMB_CLAIM_IMPLIED] = " follows",
         [FMB_CLAIM_REDUNDANT] = " follows from rows that stay",
         [FMB_CLAIM_EQUALITY] = " always holds with equality",
-        [FMB_CLAIM_IRREDUNDANT] = " follows from no others that stay"};
+        [FMB_CLAIM_IRREDUNDANT] = " follows from no others that stay",
+        [FMB_CLAIM_CORNER] = " satisfies every row where < is read as <=",
+        [FMB_CLAIM_WHOLE] = ": no row of the projection on these is missing"};
     if (c->kind == FMB_CLAIM_BOUND)
         tell_bound(out, s, c);
     else if (c->kind == FMB_CLAIM_UNBOUNDED)
@@ -182,6 +210,10 @@ static void tell_claim(FILE *out, const fmb_system *s, const fmb_claim *c)
         tell_inequality(out, s, c);
     else if (fmb_claim_forms[c->kind].heading == FMB_HEADING_ROW)
         fprintf(out, "row %zu", c->row + 1);
+    else if (c->kind == FMB_CLAIM_CORNER)
+        fputs(c->ray.size > 0 ? "a direction" : "a point", out);
+    else if (c->kind == FMB_CLAIM_WHOLE)
+        tell_variables(out, s, &c->terms);
     fputs(said[c->kind] ? said[c->kind] : "", out);
     if (c->kind == FMB_CLAIM_UNBOUNDED)
         fputs(c->side == FMB_UPPER ? " above" : " below", out);
@@ -202,7 +234,7 @@ static bool is_about(const fmb_evidence *e, const fmb_claim *c)
 fmb_status fmb_evidence_tell(const fmb_evidence *e, const fmb_system *s, size_t i, FILE *out)
 {
     bool known = out && fmb_evidence_fits(e, s) && i < e->claims &&
-                 e->claim[i].kind > FMB_CLAIM_NONE && e->claim[i].kind <= FMB_CLAIM_IRREDUNDANT;
+                 e->claim[i].kind > FMB_CLAIM_NONE && e->claim[i].kind <= FMB_CLAIM_WHOLE;
     if (!known || !is_about(e, &e->claim[i]))
         return FMB_ERR_ARG;
     tell_claim(out, s, &e->claim[i]);

@@ -1,6 +1,7 @@
 /* project.c: the projection, part by part (ladder.h). */
 #include "solve/limit/outer.h"
 #include "solve/project/ladder.h"
+#include "solve/project/whole.h"
 #include "system/system.h"
 
 /* An empty system over the variables kept; keep NULL: the first n. */
@@ -127,6 +128,8 @@ fmb_status fmb_project(fmb_solver *v, const fmb_system *s, const int *keep, int 
         fmb_mem_enter(&image->mem, &v->mem);
     if (st == FMB_OK)
         st = project_or_outer_rows(&q, place, image, &verdict);
+    if (st == FMB_OK && verdict == FMB_FEASIBLE)
+        st = fmb_query_prove_whole(&q, place, image);
     if (st == FMB_OK && verdict == FMB_INFEASIBLE)
         st = fmb_empty_set(s, keep, n, &empty);
     if (st == FMB_OK || st == FMB_LIMIT) {

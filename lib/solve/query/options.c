@@ -16,7 +16,7 @@ static const char *const ARITH[] = {"auto", "int", "gmp", NULL};
 static const char *const METHOD[] = {"auto", "fm", "lp", "hull", "dd", NULL};
 static const char *const ORDER[] = {"pairs", "given", "min", "fill", NULL};
 
-static const char *const EVIDENCE[] = {"none", "all", "verdict", NULL};
+static const char *const EVIDENCE[] = {"none", "all", "verdict", "whole", NULL};
 static const char *const REBASE[] = {"auto", "always", "never", NULL};
 static const char *const SIMD[] = {"auto", "plain", "avx2", "avx512", NULL};
 
@@ -57,8 +57,9 @@ static const entry TABLE[] = {
      FLAG,
      offsetof(fmb_options, trace_rows),
      NULL},
-    {{"evidence", "none|all|verdict", "all",
-      "Keep the numbers that prove the answer, or its verdict only."},
+    {{"evidence", "none|all|verdict|whole", "all",
+      "Keep the numbers that prove the answer, or its verdict only, or that no row is missing, "
+      "too."},
      WORD,
      offsetof(fmb_options, evidence),
      EVIDENCE},

@@ -10,7 +10,7 @@ static bool are_options_sound(const fmb_options *o)
            o->method >= FMB_METHOD_AUTO && o->method <= FMB_METHOD_DD &&
            o->order >= FMB_ORDER_PAIRS && o->order <= FMB_ORDER_FILL &&
            o->rebase >= FMB_REBASE_AUTO && o->rebase <= FMB_REBASE_NEVER &&
-           o->evidence >= FMB_EVIDENCE_NONE && o->evidence <= FMB_EVIDENCE_VERDICT &&
+           o->evidence >= FMB_EVIDENCE_NONE && o->evidence <= FMB_EVIDENCE_WHOLE &&
            fmb_kernels_choose(o->simd) && o->max_seconds >= 0;
 }
 
@@ -98,7 +98,7 @@ static fmb_status open_query_evidence(fmb_query *q)
     if (st != FMB_OK)
         return st;
     q->evidence = v->evidence;
-    q->claims = v->options.evidence == FMB_EVIDENCE_ALL ? q->evidence : NULL;
+    q->claims = v->options.evidence != FMB_EVIDENCE_VERDICT ? q->evidence : NULL;
     fmb_mem_enter(&q->evidence->mem, &v->mem);
     return fmb_query_want_point(q);
 }

@@ -1,0 +1,257 @@
+/* lattice.c: the faces of a cone, level by level, from sets of generators; see lattice.h. */
+#include "proof/lattice.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Words looked at before it is too much: some seconds. */
+#define MOST_WORDS ((uint64_t)1 << 32)
+
+/* All faces of one dimension, each once. */
+typedef struct faces_of_level {
+    uint64_t *set; /* [size][words] */
+    size_t size, capacity;
+    size_t *slot; /* [slots] number of a face plus 1, by hash; 0: free */
+    size_t slots; /* more than size, a power of 2, or 0 */
+} faces_of_level;
+
+/* f&r for some form r. */
+typedef struct face_cut {
+    uint64_t *set;
+    size_t size; /* vectors in it */
+} face_cut;
+
+typedef struct lattice_walk {
+    const fmb_lattice *l;
+    fmb_mem *mem;
+    faces_of_level here, below;
+    uint64_t *set;     /* [forms][words] of the cuts */
+    face_cut *cut;     /* [forms] */
+    size_t *facet;     /* [forms] cuts that are maximal */
+    uint64_t words;    /* looked at so far */
+    uint64_t *unshown; /* the last face that does not meet what it must ... */
+    bool is_unshown;   /* ... if there is one */
+    fmb_lattice_end end;
+} lattice_walk;
+
+/* ---- sets ------------------------------------------------------------------------------------ */
+
+static size_t count_members(const uint64_t *set, size_t words)
+{
+    size_t n = 0;
+    for (size_t k = 0; k < words; k++)
+        n += (size_t)__builtin_popcountll(set[k]);
+    return n;
+}
+
+static bool is_contained(const uint64_t *a, const uint64_t *b, size_t words)
+{
+    bool inside = true;
+    for (size_t k = 0; inside && k < words; k++)
+        inside = (a[k] & ~b[k]) == 0;
+    return inside;
+}
+
+static bool have_common_member(const uint64_t *a, const uint64_t *b, size_t words)
+{
+    bool common = false;
+    for (size_t k = 0; !common && k < words; k++)
+        common = (a[k] & b[k]) != 0;
+    return common;
+}
+
+/* ---- faces of a level ------------------------------------------------------------------------ */
+
+/* The slot of that face, or the one that is free for it; there is one. */
+static size_t *find_slot_of_face(const faces_of_level *at, const uint64_t *set, size_t words)
+{
+    uint64_t h = 0;
+    for (size_t k = 0; k < words; k++) {
+        h = (h ^ set[k]) * 0x9e3779b97f4a7c15u;
+        h ^= h >> 29;
+    }
+    size_t i = h & (at->slots - 1);
+    while (at->slot[i] > 0 &&
+           memcmp(at->set + (at->slot[i] - 1) * words, set, words * sizeof *set) != 0)
+        i = (i + 1) & (at->slots - 1);
+    return &at->slot[i];
+}
+
+static fmb_status double_slots(faces_of_level *at, size_t words, fmb_mem *mem)
+{
+    size_t slots = at->slots > 0 ? 2 * at->slots : 64;
+    size_t *slot = fmb_mem_zero(mem, slots, sizeof *slot);
+    if (!slot)
+        return fmb_mem_status(mem);
+    fmb_mem_put(mem, at->slot, at->slots, sizeof *slot);
+    at->slot = slot;
+    at->slots = slots;
+    for (size_t i = 0; i < at->size; i++)
+        *find_slot_of_face(at, at->set + i * words, words) = i + 1;
+    return FMB_OK;
+}
+
+static fmb_status add_face(faces_of_level *at, const uint64_t *set, size_t words, fmb_mem *mem)
+{
+    fmb_status st = FMB_OK;
+    if (2 * at->size >= at->slots)
+        st = double_slots(at, words, mem);
+    size_t *slot = st == FMB_OK ? find_slot_of_face(at, set, words) : NULL;
+    if (!slot || *slot > 0)
+        return st;
+    st =
+        fmb_mem_reserve(mem, (void **)&at->set, &at->capacity, (at->size + 1) * words, sizeof *set);
+    if (st != FMB_OK)
+        return st;
+    memcpy(at->set + at->size * words, set, words * sizeof *set);
+    *slot = ++at->size;
+    return FMB_OK;
+}
+
+static void clear_level(faces_of_level *at, fmb_mem *mem)
+{
+    fmb_mem_put(mem, at->set, at->capacity, sizeof *at->set);
+    fmb_mem_put(mem, at->slot, at->slots, sizeof *at->slot);
+    *at = (faces_of_level){0};
+}
+
+/* ---- one face -------------------------------------------------------------------------------- */
+
+/* The larger one first. */
+static int compare_sizes_of_cuts(const void *x, const void *y)
+{
+    const face_cut *a = x, *b = y;
+    return (a->size < b->size) - (a->size > b->size);
+}
+
+/* The sets f&r that are neither empty nor f, larger ones first; how many. */
+static size_t cut_face(lattice_walk *w, const uint64_t *f)
+{
+    size_t words = w->l->words, size = count_members(f, words), cuts = 0;
+    for (size_t r = 0; r < w->l->forms; r++) {
+        uint64_t *set = w->set + cuts * words;
+        const uint64_t *zero = w->l->zero + r * words;
+        for (size_t k = 0; k < words; k++)
+            set[k] = f[k] & zero[k];
+        size_t left = count_members(set, words);
+        if (left > 0 && left < size)
+            w->cut[cuts++] = (face_cut){set, left};
+    }
+    w->words += w->l->forms * words;
+    qsort(w->cut, cuts, sizeof *w->cut, compare_sizes_of_cuts);
+    return cuts;
+}
+
+/* Put the facets of f down as faces of the next level, unless some cut shows that f is not closed.
+ * Whatever contains a cut comes before it, so that the maximal ones are known. */
+static fmb_status descend_to_facets(lattice_walk *w, const uint64_t *f)
+{
+    size_t words = w->l->words, cuts = cut_face(w, f), facets = 0;
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i < cuts && w->end == FMB_LATTICE_CLOSED; i++) {
+        const face_cut *c = &w->cut[i];
+        size_t above = 0;
+        bool known = false;
+        for (size_t k = 0; above < 2 && k < facets; k++) {
+            const face_cut *facet = &w->cut[w->facet[k]];
+            bool inside = is_contained(c->set, facet->set, words);
+            above += inside;
+            known = known || (inside && facet->size == c->size);
+        }
+        w->words += (facets + 1) * words;
+        if (above == 0) {
+            w->facet[facets++] = i;
+            st = add_face(&w->below, c->set, words, w->mem);
+        } else if (above == 1 && !known) {
+            w->end = FMB_LATTICE_OPEN;
+        }
+    }
+    if (st == FMB_OK && w->end == FMB_LATTICE_CLOSED && facets < 2)
+        w->end = FMB_LATTICE_OPEN;
+    return st;
+}
+
+/* One vector where some form is positive. */
+static bool is_closed_ray(const lattice_walk *w, const uint64_t *f)
+{
+    size_t words = w->l->words;
+    bool positive = false;
+    for (size_t r = 0; !positive && r < w->l->forms; r++)
+        positive = !have_common_member(f, w->l->zero + r * words, words);
+    return positive && count_members(f, words) == 1;
+}
+
+static bool shows_what_it_must(const lattice_walk *w, const uint64_t *f)
+{
+    const fmb_lattice *l = w->l;
+    bool excluded = l->wanted == 0, all = true;
+    for (size_t r = 0; !excluded && r < l->forms; r++)
+        excluded = l->excludes[r] && is_contained(f, l->zero + r * l->words, l->words);
+    for (size_t i = 0; !excluded && all && i < l->wanted; i++)
+        all = have_common_member(f, l->shows + i * l->words, l->words);
+    return all;
+}
+
+/* ---- all ------------------------------------------------------------------------------------- */
+
+static fmb_status look_at_face(lattice_walk *w, const uint64_t *f, size_t dimension)
+{
+    fmb_status st = FMB_OK;
+    if (!shows_what_it_must(w, f)) {
+        w->is_unshown = true;
+        memcpy(w->unshown, f, w->l->words * sizeof *f);
+    }
+    if (dimension > 1)
+        st = descend_to_facets(w, f);
+    else if (!is_closed_ray(w, f))
+        w->end = FMB_LATTICE_OPEN;
+    if (w->words > MOST_WORDS)
+        w->end = FMB_LATTICE_LARGE;
+    return st;
+}
+
+static fmb_status walk_down(lattice_walk *w, size_t dimension, const fmb_patience *patience)
+{
+    fmb_status st = FMB_OK;
+    for (; dimension > 0 && w->end == FMB_LATTICE_CLOSED; dimension--) {
+        for (size_t i = 0; w->end == FMB_LATTICE_CLOSED && i < w->here.size; i++) {
+            st = fmb_patience_ask(patience);
+            if (st == FMB_OK)
+                st = look_at_face(w, w->here.set + i * w->l->words, dimension);
+            if (st != FMB_OK)
+                return st;
+        }
+        clear_level(&w->here, w->mem);
+        w->here = w->below;
+        w->below = (faces_of_level){0};
+    }
+    return st;
+}
+
+fmb_status fmb_lattice_check(const fmb_lattice *l, const uint64_t *top, size_t dimension,
+                             fmb_mem *mem, const fmb_patience *patience, fmb_lattice_end *end,
+                             uint64_t *face)
+{
+    lattice_walk w = {.l = l, .mem = mem, .unshown = face};
+    size_t words;
+    if (__builtin_mul_overflow(l->forms, l->words, &words))
+        return FMB_ERR_MEMORY;
+    w.set = fmb_mem_get(mem, words, sizeof *w.set);
+    w.cut = fmb_mem_get(mem, l->forms, sizeof *w.cut);
+    w.facet = fmb_mem_get(mem, l->forms, sizeof *w.facet);
+    fmb_status st = w.set && w.cut && w.facet ? FMB_OK : fmb_mem_status(mem);
+    if (st == FMB_OK)
+        st = add_face(&w.here, top, l->words, mem);
+    if (dimension == 0)
+        w.end = FMB_LATTICE_OPEN;
+    if (st == FMB_OK)
+        st = walk_down(&w, dimension, patience);
+    clear_level(&w.here, mem);
+    clear_level(&w.below, mem);
+    fmb_mem_put(mem, w.set, words, sizeof *w.set);
+    fmb_mem_put(mem, w.cut, l->forms, sizeof *w.cut);
+    fmb_mem_put(mem, w.facet, l->forms, sizeof *w.facet);
+    if (st == FMB_OK)
+        *end = w.end == FMB_LATTICE_CLOSED && w.is_unshown ? FMB_LATTICE_UNSHOWN : w.end;
+    return st;
+}

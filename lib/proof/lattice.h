@@ -1,0 +1,85 @@
+/* lattice.h: do generators span all that rows allow? Told from which lie on which alone.
+ *
+ * A finite set R of linear forms on a space of finite dimension, and a finite set G of vectors
+ * there on which no form is negative. Of a set f of these vectors let
+ *
+ *     P(f) = {y in span f : r(y) >= 0 for all r in R},  f&r = {g in f : r(g) = 0},
+ *     S(f) = the sets f&r that are neither empty nor f,  L(f) = the maximal members of S(f).
+ *
+ * f is *closed* of dimension 1 if it is one vector and some form is positive there; of dimension
+ * j > 1 if L(f) has at least two members, each closed of dimension j - 1, and every other member of
+ * S(f) lies in at least two of them. ("Every ridge of a facet lies in two facets.")
+ *
+ * THEOREM. If f is closed of dimension j and dim span f <= j, then dim span f = j, P(f) contains no
+ * line, and P(f) = cone f; and the faces of P(f) but 0 are the cones of the sets met on the way.
+ *
+ * PROOF by induction on j. j = 1: P(f) = {s g : s r(g) >= 0}, r(g) > 0. Let j > 1, m = f&r in L(f).
+ * r vanishes on span m, not on span f, so dim span m <= j - 1; by induction, equal. So dim span f
+ * is j, span m is the part of span f where r = 0, and P(m) that of P(f): a facet. On a line in P(f)
+ * all forms vanish, so it would lie in P(m), which has none.
+ *   Let q be in the relative interior of P(f): all forms that do not vanish on f are positive
+ * there. It is enough to show that such q are in cone f, which is closed. For u in a complement of
+ * q in span f, u != 0, let h(u) = max -r(u)/r(q) over these forms, and e(u) = u + h(u) q: where the
+ * half-plane of q and u leaves P(f). h is continuous. Let D be the set of all directions u, on a
+ * sphere of dimension j - 2, with e(u) in some P(m), m in L(f). D is closed and not empty. Suppose
+ * that some direction is missing.
+ *   If j = 2 there are two directions. Two members of L(f) are single vectors, which do not lie in
+ * the same one: or they were multiples of each other, and on the same forms. So none is missing.
+ *   If j > 2, the sphere is connected, and finitely many great spheres of two dimensions less do
+ * not separate it; so the border of D contains a u such that e(u) is in no face of P(f) of
+ * dimension less than j - 2. D is closed: e(u) is in some P(m). If it is in the relative interior
+ * of that, all directions near u are in D: no border. Else it is in the relative interior of a face
+ * of P(m) of dimension j - 2, n = {y in P(m) : r'(y) = 0}, which is cone(m&r') as P(m) = cone m.
+ * f&r' contains m&r', is in S(f), and is not m. It is in L(f), or in two members of L(f): so n is
+ * in P(m') for another member m'. The forms that vanish at e(u) vanish on n: near e(u), P(f) is n
+ * times a cone in the plane, whose two edges are the facets P(m) and P(m'). So all directions near
+ * u are in D: no border.
+ *   So e(u) and e(-u) are in cone f, and so is their sum, (h(u) + h(-u)) q. The factor is not
+ * negative, as -r(u) + r(u) = 0; were it 0, then e(u) = -e(-u) would span a line. So q is in
+ * cone f. As all of the boundary is in some P(m), there are no other facets; faces are faces of
+ * these. END
+ *
+ * Source: the closed graph of facets of Jones, Kerrigan and Maciejowski 2004, Equality set
+ * projection; faces as sets: Kaibel and Pfetsch 2002, Computing the face lattice of a polytope from
+ * its vertex-facet incidences.
+ */
+#ifndef FMB_PROOF_LATTICE_H
+#define FMB_PROOF_LATTICE_H
+
+#include "base/mem.h"
+
+/* Sets of vectors are bits, `words` words each. */
+typedef struct fmb_lattice {
+    size_t words;
+    size_t forms;
+    uint64_t *zero;  /* [forms][words] where the form is 0 */
+    bool *excludes;  /* [forms] faces on which it is 0 are not looked at below */
+    size_t wanted;   /* each other face ... */
+    uint64_t *shows; /* [wanted][words] ... must meet all of these sets */
+} fmb_lattice;
+
+typedef enum fmb_lattice_end {
+    FMB_LATTICE_CLOSED = 0,
+    FMB_LATTICE_OPEN,    /* the set is not closed of that dimension */
+    FMB_LATTICE_UNSHOWN, /* it is, but some face does not meet what it must */
+    FMB_LATTICE_LARGE    /* there is too much to look at */
+} fmb_lattice_end;
+
+/* Somebody to ask from time to time whether to go on: anything but FMB_OK ends it. */
+typedef struct fmb_patience {
+    fmb_status (*ask)(void *with); /* NULL: for ever */
+    void *with;
+} fmb_patience;
+
+static inline fmb_status fmb_patience_ask(const fmb_patience *p)
+{
+    return p->ask ? p->ask(p->with) : FMB_OK;
+}
+
+/* Is the set `top` closed of that dimension? face[words]: with UNSHOWN, one of those of least
+ * dimension. Errors: MEMORY, LIMIT, and what patience says. */
+fmb_status fmb_lattice_check(const fmb_lattice *l, const uint64_t *top, size_t dimension,
+                             fmb_mem *mem, const fmb_patience *patience, fmb_lattice_end *end,
+                             uint64_t *face);
+
+#endif

@@ -1,0 +1,29 @@
+/* lifted.h: the cone over the solutions of a system: its rays are vertices and rays of the closure.
+ */
+#ifndef FMB_SOLVE_LIFTED_H
+#define FMB_SOLVE_LIFTED_H
+
+#include "dd/image.h"
+#include "solve/query/solver.h"
+
+/* Row 0 is t >= 0, row 1 + i is row i of the system; strict rows are "wanted". */
+typedef struct fmb_lifted {
+    fmb_query *q;
+    const fmb_system *s;
+    size_t d, rows;
+    fmb_cone_row *row; /* [rows] */
+    fmb_vec *v;        /* [rows] */
+    size_t *keep;      /* [d] all coordinates */
+    fmb_cone cone;
+    fmb_image image; /* once the cone is complete: all its rays and lines */
+} fmb_lifted;
+
+/* s outlives it. In any case fmb_lifted_close it. Errors: MEMORY, LIMIT, here and below. */
+fmb_status fmb_lifted_open(fmb_lifted *h, fmb_query *q, const fmb_system *s);
+void fmb_lifted_close(fmb_lifted *h);
+
+/* Find the rays; or *done false: that takes more rays than this (0: any number) on the way. Once.
+ */
+fmb_status fmb_lifted_run(fmb_lifted *h, uint64_t rays, bool *done);
+
+#endif
