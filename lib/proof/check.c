@@ -481,9 +481,11 @@ fmb_status fmb_check(const fmb_system *s, const fmb_evidence *e, fmb_judgement *
             mpq_init(c.left[j]);
         mpq_inits(c.right, c.sum, c.weight, NULL);
         mpz_inits(c.z, c.t, NULL);
-        *out = (fmb_judgement){.claim = SIZE_MAX};
+        fmb_judgement found = {.claim = SIZE_MAX};
         mark_rows(&c);
-        judge_all(&c, out);
+        judge_all(&c, &found);
+        if (c.st == FMB_OK)
+            *out = found;
         mpq_clears(c.right, c.sum, c.weight, NULL);
         mpz_clears(c.z, c.t, NULL);
         for (size_t j = 0; j < dim; j++)

@@ -13,9 +13,11 @@
 #include "solve/project/lifts.h"
 #include "solve/query/lifted.h"
 
-/* More rays on the way to the corners, or corners, are too many. */
-#define MOST_RAYS    ((uint64_t)1 << 17)
-#define MOST_CORNERS 10000
+/* So many corners are too many, also on the way to them; and so many rays made on that way, of
+ * which it is looked at how many are left after each turn. */
+#define MOST_CORNERS 5000
+#define MOST_TURNS   256
+#define RAYS_OF_TURN 1024
 /* And so are more faces whose middle has to be shown. */
 #define MOST_MIDDLES 2000
 
@@ -79,8 +81,11 @@ static fmb_status find_corners(whole_proof *w, bool *found)
     fmb_lifted h;
     fmb_status st = fmb_lifted_open(&h, w->q, w->image);
     *found = false;
-    if (st == FMB_OK)
-        st = fmb_lifted_run(&h, MOST_RAYS, found);
+    for (int turn = 0; st == FMB_OK && !*found && turn < MOST_TURNS; turn++) {
+        if (h.cone.ray.size > MOST_CORNERS)
+            break;
+        st = fmb_lifted_run(&h, RAYS_OF_TURN, found);
+    }
     if (st == FMB_OK && *found)
         st = claim_all_corners(w, &h.image, found);
     fmb_lifted_close(&h);

@@ -22,8 +22,8 @@ typedef struct fmb_lifted {
 fmb_status fmb_lifted_open(fmb_lifted *h, fmb_query *q, const fmb_system *s);
 void fmb_lifted_close(fmb_lifted *h);
 
-/* Find the rays; or *done false: that takes more rays than this (0: any number) on the way. Once.
- */
+/* Find the rays; or *done false: that takes more rays than this (0: any number) on the way, and the
+ * next call goes on from there. */
 fmb_status fmb_lifted_run(fmb_lifted *h, uint64_t rays, bool *done);
 
 #endif

@@ -4,6 +4,8 @@ import sys
 from collections import defaultdict
 from fractions import Fraction as Q
 
+from check_whole import whole
+
 RELATION = {"linearity": "=", "strict_inequality": "<"}
 
 
@@ -51,7 +53,7 @@ def judge(rows, claims):
     flat = [int(head[1]) if head[0] == "equality" else None for head, _ in claims]
     closed = {i: (a, "=" if rel == "=" else "<=", b) for i, (a, rel, b) in rows.items()}
     final = {i: (a, "=" if i in flat else rel, b) for i, (a, rel, b) in rows.items()}
-    for n, ((kind, *head), p) in sorted(enumerate(claims), key=lambda c: c[1][0] != ["feasible"]):
+    for n, ((kind, *head), p) in sorted(enumerate(claims), key=lambda c: (c[1][0] != ["feasible"], c[1][0][0] == "whole")):
         good = None
         if kind in ("equality", "redundant", "irredundant"):
             i = int(head[0])
@@ -84,6 +86,11 @@ def judge(rows, claims):
             good = proves({**stay, **later}, p, rows[i])
         elif kind == "irredundant":
             good = keeps(stay, p["point"]) and not keeps({i: final[i]}, p["point"])
+        elif kind == "corner":
+            ray = any(p["ray"].values())
+            good = keeps(closed, p["ray" if ray else "point"], ray) and not (ray and any(p["point"].values()))
+        elif kind == "whole":  # the claims that it leans on have been judged
+            good = whole(rows, claims, [int(name.lstrip("x")) for name in head])
         if not good:
             return f"claim {n + 1} does not hold"
     return "accepted" if claims else "there is no claim, or some are missing"

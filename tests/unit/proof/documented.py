@@ -12,7 +12,7 @@ import tempfile
 import check_proof
 
 KINDS = ["feasible", "infeasible", "bound", "unbounded", "implied", "redundant", "equality",
-         "irredundant"]
+         "irredundant", "corner", "whole"]
 
 
 def blocks(path):

@@ -18,7 +18,7 @@
 
 typedef struct tally {
     int judged, accepted;
-    int by_kind[FMB_CLAIM_IRREDUNDANT + 1]; /* rejected for a claim of that kind */
+    int by_kind[FMB_CLAIM_WHOLE + 1]; /* rejected for a claim of that kind */
 } tally;
 
 static void judge(const fmb_system *s, const fmb_evidence *e, const char *what, tally *t)
@@ -39,7 +39,7 @@ static void judge(const fmb_system *s, const fmb_evidence *e, const char *what, 
     }
     t->judged++;
     t->accepted += j.accepted;
-    if (!j.accepted && failing < e->claims && e->claim[failing].kind <= FMB_CLAIM_IRREDUNDANT)
+    if (!j.accepted && failing < e->claims && e->claim[failing].kind <= FMB_CLAIM_WHOLE)
         t->by_kind[e->claim[failing].kind]++;
 }
 
@@ -76,7 +76,7 @@ Test(mutate, samples)
     }
     cr_expect_geq(t.judged, 4000);
     cr_expect_geq(t.accepted, 200);
-    for (fmb_claim_kind kind = FMB_CLAIM_FEASIBLE; kind <= FMB_CLAIM_IRREDUNDANT; kind++)
+    for (fmb_claim_kind kind = FMB_CLAIM_FEASIBLE; kind <= FMB_CLAIM_WHOLE; kind++)
         cr_expect_geq(t.by_kind[kind], 50, "kind %d", kind);
 }
 
@@ -108,7 +108,7 @@ Test(mutate, proofs_of_the_solver, .timeout = 600)
     tally right = {0}, t = {0};
     fmb_options o = fmb_options_default();
     fmb_solver *v = NULL;
-    o.evidence = true;
+    o.evidence = FMB_EVIDENCE_WHOLE;
     support_must(fmb_solver_new(&o, NULL, &v));
     for (uint64_t seed = 0; t.judged < 30000; seed++)
         for (support_family family = 0; family < SUPPORT_FAMILIES; family++) {
@@ -125,7 +125,7 @@ Test(mutate, proofs_of_the_solver, .timeout = 600)
     cr_expect_eq(right.accepted, right.judged);
     cr_expect_geq(t.accepted, 300);
     cr_expect_geq(t.judged - t.accepted, 5000);
-    for (fmb_claim_kind kind = FMB_CLAIM_FEASIBLE; kind <= FMB_CLAIM_IRREDUNDANT; kind++)
+    for (fmb_claim_kind kind = FMB_CLAIM_FEASIBLE; kind <= FMB_CLAIM_WHOLE; kind++)
         cr_expect_geq(t.by_kind[kind], 100, "kind %d: %d", kind, t.by_kind[kind]);
 }
 

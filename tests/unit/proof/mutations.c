@@ -159,8 +159,7 @@ static bool change_value(subject *u)
 
 static bool change_kind(subject *u)
 {
-    any_claim(u)->kind =
-        (fmb_claim_kind)support_between(&u->g, FMB_CLAIM_NONE, FMB_CLAIM_IRREDUNDANT);
+    any_claim(u)->kind = (fmb_claim_kind)support_between(&u->g, FMB_CLAIM_NONE, FMB_CLAIM_WHOLE);
     return true;
 }
 

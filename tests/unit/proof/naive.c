@@ -145,6 +145,7 @@ typedef struct scene {
     dense final;   /* all rows, as equalities where a claim says so */
     dense present; /* the same, but rows that go some time are as written */
     bool feasible;
+    bool doubtful; /* a claim other than WHOLE does not hold */
 } scene;
 
 static bool holds_infeasible(const scene *v, const fmb_claim *c)
@@ -291,6 +292,11 @@ static bool claim_holds(const scene *v, const fmb_claim *c)
         return holds_equality(v, c);
     case FMB_CLAIM_IRREDUNDANT:
         return holds_irredundant(v, c);
+    case FMB_CLAIM_CORNER:
+        return c->ray.size == 0 ? is_closed_solution(&v->rows, &c->point)
+                                : c->point.size == 0 && is_direction(&v->rows, &c->ray);
+    case FMB_CLAIM_WHOLE:
+        return !v->doubtful && naive_is_whole(&v->rows, v->e, c);
     default:
         return false;
     }
@@ -309,11 +315,14 @@ static void look_around(scene *v)
         if (!goes_in(v, c->row, v->e->claims))
             v->present.rel[c->row] = FMB_EQ;
     }
+    for (size_t i = 0; i < v->e->claims; i++)
+        v->doubtful = v->doubtful ||
+                      (v->e->claim[i].kind != FMB_CLAIM_WHOLE && !claim_holds(v, &v->e->claim[i]));
 }
 
 size_t naive_first_failing(const fmb_system *s, const fmb_evidence *e)
 {
-    scene v = {e, dense_of(s), dense_of(s), dense_of(s), false};
+    scene v = {e, dense_of(s), dense_of(s), dense_of(s), false, false};
     size_t failing = SIZE_MAX;
     look_around(&v);
     for (size_t i = 0; i < e->claims && failing == SIZE_MAX; i++)

@@ -11,7 +11,15 @@
 #define SQUARE     "x y\n1 0 <= 1\n0 1 <= 1\n-1 0 <= 0\n0 -1 <= 0\n1 1 <= 2\n1 1 <= 3\n-1 -1 < 1"
 #define FLAT       "x y\n1 1 <= 2\n-1 -1 <= -2\n2 2 <= 4\n1 0 <= 1"
 #define EQUALITIES "x y\n1 0 = 1\n0 1 = 1\n1 1 = 2"
-#define AT_ORIGIN  "claim feasible\npoint x 0\npoint y 0\nend\n"
+#define TRIANGLE   "x y\n1 1 <= 4\n-1 0 <= 0\n0 -1 <= 0"
+#define TRIANGLE_ROWS                                                                              \
+    "claim implied <= 4\nterm x 1\nterm y 1\nrow 1 1\nend\n"                                       \
+    "claim implied <= 0\nterm x -1\nrow 2 1\nend\n"                                                \
+    "claim implied <= 0\nterm y -1\nrow 3 1\nend\n"
+#define TRIANGLE_CORNERS                                                                           \
+    "claim corner\nend\nclaim corner\npoint x 4\nend\nclaim corner\npoint y 4\nend\n"
+#define CONE_RAYS "claim corner\nray x -1\nend\nclaim corner\nray x 1\nray y 1\nend\n"
+#define AT_ORIGIN "claim feasible\npoint x 0\npoint y 0\nend\n"
 
 const proof_sample proof_samples[] = {
     /* feasible */
@@ -260,6 +268,92 @@ const proof_sample proof_samples[] = {
      "claim equality 1\nrow 2 1\nend\nclaim redundant 2\nrow 1 -1\nend\n"
      "claim redundant 1\nrow 3 1/2\nend\n",
      "multiplier of row 1 is negative", 0},
+
+    /* corner, whole */
+    {"corners of a triangle", TRIANGLE, TRIANGLE_ROWS TRIANGLE_CORNERS "claim whole x y\nend\n",
+     NULL, 0},
+    {"order of kept variables", TRIANGLE, "claim whole y x\nend\n" TRIANGLE_CORNERS TRIANGLE_ROWS,
+     NULL, 0},
+    {"a row more", TRIANGLE,
+     TRIANGLE_ROWS TRIANGLE_CORNERS
+     "claim implied <= 5\nterm x 1\nrow 1 1\nrow 3 1\nend\nclaim whole x y\nend\n",
+     NULL, 0},
+    {"a point more", TRIANGLE,
+     TRIANGLE_ROWS TRIANGLE_CORNERS "claim corner\npoint x 1\nend\nclaim whole x y\nend\n", NULL,
+     0},
+    {"one variable", TRIANGLE,
+     "claim implied <= 4\nterm x 1\nrow 1 1\nrow 3 1\nend\nclaim implied <= 0\nterm x -1\nrow 2 1\n"
+     "end\nclaim corner\nend\nclaim corner\npoint x 4\nend\nclaim whole x\nend\n",
+     NULL, 0},
+    {"no variable", TRIANGLE, "claim corner\npoint x 1\nend\nclaim whole\nend\n", NULL, 0},
+    {"a row is missing", TRIANGLE,
+     TRIANGLE_CORNERS "claim implied <= 4\nterm x 1\nterm y 1\nrow 1 1\nend\n"
+                      "claim implied <= 0\nterm x -1\nrow 2 1\nend\nclaim whole x y\nend\n",
+     "unproved", 0},
+    {"a corner is missing", TRIANGLE,
+     TRIANGLE_ROWS "claim corner\nend\nclaim corner\npoint x 4\nend\nclaim whole x y\nend\n",
+     "unproved", 0},
+    {"a corner twice", TRIANGLE,
+     TRIANGLE_ROWS TRIANGLE_CORNERS "claim corner\nend\nclaim whole x y\nend\n", "unproved", 0},
+    {"a corner off its place", TRIANGLE,
+     TRIANGLE_ROWS "claim corner\nend\nclaim corner\npoint x 3\nend\n"
+                   "claim corner\npoint y 4\nend\nclaim whole x y\nend\n",
+     "unproved", 0},
+    {"a corner outside", TRIANGLE,
+     TRIANGLE_ROWS TRIANGLE_CORNERS "claim corner\npoint x 5\nend\nclaim whole x y\nend\n",
+     "violates row 1", 0},
+    {"no corner", TRIANGLE, TRIANGLE_ROWS "claim whole x y\nend\n", "unproved", 0},
+    {"a row that is too tight", TRIANGLE,
+     "claim whole x y\nend\n" TRIANGLE_CORNERS TRIANGLE_ROWS
+     "claim implied <= 3\nterm x 1\nterm y 1\nrow 1 1\nend\n",
+     "leans on claims", 0},
+    {"a point and a ray at once", TRIANGLE, "claim corner\npoint x 1\nray x 0\nray y 1\nend\n",
+     "both a point and a ray", 0},
+    {"a direction that leaves", TRIANGLE, "claim corner\nray x 1\nend\n", "violates row 1", 0},
+    {"a cone", CONE,
+     "claim implied <= 0\nterm x 1\nterm y -1\nrow 1 1\nend\nclaim implied < 3\nterm y -1\n"
+     "row 2 1\nend\nclaim corner\npoint x -3\npoint y -3\nend\n" CONE_RAYS "claim whole x y\nend\n",
+     NULL, 0},
+    {"a cone without one ray", CONE,
+     "claim implied <= 0\nterm x 1\nterm y -1\nrow 1 1\nend\nclaim implied < 3\nterm y -1\n"
+     "row 2 1\nend\nclaim corner\npoint x -3\npoint y -3\nend\nclaim corner\nray x -1\nend\n"
+     "claim whole x y\nend\n",
+     "unproved", 0},
+    {"a cone that is said to be closed", CONE,
+     "claim implied <= 0\nterm x 1\nterm y -1\nrow 1 1\nend\nclaim implied <= 3\nterm y -1\n"
+     "row 2 1\nend\nclaim corner\npoint x -3\npoint y -3\nend\n" CONE_RAYS "claim whole x y\nend\n",
+     "no corners show", 0},
+    {"all of the plane", "x y z\n1 1 1 <= 1",
+     "claim corner\nend\nclaim corner\nray x 1\nray z -1\nend\nclaim corner\nray x -1\nend\n"
+     "claim corner\nray y 1\nray z -1\nend\nclaim corner\nray y -1\nend\nclaim whole x y\nend\n",
+     NULL, 0},
+    {"a line one way", "x y z\n1 1 1 <= 1",
+     "claim corner\nend\nclaim corner\nray x 1\nray z -1\nend\nclaim corner\nray x -1\nend\n"
+     "claim corner\nray y 1\nray z -1\nend\nclaim whole x y\nend\n",
+     "unproved", 0},
+    {"a point", EQUALITIES,
+     "claim implied = 1\nterm x 1\nrow 1 1\nreverse 1 -1\nend\nclaim corner\npoint x 1\npoint y 1\n"
+     "end\nclaim whole x\nend\n",
+     NULL, 0},
+    {"a segment by an equation", LINE,
+     "claim implied = 0\nterm x 1\nterm y -1\nrow 1 1\nreverse 1 -1\nend\nclaim implied <= 3\n"
+     "term y -1\nrow 2 1\nend\nclaim corner\npoint x -3\npoint y -3\nend\nclaim corner\nray x 1\n"
+     "ray y 1\nend\nclaim whole x y\nend\n",
+     NULL, 0},
+    {"equation not named", LINE,
+     "claim implied <= 3\nterm y -1\nrow 2 1\nend\nclaim corner\npoint x -3\npoint y -3\nend\n"
+     "claim corner\nray x 1\nray y 1\nend\nclaim whole x y\nend\n",
+     "unproved", 0},
+    {"an edge that strict rows leave",
+     "x y z\n1 0 0 <= 1\n-1 0 0 <= 0\n0 1 0 < 1\n0 -1 0 <= 0\n0 0 1 <= 1",
+     "claim implied <= 1\nterm x 1\nrow 1 1\nend\nclaim implied <= 0\nterm x -1\nrow 2 1\nend\n"
+     "claim corner\nend\nclaim corner\npoint x 1\npoint y 1\nend\nclaim whole x\nend\n",
+     "no corners show", 0},
+    {"the same with a point inside",
+     "x y z\n1 0 0 <= 1\n-1 0 0 <= 0\n0 1 0 < 1\n0 -1 0 <= 0\n0 0 1 <= 1",
+     "claim implied <= 1\nterm x 1\nrow 1 1\nend\nclaim implied <= 0\nterm x -1\nrow 2 1\nend\n"
+     "claim corner\nend\nclaim corner\npoint x 1\nend\nclaim whole x\nend\n",
+     NULL, 0},
 
     {"no claim", BOX, "# nothing\n", "there is no claim", 0},
 };
