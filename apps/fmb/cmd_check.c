@@ -223,8 +223,9 @@ static int print_text(const request *r, const finding *f)
         printf("accepted%s%s", decided ? ": " : "", decided ? fmb_verdict_text(j->verdict) : "");
         print_kinds(f->e);
         if (f->tells_rows)
-            printf("%s\n", f->whole ? "whole: no row of the projection is missing"
-                                    : "outward only: rows of a projection may be missing");
+            printf("%s\n", f->whole
+                               ? "whole: no row of the projection is missing"
+                               : "outward only: all that is implied holds, and perhaps more does");
         if (r->list && list_claims(f) != APP_YES)
             return APP_INTERNAL;
     }

@@ -13,12 +13,13 @@
 
 static const char *const RULES[] = {NULL, "none", "kohler", "duplicate,kohler"};
 
+/* Double description proves its projections whole, too. */
 static fmb_solver *solver(hook *h, fmb_method method, const char *rules)
 {
     fmb_options o = fmb_options_default();
     fmb_alloc mem = hook_alloc(h);
     fmb_solver *v = NULL;
-    o.evidence = true;
+    o.evidence = method == FMB_METHOD_DD ? FMB_EVIDENCE_WHOLE : FMB_EVIDENCE_ALL;
     o.method = method;
     o.rules = rules;
     must(fmb_solver_new(&o, &mem, &v));

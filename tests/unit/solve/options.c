@@ -24,7 +24,7 @@ static const values TABLE[] = {
      {NULL}},
     {"simd", {"auto", "plain"}, {"", "sse", "avx", "512"}},
     {"trace_rows", {"true", "false"}, {"", "yes", "1", "TRUE"}},
-    {"evidence", {"none", "all", "verdict"}, {"", "true", "2", "-1"}},
+    {"evidence", {"none", "all", "verdict", "whole"}, {"", "true", "2", "-1"}},
     {"max_seconds",
      {"0", "2.5", "1000", "0.001"},
      {"", "-1", "nan", "inf", "1e3", "1s", "two", "1,5", "."}},
