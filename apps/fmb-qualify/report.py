@@ -72,6 +72,35 @@ def verdict_figures(study):
                 curve(rows, "percent_meeting", "least", "least", 2)])
 
 
+def article_figures(study):
+    # As the article draws it: ratios of pairs that meet and of those that do not, mixed. Ratios of ours are of times.
+    def mixed(meeting, apart, share):
+        return [share * m + (1 - share) * a for m, a in zip(meeting, apart)]
+
+    def ratio(of, cells, share):
+        if of == "published":
+            return mixed(*([cell[of]] for cell in cells), share)[0]
+        if of == "repeated":
+            return mixed(*([cell[of]["mean"]] for cell in cells), share)[0]
+        fmb, sat = mixed(*([cell[of]["fmb_ns"], cell[of]["sat_ns"]] for cell in cells), share)
+        return fmb / sat
+
+    ways = (("published", "published", "lines dashtype 2 linewidth 2"), ("repeated", "listed, repeated", "linespoints linewidth 2"),
+            ("packed", "ours, packed", "lines dashtype 4 linewidth 3"))
+    for case in dict.fromkeys(cell["case"] for cell in study["cells"]):
+        curves = [("equal", [(0, 1), (100, 1)], "lines", 7)]
+        for i, kind in enumerate(("CC", "CT", "TT")):
+            cells = sorted((cell for cell in study["cells"] if cell["case"] == case and cell["pair"] == kind),
+                           key=lambda cell: not cell["meeting"])
+            if len(cells) == 2:
+                curves += [(f"{kind}, {title}", [(10 * x, ratio(of, cells, x / 10)) for x in range(11)], style, i)
+                           for of, title, style in ways]
+        yield (case, f"FMB over SAT, {case}, by the share of pairs that meet: the article's Table 1, its program's ways by its "
+               "method, ours on sets of frames.",
+               'set logscale y\nset xrange [0:100]\nset yrange [0.15:4]\nset xlabel "pairs that meet [%]"\n'
+               'set ylabel "time of FMB / time of SAT"\nset ytics (0.2,0.3,0.4,0.5,0.6,0.8,1,1.5,2,3,4)', curves)
+
+
 def box_figures(study):
     # Some curves nearly coincide: the wider ones are drawn first.
     wide = {"both AABBs": 9, "article, clipped to both AABBs": 6, "ours": 3}
@@ -136,7 +165,7 @@ def bunny_figures(study):
             ("faces that meet", study["dots_meeting"], dots + "0.45", 1)])
 
 
-FIGURES = {"table1": verdict_figures, "near": verdict_figures, "faces": verdict_figures,
+FIGURES = {"table1": verdict_figures, "article": article_figures, "near": verdict_figures, "faces": verdict_figures,
            "boxes": box_figures, "scaling": scaling_figures, "rules": rule_figures, "peers": peer_figures,
            "bunny": bunny_figures}
 

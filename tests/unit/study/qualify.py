@@ -17,7 +17,7 @@ import xml.etree.ElementTree
 
 program, man_page = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2])
 faults = []
-STUDIES = ["table1", "near", "faces", "boxes", "scaling", "rules", "peers", "bunny"]
+STUDIES = ["table1", "article", "near", "faces", "boxes", "scaling", "rules", "peers", "bunny"]
 SMALL = ["--dim", "2", "--pairs", "2", "--rules", "kohler", "--rules", "kohler,box", "--passes", "1"]
 
 
@@ -247,6 +247,18 @@ def verdicts():
     expect(sum(c["drawn"] for c in near.values()) > sum(drawn.values()), "near is like table1")
 
 
+def article():
+    """The published ratios; verdicts of ours are right, and no choice loses."""
+    found = cells("article")
+    expect(len(found) == 24 and found[("3d-static", "TT", True)]["published"] == 0.24, "article: cells")
+    for cell in found.values():
+        repeated = cell["repeated"]
+        expect(cell["asked"]["wrong"] == cell["packed"]["wrong"] == 0, f"article: {cell}")
+        expect(0 < repeated["least"] <= repeated["mean"] <= repeated["most"], f"article: {repeated}")
+    for choice in json.loads(study("article", "--json"))["choices"]:
+        expect(-1e-9 <= choice["by_kind_percent"] <= choice["by_verdict_percent"] + 1e-9 < 100, f"article: {choice}")
+
+
 def html_figures(folder):
     """Names of the figures that report.html holds; each is a picture with lines in it."""
     text = (folder / "report.html").read_text()
@@ -342,6 +354,7 @@ with tempfile.TemporaryDirectory() as name:
     merged(root)
     interrupted(root)
     verdicts()
+    article()
     one_report(root)
     whole_report(root)
     scan()
