@@ -61,6 +61,11 @@ char *intersect_double(double d);
 /* All about one line, exactly; out->line and id are left alone. */
 fmb_status intersect_exactly(const intersect *x, const fmb_frames_line *line, meeting *out);
 
+/* ---- intersect_quick.c ----------------------------------------------------------------------- */
+
+/* The same where it is quickly proved; if not, the verdict stays UNKNOWN. */
+fmb_status intersect_quickly(const intersect *x, const fmb_frames_line *line, meeting *out);
+
 /* ---- intersect_batch.c: lines in doubles, many at once ----------------------------------------
  */
 

@@ -109,7 +109,7 @@ static fmb_status make_system(const intersect *x, const fmb_frames_line *line, f
                              : st;
 }
 
-fmb_status intersect_exactly(const intersect *x, const fmb_frames_line *line, meeting *out)
+static fmb_status intersect_by_verbs(const intersect *x, const fmb_frames_line *line, meeting *out)
 {
     fmb_system *s = NULL;
     fmb_evidence *e = NULL;
@@ -126,6 +126,14 @@ fmb_status intersect_exactly(const intersect *x, const fmb_frames_line *line, me
     }
     fmb_evidence_free(e);
     fmb_system_free(s);
+    return st;
+}
+
+fmb_status intersect_exactly(const intersect *x, const fmb_frames_line *line, meeting *out)
+{
+    fmb_status st = intersect_quickly(x, line, out);
+    if (st == FMB_OK && out->verdict == FMB_UNKNOWN)
+        st = intersect_by_verbs(x, line, out);
     if (st == FMB_OK && near_is_asked(&x->ask->near))
         st = near_find(&x->ask->near, x->solver, line, x->ask->contact, out->verdict, &out->near);
     return st;

@@ -7,6 +7,7 @@
 #include <fmb/frame.h>
 #include <fmb/generators.h>
 #include <fmb/io.h>
+#include <fmb/pair.h>
 #include <fmb/proof.h>
 #include <fmb/proximity.h>
 #include <fmb/rule.h>
@@ -92,6 +93,25 @@ FMB_API void fmb_proximity_measure_q(const fmb_proximity *p, mpq_t out);
 FMB_API void fmb_proximity_shift_q(const fmb_proximity *p, int j, mpq_t out);
 FMB_API void fmb_proximity_point_q(const fmb_proximity *p, int which, int j, mpq_t out);
 FMB_API void fmb_proximity_time_q(const fmb_proximity *p, mpq_t out);
+
+/* Where exact answers about one pair go: like fmb_pair_answers, in rationals, which are
+ * initialised. */
+typedef struct fmb_pair_answers_q {
+    mpq_t *world;   /* [dim][2] */
+    mpq_t *inside;  /* [naxes of the second frame][2] */
+    mpq_t *time;    /* [2]; not written if nothing moves */
+    mpq_t *witness; /* [dim + naxes of the second frame], and one more if something moves: a common
+                       point, its coordinates in the second frame, its time */
+} fmb_pair_answers_q;
+
+/* Do two closed frames meet? If so (FEASIBLE) all that out asks for, of which everything may be
+ * NULL. In microseconds, in up to three dimensions, if a proof lies where doubles point; UNKNOWN
+ * where it does not, for other frames, and numbers of more than some 40 digits: then out is in part
+ * written, and fmb_system_from_frames_q, fmb_solve and fmb_bound tell more. Rationals are only
+ * read, and in lowest terms. Errors: ARG (NULL, frames that are none, of different dimensions). */
+FMB_API FMB_CHECKED fmb_status fmb_pair_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
+                                                 const fmb_pair_answers_q *out,
+                                                 fmb_verdict *verdict);
 
 /* ---- pairs of frames from text (docs/formats.md, "frames") ----------------------------------- */
 

@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 
+#include "pair/extreme/extreme.h"
 #include "pair/ladder.h"
 
 /* ---- life ------------------------------------------------------------------------------------ */
@@ -147,4 +148,14 @@ fmb_status fmb_pair_test(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_fr
     atomic_store_explicit(&k->oracle.cancel, 0, memory_order_relaxed);
     k->counts.pairs += n;
     return fmb_pair_answer_all(k, n, p, q, out);
+}
+
+fmb_status fmb_pair_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
+                             const fmb_pair_answers_q *out, fmb_verdict *verdict)
+{
+    if (!p || !q || !out || !verdict || !fmb_frame_q_is_good(p, p->dim) ||
+        !fmb_frame_q_is_good(q, p->dim))
+        return FMB_ERR_ARG;
+    *verdict = fmb_extreme_answer_q(p, q, out);
+    return FMB_OK;
 }

@@ -33,44 +33,64 @@ static bool stand_at_basis(boxer *b, const fmb_extreme_basis *basis)
     return true;
 }
 
-static bool find_end(boxer *b, const fmb_extreme_goal *goal, double *out)
+/* The end that is the goal, as a fraction in its unit. */
+static bool find_end(boxer *b, const fmb_extreme_goal *goal, fmb_wide *numerator,
+                     fmb_wide *denominator)
 {
-    fmb_wide numerator, denominator;
-    int exponent = goal->is_world ? b->program.exponent[goal->number] : 0;
     if (!fmb_extreme_walk_to(&b->walk, goal) || !stand_at_basis(b, &b->walk.basis) ||
         !fmb_extreme_is_farthest(&b->at, goal))
         return false;
-    fmb_extreme_value(&b->at, goal, &numerator, &denominator);
-    return fmb_extreme_round_outward(&numerator, &denominator, exponent, goal->greatest, out);
+    fmb_extreme_value(&b->at, goal, numerator, denominator);
+    return true;
 }
 
-/* Least ends, then greatest ones: neighbours are near each other. */
-static bool find_ends(boxer *b, bool is_world, int first, int n, double *out)
+enum { MOST_GOALS = 2 * (2 * FMB_EXTREME_DIM + 1) };
+
+/* Both ends of n coordinates, or unknowns, from the first on. Least ends, then greatest ones:
+ * neighbours are near each other. */
+static int add_goals(fmb_extreme_goal *goal, int goals, bool is_world, int first, int n)
 {
-    bool good = true;
     for (int side = 0; side < 2; side++)
-        for (int i = 0; good && i < n; i++)
-            good = find_end(b, &(fmb_extreme_goal){is_world, first + i, side == 1},
-                            out + 2 * i + side);
-    return good;
+        for (int i = 0; i < n; i++)
+            goal[goals++] = (fmb_extreme_goal){is_world, first + i, side == 1};
+    return goals;
 }
 
-/* ---- the answer ------------------------------------------------------------------------------ */
+static int list_goals(const fmb_extreme_program *s, bool world, bool inside, bool time,
+                      fmb_extreme_goal *goal)
+{
+    int last = s->time < 0 ? s->columns : s->time;
+    int n = add_goals(goal, 0, true, 0, world ? s->dim : 0);
+    n = add_goals(goal, n, false, s->first_of_b, inside ? last - s->first_of_b : 0);
+    return add_goals(goal, n, false, s->time, time && s->time >= 0);
+}
 
-/* Like those of fmb_pair_answers; the caller's are written only when all is known. */
+/* Of these, which: where an end stands among those of the world, of B, of time. */
+static size_t place_of_goal(const fmb_extreme_program *s, const fmb_extreme_goal *goal, int *group)
+{
+    bool is_time = !goal->is_world && goal->number == s->time;
+    int first = goal->is_world ? 0 : is_time ? s->time : s->first_of_b;
+    *group = goal->is_world ? 0 : is_time ? 2 : 1;
+    return 2 * (size_t)(goal->number - first) + goal->greatest;
+}
+
+/* ---- in doubles ------------------------------------------------------------------------------ */
+
+enum { WORLD, INSIDE, TIME, GROUPS };
+
+/* Ends by group; the caller's are written only when all is known. */
 typedef struct answer {
-    double world[2 * FMB_EXTREME_DIM], inside[2 * FMB_EXTREME_DIM], time[2];
+    double end[GROUPS][2 * FMB_EXTREME_DIM];
 } answer;
 
-static bool find_all_asked(boxer *b, const fmb_pair_answers *out, int naxes, answer *to)
+static bool find_rounded_end(boxer *b, const fmb_extreme_goal *goal, answer *to)
 {
-    const fmb_extreme_program *s = &b->program;
-    to->time[0] = 0;
-    to->time[1] = 1;
-    return (!out->world || find_ends(b, true, 0, s->dim, to->world)) &&
-           (!out->inside || find_ends(b, false, s->first_of_b, naxes, to->inside)) &&
-           (!out->time || s->time < 0 || find_ends(b, false, s->time, 1, to->time)) &&
-           stand_at_basis(b, &b->walk.basis);
+    fmb_wide numerator, denominator;
+    int group, exponent = goal->is_world ? b->program.exponent[goal->number] : 0;
+    size_t place = place_of_goal(&b->program, goal, &group);
+    return find_end(b, goal, &numerator, &denominator) &&
+           fmb_extreme_round_outward(&numerator, &denominator, exponent, goal->greatest,
+                                     &to->end[group][place]);
 }
 
 static void write_mean_of_extreme_points(const boxer *b, const fmb_frame *p, double *x)
@@ -87,21 +107,116 @@ static void write_mean_of_extreme_points(const boxer *b, const fmb_frame *p, dou
     }
 }
 
+static void copy_ends(double *to, const double *from, int n)
+{
+    for (int i = 0; to && i < 2 * n; i++)
+        to[i] = from[i];
+}
+
 bool fmb_extreme_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out)
 {
     boxer b;
-    answer found;
+    answer found = {.end[TIME] = {0, 1}};
+    fmb_extreme_goal goal[MOST_GOALS];
     b.vertices = 0;
-    if (!fmb_extreme_load(&b.program, p, q) || !fmb_extreme_walk_start(&b.walk, &b.program) ||
-        !find_all_asked(&b, out, q->naxes, &found))
+    if (!fmb_extreme_load(&b.program, p, q) || !fmb_extreme_walk_start(&b.walk, &b.program))
         return false;
-    if (out->world)
-        memcpy(out->world, found.world, 2 * (size_t)p->dim * sizeof(double));
-    if (out->inside)
-        memcpy(out->inside, found.inside, 2 * (size_t)q->naxes * sizeof(double));
-    if (out->time)
-        memcpy(out->time, found.time, sizeof found.time);
+    int goals = list_goals(&b.program, out->world, out->inside, out->time, goal);
+    for (int i = 0; i < goals; i++)
+        if (!find_rounded_end(&b, &goal[i], &found))
+            return false;
+    if (!stand_at_basis(&b, &b.walk.basis))
+        return false;
+    copy_ends(out->world, found.end[WORLD], p->dim);
+    copy_ends(out->inside, found.end[INSIDE], q->naxes);
+    copy_ends(out->time, found.end[TIME], 1);
     if (out->witness)
         write_mean_of_extreme_points(&b, p, out->witness);
     return true;
+}
+
+/* ---- in rationals ---------------------------------------------------------------------------- */
+
+static void write_fraction(const fmb_wide *numerator, const fmb_wide *denominator, mpz_srcptr unit,
+                           mpq_t out)
+{
+    mpz_import(mpq_numref(out), (size_t)numerator->n, -1, sizeof(uint64_t), 0, 0, numerator->word);
+    mpz_import(mpq_denref(out), (size_t)denominator->n, -1, sizeof(uint64_t), 0, 0,
+               denominator->word);
+    if (numerator->minus)
+        mpz_neg(mpq_numref(out), mpq_numref(out));
+    if (unit)
+        mpz_mul(mpq_denref(out), mpq_denref(out), unit);
+    mpq_canonicalize(out);
+}
+
+static mpz_srcptr unit_of_goal(mpz_t *unit, const fmb_extreme_goal *goal)
+{
+    return goal->is_world ? unit[goal->number] : NULL;
+}
+
+static bool find_exact_end(boxer *b, mpz_t *unit, const fmb_extreme_goal *goal,
+                           const fmb_pair_answers_q *out)
+{
+    mpq_t *const to[GROUPS] = {out->world, out->inside, out->time};
+    fmb_wide numerator, denominator;
+    int group;
+    size_t place = place_of_goal(&b->program, goal, &group);
+    bool good = find_end(b, goal, &numerator, &denominator);
+    if (good)
+        write_fraction(&numerator, &denominator, unit_of_goal(unit, goal), to[group][place]);
+    return good;
+}
+
+static void write_value_here(boxer *b, mpz_t *unit, const fmb_extreme_goal *goal, mpq_t out)
+{
+    fmb_wide numerator, denominator;
+    fmb_extreme_value(&b->at, goal, &numerator, &denominator);
+    write_fraction(&numerator, &denominator, unit_of_goal(unit, goal), out);
+}
+
+/* The vertex at which b stands: in the world, in B, its time. */
+static void write_extreme_point(boxer *b, mpz_t *unit, mpq_t *out)
+{
+    const fmb_extreme_program *s = &b->program;
+    for (int i = 0; i < s->dim; i++)
+        write_value_here(b, unit, &(fmb_extreme_goal){true, i, false}, out[i]);
+    for (int j = s->first_of_b; j < s->columns; j++)
+        write_value_here(b, unit, &(fmb_extreme_goal){false, j, false},
+                         out[s->dim + j - s->first_of_b]);
+}
+
+static fmb_verdict answer_in_units(boxer *b, mpz_t *unit, const fmb_frame_q *p,
+                                   const fmb_frame_q *q, const fmb_pair_answers_q *out)
+{
+    fmb_extreme_goal goal[MOST_GOALS];
+    b->vertices = 0;
+    if (!fmb_extreme_load_q(&b->program, p, q, unit))
+        return FMB_UNKNOWN;
+    if (!fmb_extreme_walk_start(&b->walk, &b->program))
+        return fmb_extreme_are_apart(&b->at, &b->program, &b->walk.basis, b->walk.weight)
+                   ? FMB_INFEASIBLE
+                   : FMB_UNKNOWN;
+    if (!stand_at_basis(b, &b->walk.basis))
+        return FMB_UNKNOWN;
+    if (out->witness)
+        write_extreme_point(b, unit, out->witness);
+    int goals = list_goals(&b->program, out->world, out->inside, out->time, goal);
+    for (int i = 0; i < goals; i++)
+        if (!find_exact_end(b, unit, &goal[i], out))
+            return FMB_UNKNOWN;
+    return FMB_FEASIBLE;
+}
+
+fmb_verdict fmb_extreme_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
+                                 const fmb_pair_answers_q *out)
+{
+    boxer b;
+    mpz_t unit[FMB_EXTREME_DIM];
+    for (int i = 0; i < FMB_EXTREME_DIM; i++)
+        mpz_init(unit[i]);
+    fmb_verdict verdict = answer_in_units(&b, unit, p, q, out);
+    for (int i = 0; i < FMB_EXTREME_DIM; i++)
+        mpz_clear(unit[i]);
+    return verdict;
 }

@@ -117,7 +117,7 @@ static void read_rational(const void *self, int frame, int axis, int row, fmb_wi
     mpz_mul(*d->whole, *d->whole, mpq_numref(x));
     mpz_export(out->word, &words, -1, sizeof *out->word, 0, 0, *d->whole);
     out->n = (int)words;
-    out->minus = mpq_sgn(x) < 0;
+    out->minus = mpz_sgn(*d->whole) < 0;
 }
 
 /* ---- both ------------------------------------------------------------------------------------ */

@@ -36,6 +36,7 @@ static void put_row_of_world(fmb_extreme_walk *w, int row, double scale)
 {
     const fmb_extreme_program *s = w->program;
     w->basic[row] = FMB_EXTREME_ARTIFICIAL + row;
+    w->scale[row] = scale;
     w->value[row] = s->h[row].near * scale;
     for (int j = 0; j < s->columns; j++) {
         w->entry[row][j] = s->m[j][row].near * scale;
@@ -179,6 +180,15 @@ static bool weigh_artificial_unknowns(const fmb_extreme_walk *w, double *weight)
     return any;
 }
 
+static void note_weights(fmb_extreme_walk *w, const double *weight)
+{
+    for (int r = 0; r < w->rows; r++) {
+        int row = w->basic[r] - FMB_EXTREME_ARTIFICIAL;
+        if (row >= 0)
+            w->weight[row] = weight[r] * w->scale[row];
+    }
+}
+
 bool fmb_extreme_walk_start(fmb_extreme_walk *w, const fmb_extreme_program *s)
 {
     static const double nothing[FMB_WALK_COLUMNS] = {0};
@@ -186,8 +196,10 @@ bool fmb_extreme_walk_start(fmb_extreme_walk *w, const fmb_extreme_program *s)
     put_first_basis(w, s);
     for (int steps = 0; weigh_artificial_unknowns(w, weight); steps++) {
         int j = find_entering(w, nothing, weight);
-        if (j < 0 || steps > MOST_STEPS)
+        if (j < 0 || steps > MOST_STEPS) {
+            note_weights(w, weight);
             return false;
+        }
         leave_end(w, j);
     }
     return true;

@@ -19,12 +19,14 @@ typedef struct fmb_extreme_walk {
     double entry[FMB_WALK_ROWS][FMB_WALK_COLUMNS], value[FMB_WALK_ROWS];
     int basic[FMB_WALK_ROWS];
     fmb_extreme_basis basis;
+    double scale[FMB_EXTREME_DIM];  /* of rows, powers of two */
+    double weight[FMB_EXTREME_DIM]; /* of artificial unknowns that are not 0: 1 or -1, and scaled */
     /* the world: coordinate i of A's points in its own unit, scaled */
     double world[FMB_EXTREME_DIM][FMB_WALK_COLUMNS];
 } fmb_extreme_walk;
 
 /* To a vertex of the common points. False: there seems to be none; the basis is where the
- * artificial unknowns are least. */
+ * artificial unknowns are least, which have these weights. */
 bool fmb_extreme_walk_start(fmb_extreme_walk *w, const fmb_extreme_program *s);
 /* From a vertex to one where the goal is at its end. False if that was not reached. */
 bool fmb_extreme_walk_to(fmb_extreme_walk *w, const fmb_extreme_goal *goal);
