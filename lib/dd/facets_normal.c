@@ -113,16 +113,6 @@ static bool take_short_minors(const minors *m, fmb_vec *normal)
     return true;
 }
 
-static void set_from_128_bits(mpz_t out, fmb_i128 t)
-{
-    fmb_u128 size = t < 0 ? 0 - (fmb_u128)t : (fmb_u128)t;
-    mpz_set_ui(out, (uint64_t)(size >> 64));
-    mpz_mul_2exp(out, out, 64);
-    mpz_add_ui(out, out, (uint64_t)size);
-    if (t < 0)
-        mpz_neg(out, out);
-}
-
 static fmb_status take_minors(fmb_facets *f, const minors *m, fmb_vec *normal)
 {
     uint32_t all = ((uint32_t)1 << m->d) - 1;
@@ -136,7 +126,7 @@ static fmb_status take_minors(fmb_facets *f, const minors *m, fmb_vec *normal)
         if (m->z)
             mpz_set(normal->z[j], m->z[set]);
         else
-            set_from_128_bits(normal->z[j], m->s[set]);
+            fmb_integer_set_128(normal->z[j], m->s[set]);
         if (j % 2)
             mpz_neg(normal->z[j], normal->z[j]);
     }

@@ -18,6 +18,7 @@ void fmb_support_clear(fmb_support *s)
 {
     fmb_mem *mem = s->run->mem;
     fmb_support_dismiss(s);
+    fmb_support_close_tight(s);
     for (size_t i = 0; i < s->rows; i++)
         fmb_support_drop(&s->row[i], mem);
     fmb_mem_put(mem, s->row, s->row_capacity, sizeof *s->row);
@@ -97,7 +98,9 @@ static fmb_status ask_about_facet(fmb_support *s, size_t at)
     fmb_support_row row = {0};
     bool stands;
     const fmb_vec *normal = &s->hull.facet[at].normal;
-    fmb_status st = fmb_support_query(s, normal, 1, &row, &stands);
+    fmb_status st = fmb_support_try_tight_rows(s, at, &row, &stands);
+    if (st == FMB_OK && !stands)
+        st = fmb_support_query(s, normal, 1, &row, &stands);
     if (st == FMB_OK && stands) {
         s->hull.facet[at].note = row.rel == FMB_LT ? FMB_FACET_MISSING : FMB_FACET_STANDS;
         return fmb_support_keep(s, &row);

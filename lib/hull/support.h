@@ -39,15 +39,18 @@ typedef struct fmb_scout {
 
 typedef struct fmb_crew fmb_crew; /* scouts that look at several facets at once (support_crew.c) */
 
+typedef struct fmb_tight fmb_tight; /* rows that are tight at generators (support_tight.c) */
+
 typedef struct fmb_support {
     fmb_run *run;
     fmb_scout scout;
-    fmb_crew *crew;  /* or NULL */
-    size_t n, k;     /* columns; those that are kept, */
-    const int *kept; /* [k], increasing */
-    bool strict;     /* some row of the program is strict */
-    bool proves;     /* proofs are wanted */
-    fmb_facets hull; /* of (1, x) and (0, x) */
+    fmb_crew *crew;   /* or NULL */
+    size_t n, k;      /* columns; those that are kept, */
+    const int *kept;  /* [k], increasing */
+    bool strict;      /* some row of the program is strict */
+    bool proves;      /* proofs are wanted */
+    fmb_facets hull;  /* of (1, x) and (0, x) */
+    fmb_tight *tight; /* or NULL */
     bool begun;
     size_t equations;     /* these of the hull stand */
     size_t at;            /* the facet to begin with when looking for one that does not stand */

@@ -49,6 +49,16 @@ fmb_status fmb_support_copy_row(const fmb_support *s, const fmb_support_row *fro
                                 fmb_support_row *to);
 void fmb_support_drop(fmb_support_row *row, fmb_mem *mem);
 
+/* ---- support_tight.c ------------------------------------------------------------------------- */
+
+/* The hull's last generator is what the scout saw. */
+fmb_status fmb_support_note_tight(fmb_support *s, const fmb_scout *c);
+/* Do the rows that are tight on what is known of a facet prove it? *stands: they do, and the row is
+ * written down, proof included; else nothing is said. */
+fmb_status fmb_support_try_tight_rows(fmb_support *s, size_t at, fmb_support_row *row,
+                                      bool *stands);
+void fmb_support_close_tight(fmb_support *s);
+
 /* support_strict.c: all facets stand. Rows for the other faces that the projection lacks. */
 fmb_status fmb_support_find_missing_faces(fmb_support *s);
 

@@ -34,6 +34,8 @@ fmb_status fmb_support_take(fmb_support *s, fmb_scout *c)
     for (size_t j = 0; j < s->k; j++)
         mpz_set(s->g.z[j + 1], c->x.z[s->kept[j]]);
     fmb_status st = fmb_facets_add(&s->hull, s->g.z, &grown);
+    if (st == FMB_OK && grown)
+        st = fmb_support_note_tight(s, c);
     return st == FMB_OK && grown ? note_inner_point(s, c) : st;
 }
 
@@ -107,7 +109,7 @@ fmb_status fmb_scout_look(fmb_scout *c, const fmb_support *s, const fmb_vec *h, 
     *stands = false;
     fmb_status st = write_cost(s, h, sign, &cost, c->run->mem);
     if (st == FMB_OK)
-        st = fmb_oracle_approach(c->oracle, &cost, &end);
+        st = fmb_oracle_glimpse(c->oracle, &cost, &end);
     if (st == FMB_OK && end == FMB_ORACLE_OPTIMUM)
         beyond = is_point_beyond(c, s, h, sign);
     if (st == FMB_OK && end == FMB_ORACLE_OPTIMUM && !beyond) {

@@ -23,14 +23,8 @@ static fmb_status store_scratch(fmb_vec *dst, size_t n, fmb_num *k, fmb_u128 all
         dst->z = fmb_vec_block(n, k->mem);
     if (!dst->z)
         return fmb_mem_status(k->mem);
-    for (size_t i = 0; i < n; i++) {
-        fmb_u128 m = absolute_128(w[i]);
-        mpz_set_ui(dst->z[i], (uint64_t)(m >> 64));
-        mpz_mul_2exp(dst->z[i], dst->z[i], 64);
-        mpz_add_ui(dst->z[i], dst->z[i], (uint64_t)m);
-        if (w[i] < 0)
-            mpz_neg(dst->z[i], dst->z[i]);
-    }
+    for (size_t i = 0; i < n; i++)
+        fmb_integer_set_128(dst->z[i], w[i]);
     return fmb_vec_settle(dst, n, k->mem);
 }
 

@@ -63,6 +63,16 @@ void fmb_vec_get(const fmb_vec *v, size_t i, mpz_t out)
         mpz_set_si(out, v->s[i]);
 }
 
+void fmb_integer_set_128(mpz_t out, fmb_i128 x)
+{
+    fmb_u128 size = x < 0 ? 0 - (fmb_u128)x : (fmb_u128)x;
+    mpz_set_ui(out, (uint64_t)(size >> 64));
+    mpz_mul_2exp(out, out, 64);
+    mpz_add_ui(out, out, (uint64_t)size);
+    if (x < 0)
+        mpz_neg(out, out);
+}
+
 void fmb_vec_measure(fmb_vec *v, size_t n)
 {
     uint64_t all = 0;

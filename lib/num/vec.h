@@ -61,6 +61,8 @@ static inline void fmb_vec_get_q(const fmb_vec *v, size_t i, mpq_t out)
     mpz_set_ui(mpq_denref(out), 1);
 }
 
+void fmb_integer_set_128(mpz_t out, fmb_i128 x);
+
 /* Recompute bits of a small vec whose s was filled in. |s[i]| < 2^62 is the caller's promise. */
 void fmb_vec_measure(fmb_vec *v, size_t n);
 

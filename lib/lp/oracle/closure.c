@@ -47,6 +47,7 @@ void fmb_oracle_free(fmb_oracle *o)
         fmb_vertex_clear(&o->v);
     }
     fmb_weights_clear(&o->margin, mem);
+    fmb_short_clear(&o->few, mem);
     fmb_integers_clear(&o->cost, mem);
     fmb_integers_clear(&o->point, mem);
     fmb_mem_put(mem, o->hint, o->n, sizeof *o->hint);
@@ -270,20 +271,24 @@ static fmb_status climb_with_refinements(fmb_oracle *o, fmb_walk_end *end)
     return st;
 }
 
-fmb_status fmb_closure_approach(fmb_oracle *o, const fmb_weights *cost, fmb_walk_end *end)
+/* Where does the door lead to? */
+static fmb_status guess_optimum(fmb_oracle *o, const fmb_weights *cost, fmb_hint *h)
 {
-    fmb_hint h = {.basis = o->hint};
-    uint64_t pivots = o->run->stats.pivots;
-    *end = FMB_WALK_TIRED;
+    *h = (fmb_hint){.basis = o->hint};
+    o->glimpsed = false;
     fmb_status st = need_door(o);
     if (st == FMB_OK)
         st = take_cost(o, cost);
-    if (st == FMB_OK)
-        st = fmb_door_maximize(o->door, o->price, &h);
-    if (st == FMB_OK)
-        st = fmb_vertex_set(&o->v, o->hint);
-    if (st == FMB_OK && h.kind == FMB_HINT_UNBOUNDED)
-        st = fmb_walk_try_ray(&o->w, h.odd, o->cost.z, end);
+    return st == FMB_OK ? fmb_door_maximize(o->door, o->price, h) : st;
+}
+
+static fmb_status certify_approach(fmb_oracle *o, const fmb_hint *h, fmb_walk_end *end)
+{
+    uint64_t pivots = o->run->stats.pivots;
+    *end = FMB_WALK_TIRED;
+    fmb_status st = fmb_vertex_set(&o->v, o->hint);
+    if (st == FMB_OK && h->kind == FMB_HINT_UNBOUNDED)
+        st = fmb_walk_try_ray(&o->w, h->odd, o->cost.z, end);
     if (st == FMB_OK && *end == FMB_WALK_TIRED)
         st = reach_feasible(o, end);
     if (st == FMB_OK)
@@ -291,9 +296,30 @@ fmb_status fmb_closure_approach(fmb_oracle *o, const fmb_weights *cost, fmb_walk
     return st == FMB_OK && *end == FMB_WALK_THERE ? take_vertex(o) : st;
 }
 
+fmb_status fmb_closure_approach(fmb_oracle *o, const fmb_weights *cost, fmb_walk_end *end)
+{
+    fmb_hint h;
+    fmb_status st = guess_optimum(o, cost, &h);
+    return st == FMB_OK ? certify_approach(o, &h, end) : st;
+}
+
+fmb_status fmb_closure_glimpse(fmb_oracle *o, const fmb_weights *cost, fmb_walk_end *end)
+{
+    fmb_hint h;
+    fmb_status st = guess_optimum(o, cost, &h);
+    if (st == FMB_OK && h.kind == FMB_HINT_OPTIMUM)
+        st = fmb_oracle_look_shortly(o, &o->glimpsed);
+    *end = FMB_WALK_THERE;
+    return st == FMB_OK && !o->glimpsed ? certify_approach(o, &h, end) : st;
+}
+
 fmb_status fmb_closure_climb(fmb_oracle *o, fmb_walk_end *end)
 {
-    fmb_status st = climb_with_refinements(o, end);
+    fmb_hint h = {.kind = FMB_HINT_OPTIMUM, .basis = o->hint};
+    fmb_status st = o->glimpsed ? certify_approach(o, &h, end) : FMB_OK;
+    o->glimpsed = false;
+    if (st == FMB_OK)
+        st = climb_with_refinements(o, end);
     return st == FMB_OK && *end == FMB_WALK_THERE ? take_vertex(o) : st;
 }
 

@@ -29,7 +29,7 @@ static fmb_status try_last_point(fmb_oracle *o, bool *holds)
     *holds = false;
     if (!o->has_point || !o->door)
         return FMB_OK;
-    return fmb_vertex_try_point(&o->v, o->point.z, o->point_den, o->price, holds);
+    return fmb_vertex_try_point(&o->v, o->point.z, o->point_den, o->price, true, holds);
 }
 
 /* A point strictly inside, or a conflict. */
@@ -71,6 +71,11 @@ fmb_status fmb_oracle_feasible(fmb_oracle *o, bool *feasible)
     return FMB_OK;
 }
 
+const fmb_program *fmb_oracle_program(const fmb_oracle *o)
+{
+    return o->p;
+}
+
 bool fmb_oracle_has_solution(const fmb_oracle *o)
 {
     return o->feasible;
@@ -105,6 +110,14 @@ fmb_status fmb_oracle_approach(fmb_oracle *o, const fmb_weights *cost, fmb_oracl
     fmb_walk_end end;
     fmb_closure_begin(o);
     fmb_status st = fmb_closure_approach(o, cost, &end);
+    return note_end(o, st, end, out);
+}
+
+fmb_status fmb_oracle_glimpse(fmb_oracle *o, const fmb_weights *cost, fmb_oracle_end *out)
+{
+    fmb_walk_end end;
+    fmb_closure_begin(o);
+    fmb_status st = fmb_closure_glimpse(o, cost, &end);
     return note_end(o, st, end, out);
 }
 

@@ -22,6 +22,7 @@ typedef enum fmb_oracle_end { FMB_ORACLE_OPTIMUM = 0, FMB_ORACLE_UNBOUNDED } fmb
 /* p must outlive the oracle. Errors: MEMORY, LIMIT. */
 fmb_status fmb_oracle_new(fmb_run *run, const fmb_program *p, fmb_oracle **out);
 void fmb_oracle_free(fmb_oracle *o);
+const fmb_program *fmb_oracle_program(const fmb_oracle *o);
 
 /* Is there a solution? If so fmb_oracle_point reads it, else fmb_oracle_conflict says why not. */
 fmb_status fmb_oracle_feasible(fmb_oracle *o, bool *feasible);
@@ -38,6 +39,8 @@ fmb_status fmb_oracle_maximize(fmb_oracle *o, const fmb_weights *cost, fmb_oracl
  * of the closure. Is that attained? Then the point may be another one. */
 fmb_status fmb_oracle_approach(fmb_oracle *o, const fmb_weights *cost, fmb_oracle_end *end);
 fmb_status fmb_oracle_climb(fmb_oracle *o, fmb_oracle_end *end);
+/* As fmb_oracle_approach, but cheaper for whoever mostly needs the point alone. */
+fmb_status fmb_oracle_glimpse(fmb_oracle *o, const fmb_weights *cost, fmb_oracle_end *end);
 fmb_status fmb_oracle_attain(fmb_oracle *o, bool *attained);
 
 /* Rows were appended, row i was left out or taken in again, or rows have other right sides: ask

@@ -2,6 +2,7 @@
 #ifndef FMB_LP_ORACLE_STATE_H
 #define FMB_LP_ORACLE_STATE_H
 
+#include "lp/exact/short.h"
 #include "lp/float/door.h"
 #include "lp/oracle/oracle.h"
 #include "lp/oracle/refute.h"
@@ -31,6 +32,9 @@ struct fmb_oracle {
     fmb_integers point; /* [n], over point_den: a solution, strict rows included */
     mpz_t point_den;
     fmb_oracle_answer answer;
+    fmb_short few;   /* for glimpses; made when it is needed */
+    int misses;      /* of glimpses, less hits */
+    bool glimpsed;   /* the point is a glimpse, the vertex an older one */
     bool has_margin; /* the answer's multipliers are those of `margin`, from margin.c */
     fmb_weights margin;
 };
@@ -44,8 +48,14 @@ fmb_status fmb_closure_guess(fmb_oracle *o, fmb_hint *h);
 fmb_status fmb_closure_certify(fmb_oracle *o, fmb_hint *h, fmb_walk_end *end);
 /* To a vertex where cost.x is large: THERE, and o->point is it; or RAY. */
 fmb_status fmb_closure_approach(fmb_oracle *o, const fmb_weights *cost, fmb_walk_end *end);
+/* The same, but the point need not be that of the vertex at hand. */
+fmb_status fmb_closure_glimpse(fmb_oracle *o, const fmb_weights *cost, fmb_walk_end *end);
 /* From there: THERE, and o->point is the optimum, or RAY. */
 fmb_status fmb_closure_climb(fmb_oracle *o, fmb_walk_end *end);
+
+/* glimpse.c: the vertex of the basis that is hinted at; *seen: o->point is it, and satisfies the
+ * closure. Errors: MEMORY, LIMIT. */
+fmb_status fmb_oracle_look_shortly(fmb_oracle *o, bool *seen);
 
 /* grid.c: the guess h is a vertex: is there a solution of short numbers near it? If *found, it is
  * o->point. Else h is asked for again. Errors: MEMORY, LIMIT. */

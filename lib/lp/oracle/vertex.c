@@ -239,7 +239,7 @@ bool fmb_vertex_is_inside(fmb_vertex *v)
 }
 
 fmb_status fmb_vertex_try_point(fmb_vertex *v, mpz_t *x, const mpz_t den, double *roughly,
-                                bool *holds)
+                                bool strictly, bool *holds)
 {
     fmb_status st = FMB_OK;
     *holds = true;
@@ -252,7 +252,7 @@ fmb_status fmb_vertex_try_point(fmb_vertex *v, mpz_t *x, const mpz_t den, double
             continue;
         double slack = rough_slack(v->p, i, roughly, &sure);
         int sign = sure ? (slack > 0) - (slack < 0) : slack_sign_at(v, i, x, den);
-        *holds = rel == FMB_EQ ? sign == 0 : rel == FMB_LT ? sign > 0 : sign >= 0;
+        *holds = rel == FMB_EQ ? sign == 0 : rel == FMB_LT && strictly ? sign > 0 : sign >= 0;
         st = fmb_run_poll(v->run);
     }
     return st;

@@ -204,7 +204,21 @@ static void expect_ray(bench *b, const fmb_oracle *o, int j, int sign)
     }
 }
 
-static void ask_end(bench *b, fmb_oracle *o, truth *t, int j, int sign)
+/* The same in steps: what is seen first is some point of the closure. */
+static void maximize_from_glimpse(bench *b, fmb_oracle *o, const fmb_weights *cost,
+                                  fmb_oracle_end *end, bool *attained)
+{
+    *attained = false;
+    cr_assert_eq(fmb_oracle_glimpse(o, cost, end), FMB_OK);
+    if (*end == FMB_ORACLE_UNBOUNDED)
+        return;
+    expect_solution(b, o, true);
+    cr_assert_eq(fmb_oracle_climb(o, end), FMB_OK);
+    if (*end == FMB_ORACLE_OPTIMUM)
+        cr_assert_eq(fmb_oracle_attain(o, attained), FMB_OK);
+}
+
+static void ask_end(bench *b, fmb_oracle *o, truth *t, int j, int sign, bool glimpse)
 {
     fmb_weights cost = {0};
     fmb_oracle_end end;
@@ -214,7 +228,10 @@ static void ask_end(bench *b, fmb_oracle *o, truth *t, int j, int sign)
     mpq_init(one);
     mpq_set_si(one, sign, 1);
     cr_assert_eq(fmb_weights_add(&cost, (uint32_t)j, one, &b->mem), FMB_OK);
-    cr_assert_eq(fmb_oracle_maximize(o, &cost, &end, &attained), FMB_OK);
+    if (glimpse)
+        maximize_from_glimpse(b, o, &cost, &end, &attained);
+    else
+        cr_assert_eq(fmb_oracle_maximize(o, &cost, &end, &attained), FMB_OK);
     cr_assert_eq(fmb_lp_extreme(&t->lp, j, sign, &other), FMB_OK);
     cr_assert_eq(end == FMB_ORACLE_UNBOUNDED, other == FMB_LP_UNBOUNDED);
     if (end == FMB_ORACLE_UNBOUNDED)
@@ -238,8 +255,8 @@ static void ask_everything(bench *b, fmb_oracle *o)
     else
         expect_solution(b, o, false);
     for (int j = 0; feasible && j < (int)b->n; j++)
-        for (int sign = -1; sign <= 1; sign += 2)
-            ask_end(b, o, &t, j, sign);
+        for (int k = 0; k < 4; k++)
+            ask_end(b, o, &t, j, k % 2 ? 1 : -1, k / 2 == j % 2);
     close_truth(&t, b);
 }
 

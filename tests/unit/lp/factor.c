@@ -6,6 +6,8 @@
 #include "lp/exact/factor.h"
 #include "lp/exact/prime.h"
 #include "lp/exact/rational.h"
+#include "lp/exact/short.h"
+#include "num/gcd.h"
 #include "support.h"
 
 /* ---- the truth ------------------------------------------------------------------------------- */
@@ -486,6 +488,67 @@ Test(factor, fractions_come_back_from_residues)
     }
     mpz_clears(m, y, a, b, num, den, t, NULL);
     fmb_rational_clear(&w);
+}
+
+/* ---- short numbers --------------------------------------------------------------------------- */
+
+static void fill_at_random(support_rng *g, fmb_short *h, int64_t *a, bool dependent)
+{
+    size_t n = h->n;
+    fmb_short_zero(h);
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = 0; j <= n; j++) {
+            a[i * (n + 1) + j] = support_chance(g, 40) ? 0 : support_between(g, -9, 9);
+            if (dependent && i + 1 == n)
+                a[i * (n + 1) + j] = n < 3 ? 0 : a[j] - 2 * a[n + 1 + j];
+            if (a[i * (n + 1) + j] != 0)
+                fmb_short_put(h, i, j, a[i * (n + 1) + j]);
+        }
+}
+
+static size_t rank_of_rows(const int64_t *a, size_t n)
+{
+    mpz_t *z = integers((n + 1) * (n + 1)); /* and a row of zeros */
+    for (size_t t = 0; t < n * (n + 1); t++)
+        mpz_set_si(z[t], a[t]);
+    size_t rank = rank_of(z, n + 1);
+    free_integers(z, (n + 1) * (n + 1));
+    return rank;
+}
+
+/* Is v, not 0 and coprime, 0 on all rows? */
+static void expect_kernel(const fmb_short *h, const int64_t *a)
+{
+    uint64_t g = 0;
+    for (size_t j = 0; j <= h->n; j++)
+        g = fmb_gcd64(g, fmb_abs64(h->v[j]));
+    cr_assert_eq(g, 1);
+    for (size_t i = 0; i < h->n; i++) {
+        fmb_i128 sum = 0;
+        for (size_t j = 0; j <= h->n; j++)
+            sum += (fmb_i128)a[i * (h->n + 1) + j] * h->v[j];
+        cr_assert(sum == 0);
+    }
+}
+
+Test(factor, kernels_of_short_numbers)
+{
+    fmb_mem mem;
+    fmb_mem_init(&mem, NULL, 0);
+    for (uint64_t seed = 0; seed < 3000; seed++) {
+        support_rng g = {seed};
+        fmb_short h;
+        size_t n = (size_t)support_between(&g, 1, 12);
+        int64_t a[12 * 13];
+        cr_assert_eq(fmb_short_init(&h, &mem, n), FMB_OK);
+        fill_at_random(&g, &h, a, support_chance(&g, 20));
+        bool found = fmb_short_find_kernel(&h);
+        cr_assert_eq(found, rank_of_rows(a, n) == n);
+        if (found)
+            expect_kernel(&h, a);
+        fmb_short_clear(&h, &mem);
+    }
+    cr_assert_eq(mem.used, 0);
 }
 
 /* ---- the prime ------------------------------------------------------------------------------- */
