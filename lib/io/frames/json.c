@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "io/core/chars.h"
+#include "io/core/number.h"
 
 void fmb_json_blanks(fmb_cursor *c)
 {
@@ -122,6 +123,12 @@ fmb_status fmb_json_number(fmb_cursor *c, const char *what, mpq_t out)
     if (!find_end_of_number(c))
         return fail_expecting_json(c, what);
     return fmb_scan_number(c, FMB_NUM_SIGN | FMB_NUM_DECIMAL | FMB_NUM_EXPONENT, what, out);
+}
+
+bool fmb_json_short_nearest(fmb_cursor *c, double *out)
+{
+    const char *end = find_end_of_number(c);
+    return end && fmb_scan_short_nearest(c, end, out);
 }
 
 /* ---- arrays and objects ---------------------------------------------------------------------- */

@@ -34,6 +34,9 @@ bool fmb_json_spells(fmb_span text, const char *word);
 /* The exact value of a number, or of a rational in a string ("-1/3"). */
 fmb_status fmb_json_number(fmb_cursor *c, const char *what, mpq_t out);
 
+/* The double nearest to a number of few digits that stands at c, false if none does. */
+bool fmb_json_short_nearest(fmb_cursor *c, double *out);
+
 /* Is null here? c is then past it. */
 bool fmb_json_null(fmb_cursor *c);
 /* Any value. */

@@ -4,9 +4,9 @@
 #include "io/core/number.h"
 #include "io/frames/frames.h"
 
-fmb_status fmb_frames_value(fmb_frames *r, fmb_cursor *c, mpq_t out, double *near)
+/* Exactly, and as a double. */
+static fmb_status read_exact_value(fmb_frames *r, fmb_cursor *c, mpq_t out, double *near)
 {
-    fmb_json_blanks(c);
     const char *p = c->at;
     bool exact;
     fmb_status st = fmb_json_number(c, "a number", out);
@@ -15,9 +15,19 @@ fmb_status fmb_frames_value(fmb_frames *r, fmb_cursor *c, mpq_t out, double *nea
     *near = fmb_io_nearest(out, &exact);
     if (r->how.nearest && !isfinite(*near))
         return fmb_io_fail(c, p, "expected a number that is not beyond all doubles");
+    r->exact = r->exact && (exact || r->how.nearest);
+    return FMB_OK;
+}
+
+fmb_status fmb_frames_value(fmb_frames *r, fmb_cursor *c, mpq_t out, double *near)
+{
+    fmb_json_blanks(c);
+    bool is_short = r->how.nearest && fmb_json_short_nearest(c, near);
+    fmb_status st = is_short ? FMB_OK : read_exact_value(r, c, out, near);
+    if (st != FMB_OK)
+        return st;
     if (r->how.nearest)
         mpq_set_d(out, *near);
-    r->exact = r->exact && (exact || r->how.nearest);
     r->digits += fmb_io_digits(out);
     r->numbers++;
     return FMB_OK;

@@ -215,3 +215,49 @@ Test(number, places)
                   places[i][0], where.line, where.column);
     }
 }
+
+/* ---- the nearest double of few digits -------------------------------------------------------- */
+
+/* A number of up to 20 digits; every second one lies half way between two doubles, or next to it.
+ */
+static void put_short_decimal(uint64_t *seed, char *text)
+{
+    uint64_t m = next(seed) >> next(seed) % 63, half = (next(seed) >> 11 | 1) * 512;
+    int exponent = (int)(next(seed) % 61) - 30;
+    if (next(seed) % 2)
+        sprintf(text, "%s%llu", next(seed) % 2 ? "-" : "",
+                (unsigned long long)(half << 1 | 1024) + next(seed) % 3 - 1);
+    else if (next(seed) % 2)
+        sprintf(text, "%llue%d", (unsigned long long)m, exponent);
+    else
+        sprintf(text, "%llu.%llu", (unsigned long long)(m % 100000),
+                (unsigned long long)(next(seed) % 100000000000000));
+}
+
+Test(number, nearest_of_few_digits)
+{
+    uint64_t seed = 4;
+    int answered = 0;
+    char text[64];
+    fmb_mem mem;
+    fmb_where where;
+    mpq_t exact;
+    fmb_mem_init(&mem, NULL, 0);
+    mpq_init(exact);
+    for (int i = 0; i < 100000; i++) {
+        double x = 0;
+        bool ignored;
+        put_short_decimal(&seed, text);
+        fmb_cursor c = cursor_on(text, &mem, &where, NULL), d = c;
+        if (!fmb_scan_short_nearest(&c, c.end, &x)) {
+            cr_assert_eq(c.at, text);
+            continue;
+        }
+        answered++;
+        cr_assert_eq(c.at, c.end);
+        cr_assert_eq(fmb_scan_number(&d, FMB_NUM_ALL, "a number", exact), FMB_OK);
+        cr_assert_eq(x, fmb_io_nearest(exact, &ignored), "%s: %.17g", text, x);
+    }
+    cr_expect_gt(answered, 80000);
+    mpq_clear(exact);
+}
