@@ -20,7 +20,7 @@ _fmb()
     local general="--help --usage --version"
     local source="--format --quiet --max-input"
     local solver="--json --proof --relax --trace --trace-rows --arith --method --order --rules --rule-library --rebase
-        --presolve --simd --max-seconds --max-rows --max-bytes --threads"
+        --presolve --simd --max-seconds --max-rows --max-bytes --threads --symmetry"
     local words
     case $prev in
         --format)
@@ -36,6 +36,7 @@ _fmb()
         --rebase) words="auto always never" ;;
         --presolve) words="none equalities components onesided bounds refute" ;;
         --simd) words="auto plain avx2 avx512" ;;
+        --symmetry) words="auto none" ;;
         --trace-rows) words="true false" ;;
         --contact) words="closed open" ;;
         --boxes) words="exact outward none" ;;

@@ -50,6 +50,14 @@ typedef enum fmb_simd {
     FMB_SIMD_AVX512 /* F, DQ and VPOPCNTDQ */
 } fmb_simd;
 
+/* Symmetries of a system: permutations of its variables, and of rows with them, that leave it what
+ * it is. */
+typedef enum fmb_symmetries {
+    FMB_SYMMETRY_AUTO = 0, /* fmb_project looks for them where it asks support queries for a while
+                              (if the library was built with nauty), and asks one for each orbit */
+    FMB_SYMMETRY_NONE
+} fmb_symmetries;
+
 /* Which claims are kept. Those of an answer may need much memory: a point for each end of a box. */
 typedef enum fmb_evidence_kept {
     FMB_EVIDENCE_NONE = 0,
@@ -78,6 +86,7 @@ typedef struct fmb_options {
                                    queries and rays; 0 or 1: the caller's alone. With more the
                                    allocator (<fmb/base.h>) must be safe for threads. Answers are
                                    the same for any number; proofs may differ from those of one */
+    fmb_symmetries symmetry;    /* use of symmetries; answers are the same */
 } fmb_options;
 
 FMB_API fmb_options fmb_options_default(void);

@@ -19,6 +19,7 @@ void fmb_support_clear(fmb_support *s)
     fmb_mem *mem = s->run->mem;
     fmb_support_dismiss(s);
     fmb_support_close_tight(s);
+    fmb_support_forget_symmetry(s);
     for (size_t i = 0; i < s->rows; i++)
         fmb_support_drop(&s->row[i], mem);
     fmb_mem_put(mem, s->row, s->row_capacity, sizeof *s->row);
@@ -102,11 +103,16 @@ static fmb_status ask_about_facet(fmb_support *s, size_t at)
     if (st == FMB_OK && !stands)
         st = fmb_support_query(s, normal, 1, &row, &stands);
     if (st == FMB_OK && stands) {
-        s->hull.facet[at].note = row.rel == FMB_LT ? FMB_FACET_MISSING : FMB_FACET_STANDS;
-        return fmb_support_keep(s, &row);
+        st = fmb_support_stand(s, at, &row);
+        return st == FMB_OK ? fmb_support_note_images(s, normal) : st;
     }
     fmb_support_drop(&row, s->run->mem);
     return st;
+}
+
+static bool has_asked_a_while(const fmb_support *s)
+{
+    return s->rows + s->hull.generators >= FMB_QUERIES_ALONE;
 }
 
 /* That one and others. */
@@ -121,11 +127,23 @@ static fmb_status ask_about_facets_at_once(fmb_support *s, size_t first)
     return st == FMB_OK ? fmb_support_ask_crew(s, n, facet) : st;
 }
 
+static fmb_status ask_about_open_facets(fmb_support *s, size_t first)
+{
+    bool known;
+    fmb_status st = fmb_support_recall(s, first, &known);
+    if (st != FMB_OK || known)
+        return st;
+    return s->crew && has_asked_a_while(s) ? ask_about_facets_at_once(s, first)
+                                           : ask_about_facet(s, first);
+}
+
 static fmb_status ask_next_question(fmb_support *s, bool *done)
 {
     const fmb_facets *f = &s->hull;
     size_t at;
     fmb_status st = fmb_run_poll_now(s->run);
+    if (st == FMB_OK && s->program && !s->symmetry && has_asked_a_while(s))
+        st = fmb_support_find_symmetry(s);
     if (st != FMB_OK)
         return st;
     if (s->equations < f->d - f->rank)
@@ -134,9 +152,7 @@ static fmb_status ask_next_question(fmb_support *s, bool *done)
     if (st != FMB_OK)
         return st;
     if (at != SIZE_MAX)
-        return s->crew && s->rows + f->generators >= FMB_QUERIES_ALONE
-                   ? ask_about_facets_at_once(s, at)
-                   : ask_about_facet(s, at);
+        return ask_about_open_facets(s, at);
     *done = true;
     return s->strict ? fmb_support_find_missing_faces(s) : FMB_OK;
 }

@@ -38,19 +38,22 @@ typedef struct fmb_scout {
 } fmb_scout;
 
 typedef struct fmb_crew fmb_crew; /* scouts that look at several facets at once (support_crew.c) */
+typedef struct fmb_symmetry fmb_symmetry; /* of the program (support_symmetry.c) */
 
 typedef struct fmb_tight fmb_tight; /* rows that are tight at generators (support_tight.c) */
 
 typedef struct fmb_support {
     fmb_run *run;
     fmb_scout scout;
-    fmb_crew *crew;   /* or NULL */
-    size_t n, k;      /* columns; those that are kept, */
-    const int *kept;  /* [k], increasing */
-    bool strict;      /* some row of the program is strict */
-    bool proves;      /* proofs are wanted */
-    fmb_facets hull;  /* of (1, x) and (0, x) */
-    fmb_tight *tight; /* or NULL */
+    fmb_crew *crew;             /* or NULL */
+    const fmb_program *program; /* whose symmetries may be used, or NULL */
+    fmb_symmetry *symmetry;     /* NULL: not looked for yet */
+    size_t n, k;                /* columns; those that are kept, */
+    const int *kept;            /* [k], increasing */
+    bool strict;                /* some row of the program is strict */
+    bool proves;                /* proofs are wanted */
+    fmb_facets hull;            /* of (1, x) and (0, x) */
+    fmb_tight *tight;           /* or NULL */
     bool begun;
     size_t equations;     /* these of the hull stand */
     size_t at;            /* the facet to begin with when looking for one that does not stand */
@@ -70,6 +73,12 @@ void fmb_support_clear(fmb_support *s);
  * each with an oracle of its own of p, the program. What is found is the same for any number of
  * threads, but perhaps in another order than by one alone. Errors: MEMORY, LIMIT. */
 fmb_status fmb_support_hire(fmb_support *s, const fmb_program *p);
+
+/* Symmetries of p, the program, may be looked for and used. */
+static inline void fmb_support_allow_symmetry(fmb_support *s, const fmb_program *p)
+{
+    s->program = p;
+}
 
 /* Ask about facets and equations until all stand: *done; or until the hull has looked at so many
  * pairs of facets for ridges, 0: any number. (Queries are about as many as the projection has

@@ -83,12 +83,13 @@ static fmb_status look_at_facet(void *self, size_t k, fmb_run *run)
 static fmb_status keep_row_seen(fmb_support *s, const sighting *g)
 {
     fmb_support_row row;
-    s->hull.facet[g->facet].note = g->row.rel == FMB_LT ? FMB_FACET_MISSING : FMB_FACET_STANDS;
     fmb_status st = fmb_support_copy_row(s, &g->row, &row);
-    if (st == FMB_OK)
-        return fmb_support_keep(s, &row);
-    fmb_support_drop(&row, s->run->mem);
-    return st;
+    if (st != FMB_OK) {
+        fmb_support_drop(&row, s->run->mem);
+        return st;
+    }
+    st = fmb_support_stand(s, g->facet, &row);
+    return st == FMB_OK ? fmb_support_note_images(s, &s->hull.facet[g->facet].normal) : st;
 }
 
 /* Rows first: as long as nothing is taken in, facets stay where they are. */

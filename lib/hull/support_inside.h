@@ -31,12 +31,25 @@ fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, int sign, fmb_sup
 
 /* Scouts of a crew, and facets that are asked about at once. */
 #define FMB_CREW 8
-/* For so many rows and generators, oracles that begin anew would cost more than they save. */
+/* For so many rows and generators, oracles that begin anew would cost more than they save; nor are
+ * symmetries looked for. */
 #define FMB_QUERIES_ALONE 32
 
 /* Ask about n <= FMB_CREW different facets that are open. There is a crew. */
 fmb_status fmb_support_ask_crew(fmb_support *s, size_t n, const size_t *facet);
 void fmb_support_dismiss(fmb_support *s);
+
+/* ---- support_symmetry.c ---------------------------------------------------------------------- */
+
+/* Look for symmetries, and use them on what there is. Errors: MEMORY, LIMIT, as below. */
+fmb_status fmb_support_find_symmetry(fmb_support *s);
+void fmb_support_forget_symmetry(fmb_support *s);
+/* The hull has grown by its last generator: take in its images. */
+fmb_status fmb_support_take_images(fmb_support *s);
+/* The row kept last is that of a facet: note its images. */
+fmb_status fmb_support_note_images(fmb_support *s, const fmb_vec *normal);
+/* Is that facet an image of one that stands? Then it stands, too. */
+fmb_status fmb_support_recall(fmb_support *s, size_t facet, bool *known);
 
 /* ---- support_row.c: a row is proved, or of no use -------------------------------------------- */
 
@@ -44,6 +57,8 @@ fmb_status fmb_support_write_row(const fmb_support *s, const fmb_vec *h, fmb_sup
                                  fmb_mem *mem);
 /* Takes over the row, whatever the status. */
 fmb_status fmb_support_keep(fmb_support *s, fmb_support_row *row);
+/* The same: it is that of a facet, which stands. */
+fmb_status fmb_support_stand(fmb_support *s, size_t facet, fmb_support_row *row);
 /* A copy of a row that is held elsewhere. In any case fmb_support_drop it. */
 fmb_status fmb_support_copy_row(const fmb_support *s, const fmb_support_row *from,
                                 fmb_support_row *to);

@@ -36,7 +36,9 @@ fmb_status fmb_support_take(fmb_support *s, fmb_scout *c)
     fmb_status st = fmb_facets_add(&s->hull, s->g.z, &grown);
     if (st == FMB_OK && grown)
         st = fmb_support_note_tight(s, c);
-    return st == FMB_OK && grown ? note_inner_point(s, c) : st;
+    if (st == FMB_OK && grown)
+        st = note_inner_point(s, c);
+    return st == FMB_OK && grown ? fmb_support_take_images(s) : st;
 }
 
 /* ---- scouts ---------------------------------------------------------------------------------- */

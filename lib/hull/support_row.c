@@ -27,6 +27,13 @@ fmb_status fmb_support_keep(fmb_support *s, fmb_support_row *row)
     return st;
 }
 
+fmb_status fmb_support_stand(fmb_support *s, size_t facet, fmb_support_row *row)
+{
+    fmb_facet *a = &s->hull.facet[facet];
+    a->note = row->rel == FMB_LT ? FMB_FACET_MISSING : FMB_FACET_STANDS;
+    return fmb_support_keep(s, row);
+}
+
 fmb_status fmb_support_copy_row(const fmb_support *s, const fmb_support_row *from,
                                 fmb_support_row *to)
 {

@@ -67,7 +67,8 @@ static fmb_status put_all_support_rows(fmb_queries *h, fmb_system *out)
     fmb_status st = h->z && h->row.s ? FMB_OK : fmb_mem_status(mem);
     for (size_t j = 0; h->z && j < n; j++)
         mpz_init(h->z[j]);
-    qsort(h->s.row, h->s.rows, sizeof *h->s.row, compare_support_rows);
+    if (h->s.rows > 1)
+        qsort(h->s.row, h->s.rows, sizeof *h->s.row, compare_support_rows);
     for (size_t i = 0; st == FMB_OK && i < h->s.rows; i++)
         st = put_support_row(h, &h->s.row[i], out);
     for (size_t j = 0; h->z && j < n; j++)
@@ -142,6 +143,8 @@ fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, fmb_querie
     h->begun = true;
     st = fmb_support_init(&h->s, &q->run, o, (size_t)h->p->n, h->column, h->k,
                           q->program[part].any_strict, q->claims != NULL);
+    if (!q->session && q->v->options.symmetry == FMB_SYMMETRY_AUTO)
+        fmb_support_allow_symmetry(&h->s, &q->program[part]);
     if (st == FMB_OK && q->run.threads > 1 && !q->session)
         st = fmb_support_hire(&h->s, &q->program[part]);
     return st;

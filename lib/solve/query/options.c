@@ -17,6 +17,7 @@ static const char *const METHOD[] = {"auto", "fm", "lp", "hull", "dd", NULL};
 static const char *const ORDER[] = {"pairs", "given", "min", "fill", NULL};
 
 static const char *const EVIDENCE[] = {"none", "all", "verdict", "whole", NULL};
+static const char *const SYMMETRY[] = {"auto", "none", NULL};
 static const char *const REBASE[] = {"auto", "always", "never", NULL};
 static const char *const SIMD[] = {"auto", "plain", "avx2", "avx512", NULL};
 
@@ -80,6 +81,11 @@ static const entry TABLE[] = {
      COUNT,
      offsetof(fmb_options, threads),
      NULL},
+    {{"symmetry", "auto|none", "auto",
+      "Support queries for one facet of those that symmetries move."},
+     WORD,
+     offsetof(fmb_options, symmetry),
+     SYMMETRY},
 };
 
 fmb_options fmb_options_default(void)

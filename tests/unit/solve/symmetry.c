@@ -1,0 +1,88 @@
+/* symmetry.c: projections of systems that have symmetries are the same whether these are used or
+ * not, with proofs that know nothing of them. */
+#include <criterion/criterion.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "property/random/agree.h"
+#include "support.h"
+
+enum { DIM = 8, KEPT = 4 };
+
+/* [give] A few rows around the origin, each with its images under one permutation, which takes
+ * variables that are kept to such; now and then a row is without them. */
+static fmb_system *with_planted_symmetry(support_rng *g)
+{
+    fmb_system *s = rows_none(DIM);
+    int turn = support_between(g, 1, KEPT - 1), other = support_between(g, 0, KEPT - 1);
+    for (int i = 0; i < 9; i++) {
+        int64_t a[DIM], next[DIM], b = support_between(g, 5, 60);
+        fmb_rel rel = support_chance(g, 10) ? FMB_LT : FMB_LE;
+        for (int j = 0; j < DIM; j++)
+            a[j] = support_chance(g, 60) ? support_between(g, -5, 5) : 0;
+        for (int k = 0; k < KEPT && (k == 0 || !(i == 0 && support_chance(g, 5))); k++) {
+            must(fmb_system_add_int(s, a, rel, b));
+            for (int j = 0; j < KEPT; j++) {
+                next[(j + turn) % KEPT] = a[j];
+                next[KEPT + (j + other) % KEPT] = a[KEPT + j];
+            }
+            memcpy(a, next, sizeof a);
+        }
+    }
+    return s;
+}
+
+/* [give] The projection as text. */
+static char *project_with(const fmb_system *s, fmb_symmetries symmetry, size_t threads,
+                          uint64_t *queries)
+{
+    static const int keep[KEPT] = {0, 1, 2, 3};
+    fmb_options o = fmb_options_default();
+    fmb_solver *v = NULL;
+    fmb_evidence *e = NULL;
+    fmb_system *p = NULL;
+    fmb_judgement j;
+    fmb_result r;
+    char *text = NULL;
+    size_t size;
+    FILE *f = open_memstream(&text, &size);
+    o.symmetry = symmetry;
+    o.threads = threads;
+    o.method = FMB_METHOD_HULL;
+    must(fmb_solver_new(&o, NULL, &v));
+    must(fmb_project(v, s, keep, KEPT, &p, &r));
+    cr_assert(p && r.stop == FMB_STOP_DONE);
+    must(fmb_solver_evidence(v, &e));
+    must(fmb_check(s, e, &j));
+    cr_assert(j.accepted, "%s", j.reason);
+    must(fmb_system_write(p, FMB_FORMAT_TEXT, f));
+    fclose(f);
+    *queries += r.stats.lps;
+    fmb_evidence_free(e);
+    fmb_system_free(p);
+    fmb_solver_free(v);
+    return text;
+}
+
+Test(symmetry, same_projection)
+{
+    uint64_t none = 0, used = 0, by_three = 0;
+    for (uint64_t seed = 0; seed < 6; seed++) {
+        support_rng g = {seed * 6700417 + 5};
+        fmb_system *s = with_planted_symmetry(&g);
+        char *without = project_with(s, FMB_SYMMETRY_NONE, 1, &none);
+        char *with = project_with(s, FMB_SYMMETRY_AUTO, 1, &used);
+        char *together = project_with(s, FMB_SYMMETRY_AUTO, 3, &by_three);
+        cr_assert_str_eq(with, without);
+        cr_assert_str_eq(together, without);
+        free(without);
+        free(with);
+        free(together);
+        fmb_system_free(s);
+    }
+#ifdef FMB_HAVE_NAUTY
+    cr_assert(used < none, "%llu queries, %llu without", (unsigned long long)used,
+              (unsigned long long)none);
+#endif
+}
