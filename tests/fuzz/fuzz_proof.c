@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_VARIABLES = 5, MOST_ROWS = 9, TRUTH_ROWS = 500 };
+enum { MOST_VARIABLES = 5, MOST_ROWS = 9, TRUTH_ROWS = 500, MOST_OF_WHOLE = 14 };
 
 static void demand(bool ok)
 {
@@ -28,6 +28,17 @@ static void judge(const fmb_system *s, const fmb_evidence *e)
     demand(j.accepted == (e->claims > 0 && j.claim == SIZE_MAX));
     demand(study_textbook_solve(s, TRUTH_ROWS, &truth) == FMB_OK);
     demand(j.verdict == FMB_UNKNOWN || truth == FMB_UNKNOWN || j.verdict == truth);
+}
+
+/* The naive judge tries all choices of rows and corners of a projection. */
+static bool is_small(const fmb_evidence *e)
+{
+    int corners = 0, rows = 0;
+    for (size_t i = 0; i < e->claims; i++) {
+        corners += e->claim[i].kind == FMB_CLAIM_CORNER;
+        rows += e->claim[i].kind == FMB_CLAIM_IMPLIED;
+    }
+    return corners <= MOST_OF_WHOLE && rows <= MOST_OF_WHOLE;
 }
 
 static char *written(const fmb_system *s, const fmb_evidence *e)
@@ -57,7 +68,8 @@ static void read_proof(const fmb_system *s, const char *text, size_t size)
     fmb_evidence *e = parsed(s, text, size);
     if (!e)
         return;
-    judge(s, e);
+    if (is_small(e))
+        judge(s, e);
     char *once = written(s, e);
     fmb_evidence *back = parsed(s, once, strlen(once));
     demand(back != NULL);
