@@ -155,7 +155,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 
 static const char doc[] =
     "Do two frames meet, where, and when? FILE has a pair of frames a line, in JSON "
-    "({\"A\": {\"type\": \"cuboid\", \"orig\": [0, 0], \"comp\": [[1, 0], [0, 1]]}, \"B\": ...}). "
+    "({\"A\": {\"type\": \"cuboid\", \"orig\": [0, 0], \"comp\": [[1, 0], [0, 1]]}, \"B\": ...}), "
+    "or "
+    "pairs in binary (fmb convert --to pairs). "
     "For a pair that meets, prints the tightest intervals of the common points (x), of their "
     "coordinates in B (c), and of the times of contact (t) if something moves; behind them a "
     "common "
@@ -232,6 +234,8 @@ static fmb_status read_all(work *w, fmb_where *where)
     do {
         errno = 0;
         st = fmb_frames_next(w->lines, &line, where);
+        if (st == FMB_OK && line && batch_wants_rationals(w->b, line))
+            st = fmb_frames_rationals(w->lines);
         cause = errno;
         if (st == FMB_OK && line && w->asked == FMB_OK)
             w->asked = batch_put(w->b, line);

@@ -74,6 +74,8 @@ typedef struct batch batch;
 /* [give] */
 batch *batch_new(intersect *x);
 void batch_free(batch *b);
+/* Is this line one to be answered in rationals? */
+bool batch_wants_rationals(const batch *b, const fmb_frames_line *line);
 /* Take one line; what is found of it is reported later, in order. */
 fmb_status batch_put(batch *b, const fmb_frames_line *line);
 /* Report all that was taken. */

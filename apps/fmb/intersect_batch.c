@@ -177,6 +177,11 @@ static bool is_for_batch(const batch *b, const fmb_frames_line *line)
            line->frame[1].naxes <= line->dim;
 }
 
+bool batch_wants_rationals(const batch *b, const fmb_frames_line *line)
+{
+    return !is_for_batch(b, line);
+}
+
 fmb_status batch_put(batch *b, const fmb_frames_line *line)
 {
     fmb_status st = FMB_OK;

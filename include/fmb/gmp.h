@@ -144,6 +144,14 @@ FMB_API void fmb_frames_close(fmb_frames *r);
  * next line. Errors: PARSE, IO, MEMORY, ARG (*where says which argument). */
 FMB_API FMB_CHECKED fmb_status fmb_frames_next(fmb_frames *r, const fmb_frames_line **out,
                                                fmb_where *where);
+/* Fill body of the last line from its doubles, which pairs in binary (docs/formats.md, "packed
+ * frames") come without: until then origin, axes and speed there are NULL. Does nothing to other
+ * lines. Errors: ARG (NULL), MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_frames_rationals(fmb_frames *r);
+/* Write pairs (p[i], q[i]) of one dimension in binary, behind whatever out holds. Their numbers
+ * should be finite: the reader refuses others. Errors: ARG, IO. */
+FMB_API FMB_CHECKED fmb_status fmb_frames_write(FILE *out, size_t n, const fmb_frame *p,
+                                                const fmb_frame *q);
 /* From now on there is no next line, and one that is being read is given up. The one call allowed
  * from another thread or a signal handler. NULL is fine. */
 FMB_API void fmb_frames_cancel(fmb_frames *r);

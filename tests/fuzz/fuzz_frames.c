@@ -42,8 +42,10 @@ static void read_all(const uint8_t *data, size_t size, bool nearest)
         st = fmb_frames_next(r, &line, &where);
         demand(st == FMB_OK || (st == FMB_ERR_PARSE && where.line > last && where.column > 0));
         demand(st == FMB_ERR_PARSE || !line || line->number > last);
-        if (st == FMB_OK && line)
+        if (st == FMB_OK && line) {
+            demand(fmb_frames_rationals(r) == FMB_OK);
             use(line);
+        }
         last = st == FMB_ERR_PARSE ? where.line : line ? line->number : last;
     } while (st == FMB_ERR_PARSE || line);
     fmb_frames_close(r);

@@ -84,12 +84,50 @@ static void publish_body(fmb_frames *r, int k)
         (fmb_frame){b->shape, r->dim, b->naxes, b->origin.d, b->axes.d, moves ? b->speed.d : NULL};
 }
 
+/* In binary there are none until they are asked for. */
+static void withhold_rationals(fmb_frames_line *line)
+{
+    for (int k = 0; k < 2; k++) {
+        fmb_frame_q *f = &line->body[k].frame;
+        f->origin = f->axes = f->speed = NULL;
+    }
+}
+
 static void publish_pair(fmb_frames *r)
 {
     r->line.dim = r->dim;
     publish_body(r, 0);
     publish_body(r, 1);
     r->line.are_doubles = r->exact && !r->body[0].rows && !r->body[1].rows;
+    if (r->is_packed)
+        withhold_rationals(&r->line);
+}
+
+static fmb_status set_rationals(fmb_numbers *a, fmb_mem *mem)
+{
+    size_t before = a->capacity;
+    fmb_status st = fmb_mem_reserve(mem, (void **)&a->q, &a->capacity, a->n, sizeof *a->q);
+    for (size_t i = before; i < a->capacity; i++)
+        mpq_init(a->q[i]);
+    for (size_t i = 0; st == FMB_OK && i < a->n; i++)
+        mpq_set_d(a->q[i], a->d[i]);
+    return st;
+}
+
+fmb_status fmb_frames_rationals(fmb_frames *r)
+{
+    fmb_status st = r ? FMB_OK : FMB_ERR_ARG;
+    for (int k = 0; st == FMB_OK && r->is_packed && k < 2; k++) {
+        fmb_body_draft *b = &r->body[k];
+        st = set_rationals(&b->origin, &r->mem);
+        if (st == FMB_OK)
+            st = set_rationals(&b->axes, &r->mem);
+        if (st == FMB_OK)
+            st = set_rationals(&b->speed, &r->mem);
+        if (st == FMB_OK)
+            publish_body(r, k);
+    }
+    return st;
 }
 
 /* ---- lines ----------------------------------------------------------------------------------- */
@@ -134,27 +172,51 @@ static fmb_status parse_pair_line(fmb_frames *r, bool *blank, fmb_where *where)
     return st;
 }
 
-fmb_status fmb_frames_next(fmb_frames *r, const fmb_frames_line **out, fmb_where *where)
+/* The first byte tells what all of it is. */
+static void sniff_binary(fmb_frames *r)
+{
+    int b = getc(r->in);
+    r->is_packed = b == 'f';
+    r->exact = true;
+    r->line.id = NULL;
+    if (b != EOF)
+        ungetc(b, r->in);
+}
+
+/* *found: there is one more pair. */
+static fmb_status fetch_pair(fmb_frames *r, bool *found, fmb_where *where)
 {
     fmb_status st;
     bool blank = true;
-    if (!r || !out)
-        return fmb_io_refuse_argument(where, r ? "out is NULL" : "the reader of frames is NULL");
+    if (r->is_packed)
+        return fmb_frames_fetch_packed(r, found, where);
     do {
         errno = 0;
         st = fetch_line_of_stream(r);
         if (st == FMB_OK && r->size > 0)
             st = parse_pair_line(r, &blank, where);
     } while (st == FMB_OK && blank && r->size > 0);
+    *found = !blank;
+    return st;
+}
+
+fmb_status fmb_frames_next(fmb_frames *r, const fmb_frames_line **out, fmb_where *where)
+{
+    bool found = false;
+    if (!r || !out)
+        return fmb_io_refuse_argument(where, r ? "out is NULL" : "the reader of frames is NULL");
+    if (r->line.number == 0 && !r->is_packed)
+        sniff_binary(r);
+    fmb_status st = fetch_pair(r, &found, where);
     if (fmb_frames_poll(r) != FMB_OK) {
         *out = NULL;
         return FMB_OK;
     }
     if (st != FMB_OK)
         return st;
-    if (!blank)
+    if (found)
         publish_pair(r);
-    *out = blank ? NULL : &r->line;
+    *out = found ? &r->line : NULL;
     return FMB_OK;
 }
 

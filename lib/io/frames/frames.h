@@ -9,6 +9,7 @@
 #include <stdatomic.h>
 
 #include "io/frames/json.h"
+#include "io/frames/packed.h"
 
 /* Most numbers of a point: products of two such are an int. */
 #define FMB_FRAMES_DIM 10000
@@ -40,6 +41,9 @@ struct fmb_frames {
     char *id;
     size_t id_capacity;
     fmb_frames_line line;
+    bool is_packed, is_over; /* in binary; which came to its end, or to a mistake */
+    fmb_packed_block block;
+    uint32_t left; /* pairs of the block */
     /* of the line that is being read: */
     fmb_body_draft body[2], *now;
     int dim;            /* of the pair; 0: not known yet */
@@ -62,6 +66,10 @@ fmb_status fmb_frames_value(fmb_frames *r, fmb_cursor *c, mpq_t out, double *nea
 /* An array of dim numbers, behind those that are there. Errors: PARSE, MEMORY, LIMIT. */
 fmb_status fmb_frames_point(fmb_frames *r, fmb_cursor *c, fmb_numbers *to);
 void fmb_numbers_clear(fmb_numbers *a, fmb_mem *mem);
+
+/* The next pair of those in binary into r->body, if there is one. Errors: PARSE, MEMORY, LIMIT, IO.
+ */
+fmb_status fmb_frames_fetch_packed(fmb_frames *r, bool *found, fmb_where *where);
 
 /* The body at c into *r->now. Errors: PARSE, MEMORY, LIMIT. */
 fmb_status fmb_frames_body(fmb_frames *r, fmb_cursor *c);
