@@ -11,11 +11,12 @@ enum { VERSION = 1 };
 
 /* ---- words ----------------------------------------------------------------------------------- */
 
-static uint64_t read_word(const unsigned char *from, int size)
+/* size is constant: one load, where the processor is little-endian. */
+static inline uint64_t read_word(const unsigned char *from, int size)
 {
     uint64_t word = 0;
-    for (int i = size - 1; i >= 0; i--)
-        word = word << 8 | from[i];
+    for (int i = 0; i < size; i++)
+        word |= (uint64_t)from[i] << 8 * i;
     return word;
 }
 
@@ -27,15 +28,15 @@ static void write_word(uint64_t word, int size, unsigned char *to)
 
 void fmb_packed_read(const unsigned char *from, int size, size_t n, double *to)
 {
-    for (size_t i = 0; i < n; i++, from += size) {
-        uint64_t word = read_word(from, size == 8 ? 8 : 4);
-        uint32_t half = (uint32_t)word;
+    for (size_t i = 0; size == 8 && i < n; i++) {
+        uint64_t word = read_word(from + 8 * i, 8);
+        memcpy(&to[i], &word, sizeof word);
+    }
+    for (size_t i = 0; size == 4 && i < n; i++) {
+        uint32_t word = (uint32_t)read_word(from + 4 * i, 4);
         float single;
-        memcpy(&single, &half, sizeof single);
-        if (size == 8)
-            memcpy(&to[i], &word, sizeof word);
-        else
-            to[i] = (double)single;
+        memcpy(&single, &word, sizeof word);
+        to[i] = (double)single;
     }
 }
 
