@@ -1,10 +1,10 @@
 /* support_tight.c: facets that stand, without a linear program; see support.h.
  *
  * The multipliers that prove a facet belong to rows that are tight on all of it, hence on the
- * generators that are known on it. If these rows are one more than the columns that go, they can be
- * combined in one way only so that these columns vanish. The combination is a row of the
- * projection if its multipliers are not negative, and it is the facet if it looks the same. It is
- * found modulo a prime (lp/exact/short.h), and then looked at in integers: where it does not fit,
+ * generators that are known on it. Mostly there is one way only to combine these so that the
+ * columns that go vanish. The combination is a row of the projection if its multipliers are not
+ * negative, and it is the facet if it looks the same. It is found modulo a prime
+ * (lp/exact/short.h), and then looked at in integers: where it does not fit, or there are several,
  * the oracle is asked, as always.
  */
 #include <string.h>
@@ -27,6 +27,7 @@ struct fmb_tight {
     fmb_short few;     /* one row for each of them */
     uint64_t *common;  /* [words] scratch */
     uint32_t *row;     /* [gone + 1] rows that are combined, */
+    size_t rows;       /* so many of them, */
     fmb_i128 *sum;     /* [n + 1] and their sum, right side last */
     fmb_vec h;         /* [k + 1] the same as a facet */
     uint64_t *residue; /* [n + 1] of a point, scratch */
@@ -127,11 +128,12 @@ fmb_status fmb_support_note_tight(fmb_support *s, const fmb_scout *c)
     return FMB_OK;
 }
 
-/* Those tight on all generators of a facet, if they are as many as wanted. */
+/* Those tight on all generators of a facet, unless there are more than can be combined in one way
+ * only. */
 static bool list_rows_tight_on_facet(fmb_support *s, const fmb_facet *a)
 {
     fmb_tight *t = s->tight;
-    size_t size = 0;
+    t->rows = 0;
     memset(t->common, 0xff, t->words * sizeof *t->common);
     for (size_t g = fmb_facet_next(a, 0, true); g < s->hull.generators;
          g = fmb_facet_next(a, g + 1, true)) {
@@ -142,22 +144,21 @@ static bool list_rows_tight_on_facet(fmb_support *s, const fmb_facet *a)
     }
     for (size_t w = 0; w < t->words; w++)
         for (uint64_t set = t->common[w]; set != 0; set &= set - 1) {
-            if (size > t->gone)
+            if (t->rows > t->gone)
                 return false;
-            t->row[size++] = (uint32_t)(64 * w) + (uint32_t)__builtin_ctzll(set);
+            t->row[t->rows++] = (uint32_t)(64 * w) + (uint32_t)__builtin_ctzll(set);
         }
-    return size == t->gone + 1;
+    return t->rows > 0;
 }
 
 /* ---- their combination ----------------------------------------------------------------------- */
 
 static bool find_multipliers(fmb_tight *t)
 {
-    fmb_short_zero(&t->few);
-    for (size_t r = 0; r <= t->gone; r++) {
+    fmb_short_zero(&t->few, t->rows);
+    for (size_t r = 0; r < t->rows; r++) {
         const fmb_program_row *row = &t->p->row[t->row[r]];
-        if (row->value->z ||
-            row->value->bits + MULTIPLIER_BITS + fmb_bits64(t->gone + 1) > SUM_BITS)
+        if (row->value->z || row->value->bits + MULTIPLIER_BITS + fmb_bits64(t->rows) > SUM_BITS)
             return false;
         for (size_t k = 0; k < row->size; k++)
             if (t->place[row->column[k]] >= 0)
@@ -172,7 +173,7 @@ static bool turn_multipliers(fmb_tight *t, bool *strict)
 {
     int sign = 0;
     *strict = false;
-    for (size_t r = 0; r <= t->gone; r++) {
+    for (size_t r = 0; r < t->rows; r++) {
         int64_t v = t->few.v[r];
         fmb_rel rel = t->p->row[t->row[r]].rel;
         *strict |= v != 0 && rel == FMB_LT;
@@ -182,7 +183,7 @@ static bool turn_multipliers(fmb_tight *t, bool *strict)
             return false;
         sign = v > 0 ? 1 : -1;
     }
-    for (size_t r = 0; sign < 0 && r <= t->gone; r++)
+    for (size_t r = 0; sign < 0 && r < t->rows; r++)
         t->few.v[r] = -t->few.v[r];
     return sign != 0;
 }
@@ -192,7 +193,7 @@ static bool combine_rows(fmb_support *s)
 {
     fmb_tight *t = s->tight;
     memset(t->sum, 0, (s->n + 1) * sizeof *t->sum);
-    for (size_t r = 0; r <= t->gone; r++) {
+    for (size_t r = 0; r < t->rows; r++) {
         const fmb_program_row *row = &t->p->row[t->row[r]];
         for (size_t k = 0; k <= row->size; k++)
             t->sum[k < row->size ? (size_t)row->column[k] : s->n] +=
@@ -232,7 +233,7 @@ static fmb_status write_multipliers(fmb_support *s, const fmb_vec *normal, fmb_s
     fmb_vec_get(normal, j, mpq_numref(factor));
     mpz_set(mpq_denref(factor), s->g.z[j]);
     mpq_canonicalize(factor);
-    for (size_t r = 0; st == FMB_OK && r <= t->gone; r++) {
+    for (size_t r = 0; st == FMB_OK && r < t->rows; r++) {
         mpq_set_si(part, t->few.v[r], 1);
         mpq_mul(part, part, factor);
         if (mpq_sgn(part) != 0)

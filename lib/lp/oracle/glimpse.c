@@ -28,7 +28,7 @@ static bool put_basis_row(fmb_oracle *o, size_t r, size_t i)
 
 static bool solve_basis(fmb_oracle *o)
 {
-    fmb_short_zero(&o->few);
+    fmb_short_zero(&o->few, o->n + 1);
     for (size_t r = 0; r < o->n; r++)
         if (!put_basis_row(o, r, o->hint[r]))
             return false;
