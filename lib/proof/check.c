@@ -227,10 +227,11 @@ static bool judge_infeasible(court *c, const fmb_claim *q)
     return proves(c, &q->multipliers, true, WRITTEN);
 }
 
-/* The form of a claim is its variable, if it names one, plus its terms. */
+/* The form of a claim is its variable, if it names one, as ends may, plus its terms. */
 static bool has_form(court *c, const fmb_claim *q)
 {
-    bool good = q->var >= -1 && q->var < c->e->dim;
+    bool end = q->kind == FMB_CLAIM_BOUND || q->kind == FMB_CLAIM_UNBOUNDED;
+    bool good = q->var >= -1 && q->var < (end ? c->e->dim : 0);
     for (size_t k = 0; k < q->terms.size; k++)
         good = good && q->terms.index[k] < (size_t)c->e->dim;
     return good || refuse(c, "the claim is about no variable");
@@ -377,16 +378,14 @@ static bool judge_corner(court *c, const fmb_claim *q)
     return q->ray.size > 0 ? keeps_all(c, &q->ray, DIRECTION) : keeps_all(c, &q->point, CLOSED);
 }
 
-/* See whole.c. */
 static bool judge_whole(court *c, const fmb_claim *q)
 {
-    static const fmb_patience endless = {0};
     const char *why = NULL;
     if (!has_form(c, q))
         return false;
     if (c->doubtful)
         return refuse(c, "it leans on claims that do not hold");
-    c->st = fmb_whole_judge(c->s, c->e, q, &c->mem, &endless, &why, NULL);
+    c->st = fmb_whole_judge(c->s, c->e, q, &c->mem, &(fmb_patience){0}, &why, NULL);
     return !why || refuse(c, "%s", why);
 }
 

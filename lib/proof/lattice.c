@@ -6,6 +6,8 @@
 
 /* Words looked at before it is too much: some seconds. */
 #define MOST_WORDS ((uint64_t)1 << 32)
+/* Words of the sets of one level: 128 MiB. */
+#define MOST_WORDS_OF_LEVEL ((size_t)1 << 24)
 
 /* All faces of one dimension, each once. */
 typedef struct faces_of_level {
@@ -205,7 +207,7 @@ static fmb_status look_at_face(lattice_walk *w, const uint64_t *f, size_t dimens
         st = descend_to_facets(w, f);
     else if (!is_closed_ray(w, f))
         w->end = FMB_LATTICE_OPEN;
-    if (w->words > MOST_WORDS)
+    if (w->words > MOST_WORDS || w->below.size > MOST_WORDS_OF_LEVEL / w->l->words)
         w->end = FMB_LATTICE_LARGE;
     return st;
 }

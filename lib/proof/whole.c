@@ -5,6 +5,8 @@
  * set of x that satisfy them with < read as <=, and Q* that of those that satisfy them as written.
  * Claims CORNER give points p and directions d of S'.
  *
+ * No index comes twice in a list of a claim: the reader sees to it.
+ *
  * CLAIM. If the conditions below hold, the image of S is Q*.
  *
  * The space A is that of all (x, t) with a.x = b t for the equations; its dimension is k + 1 minus

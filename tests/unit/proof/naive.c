@@ -207,7 +207,7 @@ static bool holds_implied(const scene *v, const fmb_claim *c)
 {
     int dim = v->rows.dim;
     inequality goal = {zeros(dim), c->rel};
-    bool good = form_of_claim(dim, c, 1, goal.a);
+    bool good = c->var == -1 && form_of_claim(dim, c, 1, goal.a);
     good = good && derives_both(&v->rows, &c->multipliers, &c->reverse, goal);
     put(goal.a, dim);
     return good;

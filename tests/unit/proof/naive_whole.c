@@ -339,7 +339,7 @@ static bool are_faces_shown(const stage *s, const dense *d, uint64_t on, int i)
 
 bool naive_is_whole(const dense *d, const fmb_evidence *e, const fmb_claim *q)
 {
-    bool good = q->var >= -1 && q->var < d->dim;
+    bool good = q->var == -1;
     for (size_t k = 0; k < q->terms.size; k++)
         good = good && q->terms.index[k] < (size_t)d->dim;
     if (!good)
