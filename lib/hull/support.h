@@ -80,6 +80,10 @@ static inline void fmb_support_allow_symmetry(fmb_support *s, const fmb_program 
     s->program = p;
 }
 
+/* Images of rows whose facets the hull has not come to yet become rows, too: at a limit. Errors:
+ * MEMORY, LIMIT: the rows that there are hold. */
+fmb_status fmb_support_keep_images(fmb_support *s);
+
 /* Ask about facets and equations until all stand: *done; or until the hull has looked at so many
  * pairs of facets for ridges, 0: any number. (Queries are about as many as the projection has
  * facets and vertices; it is inner hulls that may have many more.) What is proved stays so,

@@ -57,7 +57,12 @@ fmb_status fmb_support_write_row(const fmb_support *s, const fmb_vec *h, fmb_sup
                                  fmb_mem *mem);
 /* Takes over the row, whatever the status. */
 fmb_status fmb_support_keep(fmb_support *s, fmb_support_row *row);
-/* The same: it is that of a facet, which stands. */
+/* That facet stands, its row having the relation. */
+static inline void fmb_support_note_facet(fmb_support *s, size_t facet, fmb_rel rel)
+{
+    s->hull.facet[facet].note = rel == FMB_LT ? FMB_FACET_MISSING : FMB_FACET_STANDS;
+}
+/* The same, and keep the row. */
 fmb_status fmb_support_stand(fmb_support *s, size_t facet, fmb_support_row *row);
 /* A copy of a row that is held elsewhere. In any case fmb_support_drop it. */
 fmb_status fmb_support_copy_row(const fmb_support *s, const fmb_support_row *from,

@@ -29,8 +29,7 @@ fmb_status fmb_support_keep(fmb_support *s, fmb_support_row *row)
 
 fmb_status fmb_support_stand(fmb_support *s, size_t facet, fmb_support_row *row)
 {
-    fmb_facet *a = &s->hull.facet[facet];
-    a->note = row->rel == FMB_LT ? FMB_FACET_MISSING : FMB_FACET_STANDS;
+    fmb_support_note_facet(s, facet, row->rel);
     return fmb_support_keep(s, row);
 }
 

@@ -11,7 +11,7 @@
 
 struct fmb_symmetry {
     fmb_group group;
-    fmb_orbits points, rows; /* rows: normals of facets; tag: number in s->row */
+    fmb_orbits points, rows; /* rows: normals of facets; tag: number in s->row, if it is there */
 };
 
 /* ---- points ---------------------------------------------------------------------------------- */
@@ -41,32 +41,51 @@ fmb_status fmb_support_note_images(fmb_support *s, const fmb_vec *normal)
 {
     if (!s->symmetry || s->symmetry->group.size == 0)
         return FMB_OK;
-    return fmb_orbits_add(&s->symmetry->rows, normal, s->rows - 1);
+    fmb_orbits *o = &s->symmetry->rows;
+    fmb_status st = fmb_orbits_add(o, normal, s->rows - 1);
+    if (st == FMB_OK) /* an image of another one may have been asked about beside it */
+        o->item[fmb_orbits_find(o, normal)].tag = s->rows - 1;
+    return st;
 }
 
-/* The row of a facet, from another one of its orbit. */
-static fmb_status move_row_to_facet(fmb_support *s, size_t item, const fmb_vec *normal,
-                                    fmb_support_row *row)
+/* The row of an item, from another one of its orbit; it is kept. */
+static fmb_status keep_moved_row(fmb_support *s, size_t item)
 {
-    const fmb_orbits *o = &s->symmetry->rows;
+    fmb_orbits *o = &s->symmetry->rows;
     const fmb_support_row *root = &s->row[o->item[fmb_orbits_root(o, item)].tag];
-    *row = (fmb_support_row){.rel = root->rel};
-    fmb_status st = fmb_support_write_row(s, normal, row, s->run->mem);
-    return st == FMB_OK ? fmb_orbits_move_weights(o, item, &root->proof, &row->proof) : st;
+    fmb_support_row row = {.rel = root->rel};
+    fmb_status st = fmb_support_write_row(s, &o->item[item].v, &row, s->run->mem);
+    if (st == FMB_OK)
+        st = fmb_orbits_move_weights(o, item, &root->proof, &row.proof);
+    if (st != FMB_OK) {
+        fmb_support_drop(&row, s->run->mem);
+        return st;
+    }
+    o->item[item].tag = s->rows;
+    return fmb_support_keep(s, &row);
 }
 
 fmb_status fmb_support_recall(fmb_support *s, size_t facet, bool *known)
 {
-    fmb_support_row row;
-    const fmb_vec *normal = &s->hull.facet[facet].normal;
-    size_t item = s->symmetry ? fmb_orbits_find(&s->symmetry->rows, normal) : SIZE_MAX;
+    fmb_facet *a = &s->hull.facet[facet];
+    size_t item = s->symmetry ? fmb_orbits_find(&s->symmetry->rows, &a->normal) : SIZE_MAX;
     *known = item != SIZE_MAX;
     if (!*known)
         return FMB_OK;
-    fmb_status st = move_row_to_facet(s, item, normal, &row);
+    fmb_status st = FMB_OK;
+    if (s->symmetry->rows.item[item].tag == SIZE_MAX)
+        st = keep_moved_row(s, item);
     if (st == FMB_OK)
-        return fmb_support_stand(s, facet, &row);
-    fmb_support_drop(&row, s->run->mem);
+        fmb_support_note_facet(s, facet, s->row[s->symmetry->rows.item[item].tag].rel);
+    return st;
+}
+
+fmb_status fmb_support_keep_images(fmb_support *s)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; s->symmetry && st == FMB_OK && i < s->symmetry->rows.size; i++)
+        if (s->symmetry->rows.item[i].tag == SIZE_MAX)
+            st = keep_moved_row(s, i);
     return st;
 }
 

@@ -128,7 +128,7 @@ static void keep_item_if_new(fmb_orbits *o)
 
 static fmb_status add_image(fmb_orbits *o, size_t item, size_t g)
 {
-    fmb_status st = make_item(o, (uint32_t)item, (uint32_t)g, 0);
+    fmb_status st = make_item(o, (uint32_t)item, (uint32_t)g, SIZE_MAX);
     if (st != FMB_OK)
         return st;
     st = move_vector(o, &o->item[item].v, g, &o->item[o->size].v);

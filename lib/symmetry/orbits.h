@@ -15,7 +15,7 @@
 typedef struct fmb_orbit_vector {
     fmb_vec v;         /* [k + 1] */
     uint32_t from, by; /* from: FMB_ORBIT_ROOT for the first of its orbit */
-    size_t tag;        /* of that one: whoever holds the orbits may note something here */
+    size_t tag;        /* whoever holds the orbits may note something here; SIZE_MAX: nothing yet */
 } fmb_orbit_vector;
 
 typedef struct fmb_orbits {

@@ -170,6 +170,9 @@ fmb_status fmb_queries_run(fmb_queries *h, uint64_t pairs, fmb_system *out, bool
     if (st == FMB_OK ? !*done : st != FMB_LIMIT)
         return st;
     fmb_facets_clear(&h->s.hull); /* what is put out needs memory, too */
+    fmb_status kept = st == FMB_LIMIT ? fmb_support_keep_images(&h->s) : FMB_OK;
+    if (kept != FMB_OK && kept != FMB_LIMIT)
+        return kept;
     fmb_status put = put_all_support_rows(h, out);
     if (st == FMB_LIMIT && put == FMB_OK)
         put = claim_inner_points(h);
