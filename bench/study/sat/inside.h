@@ -1,8 +1,8 @@
 /* inside.h: all kernels of one width; the body of sat_*.c, which set FMB_LANES and name the table
  * FMB_TABLE. */
 #include "pair/kernels/packed.h"
-#include "study/sat/kernels.h"
 #include "study/sat/sat.h"
+#include "study/sat/verdicts.h"
 
 extern const fmb_packed FMB_PACKED_TABLE;
 const fmb_pair_kernels FMB_TABLE = {

@@ -6,7 +6,7 @@
 #define FMB_LANES 1
 #endif
 #ifndef FMB_PACKED_TABLE
-#define FMB_PACKED_TABLE fmb_packed_narrow
+#define FMB_PACKED_TABLE study_sat_packed_narrow
 #endif
 #ifndef FMB_TABLE
 #define FMB_TABLE study_sat_narrow

@@ -1,14 +1,18 @@
-/* pack.h: records of a set (pair/packed/set.h) turned into lanes.
+/* pack.h: records of a set (pair/packed/set.h) turned into lanes, and the loops over pairs and
+ * rows.
  *
  * Four rows of all lanes come from one load of each record and three shuffles a row at most: the
  * cost of a block is mainly that of the shuffles, not of the loads.
+ *
+ * Whoever includes this defines packed_ask before, which decides a block (packed_fmb.h), and names
+ * the table FMB_PACKED_TABLE. It is inlined into the loops: in a row what concerns the one frame
+ * alone, as its adjugate, is then computed once.
  */
 #ifndef FMB_PAIR_PACK_H
 #define FMB_PAIR_PACK_H
 
 #include <string.h>
 
-#include "pair/kernels/fmb_flat.h"
 #include "pair/kernels/lane.h"
 #include "pair/kernels/packed.h"
 
@@ -110,11 +114,16 @@ enum { PACKED_AHEAD = 4 };
 /* The records of one side of these blocks. */
 typedef const double *packed_places[PACKED_AHEAD][FMB_LANES];
 
-/* Find and prefetch records of one side of the block of pairs at `i`. */
+/* Find and prefetch records of one side of the block of pairs at `i`, of n pairs. */
 FMB_INLINE void find_records(int dim, const double *record, const uint32_t *index, size_t i,
-                             packed_places out)
+                             size_t n, packed_places out)
 {
     const double **at = out[i / FMB_LANES % PACKED_AHEAD];
+    if (i + FMB_LANES > n) {
+        for (size_t l = 0; l < FMB_LANES; l++)
+            at[l] = record + count_record(dim) * index[2 * (i + l < n ? i + l : n - 1)];
+        return;
+    }
 #pragma GCC unroll 8
     for (size_t l = 0; l < FMB_LANES; l++) {
         at[l] = record + count_record(dim) * index[2 * (i + l)];
@@ -124,77 +133,69 @@ FMB_INLINE void find_records(int dim, const double *record, const uint32_t *inde
     }
 }
 
-FMB_INLINE fmb_pair_bits ask_packed_block(const fmb_verdict_way *way, const double *block)
-{
-    return way->kernel ? way->kernel(block) : way->flat(way->kind, block);
-}
-
 /* The block of pairs at i, whose records are found. */
-FMB_INLINE fmb_pair_bits ask_pairs_at(int dim, bool moves, const fmb_packed_pairs *x, size_t i,
-                                      packed_places at[2], double *block)
+FMB_INLINE fmb_pair_bits ask_pairs_at(int dim, bool moves, int shapes, const fmb_packed_pairs *x,
+                                      size_t i, packed_places at[2], double *block)
 {
     lane a[16], b[16];
     pack_records(dim, moves, at[0][i / FMB_LANES % PACKED_AHEAD], a);
     pack_records(dim, moves, at[1][i / FMB_LANES % PACKED_AHEAD], b);
     pack_block(dim, moves, a, b, block);
-    return ask_packed_block(&x->way, block);
+    return packed_ask(dim, moves, shapes, x->kind, block);
 }
 
-/* Whole blocks: x->n is a multiple of FMB_LANES. */
-FMB_INLINE bool packed_blocks(int dim, bool moves, const fmb_packed_pairs *x, fmb_verdict *out)
+/* Pairs of x, in whole blocks, then those that are left, whose block repeats the last one. */
+FMB_INLINE bool packed_pairs(int dim, bool moves, int shapes, const fmb_packed_pairs *x,
+                             fmb_verdict *out)
 {
     _Alignas(64) double block[FMB_BLOCK_MOST_ROWS * FMB_LANES];
     const size_t ahead = PACKED_AHEAD * FMB_LANES - FMB_LANES;
+    const size_t rest = x->n % FMB_LANES, whole = x->n - rest;
     packed_places at[2];
-    unsigned known = (1U << FMB_LANES) - 1;
+    unsigned all = (1U << FMB_LANES) - 1, known = all;
     for (size_t i = 0; i < x->n + ahead; i += FMB_LANES) {
         for (int side = 0; i < x->n && side < 2; side++)
-            find_records(dim, x->record[side], x->index[side], i, at[side]);
+            find_records(dim, x->record[side], x->index[side], i, x->n, at[side]);
         if (i < ahead)
             continue;
-        fmb_pair_bits bits = ask_pairs_at(dim, moves, x, i - ahead, at, block);
+        fmb_pair_bits bits = ask_pairs_at(dim, moves, shapes, x, i - ahead, at, block);
         known &= bits.apart | bits.meet;
-        write_verdicts(bits, out + (i - ahead));
+        if (i - ahead < whole) {
+            write_verdicts(bits, out + (i - ahead));
+        } else {
+            fmb_verdict last[FMB_LANES];
+            write_verdicts(bits, last);
+            memcpy(out + whole, last, rest * sizeof *out);
+        }
     }
-    return known == (1U << FMB_LANES) - 1;
+    return known == all;
 }
 
-/* The last pairs, less than FMB_LANES: their block repeats the last one. */
-FMB_INLINE bool packed_rest(int dim, bool moves, const fmb_packed_pairs *x, size_t from,
-                            fmb_verdict *out)
+FMB_INLINE bool packed_pairs_of_shapes(int dim, bool moves, const fmb_packed_pairs *x,
+                                       fmb_verdict *out)
 {
-    fmb_verdict verdict[FMB_LANES];
-    uint32_t index[2][2 * FMB_LANES];
-    for (size_t l = 0; l < FMB_LANES; l++)
-        for (int side = 0; side < 2; side++)
-            index[side][2 * l] = x->index[side][2 * (from + l < x->n ? from + l : x->n - 1)];
-    fmb_packed_pairs rest = *x;
-    rest.index[0] = index[0];
-    rest.index[1] = index[1];
-    rest.n = FMB_LANES;
-    bool known = packed_blocks(dim, moves, &rest, verdict);
-    memcpy(out + from, verdict, (x->n - from) * sizeof *out);
-    return known;
-}
-
-FMB_INLINE bool packed_pairs(int dim, bool moves, const fmb_packed_pairs *x, fmb_verdict *out)
-{
-    fmb_packed_pairs whole = *x;
-    whole.n -= x->n % FMB_LANES;
-    bool known = packed_blocks(dim, moves, &whole, out);
-    if (whole.n < x->n)
-        known &= packed_rest(dim, moves, x, whole.n, out);
-    return known;
+    switch (x->shapes) {
+    case FMB_PACKED_CUBOIDS:
+        return packed_pairs(dim, moves, FMB_PACKED_CUBOIDS, x, out);
+    case FMB_PACKED_ONE_OF_EACH:
+        return packed_pairs(dim, moves, FMB_PACKED_ONE_OF_EACH, x, out);
+    case FMB_PACKED_SIMPLICES:
+        return packed_pairs(dim, moves, FMB_PACKED_SIMPLICES, x, out);
+    default:
+        return packed_pairs(dim, moves, FMB_PACKED_ANY, x, out);
+    }
 }
 
 static bool packed_pairs_2d(const fmb_packed_pairs *x, fmb_verdict *out)
 {
-    return x->moves ? packed_pairs(2, true, x, out) : packed_pairs(2, false, x, out);
+    return x->moves ? packed_pairs_of_shapes(2, true, x, out)
+                    : packed_pairs_of_shapes(2, false, x, out);
 }
 
 static bool packed_pairs_3d(const fmb_packed_pairs *x, fmb_verdict *out)
 {
-    return x->moves ? packed_pairs(3, true, x, out) : packed_pairs(3, false, x, out);
+    return x->moves ? packed_pairs_of_shapes(3, true, x, out)
+                    : packed_pairs_of_shapes(3, false, x, out);
 }
 
 /* ---- one against many ------------------------------------------------------------------------ */
@@ -227,7 +228,7 @@ static void packed_tiles_3d(const double *record, const uint32_t *index, size_t 
 }
 
 /* Eight frames of a row of tiles. */
-FMB_INLINE fmb_pair_bits ask_eight_tiled(int dim, bool moves, const fmb_packed_row *x,
+FMB_INLINE fmb_pair_bits ask_eight_tiled(int dim, bool moves, int shapes, const fmb_packed_row *x,
                                          const lane *one, const double *tiles)
 {
     _Alignas(64) double block[FMB_BLOCK_MOST_ROWS * FMB_LANES];
@@ -242,14 +243,15 @@ FMB_INLINE fmb_pair_bits ask_eight_tiled(int dim, bool moves, const fmb_packed_r
             pack_block(dim, moves, other, one, block);
         else
             pack_block(dim, moves, one, other, block);
-        fmb_pair_bits some = ask_packed_block(&x->way, block);
+        fmb_pair_bits some = packed_ask(dim, moves, shapes, x->kind, block);
         out.apart |= some.apart << l;
         out.meet |= some.meet << l;
     }
     return out;
 }
 
-FMB_INLINE void packed_row(int dim, bool moves, const fmb_packed_row *x, fmb_packed_bits *out)
+FMB_INLINE void packed_row(int dim, bool moves, int shapes, const fmb_packed_row *x,
+                           fmb_packed_bits *out)
 {
     const size_t rows = count_record(dim);
     lane one[16];
@@ -257,37 +259,43 @@ FMB_INLINE void packed_row(int dim, bool moves, const fmb_packed_row *x, fmb_pac
     for (size_t r = 0; r < rows; r++)
         one[r] = lane_of(x->one[r]);
     for (size_t g = 0; g < x->eights; g++) {
-        fmb_pair_bits bits = ask_eight_tiled(dim, moves, x, one, x->tiles + 8 * rows * g);
+        fmb_pair_bits bits = ask_eight_tiled(dim, moves, shapes, x, one, x->tiles + 8 * rows * g);
         out[g] = (fmb_packed_bits){(uint8_t)bits.apart, (uint8_t)bits.meet};
+    }
+}
+
+FMB_INLINE void packed_row_of_shapes(int dim, bool moves, const fmb_packed_row *x,
+                                     fmb_packed_bits *out)
+{
+    switch (x->shapes) {
+    case FMB_PACKED_CUBOIDS:
+        packed_row(dim, moves, FMB_PACKED_CUBOIDS, x, out);
+        break;
+    case FMB_PACKED_ONE_OF_EACH:
+        packed_row(dim, moves, FMB_PACKED_ONE_OF_EACH, x, out);
+        break;
+    case FMB_PACKED_SIMPLICES:
+        packed_row(dim, moves, FMB_PACKED_SIMPLICES, x, out);
+        break;
+    default:
+        packed_row(dim, moves, FMB_PACKED_ANY, x, out);
     }
 }
 
 static void packed_row_2d(const fmb_packed_row *x, fmb_packed_bits *out)
 {
     if (x->moves)
-        packed_row(2, true, x, out);
+        packed_row_of_shapes(2, true, x, out);
     else
-        packed_row(2, false, x, out);
+        packed_row_of_shapes(2, false, x, out);
 }
 
 static void packed_row_3d(const fmb_packed_row *x, fmb_packed_bits *out)
 {
     if (x->moves)
-        packed_row(3, true, x, out);
+        packed_row_of_shapes(3, true, x, out);
     else
-        packed_row(3, false, x, out);
-}
-
-/* ---- any axes -------------------------------------------------------------------------------- */
-
-static fmb_pair_bits fmb_flat_2d(const fmb_flat_kind *kind, const double *block)
-{
-    return fmb_flat(2, kind, block);
-}
-
-static fmb_pair_bits fmb_flat_3d(const fmb_flat_kind *kind, const double *block)
-{
-    return fmb_flat(3, kind, block);
+        packed_row_of_shapes(3, false, x, out);
 }
 
 /* ---- indices --------------------------------------------------------------------------------- */
@@ -308,7 +316,7 @@ static void packed_largest(const uint32_t *index, size_t n, uint32_t out[2])
 }
 
 extern const fmb_packed FMB_PACKED_TABLE;
-const fmb_packed FMB_PACKED_TABLE = {.flat = {fmb_flat_2d, fmb_flat_3d},
+const fmb_packed FMB_PACKED_TABLE = {.flat = {packed_ask_any_2d, packed_ask_any_3d},
                                      .pairs = {packed_pairs_2d, packed_pairs_3d},
                                      .tiles = {packed_tiles_2d, packed_tiles_3d},
                                      .row = {packed_row_2d, packed_row_3d},

@@ -12,12 +12,13 @@
 /* The verdict kernel of frames with any number of axes; rows of missing axes are not looked at. */
 typedef fmb_pair_bits fmb_flat_kernel(const fmb_flat_kind *kind, const double *block);
 
-/* How a block is decided: by kernel, or else by flat. */
-typedef struct fmb_verdict_way {
-    fmb_verdict_kernel *kernel;
-    fmb_flat_kernel *flat;
-    const fmb_flat_kind *kind;
-} fmb_verdict_way;
+/* What a block holds. */
+typedef enum fmb_packed_shapes {
+    FMB_PACKED_CUBOIDS = 0,
+    FMB_PACKED_ONE_OF_EACH, /* A is the cuboid */
+    FMB_PACKED_SIMPLICES,
+    FMB_PACKED_ANY /* any number of axes */
+} fmb_packed_shapes;
 
 /* n > 0 pairs of one kind: record index[2 i] of each side. */
 typedef struct fmb_packed_pairs {
@@ -25,7 +26,8 @@ typedef struct fmb_packed_pairs {
     const uint32_t *index[2];
     size_t n;
     bool moves;
-    fmb_verdict_way way;
+    fmb_packed_shapes shapes;
+    const fmb_flat_kind *kind; /* of any shapes */
 } fmb_packed_pairs;
 
 /* One frame against many of one kind, in tiles. */
@@ -35,7 +37,8 @@ typedef struct fmb_packed_row {
     size_t eights; /* frames / 8 */
     bool moves;
     bool swapped; /* the one is B of the blocks */
-    fmb_verdict_way way;
+    fmb_packed_shapes shapes;
+    const fmb_flat_kind *kind; /* of any shapes */
 } fmb_packed_row;
 
 /* Of eight frames. */

@@ -2,4 +2,6 @@
 #define FMB_LANES        4
 #define FMB_PACKED_TABLE fmb_packed_avx2
 
+#include "pair/kernels/packed_fmb.h"
+
 #include "pair/kernels/pack.h"

@@ -8,4 +8,6 @@
 #define FMB_PACKED_TABLE fmb_packed_narrow
 #endif
 
+#include "pair/kernels/packed_fmb.h"
+
 #include "pair/kernels/pack.h"

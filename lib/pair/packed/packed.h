@@ -9,8 +9,8 @@
 /* How kernels decide pairs of two kinds. */
 typedef struct fmb_packed_plan {
     bool moves, swapped; /* swapped: blocks hold (b, a) */
-    fmb_verdict_way way; /* may point to flat: a plan stays where it was made */
-    fmb_flat_kind flat;
+    fmb_packed_shapes shapes;
+    fmb_flat_kind flat; /* of any shapes */
 } fmb_packed_plan;
 
 /* False: no kernel does. */

@@ -40,15 +40,16 @@ bool fmb_packed_plan_of(const fmb_pair *k, int a, int b, fmb_packed_plan *out)
         return false;
     const int naxes[2] = {fmb_kind_naxes(a), fmb_kind_naxes(b)};
     const bool simplex[2] = {fmb_kind_shape(a), fmb_kind_shape(b)};
-    bool moves = ((a | b) & FMB_KIND_MOVES) != 0;
-    out->moves = moves;
+    out->moves = ((a | b) & FMB_KIND_MOVES) != 0;
     out->swapped = false;
-    out->way = (fmb_verdict_way){.flat = k->wide->packed->flat[k->dim - 2], .kind = &out->flat};
+    out->shapes = FMB_PACKED_ANY;
     if (naxes[0] == k->dim && naxes[1] == k->dim) {
-        out->way.kernel = k->wide->verdict[k->dim - 2][moves][simplex[0]][simplex[1]];
         out->swapped = simplex[0] && !simplex[1];
+        out->shapes = simplex[0] && simplex[1]   ? FMB_PACKED_SIMPLICES
+                      : simplex[0] || simplex[1] ? FMB_PACKED_ONE_OF_EACH
+                                                 : FMB_PACKED_CUBOIDS;
     } else {
-        fmb_flat_kind_of(k->dim, moves, naxes, simplex, &out->flat);
+        fmb_flat_kind_of(k->dim, out->moves, naxes, simplex, &out->flat);
     }
     return true;
 }
@@ -139,7 +140,8 @@ static fmb_status decide_pairs_of_kinds(fmb_pair *k, const pairs_query *x, int k
         return fmb_packed_decide(k, x->a, x->b, n, pair, out);
     const fmb_frames *set[2] = {x->a, x->b};
     const uint32_t *index[2] = {&pair->a, &pair->b};
-    fmb_packed_pairs packed = {.n = n, .moves = plan.moves, .way = plan.way};
+    fmb_packed_pairs packed = {
+        .n = n, .moves = plan.moves, .shapes = plan.shapes, .kind = &plan.flat};
     for (int side = 0; side < 2; side++) {
         packed.record[side] = set[side ^ plan.swapped]->record;
         packed.index[side] = index[side ^ plan.swapped];

@@ -56,7 +56,8 @@ static void ask_chunk(const fmb_pair *k, const fmb_frames *a, size_t i, const ch
                                 .eights = (c->n + 7) / 8,
                                 .moves = plan.moves,
                                 .swapped = plan.swapped,
-                                .way = plan.way};
+                                .shapes = plan.shapes,
+                                .kind = &plan.flat};
     k->wide->packed->row[k->dim - 2](&row, out);
 }
 
@@ -129,11 +130,26 @@ typedef struct band {
     size_t count[2], capacity[2];
 } band;
 
-/* What a row of a chunk said. A set of one kind has its numbers in order. */
-static void note_bits_of_chunk(const all_query *x, const chunk *c, const fmb_packed_bits *bits,
-                               uint64_t *meet, uint64_t *open)
+/* What a row of a chunk said, of a set of one kind: its numbers are in order, and chunks begin at
+ * multiples of 8. */
+static void note_bytes_of_chunk(const chunk *c, const fmb_packed_bits *bits, uint64_t *meet,
+                                uint64_t *open)
 {
-    const uint32_t *number = x->b->order + c->from;
+    for (size_t g = 0; g < (c->n + 7) / 8; g++) {
+        size_t byte = c->from / 8 + g;
+        unsigned left = c->n - 8 * g < 8 ? (1U << (c->n - 8 * g)) - 1 : 0xff;
+        unsigned unknown = ~(unsigned)(bits[g].meet | bits[g].apart) & left;
+        meet[byte / 8] |= (uint64_t)(bits[g].meet & left) << byte % 8 * 8;
+        if (unknown)
+            open[byte / 8] |= (uint64_t)unknown << byte % 8 * 8;
+    }
+}
+
+/* The same of any set. */
+static void note_bits_of_chunk(const chunk *c, const fmb_packed_bits *bits, uint64_t *meet,
+                               uint64_t *open)
+{
+    const uint32_t *number = c->set->order + c->from;
     for (size_t g = 0; g < (c->n + 7) / 8; g++) {
         unsigned left = c->n - 8 * g < 8 ? (1U << (c->n - 8 * g)) - 1 : 0xff;
         unsigned met = bits[g].meet & left, unknown = ~(bits[g].meet | bits[g].apart) & left;
@@ -148,6 +164,8 @@ static void note_bits_of_chunk(const all_query *x, const chunk *c, const fmb_pac
 /* All chunks with a frame that comes after the first of the band, if that is asked for. */
 static void ask_band(const all_query *x, band *w)
 {
+    void (*note)(const chunk *, const fmb_packed_bits *, uint64_t *, uint64_t *) =
+        x->b->only >= 0 ? note_bytes_of_chunk : note_bits_of_chunk;
     for (size_t from = 0; from < x->b->n && !fmb_pair_is_cancelled(w->k);) {
         chunk c;
         size_t end = load_chunk(w->k, x->b, from, &c);
@@ -155,36 +173,52 @@ static void ask_band(const all_query *x, band *w)
         for (size_t r = 0; counts && r < w->rows; r++) {
             fmb_packed_bits bits[EIGHTS];
             ask_chunk(w->k, x->a, w->first + r, &c, bits);
-            note_bits_of_chunk(x, &c, bits, w->meet + r * x->words, w->open + r * x->words);
+            note(&c, bits, w->meet + r * x->words, w->open + r * x->words);
         }
         from = end;
     }
 }
 
-static fmb_status note_pair(band *w, bool unknown, size_t i, size_t j)
+/* Room for another word of pairs. */
+static fmb_status make_room_for_word(band *w, bool unknown)
 {
-    fmb_status st = fmb_mem_reserve(&w->mem, (void **)&w->found[unknown], &w->capacity[unknown],
-                                    w->count[unknown] + 1, sizeof(fmb_frames_pair));
-    if (st == FMB_OK)
-        w->found[unknown][w->count[unknown]++] = (fmb_frames_pair){(uint32_t)i, (uint32_t)j};
+    return fmb_mem_reserve(&w->mem, (void **)&w->found[unknown], &w->capacity[unknown],
+                           w->count[unknown] + 64, sizeof(fmb_frames_pair));
+}
+
+/* Pairs of frame i with those of the second set that are open. */
+static fmb_status decide_open_word(const all_query *x, band *w, size_t i, size_t word,
+                                   uint64_t open, uint64_t *meet)
+{
+    fmb_status st = make_room_for_word(w, true);
+    for (; st == FMB_OK && open; open &= open - 1) {
+        int bit = __builtin_ctzll(open);
+        fmb_frames_pair pair = {(uint32_t)i, (uint32_t)(64 * word + (size_t)bit)};
+        fmb_verdict is = FMB_UNKNOWN;
+        st = fmb_packed_decide(w->k, x->a, x->b, 1, &pair, &is);
+        if (is == FMB_FEASIBLE)
+            *meet |= UINT64_C(1) << bit;
+        else if (is == FMB_UNKNOWN)
+            w->found[true][w->count[true]++] = pair;
+    }
     return st;
 }
 
-/* Pairs of frame i with these of the second set, those that meet and those that are open. */
+/* Pairs of frame i with those of the second set that meet, and those that are open. */
 static fmb_status note_pairs_of_word(const all_query *x, band *w, size_t i, size_t word,
                                      uint64_t meet, uint64_t open)
 {
-    fmb_status st = FMB_OK;
-    for (uint64_t both = meet | open; st == FMB_OK && both; both &= both - 1) {
-        int bit = __builtin_ctzll(both);
-        fmb_frames_pair pair = {(uint32_t)i, (uint32_t)(64 * word + (size_t)bit)};
-        fmb_verdict is = FMB_FEASIBLE;
-        if (open >> bit & 1)
-            st = fmb_packed_decide(w->k, x->a, x->b, 1, &pair, &is);
-        if (st == FMB_OK && is != FMB_INFEASIBLE)
-            st = note_pair(w, is == FMB_UNKNOWN, pair.a, pair.b);
-    }
-    return st;
+    fmb_status st = open ? decide_open_word(x, w, i, word, open, &meet) : FMB_OK;
+    if (st == FMB_OK && meet)
+        st = make_room_for_word(w, false);
+    if (st != FMB_OK || !meet)
+        return st;
+    fmb_frames_pair *to = w->found[false] + w->count[false];
+    for (; meet; meet &= meet - 1)
+        *to++ =
+            (fmb_frames_pair){(uint32_t)i, (uint32_t)(64 * word + (size_t)__builtin_ctzll(meet))};
+    w->count[false] = (size_t)(to - w->found[false]);
+    return FMB_OK;
 }
 
 static fmb_status note_pairs_of_band(const all_query *x, band *w)

@@ -1,0 +1,301 @@
+/* packed.c: verdicts on frames in sets (<fmb/frames.h>): is elimination as fast as separating axes
+ * where no pointer is followed, how fast are frames with fewer axes, and do threads help?
+ *
+ * Pairs by index: frame i of one set and frame i of another, 65,536 distinct pairs of the article's
+ * generator of one verdict. All against all: 256 frames and 256 others. Ways take turns; times are
+ * this thread's CPU time, medians over the passes, the least in brackets. See README.md.
+ */
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include <fmb/frames.h>
+
+#include "machine.h"
+#include "study/clock/clock.h"
+#include "study/draw/pairs.h"
+#include "study/sat/sat.h"
+
+enum { PAIRS = 65536, SIDE = 256, PASSES = 15 };
+
+static void must(fmb_status st)
+{
+    if (st != FMB_OK) {
+        fprintf(stderr, "%s\n", fmb_status_text(st));
+        exit(70);
+    }
+}
+
+/* ---- ways ------------------------------------------------------------------------------------ */
+
+typedef struct way {
+    fmb_pair *k;
+    const fmb_frames *a, *b;
+    const fmb_frames_pair *pair;
+    fmb_verdict *verdict;
+    size_t meeting; /* all against all */
+} way;
+
+static fmb_status ask_pairs(void *self, size_t first, size_t n)
+{
+    way *w = self;
+    return fmb_frames_test(w->k, w->a, w->b, n, w->pair + first,
+                           &(fmb_pair_answers){.verdict = w->verdict + first});
+}
+
+static bool count_pairs_told(void *self, fmb_verdict verdict, size_t n, const fmb_frames_pair *pair)
+{
+    way *w = self;
+    (void)pair;
+    w->meeting += verdict == FMB_FEASIBLE ? n : 0;
+    return true;
+}
+
+static fmb_status ask_all(void *self, size_t first, size_t n)
+{
+    way *w = self;
+    (void)first;
+    (void)n;
+    w->meeting = 0;
+    return fmb_frames_meet(w->k, w->a, w->b, count_pairs_told, w);
+}
+
+/* ---- duels ----------------------------------------------------------------------------------- */
+
+typedef struct duel {
+    way w[2]; /* elimination, separating axes */
+    study_clock clock;
+} duel;
+
+static void run_duel(duel *d, fmb_status (*run)(void *, size_t, size_t), int ways)
+{
+    study_timed timed[2];
+    for (int i = 0; i < ways; i++)
+        timed[i] = (study_timed){run, &d->w[i]};
+    d->clock = (study_clock){
+        .way = timed, .ways = (size_t)ways, .queries = PAIRS, .groups = 1, .passes = PASSES};
+    must(study_clock_run(&d->clock));
+    d->clock.way = NULL;
+}
+
+static void print_duel(const char *what, const study_pair_plan *plan, const char *kind, duel *d)
+{
+    study_spread fmb = study_clock_ns(&d->clock, 0), sat = study_clock_ns(&d->clock, 1);
+    printf("%dD %-6s %s %-5s  %6.2f [%5.2f]  %6.2f [%5.2f]  %6.3f\n", plan->dim,
+           plan->moves ? "moving" : "still", kind, what, fmb.median, fmb.least, sat.median,
+           sat.least, study_clock_ratio(&d->clock, 0, 1).ratio);
+    study_clock_clear(&d->clock);
+}
+
+typedef struct wanted {
+    fmb_pair *k;
+    fmb_verdict verdict;
+} wanted;
+
+static bool keep(void *self, const fmb_frame *p, const fmb_frame *q)
+{
+    wanted *w = self;
+    fmb_verdict is;
+    must(fmb_pair_test(w->k, 1, p, q, &(fmb_pair_answers){.verdict = &is}));
+    return is == w->verdict;
+}
+
+static const char *kind_text(const study_pair_plan *plan)
+{
+    static const char *const text[3] = {"CC", "CT", "TT"};
+    return text[plan->shape[0] + plan->shape[1]];
+}
+
+static void open_duel(const study_pair_plan *plan, fmb_simd simd, duel *d)
+{
+    static fmb_frames_pair pair[PAIRS];
+    static fmb_verdict verdict[2][PAIRS];
+    fmb_pair_options o = fmb_pair_options_default();
+    o.simd = simd;
+    for (uint32_t i = 0; i < PAIRS; i++)
+        pair[i] = (fmb_frames_pair){i, i};
+    for (int i = 0; i < 2; i++)
+        d->w[i] = (way){.pair = pair, .verdict = verdict[i]};
+    must(fmb_pair_new(plan->dim, &o, NULL, &d->w[0].k));
+    must(study_sat_new(plan->dim, &o, &d->w[1].k));
+}
+
+static void set_frames(duel *d, const fmb_frames *a, const fmb_frames *b)
+{
+    for (int i = 0; i < 2; i++) {
+        d->w[i].a = a;
+        d->w[i].b = b;
+    }
+}
+
+static void measure_pairs(const study_pair_plan *plan, fmb_simd simd, fmb_verdict verdict)
+{
+    duel d;
+    study_pairs pairs;
+    fmb_frames *a = NULL, *b = NULL;
+    open_duel(plan, simd, &d);
+    wanted only = {d.w[0].k, verdict};
+    must(study_pairs_make(plan, 1, PAIRS, keep, &only, &pairs));
+    must(fmb_frames_new(plan->dim, PAIRS, pairs.p, NULL, &a));
+    must(fmb_frames_new(plan->dim, PAIRS, pairs.q, NULL, &b));
+    set_frames(&d, a, b);
+    run_duel(&d, ask_pairs, 2);
+    print_duel(verdict == FMB_FEASIBLE ? "meet" : "apart", plan, kind_text(plan), &d);
+    if (memcmp(d.w[0].verdict, d.w[1].verdict, PAIRS * sizeof(fmb_verdict)) != 0)
+        printf("the two differ\n");
+    study_pairs_free(&pairs);
+    fmb_frames_free(a);
+    fmb_frames_free(b);
+    fmb_pair_free(d.w[0].k);
+    fmb_pair_free(d.w[1].k);
+}
+
+/* Two sets of SIDE frames of a plan, with so many axes (0: all). */
+static void make_sides(const study_pair_plan *plan, const int naxes[2], fmb_frames **a,
+                       fmb_frames **b)
+{
+    study_pairs pairs;
+    must(study_pairs_make(plan, 2, SIDE, NULL, NULL, &pairs));
+    for (int i = 0; i < SIDE; i++) {
+        pairs.p[i].naxes = naxes[0] > 0 ? naxes[0] : plan->dim;
+        pairs.q[i].naxes = naxes[1] > 0 ? naxes[1] : plan->dim;
+    }
+    must(fmb_frames_new(plan->dim, SIDE, pairs.p, NULL, a));
+    must(fmb_frames_new(plan->dim, SIDE, pairs.q, NULL, b));
+    study_pairs_free(&pairs);
+}
+
+static void measure_all(const study_pair_plan *plan, fmb_simd simd)
+{
+    const int all[2] = {0, 0};
+    duel d;
+    fmb_frames *a = NULL, *b = NULL;
+    open_duel(plan, simd, &d);
+    make_sides(plan, all, &a, &b);
+    set_frames(&d, a, b);
+    run_duel(&d, ask_all, 2);
+    print_duel("all", plan, kind_text(plan), &d);
+    if (d.w[0].meeting != d.w[1].meeting)
+        printf("the two differ\n");
+    fmb_frames_free(a);
+    fmb_frames_free(b);
+    fmb_pair_free(d.w[0].k);
+    fmb_pair_free(d.w[1].k);
+}
+
+/* ---- fewer axes ------------------------------------------------------------------------------ */
+
+static void measure_flat(const char *what, const int naxes[2], bool moves, fmb_simd simd)
+{
+    const study_pair_plan plan = {
+        .family = STUDY_PAIR_ARTICLE, .dim = 3, .moves = moves, .shape = {1, 1}};
+    duel d;
+    fmb_frames *a = NULL, *b = NULL;
+    open_duel(&plan, simd, &d);
+    make_sides(&plan, naxes, &a, &b);
+    set_frames(&d, a, b);
+    run_duel(&d, ask_all, 1);
+    study_spread ns = study_clock_ns(&d.clock, 0);
+    printf("%-24s %-6s  %6.2f [%5.2f]  %5.1f %% meet, %llu exact\n", what,
+           moves ? "moving" : "still", ns.median, ns.least, 100.0 * (double)d.w[0].meeting / PAIRS,
+           (unsigned long long)fmb_pair_count(d.w[0].k).exact_verdicts);
+    study_clock_clear(&d.clock);
+    fmb_frames_free(a);
+    fmb_frames_free(b);
+    fmb_pair_free(d.w[0].k);
+    fmb_pair_free(d.w[1].k);
+}
+
+/* ---- threads --------------------------------------------------------------------------------- */
+
+static double wall_seconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* The least time on the wall of PASSES passes. */
+static double measure_threads(size_t threads)
+{
+    const study_pair_plan plan = {.family = STUDY_PAIR_ARTICLE, .dim = 3};
+    fmb_pair_options o = fmb_pair_options_default();
+    way w = {.k = NULL};
+    study_pairs pairs;
+    fmb_frames *set = NULL;
+    double least = 1e9;
+    o.threads = threads;
+    must(study_pairs_make(&plan, 3, 2048, NULL, NULL, &pairs));
+    must(fmb_frames_new(3, 2048, pairs.p, NULL, &set));
+    must(fmb_pair_new(3, &o, NULL, &w.k));
+    w.a = w.b = set;
+    for (int i = 0; i < PASSES; i++) {
+        double start = wall_seconds();
+        must(ask_all(&w, 0, 0));
+        double took = wall_seconds() - start;
+        least = took < least ? took : least;
+    }
+    study_pairs_free(&pairs);
+    fmb_frames_free(set);
+    fmb_pair_free(w.k);
+    return least;
+}
+
+/* ---- the program ----------------------------------------------------------------------------- */
+
+static bool parse(int argc, char **argv, fmb_simd *out)
+{
+    static const char *const name[] = {"--simd=plain", "--simd=avx2", "--simd=avx512"};
+    static const fmb_simd level[] = {FMB_SIMD_PLAIN, FMB_SIMD_AVX2, FMB_SIMD_AVX512};
+    *out = FMB_SIMD_AUTO;
+    for (int i = 1; i < argc; i++) {
+        int l = 0;
+        while (l < 3 && strcmp(argv[i], name[l]) != 0)
+            l++;
+        if (l == 3)
+            return false;
+        *out = level[l];
+    }
+    return true;
+}
+
+static study_pair_plan plan_of_cell(int i)
+{
+    int kind = i % 3;
+    return (study_pair_plan){.family = STUDY_PAIR_ARTICLE,
+                             .dim = 2 + i / 3 % 2,
+                             .moves = i / 6,
+                             .shape = {kind == 2, kind > 0}};
+}
+
+int main(int argc, char **argv)
+{
+    static const struct {
+        const char *what;
+        int naxes[2];
+    } flat[] = {{"two triangles", {2, 2}},
+                {"segment, triangle", {1, 2}},
+                {"triangle, tetrahedron", {2, 3}},
+                {"segment, tetrahedron", {1, 3}},
+                {"two segments", {1, 1}}};
+    fmb_simd simd;
+    if (!parse(argc, argv, &simd)) {
+        fprintf(stderr, "usage: bench-packed [--simd=plain|avx2|avx512]\n");
+        return 64;
+    }
+    printf("{");
+    print_machine_json(stdout);
+    printf("}\n%-20s  %14s  %14s  %6s\n", "ns [least]", "fmb", "sat", "ratio");
+    for (int i = 0; i < 36; i++) {
+        study_pair_plan plan = plan_of_cell(i / 3);
+        if (i % 3 < 2)
+            measure_pairs(&plan, simd, i % 3 ? FMB_INFEASIBLE : FMB_FEASIBLE);
+        else
+            measure_all(&plan, simd);
+    }
+    for (int i = 0; i < 10; i++)
+        measure_flat(flat[i / 2].what, flat[i / 2].naxes, i % 2, simd);
+    double one = measure_threads(1), two = measure_threads(2);
+    printf("two threads: %.2f times as fast\n", one / two);
+    return 0;
+}
