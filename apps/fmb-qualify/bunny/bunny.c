@@ -3,6 +3,8 @@
  * concluded. */
 #include <string.h>
 
+#include <fmb/frames.h>
+
 #include "common/message.h"
 #include "fmb-qualify/bunny/bunny.h"
 #include "fmb-qualify/numbers.h"
@@ -60,14 +62,12 @@ static bool find_hit(const fmb_mesh_answer *answer, size_t i, size_t j)
 }
 
 /* Face i of A against all of B; its time is added. */
-static fmb_status ask_face(bunny_study *s, fmb_pair *k, size_t i, fmb_frame *same, fmb_verdict *v,
-                           double *seconds)
+static fmb_status ask_face(bunny_study *s, fmb_pair *k, size_t i, const fmb_frames *const set[2],
+                           fmb_verdict *v, double *seconds)
 {
     size_t n = s->b.faces;
-    for (size_t j = 0; j < n; j++)
-        same[j] = s->a.frame[i];
     double start = study_thread_seconds();
-    fmb_status st = fmb_pair_test(k, n, same, s->b.frame, &(fmb_pair_answers){.verdict = v});
+    fmb_status st = fmb_frames_test_row(k, set[0], i, set[1], v);
     *seconds += study_thread_seconds() - start;
     for (size_t j = 0; st == FMB_OK && j < n; j++)
         s->wrong += (v[j] == FMB_FEASIBLE) != find_hit(&s->answer, i, j);
@@ -77,24 +77,22 @@ static fmb_status ask_face(bunny_study *s, fmb_pair *k, size_t i, fmb_frame *sam
 
 /* Faces of A spread evenly, so many that there are as many pairs as asked for; and those that meet,
  * at most as many again. */
-static fmb_status ask_some_faces(bunny_study *s, fmb_pair *k)
+static fmb_status ask_some_faces(bunny_study *s, fmb_pair *k, const fmb_frames *const set[2])
 {
     size_t n = s->a.faces, rows = s->setup->pairs / (s->b.faces + 1) + 1, before = 0;
-    fmb_frame *same = app_need(malloc((s->b.faces + 1) * sizeof *same));
     fmb_verdict *v = app_need(malloc((s->b.faces + 1) * sizeof *v));
     double seconds = 0, more = 0;
     fmb_status st = FMB_OK;
     rows = rows < n ? rows : n;
     for (size_t r = 0; st == FMB_OK && r < rows && qualify_watch_step_within(NULL, r, rows); r++)
-        st = ask_face(s, k, (size_t)((2 * (uint64_t)r + 1) * n / (2 * rows)), same, v, &seconds);
+        st = ask_face(s, k, (size_t)((2 * (uint64_t)r + 1) * n / (2 * rows)), set, v, &seconds);
     s->pair_ns = s->sampled > 0 ? 1e9 * seconds / (double)s->sampled : 0;
     for (size_t r = 0; st == FMB_OK && r < rows && r < s->answer.hits; r++) {
         size_t i = s->answer.hit[r * s->answer.hits / rows % s->answer.hits].a;
         if (i != before && !qualify_watch_interrupted())
-            st = ask_face(s, k, i, same, v, &more);
+            st = ask_face(s, k, i, set, v, &more);
         before = i;
     }
-    free(same);
     free(v);
     return st;
 }
@@ -103,10 +101,17 @@ static fmb_status ask_by_pairs(bunny_study *s)
 {
     fmb_pair_options o = fmb_pair_options_default();
     fmb_pair *k = NULL;
+    fmb_frames *a = NULL, *b = NULL;
     o.simd = s->setup->simd;
     fmb_status st = fmb_pair_new(3, &o, NULL, &k);
     if (st == FMB_OK)
-        st = ask_some_faces(s, k);
+        st = fmb_frames_new(3, s->a.faces, s->a.frame, NULL, &a);
+    if (st == FMB_OK)
+        st = fmb_frames_new(3, s->b.faces, s->b.frame, NULL, &b);
+    if (st == FMB_OK)
+        st = ask_some_faces(s, k, (const fmb_frames *[2]){a, b});
+    fmb_frames_free(a);
+    fmb_frames_free(b);
     fmb_pair_free(k);
     return st;
 }

@@ -58,7 +58,6 @@ typedef struct fmb_packed {
     void (*largest)(const uint32_t *index, size_t n, uint32_t out[2]);
 } fmb_packed;
 
-/* Named by FMB_PACKED_TABLE; a test names one more. */
 extern const fmb_packed fmb_packed_narrow, fmb_packed_avx2, fmb_packed_avx512;
 
 #endif
