@@ -6,6 +6,7 @@
 #include "pair/corners/cell.h"
 #include "pair/edges.h"
 #include "pair/extreme/extreme.h"
+#include "pair/extreme/normals.h"
 #include "pair/kernels/packed.h"
 
 /* One call of fmb_pair_test. */
@@ -164,19 +165,30 @@ static fmb_status find_boxes_of_lanes(const query *a, const fmb_block *b, int st
 
 /* ---- verdicts --------------------------------------------------------------------- */
 
+/* Good frames, by signs of determinants and normals, or in doubles in any dimension. */
+static void decide_without_query(const query *a, size_t i, fmb_verdict *out)
+{
+    fmb_pair *k = a->k;
+    const fmb_frame *p = &a->p[i], *q = &a->q[i];
+    fmb_contact contact = k->options.contact;
+    fmb_edges of_p, of_q;
+    if (fmb_decide_corners(p, q, contact, out))
+        return;
+    if (asks_exactly(a) && fmb_extreme_decide(p, q, contact, out))
+        k->counts.exact_verdicts++;
+    else if (take_edges(a, i, &of_p, &of_q))
+        *out = fmb_general_decide(k->general, &of_p.frame, &of_q.frame);
+}
+
 /* What no kernel decides. Then its box may still be one for kernels, from that stage on. */
 static fmb_status decide_generally(const query *a, int stage, int kind, size_t i)
 {
     fmb_pair *k = a->k;
     if (!fmb_frame_is_good(&a->p[i], k->dim) || !fmb_frame_is_good(&a->q[i], k->dim))
         return refuse_pair(a, i);
-    fmb_edges p, q;
-    fmb_verdict *out = &a->out->verdict[i];
-    *out = FMB_UNKNOWN;
-    if (k->options.method != FMB_PAIR_EXACT && !fmb_pair_is_cancelled(k) &&
-        !fmb_decide_corners(&a->p[i], &a->q[i], k->options.contact, out) &&
-        take_edges(a, i, &p, &q))
-        *out = fmb_general_decide(k->general, &p.frame, &q.frame);
+    a->out->verdict[i] = FMB_UNKNOWN;
+    if (k->options.method != FMB_PAIR_EXACT && !fmb_pair_is_cancelled(k))
+        decide_without_query(a, i, &a->out->verdict[i]);
     if (a->out->verdict[i] == FMB_UNKNOWN)
         return decide_exactly(a, i);
     return a->out->verdict[i] == FMB_FEASIBLE && a->boxes ? find_box_from_stage(a, stage, kind, i)

@@ -51,7 +51,7 @@ FMB_BOX_INLINE int box_corners(const box_kind *k, int guest)
 /* The factor of unit most in errors. */
 FMB_BOX_INLINE double box_steps(const box_kind *k, int host)
 {
-    return k->fine ? 2 : 10 + 2 * k->moves + 3 * (k->shape[host] == FMB_SIMPLEX);
+    return k->fine ? 2 : 10 + 5 * k->moves + 3 * (k->shape[host] == FMB_SIMPLEX);
 }
 
 /* The adjugate of a, whose rows are axes, and N. */

@@ -157,18 +157,18 @@ static void count_certain(fmb_gaps *, lane size, double count, lane bound)
 #include "pair/kernels/fmb_flat.h"
 
 /* Directions of any size; differences of axes are rounded, and so are shift and drift. */
-static void make_flat_pair(const fmb_flat_kind *k, flat_pair *p)
+static void make_flat_pair(const fmb_flat_kind *k, bool filter, flat_pair *p)
 {
-    const double shift = some_size();
+    const double shift = some_size(), off = filter ? 4 : 1;
     p->reach = {shift, 0};
     for (lane &x : p->shift)
-        x = {shift, shift};
+        x = {shift, off * shift};
     for (int i = 0; i < FMB_FLAT_DIRECTIONS; i++) {
         const int side = i / FMB_FLAT_MOST_EDGES, edge = i % FMB_FLAT_MOST_EDGES;
         const bool is_axis = side < 2 && edge < k->side[side].naxes;
         const double size = i < FMB_FLAT_WORLD ? some_size() : 1;
         for (lane &x : p->direction[i])
-            x = {size, is_axis || i >= FMB_FLAT_WORLD ? 0 : size};
+            x = {size, i >= FMB_FLAT_WORLD || (is_axis && !filter) ? 0 : off * size};
         p->size[i] = {size, 0};
         if (is_axis || (k->moves && i == FMB_FLAT_DRIFT))
             p->reach.v += size;
@@ -182,13 +182,17 @@ static void count_flat(int dim, bool moves, int shapes)
     fmb_flat_kind k;
     flat_pair p;
     fmb_flat_kind_of(dim, moves, naxes, simplex, &k);
-    make_flat_pair(&k, &p);
     kernel = flavour("any axes", dim, moves);
-    for (int i = 0; i < k.normals; i++) {
-        lane n[3];
-        double bound = flat_normal(dim, &k, &p, i, n).v * p.reach.v;
-        claim("gap", flat_gap(dim, &k, &p, n).e,
-              (dim == 2 ? FLAT_ERROR_PLANE : FLAT_ERROR_SPACE) * bound);
+    for (int filter = 0; filter < 2; filter++) {
+        const int in_plane = filter ? FLAT_FILTER_PLANE : FLAT_ERROR_PLANE;
+        const int in_space = filter ? FLAT_FILTER_SPACE : FLAT_ERROR_SPACE;
+        make_flat_pair(&k, filter, &p);
+        for (int i = 0; i < k.normals; i++) {
+            lane n[3];
+            double bound = flat_normal(dim, &k, &p, i, n).v * p.reach.v;
+            claim(filter ? "gap before integers" : "gap", flat_gap(dim, &k, &p, n).e,
+                  (dim == 2 ? in_plane : in_space) * bound);
+        }
     }
 }
 

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "pair/block.h"
+#include "pair/extreme/normals.h"
 #include "pair/kernels/packed.h"
 #include "property/random/rows.h"
 #include "study/draw/pairs.h"
@@ -175,6 +176,83 @@ static void check_family(study_pair_family family, int pairs, bool all_known)
                          k.shape[0], k.naxes[1], k.shape[1], known, pairs);
     }
     truth_free(&t);
+}
+
+/* ---- normals, exactly ------------------------------------------------------------------------ */
+
+/* The verdicts of the exact normals where they decide, for both contacts; how many they do. */
+static int check_exact(const truth *t, const kind *k, const fmb_frame *p, const fmb_frame *q,
+                       const char *what)
+{
+    int decided = 0;
+    for (int contact = 0; contact < 2; contact++) {
+        fmb_verdict is = FMB_UNKNOWN, says = FMB_UNKNOWN;
+        fmb_pair *ask = contact ? t->open[k->dim] : t->closed[k->dim];
+        if (!fmb_extreme_decide(p, q, (fmb_contact)contact, &says))
+            continue;
+        must(fmb_pair_test(ask, 1, p, q, &(fmb_pair_answers){.verdict = &is}));
+        cr_expect_eq(says, is, "%s %dD %d: %d %d, %d %d, contact %d", what, k->dim, k->moves,
+                     k->naxes[0], k->shape[0], k->naxes[1], k->shape[1], contact);
+        decided++;
+    }
+    return decided;
+}
+
+/* The same frame by its corners, rounded. */
+static void put_by_corners(fmb_frame *f, double number[9])
+{
+    for (int i = 0; i < f->naxes * f->dim; i++)
+        number[i] = f->axes[i] + f->origin[i % f->dim];
+    f->shape = f->shape == FMB_SIMPLEX ? FMB_SIMPLEX_BY_CORNERS : FMB_CUBOID_BY_CORNERS;
+    f->axes = number;
+}
+
+/* Also all frames with all axes, and frames by corners. */
+Test(pair_flat, exact_normals_of_all_families)
+{
+    static study_pair pair[LANES];
+    truth t = truth_new();
+    kind k;
+    for (int family = 0; family < STUDY_PAIR_FAMILIES; family++)
+        for (int i = 0, decided = 0; kind_of(i, &k); i++, decided = 0) {
+            study_pair_plan plan = plan_of((study_pair_family)family, &k);
+            fmb_frame p[LANES], q[LANES];
+            double number[9];
+            draw(&plan, &k, 0, pair, p, q);
+            put_by_corners(&q[1], number);
+            for (int lane = 0; lane < 4; lane++)
+                decided += check_exact(&t, &k, &p[lane], &q[lane],
+                                       study_pair_family_text((study_pair_family)family));
+            if (family == STUDY_PAIR_ARTICLE && k.naxes[0] + k.naxes[1] + k.moves >= k.dim)
+                cr_expect_eq(decided, 8, "%dD %d: %d", k.dim, k.moves, decided);
+        }
+    truth_free(&t);
+}
+
+/* Two cubes, side by side in a common face, edge or corner: on the border, however they turn. */
+Test(pair_flat, exact_normals_of_frames_that_touch)
+{
+    static const double unit[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    static const double turned[9] = {0.6, 0.8, 0, -0.8, 0.6, 0, 0, 0, 1};
+    for (int i = 0; i < 2 * 7; i++) {
+        const double *axes = i % 2 ? turned : unit;
+        double origin[2][3] = {{0.1, 0.2, 0.3}};
+        for (int j = 0; j < 3; j++) {
+            origin[1][j] = origin[0][j];
+            for (int a = 0; a < 3; a++) /* exact: corners of a lattice of 2^-40 */
+                origin[1][j] += ((i / 2 + 1) >> a & 1) * axes[3 * a + j];
+        }
+        fmb_frame p = {FMB_CUBOID, 3, 3, origin[0], axes, NULL}, q = p;
+        q.origin = origin[1];
+        fmb_verdict closed = FMB_UNKNOWN, open = FMB_UNKNOWN;
+        fmb_pair *k = NULL;
+        must(fmb_pair_new(3, &(fmb_pair_options){.method = FMB_PAIR_EXACT}, NULL, &k));
+        fmb_verdict is;
+        must(fmb_pair_test(k, 1, &p, &q, &(fmb_pair_answers){.verdict = &is}));
+        cr_expect(fmb_extreme_decide(&p, &q, FMB_CONTACT_CLOSED, &closed) && closed == is, "%d", i);
+        cr_expect(fmb_extreme_decide(&p, &q, FMB_CONTACT_OPEN, &open));
+        fmb_pair_free(k);
+    }
 }
 
 /* ---- tests ----------------------------------------------------------------------------------- */
