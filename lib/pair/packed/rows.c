@@ -42,12 +42,12 @@ static size_t load_chunk(const fmb_pair *k, const fmb_frames *s, size_t from, ch
     return end;
 }
 
-/* Frame i of a against a chunk. */
+/* Frame i of a against a chunk. After a cancel nothing is known. */
 static void ask_chunk(const fmb_pair *k, const fmb_frames *a, size_t i, const chunk *c,
                       fmb_packed_bits out[EIGHTS])
 {
     fmb_packed_plan plan;
-    if (!fmb_packed_plan_of(k, a->kind[i], c->kind, &plan)) {
+    if (fmb_pair_is_cancelled(k) || !fmb_packed_plan_of(k, a->kind[i], c->kind, &plan)) {
         memset(out, 0, EIGHTS * sizeof *out);
         return;
     }

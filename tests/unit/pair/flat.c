@@ -229,30 +229,27 @@ Test(pair_flat, exact_normals_of_all_families)
     truth_free(&t);
 }
 
-/* Two cubes, side by side in a common face, edge or corner: on the border, however they turn. */
-Test(pair_flat, exact_normals_of_frames_that_touch)
+/* Two cubes, side by side in a common face, edge or corner: whether they touch, as their numbers
+ * are rounded, the truth says; all are decided. */
+Test(pair_flat, exact_normals_of_neighbours)
 {
     static const double unit[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     static const double turned[9] = {0.6, 0.8, 0, -0.8, 0.6, 0, 0, 0, 1};
+    const kind k = {3, false, {3, 3}, {0, 0}};
+    truth t = truth_new();
     for (int i = 0; i < 2 * 7; i++) {
         const double *axes = i % 2 ? turned : unit;
         double origin[2][3] = {{0.1, 0.2, 0.3}};
         for (int j = 0; j < 3; j++) {
             origin[1][j] = origin[0][j];
-            for (int a = 0; a < 3; a++) /* exact: corners of a lattice of 2^-40 */
+            for (int a = 0; a < 3; a++)
                 origin[1][j] += ((i / 2 + 1) >> a & 1) * axes[3 * a + j];
         }
-        fmb_frame p = {FMB_CUBOID, 3, 3, origin[0], axes, NULL}, q = p;
-        q.origin = origin[1];
-        fmb_verdict closed = FMB_UNKNOWN, open = FMB_UNKNOWN;
-        fmb_pair *k = NULL;
-        must(fmb_pair_new(3, &(fmb_pair_options){.method = FMB_PAIR_EXACT}, NULL, &k));
-        fmb_verdict is;
-        must(fmb_pair_test(k, 1, &p, &q, &(fmb_pair_answers){.verdict = &is}));
-        cr_expect(fmb_extreme_decide(&p, &q, FMB_CONTACT_CLOSED, &closed) && closed == is, "%d", i);
-        cr_expect(fmb_extreme_decide(&p, &q, FMB_CONTACT_OPEN, &open));
-        fmb_pair_free(k);
+        const fmb_frame p = {FMB_CUBOID, 3, 3, origin[0], axes, NULL};
+        const fmb_frame q = {FMB_CUBOID, 3, 3, origin[1], axes, NULL};
+        cr_expect_eq(check_exact(&t, &k, &p, &q, "neighbours"), 2, "%d", i);
     }
+    truth_free(&t);
 }
 
 /* ---- tests ----------------------------------------------------------------------------------- */
