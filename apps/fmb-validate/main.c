@@ -6,6 +6,7 @@
 #include "common/file.h"
 #include "common/json.h"
 #include "common/message.h"
+#include "common/ranks.h"
 #include "fmb-validate/report.h"
 
 enum { SHOWN = 10 }; /* disagreements, where no file was asked for */
@@ -67,9 +68,11 @@ static int report(const validate_plan *p, const files *f)
 static int ask_pairs(validate_plan *p)
 {
     fmb_status st = validate_run(p);
-    return st == FMB_ERR_ARG ? app_error(APP_USAGE, "this processor lacks those instructions")
-           : st != FMB_OK    ? app_status_error(st)
-                             : APP_YES;
+    if (st == FMB_OK)
+        return APP_YES;
+    return app_ranks_fail(st == FMB_ERR_ARG
+                              ? app_error(APP_USAGE, "this processor lacks those instructions")
+                              : app_status_error(st));
 }
 
 static int run(validate_plan *p, const files *f)
@@ -77,6 +80,26 @@ static int run(validate_plan *p, const files *f)
     int code = p->merge ? validate_merge(p) : ask_pairs(p);
     if (code == APP_YES)
         code = report(p, f);
+    validate_clear(p);
+    return code;
+}
+
+/* Rank 0. */
+static int answer(validate_plan *p)
+{
+    files f = {NULL, NULL};
+    int code = open_files(p, &f);
+    if (code == APP_YES)
+        code = run(p, &f);
+    else
+        app_ranks_fail(code);
+    return app_first_code(close_files(p, &f), code);
+}
+
+/* Any other rank. */
+static int help(validate_plan *p)
+{
+    int code = p->merge ? APP_YES : ask_pairs(p);
     validate_clear(p);
     return code;
 }
@@ -94,9 +117,10 @@ int main(int argc, char **argv)
     app_file_guard_output();
     validate_plan_init(&plan);
     argp_parse(&validate_argp, argc, argv, 0, NULL, &plan);
-    files f = {NULL, NULL};
-    int code = open_files(&plan, &f);
-    if (code == APP_YES)
-        code = run(&plan, &f);
-    return app_first_code(close_files(&plan, &f), code);
+    int code = app_ranks_begin(VALIDATE_MOST_JOBS);
+    if (code != APP_YES)
+        return code;
+    code = app_rank() == 0 ? answer(&plan) : help(&plan);
+    app_ranks_end();
+    return code;
 }

@@ -36,7 +36,11 @@ typedef struct validate_plan {
 extern const struct argp validate_argp;
 void validate_plan_init(validate_plan *p);
 
-/* [give, validate_clear] Make the jobs and do them. Errors: ARG, MEMORY. */
+/* So many jobs at most. */
+enum { VALIDATE_MOST_JOBS = (STUDY_PAIR_MOST_DIM + 1) * 2 * STUDY_PAIR_FAMILIES };
+
+/* [give, validate_clear] Make the jobs and do them, a counter of common/ranks.h for each; rank 0
+ * has what came of it. Errors: ARG, MEMORY, of this rank alone. */
 fmb_status validate_run(validate_plan *p);
 /* [give, validate_clear] Make the jobs of the files' counts, those of all shards of one run. An
  * exit code, after a message unless it is APP_YES. */

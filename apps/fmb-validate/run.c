@@ -1,19 +1,21 @@
-/* run.c: the jobs of a validation, done by some threads. */
-#include <stdatomic.h>
+/* run.c: the jobs of a validation, done by some threads of some processes (common/ranks.h): each
+ * takes a chunk of pairs when it has done its last one. Counts do not depend on who did what. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "common/clock.h"
+#include "common/ranks.h"
 #include "fmb-validate/plan.h"
 #include "fmb-validate/watch.h"
 
-/* One job at work: threads take lots of its pairs until none is left. */
+/* One job at work: threads take chunks of its pairs until none is left. */
 typedef struct work {
     validate_job *job;
+    size_t number;     /* of the job: its counter */
     uint64_t from, to; /* pairs */
-    atomic_uint_least64_t next;
-    atomic_int threads; /* so far */
+    uint64_t chunk;    /* a multiple of STUDY_VALIDATE_MOST */
+    int threads;       /* so far */
     fmb_status status;
 } work;
 
@@ -40,15 +42,14 @@ static int by_number(const void *x, const void *y)
 
 /* ---- one thread ------------------------------------------------------------------------------ */
 
-/* Take lots until there are no more, or a signal says so: then the lot at hand does not count. */
-static fmb_status take_lots(work *w, study_validator *s, study_tally *tally, study_findings *found)
+/* Do a chunk, lot by lot, or less after a signal: then the lot at hand does not count. */
+static fmb_status do_chunk(uint64_t first, uint64_t end, study_validator *s, study_tally *tally,
+                           study_findings *found)
 {
     fmb_status st = FMB_OK;
-    while (st == FMB_OK && !validate_watch_interrupted()) {
-        uint64_t first = atomic_fetch_add(&w->next, STUDY_VALIDATE_MOST);
-        if (first >= w->to)
-            break;
-        uint64_t left = w->to - first;
+    for (; st == FMB_OK && first < end && !validate_watch_interrupted();
+         first += STUDY_VALIDATE_MOST) {
+        uint64_t left = end - first;
         size_t n = left < STUDY_VALIDATE_MOST ? (size_t)left : STUDY_VALIDATE_MOST;
         size_t before = found->n;
         study_tally lot = {0};
@@ -62,20 +63,43 @@ static fmb_status take_lots(work *w, study_validator *s, study_tally *tally, stu
     return st;
 }
 
+/* Until there are no more. */
+static fmb_status take_chunks(work *w, study_validator *s, study_tally *tally,
+                              study_findings *found)
+{
+    fmb_status st = FMB_OK;
+    while (st == FMB_OK && !validate_watch_interrupted()) {
+        uint64_t first;
+#ifdef _OPENMP
+#pragma omp critical(take)
+#endif
+        first = w->from + app_ranks_take(w->number, w->chunk);
+        if (first >= w->to)
+            break;
+        uint64_t end = w->to - first < w->chunk ? w->to : first + w->chunk;
+        st = do_chunk(first, end, s, tally, found);
+    }
+    return st;
+}
+
 static void work_on(work *w)
 {
     study_validator *s = NULL;
     study_tally tally = {0};
     study_findings found = {0};
-    int thread = atomic_fetch_add(&w->threads, 1);
+    int thread;
+#ifdef _OPENMP
+#pragma omp critical(number)
+#endif
+    thread = w->threads++;
     fmb_status st = study_validator_open(&w->job->v, &s);
     if (st == FMB_OK) {
         validate_watch_set(thread, s);
-        st = take_lots(w, s, &tally, &found);
+        st = take_chunks(w, s, &tally, &found);
         validate_watch_set(thread, NULL);
     }
 #ifdef _OPENMP
-#pragma omp critical
+#pragma omp critical(add)
 #endif
     {
         study_tally_add(&w->job->tally, &tally);
@@ -90,24 +114,53 @@ static void work_on(work *w)
 
 /* ---- all jobs -------------------------------------------------------------------------------- */
 
-static fmb_status do_job(validate_plan *p, validate_job *job)
+/* Many chunks for each thread of each process, and large ones where there are many pairs: rank 0 is
+ * asked for each. */
+static uint64_t chunk_of(uint64_t pairs, int threads)
+{
+    enum { CHUNKS = 256, MOST_LOTS = 64 };
+    uint64_t lots =
+        pairs / ((uint64_t)app_ranks() * (uint64_t)threads * CHUNKS) / STUDY_VALIDATE_MOST;
+    lots = lots < 1 ? 1 : lots > MOST_LOTS ? MOST_LOTS : lots;
+    return lots * STUDY_VALIDATE_MOST;
+}
+
+static fmb_status do_job(validate_plan *p, size_t number)
 {
     uint64_t part = p->pairs / p->shards, more = p->pairs % p->shards, i = p->shard - 1;
-    work w = {.job = job, .from = i * part + (i < more ? i : more)};
+    work w = {.job = &p->job[number], .number = number, .from = i * part + (i < more ? i : more)};
     w.to = w.from + part + (i < more);
-    atomic_init(&w.next, w.from);
+    w.chunk = chunk_of(w.to - w.from, p->threads);
 #ifdef _OPENMP
 #pragma omp parallel num_threads(p->threads)
 #endif
     work_on(&w);
-    if (job->findings.n > 0)
-        qsort(job->findings.item, job->findings.n, sizeof *job->findings.item, by_number);
     return w.status;
+}
+
+/* On rank 0: what all ranks counted and found, in the order of the pairs. */
+static void collect_job(validate_job *job)
+{
+    study_tally *t = &job->tally;
+    uint64_t *const count[] = {&t->tested,   &t->meeting,  &t->touching,   &t->exact,
+                               &t->textbook, &t->left,     &t->unknown[0], &t->unknown[1],
+                               &t->boxes,    &t->doubtful, &t->disagreeing};
+    for (size_t i = 0; i < sizeof count / sizeof *count; i++)
+        app_ranks_sum(count[i], 1);
+    app_ranks_sum(t->fault, STUDY_FAULTS);
+    app_ranks_most(&t->excess, 1);
+    study_findings *f = &job->findings;
+    size_t all;
+    study_finding *item = app_ranks_gather(f->item, f->n * sizeof *item, &all);
+    free(f->item);
+    *f = (study_findings){item, all / sizeof *item, all / sizeof *item};
+    if (f->n > 0)
+        qsort(f->item, f->n, sizeof *f->item, by_number);
 }
 
 static fmb_status make_jobs(validate_plan *p)
 {
-    p->job = calloc((STUDY_PAIR_MOST_DIM + 1) * 2 * STUDY_PAIR_FAMILIES, sizeof *p->job);
+    p->job = calloc(VALIDATE_MOST_JOBS, sizeof *p->job);
     if (!p->job)
         return FMB_ERR_MEMORY;
     for (int dim = 1; dim <= STUDY_PAIR_MOST_DIM; dim++)
@@ -130,7 +183,9 @@ fmb_status validate_run(validate_plan *p)
     fmb_status st = make_jobs(p);
     validate_watch_begin(p->quiet, (p->pairs / p->shards + 1) * p->jobs);
     for (size_t i = 0; st == FMB_OK && i < p->jobs && !validate_watch_interrupted(); i++)
-        st = do_job(p, &p->job[i]);
+        st = do_job(p, i);
+    for (size_t i = 0; st == FMB_OK && i < p->jobs; i++)
+        collect_job(&p->job[i]);
     validate_watch_end();
     p->complete = !validate_watch_interrupted();
     p->seconds = app_now() - start;

@@ -6,6 +6,8 @@
 #include <stdatomic.h>
 
 #include "common/bar.h"
+#include "common/file.h"
+#include "common/ranks.h"
 #include "common/signals.h"
 
 static study_validator *_Atomic running[VALIDATE_MOST_THREADS];
@@ -28,16 +30,17 @@ static void cancel(int signal_number)
 
 void validate_watch_begin(bool quiet, uint64_t all)
 {
-    bar = app_bar_begin(quiet);
+    bar = app_bar_begin(quiet || app_rank() > 0);
     all_pairs = all;
     atomic_store(&asked_to_stop, false);
     atomic_store(&done, 0);
-    app_signals_set(cancel);
+    app_signals_set(app_ranks() > 1 ? app_file_abandon : cancel);
 }
 
 void validate_watch_end(void)
 {
-    app_signals_set(SIG_DFL);
+    if (app_ranks() == 1)
+        app_signals_set(SIG_DFL);
     app_bar_end(&bar);
 }
 

@@ -7,7 +7,8 @@
 enum { VALIDATE_MOST_THREADS = 256 };
 
 /* From here to the end, SIGINT and SIGTERM cancel the validators at work; a second one ends the
- * process. */
+ * process. One of several processes (common/ranks.h) ends at once: its counts are lost, and so is
+ * the run. */
 void validate_watch_begin(bool quiet, uint64_t all);
 void validate_watch_end(void);
 
