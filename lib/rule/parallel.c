@@ -38,7 +38,8 @@ static uint64_t scale_of_int64_row(const int64_t *row, int entries)
 {
     uint64_t g = 0;
     for (int j = 0; j < entries && g != 1; j++)
-        g = gcd_by_euclid(absolute_value(row[j]), g);
+        if (row[j] != 0)
+            g = gcd_by_euclid(absolute_value(row[j]), g);
     return g == 0 ? 1 : g;
 }
 
@@ -53,10 +54,22 @@ static void scale_of_gmp_row(search *s, size_t row, mpz_t g)
         mpz_set_ui(g, 1);
 }
 
-static uint64_t stir_into_hash(uint64_t h, uint64_t low, bool negative)
+/* Entry j, which is not 0. */
+static uint64_t stir_into_hash(uint64_t h, int j, uint64_t low, bool negative)
 {
-    h = (h ^ (negative ? ~low : low)) * 0xff51afd7ed558ccdu;
+    h = (h ^ (negative ? ~low : low) ^ (uint64_t)j << 48) * 0xff51afd7ed558ccdu;
     return h ^ h >> 32;
+}
+
+static uint64_t hash_of_int64_row(const int64_t *v, int entries, uint64_t scale)
+{
+    uint64_t h = 0x9e3779b97f4a7c15u;
+    for (int j = 0; j < entries; j++) {
+        uint64_t size = absolute_value(v[j]);
+        if (size != 0)
+            h = stir_into_hash(h, j, scale == 1 ? size : size / scale, v[j] < 0);
+    }
+    return h;
 }
 
 static uint64_t hash_of_row(search *s, size_t i)
@@ -64,16 +77,14 @@ static uint64_t hash_of_row(search *s, size_t i)
     size_t row = fmb_view_row(s->w, i);
     const int64_t *v = fmb_view_int64(s->w, row);
     uint64_t h = 0x9e3779b97f4a7c15u;
-    if (!v)
-        scale_of_gmp_row(s, row, s->scale_a);
+    if (v)
+        return hash_of_int64_row(v, s->entries, s->scale[i]);
+    scale_of_gmp_row(s, row, s->scale_a);
     for (int j = 0; j < s->entries; j++) {
-        if (v) {
-            h = stir_into_hash(h, absolute_value(v[j]) / s->scale[i], v[j] < 0);
-            continue;
-        }
         fmb_view_get(s->w, row, j, s->a);
         mpz_divexact(s->a, s->a, s->scale_a);
-        h = stir_into_hash(h, mpz_get_ui(s->a), mpz_sgn(s->a) < 0);
+        if (mpz_sgn(s->a) != 0)
+            h = stir_into_hash(h, j, mpz_get_ui(s->a), mpz_sgn(s->a) < 0);
     }
     return h;
 }
@@ -104,8 +115,23 @@ static int compare_entries(search *s, size_t i, size_t k, int j)
     return mpz_cmp(s->a, s->b);
 }
 
+static bool are_int64_rows_like(const search *s, size_t i, size_t k, const int64_t *u,
+                                const int64_t *v)
+{
+    bool like = true;
+    for (int j = 0; like && j < s->entries; j++)
+        like = s->scale[i] == s->scale[k]
+                   ? u[j] == v[j]
+                   : (wide)u[j] * (int64_t)s->scale[k] == (wide)v[j] * (int64_t)s->scale[i];
+    return like;
+}
+
 static bool are_rows_like(search *s, size_t i, size_t k)
 {
+    const int64_t *u = fmb_view_int64(s->w, fmb_view_row(s->w, i));
+    const int64_t *v = fmb_view_int64(s->w, fmb_view_row(s->w, k));
+    if (u && v)
+        return are_int64_rows_like(s, i, k, u, v);
     set_scales_in_gmp(s, i, k);
     for (int j = 0; j < s->entries; j++)
         if (compare_entries(s, i, k, j) != 0)

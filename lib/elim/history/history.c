@@ -44,9 +44,8 @@ fmb_status fmb_history_join(fmb_elim *e, fmb_derived *r, const fmb_derived *p, c
 
 static void add_variables_of_row(const fmb_elim *e, const fmb_derived *r, uint64_t *set)
 {
-    for (int j = 0; j < e->n; j++)
-        if (fmb_vec_sgn(&r->v, (size_t)j) != 0)
-            set[j / 64] |= (uint64_t)1 << (j % 64);
+    for (size_t w = 0; w < e->var_words; w++)
+        set[w] |= r->names[w];
 }
 
 /* Imbert's I is computed afresh from the base rows: unions of the parents' I are wrong, since a
@@ -57,9 +56,6 @@ void fmb_history_implicit(const fmb_elim *e, const fmb_derived *r, uint64_t *out
     for (size_t w = 0; w < e->words; w++)
         for (uint64_t left = r->history[w]; left != 0; left &= left - 1)
             add_variables_of_row(e, &e->row[e->base[w * 64 + (size_t)__builtin_ctzll(left)]], out);
-    for (int j = 0; j < e->n; j++)
-        if (fmb_vec_sgn(&r->v, (size_t)j) != 0)
-            out[j / 64] &= ~((uint64_t)1 << (j % 64));
     for (size_t w = 0; w < e->var_words; w++)
-        out[w] &= ~r->history[e->words + w];
+        out[w] &= ~(r->names[w] | r->history[e->words + w]);
 }

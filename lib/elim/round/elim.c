@@ -77,9 +77,7 @@ static uint32_t find_sparsest_equality(const fmb_elim *e, int var)
         const fmb_derived *r = &e->row[e->live.row[i]];
         if (!r->equality || fmb_vec_sgn(&r->v, (size_t)var) == 0)
             continue;
-        int size = r->v.z != NULL ? e->n : 0;
-        for (int j = 0; j < e->n; j++)
-            size += fmb_vec_sgn(&r->v, (size_t)j) != 0;
+        int size = fmb_elim_count_variables(e, r) + (r->v.z != NULL ? e->n : 0);
         if (best == FMB_NO_ROW || size < best_size) {
             best = e->live.row[i];
             best_size = size;
@@ -143,9 +141,8 @@ static fmb_status sort_rows_by_sign(fmb_elim *e, fmb_round *round, size_t *lower
 static bool names_no_other_variable(const fmb_elim *e, const fmb_round *round)
 {
     for (size_t i = 0; i < round->rows; i++)
-        for (int j = 0; j < e->n; j++)
-            if (j != round->var && fmb_vec_sgn(&e->row[round->row[i]].v, (size_t)j) != 0)
-                return false;
+        if (fmb_elim_count_variables(e, &e->row[round->row[i]]) > 1)
+            return false;
     return true;
 }
 
@@ -227,6 +224,18 @@ static void close_round(fmb_elim *e, int var, const tally *before)
                                      .widened = after.widened - before->widened});
 }
 
+/* Rules that look at all rows look at few new ones only in rounds that can make many. */
+static bool is_time_for_rules(const fmb_elim *e)
+{
+    return !e->cheap_only || 8 * (e->rows - e->judged) >= e->live.size;
+}
+
+static fmb_status let_rules_end_round(fmb_elim *e, int var)
+{
+    e->judged = e->rows;
+    return fmb_rules_end_round(e, var);
+}
+
 static fmb_status eliminate_variable(fmb_elim *e, int var)
 {
     fmb_round *round = &e->round[e->rounds];
@@ -246,8 +255,8 @@ static fmb_status eliminate_variable(fmb_elim *e, int var)
     e->next = list;
     e->based &= !e->broken; /* what was refused follows from rows that are there now */
     e->broken = false;
-    if (e->clash == FMB_NO_ROW && round->rows > 1)
-        st = fmb_rules_end_round(e, var);
+    if (e->clash == FMB_NO_ROW && round->rows > 1 && is_time_for_rules(e))
+        st = let_rules_end_round(e, var);
     close_round(e, var, &before);
     return st;
 }
@@ -258,14 +267,24 @@ static bool is_ready_to_pair(const fmb_elim *e, const bool *drop)
     bool any = false;
     for (size_t i = 0; i < e->live.size; i++) {
         const fmb_derived *r = &e->row[e->live.row[i]];
-        for (int j = 0; (r->equality || !any) && j < e->n; j++) {
-            bool named = drop[j] && fmb_vec_sgn(&r->v, (size_t)j) != 0;
-            if (named && r->equality)
-                return false;
-            any |= named;
-        }
+        bool named = false;
+        for (int j = fmb_elim_next_variable(e, r, 0); !named && j >= 0;
+             j = fmb_elim_next_variable(e, r, j + 1))
+            named = drop[j];
+        if (named && r->equality)
+            return false;
+        any |= named;
     }
     return any;
+}
+
+/* Of the many pairs of a variable with both ends the box refuses most; that shows in the rows left.
+ */
+static bool is_too_steep(const fmb_elim *e, int var, double growth)
+{
+    bool boxed = e->box.any && e->box.row[FMB_LOWER][var] != FMB_NO_ROW &&
+                 e->box.row[FMB_UPPER][var] != FMB_NO_ROW;
+    return (!boxed && growth > e->steep * (double)e->live.size) || e->live.size > 2 * e->flat;
 }
 
 /* Histories start before the choice: what goes then is not counted in it. */
@@ -280,14 +299,20 @@ fmb_status fmb_elim_eliminate(fmb_elim *e, const bool *drop)
             st = fmb_elim_choose(e, drop, &var);
         if (st != FMB_OK || e->clash != FMB_NO_ROW || var < 0)
             break;
-        if (e->cheap_only && !fmb_elim_is_cheap(e, var))
+        double growth = e->cheap_only || e->steep > 0 ? fmb_elim_growth(e, var) : 0;
+        if (e->cheap_only && growth > 0)
             break;
+        if (e->steep > 0 && is_too_steep(e, var, growth)) {
+            e->over_budget = true;
+            return FMB_LIMIT;
+        }
         st = eliminate_variable(e, var);
     }
-    return st;
+    bool unseen = e->cheap_only && e->rounds > 0 && e->judged < e->rows;
+    return st == FMB_OK && e->clash == FMB_NO_ROW && unseen ? let_rules_end_round(e, -1) : st;
 }
 
 fmb_status fmb_elim_prune(fmb_elim *e)
 {
-    return fmb_rules_end_round(e, -1);
+    return let_rules_end_round(e, -1);
 }

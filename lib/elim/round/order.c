@@ -17,14 +17,9 @@ typedef struct occurrence {
 /* Count one row for each of its variables. */
 static void count_row_occurrences(const fmb_elim *e, const fmb_derived *r, occurrence *c)
 {
-    size_t size = 0;
-    if (e->order == FMB_ORDER_FILL)
-        for (int j = 0; j < e->n; j++)
-            size += fmb_vec_sgn(&r->v, (size_t)j) != 0;
-    for (int j = 0; j < e->n; j++) {
+    size_t size = (size_t)fmb_elim_count_variables(e, r);
+    for (int j = fmb_elim_next_variable(e, r, 0); j >= 0; j = fmb_elim_next_variable(e, r, j + 1)) {
         int sign = fmb_vec_sgn(&r->v, (size_t)j);
-        if (sign == 0)
-            continue;
         c[j].in_equality |= r->equality;
         *(sign < 0 ? &c[j].lower : &c[j].upper) += 1;
         *(sign < 0 ? &c[j].lower_size : &c[j].upper_size) += size;
@@ -61,7 +56,7 @@ static double (*const COST[])(const occurrence *) = {
     [FMB_ORDER_FILL] = cost_in_nonzeros,
 };
 
-bool fmb_elim_is_cheap(const fmb_elim *e, int var)
+double fmb_elim_growth(const fmb_elim *e, int var)
 {
     occurrence c = {0};
     for (size_t i = 0; i < e->live.size; i++) {
@@ -71,15 +66,23 @@ bool fmb_elim_is_cheap(const fmb_elim *e, int var)
         c.lower += sign < 0;
         c.upper += sign > 0;
     }
-    return c.in_equality || cost_in_pairs(&c) <= 0;
+    return c.in_equality ? 0 : cost_in_pairs(&c);
 }
 
-static bool is_eliminated(const fmb_elim *e, int var)
+/* The variables with drop[var] that are not eliminated yet, in order. The list is in place of marks
+ * of those that are. */
+static size_t list_candidates(fmb_elim *e, const bool *drop)
 {
+    int *candidate = e->candidate;
+    size_t n = 0;
+    for (int j = 0; j < e->n; j++)
+        candidate[j] = drop[j];
     for (int i = 0; i < e->rounds; i++)
-        if (e->round[i].var == var)
-            return true;
-    return false;
+        candidate[e->round[i].var] = false;
+    for (int j = 0; j < e->n; j++)
+        if (candidate[j])
+            candidate[n++] = j;
+    return n;
 }
 
 /* Whatever the order, equalities go first, then variables of one sign. */
@@ -152,11 +155,8 @@ static fmb_status ask_chooser(fmb_elim *e, int *candidate, size_t n, int *var)
 fmb_status fmb_elim_choose(fmb_elim *e, const bool *drop, int *var)
 {
     fmb_mem *mem = e->run->mem;
-    size_t n = (size_t)e->n, candidates = 0;
+    size_t n = (size_t)e->n, candidates = list_candidates(e, drop);
     int *candidate = e->candidate;
-    for (int j = 0; j < e->n; j++)
-        if (drop[j] && !is_eliminated(e, j))
-            candidate[candidates++] = j;
     *var = candidates > 0 ? candidate[0] : -1;
     if (candidates < 2)
         return FMB_OK;

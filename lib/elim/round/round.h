@@ -6,8 +6,8 @@
 
 /* order.c: the variable to eliminate next among those with drop[var] and not yet done; -1: none. */
 fmb_status fmb_elim_choose(fmb_elim *e, const bool *drop, int *var);
-/* Does it stand in an equality, or make no more rows by pairs than go with it? */
-bool fmb_elim_is_cheap(const fmb_elim *e, int var);
+/* How many more rows pairs make than go with the variable; 0 where it stands in an equality. */
+double fmb_elim_growth(const fmb_elim *e, int var);
 
 /* base.c: the box is made, rows go that it or a rule refutes, and live rows become their own
  * histories: the i-th live row is base row i. */

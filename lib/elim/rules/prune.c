@@ -156,7 +156,11 @@ static fmb_status reduce_live_rows(fmb_elim *e)
 {
     fmb_status st = FMB_OK;
     for (size_t i = 0; st == FMB_OK && i < e->live.size; i++) {
-        st = fmb_vec_reduce(&e->row[e->live.row[i]].v, (size_t)e->n + 1, &e->num);
+        fmb_derived *r = &e->row[e->live.row[i]];
+        if (r->lowest)
+            continue;
+        st = fmb_vec_reduce(&r->v, (size_t)e->n + 1, &e->num);
+        r->lowest = st == FMB_OK;
         if (st == FMB_OK)
             st = fmb_run_poll(e->run);
     }

@@ -34,20 +34,17 @@ static int slack_sign_in_int128(const fmb_elim *e, const fmb_derived *r, int at)
     const fmb_box_rows *box = &e->box;
     const int64_t *a = r->v.s;
     fmb_i128 sum = (fmb_i128)a[e->n] * box->unit;
-    for (int j = 0; j < e->n; j++)
-        if (a[j] != 0)
-            sum -= (fmb_i128)a[j] * box->end[(a[j] > 0) == (at > 0)][j];
+    for (int j = fmb_elim_next_variable(e, r, 0); j >= 0; j = fmb_elim_next_variable(e, r, j + 1))
+        sum -= (fmb_i128)a[j] * box->end[(a[j] > 0) == (at > 0)][j];
     return (sum > 0) - (sum < 0);
 }
 
 /* Has the box an end wherever a.x is greatest (at = 1) or least (at = -1)? */
 static bool box_is_closed_at(const fmb_elim *e, const fmb_derived *r, int at)
 {
-    for (int j = 0; j < e->n; j++) {
-        int sign = fmb_vec_sgn(&r->v, (size_t)j);
-        if (sign != 0 && e->box.row[sign * at > 0][j] == FMB_NO_ROW)
+    for (int j = fmb_elim_next_variable(e, r, 0); j >= 0; j = fmb_elim_next_variable(e, r, j + 1))
+        if (e->box.row[fmb_vec_sgn(&r->v, (size_t)j) * at > 0][j] == FMB_NO_ROW)
             return false;
-    }
     return true;
 }
 
@@ -90,10 +87,8 @@ static int slack_sign_with_budget(const fmb_elim *e, const fmb_derived *r)
     int bits = r->v.bits + box->bits + fmb_bits64((uint64_t)e->n + 1);
     if (r->v.z || bits + e->row[box->budget].v.bits > 126)
         return -1;
-    for (int j = 0; j < e->n; j++) {
+    for (int j = fmb_elim_next_variable(e, r, 0); j >= 0; j = fmb_elim_next_variable(e, r, j + 1)) {
         int side = s[j] != 0 ? fmb_box_side_of_least(s[j]) : a[j] > 0 ? FMB_UPPER : FMB_LOWER;
-        if (a[j] == 0)
-            continue;
         if (box->row[side][j] == FMB_NO_ROW)
             return -1;
         sum -= (fmb_i128)a[j] * box->end[side][j];

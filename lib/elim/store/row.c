@@ -11,13 +11,23 @@ static fmb_status open_row(fmb_elim *e, fmb_derived **out)
     if (e->rows >= FMB_NO_ROW)
         return FMB_ERR_MEMORY;
     fmb_derived *r = &e->row[e->rows];
+    size_t n = (size_t)e->n + 1;
     *r = (fmb_derived){.p = FMB_NO_ROW, .q = FMB_NO_ROW, .var = -1};
-    r->v.s = e->spare ? e->spare : fmb_arena_get(e->arena, (size_t)e->n + 1, sizeof *r->v.s);
+    r->v.s = e->spare ? e->spare : fmb_arena_get(e->arena, n + e->var_words, sizeof *r->v.s);
     if (!r->v.s)
         return fmb_mem_status(e->arena->mem);
+    r->names = (uint64_t *)(r->v.s + n);
     e->spare = NULL;
     *out = r;
     return FMB_OK;
+}
+
+static void note_variables_of_row(const fmb_elim *e, fmb_derived *r)
+{
+    for (size_t w = 0; w < e->var_words; w++)
+        r->names[w] = 0;
+    for (int j = 0; j < e->n; j++)
+        r->names[j / 64] |= (uint64_t)(fmb_vec_sgn(&r->v, (size_t)j) != 0) << (j % 64);
 }
 
 void fmb_elim_forget_row(fmb_elim *e, bool keep_history)
@@ -60,6 +70,7 @@ fmb_status fmb_elim_add(fmb_elim *e, const fmb_vec *v, fmb_rel rel)
         st = fmb_vec_widen(&r->v, n, e->run->mem);
     r->strict = rel == FMB_LT;
     r->equality = rel == FMB_EQ;
+    note_variables_of_row(e, r);
     if (st == FMB_OK && !fmb_elim_is_constant(e, r))
         st = fmb_list_push(e, &e->live, (uint32_t)e->rows);
     else if (st == FMB_OK && fmb_elim_is_false(e, r))
@@ -83,6 +94,7 @@ fmb_status fmb_elim_split(fmb_elim *e, uint32_t i)
         else
             r->v.s[j] = -r->v.s[j];
     }
+    note_variables_of_row(e, r);
     if (st == FMB_OK)
         st = fmb_list_push(e, &e->live, (uint32_t)e->rows);
     return close_row(e, st);
@@ -107,11 +119,13 @@ fmb_status fmb_elim_form_row(fmb_elim *e, uint32_t p, uint32_t q, int var)
         e->over_budget = true;
         st = FMB_LIMIT;
     }
-    if (st != FMB_OK)
+    if (st != FMB_OK) {
         fmb_elim_forget_row(e, false);
-    else
-        e->run->stats.rows_made++;
-    return st;
+        return st;
+    }
+    note_variables_of_row(e, r);
+    e->run->stats.rows_made++;
+    return FMB_OK;
 }
 
 fmb_status fmb_elim_derive_row(fmb_elim *e, uint32_t p, uint32_t q, int var, uint32_t *out)

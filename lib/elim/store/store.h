@@ -27,9 +27,11 @@ typedef struct fmb_derived {
     fmb_vec v;
     uint64_t *history; /* [words] of the base in force when it was made, then [var_words] variables
                           eliminated */
+    uint64_t *names;   /* [var_words] the variables that stand in it */
     uint32_t p, q;     /* parents; FMB_NO_ROW for a base row; q alone: the reverse of p */
     int32_t var;       /* the variable they cancelled */
     bool strict, equality;
+    bool lowest; /* known to have no common divisor */
 } fmb_derived;
 
 static inline fmb_rel fmb_derived_rel(const fmb_derived *r)
@@ -104,7 +106,12 @@ typedef struct fmb_elim {
     int rounds;
     int *candidate; /* [n] scratch of the choice */
 
-    bool cheap_only;  /* stop before a variable that makes more rows than go: set it after init */
+    bool cheap_only; /* stop before a variable that makes more rows than go: set it after init */
+    double steep;    /* > 0: the budget is used up before a variable that makes so many times more
+                        rows than are alive, unless the box holds it (elim.c), and where more than
+                        twice `flat` rows are alive: set both after init */
+    size_t flat;
+    size_t judged;    /* rows that rules saw at the end of a round are before it */
     size_t budget;    /* rows that the store may hold, 0 = any number: set it after init */
     bool over_budget; /* it held more: the elimination ended with FMB_LIMIT */
 
@@ -126,18 +133,31 @@ fmb_status fmb_elim_add(fmb_elim *e, const fmb_vec *v, fmb_rel rel);
 /* Take equality i, a base row, for two inequalities: itself and its reverse, a new row. */
 fmb_status fmb_elim_split(fmb_elim *e, uint32_t i);
 
+/* The first variable in the row from `from` on, or -1. All of them: for (int j =
+ * fmb_elim_next_variable(e, r, 0); j >= 0; j = fmb_elim_next_variable(e, r, j + 1)). */
+static inline int fmb_elim_next_variable(const fmb_elim *e, const fmb_derived *r, int from)
+{
+    size_t w = (size_t)from / 64;
+    if (w >= e->var_words)
+        return -1;
+    uint64_t left = r->names[w] >> (from % 64) << (from % 64);
+    while (left == 0 && ++w < e->var_words)
+        left = r->names[w];
+    return left != 0 ? (int)(64 * w) + __builtin_ctzll(left) : -1;
+}
+
+static inline int fmb_elim_count_variables(const fmb_elim *e, const fmb_derived *r)
+{
+    int n = 0;
+    for (size_t w = 0; w < e->var_words; w++)
+        n += __builtin_popcountll(r->names[w]);
+    return n;
+}
+
 /* The only variable of the row, or -1. */
 static inline int fmb_elim_single_variable(const fmb_elim *e, const fmb_derived *r)
 {
-    int found = -1;
-    for (int j = 0; j < e->n; j++) {
-        if (fmb_vec_sgn(&r->v, (size_t)j) == 0)
-            continue;
-        if (found >= 0)
-            return -1;
-        found = j;
-    }
-    return found;
+    return fmb_elim_count_variables(e, r) == 1 ? fmb_elim_next_variable(e, r, 0) : -1;
 }
 
 /* Combine p and q so that var is cancelled, without asking anybody: *out is the new row, which is
@@ -154,10 +174,7 @@ void fmb_elim_forget_row(fmb_elim *e, bool keep_history);
 /* Does the row name no variable? */
 static inline bool fmb_elim_is_constant(const fmb_elim *e, const fmb_derived *r)
 {
-    for (int j = 0; j < e->n; j++)
-        if (fmb_vec_sgn(&r->v, (size_t)j) != 0)
-            return false;
-    return true;
+    return fmb_elim_next_variable(e, r, 0) < 0;
 }
 
 /* Is the constant row false? */
