@@ -1,6 +1,7 @@
 /* ladder.c: the projection of one part, and which way leads to it; see ladder.h. */
 #include "solve/project/ladder.h"
 
+#include "elim/round/mark.h"
 #include "solve/limit/outer.h"
 #include "solve/project/polygon.h"
 #include "solve/project/rays.h"
@@ -17,6 +18,14 @@ typedef struct shadow {
     fmb_elim e;
 } shadow;
 
+/* A few rows are eliminated faster than anything else is done. */
+#define TRIAL_BUDGET(m) (128 + 4 * (m))
+/* What one variable may make, as a share of the rows: before anything else is tried, and after. */
+#define GENTLE 0.25
+#define STEEP  1.5
+/* So few variables are eliminated however steep that is, where other ways are long. */
+#define STEEP_STEPS 2
+
 /* ---- by elimination -------------------------------------------------------------------------- */
 
 /* Many rows for their variables are mostly redundant: then the rule looks before the first pairs,
@@ -26,9 +35,8 @@ static bool has_rows_in_plenty(const fmb_part *p)
     return p->m >= 64 && p->m / 8 >= (size_t)p->n;
 }
 
-/* budget > 0: *done false when the store outgrows it. */
-static fmb_status eliminate_uncount_kept_columns(shadow *h, bool feasible, size_t budget,
-                                                 bool *done)
+/* budget > 0: the store may not outgrow it. */
+static fmb_status eliminate_columns_that_go(shadow *h, bool feasible, size_t budget)
 {
     fmb_query *q = h->q;
     bool *drop = fmb_arena_get(&q->v->arena, (size_t)h->p->n, sizeof *drop);
@@ -40,34 +48,76 @@ static fmb_status eliminate_uncount_kept_columns(shadow *h, bool feasible, size_
     h->e.budget = budget;
     if (st == FMB_OK && feasible && has_rows_in_plenty(h->p))
         st = fmb_elim_prune(&h->e);
-    if (st == FMB_OK)
-        st = fmb_elim_eliminate(&h->e, drop);
+    return st == FMB_OK ? fmb_elim_eliminate(&h->e, drop) : st;
+}
+
+/* The elimination ended, with a status: put out what is irredundant of its rows; or, at a limit,
+ * what names kept variables only. */
+static fmb_status put_rows_of_elimination(shadow *h, fmb_elim *e, fmb_status st, bool known,
+                                          bool *feasible, bool *done)
+{
+    size_t rows = fmb_system_rows(h->out);
     *done = st == FMB_OK;
-    return st == FMB_LIMIT && h->e.over_budget ? FMB_OK : st;
+    if (st == FMB_LIMIT && e->over_budget)
+        return FMB_OK;
+    if (st == FMB_OK)
+        *feasible = e->clash == FMB_NO_ROW;
+    if (st == FMB_OK && *feasible)
+        st = fmb_thin_out(h->q, h->p, h->place, e, known || h->q->decided, h->out, feasible);
+    fmb_status saved = FMB_OK;
+    bool room = h->q->run.stop != FMB_STOP_DONE && e->n > 0; /* else memory ran out, or no row was
+                                                                loaded */
+    if (st == FMB_LIMIT && room && fmb_system_rows(h->out) == rows)
+        saved = fmb_outer_rows(h->q, h->p, e, h->place, h->out);
+    return saved != FMB_OK ? saved : st;
 }
 
 static fmb_status project_by_elimination(shadow *h, bool known, size_t budget, bool *feasible,
                                          bool *done)
 {
-    size_t rows = fmb_system_rows(h->out);
-    fmb_status st = eliminate_uncount_kept_columns(h, known, budget, done);
-    if (st == FMB_OK && *done)
-        *feasible = h->e.clash == FMB_NO_ROW;
-    if (st == FMB_OK && *done && *feasible)
-        st = fmb_thin_out(h->q, h->p, h->place, &h->e, known || h->q->decided, h->out, feasible);
-    fmb_status saved = FMB_OK;
-    bool room = h->q->run.stop != FMB_STOP_DONE && h->e.n > 0; /* else memory ran out, or no row
-                                                                   was loaded */
-    if (st == FMB_LIMIT && room && fmb_system_rows(h->out) == rows)
-        saved = fmb_outer_rows(h->q, h->p, &h->e, h->place, h->out);
+    fmb_status st = eliminate_columns_that_go(h, known, budget);
+    st = put_rows_of_elimination(h, &h->e, st, known, feasible, done);
     fmb_elim_clear(&h->e);
-    return saved != FMB_OK ? saved : st;
+    return st;
+}
+
+static int count_variables_to_go(const fmb_elim *e, const bool *drop)
+{
+    int n = 0;
+    for (int j = 0; j < e->n; j++) {
+        bool named = false;
+        for (size_t i = 0; drop[j] && !named && i < e->live.size; i++)
+            named = fmb_vec_sgn(&e->row[e->live.row[i]].v, (size_t)j) != 0;
+        n += named;
+    }
+    return n;
+}
+
+/* Go on where the cheap variables are gone, and come back if a variable is too steep (0: none is),
+ * or if there are too many rows. */
+static fmb_status eliminate_rest_of_lift(shadow *h, fmb_lift *lift, double steep, bool *feasible,
+                                         bool *done)
+{
+    const bool *drop;
+    fmb_elim *e = fmb_lift_elimination(lift, &drop);
+    fmb_mark mark;
+    fmb_status st = fmb_mark_set(&mark, e);
+    if (st != FMB_OK)
+        return st;
+    e->order = h->q->v->options.order;
+    e->chooser = h->q->v->chooser;
+    e->cheap_only = false;
+    e->steep = steep;
+    e->flat = e->live.size;
+    e->budget = e->rows + TRIAL_BUDGET(e->live.size);
+    st = put_rows_of_elimination(h, e, fmb_elim_eliminate(e, drop), false, feasible, done);
+    if (st == FMB_OK && !*done)
+        fmb_mark_return(&mark, e);
+    e->over_budget = false;
+    return st;
 }
 
 /* ---- which way ------------------------------------------------------------------------------- */
-
-/* A few rows are eliminated faster than anything else is done. */
-#define TRIAL_BUDGET(m) (128 + 4 * (m))
 
 static fmb_status is_part_feasible(fmb_query *q, int part, bool *feasible)
 {
@@ -87,12 +137,19 @@ static bool uses_lp_rule(const fmb_solver *v)
  * try may make in three kept variables, which takes as long as support queries. */
 #define FEW_FREEDOMS       10
 #define RAYS_OF_SECOND_TRY 1000
+/* A cone with so few of them has hardly more rays than rows, even of long numbers; and one with so
+ * many is not tried. */
+#define LEAST_FREEDOMS 2
+#define LONG_FREEDOMS  6
+#define MANY_FREEDOMS  32
 
 /* The walk around a shadow is on a dictionary, which becomes dense; it is quick if it has no more
  * columns. */
 #define WALKED_COLUMNS 24
 /* A hull in so many dimensions mostly has few enough facets. */
 #define FEW_KEPT 6
+/* In so many, queries are few, and rays soon turned into facets. */
+#define SHORT_QUERIES 4
 /* In more dimensions, so many pairs of facets of a hull take as long as a few queries. */
 #define FIRST_PAIRS ((uint64_t)1 << 17)
 
@@ -112,16 +169,36 @@ static bool has_strict_rows(const fmb_part *p)
     return false;
 }
 
+static bool is_shadow_walked(const fmb_part *p, int kept)
+{
+    return kept <= 2 && p->n <= WALKED_COLUMNS && !has_strict_rows(p);
+}
+
+/* Two questions to the oracle are all there is to do. */
+static bool is_only_interval(const fmb_lift *lift, const fmb_part *p, int kept)
+{
+    return kept <= 1 && is_shadow_walked(p, kept) && fmb_lift_freedom(lift) > LEAST_FREEDOMS;
+}
+
+/* Rays of a first try: half as many where a walk in the plane takes as long. */
+static uint64_t rays_at_first(const fmb_lift *lift, const fmb_part *p, int kept)
+{
+    if (fmb_lift_freedom(lift) > MANY_FREEDOMS)
+        return 0;
+    return is_shadow_walked(p, kept) ? TRIAL_BUDGET(p->m) / 2 : TRIAL_BUDGET(p->m);
+}
+
 /* Rays that a second try may make, before the oracle is asked: none where a shadow is walked
  * around, nor where cones tend to have very many; more where the oracle has more to do, or cannot
- * help. */
-static uint64_t rays_before_queries(const fmb_lift *lift, const fmb_part *p, const int *place)
+ * help, as with numbers too long for its guesses. */
+static uint64_t rays_before_queries(const fmb_lift *lift, const fmb_part *p, int kept)
 {
-    int kept = count_kept_columns(p, place);
     if (fmb_lift_freedom(lift) > FEW_FREEDOMS)
         return 0;
-    if (has_strict_rows(p) || kept > 4)
+    if (has_strict_rows(p) || kept > SHORT_QUERIES)
         return 16 * RAYS_OF_SECOND_TRY;
+    if (kept > 1 && fmb_lift_is_wide(lift) && fmb_lift_freedom(lift) <= LONG_FREEDOMS)
+        return 8 * RAYS_OF_SECOND_TRY;
     return kept == 4 ? 8 * RAYS_OF_SECOND_TRY : kept == 3 ? RAYS_OF_SECOND_TRY : 0;
 }
 
@@ -141,14 +218,39 @@ static fmb_status try_rays(rungs *r, uint64_t rays)
     return fmb_lift_run(r->lift, rays, r->out, r->feasible, &r->done);
 }
 
+static shadow shadow_of_rungs(const rungs *r)
+{
+    return (shadow){.q = r->q,
+                    .p = &r->q->parts.part[r->part],
+                    .place = r->place,
+                    .out = r->out,
+                    .e.run = &r->q->run};
+}
+
 static fmb_status try_elimination(rungs *r, bool known, size_t budget)
 {
-    shadow h = {.q = r->q,
-                .p = &r->q->parts.part[r->part],
-                .place = r->place,
-                .out = r->out,
-                .e.run = &r->q->run};
+    shadow h = shadow_of_rungs(r);
     return project_by_elimination(&h, known, budget, r->feasible, &r->done);
+}
+
+static fmb_status try_gentle_elimination(rungs *r)
+{
+    shadow h = shadow_of_rungs(r);
+    const bool *drop;
+    return fmb_mark_possible(fmb_lift_elimination(r->lift, &drop))
+               ? eliminate_rest_of_lift(&h, r->lift, GENTLE, r->feasible, &r->done)
+               : FMB_OK;
+}
+
+static fmb_status try_steeper_elimination(rungs *r, int kept)
+{
+    shadow h = shadow_of_rungs(r);
+    const bool *drop;
+    fmb_elim *e = fmb_lift_elimination(r->lift, &drop);
+    if (!fmb_mark_possible(e))
+        return project_by_elimination(&h, false, TRIAL_BUDGET(h.p->m), r->feasible, &r->done);
+    bool any = kept > SHORT_QUERIES && count_variables_to_go(e, drop) <= STEEP_STEPS;
+    return eliminate_rest_of_lift(&h, r->lift, any ? 0 : STEEP, r->feasible, &r->done);
 }
 
 static bool is_open(fmb_status st, const rungs *r)
@@ -184,24 +286,33 @@ static fmb_status try_oracle(rungs *r)
     return is_open(st, r) ? try_queries(r, kept <= FEW_KEPT ? 0 : FIRST_PAIRS) : st;
 }
 
-/* A few rays, then a short elimination; if both grow, some more rays where there seem to be few;
- * then the oracle. What is left is eliminated, and pruned by the oracle, in turns with rays and
- * queries. */
-static fmb_status climb_rungs(rungs *r)
+/* What is nearly cheap is eliminated; then a few rays, then what is steeper; if both grow, some
+ * more rays where there seem to be few; then the oracle. */
+static fmb_status try_each_shortly(rungs *r)
 {
     const fmb_part *p = &r->q->parts.part[r->part];
-    size_t budget = TRIAL_BUDGET(p->m);
+    int kept = count_kept_columns(p, r->place);
+    bool asks = is_only_interval(r->lift, p, kept);
+    uint64_t rays = asks ? 0 : rays_at_first(r->lift, p, kept);
+    fmb_status st = asks ? FMB_OK : try_gentle_elimination(r);
+    if (is_open(st, r) && rays > 0)
+        st = try_rays(r, rays);
+    if (is_open(st, r) && kept <= SHORT_QUERIES && fmb_lift_is_nearly_done(r->lift))
+        st = try_rays(r, rays);
+    if (is_open(st, r) && !asks)
+        st = try_steeper_elimination(r, kept);
+    rays = is_open(st, r) ? rays_before_queries(r->lift, p, kept) : 0;
+    if (rays > 0)
+        st = try_rays(r, rays);
+    return is_open(st, r) ? try_oracle(r) : st;
+}
+
+/* What is left is eliminated, and pruned by the oracle, in turns with rays and queries. */
+static fmb_status take_turns(rungs *r)
+{
+    size_t budget = TRIAL_BUDGET(r->q->parts.part[r->part].m);
     uint64_t pairs = FIRST_PAIRS;
-    fmb_status st = fmb_lift_open(r->q, r->part, r->place, &r->lift, r->feasible);
-    if (is_open(st, r))
-        st = try_rays(r, r->q->v->options.method == FMB_METHOD_DD ? 0 : budget);
-    if (is_open(st, r))
-        st = try_elimination(r, false, budget);
-    uint64_t more = is_open(st, r) ? rays_before_queries(r->lift, p, r->place) : 0;
-    if (more > 0)
-        st = try_rays(r, more);
-    if (is_open(st, r))
-        st = try_oracle(r);
+    fmb_status st = FMB_OK;
     while (is_open(st, r)) {
         pairs *= 4;
         budget *= 8;
@@ -211,9 +322,26 @@ static fmb_status climb_rungs(rungs *r)
         if (is_open(st, r))
             st = try_queries(r, pairs);
     }
+    return st;
+}
+
+static fmb_status climb_rungs(rungs *r)
+{
+    bool by_rays = r->q->v->options.method == FMB_METHOD_DD;
+    size_t rows = fmb_system_rows(r->out);
+    fmb_status st = fmb_lift_open(r->q, r->part, r->place, &r->lift, r->feasible);
+    if (is_open(st, r))
+        st = by_rays ? try_rays(r, 0) : try_each_shortly(r);
+    if (is_open(st, r))
+        st = by_rays ? try_oracle(r) : FMB_OK;
+    if (is_open(st, r))
+        st = take_turns(r);
+    fmb_status kept = FMB_OK;
+    if (st == FMB_LIMIT && r->queries && fmb_system_rows(r->out) == rows)
+        kept = fmb_queries_keep(r->queries, r->out);
     fmb_lift_close(r->lift);
     fmb_queries_close(r->queries);
-    return st;
+    return kept != FMB_OK ? kept : st;
 }
 
 fmb_status fmb_query_project_part(fmb_query *q, int part, const int *place, fmb_system *out,

@@ -22,6 +22,7 @@ struct fmb_lift {
     const int *place; /* [dim] column in the projection, -1 for variables that go */
     fmb_system *out;
     fmb_elim e;
+    bool *drop;          /* [n] variables that go */
     size_t d, *column;   /* [d - 1] columns of the part that live rows name; then comes t */
     size_t keeps, *keep; /* coordinates of the cone that stay; t last */
     size_t rows;
@@ -40,7 +41,7 @@ struct fmb_lift {
 static fmb_status eliminate_cheap_columns(fmb_lift *h)
 {
     fmb_query *q = h->q;
-    bool *drop = fmb_arena_get(&q->v->arena, (size_t)h->p->n, sizeof *drop);
+    bool *drop = h->drop = fmb_arena_get(&q->v->arena, (size_t)h->p->n, sizeof *drop);
     if (!drop)
         return fmb_mem_status(q->run.mem);
     for (int j = 0; j < h->p->n; j++)
@@ -335,6 +336,25 @@ fmb_status fmb_lift_run(fmb_lift *h, uint64_t rays, fmb_system *out, bool *feasi
     if (st == FMB_OK)
         st = fmb_cone_run(&h->cone, rays, done);
     return st == FMB_OK && *done ? project_rays(h, feasible, done) : st;
+}
+
+fmb_elim *fmb_lift_elimination(fmb_lift *h, const bool **drop)
+{
+    *drop = h->drop;
+    return &h->e;
+}
+
+bool fmb_lift_is_nearly_done(const fmb_lift *h)
+{
+    return h->lifted && 4 * h->cone.lefts <= h->rows;
+}
+
+bool fmb_lift_is_wide(const fmb_lift *h)
+{
+    bool is = false;
+    for (size_t i = 0; !is && i < h->e.live.size; i++)
+        is = fmb_vec_is_wide(&h->e.row[h->e.live.row[i]].v);
+    return is;
 }
 
 bool fmb_lift_has_given_up(const fmb_lift *h)

@@ -2,6 +2,7 @@
 #ifndef FMB_SOLVE_RAYS_H
 #define FMB_SOLVE_RAYS_H
 
+#include "elim/round/elim.h"
 #include "solve/query/solver.h"
 
 /* A part on its way, in the query's arena. */
@@ -16,6 +17,13 @@ void fmb_lift_close(fmb_lift *h);
  * appended to out, with claims, as fmb_query_project_part does; or *feasible is false. Errors:
  * MEMORY, LIMIT. */
 fmb_status fmb_lift_run(fmb_lift *h, uint64_t rays, fmb_system *out, bool *feasible, bool *done);
+/* The elimination that stopped where it was no longer cheap, and the part's variables that go, [n].
+ * Whoever goes on with it comes back to where it was (elim/round/mark.h). */
+fmb_elim *fmb_lift_elimination(fmb_lift *h, const bool **drop);
+/* Few rows are still to come. */
+bool fmb_lift_is_nearly_done(const fmb_lift *h);
+/* Some numbers are longer than a word. */
+bool fmb_lift_is_wide(const fmb_lift *h);
 /* There is no use in going on: it must be eliminated. */
 bool fmb_lift_has_given_up(const fmb_lift *h);
 /* The least of dimensions and of rows beyond as many, of the cone: up to 10 or so it has few rays.

@@ -161,21 +161,26 @@ void fmb_queries_close(fmb_queries *h)
     fmb_mem_put(mem, h, 1, sizeof *h);
 }
 
-/* At a limit what is proved is put out, and points as claims: so much of the projection is known
- * from within. */
+/* Points as claims: so much of the projection is known from within. */
+fmb_status fmb_queries_keep(fmb_queries *h, fmb_system *out)
+{
+    if (!h->begun)
+        return FMB_OK;
+    fmb_facets_clear(&h->s.hull); /* what is put out needs memory, too */
+    fmb_status st = fmb_support_keep_images(&h->s);
+    if (st == FMB_OK || st == FMB_LIMIT)
+        st = put_all_support_rows(h, out);
+    return st == FMB_OK ? claim_inner_points(h) : st;
+}
+
 fmb_status fmb_queries_run(fmb_queries *h, uint64_t pairs, fmb_system *out, bool *done)
 {
     *done = h->k == 0;
     fmb_status st = *done ? FMB_OK : fmb_support_ask(&h->s, pairs, done);
     if (st == FMB_OK ? !*done : st != FMB_LIMIT)
         return st;
-    fmb_facets_clear(&h->s.hull); /* what is put out needs memory, too */
-    fmb_status kept = st == FMB_LIMIT ? fmb_support_keep_images(&h->s) : FMB_OK;
-    if (kept != FMB_OK && kept != FMB_LIMIT)
-        return kept;
-    fmb_status put = put_all_support_rows(h, out);
-    if (st == FMB_LIMIT && put == FMB_OK)
-        put = claim_inner_points(h);
+    fmb_facets_clear(&h->s.hull);
+    fmb_status put = st == FMB_LIMIT ? fmb_queries_keep(h, out) : put_all_support_rows(h, out);
     return put == FMB_OK ? st : put;
 }
 

@@ -13,6 +13,9 @@ typedef struct fmb_queries fmb_queries;
  * not NULL. Errors: MEMORY, LIMIT, here and below. */
 fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, fmb_queries **out,
                             bool *feasible);
+/* At a limit that something else has come to: put out what is proved so far, and points as claims.
+ * Errors: MEMORY. Then close it. */
+fmb_status fmb_queries_keep(fmb_queries *h, fmb_system *out);
 void fmb_queries_close(fmb_queries *h);
 
 /* Go on until the hull has looked at so many pairs of facets, 0: to the end. *done: the projection

@@ -218,3 +218,42 @@ Test(support, wide)
 {
     check_family((family){"wide", shadow_wide, 20, 0});
 }
+
+/* 30 dense rows over 11 variables: of seven that stay no way tells shortly. */
+static fmb_system *dense_rows(void)
+{
+    support_rng g = {9};
+    fmb_system *s = rows_none(11);
+    for (int i = 0; i < 30; i++) {
+        int64_t a[11];
+        for (int j = 0; j < 11; j++)
+            a[j] = support_between(&g, -9, 9);
+        must(fmb_system_add_int(s, a, FMB_LE, 40));
+    }
+    return s;
+}
+
+/* An elimination comes to a limit while queries wait: what these have proved is handed out. */
+Test(support, kept_where_an_elimination_is_cut_short)
+{
+    static const int keep[] = {0, 1, 2, 3, 4, 5, 6};
+    fmb_options o = fmb_options_default();
+    fmb_system *s = dense_rows(), *out = NULL;
+    fmb_solver *v = NULL;
+    fmb_evidence *e = NULL;
+    fmb_judgement j;
+    fmb_result r;
+    o.evidence = FMB_EVIDENCE_ALL;
+    o.max_rows = 300;
+    must(fmb_solver_new(&o, NULL, &v));
+    must(fmb_project(v, s, keep, 7, &out, &r));
+    must(fmb_solver_evidence(v, &e));
+    must(fmb_check(s, e, &j));
+    cr_assert(j.accepted, "claim %zu: %s", j.claim, j.reason);
+    cr_assert_eq(r.stop, FMB_STOP_ROWS);
+    cr_assert_gt(count_claims(e, FMB_CLAIM_FEASIBLE), 1);
+    fmb_evidence_free(e);
+    fmb_system_free(out);
+    fmb_solver_free(v);
+    fmb_system_free(s);
+}
