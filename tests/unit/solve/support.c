@@ -210,7 +210,7 @@ Test(support, cut_short)
                   rows, points);
         last = rows > 0 ? points : last;
     }
-    cr_expect(programs > 15 && last > 5 && points == 1, "%d, %zu", programs, last);
+    cr_expect(programs > 10 && last > 5 && points == 1, "%d, %zu", programs, last);
     fmb_system_free(s);
 }
 
