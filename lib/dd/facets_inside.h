@@ -45,12 +45,15 @@ void fmb_facets_round_normal(fmb_facets *f, fmb_facet *a);
  * positive on n and negative on v. */
 void fmb_facets_combine_roughly(fmb_facets *f, fmb_facet *a, const fmb_facet *n,
                                 const fmb_facet *v);
-/* The sign of a facet's normal on g[d], near[d] being g roughly up to a positive factor, entry by
- * entry within 2^-50. */
+/* The sign of a facet's normal on a generator that is near[d] roughly, up to a positive factor,
+ * entry by entry within 2^-50. Is it sure? */
+bool fmb_facets_guess_side(const fmb_facets *f, fmb_facet *a, const double *near, int *side);
+
+/* ---- facets_side.c --------------------------------------------------------------------------- */
+
+/* The same for sure: the generator is g[d], and near it. */
 fmb_status fmb_facets_side(fmb_facets *f, size_t at, const fmb_vec *g, const double *near,
                            int *side);
-/* The same in doubles alone. Is it sure? */
-bool fmb_facets_guess_side(const fmb_facets *f, fmb_facet *a, const double *near, int *side);
 
 /* ---- facets.c -------------------------------------------------------------------------------- */
 

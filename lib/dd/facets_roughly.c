@@ -88,18 +88,3 @@ bool fmb_facets_guess_side(const fmb_facets *f, fmb_facet *a, const double *near
     *side = sum > 0 ? 1 : -1;
     return fabs(sum) > a->off;
 }
-
-fmb_status fmb_facets_side(fmb_facets *f, size_t at, const fmb_vec *g, const double *near,
-                           int *side)
-{
-    fmb_facet *a = &f->facet[at];
-    if (fmb_facets_guess_side(f, a, near, side))
-        return FMB_OK;
-    if (!a->known) {
-        fmb_status st = fmb_facets_need_normal(f, at);
-        if (st != FMB_OK || fmb_facets_guess_side(f, a, near, side))
-            return st;
-    }
-    *side = fmb_facets_sign(f, &a->normal, g);
-    return FMB_OK;
-}
