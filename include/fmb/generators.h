@@ -41,13 +41,14 @@ FMB_API double fmb_generators_coordinate(const fmb_generators *g, size_t i, int 
  * can be left out; vertices first, lines last. Strict rows are taken for <=: it is the closure of
  * the set of solutions that is generated, unless that set is empty. *out is NULL if s is infeasible
  * or a limit was reached (res->stop); the verdict may then be UNKNOWN. There can be very many: set
- * a limit. Evidence proves the verdict. Errors: ARG, MEMORY. */
+ * a limit; max_rows counts rays alive, too. Evidence proves the verdict. Errors: ARG, MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_generate(fmb_solver *v, const fmb_system *s,
                                             fmb_generators **out, fmb_result *res);
 
 /* [give] The convex hull of g: an irredundant system over x1, x2, ...; without a vertex the single
  * row 0 <= -1, and the verdict INFEASIBLE. *out is NULL if a limit was reached. There is no
- * evidence. Errors: ARG, MEMORY. */
+ * evidence, and none is needed: a row is right if no generator violates it, and a facet if those
+ * that it is tight on span it; both is told by evaluating. Errors: ARG, MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_hull(fmb_solver *v, const fmb_generators *g, fmb_system **out,
                                         fmb_result *res);
 

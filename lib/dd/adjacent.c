@@ -1,7 +1,10 @@
 /* adjacent.c: adjacency of extreme rays; see adjacent.h.
  *
- * A third ray inside the union of supports a and b shares as many zeros with a as b does. So it is
- * looked for among those few alone, which are listed when the first pair of a needs them.
+ * Simple rays find each other by their edges (edges.h) where that is cheaper than a look at all
+ * pairs; what else is adjacent to a simple ray is told by the size of a union. Of two rays that are
+ * not simple, a third ray inside the union of supports a and b shares as many zeros with a as b
+ * does. So it is looked for among those few alone, which are listed when the first pair of a needs
+ * them.
  */
 #include "dd/adjacent.h"
 
@@ -57,9 +60,13 @@ static fmb_status mark_far_supports(fmb_run *run, const fmb_support_planes *s, c
 static size_t list_unmarked_rays(const uint64_t *far, const uint32_t *ray, size_t n, uint32_t *to,
                                  size_t at)
 {
-    for (size_t j = 0; j < n; j++)
-        if (!(far[j / 64] >> (j % 64) & 1))
-            to[at++] = ray[j];
+    for (size_t j = 0; j < n; j += 64) {
+        uint64_t near = ~far[j / 64];
+        if (n - j < 64)
+            near &= ((uint64_t)1 << (n - j)) - 1;
+        for (; near != 0; near &= near - 1)
+            to[at++] = ray[j + (size_t)__builtin_ctzll(near)];
+    }
     return at;
 }
 
@@ -93,19 +100,57 @@ static bool is_third_ray_between(const fmb_cone *c, const fmb_adjacency *p, uint
 
 /* ---- pairs ----------------------------------------------------------------------------------- */
 
-static size_t count_support(const fmb_cone *c, uint32_t i)
+static fmb_edge_sides sides_of_insertion(const fmb_cone *c)
 {
-    const uint64_t *s = fmb_rays_support(&c->ray, i);
-    size_t n = 0;
-    for (size_t k = 0; k < c->ray.words; k++)
-        n += (size_t)__builtin_popcountll(s[k]);
-    return n;
+    const fmb_insertion *s = c->at;
+    return (fmb_edge_sides){.support = c->ray.support,
+                            .words = c->ray.words,
+                            .bits = c->bits,
+                            .rank = c->rank,
+                            .small = s->ray + s->large,
+                            .large = s->ray,
+                            .smalls = s->small,
+                            .larges = s->large};
+}
+
+/* A ray of the larger side costs a look at each of the smaller one, or a hash of each edge, which
+ * takes as long as so many words in a look (measured: 8 to 16). */
+#define HASHED_EDGE 12
+
+static bool do_edges_pay(const fmb_edge_sides *of)
+{
+    size_t simple = 0, degree = of->rank - 1;
+    if (of->rank < 3 || of->smalls > UINT32_MAX / 2 / degree)
+        return false;
+    for (size_t i = 0; i < of->smalls; i++)
+        simple += fmb_is_simple(of, of->small[i]);
+    return simple * of->words > HASHED_EDGE * degree;
+}
+
+/* Edges of simple rays, and the rays of the larger side that are not simple. */
+static fmb_status prepare_edges(fmb_cone *c, const fmb_edge_sides *of)
+{
+    fmb_insertion *s = c->at;
+    fmb_mem *mem = c->run->mem;
+    fmb_status st = fmb_mem_reserve(mem, (void **)&s->crowded, &s->crowded_capacity, of->larges,
+                                    sizeof *s->crowded);
+    if (st != FMB_OK)
+        return st;
+    s->crowds = 0;
+    for (size_t j = 0; j < of->larges; j++)
+        if (!fmb_is_simple(of, of->large[j]))
+            s->crowded[s->crowds++] = of->large[j];
+    st = gather_supports(c, mem, &s->crowd, s->crowded, s->crowds);
+    return st == FMB_OK ? fmb_ray_edges_find(&s->edges, of, c->run) : st;
 }
 
 fmb_status fmb_adjacency_begin(fmb_cone *c)
 {
     fmb_insertion *s = c->at;
-    return gather_supports(c, c->run->mem, &s->large_side, s->ray, s->large);
+    fmb_edge_sides of = sides_of_insertion(c);
+    fmb_status st = gather_supports(c, c->run->mem, &s->large_side, s->ray, s->large);
+    s->by_edges = do_edges_pay(&of);
+    return st == FMB_OK && s->by_edges ? prepare_edges(c, &of) : st;
 }
 
 fmb_status fmb_adjacency_gather_rest(fmb_cone *c)
@@ -118,32 +163,63 @@ static fmb_status reserve_pairs(const fmb_cone *c, fmb_adjacency *p, fmb_mem *me
 {
     fmb_status st = fmb_mem_reserve(mem, (void **)&p->joint, &p->joint_capacity, c->ray.words,
                                     sizeof *p->joint);
-    return st == FMB_OK ? fmb_mem_reserve(mem, (void **)&p->found, &p->found_capacity, c->at->large,
-                                          sizeof *p->found)
+    return st == FMB_OK ? fmb_mem_reserve(mem, (void **)&p->found, &p->found_capacity,
+                                          c->at->large + c->rank, sizeof *p->found)
                         : st;
 }
 
-fmb_status fmb_find_adjacent(fmb_cone *c, fmb_run *run, fmb_adjacency *p, uint32_t a)
+/* The neighbours of a simple ray, number i: at its edges, and among those that are not simple. */
+static fmb_status find_by_edges(fmb_cone *c, fmb_run *run, fmb_adjacency *p, size_t i, size_t most)
 {
-    fmb_insertion *s = c->at;
-    size_t most = c->bits + 2 - c->rank; /* of a union: rank - 2 zeros are shared */
-    size_t simple = c->bits + 1 - c->rank;
-    bool is_simple = count_support(c, a) == simple;
-    fmb_status st = reserve_pairs(c, p, run->mem);
-    if (st == FMB_OK)
-        st = mark_far_supports(run, &s->large_side, fmb_rays_support(&c->ray, a), most, &p->far,
-                               &p->far_capacity);
+    const fmb_insertion *s = c->at;
+    const fmb_ray_edge *edge = s->edges.edge + i * s->edges.degree;
+    uint32_t a = s->ray[s->large + i];
+    fmb_status st = mark_far_supports(run, &s->crowd, fmb_rays_support(&c->ray, a), most, &p->far,
+                                      &p->far_capacity);
+    if (st != FMB_OK)
+        return st;
+    size_t n = list_unmarked_rays(p->far, s->crowded, s->crowds, p->found, 0);
+    for (size_t k = 0; k < s->edges.degree; k++)
+        if (edge[k].end != FMB_NO_RAY)
+            p->found[n++] = edge[k].end;
+    run->stats.pairs += s->crowds + n;
+    p->founds = n;
+    return FMB_OK;
+}
+
+/* Look at all rays of the larger side. */
+static fmb_status find_by_unions(fmb_cone *c, fmb_run *run, fmb_adjacency *p, uint32_t a,
+                                 size_t most)
+{
+    const fmb_insertion *s = c->at;
+    fmb_edge_sides of = sides_of_insertion(c);
+    bool simple = fmb_is_simple(&of, a);
+    fmb_status st = mark_far_supports(run, &s->large_side, fmb_rays_support(&c->ray, a), most,
+                                      &p->far, &p->far_capacity);
     p->near.ready = false;
-    p->founds = 0;
     size_t near = st == FMB_OK ? list_unmarked_rays(p->far, s->ray, s->large, p->found, 0) : 0;
     run->stats.pairs += s->large;
     for (size_t k = 0; st == FMB_OK && k < near; k++) {
         uint32_t b = p->found[k];
-        bool adjacent = is_simple || count_support(c, b) == simple;
+        bool adjacent = simple || fmb_is_simple(&of, b);
         if (!adjacent && !p->near.ready)
             st = gather_near_rays(c, run, p, a, most);
         if (adjacent || (st == FMB_OK && !is_third_ray_between(c, p, a, b)))
             p->found[p->founds++] = b;
     }
     return st;
+}
+
+fmb_status fmb_find_adjacent(fmb_cone *c, fmb_run *run, fmb_adjacency *p, size_t i)
+{
+    const fmb_insertion *s = c->at;
+    fmb_edge_sides of = sides_of_insertion(c);
+    uint32_t a = s->ray[s->large + i];
+    size_t most = c->bits + 2 - c->rank; /* of a union: rank - 2 zeros are shared */
+    fmb_status st = reserve_pairs(c, p, run->mem);
+    p->founds = 0;
+    if (st != FMB_OK)
+        return st;
+    return s->by_edges && fmb_is_simple(&of, a) ? find_by_edges(c, run, p, i, most)
+                                                : find_by_unions(c, run, p, a, most);
 }

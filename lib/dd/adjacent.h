@@ -15,13 +15,14 @@
 
 void fmb_adjacency_clear(fmb_adjacency *p, fmb_mem *mem);
 
-/* A new row: gather the supports of the larger side. Errors: MEMORY, LIMIT. */
+/* A new row: gather the supports of the larger side, and edges where they pay. Errors: MEMORY,
+ * LIMIT. */
 fmb_status fmb_adjacency_begin(fmb_cone *c);
 /* And those of all other rays: before threads look for neighbours. Errors: MEMORY, LIMIT. */
 fmb_status fmb_adjacency_gather_rest(fmb_cone *c);
 
-/* The rays of the larger side that are adjacent to ray a of the smaller one, into p->found; memory
- * and counts are those of the run. Errors: MEMORY, LIMIT. */
-fmb_status fmb_find_adjacent(fmb_cone *c, fmb_run *run, fmb_adjacency *p, uint32_t a);
+/* The rays of the larger side that are adjacent to number i of the smaller one, into p->found;
+ * memory and counts are those of the run. Errors: MEMORY, LIMIT. */
+fmb_status fmb_find_adjacent(fmb_cone *c, fmb_run *run, fmb_adjacency *p, size_t i);
 
 #endif

@@ -35,6 +35,7 @@ typedef struct fmb_cone_problem {
     const size_t *keep; /* [keeps] the coordinates to carry; NULL: all, and rows come in their
                            order, in which equalities are first */
     bool wide_only;
+    bool sparse_first; /* of carried rows those with few coefficients come first */
 } fmb_cone_problem;
 
 typedef struct fmb_cone {
@@ -50,6 +51,7 @@ typedef struct fmb_cone {
     /* Rows to come. Carried: entry coords + c of a vector is its value in row left[c]. */
     size_t lefts, *left;
     size_t *negatives;        /* [lefts] how many rays are negative there */
+    size_t *weight;           /* [m] rows of less weight come first */
     size_t next;              /* not carried: rows before it are inserted */
     uint64_t made;            /* rays made so far; wide ones count more */
     struct fmb_insertion *at; /* the one in progress */

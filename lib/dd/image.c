@@ -40,24 +40,10 @@ typedef struct sorted_ray {
     size_t n;
 } sorted_ray;
 
-static int compare_entry(const fmb_vec *a, const fmb_vec *b, size_t k)
-{
-    if (!a->z && !b->z)
-        return (a->s[k] > b->s[k]) - (a->s[k] < b->s[k]);
-    return a->z && b->z ? mpz_cmp(a->z[k], b->z[k])
-           : a->z       ? mpz_cmp_si(a->z[k], b->s[k])
-                        : -mpz_cmp_si(b->z[k], a->s[k]);
-}
-
 static int compare_rays_lexicographically(const void *x, const void *y)
 {
     const sorted_ray *a = x, *b = y;
-    for (size_t k = 0; k < a->n; k++) {
-        int order = compare_entry(&a->v, &b->v, k);
-        if (order != 0)
-            return order;
-    }
-    return 0;
+    return fmb_vec_compare(&a->v, &b->v, a->n);
 }
 
 /* Sort, and make one of equal ones. */
@@ -171,23 +157,35 @@ void fmb_image_clear(fmb_image *m)
 /* ---- rows and rays ----------------------------------------------------------------------------
  */
 
-int fmb_image_side(fmb_image *m, const fmb_image_row *f, const fmb_vec *ray)
+/* Sign of v.ray; `turned`: of v_t t - v_x.x. */
+static int sign_of_product(fmb_image *m, const fmb_vec *v, const fmb_vec *ray, bool turned)
 {
     size_t t = m->n - 1;
-    if (!f->v.z && !ray->z && f->v.bits + ray->bits + fmb_bits64(m->n) <= 126) {
-        fmb_i128 sum = (fmb_i128)f->v.s[t] * ray->s[t];
+    if (!v->z && !ray->z && v->bits + ray->bits + fmb_bits64(m->n) <= 126) {
+        fmb_i128 sum = 0, last = (fmb_i128)v->s[t] * ray->s[t];
         for (size_t k = 0; k < t; k++)
-            sum -= (fmb_i128)f->v.s[k] * ray->s[k];
+            sum += (fmb_i128)v->s[k] * ray->s[k];
+        sum = turned ? last - sum : last + sum;
         return (sum > 0) - (sum < 0);
     }
     mpz_set_ui(m->num.t, 0);
     for (size_t k = 0; k <= t; k++) {
-        fmb_vec_get(&f->v, k, m->num.p);
+        fmb_vec_get(v, k, m->num.p);
         fmb_vec_get(ray, k, m->num.q);
-        if (k < t)
+        if (k < t && turned)
             mpz_submul(m->num.t, m->num.p, m->num.q);
         else
             mpz_addmul(m->num.t, m->num.p, m->num.q);
     }
     return mpz_sgn(m->num.t);
+}
+
+int fmb_image_side(fmb_image *m, const fmb_image_row *f, const fmb_vec *ray)
+{
+    return sign_of_product(m, &f->v, ray, true);
+}
+
+int fmb_image_value_sign(fmb_image *m, const fmb_vec *row, const fmb_vec *ray)
+{
+    return sign_of_product(m, row, ray, false);
 }

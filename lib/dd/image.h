@@ -45,6 +45,11 @@ fmb_status fmb_image_init_vectors(fmb_image *m, fmb_run *run, size_t n, size_t v
                                   const fmb_vec *v, const bool *line, bool wide_only);
 void fmb_image_clear(fmb_image *m);
 
+/* The dual of the cone spanned by the rays and lines of `of`, by way of its facets (facets.h):
+ * these are the rays, its equations are the lines. For few coordinates. Errors: MEMORY, LIMIT. In
+ * any case clear it. */
+fmb_status fmb_image_init_dual(fmb_image *m, const fmb_image *of);
+
 /* Find the facets of an image that has a point. With `slacks` each facet gets its slack. Errors:
  * MEMORY, LIMIT. */
 fmb_status fmb_image_find_facets(fmb_image *m, bool slacks);
@@ -58,6 +63,8 @@ fmb_status fmb_image_open_faces(fmb_image *m, const uint64_t *excludes, bool *em
 
 /* Sign of b t - a.x: of a facet at a ray. */
 int fmb_image_side(fmb_image *m, const fmb_image_row *f, const fmb_vec *ray);
+/* Sign of row.ray, n entries each. */
+int fmb_image_value_sign(fmb_image *m, const fmb_vec *row, const fmb_vec *ray);
 
 /* ---- for the other files of this room ---------------------------------------------------------
  */

@@ -109,16 +109,60 @@ static fmb_status take_facets(fmb_image *m, fmb_facets *f, bool slacks)
     return st;
 }
 
+/* The facets of what rays and lines span. In any case fmb_facets_clear it. */
+static fmb_status add_vectors_to_facets(const fmb_image *m, fmb_facets *f)
+{
+    fmb_status st = fmb_facets_init(f, m->run, m->n);
+    if (st == FMB_OK)
+        st = add_lines_to_facets(m, f);
+    return st == FMB_OK ? fmb_facets_add_all(f, m->ray, m->rays, m->n - 1) : st;
+}
+
 static fmb_status find_facets_ray_by_ray(fmb_image *m, bool slacks)
 {
     fmb_facets f;
-    fmb_status st = fmb_facets_init(&f, m->run, m->n);
-    if (st == FMB_OK)
-        st = add_lines_to_facets(m, &f);
-    if (st == FMB_OK)
-        st = fmb_facets_add_all(&f, m->ray, m->rays, m->n - 1);
+    fmb_status st = add_vectors_to_facets(m, &f);
     if (st == FMB_OK)
         st = take_facets(m, &f, slacks);
+    fmb_facets_clear(&f);
+    return st;
+}
+
+/* v[], line[] have room for all facets and equations. */
+static fmb_status list_facets(fmb_facets *f, fmb_vec *v, bool *line, size_t *size)
+{
+    fmb_status st = FMB_OK;
+    for (size_t e = 0; e < f->d - f->rank; e++, ++*size) {
+        v[*size] = f->equation[e];
+        line[*size] = true;
+    }
+    for (size_t i = 0; st == FMB_OK && i < f->slots; i++) {
+        if (!f->facet[i].alive)
+            continue;
+        st = fmb_facets_need_normal(f, i);
+        v[*size] = f->facet[i].normal;
+        line[(*size)++] = false;
+    }
+    return st;
+}
+
+fmb_status fmb_image_init_dual(fmb_image *m, const fmb_image *of)
+{
+    fmb_mem *mem = of->run->mem;
+    fmb_facets f;
+    size_t size = 0;
+    fmb_status st = add_vectors_to_facets(of, &f);
+    size_t most = st == FMB_OK ? f.slots + f.d : 0;
+    fmb_vec *v = fmb_mem_get(mem, most, sizeof *v);
+    bool *line = fmb_mem_get(mem, most, sizeof *line);
+    if (st == FMB_OK && (!v || !line))
+        st = fmb_mem_status(mem);
+    if (st == FMB_OK)
+        st = list_facets(&f, v, line, &size);
+    if (st == FMB_OK)
+        st = fmb_image_init_vectors(m, of->run, of->n, size, v, line, of->num.wide_only);
+    fmb_mem_put(mem, line, most, sizeof *line);
+    fmb_mem_put(mem, v, most, sizeof *v);
     fmb_facets_clear(&f);
     return st;
 }

@@ -29,6 +29,9 @@ void fmb_insertion_clear(fmb_insertion *s, fmb_mem *mem)
     fmb_mem_put(mem, s->ray, s->ray_capacity, sizeof *s->ray);
     fmb_mem_put(mem, s->large_side.word, s->large_side.capacity, sizeof *s->large_side.word);
     fmb_mem_put(mem, s->rest.word, s->rest.capacity, sizeof *s->rest.word);
+    fmb_mem_put(mem, s->crowd.word, s->crowd.capacity, sizeof *s->crowd.word);
+    fmb_mem_put(mem, s->crowded, s->crowded_capacity, sizeof *s->crowded);
+    fmb_ray_edges_clear(&s->edges, mem);
     fmb_adjacency_clear(&s->pairs, mem);
     *s = (fmb_insertion){0};
 }
@@ -204,7 +207,7 @@ static fmb_status pair_next_ray(fmb_cone *c)
     uint32_t a = s->ray[s->large + s->next];
     fmb_status st = fmb_run_poll(c->run);
     if (st == FMB_OK)
-        st = fmb_find_adjacent(c, c->run, &s->pairs, a);
+        st = fmb_find_adjacent(c, c->run, &s->pairs, s->next);
     s->next++;
     return st == FMB_OK ? combine_with_found(c, a, &s->pairs) : st;
 }
@@ -227,9 +230,7 @@ static fmb_status find_neighbours_of_ray(void *self, size_t k, fmb_run *run)
     fmb_cone *c = self;
     const fmb_insertion *s = c->at;
     fmb_status st = fmb_run_poll(run);
-    return st == FMB_OK
-               ? fmb_find_adjacent(c, run, &s->crew->pairs[k], s->ray[s->large + s->next + k])
-               : st;
+    return st == FMB_OK ? fmb_find_adjacent(c, run, &s->crew->pairs[k], s->next + k) : st;
 }
 
 /* Neighbours of several rays are found at once; they are combined as if one after another. What a
@@ -257,7 +258,7 @@ static bool is_work_for_crew(const fmb_cone *c)
 {
     const fmb_insertion *s = c->at;
     return c->run->threads > 1 && s->next + FMB_INSERTION_CREW <= s->small &&
-           s->large * FMB_INSERTION_CREW >= PAIRS_FOR_CREW;
+           (s->by_edges ? s->crowds : s->large) * FMB_INSERTION_CREW >= PAIRS_FOR_CREW;
 }
 
 fmb_status fmb_insertion_run(fmb_cone *c, uint64_t most)

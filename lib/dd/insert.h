@@ -3,6 +3,7 @@
 #define FMB_DD_INSERT_H
 
 #include "dd/cone.h"
+#include "dd/edges.h"
 #include "trace/team.h"
 
 /* Sets in planes, as the kernels want them. */
@@ -46,6 +47,11 @@ typedef struct fmb_insertion {
     bool small_is_positive;
     size_t next;                         /* of the smaller side */
     fmb_support_planes large_side, rest; /* supports; rest: of the smaller side, then of value 0 */
+    bool by_edges;
+    fmb_ray_edges edges; /* by_edges: of simple rays of the smaller side, */
+    uint32_t *crowded;   /* and those of the larger side that are not simple */
+    size_t crowds, crowded_capacity;
+    fmb_support_planes crowd; /* their supports */
     fmb_adjacency pairs;
     fmb_insertion_crew *crew; /* or NULL */
 } fmb_insertion;

@@ -256,6 +256,24 @@ bool fmb_vec_equal(const fmb_vec *a, const fmb_vec *b, size_t n)
     return true;
 }
 
+static int compare_entries(const fmb_vec *a, const fmb_vec *b, size_t k)
+{
+    if (!a->z && !b->z)
+        return (a->s[k] > b->s[k]) - (a->s[k] < b->s[k]);
+    int order = a->z && b->z ? mpz_cmp(a->z[k], b->z[k])
+                : a->z       ? mpz_cmp_si(a->z[k], b->s[k])
+                             : -mpz_cmp_si(b->z[k], a->s[k]);
+    return (order > 0) - (order < 0);
+}
+
+int fmb_vec_compare(const fmb_vec *a, const fmb_vec *b, size_t n)
+{
+    int order = 0;
+    for (size_t k = 0; k < n && order == 0; k++)
+        order = compare_entries(a, b, k);
+    return order;
+}
+
 uint64_t fmb_vec_hash(const fmb_vec *v, size_t n)
 {
     uint64_t h = 0x9e3779b97f4a7c15u;

@@ -93,6 +93,8 @@ int fmb_vec_compare_products(const fmb_vec *x, size_t i, const fmb_vec *y, size_
 
 /* Equal in the first n entries. */
 bool fmb_vec_equal(const fmb_vec *a, const fmb_vec *b, size_t n);
+/* Lexicographic order of the first n entries: -1, 0 or 1. */
+int fmb_vec_compare(const fmb_vec *a, const fmb_vec *b, size_t n);
 /* Equal vecs have equal hashes, whether small or wide. */
 uint64_t fmb_vec_hash(const fmb_vec *v, size_t n);
 

@@ -1,19 +1,16 @@
-/* generate.c: from rows to vertices, rays and lines, by double description (dd/cone.h). */
-#include <string.h>
-
-#include "solve/query/lifted.h"
+/* generate.c: from rows to vertices, rays and lines (rays.h). */
+#include "solve/generate/rays.h"
 #include "system/generators.h"
 #include "system/system.h"
 
 /* Is some point in the closure, and every strict row positive somewhere? */
-static bool has_solution(const fmb_lifted *h)
+static bool has_solution(fmb_lifted *h)
 {
-    const fmb_cone *c = &h->cone;
     bool solution = h->image.has_point;
-    for (size_t b = 0; solution && b < c->bits; b++) {
-        bool positive = !h->row[c->row_of_bit[b]].wanted;
-        for (size_t i = 0; !positive && i < c->ray.size; i++)
-            positive = fmb_cone_is_positive(c, i, b);
+    for (size_t i = 0; solution && i < h->rows; i++) {
+        bool positive = !h->row[i].wanted;
+        for (size_t k = 0; !positive && k < h->image.rays; k++)
+            positive = fmb_image_value_sign(&h->image, &h->v[i], &h->image.ray[k]) > 0;
         solution = positive;
     }
     return solution;
@@ -38,13 +35,12 @@ static fmb_status copy_generators(const fmb_lifted *h, fmb_generators *to)
 static fmb_status generate_system(fmb_query *q, fmb_generators *to, fmb_verdict *verdict)
 {
     fmb_lifted h;
-    bool done;
     fmb_status st = q->evidence ? fmb_query_decide(q, true, verdict) : FMB_OK;
     if (st != FMB_OK || *verdict == FMB_INFEASIBLE)
         return st;
     st = fmb_lifted_open(&h, q, q->s);
     if (st == FMB_OK)
-        st = fmb_lifted_run(&h, 0, &done);
+        st = fmb_lifted_find_rays(&h);
     if (st == FMB_OK)
         *verdict = has_solution(&h) ? FMB_FEASIBLE : FMB_INFEASIBLE;
     if (st == FMB_OK && *verdict == FMB_FEASIBLE)

@@ -60,7 +60,8 @@ fmb_status fmb_lifted_open(fmb_lifted *h, fmb_query *q, const fmb_system *s)
                            .row = h->row,
                            .keeps = h->d,
                            .keep = h->keep,
-                           .wide_only = fmb_query_is_wide(q)};
+                           .wide_only = fmb_query_is_wide(q),
+                           .sparse_first = true};
     return st == FMB_OK ? fmb_cone_init(&h->cone, &q->run, &of) : st;
 }
 

@@ -61,7 +61,8 @@ static void check_supports(const plain *p, const fmb_cone *c, size_t i, const in
     }
 }
 
-/* The rays of p, primitive and sorted. pause: rays between two stops, 0: none. */
+/* The rays of p, primitive and sorted. pause: rays between two stops, 0: none; odd: sparse rows
+ * first. */
 static void list_rays(const plain *p, bool carried, uint64_t pause, bool wide, ray_list *out)
 {
     fmb_mem mem;
@@ -84,7 +85,7 @@ static void list_rays(const plain *p, bool carried, uint64_t pause, bool wide, r
     }
     for (size_t k = 0; k < p->d; k++)
         keep[k] = k;
-    fmb_cone_problem of = {p->d, p->m, row, p->d, carried ? keep : NULL, wide};
+    fmb_cone_problem of = {p->d, p->m, row, p->d, carried ? keep : NULL, wide, pause % 2};
     cr_assert_eq(fmb_cone_init(&c, &run, &of), FMB_OK);
     while (!done)
         cr_assert_eq(fmb_cone_run(&c, pause, &done), FMB_OK);

@@ -37,7 +37,7 @@ static void open_bench(bench *b, size_t threads, bool doubled)
     }
     for (size_t k = 0; k < D; k++)
         b->keep[k] = k;
-    fmb_cone_problem of = {D, ROWS, b->row, D, b->keep, false};
+    fmb_cone_problem of = {D, ROWS, b->row, D, b->keep, false, false};
     cr_assert_eq(fmb_cone_init(&b->cone, &b->run, &of), FMB_OK);
 }
 

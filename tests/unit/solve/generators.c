@@ -1,6 +1,7 @@
 /* generators.c: vertices, rays and lines of systems, and hulls of those: there and back again. */
 #include <criterion/criterion.h>
 
+#include <math.h>
 #include <string.h>
 
 #include <fmb/generators.h>
@@ -94,6 +95,7 @@ static fmb_system *closure_of(const fmb_system *s)
     return t;
 }
 
+/* Every sixth has more rows than its dimension would let one expect: another way leads there. */
 Test(generators, there_and_back_again)
 {
     static const int BITS[] = {0, 0, 31, 63, 200};
@@ -102,8 +104,8 @@ Test(generators, there_and_back_again)
     fmb_solver *v = plain_solver();
     for (uint64_t seed = 0; seed < 400; seed++) {
         support_rng g = {seed};
-        support_shape shape = {support_between(&g, 1, 4), support_between(&g, 1, 8),
-                               BITS[seed % 5]};
+        int n = support_between(&g, 1, 4), many = seed % 6 == 0 ? 4 * n + 16 : 8;
+        support_shape shape = {n, support_between(&g, many / 8, many), BITS[seed % 5]};
         support_case c = support_make((support_family)(seed % SUPPORT_FAMILIES), seed, &shape);
         fmb_verdict verdict;
         fmb_system *t = there_and_back(v, c.s, &verdict);
@@ -120,6 +122,43 @@ Test(generators, there_and_back_again)
         support_case_clear(&c);
     }
     cr_expect_gt(feasible, 150);
+    fmb_solver_free(v);
+}
+
+/* Signs in 2^n rows: between its rows in the wrong order there are very many rays. */
+static fmb_system *cross_polytope(int n)
+{
+    fmb_system *s = rows_none(n);
+    for (unsigned signs = 0; signs < 1u << n; signs++) {
+        int64_t a[16];
+        for (int j = 0; j < n; j++)
+            a[j] = signs >> j & 1 ? 1 : -1;
+        must(fmb_system_add_int(s, a, FMB_LE, 1));
+    }
+    return s;
+}
+
+Test(generators, a_cross_polytope_has_two_vertices_for_each_coordinate)
+{
+    fmb_solver *v = plain_solver();
+    for (int n = 2; n <= 9; n++) {
+        fmb_system *s = cross_polytope(n), *t = NULL;
+        fmb_generators *g = NULL;
+        fmb_result r;
+        must(fmb_generate(v, s, &g, &r));
+        cr_assert(g && fmb_generators_size(g) == 2 * (size_t)n);
+        for (size_t i = 0; i < fmb_generators_size(g); i++) {
+            double sum = 0;
+            for (int j = 0; j < n; j++)
+                sum += fabs(fmb_generators_coordinate(g, i, j));
+            cr_expect_eq(sum, 1);
+        }
+        must(fmb_hull(v, g, &t, &r));
+        cr_expect_eq(fmb_system_rows(t), (size_t)1 << n);
+        fmb_system_free(t);
+        fmb_generators_free(g);
+        fmb_system_free(s);
+    }
     fmb_solver_free(v);
 }
 
@@ -172,6 +211,12 @@ Test(generators, at_a_limit)
     }
     must(fmb_generate(v, s, &g, &r));
     cr_expect(!g && r.stop == FMB_STOP_BYTES);
+    o.max_bytes = 0;
+    o.max_rows = 5000; /* a cube of 18 dimensions has more corners */
+    fmb_solver_free(v);
+    must(fmb_solver_new(&o, NULL, &v));
+    must(fmb_generate(v, s, &g, &r));
+    cr_expect(!g && r.stop == FMB_STOP_ROWS);
     fmb_system_free(s);
     fmb_solver_free(v);
 }
@@ -191,25 +236,37 @@ static fmb_status ask_there_and_back(fmb_solver *v, const fmb_system *s)
     return st;
 }
 
-Test(generators, every_request_may_fail)
+/* Of many requests some. */
+static void let_requests_fail(const fmb_system *s, size_t every)
 {
     hook h = {0};
     fmb_alloc mem = hook_alloc(&h);
     fmb_options o = fmb_options_default();
     fmb_solver *v = NULL;
-    support_shape shape = {3, 7, 63};
-    support_case c = support_make(SUPPORT_PLANTED_POINT, 3, &shape);
     fmb_status st = FMB_ERR_MEMORY;
-    for (size_t k = 1; st == FMB_ERR_MEMORY; k++) {
+    for (size_t k = 1; st == FMB_ERR_MEMORY; k += 1 + k / every) {
         must(fmb_solver_new(&o, &mem, &v));
         hook_arm(&h, k, k % 2 == 0);
-        st = ask_there_and_back(v, c.s);
+        st = ask_there_and_back(v, s);
         hook_calm(&h);
         fmb_solver_free(v);
         cr_assert_eq(h.live, 0, "request %zu: %zu bytes leak", k, h.live);
         cr_assert(st == FMB_OK || st == FMB_ERR_MEMORY);
     }
+}
+
+Test(generators, every_request_may_fail)
+{
+    support_shape few = {3, 7, 63}, many = {2, 30, 63};
+    support_case c = support_make(SUPPORT_PLANTED_POINT, 3, &few);
+    let_requests_fail(c.s, SIZE_MAX);
     support_case_clear(&c);
+    c = support_make(SUPPORT_PLANTED_POINT, 3, &many);
+    let_requests_fail(c.s, SIZE_MAX);
+    support_case_clear(&c);
+    fmb_system *cross = cross_polytope(8);
+    let_requests_fail(cross, 8);
+    fmb_system_free(cross);
 }
 
 /* ---- V-representations ----------------------------------------------------------------------- */

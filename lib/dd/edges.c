@@ -1,0 +1,118 @@
+/* edges.c: adjacent simple rays by their edges; see edges.h.
+ *
+ * The hash of a set is the sum modulo 2 of a word for each element, so that an element goes by one
+ * operation. It only proposes: a pair stands if the two rays share rank - 2 zeros, and the second
+ * is positive in the one that the first has left out.
+ */
+#include "dd/edges.h"
+
+#include <string.h>
+
+void fmb_ray_edges_clear(fmb_ray_edges *e, fmb_mem *mem)
+{
+    fmb_mem_put(mem, e->edge, e->edge_capacity, sizeof *e->edge);
+    fmb_mem_put(mem, e->table, e->table_capacity, sizeof *e->table);
+    *e = (fmb_ray_edges){0};
+}
+
+/* Steele, Lea, Flood 2014, Fast splittable pseudorandom number generators: its finalizer. */
+static uint64_t word_of_bit(size_t bit)
+{
+    uint64_t x = ((uint64_t)bit + 1) * 0x9e3779b97f4a7c15u;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    return x ^ (x >> 31);
+}
+
+/* Bits among 64 w ... 64 w + 63 where the ray is zero. */
+static uint64_t zeros_in_word(const fmb_edge_sides *of, uint32_t ray, size_t w)
+{
+    uint64_t zeros = ~of->support[ray * of->words + w];
+    size_t left = of->bits > 64 * w ? of->bits - 64 * w : 0;
+    return left >= 64 ? zeros : zeros & (((uint64_t)1 << left) - 1);
+}
+
+static uint64_t hash_zeros(const fmb_edge_sides *of, uint32_t ray)
+{
+    uint64_t hash = 0;
+    for (size_t w = 0; w < of->words; w++)
+        for (uint64_t z = zeros_in_word(of, ray, w); z != 0; z &= z - 1)
+            hash ^= word_of_bit(64 * w + (size_t)__builtin_ctzll(z));
+    return hash;
+}
+
+static fmb_status reserve_edges(fmb_ray_edges *e, const fmb_edge_sides *of, fmb_run *run)
+{
+    size_t edges = of->smalls * e->degree, size = 64;
+    while (size < 2 * edges)
+        size *= 2;
+    fmb_status st =
+        fmb_mem_reserve(run->mem, (void **)&e->edge, &e->edge_capacity, edges, sizeof *e->edge);
+    if (st == FMB_OK)
+        st = fmb_mem_reserve(run->mem, (void **)&e->table, &e->table_capacity, size,
+                             sizeof *e->table);
+    e->mask = size - 1;
+    if (st == FMB_OK)
+        memset(e->table, 0xff, size * sizeof *e->table);
+    return st;
+}
+
+/* The edges of simple ray number i of the smaller side go into the table. */
+static void enter_edges(fmb_ray_edges *e, const fmb_edge_sides *of, size_t i)
+{
+    uint64_t hash = hash_zeros(of, of->small[i]);
+    size_t number = i * e->degree;
+    for (size_t w = 0; w < of->words; w++)
+        for (uint64_t z = zeros_in_word(of, of->small[i], w); z != 0; z &= z - 1, number++) {
+            size_t bit = 64 * w + (size_t)__builtin_ctzll(z);
+            uint64_t key = hash ^ word_of_bit(bit);
+            size_t at = key & e->mask;
+            while (e->table[at] != FMB_NO_RAY)
+                at = (at + 1) & e->mask;
+            e->table[at] = (uint32_t)number;
+            e->edge[number] = (fmb_ray_edge){key, (uint32_t)bit, FMB_NO_RAY};
+        }
+}
+
+/* Is that edge one of ray b, too? */
+static bool ends_edge_at(const fmb_ray_edges *e, const fmb_edge_sides *of, size_t number,
+                         uint32_t b)
+{
+    const uint64_t *x = of->support + of->small[number / e->degree] * of->words;
+    const uint64_t *y = of->support + b * of->words;
+    size_t gone = e->edge[number].gone, n = 0;
+    for (size_t w = 0; w < of->words; w++)
+        n += (size_t)__builtin_popcountll(x[w] | y[w]);
+    return n + of->rank == of->bits + 2 && (y[gone / 64] >> (gone % 64) & 1);
+}
+
+static void look_up_edges(fmb_ray_edges *e, const fmb_edge_sides *of, uint32_t b)
+{
+    uint64_t hash = hash_zeros(of, b);
+    for (size_t w = 0; w < of->words; w++)
+        for (uint64_t z = zeros_in_word(of, b, w); z != 0; z &= z - 1) {
+            uint64_t key = hash ^ word_of_bit(64 * w + (size_t)__builtin_ctzll(z));
+            for (size_t at = key & e->mask; e->table[at] != FMB_NO_RAY; at = (at + 1) & e->mask) {
+                size_t number = e->table[at];
+                if (e->edge[number].key == key && ends_edge_at(e, of, number, b))
+                    e->edge[number].end = b;
+            }
+        }
+}
+
+fmb_status fmb_ray_edges_find(fmb_ray_edges *e, const fmb_edge_sides *of, fmb_run *run)
+{
+    e->degree = of->rank - 1;
+    fmb_status st = reserve_edges(e, of, run);
+    for (size_t i = 0; st == FMB_OK && i < of->smalls; i++) {
+        if (fmb_is_simple(of, of->small[i]))
+            enter_edges(e, of, i);
+        st = fmb_run_poll(run);
+    }
+    for (size_t j = 0; st == FMB_OK && j < of->larges; j++) {
+        if (fmb_is_simple(of, of->large[j]))
+            look_up_edges(e, of, of->large[j]);
+        st = fmb_run_poll(run);
+    }
+    return st;
+}

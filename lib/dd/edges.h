@@ -1,0 +1,52 @@
+/* edges.h: adjacent rays that are simple, found without a look at pairs.
+ *
+ * With rank the rank of the rows, a ray is simple if it is zero in rank - 1 rows only. These are
+ * independent; so whatever is zero in all of them but one is a face of dimension 2, an edge, and
+ * each edge has two rays. Two simple rays are adjacent if and only if they have an edge in common.
+ * The edges of the smaller side are put into a hash table, where those of the larger side look for
+ * them: rays times rank instead of rays times rays.
+ */
+#ifndef FMB_DD_EDGES_H
+#define FMB_DD_EDGES_H
+
+#include "num/kernels.h"
+#include "trace/run.h"
+
+/* One edge of a simple ray: all its zeros but one. */
+typedef struct fmb_ray_edge {
+    uint64_t key;  /* hash of those zeros */
+    uint32_t gone; /* the other zero, by bit */
+    uint32_t end;  /* the ray on the larger side; FMB_NO_RAY: none that is simple */
+} fmb_ray_edge;
+
+#define FMB_NO_RAY UINT32_MAX
+
+typedef struct fmb_ray_edges {
+    size_t degree;      /* edges of a ray */
+    fmb_ray_edge *edge; /* [rays of the smaller side][degree]; those of simple rays hold */
+    size_t edge_capacity;
+    uint32_t *table; /* [mask + 1] numbers of edges */
+    size_t table_capacity, mask;
+} fmb_ray_edges;
+
+/* Sets of bits: where rays are positive. */
+typedef struct fmb_edge_sides {
+    const uint64_t *support; /* ray i: [words] at support + i * words */
+    size_t words, bits, rank;
+    const uint32_t *small, *large; /* rays */
+    size_t smalls, larges;
+} fmb_edge_sides;
+
+static inline bool fmb_is_simple(const fmb_edge_sides *of, uint32_t ray)
+{
+    size_t n = 0;
+    for (size_t k = 0; k < of->words; k++)
+        n += (size_t)__builtin_popcountll(of->support[ray * of->words + k]);
+    return n + of->rank == of->bits + 1;
+}
+
+/* Fill in the edges of simple rays. rank >= 2. Errors: MEMORY, LIMIT. */
+fmb_status fmb_ray_edges_find(fmb_ray_edges *e, const fmb_edge_sides *of, fmb_run *run);
+void fmb_ray_edges_clear(fmb_ray_edges *e, fmb_mem *mem);
+
+#endif
