@@ -1,6 +1,5 @@
 /* pairs.c: pairs of frames of sets, by index. */
 #include <stdio.h>
-#include <string.h>
 
 #include "pair/packed/packed.h"
 
@@ -221,7 +220,8 @@ static fmb_status answer_portion(fmb_pair *k, const pairs_query *x, size_t from)
 
 /* ---- threads --------------------------------------------------------------------------------- */
 
-/* The error of the first portion that has one. */
+/* The error of the first portion that has one. It is asked again by k, which then tells what is
+ * wrong with it, and not with a later one. */
 static fmb_status answer_by_threads(fmb_pair *k, const pairs_query *x)
 {
     size_t failed = SIZE_MAX;
@@ -230,21 +230,18 @@ static fmb_status answer_by_threads(fmb_pair *k, const pairs_query *x)
 #pragma omp parallel for schedule(dynamic, 4) num_threads(k->threads)
 #endif
     for (size_t from = 0; from < x->n; from += PORTION) {
-        fmb_pair *worker = fmb_packed_worker(k);
-        fmb_status is = from < failed ? answer_portion(worker, x, from) : FMB_OK;
+        fmb_status is = answer_portion(fmb_packed_worker(k), x, from);
         if (is == FMB_OK)
             continue;
 #ifdef _OPENMP
-#pragma omp critical(fmb_failed_portion)
+#pragma omp critical
 #endif
         if (from < failed) {
             failed = from;
             st = is;
-            if (worker != k)
-                memcpy(k->trouble, worker->trouble, sizeof k->trouble);
         }
     }
-    return st;
+    return st == FMB_ERR_ARG ? answer_portion(k, x, failed) : st;
 }
 
 static fmb_status answer_alone(fmb_pair *k, const pairs_query *x)
