@@ -307,10 +307,11 @@ int cmd_intersect(int argc, char **argv)
     intersect x = {.ask = &ask};
     FILE *in;
     int code = app_file_open(ask.file, &in);
-    if (code != APP_YES)
-        return code;
-    code = run(&x, in);
-    fmb_solver_free(x.solver);
-    app_file_close_input(in);
+    if (code == APP_YES) {
+        code = run(&x, in);
+        fmb_solver_free(x.solver);
+        app_file_close_input(in);
+    }
+    near_ask_clear(&ask.near);
     return code;
 }

@@ -16,7 +16,8 @@ int near_read_margin(near_ask *ask, const char *text)
     fmb_status st = fmb_system_new(0, NULL, &none);
     int code =
         st == FMB_OK ? app_form_read("--within", text, FMB_SENSE_MIN, none) : app_status_error(st);
-    mpq_init(ask->margin);
+    if (!ask->within)
+        mpq_init(ask->margin);
     ask->within = true;
     fmb_system_objective_constant_q(none, ask->margin);
     if (code == APP_YES && mpq_sgn(ask->margin) < 0) {
@@ -25,6 +26,12 @@ int near_read_margin(near_ask *ask, const char *text)
     }
     fmb_system_free(none);
     return code;
+}
+
+void near_ask_clear(near_ask *ask)
+{
+    if (ask->within)
+        mpq_clear(ask->margin);
 }
 
 bool near_is_asked(const near_ask *ask)

@@ -26,6 +26,7 @@ typedef struct near_found {
 
 /* Set within and margin from text, a rational or decimal: an exit code. */
 int near_read_margin(near_ask *ask, const char *text);
+void near_ask_clear(near_ask *ask);
 /* Is anything wanted? */
 bool near_is_asked(const near_ask *ask);
 /* Ask about a pair whose verdict is known, with the limits of v. A body that is a polytope given by
