@@ -1,11 +1,9 @@
 /* cmd_vertices.c: fmb vertices FILE. */
-#include <fmb/gmp.h>
-#include <stdlib.h>
-
 #include "common/json.h"
 #include "common/message.h"
 #include "fmb/commands.h"
 #include "fmb/integers.h"
+#include "fmb/show.h"
 #include "fmb/verdict.h"
 
 static const app_usage usage = {
@@ -25,27 +23,12 @@ static const app_usage usage = {
 
 /* ---- the report ------------------------------------------------------------------------------ */
 
-static json_t *generator_json(const fmb_generators *g, size_t i)
-{
-    json_t *list = app_need(json_array());
-    mpq_t q;
-    mpq_init(q);
-    for (int j = 0; j < fmb_generators_dim(g); j++) {
-        fmb_generators_get_q(g, i, j, q);
-        char *text = app_need(mpq_get_str(NULL, 10, q));
-        app_json_append(list, json_string(text));
-        free(text);
-    }
-    mpq_clear(q);
-    return list;
-}
-
 static json_t *generators_json(const fmb_generators *g, fmb_generator_kind kind)
 {
     json_t *list = app_need(json_array());
     for (size_t i = 0; i < fmb_generators_size(g); i++)
         if (fmb_generators_kind(g, i) == kind)
-            app_json_append(list, generator_json(g, i));
+            app_json_append(list, app_json_generator(g, i));
     return list;
 }
 

@@ -176,19 +176,6 @@ void near_clear(near_found *f)
 
 /* ---- numbers and points ---------------------------------------------------------------------- */
 
-static json_t *generator_coordinates(const fmb_generators *g, size_t i)
-{
-    json_t *list = app_need(json_array());
-    mpq_t q;
-    mpq_init(q);
-    for (int j = 0; j < fmb_generators_dim(g); j++) {
-        fmb_generators_get_q(g, i, j, q);
-        app_json_append(list, app_json_number(q));
-    }
-    mpq_clear(q);
-    return list;
-}
-
 /* The point of frame which; the shift, if that is -1. */
 static json_t *proximity_coordinates(const fmb_proximity *p, int which, int dim)
 {
@@ -244,7 +231,7 @@ static void print_common(const fmb_generators *g)
     printf("  common    %zu %s\n", n, n == 1 ? "vertex" : "vertices");
     for (size_t i = 0; i < n; i++) {
         fputs("    ", stdout);
-        print_list(generator_coordinates(g, i));
+        print_list(app_json_generator(g, i));
         putchar('\n');
     }
 }
@@ -319,7 +306,7 @@ static json_t *common_json(const fmb_generators *g)
 {
     json_t *list = app_need(json_array());
     for (size_t i = 0; i < fmb_generators_size(g); i++)
-        app_json_append(list, generator_coordinates(g, i));
+        app_json_append(list, app_json_generator(g, i));
     return list;
 }
 

@@ -205,3 +205,16 @@ void app_json_set_system(json_t *obj, const fmb_system *s)
     app_json_set_objective(obj, s);
     app_json_set(obj, "rows", rows);
 }
+
+json_t *app_json_generator(const fmb_generators *g, size_t i)
+{
+    json_t *list = app_need(json_array());
+    mpq_t q;
+    mpq_init(q);
+    for (int j = 0; j < fmb_generators_dim(g); j++) {
+        fmb_generators_get_q(g, i, j, q);
+        app_json_append(list, app_json_number(q));
+    }
+    mpq_clear(q);
+    return list;
+}

@@ -24,6 +24,8 @@ char *app_show_objective(const fmb_system *s, int sign, bool constant);
 
 /* "p/q" */
 json_t *app_json_number(const mpq_t q);
+/* The coordinates of generator i, ["p/q", ...]. */
+json_t *app_json_generator(const fmb_generators *g, size_t i);
 /* obj[name of variable j] = value. */
 void app_json_set_variable(json_t *obj, const fmb_system *s, int j, json_t *value);
 /* obj.objective of a system, if it has one. */
