@@ -13,11 +13,21 @@ typedef struct bar {
     double share, mean, least;
 } bar;
 
-static const bar BAR[] = {
+/* Of projections, and of vertices and hulls; NULL ends a list. */
+static const bar PROJECTION_BARS[] = {
     {"ppl,cddlib,isl,normaliz", 95, 8, 1 / 1.5},
     {"pplite", 90, 6, 0},
+    {NULL, 0, 0, 0},
 };
-enum { BARS = sizeof BAR / sizeof *BAR };
+static const bar CONE_BARS[] = {
+    {"cddlib", 100, 1, 0},  {"ppl", 100, 1, 0}, {"lrslib", 80, 1, 0},
+    {"normaliz", 60, 1, 0}, {NULL, 0, 0, 0},
+};
+
+static const bar *bars_of_question(peer_question question)
+{
+    return question == PEER_PROJECT ? PROJECTION_BARS : CONE_BARS;
+}
 
 /* Having tried what did not help may cost half as much as the best way takes. */
 static const double PRICE = 1.5;
@@ -27,10 +37,10 @@ static bool is_of_side(const peer *p, const bar *b)
     return b ? !p->ours && peer_is_listed(b->libraries, p) : p->single;
 }
 
-bool bars_same_side(const peer *a, const peer *b)
+bool bars_same_side(peer_question question, const peer *a, const peer *b)
 {
-    for (int k = 0; k < BARS; k++)
-        if (is_of_side(a, &BAR[k]) && is_of_side(b, &BAR[k]))
+    for (const bar *k = bars_of_question(question); k->libraries; k++)
+        if (is_of_side(a, k) && is_of_side(b, k))
             return true;
     return a->ours && b->ours;
 }
@@ -119,8 +129,8 @@ static void print_price(const report *r)
 void bars_print(const report *r)
 {
     printf("\n");
-    for (int k = 0; k < BARS; k++)
-        print_bar(r, &BAR[k]);
+    for (const bar *k = bars_of_question(r->limits.question); k->libraries; k++)
+        print_bar(r, k);
     print_price(r);
     int lost = 0;
     for (size_t i = 0; i < r->entries; i++)

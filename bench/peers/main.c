@@ -34,7 +34,8 @@ static void add_path(setup *s, const char *path)
     s->path[s->paths++] = need(strdup(path));
 }
 
-/* The problems beside a manifest: the first word of each line is the name of one. */
+/* The problems of a manifest: the first word of each line is a family's, or the name of a file
+ * beside it. */
 static bool add_manifest(setup *s, const char *path)
 {
     FILE *in = fopen(path, "r");
@@ -47,7 +48,7 @@ static bool add_manifest(setup *s, const char *path)
         if (line[0] == '#' || sscanf(line, "%127s", name) != 1)
             continue;
         snprintf(file, sizeof file, "%.*s%s.ine", folder, path, name);
-        add_path(s, file);
+        add_path(s, strchr(name, ':') ? name : file);
     }
     fclose(in);
     return true;
@@ -83,7 +84,7 @@ static double patience(const setup *s, const entry *e, int driver)
     double limit = r->limits.seconds;
     for (int d = 0; s->quick && d < driver; d++) {
         double t = 4 * e->outcome[d].typical;
-        bool beside = bars_same_side(r->driver[d], r->driver[driver]);
+        bool beside = bars_same_side(r->limits.question, r->driver[d], r->driver[driver]);
         if (beside && e->outcome[d].end == CHILD_DONE && t < limit)
             limit = t < 0.2 ? 0.2 : t;
     }

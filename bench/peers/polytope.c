@@ -183,6 +183,47 @@ static void draw_small(pen *w)
     }
 }
 
+/* Points with small coordinates, many of them on a facet. */
+static void draw_lattice(pen *w)
+{
+    int n = w->plan->size, m = w->plan->rows;
+    int64_t *p = need(calloc((size_t)m * (size_t)n + 1, sizeof *p));
+    begin(w, n);
+    for (int i = 0; i < m * n; i++)
+        p[i] = between(w, -3, 3);
+    put_polar(w, p, m, n);
+    free(p);
+}
+
+/* All sums of vectors or their opposites: as many of them as there are rows, and 16 at most. */
+static void draw_zonotope(pen *w)
+{
+    int n = w->plan->size, vectors = w->plan->rows < 16 ? w->plan->rows : 16;
+    int64_t *v = need(calloc((size_t)vectors * (size_t)n + 1, sizeof *v));
+    begin(w, n);
+    for (int k = 0; k < vectors * n; k++)
+        v[k] = between(w, -4, 4);
+    for (unsigned signs = 0; signs < 1u << vectors; signs++) {
+        for (int k = 0; k < vectors * n; k++)
+            w->a[k % n] += signs >> (k / n) & 1 ? v[k] : -v[k];
+        put(w, FMB_LE, 1);
+    }
+    free(v);
+}
+
+/* Polygons, one for each pair of variables, of that many sides together. */
+static void draw_product(pen *w)
+{
+    int polygons = w->plan->size / 2;
+    begin(w, 2 * polygons);
+    for (int i = 0; i < w->plan->rows && polygons > 0; i++) {
+        int j = 2 * (i % polygons);
+        w->a[j] = between(w, -9, 9);
+        w->a[j + 1] = between(w, -9, 9);
+        put(w, FMB_LE, 10);
+    }
+}
+
 /* Rows through an orthant: unbounded. */
 static void draw_blocking(pen *w)
 {
@@ -219,12 +260,13 @@ static const struct family {
     const char *name;
     void (*draw)(pen *w);
 } families[] = {
-    {"cube", draw_cube},     {"cross", draw_cross},
-    {"cyclic", draw_cyclic}, {"permutahedron", draw_permutahedron},
-    {"metric", draw_metric}, {"cut", draw_cut},
-    {"sphere", draw_sphere}, {"assignment", draw_assignment},
-    {"small", draw_small},   {"blocking", draw_blocking},
-    {"slice", draw_slice},
+    {"cube", draw_cube},         {"cross", draw_cross},
+    {"cyclic", draw_cyclic},     {"permutahedron", draw_permutahedron},
+    {"metric", draw_metric},     {"cut", draw_cut},
+    {"sphere", draw_sphere},     {"assignment", draw_assignment},
+    {"small", draw_small},       {"blocking", draw_blocking},
+    {"slice", draw_slice},       {"lattice", draw_lattice},
+    {"zonotope", draw_zonotope}, {"product", draw_product},
 };
 
 bool polytope_parse(const char *text, polytope_plan *plan)
