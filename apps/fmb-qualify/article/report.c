@@ -172,9 +172,9 @@ void article_report(const article_cell *cell, size_t n, qualify_page *page)
     qualify_page_text(
         page,
         "Published: the article's Table 1 (Intel i7-8700T, gcc 7.5, -O3). Listed: FMB and SAT as "
-        "its program has them, written again: SAT costs what the original costs, FMB up to a sixth "
-        "more, in 2D static up to a third. Repeated: its method, a pair again and again, the mean "
-        "of the ratios of %zu pairs "
+        "its program has them, written again: each costs what the original costs, give or take a "
+        "seventh. Repeated: its method, a pair again and again, the mean of the ratios of %zu "
+        "pairs "
         "a cell, the least and the most. All others: %zu distinct pairs a cell, one after the "
         "other, ratio of the medians of %s. Ours: from frames to verdicts, with error bounds. "
         "Packed: from sets of frames, so that little but the kernels is left.",

@@ -158,26 +158,39 @@ static progress load(const fmb_frame *p, const fmb_frame *q, int n, const study_
 
 /* ---- elimination ----------------------------------------------------------------------------- */
 
-/* Add the pairs of p and the rows after it, each over its |first coefficient|. */
-ARTICLE_INLINE progress pair_rows(const double *p, const double *end, int columns, level *to)
+/* Add the pairs of p and the rows after it, each over its |first coefficient|, from row on. Where
+ * they end; NULL if one is refuted. */
+ARTICLE_INLINE double *pair_rows(const double *p, const double *end, int columns, double *row)
 {
     double over_p = fabs(p[0]), rest = p[columns] / over_p;
-    double *row = to->a + to->m * (size_t)columns;
+    bool above = p[0] > 0;
     for (const double *q = p + columns + 1; q < end; q += columns + 1) {
         double over_q = fabs(q[0]), least = 0;
-        if ((p[0] > 0) == (q[0] > 0) || over_q <= epsilon)
+        if (above == (q[0] > 0) || over_q <= epsilon)
             continue;
         for (int j = 0; j < columns - 1; j++) {
-            row[j] = p[j + 1] / over_p + q[j + 1] / over_q;
-            least += row[j] < 0 ? row[j] : 0;
+            double sum = p[j + 1] / over_p + q[j + 1] / over_q;
+            row[j] = sum;
+            least += sum < 0 ? sum : 0;
         }
         row[columns - 1] = rest + q[columns] / over_q;
         if (row[columns - 1] < least - epsilon)
-            return REFUTED;
+            return NULL;
         row += columns;
-        to->m++;
     }
-    return GOES_ON;
+    return row;
+}
+
+/* Rows without the first variable, unless one of them is refuted. */
+ARTICLE_INLINE size_t count_rows_of_next_level(int columns, const level *from)
+{
+    size_t above = 0, below = 0;
+    for (size_t i = 0; i < from->m; i++) {
+        double first = from->a[i * (size_t)(columns + 1)];
+        above += first > epsilon;
+        below += first < -epsilon;
+    }
+    return above * below + from->m - above - below;
 }
 
 /* The first variable goes: every pair of opposite signs in the order of the rows, then the rows
@@ -185,23 +198,25 @@ ARTICLE_INLINE progress pair_rows(const double *p, const double *end, int column
 ARTICLE_INLINE progress eliminate_into(int columns, const level *from, level *to)
 {
     const double *end = from->a + from->m * (size_t)(columns + 1);
+    size_t most = count_rows_of_next_level(columns, from);
+    if (most > MOST_ROWS || !reserve(to, most))
+        return most > MOST_ROWS ? TOO_MANY : NO_MEMORY;
+    double *row = to->a;
     for (const double *p = from->a; p < end; p += columns + 1) {
         if (fabs(p[0]) <= epsilon)
             continue;
-        if (to->m > MOST_ROWS || !reserve(to, from->m))
-            return to->m > MOST_ROWS ? TOO_MANY : NO_MEMORY;
-        if (pair_rows(p, end, columns, to) == REFUTED)
+        row = pair_rows(p, end, columns, row);
+        if (!row)
             return REFUTED;
     }
-    if (!reserve(to, from->m))
-        return NO_MEMORY;
     for (const double *p = from->a; p < end; p += columns + 1) {
         if (fabs(p[0]) >= epsilon)
             continue;
-        double *row = to->a + to->m++ * (size_t)columns;
         for (int j = 0; j < columns; j++)
             row[j] = p[j + 1];
+        row += columns;
     }
+    to->m = (size_t)(row - to->a) / (size_t)columns;
     return GOES_ON;
 }
 
@@ -226,16 +241,15 @@ static progress eliminate(const level *from, level *to)
 /* The last variable: its rows bound it. */
 static void bound_last(const level *rows, double *end)
 {
-    const double *row = rows->a;
-    end[0] = 0;
-    end[1] = 1;
-    for (size_t i = 0; i < rows->m; i++, row += 2) {
-        double bound = row[1] / row[0];
-        if (row[0] > epsilon && bound < end[1])
-            end[1] = bound;
-        else if (row[0] < -epsilon && bound > end[0])
-            end[0] = bound;
+    double least = 0, most = 1;
+    for (const double *row = rows->a, *last = row + 2 * rows->m; row < last; row += 2) {
+        if (row[0] > epsilon)
+            most = row[1] / row[0] < most ? row[1] / row[0] : most;
+        else if (row[0] < -epsilon)
+            least = row[1] / row[0] > least ? row[1] / row[0] : least;
     }
+    end[0] = least;
+    end[1] = most;
 }
 
 /* The loosest bound that a row puts on its first variable while the others are in box[1...]. */

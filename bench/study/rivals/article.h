@@ -5,7 +5,7 @@
  *
  * Source: Baillehache 2020, and its program: variables go in their order, c first and t last; each
  * new row is tested against the unit box. No row is ever dropped. In two and three dimensions it
- * costs what the program costs or up to a sixth more; two and still, up to a third more.
+ * costs what the program costs, give or take a seventh.
  */
 #ifndef FMB_STUDY_ARTICLE_H
 #define FMB_STUDY_ARTICLE_H

@@ -132,6 +132,14 @@ ROWS_INLINE bool project(int dim, const fmb_frame *p, const fmb_frame *q, double
     return true;
 }
 
+/* Apart, so that the usual numbers of dimensions need no room for its matrices. */
+static __attribute__((noinline)) bool project_in_any_dimension(const fmb_frame *p,
+                                                               const fmb_frame *q, double least,
+                                                               study_rows_image *out)
+{
+    return project(p->dim, p, q, least, out);
+}
+
 bool study_rows_see(const fmb_frame *p, const fmb_frame *q, double least, study_rows_image *out)
 {
     switch (p->dim) {
@@ -140,7 +148,7 @@ bool study_rows_see(const fmb_frame *p, const fmb_frame *q, double least, study_
     case 3:
         return project(3, p, q, least, out);
     default:
-        return project(p->dim, p, q, least, out);
+        return project_in_any_dimension(p, q, least, out);
     }
 }
 
