@@ -1,18 +1,78 @@
-/* convert_pairs.c: see convert_pairs.h. */
+/* convert_pairs.c: see convert_pairs.h. Pairs wait until some are there, so that those that are
+ * alike share a header. */
 #include "fmb/convert_pairs.h"
 
+#include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include <fmb/gmp.h>
 
 #include "common/file.h"
 #include "common/message.h"
 
+enum { MOST_PAIRS = 4096, MOST_NUMBERS = 1 << 17 };
+
+/* Pairs of one dimension on their way out, and their numbers. */
+typedef struct waiting {
+    fmb_frame frame[2][MOST_PAIRS];
+    double number[MOST_NUMBERS];
+    size_t pairs, numbers;
+} waiting;
+
+static fmb_status write_waiting_pairs(waiting *w)
+{
+    fmb_status st = fmb_frames_write(stdout, w->pairs, w->frame[0], w->frame[1]);
+    w->pairs = w->numbers = 0;
+    return st;
+}
+
+static size_t count_numbers(const fmb_frame *f)
+{
+    return (size_t)f->dim * (1 + (size_t)f->naxes + (f->speed != NULL));
+}
+
+static const double *keep_numbers(waiting *w, const double *x, size_t n)
+{
+    double *to = w->number + w->numbers;
+    if (n > 0)
+        memcpy(to, x, n * sizeof *x);
+    w->numbers += n;
+    return to;
+}
+
+static fmb_frame keep_frame(waiting *w, const fmb_frame *f)
+{
+    size_t d = (size_t)f->dim;
+    fmb_frame kept = *f;
+    kept.origin = keep_numbers(w, f->origin, d);
+    kept.axes = keep_numbers(w, f->axes, d * (size_t)f->naxes);
+    kept.speed = f->speed ? keep_numbers(w, f->speed, d) : NULL;
+    return kept;
+}
+
+/* A pair that has more numbers than may wait is written at once. */
+static fmb_status put_pair(waiting *w, const fmb_frame frame[2])
+{
+    size_t n = count_numbers(&frame[0]) + count_numbers(&frame[1]);
+    bool fits = w->pairs < MOST_PAIRS && n <= MOST_NUMBERS - w->numbers &&
+                (w->pairs == 0 || w->frame[0][0].dim == frame[0].dim);
+    fmb_status st = fits ? FMB_OK : write_waiting_pairs(w);
+    if (st == FMB_OK && n > MOST_NUMBERS)
+        return fmb_frames_write(stdout, 1, &frame[0], &frame[1]);
+    for (int k = 0; st == FMB_OK && k < 2; k++)
+        w->frame[k][w->pairs] = keep_frame(w, &frame[k]);
+    w->pairs += st == FMB_OK;
+    return st;
+}
+
 /* Every pair, up to the end or a mistake, which is then told. */
 static int write_all(fmb_frames *lines, const char *file)
 {
     const fmb_frames_line *line = NULL;
+    waiting *w = app_need(calloc(1, sizeof *w));
     fmb_where where = {0};
     fmb_status st, written = FMB_OK;
     do {
@@ -24,8 +84,13 @@ static int write_all(fmb_frames *lines, const char *file)
             st = FMB_ERR_PARSE;
         }
         if (st == FMB_OK && line)
-            written = fmb_frames_write(stdout, 1, &line->frame[0], &line->frame[1]);
+            written = put_pair(w, line->frame);
     } while (st == FMB_OK && written == FMB_OK && line);
+    int cause = errno;
+    if (written == FMB_OK)
+        written = write_waiting_pairs(w);
+    free(w);
+    errno = cause;
     return written == FMB_OK ? app_source_outcome(st, file, &where) : app_status_error(written);
 }
 

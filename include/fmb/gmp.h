@@ -145,8 +145,8 @@ FMB_API void fmb_frames_close(fmb_frames *r);
 FMB_API FMB_CHECKED fmb_status fmb_frames_next(fmb_frames *r, const fmb_frames_line **out,
                                                fmb_where *where);
 /* Fill body of the last line from its doubles, which pairs in binary (docs/formats.md, "packed
- * frames") come without: until then origin, axes and speed there are NULL. Does nothing to other
- * lines. Errors: ARG (NULL), MEMORY. */
+ * frames") and those of a reader with nearest come without: until then origin, axes and speed there
+ * are NULL. Does nothing to other lines. Errors: ARG (NULL), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_frames_rationals(fmb_frames *r);
 /* Write pairs (p[i], q[i]) of one dimension in binary, behind whatever out holds. Their numbers
  * should be finite: the reader refuses others. Errors: ARG, IO. */

@@ -22,9 +22,6 @@ double fmb_io_nearest(mpq_srcptr q, bool *exact);
 /* The double nearest to the number at c, with sign, point and exponent. Errors: PARSE (as above,
  * beyond all doubles). */
 fmb_status fmb_scan_nearest(fmb_cursor *c, const char *what, double *out);
-/* The same of a number before `end` that has few digits, quickly; false, and c where it was, if it
- * has more, or is something else. */
-bool fmb_scan_short_nearest(fmb_cursor *c, const char *end, double *out);
 /* Digits of a count or index, at most max. Errors: PARSE. */
 fmb_status fmb_scan_count(fmb_cursor *c, size_t max, const char *what, size_t *out);
 /* Write q: "3", "-1/2". */

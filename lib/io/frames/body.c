@@ -8,7 +8,8 @@ static fmb_status read_coefficients(void *reader, fmb_cursor *c)
     fmb_frames *r = reader;
     fmb_numbers *a = &r->now->coefficients;
     a->n = 0;
-    return fmb_frames_point(r, c, a);
+    fmb_status st = fmb_frames_point(r, c, a);
+    return st == FMB_OK && r->how.nearest ? fmb_numbers_rationals(a, &r->mem) : st;
 }
 
 static fmb_status read_relation_word(void *reader, fmb_cursor *c)
@@ -28,8 +29,7 @@ static fmb_status read_relation_word(void *reader, fmb_cursor *c)
 static fmb_status read_right_side(void *reader, fmb_cursor *c)
 {
     fmb_frames *r = reader;
-    double near;
-    return fmb_frames_value(r, c, r->row.rhs, &near);
+    return fmb_frames_value(r, c, r->row.rhs);
 }
 
 static fmb_status append_polytope_row(fmb_frames *r, fmb_cursor *c, const char *p)
@@ -136,7 +136,7 @@ static fmb_status read_frame_speed(void *reader, fmb_cursor *c)
     fmb_status st = fmb_frames_point(r, c, a);
     bool moves = false;
     for (size_t j = 0; j < a->n; j++)
-        moves |= mpq_sgn(a->q[j]) != 0;
+        moves |= r->how.nearest ? a->d[j] != 0 : mpq_sgn(a->q[j]) != 0;
     a->n = moves ? a->n : 0;
     return st;
 }

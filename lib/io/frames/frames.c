@@ -1,6 +1,7 @@
 /* frames.c: pairs of frames from text, line by line; see fmb/gmp.h. */
 #include "io/frames/frames.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <string.h>
 
@@ -84,7 +85,7 @@ static void publish_body(fmb_frames *r, int k)
         (fmb_frame){b->shape, r->dim, b->naxes, b->origin.d, b->axes.d, moves ? b->speed.d : NULL};
 }
 
-/* In binary there are none until they are asked for. */
+/* Of doubles alone there are none until they are asked for. */
 static void withhold_rationals(fmb_frames_line *line)
 {
     for (int k = 0; k < 2; k++) {
@@ -99,31 +100,20 @@ static void publish_pair(fmb_frames *r)
     publish_body(r, 0);
     publish_body(r, 1);
     r->line.are_doubles = r->exact && !r->body[0].rows && !r->body[1].rows;
-    if (r->is_packed)
+    if (fmb_frames_are_nearest(r))
         withhold_rationals(&r->line);
-}
-
-static fmb_status set_rationals(fmb_numbers *a, fmb_mem *mem)
-{
-    size_t before = a->capacity;
-    fmb_status st = fmb_mem_reserve(mem, (void **)&a->q, &a->capacity, a->n, sizeof *a->q);
-    for (size_t i = before; i < a->capacity; i++)
-        mpq_init(a->q[i]);
-    for (size_t i = 0; st == FMB_OK && i < a->n; i++)
-        mpq_set_d(a->q[i], a->d[i]);
-    return st;
 }
 
 fmb_status fmb_frames_rationals(fmb_frames *r)
 {
     fmb_status st = r ? FMB_OK : FMB_ERR_ARG;
-    for (int k = 0; st == FMB_OK && r->is_packed && k < 2; k++) {
+    for (int k = 0; st == FMB_OK && fmb_frames_are_nearest(r) && k < 2; k++) {
         fmb_body_draft *b = &r->body[k];
-        st = set_rationals(&b->origin, &r->mem);
+        st = fmb_numbers_rationals(&b->origin, &r->mem);
         if (st == FMB_OK)
-            st = set_rationals(&b->axes, &r->mem);
+            st = fmb_numbers_rationals(&b->axes, &r->mem);
         if (st == FMB_OK)
-            st = set_rationals(&b->speed, &r->mem);
+            st = fmb_numbers_rationals(&b->speed, &r->mem);
         if (st == FMB_OK)
             publish_body(r, k);
     }
@@ -132,22 +122,40 @@ fmb_status fmb_frames_rationals(fmb_frames *r)
 
 /* ---- lines ----------------------------------------------------------------------------------- */
 
+/* n > 1 bytes of room: at most n - 1 up to a line end are put there, and counted. fgets does not
+ * tell how many they are where some are NUL: it puts one behind the last, and leaves line ends
+ * where it does not come. */
+static size_t fetch_part_of_line(FILE *in, char *to, size_t n)
+{
+    assert(to);
+    memset(to, '\n', n);
+    if (!fgets(to, (int)n, in))
+        return 0;
+    const char *end = memchr(to, '\n', n);
+    if (!end)
+        return n - 1;
+    size_t before = (size_t)(end - to);
+    return before + 1 < n && end[1] == '\0' ? before + 1 : before - 1;
+}
+
 /* The next line, with its end; size 0 at the end of the stream. Of a line that is too long, one
  * byte more than the limit is kept. */
 static fmb_status fetch_line_of_stream(fmb_frames *r)
 {
+    enum { LEAST = 1024, MOST = 1 << 30 };
     const size_t most = fmb_io_max_bytes(&r->how);
-    int b = 0;
-    r->size = 0;
-    while (b != '\n' && (b = getc_unlocked(r->in)) != EOF) {
-        fmb_status st = FMB_OK;
-        if (r->size > most)
-            continue;
-        if (r->size == r->capacity && (st = fmb_frames_poll(r)) == FMB_OK)
-            st = fmb_mem_reserve(&r->mem, (void **)&r->text, &r->capacity, r->size + 1, 1);
+    bool more = true;
+    for (r->size = 0; more;) {
+        size_t n = r->size < LEAST ? LEAST : r->size < MOST ? r->size : MOST;
+        fmb_status st = fmb_frames_poll(r);
+        if (st == FMB_OK)
+            st = fmb_mem_reserve(&r->mem, (void **)&r->text, &r->capacity, r->size + n, 1);
         if (st != FMB_OK)
             return st;
-        r->text[r->size++] = (char)b;
+        size_t got = fetch_part_of_line(r->in, r->text + r->size, n);
+        r->size += got;
+        more = got > 0 && r->text[r->size - 1] != '\n';
+        r->size = r->size > most ? most + 1 : r->size;
     }
     r->line.number++;
     return ferror(r->in) ? FMB_ERR_IO : FMB_OK;

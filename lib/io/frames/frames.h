@@ -14,7 +14,8 @@
 /* Most numbers of a point: products of two such are an int. */
 #define FMB_FRAMES_DIM 10000
 
-/* Numbers as they come, exactly and as the nearest doubles. q[0..capacity) are initialised. */
+/* Numbers as they come, as the nearest doubles and exactly, the latter where they are more than
+ * doubles or asked for. q[0..capacity) are initialised. */
 typedef struct fmb_numbers {
     mpq_t *q;
     double *d;
@@ -61,10 +62,18 @@ static inline fmb_status fmb_frames_poll(const fmb_frames *r)
     return atomic_load_explicit(&r->cancel, memory_order_relaxed) ? FMB_LIMIT : FMB_OK;
 }
 
+/* Numbers are read as doubles, which a line has without rationals. */
+static inline bool fmb_frames_are_nearest(const fmb_frames *r)
+{
+    return r->is_packed || r->how.nearest;
+}
+
 /* The number at c. Errors: PARSE. */
-fmb_status fmb_frames_value(fmb_frames *r, fmb_cursor *c, mpq_t out, double *near);
+fmb_status fmb_frames_value(fmb_frames *r, fmb_cursor *c, mpq_t out);
 /* An array of dim numbers, behind those that are there. Errors: PARSE, MEMORY, LIMIT. */
 fmb_status fmb_frames_point(fmb_frames *r, fmb_cursor *c, fmb_numbers *to);
+/* Rationals of the doubles. Errors: MEMORY. */
+fmb_status fmb_numbers_rationals(fmb_numbers *a, fmb_mem *mem);
 void fmb_numbers_clear(fmb_numbers *a, fmb_mem *mem);
 
 /* The next pair of those in binary into r->body, if there is one. Errors: PARSE, MEMORY, LIMIT, IO.

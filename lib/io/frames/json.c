@@ -6,12 +6,6 @@
 #include "io/core/chars.h"
 #include "io/core/number.h"
 
-void fmb_json_blanks(fmb_cursor *c)
-{
-    while (fmb_peek(c) == ' ' || fmb_peek(c) == '\t' || fmb_peek(c) == '\r')
-        c->at++;
-}
-
 static fmb_status fail_expecting_json(fmb_cursor *c, const char *what)
 {
     char found[FMB_QUOTE];
@@ -67,7 +61,7 @@ static int decode_ascii_character(const char *p)
 bool fmb_json_spells(fmb_span text, const char *word)
 {
     const char *p = text.p, *end = text.p + text.n;
-    for (; p < end && *word && decode_ascii_character(p) == *word; word++)
+    for (; p < end && *word && (*p == *word || decode_ascii_character(p) == *word); word++)
         p += *p == '\\' ? escape_length(p, end) : 1;
     return p == end && !*word;
 }
@@ -123,12 +117,6 @@ fmb_status fmb_json_number(fmb_cursor *c, const char *what, mpq_t out)
     if (!find_end_of_number(c))
         return fail_expecting_json(c, what);
     return fmb_scan_number(c, FMB_NUM_SIGN | FMB_NUM_DECIMAL | FMB_NUM_EXPONENT, what, out);
-}
-
-bool fmb_json_short_nearest(fmb_cursor *c, double *out)
-{
-    const char *end = find_end_of_number(c);
-    return end && fmb_scan_short_nearest(c, end, out);
 }
 
 /* ---- arrays and objects ---------------------------------------------------------------------- */

@@ -12,6 +12,12 @@
 /* Objects and arrays inside each other, where they are passed over. */
 #define FMB_JSON_DEPTH 100
 
+static inline void fmb_json_blanks(fmb_cursor *c)
+{
+    while (fmb_peek(c) == ' ' || fmb_peek(c) == '\t' || fmb_peek(c) == '\r')
+        c->at++;
+}
+
 /* Reads one value at c. */
 typedef fmb_status fmb_json_read(void *self, fmb_cursor *c);
 
@@ -28,20 +34,14 @@ fmb_status fmb_json_array(fmb_cursor *c, const char *what, fmb_json_read *item, 
 
 /* "...": what stands between the quotes, its escapes not undone. */
 fmb_status fmb_json_string(fmb_cursor *c, const char *what, fmb_span *out);
-/* Does it spell the ASCII word, with its escapes undone? */
+/* Does it spell the ASCII word, which has no backslash, with its escapes undone? */
 bool fmb_json_spells(fmb_span text, const char *word);
 
 /* The exact value of a number, or of a rational in a string ("-1/3"). */
 fmb_status fmb_json_number(fmb_cursor *c, const char *what, mpq_t out);
 
-/* The double nearest to a number of few digits that stands at c, false if none does. */
-bool fmb_json_short_nearest(fmb_cursor *c, double *out);
-
 /* Is null here? c is then past it. */
 bool fmb_json_null(fmb_cursor *c);
 /* Any value. */
 fmb_status fmb_json_skip(fmb_cursor *c);
-/* Blanks. */
-void fmb_json_blanks(fmb_cursor *c);
-
 #endif

@@ -135,6 +135,8 @@ Test(frames, nearest)
         mpq_t q;
         mpq_init(q);
         cr_assert_eq(line->are_doubles, nearest != 0);
+        cr_expect_eq(line->body[0].frame.origin == NULL, nearest != 0, "not before they are asked");
+        cr_assert_eq(fmb_frames_rationals(a.r), FMB_OK);
         for (int i = 0; i < 12; i++) {
             double d = i < 3 ? line->frame[0].origin[i] : line->frame[0].axes[i - 3];
             cr_expect_eq(d, want[i], "%d: %.17g", i, d);
@@ -144,6 +146,54 @@ Test(frames, nearest)
                                              : line->body[0].frame.axes[i - 3]));
         }
         mpq_clear(q);
+        end(&a);
+    }
+}
+
+Test(frames, polytopes_nearest)
+{
+    static const char text[] =
+        "{\"A\": {\"rows\": [{\"relation\": \"<\", \"rhs\": 0.1, \"coefficients\": [\"1/3\"]}], "
+        "\"type\": \"polytope\"}, \"B\": {\"type\": \"cuboid\", \"orig\": [0.1], \"comp\": []}}";
+    reading a = begin(text, sizeof text - 1, &(fmb_reader){.nearest = true});
+    const fmb_frames_line *line = next(&a);
+    mpq_t q, want;
+    mpq_inits(q, want, NULL);
+    cr_assert_eq(fmb_frames_rationals(a.r), FMB_OK);
+    cr_assert(line->body[0].rows && !line->are_doubles && line->dim == 1);
+    fmb_system_term_q(line->body[0].rows, 0, 0, q);
+    mpq_set_d(want, 1.0 / 3);
+    cr_expect(mpq_equal(q, want));
+    fmb_system_rhs_q(line->body[0].rows, 0, q);
+    mpq_set_d(want, 0.1);
+    cr_expect(mpq_equal(q, want) && mpq_equal(line->body[1].frame.origin[0], want));
+    mpq_clears(q, want, NULL);
+    end(&a);
+}
+
+/* Lines of many lengths, so that they end at any place of what is fetched at once; the last one may
+ * have no end, and bytes that are NUL are found where they are. */
+Test(frames, lengths_of_lines)
+{
+    static const char pair[] = "{\"A\": " POINT ", \"B\": " POINT "}";
+    static char text[3 * 5000];
+    for (size_t n = sizeof pair; n < 4200;
+         n = n < 1000 || (n > 1060 && n < 2020) ? n + 97 : n + 1) {
+        for (size_t i = 0; i < 3; i++) {
+            memset(text + i * n, ' ', n);
+            memcpy(text + i * n, pair, sizeof pair - 1);
+            text[(i + 1) * n - 1] = '\n';
+        }
+        text[2 * n - 2] = '\0';
+        reading a = begin(text, 3 * n - n % 2, NULL);
+        const fmb_frames_line *line = next(&a);
+        fmb_where w = {0};
+        cr_assert(line && line->number == 1, "%zu", n);
+        cr_assert(fmb_frames_next(a.r, &line, &w) == FMB_ERR_PARSE && w.line == 2 &&
+                      w.column == (long)n - 1,
+                  "%zu: %ld:%ld", n, w.line, w.column);
+        line = next(&a);
+        cr_assert(line && line->number == 3 && !next(&a), "%zu", n);
         end(&a);
     }
 }

@@ -1,8 +1,10 @@
 /* number.c: the scanner of numbers against a plainer way to the same value, on random numerals. */
 #include <criterion/criterion.h>
+#include <math.h>
 #include <string.h>
 
 #include "io/core/io.h"
+#include "io/core/short.h"
 
 /* splitmix64. */
 static uint64_t next(uint64_t *seed)
@@ -216,7 +218,20 @@ Test(number, places)
     }
 }
 
-/* ---- the nearest double of few digits -------------------------------------------------------- */
+/* ---- numbers of few digits ------------------------------------------------------------------- */
+
+/* A decimal of 19 digits or fewer next to what is half way between two doubles, or to a double. */
+static void put_decimal_near_a_middle(uint64_t *seed, char *text)
+{
+    int shift = (int)(next(seed) % 60);
+    double x = ldexp((double)(next(seed) >> 11), -shift);
+    long double middle = (long double)x + ldexpl(next(seed) % 2, -shift - 1);
+    int digits = 16 + (int)(next(seed) % 4);
+    if (next(seed) % 2)
+        sprintf(text, "%.*Lg", digits, middle);
+    else
+        sprintf(text, "%.*Lf", (int)(next(seed) % 19), middle);
+}
 
 /* A number of up to 20 digits; every second one lies half way between two doubles, or next to it.
  */
@@ -234,30 +249,82 @@ static void put_short_decimal(uint64_t *seed, char *text)
                 (unsigned long long)(next(seed) % 100000000000000));
 }
 
-Test(number, nearest_of_few_digits)
+/* As a double and as a rational, against GMP. */
+Test(number, few_digits)
 {
     uint64_t seed = 4;
     int answered = 0;
-    char text[64];
+    char text[128];
     fmb_mem mem;
     fmb_where where;
-    mpq_t exact;
+    mpq_t exact, value;
     fmb_mem_init(&mem, NULL, 0);
-    mpq_init(exact);
-    for (int i = 0; i < 100000; i++) {
+    mpq_inits(exact, value, NULL);
+    for (int i = 0; i < 200000; i++) {
         double x = 0;
-        bool ignored;
-        put_short_decimal(&seed, text);
+        bool is_double, was_double;
+        fmb_short_decimal s;
+        (i % 2 ? put_short_decimal : put_decimal_near_a_middle)(&seed, text);
         fmb_cursor c = cursor_on(text, &mem, &where, NULL), d = c;
-        if (!fmb_scan_short_nearest(&c, c.end, &x)) {
+        if (!fmb_scan_short_decimal(&c, false, &s)) {
             cr_assert_eq(c.at, text);
             continue;
         }
+        bool near = fmb_short_decimal_nearest(&s, &x);
+        cr_assert_eq(near, fmb_short_decimal_value(&s, value, &is_double));
+        if (!near)
+            continue;
         answered++;
         cr_assert_eq(c.at, c.end);
         cr_assert_eq(fmb_scan_number(&d, FMB_NUM_ALL, "a number", exact), FMB_OK);
-        cr_assert_eq(x, fmb_io_nearest(exact, &ignored), "%s: %.17g", text, x);
+        cr_assert_eq(x, fmb_io_nearest(exact, &was_double), "%s: %.17g", text, x);
+        cr_assert(mpq_equal(value, exact) && is_double == was_double, "%s", text);
     }
-    cr_expect_gt(answered, 80000);
-    mpq_clear(exact);
+    cr_expect_gt(answered, 150000);
+    mpq_clears(exact, value, NULL);
+}
+
+static bool is_short(const char *text, bool strictly)
+{
+    fmb_mem mem;
+    fmb_where where;
+    fmb_short_decimal d;
+    fmb_mem_init(&mem, NULL, 0);
+    fmb_cursor c = cursor_on(text, &mem, &where, NULL);
+    bool is = fmb_scan_short_decimal(&c, strictly, &d);
+    cr_expect(c.at == (is ? c.end : text), "%s", text);
+    return is;
+}
+
+/* What JSON does not have, and what has too many digits, goes another way. */
+Test(number, which_are_of_few_digits)
+{
+    static const char *const both[] = {"0",
+                                       "-0",
+                                       "7",
+                                       "0.5",
+                                       "-12.25e-3",
+                                       "1E+5",
+                                       "0.0000000000000000000000001234567890123456789",
+                                       "1e100",
+                                       "12345678",
+                                       "1234567890123456789"},
+                             *const loose[] = {"+1", ".5", "1.", "01", "00.5", "+.5e1"},
+                             *const none[] = {"",
+                                              "-",
+                                              ".",
+                                              "e5",
+                                              "1e",
+                                              "1e+",
+                                              "1e1234",
+                                              "--1",
+                                              "12345678901234567890",
+                                              "1.2345678901234567890",
+                                              "x"};
+    for (size_t i = 0; i < sizeof both / sizeof *both; i++)
+        cr_expect(is_short(both[i], true) && is_short(both[i], false), "%s", both[i]);
+    for (size_t i = 0; i < sizeof loose / sizeof *loose; i++)
+        cr_expect(!is_short(loose[i], true) && is_short(loose[i], false), "%s", loose[i]);
+    for (size_t i = 0; i < sizeof none / sizeof *none; i++)
+        cr_expect(!is_short(none[i], true) && !is_short(none[i], false), "%s", none[i]);
 }
