@@ -81,6 +81,13 @@ void fmb_vec_measure(fmb_vec *v, size_t n)
     v->bits = fmb_bits64(all);
 }
 
+size_t fmb_vec_entry_bits(const fmb_vec *v, size_t i)
+{
+    if (!v->z)
+        return (size_t)fmb_bits64(fmb_abs64(v->s[i]));
+    return mpz_sgn(v->z[i]) == 0 ? 0 : mpz_sizeinbase(v->z[i], 2);
+}
+
 mpz_t *fmb_vec_block(size_t n, fmb_mem *mem)
 {
     mpz_t *z = fmb_mem_get(mem, n, sizeof *z);

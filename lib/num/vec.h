@@ -54,6 +54,8 @@ static inline int fmb_vec_sgn(const fmb_vec *v, size_t i)
 {
     return v->z ? mpz_sgn(v->z[i]) : (v->s[i] > 0) - (v->s[i] < 0);
 }
+/* So many that |entry i| < 2^bits; 0 of 0. */
+size_t fmb_vec_entry_bits(const fmb_vec *v, size_t i);
 void fmb_vec_get(const fmb_vec *v, size_t i, mpz_t out);
 static inline void fmb_vec_get_q(const fmb_vec *v, size_t i, mpq_t out)
 {

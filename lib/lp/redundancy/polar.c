@@ -89,8 +89,7 @@ static int coefficient_bits(const fmb_polar *p, size_t i)
     const fmb_vec *v = p->row[i].v;
     size_t bits = 0;
     for (size_t k = 0; k < p->d; k++) {
-        size_t j = p->column[k];
-        size_t b = v->z ? mpz_sizeinbase(v->z[j], 2) : (size_t)fmb_bits64(fmb_abs64(v->s[j]));
+        size_t b = fmb_vec_entry_bits(v, p->column[k]);
         bits = b > bits ? b : bits;
     }
     return (int)bits;

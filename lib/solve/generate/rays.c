@@ -1,48 +1,36 @@
 /* rays.c: which way to rays; see rays.h.
  *
  * - Few coordinates and many rows: rows are vectors of the dual cone, whose facets are the rays.
- *   Vector by vector these stay known with their neighbours (dd/facets.h).
+ *   Vector by vector these stay known with their neighbours (dd/facets.h). With some coordinates
+ *   more that is cheaper only where numbers grow long, as facets are in doubles for most of their
+ *   lives, and where few rows meet in a vertex.
  * - Else double description (dd/cone.h), rows of few coefficients first. Where rows look alike and
  *   there are many of them, its order can go wrong without bounds: of the cross-polytope's rows
  *   it keeps those that cut most, and gets millions of rays in between, where in lexicographic
- * order there are hundreds. So that order gets its turns.
+ *   order there are hundreds. So that order gets its turns: the first ones where rows have a
+ *   pattern, that is where each agrees with the one before it in most of its entries.
  */
 #include "solve/generate/rays.h"
 
 #include <stdlib.h>
+
+#include "dd/facets.h"
+#include "num/gcd.h"
 
 /* Up to so many coordinates, t included, facets with their neighbours are cheaper (measured: 2 to 4
  * times with 4 or 5, half as much with 7) ... */
 #define FEW_COORDINATES 6
 /* ... if there are so many rows for each. */
 #define MANY_ROWS 4
+/* Rays of so many bits, as Hadamard's inequality has it, mostly do not fit into 62 (measured). */
+#define LONG_BITS 72
 /* Rays of the first turn and the last one of two orders. */
 #define FIRST_RAYS 512
 #define LAST_RAYS  4096
 /* Between two looks at options.max_rows. */
 #define RAYS_AT_A_TIME 512
 
-/* ---- rows as vectors ------------------------------------------------------------------------- */
-
-static fmb_status find_rays_as_facets(fmb_lifted *h)
-{
-    fmb_run *run = &h->q->run;
-    bool wide = fmb_query_is_wide(h->q);
-    fmb_image rows = {0};
-    bool *line = fmb_mem_get(run->mem, h->rows, sizeof *line);
-    if (!line)
-        return fmb_mem_status(run->mem);
-    for (size_t i = 0; i < h->rows; i++)
-        line[i] = h->row[i].equality;
-    fmb_status st = fmb_image_init_vectors(&rows, run, h->d, h->rows, h->v, line, wide);
-    if (st == FMB_OK)
-        st = fmb_image_init_dual(&h->image, &rows);
-    fmb_image_clear(&rows);
-    fmb_mem_put(run->mem, line, h->rows, sizeof *line);
-    return st;
-}
-
-/* ---- double description ---------------------------------------------------------------------- */
+/* ---- rows in order --------------------------------------------------------------------------- */
 
 typedef struct sorted_row {
     fmb_cone_row row;
@@ -73,6 +61,54 @@ static fmb_status sort_rows(const fmb_lifted *h, fmb_cone_row *row)
     return FMB_OK;
 }
 
+/* Do sorted rows agree with those before them in half of their leading entries, on average? */
+static bool have_rows_a_pattern(const fmb_lifted *h, const fmb_cone_row *sorted)
+{
+    size_t shared = 0;
+    for (size_t i = 1; i < h->rows; i++)
+        for (size_t k = 0; k < h->d && fmb_vec_compare(sorted[i - 1].v, sorted[i].v, k + 1) == 0;
+             k++)
+            shared++;
+    return 2 * shared >= h->d * h->rows;
+}
+
+/* Rays are minors of the rows. */
+static bool are_rays_long(const fmb_lifted *h)
+{
+    size_t bits = h->d * (size_t)fmb_bits64(h->d) / 2;
+    for (size_t k = 0; k < h->d; k++) {
+        size_t most = 0;
+        for (size_t i = 0; i < h->rows; i++) {
+            size_t size = fmb_vec_entry_bits(&h->v[i], k);
+            most = size > most ? size : most;
+        }
+        bits += most;
+    }
+    return bits > LONG_BITS;
+}
+
+/* ---- rows as vectors ------------------------------------------------------------------------- */
+
+static fmb_status find_rays_as_facets(fmb_lifted *h)
+{
+    fmb_run *run = &h->q->run;
+    bool wide = fmb_query_is_wide(h->q);
+    fmb_image rows = {0};
+    bool *line = fmb_mem_get(run->mem, h->rows, sizeof *line);
+    if (!line)
+        return fmb_mem_status(run->mem);
+    for (size_t i = 0; i < h->rows; i++)
+        line[i] = h->row[i].equality;
+    fmb_status st = fmb_image_init_vectors(&rows, run, h->d, h->rows, h->v, line, wide);
+    if (st == FMB_OK)
+        st = fmb_image_init_dual(&h->image, &rows);
+    fmb_image_clear(&rows);
+    fmb_mem_put(run->mem, line, h->rows, sizeof *line);
+    return st;
+}
+
+/* ---- double description ---------------------------------------------------------------------- */
+
 /* Go on until that many more rays were made (0: any number); those alive count as rows. */
 static fmb_status run_cone(fmb_cone *c, uint64_t rays, bool *done)
 {
@@ -100,55 +136,34 @@ static bool do_rows_look_alike(const fmb_cone *c)
     return true;
 }
 
-/* The rows in another order. */
-typedef struct sorted_cone {
-    fmb_cone cone;
-    fmb_cone_row *row; /* [rows] */
-} sorted_cone;
-
-static fmb_status open_sorted_cone(sorted_cone *s, const fmb_lifted *h)
+/* Two orders in turns of 512 and 4,096 rays: the lexicographic one gets twice as many, and where it
+ * comes first four times. *done: by one of them, and h->image has the rays. */
+static fmb_status run_in_turns(fmb_lifted *h, const fmb_cone_row *sorted, bool *done)
 {
-    s->row = fmb_mem_get(h->q->run.mem, h->rows, sizeof *s->row);
-    fmb_status st = s->row ? sort_rows(h, s->row) : fmb_mem_status(h->q->run.mem);
+    fmb_cone lexicographic = {0};
     fmb_cone_problem of = {
-        .d = h->d, .m = h->rows, .row = s->row, .wide_only = fmb_query_is_wide(h->q)};
-    return st == FMB_OK ? fmb_cone_init(&s->cone, &h->q->run, &of) : st;
-}
-
-static void close_sorted_cone(sorted_cone *s, const fmb_lifted *h)
-{
-    fmb_cone_clear(&s->cone);
-    fmb_mem_put(h->q->run.mem, s->row, h->rows, sizeof *s->row);
-    *s = (sorted_cone){0};
-}
-
-/* Turns of 512 and 4,096 rays, the other order twice as many. *done: by one of them, and h->image
- * has the rays. */
-static fmb_status run_in_turns(fmb_lifted *h, bool *done)
-{
-    sorted_cone s = {0};
-    const fmb_cone *complete = &h->cone;
-    fmb_status st = open_sorted_cone(&s, h);
-    for (uint64_t rays = FIRST_RAYS; st == FMB_OK && !*done && rays <= LAST_RAYS; rays *= 8) {
-        st = run_cone(&h->cone, rays, done);
-        if (st == FMB_OK && !*done) {
-            st = run_cone(&s.cone, 2 * rays, done);
-            complete = *done ? &s.cone : complete;
+        .d = h->d, .m = h->rows, .row = sorted, .wide_only = fmb_query_is_wide(h->q)};
+    bool first = have_rows_a_pattern(h, sorted);
+    fmb_cone *turn[2] = {first ? &lexicographic : &h->cone, first ? &h->cone : &lexicographic};
+    const uint64_t share[2] = {first ? 4 : 1, first ? 1 : 2};
+    fmb_status st = fmb_cone_init(&lexicographic, &h->q->run, &of);
+    for (uint64_t rays = FIRST_RAYS; st == FMB_OK && !*done && rays <= LAST_RAYS; rays *= 8)
+        for (int k = 0; st == FMB_OK && !*done && k < 2; k++) {
+            st = run_cone(turn[k], share[k] * rays, done);
+            if (st == FMB_OK && *done)
+                st = fmb_image_init(&h->image, &h->q->run, turn[k], fmb_query_is_wide(h->q));
         }
-    }
-    if (st == FMB_OK && *done)
-        st = fmb_image_init(&h->image, &h->q->run, complete, fmb_query_is_wide(h->q));
     h->image.of = NULL;
-    close_sorted_cone(&s, h);
+    fmb_cone_clear(&lexicographic);
     return st;
 }
 
-static fmb_status find_rays_row_by_row(fmb_lifted *h)
+static fmb_status find_rays_row_by_row(fmb_lifted *h, const fmb_cone_row *sorted)
 {
     bool done = false;
     fmb_status st = FMB_OK;
-    if (h->rows >= MANY_ROWS * h->d && do_rows_look_alike(&h->cone))
-        st = run_in_turns(h, &done);
+    if (sorted && do_rows_look_alike(&h->cone))
+        st = run_in_turns(h, sorted, &done);
     if (st != FMB_OK || done)
         return st;
     st = run_cone(&h->cone, 0, &done);
@@ -156,8 +171,21 @@ static fmb_status find_rays_row_by_row(fmb_lifted *h)
                         : st;
 }
 
+/* ---- the way --------------------------------------------------------------------------------- */
+
 fmb_status fmb_lifted_find_rays(fmb_lifted *h)
 {
-    return h->d <= FEW_COORDINATES && h->rows >= MANY_ROWS * h->d ? find_rays_as_facets(h)
-                                                                  : find_rays_row_by_row(h);
+    fmb_mem *mem = h->q->run.mem;
+    if (h->rows < MANY_ROWS * h->d)
+        return find_rays_row_by_row(h, NULL);
+    if (h->d <= FEW_COORDINATES)
+        return find_rays_as_facets(h);
+    fmb_cone_row *sorted = fmb_mem_get(mem, h->rows, sizeof *sorted);
+    fmb_status st = sorted ? sort_rows(h, sorted) : fmb_mem_status(mem);
+    bool facets = st == FMB_OK && h->d <= FMB_FACETS_FEW && are_rays_long(h) &&
+                  !have_rows_a_pattern(h, sorted);
+    if (st == FMB_OK)
+        st = facets ? find_rays_as_facets(h) : find_rays_row_by_row(h, sorted);
+    fmb_mem_put(mem, sorted, h->rows, sizeof *sorted);
+    return st;
 }

@@ -162,6 +162,66 @@ Test(generators, a_cross_polytope_has_two_vertices_for_each_coordinate)
     fmb_solver_free(v);
 }
 
+/* Rows that touch a ball, nearly, with numbers of so many bits; or a prism over that. */
+static fmb_system *rows_around_ball(const int size[3], bool prism, uint64_t seed)
+{
+    int n = size[0], most = 1 << size[2];
+    fmb_system *s = rows_none(n + prism);
+    support_rng g = {seed};
+    int64_t a[16] = {0};
+    for (int i = 0; i < size[1]; i++) {
+        double square = 0;
+        for (int j = 0; j < n; j++) {
+            a[j] = support_between(&g, -most, most);
+            square += (double)a[j] * (double)a[j];
+        }
+        must(fmb_system_add_int(s, a, FMB_LE, (int64_t)sqrt(square) + 1));
+    }
+    memset(a, 0, sizeof a);
+    for (int side = 0; prism && side < 2; side++) {
+        a[n] = side ? 1 : -1;
+        must(fmb_system_add_int(s, a, FMB_LE, side));
+    }
+    return s;
+}
+
+/* Do the first n coordinates of point i of g, rounded, stand among those of h? */
+static bool is_point_among(const fmb_generators *g, size_t i, const fmb_generators *h, int n)
+{
+    for (size_t k = 0; k < fmb_generators_size(h); k++) {
+        int same = 0;
+        while (same < n &&
+               fmb_generators_coordinate(g, i, same) == fmb_generators_coordinate(h, k, same))
+            same++;
+        if (same == n)
+            return true;
+    }
+    return false;
+}
+
+/* Many rows, and rays of more bits than int64 has, go another way with one coordinate more. */
+Test(generators, a_prism_has_its_base_twice)
+{
+    static const int SIZES[][3] = {{6, 28, 11}, {6, 28, 5}, {5, 24, 20}};
+    fmb_solver *v = plain_solver();
+    for (uint64_t seed = 0; seed < 3; seed++) {
+        fmb_system *s = rows_around_ball(SIZES[seed], false, seed);
+        fmb_system *t = rows_around_ball(SIZES[seed], true, seed);
+        fmb_generators *base = NULL, *prism = NULL;
+        fmb_result r;
+        must(fmb_generate(v, s, &base, &r));
+        must(fmb_generate(v, t, &prism, &r));
+        cr_assert_eq(fmb_generators_size(prism), 2 * fmb_generators_size(base));
+        for (size_t i = 0; i < fmb_generators_size(base); i++)
+            cr_assert(is_point_among(base, i, prism, SIZES[seed][0]), "seed %d, %zu", (int)seed, i);
+        fmb_system_free(t);
+        fmb_system_free(s);
+        fmb_generators_free(base);
+        fmb_generators_free(prism);
+    }
+    fmb_solver_free(v);
+}
+
 Test(generators, by_hand)
 {
     fmb_solver *v = plain_solver();
