@@ -1,13 +1,14 @@
 /* rows.c: one frame against many, and all against all.
  *
  * The frames of the second set are taken kind by kind, in chunks that stay in the first cache as
- * tiles of lanes while all frames of a band of the first set are asked against them. What the
- * kernels say of a band is kept in bits, so that answers come by number, whatever the order of
- * work.
+ * tiles of lanes while all frames of a band of the first set are asked against them. Eight frames
+ * whose common box one does not meet are apart from it: no kernel is asked, and no tile made. What
+ * is known of a band is kept in bits, so that answers come by number, whatever the order of work.
  */
 #include <stdio.h>
 #include <string.h>
 
+#include "pair/packed/bounds.h"
 #include "pair/packed/packed.h"
 
 enum {
@@ -18,16 +19,17 @@ enum {
 
 /* ---- chunks ---------------------------------------------------------------------------------- */
 
-/* Frames order[from ... from + n - 1] of a set, of one kind, as tiles. */
+/* Frames order[from ... from + n - 1] of a set, of one kind, some of them as tiles. */
 typedef struct chunk {
     const fmb_frames *set;
     size_t from, n;
     int kind;
+    uint64_t tiled; /* eights */
     _Alignas(64) double tiles[CHUNK * 2 * FMB_RECORD_LINE];
 } chunk;
 
-/* The chunk that begins at `from`; its end. */
-static size_t load_chunk(const fmb_pair *k, const fmb_frames *s, size_t from, chunk *out)
+/* The chunk that begins at `from`, as yet without tiles; its end. */
+static size_t begin_chunk(const fmb_frames *s, size_t from, chunk *out)
 {
     int kind = s->kind[s->order[from]];
     size_t end = s->first[kind + 1];
@@ -36,42 +38,76 @@ static size_t load_chunk(const fmb_pair *k, const fmb_frames *s, size_t from, ch
     out->from = from;
     out->n = end - from;
     out->kind = kind;
-    if (kind != FMB_KIND_NONE) {
-        k->wide->packed->tiles[k->dim - 2](s->record, s->order + from, out->n, out->tiles);
-    }
+    out->tiled = 0;
     return end;
 }
 
-/* Frame i of a against a chunk. After a cancel nothing is known. */
-static void ask_chunk(const fmb_pair *k, const fmb_frames *a, size_t i, const chunk *c,
+/* The lowest run of eights goes from *left; its first one, and how many these are. */
+static size_t take_run_of_eights(uint64_t *left, size_t *count)
+{
+    size_t g = (size_t)__builtin_ctzll(*left);
+    *count = (size_t)__builtin_ctzll(~(*left >> g));
+    *left &= *left + (UINT64_C(1) << g);
+    return g;
+}
+
+static void tile_eights(const fmb_pair *k, chunk *c, uint64_t wanted)
+{
+    const fmb_frames *s = c->set;
+    c->tiled |= wanted;
+    while (wanted) {
+        size_t count, g = take_run_of_eights(&wanted, &count);
+        size_t n = c->n - 8 * g < 8 * count ? c->n - 8 * g : 8 * count;
+        k->wide->packed->tiles[k->dim - 2](s->record, s->order + c->from + 8 * g, n,
+                                           c->tiles + 8 * g * s->stride);
+    }
+}
+
+/* Frame i of a against those of a chunk whose boxes it may meet. After a cancel nothing is known.
+ */
+static void ask_chunk(const fmb_pair *k, const fmb_frames *a, size_t i, chunk *c,
                       fmb_packed_bits out[EIGHTS])
 {
     fmb_packed_plan plan;
-    if (fmb_pair_is_cancelled(k) || !fmb_packed_plan_of(k, a->kind[i], c->kind, &plan)) {
-        memset(out, 0, EIGHTS * sizeof *out);
+    fmb_bounds box;
+    bool known = !fmb_pair_is_cancelled(k) && fmb_packed_plan_of(k, a->kind[i], c->kind, &plan);
+    for (size_t g = 0; g < EIGHTS; g++)
+        out[g] = (fmb_packed_bits){.apart = known ? 0xff : 0, .meet = 0};
+    if (!known)
         return;
+    fmb_bounds_of_frame(a, i, &box);
+    uint64_t open = fmb_bounds_open_eights(c->set, c->from, (c->n + 7) / 8, &box);
+    tile_eights(k, c, open & ~c->tiled);
+    while (open) {
+        size_t count, g = take_run_of_eights(&open, &count);
+        const fmb_packed_row row = {.one = fmb_frames_record(a, i),
+                                    .tiles = c->tiles + 8 * g * c->set->stride,
+                                    .eights = count,
+                                    .moves = plan.moves,
+                                    .swapped = plan.swapped,
+                                    .shapes = plan.shapes,
+                                    .kind = &plan.flat};
+        k->wide->packed->row[k->dim - 2](&row, out + g);
     }
-    const fmb_packed_row row = {.one = fmb_frames_record(a, i),
-                                .tiles = c->tiles,
-                                .eights = (c->n + 7) / 8,
-                                .moves = plan.moves,
-                                .swapped = plan.swapped,
-                                .shapes = plan.shapes,
-                                .kind = &plan.flat};
-    k->wide->packed->row[k->dim - 2](&row, out);
 }
 
 /* ---- one against many ------------------------------------------------------------------------ */
 
-/* Frames of the chunk, all of them. */
-static void write_row_verdicts(const chunk *c, const fmb_packed_bits *bits, fmb_verdict *out)
+/* Of the frames of a chunk; is one UNKNOWN? */
+static bool write_row_verdicts(const chunk *c, const fmb_packed_bits *bits, fmb_verdict *out)
 {
-    for (size_t j = 0; j < c->n; j++) {
-        const fmb_packed_bits *b = &bits[j / 8];
-        out[c->set->order[c->from + j]] = b->apart >> j % 8 & 1  ? FMB_INFEASIBLE
-                                          : b->meet >> j % 8 & 1 ? FMB_FEASIBLE
-                                                                 : FMB_UNKNOWN;
+    unsigned unknown = 0;
+    for (size_t g = 0; 8 * g < c->n; g++) {
+        const uint32_t *number = c->set->order + c->from + 8 * g;
+        unsigned apart = bits[g].apart, meet = bits[g].meet;
+        size_t n = c->n - 8 * g < 8 ? c->n - 8 * g : 8;
+        for (size_t l = 0; l < n; l++)
+            out[number[l]] = apart >> l & 1  ? FMB_INFEASIBLE
+                             : meet >> l & 1 ? FMB_FEASIBLE
+                                             : FMB_UNKNOWN;
+        unknown |= ~(apart | meet) & ((1U << n) - 1);
     }
+    return unknown != 0;
 }
 
 /* Those that are UNKNOWN. */
@@ -97,14 +133,15 @@ fmb_status fmb_frames_test_row(fmb_pair *k, const fmb_frames *a, size_t i, const
         return FMB_ERR_ARG;
     }
     k->counts.pairs += b->n;
+    bool open = false;
     for (size_t from = 0; from < b->n;) {
         chunk c;
         fmb_packed_bits bits[EIGHTS];
-        from = load_chunk(k, b, from, &c);
+        from = begin_chunk(b, from, &c);
         ask_chunk(k, a, i, &c, bits);
-        write_row_verdicts(&c, bits, verdict);
+        open |= write_row_verdicts(&c, bits, verdict);
     }
-    return decide_open_row(k, a, i, b, verdict);
+    return open ? decide_open_row(k, a, i, b, verdict) : FMB_OK;
 }
 
 /* ---- all against all ------------------------------------------------------------------------- */
@@ -168,7 +205,7 @@ static void ask_band(const all_query *x, band *w)
         x->b->only >= 0 ? note_bytes_of_chunk : note_bits_of_chunk;
     for (size_t from = 0; from < x->b->n && !fmb_pair_is_cancelled(w->k);) {
         chunk c;
-        size_t end = load_chunk(w->k, x->b, from, &c);
+        size_t end = begin_chunk(x->b, from, &c);
         bool counts = !x->within || x->b->order[end - 1] > w->first;
         for (size_t r = 0; counts && r < w->rows; r++) {
             fmb_packed_bits bits[EIGHTS];

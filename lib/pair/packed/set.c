@@ -5,6 +5,7 @@
 
 #include "frame/frame.h"
 #include "pair/edges.h"
+#include "pair/packed/bounds.h"
 
 enum { LINE = FMB_RECORD_LINE };
 
@@ -69,6 +70,7 @@ void fmb_frames_free(fmb_frames *s)
     fmb_mem_put(&mem, s->kind, s->n, sizeof *s->kind);
     fmb_mem_put(&mem, s->order, s->n, sizeof *s->order);
     fmb_mem_put(&mem, s->room, s->room_size, sizeof *s->room);
+    fmb_mem_put(&mem, s->bounds, 2 * (size_t)s->dim * s->eights, sizeof *s->bounds);
     fmb_mem_put(&mem, s->beside, s->beside_size, sizeof *s->beside);
     fmb_mem_put(&mem, s->given, s->n, sizeof *s->given);
     fmb_mem_put(&mem, s, 1, sizeof *s);
@@ -146,6 +148,20 @@ static void order_by_kind(fmb_frames *s)
         s->order[next[s->kind[i]]++] = (uint32_t)i;
 }
 
+/* Once all frames are there. */
+static fmb_status put_in_order(fmb_frames *s)
+{
+    order_by_kind(s);
+    for (int kind = 0; kind < FMB_KIND_NONE; kind++) {
+        s->first_eight[kind] = s->eights;
+        s->eights += (s->first[kind + 1] - s->first[kind] + 7) / 8;
+    }
+    if (s->eights > 0)
+        s->bounds = fmb_mem_get(&s->mem, 2 * (size_t)s->dim * s->eights, sizeof *s->bounds);
+    fmb_bounds_of_eights(s);
+    return s->bounds || s->eights == 0 ? FMB_OK : fmb_mem_status(&s->mem);
+}
+
 static bool is_dimension(int dim)
 {
     return dim >= 1 && dim <= FMB_FRAME_MOST_DIM;
@@ -166,10 +182,12 @@ fmb_status fmb_frames_new(int dim, size_t n, const fmb_frame *f, const fmb_alloc
     fmb_status st = open_set(dim, n, beside, mem, &s);
     for (size_t i = 0; st == FMB_OK && i < n; i++)
         add_frame(s, i, &f[i], &used);
-    if (st == FMB_OK) {
-        order_by_kind(s);
+    if (st == FMB_OK)
+        st = put_in_order(s);
+    if (st == FMB_OK)
         *out = s;
-    }
+    else
+        fmb_frames_free(s);
     return st;
 }
 
@@ -221,12 +239,12 @@ fmb_status fmb_frames_from_arrays(int dim, size_t n, const fmb_frame_arrays *a,
             add_frame(s, i, &f, &used);
     }
     fmb_mem_put(&s->mem, number, each, sizeof *number);
-    if (st == FMB_OK) {
-        order_by_kind(s);
+    if (st == FMB_OK)
+        st = put_in_order(s);
+    if (st == FMB_OK)
         *out = s;
-    } else {
+    else
         fmb_frames_free(s);
-    }
     return st;
 }
 

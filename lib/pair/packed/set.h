@@ -31,6 +31,8 @@ struct fmb_frames {
     int only;                    /* the kind of all, or -1 */
     uint32_t *order;             /* [n] frames by kind, then number */
     size_t first[FMB_KINDS + 1]; /* in order, of each kind */
+    double *bounds; /* [dim][lower, upper][eights] around eight frames of a kind (bounds.h) */
+    size_t first_eight[FMB_KINDS + 1], eights; /* of each kind; in all, of kinds but NONE */
     fmb_frame *given; /* [n], or NULL: none is by corners; dim 0: the record says it all */
     double *beside;   /* the numbers of given */
     double *room;     /* of the records */

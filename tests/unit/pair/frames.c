@@ -294,6 +294,36 @@ Test(frames, rows_and_all_against_all)
     }
 }
 
+/* Frames of about unit size, spread so that few boxes meet: `far` from the origin, where sums round
+ * to the spacing of doubles, or on a lattice, where many touch. */
+static void spread_many(int dim, int kind, double far, many *m)
+{
+    draw_many(dim, kind, true, STUDY_PAIR_LATTICE, 12, m);
+    fmb_frames_free(m->set);
+    for (int i = 0; i < MOST; i++) {
+        double *number = m->pair[i / 2].number[i % 2];
+        double *origin = number + (m->frame[i].origin - number);
+        for (int j = 0; j < dim; j++)
+            origin[j] += far + (i * (7 + 4 * j) % 37) / 2;
+    }
+    must(fmb_frames_new(dim, MOST, m->frame, NULL, &m->set));
+}
+
+Test(frames, rows_of_frames_far_from_one_another)
+{
+    static many m;
+    static fmb_verdict is[MOST][MOST];
+    for (int i = 0; i < 12; i++) {
+        int dim = 2 + i / 6;
+        spread_many(dim, i % 3 - 1, i / 3 % 2 ? 0x1p52 : 0, &m);
+        fmb_pair *k = opened(dim, FMB_SIMD_PLAIN, 1);
+        check_rows(k, &m, &m, is);
+        check_meeting(k, &m, &m, is);
+        fmb_pair_free(k);
+        fmb_frames_free(m.set);
+    }
+}
+
 /* ---- threads --------------------------------------------------------------------------------- */
 
 Test(frames, answers_are_the_same_by_any_number_of_threads)

@@ -1,0 +1,101 @@
+/* bounds.c: see bounds.h.
+ *
+ * A coordinate of a point of a frame is the sum of its origin's and at most four of its axes' and
+ * speed's, times factors in 0 ... 1; ends are such sums, each factor 0 or 1. Five additions in
+ * doubles err by less than 6 u S (u = 2^-53, S the sum of the absolute values, itself rounded) and
+ * taking off 8 u S adds another u S. Where numbers are so small that 8 u S is rounded, or is 0,
+ * sums are exact. Sums that overflow make S infinite, and the box with it.
+ */
+#include "pair/packed/bounds.h"
+
+#include <math.h>
+
+static const double SLACK = 0x1p-50; /* 8 u */
+
+/* ---- one frame ------------------------------------------------------------------------------- */
+
+/* An end of what the axes add to a coordinate: of a simplex the least of 0 and each. */
+typedef struct reach {
+    double low, high, size;
+} reach;
+
+static reach reach_of_axes(const double *axes, int dim, int naxes, bool simplex, int j)
+{
+    reach r = {0, 0, 0};
+    for (int k = 0; k < naxes; k++) {
+        double x = axes[k * dim + j], low = x < 0 ? x : 0, high = x > 0 ? x : 0;
+        r.low = !simplex ? r.low + low : low < r.low ? low : r.low;
+        r.high = !simplex ? r.high + high : high > r.high ? high : r.high;
+        r.size += fabs(x);
+    }
+    return r;
+}
+
+void fmb_bounds_of_frame(const fmb_frames *s, size_t i, fmb_bounds *out)
+{
+    const double *record = fmb_frames_record(s, i);
+    int dim = s->dim, kind = s->kind[i];
+    const double *axes = record + dim, *speed = axes + dim * dim;
+    for (int j = 0; j < dim; j++) {
+        reach r =
+            reach_of_axes(axes, dim, fmb_kind_naxes(kind), fmb_kind_shape(kind) == FMB_SIMPLEX, j);
+        double low = record[j] + (speed[j] < 0 ? speed[j] : 0) + r.low;
+        double high = record[j] + (speed[j] > 0 ? speed[j] : 0) + r.high;
+        double slack = SLACK * (fabs(record[j]) + fabs(speed[j]) + r.size);
+        out->lower[j] = low - slack;
+        out->upper[j] = high + slack;
+    }
+}
+
+/* ---- eight frames ---------------------------------------------------------------------------- */
+
+/* Where the lower ends of coordinate j stand, those of all eights; the upper ones follow. */
+static double *ends_of_eights(const fmb_frames *s, int j)
+{
+    return s->bounds + 2 * s->eights * (size_t)j;
+}
+
+static size_t eight_of_place(const fmb_frames *s, size_t from)
+{
+    int kind = s->kind[s->order[from]];
+    return s->first_eight[kind] + (from - s->first[kind]) / 8;
+}
+
+/* Frames order[from ... to - 1]. */
+static void put_bounds_of_eight(fmb_frames *s, size_t from, size_t to)
+{
+    size_t g = eight_of_place(s, from);
+    for (size_t i = from; i < to; i++) {
+        fmb_bounds box;
+        fmb_bounds_of_frame(s, s->order[i], &box);
+        for (int j = 0; j < s->dim; j++) {
+            double *low = ends_of_eights(s, j) + g, *high = low + s->eights;
+            *low = i == from || box.lower[j] < *low ? box.lower[j] : *low;
+            *high = i == from || box.upper[j] > *high ? box.upper[j] : *high;
+        }
+    }
+}
+
+void fmb_bounds_of_eights(fmb_frames *s)
+{
+    for (int kind = 0; s->bounds && kind < FMB_KIND_NONE; kind++)
+        for (size_t from = s->first[kind], end = s->first[kind + 1]; from < end; from += 8)
+            put_bounds_of_eight(s, from, from + 8 < end ? from + 8 : end);
+}
+
+uint64_t fmb_bounds_open_eights(const fmb_frames *s, size_t from, size_t eights,
+                                const fmb_bounds *box)
+{
+    uint8_t apart[FMB_BOUNDS_MOST] = {0};
+    size_t first = eight_of_place(s, from);
+    uint64_t open = 0;
+    for (int j = 0; j < s->dim; j++) {
+        const double *low = ends_of_eights(s, j) + first, *high = low + s->eights;
+        double lower = box->lower[j], upper = box->upper[j];
+        for (size_t g = 0; g < eights; g++)
+            apart[g] |= (low[g] > upper) | (high[g] < lower);
+    }
+    for (size_t g = 0; g < eights; g++)
+        open |= (uint64_t)!apart[g] << g;
+    return open;
+}
