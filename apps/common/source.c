@@ -98,7 +98,23 @@ static fmb_reader reader_of(app_source *src)
         .format = src->format, .warn = warn, .self = src, .max_bytes = src->max_input};
 }
 
-int app_source_read(const app_source *src, fmb_system **out)
+/* What a reader of the library is asked for. */
+typedef struct wanted {
+    fmb_system **system;
+    fmb_generators **generators; /* or NULL: a system alone */
+    const fmb_system *map_over;  /* or NULL: no map */
+} wanted;
+
+static fmb_status read_wanted(FILE *in, const fmb_reader *how, const wanted *w, fmb_where *where)
+{
+    if (w->map_over)
+        return fmb_graph_read(in, how, w->map_over, w->system, where);
+    if (w->generators)
+        return fmb_polyhedron_read(in, how, w->system, w->generators, where);
+    return fmb_system_read(in, how, w->system, where);
+}
+
+static int read_file(const app_source *src, const wanted *w)
 {
     FILE *in;
     int code = app_file_open(src->file, &in);
@@ -110,26 +126,25 @@ int app_source_read(const app_source *src, fmb_system **out)
         how.format = fmb_format_of_name(src->file);
     fmb_where where = {0};
     errno = 0;
-    fmb_status st = fmb_system_read(in, &how, out, &where);
+    fmb_status st = read_wanted(in, &how, w, &where);
     code = app_source_outcome(st, src->file, &where);
     app_file_close_input(in);
     return code;
 }
 
-int app_source_read_generators(const app_source *src, fmb_generators **out)
+int app_source_read(const app_source *src, fmb_system **out)
 {
-    FILE *in;
-    int code = app_file_open(src->file, &in);
-    if (code != APP_YES)
-        return code;
-    app_source self = *src;
-    fmb_reader how = reader_of(&self);
-    fmb_where where = {0};
-    errno = 0;
-    fmb_status st = fmb_generators_read(in, &how, out, &where);
-    code = app_source_outcome(st, src->file, &where);
-    app_file_close_input(in);
-    return code;
+    return read_file(src, &(wanted){.system = out});
+}
+
+int app_source_read_polyhedron(const app_source *src, fmb_system **s, fmb_generators **g)
+{
+    return read_file(src, &(wanted){.system = s, .generators = g});
+}
+
+int app_source_read_graph(const app_source *src, const fmb_system *s, fmb_system **out)
+{
+    return read_file(src, &(wanted){.system = out, .map_over = s});
 }
 
 static bool can_write(fmb_format f)

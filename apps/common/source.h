@@ -3,7 +3,7 @@
 #define APP_SOURCE_H
 
 #include <argp.h>
-#include <fmb/io.h>
+#include <fmb/lift.h>
 
 typedef struct app_source {
     const char *file;
@@ -20,8 +20,10 @@ extern const struct argp app_source_argp;
  * standard error. */
 int app_source_read(const app_source *src, fmb_system **out);
 
-/* [give, fmb_generators_free] The same of a V-representation. */
-int app_source_read_generators(const app_source *src, fmb_generators **out);
+/* [give] The same of a system or a V-representation: one of both, the other is NULL. */
+int app_source_read_polyhedron(const app_source *src, fmb_system **s, fmb_generators **g);
+/* [give, fmb_system_free] The graph of a map over s (<fmb/lift.h>). */
+int app_source_read_graph(const app_source *src, const fmb_system *s, fmb_system **out);
 
 /* The exit code for what a reader of the library returned, after a message unless it is FMB_OK. */
 int app_source_outcome(fmb_status st, const char *path, const fmb_where *where);

@@ -1,87 +1,80 @@
-/* cmd_hull.c: fmb hull FILE. */
-#include <fmb/generators.h>
+/* cmd_hull.c: fmb hull FILE.... */
+#include <stdlib.h>
 
-#include "common/message.h"
-#include "common/options.h"
-#include "common/source.h"
-#include "fmb/ask.h"
+#include <fmb/gmp.h>
+
+#include "common/need.h"
 #include "fmb/commands.h"
+#include "fmb/lifted.h"
 
-enum { KEY_TO = 0x200 };
-
-static const struct argp_option options[] = {
-    {"to", KEY_TO, "FORMAT", 0, "Write this format: fmb|ine|smt2 (default ine)", 1}, {0}};
-
-typedef struct request {
-    app_source source;
-    fmb_format to;
-} request;
-
-static error_t parse(int key, char *arg, struct argp_state *state)
+/* to and from have the same dimension. */
+static fmb_status append_generators(fmb_generators *to, const fmb_generators *from)
 {
-    request *r = state->input;
-    switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = &r->source;
-        return 0;
-    case KEY_TO:
-        if (!app_format_to(arg, &r->to))
-            argp_error(state, "--to: expected fmb|ine|smt2, found '%s'", arg);
-        return 0;
-    default:
-        return ARGP_ERR_UNKNOWN;
+    int n = fmb_generators_dim(from);
+    fmb_status st = FMB_OK;
+    mpq_t *x = app_need(malloc(((size_t)n + 1) * sizeof *x));
+    for (int j = 0; j < n; j++)
+        mpq_init(x[j]);
+    for (size_t i = 0; st == FMB_OK && i < fmb_generators_size(from); i++) {
+        for (int j = 0; j < n; j++)
+            fmb_generators_get_q(from, i, j, x[j]);
+        st = fmb_generators_add_q(to, fmb_generators_kind(from, i), x);
     }
+    for (int j = 0; j < n; j++)
+        mpq_clear(x[j]);
+    free(x);
+    return st;
 }
 
-static const char doc[] =
-    "An irredundant system whose solutions are the convex hull of the vertices, rays and lines in "
-    "FILE, "
-    "a V-representation (.ext) of cddlib and lrslib."
-    "\v"
-    "Exit codes: 0 done, 1 there is no vertex, so the hull is empty, 2 undecided.\n"
-    "\n"
-    "Examples:\n"
-    "  fmb vertices cube.ine | fmb hull - --to fmb\n";
-
-static int find_hull(const fmb_generators *g, fmb_system **out, fmb_result *res)
+/* One with a ray and without a vertex is empty, and so is what goes on from it. */
+static bool has_vertex(const fmb_generators *g)
 {
-    fmb_options o = fmb_options_default();
-    fmb_solver *v = NULL;
-    o.max_bytes = app_ask_half_of_memory();
-    fmb_status st = fmb_solver_new(&o, NULL, &v);
+    for (size_t i = 0; i < fmb_generators_size(g); i++)
+        if (fmb_generators_kind(g, i) == FMB_VERTEX)
+            return true;
+    return false;
+}
+
+static fmb_status find_hull_of_generators(fmb_solver *v, const app_polyhedra *p, fmb_system **lift,
+                                          fmb_system **out, fmb_result *res)
+{
+    (void)lift;
+    fmb_generators *all = NULL;
+    fmb_status st = fmb_generators_new(fmb_generators_dim(p->generator[0]), NULL, &all);
+    for (size_t i = 0; st == FMB_OK && i < p->n; i++)
+        if (has_vertex(p->generator[i]))
+            st = append_generators(all, p->generator[i]);
     if (st == FMB_OK)
-        st = fmb_hull(v, g, out, res);
-    fmb_solver_free(v);
-    return st == FMB_OK ? APP_YES : app_status_error(st);
+        st = fmb_hull(v, all, out, res);
+    fmb_generators_free(all);
+    return st;
 }
 
-static int report(const request *r, const fmb_system *hull, const fmb_result *res)
+static fmb_status find_hull(fmb_solver *v, const app_polyhedra *p, fmb_system **lift,
+                            fmb_system **out, fmb_result *res)
 {
-    if (!hull) {
-        fprintf(stderr, "fmb: undecided (%s)\n", fmb_stop_text(res->stop));
-        return APP_UNDECIDED;
-    }
-    int code = app_source_write(hull, r->to);
-    return code == APP_YES && res->verdict == FMB_INFEASIBLE ? APP_NO : code;
+    return fmb_hull_union(v, (const fmb_system *const *)p->system, p->n, lift, out, res);
 }
 
 int cmd_hull(int argc, char **argv)
 {
-    static const struct argp_child children[] = {{&app_source_argp, 0, NULL, 0},
-                                                 {NULL, 0, NULL, 0}};
-    static const struct argp whole = {
-        .options = options, .parser = parse, .args_doc = "FILE", .doc = doc, .children = children};
-    request r = {.to = FMB_FORMAT_INE};
-    fmb_generators *g = NULL;
-    fmb_system *hull = NULL;
-    fmb_result res;
-    app_options_parse(&whole, argc, argv, &r);
-    int code = app_source_read_generators(&r.source, &g);
-    if (code == APP_YES)
-        code = find_hull(g, &hull, &res);
-    if (code == APP_YES)
-        code = report(&r, hull, &res);
-    fmb_system_free(hull);
-    fmb_generators_free(g);
-    return code;
+    static const app_lifted command = {
+        .args = "FILE...",
+        .doc =
+            "An irredundant system for the closure of the convex hull of the polyhedra in the "
+            "FILEs. A FILE is a V-representation (.ext) of cddlib and lrslib, vertices, rays and "
+            "lines, or a system (if it asks for a projection, that is meant). Variables are "
+            "matched by their names, coordinates of a V-representation by their places. What is "
+            "empty does not count; rows with < are taken for <=."
+            "\v"
+            "Exit codes: 0 done, 1 there is no point, 2 undecided: rows that follow, perhaps too "
+            "few.\n"
+            "\n"
+            "Examples:\n"
+            "  fmb vertices cube.ine | fmb hull - --to fmb\n"
+            "  fmb hull summer.fmb winter.fmb\n",
+        .query = find_hull,
+        .query_of_generators = find_hull_of_generators,
+    };
+    return app_lifted_run(&command, argc, argv);
 }

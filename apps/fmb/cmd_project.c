@@ -4,9 +4,8 @@
 #include "common/message.h"
 #include "fmb/commands.h"
 #include "fmb/integers.h"
-#include "fmb/show.h"
+#include "fmb/shadow.h"
 #include "fmb/variables.h"
-#include "fmb/verdict.h"
 
 enum { KEY_KEEP = 0x200, KEY_ELIMINATE, KEY_TO };
 
@@ -87,29 +86,6 @@ static int choose(const request *r, const fmb_system *s, int **vars, int *n)
     return requested_by_file(s, vars, n);
 }
 
-static int report(const app_session *s, const request *r, const fmb_system *shadow)
-{
-    if (s->ask->json) {
-        json_t *obj = app_verdict_json(s);
-        if (s->result.stop != FMB_STOP_DONE)
-            app_json_set(obj, "outer", json_true());
-        app_json_set_system(obj, shadow);
-        app_json_set_stats(obj, &s->result.stats);
-        app_json_print(obj);
-    } else if (app_session_reports(s)) {
-        return app_source_write(shadow, r->to ? r->to : app_source_written(&s->ask->source));
-    }
-    return APP_YES;
-}
-
-static int exit_code(const app_session *s)
-{
-    if (s->result.stop == FMB_STOP_DONE)
-        return app_session_verdict_code(s);
-    app_session_note(s, "undecided (%s): an outer projection", fmb_stop_text(s->result.stop));
-    return APP_UNDECIDED;
-}
-
 int cmd_project(int argc, char **argv)
 {
     app_ask ask;
@@ -130,9 +106,7 @@ int cmd_project(int argc, char **argv)
         code = app_session_end(&s, st);
     }
     if (code == 0)
-        code = report(&s, &r, shadow);
-    if (code == 0)
-        code = exit_code(&s);
+        code = app_shadow_report(&s, shadow, r.to ? r.to : app_source_written(&ask.source));
     fmb_system_free(shadow);
     free(vars);
     return app_session_close(&s, code);

@@ -10,6 +10,8 @@ int cmd_project(int argc, char **argv);
 int cmd_reduce(int argc, char **argv);
 int cmd_vertices(int argc, char **argv);
 int cmd_hull(int argc, char **argv);
+int cmd_image(int argc, char **argv);
+int cmd_sum(int argc, char **argv);
 int cmd_check(int argc, char **argv);
 int cmd_convert(int argc, char **argv);
 int cmd_intersect(int argc, char **argv);

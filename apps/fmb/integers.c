@@ -18,7 +18,12 @@ bool app_has_integers(const fmb_system *s)
 
 void app_integers_note(app_session *s)
 {
-    if (s->ask->relax || !app_has_integers(s->system))
+    app_integers_note_of(s, s->system);
+}
+
+void app_integers_note_of(app_session *s, const fmb_system *file)
+{
+    if (s->ask->relax || s->relaxed || !app_has_integers(file))
         return;
     s->relaxed = true;
     app_session_note(s, "the file has integer variables: this is the answer over the reals");

@@ -9,6 +9,7 @@
 bool app_has_integers(const fmb_system *s);
 /* For commands whose answer is over the reals: say so once, unless --relax or --quiet. */
 void app_integers_note(app_session *s);
+void app_integers_note_of(app_session *s, const fmb_system *file);
 /* After fmb_solve: is the point of a feasible system integral where it has to be? If not, and
  * without --relax, a point with the nearest integers takes its place if there is one; else the
  * session is relaxed. An exit code, APP_YES if all went well. */

@@ -10,7 +10,7 @@
 #include "common/message.h"
 #include "common/nearest.h"
 
-static int open_outputs(app_session *s)
+int app_session_open_outputs(app_session *s)
 {
     int code = APP_YES;
     if (s->ask->trace)
@@ -112,13 +112,18 @@ static int open_solver(app_session *s)
 
 /* Outputs are opened after the input was read, so that one which is the input is refused, and
  * before the query, as nobody likes to hear after an hour that a folder is missing. */
-int app_session_open(app_session *s, const app_ask *ask)
+int app_session_open_solver(app_session *s, const app_ask *ask)
 {
     *s = (app_session){.ask = ask};
-    int code = open_solver(s);
+    return open_solver(s);
+}
+
+int app_session_open(app_session *s, const app_ask *ask)
+{
+    int code = app_session_open_solver(s, ask);
     if (code == APP_YES)
         code = app_source_read(&ask->source, &s->system);
-    return code == APP_YES ? open_outputs(s) : code;
+    return code == APP_YES ? app_session_open_outputs(s) : code;
 }
 
 void app_session_begin(app_session *s)

@@ -28,6 +28,9 @@ typedef struct app_session {
 /* Check the options, read the system, open the outputs: APP_YES, or an exit code after a message.
  * app_session_close is due in any case. */
 int app_session_open(app_session *s, const app_ask *ask);
+/* The same in steps, for commands that read more than a system between them. */
+int app_session_open_solver(app_session *s, const app_ask *ask);
+int app_session_open_outputs(app_session *s);
 /* Around the query. end takes what the query returned and fetches the evidence; an exit code,
  * APP_YES if there is a result. */
 void app_session_begin(app_session *s);

@@ -10,6 +10,7 @@
 #include <fmb/frames.h>
 #include <fmb/generators.h>
 #include <fmb/io.h>
+#include <fmb/lift.h>
 #include <fmb/mesh.h>
 #include <fmb/options.h>
 #include <fmb/pair.h>

@@ -1,8 +1,5 @@
 /* read.c: from a stream or a piece of memory to a system, and back: everything the formats share.
  */
-#include <errno.h>
-#include <string.h>
-
 #include "io/core/stream.h"
 #include "io/formats.h"
 
@@ -67,24 +64,16 @@ fmb_status fmb_system_parse(const char *text, size_t size, const fmb_reader *how
 
 /* ---- streams --------------------------------------------------------------------------------- */
 
+static fmb_status parse_system(const char *text, size_t size, const fmb_reader *how, void *self,
+                               fmb_where *where)
+{
+    return fmb_system_parse(text, size, how, self, where);
+}
+
 fmb_status fmb_system_read(FILE *in, const fmb_reader *how, fmb_system **out, fmb_where *where)
 {
-    fmb_mem mem;
-    fmb_bytes b = {0};
     fmb_status st = check_reader_arguments(how, out, where);
-    if (st != FMB_OK)
-        return st;
-    if (!in)
-        return fmb_io_refuse_argument(where, "in is NULL");
-    fmb_mem_init(&mem, how ? how->mem : NULL, 0);
-    st = fmb_read_whole_stream(in, fmb_io_max_bytes(how), &b, &mem);
-    int cause = errno;
-    if (st == FMB_OK)
-        st = fmb_system_parse(b.p, b.size, how, out, where);
-    fmb_mem_put(&mem, b.p, b.capacity, 1);
-    if (st == FMB_ERR_IO)
-        errno = cause;
-    return st;
+    return st == FMB_OK ? fmb_parse_stream(in, how, parse_system, out, where) : st;
 }
 
 fmb_status fmb_system_write(const fmb_system *s, fmb_format f, FILE *out)

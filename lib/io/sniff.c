@@ -23,6 +23,11 @@ bool fmb_sniff_ine(const fmb_cursor *c)
            has_line_of_word(*c, "V-representation");
 }
 
+bool fmb_sniff_generators(const fmb_cursor *c)
+{
+    return has_line_of_word(*c, "V-representation");
+}
+
 bool fmb_sniff_ieq(const fmb_cursor *c)
 {
     return has_line_of_word(*c, "INEQUALITIES_SECTION");

@@ -7,6 +7,8 @@
 #include "io/core/cursor.h"
 
 bool fmb_sniff_ine(const fmb_cursor *c);
+/* Of those .ine texts that are V-representations. */
+bool fmb_sniff_generators(const fmb_cursor *c);
 bool fmb_sniff_ieq(const fmb_cursor *c);
 bool fmb_sniff_smt2(const fmb_cursor *c);
 bool fmb_sniff_mps(const fmb_cursor *c);

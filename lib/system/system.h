@@ -45,6 +45,12 @@ static inline const fmb_sysrow *fmb_system_row(const fmb_system *s, size_t i)
     return &s->row[i];
 }
 
+/* Is variable j one of the polyhedron that s stands for where it is part of another (fmb/lift.h)? */
+static inline bool fmb_system_keeps(const fmb_system *s, int j)
+{
+    return !s->asks_projection || s->mark[j].kept;
+}
+
 /* Put down which argument was wrong, for fmb_system_trouble; always FMB_ERR_ARG. s may be NULL. */
 __attribute__((format(printf, 2, 3))) fmb_status fmb_system_refuse(fmb_system *s,
                                                                    const char *format, ...);

@@ -1,6 +1,8 @@
 /* stream.c: see stream.h. */
 #include "io/core/stream.h"
 
+#include <errno.h>
+
 fmb_status fmb_read_whole_stream(FILE *in, size_t most, fmb_bytes *b, fmb_mem *mem)
 {
     while (b->size <= most) {
@@ -13,4 +15,22 @@ fmb_status fmb_read_whole_stream(FILE *in, size_t most, fmb_bytes *b, fmb_mem *m
             return ferror(in) ? FMB_ERR_IO : FMB_OK;
     }
     return FMB_OK;
+}
+
+fmb_status fmb_parse_stream(FILE *in, const fmb_reader *how, fmb_parse_fn *parse, void *self,
+                            fmb_where *where)
+{
+    fmb_mem mem;
+    fmb_bytes b = {0};
+    if (!in)
+        return fmb_io_refuse_argument(where, "in is NULL");
+    fmb_mem_init(&mem, how ? how->mem : NULL, 0);
+    fmb_status st = fmb_read_whole_stream(in, fmb_io_max_bytes(how), &b, &mem);
+    int cause = errno;
+    if (st == FMB_OK)
+        st = parse(b.p, b.size, how, self, where);
+    fmb_mem_put(&mem, b.p, b.capacity, 1);
+    if (st == FMB_ERR_IO)
+        errno = cause;
+    return st;
 }

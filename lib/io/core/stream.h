@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "base/mem.h"
+#include "io/core/cursor.h"
 
 typedef struct fmb_bytes {
     char *p;
@@ -14,5 +14,12 @@ typedef struct fmb_bytes {
 /* All of a stream, or one byte more than most, behind what is there. Memory follows what has been
  * read, never what a stream claims to hold. Errors: IO, MEMORY. */
 fmb_status fmb_read_whole_stream(FILE *in, size_t most, fmb_bytes *b, fmb_mem *mem);
+
+/* Hand all of a stream to a parser, with what that gets besides. errno is that of reading. Errors:
+ * IO, MEMORY, ARG (in is NULL), and the parser's. */
+typedef fmb_status fmb_parse_fn(const char *text, size_t size, const fmb_reader *how, void *self,
+                                fmb_where *where);
+fmb_status fmb_parse_stream(FILE *in, const fmb_reader *how, fmb_parse_fn *parse, void *self,
+                            fmb_where *where);
 
 #endif

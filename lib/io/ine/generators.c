@@ -1,8 +1,6 @@
 /* generators.c: V-representations of cddlib and lrslib: (1, x) is a vertex, (0, x) a ray, and a row
  * of the linearity line a line. Read as rows -x.y <= 1 or 0, and turned into what they stand for.
  */
-#include <errno.h>
-
 #include <fmb/gmp.h>
 
 #include "io/core/stream.h"
@@ -84,22 +82,17 @@ fmb_status fmb_generators_parse(const char *text, size_t size, const fmb_reader 
     return st;
 }
 
+static fmb_status parse_v_representation(const char *text, size_t size, const fmb_reader *how,
+                                         void *self, fmb_where *where)
+{
+    return fmb_generators_parse(text, size, how, self, where);
+}
+
 fmb_status fmb_generators_read(FILE *in, const fmb_reader *how, fmb_generators **out,
                                fmb_where *where)
 {
-    fmb_mem mem;
-    fmb_bytes b = {0};
-    if (!out || !in)
-        return fmb_io_refuse_argument(where, out ? "in is NULL" : "out is NULL");
-    fmb_mem_init(&mem, how ? how->mem : NULL, 0);
-    fmb_status st = fmb_read_whole_stream(in, fmb_io_max_bytes(how), &b, &mem);
-    int cause = errno;
-    if (st == FMB_OK)
-        st = fmb_generators_parse(b.p, b.size, how, out, where);
-    fmb_mem_put(&mem, b.p, b.capacity, 1);
-    if (st == FMB_ERR_IO)
-        errno = cause;
-    return st;
+    return out ? fmb_parse_stream(in, how, parse_v_representation, out, where)
+               : fmb_io_refuse_argument(where, "out is NULL");
 }
 
 /* ---- writing --------------------------------------------------------------------------------- */

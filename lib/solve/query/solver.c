@@ -113,7 +113,8 @@ static fmb_status begin_query(fmb_query *q, fmb_solver *v, const fmb_system *s, 
     if (v->options.max_bytes > 0)
         fmb_arena_clear(&v->arena); /* what older queries left shall not count for this one */
     fmb_arena_reset(&v->arena);
-    atomic_store_explicit(&v->cancel, 0, memory_order_relaxed);
+    if (!v->within)
+        atomic_store_explicit(&v->cancel, 0, memory_order_relaxed);
     fmb_run_begin(&q->run, &v->mem, &v->options, &v->cancel, v->sink, name);
     if (v->within) {
         q->run.cancel = v->within->cancel;

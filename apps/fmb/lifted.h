@@ -1,0 +1,37 @@
+/* lifted.h: commands about several polyhedra, whose answers are projections of a lift
+ * (<fmb/lift.h>): what they have in common, from command line to exit code.
+ */
+#ifndef APP_LIFTED_H
+#define APP_LIFTED_H
+
+#include <fmb/lift.h>
+
+#include "fmb/session.h"
+
+enum { APP_MOST_FILES = 4096 };
+
+/* What the FILEs hold, in order. */
+typedef struct app_polyhedra {
+    fmb_system **system;        /* [n] each, or a lift of its generators */
+    fmb_generators **generator; /* [n], NULL where there are rows */
+    size_t n;
+    fmb_system *graph; /* of the map, or NULL */
+} app_polyhedra;
+
+/* What is asked of the solver: *lift may stay NULL. */
+typedef fmb_status app_lifted_query(fmb_solver *v, const app_polyhedra *p, fmb_system **lift,
+                                    fmb_system **out, fmb_result *res);
+
+typedef struct app_lifted {
+    const char *args, *doc;
+    bool map; /* the last FILE is a map over the first */
+    app_lifted_query *query;
+    /* Or NULL: what is asked where all have generators and nobody wants the lift, which has a
+     * variable for each: system[] is then NULL throughout. */
+    app_lifted_query *query_of_generators;
+} app_lifted;
+
+/* Run the command; its exit code. */
+int app_lifted_run(const app_lifted *command, int argc, char **argv);
+
+#endif

@@ -1,0 +1,11 @@
+/* shadow.h: reporting a projection. */
+#ifndef APP_SHADOW_H
+#define APP_SHADOW_H
+
+#include "fmb/session.h"
+
+/* Print it, as JSON or in that format; the exit code. NULL: what is known is that there are limits.
+ */
+int app_shadow_report(const app_session *s, const fmb_system *shadow, fmb_format to);
+
+#endif

@@ -1,0 +1,169 @@
+/* graph.c: maps, a line "NAME = FORM" for each coordinate, and their graphs; see fmb/lift.h.
+ *
+ * A form is over the variables that the system keeps (`from`), and its row over the graph, whose
+ * first variables stand for these under names that no coordinate has: x = x + y is a map.
+ */
+#include <fmb/lift.h>
+
+#include <string.h>
+
+#include "io/core/stream.h"
+#include "io/text/text.h"
+#include "system/system.h"
+
+typedef struct graph {
+    fmb_text *t;
+    fmb_system *from, *to;
+} graph;
+
+/* [give] The variables that s keeps, twice: to read forms, and to begin the graph. */
+static fmb_status open_graph(graph *g, const fmb_system *s)
+{
+    fmb_status st = fmb_system_new(0, g->t->c->how->mem, &g->from);
+    if (st == FMB_OK)
+        st = fmb_system_new(0, g->t->c->how->mem, &g->to);
+    for (int j = 0; st == FMB_OK && j < fmb_system_dim(s); j++) {
+        if (fmb_system_keeps(s, j))
+            st = fmb_system_add_variable(g->from, fmb_system_name(s, j), NULL);
+        if (st == FMB_OK && fmb_system_keeps(s, j))
+            st = fmb_system_add_variable(g->to, fmb_system_name(s, j), NULL);
+    }
+    return st;
+}
+
+/* Variable j of the graph gets a name that it had not, which is free. */
+static fmb_status lengthen_name(fmb_system *s, int j, fmb_mem *mem)
+{
+    size_t n = strlen(fmb_system_name(s, j)), room = n + (size_t)fmb_system_dim(s) + 2;
+    char *name = fmb_mem_get(mem, room, 1);
+    if (!name)
+        return fmb_mem_status(mem);
+    memcpy(name, fmb_system_name(s, j), n + 1);
+    for (; fmb_system_find(s, name) >= 0; n++)
+        memcpy(name + n, "'", 2);
+    fmb_status st = fmb_system_set_name(s, j, name);
+    fmb_mem_put(mem, name, room, 1);
+    return st;
+}
+
+/* The coordinate of that name, which stands at p, as a variable of the graph. */
+static fmb_status add_coordinate(graph *g, const char *p, fmb_span name, int *index)
+{
+    fmb_cursor *c = g->t->c;
+    char found[FMB_QUOTE];
+    int taken;
+    fmb_status st = fmb_span_find(c, name, g->to, &taken);
+    if (st == FMB_OK && taken >= fmb_system_dim(g->from))
+        return fmb_io_fail(c, p, "expected a new name, found %s again", fmb_quote(c, p, found));
+    if (st == FMB_OK && taken >= 0)
+        st = lengthen_name(g->to, taken, c->mem);
+    return st == FMB_OK ? fmb_span_variable(c, name, g->to, index) : st;
+}
+
+/* FORM = c + a.x as the row a.x - NAME = -c. */
+static fmb_status append_form(graph *g, const char *start, int index)
+{
+    fmb_draft *d = &g->t->left;
+    mpq_ptr slot;
+    fmb_status st = fmb_draft_term(d, index, &slot);
+    if (st != FMB_OK)
+        return st;
+    mpq_set_si(slot, -1, 1);
+    mpq_neg(d->rhs, d->rhs);
+    return fmb_draft_append(g->t->c, start, d, FMB_EQ, g->to);
+}
+
+static fmb_status read_map_line(graph *g)
+{
+    fmb_cursor *c = g->t->c;
+    char found[FMB_QUOTE];
+    const char *start = c->at;
+    fmb_span name;
+    int index = 0;
+    fmb_status st = fmb_text_scan_name(g->t, &name);
+    if (st == FMB_OK)
+        st = add_coordinate(g, start, name, &index);
+    fmb_skip_blanks(c);
+    if (st == FMB_OK && !fmb_accept(c, "="))
+        st = fmb_io_fail(c, c->at, "expected '=' behind a name, found %s",
+                         fmb_quote(c, c->at, found));
+    if (st == FMB_OK)
+        st = fmb_text_expression(g->t, &g->t->left);
+    fmb_skip_blanks(c);
+    if (st == FMB_OK && fmb_peek(c) >= 0 && fmb_peek(c) != '\n' && fmb_peek(c) != '#')
+        st = fmb_io_fail(c, c->at, "expected an operator or the end of the form, found %s",
+                         fmb_quote(c, c->at, found));
+    return st == FMB_OK ? append_form(g, start, index) : st;
+}
+
+static fmb_status read_map_lines(graph *g)
+{
+    fmb_cursor *c = g->t->c;
+    fmb_status st = fmb_io_check(c);
+    for (; st == FMB_OK && c->at < c->end; fmb_next_line(c)) {
+        fmb_skip_blanks(c);
+        if (fmb_peek(c) >= 0 && fmb_peek(c) != '\n' && fmb_peek(c) != '#')
+            st = read_map_line(g);
+    }
+    if (st == FMB_OK && fmb_system_rows(g->to) == 0)
+        st = fmb_io_fail(c, NULL, "expected lines NAME = FORM, found none");
+    return st;
+}
+
+static fmb_status parse_map(fmb_cursor *c, const fmb_system *s, fmb_system **out)
+{
+    fmb_text t = {.c = c, .declared = true, .alone = true};
+    graph g = {.t = &t};
+    fmb_draft_init(&t.left, c->mem);
+    fmb_status st = open_graph(&g, s);
+    t.s = g.from;
+    if (st == FMB_OK)
+        st = read_map_lines(&g);
+    fmb_draft_clear(&t.left);
+    fmb_mem_put(c->mem, t.name.p, t.name.capacity, 1);
+    fmb_system_free(g.from);
+    if (st == FMB_OK)
+        *out = g.to;
+    else
+        fmb_system_free(g.to);
+    return st;
+}
+
+fmb_status fmb_graph_parse(const char *text, size_t size, const fmb_reader *how,
+                           const fmb_system *s, fmb_system **out, fmb_where *where)
+{
+    static const fmb_reader plain = {.format = FMB_FORMAT_AUTO};
+    fmb_where at = {0};
+    fmb_mem mem;
+    if (!s || !out || (!text && size > 0))
+        return fmb_io_refuse_argument(where, !s     ? "s is NULL"
+                                             : !out ? "out is NULL"
+                                                    : "text is NULL");
+    how = how ? how : &plain;
+    fmb_mem_init(&mem, how->mem, 0);
+    fmb_cursor c = fmb_io_cursor(text ? text : "", size, how, &mem, &at);
+    fmb_status st =
+        size > fmb_io_max_bytes(how) ? fmb_io_fail_too_long(&c, NULL) : parse_map(&c, s, out);
+    if (st == FMB_ERR_PARSE && where)
+        *where = at;
+    return st;
+}
+
+typedef struct map_text {
+    const fmb_system *s;
+    fmb_system **out;
+} map_text;
+
+static fmb_status parse_map_text(const char *text, size_t size, const fmb_reader *how, void *self,
+                                 fmb_where *where)
+{
+    const map_text *m = self;
+    return fmb_graph_parse(text, size, how, m->s, m->out, where);
+}
+
+fmb_status fmb_graph_read(FILE *in, const fmb_reader *how, const fmb_system *s, fmb_system **out,
+                          fmb_where *where)
+{
+    return s && out ? fmb_parse_stream(in, how, parse_map_text, &(map_text){s, out}, where)
+                    : fmb_io_refuse_argument(where, "s or out is NULL");
+}

@@ -1,0 +1,172 @@
+/* lift.c: images, sums and hulls of several: a lift is written (lift/lift.h), and projected. */
+#include <fmb/lift.h>
+
+#include "lift/lift.h"
+#include "solve/query/solver.h"
+#include "system/system.h"
+
+/* What a verb is to hand out. */
+typedef struct lift_answer {
+    fmb_system **lift; /* or NULL */
+    fmb_system **out;
+    fmb_result *res;
+} lift_answer;
+
+/* The verb's own refusal: what was wrong with the arguments stands in the lift. */
+static fmb_status give_up_lift(fmb_solver *v, fmb_system *lift, fmb_status st)
+{
+    if (st == FMB_ERR_ARG)
+        st = fmb_solver_refuse(v, st, "%s", fmb_system_trouble(lift));
+    else
+        v->answered = false; /* the evidence at hand is that of an older query */
+    fmb_system_free(lift);
+    return st;
+}
+
+/* Its kept variables are the first ones. */
+static fmb_status project_lift(fmb_solver *v, const fmb_system *lift, fmb_system **out,
+                               fmb_result *res)
+{
+    int n = fmb_lift_dim(lift);
+    int *keep = fmb_mem_get(&v->mem, (size_t)n, sizeof *keep);
+    if (!keep) {
+        v->answered = false;
+        return FMB_ERR_MEMORY;
+    }
+    for (int j = 0; j < n; j++)
+        keep[j] = j;
+    fmb_status st = fmb_project(v, lift, keep, n, out, res);
+    fmb_mem_put(&v->mem, keep, (size_t)n, sizeof *keep);
+    return st;
+}
+
+/* lift was filled with that status, and goes over to here. */
+static fmb_status finish_lift(fmb_solver *v, fmb_system *lift, fmb_status st, const lift_answer *a)
+{
+    if (st != FMB_OK)
+        return give_up_lift(v, lift, st);
+    st = project_lift(v, lift, a->out, a->res);
+    if (st == FMB_OK && a->lift)
+        *a->lift = lift;
+    else
+        fmb_system_free(lift);
+    return st;
+}
+
+/* [give] An empty system for a verb with these arguments. */
+static fmb_status open_lift(fmb_solver *v, const char *missing, fmb_system **lift)
+{
+    if (!v || missing)
+        return fmb_solver_refuse(v, FMB_ERR_ARG, "%s is NULL", v ? missing : "the solver");
+    fmb_status st = fmb_system_new(0, &v->mem.alloc, lift);
+    if (st != FMB_OK)
+        v->answered = false;
+    return st;
+}
+
+fmb_status fmb_image(fmb_solver *v, const fmb_system *s, const fmb_system *graph, fmb_system **lift,
+                     fmb_system **out, fmb_result *res)
+{
+    fmb_system *t = NULL;
+    fmb_status st = open_lift(v, !s ? "s" : !graph ? "graph" : out ? NULL : "out", &t);
+    if (st != FMB_OK)
+        return st;
+    st = fmb_lift_image(t, s, graph);
+    return finish_lift(v, t, st, &(lift_answer){lift, out, res});
+}
+
+fmb_status fmb_sum(fmb_solver *v, const fmb_system *const *s, size_t n, fmb_system **lift,
+                   fmb_system **out, fmb_result *res)
+{
+    fmb_system *t = NULL;
+    fmb_status st = open_lift(v, out ? NULL : "out", &t);
+    if (st != FMB_OK)
+        return st;
+    st = fmb_lift_match(t, s, n);
+    if (st == FMB_OK)
+        st = fmb_lift_sum(t, s, n);
+    return finish_lift(v, t, st, &(lift_answer){lift, out, res});
+}
+
+/* ---- hulls of several ------------------------------------------------------------------------ */
+
+/* Those of s that are not empty, in their order. At a limit *verdict is UNKNOWN, and r tells which.
+ * Proofs of these verdicts are not kept: no answer tells of them. */
+static fmb_status choose_nonempty(fmb_solver *v, const fmb_system *const *s, size_t n,
+                                  const fmb_system **chosen, size_t *size, fmb_result *r)
+{
+    fmb_evidence_kept kept = v->options.evidence;
+    fmb_status st = FMB_OK;
+    r->verdict = FMB_FEASIBLE;
+    v->options.evidence = FMB_EVIDENCE_NONE;
+    for (size_t k = 0; st == FMB_OK && k < n && r->verdict != FMB_UNKNOWN; k++) {
+        st = fmb_solve(v, s[k], r);
+        if (st == FMB_OK && r->verdict == FMB_FEASIBLE)
+            chosen[(*size)++] = s[k];
+    }
+    v->options.evidence = kept;
+    v->answered = false;
+    return st;
+}
+
+/* The whole space, which is all that is known at a limit. */
+static fmb_status give_whole_space(const fmb_system *like, fmb_system *space, const fmb_result *r,
+                                   const lift_answer *a)
+{
+    fmb_status st = fmb_lift_add_answer(space, like);
+    if (st != FMB_OK) {
+        fmb_system_free(space);
+        return st;
+    }
+    space->asks_projection = false;
+    for (int j = 0; j < fmb_system_dim(space); j++)
+        space->mark[j].kept = false;
+    if (a->lift)
+        *a->lift = NULL;
+    *a->out = space;
+    if (a->res)
+        *a->res = *r;
+    return FMB_OK;
+}
+
+/* chosen[n] is room. One time and one cancel count for all queries. */
+static fmb_status find_hull_of_nonempty(fmb_solver *v, const fmb_system *const *s, size_t n,
+                                        const fmb_system **chosen, fmb_system *t,
+                                        const lift_answer *a)
+{
+    fmb_result r = {0};
+    fmb_run all;
+    size_t size = 0;
+    const fmb_run *within = v->within;
+    atomic_store_explicit(&v->cancel, 0, memory_order_relaxed);
+    fmb_run_begin(&all, &v->mem, &v->options, &v->cancel, (fmb_sink){NULL, NULL}, "hull");
+    v->mem.limit = 0;
+    v->within = within ? within : &all;
+    fmb_status st = choose_nonempty(v, s, n, chosen, &size, &r);
+    if (st != FMB_OK)
+        fmb_system_free(t);
+    else if (r.verdict == FMB_UNKNOWN)
+        st = give_whole_space(s[0], t, &r, a);
+    else
+        st = finish_lift(v, t, fmb_lift_hull(t, s[0], chosen, size), a);
+    v->within = within;
+    return st;
+}
+
+fmb_status fmb_hull_union(fmb_solver *v, const fmb_system *const *s, size_t n, fmb_system **lift,
+                          fmb_system **out, fmb_result *res)
+{
+    fmb_system *t = NULL;
+    fmb_status st = open_lift(v, out ? NULL : "out", &t);
+    if (st != FMB_OK)
+        return st;
+    st = fmb_lift_match(t, s, n);
+    if (st != FMB_OK)
+        return give_up_lift(v, t, st);
+    const fmb_system **chosen = fmb_mem_get(&v->mem, n, sizeof *chosen);
+    if (!chosen)
+        return give_up_lift(v, t, FMB_ERR_MEMORY);
+    st = find_hull_of_nonempty(v, s, n, chosen, t, &(lift_answer){lift, out, res});
+    fmb_mem_put(&v->mem, chosen, n, sizeof *chosen);
+    return st;
+}

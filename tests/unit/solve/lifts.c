@@ -1,0 +1,84 @@
+/* lifts.c: see lifts.h. */
+#include "lifts.h"
+
+#include <criterion/criterion.h>
+
+#include <fmb/gmp.h>
+
+#include "property/random/rows.h"
+
+fmb_solver *lifts_solver(void)
+{
+    fmb_options o = fmb_options_default();
+    fmb_solver *v = NULL;
+    o.evidence = FMB_EVIDENCE_ALL;
+    must(fmb_solver_new(&o, NULL, &v));
+    return v;
+}
+
+static lifts_answer judge(fmb_solver *v, lifts_answer a, const fmb_result *r)
+{
+    fmb_evidence *e = NULL;
+    fmb_judgement j;
+    a.verdict = r->verdict;
+    cr_assert(a.lift && a.out && r->stop == FMB_STOP_DONE);
+    must(fmb_solver_evidence(v, &e));
+    must(fmb_check(a.lift, e, &j));
+    cr_assert(j.accepted, "%s", j.reason);
+    cr_assert_gt(fmb_evidence_claims(e), 0);
+    fmb_evidence_free(e);
+    return a;
+}
+
+lifts_answer lifts_image(fmb_solver *v, const fmb_system *s, const fmb_system *graph)
+{
+    lifts_answer a = {NULL, NULL, FMB_UNKNOWN};
+    fmb_result r;
+    must(fmb_image(v, s, graph, &a.lift, &a.out, &r));
+    return judge(v, a, &r);
+}
+
+lifts_answer lifts_sum(fmb_solver *v, const fmb_system *const *s, size_t n)
+{
+    lifts_answer a = {NULL, NULL, FMB_UNKNOWN};
+    fmb_result r;
+    must(fmb_sum(v, s, n, &a.lift, &a.out, &r));
+    return judge(v, a, &r);
+}
+
+lifts_answer lifts_hull(fmb_solver *v, const fmb_system *const *s, size_t n)
+{
+    lifts_answer a = {NULL, NULL, FMB_UNKNOWN};
+    fmb_result r;
+    must(fmb_hull_union(v, s, n, &a.lift, &a.out, &r));
+    return judge(v, a, &r);
+}
+
+void lifts_clear(lifts_answer *a)
+{
+    fmb_system_free(a->lift);
+    fmb_system_free(a->out);
+    *a = (lifts_answer){NULL, NULL, FMB_UNKNOWN};
+}
+
+fmb_system *lifts_closure(const fmb_system *s)
+{
+    fmb_system *t = rows_none(fmb_system_dim(s));
+    for (size_t i = 0; i < fmb_system_rows(s); i++) {
+        int var[16];
+        mpq_t coef[16], b;
+        size_t n = fmb_system_terms(s, i);
+        mpq_init(b);
+        for (size_t k = 0; k < n; k++) {
+            mpq_init(coef[k]);
+            var[k] = fmb_system_term_q(s, i, k, coef[k]);
+        }
+        fmb_system_rhs_q(s, i, b);
+        fmb_rel rel = fmb_system_rel(s, i) == FMB_EQ ? FMB_EQ : FMB_LE;
+        must(fmb_system_add_q(t, n, var, coef, rel, b));
+        for (size_t k = 0; k < n; k++)
+            mpq_clear(coef[k]);
+        mpq_clear(b);
+    }
+    return t;
+}
