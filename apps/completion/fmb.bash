@@ -13,7 +13,7 @@ _fmb()
     COMPREPLY=()
     for ((i = 1; i < COMP_CWORD; i++)); do
         case ${COMP_WORDS[i]} in
-            solve | bounds | optimize | project | reduce | vertices | hull | check | convert | intersect | mesh) command=${COMP_WORDS[i]} && break ;;
+            solve | bounds | optimize | project | reduce | vertices | hull | sum | image | check | convert | intersect | mesh) command=${COMP_WORDS[i]} && break ;;
         esac
     done
 
@@ -42,7 +42,7 @@ _fmb()
         --boxes) words="exact outward none" ;;
         --norm) words="euclidean max" ;;
         --max-seconds | --max-rows | --max-bytes | --threads | --max-input | --max | --min | --vars | --keep | --eliminate | --move | --scale | --motion | --within) return ;;
-        --proof | --trace | --rule-library | --marked)
+        --proof | --lifted | --trace | --rule-library | --marked)
             compopt -o default
             return
             ;;
@@ -54,12 +54,12 @@ _fmb()
                 project) words="$general $source $solver --keep --eliminate --to" ;;
                 reduce) words="$general $source $solver --to" ;;
                 vertices) words="$general $source $solver" ;;
-                hull) words="$general $source --to" ;;
+                hull | sum | image) words="$general $source $solver --to --lifted" ;;
                 check) words="$general $source --list --expect --json" ;;
                 convert) words="$general $source --to" ;;
                 intersect) words="$general --quiet --json --contact --boxes --distance --depth --within --norm --separate --common --nearest --max-seconds --max-bytes --max-input" ;;
                 mesh) words="$general --quiet --json --csv --move --scale --mirror --motion --neighbours --where --common --marked --format --threads --max-bytes --max-input" ;;
-                *) words="$general solve bounds optimize project reduce vertices hull check convert intersect mesh" ;;
+                *) words="$general solve bounds optimize project reduce vertices hull sum image check convert intersect mesh" ;;
             esac
             if [[ -n $command && $cur != -* ]]; then
                 compopt -o default

@@ -11,8 +11,8 @@
  * keeps them; those of several polyhedra are matched by their names. The others are copies of the
  * variables of each, named after them.
  *
- * Sources: Balas 1998, Disjunctive programming: properties of the convex hull of feasible points,
- * Discrete Applied Mathematics 89 (for the hull); Ziegler 1995, Lectures on polytopes, section 7.
+ * Source: Balas 1998, Disjunctive programming: properties of the convex hull of feasible points,
+ * Discrete Applied Mathematics 89 (for the hull).
  */
 #ifndef FMB_LIFT_H
 #define FMB_LIFT_H
