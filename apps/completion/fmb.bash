@@ -57,7 +57,7 @@ _fmb()
                 hull | sum | image) words="$general $source $solver --to --lifted" ;;
                 check) words="$general $source --list --expect --json" ;;
                 convert) words="$general $source --to" ;;
-                intersect) words="$general --quiet --json --contact --boxes --distance --depth --within --norm --separate --common --nearest --max-seconds --max-bytes --max-input" ;;
+                intersect) words="$general --quiet --json --contact --boxes --distance --depth --within --norm --separate --common --nearest --threads --max-seconds --max-bytes --max-input" ;;
                 mesh) words="$general --quiet --json --csv --move --scale --mirror --motion --neighbours --where --common --marked --format --threads --max-bytes --max-input" ;;
                 *) words="$general solve bounds optimize project reduce vertices hull sum image check convert intersect mesh" ;;
             esac

@@ -1,20 +1,15 @@
 /* cmd_intersect.c: fmb intersect FILE. */
 #include <argp.h>
-#include <errno.h>
 #include <float.h>
 #include <stdlib.h>
-#include <unistd.h>
 
-#include "common/clock.h"
 #include "common/file.h"
 #include "common/message.h"
 #include "common/options.h"
-#include "common/source.h"
 #include "common/value.h"
 #include "fmb/ask.h"
 #include "fmb/commands.h"
 #include "fmb/intersect.h"
-#include "fmb/listen.h"
 #include "fmb/stop.h"
 
 enum {
@@ -27,6 +22,7 @@ enum {
     KEY_COMMON,
     KEY_SEPARATE,
     KEY_NEAREST,
+    KEY_THREADS,
     KEY_SECONDS,
     KEY_BYTES,
     KEY_MAX_INPUT
@@ -55,6 +51,8 @@ static const struct argp_option options[] = {
      1},
     {"nearest", KEY_NEAREST, NULL, 0,
      "A number means the double nearest to it; without this, 0.1 is 1/10", 1},
+    {"threads", KEY_THREADS, "N", 0,
+     "Threads, at most 64; answers and their order are the same for any number (default 1)", 1},
     {"max-seconds", KEY_SECONDS, "SECONDS", 0,
      "Limit of a verdict, and of a box; 0 is none (default 0)", 1},
     {"max-bytes", KEY_BYTES, "BYTES", 0,
@@ -124,6 +122,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case KEY_NEAREST:
         ask->nearest = true;
         return 0;
+    case KEY_THREADS:
+        ask->threads = (int)app_value_whole("--threads", arg, 1, APP_MOST_THREADS, state);
+        return 0;
     case KEY_SECONDS:
         ask->max_seconds = app_value_number("--max-seconds", arg, 0, DBL_MAX, state);
         return 0;
@@ -171,145 +172,18 @@ static const char doc[] =
     "  fmb intersect rooms.jsonl --contact open --json\n"
     "  fmb intersect - --boxes none --nearest < many.jsonl\n";
 
-/* ---- progress -------------------------------------------------------------------------------- */
-
-static const double interval_seconds = 0.2; /* between two updates */
-
-typedef struct progress {
-    bool shown, wanted;
-    double last; /* [s] */
-} progress;
-
-/* Not where the report itself is seen to grow. */
-static progress progress_begin(const intersect_ask *ask)
-{
-    bool wanted = !ask->quiet && isatty(STDERR_FILENO) && !isatty(STDOUT_FILENO);
-    return (progress){.wanted = wanted, .last = wanted ? app_now() : 0};
-}
-
-static void progress_show(progress *p, const intersect *x)
-{
-    double t = p->wanted ? app_now() : 0;
-    if (!p->wanted || t - p->last < interval_seconds)
-        return;
-    fprintf(stderr, "\rfmb: %zu pairs, %zu meet", x->tested, x->meeting);
-    fflush(stderr);
-    p->shown = true;
-    p->last = t;
-}
-
-static void progress_end(const progress *p)
-{
-    if (p->shown)
-        fprintf(stderr, "\r%60s\r", "");
-}
-
 /* ---- the command ----------------------------------------------------------------------------- */
-
-/* Lines on their way to answers. */
-typedef struct work {
-    intersect *x;
-    batch *b;
-    fmb_frames *lines;
-    fmb_status asked; /* FMB_OK, or what the batch failed with */
-} work;
-
-/* Whoever sends the lines may want an answer before the next one. */
-static void answer_what_waits(void *self)
-{
-    work *w = self;
-    if (w->asked == FMB_OK)
-        w->asked = batch_flush(w->b);
-    fflush(stdout);
-}
-
-/* Every line, up to the end, a mistake (then *where and errno tell it), or a signal, which may cut
- * the last line. */
-static fmb_status read_all(work *w, fmb_where *where)
-{
-    progress p = progress_begin(w->x->ask);
-    const fmb_frames_line *line = NULL;
-    fmb_status st;
-    int cause;
-    do {
-        errno = 0;
-        st = fmb_frames_next(w->lines, &line, where);
-        if (st == FMB_OK && line && batch_wants_rationals(w->b, line))
-            st = fmb_frames_rationals(w->lines);
-        cause = errno;
-        if (st == FMB_OK && line && w->asked == FMB_OK)
-            w->asked = batch_put(w->b, line);
-        progress_show(&p, w->x);
-    } while (st == FMB_OK && line && w->asked == FMB_OK && !app_stop_asked());
-    progress_end(&p);
-    errno = cause;
-    return st;
-}
-
-static int answer_all(work *w)
-{
-    fmb_where where = {0};
-    w->b = batch_new(w->x);
-    fmb_status st = read_all(w, &where);
-    int cause = errno;
-    if (w->asked == FMB_OK)
-        w->asked = batch_flush(w->b);
-    batch_free(w->b);
-    errno = cause;
-    if (w->asked != FMB_OK)
-        return app_status_error(w->asked);
-    return app_source_outcome(st, w->x->ask->file, &where);
-}
-
-static int exit_code(const intersect *x)
-{
-    if (app_stop_asked())
-        return APP_UNDECIDED;
-    return x->meeting + x->within > 0 ? APP_YES : x->undecided > 0 ? APP_UNDECIDED : APP_NO;
-}
-
-static int run(intersect *x, FILE *in)
-{
-    const intersect_ask *ask = x->ask;
-    fmb_options how = fmb_options_default();
-    fmb_reader reading = {.nearest = ask->nearest, .max_bytes = ask->max_input};
-    work w = {.x = x};
-    app_listener listener = {in, answer_what_waits, &w};
-    FILE *heard = app_need(app_listen(&listener));
-    how.max_seconds = ask->max_seconds;
-    how.max_bytes = ask->max_bytes;
-    how.evidence = ask->boxes != BOXES_NONE;
-    fmb_status st = fmb_solver_new(&how, NULL, &x->solver);
-    if (st == FMB_OK)
-        st = fmb_frames_open(heard, &reading, &w.lines);
-    int code = st == FMB_OK ? APP_YES : app_status_error(st);
-    if (code == APP_YES) {
-        report_begin(x);
-        app_stop_begin(x->solver);
-        app_stop_reader(w.lines);
-        code = answer_all(&w);
-        app_stop_end();
-        report_end(x);
-    }
-    if (app_stop_asked()) /* giving back a million numbers one by one would take too long */
-        exit(code == APP_YES ? exit_code(x) : code);
-    fmb_frames_close(w.lines);
-    fclose(heard);
-    return code == APP_YES ? exit_code(x) : code;
-}
 
 int cmd_intersect(int argc, char **argv)
 {
     static const struct argp whole = {
         .options = options, .parser = parse, .args_doc = "FILE", .doc = doc};
-    intersect_ask ask = {.max_bytes = app_ask_half_of_memory()};
+    intersect_ask ask = {.threads = 1, .max_bytes = app_ask_half_of_memory()};
     app_options_parse(&whole, argc, argv, &ask);
-    intersect x = {.ask = &ask};
     FILE *in;
     int code = app_file_open(ask.file, &in);
     if (code == APP_YES) {
-        code = run(&x, in);
-        fmb_solver_free(x.solver);
+        code = intersect_stream(&ask, in);
         app_file_close_input(in);
     }
     near_ask_clear(&ask.near);

@@ -23,6 +23,7 @@ typedef struct intersect_ask {
     boxes boxes;
     near_ask near;
     bool json, quiet, nearest;
+    int threads; /* 1 to APP_MOST_THREADS */
     double max_seconds;
     size_t max_bytes; /* 0: no limit */
     size_t max_input; /* longest line [bytes]; 0: FMB_READER_MAX_BYTES */
@@ -47,9 +48,12 @@ typedef struct meeting {
     near_found near;
 } meeting;
 
+/* Pairs are answered, and reported. */
 typedef struct intersect {
     const intersect_ask *ask;
+    FILE *out;
     fmb_solver *solver;
+    long before; /* lines in front of those that are read */
     size_t tested, meeting, undecided, within;
 } intersect;
 
@@ -80,6 +84,54 @@ bool batch_wants_rationals(const batch *b, const fmb_frames_line *line);
 fmb_status batch_put(batch *b, const fmb_frames_line *line);
 /* Report all that was taken. */
 fmb_status batch_flush(batch *b);
+/* From now on it is this thread that a signal stops (stop.h). */
+void batch_join(const batch *b);
+
+/* ---- intersect_lines.c ------------------------------------------------------------------------
+ */
+
+/* What is shown on a terminal while it is waited for. */
+typedef struct progress {
+    bool shown, wanted;
+    double last; /* [s] */
+} progress;
+
+progress progress_begin(const intersect_ask *ask);
+void progress_show(progress *p, const intersect *x);
+void progress_end(const progress *p);
+
+/* Lines on their way to answers. */
+typedef struct answering {
+    batch *b;
+    fmb_frames *lines;
+    progress *progress; /* or NULL */
+    fmb_status asked;   /* FMB_OK, or what the batch failed with */
+} answering;
+
+/* Answer and report every line, up to the end, a mistake (then *where and errno tell it), or a
+ * signal, which may cut the last line. What the reader returned last. */
+fmb_status answer_lines(answering *w, intersect *x, fmb_where *where);
+
+/* [give] A solver as x->ask wants it. */
+fmb_status intersect_solver(const intersect_ask *ask, fmb_solver **out);
+fmb_reader intersect_reader(const intersect_ask *ask);
+
+/* The whole command: an exit code. */
+int intersect_stream(const intersect_ask *ask, FILE *in);
+
+/* ---- intersect_crew.c: several threads --------------------------------------------------------
+ */
+
+/* The same as answer_lines for all of a stream by x->ask->threads threads; *asked is what failed
+ * beside reading. */
+typedef struct crew crew;
+
+/* [give] */
+crew *crew_new(intersect *x);
+void crew_free(crew *c);
+/* Report all that was read; for a listener of the stream. */
+void crew_flush(crew *c);
+fmb_status crew_answer(crew *c, FILE *in, fmb_where *where, fmb_status *asked);
 
 /* ---- intersect_report.c ---------------------------------------------------------------------- */
 

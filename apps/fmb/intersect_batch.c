@@ -55,6 +55,11 @@ static size_t answer_size(size_t dim)
     return 5 * dim + 2;
 }
 
+void batch_join(const batch *b)
+{
+    app_stop_pairs(b->k);
+}
+
 /* A kernel for this dimension; nothing waits. */
 static fmb_status prepare(batch *b, int dim)
 {
@@ -70,7 +75,7 @@ static fmb_status prepare(batch *b, int dim)
     b->most = NUMBERS / (2 * frame_size(d));
     b->most = b->most < 1 ? 1 : b->most > MOST ? MOST : b->most;
     b->number = app_need(realloc(b->number, 2 * b->most * frame_size(d) * sizeof *b->number));
-    b->answer = app_need(realloc(b->answer, b->most * answer_size(d) * sizeof *b->answer));
+    b->answer = app_need(realloc(b->answer, (b->most + 1) * answer_size(d) * sizeof *b->answer));
     fmb_status st = fmb_pair_new(dim, &o, NULL, &b->k);
     app_stop_pairs(b->k);
     return st;
@@ -116,6 +121,11 @@ static fmb_status test_pairs(batch *b)
     fmb_pair_answers a = {.verdict = b->verdict};
     if (n == 0)
         return FMB_OK;
+    if (n == 1 && b->dim <= 3) { /* boxes of several are the same in any company */
+        b->frame[0][1] = b->frame[0][0];
+        b->frame[1][1] = b->frame[1][0];
+        n = 2;
+    }
     if (b->x->ask->boxes == BOXES_OUTWARD) {
         a.world = b->answer;
         a.inside = a.world + 2 * d * n;
@@ -127,7 +137,7 @@ static fmb_status test_pairs(batch *b)
     /* A signal that came before would not be meant for this test. */
     fmb_status st =
         app_stop_asked() ? FMB_OK : fmb_pair_test(b->k, n, b->frame[0], b->frame[1], &a);
-    for (size_t i = 0; st == FMB_OK && i < n; i++)
+    for (size_t i = 0; st == FMB_OK && i < b->pairs; i++)
         take_answer(b, i, &a);
     return st;
 }
@@ -194,7 +204,8 @@ fmb_status batch_put(batch *b, const fmb_frames_line *line)
     if (st != FMB_OK)
         return st;
     meeting *m = &b->found[b->lines];
-    *m = (meeting){.line = line->number, .id = line->id ? app_need(strdup(line->id)) : NULL};
+    *m = (meeting){.line = b->x->before + line->number,
+                   .id = line->id ? app_need(strdup(line->id)) : NULL};
     if (fast)
         put_pair(b, line);
     else

@@ -195,19 +195,19 @@ static json_t *proximity_coordinates(const fmb_proximity *p, int which, int dim)
 
 /* ---- text ------------------------------------------------------------------------------------ */
 
-static void print_list(json_t *list)
+static void print_list(json_t *list, FILE *out)
 {
     size_t i;
     json_t *number;
-    putchar('(');
+    fputc('(', out);
     json_array_foreach(list, i, number)
-        printf("%s%s", i > 0 ? ", " : "", json_string_value(number));
-    putchar(')');
+        fprintf(out, "%s%s", i > 0 ? ", " : "", json_string_value(number));
+    fputc(')', out);
     json_decref(list);
 }
 
 /* "5", "sqrt(2) = 1.41421" */
-static void print_measure(const near_ask *ask, const fmb_proximity *p)
+static void print_measure(const near_ask *ask, const fmb_proximity *p, FILE *out)
 {
     mpq_t q;
     mpq_init(q);
@@ -220,58 +220,58 @@ static void print_measure(const near_ask *ask, const fmb_proximity *p)
     }
     char *text =
         whole ? app_print("%Qd", q) : app_print("sqrt(%Qd) = %.6g", q, fmb_proximity_length(p));
-    fputs(text, stdout);
+    fputs(text, out);
     free(text);
     mpq_clear(q);
 }
 
-static void print_common(const fmb_generators *g)
+static void print_common(const fmb_generators *g, FILE *out)
 {
     size_t n = fmb_generators_size(g);
-    printf("  common    %zu %s\n", n, n == 1 ? "vertex" : "vertices");
+    fprintf(out, "  common    %zu %s\n", n, n == 1 ? "vertex" : "vertices");
     for (size_t i = 0; i < n; i++) {
-        fputs("    ", stdout);
-        print_list(app_json_generator(g, i));
-        putchar('\n');
+        fputs("    ", out);
+        print_list(app_json_generator(g, i), out);
+        fputc('\n', out);
     }
 }
 
-void near_print(const near_ask *ask, const near_found *f)
+void near_print(const near_ask *ask, const near_found *f, FILE *out)
 {
     if (f->distance) {
         int dim = fmb_proximity_dim(f->distance);
-        fputs("  distance  ", stdout);
-        print_measure(ask, f->distance);
-        fputs(f->is_within ? " (within), from " : ", from ", stdout);
-        print_list(proximity_coordinates(f->distance, 0, dim));
-        fputs(" to ", stdout);
-        print_list(proximity_coordinates(f->distance, 1, dim));
-        putchar('\n');
+        fputs("  distance  ", out);
+        print_measure(ask, f->distance, out);
+        fputs(f->is_within ? " (within), from " : ", from ", out);
+        print_list(proximity_coordinates(f->distance, 0, dim), out);
+        fputs(" to ", out);
+        print_list(proximity_coordinates(f->distance, 1, dim), out);
+        fputc('\n', out);
     }
     if (f->depth) {
-        fputs("  depth     ", stdout);
-        print_measure(ask, f->depth);
-        fputs(", moving B by ", stdout);
-        print_list(proximity_coordinates(f->depth, -1, fmb_proximity_dim(f->depth)));
-        putchar('\n');
+        fputs("  depth     ", out);
+        print_measure(ask, f->depth, out);
+        fputs(", moving B by ", out);
+        print_list(proximity_coordinates(f->depth, -1, fmb_proximity_dim(f->depth)), out);
+        fputc('\n', out);
     }
     if (f->row) {
         char *row = app_show_row(f->row, 0);
-        printf("  row       %s for A, >= for B\n", row);
+        fprintf(out, "  row       %s for A, >= for B\n", row);
         free(row);
     }
     if (f->common)
-        print_common(f->common);
+        print_common(f->common, out);
     if (f->stop != FMB_STOP_DONE)
-        printf("  undecided (%s)\n", fmb_stop_text(f->stop));
+        fprintf(out, "  undecided (%s)\n", fmb_stop_text(f->stop));
 }
 
 /* ---- JSON ------------------------------------------------------------------------------------ */
 
-static void put_member(const char *key, json_t *value)
+static void put_member(const char *key, json_t *value, FILE *out)
 {
-    printf(", \"%s\": ", key);
-    json_dumpf(value, stdout, JSON_ENCODE_ANY);
+    fprintf(out, ", \"%s\": ", key);
+    json_dumpf(value, out, JSON_ENCODE_ANY);
     json_decref(value);
 }
 
@@ -310,21 +310,21 @@ static json_t *common_json(const fmb_generators *g)
     return list;
 }
 
-void near_print_json(const near_ask *ask, const near_found *f)
+void near_print_json(const near_ask *ask, const near_found *f, FILE *out)
 {
     if (ask->within)
-        put_member("within", json_boolean(f->is_within));
+        put_member("within", json_boolean(f->is_within), out);
     if (f->distance)
-        put_member("distance", distance_json(ask, f->distance));
+        put_member("distance", distance_json(ask, f->distance), out);
     if (f->depth)
-        put_member("depth", measure_json(ask, f->depth));
+        put_member("depth", measure_json(ask, f->depth), out);
     if (f->row) {
         json_t *row = app_need(json_object());
         app_json_set_system(row, f->row);
-        put_member("separating", row);
+        put_member("separating", row, out);
     }
     if (f->common)
-        put_member("common", common_json(f->common));
+        put_member("common", common_json(f->common), out);
     if (f->stop != FMB_STOP_DONE)
-        put_member("stop", json_string(fmb_stop_text(f->stop)));
+        put_member("stop", json_string(fmb_stop_text(f->stop)), out);
 }

@@ -36,7 +36,7 @@ fmb_status near_find(const near_ask *ask, fmb_solver *v, const fmb_frames_line *
 void near_clear(near_found *f);
 
 /* Lines under a pair; members of its JSON object, ", " first. */
-void near_print(const near_ask *ask, const near_found *f);
-void near_print_json(const near_ask *ask, const near_found *f);
+void near_print(const near_ask *ask, const near_found *f, FILE *out);
+void near_print_json(const near_ask *ask, const near_found *f, FILE *out);
 
 #endif

@@ -47,7 +47,7 @@ static char *end_cell(const interval *v, fmb_side side)
                                        : "]");
 }
 
-static void print_box(const meeting *m)
+static void print_box(const intersect *x, const meeting *m)
 {
     app_table table = {.columns = 4, .align = "lrrl"};
     for (int i = 0; i < m->dim + m->inside + m->moves; i++) {
@@ -57,7 +57,7 @@ static void print_box(const meeting *m)
         app_table_add(&table, end_cell(v, FMB_UPPER));
         app_table_add(&table, v->at ? app_print("at %s", v->at) : app_print(""));
     }
-    app_table_print(&table, stdout);
+    app_table_print(&table, x->out);
 }
 
 static void print_text(const intersect *x, const meeting *m)
@@ -65,13 +65,13 @@ static void print_text(const intersect *x, const meeting *m)
     static const char *const word[] = {
         [FMB_UNKNOWN] = "undecided", [FMB_FEASIBLE] = "meet", [FMB_INFEASIBLE] = "apart"};
     char *name = name_of(m);
-    printf("%-9s %s", word[m->verdict], name);
+    fprintf(x->out, "%-9s %s", word[m->verdict], name);
     if (m->verdict == FMB_UNKNOWN)
-        printf(" (%s)", fmb_stop_text(m->stop));
-    putchar('\n');
+        fprintf(x->out, " (%s)", fmb_stop_text(m->stop));
+    fputc('\n', x->out);
     if (m->interval)
-        print_box(m);
-    near_print(&x->ask->near, &m->near);
+        print_box(x, m);
+    near_print(&x->ask->near, &m->near, x->out);
     free(name);
 }
 
@@ -82,38 +82,38 @@ static void put_value(const intersect *x, const char *text)
 {
     bool quoted = x->ask->boxes == BOXES_EXACT || (text && strstr(text, "inf"));
     if (!text)
-        fputs("null", stdout);
+        fputs("null", x->out);
     else
-        printf(quoted ? "\"%s\"" : "%s", text);
+        fprintf(x->out, quoted ? "\"%s\"" : "%s", text);
 }
 
 static void put_interval(const intersect *x, const interval *v)
 {
-    putchar('[');
+    fputc('[', x->out);
     put_value(x, v->lower);
-    fputs(", ", stdout);
+    fputs(", ", x->out);
     put_value(x, v->upper);
-    putchar(']');
+    fputc(']', x->out);
 }
 
 static void put_intervals(const intersect *x, const char *key, const interval *v, int n)
 {
-    printf(", \"%s\": [", key);
+    fprintf(x->out, ", \"%s\": [", key);
     for (int i = 0; i < n; i++) {
-        fputs(i > 0 ? ", " : "", stdout);
+        fputs(i > 0 ? ", " : "", x->out);
         put_interval(x, &v[i]);
     }
-    putchar(']');
+    fputc(']', x->out);
 }
 
 static void put_witness(const intersect *x, const meeting *m)
 {
-    fputs(", \"witness\": [", stdout);
+    fputs(", \"witness\": [", x->out);
     for (int i = 0; i < m->dim; i++) {
-        fputs(i > 0 ? ", " : "", stdout);
+        fputs(i > 0 ? ", " : "", x->out);
         put_value(x, m->interval[i].at);
     }
-    putchar(']');
+    fputc(']', x->out);
 }
 
 static void put_box(const intersect *x, const meeting *m)
@@ -123,32 +123,32 @@ static void put_box(const intersect *x, const meeting *m)
     put_intervals(x, "world", m->interval, m->dim);
     put_intervals(x, "inside", inside, m->inside);
     if (m->moves) {
-        fputs(", \"time\": ", stdout);
+        fputs(", \"time\": ", x->out);
         put_interval(x, time);
     }
     put_witness(x, m);
     if (m->moves && time->at) {
-        fputs(", \"witness_time\": ", stdout);
+        fputs(", \"witness_time\": ", x->out);
         put_value(x, time->at);
     }
     for (int i = 0; i < m->dim + m->inside + m->moves; i++)
         outer |= m->interval[i].outer;
     if (outer)
-        fputs(", \"outer\": true", stdout);
+        fputs(", \"outer\": true", x->out);
 }
 
 static void print_json(const intersect *x, const meeting *m)
 {
-    printf("%s    {\"line\": %ld", x->tested > 0 ? ",\n" : "\n", m->line);
+    fprintf(x->out, "%s    {\"line\": %ld", x->tested > 0 ? ",\n" : "\n", m->line);
     if (m->id)
-        printf(", \"id\": %s", m->id);
-    printf(", \"verdict\": \"%s\"", fmb_verdict_text(m->verdict));
+        fprintf(x->out, ", \"id\": %s", m->id);
+    fprintf(x->out, ", \"verdict\": \"%s\"", fmb_verdict_text(m->verdict));
     if (m->verdict == FMB_UNKNOWN)
-        printf(", \"stop\": \"%s\"", fmb_stop_text(m->stop));
+        fprintf(x->out, ", \"stop\": \"%s\"", fmb_stop_text(m->stop));
     if (m->interval)
         put_box(x, m);
-    near_print_json(&x->ask->near, &m->near);
-    putchar('}');
+    near_print_json(&x->ask->near, &m->near, x->out);
+    fputc('}', x->out);
 }
 
 /* ---- all ------------------------------------------------------------------------------------- */
@@ -156,7 +156,7 @@ static void print_json(const intersect *x, const meeting *m)
 void report_begin(const intersect *x)
 {
     if (x->ask->json)
-        fputs("{\n  \"pairs\": [", stdout);
+        fputs("{\n  \"pairs\": [", x->out);
 }
 
 static void drop(meeting *m)
@@ -189,9 +189,9 @@ void report_end(const intersect *x)
 {
     size_t apart = x->tested - x->meeting - x->undecided;
     if (x->ask->json)
-        printf("%s],\n  \"tested\": %zu,\n  \"meeting\": %zu,\n  \"undecided\": %zu\n}\n",
-               x->tested > 0 ? "\n  " : "", x->tested, x->meeting, x->undecided);
+        fprintf(x->out, "%s],\n  \"tested\": %zu,\n  \"meeting\": %zu,\n  \"undecided\": %zu\n}\n",
+                x->tested > 0 ? "\n  " : "", x->tested, x->meeting, x->undecided);
     else
-        printf("%zu tested: %zu meet, %zu apart, %zu undecided\n", x->tested, x->meeting, apart,
-               x->undecided);
+        fprintf(x->out, "%zu tested: %zu meet, %zu apart, %zu undecided\n", x->tested, x->meeting,
+                apart, x->undecided);
 }

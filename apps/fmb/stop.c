@@ -1,25 +1,42 @@
-/* stop.c: see stop.h. A signal handler can reach only static storage. */
+/* stop.c: see stop.h. A signal handler can reach only static storage.
+ *
+ * What runs is freed by its own thread, and the handler may run in another: so who takes something
+ * away waits until no handler is at work that could have seen it. The handler never waits. */
 #include "fmb/stop.h"
 
 #include <signal.h>
+#include <stdatomic.h>
 
 #include "common/signals.h"
 
-static fmb_solver *volatile running;
-static fmb_pair *volatile testing;
-static fmb_frames *volatile reading;
+typedef struct running {
+    fmb_solver *_Atomic solver;
+    fmb_pair *_Atomic pairs;
+    fmb_frames *_Atomic reader;
+} running;
+
+static running of_thread[APP_MOST_THREADS];
+static _Thread_local int this_thread;
 static volatile sig_atomic_t asked_to_stop;
+static atomic_int handlers_at_work;
 
 static void cancel(int signal_number)
 {
     (void)signal_number;
     asked_to_stop = 1;
-    if (running)
-        fmb_solver_cancel(running);
-    if (testing)
-        fmb_pair_cancel(testing);
-    if (reading)
-        fmb_frames_cancel(reading);
+    atomic_fetch_add(&handlers_at_work, 1);
+    for (int i = 0; i < APP_MOST_THREADS; i++) {
+        fmb_solver_cancel(of_thread[i].solver);
+        fmb_pair_cancel(of_thread[i].pairs);
+        fmb_frames_cancel(of_thread[i].reader);
+    }
+    atomic_fetch_sub(&handlers_at_work, 1);
+}
+
+static void wait_for_handlers(void)
+{
+    while (atomic_load(&handlers_at_work) > 0)
+        ;
 }
 
 /* A signal that came before a query began is passed on as soon as the query shows a sign of life.
@@ -34,27 +51,41 @@ static void put(void *self, const fmb_event *e)
 void app_stop_begin(fmb_solver *solver)
 {
     asked_to_stop = 0;
-    fmb_solver_set_sink(solver, (fmb_sink){put, solver});
-    running = solver;
+    app_stop_join(0, solver);
     app_signals_set(cancel);
 }
 
 void app_stop_end(void)
 {
     app_signals_set(SIG_DFL);
-    running = NULL;
-    testing = NULL;
-    reading = NULL;
+    app_stop_leave();
+}
+
+void app_stop_join(int number, fmb_solver *solver)
+{
+    this_thread = number;
+    fmb_solver_set_sink(solver, (fmb_sink){put, solver});
+    of_thread[number].solver = solver;
+}
+
+void app_stop_leave(void)
+{
+    of_thread[this_thread].solver = NULL;
+    of_thread[this_thread].pairs = NULL;
+    of_thread[this_thread].reader = NULL;
+    wait_for_handlers();
 }
 
 void app_stop_pairs(fmb_pair *k)
 {
-    testing = k;
+    of_thread[this_thread].pairs = k;
+    wait_for_handlers();
 }
 
 void app_stop_reader(fmb_frames *lines)
 {
-    reading = lines;
+    of_thread[this_thread].reader = lines;
+    wait_for_handlers();
 }
 
 bool app_stop_asked(void)

@@ -260,10 +260,12 @@ class Endless(unittest.TestCase):
             return out.read()
 
     def test_interrupt(self):
-        for boxes in ("none", "exact"):
-            p, out = self.play("--json", "--boxes", boxes)
+        for boxes, threads in (("none", 1), ("exact", 1), ("none", 3), ("exact", 3)):
+            p, out = self.play("--json", "--boxes", boxes, "--threads", str(threads))
             time.sleep(1)
             answer = json.loads(self.end(p, out))
+            self.assertEqual([pair["line"] for pair in answer["pairs"]],
+                             list(range(1, answer["tested"] + 1)))
             self.assertEqual(len(answer["pairs"]), answer["tested"])
             self.assertGreater(answer["meeting"], 0)
             self.assertEqual(answer["pairs"][0].get("world") is None, boxes == "none")
@@ -275,15 +277,56 @@ class Endless(unittest.TestCase):
             ours, theirs = pty.openpty()
         except OSError as e:
             self.skipTest(f"no terminal to be had: {e}")
-        p, out = self.play("--boxes", "none", stderr=theirs)
+        for threads in ("1", "2"):
+            self.watch(ours, *self.play("--boxes", "none", "--threads", threads, stderr=theirs))
         os.close(theirs)
+        os.close(ours)
+
+    def watch(self, ours, p, out):
         shown, begin = b"", time.monotonic()
         while shown.count(b"pairs") < 2 and time.monotonic() - begin < 30:
             if select.select([ours], [], [], 1)[0]:
                 shown += os.read(ours, 4096)
         self.assertIn(b"meet", shown)
         self.assertTrue(self.end(p, out).endswith(b"undecided\n"))
-        os.close(ours)
+
+
+class Crew(unittest.TestCase):
+    """Several threads: the same output as one, mistakes and all."""
+
+    BAD = (b"nonsense\n", b"\xef\xbb\xbf" + Endless.LINE, b"f" + Endless.LINE, b"\0\n", b"\n",
+           Endless.LINE[:60] + b"\n", b" " * 5000 + b"\n")
+
+    def pair(self, rng):
+        def frame():
+            return {"type": rng.choice(("cuboid", "simplex")), "orig": [rng.randint(-9, 9) / 4] * 3,
+                    "comp": [[rng.uniform(-2, 2) for _ in range(3)] for _ in range(3)],
+                    "vel": [rng.randint(-1, 1)] * 3}
+        return (json.dumps({"id": rng.random(), "A": frame(), "B": frame()}) + "\n").encode()
+
+    def expect_same(self, data, *words):
+        replies = [run("intersect", "-", "--threads", n, *words, text=data)
+                   for n in ("1", "2", "5")]
+        for reply in replies[1:]:
+            self.assertEqual((reply.stdout, reply.stderr, reply.returncode),
+                             (replies[0].stdout, replies[0].stderr, replies[0].returncode), words)
+
+    def test_same_output(self):
+        rng = random.Random(7)
+        lines = [self.pair(rng) for _ in range(400)]
+        for words in ((), ("--json", "--common"), ("--nearest", "--boxes", "outward"),
+                      ("--boxes", "none", "--json", "--max-input", "4000")):
+            self.expect_same(b"".join(lines[:100 if words[1:2] == ("--common",) else 400]), *words)
+            for bad in self.BAD:
+                text = lines[:rng.randrange(300)] + [bad] + lines[:rng.randrange(9)]
+                self.expect_same(b"".join(text)[:-1], "--boxes", "none", *words[:1])
+
+    def test_binary(self):
+        rng = random.Random(8)
+        text = b"".join(self.pair(rng) for _ in range(300))
+        packed = run("convert", "-", "--to", "pairs", "--nearest", text=text).stdout
+        for size in (len(packed), len(packed) - 1, 33, 31):
+            self.expect_same(packed[:size], "--boxes", "outward")
 
 
 class Waiting(unittest.TestCase):
@@ -295,9 +338,10 @@ class Waiting(unittest.TestCase):
 
     def test_answers_at_once(self):
         """Whoever sends a pair and waits gets its answer; then a signal ends the command at once."""
-        for number in (signal.SIGINT, signal.SIGTERM):
+        for number, threads in ((signal.SIGINT, "1"), (signal.SIGTERM, "1"), (signal.SIGINT, "2")):
             for rest in (b"", Endless.LINE[:30]):
-                with subprocess.Popen([FMB, "intersect", "-", "--boxes", "none"], bufsize=0,
+                with subprocess.Popen([FMB, "intersect", "-", "--boxes", "none",
+                                       "--threads", threads], bufsize=0,
                                       stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                       stderr=subprocess.PIPE) as p:
                     p.stdin.write(Endless.LINE)
