@@ -46,6 +46,13 @@ void fmb_mem_refund(fmb_mem *m, size_t bytes)
         m->within->used -= bytes;
 }
 
+void fmb_mem_take(fmb_mem *m, size_t bytes)
+{
+    count(m, bytes);
+    if (m->within)
+        count(m->within, bytes);
+}
+
 void fmb_mem_enter(fmb_mem *m, fmb_mem *outer)
 {
     m->within = outer;

@@ -36,6 +36,8 @@ fmb_status fmb_mem_reserve(fmb_mem *m, void **p, size_t *capacity, size_t need, 
 /* Count bytes that come from elsewhere; false (nothing charged) if the limit forbids it. */
 bool fmb_mem_charge(fmb_mem *m, size_t bytes);
 void fmb_mem_refund(fmb_mem *m, size_t bytes);
+/* Count bytes that are there already, whatever the limit. */
+void fmb_mem_take(fmb_mem *m, size_t bytes);
 
 /* From now on what m holds counts in outer too; what it holds already is counted whatever the limit
  * there. Until fmb_mem_leave. */

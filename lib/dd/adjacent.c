@@ -100,7 +100,7 @@ static bool is_third_ray_between(const fmb_cone *c, const fmb_adjacency *p, uint
 
 /* ---- pairs ----------------------------------------------------------------------------------- */
 
-static fmb_edge_sides sides_of_insertion(const fmb_cone *c)
+fmb_edge_sides fmb_adjacency_sides(const fmb_cone *c)
 {
     const fmb_insertion *s = c->at;
     return (fmb_edge_sides){.support = c->ray.support,
@@ -127,8 +127,8 @@ static bool do_edges_pay(const fmb_edge_sides *of)
     return simple * of->words > HASHED_EDGE * degree;
 }
 
-/* Edges of simple rays, and the rays of the larger side that are not simple. */
-static fmb_status prepare_edges(fmb_cone *c, const fmb_edge_sides *of)
+/* The rays of the larger side that are not simple. */
+static fmb_status list_crowded_rays(fmb_cone *c, const fmb_edge_sides *of)
 {
     fmb_insertion *s = c->at;
     fmb_mem *mem = c->run->mem;
@@ -140,17 +140,16 @@ static fmb_status prepare_edges(fmb_cone *c, const fmb_edge_sides *of)
     for (size_t j = 0; j < of->larges; j++)
         if (!fmb_is_simple(of, of->large[j]))
             s->crowded[s->crowds++] = of->large[j];
-    st = gather_supports(c, mem, &s->crowd, s->crowded, s->crowds);
-    return st == FMB_OK ? fmb_ray_edges_find(&s->edges, of, c->run) : st;
+    return gather_supports(c, mem, &s->crowd, s->crowded, s->crowds);
 }
 
 fmb_status fmb_adjacency_begin(fmb_cone *c)
 {
     fmb_insertion *s = c->at;
-    fmb_edge_sides of = sides_of_insertion(c);
+    fmb_edge_sides of = fmb_adjacency_sides(c);
     fmb_status st = gather_supports(c, c->run->mem, &s->large_side, s->ray, s->large);
     s->by_edges = do_edges_pay(&of);
-    return st == FMB_OK && s->by_edges ? prepare_edges(c, &of) : st;
+    return st == FMB_OK && s->by_edges ? list_crowded_rays(c, &of) : st;
 }
 
 fmb_status fmb_adjacency_gather_rest(fmb_cone *c)
@@ -192,7 +191,7 @@ static fmb_status find_by_unions(fmb_cone *c, fmb_run *run, fmb_adjacency *p, ui
                                  size_t most)
 {
     const fmb_insertion *s = c->at;
-    fmb_edge_sides of = sides_of_insertion(c);
+    fmb_edge_sides of = fmb_adjacency_sides(c);
     bool simple = fmb_is_simple(&of, a);
     fmb_status st = mark_far_supports(run, &s->large_side, fmb_rays_support(&c->ray, a), most,
                                       &p->far, &p->far_capacity);
@@ -213,7 +212,7 @@ static fmb_status find_by_unions(fmb_cone *c, fmb_run *run, fmb_adjacency *p, ui
 fmb_status fmb_find_adjacent(fmb_cone *c, fmb_run *run, fmb_adjacency *p, size_t i)
 {
     const fmb_insertion *s = c->at;
-    fmb_edge_sides of = sides_of_insertion(c);
+    fmb_edge_sides of = fmb_adjacency_sides(c);
     uint32_t a = s->ray[s->large + i];
     size_t most = c->bits + 2 - c->rank; /* of a union: rank - 2 zeros are shared */
     fmb_status st = reserve_pairs(c, p, run->mem);

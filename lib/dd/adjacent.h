@@ -15,7 +15,9 @@
 
 void fmb_adjacency_clear(fmb_adjacency *p, fmb_mem *mem);
 
-/* A new row: gather the supports of the larger side, and edges where they pay. Errors: MEMORY,
+/* The two sides of the row. */
+fmb_edge_sides fmb_adjacency_sides(const fmb_cone *c);
+/* A new row: gather the supports of the larger side; will it be done by edges? Errors: MEMORY,
  * LIMIT. */
 fmb_status fmb_adjacency_begin(fmb_cone *c);
 /* And those of all other rays: before threads look for neighbours. Errors: MEMORY, LIMIT. */

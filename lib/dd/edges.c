@@ -6,6 +6,7 @@
  */
 #include "dd/edges.h"
 
+#include <stdatomic.h>
 #include <string.h>
 
 void fmb_ray_edges_clear(fmb_ray_edges *e, fmb_mem *mem)
@@ -41,8 +42,9 @@ static uint64_t hash_zeros(const fmb_edge_sides *of, uint32_t ray)
     return hash;
 }
 
-static fmb_status reserve_edges(fmb_ray_edges *e, const fmb_edge_sides *of, fmb_run *run)
+fmb_status fmb_ray_edges_begin(fmb_ray_edges *e, const fmb_edge_sides *of, fmb_run *run)
 {
+    e->degree = of->rank - 1;
     size_t edges = of->smalls * e->degree, size = 64;
     while (size < 2 * edges)
         size *= 2;
@@ -53,8 +55,20 @@ static fmb_status reserve_edges(fmb_ray_edges *e, const fmb_edge_sides *of, fmb_
                              sizeof *e->table);
     e->mask = size - 1;
     if (st == FMB_OK)
-        memset(e->table, 0xff, size * sizeof *e->table);
+        memset((void *)e->table, 0xff, size * sizeof *e->table);
     return st;
+}
+
+/* The first free place from the key's own on; another thread may take it in between. */
+static void put_edge_into_table(fmb_ray_edges *e, uint64_t key, uint32_t number)
+{
+    for (size_t at = key & e->mask;; at = (at + 1) & e->mask) {
+        uint32_t free = FMB_NO_RAY;
+        if (atomic_load_explicit(&e->table[at], memory_order_relaxed) == FMB_NO_RAY &&
+            atomic_compare_exchange_strong_explicit(&e->table[at], &free, number,
+                                                    memory_order_relaxed, memory_order_relaxed))
+            return;
+    }
 }
 
 /* The edges of simple ray number i of the smaller side go into the table. */
@@ -66,11 +80,8 @@ static void enter_edges(fmb_ray_edges *e, const fmb_edge_sides *of, size_t i)
         for (uint64_t z = zeros_in_word(of, of->small[i], w); z != 0; z &= z - 1, number++) {
             size_t bit = 64 * w + (size_t)__builtin_ctzll(z);
             uint64_t key = hash ^ word_of_bit(bit);
-            size_t at = key & e->mask;
-            while (e->table[at] != FMB_NO_RAY)
-                at = (at + 1) & e->mask;
-            e->table[at] = (uint32_t)number;
             e->edge[number] = (fmb_ray_edge){key, (uint32_t)bit, FMB_NO_RAY};
+            put_edge_into_table(e, key, (uint32_t)number);
         }
 }
 
@@ -86,33 +97,51 @@ static bool ends_edge_at(const fmb_ray_edges *e, const fmb_edge_sides *of, size_
     return n + of->rank == of->bits + 2 && (y[gone / 64] >> (gone % 64) & 1);
 }
 
+/* An edge has one end on the larger side: no two rays write the same one. */
 static void look_up_edges(fmb_ray_edges *e, const fmb_edge_sides *of, uint32_t b)
 {
     uint64_t hash = hash_zeros(of, b);
     for (size_t w = 0; w < of->words; w++)
         for (uint64_t z = zeros_in_word(of, b, w); z != 0; z &= z - 1) {
             uint64_t key = hash ^ word_of_bit(64 * w + (size_t)__builtin_ctzll(z));
-            for (size_t at = key & e->mask; e->table[at] != FMB_NO_RAY; at = (at + 1) & e->mask) {
-                size_t number = e->table[at];
+            for (size_t at = key & e->mask;; at = (at + 1) & e->mask) {
+                size_t number = atomic_load_explicit(&e->table[at], memory_order_relaxed);
+                if (number == FMB_NO_RAY)
+                    break;
                 if (e->edge[number].key == key && ends_edge_at(e, of, number, b))
                     e->edge[number].end = b;
             }
         }
 }
 
-fmb_status fmb_ray_edges_find(fmb_ray_edges *e, const fmb_edge_sides *of, fmb_run *run)
+fmb_status fmb_ray_edges_enter(fmb_ray_edges *e, const fmb_edge_sides *of, fmb_side_part part,
+                               fmb_run *run)
 {
-    e->degree = of->rank - 1;
-    fmb_status st = reserve_edges(e, of, run);
-    for (size_t i = 0; st == FMB_OK && i < of->smalls; i++) {
+    fmb_status st = FMB_OK;
+    for (size_t i = part.from; st == FMB_OK && i < part.to; i++) {
         if (fmb_is_simple(of, of->small[i]))
             enter_edges(e, of, i);
         st = fmb_run_poll(run);
     }
-    for (size_t j = 0; st == FMB_OK && j < of->larges; j++) {
+    return st;
+}
+
+fmb_status fmb_ray_edges_look_up(fmb_ray_edges *e, const fmb_edge_sides *of, fmb_side_part part,
+                                 fmb_run *run)
+{
+    fmb_status st = FMB_OK;
+    for (size_t j = part.from; st == FMB_OK && j < part.to; j++) {
         if (fmb_is_simple(of, of->large[j]))
             look_up_edges(e, of, of->large[j]);
         st = fmb_run_poll(run);
     }
     return st;
+}
+
+fmb_status fmb_ray_edges_find(fmb_ray_edges *e, const fmb_edge_sides *of, fmb_run *run)
+{
+    fmb_status st = fmb_ray_edges_begin(e, of, run);
+    if (st == FMB_OK)
+        st = fmb_ray_edges_enter(e, of, (fmb_side_part){0, of->smalls}, run);
+    return st == FMB_OK ? fmb_ray_edges_look_up(e, of, (fmb_side_part){0, of->larges}, run) : st;
 }

@@ -25,7 +25,7 @@ typedef struct fmb_ray_edges {
     size_t degree;      /* edges of a ray */
     fmb_ray_edge *edge; /* [rays of the smaller side][degree]; those of simple rays hold */
     size_t edge_capacity;
-    uint32_t *table; /* [mask + 1] numbers of edges */
+    _Atomic uint32_t *table; /* [mask + 1] numbers of edges */
     size_t table_capacity, mask;
 } fmb_ray_edges;
 
@@ -45,8 +45,20 @@ static inline bool fmb_is_simple(const fmb_edge_sides *of, uint32_t ray)
     return n + of->rank == of->bits + 1;
 }
 
+/* Rays number from to to - 1 of a side. */
+typedef struct fmb_side_part {
+    size_t from, to;
+} fmb_side_part;
+
 /* Fill in the edges of simple rays. rank >= 2. Errors: MEMORY, LIMIT. */
 fmb_status fmb_ray_edges_find(fmb_ray_edges *e, const fmb_edge_sides *of, fmb_run *run);
+/* The same in steps: make room; then enter the edges of the smaller side, then look up those of the
+ * larger one, each part by part, several of them at once. Errors: MEMORY, LIMIT; LIMIT. */
+fmb_status fmb_ray_edges_begin(fmb_ray_edges *e, const fmb_edge_sides *of, fmb_run *run);
+fmb_status fmb_ray_edges_enter(fmb_ray_edges *e, const fmb_edge_sides *of, fmb_side_part part,
+                               fmb_run *run);
+fmb_status fmb_ray_edges_look_up(fmb_ray_edges *e, const fmb_edge_sides *of, fmb_side_part part,
+                                 fmb_run *run);
 void fmb_ray_edges_clear(fmb_ray_edges *e, fmb_mem *mem);
 
 #endif

@@ -13,20 +13,11 @@
 /* So many small rays take as long as one of GMP's integers. */
 #define WIDE_RAY 16
 
-static void dismiss_crew(fmb_insertion *s, fmb_mem *mem)
-{
-    if (!s->crew)
-        return;
-    for (size_t k = 0; k < s->crew->team.size; k++)
-        fmb_adjacency_clear(&s->crew->pairs[k], &s->crew->team.share[k].mem);
-    fmb_team_close(&s->crew->team);
-    fmb_mem_put(mem, s->crew, 1, sizeof *s->crew);
-}
-
 void fmb_insertion_clear(fmb_insertion *s, fmb_mem *mem)
 {
-    dismiss_crew(s, mem);
+    fmb_insertion_dismiss_crew(s, mem);
     fmb_mem_put(mem, s->ray, s->ray_capacity, sizeof *s->ray);
+    fmb_mem_put(mem, s->sign, s->sign_capacity, sizeof *s->sign);
     fmb_mem_put(mem, s->large_side.word, s->large_side.capacity, sizeof *s->large_side.word);
     fmb_mem_put(mem, s->rest.word, s->rest.capacity, sizeof *s->rest.word);
     fmb_mem_put(mem, s->crowd.word, s->crowd.capacity, sizeof *s->crowd.word);
@@ -36,15 +27,19 @@ void fmb_insertion_clear(fmb_insertion *s, fmb_mem *mem)
     *s = (fmb_insertion){0};
 }
 
-/* Add sign for each row to come where the ray is negative. */
-static void count_negatives_of_ray(fmb_cone *c, const fmb_vec *v, int sign)
+uint64_t fmb_ray_price(const fmb_vec *v)
+{
+    return v->z ? WIDE_RAY : 1;
+}
+
+void fmb_cone_count_negatives(const fmb_cone *c, const fmb_vec *v, int sign, size_t *negatives)
 {
     if (v->z)
         for (size_t k = 0; k < c->lefts; k++)
-            c->negatives[k] += (size_t)(sign * (mpz_sgn(v->z[c->coords + k]) < 0));
+            negatives[k] += (size_t)(sign * (mpz_sgn(v->z[c->coords + k]) < 0));
     else
         for (size_t k = 0; k < c->lefts; k++)
-            c->negatives[k] += (size_t)(sign * (v->s[c->coords + k] < 0));
+            negatives[k] += (size_t)(sign * (v->s[c->coords + k] < 0));
 }
 
 /* ---- rows that meet a line ------------------------------------------------------------------- */
@@ -52,7 +47,7 @@ static void count_negatives_of_ray(fmb_cone *c, const fmb_vec *v, int sign)
 static void count_all_negatives(fmb_cone *c, int sign)
 {
     for (size_t i = 0; i < c->ray.size; i++)
-        count_negatives_of_ray(c, &c->ray.v[i], sign);
+        fmb_cone_count_negatives(c, &c->ray.v[i], sign, c->negatives);
 }
 
 /* Move v along the line to where the row is 0. */
@@ -105,13 +100,28 @@ fmb_status fmb_insertion_break_line(fmb_cone *c, size_t row, size_t entry, size_
 
 /* ---- rows that separate rays ----------------------------------------------------------------- */
 
-/* List rays of that sign in the row. */
 static size_t list_rays_of_sign(const fmb_cone *c, fmb_insertion *s, size_t at, int sign)
 {
     for (size_t i = 0; i < c->ray.size; i++)
-        if (fmb_vec_sgn(&c->ray.v[i], s->entry) == sign)
+        if (s->sign[i] == sign)
             s->ray[at++] = (uint32_t)i;
     return at;
+}
+
+/* Rays by their signs in the row. */
+static void list_sides_of_row(const fmb_cone *c, fmb_insertion *s)
+{
+    for (size_t i = 0; i < c->ray.size; i++)
+        s->sign[i] = (int8_t)fmb_vec_sgn(&c->ray.v[i], s->entry);
+    s->large = list_rays_of_sign(c, s, 0, -1);
+    s->small = list_rays_of_sign(c, s, s->large, 1) - s->large;
+    s->small_is_positive = s->small <= s->large;
+    if (!s->small_is_positive) {
+        s->large = list_rays_of_sign(c, s, 0, 1);
+        s->small = list_rays_of_sign(c, s, s->large, -1) - s->large;
+    }
+    size_t signs = s->small + s->large;
+    s->zeros = list_rays_of_sign(c, s, signs, 0) - signs;
 }
 
 static void give_bit_to_positives(fmb_cone *c)
@@ -129,7 +139,7 @@ static void remove_negatives(fmb_cone *c)
     fmb_insertion *s = c->at;
     const uint32_t *negative = s->small_is_positive ? s->ray : s->ray + s->large;
     for (size_t k = s->small_is_positive ? s->large : s->small; k-- > 0;) {
-        count_negatives_of_ray(c, &c->ray.v[negative[k]], -1);
+        fmb_cone_count_negatives(c, &c->ray.v[negative[k]], -1, c->negatives);
         fmb_rays_remove(&c->ray, negative[k]);
     }
 }
@@ -154,51 +164,42 @@ fmb_status fmb_insertion_begin(fmb_cone *c, size_t row, size_t entry)
     fmb_status st = fmb_rays_reserve_bits(&c->ray, c->bits + 1);
     if (st == FMB_OK)
         st = fmb_mem_reserve(c->run->mem, (void **)&s->ray, &s->ray_capacity, rays, sizeof *s->ray);
+    if (st == FMB_OK)
+        st = fmb_mem_reserve(c->run->mem, (void **)&s->sign, &s->sign_capacity, rays,
+                             sizeof *s->sign);
     if (st != FMB_OK)
         return st;
     s->entry = entry;
     s->row = row;
     s->rays = rays;
     s->next = 0;
-    s->large = list_rays_of_sign(c, s, 0, -1);
-    s->small = list_rays_of_sign(c, s, s->large, 1) - s->large;
-    s->small_is_positive = s->small <= s->large;
-    if (!s->small_is_positive) {
-        s->large = list_rays_of_sign(c, s, 0, 1);
-        s->small = list_rays_of_sign(c, s, s->large, -1) - s->large;
-    }
-    size_t signs = s->small + s->large;
-    s->zeros = list_rays_of_sign(c, s, signs, 0) - signs;
+    list_sides_of_row(c, s);
     s->running = true;
     s->large_side.ready = s->rest.ready = false;
     return FMB_OK;
 }
 
-static fmb_status combine_pair_of_rays(fmb_cone *c, uint32_t a, uint32_t b)
+fmb_status fmb_insertion_combine(const fmb_cone *c, size_t at, uint32_t a, uint32_t b, fmb_num *num)
 {
-    fmb_insertion *s = c->at;
-    fmb_status st = fmb_rays_add(&c->ray);
-    if (st != FMB_OK)
-        return st;
-    fmb_vec *v = &c->ray.v[c->ray.size - 1];
-    st = fmb_vec_cancel(v, &c->ray.v[a], &c->ray.v[b], c->ray.width, s->entry, &c->num);
-    if (st != FMB_OK)
-        return st;
-    uint64_t *to = fmb_rays_support(&c->ray, c->ray.size - 1);
-    const uint64_t *x = fmb_rays_support(&c->ray, a), *y = fmb_rays_support(&c->ray, b);
-    for (size_t k = 0; k < c->ray.words; k++)
+    const fmb_rays *r = &c->ray;
+    uint64_t *to = fmb_rays_support(r, at);
+    const uint64_t *x = fmb_rays_support(r, a), *y = fmb_rays_support(r, b);
+    for (size_t k = 0; k < r->words; k++)
         to[k] = x[k] | y[k];
-    count_negatives_of_ray(c, v, 1);
-    c->made += v->z ? WIDE_RAY : 1;
-    return fmb_run_poll(c->run);
+    return fmb_vec_cancel(&r->v[at], &r->v[a], &r->v[b], r->width, c->at->entry, num);
 }
 
-static fmb_status combine_with_found(fmb_cone *c, uint32_t a, const fmb_adjacency *p)
+static fmb_status add_ray_of_pair(fmb_cone *c, uint32_t a, uint32_t b)
 {
-    fmb_status st = FMB_OK;
-    for (size_t k = 0; st == FMB_OK && k < p->founds; k++)
-        st = combine_pair_of_rays(c, a, p->found[k]);
-    return st;
+    size_t at = c->ray.size;
+    fmb_status st = fmb_rays_add(&c->ray);
+    if (st == FMB_OK)
+        st = fmb_insertion_combine(c, at, a, b, &c->num);
+    if (st != FMB_OK)
+        return st;
+    fmb_cone_count_negatives(c, &c->ray.v[at], 1, c->negatives);
+    c->made += fmb_ray_price(&c->ray.v[at]);
+    return fmb_run_poll(c->run);
 }
 
 static fmb_status pair_next_ray(fmb_cone *c)
@@ -209,56 +210,17 @@ static fmb_status pair_next_ray(fmb_cone *c)
     if (st == FMB_OK)
         st = fmb_find_adjacent(c, c->run, &s->pairs, s->next);
     s->next++;
-    return st == FMB_OK ? combine_with_found(c, a, &s->pairs) : st;
-}
-
-/* ---- by several threads ---------------------------------------------------------------------- */
-
-/* With fewer pairs in a round, threads wait longer than they work. */
-#define PAIRS_FOR_CREW ((size_t)1 << 15)
-
-static fmb_status hire_crew(fmb_cone *c)
-{
-    fmb_insertion *s = c->at;
-    s->crew = fmb_mem_zero(c->run->mem, 1, sizeof *s->crew);
-    return s->crew ? fmb_team_open(&s->crew->team, c->run, FMB_INSERTION_CREW)
-                   : fmb_mem_status(c->run->mem);
-}
-
-static fmb_status find_neighbours_of_ray(void *self, size_t k, fmb_run *run)
-{
-    fmb_cone *c = self;
-    const fmb_insertion *s = c->at;
-    fmb_status st = fmb_run_poll(run);
-    return st == FMB_OK ? fmb_find_adjacent(c, run, &s->crew->pairs[k], s->next + k) : st;
-}
-
-/* Neighbours of several rays are found at once; they are combined as if one after another. What a
- * pause leaves is looked for again. */
-static fmb_status pair_next_rays_at_once(fmb_cone *c, uint64_t most)
-{
-    fmb_insertion *s = c->at;
-    size_t left = s->small - s->next, n = left < FMB_INSERTION_CREW ? left : FMB_INSERTION_CREW;
-    fmb_status st = s->crew ? FMB_OK : hire_crew(c);
-    if (st == FMB_OK && !s->rest.ready)
-        st = fmb_adjacency_gather_rest(c);
-    if (st == FMB_OK)
-        st = fmb_team_do(&s->crew->team, n, find_neighbours_of_ray, c);
-    for (size_t k = 0; st == FMB_OK && k < n && c->made < most; k++) {
-        uint32_t a = s->ray[s->large + s->next];
-        s->next++;
-        st = combine_with_found(c, a, &s->crew->pairs[k]);
-    }
+    for (size_t k = 0; st == FMB_OK && k < s->pairs.founds; k++)
+        st = add_ray_of_pair(c, a, s->pairs.found[k]);
     return st;
 }
 
 /* ---- all pairs ------------------------------------------------------------------------------- */
 
-static bool is_work_for_crew(const fmb_cone *c)
+static fmb_status prepare_pairs(fmb_cone *c)
 {
-    const fmb_insertion *s = c->at;
-    return c->run->threads > 1 && s->next + FMB_INSERTION_CREW <= s->small &&
-           (s->by_edges ? s->crowds : s->large) * FMB_INSERTION_CREW >= PAIRS_FOR_CREW;
+    fmb_status st = fmb_adjacency_begin(c);
+    return st == FMB_OK && c->at->by_edges ? fmb_insertion_find_edges(c) : st;
 }
 
 fmb_status fmb_insertion_run(fmb_cone *c, uint64_t most)
@@ -266,9 +228,9 @@ fmb_status fmb_insertion_run(fmb_cone *c, uint64_t most)
     fmb_insertion *s = c->at;
     fmb_status st = FMB_OK;
     if (s->large > 0 && !s->large_side.ready)
-        st = fmb_adjacency_begin(c);
+        st = prepare_pairs(c);
     while (st == FMB_OK && s->next < s->small && s->large > 0 && c->made < most)
-        st = is_work_for_crew(c) ? pair_next_rays_at_once(c, most) : pair_next_ray(c);
+        st = fmb_insertion_is_work_for_crew(c) ? fmb_insertion_run_crew(c, most) : pair_next_ray(c);
     if (st == FMB_OK && (s->next == s->small || s->large == 0))
         finish_insertion(c);
     return st;

@@ -4,7 +4,6 @@
 
 #include "dd/cone.h"
 #include "dd/edges.h"
-#include "trace/team.h"
 
 /* Sets in planes, as the kernels want them. */
 typedef struct fmb_support_planes {
@@ -27,13 +26,8 @@ typedef struct fmb_adjacency {
     size_t founds, found_capacity;
 } fmb_adjacency;
 
-/* Rays of the smaller side whose neighbours are looked for at once, by several threads. */
-#define FMB_INSERTION_CREW 16
-
-typedef struct fmb_insertion_crew {
-    fmb_team team;
-    fmb_adjacency pairs[FMB_INSERTION_CREW];
-} fmb_insertion_crew;
+/* Several threads (insert_crew.c). */
+typedef struct fmb_insertion_crew fmb_insertion_crew;
 
 /* A row that separates rays. Pairs are taken by the rays of the smaller side, one after another. */
 typedef struct fmb_insertion {
@@ -42,7 +36,8 @@ typedef struct fmb_insertion {
     size_t row;
     size_t rays;   /* before it */
     uint32_t *ray; /* [ray_capacity] the larger side, the smaller side, those with value 0 */
-    size_t ray_capacity;
+    int8_t *sign;  /* [sign_capacity] of each ray in the row, scratch */
+    size_t ray_capacity, sign_capacity;
     size_t small, large, zeros;
     bool small_is_positive;
     size_t next;                         /* of the smaller side */
@@ -64,5 +59,26 @@ void fmb_insertion_clear(fmb_insertion *s, fmb_mem *mem);
 
 /* The row meets line number i. Errors: MEMORY, LIMIT. */
 fmb_status fmb_insertion_break_line(fmb_cone *c, size_t row, size_t entry, size_t i);
+
+/* ---- for insert_crew.c ----------------------------------------------------------------------- */
+
+/* Ray number `at`, which is there, becomes that of the pair. Errors: MEMORY, LIMIT. */
+fmb_status fmb_insertion_combine(const fmb_cone *c, size_t at, uint32_t a, uint32_t b,
+                                 fmb_num *num);
+/* Add sign for each row to come where the ray is negative. */
+void fmb_cone_count_negatives(const fmb_cone *c, const fmb_vec *v, int sign, size_t *negatives);
+/* How much the ray counts in c->made. */
+uint64_t fmb_ray_price(const fmb_vec *v);
+
+/* ---- insert_crew.c --------------------------------------------------------------------------- */
+
+/* Are there threads, and enough for them to do? */
+bool fmb_insertion_is_work_for_crew(const fmb_cone *c);
+/* The next pairs, as if they were combined one after another: until c->made reaches `most`, or for
+ * a while. Errors: MEMORY, LIMIT. */
+fmb_status fmb_insertion_run_crew(fmb_cone *c, uint64_t most);
+/* Edges of simple rays. Errors: MEMORY, LIMIT. */
+fmb_status fmb_insertion_find_edges(fmb_cone *c);
+void fmb_insertion_dismiss_crew(fmb_insertion *s, fmb_mem *mem);
 
 #endif

@@ -19,23 +19,23 @@ void fmb_rays_clear(fmb_rays *r)
     *r = (fmb_rays){.mem = r->mem};
 }
 
-fmb_status fmb_rays_add(fmb_rays *r)
+fmb_status fmb_rays_add_many(fmb_rays *r, size_t n)
 {
-    size_t i = r->size;
-    fmb_status st = fmb_mem_reserve(r->mem, (void **)&r->v, &r->capacity, i + 1, sizeof *r->v);
+    size_t size = r->size + n;
+    fmb_status st = fmb_mem_reserve(r->mem, (void **)&r->v, &r->capacity, size, sizeof *r->v);
     if (st == FMB_OK)
-        st = fmb_mem_reserve(r->mem, (void **)&r->support, &r->capacity_words, (i + 1) * r->words,
+        st = fmb_mem_reserve(r->mem, (void **)&r->support, &r->capacity_words, size * r->words,
                              sizeof *r->support);
-    if (st != FMB_OK)
-        return st;
-    if (i == r->made) {
+    for (; st == FMB_OK && r->made < size; r->made++) {
         int64_t *s = fmb_arena_get(&r->arena, r->width, sizeof *s);
         if (!s)
             return fmb_mem_status(r->mem);
-        r->v[r->made++] = (fmb_vec){.s = s};
+        r->v[r->made] = (fmb_vec){.s = s};
     }
-    memset(fmb_rays_support(r, i), 0, r->words * sizeof *r->support);
-    r->size++;
+    if (st != FMB_OK)
+        return st;
+    for (; r->size < size; r->size++)
+        memset(fmb_rays_support(r, r->size), 0, r->words * sizeof *r->support);
     return FMB_OK;
 }
 

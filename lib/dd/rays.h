@@ -28,8 +28,12 @@ static inline uint64_t *fmb_rays_support(const fmb_rays *r, size_t i)
     return r->support + i * r->words;
 }
 
-/* One more ray: its vector is small and undefined, its support empty. Errors: MEMORY, LIMIT. */
-fmb_status fmb_rays_add(fmb_rays *r);
+/* So many more rays: vectors are small and undefined, supports empty. Errors: MEMORY, LIMIT. */
+fmb_status fmb_rays_add_many(fmb_rays *r, size_t n);
+static inline fmb_status fmb_rays_add(fmb_rays *r)
+{
+    return fmb_rays_add_many(r, 1);
+}
 /* The last ray takes the place of ray i. */
 void fmb_rays_remove(fmb_rays *r, size_t i);
 /* Supports get room for that many bits. Errors: MEMORY, LIMIT. */

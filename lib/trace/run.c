@@ -102,6 +102,7 @@ void fmb_share_begin(fmb_share *s, const fmb_run *run, size_t shares)
 
 void fmb_share_end(const fmb_share *s, fmb_run *run, size_t *peak)
 {
+    run->stats.pairs += s->run.stats.pairs;
     run->stats.pivots += s->run.stats.pivots;
     run->stats.lps += s->run.stats.lps;
     *peak += s->mem.peak;

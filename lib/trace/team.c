@@ -112,17 +112,22 @@ static void divide_what_is_left(fmb_team *t)
     }
 }
 
-static fmb_status charge_what_shares_hold(fmb_team *t)
+static fmb_status count_what_shares_hold(fmb_team *t)
 {
-    size_t held = 0;
-    for (size_t k = 0; k < t->size; k++)
-        held += t->share[k].mem.used;
-    fmb_mem_refund(t->run->mem, t->held);
+    fmb_mem *mem = t->run->mem;
+    fmb_mem_refund(mem, t->held);
     t->held = 0;
-    if (!fmb_mem_charge(t->run->mem, held))
-        return FMB_LIMIT;
-    t->held = held;
-    return FMB_OK;
+    for (size_t k = 0; k < t->size; k++)
+        t->held += t->share[k].mem.used;
+    fmb_mem_take(mem, t->held);
+    return mem->limit > 0 && mem->used > mem->limit ? FMB_LIMIT : FMB_OK;
+}
+
+/* It stays counted where it is. */
+void fmb_team_hand_over(fmb_team *t, size_t k, size_t bytes)
+{
+    t->share[k].mem.used -= bytes;
+    t->held -= bytes;
 }
 
 fmb_status fmb_team_do(fmb_team *t, size_t jobs, fmb_team_job job, void *self)
@@ -137,6 +142,6 @@ fmb_status fmb_team_do(fmb_team *t, size_t jobs, fmb_team_job job, void *self)
         if (t->run->stop == FMB_STOP_DONE)
             t->run->stop = s->run.stop;
     }
-    fmb_status st = charge_what_shares_hold(t);
+    fmb_status st = count_what_shares_hold(t);
     return worst != FMB_OK ? worst : st;
 }

@@ -38,6 +38,8 @@ fmb_status fmb_team_open(fmb_team *t, fmb_run *run, size_t size);
 /* Jobs 0 to jobs - 1 < size. What went wrong first, in order; anything before a limit. Errors:
  * LIMIT, and those of jobs. */
 fmb_status fmb_team_do(fmb_team *t, size_t jobs, fmb_team_job job, void *self);
+/* So many bytes of what share k holds are the query's own from now on. Between rounds. */
+void fmb_team_hand_over(fmb_team *t, size_t k, size_t bytes);
 /* The shares hold nothing any more. */
 void fmb_team_close(fmb_team *t);
 
