@@ -38,11 +38,23 @@ typedef struct sorted_ray {
     fmb_vec v;
     uint64_t *support;
     size_t n;
+    int64_t first; /* entry, or the nearest number to it: mostly tells the order */
 } sorted_ray;
+
+static int64_t first_entry_or_near(const fmb_vec *v)
+{
+    if (!v->z)
+        return v->s[0];
+    if (mpz_fits_slong_p(v->z[0]))
+        return mpz_get_si(v->z[0]);
+    return mpz_sgn(v->z[0]) < 0 ? INT64_MIN : INT64_MAX;
+}
 
 static int compare_rays_lexicographically(const void *x, const void *y)
 {
     const sorted_ray *a = x, *b = y;
+    if (a->first != b->first)
+        return a->first < b->first ? -1 : 1;
     return fmb_vec_compare(&a->v, &b->v, a->n);
 }
 
@@ -55,7 +67,7 @@ static fmb_status sort_rays_of_image(fmb_image *m)
     if (!list)
         return fmb_mem_status(mem);
     for (size_t i = 0; i < rays; i++)
-        list[i] = (sorted_ray){m->ray[i], m->support[i], m->n};
+        list[i] = (sorted_ray){m->ray[i], m->support[i], m->n, first_entry_or_near(&m->ray[i])};
     qsort(list, rays, sizeof *list, compare_rays_lexicographically);
     for (size_t i = 0; i < rays; i++) {
         bool twin = i > 0 && fmb_vec_equal(&m->ray[left - 1], &list[i].v, m->n);

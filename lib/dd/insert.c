@@ -111,8 +111,6 @@ static size_t list_rays_of_sign(const fmb_cone *c, fmb_insertion *s, size_t at, 
 /* Rays by their signs in the row. */
 static void list_sides_of_row(const fmb_cone *c, fmb_insertion *s)
 {
-    for (size_t i = 0; i < c->ray.size; i++)
-        s->sign[i] = (int8_t)fmb_vec_sgn(&c->ray.v[i], s->entry);
     s->large = list_rays_of_sign(c, s, 0, -1);
     s->small = list_rays_of_sign(c, s, s->large, 1) - s->large;
     s->small_is_positive = s->small <= s->large;
@@ -173,6 +171,9 @@ fmb_status fmb_insertion_begin(fmb_cone *c, size_t row, size_t entry)
     s->row = row;
     s->rays = rays;
     s->next = 0;
+    st = fmb_insertion_find_signs(c);
+    if (st != FMB_OK)
+        return st;
     list_sides_of_row(c, s);
     s->running = true;
     s->large_side.ready = s->rest.ready = false;

@@ -77,6 +77,9 @@ bool fmb_insertion_is_work_for_crew(const fmb_cone *c);
 /* The next pairs, as if they were combined one after another: until c->made reaches `most`, or for
  * a while. Errors: MEMORY, LIMIT. */
 fmb_status fmb_insertion_run_crew(fmb_cone *c, uint64_t most);
+/* The sign of each ray in the row; an entry of each ray goes. Errors: MEMORY, LIMIT. */
+fmb_status fmb_insertion_find_signs(fmb_cone *c);
+fmb_status fmb_insertion_drop_entry(fmb_cone *c, size_t entry);
 /* Edges of simple rays. Errors: MEMORY, LIMIT. */
 fmb_status fmb_insertion_find_edges(fmb_cone *c);
 void fmb_insertion_dismiss_crew(fmb_insertion *s, fmb_mem *mem);

@@ -15,9 +15,11 @@ enum {
 
 /* What costs as much as a new ray: looks at so many rays of the larger side. */
 #define LOOKS_OF_RAY 64
-/* New rays in a share, about; and simple rays whose edges are worth a crew. */
+/* New rays in a share, about; simple rays whose edges are worth a crew; and rays of which an entry
+ * is looked at. */
 #define WORTH_A_SHARE 1024
 #define WORTH_A_CREW  2048
+#define WORTH_A_LOOK  16384
 
 typedef struct crew_share {
     size_t first, rays; /* on the smaller side */
@@ -88,12 +90,56 @@ static fmb_status do_shares(fmb_cone *c, fmb_team_job job)
     return st == FMB_OK ? fmb_team_do(&c->at->crew->team, SHARES, job, c) : st;
 }
 
-/* ---- edges ----------------------------------------------------------------------------------- */
+/* ---- an entry of each ray -------------------------------------------------------------------- */
 
 static fmb_side_part part_of_side(size_t rays, size_t k)
 {
     return (fmb_side_part){rays * k / SHARES, rays * (k + 1) / SHARES};
 }
+
+static fmb_status find_signs_of_share(void *self, size_t k, fmb_run *run)
+{
+    const fmb_cone *c = self;
+    fmb_side_part part = part_of_side(c->ray.size, k);
+    for (size_t i = part.from; i < part.to; i++)
+        c->at->sign[i] = (int8_t)fmb_vec_sgn(&c->ray.v[i], c->at->entry);
+    return fmb_run_poll(run);
+}
+
+static bool is_a_look_for_crew(const fmb_cone *c)
+{
+    return c->at->crew && c->ray.size >= WORTH_A_LOOK;
+}
+
+fmb_status fmb_insertion_find_signs(fmb_cone *c)
+{
+    if (is_a_look_for_crew(c))
+        return do_shares(c, find_signs_of_share);
+    for (size_t i = 0; i < c->ray.size; i++)
+        c->at->sign[i] = (int8_t)fmb_vec_sgn(&c->ray.v[i], c->at->entry);
+    return FMB_OK;
+}
+
+/* Small vectors by threads: wide ones give memory back. */
+static fmb_status drop_entry_of_share(void *self, size_t k, fmb_run *run)
+{
+    fmb_cone *c = self;
+    fmb_side_part part = part_of_side(c->ray.size, k);
+    fmb_rays_drop_small_entries(&c->ray, c->at->entry, part.from, part.to);
+    return fmb_run_poll(run);
+}
+
+fmb_status fmb_insertion_drop_entry(fmb_cone *c, size_t entry)
+{
+    if (!is_a_look_for_crew(c))
+        return fmb_rays_drop_entry(&c->ray, entry);
+    c->at->entry = entry;
+    fmb_status st = do_shares(c, drop_entry_of_share);
+    fmb_status wide = fmb_rays_drop_wide_entries(&c->ray, entry);
+    return st != FMB_OK ? st : wide;
+}
+
+/* ---- edges ----------------------------------------------------------------------------------- */
 
 static fmb_status enter_edges_of_share(void *self, size_t k, fmb_run *run)
 {

@@ -70,13 +70,26 @@ fmb_status fmb_rays_reserve_bits(fmb_rays *r, size_t bits)
     return FMB_OK;
 }
 
-fmb_status fmb_rays_drop_entry(fmb_rays *r, size_t c)
+void fmb_rays_drop_small_entries(fmb_rays *r, size_t c, size_t from, size_t to)
+{
+    for (size_t i = from; i < to; i++)
+        if (!r->v[i].z)
+            r->v[i].s[c] = r->v[i].s[r->width - 1];
+}
+
+fmb_status fmb_rays_drop_wide_entries(fmb_rays *r, size_t c)
 {
     fmb_status st = FMB_OK;
     for (size_t i = 0; i < r->size; i++) {
-        fmb_status dropped = fmb_vec_drop_entry(&r->v[i], r->width, c, r->mem);
+        fmb_status dropped = r->v[i].z ? fmb_vec_drop_entry(&r->v[i], r->width, c, r->mem) : FMB_OK;
         st = st == FMB_OK ? dropped : st;
     }
     r->width--;
     return st;
+}
+
+fmb_status fmb_rays_drop_entry(fmb_rays *r, size_t c)
+{
+    fmb_rays_drop_small_entries(r, c, 0, r->size);
+    return fmb_rays_drop_wide_entries(r, c);
 }
