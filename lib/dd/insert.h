@@ -60,7 +60,7 @@ void fmb_insertion_clear(fmb_insertion *s, fmb_mem *mem);
 /* The row meets line number i. Errors: MEMORY, LIMIT. */
 fmb_status fmb_insertion_break_line(fmb_cone *c, size_t row, size_t entry, size_t i);
 
-/* ---- for insert_crew.c ----------------------------------------------------------------------- */
+/* ---- insert_pair.c --------------------------------------------------------------------------- */
 
 /* Ray number `at`, which is there, becomes that of the pair. Errors: MEMORY, LIMIT. */
 fmb_status fmb_insertion_combine(const fmb_cone *c, size_t at, uint32_t a, uint32_t b,
