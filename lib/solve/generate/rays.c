@@ -27,8 +27,9 @@
 /* Rays of the first turn and the last one of two orders. */
 #define FIRST_RAYS 512
 #define LAST_RAYS  4096
-/* Between two looks at options.max_rows. */
+/* Between two looks at options.max_rows, and where there is no limit. */
 #define RAYS_AT_A_TIME 512
+#define RAYS_AT_ONCE   65536
 
 /* ---- rows in order --------------------------------------------------------------------------- */
 
@@ -113,9 +114,10 @@ static fmb_status find_rays_as_facets(fmb_lifted *h)
 static fmb_status run_cone(fmb_cone *c, uint64_t rays, bool *done)
 {
     uint64_t most = rays > 0 ? c->made + rays : UINT64_MAX;
+    uint64_t step = c->run->max_rows > 0 ? RAYS_AT_A_TIME : RAYS_AT_ONCE;
     fmb_status st = FMB_OK;
     for (*done = false; st == FMB_OK && !*done && c->made < most;) {
-        st = fmb_cone_run(c, RAYS_AT_A_TIME, done);
+        st = fmb_cone_run(c, step < most - c->made ? step : most - c->made, done);
         if (st == FMB_OK)
             st = fmb_run_rows(c->run, c->ray.size);
     }
