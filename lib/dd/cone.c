@@ -95,51 +95,6 @@ void fmb_cone_clear(fmb_cone *c)
     c->run = NULL;
 }
 
-/* ---- values by dot products ------------------------------------------------------------------ */
-
-static fmb_status set_wide_value(fmb_cone *c, fmb_vec *v, const fmb_vec *row)
-{
-    fmb_status st = fmb_vec_widen(v, c->ray.width, c->run->mem);
-    if (st != FMB_OK)
-        return st;
-    mpz_ptr sum = v->z[c->coords];
-    mpz_set_ui(sum, 0);
-    for (size_t k = 0; k < c->coords; k++) {
-        fmb_vec_get(row, k, c->num.t);
-        mpz_addmul(sum, c->num.t, v->z[k]);
-    }
-    return fmb_vec_settle(v, c->ray.width, c->run->mem);
-}
-
-/* The entry behind the coordinates becomes row.v. */
-static fmb_status set_value_in_row(fmb_cone *c, fmb_vec *v, const fmb_vec *row)
-{
-    int bits = v->bits + row->bits + fmb_bits64(c->coords);
-    if (v->z || row->z || bits > 126)
-        return set_wide_value(c, v, row);
-    fmb_i128 sum = 0;
-    for (size_t k = 0; k < c->coords; k++)
-        sum += (fmb_i128)row->s[k] * v->s[k];
-    if (bits > FMB_SMALL_BITS && (sum >> FMB_SMALL_BITS != 0 && sum >> FMB_SMALL_BITS != -1))
-        return set_wide_value(c, v, row);
-    v->s[c->coords] = (int64_t)sum;
-    fmb_vec_measure(v, c->ray.width);
-    return FMB_OK;
-}
-
-static fmb_status set_values_in_row(fmb_cone *c, const fmb_vec *row)
-{
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < c->line.size; i++)
-        st = set_value_in_row(c, &c->line.v[i], row);
-    for (size_t i = 0; st == FMB_OK && i < c->ray.size; i++) {
-        st = set_value_in_row(c, &c->ray.v[i], row);
-        if (st == FMB_OK)
-            st = fmb_run_poll(c->run);
-    }
-    return st;
-}
-
 /* ---- which row comes next -------------------------------------------------------------------- */
 
 /* The line with the least nonzero entry there; SIZE_MAX if there is none. */
@@ -225,7 +180,7 @@ static fmb_status insert_next_row(fmb_cone *c)
         return insert_row(c, c->left[k], c->coords + k, line);
     }
     c->next++;
-    fmb_status st = set_values_in_row(c, c->of.row[k].v);
+    fmb_status st = fmb_insertion_set_values(c, c->of.row[k].v);
     line = find_line_meeting_row(c, c->coords);
     return st == FMB_OK ? insert_row(c, k, c->coords, line) : st;
 }

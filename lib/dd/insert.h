@@ -70,6 +70,11 @@ void fmb_cone_count_negatives(const fmb_cone *c, const fmb_vec *v, int sign, siz
 /* How much the ray counts in c->made. */
 uint64_t fmb_ray_price(const fmb_vec *v);
 
+/* ---- insert_value.c -------------------------------------------------------------------------- */
+
+/* The entry behind the coordinates becomes row.v. Errors: MEMORY, LIMIT. */
+fmb_status fmb_insertion_set_value(const fmb_cone *c, fmb_vec *v, const fmb_vec *row, fmb_num *num);
+
 /* ---- insert_crew.c --------------------------------------------------------------------------- */
 
 /* Are there threads, and enough for them to do? */
@@ -77,6 +82,9 @@ bool fmb_insertion_is_work_for_crew(const fmb_cone *c);
 /* The next pairs, as if they were combined one after another: until c->made reaches `most`, or for
  * a while. Errors: MEMORY, LIMIT. */
 fmb_status fmb_insertion_run_crew(fmb_cone *c, uint64_t most);
+/* The entry behind the coordinates of each line and ray becomes its value in the row. Errors:
+ * MEMORY, LIMIT. */
+fmb_status fmb_insertion_set_values(fmb_cone *c, const fmb_vec *row);
 /* The sign of each ray in the row; an entry of each ray goes. Errors: MEMORY, LIMIT. */
 fmb_status fmb_insertion_find_signs(fmb_cone *c);
 fmb_status fmb_insertion_drop_entry(fmb_cone *c, size_t entry);

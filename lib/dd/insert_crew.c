@@ -29,13 +29,15 @@ typedef struct crew_share {
     size_t end[MOST_RAYS]; /* up to there */
     size_t at;             /* the place of its first new ray */
     fmb_num num;
-    size_t *negatives; /* [m] what its new rays add to those of the cone */
-    size_t bytes;      /* that its new rays hold */
+    size_t *negatives;    /* [m] what its new rays add to those of the cone */
+    size_t bytes;         /* that its new rays hold */
+    size_t before, after; /* what its part of all rays held and holds [bytes] */
 } crew_share;
 
 struct fmb_insertion_crew {
     fmb_team team;
     size_t m;
+    const fmb_vec *row; /* whose values are taken */
     crew_share share[SHARES];
 };
 
@@ -108,7 +110,8 @@ static fmb_status find_signs_of_share(void *self, size_t k, fmb_run *run)
 
 static bool is_a_look_for_crew(const fmb_cone *c)
 {
-    return c->at->crew && c->ray.size >= WORTH_A_LOOK;
+    size_t price = c->ray.size > 0 ? (size_t)fmb_ray_price(&c->ray.v[c->ray.size - 1]) : 0;
+    return c->at->crew && c->ray.size * price >= WORTH_A_LOOK;
 }
 
 fmb_status fmb_insertion_find_signs(fmb_cone *c)
@@ -120,13 +123,41 @@ fmb_status fmb_insertion_find_signs(fmb_cone *c)
     return FMB_OK;
 }
 
-/* Small vectors by threads: wide ones give memory back. */
+/* What rays hold is counted aside while a share works on them, with as much room as it has. */
+static fmb_mem count_rays_aside(const fmb_cone *c, fmb_side_part part, const fmb_mem *share)
+{
+    fmb_mem aside;
+    size_t bytes = fmb_rays_bytes_of(&c->ray, part.from, part.to);
+    fmb_mem_init(&aside, &share->alloc, 0);
+    fmb_mem_take(&aside, bytes);
+    if (share->limit > 0)
+        aside.limit = bytes + (share->limit > share->used ? share->limit - share->used : 1);
+    return aside;
+}
+
+static void note_bytes_of_share(fmb_cone *c, size_t k, size_t before, size_t after)
+{
+    c->at->crew->share[k].before = before;
+    c->at->crew->share[k].after = after;
+}
+
+static void count_rays_again(fmb_cone *c)
+{
+    for (size_t k = 0; k < SHARES; k++) {
+        fmb_mem_take(c->run->mem, c->at->crew->share[k].after);
+        fmb_mem_refund(c->run->mem, c->at->crew->share[k].before);
+    }
+}
+
 static fmb_status drop_entry_of_share(void *self, size_t k, fmb_run *run)
 {
     fmb_cone *c = self;
     fmb_side_part part = part_of_side(c->ray.size, k);
-    fmb_rays_drop_small_entries(&c->ray, c->at->entry, part.from, part.to);
-    return fmb_run_poll(run);
+    fmb_mem aside = count_rays_aside(c, part, run->mem);
+    size_t before = aside.used;
+    fmb_status st = fmb_rays_drop_entry_of(&c->ray, c->at->entry, part.from, part.to, &aside);
+    note_bytes_of_share(c, k, before, aside.used);
+    return st;
 }
 
 fmb_status fmb_insertion_drop_entry(fmb_cone *c, size_t entry)
@@ -135,13 +166,58 @@ fmb_status fmb_insertion_drop_entry(fmb_cone *c, size_t entry)
         return fmb_rays_drop_entry(&c->ray, entry);
     c->at->entry = entry;
     fmb_status st = do_shares(c, drop_entry_of_share);
-    fmb_status wide = fmb_rays_drop_wide_entries(&c->ray, entry);
-    return st != FMB_OK ? st : wide;
+    count_rays_again(c);
+    c->ray.width--;
+    return st;
 }
 
-/* ---- edges ----------------------------------------------------------------------------------- */
+static fmb_status set_values_of_share(void *self, size_t k, fmb_run *run)
+{
+    fmb_cone *c = self;
+    fmb_insertion_crew *w = c->at->crew;
+    fmb_side_part part = part_of_side(c->ray.size, k);
+    fmb_mem aside = count_rays_aside(c, part, run->mem);
+    size_t before = aside.used;
+    fmb_status st = FMB_OK;
+    w->share[k].num.mem = &aside;
+    for (size_t i = part.from; st == FMB_OK && i < part.to; i++) {
+        st = fmb_insertion_set_value(c, &c->ray.v[i], w->row, &w->share[k].num);
+        if (st == FMB_OK)
+            st = fmb_run_poll(run);
+    }
+    w->share[k].num.mem = run->mem;
+    note_bytes_of_share(c, k, before, aside.used);
+    return st;
+}
 
-static fmb_status enter_edges_of_share(void *self, size_t k, fmb_run *run)
+static fmb_status set_values_of_rays(fmb_cone *c, const fmb_vec *row)
+{
+    fmb_status st = FMB_OK;
+    if (is_a_look_for_crew(c)) {
+        c->at->crew->row = row;
+        st = do_shares(c, set_values_of_share);
+        count_rays_again(c);
+        return st;
+    }
+    for (size_t i = 0; st == FMB_OK && i < c->ray.size; i++) {
+        st = fmb_insertion_set_value(c, &c->ray.v[i], row, &c->num);
+        if (st == FMB_OK)
+            st = fmb_run_poll(c->run);
+    }
+    return st;
+}
+
+fmb_status fmb_insertion_set_values(fmb_cone *c, const fmb_vec *row)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i < c->line.size; i++)
+        st = fmb_insertion_set_value(c, &c->line.v[i], row, &c->num);
+    return st == FMB_OK ? set_values_of_rays(c, row) : st;
+}
+
+/*-- --edges-- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -- -* /
+
+    static fmb_status enter_edges_of_share(void *self, size_t k, fmb_run *run)
 {
     fmb_cone *c = self;
     fmb_edge_sides of = fmb_adjacency_sides(c);
@@ -189,11 +265,12 @@ static fmb_status find_neighbours_of_share(void *self, size_t k, fmb_run *run)
     return st;
 }
 
-/* A ray of the smaller side, as so many new rays. */
+/* The next ray of the smaller side, as so many small new rays. */
 static size_t work_of_ray(const fmb_cone *c)
 {
     const fmb_insertion *s = c->at;
-    return c->rank + (s->by_edges ? s->crowds : s->large) / LOOKS_OF_RAY;
+    size_t price = (size_t)fmb_ray_price(&c->ray.v[s->ray[s->large + s->next]]);
+    return c->rank * price + (s->by_edges ? s->crowds : s->large) / LOOKS_OF_RAY;
 }
 
 static void divide_batch(fmb_cone *c, uint64_t most)

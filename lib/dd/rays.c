@@ -70,26 +70,28 @@ fmb_status fmb_rays_reserve_bits(fmb_rays *r, size_t bits)
     return FMB_OK;
 }
 
-void fmb_rays_drop_small_entries(fmb_rays *r, size_t c, size_t from, size_t to)
-{
-    for (size_t i = from; i < to; i++)
-        if (!r->v[i].z)
-            r->v[i].s[c] = r->v[i].s[r->width - 1];
-}
-
-fmb_status fmb_rays_drop_wide_entries(fmb_rays *r, size_t c)
+fmb_status fmb_rays_drop_entry_of(fmb_rays *r, size_t c, size_t from, size_t to, fmb_mem *mem)
 {
     fmb_status st = FMB_OK;
-    for (size_t i = 0; i < r->size; i++) {
-        fmb_status dropped = r->v[i].z ? fmb_vec_drop_entry(&r->v[i], r->width, c, r->mem) : FMB_OK;
+    for (size_t i = from; i < to; i++) {
+        fmb_status dropped = fmb_vec_drop_entry(&r->v[i], r->width, c, mem);
         st = st == FMB_OK ? dropped : st;
     }
-    r->width--;
     return st;
 }
 
 fmb_status fmb_rays_drop_entry(fmb_rays *r, size_t c)
 {
-    fmb_rays_drop_small_entries(r, c, 0, r->size);
-    return fmb_rays_drop_wide_entries(r, c);
+    fmb_status st = fmb_rays_drop_entry_of(r, c, 0, r->size, r->mem);
+    r->width--;
+    return st;
+}
+
+size_t fmb_rays_bytes_of(const fmb_rays *r, size_t from, size_t to)
+{
+    size_t bytes = 0;
+    for (size_t i = from; i < to; i++)
+        if (r->v[i].z)
+            bytes += r->width * sizeof *r->v[i].z + r->v[i].limbs * sizeof(mp_limb_t);
+    return bytes;
 }

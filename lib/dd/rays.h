@@ -40,9 +40,10 @@ void fmb_rays_remove(fmb_rays *r, size_t i);
 fmb_status fmb_rays_reserve_bits(fmb_rays *r, size_t bits);
 /* Entry c of every vector goes; the last one takes its place. Errors: MEMORY, LIMIT. */
 fmb_status fmb_rays_drop_entry(fmb_rays *r, size_t c);
-/* The same in steps: the small ones of rays from to to - 1, several parts at once; then the wide
- * ones of all rays. */
-void fmb_rays_drop_small_entries(fmb_rays *r, size_t c, size_t from, size_t to);
-fmb_status fmb_rays_drop_wide_entries(fmb_rays *r, size_t c);
+/* The same for rays from to to - 1, whose width is less then; not yet that of the others. What they
+ * hold is counted in mem. */
+fmb_status fmb_rays_drop_entry_of(fmb_rays *r, size_t c, size_t from, size_t to, fmb_mem *mem);
+/* What rays from to to - 1 hold beside the arena [bytes]. */
+size_t fmb_rays_bytes_of(const fmb_rays *r, size_t from, size_t to);
 
 #endif
