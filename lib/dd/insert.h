@@ -77,19 +77,21 @@ fmb_status fmb_insertion_set_value(const fmb_cone *c, fmb_vec *v, const fmb_vec 
 
 /* ---- insert_crew.c --------------------------------------------------------------------------- */
 
+/* By several threads where that pays. The entry behind the coordinates of each line and ray becomes
+ * its value in the row; the sign of each ray in the row at hand; an entry of each ray goes; edges
+ * of simple rays. Errors: MEMORY, LIMIT. */
+fmb_status fmb_insertion_set_values(fmb_cone *c, const fmb_vec *row);
+fmb_status fmb_insertion_find_signs(fmb_cone *c);
+fmb_status fmb_insertion_drop_entry(fmb_cone *c, size_t entry);
+fmb_status fmb_insertion_find_edges(fmb_cone *c);
+void fmb_insertion_dismiss_crew(fmb_insertion *s, fmb_mem *mem);
+
+/* ---- insert_batch.c -------------------------------------------------------------------------- */
+
 /* Are there threads, and enough for them to do? */
 bool fmb_insertion_is_work_for_crew(const fmb_cone *c);
 /* The next pairs, as if they were combined one after another: until c->made reaches `most`, or for
  * a while. Errors: MEMORY, LIMIT. */
 fmb_status fmb_insertion_run_crew(fmb_cone *c, uint64_t most);
-/* The entry behind the coordinates of each line and ray becomes its value in the row. Errors:
- * MEMORY, LIMIT. */
-fmb_status fmb_insertion_set_values(fmb_cone *c, const fmb_vec *row);
-/* The sign of each ray in the row; an entry of each ray goes. Errors: MEMORY, LIMIT. */
-fmb_status fmb_insertion_find_signs(fmb_cone *c);
-fmb_status fmb_insertion_drop_entry(fmb_cone *c, size_t entry);
-/* Edges of simple rays. Errors: MEMORY, LIMIT. */
-fmb_status fmb_insertion_find_edges(fmb_cone *c);
-void fmb_insertion_dismiss_crew(fmb_insertion *s, fmb_mem *mem);
 
 #endif

@@ -1,0 +1,166 @@
+/* insert_batch.c: pairs of rays by several threads; see insert_crew.h.
+ *
+ * Rays of the smaller side come in batches. First each share finds the neighbours of its rays; then
+ * new rays get their places, in the order of one thread; then each share fills in its own. A batch
+ * ends where one thread would have paused: what was made beyond that goes again.
+ */
+#include "dd/insert_crew.h"
+
+/* What costs as much as a new ray: looks at so many rays of the larger side. */
+#define LOOKS_OF_RAY 64
+/* New rays in a share, about. */
+#define WORTH_A_SHARE 1024
+
+/* ---- neighbours ------------------------------------------------------------------------------ */
+
+static fmb_status find_neighbours_of_share(void *self, size_t k, fmb_run *run)
+{
+    fmb_cone *c = self;
+    fmb_crew_share *p = &c->at->crew->share[k];
+    fmb_status st = FMB_OK;
+    p->founds = 0;
+    for (size_t i = 0; st == FMB_OK && i < p->rays; i++) {
+        st = fmb_run_poll(run);
+        if (st == FMB_OK)
+            st = fmb_find_adjacent(c, run, &p->pairs, p->first + i);
+        size_t n = st == FMB_OK ? p->pairs.founds : 0;
+        if (st == FMB_OK)
+            st = fmb_mem_reserve(run->mem, (void **)&p->found, &p->found_capacity, p->founds + n,
+                                 sizeof *p->found);
+        for (size_t j = 0; st == FMB_OK && j < n; j++)
+            p->found[p->founds++] = p->pairs.found[j];
+        p->end[i] = p->founds;
+    }
+    return st;
+}
+
+/* The next ray of the smaller side, as so many small new rays. */
+static size_t work_of_ray(const fmb_cone *c)
+{
+    const fmb_insertion *s = c->at;
+    size_t price = (size_t)fmb_ray_price(&c->ray.v[s->ray[s->large + s->next]]);
+    return c->rank * price + (s->by_edges ? s->crowds : s->large) / LOOKS_OF_RAY;
+}
+
+static void divide_batch(fmb_cone *c, uint64_t most)
+{
+    fmb_insertion *s = c->at;
+    size_t each = 1 + WORTH_A_SHARE / work_of_ray(c), next = s->next, left = s->small - next;
+    left = left < most - c->made ? left : (size_t)(most - c->made);
+    each = each < FMB_CREW_RAYS ? each : FMB_CREW_RAYS;
+    each = each < left / FMB_CREW_SHARES + 1 ? each : left / FMB_CREW_SHARES + 1;
+    for (size_t k = 0; k < FMB_CREW_SHARES; k++) {
+        size_t n = left < each ? left : each;
+        s->crew->share[k].first = next;
+        s->crew->share[k].rays = n;
+        next += n;
+        left -= n;
+    }
+}
+
+/* ---- new rays -------------------------------------------------------------------------------- */
+
+/* Up to where a pause is due if all of them are small. */
+static fmb_status make_room_for_rays(fmb_cone *c, uint64_t most)
+{
+    uint64_t made = c->made;
+    size_t at = c->ray.size;
+    for (size_t k = 0; k < FMB_CREW_SHARES; k++) {
+        fmb_crew_share *p = &c->at->crew->share[k];
+        size_t rays = 0, n = 0;
+        for (; rays < p->rays && made + n < most; rays++)
+            n = p->end[rays];
+        p->rays = rays;
+        p->at = at;
+        made += n;
+        at += n;
+    }
+    return fmb_rays_add_many(&c->ray, at - c->ray.size);
+}
+
+static fmb_status make_rays_of_share(void *self, size_t k, fmb_run *run)
+{
+    fmb_cone *c = self;
+    fmb_crew_share *p = &c->at->crew->share[k];
+    size_t at = p->at, j = 0, before = run->mem->used;
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; i < c->lefts; i++)
+        p->negatives[i] = 0;
+    for (size_t i = 0; i < p->rays; i++) {
+        uint32_t a = c->at->ray[c->at->large + p->first + i];
+        for (; st == FMB_OK && j < p->end[i]; j++, at++) {
+            st = fmb_insertion_combine(c, at, a, p->found[j], &p->num);
+            if (st == FMB_OK)
+                fmb_cone_count_negatives(c, &c->ray.v[at], 1, p->negatives);
+            if (st == FMB_OK)
+                st = fmb_run_poll(run);
+        }
+    }
+    p->bytes = run->mem->used - before;
+    return st;
+}
+
+/* New rays are the cone's own, whatever has happened. */
+static void take_over_rays(fmb_cone *c)
+{
+    fmb_insertion_crew *w = c->at->crew;
+    for (size_t k = 0; k < FMB_CREW_SHARES; k++) {
+        fmb_team_hand_over(&w->team, k, w->share[k].bytes);
+        for (size_t i = 0; i < c->lefts; i++)
+            c->negatives[i] += w->share[k].negatives[i];
+        c->num.promotions += w->share[k].num.promotions;
+        w->share[k].num.promotions = 0;
+    }
+}
+
+static void count_rays_until_pause(fmb_cone *c, uint64_t most)
+{
+    size_t at = c->ray.size;
+    for (size_t k = 0; k < FMB_CREW_SHARES; k++) {
+        const fmb_crew_share *p = &c->at->crew->share[k];
+        at = p->at;
+        for (size_t i = 0; i < p->rays && c->made < most; i++, c->at->next++)
+            for (; at < p->at + p->end[i]; at++)
+                c->made += fmb_ray_price(&c->ray.v[at]);
+        if (c->made >= most)
+            break;
+    }
+    while (c->ray.size > at) {
+        fmb_cone_count_negatives(c, &c->ray.v[c->ray.size - 1], -1, c->negatives);
+        fmb_rays_remove(&c->ray, c->ray.size - 1);
+    }
+}
+
+static fmb_status make_rays_of_batch(fmb_cone *c, uint64_t most)
+{
+    fmb_status st = make_room_for_rays(c, most);
+    if (st != FMB_OK)
+        return st;
+    st = fmb_crew_do(c, make_rays_of_share);
+    take_over_rays(c);
+    if (st == FMB_OK)
+        count_rays_until_pause(c, most);
+    return st;
+}
+
+/* ---- a batch --------------------------------------------------------------------------------- */
+
+bool fmb_insertion_is_work_for_crew(const fmb_cone *c)
+{
+    const fmb_insertion *s = c->at;
+    return c->run->threads > 1 && s->next + FMB_CREW_SHARES <= s->small &&
+           (s->small - s->next) * work_of_ray(c) >= 4 * WORTH_A_SHARE;
+}
+
+fmb_status fmb_insertion_run_crew(fmb_cone *c, uint64_t most)
+{
+    fmb_insertion *s = c->at;
+    fmb_status st = s->crew ? FMB_OK : fmb_crew_hire(c);
+    if (st == FMB_OK && !s->rest.ready)
+        st = fmb_adjacency_gather_rest(c);
+    if (st != FMB_OK)
+        return st;
+    divide_batch(c, most);
+    st = fmb_crew_do(c, find_neighbours_of_share);
+    return st == FMB_OK ? make_rays_of_batch(c, most) : st;
+}
