@@ -1,4 +1,5 @@
 /* intersect_quick.c: one pair of frames at its vertices: exact, too, and in microseconds. */
+#include <math.h>
 #include <stdlib.h>
 
 #include "common/message.h"
@@ -11,15 +12,57 @@ typedef struct numbers {
     mpq_t end[2 * MOST_VARIABLES], at[MOST_VARIABLES];
 } numbers;
 
-static void write_intervals(numbers *a, meeting *out)
+/* ---- as doubles ------------------------------------------------------------------------------ */
+
+/* The greatest double that is at most q, or the least that is at least q. */
+static double double_beside(mpq_srcptr q, bool above)
+{
+    double d = mpq_get_d(q), away = above ? INFINITY : -INFINITY;
+    mpq_t back;
+    if (!isfinite(d))
+        return (d > 0) == above ? d : nextafter(d, 0);
+    mpq_init(back);
+    mpq_set_d(back, d);
+    int order = mpq_cmp(back, q);
+    mpq_clear(back);
+    return order != 0 && (order > 0) != above ? nextafter(d, away) : d;
+}
+
+static double nearest_double(mpq_srcptr q)
+{
+    double side[2] = {double_beside(q, false), double_beside(q, true)};
+    mpq_t off[2];
+    if (!isfinite(side[0]) || !isfinite(side[1]))
+        return isfinite(side[0]) ? side[0] : side[1];
+    for (int i = 0; i < 2; i++) {
+        mpq_init(off[i]);
+        mpq_set_d(off[i], side[i]);
+        mpq_sub(off[i], off[i], q);
+        mpq_abs(off[i], off[i]);
+    }
+    bool is_above = mpq_cmp(off[1], off[0]) < 0;
+    mpq_clears(off[0], off[1], NULL);
+    return side[is_above];
+}
+
+/* ---- answers --------------------------------------------------------------------------------- */
+
+static char *rational_text(mpq_srcptr q)
+{
+    return app_need(mpq_get_str(NULL, 10, q));
+}
+
+static void write_intervals(const intersect *x, numbers *a, meeting *out)
 {
     int n = out->dim + out->inside + out->moves;
+    bool rounds = x->ask->boxes == BOXES_OUTWARD;
     out->interval = app_need(calloc((size_t)n, sizeof *out->interval));
     for (int i = 0; i < n; i++) {
         interval *to = &out->interval[i];
-        to->lower = app_need(mpq_get_str(NULL, 10, a->end[2 * i]));
-        to->upper = app_need(mpq_get_str(NULL, 10, a->end[2 * i + 1]));
-        to->at = app_need(mpq_get_str(NULL, 10, a->at[i]));
+        mpq_srcptr low = a->end[2 * i], high = a->end[2 * i + 1], at = a->at[i];
+        to->lower = rounds ? intersect_double(double_beside(low, false)) : rational_text(low);
+        to->upper = rounds ? intersect_double(double_beside(high, true)) : rational_text(high);
+        to->at = rounds ? intersect_double(nearest_double(at)) : rational_text(at);
     }
 }
 
@@ -30,10 +73,9 @@ static fmb_pair_answers_q list_answers(const meeting *m, numbers *a)
     return (fmb_pair_answers_q){a->end, inside, inside + 2 * m->inside, a->at};
 }
 
-static bool is_quick(const intersect *x, const fmb_frames_line *line)
+static bool is_quick(const fmb_frames_line *line)
 {
-    return x->ask->boxes != BOXES_OUTWARD && x->ask->contact == FMB_CONTACT_CLOSED &&
-           !line->body[0].rows && !line->body[1].rows && line->dim <= MOST_DIM &&
+    return !line->body[0].rows && !line->body[1].rows && line->dim <= MOST_DIM &&
            line->body[0].frame.naxes <= line->dim && line->body[1].frame.naxes <= line->dim;
 }
 
@@ -42,7 +84,7 @@ fmb_status intersect_quickly(const intersect *x, const fmb_frames_line *line, me
     const fmb_frame_q *p = &line->body[0].frame, *q = &line->body[1].frame;
     fmb_pair_answers_q places = {0};
     numbers a;
-    if (!is_quick(x, line))
+    if (!is_quick(line))
         return FMB_OK;
     out->dim = line->dim;
     out->inside = q->naxes;
@@ -54,8 +96,10 @@ fmb_status intersect_quickly(const intersect *x, const fmb_frames_line *line, me
     if (x->ask->boxes != BOXES_NONE)
         places = list_answers(out, &a);
     fmb_status st = fmb_pair_answer_q(p, q, &places, &out->verdict);
+    if (x->ask->contact == FMB_CONTACT_OPEN && out->verdict == FMB_FEASIBLE)
+        out->verdict = FMB_UNKNOWN; /* who is closed may touch */
     if (st == FMB_OK && out->verdict == FMB_FEASIBLE && x->ask->boxes != BOXES_NONE)
-        write_intervals(&a, out);
+        write_intervals(x, &a, out);
     for (int i = 0; i < 2 * MOST_VARIABLES; i++)
         mpq_clear(a.end[i]);
     for (int i = 0; i < MOST_VARIABLES; i++)

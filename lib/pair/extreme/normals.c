@@ -4,8 +4,12 @@
  * a normal they span an interval; 0 is outside of one of these, or on the border of one, or inside
  * of all. If they have an interior, as soon as one interval has a length, that tells all (flat.h):
  * 0 is apart from them, or on their border, or inside. Then and only then relative interiors meet,
- * as that of a sum is the sum of those; time alone is closed, so where it counts, the border does
- * not tell.
+ * as that of a sum is the sum of those.
+ *
+ * Time alone is closed: with K open, the points of the frames alone, and the drift d, 0 may lie on
+ * the border of all K + t d, 0 <= t <= 1, and yet in one of them. Then a normal on which 0 is at an
+ * end has one value on K, as no value on an open set is an end: K is flat. So where K has an
+ * interior, the border is apart here, too.
  *
  * Doubles, off by at most FLAT_FILTER u times sizes (docs/error-bounds.md, "Any axes"), are asked
  * first. Integers have 150 bits, those of a normal 303, a sum of eight products of both 457.
@@ -184,6 +188,36 @@ static void ask_whole(judge *w, int i)
     w->solid |= span.end[0].n > 0 || span.end[1].n > 0;
 }
 
+/* n = a x b; false: it is 0. */
+static bool cross_columns(const fmb_extreme_number a[3], const fmb_extreme_number b[3],
+                          fmb_wide n[3])
+{
+    for (int j = 0; j < 3; j++) {
+        int k = (j + 1) % 3, l = (j + 2) % 3;
+        fmb_wide_multiply(&n[j], &a[k].whole, &b[l].whole);
+        fmb_wide_subtract_product(&n[j], &a[l].whole, &b[k].whole);
+    }
+    return n[0].n > 0 || n[1].n > 0 || n[2].n > 0;
+}
+
+/* Have the points of the frames alone, which do not move, an interior? The normal of two columns
+ * that are not parallel is not one of all columns. */
+static bool is_solid_without_drift(const judge *w)
+{
+    const fmb_extreme_number(*m)[FMB_EXTREME_DIM] = w->program.m;
+    int columns = w->program.time;
+    fmb_wide n[3], product;
+    bool found = false, solid = w->kind.dim == 2;
+    for (int i = 0; !found && i < columns; i++)
+        for (int j = i + 1; !found && j < columns; j++)
+            found = cross_columns(m[i], m[j], n);
+    for (int k = 0; found && !solid && k < columns; k++) {
+        whole_product(n, m[k], &product);
+        solid = product.n > 0;
+    }
+    return found && solid;
+}
+
 /* ---- both ------------------------------------------------------------------------------------ */
 
 static void make_kind(const judge *w, const fmb_frame *p, const fmb_frame *q, fmb_flat_kind *out)
@@ -203,7 +237,8 @@ bool fmb_extreme_decide(const fmb_frame *p, const fmb_frame *q, fmb_contact cont
     for (int i = 0; !w.apart && i < w.kind.normals; i++)
         if (!ask_near(&w, i))
             ask_whole(&w, i);
-    if (!w.apart && (!w.solid || (contact == FMB_CONTACT_OPEN && w.touches && w.kind.moves)))
+    if (!w.apart && (!w.solid || (contact == FMB_CONTACT_OPEN && w.touches && w.kind.moves &&
+                                  !is_solid_without_drift(&w))))
         return false;
     bool meet = !w.apart && (contact == FMB_CONTACT_CLOSED || !w.touches);
     *out = meet ? FMB_FEASIBLE : FMB_INFEASIBLE;
