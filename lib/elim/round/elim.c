@@ -227,7 +227,8 @@ static void close_round(fmb_elim *e, int var, const tally *before)
 /* Rules that look at all rows look at few new ones only in rounds that can make many. */
 static bool is_time_for_rules(const fmb_elim *e)
 {
-    return !e->cheap_only || 8 * (e->rows - e->judged) >= e->live.size;
+    bool careful = e->cheap_only || e->steep > 0;
+    return !careful || 8 * (e->rows - e->judged) >= e->live.size;
 }
 
 static fmb_status let_rules_end_round(fmb_elim *e, int var)
@@ -308,7 +309,7 @@ fmb_status fmb_elim_eliminate(fmb_elim *e, const bool *drop)
         }
         st = eliminate_variable(e, var);
     }
-    bool unseen = e->cheap_only && e->rounds > 0 && e->judged < e->rows;
+    bool unseen = (e->cheap_only || e->steep > 0) && e->rounds > 0 && e->judged < e->rows;
     return st == FMB_OK && e->clash == FMB_NO_ROW && unseen ? let_rules_end_round(e, -1) : st;
 }
 

@@ -14,6 +14,7 @@
 #include "lp/exact/simplex.h"
 #include "lp/float/simplex.h"
 #include "lp/redundancy/inside.h"
+#include "lp/redundancy/named.h"
 #include "num/gcd.h"
 
 /* Denominators of multipliers, and of all of them together. */
@@ -28,9 +29,9 @@
 
 typedef struct search {
     fmb_run *run;
-    size_t n, m, d; /* d: columns in use, and the right side */
-    const fmb_lp_row *row;
-    size_t *column;               /* [d - 1] */
+    fmb_named named;
+    size_t n, m, d;               /* columns, rows, columns with the right side */
+    const fmb_lp_row *row;        /* the named ones */
     double *at;                   /* [d][m] rows, scaled */
     int *exponent;                /* [m] row = 2^exponent times what is in at */
     double *target, *price, *way; /* [d], [m], [n] */
@@ -210,10 +211,8 @@ static void shoot_beyond_normal(search *s)
     double *way = s->way, depth = normal[s->d - 1];
     if (!s->out->inner)
         return;
-    for (size_t j = 0; j < s->n; j++)
-        way[j] = 0;
-    for (size_t k = 0; k + 1 < s->d; k++) /* at the scale of the point, 1 / depth */
-        way[s->column[k]] = -normal[k] - depth * s->inside.x[s->column[k]];
+    for (size_t j = 0; j < s->n; j++) /* at the scale of the point, 1 / depth */
+        way[j] = -normal[j] - depth * s->inside.x[j];
     size_t hit = fmb_inside_shoot(&s->inside, way, s->gone);
     if (hit != SIZE_MAX)
         s->out->kept[hit] = true;
@@ -292,25 +291,13 @@ static void scale_row_to_unit(search *s, size_t i)
 {
     const fmb_vec *v = s->row[i].v;
     s->exponent[i] = v->bits;
-    for (size_t k = 0; k < s->d; k++) {
-        size_t j = k + 1 < s->d ? s->column[k] : s->n;
-        s->at[k * s->m + i] = ldexp((double)v->s[j], -v->bits);
-    }
+    for (size_t k = 0; k < s->d; k++)
+        s->at[k * s->m + i] = ldexp((double)v->s[k], -v->bits);
 }
 
 static fmb_status open_cone_search(search *s)
 {
     fmb_mem *mem = s->run->mem;
-    s->column = fmb_mem_get(mem, s->n, sizeof *s->column);
-    if (!s->column)
-        return fmb_mem_status(mem);
-    s->d = 1;
-    for (size_t j = 0; j < s->n; j++)
-        for (size_t i = 0; i < s->m; i++)
-            if (s->row[i].v->s[j] != 0) {
-                s->column[s->d++ - 1] = j;
-                break;
-            }
     s->at = fmb_mem_get(mem, s->d * s->m, sizeof *s->at);
     s->exponent = fmb_mem_get(mem, s->m, sizeof *s->exponent);
     s->target = fmb_mem_get(mem, s->d, sizeof *s->target);
@@ -334,9 +321,8 @@ static void close_cone_search(search *s)
 {
     fmb_mem *mem = s->run->mem;
     fmb_basis_clear(&s->cone);
-    if (s->inside.mem)
+    if (s->inside.run)
         fmb_inside_clear(&s->inside);
-    fmb_mem_put(mem, s->column, s->n, sizeof *s->column);
     fmb_mem_put(mem, s->at, s->d * s->m, sizeof *s->at);
     fmb_mem_put(mem, s->exponent, s->m, sizeof *s->exponent);
     fmb_mem_put(mem, s->target, s->d, sizeof *s->target);
@@ -346,15 +332,12 @@ static void close_cone_search(search *s)
     fmb_mem_put(mem, s->source, s->m + 1, sizeof *s->source);
 }
 
-/* Differences of products have to fit: see there. */
-#define MOST_COLUMNS 200
-
-static bool are_rows_small(int n, size_t m, const fmb_lp_row *row)
+static bool are_rows_small(size_t m, const fmb_lp_row *row)
 {
     for (size_t i = 0; i < m; i++)
         if (row[i].v->z)
             return false;
-    return n <= MOST_COLUMNS;
+    return true;
 }
 
 static fmb_status ask_oracle_if_feasible(search *s)
@@ -372,33 +355,50 @@ static fmb_status ask_oracle_if_feasible(search *s)
 static fmb_status look_for_inner_point(search *s)
 {
     bool possible, known = s->out->known, *inner = &s->out->inner;
-    fmb_status st = fmb_inside_open(&s->inside, s->run->mem, (int)s->n, s->m, s->row, &possible);
+    fmb_status st = fmb_inside_open(&s->inside, s->run, s->n, s->m, s->row, &possible);
     if (st == FMB_OK && possible && !known)
-        st = fmb_inside_glance(&s->inside, s->run, inner);
+        st = fmb_inside_glance(&s->inside, inner);
     if (st == FMB_OK && !known && !*inner)
         st = ask_oracle_if_feasible(s);
     if (st == FMB_OK && possible && !*inner && s->out->feasible)
-        st = fmb_inside_find(&s->inside, s->run, inner);
+        st = fmb_inside_find(&s->inside, inner);
     return st;
 }
 
+static fmb_status sort_named_rows(search *s)
+{
+    fmb_status st = open_cone_search(s);
+    if (st == FMB_OK && s->out->kept)
+        st = look_for_inner_point(s);
+    if (st == FMB_OK && s->out->feasible)
+        st = span_cone_by_rows(s);
+    if (st == FMB_OK && s->out->feasible)
+        st = test_all_rows(s);
+    close_cone_search(s);
+    return st;
+}
+
+/* Differences of products have to fit: see there. */
+#define MOST_COLUMNS 200
+
 fmb_status fmb_lp_sort_rows(fmb_run *run, int n, size_t m, const fmb_lp_row *row, fmb_sorting *out)
 {
-    search s = {.run = run, .n = (size_t)n, .m = m, .row = row, .gone = out->gone, .out = out};
+    search s = {.run = run, .m = m, .gone = out->gone, .out = out};
+    fmb_status st = FMB_OK;
+    bool small = are_rows_small(m, row);
     out->doubtful = 0;
     out->inner = false;
     out->feasible = true;
-    if (!are_rows_small(n, m, row)) {
+    if (small)
+        st = fmb_named_open(&s.named, run->mem, (size_t)n, m, row);
+    s.n = s.named.n;
+    s.d = s.n + 1;
+    s.row = s.named.row;
+    if (small && s.n <= MOST_COLUMNS)
+        st = st == FMB_OK ? sort_named_rows(&s) : st;
+    else
         out->doubtful = m;
-        return FMB_OK;
-    }
-    fmb_status st = open_cone_search(&s);
-    if (st == FMB_OK && out->kept)
-        st = look_for_inner_point(&s);
-    if (st == FMB_OK && out->feasible)
-        st = span_cone_by_rows(&s);
-    if (st == FMB_OK && out->feasible)
-        st = test_all_rows(&s);
-    close_cone_search(&s);
+    if (small)
+        fmb_named_clear(&s.named);
     return st;
 }

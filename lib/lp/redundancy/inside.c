@@ -11,50 +11,57 @@
 #include "lp/redundancy/inside.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Sizes [bits], so that the slack (ROW + POINT + 6), the speed towards a row (ROW + WAY + 6), and a
  * product of both fit in 62, 62 and 127 bits. */
 enum { ROW_BITS = 32, POINT_BITS = 24, WAY_BITS = 18, MOST_COLUMNS = 64 };
 #define UNIT 4096
 
-static double scaled_excess(const fmb_inside *p, size_t i)
+static void find_excess_of_rows(fmb_inside *p)
 {
-    const int64_t *a = p->row[i].v->s;
-    double sum = -(double)a[p->n];
+    memcpy(p->excess, &p->unit[p->n * p->m], p->m * sizeof *p->excess);
     for (size_t j = 0; j < p->n; j++)
-        sum += (double)a[j] * p->x[j];
-    return sum * p->size[i];
+        p->run->kernels->accumulate(p->excess, &p->unit[j * p->m], p->m, p->x[j]);
 }
 
 /* The row broken worst, all of them moved inwards by margin; SIZE_MAX if none is. */
-static size_t find_worst_broken_row(const fmb_inside *p, double margin, double *most)
+static size_t find_worst_broken_row(fmb_inside *p, double margin, double *most)
 {
     size_t worst = SIZE_MAX;
     *most = 0;
-    for (size_t i = 0; i < p->m; i++) {
-        double e = scaled_excess(p, i) + margin;
-        if (e > *most) {
-            *most = e;
+    find_excess_of_rows(p);
+    for (size_t i = 0; i < p->m; i++)
+        if (p->excess[i] + margin > *most) {
+            *most = p->excess[i] + margin;
             worst = i;
         }
-    }
     return worst;
 }
 
-static fmb_status reflect_until_inside(fmb_inside *p, fmb_run *run, size_t steps, double margin,
-                                       bool *inside)
+/* Between the same two rows to and fro, equally far: there is no room between them. */
+static bool is_to_and_fro(const double *most, const size_t *row)
+{
+    return row[0] == row[2] && row[1] == row[3] && row[0] != row[1] && most[3] >= most[2] &&
+           most[2] >= most[1] && most[1] >= most[0];
+}
+
+static fmb_status reflect_until_inside(fmb_inside *p, size_t steps, double margin, bool *inside)
 {
     fmb_status st = FMB_OK;
+    double most[4] = {0};
+    size_t row[4] = {SIZE_MAX, SIZE_MAX, SIZE_MAX, SIZE_MAX};
     *inside = false;
     for (size_t k = 0; st == FMB_OK && k < steps; k++) {
-        double most;
-        size_t i = find_worst_broken_row(p, margin, &most);
+        memmove(&most[0], &most[1], 3 * sizeof *most);
+        memmove(&row[0], &row[1], 3 * sizeof *row);
+        size_t i = row[3] = find_worst_broken_row(p, margin, &most[3]);
         *inside = i == SIZE_MAX;
-        if (*inside)
+        if (*inside || (k > 2 && is_to_and_fro(most, row)))
             break;
         for (size_t j = 0; j < p->n; j++)
-            p->x[j] -= 2 * most * p->size[i] * (double)p->row[i].v->s[j];
-        st = fmb_run_poll(run);
+            p->x[j] -= 2 * most[3] * p->unit[j * p->m + i];
+        st = fmb_run_poll(p->run);
     }
     return st;
 }
@@ -80,7 +87,7 @@ static bool round_point_inside(fmb_inside *p)
     return true;
 }
 
-static bool do_products_fit(int n, size_t m, const fmb_lp_row *row)
+static bool do_products_fit(size_t n, size_t m, const fmb_lp_row *row)
 {
     for (size_t i = 0; i < m; i++)
         if (row[i].rel == FMB_EQ || row[i].v->z || row[i].v->bits > ROW_BITS)
@@ -88,61 +95,73 @@ static bool do_products_fit(int n, size_t m, const fmb_lp_row *row)
     return n <= MOST_COLUMNS;
 }
 
+static void write_unit_row(fmb_inside *p, size_t i)
+{
+    const int64_t *a = p->row[i].v->s;
+    double square = 0;
+    for (size_t j = 0; j < p->n; j++)
+        square += (double)a[j] * (double)a[j];
+    double size = 1 / sqrt(square);
+    for (size_t j = 0; j < p->n; j++)
+        p->unit[j * p->m + i] = (double)a[j] * size;
+    p->unit[p->n * p->m + i] = -(double)a[p->n] * size;
+}
+
 static fmb_status open_inside_point(fmb_inside *p)
 {
-    p->x = fmb_mem_zero(p->mem, p->n, sizeof *p->x);
-    p->slack = fmb_mem_get(p->mem, p->m, sizeof *p->slack);
-    p->way = fmb_mem_get(p->mem, p->n, sizeof *p->way);
-    p->size = fmb_mem_get(p->mem, p->m, sizeof *p->size);
-    if (!p->x || !p->slack || !p->way || !p->size)
-        return fmb_mem_status(p->mem);
-    for (size_t i = 0; i < p->m; i++) {
-        double square = 0;
-        for (size_t j = 0; j < p->n; j++)
-            square += (double)p->row[i].v->s[j] * (double)p->row[i].v->s[j];
-        p->size[i] = 1 / sqrt(square);
-    }
+    fmb_mem *mem = p->run->mem;
+    p->x = fmb_mem_zero(mem, p->n, sizeof *p->x);
+    p->slack = fmb_mem_get(mem, p->m, sizeof *p->slack);
+    p->way = fmb_mem_get(mem, p->n, sizeof *p->way);
+    p->unit = fmb_mem_get(mem, (p->n + 1) * p->m, sizeof *p->unit);
+    p->excess = fmb_mem_get(mem, p->m, sizeof *p->excess);
+    if (!p->x || !p->slack || !p->way || !p->unit || !p->excess)
+        return fmb_mem_status(mem);
+    for (size_t i = 0; i < p->m; i++)
+        write_unit_row(p, i);
     return FMB_OK;
 }
 
-fmb_status fmb_inside_open(fmb_inside *p, fmb_mem *mem, int n, size_t m, const fmb_lp_row *row,
+fmb_status fmb_inside_open(fmb_inside *p, fmb_run *run, size_t n, size_t m, const fmb_lp_row *row,
                            bool *possible)
 {
-    *p = (fmb_inside){.mem = mem, .n = (size_t)n, .m = m, .row = row};
+    *p = (fmb_inside){.run = run, .n = n, .m = m, .row = row};
     *possible = do_products_fit(n, m, row);
     return *possible ? open_inside_point(p) : FMB_OK;
 }
 
-static fmb_status try_margin(fmb_inside *p, fmb_run *run, size_t steps, double margin, bool *found)
+static fmb_status try_margin(fmb_inside *p, size_t steps, double margin, bool *found)
 {
-    fmb_status st = reflect_until_inside(p, run, steps, margin, found);
+    fmb_status st = reflect_until_inside(p, steps, margin, found);
     *found = st == FMB_OK && *found && round_point_inside(p);
     return st;
 }
 
 /* Most that have inner points show one after a few steps; a deep one if possible, from where rays
  * tell more rows apart. */
-fmb_status fmb_inside_glance(fmb_inside *p, fmb_run *run, bool *found)
+fmb_status fmb_inside_glance(fmb_inside *p, bool *found)
 {
-    fmb_status st = try_margin(p, run, 8 + 2 * p->n, 0.25, found);
-    return st == FMB_OK && !*found ? try_margin(p, run, 8 + 2 * p->n, 1.0 / 64, found) : st;
+    fmb_status st = try_margin(p, 8 + 2 * p->n, 0.25, found);
+    return st == FMB_OK && !*found ? try_margin(p, 8 + 2 * p->n, 1.0 / 64, found) : st;
 }
 
-fmb_status fmb_inside_find(fmb_inside *p, fmb_run *run, bool *found)
+fmb_status fmb_inside_find(fmb_inside *p, bool *found)
 {
     fmb_status st = FMB_OK;
     *found = false;
     for (double margin = 0.25; st == FMB_OK && !*found && margin > 1.0 / UNIT; margin /= 16)
-        st = try_margin(p, run, 50 + 16 * p->n, margin, found);
+        st = try_margin(p, 50 + 16 * p->n, margin, found);
     return st;
 }
 
 void fmb_inside_clear(fmb_inside *p)
 {
-    fmb_mem_put(p->mem, p->x, p->n, sizeof *p->x);
-    fmb_mem_put(p->mem, p->slack, p->m, sizeof *p->slack);
-    fmb_mem_put(p->mem, p->way, p->n, sizeof *p->way);
-    fmb_mem_put(p->mem, p->size, p->m, sizeof *p->size);
+    fmb_mem *mem = p->run->mem;
+    fmb_mem_put(mem, p->x, p->n, sizeof *p->x);
+    fmb_mem_put(mem, p->slack, p->m, sizeof *p->slack);
+    fmb_mem_put(mem, p->way, p->n, sizeof *p->way);
+    fmb_mem_put(mem, p->unit, (p->n + 1) * p->m, sizeof *p->unit);
+    fmb_mem_put(mem, p->excess, p->m, sizeof *p->excess);
 }
 
 size_t fmb_inside_shoot(const fmb_inside *p, const double *way, const bool *gone)

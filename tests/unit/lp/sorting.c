@@ -55,3 +55,35 @@ Test(sorting, asks_the_oracle_only_in_doubt)
         }
     }
 }
+
+/* The same square in two columns of so many that all of them together would be refused. */
+Test(sorting, columns_that_no_row_names_do_not_count)
+{
+    enum { COLUMNS = 500, X = 17, Y = 400 };
+    static int64_t words[ROWS][COLUMNS + 1];
+    bool gone[ROWS] = {0}, kept[ROWS] = {0};
+    fmb_sorting out = {.gone = gone, .kept = kept};
+    for (size_t i = 0; i < ROWS; i++) {
+        words[i][i < 2 ? X : Y] = i % 2 == 0 ? -1 : 1;
+        words[i][COLUMNS] = i % 2 == 0 ? 0 : 5;
+    }
+    fmb_options o = fmb_options_default();
+    atomic_int cancel = 0;
+    fmb_mem mem;
+    fmb_run run;
+    fmb_vec v[ROWS] = {{0}};
+    fmb_lp_row row[ROWS];
+    fmb_mem_init(&mem, NULL, 0);
+    fmb_run_begin(&run, &mem, &o, &cancel, (fmb_sink){0}, "test");
+    for (size_t i = 0; i < ROWS; i++) {
+        v[i].s = words[i];
+        fmb_vec_measure(&v[i], COLUMNS + 1);
+        row[i] = (fmb_lp_row){&v[i], FMB_LE};
+    }
+    cr_assert_eq(fmb_lp_sort_rows(&run, COLUMNS, ROWS, row, &out), FMB_OK);
+    cr_expect(out.inner);
+    cr_expect_eq(out.doubtful, 0);
+    for (size_t i = 0; i < ROWS; i++)
+        cr_expect(kept[i] && !gone[i], "row %zu", i);
+    cr_expect_eq(mem.used, 0);
+}
