@@ -137,14 +137,29 @@ static bool uses_lp_rule(const fmb_solver *v)
  * try may make in three kept variables, which takes as long as support queries. */
 #define FEW_FREEDOMS       10
 #define RAYS_OF_SECOND_TRY 1000
-/* A cone with so few of them has hardly more rays than rows, even of long numbers; and one with so
- * many is not tried. */
-#define LEAST_FREEDOMS 2
-#define LONG_FREEDOMS  6
-#define MANY_FREEDOMS  32
+/* A cone with so few of them has hardly more rays than rows; so few have few even of long numbers,
+ * in the plane and above; and one with so many is not tried. */
+#define LEAST_FREEDOMS      2
+#define LONG_FREEDOMS(kept) ((kept) > 2 ? 8 : 6)
+#define MANY_FREEDOMS       32
+/* Cones of more have very many rays, but for such with bounds on many variables, as disjunctions.
+ */
+#define CROWDED_FREEDOMS 12
+
+/* An elimination of rows that name so few variables, and few of all, goes on as one of such, if it
+ * is pruned; cones over rows that name no more than so many have more rays than others. */
+#define SPARSE                2.5
+#define SPARSE_BETWEEN_BOUNDS 3.25
+#define DENSE                 4
+#define SMALL_CONE            6
+/* So many coefficients, most of them there: that there is no solution a linear program finds sooner
+ * than rays do. */
+#define MANY_ENTRIES 100
+/* So many rows mean many rays, but not many queries where few variables are kept. */
+#define MANY_ROWS(p) (4 * (size_t)(p)->n)
 
 /* The walk around a shadow is on a dictionary, which becomes dense; it is quick if it has no more
- * columns. */
+ * columns, and worth it where rows are many for those, as edges are then. */
 #define WALKED_COLUMNS 24
 /* A hull in so many dimensions mostly has few enough facets. */
 #define FEW_KEPT 6
@@ -171,35 +186,71 @@ static bool has_strict_rows(const fmb_part *p)
 
 static bool is_shadow_walked(const fmb_part *p, int kept)
 {
-    return kept <= 2 && p->n <= WALKED_COLUMNS && !has_strict_rows(p);
+    return kept <= 2 && p->n <= WALKED_COLUMNS && p->m > 2 * (size_t)p->n && !has_strict_rows(p);
 }
 
 /* Two questions to the oracle are all there is to do. */
 static bool is_only_interval(const fmb_lift *lift, const fmb_part *p, int kept)
 {
-    return kept <= 1 && is_shadow_walked(p, kept) && fmb_lift_freedom(lift) > LEAST_FREEDOMS;
+    return kept <= 1 && !has_strict_rows(p) && fmb_lift_freedom(lift) > LEAST_FREEDOMS;
 }
 
-/* Rays of a first try: half as many where a walk in the plane takes as long. */
+static double named_by_row(const fmb_lift *lift)
+{
+    return (double)fmb_lift_entries(lift) / (double)fmb_lift_rows(lift);
+}
+
+/* Is that share of the rows bounds on one variable? */
+static bool has_bounds(const fmb_lift *lift, double share)
+{
+    return (double)fmb_lift_bounds(lift) >= share * (double)fmb_lift_rows(lift);
+}
+
+/* Rays of a first try: half as many where a few queries take as long. */
 static uint64_t rays_at_first(const fmb_lift *lift, const fmb_part *p, int kept)
 {
     if (fmb_lift_freedom(lift) > MANY_FREEDOMS)
         return 0;
-    return is_shadow_walked(p, kept) ? TRIAL_BUDGET(p->m) / 2 : TRIAL_BUDGET(p->m);
+    uint64_t rays = kept <= 2 ? TRIAL_BUDGET(p->m) / 2 : TRIAL_BUDGET(p->m);
+    if (fmb_lift_freedom(lift) > CROWDED_FREEDOMS && !(kept > 2 && has_bounds(lift, 0.25)))
+        return 0;
+    return kept > 2 && kept <= SHORT_QUERIES && p->m > MANY_ROWS(p) ? rays / 4 : rays;
 }
 
-/* Rays that a second try may make, before the oracle is asked: none where a shadow is walked
- * around, nor where cones tend to have very many; more where the oracle has more to do, or cannot
- * help, as with numbers too long for its guesses. */
+static bool is_sparse(const fmb_lift *lift)
+{
+    double named = named_by_row(lift);
+    return named <= (has_bounds(lift, 0.6) ? SPARSE_BETWEEN_BOUNDS : SPARSE) &&
+           3 * named <= (double)fmb_lift_columns(lift);
+}
+
+static bool is_cone_dense(const fmb_lift *lift)
+{
+    return named_by_row(lift) >= DENSE || fmb_lift_columns(lift) <= SMALL_CONE;
+}
+
+static bool is_contradiction_seen_sooner(const fmb_lift *lift)
+{
+    size_t entries = fmb_lift_entries(lift);
+    return entries >= MANY_ENTRIES && 2 * entries >= fmb_lift_rows(lift) * fmb_lift_columns(lift);
+}
+
+/* Rays that a second try may make, before the oracle is asked: none where cones tend to have very
+ * many, or rows are many for three kept variables; more where the oracle has more to do, or numbers
+ * are too long for its guesses. */
 static uint64_t rays_before_queries(const fmb_lift *lift, const fmb_part *p, int kept)
 {
     if (fmb_lift_freedom(lift) > FEW_FREEDOMS)
         return 0;
     if (has_strict_rows(p) || kept > SHORT_QUERIES)
         return 16 * RAYS_OF_SECOND_TRY;
-    if (kept > 1 && fmb_lift_is_wide(lift) && fmb_lift_freedom(lift) <= LONG_FREEDOMS)
+    if (kept > 1 && fmb_lift_is_long(lift) && fmb_lift_freedom(lift) <= LONG_FREEDOMS(kept))
         return 8 * RAYS_OF_SECOND_TRY;
-    return kept == 4 ? 8 * RAYS_OF_SECOND_TRY : kept == 3 ? RAYS_OF_SECOND_TRY : 0;
+    if (p->m > MANY_ROWS(p))
+        return 0;
+    if (kept == 3 && is_cone_dense(lift))
+        return RAYS_OF_SECOND_TRY;
+    return kept == 4 ? 8 * RAYS_OF_SECOND_TRY : 0;
 }
 
 /* A part, and what has been found out about it. */
@@ -258,22 +309,43 @@ static bool is_open(fmb_status st, const rungs *r)
     return st == FMB_OK && !r->done && *r->feasible;
 }
 
+static fmb_status open_queries(rungs *r)
+{
+    r->known = true;
+    return r->queries ? FMB_OK
+                      : fmb_queries_open(r->q, r->part, r->place, &r->queries, r->feasible);
+}
+
+/* By whom the oracle is asked later on, if it is. */
+static fmb_status learn_if_feasible(rungs *r)
+{
+    const fmb_part *p = &r->q->parts.part[r->part];
+    if (r->known)
+        return FMB_OK;
+    if (!is_shadow_walked(p, count_kept_columns(p, r->place)))
+        return open_queries(r);
+    r->known = true;
+    return is_part_feasible(r->q, r->part, r->feasible);
+}
+
+/* With the rule that asks the oracle, from the part again. */
+static fmb_status try_pruned_elimination(rungs *r)
+{
+    fmb_status st = learn_if_feasible(r);
+    return is_open(st, r) ? try_elimination(r, true, 4 * TRIAL_BUDGET(r->q->parts.part[r->part].m))
+                          : st;
+}
+
 /* pairs: 0, any number. */
 static fmb_status try_queries(rungs *r, uint64_t pairs)
 {
-    fmb_status st = FMB_OK;
-    if (!r->queries)
-        st = fmb_queries_open(r->q, r->part, r->place, &r->queries, r->feasible);
-    r->known = true;
+    fmb_status st = open_queries(r);
     return is_open(st, r) ? fmb_queries_run(r->queries, pairs, r->out, &r->done) : st;
 }
 
 static fmb_status try_walk(rungs *r)
 {
-    fmb_status st = FMB_OK;
-    if (!r->known)
-        st = is_part_feasible(r->q, r->part, r->feasible);
-    r->known = true;
+    fmb_status st = learn_if_feasible(r);
     return is_open(st, r) ? fmb_query_polygon_part(r->q, r->part, r->place, r->out, &r->done) : st;
 }
 
@@ -282,28 +354,42 @@ static fmb_status try_oracle(rungs *r)
 {
     const fmb_part *p = &r->q->parts.part[r->part];
     int kept = count_kept_columns(p, r->place);
-    fmb_status st = kept <= 2 && p->n <= WALKED_COLUMNS ? try_walk(r) : FMB_OK;
+    fmb_status st = is_shadow_walked(p, kept) ? try_walk(r) : FMB_OK;
     return is_open(st, r) ? try_queries(r, kept <= FEW_KEPT ? 0 : FIRST_PAIRS) : st;
 }
 
-/* What is nearly cheap is eliminated; then a few rays, then what is steeper; if both grow, some
- * more rays where there seem to be few; then the oracle. */
-static fmb_status try_each_shortly(rungs *r)
+/* A few rays, then what is steeper to eliminate; if both grow, some more rays where there seem to
+ * be few. */
+static fmb_status try_rays_and_steeper_elimination(rungs *r, int kept)
 {
     const fmb_part *p = &r->q->parts.part[r->part];
-    int kept = count_kept_columns(p, r->place);
-    bool asks = is_only_interval(r->lift, p, kept);
-    uint64_t rays = asks ? 0 : rays_at_first(r->lift, p, kept);
-    fmb_status st = asks ? FMB_OK : try_gentle_elimination(r);
+    uint64_t rays = rays_at_first(r->lift, p, kept);
+    fmb_status st = is_contradiction_seen_sooner(r->lift) ? learn_if_feasible(r) : FMB_OK;
     if (is_open(st, r) && rays > 0)
         st = try_rays(r, rays);
     if (is_open(st, r) && kept <= SHORT_QUERIES && fmb_lift_is_nearly_done(r->lift))
         st = try_rays(r, rays);
-    if (is_open(st, r) && !asks)
+    if (is_open(st, r) && !fmb_lift_is_long(r->lift))
         st = try_steeper_elimination(r, kept);
     rays = is_open(st, r) ? rays_before_queries(r->lift, p, kept) : 0;
-    if (rays > 0)
-        st = try_rays(r, rays);
+    return rays > 0 ? try_rays(r, rays) : st;
+}
+
+/* What is nearly cheap is eliminated; then what rows and numbers are like tells the way; then the
+ * oracle is asked. */
+static fmb_status try_each_shortly(rungs *r)
+{
+    const fmb_part *p = &r->q->parts.part[r->part];
+    int kept = count_kept_columns(p, r->place);
+    fmb_status st = FMB_OK;
+    if (!is_only_interval(r->lift, p, kept)) {
+        st = try_gentle_elimination(r);
+        bool sparse = is_open(st, r) && is_sparse(r->lift);
+        if (sparse)
+            st = try_pruned_elimination(r);
+        if (is_open(st, r))
+            st = try_rays_and_steeper_elimination(r, kept);
+    }
     return is_open(st, r) ? try_oracle(r) : st;
 }
 

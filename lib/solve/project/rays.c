@@ -349,12 +349,36 @@ bool fmb_lift_is_nearly_done(const fmb_lift *h)
     return h->lifted && 4 * h->cone.lefts <= h->rows;
 }
 
-bool fmb_lift_is_wide(const fmb_lift *h)
+bool fmb_lift_is_long(const fmb_lift *h)
 {
-    bool is = false;
-    for (size_t i = 0; !is && i < h->e.live.size; i++)
-        is = fmb_vec_is_wide(&h->e.row[h->e.live.row[i]].v);
-    return is;
+    bool wide = false, long_all = true;
+    for (size_t i = 0; i < h->e.live.size; i++) {
+        const fmb_vec *v = &h->e.row[h->e.live.row[i]].v;
+        wide |= fmb_vec_is_wide(v);
+        long_all &= fmb_vec_is_wide(v) || v->bits > FMB_LAZY_BITS;
+    }
+    return wide || long_all;
+}
+
+size_t fmb_lift_rows(const fmb_lift *h)
+{
+    return h->e.live.size;
+}
+
+size_t fmb_lift_entries(const fmb_lift *h)
+{
+    size_t named = 0;
+    for (size_t i = 0; i < h->e.live.size; i++)
+        named += (size_t)fmb_elim_count_variables(&h->e, &h->e.row[h->e.live.row[i]]);
+    return named;
+}
+
+size_t fmb_lift_bounds(const fmb_lift *h)
+{
+    size_t bounds = 0;
+    for (size_t i = 0; i < h->e.live.size; i++)
+        bounds += fmb_elim_count_variables(&h->e, &h->e.row[h->e.live.row[i]]) == 1;
+    return bounds;
 }
 
 bool fmb_lift_has_given_up(const fmb_lift *h)
@@ -362,8 +386,13 @@ bool fmb_lift_has_given_up(const fmb_lift *h)
     return h->over;
 }
 
+size_t fmb_lift_columns(const fmb_lift *h)
+{
+    return (size_t)h->p->n - (size_t)h->e.rounds;
+}
+
 size_t fmb_lift_freedom(const fmb_lift *h)
 {
-    size_t rows = h->e.live.size, d = (size_t)h->p->n - (size_t)h->e.rounds + 1;
+    size_t rows = h->e.live.size, d = fmb_lift_columns(h) + 1;
     return rows > d && rows - d > d ? d : rows > d ? rows - d : 0;
 }

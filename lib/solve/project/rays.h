@@ -22,8 +22,14 @@ fmb_status fmb_lift_run(fmb_lift *h, uint64_t rays, fmb_system *out, bool *feasi
 fmb_elim *fmb_lift_elimination(fmb_lift *h, const bool **drop);
 /* Few rows are still to come. */
 bool fmb_lift_is_nearly_done(const fmb_lift *h);
-/* Some numbers are longer than a word. */
-bool fmb_lift_is_wide(const fmb_lift *h);
+/* Some numbers are longer than a word, or so long in all rows that those of combinations will be.
+ */
+bool fmb_lift_is_long(const fmb_lift *h);
+/* Variables and rows that are left, coefficients, and rows with one of those. */
+size_t fmb_lift_columns(const fmb_lift *h);
+size_t fmb_lift_rows(const fmb_lift *h);
+size_t fmb_lift_entries(const fmb_lift *h);
+size_t fmb_lift_bounds(const fmb_lift *h);
 /* There is no use in going on: it must be eliminated. */
 bool fmb_lift_has_given_up(const fmb_lift *h);
 /* The least of dimensions and of rows beyond as many, of the cone: up to 10 or so it has few rays.
