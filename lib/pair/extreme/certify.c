@@ -80,20 +80,25 @@ static void raise_to(fmb_wide *most, const fmb_wide *x)
         fmb_wide_copy(most, x);
 }
 
+static void list_numbers(const fmb_extreme_number x[DIM], const fmb_wide *out[DIM])
+{
+    for (int row = 0; row < DIM; row++)
+        out[row] = &x[row].whole;
+}
+
 /* Is w h greater than any w M z? */
 static bool is_beyond_all(const fmb_extreme_program *s, const fmb_wide *w)
 {
     fmb_wide most[2], sum, part;
+    const fmb_wide *const of_w[DIM] = {&w[0], &w[1], &w[2]}, *factor[DIM];
     fmb_wide_set_word(&most[0], 0);
     fmb_wide_set_word(&most[1], 0);
-    fmb_wide_set_word(&sum, 0);
-    for (int row = 0; row < DIM; row++)
-        fmb_wide_subtract_product(&sum, &w[row], &s->h[row].whole);
+    list_numbers(s->h, factor);
+    fmb_wide_dot(&sum, DIM, of_w, factor, (1 << DIM) - 1);
     for (int j = 0; j < s->columns; j++) {
         int group = s->group[j];
-        fmb_wide_set_word(&part, 0);
-        for (int row = 0; row < DIM; row++)
-            fmb_wide_add_product(&part, &w[row], &s->m[j][row].whole);
+        list_numbers(s->m[j], factor);
+        fmb_wide_dot(&part, DIM, of_w, factor, 0);
         if (group <= FMB_EXTREME_OF_B)
             raise_to(&most[group], &part);
         else if (!part.minus)
@@ -119,67 +124,77 @@ bool fmb_extreme_are_apart(fmb_extreme *v, const fmb_extreme_program *s,
 
 /* ---- is it the end? -------------------------------------------------------------------------- */
 
+/* Relative costs of all unknowns. */
+static void find_near_costs(const fmb_extreme *v, const fmb_extreme_goal *goal, near *cost)
+{
+    for (int j = 0; j < FMB_EXTREME_UNKNOWNS; j++)
+        cost[j] = fmb_extreme_near_difference(relative_cost(v, goal, j));
+}
+
 /* y det */
-static void find_near_prices(const fmb_extreme *v, const fmb_extreme_goal *goal, near *y)
+static void find_near_prices(const fmb_extreme *v, const near *cost, near *y)
 {
     for (int row = 0; row < DIM; row++)
         y[row] = (near){0, 0};
-    for (int k = 0; k < DIM; k++) {
-        near c = fmb_extreme_near_difference(relative_cost(v, goal, v->basic[k]));
-        for (int row = 0; c.size != 0 && row < DIM; row++)
-            fmb_extreme_add_product(&y[row], c, v->near_adjugate[k][row]);
-    }
+    for (int k = 0; k < DIM; k++)
+        for (int row = 0; cost[v->basic[k]].size != 0 && row < DIM; row++)
+            fmb_extreme_add_product(&y[row], cost[v->basic[k]], v->near_adjugate[k][row]);
 }
 
 /* - d_j det */
-static near find_near_loss(const fmb_extreme *v, const fmb_extreme_goal *goal, const near *y, int j)
+static near find_near_loss(const fmb_extreme *v, near cost, const near *y, int j)
 {
-    near cost = fmb_extreme_near_difference(relative_cost(v, goal, j)), loss = {0, 0};
+    near loss = {0, 0};
     fmb_extreme_add_product(&loss, v->near_det, (near){-cost.x, cost.size});
     for (int row = 0; row < DIM; row++)
-        fmb_extreme_add_product(&loss, y[row],
-                                fmb_extreme_near_difference(fmb_extreme_relative_entry(v, j, row)));
+        fmb_extreme_add_product(&loss, y[row], v->near_entry[j][row]);
     return loss;
 }
 
 static void find_prices(fmb_extreme *v, const fmb_extreme_goal *goal, fmb_wide *y)
 {
-    fmb_wide room;
-    for (int row = 0; row < DIM; row++)
-        fmb_wide_set_word(&y[row], 0);
+    fmb_wide room[DIM];
+    const fmb_wide *cost[DIM];
     for (int k = 0; k < DIM; k++) {
-        const fmb_wide *cost = fmb_extreme_difference(relative_cost(v, goal, v->basic[k]), &room);
+        cost[k] = fmb_extreme_difference(relative_cost(v, goal, v->basic[k]), &room[k]);
         fmb_extreme_need_row(v, k);
-        for (int row = 0; row < DIM; row++)
-            fmb_wide_add_product(&y[row], cost, &v->adjugate[k][row]);
     }
+    for (int row = 0; row < DIM; row++)
+        fmb_wide_dot(&y[row], DIM, cost,
+                     (const fmb_wide *const[]){&v->adjugate[0][row], &v->adjugate[1][row],
+                                               &v->adjugate[2][row]},
+                     0);
 }
 
 static int exact_sign_of_loss(fmb_extreme *v, const fmb_extreme_goal *goal, int j)
 {
-    fmb_wide y[DIM], loss, room;
+    fmb_wide y[DIM], loss, room[DIM + 1];
+    const fmb_wide *a[DIM + 1], *b[DIM + 1];
     find_prices(v, goal, y);
     fmb_extreme_need_det(v);
-    fmb_wide_multiply(&loss, fmb_extreme_difference(relative_cost(v, goal, j), &room), &v->det);
-    fmb_wide_negate(&loss);
-    for (int row = 0; row < DIM; row++)
-        fmb_wide_add_product(&loss, &y[row],
-                             fmb_extreme_difference(fmb_extreme_relative_entry(v, j, row), &room));
+    for (int row = 0; row < DIM; row++) {
+        a[row] = &y[row];
+        b[row] = fmb_extreme_difference(fmb_extreme_relative_entry(v, j, row), &room[row]);
+    }
+    a[DIM] = &v->det;
+    b[DIM] = fmb_extreme_difference(relative_cost(v, goal, j), &room[DIM]);
+    fmb_wide_dot(&loss, DIM + 1, a, b, 1 << DIM);
     return fmb_wide_sign(&loss);
 }
 
 bool fmb_extreme_is_farthest(fmb_extreme *v, const fmb_extreme_goal *goal)
 {
-    near y[DIM];
+    near cost[FMB_EXTREME_UNKNOWNS], y[DIM];
     bool turned = goal->is_world && v->side == 1;
     int sign_det = fmb_extreme_sign_of_det(v),
         upward = (goal->greatest != turned ? 1 : -1) * sign_det;
-    find_near_prices(v, goal, y);
+    find_near_costs(v, goal, cost);
+    find_near_prices(v, cost, y);
     for (int j = 0; j < FMB_EXTREME_ARTIFICIAL; j++) {
         int place = v->basis.place[j];
         if (place == FMB_EXTREME_BASIC || v->program->group[j] == FMB_EXTREME_NONE)
             continue;
-        near loss = find_near_loss(v, goal, y, j);
+        near loss = find_near_loss(v, cost[j], y, j);
         int sign = fmb_extreme_is_sign_known(loss) ? fmb_extreme_sign_of_near(loss)
                                                    : exact_sign_of_loss(v, goal, j);
         if (sign == (place == FMB_EXTREME_HIGH ? upward : -upward))
@@ -204,22 +219,22 @@ void fmb_extreme_value(fmb_extreme *v, const fmb_extreme_goal *goal, fmb_wide *n
                        fmb_wide *denominator)
 {
     fmb_wide constant, room[DIM];
-    const fmb_wide *cost[DIM];
-    bool is_whole = true;
+    const fmb_wide *cost[DIM + 1], *factor[DIM + 1];
+    int n = 0;
     find_constant(v, goal, &constant);
     for (int k = 0; k < DIM; k++) {
-        cost[k] = fmb_extreme_difference(relative_cost(v, goal, v->basic[k]), &room[k]);
-        is_whole = is_whole && cost[k]->n == 0;
-        if (cost[k]->n != 0)
-            fmb_extreme_need_x(v, k);
+        cost[n] = fmb_extreme_difference(relative_cost(v, goal, v->basic[k]), &room[k]);
+        if (cost[n]->n == 0)
+            continue;
+        fmb_extreme_need_x(v, k);
+        factor[n++] = &v->x[k];
     }
-    if (!is_whole)
+    if (n > 0)
         fmb_extreme_need_det(v);
-    fmb_wide_copy(denominator, is_whole ? &fmb_extreme_one.whole : &v->det);
-    fmb_wide_multiply(numerator, &constant, denominator);
-    for (int k = 0; k < DIM; k++)
-        if (cost[k]->n != 0)
-            fmb_wide_add_product(numerator, cost[k], &v->x[k]);
+    fmb_wide_copy(denominator, n > 0 ? &v->det : &fmb_extreme_one.whole);
+    cost[n] = &constant;
+    factor[n] = denominator;
+    fmb_wide_dot(numerator, n + 1, cost, factor, 0);
     if (goal->is_world && v->side == 1)
         fmb_wide_negate(numerator);
     if (denominator->minus) {

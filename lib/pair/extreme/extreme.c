@@ -8,12 +8,16 @@
 #include "pair/extreme/outward.h"
 #include "pair/extreme/walk.h"
 
+enum { MOST_GOALS = 2 * (2 * FMB_EXTREME_DIM + 1), MOST_POINTS = MOST_GOALS + 1 };
+
+/* Many ends are at a vertex where another one was found. */
 typedef struct boxer {
     fmb_extreme_program program;
     fmb_extreme_walk walk;
-    fmb_extreme at;                  /* where the last end was found */
-    double sum[FMB_EXTREME_COLUMNS]; /* of the vertices, for a witness */
-    int vertices;
+    fmb_extreme point[MOST_POINTS]; /* visited so far */
+    double near[MOST_POINTS][FMB_EXTREME_COLUMNS];
+    int points;
+    fmb_extreme *at; /* one of them */
 } boxer;
 
 /* ---- ends ------------------------------------------------------------------------------------ */
@@ -21,30 +25,56 @@ typedef struct boxer {
 /* At that basic solution; it counts among those whose mean is the witness. */
 static bool stand_at_basis(boxer *b, const fmb_extreme_basis *basis)
 {
-    double z[FMB_EXTREME_COLUMNS];
-    if (b->vertices > 0 && memcmp(basis, &b->at.basis, sizeof *basis) == 0)
+    int k = 0;
+    while (k < b->points && memcmp(basis, &b->point[k].basis, sizeof *basis) != 0)
+        k++;
+    b->at = &b->point[k];
+    if (k < b->points)
         return true;
-    if (!fmb_extreme_stand(&b->at, &b->program, basis))
+    if (!fmb_extreme_stand(b->at, &b->program, basis))
         return false;
-    fmb_extreme_near_values(&b->at, z);
-    for (int j = 0; j < b->program.columns; j++)
-        b->sum[j] = (b->vertices > 0 ? b->sum[j] : 0) + z[j];
-    b->vertices++;
+    fmb_extreme_near_values(b->at, b->near[k]);
+    b->points++;
     return true;
+}
+
+/* How far visited point k is in the direction of the goal, roughly. */
+static double near_value_of_goal(const boxer *b, const fmb_extreme_goal *goal, int k)
+{
+    double value = goal->is_world ? 0 : b->near[k][goal->number];
+    for (int j = 0; goal->is_world && j < b->program.columns; j++)
+        value += b->walk.world[goal->number][j] * b->near[k][j];
+    return goal->greatest ? value : -value;
+}
+
+static bool is_end_visited(boxer *b, const fmb_extreme_goal *goal)
+{
+    double most = -INFINITY;
+    for (int k = 0; k < b->points; k++) {
+        double value = near_value_of_goal(b, goal, k);
+        if (value > most) {
+            most = value;
+            b->at = &b->point[k];
+        }
+    }
+    return b->points > 0 && fmb_extreme_is_farthest(b->at, goal);
+}
+
+static bool is_end_reached(boxer *b, const fmb_extreme_goal *goal)
+{
+    return fmb_extreme_walk_to(&b->walk, goal) && stand_at_basis(b, &b->walk.basis) &&
+           fmb_extreme_is_farthest(b->at, goal);
 }
 
 /* The end that is the goal, as a fraction in its unit. */
 static bool find_end(boxer *b, const fmb_extreme_goal *goal, fmb_wide *numerator,
                      fmb_wide *denominator)
 {
-    if (!fmb_extreme_walk_to(&b->walk, goal) || !stand_at_basis(b, &b->walk.basis) ||
-        !fmb_extreme_is_farthest(&b->at, goal))
+    if (!is_end_visited(b, goal) && !is_end_reached(b, goal))
         return false;
-    fmb_extreme_value(&b->at, goal, numerator, denominator);
+    fmb_extreme_value(b->at, goal, numerator, denominator);
     return true;
 }
-
-enum { MOST_GOALS = 2 * (2 * FMB_EXTREME_DIM + 1) };
 
 /* Both ends of n coordinates, or unknowns, from the first on. Least ends, then greatest ones:
  * neighbours are near each other. */
@@ -93,17 +123,28 @@ static bool find_rounded_end(boxer *b, const fmb_extreme_goal *goal, answer *to)
                                      &to->end[group][place]);
 }
 
+static double mean_of_visited_points(const boxer *b, int column)
+{
+    double sum = 0;
+    for (int k = 0; k < b->points; k++)
+        sum += b->near[k][column];
+    return sum / b->points;
+}
+
 static void write_mean_of_extreme_points(const boxer *b, const fmb_frame *p, double *x)
 {
     bool by_corners = fmb_frame_is_by_corners(p->shape);
+    double mean[FMB_EXTREME_COLUMNS];
+    for (int j = 0; j < b->program.columns; j++)
+        mean[j] = mean_of_visited_points(b, j);
     for (int i = 0; i < p->dim; i++) {
         x[i] = p->origin[i];
         for (int k = 0; k < p->naxes; k++) {
             double axis = p->axes[k * p->dim + i] - (by_corners ? p->origin[i] : 0);
-            x[i] += b->sum[k] / b->vertices * axis;
+            x[i] += mean[k] * axis;
         }
         if (p->speed)
-            x[i] += b->sum[b->program.time] / b->vertices * p->speed[i];
+            x[i] += mean[b->program.time] * p->speed[i];
     }
 }
 
@@ -118,14 +159,14 @@ bool fmb_extreme_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_a
     boxer b;
     answer found = {.end[TIME] = {0, 1}};
     fmb_extreme_goal goal[MOST_GOALS];
-    b.vertices = 0;
+    b.points = 0;
     if (!fmb_extreme_load(&b.program, p, q) || !fmb_extreme_walk_start(&b.walk, &b.program))
         return false;
     int goals = list_goals(&b.program, out->world, out->inside, out->time, goal);
     for (int i = 0; i < goals; i++)
         if (!find_rounded_end(&b, &goal[i], &found))
             return false;
-    if (!stand_at_basis(&b, &b.walk.basis))
+    if (b.points == 0 && !stand_at_basis(&b, &b.walk.basis))
         return false;
     copy_ends(out->world, found.end[WORLD], p->dim);
     copy_ends(out->inside, found.end[INSIDE], q->naxes);
@@ -171,7 +212,7 @@ static bool find_exact_end(boxer *b, mpz_t *unit, const fmb_extreme_goal *goal,
 static void write_value_here(boxer *b, mpz_t *unit, const fmb_extreme_goal *goal, mpq_t out)
 {
     fmb_wide numerator, denominator;
-    fmb_extreme_value(&b->at, goal, &numerator, &denominator);
+    fmb_extreme_value(b->at, goal, &numerator, &denominator);
     write_fraction(&numerator, &denominator, unit_of_goal(unit, goal), out);
 }
 
@@ -190,11 +231,11 @@ static fmb_verdict answer_in_units(boxer *b, mpz_t *unit, const fmb_frame_q *p,
                                    const fmb_frame_q *q, const fmb_pair_answers_q *out)
 {
     fmb_extreme_goal goal[MOST_GOALS];
-    b->vertices = 0;
+    b->points = 0;
     if (!fmb_extreme_load_q(&b->program, p, q, unit))
         return FMB_UNKNOWN;
     if (!fmb_extreme_walk_start(&b->walk, &b->program))
-        return fmb_extreme_are_apart(&b->at, &b->program, &b->walk.basis, b->walk.weight)
+        return fmb_extreme_are_apart(&b->point[0], &b->program, &b->walk.basis, b->walk.weight)
                    ? FMB_INFEASIBLE
                    : FMB_UNKNOWN;
     if (!stand_at_basis(b, &b->walk.basis))

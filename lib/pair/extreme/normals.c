@@ -127,8 +127,7 @@ static bool whole_normal(const judge *w, int i, fmb_wide n[3])
         whole_direction(w, of[1], g);
         for (int j = 0; j < 3; j++) {
             int k = (j + 1) % 3, l = (j + 2) % 3;
-            fmb_wide_multiply(&n[j], &f[k], &g[l]);
-            fmb_wide_subtract_product(&n[j], &f[l], &g[k]);
+            fmb_wide_cross(&n[j], &f[k], &g[l], &f[l], &g[k]);
         }
     }
     return n[0].n > 0 || n[1].n > 0 || n[2].n > 0;
@@ -136,9 +135,8 @@ static bool whole_normal(const judge *w, int i, fmb_wide n[3])
 
 static void whole_product(const fmb_wide n[3], const fmb_extreme_number x[3], fmb_wide *out)
 {
-    fmb_wide_multiply(out, &n[0], &x[0].whole);
-    fmb_wide_add_product(out, &n[1], &x[1].whole);
-    fmb_wide_add_product(out, &n[2], &x[2].whole);
+    fmb_wide_dot(out, 3, (const fmb_wide *const[]){&n[0], &n[1], &n[2]},
+                 (const fmb_wide *const[]){&x[0].whole, &x[1].whole, &x[2].whole}, 0);
 }
 
 /* n M z, its least and its greatest value over all places: those of one frame, or of the time, come
@@ -194,8 +192,7 @@ static bool cross_columns(const fmb_extreme_number a[3], const fmb_extreme_numbe
 {
     for (int j = 0; j < 3; j++) {
         int k = (j + 1) % 3, l = (j + 2) % 3;
-        fmb_wide_multiply(&n[j], &a[k].whole, &b[l].whole);
-        fmb_wide_subtract_product(&n[j], &a[l].whole, &b[k].whole);
+        fmb_wide_cross(&n[j], &a[k].whole, &b[l].whole, &a[l].whole, &b[k].whole);
     }
     return n[0].n > 0 || n[1].n > 0 || n[2].n > 0;
 }

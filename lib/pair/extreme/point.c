@@ -34,15 +34,20 @@ fmb_extreme_relative fmb_extreme_relative_entry(const fmb_extreme *v, int j, int
 
 /* ---- in doubles ------------------------------------------------------------------------------ */
 
+static void find_near_entries(fmb_extreme *v)
+{
+    for (int j = 0; j < FMB_EXTREME_UNKNOWNS; j++)
+        for (int row = 0; row < DIM && v->program->group[j] != FMB_EXTREME_NONE; row++)
+            v->near_entry[j][row] =
+                fmb_extreme_near_difference(fmb_extreme_relative_entry(v, j, row));
+}
+
 /* Row k of the adjugate is the cross product of the two other columns. */
 static void find_near_adjugate(fmb_extreme *v)
 {
-    for (int k = 0; k < DIM; k++)
-        for (int row = 0; row < DIM; row++)
-            v->near_column[k][row] =
-                fmb_extreme_near_difference(fmb_extreme_relative_entry(v, v->basic[k], row));
     for (int k = 0; k < DIM; k++) {
-        const near *a = v->near_column[(k + 1) % DIM], *b = v->near_column[(k + 2) % DIM];
+        const near *a = v->near_entry[v->basic[(k + 1) % DIM]],
+                   *b = v->near_entry[v->basic[(k + 2) % DIM]];
         for (int row = 0; row < DIM; row++) {
             int i = (row + 1) % DIM, j = (row + 2) % DIM;
             v->near_adjugate[k][row] = (near){a[i].x * b[j].x - a[j].x * b[i].x,
@@ -51,7 +56,8 @@ static void find_near_adjugate(fmb_extreme *v)
     }
     v->near_det = (near){0, 0};
     for (int row = 0; row < DIM; row++)
-        fmb_extreme_add_product(&v->near_det, v->near_adjugate[0][row], v->near_column[0][row]);
+        fmb_extreme_add_product(&v->near_det, v->near_adjugate[0][row],
+                                v->near_entry[v->basic[0]][row]);
 }
 
 static void find_near_values(fmb_extreme *v)
@@ -93,24 +99,30 @@ void fmb_extreme_need_row(fmb_extreme *v, int k)
     }
     for (int row = 0; row < DIM; row++) {
         int i = (row + 1) % DIM, j = (row + 2) % DIM;
-        fmb_wide_multiply(&v->adjugate[k][row], a[i], b[j]);
-        fmb_wide_subtract_product(&v->adjugate[k][row], a[j], b[i]);
+        fmb_wide_cross(&v->adjugate[k][row], a[i], b[j], a[j], b[i]);
     }
     v->has_row |= 1u << k;
 }
 
+/* Row k of the adjugate, as what fmb_wide_dot takes. */
+static void list_row(const fmb_extreme *v, int k, const fmb_wide *row[DIM])
+{
+    for (int j = 0; j < DIM; j++)
+        row[j] = &v->adjugate[k][j];
+}
+
 void fmb_extreme_need_det(fmb_extreme *v)
 {
-    fmb_wide room;
+    fmb_wide room[DIM];
+    const fmb_wide *row[DIM], *column[DIM];
     int k = v->has_row == 0 ? 0 : __builtin_ctz(v->has_row);
     if (v->has_det)
         return;
     fmb_extreme_need_row(v, k);
-    fmb_wide_set_word(&v->det, 0);
-    for (int row = 0; row < DIM; row++)
-        fmb_wide_add_product(
-            &v->det, &v->adjugate[k][row],
-            fmb_extreme_difference(fmb_extreme_relative_entry(v, v->basic[k], row), &room));
+    list_row(v, k, row);
+    for (int j = 0; j < DIM; j++)
+        column[j] = fmb_extreme_difference(fmb_extreme_relative_entry(v, v->basic[k], j), &room[j]);
+    fmb_wide_dot(&v->det, DIM, row, column, 0);
     v->has_det = true;
 }
 
@@ -129,13 +141,14 @@ static void need_rest(fmb_extreme *v)
 
 void fmb_extreme_need_x(fmb_extreme *v, int k)
 {
+    const fmb_wide *row[DIM];
     if (v->has_x >> k & 1)
         return;
     fmb_extreme_need_row(v, k);
     need_rest(v);
-    fmb_wide_set_word(&v->x[k], 0);
-    for (int row = 0; row < DIM; row++)
-        fmb_wide_add_product(&v->x[k], &v->adjugate[k][row], &v->rest[row]);
+    list_row(v, k, row);
+    fmb_wide_dot(&v->x[k], DIM, row,
+                 (const fmb_wide *const[]){&v->rest[0], &v->rest[1], &v->rest[2]}, 0);
     v->has_x |= 1u << k;
 }
 
@@ -238,6 +251,7 @@ bool fmb_extreme_stand(fmb_extreme *v, const fmb_extreme_program *s, const fmb_e
 {
     if (!fmb_extreme_take_basis(v, s, basis))
         return false;
+    find_near_entries(v);
     find_near_adjugate(v);
     find_near_values(v);
     return are_all_in_place(v);

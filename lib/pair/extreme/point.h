@@ -23,7 +23,8 @@ typedef struct fmb_extreme {
     int reference[2]; /* of each simplex, or -1 */
     int side;         /* the frame whose coordinates make a world coordinate from fewer unknowns */
     /* Values of basic unknowns are x / det, x = adjugate rest; likewise those of references. */
-    fmb_extreme_near near_column[FMB_EXTREME_DIM][FMB_EXTREME_DIM];
+    fmb_extreme_near near_entry[FMB_EXTREME_UNKNOWNS]
+                               [FMB_EXTREME_DIM]; /* [unknown][row], relative */
     fmb_extreme_near near_adjugate[FMB_EXTREME_DIM][FMB_EXTREME_DIM];
     fmb_extreme_near near_det, near_x[FMB_EXTREME_DIM], near_reference[2];
     /* The same exactly, as far as it was needed: the bits say what is there. */

@@ -172,20 +172,17 @@ static inline void fmb_wide_multiply(fmb_wide *out, const fmb_wide *a, const fmb
     fmb_wide_trim(out);
 }
 
-/* sum += a b */
-static inline void fmb_wide_add_product(fmb_wide *sum, const fmb_wide *a, const fmb_wide *b)
-{
-    fmb_wide product;
-    fmb_wide_multiply(&product, a, b);
-    fmb_wide_gather(sum, &product, false);
-}
+/* out = the sum of a[i] b[i], or of - a[i] b[i] where bit i of minus is set, 0 <= i < n. It may be
+ * one of the factors. */
+void fmb_wide_dot(fmb_wide *out, int n, const fmb_wide *const *a, const fmb_wide *const *b,
+                  unsigned minus);
 
-/* sum -= a b */
-static inline void fmb_wide_subtract_product(fmb_wide *sum, const fmb_wide *a, const fmb_wide *b)
+/* out = a b' - a' b */
+static inline void fmb_wide_cross(fmb_wide *out, const fmb_wide *a, const fmb_wide *other_b,
+                                  const fmb_wide *other_a, const fmb_wide *b)
 {
-    fmb_wide product;
-    fmb_wide_multiply(&product, a, b);
-    fmb_wide_gather(sum, &product, true);
+    fmb_wide_dot(out, 2, (const fmb_wide *const[]){a, other_a},
+                 (const fmb_wide *const[]){other_b, b}, 2);
 }
 
 /* a *= 2^bits */
