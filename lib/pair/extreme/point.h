@@ -64,7 +64,7 @@ fmb_extreme_relative fmb_extreme_relative_entry(const fmb_extreme *v, int j, int
 /* The reference that unknown j is relative to, or -1. */
 static inline int fmb_extreme_reference_of(const fmb_extreme *v, int j)
 {
-    int group = j < 0 ? FMB_EXTREME_NONE : v->program->group[j];
+    int group = v->program->group[j];
     return group <= FMB_EXTREME_OF_B ? v->reference[group] : -1;
 }
 

@@ -82,12 +82,15 @@ static int find_entering(const fmb_extreme_walk *w, const double *cost, const do
         gain[j] = cost[j];
         size[j] = fabs(cost[j]);
     }
-    for (int r = 0; r < w->rows; r++)
-        for (int j = 0; weight[r] != 0 && j < FMB_WALK_COLUMNS; j++) {
+    for (int r = 0; r < w->rows; r++) {
+        if (weight[r] == 0)
+            continue;
+        for (int j = 0; j < FMB_WALK_COLUMNS; j++) {
             double part = weight[r] * w->entry[r][j];
             gain[j] -= part;
             size[j] += fabs(part);
         }
+    }
     for (int j = 0; j < w->columns; j++) {
         double up = w->basis.place[j] == FMB_EXTREME_HIGH ? -gain[j] : gain[j];
         if (up > most && up > NO_GAIN * size[j] && w->basis.place[j] != FMB_EXTREME_BASIC) {
