@@ -3,6 +3,8 @@
 #include <stdarg.h>
 #include <stdlib.h>
 
+#include <fmb/generators.h>
+
 #include "asking.h"
 #include "rows.h"
 
@@ -121,6 +123,38 @@ static void optimize(fmb_solver *v, const scene *c, fmb_result *r, moment *retur
     fmb_optimum_free(o);
 }
 
+static void vertices(fmb_solver *v, const scene *c, fmb_result *r, moment *returned)
+{
+    fmb_generators *g = NULL;
+    must(fmb_generate(v, c->s, &g, r));
+    *returned = asking_moment(CLOCK_THREAD_CPUTIME_ID);
+    if (!g && r->verdict == FMB_FEASIBLE && r->stop == FMB_STOP_DONE)
+        asking_fail("%s: feasible without vertices", c->name);
+    fmb_generators_free(g);
+}
+
+/* (t, t^2, ...): of each two neighbours in 4 to 7 dimensions some facet goes through. */
+static void hull(fmb_solver *v, const scene *c, fmb_result *r, moment *returned)
+{
+    enum { POINTS = 48, MOST_DIM = 7 };
+    double x[MOST_DIM];
+    int dim = 4 + c->kept % 4;
+    fmb_generators *g = NULL;
+    fmb_system *s = NULL;
+    must(fmb_generators_new(dim, NULL, &g));
+    for (int i = 0; i < POINTS; i++) {
+        for (int j = 0; j < dim; j++)
+            x[j] = (j == 0 ? 1 : x[j - 1]) * (i - POINTS / 2);
+        must(fmb_generators_add(g, FMB_VERTEX, x));
+    }
+    must(fmb_hull(v, g, &s, r));
+    *returned = asking_moment(CLOCK_THREAD_CPUTIME_ID);
+    if (s ? r->verdict != FMB_FEASIBLE : r->stop == FMB_STOP_DONE)
+        asking_fail("the hull: %s", fmb_verdict_text(r->verdict));
+    fmb_system_free(s);
+    fmb_generators_free(g);
+}
+
 fmb_result asking(fmb_solver *v, const scene *c, asking_kind kind, moment *returned)
 {
     fmb_result r = {0};
@@ -132,7 +166,12 @@ fmb_result asking(fmb_solver *v, const scene *c, asking_kind kind, moment *retur
         reduce(v, c, &r, returned);
     else if (kind == ASKING_OPTIMIZE)
         optimize(v, c, &r, returned);
-    else {
+    else if (kind == ASKING_VERTICES)
+        vertices(v, c, &r, returned);
+    else if (kind == ASKING_HULL) {
+        hull(v, c, &r, returned);
+        return r;
+    } else {
         must(fmb_solve(v, c->s, &r));
         *returned = asking_moment(CLOCK_THREAD_CPUTIME_ID);
     }

@@ -14,6 +14,8 @@ typedef enum asking_kind {
     ASKING_BOUND,
     ASKING_REDUCE,
     ASKING_OPTIMIZE,
+    ASKING_VERTICES,
+    ASKING_HULL, /* of a cyclic polytope's vertices, whatever the scene */
     ASKING_KINDS
 } asking_kind;
 

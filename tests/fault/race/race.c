@@ -63,7 +63,7 @@ static fmb_options some_options(support_rng *g)
     o.method = (fmb_method)support_between(g, FMB_METHOD_AUTO, FMB_METHOD_DD);
     o.threads = support_chance(g, 50) ? (size_t)support_between(g, 2, 5) : 1;
     o.arith = support_chance(g, 20) ? FMB_ARITH_GMP : FMB_ARITH_AUTO;
-    o.evidence = true;
+    o.evidence = support_chance(g, 30) ? FMB_EVIDENCE_WHOLE : FMB_EVIDENCE_ALL;
     return o;
 }
 
