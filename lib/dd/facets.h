@@ -81,6 +81,8 @@ fmb_status fmb_facets_add_all(fmb_facets *f, const fmb_vec *v, size_t size, size
 
 /* Make the normal of a facet known. Errors: MEMORY, LIMIT. */
 fmb_status fmb_facets_need_normal(fmb_facets *f, size_t at);
+/* Those of all facets, by as many threads as the run has. Errors: MEMORY, LIMIT. */
+fmb_status fmb_facets_need_all_normals(fmb_facets *f);
 
 static inline bool fmb_facet_holds(const fmb_facet *a, size_t generator)
 {

@@ -30,6 +30,7 @@ static inline void fmb_facet_put_on(fmb_facet *a, size_t generator)
 fmb_status fmb_facets_evaluate(fmb_facets *f, fmb_vec *v);
 /* The sign of v.g. */
 int fmb_facets_sign(fmb_facets *f, const fmb_vec *v, const fmb_vec *g);
+int fmb_facets_sign_by(const fmb_facets *f, const fmb_vec *v, const fmb_vec *g, fmb_num *num);
 void fmb_facets_negate(fmb_vec *v, size_t n);
 /* The last entry of v, a combination or what was in lowest terms, is 0 again, and v in lowest
  * terms. */
@@ -40,7 +41,7 @@ fmb_status fmb_facets_tidy(fmb_facets *f, fmb_vec *v);
 /* out[n] = v, up to a positive factor. */
 void fmb_facets_round(const fmb_vec *v, size_t n, double *out);
 /* The normal of a facet is known: round it. */
-void fmb_facets_round_normal(fmb_facets *f, fmb_facet *a);
+void fmb_facets_round_normal(const fmb_facets *f, fmb_facet *a);
 /* Roughly, the normal of a is that combination of n's and v's which is 0 on the generator at hand,
  * positive on n and negative on v. */
 void fmb_facets_combine_roughly(fmb_facets *f, fmb_facet *a, const fmb_facet *n,
@@ -48,6 +49,18 @@ void fmb_facets_combine_roughly(fmb_facets *f, fmb_facet *a, const fmb_facet *n,
 /* The sign of a facet's normal on a generator that is near[d] roughly, up to a positive factor,
  * entry by entry within 2^-50. Is it sure? */
 bool fmb_facets_guess_side(const fmb_facets *f, fmb_facet *a, const double *near, int *side);
+
+/* ---- facets_normal.c ------------------------------------------------------------------------- */
+
+/* What it takes to find a normal. */
+typedef struct fmb_normal_tools {
+    fmb_num *num;
+    mpz_t *minor; /* [2^d] scratch, or NULL */
+} fmb_normal_tools;
+
+/* Of a facet whose normal is not known. Several threads may, each with its own tools. */
+fmb_status fmb_facets_find_normal(const fmb_facets *f, fmb_facet *a, fmb_normal_tools *by);
+void fmb_normal_tools_clear(const fmb_facets *f, fmb_normal_tools *by);
 
 /* ---- facets_side.c --------------------------------------------------------------------------- */
 

@@ -4,6 +4,9 @@
  * k rows, in every set of k columns, give those of k + 1 rows by expansion along the last row
  * (Laplace): no divisions, and d 2^(d-1) products, which is why this is for few columns. If all new
  * minors are 0, the generator depends on those before it, and another one is taken.
+ *
+ * By Hadamard's inequality a minor is no larger than the product of the lengths of its rows. Where
+ * that fits into 126 bits, sums on the way may wrap around: modulo 2^128 they come out right.
  */
 #include "dd/facets_inside.h"
 #include "num/gcd.h"
@@ -28,14 +31,14 @@ static uint32_t next_set_of_same_size(uint32_t set)
 /* The minor of this set, with g as the last row. Signs alternate from the last column. */
 static void expand_small_minor(minors *m, uint32_t set, const fmb_vec *g)
 {
-    fmb_i128 sum = 0;
+    fmb_u128 sum = 0;
     for (uint32_t left = set, sign = 0; left != 0; sign ^= 1) {
         uint32_t c = 31 - (uint32_t)__builtin_clz(left), bit = (uint32_t)1 << c;
-        fmb_i128 t = m->s[set ^ bit] * g->s[c];
-        sum += sign ? -t : t;
+        fmb_u128 t = (fmb_u128)m->s[set ^ bit] * (fmb_u128)g->s[c];
+        sum += sign ? 0 - t : t;
         left ^= bit;
     }
-    m->s[set] = sum;
+    m->s[set] = (fmb_i128)sum;
 }
 
 static void expand_wide_minor(minors *m, uint32_t set, const fmb_vec *g, mpz_t room)
@@ -70,23 +73,31 @@ static void add_row_to_minors(minors *m, const fmb_vec *g, mpz_t room, bool *add
 
 /* ---- the normal ------------------------------------------------------------------------------ */
 
-/* Do minors of any generators on the facet fit into 126 bits? Of k rows, they are less than k!
- * times the product of their largest entries. */
+/* Of a small vector: its length squared is less than 2 to that. */
+static int bits_of_squared_length(const fmb_vec *v, size_t d)
+{
+    fmb_u128 sum = 0;
+    for (size_t j = 0; j < d; j++)
+        sum += (fmb_u128)((fmb_i128)v->s[j] * v->s[j]);
+    uint64_t high = (uint64_t)(sum >> 64);
+    return high != 0 ? 64 + fmb_bits64(high) : fmb_bits64((uint64_t)sum);
+}
+
+/* Do minors of any generators on the facet fit into 126 bits? */
 static bool are_minors_small(const fmb_facets *f, const fmb_facet *a)
 {
-    int most = 0, bits = 0;
+    int most = 0;
     for (size_t i = fmb_facet_next(a, 0, true); i < f->generators;
          i = fmb_facet_next(a, i + 1, true)) {
         if (f->generator[i].z)
             return false;
-        most = f->generator[i].bits > most ? f->generator[i].bits : most;
+        int bits = bits_of_squared_length(&f->generator[i], f->d);
+        most = bits > most ? bits : most;
     }
-    for (size_t k = 1; k < f->d; k++)
-        bits += most + fmb_bits64(k);
-    return bits <= 126;
+    return (int)(f->d - 1) * most <= 2 * 126;
 }
 
-static void find_minors(fmb_facets *f, const fmb_facet *a, minors *m)
+static void find_minors(const fmb_facets *f, const fmb_facet *a, minors *m, mpz_t room)
 {
     bool added;
     if (m->z)
@@ -95,7 +106,7 @@ static void find_minors(fmb_facets *f, const fmb_facet *a, minors *m)
         m->s[0] = 1;
     for (size_t i = 0; m->rows + 1 < f->d; i++) {
         i = fmb_facet_next(a, i, true);
-        add_row_to_minors(m, &f->generator[i], f->num.p, &added);
+        add_row_to_minors(m, &f->generator[i], room, &added);
     }
 }
 
@@ -113,12 +124,12 @@ static bool take_short_minors(const minors *m, fmb_vec *normal)
     return true;
 }
 
-static fmb_status take_minors(fmb_facets *f, const minors *m, fmb_vec *normal)
+static fmb_status take_minors(const minors *m, fmb_vec *normal, fmb_mem *mem)
 {
     uint32_t all = ((uint32_t)1 << m->d) - 1;
     if (!m->z && !normal->z && take_short_minors(m, normal))
         return FMB_OK;
-    fmb_status st = fmb_vec_widen(normal, f->d + 1, f->num.mem);
+    fmb_status st = fmb_vec_widen(normal, m->d + 1, mem);
     if (st != FMB_OK)
         return st;
     for (size_t j = 0; j < m->d; j++) {
@@ -131,46 +142,63 @@ static fmb_status take_minors(fmb_facets *f, const minors *m, fmb_vec *normal)
             mpz_neg(normal->z[j], normal->z[j]);
     }
     mpz_set_ui(normal->z[m->d], 0);
-    return fmb_vec_settle(normal, f->d + 1, f->num.mem);
+    return fmb_vec_settle(normal, m->d + 1, mem);
 }
 
 /* Its sign is that which makes it positive on a generator that is not on the facet. */
-static void turn_normal_inwards(fmb_facets *f, fmb_facet *a)
+static void turn_normal_inwards(const fmb_facets *f, fmb_facet *a, fmb_num *num)
 {
     size_t i = fmb_facet_next(a, 0, false);
-    if (fmb_facets_sign(f, &a->normal, &f->generator[i]) < 0)
+    if (fmb_facets_sign_by(f, &a->normal, &f->generator[i], num) < 0)
         fmb_facets_negate(&a->normal, f->d + 1);
 }
 
-static fmb_status need_wide_minors(fmb_facets *f)
+static fmb_status need_wide_minors(const fmb_facets *f, fmb_normal_tools *by)
 {
-    if (!f->minor)
-        f->minor = fmb_vec_block((size_t)1 << f->d, f->num.mem);
-    return f->minor ? FMB_OK : fmb_mem_status(f->num.mem);
+    if (!by->minor)
+        by->minor = fmb_vec_block((size_t)1 << f->d, by->num->mem);
+    return by->minor ? FMB_OK : fmb_mem_status(by->num->mem);
+}
+
+void fmb_normal_tools_clear(const fmb_facets *f, fmb_normal_tools *by)
+{
+    if (!by->minor)
+        return;
+    for (size_t i = 0; i < (size_t)1 << f->d; i++)
+        mpz_clear(by->minor[i]);
+    fmb_mem_put(by->num->mem, by->minor, (size_t)1 << f->d, sizeof *by->minor);
+    by->minor = NULL;
+}
+
+fmb_status fmb_facets_find_normal(const fmb_facets *f, fmb_facet *a, fmb_normal_tools *by)
+{
+    fmb_i128 small[MOST_SETS];
+    minors m = {.d = f->d, .s = small};
+    fmb_status st = FMB_OK;
+    if (!are_minors_small(f, a)) {
+        st = need_wide_minors(f, by);
+        m.z = by->minor;
+    }
+    if (st != FMB_OK)
+        return st;
+    find_minors(f, a, &m, by->num->p);
+    st = take_minors(&m, &a->normal, by->num->mem);
+    if (st == FMB_OK)
+        st = fmb_vec_reduce(&a->normal, f->d + 1, by->num);
+    if (st != FMB_OK)
+        return st;
+    turn_normal_inwards(f, a, by->num);
+    a->known = true;
+    fmb_facets_round_normal(f, a);
+    return FMB_OK;
 }
 
 fmb_status fmb_facets_need_normal(fmb_facets *f, size_t at)
 {
-    fmb_facet *a = &f->facet[at];
-    fmb_i128 small[MOST_SETS];
-    minors m = {.d = f->d, .s = small};
-    fmb_status st = FMB_OK;
-    if (a->known)
+    fmb_normal_tools own = {&f->num, f->minor};
+    if (f->facet[at].known)
         return FMB_OK;
-    if (!are_minors_small(f, a)) {
-        st = need_wide_minors(f);
-        m.z = f->minor;
-    }
-    if (st != FMB_OK)
-        return st;
-    find_minors(f, a, &m);
-    st = take_minors(f, &m, &a->normal);
-    if (st == FMB_OK)
-        st = fmb_vec_reduce(&a->normal, f->d + 1, &f->num);
-    if (st != FMB_OK)
-        return st;
-    turn_normal_inwards(f, a);
-    a->known = true;
-    fmb_facets_round_normal(f, a);
-    return FMB_OK;
+    fmb_status st = fmb_facets_find_normal(f, &f->facet[at], &own);
+    f->minor = own.minor;
+    return st;
 }

@@ -41,7 +41,7 @@ void fmb_facets_round(const fmb_vec *v, size_t n, double *out)
     }
 }
 
-void fmb_facets_round_normal(fmb_facets *f, fmb_facet *a)
+void fmb_facets_round_normal(const fmb_facets *f, fmb_facet *a)
 {
     double most = 0;
     int exponent;

@@ -163,10 +163,7 @@ void fmb_facets_clear(fmb_facets *f)
     for (size_t a = 0; a < f->slots; a++)
         clear_facet_slot(f, &f->facet[a]);
     clear_vectors(f->equation, f->d, f->d, f->d + 1, mem);
-    for (size_t i = 0; f->minor && i < (size_t)1 << f->d; i++)
-        mpz_clear(f->minor[i]);
-    if (f->minor)
-        fmb_mem_put(mem, f->minor, (size_t)1 << f->d, sizeof *f->minor);
+    fmb_normal_tools_clear(f, &(fmb_normal_tools){&f->num, f->minor});
     clear_vectors(f->generator, f->generators, f->generator_capacity, f->d, mem);
     fmb_vec_clear(&f->g, f->d, mem);
     fmb_mem_put(mem, f->g.s, f->d, sizeof *f->g.s);

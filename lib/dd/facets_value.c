@@ -18,10 +18,9 @@ static fmb_i128 product_of_small(const fmb_facets *f, const fmb_vec *v, const fm
     return sum;
 }
 
-/* In f->num.t. */
-static void multiply_as_mpz(fmb_facets *f, const fmb_vec *v, const fmb_vec *g)
+/* In k->t. */
+static void multiply_as_mpz(const fmb_facets *f, const fmb_vec *v, const fmb_vec *g, fmb_num *k)
 {
-    fmb_num *k = &f->num;
     mpz_set_ui(k->t, 0);
     for (size_t j = 0; j < f->d; j++) {
         fmb_vec_get(v, j, k->p);
@@ -30,14 +29,19 @@ static void multiply_as_mpz(fmb_facets *f, const fmb_vec *v, const fmb_vec *g)
     }
 }
 
-int fmb_facets_sign(fmb_facets *f, const fmb_vec *v, const fmb_vec *g)
+int fmb_facets_sign_by(const fmb_facets *f, const fmb_vec *v, const fmb_vec *g, fmb_num *num)
 {
     if (is_product_small(v, g)) {
         fmb_i128 sum = product_of_small(f, v, g);
         return (sum > 0) - (sum < 0);
     }
-    multiply_as_mpz(f, v, g);
-    return mpz_sgn(f->num.t);
+    multiply_as_mpz(f, v, g, num);
+    return mpz_sgn(num->t);
+}
+
+int fmb_facets_sign(fmb_facets *f, const fmb_vec *v, const fmb_vec *g)
+{
+    return fmb_facets_sign_by(f, v, g, &f->num);
 }
 
 fmb_status fmb_facets_evaluate(fmb_facets *f, fmb_vec *v)
@@ -55,7 +59,7 @@ fmb_status fmb_facets_evaluate(fmb_facets *f, fmb_vec *v)
     fmb_status st = fmb_vec_widen(v, f->d + 1, f->num.mem);
     if (st != FMB_OK)
         return st;
-    multiply_as_mpz(f, v, &f->g);
+    multiply_as_mpz(f, v, &f->g, &f->num);
     mpz_set(v->z[f->d], f->num.t);
     return fmb_vec_settle(v, f->d + 1, f->num.mem);
 }

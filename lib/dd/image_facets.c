@@ -99,13 +99,11 @@ static fmb_status take_facets(fmb_image *m, fmb_facets *f, bool slacks)
     fmb_status st = FMB_OK;
     for (size_t e = 0; st == FMB_OK && e < m->n - f->rank; e++)
         st = add_facet(m, &f->equation[e], true, slacks);
-    for (size_t i = 0; st == FMB_OK && i < f->slots; i++) {
-        if (!f->facet[i].alive || !holds_facet_a_point(f, &f->facet[i]))
-            continue;
-        st = fmb_facets_need_normal(f, i);
-        if (st == FMB_OK)
+    if (st == FMB_OK)
+        st = fmb_facets_need_all_normals(f);
+    for (size_t i = 0; st == FMB_OK && i < f->slots; i++)
+        if (f->facet[i].alive && holds_facet_a_point(f, &f->facet[i]))
             st = add_facet(m, &f->facet[i].normal, false, slacks);
-    }
     return st;
 }
 
@@ -131,7 +129,7 @@ static fmb_status find_facets_ray_by_ray(fmb_image *m, bool slacks)
 /* v[], line[] have room for all facets and equations. */
 static fmb_status list_facets(fmb_facets *f, fmb_vec *v, bool *line, size_t *size)
 {
-    fmb_status st = FMB_OK;
+    fmb_status st = fmb_facets_need_all_normals(f);
     for (size_t e = 0; e < f->d - f->rank; e++, ++*size) {
         v[*size] = f->equation[e];
         line[*size] = true;
@@ -139,7 +137,6 @@ static fmb_status list_facets(fmb_facets *f, fmb_vec *v, bool *line, size_t *siz
     for (size_t i = 0; st == FMB_OK && i < f->slots; i++) {
         if (!f->facet[i].alive)
             continue;
-        st = fmb_facets_need_normal(f, i);
         v[*size] = f->facet[i].normal;
         line[(*size)++] = false;
     }

@@ -1,8 +1,11 @@
-/* threads.c: the rays of a cone by several threads are those by one, in the same order; so are
- * their supports, and what is counted, wherever the work pauses. */
+/* threads.c: the normals of facets by several threads are those by one; the rays of a cone are
+ * those by one, in the same order; so are their supports, and what is counted, wherever the work
+ * pauses. */
 #include <criterion/criterion.h>
 
+#include "dd/facets.h"
 #include "dd/insert.h"
+#include "support.h"
 
 enum { D = 7, SIMPLE_ROWS = 44, ROWS = 64 };
 
@@ -136,4 +139,117 @@ Test(cone_threads, little_memory)
         cr_assert(st == FMB_LIMIT || (st == FMB_OK && done));
         close_bench(&b);
     }
+}
+
+/* ---- facets ---------------------------------------------------------------------------------- */
+
+enum { POINTS = 44 };
+
+/* Points with coordinates of so many bits, (x, 1), and their facets. */
+typedef struct hull {
+    fmb_mem mem;
+    fmb_run run;
+    atomic_int cancel;
+    int64_t word[POINTS][D];
+    fmb_vec v[POINTS];
+    fmb_facets f;
+} hull;
+
+static void open_hull(hull *h, size_t threads, int bits, size_t most_bytes)
+{
+    fmb_options o = fmb_options_default();
+    support_rng g = {(uint64_t)bits};
+    int least = -(1 << (bits - 1));
+    *h = (hull){0};
+    o.threads = threads;
+    o.max_bytes = most_bytes;
+    fmb_mem_init(&h->mem, NULL, 0);
+    fmb_run_begin(&h->run, &h->mem, &o, &h->cancel, (fmb_sink){0}, "test");
+    for (int i = 0; i < POINTS; i++) {
+        for (int k = 0; k + 1 < D; k++)
+            h->word[i][k] = support_between(&g, least, -least);
+        h->word[i][D - 1] = 1;
+        h->v[i] = (fmb_vec){.s = h->word[i]};
+        fmb_vec_measure(&h->v[i], D);
+    }
+}
+
+static fmb_status find_all_facets(hull *h)
+{
+    fmb_status st = fmb_facets_init(&h->f, &h->run, D);
+    if (st == FMB_OK)
+        st = fmb_facets_add_all(&h->f, h->v, POINTS, D - 1);
+    return st == FMB_OK ? fmb_facets_need_all_normals(&h->f) : st;
+}
+
+static void close_hull(hull *h)
+{
+    fmb_facets_clear(&h->f);
+    cr_assert_eq(h->mem.used, 0);
+}
+
+/* 0 on the generators of the facet, positive on all others. */
+static void expect_normal(const fmb_facets *f, const fmb_facet *a)
+{
+    mpz_t sum, x, y;
+    mpz_inits(sum, x, y, NULL);
+    for (size_t i = 0; i < f->generators; i++) {
+        mpz_set_ui(sum, 0);
+        for (size_t k = 0; k < D; k++) {
+            fmb_vec_get(&a->normal, k, x);
+            fmb_vec_get(&f->generator[i], k, y);
+            mpz_addmul(sum, x, y);
+        }
+        cr_assert_eq(mpz_sgn(sum), fmb_facet_holds(a, i) ? 0 : 1);
+    }
+    mpz_clears(sum, x, y, NULL);
+}
+
+/* 20 bits: minors fit into 126; 30 bits: they do not. */
+static void check_normals(size_t threads, int bits)
+{
+    static hull one, several;
+    open_hull(&one, 1, bits, 0);
+    open_hull(&several, threads, bits, 0);
+    cr_assert_eq(find_all_facets(&one), FMB_OK);
+    cr_assert_eq(find_all_facets(&several), FMB_OK);
+    cr_assert_eq(one.f.slots, several.f.slots);
+    cr_assert_gt(one.f.alive, 500);
+    for (size_t i = 0; i < one.f.slots; i++) {
+        const fmb_facet *a = &one.f.facet[i], *b = &several.f.facet[i];
+        cr_assert_eq(a->alive, b->alive);
+        if (!a->alive)
+            continue;
+        expect_normal(&one.f, a);
+        cr_assert(fmb_vec_equal(&a->normal, &b->normal, D));
+        cr_assert_eq(fmb_vec_is_wide(&a->normal), fmb_vec_is_wide(&b->normal));
+    }
+    close_hull(&several);
+    close_hull(&one);
+}
+
+Test(facet_threads, short_numbers)
+{
+    check_normals(2, 20);
+    check_normals(7, 20);
+}
+
+Test(facet_threads, long_numbers)
+{
+    check_normals(2, 30);
+    check_normals(3, 30);
+}
+
+Test(facet_threads, little_memory)
+{
+    static hull h;
+    size_t limits = 0;
+    for (size_t bytes = 1 << 18; bytes < 1 << 23; bytes += bytes / 2) {
+        open_hull(&h, 3, 30, bytes);
+        fmb_status st = find_all_facets(&h);
+        cr_assert(st == FMB_OK || st == FMB_LIMIT);
+        limits += st == FMB_LIMIT;
+        close_hull(&h);
+    }
+    cr_assert_gt(limits, 0);
 }
