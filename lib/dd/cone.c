@@ -17,37 +17,51 @@ static size_t entry_count(const fmb_cone_problem *of)
     return of->keep ? of->keeps + of->m : of->d + 1;
 }
 
-/* Line j is the unit vector e_j: its value in a row is the row's entry j. */
-static fmb_status write_unit_line(fmb_cone *c, size_t j, mpz_t *z)
+/* Line j is the unit vector e_j: its value in a row is the row's entry j. Coordinates are written.
+ */
+static fmb_status write_values_of_unit_line(fmb_cone *c, fmb_vec *v, size_t j)
 {
     size_t width = c->line.width;
+    mpz_t *z = fmb_vec_block(width, c->run->mem);
+    if (!z)
+        return fmb_mem_status(c->run->mem);
+    for (size_t k = 0; k < c->coords; k++)
+        mpz_set_si(z[k], v->s[k]);
+    for (size_t k = c->coords; k < width; k++)
+        fmb_vec_get(c->of.row[k - c->coords].v, j, z[k]);
+    fmb_status st = fmb_vec_set_z(v, width, z, c->run->mem);
+    for (size_t k = 0; k < width; k++)
+        mpz_clear(z[k]);
+    fmb_mem_put(c->run->mem, z, width, sizeof *z);
+    return st;
+}
+
+static fmb_status write_unit_line(fmb_cone *c, size_t j)
+{
+    size_t width = c->line.width;
+    bool wide = false;
     fmb_status st = fmb_rays_add(&c->line);
     if (st != FMB_OK)
         return st;
-    for (size_t k = 0; k < width; k++)
-        mpz_set_ui(z[k], 0);
-    for (size_t k = 0; k < c->coords; k++)
-        if ((c->of.keep ? c->of.keep[k] : k) == j)
-            mpz_set_ui(z[k], 1);
-    for (size_t k = 0; c->of.keep && k < c->of.m; k++)
-        fmb_vec_get(c->of.row[k].v, j, z[c->coords + k]);
     fmb_vec *v = &c->line.v[c->line.size - 1];
-    st = fmb_vec_set_z(v, width, z, c->run->mem);
+    for (size_t k = 0; k < width; k++)
+        v->s[k] = k < c->coords && (c->of.keep ? c->of.keep[k] : k) == j;
+    for (size_t k = 0; c->of.keep && k < c->of.m; k++) {
+        const fmb_vec *row = c->of.row[k].v;
+        v->s[c->coords + k] = row->z ? 0 : row->s[j];
+        wide |= row->z != NULL;
+    }
+    fmb_vec_measure(v, width);
+    if (wide)
+        st = write_values_of_unit_line(c, v, j);
     return st == FMB_OK && c->of.wide_only ? fmb_vec_widen(v, width, c->run->mem) : st;
 }
 
 static fmb_status write_unit_lines(fmb_cone *c)
 {
-    fmb_mem *mem = c->run->mem;
-    mpz_t *z = fmb_vec_block(c->line.width, mem);
-    if (!z)
-        return fmb_mem_status(mem);
     fmb_status st = FMB_OK;
     for (size_t j = 0; st == FMB_OK && j < c->of.d; j++)
-        st = write_unit_line(c, j, z);
-    for (size_t k = 0; k < c->line.width; k++)
-        mpz_clear(z[k]);
-    fmb_mem_put(mem, z, c->line.width, sizeof *z);
+        st = write_unit_line(c, j);
     return st;
 }
 

@@ -1,8 +1,8 @@
 /* image_facets.c: the rows of an image; see image.h.
  *
- * They are the facets of the cone that its rays and lines span. In few coordinates rays come one
- * after another to the facets so far (facets.h), those farthest beyond one of them first. Else they
- * are the rays of the dual cone, whose rows are the rays of the image in lexicographic order.
+ * They are the facets of the cone that its rays and lines span. In few coordinates many rays come
+ * one after another to the facets so far (facets.h), those farthest beyond one of them first. Else
+ * they are the rays of the dual cone, whose rows are the rays of the image in lexicographic order.
  */
 #include <string.h>
 
@@ -11,6 +11,13 @@
 
 /* With more coordinates, rays often are on very many facets. */
 #define FEW_COORDINATES 7
+/* Facets with so many bits, as Hadamard's inequality has it, mostly do not fit into 62 (measured).
+ */
+#define LONG_BITS 72
+/* With fewer rays for each coordinate than this, facets are cheaper as rays of the dual cone: at
+ * most three times if numbers are short, which doubles gain nothing by (measured). */
+#define MANY_RAYS      12
+#define MANY_LONG_RAYS 5
 
 /* ---- what is above a facet ------------------------------------------------------------------- */
 
@@ -212,8 +219,16 @@ static fmb_status find_facets_as_dual_rays(fmb_image *m, bool slacks)
     return st;
 }
 
+static bool are_rays_many(const fmb_image *m)
+{
+    if (m->rays >= MANY_RAYS * m->n)
+        return true;
+    return m->rays >= MANY_LONG_RAYS * m->n &&
+           fmb_vec_minor_bits(m->ray, m->rays, m->n) > LONG_BITS;
+}
+
 fmb_status fmb_image_find_facets(fmb_image *m, bool slacks)
 {
-    return m->n <= FEW_COORDINATES ? find_facets_ray_by_ray(m, slacks)
-                                   : find_facets_as_dual_rays(m, slacks);
+    return m->n <= FEW_COORDINATES && are_rays_many(m) ? find_facets_ray_by_ray(m, slacks)
+                                                       : find_facets_as_dual_rays(m, slacks);
 }

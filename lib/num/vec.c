@@ -88,6 +88,21 @@ size_t fmb_vec_entry_bits(const fmb_vec *v, size_t i)
     return mpz_sgn(v->z[i]) == 0 ? 0 : mpz_sizeinbase(v->z[i], 2);
 }
 
+/* A column of entries less than 2^b is shorter than sqrt(d) 2^b. */
+size_t fmb_vec_minor_bits(const fmb_vec *v, size_t size, size_t d)
+{
+    size_t bits = (d * (size_t)fmb_bits64(d) + 1) / 2;
+    for (size_t k = 0; k < d; k++) {
+        size_t most = 0;
+        for (size_t i = 0; i < size; i++) {
+            size_t b = fmb_vec_entry_bits(&v[i], k);
+            most = b > most ? b : most;
+        }
+        bits += most;
+    }
+    return bits;
+}
+
 mpz_t *fmb_vec_block(size_t n, fmb_mem *mem)
 {
     mpz_t *z = fmb_mem_get(mem, n, sizeof *z);

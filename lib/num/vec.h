@@ -56,6 +56,8 @@ static inline int fmb_vec_sgn(const fmb_vec *v, size_t i)
 }
 /* So many that |entry i| < 2^bits; 0 of 0. */
 size_t fmb_vec_entry_bits(const fmb_vec *v, size_t i);
+/* The same of minors of d of these vectors, by Hadamard's inequality. */
+size_t fmb_vec_minor_bits(const fmb_vec *v, size_t size, size_t d);
 void fmb_vec_get(const fmb_vec *v, size_t i, mpz_t out);
 static inline void fmb_vec_get_q(const fmb_vec *v, size_t i, mpq_t out)
 {

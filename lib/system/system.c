@@ -106,11 +106,24 @@ static fmb_status add_name(fmb_system *s, const char *name)
     return st;
 }
 
-/* "x<j+1>", with underscores behind it while that name is taken. */
+/* "x<number>", without the cost of a format: short questions ask for many names. How long it is. */
+static int write_default_name(char *name, size_t number)
+{
+    int digits = 1;
+    for (size_t k = number; k >= 10; k /= 10)
+        digits++;
+    name[0] = 'x';
+    name[digits + 1] = '\0';
+    for (int k = digits; k > 0; k--, number /= 10)
+        name[k] = (char)('0' + number % 10);
+    return digits + 1;
+}
+
+/* That name, with underscores behind it while it is taken. */
 static fmb_status add_default_name(fmb_system *s)
 {
     char name[64];
-    int n = snprintf(name, sizeof name, "x%zu", s->names.size + 1);
+    int n = write_default_name(name, s->names.size + 1);
     while (fmb_names_find(&s->names, name) >= 0 && n < (int)sizeof name - 1) {
         name[n++] = '_';
         name[n] = '\0';

@@ -15,7 +15,6 @@
 #include <stdlib.h>
 
 #include "dd/facets.h"
-#include "num/gcd.h"
 
 /* Up to so many coordinates, t included, facets with their neighbours are cheaper (measured: 2 to 4
  * times with 4 or 5, half as much with 7) ... */
@@ -71,21 +70,6 @@ static bool have_rows_a_pattern(const fmb_lifted *h, const fmb_cone_row *sorted)
              k++)
             shared++;
     return 2 * shared >= h->d * h->rows;
-}
-
-/* Rays are minors of the rows. */
-static bool are_rays_long(const fmb_lifted *h)
-{
-    size_t bits = h->d * (size_t)fmb_bits64(h->d) / 2;
-    for (size_t k = 0; k < h->d; k++) {
-        size_t most = 0;
-        for (size_t i = 0; i < h->rows; i++) {
-            size_t size = fmb_vec_entry_bits(&h->v[i], k);
-            most = size > most ? size : most;
-        }
-        bits += most;
-    }
-    return bits > LONG_BITS;
 }
 
 /* ---- rows as vectors ------------------------------------------------------------------------- */
@@ -184,7 +168,8 @@ fmb_status fmb_lifted_find_rays(fmb_lifted *h)
         return find_rays_as_facets(h);
     fmb_cone_row *sorted = fmb_mem_get(mem, h->rows, sizeof *sorted);
     fmb_status st = sorted ? sort_rows(h, sorted) : fmb_mem_status(mem);
-    bool facets = st == FMB_OK && h->d <= FMB_FACETS_FEW && are_rays_long(h) &&
+    bool facets = st == FMB_OK && h->d <= FMB_FACETS_FEW &&
+                  fmb_vec_minor_bits(h->v, h->rows, h->d) > LONG_BITS &&
                   !have_rows_a_pattern(h, sorted);
     if (st == FMB_OK)
         st = facets ? find_rays_as_facets(h) : find_rays_row_by_row(h, sorted);
