@@ -17,6 +17,16 @@ static int run_near(int argc, char **argv)
     return qualify_study_main(&qualify_study_near, argc, argv);
 }
 
+static int run_touching(int argc, char **argv)
+{
+    return qualify_study_main(&qualify_study_touching, argc, argv);
+}
+
+static int run_slender(int argc, char **argv)
+{
+    return qualify_study_main(&qualify_study_slender, argc, argv);
+}
+
 static int run_faces(int argc, char **argv)
 {
     return qualify_study_main(&qualify_study_faces, argc, argv);
@@ -50,6 +60,8 @@ static const app_command commands[] = {
     {"article", "fmb-qualify article", "the same as published, as its program does it, and ours",
      run_article_study},
     {"near", "fmb-qualify near", "table1 on pairs whose axis-aligned boxes meet", run_near},
+    {"touching", "fmb-qualify touching", "table1 on pairs that touch, or nearly do", run_touching},
+    {"slender", "fmb-qualify slender", "table1 on rods and blades", run_slender},
     {"faces", "fmb-qualify faces", "table1 on faces with their unit normals", run_faces},
     {"boxes", "fmb-qualify boxes", "how large boxes of the common points are, over the tight one",
      run_boxes},

@@ -165,7 +165,8 @@ def bunny_figures(study):
             ("faces that meet", study["dots_meeting"], dots + "0.45", 1)])
 
 
-FIGURES = {"table1": verdict_figures, "article": article_figures, "near": verdict_figures, "faces": verdict_figures,
+FIGURES = {"table1": verdict_figures, "article": article_figures, "near": verdict_figures, "touching": verdict_figures,
+           "slender": verdict_figures, "faces": verdict_figures,
            "boxes": box_figures, "scaling": scaling_figures, "rules": rule_figures, "peers": peer_figures,
            "bunny": bunny_figures}
 

@@ -8,7 +8,8 @@
 #include "study/sat/sat.h"
 
 enum {
-    WARM_PAIRS = 1024,
+    WARM_LEAST = 16,   /* pairs, */
+    WARM_SHARE = 64,   /* and one in so many */
     WARM_REPEATS = 256 /* makes reading the clock less than 1 % of a group */
 };
 
@@ -126,7 +127,8 @@ static fmb_status run_warm(const verdict_pool *pool, const qualify_setup *o,
 {
     verdict_way self[] = {{r->fmb, pool->p, pool->q, verdict}, {r->sat, pool->p, pool->q, verdict}};
     const study_timed way[] = {{warm, &self[0]}, {warm, &self[1]}};
-    d->warm_pairs = pool->n < WARM_PAIRS ? pool->n : WARM_PAIRS;
+    size_t some = WARM_LEAST + pool->n / WARM_SHARE;
+    d->warm_pairs = pool->n < some ? pool->n : some;
     study_clock c = {.way = way,
                      .ways = 2,
                      .queries = d->warm_pairs,

@@ -39,23 +39,26 @@ static bool boxes_meet(const fmb_frame *p, const fmb_frame *q)
     return meet;
 }
 
-/* A copy with the axes that the study is about. */
-static fmb_frame reshaped(const verdict_source *from, const fmb_frame *f, double *axes)
+/* A copy of the frame that the study is about; its numbers. */
+static fmb_frame reshaped(const verdict_source *from, const fmb_frame *f, double *number)
 {
     fmb_frame out = *f;
+    size_t dim = (size_t)f->dim;
     if (!from->reshape)
         return out;
-    memcpy(axes, f->axes, (size_t)(f->dim * f->dim) * sizeof *axes);
-    from->reshape(axes);
-    out.axes = axes;
+    memcpy(number, f->origin, dim * sizeof *number);
+    memcpy(number + dim, f->axes, dim * dim * sizeof *number);
+    from->reshape(f->dim, number, number + dim);
+    out.origin = number;
+    out.axes = number + dim;
     return out;
 }
 
 static bool choose(void *self, const fmb_frame *p, const fmb_frame *q)
 {
     chooser *c = self;
-    double axes[2][STUDY_PAIR_MOST_DIM * STUDY_PAIR_MOST_DIM];
-    fmb_frame a = reshaped(c->from, p, axes[0]), b = reshaped(c->from, q, axes[1]);
+    double number[2][STUDY_PAIR_MOST_DIM * (STUDY_PAIR_MOST_DIM + 1)];
+    fmb_frame a = reshaped(c->from, p, number[0]), b = reshaped(c->from, q, number[1]);
     fmb_verdict verdict = FMB_UNKNOWN;
     if (c->st != FMB_OK || qualify_watch_interrupted())
         return true; /* to come to an end */
@@ -65,12 +68,17 @@ static bool choose(void *self, const fmb_frame *p, const fmb_frame *q)
     return verdict == c->wanted;
 }
 
-/* The axes of a frame that was packed lie in the pool's own memory. */
+/* The numbers of a frame that was packed lie in the pool's own memory. */
+static void reshape_packed(const verdict_source *from, study_pairs *s, const fmb_frame *f)
+{
+    from->reshape(f->dim, s->number + (f->origin - s->number), s->number + (f->axes - s->number));
+}
+
 static void reshape_all(const verdict_source *from, study_pairs *s)
 {
     for (size_t i = 0; i < s->n; i++) {
-        from->reshape(s->number + (s->p[i].axes - s->number));
-        from->reshape(s->number + (s->q[i].axes - s->number));
+        reshape_packed(from, s, &s->p[i]);
+        reshape_packed(from, s, &s->q[i]);
     }
 }
 
@@ -85,7 +93,7 @@ static const int SHAPE[][2][2] = {
 static fmb_status make_part(const verdict_class *c, int part, uint64_t seed, size_t n, chooser *by,
                             study_pairs *out)
 {
-    study_pair_plan plan = {.family = STUDY_PAIR_ARTICLE, .dim = c->dim, .moves = c->moves};
+    study_pair_plan plan = {.family = by->from->family[c->meets], .dim = c->dim, .moves = c->moves};
     memcpy(plan.shape, SHAPE[c->kind][part], sizeof plan.shape);
     fmb_status st = study_pairs_make(&plan, seed, n, choose, by, out);
     if (st == FMB_OK && by->from->reshape)

@@ -17,10 +17,12 @@ typedef struct verdict_class {
 const char *verdict_case_text(int dim, bool moves);
 const char *verdict_kind_text(verdict_kind kind);
 
-/* Where pairs come from: the article's generator, and what is done to its pairs. */
+/* Where pairs come from, and what is done to them. */
 typedef struct verdict_source {
-    bool near;                     /* only pairs whose axis-aligned boxes meet */
-    void (*reshape)(double *axes); /* of each frame, in place; or NULL */
+    study_pair_family family[2]; /* of pairs that are to be apart, of those that are to meet */
+    bool near;                   /* only pairs whose axis-aligned boxes meet */
+    /* Of each frame, in place; or NULL. */
+    void (*reshape)(int dim, double *origin, double *axes);
 } verdict_source;
 
 typedef struct verdict_pool {

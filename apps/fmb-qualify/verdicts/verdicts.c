@@ -101,9 +101,36 @@ static int run_near(const qualify_setup *o, qualify_page *page)
     return verdict_study_run(&(verdict_source){.near = true}, ALL_CASES, o, page);
 }
 
-/* The third axis becomes the unit normal of the other two. */
-static void make_face(double *axes)
+static int run_touching(const qualify_setup *o, qualify_page *page)
 {
+    qualify_page_text(page, "Pairs that are made to touch in a face, an edge or a corner; of those "
+                            "that are apart, 1e-6 to 1e-15 are between. Meeting ones are closed "
+                            "frames, and most of them do no more than touch.");
+    return verdict_study_run(&(verdict_source){.family = {STUDY_PAIR_NEAR, STUDY_PAIR_TOUCHING}},
+                             ALL_CASES, o, page);
+}
+
+/* One axis in its length, the others a fiftieth of it; origins near one another. */
+static void make_slender(int dim, double *origin, double *axes)
+{
+    for (int k = dim; k < dim * dim; k++)
+        axes[k] *= 0.02;
+    for (int j = 0; j < dim; j++)
+        origin[j] *= 0.05;
+}
+
+static int run_slender(const qualify_setup *o, qualify_page *page)
+{
+    qualify_page_text(page, "Rods and blades: of the generator's frames one axis keeps its length, "
+                            "the others a fiftieth of it; origins are twenty times as near.");
+    return verdict_study_run(&(verdict_source){.reshape = make_slender}, ALL_CASES, o, page);
+}
+
+/* The third axis becomes the unit normal of the other two. */
+static void make_face(int dim, double *origin, double *axes)
+{
+    (void)dim;
+    (void)origin;
     double *a = axes, *b = axes + 3, *normal = axes + 6, length = 0;
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -142,6 +169,24 @@ const qualify_study qualify_study_near = {
     .alone = {65536, 9},
     .brief = {65536, 3},
     .run = run_near,
+};
+
+const qualify_study qualify_study_touching = {
+    .name = "touching",
+    .title = "verdicts on pairs that touch, and on those that nearly do",
+    .doc = doc,
+    .alone = {16384, 5},
+    .brief = {4096, 3},
+    .run = run_touching,
+};
+
+const qualify_study qualify_study_slender = {
+    .name = "slender",
+    .title = "verdicts on rods and blades",
+    .doc = doc,
+    .alone = {65536, 9},
+    .brief = {16384, 3},
+    .run = run_slender,
 };
 
 const qualify_study qualify_study_faces = {

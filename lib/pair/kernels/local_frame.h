@@ -6,15 +6,17 @@
  * `shift`, edges e_k, and moves by `drift`.
  *
  * alpha, beta, delta and omega are the largest absolute values of A's axes, B's axes, shift and
- * drift in the block (omega at least 2^-50). Errors: docs/error-bounds.md, "Local frame"; each
- * number is within LOCAL_FRAME_ERROR times the bound on it.
+ * drift in the block (omega at least 2^-50), gamma the product of the largest of the two largest
+ * axes of A, so that a slender A has bounds as small as its numbers (in the plane: alpha). Errors:
+ * docs/error-bounds.md, "Local frame"; each number is within LOCAL_FRAME_ERROR times the bound on
+ * it.
  *
- * All this where `known` says so: alpha and beta are between 2^-50 and 2^50, delta and omega at
- * most 2^50, nothing is a NaN, and the sign of det A is certain. Then polynomials in these numbers
- * of degree up to 14 do not overflow, nor does underflow hurt. What underflows is off by 2^-1075,
- * while the bound on it, a product of at most 14 of these numbers, is at least 2^-700, and u times
- * that is the larger by far. (delta may be less, but in all tests it stands in sums beside terms
- * with alpha or beta in its place.)
+ * All this where `known` says so: alpha and beta are between 2^-50 and 2^50, gamma is at least
+ * 2^-100, delta and omega at most 2^50, nothing is a NaN, and the sign of det A is certain. Then
+ * polynomials in these numbers of degree up to 14 do not overflow, nor does underflow hurt. What
+ * underflows is off by 2^-1075, while the bound on it, a product of at most 14 of these numbers, is
+ * at least 2^-700, and u times that is the larger by far. (delta may be less, but in all tests it
+ * stands in sums beside terms with alpha or beta in its place.)
  *
  * Source: Gottschalk, Lin, Manocha 1996, who test boxes in the frame of one of them; the adjugate
  * in place of the inverse spares the division.
@@ -75,6 +77,20 @@ FMB_INLINE void local_frame_load(lane *x, const double *rows, int n)
         x[j] = lane_load(rows + j * FMB_LANES);
 }
 
+/* alpha; and gamma, what products of two axes are at most (in the plane: an axis). */
+FMB_INLINE lane local_frame_measure_axes(int dim, const double *axes, local_frame *f)
+{
+    lane size[3];
+    for (int k = 0; k < dim; k++)
+        size[k] = local_frame_largest(axes + k * dim * FMB_LANES, dim);
+    f->alpha = lane_max(size[0], size[1]);
+    if (dim == 2)
+        return f->alpha;
+    lane least = lane_min(size[0], size[1]), second = lane_min(f->alpha, size[2]);
+    f->alpha = lane_max(f->alpha, size[2]);
+    return f->alpha * lane_max(least, second);
+}
+
 /* The bounds, and which lanes stay within them. A NaN may hide from the largest absolute value, and
  * an infinity only behind a NaN. But all numbers of A are in det A, and all others in coordinates 0
  * of what they belong to; so some NaN makes size or the sum of those coordinates a NaN, and no
@@ -84,19 +100,20 @@ FMB_INLINE void local_frame_measure(int dim, bool moves, const double *block, lo
 {
     const double *axes = block + dim * FMB_LANES;
     const lane low = lane_of(0x1p-50), high = lane_of(0x1p50);
-    f->alpha = local_frame_largest(axes, dim * dim);
+    lane gamma = local_frame_measure_axes(dim, axes, f);
     f->beta = local_frame_largest(axes + dim * dim * FMB_LANES, dim * dim);
     f->delta = local_frame_largest(block, dim);
     f->omega = lane_of(0);
     if (moves) /* or else errors of rows along a slow drift underflow, and so do their bounds */
         f->omega = lane_max(local_frame_largest(axes + 2 * dim * dim * FMB_LANES, dim), low);
-    lane scale = dim == 2 ? lane_of(2) * f->alpha : lane_of(6) * f->alpha * f->alpha;
+    lane scale = lane_of(dim == 2 ? 2 : 6) * gamma;
     f->most_size = scale * f->alpha;
     f->most_e = scale * f->beta;
     f->most_shift = scale * f->delta;
     f->most_drift = scale * f->omega;
     lane most = lane_max(lane_max(f->alpha, f->beta), lane_max(f->delta, f->omega));
     f->known = lane_and(lane_less(low, lane_min(f->alpha, f->beta)), lane_less(most, high));
+    f->known = lane_and(f->known, lane_less(low * low, gamma));
     /* the sign of det A must be certain */
     f->known = lane_and(f->known, lane_less(lane_of(LOCAL_FRAME_ERROR) * f->most_size, f->size));
     lane sum = f->shift[0];

@@ -61,7 +61,7 @@ static double some_size()
 }
 
 static const double *rows; // of a block
-static double alpha, beta, delta, omega;
+static double alpha[3], beta, delta, omega; // alpha: of each axis
 static int dimension;
 
 static lane lane_load(const double *a)
@@ -72,7 +72,7 @@ static lane lane_load(const double *a)
     if (row < d)
         return {delta, delta};
     if (row < d + d * d)
-        return {alpha, 0};
+        return {alpha[(row - d) / d], 0};
     return row < d + 2 * d * d ? lane{beta, 0} : lane{omega, omega};
 }
 
@@ -564,7 +564,8 @@ int main()
     counted_majorant = true;
     for (int i = 0; i < 4000; i++) {
         counted_fused = i & 1;
-        alpha = some_size();
+        for (double &a : alpha)
+            a = some_size();
         beta = some_size();
         delta = some_size();
         omega = some_size();

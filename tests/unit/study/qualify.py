@@ -17,7 +17,7 @@ import xml.etree.ElementTree
 
 program, man_page = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2])
 faults = []
-STUDIES = ["table1", "article", "near", "faces", "boxes", "scaling", "rules", "peers", "bunny"]
+STUDIES = ["table1", "article", "near", "touching", "slender", "faces", "boxes", "scaling", "rules", "peers", "bunny"]
 SMALL = ["--dim", "2", "--pairs", "2", "--rules", "kohler", "--rules", "kohler,box", "--passes", "1"]
 
 
@@ -234,7 +234,10 @@ def verdicts():
                                        for m in ("static", "dynamic") for p in ("CC", "CT", "TT")
                                        for meets in (True, False)}, "cells")
     expect(set(faces) == {key for key in table if key[0] == "3d-static"}, "cells of faces")
-    for cell in [*table.values(), *near.values(), *faces.values()]:
+    touching, slender = cells("touching"), cells("slender")
+    expect(set(touching) == set(slender) == set(table), "cells of touching, of slender")
+    expect(max(cell["exact_share"] for cell in touching.values()) > 0, "no pair touches")
+    for cell in [*table.values(), *near.values(), *touching.values(), *slender.values(), *faces.values()]:
         expect(cell["queries"] == 8 and cell["different"] == 0 <= cell["exact_share"] <= 1 and
                min(cell["fmb_ns"], cell["sat_ns"], cell["sat_plain_ns"]) > 0, str(cell))
         no_contradictions(cell)
