@@ -175,7 +175,8 @@ static fmb_status send_all_to_facets(crowd *c)
     return st;
 }
 
-/* The first one at facet a becomes a generator; those at facets that go move on. */
+/* The first one at facet a becomes a generator; those at facets that go move on. Facets count as
+ * rows. */
 static fmb_status add_first_at_facet(crowd *c, uint32_t a)
 {
     uint32_t i = c->at[a].first;
@@ -183,6 +184,8 @@ static fmb_status add_first_at_facet(crowd *c, uint32_t a)
     fmb_status st = fmb_run_poll(c->f->run);
     if (st == FMB_OK)
         st = fmb_facets_add_beyond(c->f, &c->v[i], a);
+    if (st == FMB_OK)
+        st = fmb_run_rows(c->f->run, c->f->alive);
     if (st == FMB_OK)
         st = open_queues(c);
     for (size_t k = 0; st == FMB_OK && k < c->f->seens; k++) {

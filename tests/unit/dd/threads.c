@@ -3,6 +3,8 @@
  * pauses. */
 #include <criterion/criterion.h>
 
+#include <stdlib.h>
+
 #include "dd/facets.h"
 #include "dd/insert.h"
 #include "support.h"
@@ -141,6 +143,43 @@ Test(cone_threads, little_memory)
     }
 }
 
+/* ---- allocations that fail ------------------------------------------------------------------- */
+
+typedef struct failing {
+    atomic_long left; /* until one fails; all after it do not */
+    atomic_long held; /* [bytes] */
+} failing;
+
+static void *resize_or_fail(void *self, void *p, size_t old_bytes, size_t new_bytes)
+{
+    failing *f = self;
+    void *q = NULL;
+    if (new_bytes == 0)
+        free(p);
+    else if (atomic_fetch_sub(&f->left, 1) == 1 || !(q = realloc(p, new_bytes)))
+        return NULL;
+    f->held += (long)new_bytes - (long)old_bytes;
+    return q;
+}
+
+/* Whichever thread meets it, the status tells, and all is given back. */
+Test(cone_threads, failing_allocations)
+{
+    static bench b;
+    fmb_status st = FMB_ERR_MEMORY;
+    for (long k = 1; st != FMB_OK; k += 1 + k / 3) {
+        failing f = {.left = k};
+        bool done;
+        open_bench(&b, 3, true, false);
+        b.mem.alloc = (fmb_alloc){resize_or_fail, &f};
+        f.held = (long)b.mem.used;
+        st = fmb_cone_run(&b.cone, 0, &done);
+        cr_assert(st == FMB_ERR_MEMORY || (st == FMB_OK && done && f.left > 0));
+        close_bench(&b);
+        cr_assert_eq(f.held, 0);
+    }
+}
+
 /* ---- facets ---------------------------------------------------------------------------------- */
 
 enum { POINTS = 44 };
@@ -238,6 +277,32 @@ Test(facet_threads, long_numbers)
 {
     check_normals(2, 30);
     check_normals(3, 30);
+}
+
+Test(facet_threads, failing_allocations)
+{
+    static hull h;
+    fmb_status st = FMB_ERR_MEMORY;
+    for (long k = 1; st != FMB_OK; k += 1 + k / 3) {
+        failing f = {.left = k};
+        open_hull(&h, 3, 30, 0);
+        h.mem.alloc = (fmb_alloc){resize_or_fail, &f};
+        st = find_all_facets(&h);
+        cr_assert(st == FMB_ERR_MEMORY || (st == FMB_OK && f.left > 0));
+        close_hull(&h);
+        cr_assert_eq(f.held, 0);
+    }
+}
+
+/* Facets are limited as rows are. */
+Test(facet_threads, few_rows)
+{
+    static hull h;
+    open_hull(&h, 1, 20, 0);
+    h.run.max_rows = 300;
+    cr_assert_eq(find_all_facets(&h), FMB_LIMIT);
+    cr_assert_eq(h.run.stop, FMB_STOP_ROWS);
+    close_hull(&h);
 }
 
 Test(facet_threads, little_memory)
