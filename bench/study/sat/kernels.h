@@ -16,7 +16,7 @@
 #ifndef FMB_STUDY_SAT_KERNELS_H
 #define FMB_STUDY_SAT_KERNELS_H
 
-#include "pair/kernels/kernels.h"
+#include "pair/kernels/packed.h"
 #include "study/sat/plane.h"
 #include "study/sat/space.h"
 
@@ -50,7 +50,7 @@ FMB_INLINE fmb_pair_bits sat_decide_flat(sat_kind k, const double *block)
     return sat_bits(&s);
 }
 
-FMB_INLINE fmb_pair_bits sat_decide(sat_kind k, const double *block)
+FMB_INLINE fmb_pair_bits sat_decide(sat_kind k, fmb_asked asked, const double *block)
 {
     const double most = k.a_simplex ? 48 : k.b_simplex ? 36 : 12;
     sat_rays r = sat_load(k, block);
@@ -63,7 +63,7 @@ FMB_INLINE fmb_pair_bits sat_decide(sat_kind k, const double *block)
         return sat_bits(&s);
     sat_multiply_b(k, &r, &x);
     sat_learn(&s, sat_normals_of_b(k, &x), error * r.beta * r.beta);
-    if (sat_is_over(&s))
+    if (sat_is_over(&s) || asked == FMB_ASK_FACES)
         return sat_bits(&s);
     sat_multiply_edges(k, &r, &x);
     if (k.moves)

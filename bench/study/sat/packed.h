@@ -7,14 +7,14 @@
 #include "pair/kernels/packed_flat.h"
 #include "study/sat/kernels.h"
 
-/* dim, moves and shapes are constant. */
-FMB_INLINE fmb_pair_bits packed_ask(int dim, bool moves, int shapes, const fmb_flat_kind *kind,
-                                    const double *block)
+/* dim, moves, shapes and asked are constant. */
+FMB_INLINE fmb_pair_bits packed_ask(int dim, bool moves, int shapes, fmb_asked asked,
+                                    const fmb_flat_kind *kind, const double *block)
 {
     const sat_kind k = {dim, moves, shapes == FMB_PACKED_SIMPLICES, shapes != FMB_PACKED_CUBOIDS};
     if (shapes == FMB_PACKED_ANY)
         return dim == 2 ? packed_ask_any_2d(kind, block) : packed_ask_any_3d(kind, block);
-    return dim == 2 ? sat_decide_flat(k, block) : sat_decide(k, block);
+    return dim == 2 ? sat_decide_flat(k, block) : sat_decide(k, asked, block);
 }
 
 extern const fmb_packed FMB_PACKED_TABLE;

@@ -36,32 +36,32 @@ static fmb_pair_bits sat_2d_moving_tt(const double *block)
 
 static fmb_pair_bits sat_3d_cc(const double *block)
 {
-    return sat_decide((sat_kind){3, false, false, false}, block);
+    return sat_decide((sat_kind){3, false, false, false}, FMB_ASK_ALL, block);
 }
 
 static fmb_pair_bits sat_3d_ct(const double *block)
 {
-    return sat_decide((sat_kind){3, false, false, true}, block);
+    return sat_decide((sat_kind){3, false, false, true}, FMB_ASK_ALL, block);
 }
 
 static fmb_pair_bits sat_3d_tt(const double *block)
 {
-    return sat_decide((sat_kind){3, false, true, true}, block);
+    return sat_decide((sat_kind){3, false, true, true}, FMB_ASK_ALL, block);
 }
 
 static fmb_pair_bits sat_3d_moving_cc(const double *block)
 {
-    return sat_decide((sat_kind){3, true, false, false}, block);
+    return sat_decide((sat_kind){3, true, false, false}, FMB_ASK_ALL, block);
 }
 
 static fmb_pair_bits sat_3d_moving_ct(const double *block)
 {
-    return sat_decide((sat_kind){3, true, false, true}, block);
+    return sat_decide((sat_kind){3, true, false, true}, FMB_ASK_ALL, block);
 }
 
 static fmb_pair_bits sat_3d_moving_tt(const double *block)
 {
-    return sat_decide((sat_kind){3, true, true, true}, block);
+    return sat_decide((sat_kind){3, true, true, true}, FMB_ASK_ALL, block);
 }
 
 /* A block (simplex, cuboid) is swapped. */

@@ -37,32 +37,32 @@ static fmb_pair_bits fmb_2d_moving_tt(const double *block)
 
 static fmb_pair_bits fmb_3d_cc(const double *block)
 {
-    return fmb_cuboids_3d(block, false);
+    return fmb_cuboids_3d(block, false, FMB_ASK_ALL);
 }
 
 static fmb_pair_bits fmb_3d_ct(const double *block)
 {
-    return fmb_simplices_3d(block, false, false);
+    return fmb_simplices_3d(block, false, false, FMB_ASK_ALL);
 }
 
 static fmb_pair_bits fmb_3d_tt(const double *block)
 {
-    return fmb_simplices_3d(block, false, true);
+    return fmb_simplices_3d(block, false, true, FMB_ASK_ALL);
 }
 
 static fmb_pair_bits fmb_3d_moving_cc(const double *block)
 {
-    return fmb_cuboids_3d(block, true);
+    return fmb_cuboids_3d(block, true, FMB_ASK_ALL);
 }
 
 static fmb_pair_bits fmb_3d_moving_ct(const double *block)
 {
-    return fmb_simplices_3d(block, true, false);
+    return fmb_simplices_3d(block, true, false, FMB_ASK_ALL);
 }
 
 static fmb_pair_bits fmb_3d_moving_tt(const double *block)
 {
-    return fmb_simplices_3d(block, true, true);
+    return fmb_simplices_3d(block, true, true, FMB_ASK_ALL);
 }
 
 /* A block (simplex, cuboid) is swapped. */

@@ -130,7 +130,7 @@ FMB_INLINE fmb_pair_bits fmb_cuboids_2d(const double *block, bool moves)
     return fmb_gaps_bits(&gaps, f.known);
 }
 
-FMB_INLINE fmb_pair_bits fmb_cuboids_3d(const double *block, bool moves)
+FMB_INLINE fmb_pair_bits fmb_cuboids_3d(const double *block, bool moves, fmb_asked asked)
 {
     const fmb_kind kind = {3, moves, false};
     local_frame f;
@@ -147,7 +147,7 @@ FMB_INLINE fmb_pair_bits fmb_cuboids_3d(const double *block, bool moves)
     side = lane_max(side, fmb_cuboids_side(kind, &c, 1, 2));
     lane e_bound = f.most_e * c.bound, drift_bound = fmb_gaps_speed(&f) * c.bound;
     fmb_gaps_class(&gaps, side, 384, f.most_e * e_bound);
-    if (fmb_gaps_done(&gaps, f.known, &out))
+    if (fmb_gaps_done(&gaps, f.known, &out) || asked == FMB_ASK_FACES)
         return out;
     fmb_cuboids_cross(&c, 3, fmb_cuboids_count(kind));
     lane edge = lane_max(fmb_cuboids_ridge(kind, &c, 0), fmb_cuboids_ridge(kind, &c, 1));

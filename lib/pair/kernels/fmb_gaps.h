@@ -9,8 +9,8 @@
 #ifndef FMB_PAIR_FMB_GAPS_H
 #define FMB_PAIR_FMB_GAPS_H
 
-#include "pair/kernels/kernels.h"
 #include "pair/kernels/local_frame.h"
+#include "pair/kernels/packed.h"
 
 /* What pairs a kernel is for; constant in each. */
 typedef struct fmb_kind {

@@ -370,7 +370,8 @@ FMB_INLINE lane fmb_simplices_times(fmb_kind kind, const fmb_simplices *c)
     return most;
 }
 
-FMB_INLINE fmb_pair_bits fmb_simplices_3d(const double *block, bool moves, bool simplex)
+FMB_INLINE fmb_pair_bits fmb_simplices_3d(const double *block, bool moves, bool simplex,
+                                          fmb_asked asked)
 {
     const fmb_kind kind = {3, moves, simplex};
     const int edges = simplex ? 6 : 3; /* directions of edges of A */
@@ -385,7 +386,7 @@ FMB_INLINE fmb_pair_bits fmb_simplices_3d(const double *block, bool moves, bool 
     if (FMB_LANES < 8 && fmb_gaps_done(&gaps, f.known, &out))
         return out;
     fmb_simplices_ask(kind, &f, &c, &gaps);
-    if (fmb_gaps_done(&gaps, f.known, &out))
+    if (fmb_gaps_done(&gaps, f.known, &out) || asked == FMB_ASK_FACES)
         return out;
     lane most = lane_of(-INFINITY), swept = most, speed = fmb_gaps_speed(&f);
 #pragma GCC unroll 6

@@ -24,6 +24,8 @@
 #ifndef FMB_PAIR_LOCAL_FRAME_H
 #define FMB_PAIR_LOCAL_FRAME_H
 
+#include <stdbool.h>
+
 #include "pair/kernels/lane.h"
 
 #define LOCAL_FRAME_ERROR (6.1 * 0x1p-53)

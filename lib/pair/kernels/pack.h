@@ -141,7 +141,7 @@ FMB_INLINE fmb_pair_bits ask_pairs_at(int dim, bool moves, int shapes, const fmb
     pack_records(dim, moves, at[0][i / FMB_LANES % PACKED_AHEAD], a);
     pack_records(dim, moves, at[1][i / FMB_LANES % PACKED_AHEAD], b);
     pack_block(dim, moves, a, b, block);
-    return packed_ask(dim, moves, shapes, x->kind, block);
+    return packed_ask(dim, moves, shapes, FMB_ASK_ALL, x->kind, block);
 }
 
 /* Pairs of x, in whole blocks, then those that are left, whose block repeats the last one. */
@@ -227,27 +227,103 @@ static void packed_tiles_3d(const double *record, const uint32_t *index, size_t 
     packed_tiles(3, record, index, n, tiles);
 }
 
-/* Eight frames of a row of tiles. */
-FMB_INLINE fmb_pair_bits ask_eight_tiled(int dim, bool moves, int shapes, const fmb_packed_row *x,
-                                         const lane *one, const double *tiles)
+/* FMB_LANES frames of a row. */
+FMB_INLINE fmb_pair_bits ask_lanes_of_row(int dim, bool moves, int shapes, fmb_asked asked,
+                                          const fmb_packed_row *x, const lane *one,
+                                          const lane *other)
 {
     _Alignas(64) double block[FMB_BLOCK_MOST_ROWS * FMB_LANES];
+    if (x->swapped)
+        pack_block(dim, moves, other, one, block);
+    else
+        pack_block(dim, moves, one, other, block);
+    return packed_ask(dim, moves, shapes, asked, x->kind, block);
+}
+
+/* Eight frames of a row of tiles. */
+FMB_INLINE fmb_packed_bits ask_eight_tiled(int dim, bool moves, int shapes, fmb_asked asked,
+                                           const fmb_packed_row *x, const lane *one,
+                                           const double *tiles)
+{
     const int rows = (int)count_record(dim), used = dim * (dim + 1 + moves);
-    fmb_pair_bits out = {0, 0};
+    fmb_packed_bits out = {0, 0};
     for (unsigned l = 0; l < 8; l += FMB_LANES, tiles += rows * FMB_LANES) {
         lane other[16];
 #pragma GCC unroll 16
         for (int r = 0; r < used; r++)
             other[r] = lane_load(tiles + r * FMB_LANES);
-        if (x->swapped)
-            pack_block(dim, moves, other, one, block);
-        else
-            pack_block(dim, moves, one, other, block);
-        fmb_pair_bits some = packed_ask(dim, moves, shapes, x->kind, block);
-        out.apart |= some.apart << l;
-        out.meet |= some.meet << l;
+        fmb_pair_bits some = ask_lanes_of_row(dim, moves, shapes, asked, x, one, other);
+        out.apart = (uint8_t)(out.apart | some.apart << l);
+        out.meet = (uint8_t)(out.meet | some.meet << l);
     }
     return out;
+}
+
+/* Those of frames 8 eight ... of a row that are not apart, after n others; how many there are now.
+ */
+FMB_INLINE size_t collect_open(const fmb_packed_row *x, size_t eight, fmb_packed_bits bits,
+                               uint16_t *open, size_t n)
+{
+    unsigned count = x->n - 8 * eight < 8 ? (1U << (x->n - 8 * eight)) - 1 : 0xff;
+    for (unsigned left = ~(unsigned)bits.apart & count; left; left &= left - 1)
+        open[n++] = (uint16_t)(8 * eight + (size_t)__builtin_ctz(left));
+    return n;
+}
+
+/* All rows of up to FMB_LANES open frames of a row. */
+FMB_INLINE void ask_open_lanes(bool moves, int shapes, const fmb_packed_row *x, const lane *one,
+                               const uint16_t *open, size_t n, fmb_packed_bits *out)
+{
+    const double *from[FMB_LANES];
+    lane other[16];
+    for (size_t l = 0; l < FMB_LANES; l++)
+        from[l] = x->record + count_record(3) * x->index[open[l < n ? l : 0]];
+    pack_records(3, moves, from, other);
+    fmb_pair_bits bits = ask_lanes_of_row(3, moves, shapes, FMB_ASK_ALL, x, one, other);
+    for (size_t l = 0; l < n; l++) {
+        fmb_packed_bits *to = &out[open[l] / 8];
+        to->apart = (uint8_t)(to->apart | (bits.apart >> l & 1) << open[l] % 8);
+        to->meet = (uint8_t)(to->meet | (bits.meet >> l & 1) << open[l] % 8);
+    }
+}
+
+/* The same of n as long as they fill the lanes; how many are left, at the front. */
+FMB_INLINE size_t ask_full_lanes(bool moves, int shapes, const fmb_packed_row *x, const lane *one,
+                                 uint16_t *open, size_t n, fmb_packed_bits *out)
+{
+    size_t asked = 0;
+    for (; n - asked >= FMB_LANES; asked += FMB_LANES)
+        ask_open_lanes(moves, shapes, x, one, open + asked, FMB_LANES, out);
+    memmove(open, open + asked, (n - asked) * sizeof *open);
+    return n - asked;
+}
+
+/* Eights of a row between two looks at how many frames are open. */
+enum { PACKED_LOOK = 8 };
+
+/* Most simplices of space are apart by a face of one of the two: those are asked of all, and what
+ * is open then comes together in lanes of its own. Once half of them are open it is cheaper to ask
+ * for all rows at once. */
+FMB_INLINE void packed_row_by_faces(bool moves, int shapes, const fmb_packed_row *x,
+                                    const lane *one, fmb_packed_bits *out)
+{
+    const size_t size = 8 * count_record(3), eights = (x->n + 7) / 8;
+    uint16_t open[8 * PACKED_LOOK + FMB_LANES];
+    size_t n = 0, g = 0;
+    bool most_open = false;
+    while (g < eights && !most_open) {
+        const size_t end = g + PACKED_LOOK < eights ? g + PACKED_LOOK : eights;
+        for (; g < end; g++) {
+            out[g] = ask_eight_tiled(3, moves, shapes, FMB_ASK_FACES, x, one, x->tiles + size * g);
+            n = collect_open(x, g, out[g], open, n);
+        }
+        most_open = n > 8 * PACKED_LOOK / 2;
+        n = ask_full_lanes(moves, shapes, x, one, open, n, out);
+    }
+    if (n > 0)
+        ask_open_lanes(moves, shapes, x, one, open, n, out);
+    for (; g < eights; g++)
+        out[g] = ask_eight_tiled(3, moves, shapes, FMB_ASK_ALL, x, one, x->tiles + size * g);
 }
 
 FMB_INLINE void packed_row(int dim, bool moves, int shapes, const fmb_packed_row *x,
@@ -258,10 +334,12 @@ FMB_INLINE void packed_row(int dim, bool moves, int shapes, const fmb_packed_row
 #pragma GCC unroll 16
     for (size_t r = 0; r < rows; r++)
         one[r] = lane_of(x->one[r]);
-    for (size_t g = 0; g < x->eights; g++) {
-        fmb_pair_bits bits = ask_eight_tiled(dim, moves, shapes, x, one, x->tiles + 8 * rows * g);
-        out[g] = (fmb_packed_bits){(uint8_t)bits.apart, (uint8_t)bits.meet};
+    if (dim == 3 && shapes == FMB_PACKED_SIMPLICES && x->n >= 8 * PACKED_LOOK) {
+        packed_row_by_faces(moves, shapes, x, one, out);
+        return;
     }
+    for (size_t g = 0; g < (x->n + 7) / 8; g++)
+        out[g] = ask_eight_tiled(dim, moves, shapes, FMB_ASK_ALL, x, one, x->tiles + 8 * rows * g);
 }
 
 FMB_INLINE void packed_row_of_shapes(int dim, bool moves, const fmb_packed_row *x,

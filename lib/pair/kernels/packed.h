@@ -20,6 +20,10 @@ typedef enum fmb_packed_shapes {
     FMB_PACKED_ANY /* any number of axes */
 } fmb_packed_shapes;
 
+/* What is asked of a block: rows of A's and B's faces alone, which tell most pairs that are apart,
+ * or all rows (or axes) there are. */
+typedef enum fmb_asked { FMB_ASK_FACES, FMB_ASK_ALL } fmb_asked;
+
 /* n > 0 pairs of one kind: record index[2 i] of each side. */
 typedef struct fmb_packed_pairs {
     const double *record[2];
@@ -32,9 +36,11 @@ typedef struct fmb_packed_pairs {
 
 /* One frame against many of one kind, in tiles. */
 typedef struct fmb_packed_row {
-    const double *one; /* its record */
-    const double *tiles;
-    size_t eights; /* frames / 8 */
+    const double *one;   /* its record */
+    const double *tiles; /* of records index[0] ... index[n - 1] */
+    const double *record;
+    const uint32_t *index;
+    size_t n;
     bool moves;
     bool swapped; /* the one is B of the blocks */
     fmb_packed_shapes shapes;

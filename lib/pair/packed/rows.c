@@ -82,7 +82,9 @@ static void ask_chunk(const fmb_pair *k, const fmb_frames *a, size_t i, chunk *c
         size_t count, g = take_run_of_eights(&open, &count);
         const fmb_packed_row row = {.one = fmb_frames_record(a, i),
                                     .tiles = c->tiles + 8 * g * c->set->stride,
-                                    .eights = count,
+                                    .record = c->set->record,
+                                    .index = c->set->order + c->from + 8 * g,
+                                    .n = c->n - 8 * g < 8 * count ? c->n - 8 * g : 8 * count,
                                     .moves = plan.moves,
                                     .swapped = plan.swapped,
                                     .shapes = plan.shapes,

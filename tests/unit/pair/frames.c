@@ -270,25 +270,54 @@ static void check_meeting(fmb_pair *k, const many *a, const many *b, fmb_verdict
     cr_expect_eq(n, h.n);
 }
 
+static void check_rows_and_meeting(int dim, fmb_simd simd, const many *a, const many *b)
+{
+    static fmb_verdict is[MOST][MOST];
+    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair *k = NULL;
+    o.simd = simd;
+    if (fmb_pair_new(dim, &o, NULL, &k) != FMB_OK)
+        return; /* not on this processor */
+    check_rows(k, a, b, is);
+    check_meeting(k, a, b, is);
+    check_rows(k, a, a, is);
+    check_meeting(k, a, a, is);
+    fmb_pair_free(k);
+}
+
 /* Each width; two kinds beside all kinds. */
 Test(frames, rows_and_all_against_all)
 {
     static many a, b;
-    static fmb_verdict is[MOST][MOST];
     for (int i = 0; i < 6; i++) {
         int dim = 2 + i / 3;
         draw_many(dim, i % 3 - 1, false, STUDY_PAIR_ARTICLE, 6, &a);
         draw_many(dim, i % 3 == 1, false, STUDY_PAIR_ARTICLE, 7, &b);
-        fmb_pair_options o = fmb_pair_options_default();
-        fmb_pair *k = NULL;
-        o.simd = LEVEL[i % 3];
-        if (fmb_pair_new(dim, &o, NULL, &k) == FMB_OK) {
-            check_rows(k, &a, &b, is);
-            check_meeting(k, &a, &b, is);
-            check_rows(k, &a, &a, is);
-            check_meeting(k, &a, &a, is);
-        }
-        fmb_pair_free(k);
+        check_rows_and_meeting(dim, LEVEL[i % 3], &a, &b);
+        fmb_frames_free(a.set);
+        fmb_frames_free(b.set);
+    }
+}
+
+/* All around the same corner, so that no face tells many of them apart. */
+static void gather(int dim, many *m)
+{
+    fmb_frames_free(m->set);
+    for (int i = 1; i < MOST; i++)
+        m->frame[i].origin = m->frame[0].origin;
+    must(fmb_frames_new(dim, MOST, m->frame, NULL, &m->set));
+}
+
+/* Each width, few of them apart by faces and many, still and moving. */
+Test(frames, rows_of_simplices_in_space)
+{
+    static many a, b;
+    for (int i = 0; i < 12; i++) {
+        draw_many(3, FMB_SIMPLEX, i / 3 % 2, STUDY_PAIR_ARTICLE, 8, &a);
+        draw_many(3, FMB_SIMPLEX, i / 3 % 2, STUDY_PAIR_ARTICLE, 9, &b);
+        if (i >= 6)
+            gather(3, &b);
+        check_rows_and_meeting(3, LEVEL[i % 3], &a, &b);
         fmb_frames_free(a.set);
         fmb_frames_free(b.set);
     }
