@@ -25,6 +25,7 @@ typedef struct chunk {
     size_t from, n;
     int kind;
     uint64_t tiled; /* eights */
+    unsigned vain;  /* rows in turn whose box told nothing */
     _Alignas(64) double tiles[CHUNK * 2 * FMB_RECORD_LINE];
 } chunk;
 
@@ -39,6 +40,7 @@ static size_t begin_chunk(const fmb_frames *s, size_t from, chunk *out)
     out->n = end - from;
     out->kind = kind;
     out->tiled = 0;
+    out->vain = 0;
     return end;
 }
 
@@ -63,20 +65,36 @@ static void tile_eights(const fmb_pair *k, chunk *c, uint64_t wanted)
     }
 }
 
+/* After so many rows whose box told nothing no other is asked of a chunk: where frames are in no
+ * order all boxes of eight meet. */
+enum { MOST_VAIN = 4 };
+
+/* Eights of a chunk that frame i of a may meet. */
+static uint64_t find_open_eights(const fmb_frames *a, size_t i, chunk *c)
+{
+    const size_t eights = (c->n + 7) / 8;
+    const uint64_t all = UINT64_MAX >> (64 - eights);
+    fmb_bounds box;
+    if (c->vain == MOST_VAIN)
+        return all;
+    fmb_bounds_of_frame(a, i, &box);
+    uint64_t open = fmb_bounds_open_eights(c->set, c->from, eights, &box);
+    c->vain = open == all ? c->vain + 1 : 0;
+    return open;
+}
+
 /* Frame i of a against those of a chunk whose boxes it may meet. After a cancel nothing is known.
  */
 static void ask_chunk(const fmb_pair *k, const fmb_frames *a, size_t i, chunk *c,
                       fmb_packed_bits out[EIGHTS])
 {
     fmb_packed_plan plan;
-    fmb_bounds box;
     bool known = !fmb_pair_is_cancelled(k) && fmb_packed_plan_of(k, a->kind[i], c->kind, &plan);
     for (size_t g = 0; g < EIGHTS; g++)
         out[g] = (fmb_packed_bits){.apart = known ? 0xff : 0, .meet = 0};
     if (!known)
         return;
-    fmb_bounds_of_frame(a, i, &box);
-    uint64_t open = fmb_bounds_open_eights(c->set, c->from, (c->n + 7) / 8, &box);
+    uint64_t open = find_open_eights(a, i, c);
     tile_eights(k, c, open & ~c->tiled);
     while (open) {
         size_t count, g = take_run_of_eights(&open, &count);
