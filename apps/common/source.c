@@ -147,6 +147,23 @@ int app_source_read_graph(const app_source *src, const fmb_system *s, fmb_system
     return read_file(src, &(wanted){.system = out, .map_over = s});
 }
 
+int app_source_read_symmetries(const app_source *src, const char *file, const fmb_system *s,
+                               const int *keep, int n, fmb_permutations **out)
+{
+    FILE *in;
+    int code = app_file_open(file, &in);
+    if (code != APP_YES)
+        return code;
+    app_source self = *src;
+    fmb_reader how = reader_of(&self);
+    fmb_where where = {0};
+    errno = 0;
+    fmb_status st = fmb_permutations_read(in, &how, s, keep, n, out, &where);
+    code = app_source_outcome(st, file, &where);
+    app_file_close_input(in);
+    return code;
+}
+
 static bool can_write(fmb_format f)
 {
     return f == FMB_FORMAT_TEXT || f == FMB_FORMAT_INE || f == FMB_FORMAT_SMT2;

@@ -4,6 +4,7 @@
 
 #include <argp.h>
 #include <fmb/lift.h>
+#include <fmb/symmetry.h>
 
 typedef struct app_source {
     const char *file;
@@ -24,6 +25,10 @@ int app_source_read(const app_source *src, fmb_system **out);
 int app_source_read_polyhedron(const app_source *src, fmb_system **s, fmb_generators **g);
 /* [give, fmb_system_free] The graph of a map over s (<fmb/lift.h>). */
 int app_source_read_graph(const app_source *src, const fmb_system *s, fmb_system **out);
+
+/* [give, fmb_permutations_free] Symmetries of s, of which keep[n] are kept, from that file. */
+int app_source_read_symmetries(const app_source *src, const char *file, const fmb_system *s,
+                               const int *keep, int n, fmb_permutations **out);
 
 /* The exit code for what a reader of the library returned, after a message unless it is FMB_OK. */
 int app_source_outcome(fmb_status st, const char *path, const fmb_where *where);

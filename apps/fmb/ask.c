@@ -98,6 +98,13 @@ size_t app_ask_half_of_memory(void)
     return half;
 }
 
+/* A file in place of a word of the table. */
+static bool is_file_of_symmetries(const app_ask *ask, const fmb_option_info *info, const char *arg)
+{
+    return ask->usage->takes_symmetries && strcmp(info->name, "symmetry") == 0 &&
+           strcmp(arg, "auto") != 0 && strcmp(arg, "none") != 0;
+}
+
 enum { NAME_SIZE = 32 };
 
 /* "max_rows" is --max-rows on a command line. */
@@ -116,6 +123,10 @@ static error_t parse_option(int key, char *arg, struct argp_state *state)
     const fmb_option_info *info = fmb_options_describe((size_t)(key - FIRST_KEY));
     char name[NAME_SIZE];
     spell(info, name);
+    if (is_file_of_symmetries(ask, info, arg)) {
+        ask->symmetry = arg;
+        return 0;
+    }
     if (fmb_options_set(&ask->options, info->name, arg) != FMB_OK)
         argp_error(state, "--%s: expected %s, found '%s'", name, info->values, arg);
     return 0;
@@ -128,7 +139,7 @@ typedef struct solver_table {
     char meaning[MOST_OPTIONS][200];
 } solver_table;
 
-static void fill_table(solver_table *t)
+static void fill_table(solver_table *t, const app_usage *usage)
 {
     *t = (solver_table){0};
     size_t n = 0;
@@ -136,13 +147,14 @@ static void fill_table(solver_table *t)
     for (size_t i = 0; n < MOST_OPTIONS && (info = fmb_options_describe(i)); i++) {
         if (!is_public(info))
             continue;
+        bool takes_file = usage->takes_symmetries && strcmp(info->name, "symmetry") == 0;
         spell(info, t->name[n]);
         int length = (int)strcspn(info->meaning, ".");
         snprintf(t->meaning[n], sizeof t->meaning[n], "%.*s (default %s)", length, info->meaning,
                  is_memory(info) ? "half of the memory" : info->initial);
         t->option[n] = (struct argp_option){.name = t->name[n],
                                             .key = FIRST_KEY + (int)i,
-                                            .arg = info->values,
+                                            .arg = takes_file ? "auto|none|FILE" : info->values,
                                             .doc = t->meaning[n],
                                             .group = 3};
         n++;
@@ -165,10 +177,10 @@ static error_t share_inputs(int key, char *arg, struct argp_state *state)
 
 void app_ask_parse(app_ask *ask, const app_usage *usage, void *own_input, int argc, char **argv)
 {
-    *ask = (app_ask){.options = fmb_options_default(), .own_input = own_input};
+    *ask = (app_ask){.options = fmb_options_default(), .own_input = own_input, .usage = usage};
     ask->options.max_bytes = app_ask_half_of_memory();
     solver_table table;
-    fill_table(&table);
+    fill_table(&table, usage);
     const struct argp solver_argp = {.options = table.option, .parser = parse_option};
     const struct argp_child children[] = {
         {&app_source_argp, 0, NULL, 0}, {&report_argp, 0, NULL, 0}, {&solver_argp, 0, NULL, 0},

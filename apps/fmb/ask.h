@@ -14,7 +14,9 @@ typedef struct app_ask {
     const char *trace;        /* file for the events, or NULL */
     const char *proof;        /* file for the evidence, or NULL */
     const char *rule_library; /* shared object with rules, or NULL */
+    const char *symmetry;     /* file of symmetries, or NULL */
     void *own_input;          /* of the command's own parser */
+    const struct app_usage *usage;
 } app_ask;
 
 /* What tells one command from the next. */
@@ -22,6 +24,7 @@ typedef struct app_usage {
     const char *args, *doc;
     const struct argp *own; /* options of this command alone, or NULL */
     bool shows_claims;      /* the report tells of other claims than that of the verdict */
+    bool takes_symmetries;  /* --symmetry may name a file */
 } app_usage;
 
 /* Parse the words of a command; the parser of usage->own gets own_input as state->input. Exits with

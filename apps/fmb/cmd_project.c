@@ -7,7 +7,7 @@
 #include "fmb/shadow.h"
 #include "fmb/variables.h"
 
-enum { KEY_KEEP = 0x200, KEY_ELIMINATE, KEY_TO };
+enum { KEY_KEEP = 0x200, KEY_ELIMINATE, KEY_TO, KEY_CLASSES };
 
 static const struct argp_option options[] = {
     {"keep", KEY_KEEP, "NAMES", 0, "Project on these variables (x,y)", 1},
@@ -15,11 +15,17 @@ static const struct argp_option options[] = {
     {"to", KEY_TO, "FORMAT", 0,
      "Write this format: fmb|ine|smt2 (default: that of FILE where it can be written, else fmb)",
      1},
+    {"classes", KEY_CLASSES, "FILE", OPTION_ARG_OPTIONAL,
+     "Print one row of each class that symmetries take to one another, with the number of its "
+     "rows; symmetries of the projection in FILE, else those of --symmetry",
+     2},
     {0}};
 
 typedef struct request {
     app_names keep, eliminate;
     fmb_format to;
+    bool classes;
+    const char *classes_file; /* or NULL */
 } request;
 
 static error_t parse(int key, char *arg, struct argp_state *state)
@@ -38,7 +44,13 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         if (!app_format_to(arg, &r->to))
             argp_error(state, "--to: expected fmb|ine|smt2, found '%s'", arg);
         return 0;
+    case KEY_CLASSES:
+        r->classes = true;
+        r->classes_file = arg;
+        return 0;
     case ARGP_KEY_END:
+        if (r->classes && r->to)
+            argp_error(state, "--classes and --to exclude each other: classes are no system");
         if (r->keep.lists > 0 && r->eliminate.lists > 0)
             argp_error(state, "--keep and --eliminate exclude each other");
         return 0;
@@ -55,14 +67,17 @@ static const app_usage usage = {
            "system. Without --keep and --eliminate the file itself must ask for a projection (a "
            "project or eliminate line in .ine, project: in .fmb). The projection of an infeasible "
            "system is the row "
-           "0 <= -1."
+           "0 <= -1. Symmetries save work where they are found, or told: --symmetry FILE has lines "
+           "such as x y z <> y z x, permutations of variables that take rows to rows."
            "\v"
            "Exit codes: 0 done, 1 infeasible, 2 undecided: rows that follow, perhaps too few.\n"
            "\n"
            "Examples:\n"
            "  fmb project shape.fmb --keep x,y\n"
-           "  fmb project shape.ine --eliminate x4 --to smt2\n",
+           "  fmb project shape.ine --eliminate x4 --to smt2\n"
+           "  fmb project cone.fmb --symmetry cone.sym --classes\n",
     .own = &own,
+    .takes_symmetries = true,
 };
 
 static int requested_by_file(const fmb_system *s, int **vars, int *n)
@@ -86,6 +101,61 @@ static int choose(const request *r, const fmb_system *s, int **vars, int *n)
     return requested_by_file(s, vars, n);
 }
 
+/* What is kept; symmetries of FILE, from a file or found, or NULL; classes of rows of the answer.
+ */
+typedef struct task {
+    int *vars, n;
+    fmb_permutations *symmetries;
+} task;
+
+static int take_symmetries_of_file(app_session *s, task *t)
+{
+    if (!s->ask->symmetry)
+        return APP_YES;
+    int code = app_source_read_symmetries(&s->ask->source, s->ask->symmetry, s->system, t->vars,
+                                          t->n, &t->symmetries);
+    if (code != APP_YES)
+        return code;
+    fmb_status st = fmb_solver_set_symmetries(s->solver, t->symmetries);
+    return st == FMB_OK ? APP_YES : app_status_error(st);
+}
+
+/* NULL after a limit, too. */
+static int find_symmetries(app_session *s, task *t)
+{
+    if (t->symmetries || s->ask->options.symmetry == FMB_SYMMETRY_NONE)
+        return APP_YES;
+    fmb_status st = fmb_find_symmetries(s->solver, s->system, t->vars, t->n, &t->symmetries, NULL);
+    return st == FMB_OK ? APP_YES : app_status_error(st);
+}
+
+/* Classes under symmetries of the answer, which a file tells. */
+static int report_classes_of_file(const app_session *s, const request *r, const fmb_system *shadow)
+{
+    int n = fmb_system_dim(shadow);
+    fmb_permutations *symmetries = NULL;
+    int *all = app_need(malloc(((size_t)n + 1) * sizeof *all));
+    for (int j = 0; j < n; j++)
+        all[j] = j;
+    int code =
+        app_source_read_symmetries(&s->ask->source, r->classes_file, shadow, all, n, &symmetries);
+    if (code == APP_YES)
+        code = app_classes_report(s, shadow, symmetries, all, n);
+    fmb_permutations_free(symmetries);
+    free(all);
+    return code;
+}
+
+static int report(app_session *s, const request *r, task *t, const fmb_system *shadow)
+{
+    if (!r->classes)
+        return app_shadow_report(s, shadow, r->to ? r->to : app_source_written(&s->ask->source));
+    if (r->classes_file)
+        return report_classes_of_file(s, r, shadow);
+    int code = find_symmetries(s, t);
+    return code == APP_YES ? app_classes_report(s, shadow, t->symmetries, t->vars, t->n) : code;
+}
+
 int cmd_project(int argc, char **argv)
 {
     app_ask ask;
@@ -94,20 +164,23 @@ int cmd_project(int argc, char **argv)
     if (ask.proof)
         ask.options.evidence = FMB_EVIDENCE_WHOLE;
     app_session s;
-    int *vars = NULL, n = 0;
+    task t = {0};
     fmb_system *shadow = NULL;
     int code = app_session_open(&s, &ask);
     if (code == 0)
-        code = choose(&r, s.system, &vars, &n);
+        code = choose(&r, s.system, &t.vars, &t.n);
+    if (code == 0)
+        code = take_symmetries_of_file(&s, &t);
     if (code == 0) {
         app_integers_note(&s);
         app_session_begin(&s);
-        fmb_status st = fmb_project(s.solver, s.system, vars, n, &shadow, &s.result);
+        fmb_status st = fmb_project(s.solver, s.system, t.vars, t.n, &shadow, &s.result);
         code = app_session_end(&s, st);
     }
     if (code == 0)
-        code = app_shadow_report(&s, shadow, r.to ? r.to : app_source_written(&ask.source));
+        code = report(&s, &r, &t, shadow);
     fmb_system_free(shadow);
-    free(vars);
+    fmb_permutations_free(t.symmetries);
+    free(t.vars);
     return app_session_close(&s, code);
 }

@@ -19,6 +19,7 @@
 #include <fmb/rule.h>
 #include <fmb/session.h>
 #include <fmb/solve.h>
+#include <fmb/symmetry.h>
 #include <fmb/system.h>
 #include <fmb/trace.h>
 

@@ -19,6 +19,7 @@
 #include "dd/facets.h"
 #include "lp/oracle/oracle.h"
 #include "num/integers.h"
+#include "symmetry/group.h"
 #include "trace/team.h"
 
 /* A row of the projection: a.x <= b, < b or = b over its k variables. */
@@ -47,6 +48,7 @@ typedef struct fmb_support {
     fmb_scout scout;
     fmb_crew *crew;             /* or NULL */
     const fmb_program *program; /* whose symmetries may be used, or NULL */
+    fmb_group *given;           /* these; NULL: those that are found */
     fmb_symmetry *symmetry;     /* NULL: not looked for yet */
     size_t n, k;                /* columns; those that are kept, */
     const int *kept;            /* [k], increasing */

@@ -91,9 +91,14 @@ fmb_status fmb_support_keep_images(fmb_support *s)
 
 /* ---- the search ------------------------------------------------------------------------------ */
 
-/* Which columns are kept? */
+/* Those that were given, which go over to here; or those that are found. */
 static fmb_status find_group(fmb_support *s)
 {
+    if (s->given) {
+        s->symmetry->group = *s->given;
+        *s->given = (fmb_group){0};
+        return FMB_OK;
+    }
     bool *keeps = fmb_mem_zero(s->run->mem, s->n, sizeof *keeps);
     if (!keeps)
         return fmb_mem_status(s->run->mem);

@@ -45,7 +45,7 @@ static inline const fmb_sysrow *fmb_system_row(const fmb_system *s, size_t i)
     return &s->row[i];
 }
 
-/* Is variable j one of the polyhedron that s stands for where it is part of another (fmb/lift.h)? */
+/* Is variable j one of the polyhedron that s stands for as a part of others (fmb/lift.h)? */
 static inline bool fmb_system_keeps(const fmb_system *s, int j)
 {
     return !s->asks_projection || s->mark[j].kept;

@@ -1,6 +1,7 @@
 /* project.c: the projection, part by part (ladder.h). */
 #include "solve/limit/outer.h"
 #include "solve/project/ladder.h"
+#include "solve/project/symmetries.h"
 #include "solve/project/whole.h"
 #include "system/system.h"
 
@@ -120,6 +121,13 @@ fmb_status fmb_project(fmb_solver *v, const fmb_system *s, const int *keep, int 
         v->answered = false; /* the evidence at hand is that of an older query */
         return FMB_ERR_MEMORY;
     }
+    st = fmb_symmetries_enter(v, s, place);
+    if (st != FMB_OK) {
+        v->answered = v->answered && st == FMB_ERR_ARG;
+        fmb_symmetries_leave(v, s);
+        fmb_mem_put(&v->mem, place, (size_t)fmb_system_dim(s), sizeof *place);
+        return st;
+    }
     st = fmb_query_begin(&q, v, s, "project");
     fmb_status opened = open_empty_projection(s, keep, n, &image);
     if (opened != FMB_OK && (st == FMB_OK || st == FMB_LIMIT))
@@ -140,6 +148,7 @@ fmb_status fmb_project(fmb_solver *v, const fmb_system *s, const int *keep, int 
     if (image)
         fmb_mem_leave(&image->mem);
     st = fmb_query_end(&q, st, verdict, res);
+    fmb_symmetries_leave(v, s);
     if (st == FMB_OK)
         *out = empty ? empty : image;
     fmb_system_free(st != FMB_OK || empty ? image : NULL);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "hull/support.h"
+#include "solve/project/symmetries.h"
 #include "system/system.h"
 
 struct fmb_queries {
@@ -14,9 +15,10 @@ struct fmb_queries {
     int *column; /* [n], k of them: of the part, those that are kept */
     size_t k;
     fmb_support s;
-    mpz_t *z;    /* [n + 1] scratch: a row of the part */
-    fmb_vec row; /* the same */
-    bool begun;  /* there is an s */
+    mpz_t *z;        /* [n + 1] scratch: a row of the part */
+    fmb_vec row;     /* the same */
+    bool begun;      /* there is an s */
+    fmb_group group; /* symmetries that were given */
 };
 
 /* ---- rows ------------------------------------------------------------------------------------ */
@@ -123,6 +125,19 @@ static fmb_status list_kept_columns(fmb_queries *h)
     return FMB_OK;
 }
 
+/* Those that were given, or any that are found. */
+static fmb_status allow_symmetries(fmb_queries *h)
+{
+    fmb_query *q = h->q;
+    if (q->session || q->v->options.symmetry != FMB_SYMMETRY_AUTO)
+        return FMB_OK;
+    fmb_support_allow_symmetry(&h->s, &q->program[h->part]);
+    if (!q->v->moved)
+        return FMB_OK;
+    h->s.given = &h->group;
+    return fmb_symmetries_of_part(q, h->part, h->column, h->k, &h->group);
+}
+
 fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, fmb_queries **out,
                             bool *feasible)
 {
@@ -143,8 +158,8 @@ fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, fmb_querie
     h->begun = true;
     st = fmb_support_init(&h->s, &q->run, o, (size_t)h->p->n, h->column, h->k,
                           q->program[part].any_strict, q->claims != NULL);
-    if (!q->session && q->v->options.symmetry == FMB_SYMMETRY_AUTO)
-        fmb_support_allow_symmetry(&h->s, &q->program[part]);
+    if (st == FMB_OK)
+        st = allow_symmetries(h);
     if (st == FMB_OK && q->run.threads > 1 && !q->session)
         st = fmb_support_hire(&h->s, &q->program[part]);
     return st;
@@ -157,6 +172,7 @@ void fmb_queries_close(fmb_queries *h)
     fmb_mem *mem = h->q->run.mem;
     if (h->begun)
         fmb_support_clear(&h->s);
+    fmb_group_clear(&h->group);
     fmb_mem_put(mem, h->column, (size_t)h->p->n, sizeof *h->column);
     fmb_mem_put(mem, h, 1, sizeof *h);
 }

@@ -44,6 +44,7 @@ void fmb_solver_free(fmb_solver *v)
         return;
     fmb_evidence_free(v->evidence);
     fmb_session_free(v->session);
+    fmb_permutations_free(v->symmetries);
     fmb_arena_clear(&v->arena);
     fmb_mem mem = v->mem;
     fmb_mem_put(&mem, v, 1, sizeof *v);

@@ -6,6 +6,8 @@
 #ifndef FMB_SOLVE_SOLVER_H
 #define FMB_SOLVE_SOLVER_H
 
+#include <fmb/symmetry.h>
+
 #include "base/arena.h"
 #include "elim/round/elim.h"
 #include "lp/exact/dictionary.h"
@@ -27,6 +29,8 @@ struct fmb_solver {
     fmb_chooser chooser;
     char trouble[160]; /* why the last call returned FMB_ERR_ARG or FMB_ERR_RULE */
     atomic_int cancel;
+    fmb_permutations *symmetries; /* given for projections, or NULL */
+    uint32_t *moved;       /* [permutations][dim + rows] by these, while one is made, or NULL */
     const fmb_run *within; /* whose deadline and cancel hold in place of our own, or NULL */
     fmb_sink sink;
     bool answered;          /* the last query ended without an error */

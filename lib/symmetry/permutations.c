@@ -1,0 +1,112 @@
+/* permutations.c: lists of permutations of variables; see fmb/symmetry.h. */
+#include "symmetry/permutations.h"
+
+#include <string.h>
+
+/* ---- life ------------------------------------------------------------------------------------ */
+
+fmb_status fmb_permutations_new(int dim, const fmb_alloc *hook, fmb_permutations **out)
+{
+    fmb_mem mem;
+    if (dim < 0 || !out)
+        return FMB_ERR_ARG;
+    fmb_mem_init(&mem, hook, 0);
+    fmb_permutations *p = fmb_mem_zero(&mem, 1, sizeof *p);
+    if (!p)
+        return FMB_ERR_MEMORY;
+    p->mem = mem;
+    p->dim = dim;
+    *out = p;
+    return FMB_OK;
+}
+
+void fmb_permutations_free(fmb_permutations *p)
+{
+    if (!p)
+        return;
+    for (size_t i = 0; i < p->size; i++)
+        fmb_mem_put(&p->mem, p->image[i], (size_t)p->dim, sizeof **p->image);
+    fmb_mem_put(&p->mem, p->image, p->capacity, sizeof *p->image);
+    fmb_mem mem = p->mem;
+    fmb_mem_put(&mem, p, 1, sizeof *p);
+}
+
+/* ---- one more -------------------------------------------------------------------------------- */
+
+/* met[n] becomes where something goes. */
+static bool goes_to_places_of_its_own(const int *image, int n, bool *met)
+{
+    memset(met, 0, (size_t)n * sizeof *met);
+    for (int j = 0; j < n; j++) {
+        if (image[j] < 0)
+            continue;
+        if (image[j] >= n || met[image[j]])
+            return false;
+        met[image[j]] = true;
+    }
+    return true;
+}
+
+bool fmb_permutation_complete(int *image, int n, bool *met)
+{
+    if (!goes_to_places_of_its_own(image, n, met))
+        return false;
+    for (int j = 0; j < n; j++) {
+        int end = j;
+        if (image[j] < 0 || met[j])
+            continue;
+        while (image[end] >= 0)
+            end = image[end];
+        image[end] = j;
+        met[j] = true;
+    }
+    for (int j = 0; j < n; j++)
+        image[j] = image[j] < 0 ? j : image[j];
+    return true;
+}
+
+static fmb_status append_permutation(fmb_permutations *p, const int *image)
+{
+    fmb_status st =
+        fmb_mem_reserve(&p->mem, (void **)&p->image, &p->capacity, p->size + 1, sizeof *p->image);
+    int *copy = st == FMB_OK ? fmb_mem_get(&p->mem, (size_t)p->dim, sizeof *copy) : NULL;
+    if (!copy)
+        return st == FMB_OK ? fmb_mem_status(&p->mem) : st;
+    memcpy(copy, image, (size_t)p->dim * sizeof *copy);
+    p->image[p->size++] = copy;
+    return FMB_OK;
+}
+
+fmb_status fmb_permutations_add(fmb_permutations *p, const int *image)
+{
+    if (!p || (!image && p->dim > 0))
+        return FMB_ERR_ARG;
+    for (int j = 0; j < p->dim; j++)
+        if (image[j] < 0)
+            return FMB_ERR_ARG;
+    bool *met = fmb_mem_get(&p->mem, (size_t)p->dim, sizeof *met);
+    if (!met)
+        return FMB_ERR_MEMORY;
+    bool good = p->dim == 0 || goes_to_places_of_its_own(image, p->dim, met);
+    fmb_mem_put(&p->mem, met, (size_t)p->dim, sizeof *met);
+    if (p->dim == 0)
+        return FMB_OK; /* there is nothing to move */
+    return good ? append_permutation(p, image) : FMB_ERR_ARG;
+}
+
+/* ---- reading --------------------------------------------------------------------------------- */
+
+int fmb_permutations_dim(const fmb_permutations *p)
+{
+    return p ? p->dim : 0;
+}
+
+size_t fmb_permutations_size(const fmb_permutations *p)
+{
+    return p ? p->size : 0;
+}
+
+int fmb_permutations_image(const fmb_permutations *p, size_t i, int j)
+{
+    return i < fmb_permutations_size(p) && j >= 0 && j < p->dim ? p->image[i][j] : -1;
+}
