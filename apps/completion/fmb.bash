@@ -51,7 +51,7 @@ _fmb()
                 solve) words="$general $source $solver" ;;
                 bounds) words="$general $source $solver --vars" ;;
                 optimize) words="$general $source $solver --max --min" ;;
-                project) words="$general $source $solver --keep --eliminate --to" ;;
+                project) words="$general $source $solver --keep --eliminate --to --classes" ;;
                 reduce) words="$general $source $solver --to" ;;
                 vertices) words="$general $source $solver" ;;
                 hull | sum | image) words="$general $source $solver --to --lifted" ;;

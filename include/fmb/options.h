@@ -86,7 +86,8 @@ typedef struct fmb_options {
                                    queries and rays; 0 or 1: the caller's alone. With more the
                                    allocator (<fmb/base.h>) must be safe for threads. Answers are
                                    the same for any number; proofs may differ from those of one */
-    fmb_symmetries symmetry;    /* use of symmetries; answers are the same */
+    fmb_symmetries symmetry;    /* use of symmetries; answers are the same. Others may be given in
+                                   place of those that are found: <fmb/symmetry.h> */
 } fmb_options;
 
 FMB_API fmb_options fmb_options_default(void);
