@@ -112,7 +112,7 @@ static uint64_t hash_of_moved_row(const fmb_row_images *t, fmb_rel rel)
 }
 
 /* t->moved becomes row i, moved. fmb_vec_clear it. */
-static fmb_status move_row(fmb_row_images *t, size_t i, const int *image)
+static fmb_status move_row_by_image(fmb_row_images *t, size_t i, const int *image)
 {
     const fmb_sysrow *r = fmb_system_row(t->s, i);
     sort_moved_terms(t, r, image);
@@ -145,7 +145,7 @@ static bool is_moved_row(const fmb_row_images *t, fmb_rel rel, size_t i)
 }
 
 /* Its place in the table, or the free one where it belongs. */
-static size_t find_slot(const fmb_row_images *t, fmb_rel rel)
+static size_t find_slot_of_moved_row(const fmb_row_images *t, fmb_rel rel)
 {
     size_t at = t->moved.hash & (t->slots - 1);
     while (t->slot[at] != SIZE_MAX && !is_moved_row(t, rel, t->slot[at]))
@@ -166,9 +166,9 @@ static bool does_moved_equality_follow(fmb_row_images *t)
 fmb_status fmb_row_images_find(fmb_row_images *t, size_t i, const int *image, size_t *found)
 {
     fmb_rel rel = fmb_system_row(t->s, i)->rel;
-    fmb_status st = move_row(t, i, image);
+    fmb_status st = move_row_by_image(t, i, image);
     if (st == FMB_OK)
-        *found = t->slot[find_slot(t, rel)];
+        *found = t->slot[find_slot_of_moved_row(t, rel)];
     if (st == FMB_OK && *found == SIZE_MAX && rel == FMB_EQ && does_moved_equality_follow(t))
         *found = i;
     fmb_vec_clear(&t->moved.v, t->moved.size + 1, t->mem);
@@ -194,7 +194,7 @@ fmb_status fmb_row_images_check(fmb_row_images *t, const int *image, size_t *wit
 static fmb_status enter_row(fmb_row_images *t, size_t i)
 {
     fmb_row_image *r = &t->row[i];
-    fmb_status st = move_row(t, i, NULL);
+    fmb_status st = move_row_by_image(t, i, NULL);
     size_t n = t->moved.size;
     *r = (fmb_row_image){.size = n, .hash = t->moved.hash};
     r->var = st == FMB_OK ? fmb_mem_get(t->mem, n, sizeof *r->var) : NULL;
@@ -205,7 +205,7 @@ static fmb_status enter_row(fmb_row_images *t, size_t i)
     for (size_t k = 0; st == FMB_OK && k < n; k++)
         r->var[k] = t->moved.var[k];
     if (st == FMB_OK) {
-        size_t at = find_slot(t, fmb_system_row(t->s, i)->rel);
+        size_t at = find_slot_of_moved_row(t, fmb_system_row(t->s, i)->rel);
         t->slot[at] = t->slot[at] == SIZE_MAX ? i : t->slot[at];
     }
     fmb_vec_clear(&t->moved.v, n + 1, t->mem);

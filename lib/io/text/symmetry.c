@@ -107,7 +107,7 @@ static fmb_status read_variables(reader *r, int *list, size_t *n)
 }
 
 /* The variables on the right are where those on the left go. */
-static fmb_status read_right_side(reader *r, size_t n)
+static fmb_status read_images_of_list(reader *r, size_t n)
 {
     fmb_status st = FMB_OK;
     memset(r->met, 0, r->most * sizeof *r->met);
@@ -126,7 +126,7 @@ static fmb_status read_rule_of_variables(reader *r)
     if (st == FMB_OK && (n == 0 || !fmb_accept(r->t->c, "<>")))
         st = fail_at_sign(r->t->c);
     if (st == FMB_OK)
-        st = read_right_side(r, n);
+        st = read_images_of_list(r, n);
     if (st != FMB_OK)
         return st;
     (void)fmb_permutation_complete(r->image, fmb_system_dim(r->s), r->met);

@@ -170,7 +170,7 @@ static fmb_status copy_group(const fmb_group *g, fmb_permutations *to)
     return st;
 }
 
-static fmb_status find_symmetries(fmb_query *q, const int *keep, int n, fmb_permutations *to)
+static fmb_status find_symmetries_of_all(fmb_query *q, const int *keep, int n, fmb_permutations *to)
 {
     size_t dim = (size_t)fmb_system_dim(q->s);
     fmb_program p;
@@ -212,7 +212,7 @@ fmb_status fmb_find_symmetries(fmb_solver *v, const fmb_system *s, const int *ke
     if (st == FMB_OK || st == FMB_LIMIT)
         st = opened == FMB_OK ? st : opened;
     if (st == FMB_OK)
-        st = find_symmetries(&q, keep, n, found);
+        st = find_symmetries_of_all(&q, keep, n, found);
     bool done = st == FMB_OK;
     st = fmb_query_end(&q, st, FMB_UNKNOWN, res);
     if (v)

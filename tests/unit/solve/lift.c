@@ -294,8 +294,7 @@ Test(lift, sums_are_as_strict_as_the_textbook_says)
     fmb_solver_free(v);
 }
 
-/* ---- lifts as parts of lifts ------------------------------------------------------------------
- */
+/* ---- lifts as parts of lifts ----------------------------------------------------------------- */
 
 Test(lift, lifts_are_polyhedra_too)
 {
