@@ -150,8 +150,9 @@ def rule_figures(study):
 
 def peer_figures(study):
     cells = list(dict.fromkeys(row["cell"] for row in study["times"]))
-    bars = [(cell, [(f'"{row["peer"]}"', row["ns"] if row["ns"] is not None else "NaN")
-                    for row in study["times"] if row["cell"] == cell], None, i) for i, cell in enumerate(cells)]
+    times = {(row["cell"], row["peer"]): row["ns"] for row in study["times"]}
+    bars = [(cell, [(f'"{peer}"', times.get((cell, peer), "NaN")) for peer in study["peers"]], None, i)
+            for i, cell in enumerate(cells)]
     yield ("ns", "Time of a query on static pairs in three dimensions.",
            'set style data histogram\nset style histogram clustered gap 1\nset style fill solid 0.8\n'
            'set logscale y\nset yrange [5:*]\nset xtics rotate by -20\nset ylabel "time of a query [ns]"', bars)

@@ -1,6 +1,7 @@
 /* hull.c: see peer.h. */
 #include "fmb-qualify/peers/peer.h"
 
+#include <math.h>
 #include <string.h>
 
 static double determinant(const double *a)
@@ -63,6 +64,18 @@ void peer_hull_of(const fmb_frame *f, peer_hull *out)
             out->face[i][a] = out->face[i][b];
             out->face[i][b] = kept;
         }
+}
+
+void peer_box_of(const fmb_frame *f, peer_box *out)
+{
+    double hand = determinant(f->axes) < 0 ? -1 : 1; /* an axis may point the other way */
+    peer_centre(f, out->centre);
+    for (int k = 0; k < 3; k++) {
+        const double *a = f->axes + 3 * k;
+        out->side[k] = sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+        for (int j = 0; j < 3; j++)
+            out->axis[k][j] = (k == 2 ? hand : 1) * a[j] / out->side[k];
+    }
 }
 
 void peer_centre(const fmb_frame *f, double *out)

@@ -5,19 +5,24 @@
 #include <stdlib.h>
 
 #include "common/message.h"
+#include "fmb-qualify/verdicts/pool.h"
 #include "fmb-qualify/watch.h"
 #include "study/rivals/rows.h"
 
 enum { MOST_JUDGED = 4096 }; /* pairs of each kind and family */
 
-const fmb_shape peers_shape[PEERS_KINDS][2] = {
-    {FMB_CUBOID, FMB_CUBOID}, {FMB_CUBOID, FMB_SIMPLEX}, {FMB_SIMPLEX, FMB_SIMPLEX}};
+const fmb_shape peers_shape[PEERS_KINDS][2] = {{FMB_CUBOID, FMB_CUBOID},
+                                               {FMB_CUBOID, FMB_SIMPLEX},
+                                               {FMB_SIMPLEX, FMB_SIMPLEX},
+                                               {FMB_CUBOID, FMB_CUBOID}};
 const study_pair_family peers_family[PEERS_FAMILIES] = {STUDY_PAIR_ARTICLE, STUDY_PAIR_NEAR,
                                                         STUDY_PAIR_LATTICE, STUDY_PAIR_FLAT};
 
 static bool takes(const peer_driver *d, int kind)
 {
-    return !d->simplices_alone || peers_shape[kind][0] == FMB_SIMPLEX;
+    return d->takes == PEER_TAKES_ALL ||
+           (d->takes == PEER_TAKES_SIMPLICES && peers_shape[kind][0] == FMB_SIMPLEX) ||
+           (d->takes == PEER_TAKES_BOXES && kind == PEERS_BOXES);
 }
 
 static study_pair_plan plan_of(study_pair_family family, int kind)
@@ -35,26 +40,33 @@ static fmb_status ask_exactly(fmb_pair *k, const fmb_frame *p, const fmb_frame *
 
 /* ---- times ----------------------------------------------------------------------------------- */
 
-typedef struct wanted {
-    fmb_pair *k;
-    fmb_verdict verdict;
-} wanted;
-
-static bool is_wanted(void *self, const fmb_frame *p, const fmb_frame *q)
+/* Gram and Schmidt: right angles, but for rounding; the first axis stays. */
+static void make_right_angles(int dim, double *origin, double *axes)
 {
-    wanted *w = self;
-    fmb_verdict verdict;
-    return ask_exactly(w->k, p, q, &verdict) == FMB_OK && verdict == w->verdict;
+    (void)origin;
+    for (int k = 1; k < dim; k++)
+        for (int i = 0; i < k; i++) {
+            const double *a = axes + i * dim;
+            double *b = axes + k * dim, along = 0, square = 0;
+            for (int j = 0; j < dim; j++) {
+                along += a[j] * b[j];
+                square += a[j] * a[j];
+            }
+            for (int j = 0; j < dim; j++)
+                b[j] -= along / square * a[j];
+        }
 }
 
-static fmb_status draw_class(int kind, bool meets, uint64_t seed, size_t n, study_pairs *out)
+static fmb_status draw_class(int kind, bool meets, uint64_t seed, size_t n, verdict_pool *out)
 {
-    const study_pair_plan plan = plan_of(STUDY_PAIR_ARTICLE, kind);
-    wanted w = {NULL, meets ? FMB_FEASIBLE : FMB_INFEASIBLE};
-    fmb_status st = fmb_pair_new(3, NULL, NULL, &w.k);
+    static const verdict_kind KIND[PEERS_KINDS] = {VERDICT_CC, VERDICT_CT, VERDICT_TT, VERDICT_CC};
+    const verdict_class c = {3, false, meets, KIND[kind]};
+    const verdict_source from = {.reshape = kind == PEERS_BOXES ? make_right_angles : NULL};
+    fmb_pair *judge = NULL;
+    fmb_status st = fmb_pair_new(3, NULL, NULL, &judge);
     if (st == FMB_OK)
-        st = study_pairs_make(&plan, seed, n, is_wanted, &w, out);
-    fmb_pair_free(w.k);
+        st = verdict_pool_make(&from, &c, seed, n, judge, out);
+    fmb_pair_free(judge);
     return st;
 }
 
@@ -120,13 +132,21 @@ static fmb_status time_all(runner *r, const size_t *which, size_t ways, size_t n
     return FMB_OK;
 }
 
+static fmb_status count_wrong(runner *r, size_t n, fmb_verdict right, size_t *out)
+{
+    fmb_status st = run(r, 0, n);
+    for (size_t i = 0; st == FMB_OK && i < n; i++)
+        *out += r->verdict[i] != right;
+    return st;
+}
+
 int peers_time(const peer_driver *const *driver, size_t drivers, int kind, bool meets,
                const qualify_setup *o, peers_times *out)
 {
     const study_spread nothing = {NAN, NAN, NAN};
     runner r[PEERS_MOST] = {{0}};
     size_t which[PEERS_MOST], ways = 0;
-    study_pairs pairs = {0};
+    verdict_pool pairs = {0};
     *out = (peers_times){.pairs = o->pairs};
     for (size_t i = 0; i < drivers; i++) {
         out->ns[i] = nothing;
@@ -141,8 +161,11 @@ int peers_time(const peer_driver *const *driver, size_t drivers, int kind, bool 
         st = open_all(driver, drivers, kind, &work, r, which, &ways);
     if (st == FMB_OK)
         st = time_all(r, which, ways, pairs.n, o->passes, out);
+    for (size_t i = 0; st == FMB_OK && out->complete && i < ways; i++)
+        st = count_wrong(&r[i], pairs.n, meets ? FMB_FEASIBLE : FMB_INFEASIBLE,
+                         &out->wrong[which[i]]);
     close_all(r, ways);
-    study_pairs_free(&pairs);
+    verdict_pool_free(&pairs);
     free(verdict);
     return st == FMB_OK ? APP_YES : app_status_error(st);
 }
@@ -230,7 +253,7 @@ int peers_judge(const peer_driver *const *driver, size_t drivers, study_pair_fam
 {
     fmb_status st = FMB_OK;
     *out = (peers_faults){.complete = true};
-    for (int kind = 0; st == FMB_OK && out->complete && kind < PEERS_KINDS; kind++)
+    for (int kind = 0; st == FMB_OK && out->complete && kind < PEERS_BOXES; kind++)
         st = judge_kind(driver, drivers, family, kind, o, out);
     return st == FMB_OK ? APP_YES : app_status_error(st);
 }

@@ -7,9 +7,10 @@
 #include "study/clock/clock.h"
 #include "study/draw/pairs.h"
 
-enum { PEERS_MOST = 16, PEERS_KINDS = 3, PEERS_FAMILIES = 4 };
+enum { PEERS_MOST = 16, PEERS_KINDS = 4, PEERS_FAMILIES = 4 };
 
-/* Shapes of A and B. */
+/* Shapes of A and B; of the last kind, PEERS_BOXES, cuboids with right angles. */
+enum { PEERS_BOXES = PEERS_KINDS - 1 };
 extern const fmb_shape peers_shape[PEERS_KINDS][2];
 extern const study_pair_family peers_family[PEERS_FAMILIES];
 
@@ -19,6 +20,7 @@ typedef struct peers_times {
     size_t pairs;
     study_spread ns[PEERS_MOST];   /* of a query, over the passes; NaN: not asked */
     study_ratio ratio[PEERS_MOST]; /* over driver 0 */
+    size_t wrong[PEERS_MOST];      /* answers that are not the class's */
 } peers_times;
 
 /* Answers on pairs of one family, of all kinds. A pair touches if it meets with its faces and not

@@ -1,5 +1,5 @@
-/* ode.c: ODE's dCollide on convex geoms, for one contact, as it has no test without contacts. (Its
- * dBoxBox takes boxes with right angles only, which these frames are not.) ODE wants the origin of
+/* ode.c: ODE's dCollide on convex geoms, for one contact, as it has no test without contacts. Its
+ * dBoxBox is asked about cuboids with right angles alone. ODE wants the origin of
  * a geom inside of it, so a geom stands at the frame's centre. */
 #include <fcntl.h>
 #include <math.h>
@@ -90,7 +90,22 @@ static void hear(int kept)
     close(kept);
 }
 
-static fmb_status open_ode(const peer_work *w, void **self)
+/* One of ODE's own boxes. */
+static void make_box(const fmb_frame *f, ode_body *out)
+{
+    peer_box box;
+    dMatrix3 turn = {0};
+    peer_box_of(f, &box);
+    for (int k = 0; k < 3; k++)
+        for (int j = 0; j < 3; j++)
+            turn[4 * j + k] = (dReal)box.axis[k][j];
+    out->geom = dCreateBox(NULL, (dReal)box.side[0], (dReal)box.side[1], (dReal)box.side[2]);
+    dGeomSetPosition(out->geom, (dReal)box.centre[0], (dReal)box.centre[1], (dReal)box.centre[2]);
+    dGeomSetRotation(out->geom, turn);
+}
+
+static fmb_status open_bodies(const peer_work *w, void (*make)(const fmb_frame *, ode_body *),
+                              void **self)
 {
     ode_state *s = app_need(malloc(sizeof *s));
     s->n = w->n;
@@ -100,12 +115,22 @@ static fmb_status open_ode(const peer_work *w, void **self)
     dAllocateODEDataForThread((unsigned)dAllocateMaskAll);
     int kept = hush();
     for (size_t i = 0; i < w->n; i++) {
-        make_body(&w->p[i], &s->p[i]);
-        make_body(&w->q[i], &s->q[i]);
+        make(&w->p[i], &s->p[i]);
+        make(&w->q[i], &s->q[i]);
     }
     hear(kept);
     *self = s;
     return FMB_OK;
+}
+
+static fmb_status open_ode(const peer_work *w, void **self)
+{
+    return open_bodies(w, make_body, self);
+}
+
+static fmb_status open_ode_boxes(const peer_work *w, void **self)
+{
+    return open_bodies(w, make_box, self);
 }
 
 static fmb_status ask_ode(void *self, size_t first, size_t n, fmb_verdict *verdict)
@@ -139,3 +164,9 @@ const peer_driver peer_ode = {
     .open = open_ode,
     .ask = ask_ode,
     .close = close_ode};
+const peer_driver peer_ode_box = {.name = "ODE box",
+                                  .how = "dCollide on its boxes (dBoxBox), one contact",
+                                  .takes = PEER_TAKES_BOXES,
+                                  .open = open_ode_boxes,
+                                  .ask = ask_ode,
+                                  .close = close_ode};

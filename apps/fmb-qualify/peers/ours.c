@@ -119,7 +119,7 @@ const peer_driver peer_seidel = {.name = "Seidel",
                                  .close = close_ours};
 const peer_driver peer_tetra = {.name = "Ganovelli",
                                 .how = "tetrahedra by Ganovelli, Ponchio, Rocchini (bench/study)",
-                                .simplices_alone = true,
+                                .takes = PEER_TAKES_SIMPLICES,
                                 .open = open_work,
                                 .ask = ask_tetra,
                                 .close = close_ours};

@@ -20,10 +20,13 @@ typedef struct peer_work {
     fmb_simd simd;
 } peer_work;
 
+/* What is asked of a driver: all frames; no cuboids; nothing but cuboids with right angles. */
+typedef enum peer_takes { PEER_TAKES_ALL, PEER_TAKES_SIMPLICES, PEER_TAKES_BOXES } peer_takes;
+
 typedef struct peer_driver {
     const char *name;
-    const char *how;      /* what is measured; one line */
-    bool simplices_alone; /* it takes no cuboids */
+    const char *how; /* what is measured; one line */
+    peer_takes takes;
     /* Errors: MEMORY. */
     fmb_status (*open)(const peer_work *w, void **self);
     /* Pairs first ... first + n - 1 into verdict[0..n). */
@@ -34,7 +37,8 @@ typedef struct peer_driver {
 /* Ours, and what bench/study has. */
 extern const peer_driver peer_fmb, peer_sat, peer_article, peer_seidel, peer_tetra;
 /* Where they are installed. */
-extern const peer_driver peer_ccd_gjk, peer_ccd_mpr, peer_fcl_ccd, peer_fcl_own, peer_ode;
+extern const peer_driver peer_ccd_gjk, peer_ccd_mpr, peer_fcl_ccd, peer_fcl_own, peer_fcl_obb,
+    peer_fcl_box, peer_ode, peer_ode_box;
 
 /* ---- frames as polytopes --------------------------------------------------------------------- */
 
@@ -48,6 +52,13 @@ typedef struct peer_hull {
 
 void peer_hull_of(const fmb_frame *f, peer_hull *out);
 void peer_centre(const fmb_frame *f, double *out);
+
+/* A cuboid with right angles: unit axes, right-handed, and how long it is along each. */
+typedef struct peer_box {
+    double centre[3], axis[3][3], side[3];
+} peer_box;
+
+void peer_box_of(const fmb_frame *f, peer_box *out);
 
 #ifdef __cplusplus
 }

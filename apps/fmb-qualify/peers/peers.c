@@ -15,17 +15,17 @@ static const peer_driver *const DRIVER[] = {
     &peer_ccd_gjk, &peer_ccd_mpr,
 #endif
 #ifdef QUALIFY_FCL
-    &peer_fcl_ccd, &peer_fcl_own,
+    &peer_fcl_ccd, &peer_fcl_own, &peer_fcl_obb, &peer_fcl_box,
 #endif
 #ifdef QUALIFY_ODE
-    &peer_ode,
+    &peer_ode,     &peer_ode_box,
 #endif
     &peer_tetra,   &peer_seidel,  &peer_article,
 };
 enum { DRIVERS = sizeof DRIVER / sizeof *DRIVER, CELLS = 2 * PEERS_KINDS };
 
-static const char *const CELL[CELLS] = {"CC meet",  "CC apart", "CT meet",
-                                        "CT apart", "TT meet",  "TT apart"};
+static const char *const CELL[CELLS] = {"CC meet", "CC apart", "CT meet",    "CT apart",
+                                        "TT meet", "TT apart", "boxes meet", "boxes apart"};
 
 typedef struct peers_report {
     peers_times times[CELLS];
@@ -60,6 +60,7 @@ static const qualify_column TIMES[] = {{"cell", "pairs", NULL},
                                        {"queries", NULL, "%.0f"},
                                        {"ns", "ns", "%.1f"},
                                        QUALIFY_RATIO("over_fmb", "over FMB"),
+                                       {"wrong", "wrong", "%.0f"},
                                        {0}};
 
 static void report_times(const peers_report *r, qualify_page *page)
@@ -68,18 +69,22 @@ static void report_times(const peers_report *r, qualify_page *page)
     for (int c = 0; c < CELLS; c++)
         for (int i = 0; i < DRIVERS && r->times[c].complete; i++) {
             const peers_times *t = &r->times[c];
+            if (isnan(t->ns[i].median))
+                continue;
             json_t *obj = json_object();
             app_json_set(obj, "peer", json_string(DRIVER[i]->name));
             app_json_set(obj, "cell", json_string(CELL[c]));
             app_json_set(obj, "queries", qualify_count_json(t->pairs));
             app_json_set(obj, "ns", app_json_real(t->ns[i].median));
             app_json_set(obj, "over_fmb", qualify_ratio_json(t->ratio[i]));
+            app_json_set(obj, "wrong", qualify_count_json(t->wrong[i]));
             app_json_append(cells, obj);
         }
     app_json_set(qualify_page_json(page), "times", cells);
     qualify_page_table(page, "times",
                        "Time of a query on the article's pairs [ns], median of the passes, shapes "
-                       "prepared outside the clock; over that of FMB, and the 95 % interval",
+                       "prepared outside the clock; boxes are cuboids with right angles; over that "
+                       "of FMB, and the 95 % interval",
                        TIMES, "times");
 }
 
@@ -101,6 +106,8 @@ static void report_faults(const peers_report *r, qualify_page *page)
     for (int k = 0; k < PEERS_FAMILIES; k++)
         for (int i = 0; i < DRIVERS && r->faults[k].complete; i++) {
             const peers_faults *f = &r->faults[k];
+            if (f->clear[i] + f->touching[i] == 0)
+                continue;
             json_t *obj = json_object();
             app_json_set(obj, "peer", json_string(DRIVER[i]->name));
             app_json_set(obj, "family", json_string(study_pair_family_text(peers_family[k])));
