@@ -1,9 +1,11 @@
 /* threads.c: the ends of a box, the rows that stay, and those of a projection, by several threads
- * are those by one, and proved; under limits too. */
+ * are those by one, and proved; under limits too. So are vertices and hulls, in the same order. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+
+#include <fmb/generators.h>
 
 #include "property/random/agree.h"
 #include "support.h"
@@ -290,4 +292,92 @@ Test(threads, projection_under_a_limit)
         free(proof);
     }
     fmb_system_free(s);
+}
+
+/* ---- vertices and hulls ---------------------------------------------------------------------- */
+
+static fmb_solver *solver_with_threads(size_t threads)
+{
+    fmb_options o = fmb_options_default();
+    fmb_solver *v = NULL;
+    o.threads = threads;
+    must(fmb_solver_new(&o, NULL, &v));
+    return v;
+}
+
+/* [give] The hull of points, as text. */
+static char *hull_by(const fmb_generators *g, size_t threads)
+{
+    fmb_solver *v = solver_with_threads(threads);
+    fmb_system *s = NULL;
+    fmb_result r;
+    char *text = NULL;
+    size_t size = 0;
+    FILE *f = open_memstream(&text, &size);
+    must(fmb_hull(v, g, &s, &r));
+    cr_assert(s && fmb_system_rows(s) > 300, "%zu rows", s ? fmb_system_rows(s) : 0);
+    must(fmb_system_write(s, FMB_FORMAT_INE, f));
+    fclose(f);
+    fmb_system_free(s);
+    fmb_solver_free(v);
+    return text;
+}
+
+/* [give] Vertices, as text. */
+static char *vertices_by(const fmb_system *s, size_t threads)
+{
+    fmb_solver *v = solver_with_threads(threads);
+    fmb_generators *g = NULL;
+    fmb_result r;
+    char *text = NULL;
+    size_t size = 0;
+    FILE *f = open_memstream(&text, &size);
+    must(fmb_generate(v, s, &g, &r));
+    cr_assert(g && fmb_generators_size(g) > 300, "%zu vertices", g ? fmb_generators_size(g) : 0);
+    must(fmb_generators_write(g, f));
+    fclose(f);
+    fmb_generators_free(g);
+    fmb_solver_free(v);
+    return text;
+}
+
+/* Points about as far from 0 as each other, as vertices and as rows a.x <= |a|. */
+static void check_hull_and_vertices(uint64_t seed, int dim, int points)
+{
+    support_rng g = {seed};
+    double x[8];
+    int64_t a[8];
+    fmb_generators *p = NULL;
+    fmb_system *s = rows_none(dim);
+    must(fmb_generators_new(dim, NULL, &p));
+    for (int i = 0; i < points; i++) {
+        double square = 0;
+        for (int j = 0; j < dim; j++) {
+            x[j] = support_between(&g, -1000, 1000);
+            square += x[j] * x[j];
+        }
+        for (int j = 0; j < dim; j++)
+            a[j] = (int64_t)(x[j] = round(10000 * x[j] / sqrt(square)));
+        must(fmb_generators_add(p, FMB_VERTEX, x));
+        must(fmb_system_add_int(s, a, FMB_LE, 10000));
+    }
+    char *hull = hull_by(p, 1), *vertices = vertices_by(s, 1);
+    static const size_t several[] = {2, 3, 7};
+    for (size_t k = 0; k < 3; k++) {
+        char *other_hull = hull_by(p, several[k]), *others = vertices_by(s, several[k]);
+        cr_expect_str_eq(hull, other_hull);
+        cr_expect_str_eq(vertices, others);
+        free(others);
+        free(other_hull);
+    }
+    free(vertices);
+    free(hull);
+    fmb_system_free(s);
+    fmb_generators_free(p);
+}
+
+Test(threads, same_hull_and_vertices)
+{
+    check_hull_and_vertices(80, 5, 60);
+    check_hull_and_vertices(81, 7, 24);
 }
