@@ -237,6 +237,7 @@ def verdicts():
     touching, slender = cells("touching"), cells("slender")
     expect(set(touching) == set(slender) == set(table), "cells of touching, of slender")
     expect(max(cell["exact_share"] for cell in touching.values()) > 0, "no pair touches")
+    expect(sum(cell["exact_share"] for cell in slender.values()) < 0.05 * len(slender), "slender frames are left open")
     for cell in [*table.values(), *near.values(), *touching.values(), *slender.values(), *faces.values()]:
         expect(cell["queries"] == 8 and cell["different"] == 0 <= cell["exact_share"] <= 1 and
                min(cell["fmb_ns"], cell["sat_ns"], cell["sat_plain_ns"]) > 0, str(cell))
