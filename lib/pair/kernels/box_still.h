@@ -99,7 +99,7 @@ FMB_BOX_INLINE void still_cover_cuboid(const box_kind *k, int guest, const still
         lane2 at[4][BOX_VALUES];
         lane y[4][BOX_VALUES];
         still_direction e;
-        still_slabs b;
+        still_slabs b = {.r = {lane_of(0)}};
         still_part p[4];
         still_direction_of(k, guest, v, f, n, -1, &e);
         still_slabs_of(k, 1 - guest, v, e.d, &b);
@@ -133,7 +133,7 @@ FMB_BOX_INLINE void still_cover_simplex(const box_kind *k, int guest, const stil
         const int back = box_simplex_from(n) - 1, ahead = box_simplex_to(n) - 1;
         lane y[1][BOX_VALUES], from[3];
         still_direction e;
-        still_slabs b;
+        still_slabs b = {.r = {lane_of(0)}};
         still_direction_of(k, guest, v, f, ahead, back, &e);
         still_slabs_of(k, 1 - guest, v, e.d, &b);
         FMB_UNROLL
@@ -200,7 +200,7 @@ FMB_BOX_INLINE void still_store(const box_kind *k, const still_pair *p, const st
     lane_store(answer + (4 * d + 1) * FMB_LANES, lane_of(1));
 }
 
-/* Everything but the block is constant. */
+/* dim and fine are constants; of pairs that stand still and are asked first, shapes are, too. */
 FMB_BOX_INLINE unsigned still_kernel(int dim, bool fine, int a, int b, const double *block,
                                      double *answer)
 {
