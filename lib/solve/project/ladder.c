@@ -3,6 +3,7 @@
 
 #include "elim/round/mark.h"
 #include "solve/limit/outer.h"
+#include "solve/project/judge.h"
 #include "solve/project/polygon.h"
 #include "solve/project/rays.h"
 #include "solve/project/support.h"
@@ -18,8 +19,6 @@ typedef struct shadow {
     fmb_elim e;
 } shadow;
 
-/* A few rows are eliminated faster than anything else is done. */
-#define TRIAL_BUDGET(m) (128 + 4 * (m))
 /* What one variable may make, as a share of the rows: before anything else is tried, and after. */
 #define GENTLE 0.25
 #define STEEP  1.5
@@ -93,10 +92,17 @@ static int count_variables_to_go(const fmb_elim *e, const bool *drop)
     return n;
 }
 
-/* Go on where the cheap variables are gone, and come back if a variable is too steep (0: none is),
- * or if there are too many rows. */
-static fmb_status eliminate_rest_of_lift(shadow *h, fmb_lift *lift, double steep, bool *feasible,
-                                         bool *done)
+/* How far an elimination may go. */
+typedef struct slope {
+    double steep;  /* what one variable may make, as a share of the rows; 0: anything */
+    size_t trials; /* budgets of a trial */
+    size_t left;   /* times the rows that there were, in the end; 0: any number */
+} slope;
+
+/* Go on where the cheap variables are gone, and come back if a variable is too steep, or if there
+ * are too many rows. */
+static fmb_status eliminate_rest_of_lift(shadow *h, fmb_lift *lift, const slope *limit,
+                                         bool *feasible, bool *done)
 {
     const bool *drop;
     fmb_elim *e = fmb_lift_elimination(lift, &drop);
@@ -107,15 +113,28 @@ static fmb_status eliminate_rest_of_lift(shadow *h, fmb_lift *lift, double steep
     e->order = h->q->v->options.order;
     e->chooser = h->q->v->chooser;
     e->cheap_only = false;
-    e->steep = steep;
+    e->steep = limit->steep;
     e->flat = e->live.size;
-    e->budget = e->rows + TRIAL_BUDGET(e->live.size);
-    st = put_rows_of_elimination(h, e, fmb_elim_eliminate(e, drop), false, feasible, done);
+    e->budget = e->rows + limit->trials * FMB_TRIAL_BUDGET(e->live.size);
+    st = fmb_elim_eliminate(e, drop);
+    if (st == FMB_OK && limit->left > 0 && e->live.size > limit->left * e->flat) {
+        e->over_budget = true;
+        st = FMB_LIMIT;
+    }
+    st = put_rows_of_elimination(h, e, st, false, feasible, done);
     if (st == FMB_OK && !*done)
         fmb_mark_return(&mark, e);
     e->over_budget = false;
     return st;
 }
+
+/* Rows of an elimination that is pruned, for a share of the system's. */
+#define SPARSE_BUDGET(m) (10 * (m))
+
+/* A hull in so many dimensions mostly has few enough facets. */
+#define FEW_KEPT 6
+/* In more dimensions, so many pairs of facets of a hull take as long as a few queries. */
+#define FIRST_PAIRS ((uint64_t)1 << 17)
 
 /* ---- which way ------------------------------------------------------------------------------- */
 
@@ -131,126 +150,6 @@ static bool uses_lp_rule(const fmb_solver *v)
         if (v->rule[k] == &fmb_rule_lp)
             return true;
     return false;
-}
-
-/* Cones with so few dimensions, or rows beyond them, never had very many rays; and what a second
- * try may make in three kept variables, which takes as long as support queries. */
-#define FEW_FREEDOMS       10
-#define RAYS_OF_SECOND_TRY 1000
-/* A cone with so few of them has hardly more rays than rows; so few have few even of long numbers,
- * in the plane and above; and one with so many is not tried. */
-#define LEAST_FREEDOMS      2
-#define LONG_FREEDOMS(kept) ((kept) > 2 ? 8 : 6)
-#define MANY_FREEDOMS       32
-/* Cones of more have very many rays, but for such with bounds on many variables, as disjunctions.
- */
-#define CROWDED_FREEDOMS 12
-
-/* An elimination of rows that name so few variables, and few of all, goes on as one of such, if it
- * is pruned; cones over rows that name no more than so many have more rays than others. */
-#define SPARSE                2.5
-#define SPARSE_BETWEEN_BOUNDS 3.25
-#define DENSE                 4
-#define SMALL_CONE            6
-/* So many coefficients, most of them there: that there is no solution a linear program finds sooner
- * than rays do. */
-#define MANY_ENTRIES 100
-/* So many rows mean many rays, but not many queries where few variables are kept. */
-#define MANY_ROWS(p) (4 * (size_t)(p)->n)
-
-/* The walk around a shadow is on a dictionary, which becomes dense; it is quick if it has no more
- * columns, and worth it where rows are many for those, as edges are then. */
-#define WALKED_COLUMNS 24
-/* A hull in so many dimensions mostly has few enough facets. */
-#define FEW_KEPT 6
-/* In so many, queries are few, and rays soon turned into facets. */
-#define SHORT_QUERIES 4
-/* In more dimensions, so many pairs of facets of a hull take as long as a few queries. */
-#define FIRST_PAIRS ((uint64_t)1 << 17)
-
-static int count_kept_columns(const fmb_part *p, const int *place)
-{
-    int kept = 0;
-    for (int j = 0; j < p->n; j++)
-        kept += place[p->var[j]] >= 0;
-    return kept;
-}
-
-static bool has_strict_rows(const fmb_part *p)
-{
-    for (size_t i = 0; i < p->m; i++)
-        if (p->rel[i] == FMB_LT)
-            return true;
-    return false;
-}
-
-static bool is_shadow_walked(const fmb_part *p, int kept)
-{
-    return kept <= 2 && p->n <= WALKED_COLUMNS && p->m > 2 * (size_t)p->n && !has_strict_rows(p);
-}
-
-/* Two questions to the oracle are all there is to do. */
-static bool is_only_interval(const fmb_lift *lift, const fmb_part *p, int kept)
-{
-    return kept <= 1 && !has_strict_rows(p) && fmb_lift_freedom(lift) > LEAST_FREEDOMS;
-}
-
-static double named_by_row(const fmb_lift *lift)
-{
-    return (double)fmb_lift_entries(lift) / (double)fmb_lift_rows(lift);
-}
-
-/* Is that share of the rows bounds on one variable? */
-static bool has_bounds(const fmb_lift *lift, double share)
-{
-    return (double)fmb_lift_bounds(lift) >= share * (double)fmb_lift_rows(lift);
-}
-
-/* Rays of a first try: half as many where a few queries take as long. */
-static uint64_t rays_at_first(const fmb_lift *lift, const fmb_part *p, int kept)
-{
-    if (fmb_lift_freedom(lift) > MANY_FREEDOMS)
-        return 0;
-    uint64_t rays = kept <= 2 ? TRIAL_BUDGET(p->m) / 2 : TRIAL_BUDGET(p->m);
-    if (fmb_lift_freedom(lift) > CROWDED_FREEDOMS && !(kept > 2 && has_bounds(lift, 0.25)))
-        return 0;
-    return kept > 2 && kept <= SHORT_QUERIES && p->m > MANY_ROWS(p) ? rays / 4 : rays;
-}
-
-static bool is_sparse(const fmb_lift *lift)
-{
-    double named = named_by_row(lift);
-    return named <= (has_bounds(lift, 0.6) ? SPARSE_BETWEEN_BOUNDS : SPARSE) &&
-           3 * named <= (double)fmb_lift_columns(lift);
-}
-
-static bool is_cone_dense(const fmb_lift *lift)
-{
-    return named_by_row(lift) >= DENSE || fmb_lift_columns(lift) <= SMALL_CONE;
-}
-
-static bool is_contradiction_seen_sooner(const fmb_lift *lift)
-{
-    size_t entries = fmb_lift_entries(lift);
-    return entries >= MANY_ENTRIES && 2 * entries >= fmb_lift_rows(lift) * fmb_lift_columns(lift);
-}
-
-/* Rays that a second try may make, before the oracle is asked: none where cones tend to have very
- * many, or rows are many for three kept variables; more where the oracle has more to do, or numbers
- * are too long for its guesses. */
-static uint64_t rays_before_queries(const fmb_lift *lift, const fmb_part *p, int kept)
-{
-    if (fmb_lift_freedom(lift) > FEW_FREEDOMS)
-        return 0;
-    if (has_strict_rows(p) || kept > SHORT_QUERIES)
-        return 16 * RAYS_OF_SECOND_TRY;
-    if (kept > 1 && fmb_lift_is_long(lift) && fmb_lift_freedom(lift) <= LONG_FREEDOMS(kept))
-        return 8 * RAYS_OF_SECOND_TRY;
-    if (p->m > MANY_ROWS(p))
-        return 0;
-    if (kept == 3 && is_cone_dense(lift))
-        return RAYS_OF_SECOND_TRY;
-    return kept == 4 ? 8 * RAYS_OF_SECOND_TRY : 0;
 }
 
 /* A part, and what has been found out about it. */
@@ -284,12 +183,13 @@ static fmb_status try_elimination(rungs *r, bool known, size_t budget)
     return project_by_elimination(&h, known, budget, r->feasible, &r->done);
 }
 
-static fmb_status try_gentle_elimination(rungs *r)
+static fmb_status try_gentle_elimination(rungs *r, int kept)
 {
     shadow h = shadow_of_rungs(r);
+    slope gentle = {GENTLE, 2, fmb_judge_rows_to_thin(kept)};
     const bool *drop;
     return fmb_mark_possible(fmb_lift_elimination(r->lift, &drop))
-               ? eliminate_rest_of_lift(&h, r->lift, GENTLE, r->feasible, &r->done)
+               ? eliminate_rest_of_lift(&h, r->lift, &gentle, r->feasible, &r->done)
                : FMB_OK;
 }
 
@@ -299,9 +199,10 @@ static fmb_status try_steeper_elimination(rungs *r, int kept)
     const bool *drop;
     fmb_elim *e = fmb_lift_elimination(r->lift, &drop);
     if (!fmb_mark_possible(e))
-        return project_by_elimination(&h, false, TRIAL_BUDGET(h.p->m), r->feasible, &r->done);
-    bool any = kept > SHORT_QUERIES && count_variables_to_go(e, drop) <= STEEP_STEPS;
-    return eliminate_rest_of_lift(&h, r->lift, any ? 0 : STEEP, r->feasible, &r->done);
+        return project_by_elimination(&h, false, FMB_TRIAL_BUDGET(h.p->m), r->feasible, &r->done);
+    bool any = kept > FMB_SHORT_QUERIES && count_variables_to_go(e, drop) <= STEEP_STEPS;
+    slope steeper = {any ? 0 : STEEP, 1, fmb_judge_rows_to_thin(kept)};
+    return eliminate_rest_of_lift(&h, r->lift, &steeper, r->feasible, &r->done);
 }
 
 static bool is_open(fmb_status st, const rungs *r)
@@ -322,7 +223,7 @@ static fmb_status learn_if_feasible(rungs *r)
     const fmb_part *p = &r->q->parts.part[r->part];
     if (r->known)
         return FMB_OK;
-    if (!is_shadow_walked(p, count_kept_columns(p, r->place)))
+    if (!fmb_judge_walks(p, fmb_judge_kept(p, r->place)))
         return open_queries(r);
     r->known = true;
     return is_part_feasible(r->q, r->part, r->feasible);
@@ -332,8 +233,8 @@ static fmb_status learn_if_feasible(rungs *r)
 static fmb_status try_pruned_elimination(rungs *r)
 {
     fmb_status st = learn_if_feasible(r);
-    return is_open(st, r) ? try_elimination(r, true, 4 * TRIAL_BUDGET(r->q->parts.part[r->part].m))
-                          : st;
+    size_t budget = SPARSE_BUDGET(r->q->parts.part[r->part].m);
+    return is_open(st, r) ? try_elimination(r, true, budget) : st;
 }
 
 /* pairs: 0, any number. */
@@ -353,8 +254,8 @@ static fmb_status try_walk(rungs *r)
 static fmb_status try_oracle(rungs *r)
 {
     const fmb_part *p = &r->q->parts.part[r->part];
-    int kept = count_kept_columns(p, r->place);
-    fmb_status st = is_shadow_walked(p, kept) ? try_walk(r) : FMB_OK;
+    int kept = fmb_judge_kept(p, r->place);
+    fmb_status st = fmb_judge_walks(p, kept) ? try_walk(r) : FMB_OK;
     return is_open(st, r) ? try_queries(r, kept <= FEW_KEPT ? 0 : FIRST_PAIRS) : st;
 }
 
@@ -363,15 +264,15 @@ static fmb_status try_oracle(rungs *r)
 static fmb_status try_rays_and_steeper_elimination(rungs *r, int kept)
 {
     const fmb_part *p = &r->q->parts.part[r->part];
-    uint64_t rays = rays_at_first(r->lift, p, kept);
-    fmb_status st = is_contradiction_seen_sooner(r->lift) ? learn_if_feasible(r) : FMB_OK;
+    uint64_t rays = fmb_judge_first_rays(r->lift, p, kept);
+    fmb_status st = fmb_judge_doubts_solution(r->lift) ? learn_if_feasible(r) : FMB_OK;
     if (is_open(st, r) && rays > 0)
         st = try_rays(r, rays);
-    if (is_open(st, r) && kept <= SHORT_QUERIES && fmb_lift_is_nearly_done(r->lift))
+    if (is_open(st, r) && kept <= FMB_SHORT_QUERIES && fmb_lift_is_nearly_done(r->lift))
         st = try_rays(r, rays);
-    if (is_open(st, r) && !fmb_lift_is_long(r->lift))
+    if (is_open(st, r) && fmb_judge_goes_steeper(r->lift, kept))
         st = try_steeper_elimination(r, kept);
-    rays = is_open(st, r) ? rays_before_queries(r->lift, p, kept) : 0;
+    rays = is_open(st, r) ? fmb_judge_second_rays(r->lift, p, kept) : 0;
     return rays > 0 ? try_rays(r, rays) : st;
 }
 
@@ -380,11 +281,11 @@ static fmb_status try_rays_and_steeper_elimination(rungs *r, int kept)
 static fmb_status try_each_shortly(rungs *r)
 {
     const fmb_part *p = &r->q->parts.part[r->part];
-    int kept = count_kept_columns(p, r->place);
+    int kept = fmb_judge_kept(p, r->place);
     fmb_status st = FMB_OK;
-    if (!is_only_interval(r->lift, p, kept)) {
-        st = try_gentle_elimination(r);
-        bool sparse = is_open(st, r) && is_sparse(r->lift);
+    if (!fmb_judge_asks_ends(r->lift, p, kept)) {
+        st = try_gentle_elimination(r, kept);
+        bool sparse = is_open(st, r) && fmb_judge_prunes(r->lift, kept);
         if (sparse)
             st = try_pruned_elimination(r);
         if (is_open(st, r))
@@ -396,7 +297,7 @@ static fmb_status try_each_shortly(rungs *r)
 /* What is left is eliminated, and pruned by the oracle, in turns with rays and queries. */
 static fmb_status take_turns(rungs *r)
 {
-    size_t budget = TRIAL_BUDGET(r->q->parts.part[r->part].m);
+    size_t budget = FMB_TRIAL_BUDGET(r->q->parts.part[r->part].m);
     uint64_t pairs = FIRST_PAIRS;
     fmb_status st = FMB_OK;
     while (is_open(st, r)) {

@@ -1,0 +1,33 @@
+/* judge.h: which ways of a projection are tried, and for how long, by what a part is like.
+ *
+ * Nothing is measured but numbers of rows, variables and coefficients, so that the same system
+ * takes the same way everywhere. The limits below were found on families of systems
+ * (study/program), and hold on seeds that they were not found on.
+ */
+#ifndef FMB_SOLVE_JUDGE_H
+#define FMB_SOLVE_JUDGE_H
+
+#include "solve/project/rays.h"
+
+/* A few rows are eliminated faster than anything else is done. */
+#define FMB_TRIAL_BUDGET(m) (128 + 4 * (m))
+/* In so many, queries are few, and rays soon turned into facets. */
+#define FMB_SHORT_QUERIES 4
+
+int fmb_judge_kept(const fmb_part *p, const int *place);
+/* Is it gone around, in the plane? */
+bool fmb_judge_walks(const fmb_part *p, int kept);
+/* Two questions to the oracle are all there is to do. */
+bool fmb_judge_asks_ends(const fmb_lift *lift, const fmb_part *p, int kept);
+/* Is it asked first whether there is a solution? */
+bool fmb_judge_doubts_solution(const fmb_lift *lift);
+/* Are rows so sparse that an elimination is pruned before anything else is done? */
+bool fmb_judge_prunes(const fmb_lift *lift, int kept);
+bool fmb_judge_goes_steeper(const fmb_lift *lift, int kept);
+/* Rays of a first try, and of a second one, before queries. */
+uint64_t fmb_judge_first_rays(const fmb_lift *lift, const fmb_part *p, int kept);
+uint64_t fmb_judge_second_rays(const fmb_lift *lift, const fmb_part *p, int kept);
+/* How many rows an elimination may leave, times those that there were; 0: any number. */
+size_t fmb_judge_rows_to_thin(int kept);
+
+#endif
