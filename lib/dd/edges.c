@@ -93,7 +93,7 @@ static bool ends_edge_at(const fmb_ray_edges *e, const fmb_edge_sides *of, size_
     const uint64_t *y = of->support + b * of->words;
     size_t gone = e->edge[number].gone, n = 0;
     for (size_t w = 0; w < of->words; w++)
-        n += (size_t)__builtin_popcountll(x[w] | y[w]);
+        n += fmb_ones64(x[w] | y[w]);
     return n + of->rank == of->bits + 2 && (y[gone / 64] >> (gone % 64) & 1);
 }
 

@@ -10,6 +10,7 @@
 #define FMB_DD_EDGES_H
 
 #include "num/kernels.h"
+#include "num/ones.h"
 #include "trace/run.h"
 
 /* One edge of a simple ray: all its zeros but one. */
@@ -41,7 +42,7 @@ static inline bool fmb_is_simple(const fmb_edge_sides *of, uint32_t ray)
 {
     size_t n = 0;
     for (size_t k = 0; k < of->words; k++)
-        n += (size_t)__builtin_popcountll(of->support[ray * of->words + k]);
+        n += fmb_ones64(of->support[ray * of->words + k]);
     return n + of->rank == of->bits + 1;
 }
 

@@ -10,6 +10,7 @@
  * g as well. Two that have grown may share a ridge that they did not share before.
  */
 #include "dd/facets_inside.h"
+#include "num/ones.h"
 
 /* Combinations of so many bits stay small. */
 #define EXACT_BITS 56
@@ -67,7 +68,7 @@ static fmb_status make_facet_over_ridge(fmb_facets *f, uint32_t v, uint32_t n, s
     fmb_facet *a = &f->facet[at];
     for (size_t w = 0; w < f->words; w++) {
         a->on[w] = f->facet[v].on[w] & f->facet[n].on[w];
-        a->ons += (size_t)__builtin_popcountll(a->on[w]);
+        a->ons += fmb_ones64(a->on[w]);
     }
     fmb_facet_put_on(a, generator);
     fmb_facets_part(f, n, v);
@@ -110,7 +111,7 @@ static size_t find_common(fmb_facets *f, const fmb_facet *a, const fmb_facet *b)
     size_t count = 0;
     for (size_t w = 0; w < f->words; w++) {
         f->common[w] = a->on[w] & b->on[w];
-        count += (size_t)__builtin_popcountll(f->common[w]);
+        count += fmb_ones64(f->common[w]);
     }
     return count;
 }

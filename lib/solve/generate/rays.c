@@ -3,7 +3,8 @@
  * - Few coordinates and many rows: rows are vectors of the dual cone, whose facets are the rays.
  *   Vector by vector these stay known with their neighbours (dd/facets.h). With some coordinates
  *   more that is cheaper only where numbers grow long, as facets are in doubles for most of their
- *   lives, and where few rows meet in a vertex.
+ *   lives, or rows are very many, of which most are behind some facet at once; and where few rows
+ *   meet in a vertex.
  * - Else double description (dd/cone.h), rows of few coefficients first. Where rows look alike and
  *   there are many of them, its order can go wrong without bounds: of the cross-polytope's rows
  *   it keeps those that cut most, and gets millions of rays in between, where in lexicographic
@@ -19,8 +20,9 @@
 /* Up to so many coordinates, t included, facets with their neighbours are cheaper (measured: 2 to 4
  * times with 4 or 5, half as much with 7) ... */
 #define FEW_COORDINATES 6
-/* ... if there are so many rows for each. */
-#define MANY_ROWS 4
+/* ... if there are so many rows for each; and with one coordinate more, if there are so many. */
+#define MANY_ROWS      4
+#define VERY_MANY_ROWS 32
 /* Rays of so many bits, as Hadamard's inequality has it, mostly do not fit into 62 (measured). */
 #define LONG_BITS 72
 /* Rays of the first turn and the last one of two orders. */
@@ -159,6 +161,25 @@ static fmb_status find_rays_row_by_row(fmb_lifted *h, const fmb_cone_row *sorted
 
 /* ---- the way --------------------------------------------------------------------------------- */
 
+/* Does the origin satisfy all inequalities? Then they are points of the polar, and the farthest of
+ * these are on its hull. */
+static bool is_origin_inside(const fmb_lifted *h)
+{
+    for (size_t i = 0; i < h->rows; i++)
+        if (!h->row[i].equality && fmb_vec_sgn(&h->v[i], h->d - 1) < 0)
+            return false;
+    return true;
+}
+
+/* Of more than a few coordinates. */
+static bool are_facets_cheaper(const fmb_lifted *h, const fmb_cone_row *sorted)
+{
+    bool many = h->rows >= VERY_MANY_ROWS * h->d && is_origin_inside(h);
+    return h->d <= FMB_FACETS_FEW &&
+           (many || fmb_vec_minor_bits(h->v, h->rows, h->d) > LONG_BITS) &&
+           !have_rows_a_pattern(h, sorted);
+}
+
 fmb_status fmb_lifted_find_rays(fmb_lifted *h)
 {
     fmb_mem *mem = h->q->run.mem;
@@ -168,11 +189,9 @@ fmb_status fmb_lifted_find_rays(fmb_lifted *h)
         return find_rays_as_facets(h);
     fmb_cone_row *sorted = fmb_mem_get(mem, h->rows, sizeof *sorted);
     fmb_status st = sorted ? sort_rows(h, sorted) : fmb_mem_status(mem);
-    bool facets = st == FMB_OK && h->d <= FMB_FACETS_FEW &&
-                  fmb_vec_minor_bits(h->v, h->rows, h->d) > LONG_BITS &&
-                  !have_rows_a_pattern(h, sorted);
     if (st == FMB_OK)
-        st = facets ? find_rays_as_facets(h) : find_rays_row_by_row(h, sorted);
+        st = are_facets_cheaper(h, sorted) ? find_rays_as_facets(h)
+                                           : find_rays_row_by_row(h, sorted);
     fmb_mem_put(mem, sorted, h->rows, sizeof *sorted);
     return st;
 }

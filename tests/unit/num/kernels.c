@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "num/kernels.h"
+#include "num/ones.h"
 #include "support.h"
 
 enum { WORDS = 5, COUNT = 200, ROUNDS = 4000 };
@@ -25,6 +26,19 @@ Test(kernels, levels)
             best = best == level(i) ? NULL : best;
     cr_expect_null(best, "auto is one of the levels");
     cr_expect_null(fmb_kernels_choose((fmb_simd)99));
+}
+
+Test(kernels, ones_of_a_word)
+{
+    support_rng g = {1};
+    for (int k = 0; k <= 64; k++) {
+        cr_expect_eq(fmb_ones64(k < 64 ? ((uint64_t)1 << k) - 1 : UINT64_MAX), (unsigned)k);
+        uint64_t word = support_next(&g);
+        unsigned ones = 0;
+        for (int bit = 0; bit < 64; bit++)
+            ones += word >> bit & 1;
+        cr_expect_eq(fmb_ones64(word), ones);
+    }
 }
 
 /* ---- sets ------------------------------------------------------------------------------------ */

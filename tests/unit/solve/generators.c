@@ -222,6 +222,33 @@ Test(generators, a_prism_has_its_base_twice)
     fmb_solver_free(v);
 }
 
+/* Very many rows: of those that touch a cube in a corner, or along a face, none cuts one off. */
+Test(generators, a_cube_among_rows_that_touch_it)
+{
+    enum { N = 6, ROWS = 240 };
+    fmb_solver *v = plain_solver();
+    fmb_system *s = rows_none(N);
+    fmb_generators *g = NULL;
+    fmb_result r;
+    support_rng random = {7};
+    for (int i = 0; i < ROWS; i++) {
+        int64_t a[N] = {0}, sum = 0;
+        for (int j = 0; j < N; j++) {
+            a[j] = i < 2 * N ? (j == i / 2) * (i % 2 ? 1 : -1) : support_between(&random, -9, 9);
+            sum += a[j] < 0 ? -a[j] : a[j];
+        }
+        must(fmb_system_add_int(s, a, FMB_LE, sum));
+    }
+    must(fmb_generate(v, s, &g, &r));
+    cr_assert_eq(fmb_generators_size(g), 1 << N);
+    for (size_t i = 0; i < fmb_generators_size(g); i++)
+        for (int j = 0; j < N; j++)
+            cr_expect_eq(fabs(fmb_generators_coordinate(g, i, j)), 1);
+    fmb_generators_free(g);
+    fmb_system_free(s);
+    fmb_solver_free(v);
+}
+
 Test(generators, by_hand)
 {
     fmb_solver *v = plain_solver();
