@@ -46,10 +46,20 @@ static bool has_strict_rows(const fmb_part *p)
     return false;
 }
 
+/* Longer than a word: guesses in doubles are of no use, and queries solve for each vertex afresh.
+ */
+static bool has_wide_rows(const fmb_part *p)
+{
+    for (size_t i = 0; i < p->m; i++)
+        if (fmb_vec_is_wide(&p->row[i]))
+            return true;
+    return false;
+}
+
 bool fmb_judge_walks(const fmb_part *p, int kept)
 {
-    return kept <= 2 && p->n <= WALKED_COLUMNS && 4 * p->m > 9 * (size_t)p->n &&
-           !has_strict_rows(p);
+    bool many = 4 * p->m > 9 * (size_t)p->n;
+    return kept <= 2 && p->n <= WALKED_COLUMNS && (many || has_wide_rows(p)) && !has_strict_rows(p);
 }
 
 bool fmb_judge_asks_ends(const fmb_lift *lift, const fmb_part *p, int kept)
