@@ -184,8 +184,8 @@ static void count_flat(int dim, bool moves, int shapes)
     fmb_flat_kind_of(dim, moves, naxes, simplex, &k);
     kernel = flavour("any axes", dim, moves);
     for (int filter = 0; filter < 2; filter++) {
-        const int in_plane = filter ? FLAT_FILTER_PLANE : FLAT_ERROR_PLANE;
-        const int in_space = filter ? FLAT_FILTER_SPACE : FLAT_ERROR_SPACE;
+        const int in_plane = filter ? int{FLAT_FILTER_PLANE} : int{FLAT_ERROR_PLANE};
+        const int in_space = filter ? int{FLAT_FILTER_SPACE} : int{FLAT_ERROR_SPACE};
         make_flat_pair(&k, filter, &p);
         for (int i = 0; i < k.normals; i++) {
             lane n[3];
@@ -215,7 +215,7 @@ static void count_axes(int dim, bool moves, bool a, bool b)
                      : a ? "axes, two simplices"
                          : "axes, one of each",
                      dim, moves);
-    dim == 2 ? sat_decide_flat(kind, rows) : sat_decide(kind, rows);
+    dim == 2 ? sat_decide_flat(kind, rows) : sat_decide(kind, FMB_ASK_ALL, rows);
 }
 
 /* ---- boxes of frames that stand still -------------------------------------------------------- */
@@ -575,11 +575,12 @@ int main()
                 count_local_frame(dim, moves);
                 counted_sign = 0;
                 kernel = flavour("cuboids", dim, moves);
-                dim == 2 ? fmb_cuboids_2d(nullptr, moves) : fmb_cuboids_3d(nullptr, moves);
+                dim == 2 ? fmb_cuboids_2d(nullptr, moves)
+                         : fmb_cuboids_3d(nullptr, moves, FMB_ASK_ALL);
                 for (int simplex = 0; simplex < 2; simplex++) {
                     kernel = flavour(simplex ? "two simplices" : "cuboid, simplex", dim, moves);
                     dim == 2 ? fmb_simplices_2d(nullptr, moves, simplex)
-                             : fmb_simplices_3d(nullptr, moves, simplex);
+                             : fmb_simplices_3d(nullptr, moves, simplex, FMB_ASK_ALL);
                 }
                 count_flat(dim, moves, i);
                 count_axes(dim, moves, false, false);
