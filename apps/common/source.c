@@ -92,7 +92,7 @@ int app_source_outcome(fmb_status st, const char *path, const fmb_where *where)
     }
 }
 
-static fmb_reader reader_of(app_source *src)
+fmb_reader app_source_reader(app_source *src)
 {
     return (fmb_reader){
         .format = src->format, .warn = warn, .self = src, .max_bytes = src->max_input};
@@ -121,7 +121,7 @@ static int read_file(const app_source *src, const wanted *w)
     if (code != APP_YES)
         return code;
     app_source self = *src;
-    fmb_reader how = reader_of(&self);
+    fmb_reader how = app_source_reader(&self);
     if (how.format == FMB_FORMAT_AUTO)
         how.format = fmb_format_of_name(src->file);
     fmb_where where = {0};
@@ -145,23 +145,6 @@ int app_source_read_polyhedron(const app_source *src, fmb_system **s, fmb_genera
 int app_source_read_graph(const app_source *src, const fmb_system *s, fmb_system **out)
 {
     return read_file(src, &(wanted){.system = out, .map_over = s});
-}
-
-int app_source_read_symmetries(const app_source *src, const char *file, const fmb_system *s,
-                               const int *keep, int n, fmb_permutations **out)
-{
-    FILE *in;
-    int code = app_file_open(file, &in);
-    if (code != APP_YES)
-        return code;
-    app_source self = *src;
-    fmb_reader how = reader_of(&self);
-    fmb_where where = {0};
-    errno = 0;
-    fmb_status st = fmb_permutations_read(in, &how, s, keep, n, out, &where);
-    code = app_source_outcome(st, file, &where);
-    app_file_close_input(in);
-    return code;
 }
 
 static bool can_write(fmb_format f)

@@ -26,6 +26,8 @@ int app_source_read_polyhedron(const app_source *src, fmb_system **s, fmb_genera
 /* [give, fmb_system_free] The graph of a map over s (<fmb/lift.h>). */
 int app_source_read_graph(const app_source *src, const fmb_system *s, fmb_system **out);
 
+/* How src is read; src hears of warnings, and lives as long. */
+fmb_reader app_source_reader(app_source *src);
 /* [give, fmb_permutations_free] Symmetries of s, of which keep[n] are kept, from that file. */
 int app_source_read_symmetries(const app_source *src, const char *file, const fmb_system *s,
                                const int *keep, int n, fmb_permutations **out);
