@@ -4,6 +4,7 @@
 #include <errno.h>
 
 #include "common/file.h"
+#include "common/message.h"
 
 int app_source_read_symmetries(const app_source *src, const char *file, const fmb_system *s,
                                const int *keep, int n, fmb_permutations **out)
