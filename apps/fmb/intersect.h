@@ -59,13 +59,13 @@ typedef struct intersect {
 
 /* ---- intersect_exact.c ----------------------------------------------------------------------- */
 
-/* [give, free()] A double in as few digits as tell it from all others. */
-char *intersect_double(double d);
-
 /* All about one line, exactly; out->line and id are left alone. */
 fmb_status intersect_exactly(const intersect *x, const fmb_frames_line *line, meeting *out);
 
 /* ---- intersect_quick.c ----------------------------------------------------------------------- */
+
+/* [give, free()] A double in as few digits as tell it from all others. */
+char *intersect_double(double d);
 
 /* The same where it is quickly proved; if not, the verdict stays UNKNOWN. */
 fmb_status intersect_quickly(const intersect *x, const fmb_frames_line *line, meeting *out);
@@ -116,9 +116,6 @@ fmb_status answer_lines(answering *w, intersect *x, fmb_where *where);
 fmb_status intersect_solver(const intersect_ask *ask, fmb_solver **out);
 fmb_reader intersect_reader(const intersect_ask *ask);
 
-/* The whole command: an exit code. */
-int intersect_stream(const intersect_ask *ask, FILE *in);
-
 /* ---- intersect_crew.c: several threads --------------------------------------------------------
  */
 
@@ -139,5 +136,10 @@ void report_begin(const intersect *x);
 /* Count and print one pair, and free what m holds. */
 void report_pair(intersect *x, meeting *m);
 void report_end(const intersect *x);
+
+/* ---- intersect_stream.c ---------------------------------------------------------------------- */
+
+/* The whole command: an exit code. */
+int intersect_stream(const intersect_ask *ask, FILE *in);
 
 #endif

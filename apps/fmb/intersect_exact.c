@@ -5,16 +5,6 @@
 #include "fmb/intersect.h"
 #include "fmb/show.h"
 
-char *intersect_double(double d)
-{
-    char *text = app_print("%.15g", d);
-    for (int digits = 16; digits <= 17 && strtod(text, NULL) != d; digits++) {
-        free(text);
-        text = app_print("%.*g", digits, d);
-    }
-    return text;
-}
-
 /* The variables whose intervals are reported: the point, the coordinates in the second frame, the
  * time. The system has those of the first frame before them, if that is one. */
 static void list_variables(const fmb_frames_line *line, const fmb_system *s, meeting *m, int *var)

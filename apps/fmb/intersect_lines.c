@@ -1,14 +1,10 @@
-/* intersect_lines.c: a stream of pairs from its first line to its last, by one thread; or handed to
- * a crew. */
+/* intersect_lines.c: the lines of a stream of pairs, answered by one thread; how they are read, and
+ * what is seen of them on a terminal. */
 #include <errno.h>
-#include <stdlib.h>
 #include <unistd.h>
 
 #include "common/clock.h"
-#include "common/message.h"
-#include "common/source.h"
 #include "fmb/intersect.h"
-#include "fmb/listen.h"
 #include "fmb/stop.h"
 
 /* ---- progress -------------------------------------------------------------------------------- */
@@ -75,86 +71,4 @@ fmb_status intersect_solver(const intersect_ask *ask, fmb_solver **out)
 fmb_reader intersect_reader(const intersect_ask *ask)
 {
     return (fmb_reader){.nearest = ask->nearest, .max_bytes = ask->max_input};
-}
-
-/* ---- the stream ------------------------------------------------------------------------------ */
-
-/* Answers come from one of the two. */
-typedef struct stream {
-    answering alone;
-    crew *crew;
-} stream;
-
-/* Whoever sends the lines may want an answer before the next one. */
-static void answer_what_waits(void *self)
-{
-    stream *s = self;
-    if (s->crew)
-        crew_flush(s->crew);
-    else if (s->alone.asked == FMB_OK)
-        s->alone.asked = batch_flush(s->alone.b);
-    fflush(stdout);
-}
-
-static fmb_status answer_alone(stream *s, intersect *x, FILE *in, fmb_where *where)
-{
-    fmb_reader reading = intersect_reader(x->ask);
-    progress p = progress_begin(x->ask);
-    s->alone.progress = &p;
-    fmb_status st = fmb_frames_open(in, &reading, &s->alone.lines);
-    if (st != FMB_OK)
-        return st;
-    s->alone.b = batch_new(x);
-    app_stop_reader(s->alone.lines);
-    st = answer_lines(&s->alone, x, where);
-    progress_end(&p);
-    return st;
-}
-
-static int answer_stream(stream *s, intersect *x, FILE *in)
-{
-    fmb_where where = {0};
-    fmb_status st, asked = FMB_OK;
-    if (x->ask->threads > 1) {
-        s->crew = crew_new(x);
-        st = crew_answer(s->crew, in, &where, &asked);
-    } else {
-        st = answer_alone(s, x, in, &where);
-        asked = s->alone.asked;
-    }
-    if (asked != FMB_OK)
-        return app_status_error(asked);
-    return app_source_outcome(st, x->ask->file, &where);
-}
-
-static int exit_code(const intersect *x)
-{
-    if (app_stop_asked())
-        return APP_UNDECIDED;
-    return x->meeting + x->within > 0 ? APP_YES : x->undecided > 0 ? APP_UNDECIDED : APP_NO;
-}
-
-int intersect_stream(const intersect_ask *ask, FILE *in)
-{
-    intersect x = {.ask = ask, .out = stdout};
-    stream s = {{0}, NULL};
-    app_listener listener = {in, answer_what_waits, &s};
-    FILE *heard = app_need(app_listen(&listener));
-    fmb_status st = intersect_solver(ask, &x.solver);
-    int code = st == FMB_OK ? APP_YES : app_status_error(st);
-    if (code == APP_YES) {
-        report_begin(&x);
-        app_stop_begin(x.solver);
-        code = answer_stream(&s, &x, heard);
-        app_stop_end();
-        report_end(&x);
-    }
-    if (app_stop_asked()) /* giving back a million numbers one by one would take too long */
-        exit(code == APP_YES ? exit_code(&x) : code);
-    crew_free(s.crew);
-    batch_free(s.alone.b);
-    fmb_frames_close(s.alone.lines);
-    fmb_solver_free(x.solver);
-    fclose(heard);
-    return code == APP_YES ? exit_code(&x) : code;
 }

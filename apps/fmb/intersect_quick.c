@@ -4,6 +4,7 @@
 
 #include "common/message.h"
 #include "fmb/intersect.h"
+#include "fmb/show.h"
 
 enum { MOST_DIM = 3, MOST_VARIABLES = 2 * MOST_DIM + 1 };
 
@@ -13,6 +14,16 @@ typedef struct numbers {
 } numbers;
 
 /* ---- as doubles ------------------------------------------------------------------------------ */
+
+char *intersect_double(double d)
+{
+    char *text = app_print("%.15g", d);
+    for (int digits = 16; digits <= 17 && strtod(text, NULL) != d; digits++) {
+        free(text);
+        text = app_print("%.*g", digits, d);
+    }
+    return text;
+}
 
 /* The greatest double that is at most q, or the least that is at least q. */
 static double double_beside(mpq_srcptr q, bool above)
