@@ -287,43 +287,38 @@ FMB_INLINE void ask_open_lanes(bool moves, int shapes, const fmb_packed_row *x, 
     }
 }
 
-/* The same of n as long as they fill the lanes; how many are left, at the front. */
-FMB_INLINE size_t ask_full_lanes(bool moves, int shapes, const fmb_packed_row *x, const lane *one,
-                                 uint16_t *open, size_t n, fmb_packed_bits *out)
-{
-    size_t asked = 0;
-    for (; n - asked >= FMB_LANES; asked += FMB_LANES)
-        ask_open_lanes(moves, shapes, x, one, open + asked, FMB_LANES, out);
-    memmove(open, open + asked, (n - asked) * sizeof *open);
-    return n - asked;
-}
-
 /* Eights of a row between two looks at how many frames are open. */
 enum { PACKED_LOOK = 8 };
 
 /* Most simplices of space are apart by a face of one of the two: those are asked of all, and what
- * is open then comes together in lanes of its own. Once half of them are open it is cheaper to ask
- * for all rows at once. */
+ * is open then comes together in lanes of its own. Once half of them are open faces are no longer
+ * asked first. (All rows are asked at one place only: they are long.) */
 FMB_INLINE void packed_row_by_faces(bool moves, int shapes, const fmb_packed_row *x,
                                     const lane *one, fmb_packed_bits *out)
 {
     const size_t size = 8 * count_record(3), eights = (x->n + 7) / 8;
     uint16_t open[8 * PACKED_LOOK + FMB_LANES];
     size_t n = 0, g = 0;
-    bool most_open = false;
-    while (g < eights && !most_open) {
+    bool most_open = eights < PACKED_LOOK; /* or too few to look at */
+    while (g < eights) {
         const size_t end = g + PACKED_LOOK < eights ? g + PACKED_LOOK : eights;
+        size_t asked = 0;
         for (; g < end; g++) {
-            out[g] = ask_eight_tiled(3, moves, shapes, FMB_ASK_FACES, x, one, x->tiles + size * g);
+            out[g] = (fmb_packed_bits){0, 0};
+            if (!most_open)
+                out[g] =
+                    ask_eight_tiled(3, moves, shapes, FMB_ASK_FACES, x, one, x->tiles + size * g);
             n = collect_open(x, g, out[g], open, n);
         }
-        most_open = n > 8 * PACKED_LOOK / 2;
-        n = ask_full_lanes(moves, shapes, x, one, open, n, out);
+        most_open = most_open || n > 8 * PACKED_LOOK / 2;
+        while (n - asked >= FMB_LANES || (end == eights && asked < n)) {
+            size_t some = n - asked < FMB_LANES ? n - asked : FMB_LANES;
+            ask_open_lanes(moves, shapes, x, one, open + asked, some, out);
+            asked += some;
+        }
+        memmove(open, open + asked, (n - asked) * sizeof *open);
+        n -= asked;
     }
-    if (n > 0)
-        ask_open_lanes(moves, shapes, x, one, open, n, out);
-    for (; g < eights; g++)
-        out[g] = ask_eight_tiled(3, moves, shapes, FMB_ASK_ALL, x, one, x->tiles + size * g);
 }
 
 FMB_INLINE void packed_row(int dim, bool moves, int shapes, const fmb_packed_row *x,
@@ -334,7 +329,7 @@ FMB_INLINE void packed_row(int dim, bool moves, int shapes, const fmb_packed_row
 #pragma GCC unroll 16
     for (size_t r = 0; r < rows; r++)
         one[r] = lane_of(x->one[r]);
-    if (dim == 3 && shapes == FMB_PACKED_SIMPLICES && x->n >= 8 * PACKED_LOOK) {
+    if (dim == 3 && shapes == FMB_PACKED_SIMPLICES) {
         packed_row_by_faces(moves, shapes, x, one, out);
         return;
     }

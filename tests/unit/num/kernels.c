@@ -36,7 +36,7 @@ Test(kernels, ones_of_a_word)
         uint64_t word = support_next(&g);
         unsigned ones = 0;
         for (int bit = 0; bit < 64; bit++)
-            ones += word >> bit & 1;
+            ones += (unsigned)(word >> bit & 1);
         cr_expect_eq(fmb_ones64(word), ones);
     }
 }
