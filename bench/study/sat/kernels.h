@@ -63,7 +63,9 @@ FMB_INLINE fmb_pair_bits sat_decide(sat_kind k, fmb_asked asked, const double *b
         return sat_bits(&s);
     sat_multiply_b(k, &r, &x);
     sat_learn(&s, sat_normals_of_b(k, &x), error * r.beta * r.beta);
-    if (sat_is_over(&s) || asked == FMB_ASK_FACES)
+    if (asked == FMB_ASK_FACES)
+        return (fmb_pair_bits){sat_bits(&s).apart, 0};
+    if (sat_is_over(&s))
         return sat_bits(&s);
     sat_multiply_edges(k, &r, &x);
     if (k.moves)

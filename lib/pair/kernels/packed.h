@@ -20,8 +20,8 @@ typedef enum fmb_packed_shapes {
     FMB_PACKED_ANY /* any number of axes */
 } fmb_packed_shapes;
 
-/* What is asked of a block: rows of A's and B's faces alone, which tell most pairs that are apart,
- * or all rows (or axes) there are. */
+/* What is asked of a block: rows of A's and B's faces alone, which tell most pairs that are apart
+ * and never that a pair meets, or all rows (or axes) there are. */
 typedef enum fmb_asked { FMB_ASK_FACES, FMB_ASK_ALL } fmb_asked;
 
 /* n > 0 pairs of one kind: record index[2 i] of each side. */
