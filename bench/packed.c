@@ -5,26 +5,17 @@
  * generator of one verdict. All against all: 256 frames and 256 others. Ways take turns; times are
  * this thread's CPU time, medians over the passes, the least in brackets. See README.md.
  */
-#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
 #include <fmb/frames.h>
 
+#include "cells.h"
 #include "machine.h"
 #include "study/clock/clock.h"
-#include "study/draw/pairs.h"
 #include "study/sat/sat.h"
 
 enum { PAIRS = 65536, SIDE = 256, PASSES = 15 };
-
-static void must(fmb_status st)
-{
-    if (st != FMB_OK) {
-        fprintf(stderr, "%s\n", fmb_status_text(st));
-        exit(70);
-    }
-}
 
 /* ---- ways ------------------------------------------------------------------------------------ */
 
@@ -78,32 +69,12 @@ static void run_duel(duel *d, fmb_status (*run)(void *, size_t, size_t), int way
     d->clock.way = NULL;
 }
 
-static void print_duel(const char *what, const study_pair_plan *plan, const char *kind, duel *d)
+static void print_duel(const char *what, const study_pair_plan *plan, duel *d)
 {
     study_spread fmb = study_clock_ns(&d->clock, 0), sat = study_clock_ns(&d->clock, 1);
-    printf("%dD %-6s %s %-5s  %6.2f [%5.2f]  %6.2f [%5.2f]  %6.3f\n", plan->dim,
-           plan->moves ? "moving" : "still", kind, what, fmb.median, fmb.least, sat.median,
-           sat.least, study_clock_ratio(&d->clock, 0, 1).ratio);
+    printf("%s %-5s  %6.2f [%5.2f]  %6.2f [%5.2f]  %6.3f\n", cell_text(plan), what, fmb.median,
+           fmb.least, sat.median, sat.least, study_clock_ratio(&d->clock, 0, 1).ratio);
     study_clock_clear(&d->clock);
-}
-
-typedef struct wanted {
-    fmb_pair *k;
-    fmb_verdict verdict;
-} wanted;
-
-static bool keep(void *self, const fmb_frame *p, const fmb_frame *q)
-{
-    wanted *w = self;
-    fmb_verdict is;
-    must(fmb_pair_test(w->k, 1, p, q, &(fmb_pair_answers){.verdict = &is}));
-    return is == w->verdict;
-}
-
-static const char *kind_text(const study_pair_plan *plan)
-{
-    static const char *const text[3] = {"CC", "CT", "TT"};
-    return text[plan->shape[0] + plan->shape[1]];
 }
 
 static void open_duel(const study_pair_plan *plan, fmb_simd simd, duel *d)
@@ -131,16 +102,14 @@ static void set_frames(duel *d, const fmb_frames *a, const fmb_frames *b)
 static void measure_pairs(const study_pair_plan *plan, fmb_simd simd, fmb_verdict verdict)
 {
     duel d;
-    study_pairs pairs;
     fmb_frames *a = NULL, *b = NULL;
     open_duel(plan, simd, &d);
-    wanted only = {d.w[0].k, verdict};
-    must(study_pairs_make(plan, 1, PAIRS, keep, &only, &pairs));
+    study_pairs pairs = cell_pairs(plan, PAIRS, d.w[0].k, verdict);
     must(fmb_frames_new(plan->dim, PAIRS, pairs.p, NULL, &a));
     must(fmb_frames_new(plan->dim, PAIRS, pairs.q, NULL, &b));
     set_frames(&d, a, b);
     run_duel(&d, ask_pairs, 2);
-    print_duel(verdict == FMB_FEASIBLE ? "meet" : "apart", plan, kind_text(plan), &d);
+    print_duel(verdict == FMB_FEASIBLE ? "meet" : "apart", plan, &d);
     if (memcmp(d.w[0].verdict, d.w[1].verdict, PAIRS * sizeof(fmb_verdict)) != 0)
         printf("the two differ\n");
     study_pairs_free(&pairs);
@@ -174,7 +143,7 @@ static void measure_all(const study_pair_plan *plan, fmb_simd simd)
     make_sides(plan, all, &a, &b);
     set_frames(&d, a, b);
     run_duel(&d, ask_all, 2);
-    print_duel("all", plan, kind_text(plan), &d);
+    print_duel("all", plan, &d);
     if (d.w[0].meeting != d.w[1].meeting)
         printf("the two differ\n");
     fmb_frames_free(a);
@@ -243,31 +212,6 @@ static double measure_threads(size_t threads)
 
 /* ---- the program ----------------------------------------------------------------------------- */
 
-static bool parse(int argc, char **argv, fmb_simd *out)
-{
-    static const char *const name[] = {"--simd=plain", "--simd=avx2", "--simd=avx512"};
-    static const fmb_simd level[] = {FMB_SIMD_PLAIN, FMB_SIMD_AVX2, FMB_SIMD_AVX512};
-    *out = FMB_SIMD_AUTO;
-    for (int i = 1; i < argc; i++) {
-        int l = 0;
-        while (l < 3 && strcmp(argv[i], name[l]) != 0)
-            l++;
-        if (l == 3)
-            return false;
-        *out = level[l];
-    }
-    return true;
-}
-
-static study_pair_plan plan_of_cell(int i)
-{
-    int kind = i % 3;
-    return (study_pair_plan){.family = STUDY_PAIR_ARTICLE,
-                             .dim = 2 + i / 3 % 2,
-                             .moves = i / 6,
-                             .shape = {kind == 2, kind > 0}};
-}
-
 int main(int argc, char **argv)
 {
     static const struct {
@@ -278,16 +222,17 @@ int main(int argc, char **argv)
                 {"triangle, tetrahedron", {2, 3}},
                 {"segment, tetrahedron", {1, 3}},
                 {"two segments", {1, 1}}};
-    fmb_simd simd;
-    if (!parse(argc, argv, &simd)) {
-        fprintf(stderr, "usage: bench-packed [--simd=plain|avx2|avx512]\n");
-        return 64;
-    }
+    fmb_simd simd = FMB_SIMD_AUTO;
+    for (int i = 1; i < argc; i++)
+        if (!parse_simd(argv[i], &simd)) {
+            fprintf(stderr, "usage: bench-packed [--simd=plain|avx2|avx512]\n");
+            return 64;
+        }
     printf("{");
     print_machine_json(stdout);
     printf("}\n%-20s  %14s  %14s  %6s\n", "ns [least]", "fmb", "sat", "ratio");
-    for (int i = 0; i < 36; i++) {
-        study_pair_plan plan = plan_of_cell(i / 3);
+    for (int i = 0; i < 3 * CELLS; i++) {
+        study_pair_plan plan = cell_plan(i / 3);
         if (i % 3 < 2)
             measure_pairs(&plan, simd, i % 3 ? FMB_INFEASIBLE : FMB_FEASIBLE);
         else

@@ -5,12 +5,11 @@
  * the two in turn; the time is this thread's CPU time, and what is printed are medians over the
  * passes. See README.md.
  */
-#include <stdlib.h>
 #include <string.h>
 
+#include "cells.h"
 #include "machine.h"
 #include "study/clock/clock.h"
-#include "study/draw/pairs.h"
 #include "study/sat/sat.h"
 
 enum { PAIRS = 65536, PASSES = 9 };
@@ -27,14 +26,6 @@ typedef struct way {
     bool one;
 } way;
 
-static void must(fmb_status st)
-{
-    if (st != FMB_OK) {
-        fprintf(stderr, "%s\n", fmb_status_text(st));
-        exit(70);
-    }
-}
-
 static fmb_status run(void *self, size_t first, size_t n)
 {
     way *w = self;
@@ -46,22 +37,8 @@ static fmb_status run(void *self, size_t first, size_t n)
     return st;
 }
 
-typedef struct wanted {
-    fmb_pair *k;
-    fmb_verdict verdict;
-} wanted;
-
-static bool keep(void *self, const fmb_frame *p, const fmb_frame *q)
-{
-    wanted *w = self;
-    fmb_verdict is;
-    must(fmb_pair_test(w->k, 1, p, q, &(fmb_pair_answers){.verdict = &is}));
-    return is == w->verdict;
-}
-
 static void measure(const setting *how, const study_pair_plan *plan, fmb_verdict verdict)
 {
-    static const char *const kind[3] = {"CC", "CT", "TT"};
     static fmb_verdict out[2][PAIRS];
     study_pairs pairs;
     way w[2];
@@ -74,14 +51,12 @@ static void measure(const setting *how, const study_pair_plan *plan, fmb_verdict
                     : study_sat_new(plan->dim, &o, &w[i].k));
         timed[i] = (study_timed){run, &w[i]};
     }
-    wanted only = {w[0].k, verdict};
-    must(study_pairs_make(plan, 1, PAIRS, keep, &only, &pairs));
+    pairs = cell_pairs(plan, PAIRS, w[0].k, verdict);
     study_clock c = {.way = timed, .ways = 2, .queries = PAIRS, .groups = 1, .passes = PASSES};
     must(study_clock_run(&c));
-    printf("%dD %-6s %s %-5s  %7.1f  %7.1f  %6.3f\n", plan->dim, plan->moves ? "moving" : "still",
-           kind[plan->shape[0] + plan->shape[1]], verdict == FMB_FEASIBLE ? "meet" : "apart",
-           study_clock_ns(&c, 0).median, study_clock_ns(&c, 1).median,
-           study_clock_ratio(&c, 0, 1).ratio);
+    printf("%s %-5s  %7.1f  %7.1f  %6.3f\n", cell_text(plan),
+           verdict == FMB_FEASIBLE ? "meet" : "apart", study_clock_ns(&c, 0).median,
+           study_clock_ns(&c, 1).median, study_clock_ratio(&c, 0, 1).ratio);
     if (memcmp(out[0], out[1], sizeof out[0]) != 0)
         printf("the two differ\n");
     study_clock_clear(&c);
@@ -92,18 +67,11 @@ static void measure(const setting *how, const study_pair_plan *plan, fmb_verdict
 
 static bool parse(int argc, char **argv, setting *out)
 {
-    static const char *const name[] = {"plain", "avx2", "avx512"};
-    static const fmb_simd level[] = {FMB_SIMD_PLAIN, FMB_SIMD_AVX2, FMB_SIMD_AVX512};
     *out = (setting){FMB_SIMD_AUTO, false};
     for (int i = 1; i < argc; i++) {
-        bool known = strcmp(argv[i], "--one") == 0;
-        out->one |= known;
-        for (int l = 0; l < 3 && strncmp(argv[i], "--simd=", 7) == 0; l++)
-            if (strcmp(argv[i] + 7, name[l]) == 0) {
-                out->simd = level[l];
-                known = true;
-            }
-        if (!known)
+        if (strcmp(argv[i], "--one") == 0)
+            out->one = true;
+        else if (!parse_simd(argv[i], &out->simd))
             return false;
     }
     return true;
@@ -119,12 +87,8 @@ int main(int argc, char **argv)
     printf("{");
     print_machine_json(stdout);
     printf("}\n%-20s  %7s  %7s  %6s\n", "ns", "fmb", "sat", "ratio");
-    for (int i = 0; i < 24; i++) {
-        int kind = i / 2 % 3;
-        study_pair_plan plan = {.family = STUDY_PAIR_ARTICLE,
-                                .dim = 2 + i / 6 % 2,
-                                .moves = i / 12,
-                                .shape = {kind == 2, kind > 0}};
+    for (int i = 0; i < 2 * CELLS; i++) {
+        study_pair_plan plan = cell_plan(i / 2);
         measure(&how, &plan, i % 2 ? FMB_INFEASIBLE : FMB_FEASIBLE);
     }
     return 0;

@@ -99,3 +99,13 @@ fmb_system *dense_system(const dense *d)
     free(var);
     return s;
 }
+
+fmb_system *support_closure(const fmb_system *s)
+{
+    dense d = dense_of(s);
+    for (int i = 0; i < d.rows; i++)
+        d.rel[i] = d.rel[i] == FMB_LT ? FMB_LE : d.rel[i];
+    fmb_system *closed = dense_system(&d);
+    dense_free(&d);
+    return closed;
+}

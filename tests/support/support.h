@@ -60,6 +60,14 @@ void support_case_clear(support_case *c);
 /* "planted-point", ... */
 const char *support_family_name(support_family family);
 
+/* ---- of systems ------------------------------------------------------------------------------ */
+
+/* s with <= for <. The caller frees it. */
+fmb_system *support_closure(const fmb_system *s);
+
+/* The verdict on s, by a solver of its own, whose evidence fmb_check accepted. */
+fmb_verdict support_proved_verdict(const fmb_system *s);
+
 /* ---- all tiny systems ------------------------------------------------------------------------ */
 
 /* All systems of 2 variables and at most 4 rows, coefficients and right sides in {-1, 0, 1},

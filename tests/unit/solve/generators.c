@@ -72,29 +72,6 @@ static fmb_system *there_and_back(fmb_solver *v, const fmb_system *s, fmb_verdic
     return t;
 }
 
-/* s with < for <=. */
-static fmb_system *closure_of(const fmb_system *s)
-{
-    fmb_system *t = rows_none(fmb_system_dim(s));
-    for (size_t i = 0; i < fmb_system_rows(s); i++) {
-        int var[16];
-        mpq_t coef[16], b;
-        size_t n = fmb_system_terms(s, i);
-        mpq_init(b);
-        for (size_t k = 0; k < n; k++) {
-            mpq_init(coef[k]);
-            var[k] = fmb_system_term_q(s, i, k, coef[k]);
-        }
-        fmb_system_rhs_q(s, i, b);
-        fmb_rel rel = fmb_system_rel(s, i) == FMB_EQ ? FMB_EQ : FMB_LE;
-        must(fmb_system_add_q(t, n, var, coef, rel, b));
-        for (size_t k = 0; k < n; k++)
-            mpq_clear(coef[k]);
-        mpq_clear(b);
-    }
-    return t;
-}
-
 /* Every sixth has more rows than its dimension would let one expect: another way leads there. */
 Test(generators, there_and_back_again)
 {
@@ -112,7 +89,7 @@ Test(generators, there_and_back_again)
         cr_assert(c.verdict == FMB_UNKNOWN || c.verdict == verdict, "seed %lu",
                   (unsigned long)seed);
         if (t) {
-            fmb_system *closed = closure_of(c.s);
+            fmb_system *closed = support_closure(c.s);
             cr_assert(agree_same(&a, closed, t), "seed %lu: %s", (unsigned long)seed, a.why);
             cr_assert(agree_irredundant(&a, t), "seed %lu: %s", (unsigned long)seed, a.why);
             fmb_system_free(closed);

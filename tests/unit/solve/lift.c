@@ -104,7 +104,7 @@ static void expect_hull_of(fmb_solver *v, fmb_generators *g, const fmb_system *a
                            fmb_verdict verdict, uint64_t seed)
 {
     agree a = {.max_rows = 20000};
-    fmb_system *expected = NULL, *closed = lifts_closure(answer);
+    fmb_system *expected = NULL, *closed = support_closure(answer);
     fmb_result r;
     must(fmb_hull(v, g, &expected, &r));
     cr_assert_eq(r.verdict, verdict, "seed %lu", (unsigned long)seed);

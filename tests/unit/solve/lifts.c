@@ -3,8 +3,6 @@
 
 #include <criterion/criterion.h>
 
-#include <fmb/gmp.h>
-
 #include "property/random/rows.h"
 
 fmb_solver *lifts_solver(void)
@@ -59,26 +57,4 @@ void lifts_clear(lifts_answer *a)
     fmb_system_free(a->lift);
     fmb_system_free(a->out);
     *a = (lifts_answer){NULL, NULL, FMB_UNKNOWN};
-}
-
-fmb_system *lifts_closure(const fmb_system *s)
-{
-    fmb_system *t = rows_none(fmb_system_dim(s));
-    for (size_t i = 0; i < fmb_system_rows(s); i++) {
-        int var[16];
-        mpq_t coef[16], b;
-        size_t n = fmb_system_terms(s, i);
-        mpq_init(b);
-        for (size_t k = 0; k < n; k++) {
-            mpq_init(coef[k]);
-            var[k] = fmb_system_term_q(s, i, k, coef[k]);
-        }
-        fmb_system_rhs_q(s, i, b);
-        fmb_rel rel = fmb_system_rel(s, i) == FMB_EQ ? FMB_EQ : FMB_LE;
-        must(fmb_system_add_q(t, n, var, coef, rel, b));
-        for (size_t k = 0; k < n; k++)
-            mpq_clear(coef[k]);
-        mpq_clear(b);
-    }
-    return t;
 }

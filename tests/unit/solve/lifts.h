@@ -18,7 +18,4 @@ lifts_answer lifts_sum(fmb_solver *v, const fmb_system *const *s, size_t n);
 lifts_answer lifts_hull(fmb_solver *v, const fmb_system *const *s, size_t n);
 void lifts_clear(lifts_answer *a);
 
-/* [give] s with < for <=. */
-fmb_system *lifts_closure(const fmb_system *s);
-
 #endif

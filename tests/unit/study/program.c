@@ -9,6 +9,7 @@
 #include <fmb/gmp.h>
 
 #include "study/program/program.h"
+#include "support.h"
 
 static study_program draw(int family, int rows, int variables, uint64_t seed)
 {
@@ -26,28 +27,10 @@ static int family_of(const char *name)
     return plan.family;
 }
 
-static fmb_verdict proved_verdict(const fmb_system *s)
-{
-    fmb_options o = fmb_options_default();
-    fmb_solver *v = NULL;
-    fmb_result r;
-    fmb_evidence *e = NULL;
-    fmb_judgement j;
-    o.evidence = FMB_EVIDENCE_ALL;
-    cr_assert_eq(fmb_solver_new(&o, NULL, &v), FMB_OK);
-    cr_assert_eq(fmb_solve(v, s, &r), FMB_OK);
-    cr_assert_eq(fmb_solver_evidence(v, &e), FMB_OK);
-    cr_assert_eq(fmb_check(s, e, &j), FMB_OK);
-    cr_assert(j.accepted, "%s", j.reason);
-    fmb_evidence_free(e);
-    fmb_solver_free(v);
-    return j.verdict;
-}
-
 static void judge_plan(int f, int rows, int variables, uint64_t seed)
 {
     study_program p = draw(f, rows, variables, seed);
-    cr_assert(p.verdict == FMB_UNKNOWN || proved_verdict(p.s) == p.verdict,
+    cr_assert(p.verdict == FMB_UNKNOWN || support_proved_verdict(p.s) == p.verdict,
               "%s: %d rows, %d variables, seed %llu", study_program_name(f), rows, variables,
               (unsigned long long)seed);
     study_program_clear(&p);

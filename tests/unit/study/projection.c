@@ -8,30 +8,13 @@
 #include <fmb/fmb.h>
 
 #include "study/program/projection.h"
+#include "support.h"
 
 static study_projection draw(int family, uint64_t seed)
 {
     study_projection p;
     cr_assert_eq(study_projection_draw(family, seed, &p), FMB_OK);
     return p;
-}
-
-static fmb_verdict proved_verdict(const fmb_system *s)
-{
-    fmb_options o = fmb_options_default();
-    fmb_solver *v = NULL;
-    fmb_result r;
-    fmb_evidence *e = NULL;
-    fmb_judgement j;
-    o.evidence = FMB_EVIDENCE_ALL;
-    cr_assert_eq(fmb_solver_new(&o, NULL, &v), FMB_OK);
-    cr_assert_eq(fmb_solve(v, s, &r), FMB_OK);
-    cr_assert_eq(fmb_solver_evidence(v, &e), FMB_OK);
-    cr_assert_eq(fmb_check(s, e, &j), FMB_OK);
-    cr_assert(j.accepted, "%s", j.reason);
-    fmb_evidence_free(e);
-    fmb_solver_free(v);
-    return j.verdict;
 }
 
 Test(projection, there_is_something_to_project)
@@ -43,7 +26,7 @@ Test(projection, there_is_something_to_project)
             study_projection p = draw(f, seed);
             cr_assert(p.keep > 0 && p.keep < fmb_system_dim(p.s), "%s", name);
             cr_assert_gt(fmb_system_rows(p.s), 0);
-            points += proved_verdict(p.s) == FMB_FEASIBLE;
+            points += support_proved_verdict(p.s) == FMB_FEASIBLE;
             fmb_system_free(p.s);
         }
         cr_assert(strcmp(name, "none") == 0 ? points == 0 : points >= 4, "%s: %d of 8", name,

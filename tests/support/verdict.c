@@ -1,0 +1,27 @@
+/* verdict.c: a verdict that is proved; see support.h. */
+#include <stdlib.h>
+
+#include <fmb/fmb.h>
+
+#include "dense.h"
+
+fmb_verdict support_proved_verdict(const fmb_system *s)
+{
+    fmb_options o = fmb_options_default();
+    fmb_solver *v = NULL;
+    fmb_result r;
+    fmb_evidence *e = NULL;
+    fmb_judgement j;
+    o.evidence = FMB_EVIDENCE_ALL;
+    support_must(fmb_solver_new(&o, NULL, &v));
+    support_must(fmb_solve(v, s, &r));
+    support_must(fmb_solver_evidence(v, &e));
+    support_must(fmb_check(s, e, &j));
+    if (!j.accepted) {
+        fprintf(stderr, "tests/support: %s\n", j.reason);
+        abort();
+    }
+    fmb_evidence_free(e);
+    fmb_solver_free(v);
+    return j.verdict;
+}
