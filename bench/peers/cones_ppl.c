@@ -1,10 +1,9 @@
 /* cones_ppl.c: the Parma Polyhedra Library: minimized generators of constraints, minimized
  * constraints of generators. Outside the clock: the system, and a fresh polyhedron of it for each
  * run. */
-#include <ppl_c.h>
 #include <stdlib.h>
 
-#include "peers.h"
+#include "with_ppl.h"
 
 typedef struct state {
     ppl_Constraint_System_t rows;
@@ -16,47 +15,12 @@ typedef struct state {
     bool hull;
 } state;
 
-/* sign a.x, or a.x + a[n] */
-static ppl_Linear_Expression_t expression(const problem_row *r, int n, bool negate, bool constant)
-{
-    ppl_Linear_Expression_t e;
-    ppl_Coefficient_t v;
-    mpz_t z;
-    mpz_init(z);
-    ppl_new_Coefficient(&v);
-    ppl_new_Linear_Expression_with_dimension(&e, (ppl_dimension_type)n);
-    for (int j = 0; j < n; j++) {
-        mpz_set(z, r->a[j]);
-        if (negate)
-            mpz_neg(z, z);
-        ppl_assign_Coefficient_from_mpz_t(v, z);
-        ppl_Linear_Expression_add_to_coefficient(e, (ppl_dimension_type)j, v);
-    }
-    ppl_assign_Coefficient_from_mpz_t(v, r->a[n]);
-    if (constant)
-        ppl_Linear_Expression_add_to_inhomogeneous(e, v);
-    ppl_delete_Coefficient(v);
-    mpz_clear(z);
-    return e;
-}
-
-static void insert_row(state *s, const problem_row *r)
-{
-    ppl_Constraint_t c;
-    ppl_Linear_Expression_t e = expression(r, s->n, true, true);
-    ppl_new_Constraint(
-        &c, e, r->rel == FMB_EQ ? PPL_CONSTRAINT_TYPE_EQUAL : PPL_CONSTRAINT_TYPE_GREATER_OR_EQUAL);
-    ppl_Constraint_System_insert_Constraint(s->rows, c);
-    ppl_delete_Constraint(c);
-    ppl_delete_Linear_Expression(e);
-}
-
 static void insert_point(state *s, const problem_row *r)
 {
     ppl_Generator_t g;
     ppl_Coefficient_t d;
     bool vertex = mpz_sgn(r->a[s->n]) > 0;
-    ppl_Linear_Expression_t e = expression(r, s->n, false, false);
+    ppl_Linear_Expression_t e = ppl_expression(r, s->n, false, false);
     ppl_new_Coefficient(&d);
     ppl_assign_Coefficient_from_mpz_t(d, r->a[s->n]);
     ppl_new_Generator(&g, e,
@@ -77,14 +41,13 @@ static void *open_ppl(const problem *p, const peer_setup *setup)
     state *s = need(calloc(1, sizeof *s));
     *s = (state){.n = p->n, .hull = setup->question == PEER_HULL};
     ppl_initialize();
-    ppl_new_Constraint_System(&s->rows);
-    ppl_new_Generator_System(&s->points);
-    for (size_t i = 0; i < p->m; i++) {
-        if (s->hull)
-            insert_point(s, &p->rows[i]);
-        else
-            insert_row(s, &p->rows[i]);
+    if (!s->hull) {
+        s->rows = ppl_rows(p);
+        return s;
     }
+    ppl_new_Generator_System(&s->points);
+    for (size_t i = 0; i < p->m; i++)
+        insert_point(s, &p->rows[i]);
     return s;
 }
 
@@ -120,24 +83,6 @@ static bool hull_ppl(void *self)
 
 /* ---- results --------------------------------------------------------------------------------- */
 
-static void add_constraint(fmb_system *out, ppl_const_Constraint_t c, ppl_Coefficient_t v, mpz_t *a)
-{
-    int n = fmb_system_dim(out);
-    ppl_dimension_type dim;
-    ppl_Constraint_space_dimension(c, &dim);
-    for (int j = 0; j < n; j++) {
-        mpz_set_ui(a[j], 0);
-        if ((ppl_dimension_type)j >= dim)
-            continue;
-        ppl_Constraint_coefficient(c, (ppl_dimension_type)j, v);
-        ppl_Coefficient_to_mpz_t(v, a[j]);
-        mpz_neg(a[j], a[j]);
-    }
-    ppl_Constraint_inhomogeneous_term(c, v);
-    ppl_Coefficient_to_mpz_t(v, a[n]);
-    system_add_row(out, a, ppl_Constraint_type(c) == PPL_CONSTRAINT_TYPE_EQUAL ? FMB_EQ : FMB_LE);
-}
-
 static void add_generator(fmb_system *out, ppl_const_Generator_t g, ppl_Coefficient_t v, mpz_t *a)
 {
     int n = fmb_system_dim(out), type = ppl_Generator_type(g);
@@ -156,23 +101,6 @@ static void add_generator(fmb_system *out, ppl_const_Generator_t g, ppl_Coeffici
         ppl_Coefficient_to_mpz_t(v, a[n]);
     }
     system_add_row(out, a, type == PPL_GENERATOR_TYPE_LINE ? FMB_EQ : FMB_LE);
-}
-
-static void add_all_constraints(const state *s, fmb_system *out, ppl_Coefficient_t v, mpz_t *a)
-{
-    ppl_Constraint_System_const_iterator_t at, end;
-    ppl_new_Constraint_System_const_iterator(&at);
-    ppl_new_Constraint_System_const_iterator(&end);
-    ppl_Constraint_System_begin(s->constraints, at);
-    ppl_Constraint_System_end(s->constraints, end);
-    for (; !ppl_Constraint_System_const_iterator_equal_test(at, end);
-         ppl_Constraint_System_const_iterator_increment(at)) {
-        ppl_const_Constraint_t c;
-        ppl_Constraint_System_const_iterator_dereference(at, &c);
-        add_constraint(out, c, v, a);
-    }
-    ppl_delete_Constraint_System_const_iterator(at);
-    ppl_delete_Constraint_System_const_iterator(end);
 }
 
 static void add_all_generators(const state *s, fmb_system *out, ppl_Coefficient_t v, mpz_t *a)
@@ -195,14 +123,13 @@ static void add_all_generators(const state *s, fmb_system *out, ppl_Coefficient_
 static fmb_system *fetch_ppl(void *self)
 {
     const state *s = self;
+    if (s->hull)
+        return ppl_system(s->constraints, s->n);
     fmb_system *out = system_of_dim(s->n);
     mpz_t *a = integers_new((size_t)s->n + 1);
     ppl_Coefficient_t v;
     ppl_new_Coefficient(&v);
-    if (s->hull)
-        add_all_constraints(s, out, v, a);
-    else
-        add_all_generators(s, out, v, a);
+    add_all_generators(s, out, v, a);
     ppl_delete_Coefficient(v);
     integers_free(a, (size_t)s->n + 1);
     return out;
@@ -212,8 +139,10 @@ static void close_ppl(void *self)
 {
     state *s = self;
     forget(s);
-    ppl_delete_Constraint_System(s->rows);
-    ppl_delete_Generator_System(s->points);
+    if (s->hull)
+        ppl_delete_Generator_System(s->points);
+    else
+        ppl_delete_Constraint_System(s->rows);
     free(s);
 }
 
