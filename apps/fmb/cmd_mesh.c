@@ -5,8 +5,11 @@
 #include <string.h>
 
 #include "common/bar.h"
+#include "common/file.h"
 #include "common/message.h"
 #include "common/options.h"
+#include "common/ranks.h"
+#include "common/signals.h"
 #include "common/value.h"
 #include "fmb/ask.h"
 #include "fmb/commands.h"
@@ -22,6 +25,7 @@ enum {
     KEY_WHERE,
     KEY_COMMON,
     KEY_MARKED,
+    KEY_ALL_PAIRS,
     KEY_CSV,
     KEY_FORMAT,
     KEY_BYTES,
@@ -47,6 +51,10 @@ static const struct argp_option options[] = {
      1},
     {"marked", KEY_MARKED, "FILE", 0,
      "Write both meshes as PLY with colours: cells that meet are red", 1},
+    {"all-pairs", KEY_ALL_PAIRS, NULL, 0,
+     "Ask every pair of cells, without trees of boxes: slow, and for checking; under mpirun shared "
+     "among its processes",
+     1},
     {"format", KEY_FORMAT, "auto|off|obj|ply|stl|mesh", 0,
      "What the files are (default: by name, else by content)", 1},
     {"max-bytes", KEY_BYTES, "BYTES", 0,
@@ -145,6 +153,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case KEY_MARKED:
         ask->marked = arg;
         return 0;
+    case KEY_ALL_PAIRS:
+        ask->all_pairs = true;
+        return 0;
     case KEY_FORMAT:
         ask->format = format_of(arg, state);
         return 0;
@@ -193,7 +204,8 @@ static const char doc[] =
     "Examples:\n"
     "  fmb mesh part.stl\n"
     "  fmb mesh bunny.ply bunny.ply --mirror x --move 0.05,-0.01,0\n"
-    "  fmb mesh robot.obj room.obj --motion 0,0,-2 --json\n";
+    "  fmb mesh robot.obj room.obj --motion 0,0,-2 --json\n"
+    "  mpirun -n 64 fmb mesh large.ply --all-pairs\n";
 
 /* ---- the command ----------------------------------------------------------------------------- */
 
@@ -203,26 +215,72 @@ static bool show_progress(void *self, double done)
     return !app_stop_asked();
 }
 
-static int meet(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b)
+static fmb_status find_hits(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b,
+                            fmb_mesh_answer *answer)
 {
-    app_bar bar = app_bar_begin(ask->quiet);
+    app_bar bar = app_bar_begin(ask->quiet || app_rank() > 0);
     fmb_mesh_options how = {.neighbours = ask->neighbours,
                             .motion = ask->moves ? ask->motion : NULL,
                             .max_bytes = ask->max_bytes,
                             .threads = ask->threads,
                             .progress = show_progress,
                             .self = &bar};
-    fmb_mesh_answer answer = {0};
-    fmb_status st = fmb_mesh_meet(a, b, &how, &answer);
+    fmb_status st =
+        ask->all_pairs ? mesh_meet_pairs(a, b, &how, answer) : fmb_mesh_meet(a, b, &how, answer);
     app_bar_end(&bar);
+    return st;
+}
+
+static void forget_answer(const mesh_ask *ask, fmb_mesh_answer *answer)
+{
+    if (ask->all_pairs)
+        free(answer->hit);
+    else
+        fmb_mesh_answer_clear(answer);
+}
+
+static int meet(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b)
+{
+    fmb_mesh_answer answer = {0};
+    fmb_status st = find_hits(ask, a, b, &answer);
     if (st != FMB_OK)
-        return app_status_error(st);
+        return app_ranks_fail(app_status_error(st));
     int code = answer.stop != FMB_STOP_DONE ? APP_UNDECIDED : answer.hits > 0 ? APP_YES : APP_NO;
-    code = mesh_report(ask, a, b ? b : a, &answer, code);
-    if (ask->marked)
+    if (app_rank() == 0)
+        code = mesh_report(ask, a, b ? b : a, &answer, code);
+    if (app_rank() == 0 && ask->marked)
         code = mesh_mark(ask, a, b, &answer, code);
-    fmb_mesh_answer_clear(&answer);
+    forget_answer(ask, &answer);
     return code;
+}
+
+/* Rank 0 alone reads; what it has read all have. */
+static int read_meshes(const mesh_ask *ask, int files, fmb_mesh *m[2])
+{
+    int code = APP_YES;
+    for (int i = 0; app_rank() == 0 && code == APP_YES && i < files; i++)
+        code = mesh_file_read(ask, ask->file[i], &m[i]);
+    if (app_rank() == 0 && code == APP_YES)
+        code = mesh_file_place(ask, &m[files - 1]);
+    for (int i = 0; i < files; i++)
+        code = mesh_share(code, &m[i]);
+    return code;
+}
+
+/* Several processes begin and end alike, and Ctrl-C ends them without an answer. */
+static int answer_as_ranks(const mesh_ask *ask)
+{
+    fmb_mesh *m[2] = {NULL, NULL};
+    app_stop_begin(NULL);
+    if (app_ranks() > 1)
+        app_signals_set(app_file_abandon);
+    int code = read_meshes(ask, ask->file[1] ? 2 : 1, m);
+    if (code == APP_YES)
+        code = meet(ask, m[0], m[1]);
+    app_stop_end();
+    fmb_mesh_free(m[0]);
+    fmb_mesh_free(m[1]);
+    return app_rank() == 0 ? code : APP_YES;
 }
 
 int cmd_mesh(int argc, char **argv)
@@ -231,17 +289,15 @@ int cmd_mesh(int argc, char **argv)
         .options = options, .parser = parse, .args_doc = "A [B]", .doc = doc};
     mesh_ask ask = {.max_bytes = app_ask_half_of_memory(), .scale = {1, 1, 1}};
     app_options_parse(&whole, argc, argv, &ask);
-    fmb_mesh *m[2] = {NULL, NULL};
-    int files = ask.file[1] ? 2 : 1, code = APP_YES;
-    app_stop_begin(NULL);
-    for (int i = 0; code == APP_YES && i < files; i++)
-        code = mesh_file_read(&ask, ask.file[i], &m[i]);
-    if (code == APP_YES)
-        code = mesh_file_place(&ask, &m[files - 1]);
-    if (code == APP_YES)
-        code = meet(&ask, m[0], m[1]);
-    app_stop_end();
-    fmb_mesh_free(m[0]);
-    fmb_mesh_free(m[1]);
+    int code = app_ranks_begin(1);
+    if (code != APP_YES)
+        return code;
+    if (app_ranks() > 1 && !ask.all_pairs)
+        code = app_rank() > 0
+                   ? APP_YES
+                   : app_error(APP_USAGE, "%d processes share --all-pairs alone", app_ranks());
+    else
+        code = answer_as_ranks(&ask);
+    app_ranks_end();
     return code;
 }

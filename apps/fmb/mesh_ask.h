@@ -10,7 +10,7 @@ typedef struct mesh_ask {
     fmb_mesh_format format;
     fmb_mesh_place place; /* its move; the scale is the following */
     double scale[3], motion[3];
-    bool mirror[3], moves, neighbours, where, common, json, csv, quiet;
+    bool mirror[3], moves, neighbours, where, common, all_pairs, json, csv, quiet;
     size_t max_bytes, max_input, threads;
 } mesh_ask;
 
@@ -23,6 +23,17 @@ int mesh_file_place(const mesh_ask *ask, fmb_mesh **m);
 /* Write both meshes, b may be NULL: code, unless something goes wrong. */
 int mesh_mark(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b,
               const fmb_mesh_answer *answer, int code);
+
+/* ---- mesh_ranks.c ---------------------------------------------------------------------------- */
+
+/* [give, fmb_mesh_free] The mesh that rank 0 has read, if its code is APP_YES, or NULL, becomes
+ * that of all. Rank 0's code. */
+int mesh_share(int code, fmb_mesh **m);
+/* [give, free() out->hit] All pairs, without trees, by all ranks: rank 0 has the answer. It tells
+ * how->progress, and how->max_bytes holds for all of them together. Errors: as fmb_mesh_meet_pairs,
+ * of this rank alone. */
+fmb_status mesh_meet_pairs(const fmb_mesh *a, const fmb_mesh *b, const fmb_mesh_options *how,
+                           fmb_mesh_answer *out);
 
 /* ---- mesh_report.c --------------------------------------------------------------------------- */
 

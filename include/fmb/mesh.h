@@ -134,7 +134,7 @@ typedef struct fmb_mesh_options {
 typedef struct fmb_mesh_answer {
     size_t hits;
     fmb_mesh_hit *hit; /* [hits] by a, then b */
-    uint64_t tested;   /* pairs of cells whose boxes meet */
+    uint64_t tested;   /* pairs of cells whose boxes meet; without trees, all pairs */
     uint64_t framed;   /* of those, decided as frames */
     fmb_stop stop;     /* DONE; CANCELLED, BYTES: hits are some of those there are */
     size_t capacity;   /* of hit, with the allocator that it came from */
@@ -146,6 +146,12 @@ typedef struct fmb_mesh_answer {
  * itself), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_mesh_meet(const fmb_mesh *a, const fmb_mesh *b,
                                              const fmb_mesh_options *o, fmb_mesh_answer *out);
+/* [give, fmb_mesh_answer_clear] The same of cells from ... to - 1 of a alone, without trees: each
+ * is asked against every cell of b (of a: against every later one), whatever their boxes. It checks
+ * the trees, and shares out what is to be asked. Errors: ARG (as above; no such cells), MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_mesh_meet_pairs(const fmb_mesh *a, size_t from, size_t to,
+                                                   const fmb_mesh *b, const fmb_mesh_options *o,
+                                                   fmb_mesh_answer *out);
 /* NULL and an answer of zeros are fine. */
 FMB_API void fmb_mesh_answer_clear(fmb_mesh_answer *a);
 

@@ -49,13 +49,21 @@ static fmb_status sort_hits(const fmb_walk_plan *plan, fmb_mesh_answer *out)
 
 enum { MOST_THREADS = 64 };
 
-static void walk_part(fmb_walk *x, const fmb_walk_part *part)
+/* What this thread's last part came to; the others hear of a failure. */
+static void end_part(fmb_walk *x, fmb_status st)
 {
-    if (x->st != FMB_OK)
-        return;
-    x->st = fmb_walk_part_of_trees(x, part);
-    if (x->st != FMB_OK)
+    x->st = st;
+    if (st != FMB_OK)
         atomic_store(&x->plan->stopped, 1);
+}
+
+static int this_thread(void)
+{
+#ifdef _OPENMP
+    return omp_get_thread_num();
+#else
+    return 0;
+#endif
 }
 
 static void walk_all_parts(fmb_walk_plan *plan, fmb_walk *walk, int threads)
@@ -67,12 +75,22 @@ static void walk_all_parts(fmb_walk_plan *plan, fmb_walk *walk, int threads)
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
 #endif
     for (int k = 0; k < parts; k++) {
+        fmb_walk *x = &walk[this_thread()];
+        if (x->st == FMB_OK)
+            end_part(x, fmb_walk_part_of_trees(x, &part[k]));
+    }
+}
+
+static void walk_all_rows(fmb_walk_plan *plan, fmb_walk *walk, int threads)
+{
+    (void)threads;
 #ifdef _OPENMP
-        int thread = omp_get_thread_num();
-#else
-        int thread = 0;
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
 #endif
-        walk_part(&walk[thread], &part[k]);
+    for (size_t row = plan->from; row < plan->to; row++) {
+        fmb_walk *x = &walk[this_thread()];
+        if (x->st == FMB_OK)
+            end_part(x, fmb_walk_row_of_pairs(x, (uint32_t)row));
     }
 }
 
@@ -141,7 +159,9 @@ static fmb_status meet_by_threads(fmb_walk_plan *plan, fmb_mem *mem, fmb_mesh_an
     if (!walk)
         return fmb_mem_status(mem);
     fmb_status st = open_walks(plan, walk, threads);
-    if (st == FMB_OK && plan->a->cells > 0 && plan->b->cells > 0)
+    if (st == FMB_OK && plan->to > plan->from)
+        walk_all_rows(plan, walk, threads);
+    else if (st == FMB_OK && plan->a->cells > 0 && plan->b->cells > 0)
         walk_all_parts(plan, walk, threads);
     if (st == FMB_OK)
         st = join_walks(plan, walk, threads);
@@ -181,8 +201,8 @@ static fmb_status meet_with_ids(fmb_walk_plan *plan, fmb_mem *mem, fmb_mesh_answ
     return st;
 }
 
-fmb_status fmb_mesh_meet(const fmb_mesh *a, const fmb_mesh *b, const fmb_mesh_options *o,
-                         fmb_mesh_answer *out)
+static fmb_status meet_as_planned(const fmb_mesh *a, const fmb_mesh *b, const fmb_mesh_options *o,
+                                  fmb_walk_plan *plan, fmb_mesh_answer *out)
 {
     static const fmb_mesh_options usual = {0};
     fmb_mem mem;
@@ -190,8 +210,24 @@ fmb_status fmb_mesh_meet(const fmb_mesh *a, const fmb_mesh *b, const fmb_mesh_op
     if (!a || !out || !is_good_motion(o->motion) || ((!b || b == a) && o->motion))
         return FMB_ERR_ARG;
     fmb_mem_init(&mem, o->mem, 0);
-    fmb_walk_plan plan = {.a = a, .b = b ? b : a, .o = o};
-    return meet_with_ids(&plan, &mem, out);
+    plan->a = a;
+    plan->b = b ? b : a;
+    plan->o = o;
+    return meet_with_ids(plan, &mem, out);
+}
+
+fmb_status fmb_mesh_meet(const fmb_mesh *a, const fmb_mesh *b, const fmb_mesh_options *o,
+                         fmb_mesh_answer *out)
+{
+    return meet_as_planned(a, b, o, &(fmb_walk_plan){0}, out);
+}
+
+fmb_status fmb_mesh_meet_pairs(const fmb_mesh *a, size_t from, size_t to, const fmb_mesh *b,
+                               const fmb_mesh_options *o, fmb_mesh_answer *out)
+{
+    if (from >= to || to > fmb_mesh_cells(a))
+        return FMB_ERR_ARG;
+    return meet_as_planned(a, b, o, &(fmb_walk_plan){.from = from, .to = to}, out);
 }
 
 void fmb_mesh_answer_clear(fmb_mesh_answer *a)

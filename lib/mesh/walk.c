@@ -66,8 +66,8 @@ static fmb_status append_hit(fmb_walk *x, fmb_mesh_hit hit)
     return st;
 }
 
-static fmb_status look_at_cells_of_leaves(fmb_walk *x, const fmb_cell *a, uint32_t i,
-                                          const fmb_cell *b, uint32_t j)
+static fmb_status look_at_pair_of_cells(fmb_walk *x, const fmb_cell *a, uint32_t i,
+                                        const fmb_cell *b, uint32_t j)
 {
     fmb_mesh_how how;
     int shared = fmb_cells_count_shared(a, b);
@@ -122,8 +122,8 @@ static fmb_status meet_leaves(fmb_walk *x, const fmb_mesh_node *p, const fmb_mes
             box_b = sweep_box(&box_b, x->plan->o->motion);
             bool swap = x->plan->a == x->plan->b && d < c;
             if (do_boxes_meet(&box_a, &box_b))
-                st = swap ? look_at_cells_of_leaves(x, &b, d, &a, c)
-                          : look_at_cells_of_leaves(x, &a, c, &b, d);
+                st = swap ? look_at_pair_of_cells(x, &b, d, &a, c)
+                          : look_at_pair_of_cells(x, &a, c, &b, d);
         }
     }
     return st;
@@ -160,6 +160,30 @@ static fmb_status meet_within_node(fmb_walk *x, const fmb_mesh_node *p, double w
     if (st == FMB_OK)
         st = meet_within_node(x, &child[1], weight / 4);
     return st == FMB_OK ? meet_nodes(x, &child[0], &child[1], weight / 2) : st;
+}
+
+/* ---- all pairs ------------------------------------------------------------------------------- */
+
+enum { PAIRS_BETWEEN_NOTES = 64 };
+
+fmb_status fmb_walk_row_of_pairs(fmb_walk *x, uint32_t row)
+{
+    const fmb_walk_plan *plan = x->plan;
+    const size_t cells = plan->b->cells;
+    const double weight = 1.0 / (double)(plan->to - plan->from) / (double)cells;
+    fmb_cell a = fmb_mesh_cell_of(plan->a, plan->ids_a, row);
+    fmb_status st = FMB_OK;
+    for (size_t j = plan->a == plan->b ? (size_t)row + 1 : 0; st == FMB_OK && j < cells;) {
+        size_t end = cells - j < PAIRS_BETWEEN_NOTES ? cells : j + PAIRS_BETWEEN_NOTES;
+        double share = weight * (double)(end - j);
+        for (; st == FMB_OK && j < end; j++) {
+            fmb_cell b = fmb_mesh_cell_of(plan->b, plan->ids_b, (uint32_t)j);
+            st = look_at_pair_of_cells(x, &a, row, &b, (uint32_t)j);
+        }
+        if (st == FMB_OK)
+            st = note_progress(x, share);
+    }
+    return st;
 }
 
 /* ---- parts ----------------------------------------------------------------------------------- */

@@ -1,4 +1,4 @@
-/* walk.h: two trees side by side, or one with itself, down to pairs of cells. */
+/* walk.h: two trees side by side, or one with itself, down to pairs of cells; or all of these. */
 #ifndef FMB_MESH_WALK_H
 #define FMB_MESH_WALK_H
 
@@ -11,6 +11,7 @@ typedef struct fmb_walk_plan {
     const fmb_mesh *a, *b;         /* the same one for self-intersections */
     const uint32_t *ids_a, *ids_b; /* equal numbers for equal points, across both */
     const fmb_mesh_options *o;
+    size_t from, to;       /* without trees: rows of pairs, cells of a; else from == to */
     atomic_int stopped;    /* by the caller, or since a thread failed */
     bool cancelled;        /* the former */
     _Atomic uint64_t done; /* of the pairs of cells, roughly [1 / FMB_WALK_UNITS] */
@@ -43,5 +44,7 @@ int fmb_walk_parts(const fmb_walk_plan *plan, fmb_walk_part out[FMB_WALK_MOST_PA
 
 /* Append hits to x->out. Errors: MEMORY, LIMIT (of x->mem; or stopped). */
 fmb_status fmb_walk_part_of_trees(fmb_walk *x, const fmb_walk_part *part);
+/* The same of cell `row` of a and each of b, or of a behind it, whatever their boxes. */
+fmb_status fmb_walk_row_of_pairs(fmb_walk *x, uint32_t row);
 
 #endif

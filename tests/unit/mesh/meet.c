@@ -192,6 +192,11 @@ Test(meet, limits)
     must(fmb_mesh_meet(m, NULL, &(fmb_mesh_options){.progress = stop, .self = &calls}, &answer));
     cr_expect(answer.stop == FMB_STOP_CANCELLED && calls == 1);
     fmb_mesh_answer_clear(&answer);
+    must(fmb_mesh_meet_pairs(m, 0, CELLS, NULL,
+                             &(fmb_mesh_options){.progress = stop, .self = &calls}, &answer));
+    cr_expect(answer.stop == FMB_STOP_DONE && calls == 1 &&
+              answer.tested == CELLS * (CELLS - 1) / 2);
+    fmb_mesh_answer_clear(&answer);
     must(fmb_mesh_meet(m, NULL, &(fmb_mesh_options){.max_bytes = 300}, &answer));
     cr_expect(answer.stop == FMB_STOP_BYTES && answer.hits > 0 &&
               answer.hits * sizeof *answer.hit <= 300);
@@ -227,6 +232,50 @@ Test(meet, arguments)
     cr_expect(answer.hits == 0);
     fmb_mesh_answer_clear(&answer);
     fmb_mesh_free(m);
+}
+
+/* All pairs, in two portions of rows, find what trees find, and ask about each pair once. */
+static void compare_pairs_with_trees(const fmb_mesh *m, const fmb_mesh *n,
+                                     const fmb_mesh_options *o)
+{
+    size_t cells = fmb_mesh_cells(m), cut[] = {0, cells / 3, cells}, next = 0;
+    fmb_mesh_answer trees = {0};
+    uint64_t tested = 0;
+    must(fmb_mesh_meet(m, n, o, &trees));
+    for (int i = 0; i < 2; i++) {
+        fmb_mesh_answer pairs = {0};
+        must(fmb_mesh_meet_pairs(m, cut[i], cut[i + 1], n, o, &pairs));
+        tested += pairs.tested;
+        cr_assert(next + pairs.hits <= trees.hits && pairs.stop == FMB_STOP_DONE);
+        for (size_t k = 0; k < pairs.hits; k++, next++)
+            cr_expect(memcmp(&pairs.hit[k], &trees.hit[next], sizeof *pairs.hit) == 0);
+        fmb_mesh_answer_clear(&pairs);
+    }
+    cr_expect(next == trees.hits && next > 10);
+    cr_expect(tested == (n ? cells * fmb_mesh_cells(n) : cells * (cells - 1) / 2));
+    fmb_mesh_answer_clear(&trees);
+}
+
+Test(meet, all_pairs)
+{
+    const double motion[3] = {0.5, -3, 1.25};
+    support_rng g = {12};
+    soup s, t;
+    draw_soup(&g, 3, CELLS, &s);
+    draw_soup(&g, 4, 30, &t);
+    fmb_mesh *m = mesh_of(&s), *n = mesh_of(&t);
+    fmb_mesh_answer answer = {0};
+    for (size_t threads = 1; threads < 4; threads += 2) {
+        fmb_mesh_options o = {.neighbours = true, .threads = threads};
+        compare_pairs_with_trees(m, NULL, &o);
+        compare_pairs_with_trees(n, m, &o);
+    }
+    compare_pairs_with_trees(m, n, &(fmb_mesh_options){.motion = motion});
+    cr_expect(fmb_mesh_meet_pairs(m, 3, 3, n, NULL, &answer) == FMB_ERR_ARG);
+    cr_expect(fmb_mesh_meet_pairs(m, 0, CELLS + 1, n, NULL, &answer) == FMB_ERR_ARG);
+    cr_expect(fmb_mesh_meet_pairs(NULL, 0, 1, n, NULL, &answer) == FMB_ERR_ARG);
+    fmb_mesh_free(m);
+    fmb_mesh_free(n);
 }
 
 /* The same from any number of threads. */

@@ -1,6 +1,6 @@
-"""fmb-validate by mpirun: the counts of one process, to the byte; a rank that is lost ends the run, and nothing is
-written. Skipped where there is no mpirun, or the program was built without MPI.
-usage: ranks.py FMB_VALIDATE"""
+"""fmb-validate and fmb mesh by mpirun: the counts of one process, to the byte; a rank that is lost ends the run, and
+nothing is written. Skipped where there is no mpirun, or the programs were built without MPI.
+usage: ranks.py FMB_VALIDATE FMB"""
 
 import os
 import pathlib
@@ -12,7 +12,7 @@ import sys
 import tempfile
 import time
 
-program = sys.argv[1]
+validate, fmb = sys.argv[1:]
 # Where tests run as root in a container of few cores; leaks that a sanitizer finds are MPI's own.
 ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
                "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
@@ -26,8 +26,13 @@ def expect(good, what):
 
 
 def launch(ranks, *args):
-    return subprocess.Popen(["mpirun", "-n", str(ranks), program, *args], env=ENVIRONMENT, stdout=subprocess.PIPE,
-                            stderr=subprocess.PIPE, text=True)
+    return subprocess.Popen(["mpirun", "-n", str(ranks), *args], env=ENVIRONMENT, stdin=subprocess.PIPE,
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+def finish(child, given=None):
+    text, errors = child.communicate(given, timeout=200)
+    return child.returncode, text, errors
 
 
 def report(path):
@@ -37,12 +42,11 @@ def report(path):
 def same_counts(folder):
     args = ["--pairs", "301", "2d-static", "--families", "article,near", "--sample", "0.1"]
     alone = folder / "alone"
-    subprocess.run([program, *args, "--json", str(alone)], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([validate, *args, "--json", str(alone)], check=True, stdout=subprocess.DEVNULL)
     for ranks, threads in ((2, "1"), (3, "2")):
         path = folder / f"ranks{ranks}"
-        child = launch(ranks, *args, "--threads", threads, "--json", str(path))
-        text, errors = child.communicate(timeout=200)
-        expect(child.returncode == 0, f"{ranks} ranks: {child.returncode} {errors}")
+        code, text, errors = finish(launch(ranks, validate, *args, "--threads", threads, "--json", str(path)))
+        expect(code == 0, f"{ranks} ranks: {code} {errors}")
         expect(len(text.splitlines()) == 3, f"{ranks} ranks: one table, not {text}")
         expect(path.exists() and report(path) == report(alone), f"{ranks} ranks: other counts than one process")
 
@@ -52,10 +56,42 @@ def ranks_of(child):
     return [int(pid) for task in tasks for pid in task.read_text().split()]
 
 
+def sheets(side):
+    """OFF: a sheet of triangles, and the same a quarter turned through it."""
+    points, faces = [], []
+    for sheet in range(2):
+        first = len(points)
+        for i in range(side * side):
+            x, y = i % side - side / 2 + 0.25, i // side
+            points.append(f"{x} {y} 0" if sheet == 0 else f"0 {y} {x}")
+        for i in range(side * (side - 1)):
+            if i % side < side - 1:
+                faces += [f"3 {first + i} {first + i + 1} {first + i + side}",
+                          f"3 {first + i + side + 1} {first + i + side} {first + i + 1}"]
+    return "\n".join([f"OFF {len(points)} {len(faces)} 0", *points, *faces, ""])
+
+
+def same_hits(folder):
+    path = folder / "sheets.off"
+    path.write_text(sheets(14))
+    trees = subprocess.run([fmb, "mesh", path], capture_output=True, text=True).stdout.splitlines()
+    for more in ([], ["--json"], ["--neighbours", "--threads", "2"], ["--max-bytes", "100"]):
+        alone = subprocess.run([fmb, "mesh", path, "--all-pairs", *more], capture_output=True, text=True)
+        code, text, errors = finish(launch(3, fmb, "mesh", path, "--all-pairs", *more))
+        expect(code == alone.returncode, f"mesh {more}: {code} {errors}")
+        expect("--max-bytes" in more or text == alone.stdout, f"mesh {more}: {text} by ranks, {alone.stdout} by one")
+        expect(more or (text.splitlines()[:-1] == trees[:-1] and len(trees) > 20), f"pairs {text}, trees {trees}")
+    code, text, _ = finish(launch(2, fmb, "mesh", "-", "--all-pairs"), path.read_text())
+    expect(code == 0 and text.splitlines()[:-1] == trees[:-1], "mesh of standard input")
+    for args, wanted in ((["mesh", path], 64), (["mesh", folder / "none", "--all-pairs"], 66)):
+        code, text, errors = finish(launch(2, fmb, *args))
+        expect(code == wanted and text == "" and errors.count("fmb:") == 1, f"{args}: {code} {text} {errors}")
+
+
 def lost_rank(folder):
     path = folder / "lost"
     path.write_text("before")
-    child = launch(2, "--pairs", "1000000000", "--json", str(path))
+    child = launch(2, validate, "--pairs", "1000000000", "--json", str(path))
     end = time.monotonic() + 60
     while len(ranks_of(child)) < 2 and time.monotonic() < end:
         time.sleep(0.1)
@@ -69,12 +105,13 @@ def lost_rank(folder):
 if not shutil.which("mpirun"):
     print("ranks: no mpirun here")
     sys.exit(77)
-_, said = launch(2, "--pairs", "1", "2d-static").communicate(timeout=200)
+_, _, said = finish(launch(2, validate, "--pairs", "1", "2d-static"))
 if "built without MPI" in said:
     print("ranks: built without MPI")
     sys.exit(77)
 with tempfile.TemporaryDirectory() as name:
     same_counts(pathlib.Path(name))
+    same_hits(pathlib.Path(name))
     lost_rank(pathlib.Path(name))
 print("\n".join(faults) or "ranks: no faults")
 sys.exit(1 if faults else 0)

@@ -1,0 +1,29 @@
+/* ranks_module.h: what knows MPI, for ranks.c alone: a module that is loaded where mpirun has
+ * started the program. So nothing needs MPI to be there, nor waits for it to be loaded.
+ */
+#ifndef APP_RANKS_MODULE_H
+#define APP_RANKS_MODULE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* All but take are called by all ranks alike, or by rank 0 and the one that it receives from. */
+typedef struct app_ranks_module {
+    /* false: this MPI does not bear threads. */
+    bool (*begin)(size_t counters, int *rank, int *ranks);
+    void (*end)(void);
+    void (*abort)(int code);
+    uint64_t (*take)(size_t counter, uint64_t n);
+    void (*sum)(uint64_t *x, size_t n);
+    void (*most)(double *x, size_t n);
+    void (*share)(void *x, size_t n);
+    /* all: [ranks], on rank 0. */
+    void (*list)(uint64_t mine, uint64_t *all);
+    void (*send)(const void *x, size_t n);
+    void (*receive)(int from, void *x, size_t n);
+} app_ranks_module;
+
+extern const app_ranks_module app_ranks_mpi;
+
+#endif
