@@ -7,41 +7,11 @@
  */
 #include "pair/extreme/certify.h"
 
+#include "pair/extreme/value.h"
+
 enum { DIM = FMB_EXTREME_DIM };
 
 typedef fmb_extreme_near near;
-
-/* ---- costs ----------------------------------------------------------------------------------- */
-
-/* What one unit of each unknown adds to the goal. In coordinates of B goals of the world have the
- * other sign: - x_i = - origin of B + (- axes of B, - speed of B) z + the artificial unknown of row
- * i, which tells how far the two are apart. */
-static void list_costs(const fmb_extreme *v, const fmb_extreme_goal *goal,
-                       const fmb_extreme_number *cost[FMB_EXTREME_UNKNOWNS])
-{
-    const fmb_extreme_program *s = v->program;
-    int last = s->time < 0 ? s->columns : s->time, row = goal->number;
-    int first = v->side == 0 ? 0 : s->first_of_b, end = v->side == 0 ? s->first_of_b : last;
-    for (int j = 0; j < FMB_EXTREME_UNKNOWNS; j++)
-        cost[j] = &fmb_extreme_zero;
-    if (!goal->is_world) {
-        cost[goal->number] = &fmb_extreme_one;
-        return;
-    }
-    for (int j = first; j < end; j++)
-        cost[j] = &s->m[j][row];
-    if (s->time >= 0)
-        cost[s->time] = &s->speed[v->side][row];
-    if (v->side == 1)
-        cost[FMB_EXTREME_ARTIFICIAL + row] = &fmb_extreme_one;
-}
-
-static fmb_extreme_relative relative_cost(const fmb_extreme *v,
-                                          const fmb_extreme_number *const *cost, int j)
-{
-    int reference = fmb_extreme_reference_of(v, j);
-    return (fmb_extreme_relative){cost[j], reference < 0 ? &fmb_extreme_zero : cost[reference]};
-}
 
 /* ---- apart -----------------------------------------------------------------------------------
  *
@@ -130,21 +100,21 @@ bool fmb_extreme_are_apart(fmb_extreme *v, const fmb_extreme_program *s,
 
 /* ---- is it the end? -------------------------------------------------------------------------- */
 
-/* Relative ones. */
-static void find_near_costs(const fmb_extreme *v, const fmb_extreme_number *const *cost, near *out)
+static near find_near_cost(const fmb_extreme *v, const fmb_extreme_number *const *cost, int j)
 {
-    for (int j = 0; j < FMB_EXTREME_UNKNOWNS; j++)
-        out[j] = fmb_extreme_near_difference(relative_cost(v, cost, j));
+    return fmb_extreme_near_difference(fmb_extreme_relative_cost(v, cost, j));
 }
 
 /* y det */
-static void find_near_prices(const fmb_extreme *v, const near *cost, near *y)
+static void find_near_prices(const fmb_extreme *v, const fmb_extreme_number *const *cost, near *y)
 {
     for (int row = 0; row < DIM; row++)
         y[row] = (near){0, 0};
-    for (int k = 0; k < DIM; k++)
-        for (int row = 0; cost[v->basic[k]].size != 0 && row < DIM; row++)
-            fmb_extreme_add_product(&y[row], cost[v->basic[k]], v->near_adjugate[k][row]);
+    for (int k = 0; k < DIM; k++) {
+        near of_basic = find_near_cost(v, cost, v->basic[k]);
+        for (int row = 0; of_basic.size != 0 && row < DIM; row++)
+            fmb_extreme_add_product(&y[row], of_basic, v->near_adjugate[k][row]);
+    }
 }
 
 /* - d_j det */
@@ -162,7 +132,8 @@ static void find_prices(fmb_extreme *v, const fmb_extreme_number *const *cost, f
     fmb_wide room[DIM];
     const fmb_wide *factor[DIM];
     for (int k = 0; k < DIM; k++) {
-        factor[k] = fmb_extreme_difference(relative_cost(v, cost, v->basic[k]), &room[k]);
+        factor[k] =
+            fmb_extreme_difference(fmb_extreme_relative_cost(v, cost, v->basic[k]), &room[k]);
         fmb_extreme_need_row(v, k);
     }
     for (int row = 0; row < DIM; row++)
@@ -183,7 +154,7 @@ static int exact_sign_of_loss(fmb_extreme *v, const fmb_extreme_number *const *c
         b[row] = fmb_extreme_difference(fmb_extreme_relative_entry(v, j, row), &room[row]);
     }
     a[DIM] = &v->det;
-    b[DIM] = fmb_extreme_difference(relative_cost(v, cost, j), &room[DIM]);
+    b[DIM] = fmb_extreme_difference(fmb_extreme_relative_cost(v, cost, j), &room[DIM]);
     fmb_wide_dot(&loss, DIM + 1, a, b, 1 << DIM);
     return fmb_wide_sign(&loss);
 }
@@ -191,65 +162,21 @@ static int exact_sign_of_loss(fmb_extreme *v, const fmb_extreme_number *const *c
 bool fmb_extreme_is_farthest(fmb_extreme *v, const fmb_extreme_goal *goal)
 {
     const fmb_extreme_number *cost[FMB_EXTREME_UNKNOWNS];
-    near near_cost[FMB_EXTREME_UNKNOWNS], y[DIM];
+    near y[DIM];
     bool turned = goal->is_world && v->side == 1;
     int sign_det = fmb_extreme_sign_of_det(v),
         upward = (goal->greatest != turned ? 1 : -1) * sign_det;
-    list_costs(v, goal, cost);
-    find_near_costs(v, cost, near_cost);
-    find_near_prices(v, near_cost, y);
+    fmb_extreme_list_costs(v, goal, cost);
+    find_near_prices(v, cost, y);
     for (int j = 0; j < FMB_EXTREME_ARTIFICIAL; j++) {
         int place = v->basis.place[j];
         if (place == FMB_EXTREME_BASIC || v->program->group[j] == FMB_EXTREME_NONE)
             continue;
-        near loss = find_near_loss(v, near_cost[j], y, j);
+        near loss = find_near_loss(v, find_near_cost(v, cost, j), y, j);
         int sign = fmb_extreme_is_sign_known(loss) ? fmb_extreme_sign_of_near(loss)
                                                    : exact_sign_of_loss(v, cost, j);
         if (sign == (place == FMB_EXTREME_HIGH ? upward : -upward))
             return false;
     }
     return true;
-}
-
-/* ---- values ---------------------------------------------------------------------------------- */
-
-static void find_constant(const fmb_extreme *v, const fmb_extreme_goal *goal,
-                          const fmb_extreme_number *const *cost, fmb_wide *out)
-{
-    const fmb_extreme_program *s = v->program;
-    fmb_wide_copy(out,
-                  &(goal->is_world ? &s->origin[v->side][goal->number] : &fmb_extreme_zero)->whole);
-    for (int j = 0; j < s->columns; j++)
-        if (fmb_extreme_is_one(v, j))
-            fmb_wide_add(out, &cost[j]->whole);
-}
-
-void fmb_extreme_value(fmb_extreme *v, const fmb_extreme_goal *goal, fmb_wide *numerator,
-                       fmb_wide *denominator)
-{
-    fmb_wide constant, room[DIM];
-    const fmb_extreme_number *cost[FMB_EXTREME_UNKNOWNS];
-    const fmb_wide *a[DIM + 1], *b[DIM + 1];
-    int n = 0;
-    list_costs(v, goal, cost);
-    find_constant(v, goal, cost, &constant);
-    for (int k = 0; k < DIM; k++) {
-        a[n] = fmb_extreme_difference(relative_cost(v, cost, v->basic[k]), &room[k]);
-        if (a[n]->n == 0)
-            continue;
-        fmb_extreme_need_x(v, k);
-        b[n++] = &v->x[k];
-    }
-    if (n > 0)
-        fmb_extreme_need_det(v);
-    fmb_wide_copy(denominator, n > 0 ? &v->det : &fmb_extreme_one.whole);
-    a[n] = &constant;
-    b[n] = denominator;
-    fmb_wide_dot(numerator, n + 1, a, b, 0);
-    if (goal->is_world && v->side == 1)
-        fmb_wide_negate(numerator);
-    if (denominator->minus) {
-        fmb_wide_negate(denominator);
-        fmb_wide_negate(numerator);
-    }
 }

@@ -10,9 +10,5 @@ bool fmb_extreme_are_apart(fmb_extreme *v, const fmb_extreme_program *s,
                            const fmb_extreme_basis *basis, const double *weight);
 /* Is the goal nowhere in M z = h, z in its places, farther out than here? */
 bool fmb_extreme_is_farthest(fmb_extreme *v, const fmb_extreme_goal *goal);
-/* The value of the goal here as a fraction, denominator > 0, in the unit of its row if it is one of
- * the world. */
-void fmb_extreme_value(fmb_extreme *v, const fmb_extreme_goal *goal, fmb_wide *numerator,
-                       fmb_wide *denominator);
 
 #endif

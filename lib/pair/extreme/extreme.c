@@ -5,7 +5,7 @@
 
 #include "frame/frame.h"
 #include "pair/extreme/certify.h"
-#include "pair/extreme/outward.h"
+#include "pair/extreme/value.h"
 #include "pair/extreme/walk.h"
 
 enum { MOST_GOALS = 2 * (2 * FMB_EXTREME_DIM + 1), MOST_POINTS = MOST_GOALS + 1 };
@@ -66,14 +66,9 @@ static bool is_end_reached(boxer *b, const fmb_extreme_goal *goal)
            fmb_extreme_is_farthest(b->at, goal);
 }
 
-/* The end that is the goal, as a fraction in its unit. */
-static bool find_end(boxer *b, const fmb_extreme_goal *goal, fmb_wide *numerator,
-                     fmb_wide *denominator)
+static bool stand_at_end(boxer *b, const fmb_extreme_goal *goal)
 {
-    if (!is_end_visited(b, goal) && !is_end_reached(b, goal))
-        return false;
-    fmb_extreme_value(b->at, goal, numerator, denominator);
-    return true;
+    return is_end_visited(b, goal) || is_end_reached(b, goal);
 }
 
 /* Both ends of n coordinates, or unknowns, from the first on. Least ends, then greatest ones:
@@ -115,12 +110,10 @@ typedef struct answer {
 
 static bool find_rounded_end(boxer *b, const fmb_extreme_goal *goal, answer *to)
 {
-    fmb_wide numerator, denominator;
     int group, exponent = goal->is_world ? b->program.exponent[goal->number] : 0;
     size_t place = place_of_goal(&b->program, goal, &group);
-    return find_end(b, goal, &numerator, &denominator) &&
-           fmb_extreme_round_outward(&numerator, &denominator, exponent, goal->greatest,
-                                     &to->end[group][place]);
+    return stand_at_end(b, goal) &&
+           fmb_extreme_value_outward(b->at, goal, exponent, &to->end[group][place]);
 }
 
 static double mean_of_visited_points(const boxer *b, int column)
@@ -196,24 +189,23 @@ static mpz_srcptr unit_of_goal(mpz_t *unit, const fmb_extreme_goal *goal)
     return goal->is_world ? unit[goal->number] : NULL;
 }
 
-static bool find_exact_end(boxer *b, mpz_t *unit, const fmb_extreme_goal *goal,
-                           const fmb_pair_answers_q *out)
-{
-    mpq_t *const to[GROUPS] = {out->world, out->inside, out->time};
-    fmb_wide numerator, denominator;
-    int group;
-    size_t place = place_of_goal(&b->program, goal, &group);
-    bool good = find_end(b, goal, &numerator, &denominator);
-    if (good)
-        write_fraction(&numerator, &denominator, unit_of_goal(unit, goal), to[group][place]);
-    return good;
-}
-
 static void write_value_here(boxer *b, mpz_t *unit, const fmb_extreme_goal *goal, mpq_t out)
 {
     fmb_wide numerator, denominator;
     fmb_extreme_value(b->at, goal, &numerator, &denominator);
     write_fraction(&numerator, &denominator, unit_of_goal(unit, goal), out);
+}
+
+static bool find_exact_end(boxer *b, mpz_t *unit, const fmb_extreme_goal *goal,
+                           const fmb_pair_answers_q *out)
+{
+    mpq_t *const to[GROUPS] = {out->world, out->inside, out->time};
+    int group;
+    size_t place = place_of_goal(&b->program, goal, &group);
+    bool good = stand_at_end(b, goal);
+    if (good)
+        write_value_here(b, unit, goal, to[group][place]);
+    return good;
 }
 
 /* The vertex at which b stands: in the world, in B, its time. */

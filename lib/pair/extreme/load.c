@@ -152,27 +152,29 @@ static void load_axes_of_frame(fmb_extreme_program *s, int k, const body *b,
         s->group[FMB_EXTREME_SLACK + k] = (signed char)k;
 }
 
-static void load_places_and_speeds(fmb_extreme_program *s, fmb_extreme_reader *read,
-                                   const void *self)
+static void load_places(fmb_extreme_program *s, fmb_extreme_reader *read, const void *self)
 {
-    fmb_extreme_number *drift = s->m[s->columns];
     for (int row = 0; row < s->dim; row++) {
         fmb_wide *h = &s->h[row].whole, *less = &s->origin[1][row].whole;
-        for (int k = 0; k < 2; k++) {
+        for (int k = 0; k < 2; k++)
             read(self, k, ORIGIN, row, &s->origin[k][row].whole);
-            read(self, k, SPEED, row, &s->speed[k][row].whole);
-        }
         fmb_wide_copy(h, less);
         fmb_wide_subtract(h, &s->origin[0][row].whole);
         fmb_wide_negate(less);
-        fmb_wide_negate(&s->speed[1][row].whole);
-        if (s->time < 0)
-            continue;
-        fmb_wide_copy(&drift[row].whole, &s->speed[0][row].whole);
-        fmb_wide_add(&drift[row].whole, &s->speed[1][row].whole);
     }
-    if (s->time >= 0)
-        s->group[s->columns++] = FMB_EXTREME_UNIT;
+}
+
+static void load_speeds(fmb_extreme_program *s, fmb_extreme_reader *read, const void *self)
+{
+    for (int row = 0; row < s->dim; row++) {
+        fmb_wide *drift = &s->m[s->columns][row].whole, *less = &s->speed[1][row].whole;
+        for (int k = 0; k < 2; k++)
+            read(self, k, SPEED, row, &s->speed[k][row].whole);
+        fmb_wide_negate(less);
+        fmb_wide_copy(drift, &s->speed[0][row].whole);
+        fmb_wide_add(drift, less);
+    }
+    s->group[s->columns++] = FMB_EXTREME_UNIT;
 }
 
 /* A row that is left over is 0. */
@@ -180,7 +182,7 @@ static void finish_number(const fmb_extreme_program *s, int row, fmb_extreme_num
 {
     if (row >= s->dim)
         fmb_wide_set_word(&x->whole, 0);
-    x->near = fmb_wide_to_double(&x->whole);
+    x->near = fmb_wide_to_doubles(&x->whole, &x->rest);
 }
 
 static void load_both(fmb_extreme_program *s, const body *p, const body *q,
@@ -194,12 +196,15 @@ static void load_both(fmb_extreme_program *s, const body *p, const body *q,
     s->time = p->moves || q->moves ? p->naxes + q->naxes : -1;
     load_axes_of_frame(s, 0, p, read, self);
     load_axes_of_frame(s, 1, q, read, self);
-    load_places_and_speeds(s, read, self);
+    load_places(s, read, self);
+    if (s->time >= 0)
+        load_speeds(s, read, self);
     for (int row = 0; row < FMB_EXTREME_DIM; row++) {
         finish_number(s, row, &s->h[row]);
         for (int k = 0; k < 2; k++) {
             finish_number(s, row, &s->origin[k][row]);
-            finish_number(s, row, &s->speed[k][row]);
+            if (s->time >= 0)
+                finish_number(s, row, &s->speed[k][row]);
         }
         for (int j = 0; j < s->columns; j++)
             finish_number(s, row, &s->m[j][row]);

@@ -49,8 +49,7 @@ static void keep_53_bits(quotient *q)
     }
 }
 
-bool fmb_extreme_round_outward(const fmb_wide *numerator, const fmb_wide *det, int exponent,
-                               bool up, double *out)
+bool fmb_extreme_round_outward(const fmb_wide *numerator, const fmb_wide *det, bool up, double *out)
 {
     quotient q;
     *out = 0;
@@ -59,7 +58,7 @@ bool fmb_extreme_round_outward(const fmb_wide *numerator, const fmb_wide *det, i
     guess_and_correct(&q, numerator, det);
     keep_53_bits(&q);
     bool away = up != numerator->minus && fmb_wide_sign(&q.rest) != 0;
-    double x = ldexp((double)(q.m + away), q.e - exponent);
+    double x = ldexp((double)(q.m + away), q.e);
     *out = numerator->minus ? -x : x;
     return x > 0x1p-960 && x < 0x1p960;
 }

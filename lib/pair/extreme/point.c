@@ -15,31 +15,52 @@ typedef fmb_extreme_near near;
 
 /* ---- columns and costs ----------------------------------------------------------------------- */
 
-const fmb_extreme_number fmb_extreme_zero = {{0, false, {0}}, 0},
-                         fmb_extreme_one = {{1, false, {1}}, 1};
+#define ZERO                                                                                       \
+    {                                                                                              \
+        {0, false, {0}}, 0, 0                                                                      \
+    }
+#define ONE                                                                                        \
+    {                                                                                              \
+        {1, false, {1}}, 1, 0                                                                      \
+    }
 
-/* Of the slacks, and of no unknown (-1), they are 0. */
-static const fmb_extreme_number *entry_of_column(const fmb_extreme_program *s, int j, int row)
+const fmb_extreme_number fmb_extreme_zero = ZERO, fmb_extreme_one = ONE;
+
+static const fmb_extreme_number ZERO_COLUMN[DIM] = {ZERO, ZERO, ZERO},
+                                UNIT_COLUMN[DIM][DIM] = {
+                                    {ONE, ZERO, ZERO}, {ZERO, ONE, ZERO}, {ZERO, ZERO, ONE}};
+
+/* Of the slacks, and of no unknown (-1), it is 0. */
+static const fmb_extreme_number *column_of_unknown(const fmb_extreme_program *s, int j)
 {
     if (j >= FMB_EXTREME_ARTIFICIAL)
-        return j - FMB_EXTREME_ARTIFICIAL == row ? &fmb_extreme_one : &fmb_extreme_zero;
-    return j >= 0 && j < FMB_EXTREME_COLUMNS ? &s->m[j][row] : &fmb_extreme_zero;
+        return UNIT_COLUMN[j - FMB_EXTREME_ARTIFICIAL];
+    return j >= 0 && j < FMB_EXTREME_COLUMNS ? s->m[j] : ZERO_COLUMN;
 }
 
 fmb_extreme_relative fmb_extreme_relative_entry(const fmb_extreme *v, int j, int row)
 {
-    return (fmb_extreme_relative){entry_of_column(v->program, j, row),
-                                  entry_of_column(v->program, fmb_extreme_reference_of(v, j), row)};
+    return (fmb_extreme_relative){column_of_unknown(v->program, j) + row,
+                                  column_of_unknown(v->program, fmb_extreme_reference_of(v, j)) +
+                                      row};
 }
 
 /* ---- in doubles ------------------------------------------------------------------------------ */
 
+/* Of artificial unknowns only those that are basic are looked at. */
 static void find_near_entries(fmb_extreme *v)
 {
-    for (int j = 0; j < FMB_EXTREME_UNKNOWNS; j++)
-        for (int row = 0; row < DIM && v->program->group[j] != FMB_EXTREME_NONE; row++)
+    const fmb_extreme_program *s = v->program;
+    for (int j = 0; j < FMB_EXTREME_UNKNOWNS; j++) {
+        if (s->group[j] == FMB_EXTREME_NONE ||
+            (j >= FMB_EXTREME_ARTIFICIAL && v->basis.place[j] != FMB_EXTREME_BASIC))
+            continue;
+        const fmb_extreme_number *a = column_of_unknown(s, j),
+                                 *b = column_of_unknown(s, fmb_extreme_reference_of(v, j));
+        for (int row = 0; row < DIM; row++)
             v->near_entry[j][row] =
-                fmb_extreme_near_difference(fmb_extreme_relative_entry(v, j, row));
+                fmb_extreme_near_difference((fmb_extreme_relative){&a[row], &b[row]});
+    }
 }
 
 /* Row k of the adjugate is the cross product of the two other columns. */
@@ -242,7 +263,7 @@ bool fmb_extreme_take_basis(fmb_extreme *v, const fmb_extreme_program *s,
 {
     v->program = s;
     v->basis = *basis;
-    v->has_row = v->has_x = 0;
+    v->has_row = v->has_x = v->has_close = 0;
     v->has_det = v->has_rest = false;
     return list_basic_unknowns(v);
 }

@@ -11,6 +11,9 @@
 
 #include "pair/extreme/program.h"
 
+#define FMB_LANES 1
+#include "pair/kernels/double_double.h"
+
 /* A number, off by at most 2^-47 of its size. */
 typedef struct fmb_extreme_near {
     double x, size;
@@ -32,6 +35,9 @@ typedef struct fmb_extreme {
     bool has_det, has_rest;
     fmb_wide adjugate[FMB_EXTREME_DIM][FMB_EXTREME_DIM], rest[FMB_EXTREME_DIM];
     fmb_wide det, x[FMB_EXTREME_DIM];
+    /* The same in double-doubles, as far as value.c needed it. */
+    unsigned has_close;
+    lane2 close_det, close_rest[FMB_EXTREME_DIM], close_x[FMB_EXTREME_DIM];
 } fmb_extreme;
 
 /* Stand there. False: these columns are no basis, or not all unknowns are in their places. */

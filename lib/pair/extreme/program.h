@@ -36,10 +36,10 @@ enum {
 /* Which group an unknown is in. */
 enum { FMB_EXTREME_OF_A, FMB_EXTREME_OF_B, FMB_EXTREME_UNIT, FMB_EXTREME_ZERO, FMB_EXTREME_NONE };
 
-/* A whole number, and the double next to it, which is off by at most 2^-51 of it. */
+/* A whole number, the double next to it, and what that is less, off by at most 2^-102 of it. */
 typedef struct fmb_extreme_number {
     fmb_wide whole;
-    double near;
+    double near, rest;
 } fmb_extreme_number;
 
 typedef struct fmb_extreme_program {
@@ -50,7 +50,7 @@ typedef struct fmb_extreme_program {
     fmb_extreme_number m[FMB_EXTREME_COLUMNS][FMB_EXTREME_DIM]; /* [column][row] */
     fmb_extreme_number h[FMB_EXTREME_DIM];
     fmb_extreme_number origin[2][FMB_EXTREME_DIM],
-        speed[2][FMB_EXTREME_DIM]; /* of A; of B, negative */
+        speed[2][FMB_EXTREME_DIM]; /* of A; of B, negative; speeds, if anything moves */
     /* A number x of row i is x / unit_i: 2^exponent[i], or unit[i] where numbers are rationals. */
     int exponent[FMB_EXTREME_DIM];
 } fmb_extreme_program;

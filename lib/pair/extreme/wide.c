@@ -1,5 +1,8 @@
 /* wide.c: see wide.h. */
+#define FMB_LANES 1
 #include "pair/extreme/wide.h"
+
+#include "pair/kernels/error_free.h"
 
 /* to += a b in magnitude; there is room for carries. */
 static void add_product_of_words(uint64_t *to, const fmb_wide *a, const fmb_wide *b)
@@ -53,4 +56,32 @@ void fmb_wide_dot(fmb_wide *out, int n, const fmb_wide *const *a, const fmb_wide
     out->minus = top >= 0 && part[0][top] < part[1][top];
     subtract_words(out, part[out->minus], part[!out->minus], top + 1);
     fmb_wide_trim(out);
+}
+
+const double fmb_wide_unit[FMB_WIDE_WORDS] = {0x1p0,   0x1p64,  0x1p128, 0x1p192, 0x1p256, 0x1p320,
+                                              0x1p384, 0x1p448, 0x1p512, 0x1p576, 0x1p640, 0x1p704};
+
+/* A word exactly, as the upper 53 bits and the others. */
+static lane2 split_word(uint64_t word)
+{
+    const uint64_t low = 0x7ff;
+    return (lane2){(double)(word & ~low), (double)(word & low)};
+}
+
+/* The two upper words exactly; the third is less than 2^-64 of all, what is below it 2^-128. */
+double fmb_wide_to_doubles(const fmb_wide *a, double *rest)
+{
+    int n = a->n;
+    if (n == 0)
+        return *rest = 0;
+    double unit = a->minus ? -fmb_wide_unit[n - 1] : fmb_wide_unit[n - 1];
+    lane2 x = split_word(a->word[n - 1]), sum = two_sum(x.hi, x.lo);
+    if (n > 1) {
+        lane2 y = split_word(a->word[n - 2]), middle = two_sum(x.lo, y.hi * 0x1p-64);
+        double third = n > 2 ? (double)a->word[n - 3] * 0x1p-64 : 0;
+        sum = two_sum(x.hi, middle.hi);
+        sum = two_sum(sum.hi, sum.lo + (middle.lo + (y.lo + third) * 0x1p-64));
+    }
+    *rest = sum.lo * unit;
+    return sum.hi * unit;
 }

@@ -203,19 +203,22 @@ static inline void fmb_wide_shift(fmb_wide *a, int bits)
     fmb_wide_trim(a);
 }
 
+/* 2^(64 i) */
+extern const double fmb_wide_unit[FMB_WIDE_WORDS];
+
 /* Off by at most 2^-52 of itself: what is below the upper two words is less than 2^-64 of it, and
  * there are two roundings. */
 static inline double fmb_wide_to_double(const fmb_wide *a)
 {
-    static const double unit[FMB_WIDE_WORDS] = {0x1p0,   0x1p64,  0x1p128, 0x1p192,
-                                                0x1p256, 0x1p320, 0x1p384, 0x1p448,
-                                                0x1p512, 0x1p576, 0x1p640, 0x1p704};
     if (a->n == 0)
         return 0;
-    double x = (double)a->word[a->n - 1] * unit[a->n - 1];
+    double x = (double)a->word[a->n - 1] * fmb_wide_unit[a->n - 1];
     if (a->n > 1)
-        x += (double)a->word[a->n - 2] * unit[a->n - 2];
+        x += (double)a->word[a->n - 2] * fmb_wide_unit[a->n - 2];
     return a->minus ? -x : x;
 }
+
+/* The double next to it, and in *rest what that is less, off by at most 2^-102 of a. */
+double fmb_wide_to_doubles(const fmb_wide *a, double *rest);
 
 #endif

@@ -2,6 +2,7 @@
  * fmb_pair_test, against exact boxes.
  */
 #include <criterion/criterion.h>
+#include <math.h>
 #include <string.h>
 
 #include "box_check.h"
@@ -259,6 +260,61 @@ Test(box, tightest_of_flat_frames)
                                               .shape = {STUDY_PAIR_ANY_SHAPE, FMB_SIMPLEX},
                                               .naxes = {1 + axes % dim, 1 + axes / dim}},
                            12, true);
+}
+
+/* ---- ends next to a double ------------------------------------------------------------------- */
+
+/* s d - t b = 1, for coprime b, d (Euclid). */
+static void bezout(int64_t b, int64_t d, int64_t *s, int64_t *t)
+{
+    int64_t r[2] = {d, b}, x[2] = {1, 0}, y[2] = {0, -1};
+    while (r[1] != 0) {
+        int64_t q = r[0] / r[1], *all[3] = {r, x, y};
+        for (int i = 0; i < 3; i++) {
+            int64_t next = all[i][0] - q * all[i][1];
+            all[i][0] = all[i][1];
+            all[i][1] = next;
+        }
+    }
+    cr_assert_eq(r[0], 1);
+    *s = x[0] < 0 ? x[0] + b : x[0];
+    *t = x[0] < 0 ? y[0] + d : y[0];
+}
+
+/* Frame (2 a, 2 c), (2 b, 2 d), of determinant 4 D, and the point (a, c) + (b, d) + sign (s, t)
+ * with s d - t b = 1: in its coordinates this is 1/2 + sign / (2 D) on the first axis, by Cramer's
+ * rule. */
+static void expect_ends_around_a_half(int64_t a, int64_t b, int64_t c, int64_t d, int sign)
+{
+    int64_t s, t;
+    bezout(b, d, &s, &t);
+    double point[2] = {(double)(a + b + sign * s), (double)(c + d + sign * t)};
+    double corner[2] = {0, 0}, ends[2][2];
+    double axes[4] = {2 * (double)a, 2 * (double)c, 2 * (double)b, 2 * (double)d};
+    fmb_frame p = {FMB_CUBOID, 2, 0, point, axes, NULL};
+    fmb_frame q = {FMB_CUBOID, 2, 2, corner, axes, NULL};
+    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair *k = NULL;
+    fmb_verdict verdict;
+    o.tightest = true;
+    cr_assert_eq(fmb_pair_new(2, &o, NULL, &k), FMB_OK);
+    cr_assert_eq(
+        fmb_pair_test(k, 1, &p, &q, &(fmb_pair_answers){.verdict = &verdict, .inside = ends[0]}),
+        FMB_OK);
+    cr_assert_eq(verdict, FMB_FEASIBLE);
+    cr_expect_eq(ends[0][0], sign > 0 ? 0.5 : nextafter(0.5, 0), "%.17g", ends[0][0]);
+    cr_expect_eq(ends[0][1], sign > 0 ? nextafter(0.5, 1) : 0.5, "%.17g", ends[0][1]);
+    fmb_pair_free(k);
+}
+
+/* D has twice as many bits as the edges: from where a double-double tells to where it does not. */
+Test(box, tightest_next_to_a_double)
+{
+    for (int bits = 28; bits <= 50; bits++) {
+        int64_t one = INT64_C(1) << bits;
+        for (int sign = -1; sign <= 1; sign += 2)
+            expect_ends_around_a_half(one - 1, one / 2 + 1, one / 4 + 1, one + 1, sign);
+    }
 }
 
 /* No pair of these is left to the exact way: degenerate ones are not, nor are those that touch. */
