@@ -7,7 +7,9 @@
 
 #include "common/json.h"
 #include "common/message.h"
+#include "common/ranks.h"
 #include "common/value.h"
+#include "fmb-qualify/share.h"
 #include "fmb-qualify/watch.h"
 #include "study/clock/clock.h"
 
@@ -99,6 +101,17 @@ static qualify_setup with_effort(const qualify_setup *asked, const qualify_effor
     return o;
 }
 
+/* Other ranks than 0 write no files; those who wait for rank 0's folder must not wait in vain. */
+static qualify_page *open_page(const qualify_setup *o)
+{
+    bool writes = app_rank() == 0;
+    qualify_watch_begin(o->quiet || !writes);
+    qualify_page *page = qualify_page_open(writes ? o->out : NULL, writes && o->json);
+    if (!qualify_page_is_good(page))
+        app_ranks_fail(APP_CANNOT_WRITE);
+    return page;
+}
+
 static int run_study(const qualify_study *s, const qualify_setup *asked,
                      const qualify_effort *usual, qualify_page *page)
 {
@@ -108,7 +121,15 @@ static int run_study(const qualify_study *s, const qualify_setup *asked,
     app_json_set(qualify_page_json(page), "seed", json_integer((json_int_t)o.seed));
     app_json_set(qualify_page_json(page), "pairs", json_integer((json_int_t)o.pairs));
     app_json_set(qualify_page_json(page), "passes", json_integer(o.passes));
-    int code = s->run(&o, page);
+    app_json_set(qualify_page_json(page), "processes", json_integer(s->shared ? app_ranks() : 1));
+    if (s->shared && app_ranks() > 1)
+        qualify_page_text(page,
+                          "Shared among %d processes: times are those of where each cell was "
+                          "measured, beside the others.",
+                          app_ranks());
+    int code = s->shared || app_rank() == 0 ? s->run(&o, page) : APP_YES;
+    if (code != APP_YES && code != APP_NO)
+        app_ranks_fail(code);
     if (qualify_watch_interrupted())
         qualify_page_interrupted(page);
     qualify_page_end(page);
@@ -124,18 +145,23 @@ static int end(qualify_page *page, int code)
     return code;
 }
 
+static int run_alone(const qualify_study *s, const qualify_setup *o)
+{
+    qualify_page *page = open_page(o);
+    int code = APP_YES;
+    if (qualify_page_is_good(page))
+        code = run_study(s, o, &s->alone, page);
+    return end(page, code);
+}
+
 int qualify_study_main(const qualify_study *s, int argc, char **argv)
 {
     qualify_setup o;
     char *doc = doc_of(s);
     read_options(doc, s->takes_file, argc, argv, &o);
     free(doc);
-    qualify_watch_begin(o.quiet);
-    qualify_page *page = qualify_page_open(o.out, o.json);
-    int code = APP_YES;
-    if (qualify_page_is_good(page))
-        code = run_study(s, &o, &s->alone, page);
-    return end(page, code);
+    int code = qualify_join_ranks();
+    return code == APP_YES ? qualify_leave_ranks(run_alone(s, &o)) : code;
 }
 
 /* ---- all of them ----------------------------------------------------------------------------- */
@@ -152,16 +178,23 @@ static const char all_doc[] =
     "All studies, one after the other, with fewer pairs than each takes by itself: minutes. The "
     "report is in DIR/report.html; DIR is fmb-report unless --out names another.";
 
+static int run_all(qualify_setup *o)
+{
+    int code = APP_YES;
+    qualify_page *page = open_page(o);
+    bool good = qualify_page_is_good(page);
+    for (int i = 0; good && i < STUDIES && !qualify_watch_interrupted(); i++) {
+        o->counter = (size_t)i;
+        code = app_first_code(code, run_study(STUDY[i], o, &STUDY[i]->brief, page));
+    }
+    return end(page, code);
+}
+
 int qualify_all(int argc, char **argv)
 {
     qualify_setup o;
-    int code = APP_YES;
     read_options(all_doc, false, argc, argv, &o);
     o.out = o.out ? o.out : FOLDER;
-    qualify_watch_begin(o.quiet);
-    qualify_page *page = qualify_page_open(o.out, o.json);
-    bool good = qualify_page_is_good(page);
-    for (int i = 0; good && i < STUDIES && !qualify_watch_interrupted(); i++)
-        code = app_first_code(code, run_study(STUDY[i], &o, &STUDY[i]->brief, page));
-    return end(page, code);
+    int code = qualify_join_ranks();
+    return code == APP_YES ? qualify_leave_ranks(run_all(&o)) : code;
 }

@@ -15,6 +15,7 @@ typedef struct qualify_setup {
     const char *file; /* that the study is about, or NULL */
     bool takes_file;
     bool json, quiet;
+    size_t counter; /* of the study's cells (share.h) */
 } qualify_setup;
 
 /* How much work: of each class so many pairs, and so many passes of the clock. */
@@ -27,6 +28,7 @@ typedef struct qualify_study {
     const char *name, *title; /* the title is one line */
     const char *doc;          /* for --help, as argp takes it */
     bool takes_file;          /* a FILE may stand on its command line */
+    bool shared;              /* run() is for all ranks (share.h), else for rank 0 alone */
     qualify_effort alone;     /* unless something else is asked for */
     qualify_effort brief;     /* as one of all studies, which take minutes together */
     /* The study: adds to the page, whose section has begun; an exit code, after a message unless it

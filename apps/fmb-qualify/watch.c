@@ -5,6 +5,8 @@
 #include <signal.h>
 
 #include "common/bar.h"
+#include "common/file.h"
+#include "common/ranks.h"
 #include "common/signals.h"
 
 static fmb_solver *volatile running;
@@ -25,7 +27,7 @@ void qualify_watch_begin(bool quiet)
 {
     bar = app_bar_begin(quiet);
     asked_to_stop = 0;
-    app_signals_set(cancel);
+    app_signals_set(app_ranks() > 1 ? app_file_abandon : cancel);
 }
 
 void qualify_watch_name(const char *name)

@@ -8,7 +8,7 @@
 #include <fmb/solve.h>
 
 /* From here to the end, SIGINT and SIGTERM cancel the query that runs and end the study; a second
- * one ends the process. */
+ * one ends the process. Of several processes the first one ends all, and nothing is written. */
 void qualify_watch_begin(bool quiet);
 void qualify_watch_end(void);
 /* What the bar is about; borrowed. */

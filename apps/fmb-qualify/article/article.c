@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "common/message.h"
-#include "fmb-qualify/watch.h"
+#include "fmb-qualify/share.h"
 
 enum { CELLS = 24 };
 
@@ -16,23 +16,33 @@ static size_t count_wrong_of_ours(const article_cell *cell, size_t n)
     return wrong;
 }
 
+/* Those that are complete. */
+static int report_cells(article_cell *cell, qualify_page *page)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < CELLS; i++)
+        if (cell[i].complete)
+            cell[n++] = cell[i];
+    article_report(cell, n, page);
+    size_t wrong = count_wrong_of_ours(cell, n);
+    return wrong > 0 ? app_error(APP_NO, "%zu verdicts differ", wrong) : APP_YES;
+}
+
 static int run_article(const qualify_setup *o, qualify_page *page)
 {
     article_cell *cell = app_need(calloc(CELLS, sizeof *cell));
-    size_t n = 0;
     fmb_status st = FMB_OK;
-    for (int i = 0; st == FMB_OK && i < CELLS && !qualify_watch_interrupted(); i++) {
-        verdict_class c = {2 + i / 6 % 2, i / 12, i % 2 == 0, (verdict_kind)(i / 2 % 3)};
-        qualify_watch_part((size_t)i, CELLS);
-        st = article_cell_run(&c, o, &cell[n]);
-        n += cell[n].complete;
+    qualify_share share = qualify_share_begin(o, CELLS);
+    for (size_t i; st == FMB_OK && qualify_share_next(&share, &i);) {
+        verdict_class c = {2 + (int)i / 6 % 2, i / 12, i % 2 == 0, (verdict_kind)(i / 2 % 3)};
+        st = article_cell_run(&c, o, &cell[i]);
     }
-    int code = st == FMB_OK ? APP_YES : app_status_error(st);
     if (st == FMB_OK)
-        article_report(cell, n, page);
-    size_t wrong = count_wrong_of_ours(cell, n);
+        qualify_share_collect(&share, cell, sizeof *cell);
+    bool reports = qualify_share_end(&share);
+    int code = st != FMB_OK ? app_status_error(st) : reports ? report_cells(cell, page) : APP_YES;
     free(cell);
-    return wrong > 0 ? app_error(APP_NO, "%zu verdicts differ", wrong) : code;
+    return code;
 }
 
 const qualify_study qualify_study_article = {
@@ -42,6 +52,7 @@ const qualify_study qualify_study_article = {
            "published; of its program's algorithms, written again at the same cost, by its method "
            "(each pair again and again) and on distinct pairs; of this library, from frames and "
            "on sets of frames. And what choosing between FMB and SAT would gain.",
+    .shared = true,
     .alone = {16384, 5},
     .brief = {4096, 3},
     .run = run_article,

@@ -6,9 +6,10 @@
 #include <fmb/frames.h>
 
 #include "common/message.h"
+#include "common/ranks.h"
 #include "fmb-qualify/bunny/bunny.h"
 #include "fmb-qualify/numbers.h"
-#include "fmb-qualify/study.h"
+#include "fmb-qualify/share.h"
 #include "fmb-qualify/watch.h"
 #include "study/clock/clock.h"
 
@@ -16,8 +17,8 @@ typedef struct bunny_study {
     const qualify_setup *setup;
     bunny_body a, b;
     fmb_mesh_answer answer;
-    double tree_seconds, meet_seconds, pair_ns; /* thread time */
-    size_t sampled, wrong;                      /* pairs */
+    double tree_seconds, meet_seconds, pair_seconds, pair_ns; /* thread time */
+    size_t timed, sampled, wrong;                             /* pairs */
 } bunny_study;
 
 /* ---- by trees -------------------------------------------------------------------------------- */
@@ -75,26 +76,52 @@ static fmb_status ask_face(bunny_study *s, fmb_pair *k, size_t i, const fmb_fram
     return st;
 }
 
-/* Faces of A spread evenly, so many that there are as many pairs as asked for; and those that meet,
- * at most as many again. */
+/* The hit whose face of A is asked as number r of `rows` such faces. */
+static size_t sampled_hit(const fmb_mesh_answer *answer, size_t r, size_t rows)
+{
+    return answer->hit[r * answer->hits / rows % answer->hits].a;
+}
+
+/* Row r < rows: faces of A spread evenly, which are timed; from there on those that meet. */
+static fmb_status ask_row(bunny_study *s, fmb_pair *k, size_t r, size_t rows,
+                          const fmb_frames *const set[2], fmb_verdict *v)
+{
+    double untimed = 0;
+    if (r < rows)
+        return ask_face(s, k, (size_t)((2 * (uint64_t)r + 1) * s->a.faces / (2 * rows)), set, v,
+                        &s->pair_seconds);
+    r -= rows;
+    size_t i = r < s->answer.hits ? sampled_hit(&s->answer, r, rows) : 0;
+    bool again = r > 0 && r < s->answer.hits && sampled_hit(&s->answer, r - 1, rows) == i;
+    return r >= s->answer.hits || again ? FMB_OK : ask_face(s, k, i, set, v, &untimed);
+}
+
+/* So many faces of A that there are as many pairs as asked for; and of those that meet at most as
+ * many again. Ranks share them. */
 static fmb_status ask_some_faces(bunny_study *s, fmb_pair *k, const fmb_frames *const set[2])
 {
-    size_t n = s->a.faces, rows = s->setup->pairs / (s->b.faces + 1) + 1, before = 0;
+    size_t n = s->a.faces, rows = s->setup->pairs / (s->b.faces + 1) + 1;
     fmb_verdict *v = app_need(malloc((s->b.faces + 1) * sizeof *v));
-    double seconds = 0, more = 0;
     fmb_status st = FMB_OK;
     rows = rows < n ? rows : n;
-    for (size_t r = 0; st == FMB_OK && r < rows && qualify_watch_step_within(NULL, r, rows); r++)
-        st = ask_face(s, k, (size_t)((2 * (uint64_t)r + 1) * n / (2 * rows)), set, v, &seconds);
-    s->pair_ns = s->sampled > 0 ? 1e9 * seconds / (double)s->sampled : 0;
-    for (size_t r = 0; st == FMB_OK && r < rows && r < s->answer.hits; r++) {
-        size_t i = s->answer.hit[r * s->answer.hits / rows % s->answer.hits].a;
-        if (i != before && !qualify_watch_interrupted())
-            st = ask_face(s, k, i, set, v, &more);
-        before = i;
-    }
+    qualify_share share = qualify_share_begin(s->setup, 2 * rows);
+    for (size_t r;
+         st == FMB_OK && qualify_share_next(&share, &r) && qualify_watch_step_within(NULL, 0, 1);)
+        st = ask_row(s, k, r, rows, set, v);
+    s->timed = rows * s->b.faces;
+    qualify_share_end(&share);
     free(v);
     return st;
+}
+
+/* On rank 0: of all ranks. */
+static void collect_sums(bunny_study *s)
+{
+    uint64_t sum[3] = {s->sampled, s->wrong, (uint64_t)(1e9 * s->pair_seconds)};
+    app_ranks_sum(sum, 3);
+    s->sampled = (size_t)sum[0];
+    s->wrong = (size_t)sum[1];
+    s->pair_ns = s->timed > 0 ? (double)sum[2] / (double)s->timed : 0;
 }
 
 static fmb_status ask_by_pairs(bunny_study *s)
@@ -201,12 +228,13 @@ static int run_bunny(const qualify_setup *o, qualify_page *page)
         return code;
     qualify_watch_part(0, 2);
     fmb_status st = ask_by_trees(&s, m);
-    qualify_watch_part(1, 2);
     if (st == FMB_OK && !qualify_watch_interrupted())
         st = ask_by_pairs(&s);
+    if (st == FMB_OK)
+        collect_sums(&s);
     if (st != FMB_OK)
         code = app_status_error(st);
-    else if (!qualify_watch_interrupted())
+    else if (app_rank() == 0 && !qualify_watch_interrupted())
         code = conclude_bunny(&s, page);
     fmb_mesh_answer_clear(&s.answer);
     bunny_body_clear(&s.a);
@@ -224,6 +252,7 @@ const qualify_study qualify_study_bunny = {
         "metres, such as the Stanford Bunny that the article has (coordinates times 1000; the "
         "mirror image of (x, y, z) is (50 - x, y - 10, z)). Without FILE it is a bumpy ball.",
     .takes_file = true,
+    .shared = true,
     .alone = {10000000, 1},
     .brief = {1000000, 1},
     .run = run_bunny,

@@ -6,7 +6,7 @@
 #include "common/message.h"
 #include "fmb-qualify/numbers.h"
 #include "fmb-qualify/peers/measure.h"
-#include "fmb-qualify/watch.h"
+#include "fmb-qualify/share.h"
 
 /* Driver 0 is what the others are measured by. */
 static const peer_driver *const DRIVER[] = {
@@ -26,6 +26,12 @@ enum { DRIVERS = sizeof DRIVER / sizeof *DRIVER, CELLS = 2 * PEERS_KINDS };
 
 static const char *const CELL[CELLS] = {"CC meet", "CC apart", "CT meet",    "CT apart",
                                         "TT meet", "TT apart", "boxes meet", "boxes apart"};
+
+/* What each cell of the study came to: times of a cell of pairs, or faults of a family. */
+typedef struct peers_cell {
+    peers_times times;
+    peers_faults faults;
+} peers_cell;
 
 typedef struct peers_report {
     peers_times times[CELLS];
@@ -160,29 +166,41 @@ static void introduce(qualify_page *page)
     free(without);
 }
 
-static int measure_all(peers_report *r, const qualify_setup *o)
+static int measure_cell(size_t i, const qualify_setup *o, peers_cell *cell)
 {
-    int code = APP_YES;
-    size_t part = 0;
-    for (int c = 0; code == APP_YES && c < CELLS && !qualify_watch_interrupted(); c++) {
-        qualify_watch_part(part++, CELLS + PEERS_FAMILIES);
-        code = peers_time(DRIVER, DRIVERS, c / 2, c % 2 == 0, o, &r->times[c]);
-    }
-    for (int k = 0; code == APP_YES && k < PEERS_FAMILIES && !qualify_watch_interrupted(); k++) {
-        qualify_watch_part(part++, CELLS + PEERS_FAMILIES);
-        code = peers_judge(DRIVER, DRIVERS, peers_family[k], o, &r->faults[k]);
-    }
-    return code;
+    if (i < CELLS)
+        return peers_time(DRIVER, DRIVERS, (int)i / 2, i % 2 == 0, o, &cell->times);
+    return peers_judge(DRIVER, DRIVERS, peers_family[i - CELLS], o, &cell->faults);
+}
+
+/* Is it for this rank to report? */
+static bool measure_all(peers_report *r, const qualify_setup *o, int *code)
+{
+    peers_cell *cell = app_need(calloc(CELLS + PEERS_FAMILIES, sizeof *cell));
+    qualify_share share = qualify_share_begin(o, CELLS + PEERS_FAMILIES);
+    for (size_t i; *code == APP_YES && qualify_share_next(&share, &i);)
+        *code = measure_cell(i, o, &cell[i]);
+    if (*code == APP_YES)
+        qualify_share_collect(&share, cell, sizeof *cell);
+    for (int c = 0; c < CELLS; c++)
+        r->times[c] = cell[c].times;
+    for (int k = 0; k < PEERS_FAMILIES; k++)
+        r->faults[k] = cell[CELLS + k].faults;
+    free(cell);
+    return qualify_share_end(&share);
 }
 
 static int run_study(const qualify_setup *o, qualify_page *page)
 {
     peers_report *r = app_need(calloc(1, sizeof *r));
+    int code = APP_YES;
     introduce(page);
-    int code = measure_all(r, o);
-    report_times(r, page);
-    report_faults(r, page);
-    size_t wrong = our_faults(r);
+    bool reports = measure_all(r, o, &code);
+    if (reports) {
+        report_times(r, page);
+        report_faults(r, page);
+    }
+    size_t wrong = reports ? our_faults(r) : 0;
     if (code == APP_YES && wrong > 0)
         code = app_error(APP_NO, "%zu wrong answers of this library", wrong);
     free(r);
@@ -195,6 +213,7 @@ const qualify_study qualify_study_peers = {
     .doc = "Static pairs in three dimensions, answered by this library, by libccd, FCL and ODE "
            "where they were installed when it was built, and by algorithms from the literature: "
            "time of a query, and wrong answers by family, judged exactly.",
+    .shared = true,
     .alone = {65536, 3},
     .brief = {8192, 3},
     .run = run_study,

@@ -2,9 +2,10 @@
 #include <stdlib.h>
 
 #include "common/message.h"
+#include "common/ranks.h"
 #include "fmb-qualify/rules/counts.h"
 #include "fmb-qualify/rules/report.h"
-#include "fmb-qualify/study.h"
+#include "fmb-qualify/share.h"
 #include "fmb-qualify/watch.h"
 
 static void add_title(const qualify_plan *p, qualify_page *page)
@@ -95,9 +96,13 @@ int qualify_rules(int argc, char **argv)
     qualify_plan *p = app_need(malloc(sizeof *p));
     qualify_plan_init(p);
     argp_parse(&qualify_plan_argp, argc, argv, 0, NULL, p);
-    int code = p->counts || p->merge ? APP_YES : qualify_plan_make(p);
-    if (code == APP_YES)
+    int code = qualify_join_ranks();
+    bool joined = code == APP_YES, works = joined && app_rank() == 0;
+    if (works && !p->counts && !p->merge)
+        code = qualify_plan_make(p);
+    if (works && code == APP_YES)
         code = p->merge ? run_merged(p) : run_page(p);
+    code = joined ? qualify_leave_ranks(code) : code;
     qualify_plan_clear(p);
     free(p);
     return code;

@@ -5,7 +5,7 @@
 #include "common/message.h"
 #include "fmb-qualify/numbers.h"
 #include "fmb-qualify/scaling/scaling.h"
-#include "fmb-qualify/watch.h"
+#include "fmb-qualify/share.h"
 
 enum { KINDS = 3, DIMS = SCALING_MOST_DIM - SCALING_LEAST_DIM + 1, LEAST_PAIRS = 16 };
 
@@ -111,24 +111,29 @@ static size_t pairs_of(const qualify_setup *o, int d)
     return n < LEAST_PAIRS ? LEAST_PAIRS : n;
 }
 
-static int measure_all(scaling_report *r, const qualify_setup *o)
+/* By dimension, and within it motion and kind: the quick ones first. */
+static int measure_cell(size_t i, const qualify_setup *o, scaling_cell *out)
 {
     static const fmb_shape SHAPE[KINDS][2] = {
         {FMB_CUBOID, FMB_CUBOID}, {FMB_CUBOID, FMB_SIMPLEX}, {FMB_SIMPLEX, FMB_SIMPLEX}};
-    size_t part = 0;
-    for (int d = 0; d < DIMS; d++)
-        for (int moves = 0; moves < 2; moves++)
-            for (int kind = 0; kind < KINDS; kind++) {
-                const scaling_class c = {
-                    SCALING_LEAST_DIM + d, moves, {SHAPE[kind][0], SHAPE[kind][1]}};
-                qualify_watch_part(part++, (size_t)2 * KINDS * DIMS);
-                if (qualify_watch_interrupted())
-                    return APP_YES;
-                int code = scaling_measure(&c, o, pairs_of(o, d), &r->cell[moves][kind][d]);
-                if (code != APP_YES)
-                    return code;
-            }
-    return APP_YES;
+    int d = (int)i / (2 * KINDS), kind = (int)i % KINDS;
+    const scaling_class c = {
+        SCALING_LEAST_DIM + d, (int)i / KINDS % 2, {SHAPE[kind][0], SHAPE[kind][1]}};
+    return scaling_measure(&c, o, pairs_of(o, d), out);
+}
+
+/* Is it for this rank to report? */
+static bool measure_all(scaling_report *r, const qualify_setup *o, int *code)
+{
+    scaling_cell cell[2 * KINDS * DIMS] = {0};
+    qualify_share share = qualify_share_begin(o, sizeof cell / sizeof *cell);
+    for (size_t i; *code == APP_YES && qualify_share_next(&share, &i);)
+        *code = measure_cell(i, o, &cell[i]);
+    if (*code == APP_YES)
+        qualify_share_collect(&share, cell, sizeof *cell);
+    for (size_t i = 0; i < share.cells; i++)
+        r->cell[i / KINDS % 2][i % KINDS][i / (2 * KINDS)] = cell[i];
+    return qualify_share_end(&share);
 }
 
 static size_t count_wrong(const scaling_report *r)
@@ -143,9 +148,11 @@ static size_t count_wrong(const scaling_report *r)
 static int run_study(const qualify_setup *o, qualify_page *page)
 {
     scaling_report *r = app_need(calloc(1, sizeof *r));
-    int code = measure_all(r, o);
-    report_tables(r, page);
-    size_t wrong = count_wrong(r);
+    int code = APP_YES;
+    bool reports = measure_all(r, o, &code);
+    if (reports)
+        report_tables(r, page);
+    size_t wrong = reports ? count_wrong(r) : 0;
     if (code == APP_YES && wrong > 0)
         code = app_error(APP_NO, "%zu wrong answers", wrong);
     free(r);
@@ -161,6 +168,7 @@ const qualify_study qualify_study_scaling = {
         "exactly, rows of an exact elimination, a linear program on the same pairs. All verdicts "
         "are compared with an oracle whose evidence is checked, some boxes with the exact ones. "
         "--pairs is for two dimensions; it halves with each further one.",
+    .shared = true,
     .alone = {16384, 5},
     .brief = {4096, 3},
     .run = run_study,

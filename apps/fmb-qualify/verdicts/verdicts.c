@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "common/message.h"
-#include "fmb-qualify/watch.h"
+#include "fmb-qualify/share.h"
 
 static const struct {
     int dim;
@@ -14,37 +14,38 @@ static const struct {
 
 /* ---- the run --------------------------------------------------------------------------------- */
 
-enum { UNITS_OF_A_CASE = 2 * VERDICT_ANY + 2 }; /* of progress; the mix counts as two */
+enum { UNITS_OF_A_CASE = 2 * VERDICT_ANY + 1 }; /* its duels, and the mix */
 
-static fmb_status run_duels(const verdict_source *from, int number, size_t *unit, size_t units,
-                            const qualify_setup *o, verdict_rivals *r, verdict_study *s)
+/* One of both. */
+typedef struct verdict_unit {
+    verdict_duel duel;
+    verdict_mix mix;
+} verdict_unit;
+
+static fmb_status run_unit(const verdict_source *from, int number, int i, const qualify_setup *o,
+                           verdict_unit *unit)
 {
-    fmb_status st = FMB_OK;
-    for (int i = 0; st == FMB_OK && i < 2 * VERDICT_ANY && !qualify_watch_interrupted(); i++) {
-        verdict_class c = {CASE[number].dim, CASE[number].moves, i % 2 == 0, (verdict_kind)(i / 2)};
-        qualify_watch_part((*unit)++, units);
-        st = verdict_duel_run(from, &c, o, r, &s->duel[s->duels]);
-        s->duels += s->duel[s->duels].complete;
-    }
+    const int dim = CASE[number].dim;
+    const bool moves = CASE[number].moves;
+    verdict_class c = {dim, moves, i % 2 == 0, (verdict_kind)(i / 2)};
+    verdict_rivals r;
+    fmb_status st = verdict_rivals_open(&r, dim, o->simd);
+    unit->mix = (verdict_mix){.dim = dim, .moves = moves};
+    if (st == FMB_OK)
+        st = c.kind == VERDICT_ANY ? verdict_mix_run(from, o, &r, &unit->mix)
+                                   : verdict_duel_run(from, &c, o, &r, &unit->duel);
+    verdict_rivals_close(&r);
     return st;
 }
 
-static fmb_status run_case(const verdict_source *from, int number, size_t *unit, size_t units,
-                           const qualify_setup *o, verdict_study *s)
+static void keep_complete_units(const verdict_unit *unit, size_t units, verdict_study *s)
 {
-    verdict_rivals r;
-    verdict_mix *mix = &s->mix[s->mixes];
-    fmb_status st = verdict_rivals_open(&r, CASE[number].dim, o->simd);
-    *mix = (verdict_mix){.dim = CASE[number].dim, .moves = CASE[number].moves};
-    if (st == FMB_OK)
-        st = run_duels(from, number, unit, units, o, &r, s);
-    qualify_watch_part(*unit, units);
-    *unit += 2;
-    if (st == FMB_OK && !qualify_watch_interrupted())
-        st = verdict_mix_run(from, o, &r, mix);
-    s->mixes += mix->complete;
-    verdict_rivals_close(&r);
-    return st;
+    for (size_t i = 0; i < units; i++) {
+        if (unit[i].duel.complete)
+            s->duel[s->duels++] = unit[i].duel;
+        if (unit[i].mix.complete)
+            s->mix[s->mixes++] = unit[i].mix;
+    }
 }
 
 static size_t count_wrong(const verdict_study *s)
@@ -67,14 +68,20 @@ int verdict_study_run(const verdict_source *from, const bool is_case[VERDICT_CAS
                       const qualify_setup *o, qualify_page *page)
 {
     verdict_study *s = app_need(calloc(1, sizeof *s));
-    size_t unit = 0, units = 0;
+    verdict_unit unit[VERDICT_CASES * UNITS_OF_A_CASE] = {0};
+    int number[VERDICT_CASES], cases = 0, code = APP_YES;
     fmb_status st = FMB_OK;
     for (int i = 0; i < VERDICT_CASES; i++)
-        units += is_case[i] ? UNITS_OF_A_CASE : 0;
-    for (int i = 0; st == FMB_OK && i < VERDICT_CASES && !qualify_watch_interrupted(); i++)
         if (is_case[i])
-            st = run_case(from, i, &unit, units, o, s);
-    int code = st == FMB_OK ? report(s, page) : app_status_error(st);
+            number[cases++] = i;
+    qualify_share share = qualify_share_begin(o, (size_t)cases * UNITS_OF_A_CASE);
+    for (size_t i; st == FMB_OK && qualify_share_next(&share, &i);)
+        st = run_unit(from, number[i / UNITS_OF_A_CASE], (int)(i % UNITS_OF_A_CASE), o, &unit[i]);
+    if (st == FMB_OK)
+        qualify_share_collect(&share, unit, sizeof *unit);
+    keep_complete_units(unit, share.cells, s);
+    bool reports = qualify_share_end(&share);
+    code = st != FMB_OK ? app_status_error(st) : reports ? report(s, page) : APP_YES;
     free(s);
     return code;
 }
@@ -157,6 +164,7 @@ const qualify_study qualify_study_table1 = {
     .name = "table1",
     .title = "verdicts by FMB and by SAT, the article's 24 cells",
     .doc = doc,
+    .shared = true,
     .alone = {65536, 9},
     .brief = {65536, 5},
     .run = run_table1,
@@ -166,6 +174,7 @@ const qualify_study qualify_study_near = {
     .name = "near",
     .title = "verdicts on pairs whose axis-aligned boxes meet",
     .doc = doc,
+    .shared = true,
     .alone = {65536, 9},
     .brief = {65536, 3},
     .run = run_near,
@@ -175,6 +184,7 @@ const qualify_study qualify_study_touching = {
     .name = "touching",
     .title = "verdicts on pairs that touch, and on those that nearly do",
     .doc = doc,
+    .shared = true,
     .alone = {16384, 5},
     .brief = {4096, 3},
     .run = run_touching,
@@ -184,6 +194,7 @@ const qualify_study qualify_study_slender = {
     .name = "slender",
     .title = "verdicts on rods and blades",
     .doc = doc,
+    .shared = true,
     .alone = {65536, 9},
     .brief = {16384, 3},
     .run = run_slender,
@@ -193,6 +204,7 @@ const qualify_study qualify_study_faces = {
     .name = "faces",
     .title = "verdicts on faces with their unit normals",
     .doc = doc,
+    .shared = true,
     .alone = {65536, 9},
     .brief = {65536, 5},
     .run = run_faces,

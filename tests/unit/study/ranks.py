@@ -1,7 +1,8 @@
-"""fmb-validate and fmb mesh by mpirun: the counts of one process, to the byte; a rank that is lost ends the run, and
-nothing is written. Skipped where there is no mpirun, or the programs were built without MPI.
-usage: ranks.py FMB_VALIDATE FMB"""
+"""fmb-validate, fmb mesh and fmb-qualify by mpirun: the counts of one process, to the byte; a rank that is lost ends
+the run, and nothing is written. Skipped where there is no mpirun, or the programs were built without MPI.
+usage: ranks.py FMB_VALIDATE FMB FMB_QUALIFY"""
 
+import json
 import os
 import pathlib
 import re
@@ -12,7 +13,7 @@ import sys
 import tempfile
 import time
 
-validate, fmb = sys.argv[1:]
+validate, fmb, qualify = sys.argv[1:]
 # Where tests run as root in a container of few cores; leaks that a sanitizer finds are MPI's own.
 ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
                "OMPI_MCA_rmaps_base_oversubscribe": "1", "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
@@ -88,18 +89,47 @@ def same_hits(folder):
         expect(code == wanted and text == "" and errors.count("fmb:") == 1, f"{args}: {code} {text} {errors}")
 
 
+def counts(study):
+    """What is no time, nor says where it was measured."""
+    if isinstance(study, dict):
+        return {key: counts(value) for key, value in study.items()
+                if key not in ("machine", "processes", "page", "seconds", "load") and not isinstance(value, float)}
+    return [counts(value) for value in study if not isinstance(value, float)] if isinstance(study, list) else study
+
+
+def same_studies(folder):
+    for study, pairs in (("faces", 300), ("article", 40), ("peers", 40), ("scaling", 16), ("bunny", 100000)):
+        args = [qualify, study, "--pairs", str(pairs), "--passes", "1", "--json"]
+        alone = subprocess.run(args, capture_output=True, text=True)
+        out = folder / study
+        code, text, errors = finish(launch(2, *args, "--out", str(out)))
+        expect(code == alone.returncode == 0, f"{study}: {code} {errors}, alone {alone.returncode} {alone.stderr}")
+        one, many = json.loads(alone.stdout), json.loads(text or "{}")
+        expect(counts(one) == counts(many), f"{study}: other counts by two processes")
+        expect(many.get("processes") == 2, f"{study}: who took part?")
+        expect((out / "report.json").exists(), f"{study}: no report")
+    code, text, errors = finish(launch(2, qualify, "rules", "--dim", "2", "--pairs", "1", "--rules", "kohler", "--json"))
+    expect(code == 0 and json.loads(text)["complete"], f"rules, by rank 0 alone: {code} {errors}")
+    folder.joinpath("file").write_text("")
+    code, text, _ = finish(launch(2, qualify, "faces", "--pairs", "1", "--out", str(folder / "file")))
+    expect(code == 74 and text == "", f"no folder: {code} {text}")
+
+
 def lost_rank(folder):
     path = folder / "lost"
     path.write_text("before")
-    child = launch(2, validate, "--pairs", "1000000000", "--json", str(path))
-    end = time.monotonic() + 60
-    while len(ranks_of(child)) < 2 and time.monotonic() < end:
-        time.sleep(0.1)
-    time.sleep(2)
-    os.kill(ranks_of(child)[-1], signal.SIGKILL)
-    text, _ = child.communicate(timeout=100)
-    expect(child.returncode not in (0, 1, 2), f"a lost rank: exit code {child.returncode}")
-    expect(text == "" and path.read_text() == "before", "a lost rank: something was written")
+    for args in ([validate, "--pairs", "1000000000", "--json", str(path)],
+                 [qualify, "near", "--pairs", "1000000", "--json", "--out", str(folder / "lost-study")]):
+        child = launch(2, *args)
+        end = time.monotonic() + 60
+        while len(ranks_of(child)) < 2 and time.monotonic() < end:
+            time.sleep(0.1)
+        time.sleep(2)
+        os.kill(ranks_of(child)[-1], signal.SIGKILL)
+        code, text, _ = finish(child)
+        expect(code not in (0, 1, 2), f"a lost rank: exit code {code}")
+        expect(text == "" and path.read_text() == "before", "a lost rank: something was written")
+        expect(not (folder / "lost-study" / "report.json").exists(), "a lost rank: half a report")
 
 
 if not shutil.which("mpirun"):
@@ -112,6 +142,7 @@ if "built without MPI" in said:
 with tempfile.TemporaryDirectory() as name:
     same_counts(pathlib.Path(name))
     same_hits(pathlib.Path(name))
+    same_studies(pathlib.Path(name))
     lost_rank(pathlib.Path(name))
 print("\n".join(faults) or "ranks: no faults")
 sys.exit(1 if faults else 0)
