@@ -10,6 +10,8 @@
 #define LEAST_FREEDOMS      2
 #define LONG_FREEDOMS(kept) ((kept) > 2 ? 8 : 6)
 #define MANY_FREEDOMS       32
+/* A steep elimination ends, if it does, where rows are hardly more than dimensions. */
+#define STEEP_FREEDOMS 4
 /* Cones of more have very many rays, but for such with bounds on many variables, as disjunctions.
  */
 #define CROWDED_FREEDOMS 12
@@ -20,6 +22,10 @@
 #define SPARSE_BETWEEN_BOUNDS 3.25
 #define DENSE                 4
 #define SMALL_CONE            7
+#define FLAT_CONE             5
+#define FEW_TO_GO             3
+/* Elimination makes few rows at a time of so many variables, and queries do without. */
+#define MANY_COLUMNS 32
 /* So many coefficients, most of them there: that there is no solution a linear program finds sooner
  * than rays do. */
 #define MANY_ENTRIES 100
@@ -56,12 +62,6 @@ static bool has_wide_rows(const fmb_part *p)
     return false;
 }
 
-bool fmb_judge_walks(const fmb_part *p, int kept)
-{
-    bool many = 4 * p->m > 9 * (size_t)p->n;
-    return kept <= 2 && p->n <= WALKED_COLUMNS && (many || has_wide_rows(p)) && !has_strict_rows(p);
-}
-
 bool fmb_judge_asks_ends(const fmb_lift *lift, const fmb_part *p, int kept)
 {
     return kept <= 1 && !has_strict_rows(p) && fmb_lift_freedom(lift) > LEAST_FREEDOMS;
@@ -77,9 +77,27 @@ static bool are_most_coefficients_there(const fmb_lift *lift)
     return 2 * named_by_row(lift) >= (double)fmb_lift_columns(lift);
 }
 
+static bool are_nearly_all_coefficients_there(const fmb_lift *lift)
+{
+    return 4 * named_by_row(lift) >= 3 * (double)fmb_lift_columns(lift);
+}
+
+/* Where rows name most variables, and these are not very few, queries are quicker. */
+static bool is_dictionary_quick(const fmb_lift *lift)
+{
+    return fmb_lift_columns(lift) < SMALL_CONE || !are_most_coefficients_there(lift);
+}
+
+bool fmb_judge_walks(const fmb_lift *lift, const fmb_part *p, int kept)
+{
+    bool many = 4 * p->m > 9 * (size_t)p->n && is_dictionary_quick(lift);
+    return kept <= 2 && p->n <= WALKED_COLUMNS && (many || has_wide_rows(p)) && !has_strict_rows(p);
+}
+
 bool fmb_judge_doubts_solution(const fmb_lift *lift)
 {
-    return fmb_lift_entries(lift) >= MANY_ENTRIES && are_most_coefficients_there(lift);
+    return fmb_lift_entries(lift) >= MANY_ENTRIES && are_most_coefficients_there(lift) &&
+           !fmb_lift_has_origin(lift);
 }
 
 /* Is that share of the rows bounds on one variable? */
@@ -88,12 +106,18 @@ static bool has_bounds(const fmb_lift *lift, double share)
     return (double)fmb_lift_bounds(lift) >= share * (double)fmb_lift_rows(lift);
 }
 
-/* Rays of a first try: half as many where a few queries take as long. */
+/* Rays of a first try: half as many where a few queries take as long; none where rows are many,
+ * but name few variables. */
 uint64_t fmb_judge_first_rays(const fmb_lift *lift, const fmb_part *p, int kept)
 {
     if (fmb_lift_freedom(lift) > MANY_FREEDOMS)
         return 0;
-    uint64_t rays = kept <= 2 ? FMB_TRIAL_BUDGET(p->m) / 2 : FMB_TRIAL_BUDGET(p->m);
+    bool full = are_nearly_all_coefficients_there(lift);
+    bool flat = full && fmb_lift_columns(lift) <= FLAT_CONE;
+    uint64_t rays = kept <= 2 && !flat ? FMB_TRIAL_BUDGET(p->m) / 2 : FMB_TRIAL_BUDGET(p->m);
+    bool few_go = p->n <= kept + FEW_TO_GO;
+    if (kept < FMB_SHORT_QUERIES && p->m > MANY_ROWS(p) && !full && !few_go)
+        return 0;
     if (fmb_lift_freedom(lift) > CROWDED_FREEDOMS && !(kept > 2 && has_bounds(lift, 0.25)))
         return 0;
     if (fmb_lift_freedom(lift) > FEW_FREEDOMS && kept <= 2 && named_by_row(lift) <= SPARSE)
@@ -106,6 +130,8 @@ bool fmb_judge_prunes(const fmb_lift *lift, int kept)
 {
     double named = named_by_row(lift);
     bool bounded = has_bounds(lift, 0.6);
+    if (kept < FMB_SHORT_QUERIES && fmb_lift_columns(lift) > MANY_COLUMNS)
+        return false;
     return (kept > 2 || bounded) && named <= (bounded ? SPARSE_BETWEEN_BOUNDS : SPARSE) &&
            3 * named <= (double)fmb_lift_columns(lift);
 }
@@ -115,10 +141,11 @@ static bool is_cone_dense(const fmb_lift *lift)
     return named_by_row(lift) >= DENSE || fmb_lift_columns(lift) <= SMALL_CONE;
 }
 
-/* In the plane queries are quicker, but where the first variable tells. */
-bool fmb_judge_goes_steeper(const fmb_lift *lift, int kept)
+/* Where the first variable tells. */
+bool fmb_judge_goes_steeper(const fmb_lift *lift)
 {
-    return !fmb_lift_is_long(lift) && (kept > 2 || are_most_coefficients_there(lift));
+    return fmb_lift_freedom(lift) <= STEEP_FREEDOMS && !fmb_lift_is_long(lift) &&
+           are_most_coefficients_there(lift);
 }
 
 /* Rays that a second try may make, before the oracle is asked: none where cones tend to have very

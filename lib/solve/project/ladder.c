@@ -223,7 +223,7 @@ static fmb_status learn_if_feasible(rungs *r)
     const fmb_part *p = &r->q->parts.part[r->part];
     if (r->known)
         return FMB_OK;
-    if (!fmb_judge_walks(p, fmb_judge_kept(p, r->place)))
+    if (!fmb_judge_walks(r->lift, p, fmb_judge_kept(p, r->place)))
         return open_queries(r);
     r->known = true;
     return is_part_feasible(r->q, r->part, r->feasible);
@@ -255,7 +255,7 @@ static fmb_status try_oracle(rungs *r)
 {
     const fmb_part *p = &r->q->parts.part[r->part];
     int kept = fmb_judge_kept(p, r->place);
-    fmb_status st = fmb_judge_walks(p, kept) ? try_walk(r) : FMB_OK;
+    fmb_status st = fmb_judge_walks(r->lift, p, kept) ? try_walk(r) : FMB_OK;
     return is_open(st, r) ? try_queries(r, kept <= FEW_KEPT ? 0 : FIRST_PAIRS) : st;
 }
 
@@ -265,13 +265,13 @@ static fmb_status try_rays_and_steeper_elimination(rungs *r, int kept)
 {
     const fmb_part *p = &r->q->parts.part[r->part];
     uint64_t rays = fmb_judge_first_rays(r->lift, p, kept);
-    fmb_status st = fmb_judge_doubts_solution(r->lift) ? learn_if_feasible(r) : FMB_OK;
+    fmb_status st = fmb_judge_doubts_solution(r->lift) && !r->known ? open_queries(r) : FMB_OK;
+    if (is_open(st, r) && fmb_judge_goes_steeper(r->lift))
+        st = try_steeper_elimination(r, kept);
     if (is_open(st, r) && rays > 0)
         st = try_rays(r, rays);
     if (is_open(st, r) && kept <= FMB_SHORT_QUERIES && fmb_lift_is_nearly_done(r->lift))
         st = try_rays(r, rays);
-    if (is_open(st, r) && fmb_judge_goes_steeper(r->lift, kept))
-        st = try_steeper_elimination(r, kept);
     rays = is_open(st, r) ? fmb_judge_second_rays(r->lift, p, kept) : 0;
     return rays > 0 ? try_rays(r, rays) : st;
 }

@@ -381,6 +381,17 @@ size_t fmb_lift_bounds(const fmb_lift *h)
     return bounds;
 }
 
+bool fmb_lift_has_origin(const fmb_lift *h)
+{
+    for (size_t i = 0; i < h->e.live.size; i++) {
+        const fmb_derived *r = &h->e.row[h->e.live.row[i]];
+        int side = fmb_vec_sgn(&r->v, (size_t)h->p->n);
+        if (side < 0 || (r->strict && side == 0) || (r->equality && side != 0))
+            return false;
+    }
+    return true;
+}
+
 bool fmb_lift_has_given_up(const fmb_lift *h)
 {
     return h->over;

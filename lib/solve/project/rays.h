@@ -30,6 +30,8 @@ size_t fmb_lift_columns(const fmb_lift *h);
 size_t fmb_lift_rows(const fmb_lift *h);
 size_t fmb_lift_entries(const fmb_lift *h);
 size_t fmb_lift_bounds(const fmb_lift *h);
+/* All variables at 0 are a solution of what is left. */
+bool fmb_lift_has_origin(const fmb_lift *h);
 /* There is no use in going on: it must be eliminated. */
 bool fmb_lift_has_given_up(const fmb_lift *h);
 /* The least of dimensions and of rows beyond as many, of the cone: up to 10 or so it has few rays.
