@@ -19,7 +19,7 @@ typedef struct shadow {
     fmb_elim e;
 } shadow;
 
-/* What one variable may make, as a share of the rows: before anything else is tried, and after. */
+/* What one variable may make, as a share of the rows: in most systems, and in those of few rows. */
 #define GENTLE 0.25
 #define STEEP  1.5
 /* So few variables are eliminated however steep that is, where other ways are long. */
@@ -259,7 +259,7 @@ static fmb_status try_oracle(rungs *r)
     return is_open(st, r) ? try_queries(r, kept <= FEW_KEPT ? 0 : FIRST_PAIRS) : st;
 }
 
-/* A few rays, then what is steeper to eliminate; if both grow, some more rays where there seem to
+/* What is steeper to eliminate, then a few rays; if both grow, some more rays where there seem to
  * be few. */
 static fmb_status try_rays_and_steeper_elimination(rungs *r, int kept)
 {
