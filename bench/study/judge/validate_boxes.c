@@ -127,7 +127,8 @@ static fmb_status judge(study_box_bench *b, size_t i, const fmb_frame *p, const 
     *faults |= study_box_faults(p, q, &usual, &exact, false, &excess);
     *faults |= study_box_faults(p, q, &tightest, &exact, true, &none);
     tally->excess = fmax(tally->excess, excess);
-    return check_witness(b, p, q, usual.witness, faults);
+    fmb_status st = check_witness(b, p, q, usual.witness, faults);
+    return st == FMB_OK ? check_witness(b, p, q, tightest.witness, faults) : st;
 }
 
 fmb_status study_box_bench_run(study_box_bench *b, size_t n, const fmb_frame *p, const fmb_frame *q,

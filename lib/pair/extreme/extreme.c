@@ -16,6 +16,7 @@ typedef struct boxer {
     fmb_extreme_walk walk;
     fmb_extreme point[MOST_POINTS]; /* visited so far */
     double near[MOST_POINTS][FMB_EXTREME_COLUMNS];
+    bool is_near[MOST_POINTS]; /* its numbers in near are good enough for a witness */
     int points;
     fmb_extreme *at; /* one of them */
 } boxer;
@@ -33,7 +34,7 @@ static bool stand_at_basis(boxer *b, const fmb_extreme_basis *basis)
         return true;
     if (!fmb_extreme_stand(b->at, &b->program, basis))
         return false;
-    fmb_extreme_near_values(b->at, b->near[k]);
+    b->is_near[k] = fmb_extreme_near_values(b->at, b->near[k]);
     b->points++;
     return true;
 }
@@ -116,28 +117,27 @@ static bool find_rounded_end(boxer *b, const fmb_extreme_goal *goal, answer *to)
            fmb_extreme_value_outward(b->at, goal, exponent, &to->end[group][place]);
 }
 
-static double mean_of_visited_points(const boxer *b, int column)
+/* Coordinate i of visited point k. */
+static double coordinate_of_point(boxer *b, const fmb_frame *p, int k, int i)
 {
-    double sum = 0;
-    for (int k = 0; k < b->points; k++)
-        sum += b->near[k][column];
-    return sum / b->points;
+    const double *z = b->near[k];
+    bool by_corners = fmb_frame_is_by_corners(p->shape);
+    if (!b->is_near[k])
+        return ldexp(fmb_extreme_value_roughly(&b->point[k], &(fmb_extreme_goal){true, i, false}),
+                     -b->program.exponent[i]);
+    double x = p->origin[i] + (p->speed ? z[b->program.time] * p->speed[i] : 0);
+    for (int l = 0; l < p->naxes; l++)
+        x += z[l] * (p->axes[l * p->dim + i] - (by_corners ? p->origin[i] : 0));
+    return x;
 }
 
-static void write_mean_of_extreme_points(const boxer *b, const fmb_frame *p, double *x)
+static void write_mean_of_extreme_points(boxer *b, const fmb_frame *p, double *x)
 {
-    bool by_corners = fmb_frame_is_by_corners(p->shape);
-    double mean[FMB_EXTREME_COLUMNS];
-    for (int j = 0; j < b->program.columns; j++)
-        mean[j] = mean_of_visited_points(b, j);
     for (int i = 0; i < p->dim; i++) {
-        x[i] = p->origin[i];
-        for (int k = 0; k < p->naxes; k++) {
-            double axis = p->axes[k * p->dim + i] - (by_corners ? p->origin[i] : 0);
-            x[i] += mean[k] * axis;
-        }
-        if (p->speed)
-            x[i] += mean[b->program.time] * p->speed[i];
+        x[i] = 0;
+        for (int k = 0; k < b->points; k++)
+            x[i] += coordinate_of_point(b, p, k, i);
+        x[i] /= b->points;
     }
 }
 

@@ -278,14 +278,25 @@ bool fmb_extreme_stand(fmb_extreme *v, const fmb_extreme_program *s, const fmb_e
     return are_all_in_place(v);
 }
 
-void fmb_extreme_near_values(const fmb_extreme *v, double *z)
+/* The quotient. */
+static double near_value(const fmb_extreme *v, near x, bool *good)
 {
+    double det = fabs(v->near_det.x);
+    *good = *good && x.size + v->near_det.size <= 0x1p5 * det;
+    return x.x / v->near_det.x;
+}
+
+/* Every x is at most det, and off by 2^-47 of its size; det likewise. */
+bool fmb_extreme_near_values(const fmb_extreme *v, double *z)
+{
+    bool good = true;
     for (int j = 0; j < v->program->columns; j++)
         z[j] = v->basis.place[j] == FMB_EXTREME_HIGH;
     for (int group = 0; group < 2; group++)
         if (v->reference[group] >= 0 && v->reference[group] < FMB_EXTREME_COLUMNS)
-            z[v->reference[group]] = v->near_reference[group].x / v->near_det.x;
+            z[v->reference[group]] = near_value(v, v->near_reference[group], &good);
     for (int k = 0; k < DIM; k++)
         if (v->basic[k] < FMB_EXTREME_COLUMNS)
-            z[v->basic[k]] = v->near_x[k].x / v->near_det.x;
+            z[v->basic[k]] = near_value(v, v->near_x[k], &good);
+    return good;
 }

@@ -43,8 +43,8 @@ typedef struct fmb_extreme {
 /* Stand there. False: these columns are no basis, or not all unknowns are in their places. */
 bool fmb_extreme_stand(fmb_extreme *v, const fmb_extreme_program *s,
                        const fmb_extreme_basis *basis);
-/* Roughly, the values of all columns. */
-void fmb_extreme_near_values(const fmb_extreme *v, double *z);
+/* Roughly, the values of all columns. True: they are off by at most 2^-42. */
+bool fmb_extreme_near_values(const fmb_extreme *v, double *z);
 
 /* ---- for certify.c --------------------------------------------------------------------------- */
 

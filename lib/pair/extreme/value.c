@@ -192,10 +192,9 @@ static bool find_close_numerator(fmb_extreme *v, const fmb_extreme_goal *goal, l
     return true;
 }
 
-/* The value lies within an error of the quotient hi + lo; |lo| is at most half of the way from hi
- * to the next double. Where the error is less than |lo|, hi and the double behind it on the side of
- * lo are those next to the value. */
-static bool round_closely(fmb_extreme *v, const fmb_extreme_goal *goal, double *out)
+/* The value, and what it is off by at most. */
+static bool find_close_value(fmb_extreme *v, const fmb_extreme_goal *goal, lane2 *value,
+                             double *error)
 {
     lane2 numerator;
     double size;
@@ -203,18 +202,39 @@ static bool round_closely(fmb_extreme *v, const fmb_extreme_goal *goal, double *
         !find_close_numerator(v, goal, &numerator, &size))
         return false;
     double det = v->close_det.hi;
-    lane2 value = lane2_over(true, numerator, v->close_det, 1 / det);
-    double error = 80 * LANE2_UNIT(true) * ((size + fabs(value.hi) * v->near_det.size) / fabs(det));
+    *value = lane2_over(true, numerator, v->close_det, 1 / det);
+    *error = 80 * LANE2_UNIT(true) * ((size + fabs(value->hi) * v->near_det.size) / fabs(det));
     if (goal->is_world && v->side == 1)
-        value = lane2_minus(value);
-    if (!(fabs(value.lo) > error))
+        *value = lane2_minus(*value);
+    return true;
+}
+
+double fmb_extreme_value_roughly(fmb_extreme *v, const fmb_extreme_goal *goal)
+{
+    fmb_wide numerator, denominator;
+    lane2 value;
+    double error;
+    if (find_close_value(v, goal, &value, &error) && error <= 0x1p-53 * fabs(value.hi))
+        return value.hi;
+    fmb_extreme_value(v, goal, &numerator, &denominator);
+    return fmb_wide_to_double(&numerator) / fmb_wide_to_double(&denominator);
+}
+
+/* ---- outward --------------------------------------------------------------------------------- */
+
+/* The value lies within an error of hi + lo; |lo| is at most half of the way from hi to the next
+ * double. Where the error is less than |lo|, hi and the double behind it on the side of lo are
+ * those next to the value. */
+static bool round_closely(fmb_extreme *v, const fmb_extreme_goal *goal, double *out)
+{
+    lane2 value;
+    double error;
+    if (!find_close_value(v, goal, &value, &error) || !(fabs(value.lo) > error))
         return false;
     bool beyond = goal->greatest == (value.lo > 0);
     *out = beyond ? nextafter(value.hi, goal->greatest ? INFINITY : -INFINITY) : value.hi;
     return true;
 }
-
-/* ---- outward --------------------------------------------------------------------------------- */
 
 static bool round_exactly(fmb_extreme *v, const fmb_extreme_goal *goal, double *out)
 {

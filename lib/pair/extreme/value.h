@@ -24,6 +24,8 @@ fmb_extreme_relative_cost(const fmb_extreme *v, const fmb_extreme_number *const 
  * the world. */
 void fmb_extreme_value(fmb_extreme *v, const fmb_extreme_goal *goal, fmb_wide *numerator,
                        fmb_wide *denominator);
+/* The same as a double, off by at most 2^-50 of itself. */
+double fmb_extreme_value_roughly(fmb_extreme *v, const fmb_extreme_goal *goal);
 /* The least double that is not below (of a greatest end), or the greatest that is not above, the
  * value over 2^exponent. False: it is near the ends of what doubles are. */
 bool fmb_extreme_value_outward(fmb_extreme *v, const fmb_extreme_goal *goal, int exponent,
