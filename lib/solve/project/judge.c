@@ -22,8 +22,9 @@
 #define SPARSE_BETWEEN_BOUNDS 3.25
 #define DENSE                 4
 #define SMALL_CONE            7
-#define FLAT_CONE             5
-#define FEW_TO_GO             3
+/* So few dimensions, or variables that go, and rays are few however many the rows. */
+#define FLAT_CONE 5
+#define FEW_TO_GO 3
 /* Elimination makes few rows at a time of so many variables, and queries do without. */
 #define MANY_COLUMNS 32
 /* So many coefficients, most of them there: that there is no solution a linear program finds sooner
@@ -141,11 +142,11 @@ static bool is_cone_dense(const fmb_lift *lift)
     return named_by_row(lift) >= DENSE || fmb_lift_columns(lift) <= SMALL_CONE;
 }
 
-/* Where the first variable tells. */
-bool fmb_judge_goes_steeper(const fmb_lift *lift)
+/* Where the first variable tells, or other ways are long. */
+bool fmb_judge_goes_steeper(const fmb_lift *lift, int kept)
 {
-    return fmb_lift_freedom(lift) <= STEEP_FREEDOMS && !fmb_lift_is_long(lift) &&
-           are_most_coefficients_there(lift);
+    bool few = fmb_lift_freedom(lift) <= STEEP_FREEDOMS || kept > FMB_SHORT_QUERIES;
+    return few && !fmb_lift_is_long(lift) && are_most_coefficients_there(lift);
 }
 
 /* Rays that a second try may make, before the oracle is asked: none where cones tend to have very

@@ -23,7 +23,7 @@ bool fmb_judge_asks_ends(const fmb_lift *lift, const fmb_part *p, int kept);
 bool fmb_judge_doubts_solution(const fmb_lift *lift);
 /* Are rows so sparse that an elimination is pruned before anything else is done? */
 bool fmb_judge_prunes(const fmb_lift *lift, int kept);
-bool fmb_judge_goes_steeper(const fmb_lift *lift);
+bool fmb_judge_goes_steeper(const fmb_lift *lift, int kept);
 /* Rays of a first try, and of a second one, before queries. */
 uint64_t fmb_judge_first_rays(const fmb_lift *lift, const fmb_part *p, int kept);
 uint64_t fmb_judge_second_rays(const fmb_lift *lift, const fmb_part *p, int kept);

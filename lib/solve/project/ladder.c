@@ -266,7 +266,7 @@ static fmb_status try_rays_and_steeper_elimination(rungs *r, int kept)
     const fmb_part *p = &r->q->parts.part[r->part];
     uint64_t rays = fmb_judge_first_rays(r->lift, p, kept);
     fmb_status st = fmb_judge_doubts_solution(r->lift) && !r->known ? open_queries(r) : FMB_OK;
-    if (is_open(st, r) && fmb_judge_goes_steeper(r->lift))
+    if (is_open(st, r) && fmb_judge_goes_steeper(r->lift, kept))
         st = try_steeper_elimination(r, kept);
     if (is_open(st, r) && rays > 0)
         st = try_rays(r, rays);
