@@ -75,8 +75,13 @@ fmb_status fmb_team_open(fmb_team *t, fmb_run *run, size_t size)
     *t = (fmb_team){.run = run};
     t->share = fmb_mem_zero(run->mem, size, sizeof *t->share);
     t->thread = fmb_mem_zero(run->mem, run->threads, sizeof *t->thread);
-    if (!t->share || !t->thread)
-        return fmb_mem_status(run->mem);
+    if (!t->share || !t->thread) {
+        fmb_status st = fmb_mem_status(run->mem);
+        fmb_mem_put(run->mem, t->share, size, sizeof *t->share);
+        fmb_mem_put(run->mem, t->thread, run->threads, sizeof *t->thread);
+        *t = (fmb_team){.run = run};
+        return st;
+    }
     t->size = size;
     for (size_t k = 0; k < size; k++)
         fmb_share_begin(&t->share[k], run, size);

@@ -8,10 +8,10 @@
 /* What is found out about m rows. */
 typedef struct fmb_sorting {
     bool *gone;      /* [m] in: false; out: inequalities that are implied by the rows not gone */
-    bool *kept;      /* [m] or NULL: not wanted. in: false; out: proved to be irredundant */
+    bool *kept;      /* [m] in: false; out: proved to be irredundant */
     bool known;      /* in: the rows are known to have a solution, or it does not matter */
-    bool feasible;   /* kept != NULL: false if there is none, and nothing else was found out */
-    bool inner;      /* kept != NULL: some point is strictly inside all rows */
+    bool feasible;   /* false if there is none, and nothing else was found out */
+    bool inner;      /* some point is strictly inside all rows */
     size_t doubtful; /* rows that seemed to be implied, but whose multipliers were not found */
 } fmb_sorting;
 

@@ -14,8 +14,8 @@
 #include <string.h>
 
 /* Sizes [bits], so that the slack (ROW + POINT + 6), the speed towards a row (ROW + WAY + 6), and a
- * product of both fit in 62, 62 and 127 bits. */
-enum { ROW_BITS = 32, POINT_BITS = 24, WAY_BITS = 18, MOST_COLUMNS = 64 };
+ * product of both fit in 62, 53 and 127 bits: doubles add up speeds without rounding. */
+enum { ROW_BITS = 29, POINT_BITS = 24, WAY_BITS = 18, MOST_COLUMNS = 64 };
 #define UNIT 4096
 
 static void find_excess_of_rows(fmb_inside *p)
@@ -102,8 +102,10 @@ static void write_unit_row(fmb_inside *p, size_t i)
     for (size_t j = 0; j < p->n; j++)
         square += (double)a[j] * (double)a[j];
     double size = 1 / sqrt(square);
-    for (size_t j = 0; j < p->n; j++)
+    for (size_t j = 0; j < p->n; j++) {
+        p->entry[j * p->m + i] = (double)a[j];
         p->unit[j * p->m + i] = (double)a[j] * size;
+    }
     p->unit[p->n * p->m + i] = -(double)a[p->n] * size;
 }
 
@@ -112,10 +114,10 @@ static fmb_status open_inside_point(fmb_inside *p)
     fmb_mem *mem = p->run->mem;
     p->x = fmb_mem_zero(mem, p->n, sizeof *p->x);
     p->slack = fmb_mem_get(mem, p->m, sizeof *p->slack);
-    p->way = fmb_mem_get(mem, p->n, sizeof *p->way);
     p->unit = fmb_mem_get(mem, (p->n + 1) * p->m, sizeof *p->unit);
+    p->entry = fmb_mem_get(mem, p->n * p->m, sizeof *p->entry);
     p->excess = fmb_mem_get(mem, p->m, sizeof *p->excess);
-    if (!p->x || !p->slack || !p->way || !p->unit || !p->excess)
+    if (!p->x || !p->slack || !p->unit || !p->entry || !p->excess)
         return fmb_mem_status(mem);
     for (size_t i = 0; i < p->m; i++)
         write_unit_row(p, i);
@@ -159,38 +161,44 @@ void fmb_inside_clear(fmb_inside *p)
     fmb_mem *mem = p->run->mem;
     fmb_mem_put(mem, p->x, p->n, sizeof *p->x);
     fmb_mem_put(mem, p->slack, p->m, sizeof *p->slack);
-    fmb_mem_put(mem, p->way, p->n, sizeof *p->way);
     fmb_mem_put(mem, p->unit, (p->n + 1) * p->m, sizeof *p->unit);
+    fmb_mem_put(mem, p->entry, p->n * p->m, sizeof *p->entry);
     fmb_mem_put(mem, p->excess, p->m, sizeof *p->excess);
 }
 
-size_t fmb_inside_shoot(const fmb_inside *p, const double *way, const bool *gone)
+/* How fast the ray comes to each row; false if it goes nowhere. */
+static bool find_speeds_of_ray(const fmb_inside *p, const double *way, double *speed)
 {
     double most = 0;
-    size_t first = SIZE_MAX;
-    int64_t speed = 0;
-    bool tie = false;
     for (size_t j = 0; j < p->n; j++)
         most = fabs(way[j]) > most ? fabs(way[j]) : most;
     if (!(most > 0 && most < HUGE_VAL))
+        return false;
+    memset(speed, 0, p->m * sizeof *speed);
+    for (size_t j = 0; j < p->n; j++) {
+        double step = nearbyint(way[j] / most * ((1 << WAY_BITS) - 1));
+        p->run->kernels->accumulate(speed, &p->entry[j * p->m], p->m, step);
+    }
+    return true;
+}
+
+size_t fmb_inside_shoot(const fmb_inside *p, const double *way, const bool *gone, double *speed)
+{
+    size_t first = SIZE_MAX;
+    int64_t slack = 1, fast = 0; /* of the first; none: slack / fast is infinite */
+    bool tie = false;
+    if (!find_speeds_of_ray(p, way, speed))
         return SIZE_MAX;
-    for (size_t j = 0; j < p->n; j++)
-        p->way[j] = (int64_t)nearbyint(way[j] / most * ((1 << WAY_BITS) - 1));
     for (size_t i = 0; i < p->m; i++) {
-        const int64_t *a = p->row[i].v->s;
-        int64_t s = 0;
-        if (gone[i])
+        if (gone[i] || speed[i] <= 0)
             continue;
-        for (size_t j = 0; j < p->n; j++)
-            s += a[j] * p->way[j];
-        if (s <= 0)
-            continue;
-        fmb_i128 mine = first == SIZE_MAX ? -1 : (fmb_i128)p->slack[i] * speed;
-        fmb_i128 best = first == SIZE_MAX ? 0 : (fmb_i128)p->slack[first] * s;
-        tie = mine == best || (tie && mine > best);
-        if (mine < best) {
+        int64_t mine = (int64_t)speed[i];
+        fmb_i128 later = (fmb_i128)p->slack[i] * fast - (fmb_i128)slack * mine;
+        tie = later == 0 || (tie && later > 0);
+        if (later < 0) {
             first = i;
-            speed = s;
+            slack = p->slack[i];
+            fast = mine;
         }
     }
     return tie ? SIZE_MAX : first;

@@ -11,8 +11,8 @@ typedef struct fmb_inside {
     const fmb_lp_row *row;
     double *x;      /* [n] the point, exactly */
     int64_t *slack; /* [m] UNIT (b - a.x) > 0 */
-    int64_t *way;   /* [n] scratch */
     double *unit;   /* [n + 1][m] column by column, rows by their lengths |a|; the last is -b */
+    double *entry;  /* [n][m] column by column, as they are */
     double *excess; /* [m] scratch: how far x is beyond each row */
 } fmb_inside;
 
@@ -26,7 +26,8 @@ fmb_status fmb_inside_find(fmb_inside *p, bool *found);
 fmb_status fmb_inside_glance(fmb_inside *p, bool *found);
 void fmb_inside_clear(fmb_inside *p);
 /* The row among those not gone that a ray from the point in direction way[n] (roughly) meets before
- * any other: it is irredundant. SIZE_MAX: it meets several at once, or none. Exact. */
-size_t fmb_inside_shoot(const fmb_inside *p, const double *way, const bool *gone);
+ * any other: it is irredundant. SIZE_MAX: it meets several at once, or none. speed[m]: scratch.
+ * Exact. */
+size_t fmb_inside_shoot(const fmb_inside *p, const double *way, const bool *gone, double *speed);
 
 #endif

@@ -20,6 +20,8 @@ typedef struct rows {
     fmb_rel *rel;
     fmb_fate *fate;
     size_t *place; /* in the view */
+    bool *gone;
+    bool *kept; /* proved to be irredundant */
     size_t size, room;
 } rows;
 
@@ -29,6 +31,8 @@ static void free_row_lists(rows *a, fmb_mem *mem)
     fmb_mem_put(mem, a->rel, a->room, sizeof *a->rel);
     fmb_mem_put(mem, a->fate, a->room, sizeof *a->fate);
     fmb_mem_put(mem, a->place, a->room, sizeof *a->place);
+    fmb_mem_put(mem, a->gone, a->room, sizeof *a->gone);
+    fmb_mem_put(mem, a->kept, a->room, sizeof *a->kept);
 }
 
 static fmb_status allocate_row_lists(rows *a, fmb_mem *mem, size_t room)
@@ -38,7 +42,10 @@ static fmb_status allocate_row_lists(rows *a, fmb_mem *mem, size_t room)
     a->rel = fmb_mem_get(mem, room, sizeof *a->rel);
     a->fate = fmb_mem_get(mem, room, sizeof *a->fate);
     a->place = fmb_mem_get(mem, room, sizeof *a->place);
-    return a->row && a->rel && a->fate && a->place ? FMB_OK : fmb_mem_status(mem);
+    a->gone = fmb_mem_zero(mem, room, sizeof *a->gone);
+    a->kept = fmb_mem_zero(mem, room, sizeof *a->kept);
+    bool got = a->row && a->rel && a->fate && a->place && a->gone && a->kept;
+    return got ? FMB_OK : fmb_mem_status(mem);
 }
 
 /* List the live rows that are not dropped yet. */
@@ -75,9 +82,11 @@ static fmb_status drop_rows_by_oracle(const fmb_elim *e, rows *a, bool *drop)
 /* What a guess finds is cheap; the oracle is asked if that leaves many doubts. */
 static fmb_status drop_implied_rows(const fmb_elim *e, rows *a, bool *drop)
 {
-    fmb_sorting sorting = {.gone = drop};
+    fmb_sorting sorting = {.gone = a->gone, .kept = a->kept, .known = true};
     list_undropped_rows(a, e, drop);
     fmb_status st = fmb_lp_sort_rows(e->run, e->n, a->size, a->row, &sorting);
+    for (size_t i = 0; i < a->size; i++)
+        drop[a->place[i]] |= a->gone[i];
     if (st != FMB_OK || 4 * sorting.doubtful < a->size)
         return st;
     list_undropped_rows(a, e, drop);

@@ -1,8 +1,13 @@
 /* sorting.c: rows sorted by guesses: the oracle is asked whether there is a solution as soon as a
- * glance finds no point inside, and not where one is known. */
+ * glance finds no point inside, and not where one is known. Many rows, by any number of threads,
+ * are what the oracle says. */
 #include <criterion/criterion.h>
+#include <string.h>
 
+#include "lp/exact/simplex.h"
 #include "lp/redundancy/implied.h"
+#include "lp/redundancy/irredundant.h"
+#include "support.h"
 
 enum { ROWS = 4 };
 
@@ -86,4 +91,101 @@ Test(sorting, columns_that_no_row_names_do_not_count)
     for (size_t i = 0; i < ROWS; i++)
         cr_expect(kept[i] && !gone[i], "row %zu", i);
     cr_expect_eq(mem.used, 0);
+}
+
+/* ---- many rows ------------------------------------------------------------------------------- */
+
+enum { WIDE = 8, MANY = 240 };
+
+typedef struct crowd {
+    int64_t words[MANY][WIDE + 1];
+    fmb_vec v[MANY];
+    fmb_lp_row row[MANY];
+} crowd;
+
+/* Rows around 0, some twice, some sums of others, some of them strict. flat: one of them backwards
+ * as well, and no point inside. */
+static void draw_crowd(crowd *c, support_rng *g, bool flat)
+{
+    memset(c, 0, sizeof *c);
+    for (int i = 0; i < MANY; i++) {
+        int64_t *w = c->words[i];
+        const int64_t *p = c->words[i / 2], *q = c->words[i / 3];
+        bool sum = i > 2 * WIDE && support_chance(g, 40);
+        for (int j = 0; j <= WIDE; j++)
+            w[j] = sum ? p[j] + (i % 5 > 0 ? q[j] : 0)
+                       : support_between(g, j < WIDE ? -9 : 40, j < WIDE ? 9 : 80);
+        if (i == 1 && flat)
+            for (int j = 0; j <= WIDE; j++)
+                w[j] = -c->words[0][j];
+        c->v[i].s = w;
+        fmb_vec_measure(&c->v[i], WIDE + 1);
+        c->row[i] = (fmb_lp_row){&c->v[i], support_chance(g, 10) && !flat ? FMB_LT : FMB_LE};
+    }
+}
+
+static void sort_crowd(const crowd *c, size_t threads, fmb_sorting *out)
+{
+    fmb_options o = fmb_options_default();
+    atomic_int cancel = 0;
+    fmb_mem mem;
+    fmb_run run;
+    o.threads = threads;
+    fmb_mem_init(&mem, NULL, 0);
+    fmb_run_begin(&run, &mem, &o, &cancel, (fmb_sink){0}, "test");
+    out->known = true;
+    cr_assert_eq(fmb_lp_sort_rows(&run, WIDE, MANY, c->row, out), FMB_OK);
+    cr_expect_eq(mem.used, 0);
+}
+
+/* Do the rows not gone imply those that are? And are those kept irredundant among them? */
+static void expect_truth(const crowd *c, const fmb_sorting *found)
+{
+    fmb_options o = fmb_options_default();
+    atomic_int cancel = 0;
+    fmb_mem mem;
+    fmb_run run;
+    fmb_lp lp;
+    fmb_lp_row row[MANY];
+    fmb_rel rel[MANY];
+    fmb_fate fate[MANY];
+    size_t m = 0, place[MANY];
+    bool feasible;
+    fmb_mem_init(&mem, NULL, 0);
+    fmb_run_begin(&run, &mem, &o, &cancel, (fmb_sink){0}, "test");
+    for (int gone = 0; gone <= 1; gone++) /* the oracle looks at the last first */
+        for (size_t i = 0; i < MANY; i++)
+            if (found->gone[i] == (gone == 1)) {
+                place[m] = i;
+                rel[m] = c->row[i].rel;
+                fate[m] = FMB_FATE_UNKNOWN;
+                row[m++] = c->row[i];
+            }
+    cr_assert_eq(fmb_lp_init(&lp, &run, WIDE, m, row, false), FMB_OK);
+    cr_assert(fmb_lp_feasible(&lp, &feasible) == FMB_OK && feasible);
+    cr_assert_eq(fmb_redundant(&lp, rel, fate), FMB_OK);
+    for (size_t k = 0; k < m; k++) {
+        cr_expect(!found->gone[place[k]] || fate[k] == FMB_FATE_REDUNDANT, "row %zu", place[k]);
+        cr_expect(!found->kept[place[k]] || fate[k] == FMB_FATE_KEPT, "row %zu", place[k]);
+    }
+    fmb_lp_clear(&lp);
+}
+
+Test(sorting, the_same_by_any_number_of_threads)
+{
+    static crowd c;
+    support_rng g = {5};
+    for (int i = 0; i < 3; i++) {
+        bool gone[4][MANY] = {{0}}, kept[4][MANY] = {{0}};
+        draw_crowd(&c, &g, i == 2);
+        for (int k = 0; k < 4; k++) {
+            fmb_sorting out = {.gone = gone[k], .kept = kept[k]};
+            sort_crowd(&c, (size_t[]){1, 2, 3, 7}[k], &out);
+            cr_expect_eq(out.inner, i < 2);
+            cr_expect_arr_eq(gone[0], gone[k], sizeof *gone);
+            cr_expect_arr_eq(kept[0], kept[k], sizeof *kept);
+        }
+        fmb_sorting found = {.gone = gone[0], .kept = kept[0]};
+        expect_truth(&c, &found);
+    }
 }

@@ -279,16 +279,60 @@ Test(threads, same_projection)
     }
 }
 
+/* [give] The distances between POINTS points: the metric cone, in a box. */
+static fmb_system *metric_cone(void)
+{
+    enum { POINTS = 6, PAIRS = POINTS * (POINTS - 1) / 2 };
+    int pair[POINTS][POINTS], pairs = 0;
+    for (int i = 0; i < POINTS; i++)
+        for (int j = i + 1; j < POINTS; j++)
+            pair[i][j] = pair[j][i] = pairs++;
+    fmb_system *s = rows_none(PAIRS);
+    for (int i = 0; i < POINTS; i++)
+        for (int j = i + 1; j < POINTS; j++) {
+            int64_t most[PAIRS] = {0};
+            for (int k = 0; k < POINTS; k++) {
+                int64_t a[PAIRS] = {0};
+                if (k == i || k == j)
+                    continue;
+                a[pair[i][j]] = 1;
+                a[pair[i][k]] = a[pair[j][k]] = -1;
+                must(fmb_system_add_int(s, a, FMB_LE, 0));
+            }
+            most[pair[i][j]] = 1;
+            must(fmb_system_add_int(s, most, FMB_LE, 10 + i));
+        }
+    return s;
+}
+
+/* Which rows an elimination drops does not depend on threads either. */
+Test(threads, same_elimination)
+{
+    fmb_system *s = metric_cone();
+    char *proof[4];
+    for (int k = 0; k < 4; k++) {
+        fmb_stop stop;
+        fmb_system *p =
+            project_by(s, FMB_METHOD_FM, (size_t[]){1, 2, 3, 7}[k], 0, &stop, &proof[k]);
+        cr_assert(p && stop == FMB_STOP_DONE && fmb_system_rows(p) > 4);
+        cr_expect_str_eq(proof[0], proof[k]);
+        fmb_system_free(p);
+    }
+    for (int k = 0; k < 4; k++)
+        free(proof[k]);
+    fmb_system_free(s);
+}
+
 /* What is known when time is up is proved. */
 Test(threads, projection_under_a_limit)
 {
     support_rng g = {82};
     fmb_system *s = around_origin(&g, 5);
-    for (int k = 1; k <= 4; k++) {
+    static const fmb_method method[] = {FMB_METHOD_HULL, FMB_METHOD_DD, FMB_METHOD_FM};
+    for (int k = 1; k <= 6; k++) {
         char *proof;
         fmb_stop stop;
-        fmb_system_free(project_by(s, k % 2 == 0 ? FMB_METHOD_DD : FMB_METHOD_HULL, 3, 0.004 * k,
-                                   &stop, &proof));
+        fmb_system_free(project_by(s, method[k % 3], 3, 0.004 * k, &stop, &proof));
         free(proof);
     }
     fmb_system_free(s);
