@@ -18,7 +18,8 @@ th { border-bottom: 2px solid #888 } .r { text-align: right } .wide { overflow-x
 figure { margin: 1em 0 2em } figure svg { width: 100%; height: auto } figcaption { font-size: 14px }
 .missing { background: #fee; padding: .5em } a { color: #058 }
 """
-PALETTE = "#0072b2 #d55e00 #009e73 #cc79a7 #e69f00 #56b4e9 #7f7f7f #000000".split()
+# Dark enough for thin lines on white, and different to the colour-blind.
+PALETTE = "#0072b2 #d55e00 #009e73 #aa3377 #997700 #332288 #666666 #000000".split()
 
 # ---- tables ---------------------------------------------------------------------------------------
 
@@ -50,6 +51,14 @@ def table_html(study, part):
 # ---- figures --------------------------------------------------------------------------------------
 # A figure: name, caption, settings of gnuplot, and curves (title, [(x, y), ...], style, colour). Bars
 # have no style.
+
+
+def range_of_curves(curves):
+    """A logarithmic axis that ends where the curves end, not at powers of ten."""
+    values = [y for _, points, _, _ in curves for _, y in points if y > 0]
+    low, high = min(values, default=1), max(values, default=1)
+    ticks = ", ".join(f"{digit}e{power}" for power in range(-4, 7) for digit in (1, 2, 5))
+    return f"set yrange [{0.8 * low}:{1.25 * high}]" + (f"\nset ytics ({ticks})" if high < 1e4 * low else "")
 
 
 def curve(rows, x, y, title, colour, style="linespoints linewidth 2"):
@@ -102,14 +111,15 @@ def article_figures(study):
 
 
 def box_figures(study):
-    # Some curves nearly coincide: the wider ones are drawn first.
-    wide = {"both AABBs": 9, "article, clipped to both AABBs": 6, "ours": 3}
+    # Some curves nearly coincide: the wider ones are drawn first. The last percent, which goes on to the largest of
+    # all, would stretch the axis; the table has it.
+    wide, shown = {"both AABBs": 9, "article, clipped to both AABBs": 6, "ours": 3}, 99
     for case in study["quantiles"]:
-        curves = [(box, list(zip(case["percent"], ratios)), f"lines linewidth {wide.get(box, 2)}", i)
-                  for i, (box, ratios) in enumerate(case["ratio"].items())]
+        curves = [(box, [point for point in zip(case["percent"], ratios) if point[0] <= shown],
+                   f"lines linewidth {wide.get(box, 2)}", i) for i, (box, ratios) in enumerate(case["ratio"].items())]
         yield (case["case"],
-               f'Volumes of boxes over the tight one, {case["case"]}: quantiles over the pairs.',
-               'set logscale y\nset yrange [0.5:*]\nset xlabel "pairs with at most that ratio [%]"\n'
+               f'Volumes of boxes over the tight one, {case["case"]}: quantiles over the pairs, up to {shown} %.',
+               f'set logscale y\nset xrange [0:100]\n{range_of_curves(curves)}\nset xlabel "pairs with at most that ratio [%]"\n'
                'set ylabel "volume of the box over the tight one"',
                sorted(curves, key=lambda c: -wide.get(c[0], 2)))
 
@@ -142,10 +152,12 @@ def rule_figures(study):
             sets = list(dict.fromkeys(row["rules"] for row in rows))
             if rows:
                 low, high = min(row["dim"] for row in rows) - 0.2, max(row["dim"] for row in rows) + 0.2
+                # Many sets do the same: the first ones are wider, and seen behind the others.
+                curves = [curve([row for row in rows if row["rules"] == s], "dim", key, s, i,
+                                f"linespoints linewidth {max(2, 8 - 2 * i)}") for i, s in enumerate(sets)]
                 yield (f"{name}-{motion}", f'{title}; {motion} frames, order {study["orders"][0]}.',
-                       f'set logscale y\nset xlabel "D"\nset xtics 1\nset xrange [{low}:{high}]\nset ylabel "{label}"',
-                       [curve([row for row in rows if row["rules"] == s], "dim", key, s, i)
-                        for i, s in enumerate(sets)])
+                       f'set logscale y\nset xlabel "D"\nset xtics 1\nset xrange [{low}:{high}]\n'
+                       f'{range_of_curves(curves)}\nset ylabel "{label}"', curves)
 
 
 def peer_figures(study):
@@ -160,10 +172,11 @@ def peer_figures(study):
 
 def bunny_figures(study):
     dots = "points pointtype 7 pointsize "
+    sets = (("the mesh", "dots_a", 0.15, 0), ("its mirror image", "dots_b", 0.15, 2), ("faces that meet", "dots_meeting", 0.45, 1))
     yield ("faces", f'Faces that meet the mirror image, seen along z: {len(study["faces_of_A_that_meet"])} of {study["faces"]}.',
            'set size ratio -1\nset xlabel "x"\nset ylabel "y"',
-           [("the mesh", study["dots_a"], dots + "0.15", 0), ("its mirror image", study["dots_b"], dots + "0.15", 2),
-            ("faces that meet", study["dots_meeting"], dots + "0.45", 1)])
+           [("", study[key], dots + str(size), colour) for _, key, size, colour in sets] +
+           [(title, [("NaN", "NaN")], dots + "1", colour) for title, _, _, colour in sets]) # as the key shows them
 
 
 FIGURES = {"table1": verdict_figures, "article": article_figures, "near": verdict_figures, "touching": verdict_figures,
