@@ -54,7 +54,7 @@ complete -F _fmb_validate fmb-validate
 _fmb_qualify()
 {
     local cur prev study=all
-    local studies="all table1 article near touching slender faces boxes scaling rules peers bunny"
+    local studies="all table1 article near touching slender mesh faces boxes scaling rules peers bunny"
     local general="--help --usage --version --pairs --passes --seed --out --json --quiet"
     _fmb_study_words
     COMPREPLY=()

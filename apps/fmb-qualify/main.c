@@ -27,6 +27,11 @@ static int run_slender(int argc, char **argv)
     return qualify_study_main(&qualify_study_slender, argc, argv);
 }
 
+static int run_mesh(int argc, char **argv)
+{
+    return qualify_study_main(&qualify_study_mesh, argc, argv);
+}
+
 static int run_faces(int argc, char **argv)
 {
     return qualify_study_main(&qualify_study_faces, argc, argv);
@@ -62,6 +67,7 @@ static const app_command commands[] = {
     {"near", "fmb-qualify near", "table1 on pairs whose axis-aligned boxes meet", run_near},
     {"touching", "fmb-qualify touching", "table1 on pairs that touch, or nearly do", run_touching},
     {"slender", "fmb-qualify slender", "table1 on rods and blades", run_slender},
+    {"mesh", "fmb-qualify mesh", "table1 on neighbouring and near cells of a mesh", run_mesh},
     {"faces", "fmb-qualify faces", "table1 on faces with their unit normals", run_faces},
     {"boxes", "fmb-qualify boxes", "how large boxes of the common points are, over the tight one",
      run_boxes},

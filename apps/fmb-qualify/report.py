@@ -180,7 +180,7 @@ def bunny_figures(study):
 
 
 FIGURES = {"table1": verdict_figures, "article": article_figures, "near": verdict_figures, "touching": verdict_figures,
-           "slender": verdict_figures, "faces": verdict_figures,
+           "slender": verdict_figures, "mesh": verdict_figures, "faces": verdict_figures,
            "boxes": box_figures, "scaling": scaling_figures, "rules": rule_figures, "peers": peer_figures,
            "bunny": bunny_figures}
 

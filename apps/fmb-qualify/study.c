@@ -170,8 +170,8 @@ static const char *const FOLDER = "fmb-report";
 
 static const qualify_study *const STUDY[] = {
     &qualify_study_table1,  &qualify_study_article, &qualify_study_near,  &qualify_study_touching,
-    &qualify_study_slender, &qualify_study_faces,   &qualify_study_boxes, &qualify_study_scaling,
-    &qualify_study_rules,   &qualify_study_peers,   &qualify_study_bunny};
+    &qualify_study_slender, &qualify_study_mesh,    &qualify_study_faces, &qualify_study_boxes,
+    &qualify_study_scaling, &qualify_study_rules,   &qualify_study_peers, &qualify_study_bunny};
 enum { STUDIES = sizeof STUDY / sizeof *STUDY };
 
 static const char all_doc[] =

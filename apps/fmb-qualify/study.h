@@ -39,8 +39,9 @@ typedef struct qualify_study {
 
 /* The studies in the order of the report. */
 extern const qualify_study qualify_study_table1, qualify_study_article, qualify_study_near,
-    qualify_study_touching, qualify_study_slender, qualify_study_faces, qualify_study_boxes,
-    qualify_study_scaling, qualify_study_rules, qualify_study_peers, qualify_study_bunny;
+    qualify_study_touching, qualify_study_slender, qualify_study_mesh, qualify_study_faces,
+    qualify_study_boxes, qualify_study_scaling, qualify_study_rules, qualify_study_peers,
+    qualify_study_bunny;
 
 /* One study; argv[0] is "fmb-qualify NAME". An exit code. */
 int qualify_study_main(const qualify_study *s, int argc, char **argv);

@@ -41,9 +41,8 @@ static fmb_status ask_exactly(fmb_pair *k, const fmb_frame *p, const fmb_frame *
 /* ---- times ----------------------------------------------------------------------------------- */
 
 /* Gram and Schmidt: right angles, but for rounding; the first axis stays. */
-static void make_right_angles(int dim, double *origin, double *axes)
+static void make_right_angles(int dim, double *axes)
 {
-    (void)origin;
     for (int k = 1; k < dim; k++)
         for (int i = 0; i < k; i++) {
             const double *a = axes + i * dim;
@@ -57,11 +56,18 @@ static void make_right_angles(int dim, double *origin, double *axes)
         }
 }
 
+static void make_boxes(const void *self, int dim, const verdict_draft f[2])
+{
+    (void)self;
+    make_right_angles(dim, f[0].axes);
+    make_right_angles(dim, f[1].axes);
+}
+
 static fmb_status draw_class(int kind, bool meets, uint64_t seed, size_t n, verdict_pool *out)
 {
     static const verdict_kind KIND[PEERS_KINDS] = {VERDICT_CC, VERDICT_CT, VERDICT_TT, VERDICT_CC};
     const verdict_class c = {3, false, meets, KIND[kind]};
-    const verdict_source from = {.reshape = kind == PEERS_BOXES ? make_right_angles : NULL};
+    const verdict_source from = {.reshape = kind == PEERS_BOXES ? make_boxes : NULL};
     fmb_pair *judge = NULL;
     fmb_status st = fmb_pair_new(3, NULL, NULL, &judge);
     if (st == FMB_OK)

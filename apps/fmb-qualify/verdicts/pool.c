@@ -39,47 +39,52 @@ static bool boxes_meet(const fmb_frame *p, const fmb_frame *q)
     return meet;
 }
 
-/* A copy of the frame that the study is about; its numbers. */
-static fmb_frame reshaped(const verdict_source *from, const fmb_frame *f, double *number)
+/* A copy of a frame, in number. */
+static fmb_frame copy_frame(const fmb_frame *f, double *number)
 {
     fmb_frame out = *f;
     size_t dim = (size_t)f->dim;
-    if (!from->reshape)
-        return out;
-    memcpy(number, f->origin, dim * sizeof *number);
-    memcpy(number + dim, f->axes, dim * dim * sizeof *number);
-    from->reshape(f->dim, number, number + dim);
-    out.origin = number;
-    out.axes = number + dim;
+    out.origin = memcpy(number, f->origin, dim * sizeof *number);
+    out.axes = memcpy(number + dim, f->axes, dim * dim * sizeof *number);
+    if (f->speed)
+        out.speed = memcpy(number + dim + dim * dim, f->speed, dim * sizeof *number);
     return out;
+}
+
+/* The frame's numbers, which lie in memory of the caller's own. */
+static verdict_draft numbers_of(const fmb_frame *f, double *memory)
+{
+    return (verdict_draft){memory + (f->origin - memory), memory + (f->axes - memory),
+                           f->speed ? memory + (f->speed - memory) : NULL};
+}
+
+static void reshape_pair(const verdict_source *from, const fmb_frame *p, double *of_p,
+                         const fmb_frame *q, double *of_q)
+{
+    const verdict_draft f[2] = {numbers_of(p, of_p), numbers_of(q, of_q)};
+    if (from->reshape)
+        from->reshape(from->self, p->dim, f);
 }
 
 static bool choose(void *self, const fmb_frame *p, const fmb_frame *q)
 {
     chooser *c = self;
-    double number[2][STUDY_PAIR_MOST_DIM * (STUDY_PAIR_MOST_DIM + 1)];
-    fmb_frame a = reshaped(c->from, p, number[0]), b = reshaped(c->from, q, number[1]);
+    double number[2][STUDY_PAIR_MOST_DIM * (STUDY_PAIR_MOST_DIM + 2)];
+    fmb_frame a = copy_frame(p, number[0]), b = copy_frame(q, number[1]);
     fmb_verdict verdict = FMB_UNKNOWN;
     if (c->st != FMB_OK || qualify_watch_interrupted())
         return true; /* to come to an end */
+    reshape_pair(c->from, &a, number[0], &b, number[1]);
     if (c->from->near && !boxes_meet(&a, &b))
         return false;
     c->st = fmb_pair_test(c->judge, 1, &a, &b, &(fmb_pair_answers){.verdict = &verdict});
     return verdict == c->wanted;
 }
 
-/* The numbers of a frame that was packed lie in the pool's own memory. */
-static void reshape_packed(const verdict_source *from, study_pairs *s, const fmb_frame *f)
-{
-    from->reshape(f->dim, s->number + (f->origin - s->number), s->number + (f->axes - s->number));
-}
-
 static void reshape_all(const verdict_source *from, study_pairs *s)
 {
-    for (size_t i = 0; i < s->n; i++) {
-        reshape_packed(from, s, &s->p[i]);
-        reshape_packed(from, s, &s->q[i]);
-    }
+    for (size_t i = 0; i < s->n; i++)
+        reshape_pair(from, &s->p[i], s->number, &s->q[i], s->number);
 }
 
 static const int SHAPE[][2][2] = {
@@ -96,7 +101,7 @@ static fmb_status make_part(const verdict_class *c, int part, uint64_t seed, siz
     study_pair_plan plan = {.family = by->from->family[c->meets], .dim = c->dim, .moves = c->moves};
     memcpy(plan.shape, SHAPE[c->kind][part], sizeof plan.shape);
     fmb_status st = study_pairs_make(&plan, seed, n, choose, by, out);
-    if (st == FMB_OK && by->from->reshape)
+    if (st == FMB_OK)
         reshape_all(by->from, out);
     return st != FMB_OK ? st : by->st;
 }

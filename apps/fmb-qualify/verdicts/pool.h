@@ -17,12 +17,18 @@ typedef struct verdict_class {
 const char *verdict_case_text(int dim, bool moves);
 const char *verdict_kind_text(verdict_kind kind);
 
+/* The numbers of a frame that is still being made. */
+typedef struct verdict_draft {
+    double *origin, *axes, *speed; /* [dim], [dim][dim], [dim] or NULL */
+} verdict_draft;
+
 /* Where pairs come from, and what is done to them. */
 typedef struct verdict_source {
     study_pair_family family[2]; /* of pairs that are to be apart, of those that are to meet */
     bool near;                   /* only pairs whose axis-aligned boxes meet */
-    /* Of each frame, in place; or NULL. */
-    void (*reshape)(int dim, double *origin, double *axes);
+    /* Both frames, in place, as the numbers that were drawn tell; or NULL. */
+    void (*reshape)(const void *self, int dim, const verdict_draft f[2]);
+    const void *self;
 } verdict_source;
 
 typedef struct verdict_pool {

@@ -1,11 +1,13 @@
-/* verdicts.c: see verdicts.h; and the three studies made of it. */
+/* verdicts.c: see verdicts.h; and the studies made of it. */
 #include "fmb-qualify/verdicts/verdicts.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 #include "common/message.h"
+#include "fmb-qualify/bunny/bunny.h"
 #include "fmb-qualify/share.h"
+#include "fmb-qualify/verdicts/cells.h"
 
 static const struct {
     int dim;
@@ -90,6 +92,7 @@ int verdict_study_run(const verdict_source *from, const bool is_case[VERDICT_CAS
 
 static const bool ALL_CASES[VERDICT_CASES] = {true, true, true, true};
 static const bool STATIC_3D[VERDICT_CASES] = {[1] = true};
+static const bool ALL_3D[VERDICT_CASES] = {[1] = true, [3] = true};
 
 static int run_table1(const qualify_setup *o, qualify_page *page)
 {
@@ -118,12 +121,15 @@ static int run_touching(const qualify_setup *o, qualify_page *page)
 }
 
 /* One axis in its length, the others a fiftieth of it; origins near one another. */
-static void make_slender(int dim, double *origin, double *axes)
+static void make_slender(const void *self, int dim, const verdict_draft f[2])
 {
-    for (int k = dim; k < dim * dim; k++)
-        axes[k] *= 0.02;
-    for (int j = 0; j < dim; j++)
-        origin[j] *= 0.05;
+    (void)self;
+    for (int i = 0; i < 2; i++) {
+        for (int k = dim; k < dim * dim; k++)
+            f[i].axes[k] *= 0.02;
+        for (int j = 0; j < dim; j++)
+            f[i].origin[j] *= 0.05;
+    }
 }
 
 static int run_slender(const qualify_setup *o, qualify_page *page)
@@ -133,19 +139,12 @@ static int run_slender(const qualify_setup *o, qualify_page *page)
     return verdict_study_run(&(verdict_source){.reshape = make_slender}, ALL_CASES, o, page);
 }
 
-/* The third axis becomes the unit normal of the other two. */
-static void make_face(int dim, double *origin, double *axes)
+static void make_faces(const void *self, int dim, const verdict_draft f[2])
 {
+    (void)self;
     (void)dim;
-    (void)origin;
-    double *a = axes, *b = axes + 3, *normal = axes + 6, length = 0;
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        normal[i] = a[j] * b[k] - a[k] * b[j];
-    }
-    length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
-    for (int i = 0; i < 3; i++)
-        normal[i] /= length;
+    for (int i = 0; i < 2; i++)
+        verdict_make_thick(f[i].axes, 1);
 }
 
 static int run_faces(const qualify_setup *o, qualify_page *page)
@@ -153,7 +152,37 @@ static int run_faces(const qualify_setup *o, qualify_page *page)
     qualify_page_text(page, "The article's faces in 3D: parallelograms and triangles of the "
                             "generator's first two axes, one unit thick: their third axis is the "
                             "unit normal.");
-    return verdict_study_run(&(verdict_source){.reshape = make_face}, STATIC_3D, o, page);
+    return verdict_study_run(&(verdict_source){.reshape = make_faces}, STATIC_3D, o, page);
+}
+
+static int time_cells(const verdict_cells *cells, const qualify_setup *o, qualify_page *page)
+{
+    qualify_page_text(page,
+                      "Neighbouring and near cells of a mesh of %zu triangles with an area: C is "
+                      "the parallelogram of two edges, T the triangle, each as thick as edges are "
+                      "long on average, %.3g; those that move go up to four times as far.",
+                      cells->n, cells->edge);
+    return verdict_study_run(&(verdict_source){.reshape = verdict_cells_put, .self = cells}, ALL_3D,
+                             o, page);
+}
+
+static int run_mesh(const qualify_setup *o, qualify_page *page)
+{
+    fmb_mesh *m = NULL;
+    verdict_cells cells = {0};
+    int code = bunny_read(o->file, &m);
+    if (code != APP_YES)
+        return code;
+    fmb_status st = verdict_cells_open(m, &cells);
+    fmb_mesh_free(m);
+    if (st != FMB_OK)
+        code = app_status_error(st);
+    else if (cells.n < 2)
+        code = app_error(APP_BAD_INPUT, "expected at least two triangles with an area");
+    else
+        code = time_cells(&cells, o, page);
+    verdict_cells_close(&cells);
+    return code;
 }
 
 static const char doc[] =
@@ -198,6 +227,19 @@ const qualify_study qualify_study_slender = {
     .alone = {65536, 9},
     .brief = {16384, 3},
     .run = run_slender,
+};
+
+const qualify_study qualify_study_mesh = {
+    .name = "mesh",
+    .title = "verdicts on neighbouring and near cells of a mesh",
+    .doc = "Time verdicts by FMB, by SAT, and by SAT as the article has it, on neighbouring and "
+           "near triangles of a mesh, as thick as their edges are long. FILE is the mesh; without "
+           "it, it is a bumpy ball.",
+    .takes_file = true,
+    .shared = true,
+    .alone = {16384, 5},
+    .brief = {4096, 3},
+    .run = run_mesh,
 };
 
 const qualify_study qualify_study_faces = {

@@ -17,7 +17,7 @@ import xml.etree.ElementTree
 
 program, man_page = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2])
 faults = []
-STUDIES = ["table1", "article", "near", "touching", "slender", "faces", "boxes", "scaling", "rules", "peers", "bunny"]
+STUDIES = ["table1", "article", "near", "touching", "slender", "mesh", "faces", "boxes", "scaling", "rules", "peers", "bunny"]
 SMALL = ["--dim", "2", "--pairs", "2", "--rules", "kohler", "--rules", "kohler,box", "--passes", "1"]
 
 
@@ -45,7 +45,7 @@ def exit_codes(folder):
                        (["rules", "--family", "huge"], 64), (["rules", "--kinds", "CX"], 64),
                        (["rules", "--motion", "slow"], 64), (["rules", "--meeting", "maybe"], 64),
                        (["rules", str(folder / "none.fmb")], 66), (["bunny", str(folder / "none.ply")], 66),
-                       (["bunny", str(bad)], 65), (["bunny", "a", "b"], 64), (["rules", str(bad)], 65),
+                       (["bunny", str(bad)], 65), (["mesh", str(bad)], 65), (["bunny", "a", "b"], 64), (["rules", str(bad)], 65),
                        (["rules", *SMALL, "--out", str(bad / "x")], 74),
                        (["all", "--out", str(bad / "x")], 74), (["all", "--out", str(bad)], 74),
                        (["--version"], 0), (["--help"], 0), (["rules", "--help"], 0)):
@@ -234,11 +234,13 @@ def verdicts():
                                        for m in ("static", "dynamic") for p in ("CC", "CT", "TT")
                                        for meets in (True, False)}, "cells")
     expect(set(faces) == {key for key in table if key[0] == "3d-static"}, "cells of faces")
-    touching, slender = cells("touching"), cells("slender")
+    touching, slender, mesh = cells("touching"), cells("slender"), cells("mesh")
+    expect(set(mesh) == {key for key in table if key[0].startswith("3d")}, "cells of mesh")
+    expect(all((cell["exact_share"] > 0) >= key[2] for key, cell in mesh.items() if key[1] == "TT"), "no neighbours touch")
     expect(set(touching) == set(slender) == set(table), "cells of touching, of slender")
     expect(max(cell["exact_share"] for cell in touching.values()) > 0, "no pair touches")
     expect(sum(cell["exact_share"] for cell in slender.values()) < 0.05 * len(slender), "slender frames are left open")
-    for cell in [*table.values(), *near.values(), *touching.values(), *slender.values(), *faces.values()]:
+    for cell in [*table.values(), *near.values(), *touching.values(), *slender.values(), *mesh.values(), *faces.values()]:
         expect(cell["queries"] == 8 and cell["different"] == 0 <= cell["exact_share"] <= 1 and
                min(cell["fmb_ns"], cell["sat_ns"], cell["sat_plain_ns"]) > 0, str(cell))
         no_contradictions(cell)
