@@ -40,8 +40,13 @@ Test(mesh, off)
     static const char *const text[] = {
         "OFF\n4 2 0\n0 0 0\n1 0 0 0.5 colour\n1 1 0\n0 1 1 # last\n4 0 1 2 3 255 0 0\n3 1 2 3\n",
         "# free\nCOFF 4 2 9 0 0 0\n1 0 0\n1. +1 0\n.0 1e0 10e-1\n\n4 0 1 2 3\n3 1 2 3",
-        "4 2 0\r\n0 0 0\r\n1 0 0\r\n1 1 0\r\n0 1 1\r\n4 0 1 2 3\r\n3 1 2 3\r\n"};
-    for (int i = 0; i < 3; i++) {
+        "4 2 0\r\n0 0 0\r\n1 0 0\r\n1 1 0\r\n0 1 1\r\n4 0 1 2 3\r\n3 1 2 3\r\n",
+        "OFF 4 2 0 0 0 0 1 0 0 1 1 0 0\n1\n1 4 0 1 2 3\n3 1 2 3\n", /* points are words */
+        "NOFF\n4 2 0\n0 0 0 9 9 9 1 0 0\n9 9 9 # and\n1 1 0 9 9 9\n0 1 1 9 9 9 4 0 1 2 3 1\n3 1 2 "
+        "3\n",
+        "COFF\n4 2 0\n0 0 0 .5 .5 .5 1 1 0 0 9 9 9 9\n1 1 0 9 9 9 9\n0 1 1 9 9 9 9\n4\n0 1 2 3 "
+        "1\n3 1 2 3\n"};
+    for (size_t i = 0; i < sizeof text / sizeof *text; i++) {
         fmb_mesh *m = read_text(text[i], i == 2 ? FMB_MESH_OFF : FMB_MESH_AUTO);
         cr_expect(fmb_mesh_points(m)[11] == 1 && fmb_mesh_points(m)[3] == 1);
         expect_mesh(m, 3, 4, 3, FAN, FACE);
