@@ -83,6 +83,11 @@ static bool are_nearly_all_coefficients_there(const fmb_lift *lift)
     return 4 * named_by_row(lift) >= 3 * (double)fmb_lift_columns(lift);
 }
 
+bool fmb_judge_escapes(const fmb_lift *lift)
+{
+    return are_nearly_all_coefficients_there(lift) && fmb_lift_bounds(lift) == 0;
+}
+
 /* Where rows name most variables, and these are not very few, queries are quicker. */
 static bool is_dictionary_quick(const fmb_lift *lift)
 {

@@ -17,6 +17,8 @@
 int fmb_judge_kept(const fmb_part *p, const int *place);
 /* Is it gone around, in the plane? */
 bool fmb_judge_walks(const fmb_lift *lift, const fmb_part *p, int kept);
+/* May a direction among the variables that go leave all rows behind? */
+bool fmb_judge_escapes(const fmb_lift *lift);
 /* Two questions to the oracle are all there is to do. */
 bool fmb_judge_asks_ends(const fmb_lift *lift, const fmb_part *p, int kept);
 /* Is it asked first whether there is a solution? */

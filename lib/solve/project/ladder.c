@@ -3,6 +3,7 @@
 
 #include "elim/round/mark.h"
 #include "solve/limit/outer.h"
+#include "solve/project/escape.h"
 #include "solve/project/judge.h"
 #include "solve/project/polygon.h"
 #include "solve/project/rays.h"
@@ -183,6 +184,19 @@ static fmb_status try_elimination(rungs *r, bool known, size_t budget)
     return project_by_elimination(&h, known, budget, r->feasible, &r->done);
 }
 
+/* Nothing that names variables that go may be left of the projection. */
+static fmb_status try_escape(rungs *r)
+{
+    shadow h = shadow_of_rungs(r);
+    const bool *drop;
+    bool escapes;
+    fmb_elim *e = fmb_lift_elimination(r->lift, &drop);
+    fmb_status st = fmb_escape(e, drop, &r->q->v->arena, &escapes);
+    return st == FMB_OK && escapes
+               ? put_rows_of_elimination(&h, e, FMB_OK, false, r->feasible, &r->done)
+               : st;
+}
+
 static fmb_status try_gentle_elimination(rungs *r, int kept)
 {
     shadow h = shadow_of_rungs(r);
@@ -282,8 +296,8 @@ static fmb_status try_each_shortly(rungs *r)
 {
     const fmb_part *p = &r->q->parts.part[r->part];
     int kept = fmb_judge_kept(p, r->place);
-    fmb_status st = FMB_OK;
-    if (!fmb_judge_asks_ends(r->lift, p, kept)) {
+    fmb_status st = fmb_judge_escapes(r->lift) ? try_escape(r) : FMB_OK;
+    if (is_open(st, r) && !fmb_judge_asks_ends(r->lift, p, kept)) {
         st = try_gentle_elimination(r, kept);
         bool sparse = is_open(st, r) && fmb_judge_prunes(r->lift, kept);
         if (sparse)

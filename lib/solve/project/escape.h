@@ -1,0 +1,12 @@
+/* escape.h: whether variables that go can go on for ever, away from all rows that name them. */
+#ifndef FMB_SOLVE_ESCAPE_H
+#define FMB_SOLVE_ESCAPE_H
+
+#include "elim/round/elim.h"
+
+/* drop[e->n]: variables that go; workspace comes from the arena. *escapes: all live rows that named
+ * one of those have left e, and the others are the projection; else nothing has changed.
+ * Errors: MEMORY, LIMIT. */
+fmb_status fmb_escape(fmb_elim *e, const bool *drop, fmb_arena *arena, bool *escapes);
+
+#endif
