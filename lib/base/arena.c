@@ -84,12 +84,19 @@ void fmb_arena_rewind(fmb_arena *a, fmb_arena_place to)
     a->at = to.at;
 }
 
-void fmb_arena_clear(fmb_arena *a)
+void fmb_arena_trim(fmb_arena *a)
 {
-    for (fmb_chunk *c = a->first; c;) {
+    fmb_chunk **rest = a->current ? &a->current->next : &a->first;
+    for (fmb_chunk *c = *rest; c;) {
         fmb_chunk *next = c->next;
         fmb_mem_put(a->mem, c, sizeof *c + c->size, 1);
         c = next;
     }
-    fmb_arena_init(a, a->mem);
+    *rest = NULL;
+}
+
+void fmb_arena_clear(fmb_arena *a)
+{
+    fmb_arena_reset(a);
+    fmb_arena_trim(a);
 }

@@ -31,6 +31,8 @@ typedef struct fmb_arena_place {
 
 fmb_arena_place fmb_arena_tell(const fmb_arena *a);
 void fmb_arena_rewind(fmb_arena *a, fmb_arena_place to);
+/* Give back the chunks beyond what is handed out. */
+void fmb_arena_trim(fmb_arena *a);
 void fmb_arena_clear(fmb_arena *a);
 
 #endif

@@ -59,6 +59,26 @@ fmb_status fmb_run_poll(fmb_run *run)
     return fmb_run_poll_now(run);
 }
 
+/* Of the time that is left, one in so many seconds. */
+#define RESERVED 16
+
+void fmb_run_reserve(fmb_run *run)
+{
+    double left = run->deadline > 0 ? run->deadline - monotonic_seconds() : 0;
+    run->reserve = left > 0 ? left / RESERVED : 0;
+    run->deadline -= run->reserve;
+}
+
+bool fmb_run_go_on(fmb_run *run)
+{
+    if (run->stop == FMB_STOP_CANCELLED)
+        return false;
+    run->deadline += run->reserve;
+    run->reserve = 0;
+    run->stop = FMB_STOP_DONE;
+    return true;
+}
+
 fmb_status fmb_run_rows(fmb_run *run, size_t rows)
 {
     if (rows > run->stats.rows_peak)

@@ -22,6 +22,7 @@ typedef struct fmb_run {
     const atomic_int *cancel; /* not 0: stop */
     fmb_stop stop;            /* the first limit reached */
     double started, deadline; /* monotonic clock [s]; deadline 0 = none */
+    double reserve;           /* kept for what follows a limit [s] */
     size_t max_rows;          /* live rows; 0 = none */
     size_t threads;           /* that may work on it, at least 1 */
     unsigned tick;            /* polls so far: the clock is read at every 16th */
@@ -58,6 +59,11 @@ static inline fmb_status fmb_poll_if_limited(fmb_run *run)
 {
     return run ? fmb_run_poll_now(run) : FMB_OK;
 }
+/* Keep a share of the time that is left for what follows a limit: fmb_run_go_on. */
+void fmb_run_reserve(fmb_run *run);
+/* After a limit: go on, with the time that was kept; false after a cancel, as then nothing goes on.
+ */
+bool fmb_run_go_on(fmb_run *run);
 /* Note that `rows` rows are alive: keeps the peak, checks the limit. */
 fmb_status fmb_run_rows(fmb_run *run, size_t rows);
 

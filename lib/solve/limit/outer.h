@@ -34,8 +34,8 @@ fmb_status fmb_outer_box(fmb_query *q, fmb_box *box, fmb_verdict *verdict);
 fmb_status fmb_outer_rows(fmb_query *q, const fmb_part *p, fmb_elim *e, const int *place,
                           fmb_system *out);
 
-/* The same for parts from..count, from the rows of the system; *verdict as above. */
-fmb_status fmb_outer_projection(fmb_query *q, int from, const int *place, fmb_system *out,
+/* The same for a part, from the rows of the system; *verdict as above. */
+fmb_status fmb_outer_projection(fmb_query *q, int part, const int *place, fmb_system *out,
                                 fmb_verdict *verdict);
 
 /* Give back the memory of oracles, and of the arena since it was filled as far as that: before the

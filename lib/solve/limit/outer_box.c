@@ -138,4 +138,5 @@ void fmb_outer_release(fmb_query *q, fmb_arena_place place)
 {
     fmb_query_close_oracles(q);
     fmb_arena_rewind(&q->v->arena, place);
+    fmb_arena_trim(&q->v->arena);
 }

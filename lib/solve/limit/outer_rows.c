@@ -116,13 +116,12 @@ static fmb_status put_part_at_limit(fmb_query *q, const fmb_part *p, const int *
     return st == FMB_LIMIT ? FMB_OK : st;
 }
 
-fmb_status fmb_outer_projection(fmb_query *q, int from, const int *place, fmb_system *out,
+fmb_status fmb_outer_projection(fmb_query *q, int part, const int *place, fmb_system *out,
                                 fmb_verdict *verdict)
 {
     fmb_status st = FMB_OK;
-    for (int c = from; st == FMB_OK && *verdict != FMB_INFEASIBLE && c < q->parts.count; c++)
-        if (fmb_outer_is_cheap(&q->parts.part[c]))
-            st = put_part_at_limit(q, &q->parts.part[c], place, out, verdict);
+    if (fmb_outer_is_cheap(&q->parts.part[part]))
+        st = put_part_at_limit(q, &q->parts.part[part], place, out, verdict);
     if (*verdict == FMB_INFEASIBLE)
         q->run.stop = FMB_STOP_DONE;
     return st;

@@ -1,6 +1,7 @@
 /* project.c: the projection, part by part (ladder.h). */
 #include "solve/limit/outer.h"
 #include "solve/project/ladder.h"
+#include "solve/project/support.h"
 #include "solve/project/symmetries.h"
 #include "solve/project/whole.h"
 #include "system/system.h"
@@ -44,10 +45,16 @@ fmb_status fmb_empty_set(const fmb_system *like, const int *keep, int n, fmb_sys
     return st;
 }
 
-/* Where proofs are wanted, whether there is a solution is decided first. *part is the one that a
- * limit has cut short. */
+/* What is known of the parts when a limit has cut a projection short. */
+typedef struct progress {
+    int part;    /* the one at hand, or the first */
+    bool begun;  /* rows of it were put out */
+    bool points; /* those of it can be told: of all parts a solution is known, or none is wanted */
+} progress;
+
+/* Where proofs are wanted, whether there is a solution is decided first. */
 static fmb_status project_all_parts(fmb_query *q, const int *place, fmb_system *out,
-                                    fmb_verdict *verdict, int *part)
+                                    fmb_verdict *verdict, progress *at)
 {
     bool feasible = true;
     fmb_status st = FMB_OK;
@@ -56,11 +63,13 @@ static fmb_status project_all_parts(fmb_query *q, const int *place, fmb_system *
         st = fmb_query_decide(q, true, verdict);
     if (st != FMB_OK || *verdict == FMB_INFEASIBLE)
         return st;
+    at->points = true;
     for (int c = 0; feasible && c < q->parts.count; c++) {
         size_t rows = fmb_system_rows(out);
+        at->part = c;
+        q->inner = false;
         st = fmb_query_project_part(q, c, place, out, &feasible);
-        *part =
-            fmb_system_rows(out) == rows ? c : c + 1; /* what there is need not be found again */
+        at->begun = fmb_system_rows(out) > rows; /* those need not be found again */
         if (st != FMB_OK)
             return st;
     }
@@ -68,16 +77,46 @@ static fmb_status project_all_parts(fmb_query *q, const int *place, fmb_system *
     return FMB_OK;
 }
 
+/* Rows and points, by support queries. */
+static fmb_status glance_at_part(fmb_query *q, int part, const int *place, fmb_system *out)
+{
+    fmb_stop why = q->run.stop;
+    if (!fmb_run_go_on(&q->run))
+        return FMB_OK;
+    fmb_status st = fmb_queries_glance(q, part, place, out);
+    fmb_query_close_oracle(q, part);
+    q->run.stop = q->run.stop == FMB_STOP_CANCELLED ? FMB_STOP_CANCELLED : why;
+    return st;
+}
+
+/* So much of the projection is known from outside and, after queries, from within. */
+static fmb_status put_parts_at_limit(fmb_query *q, const progress *at, const int *place,
+                                     fmb_system *out, fmb_verdict *verdict)
+{
+    fmb_status st = FMB_OK;
+    for (int c = at->part; st == FMB_OK && *verdict != FMB_INFEASIBLE && c < q->parts.count; c++) {
+        size_t rows = fmb_system_rows(out);
+        bool begun = c == at->part && at->begun;
+        if (at->points && !(begun && q->inner))
+            st = glance_at_part(q, c, place, out);
+        if (st == FMB_OK && !begun && fmb_system_rows(out) == rows)
+            st = fmb_outer_projection(q, c, place, out, verdict);
+    }
+    return st;
+}
+
 static fmb_status project_or_outer_rows(fmb_query *q, const int *place, fmb_system *out,
                                         fmb_verdict *verdict)
 {
-    int part = 0;
+    progress at = {0};
     fmb_arena_place start = fmb_arena_tell(&q->v->arena);
-    fmb_status st = project_all_parts(q, place, out, verdict, &part);
+    if (q->v->options.method != FMB_METHOD_HULL)
+        fmb_run_reserve(&q->run);
+    fmb_status st = project_all_parts(q, place, out, verdict, &at);
     if (st != FMB_LIMIT)
         return st;
     fmb_outer_release(q, start);
-    st = fmb_outer_projection(q, part, place, out, verdict);
+    st = put_parts_at_limit(q, &at, place, out, verdict);
     return st == FMB_OK && *verdict != FMB_INFEASIBLE ? FMB_LIMIT : st;
 }
 

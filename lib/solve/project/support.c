@@ -186,6 +186,7 @@ fmb_status fmb_queries_keep(fmb_queries *h, fmb_system *out)
     fmb_status st = fmb_support_keep_images(&h->s);
     if (st == FMB_OK || st == FMB_LIMIT)
         st = put_all_support_rows(h, out);
+    h->q->inner = h->s.points > 0;
     return st == FMB_OK ? claim_inner_points(h) : st;
 }
 
@@ -198,6 +199,24 @@ fmb_status fmb_queries_run(fmb_queries *h, uint64_t pairs, fmb_system *out, bool
     fmb_facets_clear(&h->s.hull);
     fmb_status put = st == FMB_LIMIT ? fmb_queries_keep(h, out) : put_all_support_rows(h, out);
     return put == FMB_OK ? st : put;
+}
+
+/* Pairs of facets where no clock ends a glance: so many go with dozens of queries. */
+#define PAIRS_OF_GLANCE ((uint64_t)1 << 12)
+
+fmb_status fmb_queries_glance(fmb_query *q, int part, const int *place, fmb_system *out)
+{
+    bool feasible, done;
+    fmb_queries *h;
+    uint64_t pairs = q->run.deadline > 0 ? 0 : PAIRS_OF_GLANCE;
+    fmb_status st = fmb_queries_open(q, part, place, &h, &feasible);
+    bool asked = st == FMB_OK && feasible && h->k > 0;
+    if (asked)
+        st = fmb_support_ask(&h->s, pairs, &done);
+    if (asked && (st == FMB_OK || st == FMB_LIMIT))
+        st = fmb_queries_keep(h, out);
+    fmb_queries_close(h);
+    return st == FMB_LIMIT ? FMB_OK : st;
 }
 
 fmb_status fmb_query_support_part(fmb_query *q, int part, const int *place, fmb_system *out,

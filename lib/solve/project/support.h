@@ -22,6 +22,10 @@ void fmb_queries_close(fmb_queries *h);
  * has been appended to out; else nothing, but at a limit (LIMIT) the rows that are proved. */
 fmb_status fmb_queries_run(fmb_queries *h, uint64_t pairs, fmb_system *out, bool *done);
 
+/* After a limit, by queries of its own: what rows and points the time left allows, or a few. *out
+ * may stay as it is. Errors: MEMORY. */
+fmb_status fmb_queries_glance(fmb_query *q, int part, const int *place, fmb_system *out);
+
 /* All at once. */
 fmb_status fmb_query_support_part(fmb_query *q, int part, const int *place, fmb_system *out,
                                   bool *feasible);

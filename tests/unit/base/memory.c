@@ -89,6 +89,31 @@ Test(arena, pieces_are_apart_and_aligned)
     cr_assert_eq(m.used, 0);
 }
 
+Test(arena, trim_gives_back_what_is_not_handed_out)
+{
+    fmb_mem m;
+    fmb_arena a;
+    fmb_mem_init(&m, NULL, 0);
+    fmb_arena_init(&a, &m);
+    unsigned char *piece = fmb_arena_get(&a, 1000, 1);
+    size_t used = m.used;
+    memset(piece, 7, 1000);
+    fmb_arena_place place = fmb_arena_tell(&a);
+    for (int i = 0; i < 50; i++)
+        cr_assert_not_null(fmb_arena_get(&a, 10000, 1));
+    cr_expect_gt(m.used, used);
+    fmb_arena_rewind(&a, place);
+    fmb_arena_trim(&a);
+    cr_expect_eq(m.used, used);
+    cr_expect(piece[0] == 7 && piece[999] == 7);
+    fmb_arena_reset(&a);
+    fmb_arena_trim(&a);
+    cr_expect_eq(m.used, 0);
+    cr_assert_not_null(fmb_arena_get(&a, 10, 1));
+    fmb_arena_clear(&a);
+    cr_expect_eq(m.used, 0);
+}
+
 Test(arena, reset_uses_the_same_chunks)
 {
     fmb_mem m;

@@ -22,9 +22,9 @@ static void count_down(void *self, const fmb_event *e)
 static cut make_cut(support_rng *g)
 {
     static const fmb_method method[] = {FMB_METHOD_FM, FMB_METHOD_FM, FMB_METHOD_LP,
-                                        FMB_METHOD_AUTO};
+                                        FMB_METHOD_AUTO, FMB_METHOD_DD};
     cut c = {.o = fmb_options_default(), .events = -1};
-    c.o.method = method[support_between(g, 0, 3)];
+    c.o.method = method[support_between(g, 0, 4)];
     c.o.evidence = true;
     c.o.arith = support_chance(g, 20) ? FMB_ARITH_GMP : FMB_ARITH_AUTO;
     c.o.rules = support_chance(g, 50) ? NULL : support_chance(g, 50) ? "none" : "kohler";
@@ -198,6 +198,47 @@ Test(outer, projections)
 }
 
 /* ---- what is found --------------------------------------------------------------------------- */
+
+/* Dense rows around 0, of which two variables are kept: too many for the limits below. */
+static fmb_system *dense(void)
+{
+    enum { N = 8, M = 22 };
+    support_rng g = {11};
+    fmb_system *s = rows_none(N);
+    for (int i = 0; i < M; i++) {
+        int64_t a[N];
+        for (int j = 0; j < N; j++)
+            a[j] = support_between(&g, -9, 9);
+        must(fmb_system_add_int(s, a, FMB_LE, support_between(&g, 10, 60)));
+    }
+    return s;
+}
+
+/* Whatever the way and the limit, there are rows around the projection and points of it. */
+Test(outer, rows_and_points_by_every_way)
+{
+    static const fmb_method method[] = {FMB_METHOD_FM, FMB_METHOD_DD, FMB_METHOD_HULL};
+    fmb_system *s = dense();
+    for (int k = 0; k < 9; k++) {
+        cut c = {.o = fmb_options_default(), .events = -1};
+        fmb_system *p = NULL;
+        fmb_result r;
+        c.o.method = method[k / 3];
+        c.o.evidence = true;
+        c.o.max_rows = k % 3 == 0 ? 25 : 0;
+        c.o.max_bytes = k % 3 == 1 ? 300000 : 0;
+        c.o.max_seconds = k % 3 == 2 ? 0.2 : 0;
+        open_cut(&c);
+        must(fmb_project(c.v, s, (int[]){0, 1}, 2, &p, &r));
+        cr_expect(fmb_system_rows(p) > 0, "way %d: no row", k);
+        cr_expect(r.stop == FMB_STOP_DONE || judge_claims(c.v, s, &r, FMB_CLAIM_FEASIBLE) > 1,
+                  "way %d: no points", k);
+        cr_expect_geq(judge_claims(c.v, s, &r, FMB_CLAIM_IMPLIED), fmb_system_rows(p));
+        fmb_system_free(p);
+        fmb_solver_free(c.v);
+    }
+    fmb_system_free(s);
+}
 
 /* x in [1, 5), y <= x - 2, z = 2 y + 1 and more rows about others than the limit allows. */
 static fmb_system *chain(void)
