@@ -62,6 +62,8 @@ typedef struct fmb_facets {
     size_t seen_capacity, touched_capacity, made_capacity, unused_capacity;
     uint64_t *common; /* [common_words] scratch */
     size_t common_words;
+    uint64_t *holder; /* scratch: of each generator, the set of facets at hand that hold it, */
+    size_t holder_words, holder_capacity; /* so many words each */
 } fmb_facets;
 
 /* No generators yet: the cone {0}. Errors: MEMORY, LIMIT, as below. In any case fmb_facets_clear.

@@ -4,10 +4,7 @@
  * it, n, spans a facet with g: the combination of both normals that is 0 on g. A facet whose
  * hyperplane holds g grows by it; it has a ridge with one that goes. On a facet that is new stands,
  * besides g, what stands on both v and n: the combination is 0 exactly where both are.
- *
- * All new ridges contain g, so they lie between facets that are new or have grown. Two of these
- * share a ridge if and only if no third facet holds all that both hold; such a third one would hold
- * g as well. Two that have grown may share a ridge that they did not share before.
+ * Ridges between facets that are new or have grown come last (facets_ridges.c).
  */
 #include "dd/facets_inside.h"
 #include "num/ones.h"
@@ -95,84 +92,7 @@ static fmb_status replace_facets_that_see(fmb_facets *f, size_t generator)
     return st;
 }
 
-/* ---- new ridges ------------------------------------------------------------------------------ */
-
-static bool are_neighbours(const fmb_facet *a, uint32_t b)
-{
-    for (size_t k = 0; k < a->nexts; k++)
-        if (a->next[k] == b)
-            return true;
-    return false;
-}
-
-/* f->common = what both hold; how much that is. */
-static size_t find_common(fmb_facets *f, const fmb_facet *a, const fmb_facet *b)
-{
-    size_t count = 0;
-    for (size_t w = 0; w < f->words; w++) {
-        f->common[w] = a->on[w] & b->on[w];
-        count += fmb_ones64(f->common[w]);
-    }
-    return count;
-}
-
-static bool holds_common(const fmb_facets *f, const fmb_facet *a)
-{
-    for (size_t w = 0; w < f->words; w++)
-        if (f->common[w] & ~a->on[w])
-            return false;
-    return true;
-}
-
-/* Facet number i of those that are new or have grown. */
-static uint32_t candidate(const fmb_facets *f, size_t i)
-{
-    return i < f->mades ? f->made[i] : f->touched[i - f->mades];
-}
-
-/* rank - 1 generators on a facet are independent, and any rank - 2 of them span a ridge. */
-static bool share_a_ridge(fmb_facets *f, uint32_t a, uint32_t b)
-{
-    const fmb_facet *p = &f->facet[a], *q = &f->facet[b];
-    size_t count = find_common(f, p, q);
-    if (count + 2 < f->rank)
-        return false;
-    if (count + 2 == f->rank && (p->ons + 1 == f->rank || q->ons + 1 == f->rank))
-        return true;
-    for (size_t i = 0; i < f->mades + f->toucheds; i++) {
-        uint32_t c = candidate(f, i);
-        if (c != a && c != b && holds_common(f, &f->facet[c]))
-            return false;
-    }
-    return true;
-}
-
-/* A simplex all of whose ridges are found. */
-static bool has_all_neighbours(const fmb_facets *f, uint32_t a)
-{
-    const fmb_facet *t = &f->facet[a];
-    return t->ons + 1 == f->rank && t->nexts + 1 == f->rank;
-}
-
-static fmb_status join_new_neighbours(fmb_facets *f)
-{
-    fmb_status st = FMB_OK;
-    for (size_t i = 1; st == FMB_OK && i < f->mades + f->toucheds; i++) {
-        uint32_t a = candidate(f, i);
-        for (size_t j = 0; st == FMB_OK && j < i && !has_all_neighbours(f, a); j++) {
-            uint32_t b = candidate(f, j);
-            if (has_all_neighbours(f, b))
-                continue;
-            f->pairs++;
-            bool old = j >= f->mades && are_neighbours(&f->facet[a], b);
-            if (!old && share_a_ridge(f, a, b))
-                st = fmb_facets_join(f, a, b);
-        }
-        if (st == FMB_OK)
-            st = fmb_run_poll(f->run);
-    }
-    return st;
-}
+/* ---- the whole way --------------------------------------------------------------------------- */
 
 static fmb_status forget_values(fmb_facets *f)
 {
@@ -195,5 +115,5 @@ fmb_status fmb_facets_cut(fmb_facets *f, size_t generator)
         fmb_facets_close_slot(f, f->seen[i]);
     if (st == FMB_OK)
         st = forget_values(f);
-    return st == FMB_OK ? join_new_neighbours(f) : st;
+    return st == FMB_OK ? fmb_facets_join_new(f) : st;
 }

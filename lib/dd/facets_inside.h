@@ -82,5 +82,7 @@ fmb_status fmb_facets_raise(fmb_facets *f, size_t e, size_t generator);
 /* facets_cut.c: it is, and sides are known; those that see it are listed in f->seen, those whose
  * hyperplane holds it in f->touched. */
 fmb_status fmb_facets_cut(fmb_facets *f, size_t generator);
+/* facets_ridges.c: ridges between those in f->made and f->touched. */
+fmb_status fmb_facets_join_new(fmb_facets *f);
 
 #endif

@@ -169,6 +169,7 @@ void fmb_facets_clear(fmb_facets *f)
     fmb_mem_put(mem, f->g.s, f->d, sizeof *f->g.s);
     fmb_mem_put(mem, f->near, f->d, sizeof *f->near);
     fmb_mem_put(mem, f->common, f->common_words, sizeof *f->common);
+    fmb_mem_put(mem, f->holder, f->holder_capacity, sizeof *f->holder);
     fmb_mem_put(mem, f->facet, f->facet_capacity, sizeof *f->facet);
     fmb_mem_put(mem, f->seen, f->seen_capacity, sizeof *f->seen);
     fmb_mem_put(mem, f->touched, f->touched_capacity, sizeof *f->touched);
