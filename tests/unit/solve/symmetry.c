@@ -98,3 +98,60 @@ Test(symmetry, under_a_limit)
         free(project_with(s, FMB_SYMMETRY_AUTO, (size_t)(k % 2 + 1), 0.003 * k, &queries));
     fmb_system_free(s);
 }
+
+/* ---- cancelled ------------------------------------------------------------------------------- */
+
+typedef struct countdown {
+    fmb_solver *v;
+    long events; /* so many, and then a cancel */
+} countdown;
+
+static void cancel_at_event(void *self, const fmb_event *e)
+{
+    countdown *c = self;
+    (void)e;
+    if (c->events-- == 0)
+        fmb_solver_cancel(c->v);
+}
+
+/* [give] The projection by a solver, with its proof judged. */
+static fmb_system *project_judged(fmb_solver *v, const fmb_system *s, fmb_result *r)
+{
+    fmb_evidence *e = NULL;
+    fmb_system *p = NULL;
+    fmb_judgement j;
+    must(fmb_project(v, s, (int[]){0, 1, 2, 3}, KEPT, &p, r));
+    must(fmb_solver_evidence(v, &e));
+    must(fmb_check(s, e, &j));
+    cr_assert(j.accepted || (r->stop != FMB_STOP_DONE && fmb_evidence_claims(e) == 0), "%s",
+              j.reason);
+    fmb_evidence_free(e);
+    return p;
+}
+
+/* At whatever event: what is known then is proved, and the solver answers the next question whole.
+ */
+Test(symmetry, cancelled_at_any_event)
+{
+    support_rng g = {79};
+    fmb_options o = fmb_options_default();
+    fmb_system *s = with_planted_symmetry(&g);
+    countdown c = {NULL, -1};
+    size_t rows = 0, cancelled = 0;
+    o.method = FMB_METHOD_HULL;
+    must(fmb_solver_new(&o, NULL, &c.v));
+    fmb_solver_set_sink(c.v, (fmb_sink){cancel_at_event, &c});
+    for (long k = -1; k < 400; k = k < 40 ? k + 1 : k + 23) {
+        fmb_result r;
+        c.events = k;
+        fmb_system *p = project_judged(c.v, s, &r);
+        cr_expect(r.stop == FMB_STOP_DONE || r.stop == FMB_STOP_CANCELLED);
+        cr_expect(r.stop != FMB_STOP_DONE || rows == 0 || fmb_system_rows(p) == rows);
+        rows = r.stop == FMB_STOP_DONE ? fmb_system_rows(p) : rows;
+        cancelled += r.stop == FMB_STOP_CANCELLED;
+        fmb_system_free(p);
+    }
+    cr_expect(rows > 0 && cancelled > 20, "%zu rows, %zu cancelled", rows, cancelled);
+    fmb_solver_free(c.v);
+    fmb_system_free(s);
+}

@@ -277,3 +277,75 @@ Test(symmetry, little_memory)
         close_bench(&b);
     }
 }
+
+/* ---- cancelled ------------------------------------------------------------------------------- */
+
+/* x1 + ... + x8 <= 1, under all permutations of its columns, by two of them. */
+static void open_crowd(bench *b)
+{
+    static const bool all[N] = {true, true, true, true, true, true, true, true};
+    fmb_options o = fmb_options_default();
+    bool fits;
+    memset(b, 0, sizeof *b);
+    fmb_mem_init(&b->mem, NULL, 0);
+    fmb_run_begin(&b->run, &b->mem, &o, &b->cancel, (fmb_sink){0}, "test");
+    for (int j = 0; j <= N; j++)
+        b->row[0][j] = 1;
+    b->rows = 1;
+    fmb_program_init(&b->p, &b->mem, N);
+    append_to_program(b, 0);
+    fmb_group_init(&b->group, &b->mem, N, 1);
+    support_must(
+        fmb_group_add(&b->group, &b->p, all, (const uint32_t[]){1, 2, 3, 4, 5, 6, 7, 0, 0}, &fits));
+    support_must(
+        fmb_group_add(&b->group, &b->p, all, (const uint32_t[]){1, 0, 2, 3, 4, 5, 6, 7, 0}, &fits));
+    cr_assert_eq(b->group.size, 2);
+}
+
+/* What sets the cancel when so many bytes are held: from within, at the same moment each time. */
+typedef struct fuse {
+    size_t held, most;
+    atomic_int *cancel;
+} fuse;
+
+static void *burn(void *self, void *p, size_t old_bytes, size_t new_bytes)
+{
+    fuse *f = self;
+    f->held += new_bytes - old_bytes;
+    if (f->held > f->most)
+        atomic_store(f->cancel, 1);
+    if (new_bytes > 0)
+        return realloc(p, new_bytes);
+    free(p);
+    return NULL;
+}
+
+/* Of an orbit of 40,320 images few are made after the cancel, and those before it are there. */
+Test(symmetry, orbits_end_when_cancelled)
+{
+    static const int columns[N] = {0, 1, 2, 3, 4, 5, 6, 7};
+    static bench b;
+    int64_t entry[N + 1] = {1, 1, 2, 3, 4, 5, 6, 7, 8};
+    fmb_vec x = {.s = entry};
+    fmb_vec_measure(&x, N + 1);
+    for (size_t most = 1000; most < 300000; most *= 3) {
+        fmb_orbits o;
+        open_crowd(&b);
+        fuse f = {0, most, &b.cancel};
+        fmb_mem mem;
+        fmb_mem_init(&mem, &(fmb_alloc){burn, &f}, 0);
+        b.run.mem = &mem;
+        fmb_status st = fmb_orbits_init(&o, &b.run, &b.group, columns, N);
+        if (st == FMB_OK)
+            st = fmb_orbits_add(&o, &x, 0);
+        cr_expect_eq(st, FMB_LIMIT);
+        cr_expect_eq(b.run.stop, FMB_STOP_CANCELLED);
+        cr_expect_lt(f.held, 4 * most + 65536, "%zu after %zu", f.held, most);
+        for (size_t i = 0; i < o.size; i++)
+            cr_expect_eq(fmb_orbits_find(&o, &o.item[i].v), i);
+        fmb_orbits_clear(&o);
+        cr_expect(mem.used == 0 && f.held == 0);
+        b.run.mem = &b.mem;
+        close_bench(&b);
+    }
+}
