@@ -21,7 +21,7 @@
 #define SPARSE                2.25
 #define SPARSE_BETWEEN_BOUNDS 3.25
 #define DENSE                 4
-#define SMALL_CONE            7
+#define SMALL_CONE            8
 /* So few dimensions, or variables that go, and rays are few however many the rows. */
 #define FLAT_CONE 5
 #define FEW_TO_GO 3
@@ -34,8 +34,10 @@
 #define MANY_ROWS(p) (4 * (size_t)(p)->n)
 
 /* The walk around a shadow is on a dictionary, which becomes dense; it is quick if it has no more
- * columns, and worth it where rows are many for those, as edges are then. */
-#define WALKED_COLUMNS 24
+ * columns, and worth it where rows are many for those, as edges are then; small ones may be dense
+ * from the beginning. */
+#define WALKED_COLUMNS   24
+#define SMALL_DICTIONARY 6
 
 int fmb_judge_kept(const fmb_part *p, const int *place)
 {
@@ -91,7 +93,7 @@ bool fmb_judge_escapes(const fmb_lift *lift)
 /* Where rows name most variables, and these are not very few, queries are quicker. */
 static bool is_dictionary_quick(const fmb_lift *lift)
 {
-    return fmb_lift_columns(lift) < SMALL_CONE || !are_most_coefficients_there(lift);
+    return fmb_lift_columns(lift) <= SMALL_DICTIONARY || !are_most_coefficients_there(lift);
 }
 
 bool fmb_judge_walks(const fmb_lift *lift, const fmb_part *p, int kept)
@@ -112,6 +114,19 @@ static bool has_bounds(const fmb_lift *lift, double share)
     return (double)fmb_lift_bounds(lift) >= share * (double)fmb_lift_rows(lift);
 }
 
+static bool do_few_go(const fmb_part *p, int kept)
+{
+    return p->n <= kept + FEW_TO_GO;
+}
+
+/* Three of six variables stay: rays to the end are as quick as queries, but where very many rows
+ * name all variables. */
+static bool are_rays_few(const fmb_lift *lift, const fmb_part *p, int kept)
+{
+    bool many = p->m > MANY_ROWS(p) && are_nearly_all_coefficients_there(lift);
+    return kept == 3 && do_few_go(p, kept) && !many;
+}
+
 /* Rays of a first try: half as many where a few queries take as long; none where rows are many,
  * but name few variables. */
 uint64_t fmb_judge_first_rays(const fmb_lift *lift, const fmb_part *p, int kept)
@@ -121,14 +136,14 @@ uint64_t fmb_judge_first_rays(const fmb_lift *lift, const fmb_part *p, int kept)
     bool full = are_nearly_all_coefficients_there(lift);
     bool flat = full && fmb_lift_columns(lift) <= FLAT_CONE;
     uint64_t rays = kept <= 2 && !flat ? FMB_TRIAL_BUDGET(p->m) / 2 : FMB_TRIAL_BUDGET(p->m);
-    bool few_go = p->n <= kept + FEW_TO_GO;
-    if (kept < FMB_SHORT_QUERIES && p->m > MANY_ROWS(p) && !full && !few_go)
+    if (kept < FMB_SHORT_QUERIES && p->m > MANY_ROWS(p) && !full && !do_few_go(p, kept))
         return 0;
     if (fmb_lift_freedom(lift) > CROWDED_FREEDOMS && !(kept > 2 && has_bounds(lift, 0.25)))
         return 0;
     if (fmb_lift_freedom(lift) > FEW_FREEDOMS && kept <= 2 && named_by_row(lift) <= SPARSE)
         return 0;
-    return kept > 2 && kept <= FMB_SHORT_QUERIES && p->m > MANY_ROWS(p) ? rays / 4 : rays;
+    bool short_queries = kept > 2 && kept <= FMB_SHORT_QUERIES && !are_rays_few(lift, p, kept);
+    return short_queries && p->m > MANY_ROWS(p) ? rays / 4 : rays;
 }
 
 /* In the plane, queries are quicker, but where the box refuses most pairs. */
@@ -142,9 +157,10 @@ bool fmb_judge_prunes(const fmb_lift *lift, int kept)
            3 * named <= (double)fmb_lift_columns(lift);
 }
 
-static bool is_cone_dense(const fmb_lift *lift)
+static bool is_cone_dense_or_small(const fmb_lift *lift)
 {
-    return named_by_row(lift) >= DENSE || fmb_lift_columns(lift) <= SMALL_CONE;
+    return named_by_row(lift) >= DENSE || fmb_lift_columns(lift) <= SMALL_CONE ||
+           fmb_lift_freedom(lift) < SMALL_CONE;
 }
 
 /* Where the first variable tells, or other ways are long. */
@@ -165,9 +181,11 @@ uint64_t fmb_judge_second_rays(const fmb_lift *lift, const fmb_part *p, int kept
         return 16 * RAYS_OF_SECOND_TRY;
     if (kept > 1 && fmb_lift_is_long(lift) && fmb_lift_freedom(lift) <= LONG_FREEDOMS(kept))
         return 8 * RAYS_OF_SECOND_TRY;
+    if (are_rays_few(lift, p, kept))
+        return 8 * RAYS_OF_SECOND_TRY;
     if (p->m > MANY_ROWS(p))
         return 0;
-    if (kept == 3 && is_cone_dense(lift))
+    if (kept == 3 && is_cone_dense_or_small(lift))
         return RAYS_OF_SECOND_TRY;
     return kept == 4 ? 8 * RAYS_OF_SECOND_TRY : 0;
 }
