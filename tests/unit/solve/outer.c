@@ -199,17 +199,18 @@ Test(outer, projections)
 
 /* ---- what is found --------------------------------------------------------------------------- */
 
-/* Dense rows around 0, of which two variables are kept: too many for the limits below. */
-static fmb_system *dense(void)
+/* Dense rows around 0, or a cone with (1 ... 1) inside: too many for the limits below. */
+static fmb_system *dense(bool cone)
 {
     enum { N = 8, M = 22 };
     support_rng g = {11};
     fmb_system *s = rows_none(N);
     for (int i = 0; i < M; i++) {
-        int64_t a[N];
+        int64_t a[N], sum = 0;
         for (int j = 0; j < N; j++)
-            a[j] = support_between(&g, -9, 9);
-        must(fmb_system_add_int(s, a, FMB_LE, support_between(&g, 10, 60)));
+            sum += a[j] = support_between(&g, -9, 9);
+        a[i % N] -= cone && sum >= 0 ? sum + 1 : 0;
+        must(fmb_system_add_int(s, a, FMB_LE, cone ? 0 : support_between(&g, 10, 60)));
     }
     return s;
 }
@@ -218,7 +219,7 @@ static fmb_system *dense(void)
 Test(outer, rows_and_points_by_every_way)
 {
     static const fmb_method method[] = {FMB_METHOD_FM, FMB_METHOD_DD, FMB_METHOD_HULL};
-    fmb_system *s = dense();
+    fmb_system *s = dense(false);
     for (int k = 0; k < 9; k++) {
         cut c = {.o = fmb_options_default(), .events = -1};
         fmb_system *p = NULL;
@@ -288,5 +289,27 @@ Test(outer, contradiction)
     cr_assert(r.verdict == FMB_INFEASIBLE && r.stop == FMB_STOP_DONE);
     cr_expect_eq(judge_claims(c.v, s, &r, FMB_CLAIM_INFEASIBLE), 1);
     fmb_solver_free(c.v);
+    fmb_system_free(s);
+}
+
+/* Of a cone, which has one vertex, rays lead to points. */
+Test(outer, points_of_a_cone)
+{
+    static const fmb_method method[] = {FMB_METHOD_FM, FMB_METHOD_DD};
+    fmb_system *s = dense(true);
+    for (int k = 0; k < 2; k++) {
+        cut c = {.o = fmb_options_default(), .events = -1};
+        fmb_system *p = NULL;
+        fmb_result r;
+        c.o.method = method[k];
+        c.o.evidence = true;
+        c.o.max_rows = 25;
+        open_cut(&c);
+        must(fmb_project(c.v, s, (int[]){0, 1, 2, 3}, 4, &p, &r));
+        cr_expect_eq(r.stop, FMB_STOP_ROWS);
+        cr_expect_gt(judge_claims(c.v, s, &r, FMB_CLAIM_FEASIBLE), 3, "way %d", k);
+        fmb_system_free(p);
+        fmb_solver_free(c.v);
+    }
     fmb_system_free(s);
 }
