@@ -95,7 +95,21 @@ FMB_BOX_INLINE void box_store(const box_kind *k, const box_pair *p, box_hull *h,
     lane_store(answer + (4 * d + 1) * FMB_LANES, last);
 }
 
-/* dim and fine are constants, the rest is not: that would make 28 copies of all this. */
+/* The guest in the host, in one place for lines of either precision. */
+#define BOX_VIEW(name, dimension)                                                                  \
+    static FMB_NEVER_CLONED void name(const box_kind *of, int guest, const box_frame *host,        \
+                                      const box_frame *own, box_view *v, box_guest *g)             \
+    {                                                                                              \
+        const box_kind k = {dimension, of->moves, of->fine, {of->shape[0], of->shape[1]}};         \
+        box_view_of(&k, guest, host, own, v);                                                      \
+        box_guest_of(&k, guest, v, own, g);                                                        \
+    }
+
+BOX_VIEW(box_view_in_plane, 2)
+BOX_VIEW(box_view_in_space, 3)
+
+/* dim and fine are constants, the rest is not: that would make 28 copies of all this. If not fine,
+ * lines are clipped in doubles; all else is in double-doubles. */
 FMB_BOX_INLINE unsigned box_kernel(int dim, bool fine, bool moves, int a, int b,
                                    const double *block, double *answer)
 {
@@ -110,19 +124,21 @@ FMB_BOX_INLINE unsigned box_kernel(int dim, bool fine, bool moves, int a, int b,
         const box_frame *host = &p.frame[1 - guest], *own = &p.frame[guest];
         box_view v;
         box_guest g;
-        box_view_of(k, guest, host, own, &v);
-        box_guest_of(k, guest, &v, own, &g);
+        if (dim == 2)
+            box_view_in_plane(k, guest, host, own, &v, &g);
+        else
+            box_view_in_space(k, guest, host, own, &v, &g);
         rho = lane_of(1) / v.size.hi;
         box_cover_edges(k, guest, &v, own, &g, 0, rho, &h);
         if (moves) {
             box_cover_paths(k, guest, &v, own, &g, rho, &h);
             if (guest == 1 && dim == 3)
-                box_cover_contacts(k, &v, own, &g, &h);
+                box_cover_contacts(a, b, &v, own, &g, &h);
             box_guest_move(k, guest, &v, own, &g);
             box_cover_edges(k, guest, &v, own, &g, 1, rho, &h);
         }
         for (int j = 0; guest == 0 && j < dim; j++) {
-            blur[j] = lane_of(1.5) * rho * v.error[j] + lane_of(8 * 0x1p-53);
+            blur[j] = lane_of(fine ? 1.5 : 2.25) * rho * v.error[j] + lane_of(8 * 0x1p-53);
             most_blur = lane_max(most_blur, blur[j]);
         }
         known = lane_and(known, v.known);
@@ -134,14 +150,15 @@ FMB_BOX_INLINE unsigned box_kernel(int dim, bool fine, bool moves, int a, int b,
 }
 
 #define BOX_ANY(name, dim, fine)                                                                   \
-    static __attribute__((noinline)) unsigned name(bool moves, int a, int b, const double *block,  \
-                                                   double *answer)                                 \
+    static FMB_NEVER_CLONED unsigned name(bool moves, int a, int b, const double *block,           \
+                                          double *answer)                                          \
     {                                                                                              \
         return box_kernel(dim, fine, moves, a, b, block, answer);                                  \
     }
 
 BOX_ANY(box_any_2, 2, false)
 BOX_ANY(box_any_2_fine, 2, true)
+BOX_ANY(box_any_3, 3, false)
 BOX_ANY(box_any_3_fine, 3, true)
 
 #define BOX_KERNEL(name, any, moves, a, b)                                                         \
@@ -155,16 +172,19 @@ BOX_ANY(box_any_3_fine, 3, true)
     BOX_KERNEL(name##_tc, any, moves, FMB_SIMPLEX, FMB_CUBOID)                                     \
     BOX_KERNEL(name##_tt, any, moves, FMB_SIMPLEX, FMB_SIMPLEX)
 
+BOX_KERNELS(box_2, box_any_2, false)
 BOX_KERNELS(box_2_moving, box_any_2, true)
 BOX_KERNELS(box_2_fine, box_any_2_fine, false)
 BOX_KERNELS(box_2_moving_fine, box_any_2_fine, true)
+BOX_KERNELS(box_3, box_any_3, false)
 BOX_KERNELS(box_3_fine, box_any_3_fine, false)
+BOX_KERNELS(box_3_moving, box_any_3, true)
 BOX_KERNELS(box_3_moving_fine, box_any_3_fine, true)
 
 #define STILL_KERNEL(name, dim, a, b)                                                              \
     static unsigned name(const double *block, double *answer)                                      \
     {                                                                                              \
-        return still_kernel(dim, false, a, b, block, answer);                                      \
+        return still_kernel(dim, a, b, block, answer);                                             \
     }
 #define STILL_KERNELS(name, dim)                                                                   \
     STILL_KERNEL(name##_cc, dim, FMB_CUBOID, FMB_CUBOID)                                           \
@@ -174,31 +194,6 @@ BOX_KERNELS(box_3_moving_fine, box_any_3_fine, true)
 
 STILL_KERNELS(still_2, 2)
 STILL_KERNELS(still_3, 3)
-
-/* Asked rarely: shapes are not constant here, either. */
-#define STILL_ANY(name, dim)                                                                       \
-    static __attribute__((noinline)) unsigned name(int a, int b, const double *block,              \
-                                                   double *answer)                                 \
-    {                                                                                              \
-        return still_kernel(dim, true, a, b, block, answer);                                       \
-    }
-
-STILL_ANY(still_any_2_fine, 2)
-STILL_ANY(still_any_3_fine, 3)
-
-#define STILL_FINE_KERNEL(name, any, a, b)                                                         \
-    static unsigned name(const double *block, double *answer)                                      \
-    {                                                                                              \
-        return any(a, b, block, answer);                                                           \
-    }
-#define STILL_FINE_KERNELS(name, any)                                                              \
-    STILL_FINE_KERNEL(name##_cc, any, FMB_CUBOID, FMB_CUBOID)                                      \
-    STILL_FINE_KERNEL(name##_ct, any, FMB_CUBOID, FMB_SIMPLEX)                                     \
-    STILL_FINE_KERNEL(name##_tc, any, FMB_SIMPLEX, FMB_CUBOID)                                     \
-    STILL_FINE_KERNEL(name##_tt, any, FMB_SIMPLEX, FMB_SIMPLEX)
-
-STILL_FINE_KERNELS(still_2_fine, still_any_2_fine)
-STILL_FINE_KERNELS(still_3_fine, still_any_3_fine)
 
 #define BOX_SHAPES(name)                                                                           \
     {                                                                                              \
@@ -222,13 +217,12 @@ STILL_FINE_KERNELS(still_3_fine, still_any_3_fine)
         }                                                                                          \
     }
 
-/* Moving in three dimensions, plain doubles are hardly ever sure of edges against edges. */
 #define FMB_BOXES                                                                                  \
     {                                                                                              \
         BOX_DIMS(BOX_SHAPES(still_2), BOX_SHAPES(box_2_moving), BOX_SHAPES(still_3),               \
-                 BOX_SHAPES(box_3_moving_fine)),                                                   \
-            BOX_DIMS(BOX_SHAPES(still_2_fine), BOX_SHAPES(box_2_moving_fine),                      \
-                     BOX_SHAPES(still_3_fine), BOX_NONE),                                          \
+                 BOX_SHAPES(box_3_moving)),                                                        \
+            BOX_DIMS(BOX_SHAPES(box_2), BOX_SHAPES(box_2_moving_fine), BOX_SHAPES(box_3),          \
+                     BOX_SHAPES(box_3_moving_fine)),                                               \
             BOX_DIMS(BOX_SHAPES(box_2_fine), BOX_NONE, BOX_SHAPES(box_3_fine), BOX_NONE),          \
     }
 

@@ -101,41 +101,48 @@ FMB_BOX_INLINE void box_cover_contact(const box_kind *k, const box_contact *x, c
     h->inside_gap = lane_max(h->inside_gap, x->gap);
 }
 
-/* One direction of edges of A against one direction of edges of B. */
+/* One direction of edges of A against one direction of edges of B. Nearly all pairs of edges miss
+ * each other: plain doubles say so first. */
 FMB_BOX_INLINE void box_cover_cross(const box_kind *k, const box_view *v, const box_frame *b,
                                     const box_guest *g, int n, const box_direction *e,
-                                    const box_cross *x, box_hull *h)
+                                    const int fixed[3], box_hull *h)
 {
+    const box_kind plain = box_in_precision(k, false);
+    const box_cross x = box_cross_of(k, v, e->d, fixed[0], fixed[1], fixed[2]);
+    const box_cross rough = box_cross_of(&plain, v, e->d, fixed[0], fixed[1], fixed[2]);
     int sides = k->shape[0] == FMB_SIMPLEX ? 1 : 4;
     for (int c = 0; c < box_corners(k, 1); c++) {
         if (!box_starts(k, 1, n, c))
             continue;
         for (int side = 0; side < sides; side++) {
             const lane2 *y = g->y[c];
-            lane2 mi = lane2_minus(y[x->i]), mj = lane2_minus(y[x->j]);
+            lane2 mi = lane2_minus(y[x.i]), mj = lane2_minus(y[x.j]);
             if (side & 1)
-                mi = lane2_subtract(k->fine, v->size, y[x->i]);
+                mi = lane2_subtract(k->fine, v->size, y[x.i]);
             if (side & 2)
-                mj = lane2_subtract(k->fine, v->size, y[x->j]);
-            box_contact at = box_contact_of(k, v, x, e->d, y, mi, mj);
-            box_cover_contact(k, &at, x, b, g, c, e, h);
+                mj = lane2_subtract(k->fine, v->size, y[x.j]);
+            if (box_is_nowhere(box_contact_of(&plain, v, &rough, e->d, y, mi, mj).u))
+                continue;
+            box_contact at = box_contact_of(k, v, &x, e->d, y, mi, mj);
+            box_cover_contact(k, &at, &x, b, g, c, e, h);
         }
     }
 }
 
-/* All pairs of edges; g holds the corners of B at t = 0. */
-FMB_BOX_INLINE void box_cover_contacts(const box_kind *k, const box_view *v, const box_frame *b,
-                                       const box_guest *g, box_hull *h)
+/* All pairs of edges, in double-doubles; g holds the corners of B at t = 0. In one place for lines
+ * of either precision. */
+static FMB_NEVER_CLONED void box_cover_contacts(int a, int b, const box_view *v,
+                                                const box_frame *guest, const box_guest *g,
+                                                box_hull *h)
 {
     static const int fixed[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 2, 0},
                                     {0, 3, 1}, {1, 3, 0}, {2, 3, 0}};
+    const box_kind kind = {3, true, true, {a, b}}, *k = &kind;
     for (int n = 0; n < box_directions(k, 1); n++) {
         box_direction e;
-        box_direction_of(k, 1, v, b, n, &e);
-        for (int m = 0; m < box_directions(k, 0); m++) {
-            const box_cross x = box_cross_of(k, v, e.d, fixed[m][0], fixed[m][1], fixed[m][2]);
-            box_cover_cross(k, v, b, g, n, &e, &x, h);
-        }
+        box_direction_of(k, 1, v, guest, n, &e);
+        for (int m = 0; m < box_directions(k, 0); m++)
+            box_cover_cross(k, v, guest, g, n, &e, fixed[m], h);
     }
 }
 

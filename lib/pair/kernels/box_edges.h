@@ -41,7 +41,7 @@ FMB_BOX_INLINE void box_guest_move(const box_kind *k, int guest, const box_view 
 {
     for (int c = 0; c < box_corners(k, guest); c++) {
         for (int i = 0; i < box_values(k, 1 - guest); i++)
-            g->y[c][i] = lane2_add(k->fine, g->y[c][i], v->drift[i]);
+            g->y[c][i] = lane2_add(true, g->y[c][i], v->drift[i]);
         for (int j = 0; j < k->dim; j++)
             g->world[c][j] = g->world[c][j] + f->speed[j];
     }
@@ -80,7 +80,7 @@ FMB_BOX_INLINE void box_direction_of(const box_kind *k, int guest, const box_vie
         e->own[l] = (l == ahead) - (l == back);
     for (int i = 0; i < box_values(k, 1 - guest); i++)
         e->d[i] = back < 0 ? v->edge[ahead][i]
-                           : lane2_subtract(k->fine, v->edge[ahead][i], v->edge[back][i]);
+                           : lane2_subtract(true, v->edge[ahead][i], v->edge[back][i]);
     for (int j = 0; j < k->dim; j++) {
         e->world[j] = f->axes[ahead][j];
         if (back >= 0)

@@ -8,6 +8,12 @@
 
 #include "pair/kernels/box_view.h"
 
+/* Is there none in any lane? */
+FMB_BOX_INLINE bool box_is_nowhere(lane x)
+{
+    return lane_bits(lane_less(-lane_of(HUGE_VAL), x)) == 0;
+}
+
 typedef struct box_hull {
     lane world[2][3], inside[2][3], time[2]; /* lower, upper */
     lane sum[3], points;                     /* of points in the world; their mean is the witness */

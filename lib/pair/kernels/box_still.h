@@ -1,8 +1,7 @@
 /* box_still.h: the box of the common points of two frames that stand still.
  *
  * All edges of each frame are clipped against the other (box.h says why that is enough), in plain
- * doubles. If that is not good enough, the same is done with values that are right but for their
- * last rounding (fine), and with a closer look at edges that are nearly parallel to a face.
+ * doubles. Lanes where that is not good enough are left to box.h.
  *
  * Ends in the world are computed from the origin of A, with at most 12 roundings, each of a number
  * at most
@@ -19,11 +18,10 @@
 #include "pair/kernels/box_still_gap.h"
 
 typedef struct still_pair {
-    still_frame frame[2];            /* A, B */
-    lane place[3], shift[3], low[3]; /* the origin of A; from there to that of B, and what this is
-                                        more, if fine */
-    lane far, most;                  /* most: M, but for rounding */
-    lane_mask known;                 /* numbers are of a size that no error bound minds */
+    still_frame frame[2];    /* A, B */
+    lane place[3], shift[3]; /* the origin of A; from there to that of B */
+    lane far, most;          /* most: M, but for rounding */
+    lane_mask known;         /* numbers are of a size that no error bound minds */
 } still_pair;
 
 /* ---- the numbers ----------------------------------------------------------------------------- */
@@ -68,11 +66,10 @@ FMB_BOX_INLINE void still_pair_of(const box_kind *k, const double *block, still_
     for (int j = 0; j < d; j++) {
         lane first = lane_load(places + j * FMB_LANES);
         lane second = lane_load(places + (d + j) * FMB_LANES);
-        lane2 shift = swapped ? two_sum(first, -second) : two_sum(second, -first);
+        lane shift = swapped ? first - second : second - first;
         largest = lane_max_abs(lane_max_abs(largest, first), second);
         p->place[j] = swapped ? second : first;
-        p->shift[j] = p->frame[1].origin[j] = shift.hi;
-        p->low[j] = shift.lo;
+        p->shift[j] = p->frame[1].origin[j] = shift;
         p->frame[0].origin[j] = lane_of(0);
     }
     p->most = lane_of(0);
@@ -91,12 +88,11 @@ FMB_BOX_INLINE void still_pair_of(const box_kind *k, const double *block, still_
 
 FMB_BOX_INLINE void still_cover_cuboid(const box_kind *k, int guest, const still_view *v,
                                        const still_frame *f, const still_limits *limit,
-                                       still_hull *h, still_gaps *g)
+                                       still_hull *h)
 {
     const int dim = k->dim, corners = 1 << (dim - 1);
     FMB_UNROLL
     for (int n = 0; n < dim; n++) {
-        lane2 at[4][BOX_VALUES];
         lane y[4][BOX_VALUES];
         still_direction e;
         still_slabs b = {.r = {lane_of(0)}};
@@ -107,16 +103,15 @@ FMB_BOX_INLINE void still_cover_cuboid(const box_kind *k, int guest, const still
         for (int c = 0; c < corners; c++) {
             /* one step on from the corner before, or from corner 0 */
             const int axis = (n + (c == 2 ? 2 : 1)) % dim, before = c % 2;
-            const lane2 *more = v->edge[axis];
             FMB_UNROLL
             for (int i = 0; i < box_values(k, 1 - guest); i++) {
-                at[c][i] = still_plus(k->fine, before ? at[c - 1][i] : v->start[i],
-                                      c > 0 ? &more[i] : NULL);
-                y[c][i] = at[c][i].hi;
+                y[c][i] = before ? y[c - 1][i] : v->start[i];
+                if (c > 0)
+                    y[c][i] = y[c][i] + v->edge[axis][i];
             }
             p[c] = still_clip_segment(k, 1 - guest, &b, y[c]);
         }
-        still_measure(k, guest, v, &e, &b, corners, y, limit, n, g);
+        still_measure(k, guest, v, &e, &b, corners, y, limit, h);
         if (guest == 1)
             still_cover_own_cuboid(dim, n, p, h);
         still_cover_parts(k, guest, &e, corners, p, y, f->origin, f->axes[(n + 1) % dim],
@@ -126,7 +121,7 @@ FMB_BOX_INLINE void still_cover_cuboid(const box_kind *k, int guest, const still
 
 FMB_BOX_INLINE void still_cover_simplex(const box_kind *k, int guest, const still_view *v,
                                         const still_frame *f, const still_limits *limit,
-                                        still_hull *h, still_gaps *g)
+                                        still_hull *h)
 {
     FMB_UNROLL
     for (int n = 0; n < box_directions(k, guest); n++) {
@@ -137,8 +132,11 @@ FMB_BOX_INLINE void still_cover_simplex(const box_kind *k, int guest, const stil
         still_direction_of(k, guest, v, f, ahead, back, &e);
         still_slabs_of(k, 1 - guest, v, e.d, &b);
         FMB_UNROLL
-        for (int i = 0; i < box_values(k, 1 - guest); i++)
-            y[0][i] = still_plus(k->fine, v->start[i], back < 0 ? NULL : &v->edge[back][i]).hi;
+        for (int i = 0; i < box_values(k, 1 - guest); i++) {
+            y[0][i] = v->start[i];
+            if (back >= 0)
+                y[0][i] = y[0][i] + v->edge[back][i];
+        }
         FMB_UNROLL
         for (int j = 0; j < k->dim; j++) {
             from[j] = f->origin[j];
@@ -149,7 +147,7 @@ FMB_BOX_INLINE void still_cover_simplex(const box_kind *k, int guest, const stil
         still_cover_parts(k, guest, &e, 1, &p, y, from, NULL, NULL, h);
         if (guest == 1)
             still_cover_own_simplex(k->dim, ahead, back, &p, h);
-        still_measure(k, guest, v, &e, &b, 1, y, limit, n, g);
+        still_measure(k, guest, v, &e, &b, 1, y, limit, h);
     }
 }
 
@@ -157,14 +155,10 @@ FMB_BOX_INLINE void still_cover_edges(const box_kind *k, int guest, const still_
                                       const still_frame *f, const still_limits *limit,
                                       still_hull *h)
 {
-    still_gaps g;
     if (k->shape[guest] == FMB_SIMPLEX)
-        still_cover_simplex(k, guest, v, f, limit, h, &g);
+        still_cover_simplex(k, guest, v, f, limit, h);
     else
-        still_cover_cuboid(k, guest, v, f, limit, h, &g);
-    if (k->fine)
-        still_look(k, guest, v, &g);
-    h->excess = lane_max(h->excess, still_most(box_directions(k, guest), g.excess));
+        still_cover_cuboid(k, guest, v, f, limit, h);
 }
 
 /* ---- the box --------------------------------------------------------------------------------- */
@@ -200,29 +194,26 @@ FMB_BOX_INLINE void still_store(const box_kind *k, const still_pair *p, const st
     lane_store(answer + (4 * d + 1) * FMB_LANES, lane_of(1));
 }
 
-/* dim and fine are constants; of pairs that stand still and are asked first, shapes are, too. */
-FMB_BOX_INLINE unsigned still_kernel(int dim, bool fine, int a, int b, const double *block,
-                                     double *answer)
+/* dim and shapes are constants. */
+FMB_BOX_INLINE unsigned still_kernel(int dim, int a, int b, const double *block, double *answer)
 {
-    const box_kind kind = {dim, false, fine, {a, b}}, *k = &kind;
+    const box_kind kind = {dim, false, false, {a, b}}, *k = &kind;
     const lane one = lane_of(1), zero = lane_of(0);
     still_pair p;
     still_view v;
     still_hull h;
     still_limits limit;
-    lane back[3], low_back[3];
+    lane back[3];
     still_pair_of(k, block, &p);
     still_hull_empty(&h);
     limit.world = limit.guest = one / (lane_of(9.4e-13) * p.most);
-    still_view_of(k, 1, &p.frame[0], &p.frame[1], p.shift, p.low, &v);
+    still_view_of(k, 1, &p.frame[0], &p.frame[1], p.shift, &v);
     lane_mask known = lane_and(p.known, v.known);
     still_cover_edges(k, 1, &v, &p.frame[1], &limit, &h);
     FMB_UNROLL
-    for (int j = 0; j < dim; j++) {
+    for (int j = 0; j < dim; j++)
         back[j] = -p.shift[j];
-        low_back[j] = -p.low[j];
-    }
-    still_view_of(k, 0, &p.frame[1], &p.frame[0], back, low_back, &v);
+    still_view_of(k, 0, &p.frame[1], &p.frame[0], back, &v);
     lane left = lane_fma(lane_of(9.9e-13), v.size, lane_of(-2) * still_most(dim, v.wide));
     limit.guest = one / left;
     known = lane_and(known, lane_and(v.known, lane_less(zero, left)));

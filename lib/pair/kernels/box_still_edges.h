@@ -42,25 +42,17 @@ typedef struct still_hull {
     lane excess;        /* box_still_gap.h */
 } still_hull;
 
-/* a + b, or a if b is NULL. */
-FMB_BOX_INLINE lane2 still_plus(bool fine, lane2 a, const lane2 *b)
-{
-    return b ? lane2_add(fine, a, *b) : a;
-}
-
-FMB_BOX_INLINE lane2 still_minus(bool fine, lane2 a, const lane2 *b)
-{
-    return b ? lane2_subtract(fine, a, *b) : a;
-}
-
 /* Along axis `ahead`; of a simplex from the end of axis `back`, if that is not -1. */
 FMB_BOX_INLINE void still_direction_of(const box_kind *k, int guest, const still_view *v,
                                        const still_frame *f, int ahead, int back,
                                        still_direction *e)
 {
     FMB_UNROLL
-    for (int i = 0; i < box_values(k, 1 - guest); i++)
-        e->d[i] = still_minus(k->fine, v->edge[ahead][i], back < 0 ? NULL : &v->edge[back][i]).hi;
+    for (int i = 0; i < box_values(k, 1 - guest); i++) {
+        e->d[i] = v->edge[ahead][i];
+        if (back >= 0)
+            e->d[i] = e->d[i] - v->edge[back][i];
+    }
     FMB_UNROLL
     for (int j = 0; j < k->dim; j++) {
         lane edge = f->axes[ahead][j];
@@ -84,20 +76,15 @@ FMB_BOX_INLINE void still_slabs_of(const box_kind *k, int host, const still_view
     }
 }
 
-/* Value i of the host cuts off what is below or above; ends move in by `less`, unless NULL: a sum
- * with 0 would be computed. */
+/* Value i of the host cuts off what is below or above. */
 FMB_BOX_INLINE void still_cut_segment(const box_kind *k, int host, const still_slabs *b, int i,
-                                      lane y, const lane *less, still_part *p)
+                                      lane y, still_part *p)
 {
     const bool simplex = k->shape[host] == FMB_SIMPLEX;
     lane lower = lane_fnma(y, b->r[i], lane_of(0)), upper = lower;
     if (!simplex) {
         lower = lane_fnms(y, b->r[i], b->room[i]);
         upper = lane_fnma(y, b->r[i], b->room[i]);
-    }
-    if (less) {
-        lower = lower + *less;
-        upper = upper - *less;
     }
     lower = lane_max(lower, p->lower);
     upper = lane_min(upper, p->upper);
@@ -111,7 +98,7 @@ FMB_BOX_INLINE still_part still_clip_segment(const box_kind *k, int host, const 
     still_part p = {.lower = lane_of(0), .upper = lane_of(1)};
     FMB_UNROLL
     for (int i = 0; i < box_values(k, host); i++)
-        still_cut_segment(k, host, b, i, y[i], NULL, &p);
+        still_cut_segment(k, host, b, i, y[i], &p);
     p.length = p.upper - p.lower;
     p.some = lane_less(lane_of(0), p.length);
     p.sum = lane_pick(p.some, p.upper + p.lower, lane_of(NAN));

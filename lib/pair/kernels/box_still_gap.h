@@ -7,8 +7,7 @@
  * doubt. The ends exceed the exact ones by at most `gap`, the largest 2 margin_i of the values i
  * that may cut off anything: those where some y_i comes within |d_i| + 2 wide_i of a bound (for a
  * cuboid ||y_i| - half| = |y_i^2 - half^2| / (|y_i| + half)). That is good enough in most lanes; if
- * it is not, an edge is nearly parallel to a face, and it takes a closer look: the part is clipped
- * again, with ends 2 margin_i further in. One unit of wide_i is left for rounding.
+ * it is not, an edge is nearly parallel to a face. One unit of wide_i is left for rounding.
  *
  * Ends of boxes exceed the exact ones by:
  * - in the world gap |edge|, and roundings (box_still.h);
@@ -27,11 +26,6 @@
 typedef struct still_limits {
     lane world, guest;
 } still_limits;
-
-/* Of each direction: the excess, and how much of it a unit of gap is. */
-typedef struct still_gaps {
-    lane excess[6], weight[6];
-} still_gaps;
 
 /* The least |y_i|, or |y_i^2 - half^2|, over these corners. */
 FMB_BOX_INLINE lane still_distance(const box_kind *k, int host, lane half, int corners,
@@ -63,11 +57,10 @@ FMB_BOX_INLINE lane still_weight(const box_kind *k, int guest, const still_direc
     return lane_max(world, lane_max(most * limit->guest, lane_of(0x1p38)));
 }
 
-/* Direction n, whose edges start at corners with values y. */
+/* A direction whose edges start at corners with values y. */
 FMB_BOX_INLINE void still_measure(const box_kind *k, int guest, const still_view *v,
                                   const still_direction *e, const still_slabs *b, int corners,
-                                  lane y[][BOX_VALUES], const still_limits *limit, int n,
-                                  still_gaps *g)
+                                  lane y[][BOX_VALUES], const still_limits *limit, still_hull *h)
 {
     const int host = 1 - guest;
     lane margin = lane_of(0);
@@ -77,53 +70,7 @@ FMB_BOX_INLINE void still_measure(const box_kind *k, int guest, const still_view
         lane_mask cuts = lane_less(still_distance(k, host, v->half, corners, y, i), near);
         margin = lane_max_where(cuts, margin, b->margin[i]);
     }
-    g->weight[n] = still_weight(k, guest, e, limit);
-    g->excess[n] = (margin + margin) * g->weight[n];
-}
-
-/* The largest gap of an edge from a corner. */
-FMB_BOX_INLINE lane still_gap(const box_kind *k, int host, const still_slabs *b, const lane *y)
-{
-    still_part p = still_clip_segment(k, host, b, y), in = p;
-    for (int i = 0; i < box_values(k, host); i++) {
-        lane twice = b->margin[i] + b->margin[i];
-        still_cut_segment(k, host, b, i, y[i], &twice, &in);
-    }
-    lane gap = lane_max(in.lower - p.lower, p.upper - in.upper);
-    return lane_pick(lane_less(p.upper, p.lower), lane_of(0), gap);
-}
-
-/* The largest of all edges of a direction. */
-FMB_BOX_INLINE lane still_largest_gap(const box_kind *k, int guest, const still_view *v, int n)
-{
-    const bool simplex = k->shape[guest] == FMB_SIMPLEX;
-    const int back = simplex ? box_simplex_from(n) - 1 : -1;
-    const int ahead = simplex ? box_simplex_to(n) - 1 : n;
-    lane d[BOX_VALUES], y[BOX_VALUES], gap = lane_of(0);
-    still_slabs b = {.r = {lane_of(0)}};
-    for (int i = 0; i < box_values(k, 1 - guest); i++)
-        d[i] = still_minus(k->fine, v->edge[ahead][i], back < 0 ? NULL : &v->edge[back][i]).hi;
-    still_slabs_of(k, 1 - guest, v, d, &b);
-    for (int c = 0; c < (simplex ? 1 : 1 << (k->dim - 1)); c++) {
-        for (int i = 0; i < box_values(k, 1 - guest); i++) {
-            lane2 at = still_plus(k->fine, v->start[i], back < 0 ? NULL : &v->edge[back][i]);
-            for (int l = 1; l < k->dim; l++)
-                if (c >> (l - 1) & 1)
-                    at = lane2_add(k->fine, at, v->edge[(n + l) % k->dim][i]);
-            y[i] = at.hi;
-        }
-        gap = lane_max(gap, still_gap(k, 1 - guest, &b, y));
-    }
-    return gap;
-}
-
-/* Look closer where that may help: wanted rarely, so in one place for all kinds. */
-static __attribute__((noinline)) void still_look(const box_kind *k, int guest, const still_view *v,
-                                                 still_gaps *g)
-{
-    for (int n = 0; n < box_directions(k, guest); n++)
-        if (lane_bits(lane_less(lane_of(1), g->excess[n])))
-            g->excess[n] = g->weight[n] * still_largest_gap(k, guest, v, n);
+    h->excess = lane_max((margin + margin) * still_weight(k, guest, e, limit), h->excess);
 }
 
 FMB_BOX_INLINE lane still_most(int n, const lane *x)

@@ -24,20 +24,13 @@ typedef struct still_frame {
 
 typedef struct still_view {
     lane size, half;
-    lane2 start[BOX_VALUES], edge[3][BOX_VALUES]; /* y_i of the guest's origin and axes */
+    lane start[BOX_VALUES], edge[3][BOX_VALUES]; /* y_i of the guest's origin and axes */
     lane wide[BOX_VALUES];
     lane_mask known; /* the sign of the determinant is certain */
 } still_view;
 
-/* a - b, with one sum less than lane2_add has. */
-FMB_BOX_INLINE lane2 still_difference(lane2 a, lane2 b)
-{
-    lane2 s = two_sum(a.hi, -b.hi);
-    return (lane2){s.hi, s.lo + (a.lo - b.lo)};
-}
-
 /* The adjugate, and W, of the error of it and of sums. */
-FMB_BOX_INLINE void still_adjugate(const box_kind *k, const lane a[3][3], lane2 n[3][3],
+FMB_BOX_INLINE void still_adjugate(const box_kind *k, const lane a[3][3], lane n[3][3],
                                    lane rough[3][3])
 {
     static const double ns[2][3] = {{5, 5, 4}, {4, 3, 2}}, plane[2][2] = {{2, 2}, {2, 1}};
@@ -48,43 +41,27 @@ FMB_BOX_INLINE void still_adjugate(const box_kind *k, const lane a[3][3], lane2 
         for (int j = 0; j < k->dim; j++) {
             if (k->dim == 2) {
                 lane entry = a[1 - i][1 - j];
-                n[i][j] = lane2_of(i == j ? entry : -entry);
+                n[i][j] = i == j ? entry : -entry;
                 rough[i][j] = lane_of(plane[FMB_LANE_FUSED][j]) * lane_abs(entry);
                 continue;
             }
             const lane *p = a[(i + 1) % 3], *q = a[(i + 2) % 3];
             const int s = (j + 1) % 3, t = (j + 2) % 3;
             lane two = p[t] * q[s];
-            n[i][j] = k->fine ? still_difference(two_product(p[s], q[t]), two_product(p[t], q[s]))
-                              : lane2_of(lane_fms(p[s], q[t], two));
-            rough[i][j] = lane_fma(lane_of(ns[FMB_LANE_FUSED][j]), lane_abs(n[i][j].hi),
+            n[i][j] = lane_fms(p[s], q[t], two);
+            rough[i][j] = lane_fma(lane_of(ns[FMB_LANE_FUSED][j]), lane_abs(n[i][j]),
                                    lane_of(twos) * lane_abs(two));
         }
     }
 }
 
-/* n x; low: what x is more, or NULL; only looked at if fine. */
-FMB_BOX_INLINE lane2 still_dot(const box_kind *k, const lane2 *n, const lane *x, const lane *low)
+FMB_BOX_INLINE lane still_dot(int dim, const lane *n, const lane *x)
 {
-    if (!k->fine) {
-        lane plain = n[0].hi * x[0];
-        FMB_UNROLL
-        for (int j = 1; j < k->dim; j++)
-            plain = lane_fma(n[j].hi, x[j], plain);
-        return lane2_of(plain);
-    }
-    lane2 sum = two_product(n[0].hi, x[0]);
-    sum.lo = lane_fma(n[0].lo, x[0], sum.lo);
+    lane sum = n[0] * x[0];
     FMB_UNROLL
-    for (int j = 1; j < k->dim; j++) {
-        lane2 t = two_product(n[j].hi, x[j]), more = two_sum(sum.hi, t.hi);
-        sum.hi = more.hi;
-        sum.lo = (sum.lo + more.lo) + lane_fma(n[j].lo, x[j], t.lo);
-    }
-    if (low)
-        for (int j = 0; j < k->dim; j++)
-            sum.lo = lane_fma(n[j].hi, low[j], sum.lo);
-    return two_sum(sum.hi, sum.lo);
+    for (int j = 1; j < dim; j++)
+        sum = lane_fma(n[j], x[j], sum);
+    return sum;
 }
 
 FMB_BOX_INLINE lane still_dot_abs(int dim, const lane *rough, const lane *x)
@@ -97,19 +74,18 @@ FMB_BOX_INLINE lane still_dot_abs(int dim, const lane *rough, const lane *x)
 }
 
 /* The value that a simplex has besides. */
-FMB_BOX_INLINE void still_last_value(const box_kind *k, still_view *v, lane2 size)
+FMB_BOX_INLINE void still_last_value(int dim, still_view *v)
 {
-    const int dim = k->dim;
-    v->start[dim] = size;
+    v->start[dim] = v->size;
     FMB_UNROLL
     for (int i = 0; i < dim; i++)
-        v->start[dim] = lane2_subtract(k->fine, v->start[dim], v->start[i]);
+        v->start[dim] = v->start[dim] - v->start[i];
     FMB_UNROLL
     for (int l = 0; l < dim; l++) {
-        v->edge[l][dim] = lane2_minus(v->edge[l][0]);
+        v->edge[l][dim] = -v->edge[l][0];
         FMB_UNROLL
         for (int i = 1; i < dim; i++)
-            v->edge[l][dim] = lane2_subtract(k->fine, v->edge[l][dim], v->edge[l][i]);
+            v->edge[l][dim] = v->edge[l][dim] - v->edge[l][i];
     }
 }
 
@@ -120,11 +96,11 @@ typedef struct still_size {
 FMB_BOX_INLINE still_size still_size_of(const box_kind *k, int guest, const still_view *v, int i)
 {
     const bool simplex = k->shape[guest] == FMB_SIMPLEX;
-    const lane half = lane_of(0.5), start = v->start[i].hi;
+    const lane half = lane_of(0.5), start = v->start[i];
     lane total = lane_of(0), sum = total, longest = total, most = lane_abs(start);
     FMB_UNROLL
     for (int l = 0; l < k->dim; l++) {
-        lane edge = v->edge[l][i].hi;
+        lane edge = v->edge[l][i];
         sum = sum + lane_abs(edge);
         longest = lane_max_abs(longest, edge);
         total = total + edge;
@@ -143,15 +119,15 @@ FMB_BOX_INLINE void still_bound(const box_kind *k, int guest, const lane *all, l
 {
     const bool simplex = k->shape[1 - guest] == FMB_SIMPLEX;
     const int dim = k->dim;
-    const lane u = lane_of(1.01 * 0x1p-53), corners = lane_of(k->fine ? 4 : 6);
+    const lane u = lane_of(1.01 * 0x1p-53);
     lane base = lane_of(6) * v->half, others = lane_fma(lane_of(3), v->size, off),
          rest = lane_of(0);
     FMB_UNROLL
     for (int i = 0; i < box_values(k, 1 - guest); i++) {
         if (!simplex)
-            v->start[i] = lane2_subtract(k->fine, v->start[i], lane2_of(v->half));
+            v->start[i] = v->start[i] - v->half;
         still_size s = still_size_of(k, guest, v, i);
-        lane wide = lane_fma(corners, s.corner, lane_fma(lane_of(3), s.edge, base));
+        lane wide = lane_fma(lane_of(6), s.corner, lane_fma(lane_of(3), s.edge, base));
         if (i < dim) {
             wide = wide + all[i];
             others = others + all[i];
@@ -159,29 +135,25 @@ FMB_BOX_INLINE void still_bound(const box_kind *k, int guest, const lane *all, l
         } else {
             wide = wide + others;
         }
-        if (!k->fine)
-            wide = lane_fma(lane_of(i < dim ? 1 : 4), i < dim ? s.sum : rest, wide);
+        wide = lane_fma(lane_of(i < dim ? 1 : 4), i < dim ? s.sum : rest, wide);
         v->wide[i] = u * wide;
         if (simplex)
-            v->start[i] = lane2_add(k->fine, v->start[i], lane2_of(v->wide[i]));
+            v->start[i] = v->start[i] + v->wide[i];
     }
 }
 
-/* shift (and low, what it is more): from the origin of the host, a, to that of the guest, b.
- * 2^-200 is for underflow, as in box_view.h. */
+/* shift: from the origin of the host, a, to that of the guest, b. 2^-200 is for underflow, as in
+ * box_view.h. */
 FMB_BOX_INLINE void still_view_of(const box_kind *k, int guest, const still_frame *a,
-                                  const still_frame *b, const lane *shift, const lane *low,
-                                  still_view *v)
+                                  const still_frame *b, const lane *shift, still_view *v)
 {
     const int dim = k->dim;
-    const lane scale = lane_of(k->fine ? 0x1p-49 : 1);
-    lane rough[3][3], x[3], all[3];
-    lane2 n[3][3];
+    lane n[3][3], rough[3][3], x[3], all[3];
     still_adjugate(k, a->axes, n, rough);
-    lane2 det = still_dot(k, n[0], a->axes[0], NULL), size = lane2_times_sign(k->fine, det, det.hi);
-    lane off = scale * (still_dot_abs(dim, rough[0], a->axes[0]) + lane_of(0x1p-200));
-    v->size = size.hi;
-    v->half = lane_of(0.5) * size.hi;
+    lane det = still_dot(dim, n[0], a->axes[0]);
+    lane off = still_dot_abs(dim, rough[0], a->axes[0]) + lane_of(0x1p-200);
+    v->size = lane_times_sign(det, det);
+    v->half = lane_of(0.5) * v->size;
     v->known = lane_less(lane_of(0x1p-52) * (off + v->size), v->size);
     FMB_UNROLL
     for (int j = 0; j < dim; j++)
@@ -190,15 +162,15 @@ FMB_BOX_INLINE void still_view_of(const box_kind *k, int guest, const still_fram
     for (int i = 0; i < dim; i++) {
         FMB_UNROLL
         for (int j = 0; j < dim; j++)
-            n[i][j] = lane2_times_sign(k->fine, n[i][j], det.hi);
-        v->start[i] = still_dot(k, n[i], shift, low);
+            n[i][j] = lane_times_sign(n[i][j], det);
+        v->start[i] = still_dot(dim, n[i], shift);
         FMB_UNROLL
         for (int l = 0; l < dim; l++)
-            v->edge[l][i] = still_dot(k, n[i], b->axes[l], NULL);
-        all[i] = lane_fma(scale, still_dot_abs(dim, rough[i], x), off);
+            v->edge[l][i] = still_dot(dim, n[i], b->axes[l]);
+        all[i] = still_dot_abs(dim, rough[i], x) + off;
     }
     if (k->shape[1 - guest] == FMB_SIMPLEX)
-        still_last_value(k, v, size);
+        still_last_value(dim, v);
     still_bound(k, guest, all, off, v);
 }
 

@@ -5,7 +5,8 @@
  * within 0 ... size = |det|; for a simplex, where all are at least 0, with one value more, size -
  * sum y_i. (The same idea as in local_frame.h, with tighter bounds on errors.)
  *
- * Errors: error_i = steps unit most_i bounds those of value i: docs/error-bounds.md, "View".
+ * All this is in double-doubles. Errors: error_i bounds those of value i, and what upper halves
+ * leave out if only these are looked at: docs/error-bounds.md, "View".
  *
  * `known` says where alpha, beta, drift and places are within 2^-40 ... 2^40 (the last two: at
  * most) and size > its error. Then nothing overflows, and underflow does not hurt: it changes a
@@ -22,9 +23,15 @@ enum { BOX_CORNERS = 8, BOX_VALUES = 4 };
 /* What is constant in a kernel. */
 typedef struct box_kind {
     int dim;
-    bool moves, fine;
-    int shape[2]; /* of A, of B */
+    bool moves, fine; /* fine: of double-doubles, lower halves are looked at, too */
+    int shape[2];     /* of A, of B */
 } box_kind;
+
+/* The same, of that precision. */
+FMB_BOX_INLINE box_kind box_in_precision(const box_kind *k, bool fine)
+{
+    return (box_kind){k->dim, k->moves, fine, {k->shape[0], k->shape[1]}};
+}
 
 /* One frame of a block; speed is 0 if nothing moves. */
 typedef struct box_frame {
@@ -48,12 +55,6 @@ FMB_BOX_INLINE int box_corners(const box_kind *k, int guest)
     return k->shape[guest] == FMB_SIMPLEX ? k->dim + 1 : 1 << k->dim;
 }
 
-/* The factor of unit most in errors. */
-FMB_BOX_INLINE double box_steps(const box_kind *k, int host)
-{
-    return k->fine ? 2 : 10 + 5 * k->moves + 3 * (k->shape[host] == FMB_SIMPLEX);
-}
-
 /* The adjugate of a, whose rows are axes, and N. */
 FMB_BOX_INLINE void box_adjugate(const box_kind *k, const lane a[3][3], lane2 n[3][3],
                                  lane most[3][3])
@@ -71,43 +72,42 @@ FMB_BOX_INLINE void box_adjugate(const box_kind *k, const lane a[3][3], lane2 n[
         const lane *p = a[(i + 1) % 3], *q = a[(i + 2) % 3];
         for (int j = 0; j < 3; j++) {
             int s = (j + 1) % 3, t = (j + 2) % 3;
-            lane2 one = k->fine ? two_product(p[s], q[t]) : lane2_of(p[s] * q[t]);
-            lane2 two = k->fine ? two_product(p[t], q[s]) : lane2_of(p[t] * q[s]);
-            n[i][j] = lane2_subtract(k->fine, one, two);
+            lane2 one = two_product(p[s], q[t]), two = two_product(p[t], q[s]);
+            n[i][j] = lane2_subtract(true, one, two);
             most[i][j] = lane_abs(one.hi) + lane_abs(two.hi);
         }
     }
 }
 
-FMB_BOX_INLINE lane2 box_dot(const box_kind *k, const lane2 *n, const lane2 *x)
+FMB_BOX_INLINE lane2 box_dot(int dim, const lane2 *n, const lane2 *x)
 {
-    lane2 sum = lane2_times(k->fine, n[0], x[0]);
-    for (int j = 1; j < k->dim; j++)
-        sum = lane2_add(k->fine, sum, lane2_times(k->fine, n[j], x[j]));
+    lane2 sum = lane2_times(true, n[0], x[0]);
+    for (int j = 1; j < dim; j++)
+        sum = lane2_add(true, sum, lane2_times(true, n[j], x[j]));
     return sum;
 }
 
-FMB_BOX_INLINE lane2 box_dot_lanes(const box_kind *k, const lane2 *n, const lane *x)
+FMB_BOX_INLINE lane2 box_dot_lanes(int dim, const lane2 *n, const lane *x)
 {
     lane2 t[3];
-    for (int j = 0; j < k->dim; j++)
+    for (int j = 0; j < dim; j++)
         t[j] = lane2_of(x[j]);
-    return box_dot(k, n, t);
+    return box_dot(dim, n, t);
 }
 
 /* y - x */
-FMB_BOX_INLINE void box_difference(const box_kind *k, const lane *x, const lane *y, lane2 *out)
+FMB_BOX_INLINE void box_difference(int dim, const lane *x, const lane *y, lane2 *out)
 {
-    for (int j = 0; j < k->dim; j++)
-        out[j] = k->fine ? two_sum(y[j], -x[j]) : lane2_of(y[j] - x[j]);
+    for (int j = 0; j < dim; j++)
+        out[j] = two_sum(y[j], -x[j]);
 }
 
 /* The value that a simplex has besides. */
-FMB_BOX_INLINE void box_last_value(const box_kind *k, lane2 from, lane2 *y)
+FMB_BOX_INLINE void box_last_value(int dim, lane2 from, lane2 *y)
 {
-    for (int i = 0; i < k->dim; i++)
-        from = lane2_subtract(k->fine, from, y[i]);
-    y[k->dim] = from;
+    for (int i = 0; i < dim; i++)
+        from = lane2_subtract(true, from, y[i]);
+    y[dim] = from;
 }
 
 /* X_j but for the drift, given the shift. */
@@ -123,11 +123,21 @@ FMB_BOX_INLINE lane box_extent(const box_kind *k, int guest, const box_frame *b,
     return lane_abs(shift) + edges;
 }
 
+/* What upper halves alone leave out of value i: docs/error-bounds.md, "View". */
+FMB_BOX_INLINE lane box_halves(const box_kind *k, int guest, const box_view *v, int i)
+{
+    const double factor =
+        1.25 + (k->shape[guest] == FMB_SIMPLEX) + (k->shape[1 - guest] == FMB_CUBOID);
+    lane reach = v->size.hi + lane_abs(v->start[i].hi) + lane_abs(v->drift[i].hi);
+    for (int l = 0; l < k->dim; l++)
+        reach = reach + lane_abs(v->edge[l][i].hi);
+    return lane_of(factor * 0x1p-53) * reach;
+}
+
 FMB_BOX_INLINE void box_errors(const box_kind *k, int guest, const box_frame *a, const box_frame *b,
                                lane most[3][3], const lane2 *shift, const lane2 *drift, box_view *v)
 {
-    lane x[3], whole = lane_of(0x1p-200), sum = lane_of(0),
-               unit = lane_of(box_steps(k, 1 - guest) * LANE2_UNIT(k->fine));
+    lane x[3], whole = lane_of(0x1p-200), sum = lane_of(0), unit = lane_of(2 * LANE2_UNIT(true));
     for (int j = 0; j < k->dim; j++) {
         x[j] = box_extent(k, guest, b, j, shift[j].hi) + lane_abs(drift[j].hi);
         whole = lane_fma(most[0][j], lane_abs(a->axes[0][j]), whole);
@@ -139,8 +149,11 @@ FMB_BOX_INLINE void box_errors(const box_kind *k, int guest, const box_frame *a,
         sum = sum + v->most[i];
     }
     v->most[k->dim] = sum;
-    for (int i = 0; i <= k->dim; i++)
+    for (int i = 0; i < box_values(k, 1 - guest); i++) {
         v->error[i] = unit * v->most[i];
+        if (!k->fine)
+            v->error[i] = v->error[i] + box_halves(k, guest, v, i);
+    }
     v->known = lane_less(unit * whole, v->size.hi);
 }
 
@@ -150,24 +163,24 @@ FMB_BOX_INLINE void box_view_of(const box_kind *k, int guest, const box_frame *a
     lane2 n[3][3], shift[3], drift[3];
     lane most[3][3];
     box_adjugate(k, a->axes, n, most);
-    lane2 det = box_dot_lanes(k, n[0], a->axes[0]);
-    v->size = lane2_times_sign(k->fine, det, det.hi);
+    lane2 det = box_dot_lanes(k->dim, n[0], a->axes[0]);
+    v->size = lane2_times_sign(true, det, det.hi);
     for (int i = 0; i < k->dim; i++)
         for (int j = 0; j < k->dim; j++)
-            n[i][j] = lane2_times_sign(k->fine, n[i][j], det.hi);
-    box_difference(k, a->origin, b->origin, shift);
-    box_difference(k, a->speed, b->speed, drift);
+            n[i][j] = lane2_times_sign(true, n[i][j], det.hi);
+    box_difference(k->dim, a->origin, b->origin, shift);
+    box_difference(k->dim, a->speed, b->speed, drift);
     for (int i = 0; i < k->dim; i++) {
-        v->start[i] = box_dot(k, n[i], shift);
+        v->start[i] = box_dot(k->dim, n[i], shift);
         for (int l = 0; l < k->dim; l++)
-            v->edge[l][i] = box_dot_lanes(k, n[i], b->axes[l]);
-        v->drift[i] = box_dot(k, n[i], drift);
+            v->edge[l][i] = box_dot_lanes(k->dim, n[i], b->axes[l]);
+        v->drift[i] = k->moves ? box_dot(k->dim, n[i], drift) : lane2_of(lane_of(0));
     }
     if (k->shape[1 - guest] == FMB_SIMPLEX) {
-        box_last_value(k, v->size, v->start);
+        box_last_value(k->dim, v->size, v->start);
         for (int l = 0; l < k->dim; l++)
-            box_last_value(k, lane2_of(lane_of(0)), v->edge[l]);
-        box_last_value(k, lane2_of(lane_of(0)), v->drift);
+            box_last_value(k->dim, lane2_of(lane_of(0)), v->edge[l]);
+        box_last_value(k->dim, lane2_of(lane_of(0)), v->drift);
     }
     box_errors(k, guest, a, b, most, shift, drift, v);
 }
@@ -180,7 +193,7 @@ FMB_BOX_INLINE void box_corner(const box_kind *k, int host, const box_view *v, i
         y[i] = v->start[i];
         for (int l = 0; l < k->dim; l++)
             if (k->shape[1 - host] == FMB_SIMPLEX ? c == l + 1 : c >> l & 1)
-                y[i] = lane2_add(k->fine, y[i], v->edge[l][i]);
+                y[i] = lane2_add(true, y[i], v->edge[l][i]);
     }
 }
 

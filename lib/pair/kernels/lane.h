@@ -19,9 +19,11 @@
 #ifdef __clang__
 #define FMB_BOX_INLINE static inline __attribute__((unused))
 #define FMB_UNROLL
+#define FMB_NEVER_CLONED __attribute__((noinline))
 #else
-#define FMB_BOX_INLINE FMB_INLINE
-#define FMB_UNROLL     _Pragma("GCC unroll 16")
+#define FMB_BOX_INLINE   FMB_INLINE
+#define FMB_UNROLL       _Pragma("GCC unroll 16")
+#define FMB_NEVER_CLONED __attribute__((noinline, noclone))
 #endif
 
 /* Are products fused with sums, so that they are not rounded? */

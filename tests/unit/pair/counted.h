@@ -13,8 +13,9 @@
 #define FMB_INLINE     static inline __attribute__((unused))
 #define FMB_BOX_INLINE FMB_INLINE
 #define FMB_UNROLL
-#define FMB_LANES      1
-#define FMB_LANE_FUSED counted_fused
+#define FMB_NEVER_CLONED __attribute__((noinline))
+#define FMB_LANES        1
+#define FMB_LANE_FUSED   counted_fused
 
 #include <algorithm>
 #include <cmath>

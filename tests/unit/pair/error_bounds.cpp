@@ -60,7 +60,7 @@ static double some_size()
     return std::ldexp(1 + uniform(), (int)(uniform() * 40) - 20);
 }
 
-static const double *rows; // of a block
+static const double *rows;                  // of a block
 static double alpha[3], beta, delta, omega; // alpha: of each axis
 static int dimension;
 
@@ -239,66 +239,47 @@ static still_frame some_frame(int dim)
     return f;
 }
 
-/* What a pair is off by if its lower half is dropped. */
-static double dropped(lane2 x)
-{
-    return x.hi.e + x.lo.e + size_of(x.lo) / UNIT;
-}
-
-static double off(lane2 x)
-{
-    return x.hi.e + x.lo.e;
-}
-
 /* A point on the edge along axis `ahead`, from the end of axis `back` (-1: from corner y), and what
  * clipping rounds. The errors of the two axes count by halves, as the point is between their ends.
  */
-static void claim_wide(const still_view *v, bool fine, bool simplex, int i, lane2 y, int back,
-                       int ahead)
+static void claim_wide(const still_view *v, bool simplex, int i, lane y, int back, int ahead)
 {
-    const double half = simplex ? 0 : v->half.v, bound = simplex ? 0 : v->half.e + 2 * fine * half;
-    lane2 d = v->edge[ahead][i];
-    double axes = off(d), corner = dropped(y), twice = 0;
+    const double half = simplex ? 0 : v->half.v, bound = simplex ? 0 : v->half.e;
+    lane d = v->edge[ahead][i];
+    double axes = d.e, corner = y.e, twice = 0;
     if (back >= 0) {
-        d = lane2_subtract(fine, d, v->edge[back][i]);
-        twice = off(v->edge[back][i]);
+        d = d - v->edge[back][i];
+        twice = v->edge[back][i].e;
         corner -= twice;
-        axes = std::max(off(v->edge[ahead][i]), twice);
+        axes = std::max(v->edge[ahead][i].e, twice);
     }
-    double rounding = dropped(d) - off(v->edge[ahead][i]) - twice;
+    double rounding = d.e - v->edge[ahead][i].e - twice;
     double needed = corner + axes + rounding + bound;
-    needed += 2 * (std::fabs(y.hi.v) + std::fabs(d.hi.v)) + 3 * half;
+    needed += 2 * (std::fabs(y.v) + std::fabs(d.v)) + 3 * half;
     claim("wide", needed * (1 + 0x1p-10), v->wide[i].v / UNIT);
 }
 
-static void count_still_view(int dim, bool fine, int host, int guest)
+static void count_still_view(int dim, int host, int guest)
 {
-    const box_kind kind = {dim, false, fine, {guest, host}}, *k = &kind; /* the guest is A */
+    const box_kind kind = {dim, false, false, {guest, host}}, *k = &kind; /* the guest is A */
     const still_frame a = some_frame(dim), b = some_frame(dim);
-    lane shift[3], low[3];
+    lane shift[3];
     still_view v;
-    for (int j = 0; j < dim; j++) {
-        double from = 4 * some_number(), to = 4 * some_number();
-        lane2 s = two_sum({to, 0}, {-from, 0});
-        shift[j] = {s.hi.v, fine ? 0 : std::fabs(s.hi.v)};
-        low[j] = s.lo;
-    }
-    still_view_of(k, 0, &a, &b, shift, low, &v);
-    kernel = flavour(fine            ? "still view, fine"
-                     : counted_fused ? "still view, fused"
-                                     : "still view",
-                     dim, false) +
+    for (int j = 0; j < dim; j++)
+        shift[j] = lane{4 * some_number(), 0} - lane{4 * some_number(), 0};
+    still_view_of(k, 0, &a, &b, shift, &v);
+    kernel = flavour(counted_fused ? "still view, fused" : "still view", dim, false) +
              (host ? "simplex host, " : "cuboid host, ");
     const bool simplex = guest == FMB_SIMPLEX;
     for (int c = 0; c < (simplex ? dim + 1 : 1 << dim); c++)
         for (int i = 0; i < box_values(k, 1); i++) {
-            lane2 y = v.start[i];
+            lane y = v.start[i];
             for (int l = 0; l < dim; l++)
                 if (simplex ? c == l + 1 : c >> l & 1)
-                    y = lane2_add(fine, y, v.edge[l][i]);
+                    y = y + v.edge[l][i];
             for (int l = 0; l < dim; l++)
                 if (simplex ? c != l + 1 : !(c >> l & 1))
-                    claim_wide(&v, fine, host == FMB_SIMPLEX, i, y, simplex ? c - 1 : -1, l);
+                    claim_wide(&v, host == FMB_SIMPLEX, i, y, simplex ? c - 1 : -1, l);
         }
 }
 
@@ -316,6 +297,33 @@ static box_frame moving_frame(int dim, bool moves)
     return f;
 }
 
+static double off(lane2 x)
+{
+    return x.hi.e + x.lo.e;
+}
+
+/* If its lower half is dropped. */
+static lane upper_half_of(lane2 x)
+{
+    return {x.hi.v, off(x) + size_of(x.lo) / UNIT};
+}
+
+/* What y (a simplex host), or else size - y, and then d are off by where lines are clipped. */
+static double off_in_clipping(bool fine, bool simplex, lane2 size, lane2 y, lane2 d)
+{
+    lane from = upper_half_of(y), rest = upper_half_of(size) - from;
+    if (fine)
+        return off(simplex ? y : lane2_subtract(true, size, y)) + off(d);
+    return (simplex ? from : rest).e + upper_half_of(d).e;
+}
+
+/* A coordinate in the host of a point on an edge, in doubles, but for its last rounding. */
+static double off_inside(lane rho, lane2 y, lane2 d)
+{
+    lane from = upper_half_of(y) * rho, along = upper_half_of(d) * rho;
+    return from.e + along.e + size_of(along) / 2;
+}
+
 static void count_view(int dim, bool moves, bool fine, int host, int guest)
 {
     const box_kind kind = {dim, moves, fine, {guest, host}}, *k = &kind;
@@ -324,6 +332,7 @@ static void count_view(int dim, bool moves, bool fine, int host, int guest)
     box_guest g;
     box_view_of(k, 0, &a, &b, &v);
     box_guest_of(k, 0, &v, &b, &g);
+    const lane rho = {1 / v.size.hi.v, 0};
     kernel = flavour(fine ? "view, fine" : "view", dim, moves) +
              (host ? "simplex host, " : "cuboid host, ");
     for (int at = 0; at <= moves; at++) {
@@ -332,10 +341,14 @@ static void count_view(int dim, bool moves, bool fine, int host, int guest)
             box_direction_of(k, 0, &v, &b, n, &e);
             for (int c = 0; c < box_corners(k, 0); c++)
                 for (int i = 0; box_starts(k, 0, n, c) && i < box_values(k, 1); i++) {
-                    lane2 rest = lane2_subtract(fine, v.size, g.y[c][i]);
-                    double y = host == FMB_SIMPLEX ? off(g.y[c][i]) : off(rest);
-                    claim("edge", y + off(e.d[i]), v.error[i].v / UNIT);
-                    claim("path", y + off(v.drift[i]), v.error[i].v / UNIT);
+                    const bool simplex = host == FMB_SIMPLEX;
+                    const double error = v.error[i].v / UNIT;
+                    lane2 y = g.y[c][i];
+                    claim("edge", off_in_clipping(fine, simplex, v.size, y, e.d[i]), error);
+                    if (!fine)
+                        claim("inside", off_inside(rho, y, e.d[i]), 2.25 * error * rho.v);
+                    if (at == 0) /* paths start there */
+                        claim("path", off_in_clipping(fine, simplex, v.size, y, v.drift[i]), error);
                 }
         }
         box_guest_move(k, 0, &v, &b, &g);
@@ -486,10 +499,8 @@ static void count_still_world(int dim, int one, int two)
     for (int guest = 0; guest < 2; guest++) {
         still_frame *f = &p.frame[guest];
         lane from[3], y[1][BOX_VALUES] = {};
-        for (int j = 0; j < dim; j++) {
-            f->origin[j].e = guest * size_of(p.low[j]) / UNIT;
+        for (int j = 0; j < dim; j++)
             from[j] = p.place[j] + f->origin[j];
-        }
         largest = std::max(largest, farthest(dim, k->shape[guest], *f, from));
         for (int n = 0; n < dim; n++) { /* from the corner farthest from the origin */
             const int next = (n + 1) % dim, last = (n + 2) % dim;
@@ -603,7 +614,7 @@ int main()
                     count_still_world(dim, shapes / 2, shapes % 2);
                     count_world(dim, false, fine, shapes / 2, shapes % 2);
                     count_world(dim, true, fine, shapes / 2, shapes % 2);
-                    count_still_view(dim, fine, shapes / 2, shapes % 2);
+                    count_still_view(dim, shapes / 2, shapes % 2);
                     count_view(dim, false, fine, shapes / 2, shapes % 2);
                     count_view(dim, true, fine, shapes / 2, shapes % 2);
                 }
