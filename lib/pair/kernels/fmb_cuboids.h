@@ -50,12 +50,12 @@ FMB_INLINE void fmb_cuboids_make(fmb_kind kind, const local_frame *f, fmb_cuboid
 /* A's rows: the largest gap. */
 FMB_INLINE lane fmb_cuboids_faces(fmb_kind kind, const fmb_cuboids *c)
 {
-    lane most = lane_of(-INFINITY);
+    lane most = lane_of(0);
     for (int i = 0; i < kind.dim; i++) {
         lane reach = c->size;
         for (int k = 0; k < fmb_cuboids_count(kind); k++)
             reach = reach + lane_abs(c->g[k][i]);
-        most = lane_max(most, lane_abs(c->center[i]) - reach);
+        most = fmb_gaps_largest(i, most, lane_abs(c->center[i]) - reach);
     }
     return most;
 }
@@ -99,7 +99,7 @@ FMB_INLINE lane fmb_cuboids_side(fmb_kind kind, const fmb_cuboids *c, int a, int
 FMB_INLINE lane fmb_cuboids_ridge(fmb_kind kind, const fmb_cuboids *c, int a)
 {
     const lane *g = c->g[a];
-    lane most = lane_of(-INFINITY);
+    lane most = lane_of(0);
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
         lane away = lane_abs(lane_fms(g[k], c->center[j], g[j] * c->center[k])), wide = lane_of(0);
@@ -109,7 +109,7 @@ FMB_INLINE lane fmb_cuboids_ridge(fmb_kind kind, const fmb_cuboids *c, int a)
                 wide = wide + lane_abs(c->cross[y * (y - 1) / 2 + x][i]);
             }
         lane reach = lane_fma(c->size, lane_abs(g[j]) + lane_abs(g[k]), wide);
-        most = lane_max(most, away - reach);
+        most = fmb_gaps_largest(i, most, away - reach);
     }
     return most;
 }
@@ -121,8 +121,7 @@ FMB_INLINE fmb_pair_bits fmb_cuboids_2d(const double *block, bool moves)
     local_frame_make(2, moves, false, block, &f);
     fmb_cuboids c;
     fmb_cuboids_make(kind, &f, &c);
-    fmb_gaps gaps = fmb_gaps_none();
-    fmb_gaps_class(&gaps, fmb_cuboids_faces(kind, &c), 26, c.bound);
+    fmb_gaps gaps = fmb_gaps_first(fmb_cuboids_faces(kind, &c), 26, c.bound);
     lane most = lane_max(fmb_cuboids_turned(kind, &c, 0), fmb_cuboids_turned(kind, &c, 1));
     fmb_gaps_class(&gaps, most, 92, f.most_e * c.bound);
     if (moves)
@@ -137,9 +136,8 @@ FMB_INLINE fmb_pair_bits fmb_cuboids_3d(const double *block, bool moves, fmb_ask
     local_frame_make(3, moves, false, block, &f);
     fmb_cuboids c;
     fmb_cuboids_make(kind, &f, &c);
-    fmb_gaps gaps = fmb_gaps_none();
+    fmb_gaps gaps = fmb_gaps_first(fmb_cuboids_faces(kind, &c), 26, c.bound);
     fmb_pair_bits out;
-    fmb_gaps_class(&gaps, fmb_cuboids_faces(kind, &c), 26, c.bound);
     if (FMB_LANES < 8 && fmb_gaps_done(&gaps, f.known, &out))
         return out;
     fmb_cuboids_cross(&c, 0, 3);

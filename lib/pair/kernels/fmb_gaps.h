@@ -49,6 +49,20 @@ FMB_INLINE void fmb_gaps_class(fmb_gaps *x, lane gap, double count, lane bound)
     x->meet = lane_max(x->meet, gap + error);
 }
 
+/* The first class there is. */
+FMB_INLINE fmb_gaps fmb_gaps_first(lane gap, double count, lane bound)
+{
+    lane error = fmb_gaps_error(count, bound);
+    return (fmb_gaps){gap - error, gap + error};
+}
+
+/* The largest of gaps 0 ... i of a class, given that of those before. Numbers are constant where
+ * loops are unrolled, and nothing is asked about the first. */
+FMB_INLINE lane fmb_gaps_largest(int i, lane before, lane gap)
+{
+    return i == 0 ? gap : lane_max(before, gap);
+}
+
 /* They meet only where a number of that size is off by less: its sign is certain. */
 FMB_INLINE void fmb_gaps_certain(fmb_gaps *x, lane size, double count, lane bound)
 {

@@ -98,7 +98,7 @@ FMB_INLINE void fmb_simplices_make(fmb_kind kind, const local_frame *f, fmb_simp
 FMB_INLINE lane fmb_simplices_faces(fmb_kind kind, const fmb_simplices *c)
 {
     const lane zero = lane_of(0);
-    lane most = lane_of(-INFINITY);
+    lane most = lane_of(0);
     for (int i = 0; i < kind.dim + kind.simplex; i++) {
         lane low = zero, high = zero;
         for (int k = 0; k < kind.dim; k++) {
@@ -106,7 +106,7 @@ FMB_INLINE lane fmb_simplices_faces(fmb_kind kind, const fmb_simplices *c)
             high = lane_max(high, c->e[k][i]);
         }
         if (kind.simplex) {
-            most = lane_max(most, -(lane_max(c->v[i], c->end[i]) + high));
+            most = fmb_gaps_largest(i, most, -(lane_max(c->v[i], c->end[i]) + high));
             continue;
         }
         lane away = c->start[i] + (high + low), width = high - low;
@@ -114,7 +114,7 @@ FMB_INLINE lane fmb_simplices_faces(fmb_kind kind, const fmb_simplices *c)
             away = away + c->drift[i];
             width = width + lane_abs(c->drift[i]);
         }
-        most = lane_max(most, lane_abs(away) - width);
+        most = fmb_gaps_largest(i, most, lane_abs(away) - width);
     }
     if (kind.simplex)
         return most;
@@ -158,24 +158,49 @@ FMB_INLINE void fmb_simplices_rows(fmb_kind kind, fmb_simplices *c)
         c->w[n][i] = -(c->w[0][i] + c->w[1][i] + (n == 3 ? c->w[2][i] : lane_of(0)));
 }
 
-/* ... the largest gap; A is a cuboid. */
+/* ... the largest gap; A is a cuboid of the plane. Only sizes of coefficients count, so none is
+ * turned round. */
+FMB_INLINE lane fmb_simplices_strips(fmb_kind kind, fmb_simplices *c)
+{
+    const lane *p = c->e[0], *q = c->e[1];
+    lane away[3], along[3], wide[3], most = lane_of(0);
+    c->det = local_frame_turned(q, p);
+    away[0] = local_frame_turned(q, c->middle);
+    away[1] = local_frame_turned_back(p, c->middle);
+    away[2] = c->det - (away[0] + away[1]);
+    wide[0] = lane_abs(q[0]) + lane_abs(q[1]);
+    wide[1] = lane_abs(p[0]) + lane_abs(p[1]);
+    wide[2] = lane_abs(q[0] - p[0]) + lane_abs(q[1] - p[1]);
+    if (kind.moves) {
+        along[0] = local_frame_turned(q, c->drift);
+        along[1] = local_frame_turned_back(p, c->drift);
+        along[2] = along[0] + along[1];
+    }
+    for (int i = 0; i < 3; i++) {
+        lane gap = lane_abs(away[i]);
+        if (kind.moves)
+            gap = gap - lane_abs(along[i]);
+        most = fmb_gaps_largest(i, most, lane_fnma(c->size, wide[i], gap));
+    }
+    return most - lane_abs(c->det);
+}
+
+/* ... of space. */
 FMB_INLINE lane fmb_simplices_slabs(fmb_kind kind, const fmb_simplices *c)
 {
-    const int n = kind.dim;
-    lane most = lane_of(-INFINITY), away[4], along[4];
-    for (int p = 0; p < n; p++) {
-        away[p] = local_frame_dot(n, c->w[p], c->middle);
-        along[p] = kind.moves ? local_frame_dot(n, c->w[p], c->drift) : lane_of(0);
+    lane most = lane_of(0), away[4], along[4];
+    for (int p = 0; p < 3; p++) {
+        away[p] = local_frame_dot(3, c->w[p], c->middle);
+        along[p] = kind.moves ? local_frame_dot(3, c->w[p], c->drift) : lane_of(0);
     }
-    away[n] = lane_fms(lane_of(n - 1), c->det, fmb_sum(away, n));
-    along[n] = fmb_sum(along, n);
-    for (int p = 0; p <= n; p++) {
+    away[3] = lane_fms(lane_of(2), c->det, fmb_sum(away, 3));
+    along[3] = fmb_sum(along, 3);
+    for (int p = 0; p < 4; p++) {
         lane gap = lane_abs(away[p]), wide = lane_abs(c->w[p][0]) + lane_abs(c->w[p][1]);
-        if (n == 3)
-            wide = wide + lane_abs(c->w[p][2]);
+        wide = wide + lane_abs(c->w[p][2]);
         if (kind.moves)
             gap = gap - lane_abs(along[p]);
-        most = lane_max(most, lane_fnma(c->size, wide, gap));
+        most = fmb_gaps_largest(p, most, lane_fnma(c->size, wide, gap));
     }
     return most - lane_abs(c->det);
 }
@@ -184,7 +209,7 @@ FMB_INLINE lane fmb_simplices_slabs(fmb_kind kind, const fmb_simplices *c)
 FMB_INLINE lane fmb_simplices_sides(fmb_kind kind, const fmb_simplices *c)
 {
     const int n = kind.dim;
-    lane most = lane_of(-INFINITY), away[4], along[4];
+    lane most = lane_of(0), away[4], along[4];
     for (int p = 0; p < n; p++) {
         away[p] = local_frame_dot(n, c->w[p], c->v);
         along[p] = kind.moves ? local_frame_dot(n, c->w[p], c->drift) : lane_of(0);
@@ -195,7 +220,7 @@ FMB_INLINE lane fmb_simplices_sides(fmb_kind kind, const fmb_simplices *c)
         lane gap = fmb_simplices_row(kind, c, c->w[p], away[p], along[p], c->det);
         if (p == n)
             gap = gap - lane_abs(c->det);
-        most = lane_max(most, gap);
+        most = fmb_gaps_largest(p, most, gap);
     }
     return most;
 }
@@ -207,10 +232,13 @@ FMB_INLINE void fmb_simplices_ask(fmb_kind kind, const local_frame *f, fmb_simpl
     lane power = f->most_e; /* E^(D - 1) */
     if (kind.dim == 3)
         power = power * f->most_e;
+    if (kind.dim == 2 && !kind.simplex) {
+        fmb_gaps_class(gaps, fmb_simplices_strips(kind, c), 200, power * c->more);
+        return;
+    }
     fmb_simplices_rows(kind, c);
     if (!kind.simplex) {
-        fmb_gaps_class(gaps, fmb_simplices_slabs(kind, c), kind.dim == 3 ? 1260 : 200,
-                       power * c->more);
+        fmb_gaps_class(gaps, fmb_simplices_slabs(kind, c), 1260, power * c->more);
         return;
     }
     fmb_gaps_class(gaps, fmb_simplices_sides(kind, c), kind.dim == 3 ? 1210 : 100,
@@ -267,7 +295,7 @@ FMB_INLINE lane fmb_simplices_on(const lane *x, int edge)
 FMB_INLINE lane fmb_simplices_edges(fmb_kind kind, fmb_simplices *c, int edge)
 {
     const fmb_columns in = fmb_columns_of(edge);
-    lane a[4], width[4], t[6], swept[6], most = lane_of(-INFINITY);
+    lane a[4], width[4], t[6], swept[6], most = lane_of(0);
     if (edge < 3)
         fmb_simplices_look(kind, c, edge);
     for (int p = 0; p < 3; p++) {
@@ -299,7 +327,7 @@ FMB_INLINE lane fmb_simplices_edges(fmb_kind kind, fmb_simplices *c, int edge)
         if (kind.moves)
             reach = reach + lane_abs(swept[j]);
         reach = lane_fma(c->size, lane_abs(k) + lane_abs(l), reach);
-        most = lane_max(most, lane_abs(t[j]) - reach);
+        most = fmb_gaps_largest(j, most, lane_abs(t[j]) - reach);
     }
     return most;
 }
@@ -342,7 +370,7 @@ FMB_INLINE lane fmb_simplices_late(fmb_kind kind, const fmb_simplices *c, const 
 /* All pairs of rows of B that share an edge, time eliminated. */
 FMB_INLINE lane fmb_simplices_times(fmb_kind kind, const fmb_simplices *c)
 {
-    lane b[4], away[3], from[3], most = lane_of(-INFINITY);
+    lane b[4], away[3], from[3], most = lane_of(0);
     for (int i = 0; i < 3; i++) {
         from[i] = c->middle[i];
         if (kind.simplex)
@@ -365,7 +393,7 @@ FMB_INLINE lane fmb_simplices_times(fmb_kind kind, const fmb_simplices *c)
         }
         if (j >= 3)
             at = lane_fnma(lane_of(2), b[j - 3], away[r] - away[q]);
-        most = lane_max(most, fmb_simplices_late(kind, c, u, at) - width);
+        most = fmb_gaps_largest(j, most, fmb_simplices_late(kind, c, u, at) - width);
     }
     return most;
 }
@@ -379,21 +407,20 @@ FMB_INLINE fmb_pair_bits fmb_simplices_3d(const double *block, bool moves, bool 
     local_frame_make(3, moves, simplex, block, &f);
     fmb_simplices c;
     fmb_simplices_make(kind, &f, &c);
-    fmb_gaps gaps = fmb_gaps_none();
+    fmb_gaps gaps = fmb_gaps_first(fmb_simplices_faces(kind, &c), 52, c.bound);
     fmb_pair_bits out;
     lane ex = f.most_e * c.more;
-    fmb_gaps_class(&gaps, fmb_simplices_faces(kind, &c), 52, c.bound);
     if (FMB_LANES < 8 && fmb_gaps_done(&gaps, f.known, &out))
         return out;
     fmb_simplices_ask(kind, &f, &c, &gaps);
     if (fmb_gaps_done(&gaps, f.known, &out) || asked == FMB_ASK_FACES)
         return out;
-    lane most = lane_of(-INFINITY), swept = most, speed = fmb_gaps_speed(&f);
+    lane most = lane_of(0), swept = most, speed = fmb_gaps_speed(&f);
 #pragma GCC unroll 6
     for (int edge = 0; edge < edges; edge++) {
-        most = lane_max(most, fmb_simplices_edges(kind, &c, edge));
+        most = fmb_gaps_largest(edge, most, fmb_simplices_edges(kind, &c, edge));
         if (moves)
-            swept = lane_max(swept, fmb_simplices_swept(&c, edge));
+            swept = fmb_gaps_largest(edge, swept, fmb_simplices_swept(&c, edge));
     }
     fmb_gaps_class(&gaps, most, 500, ex);
     if (moves) {
@@ -431,8 +458,7 @@ FMB_INLINE fmb_pair_bits fmb_simplices_2d(const double *block, bool moves, bool 
     local_frame_make(2, moves, simplex, block, &f);
     fmb_simplices c;
     fmb_simplices_make(kind, &f, &c);
-    fmb_gaps gaps = fmb_gaps_none();
-    fmb_gaps_class(&gaps, fmb_simplices_faces(kind, &c), 52, c.bound);
+    fmb_gaps gaps = fmb_gaps_first(fmb_simplices_faces(kind, &c), 52, c.bound);
     fmb_simplices_ask(kind, &f, &c, &gaps);
     if (moves)
         fmb_gaps_class(&gaps, fmb_simplices_turned(kind, &c), simplex ? 50 : 410,

@@ -73,6 +73,18 @@ FMB_INLINE lane local_frame_dot(int dim, const lane *n, const lane *x)
     return sum;
 }
 
+/* In the plane: y turned by a right angle, (y_1, -y_0), times x, as local_frame_dot has it, without
+ * a number turned round; and the negative of it. */
+FMB_INLINE lane local_frame_turned(const lane *y, const lane *x)
+{
+    return lane_fnma(y[0], x[1], y[1] * x[0]);
+}
+
+FMB_INLINE lane local_frame_turned_back(const lane *y, const lane *x)
+{
+    return lane_fms(y[0], x[1], y[1] * x[0]);
+}
+
 FMB_INLINE void local_frame_load(lane *x, const double *rows, int n)
 {
     for (int j = 0; j < n; j++)
@@ -126,6 +138,21 @@ FMB_INLINE void local_frame_measure(int dim, bool moves, const double *block, lo
     f->known = lane_and(f->known, lane_less(sum, lane_of(0x1p1000)));
 }
 
+/* Coordinates of x: rows of the adjugate n times x. In the plane n is not asked if it is not
+ * turned.
+ */
+FMB_INLINE void local_frame_look(int dim, bool turned, lane a[3][3], lane n[3][3], const lane *x,
+                                 lane *out)
+{
+    if (dim == 2 && !turned) {
+        out[0] = local_frame_turned(a[1], x);
+        out[1] = local_frame_turned_back(a[0], x);
+        return;
+    }
+    for (int i = 0; i < dim; i++)
+        out[i] = local_frame_dot(dim, n[i], x);
+}
+
 /* In place, as a returned structure of this size may be copied. If not turned then y is without the
  * sign of det A, and A is 0 <= y_i / volume (<= 1). */
 FMB_INLINE void local_frame_make(int dim, bool moves, bool turned, const double *block,
@@ -136,7 +163,7 @@ FMB_INLINE void local_frame_make(int dim, bool moves, bool turned, const double 
     for (int k = 0; k < dim; k++, row += dim * FMB_LANES)
         local_frame_load(a[k], row, dim);
     local_frame_adjugate(dim, a, n);
-    lane det = local_frame_dot(dim, n[0], a[0]);
+    lane det = dim == 2 ? local_frame_turned(a[1], a[0]) : local_frame_dot(dim, n[0], a[0]);
     f->size = lane_abs(det);
     f->volume = det;
     if (turned)
@@ -145,17 +172,14 @@ FMB_INLINE void local_frame_make(int dim, bool moves, bool turned, const double 
         for (int j = 0; j < dim; j++)
             n[i][j] = lane_times_sign(n[i][j], det);
     local_frame_load(x, block, dim);
-    for (int i = 0; i < dim; i++)
-        f->shift[i] = local_frame_dot(dim, n[i], x);
+    local_frame_look(dim, turned, a, n, x, f->shift);
     for (int k = 0; k < dim; k++, row += dim * FMB_LANES) {
         local_frame_load(x, row, dim);
-        for (int i = 0; i < dim; i++)
-            f->e[k][i] = local_frame_dot(dim, n[i], x);
+        local_frame_look(dim, turned, a, n, x, f->e[k]);
     }
     if (moves) {
         local_frame_load(x, row, dim);
-        for (int i = 0; i < dim; i++)
-            f->drift[i] = local_frame_dot(dim, n[i], x);
+        local_frame_look(dim, turned, a, n, x, f->drift);
     }
     local_frame_measure(dim, moves, block, f);
 }
