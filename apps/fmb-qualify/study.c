@@ -101,15 +101,20 @@ static qualify_setup with_effort(const qualify_setup *asked, const qualify_effor
     return o;
 }
 
-/* Other ranks than 0 write no files; those who wait for rank 0's folder must not wait in vain. */
+/* Other ranks than 0 write no files. */
 static qualify_page *open_page(const qualify_setup *o)
 {
     bool writes = app_rank() == 0;
     qualify_watch_begin(o->quiet || !writes);
-    qualify_page *page = qualify_page_open(writes ? o->out : NULL, writes && o->json);
-    if (!qualify_page_is_good(page))
-        app_ranks_fail(APP_CANNOT_WRITE);
-    return page;
+    return qualify_page_open(writes ? o->out : NULL, writes && o->json);
+}
+
+/* All ranks hear whether rank 0 has its folder. */
+static bool is_page_of_rank_0_good(const qualify_page *page)
+{
+    bool good = qualify_page_is_good(page);
+    app_ranks_share(&good, sizeof good);
+    return good;
 }
 
 static int run_study(const qualify_study *s, const qualify_setup *asked,
@@ -149,7 +154,7 @@ static int run_alone(const qualify_study *s, const qualify_setup *o)
 {
     qualify_page *page = open_page(o);
     int code = APP_YES;
-    if (qualify_page_is_good(page))
+    if (is_page_of_rank_0_good(page))
         code = run_study(s, o, &s->alone, page);
     return end(page, code);
 }
@@ -182,7 +187,7 @@ static int run_all(qualify_setup *o)
 {
     int code = APP_YES;
     qualify_page *page = open_page(o);
-    bool good = qualify_page_is_good(page);
+    bool good = is_page_of_rank_0_good(page);
     for (int i = 0; good && i < STUDIES && !qualify_watch_interrupted(); i++) {
         o->counter = (size_t)i;
         code = app_first_code(code, run_study(STUDY[i], o, &STUDY[i]->brief, page));
