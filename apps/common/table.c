@@ -2,51 +2,84 @@
 #include "common/table.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "common/message.h"
 #include "common/text.h"
 
-void app_table_add(app_table *t, char *text)
+/* ---- cells ----------------------------------------------------------------------------------- */
+
+static size_t begin_of_cell(const app_table *t, size_t i)
+{
+    return i > 0 ? t->cell[i - 1].end : 0;
+}
+
+/* A NUL stands behind all of it. */
+void app_table_write(app_table *t, const char *text)
+{
+    size_t n = strlen(text);
+    if (n >= t->room - t->bytes) {
+        t->room = 2 * (t->bytes + n) + 512;
+        t->text = app_need(realloc(t->text, t->room));
+    }
+    memcpy(t->text + t->bytes, text, n + 1);
+    t->bytes += n;
+}
+
+void app_table_end_cell(app_table *t)
 {
     if (t->cells == t->capacity) {
         t->capacity = t->capacity ? 2 * t->capacity : 64;
         t->cell = app_need(realloc(t->cell, t->capacity * sizeof *t->cell));
     }
-    t->cell[t->cells++] = text;
+    size_t begin = begin_of_cell(t, t->cells);
+    size_t width = begin < t->bytes ? app_text_width(t->text + begin) : 0;
+    t->cell[t->cells++] = (app_cell){t->bytes, width};
 }
+
+void app_table_add(app_table *t, char *text)
+{
+    app_table_write(t, text);
+    app_table_end_cell(t);
+    free(text);
+}
+
+/* ---- printing -------------------------------------------------------------------------------- */
 
 static size_t column_width(const app_table *t, size_t column)
 {
     size_t widest = 0;
-    for (size_t i = column; i < t->cells; i += t->columns) {
-        size_t width = app_text_width(t->cell[i]);
-        widest = width > widest ? width : widest;
-    }
+    for (size_t i = column; i < t->cells; i += t->columns)
+        widest = t->cell[i].width > widest ? t->cell[i].width : widest;
     return widest;
 }
 
 static void spaces(size_t n, FILE *out)
 {
-    while (n-- > 0)
-        fputc(' ', out);
+    static const char some[] = "                                ";
+    for (size_t now; n > 0; n -= now) {
+        now = n < sizeof some - 1 ? n : sizeof some - 1;
+        fwrite_unlocked(some, 1, now, out);
+    }
 }
 
 /* One line. Spaces are owed until there is something to print behind them. */
-static void print_row(const app_table *t, char **cell, const size_t *width, FILE *out)
+static void print_row(const app_table *t, size_t first, const size_t *width, FILE *out)
 {
     size_t owed = 0;
     for (size_t c = 0; c < t->columns; c++) {
-        size_t fill = width[c] - app_text_width(cell[c]);
+        size_t begin = begin_of_cell(t, first + c), bytes = t->cell[first + c].end - begin;
+        size_t fill = width[c] - t->cell[first + c].width;
         if (t->align[c] == 'r')
             owed += fill;
-        if (*cell[c]) {
+        if (bytes > 0) {
             spaces(owed, out);
             owed = 0;
+            fwrite_unlocked(t->text + begin, 1, bytes, out);
         }
-        fputs(cell[c], out);
         owed += 1 + (t->align[c] == 'l' ? fill : 0);
     }
-    fputc('\n', out);
+    putc_unlocked('\n', out);
 }
 
 void app_table_print(app_table *t, FILE *out)
@@ -55,15 +88,14 @@ void app_table_print(app_table *t, FILE *out)
     for (size_t c = 0; c < t->columns; c++)
         width[c] = column_width(t, c);
     for (size_t i = 0; i < t->cells; i += t->columns)
-        print_row(t, t->cell + i, width, out);
+        print_row(t, i, width, out);
     free(width);
     app_table_clear(t);
 }
 
 void app_table_clear(app_table *t)
 {
-    for (size_t i = 0; i < t->cells; i++)
-        free(t->cell[i]);
     free(t->cell);
+    free(t->text);
     *t = (app_table){.columns = t->columns, .align = t->align};
 }

@@ -5,17 +5,27 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* A column is left-aligned ('l') or right-aligned ('r'); before is printed in front of each of its
- * cells. Zero-initialise, but for columns and align. */
+/* Where a cell ends in the text of all cells, and how wide it is. */
+typedef struct app_cell {
+    size_t end, width;
+} app_cell;
+
+/* A column is left-aligned ('l') or right-aligned ('r'). Zero-initialise, but for columns and
+ * align. */
 typedef struct app_table {
     size_t columns;
     const char *align;
-    char **cell; /* row by row, owned */
+    app_cell *cell; /* row by row */
     size_t cells, capacity;
+    char *text; /* of all cells, one behind the other, without any NUL */
+    size_t bytes, room;
 } app_table;
 
 /* Append one cell; takes over text, which comes from malloc. */
 void app_table_add(app_table *t, char *text);
+/* The same piece by piece: more text of a cell, and its end. */
+void app_table_write(app_table *t, const char *text);
+void app_table_end_cell(app_table *t);
 /* Print and clear. Columns are one space apart; lines carry no trailing spaces. */
 void app_table_print(app_table *t, FILE *out);
 /* Free all cells. */

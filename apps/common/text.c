@@ -43,8 +43,8 @@ char *app_text(const char *raw, app_text_use use)
 
 size_t app_text_width(const char *text)
 {
-    size_t width = 0;
-    for (; *text; text++)
-        width += ((unsigned char)*text & 0xC0) != 0x80;
+    size_t width = 0, bytes = strlen(text);
+    for (size_t i = 0; i < bytes; i++)
+        width += ((unsigned char)text[i] & 0xC0) != 0x80;
     return width;
 }

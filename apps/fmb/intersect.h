@@ -57,18 +57,27 @@ typedef struct intersect {
     size_t tested, meeting, undecided, within;
 } intersect;
 
-/* ---- intersect_exact.c ----------------------------------------------------------------------- */
-
-/* All about one line, exactly; out->line and id are left alone. */
-fmb_status intersect_exactly(const intersect *x, const fmb_frames_line *line, meeting *out);
-
 /* ---- intersect_quick.c ----------------------------------------------------------------------- */
+
+/* Room for the rationals of one answer, kept from pair to pair. */
+typedef struct numbers numbers;
+
+/* [give] */
+numbers *numbers_new(void);
+void numbers_free(numbers *room);
 
 /* [give, free()] A double in as few digits as tell it from all others. */
 char *intersect_double(double d);
 
 /* The same where it is quickly proved; if not, the verdict stays UNKNOWN. */
-fmb_status intersect_quickly(const intersect *x, const fmb_frames_line *line, meeting *out);
+fmb_status intersect_quickly(const intersect *x, const fmb_frames_line *line, numbers *room,
+                             meeting *out);
+
+/* ---- intersect_exact.c ----------------------------------------------------------------------- */
+
+/* All about one line, exactly; out->line and id are left alone. */
+fmb_status intersect_exactly(const intersect *x, const fmb_frames_line *line, numbers *room,
+                             meeting *out);
 
 /* ---- intersect_batch.c: lines in doubles, many at once ----------------------------------------
  */

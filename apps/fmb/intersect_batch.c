@@ -23,12 +23,14 @@ struct batch {
     double *number;           /* room for every pair that can wait */
     double *answer;           /* and for the answers: world, inside, time, witness */
     fmb_verdict verdict[MOST];
+    numbers *room; /* for lines that are answered in rationals */
 };
 
 batch *batch_new(intersect *x)
 {
     batch *b = app_need(calloc(1, sizeof *b));
     b->x = x;
+    b->room = numbers_new();
     return b;
 }
 
@@ -40,6 +42,7 @@ void batch_free(batch *b)
     fmb_pair_free(b->k);
     free(b->number);
     free(b->answer);
+    numbers_free(b->room);
     free(b);
 }
 
@@ -209,7 +212,7 @@ fmb_status batch_put(batch *b, const fmb_frames_line *line)
     if (fast)
         put_pair(b, line);
     else
-        st = intersect_exactly(b->x, line, m);
+        st = intersect_exactly(b->x, line, b->room, m);
     b->lines++;
     bool full = b->lines == MOST || b->pairs == b->most || b->x->ask->boxes == BOXES_EXACT;
     return st == FMB_OK && full ? batch_flush(b) : st;

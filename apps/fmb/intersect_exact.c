@@ -119,9 +119,10 @@ static fmb_status intersect_by_verbs(const intersect *x, const fmb_frames_line *
     return st;
 }
 
-fmb_status intersect_exactly(const intersect *x, const fmb_frames_line *line, meeting *out)
+fmb_status intersect_exactly(const intersect *x, const fmb_frames_line *line, numbers *room,
+                             meeting *out)
 {
-    fmb_status st = intersect_quickly(x, line, out);
+    fmb_status st = intersect_quickly(x, line, room, out);
     if (st == FMB_OK && out->verdict == FMB_UNKNOWN)
         st = intersect_by_verbs(x, line, out);
     if (st == FMB_OK && near_is_asked(&x->ask->near))

@@ -9,9 +9,28 @@
 enum { MOST_DIM = 3, MOST_VARIABLES = 2 * MOST_DIM + 1 };
 
 /* Ends, two a variable, and a common point: of the world, of the second frame, of time. */
-typedef struct numbers {
+struct numbers {
     mpq_t end[2 * MOST_VARIABLES], at[MOST_VARIABLES];
-} numbers;
+};
+
+numbers *numbers_new(void)
+{
+    numbers *room = app_need(malloc(sizeof *room));
+    for (int i = 0; i < 2 * MOST_VARIABLES; i++)
+        mpq_init(room->end[i]);
+    for (int i = 0; i < MOST_VARIABLES; i++)
+        mpq_init(room->at[i]);
+    return room;
+}
+
+void numbers_free(numbers *room)
+{
+    for (int i = 0; room && i < 2 * MOST_VARIABLES; i++)
+        mpq_clear(room->end[i]);
+    for (int i = 0; room && i < MOST_VARIABLES; i++)
+        mpq_clear(room->at[i]);
+    free(room);
+}
 
 /* ---- as doubles ------------------------------------------------------------------------------ */
 
@@ -58,9 +77,11 @@ static double nearest_double(mpq_srcptr q)
 
 /* ---- answers --------------------------------------------------------------------------------- */
 
+/* [give, free()] */
 static char *rational_text(mpq_srcptr q)
 {
-    return app_need(mpq_get_str(NULL, 10, q));
+    size_t most = mpz_sizeinbase(mpq_numref(q), 10) + mpz_sizeinbase(mpq_denref(q), 10) + 3;
+    return mpq_get_str(app_need(malloc(most)), 10, q);
 }
 
 static void write_intervals(const intersect *x, numbers *a, meeting *out)
@@ -90,30 +111,22 @@ static bool is_quick(const fmb_frames_line *line)
            line->body[0].frame.naxes <= line->dim && line->body[1].frame.naxes <= line->dim;
 }
 
-fmb_status intersect_quickly(const intersect *x, const fmb_frames_line *line, meeting *out)
+fmb_status intersect_quickly(const intersect *x, const fmb_frames_line *line, numbers *room,
+                             meeting *out)
 {
     const fmb_frame_q *p = &line->body[0].frame, *q = &line->body[1].frame;
     fmb_pair_answers_q places = {0};
-    numbers a;
     if (!is_quick(line))
         return FMB_OK;
     out->dim = line->dim;
     out->inside = q->naxes;
     out->moves = p->speed || q->speed;
-    for (int i = 0; i < 2 * MOST_VARIABLES; i++)
-        mpq_init(a.end[i]);
-    for (int i = 0; i < MOST_VARIABLES; i++)
-        mpq_init(a.at[i]);
     if (x->ask->boxes != BOXES_NONE)
-        places = list_answers(out, &a);
+        places = list_answers(out, room);
     fmb_status st = fmb_pair_answer_q(p, q, &places, &out->verdict);
     if (x->ask->contact == FMB_CONTACT_OPEN && out->verdict == FMB_FEASIBLE)
         out->verdict = FMB_UNKNOWN; /* who is closed may touch */
     if (st == FMB_OK && out->verdict == FMB_FEASIBLE && x->ask->boxes != BOXES_NONE)
-        write_intervals(x, &a, out);
-    for (int i = 0; i < 2 * MOST_VARIABLES; i++)
-        mpq_clear(a.end[i]);
-    for (int i = 0; i < MOST_VARIABLES; i++)
-        mpq_clear(a.at[i]);
+        write_intervals(x, room, out);
     return st;
 }

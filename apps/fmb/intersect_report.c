@@ -12,39 +12,65 @@
 
 /* ---- text ------------------------------------------------------------------------------------ */
 
+/* A string of JSON that stands for itself. */
+static bool is_plain_string(const char *json)
+{
+    size_t n = strlen(json);
+    for (size_t i = 1; i + 1 < n; i++)
+        if (json[i] < ' ' || json[i] > '~' || json[i] == '\\')
+            return false;
+    return n >= 2 && json[0] == '"';
+}
+
 /* [give, free()] What a pair is called: a string without its quotes, any other id, and one that
  * holds a NUL, as it stands. */
 static char *name_of(const meeting *m)
 {
     if (!m->id)
         return app_print("line %ld", m->line);
-    json_t *value = json_loads(m->id, JSON_DECODE_ANY, NULL);
+    if (is_plain_string(m->id))
+        return app_need(strndup(m->id + 1, strlen(m->id) - 2));
+    json_t *value = m->id[0] == '"' ? json_loads(m->id, JSON_DECODE_ANY, NULL) : NULL;
     char *name =
         app_text(json_is_string(value) ? json_string_value(value) : m->id, APP_TEXT_TERMINAL);
     json_decref(value);
     return name;
 }
 
-static char *interval_name(const meeting *m, int i)
+/* "x1" of the world, "c1" of the second frame, "t" */
+static void write_interval_name(app_table *t, const meeting *m, int i)
 {
+    char name[32] = "  t";
     if (i < m->dim)
-        return app_print("  x%d", i + 1);
-    return i < m->dim + m->inside ? app_print("  c%d", i - m->dim + 1) : app_print("  t");
+        snprintf(name, sizeof name, "  x%d", i + 1);
+    else if (i < m->dim + m->inside)
+        snprintf(name, sizeof name, "  c%d", i - m->dim + 1);
+    app_table_write(t, name);
+    app_table_end_cell(t);
 }
 
 /* "[1/2,", "(-inf,", "5?]" of an end that may be too far out, "?]" */
-static char *end_cell(const interval *v, fmb_side side)
+static void write_end(app_table *t, const interval *v, fmb_side side)
 {
     const char *end = side == FMB_LOWER ? v->lower : v->upper;
     bool round = end && strstr(end, "inf");
-    return app_print("%s%s%s%s",
-                     side == FMB_UPPER ? ""
-                     : round           ? "("
-                                       : "[",
-                     end ? end : "", v->outer ? "?" : "",
-                     side == FMB_LOWER ? ","
-                     : round           ? ")"
-                                       : "]");
+    if (side == FMB_LOWER)
+        app_table_write(t, round ? "(" : "[");
+    if (end)
+        app_table_write(t, end);
+    if (v->outer)
+        app_table_write(t, "?");
+    app_table_write(t, side == FMB_LOWER ? "," : round ? ")" : "]");
+    app_table_end_cell(t);
+}
+
+static void write_witness(app_table *t, const interval *v)
+{
+    if (v->at) {
+        app_table_write(t, "at ");
+        app_table_write(t, v->at);
+    }
+    app_table_end_cell(t);
 }
 
 static void print_box(const intersect *x, const meeting *m)
@@ -52,10 +78,10 @@ static void print_box(const intersect *x, const meeting *m)
     app_table table = {.columns = 4, .align = "lrrl"};
     for (int i = 0; i < m->dim + m->inside + m->moves; i++) {
         const interval *v = &m->interval[i];
-        app_table_add(&table, interval_name(m, i));
-        app_table_add(&table, end_cell(v, FMB_LOWER));
-        app_table_add(&table, end_cell(v, FMB_UPPER));
-        app_table_add(&table, v->at ? app_print("at %s", v->at) : app_print(""));
+        write_interval_name(&table, m, i);
+        write_end(&table, v, FMB_LOWER);
+        write_end(&table, v, FMB_UPPER);
+        write_witness(&table, v);
     }
     app_table_print(&table, x->out);
 }
@@ -77,43 +103,47 @@ static void print_text(const intersect *x, const meeting *m)
 
 /* ---- JSON ------------------------------------------------------------------------------------ */
 
+static void put_text(const intersect *x, const char *text)
+{
+    fputs_unlocked(text, x->out);
+}
+
 /* A rational is a string; a double is a number where JSON has one. */
 static void put_value(const intersect *x, const char *text)
 {
-    bool quoted = x->ask->boxes == BOXES_EXACT || (text && strstr(text, "inf"));
-    if (!text)
-        fputs("null", x->out);
-    else
-        fprintf(x->out, quoted ? "\"%s\"" : "%s", text);
+    bool quoted = text && (x->ask->boxes == BOXES_EXACT || strstr(text, "inf"));
+    put_text(x, quoted ? "\"" : "");
+    put_text(x, text ? text : "null");
+    put_text(x, quoted ? "\"" : "");
 }
 
 static void put_interval(const intersect *x, const interval *v)
 {
-    fputc('[', x->out);
+    put_text(x, "[");
     put_value(x, v->lower);
-    fputs(", ", x->out);
+    put_text(x, ", ");
     put_value(x, v->upper);
-    fputc(']', x->out);
+    put_text(x, "]");
 }
 
 static void put_intervals(const intersect *x, const char *key, const interval *v, int n)
 {
     fprintf(x->out, ", \"%s\": [", key);
     for (int i = 0; i < n; i++) {
-        fputs(i > 0 ? ", " : "", x->out);
+        put_text(x, i > 0 ? ", " : "");
         put_interval(x, &v[i]);
     }
-    fputc(']', x->out);
+    put_text(x, "]");
 }
 
 static void put_witness(const intersect *x, const meeting *m)
 {
-    fputs(", \"witness\": [", x->out);
+    put_text(x, ", \"witness\": [");
     for (int i = 0; i < m->dim; i++) {
-        fputs(i > 0 ? ", " : "", x->out);
+        put_text(x, i > 0 ? ", " : "");
         put_value(x, m->interval[i].at);
     }
-    fputc(']', x->out);
+    put_text(x, "]");
 }
 
 static void put_box(const intersect *x, const meeting *m)
@@ -123,18 +153,18 @@ static void put_box(const intersect *x, const meeting *m)
     put_intervals(x, "world", m->interval, m->dim);
     put_intervals(x, "inside", inside, m->inside);
     if (m->moves) {
-        fputs(", \"time\": ", x->out);
+        put_text(x, ", \"time\": ");
         put_interval(x, time);
     }
     put_witness(x, m);
     if (m->moves && time->at) {
-        fputs(", \"witness_time\": ", x->out);
+        put_text(x, ", \"witness_time\": ");
         put_value(x, time->at);
     }
     for (int i = 0; i < m->dim + m->inside + m->moves; i++)
         outer |= m->interval[i].outer;
     if (outer)
-        fputs(", \"outer\": true", x->out);
+        put_text(x, ", \"outer\": true");
 }
 
 static void print_json(const intersect *x, const meeting *m)
