@@ -53,6 +53,13 @@ fmb_status fmb_image_init_dual(fmb_image *m, const fmb_image *of);
 /* Find the facets of an image that has a point. With `slacks` each facet gets its slack. Errors:
  * MEMORY, LIMIT. */
 fmb_status fmb_image_find_facets(fmb_image *m, bool slacks);
+/* Is that done ray by ray, which needs no second way? Else by the rays of the dual cone. */
+bool fmb_image_has_few_coordinates(const fmb_image *m);
+/* By the latter, its rows in lexicographic order or those of few coefficients first; or *done
+ * false: that takes more rays than this on the way. No slacks. Errors: MEMORY, LIMIT. */
+fmb_status fmb_image_try_facets(fmb_image *m, bool sparse_first, uint64_t rays, bool *done);
+/* Facets are told by the rays and lines of the dual cone. No slacks. Errors: MEMORY, LIMIT. */
+fmb_status fmb_image_take_facets(fmb_image *m, const fmb_image *dual);
 
 /* Where rows of the cone are strict, by bit (excludes[words]), faces of the image are not in the
  * projection: those above which a strict row is tight everywhere. Facets become strict; a lower

@@ -184,6 +184,15 @@ static bool holds_dual_ray_a_point(const fmb_image *m, const fmb_cone *dual, siz
     return false;
 }
 
+/* The same of a ray that comes without its zeros. */
+static bool holds_row_a_point(fmb_image *m, const fmb_vec *y)
+{
+    for (size_t i = 0; i < m->rays; i++)
+        if (fmb_vec_sgn(&m->ray[i], m->n - 1) > 0 && fmb_image_value_sign(m, y, &m->ray[i]) == 0)
+            return true;
+    return false;
+}
+
 static fmb_status take_facets_of_dual(fmb_image *m, const fmb_cone *dual, bool slacks)
 {
     fmb_status st = FMB_OK;
@@ -195,27 +204,44 @@ static fmb_status take_facets_of_dual(fmb_image *m, const fmb_cone *dual, bool s
     return st;
 }
 
-/* The rows of the dual cone: lines are equalities; rays come in lexicographic order. */
-static fmb_status find_facets_as_dual_rays(fmb_image *m, bool slacks)
+static fmb_status run_dual(fmb_image *m, const fmb_cone_problem *of, bool slacks, uint64_t rays,
+                           bool *done)
 {
-    size_t rows = m->lines + m->rays;
     fmb_cone dual = {0};
-    fmb_cone_row *row = fmb_mem_get(m->run->mem, rows, sizeof *row);
-    if (!row)
-        return fmb_mem_status(m->run->mem);
-    for (size_t i = 0; i < m->lines; i++)
-        row[i] = (fmb_cone_row){.v = &m->line[i], .equality = true};
-    for (size_t i = 0; i < m->rays; i++)
-        row[m->lines + i] = (fmb_cone_row){.v = &m->ray[i]};
-    fmb_cone_problem of = {.d = m->n, .m = rows, .row = row, .wide_only = m->num.wide_only};
-    bool done;
-    fmb_status st = fmb_cone_init(&dual, m->run, &of);
+    fmb_status st = fmb_cone_init(&dual, m->run, of);
     if (st == FMB_OK)
-        st = fmb_cone_run(&dual, 0, &done);
-    if (st == FMB_OK)
+        st = fmb_cone_run(&dual, rays, done);
+    if (st == FMB_OK && *done)
         st = take_facets_of_dual(m, &dual, slacks);
     fmb_cone_clear(&dual);
-    fmb_mem_put(m->run->mem, row, rows, sizeof *row);
+    return st;
+}
+
+/* The rows of the dual cone: lines are equalities; rays come in lexicographic order, or those of
+ * few coefficients first. */
+static fmb_status find_facets_as_dual_rays(fmb_image *m, bool slacks, bool sparse_first,
+                                           uint64_t rays, bool *done)
+{
+    size_t rows = m->lines + m->rays;
+    fmb_mem *mem = m->run->mem;
+    fmb_cone_row *row = fmb_mem_get(mem, rows, sizeof *row);
+    size_t *all = fmb_mem_get(mem, m->n, sizeof *all);
+    fmb_status st = row && all ? FMB_OK : fmb_mem_status(mem);
+    for (size_t i = 0; st == FMB_OK && i < rows; i++)
+        row[i] = i < m->lines ? (fmb_cone_row){.v = &m->line[i], .equality = true}
+                              : (fmb_cone_row){.v = &m->ray[i - m->lines]};
+    for (size_t k = 0; st == FMB_OK && k < m->n; k++)
+        all[k] = k;
+    fmb_cone_problem of = {.d = m->n, .m = rows, .row = row, .wide_only = m->num.wide_only};
+    if (sparse_first) {
+        of.keep = all;
+        of.keeps = m->n;
+        of.sparse_first = true;
+    }
+    if (st == FMB_OK)
+        st = run_dual(m, &of, slacks, rays, done);
+    fmb_mem_put(mem, all, m->n, sizeof *all);
+    fmb_mem_put(mem, row, rows, sizeof *row);
     return st;
 }
 
@@ -227,8 +253,30 @@ static bool are_rays_many(const fmb_image *m)
            fmb_vec_minor_bits(m->ray, m->rays, m->n) > LONG_BITS;
 }
 
+bool fmb_image_has_few_coordinates(const fmb_image *m)
+{
+    return m->n <= FEW_COORDINATES && are_rays_many(m);
+}
+
 fmb_status fmb_image_find_facets(fmb_image *m, bool slacks)
 {
-    return m->n <= FEW_COORDINATES && are_rays_many(m) ? find_facets_ray_by_ray(m, slacks)
-                                                       : find_facets_as_dual_rays(m, slacks);
+    bool done;
+    return fmb_image_has_few_coordinates(m) ? find_facets_ray_by_ray(m, slacks)
+                                            : find_facets_as_dual_rays(m, slacks, false, 0, &done);
+}
+
+fmb_status fmb_image_try_facets(fmb_image *m, bool sparse_first, uint64_t rays, bool *done)
+{
+    return find_facets_as_dual_rays(m, false, sparse_first, rays, done);
+}
+
+fmb_status fmb_image_take_facets(fmb_image *m, const fmb_image *dual)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i < dual->lines; i++)
+        st = add_facet(m, &dual->line[i], true, false);
+    for (size_t i = 0; st == FMB_OK && i < dual->rays; i++)
+        if (holds_row_a_point(m, &dual->ray[i]))
+            st = add_facet(m, &dual->ray[i], false, false);
+    return st;
 }

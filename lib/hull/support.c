@@ -20,6 +20,7 @@ void fmb_support_clear(fmb_support *s)
     fmb_support_dismiss(s);
     fmb_support_close_tight(s);
     fmb_support_forget_symmetry(s);
+    fmb_support_forget_rows(s);
     for (size_t i = 0; i < s->rows; i++)
         fmb_support_drop(&s->row[i], mem);
     fmb_mem_put(mem, s->row, s->row_capacity, sizeof *s->row);
@@ -99,6 +100,10 @@ static fmb_status ask_about_facet(fmb_support *s, size_t at)
     fmb_support_row row = {0};
     bool stands;
     const fmb_vec *normal = &s->hull.facet[at].normal;
+    if (fmb_support_is_known(s, normal)) {
+        fmb_support_note_facet(s, at, FMB_LE);
+        return FMB_OK;
+    }
     fmb_status st = fmb_support_try_tight_rows(s, at, &row, &stands);
     if (st == FMB_OK && !stands)
         st = fmb_support_query(s, normal, 1, &row, &stands);

@@ -41,6 +41,8 @@ typedef struct fmb_scout {
 typedef struct fmb_crew fmb_crew; /* scouts that look at several facets at once (support_crew.c) */
 typedef struct fmb_symmetry fmb_symmetry; /* of the program (support_symmetry.c) */
 
+typedef struct fmb_known fmb_known; /* rows of the program (support_known.c) */
+
 typedef struct fmb_tight fmb_tight; /* rows that are tight at generators (support_tight.c) */
 
 typedef struct fmb_support {
@@ -56,6 +58,7 @@ typedef struct fmb_support {
     bool proves;                /* proofs are wanted */
     fmb_facets hull;            /* of (1, x) and (0, x) */
     fmb_tight *tight;           /* or NULL */
+    fmb_known *known;           /* or NULL */
     bool begun;
     size_t equations;     /* these of the hull stand */
     size_t at;            /* the facet to begin with when looking for one that does not stand */
@@ -81,6 +84,10 @@ static inline void fmb_support_allow_symmetry(fmb_support *s, const fmb_program 
 {
     s->program = p;
 }
+
+/* All columns are kept, and no proofs are wanted: a facet that is a row of p, the program, stands
+ * without a query, and is not told. p has no strict rows. Errors: MEMORY, LIMIT. */
+fmb_status fmb_support_know_rows(fmb_support *s, const fmb_program *p);
 
 /* Images of rows whose facets the hull has not come to yet become rows, too: at a limit. Errors:
  * MEMORY, LIMIT: the rows that there are hold. */

@@ -79,6 +79,12 @@ fmb_status fmb_support_try_tight_rows(fmb_support *s, size_t at, fmb_support_row
                                       bool *stands);
 void fmb_support_close_tight(fmb_support *s);
 
+/* ---- support_known.c ------------------------------------------------------------------------- */
+
+/* Is the facet of that normal a row of the program, and those are known? */
+bool fmb_support_is_known(const fmb_support *s, const fmb_vec *normal);
+void fmb_support_forget_rows(fmb_support *s);
+
 /* support_strict.c: all facets stand. Rows for the other faces that the projection lacks. */
 fmb_status fmb_support_find_missing_faces(fmb_support *s);
 

@@ -1,5 +1,5 @@
 /* hull.c: from vertices, rays and lines to rows (dd/image.h). */
-#include "dd/image.h"
+#include "solve/generate/turns.h"
 #include "solve/query/solver.h"
 #include "system/generators.h"
 #include "system/system.h"
@@ -50,7 +50,7 @@ static fmb_status find_hull(fmb_query *q, const fmb_generators *g, fmb_system *o
     if (st == FMB_OK)
         *verdict = m.has_point ? FMB_FEASIBLE : FMB_INFEASIBLE;
     if (st == FMB_OK && m.has_point)
-        st = fmb_image_find_facets(&m, false);
+        st = fmb_hull_find_facets(&m);
     if (st == FMB_OK && m.has_point)
         st = append_all_facets(&m, out);
     fmb_image_clear(&m);

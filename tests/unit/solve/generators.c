@@ -259,6 +259,38 @@ Test(generators, by_hand)
     fmb_solver_free(v);
 }
 
+/* Facets of simplices all, whose polar has very many vertices for so few rows: as a hull of these
+ * it is found by a section. */
+static fmb_system *polar_of_moment_curve(int n, int points)
+{
+    fmb_system *s = rows_none(n);
+    for (int t = 0; t < points; t++) {
+        int64_t a[16], power = 1, at = 2 * t - points + 1;
+        for (int j = 0; j < n; j++)
+            a[j] = power *= at;
+        must(fmb_system_add_int(s, a, FMB_LE, 1));
+    }
+    return s;
+}
+
+Test(generators, very_many_points_of_few_facets)
+{
+    agree a = {.max_rows = 5000};
+    fmb_solver *v = plain_solver();
+    fmb_system *s = polar_of_moment_curve(7, 16), *t = NULL;
+    fmb_generators *g = NULL;
+    fmb_result r;
+    must(fmb_generate(v, s, &g, &r));
+    cr_assert_geq(fmb_generators_size(g), 300);
+    must(fmb_hull(v, g, &t, &r));
+    cr_expect_eq(fmb_system_rows(t), fmb_system_rows(s));
+    cr_expect(agree_same(&a, s, t), "%s", a.why);
+    fmb_system_free(t);
+    fmb_generators_free(g);
+    fmb_system_free(s);
+    fmb_solver_free(v);
+}
+
 Test(generators, at_a_limit)
 {
     fmb_options o = fmb_options_default();

@@ -1,0 +1,160 @@
+/* section_rays.c: what was found of a section, as rays and lines of the cone; see section.h.
+ *
+ * A query may have seen a point that is no vertex. With all facets known, a generator of the hull
+ * is a vertex if and only if no other one is on all facets that hold it.
+ */
+#include <string.h>
+
+#include "hull/section.h"
+
+/* The facets that hold each generator. */
+typedef struct incidence {
+    size_t size, words; /* generators; words of a set of facets */
+    uint64_t *set;      /* [size][words] */
+} incidence;
+
+static fmb_status list_facets_of_generators(const fmb_facets *f, incidence *of, fmb_mem *mem)
+{
+    size_t n = 0;
+    *of = (incidence){.size = f->generators, .words = f->alive / 64 + 1};
+    of->set = fmb_mem_zero(mem, of->size * of->words, sizeof *of->set);
+    if (!of->set)
+        return fmb_mem_status(mem);
+    for (size_t a = 0; a < f->slots; a++) {
+        const fmb_facet *t = &f->facet[a];
+        if (!t->alive)
+            continue;
+        for (size_t g = fmb_facet_next(t, 0, true); g < f->generators;
+             g = fmb_facet_next(t, g + 1, true))
+            of->set[g * of->words + n / 64] |= (uint64_t)1 << n % 64;
+        n++;
+    }
+    return FMB_OK;
+}
+
+static bool is_on_all_facets_of(const incidence *of, size_t g, size_t other)
+{
+    const uint64_t *a = of->set + g * of->words, *b = of->set + other * of->words;
+    for (size_t w = 0; w < of->words; w++)
+        if (a[w] & ~b[w])
+            return false;
+    return true;
+}
+
+static bool is_vertex_of_section(const incidence *of, size_t g)
+{
+    for (size_t other = 0; other < of->size; other++)
+        if (other != g && is_on_all_facets_of(of, g, other))
+            return false;
+    return true;
+}
+
+/* ---- back to the cone ------------------------------------------------------------------------ */
+
+/* The point (t, x) of the section, x / t, as a ray: z[d]. */
+static void write_ray_above_point(fmb_section *c, const fmb_vec *v, mpz_t *z)
+{
+    mpz_ptr part = c->num.p, size = c->num.q;
+    for (size_t j = 0; j < c->d; j++)
+        mpz_set_ui(z[j], 0);
+    fmb_vec_get(v, 0, z[c->gone]);
+    mpz_abs(size, c->w.z[c->gone]);
+    for (size_t k = 0; k + 1 < c->rank; k++) {
+        size_t j = (size_t)c->column[k];
+        fmb_vec_get(v, k + 1, part);
+        mpz_submul(z[c->gone], part, c->w.z[j]);
+        mpz_mul(z[j], part, size);
+    }
+    if (mpz_sgn(c->w.z[c->gone]) < 0)
+        mpz_neg(z[c->gone], z[c->gone]);
+}
+
+/* A list of rays and lines in the making. */
+typedef struct ray_list {
+    fmb_vec *v; /* [size] */
+    bool *line;
+    size_t size;
+} ray_list;
+
+static fmb_status put_ray_into_list(fmb_section *c, const fmb_vec *point, mpz_t *z, ray_list *to)
+{
+    fmb_vec *v = &to->v[to->size];
+    *v = (fmb_vec){.s = fmb_arena_get(&c->arena, c->d, sizeof *v->s)};
+    if (!v->s)
+        return fmb_mem_status(c->run->mem);
+    to->line[to->size++] = false;
+    write_ray_above_point(c, point, z);
+    fmb_status st = fmb_vec_set_z(v, c->d, z, c->run->mem);
+    return st == FMB_OK ? fmb_run_poll(c->run) : st;
+}
+
+/* Of the line of a cone of rank 1, the section is the point 1. */
+static fmb_status put_all_rays_into_list(fmb_section *c, mpz_t *z, ray_list *to)
+{
+    const fmb_facets *f = &c->support.hull;
+    const fmb_vec one = {.s = (int64_t[]){1}, .bits = 1};
+    incidence of;
+    if (c->empty || c->rank == 0)
+        return FMB_OK;
+    if (!c->begun)
+        return put_ray_into_list(c, &one, z, to);
+    fmb_status st = list_facets_of_generators(f, &of, c->run->mem);
+    for (size_t g = 0; st == FMB_OK && g < f->generators; g++)
+        if (is_vertex_of_section(&of, g))
+            st = put_ray_into_list(c, &f->generator[g], z, to);
+    fmb_mem_put(c->run->mem, of.set, of.size * of.words, sizeof *of.set);
+    return st;
+}
+
+/* Lines are 0 in the independent rows. */
+static fmb_status find_lines_of_cone(const fmb_section *c, fmb_cone *lines, fmb_cone_row *row)
+{
+    bool done;
+    for (size_t i = 0; i < c->rank; i++)
+        row[i] = (fmb_cone_row){.v = &c->row[c->chosen[i]], .equality = true};
+    fmb_cone_problem of = {.d = c->d, .m = c->rank, .row = row};
+    fmb_status st = fmb_cone_init(lines, c->run, &of);
+    return st == FMB_OK ? fmb_cone_run(lines, 0, &done) : st;
+}
+
+static fmb_status take_rays_and_lines(fmb_section *c, const fmb_cone *lines, ray_list *all,
+                                      fmb_image *image)
+{
+    mpz_t *z = fmb_vec_block(c->d, c->run->mem);
+    if (!z)
+        return fmb_mem_status(c->run->mem);
+    fmb_status st = put_all_rays_into_list(c, z, all);
+    size_t rays = all->size;
+    for (size_t i = 0; i < lines->line.size; i++) {
+        all->v[all->size] = lines->line.v[i];
+        all->line[all->size++] = true;
+    }
+    if (st == FMB_OK)
+        st = fmb_image_init_vectors(image, c->run, c->d, all->size, all->v, all->line, false);
+    for (size_t i = 0; i < rays; i++)
+        fmb_vec_clear(&all->v[i], c->d, c->run->mem);
+    for (size_t k = 0; k < c->d; k++)
+        mpz_clear(z[k]);
+    fmb_mem_put(c->run->mem, z, c->d, sizeof *z);
+    return st;
+}
+
+fmb_status fmb_section_take_rays(fmb_section *c, fmb_image *image)
+{
+    fmb_mem *mem = c->run->mem;
+    size_t most = c->d + 1 + (c->begun ? c->support.hull.generators : 0);
+    fmb_cone lines = {0};
+    fmb_cone_row *row = fmb_mem_get(mem, c->d, sizeof *row);
+    ray_list all = {.v = fmb_mem_get(mem, most, sizeof *all.v),
+                    .line = fmb_mem_get(mem, most, sizeof *all.line)};
+    fmb_status st = row && all.v && all.line ? FMB_OK : fmb_mem_status(mem);
+    if (st == FMB_OK)
+        st = find_lines_of_cone(c, &lines, row);
+    if (st == FMB_OK)
+        st = take_rays_and_lines(c, &lines, &all, image);
+    fmb_cone_clear(&lines);
+    fmb_mem_put(mem, all.line, most, sizeof *all.line);
+    fmb_mem_put(mem, all.v, most, sizeof *all.v);
+    fmb_mem_put(mem, row, c->d, sizeof *row);
+    return st;
+}
