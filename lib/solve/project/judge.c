@@ -8,10 +8,14 @@
 /* A cone with so few of them has hardly more rays than rows; so few have few even of long numbers,
  * in the plane and above; and one with so many is not tried. */
 #define LEAST_FREEDOMS      2
-#define LONG_FREEDOMS(kept) ((kept) > 2 ? 8 : 6)
+#define LONG_FREEDOMS(kept) ((kept) > 2 ? 8 : 5)
 #define MANY_FREEDOMS       32
 /* A steep elimination ends, if it does, where rows are hardly more than dimensions. */
 #define STEEP_FREEDOMS 4
+/* In the plane, rays end sooner than queries only in so few of them; with variables, if rows name
+ * nearly all of these. */
+#define FREEDOMS_IN_PLANE 9
+#define SIZE_IN_PLANE     13
 /* Cones of more have very many rays, but for such with bounds on many variables, as disjunctions.
  */
 #define CROWDED_FREEDOMS 12
@@ -27,6 +31,11 @@
 #define FEW_TO_GO 3
 /* Elimination makes few rows at a time of so many variables, and queries do without. */
 #define MANY_COLUMNS 32
+/* Of fewer variables, no rows are too many. */
+#define LEAST_CROWD 4
+/* In so many, an elimination that is pruned mostly ends sooner than a hull of more than four
+ * dimensions. */
+#define FREEDOMS_BEFORE_HULL 5
 /* So many coefficients, most of them there: that there is no solution a linear program finds sooner
  * than rays do. */
 #define MANY_ENTRIES 100
@@ -38,6 +47,8 @@
  * from the beginning. */
 #define WALKED_COLUMNS   24
 #define SMALL_DICTIONARY 6
+/* [bits] What queries find modulo a prime (lp/exact/short.h). */
+#define SHORT_MINOR 60
 
 int fmb_judge_kept(const fmb_part *p, const int *place)
 {
@@ -90,15 +101,19 @@ bool fmb_judge_escapes(const fmb_lift *lift)
     return are_nearly_all_coefficients_there(lift) && fmb_lift_bounds(lift) == 0;
 }
 
-/* Where rows name most variables, and these are not very few, queries are quicker. */
-static bool is_dictionary_quick(const fmb_lift *lift)
+/* Queries are quicker where rows name most variables, and where they are answered by minors that
+ * are short; the only question of one variable is how far it goes. */
+static bool is_dictionary_quick(const fmb_lift *lift, int kept)
 {
-    return fmb_lift_columns(lift) <= SMALL_DICTIONARY || !are_most_coefficients_there(lift);
+    bool small = fmb_lift_columns(lift) <= SMALL_DICTIONARY;
+    if (kept == 2 && small && fmb_lift_minor_bits(lift) <= SHORT_MINOR)
+        return false;
+    return small || !are_most_coefficients_there(lift);
 }
 
 bool fmb_judge_walks(const fmb_lift *lift, const fmb_part *p, int kept)
 {
-    bool many = 4 * p->m > 9 * (size_t)p->n && is_dictionary_quick(lift);
+    bool many = 4 * p->m > 9 * (size_t)p->n && is_dictionary_quick(lift, kept);
     return kept <= 2 && p->n <= WALKED_COLUMNS && (many || has_wide_rows(p)) && !has_strict_rows(p);
 }
 
@@ -119,6 +134,13 @@ static bool do_few_go(const fmb_part *p, int kept)
     return p->n <= kept + FEW_TO_GO;
 }
 
+/* Rows are many for the variables that are left. */
+static bool is_crowded(const fmb_lift *lift)
+{
+    size_t columns = fmb_lift_columns(lift);
+    return columns >= LEAST_CROWD && fmb_lift_rows(lift) >= 4 * columns;
+}
+
 /* Three of six variables stay: rays to the end are as quick as queries, but where very many rows
  * name all variables. */
 static bool are_rays_few(const fmb_lift *lift, const fmb_part *p, int kept)
@@ -127,11 +149,23 @@ static bool are_rays_few(const fmb_lift *lift, const fmb_part *p, int kept)
     return kept == 3 && do_few_go(p, kept) && !many;
 }
 
+/* In the plane, queries are so quick that rays only delay them, but where these are few: of small
+ * cones, and of such that are hardly more than a simplex. */
+static bool do_rays_delay_queries(const fmb_lift *lift, int kept)
+{
+    size_t freedom = fmb_lift_freedom(lift), columns = fmb_lift_columns(lift);
+    if (kept != 2 || freedom <= STEEP_FREEDOMS)
+        return false;
+    if (are_nearly_all_coefficients_there(lift))
+        return columns + freedom > SIZE_IN_PLANE;
+    return freedom > FREEDOMS_IN_PLANE || (columns > LEAST_CROWD && is_crowded(lift));
+}
+
 /* Rays of a first try: half as many where a few queries take as long; none where rows are many,
  * but name few variables. */
 uint64_t fmb_judge_first_rays(const fmb_lift *lift, const fmb_part *p, int kept)
 {
-    if (fmb_lift_freedom(lift) > MANY_FREEDOMS)
+    if (fmb_lift_freedom(lift) > MANY_FREEDOMS || do_rays_delay_queries(lift, kept))
         return 0;
     bool full = are_nearly_all_coefficients_there(lift);
     bool flat = full && fmb_lift_columns(lift) <= FLAT_CONE;
@@ -146,15 +180,46 @@ uint64_t fmb_judge_first_rays(const fmb_lift *lift, const fmb_part *p, int kept)
     return short_queries && p->m > MANY_ROWS(p) ? rays / 4 : rays;
 }
 
+/* What makes few more rows is eliminated: not where rows are many for their variables, nor where
+ * variables are very many, as few queries are quicker than either. */
+bool fmb_judge_goes_gently(const fmb_lift *lift, int kept)
+{
+    bool many = fmb_lift_columns(lift) > MANY_COLUMNS || is_crowded(lift);
+    return kept >= FMB_SHORT_QUERIES || !many;
+}
+
+/* A box in other coordinates, as of zonotopes: it has twice as many rows as variables. */
+static bool is_box(const fmb_lift *lift)
+{
+    return fmb_lift_rows(lift) == 2 * fmb_lift_columns(lift) && has_bounds(lift, 0.33);
+}
+
+/* Its projection has few more facets than it has rows, while hulls in many dimensions, which rays
+ * and queries end with, take longer than rows to be pruned. */
+static bool is_hull_dear(const fmb_lift *lift, int kept)
+{
+    return kept > FMB_SHORT_QUERIES && are_nearly_all_coefficients_there(lift) &&
+           fmb_lift_freedom(lift) <= FREEDOMS_BEFORE_HULL && !fmb_lift_is_long(lift);
+}
+
 /* In the plane, queries are quicker, but where the box refuses most pairs. */
-bool fmb_judge_prunes(const fmb_lift *lift, int kept)
+static bool is_sparse(const fmb_lift *lift, int kept)
 {
     double named = named_by_row(lift);
     bool bounded = has_bounds(lift, 0.6);
-    if (kept < FMB_SHORT_QUERIES && fmb_lift_columns(lift) > MANY_COLUMNS)
-        return false;
     return (kept > 2 || bounded) && named <= (bounded ? SPARSE_BETWEEN_BOUNDS : SPARSE) &&
            3 * named <= (double)fmb_lift_columns(lift);
+}
+
+size_t fmb_judge_pruned_rows(const fmb_lift *lift, const fmb_part *p, int kept)
+{
+    if (kept < FMB_SHORT_QUERIES && fmb_lift_columns(lift) > MANY_COLUMNS)
+        return 0;
+    if (is_box(lift) || (is_hull_dear(lift, kept) && kept > FMB_SHORT_QUERIES + 1))
+        return 100 * p->m;
+    if (is_hull_dear(lift, kept))
+        return 20 * p->m;
+    return is_sparse(lift, kept) ? 10 * p->m : 0;
 }
 
 static bool is_cone_dense_or_small(const fmb_lift *lift)
@@ -175,7 +240,7 @@ bool fmb_judge_goes_steeper(const fmb_lift *lift, int kept)
  * are too long for its guesses. */
 uint64_t fmb_judge_second_rays(const fmb_lift *lift, const fmb_part *p, int kept)
 {
-    if (fmb_lift_freedom(lift) > FEW_FREEDOMS)
+    if (fmb_lift_freedom(lift) > FEW_FREEDOMS || do_rays_delay_queries(lift, kept))
         return 0;
     if (has_strict_rows(p) || kept > FMB_SHORT_QUERIES)
         return 16 * RAYS_OF_SECOND_TRY;

@@ -23,8 +23,11 @@ bool fmb_judge_escapes(const fmb_lift *lift);
 bool fmb_judge_asks_ends(const fmb_lift *lift, const fmb_part *p, int kept);
 /* Is it asked first whether there is a solution? */
 bool fmb_judge_doubts_solution(const fmb_lift *lift);
-/* Are rows so sparse that an elimination is pruned before anything else is done? */
-bool fmb_judge_prunes(const fmb_lift *lift, int kept);
+/* Are variables eliminated that make few more rows than go? */
+bool fmb_judge_goes_gently(const fmb_lift *lift, int kept);
+/* Rows that an elimination may make that is pruned before anything else is done; 0: none is tried.
+ */
+size_t fmb_judge_pruned_rows(const fmb_lift *lift, const fmb_part *p, int kept);
 bool fmb_judge_goes_steeper(const fmb_lift *lift, int kept);
 /* Rays of a first try, and of a second one, before queries. */
 uint64_t fmb_judge_first_rays(const fmb_lift *lift, const fmb_part *p, int kept);

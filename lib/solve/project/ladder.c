@@ -129,9 +129,6 @@ static fmb_status eliminate_rest_of_lift(shadow *h, fmb_lift *lift, const slope 
     return st;
 }
 
-/* Rows of an elimination that is pruned, for a share of the system's. */
-#define SPARSE_BUDGET(m) (10 * (m))
-
 /* A hull in so many dimensions mostly has few enough facets. */
 #define FEW_KEPT 6
 /* In more dimensions, so many pairs of facets of a hull take as long as a few queries. */
@@ -244,10 +241,9 @@ static fmb_status learn_if_feasible(rungs *r)
 }
 
 /* With the rule that asks the oracle, from the part again. */
-static fmb_status try_pruned_elimination(rungs *r)
+static fmb_status try_pruned_elimination(rungs *r, size_t budget)
 {
     fmb_status st = learn_if_feasible(r);
-    size_t budget = SPARSE_BUDGET(r->q->parts.part[r->part].m);
     return is_open(st, r) ? try_elimination(r, true, budget) : st;
 }
 
@@ -279,8 +275,8 @@ static fmb_status try_rays_and_steeper_elimination(rungs *r, int kept)
 {
     const fmb_part *p = &r->q->parts.part[r->part];
     uint64_t rays = fmb_judge_first_rays(r->lift, p, kept);
-    fmb_status st = fmb_judge_doubts_solution(r->lift) && !r->known ? open_queries(r) : FMB_OK;
-    if (is_open(st, r) && fmb_judge_goes_steeper(r->lift, kept))
+    fmb_status st = FMB_OK;
+    if (fmb_judge_goes_steeper(r->lift, kept))
         st = try_steeper_elimination(r, kept);
     if (is_open(st, r) && rays > 0)
         st = try_rays(r, rays);
@@ -296,12 +292,15 @@ static fmb_status try_each_shortly(rungs *r)
 {
     const fmb_part *p = &r->q->parts.part[r->part];
     int kept = fmb_judge_kept(p, r->place);
-    fmb_status st = fmb_judge_escapes(r->lift) ? try_escape(r) : FMB_OK;
+    fmb_status st = fmb_judge_doubts_solution(r->lift) && !r->known ? open_queries(r) : FMB_OK;
+    if (is_open(st, r) && fmb_judge_escapes(r->lift))
+        st = try_escape(r);
     if (is_open(st, r) && !fmb_judge_asks_ends(r->lift, p, kept)) {
-        st = try_gentle_elimination(r, kept);
-        bool sparse = is_open(st, r) && fmb_judge_prunes(r->lift, kept);
-        if (sparse)
-            st = try_pruned_elimination(r);
+        if (fmb_judge_goes_gently(r->lift, kept))
+            st = try_gentle_elimination(r, kept);
+        size_t budget = is_open(st, r) ? fmb_judge_pruned_rows(r->lift, p, kept) : 0;
+        if (budget > 0)
+            st = try_pruned_elimination(r, budget);
         if (is_open(st, r))
             st = try_rays_and_steeper_elimination(r, kept);
     }

@@ -52,15 +52,41 @@ typedef struct progress {
     bool points; /* those of it can be told: of all parts a solution is known, or none is wanted */
 } progress;
 
-/* Where proofs are wanted, whether there is a solution is decided first. */
+/* Rows that name so few variables each are eliminated in no time. */
+#define FEW_NAMED 4
+
+/* May it be that there is no solution, as 0 is none, and is that told sooner than anything else? */
+static bool is_doubt_cheap(const fmb_system *s)
+{
+    size_t named = 0;
+    bool origin = true;
+    for (size_t i = 0; i < s->rows; i++) {
+        const fmb_sysrow *r = fmb_system_row(s, i);
+        int side = fmb_vec_sgn(&r->val, r->nnz);
+        origin &= side > 0 || (side == 0 && r->rel != FMB_LT);
+        named += r->nnz;
+    }
+    return !origin && named <= FEW_NAMED * s->rows;
+}
+
+/* Whether there is a solution is decided first where proofs are wanted, and where it costs hardly
+ * anything. */
+static fmb_status decide_before_projection(fmb_query *q, fmb_verdict *verdict)
+{
+    q->decided = q->evidence != NULL || q->parts.false_row != SIZE_MAX;
+    if (q->decided)
+        return fmb_query_decide(q, true, verdict);
+    if (q->v->options.method == FMB_METHOD_AUTO && is_doubt_cheap(q->s))
+        *verdict = fmb_query_decide_tiny(q);
+    q->decided = *verdict == FMB_FEASIBLE;
+    return FMB_OK;
+}
+
 static fmb_status project_all_parts(fmb_query *q, const int *place, fmb_system *out,
                                     fmb_verdict *verdict, progress *at)
 {
     bool feasible = true;
-    fmb_status st = FMB_OK;
-    q->decided = q->evidence != NULL || q->parts.false_row != SIZE_MAX;
-    if (q->decided)
-        st = fmb_query_decide(q, true, verdict);
+    fmb_status st = decide_before_projection(q, verdict);
     if (st != FMB_OK || *verdict == FMB_INFEASIBLE)
         return st;
     at->points = true;

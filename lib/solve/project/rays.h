@@ -25,6 +25,8 @@ bool fmb_lift_is_nearly_done(const fmb_lift *h);
 /* Some numbers are longer than a word, or so long in all rows that those of combinations will be.
  */
 bool fmb_lift_is_long(const fmb_lift *h);
+/* [bits] About as long is a minor of all columns, if rows are like the mean of them. */
+size_t fmb_lift_minor_bits(const fmb_lift *h);
 /* Variables and rows that are left, coefficients, and rows with one of those. */
 size_t fmb_lift_columns(const fmb_lift *h);
 size_t fmb_lift_rows(const fmb_lift *h);

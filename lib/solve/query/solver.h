@@ -92,6 +92,10 @@ fmb_status fmb_query_want_point(fmb_query *q);
  * or INFEASIBLE. */
 fmb_status fmb_query_decide(fmb_query *q, bool oracles, fmb_verdict *out);
 
+/* The verdict, where the system is tiny and nothing but that is wanted, on the stack; or UNKNOWN.
+ * Nothing is claimed. */
+fmb_verdict fmb_query_decide_tiny(fmb_query *q);
+
 /* Parts by number: rows written out (p->row); the oracle; a feasible dictionary, for what goes from
  * vertex to vertex, or *feasible false. Made on the first call. */
 fmb_status fmb_query_write_rows(fmb_query *q, int part);

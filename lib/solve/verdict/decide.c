@@ -135,6 +135,17 @@ static bool wants_verdict_only(const fmb_solver *v)
            o->rebase == FMB_REBASE_AUTO && o->max_rows == 0;
 }
 
+fmb_verdict fmb_query_decide_tiny(fmb_query *q)
+{
+    fmb_stats stats = q->run.stats;
+    if (!wants_verdict_only(q->v))
+        return FMB_UNKNOWN;
+    fmb_verdict verdict = fmb_tiny_decide(q->s, &stats);
+    if (verdict == FMB_INFEASIBLE)
+        q->run.stats = stats;
+    return verdict;
+}
+
 /* Without a query: true if that answered. */
 static bool decide_on_stack(fmb_solver *v, const fmb_system *s, fmb_result *res)
 {
