@@ -22,19 +22,24 @@ static bool is_plain_string(const char *json)
     return n >= 2 && json[0] == '"';
 }
 
-/* [give, free()] What a pair is called: a string without its quotes, any other id, and one that
- * holds a NUL, as it stands. */
-static char *name_of(const meeting *m)
+/* What a pair is called: a string without its quotes, any other id, and one that holds a NUL, as it
+ * stands. */
+static void print_name(const meeting *m, FILE *out)
 {
-    if (!m->id)
-        return app_print("line %ld", m->line);
-    if (is_plain_string(m->id))
-        return app_need(strndup(m->id + 1, strlen(m->id) - 2));
+    if (!m->id) {
+        fprintf(out, "line %ld", m->line);
+        return;
+    }
+    if (is_plain_string(m->id)) {
+        fwrite_unlocked(m->id + 1, 1, strlen(m->id) - 2, out);
+        return;
+    }
     json_t *value = m->id[0] == '"' ? json_loads(m->id, JSON_DECODE_ANY, NULL) : NULL;
     char *name =
         app_text(json_is_string(value) ? json_string_value(value) : m->id, APP_TEXT_TERMINAL);
+    fputs_unlocked(name, out);
+    free(name);
     json_decref(value);
-    return name;
 }
 
 /* "x1" of the world, "c1" of the second frame, "t" */
@@ -88,17 +93,17 @@ static void print_box(const intersect *x, const meeting *m)
 
 static void print_text(const intersect *x, const meeting *m)
 {
-    static const char *const word[] = {
-        [FMB_UNKNOWN] = "undecided", [FMB_FEASIBLE] = "meet", [FMB_INFEASIBLE] = "apart"};
-    char *name = name_of(m);
-    fprintf(x->out, "%-9s %s", word[m->verdict], name);
+    static const char *const word[] = {[FMB_UNKNOWN] = "undecided ",
+                                       [FMB_FEASIBLE] = "meet      ",
+                                       [FMB_INFEASIBLE] = "apart     "};
+    fputs_unlocked(word[m->verdict], x->out);
+    print_name(m, x->out);
     if (m->verdict == FMB_UNKNOWN)
         fprintf(x->out, " (%s)", fmb_stop_text(m->stop));
-    fputc('\n', x->out);
+    putc_unlocked('\n', x->out);
     if (m->interval)
         print_box(x, m);
     near_print(&x->ask->near, &m->near, x->out);
-    free(name);
 }
 
 /* ---- JSON ------------------------------------------------------------------------------------ */

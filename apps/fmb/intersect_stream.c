@@ -68,7 +68,7 @@ int intersect_stream(const intersect_ask *ask, FILE *in)
 {
     intersect x = {.ask = ask, .out = stdout};
     stream s = {{0}, NULL};
-    app_listener listener = {in, answer_what_waits, &s};
+    app_listener listener = {.in = in, .idle = answer_what_waits, .self = &s};
     FILE *heard = app_need(app_listen(&listener));
     fmb_status st = intersect_solver(ask, &x.solver);
     int code = st == FMB_OK ? APP_YES : app_status_error(st);

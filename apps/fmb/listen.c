@@ -36,5 +36,8 @@ static ssize_t take(void *cookie, char *to, size_t size)
 
 FILE *app_listen(app_listener *l)
 {
-    return fopencookie(l, "r", (cookie_io_functions_t){.read = take});
+    FILE *heard = fopencookie(l, "r", (cookie_io_functions_t){.read = take});
+    if (heard)
+        setvbuf(heard, l->room, _IOFBF, sizeof l->room);
+    return heard;
 }

@@ -8,6 +8,7 @@ typedef struct app_listener {
     FILE *in;                 /* nothing was read from it yet */
     void (*idle)(void *self); /* called before there is a wait */
     void *self;
+    char room[1 << 16]; /* of the stream */
 } app_listener;
 
 /* [give, fclose()] What comes in, between app_stop_begin and app_stop_end: the stream ends at a

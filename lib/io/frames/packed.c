@@ -11,13 +11,17 @@ enum { VERSION = 1 };
 
 /* ---- words ----------------------------------------------------------------------------------- */
 
-/* size is constant: one load, where the processor is little-endian. */
-static inline uint64_t read_word(const unsigned char *from, int size)
+static inline uint64_t read_four(const unsigned char *b)
 {
-    uint64_t word = 0;
-    for (int i = 0; i < size; i++)
-        word |= (uint64_t)from[i] << 8 * i;
-    return word;
+    return (uint64_t)b[0] | (uint64_t)b[1] << 8 | (uint64_t)b[2] << 16 | (uint64_t)b[3] << 24;
+}
+
+/* One load, where the processor is little-endian: compilers see that without a loop. */
+static inline uint64_t read_eight(const unsigned char *b)
+{
+    return (uint64_t)b[0] | (uint64_t)b[1] << 8 | (uint64_t)b[2] << 16 | (uint64_t)b[3] << 24 |
+           (uint64_t)b[4] << 32 | (uint64_t)b[5] << 40 | (uint64_t)b[6] << 48 |
+           (uint64_t)b[7] << 56;
 }
 
 static void write_word(uint64_t word, int size, unsigned char *to)
@@ -29,11 +33,11 @@ static void write_word(uint64_t word, int size, unsigned char *to)
 void fmb_packed_read(const unsigned char *from, int size, size_t n, double *to)
 {
     for (size_t i = 0; size == 8 && i < n; i++) {
-        uint64_t word = read_word(from + 8 * i, 8);
+        uint64_t word = read_eight(from + 8 * i);
         memcpy(&to[i], &word, sizeof word);
     }
     for (size_t i = 0; size == 4 && i < n; i++) {
-        uint32_t word = (uint32_t)read_word(from + 4 * i, 4);
+        uint32_t word = (uint32_t)read_four(from + 4 * i);
         float single;
         memcpy(&single, &word, sizeof word);
         to[i] = (double)single;
@@ -65,9 +69,9 @@ const char *fmb_packed_decode(const unsigned char *from, fmb_packed_block *out)
     if (from[8] != VERSION)
         return "version 1 of pairs in binary";
     *out = (fmb_packed_block){
-        .dim = (uint32_t)read_word(from + 16, 4),
-        .naxes = {(uint32_t)read_word(from + 20, 4), (uint32_t)read_word(from + 24, 4)},
-        .pairs = (uint32_t)read_word(from + 28, 4),
+        .dim = (uint32_t)read_four(from + 16),
+        .naxes = {(uint32_t)read_four(from + 20), (uint32_t)read_four(from + 24)},
+        .pairs = (uint32_t)read_four(from + 28),
         .size = from[9],
         .shape = {from[10], from[11]},
         .moves = {from[12] & 1, from[12] >> 1 & 1}};
@@ -147,22 +151,20 @@ static fmb_status fetch_header(fmb_frames *r, fmb_where *where)
     return FMB_OK;
 }
 
-static bool are_all(const double *x, size_t n, bool (*is)(double))
+static bool are_all_finite(const fmb_numbers *a)
+{
+    bool good = true;
+    for (size_t i = 0; i < a->n; i++)
+        good &= a->d[i] - a->d[i] == 0;
+    return good;
+}
+
+static bool are_all_zero(const fmb_numbers *a)
 {
     size_t i = 0;
-    while (i < n && is(x[i]))
+    while (i < a->n && a->d[i] == 0)
         i++;
-    return i == n;
-}
-
-static bool is_finite_number(double x)
-{
-    return x - x == 0;
-}
-
-static bool is_zero(double x)
-{
-    return x == 0;
+    return i == a->n;
 }
 
 static fmb_status unpack_numbers(fmb_frames *r, fmb_numbers *to, size_t n,
@@ -192,16 +194,14 @@ static fmb_status unpack_body(fmb_frames *r, int k, const unsigned char **from)
         st = unpack_numbers(r, &b->axes, dim * block->naxes[k], from);
     if (st == FMB_OK)
         st = unpack_numbers(r, &b->speed, block->moves[k] ? dim : 0, from);
-    if (st == FMB_OK && are_all(b->speed.d, b->speed.n, is_zero))
+    if (st == FMB_OK && are_all_zero(&b->speed))
         b->speed.n = 0;
     return st;
 }
 
 static bool is_body_finite(const fmb_body_draft *b)
 {
-    return are_all(b->origin.d, b->origin.n, is_finite_number) &&
-           are_all(b->axes.d, b->axes.n, is_finite_number) &&
-           are_all(b->speed.d, b->speed.n, is_finite_number);
+    return are_all_finite(&b->origin) && are_all_finite(&b->axes) && are_all_finite(&b->speed);
 }
 
 fmb_status fmb_frames_fetch_packed(fmb_frames *r, bool *found, fmb_where *where)

@@ -84,6 +84,18 @@ static mpq_srcptr rational_of_frame(const fmb_frame_q *f, int axis, int row)
     return f->axes[axis * f->dim + row];
 }
 
+static bool is_word(mpz_srcptr z)
+{
+    return GMP_NUMB_BITS == 64 && mpz_size(z) <= 1;
+}
+
+/* d divides unit, which is seen at once. */
+static bool is_divisor(mpz_srcptr d, mpz_srcptr unit)
+{
+    return mpz_cmp_ui(d, 1) == 0 || mpz_cmp(d, unit) == 0 ||
+           (is_word(d) && is_word(unit) && mpz_getlimbn(unit, 0) % mpz_getlimbn(d, 0) == 0);
+}
+
 /* The least common denominator of a row; false if numbers are too long in terms of it. */
 static bool find_denominator_of_row(const rational_pair *d, int row)
 {
@@ -95,13 +107,24 @@ static bool find_denominator_of_row(const rational_pair *d, int row)
             size_t bits = x ? mpz_sizeinbase(mpq_numref(x), 2) : 0;
             if (x && mpz_sizeinbase(mpq_denref(x), 2) > FMB_EXTREME_BITS)
                 return false;
-            if (x && mpz_cmp_ui(mpq_denref(x), 1) != 0)
+            if (x && !is_divisor(mpq_denref(x), d->unit[row]))
                 mpz_lcm(d->unit[row], d->unit[row], mpq_denref(x));
             most = bits > most ? bits : most;
             if (most + mpz_sizeinbase(d->unit[row], 2) > FMB_EXTREME_BITS - 2)
                 return false;
         }
     return true;
+}
+
+/* n / d in that unit, where all three are words. */
+static void read_words(mpz_srcptr n, mpz_srcptr d, mpz_srcptr unit, fmb_wide *out)
+{
+    fmb_u128 factor = mpz_getlimbn(unit, 0) / mpz_getlimbn(d, 0);
+    fmb_u128 product = mpz_getlimbn(n, 0) * factor;
+    out->word[0] = (uint64_t)product;
+    out->word[1] = (uint64_t)(product >> 64);
+    out->n = 1 + (out->word[1] != 0);
+    out->minus = mpz_sgn(n) < 0;
 }
 
 static void read_rational(const void *self, int frame, int axis, int row, fmb_wide *out)
@@ -113,6 +136,10 @@ static void read_rational(const void *self, int frame, int axis, int row, fmb_wi
     out->minus = false;
     if (!x || mpq_sgn(x) == 0)
         return;
+    if (is_word(mpq_numref(x)) && is_word(mpq_denref(x)) && is_word(d->unit[row])) {
+        read_words(mpq_numref(x), mpq_denref(x), d->unit[row], out);
+        return;
+    }
     mpz_divexact(*d->whole, d->unit[row], mpq_denref(x));
     mpz_mul(*d->whole, *d->whole, mpq_numref(x));
     mpz_export(out->word, &words, -1, sizeof *out->word, 0, 0, *d->whole);

@@ -37,6 +37,7 @@ typedef struct fmb_extreme {
     fmb_wide det, x[FMB_EXTREME_DIM];
     /* The same in double-doubles, as far as value.c needed it. */
     unsigned has_close;
+    lane2 close_basic[FMB_EXTREME_DIM][FMB_EXTREME_DIM]; /* [k][row], relative */
     lane2 close_det, close_rest[FMB_EXTREME_DIM], close_x[FMB_EXTREME_DIM];
 } fmb_extreme;
 

@@ -78,7 +78,7 @@ void fmb_extreme_value(fmb_extreme *v, const fmb_extreme_goal *goal, fmb_wide *n
 /* ---- in double-doubles ----------------------------------------------------------------------- */
 
 /* Bits of what is there, besides those of x_k. */
-enum { CLOSE_DET = 1 << DIM, CLOSE_REST = 2 << DIM };
+enum { CLOSE_COMMON = 1 << DIM };
 
 static lane2 close_number(const fmb_extreme_number *x)
 {
@@ -118,34 +118,40 @@ static void add_close(lane2 *sum, const fmb_extreme_number *x, double sign)
 }
 
 /* As need_rest. */
-static void need_close_rest(fmb_extreme *v)
+static void find_close_rest(fmb_extreme *v)
 {
     const fmb_extreme_program *s = v->program;
-    if (v->has_close & CLOSE_REST)
-        return;
     for (int row = 0; row < DIM; row++)
         v->close_rest[row] = close_number(&s->h[row]);
     for (int j = 0; j < s->columns; j++)
         for (int row = 0; fmb_extreme_is_one(v, j) && row < DIM; row++)
             add_close(&v->close_rest[row], &s->m[j][row], -1);
-    v->has_close |= CLOSE_REST;
 }
 
-/* x_k, and det. */
+static void find_close_basic(fmb_extreme *v)
+{
+    for (int k = 0; k < DIM; k++)
+        for (int row = 0; row < DIM; row++)
+            v->close_basic[k][row] =
+                close_difference(fmb_extreme_relative_entry(v, v->basic[k], row));
+}
+
+/* x_k, and with the first one what all have in common: columns, rest, det. */
 static void need_close_x(fmb_extreme *v, int k)
 {
-    lane2 basic[DIM][DIM], row_of_adjugate[DIM];
+    lane2 row_of_adjugate[DIM];
+    bool is_first = !(v->has_close & CLOSE_COMMON);
     if (v->has_close >> k & 1)
         return;
-    need_close_rest(v);
-    for (int i = 0; i < DIM; i++)
-        for (int row = 0; row < DIM && (i != k || !(v->has_close & CLOSE_DET)); row++)
-            basic[i][row] = close_difference(fmb_extreme_relative_entry(v, v->basic[i], row));
-    close_cross(basic[(k + 1) % DIM], basic[(k + 2) % DIM], row_of_adjugate);
-    if (!(v->has_close & CLOSE_DET))
-        v->close_det = close_dot(row_of_adjugate, basic[k]);
+    if (is_first) {
+        find_close_rest(v);
+        find_close_basic(v);
+    }
+    close_cross(v->close_basic[(k + 1) % DIM], v->close_basic[(k + 2) % DIM], row_of_adjugate);
+    if (is_first)
+        v->close_det = close_dot(row_of_adjugate, v->close_basic[k]);
     v->close_x[k] = close_dot(row_of_adjugate, v->close_rest);
-    v->has_close |= 1u << k | CLOSE_DET;
+    v->has_close |= 1u << k | CLOSE_COMMON;
 }
 
 /* As find_constant; returns its size. */
