@@ -66,9 +66,6 @@ typedef struct numbers numbers;
 numbers *numbers_new(void);
 void numbers_free(numbers *room);
 
-/* [give, free()] A double in as few digits as tell it from all others. */
-char *intersect_double(double d);
-
 /* The same where it is quickly proved; if not, the verdict stays UNKNOWN. */
 fmb_status intersect_quickly(const intersect *x, const fmb_frames_line *line, numbers *room,
                              meeting *out);

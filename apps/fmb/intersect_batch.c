@@ -5,6 +5,7 @@
 
 #include "common/message.h"
 #include "fmb/intersect.h"
+#include "fmb/shortest.h"
 #include "fmb/stop.h"
 
 enum {
@@ -88,7 +89,7 @@ static fmb_status prepare(batch *b, int dim)
 
 static interval interval_of(const double *ends, char *at)
 {
-    return (interval){intersect_double(ends[0]), intersect_double(ends[1]), at, false};
+    return (interval){app_shortest(ends[0]), app_shortest(ends[1]), at, false};
 }
 
 /* What fmb_pair_test said of pair i. */
@@ -111,7 +112,7 @@ static void take_answer(batch *b, size_t i, const fmb_pair_answers *a)
     m->interval = app_need(calloc(2 * d + 1, sizeof *m->interval));
     interval *to = m->interval;
     for (size_t j = 0; j < d; j++)
-        *to++ = interval_of(a->world + 2 * (d * i + j), intersect_double(a->witness[d * i + j]));
+        *to++ = interval_of(a->world + 2 * (d * i + j), app_shortest(a->witness[d * i + j]));
     for (size_t j = 0; j < (size_t)q->naxes; j++)
         *to++ = interval_of(a->inside + 2 * (d * i + j), NULL);
     if (m->moves)

@@ -3,6 +3,7 @@
 
 #include "common/message.h"
 #include "fmb/intersect.h"
+#include "fmb/shortest.h"
 #include "fmb/show.h"
 
 /* The variables whose intervals are reported: the point, the coordinates in the second frame, the
@@ -31,7 +32,7 @@ static char *end_text(const intersect *x, const fmb_box *box, int i, fmb_side si
     if (end.kind == FMB_END_INFINITE)
         return app_print(side == FMB_LOWER ? "-inf" : "inf");
     if (x->ask->boxes == BOXES_OUTWARD)
-        return intersect_double(end.value);
+        return app_shortest(end.value);
     mpq_t q;
     mpq_init(q);
     fmb_box_end_q(box, i, side, q);
@@ -49,7 +50,7 @@ static bool is_open(const fmb_box *box, int i, fmb_side side)
 static char *witness_text(const intersect *x, const fmb_evidence *e, int var)
 {
     if (x->ask->boxes == BOXES_OUTWARD)
-        return intersect_double(fmb_evidence_coordinate(e, 0, var));
+        return app_shortest(fmb_evidence_coordinate(e, 0, var));
     mpq_t q;
     mpq_init(q);
     fmb_evidence_coordinate_q(e, 0, var, q);

@@ -4,7 +4,7 @@
 
 #include "common/message.h"
 #include "fmb/intersect.h"
-#include "fmb/show.h"
+#include "fmb/shortest.h"
 
 enum { MOST_DIM = 3, MOST_VARIABLES = 2 * MOST_DIM + 1 };
 
@@ -33,16 +33,6 @@ void numbers_free(numbers *room)
 }
 
 /* ---- as doubles ------------------------------------------------------------------------------ */
-
-char *intersect_double(double d)
-{
-    char *text = app_print("%.15g", d);
-    for (int digits = 16; digits <= 17 && strtod(text, NULL) != d; digits++) {
-        free(text);
-        text = app_print("%.*g", digits, d);
-    }
-    return text;
-}
 
 /* The greatest double that is at most q, or the least that is at least q. */
 static double double_beside(mpq_srcptr q, bool above)
@@ -92,9 +82,9 @@ static void write_intervals(const intersect *x, numbers *a, meeting *out)
     for (int i = 0; i < n; i++) {
         interval *to = &out->interval[i];
         mpq_srcptr low = a->end[2 * i], high = a->end[2 * i + 1], at = a->at[i];
-        to->lower = rounds ? intersect_double(double_beside(low, false)) : rational_text(low);
-        to->upper = rounds ? intersect_double(double_beside(high, true)) : rational_text(high);
-        to->at = rounds ? intersect_double(nearest_double(at)) : rational_text(at);
+        to->lower = rounds ? app_shortest(double_beside(low, false)) : rational_text(low);
+        to->upper = rounds ? app_shortest(double_beside(high, true)) : rational_text(high);
+        to->at = rounds ? app_shortest(nearest_double(at)) : rational_text(at);
     }
 }
 

@@ -7,8 +7,8 @@
 #include <fmb/proximity.h>
 
 #include "common/message.h"
-#include "fmb/intersect.h"
 #include "fmb/mesh_ask.h"
+#include "fmb/shortest.h"
 #include "fmb/stop.h"
 
 /* A report on its way. */
@@ -68,7 +68,7 @@ static fmb_status find_place(const report *r, const fmb_mesh_hit *h, place_of_hi
     if (st == FMB_OK && v == FMB_FEASIBLE)
         out->intervals = motion ? 4 : 3;
     for (int i = 0; i < 2 * out->intervals; i++)
-        out->end[i] = intersect_double(ends[i]);
+        out->end[i] = app_shortest(ends[i]);
     return st;
 }
 
