@@ -53,11 +53,25 @@ fmb_status fmb_image_init_dual(fmb_image *m, const fmb_image *of);
 /* Find the facets of an image that has a point. With `slacks` each facet gets its slack. Errors:
  * MEMORY, LIMIT. */
 fmb_status fmb_image_find_facets(fmb_image *m, bool slacks);
-/* Is that done ray by ray, which needs no second way? Else by the rays of the dual cone. */
+/* Is that done ray by ray, which needs no other way? Else it is done by rows of the dual cone. */
 bool fmb_image_has_few_coordinates(const fmb_image *m);
-/* By the latter, its rows in lexicographic order or those of few coefficients first; or *done
- * false: that takes more rays than this on the way. No slacks. Errors: MEMORY, LIMIT. */
-fmb_status fmb_image_try_facets(fmb_image *m, bool sparse_first, uint64_t rays, bool *done);
+
+/* The dual cone in the making. */
+typedef struct fmb_dual {
+    fmb_image *of;
+    size_t rows;
+    fmb_cone_row *row; /* [rows] lines of the image as equalities, then its rays, in their order */
+    size_t *all;       /* [n] coordinates */
+    fmb_cone cone;
+} fmb_dual;
+
+/* Its rows come in lexicographic order, or those of few coefficients first. In any case
+ * fmb_dual_close it. Errors: MEMORY, LIMIT, here and below. */
+fmb_status fmb_dual_open(fmb_dual *d, fmb_image *m, bool sparse_first);
+void fmb_dual_close(fmb_dual *d);
+/* Go on until the image has its facets: *done; or until so many more rays were made, 0: any number.
+ */
+fmb_status fmb_dual_find_facets(fmb_dual *d, uint64_t rays, bool slacks, bool *done);
 /* Facets are told by the rays and lines of the dual cone. No slacks. Errors: MEMORY, LIMIT. */
 fmb_status fmb_image_take_facets(fmb_image *m, const fmb_image *dual);
 

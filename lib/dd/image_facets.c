@@ -204,44 +204,53 @@ static fmb_status take_facets_of_dual(fmb_image *m, const fmb_cone *dual, bool s
     return st;
 }
 
-static fmb_status run_dual(fmb_image *m, const fmb_cone_problem *of, bool slacks, uint64_t rays,
-                           bool *done)
+fmb_status fmb_dual_open(fmb_dual *d, fmb_image *m, bool sparse_first)
 {
-    fmb_cone dual = {0};
-    fmb_status st = fmb_cone_init(&dual, m->run, of);
-    if (st == FMB_OK)
-        st = fmb_cone_run(&dual, rays, done);
-    if (st == FMB_OK && *done)
-        st = take_facets_of_dual(m, &dual, slacks);
-    fmb_cone_clear(&dual);
-    return st;
-}
-
-/* The rows of the dual cone: lines are equalities; rays come in lexicographic order, or those of
- * few coefficients first. */
-static fmb_status find_facets_as_dual_rays(fmb_image *m, bool slacks, bool sparse_first,
-                                           uint64_t rays, bool *done)
-{
-    size_t rows = m->lines + m->rays;
     fmb_mem *mem = m->run->mem;
-    fmb_cone_row *row = fmb_mem_get(mem, rows, sizeof *row);
-    size_t *all = fmb_mem_get(mem, m->n, sizeof *all);
-    fmb_status st = row && all ? FMB_OK : fmb_mem_status(mem);
-    for (size_t i = 0; st == FMB_OK && i < rows; i++)
-        row[i] = i < m->lines ? (fmb_cone_row){.v = &m->line[i], .equality = true}
-                              : (fmb_cone_row){.v = &m->ray[i - m->lines]};
-    for (size_t k = 0; st == FMB_OK && k < m->n; k++)
-        all[k] = k;
-    fmb_cone_problem of = {.d = m->n, .m = rows, .row = row, .wide_only = m->num.wide_only};
+    *d = (fmb_dual){.of = m, .rows = m->lines + m->rays};
+    d->row = fmb_mem_get(mem, d->rows, sizeof *d->row);
+    d->all = fmb_mem_get(mem, m->n, sizeof *d->all);
+    if (!d->row || !d->all)
+        return fmb_mem_status(mem);
+    for (size_t i = 0; i < d->rows; i++)
+        d->row[i] = i < m->lines ? (fmb_cone_row){.v = &m->line[i], .equality = true}
+                                 : (fmb_cone_row){.v = &m->ray[i - m->lines]};
+    for (size_t k = 0; k < m->n; k++)
+        d->all[k] = k;
+    fmb_cone_problem of = {.d = m->n, .m = d->rows, .row = d->row, .wide_only = m->num.wide_only};
     if (sparse_first) {
-        of.keep = all;
+        of.keep = d->all;
         of.keeps = m->n;
         of.sparse_first = true;
     }
+    return fmb_cone_init(&d->cone, m->run, &of);
+}
+
+void fmb_dual_close(fmb_dual *d)
+{
+    if (!d->of)
+        return;
+    fmb_mem *mem = d->of->run->mem;
+    fmb_cone_clear(&d->cone);
+    fmb_mem_put(mem, d->all, d->of->n, sizeof *d->all);
+    fmb_mem_put(mem, d->row, d->rows, sizeof *d->row);
+    *d = (fmb_dual){0};
+}
+
+fmb_status fmb_dual_find_facets(fmb_dual *d, uint64_t rays, bool slacks, bool *done)
+{
+    fmb_status st = fmb_cone_run(&d->cone, rays, done);
+    return st == FMB_OK && *done ? take_facets_of_dual(d->of, &d->cone, slacks) : st;
+}
+
+static fmb_status find_facets_as_dual_rays(fmb_image *m, bool slacks)
+{
+    fmb_dual d;
+    bool done;
+    fmb_status st = fmb_dual_open(&d, m, false);
     if (st == FMB_OK)
-        st = run_dual(m, &of, slacks, rays, done);
-    fmb_mem_put(mem, all, m->n, sizeof *all);
-    fmb_mem_put(mem, row, rows, sizeof *row);
+        st = fmb_dual_find_facets(&d, 0, slacks, &done);
+    fmb_dual_close(&d);
     return st;
 }
 
@@ -260,14 +269,8 @@ bool fmb_image_has_few_coordinates(const fmb_image *m)
 
 fmb_status fmb_image_find_facets(fmb_image *m, bool slacks)
 {
-    bool done;
     return fmb_image_has_few_coordinates(m) ? find_facets_ray_by_ray(m, slacks)
-                                            : find_facets_as_dual_rays(m, slacks, false, 0, &done);
-}
-
-fmb_status fmb_image_try_facets(fmb_image *m, bool sparse_first, uint64_t rays, bool *done)
-{
-    return find_facets_as_dual_rays(m, false, sparse_first, rays, done);
+                                            : find_facets_as_dual_rays(m, slacks);
 }
 
 fmb_status fmb_image_take_facets(fmb_image *m, const fmb_image *dual)

@@ -178,8 +178,16 @@ void fmb_section_close(fmb_section *c)
     c->run = NULL;
 }
 
-fmb_status fmb_section_ask(fmb_section *c, uint64_t pairs, bool *done)
+size_t fmb_section_found(const fmb_section *c)
+{
+    return c->begun ? c->support.hull.generators : 0;
+}
+
+fmb_status fmb_section_ask(fmb_section *c, size_t most, uint64_t pairs, bool *done)
 {
     *done = !c->begun;
-    return *done ? FMB_OK : fmb_support_ask(&c->support, pairs, done);
+    if (*done)
+        return FMB_OK;
+    c->support.most = most;
+    return fmb_support_ask(&c->support, pairs, done);
 }

@@ -40,9 +40,11 @@ typedef struct fmb_section {
 fmb_status fmb_section_open(fmb_section *c, fmb_run *run, const fmb_vec *row, size_t m, size_t d);
 void fmb_section_close(fmb_section *c);
 
-/* Go on until all rays are found: *done; or until hulls have looked at so many pairs of facets, 0:
- * any number. */
-fmb_status fmb_section_ask(fmb_section *c, uint64_t pairs, bool *done);
+/* Go on until all rays are found: *done; or more than `most` are, 0: any number; or hulls have
+ * looked at so many pairs of facets, 0: any number. */
+fmb_status fmb_section_ask(fmb_section *c, size_t most, uint64_t pairs, bool *done);
+/* How many have been found. */
+size_t fmb_section_found(const fmb_section *c);
 
 /* All rays and lines; *image need not be cleared before. It is done. */
 fmb_status fmb_section_take_rays(fmb_section *c, fmb_image *image);

@@ -56,6 +56,7 @@ typedef struct fmb_support {
     const int *kept;            /* [k], increasing */
     bool strict;                /* some row of the program is strict */
     bool proves;                /* proofs are wanted */
+    size_t most;                /* generators, with more of which asking ends; 0: any number */
     fmb_facets hull;            /* of (1, x) and (0, x) */
     fmb_tight *tight;           /* or NULL */
     fmb_known *known;           /* or NULL */

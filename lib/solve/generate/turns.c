@@ -2,84 +2,105 @@
  *
  * Facets are the rays of the dual cone, whose rows are vertices and rays of the hull. Row by row
  * (dd/cone.h) there may be very many rays in between, in one order or in another: lexicographic, or
- * rows of few coefficients first. Where rows are many and facets few, support queries of a section
- * of the cone find them one by one (hull/section.h). None is best on all; so each gets its turn,
- * and then a longer one. What is begun anew costs a part in LONGER.
+ * rows of few coefficients first. Where facets are far fewer than rows, support queries of a
+ * section of the cone find them one by one (hull/section.h). None is best on all; so each gets its
+ * turn, and then a longer one. Once it is seen that facets are not few, queries end.
  */
 #include "solve/generate/turns.h"
 
 #include "hull/section.h"
 
-/* With fewer generators for each coordinate, facets mostly are more than those. */
-#define MANY_ROWS 4
+/* With fewer generators for each coordinate, facets mostly are more than those, or soon found. */
+#define MANY_ROWS 16
+/* With fewer coordinates, facets come as quickly generator by generator (measured: with one more, a
+ * section takes a fifth to 1.3 of that). */
+#define SECTION_COORDINATES 7
 /* Rays of the first turn, and so many for each row; each turn is LONGER times the one before. */
 #define FIRST_RAYS  4096
 #define RAYS_OF_ROW 4
 #define LONGER      8
 /* Pairs of facets that a section may look at for each of these. */
 #define PAIRS_OF_RAY 512
+/* Facets are few if they are no more than two for each coordinate, and one for so many rows. */
+#define ROWS_OF_FACET 8
 
 typedef struct turns {
     fmb_image *m;
-    fmb_section section;
-    bool begun; /* the section */
+    fmb_dual rows, sparse_rows; /* begun if they have an image */
+    fmb_section section;        /* begun if it has a run */
+    bool is_sparse, are_facets_many;
 } turns;
 
-static size_t count_coefficients(const fmb_vec *v, size_t n)
+/* Is a quarter of all coefficients 0? */
+static bool are_coefficients_few(const fmb_image *m)
 {
-    size_t count = 0;
-    for (size_t k = 0; k < n; k++)
-        count += fmb_vec_sgn(v, k) != 0;
-    return count;
+    size_t zeros = 0;
+    for (size_t i = 0; i < m->rays; i++)
+        for (size_t k = 0; k < m->n; k++)
+            zeros += fmb_vec_sgn(&m->ray[i], k) == 0;
+    return 4 * zeros >= m->rays * m->n;
 }
 
-/* Do some have fewer coefficients than others? */
-static bool are_some_rays_sparse(const fmb_image *m)
+static fmb_status find_facets_by_rows(turns *t, fmb_dual *d, uint64_t rays, bool *done)
 {
-    for (size_t i = 1; i < m->rays; i++)
-        if (count_coefficients(&m->ray[i], m->n) != count_coefficients(&m->ray[0], m->n))
-            return true;
-    return false;
+    fmb_status st = d->of ? FMB_OK : fmb_dual_open(d, t->m, d == &t->sparse_rows);
+    return st == FMB_OK ? fmb_dual_find_facets(d, rays, false, done) : st;
 }
 
 static fmb_status find_facets_by_section(turns *t, uint64_t pairs, bool *done)
 {
+    fmb_section *c = &t->section;
     fmb_image *m = t->m, dual = {0};
-    fmb_status st =
-        t->begun ? FMB_OK : fmb_section_open(&t->section, m->run, m->ray, m->rays, m->n);
-    t->begun = true;
+    size_t few = 2 * m->n + m->rays / ROWS_OF_FACET;
+    fmb_status st = c->run ? FMB_OK : fmb_section_open(c, m->run, m->ray, m->rays, m->n);
     if (st == FMB_OK)
-        st = fmb_section_ask(&t->section, pairs, done);
+        st = fmb_section_ask(c, few, pairs, done);
+    t->are_facets_many = !*done && fmb_section_found(c) > few;
     if (st == FMB_OK && *done)
-        st = fmb_section_take_rays(&t->section, &dual);
+        st = fmb_section_take_rays(c, &dual);
     if (st == FMB_OK && *done)
         st = fmb_image_take_facets(m, &dual);
     fmb_image_clear(&dual);
     return st;
 }
 
+static uint64_t rays_of_first_turn(const turns *t)
+{
+    return FIRST_RAYS + RAYS_OF_ROW * t->m->rays;
+}
+
 static fmb_status take_turns_at_facets(turns *t)
 {
-    bool done = false, sparse = are_some_rays_sparse(t->m);
+    bool done = false;
     fmb_status st = FMB_OK;
-    uint64_t rays = FIRST_RAYS + RAYS_OF_ROW * t->m->rays;
-    for (; st == FMB_OK && !done; rays *= LONGER) {
-        st = fmb_image_try_facets(t->m, false, rays, &done);
-        if (st == FMB_OK && !done && sparse)
-            st = fmb_image_try_facets(t->m, true, rays, &done);
-        if (st == FMB_OK && !done)
+    for (uint64_t rays = rays_of_first_turn(t); st == FMB_OK && !done; rays *= LONGER) {
+        st = find_facets_by_rows(t, &t->rows, rays, &done);
+        if (st == FMB_OK && !done && t->is_sparse)
+            st = find_facets_by_rows(t, &t->sparse_rows, rays, &done);
+        if (st == FMB_OK && !done && !t->are_facets_many)
             st = find_facets_by_section(t, PAIRS_OF_RAY * rays, &done);
     }
     return st;
 }
 
+/* One turn for the section, before generators come one by one. */
+static fmb_status try_section_first(turns *t)
+{
+    bool done = false;
+    fmb_status st = find_facets_by_section(t, PAIRS_OF_RAY * rays_of_first_turn(t), &done);
+    fmb_section_close(&t->section);
+    return st == FMB_OK && !done ? fmb_image_find_facets(t->m, false) : st;
+}
+
 fmb_status fmb_hull_find_facets(fmb_image *m)
 {
-    turns t = {.m = m};
-    bool few = m->lines > 0 || m->rays < MANY_ROWS * m->n;
-    if (few || fmb_image_has_few_coordinates(m))
+    bool by_one = fmb_image_has_few_coordinates(m);
+    if (m->lines > 0 || m->rays < MANY_ROWS * m->n || (by_one && m->n < SECTION_COORDINATES))
         return fmb_image_find_facets(m, false);
-    fmb_status st = take_turns_at_facets(&t);
+    turns t = {.m = m, .is_sparse = are_coefficients_few(m)};
+    fmb_status st = by_one ? try_section_first(&t) : take_turns_at_facets(&t);
     fmb_section_close(&t.section);
+    fmb_dual_close(&t.sparse_rows);
+    fmb_dual_close(&t.rows);
     return st;
 }

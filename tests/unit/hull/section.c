@@ -54,7 +54,7 @@ static fmb_status find_by_section(const cone_rows *c, fmb_run *run, uint64_t pai
     bool done = false;
     fmb_status st = fmb_section_open(&s, run, c->v, c->m, c->d);
     while (st == FMB_OK && !done)
-        st = fmb_section_ask(&s, pairs, &done);
+        st = fmb_section_ask(&s, 0, pairs, &done);
     if (st == FMB_OK)
         st = fmb_section_take_rays(&s, image);
     fmb_section_close(&s);
