@@ -8,11 +8,17 @@
  * long to find out that there is nothing to find.
  *
  * The direction is a point strictly inside the rows with right sides 0 (lp/redundancy/inside.h): a
- * glance in doubles, proved in integers.
+ * glance in doubles, proved in integers. In small systems it may be seen at once, in integers
+ * alone: first columns of one sign go, with all rows that name them, one after another; then a
+ * perceptron (Rosenblatt 1958) looks for z, by going away from rows that do not go down. If none is
+ * left, z is proved.
  */
 #include "solve/project/escape.h"
 
+#include <string.h>
+
 #include "lp/redundancy/inside.h"
+#include "system/system.h"
 
 /* The rows that name variables that go, in those. */
 typedef struct cone {
@@ -113,4 +119,107 @@ fmb_status fmb_escape(fmb_elim *e, const bool *drop, fmb_arena *arena, bool *esc
     if (st == FMB_OK && *escapes)
         leave_rows_behind(&c);
     return st;
+}
+
+/* ---- at sight -------------------------------------------------------------------------------- */
+
+#define SIGHT_ROWS      64
+#define SIGHT_VARIABLES 16
+/* Rows of entries so short [bits], and so many looks at each: sums of products stay within 62 bits.
+ */
+#define SIGHT_BITS  20
+#define SIGHT_LOOKS 8
+
+/* Rows in the variables that go. */
+typedef struct sight {
+    size_t n, m;
+    int64_t a[SIGHT_ROWS][SIGHT_VARIABLES];
+} sight;
+
+static bool is_row_in_sight(const fmb_sysrow *r)
+{
+    return !fmb_vec_is_wide(&r->val) && r->val.bits <= SIGHT_BITS && r->rel != FMB_EQ;
+}
+
+/* The row with entries for n variables, number[var] or -1. False: it names none of them. */
+static bool put_row_in_sight(sight *g, const fmb_sysrow *r, const int8_t *number)
+{
+    int64_t *a = g->a[g->m++];
+    bool any = false;
+    memset(a, 0, g->n * sizeof *a);
+    for (size_t k = 0; k < r->nnz; k++) {
+        int8_t j = number[r->var[k]];
+        any |= j >= 0;
+        if (j >= 0)
+            a[j] = r->val.s[k];
+    }
+    return any;
+}
+
+/* False: there is more to see than that, or a row that stays. */
+static bool put_system_in_sight(sight *g, const fmb_system *s, const int *place)
+{
+    int8_t number[SIGHT_ROWS];
+    g->n = g->m = 0;
+    if (fmb_system_dim(s) > SIGHT_ROWS || s->rows > SIGHT_ROWS)
+        return false;
+    for (int j = 0; j < fmb_system_dim(s); j++) {
+        number[j] = place[j] < 0 ? (int8_t)g->n : -1;
+        g->n += place[j] < 0;
+    }
+    bool good = g->n <= SIGHT_VARIABLES;
+    for (size_t i = 0; good && i < s->rows; i++) {
+        const fmb_sysrow *r = fmb_system_row(s, i);
+        good = is_row_in_sight(r) && (r->nnz == 0 || put_row_in_sight(g, r, number));
+    }
+    return good;
+}
+
+/* If variable j has one sign, its rows are gone. */
+static bool leave_rows_of_one_sign(sight *g, size_t j)
+{
+    bool sign[2] = {false, false};
+    size_t left = 0;
+    for (size_t i = 0; i < g->m; i++)
+        if (g->a[i][j] != 0)
+            sign[g->a[i][j] > 0] = true;
+    if (sign[0] == sign[1])
+        return false;
+    for (size_t i = 0; i < g->m; i++)
+        if (g->a[i][j] == 0)
+            memcpy(g->a[left++], g->a[i], g->n * sizeof **g->a);
+    g->m = left;
+    return true;
+}
+
+/* False: a row does not go down along z, which has gone away from all such rows. */
+static bool do_all_rows_go_down(const sight *g, int64_t *z)
+{
+    bool all = true;
+    for (size_t i = 0; i < g->m; i++) {
+        int64_t slope = 0;
+        for (size_t j = 0; j < g->n; j++)
+            slope += g->a[i][j] * z[j];
+        for (size_t j = 0; slope >= 0 && j < g->n; j++)
+            z[j] -= g->a[i][j];
+        all &= slope < 0;
+    }
+    return all;
+}
+
+bool fmb_escape_at_sight(const fmb_system *s, const int *place)
+{
+    sight g;
+    int64_t z[SIGHT_VARIABLES] = {0};
+    bool more = put_system_in_sight(&g, s, place), down = false;
+    if (!more)
+        return false;
+    while (more) {
+        more = false;
+        for (size_t j = 0; j < g.n; j++)
+            more |= leave_rows_of_one_sign(&g, j);
+    }
+    for (int k = 0; !down && k < SIGHT_LOOKS; k++)
+        down = do_all_rows_go_down(&g, z);
+    return down;
 }

@@ -1,5 +1,6 @@
 /* project.c: the projection, part by part (ladder.h). */
 #include "solve/limit/outer.h"
+#include "solve/project/escape.h"
 #include "solve/project/ladder.h"
 #include "solve/project/support.h"
 #include "solve/project/symmetries.h"
@@ -82,10 +83,20 @@ static fmb_status decide_before_projection(fmb_query *q, fmb_verdict *verdict)
     return FMB_OK;
 }
 
+static bool is_everything_at_sight(const fmb_query *q, const int *place)
+{
+    bool sound = !q->evidence && q->parts.false_row == SIZE_MAX;
+    return sound && q->v->options.method == FMB_METHOD_AUTO && fmb_escape_at_sight(q->s, place);
+}
+
 static fmb_status project_all_parts(fmb_query *q, const int *place, fmb_system *out,
                                     fmb_verdict *verdict, progress *at)
 {
     bool feasible = true;
+    if (is_everything_at_sight(q, place)) {
+        *verdict = FMB_FEASIBLE;
+        return FMB_OK;
+    }
     fmb_status st = decide_before_projection(q, verdict);
     if (st != FMB_OK || *verdict == FMB_INFEASIBLE)
         return st;
