@@ -9,6 +9,7 @@
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "common/clock.h"
 #include "common/message.h"
@@ -198,21 +199,39 @@ static void count_line(crew *c, portion *p)
         crew_flush(c);
 }
 
+/* At most n - 1 bytes up to a line end are put there, and counted. fgets does not tell how many
+ * they are where some are NUL: it puts one behind the last, and leaves line ends where it does not
+ * come.
+ */
+static size_t fetch_part(FILE *in, char *to, size_t n)
+{
+    memset(to, '\n', n);
+    if (!fgets_unlocked(to, (int)n, in))
+        return 0;
+    const char *end = memchr(to, '\n', n);
+    if (!end)
+        return n - 1;
+    size_t before = (size_t)(end - to);
+    return before + 1 < n && end[1] == '\0' ? before + 1 : before - 1;
+}
+
 /* The next line, with its end; size 0 at the end of the stream. Of a line that is too long, one
  * byte more than the limit is kept: whoever reads it sees that. */
 static void fetch_line(crew *c, FILE *in)
 {
+    enum { LEAST = 1024, MOST = 1 << 30 };
     size_t most = c->x->ask->max_input > 0 ? c->x->ask->max_input : FMB_READER_MAX_BYTES;
-    int b = 0;
-    c->size = 0;
-    while (b != '\n' && (b = getc_unlocked(in)) != EOF) {
-        if (c->size > most)
-            continue;
-        if (c->size == c->capacity) {
-            c->capacity = c->capacity > 0 ? 2 * c->capacity : 4096;
+    bool more = true;
+    for (c->size = 0; more;) {
+        size_t n = c->size < LEAST ? LEAST : c->size < MOST ? c->size : MOST;
+        if (c->size + n > c->capacity) {
+            c->capacity = 2 * (c->size + n);
             c->line = app_need(realloc(c->line, c->capacity));
         }
-        c->line[c->size++] = (char)b;
+        size_t got = fetch_part(in, c->line + c->size, n);
+        c->size += got;
+        more = got > 0 && c->line[c->size - 1] != '\n';
+        c->size = c->size > most ? most + 1 : c->size;
     }
 }
 

@@ -12,14 +12,13 @@
 
 /* ---- text ------------------------------------------------------------------------------------ */
 
-/* A string of JSON that stands for itself. */
-static bool is_plain_string(const char *json)
+/* JSON that stands for itself. */
+static bool is_plain(const char *json, size_t n)
 {
-    size_t n = strlen(json);
-    for (size_t i = 1; i + 1 < n; i++)
-        if (json[i] < ' ' || json[i] > '~' || json[i] == '\\')
-            return false;
-    return n >= 2 && json[0] == '"';
+    bool plain = true;
+    for (size_t i = 0; i < n; i++)
+        plain &= json[i] >= ' ' && json[i] <= '~' && json[i] != '\\';
+    return plain;
 }
 
 /* What a pair is called: a string without its quotes, any other id, and one that holds a NUL, as it
@@ -30,11 +29,12 @@ static void print_name(const meeting *m, FILE *out)
         fprintf(out, "line %ld", m->line);
         return;
     }
-    if (is_plain_string(m->id)) {
-        fwrite_unlocked(m->id + 1, 1, strlen(m->id) - 2, out);
+    size_t n = strlen(m->id), quotes = m->id[0] == '"';
+    if (is_plain(m->id, n)) {
+        fwrite_unlocked(m->id + quotes, 1, n - 2 * quotes, out);
         return;
     }
-    json_t *value = m->id[0] == '"' ? json_loads(m->id, JSON_DECODE_ANY, NULL) : NULL;
+    json_t *value = quotes ? json_loads(m->id, JSON_DECODE_ANY, NULL) : NULL;
     char *name =
         app_text(json_is_string(value) ? json_string_value(value) : m->id, APP_TEXT_TERMINAL);
     fputs_unlocked(name, out);

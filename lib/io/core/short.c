@@ -130,11 +130,20 @@ static bool scan_short_exponent(const char **at, const char *end, int *power)
     return p > first && p - first < 4;
 }
 
+/* Mostly there is one digit in front of a point. */
+static inline const char *append_first_digits(const char *p, const char *end, uint64_t *z)
+{
+    if (end - p < 2 || p[1] != '.' || !fmb_is_digit(*p))
+        return append_digits(p, end, z);
+    *z = (uint64_t)(*p - '0');
+    return p + 1;
+}
+
 /* Digits, and perhaps a point between them. */
 static bool scan_short_digits(const char **at, const char *end, bool strictly,
                               fmb_short_decimal *out)
 {
-    const char *first = *at, *dot = append_digits(first, end, &out->z), *p = dot;
+    const char *first = *at, *dot = append_first_digits(first, end, &out->z), *p = dot;
     ptrdiff_t before = dot - first, behind = 0;
     bool has_point = p < end && *p == '.';
     if (has_point) {
