@@ -24,6 +24,7 @@
  * is pruned; cones over rows that name no more than so many have more rays than others. */
 #define SPARSE                2.25
 #define SPARSE_BETWEEN_BOUNDS 3.25
+#define UNLIKE_SPARSE         2.75
 #define DENSE                 4
 #define SMALL_CONE            8
 /* So few dimensions, or variables that go, and rays are few however many the rows. */
@@ -180,12 +181,14 @@ uint64_t fmb_judge_first_rays(const fmb_lift *lift, const fmb_part *p, int kept)
     return short_queries && p->m > MANY_ROWS(p) ? rays / 4 : rays;
 }
 
-/* What makes few more rows is eliminated: not where rows are many for their variables, nor where
- * variables are very many, as few queries are quicker than either. */
+/* What makes few more rows is eliminated: not where rows name many of the variables, or are many
+ * for these, nor where variables are very many, as rays or a few queries are quicker. */
 bool fmb_judge_goes_gently(const fmb_lift *lift, int kept)
 {
-    bool many = fmb_lift_columns(lift) > MANY_COLUMNS || is_crowded(lift);
-    return kept >= FMB_SHORT_QUERIES || !many;
+    double named = named_by_row(lift), columns = (double)fmb_lift_columns(lift);
+    bool full = named > UNLIKE_SPARSE && 3 * named > columns;
+    bool many = columns > MANY_COLUMNS || is_crowded(lift);
+    return kept >= FMB_SHORT_QUERIES || !(full || many);
 }
 
 /* A box in other coordinates, as of zonotopes: it has twice as many rows as variables. */
@@ -250,6 +253,8 @@ uint64_t fmb_judge_second_rays(const fmb_lift *lift, const fmb_part *p, int kept
         return 8 * RAYS_OF_SECOND_TRY;
     if (p->m > MANY_ROWS(p))
         return 0;
+    if (kept == 3 && has_bounds(lift, 0.25) && fmb_lift_rows(lift) <= 3 * fmb_lift_columns(lift))
+        return 8 * RAYS_OF_SECOND_TRY; /* as of rectifiers */
     if (kept == 3 && is_cone_dense_or_small(lift))
         return RAYS_OF_SECOND_TRY;
     return kept == 4 ? 8 * RAYS_OF_SECOND_TRY : 0;
