@@ -8,7 +8,7 @@
 /* A cone with so few of them has hardly more rays than rows; so few have few even of long numbers,
  * in the plane and above; and one with so many is not tried. */
 #define LEAST_FREEDOMS      2
-#define LONG_FREEDOMS(kept) ((kept) > 2 ? 8 : 5)
+#define LONG_FREEDOMS(kept) ((kept) > 2 ? 8 : 6)
 #define MANY_FREEDOMS       32
 /* A steep elimination ends, if it does, where rows are hardly more than dimensions. */
 #define STEEP_FREEDOMS 4
@@ -48,8 +48,9 @@
  * from the beginning. */
 #define WALKED_COLUMNS   24
 #define SMALL_DICTIONARY 6
-/* [bits] What queries find modulo a prime (lp/exact/short.h). */
+/* [bits] What queries find modulo a prime (lp/exact/short.h), and where they become slow. */
 #define SHORT_MINOR 60
+#define LONG_MINOR  120
 
 int fmb_judge_kept(const fmb_part *p, const int *place)
 {
@@ -158,7 +159,7 @@ static bool do_rays_delay_queries(const fmb_lift *lift, int kept)
     if (kept != 2 || freedom <= STEEP_FREEDOMS)
         return false;
     if (are_nearly_all_coefficients_there(lift))
-        return columns + freedom > SIZE_IN_PLANE;
+        return columns + freedom + fmb_lift_is_long(lift) > SIZE_IN_PLANE;
     return freedom > FREEDOMS_IN_PLANE || (columns > LEAST_CROWD && is_crowded(lift));
 }
 
@@ -182,13 +183,14 @@ uint64_t fmb_judge_first_rays(const fmb_lift *lift, const fmb_part *p, int kept)
 }
 
 /* What makes few more rows is eliminated: not where rows name many of the variables, or are many
- * for these, nor where variables are very many, as rays or a few queries are quicker. */
+ * for these, nor where variables are very many, as rays or a few queries are quicker, unless
+ * numbers are long. */
 bool fmb_judge_goes_gently(const fmb_lift *lift, int kept)
 {
     double named = named_by_row(lift), columns = (double)fmb_lift_columns(lift);
     bool full = named > UNLIKE_SPARSE && 3 * named > columns;
     bool many = columns > MANY_COLUMNS || is_crowded(lift);
-    return kept >= FMB_SHORT_QUERIES || !(full || many);
+    return kept >= FMB_SHORT_QUERIES || !(full || many) || fmb_lift_minor_bits(lift) > LONG_MINOR;
 }
 
 /* A box in other coordinates, as of zonotopes: it has twice as many rows as variables. */
