@@ -34,12 +34,36 @@ static void subtract_words(fmb_wide *out, const uint64_t *large, const uint64_t 
     out->n = n;
 }
 
+/* The same where all factors have at most 62 bits, and there are at most four products: their sum
+ * has less than 127. False: they are longer. */
+static bool dot_of_short_factors(fmb_wide *out, int n, const fmb_wide *const *a,
+                                 const fmb_wide *const *b, unsigned minus)
+{
+    fmb_i128 sum = 0;
+    for (int i = 0; i < n; i++) {
+        uint64_t x = a[i]->n > 0 ? a[i]->word[0] : 0, y = b[i]->n > 0 ? b[i]->word[0] : 0;
+        if ((a[i]->n > 1) | (b[i]->n > 1) | ((x | y) >> 62 > 0))
+            return false;
+        fmb_i128 product = (fmb_i128)((fmb_u128)x * y);
+        sum += (a[i]->minus != b[i]->minus) != (minus >> i & 1) ? -product : product;
+    }
+    fmb_u128 size = sum < 0 ? -(fmb_u128)sum : (fmb_u128)sum;
+    out->word[0] = (uint64_t)size;
+    out->word[1] = (uint64_t)(size >> 64);
+    out->n = size >> 64 > 0 ? 2 : size > 0;
+    out->minus = sum < 0;
+    return true;
+}
+
 /* Products are gathered by their signs; in the end one sum is taken from the other. */
 void fmb_wide_dot(fmb_wide *out, int n, const fmb_wide *const *a, const fmb_wide *const *b,
                   unsigned minus)
 {
     uint64_t part[2][FMB_WIDE_WORDS + 1];
     int words = 0, top;
+    assert(n <= 4);
+    if (dot_of_short_factors(out, n, a, b, minus))
+        return;
     for (int i = 0; i < n; i++)
         if (a[i]->n > 0 && b[i]->n > 0 && a[i]->n + b[i]->n > words)
             words = a[i]->n + b[i]->n;
