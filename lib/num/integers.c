@@ -33,3 +33,18 @@ fmb_status fmb_integers_settle(fmb_integers *v, fmb_mem *mem)
     v->limbs = limbs;
     return FMB_OK;
 }
+
+void fmb_integers_cancel(mpz_t *x, size_t n, mpz_t den)
+{
+    mpz_t common;
+    mpz_init_set(common, den);
+    for (size_t k = 0; k < n && mpz_cmp_ui(common, 1) != 0; k++)
+        if (mpz_sgn(x[k]) != 0)
+            mpz_gcd(common, common, x[k]);
+    if (mpz_cmp_ui(common, 1) != 0) {
+        for (size_t k = 0; k < n; k++)
+            mpz_divexact(x[k], x[k], common);
+        mpz_divexact(den, den, common);
+    }
+    mpz_clear(common);
+}

@@ -14,6 +14,8 @@ typedef struct fmb_integers {
 /* n zeros. Errors: MEMORY, LIMIT. In any case fmb_integers_clear it. */
 fmb_status fmb_integers_init(fmb_integers *v, size_t n, fmb_mem *mem);
 void fmb_integers_clear(fmb_integers *v, fmb_mem *mem);
+/* Divide x[n] and den > 0 by their greatest common divisor. */
+void fmb_integers_cancel(mpz_t *x, size_t n, mpz_t den);
 /* Charge what the numbers hold now. Errors: LIMIT. */
 fmb_status fmb_integers_settle(fmb_integers *v, fmb_mem *mem);
 

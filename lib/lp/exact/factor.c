@@ -6,6 +6,7 @@
 
 #include "lp/exact/lift.h"
 #include "lp/exact/lu.h"
+#include "lp/exact/minors.h"
 #include "lp/exact/rational.h"
 #include "lp/exact/substitute.h"
 
@@ -19,7 +20,9 @@ struct fmb_factor {
     fmb_sparse b[2];     /* in the order of the pivots, and its transpose */
     fmb_sweep across[2]; /* the transposes of lu.upper, lu.lower */
     fmb_lift lift[2];
-    bool *reached; /* [n] scratch of substitution */
+    fmb_minors minors;
+    bool is_short, has_minors; /* minors suit it; they are there */
+    bool *reached;             /* [n] scratch of substitution */
     fmb_rational rational;
     mpz_t m, y, a, d;
     size_t usual[2]; /* digits that were enough last time */
@@ -47,6 +50,7 @@ void fmb_factor_free(fmb_factor *f)
         return;
     fmb_lift_clear(&f->lift[0]);
     fmb_lift_clear(&f->lift[1]);
+    fmb_minors_clear(&f->minors, f->mem);
     fmb_rational_clear(&f->rational);
     mpz_clears(f->m, f->y, f->a, f->d, NULL);
     fmb_arena_clear(&f->lasting);
@@ -66,6 +70,8 @@ static fmb_status factor_by_prime(fmb_factor *f, const fmb_sparse *rows, int k)
 fmb_status fmb_factor_set(fmb_factor *f, size_t *basis, bool *changed)
 {
     fmb_sparse rows;
+    f->has_minors = false;
+    f->b[1] = (fmb_sparse){0};
     fmb_lift_clear(&f->lift[0]);
     fmb_lift_clear(&f->lift[1]);
     fmb_arena_reset(&f->passing);
@@ -88,15 +94,27 @@ fmb_status fmb_factor_set(fmb_factor *f, size_t *basis, bool *changed)
     if (st == FMB_OK && !f->reached)
         st = fmb_mem_status(f->mem);
     if (st == FMB_OK)
-        st = fmb_lift_init(&f->lift[0], &f->lasting, &f->q, &f->b[0], &f->lu.lower, &f->lu.upper);
+        f->is_short = fmb_minors_suit(&f->b[0]);
+    return st;
+}
+
+static fmb_status prepare_minors(fmb_factor *f)
+{
+    if (f->has_minors)
+        return FMB_OK;
+    fmb_status st = fmb_minors_factor(&f->minors, &f->b[0], f->mem);
+    f->has_minors = st == FMB_OK;
     return st;
 }
 
 static fmb_status prepare_transposed(fmb_factor *f)
 {
-    if (f->lift[1].mem)
-        return FMB_OK;
-    fmb_status st = fmb_sparse_transpose(&f->b[0], &f->lasting, &f->b[1]);
+    return f->b[1].start ? FMB_OK : fmb_sparse_transpose(&f->b[0], &f->lasting, &f->b[1]);
+}
+
+static fmb_status prepare_lifting_transposed(fmb_factor *f)
+{
+    fmb_status st = prepare_transposed(f);
     if (st == FMB_OK)
         st = fmb_sweep_transpose(&f->lu.upper, &f->lasting, &f->across[0]);
     if (st == FMB_OK)
@@ -104,6 +122,15 @@ static fmb_status prepare_transposed(fmb_factor *f)
     if (st == FMB_OK)
         st = fmb_lift_init(&f->lift[1], &f->lasting, &f->q, &f->b[1], &f->across[0], &f->across[1]);
     return st;
+}
+
+static fmb_status prepare_lifting(fmb_factor *f, bool across)
+{
+    if (f->lift[across].mem)
+        return FMB_OK;
+    if (across)
+        return prepare_lifting_transposed(f);
+    return fmb_lift_init(&f->lift[0], &f->lasting, &f->q, &f->b[0], &f->lu.lower, &f->lu.upper);
 }
 
 /* ---- solutions ------------------------------------------------------------------------------- */
@@ -241,23 +268,32 @@ static bool substitute(fmb_factor *f, bool across, mpz_t *right, mpz_t *x, mpz_t
     fmb_triangle t = {
         .b = &f->b[across], .turn = f->lu.turn, .backwards = across, .reached = f->reached};
     const int *row = f->lu.row_at, *column = f->lu.column_at;
-    return f->lu.is_triangular &&
-           fmb_substitute(&t, right, across ? column : row, across ? row : column, x, den);
+    return fmb_substitute(&t, right, across ? column : row, across ? row : column, x, den);
+}
+
+/* B, or across it B^T: triangular, or of short minors, or digit by digit. */
+static fmb_status solve_factored(fmb_factor *f, bool across, mpz_t *right, mpz_t *x, mpz_t den)
+{
+    const int *right_at = across ? f->lu.column_at : f->lu.row_at;
+    const int *at = across ? f->lu.row_at : f->lu.column_at;
+    fmb_status st = f->lu.is_triangular && across ? prepare_transposed(f) : FMB_OK;
+    if (st == FMB_OK && f->lu.is_triangular && substitute(f, across, right, x, den))
+        return fmb_run_poll(f->run);
+    if (st == FMB_OK)
+        st = f->is_short ? prepare_minors(f) : prepare_lifting(f, across);
+    if (st == FMB_OK && !f->is_short)
+        return solve_by_lifting(f, &f->lift[across], right, right_at, at, x, den);
+    if (st == FMB_OK)
+        fmb_minors_solve(&f->minors, across, right, right_at, at, x, den);
+    return st == FMB_OK ? fmb_run_poll(f->run) : st;
 }
 
 fmb_status fmb_factor_solve(fmb_factor *f, mpz_t *right, mpz_t *x, mpz_t den)
 {
-    if (substitute(f, false, right, x, den))
-        return fmb_run_poll(f->run);
-    return solve_by_lifting(f, &f->lift[0], right, f->lu.row_at, f->lu.column_at, x, den);
+    return solve_factored(f, false, right, x, den);
 }
 
 fmb_status fmb_factor_solve_transposed(fmb_factor *f, mpz_t *cost, mpz_t *y, mpz_t den)
 {
-    fmb_status st = prepare_transposed(f);
-    if (st == FMB_OK && substitute(f, true, cost, y, den))
-        return fmb_run_poll(f->run);
-    if (st == FMB_OK)
-        st = solve_by_lifting(f, &f->lift[1], cost, f->lu.column_at, f->lu.row_at, y, den);
-    return st;
+    return solve_factored(f, true, cost, y, den);
 }

@@ -1,8 +1,10 @@
-/* factor.h: square sparse matrices of integers, solved exactly by p-adic lifting.
+/* factor.h: square sparse matrices of integers, solved exactly.
  *
  * B is made of n rows: row number basis[r] of a program, or where basis[r] = m + j the unit vector
- * e_j. It is factored once, sparse, modulo a prime p of a word; a solution then is lifted to powers
- * of p, digit by digit, until rational reconstruction gives numbers that hold exactly.
+ * e_j. It is factored once, sparse, modulo a prime p of a word, which tells its rank and the order
+ * of its pivots. Where that order makes it triangular, it is solved by substitution; where it is
+ * small, by its minors; else a solution is lifted to powers of p, digit by digit, until rational
+ * reconstruction gives numbers that hold exactly.
  *
  * Sources: Dixon 1982, Exact solution of linear equations using p-adic expansions; Wan 2006, An
  * algorithm to solve integer linear systems exactly using numerical methods; Cook and Steffy 2011,

@@ -7,6 +7,7 @@
 #include "lp/exact/substitute.h"
 
 #include "num/gcd.h"
+#include "num/integers.h"
 
 /* More bits than this are left to lifting, which stops early where the solution is short. */
 #define MOST_BITS 4096
@@ -69,22 +70,6 @@ static void solve_for_unknown(const fmb_triangle *t, size_t k, const mpz_t right
         mpz_neg(to, to);
 }
 
-/* Divide all by their greatest common divisor. */
-static void cancel_common_divisor(mpz_t *x, size_t n, mpz_t den)
-{
-    mpz_t common;
-    mpz_init_set(common, den);
-    for (size_t k = 0; k < n && mpz_cmp_ui(common, 1) != 0; k++)
-        if (mpz_sgn(x[k]) != 0)
-            mpz_gcd(common, common, x[k]);
-    if (mpz_cmp_ui(common, 1) != 0) {
-        for (size_t k = 0; k < n; k++)
-            mpz_divexact(x[k], x[k], common);
-        mpz_divexact(den, den, common);
-    }
-    mpz_clear(common);
-}
-
 bool fmb_substitute(const fmb_triangle *t, mpz_t *right, const int *right_at, const int *at,
                     mpz_t *x, mpz_t den)
 {
@@ -98,6 +83,6 @@ bool fmb_substitute(const fmb_triangle *t, mpz_t *right, const int *right_at, co
         else
             mpz_set_ui(x[at[k]], 0);
     }
-    cancel_common_divisor(x, n, den);
+    fmb_integers_cancel(x, n, den);
     return true;
 }
