@@ -52,7 +52,7 @@ static void copy_entries(fmb_minors *f, const fmb_sparse *b)
 }
 
 /* to = (p to - a b) / last; where a b = 0 and p = last, that is to. */
-static void take_step(mpz_t to, const mpz_t p, const mpz_t a, const mpz_t b, const mpz_t last)
+static void clear_entry(mpz_t to, const mpz_t p, const mpz_t a, const mpz_t b, const mpz_t last)
 {
     bool is_product = mpz_sgn(a) != 0 && mpz_sgn(b) != 0;
     if (mpz_sgn(to) == 0 && !is_product)
@@ -79,7 +79,7 @@ fmb_status fmb_minors_factor(fmb_minors *f, const fmb_sparse *b, fmb_mem *mem)
     for (size_t k = 0; k < n; k++) {
         for (size_t i = k + 1; i < n; i++)
             for (size_t j = k + 1; j < n; j++)
-                take_step(a[i * n + j], a[k * n + k], a[i * n + k], a[k * n + j], last);
+                clear_entry(a[i * n + j], a[k * n + k], a[i * n + k], a[k * n + j], last);
         last = a[k * n + k];
     }
     st = fmb_integers_settle(&f->at, mem);
@@ -101,7 +101,7 @@ static void go_forwards(fmb_minors *f, bool transposed)
     for (size_t k = 0; k < f->n; k++) {
         mpz_srcptr p = factor_at(f, false, k, k);
         for (size_t i = k + 1; i < f->n; i++)
-            take_step(y[i], p, factor_at(f, transposed, i, k), y[k], last);
+            clear_entry(y[i], p, factor_at(f, transposed, i, k), y[k], last);
         last = p;
     }
 }
