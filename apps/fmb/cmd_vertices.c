@@ -1,4 +1,5 @@
 /* cmd_vertices.c: fmb vertices FILE. */
+#include "common/exit_code.h"
 #include "common/json.h"
 #include "common/message.h"
 #include "fmb/commands.h"
@@ -14,7 +15,7 @@ static const app_usage usage = {
            "with "
            "< are taken for <=."
            "\v"
-           "Exit codes: 0 done, 1 infeasible, 2 undecided.\n"
+           "Exit codes: 0 done, 1 infeasible, 2 undecided: vertices and rays, perhaps not all.\n"
            "\n"
            "Examples:\n"
            "  fmb vertices cube.ine > cube.ext\n"
@@ -35,6 +36,8 @@ static json_t *generators_json(const fmb_generators *g, fmb_generator_kind kind)
 static void report_json(const app_session *s, const fmb_generators *g)
 {
     json_t *obj = app_verdict_json(s);
+    if (g && s->result.stop != FMB_STOP_DONE)
+        app_json_set(obj, "inner", json_true());
     if (g) {
         app_json_set(obj, "vertices", generators_json(g, FMB_VERTEX));
         app_json_set(obj, "rays", generators_json(g, FMB_RAY));
@@ -42,6 +45,16 @@ static void report_json(const app_session *s, const fmb_generators *g)
     }
     app_json_set_stats(obj, &s->result.stats);
     app_json_print(obj);
+}
+
+/* At a limit they are some of all. */
+static int exit_code(const app_session *s, const fmb_generators *g)
+{
+    if (!g || s->result.stop == FMB_STOP_DONE)
+        return app_session_verdict_code(s);
+    app_session_note(s, "undecided (%s): vertices and rays, perhaps not all",
+                     fmb_stop_text(s->result.stop));
+    return APP_UNDECIDED;
 }
 
 static int report(const app_session *s, const fmb_generators *g)
@@ -55,7 +68,7 @@ static int report(const app_session *s, const fmb_generators *g)
         if (st != FMB_OK && st != FMB_ERR_IO)
             return app_status_error(st);
     }
-    return app_session_verdict_code(s);
+    return exit_code(s, g);
 }
 
 int cmd_vertices(int argc, char **argv)

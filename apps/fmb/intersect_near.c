@@ -81,8 +81,9 @@ static fmb_status frame_of_body(fmb_solver *v, const fmb_body *body, hull_frame 
         *out = body->frame;
         return FMB_OK;
     }
-    fmb_status st = fmb_generate(v, body->rows, &g, NULL);
-    *known = st == FMB_OK && g && are_vertices(g);
+    fmb_result r = {0};
+    fmb_status st = fmb_generate(v, body->rows, &g, &r);
+    *known = st == FMB_OK && g && r.stop == FMB_STOP_DONE && are_vertices(g);
     if (*known)
         take_vertices(g, room, out);
     fmb_generators_free(g);

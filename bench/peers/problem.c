@@ -187,8 +187,10 @@ bool problem_turn_over(problem *p)
     if (fmb_solver_new(&o, NULL, &v) != FMB_OK || fmb_generate(v, p->system, &g, &r) != FMB_OK)
         need(NULL);
     fmb_solver_free(v);
-    if (!g)
+    if (!g || r.stop != FMB_STOP_DONE) {
+        fmb_generators_free(g);
         return false;
+    }
     problem before = *p;
     problem_clear(p);
     problem_of_generators(p, before.name, g);

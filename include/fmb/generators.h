@@ -39,9 +39,11 @@ FMB_API double fmb_generators_coordinate(const fmb_generators *g, size_t i, int 
 
 /* [give] The generators of s: all vertices, extreme rays and a basis of the lines, none of which
  * can be left out; vertices first, lines last. Strict rows are taken for <=: it is the closure of
- * the set of solutions that is generated, unless that set is empty. *out is NULL if s is infeasible
- * or a limit was reached (res->stop); the verdict may then be UNKNOWN. There can be very many: set
- * a limit; max_rows counts rays alive, too. Evidence proves the verdict. Errors: ARG, MEMORY. */
+ * the set of solutions that is generated, unless that set is empty. *out is NULL if s is
+ * infeasible. If a limit was reached (res->stop), *out has some of them, all of the lines among
+ * these and perhaps not all vertices and rays, and the verdict is FEASIBLE; or it is NULL, and the
+ * verdict may be UNKNOWN. There can be very many: set a limit; max_rows counts rays alive, too.
+ * Evidence proves the verdict. Errors: ARG, MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_generate(fmb_solver *v, const fmb_system *s,
                                             fmb_generators **out, fmb_result *res);
 

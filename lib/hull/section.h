@@ -46,7 +46,8 @@ fmb_status fmb_section_ask(fmb_section *c, size_t most, uint64_t pairs, bool *do
 /* How many have been found. */
 size_t fmb_section_found(const fmb_section *c);
 
-/* All rays and lines; *image need not be cleared before. It is done. */
+/* The rays that were found, each of them extreme, and all lines: *image, new. In any case
+ * fmb_image_clear it. */
 fmb_status fmb_section_take_rays(fmb_section *c, fmb_image *image);
 
 /* ---- section_form.c ---------------------------------------------------------------------------

@@ -1,53 +1,9 @@
 /* section_rays.c: what was found of a section, as rays and lines of the cone; see section.h.
  *
- * A query may have seen a point that is no vertex. With all facets known, a generator of the hull
- * is a vertex if and only if no other one is on all facets that hold it.
+ * A query may have seen a point that is no vertex. Rows that are 0 on a ray leave the lines of the
+ * cone, and one dimension more, if and only if it is extreme.
  */
-#include <string.h>
-
 #include "hull/section.h"
-
-/* The facets that hold each generator. */
-typedef struct incidence {
-    size_t size, words; /* generators; words of a set of facets */
-    uint64_t *set;      /* [size][words] */
-} incidence;
-
-static fmb_status list_facets_of_generators(const fmb_facets *f, incidence *of, fmb_mem *mem)
-{
-    size_t n = 0;
-    *of = (incidence){.size = f->generators, .words = f->alive / 64 + 1};
-    of->set = fmb_mem_zero(mem, of->size * of->words, sizeof *of->set);
-    if (!of->set)
-        return fmb_mem_status(mem);
-    for (size_t a = 0; a < f->slots; a++) {
-        const fmb_facet *t = &f->facet[a];
-        if (!t->alive)
-            continue;
-        for (size_t g = fmb_facet_next(t, 0, true); g < f->generators;
-             g = fmb_facet_next(t, g + 1, true))
-            of->set[g * of->words + n / 64] |= (uint64_t)1 << n % 64;
-        n++;
-    }
-    return FMB_OK;
-}
-
-static bool is_on_all_facets_of(const incidence *of, size_t g, size_t other)
-{
-    const uint64_t *a = of->set + g * of->words, *b = of->set + other * of->words;
-    for (size_t w = 0; w < of->words; w++)
-        if (a[w] & ~b[w])
-            return false;
-    return true;
-}
-
-static bool is_vertex_of_section(const incidence *of, size_t g)
-{
-    for (size_t other = 0; other < of->size; other++)
-        if (other != g && is_on_all_facets_of(of, g, other))
-            return false;
-    return true;
-}
 
 /* ---- back to the cone ------------------------------------------------------------------------ */
 
@@ -84,8 +40,7 @@ static fmb_status put_ray_into_list(fmb_section *c, const fmb_vec *point, mpz_t 
         return fmb_mem_status(c->run->mem);
     to->line[to->size++] = false;
     write_ray_above_point(c, point, z);
-    fmb_status st = fmb_vec_set_z(v, c->d, z, c->run->mem);
-    return st == FMB_OK ? fmb_run_poll(c->run) : st;
+    return fmb_vec_set_z(v, c->d, z, c->run->mem);
 }
 
 /* Of the line of a cone of rank 1, the section is the point 1. */
@@ -93,28 +48,78 @@ static fmb_status put_all_rays_into_list(fmb_section *c, mpz_t *z, ray_list *to)
 {
     const fmb_facets *f = &c->support.hull;
     const fmb_vec one = {.s = (int64_t[]){1}, .bits = 1};
-    incidence of;
+    fmb_status st = FMB_OK;
     if (c->empty || c->rank == 0)
         return FMB_OK;
     if (!c->begun)
         return put_ray_into_list(c, &one, z, to);
-    fmb_status st = list_facets_of_generators(f, &of, c->run->mem);
     for (size_t g = 0; st == FMB_OK && g < f->generators; g++)
-        if (is_vertex_of_section(&of, g))
-            st = put_ray_into_list(c, &f->generator[g], z, to);
-    fmb_mem_put(c->run->mem, of.set, of.size * of.words, sizeof *of.set);
+        st = put_ray_into_list(c, &f->generator[g], z, to);
     return st;
+}
+
+/* What n rows leave where all of them are 0. */
+static fmb_status find_lines_of_rows(const fmb_section *c, fmb_cone *lines, fmb_cone_row *row,
+                                     size_t n)
+{
+    bool done;
+    fmb_cone_problem of = {.d = c->d, .m = n, .row = row};
+    fmb_status st = fmb_cone_init(lines, c->run, &of);
+    return st == FMB_OK ? fmb_cone_run(lines, 0, &done) : st;
 }
 
 /* Lines are 0 in the independent rows. */
 static fmb_status find_lines_of_cone(const fmb_section *c, fmb_cone *lines, fmb_cone_row *row)
 {
-    bool done;
     for (size_t i = 0; i < c->rank; i++)
         row[i] = (fmb_cone_row){.v = &c->row[c->chosen[i]], .equality = true};
-    fmb_cone_problem of = {.d = c->d, .m = c->rank, .row = row};
-    fmb_status st = fmb_cone_init(lines, c->run, &of);
-    return st == FMB_OK ? fmb_cone_run(lines, 0, &done) : st;
+    return find_lines_of_rows(c, lines, row, c->rank);
+}
+
+/* ---- extreme rays ---------------------------------------------------------------------------- */
+
+/* All rows are asked, whatever has ended the queries. row[m] is scratch. */
+static fmb_status is_ray_extreme(const fmb_section *c, fmb_image *image, const fmb_vec *ray,
+                                 fmb_cone_row *row, bool *extreme)
+{
+    size_t n = 0;
+    fmb_cone left = {0};
+    *extreme = false;
+    for (size_t i = 0; i < c->m; i++) {
+        int sign = fmb_image_value_sign(image, &c->row[i], ray);
+        if (sign < 0)
+            return FMB_OK;
+        if (sign == 0)
+            row[n++] = (fmb_cone_row){.v = &c->row[i], .equality = true};
+    }
+    fmb_status st = find_lines_of_rows(c, &left, row, n);
+    *extreme = left.line.size == c->d - c->rank + 1;
+    fmb_cone_clear(&left);
+    return st;
+}
+
+/* Those that are not go. */
+static fmb_status keep_extreme_rays(const fmb_section *c, fmb_image *image, fmb_cone_row *row)
+{
+    size_t kept = 0, i = 0;
+    fmb_status st = FMB_OK;
+    for (; st == FMB_OK && i < image->rays; i++) {
+        bool extreme;
+        st = fmb_run_poll(c->run);
+        if (st != FMB_OK)
+            break;
+        st = is_ray_extreme(c, image, &image->ray[i], row, &extreme);
+        if (st == FMB_OK && !extreme) {
+            fmb_vec_clear(&image->ray[i], c->d, c->run->mem);
+            continue;
+        }
+        image->support[kept] = image->support[i];
+        image->ray[kept++] = image->ray[i];
+    }
+    for (; i < image->rays; i++)
+        image->ray[kept++] = image->ray[i];
+    image->rays = kept;
+    return st;
 }
 
 static fmb_status take_rays_and_lines(fmb_section *c, const fmb_cone *lines, ray_list *all,
@@ -144,7 +149,8 @@ fmb_status fmb_section_take_rays(fmb_section *c, fmb_image *image)
     fmb_mem *mem = c->run->mem;
     size_t most = c->d + 1 + (c->begun ? c->support.hull.generators : 0);
     fmb_cone lines = {0};
-    fmb_cone_row *row = fmb_mem_get(mem, c->d, sizeof *row);
+    size_t rows = c->m > c->d ? c->m : c->d;
+    fmb_cone_row *row = fmb_mem_get(mem, rows, sizeof *row);
     ray_list all = {.v = fmb_mem_get(mem, most, sizeof *all.v),
                     .line = fmb_mem_get(mem, most, sizeof *all.line)};
     fmb_status st = row && all.v && all.line ? FMB_OK : fmb_mem_status(mem);
@@ -152,9 +158,11 @@ fmb_status fmb_section_take_rays(fmb_section *c, fmb_image *image)
         st = find_lines_of_cone(c, &lines, row);
     if (st == FMB_OK)
         st = take_rays_and_lines(c, &lines, &all, image);
+    if (st == FMB_OK)
+        st = keep_extreme_rays(c, image, row);
     fmb_cone_clear(&lines);
     fmb_mem_put(mem, all.line, most, sizeof *all.line);
     fmb_mem_put(mem, all.v, most, sizeof *all.v);
-    fmb_mem_put(mem, row, c->d, sizeof *row);
+    fmb_mem_put(mem, row, rows, sizeof *row);
     return st;
 }

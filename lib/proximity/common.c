@@ -35,7 +35,7 @@ static fmb_status keep_vertices(fmb_solver *v, const fmb_generators *g, fmb_gene
 {
     fmb_system *hull = NULL;
     fmb_status st = fmb_hull(v, g, &hull, res);
-    if (st == FMB_OK && hull)
+    if (st == FMB_OK && hull && res->stop == FMB_STOP_DONE)
         st = fmb_generate(v, hull, out, res);
     fmb_system_free(hull);
     return st;
@@ -50,7 +50,7 @@ static fmb_status find_from_all(fmb_solver *v, const fmb_two *two, fmb_generator
     fmb_status st = fmb_two_system(two, FMB_COORDINATES_ALL, FMB_CONTACT_CLOSED, &v->mem.alloc, &s);
     if (st == FMB_OK)
         st = fmb_generate(v, s, &all, res);
-    if (st == FMB_OK && all)
+    if (st == FMB_OK && all && res->stop == FMB_STOP_DONE)
         st = drop_coordinates(all, fmb_two_dim(two), fmb_two_moves(two), &v->mem.alloc, &points);
     if (st == FMB_OK && points)
         st = keep_vertices(v, points, out, res);
@@ -78,8 +78,10 @@ static fmb_status find_common_points(fmb_solver *v, const fmb_two *two, fmb_gene
     fmb_system_free(s);
     if (st == FMB_OK && found)
         st = fmb_sort_around(&found, &v->mem);
-    if (st != FMB_OK)
+    if (st != FMB_OK || r.stop != FMB_STOP_DONE) { /* some are not the common points */
         fmb_generators_free(found);
+        found = NULL;
+    }
     if (st == FMB_OK) {
         *out = found;
         *(res ? res : &r) = r;

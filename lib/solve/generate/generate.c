@@ -1,4 +1,5 @@
 /* generate.c: from rows to vertices, rays and lines (rays.h). */
+#include "solve/generate/glance.h"
 #include "solve/generate/rays.h"
 #include "system/generators.h"
 #include "system/system.h"
@@ -32,19 +33,44 @@ static fmb_status copy_generators(const fmb_lifted *h, fmb_generators *to)
     return st;
 }
 
+/* Rays in h->image: is there a solution, and what are they? */
+static fmb_status take_generators(fmb_lifted *h, fmb_generators *to, fmb_verdict *verdict)
+{
+    bool solution = has_solution(h);
+    *verdict = solution ? FMB_FEASIBLE : FMB_INFEASIBLE;
+    return solution ? copy_generators(h, to) : FMB_OK;
+}
+
+/* Some of them. Where these tell no solution, there may be one. */
+static fmb_status generate_some(fmb_lifted *h, fmb_generators *to, fmb_verdict *verdict)
+{
+    fmb_run *run = &h->q->run;
+    fmb_verdict seen = FMB_UNKNOWN;
+    fmb_image_clear(&h->image);
+    fmb_cone_clear(&h->cone);
+    fmb_status st = fmb_glance_at_rays(run, h->row, h->rows, h->d, &h->image);
+    if (st == FMB_OK && h->image.run)
+        st = take_generators(h, to, &seen);
+    if (seen == FMB_FEASIBLE)
+        *verdict = seen;
+    return st == FMB_OK ? FMB_LIMIT : st;
+}
+
 static fmb_status generate_system(fmb_query *q, fmb_generators *to, fmb_verdict *verdict)
 {
     fmb_lifted h;
     fmb_status st = q->evidence ? fmb_query_decide(q, true, verdict) : FMB_OK;
     if (st != FMB_OK || *verdict == FMB_INFEASIBLE)
         return st;
+    fmb_run_reserve(&q->run);
     st = fmb_lifted_open(&h, q, q->s);
+    bool open = st == FMB_OK;
     if (st == FMB_OK)
         st = fmb_lifted_find_rays(&h);
     if (st == FMB_OK)
-        *verdict = has_solution(&h) ? FMB_FEASIBLE : FMB_INFEASIBLE;
-    if (st == FMB_OK && *verdict == FMB_FEASIBLE)
-        st = copy_generators(&h, to);
+        st = take_generators(&h, to, verdict);
+    else if (open && st == FMB_LIMIT)
+        st = generate_some(&h, to, verdict);
     fmb_lifted_close(&h);
     return st;
 }
@@ -65,11 +91,11 @@ fmb_status fmb_generate(fmb_solver *v, const fmb_system *s, fmb_generators **out
         st = opened;
     if (st == FMB_OK)
         st = generate_system(&q, g, &verdict);
-    bool done = st == FMB_OK && verdict == FMB_FEASIBLE;
+    bool some = (st == FMB_OK || st == FMB_LIMIT) && g && g->size > 0;
     if (g)
         fmb_mem_leave(&g->mem);
     st = fmb_query_end(&q, st, verdict, res);
-    if (!done || st != FMB_OK) {
+    if (!some || st != FMB_OK) {
         fmb_generators_free(g);
         g = NULL;
     }

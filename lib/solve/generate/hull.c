@@ -1,4 +1,5 @@
 /* hull.c: from vertices, rays and lines to rows (dd/image.h). */
+#include "solve/generate/glance.h"
 #include "solve/generate/turns.h"
 #include "solve/query/solver.h"
 #include "system/generators.h"
@@ -35,6 +36,40 @@ static fmb_status append_all_facets(const fmb_image *m, fmb_system *out)
     return st;
 }
 
+/* Those that a glance tells. */
+static fmb_status find_some_facets(fmb_image *m)
+{
+    fmb_mem *mem = m->run->mem;
+    size_t rows = m->lines + m->rays;
+    fmb_image dual = {0};
+    for (; m->facets > 0; m->facets--)
+        fmb_vec_clear(&m->facet[m->facets - 1].v, m->n, mem);
+    fmb_cone_row *row = fmb_mem_get(mem, rows, sizeof *row);
+    if (!row)
+        return fmb_mem_status(mem);
+    for (size_t i = 0; i < rows; i++)
+        row[i] = i < m->lines ? (fmb_cone_row){.v = &m->line[i], .equality = true}
+                              : (fmb_cone_row){.v = &m->ray[i - m->lines]};
+    fmb_status st = fmb_glance_at_rays(m->run, row, rows, m->n, &dual);
+    if (st == FMB_OK && dual.run)
+        st = fmb_image_take_facets(m, &dual);
+    fmb_image_clear(&dual);
+    fmb_mem_put(mem, row, rows, sizeof *row);
+    return st;
+}
+
+static fmb_status find_facets(fmb_image *m, fmb_system *out)
+{
+    fmb_run_reserve(m->run);
+    fmb_status st = fmb_hull_find_facets(m);
+    bool all = st == FMB_OK;
+    if (st == FMB_LIMIT)
+        st = find_some_facets(m);
+    if (st == FMB_OK)
+        st = append_all_facets(m, out);
+    return st == FMB_OK && !all ? FMB_LIMIT : st;
+}
+
 /* out has no rows yet. */
 static fmb_status find_hull(fmb_query *q, const fmb_generators *g, fmb_system *out,
                             fmb_verdict *verdict)
@@ -50,9 +85,7 @@ static fmb_status find_hull(fmb_query *q, const fmb_generators *g, fmb_system *o
     if (st == FMB_OK)
         *verdict = m.has_point ? FMB_FEASIBLE : FMB_INFEASIBLE;
     if (st == FMB_OK && m.has_point)
-        st = fmb_hull_find_facets(&m);
-    if (st == FMB_OK && m.has_point)
-        st = append_all_facets(&m, out);
+        st = find_facets(&m, out);
     fmb_image_clear(&m);
     return st;
 }
@@ -67,10 +100,10 @@ static fmb_status ask_for_hull(fmb_solver *v, const fmb_generators *g, fmb_syste
     if (st == FMB_OK)
         st = find_hull(&q, g, hull, verdict);
     fmb_mem_leave(&hull->mem);
-    bool done = st == FMB_OK;
+    bool some = st == FMB_OK || (st == FMB_LIMIT && fmb_system_rows(hull) > 0);
     st = fmb_query_end(&q, st, *verdict, res);
     v->answered = false;
-    *verdict = done ? *verdict : FMB_UNKNOWN;
+    *verdict = some ? *verdict : FMB_UNKNOWN;
     return st;
 }
 

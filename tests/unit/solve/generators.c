@@ -9,6 +9,7 @@
 #include "fault/hook.h"
 #include "property/random/agree.h"
 #include "support.h"
+#include "system/system.h"
 
 static fmb_solver *plain_solver(void)
 {
@@ -291,6 +292,17 @@ Test(generators, very_many_points_of_few_facets)
     fmb_solver_free(v);
 }
 
+/* NULL, or some vertices of the cube [-1, 1]^n. */
+static void check_some_corners(const fmb_generators *g, const fmb_result *r, int n)
+{
+    cr_assert(!g || r->verdict == FMB_FEASIBLE);
+    for (size_t i = 0; g && i < fmb_generators_size(g); i++) {
+        cr_assert_eq(fmb_generators_kind(g, i), FMB_VERTEX);
+        for (int j = 0; j < n; j++)
+            cr_assert_eq(fabs(fmb_generators_coordinate(g, i, j)), 1);
+    }
+}
+
 Test(generators, at_a_limit)
 {
     fmb_options o = fmb_options_default();
@@ -306,14 +318,73 @@ Test(generators, at_a_limit)
         must(fmb_system_add_int(s, a, FMB_LE, 1));
     }
     must(fmb_generate(v, s, &g, &r));
-    cr_expect(!g && r.stop == FMB_STOP_BYTES);
+    cr_expect(r.stop == FMB_STOP_BYTES);
+    check_some_corners(g, &r, 18);
+    fmb_generators_free(g);
+    g = NULL;
     o.max_bytes = 0;
     o.max_rows = 5000; /* a cube of 18 dimensions has more corners */
     fmb_solver_free(v);
     must(fmb_solver_new(&o, NULL, &v));
     must(fmb_generate(v, s, &g, &r));
-    cr_expect(!g && r.stop == FMB_STOP_ROWS);
+    cr_assert(g && r.stop == FMB_STOP_ROWS);
+    cr_expect(fmb_generators_size(g) > 1 && fmb_generators_size(g) < 5000);
+    check_some_corners(g, &r, 18);
+    fmb_generators_free(g);
     fmb_system_free(s);
+    fmb_solver_free(v);
+}
+
+/* No generator violates row i: integers all. */
+static void check_row_holds(const fmb_system *s, size_t i, const fmb_generators *g)
+{
+    const fmb_sysrow *row = fmb_system_row(s, i);
+    mpz_t sum, t;
+    mpz_inits(sum, t, NULL);
+    for (size_t k = 0; k < fmb_generators_size(g); k++) {
+        fmb_generator_kind kind = fmb_generators_kind(g, k);
+        mpz_set_ui(sum, 0);
+        if (kind == FMB_VERTEX)
+            fmb_vec_get(&row->val, row->nnz, sum);
+        for (size_t j = 0; j < row->nnz; j++) {
+            fmb_vec_get(&row->val, j, t);
+            mpz_mul_si(t, t, (long)fmb_generators_coordinate(g, k, row->var[j]));
+            mpz_sub(sum, sum, t);
+        }
+        cr_assert(kind == FMB_LINE ? mpz_sgn(sum) == 0 : mpz_sgn(sum) >= 0);
+    }
+    mpz_clears(sum, t, NULL);
+}
+
+/* Of the hull of a cloud, and of one that a ray and a line go through. */
+Test(generators, some_rows_at_a_limit)
+{
+    enum { N = 9, POINTS = 200 };
+    fmb_options o = fmb_options_default();
+    fmb_solver *v = NULL;
+    o.max_seconds = 0.2;
+    must(fmb_solver_new(&o, NULL, &v));
+    for (int flat = 0; flat < 2; flat++) {
+        support_rng random = {5};
+        fmb_generators *g = NULL;
+        fmb_system *s = NULL;
+        fmb_result r;
+        double x[N];
+        must(fmb_generators_new(N, NULL, &g));
+        for (int i = 0; i < POINTS; i++) {
+            for (int j = 0; j < N; j++)
+                x[j] = support_between(&random, -1000, 1000);
+            fmb_generator_kind kind =
+                flat && i < 2 ? (fmb_generator_kind)(FMB_RAY + i) : FMB_VERTEX;
+            must(fmb_generators_add(g, kind, x));
+        }
+        must(fmb_hull(v, g, &s, &r));
+        cr_assert(r.stop == FMB_STOP_TIME && (!s || r.verdict == FMB_FEASIBLE));
+        for (size_t i = 0; s && i < fmb_system_rows(s); i++)
+            check_row_holds(s, i, g);
+        fmb_system_free(s);
+        fmb_generators_free(g);
+    }
     fmb_solver_free(v);
 }
 
