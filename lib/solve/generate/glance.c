@@ -49,10 +49,11 @@ static fmb_status ask_and_take(fmb_run *run, const fmb_vec *v, size_t m, size_t 
     bool done, timed = run->deadline > 0;
     size_t most = timed ? 0 : RAYS_OF_COORDINATE * d;
     fmb_status st = fmb_section_open(&c, run, v, m, d);
-    if (st == FMB_OK)
+    bool open = st == FMB_OK;
+    if (open)
         st = fmb_section_ask(&c, most, timed ? 0 : PAIRS_OF_GLANCE, &done);
     run->deadline = 0;
-    if ((st == FMB_OK || st == FMB_LIMIT) && fmb_run_go_on(run))
+    if (open && (st == FMB_OK || st == FMB_LIMIT) && fmb_run_go_on(run))
         st = fmb_section_take_rays(&c, image);
     fmb_section_close(&c);
     return st;
