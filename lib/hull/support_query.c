@@ -33,10 +33,11 @@ static fmb_status note_inner_point(fmb_support *s, fmb_scout *c)
                                     sizeof *s->point);
     if (st != FMB_OK)
         return st;
-    fmb_integers *x = &s->point[s->points++];
+    fmb_integers *x = &s->point[s->points];
     st = fmb_integers_init(x, s->n + 1, mem);
     if (st != FMB_OK)
         return st;
+    s->points++;
     write_inner_point(s, c, x);
     return fmb_integers_settle(x, mem);
 }
