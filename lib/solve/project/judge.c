@@ -160,7 +160,9 @@ static bool do_rays_delay_queries(const fmb_lift *lift, int kept)
         return false;
     if (are_nearly_all_coefficients_there(lift))
         return columns + freedom + fmb_lift_is_long(lift) > SIZE_IN_PLANE;
-    return freedom > FREEDOMS_IN_PLANE || (columns > LEAST_CROWD && is_crowded(lift));
+    bool between_bounds = columns > LEAST_CROWD && is_crowded(lift) && has_bounds(lift, 0.33);
+    bool few_rows = fmb_lift_rows(lift) < 3 * columns; /* unlike disjunctions */
+    return between_bounds || (freedom > FREEDOMS_IN_PLANE && few_rows);
 }
 
 /* Rays of a first try: half as many where a few queries take as long; none where rows are many,
