@@ -5,11 +5,11 @@
  * try may make in three kept variables, which takes as long as support queries. */
 #define FEW_FREEDOMS       10
 #define RAYS_OF_SECOND_TRY 1000
-/* A cone with so few of them has hardly more rays than rows; so few have few even of long numbers,
- * in the plane and above; and one with so many is not tried. */
-#define LEAST_FREEDOMS      2
-#define LONG_FREEDOMS(kept) ((kept) > 2 ? 8 : 6)
-#define MANY_FREEDOMS       32
+/* A cone with so few of them has hardly more rays than rows; so few have few even of long numbers;
+ * and one with so many is not tried. */
+#define LEAST_FREEDOMS 2
+#define LONG_FREEDOMS  8
+#define MANY_FREEDOMS  32
 /* A steep elimination ends, if it does, where rows are hardly more than dimensions. */
 #define STEEP_FREEDOMS 4
 /* In the plane, rays end sooner than queries only in so few of them; with variables, if rows name
@@ -68,8 +68,7 @@ static bool has_strict_rows(const fmb_part *p)
     return false;
 }
 
-/* Longer than a word: guesses in doubles are of no use, and queries solve for each vertex afresh.
- */
+/* Longer than a word: what a dictionary or a query works on is far longer still. */
 static bool has_wide_rows(const fmb_part *p)
 {
     for (size_t i = 0; i < p->m; i++)
@@ -116,7 +115,7 @@ static bool is_dictionary_quick(const fmb_lift *lift, int kept)
 bool fmb_judge_walks(const fmb_lift *lift, const fmb_part *p, int kept)
 {
     bool many = 4 * p->m > 9 * (size_t)p->n && is_dictionary_quick(lift, kept);
-    return kept <= 2 && p->n <= WALKED_COLUMNS && (many || has_wide_rows(p)) && !has_strict_rows(p);
+    return kept <= 2 && p->n <= WALKED_COLUMNS && many && !has_wide_rows(p) && !has_strict_rows(p);
 }
 
 bool fmb_judge_doubts_solution(const fmb_lift *lift)
@@ -249,9 +248,11 @@ uint64_t fmb_judge_second_rays(const fmb_lift *lift, const fmb_part *p, int kept
 {
     if (fmb_lift_freedom(lift) > FEW_FREEDOMS || do_rays_delay_queries(lift, kept))
         return 0;
+    if (kept == 4 && has_wide_rows(p))
+        return 64 * RAYS_OF_SECOND_TRY;
     if (has_strict_rows(p) || kept > FMB_SHORT_QUERIES)
         return 16 * RAYS_OF_SECOND_TRY;
-    if (kept > 1 && fmb_lift_is_long(lift) && fmb_lift_freedom(lift) <= LONG_FREEDOMS(kept))
+    if (kept > 2 && fmb_lift_is_long(lift) && fmb_lift_freedom(lift) <= LONG_FREEDOMS)
         return 8 * RAYS_OF_SECOND_TRY;
     if (are_rays_few(lift, p, kept))
         return 8 * RAYS_OF_SECOND_TRY;
