@@ -4,6 +4,7 @@
  * then each is read, answered and reported by one thread, into memory, and the reports go out in
  * order. No answer depends on where the cuts are. Those who have slow pairs see answers soon, as a
  * round that takes long makes portions shorter. */
+#include <assert.h>
 #include <errno.h>
 #include <pthread.h>
 #include <signal.h>
@@ -205,6 +206,7 @@ static void count_line(crew *c, portion *p)
  */
 static size_t fetch_part(FILE *in, char *to, size_t n)
 {
+    assert(to);
     memset(to, '\n', n);
     if (!fgets_unlocked(to, (int)n, in))
         return 0;
