@@ -51,6 +51,24 @@ void study_image_sparse(study_writer *w)
     }
 }
 
+/* Numbers of four digits grow long while rows are combined, and the box makes most of those
+ * redundant. */
+void study_image_boxed(study_writer *w)
+{
+    int n = study_draw(w, 12, 50);
+    if (!study_write_image(w, n, study_draw(w, 2, 4)))
+        return;
+    for (int i = study_draw(w, n, 3 * n / 2); i > 0; i--) {
+        for (int k = 0; k < 3; k++)
+            study_write_term(w, study_draw(w, 0, n - 1), study_random_nonzero(&w->g, -1000, 1000));
+        study_write_end(w, FMB_LE, study_draw(w, 0, 5000));
+    }
+    for (int k = 0; k < 2 * n; k++) {
+        study_write_term(w, k / 2, k % 2 ? 1 : -1);
+        study_write_end(w, FMB_LE, 10);
+    }
+}
+
 void study_image_cone(study_writer *w)
 {
     int n = study_draw(w, 6, 10);

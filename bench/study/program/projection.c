@@ -36,6 +36,7 @@ static const struct {
     {"transport", "what some of the shipments can be", study_image_transport},
     {"knapsack", "0/1 knapsacks as paths through a table", study_image_knapsack},
     {"clocks", "differences of clocks, after a delay", study_image_clocks},
+    {"boxed", "three terms of four digits a row, in a box", study_image_boxed},
 };
 
 enum { FAMILIES = sizeof FAMILY / sizeof *FAMILY };

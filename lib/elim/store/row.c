@@ -100,6 +100,16 @@ fmb_status fmb_elim_split(fmb_elim *e, uint32_t i)
     return close_row(e, st);
 }
 
+size_t fmb_elim_minor_bits(const fmb_elim *e)
+{
+    size_t bits = 0, rows = e->live.size, columns = (size_t)(e->n - e->rounds);
+    for (size_t i = 0; i < rows; i++) {
+        const fmb_vec *v = &e->row[e->live.row[i]].v;
+        bits += fmb_vec_is_wide(v) ? 64 : (size_t)v->bits;
+    }
+    return rows > 0 ? bits * columns / rows : 0;
+}
+
 /* ---- combinations ---------------------------------------------------------------------------- */
 
 fmb_status fmb_elim_form_row(fmb_elim *e, uint32_t p, uint32_t q, int var)
@@ -115,7 +125,8 @@ fmb_status fmb_elim_form_row(fmb_elim *e, uint32_t p, uint32_t q, int var)
     r->strict = a->strict || b->strict;
     r->equality = a->equality && b->equality;
     st = fmb_vec_cancel(&r->v, &a->v, &b->v, (size_t)e->n + 1, (size_t)var, &e->num);
-    if (st == FMB_OK && e->budget > 0 && e->rows >= e->budget) {
+    e->wide += st == FMB_OK && fmb_vec_is_wide(&r->v);
+    if (st == FMB_OK && e->budget > 0 && e->rows + e->wide_more * e->wide >= e->budget) {
         e->over_budget = true;
         st = FMB_LIMIT;
     }

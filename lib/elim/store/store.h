@@ -113,6 +113,8 @@ typedef struct fmb_elim {
     size_t flat;
     size_t judged;    /* rows that rules saw at the end of a round are before it */
     size_t budget;    /* rows that the store may hold, 0 = any number: set it after init */
+    size_t wide;      /* rows made of numbers longer than a word */
+    size_t wide_more; /* so many more rows is each of those for the budget: set it after init */
     bool over_budget; /* it held more: the elimination ended with FMB_LIMIT */
 
     bool based;                /* the live rows' histories are valid */
@@ -159,6 +161,12 @@ static inline int fmb_elim_single_variable(const fmb_elim *e, const fmb_derived 
 {
     return fmb_elim_count_variables(e, r) == 1 ? fmb_elim_next_variable(e, r, 0) : -1;
 }
+
+/* About as long is a minor of all columns still there, if rows are like the mean of those alive,
+ * and a word where they are longer [bits]. */
+size_t fmb_elim_minor_bits(const fmb_elim *e);
+/* With minors of so many bits, exact linear programs become slow. */
+#define FMB_LONG_MINOR 120
 
 /* Combine p and q so that var is cancelled, without asking anybody: *out is the new row, which is
  * not alive. */

@@ -14,6 +14,7 @@
 #include "lp/redundancy/implied.h"
 
 #include "lp/exact/simplex.h"
+#include "lp/oracle/oracle.h"
 #include "lp/redundancy/awake.h"
 #include "lp/redundancy/named.h"
 #include "trace/team.h"
@@ -37,7 +38,7 @@ typedef struct sorting {
 
 /* ---- a point inside -------------------------------------------------------------------------- */
 
-static fmb_status ask_oracle_if_feasible(sorting *s)
+static fmb_status ask_dictionary_if_feasible(sorting *s)
 {
     fmb_lp lp;
     fmb_status st = fmb_lp_init(&lp, s->run, (int)s->rows.n, s->rows.m, s->rows.row, false);
@@ -46,6 +47,26 @@ static fmb_status ask_oracle_if_feasible(sorting *s)
     fmb_lp_clear(&lp);
     return st;
 }
+
+static fmb_status ask_oracle_if_feasible(sorting *s)
+{
+    fmb_program program;
+    fmb_oracle *oracle = NULL;
+    fmb_status st = FMB_OK;
+    fmb_program_init(&program, s->run->mem, (int)s->rows.n);
+    for (size_t i = 0; st == FMB_OK && i < s->rows.m; i++)
+        st = fmb_program_add_dense(&program, s->rows.row[i].v, s->rows.row[i].rel);
+    if (st == FMB_OK)
+        st = fmb_oracle_new(s->run, &program, &oracle);
+    if (st == FMB_OK)
+        st = fmb_oracle_feasible(oracle, &s->out->feasible);
+    fmb_oracle_free(oracle);
+    fmb_program_clear(&program);
+    return st;
+}
+
+/* Of so many rows, a dictionary takes longer to be pivoted than the oracle to be opened. */
+#define MANY_ROWS 64
 
 /* Where there is no solution, the search goes on to its end: so unless one is known, a glance comes
  * first, and then the oracle, which is not asked about most systems that have one. */
@@ -57,7 +78,7 @@ static fmb_status look_for_inner_point(sorting *s)
     if (st == FMB_OK && possible && !known)
         st = fmb_inside_glance(&s->inside, inner);
     if (st == FMB_OK && !known && !*inner)
-        st = ask_oracle_if_feasible(s);
+        st = s->rows.m > MANY_ROWS ? ask_oracle_if_feasible(s) : ask_dictionary_if_feasible(s);
     if (st == FMB_OK && possible && !*inner && s->out->feasible)
         st = fmb_inside_find(&s->inside, inner);
     return st;

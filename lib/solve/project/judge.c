@@ -48,9 +48,8 @@
  * from the beginning. */
 #define WALKED_COLUMNS   24
 #define SMALL_DICTIONARY 6
-/* [bits] What queries find modulo a prime (lp/exact/short.h), and where they become slow. */
+/* [bits] What queries find modulo a prime (lp/exact/short.h). */
 #define SHORT_MINOR 60
-#define LONG_MINOR  120
 
 int fmb_judge_kept(const fmb_part *p, const int *place)
 {
@@ -102,14 +101,15 @@ bool fmb_judge_escapes(const fmb_lift *lift)
     return are_nearly_all_coefficients_there(lift) && fmb_lift_bounds(lift) == 0;
 }
 
-/* Queries are quicker where rows name most variables, and where they are answered by minors that
- * are short; the only question of one variable is how far it goes. */
+/* Queries are quicker where rows name most variables, or where numbers of more than a few columns
+ * would become long, and where they are answered by minors that are short; the only question of one
+ * variable is how far it goes. */
 static bool is_dictionary_quick(const fmb_lift *lift, int kept)
 {
-    bool small = fmb_lift_columns(lift) <= SMALL_DICTIONARY;
-    if (kept == 2 && small && fmb_lift_minor_bits(lift) <= SHORT_MINOR)
-        return false;
-    return small || !are_most_coefficients_there(lift);
+    size_t bits = fmb_lift_minor_bits(lift);
+    if (fmb_lift_columns(lift) <= SMALL_DICTIONARY)
+        return kept != 2 || bits > SHORT_MINOR;
+    return !are_most_coefficients_there(lift) && bits <= FMB_LONG_MINOR;
 }
 
 bool fmb_judge_walks(const fmb_lift *lift, const fmb_part *p, int kept)
@@ -191,7 +191,8 @@ bool fmb_judge_goes_gently(const fmb_lift *lift, int kept)
     double named = named_by_row(lift), columns = (double)fmb_lift_columns(lift);
     bool full = named > UNLIKE_SPARSE && 3 * named > columns;
     bool many = columns > MANY_COLUMNS || is_crowded(lift);
-    return kept >= FMB_SHORT_QUERIES || !(full || many) || fmb_lift_minor_bits(lift) > LONG_MINOR;
+    bool long_queries = columns <= MANY_COLUMNS && fmb_lift_minor_bits(lift) > FMB_LONG_MINOR;
+    return kept >= FMB_SHORT_QUERIES || !(full || many) || long_queries;
 }
 
 /* A box in other coordinates, as of zonotopes: it has twice as many rows as variables. */
@@ -225,7 +226,9 @@ size_t fmb_judge_pruned_rows(const fmb_lift *lift, const fmb_part *p, int kept)
         return 100 * p->m;
     if (is_hull_dear(lift, kept))
         return 20 * p->m;
-    return is_sparse(lift, kept) ? 10 * p->m : 0;
+    if (is_sparse(lift, kept))
+        return (kept > FMB_SHORT_QUERIES ? 10 : 6) * p->m;
+    return 0;
 }
 
 static bool is_cone_dense_or_small(const fmb_lift *lift)
@@ -266,8 +269,9 @@ uint64_t fmb_judge_second_rays(const fmb_lift *lift, const fmb_part *p, int kept
 }
 
 /* To find out which of many rows are irredundant takes as long as some queries, where few variables
- * are kept. */
-size_t fmb_judge_rows_to_thin(int kept)
+ * are kept; of long numbers, so it does of fewer rows. */
+bool fmb_judge_thins(const fmb_elim *e, size_t before, int kept)
 {
-    return kept < FMB_SHORT_QUERIES ? (size_t)kept : 0;
+    size_t most = fmb_elim_minor_bits(e) > FMB_LONG_MINOR ? before : before * (size_t)kept;
+    return kept >= FMB_SHORT_QUERIES || e->live.size <= most;
 }

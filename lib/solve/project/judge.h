@@ -32,7 +32,7 @@ bool fmb_judge_goes_steeper(const fmb_lift *lift, int kept);
 /* Rays of a first try, and of a second one, before queries. */
 uint64_t fmb_judge_first_rays(const fmb_lift *lift, const fmb_part *p, int kept);
 uint64_t fmb_judge_second_rays(const fmb_lift *lift, const fmb_part *p, int kept);
-/* How many rows an elimination may leave, times those that there were; 0: any number. */
-size_t fmb_judge_rows_to_thin(int kept);
+/* Are the rows that an elimination left few enough to go on with? There were so many before. */
+bool fmb_judge_thins(const fmb_elim *e, size_t before, int kept);
 
 #endif

@@ -25,6 +25,9 @@ typedef struct shadow {
 #define STEEP  1.5
 /* So few variables are eliminated however steep that is, where other ways are long. */
 #define STEEP_STEPS 2
+/* Rows of long numbers are pruned so slowly that few of them may be made before other ways are
+ * taken. */
+#define WIDE_MORE 3
 
 /* ---- by elimination -------------------------------------------------------------------------- */
 
@@ -46,6 +49,7 @@ static fmb_status eliminate_columns_that_go(shadow *h, bool feasible, size_t bud
         drop[j] = h->place[h->p->var[j]] < 0;
     fmb_status st = fmb_query_load(q, h->p, feasible, &h->e);
     h->e.budget = budget;
+    h->e.wide_more = WIDE_MORE;
     if (st == FMB_OK && feasible && has_rows_in_plenty(h->p))
         st = fmb_elim_prune(&h->e);
     return st == FMB_OK ? fmb_elim_eliminate(&h->e, drop) : st;
@@ -97,8 +101,17 @@ static int count_variables_to_go(const fmb_elim *e, const bool *drop)
 typedef struct slope {
     double steep;  /* what one variable may make, as a share of the rows; 0: anything */
     size_t trials; /* budgets of a trial */
-    size_t left;   /* times the rows that there were, in the end; 0: any number */
+    int kept;      /* variables that stay, which tell how many rows may be left in the end */
 } slope;
+
+/* A trial ended, with a status; if it left too many rows, it used up its budget. */
+static fmb_status expect_few_rows(fmb_elim *e, fmb_status st, int kept)
+{
+    if (st != FMB_OK || e->clash != FMB_NO_ROW || fmb_judge_thins(e, e->flat, kept))
+        return st;
+    e->over_budget = true;
+    return FMB_LIMIT;
+}
 
 /* Go on where the cheap variables are gone, and come back if a variable is too steep, or if there
  * are too many rows. */
@@ -116,12 +129,10 @@ static fmb_status eliminate_rest_of_lift(shadow *h, fmb_lift *lift, const slope 
     e->cheap_only = false;
     e->steep = limit->steep;
     e->flat = e->live.size;
+    e->wide_more = WIDE_MORE;
     e->budget = e->rows + limit->trials * FMB_TRIAL_BUDGET(e->live.size);
     st = fmb_elim_eliminate(e, drop);
-    if (st == FMB_OK && limit->left > 0 && e->live.size > limit->left * e->flat) {
-        e->over_budget = true;
-        st = FMB_LIMIT;
-    }
+    st = expect_few_rows(e, st, limit->kept);
     st = put_rows_of_elimination(h, e, st, false, feasible, done);
     if (st == FMB_OK && !*done)
         fmb_mark_return(&mark, e);
@@ -197,7 +208,7 @@ static fmb_status try_escape(rungs *r)
 static fmb_status try_gentle_elimination(rungs *r, int kept)
 {
     shadow h = shadow_of_rungs(r);
-    slope gentle = {GENTLE, 2, fmb_judge_rows_to_thin(kept)};
+    slope gentle = {GENTLE, 2, kept};
     const bool *drop;
     return fmb_mark_possible(fmb_lift_elimination(r->lift, &drop))
                ? eliminate_rest_of_lift(&h, r->lift, &gentle, r->feasible, &r->done)
@@ -212,7 +223,7 @@ static fmb_status try_steeper_elimination(rungs *r, int kept)
     if (!fmb_mark_possible(e))
         return project_by_elimination(&h, false, FMB_TRIAL_BUDGET(h.p->m), r->feasible, &r->done);
     bool any = kept > FMB_SHORT_QUERIES && count_variables_to_go(e, drop) <= STEEP_STEPS;
-    slope steeper = {any ? 0 : STEEP, 1, fmb_judge_rows_to_thin(kept)};
+    slope steeper = {any ? 0 : STEEP, 1, kept};
     return eliminate_rest_of_lift(&h, r->lift, &steeper, r->feasible, &r->done);
 }
 

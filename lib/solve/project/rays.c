@@ -362,12 +362,7 @@ bool fmb_lift_is_long(const fmb_lift *h)
 
 size_t fmb_lift_minor_bits(const fmb_lift *h)
 {
-    size_t bits = 0, rows = h->e.live.size;
-    for (size_t i = 0; i < rows; i++) {
-        const fmb_vec *v = &h->e.row[h->e.live.row[i]].v;
-        bits += fmb_vec_is_wide(v) ? 64 : (size_t)v->bits;
-    }
-    return rows > 0 ? bits * fmb_lift_columns(h) / rows : 0;
+    return fmb_elim_minor_bits(&h->e);
 }
 
 size_t fmb_lift_rows(const fmb_lift *h)

@@ -7,6 +7,7 @@
 
 #include "elim/store/derive.h"
 #include "lp/exact/simplex.h"
+#include "lp/redundancy/by_oracle.h"
 #include "lp/redundancy/implied.h"
 #include "lp/redundancy/irredundant.h"
 
@@ -149,6 +150,18 @@ static bool are_all_fates_known(const remains *h)
     return true;
 }
 
+static bool is_some_row_strict(const remains *h)
+{
+    bool strict = false;
+    for (size_t k = 0; k < h->e->live.size; k++)
+        strict = strict || h->rel[k] == FMB_LT;
+    return strict;
+}
+
+/* The columns that went stay in a dictionary, as zeros, so that a program for each of many rows is
+ * quicker. */
+#define MANY_ROWS 64
+
 /* The oracle decides what is left to decide. */
 static fmb_status ask_oracle_about_rows(remains *h, bool *feasible)
 {
@@ -159,6 +172,9 @@ static fmb_status ask_oracle_about_rows(remains *h, bool *feasible)
         return fmb_mem_status(h->q->run.mem);
     for (size_t k = 0; k < m; k++)
         h->reverse[k] = (fmb_weights){0};
+    if (m > MANY_ROWS && !is_some_row_strict(h))
+        return fmb_irredundant_by_oracle(&h->q->run, (size_t)h->p->n, m, h->row, h->fate,
+                                         h->q->claims ? &told : NULL);
     h->has_lp = true;
     fmb_status st = fmb_lp_init(&h->lp, &h->q->run, h->p->n, m, h->row, fmb_query_is_wide(h->q));
     if (st == FMB_OK)

@@ -7,8 +7,8 @@
 
 #include "elim/rules/view.h"
 #include "lp/exact/simplex.h"
+#include "lp/redundancy/by_oracle.h"
 #include "lp/redundancy/implied.h"
-#include "lp/redundancy/irredundant.h"
 
 typedef struct patience {
     size_t next; /* rows from which on it looks again; 0: it has not looked */
@@ -64,7 +64,7 @@ static void list_undropped_rows(rows *a, const fmb_elim *e, const bool *drop)
     }
 }
 
-static fmb_status drop_rows_by_oracle(const fmb_elim *e, rows *a, bool *drop)
+static fmb_status ask_dictionary(const fmb_elim *e, rows *a)
 {
     fmb_lp lp;
     bool feasible = false;
@@ -74,12 +74,28 @@ static fmb_status drop_rows_by_oracle(const fmb_elim *e, rows *a, bool *drop)
     if (st == FMB_OK && feasible) /* if not, a rule lied when that was decided */
         st = fmb_redundant(&lp, a->rel, a->fate);
     fmb_lp_clear(&lp);
+    return st;
+}
+
+static fmb_status drop_rows_exactly(const fmb_elim *e, rows *a, bool *drop)
+{
+    size_t n = (size_t)e->n;
+    fmb_status st = fmb_suits_oracle(n, a->size, a->row)
+                        ? fmb_redundant_by_oracle(e->run, n, a->size, a->row, a->fate)
+                        : ask_dictionary(e, a);
     for (size_t i = 0; i < a->size; i++)
         drop[a->place[i]] |= a->fate[i] == FMB_FATE_REDUNDANT;
     return st;
 }
 
-/* What a guess finds is cheap; the oracle is asked if that leaves many doubts. */
+/* Where numbers are long, to ask exactly takes longer than other ways than elimination do. */
+static bool is_trial_of_long_numbers(const fmb_elim *e)
+{
+    return e->budget > 0 && fmb_elim_minor_bits(e) > FMB_LONG_MINOR;
+}
+
+/* What guesses of all rows together find is cheap; if they leave many doubts, each row is asked
+ * about. */
 static fmb_status drop_implied_rows(const fmb_elim *e, rows *a, bool *drop)
 {
     fmb_sorting sorting = {.gone = a->gone, .kept = a->kept, .known = true};
@@ -87,10 +103,10 @@ static fmb_status drop_implied_rows(const fmb_elim *e, rows *a, bool *drop)
     fmb_status st = fmb_lp_sort_rows(e->run, e->n, a->size, a->row, &sorting);
     for (size_t i = 0; i < a->size; i++)
         drop[a->place[i]] |= a->gone[i];
-    if (st != FMB_OK || 4 * sorting.doubtful < a->size)
+    if (st != FMB_OK || 4 * sorting.doubtful < a->size || is_trial_of_long_numbers(e))
         return st;
     list_undropped_rows(a, e, drop);
-    return drop_rows_by_oracle(e, a, drop);
+    return drop_rows_exactly(e, a, drop);
 }
 
 static fmb_status prune_doubled_rows(void *state, const fmb_view *w, bool *drop)

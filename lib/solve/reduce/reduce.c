@@ -150,22 +150,12 @@ static fmb_status ask_dictionary_about_all(progress *g, int part, const fmb_verd
     return st == FMB_OK ? fmb_irredundant(lp, g->p->rel, g->fate, told) : st;
 }
 
-/* Beyond so many variables a pivot of a dictionary costs more than a linear program that is
- * guessed, unless all coefficients are -1, 0 or 1: then its numbers hardly grow, as in networks
- * they do not at all (transport polytopes of 288 variables: 34 ms, and 375 ms by the oracle). */
-#define FEW_VARIABLES 8
-
-static bool suits_oracle(const fmb_part *p)
+static fmb_status decide_open_rows(progress *g, int part, bool inner, const fmb_verdicts *told)
 {
-    bool strict = false, short_numbers = true;
-    for (size_t i = 0; i < p->m; i++) {
-        const fmb_vec *v = &p->row[i];
-        strict = strict || p->rel[i] == FMB_LT;
-        short_numbers = short_numbers && !v->z;
-        for (int j = 0; short_numbers && j < p->n; j++)
-            short_numbers = v->s[j] >= -1 && v->s[j] <= 1;
-    }
-    return !strict && p->n > FEW_VARIABLES && !short_numbers;
+    size_t n = (size_t)g->p->n, m = g->p->m;
+    if (fmb_suits_oracle(n, m, g->row))
+        return fmb_irredundant_by_oracle(&g->q->run, n, m, g->row, g->fate, told);
+    return inner ? ask_dictionary_about_rest(g, told) : ask_dictionary_about_all(g, part, told);
 }
 
 /* fate[rows] is by row of the system. */
@@ -181,10 +171,7 @@ static fmb_status decide_rows_of_part(fmb_query *q, int part, fmb_fate *fate)
     if (is_sieve_affordable(g.p))
         st = sift_rows_of_part(&g, listener, &inner);
     if (st == FMB_OK && is_some_row_unknown(&g))
-        st = suits_oracle(g.p) ? fmb_irredundant_by_oracle(&q->run, (size_t)g.p->n, g.p->m, g.row,
-                                                           g.fate, listener)
-             : inner           ? ask_dictionary_about_rest(&g, listener)
-                               : ask_dictionary_about_all(&g, part, listener);
+        st = decide_open_rows(&g, part, inner, listener);
     for (size_t i = 0; i < g.p->m; i++)
         fate[g.p->source[i]] = g.fate[i];
     return st;

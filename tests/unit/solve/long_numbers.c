@@ -5,6 +5,7 @@
 
 #include <string.h>
 
+#include "property/random/agree.h"
 #include "property/random/rows.h"
 #include "study/program/program.h"
 #include "support/support.h"
@@ -113,4 +114,53 @@ Test(long_numbers, margins_are_told_apart_however_thin)
                  FMB_FEASIBLE);
     cr_assert_eq(ask_text("x - " LARGE " y >= 1\ny - " LARGE " z >= 1\nz >= 0\nx <= 1\n"),
                  FMB_INFEASIBLE);
+}
+
+/* Three terms a row around a point, each of up to four digits, and a box of 10: [n] variables. */
+static fmb_system *sparse_rows_in_box(support_rng *g, int n, int m)
+{
+    enum { MOST = 40 };
+    fmb_system *s = rows_none(n);
+    int64_t point[MOST];
+    for (int j = 0; j < n; j++)
+        point[j] = support_between(g, -3, 3);
+    for (int i = 0; i < m; i++) {
+        int64_t a[MOST] = {0}, at = 0;
+        for (int k = 0; k < 3; k++)
+            a[support_between(g, 0, n - 1)] = support_between(g, -1000, 1000);
+        for (int j = 0; j < n; j++)
+            at += a[j] * point[j];
+        must(fmb_system_add_int(s, a, FMB_LE, at + support_between(g, 0, 3000)));
+    }
+    for (int k = 0; k < 2 * n; k++) {
+        int64_t a[MOST] = {0};
+        a[k / 2] = k % 2 ? 1 : -1;
+        must(fmb_system_add_int(s, a, FMB_LE, 10));
+    }
+    return s;
+}
+
+Test(long_numbers, a_projection_does_not_prune_rows_of_them_for_long)
+{
+    for (uint64_t seed = 0; seed < 6; seed++) {
+        support_rng g = {seed};
+        fmb_system *s = sparse_rows_in_box(&g, 40, 56), *p[2];
+        fmb_result r[2];
+        agree equal = {.max_rows = 1};
+        for (int k = 0; k < 2; k++) {
+            fmb_options o = fmb_options_default();
+            fmb_solver *v = NULL;
+            o.method = k == 0 ? FMB_METHOD_AUTO : FMB_METHOD_HULL;
+            o.evidence = FMB_EVIDENCE_NONE;
+            must(fmb_solver_new(&o, NULL, &v));
+            must(fmb_project(v, s, (int[]){0, 1, 2}, 3, &p[k], &r[k]));
+            fmb_solver_free(v);
+        }
+        cr_expect_leq(r[0].stats.promotions, 4 * fmb_system_rows(s), "seed %lu: %lu",
+                      (unsigned long)seed, (unsigned long)r[0].stats.promotions);
+        cr_expect(agree_same(&equal, p[0], p[1]), "seed %lu: %s", (unsigned long)seed, equal.why);
+        fmb_system_free(p[0]);
+        fmb_system_free(p[1]);
+        fmb_system_free(s);
+    }
 }
