@@ -157,7 +157,8 @@ fmb_status fmb_stand_refresh(fmb_stand *o)
         st = fmb_stand_place(o, o->corner.member);
     if (st == FMB_OK && find_slacks(o) > INEXACT && o->corner.exchanges > 0) {
         st = fmb_stand_place(o, o->corner.member);
-        find_slacks(o);
+        if (st == FMB_OK)
+            find_slacks(o);
     }
     if (st != FMB_OK)
         return st;
