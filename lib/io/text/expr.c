@@ -141,6 +141,17 @@ static bool accept_product_sign(fmb_cursor *c, bool after_name, bool *divide)
     return !after_name && (fmb_peek(c) == '(' || is_at_start_of_name(c));
 }
 
+/* Nothing but blanks stands for the operator in front of the cursor: another row may be meant to
+ * begin there. */
+static void note_blank_product(fmb_text *t, const char *factor, const char *end, int depth)
+{
+    const char *at = t->c->at;
+    if (depth == 0 && at > end && at[-1] != '*' && at[-1] != '/' && !t->blank_product[1]) {
+        t->blank_product[0] = factor;
+        t->blank_product[1] = at;
+    }
+}
+
 /* Sets constant. */
 static fmb_status read_product_term(fmb_text *t, fmb_draft *d, mpq_t constant, int depth)
 {
@@ -149,14 +160,18 @@ static fmb_status read_product_term(fmb_text *t, fmb_draft *d, mpq_t constant, i
     bool divide;
     mpq_t other;
     mpq_init(other);
+    fmb_skip_blanks(c);
+    const char *p = c->at;
     fmb_status st = read_signed_factor(t, d, constant, depth);
-    const char *last = c->at;
-    bool group = last > c->begin && last[-1] == ')';
+    const char *end = c->at;
+    bool group = end > c->begin && end[-1] == ')';
     while (st == FMB_OK && accept_product_sign(c, d->n > from && !group, &divide)) {
         size_t middle = d->n;
+        note_blank_product(t, p, end, depth);
         fmb_skip_blanks(c);
-        const char *p = c->at;
+        p = c->at;
         st = read_signed_factor(t, d, other, depth);
+        end = c->at;
         group = c->at > c->begin && c->at[-1] == ')';
         if (st == FMB_OK)
             st = combine_factors(t, d, from, middle, constant, other, divide, p);
@@ -193,5 +208,6 @@ static fmb_status read_sum_of_terms(fmb_text *t, fmb_draft *d, mpq_t constant, i
 fmb_status fmb_text_expression(fmb_text *t, fmb_draft *d)
 {
     fmb_draft_reset(d);
+    t->blank_product[0] = t->blank_product[1] = NULL;
     return read_sum_of_terms(t, d, d->rhs, 0);
 }

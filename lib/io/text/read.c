@@ -130,6 +130,17 @@ static fmb_status take_objective_line(fmb_text *t, fmb_span label)
     return fmb_draft_set_objective(t->c, label.p, &t->left, fmb_text_sense(label), t->s);
 }
 
+/* `x >= 1  y >= 2` is x >= 1 y >= 2, or two rows whose line break was lost: nobody may choose. */
+static fmb_status fail_at_blank_product(fmb_text *t)
+{
+    char left[FMB_QUOTE], right[FMB_QUOTE];
+    const char *const *at = t->blank_product;
+    return fmb_io_fail(t->c, at[1],
+                       "expected '*' or a line break: between relations %s and %s "
+                       "may be a product, or the ends of two rows",
+                       fmb_quote(t->c, at[0], left), fmb_quote(t->c, at[1], right));
+}
+
 /* expression REL expression {REL expression}: a row for each link. plain: the label has no quotes.
  */
 static fmb_status read_relation_chain(fmb_text *t, const fmb_span *label, bool plain)
@@ -143,7 +154,7 @@ static fmb_status read_relation_chain(fmb_text *t, const fmb_span *label, bool p
     if (!accept_relation(c, &r))
         return plain && label && fmb_text_sense(*label) ? take_objective_line(t, *label)
                                                         : fail_at_relation(c);
-    do {
+    for (bool more = true; more;) {
         if (fmb_peek(c) == '>' && c->at[-1] == '<') {
             c->at--;
             return fail_at_relation(c);
@@ -156,7 +167,10 @@ static fmb_status read_relation_chain(fmb_text *t, const fmb_span *label, bool p
         fmb_draft d = t->left;
         t->left = t->right;
         t->right = d;
-    } while (accept_relation(c, &r));
+        more = accept_relation(c, &r);
+        if (more && t->blank_product[1])
+            return fail_at_blank_product(t);
+    }
     return FMB_OK;
 }
 

@@ -21,12 +21,14 @@ typedef struct fmb_text_use {
 typedef struct fmb_text {
     fmb_cursor *c;
     fmb_system *s;
-    bool declared;         /* a vars line was there: no other names */
-    bool alone;            /* a form by itself, over the variables of s: declared, too */
-    fmb_draft left, right; /* the two sides of a link; rhs is the constant on that side */
-    fmb_draft row;         /* the link */
-    fmb_room name, label;  /* the last quoted ones */
-    int *mark;             /* variables of project and eliminate lines */
+    bool declared;                /* a vars line was there: no other names */
+    bool alone;                   /* a form by itself, over the variables of s: declared, too */
+    fmb_draft left, right;        /* the two sides of a link; rhs is the constant on that side */
+    fmb_draft row;                /* the link */
+    const char *blank_product[2]; /* of the last expression: a factor and the first one behind it
+                                     that only blanks separate, outside parentheses; or NULL */
+    fmb_room name, label;         /* the last quoted ones */
+    int *mark;                    /* variables of project and eliminate lines */
     size_t marks, mark_capacity;
     fmb_span asked;    /* "project" or "eliminate"; n == 0: neither */
     fmb_text_use *use; /* one a variable, unless they are declared */

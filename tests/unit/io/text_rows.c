@@ -45,6 +45,23 @@ Test(text, numbers)
     check_meanings(FMB_FORMAT_TEXT, table, COUNT(table));
 }
 
+/* One row, or two whose line break was lost? */
+Test(text, lost_line_breaks)
+{
+    static const char *const texts[] = {"x >= 1  y >= 2",    "0 <= 2 x <= 4",    "x >= -1 y = 2",
+                                        "x <= y + 1 z <= 2", "x <= 1/2 (y) < 3", "x <= 1 \"y\" < 3",
+                                        "max: x <= 1 y <= 3"};
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        fmb_system *s = NULL;
+        fmb_where w = {0};
+        cr_expect(fmb_system_parse(texts[i], strlen(texts[i]), NULL, &s, &w) == FMB_ERR_PARSE, "%s",
+                  texts[i]);
+        cr_expect(strstr(w.text, "a product, or the ends of two rows"), "%s: %s", texts[i], w.text);
+        cr_expect(w.column > 0 && strchr("yxz(\"", texts[i][w.column - 1]), "%s", texts[i]);
+        fmb_system_free(s);
+    }
+}
+
 Test(text, expressions)
 {
     static const meaning table[] = {
@@ -56,6 +73,10 @@ Test(text, expressions)
         {"3*x <= 3 x\nx*3/4*2<=1", "vars: x\n0 <= 0\n3/2 x <= 1\n"},
         {"0(x) <= y", "vars: x y\n-y <= 0\n"},
         {"((((x)))) <= (((1)))", "vars: x\nx <= 1\n"},
+        {"0 <= 2x <= 4", "vars: x\n-2 x <= 0\n2 x <= 4\n"},
+        {"0 <= 2 * x + (3 y) <= 4", "vars: x y\n-2 x - 3 y <= 0\n2 x + 3 y <= 4\n"},
+        {"0 <= x*2 <= 3 x", "vars: x\n-2 x <= 0\n-x <= 0\n"},
+        {"3 x <= 2x <= 1 y", "vars: x y\nx <= 0\n2 x - y <= 0\n"},
     };
     check_meanings(FMB_FORMAT_TEXT, table, COUNT(table));
 }
