@@ -44,7 +44,11 @@ Test(text, terminals_get_no_controls)
     expect("\x1b[7m", APP_TEXT_TERMINAL, "\\x1b[7m");
     expect("a\nb\x7f", APP_TEXT_TERMINAL, "a\\x0ab\\x7f");
     expect("\xc2\x9b", APP_TEXT_TERMINAL, "\\xc2\\x9b"); /* CSI in C1 */
+    expect("a\xe2\x80\xae"
+           "b",
+           APP_TEXT_TERMINAL, "a\\xe2\\x80\\xaeb"); /* right to left from here */
     expect("a\nb", APP_TEXT_JSON, "a\nb");
+    expect("\xe2\x80\xae", APP_TEXT_JSON, "\xe2\x80\xae");
 }
 
 Test(text, width_counts_characters)

@@ -1,7 +1,7 @@
 /* name.c: names of the .fmb format; see text.h.
  *
- * A name is letters, digits and _ . [ ] ' and may hold any UTF-8 character that is not punctuation
- * or an operator; any other name stands in quotes.
+ * A name is letters, digits and _ . [ ] ' and may hold any UTF-8 character that is not punctuation,
+ * an operator or invisible; any other name stands in quotes.
  */
 #include <string.h>
 
@@ -27,7 +27,7 @@ size_t fmb_text_name_char(const char *p, size_t left, bool first)
     if (left == 0)
         return 0;
     if ((unsigned char)*p >= 128) {
-        size_t n = fmb_utf8_length(p, left);
+        size_t n = fmb_utf8_printable(p, left);
         return n > 0 && !is_unicode_operator(p) ? n : 0;
     }
     if (is_name_letter(*p))

@@ -157,7 +157,28 @@ Test(formats, characters)
     cr_expect(fmb_utf8_length("\xC2\x9B", 2) == 2 && fmb_utf8_printable("\xC2\x9B", 2) == 0);
     cr_expect(fmb_utf8_printable("\xC2\xA0", 2) == 2);
     cr_expect(fmb_utf8_length("\xE2\x82\xAC", 2) == 0 && fmb_utf8_length("\xED\xA0\x80", 3) == 0);
+    cr_expect(fmb_utf8_printable("\xF0\x9F\x98\x80", 4) == 4);
     cr_expect(fmb_utf8_length("a", 0) == 0 && fmb_utf8_length(NULL, 4) == 0);
+}
+
+/* What reorders a text or is not seen in it; and its neighbours, which are letters and signs. */
+Test(formats, invisible_characters)
+{
+    static const char *const hidden[] = {
+        "\xE2\x80\x8B", "\xE2\x80\x8F", "\xE2\x80\xA8", "\xE2\x80\xAA",     "\xE2\x80\xAE",
+        "\xE2\x81\xA0", "\xE2\x81\xA9", "\xEF\xBB\xBF", "\xD8\x9C",         "\xC2\xAD",
+        "\xE1\xA0\x8E", "\xEF\xBF\xB9", "\xEF\xB8\x8F", "\xF3\xA0\x80\xA1", "\xCD\x8F",
+    };
+    static const char *const shown[] = {"\xE2\x80\x90",    "\xE2\x80\xA7", "\xE2\x81\xB0",
+                                        "\xD8\x9B",        "\xC2\xAE",     "\xEF\xBB\xBE",
+                                        "\xF3\xA1\x80\x80"};
+    for (size_t i = 0; i < sizeof hidden / sizeof *hidden; i++) {
+        size_t size = strlen(hidden[i]);
+        cr_expect(fmb_utf8_length(hidden[i], size) == size, "%zu", i);
+        cr_expect(fmb_utf8_printable(hidden[i], size) == 0, "%zu", i);
+    }
+    for (size_t i = 0; i < sizeof shown / sizeof *shown; i++)
+        cr_expect(fmb_utf8_printable(shown[i], strlen(shown[i])) == strlen(shown[i]), "%zu", i);
 }
 
 /* No message holds what a terminal could obey: U+009B begins an escape sequence. */
@@ -173,6 +194,12 @@ Test(formats, harmless_messages)
         "5m| Real)",
         "H-representation\nbegin\n1 2 real\n1 \xC2\x9B\nend\n",
         "\x1b[2J",
+        "x <= \xE2\x80\xAE"
+        "1\n",
+        "vars: x\n\"a\xE2\x81\xA6"
+        "5m\" <= 1\n",
+        "vars: x\na\xEF\xBB\xBF"
+        "b <= 1\n",
     };
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
         fmb_system *s = NULL;
