@@ -1,16 +1,25 @@
 /* facets_roughly.c: normals in doubles, with error bounds; see facets.h.
  *
- * Invariant: for some s > 0, |s normal_j - roughly_j| + |roughly_j| (d + 8) 2^-51 <= off_j, if
- * off_j is roughly_{d + j}; or off_j is not finite.
+ * Invariant: |roughly_j| <= 1, and for some s > 0, |s normal_j - roughly_j| + |roughly_j| (d + 8)
+ * 2^-51 <= off_j <= MOST, if off_j is roughly_{d + j}; or some off_j is not finite.
  *
- * Theorem. Let near_j = t g_j up to a factor within 1 +- 2^-50, t > 0. Then sum_j roughly_j near_j,
- * as it is computed, and s t normal.g differ by no more than sum_j off_j |near_j|, computed with
- * some room: products and sums round d + 1 times, near is off by eight times 2^-53, and bounds
- * have been made larger by 2^-40. What underflows is below the least that is believed.
+ * Underflow. A product that underflows is off by 2^-1075 at most; sums and differences are exact
+ * where they are that small. An entry of a normal or of near may have become 0 while it counts: if
+ * entries spread widely, as those of points far out do, the others are small, too.
+ *
+ * Theorem. Let near_j = t g_j up to a factor within 1 +- 2^-50, and up to 2^-1073, t > 0. Then
+ * sum_j roughly_j near_j, as it is computed, and s t normal.g differ by no more than sum_j off_j
+ * |near_j| + LEAST, computed with some room, if all of this is finite.
+ * Proof. Products and sums round d + 1 times, near is off by eight times 2^-53: that is less than
+ * |roughly_j| (d + 8) 2^-51 |near_j|. What near is off by besides counts for less than (1 + MOST) d
+ * 2^-1073, and what underflows in the 2 d products for less than d 2^-1074: both are less than
+ * LEAST, as d < 2^60. The bound itself, of positive terms, rounds d + 2 times.
  *
  * Theorem. If n is off by e_n and has the value p, off by w_p, and v likewise e_v, q and w_q, then
  * |q| n + p v is off by (|q| + w_q) e_n + w_q |n| + (p + w_p) e_v + w_p |v|; its three roundings
- * an entry are what off_j has beside e_j, and more.
+ * an entry are what off_j has beside e_j, and more. Its own products and those of e_j underflow
+ * by less than six times 2^-1075, which LEAST beside e_j has, and its scaling by 2^-1075, which
+ * LEAST beside off_j has (and which a scale less than 1 would not leave of the other).
  */
 #include <math.h>
 
@@ -19,7 +28,9 @@
 /* Bounds are computed in doubles, too. */
 #define ROOM (1 + 0x1p-40)
 /* Less than this is not told from what underflowed. */
-#define LEAST 1e-280
+#define LEAST 0x1p-900
+/* More than this times what underflowed may be told from it. */
+#define MOST 0x1p100
 
 void fmb_facets_round(const fmb_vec *v, size_t n, double *out)
 {
@@ -67,13 +78,15 @@ void fmb_facets_combine_roughly(fmb_facets *f, fmb_facet *a, const fmb_facet *n,
                n->off * fabs(rv[j]);
         most = fmax(most, fabs(r[j]));
     }
-    frexp(most, &exponent);
-    bool lost = !(most > LEAST); /* what underflows may count */
-    double scale = ldexp(1, lost ? 0 : -exponent);
+    bool lost = !(most > LEAST && most < INFINITY); /* what underflows may count */
+    frexp(lost ? 1 : most, &exponent);
+    double scale = ldexp(1, -exponent);
     for (size_t j = 0; j < f->d; j++) {
         r[j] *= scale;
-        e[j] = lost ? INFINITY : ROOM * e[j] * scale + fabs(r[j]) * (double)(f->d + 8) * 0x1p-51;
+        e[j] = ROOM * ((e[j] + LEAST) * scale + LEAST) + fabs(r[j]) * (double)(f->d + 8) * 0x1p-51;
+        lost |= !(e[j] <= MOST);
     }
+    e[0] = lost ? INFINITY : e[0];
 }
 
 bool fmb_facets_guess_side(const fmb_facets *f, fmb_facet *a, const double *near, int *side)
@@ -84,7 +97,7 @@ bool fmb_facets_guess_side(const fmb_facets *f, fmb_facet *a, const double *near
         off += a->roughly[f->d + j] * fabs(near[j]);
     }
     a->value = sum;
-    a->off = off * ROOM;
+    a->off = off * (1 + (double)(f->d + 2) * 0x1p-51);
     *side = sum > 0 ? 1 : -1;
-    return fabs(sum) > a->off;
+    return isfinite(sum) && fabs(sum) > a->off;
 }

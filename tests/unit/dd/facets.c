@@ -164,17 +164,19 @@ static void close_bench(bench *b)
     cr_assert_eq(b->mem.used, 0);
 }
 
-/* b->z = v, with every entry j > 0 made larger by 2^bits times the one before: the same cone,
- * sheared. */
-static void shear(bench *b, const int64_t *v, int bits)
+/* out[d] = v, with every entry j > 0 made larger by 2^bits times the one before: the same cone,
+ * sheared. If bits < 0, entry j becomes 2^(-bits j) times itself: the same cone, stretched. */
+static void shear(mpz_t *out, int d, const int64_t *v, int bits)
 {
-    for (int j = 0; j < b->d; j++) {
-        mpz_set_si(b->z[j], v[j]);
+    for (int j = 0; j < d; j++) {
+        mpz_set_si(out[j], v[j]);
+        if (bits < 0)
+            mpz_mul_2exp(out[j], out[j], (mp_bitcnt_t)(-bits * j));
         if (bits > 0 && j > 0) {
             mpz_t t;
             mpz_init(t);
-            mpz_mul_2exp(t, b->z[j - 1], (mp_bitcnt_t)bits);
-            mpz_add(b->z[j], b->z[j], t);
+            mpz_mul_2exp(t, out[j - 1], (mp_bitcnt_t)bits);
+            mpz_add(out[j], out[j], t);
             mpz_clear(t);
         }
     }
@@ -183,33 +185,27 @@ static void shear(bench *b, const int64_t *v, int bits)
 static bool add(bench *b, const int64_t *v, int bits)
 {
     bool grown;
-    shear(b, v, bits);
+    shear(b->z, b->d, v, bits);
     cr_assert_eq(fmb_facets_add(&b->f, b->z, &grown), FMB_OK);
     return grown;
 }
 
-static int sign_on(const bench *b, const fmb_vec *normal, const int64_t *v, int bits)
+static int sign_on(bench *b, const fmb_vec *normal, const int64_t *v, int bits)
 {
-    mpz_t sum, last, t;
-    mpz_inits(sum, last, t, NULL);
+    mpz_t sum, t;
+    mpz_inits(sum, t, NULL);
+    shear(b->z, b->d, v, bits);
     for (int j = 0; j < b->d; j++) {
-        mpz_mul_2exp(last, last, (mp_bitcnt_t)bits);
-        if (bits == 0 || j == 0)
-            mpz_set_ui(last, 0);
-        if (v[j] >= 0)
-            mpz_add_ui(last, last, (unsigned long)v[j]);
-        else
-            mpz_sub_ui(last, last, (unsigned long)-v[j]);
         fmb_vec_get(normal, (size_t)j, t);
-        mpz_addmul(sum, last, t);
+        mpz_addmul(sum, b->z[j], t);
     }
     int sign = mpz_sgn(sum);
-    mpz_clears(sum, last, t, NULL);
+    mpz_clears(sum, t, NULL);
     return sign;
 }
 
 /* What of the cloud is on a facet; and no vector is behind it. */
-static uint32_t set_on(const bench *b, const fmb_facet *a, const cloud *c, int bits)
+static uint32_t set_on(bench *b, const fmb_facet *a, const cloud *c, int bits)
 {
     uint32_t on = 0;
     for (int i = 0; i < c->size; i++) {
@@ -262,7 +258,7 @@ static int add_all(bench *b, const cloud *c, int bits, int *generator)
     size_t d = (size_t)c->d;
     for (int i = 0; i < c->size; i++) {
         v[i].s = calloc(d, sizeof *v[i].s);
-        shear(b, c->v[i], bits);
+        shear(b->z, b->d, c->v[i], bits);
         cr_assert_eq(fmb_vec_set_z(&v[i], d, b->z, &b->mem), FMB_OK);
         cr_assert_eq(fmb_vec_reduce(&v[i], d, &b->f.num), FMB_OK);
     }
@@ -361,6 +357,17 @@ Test(facets, long_numbers)
         for (int j = 0; j < c.d; j++) /* four in a plane */
             c.v[5][j] = c.v[0][j] + c.v[1][j] - c.v[2][j];
         check_cloud(&c, seed % 3 == 0 ? 20 : 0);
+    }
+}
+
+/* Entries that spread over more than doubles do, of points near and far: what underflows counts. */
+Test(facets, wide_spreads)
+{
+    static const int bits[] = {-170, -260, -400, -530, -550, -1000, -1020, -1070, -3000};
+    for (uint64_t seed = 0; seed < 1800; seed++) {
+        support_rng g = {seed};
+        cloud c = random_cloud(&g);
+        check_cloud(&c, bits[seed % (sizeof bits / sizeof *bits)]);
     }
 }
 
