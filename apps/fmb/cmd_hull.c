@@ -17,7 +17,7 @@ static fmb_status append_generators(fmb_generators *to, const fmb_generators *fr
         mpq_init(x[j]);
     for (size_t i = 0; st == FMB_OK && i < fmb_generators_size(from); i++) {
         for (int j = 0; j < n; j++)
-            fmb_generators_get_q(from, i, j, x[j]);
+            fmb_generators_coordinate_q(from, i, j, x[j]);
         st = fmb_generators_add_q(to, fmb_generators_kind(from, i), x);
     }
     for (int j = 0; j < n; j++)

@@ -125,7 +125,7 @@ static int find_symmetries(app_session *s, task *t)
 {
     if (t->symmetries || s->ask->options.symmetry == FMB_SYMMETRY_NONE)
         return APP_YES;
-    fmb_status st = fmb_find_symmetries(s->solver, s->system, t->vars, t->n, &t->symmetries, NULL);
+    fmb_status st = fmb_symmetries_find(s->solver, s->system, t->vars, t->n, &t->symmetries, NULL);
     return st == FMB_OK ? APP_YES : app_status_error(st);
 }
 

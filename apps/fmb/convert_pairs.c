@@ -24,7 +24,7 @@ typedef struct waiting {
 
 static fmb_status write_waiting_pairs(waiting *w)
 {
-    fmb_status st = fmb_frames_write(stdout, w->pairs, w->frame[0], w->frame[1]);
+    fmb_status st = fmb_frame_pairs_write(stdout, w->pairs, w->frame[0], w->frame[1]);
     w->pairs = w->numbers = 0;
     return st;
 }
@@ -61,7 +61,7 @@ static fmb_status put_pair(waiting *w, const fmb_frame frame[2])
                 (w->pairs == 0 || w->frame[0][0].dim == frame[0].dim);
     fmb_status st = fits ? FMB_OK : write_waiting_pairs(w);
     if (st == FMB_OK && n > MOST_NUMBERS)
-        return fmb_frames_write(stdout, 1, &frame[0], &frame[1]);
+        return fmb_frame_pairs_write(stdout, 1, &frame[0], &frame[1]);
     for (int k = 0; st == FMB_OK && k < 2; k++)
         w->frame[k][w->pairs] = keep_frame(w, &frame[k]);
     w->pairs += st == FMB_OK;
@@ -69,14 +69,14 @@ static fmb_status put_pair(waiting *w, const fmb_frame frame[2])
 }
 
 /* Every pair, up to the end or a mistake, which is then told. */
-static int write_all(fmb_frames *lines, const char *file)
+static int write_all(fmb_frame_reader *lines, const char *file)
 {
-    const fmb_frames_line *line = NULL;
+    const fmb_frame_line *line = NULL;
     waiting *w = app_need(calloc(1, sizeof *w));
     fmb_where where = {0};
     fmb_status st, written = FMB_OK;
     do {
-        st = fmb_frames_next(lines, &line, &where);
+        st = fmb_frame_reader_next(lines, &line, &where);
         if (st == FMB_OK && line && !line->are_doubles) {
             where = (fmb_where){.line = line->number, .column = 1};
             snprintf(where.text, sizeof where.text,
@@ -97,14 +97,14 @@ static int write_all(fmb_frames *lines, const char *file)
 int convert_pairs(const app_source *source, bool nearest)
 {
     fmb_reader reading = {.nearest = nearest, .max_bytes = source->max_input};
-    fmb_frames *lines = NULL;
+    fmb_frame_reader *lines = NULL;
     FILE *in;
     int code = app_file_open(source->file, &in);
     if (code != APP_YES)
         return code;
-    fmb_status st = fmb_frames_open(in, &reading, &lines);
+    fmb_status st = fmb_frame_reader_new(in, &reading, &lines);
     code = st == FMB_OK ? write_all(lines, source->file) : app_status_error(st);
-    fmb_frames_close(lines);
+    fmb_frame_reader_free(lines);
     app_file_close_input(in);
     return code;
 }

@@ -67,13 +67,13 @@ numbers *numbers_new(void);
 void numbers_free(numbers *room);
 
 /* The same where it is quickly proved; if not, the verdict stays UNKNOWN. */
-fmb_status intersect_quickly(const intersect *x, const fmb_frames_line *line, numbers *room,
+fmb_status intersect_quickly(const intersect *x, const fmb_frame_line *line, numbers *room,
                              meeting *out);
 
 /* ---- intersect_exact.c ----------------------------------------------------------------------- */
 
 /* All about one line, exactly; out->line and id are left alone. */
-fmb_status intersect_exactly(const intersect *x, const fmb_frames_line *line, numbers *room,
+fmb_status intersect_exactly(const intersect *x, const fmb_frame_line *line, numbers *room,
                              meeting *out);
 
 /* ---- intersect_batch.c: lines in doubles, many at once ----------------------------------------
@@ -85,9 +85,9 @@ typedef struct batch batch;
 batch *batch_new(intersect *x);
 void batch_free(batch *b);
 /* Is this line one to be answered in rationals? */
-bool batch_wants_rationals(const batch *b, const fmb_frames_line *line);
+bool batch_wants_rationals(const batch *b, const fmb_frame_line *line);
 /* Take one line; what is found of it is reported later, in order. */
-fmb_status batch_put(batch *b, const fmb_frames_line *line);
+fmb_status batch_put(batch *b, const fmb_frame_line *line);
 /* Report all that was taken. */
 fmb_status batch_flush(batch *b);
 /* From now on it is this thread that a signal stops (stop.h). */
@@ -109,7 +109,7 @@ void progress_end(const progress *p);
 /* Lines on their way to answers. */
 typedef struct answering {
     batch *b;
-    fmb_frames *lines;
+    fmb_frame_reader *lines;
     progress *progress; /* or NULL */
     fmb_status asked;   /* FMB_OK, or what the batch failed with */
 } answering;

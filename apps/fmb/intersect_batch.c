@@ -173,7 +173,7 @@ static fmb_frame copy_frame(const fmb_frame *f, double *to)
     return copy;
 }
 
-static void put_pair(batch *b, const fmb_frames_line *line)
+static void put_pair(batch *b, const fmb_frame_line *line)
 {
     size_t each = frame_size((size_t)b->dim);
     double *to = b->number + 2 * each * b->pairs;
@@ -184,19 +184,19 @@ static void put_pair(batch *b, const fmb_frames_line *line)
 
 /* Frames of doubles, as far as there is room for their numbers, of which no more is asked than
  * verdicts and boxes. */
-static bool is_for_batch(const batch *b, const fmb_frames_line *line)
+static bool is_for_batch(const batch *b, const fmb_frame_line *line)
 {
     return line->are_doubles && b->x->ask->boxes != BOXES_EXACT &&
            !near_is_asked(&b->x->ask->near) && line->frame[0].naxes <= line->dim &&
            line->frame[1].naxes <= line->dim;
 }
 
-bool batch_wants_rationals(const batch *b, const fmb_frames_line *line)
+bool batch_wants_rationals(const batch *b, const fmb_frame_line *line)
 {
     return !is_for_batch(b, line);
 }
 
-fmb_status batch_put(batch *b, const fmb_frames_line *line)
+fmb_status batch_put(batch *b, const fmb_frame_line *line)
 {
     fmb_status st = FMB_OK;
     bool fast = is_for_batch(b, line);

@@ -68,7 +68,7 @@ static void answer_portion(member *m, portion *p)
     FILE *in = app_need(fmemopen(p->text, p->size, "r"));
     m->x = (intersect){.ask = m->x.ask, .solver = m->x.solver, .before = p->before};
     m->x.out = app_need(open_memstream(&p->report, &p->length));
-    p->read = fmb_frames_open(in, &reading, &w.lines);
+    p->read = fmb_frame_reader_new(in, &reading, &w.lines);
     if (p->read == FMB_OK) {
         app_stop_reader(w.lines);
         p->read = answer_lines(&w, &m->x, &p->where);
@@ -77,7 +77,7 @@ static void answer_portion(member *m, portion *p)
     p->asked = w.asked;
     p->is_whole = p->read == FMB_OK && p->asked == FMB_OK && !app_stop_asked();
     p->found = m->x;
-    fmb_frames_close(w.lines);
+    fmb_frame_reader_free(w.lines);
     fclose(m->x.out);
     fclose(in);
 }
@@ -264,23 +264,23 @@ static void cut_text(crew *c, FILE *in)
 static void cut_binary(crew *c, FILE *in)
 {
     fmb_reader reading = intersect_reader(c->x->ask);
-    const fmb_frames_line *line = NULL;
-    fmb_frames *lines = NULL;
+    const fmb_frame_line *line = NULL;
+    fmb_frame_reader *lines = NULL;
     fmb_where where = {0};
-    fmb_status st = fmb_frames_open(in, &reading, &lines);
+    fmb_status st = fmb_frame_reader_new(in, &reading, &lines);
     do {
         errno = 0;
         app_stop_reader(lines); /* a round takes its place */
-        st = st == FMB_OK ? fmb_frames_next(lines, &line, &where) : st;
+        st = st == FMB_OK ? fmb_frame_reader_next(lines, &line, &where) : st;
         if (st == FMB_OK && line && !c->is_over) {
             portion *p = open_portion(c);
-            st = fmb_frames_write(p->in, 1, &line->frame[0], &line->frame[1]);
+            st = fmb_frame_pairs_write(p->in, 1, &line->frame[0], &line->frame[1]);
             count_line(c, p);
         }
     } while (st == FMB_OK && line && !app_stop_asked() && !c->is_over);
     int cause = errno;
     app_stop_reader(NULL);
-    fmb_frames_close(lines);
+    fmb_frame_reader_free(lines);
     crew_flush(c);
     if (!c->is_over && st != FMB_OK && !app_stop_asked()) {
         c->read = st;

@@ -8,7 +8,7 @@
 
 /* The variables whose intervals are reported: the point, the coordinates in the second frame, the
  * time. The system has those of the first frame before them, if that is one. */
-static void list_variables(const fmb_frames_line *line, const fmb_system *s, meeting *m, int *var)
+static void list_variables(const fmb_frame_line *line, const fmb_system *s, meeting *m, int *var)
 {
     int n = 0;
     bool first = !line->body[0].rows;
@@ -60,7 +60,7 @@ static char *witness_text(const intersect *x, const fmb_evidence *e, int var)
 }
 
 /* The box of a pair that meets. A limit leaves ends outer or unknown. */
-static fmb_status find_box(const intersect *x, const fmb_frames_line *line, const fmb_system *s,
+static fmb_status find_box(const intersect *x, const fmb_frame_line *line, const fmb_system *s,
                            const fmb_evidence *e, meeting *out)
 {
     int *var = app_need(malloc((size_t)(fmb_system_dim(s) + 1) * sizeof *var));
@@ -87,7 +87,7 @@ static fmb_status find_box(const intersect *x, const fmb_frames_line *line, cons
 #define MOST_SOLVED_DIM 32
 
 /* [give] What a box needs; or a verdict: fewer variables, where frames allow it. */
-static fmb_status make_system(const intersect *x, const fmb_frames_line *line, fmb_system **out,
+static fmb_status make_system(const intersect *x, const fmb_frame_line *line, fmb_system **out,
                               fmb_stop *stop)
 {
     fmb_contact contact = x->ask->contact;
@@ -100,7 +100,7 @@ static fmb_status make_system(const intersect *x, const fmb_frames_line *line, f
                              : st;
 }
 
-static fmb_status intersect_by_verbs(const intersect *x, const fmb_frames_line *line, meeting *out)
+static fmb_status intersect_by_verbs(const intersect *x, const fmb_frame_line *line, meeting *out)
 {
     fmb_system *s = NULL;
     fmb_evidence *e = NULL;
@@ -120,7 +120,7 @@ static fmb_status intersect_by_verbs(const intersect *x, const fmb_frames_line *
     return st;
 }
 
-fmb_status intersect_exactly(const intersect *x, const fmb_frames_line *line, numbers *room,
+fmb_status intersect_exactly(const intersect *x, const fmb_frame_line *line, numbers *room,
                              meeting *out)
 {
     fmb_status st = intersect_quickly(x, line, room, out);

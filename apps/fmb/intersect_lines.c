@@ -39,14 +39,14 @@ void progress_end(const progress *p)
 
 fmb_status answer_lines(answering *w, intersect *x, fmb_where *where)
 {
-    const fmb_frames_line *line = NULL;
+    const fmb_frame_line *line = NULL;
     fmb_status st;
     int cause;
     do {
         errno = 0;
-        st = fmb_frames_next(w->lines, &line, where);
+        st = fmb_frame_reader_next(w->lines, &line, where);
         if (st == FMB_OK && line && batch_wants_rationals(w->b, line))
-            st = fmb_frames_rationals(w->lines);
+            st = fmb_frame_reader_rationals(w->lines);
         cause = errno;
         if (st == FMB_OK && line && w->asked == FMB_OK)
             w->asked = batch_put(w->b, line);

@@ -54,7 +54,7 @@ static void take_vertices(const fmb_generators *g, hull_frame *room, fmb_frame_q
     room->number = app_need(malloc((room->size + 1) * sizeof *room->number));
     for (size_t i = 0; i < room->size; i++) {
         mpq_init(room->number[i]);
-        fmb_generators_get_q(g, i / dim, (int)(i % dim), room->number[i]);
+        fmb_generators_coordinate_q(g, i / dim, (int)(i % dim), room->number[i]);
     }
     *out = (fmb_frame_q){.shape = FMB_SIMPLEX_BY_CORNERS,
                          .dim = (int)dim,
@@ -149,7 +149,7 @@ static fmb_status ask_when_meeting(const near_ask *ask, fmb_solver *v, const fmb
     return st;
 }
 
-fmb_status near_find(const near_ask *ask, fmb_solver *v, const fmb_frames_line *line,
+fmb_status near_find(const near_ask *ask, fmb_solver *v, const fmb_frame_line *line,
                      fmb_contact contact, fmb_verdict verdict, near_found *out)
 {
     hull_frame room[2] = {{0}, {0}};

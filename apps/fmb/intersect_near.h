@@ -31,7 +31,7 @@ void near_ask_clear(near_ask *ask);
 bool near_is_asked(const near_ask *ask);
 /* Ask about a pair whose verdict is known, with the limits of v. A body that is a polytope given by
  * rows counts by its vertices; of an unbounded one nothing is told. */
-fmb_status near_find(const near_ask *ask, fmb_solver *v, const fmb_frames_line *line,
+fmb_status near_find(const near_ask *ask, fmb_solver *v, const fmb_frame_line *line,
                      fmb_contact contact, fmb_verdict verdict, near_found *out);
 void near_clear(near_found *f);
 

@@ -95,13 +95,13 @@ static fmb_pair_answers_q list_answers(const meeting *m, numbers *a)
     return (fmb_pair_answers_q){a->end, inside, inside + 2 * m->inside, a->at};
 }
 
-static bool is_quick(const fmb_frames_line *line)
+static bool is_quick(const fmb_frame_line *line)
 {
     return !line->body[0].rows && !line->body[1].rows && line->dim <= MOST_DIM &&
            line->body[0].frame.naxes <= line->dim && line->body[1].frame.naxes <= line->dim;
 }
 
-fmb_status intersect_quickly(const intersect *x, const fmb_frames_line *line, numbers *room,
+fmb_status intersect_quickly(const intersect *x, const fmb_frame_line *line, numbers *room,
                              meeting *out)
 {
     const fmb_frame_q *p = &line->body[0].frame, *q = &line->body[1].frame;

@@ -31,7 +31,7 @@ static fmb_status answer_alone(stream *s, intersect *x, FILE *in, fmb_where *whe
     fmb_reader reading = intersect_reader(x->ask);
     progress p = progress_begin(x->ask);
     s->alone.progress = &p;
-    fmb_status st = fmb_frames_open(in, &reading, &s->alone.lines);
+    fmb_status st = fmb_frame_reader_new(in, &reading, &s->alone.lines);
     if (st != FMB_OK)
         return st;
     s->alone.b = batch_new(x);
@@ -83,7 +83,7 @@ int intersect_stream(const intersect_ask *ask, FILE *in)
         exit(code == APP_YES ? exit_code(&x) : code);
     crew_free(s.crew);
     batch_free(s.alone.b);
-    fmb_frames_close(s.alone.lines);
+    fmb_frame_reader_free(s.alone.lines);
     fmb_solver_free(x.solver);
     fclose(heard);
     return code == APP_YES ? exit_code(&x) : code;

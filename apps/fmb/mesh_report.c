@@ -86,7 +86,7 @@ static void put_coordinate(const fmb_generators *g, size_t i, int j)
 {
     mpq_t q;
     mpq_init(q);
-    fmb_generators_get_q(g, i, j, q);
+    fmb_generators_coordinate_q(g, i, j, q);
     char *text = app_need(mpq_get_str(NULL, 10, q));
     fputs(text, stdout);
     free(text);

@@ -98,7 +98,7 @@ int app_classes_report(const app_session *s, const fmb_system *shadow,
                  .size = app_need(calloc(rows + 1, sizeof *c.size))};
     for (size_t i = 0; i < rows; i++)
         c.first[i] = i;
-    fmb_status st = symmetries ? fmb_row_classes(shadow, symmetries, keep, n, c.first) : FMB_OK;
+    fmb_status st = symmetries ? fmb_rows_classes(shadow, symmetries, keep, n, c.first) : FMB_OK;
     for (size_t i = 0; i < rows; i++)
         c.count += c.size[c.first[i]]++ == 0;
     if (st == FMB_OK && s->ask->json)

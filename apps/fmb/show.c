@@ -212,7 +212,7 @@ json_t *app_json_generator(const fmb_generators *g, size_t i)
     mpq_t q;
     mpq_init(q);
     for (int j = 0; j < fmb_generators_dim(g); j++) {
-        fmb_generators_get_q(g, i, j, q);
+        fmb_generators_coordinate_q(g, i, j, q);
         app_json_append(list, app_json_number(q));
     }
     mpq_clear(q);

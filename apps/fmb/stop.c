@@ -12,7 +12,7 @@
 typedef struct running {
     fmb_solver *_Atomic solver;
     fmb_pair *_Atomic pairs;
-    fmb_frames *_Atomic reader;
+    fmb_frame_reader *_Atomic reader;
 } running;
 
 static running of_thread[APP_MOST_THREADS];
@@ -28,7 +28,7 @@ static void cancel(int signal_number)
     for (int i = 0; i < APP_MOST_THREADS; i++) {
         fmb_solver_cancel(of_thread[i].solver);
         fmb_pair_cancel(of_thread[i].pairs);
-        fmb_frames_cancel(of_thread[i].reader);
+        fmb_frame_reader_cancel(of_thread[i].reader);
     }
     atomic_fetch_sub(&handlers_at_work, 1);
 }
@@ -82,7 +82,7 @@ void app_stop_pairs(fmb_pair *k)
     wait_for_handlers();
 }
 
-void app_stop_reader(fmb_frames *lines)
+void app_stop_reader(fmb_frame_reader *lines)
 {
     of_thread[this_thread].reader = lines;
     wait_for_handlers();

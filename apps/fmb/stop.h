@@ -24,7 +24,7 @@ void app_stop_leave(void);
 void app_stop_pairs(fmb_pair *k);
 
 /* And so is a reader of frames. */
-void app_stop_reader(fmb_frames *lines);
+void app_stop_reader(fmb_frame_reader *lines);
 
 /* Did a signal come? */
 bool app_stop_asked(void);

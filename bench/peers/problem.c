@@ -94,11 +94,11 @@ static void integer_generator(const fmb_generators *g, size_t i, mpz_t *a)
     mpq_init(q);
     mpz_set_ui(a[n], 1);
     for (int j = 0; j < n; j++) {
-        fmb_generators_get_q(g, i, j, q);
+        fmb_generators_coordinate_q(g, i, j, q);
         mpz_lcm(a[n], a[n], mpq_denref(q));
     }
     for (int j = 0; j < n; j++) {
-        fmb_generators_get_q(g, i, j, q);
+        fmb_generators_coordinate_q(g, i, j, q);
         mpz_divexact(a[j], a[n], mpq_denref(q));
         mpz_mul(a[j], a[j], mpq_numref(q));
     }

@@ -34,7 +34,8 @@ FMB_API int fmb_generators_dim(const fmb_generators *g);
 FMB_API size_t fmb_generators_size(const fmb_generators *g);
 /* The i-th; VERTEX where there is none. */
 FMB_API fmb_generator_kind fmb_generators_kind(const fmb_generators *g, size_t i);
-/* Its coordinate j, the nearest double; 0 where there is none. Exactly: fmb_generators_get_q. */
+/* Its coordinate j, the nearest double; 0 where there is none. Exactly:
+ * fmb_generators_coordinate_q. */
 FMB_API double fmb_generators_coordinate(const fmb_generators *g, size_t i, int j);
 
 /* [give] The generators of s: all vertices, extreme rays and a basis of the lines, none of which

@@ -60,7 +60,7 @@ FMB_API FMB_CHECKED fmb_status fmb_solver_set_right_q(fmb_solver *v, size_t row,
 FMB_API FMB_CHECKED fmb_status fmb_generators_add_q(fmb_generators *g, fmb_generator_kind kind,
                                                     mpq_t *x);
 /* Coordinate j of generator i; 0 where there is none. Those of rays and lines are integers. */
-FMB_API void fmb_generators_get_q(const fmb_generators *g, size_t i, int j, mpq_t out);
+FMB_API void fmb_generators_coordinate_q(const fmb_generators *g, size_t i, int j, mpq_t out);
 
 /* A frame (<fmb/frame.h>) in rationals; they are only read. */
 typedef struct fmb_frame_q {
@@ -122,7 +122,7 @@ typedef struct fmb_body {
 } fmb_body;
 
 /* One line: two bodies in one space. */
-typedef struct fmb_frames_line {
+typedef struct fmb_frame_line {
     long number;    /* of the line, from 1 */
     const char *id; /* the value of its key "id", as JSON, or NULL */
     int dim;
@@ -130,45 +130,45 @@ typedef struct fmb_frames_line {
     fmb_frame frame[2]; /* the same in doubles, each number the nearest ... */
     bool are_doubles;   /* ... and no other: both are frames of doubles. If not, frame[] may hold
                            no frames at all */
-} fmb_frames_line;
+} fmb_frame_line;
 
 /* A reader of such lines. */
-typedef struct fmb_frames fmb_frames;
+typedef struct fmb_frame_reader fmb_frame_reader;
 
 /* [give] Read from a stream, which stays the caller's; how may be NULL; its format does not count.
  * Errors: ARG, MEMORY. */
-FMB_API FMB_CHECKED fmb_status fmb_frames_open(FILE *in, const fmb_reader *how, fmb_frames **out);
-FMB_API void fmb_frames_close(fmb_frames *r);
+FMB_API FMB_CHECKED fmb_status fmb_frame_reader_new(FILE *in, const fmb_reader *how,
+                                                    fmb_frame_reader **out);
+FMB_API void fmb_frame_reader_free(fmb_frame_reader *r);
 /* The next line that is not blank, or *out = NULL at the end. It belongs to the reader and is valid
  * until the next call. After PARSE (*where is filled, if not NULL) the next call goes on with the
  * next line. Errors: PARSE, IO, MEMORY, ARG (*where says which argument). */
-FMB_API FMB_CHECKED fmb_status fmb_frames_next(fmb_frames *r, const fmb_frames_line **out,
-                                               fmb_where *where);
+FMB_API FMB_CHECKED fmb_status fmb_frame_reader_next(fmb_frame_reader *r,
+                                                     const fmb_frame_line **out, fmb_where *where);
 /* Fill body of the last line from its doubles, which pairs in binary (docs/formats.md, "packed
  * frames") and those of a reader with nearest come without: until then origin, axes and speed there
  * are NULL. Does nothing to other lines. Errors: ARG (NULL), MEMORY. */
-FMB_API FMB_CHECKED fmb_status fmb_frames_rationals(fmb_frames *r);
+FMB_API FMB_CHECKED fmb_status fmb_frame_reader_rationals(fmb_frame_reader *r);
 /* Write pairs (p[i], q[i]) of one dimension in binary, behind whatever out holds. Their numbers
  * should be finite: the reader refuses others. Errors: ARG, IO. */
-FMB_API FMB_CHECKED fmb_status fmb_frames_write(FILE *out, size_t n, const fmb_frame *p,
-                                                const fmb_frame *q);
+FMB_API FMB_CHECKED fmb_status fmb_frame_pairs_write(FILE *out, size_t n, const fmb_frame *p,
+                                                     const fmb_frame *q);
 /* From now on there is no next line, and one that is being read is given up. The one call allowed
  * from another thread or a signal handler. NULL is fine. */
-FMB_API void fmb_frames_cancel(fmb_frames *r);
+FMB_API void fmb_frame_reader_cancel(fmb_frame_reader *r);
 
 /* [give] The system that says where the bodies of a line meet: fmb_system_from_frames_q in
  * FMB_COORDINATES_ALL of those that are frames (c1_1 ... are those of the first of them), then the
  * rows of those that are polytopes; with open contact, their inequalities are strict. Errors:
  * MEMORY. */
-FMB_API FMB_CHECKED fmb_status fmb_system_from_line(const fmb_frames_line *line,
-                                                    fmb_contact contact, const fmb_alloc *mem,
-                                                    fmb_system **out);
+FMB_API FMB_CHECKED fmb_status fmb_system_from_line(const fmb_frame_line *line, fmb_contact contact,
+                                                    const fmb_alloc *mem, fmb_system **out);
 /* [give] The same within the limits of v, whose allocator it uses: max_seconds and max_bytes hold
  * for this system, and a fmb_solver_cancel since v's last query began counts. *stop tells which of
  * them ended it, and *out is then NULL. Two frames may also be told of in other coordinates.
  * Errors: ARG (also: other coordinates and no two frames, or axes that depend on each other),
  * MEMORY. */
-FMB_API FMB_CHECKED fmb_status fmb_system_from_line_within(const fmb_frames_line *line,
+FMB_API FMB_CHECKED fmb_status fmb_system_from_line_within(const fmb_frame_line *line,
                                                            fmb_coordinates in, fmb_contact contact,
                                                            fmb_solver *v, fmb_system **out,
                                                            fmb_stop *stop);

@@ -42,7 +42,7 @@ FMB_API FMB_CHECKED fmb_status fmb_solver_set_symmetries(fmb_solver *v, const fm
 /* [give] Symmetries of s, keep[0..n) being kept, that all others are made of; none where the system
  * is large or has long numbers, or the library was built without nauty. *out is NULL at a limit.
  * Errors: ARG, MEMORY. */
-FMB_API FMB_CHECKED fmb_status fmb_find_symmetries(fmb_solver *v, const fmb_system *s,
+FMB_API FMB_CHECKED fmb_status fmb_symmetries_find(fmb_solver *v, const fmb_system *s,
                                                    const int *keep, int n, fmb_permutations **out,
                                                    fmb_result *res);
 
@@ -50,9 +50,9 @@ FMB_API FMB_CHECKED fmb_status fmb_find_symmetries(fmb_solver *v, const fmb_syst
  * class[i] is the first row of the class of row i. Rows whose images are missing, as at a limit,
  * are in smaller classes. Errors: ARG (NULL; a projection not over n variables; keep out of range,
  * or permutations that take a kept variable elsewhere), MEMORY. */
-FMB_API FMB_CHECKED fmb_status fmb_row_classes(const fmb_system *projection,
-                                               const fmb_permutations *p, const int *keep, int n,
-                                               size_t *class_of);
+FMB_API FMB_CHECKED fmb_status fmb_rows_classes(const fmb_system *projection,
+                                                const fmb_permutations *p, const int *keep, int n,
+                                                size_t *class_of);
 
 /* [give] Symmetries of s, keep[0..n) being kept, from text (docs/formats.md, "symmetries"): lines
  * such as "x y z <> y z x". Errors: PARSE (malformed, no such variable, no symmetry: *where is

@@ -1,10 +1,10 @@
 /* frame.c: from frames to a system; see fmb/frame.h and maker.h. */
-#include "frame/frame.h"
+#include "frame/frame_private.h"
 
 #include <math.h>
 
 #include "frame/maker.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 /* ---- arguments ------------------------------------------------------------------------------- */
 

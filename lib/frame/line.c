@@ -1,10 +1,10 @@
 /* line.c: the system of a pair of bodies; see fmb/gmp.h. */
-#include "frame/frame.h"
+#include "frame/frame_private.h"
 #include "solve/query/solver.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 /* [give] The frames alone; without any, no rows over the point. */
-static fmb_status start_from_frames(const fmb_frames_line *line, fmb_coordinates in,
+static fmb_status start_from_frames(const fmb_frame_line *line, fmb_coordinates in,
                                     fmb_contact contact, const fmb_alloc *mem, fmb_run *run,
                                     fmb_system **out)
 {
@@ -29,7 +29,7 @@ static fmb_status add_rows_of_polytope(fmb_system *s, const fmb_system *rows, fm
     return st;
 }
 
-static fmb_status make_system_of_line(const fmb_frames_line *line, fmb_coordinates in,
+static fmb_status make_system_of_line(const fmb_frame_line *line, fmb_coordinates in,
                                       fmb_contact contact, const fmb_alloc *mem, fmb_run *run,
                                       fmb_system **out)
 {
@@ -47,13 +47,13 @@ static fmb_status make_system_of_line(const fmb_frames_line *line, fmb_coordinat
     return st;
 }
 
-fmb_status fmb_system_from_line(const fmb_frames_line *line, fmb_contact contact,
+fmb_status fmb_system_from_line(const fmb_frame_line *line, fmb_contact contact,
                                 const fmb_alloc *mem, fmb_system **out)
 {
     return make_system_of_line(line, FMB_COORDINATES_ALL, contact, mem, NULL, out);
 }
 
-fmb_status fmb_system_from_line_within(const fmb_frames_line *line, fmb_coordinates in,
+fmb_status fmb_system_from_line_within(const fmb_frame_line *line, fmb_coordinates in,
                                        fmb_contact contact, fmb_solver *v, fmb_system **out,
                                        fmb_stop *stop)
 {

@@ -1,16 +1,16 @@
 /* maker.h: a system while it is made from frames.
  *
- * All numbers are whole (whole.h). Where the coordinates c of a frame are variables, its rows are
- * written as they come, each with the few terms that it has. Where they are not, they solve
- * A c = p - origin - t speed for the point p. Gauss and Jordan's elimination on
- * [A | p - origin - t speed], whose right part is affine forms of the variables (vars coefficients,
- * then the constant), leaves them, times a determinant, as forms in the rows with pivots, and one
- * equality 0 = form in each row without.
+ * All numbers are whole (frame_integers.h). Where the coordinates c of a frame are variables, its
+ * rows are written as they come, each with the few terms that it has. Where they are not, they
+ * solve A c = p - origin - t speed for the point p. Gauss and Jordan's elimination on [A | p -
+ * origin - t speed], whose right part is affine forms of the variables (vars coefficients, then the
+ * constant), leaves them, times a determinant, as forms in the rows with pivots, and one equality 0
+ * = form in each row without.
  */
 #ifndef FMB_FRAME_MAKER_H
 #define FMB_FRAME_MAKER_H
 
-#include "frame/whole.h"
+#include "frame/frame_integers.h"
 
 typedef struct fmb_maker {
     fmb_scene scene;

@@ -1,7 +1,7 @@
 /* rows.c: what frames say, as rows of a system; see maker.h. */
 #include "frame/jordan.h"
 #include "frame/maker.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 /* ---- rows ------------------------------------------------------------------------------------ */
 

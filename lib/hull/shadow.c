@@ -1,8 +1,8 @@
 /* shadow.c: the shadow on a line, and lists of edges; see shadow.h. */
 #include "hull/shadow.h"
 
+#include "lp/exact/exact_simplex.h"
 #include "lp/exact/read.h"
-#include "lp/exact/simplex.h"
 
 fmb_status fmb_edges_add(fmb_edges *list, fmb_mem *mem, fmb_edge **out)
 {

@@ -4,13 +4,13 @@
  * generators that are known on it. Mostly there is one way only to combine these so that the
  * columns that go vanish. The combination is a row of the projection if its multipliers are not
  * negative, and it is the facet if it looks the same. It is found modulo a prime
- * (lp/exact/short.h), and then looked at in integers: where it does not fit, or there are several,
- * the oracle is asked, as always.
+ * (lp/exact/modular_kernel.h), and then looked at in integers: where it does not fit, or there are
+ * several, the oracle is asked, as always.
  */
 #include <string.h>
 
 #include "hull/support_inside.h"
-#include "lp/exact/short.h"
+#include "lp/exact/modular_kernel.h"
 #include "num/gcd.h"
 
 /* Products of a multiplier and a coefficient of so many bits together, some of them added up. */

@@ -11,21 +11,21 @@
  */
 #include "hull/walk_inside.h"
 
-static void init_walk_numbers(fmb_walk *w)
+static void init_walk_numbers(fmb_shadow_walk *w)
 {
     mpz_inits(w->along[X], w->along[Y], w->from[X], w->from[Y], w->r[X], w->r[Y], w->best[X],
               w->best[Y], w->t, w->u, NULL);
     mpq_inits(w->start[X], w->start[Y], w->here[X], w->here[Y], w->q, NULL);
 }
 
-static void clear_walk_numbers(fmb_walk *w)
+static void clear_walk_numbers(fmb_shadow_walk *w)
 {
     mpz_clears(w->along[X], w->along[Y], w->from[X], w->from[Y], w->r[X], w->r[Y], w->best[X],
                w->best[Y], w->t, w->u, NULL);
     mpq_clears(w->start[X], w->start[Y], w->here[X], w->here[Y], w->q, NULL);
 }
 
-static bool is_shadow_at(fmb_walk *w, mpq_t *point)
+static bool is_shadow_at(fmb_shadow_walk *w, mpq_t *point)
 {
     fmb_walk_locate(w, w->here);
     return mpq_equal(w->here[X], point[X]) && mpq_equal(w->here[Y], point[Y]);
@@ -34,7 +34,7 @@ static bool is_shadow_at(fmb_walk *w, mpq_t *point)
 /* ---- edges ----------------------------------------------------------------------------------- */
 
 /* The multiplier -normal.R_j of every nonbasic slack. */
-static fmb_status add_edge_multipliers(fmb_walk *w, fmb_edge *e)
+static fmb_status add_edge_multipliers(fmb_shadow_walk *w, fmb_edge *e)
 {
     const fmb_lp *lp = w->lp;
     fmb_status st = FMB_OK;
@@ -60,7 +60,7 @@ static fmb_status add_edge_multipliers(fmb_walk *w, fmb_edge *e)
 }
 
 /* Note the edge along w->along, which the current vertex lies on. */
-static fmb_status add_polygon_edge(fmb_walk *w)
+static fmb_status add_polygon_edge(fmb_shadow_walk *w)
 {
     fmb_edge *e;
     fmb_status st = fmb_edges_add(w->edges, w->lp->run->mem, &e);
@@ -82,7 +82,7 @@ static fmb_status add_polygon_edge(fmb_walk *w)
 /* ---- the walk -------------------------------------------------------------------------------- */
 
 /* Is direction a met before b when turning from w->along? All directions lie within half a turn. */
-static bool is_met_first_turning(fmb_walk *w, mpz_t *a, mpz_t *b)
+static bool is_met_first_turning(fmb_shadow_walk *w, mpz_t *a, mpz_t *b)
 {
     int order = fmb_walk_cross(w, a, b) * w->turn;
     return order > 0 || (order == 0 && fmb_walk_dot(w, a, w->along) > fmb_walk_dot(w, b, w->along));
@@ -91,7 +91,7 @@ static bool is_met_first_turning(fmb_walk *w, mpz_t *a, mpz_t *b)
 /* Turn to the next edge. *flat: there is none before half a turn at this vertex. Then it is
  * farthest in some direction and in the opposite one too, so the shadow has no inner points. (A
  * walk around a single point would turn for ever.) */
-static void turn_to_next_edge(fmb_walk *w, bool *flat)
+static void turn_to_next_edge(fmb_shadow_walk *w, bool *flat)
 {
     const fmb_lp *lp = w->lp;
     bool any = false;
@@ -113,7 +113,7 @@ static void turn_to_next_edge(fmb_walk *w, bool *flat)
 }
 
 /* From w->start around the shadow, until back there (*closed) or off to infinity. */
-static fmb_status walk_one_way(fmb_walk *w, bool *closed, bool *flat)
+static fmb_status walk_one_way(fmb_shadow_walk *w, bool *closed, bool *flat)
 {
     bool unbounded = false;
     mpq_t before[2];
@@ -137,7 +137,7 @@ static fmb_status walk_one_way(fmb_walk *w, bool *closed, bool *flat)
 }
 
 /* Does some free variable move the shadow? */
-static bool has_line_in_shadow(const fmb_walk *w)
+static bool has_line_in_shadow(const fmb_shadow_walk *w)
 {
     const fmb_lp *lp = w->lp;
     for (size_t j = 0; j < (size_t)lp->n; j++)
@@ -148,7 +148,7 @@ static bool has_line_in_shadow(const fmb_walk *w)
 }
 
 /* The other way from the start, where the walk now comes in on its first edge. */
-static fmb_status walk_back_from_start(fmb_walk *w, mpz_t *goal, mpz_t *normal, bool *flat)
+static fmb_status walk_back_from_start(fmb_shadow_walk *w, mpz_t *goal, mpz_t *normal, bool *flat)
 {
     bool found, closed;
     fmb_status st = fmb_walk_reach(w, goal, &found);
@@ -163,7 +163,7 @@ static fmb_status walk_back_from_start(fmb_walk *w, mpz_t *goal, mpz_t *normal, 
 }
 
 /* First against the clock; if that way leads to infinity, once more from the start with it. */
-static fmb_status walk_both_ways(fmb_walk *w, mpz_t *goal, bool *done)
+static fmb_status walk_both_ways(fmb_shadow_walk *w, mpz_t *goal, bool *done)
 {
     bool closed, flat;
     size_t first = w->edges->size;
@@ -177,7 +177,7 @@ static fmb_status walk_both_ways(fmb_walk *w, mpz_t *goal, bool *done)
     return st;
 }
 
-static fmb_status walk_from_some_vertex(fmb_walk *w, bool *done)
+static fmb_status walk_from_some_vertex(fmb_shadow_walk *w, bool *done)
 {
     mpz_t goal[2];
     bool found;
@@ -191,7 +191,7 @@ static fmb_status walk_from_some_vertex(fmb_walk *w, bool *done)
 
 fmb_status fmb_shadow_polygon(fmb_lp *lp, int i, int j, fmb_edges *out, bool *done)
 {
-    fmb_walk w = {.lp = lp, .var = {i, j}, .edges = out};
+    fmb_shadow_walk w = {.lp = lp, .var = {i, j}, .edges = out};
     *done = false;
     if (lp->any_strict || lp->where[i] >= lp->m || lp->where[j] >= lp->m || has_line_in_shadow(&w))
         return FMB_OK;

@@ -6,7 +6,7 @@
 
 enum { X, Y };
 
-typedef struct fmb_walk {
+typedef struct fmb_shadow_walk {
     fmb_lp *lp;
     int var[2];
     int turn;                  /* 1: against the clock, -1: with it */
@@ -15,12 +15,12 @@ typedef struct fmb_walk {
     mpz_t r[2], best[2], t, u; /* scratch */
     mpq_t start[2], here[2], q;
     fmb_edges *edges;
-} fmb_walk;
+} fmb_shadow_walk;
 
 /* ---- the plane (walk_plane.c) ---------------------------------------------------------------- */
 
 /* The dictionary row of x or y. */
-static inline const fmb_vec *fmb_walk_row_of(const fmb_walk *w, int axis)
+static inline const fmb_vec *fmb_walk_row_of(const fmb_shadow_walk *w, int axis)
 {
     return &w->lp->row[w->lp->where[w->var[axis]]];
 }
@@ -34,22 +34,22 @@ static inline bool fmb_walk_is_zero(mpz_t *r)
     return mpz_sgn(r[X]) == 0 && mpz_sgn(r[Y]) == 0;
 }
 /* r = R_j times a positive number that is the same for all j. */
-void fmb_walk_direction(fmb_walk *w, size_t j, mpz_t *r);
+void fmb_walk_direction(fmb_shadow_walk *w, size_t j, mpz_t *r);
 /* Sign of a x b: positive if b lies less than half a turn against the clock from a. And of a.b. */
-int fmb_walk_cross(fmb_walk *w, mpz_t *a, mpz_t *b);
-int fmb_walk_dot(fmb_walk *w, mpz_t *a, mpz_t *b);
+int fmb_walk_cross(fmb_shadow_walk *w, mpz_t *a, mpz_t *b);
+int fmb_walk_dot(fmb_shadow_walk *w, mpz_t *a, mpz_t *b);
 /* The shadow of the current vertex. */
-void fmb_walk_locate(fmb_walk *w, mpq_t *point);
+void fmb_walk_locate(fmb_shadow_walk *w, mpq_t *point);
 /* Move the shadow point as far as it goes towards goal, or exactly along it. *unbounded: it goes to
  * infinity, along w->r. */
-fmb_status fmb_walk_push(fmb_walk *w, mpz_t *goal, bool exactly, bool *unbounded);
+fmb_status fmb_walk_push(fmb_shadow_walk *w, mpz_t *goal, bool exactly, bool *unbounded);
 
 /* ---- the start (walk_start.c) ---------------------------------------------------------------- */
 
 /* Reach the end against the clock of the face farthest in the direction goal. *found false: there
  * is none, and w->r leads to infinity. */
-fmb_status fmb_walk_reach(fmb_walk *w, mpz_t *goal, bool *found);
+fmb_status fmb_walk_reach(fmb_shadow_walk *w, mpz_t *goal, bool *found);
 /* Reach a vertex of the shadow, and a goal in which it is farthest. *found false: there is none. */
-fmb_status fmb_walk_find_start(fmb_walk *w, mpz_t *goal, bool *found);
+fmb_status fmb_walk_find_start(fmb_shadow_walk *w, mpz_t *goal, bool *found);
 
 #endif

@@ -2,10 +2,10 @@
  * walk.c. */
 #include "hull/walk_inside.h"
 
-#include "lp/exact/simplex.h"
+#include "lp/exact/exact_simplex.h"
 
 /* x = sum (c_xj / d_x) N_j, and so for y: both are multiplied by d_x d_y. */
-void fmb_walk_direction(fmb_walk *w, size_t j, mpz_t *r)
+void fmb_walk_direction(fmb_shadow_walk *w, size_t j, mpz_t *r)
 {
     for (int axis = X; axis <= Y; axis++) {
         fmb_vec_get(fmb_walk_row_of(w, axis), j, r[axis]);
@@ -15,14 +15,14 @@ void fmb_walk_direction(fmb_walk *w, size_t j, mpz_t *r)
     }
 }
 
-int fmb_walk_cross(fmb_walk *w, mpz_t *a, mpz_t *b)
+int fmb_walk_cross(fmb_shadow_walk *w, mpz_t *a, mpz_t *b)
 {
     mpz_mul(w->t, a[X], b[Y]);
     mpz_mul(w->u, a[Y], b[X]);
     return mpz_cmp(w->t, w->u);
 }
 
-int fmb_walk_dot(fmb_walk *w, mpz_t *a, mpz_t *b)
+int fmb_walk_dot(fmb_shadow_walk *w, mpz_t *a, mpz_t *b)
 {
     mpz_mul(w->t, a[X], b[X]);
     mpz_mul(w->u, a[Y], b[Y]);
@@ -30,7 +30,7 @@ int fmb_walk_dot(fmb_walk *w, mpz_t *a, mpz_t *b)
     return mpz_sgn(w->t);
 }
 
-void fmb_walk_locate(fmb_walk *w, mpq_t *point)
+void fmb_walk_locate(fmb_shadow_walk *w, mpq_t *point)
 {
     for (int axis = X; axis <= Y; axis++) {
         fmb_vec_get(fmb_walk_row_of(w, axis), fmb_lp_place(w->lp, FMB_LP_K),
@@ -44,7 +44,7 @@ void fmb_walk_locate(fmb_walk *w, mpq_t *point)
 
 /* The column that moves the shadow towards goal, or exactly along it, of least variable (Bland's
  * rule: no cycles); SIZE_MAX if none does. */
-static size_t find_column_towards(fmb_walk *w, mpz_t *goal, bool exactly)
+static size_t find_column_towards(fmb_shadow_walk *w, mpz_t *goal, bool exactly)
 {
     const fmb_lp *lp = w->lp;
     size_t best = SIZE_MAX;
@@ -59,7 +59,7 @@ static size_t find_column_towards(fmb_walk *w, mpz_t *goal, bool exactly)
     return best;
 }
 
-fmb_status fmb_walk_push(fmb_walk *w, mpz_t *goal, bool exactly, bool *unbounded)
+fmb_status fmb_walk_push(fmb_shadow_walk *w, mpz_t *goal, bool exactly, bool *unbounded)
 {
     *unbounded = false;
     for (;;) {

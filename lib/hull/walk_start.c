@@ -24,7 +24,7 @@ static void divide_by_gcd(mpz_t *to, mpz_t *from)
 }
 
 /* Take w->r into the sector; false if it then has half a turn or more. */
-static bool widen_sector(fmb_walk *w, sector *s)
+static bool widen_sector(fmb_shadow_walk *w, sector *s)
 {
     if (s->sides == 0) {
         divide_by_gcd(s->side[0], w->r);
@@ -43,7 +43,7 @@ static bool widen_sector(fmb_walk *w, sector *s)
 }
 
 /* Add |size| a, turned by a quarter against the clock (sign 1) or with it (-1). */
-static void add_quarter_turn(fmb_walk *w, mpz_t *to, mpz_t *a, int sign, mpz_t *size)
+static void add_quarter_turn(fmb_shadow_walk *w, mpz_t *to, mpz_t *a, int sign, mpz_t *size)
 {
     mpz_abs(w->t, size[X]);
     mpz_abs(w->u, size[Y]);
@@ -56,7 +56,7 @@ static void add_quarter_turn(fmb_walk *w, mpz_t *to, mpz_t *a, int sign, mpz_t *
 
 /* A goal strictly against all of the sector, near the middle of all such: its sides, each turned by
  * a quarter towards the other, add up to a direction at less than a quarter from both. */
-static void aim_against_sector(fmb_walk *w, sector *s, mpz_t *goal)
+static void aim_against_sector(fmb_shadow_walk *w, sector *s, mpz_t *goal)
 {
     mpz_set_ui(goal[X], 0);
     mpz_set_ui(goal[Y], 0);
@@ -71,7 +71,7 @@ static void aim_against_sector(fmb_walk *w, sector *s, mpz_t *goal)
     divide_by_gcd(goal, goal);
 }
 
-fmb_status fmb_walk_reach(fmb_walk *w, mpz_t *goal, bool *found)
+fmb_status fmb_walk_reach(fmb_shadow_walk *w, mpz_t *goal, bool *found)
 {
     bool unbounded;
     fmb_status st = fmb_walk_push(w, goal, false, &unbounded);
@@ -86,7 +86,7 @@ fmb_status fmb_walk_reach(fmb_walk *w, mpz_t *goal, bool *found)
 
 /* Every try that fails finds an edge to infinity outside of the sector of those found before, and
  * there are only so many of them. */
-static fmb_status try_goals_in_turn(fmb_walk *w, mpz_t *goal, sector *s, bool *found)
+static fmb_status try_goals_in_turn(fmb_shadow_walk *w, mpz_t *goal, sector *s, bool *found)
 {
     mpz_set_si(goal[X], 1);
     mpz_set_si(goal[Y], 0);
@@ -98,7 +98,7 @@ static fmb_status try_goals_in_turn(fmb_walk *w, mpz_t *goal, sector *s, bool *f
     }
 }
 
-fmb_status fmb_walk_find_start(fmb_walk *w, mpz_t *goal, bool *found)
+fmb_status fmb_walk_find_start(fmb_shadow_walk *w, mpz_t *goal, bool *found)
 {
     sector s = {0};
     for (int k = 0; k < 2; k++)

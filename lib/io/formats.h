@@ -2,7 +2,7 @@
 #ifndef FMB_IO_FORMATS_H
 #define FMB_IO_FORMATS_H
 
-#include "io/core/io.h"
+#include "io/core/io_private.h"
 
 /* One format. */
 typedef struct fmb_codec {

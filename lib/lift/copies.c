@@ -1,9 +1,9 @@
-/* copies.c: the variables of polyhedra in a lift of several; see lift.h. */
+/* copies.c: the variables of polyhedra in a lift of several; see lift_private.h. */
 #include <stdio.h>
 #include <string.h>
 
-#include "lift/lift.h"
-#include "system/system.h"
+#include "lift/lift_private.h"
+#include "system/system_private.h"
 
 int fmb_lift_dim(const fmb_system *s)
 {

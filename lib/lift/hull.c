@@ -1,4 +1,5 @@
-/* hull.c: lifts of hulls: of several polyhedra, and of vertices, rays and lines; see lift.h.
+/* hull.c: lifts of hulls: of several polyhedra, and of vertices, rays and lines; see
+ * lift_private.h.
  *
  * A mean of points x_k of polyhedra A_k x <= b_k with weights t_k is the sum of y_k = t_k x_k, and
  * A_k y_k <= b_k t_k, t_k >= 0, sum t_k = 1. Where t_k is 0, y_k is any direction in which the k-th
@@ -8,10 +9,10 @@
  */
 #include <fmb/lift.h>
 
-#include "lift/lift.h"
+#include "lift/lift_private.h"
 #include "num/rationals.h"
-#include "system/generators.h"
-#include "system/system.h"
+#include "system/generators_private.h"
+#include "system/system_private.h"
 
 /* sum coef[i] x_var[i] REL right for terms in any order. */
 typedef struct lifted_row {
@@ -135,7 +136,7 @@ static fmb_status append_coordinate(lifted_row *r, fmb_system *lift, const fmb_g
 {
     mpq_set_si(next_term(r, j), -1, 1);
     for (size_t i = 0; i < fmb_generators_size(g); i++)
-        fmb_generators_get_q(g, i, j, next_term(r, weight[i]));
+        fmb_generators_coordinate_q(g, i, j, next_term(r, weight[i]));
     return append_lifted_row(r, lift, FMB_EQ);
 }
 

@@ -1,10 +1,11 @@
-/* sum.c: lifts of images and of Minkowski sums: rows side by side, and what ties them; see lift.h.
+/* sum.c: lifts of images and of Minkowski sums: rows side by side, and what ties them; see
+ * lift_private.h.
  *
  * A point y is in the image if some (x, y) is in the graph with x in the polyhedron, and in the sum
  * if it is one of a point of each: the lifts say that, word for word. So strict rows stay strict.
  */
-#include "lift/lift.h"
-#include "system/system.h"
+#include "lift/lift_private.h"
+#include "system/system_private.h"
 
 /* Names of the answer: those of the graph behind the first d. */
 static fmb_status add_answer_of_graph(fmb_system *lift, const fmb_system *graph, int d, int *var)

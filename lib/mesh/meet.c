@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "mesh/walk.h"
+#include "mesh/tree_walk.h"
 
 #ifdef _OPENMP
 #include <omp.h>
@@ -50,7 +50,7 @@ static fmb_status sort_hits(const fmb_walk_plan *plan, fmb_mesh_answer *out)
 enum { MOST_THREADS = 64 };
 
 /* What this thread's last part came to; the others hear of a failure. */
-static void end_part(fmb_walk *x, fmb_status st)
+static void end_part(fmb_tree_walk *x, fmb_status st)
 {
     x->st = st;
     if (st != FMB_OK)
@@ -66,7 +66,7 @@ static int this_thread(void)
 #endif
 }
 
-static void walk_all_parts(fmb_walk_plan *plan, fmb_walk *walk, int threads)
+static void walk_all_parts(fmb_walk_plan *plan, fmb_tree_walk *walk, int threads)
 {
     fmb_walk_part part[FMB_WALK_MOST_PARTS];
     int parts = fmb_walk_parts(plan, part);
@@ -75,27 +75,27 @@ static void walk_all_parts(fmb_walk_plan *plan, fmb_walk *walk, int threads)
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
 #endif
     for (int k = 0; k < parts; k++) {
-        fmb_walk *x = &walk[this_thread()];
+        fmb_tree_walk *x = &walk[this_thread()];
         if (x->st == FMB_OK)
             end_part(x, fmb_walk_part_of_trees(x, &part[k]));
     }
 }
 
-static void walk_all_rows(fmb_walk_plan *plan, fmb_walk *walk, int threads)
+static void walk_all_rows(fmb_walk_plan *plan, fmb_tree_walk *walk, int threads)
 {
     (void)threads;
 #ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
 #endif
     for (size_t row = plan->from; row < plan->to; row++) {
-        fmb_walk *x = &walk[this_thread()];
+        fmb_tree_walk *x = &walk[this_thread()];
         if (x->st == FMB_OK)
             end_part(x, fmb_walk_row_of_pairs(x, (uint32_t)row));
     }
 }
 
 /* All hits go to the first one's. */
-static fmb_status join_walks(const fmb_walk_plan *plan, fmb_walk *walk, int threads)
+static fmb_status join_walks(const fmb_walk_plan *plan, fmb_tree_walk *walk, int threads)
 {
     fmb_mesh_answer *out = &walk[0].out;
     fmb_status st = FMB_OK;
@@ -119,7 +119,7 @@ static fmb_status join_walks(const fmb_walk_plan *plan, fmb_walk *walk, int thre
     return st == FMB_OK ? sort_hits(plan, out) : st;
 }
 
-static fmb_status open_walks(fmb_walk_plan *plan, fmb_walk *walk, int threads)
+static fmb_status open_walks(fmb_walk_plan *plan, fmb_tree_walk *walk, int threads)
 {
     fmb_status st = FMB_OK;
     for (int t = 0; st == FMB_OK && t < threads; t++) {
@@ -134,7 +134,7 @@ static fmb_status open_walks(fmb_walk_plan *plan, fmb_walk *walk, int threads)
     return st;
 }
 
-static void close_walks(fmb_walk *walk, int threads)
+static void close_walks(fmb_tree_walk *walk, int threads)
 {
     for (int t = 0; t < threads; t++) {
         fmb_mesh_frames_close(&walk[t].frames);
@@ -155,7 +155,7 @@ static int count_threads(const fmb_mesh_options *o)
 static fmb_status meet_by_threads(fmb_walk_plan *plan, fmb_mem *mem, fmb_mesh_answer *out)
 {
     int threads = count_threads(plan->o);
-    fmb_walk *walk = fmb_mem_zero(mem, (size_t)threads, sizeof *walk);
+    fmb_tree_walk *walk = fmb_mem_zero(mem, (size_t)threads, sizeof *walk);
     if (!walk)
         return fmb_mem_status(mem);
     fmb_status st = open_walks(plan, walk, threads);

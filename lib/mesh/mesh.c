@@ -1,5 +1,5 @@
 /* mesh.c: a mesh from arrays; see fmb/mesh.h. */
-#include "mesh/mesh.h"
+#include "mesh/mesh_private.h"
 
 #include <math.h>
 #include <string.h>

@@ -3,7 +3,7 @@
  */
 #include <math.h>
 
-#include "mesh/mesh.h"
+#include "mesh/mesh_private.h"
 
 enum { LEAF_CELLS = 4 };
 

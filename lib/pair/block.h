@@ -2,7 +2,7 @@
 #ifndef FMB_PAIR_BLOCK_H
 #define FMB_PAIR_BLOCK_H
 
-#include "pair/kernels/kernels.h"
+#include "pair/kernels/pair_kernels.h"
 
 /* Straight code: what is constant to the caller is so inside. */
 #define FMB_BLOCK_INLINE static inline __attribute__((always_inline))

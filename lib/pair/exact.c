@@ -1,9 +1,9 @@
 /* exact.c: see exact.h. */
 #include "pair/exact.h"
 
-#include "frame/frame.h"
+#include "frame/frame_private.h"
 #include "solve/query/solver.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 fmb_status fmb_pair_oracle_open(fmb_pair_oracle *x, const fmb_pair_options *o,
                                 const fmb_alloc *hook)

@@ -3,11 +3,11 @@
 
 #include <stdio.h>
 
+#include "pair/corner_edges.h"
 #include "pair/corners/cell.h"
-#include "pair/edges.h"
 #include "pair/extreme/extreme.h"
 #include "pair/extreme/normals.h"
-#include "pair/kernels/packed.h"
+#include "pair/kernels/packed_kernels.h"
 
 /* One call of fmb_pair_test. */
 typedef struct query {
@@ -33,7 +33,7 @@ static fmb_pair_answers answers_of(const query *a, size_t i)
 }
 
 /* Pair i as frames by edges, as doubles want them. False: an edge is no double. */
-static bool take_edges(const query *a, size_t i, fmb_edges *p, fmb_edges *q)
+static bool take_edges(const query *a, size_t i, fmb_corner_edges *p, fmb_corner_edges *q)
 {
     return fmb_edges_of_frame(&a->p[i], p) && fmb_edges_of_frame(&a->q[i], q);
 }
@@ -60,7 +60,7 @@ static fmb_status answer_generally(const query *a, size_t i)
 {
     const fmb_pair *k = a->k;
     fmb_pair_answers out = answers_of(a, i);
-    fmb_edges p, q;
+    fmb_corner_edges p, q;
     if (k->options.method == FMB_PAIR_EXACT)
         return answer_exactly(a, i);
     if (!k->options.tightest && take_edges(a, i, &p, &q) &&
@@ -171,7 +171,7 @@ static void decide_without_query(const query *a, size_t i, fmb_verdict *out)
     fmb_pair *k = a->k;
     const fmb_frame *p = &a->p[i], *q = &a->q[i];
     fmb_contact contact = k->options.contact;
-    fmb_edges of_p, of_q;
+    fmb_corner_edges of_p, of_q;
     if (fmb_decide_corners(p, q, contact, out))
         return;
     if (asks_exactly(a) && fmb_extreme_decide(p, q, contact, out))
@@ -248,7 +248,7 @@ static fmb_status flush_flat_verdicts(const query *a, const fmb_block *b)
 /* And edges that are doubles. */
 static bool has_all_axes(const fmb_frame *f, int dim)
 {
-    fmb_edges ignored;
+    fmb_corner_edges ignored;
     return f->naxes == dim && f->origin && f->axes &&
            ((unsigned)f->shape <= FMB_SIMPLEX ||
             (fmb_frame_is_by_corners(f->shape) && fmb_edges_of_frame(f, &ignored)));
@@ -306,7 +306,7 @@ static fmb_status flush_block(const query *a, int number)
 static fmb_status wait_in_block(const query *a, int stage, size_t i)
 {
     const fmb_frame *p = &a->p[i], *q = &a->q[i];
-    fmb_edges of_p, of_q;
+    fmb_corner_edges of_p, of_q;
     if (((unsigned)p->shape | (unsigned)q->shape) > FMB_SIMPLEX && take_edges(a, i, &of_p, &of_q)) {
         p = &of_p.frame;
         q = &of_q.frame;
@@ -347,7 +347,7 @@ static fmb_status wait_in_flat_block(const query *a, size_t i)
 {
     fmb_pair *k = a->k;
     fmb_block *b = &k->block[FLAT_BLOCK];
-    fmb_edges p, q;
+    fmb_corner_edges p, q;
     if (!fmb_frame_is_good(&a->p[i], k->dim) || !fmb_frame_is_good(&a->q[i], k->dim) ||
         !take_edges(a, i, &p, &q))
         return decide_generally(a, STAGES, 0, i);

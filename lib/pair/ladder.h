@@ -8,7 +8,7 @@
 #define FMB_PAIR_LADDER_H
 
 #include "base/mem.h"
-#include "frame/frame.h"
+#include "frame/frame_private.h"
 #include "pair/block.h"
 #include "pair/exact.h"
 #include "pair/general/general.h"

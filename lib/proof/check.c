@@ -15,7 +15,7 @@
 
 #include "proof/evidence.h"
 #include "proof/whole.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 typedef struct court {
     const fmb_system *s;
@@ -69,7 +69,7 @@ static void add_product(court *c, mpq_ptr sum, mpz_srcptr factor, mpq_srcptr x)
 /* ---- points ---------------------------------------------------------------------------------- */
 
 /* Lay a claim's point or ray out by variable; afterwards take it away again. */
-static bool lay_out(court *c, const fmb_sparse *x)
+static bool lay_out(court *c, const fmb_sparse_vector *x)
 {
     for (size_t k = 0; k < x->size; k++)
         if (x->index[k] >= (size_t)c->e->dim)
@@ -79,7 +79,7 @@ static bool lay_out(court *c, const fmb_sparse *x)
     return true;
 }
 
-static void take_away(court *c, const fmb_sparse *x)
+static void take_away(court *c, const fmb_sparse_vector *x)
 {
     for (size_t k = 0; k < x->size; k++)
         c->x[x->index[k]] = NULL;
@@ -111,7 +111,7 @@ typedef enum reading { AS_WRITTEN, CLOSED, DIRECTION } reading;
 
 /* Does x keep every row: as written; with < read as <=; or as a direction in which one can walk
  * for ever without leaving the rows? */
-static bool keeps_all(court *c, const fmb_sparse *x, reading how)
+static bool keeps_all(court *c, const fmb_sparse_vector *x, reading how)
 {
     bool good = true;
     if (!lay_out(c, x))
@@ -185,7 +185,7 @@ static fmb_rel relation_in(const court *c, size_t i, basis from)
  * to a.x <= b, true of all solutions, and a.x < b if one of a strict row is positive. With a = g it
  * implies the goal if b < h, or if b = h and (the goal is not strict or a.x < b holds). The
  * combination holds left = a - g and right = b - h. */
-static bool proves(court *c, const fmb_sparse *multipliers, bool strict_goal, basis from)
+static bool proves(court *c, const fmb_sparse_vector *multipliers, bool strict_goal, basis from)
 {
     for (size_t k = 0; k < multipliers->size; k++) {
         size_t i = multipliers->index[k];
@@ -250,7 +250,7 @@ static void oppose_form(court *c, const fmb_claim *q, int sign)
 }
 
 /* c->sum = the form's value at x. */
-static void form_at(court *c, const fmb_claim *q, const fmb_sparse *x)
+static void form_at(court *c, const fmb_claim *q, const fmb_sparse_vector *x)
 {
     mpq_srcptr at = q->var >= 0 ? fmb_sparse_find(x, (size_t)q->var) : NULL;
     mpq_set_ui(c->sum, 0, 1);

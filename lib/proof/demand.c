@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "proof/whole.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 /* What is missing goes to why; always false. */
 typedef struct asker {

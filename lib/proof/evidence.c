@@ -14,7 +14,7 @@ static size_t limb_bytes(mpq_srcptr q)
     return (num + den) * sizeof(mp_limb_t) + 2 * 24;
 }
 
-static void clear_list(fmb_mem *mem, fmb_sparse *list)
+static void clear_list(fmb_mem *mem, fmb_sparse_vector *list)
 {
     for (size_t k = 0; k < list->size; k++) {
         fmb_mem_refund(mem, limb_bytes(list->value[k]));
@@ -22,11 +22,11 @@ static void clear_list(fmb_mem *mem, fmb_sparse *list)
     }
     fmb_mem_put(mem, list->index, list->capacity, sizeof *list->index);
     fmb_mem_put(mem, list->value, list->capacity, sizeof *list->value);
-    *list = (fmb_sparse){.size = 0};
+    *list = (fmb_sparse_vector){.size = 0};
 }
 
 /* Both arrays grow or neither does: they share one capacity. */
-static fmb_status grow_list(fmb_mem *mem, fmb_sparse *list)
+static fmb_status grow_list(fmb_mem *mem, fmb_sparse_vector *list)
 {
     size_t capacity = list->capacity + list->capacity / 2 + 4;
     size_t *index = fmb_mem_get(mem, capacity, sizeof *index);
@@ -42,11 +42,12 @@ static fmb_status grow_list(fmb_mem *mem, fmb_sparse *list)
     }
     fmb_mem_put(mem, list->index, list->capacity, sizeof *index);
     fmb_mem_put(mem, list->value, list->capacity, sizeof *value);
-    *list = (fmb_sparse){index, value, list->size, capacity, list->mixed};
+    *list = (fmb_sparse_vector){index, value, list->size, capacity, list->mixed};
     return FMB_OK;
 }
 
-fmb_status fmb_evidence_push(fmb_evidence *e, fmb_sparse *list, size_t index, const mpq_t value)
+fmb_status fmb_evidence_push(fmb_evidence *e, fmb_sparse_vector *list, size_t index,
+                             const mpq_t value)
 {
     if (mpq_sgn(value) == 0)
         return FMB_OK;
@@ -62,7 +63,7 @@ fmb_status fmb_evidence_push(fmb_evidence *e, fmb_sparse *list, size_t index, co
     return FMB_OK;
 }
 
-fmb_status fmb_evidence_push_all(fmb_evidence *e, fmb_sparse *list, size_t n, const int *at,
+fmb_status fmb_evidence_push_all(fmb_evidence *e, fmb_sparse_vector *list, size_t n, const int *at,
                                  mpq_t *x)
 {
     fmb_status st = FMB_OK;
@@ -71,7 +72,7 @@ fmb_status fmb_evidence_push_all(fmb_evidence *e, fmb_sparse *list, size_t n, co
     return st;
 }
 
-fmb_status fmb_evidence_scale(fmb_evidence *e, fmb_sparse *list, const mpq_t factor)
+fmb_status fmb_evidence_scale(fmb_evidence *e, fmb_sparse_vector *list, const mpq_t factor)
 {
     fmb_status st = FMB_OK;
     mpq_t product;
@@ -90,7 +91,7 @@ fmb_status fmb_evidence_scale(fmb_evidence *e, fmb_sparse *list, const mpq_t fac
 }
 
 /* By halving, where the indices increase. */
-mpq_srcptr fmb_sparse_find(const fmb_sparse *list, size_t index)
+mpq_srcptr fmb_sparse_find(const fmb_sparse_vector *list, size_t index)
 {
     size_t low = 0, high = list->size;
     while (!list->mixed && high - low > 1) {
@@ -259,7 +260,7 @@ size_t fmb_evidence_terms(const fmb_evidence *e, size_t i)
 
 int fmb_evidence_term_q(const fmb_evidence *e, size_t i, size_t k, mpq_t coef)
 {
-    const fmb_sparse *terms = &claim_at(e, i)->terms;
+    const fmb_sparse_vector *terms = &claim_at(e, i)->terms;
     bool there = k < terms->size;
     give_rational(there ? terms->value[k] : NULL, coef);
     return there ? (int)terms->index[k] : -1;
@@ -272,7 +273,7 @@ double fmb_evidence_multiplier(const fmb_evidence *e, size_t i, size_t r)
 
 size_t fmb_evidence_next_row(const fmb_evidence *e, size_t i, size_t r)
 {
-    const fmb_sparse *list = &claim_at(e, i)->multipliers;
+    const fmb_sparse_vector *list = &claim_at(e, i)->multipliers;
     size_t low = 0, high = list->size, next = SIZE_MAX;
     while (!list->mixed && high - low > 1) {
         size_t middle = low + (high - low) / 2;

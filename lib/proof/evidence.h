@@ -15,27 +15,27 @@
 #include "base/mem.h"
 
 /* A sparse list of rationals with an index each: multipliers by row, the rest by variable. */
-typedef struct fmb_sparse {
+typedef struct fmb_sparse_vector {
     size_t *index;
     mpq_t *value;
     size_t size, capacity;
     bool mixed; /* some index is smaller than the one before */
-} fmb_sparse;
+} fmb_sparse_vector;
 
 typedef struct fmb_claim {
     fmb_claim_kind kind;
-    size_t row;             /* REDUNDANT, EQUALITY, IRREDUNDANT; else SIZE_MAX */
-    int var;                /* BOUND, UNBOUNDED: of this variable; else -1 */
-    fmb_side side;          /* BOUND, UNBOUNDED */
-    fmb_rel rel;            /* BOUND: LE attained, LT not; IMPLIED: the relation */
-    mpq_t value;            /* BOUND: the end; IMPLIED: the right side */
-    size_t value_bytes;     /* of its limbs, charged when the next claim begins */
-    fmb_sparse terms;       /* IMPLIED; BOUND, UNBOUNDED without var: left side, by variable; WHOLE:
-                               which variables, whatever the numbers */
-    fmb_sparse multipliers; /* by row; >= 0 unless the row is an equality */
-    fmb_sparse reverse;     /* IMPLIED with EQ, REDUNDANT equality: the same for the reverse */
-    fmb_sparse point;       /* by variable: FEASIBLE, BOUND, IRREDUNDANT, CORNER */
-    fmb_sparse ray;         /* by variable: UNBOUNDED, CORNER */
+    size_t row;                    /* REDUNDANT, EQUALITY, IRREDUNDANT; else SIZE_MAX */
+    int var;                       /* BOUND, UNBOUNDED: of this variable; else -1 */
+    fmb_side side;                 /* BOUND, UNBOUNDED */
+    fmb_rel rel;                   /* BOUND: LE attained, LT not; IMPLIED: the relation */
+    mpq_t value;                   /* BOUND: the end; IMPLIED: the right side */
+    size_t value_bytes;            /* of its limbs, charged when the next claim begins */
+    fmb_sparse_vector terms;       /* IMPLIED; BOUND, UNBOUNDED without var: left side, by variable;
+                               WHOLE:       which variables, whatever the numbers */
+    fmb_sparse_vector multipliers; /* by row; >= 0 unless the row is an equality */
+    fmb_sparse_vector reverse; /* IMPLIED with EQ, REDUNDANT equality: the same for the reverse */
+    fmb_sparse_vector point;   /* by variable: FEASIBLE, BOUND, IRREDUNDANT, CORNER */
+    fmb_sparse_vector ray;     /* by variable: UNBOUNDED, CORNER */
 } fmb_claim;
 
 struct fmb_evidence {
@@ -63,13 +63,14 @@ fmb_status fmb_evidence_claim(fmb_evidence *e, fmb_claim_kind kind, fmb_claim **
 void fmb_evidence_drop_last(fmb_evidence *e);
 /* Append (index, value) to a list; zero values are skipped. An index comes at most once in a list:
  * the caller's promise. */
-fmb_status fmb_evidence_push(fmb_evidence *e, fmb_sparse *list, size_t index, const mpq_t value);
+fmb_status fmb_evidence_push(fmb_evidence *e, fmb_sparse_vector *list, size_t index,
+                             const mpq_t value);
 /* Append the entries x[0..n) that are not 0: entry j for index at[j], or j if at is NULL. */
-fmb_status fmb_evidence_push_all(fmb_evidence *e, fmb_sparse *list, size_t n, const int *at,
+fmb_status fmb_evidence_push_all(fmb_evidence *e, fmb_sparse_vector *list, size_t n, const int *at,
                                  mpq_t *x);
 /* Multiply all values by a factor that is not 0. On failure some are not. */
-fmb_status fmb_evidence_scale(fmb_evidence *e, fmb_sparse *list, const mpq_t factor);
+fmb_status fmb_evidence_scale(fmb_evidence *e, fmb_sparse_vector *list, const mpq_t factor);
 /* The value of that index, NULL where the list has none. */
-mpq_srcptr fmb_sparse_find(const fmb_sparse *list, size_t index);
+mpq_srcptr fmb_sparse_find(const fmb_sparse_vector *list, size_t index);
 
 #endif

@@ -38,17 +38,17 @@ const char *fmb_form_relation(fmb_rel rel, fmb_side side)
     return text[rel][side];
 }
 
-bool fmb_form_allows(const fmb_claim *c, fmb_part part)
+bool fmb_form_allows(const fmb_claim *c, fmb_form_part part)
 {
     return fmb_claim_forms[c->kind].part[part] && (part != FMB_PART_TERM || c->var < 0);
 }
 
-fmb_sparse *fmb_form_list(fmb_claim *c, fmb_part part)
+fmb_sparse_vector *fmb_form_list(fmb_claim *c, fmb_form_part part)
 {
-    fmb_sparse *const list[FMB_PARTS] = {[FMB_PART_POINT] = &c->point,
-                                         [FMB_PART_RAY] = &c->ray,
-                                         [FMB_PART_TERM] = &c->terms,
-                                         [FMB_PART_ROW] = &c->multipliers,
-                                         [FMB_PART_REVERSE] = &c->reverse};
+    fmb_sparse_vector *const list[FMB_PARTS] = {[FMB_PART_POINT] = &c->point,
+                                                [FMB_PART_RAY] = &c->ray,
+                                                [FMB_PART_TERM] = &c->terms,
+                                                [FMB_PART_ROW] = &c->multipliers,
+                                                [FMB_PART_REVERSE] = &c->reverse};
     return list[part];
 }

@@ -23,14 +23,14 @@ typedef enum fmb_heading {
 } fmb_heading;
 
 /* Kinds of lines inside a claim: "WORD KEY NUMBER". */
-typedef enum fmb_part {
+typedef enum fmb_form_part {
     FMB_PART_POINT,
     FMB_PART_RAY,
     FMB_PART_TERM,
     FMB_PART_ROW,
     FMB_PART_REVERSE,
     FMB_PARTS
-} fmb_part;
+} fmb_form_part;
 
 typedef struct fmb_part_form {
     const char *word;
@@ -50,9 +50,9 @@ extern const fmb_claim_form fmb_claim_forms[FMB_CLAIM_WHOLE + 1]; /* by kind */
 const char *fmb_form_relation(fmb_rel rel, fmb_side side);
 
 /* May this claim have lines of that part? One about a variable alone has no terms. */
-bool fmb_form_allows(const fmb_claim *c, fmb_part part);
+bool fmb_form_allows(const fmb_claim *c, fmb_form_part part);
 
 /* The list of a claim that holds a part. */
-fmb_sparse *fmb_form_list(fmb_claim *c, fmb_part part);
+fmb_sparse_vector *fmb_form_list(fmb_claim *c, fmb_form_part part);
 
 #endif

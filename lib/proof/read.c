@@ -8,7 +8,7 @@
 
 #include "proof/form.h"
 #include "proof/words.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 typedef struct reader {
     fmb_words words;
@@ -19,7 +19,7 @@ typedef struct reader {
     mpq_t number; /* scratch */
 } reader;
 
-static size_t keys(const reader *r, fmb_part part)
+static size_t keys(const reader *r, fmb_form_part part)
 {
     return fmb_part_forms[part].by_row ? r->e->rows : (size_t)r->e->dim;
 }
@@ -132,7 +132,7 @@ static fmb_status read_bound_heading(reader *r, fmb_claim *c)
 }
 
 /* Note that the key has come as that part of this claim; it must be new there. */
-static fmb_status mark_key(reader *r, fmb_part part, size_t key)
+static fmb_status mark_key(reader *r, fmb_form_part part, size_t key)
 {
     const fmb_part_form *form = &fmb_part_forms[part];
     if (r->seen[part][key] == r->e->claims)
@@ -183,7 +183,7 @@ static fmb_status read_heading(reader *r, fmb_claim *c)
 }
 
 /* The key of a part, which must be new in this claim. */
-static fmb_status read_key(reader *r, fmb_part part, size_t *out)
+static fmb_status read_key(reader *r, fmb_form_part part, size_t *out)
 {
     const fmb_part_form *form = &fmb_part_forms[part];
     size_t key = 0;
@@ -197,7 +197,7 @@ static fmb_status read_key(reader *r, fmb_part part, size_t *out)
     return mark_key(r, part, key);
 }
 
-static fmb_status read_part(reader *r, fmb_claim *c, fmb_part part)
+static fmb_status read_part(reader *r, fmb_claim *c, fmb_form_part part)
 {
     size_t key = 0;
     fmb_status st = read_key(r, part, &key);
@@ -211,9 +211,9 @@ static fmb_status read_part(reader *r, fmb_claim *c, fmb_part part)
 }
 
 /* The part whose line begins with the current word, if the claim may have it; else FMB_PARTS. */
-static fmb_part find_part(const reader *r, const fmb_claim *c)
+static fmb_form_part find_part(const reader *r, const fmb_claim *c)
 {
-    fmb_part part = 0;
+    fmb_form_part part = 0;
     while (part < FMB_PARTS &&
            !(fmb_form_allows(c, part) && fmb_words_is(&r->words, fmb_part_forms[part].word)))
         part++;
@@ -225,7 +225,7 @@ static fmb_status expected_part(reader *r, const fmb_claim *c)
 {
     char list[80];
     size_t n = 0;
-    for (fmb_part part = 0; part < FMB_PARTS; part++)
+    for (fmb_form_part part = 0; part < FMB_PARTS; part++)
         if (fmb_form_allows(c, part))
             n += (size_t)snprintf(list + n, sizeof list - n, "%s'%s'", n > 0 ? ", " : "",
                                   fmb_part_forms[part].word);
@@ -236,7 +236,7 @@ static fmb_status read_parts(reader *r, fmb_claim *c)
 {
     fmb_status st;
     while ((st = fmb_words_line(&r->words)) == FMB_OK && !fmb_words_is(&r->words, "end")) {
-        fmb_part part = find_part(r, c);
+        fmb_form_part part = find_part(r, c);
         st = part < FMB_PARTS ? read_part(r, c, part) : expected_part(r, c);
         if (st != FMB_OK)
             return st;
@@ -356,12 +356,12 @@ fmb_status fmb_evidence_read(FILE *in, const fmb_system *s, fmb_evidence **out, 
     fmb_words_init(&r.words, in, &r.e->mem, where ? where : &unwanted);
     mpq_init(r.number);
     bool ready = true;
-    for (fmb_part part = 0; part < FMB_PARTS; part++) {
+    for (fmb_form_part part = 0; part < FMB_PARTS; part++) {
         r.seen[part] = fmb_mem_zero(&r.e->mem, keys(&r, part), sizeof **r.seen);
         ready = ready && r.seen[part];
     }
     st = ready ? read_text(&r) : FMB_ERR_MEMORY;
-    for (fmb_part part = 0; part < FMB_PARTS; part++)
+    for (fmb_form_part part = 0; part < FMB_PARTS; part++)
         fmb_mem_put(&r.e->mem, r.seen[part], keys(&r, part), sizeof **r.seen);
     mpq_clear(r.number);
     fmb_words_clear(&r.words);

@@ -30,7 +30,7 @@
 #include "proof/whole.h"
 
 #include "num/integers.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 typedef struct assembly {
     const fmb_system *s;
@@ -64,7 +64,7 @@ bool fmb_whole_names_only(const fmb_claim *c, int dim, const bool *kept)
 
 /* v = sign times the list, by column (NULL: by index; entries of no column are left out), then
  * `last` behind it; all times a common denominator. */
-static fmb_status gather(assembly *a, const fmb_sparse *list, const size_t *column, int sign,
+static fmb_status gather(assembly *a, const fmb_sparse_vector *list, const size_t *column, int sign,
                          mpq_srcptr last, size_t width, fmb_integers *v)
 {
     fmb_status st = fmb_integers_init(v, width, a->mem);

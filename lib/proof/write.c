@@ -48,7 +48,7 @@ static bool names_one_form(const fmb_evidence *e, const fmb_claim *c)
 
 /* False: some there are not. */
 static bool write_names(FILE *out, const fmb_evidence *e, const fmb_system *s,
-                        const fmb_sparse *list)
+                        const fmb_sparse_vector *list)
 {
     bool good = true;
     for (size_t k = 0; good && k < list->size; k++) {
@@ -88,7 +88,8 @@ static bool write_heading(FILE *out, const fmb_evidence *e, const fmb_system *s,
     return good;
 }
 
-static bool write_part(FILE *out, const fmb_system *s, fmb_part part, size_t key, const mpq_t value)
+static bool write_part(FILE *out, const fmb_system *s, fmb_form_part part, size_t key,
+                       const mpq_t value)
 {
     fprintf(out, "%s ", fmb_part_forms[part].word);
     if (fmb_part_forms[part].by_row)
@@ -103,10 +104,10 @@ static bool write_part(FILE *out, const fmb_system *s, fmb_part part, size_t key
 
 /* All lines of one part. False if it is about what the system does not have. */
 static bool write_parts(FILE *out, const fmb_evidence *e, const fmb_system *s, fmb_claim *c,
-                        fmb_part part)
+                        fmb_form_part part)
 {
     size_t keys = fmb_part_forms[part].by_row ? e->rows : (size_t)e->dim;
-    const fmb_sparse *list = fmb_form_list(c, part);
+    const fmb_sparse_vector *list = fmb_form_list(c, part);
     for (size_t k = 0; k < list->size; k++)
         if (list->index[k] >= keys || !write_part(out, s, part, list->index[k], list->value[k]))
             return false;
@@ -118,7 +119,7 @@ static bool write_claim(FILE *out, const fmb_evidence *e, const fmb_system *s, f
     if (c->kind <= FMB_CLAIM_NONE || c->kind > FMB_CLAIM_WHOLE)
         return false;
     bool good = write_heading(out, e, s, c);
-    for (fmb_part part = 0; good && part < FMB_PARTS; part++)
+    for (fmb_form_part part = 0; good && part < FMB_PARTS; part++)
         if (fmb_form_allows(c, part))
             good = write_parts(out, e, s, c, part);
     fputs("end\n", out);
@@ -169,7 +170,7 @@ static void tell_inequality(FILE *out, const fmb_system *s, const fmb_claim *c)
 }
 
 /* "x, y" */
-static void tell_variables(FILE *out, const fmb_system *s, const fmb_sparse *list)
+static void tell_variables(FILE *out, const fmb_system *s, const fmb_sparse_vector *list)
 {
     for (size_t k = 0; k < list->size; k++) {
         fputs(k > 0 ? ", " : "", out);

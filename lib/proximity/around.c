@@ -7,23 +7,23 @@
 #include "proximity/around.h"
 
 #include "num/rationals.h"
-#include "system/generators.h"
+#include "system/generators_private.h"
 
-typedef struct polygon {
+typedef struct common_polygon {
     size_t n, dim;
     mpq_t *x;      /* [n][dim] */
     size_t *order; /* [n] */
     size_t a, b;   /* the coordinates that it is seen in */
     mpq_t t[3];    /* scratch */
-} polygon;
+} common_polygon;
 
-static mpq_t *vertex_of(const polygon *p, size_t i)
+static mpq_t *vertex_of(const common_polygon *p, size_t i)
 {
     return p->x + i * p->dim;
 }
 
 /* Twice the signed area of the triangle of vertices o, i and k in coordinates a and b; its sign. */
-static int area_sign(polygon *p, size_t o, size_t i, size_t k, size_t a, size_t b, mpq_t out)
+static int area_sign(common_polygon *p, size_t o, size_t i, size_t k, size_t a, size_t b, mpq_t out)
 {
     mpq_t *v[3] = {vertex_of(p, o), vertex_of(p, i), vertex_of(p, k)};
     mpq_sub(p->t[0], v[1][a], v[0][a]);
@@ -37,7 +37,7 @@ static int area_sign(polygon *p, size_t o, size_t i, size_t k, size_t a, size_t 
 }
 
 /* Vertices 0, 1, 2 are never in line: some pair of coordinates shows that. */
-static bool find_view(polygon *p)
+static bool find_view(common_polygon *p)
 {
     for (p->a = 0; p->a < p->dim; p->a++)
         for (p->b = p->a + 1; p->b < p->dim; p->b++)
@@ -49,7 +49,7 @@ static bool find_view(polygon *p)
 /* Is vertex k in the plane of 0, 1, 2? Then each of its coordinates c is the same affine form of a
  * and b as theirs: (area of 0 1 2) (c_k - c_0) = (area of 0 k 2) (c_1 - c_0) + (area of 0 1 k)
  * (c_2 - c_0). */
-static bool is_in_plane(polygon *p, size_t k, mpq_t *scratch)
+static bool is_in_plane(common_polygon *p, size_t k, mpq_t *scratch)
 {
     bool in = true;
     mpq_t *v = vertex_of(p, 0);
@@ -66,7 +66,7 @@ static bool is_in_plane(polygon *p, size_t k, mpq_t *scratch)
     return in;
 }
 
-static bool are_in_plane(polygon *p)
+static bool are_in_plane(common_polygon *p)
 {
     mpq_t scratch[3];
     bool in = true;
@@ -78,7 +78,7 @@ static bool are_in_plane(polygon *p)
 }
 
 /* By insertion: polygons are short. */
-static void sort_around(polygon *p)
+static void sort_around(common_polygon *p)
 {
     for (size_t i = 0; i < p->n; i++)
         p->order[i] = i;
@@ -92,7 +92,7 @@ static void sort_around(polygon *p)
 }
 
 /* [give] The vertices in that order. */
-static fmb_status write_in_order(polygon *p, const fmb_alloc *mem, fmb_generators **out)
+static fmb_status write_in_order(common_polygon *p, const fmb_alloc *mem, fmb_generators **out)
 {
     fmb_generators *g = NULL;
     fmb_status st = fmb_generators_new((int)p->dim, mem, &g);
@@ -105,11 +105,11 @@ static fmb_status write_in_order(polygon *p, const fmb_alloc *mem, fmb_generator
     return st;
 }
 
-static fmb_status sort_vertices(polygon *p, fmb_generators **g, const fmb_alloc *mem)
+static fmb_status sort_vertices(common_polygon *p, fmb_generators **g, const fmb_alloc *mem)
 {
     fmb_generators *sorted = NULL;
     for (size_t i = 0; i < p->n * p->dim; i++)
-        fmb_generators_get_q(*g, i / p->dim, (int)(i % p->dim), p->x[i]);
+        fmb_generators_coordinate_q(*g, i / p->dim, (int)(i % p->dim), p->x[i]);
     if (!find_view(p) || !are_in_plane(p))
         return FMB_OK;
     sort_around(p);
@@ -123,7 +123,7 @@ static fmb_status sort_vertices(polygon *p, fmb_generators **g, const fmb_alloc 
 
 fmb_status fmb_sort_around(fmb_generators **g, fmb_mem *mem)
 {
-    polygon p = {.n = fmb_generators_size(*g), .dim = (size_t)fmb_generators_dim(*g)};
+    common_polygon p = {.n = fmb_generators_size(*g), .dim = (size_t)fmb_generators_dim(*g)};
     if (p.n < 4 || p.dim < 2)
         return FMB_OK;
     mpq_inits(p.t[0], p.t[1], p.t[2], NULL);

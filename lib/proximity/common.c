@@ -1,8 +1,8 @@
 /* common.c: the points that two frames have in common, as a polytope; see fmb/proximity.h. */
 #include "num/rationals.h"
 #include "proximity/around.h"
-#include "proximity/proximity.h"
-#include "system/generators.h"
+#include "proximity/proximity_private.h"
+#include "system/generators_private.h"
 
 /* [give] The generators of g without all coordinates but the first few and, if asked for, the
  * last. */
@@ -17,7 +17,7 @@ static fmb_status drop_coordinates(const fmb_generators *g, int first, bool last
         st = fmb_rationals_new(&x, (size_t)n, &small->mem);
     for (size_t i = 0; st == FMB_OK && i < fmb_generators_size(g); i++) {
         for (int j = 0; j < n; j++)
-            fmb_generators_get_q(g, i, j < first ? j : dim - 1, x[j]);
+            fmb_generators_coordinate_q(g, i, j < first ? j : dim - 1, x[j]);
         st = fmb_generators_add_q(small, fmb_generators_kind(g, i), x);
     }
     if (small)

@@ -7,8 +7,8 @@
  * depth 0.
  */
 #include "num/rationals.h"
-#include "proximity/proximity.h"
-#include "system/system.h"
+#include "proximity/proximity_private.h"
+#include "system/system_private.h"
 
 typedef struct deepest {
     fmb_proximity *out;

@@ -1,7 +1,7 @@
 /* distance.c: how far two frames are apart; see fmb/proximity.h. */
 #include "num/rationals.h"
-#include "proximity/proximity.h"
-#include "system/system.h"
+#include "proximity/proximity_private.h"
+#include "system/system_private.h"
 
 /* ---- Euclidean ------------------------------------------------------------------------------- */
 

@@ -2,7 +2,7 @@
 #include "proximity/minkowski.h"
 
 #include "num/vec.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 /* ---- frames in whole numbers ----------------------------------------------------------------- */
 
@@ -11,7 +11,7 @@ static mpz_t *row_of_frame(const fmb_minkowski *m, int k, int i)
     return m->frame[k].row + (size_t)i * (size_t)m->dim;
 }
 
-/* The axes of the world have units of their own (frame/whole.h); here they share one. */
+/* The axes of the world have units of their own (frame/frame_integers.h); here they share one. */
 static void find_common_unit(fmb_minkowski *m, const fmb_scene *scene)
 {
     mpz_set_ui(m->unit, 1);

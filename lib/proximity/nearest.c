@@ -13,7 +13,7 @@
 #include "frame/jordan.h"
 #include "num/rationals.h"
 #include "num/vec.h"
-#include "proximity/proximity.h"
+#include "proximity/proximity_private.h"
 
 typedef struct wolfe {
     fmb_minkowski *m;

@@ -1,5 +1,5 @@
-/* proximity.c: see proximity.h and fmb/proximity.h. */
-#include "proximity/proximity.h"
+/* proximity.c: see proximity_private.h and fmb/proximity.h. */
+#include "proximity/proximity_private.h"
 
 #include <math.h>
 

@@ -9,8 +9,8 @@
  */
 #include "num/rationals.h"
 #include "num/vec.h"
-#include "proximity/proximity.h"
-#include "system/system.h"
+#include "proximity/proximity_private.h"
+#include "system/system_private.h"
 
 /* Rows of a frame before those that tell its point (frame/rows.c). */
 static size_t rows_before_point(const fmb_minkowski_frame *f)

@@ -2,8 +2,8 @@
 #ifndef FMB_PROXIMITY_TWO_H
 #define FMB_PROXIMITY_TWO_H
 
-#include "frame/frame.h"
-#include "frame/whole.h"
+#include "frame/frame_integers.h"
+#include "frame/frame_private.h"
 #include "solve/query/solver.h"
 
 /* One of f and q is not NULL: [2], of one dimension. */

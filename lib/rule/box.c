@@ -16,7 +16,7 @@
  * Numbers to check: 0 <= x, y <= 1, x + y <= 2: gone before the first round; x + y < 2 stays. The
  * cuboids of kohler.c need 26 rows with it and chernikov, 59 with chernikov alone.
  */
-#include "rule/rule.h"
+#include "rule/rule_private.h"
 
 static bool drop_row_slack_in_box(void *state, const fmb_view *w, size_t row)
 {

@@ -19,7 +19,7 @@
  * 2^4 ways, of which 8 + 20 still name x4. Of |x_i - x_{i+1}| <= 1, |x_n| <= 1 exactly 2 (n - k)
  * rows are left after k rounds.
  */
-#include "rule/rule.h"
+#include "rule/rule_private.h"
 
 static void drop_pairs_that_cover(void *state, const fmb_view *w, size_t i, uint64_t *drop)
 {

@@ -13,7 +13,7 @@
  *
  * A number to check: the 28 rows of chernikov.c.
  */
-#include "rule/rule.h"
+#include "rule/rule_private.h"
 
 static int count_elements(const uint64_t *set, size_t words)
 {

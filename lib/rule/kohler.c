@@ -11,7 +11,7 @@
  * rounds, and 5,870 without it. Pairs of moving cuboids in 3D with small integers that meet need 60
  * rows on the mean until only the time is left, and 383 without it.
  */
-#include "rule/rule.h"
+#include "rule/rule_private.h"
 
 static void drop_pairs_of_long_history(void *state, const fmb_view *w, size_t i, uint64_t *drop)
 {

@@ -10,14 +10,14 @@
 
 __extension__ typedef __int128 wide;
 
-typedef struct search {
+typedef struct parallel_search {
     const fmb_view *w;
     int entries;
     uint64_t *scale; /* [rows] of small rows */
     size_t *slot;    /* [size] place in the view + 1, 0 = free: a table at most half full */
     size_t size;     /* a power of two */
     mpz_t a, b, scale_a, scale_b;
-} search;
+} parallel_search;
 
 static uint64_t absolute_value(int64_t v)
 {
@@ -43,7 +43,7 @@ static uint64_t scale_of_int64_row(const int64_t *row, int entries)
     return g == 0 ? 1 : g;
 }
 
-static void scale_of_gmp_row(search *s, size_t row, mpz_t g)
+static void scale_of_gmp_row(parallel_search *s, size_t row, mpz_t g)
 {
     mpz_set_ui(g, 0);
     for (int j = 0; j < s->entries; j++) {
@@ -72,7 +72,7 @@ static uint64_t hash_of_int64_row(const int64_t *v, int entries, uint64_t scale)
     return h;
 }
 
-static uint64_t hash_of_row(search *s, size_t i)
+static uint64_t hash_of_row(parallel_search *s, size_t i)
 {
     size_t row = fmb_view_row(s->w, i);
     const int64_t *v = fmb_view_int64(s->w, row);
@@ -90,7 +90,7 @@ static uint64_t hash_of_row(search *s, size_t i)
 }
 
 /* The scales of the i-th and the k-th row, where not both are small. */
-static void set_scales_in_gmp(search *s, size_t i, size_t k)
+static void set_scales_in_gmp(parallel_search *s, size_t i, size_t k)
 {
     size_t x = fmb_view_row(s->w, i), y = fmb_view_row(s->w, k);
     if (fmb_view_int64(s->w, x) && fmb_view_int64(s->w, y))
@@ -100,7 +100,7 @@ static void set_scales_in_gmp(search *s, size_t i, size_t k)
 }
 
 /* The order of entry j of the i-th and the k-th row at equal scale, after set_scales. */
-static int compare_entries(search *s, size_t i, size_t k, int j)
+static int compare_entries(parallel_search *s, size_t i, size_t k, int j)
 {
     size_t x = fmb_view_row(s->w, i), y = fmb_view_row(s->w, k);
     const int64_t *u = fmb_view_int64(s->w, x), *v = fmb_view_int64(s->w, y);
@@ -115,7 +115,7 @@ static int compare_entries(search *s, size_t i, size_t k, int j)
     return mpz_cmp(s->a, s->b);
 }
 
-static bool are_int64_rows_like(const search *s, size_t i, size_t k, const int64_t *u,
+static bool are_int64_rows_like(const parallel_search *s, size_t i, size_t k, const int64_t *u,
                                 const int64_t *v)
 {
     bool like = true;
@@ -126,7 +126,7 @@ static bool are_int64_rows_like(const search *s, size_t i, size_t k, const int64
     return like;
 }
 
-static bool are_rows_like(search *s, size_t i, size_t k)
+static bool are_rows_like(parallel_search *s, size_t i, size_t k)
 {
     const int64_t *u = fmb_view_int64(s->w, fmb_view_row(s->w, i));
     const int64_t *v = fmb_view_int64(s->w, fmb_view_row(s->w, k));
@@ -140,7 +140,7 @@ static bool are_rows_like(search *s, size_t i, size_t k)
 }
 
 /* The slot of a row like the i-th, or the free slot where that belongs. */
-static size_t *find_slot_of_like(search *s, size_t i)
+static size_t *find_slot_of_like(parallel_search *s, size_t i)
 {
     for (size_t at = (size_t)hash_of_row(s, i);; at++) {
         size_t *slot = &s->slot[at & (s->size - 1)];
@@ -150,7 +150,7 @@ static size_t *find_slot_of_like(search *s, size_t i)
 }
 
 /* Is the bound of the i-th row tighter than that of the k-th, which was just found like it? */
-static bool is_bound_tighter(search *s, size_t i, size_t k)
+static bool is_bound_tighter(parallel_search *s, size_t i, size_t k)
 {
     int order = compare_entries(s, i, k, fmb_view_dim(s->w));
     fmb_rel a = fmb_view_rel(s->w, fmb_view_row(s->w, i));
@@ -158,7 +158,7 @@ static bool is_bound_tighter(search *s, size_t i, size_t k)
     return order < 0 || (order == 0 && a == FMB_LT && b != FMB_LT);
 }
 
-static void mark_looser_rows(search *s, bool *drop)
+static void mark_looser_rows(parallel_search *s, bool *drop)
 {
     for (size_t i = 0; i < fmb_view_rows(s->w) && !fmb_view_stop(s->w); i++) {
         if (fmb_view_rel(s->w, fmb_view_row(s->w, i)) == FMB_EQ)
@@ -172,7 +172,7 @@ static void mark_looser_rows(search *s, bool *drop)
     }
 }
 
-static bool open_hash_table(search *s)
+static bool open_hash_table(parallel_search *s)
 {
     size_t rows = fmb_view_rows(s->w);
     s->size = 16;
@@ -193,7 +193,7 @@ static bool open_hash_table(search *s)
 
 fmb_status fmb_parallel_drop(const fmb_view *w, int entries, bool *drop)
 {
-    search s = {.w = w, .entries = entries};
+    parallel_search s = {.w = w, .entries = entries};
     if (!open_hash_table(&s))
         return FMB_ERR_MEMORY;
     mpz_inits(s.a, s.b, s.scale_a, s.scale_b, NULL);

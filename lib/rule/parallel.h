@@ -2,7 +2,7 @@
 #ifndef FMB_RULE_PARALLEL_H
 #define FMB_RULE_PARALLEL_H
 
-#include "rule/rule.h"
+#include "rule/rule_private.h"
 
 /* Of live inequalities whose first `entries` entries are positive multiples of each other, mark all
  * but the one with the least right side at equal scale; of equal ones a strict one stays. */

@@ -10,7 +10,7 @@
 #define FMB_SYMMETRY_ROW_IMAGES_H
 
 #include "num/vec.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 /* A row as the table has it: coefficients by increasing variable, right side. */
 typedef struct fmb_row_image {

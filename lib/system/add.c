@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "system/system.h"
+#include "system/system_private.h"
 
 /* Rationals of one row on their way in: terms, then the right side. */
 typedef struct draft {

@@ -1,8 +1,8 @@
-/* change.c: rows that leave a system whole, and come back; see system.h. */
+/* change.c: rows that leave a system whole, and come back; see system_private.h. */
 #include <string.h>
 
 #include "num/rationals.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 void fmb_system_take_row(fmb_system *s, size_t i, fmb_sysrow *out)
 {

@@ -1,5 +1,5 @@
-/* generators.c: lists of vertices, rays and lines; see generators.h. */
-#include "system/generators.h"
+/* generators.c: lists of vertices, rays and lines; see generators_private.h. */
+#include "system/generators_private.h"
 
 #include <math.h>
 
@@ -151,7 +151,7 @@ fmb_generator_kind fmb_generators_kind(const fmb_generators *g, size_t i)
     return i < fmb_generators_size(g) ? g->kind[i] : FMB_VERTEX;
 }
 
-void fmb_generators_get_q(const fmb_generators *g, size_t i, int j, mpq_t out)
+void fmb_generators_coordinate_q(const fmb_generators *g, size_t i, int j, mpq_t out)
 {
     mpq_set_ui(out, 0, 1);
     if (i >= fmb_generators_size(g) || j < 0 || j >= g->dim)
@@ -167,7 +167,7 @@ double fmb_generators_coordinate(const fmb_generators *g, size_t i, int j)
 {
     mpq_t q;
     mpq_init(q);
-    fmb_generators_get_q(g, i, j, q);
+    fmb_generators_coordinate_q(g, i, j, q);
     double d = fmb_nearest_double(q);
     mpq_clear(q);
     return d;

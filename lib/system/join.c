@@ -1,5 +1,5 @@
 /* join.c: the rows of one system below those of another. */
-#include "system/system.h"
+#include "system/system_private.h"
 
 typedef struct joiner {
     fmb_system *s;

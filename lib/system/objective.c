@@ -3,7 +3,7 @@
  */
 #include <math.h>
 
-#include "system/system.h"
+#include "system/system_private.h"
 
 static bool is_sense(fmb_sense sense)
 {

@@ -1,5 +1,5 @@
-/* system.c: life of a system, its variables and labels; see system.h. */
-#include "system/system.h"
+/* system.c: life of a system, its variables and labels; see system_private.h. */
+#include "system/system_private.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -102,7 +102,7 @@ static fmb_status add_name(fmb_system *s, const char *name)
     if (st == FMB_OK)
         st = fmb_names_add(&s->names, name, &s->mem);
     if (st == FMB_OK)
-        s->mark[n] = (fmb_mark){0};
+        s->mark[n] = (fmb_variable_mark){0};
     return st;
 }
 

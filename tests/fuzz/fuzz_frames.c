@@ -12,7 +12,7 @@ static void demand(bool ok)
         abort();
 }
 
-static void use(const fmb_frames_line *line)
+static void use(const fmb_frame_line *line)
 {
     for (int contact = 0; contact < 2; contact++) {
         fmb_system *s = NULL;
@@ -32,23 +32,23 @@ static void use(const fmb_frames_line *line)
 static void read_all(const uint8_t *data, size_t size, bool nearest)
 {
     FILE *in = fmemopen((void *)(uintptr_t)data, size, "rb");
-    fmb_frames *r = NULL;
-    const fmb_frames_line *line = NULL;
+    fmb_frame_reader *r = NULL;
+    const fmb_frame_line *line = NULL;
     fmb_status st;
     long last = 0;
-    demand(in && fmb_frames_open(in, &(fmb_reader){.nearest = nearest}, &r) == FMB_OK);
+    demand(in && fmb_frame_reader_new(in, &(fmb_reader){.nearest = nearest}, &r) == FMB_OK);
     do {
         fmb_where where = {.line = -1};
-        st = fmb_frames_next(r, &line, &where);
+        st = fmb_frame_reader_next(r, &line, &where);
         demand(st == FMB_OK || (st == FMB_ERR_PARSE && where.line > last && where.column > 0));
         demand(st == FMB_ERR_PARSE || !line || line->number > last);
         if (st == FMB_OK && line) {
-            demand(fmb_frames_rationals(r) == FMB_OK);
+            demand(fmb_frame_reader_rationals(r) == FMB_OK);
             use(line);
         }
         last = st == FMB_ERR_PARSE ? where.line : line ? line->number : last;
     } while (st == FMB_ERR_PARSE || line);
-    fmb_frames_close(r);
+    fmb_frame_reader_free(r);
     fclose(in);
 }
 

@@ -1,6 +1,6 @@
 """The walls of the house: which room includes which, that no files form a ring, what static functions
 are called, what a public header needs, what the library exports, and that every public function is
-mentioned in a test. usage: walls.py CHECK ROOT [LIBRARY...]
+mentioned in a test, and that no tag, header or function has a name for two things. usage: walls.py CHECK ROOT [LIBRARY...]
 """
 
 import pathlib
@@ -157,6 +157,27 @@ def names(root):
         yield f"the median name of a static function has {lengths[len(lengths) // 2]} letters"
 
 
+TAG = re.compile(r"^(?:typedef )?(?:struct|union|enum) (\w+) \{", re.M)
+DECLARED = re.compile(r"^(?!static|typedef|#)(?:[A-Za-z_][\w ]*[ *]+)(fmb_\w+)\([^;{]*\)\s*;", re.M | re.S)
+
+
+def once(root):
+    """A tag has one layout, a header's name stands for one file, a function is declared in one place."""
+    tags, headers_by_name, functions = {}, {}, {}
+    for path in sources(root / "include") + sources(root / "lib"):
+        text = COMMENT.sub("", path.read_text())
+        for tag in TAG.findall(text):
+            tags.setdefault(tag, []).append(path)
+        if path.suffix == ".h":
+            headers_by_name.setdefault(path.name, []).append(path)
+            for name in DECLARED.findall(text):
+                functions.setdefault(name, []).append(path)
+    for what, places in (("tag", tags), ("header", headers_by_name), ("function", functions)):
+        for name, paths in sorted(places.items()):
+            if len(paths) > 1:
+                yield f"{what} {name} stands in {', '.join(str(p) for p in paths)}"
+
+
 def headers(root):
     include = root / "include"
     compilers = (["gcc", "-std=c11", "-x", "c"], ["g++", "-std=c++17", "-x", "c++"])
@@ -201,7 +222,7 @@ def selftest(_root):
         root = pathlib.Path(name)
         bad = {
             "lib/proof/a.c": '#include "elim/store/store.h"\n',
-            "lib/elim/b.c": '#include "rule/rule.h"\n',
+            "lib/elim/b.c": '#include "rule/rule_private.h"\n',
             "lib/elim/store/b.c": '#include "elim/round/elim.h"\n',
             "lib/rule/h.c": '#include "num/vec.h"\n',
             "lib/base/c.c": '#include "num/vec.h"\n',
@@ -211,12 +232,14 @@ def selftest(_root):
             "apps/fmb/e.c": '#include "num/vec.h"\n',
             "apps/fmb/cmd_check.c": "#include <fmb/solve.h>\n",
             "include/fmb/f.h": "size_t f(void);\nFMB_API int fmb_forgotten(int a,\n    int b);\n",
+            "lib/base/twice.h": "struct fmb_twice {\n};\nint fmb_twofold(void);\n",
+            "lib/num/twice.h": "typedef struct fmb_twice {\n} fmb_twice;\nint fmb_twofold(\n    int a);\n",
             "tests/g.c": "",
         }
         for path, content in bad.items():
             (root / path).parent.mkdir(parents=True, exist_ok=True)
             (root / path).write_text(content)
-        for check, expected in ((rooms, 8), (headers, 2), (mentioned, 1)):
+        for check, expected in ((rooms, 8), (headers, 2), (mentioned, 1), (once, 3)):
             found = list(check(root))
             if len(found) != expected:
                 yield f"{check.__name__} found {len(found)} of {expected} faults: {found}"

@@ -1,6 +1,6 @@
 /* inside.h: all kernels of one width; the body of sat_*.c, which set FMB_LANES and name the table
  * FMB_TABLE. */
-#include "pair/kernels/packed.h"
+#include "pair/kernels/packed_kernels.h"
 #include "study/sat/sat.h"
 #include "study/sat/verdicts.h"
 

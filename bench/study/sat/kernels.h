@@ -16,7 +16,7 @@
 #ifndef FMB_STUDY_SAT_KERNELS_H
 #define FMB_STUDY_SAT_KERNELS_H
 
-#include "pair/kernels/packed.h"
+#include "pair/kernels/packed_kernels.h"
 #include "study/sat/plane.h"
 #include "study/sat/space.h"
 

@@ -4,7 +4,7 @@
 #ifndef FMB_STUDY_SAT_H
 #define FMB_STUDY_SAT_H
 
-#include "pair/kernels/kernels.h"
+#include "pair/kernels/pair_kernels.h"
 
 /* [give] fmb_pair_new, but for verdicts by kernels: these are separating axes. Boxes, which SAT has
  * not got, are answered without kernels. Errors: those of fmb_pair_new. */

@@ -2,7 +2,7 @@
 #include "study/textbook/exact.h"
 
 #include "study/textbook/table.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 /* A table of s with marks of the variables to keep. */
 typedef struct problem {

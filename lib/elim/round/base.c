@@ -4,7 +4,7 @@
 #include "elim/history/filter.h"
 #include "elim/history/history.h"
 #include "elim/round/round.h"
-#include "elim/rules/box.h"
+#include "elim/rules/box_rule.h"
 #include "elim/rules/prune.h"
 
 /* Is there a row that the box refutes among the base rows? Then the elimination is over. */

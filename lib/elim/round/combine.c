@@ -2,7 +2,7 @@
 #include "elim/history/filter.h"
 #include "elim/history/history.h"
 #include "elim/round/round.h"
-#include "elim/rules/box.h"
+#include "elim/rules/box_rule.h"
 #include "elim/rules/prune.h"
 
 /* Tell the watcher of the row at the end of the store. */

@@ -1,10 +1,10 @@
-/* slack.c: rows over the box; see box.h.
+/* slack.c: rows over the box; see box_rule.h.
  *
  * If the least value of a.x over the box is more than b, then the row and the rows that make those
  * ends combine to a row 0 <= negative: one combination for each variable of the row. This is the
  * article's inconsistency test. Source: Baillehache 2020.
  */
-#include "elim/rules/box.h"
+#include "elim/rules/box_rule.h"
 
 #include "num/gcd.h"
 

@@ -6,7 +6,7 @@
 
 #include "elim/history/filter.h"
 #include "elim/history/history.h"
-#include "elim/rules/box.h"
+#include "elim/rules/box_rule.h"
 
 struct fmb_scratch {
     struct fmb_scratch *next;

@@ -2,7 +2,7 @@
  *
  * A sum of 9 products of numbers below 2^62 and 2^60 is below 2^126.
  */
-#include "elim/tiny/inside.h"
+#include "elim/tiny/tiny_private.h"
 
 /* What the box says of a row. */
 typedef enum word { NOTHING, ALWAYS, NEVER } word;

@@ -2,7 +2,7 @@
  *
  * Ends are fractions b / c below 2^126, compared by products of 256 bits where they must be.
  */
-#include "elim/tiny/inside.h"
+#include "elim/tiny/tiny_private.h"
 
 static bool fits_int64(fmb_i128 v)
 {

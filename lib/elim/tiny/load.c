@@ -4,9 +4,9 @@
  * whole number, is an end of the box: the box may be larger than what the rows say, and what holds
  * in it strictly, or fails in all of it, does so in the smaller one.
  */
-#include "elim/tiny/inside.h"
+#include "elim/tiny/tiny_private.h"
 #include "num/gcd.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 static void ask_for_memory(const void *p)
 {
@@ -18,9 +18,9 @@ static void ask_for_memory(const void *p)
 }
 
 /* Base rows that are ends: row[side][variable], or -1. */
-typedef struct ends {
+typedef struct load_ends {
     int row[2][FMB_TINY_WORDS];
-} ends;
+} load_ends;
 
 /* Is a x REL b tighter than row i on the same side of the same variable? */
 static bool is_tighter_end(const fmb_tiny_table *base, int i, int var, const fmb_sysrow *r)
@@ -44,7 +44,7 @@ static void put_base_row(fmb_tiny_table *base, int i, const fmb_sysrow *r)
 }
 
 /* A row with one variable: as an end, unless there is a tighter one. */
-static void put_end_row(fmb_tiny_table *base, ends *e, const fmb_sysrow *r)
+static void put_end_row(fmb_tiny_table *base, load_ends *e, const fmb_sysrow *r)
 {
     int var = r->var[0] + 1, *end = &e->row[r->val.s[0] > 0][var];
     if (*end < 0)
@@ -60,7 +60,7 @@ static int64_t floor_divide(int64_t b, int64_t a)
 }
 
 /* Ends that are too large for the sums in box.c are left out. */
-static void make_outward_box(fmb_tiny *t, const ends *e)
+static void make_outward_box(fmb_tiny *t, const load_ends *e)
 {
     t->open[0] = t->open[1] = 0;
     for (int k = 1; k <= t->n; k++) {
@@ -94,7 +94,7 @@ static bool suits_the_stack(const fmb_system *s)
 
 fmb_tiny_step fmb_tiny_load(fmb_tiny *t, const fmb_system *s)
 {
-    ends e;
+    load_ends e;
     t->n = fmb_system_dim(s);
     t->now->rows = 0;
     if (!suits_the_stack(s))

@@ -3,7 +3,7 @@
  * Two rows whose bits add up to less than 62 can be combined as they are: each product is below
  * 2^61. Others are combined in 128 bits and divided by their content.
  */
-#include "elim/tiny/inside.h"
+#include "elim/tiny/tiny_private.h"
 #include "num/gcd.h"
 
 static bool fits_small_bits(fmb_i128 v)

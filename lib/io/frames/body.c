@@ -1,21 +1,21 @@
 /* body.c: a frame or a polytope in JSON; docs/formats.md, "frames". */
-#include "io/frames/frames.h"
+#include "io/frames/frame_reader.h"
 
 /* ---- rows of a polytope ---------------------------------------------------------------------- */
 
 static fmb_status read_coefficients(void *reader, fmb_cursor *c)
 {
-    fmb_frames *r = reader;
+    fmb_frame_reader *r = reader;
     fmb_numbers *a = &r->now->coefficients;
     a->n = 0;
-    fmb_status st = fmb_frames_point(r, c, a);
+    fmb_status st = fmb_frame_reader_point(r, c, a);
     return st == FMB_OK && r->how.nearest ? fmb_numbers_rationals(a, &r->mem) : st;
 }
 
 static fmb_status read_relation_word(void *reader, fmb_cursor *c)
 {
     static const char what[] = "\"<=\", \"<\" or \"=\"";
-    fmb_frames *r = reader;
+    fmb_frame_reader *r = reader;
     const char *p = c->at;
     fmb_span word;
     fmb_status st = fmb_json_string(c, what, &word);
@@ -28,11 +28,11 @@ static fmb_status read_relation_word(void *reader, fmb_cursor *c)
 
 static fmb_status read_right_side(void *reader, fmb_cursor *c)
 {
-    fmb_frames *r = reader;
-    return fmb_frames_value(r, c, r->row.rhs);
+    fmb_frame_reader *r = reader;
+    return fmb_frame_reader_value(r, c, r->row.rhs);
 }
 
-static fmb_status append_polytope_row(fmb_frames *r, fmb_cursor *c, const char *p)
+static fmb_status append_polytope_row(fmb_frame_reader *r, fmb_cursor *c, const char *p)
 {
     fmb_body_draft *b = r->now;
     fmb_status st = FMB_OK;
@@ -53,7 +53,7 @@ static fmb_status read_polytope_row(void *reader, fmb_cursor *c)
     static const fmb_json_key keys[] = {{"coefficients", read_coefficients},
                                         {"relation", read_relation_word},
                                         {"rhs", read_right_side}};
-    fmb_frames *r = reader;
+    fmb_frame_reader *r = reader;
     unsigned seen;
     fmb_json_blanks(c);
     const char *p = c->at;
@@ -73,7 +73,7 @@ static fmb_status read_polytope_rows(void *reader, fmb_cursor *c)
 static fmb_status read_body_type(void *reader, fmb_cursor *c)
 {
     static const char what[] = "\"cuboid\", \"simplex\", \"tetrahedron\", \"hull\" or \"polytope\"";
-    fmb_body_draft *b = ((fmb_frames *)reader)->now;
+    fmb_body_draft *b = ((fmb_frame_reader *)reader)->now;
     const char *p = c->at;
     fmb_span word;
     fmb_status st = fmb_json_string(c, what, &word);
@@ -90,16 +90,16 @@ static fmb_status read_body_type(void *reader, fmb_cursor *c)
 
 static fmb_status read_frame_origin(void *reader, fmb_cursor *c)
 {
-    fmb_frames *r = reader;
-    return fmb_frames_point(r, c, &r->now->origin);
+    fmb_frame_reader *r = reader;
+    return fmb_frame_reader_point(r, c, &r->now->origin);
 }
 
 static fmb_status read_frame_axis(void *reader, fmb_cursor *c)
 {
-    fmb_frames *r = reader;
+    fmb_frame_reader *r = reader;
     fmb_json_blanks(c);
     const char *p = c->at;
-    fmb_status st = fmb_frames_point(r, c, &r->now->axes);
+    fmb_status st = fmb_frame_reader_point(r, c, &r->now->axes);
     if (st == FMB_OK && ++r->now->naxes > r->dim)
         st = fmb_io_fail(c, p, "expected at most %d edges in %d dimensions", r->dim, r->dim);
     return st;
@@ -108,11 +108,11 @@ static fmb_status read_frame_axis(void *reader, fmb_cursor *c)
 /* The first one is the origin. */
 static fmb_status read_frame_corner(void *reader, fmb_cursor *c)
 {
-    fmb_frames *r = reader;
+    fmb_frame_reader *r = reader;
     if (r->now->origin.n == 0)
         return read_frame_origin(r, c);
     r->now->naxes++;
-    return fmb_frames_point(r, c, &r->now->axes);
+    return fmb_frame_reader_point(r, c, &r->now->axes);
 }
 
 /* Only the number of a hull's is not limited, and the type may stand behind them. */
@@ -129,11 +129,11 @@ static fmb_status read_frame_axes(void *reader, fmb_cursor *c)
 /* A speed that is 0 is none. */
 static fmb_status read_frame_speed(void *reader, fmb_cursor *c)
 {
-    fmb_frames *r = reader;
+    fmb_frame_reader *r = reader;
     fmb_numbers *a = &r->now->speed;
     if (fmb_json_null(c))
         return FMB_OK;
-    fmb_status st = fmb_frames_point(r, c, a);
+    fmb_status st = fmb_frame_reader_point(r, c, a);
     bool moves = false;
     for (size_t j = 0; j < a->n; j++)
         moves |= r->how.nearest ? a->d[j] != 0 : mpq_sgn(a->q[j]) != 0;
@@ -152,7 +152,7 @@ static void reset_body_draft(fmb_body_draft *b)
     b->rows = NULL;
 }
 
-fmb_status fmb_frames_body(fmb_frames *r, fmb_cursor *c)
+fmb_status fmb_frame_reader_body(fmb_frame_reader *r, fmb_cursor *c)
 {
     enum { TYPE = 1, ORIG = 2, COMP = 4, VEL = 8, ROWS = 16, POINTS = 32 };
     static const fmb_json_key keys[] = {

@@ -7,7 +7,7 @@
 #ifndef FMB_IO_JSON_H
 #define FMB_IO_JSON_H
 
-#include "io/core/io.h"
+#include "io/core/io_private.h"
 
 /* Objects and arrays inside each other, where they are passed over. */
 #define FMB_JSON_DEPTH 100

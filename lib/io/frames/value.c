@@ -3,10 +3,10 @@
 
 #include "io/core/number.h"
 #include "io/core/short.h"
-#include "io/frames/frames.h"
+#include "io/frames/frame_reader.h"
 
 /* Exactly, and as a double. */
-static fmb_status read_exact_value(fmb_frames *r, fmb_cursor *c, mpq_t out, double *near)
+static fmb_status read_exact_value(fmb_frame_reader *r, fmb_cursor *c, mpq_t out, double *near)
 {
     fmb_short_decimal d;
     const char *p = c->at;
@@ -42,7 +42,7 @@ static fmb_status read_nearest_value(fmb_cursor *c, double *near)
                            : fmb_io_fail(c, p, "expected a number that is not beyond all doubles");
 }
 
-fmb_status fmb_frames_value(fmb_frames *r, fmb_cursor *c, mpq_t out)
+fmb_status fmb_frame_reader_value(fmb_frame_reader *r, fmb_cursor *c, mpq_t out)
 {
     double near;
     fmb_json_blanks(c);
@@ -81,9 +81,9 @@ fmb_status fmb_numbers_rationals(fmb_numbers *a, fmb_mem *mem)
 
 static fmb_status read_array_number(void *reader, fmb_cursor *c)
 {
-    fmb_frames *r = reader;
+    fmb_frame_reader *r = reader;
     fmb_numbers *a = r->point;
-    fmb_status st = fmb_frames_poll(r);
+    fmb_status st = fmb_frame_reader_poll(r);
     if (st == FMB_OK)
         st = reserve_one_double(a, &r->mem);
     if (st == FMB_OK && !r->how.nearest)
@@ -99,13 +99,13 @@ static fmb_status read_array_number(void *reader, fmb_cursor *c)
 
 /* The same of doubles that have few digits and find room, which is nearly always so: quickly.
  * False, and nothing was read, if something else comes. */
-static bool read_array_of_short_doubles(fmb_frames *r, fmb_cursor *c, fmb_numbers *to)
+static bool read_array_of_short_doubles(fmb_frame_reader *r, fmb_cursor *c, fmb_numbers *to)
 {
     const char *start = c->at;
     size_t n = to->n;
     fmb_short_decimal d;
     bool more = fmb_peek(c) == '[';
-    while (more && n < to->d_capacity && fmb_frames_poll(r) == FMB_OK) {
+    while (more && n < to->d_capacity && fmb_frame_reader_poll(r) == FMB_OK) {
         c->at++;
         fmb_json_blanks(c);
         if (!fmb_scan_short_decimal(c, true, &d) || !fmb_short_decimal_nearest(&d, &to->d[n]))
@@ -124,7 +124,7 @@ static bool read_array_of_short_doubles(fmb_frames *r, fmb_cursor *c, fmb_number
 }
 
 /* As many numbers as in the arrays before; the first one says how many that is. */
-fmb_status fmb_frames_point(fmb_frames *r, fmb_cursor *c, fmb_numbers *to)
+fmb_status fmb_frame_reader_point(fmb_frame_reader *r, fmb_cursor *c, fmb_numbers *to)
 {
     fmb_json_blanks(c);
     const char *p = c->at;

@@ -7,7 +7,7 @@
  * Source: T. Christof, A. Loebel, PORTA 1.4, man page "porta".
  */
 #include "io/core/chars.h"
-#include "io/core/io.h"
+#include "io/core/io_private.h"
 
 typedef struct ieq {
     fmb_cursor *c;

@@ -115,7 +115,7 @@ static bool are_all_coordinates_integer(const fmb_generators *g, mpq_t q)
 {
     for (size_t i = 0; i < fmb_generators_size(g); i++)
         for (int j = 0; j < fmb_generators_dim(g); j++) {
-            fmb_generators_get_q(g, i, j, q);
+            fmb_generators_coordinate_q(g, i, j, q);
             if (mpz_cmp_ui(mpq_denref(q), 1) != 0)
                 return false;
         }
@@ -135,7 +135,7 @@ fmb_status fmb_generators_write(const fmb_generators *g, FILE *out)
     for (size_t i = 0; i < fmb_generators_size(g); i++) {
         fputc(fmb_generators_kind(g, i) == FMB_VERTEX ? '1' : '0', out);
         for (int j = 0; j < fmb_generators_dim(g); j++) {
-            fmb_generators_get_q(g, i, j, q);
+            fmb_generators_coordinate_q(g, i, j, q);
             fputc(' ', out);
             fmb_print_q(out, q);
         }

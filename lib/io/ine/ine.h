@@ -4,7 +4,7 @@
 #ifndef FMB_IO_INE_H
 #define FMB_IO_INE_H
 
-#include "io/core/io.h"
+#include "io/core/io_private.h"
 
 /* A number of a list, and where it stands. */
 typedef struct fmb_ine_item {

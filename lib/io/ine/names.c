@@ -9,7 +9,7 @@
 #include "io/core/chars.h"
 #include "io/core/quote.h"
 #include "io/ine/ine.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 /* The line at c, up to its quotes. */
 static bool accept_subject_of_comment(fmb_cursor *c, bool *row, size_t *index)

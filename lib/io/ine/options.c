@@ -6,7 +6,7 @@
  */
 #include "io/core/chars.h"
 #include "io/ine/ine.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 static bool is_at_end_of_line(fmb_cursor *c)
 {

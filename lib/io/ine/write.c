@@ -2,9 +2,9 @@
  */
 #include <string.h>
 
-#include "io/core/io.h"
+#include "io/core/io_private.h"
 #include "io/core/quote.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 static bool is_integer_row(const fmb_sysrow *r)
 {

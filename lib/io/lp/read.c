@@ -11,11 +11,11 @@
  *
  * Sources: as in token.h.
  */
-#include "io/core/program.h"
+#include "io/core/program_draft.h"
 #include "io/lp/token.h"
 
 typedef struct lp_reader {
-    fmb_program program;
+    fmb_program_draft program;
     fmb_cursor *c;
     fmb_lp_token next;
     mpq_t value;   /* of the next token, if it is a number */

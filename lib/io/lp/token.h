@@ -11,7 +11,7 @@
 #ifndef FMB_IO_LP_TOKEN_H
 #define FMB_IO_LP_TOKEN_H
 
-#include "io/core/io.h"
+#include "io/core/io_private.h"
 
 typedef enum fmb_lp_kind {
     FMB_LP_OTHER = 0, /* a byte that begins nothing */

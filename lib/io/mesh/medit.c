@@ -2,7 +2,7 @@
  * behind it that is passed over, as sections are that say nothing of points, faces or tetrahedra.
  */
 #include "io/core/chars.h"
-#include "io/mesh/draft.h"
+#include "io/mesh/mesh_draft.h"
 
 /* The numbers of a section that does not count. */
 static fmb_status skip_numbers(fmb_cursor *c, fmb_mesh_draft *d)

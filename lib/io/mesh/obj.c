@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "io/core/number.h"
-#include "io/mesh/draft.h"
+#include "io/mesh/mesh_draft.h"
 
 /* Blanks, and line ends behind a backslash. */
 static void skip_blanks_of_statement(fmb_cursor *c)

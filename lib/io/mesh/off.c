@@ -4,7 +4,7 @@
  * point and each face, the rest of a point's line is passed over; elsewhere a point is as many
  * numbers as the header says.
  */
-#include "io/mesh/draft.h"
+#include "io/mesh/mesh_draft.h"
 
 /* "OFF", and colours or normals with the points (COFF, NOFF), which are then passed over as well:
  * *more numbers. Other letters mean other points. The header may be missing. */

@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "io/core/number.h"
-#include "io/mesh/draft.h"
+#include "io/mesh/mesh_draft.h"
 
 typedef struct ply_type {
     const char *name, *other_name;

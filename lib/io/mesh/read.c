@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "io/core/stream.h"
-#include "io/mesh/draft.h"
+#include "io/mesh/mesh_draft.h"
 
 /* ---- the table ------------------------------------------------------------------------------- */
 

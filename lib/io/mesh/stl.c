@@ -6,7 +6,7 @@
  */
 #include <math.h>
 
-#include "io/mesh/draft.h"
+#include "io/mesh/mesh_draft.h"
 
 enum { HEADER_BYTES = 80, FACET_BYTES = 50 };
 

@@ -2,7 +2,7 @@
  * number of the first point, 0 or 1, tells where numbers begin in both; what stands behind
  * coordinates or corners in a line is passed over.
  */
-#include "io/mesh/draft.h"
+#include "io/mesh/mesh_draft.h"
 
 /* The number in front of a line: they go up one by one. */
 static fmb_status read_line_number(fmb_cursor *c, fmb_mesh_draft *d, size_t i, size_t *base)

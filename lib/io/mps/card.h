@@ -16,7 +16,7 @@
 #ifndef FMB_IO_MPS_CARD_H
 #define FMB_IO_MPS_CARD_H
 
-#include "io/core/io.h"
+#include "io/core/io_private.h"
 
 typedef enum fmb_mps_section {
     FMB_MPS_NONE = 0,

@@ -9,7 +9,7 @@
  */
 #include <string.h>
 
-#include "io/core/program.h"
+#include "io/core/program_draft.h"
 #include "io/mps/card.h"
 
 #define MPS_NUMBER (FMB_NUM_SIGN | FMB_NUM_DECIMAL | FMB_NUM_EXPONENT)
@@ -22,7 +22,7 @@ typedef struct mps_row {
 } mps_row;
 
 typedef struct mps_reader {
-    fmb_program program;
+    fmb_program_draft program;
     fmb_cursor *c;
     fmb_mps_section section;
     bool fixed, between_markers, has_columns;
@@ -167,7 +167,7 @@ static fmb_status read_column(mps_reader *m, const fmb_mps_card *card)
 static fmb_status append_mps_row(mps_reader *m, mps_row *r)
 {
     bool has_range = r->range.n > 0, down = r->type == 'L', open = false;
-    fmb_program *p = &m->program;
+    fmb_program_draft *p = &m->program;
     mpq_set(m->low, r->terms.rhs);
     mpq_set(m->high, r->terms.rhs);
     if (has_range) {

@@ -5,7 +5,7 @@
 #ifndef FMB_IO_SMT2_LEX_H
 #define FMB_IO_SMT2_LEX_H
 
-#include "io/core/io.h"
+#include "io/core/io_private.h"
 
 typedef enum fmb_smt_kind {
     FMB_SMT_END = 0,

@@ -11,7 +11,7 @@
 #ifndef FMB_IO_SMT2_LINEAR_H
 #define FMB_IO_SMT2_LINEAR_H
 
-#include "io/core/io.h"
+#include "io/core/io_private.h"
 
 #define FMB_LIN_SHORT 8
 

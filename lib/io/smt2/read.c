@@ -6,7 +6,7 @@
  * Source: Barrett, Fontaine, Tinelli, The SMT-LIB Standard, version 2.6, 2017.
  */
 #include "io/smt2/term.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 static fmb_status run_assert_command(fmb_smt *r, const char *open)
 {

@@ -12,7 +12,7 @@
 #ifndef FMB_IO_SMT2_SCOPE_H
 #define FMB_IO_SMT2_SCOPE_H
 
-#include "io/core/io.h"
+#include "io/core/io_private.h"
 
 /* A term or a formula, and where the text has it. */
 typedef struct fmb_smt_value {

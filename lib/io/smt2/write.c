@@ -9,7 +9,7 @@
 #include "io/core/chars.h"
 #include "io/smt2/term.h"
 #include "system/names.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 typedef struct writer {
     const fmb_system *s;

@@ -9,7 +9,7 @@
 
 #include "io/core/stream.h"
 #include "io/text/text.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 typedef struct graph {
     fmb_text *t;

@@ -1,7 +1,7 @@
 /* objective.c: objectives of the .fmb format: the labels that announce them, and a form by itself.
  */
 #include "io/text/text.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 fmb_sense fmb_text_sense(fmb_span label)
 {

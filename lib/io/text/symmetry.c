@@ -22,7 +22,7 @@ typedef struct sorted_name {
     int index;
 } sorted_name;
 
-typedef struct reader {
+typedef struct permutation_reader {
     fmb_text *t;
     const fmb_system *s;
     bool *kept, *met; /* [dim], [most] */
@@ -32,14 +32,14 @@ typedef struct reader {
     fmb_row_images rows;
     sorted_name *name; /* [dim] in order, or NULL: no line #>> so far */
     fmb_permutations *out;
-} reader;
+} permutation_reader;
 
 enum { LETTERS = 128 };
 
 /* ---- the rule as a permutation --------------------------------------------------------------- */
 
 /* image[dim], which the rule at p says, if it is a symmetry. */
-static fmb_status add_symmetry(reader *r, const char *p)
+static fmb_status add_symmetry(permutation_reader *r, const char *p)
 {
     fmb_cursor *c = r->t->c;
     size_t without = SIZE_MAX;
@@ -57,7 +57,7 @@ static fmb_status add_symmetry(reader *r, const char *p)
     return st == FMB_OK ? fmb_permutations_add(r->out, r->image) : st;
 }
 
-static void forget_rule(reader *r, size_t n)
+static void forget_rule(permutation_reader *r, size_t n)
 {
     for (size_t j = 0; j < n; j++)
         r->image[j] = -1;
@@ -81,7 +81,7 @@ static bool is_at_next_name(fmb_cursor *c)
 }
 
 /* The name at c; each stands once on its side. */
-static fmb_status read_variable(reader *r, int *index)
+static fmb_status read_variable(permutation_reader *r, int *index)
 {
     char found[FMB_QUOTE];
     const char *p = r->t->c->at;
@@ -97,7 +97,7 @@ static fmb_status read_variable(reader *r, int *index)
     return st;
 }
 
-static fmb_status read_variables(reader *r, int *list, size_t *n)
+static fmb_status read_variables(permutation_reader *r, int *list, size_t *n)
 {
     fmb_status st = FMB_OK;
     memset(r->met, 0, r->most * sizeof *r->met);
@@ -107,7 +107,7 @@ static fmb_status read_variables(reader *r, int *list, size_t *n)
 }
 
 /* The variables on the right are where those on the left go. */
-static fmb_status read_images_of_list(reader *r, size_t n)
+static fmb_status read_images_of_list(permutation_reader *r, size_t n)
 {
     fmb_status st = FMB_OK;
     memset(r->met, 0, r->most * sizeof *r->met);
@@ -117,7 +117,7 @@ static fmb_status read_images_of_list(reader *r, size_t n)
     return st == FMB_OK && is_at_next_name(r->t->c) ? fail_at_sign(r->t->c) : st;
 }
 
-static fmb_status read_rule_of_variables(reader *r)
+static fmb_status read_rule_of_variables(permutation_reader *r)
 {
     size_t n;
     const char *start = r->t->c->at;
@@ -158,7 +158,7 @@ static void sort_letters(const char *name, const int *letter, char *key)
 }
 
 /* All names in order; two of the same letters are none. */
-static fmb_status open_sorted_names(reader *r, const char *p)
+static fmb_status open_sorted_names(permutation_reader *r, const char *p)
 {
     fmb_cursor *c = r->t->c;
     size_t dim = (size_t)fmb_system_dim(r->s);
@@ -185,7 +185,7 @@ static fmb_status open_sorted_names(reader *r, const char *p)
     return FMB_OK;
 }
 
-static void close_sorted_names(reader *r)
+static void close_sorted_names(permutation_reader *r)
 {
     for (int j = 0; r->name && j < fmb_system_dim(r->s); j++)
         fmb_mem_put_text(r->t->c->mem, r->name[j].key);
@@ -198,7 +198,7 @@ static bool is_letter(int b)
 }
 
 /* Letters up to what is none; each stands once. */
-static fmb_status scan_letters(reader *r, fmb_span *out)
+static fmb_status scan_letters(permutation_reader *r, fmb_span *out)
 {
     fmb_cursor *c = r->t->c;
     char found[FMB_QUOTE];
@@ -217,7 +217,7 @@ static fmb_status scan_letters(reader *r, fmb_span *out)
 }
 
 /* image[dim] of the letters[]; on the way a key that is not longer than the longest name. */
-static fmb_status take_letters_to_variables(reader *r, const int *letter, const char *p)
+static fmb_status take_letters_to_variables(permutation_reader *r, const int *letter, const char *p)
 {
     fmb_cursor *c = r->t->c;
     size_t dim = (size_t)fmb_system_dim(r->s);
@@ -240,7 +240,7 @@ static fmb_status take_letters_to_variables(reader *r, const int *letter, const 
     return st;
 }
 
-static fmb_status read_rule_of_letters(reader *r)
+static fmb_status read_rule_of_letters(permutation_reader *r)
 {
     fmb_cursor *c = r->t->c;
     fmb_span left, right;
@@ -272,7 +272,7 @@ static fmb_status read_rule_of_letters(reader *r)
 /* ---- lines ----------------------------------------------------------------------------------- */
 
 /* Rules with ';' between them, to the end of the line. */
-static fmb_status read_rules(reader *r, fmb_status rule(reader *))
+static fmb_status read_rules(permutation_reader *r, fmb_status rule(permutation_reader *))
 {
     fmb_cursor *c = r->t->c;
     char found[FMB_QUOTE];
@@ -297,7 +297,7 @@ static bool has_lines_of_letters(fmb_cursor c)
     return false;
 }
 
-static fmb_status read_lines(reader *r)
+static fmb_status read_lines(permutation_reader *r)
 {
     fmb_cursor *c = r->t->c;
     fmb_status st = fmb_io_check(c);
@@ -314,7 +314,7 @@ static fmb_status read_lines(reader *r)
     return st;
 }
 
-static fmb_status open_reader(reader *r, const int *keep, int n)
+static fmb_status open_reader(permutation_reader *r, const int *keep, int n)
 {
     fmb_mem *mem = r->t->c->mem;
     size_t dim = (size_t)fmb_system_dim(r->s);
@@ -331,7 +331,7 @@ static fmb_status open_reader(reader *r, const int *keep, int n)
     return st == FMB_OK ? fmb_permutations_new((int)dim, r->t->c->how->mem, &r->out) : st;
 }
 
-static void close_reader(reader *r)
+static void close_reader(permutation_reader *r)
 {
     fmb_mem *mem = r->t->c->mem;
     size_t dim = (size_t)fmb_system_dim(r->s);
@@ -353,7 +353,7 @@ static fmb_status parse_symmetries(fmb_cursor *c, const fmb_system *s, const int
     if (st != FMB_OK)
         return st;
     fmb_text t = {.c = c, .s = names, .declared = true, .alone = true};
-    reader r = {.t = &t, .s = names};
+    permutation_reader r = {.t = &t, .s = names};
     st = open_reader(&r, keep, n);
     if (st == FMB_OK)
         st = read_lines(&r);

@@ -5,7 +5,7 @@
 #ifndef FMB_IO_TEXT_H
 #define FMB_IO_TEXT_H
 
-#include "io/core/io.h"
+#include "io/core/io_private.h"
 #include "io/core/quote.h"
 
 /* Parentheses inside parentheses. */

@@ -1,5 +1,5 @@
-/* dictionary.h: dictionaries of integers, on which a small exact simplex works (simplex.h): the
- * oracle.
+/* dictionary.h: dictionaries of integers, on which a small exact simplex works (exact_simplex.h):
+ * the oracle.
  *
  * The rows a_i.x REL b_i define slacks s_i = b_i - a_i.x - delta [row i strict] >= 0, with delta a
  * positive infinitesimal; x is free. A dictionary writes m *basic* variables in the n *nonbasic*

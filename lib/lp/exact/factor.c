@@ -4,7 +4,7 @@
 #include <assert.h>
 #include <string.h>
 
-#include "lp/exact/lift.h"
+#include "lp/exact/dixon.h"
 #include "lp/exact/lu.h"
 #include "lp/exact/minors.h"
 #include "lp/exact/rational.h"
@@ -19,7 +19,7 @@ struct fmb_factor {
     fmb_lu lu;
     fmb_sparse b[2];     /* in the order of the pivots, and its transpose */
     fmb_sweep across[2]; /* the transposes of lu.upper, lu.lower */
-    fmb_lift lift[2];
+    fmb_dixon lift[2];
     fmb_minors minors;
     bool is_short, has_minors; /* minors suit it; they are there */
     bool *reached;             /* [n] scratch of substitution */
@@ -137,7 +137,7 @@ static fmb_status prepare_lifting(fmb_factor *f, bool across)
 
 /* What one solution is asked: x[at[k]] is unknown k. */
 typedef struct asked {
-    fmb_lift *lift;
+    fmb_dixon *lift;
     const int *at;
     mpz_t *x;
     size_t right_bits;
@@ -242,8 +242,8 @@ static size_t count_most_digits(const fmb_sparse *b, size_t right_bits)
     return (size_t)(bits / (FMB_PRIME_BITS - 1)) + 3;
 }
 
-static fmb_status solve_by_lifting(fmb_factor *f, fmb_lift *lift, mpz_t *right, const int *right_at,
-                                   const int *at, mpz_t *x, mpz_t den)
+static fmb_status solve_by_lifting(fmb_factor *f, fmb_dixon *lift, mpz_t *right,
+                                   const int *right_at, const int *at, mpz_t *x, mpz_t den)
 {
     asked s = {.lift = lift, .at = at, .x = x};
     if (lift->n == 0) {

@@ -5,10 +5,10 @@
 
 /* ---- lists ----------------------------------------------------------------------------------- */
 
-static fmb_status open_lists(fmb_lists *l, fmb_arena *arena, size_t size, size_t entries,
+static fmb_status open_lists(fmb_nucleus_lists *l, fmb_arena *arena, size_t size, size_t entries,
                              bool values)
 {
-    *l = (fmb_lists){0};
+    *l = (fmb_nucleus_lists){0};
     l->start = fmb_arena_get(arena, size, sizeof *l->start);
     l->size = fmb_arena_get(arena, size, sizeof *l->size);
     l->room = fmb_arena_get(arena, size, sizeof *l->room);
@@ -24,7 +24,7 @@ static fmb_status open_lists(fmb_lists *l, fmb_arena *arena, size_t size, size_t
 }
 
 /* Room for `more` entries at the end of list i: a list that is too short moves to the end. */
-static fmb_status reserve_list(fmb_lists *l, fmb_arena *arena, int i, int more)
+static fmb_status reserve_list(fmb_nucleus_lists *l, fmb_arena *arena, int i, int more)
 {
     if (l->size[i] + more <= l->room[i])
         return FMB_OK;
@@ -45,7 +45,7 @@ static fmb_status reserve_list(fmb_lists *l, fmb_arena *arena, int i, int more)
     return FMB_OK;
 }
 
-static void drop_from_list(fmb_lists *l, int i, int entry)
+static void drop_from_list(fmb_nucleus_lists *l, int i, int entry)
 {
     int *e = l->entry + l->start[i], k = 0;
     while (e[k] != entry)
@@ -117,7 +117,7 @@ fmb_status fmb_nucleus_open(fmb_nucleus *u, fmb_run *run, fmb_arena *arena, cons
 /* The columns' lists from the rows', and all buckets. */
 static void list_columns_of_rows(fmb_nucleus *u)
 {
-    fmb_lists *row = &u->row, *column = &u->column;
+    fmb_nucleus_lists *row = &u->row, *column = &u->column;
     for (size_t at = 0, i = 0; i < (size_t)u->size; i++) {
         row->start[i] = at;
         row->room[i] = row->size[i];
@@ -201,7 +201,7 @@ static bool choose_sparse_pivot(const fmb_nucleus *u, choice *best)
 /* The pivot moves to the front of its row; both leave the active part. */
 static void take_pivot_out(fmb_nucleus *u, int r, int c)
 {
-    fmb_lists *row = &u->row, *column = &u->column;
+    fmb_nucleus_lists *row = &u->row, *column = &u->column;
     int *e = row->entry + row->start[r], t = 0;
     uint64_t *v = row->value + row->start[r];
     take_from_bucket(&u->by_row, r, row->size[r]);
@@ -237,7 +237,7 @@ static fmb_status note_multiplier(fmb_nucleus *u, int i, uint64_t value)
 }
 
 /* Take entry t out of row i. */
-static void drop_row_entry(fmb_lists *row, int i, int t)
+static void drop_row_entry(fmb_nucleus_lists *row, int i, int t)
 {
     int *e = row->entry + row->start[i], end = --row->size[i];
     uint64_t *v = row->value + row->start[i];
@@ -248,7 +248,7 @@ static void drop_row_entry(fmb_lists *row, int i, int t)
 /* Row i minus f times the pivot row r, in columns where row i has entries. Returns how many. */
 static int combine_common_entries(fmb_nucleus *u, int i, int r, uint64_t f)
 {
-    fmb_lists *row = &u->row;
+    fmb_nucleus_lists *row = &u->row;
     const uint64_t *pivot = row->value + row->start[r];
     int *e = row->entry + row->start[i], common = 0;
     uint64_t *v = row->value + row->start[i];
@@ -275,7 +275,7 @@ static int combine_common_entries(fmb_nucleus *u, int i, int r, uint64_t f)
 /* The entries of the pivot row that row i lacks. */
 static fmb_status append_new_entries(fmb_nucleus *u, int i, int r, uint64_t f, int common)
 {
-    fmb_lists *row = &u->row, *column = &u->column;
+    fmb_nucleus_lists *row = &u->row, *column = &u->column;
     int size = row->size[r], fresh = size - 1 - common;
     fmb_status st = reserve_list(row, u->arena, i, fresh);
     for (int k = 1; st == FMB_OK && k < size; k++) {
@@ -298,7 +298,7 @@ static fmb_status append_new_entries(fmb_nucleus *u, int i, int r, uint64_t f, i
 
 static fmb_status eliminate_from_row(fmb_nucleus *u, int i, int r, int c)
 {
-    fmb_lists *row = &u->row;
+    fmb_nucleus_lists *row = &u->row;
     int t = 0;
     while (row->entry[row->start[i] + (size_t)t] != c)
         t++;

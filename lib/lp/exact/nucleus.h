@@ -14,13 +14,13 @@
 #include "lp/exact/dense.h"
 
 /* Lists of numbers in one pool: list i has size[i] of room[i] from start[i] on. */
-typedef struct fmb_lists {
+typedef struct fmb_nucleus_lists {
     size_t *start;
     int *size, *room;
     int *entry;
     uint64_t *value; /* beside entry, or NULL: no values */
     size_t used, entry_room, value_room;
-} fmb_lists;
+} fmb_nucleus_lists;
 
 /* Rows or columns by the number of their entries: doubly linked, -1 ends. */
 typedef struct fmb_buckets {
@@ -38,7 +38,7 @@ typedef struct fmb_nucleus {
     fmb_arena *arena;
     const fmb_prime *q;
     int size;
-    fmb_lists row, column;
+    fmb_nucleus_lists row, column;
     fmb_buckets by_row, by_column;
     int *row_at, *column_at; /* [pivots] */
     int pivots;              /* before those of the dense rest */

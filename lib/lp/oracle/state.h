@@ -2,11 +2,11 @@
 #ifndef FMB_LP_ORACLE_STATE_H
 #define FMB_LP_ORACLE_STATE_H
 
-#include "lp/exact/short.h"
+#include "lp/exact/modular_kernel.h"
 #include "lp/float/door.h"
 #include "lp/oracle/oracle.h"
+#include "lp/oracle/pivot_walk.h"
 #include "lp/oracle/refute.h"
-#include "lp/oracle/walk.h"
 
 typedef enum fmb_oracle_answer {
     FMB_ANSWER_NONE = 0,
@@ -22,7 +22,7 @@ struct fmb_oracle {
     size_t n;
     fmb_door *door; /* made when it is first asked */
     fmb_vertex v;
-    fmb_walk w;
+    fmb_pivot_walk w;
     size_t *hint;      /* [n] a guessed basis */
     fmb_integers cost; /* [n] the last cost, times cost_unit */
     mpz_t cost_unit;

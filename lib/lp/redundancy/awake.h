@@ -13,7 +13,7 @@
 #define FMB_LP_AWAKE_H
 
 #include "lp/float/basis.h"
-#include "lp/redundancy/inside.h"
+#include "lp/redundancy/interior_point.h"
 #include "lp/redundancy/rounded.h"
 
 /* The rows, all of them small (num/vec.h), for all searches to look at. */

@@ -1,9 +1,9 @@
 /* implied.c: redundancy by guessed multipliers; see implied.h.
  *
  * Where a point strictly inside is known, rays from there tell most rows that are irredundant
- * (inside.h). The others are tested against these and whatever else they need (awake.h): by one
- * search, or where they are many by a fixed number of searches, each with a range of them and with
- * what it found out itself, so that what goes does not depend on how many threads there are.
+ * (interior_point.h). The others are tested against these and whatever else they need (awake.h): by
+ * one search, or where they are many by a fixed number of searches, each with a range of them and
+ * with what it found out itself, so that what goes does not depend on how many threads there are.
  *
  * Each proof of one search names no row that went before; but proofs of several may argue in a
  * circle: each of two equal rows may go for the other. So searches are heard one after another, and
@@ -13,7 +13,7 @@
  */
 #include "lp/redundancy/implied.h"
 
-#include "lp/exact/simplex.h"
+#include "lp/exact/exact_simplex.h"
 #include "lp/oracle/oracle.h"
 #include "lp/redundancy/awake.h"
 #include "lp/redundancy/named.h"

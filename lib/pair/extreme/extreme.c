@@ -3,15 +3,15 @@
 
 #include <string.h>
 
-#include "frame/frame.h"
+#include "frame/frame_private.h"
 #include "pair/extreme/certify.h"
 #include "pair/extreme/value.h"
-#include "pair/extreme/walk.h"
+#include "pair/extreme/vertex_walk.h"
 
 enum { MOST_GOALS = 2 * (2 * FMB_EXTREME_DIM + 1), MOST_POINTS = MOST_GOALS + 1 };
 
 /* Many ends are at a vertex where another one was found. */
-typedef struct boxer {
+typedef struct extreme_boxer {
     fmb_extreme_program program;
     fmb_extreme_walk walk;
     fmb_extreme point[MOST_POINTS]; /* visited so far */
@@ -19,12 +19,12 @@ typedef struct boxer {
     bool is_near[MOST_POINTS]; /* its numbers in near are good enough for a witness */
     int points;
     fmb_extreme *at; /* one of them */
-} boxer;
+} extreme_boxer;
 
 /* ---- ends ------------------------------------------------------------------------------------ */
 
 /* At that basic solution; it counts among those whose mean is the witness. */
-static bool stand_at_basis(boxer *b, const fmb_extreme_basis *basis)
+static bool stand_at_basis(extreme_boxer *b, const fmb_extreme_basis *basis)
 {
     int k = 0;
     while (k < b->points && memcmp(basis, &b->point[k].basis, sizeof *basis) != 0)
@@ -40,7 +40,7 @@ static bool stand_at_basis(boxer *b, const fmb_extreme_basis *basis)
 }
 
 /* How far visited point k is in the direction of the goal, roughly. */
-static double near_value_of_goal(const boxer *b, const fmb_extreme_goal *goal, int k)
+static double near_value_of_goal(const extreme_boxer *b, const fmb_extreme_goal *goal, int k)
 {
     double value = goal->is_world ? 0 : b->near[k][goal->number];
     for (int j = 0; goal->is_world && j < b->program.columns; j++)
@@ -48,7 +48,7 @@ static double near_value_of_goal(const boxer *b, const fmb_extreme_goal *goal, i
     return goal->greatest ? value : -value;
 }
 
-static bool is_end_visited(boxer *b, const fmb_extreme_goal *goal)
+static bool is_end_visited(extreme_boxer *b, const fmb_extreme_goal *goal)
 {
     double most = -INFINITY;
     for (int k = 0; k < b->points; k++) {
@@ -61,13 +61,13 @@ static bool is_end_visited(boxer *b, const fmb_extreme_goal *goal)
     return b->points > 0 && fmb_extreme_is_farthest(b->at, goal);
 }
 
-static bool is_end_reached(boxer *b, const fmb_extreme_goal *goal)
+static bool is_end_reached(extreme_boxer *b, const fmb_extreme_goal *goal)
 {
     return fmb_extreme_walk_to(&b->walk, goal) && stand_at_basis(b, &b->walk.basis) &&
            fmb_extreme_is_farthest(b->at, goal);
 }
 
-static bool stand_at_end(boxer *b, const fmb_extreme_goal *goal)
+static bool stand_at_end(extreme_boxer *b, const fmb_extreme_goal *goal)
 {
     return is_end_visited(b, goal) || is_end_reached(b, goal);
 }
@@ -105,11 +105,11 @@ static size_t place_of_goal(const fmb_extreme_program *s, const fmb_extreme_goal
 enum { WORLD, INSIDE, TIME, GROUPS };
 
 /* Ends by group; the caller's are written only when all is known. */
-typedef struct answer {
+typedef struct box_answer {
     double end[GROUPS][2 * FMB_EXTREME_DIM];
-} answer;
+} box_answer;
 
-static bool find_rounded_end(boxer *b, const fmb_extreme_goal *goal, answer *to)
+static bool find_rounded_end(extreme_boxer *b, const fmb_extreme_goal *goal, box_answer *to)
 {
     int group, exponent = goal->is_world ? b->program.exponent[goal->number] : 0;
     size_t place = place_of_goal(&b->program, goal, &group);
@@ -118,7 +118,7 @@ static bool find_rounded_end(boxer *b, const fmb_extreme_goal *goal, answer *to)
 }
 
 /* Coordinate i of visited point k. */
-static double coordinate_of_point(boxer *b, const fmb_frame *p, int k, int i)
+static double coordinate_of_point(extreme_boxer *b, const fmb_frame *p, int k, int i)
 {
     const double *z = b->near[k];
     bool by_corners = fmb_frame_is_by_corners(p->shape);
@@ -131,7 +131,7 @@ static double coordinate_of_point(boxer *b, const fmb_frame *p, int k, int i)
     return x;
 }
 
-static void write_mean_of_extreme_points(boxer *b, const fmb_frame *p, double *x)
+static void write_mean_of_extreme_points(extreme_boxer *b, const fmb_frame *p, double *x)
 {
     for (int i = 0; i < p->dim; i++) {
         x[i] = 0;
@@ -149,8 +149,8 @@ static void copy_ends(double *to, const double *from, int n)
 
 bool fmb_extreme_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out)
 {
-    boxer b;
-    answer found = {.end[TIME] = {0, 1}};
+    extreme_boxer b;
+    box_answer found = {.end[TIME] = {0, 1}};
     fmb_extreme_goal goal[MOST_GOALS];
     b.points = 0;
     if (!fmb_extreme_load(&b.program, p, q) || !fmb_extreme_walk_start(&b.walk, &b.program))
@@ -189,14 +189,14 @@ static mpz_srcptr unit_of_goal(mpz_t *unit, const fmb_extreme_goal *goal)
     return goal->is_world ? unit[goal->number] : NULL;
 }
 
-static void write_value_here(boxer *b, mpz_t *unit, const fmb_extreme_goal *goal, mpq_t out)
+static void write_value_here(extreme_boxer *b, mpz_t *unit, const fmb_extreme_goal *goal, mpq_t out)
 {
     fmb_wide numerator, denominator;
     fmb_extreme_value(b->at, goal, &numerator, &denominator);
     write_fraction(&numerator, &denominator, unit_of_goal(unit, goal), out);
 }
 
-static bool find_exact_end(boxer *b, mpz_t *unit, const fmb_extreme_goal *goal,
+static bool find_exact_end(extreme_boxer *b, mpz_t *unit, const fmb_extreme_goal *goal,
                            const fmb_pair_answers_q *out)
 {
     mpq_t *const to[GROUPS] = {out->world, out->inside, out->time};
@@ -209,7 +209,7 @@ static bool find_exact_end(boxer *b, mpz_t *unit, const fmb_extreme_goal *goal,
 }
 
 /* The vertex at which b stands: in the world, in B, its time. */
-static void write_extreme_point(boxer *b, mpz_t *unit, mpq_t *out)
+static void write_extreme_point(extreme_boxer *b, mpz_t *unit, mpq_t *out)
 {
     const fmb_extreme_program *s = &b->program;
     for (int i = 0; i < s->dim; i++)
@@ -219,7 +219,7 @@ static void write_extreme_point(boxer *b, mpz_t *unit, mpq_t *out)
                          out[s->dim + j - s->first_of_b]);
 }
 
-static fmb_verdict answer_in_units(boxer *b, mpz_t *unit, const fmb_frame_q *p,
+static fmb_verdict answer_in_units(extreme_boxer *b, mpz_t *unit, const fmb_frame_q *p,
                                    const fmb_frame_q *q, const fmb_pair_answers_q *out)
 {
     fmb_extreme_goal goal[MOST_GOALS];
@@ -244,7 +244,7 @@ static fmb_verdict answer_in_units(boxer *b, mpz_t *unit, const fmb_frame_q *p,
 fmb_verdict fmb_extreme_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
                                  const fmb_pair_answers_q *out)
 {
-    boxer b;
+    extreme_boxer b;
     mpz_t unit[FMB_EXTREME_DIM];
     for (int i = 0; i < FMB_EXTREME_DIM; i++)
         mpz_init(unit[i]);

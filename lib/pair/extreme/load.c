@@ -1,9 +1,9 @@
-/* load.c: frames as integers; see program.h. */
-#include "pair/extreme/program.h"
+/* load.c: frames as integers; see extreme_program.h. */
+#include "pair/extreme/extreme_program.h"
 
 #include <string.h>
 
-#include "frame/frame.h"
+#include "frame/frame_private.h"
 
 /* Reads number i of a row. */
 typedef void fmb_extreme_reader(const void *self, int frame, int i, int row, fmb_wide *out);

@@ -1,10 +1,10 @@
 /* normals.c: see normals.h.
  *
- * In the integers of program.h, h - M z are the points of B less those of A, over all places z. On
- * a normal they span an interval; 0 is outside of one of these, or on the border of one, or inside
- * of all. If they have an interior, as soon as one interval has a length, that tells all (flat.h):
- * 0 is apart from them, or on their border, or inside. Then and only then relative interiors meet,
- * as that of a sum is the sum of those.
+ * In the integers of extreme_program.h, h - M z are the points of B less those of A, over all
+ * places z. On a normal they span an interval; 0 is outside of one of these, or on the border of
+ * one, or inside of all. If they have an interior, as soon as one interval has a length, that tells
+ * all (flat.h): 0 is apart from them, or on their border, or inside. Then and only then relative
+ * interiors meet, as that of a sum is the sum of those.
  *
  * Time alone is closed: with K open, the points of the frames alone, and the drift d, 0 may lie on
  * the border of all K + t d, 0 <= t <= 1, and yet in one of them. Then a normal on which 0 is at an
@@ -17,7 +17,7 @@
 #include "pair/extreme/normals.h"
 
 #define FMB_LANES 1
-#include "pair/extreme/program.h"
+#include "pair/extreme/extreme_program.h"
 #include "pair/kernels/fmb_flat.h"
 
 typedef struct judge {

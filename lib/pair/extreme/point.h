@@ -9,7 +9,7 @@
 #ifndef FMB_PAIR_EXTREME_POINT_H
 #define FMB_PAIR_EXTREME_POINT_H
 
-#include "pair/extreme/program.h"
+#include "pair/extreme/extreme_program.h"
 
 #define FMB_LANES 1
 #include "pair/kernels/double_double.h"

@@ -1,7 +1,7 @@
 /* box_still.h: the box of the common points of two frames that stand still.
  *
- * All edges of each frame are clipped against the other (box.h says why that is enough), in plain
- * doubles. Lanes where that is not good enough are left to box.h.
+ * All edges of each frame are clipped against the other (box_kernel.h says why that is enough), in
+ * plain doubles. Lanes where that is not good enough are left to box_kernel.h.
  *
  * Ends in the world are computed from the origin of A, with at most 12 roundings, each of a number
  * at most

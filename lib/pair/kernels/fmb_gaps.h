@@ -10,7 +10,7 @@
 #define FMB_PAIR_FMB_GAPS_H
 
 #include "pair/kernels/local_frame.h"
-#include "pair/kernels/packed.h"
+#include "pair/kernels/packed_kernels.h"
 
 /* What pairs a kernel is for; constant in each. */
 typedef struct fmb_kind {

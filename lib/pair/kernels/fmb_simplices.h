@@ -249,16 +249,17 @@ FMB_INLINE void fmb_simplices_ask(fmb_kind kind, const local_frame *f, fmb_simpl
 /* ---- in space: a direction eliminated -------------------------------------------------------- */
 
 /* Coordinates k, l along an edge of A. */
-typedef struct fmb_columns {
+typedef struct fmb_simplex_columns {
     int k, l;
-} fmb_columns;
+} fmb_simplex_columns;
 
-FMB_INLINE fmb_columns fmb_columns_of(int edge)
+FMB_INLINE fmb_simplex_columns fmb_columns_of(int edge)
 {
-    return edge < 3 ? (fmb_columns){(edge + 1) % 3, (edge + 2) % 3} : (fmb_columns){edge - 3, 3};
+    return edge < 3 ? (fmb_simplex_columns){(edge + 1) % 3, (edge + 2) % 3}
+                    : (fmb_simplex_columns){edge - 3, 3};
 }
 
-FMB_INLINE lane fmb_turned(const lane *x, const lane *y, fmb_columns in)
+FMB_INLINE lane fmb_turned(const lane *x, const lane *y, fmb_simplex_columns in)
 {
     return lane_fms(x[in.l], y[in.k], x[in.k] * y[in.l]);
 }
@@ -275,7 +276,7 @@ FMB_INLINE int fmb_simplices_face(int j, int side)
 /* What lies along axis i of A: of the cross products with it, and of those with the drift. */
 FMB_INLINE void fmb_simplices_look(fmb_kind kind, fmb_simplices *c, int i)
 {
-    const fmb_columns in = fmb_columns_of(i);
+    const fmb_simplex_columns in = fmb_columns_of(i);
     for (int p = 0; p < 3; p++) {
         c->along[p][i] = fmb_turned(c->e[p], c->middle, in);
         if (kind.moves)
@@ -294,7 +295,7 @@ FMB_INLINE lane fmb_simplices_on(const lane *x, int edge)
 /* All pairs of rows of B that share an edge, one of A eliminated: the largest gap. */
 FMB_INLINE lane fmb_simplices_edges(fmb_kind kind, fmb_simplices *c, int edge)
 {
-    const fmb_columns in = fmb_columns_of(edge);
+    const fmb_simplex_columns in = fmb_columns_of(edge);
     lane a[4], width[4], t[6], swept[6], most = lane_of(0);
     if (edge < 3)
         fmb_simplices_look(kind, c, edge);
@@ -337,7 +338,7 @@ FMB_INLINE lane fmb_simplices_edges(fmb_kind kind, fmb_simplices *c, int edge)
 /* The row along the drift and an edge of A. */
 FMB_INLINE lane fmb_simplices_swept(fmb_simplices *c, int edge)
 {
-    const fmb_columns in = fmb_columns_of(edge);
+    const fmb_simplex_columns in = fmb_columns_of(edge);
     lane low = lane_of(0), high = lane_of(0), away;
     if (edge < 3)
         c->past[edge] = fmb_turned(c->drift, c->start, in);
@@ -433,7 +434,7 @@ FMB_INLINE fmb_pair_bits fmb_simplices_3d(const double *block, bool moves, bool 
 /* In the plane: the row along the drift. */
 FMB_INLINE lane fmb_simplices_turned(fmb_kind kind, const fmb_simplices *c)
 {
-    const fmb_columns in = {0, 1};
+    const fmb_simplex_columns in = {0, 1};
     const lane w[2] = {c->drift[1], -c->drift[0]};
     lane low = lane_of(0), high = low, first = low, last = low;
     for (int p = 0; p < 2; p++) {

@@ -1,6 +1,6 @@
-/* kernels_avx2.c: four pairs at a time; see kernels.h. */
+/* kernels_avx2.c: four pairs at a time; see pair_kernels.h. */
 #define FMB_LANES        4
 #define FMB_PACKED_TABLE fmb_packed_avx2
 #define FMB_TABLE        fmb_pair_kernels_avx2
 
-#include "pair/kernels/inside.h"
+#include "pair/kernels/kernels_private.h"

@@ -1,5 +1,5 @@
 /* kernels_narrow.c: what every processor has: two pairs at a time on x86-64, elsewhere one; see
- * kernels.h. A test names the table otherwise, and wants C alone. */
+ * pair_kernels.h. A test names the table otherwise, and wants C alone. */
 #if defined __SSE2__ && !defined FMB_LANE_PLAIN
 #define FMB_LANES 2
 #else
@@ -12,4 +12,4 @@
 #define FMB_TABLE fmb_pair_kernels_narrow
 #endif
 
-#include "pair/kernels/inside.h"
+#include "pair/kernels/kernels_private.h"

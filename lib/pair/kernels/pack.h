@@ -14,7 +14,7 @@
 #include <string.h>
 
 #include "pair/kernels/lane.h"
-#include "pair/kernels/packed.h"
+#include "pair/kernels/packed_kernels.h"
 
 /* Numbers r ... r + 3 of FMB_LANES records. */
 FMB_INLINE void transpose_four(const double *const *from, int r, lane out[4])

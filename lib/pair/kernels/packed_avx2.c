@@ -1,4 +1,4 @@
-/* packed_avx2.c: four pairs at a time; see packed.h. */
+/* packed_avx2.c: four pairs at a time; see packed_kernels.h. */
 #define FMB_LANES        4
 #define FMB_PACKED_TABLE fmb_packed_avx2
 

@@ -1,4 +1,4 @@
-/* packed_avx512.c: eight pairs at a time; see packed.h. */
+/* packed_avx512.c: eight pairs at a time; see packed_kernels.h. */
 #define FMB_LANES        8
 #define FMB_PACKED_TABLE fmb_packed_avx512
 

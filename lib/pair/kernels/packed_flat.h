@@ -3,7 +3,7 @@
 #define FMB_PAIR_PACKED_FLAT_H
 
 #include "pair/kernels/fmb_flat.h"
-#include "pair/kernels/packed.h"
+#include "pair/kernels/packed_kernels.h"
 
 /* Not in the loops: its own loops go by kind. */
 #define PACKED_APART static __attribute__((noinline))

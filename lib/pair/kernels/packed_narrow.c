@@ -1,4 +1,4 @@
-/* packed_narrow.c: what every processor has, as in kernels_narrow.c; see packed.h. */
+/* packed_narrow.c: what every processor has, as in kernels_narrow.c; see packed_kernels.h. */
 #if defined __SSE2__ && !defined FMB_LANE_PLAIN
 #define FMB_LANES 2
 #else

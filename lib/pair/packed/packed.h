@@ -2,7 +2,7 @@
 #ifndef FMB_PAIR_PACKED_H
 #define FMB_PAIR_PACKED_H
 
-#include "pair/kernels/packed.h"
+#include "pair/kernels/packed_kernels.h"
 #include "pair/ladder.h"
 #include "pair/packed/set.h"
 

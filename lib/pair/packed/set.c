@@ -3,8 +3,8 @@
 
 #include <string.h>
 
-#include "frame/frame.h"
-#include "pair/edges.h"
+#include "frame/frame_private.h"
+#include "pair/corner_edges.h"
 #include "pair/packed/bounds.h"
 
 enum { LINE = FMB_RECORD_LINE };
@@ -121,7 +121,7 @@ static void copy_beside(fmb_frames *s, size_t i, const fmb_frame *f, size_t *use
 /* f is good. */
 static void add_frame(fmb_frames *s, size_t i, const fmb_frame *f, size_t *used)
 {
-    fmb_edges by_edges;
+    fmb_corner_edges by_edges;
     int kind = FMB_KIND_NONE;
     if (s->stride > 0 && fmb_edges_of_frame(f, &by_edges)) {
         const fmb_frame *e = &by_edges.frame;

@@ -11,8 +11,8 @@
 #include "elim/round/witness.h"
 #include "solve/bound/job.h"
 #include "solve/bound/plane.h"
-#include "solve/limit/ends.h"
 #include "solve/limit/outer.h"
+#include "solve/limit/outer_ends.h"
 
 /* ---- by elimination -------------------------------------------------------------------------- */
 

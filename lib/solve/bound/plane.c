@@ -1,7 +1,7 @@
 /* plane.c: see plane.h. */
 #include "solve/bound/plane.h"
 
-#include "solve/limit/ends.h"
+#include "solve/limit/outer_ends.h"
 
 fmb_status fmb_plane_open(fmb_plane *p, fmb_elim *e, int x, int y, bool *possible)
 {

@@ -17,7 +17,7 @@ typedef struct group {
     int ready; /* ends initialised */
 } group;
 
-typedef struct search {
+typedef struct shared_search {
     fmb_query *q;
     const fmb_part *p;
     const fmb_program *program;
@@ -25,11 +25,11 @@ typedef struct search {
     const int *place;
     group *group;
     int groups;
-} search;
+} shared_search;
 
 static fmb_status find_ends_of_group(void *self, size_t number, fmb_run *run)
 {
-    search *t = self;
+    shared_search *t = self;
     group *g = &t->group[number];
     fmb_oracle *o = NULL;
     bool feasible;
@@ -49,7 +49,7 @@ static fmb_status find_ends_of_group(void *self, size_t number, fmb_run *run)
     return st;
 }
 
-static fmb_status note_ends_of_group(search *t, group *g, fmb_box *box)
+static fmb_status note_ends_of_group(shared_search *t, group *g, fmb_box *box)
 {
     fmb_status st = FMB_OK;
     for (int k = 0; st == FMB_OK && k < g->ready; k++) {
@@ -67,14 +67,14 @@ static fmb_status note_ends_of_group(search *t, group *g, fmb_box *box)
     return st;
 }
 
-static void close_group(search *t, group *g)
+static void close_group(shared_search *t, group *g)
 {
     for (int k = 0; k < g->ready; k++)
         fmb_found_end_clear(&g->end[k / 2][k % 2], (size_t)t->p->n, g->mem);
 }
 
 /* Notes what was found, then says what went wrong first. */
-static fmb_status find_and_note_all_ends(search *t, fmb_box *box)
+static fmb_status find_and_note_all_ends(shared_search *t, fmb_box *box)
 {
     fmb_team team;
     fmb_status st = FMB_OK, worst = fmb_team_open(&team, &t->q->run, (size_t)t->groups);
@@ -95,12 +95,12 @@ fmb_status fmb_find_ends_together(fmb_query *q, int part, fmb_box *box, const in
     fmb_status st = fmb_query_feasible_oracle(q, part, &o);
     if (st != FMB_OK)
         return st;
-    search t = {.q = q,
-                .p = &q->parts.part[part],
-                .program = &q->program[part],
-                .box = box,
-                .place = place,
-                .groups = (count + GROUP - 1) / GROUP};
+    shared_search t = {.q = q,
+                       .p = &q->parts.part[part],
+                       .program = &q->program[part],
+                       .box = box,
+                       .place = place,
+                       .groups = (count + GROUP - 1) / GROUP};
     t.group = fmb_mem_zero(q->run.mem, (size_t)t.groups, sizeof *t.group);
     if (!t.group)
         return fmb_mem_status(q->run.mem);

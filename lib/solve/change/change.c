@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "solve/query/solver.h"
-#include "solve/session/state.h"
+#include "solve/session/session_state.h"
 
 /* ---- load ------------------------------------------------------------------------------------ */
 

@@ -1,8 +1,8 @@
-/* generate.c: from rows to vertices, rays and lines (rays.h). */
+/* generate.c: from rows to vertices, rays and lines (generate_rays.h). */
+#include "solve/generate/generate_rays.h"
 #include "solve/generate/glance.h"
-#include "solve/generate/rays.h"
-#include "system/generators.h"
-#include "system/system.h"
+#include "system/generators_private.h"
+#include "system/system_private.h"
 
 /* Is some point in the closure, and every strict row positive somewhere? */
 static bool has_solution(fmb_lifted *h)

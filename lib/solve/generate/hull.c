@@ -2,8 +2,8 @@
 #include "solve/generate/glance.h"
 #include "solve/generate/turns.h"
 #include "solve/query/solver.h"
-#include "system/generators.h"
-#include "system/system.h"
+#include "system/generators_private.h"
+#include "system/system_private.h"
 
 static fmb_status append_facet(const fmb_image_row *f, size_t n, fmb_system *out, int *var,
                                mpz_t *z)

@@ -1,9 +1,10 @@
-/* lift.c: images, sums and hulls of several: a lift is written (lift/lift.h), and projected. */
+/* lift.c: images, sums and hulls of several: a lift is written (lift/lift_private.h), and
+ * projected. */
 #include <fmb/lift.h>
 
-#include "lift/lift.h"
+#include "lift/lift_private.h"
 #include "solve/query/solver.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 /* What a verb is to hand out. */
 typedef struct lift_answer {

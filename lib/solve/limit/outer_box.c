@@ -1,7 +1,7 @@
 /* outer_box.c: an outer box; see outer.h. */
 #include "solve/limit/outer.h"
 
-#include "solve/limit/ends.h"
+#include "solve/limit/outer_ends.h"
 
 /* A derivation is read in time and memory like the number of rows in the store; of a larger one
  * only the base rows count. */

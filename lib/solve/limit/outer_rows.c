@@ -3,9 +3,9 @@
  * Rows that name kept variables only follow from the system, wherever the elimination was cut
  * short; so do ends of kept variables.
  */
-#include "solve/limit/ends.h"
 #include "solve/limit/outer.h"
-#include "system/system.h"
+#include "solve/limit/outer_ends.h"
+#include "system/system_private.h"
 
 /* Entries that are looked at in all rows, and rows that are looked at in all derivations. */
 #define MOST_ENTRIES ((size_t)1 << 20)

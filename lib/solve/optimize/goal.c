@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "num/rationals.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 /* ---- what it may be -------------------------------------------------------------------------- */
 

@@ -9,7 +9,7 @@
 #include "solve/limit/outer.h"
 #include "solve/optimize/optimum.h"
 #include "solve/optimize/peak.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 /* The question on its way through its parts. */
 typedef struct ascent {

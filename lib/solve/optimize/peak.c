@@ -3,8 +3,8 @@
 
 #include "elim/round/witness.h"
 #include "num/rationals.h"
-#include "solve/limit/ends.h"
 #include "solve/limit/outer.h"
+#include "solve/limit/outer_ends.h"
 
 /* ---- life ------------------------------------------------------------------------------------ */
 

@@ -7,18 +7,18 @@
  * with a chance of 1/2 where m = 2k (Wendel 1962), and then eliminations, rays and queries may take
  * long to find out that there is nothing to find.
  *
- * The direction is a point strictly inside the rows with right sides 0 (lp/redundancy/inside.h): a
- * glance in doubles, proved in integers. In small systems it may be seen at once, in integers
- * alone: first columns of one sign go, with all rows that name them, one after another; then a
- * perceptron (Rosenblatt 1958) looks for z, by going away from rows that do not go down. If none is
- * left, z is proved.
+ * The direction is a point strictly inside the rows with right sides 0
+ * (lp/redundancy/interior_point.h): a glance in doubles, proved in integers. In small systems it
+ * may be seen at once, in integers alone: first columns of one sign go, with all rows that name
+ * them, one after another; then a perceptron (Rosenblatt 1958) looks for z, by going away from rows
+ * that do not go down. If none is left, z is proved.
  */
 #include "solve/project/escape.h"
 
 #include <string.h>
 
-#include "lp/redundancy/inside.h"
-#include "system/system.h"
+#include "lp/redundancy/interior_point.h"
+#include "system/system_private.h"
 
 /* The rows that name variables that go, in those. */
 typedef struct cone {

@@ -48,7 +48,7 @@
  * from the beginning. */
 #define WALKED_COLUMNS   24
 #define SMALL_DICTIONARY 6
-/* [bits] What queries find modulo a prime (lp/exact/short.h). */
+/* [bits] What queries find modulo a prime (lp/exact/modular_kernel.h). */
 #define SHORT_MINOR 60
 
 int fmb_judge_kept(const fmb_part *p, const int *place)

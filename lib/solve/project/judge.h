@@ -7,7 +7,7 @@
 #ifndef FMB_SOLVE_JUDGE_H
 #define FMB_SOLVE_JUDGE_H
 
-#include "solve/project/rays.h"
+#include "solve/project/project_rays.h"
 
 /* A few rows are eliminated faster than anything else is done. */
 #define FMB_TRIAL_BUDGET(m) (128 + 4 * (m))

@@ -1,7 +1,7 @@
 /* lifts.c: a program a part and reading of strict rows; see lifts.h. */
 #include "solve/project/lifts.h"
 
-#include "system/system.h"
+#include "system/system_private.h"
 
 /* A part, as a program over its variables that go: those rows that name one. */
 typedef struct lifted_part {

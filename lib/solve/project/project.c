@@ -1,11 +1,11 @@
-/* project.c: the projection, part by part (ladder.h). */
+/* project.c: the projection, part by part (portfolio.h). */
 #include "solve/limit/outer.h"
+#include "solve/project/completeness.h"
 #include "solve/project/escape.h"
-#include "solve/project/ladder.h"
-#include "solve/project/support.h"
+#include "solve/project/portfolio.h"
+#include "solve/project/project_support.h"
 #include "solve/project/symmetries.h"
-#include "solve/project/whole.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 /* An empty system over the variables kept; keep NULL: the first n. */
 static fmb_status open_empty_projection(const fmb_system *s, const int *keep, int n,

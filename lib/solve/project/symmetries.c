@@ -5,7 +5,7 @@
 
 #include "symmetry/permutations.h"
 #include "symmetry/row_images.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 /* ---- given ----------------------------------------------------------------------------------- */
 
@@ -195,7 +195,7 @@ static fmb_status find_symmetries_of_all(fmb_query *q, const int *keep, int n, f
     return st;
 }
 
-fmb_status fmb_find_symmetries(fmb_solver *v, const fmb_system *s, const int *keep, int n,
+fmb_status fmb_symmetries_find(fmb_solver *v, const fmb_system *s, const int *keep, int n,
                                fmb_permutations **out, fmb_result *res)
 {
     fmb_query q;
@@ -264,8 +264,8 @@ static bool are_class_arguments_good(const fmb_system *projection, const fmb_per
     return good;
 }
 
-fmb_status fmb_row_classes(const fmb_system *projection, const fmb_permutations *p, const int *keep,
-                           int n, size_t *class_of)
+fmb_status fmb_rows_classes(const fmb_system *projection, const fmb_permutations *p,
+                            const int *keep, int n, size_t *class_of)
 {
     fmb_mem mem;
     fmb_row_images t;

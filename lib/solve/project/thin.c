@@ -6,7 +6,7 @@
 #include "solve/project/thin.h"
 
 #include "elim/store/derive.h"
-#include "lp/exact/simplex.h"
+#include "lp/exact/exact_simplex.h"
 #include "lp/redundancy/by_oracle.h"
 #include "lp/redundancy/implied.h"
 #include "lp/redundancy/irredundant.h"

@@ -1,10 +1,10 @@
 /* claims.c: what the verbs write into the evidence; see solver.h. */
 #include "elim/store/derive.h"
 #include "solve/query/solver.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 fmb_status fmb_query_push(fmb_query *q, const fmb_part *p, const fmb_weights *w, size_t target,
-                          int sign, fmb_sparse *list)
+                          int sign, fmb_sparse_vector *list)
 {
     fmb_status st = FMB_OK;
     mpq_t t, unit;
@@ -33,7 +33,7 @@ fmb_status fmb_query_finish_claim(fmb_query *q, fmb_status st)
 }
 
 /* Multipliers of a conflict may be scaled at will: in lowest terms they are coprime integers. */
-static fmb_status reduce_to_lowest_terms(fmb_evidence *e, fmb_sparse *list)
+static fmb_status reduce_to_lowest_terms(fmb_evidence *e, fmb_sparse_vector *list)
 {
     mpq_t scale; /* least common denominator over greatest common numerator */
     mpz_ptr common = mpq_denref(scale);

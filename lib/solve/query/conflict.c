@@ -6,7 +6,7 @@
  * finds may have more rows: then the oracle is asked about these rows alone.
  */
 #include "solve/query/solver.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 static fmb_status load_rows_of_conflict(const fmb_query *q, const fmb_part *p, const fmb_weights *w,
                                         fmb_program *out)

@@ -1,7 +1,7 @@
 /* lifted.c: the cone over the solutions of a system; see lifted.h. */
 #include "solve/query/lifted.h"
 
-#include "system/system.h"
+#include "system/system_private.h"
 
 /* a.x <= b as b t - a.x >= 0; z[d]. */
 static fmb_status lift_system_row(fmb_lifted *h, size_t i, mpz_t *z)

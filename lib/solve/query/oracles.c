@@ -1,8 +1,8 @@
 /* oracles.c: what is made of a part when it is first asked for: dense rows, an oracle, a
  * dictionary; see solver.h. */
-#include "lp/exact/simplex.h"
+#include "lp/exact/exact_simplex.h"
 #include "solve/query/solver.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 fmb_status fmb_query_write_rows(fmb_query *q, int part)
 {

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "system/system.h"
+#include "system/system_private.h"
 
 static int component_root(int *up, int j)
 {

@@ -6,7 +6,7 @@
 #include "solve/query/rule_lp.h"
 
 #include "elim/rules/view.h"
-#include "lp/exact/simplex.h"
+#include "lp/exact/exact_simplex.h"
 #include "lp/redundancy/by_oracle.h"
 #include "lp/redundancy/implied.h"
 

@@ -1,5 +1,5 @@
 /* rules.c: the built-in rules, those in use, and whether they go together. */
-#include "rule/rule.h"
+#include "rule/rule_private.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -15,7 +15,7 @@
 #include "num/weights.h"
 #include "proof/evidence.h"
 #include "solve/query/part.h"
-#include "solve/session/session.h"
+#include "solve/session/session_private.h"
 #include "trace/run.h"
 
 struct fmb_solver {
@@ -134,7 +134,7 @@ fmb_status fmb_rules_agree(fmb_solver *v, const char *query);
  * target: the part's row whose multiple they combine to, as the multipliers shall give that row as
  * written; or SIZE_MAX. */
 fmb_status fmb_query_push(fmb_query *q, const fmb_part *p, const fmb_weights *w, size_t target,
-                          int sign, fmb_sparse *list);
+                          int sign, fmb_sparse_vector *list);
 /* A claim was filled with that status: it goes if that failed. The same status. */
 fmb_status fmb_query_finish_claim(fmb_query *q, fmb_status st);
 fmb_status fmb_query_claim_infeasible(fmb_query *q, const fmb_part *p, const fmb_weights *w);

@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 #include "solve/query/solver.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 const char *fmb_solver_trouble(const fmb_solver *v)
 {

@@ -5,25 +5,25 @@
  * all rows. The exact oracle decides about rows that are left, and about parts without such a
  * point.
  */
-#include "lp/exact/simplex.h"
+#include "lp/exact/exact_simplex.h"
 #include "lp/redundancy/by_oracle.h"
 #include "lp/redundancy/sieve.h"
 #include "solve/query/solver.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 /* A part on its way. */
-typedef struct progress {
+typedef struct reduce_progress {
     fmb_query *q;
     const fmb_part *p;
     fmb_lp_row *row;     /* [m] */
     fmb_fate *fate;      /* [m] */
     const size_t *place; /* the part's row of each row of the dictionary; NULL: the same */
-} progress;
+} reduce_progress;
 
 /* ---- claims ---------------------------------------------------------------------------------- */
 
 /* By rows of the part. */
-static fmb_status claim_combination(progress *g, fmb_claim_kind kind, size_t i,
+static fmb_status claim_combination(reduce_progress *g, fmb_claim_kind kind, size_t i,
                                     const fmb_weights *w)
 {
     fmb_query *q = g->q;
@@ -53,7 +53,7 @@ static fmb_status claim_equality_row(void *self, size_t i, const fmb_weights *w)
 
 static fmb_status claim_irredundant_row(void *self, size_t i, mpq_t *x)
 {
-    progress *g = self;
+    reduce_progress *g = self;
     fmb_claim *claim;
     fmb_status st = fmb_evidence_claim(g->q->claims, FMB_CLAIM_IRREDUNDANT, &claim);
     if (st != FMB_OK)
@@ -66,7 +66,7 @@ static fmb_status claim_irredundant_row(void *self, size_t i, mpq_t *x)
 /* ---- one part -------------------------------------------------------------------------------- */
 
 /* The part's rows, nothing known about them. */
-static fmb_status list_rows_of_part(progress *g, int part)
+static fmb_status list_rows_of_part(reduce_progress *g, int part)
 {
     fmb_query *q = g->q;
     const fmb_part *p = g->p;
@@ -83,7 +83,7 @@ static fmb_status list_rows_of_part(progress *g, int part)
 }
 
 /* A dictionary of the rows still there. */
-static fmb_status ask_dictionary_about_rest(progress *g, const fmb_verdicts *told)
+static fmb_status ask_dictionary_about_rest(reduce_progress *g, const fmb_verdicts *told)
 {
     fmb_arena *arena = &g->q->v->arena;
     size_t m = 0, *place = fmb_arena_get(arena, g->p->m, sizeof *place);
@@ -114,7 +114,7 @@ static fmb_status ask_dictionary_about_rest(progress *g, const fmb_verdicts *tol
     return st;
 }
 
-static bool is_some_row_unknown(const progress *g)
+static bool is_some_row_unknown(const reduce_progress *g)
 {
     for (size_t i = 0; i < g->p->m; i++)
         if (g->fate[i] == FMB_FATE_UNKNOWN)
@@ -132,7 +132,7 @@ static bool is_sieve_affordable(const fmb_part *p)
 }
 
 /* *inner: there is a point strictly inside. */
-static fmb_status sift_rows_of_part(progress *g, const fmb_verdicts *told, bool *inner)
+static fmb_status sift_rows_of_part(reduce_progress *g, const fmb_verdicts *told, bool *inner)
 {
     fmb_sieve sieve;
     fmb_status st = fmb_sieve_open(&sieve, &g->q->run, (size_t)g->p->n, g->p->m, g->row, inner);
@@ -142,7 +142,7 @@ static fmb_status sift_rows_of_part(progress *g, const fmb_verdicts *told, bool 
     return st;
 }
 
-static fmb_status ask_dictionary_about_all(progress *g, int part, const fmb_verdicts *told)
+static fmb_status ask_dictionary_about_all(reduce_progress *g, int part, const fmb_verdicts *told)
 {
     fmb_lp *lp;
     bool feasible;
@@ -150,7 +150,8 @@ static fmb_status ask_dictionary_about_all(progress *g, int part, const fmb_verd
     return st == FMB_OK ? fmb_irredundant(lp, g->p->rel, g->fate, told) : st;
 }
 
-static fmb_status decide_open_rows(progress *g, int part, bool inner, const fmb_verdicts *told)
+static fmb_status decide_open_rows(reduce_progress *g, int part, bool inner,
+                                   const fmb_verdicts *told)
 {
     size_t n = (size_t)g->p->n, m = g->p->m;
     if (fmb_suits_oracle(n, m, g->row))
@@ -161,7 +162,7 @@ static fmb_status decide_open_rows(progress *g, int part, bool inner, const fmb_
 /* fate[rows] is by row of the system. */
 static fmb_status decide_rows_of_part(fmb_query *q, int part, fmb_fate *fate)
 {
-    progress g = {.q = q, .p = &q->parts.part[part]};
+    reduce_progress g = {.q = q, .p = &q->parts.part[part]};
     fmb_verdicts told = {claim_redundant_row, claim_equality_row, claim_irredundant_row, &g};
     const fmb_verdicts *listener = q->claims ? &told : NULL;
     bool inner = false;

@@ -1,5 +1,5 @@
-/* session.c: the system and its journal; see session.h and state.h. */
-#include "solve/session/state.h"
+/* session.c: the system and its journal; see session_private.h and session_state.h. */
+#include "solve/session/session_state.h"
 
 #include <string.h>
 

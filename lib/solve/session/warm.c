@@ -1,5 +1,6 @@
-/* warm.c: the oracle of a system that changes catches up with it; see session.h and state.h. */
-#include "solve/session/state.h"
+/* warm.c: the oracle of a system that changes catches up with it; see session_private.h and
+ * session_state.h. */
+#include "solve/session/session_state.h"
 
 /* Slots that are off may outnumber those that are on by so many before the program is made anew. */
 #define SPARE_SLOTS 64

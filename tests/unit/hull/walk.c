@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "hull/shadow.h"
-#include "lp/exact/simplex.h"
+#include "lp/exact/exact_simplex.h"
 #include "shadows.h"
 
 enum { MOST_SECONDS = 60 };

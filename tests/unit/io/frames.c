@@ -13,28 +13,28 @@
 /* A reader of a text, and its stream. */
 typedef struct reading {
     FILE *in;
-    fmb_frames *r;
+    fmb_frame_reader *r;
 } reading;
 
 static reading begin(const char *text, size_t size, const fmb_reader *how)
 {
     reading a = {.in = fmemopen((void *)(uintptr_t)text, size, "rb")};
     cr_assert(a.in);
-    cr_assert_eq(fmb_frames_open(a.in, how, &a.r), FMB_OK);
+    cr_assert_eq(fmb_frame_reader_new(a.in, how, &a.r), FMB_OK);
     return a;
 }
 
 static void end(reading *a)
 {
-    fmb_frames_close(a->r);
+    fmb_frame_reader_free(a->r);
     fclose(a->in);
 }
 
-static const fmb_frames_line *next(const reading *a)
+static const fmb_frame_line *next(const reading *a)
 {
-    const fmb_frames_line *line = NULL;
+    const fmb_frame_line *line = NULL;
     fmb_where w = {0};
-    fmb_status st = fmb_frames_next(a->r, &line, &w);
+    fmb_status st = fmb_frame_reader_next(a->r, &line, &w);
     cr_assert_eq(st, FMB_OK, "%ld:%ld: %s", w.line, w.column, w.text);
     return line;
 }
@@ -65,13 +65,13 @@ Test(frames, numbers)
     const char *broken = strchr(text, '\n');
     /* the first line lacks its B */
     reading a = begin(text, (size_t)(broken - text), NULL);
-    const fmb_frames_line *line = NULL;
+    const fmb_frame_line *line = NULL;
     fmb_where w = {0};
-    cr_expect_eq(fmb_frames_next(a.r, &line, &w), FMB_ERR_PARSE);
+    cr_expect_eq(fmb_frame_reader_next(a.r, &line, &w), FMB_ERR_PARSE);
     cr_expect(w.line == 1 && strstr(w.text, "key in quotes, found"), "%ld: %s", w.line, w.text);
     end(&a);
     a = begin(text, sizeof text - 1, NULL);
-    cr_expect_eq(fmb_frames_next(a.r, &line, &w), FMB_ERR_PARSE);
+    cr_expect_eq(fmb_frame_reader_next(a.r, &line, &w), FMB_ERR_PARSE);
     line = next(&a);
     cr_assert(line);
     cr_expect_eq(line->number, 4);
@@ -99,7 +99,7 @@ Test(frames, rationals)
         "{\"A\": {\"type\": \"cuboid\", \"vel\": [0, 0.0, -0e5], \"comp\": [[1e-2, \"-1/3\", "
         "0.125], [\"0.5/1.5\", 2E+1, -3]], \"orig\": [0.1, -7, 12]}, \"B\": " POINT "}\n";
     reading a = begin(text, sizeof text - 1, NULL);
-    const fmb_frames_line *line = next(&a);
+    const fmb_frame_line *line = next(&a);
     cr_assert(line && !line->id && !line->are_doubles);
     const fmb_frame_q *f = &line->body[0].frame;
     cr_expect(f->dim == 3 && f->naxes == 2 && f->shape == FMB_CUBOID);
@@ -131,12 +131,12 @@ Test(frames, nearest)
                                   123456789.123456789};
     for (int nearest = 0; nearest < 2; nearest++) {
         reading a = begin(text, sizeof text - 1, &(fmb_reader){.nearest = nearest != 0});
-        const fmb_frames_line *line = next(&a);
+        const fmb_frame_line *line = next(&a);
         mpq_t q;
         mpq_init(q);
         cr_assert_eq(line->are_doubles, nearest != 0);
         cr_expect_eq(line->body[0].frame.origin == NULL, nearest != 0, "not before they are asked");
-        cr_assert_eq(fmb_frames_rationals(a.r), FMB_OK);
+        cr_assert_eq(fmb_frame_reader_rationals(a.r), FMB_OK);
         for (int i = 0; i < 12; i++) {
             double d = i < 3 ? line->frame[0].origin[i] : line->frame[0].axes[i - 3];
             cr_expect_eq(d, want[i], "%d: %.17g", i, d);
@@ -156,10 +156,10 @@ Test(frames, polytopes_nearest)
         "{\"A\": {\"rows\": [{\"relation\": \"<\", \"rhs\": 0.1, \"coefficients\": [\"1/3\"]}], "
         "\"type\": \"polytope\"}, \"B\": {\"type\": \"cuboid\", \"orig\": [0.1], \"comp\": []}}";
     reading a = begin(text, sizeof text - 1, &(fmb_reader){.nearest = true});
-    const fmb_frames_line *line = next(&a);
+    const fmb_frame_line *line = next(&a);
     mpq_t q, want;
     mpq_inits(q, want, NULL);
-    cr_assert_eq(fmb_frames_rationals(a.r), FMB_OK);
+    cr_assert_eq(fmb_frame_reader_rationals(a.r), FMB_OK);
     cr_assert(line->body[0].rows && !line->are_doubles && line->dim == 1);
     fmb_system_term_q(line->body[0].rows, 0, 0, q);
     mpq_set_d(want, 1.0 / 3);
@@ -186,10 +186,10 @@ Test(frames, lengths_of_lines)
         }
         text[2 * n - 2] = '\0';
         reading a = begin(text, 3 * n - n % 2, NULL);
-        const fmb_frames_line *line = next(&a);
+        const fmb_frame_line *line = next(&a);
         fmb_where w = {0};
         cr_assert(line && line->number == 1, "%zu", n);
-        cr_assert(fmb_frames_next(a.r, &line, &w) == FMB_ERR_PARSE && w.line == 2 &&
+        cr_assert(fmb_frame_reader_next(a.r, &line, &w) == FMB_ERR_PARSE && w.line == 2 &&
                       w.column == (long)n - 1,
                   "%zu: %ld:%ld", n, w.line, w.column);
         line = next(&a);
@@ -205,7 +205,7 @@ Test(frames, polytopes)
         "0.1]}, {\"coefficients\": [0, 1, 0], \"relation\": \"=\", \"rhs\": -2, \"label\": "
         "\"x\"}], \"type\": \"polytope\"}, \"B\": " POINT "}";
     reading a = begin(text, sizeof text - 1, NULL);
-    const fmb_frames_line *line = next(&a);
+    const fmb_frame_line *line = next(&a);
     cr_assert(line->body[0].rows && !line->body[1].rows && !line->are_doubles);
     char *rows = write_text(line->body[0].rows, FMB_FORMAT_TEXT);
     cr_expect_str_eq(rows, "vars: x1 x2 x3\nx1 + 1/10 x3 < 1/2\nx2 = -2\n");
@@ -232,23 +232,23 @@ static double seconds(void)
 static void check_complaint(const char *path, long row, long column, const char *piece)
 {
     FILE *in = fopen(path, "rb");
-    fmb_frames *r = NULL;
-    const fmb_frames_line *line = NULL;
+    fmb_frame_reader *r = NULL;
+    const fmb_frame_line *line = NULL;
     fmb_where w = {0};
     double start = seconds();
     cr_assert(in, "%s is missing", path);
-    cr_assert_eq(fmb_frames_open(in, NULL, &r), FMB_OK);
+    cr_assert_eq(fmb_frame_reader_new(in, NULL, &r), FMB_OK);
     fmb_status st;
     do
-        st = fmb_frames_next(r, &line, &w);
+        st = fmb_frame_reader_next(r, &line, &w);
     while (st == FMB_OK && line);
     cr_expect(st == FMB_ERR_PARSE, "%s is read", path);
     cr_expect(w.line == row && w.column == column && strstr(w.text, piece),
               "%s complains at %ld:%ld: %s\nnot at %ld:%ld: %s", path, w.line, w.column, w.text,
               row, column, piece);
-    cr_expect_eq(fmb_frames_next(r, &line, NULL), FMB_OK, "the next line is another matter");
+    cr_expect_eq(fmb_frame_reader_next(r, &line, NULL), FMB_OK, "the next line is another matter");
     cr_expect(seconds() - start < 1, "%s took %g s", path, seconds() - start);
-    fmb_frames_close(r);
+    fmb_frame_reader_free(r);
     fclose(in);
 }
 
@@ -274,22 +274,22 @@ Test(frames, complaints)
 
 Test(frames, arguments)
 {
-    fmb_frames *r = NULL;
+    fmb_frame_reader *r = NULL;
     fmb_system *s = NULL;
-    const fmb_frames_line *line = NULL;
-    cr_expect_eq(fmb_frames_open(NULL, NULL, &r), FMB_ERR_ARG);
-    cr_expect_eq(fmb_frames_open(stdin, NULL, NULL), FMB_ERR_ARG);
-    cr_expect_eq(fmb_frames_next(NULL, &line, NULL), FMB_ERR_ARG);
+    const fmb_frame_line *line = NULL;
+    cr_expect_eq(fmb_frame_reader_new(NULL, NULL, &r), FMB_ERR_ARG);
+    cr_expect_eq(fmb_frame_reader_new(stdin, NULL, NULL), FMB_ERR_ARG);
+    cr_expect_eq(fmb_frame_reader_next(NULL, &line, NULL), FMB_ERR_ARG);
     fmb_where w = {.line = 3};
-    cr_expect(fmb_frames_next(NULL, &line, &w) == FMB_ERR_ARG && strstr(w.text, "reader") &&
+    cr_expect(fmb_frame_reader_next(NULL, &line, &w) == FMB_ERR_ARG && strstr(w.text, "reader") &&
               w.line == 0);
     cr_expect_eq(fmb_system_from_line(NULL, FMB_CONTACT_CLOSED, NULL, &s), FMB_ERR_ARG);
-    fmb_frames_close(NULL);
+    fmb_frame_reader_free(NULL);
     FILE *in = fopen(TESTS_BAD, "rb"); /* a folder opens, but cannot be read */
     cr_assert(in);
-    cr_assert_eq(fmb_frames_open(in, NULL, &r), FMB_OK);
-    cr_expect_eq(fmb_frames_next(r, &line, NULL), FMB_ERR_IO);
-    fmb_frames_close(r);
+    cr_assert_eq(fmb_frame_reader_new(in, NULL, &r), FMB_OK);
+    cr_expect_eq(fmb_frame_reader_next(r, &line, NULL), FMB_ERR_IO);
+    fmb_frame_reader_free(r);
     fclose(in);
 }
 
@@ -299,12 +299,12 @@ Test(frames, limits)
     static const char text[] =
         "{\"A\": " POINT ", \"B\": " POINT "}\n{\"A\": " POINT ", \"B\": " POINT "}\n";
     reading a = begin(text, sizeof text - 1, NULL);
-    const fmb_frames_line *line = NULL;
+    const fmb_frame_line *line = NULL;
     fmb_options o = fmb_options_default();
     fmb_solver *v = NULL;
     fmb_system *s = NULL;
     fmb_stop stop = FMB_STOP_ROWS;
-    cr_assert(fmb_frames_next(a.r, &line, NULL) == FMB_OK && line);
+    cr_assert(fmb_frame_reader_next(a.r, &line, NULL) == FMB_OK && line);
     for (int limit = 0; limit < 4; limit++) {
         static const fmb_stop due[] = {FMB_STOP_DONE, FMB_STOP_TIME, FMB_STOP_BYTES,
                                        FMB_STOP_CANCELLED};
@@ -327,9 +327,9 @@ Test(frames, limits)
     cr_expect_eq(
         fmb_system_from_line_within(line, FMB_COORDINATES_ALL, FMB_CONTACT_CLOSED, NULL, &s, &stop),
         FMB_ERR_ARG);
-    fmb_frames_cancel(a.r);
-    cr_expect(fmb_frames_next(a.r, &line, NULL) == FMB_OK && !line);
-    fmb_frames_cancel(NULL);
+    fmb_frame_reader_cancel(a.r);
+    cr_expect(fmb_frame_reader_next(a.r, &line, NULL) == FMB_OK && !line);
+    fmb_frame_reader_cancel(NULL);
     end(&a);
 }
 
@@ -341,13 +341,13 @@ Test(frames, longest_line)
         "}\n{\"A\": " POINT ", \"B\": " POINT "}\n";
     size_t most = (size_t)(strchr(text, '\n') - text) + 1;
     reading a = begin(text, sizeof text - 1, &(fmb_reader){.max_bytes = most});
-    const fmb_frames_line *line = NULL;
+    const fmb_frame_line *line = NULL;
     fmb_where w = {0};
-    cr_expect(fmb_frames_next(a.r, &line, &w) == FMB_OK && line->number == 1);
-    cr_expect(fmb_frames_next(a.r, &line, &w) == FMB_ERR_PARSE && w.line == 2 &&
+    cr_expect(fmb_frame_reader_next(a.r, &line, &w) == FMB_OK && line->number == 1);
+    cr_expect(fmb_frame_reader_next(a.r, &line, &w) == FMB_ERR_PARSE && w.line == 2 &&
               strstr(w.text, "expected at most"));
-    cr_expect(fmb_frames_next(a.r, &line, &w) == FMB_OK && line && line->number == 3);
-    cr_expect(fmb_frames_next(a.r, &line, &w) == FMB_OK && !line);
+    cr_expect(fmb_frame_reader_next(a.r, &line, &w) == FMB_OK && line && line->number == 3);
+    cr_expect(fmb_frame_reader_next(a.r, &line, &w) == FMB_OK && !line);
     end(&a);
 }
 
@@ -362,17 +362,17 @@ Test(frames, memory)
         countdown c = {.left = k};
         fmb_alloc mem = countdown_alloc(&c);
         FILE *in = fmemopen((void *)(uintptr_t)text, sizeof text - 1, "rb");
-        fmb_frames *r = NULL;
-        const fmb_frames_line *line = NULL;
-        st = fmb_frames_open(in, &(fmb_reader){.mem = &mem}, &r);
+        fmb_frame_reader *r = NULL;
+        const fmb_frame_line *line = NULL;
+        st = fmb_frame_reader_new(in, &(fmb_reader){.mem = &mem}, &r);
         while (st == FMB_OK && (!line || line->number < 2)) {
             fmb_system *s = NULL;
-            st = fmb_frames_next(r, &line, NULL);
+            st = fmb_frame_reader_next(r, &line, NULL);
             if (st == FMB_OK)
                 st = fmb_system_from_line(line, FMB_CONTACT_CLOSED, &mem, &s);
             fmb_system_free(s);
         }
-        fmb_frames_close(r);
+        fmb_frame_reader_free(r);
         cr_assert_eq(c.live, 0, "%zu bytes lost when request %zu failed", c.live, k);
         fclose(in);
     }
@@ -390,9 +390,9 @@ Test(frames, megabyte)
         for (; at + n < most; at += n)
             memcpy(text + at, unit[u], n);
         reading a = begin(text, at, NULL);
-        const fmb_frames_line *line = NULL;
+        const fmb_frame_line *line = NULL;
         double start = seconds();
-        cr_expect_eq(fmb_frames_next(a.r, &line, NULL), FMB_ERR_PARSE);
+        cr_expect_eq(fmb_frame_reader_next(a.r, &line, NULL), FMB_ERR_PARSE);
         cr_expect(seconds() - start < 1, "%s: %g s", unit[u], seconds() - start);
         end(&a);
         free(text);
@@ -414,7 +414,7 @@ static char *write_pairs(size_t *size)
     char *bytes = NULL;
     FILE *out = open_memstream(&bytes, size);
     cr_assert(out);
-    cr_assert_eq(fmb_frames_write(out, 4, p, q), FMB_OK);
+    cr_assert_eq(fmb_frame_pairs_write(out, 4, p, q), FMB_OK);
     fclose(out);
     return bytes;
 }
@@ -436,13 +436,13 @@ Test(frames, binary)
     char *bytes = write_pairs(&size);
     reading a = begin(bytes, size, NULL);
     for (long i = 1; i <= 4; i++) {
-        const fmb_frames_line *line = next(&a);
+        const fmb_frame_line *line = next(&a);
         cr_assert(line);
         cr_expect(line->number == i && !line->id && line->are_doubles && line->dim == 2);
         expect_same(&line->frame[0], i <= 2 ? &square : &place);
         expect_same(&line->frame[1], i <= 2 ? &mover : &square);
         cr_expect_null(line->body[0].frame.origin);
-        cr_assert_eq(fmb_frames_rationals(a.r), FMB_OK);
+        cr_assert_eq(fmb_frame_reader_rationals(a.r), FMB_OK);
         expect_numbers(line->body[i <= 2].frame.axes, (const char *[]){"1", "0"}, i <= 2 ? 2 : 0);
         cr_expect_eq(mpq_get_d(line->body[1].frame.origin[0]), 0.1);
         cr_expect_eq(line->body[1].frame.speed != NULL, i <= 2);
@@ -462,7 +462,7 @@ Test(frames, binary_of_single_precision)
     memcpy(whole, bytes, 32);
     memcpy(whole + 32, x, sizeof x);
     reading a = begin(whole, sizeof whole, NULL);
-    const fmb_frames_line *line = next(&a);
+    const fmb_frame_line *line = next(&a);
     cr_assert(line && line->dim == 1);
     cr_expect_eq(line->frame[0].origin[0], (double)0.1f);
     cr_expect_eq(line->frame[1].origin[0], -2);
@@ -474,17 +474,18 @@ static int count_pairs(const char *bytes, size_t size, bool *fault)
 {
     const fmb_reader how = {.max_bytes = 1000};
     reading a = begin(bytes, size, &how);
-    const fmb_frames_line *line = NULL;
+    const fmb_frame_line *line = NULL;
     fmb_where w = {0};
     int n = 0;
     fmb_status st;
-    while ((st = fmb_frames_next(a.r, &line, &w)) == FMB_OK && line)
+    while ((st = fmb_frame_reader_next(a.r, &line, &w)) == FMB_OK && line)
         n++;
     *fault = st != FMB_OK;
     cr_expect(st == FMB_OK ||
               (st == FMB_ERR_PARSE && w.line == n + 1 && strncmp(w.text, "expected ", 9) == 0));
     if (*fault)
-        cr_expect(fmb_frames_next(a.r, &line, &w) == FMB_OK && !line, "nothing behind an error");
+        cr_expect(fmb_frame_reader_next(a.r, &line, &w) == FMB_OK && !line,
+                  "nothing behind an error");
     end(&a);
     return n;
 }
@@ -520,11 +521,11 @@ Test(frames, binary_not_written)
     char *bytes = NULL;
     size_t size;
     FILE *out = open_memstream(&bytes, &size);
-    cr_expect_eq(fmb_frames_write(NULL, 1, &square, &square), FMB_ERR_ARG);
-    cr_expect_eq(fmb_frames_write(out, 1, NULL, &square), FMB_ERR_ARG);
-    cr_expect_eq(fmb_frames_write(out, 1, &square, &flat), FMB_ERR_ARG);
-    cr_expect_eq(fmb_frames_write(out, 0, NULL, NULL), FMB_OK);
-    cr_expect_eq(fmb_frames_rationals(NULL), FMB_ERR_ARG);
+    cr_expect_eq(fmb_frame_pairs_write(NULL, 1, &square, &square), FMB_ERR_ARG);
+    cr_expect_eq(fmb_frame_pairs_write(out, 1, NULL, &square), FMB_ERR_ARG);
+    cr_expect_eq(fmb_frame_pairs_write(out, 1, &square, &flat), FMB_ERR_ARG);
+    cr_expect_eq(fmb_frame_pairs_write(out, 0, NULL, NULL), FMB_OK);
+    cr_expect_eq(fmb_frame_reader_rationals(NULL), FMB_ERR_ARG);
     fclose(out);
     cr_expect_eq(size, 0);
     free(bytes);

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "io/core/io.h"
+#include "io/core/io_private.h"
 #include "io/core/short.h"
 
 /* splitmix64. */

@@ -2,11 +2,11 @@
  * added, left out and taken in again. */
 #include <criterion/criterion.h>
 
+#include "lp/exact/exact_simplex.h"
 #include "lp/exact/read.h"
-#include "lp/exact/simplex.h"
 #include "lp/oracle/oracle.h"
 #include "support.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 enum { COUNT = 400 };
 

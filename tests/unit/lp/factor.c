@@ -5,8 +5,8 @@
 #include <stdlib.h>
 
 #include "lp/exact/factor.h"
+#include "lp/exact/modular_kernel.h"
 #include "lp/exact/prime.h"
-#include "lp/exact/short.h"
 #include "num/gcd.h"
 #include "support.h"
 

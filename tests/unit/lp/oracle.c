@@ -3,8 +3,8 @@
 
 #include <stdlib.h>
 
+#include "lp/exact/exact_simplex.h"
 #include "lp/exact/read.h"
-#include "lp/exact/simplex.h"
 #include "lp/redundancy/lazy.h"
 #include "solve/query/part.h"
 #include "study/textbook/exact.h"

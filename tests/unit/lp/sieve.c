@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "claims.h"
-#include "lp/exact/simplex.h"
+#include "lp/exact/exact_simplex.h"
 #include "lp/redundancy/sieve.h"
 #include "num/rationals.h"
 #include "support/dense.h"

@@ -4,7 +4,7 @@
 #include <criterion/criterion.h>
 #include <string.h>
 
-#include "lp/exact/simplex.h"
+#include "lp/exact/exact_simplex.h"
 #include "lp/redundancy/implied.h"
 #include "lp/redundancy/irredundant.h"
 #include "support.h"

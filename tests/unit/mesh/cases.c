@@ -142,13 +142,13 @@ static void check_hulls(const char *name, bool *found)
                        "\"type\": \"hull\"}}\n",
                        p, q) > 0);
     FILE *in = fmemopen(text, strlen(text), "r");
-    fmb_frames *r = NULL;
-    const fmb_frames_line *line = NULL;
+    fmb_frame_reader *r = NULL;
+    const fmb_frame_line *line = NULL;
     fmb_system *s = NULL;
     fmb_solver *v = NULL;
     fmb_result result;
-    must(fmb_frames_open(in, NULL, &r));
-    must(fmb_frames_next(r, &line, NULL));
+    must(fmb_frame_reader_new(in, NULL, &r));
+    must(fmb_frame_reader_next(r, &line, NULL));
     must(fmb_system_from_line(line, FMB_CONTACT_CLOSED, NULL, &s));
     must(fmb_solver_new(NULL, NULL, &v));
     must(fmb_solve(v, s, &result));
@@ -156,7 +156,7 @@ static void check_hulls(const char *name, bool *found)
               "%s", name);
     fmb_solver_free(v);
     fmb_system_free(s);
-    fmb_frames_close(r);
+    fmb_frame_reader_free(r);
     fclose(in);
     free(text);
     free(p);

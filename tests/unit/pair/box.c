@@ -7,7 +7,7 @@
 
 #include "box_check.h"
 #include "pair/block.h"
-#include "pair/kernels/kernels.h"
+#include "pair/kernels/pair_kernels.h"
 #include "rows.h"
 #include "study/draw/pairs.h"
 

@@ -97,7 +97,7 @@ static void check_interval(const char *id, const double *ends, const json_t *rec
 }
 
 /* What one kernel says of a line. */
-static void ask(fmb_pair *k, const fmb_frames_line *line, int swap, const char *verdict,
+static void ask(fmb_pair *k, const fmb_frame_line *line, int swap, const char *verdict,
                 const json_t *bbox, bool tightest)
 {
     fmb_verdict got;
@@ -126,7 +126,7 @@ static void ask(fmb_pair *k, const fmb_frames_line *line, int swap, const char *
                        tightest ? 0 : 1e-12);
 }
 
-static void check_line(const fmb_frames_line *line, const json_t *truth)
+static void check_line(const fmb_frame_line *line, const json_t *truth)
 {
     for (int contact = 0; contact < 2; contact++)
         for (int method = FMB_PAIR_FMB; method <= FMB_PAIR_EXACT; method++)
@@ -149,19 +149,20 @@ static void check_line(const fmb_frames_line *line, const json_t *truth)
 static void check_frames(const char *name)
 {
     char path[PATH];
-    fmb_frames *r = NULL;
-    const fmb_frames_line *line = NULL;
+    fmb_frame_reader *r = NULL;
+    const fmb_frame_line *line = NULL;
     snprintf(path, sizeof path, "%s/geom/%s", CASES, name);
     FILE *in = fopen(path, "rb");
     cr_assert(in, "%s", path);
-    must(fmb_frames_open(in, NULL, &r));
-    for (must(fmb_frames_next(r, &line, NULL)); line; must(fmb_frames_next(r, &line, NULL))) {
+    must(fmb_frame_reader_new(in, NULL, &r));
+    for (must(fmb_frame_reader_next(r, &line, NULL)); line;
+         must(fmb_frame_reader_next(r, &line, NULL))) {
         const json_t *truth = truth_of(name, line->id);
         if (line->are_doubles)
             check_line(line, truth);
         doubles += line->are_doubles;
     }
-    fmb_frames_close(r);
+    fmb_frame_reader_free(r);
     fclose(in);
 }
 

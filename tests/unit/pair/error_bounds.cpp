@@ -148,7 +148,7 @@ static void count_certain(fmb_gaps *, lane size, double count, lane bound)
 #define local_frame_make make_bounds
 #define fmb_gaps_class   count_class
 #define fmb_gaps_certain count_certain
-#include "pair/kernels/fmb.h"
+#include "pair/kernels/fmb_kernel.h"
 #undef local_frame_make
 
 /* ---- verdicts: any axes ---------------------------------------------------------------------- */
@@ -220,7 +220,7 @@ static void count_axes(int dim, bool moves, bool a, bool b)
 
 /* ---- boxes of frames that stand still -------------------------------------------------------- */
 
-#include "pair/kernels/box.h"
+#include "pair/kernels/box_kernel.h"
 
 static double some_number() // of either sign; often a small one
 {

@@ -6,7 +6,7 @@
 
 #include "pair/block.h"
 #include "pair/extreme/normals.h"
-#include "pair/kernels/packed.h"
+#include "pair/kernels/packed_kernels.h"
 #include "property/random/rows.h"
 #include "study/draw/pairs.h"
 

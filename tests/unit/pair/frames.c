@@ -9,7 +9,7 @@
 #include <fmb/frames.h>
 
 #include "fault/hook.h"
-#include "pair/kernels/kernels.h"
+#include "pair/kernels/pair_kernels.h"
 #include "property/random/rows.h"
 #include "study/draw/pairs.h"
 

@@ -35,7 +35,7 @@ static fmb_claim *any_claim(subject *u)
     return &u->e->claim[subject_any(&u->g, u->e->claims)];
 }
 
-static bool change_list_value(subject *u, fmb_sparse *list)
+static bool change_list_value(subject *u, fmb_sparse_vector *list)
 {
     if (list->size > 0)
         change_number(&u->g, list->value[subject_any(&u->g, list->size)]);
@@ -60,7 +60,7 @@ static bool change_term(subject *u)
 /* A multiplier moves to another row, perhaps one that there is not. */
 static bool rename_multiplier(subject *u)
 {
-    fmb_sparse *list = &any_claim(u)->multipliers;
+    fmb_sparse_vector *list = &any_claim(u)->multipliers;
     if (list->size > 0)
         list->index[subject_any(&u->g, list->size)] = subject_any(&u->g, u->e->rows + 1);
     list->mixed = true;
@@ -80,7 +80,7 @@ static bool add_multiplier(subject *u)
 
 static bool drop_multiplier(subject *u)
 {
-    fmb_sparse *list = &any_claim(u)->multipliers;
+    fmb_sparse_vector *list = &any_claim(u)->multipliers;
     if (list->size == 0)
         return false;
     mpq_clear(list->value[--list->size]);
@@ -98,7 +98,7 @@ static bool change_ray(subject *u)
 }
 
 /* A coordinate that was 0, perhaps of a variable that there is not. */
-static bool add_coordinate(subject *u, fmb_sparse *list)
+static bool add_coordinate(subject *u, fmb_sparse_vector *list)
 {
     size_t j = subject_any(&u->g, (size_t)u->e->dim + 1);
     mpq_t q;
@@ -123,7 +123,7 @@ static bool add_to_ray(subject *u)
 
 static bool drop_coordinate(subject *u)
 {
-    fmb_sparse *list = &any_claim(u)->point;
+    fmb_sparse_vector *list = &any_claim(u)->point;
     if (list->size == 0)
         return false;
     mpq_clear(list->value[--list->size]);
@@ -133,7 +133,7 @@ static bool drop_coordinate(subject *u)
 static bool swap_point_and_ray(subject *u)
 {
     fmb_claim *c = any_claim(u);
-    fmb_sparse point = c->point;
+    fmb_sparse_vector point = c->point;
     c->point = c->ray;
     c->ray = point;
     return c->point.size + c->ray.size > 0;

@@ -30,7 +30,7 @@ static void put(mpq_t *q, int n)
 }
 
 /* sum over j of a_j x_j, minus b unless it is a direction: its sign. */
-static int excess(int dim, mpq_t *a, const fmb_sparse *x, bool direction)
+static int excess(int dim, mpq_t *a, const fmb_sparse_vector *x, bool direction)
 {
     mpq_t sum, term;
     mpq_inits(sum, term, NULL);
@@ -46,7 +46,7 @@ static int excess(int dim, mpq_t *a, const fmb_sparse *x, bool direction)
 }
 
 /* Is every coordinate one of the space? */
-static bool is_point(int dim, const fmb_sparse *x)
+static bool is_point(int dim, const fmb_sparse_vector *x)
 {
     bool good = true;
     for (size_t k = 0; k < x->size; k++)
@@ -66,7 +66,7 @@ static bool holds(int sign, fmb_rel rel)
     }
 }
 
-static bool is_solution(const dense *d, const fmb_sparse *x)
+static bool is_solution(const dense *d, const fmb_sparse_vector *x)
 {
     for (int i = 0; is_point(d->dim, x) && i < d->rows; i++)
         if (!holds(excess(d->dim, dense_row(d, i), x, false), d->rel[i]))
@@ -75,7 +75,7 @@ static bool is_solution(const dense *d, const fmb_sparse *x)
 }
 
 /* A solution of the closed system. */
-static bool is_closed_solution(const dense *d, const fmb_sparse *x)
+static bool is_closed_solution(const dense *d, const fmb_sparse_vector *x)
 {
     for (int i = 0; is_point(d->dim, x) && i < d->rows; i++) {
         fmb_rel rel = d->rel[i] == FMB_EQ ? FMB_EQ : FMB_LE;
@@ -85,7 +85,7 @@ static bool is_closed_solution(const dense *d, const fmb_sparse *x)
     return is_point(d->dim, x);
 }
 
-static bool is_direction(const dense *d, const fmb_sparse *x)
+static bool is_direction(const dense *d, const fmb_sparse_vector *x)
 {
     for (int i = 0; is_point(d->dim, x) && i < d->rows; i++) {
         fmb_rel rel = d->rel[i] == FMB_EQ ? FMB_EQ : FMB_LE;
@@ -96,7 +96,7 @@ static bool is_direction(const dense *d, const fmb_sparse *x)
 }
 
 /* Do the multipliers of rows of d turn them into a row at least as strong as goal (not =)? */
-static bool derives(const dense *d, const fmb_sparse *m, inequality goal)
+static bool derives(const dense *d, const fmb_sparse_vector *m, inequality goal)
 {
     bool good = true, strict = false;
     mpq_t *sum = zeros(d->dim), term;
@@ -124,8 +124,8 @@ static bool derives(const dense *d, const fmb_sparse *m, inequality goal)
 }
 
 /* The same for a goal that may be an equality: the reverse needs multipliers of its own. */
-static bool derives_both(const dense *d, const fmb_sparse *m, const fmb_sparse *reverse,
-                         inequality goal)
+static bool derives_both(const dense *d, const fmb_sparse_vector *m,
+                         const fmb_sparse_vector *reverse, inequality goal)
 {
     if (goal.rel != FMB_EQ)
         return derives(d, m, goal);
@@ -223,7 +223,7 @@ static bool goes_in(const scene *v, size_t row, size_t n)
 }
 
 /* No multiplier of a row that goes before this claim or by it. */
-static bool uses_only_present(const scene *v, const fmb_sparse *m, const fmb_claim *c)
+static bool uses_only_present(const scene *v, const fmb_sparse_vector *m, const fmb_claim *c)
 {
     for (size_t k = 0; k < m->size; k++)
         if (goes_in(v, m->index[k], (size_t)(c - v->e->claim) + 1))

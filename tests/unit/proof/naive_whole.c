@@ -9,7 +9,7 @@
 
 #include "naive.h"
 #include "support/dense.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 enum { MOST = 64 }; /* corners */
 
@@ -140,7 +140,7 @@ static void put_form(const stage *s, const fmb_claim *c, matrix *m, int i)
 
 static void put_corner(stage *s, const fmb_claim *c, int i)
 {
-    const fmb_sparse *list = c->ray.size > 0 ? &c->ray : &c->point;
+    const fmb_sparse_vector *list = c->ray.size > 0 ? &c->ray : &c->point;
     for (size_t k = 0; k < list->size; k++) {
         int place = place_of(s->q, list->index[k]);
         if (place >= 0)
@@ -296,7 +296,7 @@ static bool is_spanned(stage *s)
 static bool is_inside(const stage *s, const dense *d, int i, int g)
 {
     const fmb_claim *c = s->of_corner[g];
-    const fmb_sparse *list = c->ray.size > 0 ? &c->ray : &c->point;
+    const fmb_sparse_vector *list = c->ray.size > 0 ? &c->ray : &c->point;
     mpq_t sum, t;
     mpq_inits(sum, t, NULL);
     for (size_t k = 0; k < list->size; k++) {

@@ -203,7 +203,7 @@ static bool is_vertex(const fmb_generators *g, size_t i, const common_points *al
     mpq_t want, got;
     mpq_inits(want, got, NULL);
     for (int j = 0; is && j < all->dim; j++) {
-        fmb_generators_get_q(g, i, j, got);
+        fmb_generators_coordinate_q(g, i, j, got);
         set_fraction((fraction){all->p[k][j], all->q[k]}, j < dim ? unit : 1, want);
         is = mpq_equal(want, got);
     }

@@ -307,7 +307,7 @@ static void expect_box(const fmb_frame *f, const fmb_generators *g)
         cr_assert(fmb_box_end_q(box, j / 2, side, end));
         int reached = 0;
         for (size_t i = 0; i < fmb_generators_size(g); i++) {
-            fmb_generators_get_q(g, i, j / 2, x);
+            fmb_generators_coordinate_q(g, i, j / 2, x);
             int beyond = mpq_cmp(x, end);
             cr_expect(side == FMB_UPPER ? beyond <= 0 : beyond >= 0);
             reached += beyond == 0;
@@ -328,7 +328,7 @@ static void expect_order(const fmb_generators *g)
     mpq_inits(x[0], x[1], x[2], x[3], x[4], x[5], t, NULL);
     for (size_t i = 0; n > 3 && i < n; i++) {
         for (size_t k = 0; k < 6; k++)
-            fmb_generators_get_q(g, (i + k / 2) % n, (int)(k % 2), x[k]);
+            fmb_generators_coordinate_q(g, (i + k / 2) % n, (int)(k % 2), x[k]);
         for (int k = 5; k > 1; k--)
             mpq_sub(x[k], x[k], x[k % 2]);
         mpq_mul(t, x[2], x[5]);

@@ -4,7 +4,7 @@
 #include "property/random/options.h"
 #include "property/random/rows.h"
 #include "support.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 /* How often a multiplier other than 1 or -1 was seen. */
 static int expect_lowest_terms(fmb_solver *v, const fmb_system *s, const char *ways)

@@ -3,7 +3,7 @@
 #include <criterion/criterion.h>
 
 #include "elim/round/elim.h"
-#include "solve/limit/ends.h"
+#include "solve/limit/outer_ends.h"
 
 enum { COLUMNS = 2, X = 0, Y = 1 };
 

@@ -9,7 +9,7 @@
 #include "fault/hook.h"
 #include "property/random/agree.h"
 #include "support.h"
-#include "system/system.h"
+#include "system/system_private.h"
 
 static fmb_solver *plain_solver(void)
 {
@@ -247,7 +247,7 @@ Test(generators, by_hand)
     mpq_inits(x[0], x[1], q, NULL);
     mpq_set_si(x[0], -1, 3);
     must(fmb_generators_add_q(g, FMB_VERTEX, x));
-    fmb_generators_get_q(g, 3, 0, q);
+    fmb_generators_coordinate_q(g, 3, 0, q);
     cr_expect(mpq_equal(q, x[0]));
     mpq_clears(x[0], x[1], q, NULL);
     cr_expect_eq(fmb_generators_kind(g, 2), FMB_LINE);

@@ -128,7 +128,7 @@ Test(given_symmetries, answers_and_classes_are_the_same)
         cr_assert_eq(fmb_system_rows(a), fmb_system_rows(b));
         size_t m = fmb_system_rows(a), classes = 0;
         size_t *class_of = calloc(2 * m + 1, sizeof *class_of);
-        must(fmb_row_classes(a, p, KEEP, KEPT, class_of));
+        must(fmb_rows_classes(a, p, KEEP, KEPT, class_of));
         for (size_t i = 0; i < m; i++)
             classes += class_of[i] == i;
         cr_assert_eq(classes, count_classes_plainly(a, turn, class_of + m));
@@ -159,7 +159,7 @@ Test(given_symmetries, rows_count_modulo_equalities)
     must(fmb_system_add_int(s, (int64_t[]){0, 0, 0, 1}, FMB_LE, 3));
     must(fmb_permutations_new(4, NULL, &p));
     must(fmb_permutations_add(p, swap));
-    must(fmb_row_classes(s, p, all, 4, class_of));
+    must(fmb_rows_classes(s, p, all, 4, class_of));
     cr_expect(class_of[0] == 0 && class_of[1] == 1 && class_of[2] == 2 && class_of[3] == 2);
     fmb_solver *v = solver_with(FMB_METHOD_AUTO, FMB_SYMMETRY_AUTO);
     fmb_system *out = NULL;
@@ -198,9 +198,9 @@ Test(given_symmetries, what_is_no_symmetry_is_refused)
     must(fmb_solver_set_symmetries(v, NULL));
     must(fmb_project(v, s, two, 2, &out, NULL));
     size_t class_of[8];
-    cr_expect_eq(fmb_row_classes(out, p, two, 2, class_of), FMB_ERR_ARG);
-    cr_expect_eq(fmb_row_classes(out, NULL, two, 2, class_of), FMB_ERR_ARG);
-    cr_expect_eq(fmb_row_classes(s, p, two, 2, class_of), FMB_ERR_ARG);
+    cr_expect_eq(fmb_rows_classes(out, p, two, 2, class_of), FMB_ERR_ARG);
+    cr_expect_eq(fmb_rows_classes(out, NULL, two, 2, class_of), FMB_ERR_ARG);
+    cr_expect_eq(fmb_rows_classes(s, p, two, 2, class_of), FMB_ERR_ARG);
     fmb_system_free(out);
     fmb_system_free(small);
     fmb_system_free(s);
@@ -238,7 +238,7 @@ Test(given_symmetries, those_that_are_found_are_such)
         support_rng rng = {seed};
         fmb_system *s = rows_with_images(&rng, 1, 1, 4), *out = NULL;
         fmb_permutations *p = NULL;
-        must(fmb_find_symmetries(v, s, KEEP, KEPT, &p, NULL));
+        must(fmb_symmetries_find(v, s, KEEP, KEPT, &p, NULL));
         cr_assert(p && fmb_permutations_dim(p) == DIM);
         must(fmb_solver_set_symmetries(v, p));
         must(fmb_project(v, s, KEEP, KEPT, &out, NULL));
@@ -247,10 +247,10 @@ Test(given_symmetries, those_that_are_found_are_such)
         fmb_system_free(s);
     }
     fmb_permutations *p = NULL;
-    cr_expect_eq(fmb_find_symmetries(v, NULL, KEEP, KEPT, &p, NULL), FMB_ERR_ARG);
+    cr_expect_eq(fmb_symmetries_find(v, NULL, KEEP, KEPT, &p, NULL), FMB_ERR_ARG);
     fmb_system *cube = rows_none(4);
-    cr_expect_eq(fmb_find_symmetries(v, cube, NULL, 2, &p, NULL), FMB_ERR_ARG);
-    cr_expect_eq(fmb_find_symmetries(v, cube, (int[]){7}, 1, &p, NULL), FMB_ERR_ARG);
+    cr_expect_eq(fmb_symmetries_find(v, cube, NULL, 2, &p, NULL), FMB_ERR_ARG);
+    cr_expect_eq(fmb_symmetries_find(v, cube, (int[]){7}, 1, &p, NULL), FMB_ERR_ARG);
     fmb_system_free(cube);
     fmb_solver_free(v);
 }
@@ -362,13 +362,13 @@ static fmb_status ask_for_everything(const fmb_alloc *mem, const fmb_system *s,
     if (st == FMB_ERR_PARSE)
         st = fmb_permutations_parse("x1 <> x1", 8, &how, s, KEEP, KEPT, &p, NULL);
     if (st == FMB_OK)
-        st = fmb_find_symmetries(v, s, KEEP, KEPT, &found, NULL);
+        st = fmb_symmetries_find(v, s, KEEP, KEPT, &found, NULL);
     if (st == FMB_OK)
         st = fmb_solver_set_symmetries(v, given);
     if (st == FMB_OK)
         st = fmb_project(v, s, KEEP, KEPT, &out, NULL);
     if (st == FMB_OK && fmb_system_rows(out) <= 256)
-        st = fmb_row_classes(out, given, KEEP, KEPT, class_of);
+        st = fmb_rows_classes(out, given, KEEP, KEPT, class_of);
     fmb_system_free(out);
     fmb_permutations_free(found);
     fmb_permutations_free(p);

@@ -19,9 +19,9 @@ static void add_combination(fmb_generators *to, fmb_generator_kind kind, const f
     mpq_init(y);
     for (int j = 0; j < fmb_generators_dim(to); j++) {
         mpq_init(x[j]);
-        fmb_generators_get_q(v, i, j, x[j]);
+        fmb_generators_coordinate_q(v, i, j, x[j]);
         if (w)
-            fmb_generators_get_q(w, k, j, y);
+            fmb_generators_coordinate_q(w, k, j, y);
         mpq_add(x[j], x[j], y);
     }
     must(fmb_generators_add_q(to, kind, x));
@@ -84,7 +84,7 @@ static fmb_generators *image_of_generators(const fmb_generators *a, int m, int f
         for (int i = 0; i < m; i++) {
             mpq_set_si(y[i], kind == FMB_VERTEX ? constant[i] : 0, 1);
             for (int j = 0; j < fmb_generators_dim(a); j++) {
-                fmb_generators_get_q(a, k, j, x);
+                fmb_generators_coordinate_q(a, k, j, x);
                 mpq_set_si(t, form[i][j], 2);
                 mpq_canonicalize(t);
                 mpq_mul(t, t, x);

@@ -114,8 +114,8 @@ static fmb_evidence *copy_claims(const proved *p, size_t without)
     support_must(fmb_evidence_new(p->e->dim, p->e->rows, NULL, &e));
     for (size_t i = 0; i < p->e->claims; i++) {
         const fmb_claim *from = &p->e->claim[i];
-        const fmb_sparse *lists[] = {&from->terms, &from->multipliers, &from->reverse, &from->point,
-                                     &from->ray};
+        const fmb_sparse_vector *lists[] = {&from->terms, &from->multipliers, &from->reverse,
+                                            &from->point, &from->ray};
         fmb_claim *to;
         if (i == without)
             continue;
@@ -125,7 +125,8 @@ static fmb_evidence *copy_claims(const proved *p, size_t without)
         to->side = from->side;
         to->rel = from->rel;
         mpq_set(to->value, from->value);
-        fmb_sparse *copies[] = {&to->terms, &to->multipliers, &to->reverse, &to->point, &to->ray};
+        fmb_sparse_vector *copies[] = {&to->terms, &to->multipliers, &to->reverse, &to->point,
+                                       &to->ray};
         for (size_t l = 0; l < 5; l++)
             for (size_t k = 0; k < lists[l]->size; k++)
                 support_must(
@@ -228,7 +229,7 @@ static bool move_corner(proved *p)
     mpq_t by;
     mpq_init(by);
     mpq_set_si(by, any(p, 2) ? 1 : -1, (unsigned)(1 + any(p, 1000)));
-    fmb_sparse *point = &e->claim[leave_out ? 0 : i].point;
+    fmb_sparse_vector *point = &e->claim[leave_out ? 0 : i].point;
     bool found = leave_out;
     for (size_t k = 0; !found && k < point->size; k++)
         if (point->index[k] == var) {

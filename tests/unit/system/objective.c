@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "system/system.h"
+#include "system/system_private.h"
 
 static fmb_system *new_space(int dim)
 {

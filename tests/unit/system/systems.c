@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "system/system.h"
+#include "system/system_private.h"
 
 static fmb_system *new_system(int dim)
 {

@@ -1,0 +1,79 @@
+/* tiny_private.h: what the files of the tiny elimination share; see tiny.c.
+ *
+ * A row is words: the right side at 0, the coefficients at 1..n. Every |word| < 2^62, which the
+ * row's bits bound more closely. A round that removes variable c gives its number to the last one,
+ * n, so rows stay compact and loops short.
+ */
+#ifndef FMB_ELIM_TINY_TINY_PRIVATE_H
+#define FMB_ELIM_TINY_TINY_PRIVATE_H
+
+#include "elim/tiny/tiny.h"
+#include "num/vec.h"
+
+#define FMB_TINY_VARIABLES 9
+#define FMB_TINY_BASE      64   /* base rows: a history is one word */
+#define FMB_TINY_ROWS      128  /* of a table */
+#define FMB_TINY_PAIRS     2048 /* looked at before giving up */
+#define FMB_TINY_FEW_PAIRS 640  /* the same of seven variables and more: the oracle is faster */
+#define FMB_TINY_WORDS     16   /* of a row */
+#define FMB_TINY_END_BITS  60   /* of an end of the box */
+
+typedef struct fmb_tiny_table {
+    int64_t a[FMB_TINY_ROWS][FMB_TINY_WORDS];
+    uint64_t history[FMB_TINY_ROWS]; /* base rows combined */
+    uint8_t bits[FMB_TINY_ROWS];
+    bool strict[FMB_TINY_ROWS];
+    int rows;
+} fmb_tiny_table;
+
+/* What is known of the last variable: the least b / c, c > 0, of each side: x <= b / c of the upper
+ * one, -x <= b / c of the lower one. */
+typedef struct fmb_tiny_end {
+    fmb_i128 b, c;
+    bool strict, known;
+} fmb_tiny_end;
+
+typedef struct fmb_tiny {
+    int n;                          /* variables left */
+    int since;                      /* variables paired away */
+    uint64_t most_pairs;            /* looked at before giving up */
+    int64_t end[2][FMB_TINY_WORDS]; /* the box, rounded outward */
+    unsigned open[2];               /* bit k: variable k has no such end */
+    fmb_tiny_table *now, *next;
+    fmb_tiny_end last[2];
+    fmb_stats *stats;
+    fmb_tiny_table table[2];
+} fmb_tiny;
+
+typedef enum fmb_tiny_step {
+    FMB_TINY_GO,
+    FMB_TINY_CLASH, /* no point satisfies the rows */
+    FMB_TINY_FULL   /* no room for a row, or it does not fit */
+} fmb_tiny_step;
+
+static inline void fmb_tiny_copy(fmb_tiny_table *to, int i, const fmb_tiny_table *from, int k)
+{
+    for (int word = 0; word < FMB_TINY_WORDS; word++)
+        to->a[i][word] = from->a[k][word];
+    to->history[i] = from->history[k];
+    to->bits[i] = from->bits[k];
+    to->strict[i] = from->strict[k];
+}
+
+/* load.c: the rows of s as the base; rows with one variable also as the box. */
+fmb_tiny_step fmb_tiny_load(fmb_tiny *t, const fmb_system *s);
+
+/* row.c: the combination of rows p and q of t->now that cancels variable c, p's coefficient being
+ * negative and q's positive, at the end of t->next, not counted yet; false if it does not fit. */
+bool fmb_tiny_combine(fmb_tiny *t, int p, int q, int c);
+
+/* box.c: drop the rows from number `first` on that hold strictly in the box. A clash is one
+ * that fails in all of it. */
+fmb_tiny_step fmb_tiny_prune(fmb_tiny *t, fmb_tiny_table *rows, int first);
+
+/* last.c: note c x <= b (< b). A constant row may be false. */
+fmb_tiny_step fmb_tiny_note(fmb_tiny *t, fmb_i128 c, fmb_i128 b, bool strict);
+/* Do the ends noted leave a value? */
+bool fmb_tiny_is_open(const fmb_tiny *t);
+
+#endif

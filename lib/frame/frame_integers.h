@@ -1,0 +1,50 @@
+/* frame_integers.h: frames in whole numbers.
+ *
+ * On each axis of the world there is a unit, the least common denominator of all the numbers that
+ * belong to that axis (a power of two, if they come from doubles). Numbers are counted in those
+ * units: a row of a system that says something about world axis j is only multiplied by it. Numbers
+ * are converted when they are asked for: of frames in a large space there may be millions. Frames
+ * by corners are frames like others from here on.
+ */
+#ifndef FMB_FRAME_FRAME_INTEGERS_H
+#define FMB_FRAME_FRAME_INTEGERS_H
+
+#include <fmb/gmp.h>
+
+#include "trace/run.h"
+
+/* The outline of a frame. Its numbers are [rows][dim]: the origin, the edges, the speed if it
+ * moves. */
+typedef struct fmb_whole {
+    fmb_shape shape; /* cuboid or simplex */
+    int naxes, rows;
+    bool moves;
+    bool by_corners;    /* the source has corners in place of edges */
+    const void *source; /* the fmb_frame or fmb_frame_q */
+} fmb_whole;
+
+/* How numbers are read from a source. */
+typedef struct fmb_number_source fmb_number_source;
+
+/* All frames of one question. */
+typedef struct fmb_scene {
+    fmb_mem *mem;
+    int dim;
+    size_t frames;
+    fmb_whole *frame; /* [frames] */
+    mpz_t *unit;      /* [dim], whole and positive: the number of units in 1 */
+    const fmb_number_source *from;
+} fmb_scene;
+
+/* Frames that have been checked; they are borrowed. run: whose limits hold, or NULL. Errors:
+ * MEMORY, LIMIT. What was opened is closed by fmb_scene_clear. */
+fmb_status fmb_scene_of_doubles(fmb_scene *w, const fmb_frame *f, size_t n, fmb_mem *mem,
+                                fmb_run *run);
+fmb_status fmb_scene_of_rationals(fmb_scene *w, const fmb_frame_q *f, size_t n, fmb_mem *mem,
+                                  fmb_run *run);
+void fmb_scene_clear(fmb_scene *w);
+
+/* out = number j of row i of a frame, in units of world axis j. */
+void fmb_scene_number(const fmb_scene *w, const fmb_whole *f, int i, int j, mpz_t out);
+
+#endif

@@ -1,0 +1,297 @@
+/* packed_lines.c: see packed_lines.h. */
+#include "io/frames/packed_lines.h"
+
+#include <string.h>
+
+#include "io/frames/frame_reader.h"
+
+static const char magic[8] = {'f', 'm', 'b', 'p', 'a', 'i', 'r', 's'};
+
+enum { VERSION = 1 };
+
+/* ---- words ----------------------------------------------------------------------------------- */
+
+static inline uint64_t read_four(const unsigned char *b)
+{
+    return (uint64_t)b[0] | (uint64_t)b[1] << 8 | (uint64_t)b[2] << 16 | (uint64_t)b[3] << 24;
+}
+
+/* One load, where the processor is little-endian: compilers see that without a loop. */
+static inline uint64_t read_eight(const unsigned char *b)
+{
+    return (uint64_t)b[0] | (uint64_t)b[1] << 8 | (uint64_t)b[2] << 16 | (uint64_t)b[3] << 24 |
+           (uint64_t)b[4] << 32 | (uint64_t)b[5] << 40 | (uint64_t)b[6] << 48 |
+           (uint64_t)b[7] << 56;
+}
+
+static void write_word(uint64_t word, int size, unsigned char *to)
+{
+    for (int i = 0; i < size; i++, word >>= 8)
+        to[i] = (unsigned char)word;
+}
+
+void fmb_packed_read(const unsigned char *from, int size, size_t n, double *to)
+{
+    for (size_t i = 0; size == 8 && i < n; i++) {
+        uint64_t word = read_eight(from + 8 * i);
+        memcpy(&to[i], &word, sizeof word);
+    }
+    for (size_t i = 0; size == 4 && i < n; i++) {
+        uint32_t word = (uint32_t)read_four(from + 4 * i);
+        float single;
+        memcpy(&single, &word, sizeof word);
+        to[i] = (double)single;
+    }
+}
+
+void fmb_packed_write(const double *from, size_t n, unsigned char *to)
+{
+    for (size_t i = 0; i < n; i++) {
+        uint64_t word;
+        memcpy(&word, &from[i], sizeof word);
+        write_word(word, 8, to + 8 * i);
+    }
+}
+
+/* ---- headers --------------------------------------------------------------------------------- */
+
+static bool has_possible_axes(const fmb_packed_block *b, int k)
+{
+    bool is_hull = b->shape[k] == FMB_SIMPLEX_BY_CORNERS;
+    return b->shape[k] <= FMB_SIMPLEX_BY_CORNERS &&
+           b->naxes[k] <= (is_hull ? (uint32_t)FMB_FRAME_MOST_DIM : b->dim);
+}
+
+const char *fmb_packed_decode(const unsigned char *from, fmb_packed_block *out)
+{
+    if (memcmp(from, magic, sizeof magic) != 0)
+        return "\"fmbpairs\" in front of pairs in binary";
+    if (from[8] != VERSION)
+        return "version 1 of pairs in binary";
+    *out = (fmb_packed_block){
+        .dim = (uint32_t)read_four(from + 16),
+        .naxes = {(uint32_t)read_four(from + 20), (uint32_t)read_four(from + 24)},
+        .pairs = (uint32_t)read_four(from + 28),
+        .size = from[9],
+        .shape = {from[10], from[11]},
+        .moves = {from[12] & 1, from[12] >> 1 & 1}};
+    if (out->size != 4 && out->size != 8)
+        return "numbers of 4 or 8 bytes";
+    if (out->dim < 1 || out->dim > FMB_FRAMES_DIM)
+        return "1 to 10000 dimensions";
+    if (!has_possible_axes(out, 0) || !has_possible_axes(out, 1))
+        return "shapes from 0 to 3, with no more edges than dimensions";
+    return from[12] > 3 || from[13] || from[14] || from[15] ? "zeros in the rest of a header"
+                                                            : NULL;
+}
+
+void fmb_packed_encode(const fmb_packed_block *b, unsigned char *to)
+{
+    memset(to, 0, FMB_PACKED_HEADER);
+    memcpy(to, magic, sizeof magic);
+    to[8] = VERSION;
+    to[9] = b->size;
+    to[10] = b->shape[0];
+    to[11] = b->shape[1];
+    to[12] = (unsigned char)(b->moves[0] | b->moves[1] << 1);
+    write_word(b->dim, 4, to + 16);
+    write_word(b->naxes[0], 4, to + 20);
+    write_word(b->naxes[1], 4, to + 24);
+    write_word(b->pairs, 4, to + 28);
+}
+
+/* ---- reading --------------------------------------------------------------------------------- */
+
+static fmb_status fail_in_pair(fmb_frame_reader *r, fmb_where *where, const char *what)
+{
+    if (where) {
+        *where = (fmb_where){.line = r->line.number + 1, .column = 1};
+        snprintf(where->text, sizeof where->text, "expected %s", what);
+    }
+    r->left = 0;
+    r->is_over = true;
+    return FMB_ERR_PARSE;
+}
+
+/* Up to n bytes into r->text; memory grows with what comes. */
+static fmb_status fetch_bytes(fmb_frame_reader *r, size_t n)
+{
+    enum { PORTION = 1 << 16 };
+    size_t got = 1;
+    fmb_status st = FMB_OK;
+    for (r->size = 0; st == FMB_OK && r->size < n && got > 0; r->size += got) {
+        size_t most = n - r->size < PORTION ? n - r->size : PORTION;
+        got = 0;
+        st = fmb_frame_reader_poll(r);
+        if (st == FMB_OK)
+            st = fmb_mem_reserve(&r->mem, (void **)&r->text, &r->capacity, r->size + most, 1);
+        if (st == FMB_OK)
+            got = fread(r->text + r->size, 1, most, r->in);
+    }
+    return st == FMB_OK && ferror(r->in) ? FMB_ERR_IO : st;
+}
+
+/* The next block that has pairs; none at the end. */
+static fmb_status fetch_header(fmb_frame_reader *r, fmb_where *where)
+{
+    while (r->left == 0 && !r->is_over) {
+        fmb_status st = fetch_bytes(r, FMB_PACKED_HEADER);
+        if (st != FMB_OK)
+            return st;
+        r->is_over = r->size == 0;
+        if (r->is_over)
+            return FMB_OK;
+        const char *fault = r->size < FMB_PACKED_HEADER
+                                ? "a header of 32 bytes"
+                                : fmb_packed_decode((const unsigned char *)r->text, &r->block);
+        if (fault)
+            return fail_in_pair(r, where, fault);
+        r->left = r->block.pairs;
+    }
+    return FMB_OK;
+}
+
+static bool are_all_finite(const fmb_numbers *a)
+{
+    bool good = true;
+    for (size_t i = 0; i < a->n; i++)
+        good &= a->d[i] - a->d[i] == 0;
+    return good;
+}
+
+static bool are_all_zero(const fmb_numbers *a)
+{
+    size_t i = 0;
+    while (i < a->n && a->d[i] == 0)
+        i++;
+    return i == a->n;
+}
+
+static fmb_status unpack_numbers(fmb_frame_reader *r, fmb_numbers *to, size_t n,
+                                 const unsigned char **from)
+{
+    fmb_status st = fmb_mem_reserve(&r->mem, (void **)&to->d, &to->d_capacity, n, sizeof *to->d);
+    if (st != FMB_OK)
+        return st;
+    fmb_packed_read(*from, r->block.size, n, to->d);
+    *from += n * r->block.size;
+    to->n = n;
+    return FMB_OK;
+}
+
+static fmb_status unpack_body(fmb_frame_reader *r, int k, const unsigned char **from)
+{
+    const fmb_packed_block *block = &r->block;
+    fmb_body_draft *b = &r->body[k];
+    size_t dim = block->dim;
+    b->is_polytope = b->is_hull = false;
+    fmb_system_free(b->rows);
+    b->rows = NULL;
+    b->shape = (fmb_shape)block->shape[k];
+    b->naxes = (int)block->naxes[k];
+    fmb_status st = unpack_numbers(r, &b->origin, dim, from);
+    if (st == FMB_OK)
+        st = unpack_numbers(r, &b->axes, dim * block->naxes[k], from);
+    if (st == FMB_OK)
+        st = unpack_numbers(r, &b->speed, block->moves[k] ? dim : 0, from);
+    if (st == FMB_OK && are_all_zero(&b->speed))
+        b->speed.n = 0;
+    return st;
+}
+
+static bool is_body_finite(const fmb_body_draft *b)
+{
+    return are_all_finite(&b->origin) && are_all_finite(&b->axes) && are_all_finite(&b->speed);
+}
+
+fmb_status fmb_frame_reader_fetch_packed(fmb_frame_reader *r, bool *found, fmb_where *where)
+{
+    *found = false;
+    fmb_status st = fetch_header(r, where);
+    if (st != FMB_OK || r->left == 0)
+        return st;
+    size_t n =
+        (fmb_packed_numbers(&r->block, 0) + fmb_packed_numbers(&r->block, 1)) * r->block.size;
+    if (n > fmb_io_max_bytes(&r->how))
+        return fail_in_pair(r, where, "a pair within the limit on what is read");
+    st = fetch_bytes(r, n);
+    if (st != FMB_OK)
+        return st;
+    if (r->size < n)
+        return fail_in_pair(r, where, "all bytes of a pair");
+    const unsigned char *from = (const unsigned char *)r->text;
+    for (int k = 0; st == FMB_OK && k < 2; k++)
+        st = unpack_body(r, k, &from);
+    if (st == FMB_OK && !(is_body_finite(&r->body[0]) && is_body_finite(&r->body[1])))
+        return fail_in_pair(r, where, "numbers that are finite");
+    r->dim = (int)r->block.dim;
+    r->left--;
+    r->line.number++;
+    *found = st == FMB_OK;
+    return st;
+}
+
+/* ---- writing --------------------------------------------------------------------------------- */
+
+static bool is_outline_packable(const fmb_frame *f, int dim)
+{
+    return f->dim == dim && dim >= 1 && dim <= FMB_FRAMES_DIM && f->naxes >= 0 &&
+           (unsigned)f->shape <= FMB_SIMPLEX_BY_CORNERS;
+}
+
+static bool are_alike(const fmb_frame *f, const fmb_frame *g)
+{
+    return f->shape == g->shape && f->naxes == g->naxes && !f->speed == !g->speed;
+}
+
+static bool write_numbers(FILE *out, const double *x, size_t n)
+{
+    unsigned char bytes[8 * 64];
+    bool good = true;
+    for (size_t i = 0; good && i < n; i += 64) {
+        size_t some = n - i < 64 ? n - i : 64;
+        fmb_packed_write(x + i, some, bytes);
+        good = fwrite(bytes, 8, some, out) == some;
+    }
+    return good;
+}
+
+static bool write_frame(FILE *out, const fmb_frame *f)
+{
+    size_t d = (size_t)f->dim;
+    return write_numbers(out, f->origin, d) && write_numbers(out, f->axes, d * (size_t)f->naxes) &&
+           (!f->speed || write_numbers(out, f->speed, d));
+}
+
+static bool write_header(FILE *out, const fmb_frame *p, const fmb_frame *q, size_t pairs)
+{
+    unsigned char header[FMB_PACKED_HEADER];
+    const fmb_packed_block b = {.dim = (uint32_t)p->dim,
+                                .naxes = {(uint32_t)p->naxes, (uint32_t)q->naxes},
+                                .pairs = (uint32_t)pairs,
+                                .size = 8,
+                                .shape = {(uint8_t)p->shape, (uint8_t)q->shape},
+                                .moves = {p->speed != NULL, q->speed != NULL}};
+    fmb_packed_encode(&b, header);
+    return fwrite(header, 1, sizeof header, out) == sizeof header;
+}
+
+fmb_status fmb_frame_pairs_write(FILE *out, size_t n, const fmb_frame *p, const fmb_frame *q)
+{
+    if (!out || (n > 0 && (!p || !q)))
+        return FMB_ERR_ARG;
+    for (size_t i = 0; i < n; i++)
+        if (!is_outline_packable(&p[i], p[0].dim) || !is_outline_packable(&q[i], p[0].dim))
+            return FMB_ERR_ARG;
+    for (size_t first = 0, end; first < n; first = end) {
+        for (end = first + 1; end < n && end - first < UINT32_MAX; end++)
+            if (!are_alike(&p[end], &p[first]) || !are_alike(&q[end], &q[first]))
+                break;
+        bool good = write_header(out, &p[first], &q[first], end - first);
+        for (size_t i = first; good && i < end; i++)
+            good = write_frame(out, &p[i]) && write_frame(out, &q[i]);
+        if (!good)
+            return FMB_ERR_IO;
+    }
+    return FMB_OK;
+}

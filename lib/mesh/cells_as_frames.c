@@ -1,0 +1,108 @@
+/* cells_as_frames.c: cells as frames by their corners: flat ones, wild ones, and those that move.
+ */
+#include <string.h>
+
+#include <fmb/solve.h>
+
+#include "mesh/cells_as_frames.h"
+
+fmb_status fmb_mesh_frames_open(fmb_mesh_frames *x, const fmb_alloc *hook, const double *motion)
+{
+    fmb_pair_options o = fmb_pair_options_default();
+    fmb_options how = fmb_options_default();
+    *x = (fmb_mesh_frames){.motion = motion};
+    x->mem = hook ? *hook : (fmb_alloc){0};
+    how.evidence = false;
+    o.max_bytes = 0;
+    fmb_status st = fmb_pair_new(3, &o, hook, &x->closed);
+    o.contact = FMB_CONTACT_OPEN;
+    if (st == FMB_OK)
+        st = fmb_pair_new(3, &o, hook, &x->open);
+    return st == FMB_OK ? fmb_solver_new(&how, hook, &x->solver) : st;
+}
+
+void fmb_mesh_frames_close(fmb_mesh_frames *x)
+{
+    fmb_pair_free(x->closed);
+    fmb_pair_free(x->open);
+    fmb_solver_free(x->solver);
+}
+
+/* A cell as a frame; its numbers. */
+typedef struct framed_cell {
+    double number[FMB_CELL_MOST_CORNERS][3];
+    fmb_frame frame;
+} framed_cell;
+
+/* The corners that c shares with another cell come first. */
+static void frame_cell(const fmb_cell *c, const fmb_cell *other, const double *speed,
+                       framed_cell *out)
+{
+    int n = 0;
+    for (int shared = 1; shared >= 0; shared--)
+        for (int k = 0; k < c->corners; k++)
+            if (fmb_cell_has(other, c->id[k]) == shared)
+                memcpy(out->number[n++], c->point[k], sizeof out->number[0]);
+    out->frame = (fmb_frame){.shape = FMB_SIMPLEX_BY_CORNERS,
+                             .dim = 3,
+                             .naxes = c->corners - 1,
+                             .origin = out->number[0],
+                             .axes = out->number[1],
+                             .speed = speed};
+}
+
+/* Some common point of f[0] and f[1] needs a corner of f[0] that is not among its first ones, which
+ * are shared: is sum of c_i > 0, over i of those, possible? */
+static fmb_status ask_beyond_shared(fmb_mesh_frames *x, const fmb_frame f[2], int shared, bool *out)
+{
+    const fmb_alloc *hook = x->mem.resize ? &x->mem : NULL;
+    int64_t row[2 * FMB_CELL_MOST_CORNERS] = {0};
+    fmb_system *s = NULL;
+    fmb_result result = {0};
+    for (int i = shared - 1; i < f[0].naxes; i++)
+        row[i] = -1;
+    fmb_status st =
+        fmb_system_from_frames(f, 2, FMB_COORDINATES_EACH, FMB_CONTACT_CLOSED, hook, &s);
+    if (st == FMB_OK)
+        st = fmb_system_add_int(s, row, FMB_LT, 0);
+    if (st == FMB_OK)
+        st = fmb_solve(x->solver, s, &result);
+    if (st == FMB_OK)
+        *out = result.verdict == FMB_FEASIBLE;
+    fmb_system_free(s);
+    return st;
+}
+
+static fmb_status ask_pair(fmb_pair *k, const fmb_frame f[2], bool *meet)
+{
+    fmb_verdict v;
+    fmb_status st = fmb_pair_test(k, 1, &f[0], &f[1], &(fmb_pair_answers){.verdict = &v});
+    *meet = st == FMB_OK && v == FMB_FEASIBLE;
+    return st;
+}
+
+/* Which of both is the first matters where one is flat: its points have coordinates that are not
+ * unique, those of the other one are. */
+fmb_status fmb_mesh_decide_frames(fmb_mesh_frames *x, const fmb_cell *a, const fmb_cell *b,
+                                  bool flat_b, int shared, fmb_mesh_how *out)
+{
+    bool swap = !x->motion && !flat_b, meet = true, cross = false, beyond = false;
+    framed_cell p, q;
+    frame_cell(swap ? b : a, swap ? a : b, NULL, &p);
+    frame_cell(swap ? a : b, swap ? b : a, x->motion, &q);
+    const fmb_frame f[2] = {p.frame, q.frame};
+    fmb_status st = FMB_OK;
+    if (shared == 0)
+        st = ask_pair(x->closed, f, &meet);
+    if (st == FMB_OK && meet && !x->motion)
+        st = ask_pair(x->open, f, &cross);
+    if (st == FMB_OK && shared > 0 && !cross && !x->motion)
+        st = ask_beyond_shared(x, f, shared, &beyond);
+    if (st != FMB_OK)
+        return st;
+    *out = !meet                                 ? FMB_MESH_APART
+           : cross                               ? FMB_MESH_CROSS
+           : shared > 0 && !beyond && !x->motion ? FMB_MESH_SHARE
+                                                 : FMB_MESH_TOUCH;
+    return FMB_OK;
+}

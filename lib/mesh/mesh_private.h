@@ -1,0 +1,58 @@
+/* mesh_private.h: a mesh inside: vertices with their identities, cells with what is known of each,
+ * and the tree of boxes over them.
+ */
+#ifndef FMB_MESH_MESH_PRIVATE_H
+#define FMB_MESH_MESH_PRIVATE_H
+
+#include <fmb/mesh.h>
+
+#include "base/mem.h"
+#include "pair/corners/cell.h"
+
+/* An axis-aligned box; all of its numbers are coordinates of vertices, unrounded. */
+typedef struct fmb_mesh_box {
+    double lower[3], upper[3];
+} fmb_mesh_box;
+
+/* A node of the tree: cells order[from .. to). A leaf has no children; else these are `left` and
+ * `left` + 1. */
+typedef struct fmb_mesh_node {
+    fmb_mesh_box box;
+    uint32_t from, to, left; /* left 0: a leaf */
+} fmb_mesh_node;
+
+/* What keeps a cell from being decided by signs. */
+enum { FMB_MESH_FLAT = 1, FMB_MESH_WILD = 2 };
+
+struct fmb_mesh {
+    fmb_mem mem;
+    int corners;
+    size_t vertices, cells;
+    double *point;    /* [vertices][3] */
+    uint32_t *same;   /* [vertices] the first vertex at the same point */
+    uint32_t *corner; /* [cells][corners] */
+    uint32_t *face;   /* [cells] where in its file, or NULL */
+    uint8_t *trouble; /* [cells] FLAT: its corners lie in a line (of a tetrahedron: in a plane);
+                         WILD: a coordinate is not tame (pair/corners/volume.h), and nobody knows */
+    uint32_t *order;  /* [cells] of the tree */
+    fmb_mesh_node *node;
+    size_t nodes;
+};
+
+/* The cell as one of a mesh; `ids_of` lets points of two meshes be known as equal. */
+fmb_cell fmb_mesh_cell_of(const fmb_mesh *m, const uint32_t *ids_of, size_t c);
+
+/* fmb_mesh_new, with faces [cells], or NULL. */
+fmb_status fmb_mesh_new_of_faces(int corners, size_t vertices, const double *point, size_t cells,
+                                 const uint32_t *corner, const uint32_t *face, const fmb_alloc *mem,
+                                 fmb_mesh **out);
+
+/* Build m->order and m->node. Errors: MEMORY. */
+fmb_status fmb_mesh_grow_tree(fmb_mesh *m);
+
+/* out[v] = the first vertex, of `other` and then of m, at the point of vertex v of m; those of m
+ * count from other->vertices on. other may be NULL. Errors: MEMORY. */
+fmb_status fmb_mesh_find_same(const fmb_mesh *m, const fmb_mesh *other, fmb_mem *mem,
+                              uint32_t *out);
+
+#endif

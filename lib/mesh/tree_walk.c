@@ -1,0 +1,232 @@
+/* tree_walk.c: see tree_walk.h.
+ *
+ * A box that moves sweeps the box around its first and its last place, rounded outward.
+ */
+#include "mesh/tree_walk.h"
+
+#include <math.h>
+
+/* ---- boxes ----------------------------------------------------------------------------------- */
+
+static fmb_mesh_box sweep_box(const fmb_mesh_box *b, const double *motion)
+{
+    fmb_mesh_box s = *b;
+    for (int j = 0; motion && j < 3; j++) {
+        double *end = motion[j] < 0 ? &s.lower[j] : &s.upper[j];
+        if (motion[j] != 0)
+            *end = nextafter(*end + motion[j], motion[j] < 0 ? -INFINITY : INFINITY);
+    }
+    return s;
+}
+
+static bool do_boxes_meet(const fmb_mesh_box *p, const fmb_mesh_box *q)
+{
+    return p->lower[0] <= q->upper[0] && q->lower[0] <= p->upper[0] && p->lower[1] <= q->upper[1] &&
+           q->lower[1] <= p->upper[1] && p->lower[2] <= q->upper[2] && q->lower[2] <= p->upper[2];
+}
+
+static fmb_mesh_box box_of_cell(const fmb_cell *c)
+{
+    fmb_mesh_box b;
+    for (int j = 0; j < 3; j++) {
+        b.lower[j] = b.upper[j] = c->point[0][j];
+        for (int k = 1; k < c->corners; k++) {
+            double x = c->point[k][j];
+            b.lower[j] = x < b.lower[j] ? x : b.lower[j];
+            b.upper[j] = x > b.upper[j] ? x : b.upper[j];
+        }
+    }
+    return b;
+}
+
+/* ---- pairs of cells -------------------------------------------------------------------------- */
+
+static fmb_status decide_cells(fmb_tree_walk *x, const fmb_cell *a, const fmb_cell *b,
+                               unsigned trouble, int shared, fmb_mesh_how *how)
+{
+    bool alike = a->corners == b->corners && !trouble && !x->plan->o->motion;
+    *how = FMB_MESH_TOUCH;
+    if (alike && a->corners == 3)
+        *how = fmb_decide_triangles(a, b, shared);
+    else if (alike)
+        *how = fmb_decide_tetrahedra(a, b, shared);
+    if (alike && (a->corners == 3 || shared == 0 || *how != FMB_MESH_TOUCH))
+        return FMB_OK;
+    x->out.framed++;
+    return fmb_mesh_decide_frames(&x->frames, a, b, trouble >> 4 != 0, shared, how);
+}
+
+static fmb_status append_hit(fmb_tree_walk *x, fmb_mesh_hit hit)
+{
+    fmb_mesh_answer *out = &x->out;
+    fmb_status st = fmb_mem_reserve(&x->mem, (void **)&out->hit, &out->capacity, out->hits + 1,
+                                    sizeof *out->hit);
+    if (st == FMB_OK)
+        out->hit[out->hits++] = hit;
+    return st;
+}
+
+static fmb_status look_at_pair_of_cells(fmb_tree_walk *x, const fmb_cell *a, uint32_t i,
+                                        const fmb_cell *b, uint32_t j)
+{
+    fmb_mesh_how how;
+    int shared = fmb_cells_count_shared(a, b);
+    x->out.tested++;
+    unsigned trouble = x->plan->a->trouble[i] | (unsigned)x->plan->b->trouble[j] << 4;
+    fmb_status st = decide_cells(x, a, b, trouble, shared, &how);
+    bool wanted = how != FMB_MESH_APART && (how != FMB_MESH_SHARE || x->plan->o->neighbours);
+    return st == FMB_OK && wanted ? append_hit(x, (fmb_mesh_hit){i, j, shared, how}) : st;
+}
+
+/* ---- trees ----------------------------------------------------------------------------------- */
+
+enum { LEAVES_BETWEEN_SIGNS = 256 };
+
+/* FMB_LIMIT: stop. */
+static fmb_status share_progress(fmb_tree_walk *x)
+{
+    fmb_walk_plan *plan = x->plan;
+    double units = FMB_WALK_UNITS;
+    uint64_t mine = (uint64_t)(x->weight * units);
+    double done = (double)(atomic_fetch_add(&plan->done, mine) + mine) / units;
+    x->weight = 0;
+    if (x->tells && plan->o->progress && !plan->o->progress(plan->o->self, done < 1 ? done : 1)) {
+        plan->cancelled = true;
+        atomic_store(&plan->stopped, 1);
+    }
+    return atomic_load(&plan->stopped) ? FMB_LIMIT : FMB_OK;
+}
+
+/* So much more is done. FMB_LIMIT: stop. */
+static fmb_status note_progress(fmb_tree_walk *x, double weight)
+{
+    x->weight += weight;
+    if (++x->unheard < LEAVES_BETWEEN_SIGNS)
+        return FMB_OK;
+    x->unheard = 0;
+    return share_progress(x);
+}
+
+/* Of one node with itself: each pair once, the smaller number first. */
+static fmb_status meet_leaves(fmb_tree_walk *x, const fmb_mesh_node *p, const fmb_mesh_node *q)
+{
+    fmb_status st = FMB_OK;
+    for (uint32_t i = p->from; st == FMB_OK && i < p->to; i++) {
+        uint32_t c = x->plan->a->order[i];
+        fmb_cell a = fmb_mesh_cell_of(x->plan->a, x->plan->ids_a, c);
+        fmb_mesh_box box_a = box_of_cell(&a);
+        for (uint32_t j = p == q ? i + 1 : q->from; st == FMB_OK && j < q->to; j++) {
+            uint32_t d = x->plan->b->order[j];
+            fmb_cell b = fmb_mesh_cell_of(x->plan->b, x->plan->ids_b, d);
+            fmb_mesh_box box_b = box_of_cell(&b);
+            box_b = sweep_box(&box_b, x->plan->o->motion);
+            bool swap = x->plan->a == x->plan->b && d < c;
+            if (do_boxes_meet(&box_a, &box_b))
+                st = swap ? look_at_pair_of_cells(x, &b, d, &a, c)
+                          : look_at_pair_of_cells(x, &a, c, &b, d);
+        }
+    }
+    return st;
+}
+
+/* The larger node of both gives way to its children. */
+static fmb_status meet_nodes(fmb_tree_walk *x, const fmb_mesh_node *p, const fmb_mesh_node *q,
+                             double weight)
+{
+    fmb_mesh_box swept = sweep_box(&q->box, x->plan->o->motion);
+    fmb_status st = FMB_OK;
+    if (!do_boxes_meet(&p->box, &swept))
+        return note_progress(x, weight);
+    if (!p->left && !q->left) {
+        st = meet_leaves(x, p, q);
+        return st == FMB_OK ? note_progress(x, weight) : st;
+    }
+    bool split_p = p->left && (!q->left || p->to - p->from >= q->to - q->from);
+    for (uint32_t i = 0; st == FMB_OK && i < 2; i++)
+        st = split_p ? meet_nodes(x, &x->plan->a->node[p->left + i], q, weight / 2)
+                     : meet_nodes(x, p, &x->plan->b->node[q->left + i], weight / 2);
+    return st;
+}
+
+/* All pairs within one node of the only mesh. */
+static fmb_status meet_within_node(fmb_tree_walk *x, const fmb_mesh_node *p, double weight)
+{
+    if (!p->left) {
+        fmb_status st = meet_leaves(x, p, p);
+        return st == FMB_OK ? note_progress(x, weight) : st;
+    }
+    const fmb_mesh_node *child = &x->plan->a->node[p->left];
+    fmb_status st = meet_within_node(x, &child[0], weight / 4);
+    if (st == FMB_OK)
+        st = meet_within_node(x, &child[1], weight / 4);
+    return st == FMB_OK ? meet_nodes(x, &child[0], &child[1], weight / 2) : st;
+}
+
+/* ---- all pairs ------------------------------------------------------------------------------- */
+
+enum { PAIRS_BETWEEN_NOTES = 64 };
+
+fmb_status fmb_walk_row_of_pairs(fmb_tree_walk *x, uint32_t row)
+{
+    const fmb_walk_plan *plan = x->plan;
+    const size_t cells = plan->b->cells;
+    const double weight = 1.0 / (double)(plan->to - plan->from) / (double)cells;
+    fmb_cell a = fmb_mesh_cell_of(plan->a, plan->ids_a, row);
+    fmb_status st = FMB_OK;
+    for (size_t j = plan->a == plan->b ? (size_t)row + 1 : 0; st == FMB_OK && j < cells;) {
+        size_t end = cells - j < PAIRS_BETWEEN_NOTES ? cells : j + PAIRS_BETWEEN_NOTES;
+        double share = weight * (double)(end - j);
+        for (; st == FMB_OK && j < end; j++) {
+            fmb_cell b = fmb_mesh_cell_of(plan->b, plan->ids_b, (uint32_t)j);
+            st = look_at_pair_of_cells(x, &a, row, &b, (uint32_t)j);
+        }
+        if (st == FMB_OK)
+            st = note_progress(x, share);
+    }
+    return st;
+}
+
+/* ---- parts ----------------------------------------------------------------------------------- */
+
+/* Of a node with itself there are three; of two nodes two. */
+static int split_part(const fmb_walk_plan *plan, const fmb_walk_part *from, fmb_walk_part out[3])
+{
+    const fmb_mesh_node *p = from->p, *q = from->q, *child;
+    if (p == q && plan->a == plan->b) {
+        child = &plan->a->node[p->left];
+        out[0] = (fmb_walk_part){&child[0], &child[0], from->weight / 4};
+        out[1] = (fmb_walk_part){&child[1], &child[1], from->weight / 4};
+        out[2] = (fmb_walk_part){&child[0], &child[1], from->weight / 2};
+        return 3;
+    }
+    bool split_p = p->left && (!q->left || p->to - p->from >= q->to - q->from);
+    child = split_p ? &plan->a->node[p->left] : &plan->b->node[q->left];
+    for (int i = 0; i < 2; i++)
+        out[i] =
+            (fmb_walk_part){split_p ? &child[i] : p, split_p ? q : &child[i], from->weight / 2};
+    return 2;
+}
+
+/* The first part that can be split gives way to its own, at the end, again and again. */
+int fmb_walk_parts(const fmb_walk_plan *plan, fmb_walk_part out[FMB_WALK_MOST_PARTS])
+{
+    int n = 1;
+    out[0] = (fmb_walk_part){plan->a->node, plan->b->node, 1};
+    for (int i = 0; i < n && n + 2 <= FMB_WALK_MOST_PARTS; i++)
+        while ((out[i].p->left || out[i].q->left) && n + 2 <= FMB_WALK_MOST_PARTS &&
+               out[i].weight > 2.0 / FMB_WALK_MOST_PARTS) {
+            fmb_walk_part children[3];
+            int k = split_part(plan, &out[i], children);
+            out[i] = children[0];
+            while (--k > 0)
+                out[n++] = children[k];
+        }
+    return n;
+}
+
+fmb_status fmb_walk_part_of_trees(fmb_tree_walk *x, const fmb_walk_part *part)
+{
+    bool within = part->p == part->q && x->plan->a == x->plan->b;
+    return within ? meet_within_node(x, part->p, part->weight)
+                  : meet_nodes(x, part->p, part->q, part->weight);
+}

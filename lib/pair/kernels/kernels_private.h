@@ -1,0 +1,11 @@
+/* kernels_private.h: all kernels of one width; the body of kernels_*.c, which set FMB_LANES and
+ * name the table FMB_TABLE. */
+#include "pair/kernels/pair_kernels.h"
+
+#include "pair/kernels/box_kernel.h"
+#include "pair/kernels/fmb_kernel.h"
+#include "pair/kernels/packed_kernels.h"
+
+extern const fmb_packed FMB_PACKED_TABLE;
+const fmb_pair_kernels FMB_TABLE = {
+    .width = FMB_LANES, .packed = &FMB_PACKED_TABLE, .verdict = FMB_VERDICTS, .box = FMB_BOXES};

@@ -1,0 +1,69 @@
+/* packed_kernels.h: the kernels over records of sets (pair/packed/set.h), once for each width.
+ *
+ * A record is 8 (in the plane) or 16 (in space) numbers: origin, D axes, speed. Records of the
+ * frames of a block are transposed into its rows, and a kernel of pair_kernels.h answers it.
+ */
+#ifndef FMB_PAIR_KERNELS_PACKED_KERNELS_H
+#define FMB_PAIR_KERNELS_PACKED_KERNELS_H
+
+#include "pair/kernels/flat.h"
+#include "pair/kernels/pair_kernels.h"
+
+/* The verdict kernel of frames with any number of axes; rows of missing axes are not looked at. */
+typedef fmb_pair_bits fmb_flat_kernel(const fmb_flat_kind *kind, const double *block);
+
+/* What a block holds. */
+typedef enum fmb_packed_shapes {
+    FMB_PACKED_CUBOIDS = 0,
+    FMB_PACKED_ONE_OF_EACH, /* A is the cuboid */
+    FMB_PACKED_SIMPLICES,
+    FMB_PACKED_ANY /* any number of axes */
+} fmb_packed_shapes;
+
+/* What is asked of a block: rows of A's and B's faces alone, which tell most pairs that are apart
+ * and never that a pair meets, or all rows (or axes) there are. */
+typedef enum fmb_asked { FMB_ASK_FACES, FMB_ASK_ALL } fmb_asked;
+
+/* n > 0 pairs of one kind: record index[2 i] of each side. */
+typedef struct fmb_packed_pairs {
+    const double *record[2];
+    const uint32_t *index[2];
+    size_t n;
+    bool moves;
+    fmb_packed_shapes shapes;
+    const fmb_flat_kind *kind; /* of any shapes */
+} fmb_packed_pairs;
+
+/* One frame against many of one kind, in tiles. */
+typedef struct fmb_packed_row {
+    const double *one;   /* its record */
+    const double *tiles; /* of records index[0] ... index[n - 1] */
+    const double *record;
+    const uint32_t *index;
+    size_t n;
+    bool moves;
+    bool swapped; /* the one is B of the blocks */
+    fmb_packed_shapes shapes;
+    const fmb_flat_kind *kind; /* of any shapes */
+} fmb_packed_row;
+
+/* Of eight frames. */
+typedef struct fmb_packed_bits {
+    uint8_t apart, meet;
+} fmb_packed_bits;
+
+/* All by D - 2. */
+typedef struct fmb_packed {
+    fmb_flat_kernel *flat[2];
+    /* Are all verdicts known? */
+    bool (*pairs[2])(const fmb_packed_pairs *x, fmb_verdict *out);
+    /* Records index[0] ... index[n - 1], n > 0, as tiles: n rounded up to eights records. */
+    void (*tiles[2])(const double *record, const uint32_t *index, size_t n, double *tiles);
+    void (*row[2])(const fmb_packed_row *x, fmb_packed_bits *out);
+    /* The largest of n numbers in the even and in the odd places; n is even. */
+    void (*largest)(const uint32_t *index, size_t n, uint32_t out[2]);
+} fmb_packed;
+
+extern const fmb_packed fmb_packed_narrow, fmb_packed_avx2, fmb_packed_avx512;
+
+#endif

@@ -1,0 +1,11 @@
+/* rule_private.h: the built-in rules that need nothing but the window of <fmb/rule.h>, one a file.
+ */
+#ifndef FMB_RULE_RULE_PRIVATE_H
+#define FMB_RULE_RULE_PRIVATE_H
+
+#include <fmb/rule.h>
+
+extern const fmb_rule fmb_rule_box, fmb_rule_chernikov, fmb_rule_dominated, fmb_rule_duplicate,
+    fmb_rule_imbert, fmb_rule_kohler;
+
+#endif

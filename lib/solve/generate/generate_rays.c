@@ -1,0 +1,197 @@
+/* generate_rays.c: which way to rays; see generate_rays.h.
+ *
+ * - Few coordinates and many rows: rows are vectors of the dual cone, whose facets are the rays.
+ *   Vector by vector these stay known with their neighbours (dd/facets.h). With some coordinates
+ *   more that is cheaper only where numbers grow long, as facets are in doubles for most of their
+ *   lives, or rows are very many, of which most are behind some facet at once; and where few rows
+ *   meet in a vertex.
+ * - Else double description (dd/cone.h), rows of few coefficients first. Where rows look alike and
+ *   there are many of them, its order can go wrong without bounds: of the cross-polytope's rows
+ *   it keeps those that cut most, and gets millions of rays in between, where in lexicographic
+ *   order there are hundreds. So that order gets its turns: the first ones where rows have a
+ *   pattern, that is where each agrees with the one before it in most of its entries.
+ */
+#include "solve/generate/generate_rays.h"
+
+#include <stdlib.h>
+
+#include "dd/facets.h"
+
+/* Up to so many coordinates, t included, facets with their neighbours are cheaper (measured: 2 to 4
+ * times with 4 or 5, half as much with 7) ... */
+#define FEW_COORDINATES 6
+/* ... if there are so many rows for each; and with one coordinate more, if there are so many. */
+#define MANY_ROWS      4
+#define VERY_MANY_ROWS 32
+/* Rays of so many bits, as Hadamard's inequality has it, mostly do not fit into 62 (measured). */
+#define LONG_BITS 72
+/* Rays of the first turn and the last one of two orders. */
+#define FIRST_RAYS 512
+#define LAST_RAYS  4096
+/* Between two looks at options.max_rows, and where there is no limit. */
+#define RAYS_AT_A_TIME 512
+#define RAYS_AT_ONCE   65536
+
+/* ---- rows in order --------------------------------------------------------------------------- */
+
+typedef struct sorted_row {
+    fmb_cone_row row;
+    size_t d;
+} sorted_row;
+
+/* Equalities first, then lexicographically. */
+static int compare_rows(const void *x, const void *y)
+{
+    const sorted_row *a = x, *b = y;
+    if (a->row.equality != b->row.equality)
+        return a->row.equality ? -1 : 1;
+    return fmb_vec_compare(a->row.v, b->row.v, a->d);
+}
+
+static fmb_status sort_rows(const fmb_lifted *h, fmb_cone_row *row)
+{
+    fmb_mem *mem = h->q->run.mem;
+    sorted_row *list = fmb_mem_get(mem, h->rows, sizeof *list);
+    if (!list)
+        return fmb_mem_status(mem);
+    for (size_t i = 0; i < h->rows; i++)
+        list[i] = (sorted_row){h->row[i], h->d};
+    qsort(list, h->rows, sizeof *list, compare_rows);
+    for (size_t i = 0; i < h->rows; i++)
+        row[i] = list[i].row;
+    fmb_mem_put(mem, list, h->rows, sizeof *list);
+    return FMB_OK;
+}
+
+/* Do sorted rows agree with those before them in half of their leading entries, on average? */
+static bool have_rows_a_pattern(const fmb_lifted *h, const fmb_cone_row *sorted)
+{
+    size_t shared = 0;
+    for (size_t i = 1; i < h->rows; i++)
+        for (size_t k = 0; k < h->d && fmb_vec_compare(sorted[i - 1].v, sorted[i].v, k + 1) == 0;
+             k++)
+            shared++;
+    return 2 * shared >= h->d * h->rows;
+}
+
+/* ---- rows as vectors ------------------------------------------------------------------------- */
+
+static fmb_status find_rays_as_facets(fmb_lifted *h)
+{
+    fmb_run *run = &h->q->run;
+    bool wide = fmb_query_is_wide(h->q);
+    fmb_image rows = {0};
+    bool *line = fmb_mem_get(run->mem, h->rows, sizeof *line);
+    if (!line)
+        return fmb_mem_status(run->mem);
+    for (size_t i = 0; i < h->rows; i++)
+        line[i] = h->row[i].equality;
+    fmb_status st = fmb_image_init_vectors(&rows, run, h->d, h->rows, h->v, line, wide);
+    if (st == FMB_OK)
+        st = fmb_image_init_dual(&h->image, &rows);
+    fmb_image_clear(&rows);
+    fmb_mem_put(run->mem, line, h->rows, sizeof *line);
+    return st;
+}
+
+/* ---- double description ---------------------------------------------------------------------- */
+
+/* Go on until that many more rays were made (0: any number); those alive count as rows. */
+static fmb_status run_cone(fmb_cone *c, uint64_t rays, bool *done)
+{
+    uint64_t most = rays > 0 ? c->made + rays : UINT64_MAX;
+    uint64_t step = c->run->max_rows > 0 ? RAYS_AT_A_TIME : RAYS_AT_ONCE;
+    fmb_status st = FMB_OK;
+    for (*done = false; st == FMB_OK && !*done && c->made < most;) {
+        st = fmb_cone_run(c, step < most - c->made ? step : most - c->made, done);
+        if (st == FMB_OK)
+            st = fmb_run_rows(c->run, c->ray.size);
+    }
+    return st;
+}
+
+/* Do all inequalities but t >= 0 have as many coefficients? */
+static bool do_rows_look_alike(const fmb_cone *c)
+{
+    size_t seen = 0;
+    for (size_t i = 1; i < c->of.m; i++) {
+        if (c->of.row[i].equality)
+            continue;
+        if (seen > 0 && c->weight[i] != seen)
+            return false;
+        seen = c->weight[i];
+    }
+    return true;
+}
+
+/* Two orders in turns of 512 and 4,096 rays: the lexicographic one gets twice as many, and where it
+ * comes first four times. *done: by one of them, and h->image has the rays. */
+static fmb_status run_in_turns(fmb_lifted *h, const fmb_cone_row *sorted, bool *done)
+{
+    fmb_cone lexicographic = {0};
+    fmb_cone_problem of = {
+        .d = h->d, .m = h->rows, .row = sorted, .wide_only = fmb_query_is_wide(h->q)};
+    bool first = have_rows_a_pattern(h, sorted);
+    fmb_cone *turn[2] = {first ? &lexicographic : &h->cone, first ? &h->cone : &lexicographic};
+    const uint64_t share[2] = {first ? 4 : 1, first ? 1 : 2};
+    fmb_status st = fmb_cone_init(&lexicographic, &h->q->run, &of);
+    for (uint64_t rays = FIRST_RAYS; st == FMB_OK && !*done && rays <= LAST_RAYS; rays *= 8)
+        for (int k = 0; st == FMB_OK && !*done && k < 2; k++) {
+            st = run_cone(turn[k], share[k] * rays, done);
+            if (st == FMB_OK && *done)
+                st = fmb_image_init(&h->image, &h->q->run, turn[k], fmb_query_is_wide(h->q));
+        }
+    h->image.of = NULL;
+    fmb_cone_clear(&lexicographic);
+    return st;
+}
+
+static fmb_status find_rays_row_by_row(fmb_lifted *h, const fmb_cone_row *sorted)
+{
+    bool done = false;
+    fmb_status st = FMB_OK;
+    if (sorted && do_rows_look_alike(&h->cone))
+        st = run_in_turns(h, sorted, &done);
+    if (st != FMB_OK || done)
+        return st;
+    st = run_cone(&h->cone, 0, &done);
+    return st == FMB_OK ? fmb_image_init(&h->image, &h->q->run, &h->cone, fmb_query_is_wide(h->q))
+                        : st;
+}
+
+/* ---- the way --------------------------------------------------------------------------------- */
+
+/* Does the origin satisfy all inequalities? Then they are points of the polar, and the farthest of
+ * these are on its hull. */
+static bool is_origin_inside(const fmb_lifted *h)
+{
+    for (size_t i = 0; i < h->rows; i++)
+        if (!h->row[i].equality && fmb_vec_sgn(&h->v[i], h->d - 1) < 0)
+            return false;
+    return true;
+}
+
+/* Of more than a few coordinates. */
+static bool are_facets_cheaper(const fmb_lifted *h, const fmb_cone_row *sorted)
+{
+    bool many = h->rows >= VERY_MANY_ROWS * h->d && is_origin_inside(h);
+    return h->d <= FMB_FACETS_FEW &&
+           (many || fmb_vec_minor_bits(h->v, h->rows, h->d) > LONG_BITS) &&
+           !have_rows_a_pattern(h, sorted);
+}
+
+fmb_status fmb_lifted_find_rays(fmb_lifted *h)
+{
+    fmb_mem *mem = h->q->run.mem;
+    if (h->rows < MANY_ROWS * h->d)
+        return find_rays_row_by_row(h, NULL);
+    if (h->d <= FEW_COORDINATES)
+        return find_rays_as_facets(h);
+    fmb_cone_row *sorted = fmb_mem_get(mem, h->rows, sizeof *sorted);
+    fmb_status st = sorted ? sort_rows(h, sorted) : fmb_mem_status(mem);
+    if (st == FMB_OK)
+        st = are_facets_cheaper(h, sorted) ? find_rays_as_facets(h)
+                                           : find_rays_row_by_row(h, sorted);
+    fmb_mem_put(mem, sorted, h->rows, sizeof *sorted);
+    return st;
+}

@@ -1,0 +1,210 @@
+/* completeness.c: corners of a projection, and the claim that they span it (proof/whole.h).
+ *
+ * The corners are the vertices, rays and lines of the rows that were found, by double description
+ * in the kept variables alone; above each lies a solution, found by the oracle. So they owe nothing
+ * to the way in which the rows were found. Where strict rows open faces, a strict solution above
+ * the middle of each closed one is added, as far as the judge asks for it. The judge decides in the
+ * end: what it would not accept is not claimed.
+ */
+#include "solve/project/completeness.h"
+
+#include "num/rationals.h"
+#include "proof/whole.h"
+#include "solve/project/lifts.h"
+#include "solve/query/lifted.h"
+
+/* So many corners are too many, also on the way to them; and so many rays made on that way, of
+ * which it is looked at how many are left after each turn. */
+#define MOST_CORNERS 5000
+#define MOST_TURNS   256
+#define RAYS_OF_TURN 1024
+/* And so are more faces whose middle has to be shown. */
+#define MOST_MIDDLES 2000
+
+typedef struct whole_proof {
+    fmb_query *q;
+    const int *place;
+    const fmb_system *image;
+    size_t first; /* claim of this proof */
+    fmb_lifts *lifts;
+    fmb_integers y; /* a point or direction of the image, t behind it */
+    mpq_t *x;       /* [dim] above it */
+    bool any_strict, done;
+} whole_proof;
+
+/* ---- corners --------------------------------------------------------------------------------- */
+
+/* What lies above y, as such rows have it. */
+static fmb_status claim_corner_above(whole_proof *w, bool strict, bool *found)
+{
+    fmb_claim *claim;
+    bool point = mpz_sgn(w->y.z[w->y.size - 1]) > 0;
+    fmb_status st = fmb_lifts_find(w->lifts, &w->y, strict, w->x, found);
+    if (st == FMB_OK && *found)
+        st = fmb_evidence_claim(w->q->claims, FMB_CLAIM_CORNER, &claim);
+    if (st != FMB_OK || !*found)
+        return st;
+    st = fmb_evidence_push_all(w->q->claims, point ? &claim->point : &claim->ray,
+                               (size_t)fmb_system_dim(w->q->s), NULL, w->x);
+    return fmb_query_finish_claim(w->q, st);
+}
+
+/* A point gets a strict solution, if there is one. */
+static fmb_status claim_corner(whole_proof *w, const fmb_vec *ray, int sign, bool *found)
+{
+    fmb_status st = FMB_OK;
+    for (size_t k = 0; k < w->y.size; k++) {
+        fmb_vec_get(ray, k, w->y.z[k]);
+        if (sign < 0)
+            mpz_neg(w->y.z[k], w->y.z[k]);
+    }
+    *found = false;
+    if (w->any_strict && mpz_sgn(w->y.z[w->y.size - 1]) > 0)
+        st = claim_corner_above(w, true, found);
+    return st == FMB_OK && !*found ? claim_corner_above(w, false, found) : st;
+}
+
+/* *found false: above some there is nothing, and the rows say too little. */
+static fmb_status claim_all_corners(whole_proof *w, const fmb_image *m, bool *found)
+{
+    fmb_status st = FMB_OK;
+    *found = m->rays + 2 * m->lines <= MOST_CORNERS;
+    for (size_t i = 0; st == FMB_OK && *found && i < m->rays; i++)
+        st = claim_corner(w, &m->ray[i], 1, found);
+    for (size_t i = 0; st == FMB_OK && *found && i < 2 * m->lines; i++)
+        st = claim_corner(w, &m->line[i / 2], i % 2 ? -1 : 1, found);
+    return st;
+}
+
+static fmb_status find_corners(whole_proof *w, bool *found)
+{
+    fmb_lifted h;
+    fmb_status st = fmb_lifted_open(&h, w->q, w->image);
+    *found = false;
+    for (int turn = 0; st == FMB_OK && !*found && turn < MOST_TURNS; turn++) {
+        if (h.cone.ray.size > MOST_CORNERS)
+            break;
+        st = fmb_lifted_run(&h, RAYS_OF_TURN, found);
+    }
+    if (st == FMB_OK && *found)
+        st = claim_all_corners(w, &h.image, found);
+    fmb_lifted_close(&h);
+    return st;
+}
+
+/* ---- faces that strict rows leave ------------------------------------------------------------ */
+
+/* y = the mean of points among the corners on[], plus the directions. */
+static fmb_status find_middle(whole_proof *w, const bool *on)
+{
+    const fmb_evidence *e = w->q->claims;
+    size_t dim = (size_t)e->dim, points = 0;
+    for (size_t j = 0; j < dim; j++)
+        mpq_set_ui(w->x[j], 0, 1);
+    for (size_t i = w->first; i < e->claims; i++) {
+        const fmb_sparse_vector *list =
+            e->claim[i].ray.size > 0 ? &e->claim[i].ray : &e->claim[i].point;
+        points += on[i] && e->claim[i].ray.size == 0;
+        for (size_t k = 0; on[i] && k < list->size; k++)
+            mpq_add(w->x[list->index[k]], w->x[list->index[k]], list->value[k]);
+    }
+    mpz_ptr t = w->y.z[w->y.size - 1];
+    mpz_set_ui(t, 1);
+    for (size_t j = 0; j < dim; j++)
+        if (w->place[j] >= 0)
+            mpz_lcm(t, t, mpq_denref(w->x[j]));
+    for (size_t j = 0; j < dim; j++) {
+        if (w->place[j] < 0)
+            continue;
+        mpz_ptr y = w->y.z[w->place[j]];
+        mpz_divexact(y, t, mpq_denref(w->x[j]));
+        mpz_mul(y, y, mpq_numref(w->x[j]));
+    }
+    mpz_mul_ui(t, t, points > 0 ? points : 1);
+    return fmb_integers_settle(&w->y, w->q->run.mem);
+}
+
+static fmb_status poll_run(void *run)
+{
+    return fmb_run_poll(run);
+}
+
+/* Ask the judge; while all that it misses is a point above some face, give it one. */
+static fmb_status satisfy_judge(whole_proof *w, size_t claim)
+{
+    const fmb_patience patience = {poll_run, &w->q->run};
+    fmb_evidence *e = w->q->claims;
+    size_t room = e->claims + MOST_MIDDLES;
+    bool *on = fmb_mem_zero(w->q->run.mem, room, sizeof *on), more = on != NULL;
+    fmb_status st = on ? FMB_OK : fmb_mem_status(w->q->run.mem);
+    while (st == FMB_OK && more) {
+        const char *why = NULL;
+        more = false;
+        st = fmb_whole_judge(w->q->s, e, &e->claim[claim], w->q->run.mem, &patience, &why, on);
+        w->done = st == FMB_OK && !why;
+        for (size_t i = w->first; st == FMB_OK && why && i < e->claims; i++)
+            more = more || on[i];
+        more = more && e->claims < room;
+        if (more)
+            st = find_middle(w, on);
+        if (more && st == FMB_OK)
+            st = claim_corner_above(w, true, &more);
+    }
+    fmb_mem_put(w->q->run.mem, on, room, sizeof *on);
+    return st;
+}
+
+/* ---- the proof ------------------------------------------------------------------------------- */
+
+static fmb_status claim_whole(whole_proof *w)
+{
+    fmb_claim *claim;
+    fmb_evidence *e = w->q->claims;
+    mpq_t one;
+    fmb_status st = fmb_evidence_claim(e, FMB_CLAIM_WHOLE, &claim);
+    if (st != FMB_OK)
+        return st;
+    mpq_init(one);
+    mpq_set_ui(one, 1, 1);
+    for (int j = 0; st == FMB_OK && j < e->dim; j++)
+        if (w->place[j] >= 0)
+            st = fmb_evidence_push(e, &claim->terms, (size_t)j, one);
+    mpq_clear(one);
+    st = fmb_query_finish_claim(w->q, st);
+    return st == FMB_OK ? satisfy_judge(w, (size_t)(claim - e->claim)) : st;
+}
+
+static fmb_status prove_whole(whole_proof *w)
+{
+    fmb_mem *mem = w->q->run.mem;
+    size_t dim = (size_t)fmb_system_dim(w->q->s);
+    bool found = false;
+    for (size_t i = 0; i < fmb_system_rows(w->q->s); i++)
+        w->any_strict = w->any_strict || fmb_system_rel(w->q->s, i) == FMB_LT;
+    fmb_status st = fmb_integers_init(&w->y, (size_t)fmb_system_dim(w->image) + 1, mem);
+    if (st == FMB_OK)
+        st = fmb_rationals_new(&w->x, dim, mem);
+    if (st == FMB_OK)
+        st = fmb_lifts_open(w->q, w->place, &w->lifts);
+    if (st == FMB_OK)
+        st = find_corners(w, &found);
+    if (st == FMB_OK && found)
+        st = claim_whole(w);
+    fmb_lifts_close(w->lifts);
+    fmb_rationals_free(w->x, dim, mem);
+    fmb_integers_clear(&w->y, mem);
+    return st;
+}
+
+fmb_status fmb_query_prove_whole(fmb_query *q, const int *place, const fmb_system *image)
+{
+    if (!q->claims || q->v->options.evidence != FMB_EVIDENCE_WHOLE)
+        return FMB_OK;
+    whole_proof w = {.q = q, .place = place, .image = image, .first = q->claims->claims};
+    fmb_status st = prove_whole(&w);
+    while (!(st == FMB_OK && w.done) && q->claims->claims > w.first)
+        fmb_evidence_drop_last(q->claims);
+    if (st == FMB_LIMIT)
+        q->run.stop = FMB_STOP_DONE;
+    return st == FMB_LIMIT ? FMB_OK : st;
+}

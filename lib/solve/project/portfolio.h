@@ -1,0 +1,16 @@
+/* portfolio.h: the projection of one part.
+ *
+ * The part is eliminated by itself; of the rows left, the oracle keeps the irredundant ones. Every
+ * row that comes out carries the multipliers that prove it.
+ */
+#ifndef FMB_SOLVE_PROJECT_PORTFOLIO_H
+#define FMB_SOLVE_PROJECT_PORTFOLIO_H
+
+#include "solve/query/solver.h"
+
+/* Append the projection of a part to out, with claims; place[dim] is the column of a variable
+ * there, -1 if it goes. *feasible false: it has no solution, and out is of no use. */
+fmb_status fmb_query_project_part(fmb_query *q, int part, const int *place, fmb_system *out,
+                                  bool *feasible);
+
+#endif

@@ -1,0 +1,86 @@
+/* system_private.h: inside of an fmb_system.
+ *
+ * Invariants: terms of a row are sorted by variable, without zeros; val holds nnz coefficients,
+ * then the right side, then the denominator den > 0: the row as written is (val / den), and the
+ * integers are what everything downstream works with.
+ */
+#ifndef FMB_SYSTEM_SYSTEM_PRIVATE_H
+#define FMB_SYSTEM_SYSTEM_PRIVATE_H
+
+#include <fmb/gmp.h>
+#include <fmb/system.h>
+
+#include "num/vec.h"
+#include "system/names.h"
+
+typedef struct fmb_sysrow {
+    int *var;    /* [nnz], increasing */
+    fmb_vec val; /* [nnz + 2]: coefficients, right side, denominator; s is owned by the row */
+    size_t nnz;
+    fmb_rel rel;
+    char *label; /* or NULL */
+} fmb_sysrow;
+
+/* What the source says of a variable. */
+typedef struct fmb_variable_mark {
+    bool kept; /* by the projection that it asks for */
+    bool integer;
+} fmb_variable_mark;
+
+struct fmb_system {
+    fmb_mem mem;
+    fmb_sysrow *row; /* [rows] */
+    size_t rows, row_capacity;
+    fmb_names names;
+    fmb_variable_mark *mark; /* [names.size] */
+    size_t mark_capacity;
+    bool asks_projection;
+    fmb_sense sense;
+    fmb_sysrow objective; /* unless sense is NONE: the right side is the constant */
+    char trouble[160];    /* what fmb_system_refuse said last */
+};
+
+static inline const fmb_sysrow *fmb_system_row(const fmb_system *s, size_t i)
+{
+    return &s->row[i];
+}
+
+/* Is variable j one of the polyhedron that s stands for as a part of others (fmb/lift.h)? */
+static inline bool fmb_system_keeps(const fmb_system *s, int j)
+{
+    return !s->asks_projection || s->mark[j].kept;
+}
+
+/* Put down which argument was wrong, for fmb_system_trouble; always FMB_ERR_ARG. s may be NULL. */
+__attribute__((format(printf, 2, 3))) fmb_status fmb_system_refuse(fmb_system *s,
+                                                                   const char *format, ...);
+
+/* Append sum coef[k]/den x_var[k] REL rhs/den with integers z = coef[0..n), rhs, den (n + 2 of
+ * them, den > 0), var strictly increasing, no zero coefficient. Errors: MEMORY. */
+fmb_status fmb_system_append(fmb_system *s, size_t n, const int *var, mpz_t *z, fmb_rel rel);
+
+/* Append a copy of a row, with its label. Errors: MEMORY. */
+fmb_status fmb_system_copy_row(fmb_system *to, const fmb_sysrow *from);
+/* Row i leaves, or comes back to, a system that has room for it as it had it before. Not freed,
+ * not copied. */
+void fmb_system_take_row(fmb_system *s, size_t i, fmb_sysrow *out);
+void fmb_system_put_row(fmb_system *s, size_t i, const fmb_sysrow *r);
+void fmb_system_free_row(fmb_system *s, fmb_sysrow *r);
+/* Row i gets another right side, as written: *old is what it was, without the label, which stays.
+ * Errors: ARG (denominator 0), MEMORY. */
+fmb_status fmb_system_change_right(fmb_system *s, size_t i, const mpq_t b, fmb_sysrow *old);
+/* [give] fmb_system_copy with that allocator. */
+fmb_status fmb_system_copy_to(const fmb_system *s, const fmb_alloc *hook, fmb_system **out);
+
+/* Remove row i; the rows behind it move up. */
+void fmb_system_remove(fmb_system *s, size_t i);
+/* Give t the objective of s, whose variable j is place[j] there, or none (-1): then one that names
+ * it is left out. Errors: MEMORY. */
+fmb_status fmb_system_carry_objective(fmb_system *t, const fmb_system *s, const int *place);
+/* From now on there is no objective. */
+void fmb_system_drop_objective(fmb_system *s);
+
+/* Entry k of a row as written, k = nnz being the right side; 0 where r is NULL or has none. */
+void fmb_sysrow_get_q(const fmb_sysrow *r, size_t k, mpq_t out);
+
+#endif
