@@ -68,17 +68,20 @@ bool fmb_sniff_mps(const fmb_cursor *c)
 bool fmb_sniff_lp(const fmb_cursor *from)
 {
     static const char *const heads[] = {"min", "max", "minimize", "maximize", "minimum", "maximum"};
-    static const char *const rows[] = {"st", "s.t.", "st.", "subject", "such"};
+    static const char *const rows[] = {"subject", "such", "st", "s.t.",
+                                       "st."}; /* two of two words */
     bool objective = false, section = false;
     fmb_cursor c = *from;
     skip_comment_lines(&c, '\\');
     fmb_span word = fmb_scan_word(&c);
     for (size_t i = 0; i < sizeof heads / sizeof *heads; i++)
         objective = objective || fmb_span_is_nocase(word, heads[i]);
-    for (; objective && !section && c.at < c.end; fmb_next_line(&c)) {
-        fmb_skip_blanks(&c);
+    const char *line = c.at;
+    for (fmb_skip_space(&c); objective && !section && c.at < c.end; fmb_skip_space(&c)) {
+        bool first = memchr(line, '\n', (size_t)(c.at - line)) != NULL;
         word = fmb_scan_word(&c);
-        for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        line = c.at;
+        for (size_t i = 0; i < (first ? sizeof rows / sizeof *rows : 2); i++)
             section = section || fmb_span_is_nocase(word, rows[i]);
     }
     return section;

@@ -34,9 +34,10 @@ static size_t skip_decimal_digits(fmb_cursor *c)
 }
 
 /* An exponent, if digits follow the e. */
-static void scan_exponent(fmb_cursor *c, decimal *d)
+static void scan_exponent(fmb_cursor *c, int flags, decimal *d)
 {
-    if (fmb_peek(c) != 'e' && fmb_peek(c) != 'E')
+    int letter = fmb_peek(c) | 32;
+    if (fmb_peek(c) < 0 || (letter != 'e' && !(letter == 'd' && flags & FMB_NUM_FORTRAN)))
         return;
     bool has_sign = byte_ahead(c, 1) == '+' || byte_ahead(c, 1) == '-';
     if (!fmb_is_digit(byte_ahead(c, has_sign ? 2 : 1)))
@@ -69,7 +70,7 @@ static bool scan_unsigned_decimal(fmb_cursor *c, int flags, decimal *d)
         return false;
     }
     if (flags & FMB_NUM_EXPONENT)
-        scan_exponent(c, d);
+        scan_exponent(c, flags, d);
     return true;
 }
 

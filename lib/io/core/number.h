@@ -10,7 +10,8 @@ enum {
     FMB_NUM_EXPONENT = 4, /* "1e3", "1E-3": only where digits follow the e */
     FMB_NUM_FRACTION = 8, /* "1/2": no blanks around '/', both parts as the other flags say, the
                              sign only in front; only where a digit follows the '/' */
-    FMB_NUM_ALL = 15
+    FMB_NUM_ALL = 15,
+    FMB_NUM_FORTRAN = 16 /* the e of an exponent may be a d: "1.0D3" */
 };
 
 /* The exact value of the number at c, canonical; c is then past it. what names it in messages ("a

@@ -26,9 +26,19 @@ typedef struct lp_reader {
     int infinite; /* the sum last read: -1, 1, or 0 for a finite one */
 } lp_reader;
 
+/* A keyword inside a line that is the name of a variable is that. */
 static fmb_status next_lp_token(lp_reader *r)
 {
-    return fmb_lp_scan(r->c, &r->next, r->value);
+    fmb_lp_token *t = &r->next;
+    int j = -1;
+    fmb_status st = fmb_lp_scan(r->c, t, r->value);
+    if (st == FMB_OK && t->kind == FMB_LP_KEYWORD && !t->starts_line)
+        st = fmb_span_find(r->c, t->text, r->program.s, &j);
+    if (st == FMB_OK && j >= 0) {
+        t->kind = FMB_LP_NAME;
+        r->c->at = t->text.p + t->text.n;
+    }
+    return st;
 }
 
 static fmb_status fail_lp(lp_reader *r, const char *what)

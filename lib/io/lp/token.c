@@ -64,7 +64,7 @@ static int peek_on_line(fmb_cursor c)
     return c.at == c.end || *c.at == '\\' ? '\n' : fmb_peek(&c);
 }
 
-/* The section whose keyword the first word of a line is, c being past all of it; -1 if it is a
+/* The section whose keyword a word is, c being past all of it; -1 if it is a
  * name. A sign behind it makes it one too, but for those that a sum follows. */
 static int keyword_section(fmb_cursor *c, fmb_span word)
 {
@@ -108,10 +108,29 @@ static void scan_lp_relation(fmb_cursor *c, fmb_lp_token *t)
     t->relation = sense;
 }
 
-static void scan_lp_word(fmb_cursor *c, fmb_lp_token *t)
+/* Inside a line a keyword stands behind a name, or behind a number: a single word only if a
+ * relation is in front of that, as `2 end` may be a term. None is that of an objective, which comes
+ * first, or of what cannot be read. */
+static int keyword_section_inside(fmb_cursor *c, fmb_span word, const fmb_lp_token *before)
+{
+    fmb_cursor at = *c;
+    bool number = before->kind == FMB_LP_NUMBER;
+    if (!number && (before->kind != FMB_LP_NAME || before->is_label))
+        return -1;
+    int section = keyword_section(&at, word);
+    if (section == FMB_LP_OBJECTIVE || section == FMB_LP_UNREADABLE || section < 0)
+        return -1;
+    if (number && !before->is_side && at.at == c->at)
+        return -1;
+    *c = at;
+    return section;
+}
+
+static void scan_lp_word(fmb_cursor *c, fmb_lp_token *t, const fmb_lp_token *before)
 {
     t->text = scan_lp_name(c);
-    int section = t->starts_line ? keyword_section(c, t->text) : -1;
+    int section =
+        t->starts_line ? keyword_section(c, t->text) : keyword_section_inside(c, t->text, before);
     t->kind = section >= 0 ? FMB_LP_KEYWORD : FMB_LP_NAME;
     t->section = section >= 0 ? (fmb_lp_section)section : FMB_LP_OBJECTIVE;
     t->is_label = section < 0 && peek_on_line(*c) == ':';
@@ -139,14 +158,16 @@ static bool skip_lp_space(fmb_cursor *c)
 fmb_status fmb_lp_scan(fmb_cursor *c, fmb_lp_token *t, mpq_t value)
 {
     bool starts_line = skip_lp_space(c);
-    *t = (fmb_lp_token){.starts_line = starts_line, .text = {c->at, 1}};
+    const fmb_lp_token before = *t;
+    bool side = before.kind == FMB_LP_RELATION || (before.kind == FMB_LP_SIGN && before.is_side);
+    *t = (fmb_lp_token){.starts_line = starts_line, .is_side = side, .text = {c->at, 1}};
     int b = fmb_peek(c);
     if (b < 0) {
         t->kind = FMB_LP_EOF;
         return FMB_OK;
     }
     if (starts_lp_name(b)) {
-        scan_lp_word(c, t);
+        scan_lp_word(c, t, &before);
         return FMB_OK;
     }
     if (b == '.' || fmb_is_digit(b))

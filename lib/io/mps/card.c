@@ -5,7 +5,26 @@
 
 #include "io/core/chars.h"
 
-/* A word that begins with '$', but the first, begins a comment. */
+static bool starts_card_number(fmb_span w)
+{
+    size_t i = w.n > 0 && (*w.p == '+' || *w.p == '-');
+    return i < w.n && (w.p[i] == '.' || fmb_is_digit(w.p[i]));
+}
+
+/* A word that begins with '$', but the first, begins a comment; so does '*' or '!' behind a number
+ * of the line, unless a number follows: then it begins a name. */
+static void end_at_comment(fmb_mps_card *card)
+{
+    for (size_t k = 2; k < card->words; k++) {
+        fmb_span w = card->word[k];
+        bool number = k + 1 < card->words && starts_card_number(card->word[k + 1]);
+        if ((*w.p == '*' || *w.p == '!') && starts_card_number(card->word[k - 1]) && !number) {
+            card->words = k;
+            card->line.n = (size_t)(w.p - card->line.p);
+        }
+    }
+}
+
 bool fmb_mps_next_card(fmb_cursor *c, fmb_mps_card *card)
 {
     for (card->words = 0; card->words == 0 && c->at < c->end; fmb_next_line(c)) {
@@ -20,6 +39,7 @@ bool fmb_mps_next_card(fmb_cursor *c, fmb_mps_card *card)
         }
         fmb_skip_line(c);
         card->line = (fmb_span){from, (size_t)(c->at - from)};
+        end_at_comment(card);
     }
     return card->words > 0;
 }
@@ -44,12 +64,6 @@ bool fmb_mps_is_marker(const fmb_mps_card *card)
 
 /* ---- fields ---------------------------------------------------------------------------------- */
 
-static bool starts_card_number(fmb_span w)
-{
-    size_t i = w.n > 0 && (*w.p == '+' || *w.p == '-');
-    return i < w.n && (w.p[i] == '.' || fmb_is_digit(w.p[i]));
-}
-
 static fmb_span trim_field(const char *p, const char *end)
 {
     while (p < end && *p <= ' ' && *p > 0)
@@ -59,24 +73,21 @@ static fmb_span trim_field(const char *p, const char *end)
     return (fmb_span){p, (size_t)(end - p)};
 }
 
-/* False if something stands between the fields. A '$' where field 2 or 4 starts begins a comment.
- */
+/* False if something stands between the fields. A '$' where field 2 or 4 starts begins a comment,
+ * and so does what stands behind the last field. */
 static bool lay_out_fixed(fmb_mps_card *card)
 {
-    static const size_t from[] = {1, 4, 14, 24, 39, 49, 61}, to[] = {3, 12, 22, 36, 47, 61, 62};
+    static const size_t from[] = {1, 4, 14, 24, 39, 49}, to[] = {3, 12, 22, 36, 47, 61};
     const char *p = card->line.p;
     size_t n = card->line.n, gap = 0;
     bool clean = memchr(p, '\t', n) == NULL;
-    for (size_t k = 0; k < 7; gap = to[k++]) {
+    for (size_t k = 0; k < 6; gap = to[k++]) {
         if ((k == 2 || k == 4) && from[k] < n && p[from[k]] == '$')
             n = from[k];
         size_t begin = from[k] < n ? from[k] : n, end = to[k] < n ? to[k] : n;
         if (gap < begin)
             clean = clean && trim_field(p + gap, p + begin).n == 0;
-        if (k < 6)
-            card->field[k] = trim_field(p + begin, p + end);
-        else
-            clean = clean && trim_field(p + begin, p + end).n == 0;
+        card->field[k] = trim_field(p + begin, p + end);
     }
     return clean;
 }

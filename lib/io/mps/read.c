@@ -1,8 +1,8 @@
 /* read.c: linear programs in MPS.
  *
  * A file gives its matrix by columns, so each row is a draft that grows until the end. Where
- * programs differ this is as GLPK has it: an upper bound below 0 leaves the lower one at 0, and a
- * column between markers has no upper bound of its own. Of several sets of right sides, ranges or
+ * programs differ this is as GLPK has it: an upper bound below 0 leaves the lower one at 0, and an
+ * integer column without any bound ends at 1. Of several sets of right sides, ranges or
  * bounds the first counts.
  *
  * Sources: as in card.h.
@@ -12,7 +12,7 @@
 #include "io/core/program_draft.h"
 #include "io/mps/card.h"
 
-#define MPS_NUMBER (FMB_NUM_SIGN | FMB_NUM_DECIMAL | FMB_NUM_EXPONENT)
+#define MPS_NUMBER (FMB_NUM_SIGN | FMB_NUM_DECIMAL | FMB_NUM_EXPONENT | FMB_NUM_FORTRAN)
 
 typedef struct mps_row {
     char type; /* N, L, G, E */
@@ -278,6 +278,26 @@ static fmb_status read_bound(mps_reader *m, const fmb_mps_card *card)
     return st == FMB_OK && is_first_set(m, f[1]) ? set_mps_bound(m, kind, j, f[2]) : st;
 }
 
+/* Integer columns, which stand between markers where no bound made them so, end at 1 unless the
+ * text bounds them (GLPK 5.0 Reference Manual, 2020, appendix B). */
+static void bound_free_integers(mps_reader *m)
+{
+    char name[FMB_QUOTE];
+    bool told = false;
+    mpq_set_ui(m->number, 1, 1);
+    for (int j = 0; j < (int)m->program.ends; j++) {
+        const fmb_program_end *end = m->program.end[j];
+        if (!fmb_system_is_integer(m->program.s, j) || end[0].at || end[1].at)
+            continue;
+        if (!told)
+            fmb_io_warn(m->c, NULL,
+                        "integer columns without bounds, such as %s, end at 1, as elsewhere",
+                        fmb_quote_name(fmb_system_name(m->program.s, j), name));
+        told = true;
+        fmb_program_bound(&m->program, j, FMB_PROGRAM_HIGH, NULL, m->number);
+    }
+}
+
 /* ---- sections -------------------------------------------------------------------------------- */
 
 static fmb_status read_sense(mps_reader *m, fmb_span word)
@@ -351,8 +371,10 @@ fmb_status fmb_read_mps(fmb_cursor *c, fmb_system *s)
         st = append_mps_rows(&m);
     if (st == FMB_OK)
         st = set_mps_objective(&m);
-    if (st == FMB_OK)
+    if (st == FMB_OK) {
+        bound_free_integers(&m);
         st = fmb_program_finish(&m.program);
+    }
     for (size_t i = 0; i < m.rows; i++)
         fmb_draft_clear(&m.row[i].terms);
     fmb_mem_put(c->mem, m.row, m.row_capacity, sizeof *m.row);

@@ -28,10 +28,9 @@ VERDICT_OF = {"sat": "feasible", "unsat": "infeasible"}
 # Published values that are not those of the files. e226 has a right side of its objective, 7.113,
 # which some take as it is, some with the other sign (as MPS is read most often, and here), and the
 # published value leaves out. Of ganges and scrs8 the published values were found long ago; solvers
-# agree on others. In nw460 three integer columns have no bounds: those who found the recorded value
-# took them for 0 ... 1, as old readers do; docs/formats.md knows of no such bound.
+# agree on others.
 ODD = {"netlib_e226": -11.6389290663, "netlib_ganges": -109585.736129,
-       "netlib_scrs8": 904.296953801, "sample_nw460": -939750 / 2533}
+       "netlib_scrs8": 904.296953801}
 
 
 def options():

@@ -26,8 +26,9 @@ static void leave(void *info)
     longjmp(aborted, 1);
 }
 
-/* The text as GLPK can read it: without empty lines and OBJSENSE, without markers, for which it
- * bounds columns by 1 and we do not; of LP without comments, which it refuses behind a row. */
+/* The text as GLPK can read it: without empty lines and OBJSENSE, and without markers, for
+ * which it bounds by 1 even columns that have a lower bound; of LP without comments, which it
+ * refuses behind a row. */
 static void write_for_glpk(const char *text, size_t size, int form, FILE *out)
 {
     bool sense = false;
@@ -180,6 +181,9 @@ static bool has_same_rows(walk *w, int form)
         coef[j] = 1;
         same = is_interval(w, glp_get_col_name(w->p, j), coef, glp_get_col_type(w->p, j),
                            glp_get_col_lb(w->p, j), glp_get_col_ub(w->p, j), 0.5);
+        if (same && form != AS_LP && glp_get_col_type(w->p, j) == GLP_LO &&
+            glp_get_col_lb(w->p, j) == 0 && fmb_system_is_integer(w->s, j - 1))
+            (void)is_next(w, "", coef, 1, FMB_LE, 1, 0.5); /* from a marker that GLPK did not see */
     }
     free(coef);
     free(value);

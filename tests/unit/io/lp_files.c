@@ -6,6 +6,27 @@
 
 #define HEAD "min\n x\nst\n c: x + y >= 1\n"
 
+/* Keywords inside lines. A word that is one, and a variable, is a variable. */
+Test(lp_files, one_line)
+{
+    static const meaning table[] = {
+        {"Minimize obj: x + 2 y Subject To c1: x + y >= 1 c2: x - y <= 3 Bounds x <= 4 y <= 5 "
+         "General x "
+         "Binary y End",
+         "vars: x y\ninteger: x y\nmin: x + 2 y\nc1: -x - y <= -1\nc2: x - y <= 3\n-x <= 0\nx <= "
+         "4\n-y <= "
+         "0\ny <= 5\n"},
+        {"max x st x <= 1 \\ a comment st x <= 0\nbounds x free end", "vars: x\nmax: x\nx <= 1\n"},
+        {"min w + st + 2 end\nst\n r: st + end >= 1\n s: end + 2 st <= 3\n t: 3 end <= "
+         "9\ngeneral\n w st "
+         "end\nend\n",
+         "vars: w st end\ninteger: w st end\nmin: w + st + 2 end\nr: -st - end <= -1\ns: 2 st + "
+         "end <= "
+         "3\nt: 3 end <= 9\n-w <= 0\n-st <= 0\n-end <= 0\n"},
+    };
+    check_meanings(FMB_FORMAT_LP, table, sizeof table / sizeof *table);
+}
+
 Test(lp_files, meanings)
 {
     static const meaning table[] = {

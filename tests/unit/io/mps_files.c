@@ -17,6 +17,40 @@ static void check(const meaning *table, size_t n)
     check_meanings(FMB_FORMAT_MPS, table, n);
 }
 
+/* Between markers and without bounds: up to 1. Any bound, of any kind, and it is not so. */
+Test(mps_files, integers_without_bounds)
+{
+    static const meaning table[] = {
+        {"NAME\nROWS\n N o\n L r\nCOLUMNS\n c r 1\n m 'MARKER' 'INTORG'\n x r 1\n y r 1\n z r 1\n "
+         "w r 1\n"
+         " m 'MARKER' 'INTEND'\n d r 1\nRHS\n b r 9\nBOUNDS\n PL b y\n LO b z 2\n MI b w\nENDATA\n",
+         "vars: c x y z w d\ninteger: x y z w\nmin: 0\nr: c + x + y + z + w + d <= 9\n-c <= 0\n-x "
+         "<= 0\nx "
+         "<= 1\n-y <= 0\n-z <= -2\n-d <= 0\n"},
+        {"NAME\nROWS\n N o\nCOLUMNS\n m 'MARKER' 'INTORG'\n x o 1\nBOUNDS\n UP a x 3\n UP b x "
+         "2\nENDATA\n",
+         "vars: x\ninteger: x\nmin: x\n-x <= 0\nx <= 3\n"},
+    };
+    check(table, sizeof table / sizeof *table);
+}
+
+Test(mps_files, fortran_exponents_and_comments)
+{
+    static const meaning table[] = {
+        {"NAME t ! a title\nROWS\n N o\n L r\nCOLUMNS\n x r 1.0D3 ! metres\n y r 25d-1 * "
+         "and\nRHS\n b r 1D+2 "
+         "$ so\nENDATA\n",
+         "vars: x y\nmin: 0\nr: 1000 x + 5/2 y <= 100\n-x <= 0\n-y <= 0\n"},
+        {"NAME\nROWS\n N o\n L !r\n L *s\nCOLUMNS\n x o 1 !r 2\n x *s 3 ! end\nENDATA\n",
+         "vars: x\nmin: x\n!r: 2 x <= 0\n*s: 3 x <= 0\n-x <= 0\n"},
+        {"NAME          T\nROWS\n N  o\n L  a b\nCOLUMNS\n"
+         "    x y       a b       1.0D0          o         2.0D0        written "
+         "behind\nRHS\nENDATA\n",
+         "vars: \"x y\"\nmin: 2 \"x y\"\na b: \"x y\" <= 0\n-\"x y\" <= 0\n"},
+    };
+    check(table, sizeof table / sizeof *table);
+}
+
 Test(mps_files, free_form)
 {
     static const meaning table[] = {
@@ -83,7 +117,7 @@ Test(mps_files, bounds)
          " PL B t\nENDATA\n",
          "vars: x y z u v w s t\ninteger: x y w\nmin: 0\nr: -x - y - z - u - v - w - s - t <= "
          "-1\n-x <= "
-         "0\n-y <= 0\n"
+         "0\nx <= 1\n-y <= 0\n"
          "y <= 1\n-u <= 0\nu <= -1\nv = 3\n-w <= -2\nw <= 5\ns <= 1/10\n-t <= 1\n"},
         {"NAME t\nROWS\n N o\n L r\n G s\nCOLUMNS\n x r 1\n y s 0 o 0\nRHS\n R r 1e30 s -1e31\n"
          "BOUNDS\n UP B x 1e+30\n LO B x -1e30\n UP B y 9e29\nENDATA\n",
