@@ -70,8 +70,8 @@ static const app_command *command_called(const app_program *p, const char *word)
 /* Is that an option of the program as a whole? */
 static bool is_about(const char *word)
 {
-    static const char *const ABOUT[] = {"--help",    "-?", "--usage",
-                                        "--version", "-V", "--list-options"};
+    static const char *const ABOUT[] = {"--help",        "-h", "-?", "--usage", "--version", "-V",
+                                        "--list-options"};
     for (size_t i = 0; i < sizeof ABOUT / sizeof *ABOUT; i++)
         if (strcmp(word, ABOUT[i]) == 0)
             return true;
@@ -143,12 +143,35 @@ static int run_otherwise(const app_command *c, int argc, char **argv)
     return c->run(argc, argv);
 }
 
+/* `help` and `help COMMAND`, unless help is a command, as --help and COMMAND --help; `-h` likewise.
+ */
+static void spell_out_help(const app_program *p, int argc, char **argv)
+{
+    static char option[] = "--help";
+    if (argc > 1 && strcmp(argv[1], "-h") == 0)
+        argv[1] = option;
+    if (argc < 2 || argc > 3 || strcmp(argv[1], "help") != 0 || command_called(p, "help"))
+        return;
+    if (argc == 2) {
+        argv[1] = option;
+    } else if (command_called(p, argv[2])) {
+        argv[1] = argv[2];
+        argv[2] = option;
+    } else {
+        argv[1] = argv[2]; /* what was meant is told where commands are looked up */
+        argv[2] = NULL;
+    }
+}
+
 int app_dispatch(const app_program *p, int argc, char **argv)
 {
     argp_err_exit_status = APP_USAGE;
     argp_program_version_hook = print_version;
     app_file_guard_output();
     argv[0] = p->name;
+    spell_out_help(p, argc, argv);
+    while (argc > 1 && !argv[argc - 1])
+        argc--;
     const app_command *c = choose_command(p, argc, argv);
     if (c)
         return c->run(argc - 1, argv + 1);

@@ -67,9 +67,13 @@ static void find_option(const struct argp *argp, const char *word, search *s)
     visit_options(argp, try_option, s);
 }
 
+/* And -h is --help: argp's own letter is '?'. */
 static void refuse_unknown_options(const struct argp *argp, int argc, char **argv)
 {
+    static char help[] = "--help";
     for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++) {
+        if (strcmp(argv[i], "-h") == 0)
+            argv[i] = help;
         if (strncmp(argv[i], "--", 2) != 0)
             continue;
         search s;
