@@ -147,24 +147,41 @@ int app_source_read_graph(const app_source *src, const fmb_system *s, fmb_system
     return read_file(src, &(wanted){.system = out, .map_over = s});
 }
 
-static bool can_write(fmb_format f)
-{
-    return f == FMB_FORMAT_TEXT || f == FMB_FORMAT_INE || f == FMB_FORMAT_SMT2;
-}
-
+/* A linear program, with a row for each bound, is not what its author would recognise. */
 fmb_format app_source_written(const app_source *src)
 {
     fmb_format f = src->format ? src->format : fmb_format_of_name(src->file);
-    return can_write(f) ? f : FMB_FORMAT_TEXT;
+    return f == FMB_FORMAT_INE || f == FMB_FORMAT_SMT2 ? f : FMB_FORMAT_TEXT;
+}
+
+/* MPS and LP, which are all that refuse some systems, cannot say what? */
+static int refuse_to_write(const fmb_system *s, fmb_format f)
+{
+    for (size_t i = 0; i < fmb_system_rows(s); i++) {
+        const char *label = fmb_system_label(s, i);
+        if (fmb_system_rel(s, i) == FMB_LT)
+            return app_error(APP_BAD_INPUT, "row %zu%s%s%s is strict, which .%s cannot say", i + 1,
+                             label ? " (" : "", label ? label : "", label ? ")" : "",
+                             fmb_format_text(f));
+    }
+    if (fmb_system_dim(s) == 0)
+        return app_error(APP_BAD_INPUT, "there are no variables, which .%s cannot say",
+                         fmb_format_text(f));
+    return app_error(APP_BAD_INPUT,
+                     "the objective has numbers that are no finite decimals, as .%s needs, or "
+                     "there is neither a row nor an objective",
+                     fmb_format_text(f));
 }
 
 int app_source_write(const fmb_system *s, fmb_format f)
 {
     fmb_status st = fmb_system_write(s, f, stdout);
+    if (st == FMB_ERR_ARG)
+        return refuse_to_write(s, f);
     return st == FMB_OK || st == FMB_ERR_IO ? APP_YES : app_status_error(st);
 }
 
 bool app_format_to(const char *word, fmb_format *out)
 {
-    return fmb_format_parse(word, out) && can_write(*out);
+    return fmb_format_parse(word, out) && *out != FMB_FORMAT_AUTO && *out != FMB_FORMAT_IEQ;
 }

@@ -28,7 +28,7 @@ _fmb()
             [[ $command == mesh ]] && words="auto off obj ply stl mesh"
             ;;
         --mirror) words="x y z" ;;
-        --to) words="fmb ine smt2 pairs" ;;
+        --to) words="fmb ine smt2 mps lp pairs" ;;
         --arith) words="auto int gmp" ;;
         --method) words="auto dd fm hull lp" ;;
         --order) words="pairs given min fill" ;;

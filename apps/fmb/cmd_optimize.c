@@ -79,9 +79,44 @@ static bool has_point(const app_session *s, const fmb_optimum *o)
     return o && s->result.verdict == FMB_FEASIBLE;
 }
 
+/* The value of the form at the point. */
+static void evaluate_at_point(const app_session *s, const fmb_optimum *o, mpq_t out)
+{
+    mpq_t c, x;
+    mpq_inits(c, x, NULL);
+    fmb_system_objective_constant_q(s->system, out);
+    for (size_t k = 0; k < fmb_system_objective_terms(s->system); k++) {
+        fmb_optimum_coordinate_q(o, fmb_system_objective_term_q(s->system, k, c), x);
+        mpq_mul(c, c, x);
+        mpq_add(out, out, c);
+    }
+    mpq_clears(c, x, NULL);
+}
+
 /* ---- text ------------------------------------------------------------------------------------ */
 
-/* "max over the reals = 13/2", "inf = 0, not attained", "min >= 3", "unbounded above" */
+/* At a limit: "40 <= max <= 43", "max >= 40", "max <= 43", as far as is known, or "unknown (rows)".
+ */
+static void print_value_at_limit(const app_session *s, const fmb_optimum *o)
+{
+    bool max = fmb_optimum_sense(o) == FMB_SENSE_MAX, point = has_point(s, o);
+    bool outer = fmb_optimum_end(o).kind == FMB_END_OUTER;
+    const char *word = max ? "max" : "min";
+    mpq_t end, reached;
+    mpq_inits(end, reached, NULL);
+    fmb_optimum_value_q(o, end);
+    if (point)
+        evaluate_at_point(s, o, reached);
+    if (outer && point)
+        gmp_printf("%Qd <= %s <= %Qd\n", max ? reached : end, word, max ? end : reached);
+    else if (outer || point)
+        gmp_printf("%s %s %Qd\n", word, max == outer ? "<=" : ">=", outer ? end : reached);
+    else
+        printf("unknown (%s)\n", fmb_stop_text(s->result.stop));
+    mpq_clears(end, reached, NULL);
+}
+
+/* "max over the reals = 13/2", "inf = 0, not attained", "unbounded above" */
 static void print_value(const app_session *s, const fmb_optimum *o)
 {
     static const char *const word[][2] = {{"inf", "sup"}, {"min", "max"}};
@@ -96,12 +131,8 @@ static void print_value(const app_session *s, const fmb_optimum *o)
                    end.attained ? "" : ", not attained");
     else if (end.kind == FMB_END_INFINITE)
         printf("unbounded %s%s\n", max ? "above" : "below", reals);
-    else if (end.kind == FMB_END_OUTER)
-        gmp_printf("%s %s %Qd\n", word[1][max], max ? "<=" : ">=", value);
     else
-        printf("%sunknown (%s)\n",
-               s->result.verdict == FMB_FEASIBLE ? "feasible; the optimum is " : "",
-               fmb_stop_text(s->result.stop));
+        print_value_at_limit(s, o);
     mpq_clear(value);
 }
 
@@ -200,7 +231,7 @@ static void print_optimum(const app_session *s, const fmb_optimum *o)
 
 /* ---- JSON ------------------------------------------------------------------------------------ */
 
-static json_t *value_json(const fmb_optimum *o)
+static json_t *value_json(const app_session *s, const fmb_optimum *o)
 {
     fmb_end end = fmb_optimum_end(o);
     json_t *obj = app_need(json_object()), *value = json_null();
@@ -210,11 +241,15 @@ static json_t *value_json(const fmb_optimum *o)
         value = app_json_number(q);
     else if (end.kind == FMB_END_INFINITE)
         value = json_string(fmb_optimum_sense(o) == FMB_SENSE_MAX ? "inf" : "-inf");
-    mpq_clear(q);
     app_json_set(obj, "value", value);
     app_json_set(obj, "attained", json_boolean(end.attained));
     if (end.kind == FMB_END_OUTER)
         app_json_set(obj, "outer", json_true());
+    if (!is_known(o) && has_point(s, o)) {
+        evaluate_at_point(s, o, q);
+        app_json_set(obj, "reached", app_json_number(q));
+    }
+    mpq_clear(q);
     return obj;
 }
 
@@ -240,7 +275,7 @@ static void report_json(const app_session *s, const fmb_optimum *o)
     if (o) {
         fmb_end end = fmb_optimum_end(o);
         bool limit = end.kind == FMB_END_FINITE && !end.attained;
-        app_json_set(obj, "optimum", value_json(o));
+        app_json_set(obj, "optimum", value_json(s, o));
         if (has_point(s, o))
             app_json_set(obj, limit ? "limit" : "witness",
                          coordinates_json(s, o, fmb_optimum_coordinate_q));
@@ -272,8 +307,8 @@ static int exit_code(const app_session *s, const fmb_optimum *o)
         return s->result.verdict == FMB_INFEASIBLE ? APP_NO : APP_UNDECIDED;
     if (is_known(o))
         return s->relaxed && !s->ask->relax ? APP_UNDECIDED : APP_YES;
-    if (fmb_optimum_end(o).kind == FMB_END_OUTER)
-        app_session_note(s, "undecided (%s): an outer end", fmb_stop_text(s->result.stop));
+    if (fmb_optimum_end(o).kind == FMB_END_OUTER || has_point(s, o))
+        app_session_note(s, "undecided (%s): bounds of the optimum", fmb_stop_text(s->result.stop));
     return APP_UNDECIDED;
 }
 

@@ -15,7 +15,8 @@ enum { KEY_TO = 0x200, KEY_LIFTED };
 
 static const struct argp_option options[] = {
     {"to", KEY_TO, "FORMAT", 0,
-     "Write this format: fmb|ine|smt2 (default: that of the first FILE with a system where it can "
+     "Write this format: fmb|ine|smt2|mps|lp (default: that of the first FILE with a system where "
+     "it can "
      "be written, else fmb; ine if there are V-representations alone)",
      1},
     {"lifted", KEY_LIFTED, "OUT", 0,
@@ -56,7 +57,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     switch (key) {
     case KEY_TO:
         if (!app_format_to(arg, &r->to))
-            argp_error(state, "--to: expected fmb|ine|smt2, found '%s'", arg);
+            argp_error(state, "--to: expected fmb|ine|smt2|mps|lp, found '%s'", arg);
         return 0;
     case KEY_LIFTED:
         r->lifted = arg;

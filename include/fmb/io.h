@@ -1,7 +1,7 @@
 /* fmb/io.h: systems from and to text.
  *
  * Formats (docs/formats.md describes each): .fmb text for people, cddlib/lrslib .ine, PORTA .ieq,
- * SMT-LIB 2 conjunctions of linear constraints, MPS and CPLEX LP (read only). Numbers
+ * SMT-LIB 2 conjunctions of linear constraints, MPS and CPLEX LP. Numbers
  * are read exactly: decimals are rationals. Pairs of frames, a line of JSON each, are read by
  * <fmb/gmp.h>.
  */
@@ -20,8 +20,8 @@ typedef enum fmb_format {
     FMB_FORMAT_INE,      /* .ine */
     FMB_FORMAT_IEQ,      /* .ieq, reading only */
     FMB_FORMAT_SMT2,     /* .smt2 */
-    FMB_FORMAT_MPS,      /* .mps, reading only */
-    FMB_FORMAT_LP        /* .lp, reading only */
+    FMB_FORMAT_MPS,      /* .mps */
+    FMB_FORMAT_LP        /* .lp */
 } fmb_format;
 
 /* "fmb", "ine", ... of a format; and back (also "auto"): false if the word is unknown. */
@@ -70,8 +70,10 @@ FMB_API FMB_CHECKED fmb_status fmb_system_parse_objective(fmb_system *s, fmb_sen
 FMB_API size_t fmb_utf8_length(const char *text, size_t left);
 FMB_API size_t fmb_utf8_printable(const char *text, size_t left);
 
-/* Write s so that reading it back gives the same rows in the same order. Errors: ARG (format cannot
- * be written), IO, MEMORY. */
+/* Write s so that reading it back gives the same rows in the same order; in MPS and LP, which know
+ * decimals only, times a number where a row has others, and with names that these can spell.
+ * Errors: ARG (format cannot be written; of MPS and LP: a strict row, no variable, an objective
+ * whose numbers are no finite decimals, in MPS neither a row nor an objective), IO, MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_write(const fmb_system *s, fmb_format f, FILE *out);
 
 typedef struct fmb_generators fmb_generators; /* <fmb/generators.h> */

@@ -9,8 +9,8 @@ static const fmb_codec table[] = {
     {FMB_FORMAT_INE, "ine", fmb_read_ine, fmb_write_ine, fmb_sniff_ine},
     {FMB_FORMAT_IEQ, "ieq", fmb_read_ieq, NULL, fmb_sniff_ieq},
     {FMB_FORMAT_SMT2, "smt2", fmb_read_smt2, fmb_write_smt2, fmb_sniff_smt2},
-    {FMB_FORMAT_MPS, "mps", fmb_read_mps, NULL, fmb_sniff_mps},
-    {FMB_FORMAT_LP, "lp", fmb_read_lp, NULL, fmb_sniff_lp},
+    {FMB_FORMAT_MPS, "mps", fmb_read_mps, fmb_write_mps, fmb_sniff_mps},
+    {FMB_FORMAT_LP, "lp", fmb_read_lp, fmb_write_lp, fmb_sniff_lp},
     {FMB_FORMAT_TEXT, "fmb", fmb_read_text, fmb_write_text, NULL},
 };
 

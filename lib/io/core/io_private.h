@@ -14,6 +14,6 @@ typedef fmb_status fmb_read_fn(fmb_cursor *c, fmb_system *s);
 typedef fmb_status fmb_write_fn(const fmb_system *s, FILE *out);
 
 fmb_read_fn fmb_read_text, fmb_read_ine, fmb_read_ieq, fmb_read_smt2, fmb_read_mps, fmb_read_lp;
-fmb_write_fn fmb_write_text, fmb_write_ine, fmb_write_smt2;
+fmb_write_fn fmb_write_text, fmb_write_ine, fmb_write_smt2, fmb_write_mps, fmb_write_lp;
 
 #endif

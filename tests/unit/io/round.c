@@ -161,3 +161,173 @@ Test(round, smt2_symbols)
     fmb_system_free(back);
     fmb_system_free(s);
 }
+
+/* ---- MPS and LP ------------------------------------------------------------------------------ */
+
+/* No strict rows, at least a variable, and an objective of decimals, in place of what a random
+ * system has. */
+static fmb_system *random_program(uint64_t *seed)
+{
+    fmb_system *any = random_system(seed, false), *s;
+    mpq_t coef[16], q;
+    int var[16];
+    cr_assert(fmb_system_new(0, NULL, &s) == FMB_OK);
+    mpq_init(q);
+    for (int k = 0; k < 16; k++)
+        mpq_init(coef[k]);
+    for (int j = 0; j < fmb_system_dim(any); j++)
+        cr_assert(fmb_system_add_variable(s, fmb_system_name(any, j), NULL) == FMB_OK);
+    if (fmb_system_dim(any) == 0)
+        cr_assert(fmb_system_add_variable(s, "alone", NULL) == FMB_OK);
+    for (size_t i = 0; i < fmb_system_rows(any); i++) {
+        size_t n = fmb_system_terms(any, i);
+        for (size_t k = 0; k < n; k++)
+            var[k] = fmb_system_term_q(any, i, k, coef[k]);
+        fmb_system_rhs_q(any, i, q);
+        fmb_rel rel = fmb_system_rel(any, i) == FMB_EQ ? FMB_EQ : FMB_LE;
+        cr_assert(fmb_system_add_q(s, n, var, coef, rel, q) == FMB_OK);
+        cr_assert(fmb_system_set_label(s, i, fmb_system_label(any, i)) == FMB_OK);
+    }
+    for (int j = 0; j < fmb_system_dim(s); j++)
+        cr_assert(fmb_system_set_integer(s, j, below(seed, 3) == 0) == FMB_OK);
+    for (int k = 0; k < 2; k++) {
+        var[k] = (int)below(seed, (size_t)fmb_system_dim(s));
+        mpq_set_si(coef[k], (long)below(seed, 2001) - 1000, 64);
+        mpq_canonicalize(coef[k]);
+    }
+    mpq_set_si(q, (long)below(seed, 21) - 10, 1);
+    fmb_objective_q o = {below(seed, 2) ? FMB_SENSE_MAX : FMB_SENSE_MIN, 2, var, coef, q};
+    cr_assert(fmb_system_set_objective_q(s, &o) == FMB_OK);
+    for (int k = 0; k < 16; k++)
+        mpq_clear(coef[k]);
+    mpq_clear(q);
+    fmb_system_free(any);
+    return s;
+}
+
+/* a = f b with f > 0, the same for all numbers of a row. */
+static bool is_scaled_row(const fmb_system *a, const fmb_system *b, size_t i)
+{
+    mpq_t p, q, f;
+    size_t n = fmb_system_terms(a, i);
+    bool same = n == fmb_system_terms(b, i) && fmb_system_rel(a, i) == fmb_system_rel(b, i);
+    mpq_inits(p, q, f, NULL);
+    for (size_t k = 0; same && k <= n; k++) {
+        if (k < n) {
+            same = fmb_system_term_q(a, i, k, p) == fmb_system_term_q(b, i, k, q);
+        } else {
+            fmb_system_rhs_q(a, i, p);
+            fmb_system_rhs_q(b, i, q);
+        }
+        same = same && mpq_sgn(p) == mpq_sgn(q);
+        if (!same || mpq_sgn(q) == 0)
+            continue;
+        mpq_div(p, p, q);
+        same = mpq_sgn(f) == 0 || mpq_equal(f, p);
+        mpq_set(f, p);
+    }
+    mpq_clears(p, q, f, NULL);
+    return same;
+}
+
+static bool is_same_objective(const fmb_system *a, const fmb_system *b)
+{
+    mpq_t p, q;
+    size_t n = fmb_system_objective_terms(a);
+    bool same = fmb_system_sense(a) == fmb_system_sense(b) && n == fmb_system_objective_terms(b);
+    mpq_inits(p, q, NULL);
+    for (size_t k = 0; same && k < n; k++)
+        same = fmb_system_objective_term_q(a, k, p) == fmb_system_objective_term_q(b, k, q) &&
+               mpq_equal(p, q);
+    fmb_system_objective_constant_q(a, p);
+    fmb_system_objective_constant_q(b, q);
+    same = same && mpq_equal(p, q);
+    mpq_clears(p, q, NULL);
+    return same;
+}
+
+static void check_program_round(fmb_format f)
+{
+    for (uint64_t i = 0; i < 2000; i++) {
+        uint64_t seed = i;
+        fmb_system *s = random_program(&seed);
+        char *text = write_text(s, f);
+        fmb_system *back = parse(f, text, strlen(text));
+        fmb_system *guessed = parse(FMB_FORMAT_AUTO, text, strlen(text));
+        cr_assert(fmb_system_dim(back) == fmb_system_dim(s) &&
+                      fmb_system_rows(back) == fmb_system_rows(s),
+                  "seed %zu: %d variables, %zu rows\n%s", (size_t)i, fmb_system_dim(back),
+                  fmb_system_rows(back), text);
+        cr_assert(same_system(back, guessed, true), "seed %zu: another format?\n%s", (size_t)i,
+                  text);
+        for (size_t r = 0; r < fmb_system_rows(s); r++)
+            cr_assert(is_scaled_row(s, back, r), "seed %zu, row %zu:\n%s", (size_t)i, r + 1, text);
+        for (int j = 0; j < fmb_system_dim(s); j++)
+            cr_assert(fmb_system_is_integer(s, j) == fmb_system_is_integer(back, j), "%s", text);
+        cr_assert(is_same_objective(s, back), "seed %zu:\n%s", (size_t)i, text);
+        free(text);
+        fmb_system_free(guessed);
+        fmb_system_free(back);
+        fmb_system_free(s);
+    }
+}
+
+Test(round, mps)
+{
+    check_program_round(FMB_FORMAT_MPS);
+}
+
+Test(round, lp)
+{
+    check_program_round(FMB_FORMAT_LP);
+}
+
+static bool is_refused(const char *text, fmb_format f)
+{
+    char *written = NULL;
+    size_t size;
+    fmb_system *s = parse(FMB_FORMAT_TEXT, text, strlen(text));
+    FILE *out = open_memstream(&written, &size);
+    fmb_status st = fmb_system_write(s, f, out);
+    fclose(out);
+    cr_expect(st == FMB_OK || (st == FMB_ERR_ARG && size == 0), "%s: %s", text, written);
+    free(written);
+    fmb_system_free(s);
+    return st == FMB_ERR_ARG;
+}
+
+/* Neither format knows strict rows or fractions in an objective, which cannot be scaled. */
+Test(round, programs_refused)
+{
+    static const char *const texts[] = {"x < 1", "0 <= -1", "max: x/3\nx <= 1",
+                                        "min: x + 1/7\nx <= 1"};
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+        cr_expect(is_refused(texts[i], FMB_FORMAT_MPS) && is_refused(texts[i], FMB_FORMAT_LP), "%s",
+                  texts[i]);
+    cr_expect(is_refused("vars: x", FMB_FORMAT_MPS) && !is_refused("vars: x", FMB_FORMAT_LP));
+    cr_expect(!is_refused("x/3 <= 1/7", FMB_FORMAT_MPS) &&
+              !is_refused("x/3 <= 1/7", FMB_FORMAT_LP));
+}
+
+/* Names and labels that a format can spell are kept, and none is lost to one that is made up. */
+Test(round, program_names)
+{
+    static const char text[] = "vars: \"a b\" x1 end \"1st\" x4\n\"a c\": x1 + \"a b\" <= 1\n"
+                               "cap: end <= 1/3\ncap: \"1st\" + x4 <= 2\n";
+    static const char *const name[][5] = {{"x1_", "x1", "end", "x4_", "x4"},
+                                          {"x1_", "x1", "x3", "x4_", "x4"}};
+    fmb_system *s = parse(FMB_FORMAT_TEXT, text, strlen(text));
+    for (int i = 0; i < 2; i++) {
+        fmb_format f = i == 0 ? FMB_FORMAT_MPS : FMB_FORMAT_LP;
+        char *written = write_text(s, f);
+        fmb_system *back = parse(f, written, strlen(written));
+        for (int j = 0; j < 5; j++)
+            cr_expect_str_eq(fmb_system_name(back, j), name[i][j], "%s", written);
+        cr_expect_str_eq(fmb_system_label(back, 0), "r1");
+        cr_expect_str_eq(fmb_system_label(back, 1), "cap");
+        cr_expect_str_eq(fmb_system_label(back, 2), "r3");
+        free(written);
+        fmb_system_free(back);
+    }
+    fmb_system_free(s);
+}
