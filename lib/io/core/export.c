@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "system/system.h"
+#include "system/system_private.h"
 
 /* Sides of this size and more are read as infinite (program_draft.h): 10 to this power. */
 #define HUGE_POWER 30
