@@ -22,8 +22,7 @@
  *
  * Errors of all changes: STATE, where nothing is loaded; MEMORY; ARG, which fmb_solver_trouble
  * explains. A change that fails changes nothing. Take evidence (fmb_solver_evidence) before the
- * next change: it speaks of the rows as they were. GLPK, where it is installed, keeps its memory by
- * thread: ask about a loaded system, and unload it, in one thread, or some memory is lost.
+ * next change: it speaks of the rows as they were.
  */
 #ifndef FMB_SESSION_H
 #define FMB_SESSION_H

@@ -60,8 +60,7 @@ with tempfile.TemporaryDirectory() as name:
                              PKG_CONFIG_PATH=str(pc.parent), PKG_CONFIG_SYSROOT_DIR=str(home)))
     try_program(scratch, "installed", [*flags, *extra], next(home.rglob("libfmb.so")).parent)
 
-    # Statically, where what GLPK's static library wants is there (libltdl-dev, zlib1g-dev), and no
-    # sanitizer, which cannot.
+    # Statically, but under sanitizers, which cannot.
     flags = shlex.split(call(["pkg-config", "--static", "--cflags", "--libs", "fmb"],
                              PKG_CONFIG_PATH=str(pc.parent), PKG_CONFIG_SYSROOT_DIR=str(home)))
     needed = [f for f in flags if f.startswith("-l") and f != "-lfmb"]

@@ -4,8 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "lp/float/guess.h"
-
 static fmb_status allocate_dictionary(fmb_lp *lp)
 {
     fmb_mem *mem = lp->run->mem;
@@ -58,34 +56,28 @@ static fmb_status load_dictionary_row(fmb_lp *lp, size_t i, const fmb_lp_row *fr
 
 /* ---- the start ------------------------------------------------------------------------------- */
 
-/* A row on its turn: equalities before inequalities, rows guessed tight before others, short before
- * long. */
+/* A row on its turn: equalities before inequalities, short before long. */
 typedef struct turn {
     size_t row;
-    int rank;
+    bool is_inequality;
     size_t terms;
 } turn;
 
 static int compare_turns(const void *x, const void *y)
 {
     const turn *a = x, *b = y;
-    if (a->rank != b->rank)
-        return a->rank < b->rank ? -1 : 1;
+    if (a->is_inequality != b->is_inequality)
+        return a->is_inequality ? 1 : -1;
     if (a->terms != b->terms)
         return a->terms < b->terms ? -1 : 1;
     return (a->row > b->row) - (a->row < b->row);
 }
 
 /* uses[j]: the rows that name x_j, at first. */
-static fmb_status order_rows_by_turn(fmb_lp *lp, const fmb_lp_row *rows, turn *turns, size_t *uses)
+static void order_rows_by_turn(const fmb_lp *lp, const fmb_lp_row *rows, turn *turns, size_t *uses)
 {
-    fmb_mem *mem = lp->run->mem;
-    bool *tight = fmb_mem_zero(mem, lp->m, sizeof *tight);
-    if (!tight)
-        return fmb_mem_status(mem);
-    fmb_status st = fmb_lp_guess(lp->run, lp->n, lp->m, rows, tight);
     for (size_t i = 0; i < lp->m; i++) {
-        turns[i] = (turn){i, rows[i].rel == FMB_EQ ? 0 : tight[i] ? 1 : 2, 0};
+        turns[i] = (turn){i, rows[i].rel != FMB_EQ, 0};
         for (size_t j = 0; j < (size_t)lp->n; j++) {
             bool named = fmb_vec_sgn(rows[i].v, j) != 0;
             turns[i].terms += named;
@@ -93,8 +85,6 @@ static fmb_status order_rows_by_turn(fmb_lp *lp, const fmb_lp_row *rows, turn *t
         }
     }
     qsort(turns, lp->m, sizeof *turns, compare_turns);
-    fmb_mem_put(mem, tight, lp->m, sizeof *tight);
-    return st;
 }
 
 /* Of the columns of free x that row r names, the one of the least used x, then of the least entry;
@@ -122,7 +112,7 @@ static fmb_status bring_x_into_basis(fmb_lp *lp, const turn *turns, const size_t
     fmb_status st = FMB_OK;
     for (size_t k = 0; st == FMB_OK && k < lp->m; k++) {
         size_t i = turns[k].row, j = find_free_column(lp, i, uses);
-        if (turns[k].rank == 0)
+        if (!turns[k].is_inequality)
             lp->slack[i] = FMB_SLACK_LOCKED;
         if (j != SIZE_MAX)
             st = fmb_lp_pivot(lp, i, j);
@@ -136,9 +126,11 @@ static fmb_status pivot_to_start(fmb_lp *lp, const fmb_lp_row *rows)
     size_t n = (size_t)lp->n;
     turn *turns = fmb_mem_get(mem, lp->m, sizeof *turns);
     size_t *uses = fmb_mem_zero(mem, n, sizeof *uses);
-    fmb_status st = turns && uses ? order_rows_by_turn(lp, rows, turns, uses) : fmb_mem_status(mem);
-    if (st == FMB_OK)
+    fmb_status st = turns && uses ? FMB_OK : fmb_mem_status(mem);
+    if (st == FMB_OK) {
+        order_rows_by_turn(lp, rows, turns, uses);
         st = bring_x_into_basis(lp, turns, uses);
+    }
     fmb_mem_put(mem, turns, lp->m, sizeof *turns);
     fmb_mem_put(mem, uses, n, sizeof *uses);
     return st;

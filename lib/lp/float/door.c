@@ -1,8 +1,4 @@
-/* door.c: see door.h.
- *
- * Our own simplex is asked first, GLPK where that gives up; then ours goes on from the basis at
- * which GLPK stood.
- */
+/* door.c: see door.h. */
 #include "lp/float/door.h"
 
 #include <math.h>
@@ -16,7 +12,6 @@ struct fmb_door {
     double *cost;              /* [n] scaled as the columns are */
     fmb_status late;           /* of a call that has none */
     bool behind;               /* there are rows that the side has yet to take in */
-    bool alone;                /* GLPK is not asked where the side gives up */
 };
 
 void fmb_door_close(fmb_door *d)
@@ -31,14 +26,14 @@ void fmb_door_close(fmb_door *d)
     fmb_mem_put(mem, d, 1, sizeof *d);
 }
 
-static fmb_status open_door(fmb_run *run, const fmb_program *p, const fmb_door_side *side,
-                            bool alone, fmb_door **out)
+fmb_status fmb_door_open_side(fmb_run *run, const fmb_program *p, const fmb_door_side *side,
+                              fmb_door **out)
 {
+    *out = NULL;
     fmb_door *d = fmb_mem_zero(run->mem, 1, sizeof *d);
     if (!d)
         return fmb_mem_status(run->mem);
     d->side = side;
-    d->alone = alone;
     fmb_status st = fmb_reals_init(&d->reals, run, p);
     d->cost = fmb_mem_get(run->mem, d->reals.n, sizeof *d->cost);
     if (st == FMB_OK && !d->cost)
@@ -52,16 +47,9 @@ static fmb_status open_door(fmb_run *run, const fmb_program *p, const fmb_door_s
     return st;
 }
 
-fmb_status fmb_door_open(fmb_run *run, const fmb_program *p, bool plain, fmb_door **out)
+fmb_status fmb_door_open(fmb_run *run, const fmb_program *p, fmb_door **out)
 {
-    return open_door(run, p, &fmb_door_side_own, plain, out);
-}
-
-fmb_status fmb_door_open_side(fmb_run *run, const fmb_program *p, const fmb_door_side *side,
-                              fmb_door **out)
-{
-    *out = NULL;
-    return open_door(run, p, side, true, out);
+    return fmb_door_open_side(run, p, &fmb_door_side_own, out);
 }
 
 static fmb_status ask_door(fmb_door *d, const double *cost, fmb_hint *h)
@@ -69,12 +57,9 @@ static fmb_status ask_door(fmb_door *d, const double *cost, fmb_hint *h)
     fmb_status st = d->late == FMB_OK ? fmb_door_grow(d) : d->late;
     d->late = FMB_OK;
     h->kind = FMB_HINT_NONE;
-    if (st == FMB_OK)
-        st = cost ? d->side->maximize(d->self, cost, h) : d->side->search(d->self, h);
-    if (st != FMB_OK || h->kind != FMB_HINT_NONE || d->alone)
+    if (st != FMB_OK)
         return st;
-    st = fmb_glpk_ask(&d->reals, cost, h);
-    return st == FMB_OK ? d->side->place(d->self, h->basis) : st;
+    return cost ? d->side->maximize(d->self, cost, h) : d->side->search(d->self, h);
 }
 
 fmb_status fmb_door_search(fmb_door *d, fmb_hint *h)

@@ -2,8 +2,7 @@
  * believed.
  *
  * A basis is n rows that are to hold with equality: rows of the program, by number; or m + j, the
- * row x_j = 0 of a column that is free and nonbasic. Behind the door stands a simplex of our own,
- * and GLPK where it is installed and ours gives up. A door is used by one thread at a time.
+ * row x_j = 0 of a column that is free and nonbasic. A door is used by one thread at a time.
  */
 #ifndef FMB_LP_DOOR_H
 #define FMB_LP_DOOR_H
@@ -26,9 +25,8 @@ typedef struct fmb_hint {
     size_t odd;    /* INFEASIBLE: a row of the program; UNBOUNDED: a place of the basis */
 } fmb_hint;
 
-/* p must outlive the door; its rows that are off are left out. GLPK is not asked where `plain`.
- * Errors: MEMORY, LIMIT. */
-fmb_status fmb_door_open(fmb_run *run, const fmb_program *p, bool plain, fmb_door **out);
+/* p must outlive the door; its rows that are off are left out. Errors: MEMORY, LIMIT. */
+fmb_status fmb_door_open(fmb_run *run, const fmb_program *p, fmb_door **out);
 void fmb_door_close(fmb_door *d);
 
 /* Is there a solution? From where the last call ended. Errors: MEMORY, LIMIT. */

@@ -33,9 +33,4 @@ extern const fmb_door_side fmb_door_side_own, fmb_door_side_factors;
 fmb_status fmb_door_open_side(fmb_run *run, const fmb_program *p, const fmb_door_side *side,
                               fmb_door **out);
 
-/* Ask GLPK once, from the basis that h holds, which becomes the one where GLPK stopped: for the
- * most of cost[n], scaled as the columns are, or any point if that is NULL. No hint where GLPK is
- * not installed, or gives up. Errors: MEMORY, LIMIT. */
-fmb_status fmb_glpk_ask(const fmb_reals *f, const double *cost, fmb_hint *h);
-
 #endif

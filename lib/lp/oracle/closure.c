@@ -64,7 +64,7 @@ static fmb_status need_door(fmb_oracle *o)
     fmb_status st = fmb_vertex_init(&o->v, o->run, o->p);
     if (st == FMB_OK)
         st = fmb_walk_init(&o->w, &o->v);
-    return st == FMB_OK ? fmb_door_open(o->run, o->p, false, &o->door) : st;
+    return st == FMB_OK ? fmb_door_open(o->run, o->p, &o->door) : st;
 }
 
 void fmb_closure_begin(fmb_oracle *o)

@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-#include "glpk_side.h"
+#include "lp/float/side.h"
 #include "solve/query/part.h"
 #include "support/support.h"
 
@@ -332,12 +332,12 @@ static fmb_hint ask(bench *b, fmb_door *d, bool search, tally *t)
     return h;
 }
 
-/* False: GLPK is not installed. */
-static bool open_side(bench *b, const fmb_door_side *side, fmb_door **d)
+static fmb_door *open_side(bench *b, const fmb_door_side *side)
 {
-    cr_assert_eq(fmb_door_open_side(&b->run, &b->p, side, d), FMB_OK);
-    cr_assert(*d || side == &glpk_side);
-    return *d != NULL;
+    fmb_door *d;
+    cr_assert_eq(fmb_door_open_side(&b->run, &b->p, side, &d), FMB_OK);
+    cr_assert(d);
+    return d;
 }
 
 /* A search, then costs one after another. Numbers that doubles cannot tell apart may get answers
@@ -345,10 +345,8 @@ static bool open_side(bench *b, const fmb_door_side *side, fmb_door **d)
 static void ask_all(bench *b, const fmb_door_side *side, int costs, tally *t)
 {
     support_rng g = {b->c.seed};
-    fmb_door *d;
     append_rows(b, b->part->m);
-    if (!open_side(b, side, &d))
-        return;
+    fmb_door *d = open_side(b, side);
     fmb_hint_kind first = ask(b, d, true, t).kind;
     for (int k = 0; k < costs; k++) {
         draw_cost(b, &g);
@@ -408,12 +406,6 @@ Test(door, hints_of_factors_are_proved)
     ask_larger_systems(&fmb_door_side_factors);
 }
 
-Test(door, hints_of_glpk_are_proved)
-{
-    ask_small_systems(&glpk_side);
-    ask_larger_systems(&glpk_side);
-}
-
 /* ---- changes --------------------------------------------------------------------------------- */
 
 typedef void change(bench *b, fmb_door *d, support_rng *g, tally *t);
@@ -421,21 +413,18 @@ typedef void change(bench *b, fmb_door *d, support_rng *g, tally *t);
 /* What changes, on many systems and every side of the door; it opens with so many of 100 rows. */
 static void ask_while(const char *what, change *changes, int share)
 {
-    static const fmb_door_side *const sides[] = {&fmb_door_side_own, &fmb_door_side_factors,
-                                                 &glpk_side};
+    static const fmb_door_side *const sides[] = {&fmb_door_side_own, &fmb_door_side_factors};
     static const support_shape shape = {.dim = 6, .rows = 24};
-    for (int side = 0; side < 3; side++) {
+    for (int side = 0; side < 2; side++) {
         tally t = {0};
         for (uint64_t seed = 0; seed < 120; seed++) {
             support_rng g = {seed};
             bench b;
-            fmb_door *d;
             if (open_bench(&b, (support_family)(seed % SUPPORT_FAMILIES), seed, &shape)) {
                 append_rows(&b, b.part->m * (size_t)share / 100);
-                if (open_side(&b, sides[side], &d)) {
-                    changes(&b, d, &g, &t);
-                    fmb_door_close(d);
-                }
+                fmb_door *d = open_side(&b, sides[side]);
+                changes(&b, d, &g, &t);
+                fmb_door_close(d);
             }
             close_bench(&b);
         }
@@ -506,23 +495,21 @@ Test(door, starts_from_other_bases_and_right_sides)
     ask_while("moved", move_and_ask, 100);
 }
 
-/* Whichever side answers. */
-Test(door, opens_on_either_side)
+/* As the library opens it. */
+Test(door, opens_on_our_own_side)
 {
-    for (int plain = 0; plain < 2; plain++) {
-        tally t = {0};
-        for (uint64_t seed = 0; seed < 20; seed++) {
-            static const support_shape shape = {.dim = 104, .rows = 16};
-            bench b;
-            fmb_door *d;
-            if (open_bench(&b, SUPPORT_PLANTED_POINT, seed, seed ? NULL : &shape)) {
-                append_rows(&b, b.part->m);
-                cr_assert_eq(fmb_door_open(&b.run, &b.p, plain, &d), FMB_OK);
-                ask(&b, d, true, &t);
-                fmb_door_close(d);
-            }
-            close_bench(&b);
+    tally t = {0};
+    for (uint64_t seed = 0; seed < 20; seed++) {
+        static const support_shape shape = {.dim = 104, .rows = 16};
+        bench b;
+        fmb_door *d;
+        if (open_bench(&b, SUPPORT_PLANTED_POINT, seed, seed ? NULL : &shape)) {
+            append_rows(&b, b.part->m);
+            cr_assert_eq(fmb_door_open(&b.run, &b.p, &d), FMB_OK);
+            ask(&b, d, true, &t);
+            fmb_door_close(d);
         }
-        expect_share("either", &t, 0.7);
+        close_bench(&b);
     }
+    expect_share("its own", &t, 0.7);
 }
