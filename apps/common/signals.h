@@ -1,8 +1,13 @@
-/* signals.h: Ctrl-C and a polite kill. */
+/* signals.h: Ctrl-C, a polite kill, a terminal that is closed, processor time that is used up. */
 #ifndef APP_SIGNALS_H
 #define APP_SIGNALS_H
 
-/* What SIGINT and SIGTERM call. A handler is called once: a second signal ends the program, as one
+#include <signal.h>
+
+/* SIGINT, SIGTERM, SIGHUP and SIGXCPU. */
+void app_signals_fill(sigset_t *set);
+
+/* What they call. A handler is called once: a second signal ends the program, as one
  * does with SIG_DFL. Calls of the system go on after it. */
 void app_signals_set(void (*handler)(int));
 

@@ -151,11 +151,10 @@ static void report(const app_session *s, const fmb_box *box)
 static int exit_code(const app_session *s, const fmb_box *box)
 {
     if (!box)
-        return s->result.verdict == FMB_INFEASIBLE ? APP_NO : APP_UNDECIDED;
+        return s->result.verdict == FMB_INFEASIBLE ? APP_NO : app_session_undecided(s, NULL);
     if (is_tight(box))
         return APP_YES;
-    app_session_note(s, "undecided (%s): an outer box", fmb_stop_text(s->result.stop));
-    return APP_UNDECIDED;
+    return app_session_undecided(s, "an outer box");
 }
 
 int cmd_bounds(int argc, char **argv)

@@ -250,6 +250,9 @@ static int meet(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b)
         code = mesh_report(ask, a, b ? b : a, &answer, code);
     if (app_rank() == 0 && ask->marked)
         code = mesh_mark(ask, a, b, &answer, code);
+    if (app_rank() == 0 && code == APP_UNDECIDED && !ask->quiet)
+        fprintf(stderr, "fmb: undecided (%s): cells that meet, perhaps not all\n",
+                fmb_stop_text(answer.stop != FMB_STOP_DONE ? answer.stop : FMB_STOP_CANCELLED));
     forget_answer(ask, &answer);
     return code;
 }

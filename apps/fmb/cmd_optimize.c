@@ -304,12 +304,11 @@ static void report(const app_session *s, const fmb_optimum *o)
 static int exit_code(const app_session *s, const fmb_optimum *o)
 {
     if (!o)
-        return s->result.verdict == FMB_INFEASIBLE ? APP_NO : APP_UNDECIDED;
+        return s->result.verdict == FMB_INFEASIBLE ? APP_NO : app_session_undecided(s, NULL);
     if (is_known(o))
         return s->relaxed && !s->ask->relax ? APP_UNDECIDED : APP_YES;
-    if (fmb_optimum_end(o).kind == FMB_END_OUTER || has_point(s, o))
-        app_session_note(s, "undecided (%s): bounds of the optimum", fmb_stop_text(s->result.stop));
-    return APP_UNDECIDED;
+    bool bounds = fmb_optimum_end(o).kind == FMB_END_OUTER || has_point(s, o);
+    return app_session_undecided(s, bounds ? "bounds of the optimum" : NULL);
 }
 
 int cmd_optimize(int argc, char **argv)

@@ -47,23 +47,27 @@ static void report_json(const app_session *s, const fmb_generators *g)
     app_json_print(obj);
 }
 
+/* That there is no point is the whole answer, whatever was reached; that there is one is none. */
+static bool is_finished(const app_session *s)
+{
+    return s->result.verdict == FMB_INFEASIBLE || s->result.stop == FMB_STOP_DONE;
+}
+
 /* At a limit they are some of all. */
 static int exit_code(const app_session *s, const fmb_generators *g)
 {
-    if (!g || s->result.stop == FMB_STOP_DONE)
+    if (is_finished(s))
         return app_session_verdict_code(s);
-    app_session_note(s, "undecided (%s): vertices and rays, perhaps not all",
-                     fmb_stop_text(s->result.stop));
-    return APP_UNDECIDED;
+    return app_session_undecided(s, g ? "vertices and rays, perhaps not all" : "no vertices");
 }
 
 static int report(const app_session *s, const fmb_generators *g)
 {
     if (s->ask->json)
         report_json(s, g);
-    else if (!g)
+    else if (!g && is_finished(s))
         app_verdict_print(s);
-    else if (app_session_reports(s)) {
+    else if (g && app_session_reports(s)) {
         fmb_status st = fmb_generators_write(g, stdout);
         if (st != FMB_OK && st != FMB_ERR_IO)
             return app_status_error(st);

@@ -55,6 +55,7 @@ typedef struct intersect {
     fmb_solver *solver;
     long before; /* lines in front of those that are read */
     size_t tested, meeting, undecided, within;
+    fmb_stop stop; /* DONE, or a limit that left something open of some pair */
 } intersect;
 
 /* ---- intersect_quick.c ----------------------------------------------------------------------- */

@@ -14,6 +14,7 @@
 
 #include "common/clock.h"
 #include "common/message.h"
+#include "common/signals.h"
 #include "fmb/intersect.h"
 #include "fmb/stop.h"
 
@@ -104,9 +105,7 @@ static void answer_round(crew *c)
     sigset_t held, before;
     size_t n = c->ready < c->most / ROUND ? c->ready : c->most / ROUND, threads = 0;
     atomic_store(&c->next, 0);
-    sigemptyset(&held);
-    sigaddset(&held, SIGINT);
-    sigaddset(&held, SIGTERM);
+    app_signals_fill(&held);
     pthread_sigmask(SIG_BLOCK, &held, &before);
     while (threads + 1 < n &&
            pthread_create(&thread[threads], NULL, answer_portions, &c->member[threads + 1]) == 0)

@@ -65,7 +65,7 @@ static fmb_status find_box(const intersect *x, const fmb_frame_line *line, const
 {
     int *var = app_need(malloc((size_t)(fmb_system_dim(s) + 1) * sizeof *var));
     fmb_box *box = NULL;
-    fmb_result res;
+    fmb_result res = {0};
     list_variables(line, s, out, var);
     int n = out->dim + out->inside + out->moves;
     out->interval = app_need(calloc((size_t)n, sizeof *out->interval));
@@ -78,6 +78,7 @@ static fmb_status find_box(const intersect *x, const fmb_frame_line *line, const
         to->lower = box ? end_text(x, box, i, FMB_LOWER) : NULL;
         to->upper = box ? end_text(x, box, i, FMB_UPPER) : NULL;
     }
+    out->stop = res.stop;
     fmb_box_free(box);
     free(var);
     return st;

@@ -207,6 +207,17 @@ static void drop(meeting *m)
     *m = (meeting){0};
 }
 
+/* The limit that left something of the pair open: its verdict, an end, or what is near. */
+static fmb_stop stop_of(const meeting *m)
+{
+    if (m->verdict == FMB_UNKNOWN)
+        return m->stop;
+    for (int i = 0; m->interval && i < m->dim + m->inside + m->moves; i++)
+        if (m->interval[i].outer)
+            return m->stop;
+    return m->near.stop;
+}
+
 void report_pair(intersect *x, meeting *m)
 {
     if (x->ask->json)
@@ -214,6 +225,8 @@ void report_pair(intersect *x, meeting *m)
     else
         print_text(x, m);
     x->tested++;
+    if (x->stop == FMB_STOP_DONE)
+        x->stop = stop_of(m);
     x->meeting += m->verdict == FMB_FEASIBLE;
     x->undecided += m->verdict == FMB_UNKNOWN;
     x->within += m->near.is_within;

@@ -59,9 +59,13 @@ static int answer_stream(stream *s, intersect *x, FILE *in)
 
 static int exit_code(const intersect *x)
 {
-    if (app_stop_asked())
-        return APP_UNDECIDED;
-    return x->meeting + x->within > 0 ? APP_YES : x->undecided > 0 ? APP_UNDECIDED : APP_NO;
+    fmb_stop stop = app_stop_asked() ? FMB_STOP_CANCELLED : x->stop;
+    if (stop == FMB_STOP_DONE)
+        return x->meeting + x->within > 0 ? APP_YES : APP_NO;
+    if (!x->ask->quiet)
+        fprintf(stderr, "fmb: undecided (%s): %zu pairs tested, not all to the end\n",
+                fmb_stop_text(stop), x->tested);
+    return APP_UNDECIDED;
 }
 
 int intersect_stream(const intersect_ask *ask, FILE *in)

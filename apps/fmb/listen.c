@@ -8,15 +8,14 @@
 #include <sys/types.h>
 #include <unistd.h>
 
+#include "common/signals.h"
 #include "fmb/stop.h"
 
 /* Until there is input, its end, or a signal. */
 static void wait_for(struct pollfd *p)
 {
     sigset_t held, before;
-    sigemptyset(&held);
-    sigaddset(&held, SIGINT);
-    sigaddset(&held, SIGTERM);
+    app_signals_fill(&held);
     sigprocmask(SIG_BLOCK, &held, &before);
     if (!app_stop_asked())
         ppoll(p, 1, NULL, &before);

@@ -160,7 +160,7 @@ int app_session_verdict_code(const app_session *s)
     case FMB_UNKNOWN:
         break;
     }
-    return APP_UNDECIDED;
+    return app_session_undecided(s, NULL);
 }
 
 void app_session_note(const app_session *s, const char *format, ...)
@@ -173,6 +173,13 @@ void app_session_note(const app_session *s, const char *format, ...)
     vfprintf(stderr, format, args);
     fputc('\n', stderr);
     va_end(args);
+}
+
+int app_session_undecided(const app_session *s, const char *what)
+{
+    app_session_note(s, "undecided (%s)%s%s", fmb_stop_text(s->result.stop), what ? ": " : "",
+                     what ? what : "");
+    return APP_UNDECIDED;
 }
 
 /* Errors of the stream stay in it until it is closed. */

@@ -38,8 +38,11 @@ int app_session_end(app_session *s, fmb_status st);
 
 /* Should the report go to standard output? Not if the proof takes its place. */
 bool app_session_reports(const app_session *s);
-/* The exit code for the verdict. */
+/* The exit code for the verdict, and a word if there is none. */
 int app_session_verdict_code(const app_session *s);
+/* An answer that a limit cut short is APP_UNDECIDED: a line on standard error says why, and with
+ * `what` (or NULL), what there is instead. */
+int app_session_undecided(const app_session *s, const char *what);
 /* A line on standard error unless --quiet. */
 void app_session_note(const app_session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));

@@ -74,9 +74,7 @@ static int exit_code(const app_session *s, const fmb_system *shadow)
 {
     if (s->result.stop == FMB_STOP_DONE)
         return app_session_verdict_code(s);
-    app_session_note(s, "undecided (%s)%s", fmb_stop_text(s->result.stop),
-                     shadow ? ": an outer projection" : "");
-    return APP_UNDECIDED;
+    return app_session_undecided(s, shadow ? "an outer projection" : NULL);
 }
 
 int app_shadow_report(const app_session *s, const fmb_system *shadow, fmb_format to)

@@ -4,6 +4,7 @@
  * away waits until no handler is at work that could have seen it. The handler never waits. */
 #include "fmb/stop.h"
 
+#include <errno.h>
 #include <signal.h>
 #include <stdatomic.h>
 
@@ -22,6 +23,7 @@ static atomic_int handlers_at_work;
 
 static void cancel(int signal_number)
 {
+    int before = errno; /* of the call that the signal came in */
     (void)signal_number;
     asked_to_stop = 1;
     atomic_fetch_add(&handlers_at_work, 1);
@@ -31,6 +33,7 @@ static void cancel(int signal_number)
         fmb_frame_reader_cancel(of_thread[i].reader);
     }
     atomic_fetch_sub(&handlers_at_work, 1);
+    errno = before;
 }
 
 static void wait_for_handlers(void)

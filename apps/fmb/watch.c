@@ -2,6 +2,7 @@
  * running stands there. */
 #include "fmb/watch.h"
 
+#include <errno.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -16,10 +17,12 @@ static const double interval = 0.15; /* between two updates [s] */
 
 static void cancel(int signal_number)
 {
+    int before = errno;
     (void)signal_number;
     asked_to_stop = 1;
     if (running)
         fmb_solver_cancel(running);
+    errno = before;
 }
 
 /* Overwrites the line that is there, with spaces behind it if it was longer. */

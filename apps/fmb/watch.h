@@ -14,8 +14,8 @@ typedef struct app_watch {
     int round;
 } app_watch;
 
-/* From here to app_watch_end SIGINT and SIGTERM cancel the solver's query; a second one ends the
- * process. One watch at a time. */
+/* From here to app_watch_end SIGINT and its like (signals.h) cancel the solver's query; a second
+ * one ends the process. One watch at a time. */
 void app_watch_begin(app_watch *w, fmb_solver *solver, fmb_sink trace, bool quiet);
 void app_watch_end(app_watch *w);
 

@@ -165,14 +165,14 @@ class Interruption(unittest.TestCase):
             return p.returncode, out, err
 
     def test_interrupt_and_terminate(self):
-        for number in (signal.SIGINT, signal.SIGTERM):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGXCPU):
             code, out, err = self.stop(number, "solve", "--json")
-            self.assertEqual((code, err), (2, b""))
+            self.assertEqual((code, err), (2, b"fmb: undecided (cancelled)\n"))
             answer = json.loads(out)
             self.assertEqual((answer["verdict"], answer["stop"]), ("unknown", "cancelled"))
 
     def test_interrupt_text(self):
-        self.assertEqual(self.stop(signal.SIGINT, "solve"), (2, b"unknown (cancelled)\n", b""))
+        self.assertEqual(self.stop(signal.SIGINT, "solve"), (2, b"unknown (cancelled)\n", b"fmb: undecided (cancelled)\n"))
 
     def test_limits(self):
         for option, value, stop in (("--max-seconds", "0.5", "time"), ("--max-rows", "200", "rows"),
@@ -351,7 +351,8 @@ class Waiting(unittest.TestCase):
                     p.send_signal(number)
                     self.assertEqual(p.wait(timeout=10), 2)
                     self.assertEqual((p.stdout.read(), p.stderr.read()),
-                                     (b"2 tested: 2 meet, 0 apart, 0 undecided\n", b""))
+                                     (b"2 tested: 2 meet, 0 apart, 0 undecided\n",
+                                      b"fmb: undecided (cancelled): 2 pairs tested, not all to the end\n"))
 
 
 class Instructions(unittest.TestCase):
