@@ -108,7 +108,7 @@ typedef struct wanted {
 static fmb_status read_wanted(FILE *in, const fmb_reader *how, const wanted *w, fmb_where *where)
 {
     if (w->map_over)
-        return fmb_graph_read(in, how, w->map_over, w->system, where);
+        return fmb_system_read_graph(in, how, w->map_over, w->system, where);
     if (w->generators)
         return fmb_polyhedron_read(in, how, w->system, w->generators, where);
     return fmb_system_read(in, how, w->system, where);

@@ -9,6 +9,7 @@
 #include <fmb/io.h>
 
 #include "common/need.h"
+#include "io/core/utf8.h"
 
 static bool is_hex_digit(char byte)
 {

@@ -1,21 +1,18 @@
-/* fmb/fmb.h: everything but the exact values (<fmb/gmp.h>).
+/* fmb/fmb.h: systems of linear inequalities, and the questions about them.
  *
  *   text -> fmb_system -> fmb_solver -> fmb_result + fmb_evidence -> fmb_check
+ *
+ * Frames, pairs of them and meshes: <fmb/geometry.h>. Exact values in GMP's types: <fmb/gmp.h>.
  */
 #ifndef FMB_FMB_H
 #define FMB_FMB_H
 
 #include <fmb/base.h>
-#include <fmb/frame.h>
-#include <fmb/frames.h>
 #include <fmb/generators.h>
 #include <fmb/io.h>
 #include <fmb/lift.h>
-#include <fmb/mesh.h>
 #include <fmb/options.h>
-#include <fmb/pair.h>
 #include <fmb/proof.h>
-#include <fmb/proximity.h>
 #include <fmb/rule.h>
 #include <fmb/session.h>
 #include <fmb/solve.h>

@@ -62,13 +62,6 @@ FMB_API FMB_CHECKED fmb_status fmb_system_parse(const char *text, size_t size,
 FMB_API FMB_CHECKED fmb_status fmb_system_parse_objective(fmb_system *s, fmb_sense sense,
                                                           const char *text, size_t size,
                                                           fmb_where *where);
-/* Bytes of the UTF-8 character at text, of which left bytes are there: shortest forms only, no
- * surrogates, at most U+10FFFF (Unicode Standard 15, table 3-7); 0 if there is none. The second
- * gives 0 for control characters, too (C0, DEL, C1), and for those that reorder a text or are not
- * seen in it (U+202E, U+200B, U+FEFF): names and labels may hold any bytes, and a terminal must not
- * obey them, nor a reader be misled. */
-FMB_API size_t fmb_utf8_length(const char *text, size_t left);
-FMB_API size_t fmb_utf8_printable(const char *text, size_t left);
 
 /* Write s so that reading it back gives the same rows in the same order; in MPS and LP, which know
  * decimals only, times a number where a row has others, and with names that these can spell.

@@ -63,11 +63,12 @@ FMB_API FMB_CHECKED fmb_status fmb_lift_generators(const fmb_generators *g, cons
  * for each variable of the answer, where FORM is a form as in .fmb files, over the names of the
  * variables that s keeps. NAME may be one of these as well. Errors: PARSE (malformed, no such
  * variable, a name twice, no line; *where is filled, if not NULL), IO, MEMORY, ARG. */
-FMB_API FMB_CHECKED fmb_status fmb_graph_read(FILE *in, const fmb_reader *how, const fmb_system *s,
-                                              fmb_system **out, fmb_where *where);
-FMB_API FMB_CHECKED fmb_status fmb_graph_parse(const char *text, size_t size, const fmb_reader *how,
-                                               const fmb_system *s, fmb_system **out,
-                                               fmb_where *where);
+FMB_API FMB_CHECKED fmb_status fmb_system_read_graph(FILE *in, const fmb_reader *how,
+                                                     const fmb_system *s, fmb_system **out,
+                                                     fmb_where *where);
+FMB_API FMB_CHECKED fmb_status fmb_system_parse_graph(const char *text, size_t size,
+                                                      const fmb_reader *how, const fmb_system *s,
+                                                      fmb_system **out, fmb_where *where);
 
 /* [give] A polyhedron in either way: *g if the text has a line "V-representation" and how->format
  * is AUTO or INE, else *s; the other becomes NULL. Errors: as of fmb_system_read. */

@@ -15,7 +15,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     fmb_where where;
     if (fmb_system_parse(TEXT, sizeof TEXT - 1, NULL, &s, NULL) != FMB_OK)
         abort();
-    fmb_status st = fmb_graph_parse((const char *)data, size, NULL, s, &graph, &where);
+    fmb_status st = fmb_system_parse_graph((const char *)data, size, NULL, s, &graph, &where);
     if (st != FMB_OK && (graph || where.line < 0 || where.text[0] == '\0'))
         abort();
     mpq_t q;

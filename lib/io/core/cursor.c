@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "io/core/cursor.h"
+#include "io/core/utf8.h"
 
 /* Digits that any text may grow by, and more for each byte of it. */
 #define BUDGET_BASE     30000000

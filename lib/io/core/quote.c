@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "io/core/chars.h"
+#include "io/core/utf8.h"
 
 /* One byte of a quoted text, after a backslash. */
 static fmb_status scan_name_escape(fmb_cursor *c, char *out)

@@ -1,5 +1,8 @@
-/* utf8.c: characters of a text; see fmb/io.h. */
-#include <fmb/io.h>
+/* utf8.c: characters of a text; see utf8.h. */
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "io/core/utf8.h"
 
 size_t fmb_utf8_length(const char *text, size_t left)
 {

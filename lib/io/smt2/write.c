@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "io/core/chars.h"
+#include "io/core/utf8.h"
 #include "io/smt2/term.h"
 #include "system/names.h"
 #include "system/system_private.h"

@@ -129,8 +129,8 @@ static fmb_status parse_map(fmb_cursor *c, const fmb_system *s, fmb_system **out
     return st;
 }
 
-fmb_status fmb_graph_parse(const char *text, size_t size, const fmb_reader *how,
-                           const fmb_system *s, fmb_system **out, fmb_where *where)
+fmb_status fmb_system_parse_graph(const char *text, size_t size, const fmb_reader *how,
+                                  const fmb_system *s, fmb_system **out, fmb_where *where)
 {
     static const fmb_reader plain = {.format = FMB_FORMAT_AUTO};
     fmb_where at = {0};
@@ -158,11 +158,11 @@ static fmb_status parse_map_text(const char *text, size_t size, const fmb_reader
                                  fmb_where *where)
 {
     const map_text *m = self;
-    return fmb_graph_parse(text, size, how, m->s, m->out, where);
+    return fmb_system_parse_graph(text, size, how, m->s, m->out, where);
 }
 
-fmb_status fmb_graph_read(FILE *in, const fmb_reader *how, const fmb_system *s, fmb_system **out,
-                          fmb_where *where)
+fmb_status fmb_system_read_graph(FILE *in, const fmb_reader *how, const fmb_system *s,
+                                 fmb_system **out, fmb_where *where)
 {
     return s && out ? fmb_parse_stream(in, how, parse_map_text, &(map_text){s, out}, where)
                     : fmb_io_refuse_argument(where, "s or out is NULL");

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "io/core/chars.h"
+#include "io/core/utf8.h"
 #include "io/text/text.h"
 
 static bool is_name_letter(int b)

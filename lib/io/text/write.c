@@ -1,6 +1,7 @@
 /* write.c: a system in the .fmb format: a vars line, what is asked for, then the rows. */
 #include <string.h>
 
+#include "io/core/utf8.h"
 #include "io/text/text.h"
 
 static void write_text_name(const char *name, FILE *out)

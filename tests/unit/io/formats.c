@@ -5,6 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "io/core/utf8.h"
 #include "parse.h"
 
 Test(formats, names)

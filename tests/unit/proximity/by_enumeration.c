@@ -8,6 +8,7 @@
 #include <stdlib.h>
 
 #include <fmb/fmb.h>
+#include <fmb/geometry.h>
 #include <fmb/gmp.h>
 
 #include "enumerate.h"

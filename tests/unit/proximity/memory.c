@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include <fmb/fmb.h>
+#include <fmb/geometry.h>
 
 #include "bodies.h"
 #include "fault/hook.h"

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include <fmb/fmb.h>
+#include <fmb/geometry.h>
 #include <fmb/gmp.h>
 
 #include "../frame/meet.h"

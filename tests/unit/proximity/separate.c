@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include <fmb/fmb.h>
+#include <fmb/geometry.h>
 #include <fmb/gmp.h>
 
 #include "bodies.h"

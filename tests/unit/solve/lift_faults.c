@@ -22,7 +22,7 @@ static fmb_status ask_image(fmb_solver *v, const fmb_system *const *s, fmb_syste
     static const char MAP[] = "u = x1 + 1/3 x2\nx1 = x2 - 2\n";
     fmb_system *graph = NULL;
     fmb_where where;
-    must(fmb_graph_parse(MAP, sizeof MAP - 1, NULL, s[0], &graph, &where));
+    must(fmb_system_parse_graph(MAP, sizeof MAP - 1, NULL, s[0], &graph, &where));
     fmb_status st = fmb_image(v, s[0], graph, lift, out, r);
     fmb_system_free(graph);
     return st;
@@ -195,7 +195,7 @@ Test(lift_faults, a_map_in_place)
     fmb_system *s = some_system(), *graph = NULL;
     fmb_where where;
     mpq_t q;
-    must(fmb_graph_parse(MAP, sizeof MAP - 1, NULL, s, &graph, &where));
+    must(fmb_system_parse_graph(MAP, sizeof MAP - 1, NULL, s, &graph, &where));
     cr_assert(fmb_system_dim(graph) == 4 && fmb_system_rows(graph) == 2);
     cr_expect_str_eq(fmb_system_name(graph, 2), "x");
     cr_expect_str_eq(fmb_system_name(graph, 3), "x'");
@@ -232,18 +232,19 @@ Test(lift_faults, bad_maps_are_told_where)
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         fmb_system *graph = mark;
         fmb_where where = {0};
-        cr_expect_eq(fmb_graph_parse(bad[i].text, strlen(bad[i].text), NULL, s, &graph, &where),
-                     FMB_ERR_PARSE);
+        cr_expect_eq(
+            fmb_system_parse_graph(bad[i].text, strlen(bad[i].text), NULL, s, &graph, &where),
+            FMB_ERR_PARSE);
         cr_expect(graph == mark && where.line == bad[i].line && where.column == bad[i].column,
                   "%zu: %ld:%ld", i, where.line, where.column);
         cr_expect_str_eq(where.text, bad[i].says);
     }
     fmb_system *graph = NULL;
     const fmb_reader tight = {.max_bytes = 3};
-    cr_expect_eq(fmb_graph_parse("u = x", 5, &tight, s, &graph, NULL), FMB_ERR_PARSE);
-    cr_expect_eq(fmb_graph_parse("u = x", 5, NULL, NULL, &graph, NULL), FMB_ERR_ARG);
-    cr_expect_eq(fmb_graph_parse(NULL, 5, NULL, s, &graph, NULL), FMB_ERR_ARG);
-    cr_expect_eq(fmb_graph_read(NULL, NULL, s, &graph, NULL), FMB_ERR_ARG);
+    cr_expect_eq(fmb_system_parse_graph("u = x", 5, &tight, s, &graph, NULL), FMB_ERR_PARSE);
+    cr_expect_eq(fmb_system_parse_graph("u = x", 5, NULL, NULL, &graph, NULL), FMB_ERR_ARG);
+    cr_expect_eq(fmb_system_parse_graph(NULL, 5, NULL, s, &graph, NULL), FMB_ERR_ARG);
+    cr_expect_eq(fmb_system_read_graph(NULL, NULL, s, &graph, NULL), FMB_ERR_ARG);
     fmb_system_free(s);
 }
 
@@ -257,7 +258,7 @@ Test(lift_faults, maps_without_memory)
     for (size_t k = 1; st == FMB_ERR_MEMORY; k++) {
         fmb_system *graph = NULL;
         hook_arm(&h, k, false);
-        st = fmb_graph_parse("x = x + 1\ny = 2/3x", 18, &how, s, &graph, NULL);
+        st = fmb_system_parse_graph("x = x + 1\ny = 2/3x", 18, &how, s, &graph, NULL);
         hook_calm(&h);
         fmb_system_free(graph);
         cr_assert_eq(h.live, 0, "request %zu", k);
@@ -286,7 +287,7 @@ Test(lift_faults, a_polyhedron_is_read_either_way)
     cr_expect(!g && fmb_system_dim(s) == 2);
     rewind(file);
     fmb_system *graph = NULL;
-    must(fmb_graph_read(file, NULL, s, &graph, &where));
+    must(fmb_system_read_graph(file, NULL, s, &graph, &where));
     cr_expect_eq(fmb_system_dim(graph), 3);
     fclose(file);
     fmb_system_free(graph);
