@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "io/core/export.h"
+#include "io/core/utf8.h"
 #include "io/lp/token.h"
 
 /* Terms of a line. */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "io/core/export.h"
+#include "io/core/utf8.h"
 
 /* One word, not a number, nor what begins a comment or names a marker. */
 static bool spells_mps(const char *name)
