@@ -29,6 +29,8 @@
 #define NO_MULTIPLIER 1e-11
 /* A bound of doubles that were added up, all of one sign, is made safe by this. */
 #define SAFE 1.01
+/* Less than this is not told from what underflowed. */
+#define LEAST 0x1p-1000
 
 typedef struct refuter {
     const fmb_vertex *v;
@@ -404,11 +406,12 @@ static bool find_common_sign(const refuter *t, double error, int *sign, bool *di
     return known && !*differ;
 }
 
-/* The sign of b_odd - sum_r y_r b_r, 0 if it is not known. */
+/* The sign of b_odd - sum_r y_r b_r, 0 if it is not known. Right sides that underflow are less than
+ * the first size; what that, or the rest, is off by is less than the least that is believed. */
 static int find_sign_of_remainder(refuter *t, double error)
 {
     mpz_ptr sum = t->left.z[0];
-    double size = 0;
+    double size = (double)t->size * 0x1p-1074;
     int e;
     mpz_set_ui(sum, 0);
     for (size_t s = 0; s < t->size; s++) {
@@ -421,7 +424,7 @@ static int find_sign_of_remainder(refuter *t, double error)
     take_odd_multiplier(t);
     subtract_coefficient(t, t->odd, t->v->p->row[t->odd].size, sum);
     double rest = in_units(sum, t->places + t->unit);
-    return fabs(rest) > SAFE * SAFE * error * size ? mpz_sgn(sum) : 0;
+    return fabs(rest) > SAFE * SAFE * error * size + LEAST ? mpz_sgn(sum) : 0;
 }
 
 /* Multipliers of inequalities have to be of the sign opposite to *sign, and the remainder, too. */

@@ -174,18 +174,20 @@ double fmb_vertex_slack(fmb_vertex *v, size_t i)
 
 /* The slack of row i in doubles. *sure: its sign is right. Each x, coefficient and product is off
  * by a factor within 1 +- 2^-51, the x being quotients of truncated numbers; sums of up to size + 1
- * terms add size + 1 roundings: together less than (size + 8) 2^-50 of the sum of all sizes. What
- * underflows is below the least that is believed. */
+ * terms add size + 1 roundings: together less than (size + 8) 2^-50 of the sum of all sizes. An x
+ * that underflows is off by 2^-1075 times 1 + 2^-51 besides, which its coefficient enlarges; a
+ * product that does, by 2^-1075: both are doubled. */
 static double rough_slack(const fmb_program *p, size_t i, const double *roughly, bool *sure)
 {
     const fmb_program_row *row = &p->row[i];
-    double slack = fmb_program_double(p, i, row->size), all = fabs(slack);
+    double slack = fmb_program_double(p, i, row->size), all = fabs(slack), weight = 1;
     for (size_t k = 0; k < row->size; k++) {
-        double t = fmb_program_double(p, i, k) * roughly[row->column[k]];
+        double a = fmb_program_double(p, i, k), t = a * roughly[row->column[k]];
         slack -= t;
         all += fabs(t);
+        weight += 1 + fabs(a);
     }
-    double error = all * (double)(row->size + 8) * 0x1p-50 + 1e-280;
+    double error = all * (double)(row->size + 8) * 0x1p-50 + weight * 0x1p-1073;
     *sure = all < 1e300 && fabs(slack) > error;
     return slack;
 }

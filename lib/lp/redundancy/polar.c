@@ -146,8 +146,9 @@ static int places_needed(const fmb_centre *c)
     return places;
 }
 
-/* x / 2^shift = the centre, rounded. Column k counts 2^exponent[k], so its x as much less. */
-static void round_centre(fmb_polar *p, const fmb_centre *c)
+/* x / 2^shift = the centre, rounded. Column k counts 2^exponent[k], so its x as much less. False
+ * if that is beyond doubles. */
+static bool round_centre(fmb_polar *p, const fmb_centre *c)
 {
     int places = places_needed(c);
     p->shift = 0;
@@ -156,9 +157,13 @@ static void round_centre(fmb_polar *p, const fmb_centre *c)
             p->shift = places + p->exponent[k];
     for (size_t k = 0; k < p->d; k++) {
         int more = p->shift - places - p->exponent[k];
-        mpz_set_d(p->x[k], nearbyint(ldexp(c->x[k], places)));
+        double whole = nearbyint(ldexp(c->x[k], places));
+        if (!isfinite(whole))
+            return false;
+        mpz_set_d(p->x[k], whole);
         mpz_mul_2exp(p->x[k], p->x[k], (mp_bitcnt_t)more);
     }
+    return true;
 }
 
 void fmb_polar_slack(const fmb_polar *p, size_t i, mpz_t slack, mpz_t t)
@@ -174,35 +179,38 @@ void fmb_polar_slack(const fmb_polar *p, size_t i, mpz_t slack, mpz_t t)
     }
 }
 
-/* 2^shift / slack of row i, to two roundings; 0 where the point is not strictly inside of it. */
-static double inverse_slack(const fmb_polar *p, size_t i, mpz_t slack, mpz_t t)
+/* 2^(shift + more) / slack of row i, to two roundings if it is a normal number; 0 where the point
+ * is not strictly inside of it. */
+static double inverse_slack(const fmb_polar *p, size_t i, int more, mpz_t slack, mpz_t t)
 {
     long bits;
     fmb_polar_slack(p, i, slack, t);
     if (mpz_sgn(slack) <= 0)
         return 0;
     double head = mpz_get_d_2exp(&bits, slack);
-    return ldexp(1 / head, p->shift - (int)bits);
+    return ldexp(1 / head, p->shift + more - (int)bits);
 }
 
-/* The polar points, by row; false where the point is not strictly inside, or numbers are too large.
- */
+/* The polar points, by row; false where the point is not strictly inside, or numbers are too large
+ * or too small: then no entry of a row that is not 0 is taken for 0, and what underflows in an
+ * entry is less than 2^-594 of the length, which itself is rounded like a sum. */
 static bool see_rows(fmb_polar *p)
 {
     bool inside = true;
     mpz_t slack, t;
     mpz_inits(slack, t, NULL);
     for (size_t i = 0; inside && i < p->m; i++) {
-        double square = 0, inverse = inverse_slack(p, i, slack, t);
         int bits = coefficient_bits(p, i);
+        double square = 0, inverse = inverse_slack(p, i, bits, slack, t);
         for (size_t k = 0; k < p->d; k++) {
             double a = scaled_entry(p->row[i].v, p->column[k], bits);
-            a = ldexp(ldexp(a, -p->exponent[k]) * inverse, bits);
+            inside &= a != 0 || fmb_vec_sgn(p->row[i].v, p->column[k]) == 0;
+            a = ldexp(a, -p->exponent[k]) * inverse;
             p->sight[k * p->m + i] = a;
             square += a * a;
         }
         p->size[i] = sqrt(square);
-        inside = inverse > 0 && square < 1e300;
+        inside &= isnormal(inverse) && square > 0x1p-960 && square < 1e300;
     }
     mpz_clears(slack, t, NULL);
     return inside;
@@ -231,8 +239,7 @@ static fmb_status look_from_centre(fmb_polar *p, fmb_run *run, fmb_centre *c, bo
     st = fmb_centre_find(c, run, inside);
     if (st != FMB_OK || !*inside)
         return st;
-    round_centre(p, c);
-    *inside = see_rows(p);
+    *inside = round_centre(p, c) && see_rows(p);
     for (size_t j = 0; j < p->d; j++)
         for (size_t k = 0; k <= j; k++)
             p->half[j * p->d + k] = c->half[j * (c->n + 1) + k];

@@ -60,7 +60,7 @@ static void turn_to_scaled_columns(fmb_ray *r, const double *way)
 }
 
 /* Round the direction to so many bits; way / 2^unit is the same, exactly, in columns as they are.
- * False if it is 0. */
+ * False if it is 0, or so large or small that rates might overflow or underflow. */
 static bool round_direction(fmb_ray *r, int bits)
 {
     const fmb_polar *p = r->p;
@@ -68,7 +68,7 @@ static bool round_direction(fmb_ray *r, int bits)
     int top, least = 0;
     for (size_t k = 0; k < p->d; k++)
         most = fmax(most, fabs(r->scaled[k]));
-    if (!(most > 0 && most < HUGE_VAL))
+    if (!(most > 0x1p-400 && most < 0x1p400))
         return false;
     frexp(most, &top);
     for (size_t k = 0; k < p->d; k++) /* column k counts 2^exponent, so its way as much less */
@@ -274,7 +274,8 @@ size_t fmb_ray_shoot(fmb_ray *r, const double *way, bool roughly)
     r->hit = shoot_rounded(r, &tie);
     for (int k = 0; k < 3 && tie; k++) {
         turn_aside(r, way, &h);
-        round_direction(r, roughly ? 2 * FEW_BITS : MOST_BITS);
+        if (!round_direction(r, roughly ? 2 * FEW_BITS : MOST_BITS))
+            return SIZE_MAX;
         r->hit = shoot_rounded(r, &tie);
     }
     return r->hit;
@@ -283,14 +284,15 @@ size_t fmb_ray_shoot(fmb_ray *r, const double *way, bool roughly)
 /* ---- points beyond ----------------------------------------------------------------------------
  */
 
-/* When the next row is met, or a little before; false if none is. */
+/* When the next row is met, or a little before; false if none is. Rates that are less than 2^-1000
+ * are rounding errors. */
 static bool next_time(const fmb_ray *r, mpq_t next)
 {
     bool any = r->rest > 0;
     mpq_t time;
     mpq_init(time);
     if (any)
-        mpq_set_d(next, (1 - 0x1p-50) / r->rest);
+        mpq_set_d(next, (1 - 0x1p-50) / larger_of(r->rest, 0x1p-1000));
     for (size_t k = 0; k < r->tries; k++) {
         if (r->tried[k] == r->hit || !exact_time(r, r->tried[k], time))
             continue;
