@@ -2,11 +2,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/threads.h"
 #include "mesh/tree_walk.h"
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 /* ---- the order of hits ----------------------------------------------------------------------- */
 
@@ -57,41 +54,34 @@ static void end_part(fmb_tree_walk *x, fmb_status st)
         atomic_store(&x->plan->stopped, 1);
 }
 
-static int this_thread(void)
+/* What is asked of each thread's walk. */
+typedef struct walks {
+    const fmb_walk_part *part; /* NULL: rows of pairs */
+    size_t from;               /* the first of these */
+    fmb_tree_walk *walk;       /* [threads] */
+} walks;
+
+static void walk_one(void *self, size_t k, size_t thread)
 {
-#ifdef _OPENMP
-    return omp_get_thread_num();
-#else
-    return 0;
-#endif
+    const walks *w = self;
+    fmb_tree_walk *x = &w->walk[thread];
+    if (x->st == FMB_OK)
+        end_part(x, w->part ? fmb_walk_part_of_trees(x, &w->part[k])
+                            : fmb_walk_row_of_pairs(x, (uint32_t)(w->from + k)));
 }
 
-static void walk_all_parts(fmb_walk_plan *plan, fmb_tree_walk *walk, int threads)
+static fmb_status walk_all(fmb_walk_plan *plan, fmb_mem *mem, fmb_tree_walk *walk, int threads)
 {
     fmb_walk_part part[FMB_WALK_MOST_PARTS];
-    int parts = fmb_walk_parts(plan, part);
-    (void)threads;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-#endif
-    for (int k = 0; k < parts; k++) {
-        fmb_tree_walk *x = &walk[this_thread()];
-        if (x->st == FMB_OK)
-            end_part(x, fmb_walk_part_of_trees(x, &part[k]));
-    }
-}
-
-static void walk_all_rows(fmb_walk_plan *plan, fmb_tree_walk *walk, int threads)
-{
-    (void)threads;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-#endif
-    for (size_t row = plan->from; row < plan->to; row++) {
-        fmb_tree_walk *x = &walk[this_thread()];
-        if (x->st == FMB_OK)
-            end_part(x, fmb_walk_row_of_pairs(x, (uint32_t)row));
-    }
+    bool by_rows = plan->to > plan->from;
+    size_t jobs = by_rows ? plan->to - plan->from : (size_t)fmb_walk_parts(plan, part);
+    walks w = {by_rows ? NULL : part, plan->from, walk};
+    fmb_threads running;
+    fmb_status st = fmb_threads_open(&running, mem, (size_t)threads);
+    if (st == FMB_OK)
+        fmb_threads_do(&running, jobs, walk_one, &w);
+    fmb_threads_close(&running);
+    return st;
 }
 
 /* All hits go to the first one's. */
@@ -144,12 +134,7 @@ static void close_walks(fmb_tree_walk *walk, int threads)
 
 static int count_threads(const fmb_mesh_options *o)
 {
-#ifdef _OPENMP
     return o->threads < 1 ? 1 : o->threads > MOST_THREADS ? MOST_THREADS : (int)o->threads;
-#else
-    (void)o;
-    return 1;
-#endif
 }
 
 static fmb_status meet_by_threads(fmb_walk_plan *plan, fmb_mem *mem, fmb_mesh_answer *out)
@@ -159,10 +144,8 @@ static fmb_status meet_by_threads(fmb_walk_plan *plan, fmb_mem *mem, fmb_mesh_an
     if (!walk)
         return fmb_mem_status(mem);
     fmb_status st = open_walks(plan, walk, threads);
-    if (st == FMB_OK && plan->to > plan->from)
-        walk_all_rows(plan, walk, threads);
-    else if (st == FMB_OK && plan->a->cells > 0 && plan->b->cells > 0)
-        walk_all_parts(plan, walk, threads);
+    if (st == FMB_OK && plan->a->cells > 0 && plan->b->cells > 0)
+        st = walk_all(plan, mem, walk, threads);
     if (st == FMB_OK)
         st = join_walks(plan, walk, threads);
     if (st == FMB_OK) {

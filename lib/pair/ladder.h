@@ -8,6 +8,7 @@
 #define FMB_PAIR_LADDER_H
 
 #include "base/mem.h"
+#include "base/threads.h"
 #include "frame/frame_private.h"
 #include "pair/block.h"
 #include "pair/exact.h"
@@ -28,8 +29,9 @@ struct fmb_pair {
     fmb_general *general;
     fmb_pair_oracle oracle;
     fmb_pair_counts counts;
-    fmb_pair **crew; /* [threads - 1] one for each other thread, of sets of frames; or NULL */
-    int threads;     /* at least 1 */
+    fmb_pair **crew;     /* [threads - 1] one for each other thread, of sets of frames; or NULL */
+    int threads;         /* at least 1 */
+    fmb_threads running; /* since the first query for them */
     char trouble[FMB_FRAME_FAULT_SIZE + 40]; /* why the last call returned FMB_ERR_ARG */
     uint64_t waiting;                        /* the blocks that are not empty */
     fmb_flat_kind flat;                      /* what waits in the last block */

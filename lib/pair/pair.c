@@ -17,12 +17,7 @@ enum { MOST_THREADS = 64 };
 
 static int count_threads_of_pairs(const fmb_pair_options *o)
 {
-#ifdef _OPENMP
     return o->threads < 1 ? 1 : o->threads > MOST_THREADS ? MOST_THREADS : (int)o->threads;
-#else
-    (void)o;
-    return 1;
-#endif
 }
 
 /* The others that work for k: each has all of k's options but threads. */
@@ -43,6 +38,7 @@ static fmb_status hire_crew(fmb_pair *k, const fmb_alloc *hook)
 
 static void dismiss_crew(fmb_pair *k)
 {
+    fmb_threads_close(&k->running);
     for (int i = 0; k->crew && i < k->threads - 1; i++)
         fmb_pair_free(k->crew[i]);
     fmb_mem_put(&k->mem, k->crew, (size_t)k->threads - 1, sizeof *k->crew);

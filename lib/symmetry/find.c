@@ -10,7 +10,7 @@
  */
 #include "symmetry/group.h"
 
-#ifndef FMB_HAVE_NAUTY
+#ifndef FMB_NAUTY
 
 fmb_status fmb_symmetry_find(fmb_run *run, const fmb_program *p, const bool *keeps, fmb_group *out)
 {
@@ -21,6 +21,8 @@ fmb_status fmb_symmetry_find(fmb_run *run, const fmb_program *p, const bool *kee
 
 #else
 
+#include <dlfcn.h>
+#include <pthread.h>
 #include <stdlib.h>
 
 #include <traces.h>
@@ -174,6 +176,41 @@ static void label_by_colour(drawing *d)
     }
 }
 
+/* ---- nauty ----------------------------------------------------------------------------------- */
+
+/* What is called of nauty, which is loaded when symmetries are first looked for, and stays; so only
+ * those who look for some need it. FMB_NAUTY is the soname of the library that these headers are
+ * of. */
+static struct {
+    __typeof__(&Traces) find;
+    __typeof__(&ran_init) seed;
+    __typeof__(&freeschreier) free_generators;
+    __typeof__(&schreier_freedyn) free_schreier;
+    __typeof__(&traces_freedyn) free_traces;
+    bool is_here;
+} loaded;
+
+static void load_nauty(void)
+{
+    void *library = dlopen(FMB_NAUTY, RTLD_NOW | RTLD_LOCAL);
+    if (!library)
+        return;
+    *(void **)&loaded.find = dlsym(library, "Traces");
+    *(void **)&loaded.seed = dlsym(library, "ran_init");
+    *(void **)&loaded.free_generators = dlsym(library, "freeschreier");
+    *(void **)&loaded.free_schreier = dlsym(library, "schreier_freedyn");
+    *(void **)&loaded.free_traces = dlsym(library, "traces_freedyn");
+    loaded.is_here = loaded.find && loaded.seed && loaded.free_generators && loaded.free_schreier &&
+                     loaded.free_traces;
+}
+
+static bool have_nauty(void)
+{
+    static pthread_once_t once = PTHREAD_ONCE_INIT;
+    pthread_once(&once, load_nauty);
+    return loaded.is_here;
+}
+
 /* ---- automorphisms --------------------------------------------------------------------------- */
 
 /* The ring of permutations as generators of the group. */
@@ -212,12 +249,12 @@ static fmb_status find_automorphisms(drawing *d, const bool *keeps, fmb_group *o
                          .elen = d->edges};
     options.defaultptn = FALSE;
     options.generators = &ring;
-    ran_init(1); /* Traces draws by lot: always the same */
-    Traces(&graph, d->label, d->same, d->orbit, &options, &stats, NULL);
+    loaded.seed(1); /* Traces draws by lot: always the same */
+    loaded.find(&graph, d->label, d->same, d->orbit, &options, &stats, NULL);
     fmb_status st = ring ? take_generators(ring, d, keeps, out) : FMB_OK;
-    freeschreier(NULL, &ring);
-    schreier_freedyn();
-    traces_freedyn();
+    loaded.free_generators(NULL, &ring);
+    loaded.free_schreier();
+    loaded.free_traces();
     return st;
 }
 
@@ -225,7 +262,7 @@ fmb_status fmb_symmetry_find(fmb_run *run, const fmb_program *p, const bool *kee
 {
     drawing d;
     fmb_group_init(out, run->mem, (size_t)p->n, p->m);
-    if (!is_program_small(p) || p->terms == 0)
+    if (!is_program_small(p) || p->terms == 0 || !have_nauty())
         return FMB_OK;
     fmb_status st = open_drawing(&d, run->mem, p);
     if (st == FMB_OK) {

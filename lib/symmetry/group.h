@@ -29,7 +29,7 @@ fmb_status fmb_group_add(fmb_group *g, const fmb_program *p, const bool *keeps,
                          const uint32_t *image, bool *fits);
 
 /* find.c: generators of the symmetries of a program, found as those of a coloured graph (nauty).
- * None where the program is large or has long numbers, or this library was built without nauty.
+ * None where the program is large or has long numbers, or where nauty is not installed.
  * Source: McKay and Piperno 2014, Practical graph isomorphism, II. Errors: MEMORY, LIMIT. In any
  * case fmb_group_clear it. */
 fmb_status fmb_symmetry_find(fmb_run *run, const fmb_program *p, const bool *keeps, fmb_group *out);

@@ -1,71 +1,11 @@
 /* team.c: see team.h. */
 #include "trace/team.h"
 
-/* ---- threads --------------------------------------------------------------------------------- */
-
-/* Take jobs until there are none, holding the lock in between. */
-static void do_jobs_of_round(fmb_team *t)
-{
-    while (t->next < t->jobs) {
-        size_t k = t->next++;
-        pthread_mutex_unlock(&t->lock);
-        t->share[k].st = t->job(t->self, k, &t->share[k].run);
-        pthread_mutex_lock(&t->lock);
-        if (++t->done == t->jobs)
-            pthread_cond_signal(&t->idle);
-    }
-}
-
-static void *work_in_team(void *team)
+static void do_job_of_share(void *team, size_t k, size_t thread)
 {
     fmb_team *t = team;
-    pthread_mutex_lock(&t->lock);
-    while (!t->over) {
-        do_jobs_of_round(t);
-        if (!t->over)
-            pthread_cond_wait(&t->work, &t->lock);
-    }
-    pthread_mutex_unlock(&t->lock);
-    return NULL;
-}
-
-/* The system may refuse threads: the others do the work. */
-static void start_threads(fmb_team *t)
-{
-    size_t wanted = (t->run->threads < t->size ? t->run->threads : t->size) - 1;
-    pthread_mutex_init(&t->lock, NULL);
-    pthread_cond_init(&t->work, NULL);
-    pthread_cond_init(&t->idle, NULL);
-    while (t->threads < wanted &&
-           pthread_create(&t->thread[t->threads], NULL, work_in_team, t) == 0)
-        t->threads++;
-}
-
-static void end_threads(fmb_team *t)
-{
-    pthread_mutex_lock(&t->lock);
-    t->over = true;
-    pthread_cond_broadcast(&t->work);
-    pthread_mutex_unlock(&t->lock);
-    for (size_t k = 0; k < t->threads; k++)
-        pthread_join(t->thread[k], NULL);
-    pthread_mutex_destroy(&t->lock);
-    pthread_cond_destroy(&t->work);
-    pthread_cond_destroy(&t->idle);
-}
-
-static void do_all_jobs(fmb_team *t, size_t jobs, fmb_team_job job, void *self)
-{
-    pthread_mutex_lock(&t->lock);
-    t->job = job;
-    t->self = self;
-    t->jobs = jobs;
-    t->next = t->done = 0;
-    pthread_cond_broadcast(&t->work);
-    do_jobs_of_round(t);
-    while (t->done < t->jobs)
-        pthread_cond_wait(&t->idle, &t->lock);
-    pthread_mutex_unlock(&t->lock);
+    (void)thread;
+    t->share[k].st = t->job(t->self, k, &t->share[k].run);
 }
 
 /* ---- life ------------------------------------------------------------------------------------ */
@@ -74,18 +14,17 @@ fmb_status fmb_team_open(fmb_team *t, fmb_run *run, size_t size)
 {
     *t = (fmb_team){.run = run};
     t->share = fmb_mem_zero(run->mem, size, sizeof *t->share);
-    t->thread = fmb_mem_zero(run->mem, run->threads, sizeof *t->thread);
-    if (!t->share || !t->thread) {
-        fmb_status st = fmb_mem_status(run->mem);
+    fmb_status st = t->share ? FMB_OK : fmb_mem_status(run->mem);
+    if (st == FMB_OK)
+        st = fmb_threads_open(&t->threads, run->mem, run->threads < size ? run->threads : size);
+    if (st != FMB_OK) {
         fmb_mem_put(run->mem, t->share, size, sizeof *t->share);
-        fmb_mem_put(run->mem, t->thread, run->threads, sizeof *t->thread);
         *t = (fmb_team){.run = run};
         return st;
     }
     t->size = size;
     for (size_t k = 0; k < size; k++)
         fmb_share_begin(&t->share[k], run, size);
-    start_threads(t);
     return FMB_OK;
 }
 
@@ -93,15 +32,13 @@ void fmb_team_close(fmb_team *t)
 {
     fmb_mem *mem = t->run->mem;
     size_t peak = 0;
-    if (t->size > 0)
-        end_threads(t);
+    fmb_threads_close(&t->threads);
     for (size_t k = 0; k < t->size; k++)
         fmb_share_end(&t->share[k], t->run, &peak);
     fmb_mem_refund(mem, t->held);
     if (mem->used + peak > mem->peak)
         mem->peak = mem->used + peak;
     fmb_mem_put(mem, t->share, t->size, sizeof *t->share);
-    fmb_mem_put(mem, t->thread, t->run->threads, sizeof *t->thread);
 }
 
 /* ---- rounds ---------------------------------------------------------------------------------- */
@@ -139,7 +76,9 @@ fmb_status fmb_team_do(fmb_team *t, size_t jobs, fmb_team_job job, void *self)
 {
     fmb_status worst = FMB_OK;
     divide_what_is_left(t);
-    do_all_jobs(t, jobs, job, self);
+    t->job = job;
+    t->self = self;
+    fmb_threads_do(&t->threads, jobs, do_job_of_share, t);
     for (size_t k = 0; k < jobs; k++) {
         const fmb_share *s = &t->share[k];
         if (worst == FMB_OK || (worst == FMB_LIMIT && s->st != FMB_OK))

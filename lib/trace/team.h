@@ -1,18 +1,15 @@
 /* team.h: shares of a query that stay for many rounds of jobs, by several threads.
  *
  * Job k always works with share k, whichever thread does it: so what is found does not depend on
- * how many threads there are, or on which of them was faster. Between rounds threads sleep; those
- * of OpenMP would wait awake, which costs more than it gains where rounds are short and the
- * processor has other things to do.
+ * how many threads there are, or on which of them was faster.
  *
- * Invariants: what the shares hold is charged to the query's memory between rounds; jobs below
- * `next` are taken, `done` of them are over. A team must not move.
+ * Invariant: what the shares hold is charged to the query's memory between rounds. A team must not
+ * move.
  */
 #ifndef FMB_TRACE_TEAM_H
 #define FMB_TRACE_TEAM_H
 
-#include <pthread.h>
-
+#include "base/threads.h"
 #include "trace/run.h"
 
 /* Does part k of a round; the share belongs to it alone. */
@@ -22,14 +19,9 @@ typedef struct fmb_team {
     fmb_run *run;
     fmb_share *share;  /* [size] */
     size_t size, held; /* held: charged [bytes] */
-    pthread_t *thread; /* [threads] besides the caller's; room for run->threads */
-    size_t threads;
-    pthread_mutex_t lock;      /* for all below */
-    pthread_cond_t work, idle; /* there is a job; all are done */
-    fmb_team_job job;
+    fmb_threads threads;
+    fmb_team_job job; /* of this round */
     void *self;
-    size_t jobs, next, done;
-    bool over;
 } fmb_team;
 
 /* As many threads as the run has, if the system grants them. Errors: MEMORY, LIMIT. In any case

@@ -23,7 +23,9 @@ fmb_status fmb_packed_decide(fmb_pair *k, const fmb_frames *a, const fmb_frames 
 /* Are the arguments sets of the dimension of k? If not, k->trouble says so. A query begins. */
 bool fmb_packed_begin(fmb_pair *k, const fmb_frames *a, const fmb_frames *b);
 
-/* Of the thread that runs. */
-fmb_pair *fmb_packed_worker(fmb_pair *k);
+/* Jobs by the threads of k, in rounds. Errors: MEMORY. */
+fmb_status fmb_packed_do(fmb_pair *k, size_t jobs, fmb_thread_job job, void *self);
+/* Who works for k in this thread of them. */
+fmb_pair *fmb_packed_worker(fmb_pair *k, size_t thread);
 
 #endif

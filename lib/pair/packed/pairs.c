@@ -3,10 +3,6 @@
 
 #include "pair/packed/packed.h"
 
-#ifdef _OPENMP
-#include <omp.h>
-#endif
-
 /* ---- what queries share ---------------------------------------------------------------------- */
 
 bool fmb_packed_begin(fmb_pair *k, const fmb_frames *a, const fmb_frames *b)
@@ -23,14 +19,19 @@ bool fmb_packed_begin(fmb_pair *k, const fmb_frames *a, const fmb_frames *b)
     return true;
 }
 
-fmb_pair *fmb_packed_worker(fmb_pair *k)
+fmb_status fmb_packed_do(fmb_pair *k, size_t jobs, fmb_thread_job job, void *self)
 {
-#ifdef _OPENMP
-    int thread = omp_get_thread_num();
+    fmb_status st = FMB_OK;
+    if (!k->running.thread)
+        st = fmb_threads_open(&k->running, &k->mem, (size_t)k->threads);
+    if (st == FMB_OK)
+        fmb_threads_do(&k->running, jobs, job, self);
+    return st;
+}
+
+fmb_pair *fmb_packed_worker(fmb_pair *k, size_t thread)
+{
     return thread == 0 ? k : k->crew[thread - 1];
-#else
-    return k;
-#endif
 }
 
 bool fmb_packed_plan_of(const fmb_pair *k, int a, int b, fmb_packed_plan *out)
@@ -220,28 +221,48 @@ static fmb_status answer_portion(fmb_pair *k, const pairs_query *x, size_t from)
 
 /* ---- threads --------------------------------------------------------------------------------- */
 
+/* Portions that a thread takes at once. */
+enum { PORTIONS = 4 };
+
+typedef struct pairs_round {
+    fmb_pair *k;
+    const pairs_query *x;
+    size_t *failed; /* [jobs] the first pair of its first portion with an error */
+    fmb_status *st; /* [jobs] */
+} pairs_round;
+
+static void answer_some_portions(void *self, size_t job, size_t thread)
+{
+    const pairs_round *r = self;
+    size_t from = job * PORTIONS * PORTION, to = from + PORTIONS * PORTION;
+    to = to < r->x->n ? to : r->x->n;
+    for (r->st[job] = FMB_OK; r->st[job] == FMB_OK && from < to; from += PORTION) {
+        r->st[job] = answer_portion(fmb_packed_worker(r->k, thread), r->x, from);
+        r->failed[job] = from;
+    }
+}
+
 /* The error of the first portion that has one. It is asked again by k, which then tells what is
  * wrong with it, and not with a later one. */
 static fmb_status answer_by_threads(fmb_pair *k, const pairs_query *x)
 {
-    size_t failed = SIZE_MAX;
-    fmb_status st = FMB_OK;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 4) num_threads(k->threads)
-#endif
-    for (size_t from = 0; from < x->n; from += PORTION) {
-        fmb_status is = answer_portion(fmb_packed_worker(k), x, from);
-        if (is == FMB_OK)
-            continue;
-#ifdef _OPENMP
-#pragma omp critical
-#endif
-        if (from < failed) {
-            failed = from;
-            st = is;
-        }
+    size_t jobs = (x->n - 1) / (PORTIONS * PORTION) + 1, job = 0;
+    pairs_round r = {.k = k, .x = x};
+    r.failed = fmb_mem_get(&k->mem, jobs, sizeof *r.failed);
+    r.st = r.failed ? fmb_mem_get(&k->mem, jobs, sizeof *r.st) : NULL;
+    fmb_status st = r.st ? FMB_OK : fmb_mem_status(&k->mem);
+    if (st == FMB_OK)
+        st = fmb_packed_do(k, jobs, answer_some_portions, &r);
+    if (st == FMB_OK) {
+        while (job + 1 < jobs && r.st[job] == FMB_OK)
+            job++;
+        st = r.st[job];
     }
-    return st == FMB_ERR_ARG ? answer_portion(k, x, failed) : st;
+    if (st == FMB_ERR_ARG)
+        st = answer_portion(k, x, r.failed[job]);
+    fmb_mem_put(&k->mem, r.failed, jobs, sizeof *r.failed);
+    fmb_mem_put(&k->mem, r.st, jobs, sizeof *r.st);
+    return st;
 }
 
 static fmb_status answer_alone(fmb_pair *k, const pairs_query *x)

@@ -345,29 +345,48 @@ static void close_bands(const all_query *x, const fmb_pair *k, band *w)
     }
 }
 
+typedef struct bands_round {
+    all_query *x;
+    fmb_pair *k;
+    band *w; /* [threads] */
+    fmb_status st;
+} bands_round;
+
+static void work_on_band_in_turn(void *self, size_t job, size_t thread)
+{
+    bands_round *r = self;
+    all_query *x = r->x;
+    band *w = &r->w[thread];
+    fmb_status st = atomic_load(&x->over) ? FMB_OK : work_on_band(x, w, job * x->rows);
+    fmb_threads_begin_turn(&r->k->running, job);
+    if (!atomic_load(&x->over)) {
+        r->st = st;
+        if (st != FMB_OK || fmb_pair_is_cancelled(r->k) || !tell_band(x, w))
+            atomic_store(&x->over, true);
+    }
+    fmb_threads_end_turn(&r->k->running);
+}
+
+static fmb_status work_on_bands_alone(all_query *x, fmb_pair *k, band *w)
+{
+    fmb_status st = FMB_OK;
+    bool goes_on = true;
+    for (size_t first = 0; goes_on && first < x->a->n; first += x->rows) {
+        st = work_on_band(x, w, first);
+        goes_on = st == FMB_OK && !fmb_pair_is_cancelled(k) && tell_band(x, w);
+    }
+    return st;
+}
+
 /* Bands are worked on side by side, and told of in their order. */
 static fmb_status work_on_all_bands(all_query *x, fmb_pair *k, band *w)
 {
-    fmb_status all = FMB_OK;
-#ifdef _OPENMP
-#pragma omp parallel for ordered schedule(dynamic, 1) num_threads(k->threads)
-#endif
-    for (size_t first = 0; first < x->a->n; first += x->rows) {
-        fmb_pair *worker = fmb_packed_worker(k);
-        band *mine = w;
-        while (mine->k != worker)
-            mine++;
-        fmb_status st = atomic_load(&x->over) ? FMB_OK : work_on_band(x, mine, first);
-#ifdef _OPENMP
-#pragma omp ordered
-#endif
-        if (!atomic_load(&x->over)) {
-            all = st;
-            if (st != FMB_OK || fmb_pair_is_cancelled(k) || !tell_band(x, mine))
-                atomic_store(&x->over, true);
-        }
-    }
-    return all;
+    bands_round r = {x, k, w, FMB_OK};
+    if (k->threads == 1)
+        return work_on_bands_alone(x, k, w);
+    fmb_status st =
+        fmb_packed_do(k, x->a->n / x->rows + (x->a->n % x->rows > 0), work_on_band_in_turn, &r);
+    return st == FMB_OK ? r.st : st;
 }
 
 /* Bits of a band: at most this many words [8 bytes], but for a single row. */
