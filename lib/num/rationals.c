@@ -50,3 +50,37 @@ double fmb_nearest_double(mpq_srcptr q)
     mpq_clears(middle, other, NULL);
     return beyond ? out : in;
 }
+
+/* Least number of bits of the integer part: with 54 and one that stands for all that follow, no
+ * rounding to 53 bits, or to fewer among subnormals, depends on what is left out. */
+enum { ROOT_BITS = 64 };
+
+/* With k such that q 4^k has at least 2 ROOT_BITS bits, floor(sqrt(floor(q 4^k))) is
+ * floor(sqrt(q) 2^k); its last bit, of weight far below any rounding, is set if anything was cut
+ * off. So its quotient by 2^k lies on the same side of every middle of two doubles as the root. */
+double fmb_nearest_root(mpq_srcptr q)
+{
+    if (mpq_sgn(q) == 0)
+        return 0;
+    long bits = (long)mpz_sizeinbase(mpq_numref(q), 2) - (long)mpz_sizeinbase(mpq_denref(q), 2);
+    long k = ROOT_BITS - bits / 2 + 1;
+    mpq_t root;
+    mpz_t rest, other;
+    mpq_init(root);
+    mpz_inits(rest, other, NULL);
+    mpz_mul_2exp(rest, mpq_numref(q), k > 0 ? 2 * (mp_bitcnt_t)k : 0);
+    mpz_mul_2exp(other, mpq_denref(q), k < 0 ? 2 * (mp_bitcnt_t)-k : 0);
+    mpz_fdiv_qr(rest, other, rest, other);
+    bool cut = mpz_sgn(other) != 0;
+    mpz_sqrtrem(mpq_numref(root), rest, rest);
+    if (cut || mpz_sgn(rest) != 0)
+        mpz_setbit(mpq_numref(root), 0);
+    if (k > 0)
+        mpq_div_2exp(root, root, (mp_bitcnt_t)k);
+    else
+        mpq_mul_2exp(root, root, (mp_bitcnt_t)-k);
+    double nearest = fmb_nearest_double(root);
+    mpq_clear(root);
+    mpz_clears(rest, other, NULL);
+    return nearest;
+}

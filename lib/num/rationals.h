@@ -13,5 +13,7 @@ void fmb_rationals_free(mpq_t *x, size_t n, fmb_mem *mem);
 
 /* The double nearest to q; 0 for NULL. */
 double fmb_nearest_double(mpq_srcptr q);
+/* The double nearest to the root of q >= 0, whatever the size of q. */
+double fmb_nearest_root(mpq_srcptr q);
 
 #endif

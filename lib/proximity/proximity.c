@@ -1,8 +1,6 @@
 /* proximity.c: see proximity_private.h and fmb/proximity.h. */
 #include "proximity/proximity_private.h"
 
-#include <math.h>
-
 #include "num/rationals.h"
 
 fmb_status fmb_proximity_new(int dim, fmb_norm norm, const fmb_alloc *hook, fmb_proximity **out)
@@ -73,8 +71,8 @@ int fmb_proximity_dim(const fmb_proximity *p)
 
 double fmb_proximity_length(const fmb_proximity *p)
 {
-    double measure = fmb_nearest_double(p ? p->measure : NULL);
-    return p && p->norm == FMB_NORM_EUCLIDEAN ? sqrt(measure) : measure;
+    return p && p->norm == FMB_NORM_EUCLIDEAN ? fmb_nearest_root(p->measure)
+                                              : fmb_nearest_double(p ? p->measure : NULL);
 }
 
 double fmb_proximity_time(const fmb_proximity *p)

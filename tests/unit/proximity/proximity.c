@@ -457,6 +457,20 @@ Test(proximity, arguments)
     cr_expect(fmb_proximity_length(NULL) == 0);
 }
 
+/* 3, 4, 5 at the ends of doubles, where squares are no doubles. */
+Test(proximity, lengths_at_every_scale)
+{
+    static const double unit[] = {0x1p-1074, 0x1p-1040, 1e-165, 1, 1e155, 0x1p1020};
+    for (size_t i = 0; i < sizeof unit / sizeof *unit; i++) {
+        double x = unit[i], a[2] = {0, 0}, b[2] = {3 * x, 4 * x};
+        fmb_frame f[2] = {{FMB_CUBOID, 2, 0, a, a, NULL}, {FMB_CUBOID, 2, 0, b, b, NULL}};
+        fmb_proximity *p = NULL;
+        must(fmb_distance(solver, f, FMB_NORM_EUCLIDEAN, &p, NULL));
+        cr_expect_float_eq(fmb_proximity_length(p), 5 * x, x * 0x1p-50, "%a", x);
+        fmb_proximity_free(p);
+    }
+}
+
 Test(proximity, limits)
 {
     support_rng g = {24};
