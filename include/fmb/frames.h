@@ -54,7 +54,7 @@ FMB_API void fmb_frames_free(fmb_frames *s);
 /* 0 for NULL. */
 FMB_API int fmb_frames_dim(const fmb_frames *s);
 FMB_API size_t fmb_frames_count(const fmb_frames *s);
-/* Frame i < count; its arrays live as long as the set. */
+/* Frame i; its arrays live as long as the set. Where there is none, and of NULL: all zeros. */
 FMB_API fmb_frame fmb_frames_at(const fmb_frames *s, size_t i);
 
 /* ---- queries --------------------------------------------------------------------------------- */

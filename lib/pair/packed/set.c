@@ -262,6 +262,8 @@ size_t fmb_frames_count(const fmb_frames *s)
 
 fmb_frame fmb_frames_at(const fmb_frames *s, size_t i)
 {
+    if (!s || i >= s->n)
+        return (fmb_frame){.dim = 0};
     if (s->given && s->given[i].dim > 0)
         return s->given[i];
     size_t dim = (size_t)s->dim;

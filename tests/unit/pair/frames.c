@@ -91,6 +91,8 @@ Test(frames, a_set_gives_back_what_it_got)
     for (int dim = 1; dim <= 4; dim++) {
         draw_many(dim, -1, false, STUDY_PAIR_ARTICLE, 1, &m);
         cr_expect_eq(fmb_frames_count(m.set), (size_t)MOST);
+        cr_expect_null(fmb_frames_at(m.set, MOST).origin);
+        cr_expect_null(fmb_frames_at(m.set, SIZE_MAX).origin);
         cr_expect_eq(fmb_frames_dim(m.set), dim);
         for (size_t i = 0; i < MOST; i++) {
             fmb_frame f = fmb_frames_at(m.set, i);
@@ -100,6 +102,7 @@ Test(frames, a_set_gives_back_what_it_got)
     }
     cr_expect_eq(fmb_frames_count(NULL), 0u);
     cr_expect_eq(fmb_frames_dim(NULL), 0);
+    cr_expect_eq(fmb_frames_at(NULL, 0).dim, 0);
     fmb_frames_free(NULL);
 }
 
