@@ -18,7 +18,7 @@ typedef struct fmb_mesh_frames {
 /* Errors: MEMORY. What was opened is to be closed. */
 fmb_status fmb_mesh_frames_open(fmb_mesh_frames *x, const fmb_alloc *hook, const double *motion);
 void fmb_mesh_frames_close(fmb_mesh_frames *x);
-/* Any two cells; if something moves, whether they meet (TOUCH). flat_b: b is flat, or may be.
+/* Any two cells; if something moves, whether they meet (TOUCH). flat_b: b is flat.
  * Errors: MEMORY. */
 fmb_status fmb_mesh_decide_frames(fmb_mesh_frames *x, const fmb_cell *a, const fmb_cell *b,
                                   bool flat_b, int shared, fmb_mesh_how *out);

@@ -1,6 +1,7 @@
 /* mesh.c: a mesh from arrays; see fmb/mesh.h. */
 #include "mesh/mesh_private.h"
 
+#include <gmp.h>
 #include <math.h>
 #include <string.h>
 
@@ -80,15 +81,59 @@ fmb_cell fmb_mesh_cell_of(const fmb_mesh *m, const uint32_t *ids_of, size_t c)
     return out;
 }
 
+/* Entry j of difference k of corners, a multiple of 2^-1074 and below 2^1025: as a multiple. */
+static void set_difference(mpz_t out, const fmb_cell *c, int k, int j)
+{
+    mpq_t x, y;
+    mpq_inits(x, y, NULL);
+    mpq_set_d(x, c->point[k + 1][j]);
+    mpq_set_d(y, c->point[0][j]);
+    mpq_sub(x, x, y);
+    mpq_mul_2exp(x, x, 1074);
+    mpz_set(out, mpq_numref(x));
+    mpq_clears(x, y, NULL);
+}
+
+/* Fewer of the differences are independent than there are: by elimination without fractions. */
+static bool is_flat_at_any_size(const fmb_cell *c)
+{
+    mpz_t e[3][3];
+    int n = c->corners - 1, rank = 0;
+    for (int k = 0; k < 3; k++)
+        for (int j = 0; j < 3; j++)
+            mpz_init(e[k][j]);
+    for (int k = 0; k < n; k++)
+        for (int j = 0; j < 3; j++)
+            set_difference(e[k][j], c, k, j);
+    for (int j = 0; j < 3 && rank < n; j++) {
+        int p = rank;
+        while (p < n && mpz_sgn(e[p][j]) == 0)
+            p++;
+        if (p == n)
+            continue;
+        for (int i = 0; i < 3; i++)
+            mpz_swap(e[p][i], e[rank][i]);
+        for (int k = rank + 1; k < n; k++)
+            for (int i = 2; i >= j; i--) {
+                mpz_mul(e[k][i], e[k][i], e[rank][j]);
+                mpz_submul(e[k][i], e[k][j], e[rank][i]);
+            }
+        rank++;
+    }
+    for (int k = 0; k < 3; k++)
+        for (int j = 0; j < 3; j++)
+            mpz_clear(e[k][j]);
+    return rank < n;
+}
+
 static void look_at_cells(fmb_mesh *m)
 {
-    memset(m->trouble, 0, m->cells);
     for (size_t i = 0; i < m->cells; i++) {
         fmb_cell c = fmb_mesh_cell_of(m, m->same, i);
-        if (!fmb_cell_is_tame(&c))
-            m->trouble[i] = FMB_MESH_WILD;
-        else if (fmb_cell_is_flat(&c))
-            m->trouble[i] = FMB_MESH_FLAT;
+        bool tame = fmb_cell_is_tame(&c);
+        m->trouble[i] = tame ? 0 : FMB_MESH_WILD;
+        if (tame ? fmb_cell_is_flat(&c) : is_flat_at_any_size(&c))
+            m->trouble[i] |= FMB_MESH_FLAT;
     }
 }
 

@@ -33,7 +33,7 @@ struct fmb_mesh {
     uint32_t *corner; /* [cells][corners] */
     uint32_t *face;   /* [cells] where in its file, or NULL */
     uint8_t *trouble; /* [cells] FLAT: its corners lie in a line (of a tetrahedron: in a plane);
-                         WILD: a coordinate is not tame (pair/corners/volume.h), and nobody knows */
+                         WILD: a coordinate is not tame (pair/corners/volume.h) */
     uint32_t *order;  /* [cells] of the tree */
     fmb_mesh_node *node;
     size_t nodes;

@@ -53,7 +53,8 @@ static fmb_status decide_cells(fmb_tree_walk *x, const fmb_cell *a, const fmb_ce
     if (alike && (a->corners == 3 || shared == 0 || *how != FMB_MESH_TOUCH))
         return FMB_OK;
     x->out.framed++;
-    return fmb_mesh_decide_frames(&x->frames, a, b, trouble >> 4 != 0, shared, how);
+    return fmb_mesh_decide_frames(&x->frames, a, b, (trouble >> 4 & FMB_MESH_FLAT) != 0, shared,
+                                  how);
 }
 
 static fmb_status append_hit(fmb_tree_walk *x, fmb_mesh_hit hit)
