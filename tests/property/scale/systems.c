@@ -165,7 +165,7 @@ static bool same_generators(const drawn_system *d, fmb_solver *v, char why[LAW_W
             fmb_generator_kind kind = fmb_generators_kind(out[w], i);
             count[w][kind]++;
             for (int j = 0; kind == FMB_VERTEX && j < d->dim; j++) {
-                fmb_generators_get_q(out[w], i, j, x);
+                fmb_generators_coordinate_q(out[w], i, j, x);
                 law_shift(x, w ? d->column[j] : 0);
                 mpq_add(sum[w][j], sum[w][j], x);
             }
