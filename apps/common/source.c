@@ -137,6 +137,25 @@ int app_source_read(const app_source *src, fmb_system **out)
     return read_file(src, &(wanted){.system = out});
 }
 
+bool app_source_is_script(const app_source *src)
+{
+    return (src->format ? src->format : fmb_format_of_name(src->file)) == FMB_FORMAT_SMT2;
+}
+
+int app_source_read_script(app_source *src, fmb_script **out)
+{
+    FILE *in;
+    int code = app_file_open(src->file, &in);
+    if (code != APP_YES)
+        return code;
+    fmb_reader how = app_source_reader(src);
+    fmb_where where = {0};
+    errno = 0;
+    code = app_source_outcome(fmb_script_read(in, &how, out, &where), src->file, &where);
+    app_file_close_input(in);
+    return code;
+}
+
 int app_source_read_polyhedron(const app_source *src, fmb_system **s, fmb_generators **g)
 {
     return read_file(src, &(wanted){.system = s, .generators = g});

@@ -21,6 +21,11 @@ extern const struct argp app_source_argp;
  * standard error. */
 int app_source_read(const app_source *src, fmb_system **out);
 
+/* Is FILE an SMT-LIB script, as --format or its name tell? */
+bool app_source_is_script(const app_source *src);
+/* [give, fmb_script_free] Such a script; src lives as long. */
+int app_source_read_script(app_source *src, fmb_script **out);
+
 /* [give] The same of a system or a V-representation: one of both, the other is NULL. */
 int app_source_read_polyhedron(const app_source *src, fmb_system **s, fmb_generators **g);
 /* [give, fmb_system_free] The graph of a map over s (<fmb/lift.h>). */

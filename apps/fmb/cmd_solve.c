@@ -1,7 +1,9 @@
 /* cmd_solve.c: fmb solve FILE. */
+#include "common/file.h"
 #include "common/message.h"
 #include "fmb/commands.h"
 #include "fmb/integers.h"
+#include "fmb/script.h"
 #include "fmb/show.h"
 #include "fmb/verdict.h"
 
@@ -9,10 +11,14 @@ static const app_usage usage = {
     .args = "FILE",
     .doc =
         "Is the system in FILE feasible? Prints a point that satisfies every row, or the rows in "
-        "conflict: with their multipliers they add up to 0 <= negative, or 0 < 0."
+        "conflict: with their multipliers they add up to 0 <= negative, or 0 < 0. An SMT-LIB "
+        "script "
+        "with push, pop or several check-sat is answered check by check: sat, unsat or unknown."
         "\v"
         "Exit codes: 0 feasible, 1 infeasible, 2 undecided, or feasible over the reals where no "
-        "integral point was found for the integer variables of the file.\n"
+        "integral point was found for the integer variables of the file. Of a script: 2 if some "
+        "check is undecided, else that of the last. --proof p.proof of a script writes p.1.proof "
+        "and p.1.fmb, the rows that it speaks of, and so on.\n"
         "\n"
         "Examples:\n"
         "  fmb solve diet.fmb\n"
@@ -37,12 +43,47 @@ static void report(const app_session *s)
         app_verdict_print(s);
 }
 
+/* A script that asks once is a system; one that asks more often is *script. */
+static int open_script(app_session *s, app_source *source, fmb_script **script)
+{
+    fmb_where where = {0};
+    int code = app_source_read_script(source, script);
+    if (code != APP_YES)
+        return code;
+    if (!fmb_script_asks_often(*script)) {
+        fmb_status st = fmb_script_whole(*script, &s->system, &where);
+        fmb_script_free(*script);
+        *script = NULL;
+        code = app_source_outcome(st, source->file, &where);
+        return code == APP_YES ? app_session_open_outputs(s) : code;
+    }
+    if (app_ask_proof_only(s->ask))
+        return app_error(APP_USAGE, "--proof -: each answer of a script has a proof of its own");
+    return s->ask->trace ? app_file_create(s->ask->trace, &s->trace) : APP_YES;
+}
+
+static int open_session(app_session *s, const app_ask *ask, app_source *source, fmb_script **script)
+{
+    if (!app_source_is_script(source))
+        return app_session_open(s, ask);
+    int code = app_session_open_solver(s, ask);
+    return code == APP_YES ? open_script(s, source, script) : code;
+}
+
 int cmd_solve(int argc, char **argv)
 {
     app_ask ask;
     app_ask_parse(&ask, &usage, NULL, argc, argv);
     app_session s;
-    int code = app_session_open(&s, &ask);
+    app_source source = ask.source;
+    fmb_script *script = NULL;
+    int code = open_session(&s, &ask, &source, &script);
+    if (code == 0 && script) {
+        code = app_script_answer(&s, script, source.file);
+        fmb_script_free(script);
+        return app_session_close(&s, code);
+    }
+    fmb_script_free(script);
     if (code == 0 && fmb_system_sense(s.system) != FMB_SENSE_NONE)
         app_session_note(&s, "the objective does not count here: `fmb optimize` answers it");
     if (code == 0) {

@@ -4,7 +4,7 @@
 #ifndef APP_INTEGERS_H
 #define APP_INTEGERS_H
 
-#include "fmb/session.h"
+#include "fmb/query.h"
 
 bool app_has_integers(const fmb_system *s);
 /* For commands whose answer is over the reals: say so once, unless --relax or --quiet. */

@@ -6,7 +6,7 @@
 
 #include <fmb/lift.h>
 
-#include "fmb/session.h"
+#include "fmb/query.h"
 
 enum { APP_MOST_FILES = 4096 };
 

@@ -2,7 +2,7 @@
 #ifndef APP_SHADOW_H
 #define APP_SHADOW_H
 
-#include "fmb/session.h"
+#include "fmb/query.h"
 
 /* Print it, as JSON or in that format; the exit code. NULL: what is known is that there are limits.
  */

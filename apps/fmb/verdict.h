@@ -5,7 +5,7 @@
 #include <gmp.h>
 #include <jansson.h>
 
-#include "fmb/session.h"
+#include "fmb/query.h"
 
 /* The first claim of that kind; SIZE_MAX if there is none. */
 size_t app_verdict_claim(const app_session *s, fmb_claim_kind kind);

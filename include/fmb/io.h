@@ -69,6 +69,42 @@ FMB_API FMB_CHECKED fmb_status fmb_system_parse_objective(fmb_system *s, fmb_sen
  * whose numbers are no finite decimals, in MPS neither a row nor an objective), IO, MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_write(const fmb_system *s, fmb_format f, FILE *out);
 
+/* ---- SMT-LIB scripts that ask more than once ------------------------------------------------- */
+
+/* A script with several check-sat, push, pop, reset, reset-assertions, check-sat-assuming. */
+typedef struct fmb_script fmb_script;
+
+/* What a script asks for next. */
+typedef enum fmb_script_kind {
+    FMB_SCRIPT_END = 0,
+    FMB_SCRIPT_CHECK, /* check-sat, check-sat-using, check-sat-assuming */
+    FMB_SCRIPT_MODEL, /* get-model */
+    FMB_SCRIPT_VALUE, /* get-value */
+    FMB_SCRIPT_CORE   /* get-unsat-core */
+} fmb_script_kind;
+
+/* [give, fmb_script_free] Read a whole stream and find its commands; how as for fmb_system_read,
+ * its format does not count. Errors: PARSE (parentheses that do not match), IO, MEMORY, ARG. */
+FMB_API FMB_CHECKED fmb_status fmb_script_read(FILE *in, const fmb_reader *how, fmb_script **out,
+                                               fmb_where *where);
+FMB_API void fmb_script_free(fmb_script *s);
+/* Does it ask more than a conjunction can be asked? If not, fmb_script_whole is what
+ * fmb_system_read would give. */
+FMB_API bool fmb_script_asks_often(const fmb_script *s);
+FMB_API FMB_CHECKED fmb_status fmb_script_whole(fmb_script *s, fmb_system **out, fmb_where *where);
+/* On to the next command that asks. Errors: PARSE (a pop without its push), MEMORY, ARG. */
+FMB_API FMB_CHECKED fmb_status fmb_script_next(fmb_script *s, fmb_script_kind *out,
+                                               fmb_where *where);
+/* [give] What the last check asks about: the assertions that hold there, and its assumptions. Each
+ * call reads the text once. Errors: as of fmb_system_parse; lines and columns are the script's. */
+FMB_API FMB_CHECKED fmb_status fmb_script_question(fmb_script *s, fmb_system **out,
+                                                   fmb_where *where);
+/* [give] Behind FMB_SCRIPT_VALUE: term i of its list, as text that belongs to s, and a system whose
+ * objective it is; *text is NULL, and *out untouched, where there is none. Errors: as above, also
+ * of a term that is a formula. */
+FMB_API FMB_CHECKED fmb_status fmb_script_term(fmb_script *s, size_t i, const char **text,
+                                               size_t *size, fmb_system **out, fmb_where *where);
+
 typedef struct fmb_generators fmb_generators; /* <fmb/generators.h> */
 
 /* [give] The same of generators (<fmb/generators.h>): a V-representation of cddlib and lrslib

@@ -1,4 +1,4 @@
-/* session.h: one question to the solver from its command line to its exit code.
+/* query.h: one question to the solver from its command line to its exit code.
  *
  *   app_session_open -> app_session_begin -> the query -> app_session_end -> a report
  *                    -> app_session_close

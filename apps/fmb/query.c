@@ -1,5 +1,5 @@
-/* session.c: see session.h. */
-#include "fmb/session.h"
+/* query.c: see query.h. */
+#include "fmb/query.h"
 
 #include <fmb/rule.h>
 #include <stdarg.h>

@@ -1,0 +1,361 @@
+/* script.c: SMT-LIB scripts that ask more than once; see fmb/io.h.
+ *
+ * The commands of the text are found once. What holds at a place is a list of those that count
+ * there, by levels of push. A question is the text with all other commands blanked out, so that it
+ * reads as any conjunction does, with lines and columns as they are: check-sat-assuming becomes an
+ * assertion in place, and a term of get-value an objective.
+ */
+#include <string.h>
+
+#include "io/core/chars.h"
+#include "io/core/stream.h"
+#include "io/smt2/lex.h"
+
+typedef struct script_command {
+    fmb_span word, text;
+    size_t inner; /* check-sat-assuming, get-value: offset of the list in text; 0: none */
+    bool counts;  /* at the place that has been reached */
+} script_command;
+
+struct fmb_script {
+    fmb_mem mem;
+    fmb_reader how;
+    char *text, *question; /* [size] */
+    size_t size, room;     /* room: bytes of text */
+    script_command *command;
+    size_t commands, capacity;
+    size_t *level; /* for each push: commands in front of it */
+    size_t levels, level_capacity;
+    size_t at;    /* the next command */
+    size_t asked; /* the last check, or SIZE_MAX */
+    bool global;  /* declarations outlive pop */
+};
+
+/* ---- finding commands ------------------------------------------------------------------------ */
+
+static bool is_command(const script_command *k, const char *word)
+{
+    return fmb_span_is(k->word, word);
+}
+
+/* Behind the word, the parenthesis of a list. */
+static fmb_status find_inner_list(fmb_cursor *c, script_command *k)
+{
+    fmb_smt_token t;
+    if (!is_command(k, "check-sat-assuming") && !is_command(k, "get-value"))
+        return FMB_OK;
+    fmb_status st = fmb_smt_expect(c, FMB_SMT_OPEN, "'(' of a list", &t);
+    k->inner = (size_t)(t.at - k->text.p);
+    return st == FMB_OK ? fmb_smt_leave(c, t.at) : st;
+}
+
+static fmb_status scan_commands(fmb_script *s, fmb_cursor *c)
+{
+    for (bool more = true; more;) {
+        fmb_smt_token open, word;
+        script_command k = {0};
+        fmb_status st = fmb_smt_next(c, &open);
+        if (st != FMB_OK || open.kind == FMB_SMT_END)
+            return st;
+        if (open.kind != FMB_SMT_OPEN)
+            return fmb_io_fail(c, open.at, "expected '(' of a command");
+        st = fmb_smt_expect(c, FMB_SMT_SYMBOL, "a command", &word);
+        k.word = word.text;
+        k.text.p = open.at;
+        if (st == FMB_OK)
+            st = find_inner_list(c, &k);
+        if (st == FMB_OK)
+            st = fmb_smt_leave(c, open.at);
+        k.text.n = (size_t)(c->at - open.at);
+        if (st == FMB_OK)
+            st = fmb_mem_reserve(&s->mem, (void **)&s->command, &s->capacity, s->commands + 1,
+                                 sizeof *s->command);
+        if (st != FMB_OK)
+            return st;
+        more = !is_command(&k, "exit");
+        s->command[s->commands++] = k;
+    }
+    return FMB_OK;
+}
+
+/* ---- life ------------------------------------------------------------------------------------ */
+
+void fmb_script_free(fmb_script *s)
+{
+    if (!s)
+        return;
+    fmb_mem mem = s->mem;
+    fmb_mem_put(&mem, s->text, s->room, 1);
+    fmb_mem_put(&mem, s->question, s->size, 1);
+    fmb_mem_put(&mem, s->command, s->capacity, sizeof *s->command);
+    fmb_mem_put(&mem, s->level, s->level_capacity, sizeof *s->level);
+    fmb_mem_put(&mem, s, 1, sizeof *s);
+}
+
+static fmb_status fill_script(fmb_script *s, FILE *in, fmb_where *where)
+{
+    fmb_bytes b = {0};
+    fmb_status st = fmb_read_whole_stream(in, fmb_io_max_bytes(&s->how), &b, &s->mem);
+    s->text = b.p;
+    s->size = b.size;
+    s->room = b.capacity;
+    if (st != FMB_OK)
+        return st;
+    fmb_cursor c = fmb_io_cursor(s->text, s->size, &s->how, &s->mem, where);
+    if (s->size > fmb_io_max_bytes(&s->how))
+        return fmb_io_fail_too_long(&c, NULL);
+    if (s->size > 0 && !(s->question = fmb_mem_get(&s->mem, s->size, 1)))
+        return fmb_mem_status(&s->mem);
+    st = fmb_io_check(&c);
+    return st == FMB_OK ? scan_commands(s, &c) : st;
+}
+
+fmb_status fmb_script_read(FILE *in, const fmb_reader *how, fmb_script **out, fmb_where *where)
+{
+    fmb_mem mem;
+    fmb_where at = {0};
+    if (!in || !out)
+        return fmb_io_refuse_argument(where, in ? "out is NULL" : "in is NULL");
+    fmb_mem_init(&mem, how ? how->mem : NULL, 0);
+    fmb_script *s = fmb_mem_zero(&mem, 1, sizeof *s);
+    if (!s)
+        return fmb_mem_status(&mem);
+    s->mem = mem;
+    s->how = how ? *how : (fmb_reader){0};
+    s->how.format = FMB_FORMAT_SMT2;
+    s->asked = SIZE_MAX;
+    fmb_status st = fill_script(s, in, &at);
+    if (st == FMB_ERR_PARSE && where)
+        *where = at;
+    if (st == FMB_OK)
+        *out = s;
+    else
+        fmb_script_free(s);
+    return st;
+}
+
+bool fmb_script_asks_often(const fmb_script *s)
+{
+    static const char *const words[] = {"push", "pop", "reset", "reset-assertions",
+                                        "check-sat-assuming"};
+    size_t checks = 0;
+    bool often = false;
+    for (size_t k = 0; s && k < s->commands; k++) {
+        checks += is_command(&s->command[k], "check-sat");
+        for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+            often = often || is_command(&s->command[k], words[i]);
+    }
+    return often || checks > 1;
+}
+
+/* ---- from question to question --------------------------------------------------------------- */
+
+static fmb_status fail_at_command(fmb_script *s, const script_command *k, const char *what,
+                                  fmb_where *where)
+{
+    fmb_where at;
+    fmb_cursor c = fmb_io_cursor(s->text, s->size, &s->how, &s->mem, &at);
+    fmb_status st = fmb_io_fail(&c, k->text.p, "%s", what);
+    if (where)
+        *where = at;
+    return st;
+}
+
+/* The number of a push or pop, 1 if there is none. */
+static size_t count_of_levels(const script_command *k)
+{
+    size_t n = 0;
+    bool any = false;
+    for (const char *p = k->word.p + k->word.n, *end = k->text.p + k->text.n; p < end; p++) {
+        any = any || fmb_is_digit((unsigned char)*p);
+        if (fmb_is_digit((unsigned char)*p) && n < SIZE_MAX / 20)
+            n = 10 * n + (size_t)(*p - '0');
+    }
+    return any ? n : 1;
+}
+
+static bool is_declaration(const script_command *k)
+{
+    return k->word.n > 7 &&
+           (memcmp(k->word.p, "declare", 7) == 0 || memcmp(k->word.p, "define-", 7) == 0);
+}
+
+/* From command `from` on nothing counts, but declarations if they are global. */
+static void forget_commands(fmb_script *s, size_t from, bool all)
+{
+    for (size_t k = from; k < s->at; k++)
+        s->command[k].counts =
+            s->command[k].counts && !all && s->global && is_declaration(&s->command[k]);
+}
+
+static fmb_status push_levels(fmb_script *s, size_t n)
+{
+    if (n > s->size)
+        return FMB_ERR_PARSE;
+    for (; n > 0; n--) {
+        fmb_status st = fmb_mem_reserve(&s->mem, (void **)&s->level, &s->level_capacity,
+                                        s->levels + 1, sizeof *s->level);
+        if (st != FMB_OK)
+            return st;
+        s->level[s->levels++] = s->at;
+    }
+    return FMB_OK;
+}
+
+static fmb_status run_script_command(fmb_script *s, script_command *k, fmb_where *where)
+{
+    size_t n = count_of_levels(k);
+    if (is_command(k, "push")) {
+        fmb_status st = push_levels(s, n);
+        return st == FMB_ERR_PARSE
+                   ? fail_at_command(s, k, "expected fewer levels than the text has bytes", where)
+                   : st;
+    }
+    if (is_command(k, "pop")) {
+        if (n > s->levels)
+            return fail_at_command(s, k, "expected a push for each pop", where);
+        s->levels -= n;
+        if (n > 0)
+            forget_commands(s, s->level[s->levels], false);
+    } else if (is_command(k, "reset") || is_command(k, "reset-assertions")) {
+        s->levels = 0;
+        forget_commands(s, 0, is_command(k, "reset"));
+        s->global = s->global && !is_command(k, "reset");
+    } else if (is_command(k, "set-option")) {
+        const char *global = memmem(k->text.p, k->text.n, ":global-declarations", 20);
+        if (global)
+            s->global = memmem(global, (size_t)(k->text.p + k->text.n - global), "true", 4) != NULL;
+    } else {
+        k->counts = true;
+    }
+    return FMB_OK;
+}
+
+static fmb_script_kind kind_of_command(const script_command *k)
+{
+    static const struct {
+        const char *word;
+        fmb_script_kind kind;
+    } table[] = {{"check-sat", FMB_SCRIPT_CHECK},          {"check-sat-using", FMB_SCRIPT_CHECK},
+                 {"check-sat-assuming", FMB_SCRIPT_CHECK}, {"get-model", FMB_SCRIPT_MODEL},
+                 {"get-value", FMB_SCRIPT_VALUE},          {"get-unsat-core", FMB_SCRIPT_CORE}};
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++)
+        if (is_command(k, table[i].word))
+            return table[i].kind;
+    return FMB_SCRIPT_END;
+}
+
+fmb_status fmb_script_next(fmb_script *s, fmb_script_kind *out, fmb_where *where)
+{
+    if (!s || !out)
+        return fmb_io_refuse_argument(where, s ? "out is NULL" : "s is NULL");
+    while (s->at < s->commands) {
+        script_command *k = &s->command[s->at];
+        fmb_script_kind kind = kind_of_command(k);
+        fmb_status st = kind ? FMB_OK : run_script_command(s, k, where);
+        if (st != FMB_OK)
+            return st;
+        if (kind == FMB_SCRIPT_CHECK)
+            s->asked = s->at;
+        s->at++;
+        if (kind) {
+            *out = kind;
+            return FMB_OK;
+        }
+    }
+    *out = FMB_SCRIPT_END;
+    return FMB_OK;
+}
+
+/* ---- questions ------------------------------------------------------------------------------- */
+
+static char *place_in_question(const fmb_script *s, const char *p)
+{
+    return s->question + (p - s->text);
+}
+
+/* The commands that count, the others blank; objectives only if they are wanted. */
+static void write_question(fmb_script *s, bool objectives)
+{
+    for (size_t i = 0; i < s->size; i++)
+        s->question[i] = s->text[i] == '\n' ? '\n' : ' ';
+    for (size_t k = 0; k < s->at; k++) {
+        const script_command *c = &s->command[k];
+        bool form = is_command(c, "minimize") || is_command(c, "maximize");
+        if (c->counts && (objectives || !form))
+            memcpy(place_in_question(s, c->text.p), c->text.p, c->text.n);
+    }
+}
+
+/* (check-sat-assuming (a b)) as (assert (and true a b)), which is shorter. */
+static void write_assumptions(fmb_script *s)
+{
+    static const char head[] = "(assert (and true ";
+    const script_command *k = s->asked == SIZE_MAX ? NULL : &s->command[s->asked];
+    if (!k || k->inner == 0)
+        return;
+    char *to = place_in_question(s, k->text.p);
+    memcpy(to, head, sizeof head - 1);
+    memcpy(to + k->inner + 1, k->text.p + k->inner + 1, k->text.n - k->inner - 1);
+}
+
+fmb_status fmb_script_question(fmb_script *s, fmb_system **out, fmb_where *where)
+{
+    if (!s)
+        return fmb_io_refuse_argument(where, "s is NULL");
+    write_question(s, true);
+    write_assumptions(s);
+    return fmb_system_parse(s->question, s->size, &s->how, out, where);
+}
+
+fmb_status fmb_script_whole(fmb_script *s, fmb_system **out, fmb_where *where)
+{
+    if (!s)
+        return fmb_io_refuse_argument(where, "s is NULL");
+    return fmb_system_parse(s->text, s->size, &s->how, out, where);
+}
+
+/* The i-th item of the list behind get-value; n 0: there is none. */
+static fmb_span find_value_term(fmb_script *s, size_t i)
+{
+    fmb_where at;
+    fmb_smt_token t;
+    const script_command *k = s->at > 0 ? &s->command[s->at - 1] : NULL;
+    if (!k || kind_of_command(k) != FMB_SCRIPT_VALUE)
+        return (fmb_span){NULL, 0};
+    fmb_cursor c = fmb_io_cursor(s->text, s->size, &s->how, &s->mem, &at);
+    for (c.at = k->text.p + k->inner + 1; fmb_smt_next(&c, &t) == FMB_OK; i--) {
+        if (t.kind == FMB_SMT_CLOSE || t.kind == FMB_SMT_END)
+            break;
+        if (t.kind == FMB_SMT_OPEN && fmb_smt_leave(&c, t.at) != FMB_OK)
+            break;
+        if (i == 0)
+            return (fmb_span){t.at, (size_t)(c.at - t.at)};
+    }
+    return (fmb_span){NULL, 0};
+}
+
+fmb_status fmb_script_term(fmb_script *s, size_t i, const char **text, size_t *size,
+                           fmb_system **out, fmb_where *where)
+{
+    static const char head[] = "(minimize ";
+    if (!s || !text || !size || !out)
+        return fmb_io_refuse_argument(where, "an argument is NULL");
+    fmb_span term = find_value_term(s, i);
+    if (term.n == 0) {
+        *text = NULL;
+        *size = 0;
+        return FMB_OK;
+    }
+    const script_command *k = &s->command[s->at - 1];
+    write_question(s, false);
+    memcpy(place_in_question(s, k->text.p), head, sizeof head - 1);
+    memcpy(place_in_question(s, term.p), term.p, term.n);
+    place_in_question(s, k->text.p)[k->text.n - 1] = ')';
+    fmb_status st = fmb_system_parse(s->question, s->size, &s->how, out, where);
+    if (st == FMB_OK) {
+        *text = term.p;
+        *size = term.n;
+    }
+    return st;
+}
