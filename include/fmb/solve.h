@@ -56,7 +56,8 @@ FMB_API void fmb_solver_free(fmb_solver *v);
 FMB_API void fmb_solver_cancel(fmb_solver *v);
 
 /* Why the last call with this solver returned FMB_ERR_ARG or FMB_ERR_RULE, one line that names the
- * argument, its value or the rules: "keep[2] is 7, but there are 3 variables"; "" if it did not.
+ * argument, its value or the rules: "keep[2] is 7, but there are 3 variables". After a projection
+ * with evidence FMB_EVIDENCE_WHOLE whose completeness is not proved: why not. Else "".
  * Good until the next call. A call without a solver has nowhere to say it. */
 FMB_API const char *fmb_solver_trouble(const fmb_solver *v);
 

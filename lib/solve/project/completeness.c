@@ -21,6 +21,8 @@
 /* And so are more faces whose middle has to be shown. */
 #define MOST_MIDDLES 2000
 
+static const char TOO_MANY[] = "it has too many corners";
+
 typedef struct whole_proof {
     fmb_query *q;
     const int *place;
@@ -30,6 +32,7 @@ typedef struct whole_proof {
     fmb_integers y; /* a point or direction of the image, t behind it */
     mpq_t *x;       /* [dim] above it */
     bool any_strict, done;
+    const char *why; /* it is not done */
 } whole_proof;
 
 /* ---- corners --------------------------------------------------------------------------------- */
@@ -69,6 +72,7 @@ static fmb_status claim_all_corners(whole_proof *w, const fmb_image *m, bool *fo
 {
     fmb_status st = FMB_OK;
     *found = m->rays + 2 * m->lines <= MOST_CORNERS;
+    w->why = *found ? "above some corner no solution was found" : TOO_MANY;
     for (size_t i = 0; st == FMB_OK && *found && i < m->rays; i++)
         st = claim_corner(w, &m->ray[i], 1, found);
     for (size_t i = 0; st == FMB_OK && *found && i < 2 * m->lines; i++)
@@ -81,6 +85,7 @@ static fmb_status find_corners(whole_proof *w, bool *found)
     fmb_lifted h;
     fmb_status st = fmb_lifted_open(&h, w->q, w->image);
     *found = false;
+    w->why = TOO_MANY;
     for (int turn = 0; st == FMB_OK && !*found && turn < MOST_TURNS; turn++) {
         if (h.cone.ray.size > MOST_CORNERS)
             break;
@@ -142,6 +147,7 @@ static fmb_status satisfy_judge(whole_proof *w, size_t claim)
         more = false;
         st = fmb_whole_judge(w->q->s, e, &e->claim[claim], w->q->run.mem, &patience, &why, on);
         w->done = st == FMB_OK && !why;
+        w->why = why;
         for (size_t i = w->first; st == FMB_OK && why && i < e->claims; i++)
             more = more || on[i];
         more = more && e->claims < room;
@@ -204,6 +210,10 @@ fmb_status fmb_query_prove_whole(fmb_query *q, const int *place, const fmb_syste
     fmb_status st = prove_whole(&w);
     while (!(st == FMB_OK && w.done) && q->claims->claims > w.first)
         fmb_evidence_drop_last(q->claims);
+    if (st == FMB_LIMIT)
+        fmb_solver_refuse(q->v, st, "not proved whole: a limit (%s)", fmb_stop_text(q->run.stop));
+    else if (st == FMB_OK && !w.done)
+        fmb_solver_refuse(q->v, st, "not proved whole: %s", w.why);
     if (st == FMB_LIMIT)
         q->run.stop = FMB_STOP_DONE;
     return st == FMB_LIMIT ? FMB_OK : st;
