@@ -73,8 +73,7 @@ static void report_json(const app_session *s, const fmb_system *shadow, const cl
 static int exit_code(const app_session *s, const fmb_system *shadow)
 {
     if (s->proof && s->evidence && *fmb_solver_trouble(s->solver))
-        app_session_note(s, "%s is outward only: %s", s->ask->proof,
-                         fmb_solver_trouble(s->solver));
+        app_session_note(s, "%s is outward only: %s", s->ask->proof, fmb_solver_trouble(s->solver));
     if (s->result.stop == FMB_STOP_DONE)
         return app_session_verdict_code(s);
     return app_session_undecided(s, shadow ? "an outer projection" : NULL);
