@@ -45,8 +45,9 @@ typedef enum fmb_status {
     FMB_ERR_PARSE,  /* malformed text; position and reason in fmb_where */
     FMB_ERR_IO,     /* stream failed; errno holds the cause */
     FMB_ERR_RULE,   /* rule unknown, or unsound for this query or beside another rule */
-    FMB_ERR_STATE   /* not now: no query has finished, it kept no evidence, nothing is loaded or
+    FMB_ERR_STATE,  /* not now: no query has finished, it kept no evidence, nothing is loaded or
                        pushed */
+    FMB_ERR_RANGE   /* a number does not fit the type that was asked for */
 } fmb_status;
 
 /* The answer. Zero is "unknown", so forgotten memory never reads as an answer. */

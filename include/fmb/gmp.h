@@ -25,9 +25,8 @@ extern "C" {
  * bad relation), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_add_q(fmb_system *s, size_t n, const int *var,
                                                 mpq_t *coef, fmb_rel rel, const mpq_t b);
-/* Number of nonzero terms of row i; its k-th term by increasing variable; its right side. Where
- * there is no such row or term: 0; the variable is then -1. */
-FMB_API size_t fmb_system_terms(const fmb_system *s, size_t i);
+/* Term k of row i by increasing variable (fmb_system_terms); its right side. Where there is no such
+ * row or term: 0; the variable is then -1. */
 FMB_API int fmb_system_term_q(const fmb_system *s, size_t i, size_t k, mpq_t coef);
 FMB_API void fmb_system_rhs_q(const fmb_system *s, size_t i, mpq_t b);
 
@@ -43,9 +42,8 @@ typedef struct fmb_objective_q {
 /* fmb_system_set_objective for these. Errors: ARG (also: variable out of range, denominator 0),
  * MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_set_objective_q(fmb_system *s, const fmb_objective_q *o);
-/* Number of nonzero terms of the objective; its k-th term by increasing variable; its constant.
- * Where there is none: 0; the variable is then -1. */
-FMB_API size_t fmb_system_objective_terms(const fmb_system *s);
+/* Term k of the objective by increasing variable; its constant. Where there is none: 0; the variable
+ * is then -1. */
 FMB_API int fmb_system_objective_term_q(const fmb_system *s, size_t k, mpq_t coef);
 FMB_API void fmb_system_objective_constant_q(const fmb_system *s, mpq_t constant);
 

@@ -39,8 +39,48 @@ FMB_API FMB_CHECKED fmb_status fmb_system_add(fmb_system *s, const double *a, fm
                                               double b);
 FMB_API FMB_CHECKED fmb_status fmb_system_add_int(fmb_system *s, const int64_t *a, fmb_rel rel,
                                                   int64_t b);
+/* Append sum coef[k] x_var[k] REL b, n terms in any order; a variable that comes twice is added up.
+ * Errors: ARG (as above; variable out of range), MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_system_add_terms(fmb_system *s, size_t n, const int *var,
+                                                    const double *coef, fmb_rel rel, double b);
+FMB_API FMB_CHECKED fmb_status fmb_system_add_terms_int(fmb_system *s, size_t n, const int *var,
+                                                        const int64_t *coef, fmb_rel rel,
+                                                        int64_t b);
+/* Append many rows, all or, on failure, none. Row i has the terms start[i] <= k < start[i + 1] (a
+ * matrix in compressed rows, CSR; start has rows + 1 entries), as above; with start and var NULL,
+ * the coefficients coef[i * dim .. (i + 1) * dim). Its relation is rel[i], <= if rel is NULL; its
+ * right side b[i]. Errors: ARG (also: a row that ends before it begins; fmb_system_trouble names
+ * the row and the variable or term), MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_system_add_rows(fmb_system *s, size_t rows, const size_t *start,
+                                                   const int *var, const double *coef,
+                                                   const fmb_rel *rel, const double *b);
+FMB_API FMB_CHECKED fmb_status fmb_system_add_rows_int(fmb_system *s, size_t rows,
+                                                       const size_t *start, const int *var,
+                                                       const int64_t *coef, const fmb_rel *rel,
+                                                       const int64_t *b);
+
 /* Relation of row i < rows; FMB_LE where there is no such row. */
 FMB_API fmb_rel fmb_system_rel(const fmb_system *s, size_t i);
+/* Number of nonzero terms of row i; 0 where there is no such row. And of all rows. */
+FMB_API size_t fmb_system_terms(const fmb_system *s, size_t i);
+FMB_API size_t fmb_system_nonzeros(const fmb_system *s);
+/* The rows first .. first + n in compressed rows: start[n + 1], from 0; var and coef by term, of
+ * which there are start[n] (fmb_system_terms of one row, fmb_system_nonzeros of all), by increasing
+ * variable; rel[n]; b[n]. Each of these may be NULL. As doubles: the nearest. As integers: RANGE,
+ * and nothing is written, where a number asked for is none, or none of 64 bits. Errors: ARG (no
+ * such rows), RANGE. */
+FMB_API FMB_CHECKED fmb_status fmb_system_get_rows(const fmb_system *s, size_t first, size_t n,
+                                                   size_t *start, int *var, double *coef,
+                                                   fmb_rel *rel, double *b);
+FMB_API FMB_CHECKED fmb_status fmb_system_get_rows_int(const fmb_system *s, size_t first, size_t n,
+                                                       size_t *start, int *var, int64_t *coef,
+                                                       fmb_rel *rel, int64_t *b);
+/* The coefficient of term k of row i as exact text, "-1/3", and its right side; "0" where there is
+ * none. Here and wherever a number is given as text: the length without the NUL is returned, and
+ * text[size] is written only if size is more than that. */
+FMB_API size_t fmb_system_term_text(const fmb_system *s, size_t i, size_t k, char *text,
+                                    size_t size);
+FMB_API size_t fmb_system_rhs_text(const fmb_system *s, size_t i, char *text, size_t size);
 
 /* Append the rows of another system, with their labels; its variable j is variable var[j] of s,
  * which may come twice, and is integer if either is. var NULL: the same numbers. So systems are
@@ -96,8 +136,22 @@ typedef struct fmb_objective {
  * variables that the objective names. A join leaves that of s as it is. Errors: ARG (coef NULL, a
  * number that is not finite, no such sense), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_set_objective(fmb_system *s, const fmb_objective *o);
-/* Sense of the objective; NONE: there is none. */
+/* The same of n terms, as in fmb_system_add_terms; a sense is needed. Errors: ARG (also: variable
+ * out of range), MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_system_set_objective_terms(fmb_system *s, fmb_sense sense,
+                                                              size_t n, const int *var,
+                                                              const double *coef, double constant);
+/* Sense of the objective; NONE: there is none. And the number of its nonzero terms. */
 FMB_API fmb_sense fmb_system_sense(const fmb_system *s);
+FMB_API size_t fmb_system_objective_terms(const fmb_system *s);
+/* Its sense; its terms by increasing variable, as the nearest doubles, and its constant; all but s
+ * may be NULL. Nothing is written if there is none. */
+FMB_API fmb_sense fmb_system_get_objective(const fmb_system *s, int *var, double *coef,
+                                           double *constant);
+/* Its numbers as text, in the manner of fmb_system_term_text. */
+FMB_API size_t fmb_system_objective_term_text(const fmb_system *s, size_t k, char *text,
+                                              size_t size);
+FMB_API size_t fmb_system_objective_constant_text(const fmb_system *s, char *text, size_t size);
 
 #ifdef __cplusplus
 }

@@ -23,6 +23,8 @@ const char *fmb_status_text(fmb_status st)
         return "pruning rule unknown, or unsound here";
     case FMB_ERR_STATE:
         return "not now: no query has finished, it kept no evidence, nothing is loaded or pushed";
+    case FMB_ERR_RANGE:
+        return "a number does not fit the type asked for";
     }
     return "unknown status";
 }

@@ -2,6 +2,7 @@
 #include "num/rationals.h"
 
 #include <math.h>
+#include <string.h>
 
 /* What malloc takes for the limb of a denominator 1. */
 #define FIRST_LIMB ((size_t)32)
@@ -83,4 +84,25 @@ double fmb_nearest_root(mpq_srcptr q)
     mpq_clear(root);
     mpz_clears(rest, other, NULL);
     return nearest;
+}
+
+bool fmb_rational_as_integer(mpq_srcptr q, int64_t *out)
+{
+    if (mpz_cmp_ui(mpq_denref(q), 1) != 0 || !mpz_fits_slong_p(mpq_numref(q)))
+        return false;
+    *out = mpz_get_si(mpq_numref(q));
+    return true;
+}
+
+/* GMP allocates the text, and gets it back, as it does limbs. */
+size_t fmb_rational_print(mpq_srcptr q, char *text, size_t size)
+{
+    void (*release)(void *, size_t);
+    char *all = mpq_get_str(NULL, 10, q);
+    size_t length = strlen(all);
+    if (text && length < size)
+        memcpy(text, all, length + 1);
+    mp_get_memory_functions(NULL, NULL, &release);
+    release(all, length + 1);
+    return length;
 }

@@ -15,5 +15,9 @@ void fmb_rationals_free(mpq_t *x, size_t n, fmb_mem *mem);
 double fmb_nearest_double(mpq_srcptr q);
 /* The double nearest to the root of q >= 0, whatever the size of q. */
 double fmb_nearest_root(mpq_srcptr q);
+/* q as such an integer, if it is one. */
+bool fmb_rational_as_integer(mpq_srcptr q, int64_t *out);
+/* "-1/3" and a NUL to text[size], if it has room for that; how long it is without the NUL. */
+size_t fmb_rational_print(mpq_srcptr q, char *text, size_t size);
 
 #endif

@@ -1,8 +1,166 @@
-/* add.c: rows from doubles, machine integers and rationals; and back to rationals. */
-#include <math.h>
+/* add.c: rows from doubles, machine integers and rationals, one or many.
+ *
+ * Numbers of any kind come in by the same way. Rows whose variables increase and whose numbers,
+ * over their common denominator, are small (num/vec.h) go straight into the words of the row; the
+ * others by rationals. Both ways give the same row.
+ */
+#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 
+#include "system/number_kind.h"
 #include "system/system_private.h"
+
+/* ---- what the caller has --------------------------------------------------------------------- */
+
+typedef struct matrix {
+    const fmb_number_kind *kind;
+    size_t rows;
+    const size_t *start; /* [rows + 1] row i is terms start[i]..start[i + 1); NULL: dense */
+    const int *var;      /* by term; NULL: dense */
+    const void *coef, *right;
+    const fmb_rel *rel; /* [rows], or NULL: <= */
+    size_t dim;
+} matrix;
+
+/* Terms of row i are [first, end). */
+static size_t first_term(const matrix *m, size_t i)
+{
+    return m->start ? m->start[i] : i * m->dim;
+}
+
+static int variable_of_term(const matrix *m, size_t i, size_t term)
+{
+    return m->var ? m->var[term] : (int)(term - first_term(m, i));
+}
+
+/* ---- what may not be given ------------------------------------------------------------------- */
+
+/* Refuse row i; that there is one is said where there are several. */
+__attribute__((format(printf, 4, 5))) static fmb_status
+refuse_in_row(fmb_system *s, const matrix *m, size_t i, const char *format, ...)
+{
+    char what[160];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(what, sizeof what, format, args);
+    va_end(args);
+    return m->rows == 1 ? fmb_system_refuse(s, "%s", what)
+                        : fmb_system_refuse(s, "row %zu: %s", i, what);
+}
+
+static fmb_status check_given_term(fmb_system *s, const matrix *m, size_t i, size_t term)
+{
+    char buf[FMB_WRONG_NUMBER];
+    int j = variable_of_term(m, i, term);
+    if (j < 0 || (size_t)j >= m->dim)
+        return refuse_in_row(s, m, i, "term %zu is of variable %d, and the system has %zu",
+                             term - first_term(m, i), j, m->dim);
+    const char *wrong = m->kind->wrong(m->coef, term, buf);
+    return wrong ? refuse_in_row(s, m, i, "coefficient of %.80s %s", s->names.name[j], wrong)
+                 : FMB_OK;
+}
+
+static fmb_status check_given_row(fmb_system *s, const matrix *m, size_t i)
+{
+    char buf[FMB_WRONG_NUMBER];
+    fmb_status st = FMB_OK;
+    if (m->rel && (unsigned)m->rel[i] > FMB_GT)
+        return refuse_in_row(s, m, i, "relation %d is none", (int)m->rel[i]);
+    for (size_t k = first_term(m, i); st == FMB_OK && k < first_term(m, i + 1); k++)
+        st = check_given_term(s, m, i, k);
+    const char *wrong = st == FMB_OK ? m->kind->wrong(m->right, i, buf) : NULL;
+    return wrong ? refuse_in_row(s, m, i, "right side %s", wrong) : st;
+}
+
+/* Where are the rows, before anything of them is looked at? */
+static fmb_status check_starts(fmb_system *s, const matrix *m)
+{
+    size_t all;
+    if (!m->start)
+        return __builtin_mul_overflow(m->rows, m->dim, &all)
+                   ? fmb_system_refuse(s, "%zu rows of %zu numbers", m->rows, m->dim)
+                   : FMB_OK;
+    for (size_t i = 0; i < m->rows; i++)
+        if (m->start[i + 1] < m->start[i])
+            return refuse_in_row(s, m, i, "it begins at %zu and ends at %zu", m->start[i],
+                                 m->start[i + 1]);
+    return FMB_OK;
+}
+
+static fmb_status check_matrix(fmb_system *s, const matrix *m)
+{
+    if (!s)
+        return FMB_ERR_ARG;
+    if (!m->start && m->var)
+        return fmb_system_refuse(s, "starts of rows are NULL");
+    if (m->rows > 0 && !m->right)
+        return fmb_system_refuse(s, "right side is NULL");
+    fmb_status st = check_starts(s, m);
+    bool any = st == FMB_OK && m->rows > 0 && first_term(m, m->rows) > first_term(m, 0);
+    if (any && (!m->coef || (m->start && !m->var)))
+        return fmb_system_refuse(s, "%s NULL", m->coef ? "variables are" : "coefficients are");
+    for (size_t i = 0; st == FMB_OK && i < m->rows; i++)
+        st = check_given_row(s, m, i);
+    return st;
+}
+
+/* ---- small rows ------------------------------------------------------------------------------ */
+
+/* Room for the longest row. */
+typedef struct row_words {
+    int *var;
+    int64_t *z; /* [most + 2] */
+    size_t most;
+} row_words;
+
+/* The bits that all numbers of row i need behind the point; false where variables do not increase,
+ * or it is more than a small denominator has. */
+static bool find_row_shift(const matrix *m, size_t i, size_t *shift)
+{
+    int last = -1;
+    *shift = m->kind->fraction_bits(m->right, i);
+    for (size_t k = first_term(m, i); k < first_term(m, i + 1); k++) {
+        int j = variable_of_term(m, i, k);
+        size_t bits = m->kind->fraction_bits(m->coef, k);
+        if (j <= last)
+            return false;
+        last = j;
+        *shift = bits > *shift ? bits : *shift;
+    }
+    return *shift < FMB_SMALL_BITS;
+}
+
+/* Row i as words, *n terms of it; false where it has none. */
+static bool take_small_row(const matrix *m, size_t i, row_words *w, size_t *n)
+{
+    size_t shift;
+    *n = 0;
+    if (!find_row_shift(m, i, &shift))
+        return false;
+    for (size_t k = first_term(m, i); k < first_term(m, i + 1); k++) {
+        if (m->kind->is_zero(m->coef, k))
+            continue;
+        if (!m->kind->shifted(m->coef, k, shift, &w->z[*n]))
+            return false;
+        w->var[(*n)++] = variable_of_term(m, i, k);
+    }
+    w->z[*n + 1] = (int64_t)1 << shift;
+    return m->kind->shifted(m->right, i, shift, &w->z[*n]);
+}
+
+static bool is_greater(fmb_rel rel)
+{
+    return rel == FMB_GE || rel == FMB_GT;
+}
+
+/* As it is kept. */
+static fmb_rel turned(fmb_rel rel)
+{
+    return rel == FMB_GE ? FMB_LE : rel == FMB_GT ? FMB_LT : rel;
+}
+
+/* ---- other rows ------------------------------------------------------------------------------ */
 
 /* Rationals of one row on their way in: terms, then the right side. */
 typedef struct draft {
@@ -50,76 +208,14 @@ static fmb_status draft_append(const draft *d, fmb_system *s, fmb_rel rel)
     for (size_t i = 0; i <= d->n; i++) {
         mpz_divexact(z[i], den, mpq_denref(d->q[i]));
         mpz_mul(z[i], z[i], mpq_numref(d->q[i]));
-        if (rel == FMB_GE || rel == FMB_GT)
+        if (is_greater(rel))
             mpz_neg(z[i], z[i]);
     }
-    rel = rel == FMB_GE ? FMB_LE : rel == FMB_GT ? FMB_LT : rel;
-    fmb_status st = fmb_system_append(s, d->n, d->var, z, rel);
+    fmb_status st = fmb_system_append(s, d->n, d->var, z, turned(rel));
     for (size_t i = 0; i < d->n + 2; i++)
         mpz_clear(z[i]);
     fmb_mem_put(&s->mem, z, d->n + 2, sizeof *z);
     return st;
-}
-
-static fmb_status check_relation(fmb_system *s, fmb_rel rel)
-{
-    return (unsigned)rel <= FMB_GT ? FMB_OK : fmb_system_refuse(s, "relation %d is none", (int)rel);
-}
-
-/* q = the j-th number of an array. */
-typedef void setter(mpq_t q, const void *numbers, size_t j);
-
-static void set_double(mpq_t q, const void *numbers, size_t j)
-{
-    mpq_set_d(q, ((const double *)numbers)[j]);
-}
-
-static void set_int(mpq_t q, const void *numbers, size_t j)
-{
-    mpq_set_si(q, ((const int64_t *)numbers)[j], 1);
-}
-
-/* Append a.x REL *b; a has length dim. */
-static fmb_status add_dense(fmb_system *s, setter *set, const void *a, fmb_rel rel, const void *b)
-{
-    draft d;
-    fmb_status st = draft_init(&d, s->names.size, &s->mem);
-    if (st != FMB_OK)
-        return st;
-    for (size_t j = 0; j < d.capacity; j++) {
-        set(d.q[d.n], a, j);
-        d.var[d.n] = (int)j;
-        d.n += mpq_sgn(d.q[d.n]) != 0;
-    }
-    set(d.q[d.n], b, 0);
-    st = draft_append(&d, s, rel);
-    draft_clear(&d, &s->mem);
-    return st;
-}
-
-/* What fmb_system_add and fmb_system_add_int may not be given. */
-static fmb_status check_dense(fmb_system *s, const void *a, fmb_rel rel)
-{
-    if (!s || (!a && s->names.size > 0))
-        return fmb_system_refuse(s, "coefficients that are NULL");
-    return check_relation(s, rel);
-}
-
-fmb_status fmb_system_add(fmb_system *s, const double *a, fmb_rel rel, double b)
-{
-    fmb_status st = check_dense(s, a, rel);
-    for (size_t j = 0; st == FMB_OK && j < s->names.size; j++)
-        if (!isfinite(a[j]))
-            st = fmb_system_refuse(s, "coefficient of %.80s is %g", s->names.name[j], a[j]);
-    if (st == FMB_OK && !isfinite(b))
-        st = fmb_system_refuse(s, "right side is %g", b);
-    return st == FMB_OK ? add_dense(s, set_double, a, rel, &b) : st;
-}
-
-fmb_status fmb_system_add_int(fmb_system *s, const int64_t *a, fmb_rel rel, int64_t b)
-{
-    fmb_status st = check_dense(s, a, rel);
-    return st == FMB_OK ? add_dense(s, set_int, a, rel, &b) : st;
 }
 
 typedef struct place {
@@ -134,109 +230,129 @@ static int by_var(const void *x, const void *y)
                             : (a->at > b->at) - (a->at < b->at);
 }
 
-/* to += from. GMP needs lowest terms over a positive denominator even to copy; the caller may have
- * written otherwise. */
-static void add_rational(mpq_t to, mpq_srcptr from, mpq_t scratch)
-{
-    mpz_set(mpq_numref(scratch), mpq_numref(from));
-    mpz_set(mpq_denref(scratch), mpq_denref(from));
-    mpq_canonicalize(scratch);
-    mpq_add(to, to, scratch);
-}
-
-/* Terms sorted by variable, equal variables added up, zeros dropped; then the right side. */
-static fmb_status draft_gather(draft *d, size_t n, const int *var, mpq_t *coef, mpq_srcptr b,
-                               fmb_mem *mem)
+/* Terms of row i sorted by variable, equal variables added up, zeros dropped; then the right side.
+ */
+static fmb_status draft_gather(draft *d, const matrix *m, size_t i, fmb_mem *mem)
 {
     mpq_t scratch;
+    size_t first = first_term(m, i), n = first_term(m, i + 1) - first;
     place *order = fmb_mem_get(mem, n, sizeof *order);
     if (!order)
         return fmb_mem_status(mem);
     for (size_t k = 0; k < n; k++)
-        order[k] = (place){var[k], k};
+        order[k] = (place){variable_of_term(m, i, first + k), first + k};
     qsort(order, n, sizeof *order, by_var);
     mpq_init(scratch);
     for (size_t k = 0; k < n;) {
         int v = order[k].var;
         mpq_set_ui(d->q[d->n], 0, 1);
-        for (; k < n && order[k].var == v; k++)
-            add_rational(d->q[d->n], coef[order[k].at], scratch);
+        for (; k < n && order[k].var == v; k++) {
+            m->kind->get(scratch, m->coef, order[k].at);
+            mpq_add(d->q[d->n], d->q[d->n], scratch);
+        }
         d->var[d->n] = v;
         d->n += mpq_sgn(d->q[d->n]) != 0;
     }
-    add_rational(d->q[d->n], b, scratch);
+    m->kind->get(d->q[d->n], m->right, i);
     mpq_clear(scratch);
     fmb_mem_put(mem, order, n, sizeof *order);
     return FMB_OK;
 }
 
-static bool is_rational(mpq_srcptr q)
-{
-    return mpz_sgn(mpq_denref(q)) != 0;
-}
-
-/* What fmb_system_add_q may not be given. */
-static fmb_status check_terms(fmb_system *s, size_t n, const int *var, mpq_t *coef, mpq_srcptr b)
-{
-    if (!s || !b || (n > 0 && (!var || !coef)))
-        return fmb_system_refuse(s, "%s NULL",
-                                 b ? "variables or coefficients are" : "right side is");
-    for (size_t k = 0; k < n; k++)
-        if (var[k] < 0 || var[k] >= fmb_system_dim(s))
-            return fmb_system_refuse(s, "term %zu is of variable %d, and the system has %d", k,
-                                     var[k], fmb_system_dim(s));
-        else if (!is_rational(coef[k]))
-            return fmb_system_refuse(s, "coefficient of %.80s has denominator 0",
-                                     s->names.name[var[k]]);
-    return is_rational(b) ? FMB_OK : fmb_system_refuse(s, "right side has denominator 0");
-}
-
-fmb_status fmb_system_add_q(fmb_system *s, size_t n, const int *var, mpq_t *coef, fmb_rel rel,
-                            const mpq_t b)
+static fmb_status append_long_row(fmb_system *s, const matrix *m, size_t i, fmb_rel rel)
 {
     draft d;
-    fmb_status st = check_terms(s, n, var, coef, b);
-    if (st == FMB_OK)
-        st = check_relation(s, rel);
-    if (st == FMB_OK)
-        st = draft_init(&d, n, &s->mem);
+    fmb_status st = draft_init(&d, first_term(m, i + 1) - first_term(m, i), &s->mem);
     if (st != FMB_OK)
         return st;
-    st = draft_gather(&d, n, var, coef, b, &s->mem);
+    st = draft_gather(&d, m, i, &s->mem);
     if (st == FMB_OK)
         st = draft_append(&d, s, rel);
     draft_clear(&d, &s->mem);
     return st;
 }
 
-/* ---- and back -------------------------------------------------------------------------------- */
+/* ---- all or none ----------------------------------------------------------------------------- */
 
-size_t fmb_system_terms(const fmb_system *s, size_t i)
+static fmb_status append_given_row(fmb_system *s, const matrix *m, size_t i, row_words *w)
 {
-    return i < fmb_system_rows(s) ? s->row[i].nnz : 0;
+    size_t n;
+    fmb_rel rel = m->rel ? m->rel[i] : FMB_LE;
+    if (!take_small_row(m, i, w, &n))
+        return append_long_row(s, m, i, rel);
+    for (size_t k = 0; is_greater(rel) && k <= n; k++)
+        w->z[k] = -w->z[k];
+    return fmb_system_append_small(s, n, w->var, w->z, turned(rel));
 }
 
-void fmb_sysrow_get_q(const fmb_sysrow *r, size_t k, mpq_t out)
+static fmb_status append_matrix(fmb_system *s, const matrix *m)
 {
-    if (!out)
-        return;
-    mpq_set_ui(out, 0, 1);
-    if (!r || k > r->nnz)
-        return;
-    fmb_vec_get(&r->val, k, mpq_numref(out));
-    fmb_vec_get(&r->val, r->nnz + 1, mpq_denref(out));
-    mpq_canonicalize(out);
+    size_t before = s->rows;
+    row_words w = {.most = m->start ? 0 : m->dim};
+    for (size_t i = 0; m->start && i < m->rows; i++) {
+        size_t n = m->start[i + 1] - m->start[i];
+        w.most = n > w.most ? n : w.most;
+    }
+    w.var = fmb_mem_get(&s->mem, w.most, sizeof *w.var);
+    w.z = fmb_mem_get(&s->mem, w.most + 2, sizeof *w.z);
+    fmb_status st = w.var && w.z ? FMB_OK : fmb_mem_status(&s->mem);
+    for (size_t i = 0; st == FMB_OK && i < m->rows; i++)
+        st = append_given_row(s, m, i, &w);
+    while (st != FMB_OK && s->rows > before)
+        fmb_system_remove(s, s->rows - 1);
+    fmb_mem_put(&s->mem, w.var, w.most, sizeof *w.var);
+    fmb_mem_put(&s->mem, w.z, w.most + 2, sizeof *w.z);
+    return st;
 }
 
-int fmb_system_term_q(const fmb_system *s, size_t i, size_t k, mpq_t coef)
+static fmb_status add_matrix(fmb_system *s, matrix m)
 {
-    bool there = k < fmb_system_terms(s, i);
-    fmb_sysrow_get_q(there ? &s->row[i] : NULL, k, coef);
-    return there ? s->row[i].var[k] : -1;
+    m.dim = s ? s->names.size : 0;
+    fmb_status st = check_matrix(s, &m);
+    return st == FMB_OK ? append_matrix(s, &m) : st;
 }
 
-void fmb_system_rhs_q(const fmb_system *s, size_t i, mpq_t b)
+/* ---- the public side ------------------------------------------------------------------------- */
+
+fmb_status fmb_system_add(fmb_system *s, const double *a, fmb_rel rel, double b)
 {
-    bool there = i < fmb_system_rows(s);
-    fmb_sysrow_get_q(there ? &s->row[i] : NULL, there ? s->row[i].nnz : 0, b);
+    return add_matrix(s, (matrix){&fmb_doubles, 1, NULL, NULL, a, &b, &rel, 0});
+}
+
+fmb_status fmb_system_add_int(fmb_system *s, const int64_t *a, fmb_rel rel, int64_t b)
+{
+    return add_matrix(s, (matrix){&fmb_integers, 1, NULL, NULL, a, &b, &rel, 0});
+}
+
+fmb_status fmb_system_add_terms(fmb_system *s, size_t n, const int *var, const double *coef,
+                                fmb_rel rel, double b)
+{
+    const size_t start[] = {0, n};
+    return add_matrix(s, (matrix){&fmb_doubles, 1, start, var, coef, &b, &rel, 0});
+}
+
+fmb_status fmb_system_add_terms_int(fmb_system *s, size_t n, const int *var, const int64_t *coef,
+                                    fmb_rel rel, int64_t b)
+{
+    const size_t start[] = {0, n};
+    return add_matrix(s, (matrix){&fmb_integers, 1, start, var, coef, &b, &rel, 0});
+}
+
+fmb_status fmb_system_add_q(fmb_system *s, size_t n, const int *var, mpq_t *coef, fmb_rel rel,
+                            const mpq_t b)
+{
+    const size_t start[] = {0, n};
+    return add_matrix(s, (matrix){&fmb_given_rationals, 1, start, var, coef, b, &rel, 0});
+}
+
+fmb_status fmb_system_add_rows(fmb_system *s, size_t rows, const size_t *start, const int *var,
+                               const double *coef, const fmb_rel *rel, const double *b)
+{
+    return add_matrix(s, (matrix){&fmb_doubles, rows, start, var, coef, b, rel, 0});
+}
+
+fmb_status fmb_system_add_rows_int(fmb_system *s, size_t rows, const size_t *start, const int *var,
+                                   const int64_t *coef, const fmb_rel *rel, const int64_t *b)
+{
+    return add_matrix(s, (matrix){&fmb_integers, rows, start, var, coef, b, rel, 0});
 }

@@ -40,6 +40,19 @@ fmb_status fmb_system_set_objective(fmb_system *s, const fmb_objective *o)
     return st == FMB_OK ? turn_last_row_into_objective(s, o->sense) : st;
 }
 
+fmb_status fmb_system_set_objective_terms(fmb_system *s, fmb_sense sense, size_t n, const int *var,
+                                          const double *coef, double constant)
+{
+    if (!s)
+        return FMB_ERR_ARG;
+    if (!is_sense(sense))
+        return refuse_sense(s, sense);
+    if (!isfinite(constant))
+        return fmb_system_refuse(s, "constant is %g", constant);
+    fmb_status st = fmb_system_add_terms(s, n, var, coef, FMB_LE, constant);
+    return st == FMB_OK ? turn_last_row_into_objective(s, sense) : st;
+}
+
 fmb_status fmb_system_set_objective_q(fmb_system *s, const fmb_objective_q *o)
 {
     if (!s)
@@ -80,22 +93,4 @@ fmb_status fmb_system_carry_objective(fmb_system *t, const fmb_system *s, const 
 fmb_sense fmb_system_sense(const fmb_system *s)
 {
     return s ? s->sense : FMB_SENSE_NONE;
-}
-
-size_t fmb_system_objective_terms(const fmb_system *s)
-{
-    return s && s->sense ? s->objective.nnz : 0;
-}
-
-int fmb_system_objective_term_q(const fmb_system *s, size_t k, mpq_t coef)
-{
-    bool there = k < fmb_system_objective_terms(s);
-    fmb_sysrow_get_q(there ? &s->objective : NULL, k, coef);
-    return there ? s->objective.var[k] : -1;
-}
-
-void fmb_system_objective_constant_q(const fmb_system *s, mpq_t constant)
-{
-    bool there = s && s->sense;
-    fmb_sysrow_get_q(there ? &s->objective : NULL, there ? s->objective.nnz : 0, constant);
 }

@@ -273,6 +273,22 @@ fmb_status fmb_system_append(fmb_system *s, size_t n, const int *var, mpz_t *z, 
     return FMB_OK;
 }
 
+fmb_status fmb_system_append_small(fmb_system *s, size_t n, const int *var, const int64_t *z,
+                                   fmb_rel rel)
+{
+    fmb_sysrow *r = NULL;
+    fmb_status st = open_row(s, n, &r);
+    if (st != FMB_OK)
+        return st;
+    memcpy(r->val.s, z, (n + 2) * sizeof *z);
+    fmb_vec_measure(&r->val, n + 2);
+    if (n > 0)
+        memcpy(r->var, var, n * sizeof *var);
+    r->rel = rel;
+    s->rows++;
+    return FMB_OK;
+}
+
 void fmb_system_remove(fmb_system *s, size_t i)
 {
     fmb_system_free_row(s, &s->row[i]);

@@ -59,6 +59,10 @@ __attribute__((format(printf, 2, 3))) fmb_status fmb_system_refuse(fmb_system *s
  * them, den > 0), var strictly increasing, no zero coefficient. Errors: MEMORY. */
 fmb_status fmb_system_append(fmb_system *s, size_t n, const int *var, mpz_t *z, fmb_rel rel);
 
+/* The same of small integers (num/vec.h). */
+fmb_status fmb_system_append_small(fmb_system *s, size_t n, const int *var, const int64_t *z,
+                                   fmb_rel rel);
+
 /* Append a copy of a row, with its label. Errors: MEMORY. */
 fmb_status fmb_system_copy_row(fmb_system *to, const fmb_sysrow *from);
 /* Row i leaves, or comes back to, a system that has room for it as it had it before. Not freed,

@@ -36,12 +36,24 @@ static fmb_status step(fmb_system *s, int number)
         return fmb_system_set_objective(s, &(fmb_objective){FMB_SENSE_MAX, real, 0.1});
     case 7:
         return fmb_system_parse_objective(s, FMB_SENSE_MIN, "2 x3 + height/3 - 1e30", 22, NULL);
+    case 8:
+        return fmb_system_add_rows(s, 2, (size_t[]){0, 2, 4}, (int[]){0, 2, 2, 2},
+                                   (double[]){1, 2, 0.1, 1e300}, NULL, (double[]){3, 4});
+    case 9:
+        return fmb_system_add_rows_int(s, 2, NULL, NULL, (int64_t[]){1, 2, 3, INT64_MIN, 5, 6},
+                                       NULL, (int64_t[]){3, INT64_MAX});
+    case 10:
+        return fmb_system_add_terms(s, 1, var, real, FMB_GE, 1);
+    case 11:
+        return fmb_system_add_terms_int(s, 1, var, whole, FMB_EQ, 1);
+    case 12:
+        return fmb_system_set_objective_terms(s, FMB_SENSE_MIN, 3, var, real, 0.1);
     default:
         return fmb_system_add_variable(s, "w", NULL);
     }
 }
 
-enum { STEPS = 9 };
+enum { STEPS = 14 };
 
 static char *print(const fmb_system *s)
 {
@@ -77,7 +89,7 @@ static void build(hook *h, size_t fail_at, size_t *calls)
         }
         free(before);
     }
-    cr_assert_eq(fmb_system_rows(s), 3);
+    cr_assert_eq(fmb_system_rows(s), 9);
     cr_assert_eq(fmb_system_sense(s), FMB_SENSE_MIN);
     cr_assert_eq(fmb_system_find(s, "height"), 1);
     cr_assert_eq(fmb_system_find(s, "w"), 3);

@@ -152,7 +152,7 @@ Test(arena, reserve_moves_the_contents)
 
 Test(words, every_status_verdict_and_stop_has_one)
 {
-    for (int i = FMB_OK; i <= FMB_ERR_STATE; i++)
+    for (int i = FMB_OK; i <= FMB_ERR_RANGE; i++)
         cr_assert_str_neq(fmb_status_text((fmb_status)i), "unknown status");
     cr_assert_str_eq(fmb_status_text((fmb_status)99), "unknown status");
     cr_assert_str_eq(fmb_verdict_text(FMB_UNKNOWN), "unknown");

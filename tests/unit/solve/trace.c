@@ -236,7 +236,7 @@ Test(trace, counted)
 
 Test(words, texts)
 {
-    for (int i = 0; i <= FMB_ERR_STATE; i++)
+    for (int i = 0; i <= FMB_ERR_RANGE; i++)
         cr_expect(fmb_status_text((fmb_status)i)[0]);
     cr_expect_str_eq(fmb_verdict_text(FMB_FEASIBLE), "feasible");
     cr_expect_str_eq(fmb_verdict_text(FMB_INFEASIBLE), "infeasible");

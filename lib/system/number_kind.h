@@ -1,0 +1,26 @@
+/* number_kind.h: what add.c asks of numbers in the arrays of a caller, whatever their type. */
+#ifndef FMB_SYSTEM_NUMBER_KIND_H
+#define FMB_SYSTEM_NUMBER_KIND_H
+
+#include <gmp.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#define FMB_WRONG_NUMBER 40
+
+/* Numbers of one kind in an array. */
+typedef struct fmb_number_kind {
+    /* What is wrong with number i, in a few words, or NULL. */
+    const char *(*wrong)(const void *numbers, size_t i, char buf[FMB_WRONG_NUMBER]);
+    bool (*is_zero)(const void *numbers, size_t i);
+    /* How many bits number i has behind the binary point; SIZE_MAX: it may have others, too. */
+    size_t (*fraction_bits)(const void *numbers, size_t i);
+    /* Number i times 2^shift, at least its bits, if that is small (num/vec.h). */
+    bool (*shifted)(const void *numbers, size_t i, size_t shift, int64_t *out);
+    void (*get)(mpq_t q, const void *numbers, size_t i);
+} fmb_number_kind;
+
+extern const fmb_number_kind fmb_doubles, fmb_integers, fmb_given_rationals;
+
+#endif
