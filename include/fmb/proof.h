@@ -53,9 +53,28 @@ FMB_API double fmb_evidence_coordinate(const fmb_evidence *e, size_t i, int j);
 /* The first row from r on whose multiplier in claim i is not 0, SIZE_MAX if there is none. */
 FMB_API size_t fmb_evidence_next_row(const fmb_evidence *e, size_t i, size_t r);
 
+/* How long to wait for a proof that is read or judged. More may be added: begin with
+ * fmb_patience_default(), which is to wait for ever. */
+typedef struct fmb_patience {
+    double max_seconds; /* wall clock [s]; 0: no limit */
+    size_t max_bytes;   /* of the evidence, limbs too, and what a judge works with, but for the
+                           numbers of one product or sum [bytes]; 0: no limit */
+    /* Asked now and then: true gives up, as after a Ctrl-C. May be NULL. */
+    bool (*give_up)(void *self);
+    void *self;
+} fmb_patience;
+
+FMB_API fmb_patience fmb_patience_default(void);
+
 /* [give] Read the text form. Names of variables are those of s. Errors: PARSE, IO, MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_evidence_read(FILE *in, const fmb_system *s, fmb_evidence **out,
                                                  fmb_where *where);
+/* [give] The same, but no longer than somebody waits: *stop says why it ended, and unless that is
+ * DONE, *out is NULL. patience NULL: for ever. Errors: also ARG (a limit that is none). */
+FMB_API FMB_CHECKED fmb_status fmb_evidence_read_within(FILE *in, const fmb_system *s,
+                                                        const fmb_patience *patience,
+                                                        fmb_evidence **out, fmb_stop *stop,
+                                                        fmb_where *where);
 FMB_API FMB_CHECKED fmb_status fmb_evidence_write(const fmb_evidence *e, const fmb_system *s,
                                                   FILE *out);
 
@@ -63,14 +82,22 @@ FMB_API FMB_CHECKED fmb_status fmb_evidence_write(const fmb_evidence *e, const f
 typedef struct fmb_judgement {
     bool accepted;       /* every claim holds, and there is at least one */
     fmb_verdict verdict; /* what the accepted claims say of the system, UNKNOWN if nothing */
+    fmb_stop stop;       /* DONE, or the limit at which the judge left off: not accepted then */
+    size_t held;         /* claims that hold, of those that were judged */
     size_t claim;        /* first claim that fails, SIZE_MAX if none */
-    char reason[160];    /* why it fails */
+    bool relaxed;        /* the system has integer variables, and some claim that holds is about the
+                            reals alone (docs/proof-format.md, "Integers") */
+    char reason[160];    /* why it fails, or is not accepted */
 } fmb_judgement;
 
 /* Judge all claims of e about s in exact arithmetic. Shares no code with elimination or simplex.
  * Errors: ARG (e was made for another shape of system), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_check(const fmb_system *s, const fmb_evidence *e,
                                          fmb_judgement *out);
+/* The same, but no longer than somebody waits; patience NULL: for ever. Errors: ARG (also a limit
+ * that is none), MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_check_within(const fmb_system *s, const fmb_evidence *e,
+                                                const fmb_patience *patience, fmb_judgement *out);
 
 /* Claim i in words on one line, without its proof: "max x = 5/2", "row 3 follows from rows that
  * stay". Errors: ARG, IO. */

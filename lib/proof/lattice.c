@@ -212,12 +212,12 @@ static fmb_status look_at_face(lattice_walk *w, const uint64_t *f, size_t dimens
     return st;
 }
 
-static fmb_status walk_down(lattice_walk *w, size_t dimension, const fmb_patience *patience)
+static fmb_status walk_down(lattice_walk *w, size_t dimension, const fmb_poll *poll)
 {
     fmb_status st = FMB_OK;
     for (; dimension > 0 && w->end == FMB_LATTICE_CLOSED; dimension--) {
         for (size_t i = 0; w->end == FMB_LATTICE_CLOSED && i < w->here.size; i++) {
-            st = fmb_patience_ask(patience);
+            st = fmb_poll_ask(poll);
             if (st == FMB_OK)
                 st = look_at_face(w, w->here.set + i * w->l->words, dimension);
             if (st != FMB_OK)
@@ -231,7 +231,7 @@ static fmb_status walk_down(lattice_walk *w, size_t dimension, const fmb_patienc
 }
 
 fmb_status fmb_lattice_check(const fmb_lattice *l, const uint64_t *top, size_t dimension,
-                             fmb_mem *mem, const fmb_patience *patience, fmb_lattice_end *end,
+                             fmb_mem *mem, const fmb_poll *poll, fmb_lattice_end *end,
                              uint64_t *face)
 {
     lattice_walk w = {.l = l, .mem = mem, .unshown = face};
@@ -247,7 +247,7 @@ fmb_status fmb_lattice_check(const fmb_lattice *l, const uint64_t *top, size_t d
     if (dimension == 0)
         w.end = FMB_LATTICE_OPEN;
     if (st == FMB_OK)
-        st = walk_down(&w, dimension, patience);
+        st = walk_down(&w, dimension, poll);
     clear_level(&w.here, mem);
     clear_level(&w.below, mem);
     fmb_mem_put(mem, w.set, words, sizeof *w.set);

@@ -46,7 +46,7 @@
 #ifndef FMB_PROOF_LATTICE_H
 #define FMB_PROOF_LATTICE_H
 
-#include "base/mem.h"
+#include "proof/guard.h"
 
 /* Sets of vectors are bits, `words` words each. */
 typedef struct fmb_lattice {
@@ -65,21 +65,10 @@ typedef enum fmb_lattice_end {
     FMB_LATTICE_LARGE    /* there is too much to look at */
 } fmb_lattice_end;
 
-/* Somebody to ask from time to time whether to go on: anything but FMB_OK ends it. */
-typedef struct fmb_patience {
-    fmb_status (*ask)(void *with); /* NULL: for ever */
-    void *with;
-} fmb_patience;
-
-static inline fmb_status fmb_patience_ask(const fmb_patience *p)
-{
-    return p->ask ? p->ask(p->with) : FMB_OK;
-}
-
 /* Is the set `top` closed of that dimension? face[words]: with UNSHOWN, one of those of least
- * dimension. Errors: MEMORY, LIMIT, and what patience says. */
+ * dimension. Errors: MEMORY, LIMIT, and what poll says. */
 fmb_status fmb_lattice_check(const fmb_lattice *l, const uint64_t *top, size_t dimension,
-                             fmb_mem *mem, const fmb_patience *patience, fmb_lattice_end *end,
+                             fmb_mem *mem, const fmb_poll *poll, fmb_lattice_end *end,
                              uint64_t *face);
 
 #endif

@@ -344,30 +344,54 @@ static fmb_status read_text(reader *r)
                                     r->e->claims);
 }
 
-fmb_status fmb_evidence_read(FILE *in, const fmb_system *s, fmb_evidence **out, fmb_where *where)
+/* All of the text, with what that needs. */
+static fmb_status read_into(reader *r, FILE *in, const fmb_poll *poll, fmb_where *where)
+{
+    bool ready = true;
+    fmb_words_init(&r->words, in, &r->e->mem, poll, where);
+    mpq_init(r->number);
+    for (fmb_form_part part = 0; ready && part < FMB_PARTS; part++) {
+        r->seen[part] = fmb_mem_zero(&r->e->mem, keys(r, part), sizeof **r->seen);
+        ready = r->seen[part] != NULL;
+    }
+    fmb_status st = ready ? read_text(r) : fmb_mem_status(&r->e->mem);
+    for (fmb_form_part part = 0; part < FMB_PARTS; part++)
+        fmb_mem_put(&r->e->mem, r->seen[part], keys(r, part), sizeof **r->seen);
+    mpq_clear(r->number);
+    fmb_words_clear(&r->words);
+    return r->words.is_cut ? FMB_LIMIT : st;
+}
+
+fmb_status fmb_evidence_read_within(FILE *in, const fmb_system *s, const fmb_patience *patience,
+                                    fmb_evidence **out, fmb_stop *stop, fmb_where *where)
 {
     fmb_where unwanted;
+    fmb_guard guard;
     reader r = {.s = s};
-    if (!in || !s || !out)
+    if (!in || !s || !out || !stop)
         return FMB_ERR_ARG;
     fmb_status st = fmb_evidence_new(fmb_system_dim(s), fmb_system_rows(s), &s->mem.alloc, &r.e);
     if (st != FMB_OK)
         return st;
-    fmb_words_init(&r.words, in, &r.e->mem, where ? where : &unwanted);
-    mpq_init(r.number);
-    bool ready = true;
-    for (fmb_form_part part = 0; part < FMB_PARTS; part++) {
-        r.seen[part] = fmb_mem_zero(&r.e->mem, keys(&r, part), sizeof **r.seen);
-        ready = ready && r.seen[part];
-    }
-    st = ready ? read_text(&r) : FMB_ERR_MEMORY;
-    for (fmb_form_part part = 0; part < FMB_PARTS; part++)
-        fmb_mem_put(&r.e->mem, r.seen[part], keys(&r, part), sizeof **r.seen);
-    mpq_clear(r.number);
-    fmb_words_clear(&r.words);
+    st = fmb_guard_begin(&guard, patience, &r.e->mem);
+    const fmb_poll poll = fmb_guard_poll(&guard);
     if (st == FMB_OK)
-        *out = r.e;
-    else
+        st = read_into(&r, in, &poll, where ? where : &unwanted);
+    r.e->mem.limit = 0;
+    if (st != FMB_OK) {
         fmb_evidence_free(r.e);
+        r.e = NULL;
+    }
+    if (st == FMB_OK || st == FMB_LIMIT) {
+        *stop = st == FMB_OK ? FMB_STOP_DONE : fmb_guard_stop(&guard);
+        *out = r.e;
+        st = FMB_OK;
+    }
     return st;
+}
+
+fmb_status fmb_evidence_read(FILE *in, const fmb_system *s, fmb_evidence **out, fmb_where *where)
+{
+    fmb_stop stop;
+    return fmb_evidence_read_within(in, s, NULL, out, &stop, where);
 }

@@ -36,7 +36,7 @@ typedef struct assembly {
     const fmb_system *s;
     const fmb_evidence *e;
     fmb_mem *mem;
-    const fmb_patience *patience;
+    const fmb_poll *poll;
     size_t width;          /* k + 1 */
     bool *kept;            /* [dim] */
     size_t *column;        /* [dim] of a kept variable */
@@ -236,7 +236,7 @@ static fmb_status find_zeros(assembly *a)
             zeros += on;
         }
         put_corner(zeros == l->forms ? a->free : a->rest, g);
-        st = fmb_patience_ask(a->patience);
+        st = fmb_poll_ask(a->poll);
     }
     for (size_t i = 0; i < l->forms; i++)
         l->excludes[i] = i == a->rows || a->row[i]->rel == FMB_LT;
@@ -309,7 +309,7 @@ static fmb_status find_strict_insides(assembly *a)
             set += l->words;
         }
         fmb_integers_clear(&v, a->mem);
-        st = st == FMB_OK ? fmb_patience_ask(a->patience) : st;
+        st = st == FMB_OK ? fmb_poll_ask(a->poll) : st;
     }
     return st;
 }
@@ -330,8 +330,7 @@ static fmb_status judge_faces(assembly *a, const char **why, bool *on)
     rank += linear ? find_rank(a, a->vector, n) : 0;
     fmb_status st = FMB_OK;
     if (linear && rank <= a->width)
-        st = fmb_lattice_check(&a->faces, a->rest, a->width - rank, a->mem, a->patience, &end,
-                               a->face);
+        st = fmb_lattice_check(&a->faces, a->rest, a->width - rank, a->mem, a->poll, &end, a->face);
     *why = said[end];
     for (size_t g = 0; on && st == FMB_OK && g < a->corners; g++)
         on[a->corner[g] - a->e->claim] = end == FMB_LATTICE_UNSHOWN && has_corner(a->face, g);
@@ -362,9 +361,9 @@ static void clear_assembly(assembly *a)
 }
 
 fmb_status fmb_whole_judge(const fmb_system *s, const fmb_evidence *e, const fmb_claim *q,
-                           fmb_mem *mem, const fmb_patience *patience, const char **why, bool *on)
+                           fmb_mem *mem, const fmb_poll *poll, const char **why, bool *on)
 {
-    assembly a = {.s = s, .e = e, .mem = mem, .patience = patience};
+    assembly a = {.s = s, .e = e, .mem = mem, .poll = poll};
     mpz_inits(a.t, a.z, NULL);
     fmb_status st = list_kept_variables(&a, q);
     if (st == FMB_OK)

@@ -6,9 +6,11 @@
 
 #include "proof/form.h"
 
-void fmb_words_init(fmb_words *w, FILE *in, fmb_mem *mem, fmb_where *where)
+enum { BYTES_OF_POLL = 256 };
+
+void fmb_words_init(fmb_words *w, FILE *in, fmb_mem *mem, const fmb_poll *poll, fmb_where *where)
 {
-    *w = (fmb_words){.in = in, .mem = mem, .where = where, .at_line = 1, .at = 1};
+    *w = (fmb_words){.in = in, .mem = mem, .poll = poll, .where = where, .at_line = 1, .at = 1};
     w->next = getc(in);
 }
 
@@ -33,7 +35,8 @@ fmb_status fmb_words_expected(fmb_words *w, const char *what, ...)
 static int take(fmb_words *w)
 {
     int byte = w->next;
-    w->next = getc(w->in);
+    w->is_cut = w->is_cut || (w->bytes++ % BYTES_OF_POLL == 0 && fmb_poll_ask(w->poll) != FMB_OK);
+    w->next = w->is_cut ? EOF : getc(w->in);
     w->at++;
     if (byte == '\n') {
         w->at_line++;

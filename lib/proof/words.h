@@ -11,21 +11,24 @@
 
 #include <gmp.h>
 
-#include "base/mem.h"
+#include "proof/guard.h"
 
 typedef struct fmb_words {
     FILE *in;
     fmb_mem *mem;
-    fmb_where *where; /* filled when FMB_ERR_PARSE is returned */
-    char *text;       /* the current word, ending in NUL; empty at the end of a line */
+    const fmb_poll *poll; /* asked every so many bytes; if it says no, the text ends there */
+    bool is_cut;          /* it has said no */
+    fmb_where *where;     /* filled when FMB_ERR_PARSE is returned */
+    char *text;           /* the current word, ending in NUL; empty at the end of a line */
     size_t size, capacity;
     bool quoted;
     long line, column; /* of the current word */
     int next;          /* the next byte, or EOF */
     long at_line, at;  /* where it stands */
+    size_t bytes;      /* taken */
 } fmb_words;
 
-void fmb_words_init(fmb_words *w, FILE *in, fmb_mem *mem, fmb_where *where);
+void fmb_words_init(fmb_words *w, FILE *in, fmb_mem *mem, const fmb_poll *poll, fmb_where *where);
 void fmb_words_clear(fmb_words *w);
 
 /* The next word of this line; empty at its end. Errors: PARSE, MEMORY, IO. */

@@ -1,14 +1,7 @@
 /* run.c: limits, counters and events of one query; see run.h. */
 #include "trace/run.h"
 
-#include <time.h>
-
-static double monotonic_seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
+#include "base/clock.h"
 
 void fmb_run_begin(fmb_run *run, fmb_mem *mem, const fmb_options *o, const atomic_int *cancel,
                    fmb_sink sink, const char *query)
@@ -17,7 +10,7 @@ void fmb_run_begin(fmb_run *run, fmb_mem *mem, const fmb_options *o, const atomi
     run->kernels = fmb_kernels_choose(o->simd);
     run->threads = o->threads > 1 ? o->threads : 1;
     run->tells_rows = o->trace_rows && sink.put != NULL;
-    run->started = monotonic_seconds();
+    run->started = fmb_monotonic_seconds();
     if (o->max_seconds > 0)
         run->deadline = run->started + o->max_seconds;
     mem->limit = o->max_bytes;
@@ -27,7 +20,7 @@ void fmb_run_begin(fmb_run *run, fmb_mem *mem, const fmb_options *o, const atomi
 
 void fmb_run_end(fmb_run *run, fmb_verdict v)
 {
-    run->stats.seconds = monotonic_seconds() - run->started;
+    run->stats.seconds = fmb_monotonic_seconds() - run->started;
     run->stats.bytes_peak = run->mem->peak;
     run->mem->limit = 0;
     fmb_run_emit(run, (fmb_event){.kind = FMB_EVENT_END, .var = -1, .name = fmb_verdict_text(v)});
@@ -46,7 +39,7 @@ fmb_status fmb_run_poll_now(fmb_run *run)
         return FMB_LIMIT;
     if (atomic_load_explicit(run->cancel, memory_order_relaxed))
         return note_first_stop(run, FMB_STOP_CANCELLED);
-    if (run->deadline > 0 && monotonic_seconds() >= run->deadline)
+    if (run->deadline > 0 && fmb_monotonic_seconds() >= run->deadline)
         return note_first_stop(run, FMB_STOP_TIME);
     return FMB_OK;
 }
@@ -64,7 +57,7 @@ fmb_status fmb_run_poll(fmb_run *run)
 
 void fmb_run_reserve(fmb_run *run)
 {
-    double left = run->deadline > 0 ? run->deadline - monotonic_seconds() : 0;
+    double left = run->deadline > 0 ? run->deadline - fmb_monotonic_seconds() : 0;
     run->reserve = left > 0 ? left / RESERVED : 0;
     run->deadline -= run->reserve;
 }
@@ -92,7 +85,7 @@ void fmb_run_emit(fmb_run *run, fmb_event e)
 {
     if (!run->sink.put)
         return;
-    e.seconds = monotonic_seconds() - run->started;
+    e.seconds = fmb_monotonic_seconds() - run->started;
     if (run->var_of && e.var >= 0)
         e.var = run->var_of[e.var];
     run->sink.put(run->sink.self, &e);

@@ -137,7 +137,7 @@ static fmb_status poll_run(void *run)
 /* Ask the judge; while all that it misses is a point above some face, give it one. */
 static fmb_status satisfy_judge(whole_proof *w, size_t claim)
 {
-    const fmb_patience patience = {poll_run, &w->q->run};
+    const fmb_poll poll = {poll_run, &w->q->run};
     fmb_evidence *e = w->q->claims;
     size_t room = e->claims + MOST_MIDDLES;
     bool *on = fmb_mem_zero(w->q->run.mem, room, sizeof *on), more = on != NULL;
@@ -145,7 +145,7 @@ static fmb_status satisfy_judge(whole_proof *w, size_t claim)
     while (st == FMB_OK && more) {
         const char *why = NULL;
         more = false;
-        st = fmb_whole_judge(w->q->s, e, &e->claim[claim], w->q->run.mem, &patience, &why, on);
+        st = fmb_whole_judge(w->q->s, e, &e->claim[claim], w->q->run.mem, &poll, &why, on);
         w->done = st == FMB_OK && !why;
         w->why = why;
         for (size_t i = w->first; st == FMB_OK && why && i < e->claims; i++)
