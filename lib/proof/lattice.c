@@ -29,7 +29,8 @@ typedef struct lattice_walk {
     faces_of_level here, below;
     uint64_t *set;     /* [forms][words] of the cuts */
     face_cut *cut;     /* [forms] */
-    size_t *facet;     /* [forms] cuts that are maximal */
+    size_t *facet;     /* [forms] cuts that are maximal ... */
+    size_t facets;     /* ... of the face at hand */
     uint64_t words;    /* looked at so far */
     uint64_t *unshown; /* the last face that does not meet what it must ... */
     bool is_unshown;   /* ... if there is one */
@@ -144,13 +145,13 @@ static size_t cut_face(lattice_walk *w, const uint64_t *f)
     return cuts;
 }
 
-/* Put the facets of f down as faces of the next level, unless some cut shows that f is not closed.
- * Whatever contains a cut comes before it, so that the maximal ones are known. */
-static fmb_status descend_to_facets(lattice_walk *w, const uint64_t *f)
+/* Find the facets of f, unless some cut shows that f is not closed. Whatever contains a cut comes
+ * before it, so that the maximal ones are known. */
+static bool find_facets(lattice_walk *w, const uint64_t *f)
 {
     size_t words = w->l->words, cuts = cut_face(w, f), facets = 0;
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < cuts && w->end == FMB_LATTICE_CLOSED; i++) {
+    bool closed = true;
+    for (size_t i = 0; closed && i < cuts; i++) {
         const face_cut *c = &w->cut[i];
         size_t above = 0;
         bool known = false;
@@ -161,15 +162,132 @@ static fmb_status descend_to_facets(lattice_walk *w, const uint64_t *f)
             known = known || (inside && facet->size == c->size);
         }
         w->words += (facets + 1) * words;
-        if (above == 0) {
+        if (above == 0)
             w->facet[facets++] = i;
-            st = add_face(&w->below, c->set, words, w->mem);
-        } else if (above == 1 && !known) {
-            w->end = FMB_LATTICE_OPEN;
+        closed = above != 1 || known;
+    }
+    w->facets = facets;
+    return closed && facets > 1;
+}
+
+/* ---- simple faces ---------------------------------------------------------------------------- */
+
+/* The members of a face, and for each the width forms that are 0 there: T(g), ascending. */
+typedef struct simple_face {
+    size_t members, width;
+    uint32_t *tight; /* [members][width] */
+    size_t *slot;    /* [slots] a member and one of its forms that is left out, plus 1; 0: free */
+    bool *is_met;    /* [slots] some other member has all but another form in common with it */
+    size_t slots;
+} simple_face;
+
+/* Are the forms of number x and of number y the same, but for those that are left out? */
+static bool are_same_but_one(const simple_face *s, size_t x, size_t y)
+{
+    const uint32_t *a = s->tight + x / s->width * s->width, *b = s->tight + y / s->width * s->width;
+    size_t i = 0, k = 0;
+    bool same = true;
+    for (size_t n = 0; same && n + 1 < s->width; n++) {
+        i += i == x % s->width;
+        k += k == y % s->width;
+        same = a[i++] == b[k++];
+    }
+    return same;
+}
+
+/* The slot of those that have the same forms but one as number x; there is a free one. */
+static size_t find_slot_of_neighbours(const simple_face *s, size_t x)
+{
+    const uint32_t *forms = s->tight + x / s->width * s->width;
+    uint64_t h = 0;
+    for (size_t k = 0; k < s->width; k++)
+        if (k != x % s->width)
+            h = (h ^ forms[k]) * 0x9e3779b97f4a7c15u, h ^= h >> 29;
+    size_t i = h & (s->slots - 1);
+    while (s->slot[i] > 0 && !are_same_but_one(s, s->slot[i] - 1, x))
+        i = (i + 1) & (s->slots - 1);
+    return i;
+}
+
+/* Has each member of the face, for each of its forms, one neighbour that has all others but not
+ * that? A second one would be the same vector twice, up to a factor: that is left to the walk. */
+static bool have_all_neighbours(const simple_face *s)
+{
+    bool all = true;
+    for (size_t x = 0; all && x < s->members * s->width; x++) {
+        size_t i = find_slot_of_neighbours(s, x);
+        if (s->slot[i] == 0) {
+            s->slot[i] = x + 1;
+        } else {
+            all = !s->is_met[i] && s->tight[s->slot[i] - 1] != s->tight[x];
+            s->is_met[i] = true;
         }
     }
-    if (st == FMB_OK && w->end == FMB_LATTICE_CLOSED && facets < 2)
+    for (size_t i = 0; all && i < s->slots; i++)
+        all = s->slot[i] == 0 || s->is_met[i];
+    return all;
+}
+
+/* List which facets each member of f lies in; false: not in as many as the width. */
+static bool list_tight_forms(const lattice_walk *w, const uint64_t *f, simple_face *s)
+{
+    size_t at = 0;
+    bool good = true;
+    for (size_t g = 0; good && g < 64 * w->l->words; g++) {
+        size_t n = 0;
+        if (!(f[g / 64] >> (g % 64) & 1))
+            continue;
+        for (size_t i = 0; good && i < w->facets; i++) {
+            if (!(w->cut[w->facet[i]].set[g / 64] >> (g % 64) & 1))
+                continue;
+            good = n < s->width;
+            if (good)
+                s->tight[at * s->width + n++] = (uint32_t)i;
+        }
+        good = good && n == s->width;
+        at++;
+    }
+    return good;
+}
+
+/* Is f simple, where R' is one form for each facet? */
+static fmb_status is_simple(lattice_walk *w, const uint64_t *f, size_t dimension, bool *simple)
+{
+    simple_face s = {.members = count_members(f, w->l->words), .width = dimension - 1, .slots = 64};
+    size_t incidences = 0;
+    for (size_t i = 0; i < w->facets; i++)
+        incidences += w->cut[w->facet[i]].size;
+    *simple =
+        w->facets <= UINT32_MAX && incidences % s.width == 0 && incidences / s.width == s.members;
+    if (!*simple)
+        return FMB_OK;
+    while (s.slots < 2 * incidences)
+        s.slots *= 2;
+    s.tight = fmb_mem_get(w->mem, incidences, sizeof *s.tight);
+    s.slot = fmb_mem_zero(w->mem, s.slots, sizeof *s.slot);
+    s.is_met = fmb_mem_zero(w->mem, s.slots, sizeof *s.is_met);
+    fmb_status st = s.tight && s.slot && s.is_met ? FMB_OK : fmb_mem_status(w->mem);
+    *simple = st == FMB_OK && list_tight_forms(w, f, &s) && have_all_neighbours(&s);
+    w->words += incidences + s.slots;
+    fmb_mem_put(w->mem, s.tight, incidences, sizeof *s.tight);
+    fmb_mem_put(w->mem, s.slot, s.slots, sizeof *s.slot);
+    fmb_mem_put(w->mem, s.is_met, s.slots, sizeof *s.is_met);
+    return st;
+}
+
+/* Put the facets of f down as faces of the next level, unless f is simple, or some cut shows that
+ * it is not closed. Who must show something looks at all faces. */
+static fmb_status descend_to_facets(lattice_walk *w, const uint64_t *f, size_t dimension)
+{
+    bool simple = false;
+    fmb_status st = FMB_OK;
+    if (!find_facets(w, f))
         w->end = FMB_LATTICE_OPEN;
+    else if (w->l->wanted == 0)
+        st = is_simple(w, f, dimension, &simple);
+    for (size_t i = 0; st == FMB_OK && w->end == FMB_LATTICE_CLOSED && !simple && i < w->facets;
+         i++)
+        st = add_face(&w->below, w->cut[w->facet[i]].set, w->l->words, w->mem);
     return st;
 }
 
@@ -204,7 +322,7 @@ static fmb_status look_at_face(lattice_walk *w, const uint64_t *f, size_t dimens
         memcpy(w->unshown, f, w->l->words * sizeof *f);
     }
     if (dimension > 1)
-        st = descend_to_facets(w, f);
+        st = descend_to_facets(w, f, dimension);
     else if (!is_closed_ray(w, f))
         w->end = FMB_LATTICE_OPEN;
     if (w->words > MOST_WORDS || w->below.size > MOST_WORDS_OF_LEVEL / w->l->words)

@@ -39,6 +39,27 @@
  * cone f. As all of the boundary is in some P(m), there are no other facets; faces are faces of
  * these. END
  *
+ * That is a walk through all faces. Many sets can be seen to be closed without it. Let j > 1, R' be
+ * some of the forms, and T(g) the set of those of R' that are 0 at g. f is *simple* of dimension j
+ * if it is not empty and for each g in f, T(g) has j - 1 members, and for each r in T(g) there is
+ * an h in f with T(h) = T(g) without r, plus a form that is not in T(g).
+ *
+ * THEOREM 2. If f is simple of dimension j and dim span f <= j, then dim span f = j, P(f) contains
+ * no line, and P(f) = cone f. So in theorem 1 a set may be simple instead of closed; but its faces
+ * are then not met.
+ *
+ * PROOF. Let g be in f, and h(r) that h for r in T(g). At h(r) all forms of T(g) are 0 but r, which
+ * is positive. So the j - 1 vectors h(r) are independent modulo the common zeros of T(g) in span f.
+ * Among these is g, and not 0: a form that is 0 at some h(r) and not in T(g) is positive there. So
+ * dim span f = j, and g and the h(r) are a basis: each y in span f is s g plus the sum of t(r)
+ * h(r), and t(r) >= 0 for all r if y is in P'(f), the set where the forms of R' are not negative;
+ * P(f) is a part of that. Let e be the sum of R'. It is positive on f, and >= 0 on P'(f). If it is
+ * 0 at y in P'(f), all of R' is; then t(r) = 0 for all r, y = s g, and s e(g) = 0, so y = 0. So
+ * P'(f) contains no line. Scale f so that e is 1 there. Suppose that some y in P'(f) is not in cone
+ * f; it may be scaled so that e(y) = 1. There is a linear form c with c >= 0 on f and c(y) < 0. Let
+ * g be one of f where c is least. As s and all t(r) add up to e(y) = 1, c(y) = s c(g) + sum t(r)
+ * c(h(r)) >= c(g) >= 0. Contradiction. END
+ *
  * Source: the closed graph of facets of Jones, Kerrigan and Maciejowski 2004, Equality set
  * projection; faces as sets: Kaibel and Pfetsch 2002, Computing the face lattice of a polytope from
  * its vertex-facet incidences.

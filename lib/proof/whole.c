@@ -32,6 +32,9 @@
 #include "num/integers.h"
 #include "system/system_private.h"
 
+/* The largest prime below 2^61: 2^61 - 1. */
+#define PRIME (((uint64_t)1 << 61) - 1)
+
 typedef struct assembly {
     const fmb_system *s;
     const fmb_evidence *e;
@@ -72,7 +75,8 @@ static fmb_status gather(assembly *a, const fmb_sparse_vector *list, const size_
         return st;
     mpz_set(a->t, mpq_denref(last));
     for (size_t k = 0; k < list->size; k++)
-        mpz_lcm(a->t, a->t, mpq_denref(list->value[k]));
+        if (!column || a->kept[list->index[k]])
+            mpz_lcm(a->t, a->t, mpq_denref(list->value[k]));
     for (size_t k = 0; k <= list->size; k++) {
         bool behind = k == list->size;
         mpq_srcptr from = behind ? last : list->value[k];
@@ -118,11 +122,72 @@ static void divide_by_content(assembly *a, fmb_integers *v)
         mpz_divexact(v->z[k], v->z[k], a->t);
 }
 
-/* The rank of v[n], which is spent on finding it out. */
-static size_t find_rank(assembly *a, fmb_integers *v, size_t n)
+/* x y modulo PRIME; x, y < PRIME. */
+static uint64_t multiply_modulo(uint64_t x, uint64_t y)
+{
+    return (uint64_t)((fmb_u128)x * y % PRIME);
+}
+
+/* 1 / x modulo PRIME, as x^(PRIME - 2). */
+static uint64_t invert_modulo(uint64_t x)
+{
+    uint64_t y = 1;
+    for (uint64_t e = PRIME - 2; e > 0; e /= 2) {
+        y = e % 2 ? multiply_modulo(y, x) : y;
+        x = multiply_modulo(x, x);
+    }
+    return y;
+}
+
+/* The rank of m[n][width] modulo PRIME, which is spent on finding it out. */
+static fmb_status eliminate_modulo(assembly *a, uint64_t *m, size_t n, size_t *rank)
+{
+    fmb_status st = FMB_OK;
+    size_t width = a->width;
+    for (size_t c = 0; st == FMB_OK && c < width && *rank < n; c++) {
+        size_t pivot = *rank;
+        while (pivot < n && m[pivot * width + c] == 0)
+            pivot++;
+        if (pivot == n)
+            continue;
+        uint64_t *p = m + *rank * width, *q = m + pivot * width;
+        for (size_t k = 0; k < width; k++) {
+            uint64_t x = p[k];
+            p[k] = q[k];
+            q[k] = x;
+        }
+        uint64_t inverse = invert_modulo(p[c]);
+        for (size_t i = ++*rank; i < n; i++) {
+            uint64_t factor = PRIME - multiply_modulo(m[i * width + c], inverse);
+            for (size_t k = c; k < width && factor != PRIME; k++)
+                m[i * width + k] = (m[i * width + k] + multiply_modulo(factor, p[k])) % PRIME;
+        }
+        st = fmb_poll_ask(a->poll);
+    }
+    return st;
+}
+
+/* *rank = the rank of v[n] modulo PRIME: it is no more than the rank. */
+static fmb_status find_rank_modulo(assembly *a, const fmb_integers *v, size_t n, size_t *rank)
+{
+    *rank = 0;
+    uint64_t *m = fmb_mem_get(a->mem, n, a->width * sizeof *m);
+    if (!m)
+        return fmb_mem_status(a->mem);
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = 0; k < a->width; k++)
+            m[i * a->width + k] = mpz_fdiv_ui(v[i].z[k], PRIME);
+    fmb_status st = eliminate_modulo(a, m, n, rank);
+    fmb_mem_put(a->mem, m, n, a->width * sizeof *m);
+    return st;
+}
+
+/* *found = the rank of v[n], which is spent on finding it out. */
+static fmb_status find_rank(assembly *a, fmb_integers *v, size_t n, size_t *found)
 {
     size_t rank = 0;
-    for (size_t c = 0; c < a->width && rank < n; c++) {
+    fmb_status st = FMB_OK;
+    for (size_t c = 0; st == FMB_OK && c < a->width && rank < n; c++) {
         size_t pivot = rank;
         while (pivot < n && mpz_sgn(v[pivot].z[c]) == 0)
             pivot++;
@@ -131,16 +196,18 @@ static size_t find_rank(assembly *a, fmb_integers *v, size_t n)
         fmb_integers chosen = v[pivot];
         v[pivot] = v[rank];
         v[rank++] = chosen;
-        for (size_t i = rank; i < n; i++) {
+        for (size_t i = rank; st == FMB_OK && i < n; i++) {
             mpz_neg(a->z, v[i].z[c]);
             for (size_t k = 0; k < a->width && mpz_sgn(a->z) != 0; k++) {
                 mpz_mul(v[i].z[k], v[i].z[k], chosen.z[c]);
                 mpz_addmul(v[i].z[k], a->z, chosen.z[k]);
             }
             divide_by_content(a, &v[i]);
+            st = fmb_poll_ask(a->poll);
         }
     }
-    return rank;
+    *found = rank;
+    return st;
 }
 
 /* ---- rows and corners ------------------------------------------------------------------------ */
@@ -229,6 +296,7 @@ static fmb_status find_zeros(assembly *a)
     for (size_t g = 0; st == FMB_OK && g < a->corners; g++) {
         size_t zeros = 0;
         for (size_t i = 0; i < l->forms; i++) {
+            st = st == FMB_OK ? fmb_poll_ask(a->poll) : st;
             bool on = i < a->rows ? sign_of_form(a, i, &a->vector[g]) == 0
                                   : mpz_sgn(a->vector[g].z[a->width - 1]) == 0;
             if (on)
@@ -236,7 +304,6 @@ static fmb_status find_zeros(assembly *a)
             zeros += on;
         }
         put_corner(zeros == l->forms ? a->free : a->rest, g);
-        st = fmb_poll_ask(a->poll);
     }
     for (size_t i = 0; i < l->forms; i++)
         l->excludes[i] = i == a->rows || a->row[i]->rel == FMB_LT;
@@ -316,6 +383,17 @@ static fmb_status find_strict_insides(assembly *a)
 
 /* ---- the claim ------------------------------------------------------------------------------- */
 
+/* Condition 2, with that sum of ranks. */
+static fmb_status judge_faces_of(assembly *a, size_t rank, fmb_lattice_end *end)
+{
+    return rank > a->width ? FMB_OK
+                           : fmb_lattice_check(&a->faces, a->rest, a->width - rank, a->mem, a->poll,
+                                               end, a->face);
+}
+
+/* Ranks modulo a prime may be too small, which makes the dimension too large: no set is closed of a
+ * dimension that is larger than that of its span (lattice.h), so nothing wrong is accepted; and
+ * before something is refused the ranks are found exactly. */
 static fmb_status judge_faces(assembly *a, const char **why, bool *on)
 {
     static const char *const said[] = {
@@ -326,11 +404,23 @@ static fmb_status judge_faces(assembly *a, const char **why, bool *on)
     fmb_lattice_end end = FMB_LATTICE_OPEN;
     size_t n = 0;
     bool linear = is_free_part_linear(a, &n);
-    size_t rank = find_rank(a, a->form + a->rows, a->equations);
-    rank += linear ? find_rank(a, a->vector, n) : 0;
+    size_t equations = 0, lines = 0;
     fmb_status st = FMB_OK;
-    if (linear && rank <= a->width)
-        st = fmb_lattice_check(&a->faces, a->rest, a->width - rank, a->mem, a->poll, &end, a->face);
+    if (linear)
+        st = find_rank_modulo(a, a->form + a->rows, a->equations, &equations);
+    if (linear && st == FMB_OK)
+        st = find_rank_modulo(a, a->vector, n, &lines);
+    if (linear && st == FMB_OK)
+        st = judge_faces_of(a, equations + lines, &end);
+    bool may_be_more = equations < a->equations || lines < n;
+    if (linear && st == FMB_OK && end == FMB_LATTICE_OPEN && may_be_more) {
+        size_t before = equations + lines;
+        st = find_rank(a, a->form + a->rows, a->equations, &equations);
+        if (st == FMB_OK)
+            st = find_rank(a, a->vector, n, &lines);
+        if (st == FMB_OK && equations + lines > before)
+            st = judge_faces_of(a, equations + lines, &end);
+    }
     *why = said[end];
     for (size_t g = 0; on && st == FMB_OK && g < a->corners; g++)
         on[a->corner[g] - a->e->claim] = end == FMB_LATTICE_UNSHOWN && has_corner(a->face, g);
