@@ -1,26 +1,35 @@
 /* cmd_check.c: fmb check FILE PROOF. Of the library it sees systems, their readers and the checker,
  * so that nothing which solves has a say in what is accepted. */
+#include <float.h>
 #include <fmb/io.h>
 #include <fmb/proof.h>
 #include <fmb/system.h>
 #include <jansson.h>
+#include <math.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/clock.h"
+#include "common/exit_code.h"
 #include "common/file.h"
 #include "common/form.h"
 #include "common/json.h"
 #include "common/message.h"
 #include "common/options.h"
+#include "common/signals.h"
 #include "common/source.h"
+#include "common/value.h"
 #include "fmb/commands.h"
 
-enum { KEY_JSON = 'j', KEY_LIST = 'l', KEY_EXPECT = 'e' };
+enum { KEY_JSON = 'j', KEY_LIST = 'l', KEY_EXPECT = 'e', KEY_SECONDS = 256, KEY_BYTES, KEY_RELAX };
 
 typedef struct request {
     app_source source;
     const char *proof;
-    bool json, list;
+    bool json, list, relax;
+    fmb_patience patience;
+    double deadline; /* of app_now, where there is one */
     fmb_demand demand;
     const char *projection; /* the file that holds it, where that is what is demanded */
     const char *form;       /* the objective, where one is given */
@@ -35,6 +44,11 @@ static const struct argp_option options[] = {
      "whole=OUT (and no row is missing there), "
      "optimum (of the objective of FILE), max=FORM or min=FORM (of this one)",
      2},
+    {"relax", KEY_RELAX, NULL, 0, "All variables are real, whatever the files say", 2},
+    {"max-seconds", KEY_SECONDS, "SECONDS", 0,
+     "Stop reading and judging the proof after that time (default 0: no limit)", 2},
+    {"max-bytes", KEY_BYTES, "BYTES", 0,
+     "Stop when the proof and what it is judged with need more (default 0: no limit)", 2},
     {"json", KEY_JSON, NULL, 0, "Print one JSON object instead of text", 2},
     {0}};
 
@@ -102,6 +116,15 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case KEY_LIST:
         r->list = true;
         return 0;
+    case KEY_RELAX:
+        r->relax = true;
+        return 0;
+    case KEY_SECONDS:
+        r->patience.max_seconds = app_value_number("--max-seconds", arg, 0, DBL_MAX, state);
+        return 0;
+    case KEY_BYTES:
+        r->patience.max_bytes = app_value_whole("--max-bytes", arg, 0, SIZE_MAX, state);
+        return 0;
     case KEY_EXPECT:
         if (!read_demand(r, arg))
             argp_error(state,
@@ -126,24 +149,76 @@ static const char doc[] =
     "Judge the claims in PROOF about the system in FILE, in exact arithmetic and without the "
     "solver, and say what they are."
     "\v"
-    "Exit codes: 0 accepted, 1 rejected, or not all that is expected.\n"
+    "Exit codes: 0 accepted, 1 rejected, or not all that is expected, 2 a limit or Ctrl-C came\n"
+    "first. Where FILE has integer variables, \"over the reals\" says that not all that is "
+    "claimed\n"
+    "holds for integers.\n"
     "\n"
     "Examples:\n"
     "  fmb solve plan.smt2 --proof plan.proof; fmb check plan.smt2 plan.proof\n"
     "  fmb bounds diet.fmb --proof - | fmb check diet.fmb - --expect bounds\n"
     "  fmb check diet.fmb cheap.proof --expect 'min=0.4 bread + 0.35 milk'\n";
 
+/* ---- limits ---------------------------------------------------------------------------------- */
+
+static volatile sig_atomic_t is_asked_to_stop;
+
+static void ask_to_stop(int signal_number)
+{
+    (void)signal_number;
+    is_asked_to_stop = 1;
+}
+
+static bool give_up(void *self)
+{
+    (void)self;
+    return is_asked_to_stop != 0;
+}
+
+/* From here on time passes, and signals stop what runs. */
+static void begin_to_wait(request *r)
+{
+    r->patience.give_up = give_up;
+    r->deadline = app_now() + r->patience.max_seconds;
+    app_signals_set(ask_to_stop);
+}
+
+/* What is left of the patience; no time at all would mean no limit. */
+static fmb_patience patience_left(const request *r)
+{
+    fmb_patience p = r->patience;
+    if (p.max_seconds > 0)
+        p.max_seconds = fmax(r->deadline - app_now(), DBL_MIN);
+    return p;
+}
+
+static int report_stop_of_reader(const request *r, fmb_stop stop)
+{
+    if (r->json) {
+        json_t *obj = app_need(json_object());
+        app_json_set(obj, "accepted", json_false());
+        app_json_set(obj, "verdict", json_string(fmb_verdict_text(FMB_UNKNOWN)));
+        app_json_set(obj, "stop", json_string(fmb_stop_text(stop)));
+        app_json_print(obj);
+    }
+    return app_error(APP_UNDECIDED,
+                     "undecided (%s): the proof was not read to its end, and no claim judged",
+                     fmb_stop_text(stop));
+}
+
 static int read_proof(const request *r, const fmb_system *s, fmb_evidence **out)
 {
+    fmb_stop stop = FMB_STOP_DONE;
+    const fmb_patience patience = patience_left(r);
     FILE *in;
     int code = app_file_open(r->proof, &in);
     if (code != APP_YES)
         return code;
     fmb_where where = {0};
-    fmb_status st = fmb_evidence_read(in, s, out, &where);
+    fmb_status st = fmb_evidence_read_within(in, s, &patience, out, &stop, &where);
     code = app_source_outcome(st, r->proof, &where);
     app_file_close_input(in);
-    return code;
+    return code == APP_YES && stop != FMB_STOP_DONE ? report_stop_of_reader(r, stop) : code;
 }
 
 /* ---- what was found -------------------------------------------------------------------------- */
@@ -152,7 +227,8 @@ typedef struct finding {
     const fmb_system *s;
     const fmb_evidence *e;
     fmb_judgement j;
-    bool meets; /* the demand */
+    bool integers; /* the system has some */
+    bool meets;    /* the demand */
     char missing[160];
     bool tells_rows; /* that follow, perhaps those of a projection ... */
     bool whole;      /* ... of which none is missing */
@@ -214,13 +290,16 @@ static int list_claims(const finding *f)
 static int print_text(const request *r, const finding *f)
 {
     const fmb_judgement *j = &f->j;
-    if (!j->accepted && j->claim == SIZE_MAX) {
+    if (!j->accepted && j->claim == SIZE_MAX && j->stop != FMB_STOP_DONE) {
+        return app_error(APP_UNDECIDED, "%s so far; nothing is accepted", j->reason);
+    } else if (!j->accepted && j->claim == SIZE_MAX) {
         printf("rejected: %s\n", j->reason);
     } else if (!j->accepted) {
         printf("rejected: claim %zu: %s\n", j->claim + 1, j->reason);
     } else {
         bool decided = j->verdict != FMB_UNKNOWN;
-        printf("accepted%s%s", decided ? ": " : "", decided ? fmb_verdict_text(j->verdict) : "");
+        printf("accepted%s%s%s", decided ? ": " : "", decided ? fmb_verdict_text(j->verdict) : "",
+               j->relaxed ? " over the reals" : "");
         print_kinds(f->e);
         if (f->tells_rows)
             printf("%s\n", f->whole
@@ -257,7 +336,11 @@ static void print_json(const request *r, const finding *f)
     count_kinds(f->e, count);
     app_json_set(obj, "accepted", json_boolean(f->j.accepted));
     app_json_set(obj, "verdict", json_string(fmb_verdict_text(f->j.verdict)));
+    app_json_set(obj, "over", json_string(f->integers && !f->j.relaxed ? "integers" : "reals"));
+    app_json_set(obj, "stop", json_string(fmb_stop_text(f->j.stop)));
     app_json_set(obj, "claims", json_integer((json_int_t)claims));
+    if (f->j.stop != FMB_STOP_DONE)
+        app_json_set(obj, "held", json_integer((json_int_t)f->j.held));
     for (int k = FMB_CLAIM_FEASIBLE; k < KINDS; k++)
         if (count[k] > 0)
             app_json_set(kinds, KIND[k], json_integer((json_int_t)count[k]));
@@ -278,11 +361,29 @@ static void print_json(const request *r, const finding *f)
     app_json_print(obj);
 }
 
+static bool has_integers(const fmb_system *s)
+{
+    bool any = false;
+    for (int j = 0; !any && j < fmb_system_dim(s); j++)
+        any = fmb_system_is_integer(s, j);
+    return any;
+}
+
+/* All variables become real. */
+static int forget_integers(fmb_system *s)
+{
+    fmb_status st = FMB_OK;
+    for (int j = 0; s && st == FMB_OK && j < fmb_system_dim(s); j++)
+        st = fmb_system_set_integer(s, j, false);
+    return st == FMB_OK ? APP_YES : app_status_error(st);
+}
+
 static int judge(const request *r, const fmb_system *s, const fmb_evidence *e,
                  const fmb_system *image)
 {
-    finding f = {.s = s, .e = e};
-    fmb_status st = fmb_check(s, e, &f.j);
+    finding f = {.s = s, .e = e, .integers = has_integers(s)};
+    const fmb_patience patience = patience_left(r);
+    fmb_status st = fmb_check_within(s, e, &patience, &f.j);
     if (st == FMB_OK)
         st = fmb_evidence_meets(e, s, r->demand, image, &f.meets, f.missing, sizeof f.missing);
     if (st == FMB_OK)
@@ -294,6 +395,8 @@ static int judge(const request *r, const fmb_system *s, const fmb_evidence *e,
         print_json(r, &f);
     else
         code = print_text(r, &f);
+    if (code == APP_YES && f.j.stop != FMB_STOP_DONE && f.j.claim == SIZE_MAX)
+        return APP_UNDECIDED;
     return code != APP_YES ? code : f.j.accepted && f.meets ? APP_YES : APP_NO;
 }
 
@@ -321,15 +424,18 @@ int cmd_check(int argc, char **argv)
                                       .args_doc = "FILE PROOF",
                                       .doc = doc,
                                       .children = children};
-    request r = {.proof = NULL};
+    request r = {.patience = fmb_patience_default()};
     app_options_parse(&whole, argc, argv, &r);
     fmb_system *s = NULL, *image = NULL;
     fmb_evidence *e = NULL;
     int code = app_source_read(&r.source, &s);
     if (code == APP_YES)
-        code = read_proof(&r, s, &e);
-    if (code == APP_YES)
         code = read_image(&r, s, &image);
+    if (code == APP_YES && r.relax)
+        code = app_first_code(forget_integers(s), forget_integers(image));
+    begin_to_wait(&r);
+    if (code == APP_YES)
+        code = read_proof(&r, s, &e);
     if (code == APP_YES)
         code = judge(&r, s, e, image);
     fmb_evidence_free(e);

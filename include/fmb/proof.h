@@ -107,16 +107,19 @@ FMB_API FMB_CHECKED fmb_status fmb_evidence_tell(const fmb_evidence *e, const fm
 /* What a proof may be wanted for. */
 typedef enum fmb_demand {
     FMB_DEMAND_NOTHING = 0,
-    FMB_DEMAND_FEASIBLE,
+    FMB_DEMAND_FEASIBLE, /* with a point that is integral where the system has integer variables */
     FMB_DEMAND_INFEASIBLE,
-    FMB_DEMAND_BOUNDS,     /* both ends of every variable: BOUND or UNBOUNDED */
+    FMB_DEMAND_BOUNDS,     /* both ends of every variable: BOUND or UNBOUNDED; or INFEASIBLE */
     FMB_DEMAND_REDUCED,    /* each inequality: REDUNDANT, EQUALITY or IRREDUNDANT */
     FMB_DEMAND_PROJECTION, /* each row of a projection, whose variables go by their names: IMPLIED,
                               up to a factor; or the system is INFEASIBLE */
-    FMB_DEMAND_WHOLE,      /* the same, and no row is missing: WHOLE, and no other row is IMPLIED */
+    FMB_DEMAND_WHOLE,  /* the same, and no row is missing: WHOLE, and no other row is IMPLIED; the
+                          projection asks for none itself, and where it has integer variables, it
+                          has all of the system */
     FMB_DEMAND_OPTIMUM /* BOUND or UNBOUNDED for an objective, its constant left out: that of image,
                           whose variables go by their names, else that of the system, and where it
-                          has none, any; or the system is INFEASIBLE */
+                          has none, any; over integers, if the system has some; or the system is
+                          INFEASIBLE */
 } fmb_demand;
 
 /* Are there the claims of e that this takes? Whether they hold is for fmb_check to say. image is

@@ -16,6 +16,7 @@
 #include <string.h>
 
 #include "proof/combine.h"
+#include "proof/integral.h"
 #include "proof/whole.h"
 #include "system/system_private.h"
 
@@ -29,6 +30,8 @@ typedef struct court {
     size_t *equal;  /* [rows] the first claim EQUALITY that names the row, SIZE_MAX: none */
     size_t now;     /* the claim being judged */
     bool feasible;  /* a claim FEASIBLE was accepted */
+    bool integers;  /* the system has integer variables ... */
+    bool integral;  /* ... and a claim FEASIBLE was accepted whose point is integral there */
     bool doubtful;  /* a claim other than WHOLE was not */
     fmb_status st;  /* not FMB_OK: there was no memory, time or patience to go on */
     char *reason;   /* [sizeof fmb_judgement.reason] */
@@ -343,6 +346,10 @@ static void judge_claim(court *c, size_t i, fmb_judgement *out)
     c->now = i;
     if (judge(c, q) && goes_on(c, fmb_poll_ask(&c->poll))) {
         c->feasible = c->feasible || q->kind == FMB_CLAIM_FEASIBLE;
+        c->integral = c->integral ||
+                      (q->kind == FMB_CLAIM_FEASIBLE && fmb_point_is_integral(c->s, &q->point));
+        out->relaxed =
+            out->relaxed || (c->integers && !fmb_claim_is_integral(c->s, q, c->integral));
         out->held++;
         out->verdict = meaning(q) != FMB_UNKNOWN ? meaning(q) : out->verdict;
     } else if (c->st == FMB_OK && i < out->claim) {
@@ -404,7 +411,7 @@ fmb_status fmb_check_within(const fmb_system *s, const fmb_evidence *e,
 {
     if (!out || !fmb_evidence_fits(e, s))
         return FMB_ERR_ARG;
-    court c = {.s = s, .e = e};
+    court c = {.s = s, .e = e, .integers = fmb_first_integer(s) >= 0};
     fmb_mem_init(&c.mem, &s->mem.alloc, 0);
     c.st = fmb_guard_begin(&c.guard, patience, &c.mem);
     if (c.st != FMB_OK)

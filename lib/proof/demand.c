@@ -3,6 +3,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+#include "proof/integral.h"
 #include "proof/whole.h"
 #include "system/system_private.h"
 
@@ -30,6 +31,20 @@ static bool has_claim(const asker *a, fmb_claim_kind kind)
         if (a->e->claim[i].kind == kind)
             return true;
     return false;
+}
+
+/* A solution, which is integral where the system says integers: of others, only over the reals. */
+static bool names_solution(const asker *a)
+{
+    bool any = false;
+    for (size_t i = 0; i < a->e->claims; i++) {
+        const fmb_claim *c = &a->e->claim[i];
+        if (c->kind == FMB_CLAIM_FEASIBLE && fmb_point_is_integral(a->s, &c->point))
+            return true;
+        any = any || c->kind == FMB_CLAIM_FEASIBLE;
+    }
+    return any ? miss(a, "it is feasible over the reals, but no claim has a point of integers")
+               : miss(a, "no claim is feasible");
 }
 
 /* Two marks a variable. */
@@ -158,13 +173,16 @@ static bool says_as_much(const asker *a, const fmb_claim *c, size_t i, const mpq
     return order == 0 ? equal_will_do : order < 0 && c->rel != FMB_EQ;
 }
 
-static bool is_in_image(const asker *a, const fmb_claim *c)
+/* Is the claim in a row of the image, where *at is looked at first? They come in the same order,
+ * mostly. */
+static bool is_in_image(const asker *a, const fmb_claim *c, size_t *at)
 {
     bool found = says_nothing(c);
+    size_t rows = fmb_system_rows(a->image);
     mpq_t factor, t;
     mpq_inits(factor, t, NULL);
-    for (size_t i = 0; !found && i < fmb_system_rows(a->image); i++)
-        found = is_multiple(a, c, i, factor, t) && says_as_much(a, c, i, factor, t);
+    for (size_t k = 0; !found && k < rows; k++, *at = (*at + 1) % rows)
+        found = is_multiple(a, c, *at, factor, t) && says_as_much(a, c, *at, factor, t);
     mpq_clears(factor, t, NULL);
     return found;
 }
@@ -188,14 +206,40 @@ static bool names_whole(const asker *a, bool *kept)
     return found || miss(a, "no claim is about the whole projection");
 }
 
+/* A system that asks for a projection stands for that, not for its rows. */
+static bool keeps_all_variables(const asker *a)
+{
+    for (int j = 0; j < fmb_system_dim(a->image); j++)
+        if (!fmb_system_keeps(a->image, j))
+            return miss(a, "the projection itself asks to eliminate %.80s",
+                        fmb_system_name(a->image, j));
+    return true;
+}
+
+/* An image without integer variables is one over the reals. Else it must have those of the system,
+ * and these must all be kept: then the integers of the image are the image of the integers. */
+static bool keeps_integers(const asker *a)
+{
+    int first = fmb_first_integer(a->image);
+    for (int j = 0; first >= 0 && j < fmb_system_dim(a->s); j++) {
+        int k = fmb_system_find(a->image, fmb_system_name(a->s, j));
+        if (fmb_system_is_integer(a->s, j) != (k >= 0 && fmb_system_is_integer(a->image, k)))
+            return miss(a, "%.80s is integer in the %s alone", fmb_system_name(a->s, j),
+                        fmb_system_is_integer(a->s, j) ? "system" : "projection");
+    }
+    return true;
+}
+
 /* What the claim WHOLE leans on must be in the image. */
 static bool names_whole_image(const asker *a, bool *kept)
 {
-    bool good = names_image(a) && names_whole(a, kept);
+    bool good =
+        keeps_all_variables(a) && keeps_integers(a) && names_image(a) && names_whole(a, kept);
+    size_t at = 0;
     for (size_t i = 0; good && i < a->e->claims; i++) {
         const fmb_claim *c = &a->e->claim[i];
         if (c->kind == FMB_CLAIM_IMPLIED && fmb_whole_names_only(c, a->e->dim, kept))
-            good = is_in_image(a, c) || miss(a, "the projection lacks claim %zu", i + 1);
+            good = is_in_image(a, c, &at) || miss(a, "the projection lacks claim %zu", i + 1);
     }
     return good;
 }
@@ -219,15 +263,26 @@ static bool is_about_objective(const asker *a, const fmb_claim *c, const fmb_sys
 static bool names_optimum(const asker *a)
 {
     const fmb_system *of = a->image ? a->image : a->s;
-    bool any = fmb_system_sense(of) == FMB_SENSE_NONE, found = false;
+    bool any = fmb_system_sense(of) == FMB_SENSE_NONE, found = false, real = false,
+         solution = false;
+    bool integers = fmb_first_integer(a->s) >= 0;
     mpq_t t;
     mpq_init(t);
+    for (size_t i = 0; i < a->e->claims; i++) {
+        const fmb_claim *c = &a->e->claim[i];
+        solution =
+            solution || (c->kind == FMB_CLAIM_FEASIBLE && fmb_point_is_integral(a->s, &c->point));
+    }
     for (size_t i = 0; !found && i < a->e->claims; i++) {
         const fmb_claim *c = &a->e->claim[i];
-        found = (c->kind == FMB_CLAIM_BOUND || c->kind == FMB_CLAIM_UNBOUNDED) &&
-                (any || is_about_objective(a, c, of, t));
+        bool about = (c->kind == FMB_CLAIM_BOUND || c->kind == FMB_CLAIM_UNBOUNDED) &&
+                     (any || is_about_objective(a, c, of, t));
+        found = about && (!integers || fmb_claim_is_integral(a->s, c, solution));
+        real = real || about;
     }
     mpq_clear(t);
+    if (!found && real)
+        return miss(a, "the optimum is one over the reals");
     return found || miss(a, "no claim is about %s optimum", any ? "an" : "that");
 }
 
@@ -237,11 +292,11 @@ static bool meets_demand(const asker *a, fmb_demand what, bool *seen)
 {
     switch (what) {
     case FMB_DEMAND_FEASIBLE:
-        return has_claim(a, FMB_CLAIM_FEASIBLE) || miss(a, "no claim is feasible");
+        return names_solution(a);
     case FMB_DEMAND_INFEASIBLE:
         return has_claim(a, FMB_CLAIM_INFEASIBLE) || miss(a, "no claim is infeasible");
-    case FMB_DEMAND_BOUNDS:
-        return names_all_ends(a, seen);
+    case FMB_DEMAND_BOUNDS: /* the empty set is in any box */
+        return has_claim(a, FMB_CLAIM_INFEASIBLE) || names_all_ends(a, seen);
     case FMB_DEMAND_REDUCED:
         return names_all_rows(a, seen);
     case FMB_DEMAND_PROJECTION: /* of the empty set everything is true */
