@@ -55,7 +55,7 @@ _fmb()
                 reduce) words="$general $source $solver --to" ;;
                 vertices) words="$general $source $solver" ;;
                 hull | sum | image) words="$general $source $solver --to --lifted" ;;
-                check) words="$general $source --list --expect --json" ;;
+                check) words="$general $source --list --expect --json --relax --max-seconds --max-bytes" ;;
                 convert) words="$general $source --to" ;;
                 intersect) words="$general --quiet --json --contact --boxes --distance --depth --within --norm --separate --common --nearest --threads --max-seconds --max-bytes --max-input" ;;
                 mesh) words="$general --quiet --json --csv --move --scale --mirror --motion --neighbours --where --common --marked --all-pairs --format --threads --max-bytes --max-input" ;;
