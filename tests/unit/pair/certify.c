@@ -1,0 +1,186 @@
+/* certify.c: whatever basis, corner, weight or sign is guessed, what is proved of it is so: frames
+ * that touch are never apart, and no corner is the end of a goal but one where the goal is at its
+ * end. The truth is by construction, and by all corners there are.
+ */
+#include <criterion/criterion.h>
+#include <math.h>
+
+#include "pair/extreme/certify.h"
+#include "pair/extreme/value.h"
+
+enum { UNKNOWNS = FMB_EXTREME_UNKNOWNS, DIM = FMB_EXTREME_DIM };
+
+/* ---- pairs at a distance --------------------------------------------------------------------- */
+
+typedef struct certified_pair {
+    fmb_frame p, q;
+    double origin[DIM]; /* of q */
+    fmb_extreme_program program;
+} certified_pair;
+
+static const double ZERO[DIM], TWICE_PLANE[] = {2, 0, 0, 2},
+                               TWICE_SPACE[] = {2, 0, 0, 0, 2, 0, 0, 0, 2};
+
+/* On a line, end to end. */
+static void place_segments(certified_pair *c, double gap)
+{
+    static const double edge[] = {2};
+    c->origin[0] = 2 + gap;
+    c->p = (fmb_frame){FMB_CUBOID, 1, 1, ZERO, edge, NULL};
+    c->q = (fmb_frame){FMB_CUBOID, 1, 1, c->origin, edge, NULL};
+}
+
+/* On a line, one comes as near as that at the end of the time. */
+static void place_moving_segment(certified_pair *c, double gap)
+{
+    static const double edge[] = {2}, speed[] = {-3};
+    place_segments(c, gap + 3);
+    c->q.axes = edge;
+    c->q.speed = speed;
+}
+
+/* The corner of a square and the long edge of a triangle, on x + y = 4. */
+static void place_triangle(certified_pair *c, double gap)
+{
+    static const double edges[] = {2, -2, 2, 0};
+    c->origin[0] = 1 + gap;
+    c->origin[1] = 3;
+    c->p = (fmb_frame){FMB_CUBOID, 2, 2, ZERO, TWICE_PLANE, NULL};
+    c->q = (fmb_frame){FMB_SIMPLEX, 2, 2, c->origin, edges, NULL};
+}
+
+/* An edge of a cube and one of a tetrahedron, which cross in y + z = 4. */
+static void place_tetrahedron(certified_pair *c, double gap)
+{
+    static const double edges[] = {0, 2, -2, -1, 2, 0, 1, 2, 0};
+    c->origin[0] = 1;
+    c->origin[1] = 1 + gap;
+    c->origin[2] = 3;
+    c->p = (fmb_frame){FMB_CUBOID, 3, 3, ZERO, TWICE_SPACE, NULL};
+    c->q = (fmb_frame){FMB_SIMPLEX, 3, 3, c->origin, edges, NULL};
+}
+
+typedef void place_pair(certified_pair *c, double gap);
+
+static place_pair *const PLACES[] = {place_segments, place_moving_segment, place_triangle,
+                                     place_tetrahedron};
+enum { KINDS = sizeof PLACES / sizeof *PLACES };
+
+static void load_pair(certified_pair *c, int kind, double gap)
+{
+    PLACES[kind](c, gap);
+    cr_assert(fmb_extreme_load(&c->program, &c->p, &c->q));
+}
+
+/* ---- all that may be guessed ----------------------------------------------------------------- */
+
+/* The next of all ways to give each unknown a place; only units may be at their upper end. Those
+ * with the wrong number of basic unknowns are among them. */
+static bool turn_to_next_basis(const fmb_extreme_program *s, fmb_extreme_basis *basis, bool high)
+{
+    for (int j = 0; j < UNKNOWNS; j++) {
+        unsigned char *place = &basis->place[j];
+        if (s->group[j] == FMB_EXTREME_NONE)
+            continue;
+        if (*place == FMB_EXTREME_LOW && high && s->group[j] == FMB_EXTREME_UNIT) {
+            *place = FMB_EXTREME_HIGH;
+            return true;
+        }
+        if (*place != FMB_EXTREME_BASIC) {
+            *place = FMB_EXTREME_BASIC;
+            return true;
+        }
+        *place = FMB_EXTREME_LOW;
+    }
+    return false;
+}
+
+/* Of all weights of artificial unknowns that are these, how many prove that basis apart? */
+static int count_proofs(fmb_extreme *v, const fmb_extreme_program *s,
+                        const fmb_extreme_basis *basis)
+{
+    static const double weights[] = {0, 1, -1, 4};
+    int proofs = 0;
+    for (int code = 0; code < 64; code++) {
+        const double weight[DIM] = {weights[code % 4], weights[code / 4 % 4], weights[code / 16]};
+        bool is_right = fmb_extreme_are_apart(v, s, basis, weight);
+        bool is_counted = fmb_extreme_take_basis(v, s, basis);
+        cr_assert(is_counted || !is_right, "no basis at all");
+        proofs += is_right;
+    }
+    return proofs;
+}
+
+Test(certify, only_frames_that_are_apart_are_proved_apart)
+{
+    static const double gaps[] = {-1, -0x1p-40, 0, 0x1p-40, 0.5};
+    for (int kind = 0; kind < KINDS; kind++)
+        for (size_t i = 0; i < sizeof gaps / sizeof *gaps; i++) {
+            certified_pair c;
+            fmb_extreme v;
+            fmb_extreme_basis basis = {{0}};
+            int proofs = 0;
+            load_pair(&c, kind, gaps[i]);
+            do
+                proofs += count_proofs(&v, &c.program, &basis);
+            while (turn_to_next_basis(&c.program, &basis, false));
+            cr_expect((proofs > 0) == (gaps[i] > 0), "pair %d, gap %g: %d", kind, gaps[i], proofs);
+        }
+}
+
+/* ---- ends ------------------------------------------------------------------------------------ */
+
+static double value_here(fmb_extreme *v, const fmb_extreme_goal *goal)
+{
+    fmb_wide numerator, denominator;
+    fmb_extreme_value(v, goal, &numerator, &denominator);
+    cr_assert(numerator.n <= 1 && denominator.n == 1);
+    double size = numerator.n == 0 ? 0 : (double)numerator.word[0] / (double)denominator.word[0];
+    return numerator.minus ? -size : size;
+}
+
+/* The greatest value, or the least, of the goal at all corners. */
+static double find_end(fmb_extreme *v, const fmb_extreme_program *s, const fmb_extreme_goal *goal)
+{
+    fmb_extreme_basis basis = {{0}};
+    double end = goal->greatest ? -INFINITY : INFINITY;
+    do
+        if (fmb_extreme_stand(v, s, &basis)) {
+            double value = value_here(v, goal);
+            end = goal->greatest ? fmax(end, value) : fmin(end, value);
+        }
+    while (turn_to_next_basis(s, &basis, true));
+    return end;
+}
+
+static void expect_ends_only(fmb_extreme *v, const fmb_extreme_program *s,
+                             const fmb_extreme_goal *goal)
+{
+    fmb_extreme_basis basis = {{0}};
+    double end = find_end(v, s, goal);
+    int right = 0;
+    do
+        if (fmb_extreme_stand(v, s, &basis) && fmb_extreme_is_farthest(v, goal)) {
+            cr_assert_eq(value_here(v, goal), end, "%d %d: %g is not %g", goal->is_world,
+                         goal->number, value_here(v, goal), end);
+            right++;
+        }
+    while (turn_to_next_basis(s, &basis, true));
+    cr_expect_gt(right, 0);
+}
+
+Test(certify, only_corners_at_the_end_are_farthest)
+{
+    for (int kind = 0; kind < KINDS; kind++)
+        for (int gap = -1; gap <= 0; gap++) {
+            certified_pair c;
+            fmb_extreme v;
+            load_pair(&c, kind, gap);
+            for (int greatest = 0; greatest < 2; greatest++) {
+                for (int i = 0; i < c.program.dim; i++)
+                    expect_ends_only(&v, &c.program, &(fmb_extreme_goal){true, i, greatest});
+                for (int j = 0; j < c.program.columns; j++)
+                    expect_ends_only(&v, &c.program, &(fmb_extreme_goal){false, j, greatest});
+            }
+        }
+}
