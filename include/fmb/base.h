@@ -28,9 +28,9 @@
 /* The version of these headers: "major.minor.patch", and one number to compare. Before 1.0 a new
  * minor version may change what there was. */
 #define FMB_VERSION_MAJOR  0
-#define FMB_VERSION_MINOR  2
+#define FMB_VERSION_MINOR  3
 #define FMB_VERSION_PATCH  0
-#define FMB_VERSION        "0.2.0"
+#define FMB_VERSION        "0.3.0"
 #define FMB_VERSION_NUMBER (FMB_VERSION_MAJOR * 10000 + FMB_VERSION_MINOR * 100 + FMB_VERSION_PATCH)
 
 #ifdef __cplusplus

@@ -54,7 +54,7 @@ typedef enum fmb_simd {
  * it is. */
 typedef enum fmb_symmetries {
     FMB_SYMMETRY_AUTO = 0, /* fmb_project looks for them where it asks support queries for a while
-                              (if the library was built with nauty), and asks one for each orbit */
+                              (where nauty is installed), and asks one for each orbit */
     FMB_SYMMETRY_NONE
 } fmb_symmetries;
 

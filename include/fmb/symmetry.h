@@ -40,7 +40,7 @@ FMB_API int fmb_permutations_image(const fmb_permutations *p, size_t i, int j);
 FMB_API FMB_CHECKED fmb_status fmb_solver_set_symmetries(fmb_solver *v, const fmb_permutations *p);
 
 /* [give] Symmetries of s, keep[0..n) being kept, that all others are made of; none where the system
- * is large or has long numbers, or the library was built without nauty. *out is NULL at a limit.
+ * is large or has long numbers, or nauty is not installed. *out is NULL at a limit.
  * Errors: ARG, MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_symmetries_find(fmb_solver *v, const fmb_system *s,
                                                    const int *keep, int n, fmb_permutations **out,
