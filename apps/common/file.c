@@ -87,7 +87,8 @@ void app_file_close_input(FILE *f)
 /* An output that has not got its name yet. */
 typedef struct output {
     FILE *file;
-    char *target, *temporary; /* where it goes, links resolved; where it is */
+    char *target;    /* where it goes, links resolved */
+    char *temporary; /* where it is; "" if it has no name at all */
     struct output *next;
 } output;
 
@@ -120,20 +121,83 @@ static void remove_unfinished(void)
         ;
 }
 
+#define SUFFIX ".XXXXXX"
+
+/* NULL where one's own open files cannot be linked to a name: there is no /proc then. */
+static const char *own_name(int descriptor, char name[static 32])
+{
+    snprintf(name, 32, "/proc/self/fd/%d", descriptor);
+    return access(name, F_OK) == 0 ? name : NULL;
+}
+
+/* A file without a name in the folder of the target, gone with the process however that ends; -1
+ * where there are none, or where a temporary name beside the target would be too long. */
+static int open_nameless(const output *o)
+{
+    int descriptor = -1;
+    (void)o;
+#ifdef O_TMPFILE
+    if (access(o->temporary, F_OK) != 0 && errno == ENAMETOOLONG)
+        return -1;
+    char own[32], *folder = app_need(strdup(o->target)), *slash = strrchr(folder, '/');
+    if (slash)
+        slash[slash == folder] = '\0';
+    descriptor = open(slash ? folder : ".", O_TMPFILE | O_WRONLY, 0666);
+    free(folder);
+    if (descriptor >= 0 && !own_name(descriptor, own)) {
+        close(descriptor);
+        descriptor = -1;
+    }
+#endif
+    return descriptor;
+}
+
 /* A file of the mode that open() would give it, at a name of its own beside the target. */
-static FILE *open_temporary(char *temporary)
+static int open_temporary(char *temporary)
 {
     int descriptor = mkstemp(temporary);
     mode_t mask = umask(0);
     umask(mask);
-    FILE *f = NULL;
-    if (descriptor >= 0 && fchmod(descriptor, 0666 & ~mask) == 0)
-        f = fdopen(descriptor, "wb");
-    if (!f && descriptor >= 0) {
+    if (descriptor >= 0 && fchmod(descriptor, 0666 & ~mask) != 0) {
         close(descriptor);
         unlink(temporary);
+        descriptor = -1;
     }
-    return f;
+    return descriptor;
+}
+
+static bool open_output(output *o)
+{
+    sprintf(o->temporary, "%s" SUFFIX, o->target);
+    int descriptor = open_nameless(o);
+    if (descriptor >= 0)
+        *o->temporary = '\0';
+    else if ((descriptor = open_temporary(o->temporary)) < 0)
+        return false;
+    o->file = fdopen(descriptor, "wb");
+    if (!o->file) {
+        close(descriptor);
+        unlink(o->temporary);
+        errno = ENOMEM;
+    }
+    return o->file != NULL;
+}
+
+/* A nameless file gets the name of the target at once where there is none. Links replace nothing:
+ * else it gets one beside it first, of which a kill right then is all that can leave it behind. */
+static bool link_nameless(output *o, int descriptor)
+{
+    char own[32];
+    const char *from = own_name(descriptor, own);
+    if (from && linkat(AT_FDCWD, from, AT_FDCWD, o->target, AT_SYMLINK_FOLLOW) == 0)
+        return true;
+    for (unsigned long i = (unsigned long)getpid(); from && errno == EEXIST; i++) {
+        sprintf(o->temporary, "%s.%06lx", o->target, i & 0xffffff);
+        if (linkat(AT_FDCWD, from, AT_FDCWD, o->temporary, AT_SYMLINK_FOLLOW) == 0)
+            return rename(o->temporary, o->target) == 0;
+        *o->temporary = '\0';
+    }
+    return false;
 }
 
 static int create_named(const char *path, FILE **out)
@@ -141,10 +205,8 @@ static int create_named(const char *path, FILE **out)
     char *resolved = realpath(path, NULL);
     output *o = app_need(calloc(1, sizeof *o));
     o->target = app_need(resolved ? resolved : strdup(path));
-    o->temporary = app_need(malloc(strlen(o->target) + sizeof ".XXXXXX"));
-    sprintf(o->temporary, "%s.XXXXXX", o->target);
-    o->file = open_temporary(o->temporary);
-    if (!o->file) {
+    o->temporary = app_need(malloc(strlen(o->target) + sizeof SUFFIX));
+    if (!open_output(o)) {
         int code = app_error(APP_CANNOT_WRITE, "%s: %s", path, strerror(errno));
         free_output(o);
         return code;
@@ -199,10 +261,13 @@ int app_file_close(FILE *f, const char *path)
     output *o = take_output(f);
     errno = 0;
     bool failed = ferror(f);
+    int nameless = o && !*o->temporary ? dup(fileno(f)) : -1;
     failed |= fclose(f) != 0;
     if (o && !failed)
-        failed = rename(o->temporary, o->target) != 0;
+        failed = *o->temporary ? rename(o->temporary, o->target) != 0 : !link_nameless(o, nameless);
     int why = errno;
+    if (nameless >= 0)
+        close(nameless);
     if (o && failed)
         unlink(o->temporary);
     free_output(o);

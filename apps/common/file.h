@@ -1,7 +1,8 @@
 /* file.h: opening and closing what a command reads and writes. "-" is standard input or output.
  *
- * What is written to a file stands under a temporary name beside it until it is closed, so nobody
- * ever finds half an output under its name, nor loses the file that was there before to a failure.
+ * What is written to a file has no name until it is closed (a temporary one beside it where the
+ * file system wants names), so nobody ever finds half an output under its name, nor loses the file
+ * that was there before to a failure; and a process that is killed leaves nothing behind.
  * Devices and pipes are written to as they are. A file that is being read is not written to.
  */
 #ifndef APP_FILE_H

@@ -4,6 +4,7 @@ names of files cannot speak to a terminal. usage: outputs.py FMB EXAMPLES"""
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -23,6 +24,32 @@ def run(*words, **how):
 
 def clean(folder, *names):
     return sorted(p.name for p in folder.iterdir()) == sorted(names)
+
+
+def nameless_files(folder):
+    """Has the file system such, and can they be given a name?"""
+    try:
+        one = os.open(folder, os.O_TMPFILE | os.O_WRONLY, 0o600)
+        os.link(f"/proc/self/fd/{one}", folder / "tried", src_dir_fd=0, follow_symlinks=True)
+        (folder / "tried").unlink()
+        os.close(one)
+        return True
+    except OSError:
+        return False
+
+
+def kill_while_writing(folder, *words):
+    """Its outputs are open when the trace begins, and nobody takes all of that from the pipe."""
+    rows = "".join(f"x{i} + {i + 2} x{j} - x{(i * j) % 40} >= {i - j}\n"
+                   for i in range(40) for j in range(i))
+    one = subprocess.Popen([fmb, *map(str, words), "--trace", "/dev/stdout"], text=True, bufsize=0,
+                           stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+    one.stdin.write(rows)
+    one.stdin.close()
+    begun = os.read(one.stdout.fileno(), 1)
+    one.send_signal(signal.SIGKILL)
+    one.stdout.close()
+    return begun == b"{" and one.wait() == -signal.SIGKILL
 
 
 with tempfile.TemporaryDirectory() as name:
@@ -54,6 +81,12 @@ with tempfile.TemporaryDirectory() as name:
     r = run("solve", system, "--rebase=never", "--proof", proof, "--trace", folder / "t")
     expect(r.returncode == 64 and proof.read_text() == good, "a failure keeps the old proof")
     expect(clean(folder, "s.fmb", "s.proof"), f"a failure leaves no file: {os.listdir(folder)}")
+
+    if nameless_files(folder):
+        for target in (proof, folder / "new"):
+            expect(kill_while_writing(folder, "bounds", "-", "--proof", target), "killed midway")
+            expect(clean(folder, "s.fmb", "s.proof"), f"a kill leaves: {os.listdir(folder)}")
+        expect(proof.read_text() == good, "a kill keeps the old proof")
 
     # A proof through a link goes to the file behind it.
     (folder / "latest").symlink_to(proof)
