@@ -58,7 +58,7 @@ _fmb()
                 check) words="$general $source --list --expect --json --relax --max-seconds --max-bytes" ;;
                 convert) words="$general $source --to" ;;
                 intersect) words="$general --quiet --json --contact --boxes --distance --depth --within --norm --separate --common --nearest --threads --max-seconds --max-bytes --max-input" ;;
-                mesh) words="$general --quiet --json --csv --move --scale --mirror --motion --neighbours --where --common --marked --all-pairs --format --threads --max-bytes --max-input" ;;
+                mesh) words="$general --quiet --json --csv --move --scale --mirror --motion --neighbours --where --common --marked --all-pairs --format --threads --max-seconds --max-bytes --max-input" ;;
                 *) words="$general solve bounds optimize project reduce vertices hull sum image check convert intersect mesh" ;;
             esac
             if [[ -n $command && $cur != -* ]]; then

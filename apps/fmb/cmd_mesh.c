@@ -28,6 +28,7 @@ enum {
     KEY_ALL_PAIRS,
     KEY_CSV,
     KEY_FORMAT,
+    KEY_SECONDS,
     KEY_BYTES,
     KEY_MAX_INPUT,
     KEY_THREADS
@@ -57,6 +58,7 @@ static const struct argp_option options[] = {
      1},
     {"format", KEY_FORMAT, "auto|off|obj|ply|stl|mesh", 0,
      "What the files are (default: by name, else by content)", 1},
+    {"max-seconds", KEY_SECONDS, "SECONDS", 0, "Limit of the search for what meets; 0 is none", 1},
     {"max-bytes", KEY_BYTES, "BYTES", 0,
      "Limit of memory of what meets; 0 is none (default half of the memory)", 1},
     {"threads", KEY_THREADS, "N", 0, "Threads, at most 64 (default 1)", 1},
@@ -159,6 +161,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case KEY_FORMAT:
         ask->format = format_of(arg, state);
         return 0;
+    case KEY_SECONDS:
+        ask->max_seconds = app_value_number("--max-seconds", arg, 0, DBL_MAX, state);
+        return 0;
     case KEY_BYTES:
         ask->max_bytes = app_value_whole("--max-bytes", arg, 0, SIZE_MAX, state);
         return 0;
@@ -199,7 +204,7 @@ static const char doc[] =
     "share: "
     "in common vertices and what these span alone.\n"
     "\n"
-    "Exit codes: 0 some cells meet, 1 none do, 2 undecided or interrupted.\n"
+    "Exit codes: 0 some cells meet, 1 none do, 2 beyond a limit or interrupted.\n"
     "\n"
     "Examples:\n"
     "  fmb mesh part.stl\n"
@@ -221,6 +226,7 @@ static fmb_status find_hits(const mesh_ask *ask, const fmb_mesh *a, const fmb_me
     app_bar bar = app_bar_begin(ask->quiet || app_rank() > 0);
     fmb_mesh_options how = {.neighbours = ask->neighbours,
                             .motion = ask->moves ? ask->motion : NULL,
+                            .max_seconds = ask->max_seconds,
                             .max_bytes = ask->max_bytes,
                             .threads = ask->threads,
                             .progress = show_progress,

@@ -11,6 +11,7 @@ typedef struct mesh_ask {
     fmb_mesh_place place; /* its move; the scale is the following */
     double scale[3], motion[3];
     bool mirror[3], moves, neighbours, where, common, all_pairs, json, csv, quiet;
+    double max_seconds;
     size_t max_bytes, max_input, threads;
 } mesh_ask;
 
@@ -30,8 +31,8 @@ int mesh_mark(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b,
  * that of all. Rank 0's code. */
 int mesh_share(int code, fmb_mesh **m);
 /* [give, free() out->hit] All pairs, without trees, by all ranks: rank 0 has the answer. It tells
- * how->progress, and how->max_bytes holds for all of them together. Errors: as fmb_mesh_meet_pairs,
- * of this rank alone. */
+ * how->progress, and how->max_bytes holds for all of them together, how->max_seconds for all rows.
+ * Errors: as fmb_mesh_meet_pairs, of this rank alone. */
 fmb_status mesh_meet_pairs(const fmb_mesh *a, const fmb_mesh *b, const fmb_mesh_options *how,
                            fmb_mesh_answer *out);
 

@@ -1,8 +1,10 @@
 /* mesh_ranks.c: all pairs of cells of two meshes, by one process or the ranks of several
  * (common/ranks.h): each takes the next rows of pairs when it has done its last ones. */
+#include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/clock.h"
 #include "common/message.h"
 #include "common/ranks.h"
 #include "fmb/mesh_ask.h"
@@ -88,16 +90,25 @@ static size_t room_for_hits(const fmb_mesh_options *how, const fmb_mesh_answer *
     return how->max_bytes == 0 ? 0 : limit > used ? limit - used : 1;
 }
 
+/* Of the limit of all rows; never 0, which is none. */
+static double seconds_left(const fmb_mesh_options *how, double began)
+{
+    double left = how->max_seconds - (app_now() - began);
+    return how->max_seconds == 0 ? 0 : left > 0 ? left : DBL_MIN;
+}
+
 static fmb_status ask_rows_of_this_rank(const fmb_mesh *a, const fmb_mesh *b,
                                         const fmb_mesh_options *how, fmb_mesh_answer *all)
 {
     uint64_t cells = fmb_mesh_cells(a), rows = rows_of_portion(a, b ? b : a), from;
+    double began = app_now();
     fmb_status st = FMB_OK;
     while (st == FMB_OK && all->stop == FMB_STOP_DONE && (from = app_ranks_take(0, rows)) < cells) {
         uint64_t to = cells - from < rows ? cells : from + rows;
         rows_progress p = {how, (double)from / (double)cells, (double)(to - from) / (double)cells};
         fmb_mesh_options o = *how;
         fmb_mesh_answer part = {0};
+        o.max_seconds = seconds_left(how, began);
         o.max_bytes = room_for_hits(how, all);
         o.progress = tell_progress_of_rows;
         o.self = &p;
@@ -120,10 +131,10 @@ static int compare_hits(const void *x, const void *y)
 /* On rank 0. */
 static void join_answers(fmb_mesh_answer *all)
 {
-    uint64_t sum[4] = {all->tested, all->framed, all->stop == FMB_STOP_CANCELLED,
-                       all->stop == FMB_STOP_BYTES};
+    uint64_t sum[5] = {all->tested, all->framed, all->stop == FMB_STOP_CANCELLED,
+                       all->stop == FMB_STOP_TIME, all->stop == FMB_STOP_BYTES};
     size_t bytes;
-    app_ranks_sum(sum, 4);
+    app_ranks_sum(sum, 5);
     fmb_mesh_hit *hit = app_ranks_gather(all->hit, all->hits * sizeof *hit, &bytes);
     free(all->hit);
     *all = (fmb_mesh_answer){.hits = bytes / sizeof *hit,
@@ -131,7 +142,8 @@ static void join_answers(fmb_mesh_answer *all)
                              .tested = sum[0],
                              .framed = sum[1],
                              .stop = sum[2]   ? FMB_STOP_CANCELLED
-                                     : sum[3] ? FMB_STOP_BYTES
+                                     : sum[3] ? FMB_STOP_TIME
+                                     : sum[4] ? FMB_STOP_BYTES
                                               : FMB_STOP_DONE};
     if (hit)
         qsort(hit, all->hits, sizeof *hit, compare_hits);

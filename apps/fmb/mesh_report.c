@@ -175,8 +175,6 @@ static void print_counts(const report *r)
     for (int k = FMB_MESH_COPLANAR; !r->ask->moves && k > FMB_MESH_APART; k--)
         if (of[k] > 0)
             printf(", %zu %s", of[k], fmb_mesh_how_text((fmb_mesh_how)k));
-    if (r->answer->stop != FMB_STOP_DONE)
-        printf("; stopped (%s)", fmb_stop_text(r->answer->stop));
     putchar('\n');
 }
 

@@ -121,6 +121,7 @@ typedef struct fmb_mesh_options {
     bool neighbours;      /* hits of kind SHARE are wanted, too: most pairs of a mesh with itself */
     const double *motion; /* [3] or NULL: the second mesh moves by so much while t goes from 0 to 1
                              [world length units] */
+    double max_seconds;   /* wall clock [s]; 0 = no limit */
     size_t max_bytes;     /* of the hits [bytes]; 0 = no limit */
     size_t threads; /* at most 64; 0 or 1: the caller's alone. mem must then be safe for threads.
                        Answers are the same for any number, but for those at a limit */
@@ -136,14 +137,14 @@ typedef struct fmb_mesh_answer {
     fmb_mesh_hit *hit; /* [hits] by a, then b */
     uint64_t tested;   /* pairs of cells whose boxes meet; without trees, all pairs */
     uint64_t framed;   /* of those, decided as frames */
-    fmb_stop stop;     /* DONE; CANCELLED, BYTES: hits are some of those there are */
+    fmb_stop stop;     /* DONE; CANCELLED, TIME, BYTES: hits are some of those there are */
     size_t capacity;   /* of hit, with the allocator that it came from */
     fmb_alloc mem;
 } fmb_mesh_answer;
 
 /* [give, fmb_mesh_answer_clear] Which cells of a and b meet; b NULL or a: which cells of a meet
  * one another. Errors: ARG (a or out NULL, a motion that is not finite, or of a mesh against
- * itself), MEMORY. */
+ * itself, max_seconds below 0 or NaN), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_mesh_meet(const fmb_mesh *a, const fmb_mesh *b,
                                              const fmb_mesh_options *o, fmb_mesh_answer *out);
 /* [give, fmb_mesh_answer_clear] The same of cells from ... to - 1 of a alone, without trees: each

@@ -65,9 +65,13 @@ static void walk_one(void *self, size_t k, size_t thread)
 {
     const walks *w = self;
     fmb_tree_walk *x = &w->walk[thread];
-    if (x->st == FMB_OK)
-        end_part(x, w->part ? fmb_walk_part_of_trees(x, &w->part[k])
-                            : fmb_walk_row_of_pairs(x, (uint32_t)(w->from + k)));
+    if (x->st != FMB_OK)
+        return;
+    fmb_status st = fmb_run_poll_now(&x->run);
+    if (st == FMB_OK)
+        st = w->part ? fmb_walk_part_of_trees(x, &w->part[k])
+                     : fmb_walk_row_of_pairs(x, (uint32_t)(w->from + k));
+    end_part(x, st);
 }
 
 static fmb_status walk_all(fmb_walk_plan *plan, fmb_mem *mem, fmb_tree_walk *walk, int threads)
@@ -89,9 +93,10 @@ static fmb_status join_walks(const fmb_walk_plan *plan, fmb_tree_walk *walk, int
 {
     fmb_mesh_answer *out = &walk[0].out;
     fmb_status st = FMB_OK;
-    bool limited = false;
+    bool limited = false, late = false;
     for (int t = 0; st == FMB_OK && t < threads; t++) {
         limited |= walk[t].st == FMB_LIMIT;
+        late |= walk[t].run.stop == FMB_STOP_TIME;
         st = walk[t].st == FMB_LIMIT ? FMB_OK : walk[t].st;
     }
     walk[0].mem.limit = 0;
@@ -105,7 +110,10 @@ static fmb_status join_walks(const fmb_walk_plan *plan, fmb_tree_walk *walk, int
         out->tested += more->tested;
         out->framed += more->framed;
     }
-    out->stop = !limited ? FMB_STOP_DONE : plan->cancelled ? FMB_STOP_CANCELLED : FMB_STOP_BYTES;
+    out->stop = !limited          ? FMB_STOP_DONE
+                : plan->cancelled ? FMB_STOP_CANCELLED
+                : late            ? FMB_STOP_TIME
+                                  : FMB_STOP_BYTES;
     return st == FMB_OK ? sort_hits(plan, out) : st;
 }
 
@@ -115,6 +123,7 @@ static fmb_status open_walks(fmb_walk_plan *plan, fmb_tree_walk *walk, int threa
     for (int t = 0; st == FMB_OK && t < threads; t++) {
         walk[t].plan = plan;
         walk[t].tells = t == 0;
+        walk[t].run = plan->run;
         fmb_mem_init(&walk[t].mem, plan->o->mem, plan->o->max_bytes / (size_t)threads);
         if (plan->o->max_bytes > 0 && walk[t].mem.limit == 0)
             walk[t].mem.limit = 1;
@@ -190,9 +199,13 @@ static fmb_status meet_as_planned(const fmb_mesh *a, const fmb_mesh *b, const fm
     static const fmb_mesh_options usual = {0};
     fmb_mem mem;
     o = o ? o : &usual;
-    if (!a || !out || !is_good_motion(o->motion) || ((!b || b == a) && o->motion))
+    if (!a || !out || !is_good_motion(o->motion) || ((!b || b == a) && o->motion) ||
+        !(o->max_seconds >= 0))
         return FMB_ERR_ARG;
     fmb_mem_init(&mem, o->mem, 0);
+    fmb_options limits = fmb_options_default();
+    limits.max_seconds = o->max_seconds;
+    fmb_run_begin(&plan->run, &mem, &limits, &plan->stopped, (fmb_sink){0}, "mesh");
     plan->a = a;
     plan->b = b ? b : a;
     plan->o = o;

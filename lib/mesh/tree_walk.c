@@ -72,6 +72,8 @@ static fmb_status look_at_pair_of_cells(fmb_tree_walk *x, const fmb_cell *a, uin
 {
     fmb_mesh_how how;
     int shared = fmb_cells_count_shared(a, b);
+    if (fmb_run_poll(&x->run) != FMB_OK)
+        return FMB_LIMIT;
     x->out.tested++;
     unsigned trouble = x->plan->a->trouble[i] | (unsigned)x->plan->b->trouble[j] << 4;
     fmb_status st = decide_cells(x, a, b, trouble, shared, &how);
@@ -95,7 +97,7 @@ static fmb_status share_progress(fmb_tree_walk *x)
         plan->cancelled = true;
         atomic_store(&plan->stopped, 1);
     }
-    return atomic_load(&plan->stopped) ? FMB_LIMIT : FMB_OK;
+    return fmb_run_poll_now(&x->run);
 }
 
 /* So much more is done. FMB_LIMIT: stop. */

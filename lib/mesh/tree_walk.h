@@ -6,6 +6,7 @@
 #include <stdatomic.h>
 
 #include "mesh/cells_as_frames.h"
+#include "trace/run.h"
 
 /* What all threads share. */
 typedef struct fmb_walk_plan {
@@ -13,6 +14,7 @@ typedef struct fmb_walk_plan {
     const uint32_t *ids_a, *ids_b; /* equal numbers for equal points, across both */
     const fmb_mesh_options *o;
     size_t from, to;       /* without trees: rows of pairs, cells of a; else from == to */
+    fmb_run run;           /* its clock; each walk has a copy */
     atomic_int stopped;    /* by the caller, or since a thread failed */
     bool cancelled;        /* the former */
     _Atomic uint64_t done; /* of the pairs of cells, roughly [1 / FMB_WALK_UNITS] */
@@ -24,6 +26,7 @@ typedef struct fmb_walk_plan {
 typedef struct fmb_tree_walk {
     fmb_walk_plan *plan;
     fmb_mem mem; /* of the hits */
+    fmb_run run; /* stopped with the plan, or since time is up */
     fmb_mesh_frames frames;
     fmb_mesh_answer out;
     bool tells;       /* this thread tells progress */

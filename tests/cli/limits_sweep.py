@@ -79,7 +79,7 @@ CASES = {
     "sum": Case(("sum", "d3.fmb", "e3.fmb"), SOLVER, CONVERT),
     "image": Case(("image", "d6.fmb", "turn.map"), SOLVER, CONVERT),
     "intersect": Case(("intersect", "pairs.jsonl"), ("seconds", "bytes"), None),
-    "mesh": Case(("mesh", "mesh.off"), ("bytes",), None),
+    "mesh": Case(("mesh", "mesh.off"), ("seconds", "bytes"), None),
     "convert": Case(("convert", "d8.fmb", "--to", "smt2"), (), CONVERT),
 }
 LIMITS = {

@@ -2,6 +2,7 @@
 #include <criterion/criterion.h>
 #include <math.h>
 #include <string.h>
+#include <time.h>
 
 #include <fmb/mesh.h>
 #include <fmb/pair.h>
@@ -175,6 +176,43 @@ Test(meet, place)
     fmb_mesh_free(m);
 }
 
+static bool waste_time(void *self, double done)
+{
+    const struct timespec ten_milliseconds = {.tv_nsec = 10000000};
+    ++*(int *)self;
+    nanosleep(&ten_milliseconds, NULL);
+    return done >= 0;
+}
+
+/* A limit that is always reached ends trees and rows, before a pair is tested; one that
+ * progress uses up, if not what was before it, ends them at once. */
+Test(meet, seconds)
+{
+    support_rng g = {13};
+    soup s;
+    draw_soup(&g, 3, CELLS, &s);
+    fmb_mesh *m = mesh_of(&s);
+    int calls = 0;
+    for (size_t threads = 1; threads < 4; threads += 2) {
+        fmb_mesh_answer trees = {0}, pairs = {0};
+        fmb_mesh_options o = {.max_seconds = 1e-9, .threads = threads};
+        must(fmb_mesh_meet(m, NULL, &o, &trees));
+        cr_expect(trees.stop == FMB_STOP_TIME && trees.hits == 0 && trees.tested == 0);
+        must(fmb_mesh_meet_pairs(m, 0, CELLS, NULL, &o, &pairs));
+        cr_expect(pairs.stop == FMB_STOP_TIME && pairs.hits == 0 && pairs.tested == 0);
+        o.max_seconds = 1e9;
+        must(fmb_mesh_meet(m, NULL, &o, &trees));
+        cr_expect(trees.stop == FMB_STOP_DONE && trees.hits > 10);
+        fmb_mesh_answer_clear(&trees);
+    }
+    fmb_mesh_options slow = {.max_seconds = 0.005, .progress = waste_time, .self = &calls};
+    fmb_mesh_answer late = {0};
+    must(fmb_mesh_meet(m, NULL, &slow, &late));
+    cr_expect(late.stop == FMB_STOP_TIME && calls <= 1);
+    fmb_mesh_answer_clear(&late);
+    fmb_mesh_free(m);
+}
+
 static bool stop(void *self, double done)
 {
     ++*(int *)self;
@@ -220,6 +258,8 @@ Test(meet, arguments)
     cr_expect(fmb_mesh_meet(m, NULL, NULL, NULL) == FMB_ERR_ARG);
     cr_expect(fmb_mesh_meet(m, NULL, &(fmb_mesh_options){.motion = point}, &answer) == FMB_ERR_ARG);
     cr_expect(fmb_mesh_meet(m, m, &(fmb_mesh_options){.motion = bad}, &answer) == FMB_ERR_ARG);
+    cr_expect(fmb_mesh_meet(m, m, &(fmb_mesh_options){.max_seconds = -1}, &answer) == FMB_ERR_ARG);
+    cr_expect(fmb_mesh_meet(m, m, &(fmb_mesh_options){.max_seconds = NAN}, &answer) == FMB_ERR_ARG);
     cr_expect(!none && fmb_mesh_cells(NULL) == 0 && !fmb_mesh_points(NULL) &&
               !fmb_mesh_indices(NULL) && fmb_mesh_corners(NULL) == 0 &&
               fmb_mesh_vertices(NULL) == 0 && fmb_mesh_face(NULL, 3) == 0);
