@@ -57,8 +57,11 @@ static fmb_status scan_commands(fmb_script *s, fmb_cursor *c)
         fmb_status st = fmb_smt_next(c, &open);
         if (st != FMB_OK || open.kind == FMB_SMT_END)
             return st;
-        if (open.kind != FMB_SMT_OPEN)
-            return fmb_io_fail(c, open.at, "expected '(' of a command");
+        if (open.kind != FMB_SMT_OPEN) {
+            char buf[FMB_QUOTE];
+            return fmb_io_fail(c, open.at, "expected '(' of a command, found %s",
+                               fmb_quote(c, open.at, buf));
+        }
         st = fmb_smt_expect(c, FMB_SMT_SYMBOL, "a command", &word);
         k.word = word.text;
         k.text.p = open.at;
