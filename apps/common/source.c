@@ -52,8 +52,23 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 
 const struct argp app_source_argp = {.options = source_options, .parser = parse};
 
-/* "PROGRAM: FILE:LINE:COLUMN: TEXT", without the numbers that are 0. */
-static void say_where(const char *file, const fmb_where *where, const char *kind)
+app_kind (*app_source_kind)(const char *path);
+
+/* "; which command reads it" for a file that holds something else than was wanted. */
+static const char *hint_at_kind(app_kind wanted, const char *path)
+{
+    static const char *const HINT[] = {
+        [APP_KIND_UNKNOWN] = "",
+        [APP_KIND_SYSTEM] = "; this looks like a system of inequalities, for `fmb solve`",
+        [APP_KIND_FRAMES] = "; this looks like pairs of frames, for `fmb intersect`",
+        [APP_KIND_MESH] = "; this looks like a mesh, for `fmb mesh`",
+    };
+    app_kind found = app_source_kind ? app_source_kind(path) : APP_KIND_UNKNOWN;
+    return found == wanted ? "" : HINT[found];
+}
+
+/* "PROGRAM: FILE:LINE:COLUMN: KIND TEXT HINT", without the numbers that are 0. */
+static void say_where(const char *file, const fmb_where *where, const char *kind, const char *hint)
 {
     char *text = app_text(where->text, APP_TEXT_TERMINAL),
          *name = app_text(file, APP_TEXT_TERMINAL);
@@ -62,7 +77,7 @@ static void say_where(const char *file, const fmb_where *where, const char *kind
         fprintf(stderr, "%ld:", where->line);
     if (where->line > 0 && where->column > 0)
         fprintf(stderr, "%ld:", where->column);
-    fprintf(stderr, " %s%s\n", kind, text);
+    fprintf(stderr, " %s%s%s\n", kind, text, hint);
     free(name);
     free(text);
 }
@@ -71,10 +86,15 @@ static void warn(void *self, const fmb_where *where)
 {
     const app_source *src = self;
     if (!src->quiet)
-        say_where(app_file_shown(src->file), where, "warning: ");
+        say_where(app_file_shown(src->file), where, "warning: ", "");
 }
 
 int app_source_outcome(fmb_status st, const char *path, const fmb_where *where)
+{
+    return app_source_outcome_of(APP_KIND_SYSTEM, st, path, where);
+}
+
+int app_source_outcome_of(app_kind wanted, fmb_status st, const char *path, const fmb_where *where)
 {
     const char *file = app_file_shown(path);
     switch (st) {
@@ -82,7 +102,7 @@ int app_source_outcome(fmb_status st, const char *path, const fmb_where *where)
         return APP_YES;
     case FMB_ERR_PARSE:
     case FMB_ERR_ARG:
-        say_where(file, where, "");
+        say_where(file, where, "", st == FMB_ERR_PARSE ? hint_at_kind(wanted, path) : "");
         return APP_BAD_INPUT;
     case FMB_ERR_IO:
         return app_error(APP_CANNOT_OPEN, "%s: %s", file,

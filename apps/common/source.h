@@ -37,8 +37,22 @@ fmb_reader app_source_reader(app_source *src);
 int app_source_read_symmetries(const app_source *src, const char *file, const fmb_system *s,
                                const int *keep, int n, fmb_permutations **out);
 
+/* What a file may hold. */
+typedef enum app_kind {
+    APP_KIND_UNKNOWN = 0,
+    APP_KIND_SYSTEM,
+    APP_KIND_FRAMES, /* pairs of frames */
+    APP_KIND_MESH
+} app_kind;
+
+/* What does a file hold that could not be read? A program that reads more than systems sets it, so
+ * that a message says which command a file is for; else NULL. */
+extern app_kind (*app_source_kind)(const char *path);
+
 /* The exit code for what a reader of the library returned, after a message unless it is FMB_OK. */
 int app_source_outcome(fmb_status st, const char *path, const fmb_where *where);
+/* The same of a reader of something else than systems. */
+int app_source_outcome_of(app_kind wanted, fmb_status st, const char *path, const fmb_where *where);
 
 /* The format FILE is in, as far as --format or its name tell, made one that can be written:
  * FMB_FORMAT_TEXT for all others. */

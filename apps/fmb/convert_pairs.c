@@ -91,7 +91,8 @@ static int write_all(fmb_frame_reader *lines, const char *file)
         written = write_waiting_pairs(w);
     free(w);
     errno = cause;
-    return written == FMB_OK ? app_source_outcome(st, file, &where) : app_status_error(written);
+    return written == FMB_OK ? app_source_outcome_of(APP_KIND_FRAMES, st, file, &where)
+                             : app_status_error(written);
 }
 
 int convert_pairs(const app_source *source, bool nearest)

@@ -54,7 +54,7 @@ static int answer_stream(stream *s, intersect *x, FILE *in)
     }
     if (asked != FMB_OK)
         return app_status_error(asked);
-    return app_source_outcome(st, x->ask->file, &where);
+    return app_source_outcome_of(APP_KIND_FRAMES, st, x->ask->file, &where);
 }
 
 static int exit_code(const intersect *x)

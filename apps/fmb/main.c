@@ -1,6 +1,7 @@
 /* main.c: fmb, the command: a table of subcommands. */
 #include "common/dispatch.h"
 #include "fmb/commands.h"
+#include "fmb/kind.h"
 
 static const app_command commands[] = {
     {"solve", "fmb solve", "is it feasible? a point, or the rows in conflict", cmd_solve},
@@ -47,5 +48,6 @@ int main(int argc, char **argv)
                                  .doc = doc,
                                  .command = commands,
                                  .commands = sizeof commands / sizeof *commands};
+    app_source_kind = app_kind_of;
     return app_dispatch(&program, argc, argv);
 }

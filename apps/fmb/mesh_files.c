@@ -33,7 +33,7 @@ static int read_tetgen(const mesh_ask *ask, const char *node, const char *ele, f
         code = app_file_open(ele, &cells);
     if (code == APP_YES) {
         fmb_status st = fmb_mesh_read_tetgen(points, cells, &how, out, &where, &in_cells);
-        code = app_source_outcome(st, in_cells ? ele : node, &where);
+        code = app_source_outcome_of(APP_KIND_MESH, st, in_cells ? ele : node, &where);
     }
     if (points)
         app_file_close_input(points);
@@ -53,7 +53,7 @@ static int read_one_file(const mesh_ask *ask, const char *path, fmb_mesh **out)
         return code;
     fmb_status st = fmb_mesh_read(in, f, &how, out, &where);
     app_file_close_input(in);
-    return app_source_outcome(st, path, &where);
+    return app_source_outcome_of(APP_KIND_MESH, st, path, &where);
 }
 
 int mesh_file_read(const mesh_ask *ask, const char *path, fmb_mesh **out)
