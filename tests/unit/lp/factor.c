@@ -161,23 +161,19 @@ static void close_bench(bench *b)
     free(b->basis);
 }
 
-/* Both solutions, for a random right side, against the plain way where n is small, and by
+/* Its solution, or across it that of its transpose, against the plain way where n is small, and by
  * multiplication in any case. */
-static void check_solution(bench *b, support_rng *g, bool across, int bits, int percent)
+static void check_solution_for(bench *b, bool across, mpz_t *right)
 {
     size_t n = b->n;
-    mpz_t *right = integers(n), *x = integers(n), *truth = integers(n), *a = integers(n * n), den,
-          t;
+    mpz_t *x = integers(n), *truth = integers(n), *a = integers(n * n), den, t;
     mpz_inits(den, t, NULL);
-    for (size_t i = 0; i < n; i++) {
-        if (support_chance(g, percent))
-            support_integer(g, bits, right[i]);
+    for (size_t i = 0; i < n; i++)
         for (size_t j = 0; j < n; j++)
             mpz_set(a[across ? j * n + i : i * n + j], b->a[i * n + j]);
-    }
     fmb_status (*solve)(fmb_factor *, mpz_t *, mpz_t *, mpz_t) =
         across ? fmb_factor_solve_transposed : fmb_factor_solve;
-    cr_assert_eq(solve(b->f, (mpz_t *)right, x, den), FMB_OK);
+    cr_assert_eq(solve(b->f, right, x, den), FMB_OK);
     cr_assert_gt(mpz_sgn(den), 0);
     for (size_t i = 0; i < n; i++) {
         mpz_mul(t, den, right[i]);
@@ -195,10 +191,20 @@ static void check_solution(bench *b, support_rng *g, bool across, int bits, int 
         mpz_gcd(den, den, x[i]);
     cr_assert_eq(mpz_cmp_ui(den, 1), 0);
     mpz_clears(den, t, NULL);
-    free_integers(right, n);
     free_integers(x, n);
     free_integers(truth, n);
     free_integers(a, n * n);
+}
+
+/* For a random right side. */
+static void check_solution(bench *b, support_rng *g, bool across, int bits, int percent)
+{
+    mpz_t *right = integers(b->n);
+    for (size_t i = 0; i < b->n; i++)
+        if (support_chance(g, percent))
+            support_integer(g, bits, right[i]);
+    check_solution_for(b, across, right);
+    free_integers(right, b->n);
 }
 
 static void check_all_solutions(bench *b, support_rng *g)
@@ -382,6 +388,45 @@ Test(factor, determinants_divisible_by_the_prime)
             check_all_solutions(&b, &g);
             close_bench(&b);
         }
+}
+
+/* The prime is 2^61 - 1, so 2^k 2^(61 - k) is 1 modulo it: numbers that are short solve this modulo
+ * the prime, and are not the solution. */
+static void check_short_residues(size_t n, int k, bool across)
+{
+    support_rng g = {(uint64_t)k};
+    bench b;
+    bool changed;
+    mpz_t *right = integers(n);
+    open_bench(&b, n);
+    fill(&b, &g, 100, 0);
+    mpz_set_ui(b.a[0], 1ul << k);
+    build_program(&b, &g);
+    cr_assert_eq(fmb_factor_set(b.f, b.basis, &changed), FMB_OK);
+    cr_assert(!changed);
+    for (size_t j = 0; j < n; j++) {
+        int y = support_between(&g, -9, 9);
+        for (size_t i = 0; i < n; i++) {
+            size_t at = across ? j * n + i : i * n + j;
+            if (j > 0)
+                (y < 0 ? mpz_submul_ui : mpz_addmul_ui)(right[i], b.a[at], (unsigned long)abs(y));
+            else if (i > 0)
+                mpz_addmul_ui(right[i], b.a[at], 1ul << (61 - k));
+            else
+                mpz_add_ui(right[i], right[i], 1);
+        }
+    }
+    check_solution_for(&b, across, right);
+    free_integers(right, n);
+    close_bench(&b);
+}
+
+Test(factor, solutions_that_are_short_modulo_the_prime_only)
+{
+    for (int k = 1; k <= 60; k++) {
+        check_short_residues(28, k, false);
+        check_short_residues(28, k, true);
+    }
 }
 
 Test(factor, no_columns_at_all)
