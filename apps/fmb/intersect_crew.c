@@ -127,6 +127,8 @@ static void report_portion(crew *c, portion *p)
     x->meeting += p->found.meeting;
     x->undecided += p->found.undecided;
     x->within += p->found.within;
+    if (x->stop == FMB_STOP_DONE)
+        x->stop = p->found.stop;
     if (p->is_whole)
         return;
     c->is_over = true;

@@ -321,6 +321,14 @@ class Crew(unittest.TestCase):
                 text = lines[:rng.randrange(300)] + [bad] + lines[:rng.randrange(9)]
                 self.expect_same(b"".join(text)[:-1], "--boxes", "none", *words[:1])
 
+    def test_limits(self):
+        """Touching boxes, which doubles leave open, without time: undecided."""
+        square = '{"type": "cuboid", "orig": [%d, 0], "comp": [[1, 0], [0, 1]]}'
+        lines = f'{{"A": {square % 0}, "B": {square % 1}}}\n'.encode() * 5
+        limits = ("--max-seconds", "1e-9", "--contact", "open")
+        self.expect_same(lines, *limits)
+        self.assertEqual(run("intersect", "-", *limits, text=lines).returncode, 2)
+
     def test_binary(self):
         rng = random.Random(8)
         text = b"".join(self.pair(rng) for _ in range(300))
