@@ -51,10 +51,10 @@ typedef struct meeting {
 /* Pairs are answered, and reported. */
 typedef struct intersect {
     const intersect_ask *ask;
-    FILE *out;
+    FILE *out, *err; /* where the report goes, and where messages about pairs */
     fmb_solver *solver;
     long before; /* lines in front of those that are read */
-    size_t tested, meeting, undecided, within;
+    size_t tested, meeting, undecided, within, contradicted;
     fmb_stop stop; /* DONE, or a limit that left something open of some pair */
 } intersect;
 

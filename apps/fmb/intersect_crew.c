@@ -28,8 +28,8 @@ static const double short_round = 0.05, long_round = 0.2; /* [s] */
 
 typedef struct portion {
     FILE *in; /* into text, while it is filled */
-    char *text, *report;
-    size_t size, length;
+    char *text, *report, *messages;
+    size_t size, length, messages_length;
     long before, lines; /* in front of it, in it */
     bool is_whole;      /* all of it was answered */
     intersect found;    /* counts */
@@ -69,6 +69,7 @@ static void answer_portion(member *m, portion *p)
     FILE *in = app_need(fmemopen(p->text, p->size, "r"));
     m->x = (intersect){.ask = m->x.ask, .solver = m->x.solver, .before = p->before};
     m->x.out = app_need(open_memstream(&p->report, &p->length));
+    m->x.err = app_need(open_memstream(&p->messages, &p->messages_length));
     p->read = fmb_frame_reader_new(in, &reading, &w.lines);
     if (p->read == FMB_OK) {
         app_stop_reader(w.lines);
@@ -80,6 +81,7 @@ static void answer_portion(member *m, portion *p)
     p->found = m->x;
     fmb_frame_reader_free(w.lines);
     fclose(m->x.out);
+    fclose(m->x.err);
     fclose(in);
 }
 
@@ -123,10 +125,12 @@ static void report_portion(crew *c, portion *p)
     if (x->ask->json && x->tested > 0 && p->found.tested > 0)
         fputc(',', x->out);
     fwrite(p->report, 1, p->length, x->out);
+    fwrite(p->messages, 1, p->messages_length, x->err);
     x->tested += p->found.tested;
     x->meeting += p->found.meeting;
     x->undecided += p->found.undecided;
     x->within += p->found.within;
+    x->contradicted += p->found.contradicted;
     if (x->stop == FMB_STOP_DONE)
         x->stop = p->found.stop;
     if (p->is_whole)
@@ -142,6 +146,7 @@ static void forget_portion(portion *p)
 {
     free(p->text);
     free(p->report);
+    free(p->messages);
     *p = (portion){0};
 }
 

@@ -161,6 +161,8 @@ fmb_status near_find(const near_ask *ask, fmb_solver *v, const fmb_frame_line *l
     if (st == FMB_OK && known && verdict != FMB_UNKNOWN)
         st = verdict == FMB_FEASIBLE ? ask_when_meeting(ask, v, f, out)
                                      : ask_when_apart(ask, v, f, contact, out);
+    if (st == FMB_OK && known)
+        out->contradiction = near_contradiction(ask, contact, verdict, out);
     hull_frame_clear(&room[0]);
     hull_frame_clear(&room[1]);
     return st;

@@ -21,7 +21,8 @@ typedef struct near_found {
     fmb_generators *common;
     fmb_system *row;
     bool is_within;
-    fmb_stop stop; /* DONE; else a limit was reached, and something is missing */
+    fmb_stop stop;             /* DONE; else a limit was reached, and something is missing */
+    const char *contradiction; /* of the verdict, in words: a bug; else NULL */
 } near_found;
 
 /* Set within and margin from text, a rational or decimal: an exit code. */
@@ -34,6 +35,9 @@ bool near_is_asked(const near_ask *ask);
 fmb_status near_find(const near_ask *ask, fmb_solver *v, const fmb_frame_line *line,
                      fmb_contact contact, fmb_verdict verdict, near_found *out);
 void near_clear(near_found *f);
+/* What of all that was asked and found contradicts the verdict, in words; NULL if nothing does. */
+const char *near_contradiction(const near_ask *ask, fmb_contact contact, fmb_verdict verdict,
+                               const near_found *found);
 
 /* Lines under a pair; members of its JSON object, ", " first. */
 void near_print(const near_ask *ask, const near_found *f, FILE *out);

@@ -218,6 +218,17 @@ static fmb_stop stop_of(const meeting *m)
     return m->near.stop;
 }
 
+/* Nobody should take either for the truth. */
+static void tell_contradiction(intersect *x, const meeting *m)
+{
+    if (!m->near.contradiction)
+        return;
+    x->contradicted++;
+    fputs("fmb: internal error: ", x->err);
+    print_name(m, x->err);
+    fprintf(x->err, ": %s\n", m->near.contradiction);
+}
+
 void report_pair(intersect *x, meeting *m)
 {
     if (x->ask->json)
@@ -230,6 +241,7 @@ void report_pair(intersect *x, meeting *m)
     x->meeting += m->verdict == FMB_FEASIBLE;
     x->undecided += m->verdict == FMB_UNKNOWN;
     x->within += m->near.is_within;
+    tell_contradiction(x, m);
     drop(m);
 }
 

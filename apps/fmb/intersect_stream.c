@@ -59,6 +59,8 @@ static int answer_stream(stream *s, intersect *x, FILE *in)
 
 static int exit_code(const intersect *x)
 {
+    if (x->contradicted > 0)
+        return APP_INTERNAL;
     fmb_stop stop = app_stop_asked() ? FMB_STOP_CANCELLED : x->stop;
     if (stop == FMB_STOP_DONE)
         return x->meeting + x->within > 0 ? APP_YES : APP_NO;
@@ -70,7 +72,7 @@ static int exit_code(const intersect *x)
 
 int intersect_stream(const intersect_ask *ask, FILE *in)
 {
-    intersect x = {.ask = ask, .out = stdout};
+    intersect x = {.ask = ask, .out = stdout, .err = stderr};
     stream s = {{0}, NULL};
     app_listener listener = {.in = in, .idle = answer_what_waits, .self = &s};
     FILE *heard = app_need(app_listen(&listener));
