@@ -1,6 +1,6 @@
 /* ply.c: PLY, as text or binary of either byte order. A header names elements and the properties
- * that each of theirs has, in this order; of vertices x, y and z count, of faces the list
- * vertex_indices (or vertex_index), and all others are passed over.
+ * that each of theirs has, in this order; of vertices x, y and z count, of faces and of strips of
+ * triangles the list vertex_indices (or vertex_index), and all others are passed over.
  */
 #include <math.h>
 
@@ -21,14 +21,14 @@ static const ply_type types[] = {
 };
 
 /* What a property is to a mesh. */
-enum { ROLE_X, ROLE_Y, ROLE_Z, ROLE_CORNERS, ROLE_NONE };
+enum { ROLE_X, ROLE_Y, ROLE_Z, ROLE_CORNERS, ROLE_STRIPS, ROLE_NONE };
 
 typedef struct ply_property {
     const ply_type *type, *count; /* count: of a list, or NULL */
     int role;
 } ply_property;
 
-typedef enum ply_kind { PLY_OTHER, PLY_VERTEX, PLY_FACE } ply_kind;
+typedef enum ply_kind { PLY_OTHER, PLY_VERTEX, PLY_FACE, PLY_STRIPS } ply_kind;
 
 typedef struct ply_element {
     ply_kind kind;
@@ -73,9 +73,10 @@ static fmb_status read_ply_format(fmb_cursor *c, ply_header *h)
 static fmb_status read_ply_element(fmb_cursor *c, ply_header *h)
 {
     fmb_span word = scan_header_word(c);
-    ply_element e = {.kind = fmb_span_is(word, "vertex") ? PLY_VERTEX
-                             : fmb_span_is(word, "face") ? PLY_FACE
-                                                         : PLY_OTHER,
+    ply_element e = {.kind = fmb_span_is(word, "vertex")      ? PLY_VERTEX
+                             : fmb_span_is(word, "face")      ? PLY_FACE
+                             : fmb_span_is(word, "tristrips") ? PLY_STRIPS
+                                                              : PLY_OTHER,
                      .from = h->properties,
                      .to = h->properties};
     fmb_skip_blanks(c);
@@ -106,8 +107,9 @@ static int find_role(const ply_element *e, const ply_property *p, fmb_span name)
         if (fmb_span_is(name, axis[j]))
             return ROLE_X + j;
     bool corners = fmb_span_is(name, "vertex_indices") || fmb_span_is(name, "vertex_index");
-    return e->kind == PLY_FACE && p->count && !p->type->is_real && corners ? ROLE_CORNERS
-                                                                           : ROLE_NONE;
+    if (!corners || !p->count || p->type->is_real)
+        return ROLE_NONE;
+    return e->kind == PLY_FACE ? ROLE_CORNERS : e->kind == PLY_STRIPS ? ROLE_STRIPS : ROLE_NONE;
 }
 
 static fmb_status read_ply_property(fmb_cursor *c, ply_header *h, const char *line)
@@ -142,6 +144,8 @@ static fmb_status check_ply_element(fmb_cursor *c, const ply_element *e)
         return fmb_io_fail(c, NULL, "expected properties x, y and z of a vertex");
     if (e->kind == PLY_FACE && e->roles != 1U << ROLE_CORNERS)
         return fmb_io_fail(c, NULL, "expected a list vertex_indices of a face");
+    if (e->kind == PLY_STRIPS && e->roles != 1U << ROLE_STRIPS)
+        return fmb_io_fail(c, NULL, "expected a list vertex_indices of tristrips");
     return FMB_OK;
 }
 
@@ -185,6 +189,7 @@ typedef struct ply_reader {
     fmb_mesh_draft *d;
     const ply_header *h;
     double point[3];
+    size_t most_of_strips; /* the largest number of a vertex in them */
 } ply_reader;
 
 static fmb_status take_binary_bits(const ply_reader *r, const ply_type *t, uint64_t *out)
@@ -251,6 +256,61 @@ static fmb_status read_ply_corners(const ply_reader *r, const ply_property *p, s
     return st;
 }
 
+/* -1 ends a strip, if the type has it. */
+static bool scan_end_of_strip(const ply_reader *r, const ply_type *t)
+{
+    fmb_cursor *c = r->c;
+    const char *start = c->at;
+    uint64_t bits = 0;
+    bool ends;
+    if (r->h->binary) {
+        ends = c->end - start >= t->bytes && take_binary_bits(r, t, &bits) == FMB_OK &&
+               bits == UINT64_MAX >> (64 - 8 * t->bytes);
+    } else {
+        r->d->skip(c);
+        ends = fmb_span_is(fmb_scan_word(c), "-1");
+    }
+    ends = ends && t->is_signed;
+    if (!ends)
+        c->at = start;
+    return ends;
+}
+
+static fmb_status append_triangle_of_strip(const ply_reader *r, const size_t v[3], bool turned)
+{
+    fmb_status st = FMB_OK;
+    const size_t corner[3] = {v[turned], v[!turned], v[2]};
+    if (v[0] == v[1] || v[1] == v[2] || v[0] == v[2])
+        return FMB_OK;
+    fmb_mesh_draft_face(r->d);
+    for (int k = 0; st == FMB_OK && k < 3; k++)
+        st = fmb_mesh_draft_corner(r->c, r->d, corner[k]);
+    return st;
+}
+
+/* Three vertices in a row are a triangle; every second one of a strip is turned, so that all have
+ * one orientation. One with a vertex twice only leads on to another place: it is none, but counts
+ * for the turns. */
+static fmb_status read_ply_strips(ply_reader *r, const ply_property *p, size_t n)
+{
+    size_t v[3] = {0}, length = 0;
+    fmb_status st = FMB_OK;
+    for (size_t k = 0; st == FMB_OK && k < n; k++) {
+        bool ends = scan_end_of_strip(r, p->type);
+        length = ends ? 0 : length + 1;
+        if (ends)
+            continue;
+        v[0] = v[1];
+        v[1] = v[2];
+        st = read_ply_whole(r, p->type, "the number of a vertex or -1", &v[2]);
+        if (st == FMB_OK && length >= 3)
+            st = append_triangle_of_strip(r, v, length % 2 == 0);
+        if (v[2] > r->most_of_strips)
+            r->most_of_strips = v[2];
+    }
+    return st;
+}
+
 static fmb_status read_ply_value(ply_reader *r, const ply_property *p)
 {
     size_t n = 1;
@@ -259,6 +319,8 @@ static fmb_status read_ply_value(ply_reader *r, const ply_property *p)
         return st;
     if (p->role == ROLE_CORNERS)
         return read_ply_corners(r, p, n);
+    if (p->role == ROLE_STRIPS)
+        return read_ply_strips(r, p, n);
     if (p->role != ROLE_NONE)
         return read_ply_real(r, p->type, &r->point[p->role]);
     for (size_t k = 0; st == FMB_OK && k < n; k++)
@@ -278,13 +340,20 @@ static fmb_status read_ply_elements(ply_reader *r, const ply_element *e)
     return st;
 }
 
-static fmb_status check_ply_corners(fmb_cursor *c, const fmb_mesh_draft *d)
+/* Strips may have corners that are in no triangle. */
+static fmb_status check_ply_corners(const ply_reader *r)
 {
+    fmb_cursor *c = r->c;
+    const fmb_mesh_draft *d = r->d;
     for (size_t i = 0; i < 3 * d->triangles; i++)
         if (d->triangle[i] >= d->points)
             return fmb_io_fail(
                 c, NULL, "expected one of %zu vertices, numbered from 0, in face %zu, found %zu",
                 d->points, (size_t)d->face[i / 3], (size_t)d->triangle[i]);
+    if (r->most_of_strips > 0 && r->most_of_strips >= d->points)
+        return fmb_io_fail(c, NULL,
+                           "expected one of %zu vertices, numbered from 0, in tristrips, found %zu",
+                           d->points, r->most_of_strips);
     return FMB_OK;
 }
 
@@ -299,5 +368,5 @@ fmb_status fmb_mesh_read_ply(fmb_cursor *c, fmb_mesh_draft *d)
         st = read_ply_elements(&r, &h.element[i]);
     fmb_mem_put(c->mem, h.element, h.element_capacity, sizeof *h.element);
     fmb_mem_put(c->mem, h.property, h.property_capacity, sizeof *h.property);
-    return st == FMB_OK ? check_ply_corners(c, d) : st;
+    return st == FMB_OK ? check_ply_corners(&r) : st;
 }

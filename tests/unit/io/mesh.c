@@ -135,6 +135,55 @@ Test(mesh, ply_binary)
     }
 }
 
+/* A face, then strips: turned, ended by -1, going on by way of a vertex twice, and too short. */
+static const uint32_t STRIPS[] = {0, 2, 4, 0, 1, 2, 2, 1, 3, 3, 2, 1, 1, 2, 4, 0, 1, 2, 3, 2, 4};
+static const size_t STRIP_FACE[] = {0, 1, 2, 3, 4, 5, 6};
+
+Test(mesh, ply_strips_text)
+{
+    expect_mesh(read_text("ply\nformat ascii 1.0\nelement face 1\n"
+                          "property list uchar int vertex_indices\nelement tristrips 4\n"
+                          "property list int int vertex_indices\nelement vertex 5\n"
+                          "property float x\nproperty float y\nproperty float z\nend_header\n"
+                          "3 0 2 4\n9 0 1 2 3 -1\n3 2 1 4\n6 0 1 2 2 3 4\n0\n4 -1 0 4 -1\n"
+                          "0 0 0\n1 0 0\n1 1 0\n0 1 1\n2 2 2\n",
+                          FMB_MESH_AUTO),
+                3, 5, 7, STRIPS, STRIP_FACE);
+}
+
+Test(mesh, ply_strips_binary)
+{
+    static const int32_t strip[4][10] = {
+        {9, 0, 1, 2, 3, -1, 3, 2, 1, 4}, {6, 0, 1, 2, 2, 3, 4}, {0}, {4, -1, 0, 4, -1}};
+    static const char *const type[] = {"int8", "short", "int"};
+    for (int run = 0; run < 6; run++) {
+        const bool big = run % 2 == 1;
+        const size_t size = (size_t)1 << run / 2;
+        bytes b = {.n = 0};
+        b.n = (size_t)sprintf(b.p,
+                              "ply\nformat binary_%s_endian 1.0\nelement vertex 5\n"
+                              "property uchar x\nproperty uchar y\nproperty uchar z\n"
+                              "element face 1\nproperty list uchar uchar vertex_index\n"
+                              "element tristrips 4\n"
+                              "property list int %s vertex_index\nend_header\n",
+                              big ? "big" : "little", type[run / 2]);
+        put(&b, "\0\0\0\1\0\0\1\1\0\0\1\1\2\2\2\3\0\2\4", 19, false);
+        for (int i = 0; i < 4; i++) {
+            put_whole(&b, strip[i][0], 4, big);
+            for (int k = 1; k <= strip[i][0]; k++)
+                put(&b, (const char *)&strip[i][k], size, big);
+        }
+        expect_mesh(read_bytes(b.p, b.n, FMB_MESH_AUTO), 3, 5, 7, STRIPS, STRIP_FACE);
+        fmb_mesh *none = NULL;
+        fmb_where w = {0};
+        cr_expect(fmb_mesh_parse(b.p, b.n - 1, FMB_MESH_AUTO, NULL, &none, &w) == FMB_ERR_PARSE);
+        cr_expect(strstr(w.text, "end of file"), "%s", w.text);
+        b.p[b.n - (big ? 1 : size)] = '\xfe';
+        cr_expect(fmb_mesh_parse(b.p, b.n, FMB_MESH_AUTO, NULL, &none, &w) == FMB_ERR_PARSE);
+        cr_expect(strstr(w.text, "or -1, found a negative number"), "%s", w.text);
+    }
+}
+
 Test(mesh, stl)
 {
     static const uint32_t corner[] = {0, 1, 2, 3, 4, 5};
@@ -211,6 +260,9 @@ typedef struct mistake {
 } mistake;
 
 #define PLY_HEAD "ply\nformat ascii 1.0\n"
+#define PLY_STRIP                                                                                  \
+    PLY_HEAD "element vertex 1\nproperty int x\nproperty int y\nproperty int z\n"                  \
+             "element tristrips 1\nproperty list int "
 
 static const mistake mistakes[] = {
     {FMB_MESH_OFF, 1, 1, "OFF", "OGF\n"},
@@ -246,6 +298,15 @@ static const mistake mistakes[] = {
      PLY_HEAD "element other 4000000000\nproperty int x\nend_header\n"},
     {FMB_MESH_PLY, 0, 0, "at least 3 corners",
      PLY_HEAD "element face 1\nproperty list int int vertex_index\nend_header\n2 0 1\n"},
+    {FMB_MESH_PLY, 0, 0, "vertex_indices",
+     PLY_HEAD "element tristrips 1\nproperty list int float vertex_indices\nend_header\n"},
+    {FMB_MESH_PLY, 11, 5, "a vertex or -1, found",
+     PLY_STRIP "int vertex_index\nend_header\n0 0 0\n2 0 -2\n"},
+    {FMB_MESH_PLY, 11, 5, "a vertex or -1, found",
+     PLY_STRIP "uint vertex_index\nend_header\n0 0 0\n2 0 -1\n"},
+    {FMB_MESH_PLY, 11, 4, "end of file", PLY_STRIP "int vertex_index\nend_header\n0 0 0\n2 0"},
+    {FMB_MESH_PLY, 0, 0, "in tristrips, found 7",
+     PLY_STRIP "int vertex_index\nend_header\n0 0 0\n2 0 7\n"},
     {FMB_MESH_STL, 1, 1, "solid", "solit\n"},
     {FMB_MESH_STL, 2, 1, "facet or endsolid", "solid\nface\n"},
     {FMB_MESH_STL, 3, 1, "outer", "solid\nfacet normal 0 0 1\nvertex\n"},
