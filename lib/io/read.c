@@ -5,6 +5,13 @@
 
 /* ---- parsing --------------------------------------------------------------------------------- */
 
+/* Neither a row nor a variable was found: is that a system all the same? One in .ine tells its
+ * size; of others nothing tells them from a file that was never written. */
+static bool says_nothing(const fmb_codec *codec, const fmb_system *s)
+{
+    return fmb_system_rows(s) == 0 && fmb_system_dim(s) == 0 && codec->format != FMB_FORMAT_INE;
+}
+
 static fmb_status parse_with_codec(fmb_cursor *c, const fmb_codec *codec, fmb_system *s)
 {
     fmb_status st = fmb_io_check(c);
@@ -13,7 +20,7 @@ static fmb_status parse_with_codec(fmb_cursor *c, const fmb_codec *codec, fmb_sy
     if (!codec)
         codec = fmb_codec_guess(c);
     st = codec->read(c, s);
-    if (st == FMB_OK && fmb_system_rows(s) == 0 && fmb_system_dim(s) == 0)
+    if (st == FMB_OK && says_nothing(codec, s))
         st = fmb_io_fail(c, NULL, "expected rows or variables, found none");
     return st;
 }

@@ -110,6 +110,8 @@ fmb_status fmb_write_text(const fmb_system *s, FILE *out)
         write_objective_line(s, q, out);
     for (size_t i = 0; i < fmb_system_rows(s); i++)
         write_text_row(s, i, q, out);
+    if (fmb_system_dim(s) == 0 && fmb_system_rows(s) == 0)
+        fputs("0 <= 0\n", out); /* an empty text is no system */
     mpq_clear(q);
     return FMB_OK;
 }
