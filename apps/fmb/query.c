@@ -137,6 +137,8 @@ void app_session_begin(app_session *s)
 int app_session_end(app_session *s, fmb_status st)
 {
     app_watch_end(&s->watch);
+    s->answered |= st == FMB_OK && s->result.stop == FMB_STOP_DONE;
+    s->rules_worked |= s->result.stats.rounds > 0 || s->result.stats.rows_dropped > 0;
     if (st == FMB_ERR_RULE)
         return app_error(APP_USAGE, "%s", fmb_solver_trouble(s->solver));
     if (st != FMB_OK || !s->ask->options.evidence)
@@ -182,6 +184,14 @@ int app_session_undecided(const app_session *s, const char *what)
     return APP_UNDECIDED;
 }
 
+/* Who names rules hears when a query was answered without any: by linear programs, for example. */
+static void note_idle_rules(const app_session *s)
+{
+    const char *rules = s->ask->options.rules;
+    if (rules && strcmp(rules, "none") != 0 && s->answered && !s->rules_worked)
+        app_session_note(s, "--rules had no say: no rows were paired");
+}
+
 /* Errors of the stream stay in it until it is closed. */
 static int write_proof(app_session *s)
 {
@@ -202,6 +212,8 @@ int app_session_close(app_session *s, int code)
         app_file_discard(s->trace);
         s->proof = s->trace = NULL;
     }
+    if (code < APP_USAGE)
+        note_idle_rules(s);
     int failed = write_proof(s);
     int closed = app_file_close(s->proof, s->ask->proof);
     failed = failed ? failed : closed;

@@ -23,6 +23,8 @@ typedef struct app_session {
     fmb_result result;
     fmb_evidence *evidence; /* NULL if nothing was proved */
     bool relaxed;           /* the file has integers, and the answer is over the reals */
+    bool answered;          /* some query was, to its end */
+    bool rules_worked;      /* rows were paired, or a rule dropped some */
 } app_session;
 
 /* Check the options, read the system, open the outputs: APP_YES, or an exit code after a message.
