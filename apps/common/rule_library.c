@@ -29,20 +29,13 @@ static bool has_name_of_its_own(const fmb_rule *rule)
            strcmp(name, "default") != 0 && !fmb_rule_find(name);
 }
 
-/* A path without a slash would be looked for where the system keeps its libraries. */
-static void *load_from_here(const char *path)
-{
-    char *here = NULL;
-    if (!strchr(path, '/') && asprintf(&here, "./%s", path) < 0)
-        app_need(NULL);
-    void *handle = dlopen(here ? here : path, RTLD_NOW | RTLD_LOCAL);
-    free(here);
-    return handle;
-}
-
+/* A name without a slash might mean a file here, or one where the system keeps its libraries, or
+ * where an environment variable says: code is not run on a guess. */
 int app_rule_library_open(const char *path, app_rule_library *out)
 {
-    app_rule_library l = {.handle = load_from_here(path)};
+    if (!strchr(path, '/'))
+        return refuse_library(path, "a path with a slash is wanted, as ./mine.so");
+    app_rule_library l = {.handle = dlopen(path, RTLD_NOW | RTLD_LOCAL)};
     if (!l.handle)
         return refuse_library(path, dlerror());
     l.rule = dlsym(l.handle, SYMBOL);

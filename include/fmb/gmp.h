@@ -42,8 +42,8 @@ typedef struct fmb_objective_q {
 /* fmb_system_set_objective for these. Errors: ARG (also: variable out of range, denominator 0),
  * MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_set_objective_q(fmb_system *s, const fmb_objective_q *o);
-/* Term k of the objective by increasing variable; its constant. Where there is none: 0; the variable
- * is then -1. */
+/* Term k of the objective by increasing variable; its constant. Where there is none: 0; the
+ * variable is then -1. */
 FMB_API int fmb_system_objective_term_q(const fmb_system *s, size_t k, mpq_t coef);
 FMB_API void fmb_system_objective_constant_q(const fmb_system *s, mpq_t constant);
 

@@ -97,8 +97,10 @@ static inline uint64_t fmb_prime_minus_dot(const fmb_prime *q, uint64_t sum, con
             x += (fmb_u128)a[t] * b[index ? (size_t)index[t] : t];
         total = fmb_prime_fold(q, x);
         a += part;
-        b += index ? 0 : part;
-        index += index ? part : 0;
+        if (index)
+            index += part;
+        else
+            b += part;
         n -= part;
     }
     return fmb_prime_minus(q, sum, total);

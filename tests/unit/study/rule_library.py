@@ -63,7 +63,7 @@ def command(folder):
 def faulty(folder):
     text = folder / "text.so"
     text.write_text(100 * "no library\n")
-    for path, why in ((folder / "none.so", "No such file"), (text, "invalid ELF header"),
+    for path, why in ((folder / "none.so", "No such file"), ("none.so", "as ./mine.so"), (text, "invalid ELF header"),
                       (badly_named, "one that the library uses")):
         for words in ([qualify, "rules", *SMALL], [fmb, "solve", "-"]):
             got = run(*words, "--rule-library", path)
