@@ -61,16 +61,18 @@ int app_file_open(const char *path, FILE **out)
     FILE *f = is_standard(path) ? stdin : fopen(path, "rb");
     struct stat info;
     if (!f || fstat(fileno(f), &info) != 0)
-        return app_error(APP_CANNOT_OPEN, "%s: %s", app_file_shown(path), strerror(errno));
+        return app_error_at((app_place){.file = app_file_shown(path)}, APP_CANNOT_OPEN, "%s",
+                            strerror(errno));
     if (S_ISDIR(info.st_mode)) {
         app_file_close_input(f);
-        return app_error(APP_CANNOT_OPEN, "%s: %s", app_file_shown(path), strerror(EISDIR));
+        return app_error_at((app_place){.file = app_file_shown(path)}, APP_CANNOT_OPEN, "%s",
+                            strerror(EISDIR));
     }
     remember_input(&info);
     if (feeds_itself()) {
         app_file_close_input(f);
-        return app_error(APP_USAGE, "%s: standard output goes to this very file",
-                         app_file_shown(path));
+        return app_error_at((app_place){.file = app_file_shown(path)}, APP_USAGE,
+                            "standard output goes to this very file");
     }
     *out = f;
     return APP_YES;
@@ -207,7 +209,7 @@ static int create_named(const char *path, FILE **out)
     o->target = app_need(resolved ? resolved : strdup(path));
     o->temporary = app_need(malloc(strlen(o->target) + sizeof SUFFIX));
     if (!open_output(o)) {
-        int code = app_error(APP_CANNOT_WRITE, "%s: %s", path, strerror(errno));
+        int code = app_error_at((app_place){.file = path}, APP_CANNOT_WRITE, "%s", strerror(errno));
         free_output(o);
         return code;
     }
@@ -240,16 +242,17 @@ int app_file_create(const char *path, FILE **out)
         return APP_YES;
     }
     if (there && was_read(&info))
-        return app_error(APP_USAGE, "%s: an input cannot be an output as well", path);
+        return app_error_at((app_place){.file = path}, APP_USAGE,
+                            "an input cannot be an output as well");
     if (is_written_already(path))
-        return app_error(APP_USAGE, "%s: two outputs want this file", path);
+        return app_error_at((app_place){.file = path}, APP_USAGE, "two outputs want this file");
     if (there && S_ISREG(info.st_mode) && access(path, W_OK) != 0)
-        return app_error(APP_CANNOT_WRITE, "%s: %s", path, strerror(errno));
+        return app_error_at((app_place){.file = path}, APP_CANNOT_WRITE, "%s", strerror(errno));
     if (!there || S_ISREG(info.st_mode))
         return create_named(path, out);
     FILE *f = fopen(path, "wb");
     if (!f)
-        return app_error(APP_CANNOT_WRITE, "%s: %s", path, strerror(errno));
+        return app_error_at((app_place){.file = path}, APP_CANNOT_WRITE, "%s", strerror(errno));
     *out = f;
     return APP_YES;
 }
@@ -271,9 +274,9 @@ int app_file_close(FILE *f, const char *path)
     if (o && failed)
         unlink(o->temporary);
     free_output(o);
-    return failed
-               ? app_error(APP_CANNOT_WRITE, "%s: %s", path, why ? strerror(why) : "writing failed")
-               : APP_YES;
+    return failed ? app_error_at((app_place){.file = path}, APP_CANNOT_WRITE, "%s",
+                                 why ? strerror(why) : "writing failed")
+                  : APP_YES;
 }
 
 void app_file_discard(FILE *f)
@@ -302,7 +305,8 @@ static void close_output(void)
     failed |= fclose(stdout) != 0;
     if (!failed)
         return;
-    app_error(APP_CANNOT_WRITE, "standard output: %s", errno ? strerror(errno) : "writing failed");
+    app_error_at((app_place){.file = "standard output"}, APP_CANNOT_WRITE, "%s",
+                 errno ? strerror(errno) : "writing failed");
     _exit(APP_CANNOT_WRITE);
 }
 

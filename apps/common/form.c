@@ -47,7 +47,9 @@ int app_form_read(const char *option, const char *text, fmb_sense sense, fmb_sys
     char *end = strstr(w.text, "end of file");
     if (end)
         strcpy(end, "its end");
-    app_error(APP_USAGE, "%s: %s%s", option, w.text, name ? hint_at_name(s, text + at, hint) : "");
-    show_place(text, at);
+    app_error_at((app_place){.column = w.column}, APP_USAGE, "%s: %s%s", option, w.text,
+                 name ? hint_at_name(s, text + at, hint) : "");
+    if (!app_errors_are_json())
+        show_place(text, at);
     return APP_USAGE;
 }

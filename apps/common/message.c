@@ -5,20 +5,131 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
+#include "common/json.h"
 #include "common/text.h"
+
+static bool as_json;
+
+/* ---- what others write ----------------------------------------------------------------------- */
+
+static struct {
+    FILE *own; /* the real standard error; NULL: nothing is captured */
+    const char *name;
+    char *text;
+    size_t size;
+} captured;
+
+void app_errors_release(void)
+{
+    if (!captured.own)
+        return;
+    fclose(stderr);
+    stderr = captured.own;
+    captured.own = NULL;
+    size_t name = strlen(captured.name);
+    char *text = captured.text;
+    if (strncmp(text, captured.name, name) == 0 && strncmp(text + name, ": ", 2) == 0)
+        text += name + 2;
+    text[strcspn(text, "\n")] = '\0';
+    if (*text)
+        app_error(APP_USAGE, "%s", text);
+    free(captured.text);
+}
+
+void app_errors_capture(const char *name)
+{
+    static bool guarded;
+    if (!guarded && atexit(app_errors_release) != 0)
+        exit(app_status_error(FMB_ERR_MEMORY));
+    guarded = true;
+    FILE *f = app_need(open_memstream(&captured.text, &captured.size));
+    captured.own = stderr;
+    captured.name = name;
+    stderr = f; /* a variable, says the manual of the GNU C library */
+}
+
+/* ---- errors ---------------------------------------------------------------------------------- */
+
+void app_errors_as_json(void)
+{
+    as_json = true;
+}
+
+bool app_errors_are_json(void)
+{
+    return as_json;
+}
+
+static json_t *number_or_null(long number)
+{
+    return number > 0 ? json_integer(number) : json_null();
+}
+
+static void say_as_json(app_place at, const char *text, int code)
+{
+    json_t *whole =
+        json_pack("{s:{s:o,s:o,s:o,s:o,s:i}}", "error", "file",
+                  at.file ? app_json_text(at.file) : json_null(), "line", number_or_null(at.line),
+                  "column", number_or_null(at.column), "text", app_json_text(text), "exit", code);
+    char *line = app_need(whole ? json_dumps(whole, 0) : NULL);
+    fprintf(stderr, "%s\n", line);
+    free(line);
+    json_decref(whole);
+}
+
+static void say_as_text(app_place at, const char *raw)
+{
+    char *text = app_text(raw, APP_TEXT_TERMINAL);
+    fprintf(stderr, "%s:", program_invocation_short_name);
+    if (at.file) {
+        char *file = app_text(at.file, APP_TEXT_TERMINAL);
+        fprintf(stderr, " %s:", file);
+        free(file);
+    }
+    if (at.file && at.line > 0)
+        fprintf(stderr, "%ld:", at.line);
+    if (at.file && at.line > 0 && at.column > 0)
+        fprintf(stderr, "%ld:", at.column);
+    fprintf(stderr, " %s\n", text);
+    free(text);
+}
+
+void app_warn_at(app_place at, const char *text)
+{
+    say_as_text(at, text);
+}
+
+static int say_error(app_place at, int code, const char *format, va_list args)
+{
+    char *raw = NULL;
+    int length = vasprintf(&raw, format, args);
+    app_need(length < 0 ? NULL : raw);
+    app_errors_release();
+    if (as_json)
+        say_as_json(at, raw, code);
+    else
+        say_as_text(at, raw);
+    free(raw);
+    return code;
+}
 
 int app_error(int code, const char *format, ...)
 {
     va_list args;
-    char *raw = NULL;
     va_start(args, format);
-    int length = vasprintf(&raw, format, args);
+    say_error((app_place){0}, code, format, args);
     va_end(args);
-    char *text = app_text(app_need(length < 0 ? NULL : raw), APP_TEXT_TERMINAL);
-    fprintf(stderr, "%s: %s\n", program_invocation_short_name, text);
-    free(text);
-    free(raw);
+    return code;
+}
+
+int app_error_at(app_place at, int code, const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    say_error(at, code, format, args);
+    va_end(args);
     return code;
 }
 

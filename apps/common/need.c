@@ -6,12 +6,25 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "common/exit_code.h"
+#include "common/message.h"
+
+/* Without asking for more of it. */
+static void say_out_of_memory(void)
+{
+    const char *text = fmb_status_text(FMB_ERR_MEMORY);
+    if (app_errors_are_json())
+        fprintf(stderr,
+                "{\"error\": {\"file\": null, \"line\": null, \"column\": null, \"text\": \"%s\", "
+                "\"exit\": %d}}\n",
+                text, APP_INTERNAL);
+    else
+        fprintf(stderr, "%s: %s\n", program_invocation_short_name, text);
+}
 
 void *app_need(void *p)
 {
     if (!p) {
-        fprintf(stderr, "%s: %s\n", program_invocation_short_name, fmb_status_text(FMB_ERR_MEMORY));
+        say_out_of_memory();
         exit(APP_INTERNAL);
     }
     return p;

@@ -86,6 +86,52 @@ static void refuse_unknown_options(const struct argp *argp, int argc, char **arg
     }
 }
 
+/* The option that a letter stands for; NULL: none. */
+static void compare_letter(const struct argp_option *o, void *self)
+{
+    search *s = self;
+    if (o->key == s->name[0])
+        s->found = o;
+}
+
+/* The option of a word's first letter that takes a value, or is --json; NULL: neither. */
+static const struct argp_option *find_letters(const struct argp *argp, const char *word)
+{
+    const struct argp_option *found = NULL;
+    for (const char *c = word + 1; *c && !found; c++) {
+        search s = {.name = {*c}};
+        visit_options(argp, compare_letter, &s);
+        if (s.found && (s.found->arg || strcmp(s.found->name, "json") == 0))
+            found = s.found;
+    }
+    return found;
+}
+
+/* "-fine", where -f takes a value: is it in the word? */
+static bool ends_with_value(const struct argp_option *o, const char *word)
+{
+    return strchr(word, o->key)[1] != '\0';
+}
+
+/* Is --json, without a value, among the options? Errors of the others are told in JSON then. */
+static bool asks_for_json(const struct argp *argp, int argc, char **argv)
+{
+    for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++) {
+        search s = {0};
+        bool is_long = strncmp(argv[i], "--", 2) == 0;
+        if (is_long)
+            find_option(argp, argv[i], &s);
+        else if (argv[i][0] == '-')
+            s.found = find_letters(argp, argv[i]);
+        if (s.found && !s.found->arg && strcmp(s.found->name, "json") == 0)
+            return true;
+        if (s.found && s.found->arg &&
+            (is_long ? !strchr(argv[i], '=') : !ends_with_value(s.found, argv[i])))
+            i++;
+    }
+    return false;
+}
+
 void app_options_parse(const struct argp *argp, int argc, char **argv, void *input)
 {
     if (argc == 2 && strcmp(argv[1], "--list-options") == 0) {
@@ -93,6 +139,11 @@ void app_options_parse(const struct argp *argp, int argc, char **argv, void *inp
         visit_options(argp, list_option, NULL);
         exit(APP_YES);
     }
+    if (asks_for_json(argp, argc, argv)) {
+        app_errors_as_json();
+        app_errors_capture(argv[0]);
+    }
     refuse_unknown_options(argp, argc, argv);
     argp_parse(argp, argc, argv, 0, NULL, input);
+    app_errors_release();
 }

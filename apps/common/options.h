@@ -6,8 +6,9 @@
 
 #include <argp.h>
 
-/* argp_parse, with two things more: an unknown long option ends the program with APP_USAGE and the
- * name nearest to it; the one word --list-options prints a line for each option and ends it:
+/* argp_parse, with three things more: errors are told in JSON from here on if --json, without a
+ * value, is among the options; an unknown long option ends the program with APP_USAGE and the name
+ * nearest to it; the one word --list-options prints a line for each option and ends it:
  *
  *     --name TAB short letter or nothing TAB what it takes or nothing TAB meaning
  */

@@ -29,7 +29,8 @@ static int read_part(const char *path, json_t **out)
     *out = json_loadf(f, 0, &why);
     app_file_close_input(f);
     return *out ? APP_YES
-                : app_error(APP_BAD_INPUT, "%s:%d:%d: %s", path, why.line, why.column, why.text);
+                : app_error_at((app_place){path, why.line, why.column}, APP_BAD_INPUT, "%s",
+                               why.text);
 }
 
 /* Is it a shard of n that was not there before? */

@@ -67,26 +67,18 @@ static const char *hint_at_kind(app_kind wanted, const char *path)
     return found == wanted ? "" : HINT[found];
 }
 
-/* "PROGRAM: FILE:LINE:COLUMN: KIND TEXT HINT", without the numbers that are 0. */
-static void say_where(const char *file, const fmb_where *where, const char *kind, const char *hint)
+static app_place place_in(const char *file, const fmb_where *where)
 {
-    char *text = app_text(where->text, APP_TEXT_TERMINAL),
-         *name = app_text(file, APP_TEXT_TERMINAL);
-    fprintf(stderr, "%s: %s:", program_invocation_short_name, name);
-    if (where->line > 0)
-        fprintf(stderr, "%ld:", where->line);
-    if (where->line > 0 && where->column > 0)
-        fprintf(stderr, "%ld:", where->column);
-    fprintf(stderr, " %s%s%s\n", kind, text, hint);
-    free(name);
-    free(text);
+    return (app_place){file, where->line, where->line > 0 ? where->column : 0};
 }
 
 static void warn(void *self, const fmb_where *where)
 {
     const app_source *src = self;
+    char text[sizeof where->text + sizeof "warning: "];
+    snprintf(text, sizeof text, "warning: %s", where->text);
     if (!src->quiet)
-        say_where(app_file_shown(src->file), where, "warning: ", "");
+        app_warn_at(place_in(app_file_shown(src->file), where), text);
 }
 
 int app_source_outcome(fmb_status st, const char *path, const fmb_where *where)
@@ -102,11 +94,11 @@ int app_source_outcome_of(app_kind wanted, fmb_status st, const char *path, cons
         return APP_YES;
     case FMB_ERR_PARSE:
     case FMB_ERR_ARG:
-        say_where(file, where, "", st == FMB_ERR_PARSE ? hint_at_kind(wanted, path) : "");
-        return APP_BAD_INPUT;
+        return app_error_at(place_in(file, where), APP_BAD_INPUT, "%s%s", where->text,
+                            st == FMB_ERR_PARSE ? hint_at_kind(wanted, path) : "");
     case FMB_ERR_IO:
-        return app_error(APP_CANNOT_OPEN, "%s: %s", file,
-                         errno ? strerror(errno) : "reading failed");
+        return app_error_at((app_place){.file = file}, APP_CANNOT_OPEN, "%s",
+                            errno ? strerror(errno) : "reading failed");
     default:
         return app_status_error(st);
     }

@@ -142,8 +142,8 @@ static int check_dimensions(const request *r, const app_polyhedra *p)
     for (size_t i = 0; i < p->n; i++) {
         int found = p->generator[i] ? fmb_generators_dim(p->generator[i]) : expected;
         if (found != expected)
-            return app_error(APP_BAD_INPUT, "%s: expected %d coordinates, found %d", file_of(r, i),
-                             expected, found);
+            return app_error_at((app_place){.file = file_of(r, i)}, APP_BAD_INPUT,
+                                "expected %d coordinates, found %d", expected, found);
     }
     return APP_YES;
 }
@@ -167,8 +167,9 @@ static int refuse_name(const request *r, const fmb_system *expected, size_t i, c
         if (keeps(expected, j))
             app_nearest_try(&near, fmb_system_name(expected, j));
     char *shown = app_text(name, APP_TEXT_TERMINAL);
-    int code = app_error(APP_BAD_INPUT, "%s: variable '%s' is not one of %s%s", file_of(r, i),
-                         shown, file_of(r, 0), app_nearest_hint(&near, hint));
+    int code = app_error_at((app_place){.file = file_of(r, i)}, APP_BAD_INPUT,
+                            "variable '%s' is not one of %s%s", shown, file_of(r, 0),
+                            app_nearest_hint(&near, hint));
     free(shown);
     return code;
 }
@@ -186,8 +187,9 @@ static int check_names(const request *r, const app_polyhedra *p)
                 return refuse_name(r, first, i, name);
         }
         if (count_kept(s) != count_kept(first))
-            return app_error(APP_BAD_INPUT, "%s: expected %d variables, as in %s, found %d",
-                             file_of(r, i), count_kept(first), file_of(r, 0), count_kept(s));
+            return app_error_at((app_place){.file = file_of(r, i)}, APP_BAD_INPUT,
+                                "expected %d variables, as in %s, found %d", count_kept(first),
+                                file_of(r, 0), count_kept(s));
     }
     return APP_YES;
 }
