@@ -107,7 +107,7 @@ static int say_error(app_place at, int code, const char *format, va_list args)
     int length = vasprintf(&raw, format, args);
     app_need(length < 0 ? NULL : raw);
     app_errors_release();
-    if (as_json)
+    if (as_json && code >= APP_USAGE)
         say_as_json(at, raw, code);
     else
         say_as_text(at, raw);

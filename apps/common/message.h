@@ -24,7 +24,8 @@ int app_error_at(app_place at, int code, const char *format, ...)
 void app_warn_at(app_place at, const char *text);
 
 /* From now on each error is one line of JSON: {"error": {"file", "line", "column", "text",
- * "exit"}}, with null for what does not apply. */
+ * "exit"}}, with null for what does not apply. What ends with APP_UNDECIDED is an answer, told as
+ * text. */
 void app_errors_as_json(void);
 bool app_errors_are_json(void);
 

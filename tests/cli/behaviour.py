@@ -121,8 +121,8 @@ class Json(unittest.TestCase):
             proof = os.path.join(folder, "p")
             ask(1, "solve", "schedule.fmb", "--proof", proof)
             self.assertEqual(ask(0, "check", "schedule.fmb", proof),
-                             {"accepted": True, "verdict": "infeasible", "claims": 1,
-                              "kinds": {"infeasible": 1}})
+                             {"accepted": True, "verdict": "infeasible", "over": "reals",
+                              "stop": "done", "claims": 1, "kinds": {"infeasible": 1}})
             with open(proof) as f:
                 wrong = re.sub("row 4 .*", "row 4 77", f.read())
             answer = ask(1, "check", "schedule.fmb", "-", text=wrong.encode())
