@@ -60,7 +60,7 @@ static const struct argp_option options[] = {
      "What the files are (default: by name, else by content)", 1},
     {"max-seconds", KEY_SECONDS, "SECONDS", 0, "Limit of the search for what meets; 0 is none", 1},
     {"max-bytes", KEY_BYTES, "BYTES", 0,
-     "Limit of memory of what meets; 0 is none (default half of the memory)", 1},
+     "Limit of memory of the search; 0 is none (default half of the memory)", 1},
     {"threads", KEY_THREADS, "N", 0, "Threads, at most 64 (default 1)", 1},
     {"max-input", KEY_MAX_INPUT, "BYTES", 0, "Refuse a longer file (default 1073741824)", 1},
     {"json", 'j', NULL, 0, "Print one JSON object instead of text", 2},

@@ -86,7 +86,7 @@ static void append_answer(const fmb_mesh_answer *more, fmb_mesh_answer *all)
 /* The limit of this rank, less what it has found. */
 static size_t room_for_hits(const fmb_mesh_options *how, const fmb_mesh_answer *all)
 {
-    size_t limit = how->max_bytes / (size_t)app_ranks(), used = all->hits * sizeof *all->hit;
+    size_t limit = how->max_bytes / (size_t)app_ranks(), used = all->capacity * sizeof *all->hit;
     return how->max_bytes == 0 ? 0 : limit > used ? limit - used : 1;
 }
 

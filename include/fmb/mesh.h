@@ -122,7 +122,8 @@ typedef struct fmb_mesh_options {
     const double *motion; /* [3] or NULL: the second mesh moves by so much while t goes from 0 to 1
                              [world length units] */
     double max_seconds;   /* wall clock [s]; 0 = no limit */
-    size_t max_bytes;     /* of the hits [bytes]; 0 = no limit */
+    size_t max_bytes;     /* of the meshes, the hits, and what finds and sorts them [bytes]; 0 = no
+                             limit */
     size_t threads; /* at most 64; 0 or 1: the caller's alone. mem must then be safe for threads.
                        Answers are the same for any number, but for those at a limit */
     const fmb_alloc *mem; /* NULL: malloc */

@@ -12,33 +12,51 @@ static uint32_t key_of_hit(const fmb_mesh_hit *h, bool by_a)
     return by_a ? h->a : h->b;
 }
 
-/* Counting sort, which keeps the order of equal keys. */
-static void sort_hits_by(bool by_a, const fmb_mesh_hit *from, size_t n, size_t *start, size_t keys,
-                         fmb_mesh_hit *to)
+static size_t count_keys(const fmb_walk_plan *plan)
 {
-    memset(start, 0, (keys + 1) * sizeof *start);
-    for (size_t i = 0; i < n; i++)
-        start[key_of_hit(&from[i], by_a) + 1]++;
-    for (size_t k = 1; k <= keys; k++)
-        start[k] += start[k - 1];
-    for (size_t i = 0; i < n; i++)
-        to[start[key_of_hit(&from[i], by_a)]++] = from[i];
+    return plan->a->cells > plan->b->cells ? plan->a->cells : plan->b->cells;
 }
 
-static fmb_status sort_hits(const fmb_walk_plan *plan, fmb_mesh_answer *out)
+/* Counting sort, which keeps the order of equal keys: the hits of all become the first one's, as
+ * many as there is room for. start: [keys + 1]. */
+static fmb_status sort_hits_by(bool by_a, fmb_tree_walk *walk, int threads, size_t *start,
+                               size_t keys)
 {
-    size_t keys = plan->a->cells > plan->b->cells ? plan->a->cells : plan->b->cells;
-    fmb_mem mem;
-    fmb_mem_init(&mem, &out->mem, 0);
-    fmb_mesh_hit *other = fmb_mem_get(&mem, out->hits, sizeof *other);
-    size_t *start = fmb_mem_get(&mem, keys + 1, sizeof *start);
-    fmb_status st = other && start ? FMB_OK : fmb_mem_status(&mem);
-    if (st == FMB_OK && out->hits > 0) {
-        sort_hits_by(false, out->hit, out->hits, start, keys, other);
-        sort_hits_by(true, other, out->hits, start, keys, out->hit);
+    size_t n = 0;
+    for (int t = 0; t < threads; t++)
+        n += walk[t].out.hits;
+    fmb_mesh_hit *to = fmb_mem_get(&walk[0].mem, n, sizeof *to);
+    if (!to)
+        return fmb_mem_status(&walk[0].mem);
+    memset(start, 0, (keys + 1) * sizeof *start);
+    for (int t = 0; t < threads; t++)
+        for (size_t i = 0; i < walk[t].out.hits; i++)
+            start[key_of_hit(&walk[t].out.hit[i], by_a) + 1]++;
+    for (size_t k = 1; k <= keys; k++)
+        start[k] += start[k - 1];
+    for (int t = 0; t < threads; t++) {
+        for (size_t i = 0; i < walk[t].out.hits; i++)
+            to[start[key_of_hit(&walk[t].out.hit[i], by_a)]++] = walk[t].out.hit[i];
+        fmb_mesh_answer_clear(&walk[t].out);
     }
-    fmb_mem_put(&mem, other, out->hits, sizeof *other);
-    fmb_mem_put(&mem, start, keys + 1, sizeof *start);
+    walk[0].out.hit = to;
+    walk[0].out.hits = walk[0].out.capacity = n;
+    return FMB_OK;
+}
+
+/* The hits of all threads, in order, are the first one's; there is room for that (share_of_hits).
+ */
+static fmb_status sort_hits(const fmb_walk_plan *plan, fmb_tree_walk *walk, int threads)
+{
+    size_t keys = count_keys(plan);
+    walk[0].mem.limit = 0;
+    size_t *start = fmb_mem_get(&walk[0].mem, keys + 1, sizeof *start);
+    fmb_status st = start ? FMB_OK : fmb_mem_status(&walk[0].mem);
+    if (st == FMB_OK)
+        st = sort_hits_by(false, walk, threads, start, keys);
+    if (st == FMB_OK)
+        st = sort_hits_by(true, walk, 1, start, keys);
+    fmb_mem_put(&walk[0].mem, start, keys + 1, sizeof *start);
     return st;
 }
 
@@ -88,45 +106,48 @@ static fmb_status walk_all(fmb_walk_plan *plan, fmb_mem *mem, fmb_tree_walk *wal
     return st;
 }
 
-/* All hits go to the first one's. */
+/* What all came to is the first one's. */
 static fmb_status join_walks(const fmb_walk_plan *plan, fmb_tree_walk *walk, int threads)
 {
     fmb_mesh_answer *out = &walk[0].out;
     fmb_status st = FMB_OK;
-    bool limited = false, late = false;
+    bool limited = false, late = false, any = out->hits > 0;
     for (int t = 0; st == FMB_OK && t < threads; t++) {
         limited |= walk[t].st == FMB_LIMIT;
         late |= walk[t].run.stop == FMB_STOP_TIME;
         st = walk[t].st == FMB_LIMIT ? FMB_OK : walk[t].st;
     }
-    walk[0].mem.limit = 0;
-    for (int t = 1; st == FMB_OK && t < threads; t++) {
-        const fmb_mesh_answer *more = &walk[t].out;
-        st = fmb_mem_reserve(&walk[0].mem, (void **)&out->hit, &out->capacity,
-                             out->hits + more->hits, sizeof *out->hit);
-        if (st == FMB_OK && more->hits > 0)
-            memcpy(out->hit + out->hits, more->hit, more->hits * sizeof *out->hit);
-        out->hits += st == FMB_OK ? more->hits : 0;
-        out->tested += more->tested;
-        out->framed += more->framed;
+    for (int t = 1; t < threads; t++) {
+        out->tested += walk[t].out.tested;
+        out->framed += walk[t].out.framed;
+        any |= walk[t].out.hits > 0;
     }
     out->stop = !limited          ? FMB_STOP_DONE
                 : plan->cancelled ? FMB_STOP_CANCELLED
                 : late            ? FMB_STOP_TIME
                                   : FMB_STOP_BYTES;
-    return st == FMB_OK ? sort_hits(plan, out) : st;
+    return st == FMB_OK && any ? sort_hits(plan, walk, threads) : st;
 }
 
-static fmb_status open_walks(fmb_walk_plan *plan, fmb_tree_walk *walk, int threads)
+/* The limit of a thread's hits [bytes]: while they are sorted there are two of each, and as many
+ * counts as there are keys. */
+static size_t share_of_hits(const fmb_walk_plan *plan, const fmb_mem *mem, int threads)
+{
+    size_t counts = (count_keys(plan) + 1) * sizeof(size_t), taken = mem->used + counts;
+    size_t left = mem->limit > taken ? mem->limit - taken : 0;
+    size_t share = left / 2 / (size_t)threads;
+    return mem->limit == 0 ? 0 : share > 0 ? share : 1;
+}
+
+static fmb_status open_walks(fmb_walk_plan *plan, const fmb_mem *mem, fmb_tree_walk *walk,
+                             int threads)
 {
     fmb_status st = FMB_OK;
     for (int t = 0; st == FMB_OK && t < threads; t++) {
         walk[t].plan = plan;
         walk[t].tells = t == 0;
         walk[t].run = plan->run;
-        fmb_mem_init(&walk[t].mem, plan->o->mem, plan->o->max_bytes / (size_t)threads);
-        if (plan->o->max_bytes > 0 && walk[t].mem.limit == 0)
-            walk[t].mem.limit = 1;
+        fmb_mem_init(&walk[t].mem, plan->o->mem, share_of_hits(plan, mem, threads));
         walk[t].out.mem = walk[t].mem.alloc;
         st = fmb_mesh_frames_open(&walk[t].frames, plan->o->mem, plan->o->motion);
     }
@@ -152,7 +173,7 @@ static fmb_status meet_by_threads(fmb_walk_plan *plan, fmb_mem *mem, fmb_mesh_an
     fmb_tree_walk *walk = fmb_mem_zero(mem, (size_t)threads, sizeof *walk);
     if (!walk)
         return fmb_mem_status(mem);
-    fmb_status st = open_walks(plan, walk, threads);
+    fmb_status st = open_walks(plan, mem, walk, threads);
     if (st == FMB_OK && plan->a->cells > 0 && plan->b->cells > 0)
         st = walk_all(plan, mem, walk, threads);
     if (st == FMB_OK)
@@ -205,11 +226,16 @@ static fmb_status meet_as_planned(const fmb_mesh *a, const fmb_mesh *b, const fm
     fmb_mem_init(&mem, o->mem, 0);
     fmb_options limits = fmb_options_default();
     limits.max_seconds = o->max_seconds;
+    limits.max_bytes = o->max_bytes;
     fmb_run_begin(&plan->run, &mem, &limits, &plan->stopped, (fmb_sink){0}, "mesh");
     plan->a = a;
     plan->b = b ? b : a;
     plan->o = o;
-    return meet_with_ids(plan, &mem, out);
+    fmb_mem_take(&mem, a->mem.used + (plan->b != a ? plan->b->mem.used : 0));
+    fmb_status st = meet_with_ids(plan, &mem, out);
+    if (st == FMB_LIMIT)
+        *out = (fmb_mesh_answer){.stop = FMB_STOP_BYTES, .mem = mem.alloc};
+    return st == FMB_LIMIT ? FMB_OK : st;
 }
 
 fmb_status fmb_mesh_meet(const fmb_mesh *a, const fmb_mesh *b, const fmb_mesh_options *o,

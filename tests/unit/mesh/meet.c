@@ -1,6 +1,8 @@
 /* meet.c: trees find what all pairs find, in order; places, motions and limits. */
 #include <criterion/criterion.h>
 #include <math.h>
+#include <stdatomic.h>
+#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
@@ -236,10 +238,68 @@ Test(meet, limits)
               answer.tested == CELLS * (CELLS - 1) / 2);
     fmb_mesh_answer_clear(&answer);
     must(fmb_mesh_meet(m, NULL, &(fmb_mesh_options){.max_bytes = 300}, &answer));
-    cr_expect(answer.stop == FMB_STOP_BYTES && answer.hits > 0 &&
-              answer.hits * sizeof *answer.hit <= 300);
+    cr_expect(answer.stop == FMB_STOP_BYTES && answer.hits == 0);
     fmb_mesh_answer_clear(&answer);
     fmb_mesh_free(m);
+}
+
+/* The most that was held at any time. */
+typedef struct peak {
+    atomic_size_t live, most;
+} peak;
+
+static void *resize_and_note(void *self, void *p, size_t old, size_t size)
+{
+    peak *k = self;
+    void *q = size > 0 ? realloc(p, size) : NULL;
+    if (size == 0)
+        free(p);
+    size_t live = atomic_fetch_add(&k->live, size - old) + size - old;
+    size_t most = atomic_load(&k->most);
+    while (live > most && !atomic_compare_exchange_weak(&k->most, &most, live))
+        ;
+    return q;
+}
+
+/* Meshes, hits and their sorting stay within the limit, but for what asks pairs as frames, which is
+ * the same for any mesh; enough finds all. */
+Test(meet, bytes)
+{
+    enum { MANY = 2000 };
+    static double point[3 * MANY][3];
+    static uint32_t corner[3 * MANY];
+    support_rng g = {14};
+    peak k = {0};
+    fmb_alloc mem = {.self = &k, .resize = resize_and_note};
+    fmb_mesh *m = NULL;
+    fmb_mesh_answer answer = {0};
+    for (uint32_t i = 0; i < 3 * MANY; i++) {
+        corner[i] = i;
+        for (int j = 0; j < 3; j++)
+            point[i][j] = support_between(&g, 0, 99);
+    }
+    must(fmb_mesh_new(3, 3 * MANY, point[0], MANY, corner, &mem, &m));
+    const size_t meshes = atomic_load(&k.live);
+    must(fmb_mesh_meet(m, NULL, &(fmb_mesh_options){.mem = &mem}, &answer));
+    const size_t all = answer.hits, bytes = all * sizeof *answer.hit;
+    cr_assert(bytes > meshes);
+    fmb_mesh_answer_clear(&answer);
+    for (size_t threads = 1; threads < 4; threads += 2)
+        for (size_t part = 1; part < 6; part++) {
+            fmb_mesh_options o = {
+                .max_bytes = meshes + part * bytes, .threads = threads, .mem = &mem};
+            atomic_store(&k.most, 0);
+            must(fmb_mesh_meet(m, NULL, &o, &answer));
+            cr_expect(atomic_load(&k.most) <= o.max_bytes + o.max_bytes / 5, "%zu of %zu",
+                      atomic_load(&k.most), o.max_bytes);
+            cr_expect(answer.hits > 0);
+            cr_expect(answer.stop == FMB_STOP_DONE
+                          ? answer.hits == all
+                          : answer.stop == FMB_STOP_BYTES && (part < 5 || threads > 1));
+            fmb_mesh_answer_clear(&answer);
+        }
+    fmb_mesh_free(m);
+    cr_expect(atomic_load(&k.live) == 0);
 }
 
 Test(meet, arguments)
