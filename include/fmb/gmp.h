@@ -186,6 +186,11 @@ FMB_API bool fmb_optimum_value_q(const fmb_optimum *o, mpq_t value);
 FMB_API void fmb_optimum_coordinate_q(const fmb_optimum *o, int j, mpq_t out);
 FMB_API void fmb_optimum_ray_q(const fmb_optimum *o, int j, mpq_t out);
 
+/* Coordinate j of the point of the last answer, multiplier k of its conflict (<fmb/solve.h>); 0
+ * where there is none. */
+FMB_API void fmb_solver_point_q(const fmb_solver *v, int j, mpq_t out);
+FMB_API void fmb_solver_conflict_multiplier_q(const fmb_solver *v, size_t k, mpq_t out);
+
 /* Entry col of a row of a view; col = fmb_view_dim: the right side. And of a base row. */
 FMB_API void fmb_view_get(const fmb_view *w, size_t row, int col, mpz_t out);
 FMB_API void fmb_view_base_get(const fmb_view *w, size_t base, int col, mpz_t out);

@@ -111,6 +111,30 @@ FMB_API FMB_CHECKED fmb_status fmb_reduce(fmb_solver *v, const fmb_system *s, fm
  * so far. Errors: ARG, STATE (no answer, or options.evidence is NONE). */
 FMB_API FMB_CHECKED fmb_status fmb_solver_evidence(const fmb_solver *v, fmb_evidence **out);
 
+/* ---- the point, or the rows in conflict -------------------------------------------------------
+ *
+ * What the last answer rests on, if options.evidence was not NONE; else, and where the last query
+ * found no such thing or ended with an error, STATE, and fmb_solver_trouble says which.
+ */
+
+/* A solution, as the nearest double per coordinate: x[dim] of the system that was asked about.
+ * Errors: ARG (NULL), STATE. */
+FMB_API FMB_CHECKED fmb_status fmb_solver_point(fmb_solver *v, double *x);
+/* Its coordinate j as exact text (fmb_system_term_text); "0" where there is none. */
+FMB_API size_t fmb_solver_point_text(const fmb_solver *v, int j, char *text, size_t size);
+
+/* The conflict: rows that have no common solution, each with the multiplier by which they add up to
+ * 0 <= negative, or 0 < 0; those of inequalities are positive. It is an irreducible infeasible
+ * subsystem (IIS): without any of its rows the others have a solution; unless res->stop told of a
+ * limit, when it may have more rows than that. *n rows. Errors: ARG (NULL), STATE. */
+FMB_API FMB_CHECKED fmb_status fmb_solver_conflict(fmb_solver *v, size_t *n);
+/* Its k-th row, in increasing order, SIZE_MAX where there is none; the multiplier of that row, a
+ * whole number, as the nearest double and as exact text; 0 where there is none. */
+FMB_API size_t fmb_solver_conflict_row(const fmb_solver *v, size_t k);
+FMB_API double fmb_solver_conflict_multiplier(const fmb_solver *v, size_t k);
+FMB_API size_t fmb_solver_conflict_multiplier_text(const fmb_solver *v, size_t k, char *text,
+                                                   size_t size);
+
 /* ---- boxes ----------------------------------------------------------------------------------- */
 
 typedef enum fmb_end_kind {
