@@ -56,6 +56,12 @@ FMB_API FMB_CHECKED fmb_status fmb_system_read(FILE *in, const fmb_reader *how, 
 FMB_API FMB_CHECKED fmb_status fmb_system_parse(const char *text, size_t size,
                                                 const fmb_reader *how, fmb_system **out,
                                                 fmb_where *where);
+/* fmb_system_add_terms of numbers that are text, each meant exactly: "1/3", "0.1", "-2e3"; no
+ * blanks around them. Errors: PARSE (a text is no number, or one of far more digits than it has;
+ * fmb_system_trouble says which, and what was expected), ARG (as there; NULL), MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_system_add_terms_text(fmb_system *s, size_t n, const int *var,
+                                                         const char *const *coef, fmb_rel rel,
+                                                         const char *b);
 /* Give s the objective that `size` bytes of text spell in the way of .fmb files, over the variables
  * that there are: "3x + 1/2 (y - 4)". Errors: PARSE (malformed, no such variable; *where is filled,
  * if not NULL), ARG (a pointer that must not be NULL, no such sense), MEMORY. */

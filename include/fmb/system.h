@@ -26,8 +26,9 @@ FMB_API FMB_CHECKED fmb_status fmb_system_new(int dim, const fmb_alloc *mem, fmb
 FMB_API FMB_CHECKED fmb_status fmb_system_copy(const fmb_system *s, fmb_system **out);
 FMB_API void fmb_system_free(fmb_system *s);
 
-/* What was wrong with the arguments of the last call on s that returned FMB_ERR_ARG, in one line:
- * which one, and its value or name; "" if there was none. Valid until the next change of s. */
+/* What was wrong with the arguments of the last call on s that returned FMB_ERR_ARG, or with the
+ * numbers of fmb_system_add_terms_text, in one line: which one, and its value or name; "" if there
+ * was none. Valid until the next change of s. */
 FMB_API const char *fmb_system_trouble(const fmb_system *s);
 
 /* Number of variables; number of rows. */

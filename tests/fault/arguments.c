@@ -10,6 +10,7 @@
 /* What the calls are about; nothing here may change. */
 typedef struct world {
     fmb_system *s;
+    fmb_solver *v;   /* which has answered */
     fmb_evidence *e; /* of a feasible system: one claim */
     fmb_box *box;    /* of its variables */
     FILE *stream;
@@ -19,16 +20,14 @@ typedef struct world {
 static world open_world(void)
 {
     world w = {.stream = tmpfile()};
-    fmb_solver *v = NULL;
     fmb_result r;
     mpq_init(w.q);
     must(fmb_system_new(2, NULL, &w.s));
     must(fmb_system_add_int(w.s, (int64_t[]){1, 1}, FMB_LE, 4));
-    must(fmb_solver_new(NULL, NULL, &v));
-    must(fmb_bound(v, w.s, NULL, 0, &w.box, &r));
-    must(fmb_solve(v, w.s, &r));
-    must(fmb_solver_evidence(v, &w.e));
-    fmb_solver_free(v);
+    must(fmb_solver_new(NULL, NULL, &w.v));
+    must(fmb_bound(w.v, w.s, NULL, 0, &w.box, &r));
+    must(fmb_solve(w.v, w.s, &r));
+    must(fmb_solver_evidence(w.v, &w.e));
     cr_assert_not_null(w.stream);
     return w;
 }
@@ -39,6 +38,7 @@ static void close_world(world *w)
     mpq_clear(w->q);
     fmb_box_free(w->box);
     fmb_evidence_free(w->e);
+    fmb_solver_free(w->v);
     fmb_system_free(w->s);
 }
 
@@ -78,6 +78,25 @@ static fmb_status on_add_int(world *w, int null)
 static fmb_status on_add_q(world *w, int null)
 {
     return fmb_system_add_q(P(0, w->s), 1, P(1, (int[]){0}), P(2, &w->q), FMB_LE, P(3, w->q));
+}
+
+static fmb_status on_add_text(world *w, int null)
+{
+    const char *const coef[] = {P(4, "1/3")};
+    return fmb_system_add_terms_text(P(0, w->s), 1, P(1, (int[]){0}), P(2, coef), FMB_LE,
+                                     P(3, "0.1"));
+}
+
+static fmb_status on_point(world *w, int null)
+{
+    double x[2];
+    return fmb_solver_point(P(0, w->v), P(1, x));
+}
+
+static fmb_status on_conflict(world *w, int null)
+{
+    size_t n;
+    return fmb_solver_conflict(P(0, w->v), P(1, &n));
 }
 
 static fmb_status on_objective(world *w, int null)
@@ -160,6 +179,9 @@ static const struct {
     {"fmb_system_add", 2, on_add},
     {"fmb_system_add_int", 2, on_add_int},
     {"fmb_system_add_q", 4, on_add_q},
+    {"fmb_system_add_terms_text", 5, on_add_text},
+    {"fmb_solver_point", 2, on_point},
+    {"fmb_solver_conflict", 2, on_conflict},
     {"fmb_system_join", 2, on_join},
     {"fmb_system_set_objective", 2, on_objective},
     {"fmb_system_set_objective_q", 3, on_objective_q},

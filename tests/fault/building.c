@@ -48,12 +48,15 @@ static fmb_status step(fmb_system *s, int number)
         return fmb_system_add_terms_int(s, 1, var, whole, FMB_EQ, 1);
     case 12:
         return fmb_system_set_objective_terms(s, FMB_SENSE_MIN, 3, var, real, 0.1);
+    case 13:
+        return fmb_system_add_terms_text(s, 2, var, (const char *const[]){"1e-30", "2/7"}, FMB_LE,
+                                         "123456789012345678901234567890");
     default:
         return fmb_system_add_variable(s, "w", NULL);
     }
 }
 
-enum { STEPS = 14 };
+enum { STEPS = 15 };
 
 static char *print(const fmb_system *s)
 {
@@ -89,7 +92,7 @@ static void build(hook *h, size_t fail_at, size_t *calls)
         }
         free(before);
     }
-    cr_assert_eq(fmb_system_rows(s), 9);
+    cr_assert_eq(fmb_system_rows(s), 10);
     cr_assert_eq(fmb_system_sense(s), FMB_SENSE_MIN);
     cr_assert_eq(fmb_system_find(s, "height"), 1);
     cr_assert_eq(fmb_system_find(s, "w"), 3);

@@ -1,0 +1,98 @@
+/* terms.c: a row whose numbers are text, each by itself. */
+#include <string.h>
+
+#include "io/core/io_private.h"
+#include "system/system_private.h"
+
+/* Where the numbers of a row are read; the budget is that of the whole row. */
+typedef struct row_of_text {
+    fmb_system *s;
+    fmb_mem mem;
+    fmb_where where;
+    fmb_cursor c;
+    fmb_draft draft;
+} row_of_text;
+
+static fmb_status read_whole_number(fmb_cursor *c, mpq_t out)
+{
+    char found[FMB_QUOTE];
+    fmb_status st = fmb_io_check(c);
+    if (st == FMB_OK)
+        st = fmb_scan_number(c, FMB_NUM_ALL, "a number", out);
+    if (st == FMB_OK && c->at < c->end)
+        st = fmb_io_fail(c, c->at, "expected the end of the number, found %s",
+                         fmb_quote(c, c->at, found));
+    return st;
+}
+
+/* The number that a text is, with nothing around it; name says which one it is. */
+static fmb_status read_number_of_row(row_of_text *r, const char *text, const char *name, mpq_t out)
+{
+    static const fmb_reader plain;
+    size_t left = r->c.budget, size = strlen(text);
+    r->c = fmb_io_cursor(text, size, &plain, &r->mem, &r->where);
+    r->c.budget = left;
+    fmb_status st = read_whole_number(&r->c, out);
+    if (st == FMB_ERR_PARSE)
+        (void)fmb_system_refuse(r->s, "%s: %.120s", name, r->where.text);
+    return st;
+}
+
+static fmb_status read_terms(row_of_text *r, size_t n, const int *var, const char *const *coef)
+{
+    fmb_status st = FMB_OK;
+    for (size_t k = 0; st == FMB_OK && k < n; k++) {
+        char name[40];
+        mpq_ptr slot;
+        snprintf(name, sizeof name, "coefficient of term %zu", k);
+        st = fmb_draft_term(&r->draft, var[k], &slot);
+        if (st == FMB_OK)
+            st = read_number_of_row(r, coef[k], name, slot);
+    }
+    return st;
+}
+
+static fmb_status check_row_of_text(fmb_system *s, size_t n, const int *var,
+                                    const char *const *coef, const char *b)
+{
+    if (!s)
+        return FMB_ERR_ARG;
+    if (n > 0 && (!var || !coef))
+        return fmb_system_refuse(s, "%s NULL", coef ? "variables are" : "coefficients are");
+    if (!b)
+        return fmb_system_refuse(s, "right side is NULL");
+    for (size_t k = 0; k < n; k++)
+        if (!coef[k])
+            return fmb_system_refuse(s, "coefficient of term %zu is NULL", k);
+    return FMB_OK;
+}
+
+/* The budget that one text of all these numbers would have. */
+static size_t row_budget(size_t n, const char *const *coef, const char *b)
+{
+    size_t size = strlen(b);
+    for (size_t k = 0; k < n; k++)
+        size += strlen(coef[k]);
+    return fmb_io_cursor(b, size, NULL, NULL, NULL).budget;
+}
+
+fmb_status fmb_system_add_terms_text(fmb_system *s, size_t n, const int *var,
+                                     const char *const *coef, fmb_rel rel, const char *b)
+{
+    fmb_status st = check_row_of_text(s, n, var, coef, b);
+    if (st != FMB_OK)
+        return st;
+    row_of_text r = {.s = s, .c.budget = row_budget(n, coef, b)};
+    fmb_mem_init(&r.mem, &s->mem.alloc, 0);
+    fmb_draft_init(&r.draft, &r.mem);
+    st = read_terms(&r, n, var, coef);
+    if (st == FMB_OK)
+        st = read_number_of_row(&r, b, "right side", r.draft.rhs);
+    if (st == FMB_OK) {
+        st = fmb_draft_append(&r.c, r.c.begin, &r.draft, rel, s);
+        if (st == FMB_ERR_PARSE)
+            (void)fmb_system_refuse(s, "the row: %.120s", r.where.text);
+    }
+    fmb_draft_clear(&r.draft);
+    return st;
+}
