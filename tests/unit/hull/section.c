@@ -148,6 +148,115 @@ Test(section, nothing_but_zero)
     cr_expect_eq(compare_ways(&c, 0, 0), 0);
 }
 
+/* A cone without lines, and all that was found of it. */
+typedef struct known_section {
+    cone_rows c;
+    fmb_mem mem;
+    fmb_run run;
+    atomic_int cancel;
+    fmb_section s;
+    fmb_image image;
+} known_section;
+
+/* False: it has a line, or no point for each ray. Close it in any case. */
+static bool open_known_section(known_section *k, uint64_t seed)
+{
+    support_rng g = {seed};
+    bool done = false;
+    *k = (known_section){.c = {.d = 3, .m = 7}};
+    k->run = begin_run(&k->mem, NULL, &k->cancel);
+    draw_rows(&g, &k->c, 3, 9, 9);
+    measure_rows(&k->c);
+    support_must(fmb_section_open(&k->s, &k->run, k->c.v, k->c.m, k->c.d));
+    while (!done)
+        support_must(fmb_section_ask(&k->s, 0, 0, &done));
+    support_must(fmb_section_take_rays(&k->s, &k->image));
+    return k->s.begun && k->s.rank == 3 && k->s.support.hull.generators == k->image.rays;
+}
+
+static void close_known_section(known_section *k)
+{
+    fmb_image_clear(&k->image);
+    fmb_section_close(&k->s);
+    cr_assert_eq(k->mem.used, 0);
+}
+
+/* The first point becomes that on the line through z; false: there is none. */
+static bool move_first_point(known_section *k, const int64_t *z)
+{
+    fmb_section *s = &k->s;
+    fmb_vec *v = &s->support.hull.generator[0];
+    int64_t t = 0;
+    for (size_t j = 0; j < 3; j++)
+        t += (int64_t)mpz_get_si(s->w.z[j]) * z[j];
+    v->s[0] = t < 0 ? -t : t;
+    for (size_t j = 0; j < 2; j++)
+        v->s[j + 1] = t < 0 ? -z[s->column[j]] : z[s->column[j]];
+    fmb_vec_measure(v, 3);
+    return t != 0;
+}
+
+/* Is that point taken for a ray? */
+static bool is_moved_point_taken(known_section *k)
+{
+    fmb_image image = {0};
+    support_must(fmb_section_take_rays(&k->s, &image));
+    size_t rays = image.rays;
+    fmb_image_clear(&image);
+    return rays == k->image.rays;
+}
+
+/* The sum of two rays is none, even on a facet. */
+static int check_sums_of_rays(known_section *k)
+{
+    int moved = 0;
+    for (size_t i = 1; i < k->image.rays; i++) {
+        const int64_t *a = k->image.ray[0].s, *b = k->image.ray[i].s;
+        if (!move_first_point(k, (const int64_t[]){a[0] + b[0], a[1] + b[1], a[2] + b[2]}))
+            continue;
+        cr_assert(!is_moved_point_taken(k));
+        moved++;
+    }
+    return moved;
+}
+
+/* Where two rows are 0 is a ray only if no other is negative. */
+static int check_meets_of_rows(known_section *k)
+{
+    int moved = 0;
+    for (size_t code = 0; code < k->c.m * k->c.m; code++) {
+        const int64_t *a = k->c.word[code / k->c.m], *b = k->c.word[code % k->c.m];
+        const int64_t z[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                              a[0] * b[1] - a[1] * b[0]};
+        bool below = false, above = false;
+        for (size_t i = 0; i < k->c.m; i++) {
+            const int64_t *r = k->c.word[i];
+            int64_t value = r[0] * z[0] + r[1] * z[1] + r[2] * z[2];
+            below = below || value < 0;
+            above = above || value > 0;
+        }
+        if (!below || !above || !move_first_point(k, z))
+            continue;
+        cr_assert(!is_moved_point_taken(k));
+        moved++;
+    }
+    return moved;
+}
+
+Test(section, points_that_are_no_rays_are_refused)
+{
+    int sums = 0, meets = 0;
+    for (uint64_t seed = 0; seed < 40; seed++) {
+        known_section k;
+        if (open_known_section(&k, seed)) {
+            sums += check_sums_of_rays(&k);
+            meets += check_meets_of_rows(&k);
+        }
+        close_known_section(&k);
+    }
+    cr_expect(sums > 50 && meets > 200, "%d, %d", sums, meets);
+}
+
 Test(section, every_request_may_fail)
 {
     cone_rows c = {.d = 5, .m = 20};
