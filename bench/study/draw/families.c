@@ -300,6 +300,61 @@ static void draw_swept(study_draft *d)
     put_beside(d, study_coin(d) ? 30 : 300);
 }
 
+/* Pairs of other families, whose numbers may then be multiplied by powers of 2. */
+static void draw_any(study_draft *d)
+{
+    study_family_draw *const draw[] = {draw_article, draw_touching, draw_near};
+    draw[study_choice(d, 3)](d);
+}
+
+/* No coordinate of a corner of frame f at any time is larger. */
+static double reach(const study_draft *d, int f)
+{
+    double most = 0;
+    for (int j = 0; j < d->dim; j++) {
+        double far = fabs(d->origin[f][j]) + (d->moves ? fabs(d->speed[f][j]) : 0);
+        for (int i = 0; i < d->naxes[f]; i++)
+            far += fabs(d->axes[f][i * d->dim + j]);
+        most = fmax(most, far);
+    }
+    return most;
+}
+
+/* One in two pairs reaches nearly as far as doubles do, or not much beyond the least one. Common
+ * points, and what is near them, are doubles; differences may not be. */
+static void draw_scaled(study_draft *d)
+{
+    draw_any(d);
+    int size = ilogb(fmax(fmax(reach(d, 0), reach(d, 1)), 1));
+    int least = -1074 - size, most = 1022 - size;
+    int inward = study_choice(d, study_coin(d) ? 64 : most - least);
+    int power = study_coin(d) ? most - inward : least + inward;
+    for (int f = 0; f < 2; f++) /* in two steps, as 2^-1100 is no double */
+        for (int half = 0; half < 2; half++)
+            shrink(d, f, ldexp(1, half ? power - power / 2 : power / 2));
+}
+
+/* Coordinate j of both frames. */
+static void scale_coordinate(study_draft *d, int j, double by)
+{
+    for (int f = 0; f < 2; f++) {
+        d->origin[f][j] *= by;
+        for (int i = 0; i < d->naxes[f]; i++)
+            d->axes[f][i * d->dim + j] *= by;
+        if (d->moves)
+            d->speed[f][j] *= by;
+    }
+}
+
+static void draw_spread(study_draft *d)
+{
+    static const int MOST[] = {10, 60, 300, 900};
+    int most = MOST[study_choice(d, 4)];
+    draw_any(d);
+    for (int j = 0; j < d->dim; j++)
+        scale_coordinate(d, j, ldexp(1, study_choice(d, 2 * most + 1) - most));
+}
+
 study_family_draw *const study_family_draws[STUDY_PAIR_FAMILIES] = {
     [STUDY_PAIR_ARTICLE] = draw_article,   [STUDY_PAIR_LATTICE] = draw_lattice,
     [STUDY_PAIR_TOUCHING] = draw_touching, [STUDY_PAIR_NEAR] = draw_near,
@@ -307,4 +362,5 @@ study_family_draw *const study_family_draws[STUDY_PAIR_FAMILIES] = {
     [STUDY_PAIR_TINY_A] = draw_tiny_a,     [STUDY_PAIR_TINY_B] = draw_tiny_b,
     [STUDY_PAIR_FAR] = draw_far,           [STUDY_PAIR_DENORMAL] = draw_denormal,
     [STUDY_PAIR_SWEPT] = draw_swept,       [STUDY_PAIR_INTEGER] = draw_integer,
+    [STUDY_PAIR_SCALED] = draw_scaled,     [STUDY_PAIR_SPREAD] = draw_spread,
 };

@@ -13,6 +13,7 @@ static const char *const FAMILY[STUDY_PAIR_FAMILIES] = {
     [STUDY_PAIR_TINY_A] = "tiny-A",     [STUDY_PAIR_TINY_B] = "tiny-B",
     [STUDY_PAIR_FAR] = "far",           [STUDY_PAIR_DENORMAL] = "denormal",
     [STUDY_PAIR_SWEPT] = "swept",       [STUDY_PAIR_INTEGER] = "integer",
+    [STUDY_PAIR_SCALED] = "scaled",     [STUDY_PAIR_SPREAD] = "spread",
 };
 
 const char *study_pair_family_text(study_pair_family family)

@@ -23,6 +23,8 @@ typedef enum study_pair_family {
     STUDY_PAIR_DENORMAL, /* numbers around the least double */
     STUDY_PAIR_SWEPT,    /* fast: they meet, if at all, for a short time in between */
     STUDY_PAIR_INTEGER,  /* whole numbers -100 ... 100 */
+    STUDY_PAIR_SCALED,   /* article, touching or near, all times one power of 2: any double */
+    STUDY_PAIR_SPREAD,   /* the same, each coordinate times its own power of 2: 2^-900 ... 2^900 */
     STUDY_PAIR_FAMILIES
 } study_pair_family;
 

@@ -1,6 +1,7 @@
 /* pairs.c: random pairs of frames: each from its number alone, and as hard as its family says. */
 #include <criterion/criterion.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "study/draw/draft.h"
@@ -195,6 +196,53 @@ Test(pairs, both_verdicts_are_common)
                 cr_expect(meet > 20 && meet < 180, "%s: %d of 200 meet",
                           study_pair_family_text((study_pair_family)f), meet);
             }
+}
+
+/* The power of 2 of the largest number of a frame; of its largest one in coordinate j. */
+static int size_in(const fmb_frame *f, int j)
+{
+    double most = fabs(f->origin[j]);
+    for (int i = 0; i < f->naxes; i++)
+        most = fmax(most, fabs(f->axes[i * f->dim + j]));
+    return most > 0 ? ilogb(most) : 0;
+}
+
+static int size_of(const fmb_frame *f)
+{
+    int most = size_in(f, 0);
+    for (int j = 1; j < f->dim; j++)
+        most = size_in(f, j) > most ? size_in(f, j) : most;
+    return most;
+}
+
+Test(pairs, scaled_ones_reach_both_ends_of_doubles)
+{
+    study_pair_plan plan = plan_of(STUDY_PAIR_SCALED, 2, true);
+    int least = 0, most = 0, middle = 0;
+    for (uint64_t k = 0; k < 1000; k++) {
+        static study_pair pair;
+        study_pair_draw(&plan, 3, k, &pair);
+        int size = size_of(&pair.p);
+        least += size < -1020;
+        most += size > 950;
+        middle += size > -900 && size < 900;
+    }
+    cr_expect(least > 200 && most > 200 && middle > 200, "%d, %d, %d", least, most, middle);
+}
+
+Test(pairs, spread_ones_differ_from_coordinate_to_coordinate)
+{
+    study_pair_plan plan = plan_of(STUDY_PAIR_SPREAD, 2, true);
+    int much = 0, apart = 0;
+    for (uint64_t k = 0; k < 1000; k++) {
+        static study_pair pair;
+        study_pair_draw(&plan, 3, k, &pair);
+        int by[2] = {size_in(&pair.p, 0) - size_in(&pair.p, 1),
+                     size_in(&pair.q, 0) - size_in(&pair.q, 1)};
+        much += abs(by[0]) > 200;
+        apart += abs(by[0] - by[1]) > 60;
+    }
+    cr_expect(much > 200 && apart < 100, "%d of 1000 spread, %d of them not both", much, apart);
 }
 
 static bool meets_left(void *self, const fmb_frame *p, const fmb_frame *q)
