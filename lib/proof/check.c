@@ -140,7 +140,7 @@ static bool are_multipliers(court *c, const fmb_sparse_vector *multipliers, basi
  * to a.x <= b, true of all solutions, and a.x < b if one of a strict row is positive. With a = g it
  * implies the goal if b < h, or if b = h and (the goal is not strict or a.x < b holds). The
  * combination is left = a - g and right = b - h. */
-static bool proves(court *c, const fmb_sparse_vector *multipliers, const fmb_goal *goal,
+static bool proves(court *c, const fmb_sparse_vector *multipliers, const fmb_combination_goal *goal,
                    bool strict_goal, basis from)
 {
     bool strict;
@@ -167,7 +167,7 @@ static bool judge_feasible(court *c, const fmb_claim *q)
 /* Infeasible: the rows prove 0 < 0. */
 static bool judge_infeasible(court *c, const fmb_claim *q)
 {
-    return proves(c, &q->multipliers, &(fmb_goal){.row = SIZE_MAX}, true, WRITTEN);
+    return proves(c, &q->multipliers, &(fmb_combination_goal){.row = SIZE_MAX}, true, WRITTEN);
 }
 
 /* The form of a claim is its variable, if it names one, as ends may, plus its terms. */
@@ -184,7 +184,8 @@ static bool has_form(court *c, const fmb_claim *q)
 static bool proves_form(court *c, const fmb_claim *q, const fmb_sparse_vector *multipliers,
                         int sign, bool strict)
 {
-    return proves(c, multipliers, &(fmb_goal){.claim = q, .sign = sign}, strict, WRITTEN);
+    return proves(c, multipliers, &(fmb_combination_goal){.claim = q, .sign = sign}, strict,
+                  WRITTEN);
 }
 
 /* form <= value and a solution attains it; or form < value and solutions come as near as you like.
@@ -236,7 +237,7 @@ static bool judge_implied(court *c, const fmb_claim *q)
 static bool proves_row(court *c, size_t i, const fmb_sparse_vector *multipliers, int sign,
                        bool strict, basis from)
 {
-    return proves(c, multipliers, &(fmb_goal){.row = i, .sign = sign}, strict, from);
+    return proves(c, multipliers, &(fmb_combination_goal){.row = i, .sign = sign}, strict, from);
 }
 
 static bool has_row(court *c, const fmb_claim *q)

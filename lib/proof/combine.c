@@ -59,7 +59,7 @@ static void put_row(combination *b, const fmb_sysrow *row, mpz_srcptr num, mpz_s
 }
 
 /* Minus sign times the goal. */
-static void put_goal(combination *b, const fmb_system *s, const fmb_goal *goal)
+static void put_goal(combination *b, const fmb_system *s, const fmb_combination_goal *goal)
 {
     const fmb_claim *q = goal->claim;
     mpz_t factor, one;
@@ -108,8 +108,8 @@ static fmb_status read_columns(combination *b, int *wrong, int *right)
 }
 
 fmb_status fmb_combine_rows(const fmb_system *s, const fmb_sparse_vector *multipliers,
-                            const fmb_goal *goal, fmb_mem *mem, const fmb_poll *poll, int *wrong,
-                            int *right)
+                            const fmb_combination_goal *goal, fmb_mem *mem, const fmb_poll *poll,
+                            int *wrong, int *right)
 {
     combination b;
     size_t form = goal->claim ? goal->claim->terms.size + 2 : 1, entries = form;

@@ -10,18 +10,18 @@
 
 /* What multipliers shall prove, times sign: form <= value of a claim, whose form is its variable,
  * if it has one, plus its terms; else that row; else 0 <= 0. */
-typedef struct fmb_goal {
+typedef struct fmb_combination_goal {
     const fmb_claim *claim; /* or NULL */
     size_t row;             /* or SIZE_MAX */
     int sign;
-} fmb_goal;
+} fmb_combination_goal;
 
 /* The sum of rows times multipliers, minus the goal, is left.x <= right: *wrong = the first
  * variable whose coefficient in left is not 0, or -1; *right = the sign of right. All indices are
  * good: the caller has looked. Errors: MEMORY, LIMIT, and what poll says; here and below. */
 fmb_status fmb_combine_rows(const fmb_system *s, const fmb_sparse_vector *multipliers,
-                            const fmb_goal *goal, fmb_mem *mem, const fmb_poll *poll, int *wrong,
-                            int *right);
+                            const fmb_combination_goal *goal, fmb_mem *mem, const fmb_poll *poll,
+                            int *wrong, int *right);
 
 /* A point, or a direction, that rows are asked about. */
 typedef struct fmb_place {
