@@ -52,11 +52,12 @@ typedef struct fmb_facets {
     size_t generators, generator_capacity, words;
     fmb_facet *facet; /* [slots]; those not alive are free */
     size_t slots, facet_capacity, alive;
-    uint64_t round; /* counts generators that were looked at */
-    uint64_t pairs; /* of facets, of which it was asked whether they share a ridge */
-    fmb_vec g;      /* [d] the generator at hand, */
-    double *near;   /* [d] and roughly */
-    mpz_t *minor;   /* [2^d] scratch, or NULL */
+    uint64_t round;      /* counts generators that were looked at */
+    uint64_t pairs;      /* of facets, of which it was asked whether they share a ridge, */
+    uint64_t most_pairs; /* and a limit of them; 0: none */
+    fmb_vec g;           /* [d] the generator at hand, */
+    double *near;        /* [d] and roughly */
+    mpz_t *minor;        /* [2^d] scratch, or NULL */
     uint32_t *seen, *touched, *made, *unused; /* lists of facets, scratch; free slots */
     size_t seens, toucheds, mades, unuseds;
     size_t seen_capacity, touched_capacity, made_capacity, unused_capacity;

@@ -182,6 +182,8 @@ fmb_status fmb_facets_join_new(fmb_facets *f)
     fmb_status st = listed ? list_holders(f) : FMB_OK;
     for (size_t i = 1; st == FMB_OK && i < count_candidates(f); i++) {
         f->pairs += i;
+        if (f->most_pairs > 0 && f->pairs > f->most_pairs)
+            return FMB_LIMIT;
         st = listed ? join_near(f, i) : join_each(f, i);
         if (st == FMB_OK)
             st = fmb_run_poll(f->run);

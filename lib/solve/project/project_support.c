@@ -202,7 +202,8 @@ fmb_status fmb_queries_run(fmb_queries *h, uint64_t pairs, fmb_system *out, bool
     return put == FMB_OK ? st : put;
 }
 
-/* Pairs of facets where no clock ends a glance: so many go with dozens of queries. */
+/* Pairs of facets where no clock ends a glance: so many go with dozens of queries. The last query
+ * may take as many again, but not all that the images of one point by symmetries could. */
 #define PAIRS_OF_GLANCE ((uint64_t)1 << 12)
 
 fmb_status fmb_queries_glance(fmb_query *q, int part, const int *place, fmb_system *out)
@@ -212,8 +213,10 @@ fmb_status fmb_queries_glance(fmb_query *q, int part, const int *place, fmb_syst
     uint64_t pairs = q->run.deadline > 0 ? 0 : PAIRS_OF_GLANCE;
     fmb_status st = fmb_queries_open(q, part, place, &h, &feasible);
     bool asked = st == FMB_OK && feasible && h->k > 0;
-    if (asked)
+    if (asked) {
+        h->s.hull.most_pairs = 2 * pairs;
         st = fmb_support_ask(&h->s, pairs, &done);
+    }
     if (asked && (st == FMB_OK || st == FMB_LIMIT))
         st = fmb_queries_keep(h, out);
     fmb_queries_close(h);
