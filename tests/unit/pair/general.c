@@ -386,7 +386,7 @@ Test(general, cubes)
 Test(general, proofs_of_wrong_guesses)
 {
     support_rng g = {77};
-    int apart = 0, common = 0;
+    int apart = 0, common = 0, vertices = 0;
     for (int dim = 1; dim <= 4; dim++) {
         judge j = judge_open(dim, FMB_SIMD_AUTO);
         for (int i = 0; i < 400; i++) {
@@ -406,12 +406,23 @@ Test(general, proofs_of_wrong_guesses)
                 cr_assert(!says_common || open);
                 apart += says_apart;
                 common += says_common;
+                /* A vertex, or beyond one; of a simplex, inside of it. */
+                for (int k = 0; k < j.general->pair.columns; k++) {
+                    int unit = j.general->pair.kind[k] == FMB_GENERAL_UNIT;
+                    z[k] = j.general->pair.is_pivot[k]
+                               ? support_between(&g, -1, unit ? 12 : 1) / 8.0
+                               : support_between(&g, 0, unit);
+                }
+                bool says_vertex = fmb_general_is_near_vertex(&j.general->pair, z);
+                cr_assert(!says_vertex || closed);
+                vertices += says_vertex;
             }
         }
         judge_close(&j);
     }
     cr_expect_gt(apart, 100);
     cr_expect_gt(common, 10);
+    cr_expect_gt(vertices, 10, "%d", vertices);
 }
 
 /* The inverse is a guess, too: what it is off by is part of the proof. Elimination leaves it right
