@@ -48,8 +48,10 @@ FMB_API FMB_CHECKED fmb_status fmb_solver_add_int(fmb_solver *v, const int64_t *
                                                   int64_t b);
 /* Remove a row; the rows behind it move up. Errors: ARG (no such row). */
 FMB_API FMB_CHECKED fmb_status fmb_solver_remove(fmb_solver *v, size_t row);
-/* Give a row another right side. It is that of the row as it is kept: a row that was added as
- * a.x >= b is -a.x <= -b. Errors: ARG (no such row, not finite). */
+/* Give a row another right side, in the direction in which the row was given: a.x >= b becomes
+ * a.x >= the new one, though it is kept, and handed out, as -a.x <= -b. In a text a row is given
+ * with its variables moved to the left: 2 <= x is -x <= -2. Errors: ARG (no such row, not finite).
+ */
 FMB_API FMB_CHECKED fmb_status fmb_solver_set_right(fmb_solver *v, size_t row, double b);
 
 /* Begin a level; levels nest. */

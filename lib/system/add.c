@@ -296,8 +296,11 @@ static fmb_status append_matrix(fmb_system *s, const matrix *m)
     w.var = fmb_mem_get(&s->mem, w.most, sizeof *w.var);
     w.z = fmb_mem_get(&s->mem, w.most + 2, sizeof *w.z);
     fmb_status st = w.var && w.z ? FMB_OK : fmb_mem_status(&s->mem);
-    for (size_t i = 0; st == FMB_OK && i < m->rows; i++)
+    for (size_t i = 0; st == FMB_OK && i < m->rows; i++) {
         st = append_given_row(s, m, i, &w);
+        if (st == FMB_OK)
+            s->row[s->rows - 1].turned = m->rel && is_greater(m->rel[i]);
+    }
     while (st != FMB_OK && s->rows > before)
         fmb_system_remove(s, s->rows - 1);
     fmb_mem_put(&s->mem, w.var, w.most, sizeof *w.var);

@@ -20,6 +20,8 @@ static fmb_status append_copy_of_row(joiner *j, size_t i)
     }
     fmb_system_rhs_q(j->more, i, j->rhs);
     fmb_status st = fmb_system_add_q(j->s, n, j->var, j->coef, fmb_system_rel(j->more, i), j->rhs);
+    if (st == FMB_OK)
+        j->s->row[j->s->rows - 1].turned = j->more->row[i].turned;
     const char *label = fmb_system_label(j->more, i);
     return st == FMB_OK && label ? fmb_system_set_label(j->s, j->s->rows - 1, label) : st;
 }

@@ -312,6 +312,7 @@ fmb_status fmb_system_copy_row(fmb_system *to, const fmb_sysrow *from)
     if (from->nnz > 0)
         memcpy(r->var, from->var, from->nnz * sizeof *r->var);
     r->rel = from->rel;
+    r->turned = from->turned;
     st = fmb_vec_copy(&r->val, &from->val, from->nnz + 2, &to->mem);
     if (st == FMB_OK && from->label && !(r->label = fmb_mem_text(&to->mem, from->label)))
         st = fmb_mem_status(&to->mem);

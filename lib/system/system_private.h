@@ -18,6 +18,7 @@ typedef struct fmb_sysrow {
     fmb_vec val; /* [nnz + 2]: coefficients, right side, denominator; s is owned by the row */
     size_t nnz;
     fmb_rel rel;
+    bool turned; /* it was given as >= or >, and what is kept is its negative */
     char *label; /* or NULL */
 } fmb_sysrow;
 
@@ -70,8 +71,8 @@ fmb_status fmb_system_copy_row(fmb_system *to, const fmb_sysrow *from);
 void fmb_system_take_row(fmb_system *s, size_t i, fmb_sysrow *out);
 void fmb_system_put_row(fmb_system *s, size_t i, const fmb_sysrow *r);
 void fmb_system_free_row(fmb_system *s, fmb_sysrow *r);
-/* Row i gets another right side, as written: *old is what it was, without the label, which stays.
- * Errors: ARG (denominator 0), MEMORY. */
+/* Row i gets another right side, as it was given, >= or <=: *old is what it was, without the label,
+ * which stays. Errors: ARG (denominator 0), MEMORY. */
 fmb_status fmb_system_change_right(fmb_system *s, size_t i, const mpq_t b, fmb_sysrow *old);
 /* [give] fmb_system_copy with that allocator. */
 fmb_status fmb_system_copy_to(const fmb_system *s, const fmb_alloc *hook, fmb_system **out);

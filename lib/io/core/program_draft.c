@@ -73,16 +73,12 @@ void fmb_program_bound(fmb_program_draft *p, int j, int end, const char *at, mpq
 
 /* ---- rows ------------------------------------------------------------------------------------ */
 
-/* terms REL value; the lower end of a row is -terms <= -value. */
+/* terms REL value */
 static fmb_status append_program_end(fmb_program_draft *p, const char *at, fmb_draft *terms,
-                                     fmb_rel rel, mpq_srcptr value, int end, fmb_span label)
+                                     fmb_rel rel, mpq_srcptr value, fmb_span label)
 {
     mpq_set(terms->rhs, value);
-    if (end == FMB_PROGRAM_LOW)
-        fmb_draft_negate(terms);
     fmb_status st = fmb_draft_append(p->c, at, terms, rel, p->s);
-    if (end == FMB_PROGRAM_LOW)
-        fmb_draft_negate(terms);
     if (st == FMB_OK && label.n > 0)
         st = fmb_span_label(p->c, label, p->s, fmb_system_rows(p->s) - 1);
     return st;
@@ -94,10 +90,9 @@ fmb_status fmb_program_append(fmb_program_draft *p, const char *at, fmb_draft *t
     bool equal = low && high && mpq_equal(low, high);
     fmb_status st = FMB_OK;
     if (low && !equal)
-        st = append_program_end(p, at, terms, FMB_LE, low, FMB_PROGRAM_LOW, label);
+        st = append_program_end(p, at, terms, FMB_GE, low, label);
     if (st == FMB_OK && high)
-        st = append_program_end(p, at, terms, equal ? FMB_EQ : FMB_LE, high, FMB_PROGRAM_HIGH,
-                                label);
+        st = append_program_end(p, at, terms, equal ? FMB_EQ : FMB_LE, high, label);
     return st;
 }
 

@@ -79,13 +79,15 @@ static fmb_status read_side_of_row(ieq *f, bool right)
     return st;
 }
 
-static fmb_status read_porta_relation(fmb_cursor *c, fmb_rel *rel, bool *flip)
+static fmb_status read_porta_relation(fmb_cursor *c, fmb_rel *rel)
 {
     char found[FMB_QUOTE];
     const char *p = c->at;
+    *rel = FMB_GE;
+    if (fmb_accept(c, ">=") || fmb_accept(c, "=>"))
+        return FMB_OK;
     *rel = FMB_LE;
-    *flip = fmb_accept(c, ">=") || fmb_accept(c, "=>");
-    if (*flip || fmb_accept(c, "<=") || fmb_accept(c, "=<"))
+    if (fmb_accept(c, "<=") || fmb_accept(c, "=<"))
         return FMB_OK;
     *rel = FMB_EQ;
     if (fmb_accept(c, "==") || fmb_accept(c, "="))
@@ -101,7 +103,6 @@ static fmb_status read_porta_row(ieq *f)
     const char *start = c->at;
     size_t number;
     fmb_rel rel = FMB_LE;
-    bool flip = false;
     fmb_status st = FMB_OK;
     fmb_draft_reset(&f->d);
     if (fmb_accept(c, "(")) {
@@ -114,7 +115,7 @@ static fmb_status read_porta_row(ieq *f)
     if (st == FMB_OK)
         st = read_side_of_row(f, false);
     if (st == FMB_OK)
-        st = read_porta_relation(c, &rel, &flip);
+        st = read_porta_relation(c, &rel);
     if (st == FMB_OK)
         st = read_side_of_row(f, true);
     if (st == FMB_OK && fmb_peek(c) >= 0 && fmb_peek(c) != '\n')
@@ -122,8 +123,6 @@ static fmb_status read_porta_row(ieq *f)
                          fmb_quote(c, c->at, found));
     if (st != FMB_OK)
         return st;
-    if (flip)
-        fmb_draft_negate(&f->d);
     return fmb_draft_append(c, start, &f->d, rel, f->s);
 }
 

@@ -49,26 +49,21 @@ static fmb_status read_row_label(fmb_text *t, const char *colon, fmb_span *out, 
 
 /* ---- rows ------------------------------------------------------------------------------------ */
 
-typedef struct relation {
-    fmb_rel rel;
-    bool flip; /* > or >= */
-} relation;
-
 /* The relation at c, if there is one. */
-static bool accept_relation(fmb_cursor *c, relation *out)
+static bool accept_relation(fmb_cursor *c, fmb_rel *out)
 {
     static const struct {
         const char *text;
-        relation r;
+        fmb_rel rel;
     } table[] = {
-        {"<=", {FMB_LE, false}}, {"=<", {FMB_LE, false}}, {"\xE2\x89\xA4", {FMB_LE, false}},
-        {">=", {FMB_LE, true}},  {"=>", {FMB_LE, true}},  {"\xE2\x89\xA5", {FMB_LE, true}},
-        {"<", {FMB_LT, false}},  {">", {FMB_LT, true}},   {"==", {FMB_EQ, false}},
-        {"=", {FMB_EQ, false}},
+        {"<=", FMB_LE}, {"=<", FMB_LE}, {"\xE2\x89\xA4", FMB_LE},
+        {">=", FMB_GE}, {"=>", FMB_GE}, {"\xE2\x89\xA5", FMB_GE},
+        {"<", FMB_LT},  {">", FMB_GT},  {"==", FMB_EQ},
+        {"=", FMB_EQ},
     };
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
         if (fmb_accept(c, table[i].text)) {
-            *out = table[i].r;
+            *out = table[i].rel;
             return true;
         }
     }
@@ -106,15 +101,15 @@ static fmb_status move_side_to_row(fmb_draft *row, const fmb_draft *d, bool minu
 }
 
 /* left REL right as a row of the system. */
-static fmb_status append_chain_link(fmb_text *t, relation r, const char *start,
+static fmb_status append_chain_link(fmb_text *t, fmb_rel rel, const char *start,
                                     const fmb_span *label)
 {
     fmb_draft_reset(&t->row);
-    fmb_status st = move_side_to_row(&t->row, &t->left, r.flip);
+    fmb_status st = move_side_to_row(&t->row, &t->left, false);
     if (st == FMB_OK)
-        st = move_side_to_row(&t->row, &t->right, !r.flip);
+        st = move_side_to_row(&t->row, &t->right, true);
     if (st == FMB_OK)
-        st = fmb_draft_append(t->c, start, &t->row, r.rel, t->s);
+        st = fmb_draft_append(t->c, start, &t->row, rel, t->s);
     if (st != FMB_OK || !label)
         return st;
     st = fmb_io_charge(t->c, start, label->n);
@@ -147,7 +142,7 @@ static fmb_status read_relation_chain(fmb_text *t, const fmb_span *label, bool p
 {
     fmb_cursor *c = t->c;
     const char *start = c->at;
-    relation r;
+    fmb_rel r;
     fmb_status st = fmb_text_expression(t, &t->left);
     if (st != FMB_OK)
         return st;

@@ -90,7 +90,6 @@ Test(formats, nothing)
         {FMB_FORMAT_AUTO, "\xEF\xBB\xBF"},
         {FMB_FORMAT_TEXT, "# only words\n"},
         {FMB_FORMAT_TEXT, "vars:\nproject:\n"},
-        {FMB_FORMAT_INE, "begin\n0 1 integer\nend\n"},
         {FMB_FORMAT_IEQ, "DIM = 0\nINEQUALITIES_SECTION\nEND\n"},
         {FMB_FORMAT_SMT2, "; only words\n"},
         {FMB_FORMAT_SMT2, "(set-logic QF_LRA)(assert true)(check-sat)"},

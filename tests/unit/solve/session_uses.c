@@ -294,6 +294,49 @@ Test(session, wrong_arguments)
     fmb_solver_free(v);
 }
 
+/* ---- right sides ----------------------------------------------------------------------------- */
+
+/* Right side b is given to row i: the row is kept with sign * b. */
+static void expect_kept_right_side(fmb_solver *v, size_t i, double b, double sign)
+{
+    mpq_t q;
+    mpq_init(q);
+    must(fmb_solver_set_right(v, i, b));
+    fmb_system_rhs_q(fmb_solver_system(v), i, q);
+    cr_expect_eq(mpq_get_d(q), sign * b, "row %zu: %g", i, mpq_get_d(q));
+    mpq_clear(q);
+}
+
+/* Rows of each relation, from a text, from another system and added, have their right sides set
+ * twice and after a pop, in the direction in which they were given. */
+Test(session, right_sides_keep_their_direction)
+{
+    static const char text[] = "x >= 1\nx > 1/3\nx <= 90\nx < 91\n2x + y >= 3 - y\n";
+    static const double sign[] = {-1, -1, 1, 1, -1, -1, -1, 1};
+    fmb_options o = fmb_options_default();
+    fmb_system *read = NULL, *s = NULL;
+    fmb_solver *v = NULL;
+    must(fmb_solver_new(&o, NULL, &v));
+    must(fmb_system_parse(text, sizeof text - 1, NULL, &read, NULL));
+    must(fmb_system_new(2, NULL, &s));
+    must(fmb_system_join(s, read, NULL));
+    must(fmb_solver_load(v, s));
+    must(fmb_solver_add(v, (double[]){1, 0.5}, FMB_GE, 2));
+    must(fmb_solver_add_int(v, (int64_t[]){1, 1}, FMB_GT, 2));
+    must(fmb_solver_add_int(v, (int64_t[]){1, 1}, FMB_EQ, 40));
+    for (size_t i = 0; i < sizeof sign / sizeof *sign; i++) {
+        expect_kept_right_side(v, i, 6, sign[i]);
+        must(fmb_solver_push(v));
+        expect_kept_right_side(v, i, 7, sign[i]);
+        expect_kept_right_side(v, i, -8.5, sign[i]);
+        must(fmb_solver_pop(v));
+        expect_kept_right_side(v, i, 5, sign[i]);
+    }
+    fmb_solver_free(v);
+    fmb_system_free(read);
+    fmb_system_free(s);
+}
+
 /* ---- memory ---------------------------------------------------------------------------------- */
 
 typedef fmb_status step(fmb_solver *v);
