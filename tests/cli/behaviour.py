@@ -17,6 +17,8 @@ import threading
 import time
 import unittest
 
+import default_signals  # noqa: F401
+
 FMB, EXAMPLES = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
 RATIONAL = re.compile(r"-?[0-9]+(/[1-9][0-9]*)?")
 

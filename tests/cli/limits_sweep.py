@@ -15,6 +15,8 @@ import sys
 import tempfile
 import threading
 
+import default_signals  # noqa: F401
+
 FMB, EXAMPLES = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
 LEAST = 400  # combinations
 WORDS = re.compile(r"\((time|bytes|rows|cancelled)\)")

@@ -9,6 +9,8 @@ import subprocess
 import sys
 import tempfile
 
+import default_signals  # noqa: F401
+
 fmb, examples = sys.argv[1], pathlib.Path(sys.argv[2])
 faults = []
 

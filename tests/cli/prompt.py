@@ -10,6 +10,8 @@ import sys
 import tempfile
 import time
 
+import default_signals  # noqa: F401
+
 fmb = sys.argv[1]
 AFTER = 0.3  # [s] the signal, or the limit
 MOST = 3.0  # [s] between that and the end; 0.1 to 0.3 on a machine that does nothing else

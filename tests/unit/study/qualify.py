@@ -15,6 +15,9 @@ import tempfile
 import time
 import xml.etree.ElementTree
 
+# A background job of a shell ignores it, and so would what is started here.
+signal.signal(signal.SIGINT, signal.SIG_DFL)
+
 program, man_page = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2])
 faults = []
 STUDIES = ["table1", "article", "near", "touching", "slender", "mesh", "faces", "boxes", "scaling", "rules", "peers", "bunny"]

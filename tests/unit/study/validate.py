@@ -10,6 +10,9 @@ import sys
 import tempfile
 import time
 
+# A background job of a shell ignores it, and so would what is started here.
+signal.signal(signal.SIGINT, signal.SIG_DFL)
+
 program, man_page = sys.argv[1], pathlib.Path(sys.argv[2])
 CASES = ["2d-static", "2d-dynamic", "3d-static", "3d-dynamic"]
 # Of pairs that meet [%], as the article found it.
