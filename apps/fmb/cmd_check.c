@@ -290,9 +290,7 @@ static int list_claims(const finding *f)
 static int print_text(const request *r, const finding *f)
 {
     const fmb_judgement *j = &f->j;
-    if (!j->accepted && j->claim == SIZE_MAX && j->stop != FMB_STOP_DONE) {
-        return app_error(APP_UNDECIDED, "%s so far; nothing is accepted", j->reason);
-    } else if (!j->accepted && j->claim == SIZE_MAX) {
+    if (!j->accepted && j->claim == SIZE_MAX) {
         printf("rejected: %s\n", j->reason);
     } else if (!j->accepted) {
         printf("rejected: claim %zu: %s\n", j->claim + 1, j->reason);
@@ -391,12 +389,13 @@ static int judge(const request *r, const fmb_system *s, const fmb_evidence *e,
     if (st != FMB_OK)
         return app_status_error(st);
     int code = APP_YES;
+    bool undecided = !f.j.accepted && f.j.claim == SIZE_MAX && f.j.stop != FMB_STOP_DONE;
     if (r->json)
         print_json(r, &f);
-    else
+    else if (!undecided)
         code = print_text(r, &f);
-    if (code == APP_YES && f.j.stop != FMB_STOP_DONE && f.j.claim == SIZE_MAX)
-        return APP_UNDECIDED;
+    if (undecided)
+        return app_error(APP_UNDECIDED, "%s so far; nothing is accepted", f.j.reason);
     return code != APP_YES ? code : f.j.accepted && f.meets ? APP_YES : APP_NO;
 }
 
