@@ -42,7 +42,7 @@ static fmb_status read_terms(row_of_text *r, size_t n, const int *var, const cha
 {
     fmb_status st = FMB_OK;
     for (size_t k = 0; st == FMB_OK && k < n; k++) {
-        char name[40];
+        char name[48];
         mpq_ptr slot;
         snprintf(name, sizeof name, "coefficient of term %zu", k);
         st = fmb_draft_term(&r->draft, var[k], &slot);
