@@ -1,4 +1,6 @@
 /* export.c: see export.h. */
+#include <stdio.h> /* before GMP: it then declares gmp_fprintf */
+
 #include "io/core/export.h"
 
 #include <string.h>
