@@ -6,10 +6,10 @@
  * this thread's CPU time, medians over the passes, the least in brackets. See README.md.
  */
 #include <string.h>
-#include <time.h>
 
 #include <fmb/frames.h>
 
+#include "base/clock.h"
 #include "cells.h"
 #include "machine.h"
 #include "study/clock/clock.h"
@@ -177,13 +177,6 @@ static void measure_flat(const char *what, const int naxes[2], bool moves, fmb_s
 
 /* ---- threads --------------------------------------------------------------------------------- */
 
-static double wall_seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 /* The least time on the wall of PASSES passes. */
 static double measure_threads(size_t threads)
 {
@@ -199,9 +192,9 @@ static double measure_threads(size_t threads)
     must(fmb_pair_new(3, &o, NULL, &w.k));
     w.a = w.b = set;
     for (int i = 0; i < PASSES; i++) {
-        double start = wall_seconds();
+        double start = fmb_monotonic_seconds();
         must(ask_all(&w, 0, 0));
-        double took = wall_seconds() - start;
+        double took = fmb_monotonic_seconds() - start;
         least = took < least ? took : least;
     }
     study_pairs_free(&pairs);

@@ -4,14 +4,14 @@
 #include <stdio.h>
 #include <unistd.h>
 
-#include "common/clock.h"
+#include "base/clock.h"
 
 enum { WIDTH = 40, NAME = 12 };     /* characters */
 static const double interval = 0.2; /* between two updates [s] */
 
 app_bar app_bar_begin(bool quiet)
 {
-    return (app_bar){.wanted = !quiet && isatty(STDERR_FILENO), .last = app_now()};
+    return (app_bar){.wanted = !quiet && isatty(STDERR_FILENO), .last = fmb_monotonic_seconds()};
 }
 
 static void draw(uint64_t permille, const char *name)
@@ -27,7 +27,7 @@ static void draw(uint64_t permille, const char *name)
 
 void app_bar_show(app_bar *b, uint64_t done, uint64_t all, const char *name)
 {
-    double t = b->wanted ? app_now() : 0;
+    double t = b->wanted ? fmb_monotonic_seconds() : 0;
     if (!b->wanted || t - b->last < interval)
         return;
     draw(all > 0 ? done * 1000 / all : 1000, name);

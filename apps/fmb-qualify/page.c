@@ -6,11 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <time.h>
 
 #include <fmb/base.h>
 
-#include "common/clock.h"
+#include "base/clock.h"
 #include "common/file.h"
 #include "common/json.h"
 #include "common/machine.h"
@@ -107,9 +106,7 @@ static void put_json(FILE *f, const void *obj)
 
 static double processor_seconds(void)
 {
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+    return fmb_clock_seconds(CLOCK_PROCESS_CPUTIME_ID);
 }
 
 static json_t *machine_json(const app_machine *m)
@@ -139,7 +136,7 @@ void qualify_page_begin(qualify_page *g, const char *study, const char *title)
     app_json_set(g->study, "machine", machine_json(&machine));
     app_json_set(g->study, "complete", json_true());
     app_json_set(g->study, "page", json_array());
-    g->began = app_now();
+    g->began = fmb_monotonic_seconds();
     g->used = processor_seconds();
     if (!g->json)
         printf("fmb-qualify %s, fmb %s (%s)\n%s, %ld cores, %.1f GiB, load %.2f\n%s, Linux %s\n"
@@ -151,7 +148,7 @@ void qualify_page_begin(qualify_page *g, const char *study, const char *title)
 
 void qualify_page_end(qualify_page *g)
 {
-    double wall = app_now() - g->began, cpu = processor_seconds() - g->used;
+    double wall = fmb_monotonic_seconds() - g->began, cpu = processor_seconds() - g->used;
     app_json_set(g->study, "wall_seconds", json_real(wall));
     app_json_set(g->study, "cpu_seconds", json_real(cpu));
     if (wall > BUSY * cpu)

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/clock.h"
+#include "base/clock.h"
 #include "common/ranks.h"
 #include "fmb-validate/plan.h"
 #include "fmb-validate/watch.h"
@@ -179,7 +179,7 @@ static fmb_status make_jobs(validate_plan *p)
 
 fmb_status validate_run(validate_plan *p)
 {
-    double start = app_now();
+    double start = fmb_monotonic_seconds();
     fmb_status st = make_jobs(p);
     validate_watch_begin(p->quiet, (p->pairs / p->shards + 1) * p->jobs);
     for (size_t i = 0; st == FMB_OK && i < p->jobs && !validate_watch_interrupted(); i++)
@@ -188,7 +188,7 @@ fmb_status validate_run(validate_plan *p)
         collect_job(&p->job[i]);
     validate_watch_end();
     p->complete = !validate_watch_interrupted();
-    p->seconds = app_now() - start;
+    p->seconds = fmb_monotonic_seconds() - start;
     return st;
 }
 

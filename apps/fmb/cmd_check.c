@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/clock.h"
+#include "base/clock.h"
 #include "common/exit_code.h"
 #include "common/file.h"
 #include "common/form.h"
@@ -29,7 +29,7 @@ typedef struct request {
     const char *proof;
     bool json, list, relax;
     fmb_patience patience;
-    double deadline; /* of app_now, where there is one */
+    double deadline; /* of fmb_monotonic_seconds, where there is one */
     fmb_demand demand;
     const char *projection; /* the file that holds it, where that is what is demanded */
     const char *form;       /* the objective, where one is given */
@@ -179,7 +179,7 @@ static bool give_up(void *self)
 static void begin_to_wait(request *r)
 {
     r->patience.give_up = give_up;
-    r->deadline = app_now() + r->patience.max_seconds;
+    r->deadline = fmb_monotonic_seconds() + r->patience.max_seconds;
     app_signals_set(ask_to_stop);
 }
 
@@ -188,7 +188,7 @@ static fmb_patience patience_left(const request *r)
 {
     fmb_patience p = r->patience;
     if (p.max_seconds > 0)
-        p.max_seconds = fmax(r->deadline - app_now(), DBL_MIN);
+        p.max_seconds = fmax(r->deadline - fmb_monotonic_seconds(), DBL_MIN);
     return p;
 }
 

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/clock.h"
+#include "base/clock.h"
 #include "common/message.h"
 #include "common/signals.h"
 #include "fmb/intersect.h"
@@ -162,7 +162,7 @@ static void close_portion(crew *c)
 
 void crew_flush(crew *c)
 {
-    double begin = app_now();
+    double begin = fmb_monotonic_seconds();
     close_portion(c);
     if (c->ready == 0)
         return;
@@ -175,7 +175,7 @@ void crew_flush(crew *c)
     }
     c->ready = 0;
     progress_show(&c->progress, c->x);
-    double seconds = app_now() - begin;
+    double seconds = fmb_monotonic_seconds() - begin;
     if (seconds < short_round && c->each < MOST_LINES)
         c->each *= 2;
     else if (seconds > long_round && c->each > 1)

@@ -3,7 +3,7 @@
 #include <errno.h>
 #include <unistd.h>
 
-#include "common/clock.h"
+#include "base/clock.h"
 #include "fmb/intersect.h"
 #include "fmb/stop.h"
 
@@ -15,12 +15,12 @@ static const double interval_seconds = 0.2; /* between two updates */
 progress progress_begin(const intersect_ask *ask)
 {
     bool wanted = !ask->quiet && isatty(STDERR_FILENO) && !isatty(STDOUT_FILENO);
-    return (progress){.wanted = wanted, .last = wanted ? app_now() : 0};
+    return (progress){.wanted = wanted, .last = wanted ? fmb_monotonic_seconds() : 0};
 }
 
 void progress_show(progress *p, const intersect *x)
 {
-    double t = p->wanted ? app_now() : 0;
+    double t = p->wanted ? fmb_monotonic_seconds() : 0;
     if (!p->wanted || t - p->last < interval_seconds)
         return;
     fprintf(stderr, "\rfmb: %zu pairs, %zu meet", x->tested, x->meeting);

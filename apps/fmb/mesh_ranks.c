@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "common/clock.h"
+#include "base/clock.h"
 #include "common/message.h"
 #include "common/ranks.h"
 #include "fmb/mesh_ask.h"
@@ -93,7 +93,7 @@ static size_t room_for_hits(const fmb_mesh_options *how, const fmb_mesh_answer *
 /* Of the limit of all rows; never 0, which is none. */
 static double seconds_left(const fmb_mesh_options *how, double began)
 {
-    double left = how->max_seconds - (app_now() - began);
+    double left = how->max_seconds - (fmb_monotonic_seconds() - began);
     return how->max_seconds == 0 ? 0 : left > 0 ? left : DBL_MIN;
 }
 
@@ -101,7 +101,7 @@ static fmb_status ask_rows_of_this_rank(const fmb_mesh *a, const fmb_mesh *b,
                                         const fmb_mesh_options *how, fmb_mesh_answer *all)
 {
     uint64_t cells = fmb_mesh_cells(a), rows = rows_of_portion(a, b ? b : a), from;
-    double began = app_now();
+    double began = fmb_monotonic_seconds();
     fmb_status st = FMB_OK;
     while (st == FMB_OK && all->stop == FMB_STOP_DONE && (from = app_ranks_take(0, rows)) < cells) {
         uint64_t to = cells - from < rows ? cells : from + rows;

@@ -3,18 +3,12 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <time.h>
 
-static double seconds_of(clockid_t which)
-{
-    struct timespec t;
-    clock_gettime(which, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
+#include "base/clock.h"
 
 double study_thread_seconds(void)
 {
-    return seconds_of(CLOCK_THREAD_CPUTIME_ID);
+    return fmb_clock_seconds(CLOCK_THREAD_CPUTIME_ID);
 }
 
 /* ---- the passes ------------------------------------------------------------------------------ */
@@ -62,7 +56,7 @@ static fmb_status one_round(const study_clock *c, size_t round, int pass, bool *
 
 fmb_status study_clock_run(study_clock *c)
 {
-    double begin = seconds_of(CLOCK_MONOTONIC);
+    double begin = fmb_monotonic_seconds();
     bool goes_on = true;
     if (c->ways == 0 || c->passes < 1 || c->passes > STUDY_CLOCK_MOST_PASSES || c->groups < 1 ||
         c->groups > c->queries)
@@ -75,7 +69,7 @@ fmb_status study_clock_run(study_clock *c)
     while (st == FMB_OK && goes_on && c->complete < c->passes) {
         st = one_round(c, 1 + (size_t)c->complete, c->complete, &goes_on);
         c->complete += st == FMB_OK && goes_on;
-        if (c->max_seconds > 0 && seconds_of(CLOCK_MONOTONIC) - begin > c->max_seconds)
+        if (c->max_seconds > 0 && fmb_monotonic_seconds() - begin > c->max_seconds)
             goes_on = false;
     }
     return st;

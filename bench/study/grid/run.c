@@ -3,8 +3,8 @@
 #include "study/grid/run.h"
 
 #include <string.h>
-#include <time.h>
 
+#include "study/clock/clock.h"
 #include "study/fmplex/fmplex.h"
 
 static uint64_t larger(uint64_t a, uint64_t b)
@@ -107,21 +107,14 @@ fmb_status study_engine_count(study_engine *e, const fmb_system *s, const int *k
     return FMB_OK;
 }
 
-static double thread_seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 fmb_status study_engine_time(study_engine *e, const fmb_system *s, fmb_verdict truth,
                              study_run *run)
 {
     fmb_result r;
-    double begin = thread_seconds();
+    double begin = study_thread_seconds();
     fmb_status st =
         e->by_fmplex ? study_fmplex_solve(e->timing, s, &r) : fmb_solve(e->timing, s, &r);
-    run->seconds = thread_seconds() - begin;
+    run->seconds = study_thread_seconds() - begin;
     if (st == FMB_ERR_RULE) {
         run->solved = STUDY_REFUSED;
         return FMB_OK;

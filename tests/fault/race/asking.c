@@ -6,23 +6,12 @@
 #include <fmb/generators.h>
 
 #include "asking.h"
+#include "base/clock.h"
 #include "rows.h"
-
-static double seconds(clockid_t clock)
-{
-    struct timespec t;
-    clock_gettime(clock, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-double asking_now(void)
-{
-    return seconds(CLOCK_MONOTONIC);
-}
 
 moment asking_moment(clockid_t thread)
 {
-    return (moment){asking_now(), seconds(thread)};
+    return (moment){fmb_monotonic_seconds(), fmb_clock_seconds(thread)};
 }
 
 void asking_fail(const char *format, ...)

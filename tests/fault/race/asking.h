@@ -32,8 +32,6 @@ fmb_result asking(fmb_solver *v, const scene *c, asking_kind kind, moment *retur
 
 /* Now: on the wall, and of the thread whose processor clock this is. */
 moment asking_moment(clockid_t thread);
-/* Monotonic clock [s]. */
-double asking_now(void);
 /* Print and end the program. */
 #if defined(__GNUC__)
 __attribute__((format(printf, 1, 2), noreturn))

@@ -17,6 +17,7 @@
 #include <time.h>
 
 #include "asking.h"
+#include "base/clock.h"
 #include "rows.h"
 #include "support.h"
 
@@ -95,7 +96,7 @@ static void expect_usable(stage *t)
 /* Sleeping is too coarse for the first moments of a query. */
 static void wait_until(const stage *t, double end)
 {
-    for (double left; !atomic_load(&t->over) && (left = end - asking_now()) > 0;)
+    for (double left; !atomic_load(&t->over) && (left = end - fmb_monotonic_seconds()) > 0;)
         if (left > 2e-4)
             nanosleep(&(struct timespec){0, (long)((left < 5e-3 ? left / 2 : 2e-3) * 1e9)}, NULL);
 }
@@ -105,11 +106,11 @@ static void *canceller(void *self)
     stage *t = self;
     while (!atomic_load(&t->running) && !atomic_load(&t->over))
         continue;
-    wait_until(t, asking_now() + t->wait);
+    wait_until(t, fmb_monotonic_seconds() + t->wait);
     t->cancelled = asking_moment(t->asker);
     fmb_solver_cancel(t->v);
     while (t->storm && !atomic_load(&t->over)) {
-        wait_until(t, asking_now() + t->wait);
+        wait_until(t, fmb_monotonic_seconds() + t->wait);
         fmb_solver_cancel(t->v);
     }
     return NULL;
@@ -195,7 +196,7 @@ static void limits(stage *t, int count)
         fmb_options o = some_options(&t->g);
         fmb_stop stop = limit(&t->g, &o);
         moment returned;
-        double begin = asking_now();
+        double begin = fmb_monotonic_seconds();
         /* What is limited in rows or bytes alone may take long. */
         if (stop != FMB_STOP_TIME)
             o.max_seconds = 0.05;
