@@ -36,23 +36,61 @@ typedef struct crowd {
 
 /* ---- vectors in doubles ---------------------------------------------------------------------- */
 
-static double entry_as_double(const fmb_vec *v, size_t k)
+/* No entry of a vector in doubles is larger than about 2^900: then sums of products with normals,
+ * and the bounds of these, do not overflow. */
+enum { MOST_EXPONENT = 900, LEAST_EXPONENT = -1200 };
+
+/* Entry k is that number times 2^*exponent, cut off after 53 bits; it is within 1/2 ... 1, or 0. */
+static double take_apart(const fmb_vec *v, size_t k, long *exponent)
 {
-    return v->z ? mpz_get_d(v->z[k]) : (double)v->s[k];
+    int e;
+    if (v->z)
+        return mpz_get_d_2exp(exponent, v->z[k]);
+    double x = frexp((double)v->s[k], &e);
+    *exponent = e;
+    return x;
 }
 
-/* Points get the coordinate t = 1, rays a largest coordinate of 1. */
+/* The largest exponent of an entry that is not 0, and the column where it is. */
+static long find_largest_exponent(const fmb_vec *v, size_t d, size_t *column)
+{
+    long most = 0, e;
+    *column = d;
+    for (size_t k = 0; k < d; k++)
+        if (take_apart(v, k, &e) != 0 && (*column == d || e > most)) {
+            most = e;
+            *column = k;
+        }
+    return most;
+}
+
+/* Points get the coordinate t = 1, rays a largest coordinate of about 1; or less, where some other
+ * would overflow.
+ *
+ * Theorem. x_k = s v_k up to a factor within 1 +- 2^-50, and up to 2^-1075, for some s > 0.
+ * Proof. Entry k is cut off and divided: a factor within 1 +- 2^-51. The divisor, as cut off, is
+ * the same for all entries, as is the power of two: they are in s. Only ldexp may underflow, once;
+ * what is less than 2^LEAST_EXPONENT becomes 0 either way. */
+static void scale_vector(const fmb_vec *v, size_t d, size_t t, double *x)
+{
+    size_t largest, unit = t;
+    long most = find_largest_exponent(v, d, &largest), one, e;
+    if (fmb_vec_sgn(v, t) == 0)
+        unit = largest;
+    double by = fabs(take_apart(v, unit, &one));
+    if (most - one > MOST_EXPONENT)
+        one = most - MOST_EXPONENT;
+    for (size_t k = 0; k < d; k++) {
+        double part = take_apart(v, k, &e) / by;
+        x[k] = ldexp(part, e - one < LEAST_EXPONENT ? LEAST_EXPONENT : (int)(e - one));
+    }
+}
+
 static void scale_vectors(crowd *c)
 {
     size_t d = c->f->d;
-    for (size_t i = 0; i < c->size; i++) {
-        const fmb_vec *v = &c->v[i];
-        double *x = c->near + i * d, size = fabs(entry_as_double(v, c->t));
-        for (size_t k = 0; fmb_vec_sgn(v, c->t) == 0 && k < d; k++)
-            size = fmax(size, fabs(entry_as_double(v, k)));
-        for (size_t k = 0; k < d; k++)
-            x[k] = entry_as_double(v, k) / size;
-    }
+    for (size_t i = 0; i < c->size; i++)
+        scale_vector(&c->v[i], d, c->t, c->near + i * d);
 }
 
 /* ---- queues ---------------------------------------------------------------------------------- */

@@ -5,134 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cloud.h"
 #include "dd/facets.h"
 #include "support/support.h"
-
-enum { MOST_D = 6, MOST = 24 };
-
-/* Vectors, small enough for determinants in int64. */
-typedef struct cloud {
-    int d, size;
-    int64_t v[MOST][MOST_D];
-} cloud;
-
-/* ---- the truth ------------------------------------------------------------------------------- */
-
-/* Rank of rows[size][d], d columns; the determinant where they are square. */
-static int eliminate(int64_t row[][MOST_D], int size, int d, int64_t *det)
-{
-    int rank = 0, sign = 1;
-    int64_t last = 1;
-    for (int c = 0; c < d && rank < size; c++) {
-        int r = rank;
-        while (r < size && row[r][c] == 0)
-            r++;
-        if (r == size)
-            continue;
-        for (int j = 0; j < d && r != rank; j++) {
-            int64_t t = row[r][j];
-            row[r][j] = row[rank][j];
-            row[rank][j] = t;
-        }
-        sign = r == rank ? sign : -sign;
-        for (int i = rank + 1; i < size; i++) {
-            for (int j = c + 1; j < d; j++)
-                row[i][j] = (row[i][j] * row[rank][c] - row[i][c] * row[rank][j]) / last;
-            row[i][c] = 0;
-        }
-        last = row[rank++][c];
-    }
-    *det = rank == d ? sign * last : 0;
-    return rank;
-}
-
-static int rank_of(const cloud *c, uint32_t set)
-{
-    int64_t row[MOST][MOST_D], det;
-    int size = 0;
-    for (int i = 0; i < c->size; i++)
-        if (set >> i & 1)
-            memcpy(row[size++], c->v[i], sizeof row[0]);
-    return eliminate(row, size, c->d, &det);
-}
-
-/* The same cone in as many dimensions as it has: a column that is not missed goes. */
-static cloud without_idle_columns(cloud c)
-{
-    int rank = rank_of(&c, (1u << c.size) - 1);
-    for (int j = c.d - 1; j >= 0 && c.d > rank; j--) {
-        cloud t = c;
-        t.d--;
-        for (int i = 0; i < c.size; i++)
-            for (int k = j; k < t.d; k++)
-                t.v[i][k] = c.v[i][k + 1];
-        if (rank_of(&t, (1u << t.size) - 1) == rank)
-            c = t;
-    }
-    return c;
-}
-
-/* normal[d] is 0 on the d - 1 vectors of the set; its entries are minors. */
-static void normal_of(const cloud *c, uint32_t set, int64_t *normal)
-{
-    for (int j = 0; j < c->d; j++) {
-        int64_t row[MOST][MOST_D];
-        int size = 0;
-        for (int i = 0; i < c->size; i++) {
-            if (!(set >> i & 1))
-                continue;
-            for (int k = 0, to = 0; k < c->d; k++)
-                if (k != j)
-                    row[size][to++] = c->v[i][k];
-            size++;
-        }
-        normal[j] = 1;
-        if (c->d > 1)
-            eliminate(row, size, c->d - 1, &normal[j]);
-        normal[j] = j % 2 ? -normal[j] : normal[j];
-    }
-}
-
-static int64_t dot(const cloud *c, int i, const int64_t *normal)
-{
-    int64_t sum = 0;
-    for (int k = 0; k < c->d; k++)
-        sum += c->v[i][k] * normal[k];
-    return sum;
-}
-
-static size_t put_set(uint32_t *list, size_t size, uint32_t set)
-{
-    for (size_t i = 0; i < size; i++)
-        if (list[i] == set)
-            return size;
-    list[size] = set;
-    return size + 1;
-}
-
-/* The facets as sets of vectors. */
-static size_t true_facets(const cloud *full, uint32_t *out)
-{
-    cloud c = without_idle_columns(*full);
-    size_t size = 0;
-    for (uint32_t set = 0; set < 1u << c.size; set++) {
-        int64_t normal[MOST_D];
-        if (__builtin_popcount(set) != c.d - 1 || rank_of(&c, set) != c.d - 1)
-            continue;
-        normal_of(&c, set, normal);
-        uint32_t on = 0;
-        int above = 0, below = 0;
-        for (int i = 0; i < c.size; i++) {
-            int64_t t = dot(&c, i, normal);
-            above += t > 0;
-            below += t < 0;
-            on |= (uint32_t)(t == 0) << i;
-        }
-        if ((above > 0) != (below > 0))
-            size = put_set(out, size, on);
-    }
-    return size;
-}
 
 /* ---- what is tested -------------------------------------------------------------------------- */
 
@@ -223,12 +98,12 @@ static void check_neighbours(const bench *b, const cloud *c, const uint32_t *on,
         const fmb_facet *a = &f->facet[i];
         size_t ridges = 0;
         for (size_t k = 0; a->alive && k < f->slots; k++)
-            ridges += k != i && f->facet[k].alive && rank_of(c, on[i] & on[k]) == rank - 2;
+            ridges += k != i && f->facet[k].alive && cloud_rank(c, on[i] & on[k]) == rank - 2;
         if (a->alive)
             cr_assert_eq(a->nexts, ridges, "%zu neighbours of %zu", a->nexts, ridges);
         for (size_t k = 0; a->alive && k < a->nexts; k++) {
             cr_assert(f->facet[a->next[k]].alive);
-            cr_assert_eq(rank_of(c, on[i] & on[a->next[k]]), rank - 2);
+            cr_assert_eq(cloud_rank(c, on[i] & on[a->next[k]]), rank - 2);
         }
     }
 }
@@ -277,11 +152,11 @@ static void check_cloud_with(const cloud *c, int bits,
 {
     bench b;
     static uint32_t truth[1 << 16];
-    size_t size = true_facets(c, truth), met = 0;
+    size_t size = cloud_facets(c, truth), met = 0;
     int generator[MOST];
     open_bench(&b, c->d);
     int generators = fill(&b, c, bits, generator);
-    int rank = rank_of(c, (1u << c->size) - 1);
+    int rank = cloud_rank(c, (1u << c->size) - 1);
     cr_assert_eq(b.f.rank, (size_t)rank);
     cr_assert_eq(b.f.generators, (size_t)generators);
     cr_assert_eq(b.f.alive, size, "%zu facets of %zu", b.f.alive, size);
@@ -295,7 +170,7 @@ static void check_cloud_with(const cloud *c, int bits,
             continue;
         cr_assert_eq(fmb_facets_need_normal(&b.f, a), FMB_OK);
         on[a] = set_on(&b, t, c, bits);
-        met += put_set(truth, size, on[a]) == size;
+        met += cloud_put_set(truth, size, on[a]) == size;
         for (int i = 0; i < generators; i++)
             cr_assert_eq(fmb_facet_holds(t, (size_t)i), on[a] >> generator[i] & 1);
         cr_assert(!t->valued && fmb_vec_sgn(&t->normal, (size_t)c->d) == 0);
@@ -368,6 +243,53 @@ Test(facets, wide_spreads)
         support_rng g = {seed};
         cloud c = random_cloud(&g);
         check_cloud(&c, bits[seed % (sizeof bits / sizeof *bits)]);
+    }
+}
+
+enum { LONG_POINTS = 40, LONG_D = 4 };
+
+/* A point (x, y, z) / 3^power times 2^bits, but for a little: its numbers stay that long in lowest
+ * terms. */
+static void draw_long_point(bench *b, support_rng *g, int power, int bits, fmb_vec *v)
+{
+    mpz_ui_pow_ui(b->z[0], 3, (unsigned long)power);
+    for (int j = 1; j < LONG_D; j++) {
+        mpz_set_si(b->z[j], support_between(g, -30000, 30000));
+        mpz_mul_2exp(b->z[j], b->z[j], (mp_bitcnt_t)bits);
+        mpz_add_ui(b->z[j], b->z[j], 1);
+    }
+    *v = (fmb_vec){.s = calloc(LONG_D, sizeof *v->s)};
+    cr_assert_eq(fmb_vec_set_z(v, LONG_D, b->z, &b->mem), FMB_OK);
+}
+
+/* Of the hull of points drawn from that seed, all at once: normals found in integers. */
+static size_t count_known_normals(uint64_t seed, int power, int bits)
+{
+    support_rng g = {seed};
+    bench b;
+    fmb_vec v[LONG_POINTS];
+    size_t known = 0;
+    open_bench(&b, LONG_D);
+    for (int i = 0; i < LONG_POINTS; i++)
+        draw_long_point(&b, &g, power, bits, &v[i]);
+    cr_assert_eq(fmb_facets_add_all(&b.f, v, LONG_POINTS, 0), FMB_OK);
+    for (size_t a = 0; a < b.f.slots; a++)
+        known += b.f.facet[a].alive && b.f.facet[a].known;
+    cr_expect_gt(b.f.alive, 20);
+    for (int i = 0; i < LONG_POINTS; i++) {
+        fmb_vec_clear(&v[i], LONG_D, &b.mem);
+        free(v[i].s);
+    }
+    close_bench(&b);
+    return known;
+}
+
+/* Numbers beyond doubles are told in doubles like shorter ones. */
+Test(facets, numbers_beyond_doubles)
+{
+    for (uint64_t seed = 0; seed < 20; seed++) {
+        size_t known = count_known_normals(seed, 60, 100);
+        cr_expect_eq(count_known_normals(seed, 900, 1430), known, "seed %d", (int)seed);
     }
 }
 
