@@ -6,6 +6,11 @@
  *
  * Ownership: only functions marked [give] hand out objects; each has one *_free, which accepts
  * NULL. Nothing takes over an argument. Out arguments are untouched unless FMB_OK is returned.
+ * Texts: what a function *_write writes to a stream, its twin *_print writes to memory; what *_read
+ * reads from a stream, *_parse (or *_from_text) reads from memory. Each *_print(..., text, size,
+ * &length) tells how many bytes there are, and writes them with a NUL behind only if size is more
+ * than that: so ask with NULL and 0, get a block of length + 1, ask again. A number or a line as
+ * text (*_text) returns its length and writes in the same way. Streams are FILE of the C library.
  * Threads: const arguments may be shared; any other object belongs to one thread at a time. The
  * library keeps no globals, starts no threads unless asked to, prints nothing and never exits.
  */
@@ -93,6 +98,10 @@ typedef struct fmb_where {
     long line, column;
     char text[160];
 } fmb_where;
+
+/* "NAME:LINE:COLUMN: TEXT" as a text (see above), without what is not known: NAME where it is NULL,
+ * LINE and COLUMN where they are 0. Of where NULL: the length is 0, and nothing is written. */
+FMB_API size_t fmb_where_text(const fmb_where *where, const char *name, char *text, size_t size);
 
 /* The version of the library in use, as FMB_VERSION was when it was compiled; static. */
 FMB_API const char *fmb_version(void);

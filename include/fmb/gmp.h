@@ -137,6 +137,11 @@ typedef struct fmb_frame_reader fmb_frame_reader;
  * Errors: ARG, MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_frame_reader_new(FILE *in, const fmb_reader *how,
                                                     fmb_frame_reader **out);
+/* [give] Read from size bytes of text, which stay the caller's until the reader is freed. Errors:
+ * ARG, MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_frame_reader_from_text(const char *text, size_t size,
+                                                          const fmb_reader *how,
+                                                          fmb_frame_reader **out);
 FMB_API void fmb_frame_reader_free(fmb_frame_reader *r);
 /* The next line that is not blank, or *out = NULL at the end. It belongs to the reader and is valid
  * until the next call. After PARSE (*where is filled, if not NULL) the next call goes on with the
@@ -151,6 +156,10 @@ FMB_API FMB_CHECKED fmb_status fmb_frame_reader_rationals(fmb_frame_reader *r);
  * should be finite: the reader refuses others. Errors: ARG, IO. */
 FMB_API FMB_CHECKED fmb_status fmb_frame_pairs_write(FILE *out, size_t n, const fmb_frame *p,
                                                      const fmb_frame *q);
+/* The same to memory (<fmb/base.h>): bytes that may well be NUL. Errors: ARG, MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_frame_pairs_print(size_t n, const fmb_frame *p,
+                                                     const fmb_frame *q, char *bytes, size_t size,
+                                                     size_t *length);
 /* From now on there is no next line, and one that is being read is given up. The one call allowed
  * from another thread or a signal handler. NULL is fine. */
 FMB_API void fmb_frame_reader_cancel(fmb_frame_reader *r);

@@ -74,6 +74,9 @@ FMB_API FMB_CHECKED fmb_status fmb_system_parse_objective(fmb_system *s, fmb_sen
  * Errors: ARG (format cannot be written; of MPS and LP: a strict row, no variable, an objective
  * whose numbers are no finite decimals, in MPS neither a row nor an objective), IO, MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_system_write(const fmb_system *s, fmb_format f, FILE *out);
+/* The same to memory (<fmb/base.h>). Errors: ARG (as above; length NULL), MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_system_print(const fmb_system *s, fmb_format f, char *text,
+                                                size_t size, size_t *length);
 
 /* ---- SMT-LIB scripts that ask more than once ------------------------------------------------- */
 
@@ -93,6 +96,10 @@ typedef enum fmb_script_kind {
  * its format does not count. Errors: PARSE (parentheses that do not match), IO, MEMORY, ARG. */
 FMB_API FMB_CHECKED fmb_status fmb_script_read(FILE *in, const fmb_reader *how, fmb_script **out,
                                                fmb_where *where);
+/* [give, fmb_script_free] The same from size bytes of text, which are copied. */
+FMB_API FMB_CHECKED fmb_status fmb_script_parse(const char *text, size_t size,
+                                                const fmb_reader *how, fmb_script **out,
+                                                fmb_where *where);
 FMB_API void fmb_script_free(fmb_script *s);
 /* Does it ask more than a conjunction can be asked? If not, fmb_script_whole is what
  * fmb_system_read would give. */
@@ -122,6 +129,9 @@ FMB_API FMB_CHECKED fmb_status fmb_generators_parse(const char *text, size_t siz
                                                     fmb_where *where);
 /* Write g so that reading it back gives the same. Errors: ARG, IO. */
 FMB_API FMB_CHECKED fmb_status fmb_generators_write(const fmb_generators *g, FILE *out);
+/* The same to memory (<fmb/base.h>). Errors: ARG, MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_generators_print(const fmb_generators *g, char *text,
+                                                    size_t size, size_t *length);
 
 #ifdef __cplusplus
 }

@@ -93,6 +93,12 @@ FMB_API FMB_CHECKED fmb_status fmb_mesh_read_tetgen(FILE *points, FILE *cells,
                                                     const fmb_reader *how, fmb_mesh **out,
                                                     fmb_where *where, bool *in_cells);
 
+/* [give] The same from what the files hold. Errors: as above, less IO. */
+FMB_API FMB_CHECKED fmb_status fmb_mesh_parse_tetgen(const char *points, size_t points_size,
+                                                     const char *cells, size_t cells_size,
+                                                     const fmb_reader *how, fmb_mesh **out,
+                                                     fmb_where *where, bool *in_cells);
+
 /* ---- queries --------------------------------------------------------------------------------- */
 
 /* How two cells (closed) meet. The interior of a cell is its relative one: a triangle's without its

@@ -75,8 +75,21 @@ FMB_API FMB_CHECKED fmb_status fmb_evidence_read_within(FILE *in, const fmb_syst
                                                         const fmb_patience *patience,
                                                         fmb_evidence **out, fmb_stop *stop,
                                                         fmb_where *where);
+/* [give] Both from size bytes of text. Errors: as above, also ARG (text NULL). */
+FMB_API FMB_CHECKED fmb_status fmb_evidence_parse(const char *text, size_t size,
+                                                  const fmb_system *s, fmb_evidence **out,
+                                                  fmb_where *where);
+FMB_API FMB_CHECKED fmb_status fmb_evidence_parse_within(const char *text, size_t size,
+                                                         const fmb_system *s,
+                                                         const fmb_patience *patience,
+                                                         fmb_evidence **out, fmb_stop *stop,
+                                                         fmb_where *where);
+/* Write the text form. Errors: ARG (also: s is not of the shape that e is about), IO. */
 FMB_API FMB_CHECKED fmb_status fmb_evidence_write(const fmb_evidence *e, const fmb_system *s,
                                                   FILE *out);
+/* The same to memory (<fmb/base.h>). Errors: ARG, MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_evidence_print(const fmb_evidence *e, const fmb_system *s,
+                                                  char *text, size_t size, size_t *length);
 
 /* What fmb_check found. */
 typedef struct fmb_judgement {
@@ -103,6 +116,10 @@ FMB_API FMB_CHECKED fmb_status fmb_check_within(const fmb_system *s, const fmb_e
  * stay". Errors: ARG, IO. */
 FMB_API FMB_CHECKED fmb_status fmb_evidence_tell(const fmb_evidence *e, const fmb_system *s,
                                                  size_t i, FILE *out);
+/* The same to memory (<fmb/base.h>), with its line end. Errors: ARG, MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_evidence_print_claim(const fmb_evidence *e, const fmb_system *s,
+                                                        size_t i, char *text, size_t size,
+                                                        size_t *length);
 
 /* What a proof may be wanted for. */
 typedef enum fmb_demand {

@@ -77,8 +77,8 @@ FMB_API FMB_CHECKED fmb_status fmb_system_get_rows_int(const fmb_system *s, size
                                                        size_t *start, int *var, int64_t *coef,
                                                        fmb_rel *rel, int64_t *b);
 /* The coefficient of term k of row i as exact text, "-1/3", and its right side; "0" where there is
- * none. Here and wherever a number is given as text: the length without the NUL is returned, and
- * text[size] is written only if size is more than that. */
+ * none. The length without the NUL is returned, and text[size] is written only if size is more than
+ * that, as of all numbers as text (<fmb/base.h>). */
 FMB_API size_t fmb_system_term_text(const fmb_system *s, size_t i, size_t k, char *text,
                                     size_t size);
 FMB_API size_t fmb_system_rhs_text(const fmb_system *s, size_t i, char *text, size_t size);

@@ -56,6 +56,10 @@ typedef struct fmb_sink {
     void *self;
 } fmb_sink;
 
+/* What a sink that writes JSON says of an event, to memory (<fmb/base.h>): one object and its line
+ * end. Errors: ARG (NULL, no such kind, a ROW without its row), MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_event_print(const fmb_event *e, char *text, size_t size,
+                                               size_t *length);
 /* A sink that writes one JSON object a line to out (borrowed). Errors of the stream stay in it. */
 FMB_API fmb_sink fmb_sink_jsonl(FILE *out);
 

@@ -1,6 +1,8 @@
 /* status.c: names of statuses, verdicts and stops; the version. */
 #include <fmb/base.h>
 
+#include <string.h>
+
 const char *fmb_version(void)
 {
     return FMB_VERSION;
@@ -57,4 +59,23 @@ const char *fmb_stop_text(fmb_stop s)
         return "cancelled";
     }
     return "unknown stop";
+}
+
+size_t fmb_where_text(const fmb_where *where, const char *name, char *text, size_t size)
+{
+    char place[64] = "";
+    if (!where)
+        return 0;
+    if (where->line > 0 && where->column > 0)
+        snprintf(place, sizeof place, "%ld:%ld:", where->line, where->column);
+    else if (where->line > 0)
+        snprintf(place, sizeof place, "%ld:", where->line);
+    const char *colon = name ? ":" : "", *blank = name || *place ? " " : "";
+    name = name ? name : "";
+    size_t length = strlen(name) + strlen(colon) + strlen(place) + strlen(blank) +
+                    strnlen(where->text, sizeof where->text);
+    if (text && length < size)
+        snprintf(text, size, "%s%s%s%s%.*s", name, colon, place, blank, (int)sizeof where->text,
+                 where->text);
+    return length;
 }

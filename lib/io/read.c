@@ -1,5 +1,6 @@
 /* read.c: from a stream or a piece of memory to a system, and back: everything the formats share.
  */
+#include "base/memory_stream.h"
 #include "io/core/stream.h"
 #include "io/formats.h"
 
@@ -92,4 +93,21 @@ fmb_status fmb_system_write(const fmb_system *s, fmb_format f, FILE *out)
     if (st == FMB_OK && (fflush(out) != 0 || ferror(out)))
         st = FMB_ERR_IO;
     return st;
+}
+
+typedef struct system_as {
+    const fmb_system *s;
+    fmb_format format;
+} system_as;
+
+static fmb_status write_system_as(const void *self, FILE *out)
+{
+    const system_as *w = self;
+    return fmb_system_write(w->s, w->format, out);
+}
+
+fmb_status fmb_system_print(const fmb_system *s, fmb_format f, char *text, size_t size,
+                            size_t *length)
+{
+    return fmb_memory_print(write_system_as, &(system_as){s, f}, text, size, length);
 }

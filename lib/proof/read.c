@@ -6,6 +6,7 @@
  */
 #include <string.h>
 
+#include "base/memory_stream.h"
 #include "proof/form.h"
 #include "proof/words.h"
 #include "system/system_private.h"
@@ -388,6 +389,27 @@ fmb_status fmb_evidence_read_within(FILE *in, const fmb_system *s, const fmb_pat
         st = FMB_OK;
     }
     return st;
+}
+
+fmb_status fmb_evidence_parse_within(const char *text, size_t size, const fmb_system *s,
+                                     const fmb_patience *patience, fmb_evidence **out,
+                                     fmb_stop *stop, fmb_where *where)
+{
+    if (!text && size > 0)
+        return FMB_ERR_ARG;
+    FILE *in = fmb_memory_stream(text, size);
+    if (!in)
+        return FMB_ERR_MEMORY;
+    fmb_status st = fmb_evidence_read_within(in, s, patience, out, stop, where);
+    fclose(in);
+    return st;
+}
+
+fmb_status fmb_evidence_parse(const char *text, size_t size, const fmb_system *s,
+                              fmb_evidence **out, fmb_where *where)
+{
+    fmb_stop stop;
+    return fmb_evidence_parse_within(text, size, s, NULL, out, &stop, where);
 }
 
 fmb_status fmb_evidence_read(FILE *in, const fmb_system *s, fmb_evidence **out, fmb_where *where)

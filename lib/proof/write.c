@@ -1,6 +1,7 @@
 /* write.c: evidence to its text form (docs/proof-format.md). */
 #include <stdio.h> /* before <gmp.h>, for mpq_out_str */
 
+#include "base/memory_stream.h"
 #include "proof/form.h"
 #include "proof/words.h"
 
@@ -241,4 +242,36 @@ fmb_status fmb_evidence_tell(const fmb_evidence *e, const fmb_system *s, size_t 
     tell_claim(out, s, &e->claim[i]);
     fputc('\n', out);
     return ferror(out) ? FMB_ERR_IO : FMB_OK;
+}
+
+/* ---- in memory ------------------------------------------------------------------------------- */
+
+typedef struct evidence_about {
+    const fmb_evidence *e;
+    const fmb_system *s;
+    size_t claim;
+} evidence_about;
+
+static fmb_status write_evidence_about(const void *self, FILE *out)
+{
+    const evidence_about *w = self;
+    return fmb_evidence_write(w->e, w->s, out);
+}
+
+fmb_status fmb_evidence_print(const fmb_evidence *e, const fmb_system *s, char *text, size_t size,
+                              size_t *length)
+{
+    return fmb_memory_print(write_evidence_about, &(evidence_about){e, s, 0}, text, size, length);
+}
+
+static fmb_status tell_claim_about(const void *self, FILE *out)
+{
+    const evidence_about *w = self;
+    return fmb_evidence_tell(w->e, w->s, w->claim, out);
+}
+
+fmb_status fmb_evidence_print_claim(const fmb_evidence *e, const fmb_system *s, size_t i,
+                                    char *text, size_t size, size_t *length)
+{
+    return fmb_memory_print(tell_claim_about, &(evidence_about){e, s, i}, text, size, length);
 }

@@ -4,6 +4,8 @@
 
 #include <inttypes.h>
 
+#include "base/memory_stream.h"
+
 static const char *const KIND[] = {"begin", "round", "rule", "lp", "end", "row", "rebase"};
 
 /* Names of rules may come from anywhere. */
@@ -136,6 +138,20 @@ static void print_event_as_line(void *self, const fmb_event *e)
         print_quoted_word(out, "name", e->name);
     print_kind_of_event(out, e);
     fputs("}\n", out);
+}
+
+static fmb_status write_event(const void *self, FILE *out)
+{
+    const fmb_event *e = self;
+    if (!e || (unsigned)e->kind > FMB_EVENT_REBASE || (e->kind == FMB_EVENT_ROW && !e->row))
+        return FMB_ERR_ARG;
+    print_event_as_line(out, e);
+    return ferror(out) ? FMB_ERR_IO : FMB_OK;
+}
+
+fmb_status fmb_event_print(const fmb_event *e, char *text, size_t size, size_t *length)
+{
+    return fmb_memory_print(write_event, e, text, size, length);
 }
 
 fmb_sink fmb_sink_jsonl(FILE *out)

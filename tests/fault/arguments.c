@@ -145,6 +145,36 @@ static fmb_status on_read(world *w, int null)
     return st;
 }
 
+static fmb_status on_parse_evidence(world *w, int null)
+{
+    static const char proof[] = "fmb-proof 4\nsystem 1 rows 2 variables\nclaims 0\n";
+    fmb_evidence *out = NULL;
+    fmb_status st = fmb_evidence_parse(P(0, proof), sizeof proof - 1, P(1, w->s), P(2, &out), NULL);
+    fmb_evidence_free(out);
+    return st;
+}
+
+static fmb_status on_print_system(world *w, int null)
+{
+    char text[100];
+    size_t length;
+    return fmb_system_print(P(0, w->s), FMB_FORMAT_TEXT, P(1, text), sizeof text, P(2, &length));
+}
+
+static fmb_status on_print_evidence(world *w, int null)
+{
+    char text[100];
+    size_t length;
+    return fmb_evidence_print(P(0, w->e), P(1, w->s), P(2, text), sizeof text, P(3, &length));
+}
+
+static fmb_status on_print_claim(world *w, int null)
+{
+    char text[100];
+    size_t n;
+    return fmb_evidence_print_claim(P(0, w->e), P(1, w->s), 0, P(2, text), sizeof text, P(3, &n));
+}
+
 static fmb_status on_write(world *w, int null)
 {
     return fmb_evidence_write(P(0, w->e), P(1, w->s), P(2, w->stream));
@@ -191,6 +221,10 @@ static const struct {
     {"fmb_evidence_read", 3, on_read},
     {"fmb_system_set_label", 1, on_set_label},
     {"fmb_evidence_write", 3, on_write},
+    {"fmb_evidence_parse", 3, on_parse_evidence},
+    {"fmb_system_print", 3, on_print_system},
+    {"fmb_evidence_print", 4, on_print_evidence},
+    {"fmb_evidence_print_claim", 4, on_print_claim},
     {"fmb_check", 3, on_check},
     {"fmb_evidence_tell", 3, on_tell},
     {"fmb_evidence_meets", 4, on_meets},

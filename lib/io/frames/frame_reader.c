@@ -5,6 +5,7 @@
 #include <errno.h>
 #include <string.h>
 
+#include "base/memory_stream.h"
 #include "system/system_private.h"
 
 /* ---- one line -------------------------------------------------------------------------------- */
@@ -256,6 +257,23 @@ fmb_status fmb_frame_reader_new(FILE *in, const fmb_reader *how, fmb_frame_reade
     return FMB_OK;
 }
 
+fmb_status fmb_frame_reader_from_text(const char *text, size_t size, const fmb_reader *how,
+                                      fmb_frame_reader **out)
+{
+    fmb_frame_reader *r;
+    if ((!text && size > 0) || !out)
+        return FMB_ERR_ARG;
+    FILE *in = fmb_memory_stream(text, size);
+    fmb_status st = in ? fmb_frame_reader_new(in, how, &r) : FMB_ERR_MEMORY;
+    if (st == FMB_OK) {
+        r->owns_in = true;
+        *out = r;
+    } else if (in) {
+        fclose(in);
+    }
+    return st;
+}
+
 static void free_body_draft(fmb_body_draft *b, fmb_mem *mem)
 {
     fmb_numbers_clear(&b->origin, mem);
@@ -272,6 +290,8 @@ void fmb_frame_reader_free(fmb_frame_reader *r)
     free_body_draft(&r->body[0], &r->mem);
     free_body_draft(&r->body[1], &r->mem);
     fmb_draft_clear(&r->row);
+    if (r->owns_in)
+        fclose(r->in);
     fmb_mem_put(&r->mem, r->text, r->capacity, 1);
     fmb_mem_put(&r->mem, r->id, r->id_capacity, 1);
     fmb_mem mem = r->mem;

@@ -36,6 +36,7 @@ struct fmb_frame_reader {
     fmb_alloc hook;
     fmb_reader how;
     FILE *in;
+    bool owns_in; /* a stream over text in memory */
     atomic_int cancel;
     char *text; /* the line, with its end */
     size_t size, capacity;

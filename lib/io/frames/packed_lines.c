@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "base/memory_stream.h"
 #include "io/frames/frame_reader.h"
 
 static const char magic[8] = {'f', 'm', 'b', 'p', 'a', 'i', 'r', 's'};
@@ -294,4 +295,21 @@ fmb_status fmb_frame_pairs_write(FILE *out, size_t n, const fmb_frame *p, const 
             return FMB_ERR_IO;
     }
     return FMB_OK;
+}
+
+typedef struct frame_pairs {
+    size_t n;
+    const fmb_frame *p, *q;
+} frame_pairs;
+
+static fmb_status write_these_pairs(const void *self, FILE *out)
+{
+    const frame_pairs *w = self;
+    return fmb_frame_pairs_write(out, w->n, w->p, w->q);
+}
+
+fmb_status fmb_frame_pairs_print(size_t n, const fmb_frame *p, const fmb_frame *q, char *bytes,
+                                 size_t size, size_t *length)
+{
+    return fmb_memory_print(write_these_pairs, &(frame_pairs){n, p, q}, bytes, size, length);
 }

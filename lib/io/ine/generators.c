@@ -3,6 +3,7 @@
  */
 #include <fmb/gmp.h>
 
+#include "base/memory_stream.h"
 #include "io/core/stream.h"
 #include "io/ine/ine.h"
 #include "num/rationals.h"
@@ -144,4 +145,14 @@ fmb_status fmb_generators_write(const fmb_generators *g, FILE *out)
     fputs("end\n", out);
     mpq_clear(q);
     return fflush(out) != 0 || ferror(out) ? FMB_ERR_IO : FMB_OK;
+}
+
+static fmb_status write_these_generators(const void *self, FILE *out)
+{
+    return fmb_generators_write(self, out);
+}
+
+fmb_status fmb_generators_print(const fmb_generators *g, char *text, size_t size, size_t *length)
+{
+    return fmb_memory_print(write_these_generators, g, text, size, length);
 }

@@ -184,27 +184,40 @@ fmb_status fmb_mesh_read(FILE *in, fmb_mesh_format f, const fmb_reader *how, fmb
 
 /* ---- TetGen ---------------------------------------------------------------------------------- */
 
-/* A whole stream into a draft. */
-static fmb_status read_part_of_tetgen(FILE *in, const fmb_reader *how, fmb_mesh_read_fn *read,
-                                      fmb_mesh_draft *d, fmb_where *where)
+/* One of the two files: a stream, or text where that is NULL. */
+typedef struct tetgen_file {
+    FILE *in;
+    fmb_span text;
+} tetgen_file;
+
+static fmb_status parse_part_of_tetgen(fmb_span text, const fmb_reader *how, fmb_mesh_read_fn *read,
+                                       fmb_mesh_draft *d, fmb_where *where)
+{
+    fmb_cursor c = fmb_io_cursor(text.p ? text.p : "", text.n, how, d->mem, where);
+    fmb_status st =
+        text.n > fmb_io_max_bytes(how) ? fmb_io_fail_too_long(&c, NULL) : fmb_io_check(&c);
+    return st == FMB_OK ? read(&c, d) : st;
+}
+
+/* All of it into a draft. */
+static fmb_status read_part_of_tetgen(const tetgen_file *f, const fmb_reader *how,
+                                      fmb_mesh_read_fn *read, fmb_mesh_draft *d, fmb_where *where)
 {
     fmb_bytes b = {0};
-    fmb_status st = fmb_read_whole_stream(in, fmb_io_max_bytes(how), &b, d->mem);
-    fmb_cursor c = fmb_io_cursor(b.p ? b.p : "", b.size, how, d->mem, where);
+    if (!f->in)
+        return parse_part_of_tetgen(f->text, how, read, d, where);
+    fmb_status st = fmb_read_whole_stream(f->in, fmb_io_max_bytes(how), &b, d->mem);
     int cause = errno;
-    if (st == FMB_OK && b.size > fmb_io_max_bytes(how))
-        st = fmb_io_fail_too_long(&c, NULL);
     if (st == FMB_OK)
-        st = fmb_io_check(&c);
-    if (st == FMB_OK)
-        st = read(&c, d);
+        st = parse_part_of_tetgen((fmb_span){b.p, b.size}, how, read, d, where);
     fmb_mem_put(d->mem, b.p, b.capacity, 1);
     errno = cause;
     return st;
 }
 
-static fmb_status read_tetgen(FILE *points, FILE *cells, const fmb_reader *how, fmb_mesh **out,
-                              fmb_where *where, bool *in_cells)
+static fmb_status read_tetgen(const tetgen_file *points, const tetgen_file *cells,
+                              const fmb_reader *how, fmb_mesh **out, fmb_where *where,
+                              bool *in_cells)
 {
     fmb_mem mem;
     fmb_mem_init(&mem, how->mem, 0);
@@ -220,18 +233,37 @@ static fmb_status read_tetgen(FILE *points, FILE *cells, const fmb_reader *how, 
     return st;
 }
 
-fmb_status fmb_mesh_read_tetgen(FILE *points, FILE *cells, const fmb_reader *how, fmb_mesh **out,
-                                fmb_where *where, bool *in_cells)
+static fmb_status read_tetgen_files(const tetgen_file *points, const tetgen_file *cells,
+                                    const fmb_reader *how, fmb_mesh **out, fmb_where *where,
+                                    bool *in_cells)
 {
     static const fmb_reader plain = {.format = FMB_FORMAT_AUTO};
     fmb_where at = {0};
     bool second = false;
-    if (!points || !cells || !out)
-        return fmb_io_refuse_argument(where, "points, cells or out is NULL");
     fmb_status st = read_tetgen(points, cells, how ? how : &plain, out, &at, &second);
     if (st == FMB_ERR_PARSE && where)
         *where = at;
     if (in_cells)
         *in_cells = second;
     return st;
+}
+
+fmb_status fmb_mesh_read_tetgen(FILE *points, FILE *cells, const fmb_reader *how, fmb_mesh **out,
+                                fmb_where *where, bool *in_cells)
+{
+    if (!points || !cells || !out)
+        return fmb_io_refuse_argument(where, "points, cells or out is NULL");
+    return read_tetgen_files(&(tetgen_file){.in = points}, &(tetgen_file){.in = cells}, how, out,
+                             where, in_cells);
+}
+
+fmb_status fmb_mesh_parse_tetgen(const char *points, size_t points_size, const char *cells,
+                                 size_t cells_size, const fmb_reader *how, fmb_mesh **out,
+                                 fmb_where *where, bool *in_cells)
+{
+    if ((!points && points_size > 0) || (!cells && cells_size > 0) || !out)
+        return fmb_io_refuse_argument(where, "points, cells or out is NULL");
+    return read_tetgen_files(&(tetgen_file){.text = {points, points_size}},
+                             &(tetgen_file){.text = {cells, cells_size}}, how, out, where,
+                             in_cells);
 }

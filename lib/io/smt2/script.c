@@ -21,7 +21,7 @@ struct fmb_script {
     fmb_mem mem;
     fmb_reader how;
     char *text, *question; /* [size] */
-    size_t size, room;     /* room: bytes of text */
+    size_t size;
     script_command *command;
     size_t commands, capacity;
     size_t *level; /* for each push: commands in front of it */
@@ -88,37 +88,37 @@ void fmb_script_free(fmb_script *s)
     if (!s)
         return;
     fmb_mem mem = s->mem;
-    fmb_mem_put(&mem, s->text, s->room, 1);
+    fmb_mem_put(&mem, s->text, s->size, 1);
     fmb_mem_put(&mem, s->question, s->size, 1);
     fmb_mem_put(&mem, s->command, s->capacity, sizeof *s->command);
     fmb_mem_put(&mem, s->level, s->level_capacity, sizeof *s->level);
     fmb_mem_put(&mem, s, 1, sizeof *s);
 }
 
-static fmb_status fill_script(fmb_script *s, FILE *in, fmb_where *where)
+/* The text, which a script keeps. */
+static fmb_status fill_script(fmb_script *s, const char *text, size_t size, fmb_where *where)
 {
-    fmb_bytes b = {0};
-    fmb_status st = fmb_read_whole_stream(in, fmb_io_max_bytes(&s->how), &b, &s->mem);
-    s->text = b.p;
-    s->size = b.size;
-    s->room = b.capacity;
-    if (st != FMB_OK)
-        return st;
-    fmb_cursor c = fmb_io_cursor(s->text, s->size, &s->how, &s->mem, where);
-    if (s->size > fmb_io_max_bytes(&s->how))
+    fmb_cursor c = fmb_io_cursor(text, size, &s->how, &s->mem, where);
+    if (size > fmb_io_max_bytes(&s->how))
         return fmb_io_fail_too_long(&c, NULL);
-    if (s->size > 0 && !(s->question = fmb_mem_get(&s->mem, s->size, 1)))
+    s->size = size;
+    s->text = fmb_mem_get(&s->mem, size, 1);
+    s->question = fmb_mem_get(&s->mem, size, 1);
+    if (!s->text || !s->question)
         return fmb_mem_status(&s->mem);
-    st = fmb_io_check(&c);
+    memcpy(s->text, text, size);
+    c = fmb_io_cursor(s->text, size, &s->how, &s->mem, where);
+    fmb_status st = fmb_io_check(&c);
     return st == FMB_OK ? scan_commands(s, &c) : st;
 }
 
-fmb_status fmb_script_read(FILE *in, const fmb_reader *how, fmb_script **out, fmb_where *where)
+fmb_status fmb_script_parse(const char *text, size_t size, const fmb_reader *how, fmb_script **out,
+                            fmb_where *where)
 {
     fmb_mem mem;
     fmb_where at = {0};
-    if (!in || !out)
-        return fmb_io_refuse_argument(where, in ? "out is NULL" : "in is NULL");
+    if (!out || (!text && size > 0))
+        return fmb_io_refuse_argument(where, out ? "text is NULL" : "out is NULL");
     fmb_mem_init(&mem, how ? how->mem : NULL, 0);
     fmb_script *s = fmb_mem_zero(&mem, 1, sizeof *s);
     if (!s)
@@ -127,7 +127,7 @@ fmb_status fmb_script_read(FILE *in, const fmb_reader *how, fmb_script **out, fm
     s->how = how ? *how : (fmb_reader){0};
     s->how.format = FMB_FORMAT_SMT2;
     s->asked = SIZE_MAX;
-    fmb_status st = fill_script(s, in, &at);
+    fmb_status st = fill_script(s, text ? text : "", size, &at);
     if (st == FMB_ERR_PARSE && where)
         *where = at;
     if (st == FMB_OK)
@@ -135,6 +135,18 @@ fmb_status fmb_script_read(FILE *in, const fmb_reader *how, fmb_script **out, fm
     else
         fmb_script_free(s);
     return st;
+}
+
+static fmb_status parse_script(const char *text, size_t size, const fmb_reader *how, void *self,
+                               fmb_where *where)
+{
+    return fmb_script_parse(text, size, how, self, where);
+}
+
+fmb_status fmb_script_read(FILE *in, const fmb_reader *how, fmb_script **out, fmb_where *where)
+{
+    return out ? fmb_parse_stream(in, how, parse_script, out, where)
+               : fmb_io_refuse_argument(where, "out is NULL");
 }
 
 bool fmb_script_asks_often(const fmb_script *s)
