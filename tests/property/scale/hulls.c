@@ -1,4 +1,4 @@
-/* hulls.c: the law of hulls, images and sums (law.h): points whose coordinate j is times
+/* hulls.c: the law of hulls, images, sums and unions (law.h): points whose coordinate j is times
  * 2^power[j].
  */
 #include <math.h>
@@ -35,15 +35,11 @@ static void draw_points(law_source *g, int dim, const int *power, fmb_generators
     }
 }
 
-/* Rows beside an equality have more than one form. */
 static bool are_alike(const fmb_system *a, const fmb_system *b, const int *power)
 {
     int back[MOST_DIM];
     for (int j = 0; j < fmb_system_dim(a); j++)
         back[j] = -power[j];
-    for (size_t i = 0; i < fmb_system_rows(a); i++)
-        if (fmb_system_rel(a, i) == FMB_EQ)
-            return fmb_system_rows(a) == fmb_system_rows(b);
     return law_same_rows(a, b, back);
 }
 
@@ -62,6 +58,28 @@ static bool same_sums(fmb_solver *v, fmb_system *s[2], const int *power, char wh
     for (int w = 0; w < 2; w++)
         law_must(fmb_sum(v, (const fmb_system *const[]){s[w], s[w]}, 2, NULL, &out[w], NULL));
     return compare_free(out, power, "sum", why);
+}
+
+/* Of the hull and of a point. */
+static bool same_unions(law_source *g, fmb_solver *v, fmb_system *s[2], const int *power,
+                        char why[LAW_WHY])
+{
+    fmb_system *out[2], *point[2];
+    int dim = fmb_system_dim(s[0]), x[MOST_DIM];
+    for (int j = 0; j < dim; j++)
+        x[j] = law_draw(g, -7, 7);
+    for (int w = 0; w < 2; w++) {
+        law_must(fmb_system_new(dim, NULL, &point[w]));
+        for (int j = 0; j < dim; j++) {
+            double row[MOST_DIM] = {0};
+            row[j] = 1;
+            law_must(fmb_system_add(point[w], row, FMB_EQ, ldexp(x[j], w ? power[j] : 0)));
+        }
+        law_must(
+            fmb_hull_union(v, (const fmb_system *const[]){s[w], point[w]}, 2, NULL, &out[w], NULL));
+        fmb_system_free(point[w]);
+    }
+    return compare_free(out, power, "hull of a union", why);
 }
 
 /* Under y = x_1 - x_2 + x_3 - x_4, in the scale of x_1. */
@@ -110,7 +128,8 @@ bool law_of_hulls(law_source *g, char why[LAW_WHY])
     law_must(fmb_solver_new(&o, NULL, &v));
     for (int w = 0; w < 2; w++)
         law_must(fmb_hull(v, points[w], &hull[w], NULL));
-    bool good = same_sums(v, hull, power, why) && same_images(v, hull, power, why);
+    bool good = same_sums(v, hull, power, why) && same_images(v, hull, power, why) &&
+                same_unions(g, v, hull, power, why);
     good = compare_free(hull, power, "hull", why) && good;
     fmb_generators_free(points[0]);
     fmb_generators_free(points[1]);

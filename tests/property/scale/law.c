@@ -4,11 +4,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "property/scale/table.h"
 #include "support/support.h"
 
 const law_entry law_list[LAWS] = {
     {"systems", law_of_systems}, {"hulls", law_of_hulls},   {"pairs", law_of_pairs},
-    {"nears", law_of_nears},     {"meshes", law_of_meshes},
+    {"nears", law_of_nears},     {"meshes", law_of_meshes}, {"sets", law_of_sets},
 };
 
 int law_draw(law_source *s, int lo, int hi)
@@ -49,75 +50,33 @@ void law_shift(mpq_t q, int power)
 
 /* ---- rows ------------------------------------------------------------------------------------ */
 
-/* Coefficients and right side of row i in out[dim + 1], the first one that is not 0 being 1 or -1.
- */
-static void normal_row(const fmb_system *s, size_t i, const int *power, mpq_t *out)
+/* The rows of s with x_j = 2^power[j] y_j in place of its variables. */
+static void take_rows(const fmb_system *s, const int *power, law_table *out)
 {
     int dim = fmb_system_dim(s);
-    mpq_t by;
-    mpq_init(by);
-    for (int j = 0; j < dim; j++)
-        mpq_set_ui(out[j], 0, 1);
-    for (size_t k = 0; k < fmb_system_terms(s, i); k++) {
-        int j = fmb_system_term_q(s, i, k, by);
-        mpq_set(out[j], by);
-        law_shift(out[j], power ? power[j] : 0);
+    mpq_t coef;
+    mpq_init(coef);
+    law_table_open(out, dim + 1);
+    for (size_t i = 0; i < fmb_system_rows(s); i++) {
+        fmb_rel rel = fmb_system_rel(s, i);
+        mpq_t *row = law_table_append(out, rel == FMB_EQ ? LAW_SPANS : rel == FMB_LT ? 1 : 2);
+        for (size_t k = 0; k < fmb_system_terms(s, i); k++) {
+            int j = fmb_system_term_q(s, i, k, coef);
+            mpq_set(row[j], coef);
+            law_shift(row[j], power ? power[j] : 0);
+        }
+        fmb_system_rhs_q(s, i, row[dim]);
     }
-    fmb_system_rhs_q(s, i, out[dim]);
-    int first = 0;
-    while (first < dim && mpq_sgn(out[first]) == 0)
-        first++;
-    if (mpq_sgn(out[first]) != 0) {
-        mpq_set(by, out[first]);
-        if (fmb_system_rel(s, i) != FMB_EQ)
-            mpq_abs(by, by);
-        for (int j = 0; j <= dim; j++)
-            mpq_div(out[j], out[j], by);
-    }
-    mpq_clear(by);
-}
-
-static mpq_t *new_numbers(int n)
-{
-    mpq_t *x = malloc((size_t)n * sizeof *x);
-    for (int j = 0; x && j < n; j++)
-        mpq_init(x[j]);
-    if (!x)
-        abort();
-    return x;
-}
-
-static void free_numbers(mpq_t *x, int n)
-{
-    for (int j = 0; j < n; j++)
-        mpq_clear(x[j]);
-    free(x);
-}
-
-static bool has_row(const fmb_system *b, mpq_t *row, fmb_rel rel, mpq_t *room)
-{
-    int dim = fmb_system_dim(b);
-    for (size_t i = 0; i < fmb_system_rows(b); i++) {
-        int j = 0;
-        normal_row(b, i, NULL, room);
-        while (j <= dim && mpq_equal(row[j], room[j]))
-            j++;
-        if (j > dim && fmb_system_rel(b, i) == rel)
-            return true;
-    }
-    return false;
+    mpq_clear(coef);
 }
 
 bool law_same_rows(const fmb_system *a, const fmb_system *b, const int *power)
 {
-    int dim = fmb_system_dim(a);
-    bool same = dim == fmb_system_dim(b) && fmb_system_rows(a) == fmb_system_rows(b);
-    mpq_t *row = new_numbers(dim + 1), *room = new_numbers(dim + 1);
-    for (size_t i = 0; same && i < fmb_system_rows(a); i++) {
-        normal_row(a, i, power, row);
-        same = has_row(b, row, fmb_system_rel(a, i), room);
-    }
-    free_numbers(row, dim + 1);
-    free_numbers(room, dim + 1);
+    law_table rows[2];
+    take_rows(a, power, &rows[0]);
+    take_rows(b, NULL, &rows[1]);
+    bool same = fmb_system_rows(a) == fmb_system_rows(b) && law_same_tables(&rows[0], &rows[1]);
+    law_table_close(&rows[0]);
+    law_table_close(&rows[1]);
     return same;
 }

@@ -27,17 +27,18 @@ enum { LAW_WHY = 200 };
 typedef bool law(law_source *s, char why[LAW_WHY]);
 
 law law_of_systems; /* solve, project, bound, optimize, reduce, vertices */
-law law_of_hulls;   /* hull, image, sum */
+law law_of_hulls;   /* hull, image, sum, hull of a union */
 law law_of_pairs;   /* verdicts and boxes in every mode */
 law law_of_nears;   /* distance, depth, common points, separating rows */
-law law_of_meshes;
+law law_of_meshes;  /* that stand still, or move */
+law law_of_sets;    /* of frames: pairs, one against many, all against all */
 
 typedef struct law_entry {
     const char *name;
     law *holds;
 } law_entry;
 
-enum { LAWS = 5 };
+enum { LAWS = 6 };
 extern const law_entry law_list[LAWS];
 
 /* Stop the program unless st is OK. */
@@ -47,7 +48,7 @@ bool law_broken(char why[LAW_WHY], const char *what, int a, int b);
 /* q *= 2^power */
 void law_shift(mpq_t q, int power);
 /* Like the rows of b: row i of a with x_j = 2^power[j] y_j in place of its variables (power NULL:
- * as they are). Compares rows as sets, each up to a positive factor. */
+ * as they are). Compares rows as sets, each up to a positive factor, and what equalities add. */
 bool law_same_rows(const fmb_system *a, const fmb_system *b, const int *power);
 
 #endif

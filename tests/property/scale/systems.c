@@ -2,9 +2,8 @@
  * 2^row[i] of its own.
  */
 #include <math.h>
-#include <string.h>
 
-#include "property/scale/law.h"
+#include "property/scale/table.h"
 
 enum { MOST_DIM = 4, MOST_ROWS = 9 };
 
@@ -74,25 +73,6 @@ static bool same_boxes(const drawn_system *d, fmb_solver *v, char why[LAW_WHY])
     return same || law_broken(why, "bound", (int)r[0].verdict, (int)r[1].verdict);
 }
 
-static bool has_equality(const fmb_system *s)
-{
-    size_t i = 0;
-    while (i < fmb_system_rows(s) && fmb_system_rel(s, i) != FMB_EQ)
-        i++;
-    return i < fmb_system_rows(s);
-}
-
-/* Rows beside an equality have more than one form. */
-static bool are_alike(const fmb_system *a, const fmb_system *b, const int *power)
-{
-    if (has_equality(a) && has_equality(b))
-        return fmb_system_rows(a) == fmb_system_rows(b);
-    int back[MOST_DIM];
-    for (int j = 0; j < fmb_system_dim(a); j++)
-        back[j] = power[j];
-    return law_same_rows(a, b, back);
-}
-
 static bool same_projections(const drawn_system *d, fmb_solver *v, int mask, char why[LAW_WHY])
 {
     int keep[MOST_DIM], power[MOST_DIM], n = 0;
@@ -104,7 +84,7 @@ static bool same_projections(const drawn_system *d, fmb_solver *v, int mask, cha
         }
     law_must(fmb_project(v, d->s, keep, n, &out[0], NULL));
     law_must(fmb_project(v, d->scaled, keep, n, &out[1], NULL));
-    bool same = are_alike(out[0], out[1], power);
+    bool same = law_same_rows(out[0], out[1], power);
     int rows[2] = {(int)fmb_system_rows(out[0]), (int)fmb_system_rows(out[1])};
     fmb_system_free(out[0]);
     fmb_system_free(out[1]);
@@ -143,42 +123,43 @@ static bool same_reductions(const drawn_system *d, fmb_solver *v, char why[LAW_W
     bool strict = false;
     for (size_t i = 0; i < fmb_system_rows(d->s); i++)
         strict |= fmb_system_rel(d->s, i) == FMB_LT;
-    bool same = strict ? true : are_alike(out[0], out[1], d->column);
+    bool same = strict ? true : law_same_rows(out[0], out[1], d->column);
     fmb_system_free(out[0]);
     fmb_system_free(out[1]);
     return same || law_broken(why, "reduce", rows[0], rows[1]);
 }
 
+/* Times 2^power[j] each, as rows (1, x) of vertices and (0, x) of rays and lines. */
+static void take_generators(const fmb_generators *g, const int *power, int dim, law_table *out)
+{
+    law_table_open(out, dim + 1);
+    for (size_t i = 0; g && i < fmb_generators_size(g); i++) {
+        fmb_generator_kind kind = fmb_generators_kind(g, i);
+        int of = kind == FMB_LINE ? LAW_SPANS : kind == FMB_VERTEX ? 1 : 2;
+        mpq_t *row = law_table_append(out, of);
+        mpq_set_ui(row[0], kind == FMB_VERTEX, 1);
+        for (int j = 0; j < dim; j++) {
+            fmb_generators_coordinate_q(g, i, j, row[j + 1]);
+            law_shift(row[j + 1], power ? power[j] : 0);
+        }
+    }
+}
+
 static bool same_generators(const drawn_system *d, fmb_solver *v, char why[LAW_WHY])
 {
     fmb_generators *out[2];
-    size_t count[2][3] = {{0}};
-    mpq_t sum[2][MOST_DIM], x;
-    bool same = true;
-    mpq_init(x);
+    law_table table[2];
     law_must(fmb_generate(v, d->s, &out[0], NULL));
     law_must(fmb_generate(v, d->scaled, &out[1], NULL));
-    for (int j = 0; j < d->dim; j++)
-        mpq_inits(sum[0][j], sum[1][j], NULL);
-    for (int w = 0; w < 2; w++)
-        for (size_t i = 0; out[w] && i < fmb_generators_size(out[w]); i++) {
-            fmb_generator_kind kind = fmb_generators_kind(out[w], i);
-            count[w][kind]++;
-            for (int j = 0; kind == FMB_VERTEX && j < d->dim; j++) {
-                fmb_generators_coordinate_q(out[w], i, j, x);
-                law_shift(x, w ? d->column[j] : 0);
-                mpq_add(sum[w][j], sum[w][j], x);
-            }
-        }
-    same = memcmp(count[0], count[1], sizeof count[0]) == 0;
-    for (int j = 0; same && count[0][FMB_LINE] == 0 && j < d->dim; j++)
-        same = mpq_equal(sum[0][j], sum[1][j]) != 0;
-    for (int j = 0; j < d->dim; j++)
-        mpq_clears(sum[0][j], sum[1][j], NULL);
-    mpq_clear(x);
-    fmb_generators_free(out[0]);
-    fmb_generators_free(out[1]);
-    return same || law_broken(why, "vertices", (int)count[0][0], (int)count[1][0]);
+    take_generators(out[0], NULL, d->dim, &table[0]);
+    take_generators(out[1], d->column, d->dim, &table[1]);
+    int size[2] = {(int)table[0].size, (int)table[1].size};
+    bool same = size[0] == size[1] && law_same_tables(&table[0], &table[1]);
+    for (int w = 0; w < 2; w++) {
+        law_table_close(&table[w]);
+        fmb_generators_free(out[w]);
+    }
+    return same || law_broken(why, "generators", size[0], size[1]);
 }
 
 bool law_of_systems(law_source *g, char why[LAW_WHY])
