@@ -67,6 +67,12 @@ static void find_option(const struct argp *argp, const char *word, search *s)
     visit_options(argp, try_option, s);
 }
 
+/* Does a value stand in the word behind the option, if not in its own? */
+static bool takes_next_word(const struct argp_option *o)
+{
+    return o->arg && !(o->flags & OPTION_ARG_OPTIONAL);
+}
+
 /* And -h is --help: argp's own letter is '?'. */
 static void refuse_unknown_options(const struct argp *argp, int argc, char **argv)
 {
@@ -81,7 +87,7 @@ static void refuse_unknown_options(const struct argp *argp, int argc, char **arg
         if (!s.found && s.near.best)
             exit(app_error(APP_USAGE, "unknown option '--%s'; did you mean '--%s'?", s.name,
                            s.near.best));
-        if (s.found && s.found->arg && !strchr(argv[i], '='))
+        if (s.found && takes_next_word(s.found) && !strchr(argv[i], '='))
             i++;
     }
 }
@@ -125,7 +131,7 @@ static bool asks_for_json(const struct argp *argp, int argc, char **argv)
             s.found = find_letters(argp, argv[i]);
         if (s.found && !s.found->arg && strcmp(s.found->name, "json") == 0)
             return true;
-        if (s.found && s.found->arg &&
+        if (s.found && takes_next_word(s.found) &&
             (is_long ? !strchr(argv[i], '=') : !ends_with_value(s.found, argv[i])))
             i++;
     }

@@ -19,7 +19,7 @@ _fmb()
 
     local general="--help --usage --version"
     local source="--format --quiet --max-input"
-    local solver="--json --proof --relax --trace --trace-rows --arith --method --order --rules --rule-library --rebase
+    local solver="--json --decimal --proof --relax --trace --trace-rows --arith --method --order --rules --rule-library --rebase
         --presolve --simd --max-seconds --max-rows --max-bytes --threads --symmetry"
     local words
     case $prev in
@@ -55,10 +55,10 @@ _fmb()
                 reduce) words="$general $source $solver --to" ;;
                 vertices) words="$general $source $solver" ;;
                 hull | sum | image) words="$general $source $solver --to --lifted" ;;
-                check) words="$general $source --list --expect --json --relax --max-seconds --max-bytes" ;;
+                check) words="$general $source --list --expect --json --decimal --relax --max-seconds --max-bytes" ;;
                 convert) words="$general $source --to" ;;
-                intersect) words="$general --quiet --json --contact --boxes --distance --depth --within --norm --separate --common --nearest --threads --max-seconds --max-bytes --max-input" ;;
-                mesh) words="$general --quiet --json --csv --move --scale --mirror --motion --neighbours --where --common --marked --all-pairs --format --threads --max-seconds --max-bytes --max-input" ;;
+                intersect) words="$general --quiet --json --decimal --contact --boxes --distance --depth --within --norm --separate --common --nearest --threads --max-seconds --max-bytes --max-input" ;;
+                mesh) words="$general --quiet --json --decimal --csv --move --scale --mirror --motion --neighbours --where --common --marked --all-pairs --format --threads --max-seconds --max-bytes --max-input" ;;
                 *) words="$general solve bounds optimize project reduce vertices hull sum image check convert intersect mesh" ;;
             esac
             if [[ -n $command && $cur != -* ]]; then

@@ -7,6 +7,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "common/decimal.h"
 #include "common/message.h"
 #include "common/options.h"
 
@@ -43,6 +44,8 @@ static void check_outputs(const app_ask *ask, struct argp_state *state)
         argp_error(state, "--json and --proof - both want standard output");
     if (ask->json && is_output(ask->trace))
         argp_error(state, "--json and --trace - both want standard output");
+    if (ask->digits > 0 && is_output(ask->proof))
+        argp_error(state, "--decimal and --proof -: a proof is exact, and nothing else is printed");
     if (ask->proof && ask->trace && strcmp(ask->proof, ask->trace) == 0)
         argp_error(state, "--proof and --trace both want '%s'", ask->proof);
 }
@@ -171,7 +174,8 @@ static error_t share_inputs(int key, char *arg, struct argp_state *state)
     state->child_inputs[0] = &ask->source;
     state->child_inputs[1] = ask;
     state->child_inputs[2] = ask;
-    state->child_inputs[3] = ask->own_input;
+    state->child_inputs[3] = &ask->digits;
+    state->child_inputs[4] = ask->own_input;
     return 0;
 }
 
@@ -183,14 +187,22 @@ void app_ask_parse(app_ask *ask, const app_usage *usage, void *own_input, int ar
     fill_table(&table, usage);
     const struct argp solver_argp = {.options = table.option, .parser = parse_option};
     const struct argp_child children[] = {
-        {&app_source_argp, 0, NULL, 0}, {&report_argp, 0, NULL, 0}, {&solver_argp, 0, NULL, 0},
-        {usage->own, 0, NULL, 0},       {NULL, 0, NULL, 0},
+        {&app_source_argp, 0, NULL, 0},  {&report_argp, 0, NULL, 0}, {&solver_argp, 0, NULL, 0},
+        {&app_decimal_argp, 0, NULL, 0}, {usage->own, 0, NULL, 0},   {NULL, 0, NULL, 0},
     };
     const struct argp whole = {
         .parser = share_inputs, .args_doc = usage->args, .doc = usage->doc, .children = children};
     app_options_parse(&whole, argc, argv, ask);
     if (!ask->proof && !usage->shows_claims)
         ask->options.evidence = FMB_EVIDENCE_VERDICT;
+}
+
+int app_ask_exact_rows(const app_ask *ask)
+{
+    if (ask->digits == 0 || ask->json)
+        return APP_YES;
+    return app_error(APP_USAGE, "--decimal: rows that programs read are written exactly; --json "
+                                "tells both");
 }
 
 bool app_ask_proof_only(const app_ask *ask)

@@ -10,6 +10,7 @@ typedef struct app_ask {
     app_source source;
     fmb_options options;
     bool json;
+    int digits;               /* of decimals, or 0: fractions */
     bool relax;               /* integer variables are meant as reals */
     const char *trace;        /* file for the events, or NULL */
     const char *proof;        /* file for the evidence, or NULL */
@@ -34,6 +35,10 @@ void app_ask_parse(app_ask *ask, const app_usage *usage, void *own_input, int ar
 /* A command must not bring its machine down: unless told otherwise it takes half of the memory, or
  * of what this process may have [bytes]. */
 size_t app_ask_half_of_memory(void);
+
+/* For a command that prints nothing but a system, whose numbers are exact: APP_USAGE after a
+ * message if --decimal is given without --json, which has decimals beside them; else APP_YES. */
+int app_ask_exact_rows(const app_ask *ask);
 
 /* Is the proof to stand where the report would? (--proof -) */
 bool app_ask_proof_only(const app_ask *ask);

@@ -40,30 +40,34 @@ static const app_usage usage = {
     .own = &own,
 };
 
-/* [give, free()] "1/2", "-inf", or unknown. */
-static char *end_text(const fmb_box *box, int i, fmb_side side)
+/* Ends of intervals go outward. */
+static app_rounding outward(fmb_side side)
 {
-    switch (fmb_box_end(box, i, side).kind) {
-    case FMB_END_INFINITE:
-        return app_print(side == FMB_LOWER ? "-inf" : "inf");
-    case FMB_END_UNKNOWN:
-        return NULL;
-    case FMB_END_FINITE:
-    case FMB_END_OUTER:
-        break;
-    }
+    return side == FMB_LOWER ? APP_DOWN : APP_UP;
+}
+
+static const char *infinity(fmb_side side)
+{
+    return side == FMB_LOWER ? "-inf" : "inf";
+}
+
+/* [give, free()] "1/2", "-inf", or NULL: unknown. */
+static char *end_text(const fmb_box *box, int i, fmb_side side, int digits)
+{
+    if (fmb_box_end(box, i, side).kind == FMB_END_INFINITE)
+        return app_print("%s", infinity(side));
     mpq_t q;
     mpq_init(q);
-    fmb_box_end_q(box, i, side, q);
-    char *text = app_print("%Qd", q);
+    bool known = fmb_box_end_q(box, i, side, q);
+    char *text = known ? app_number(q, digits, outward(side)) : NULL;
     mpq_clear(q);
     return text;
 }
 
 /* "[1/2,", "inf)" and "5?]" */
-static char *end_cell(const fmb_box *box, int i, fmb_side side)
+static char *end_cell(const fmb_box *box, int i, fmb_side side, int digits)
 {
-    char *value = end_text(box, i, side);
+    char *value = end_text(box, i, side, digits);
     fmb_end end = fmb_box_end(box, i, side);
     bool square = end.attained || end.kind == FMB_END_OUTER;
     const char *opening = side == FMB_UPPER ? "" : square ? "[" : "(";
@@ -79,17 +83,21 @@ static void print_box(const app_session *s, const fmb_box *box)
     app_table table = {.columns = 3, .align = "lrr"};
     for (int i = 0; i < fmb_box_size(box); i++) {
         app_table_add(&table, app_show_name(s->system, fmb_box_var(box, i)));
-        app_table_add(&table, end_cell(box, i, FMB_LOWER));
-        app_table_add(&table, end_cell(box, i, FMB_UPPER));
+        app_table_add(&table, end_cell(box, i, FMB_LOWER, s->ask->digits));
+        app_table_add(&table, end_cell(box, i, FMB_UPPER, s->ask->digits));
     }
     app_table_print(&table, stdout);
 }
 
-static json_t *end_json(const fmb_box *box, int i, fmb_side side)
+static json_t *end_json(const fmb_box *box, int i, fmb_side side, int digits)
 {
-    char *text = end_text(box, i, side);
-    json_t *value = text ? json_string(text) : json_null();
-    free(text);
+    if (fmb_box_end(box, i, side).kind == FMB_END_INFINITE)
+        return json_string(infinity(side));
+    mpq_t q;
+    mpq_init(q);
+    bool known = fmb_box_end_q(box, i, side, q);
+    json_t *value = known ? app_json_number(q, digits, outward(side)) : json_null();
+    mpq_clear(q);
     return value;
 }
 
@@ -117,8 +125,8 @@ static json_t *box_json(const app_session *s, const fmb_box *box)
     json_t *all = app_need(json_object());
     for (int i = 0; i < fmb_box_size(box); i++) {
         json_t *one = app_need(json_object());
-        app_json_set(one, "lower", end_json(box, i, FMB_LOWER));
-        app_json_set(one, "upper", end_json(box, i, FMB_UPPER));
+        app_json_set(one, "lower", end_json(box, i, FMB_LOWER, s->ask->digits));
+        app_json_set(one, "upper", end_json(box, i, FMB_UPPER, s->ask->digits));
         app_json_set(one, "lower_attained", json_boolean(fmb_box_end(box, i, FMB_LOWER).attained));
         app_json_set(one, "upper_attained", json_boolean(fmb_box_end(box, i, FMB_UPPER).attained));
         if (is_outer(box, i, FMB_LOWER))

@@ -1,6 +1,7 @@
 /* cmd_check.c: fmb check FILE PROOF. Of the library it sees systems, their readers and the checker,
  * so that nothing which solves has a say in what is accepted. */
 #include <float.h>
+#include <fmb/gmp.h>
 #include <fmb/io.h>
 #include <fmb/proof.h>
 #include <fmb/system.h>
@@ -11,6 +12,7 @@
 #include <string.h>
 
 #include "base/clock.h"
+#include "common/decimal.h"
 #include "common/exit_code.h"
 #include "common/file.h"
 #include "common/form.h"
@@ -28,6 +30,7 @@ typedef struct request {
     app_source source;
     const char *proof;
     bool json, list, relax;
+    int digits; /* of decimals, or 0: fractions */
     fmb_patience patience;
     double deadline; /* of fmb_monotonic_seconds, where there is one */
     fmb_demand demand;
@@ -109,6 +112,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     switch (key) {
     case ARGP_KEY_INIT:
         state->child_inputs[0] = &r->source;
+        state->child_inputs[1] = &r->digits;
         return 0;
     case KEY_JSON:
         r->json = true;
@@ -276,12 +280,25 @@ static void print_kinds(const fmb_evidence *e)
     printf(")\n");
 }
 
-static int list_claims(const finding *f)
+static void put_number(void *digits, mpq_srcptr q, FILE *out)
+{
+    char *text = app_number(q, *(const int *)digits, APP_NEAREST);
+    fputs(text, out);
+    free(text);
+}
+
+static fmb_status tell(const finding *f, size_t i, int digits, FILE *out)
+{
+    const fmb_number_style style = {.put = put_number, .self = &digits};
+    return fmb_evidence_tell_with(f->e, f->s, i, &style, out);
+}
+
+static int list_claims(const finding *f, int digits)
 {
     fmb_status st = FMB_OK;
     for (size_t i = 0; st == FMB_OK && i < fmb_evidence_claims(f->e); i++) {
         printf("claim %zu: ", i + 1);
-        st = fmb_evidence_tell(f->e, f->s, i, stdout);
+        st = tell(f, i, digits, stdout);
     }
     return st == FMB_OK ? APP_YES : app_status_error(st);
 }
@@ -303,7 +320,7 @@ static int print_text(const request *r, const finding *f)
             printf("%s\n", f->whole
                                ? "whole: no row of the projection is missing"
                                : "outward only: all that is implied holds, and perhaps more does");
-        if (r->list && list_claims(f) != APP_YES)
+        if (r->list && list_claims(f, r->digits) != APP_YES)
             return APP_INTERNAL;
     }
     if (j->accepted && !f->meets)
@@ -312,12 +329,12 @@ static int print_text(const request *r, const finding *f)
 }
 
 /* [give] The words of fmb_evidence_tell. */
-static json_t *claim_json(const finding *f, size_t i)
+static json_t *claim_json(const finding *f, size_t i, int digits)
 {
     char *text = NULL;
     size_t size = 0;
     FILE *out = open_memstream(&text, &size);
-    fmb_status st = out ? fmb_evidence_tell(f->e, f->s, i, out) : FMB_ERR_MEMORY;
+    fmb_status st = out ? tell(f, i, digits, out) : FMB_ERR_MEMORY;
     if (out)
         fclose(out);
     if (text)
@@ -347,7 +364,7 @@ static void print_json(const request *r, const finding *f)
         app_json_set(obj, "whole", json_boolean(f->whole));
     json_t *list = r->list ? app_need(json_array()) : NULL;
     for (size_t i = 0; list && i < claims; i++)
-        json_array_append_new(list, claim_json(f, i));
+        json_array_append_new(list, claim_json(f, i, r->digits));
     if (list)
         app_json_set(obj, "list", list);
     if (!f->j.accepted && f->j.claim != SIZE_MAX)
@@ -416,8 +433,8 @@ static int read_image(const request *r, const fmb_system *s, fmb_system **out)
 
 int cmd_check(int argc, char **argv)
 {
-    static const struct argp_child children[] = {{&app_source_argp, 0, NULL, 0},
-                                                 {NULL, 0, NULL, 0}};
+    static const struct argp_child children[] = {
+        {&app_source_argp, 0, NULL, 0}, {&app_decimal_argp, 0, NULL, 0}, {NULL, 0, NULL, 0}};
     static const struct argp whole = {.options = options,
                                       .parser = parse,
                                       .args_doc = "FILE PROOF",

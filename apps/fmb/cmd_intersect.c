@@ -3,6 +3,7 @@
 #include <float.h>
 #include <stdlib.h>
 
+#include "common/decimal.h"
 #include "common/file.h"
 #include "common/message.h"
 #include "common/options.h"
@@ -113,6 +114,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 {
     intersect_ask *ask = state->input;
     switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &ask->digits;
+        return 0;
     case KEY_CONTACT:
         ask->contact = contact_of(arg, state);
         return 0;
@@ -177,10 +181,13 @@ static const char doc[] =
 
 int cmd_intersect(int argc, char **argv)
 {
+    static const struct argp_child children[] = {{&app_decimal_argp, 0, NULL, 0},
+                                                 {NULL, 0, NULL, 0}};
     static const struct argp whole = {
-        .options = options, .parser = parse, .args_doc = "FILE", .doc = doc};
+        .options = options, .parser = parse, .args_doc = "FILE", .doc = doc, .children = children};
     intersect_ask ask = {.threads = 1, .max_bytes = app_ask_half_of_memory()};
     app_options_parse(&whole, argc, argv, &ask);
+    ask.near.digits = ask.digits;
     FILE *in;
     int code = app_file_open(ask.file, &in);
     if (code == APP_YES) {

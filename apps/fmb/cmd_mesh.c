@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "common/bar.h"
+#include "common/decimal.h"
 #include "common/file.h"
 #include "common/message.h"
 #include "common/options.h"
@@ -130,6 +131,8 @@ static error_t check_arguments(const mesh_ask *ask, struct argp_state *state)
         argp_error(state, "--motion: expected a second mesh, which moves");
     if (ask->json && ask->csv)
         argp_error(state, "--json, --csv: expected one of them");
+    if (ask->digits > 0 && ask->csv)
+        argp_error(state, "--decimal: --csv is for programs, and exact; --json tells both");
     return 0;
 }
 
@@ -137,6 +140,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 {
     mesh_ask *ask = state->input;
     switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &ask->digits;
+        return 0;
     case KEY_MOVE:
     case KEY_SCALE:
     case KEY_MIRROR:
@@ -294,8 +300,10 @@ static int answer_as_ranks(const mesh_ask *ask)
 
 int cmd_mesh(int argc, char **argv)
 {
+    static const struct argp_child children[] = {{&app_decimal_argp, 0, NULL, 0},
+                                                 {NULL, 0, NULL, 0}};
     static const struct argp whole = {
-        .options = options, .parser = parse, .args_doc = "A [B]", .doc = doc};
+        .options = options, .parser = parse, .args_doc = "A [B]", .doc = doc, .children = children};
     mesh_ask ask = {.max_bytes = app_ask_half_of_memory(), .scale = {1, 1, 1}};
     app_options_parse(&whole, argc, argv, &ask);
     int code = app_ranks_begin(1);

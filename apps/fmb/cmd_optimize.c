@@ -107,12 +107,16 @@ static void print_value_at_limit(const app_session *s, const fmb_optimum *o)
     fmb_optimum_value_q(o, end);
     if (point)
         evaluate_at_point(s, o, reached);
+    char *low = app_number(max ? reached : end, s->ask->digits, APP_DOWN);
+    char *high = app_number(max ? end : reached, s->ask->digits, APP_UP);
     if (outer && point)
-        gmp_printf("%Qd <= %s <= %Qd\n", max ? reached : end, word, max ? end : reached);
+        printf("%s <= %s <= %s\n", low, word, high);
     else if (outer || point)
-        gmp_printf("%s %s %Qd\n", word, max == outer ? "<=" : ">=", outer ? end : reached);
+        printf("%s %s %s\n", word, max == outer ? "<=" : ">=", max == outer ? high : low);
     else
         printf("unknown (%s)\n", fmb_stop_text(s->result.stop));
+    free(low);
+    free(high);
     mpq_clears(end, reached, NULL);
 }
 
@@ -126,13 +130,15 @@ static void print_value(const app_session *s, const fmb_optimum *o)
     mpq_t value;
     mpq_init(value);
     fmb_optimum_value_q(o, value);
+    char *text = app_number(value, s->ask->digits, APP_NEAREST);
     if (end.kind == FMB_END_FINITE)
-        gmp_printf("%s%s = %Qd%s\n", word[end.attained][max], reals, value,
-                   end.attained ? "" : ", not attained");
+        printf("%s%s = %s%s\n", word[end.attained][max], reals, text,
+               end.attained ? "" : ", not attained");
     else if (end.kind == FMB_END_INFINITE)
         printf("unbounded %s%s\n", max ? "above" : "below", reals);
     else
         print_value_at_limit(s, o);
+    free(text);
     mpq_clear(value);
 }
 
@@ -155,12 +161,13 @@ static char *coordinate_text(const app_session *s, const fmb_optimum *o, int j)
     fmb_optimum_ray_q(o, j, r);
     bool minus = mpq_sgn(r) < 0, start = mpq_sgn(p) != 0, still = mpq_sgn(r) == 0;
     mpq_abs(r, r);
-    char *from = start || still ? app_print("%Qd", p) : app_print("");
-    char *pace = still || mpq_cmp_ui(r, 1, 1) == 0 ? app_print("") : app_print("%Qd ", r);
-    char *text =
-        still ? app_print("%s", from)
-              : app_print("%s%s%s%s", from, start ? (minus ? " - " : " + ") : (minus ? "-" : ""),
-                          pace, ray_letter(s->system));
+    bool paced = !still && mpq_cmp_ui(r, 1, 1) != 0;
+    char *from = app_number(p, s->ask->digits, APP_NEAREST);
+    char *pace = app_number(r, s->ask->digits, APP_NEAREST);
+    char *text = still ? app_print("%s", from)
+                       : app_print("%s%s%s%s%s", start ? from : "",
+                                   start ? (minus ? " - " : " + ") : (minus ? "-" : ""),
+                                   paced ? pace : "", paced ? " " : "", ray_letter(s->system));
     free(from);
     free(pace);
     mpq_clears(p, r, NULL);
@@ -191,13 +198,18 @@ static void print_sum(const app_session *s, const fmb_optimum *o, const mpq_t su
     mpq_t value, constant;
     mpq_inits(value, constant, NULL);
     fmb_system_objective_constant_q(s->system, constant);
-    char *form = app_show_objective(s->system, max ? 1 : -1, false);
-    gmp_printf("sum: %s %s %Qd", form, strict ? "<" : "<=", sum);
+    int digits = s->ask->digits;
+    char *form = app_show_objective(s->system, max ? 1 : -1, false, digits);
+    char *text = app_number(sum, digits, APP_NEAREST);
+    printf("sum: %s %s %s", form, strict ? "<" : "<=", text);
+    free(text);
     free(form);
     if (!max || mpq_sgn(constant) != 0) {
         fmb_optimum_value_q(o, value);
-        form = app_show_objective(s->system, 1, true);
-        gmp_printf(", that is %s %s %Qd", form, relation[strict][max], value);
+        form = app_show_objective(s->system, 1, true, digits);
+        text = app_number(value, digits, APP_NEAREST);
+        printf(", that is %s %s %s", form, relation[strict][max], text);
+        free(text);
         free(form);
     }
     putchar('\n');
@@ -234,20 +246,23 @@ static void print_optimum(const app_session *s, const fmb_optimum *o)
 static json_t *value_json(const app_session *s, const fmb_optimum *o)
 {
     fmb_end end = fmb_optimum_end(o);
+    bool max = fmb_optimum_sense(o) == FMB_SENSE_MAX;
+    app_rounding beyond = max ? APP_UP : APP_DOWN, before = max ? APP_DOWN : APP_UP;
     json_t *obj = app_need(json_object()), *value = json_null();
     mpq_t q;
     mpq_init(q);
     if (fmb_optimum_value_q(o, q))
-        value = app_json_number(q);
+        value =
+            app_json_number(q, s->ask->digits, end.kind == FMB_END_OUTER ? beyond : APP_NEAREST);
     else if (end.kind == FMB_END_INFINITE)
-        value = json_string(fmb_optimum_sense(o) == FMB_SENSE_MAX ? "inf" : "-inf");
+        value = json_string(max ? "inf" : "-inf");
     app_json_set(obj, "value", value);
     app_json_set(obj, "attained", json_boolean(end.attained));
     if (end.kind == FMB_END_OUTER)
         app_json_set(obj, "outer", json_true());
     if (!is_known(o) && has_point(s, o)) {
         evaluate_at_point(s, o, q);
-        app_json_set(obj, "reached", app_json_number(q));
+        app_json_set(obj, "reached", app_json_number(q, s->ask->digits, before));
     }
     mpq_clear(q);
     return obj;
@@ -262,7 +277,7 @@ static json_t *coordinates_json(const app_session *s, const fmb_optimum *o, coor
     mpq_init(q);
     for (int j = 0; j < fmb_system_dim(s->system); j++) {
         of(o, j, q);
-        app_json_set_variable(obj, s->system, j, app_json_number(q));
+        app_json_set_variable(obj, s->system, j, app_json_number(q, s->ask->digits, APP_NEAREST));
     }
     mpq_clear(q);
     return obj;
@@ -271,7 +286,7 @@ static json_t *coordinates_json(const app_session *s, const fmb_optimum *o, coor
 static void report_json(const app_session *s, const fmb_optimum *o)
 {
     json_t *obj = app_verdict_json(s);
-    app_json_set_objective(obj, s->system);
+    app_json_set_objective(obj, s->system, s->ask->digits);
     if (o) {
         fmb_end end = fmb_optimum_end(o);
         bool limit = end.kind == FMB_END_FINITE && !end.attained;

@@ -168,6 +168,8 @@ int cmd_project(int argc, char **argv)
     task t = {0};
     fmb_system *shadow = NULL;
     int code = app_session_open(&s, &ask);
+    if (code == 0 && !r.classes)
+        code = app_ask_exact_rows(&ask);
     if (code == 0)
         code = choose(&r, s.system, &t.vars, &t.n);
     if (code == 0)

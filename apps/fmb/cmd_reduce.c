@@ -52,7 +52,9 @@ static void put_combination(const app_session *s, size_t claim)
     for (size_t i = fmb_evidence_next_row(s->evidence, claim, 0); i != SIZE_MAX;
          i = fmb_evidence_next_row(s->evidence, claim, i + 1)) {
         fmb_evidence_multiplier_q(s->evidence, claim, i, q);
-        gmp_fprintf(stderr, "%s%Qd * row %zu", first ? "" : " + ", q, i + 1);
+        char *text = app_number(q, s->ask->digits, APP_NEAREST);
+        fprintf(stderr, "%s%s * row %zu", first ? "" : " + ", text, i + 1);
+        free(text);
         first = false;
     }
     if (first)
@@ -112,7 +114,7 @@ static void report_json(const app_session *s, const fmb_fate *fate, const fmb_sy
 {
     json_t *obj = app_verdict_json(s);
     if (small)
-        app_json_set_system(obj, small);
+        app_json_set_system(obj, small, s->ask->digits);
     app_json_set(obj, "removed", removed_json(s));
     app_json_set(obj, "equalities", equalities_json(s, fate));
     app_json_set_stats(obj, &s->result.stats);

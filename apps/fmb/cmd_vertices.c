@@ -1,4 +1,6 @@
 /* cmd_vertices.c: fmb vertices FILE. */
+#include <stdlib.h>
+
 #include "common/exit_code.h"
 #include "common/json.h"
 #include "common/message.h"
@@ -13,7 +15,7 @@ static const app_usage usage = {
            "and "
            "lrslib: a row (1, x) is a vertex, (0, x) a ray, one on the linearity line a line. Rows "
            "with "
-           "< are taken for <=."
+           "< are taken for <=. With --decimal comments before it tell of each in decimals."
            "\v"
            "Exit codes: 0 done, 1 infeasible, 2 undecided: vertices and rays, perhaps not all.\n"
            "\n"
@@ -24,27 +26,48 @@ static const app_usage usage = {
 
 /* ---- the report ------------------------------------------------------------------------------ */
 
-static json_t *generators_json(const fmb_generators *g, fmb_generator_kind kind)
+static json_t *generators_json(const fmb_generators *g, fmb_generator_kind kind, int digits)
 {
     json_t *list = app_need(json_array());
     for (size_t i = 0; i < fmb_generators_size(g); i++)
         if (fmb_generators_kind(g, i) == kind)
-            app_json_append(list, app_json_generator(g, i));
+            app_json_append(list, app_json_generator(g, i, digits));
     return list;
 }
 
 static void report_json(const app_session *s, const fmb_generators *g)
 {
+    int digits = s->ask->digits;
     json_t *obj = app_verdict_json(s);
     if (g && s->result.stop != FMB_STOP_DONE)
         app_json_set(obj, "inner", json_true());
     if (g) {
-        app_json_set(obj, "vertices", generators_json(g, FMB_VERTEX));
-        app_json_set(obj, "rays", generators_json(g, FMB_RAY));
-        app_json_set(obj, "lines", generators_json(g, FMB_LINE));
+        app_json_set(obj, "vertices", generators_json(g, FMB_VERTEX, digits));
+        app_json_set(obj, "rays", generators_json(g, FMB_RAY, digits));
+        app_json_set(obj, "lines", generators_json(g, FMB_LINE, digits));
     }
     app_json_set_stats(obj, &s->result.stats);
     app_json_print(obj);
+}
+
+/* "* row 1: vertex (0.5, ~0.333333)": the file itself is exact. */
+static void print_decimals(const fmb_generators *g, int digits)
+{
+    static const char *const word[] = {
+        [FMB_VERTEX] = "vertex", [FMB_RAY] = "ray", [FMB_LINE] = "line"};
+    mpq_t q;
+    mpq_init(q);
+    for (size_t i = 0; i < fmb_generators_size(g); i++) {
+        printf("* row %zu: %s (", i + 1, word[fmb_generators_kind(g, i)]);
+        for (int j = 0; j < fmb_generators_dim(g); j++) {
+            fmb_generators_coordinate_q(g, i, j, q);
+            char *text = app_number(q, digits, APP_NEAREST);
+            printf("%s%s", j > 0 ? ", " : "", text);
+            free(text);
+        }
+        puts(")");
+    }
+    mpq_clear(q);
 }
 
 /* That there is no point is the whole answer, whatever was reached; that there is one is none. */
@@ -68,6 +91,8 @@ static int report(const app_session *s, const fmb_generators *g)
     else if (!g && is_finished(s))
         app_verdict_print(s);
     else if (g && app_session_reports(s)) {
+        if (s->ask->digits > 0)
+            print_decimals(g, s->ask->digits);
         fmb_status st = fmb_generators_write(g, stdout);
         if (st != FMB_OK && st != FMB_ERR_IO)
             return app_status_error(st);

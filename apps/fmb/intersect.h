@@ -9,6 +9,7 @@
 #include <fmb/gmp.h>
 #include <fmb/pair.h>
 
+#include "common/decimal.h"
 #include "fmb/intersect_near.h"
 
 typedef enum boxes {
@@ -23,6 +24,7 @@ typedef struct intersect_ask {
     boxes boxes;
     near_ask near;
     bool json, quiet, nearest;
+    int digits;  /* of decimals, or 0: fractions */
     int threads; /* 1 to APP_MOST_THREADS */
     double max_seconds;
     size_t max_bytes; /* 0: no limit */
@@ -57,6 +59,12 @@ typedef struct intersect {
     size_t tested, meeting, undecided, within, contradicted;
     fmb_stop stop; /* DONE, or a limit that left something open of some pair */
 } intersect;
+
+/* ---- intersect_report.c: [give, free()] numbers of intervals as they will be printed ----------
+ */
+
+char *report_rational(const intersect_ask *ask, mpq_srcptr q, app_rounding way);
+char *report_double(const intersect_ask *ask, double d, app_rounding way);
 
 /* ---- intersect_quick.c ----------------------------------------------------------------------- */
 

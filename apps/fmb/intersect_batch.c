@@ -5,7 +5,6 @@
 
 #include "common/message.h"
 #include "fmb/intersect.h"
-#include "fmb/shortest.h"
 #include "fmb/stop.h"
 
 enum {
@@ -87,9 +86,12 @@ static fmb_status prepare(batch *b, int dim)
 
 /* ---- answers --------------------------------------------------------------------------------- */
 
-static interval interval_of(const double *ends, char *at)
+static interval interval_of(const batch *b, const double *ends, char *at)
 {
-    return (interval){app_shortest(ends[0]), app_shortest(ends[1]), at, false};
+    const intersect_ask *ask = b->x->ask;
+    return (interval){.lower = report_double(ask, ends[0], APP_DOWN),
+                      .upper = report_double(ask, ends[1], APP_UP),
+                      .at = at};
 }
 
 /* What fmb_pair_test said of pair i. */
@@ -112,11 +114,12 @@ static void take_answer(batch *b, size_t i, const fmb_pair_answers *a)
     m->interval = app_need(calloc(2 * d + 1, sizeof *m->interval));
     interval *to = m->interval;
     for (size_t j = 0; j < d; j++)
-        *to++ = interval_of(a->world + 2 * (d * i + j), app_shortest(a->witness[d * i + j]));
+        *to++ = interval_of(b, a->world + 2 * (d * i + j),
+                            report_double(b->x->ask, a->witness[d * i + j], APP_NEAREST));
     for (size_t j = 0; j < (size_t)q->naxes; j++)
-        *to++ = interval_of(a->inside + 2 * (d * i + j), NULL);
+        *to++ = interval_of(b, a->inside + 2 * (d * i + j), NULL);
     if (m->moves)
-        *to = interval_of(a->time + 2 * i, NULL);
+        *to = interval_of(b, a->time + 2 * i, NULL);
 }
 
 static fmb_status test_pairs(batch *b)

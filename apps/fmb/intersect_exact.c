@@ -3,7 +3,6 @@
 
 #include "common/message.h"
 #include "fmb/intersect.h"
-#include "fmb/shortest.h"
 #include "fmb/show.h"
 
 /* The variables whose intervals are reported: the point, the coordinates in the second frame, the
@@ -31,12 +30,13 @@ static char *end_text(const intersect *x, const fmb_box *box, int i, fmb_side si
         return NULL;
     if (end.kind == FMB_END_INFINITE)
         return app_print(side == FMB_LOWER ? "-inf" : "inf");
+    app_rounding outward = side == FMB_LOWER ? APP_DOWN : APP_UP;
     if (x->ask->boxes == BOXES_OUTWARD)
-        return app_shortest(end.value);
+        return report_double(x->ask, end.value, outward);
     mpq_t q;
     mpq_init(q);
     fmb_box_end_q(box, i, side, q);
-    char *text = app_print("%Qd", q);
+    char *text = report_rational(x->ask, q, outward);
     mpq_clear(q);
     return text;
 }
@@ -50,11 +50,11 @@ static bool is_open(const fmb_box *box, int i, fmb_side side)
 static char *witness_text(const intersect *x, const fmb_evidence *e, int var)
 {
     if (x->ask->boxes == BOXES_OUTWARD)
-        return app_shortest(fmb_evidence_coordinate(e, 0, var));
+        return report_double(x->ask, fmb_evidence_coordinate(e, 0, var), APP_NEAREST);
     mpq_t q;
     mpq_init(q);
     fmb_evidence_coordinate_q(e, 0, var, q);
-    char *text = app_print("%Qd", q);
+    char *text = report_rational(x->ask, q, APP_NEAREST);
     mpq_clear(q);
     return text;
 }

@@ -180,8 +180,9 @@ void near_clear(near_found *f)
 /* ---- numbers and points ---------------------------------------------------------------------- */
 
 /* The point of frame which; the shift, if that is -1. */
-static json_t *proximity_coordinates(const fmb_proximity *p, int which, int dim)
+static json_t *proximity_coordinates(const near_ask *ask, const fmb_proximity *p, int which)
 {
+    int dim = fmb_proximity_dim(p);
     json_t *list = app_need(json_array());
     mpq_t q;
     mpq_init(q);
@@ -190,7 +191,7 @@ static json_t *proximity_coordinates(const fmb_proximity *p, int which, int dim)
             fmb_proximity_shift_q(p, j, q);
         else
             fmb_proximity_point_q(p, which, j, q);
-        app_json_append(list, app_json_number(q));
+        app_json_append(list, app_json_number(q, ask->digits, APP_NEAREST));
     }
     mpq_clear(q);
     return list;
@@ -198,18 +199,52 @@ static json_t *proximity_coordinates(const fmb_proximity *p, int which, int dim)
 
 /* ---- text ------------------------------------------------------------------------------------ */
 
+/* As app_number writes it. */
+static void print_number(const json_t *number, FILE *out)
+{
+    fputs(json_is_true(json_object_get(number, "rounded")) ? "~" : "", out);
+    const json_t *decimal = json_object_get(number, "decimal");
+    fputs(json_string_value(decimal ? decimal : number), out);
+}
+
 static void print_list(json_t *list, FILE *out)
 {
     size_t i;
     json_t *number;
     fputc('(', out);
     json_array_foreach(list, i, number)
-        fprintf(out, "%s%s", i > 0 ? ", " : "", json_string_value(number));
+    {
+        fputs(i > 0 ? ", " : "", out);
+        print_number(number, out);
+    }
     fputc(')', out);
     json_decref(list);
 }
 
-/* "5", "sqrt(2) = 1.41421" */
+/* q becomes a number that is rounded to that many decimal digits as its square root is, which is
+ * irrational: with t = floor(sqrt(q) 10^k) of more digits both lie strictly between t and t + 1
+ * times 10^-k, and what decimals are rounded at are integers times 10^-k, too. */
+static void take_root(mpq_t q, int digits)
+{
+    long size = (long)mpz_sizeinbase(mpq_numref(q), 10) - (long)mpz_sizeinbase(mpq_denref(q), 10);
+    long k = digits + 18 - size / 2;
+    mpz_t t, unit;
+    mpz_inits(t, unit, NULL);
+    mpz_ui_pow_ui(unit, 100, (unsigned long)labs(k));
+    mpz_mul(k < 0 ? mpq_denref(q) : mpq_numref(q), k < 0 ? mpq_denref(q) : mpq_numref(q), unit);
+    mpz_fdiv_q(t, mpq_numref(q), mpq_denref(q));
+    mpz_sqrt(t, t);
+    mpz_mul_2exp(t, t, 1);
+    mpz_add_ui(t, t, 1);
+    mpz_ui_pow_ui(unit, 10, (unsigned long)labs(k));
+    mpq_set_ui(q, 1, 2);
+    mpz_set(mpq_numref(q), t);
+    mpz_mul(k < 0 ? mpq_numref(q) : mpq_denref(q), k < 0 ? mpq_numref(q) : mpq_denref(q), unit);
+    mpq_canonicalize(q);
+    mpz_clears(t, unit, NULL);
+}
+
+/* "5", "sqrt(2) = 1.41421", "~1.41421" */
 static void print_measure(const near_ask *ask, const fmb_proximity *p, FILE *out)
 {
     mpq_t q;
@@ -221,20 +256,23 @@ static void print_measure(const near_ask *ask, const fmb_proximity *p, FILE *out
         mpz_sqrt(mpq_denref(q), mpq_denref(q));
         whole = true;
     }
-    char *text =
-        whole ? app_print("%Qd", q) : app_print("sqrt(%Qd) = %.6g", q, fmb_proximity_length(p));
+    bool root = !whole && ask->digits == 0;
+    if (!whole && !root)
+        take_root(q, ask->digits);
+    char *text = root ? app_print("sqrt(%Qd) = %.6g", q, fmb_proximity_length(p))
+                      : app_number(q, ask->digits, APP_NEAREST);
     fputs(text, out);
     free(text);
     mpq_clear(q);
 }
 
-static void print_common(const fmb_generators *g, FILE *out)
+static void print_common(const near_ask *ask, const fmb_generators *g, FILE *out)
 {
     size_t n = fmb_generators_size(g);
     fprintf(out, "  common    %zu %s\n", n, n == 1 ? "vertex" : "vertices");
     for (size_t i = 0; i < n; i++) {
         fputs("    ", out);
-        print_list(app_json_generator(g, i), out);
+        print_list(app_json_generator(g, i, ask->digits), out);
         fputc('\n', out);
     }
 }
@@ -242,29 +280,28 @@ static void print_common(const fmb_generators *g, FILE *out)
 void near_print(const near_ask *ask, const near_found *f, FILE *out)
 {
     if (f->distance) {
-        int dim = fmb_proximity_dim(f->distance);
         fputs("  distance  ", out);
         print_measure(ask, f->distance, out);
         fputs(f->is_within ? " (within), from " : ", from ", out);
-        print_list(proximity_coordinates(f->distance, 0, dim), out);
+        print_list(proximity_coordinates(ask, f->distance, 0), out);
         fputs(" to ", out);
-        print_list(proximity_coordinates(f->distance, 1, dim), out);
+        print_list(proximity_coordinates(ask, f->distance, 1), out);
         fputc('\n', out);
     }
     if (f->depth) {
         fputs("  depth     ", out);
         print_measure(ask, f->depth, out);
         fputs(", moving B by ", out);
-        print_list(proximity_coordinates(f->depth, -1, fmb_proximity_dim(f->depth)), out);
+        print_list(proximity_coordinates(ask, f->depth, -1), out);
         fputc('\n', out);
     }
     if (f->row) {
-        char *row = app_show_row(f->row, 0);
+        char *row = app_show_row(f->row, 0, ask->digits);
         fprintf(out, "  row       %s for A, >= for B\n", row);
         free(row);
     }
     if (f->common)
-        print_common(f->common, out);
+        print_common(ask, f->common, out);
     if (f->stop != FMB_STOP_DONE)
         fprintf(out, "  undecided (%s)\n", fmb_stop_text(f->stop));
 }
@@ -285,8 +322,9 @@ static json_t *measure_json(const near_ask *ask, const fmb_proximity *p)
     mpq_init(q);
     fmb_proximity_measure_q(p, q);
     app_json_set(obj, "norm", json_string(ask->norm == FMB_NORM_EUCLIDEAN ? "euclidean" : "max"));
-    app_json_set(obj, ask->norm == FMB_NORM_EUCLIDEAN ? "square" : "length", app_json_number(q));
-    app_json_set(obj, "shift", proximity_coordinates(p, -1, fmb_proximity_dim(p)));
+    app_json_set(obj, ask->norm == FMB_NORM_EUCLIDEAN ? "square" : "length",
+                 app_json_number(q, ask->digits, APP_NEAREST));
+    app_json_set(obj, "shift", proximity_coordinates(ask, p, -1));
     mpq_clear(q);
     return obj;
 }
@@ -294,22 +332,21 @@ static json_t *measure_json(const near_ask *ask, const fmb_proximity *p)
 static json_t *distance_json(const near_ask *ask, const fmb_proximity *p)
 {
     json_t *obj = measure_json(ask, p);
-    int dim = fmb_proximity_dim(p);
     mpq_t q;
     mpq_init(q);
     fmb_proximity_time_q(p, q);
-    app_json_set(obj, "from", proximity_coordinates(p, 0, dim));
-    app_json_set(obj, "to", proximity_coordinates(p, 1, dim));
-    app_json_set(obj, "time", app_json_number(q));
+    app_json_set(obj, "from", proximity_coordinates(ask, p, 0));
+    app_json_set(obj, "to", proximity_coordinates(ask, p, 1));
+    app_json_set(obj, "time", app_json_number(q, ask->digits, APP_NEAREST));
     mpq_clear(q);
     return obj;
 }
 
-static json_t *common_json(const fmb_generators *g)
+static json_t *common_json(const near_ask *ask, const fmb_generators *g)
 {
     json_t *list = app_need(json_array());
     for (size_t i = 0; i < fmb_generators_size(g); i++)
-        app_json_append(list, app_json_generator(g, i));
+        app_json_append(list, app_json_generator(g, i, ask->digits));
     return list;
 }
 
@@ -323,11 +360,11 @@ void near_print_json(const near_ask *ask, const near_found *f, FILE *out)
         put_member("depth", measure_json(ask, f->depth), out);
     if (f->row) {
         json_t *row = app_need(json_object());
-        app_json_set_system(row, f->row);
+        app_json_set_system(row, f->row, ask->digits);
         put_member("separating", row, out);
     }
     if (f->common)
-        put_member("common", common_json(f->common), out);
+        put_member("common", common_json(ask, f->common), out);
     if (f->stop != FMB_STOP_DONE)
         put_member("stop", json_string(fmb_stop_text(f->stop)), out);
 }

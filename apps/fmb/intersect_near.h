@@ -13,6 +13,7 @@ typedef struct near_ask {
     fmb_norm norm; /* of distance, depth and within */
     bool within;   /* is the distance at most ... */
     mpq_t margin;  /* ... that? Initialised if within is set */
+    int digits;    /* of decimals, or 0: fractions */
 } near_ask;
 
 /* What was found of one pair: NULL where it was not asked for, or there is none. */

@@ -4,7 +4,6 @@
 
 #include "common/message.h"
 #include "fmb/intersect.h"
-#include "fmb/shortest.h"
 
 enum { MOST_DIM = 3, MOST_VARIABLES = 2 * MOST_DIM + 1 };
 
@@ -67,13 +66,6 @@ static double nearest_double(mpq_srcptr q)
 
 /* ---- answers --------------------------------------------------------------------------------- */
 
-/* [give, free()] */
-static char *rational_text(mpq_srcptr q)
-{
-    size_t most = mpz_sizeinbase(mpq_numref(q), 10) + mpz_sizeinbase(mpq_denref(q), 10) + 3;
-    return mpq_get_str(app_need(malloc(most)), 10, q);
-}
-
 static void write_intervals(const intersect *x, numbers *a, meeting *out)
 {
     int n = out->dim + out->inside + out->moves;
@@ -82,9 +74,15 @@ static void write_intervals(const intersect *x, numbers *a, meeting *out)
     for (int i = 0; i < n; i++) {
         interval *to = &out->interval[i];
         mpq_srcptr low = a->end[2 * i], high = a->end[2 * i + 1], at = a->at[i];
-        to->lower = rounds ? app_shortest(double_beside(low, false)) : rational_text(low);
-        to->upper = rounds ? app_shortest(double_beside(high, true)) : rational_text(high);
-        to->at = rounds ? app_shortest(nearest_double(at)) : rational_text(at);
+        if (rounds) {
+            to->lower = report_double(x->ask, double_beside(low, false), APP_DOWN);
+            to->upper = report_double(x->ask, double_beside(high, true), APP_UP);
+            to->at = report_double(x->ask, nearest_double(at), APP_NEAREST);
+        } else {
+            to->lower = report_rational(x->ask, low, APP_DOWN);
+            to->upper = report_rational(x->ask, high, APP_UP);
+            to->at = report_rational(x->ask, at, APP_NEAREST);
+        }
     }
 }
 

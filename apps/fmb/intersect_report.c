@@ -1,6 +1,7 @@
 /* intersect_report.c: pairs as text for people, and as one JSON object that is written as they
  * come. */
 #include <jansson.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -8,7 +9,34 @@
 #include "common/table.h"
 #include "common/text.h"
 #include "fmb/intersect.h"
+#include "fmb/shortest.h"
 #include "fmb/show.h"
+
+/* ---- numbers --------------------------------------------------------------------------------- */
+
+/* In JSON a decimal stands beside the exact number, which makes both an object. */
+char *report_rational(const intersect_ask *ask, mpq_srcptr q, app_rounding way)
+{
+    if (ask->digits == 0 || !ask->json)
+        return app_number(q, ask->digits, way);
+    json_t *both = app_json_number(q, ask->digits, way);
+    char *text = app_need(json_dumps(both, 0));
+    json_decref(both);
+    return text;
+}
+
+/* In JSON doubles are numbers, and decimals already. */
+char *report_double(const intersect_ask *ask, double d, app_rounding way)
+{
+    if (ask->digits == 0 || ask->json || !isfinite(d))
+        return app_shortest(d);
+    mpq_t q;
+    mpq_init(q);
+    mpq_set_d(q, d);
+    char *text = app_number(q, ask->digits, way);
+    mpq_clear(q);
+    return text;
+}
 
 /* ---- text ------------------------------------------------------------------------------------ */
 
@@ -113,10 +141,10 @@ static void put_text(const intersect *x, const char *text)
     fputs_unlocked(text, x->out);
 }
 
-/* A rational is a string; a double is a number where JSON has one. */
+/* A rational is a string, or an object; a double is a number where JSON has one. */
 static void put_value(const intersect *x, const char *text)
 {
-    bool quoted = text && (x->ask->boxes == BOXES_EXACT || strstr(text, "inf"));
+    bool quoted = text && *text != '{' && (x->ask->boxes == BOXES_EXACT || strstr(text, "inf"));
     put_text(x, quoted ? "\"" : "");
     put_text(x, text ? text : "null");
     put_text(x, quoted ? "\"" : "");

@@ -280,6 +280,8 @@ int app_lifted_run(const app_lifted *command, int argc, char **argv)
     app_polyhedra p = open_polyhedra(&r);
     int code = app_session_open_solver(&s, &question);
     if (code == APP_YES)
+        code = app_ask_exact_rows(&question);
+    if (code == APP_YES)
         code = read_polyhedra(&r, &p);
     if (code == APP_YES)
         code = app_session_open_outputs(&s);

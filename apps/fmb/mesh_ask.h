@@ -11,6 +11,7 @@ typedef struct mesh_ask {
     fmb_mesh_place place; /* its move; the scale is the following */
     double scale[3], motion[3];
     bool mirror[3], moves, neighbours, where, common, all_pairs, json, csv, quiet;
+    int digits; /* of decimals, or 0: fractions, and doubles as they are */
     double max_seconds;
     size_t max_bytes, max_input, threads;
 } mesh_ask;

@@ -9,6 +9,7 @@
 #include "common/message.h"
 #include "fmb/mesh_ask.h"
 #include "fmb/shortest.h"
+#include "fmb/show.h"
 #include "fmb/stop.h"
 
 /* A report on its way. */
@@ -52,6 +53,19 @@ static fmb_status common_points(const report *r, const fmb_frame *p, const fmb_f
     return fmb_common(r->solver, both, &out->common, NULL);
 }
 
+/* In JSON doubles are numbers, and decimals already. */
+static char *end_text(const mesh_ask *ask, double d, app_rounding way)
+{
+    if (ask->digits == 0 || ask->json)
+        return app_shortest(d);
+    mpq_t q;
+    mpq_init(q);
+    mpq_set_d(q, d);
+    char *text = app_number(q, ask->digits, way);
+    mpq_clear(q);
+    return text;
+}
+
 static fmb_status find_place(const report *r, const fmb_mesh_hit *h, place_of_hit *out)
 {
     double number[2][12], ends[8];
@@ -68,7 +82,7 @@ static fmb_status find_place(const report *r, const fmb_mesh_hit *h, place_of_hi
     if (st == FMB_OK && v == FMB_FEASIBLE)
         out->intervals = motion ? 4 : 3;
     for (int i = 0; i < 2 * out->intervals; i++)
-        out->end[i] = app_shortest(ends[i]);
+        out->end[i] = end_text(r->ask, ends[i], i % 2 == 0 ? APP_DOWN : APP_UP);
     return st;
 }
 
@@ -81,15 +95,21 @@ static void forget_place(place_of_hit *p)
 
 /* ---- common points --------------------------------------------------------------------------- */
 
-/* Coordinate j of point i as "p/q". */
-static void put_coordinate(const fmb_generators *g, size_t i, int j)
+/* Coordinate j of point i: "p/q", ~0.333333; in JSON as a string, or an object. */
+static void put_coordinate(const mesh_ask *ask, const fmb_generators *g, size_t i, int j)
 {
     mpq_t q;
     mpq_init(q);
     fmb_generators_coordinate_q(g, i, j, q);
-    char *text = app_need(mpq_get_str(NULL, 10, q));
-    fputs(text, stdout);
-    free(text);
+    if (ask->json) {
+        json_t *number = app_json_number(q, ask->digits, APP_NEAREST);
+        json_dumpf(number, stdout, JSON_ENCODE_ANY);
+        json_decref(number);
+    } else {
+        char *text = app_number(q, ask->digits, APP_NEAREST);
+        fputs(text, stdout);
+        free(text);
+    }
     mpq_clear(q);
 }
 
@@ -98,14 +118,14 @@ typedef struct point_style {
     const char *open, *between, *close, *next;
 } point_style;
 
-static void put_points(const fmb_generators *g, const point_style *style)
+static void put_points(const mesh_ask *ask, const fmb_generators *g, const point_style *style)
 {
     for (size_t i = 0; i < fmb_generators_size(g); i++) {
         fputs(i > 0 ? style->next : "", stdout);
         fputs(style->open, stdout);
         for (int j = 0; j < fmb_generators_dim(g); j++) {
             fputs(j > 0 ? style->between : "", stdout);
-            put_coordinate(g, i, j);
+            put_coordinate(ask, g, i, j);
         }
         fputs(style->close, stdout);
     }
@@ -127,7 +147,7 @@ static void print_hit(const report *r, const fmb_mesh_hit *h, const place_of_hit
     for (int i = 0; i < p->intervals; i++)
         printf("%s [%s, %s]", before[i], p->end[2 * i], p->end[2 * i + 1]);
     if (p->common)
-        put_points(p->common, &(point_style){" (", ", ", ")", ""});
+        put_points(r->ask, p->common, &(point_style){" (", ", ", ")", ""});
     putchar('\n');
 }
 
@@ -139,7 +159,7 @@ static void print_hit_as_csv(const report *r, const fmb_mesh_hit *h, const place
         printf(",%s", p->end[i]);
     fputs(r->solver ? "," : "", stdout);
     if (p->common)
-        put_points(p->common, &(point_style){"", " ", "", ";"});
+        put_points(r->ask, p->common, &(point_style){"", " ", "", ";"});
     putchar('\n');
 }
 
@@ -157,7 +177,7 @@ static void print_hit_as_json(const report *r, const fmb_mesh_hit *h, const plac
     fputs(p->intervals == 3 ? "]" : "", stdout);
     if (p->common) {
         fputs(", \"points\": [", stdout);
-        put_points(p->common, &(point_style){"[\"", "\", \"", "\"]", ", "});
+        put_points(r->ask, p->common, &(point_style){"[", ", ", "]", ", "});
         putchar(']');
     }
     putchar('}');

@@ -19,7 +19,7 @@ typedef struct classes {
 
 /* ---- text ------------------------------------------------------------------------------------ */
 
-static void print_classes(const classes *c)
+static void print_classes(const classes *c, int digits)
 {
     app_table table = {.columns = 3, .align = "rll"};
     size_t rows = fmb_system_rows(c->shadow);
@@ -27,7 +27,7 @@ static void print_classes(const classes *c)
         if (c->size[i] > 0) {
             app_table_add(&table, app_print("%zu", c->size[i]));
             app_table_add(&table, app_print("%s", c->size[i] == 1 ? "row" : "rows"));
-            app_table_add(&table, app_show_row(c->shadow, i));
+            app_table_add(&table, app_show_row(c->shadow, i, digits));
         }
     app_table_print(&table, stdout);
     printf("%zu class%s, %zu row%s\n", c->count, c->count == 1 ? "" : "es", rows,
@@ -61,7 +61,7 @@ static void report_json(const app_session *s, const fmb_system *shadow, const cl
     if (s->result.stop != FMB_STOP_DONE)
         app_json_set(obj, "outer", json_true());
     if (shadow)
-        app_json_set_system(obj, shadow);
+        app_json_set_system(obj, shadow, s->ask->digits);
     if (c)
         app_json_set(obj, "classes", classes_json(c));
     app_json_set_stats(obj, &s->result.stats);
@@ -104,7 +104,7 @@ int app_classes_report(const app_session *s, const fmb_system *shadow,
     if (st == FMB_OK && s->ask->json)
         report_json(s, shadow, &c);
     else if (st == FMB_OK && app_session_reports(s))
-        print_classes(&c);
+        print_classes(&c, s->ask->digits);
     free(c.first);
     free(c.size);
     return st == FMB_OK ? exit_code(s, shadow) : app_status_error(st);

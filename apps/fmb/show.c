@@ -35,20 +35,29 @@ char *app_show_row_name(const fmb_system *s, size_t i)
     return text;
 }
 
+static void put_number(FILE *out, mpq_srcptr q, int digits)
+{
+    char *text = app_number(q, digits, APP_NEAREST);
+    fputs(text, out);
+    free(text);
+}
+
 /* One term: its sign (none in front of the first if positive), its size unless 1, its variable. */
-static void put_term(FILE *out, const fmb_system *s, size_t k, int j, mpq_t coef)
+static void put_term(FILE *out, const fmb_system *s, size_t k, int j, mpq_t coef, int digits)
 {
     int sign = mpq_sgn(coef);
     fputs(k == 0 ? (sign < 0 ? "-" : "") : (sign < 0 ? " - " : " + "), out);
     mpq_abs(coef, coef);
-    if (mpq_cmp_ui(coef, 1, 1) != 0)
-        gmp_fprintf(out, "%Qd ", coef);
+    if (mpq_cmp_ui(coef, 1, 1) != 0) {
+        put_number(out, coef, digits);
+        fputc(' ', out);
+    }
     char *name = app_show_name(s, j);
     fputs(name, out);
     free(name);
 }
 
-char *app_show_row(const fmb_system *s, size_t i)
+char *app_show_row(const fmb_system *s, size_t i, int digits)
 {
     char *text = NULL;
     size_t size;
@@ -57,18 +66,19 @@ char *app_show_row(const fmb_system *s, size_t i)
     mpq_init(q);
     for (size_t k = 0; k < fmb_system_terms(s, i); k++) {
         int j = fmb_system_term_q(s, i, k, q);
-        put_term(out, s, k, j, q);
+        put_term(out, s, k, j, q, digits);
     }
     if (fmb_system_terms(s, i) == 0)
         fputc('0', out);
     fmb_system_rhs_q(s, i, q);
-    gmp_fprintf(out, " %s %Qd", relation[fmb_system_rel(s, i)], q);
+    fprintf(out, " %s ", relation[fmb_system_rel(s, i)]);
+    put_number(out, q, digits);
     mpq_clear(q);
     fclose(out);
     return app_need(text);
 }
 
-char *app_show_objective(const fmb_system *s, int sign, bool constant)
+char *app_show_objective(const fmb_system *s, int sign, bool constant, int digits)
 {
     char *text = NULL;
     size_t size, n = fmb_system_objective_terms(s);
@@ -79,7 +89,7 @@ char *app_show_objective(const fmb_system *s, int sign, bool constant)
         int j = fmb_system_objective_term_q(s, k, q);
         if (sign < 0)
             mpq_neg(q, q);
-        put_term(out, s, k, j, q);
+        put_term(out, s, k, j, q, digits);
     }
     if (constant)
         fmb_system_objective_constant_q(s, q);
@@ -92,7 +102,7 @@ char *app_show_objective(const fmb_system *s, int sign, bool constant)
         mpq_abs(q, q);
     }
     if (n == 0 || mpq_sgn(q) != 0)
-        gmp_fprintf(out, "%Qd", q);
+        put_number(out, q, digits);
     mpq_clear(q);
     fclose(out);
     return app_need(text);
@@ -100,12 +110,25 @@ char *app_show_objective(const fmb_system *s, int sign, bool constant)
 
 /* ---- JSON ------------------------------------------------------------------------------------ */
 
-json_t *app_json_number(const mpq_t q)
+/* A text from malloc, which is given up. */
+static json_t *json_of_text(char *text)
 {
-    char *text = app_print("%Qd", q);
     json_t *value = json_string(text);
     free(text);
     return value;
+}
+
+json_t *app_json_number(mpq_srcptr q, int digits, app_rounding way)
+{
+    bool exact;
+    json_t *value = json_of_text(app_number(q, 0, APP_NEAREST));
+    if (digits == 0)
+        return value;
+    json_t *obj = app_need(json_object());
+    app_json_set(obj, "exact", value);
+    app_json_set(obj, "decimal", json_of_text(app_decimal(q, digits, way, &exact)));
+    app_json_set(obj, "rounded", json_boolean(!exact));
+    return obj;
 }
 
 void app_json_set_variable(json_t *obj, const fmb_system *s, int j, json_t *value)
@@ -131,37 +154,40 @@ json_t *app_json_row_name(const fmb_system *s, size_t i)
 }
 
 /* The coefficients of row i over all variables. */
-static json_t *coefficients(const fmb_system *s, size_t i, mpq_t q)
+static json_t *coefficients(const fmb_system *s, size_t i, mpq_t q, int digits)
 {
     json_t *list = app_need(json_array());
+    mpq_t zero;
+    mpq_init(zero);
     size_t k = 0;
     int next = k < fmb_system_terms(s, i) ? fmb_system_term_q(s, i, k, q) : -1;
     for (int j = 0; j < fmb_system_dim(s); j++) {
         if (j != next) {
-            app_json_append(list, json_string("0"));
+            app_json_append(list, app_json_number(zero, digits, APP_NEAREST));
             continue;
         }
-        app_json_append(list, app_json_number(q));
+        app_json_append(list, app_json_number(q, digits, APP_NEAREST));
         k++;
         next = k < fmb_system_terms(s, i) ? fmb_system_term_q(s, i, k, q) : -1;
     }
+    mpq_clear(zero);
     return list;
 }
 
-static json_t *row(const fmb_system *s, size_t i, mpq_t q)
+static json_t *row(const fmb_system *s, size_t i, mpq_t q, int digits)
 {
     json_t *obj = app_need(json_object());
     if (fmb_system_label(s, i))
         app_json_set(obj, "label", json_label(s, i));
-    app_json_set(obj, "coefficients", coefficients(s, i, q));
+    app_json_set(obj, "coefficients", coefficients(s, i, q, digits));
     app_json_set(obj, "relation", json_string(relation[fmb_system_rel(s, i)]));
     fmb_system_rhs_q(s, i, q);
-    app_json_set(obj, "rhs", app_json_number(q));
+    app_json_set(obj, "rhs", app_json_number(q, digits, APP_NEAREST));
     return obj;
 }
 
 /* The coefficients of the objective over all variables. */
-static json_t *objective_coefficients(const fmb_system *s, mpq_t q)
+static json_t *objective_coefficients(const fmb_system *s, mpq_t q, int digits)
 {
     json_t *list = app_need(json_array());
     size_t k = 0;
@@ -169,13 +195,13 @@ static json_t *objective_coefficients(const fmb_system *s, mpq_t q)
         bool named = fmb_system_objective_term_q(s, k, q) == j;
         if (!named)
             mpq_set_ui(q, 0, 1);
-        app_json_append(list, app_json_number(q));
+        app_json_append(list, app_json_number(q, digits, APP_NEAREST));
         k += named;
     }
     return list;
 }
 
-void app_json_set_objective(json_t *obj, const fmb_system *s)
+void app_json_set_objective(json_t *obj, const fmb_system *s, int digits)
 {
     fmb_sense sense = fmb_system_sense(s);
     if (sense == FMB_SENSE_NONE)
@@ -184,14 +210,14 @@ void app_json_set_objective(json_t *obj, const fmb_system *s)
     mpq_init(q);
     json_t *o = app_need(json_object());
     app_json_set(o, "sense", json_string(sense == FMB_SENSE_MAX ? "max" : "min"));
-    app_json_set(o, "coefficients", objective_coefficients(s, q));
+    app_json_set(o, "coefficients", objective_coefficients(s, q, digits));
     fmb_system_objective_constant_q(s, q);
-    app_json_set(o, "constant", app_json_number(q));
+    app_json_set(o, "constant", app_json_number(q, digits, APP_NEAREST));
     app_json_set(obj, "objective", o);
     mpq_clear(q);
 }
 
-void app_json_set_system(json_t *obj, const fmb_system *s)
+void app_json_set_system(json_t *obj, const fmb_system *s, int digits)
 {
     json_t *names = app_need(json_array()), *rows = app_need(json_array());
     for (int j = 0; j < fmb_system_dim(s); j++)
@@ -199,21 +225,21 @@ void app_json_set_system(json_t *obj, const fmb_system *s)
     mpq_t q;
     mpq_init(q);
     for (size_t i = 0; i < fmb_system_rows(s); i++)
-        app_json_append(rows, row(s, i, q));
+        app_json_append(rows, row(s, i, q, digits));
     mpq_clear(q);
     app_json_set(obj, "variables", names);
-    app_json_set_objective(obj, s);
+    app_json_set_objective(obj, s, digits);
     app_json_set(obj, "rows", rows);
 }
 
-json_t *app_json_generator(const fmb_generators *g, size_t i)
+json_t *app_json_generator(const fmb_generators *g, size_t i, int digits)
 {
     json_t *list = app_need(json_array());
     mpq_t q;
     mpq_init(q);
     for (int j = 0; j < fmb_generators_dim(g); j++) {
         fmb_generators_coordinate_q(g, i, j, q);
-        app_json_append(list, app_json_number(q));
+        app_json_append(list, app_json_number(q, digits, APP_NEAREST));
     }
     mpq_clear(q);
     return list;

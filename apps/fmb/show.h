@@ -8,30 +8,32 @@
 
 #include <fmb/gmp.h>
 
+#include "common/decimal.h"
 #include "common/json.h"
 
 /* [give, free()] printf into fresh memory, with GMP's conversions (%Qd). */
 char *app_print(const char *format, ...);
 
-/* [give, free()] "x", "row 7 (label)", "3 x + 1/2 y <= 4". */
+/* [give, free()] "x", "row 7 (label)", "3 x + 1/2 y <= 4". digits here and below: of decimals, or 0
+ * (common/decimal.h). */
 char *app_show_name(const fmb_system *s, int j);
 char *app_show_row_name(const fmb_system *s, size_t i);
-char *app_show_row(const fmb_system *s, size_t i);
+char *app_show_row(const fmb_system *s, size_t i, int digits);
 
 /* [give, free()] The objective times sign, "3 x - y + 5", without its constant unless that is asked
  * for. */
-char *app_show_objective(const fmb_system *s, int sign, bool constant);
+char *app_show_objective(const fmb_system *s, int sign, bool constant, int digits);
 
-/* "p/q" */
-json_t *app_json_number(const mpq_t q);
-/* The coordinates of generator i, ["p/q", ...]. */
-json_t *app_json_generator(const fmb_generators *g, size_t i);
+/* "p/q", or with digits {"exact": "p/q", "decimal": "0.333333", "rounded": true} */
+json_t *app_json_number(mpq_srcptr q, int digits, app_rounding way);
+/* The coordinates of generator i, a list of these. */
+json_t *app_json_generator(const fmb_generators *g, size_t i, int digits);
 /* obj[name of variable j] = value. */
 void app_json_set_variable(json_t *obj, const fmb_system *s, int j, json_t *value);
 /* obj.objective of a system, if it has one. */
-void app_json_set_objective(json_t *obj, const fmb_system *s);
+void app_json_set_objective(json_t *obj, const fmb_system *s, int digits);
 /* obj.variables, obj.objective and obj.rows of a system. */
-void app_json_set_system(json_t *obj, const fmb_system *s);
+void app_json_set_system(json_t *obj, const fmb_system *s, int digits);
 /* {"row": i + 1, "label": ...}, the label only if there is one. */
 json_t *app_json_row_name(const fmb_system *s, size_t i);
 

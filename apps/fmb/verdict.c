@@ -26,7 +26,7 @@ static void print_point(const app_session *s, size_t claim)
         fmb_evidence_coordinate_q(s->evidence, claim, j, q);
         app_table_add(&table, app_show_name(s->system, j));
         app_table_add(&table, app_print("="));
-        app_table_add(&table, app_print("%Qd", q));
+        app_table_add(&table, app_number(q, s->ask->digits, APP_NEAREST));
     }
     mpq_clear(q);
     app_table_print(&table, stdout);
@@ -42,10 +42,10 @@ void app_verdict_print_multipliers(const app_session *s, size_t claim, mpq_t sum
     for (size_t i = fmb_evidence_next_row(s->evidence, claim, 0); i != SIZE_MAX;
          i = fmb_evidence_next_row(s->evidence, claim, i + 1)) {
         fmb_evidence_multiplier_q(s->evidence, claim, i, q);
-        app_table_add(&table, app_print("%Qd", q));
+        app_table_add(&table, app_number(q, s->ask->digits, APP_NEAREST));
         app_table_add(&table, app_print("*"));
         app_table_add(&table, app_show_row_name(s->system, i));
-        app_table_add(&table, app_show_row(s->system, i));
+        app_table_add(&table, app_show_row(s->system, i, s->ask->digits));
         *strict |= fmb_system_rel(s->system, i) == FMB_LT;
         fmb_system_rhs_q(s->system, i, b);
         mpq_mul(b, b, q);
@@ -62,7 +62,9 @@ static void print_conflict(const app_session *s, size_t claim)
     mpq_t sum;
     mpq_init(sum);
     app_verdict_print_multipliers(s, claim, sum, &strict);
-    gmp_printf("sum: 0 %s %Qd\n", strict ? "<" : "<=", sum);
+    char *text = app_number(sum, s->ask->digits, APP_NEAREST);
+    printf("sum: 0 %s %s\n", strict ? "<" : "<=", text);
+    free(text);
     mpq_clear(sum);
 }
 
@@ -94,7 +96,7 @@ json_t *app_json_multipliers(const app_session *s, size_t claim)
          i = fmb_evidence_next_row(s->evidence, claim, i + 1)) {
         fmb_evidence_multiplier_q(s->evidence, claim, i, q);
         json_t *item = app_json_row_name(s->system, i);
-        app_json_set(item, "multiplier", app_json_number(q));
+        app_json_set(item, "multiplier", app_json_number(q, s->ask->digits, APP_NEAREST));
         app_json_append(list, item);
     }
     mpq_clear(q);
@@ -124,7 +126,7 @@ void app_json_set_witness(json_t *obj, const app_session *s)
     mpq_init(q);
     for (int j = 0; j < fmb_system_dim(s->system); j++) {
         fmb_evidence_coordinate_q(s->evidence, claim, j, q);
-        app_json_set_variable(point, s->system, j, app_json_number(q));
+        app_json_set_variable(point, s->system, j, app_json_number(q, s->ask->digits, APP_NEAREST));
     }
     mpq_clear(q);
     app_json_set(obj, "witness", point);

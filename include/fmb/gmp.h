@@ -180,6 +180,18 @@ FMB_API FMB_CHECKED fmb_status fmb_system_from_line_within(const fmb_frame_line 
                                                            fmb_solver *v, fmb_system **out,
                                                            fmb_stop *stop);
 
+/* How numbers are to be written: put writes q, in lowest terms, to out. */
+typedef struct fmb_number_style {
+    void (*put)(void *self, mpq_srcptr q, FILE *out);
+    void *self;
+} fmb_number_style;
+
+/* fmb_evidence_tell (<fmb/proof.h>) with numbers in that style, of which none is kept. Errors: ARG
+ * (also: style or its put NULL), IO. */
+FMB_API FMB_CHECKED fmb_status fmb_evidence_tell_with(const fmb_evidence *e, const fmb_system *s,
+                                                      size_t i, const fmb_number_style *style,
+                                                      FILE *out);
+
 /* Exact end of interval i of a box; false (and value untouched) unless it is finite or outer, and
  * where there is no such interval. */
 FMB_API bool fmb_box_end_q(const fmb_box *b, int i, fmb_side side, mpq_t value);

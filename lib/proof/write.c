@@ -141,9 +141,29 @@ fmb_status fmb_evidence_write(const fmb_evidence *e, const fmb_system *s, FILE *
 
 /* ---- in words -------------------------------------------------------------------------------- */
 
-/* "x + 2 y": the left side of a claim. */
-static void tell_form(FILE *out, const fmb_system *s, const fmb_claim *c)
+/* Where claims are told, and how their numbers are. */
+typedef struct telling {
+    FILE *out;
+    const fmb_system *s;
+    const fmb_number_style *style;
+} telling;
+
+static void put_fraction(void *self, mpq_srcptr q, FILE *out)
 {
+    (void)self;
+    mpq_out_str(out, 10, q);
+}
+
+static void tell_number(const telling *t, mpq_srcptr q)
+{
+    t->style->put(t->style->self, q, t->out);
+}
+
+/* "x + 2 y": the left side of a claim. */
+static void tell_form(const telling *t, const fmb_claim *c)
+{
+    FILE *out = t->out;
+    const fmb_system *s = t->s;
     mpq_t one;
     mpq_init(one);
     if (c->var >= 0)
@@ -155,7 +175,7 @@ static void tell_form(FILE *out, const fmb_system *s, const fmb_claim *c)
         mpq_abs(one, c->terms.value[k]);
         fputs(k > 0 ? (sign < 0 ? " - " : " + ") : sign < 0 ? "-" : "", out);
         if (mpq_cmp_ui(one, 1, 1) != 0) {
-            mpq_out_str(out, 10, one);
+            tell_number(t, one);
             fputc(' ', out);
         }
         write_name(out, fmb_system_name(s, (int)c->terms.index[k]));
@@ -163,11 +183,11 @@ static void tell_form(FILE *out, const fmb_system *s, const fmb_claim *c)
     mpq_clear(one);
 }
 
-static void tell_inequality(FILE *out, const fmb_system *s, const fmb_claim *c)
+static void tell_inequality(const telling *t, const fmb_claim *c)
 {
-    tell_form(out, s, c);
-    fprintf(out, " %s ", fmb_form_relation(c->rel, FMB_UPPER));
-    mpq_out_str(out, 10, c->value);
+    tell_form(t, c);
+    fprintf(t->out, " %s ", fmb_form_relation(c->rel, FMB_UPPER));
+    tell_number(t, c->value);
 }
 
 /* "x, y" */
@@ -181,19 +201,20 @@ static void tell_variables(FILE *out, const fmb_system *s, const fmb_sparse_vect
 }
 
 /* "max x = 5/2", "sup x = 5/2, not attained" */
-static void tell_bound(FILE *out, const fmb_system *s, const fmb_claim *c)
+static void tell_bound(const telling *t, const fmb_claim *c)
 {
     static const char *const word[][2] = {{"inf ", "sup "}, {"min ", "max "}};
-    fputs(word[c->rel == FMB_LE][c->side], out);
-    tell_form(out, s, c);
-    fputs(" = ", out);
-    mpq_out_str(out, 10, c->value);
+    fputs(word[c->rel == FMB_LE][c->side], t->out);
+    tell_form(t, c);
+    fputs(" = ", t->out);
+    tell_number(t, c->value);
     if (c->rel != FMB_LE)
-        fputs(", not attained", out);
+        fputs(", not attained", t->out);
 }
 
-static void tell_claim(FILE *out, const fmb_system *s, const fmb_claim *c)
+static void tell_claim(const telling *t, const fmb_claim *c)
 {
+    FILE *out = t->out;
     static const char *const said[FMB_CLAIM_WHOLE + 1] = {
         [FMB_CLAIM_FEASIBLE] = "a point satisfies every row",
         [FMB_CLAIM_INFEASIBLE] = "no point satisfies every row",
@@ -205,17 +226,17 @@ static void tell_claim(FILE *out, const fmb_system *s, const fmb_claim *c)
         [FMB_CLAIM_CORNER] = " satisfies every row where < is read as <=",
         [FMB_CLAIM_WHOLE] = ": no row of the projection on these is missing"};
     if (c->kind == FMB_CLAIM_BOUND)
-        tell_bound(out, s, c);
+        tell_bound(t, c);
     else if (c->kind == FMB_CLAIM_UNBOUNDED)
-        tell_form(out, s, c);
+        tell_form(t, c);
     else if (c->kind == FMB_CLAIM_IMPLIED)
-        tell_inequality(out, s, c);
+        tell_inequality(t, c);
     else if (fmb_claim_forms[c->kind].heading == FMB_HEADING_ROW)
         fprintf(out, "row %zu", c->row + 1);
     else if (c->kind == FMB_CLAIM_CORNER)
         fputs(c->ray.size > 0 ? "a direction" : "a point", out);
     else if (c->kind == FMB_CLAIM_WHOLE)
-        tell_variables(out, s, &c->terms);
+        tell_variables(out, t->s, &c->terms);
     fputs(said[c->kind] ? said[c->kind] : "", out);
     if (c->kind == FMB_CLAIM_UNBOUNDED)
         fputs(c->side == FMB_UPPER ? " above" : " below", out);
@@ -233,15 +254,23 @@ static bool is_about(const fmb_evidence *e, const fmb_claim *c)
     return good;
 }
 
-fmb_status fmb_evidence_tell(const fmb_evidence *e, const fmb_system *s, size_t i, FILE *out)
+fmb_status fmb_evidence_tell_with(const fmb_evidence *e, const fmb_system *s, size_t i,
+                                  const fmb_number_style *style, FILE *out)
 {
-    bool known = out && fmb_evidence_fits(e, s) && i < e->claims &&
+    bool known = out && style && style->put && fmb_evidence_fits(e, s) && i < e->claims &&
                  e->claim[i].kind > FMB_CLAIM_NONE && e->claim[i].kind <= FMB_CLAIM_WHOLE;
     if (!known || !is_about(e, &e->claim[i]))
         return FMB_ERR_ARG;
-    tell_claim(out, s, &e->claim[i]);
+    const telling t = {.out = out, .s = s, .style = style};
+    tell_claim(&t, &e->claim[i]);
     fputc('\n', out);
     return ferror(out) ? FMB_ERR_IO : FMB_OK;
+}
+
+fmb_status fmb_evidence_tell(const fmb_evidence *e, const fmb_system *s, size_t i, FILE *out)
+{
+    static const fmb_number_style fraction = {.put = put_fraction};
+    return fmb_evidence_tell_with(e, s, i, &fraction, out);
 }
 
 /* ---- in memory ------------------------------------------------------------------------------- */

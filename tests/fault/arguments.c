@@ -186,9 +186,20 @@ static fmb_status on_check(world *w, int null)
     return fmb_check(P(0, w->s), P(1, w->e), P(2, &j));
 }
 
+static void put_nothing(void *self, mpq_srcptr q, FILE *out)
+{
+    (void)self, (void)q, (void)out;
+}
+
 static fmb_status on_tell(world *w, int null)
 {
     return fmb_evidence_tell(P(0, w->e), P(1, w->s), 0, P(2, w->stream));
+}
+
+static fmb_status on_tell_with(world *w, int null)
+{
+    fmb_number_style style = {.put = null == 4 ? NULL : put_nothing};
+    return fmb_evidence_tell_with(P(0, w->e), P(1, w->s), 0, P(2, &style), P(3, w->stream));
 }
 
 static fmb_status on_meets(world *w, int null)
@@ -227,6 +238,7 @@ static const struct {
     {"fmb_evidence_print_claim", 4, on_print_claim},
     {"fmb_check", 3, on_check},
     {"fmb_evidence_tell", 3, on_tell},
+    {"fmb_evidence_tell_with", 5, on_tell_with},
     {"fmb_evidence_meets", 4, on_meets},
 };
 
