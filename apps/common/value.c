@@ -63,16 +63,6 @@ int app_value_choice(const char *option, const char *word, const char *const *li
     return 0;
 }
 
-fmb_simd app_value_simd(const char *word, struct argp_state *state)
-{
-    static const char *const LEVEL[] = {[FMB_SIMD_AUTO] = "auto",
-                                        [FMB_SIMD_PLAIN] = "plain",
-                                        [FMB_SIMD_AVX2] = "avx2",
-                                        [FMB_SIMD_AVX512] = "avx512",
-                                        NULL};
-    return (fmb_simd)app_value_choice("--simd", word, LEVEL, state);
-}
-
 void app_value_each(const char *option, const char *list,
                     void (*use)(const char *word, struct argp_state *state),
                     struct argp_state *state)

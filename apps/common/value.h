@@ -20,7 +20,7 @@ double app_value_number(const char *option, const char *text, double least, doub
 /* The place of the word in a list that NULL ends. */
 int app_value_choice(const char *option, const char *word, const char *const *list,
                      struct argp_state *state);
-/* Of --simd. */
+/* Of --simd; this processor and this library have what it says. */
 fmb_simd app_value_simd(const char *word, struct argp_state *state);
 /* Call use for every word of a comma list; there must be one. */
 void app_value_each(const char *option, const char *list,

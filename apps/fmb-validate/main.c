@@ -70,9 +70,7 @@ static int ask_pairs(validate_plan *p)
     fmb_status st = validate_run(p);
     if (st == FMB_OK)
         return APP_YES;
-    return app_ranks_fail(st == FMB_ERR_ARG
-                              ? app_error(APP_USAGE, "this processor lacks those instructions")
-                              : app_status_error(st));
+    return app_ranks_fail(app_status_error(st));
 }
 
 static int run(validate_plan *p, const files *f)

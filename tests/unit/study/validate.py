@@ -54,6 +54,15 @@ def exit_codes(folder):
             expect(f": {args[0]}: " in got.stderr, f"{args}: which option? {got.stderr}")
 
 
+def instructions():
+    """Kernels that this processor or this build lacks are told from what is wrong elsewhere."""
+    for level in ("avx2", "avx512"):
+        got = run("--simd", level, "--pairs", "1", "2d-static")
+        told = f": --simd: this processor, or this build of the library, has no {level}\n" in got.stderr
+        lacking = got.returncode == 64 and told
+        expect(lacking or got.returncode == 0, f"--simd {level}: {got.returncode} {got.stderr}")
+
+
 def table():
     got = run("--pairs", "500")
     lines = got.stdout.splitlines()
@@ -182,6 +191,7 @@ def documented():
 with tempfile.TemporaryDirectory() as name:
     here = pathlib.Path(name)
     exit_codes(here)
+    instructions()
     table()
     shares()
     shards_and_threads()
