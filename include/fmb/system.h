@@ -142,6 +142,10 @@ FMB_API FMB_CHECKED fmb_status fmb_system_set_objective(fmb_system *s, const fmb
 FMB_API FMB_CHECKED fmb_status fmb_system_set_objective_terms(fmb_system *s, fmb_sense sense,
                                                               size_t n, const int *var,
                                                               const double *coef, double constant);
+FMB_API FMB_CHECKED fmb_status fmb_system_set_objective_terms_int(fmb_system *s, fmb_sense sense,
+                                                                  size_t n, const int *var,
+                                                                  const int64_t *coef,
+                                                                  int64_t constant);
 /* Sense of the objective; NONE: there is none. And the number of its nonzero terms. */
 FMB_API fmb_sense fmb_system_sense(const fmb_system *s);
 FMB_API size_t fmb_system_objective_terms(const fmb_system *s);
@@ -149,6 +153,10 @@ FMB_API size_t fmb_system_objective_terms(const fmb_system *s);
  * may be NULL. Nothing is written if there is none. */
 FMB_API fmb_sense fmb_system_get_objective(const fmb_system *s, int *var, double *coef,
                                            double *constant);
+/* The same in integers: RANGE, and nothing is written, where a number asked for is none, or none of
+ * 64 bits. OK, and nothing is written, where there is no objective. Errors: ARG (s NULL), RANGE. */
+FMB_API FMB_CHECKED fmb_status fmb_system_get_objective_int(const fmb_system *s, int *var,
+                                                            int64_t *coef, int64_t *constant);
 /* Its numbers as text, in the manner of fmb_system_term_text. */
 FMB_API size_t fmb_system_objective_term_text(const fmb_system *s, size_t k, char *text,
                                               size_t size);

@@ -21,11 +21,21 @@ static bool is_whole_row(const fmb_sysrow *r)
     return !fmb_vec_is_wide(&r->val) && r->val.s[r->nnz + 1] == 1;
 }
 
+/* Is (double)num / (double)den the double nearest to the fraction? A division is rounded once, so
+ * it is if both are doubles; and by a power of two, which den > 0 is as a double then, it is exact,
+ * and num has been rounded once. No such quotient is too small for that: den is less than 2^63. */
+static bool divides_nearest(int64_t num, int64_t den)
+{
+    const int64_t most = (int64_t)1 << 53;
+    bool are_doubles = num >= -most && num <= most && den <= most;
+    return are_doubles || (den & (den - 1)) == 0;
+}
+
 /* The double nearest to entry k. */
 static double entry_as_double(const fmb_sysrow *r, size_t k)
 {
-    if (is_whole_row(r))
-        return (double)r->val.s[k];
+    if (!fmb_vec_is_wide(&r->val) && divides_nearest(r->val.s[k], r->val.s[r->nnz + 1]))
+        return (double)r->val.s[k] / (double)r->val.s[r->nnz + 1];
     mpq_t q;
     mpq_init(q);
     fmb_sysrow_get_q(r, k, q);
@@ -205,6 +215,25 @@ fmb_sense fmb_system_get_objective(const fmb_system *s, int *var, double *coef, 
     if (constant)
         *constant = entry_as_double(r, r->nnz);
     return s->sense;
+}
+
+fmb_status fmb_system_get_objective_int(const fmb_system *s, int *var, int64_t *coef,
+                                        int64_t *constant)
+{
+    const fmb_sysrow *r = objective_row(s);
+    if (!r)
+        return s ? FMB_OK : FMB_ERR_ARG;
+    if (!row_fits(r, coef, constant))
+        return FMB_ERR_RANGE;
+    for (size_t k = 0; k < r->nnz; k++) {
+        if (var)
+            var[k] = r->var[k];
+        if (coef)
+            (void)entry_as_integer(r, k, &coef[k]);
+    }
+    if (constant)
+        (void)entry_as_integer(r, r->nnz, constant);
+    return FMB_OK;
 }
 
 static const fmb_sysrow *objective_of_term(const fmb_system *s, size_t k)

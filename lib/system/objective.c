@@ -53,6 +53,17 @@ fmb_status fmb_system_set_objective_terms(fmb_system *s, fmb_sense sense, size_t
     return st == FMB_OK ? turn_last_row_into_objective(s, sense) : st;
 }
 
+fmb_status fmb_system_set_objective_terms_int(fmb_system *s, fmb_sense sense, size_t n,
+                                              const int *var, const int64_t *coef, int64_t constant)
+{
+    if (!s)
+        return FMB_ERR_ARG;
+    if (!is_sense(sense))
+        return refuse_sense(s, sense);
+    fmb_status st = fmb_system_add_terms_int(s, n, var, coef, FMB_LE, constant);
+    return st == FMB_OK ? turn_last_row_into_objective(s, sense) : st;
+}
+
 fmb_status fmb_system_set_objective_q(fmb_system *s, const fmb_objective_q *o)
 {
     if (!s)

@@ -105,6 +105,18 @@ static fmb_status on_objective(world *w, int null)
     return fmb_system_set_objective(P(0, w->s), &o);
 }
 
+static fmb_status on_objective_int(world *w, int null)
+{
+    return fmb_system_set_objective_terms_int(P(0, w->s), FMB_SENSE_MAX, 1, P(1, (int[]){0}),
+                                              P(2, ((int64_t[]){3})), 0);
+}
+
+static fmb_status on_get_objective_int(world *w, int null)
+{
+    int64_t constant;
+    return fmb_system_get_objective_int(P(0, w->s), NULL, NULL, &constant);
+}
+
 static fmb_status on_objective_q(world *w, int null)
 {
     fmb_objective_q o = {FMB_SENSE_MAX, 1, P(1, (int[]){0}), P(2, &w->q), NULL};
@@ -225,6 +237,8 @@ static const struct {
     {"fmb_solver_conflict", 2, on_conflict},
     {"fmb_system_join", 2, on_join},
     {"fmb_system_set_objective", 2, on_objective},
+    {"fmb_system_set_objective_terms_int", 3, on_objective_int},
+    {"fmb_system_get_objective_int", 1, on_get_objective_int},
     {"fmb_system_set_objective_q", 3, on_objective_q},
     {"fmb_system_parse_objective", 2, on_parse_objective},
     {"fmb_system_set_name", 2, on_set_name},

@@ -143,6 +143,75 @@ Test(matrix, objectives_go_in_and_out_by_terms)
     fmb_system_free(s);
 }
 
+Test(matrix, objectives_go_in_and_out_as_integers)
+{
+    fmb_system *s = open_system(3);
+    int var[2] = {7, 7};
+    int64_t coef[2] = {7, 7}, constant = 7;
+    cr_expect_eq(fmb_system_get_objective_int(s, var, coef, &constant), FMB_OK);
+    cr_expect(var[0] == 7 && coef[0] == 7 && constant == 7, "written, and there is none");
+    cr_assert_eq(fmb_system_set_objective_terms_int(s, FMB_SENSE_MAX, 3, (int[]){2, 0, 2},
+                                                    (int64_t[]){INT64_MAX, -1, -1}, INT64_MIN),
+                 FMB_OK);
+    cr_expect_eq(fmb_system_sense(s), FMB_SENSE_MAX);
+    cr_expect_eq(fmb_system_get_objective_int(s, var, coef, &constant), FMB_OK);
+    cr_expect(var[0] == 0 && var[1] == 2 && coef[0] == -1 && coef[1] == INT64_MAX - 1);
+    cr_expect_eq(constant, INT64_MIN);
+    cr_expect_eq(fmb_system_get_objective_int(s, NULL, NULL, NULL), FMB_OK);
+    cr_expect_eq(fmb_system_get_objective_int(NULL, var, coef, &constant), FMB_ERR_ARG);
+    cr_assert_eq(
+        fmb_system_set_objective_terms(s, FMB_SENSE_MIN, 2, (int[]){0, 1}, (double[]){2, 0.5}, 3),
+        FMB_OK);
+    cr_expect_eq(fmb_system_get_objective_int(s, var, coef, &constant), FMB_ERR_RANGE);
+    cr_expect_eq(coef[0], -1, "written, and one of them is none");
+    cr_expect_eq(fmb_system_get_objective_int(s, var, NULL, &constant), FMB_OK);
+    cr_expect(var[1] == 1 && constant == 3);
+    cr_assert_eq(
+        fmb_system_set_objective_terms_int(s, FMB_SENSE_MAX, 1, (int[]){0}, (int64_t[]){1}, 0),
+        FMB_OK);
+    cr_assert_eq(fmb_system_set_objective_terms_int(s, FMB_SENSE_MAX, 2, (int[]){1, 1},
+                                                    (int64_t[]){INT64_MAX, 1}, 0),
+                 FMB_OK);
+    cr_expect_eq(fmb_system_get_objective_int(s, NULL, coef, NULL), FMB_ERR_RANGE, "2^63");
+    fmb_system_free(s);
+}
+
+/* Of fractions of all sizes the double is the nearest: none of its neighbours is nearer. */
+Test(matrix, doubles_are_the_nearest)
+{
+    fmb_system *s = open_system(1);
+    mpq_t q, x, far, near;
+    mpq_inits(q, x, far, near, NULL);
+    uint64_t state = 1;
+    for (int round = 0; round < 5000; round++) {
+        int64_t part[2];
+        for (int k = 0; k < 2; k++) {
+            state = state * 6364136223846793005u + 1442695040888963407u;
+            part[k] = (int64_t)(state >> (2 + state % 61));
+        }
+        mpq_set_si(q, part[0], (unsigned long)part[1] + 1);
+        mpq_canonicalize(q);
+        if (round % 3 == 0) { /* a binary fraction */
+            mpq_set_si(q, part[0], 1);
+            mpq_div_2exp(q, q, state % 62);
+        }
+        cr_assert_eq(fmb_system_add_q(s, 0, NULL, NULL, FMB_LE, q), FMB_OK);
+        double b;
+        cr_assert_eq(fmb_system_get_rows(s, (size_t)round, 1, NULL, NULL, NULL, NULL, &b), FMB_OK);
+        mpq_set_d(x, b);
+        mpq_sub(near, x, q);
+        mpq_abs(near, near);
+        for (int side = 0; side < 2; side++) {
+            mpq_set_d(far, nextafter(b, side ? INFINITY : -INFINITY));
+            mpq_sub(far, far, q);
+            mpq_abs(far, far);
+            cr_assert_leq(mpq_cmp(near, far), 0, "%a", b);
+        }
+    }
+    mpq_clears(q, x, far, near, NULL);
+    fmb_system_free(s);
+}
+
 static void expect_refusal(const fmb_system *s, fmb_status st, const char *words)
 {
     cr_expect_eq(st, FMB_ERR_ARG, "%s", words);
