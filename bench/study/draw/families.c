@@ -355,6 +355,29 @@ static void draw_spread(study_draft *d)
         scale_coordinate(d, j, ldexp(1, study_choice(d, 2 * most + 1) - most));
 }
 
+/* Every other number stays. */
+static void tear(study_draft *d, double *x, int n, int most)
+{
+    for (int k = 0; k < n; k++)
+        if (study_coin(d))
+            x[k] = ldexp(x[k], -study_choice(d, most + 1));
+}
+
+/* The largest numbers are often about 1, as kernels want them, and products of the others vanish.
+ */
+static void draw_ragged(study_draft *d)
+{
+    static const int MOST[] = {20, 60, 400, 1080};
+    int most = MOST[study_choice(d, 4)];
+    draw_any(d);
+    for (int f = 0; f < 2; f++) {
+        tear(d, d->origin[f], d->dim, most);
+        tear(d, d->axes[f], d->naxes[f] * d->dim, most);
+        if (d->moves)
+            tear(d, d->speed[f], d->dim, most);
+    }
+}
+
 study_family_draw *const study_family_draws[STUDY_PAIR_FAMILIES] = {
     [STUDY_PAIR_ARTICLE] = draw_article,   [STUDY_PAIR_LATTICE] = draw_lattice,
     [STUDY_PAIR_TOUCHING] = draw_touching, [STUDY_PAIR_NEAR] = draw_near,
@@ -363,4 +386,5 @@ study_family_draw *const study_family_draws[STUDY_PAIR_FAMILIES] = {
     [STUDY_PAIR_FAR] = draw_far,           [STUDY_PAIR_DENORMAL] = draw_denormal,
     [STUDY_PAIR_SWEPT] = draw_swept,       [STUDY_PAIR_INTEGER] = draw_integer,
     [STUDY_PAIR_SCALED] = draw_scaled,     [STUDY_PAIR_SPREAD] = draw_spread,
+    [STUDY_PAIR_RAGGED] = draw_ragged,
 };

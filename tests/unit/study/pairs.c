@@ -245,6 +245,29 @@ Test(pairs, spread_ones_differ_from_coordinate_to_coordinate)
     cr_expect(much > 200 && apart < 100, "%d of 1000 spread, %d of them not both", much, apart);
 }
 
+/* Numbers of a frame that are not 0, but less than this part of its largest one. */
+static int count_tiny(const fmb_frame *f, double part)
+{
+    double most = ldexp(1, size_of(f));
+    int tiny = 0;
+    for (int k = 0; k < f->naxes * f->dim; k++)
+        tiny += f->axes[k] != 0 && fabs(f->axes[k]) < part * most;
+    return tiny;
+}
+
+Test(pairs, ragged_ones_have_numbers_whose_products_vanish)
+{
+    study_pair_plan plan = plan_of(STUDY_PAIR_RAGGED, 3, true);
+    int vanish = 0, large = 0;
+    for (uint64_t k = 0; k < 1000; k++) {
+        static study_pair pair;
+        study_pair_draw(&plan, 3, k, &pair);
+        vanish += count_tiny(&pair.p, 0x1p-540) > 1;
+        large += abs(size_of(&pair.p)) < 30;
+    }
+    cr_expect(vanish > 100 && large > 900, "%d, %d", vanish, large);
+}
+
 static bool meets_left(void *self, const fmb_frame *p, const fmb_frame *q)
 {
     ++*(int *)self;
