@@ -15,7 +15,8 @@ typedef enum fmb_event_kind {
     FMB_EVENT_LP,        /* an exact linear program begins, over rows_in rows */
     FMB_EVENT_END,       /* name: the verdict */
     FMB_EVENT_ROW,       /* a row was made (options.trace_rows); row is set */
-    FMB_EVENT_REBASE     /* histories start anew from rows_in rows */
+    FMB_EVENT_REBASE,    /* histories start anew from rows_in rows */
+    FMB_EVENT_ENGINE     /* an engine has done what it could for a part: attempt is set */
 } fmb_event_kind;
 
 /* A row just made, and what its history says about it. Rows are numbered from 0 within one
@@ -38,6 +39,20 @@ typedef struct fmb_row_event {
     int minimal; /* rank of the history: 1 minimal, 0 not, -1 not known */
 } fmb_row_event;
 
+/* How an engine fared. A query may ask several, one after the other, or one several times with more
+ * patience, until the last one answers or a limit is reached. */
+typedef struct fmb_attempt {
+    const char *engine; /* static texts here: "elimination", "oracle", ... */
+    const char *task;   /* what was asked: "verdict", "projection", "ends", "optimum", "rows",
+                           "rays", "facets" */
+    int part;           /* connected component of the system, from 0; -1: all of it */
+    size_t columns, rows;
+    uint64_t budget;   /* how far it was allowed to go, 0: to its end */
+    const char *unit;  /* of the budget: "rows", "rays" or "pairs"; or NULL */
+    const char *ended; /* "answered"; "gave up" at its budget; "unsuitable": it saw that it is none
+                          for this; "limit" of the query */
+} fmb_attempt;
+
 typedef struct fmb_event {
     fmb_event_kind kind;
     int round, var; /* var: just eliminated, -1 if none */
@@ -47,8 +62,9 @@ typedef struct fmb_event {
     uint64_t dropped; /* pairs and rows dropped by rules */
     uint64_t widened; /* rows widened to GMP */
     const fmb_row_event *row;
-    const char *name; /* static text, or NULL */
-    double seconds;   /* since the query began [s] */
+    const fmb_attempt *attempt; /* the library's and good until the callback returns */
+    const char *name;           /* static text, or NULL */
+    double seconds;             /* since the query began [s] */
 } fmb_event;
 
 typedef struct fmb_sink {
@@ -57,7 +73,8 @@ typedef struct fmb_sink {
 } fmb_sink;
 
 /* What a sink that writes JSON says of an event, to memory (<fmb/base.h>): one object and its line
- * end. Errors: ARG (NULL, no such kind, a ROW without its row), MEMORY. */
+ * end. Errors: ARG (NULL, no such kind, a ROW without its row, an
+ * ENGINE without its attempt), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_event_print(const fmb_event *e, char *text, size_t size,
                                                size_t *length);
 /* A sink that writes one JSON object a line to out (borrowed). Errors of the stream stay in it. */

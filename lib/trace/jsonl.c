@@ -6,7 +6,8 @@
 
 #include "base/memory_stream.h"
 
-static const char *const KIND[] = {"begin", "round", "rule", "lp", "end", "row", "rebase"};
+static const char *const KIND[] = {"begin", "round", "rule",   "lp",
+                                   "end",   "row",   "rebase", "engine"};
 
 /* Names of rules may come from anywhere. */
 static void print_quoted_word(FILE *out, const char *key, const char *word)
@@ -100,6 +101,21 @@ static void print_round_counts(FILE *out, const fmb_event *e)
     print_count(out, "widened", e->widened);
 }
 
+static void print_attempt(FILE *out, const fmb_attempt *a)
+{
+    print_quoted_word(out, "name", a->engine);
+    print_quoted_word(out, "task", a->task);
+    if (a->part >= 0)
+        print_count(out, "part", (uint64_t)a->part + 1);
+    print_count(out, "columns", a->columns);
+    print_count(out, "rows", a->rows);
+    if (a->budget > 0) {
+        print_count(out, "budget", a->budget);
+        print_quoted_word(out, "unit", a->unit);
+    }
+    print_quoted_word(out, "ended", a->ended);
+}
+
 static void print_kind_of_event(FILE *out, const fmb_event *e)
 {
     switch (e->kind) {
@@ -125,6 +141,9 @@ static void print_kind_of_event(FILE *out, const fmb_event *e)
         print_round_and_variable(out, e);
         print_count(out, "rows", e->rows_in);
         break;
+    case FMB_EVENT_ENGINE:
+        print_attempt(out, e->attempt);
+        break;
     }
 }
 
@@ -143,7 +162,8 @@ static void print_event_as_line(void *self, const fmb_event *e)
 static fmb_status write_event(const void *self, FILE *out)
 {
     const fmb_event *e = self;
-    if (!e || (unsigned)e->kind > FMB_EVENT_REBASE || (e->kind == FMB_EVENT_ROW && !e->row))
+    if (!e || (unsigned)e->kind > FMB_EVENT_ENGINE || (e->kind == FMB_EVENT_ROW && !e->row) ||
+        (e->kind == FMB_EVENT_ENGINE && !e->attempt))
         return FMB_ERR_ARG;
     print_event_as_line(out, e);
     return ferror(out) ? FMB_ERR_IO : FMB_OK;

@@ -91,6 +91,17 @@ void fmb_run_emit(fmb_run *run, fmb_event e)
     run->sink.put(run->sink.self, &e);
 }
 
+void fmb_run_tell_attempt(fmb_run *run, fmb_attempt a, fmb_status st, bool done)
+{
+    a.unit = a.budget > 0 ? a.unit : NULL;
+    a.ended = st == FMB_LIMIT ? "limit"
+              : done          ? "answered"
+              : a.budget > 0  ? "gave up"
+                              : "unsuitable";
+    if (st == FMB_OK || st == FMB_LIMIT)
+        fmb_run_emit(run, (fmb_event){.kind = FMB_EVENT_ENGINE, .var = -1, .attempt = &a});
+}
+
 /* ---- shares ---------------------------------------------------------------------------------- */
 
 static size_t share_of_memory(const fmb_mem *mem, size_t shares)

@@ -68,5 +68,7 @@ bool fmb_run_go_on(fmb_run *run);
 fmb_status fmb_run_rows(fmb_run *run, size_t rows);
 
 void fmb_run_emit(fmb_run *run, fmb_event e);
+/* Tell how an engine fared, which returned st (after errors nothing is told): done, it answered. */
+void fmb_run_tell_attempt(fmb_run *run, fmb_attempt a, fmb_status st, bool done);
 
 #endif

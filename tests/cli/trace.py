@@ -24,9 +24,11 @@ KEYS = {
     "begin": {"name"}, "end": {"name"}, "lp": {"rows_in", "rows_out"},
     "round": {"round", "var", "rows_in", "rows_out", "pairs", "made", "dropped", "widened"},
     "rule": {"name", "round", "var", "dropped"}, "rebase": {"round", "rows"},
+    "engine": {"name", "task", "columns", "rows", "ended"},
     "row": {"round", "var", "row", "parents", "dropped_by", "minimal"},
 }
 HISTORY = {"history", "effective", "implicit"}
+MORE = {"row": HISTORY, "engine": {"part", "budget", "unit"}}
 seen = dict.fromkeys([*KEYS, "dropped", "histories", "implicit", "not minimal"], 0)
 
 
@@ -62,7 +64,7 @@ def look(events, dims):
     for e in events:
         kind = e["event"]
         extra = set(e) - {"event", "seconds"} - KEYS[kind]
-        assert KEYS[kind] <= set(e) and extra <= (HISTORY if kind == "row" else set()), e
+        assert KEYS[kind] <= set(e) and extra <= MORE.get(kind, set()), e
         assert e["seconds"] >= time, e
         time = e["seconds"]
         seen[kind] += 1

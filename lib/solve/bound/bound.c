@@ -73,8 +73,10 @@ static fmb_status find_ends_by_oracles(fmb_query *q, fmb_box *box, const bool *d
         if (c >= 0 && done[c])
             continue;
         st = find_ends_of_part(q, box, first[c + 1], next);
-        if (c >= 0)
-            fmb_query_close_oracle(q, c);
+        if (c < 0 || first[c + 1] < 0)
+            continue;
+        fmb_run_tell_attempt(&q->run, fmb_query_attempt(q, c, "oracle", "ends"), st, true);
+        fmb_query_close_oracle(q, c);
     }
     return st;
 }
@@ -110,6 +112,9 @@ static fmb_status bound_variables_asked(fmb_query *q, fmb_box *box)
     for (int c = 0; st == FMB_OK && c < q->parts.count; c++) {
         done[c] = fm;
         st = fm ? fmb_bound_by_elimination(q, c, box) : bound_part_together(q, c, box, &done[c]);
+        fmb_attempt told = fmb_query_attempt(q, c, fm ? "elimination" : "oracles", "ends");
+        if (done[c])
+            fmb_run_tell_attempt(&q->run, told, st, true);
     }
     return st == FMB_OK ? find_ends_by_oracles(q, box, done) : st;
 }

@@ -180,18 +180,30 @@ static bool are_facets_cheaper(const fmb_lifted *h, const fmb_cone_row *sorted)
            !have_rows_a_pattern(h, sorted);
 }
 
+/* sorted: NULL, in the order that the cone likes. */
+static fmb_status find_rays(fmb_lifted *h, const fmb_cone_row *sorted, bool facets)
+{
+    const fmb_attempt a = {.engine = facets ? "hull of the polar" : "double description",
+                           .task = "rays",
+                           .part = -1,
+                           .columns = h->d,
+                           .rows = h->rows};
+    fmb_status st = facets ? find_rays_as_facets(h) : find_rays_row_by_row(h, sorted);
+    fmb_run_tell_attempt(&h->q->run, a, st, true);
+    return st;
+}
+
 fmb_status fmb_lifted_find_rays(fmb_lifted *h)
 {
     fmb_mem *mem = h->q->run.mem;
     if (h->rows < MANY_ROWS * h->d)
-        return find_rays_row_by_row(h, NULL);
+        return find_rays(h, NULL, false);
     if (h->d <= FEW_COORDINATES)
-        return find_rays_as_facets(h);
+        return find_rays(h, NULL, true);
     fmb_cone_row *sorted = fmb_mem_get(mem, h->rows, sizeof *sorted);
     fmb_status st = sorted ? sort_rows(h, sorted) : fmb_mem_status(mem);
     if (st == FMB_OK)
-        st = are_facets_cheaper(h, sorted) ? find_rays_as_facets(h)
-                                           : find_rays_row_by_row(h, sorted);
+        st = find_rays(h, sorted, are_facets_cheaper(h, sorted));
     fmb_mem_put(mem, sorted, h->rows, sizeof *sorted);
     return st;
 }

@@ -41,10 +41,33 @@ static bool are_coefficients_few(const fmb_image *m)
     return 4 * zeros >= m->rays * m->n;
 }
 
+static void tell_facet_attempt(const fmb_image *m, fmb_attempt a, fmb_status st, bool done)
+{
+    a.task = "facets";
+    a.part = -1;
+    a.columns = m->n;
+    a.rows = m->rays;
+    fmb_run_tell_attempt(m->run, a, st, done);
+}
+
 static fmb_status find_facets_by_rows(turns *t, fmb_dual *d, uint64_t rays, bool *done)
 {
-    fmb_status st = d->of ? FMB_OK : fmb_dual_open(d, t->m, d == &t->sparse_rows);
-    return st == FMB_OK ? fmb_dual_find_facets(d, rays, false, done) : st;
+    bool sparse = d == &t->sparse_rows;
+    fmb_attempt a = {.engine = sparse ? "sparse double description" : "double description",
+                     .budget = rays,
+                     .unit = "rays"};
+    fmb_status st = d->of ? FMB_OK : fmb_dual_open(d, t->m, sparse);
+    if (st == FMB_OK)
+        st = fmb_dual_find_facets(d, rays, false, done);
+    tell_facet_attempt(t->m, a, st, *done);
+    return st;
+}
+
+static fmb_status find_all_facets(fmb_image *m)
+{
+    fmb_status st = fmb_image_find_facets(m, false);
+    tell_facet_attempt(m, (fmb_attempt){.engine = "double description"}, st, true);
+    return st;
 }
 
 static fmb_status find_facets_by_section(turns *t, uint64_t pairs, bool *done)
@@ -61,6 +84,8 @@ static fmb_status find_facets_by_section(turns *t, uint64_t pairs, bool *done)
     if (st == FMB_OK && *done)
         st = fmb_image_take_facets(m, &dual);
     fmb_image_clear(&dual);
+    tell_facet_attempt(m, (fmb_attempt){.engine = "section", .budget = pairs, .unit = "pairs"}, st,
+                       *done);
     return st;
 }
 
@@ -89,14 +114,14 @@ static fmb_status try_section_first(turns *t)
     bool done = false;
     fmb_status st = find_facets_by_section(t, PAIRS_OF_RAY * rays_of_first_turn(t), &done);
     fmb_section_close(&t->section);
-    return st == FMB_OK && !done ? fmb_image_find_facets(t->m, false) : st;
+    return st == FMB_OK && !done ? find_all_facets(t->m) : st;
 }
 
 fmb_status fmb_hull_find_facets(fmb_image *m)
 {
     bool by_one = fmb_image_has_few_coordinates(m);
     if (m->lines > 0 || m->rays < MANY_ROWS * m->n || (by_one && m->n < SECTION_COORDINATES))
-        return fmb_image_find_facets(m, false);
+        return find_all_facets(m);
     turns t = {.m = m, .is_sparse = are_coefficients_few(m)};
     fmb_status st = by_one ? try_section_first(&t) : take_turns_at_facets(&t);
     fmb_section_close(&t.section);

@@ -172,13 +172,16 @@ static bool is_part_asked(const ascent *a, int c)
 /* From part *c on, which is the one at hand when a limit is reached. *ends: the form does. */
 static fmb_status climb_all_parts(ascent *a, int *c, bool *ends)
 {
-    fmb_climb *climb = fmb_query_eliminates(a->q) ? fmb_peak_by_elimination : fmb_peak_by_oracle;
+    bool eliminates = fmb_query_eliminates(a->q);
+    fmb_climb *climb = eliminates ? fmb_peak_by_elimination : fmb_peak_by_oracle;
+    const char *engine = eliminates ? "elimination" : "oracle";
     fmb_status st = FMB_OK;
     for (*ends = true; st == FMB_OK && *c < a->q->parts.count; *c += st == FMB_OK) {
         if (!is_part_asked(a, *c))
             continue;
         const fmb_part *p = &a->q->parts.part[*c];
         st = climb(a->q, a->g, *c, &a->peak);
+        fmb_run_tell_attempt(&a->q->run, fmb_query_attempt(a->q, *c, engine, "optimum"), st, true);
         if (st == FMB_OK && a->peak.kind == FMB_END_INFINITE) {
             fmb_query_scatter(p, a->peak.x, a->o->ray);
             *ends = false;

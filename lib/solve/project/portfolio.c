@@ -116,12 +116,13 @@ static fmb_status expect_few_rows(fmb_elim *e, fmb_status st, int kept)
 /* Go on where the cheap variables are gone, and come back if a variable is too steep, or if there
  * are too many rows. */
 static fmb_status eliminate_rest_of_lift(shadow *h, fmb_lift *lift, const slope *limit,
-                                         bool *feasible, bool *done)
+                                         size_t *budget, bool *feasible, bool *done)
 {
     const bool *drop;
     fmb_elim *e = fmb_lift_elimination(lift, &drop);
     fmb_mark mark;
     fmb_status st = fmb_mark_set(&mark, e);
+    *budget = e->rows + limit->trials * FMB_TRIAL_BUDGET(e->live.size);
     if (st != FMB_OK)
         return st;
     e->order = h->q->v->options.order;
@@ -130,7 +131,7 @@ static fmb_status eliminate_rest_of_lift(shadow *h, fmb_lift *lift, const slope 
     e->steep = limit->steep;
     e->flat = e->live.size;
     e->wide_more = WIDE_MORE;
-    e->budget = e->rows + limit->trials * FMB_TRIAL_BUDGET(e->live.size);
+    e->budget = *budget;
     st = fmb_elim_eliminate(e, drop);
     st = expect_few_rows(e, st, limit->kept);
     st = put_rows_of_elimination(h, e, st, false, feasible, done);
@@ -172,9 +173,26 @@ typedef struct rungs {
     bool known, *feasible, done;
 } rungs;
 
+static bool is_answered(const rungs *r)
+{
+    return r->done || !*r->feasible;
+}
+
+/* budget 0: to the end. */
+static void tell_attempt(rungs *r, const char *engine, uint64_t budget, const char *unit,
+                         fmb_status st)
+{
+    fmb_attempt a = fmb_query_attempt(r->q, r->part, engine, "projection");
+    a.budget = budget;
+    a.unit = unit;
+    fmb_run_tell_attempt(&r->q->run, a, st, is_answered(r));
+}
+
 static fmb_status try_rays(rungs *r, uint64_t rays)
 {
-    return fmb_lift_run(r->lift, rays, r->out, r->feasible, &r->done);
+    fmb_status st = fmb_lift_run(r->lift, rays, r->out, r->feasible, &r->done);
+    tell_attempt(r, "double description", rays, "rays", st);
+    return st;
 }
 
 static shadow shadow_of_rungs(const rungs *r)
@@ -189,7 +207,9 @@ static shadow shadow_of_rungs(const rungs *r)
 static fmb_status try_elimination(rungs *r, bool known, size_t budget)
 {
     shadow h = shadow_of_rungs(r);
-    return project_by_elimination(&h, known, budget, r->feasible, &r->done);
+    fmb_status st = project_by_elimination(&h, known, budget, r->feasible, &r->done);
+    tell_attempt(r, "elimination", budget, "rows", st);
+    return st;
 }
 
 /* Nothing that names variables that go may be left of the projection. */
@@ -200,9 +220,10 @@ static fmb_status try_escape(rungs *r)
     bool escapes;
     fmb_elim *e = fmb_lift_elimination(r->lift, &drop);
     fmb_status st = fmb_escape(e, drop, &r->q->v->arena, &escapes);
-    return st == FMB_OK && escapes
-               ? put_rows_of_elimination(&h, e, FMB_OK, false, r->feasible, &r->done)
-               : st;
+    if (st == FMB_OK && escapes)
+        st = put_rows_of_elimination(&h, e, FMB_OK, false, r->feasible, &r->done);
+    tell_attempt(r, "escape", 0, NULL, st);
+    return st;
 }
 
 static fmb_status try_gentle_elimination(rungs *r, int kept)
@@ -210,9 +231,12 @@ static fmb_status try_gentle_elimination(rungs *r, int kept)
     shadow h = shadow_of_rungs(r);
     slope gentle = {GENTLE, 2, kept};
     const bool *drop;
-    return fmb_mark_possible(fmb_lift_elimination(r->lift, &drop))
-               ? eliminate_rest_of_lift(&h, r->lift, &gentle, r->feasible, &r->done)
-               : FMB_OK;
+    if (!fmb_mark_possible(fmb_lift_elimination(r->lift, &drop)))
+        return FMB_OK;
+    size_t budget;
+    fmb_status st = eliminate_rest_of_lift(&h, r->lift, &gentle, &budget, r->feasible, &r->done);
+    tell_attempt(r, "gentle elimination", budget, "rows", st);
+    return st;
 }
 
 static fmb_status try_steeper_elimination(rungs *r, int kept)
@@ -221,10 +245,13 @@ static fmb_status try_steeper_elimination(rungs *r, int kept)
     const bool *drop;
     fmb_elim *e = fmb_lift_elimination(r->lift, &drop);
     if (!fmb_mark_possible(e))
-        return project_by_elimination(&h, false, FMB_TRIAL_BUDGET(h.p->m), r->feasible, &r->done);
+        return try_elimination(r, false, FMB_TRIAL_BUDGET(h.p->m));
     bool any = kept > FMB_SHORT_QUERIES && count_variables_to_go(e, drop) <= STEEP_STEPS;
     slope steeper = {any ? 0 : STEEP, 1, kept};
-    return eliminate_rest_of_lift(&h, r->lift, &steeper, r->feasible, &r->done);
+    size_t budget;
+    fmb_status st = eliminate_rest_of_lift(&h, r->lift, &steeper, &budget, r->feasible, &r->done);
+    tell_attempt(r, "steeper elimination", budget, "rows", st);
+    return st;
 }
 
 static bool is_open(fmb_status st, const rungs *r)
@@ -262,13 +289,19 @@ static fmb_status try_pruned_elimination(rungs *r, size_t budget)
 static fmb_status try_queries(rungs *r, uint64_t pairs)
 {
     fmb_status st = open_queries(r);
-    return is_open(st, r) ? fmb_queries_run(r->queries, pairs, r->out, &r->done) : st;
+    if (is_open(st, r))
+        st = fmb_queries_run(r->queries, pairs, r->out, &r->done);
+    tell_attempt(r, "support queries", pairs, "pairs", st);
+    return st;
 }
 
 static fmb_status try_walk(rungs *r)
 {
     fmb_status st = learn_if_feasible(r);
-    return is_open(st, r) ? fmb_query_polygon_part(r->q, r->part, r->place, r->out, &r->done) : st;
+    if (is_open(st, r))
+        st = fmb_query_polygon_part(r->q, r->part, r->place, r->out, &r->done);
+    tell_attempt(r, "walk around", 0, NULL, st);
+    return st;
 }
 
 /* In the plane around it; in a few dimensions, by asking how far it goes; in more, so far. */
@@ -366,8 +399,12 @@ fmb_status fmb_query_project_part(fmb_query *q, int part, const int *place, fmb_
                .feasible = feasible};
     fmb_status st = FMB_OK;
     *feasible = true;
-    if (q->v->options.method == FMB_METHOD_HULL)
-        return fmb_query_support_part(q, part, place, out, feasible);
+    if (q->v->options.method == FMB_METHOD_HULL) {
+        st = fmb_query_support_part(q, part, place, out, feasible);
+        r.done = st == FMB_OK;
+        tell_attempt(&r, "support queries", 0, NULL, st);
+        return st;
+    }
     if (!fmb_query_eliminates(q))
         return climb_rungs(&r);
     if (!r.known && uses_lp_rule(q->v)) {

@@ -145,6 +145,13 @@ static fmb_status begin_query(fmb_query *q, fmb_solver *v, const fmb_system *s, 
     return FMB_OK;
 }
 
+fmb_attempt fmb_query_attempt(const fmb_query *q, int part, const char *engine, const char *task)
+{
+    const fmb_part *p = &q->parts.part[part];
+    return (fmb_attempt){
+        .engine = engine, .task = task, .part = part, .columns = (size_t)p->n, .rows = p->m};
+}
+
 fmb_status fmb_query_begin(fmb_query *q, fmb_solver *v, const fmb_system *s, const char *name)
 {
     return begin_query(q, v, s, name, NULL);

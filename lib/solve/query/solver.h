@@ -96,6 +96,9 @@ fmb_status fmb_query_decide(fmb_query *q, bool oracles, fmb_verdict *out);
  * Nothing is claimed. */
 fmb_verdict fmb_query_decide_tiny(fmb_query *q);
 
+/* An engine at that task about a part, without a budget: for fmb_run_tell_attempt. */
+fmb_attempt fmb_query_attempt(const fmb_query *q, int part, const char *engine, const char *task);
+
 /* Parts by number: rows written out (p->row); the oracle; a feasible dictionary, for what goes from
  * vertex to vertex, or *feasible false. Made on the first call. */
 fmb_status fmb_query_write_rows(fmb_query *q, int part);

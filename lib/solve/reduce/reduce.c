@@ -154,9 +154,13 @@ static fmb_status decide_open_rows(reduce_progress *g, int part, bool inner,
                                    const fmb_verdicts *told)
 {
     size_t n = (size_t)g->p->n, m = g->p->m;
-    if (fmb_suits_oracle(n, m, g->row))
-        return fmb_irredundant_by_oracle(&g->q->run, n, m, g->row, g->fate, told);
-    return inner ? ask_dictionary_about_rest(g, told) : ask_dictionary_about_all(g, part, told);
+    bool suits = fmb_suits_oracle(n, m, g->row);
+    fmb_attempt a = fmb_query_attempt(g->q, part, suits ? "oracle" : "dictionary", "rows");
+    fmb_status st = suits   ? fmb_irredundant_by_oracle(&g->q->run, n, m, g->row, g->fate, told)
+                    : inner ? ask_dictionary_about_rest(g, told)
+                            : ask_dictionary_about_all(g, part, told);
+    fmb_run_tell_attempt(&g->q->run, a, st, true);
+    return st;
 }
 
 /* fate[rows] is by row of the system. */
@@ -169,8 +173,10 @@ static fmb_status decide_rows_of_part(fmb_query *q, int part, fmb_fate *fate)
     fmb_status st = list_rows_of_part(&g, part);
     if (st != FMB_OK)
         return st;
-    if (is_sieve_affordable(g.p))
+    if (is_sieve_affordable(g.p)) {
         st = sift_rows_of_part(&g, listener, &inner);
+        fmb_run_tell_attempt(&q->run, fmb_query_attempt(q, part, "sieve", "rows"), st, inner);
+    }
     if (st == FMB_OK && is_some_row_unknown(&g))
         st = decide_open_rows(&g, part, inner, listener);
     for (size_t i = 0; i < g.p->m; i++)

@@ -26,9 +26,10 @@ static fmb_status note_eliminated_point(fmb_query *q, const fmb_part *p, const f
 }
 
 /* budget > 0: *out stays UNKNOWN when the store outgrows it. */
-static fmb_status decide_by_elimination(fmb_query *q, const fmb_part *p, size_t budget,
-                                        fmb_verdict *out)
+static fmb_status decide_by_elimination(fmb_query *q, int part, size_t budget, fmb_verdict *out)
 {
+    const fmb_part *p = &q->parts.part[part];
+    fmb_attempt told = fmb_query_attempt(q, part, "elimination", "verdict");
     fmb_elim e;
     bool *drop = fmb_arena_get(&q->v->arena, (size_t)p->n, sizeof *drop);
     if (!drop)
@@ -46,7 +47,11 @@ static fmb_status decide_by_elimination(fmb_query *q, const fmb_part *p, size_t 
     }
     bool gave_up = st == FMB_LIMIT && e.over_budget;
     fmb_elim_clear(&e);
-    return gave_up ? FMB_OK : st;
+    st = gave_up ? FMB_OK : st;
+    told.budget = budget;
+    told.unit = "rows";
+    fmb_run_tell_attempt(&q->run, told, st, !gave_up);
+    return st;
 }
 
 /* ---- by the oracle --------------------------------------------------------------------------- */
@@ -80,6 +85,7 @@ static fmb_status decide_by_oracle(fmb_query *q, int part, fmb_verdict *out)
     fmb_status st = fmb_query_oracle(q, part, &o);
     if (st == FMB_OK)
         st = fmb_oracle_feasible(o, &feasible);
+    fmb_run_tell_attempt(&q->run, fmb_query_attempt(q, part, "oracle", "verdict"), st, true);
     if (st != FMB_OK)
         return st;
     *out = feasible ? FMB_FEASIBLE : FMB_INFEASIBLE;
@@ -98,9 +104,9 @@ static fmb_status decide_one_part(fmb_query *q, int part, bool oracles, fmb_verd
     fmb_status st = FMB_OK;
     *out = FMB_UNKNOWN;
     if (!oracles && method == FMB_METHOD_FM)
-        st = decide_by_elimination(q, p, 0, out);
+        st = decide_by_elimination(q, part, 0, out);
     else if (!oracles && method == FMB_METHOD_AUTO && p->n <= TINY_VARIABLES && p->m <= TINY_ROWS)
-        st = decide_by_elimination(q, p, TINY_BUDGET, out);
+        st = decide_by_elimination(q, part, TINY_BUDGET, out);
     return st != FMB_OK || *out != FMB_UNKNOWN ? st : decide_by_oracle(q, part, out);
 }
 

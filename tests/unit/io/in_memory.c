@@ -186,6 +186,8 @@ Test(in_memory, not_written)
     const fmb_event row = {.kind = FMB_EVENT_ROW}, none = {.kind = (fmb_event_kind)77};
     cr_expect_eq(fmb_event_print(&row, text, 2, &length), FMB_ERR_ARG);
     cr_expect_eq(fmb_event_print(&none, text, 2, &length), FMB_ERR_ARG);
+    const fmb_event engine = {.kind = FMB_EVENT_ENGINE};
+    cr_expect_eq(fmb_event_print(&engine, text, 2, &length), FMB_ERR_ARG);
     cr_expect(strcmp(text, "?") == 0 && length == 7);
     close_scene(&w);
 }

@@ -36,6 +36,10 @@ static void note(void *self, const fmb_event *e)
     case FMB_EVENT_LP:
     case FMB_EVENT_REBASE:
         break;
+    case FMB_EVENT_ENGINE:
+        cr_expect(e->attempt && e->attempt->engine && e->attempt->task && e->attempt->ended);
+        cr_expect_eq(e->attempt->budget > 0, e->attempt->unit != NULL);
+        break;
     case FMB_EVENT_ROW:
         cr_expect_fail("nobody asked for rows");
         break;
