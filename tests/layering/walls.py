@@ -1,6 +1,6 @@
 """The walls of the house: which room includes which, that no files form a ring, what static functions
 are called, what a public header needs, what the library exports, and that every public function is
-mentioned in a test, and that no tag, header or function has a name for two things. usage: walls.py CHECK ROOT [LIBRARY...]
+mentioned in a test, and that no tag, header or function has a name for two things. usage: walls.py CHECK ROOT [LIBRARY... [NODE]]
 """
 
 import pathlib
@@ -200,10 +200,18 @@ def public_functions(root):
     return names
 
 
-def exports(root, library):
+def exports(root, library, node):
+    """What public headers declare, no more and no less, in the node of this version of the library."""
     out = subprocess.run(["nm", "-D", "--defined-only", library], capture_output=True, text=True,
                          check=True).stdout
-    exported = {line.split()[-1].split("@")[0] for line in out.splitlines()}
+    exported = set()
+    for line in out.splitlines():
+        name, _, version = line.split()[-1].partition("@@")
+        if name == node:  # which is a symbol itself
+            continue
+        exported.add(name)
+        if version != node and not name.startswith("__"):
+            yield f"{name} is of version {version or 'none'}, not {node}"
     declared = public_functions(root)
     for name in sorted(exported - declared):
         if not name.startswith("__"):  # what sanitizers add
