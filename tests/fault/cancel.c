@@ -1,36 +1,24 @@
-/* cancel.c: a query is cancelled from another thread at random moments, and the solver then gives
- * right answers at once. */
+/* cancel.c: a query is cancelled from another thread wherever it reads the clock, and the solver
+ * then gives right answers at once. */
 #include <criterion/criterion.h>
 #include <pthread.h>
-#include <stdatomic.h>
-#include <time.h>
 
+#include "counted_clock.h"
 #include "property/random/rows.h"
 #include "samples.h"
 #include "verbs.h"
 
-typedef struct scene {
-    fmb_solver *v;
-    atomic_bool running; /* set by the query's first event */
-    atomic_bool over;    /* set when it has returned */
-    unsigned wait;       /* [ns] from then to the cancel */
-} scene;
-
-static void note(void *self, const fmb_event *e)
+static void *cancel(void *v)
 {
-    scene *c = self;
-    if (e->kind == FMB_EVENT_BEGIN)
-        atomic_store(&c->running, true);
+    fmb_solver_cancel(v);
+    return NULL;
 }
 
-static void *canceller(void *self)
+static void cancel_from_another_thread(void *v)
 {
-    scene *c = self;
-    while (!atomic_load(&c->running) && !atomic_load(&c->over))
-        nanosleep(&(struct timespec){0, 1000}, NULL);
-    nanosleep(&(struct timespec){0, c->wait}, NULL);
-    fmb_solver_cancel(c->v);
-    return NULL;
+    pthread_t thread;
+    cr_assert_eq(pthread_create(&thread, NULL, cancel, v), 0);
+    cr_assert_eq(pthread_join(thread, NULL), 0);
 }
 
 /* The next query of the same solver. */
@@ -43,58 +31,66 @@ static void expect_usable(fmb_solver *v, const fmb_system *s, fmb_verdict verdic
     cr_assert_eq(r.verdict, verdict);
 }
 
-static void one_try(scene *c, const verb *w, const fmb_system *s, int *cancelled)
+static fmb_solver *solver_that_reads_the_clock(fmb_method method)
 {
-    pthread_t thread;
-    char answer[VERB_ANSWER] = "";
-    fmb_result r = {0};
-    atomic_store(&c->running, false);
-    atomic_store(&c->over, false);
-    cr_assert_eq(pthread_create(&thread, NULL, canceller, c), 0);
-    must(w->ask(c->v, s, &r, answer));
-    atomic_store(&c->over, true);
-    pthread_join(thread, NULL);
-    cr_assert(r.stop == FMB_STOP_CANCELLED || r.stop == FMB_STOP_DONE, "%s", fmb_stop_text(r.stop));
-    cr_assert_neq(r.verdict, FMB_INFEASIBLE);
-    *cancelled += r.stop == FMB_STOP_CANCELLED;
-}
-
-/* The verbs w[0..verbs) in turn, each cancelled after at most `most` ns; how many were. */
-static int cancel_often(fmb_method method, const verb *w, int verbs, int tries, unsigned most)
-{
-    fmb_system *hard = sample_hard(40, 120, NULL), *easy = sample(1, NULL);
     fmb_options o = fmb_options_default();
-    scene c = {0};
-    unsigned seed = 7;
-    int cancelled = 0;
+    fmb_solver *v = NULL;
     o.evidence = true;
     o.method = method;
-    o.max_seconds = 20;
-    must(fmb_solver_new(&o, NULL, &c.v));
-    fmb_solver_set_sink(c.v, (fmb_sink){note, &c});
-    for (int i = 0; i < tries; i++) {
-        seed = seed * 1664525u + 1013904223u;
-        c.wait = (seed >> 8) % (i % 2 ? most : most / 40);
-        one_try(&c, &w[i % verbs], hard, &cancelled);
-        expect_usable(c.v, easy, FMB_INFEASIBLE);
-    }
-    fmb_solver_free(c.v);
-    fmb_system_free(hard);
-    fmb_system_free(easy);
-    return cancelled;
+    o.max_seconds = COUNTED_FOREVER;
+    must(fmb_solver_new(&o, NULL, &v));
+    return v;
 }
 
+/* Cancelled at reading `at` of the clock, the query notes it before it reads the clock again to go
+ * on: what is left is the reading at its end. */
+static void cancel_at(fmb_solver *v, const verb *w, const fmb_system *s, size_t at)
+{
+    char answer[VERB_ANSWER] = "";
+    fmb_result r = {0};
+    counted_clock_start(at, cancel_from_another_thread, v);
+    must(w->ask(v, s, &r, answer));
+    counted_clock_stop();
+    cr_assert_eq(r.stop, FMB_STOP_CANCELLED, "%s, %zu: %s", w->name, at, fmb_stop_text(r.stop));
+    cr_assert_neq(r.verdict, FMB_INFEASIBLE);
+    cr_assert_eq(counted_clock_readings(), at + 1, "%s, cancelled at %zu: asked until %zu", w->name,
+                 at, counted_clock_readings());
+}
+
+/* Elimination of what takes far longer than any test, at its beginning and later on. */
 Test(cancel, from_another_thread)
 {
-    int cancelled = cancel_often(FMB_METHOD_FM, VERBS, VERBS_COUNT, 400, 4000000);
-    cr_assert_gt(cancelled, 360, "only %d were cancelled", cancelled);
+    fmb_system *hard = sample_hard(40, 120, NULL), *easy = sample(1, NULL);
+    fmb_solver *v = solver_that_reads_the_clock(FMB_METHOD_FM);
+    for (int w = 0; w < VERBS_COUNT; w++)
+        for (size_t at = 2; at < 150; at += 1 + at / 8) {
+            cancel_at(v, &VERBS[w], hard, at);
+            expect_usable(v, easy, FMB_INFEASIBLE);
+        }
+    fmb_solver_free(v);
+    fmb_system_free(hard);
+    fmb_system_free(easy);
 }
 
-/* A projection that is walked around takes a tenth of a second or so. */
+/* A projection that is walked around, from its beginning to its end. */
 Test(cancel, polygon)
 {
-    int cancelled = cancel_often(FMB_METHOD_AUTO, &VERBS[1], 1, 100, 12000000);
-    cr_assert_gt(cancelled, 25, "only %d were cancelled", cancelled);
+    fmb_system *hard = sample_hard(20, 60, NULL), *easy = sample(1, NULL);
+    fmb_solver *v = solver_that_reads_the_clock(FMB_METHOD_AUTO);
+    char answer[VERB_ANSWER] = "";
+    fmb_result r = {0};
+    counted_clock_start(0, NULL, NULL);
+    must(VERBS[1].ask(v, hard, &r, answer));
+    counted_clock_stop();
+    size_t all = counted_clock_readings();
+    cr_assert(r.stop == FMB_STOP_DONE && all > 100, "%zu", all);
+    for (size_t at = 2; at < all; at += all / 16 + 1) {
+        cancel_at(v, &VERBS[1], hard, at);
+        expect_usable(v, easy, FMB_INFEASIBLE);
+    }
+    fmb_solver_free(v);
+    fmb_system_free(hard);
+    fmb_system_free(easy);
 }
 
 /* A cancel that comes while nothing runs touches no later query. */

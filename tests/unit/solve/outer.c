@@ -1,6 +1,7 @@
 /* outer.c: what a query that a limit has cut short hands out is proved, whenever that happens. */
 #include <criterion/criterion.h>
 
+#include "counted_clock.h"
 #include "property/random/agree.h"
 #include "support.h"
 
@@ -37,7 +38,7 @@ static cut make_cut(support_rng *g)
         c.o.max_bytes = (size_t)support_between(g, 1000, 200000);
         break;
     case 2:
-        c.o.max_seconds = 1e-7 * support_between(g, 1, 5000);
+        c.o.max_seconds = support_between(g, 1, 50);
         break;
     default:
         c.events = support_between(g, 0, 40);
@@ -45,8 +46,10 @@ static cut make_cut(support_rng *g)
     return c;
 }
 
+/* Time is counted from here on, to the end of the query. */
 static void open_cut(cut *c)
 {
+    counted_clock_start(0, NULL, NULL);
     must(fmb_solver_new(&c->o, NULL, &c->v));
     if (c->events >= 0)
         fmb_solver_set_sink(c->v, (fmb_sink){count_down, c});
@@ -128,6 +131,7 @@ static void bound(support_rng *g, const truth *t, tally *n)
     fmb_result r;
     open_cut(&c);
     must(fmb_bound(c.v, t->s, NULL, 0, &box, &r));
+    counted_clock_stop();
     cr_assert(r.verdict == FMB_UNKNOWN || r.verdict == t->verdict || t->verdict == FMB_UNKNOWN);
     cr_assert_eq(box == NULL, r.verdict == FMB_INFEASIBLE);
     n->cut += r.stop != FMB_STOP_DONE;
@@ -169,6 +173,7 @@ static void project(support_rng *g, const truth *t, tally *n)
             keep[kept++] = j;
     open_cut(&c);
     must(fmb_project(c.v, t->s, keep, kept, &p, &r));
+    counted_clock_stop();
     cr_assert(p && fmb_system_dim(p) == kept);
     cr_assert(r.verdict == FMB_UNKNOWN || r.verdict == t->verdict || t->verdict == FMB_UNKNOWN);
     cr_assert(r.verdict == FMB_UNKNOWN ? r.stop != FMB_STOP_DONE : true);
@@ -228,9 +233,10 @@ Test(outer, rows_and_points_by_every_way)
         c.o.evidence = true;
         c.o.max_rows = k % 3 == 0 ? 25 : 0;
         c.o.max_bytes = k % 3 == 1 ? 300000 : 0;
-        c.o.max_seconds = k % 3 == 2 ? 0.2 : 0;
+        c.o.max_seconds = k % 3 == 2 ? 2000 : 0;
         open_cut(&c);
         must(fmb_project(c.v, s, (int[]){0, 1}, 2, &p, &r));
+        counted_clock_stop();
         cr_expect(fmb_system_rows(p) > 0, "way %d: no row", k);
         cr_expect(r.stop == FMB_STOP_DONE || judge_claims(c.v, s, &r, FMB_CLAIM_FEASIBLE) > 1,
                   "way %d: no points", k);
@@ -262,6 +268,7 @@ Test(outer, chain)
     c.o.evidence = true;
     open_cut(&c);
     must(fmb_bound(c.v, s, NULL, 0, &box, &r));
+    counted_clock_stop();
     cr_assert(box && r.stop == FMB_STOP_CANCELLED && r.verdict == FMB_UNKNOWN);
     fmb_end x = fmb_box_end(box, 0, FMB_LOWER), y = fmb_box_end(box, 1, FMB_UPPER),
             z = fmb_box_end(box, 2, FMB_UPPER);
@@ -285,6 +292,7 @@ Test(outer, contradiction)
     c.o.evidence = true;
     open_cut(&c);
     must(fmb_bound(c.v, s, NULL, 0, &box, &r));
+    counted_clock_stop();
     cr_assert_null(box);
     cr_assert(r.verdict == FMB_INFEASIBLE && r.stop == FMB_STOP_DONE);
     cr_expect_eq(judge_claims(c.v, s, &r, FMB_CLAIM_INFEASIBLE), 1);
@@ -306,6 +314,7 @@ Test(outer, points_of_a_cone)
         c.o.max_rows = 25;
         open_cut(&c);
         must(fmb_project(c.v, s, (int[]){0, 1, 2, 3}, 4, &p, &r));
+        counted_clock_stop();
         cr_expect_eq(r.stop, FMB_STOP_ROWS);
         cr_expect_gt(judge_claims(c.v, s, &r, FMB_CLAIM_FEASIBLE), 3, "way %d", k);
         fmb_system_free(p);

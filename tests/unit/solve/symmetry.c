@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "counted_clock.h"
 #include "property/random/agree.h"
 #include "support.h"
 
@@ -33,9 +34,9 @@ static fmb_system *with_planted_symmetry(support_rng *g)
     return s;
 }
 
-/* [give] The projection as text; seconds 0: all of it. */
+/* [give] The projection as text; within so many readings of a counted clock, or, 0, all of it. */
 static char *project_with(const fmb_system *s, fmb_symmetries symmetry, size_t threads,
-                          double seconds, uint64_t *queries)
+                          size_t seconds, uint64_t *queries)
 {
     static const int keep[KEPT] = {0, 1, 2, 3};
     fmb_options o = fmb_options_default();
@@ -49,11 +50,13 @@ static char *project_with(const fmb_system *s, fmb_symmetries symmetry, size_t t
     FILE *f = open_memstream(&text, &size);
     o.symmetry = symmetry;
     o.threads = threads;
-    o.max_seconds = seconds;
+    o.max_seconds = seconds > 0 ? (double)seconds : COUNTED_FOREVER;
     o.method = FMB_METHOD_HULL;
     must(fmb_solver_new(&o, NULL, &v));
+    counted_clock_start(0, NULL, NULL);
     must(fmb_project(v, s, keep, KEPT, &p, &r));
-    cr_assert(p && (seconds > 0 || r.stop == FMB_STOP_DONE));
+    counted_clock_stop();
+    cr_assert(p && r.stop == (seconds > 0 ? FMB_STOP_TIME : FMB_STOP_DONE));
     must(fmb_solver_evidence(v, &e));
     must(fmb_check(s, e, &j));
     cr_assert(j.accepted || (seconds > 0 && fmb_evidence_claims(e) == 0), "%s", j.reason);
@@ -94,8 +97,11 @@ Test(symmetry, under_a_limit)
     uint64_t queries = 0;
     support_rng g = {77};
     fmb_system *s = with_planted_symmetry(&g);
-    for (int k = 1; k <= 8; k++)
-        free(project_with(s, FMB_SYMMETRY_AUTO, (size_t)(k % 2 + 1), 0.003 * k, &queries));
+    for (size_t k = 1; k < 8; k++) {
+        free(project_with(s, FMB_SYMMETRY_AUTO, k % 2 + 1, 0, &queries));
+        size_t all = counted_clock_readings();
+        free(project_with(s, FMB_SYMMETRY_AUTO, k % 2 + 1, all * k / 8, &queries));
+    }
     fmb_system_free(s);
 }
 

@@ -7,6 +7,7 @@
 
 #include <fmb/generators.h>
 
+#include "counted_clock.h"
 #include "property/random/agree.h"
 #include "support.h"
 
@@ -33,7 +34,8 @@ static fmb_system *large(support_rng *g)
     return s;
 }
 
-static fmb_box *box_by(const fmb_system *s, size_t threads, double seconds, fmb_result *r)
+/* Limits are in readings of a counted clock; 0: none. */
+static fmb_box *box_by(const fmb_system *s, size_t threads, size_t seconds, fmb_result *r)
 {
     fmb_options o = fmb_options_default();
     fmb_solver *v = NULL;
@@ -41,9 +43,11 @@ static fmb_box *box_by(const fmb_system *s, size_t threads, double seconds, fmb_
     fmb_evidence *e = NULL;
     fmb_judgement j;
     o.threads = threads;
-    o.max_seconds = seconds;
+    o.max_seconds = seconds > 0 ? (double)seconds : COUNTED_FOREVER;
     must(fmb_solver_new(&o, NULL, &v));
+    counted_clock_start(0, NULL, NULL);
     must(fmb_bound(v, s, NULL, 0, &box, r));
+    counted_clock_stop();
     must(fmb_solver_evidence(v, &e));
     must(fmb_check(s, e, &j));
     cr_expect(j.accepted || r->stop != FMB_STOP_DONE, "%s", j.reason);
@@ -92,9 +96,11 @@ Test(threads, limits)
     support_rng g = {78};
     fmb_system *s = large(&g);
     fmb_result r;
-    fmb_box *one = box_by(s, 1, 0, &r);
-    for (int i = 0; i < 8; i++) {
-        fmb_box *some = box_by(s, 3, 0.002 * (i + 1), &r);
+    fmb_box *one = box_by(s, 3, 0, &r);
+    size_t all = counted_clock_readings();
+    for (size_t i = 1; i < 8; i++) {
+        fmb_box *some = box_by(s, 3, all * i / 8, &r);
+        cr_expect_eq(r.stop, FMB_STOP_TIME, "%zu: %s", i, fmb_stop_text(r.stop));
         for (int j = 0; some && j < DIM; j++)
             for (int side = FMB_LOWER; side <= FMB_UPPER; side++) {
                 fmb_end p = fmb_box_end(some, j, (fmb_side)side),
@@ -130,7 +136,7 @@ static fmb_system *around_ball(support_rng *g)
 }
 
 /* [give] The proof, as text. */
-static char *reduce_by(const fmb_system *s, size_t threads, fmb_stop stop, double seconds,
+static char *reduce_by(const fmb_system *s, size_t threads, fmb_stop stop, size_t seconds,
                        fmb_fate *fate)
 {
     fmb_options o = fmb_options_default();
@@ -143,12 +149,14 @@ static char *reduce_by(const fmb_system *s, size_t threads, fmb_stop stop, doubl
     size_t size = 0;
     FILE *f = open_memstream(&text, &size);
     o.threads = threads;
-    o.max_seconds = seconds;
+    o.max_seconds = seconds > 0 ? (double)seconds : COUNTED_FOREVER;
     o.evidence = FMB_EVIDENCE_ALL;
     must(fmb_solver_new(&o, NULL, &v));
+    counted_clock_start(0, NULL, NULL);
     must(fmb_reduce(v, s, fate, &reduced, &r));
+    counted_clock_stop();
     must(fmb_solver_evidence(v, &e));
-    cr_expect(stop == r.stop || stop != FMB_STOP_DONE);
+    cr_expect_eq(stop, r.stop, "%s", fmb_stop_text(r.stop));
     must(fmb_check(s, e, &j));
     cr_expect(j.accepted || (r.stop != FMB_STOP_DONE && fmb_evidence_claims(e) == 0), "%s",
               j.reason);
@@ -182,12 +190,13 @@ Test(threads, rows_under_a_limit)
 {
     support_rng g = {80};
     fmb_system *s = around_ball(&g);
-    fmb_fate all[MANY], some[MANY];
-    free(reduce_by(s, 1, FMB_STOP_DONE, 0, all));
-    for (int k = 1; k <= 3; k++) {
-        free(reduce_by(s, 3, FMB_STOP_TIME, 0.004 * k, some));
+    fmb_fate whole[MANY], some[MANY];
+    free(reduce_by(s, 3, FMB_STOP_DONE, 0, whole));
+    size_t all = counted_clock_readings();
+    for (size_t k = 1; k <= 3; k++) {
+        free(reduce_by(s, 3, FMB_STOP_TIME, all * k / 4, some));
         for (int i = 0; i < MANY; i++)
-            cr_expect(some[i] == FMB_FATE_UNKNOWN || some[i] == all[i], "row %d", i);
+            cr_expect(some[i] == FMB_FATE_UNKNOWN || some[i] == whole[i], "row %d", i);
     }
     fmb_system_free(s);
 }
@@ -213,7 +222,7 @@ static fmb_system *around_origin(support_rng *g, int strict)
 
 /* [give] The projection, and its proof as text. */
 static fmb_system *project_by(const fmb_system *s, fmb_method method, size_t threads,
-                              double seconds, fmb_stop *stop, char **proof)
+                              size_t seconds, fmb_stop *stop, char **proof)
 {
     static const int keep[KEPT] = {0, 2, 3, 5};
     fmb_options o = fmb_options_default();
@@ -225,10 +234,12 @@ static fmb_system *project_by(const fmb_system *s, fmb_method method, size_t thr
     size_t size = 0;
     FILE *f = open_memstream(proof, &size);
     o.threads = threads;
-    o.max_seconds = seconds;
+    o.max_seconds = seconds > 0 ? (double)seconds : COUNTED_FOREVER;
     o.method = method;
     must(fmb_solver_new(&o, NULL, &v));
+    counted_clock_start(0, NULL, NULL);
     must(fmb_project(v, s, keep, KEPT, &p, &r));
+    counted_clock_stop();
     must(fmb_solver_evidence(v, &e));
     must(fmb_check(s, e, &j));
     cr_expect(j.accepted || (r.stop != FMB_STOP_DONE && fmb_evidence_claims(e) == 0), "%s",
@@ -329,10 +340,11 @@ Test(threads, projection_under_a_limit)
     support_rng g = {82};
     fmb_system *s = around_origin(&g, 5);
     static const fmb_method method[] = {FMB_METHOD_HULL, FMB_METHOD_DD, FMB_METHOD_FM};
-    for (int k = 1; k <= 6; k++) {
+    for (size_t k = 0; k < 9; k++) {
         char *proof;
         fmb_stop stop;
-        fmb_system_free(project_by(s, method[k % 3], 3, 0.004 * k, &stop, &proof));
+        fmb_system_free(project_by(s, method[k % 3], 3, 300 * (k / 3 + 1), &stop, &proof));
+        cr_expect_eq(stop, FMB_STOP_TIME, "%zu: %s", k, fmb_stop_text(stop));
         free(proof);
     }
     fmb_system_free(s);
