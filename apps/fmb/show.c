@@ -6,8 +6,6 @@
 #include "common/message.h"
 #include "common/text.h"
 
-static const char *const relation[] = {[FMB_LE] = "<=", [FMB_LT] = "<", [FMB_EQ] = "="};
-
 /* gmp_vasprintf allocates with GMP's functions, which are malloc's: nobody here sets others. */
 char *app_print(const char *format, ...)
 {
@@ -71,7 +69,7 @@ char *app_show_row(const fmb_system *s, size_t i, int digits)
     if (fmb_system_terms(s, i) == 0)
         fputc('0', out);
     fmb_system_rhs_q(s, i, q);
-    fprintf(out, " %s ", relation[fmb_system_rel(s, i)]);
+    fprintf(out, " %s ", fmb_rel_text(fmb_system_rel(s, i)));
     put_number(out, q, digits);
     mpq_clear(q);
     fclose(out);
@@ -180,7 +178,7 @@ static json_t *row(const fmb_system *s, size_t i, mpq_t q, int digits)
     if (fmb_system_label(s, i))
         app_json_set(obj, "label", json_label(s, i));
     app_json_set(obj, "coefficients", coefficients(s, i, q, digits));
-    app_json_set(obj, "relation", json_string(relation[fmb_system_rel(s, i)]));
+    app_json_set(obj, "relation", json_string(fmb_rel_text(fmb_system_rel(s, i))));
     fmb_system_rhs_q(s, i, q);
     app_json_set(obj, "rhs", app_json_number(q, digits, APP_NEAREST));
     return obj;

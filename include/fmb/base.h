@@ -17,12 +17,17 @@
 #ifndef FMB_BASE_H
 #define FMB_BASE_H
 
+/* Other languages may read these headers: what `cc -E -P -DFMB_DECLARATIONS_ONLY` makes of
+ * <fmb/fmb.h> or <fmb/geometry.h> is nothing but the declarations of libfmb, in plain C. They need
+ * bool, size_t, FILE, int64_t and their like, which readers of declarations know. */
+#ifndef FMB_DECLARATIONS_ONLY
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
+#endif
 
-#ifdef __GNUC__
+#if defined(__GNUC__) && !defined(FMB_DECLARATIONS_ONLY)
 #define FMB_API     __attribute__((visibility("default")))
 #define FMB_CHECKED __attribute__((warn_unused_result))
 #else
@@ -73,6 +78,8 @@ typedef enum fmb_stop {
 /* Relation of a row a.x REL b. GE and GT are for adding rows: what is kept, and handed out, is
  * -a.x LE -b and -a.x LT -b. */
 typedef enum fmb_rel { FMB_LE = 0, FMB_LT, FMB_EQ, FMB_GE, FMB_GT } fmb_rel;
+/* "<=", "<", "=", ">=", ">"; static, "?" of what is none. */
+FMB_API const char *fmb_rel_text(fmb_rel r);
 
 /* Which end of an interval. */
 typedef enum fmb_side { FMB_LOWER = 0, FMB_UPPER } fmb_side;

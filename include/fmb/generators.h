@@ -37,6 +37,13 @@ FMB_API fmb_generator_kind fmb_generators_kind(const fmb_generators *g, size_t i
 /* Its coordinate j, the nearest double; 0 where there is none. Exactly:
  * fmb_generators_coordinate_q. */
 FMB_API double fmb_generators_coordinate(const fmb_generators *g, size_t i, int j);
+/* The same as exact text (<fmb/base.h>), "0" where there is none. */
+FMB_API size_t fmb_generators_coordinate_text(const fmb_generators *g, size_t i, int j, char *text,
+                                              size_t size);
+/* The generators first .. first + n at once: kind[n] and x[n][dim], the nearest doubles; each may
+ * be NULL. Errors: ARG (no such generators). */
+FMB_API FMB_CHECKED fmb_status fmb_generators_get(const fmb_generators *g, size_t first, size_t n,
+                                                  fmb_generator_kind *kind, double *x);
 
 /* [give] The generators of s: all vertices, extreme rays and a basis of the lines, none of which
  * can be left out; vertices first, lines last. Strict rows are taken for <=: it is the closure of

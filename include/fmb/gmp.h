@@ -222,9 +222,7 @@ FMB_API void fmb_evidence_multiplier_q(const fmb_evidence *e, size_t i, size_t r
 FMB_API void fmb_evidence_coordinate_q(const fmb_evidence *e, size_t i, int j, mpq_t out);
 FMB_API void fmb_evidence_ray_q(const fmb_evidence *e, size_t i, int j, mpq_t out);
 FMB_API void fmb_evidence_value_q(const fmb_evidence *e, size_t i, mpq_t out);
-/* Number of terms of the linear form that a claim IMPLIED, BOUND or UNBOUNDED is about, unless it
- * is one variable (fmb_evidence_var); its k-th term, or -1 and 0. */
-FMB_API size_t fmb_evidence_terms(const fmb_evidence *e, size_t i);
+/* The k-th term of the form that it is about (fmb_evidence_terms), or -1 and 0. */
 FMB_API int fmb_evidence_term_q(const fmb_evidence *e, size_t i, size_t k, mpq_t coef);
 
 #ifdef __cplusplus

@@ -24,7 +24,8 @@ typedef enum fmb_format {
     FMB_FORMAT_LP        /* .lp */
 } fmb_format;
 
-/* "fmb", "ine", ... of a format; and back (also "auto"): false if the word is unknown. */
+/* The word for a format, "fmb", "ine", ..., as --format takes it and file names end; and back (also
+ * "auto"): false if the word is unknown. */
 FMB_API const char *fmb_format_text(fmb_format f);
 FMB_API bool fmb_format_parse(const char *word, fmb_format *out);
 /* Format by the ending of a file name ("a/b.ine"), FMB_FORMAT_AUTO if it says nothing or is NULL.

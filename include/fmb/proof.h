@@ -21,15 +21,15 @@ typedef enum fmb_claim_kind {
     FMB_CLAIM_NONE = 0,
     FMB_CLAIM_FEASIBLE,    /* point: satisfies every row */
     FMB_CLAIM_INFEASIBLE,  /* multipliers: their combination reads 0 <= negative, or 0 < 0 */
-    FMB_CLAIM_BOUND,       /* of a variable, or of a linear form (fmb_evidence_term_q): side, value,
+    FMB_CLAIM_BOUND,       /* of a variable, or of a linear form (fmb_evidence_term): side, value,
                               rel: multipliers prove it, point shows it tight */
     FMB_CLAIM_UNBOUNDED,   /* of a variable or a form: side, ray */
-    FMB_CLAIM_IMPLIED,     /* an inequality (fmb_evidence_term_q): multipliers prove it */
+    FMB_CLAIM_IMPLIED,     /* an inequality (fmb_evidence_term): multipliers prove it */
     FMB_CLAIM_REDUNDANT,   /* row: follows from rows that no claim REDUNDANT names up to here */
     FMB_CLAIM_EQUALITY,    /* row: holds with equality everywhere: multipliers prove the reverse */
     FMB_CLAIM_IRREDUNDANT, /* row: point satisfies the other rows that stay, and not this one */
     FMB_CLAIM_CORNER,      /* point: satisfies every row, < read as <=; or ray: a direction */
-    FMB_CLAIM_WHOLE /* variables (fmb_evidence_term_q): the projection on them is what the claims
+    FMB_CLAIM_WHOLE /* variables (fmb_evidence_term): the projection on them is what the claims
                        IMPLIED say that name no others: corners span all of it */
 } fmb_claim_kind;
 
@@ -46,10 +46,27 @@ FMB_API int fmb_evidence_var(const fmb_evidence *e, size_t i);
 FMB_API fmb_side fmb_evidence_side(const fmb_evidence *e, size_t i);
 FMB_API fmb_rel fmb_evidence_rel(const fmb_evidence *e, size_t i);
 
-/* The multiplier of row r in claim i (0 if absent), and coordinate j of its point, both as the
- * nearest double (0 where the claim has none). */
+/* The multiplier of row r in claim i (0 if absent), coordinate j of its point and of its ray, and
+ * its value, all as the nearest double (0 where the claim has none). */
 FMB_API double fmb_evidence_multiplier(const fmb_evidence *e, size_t i, size_t r);
 FMB_API double fmb_evidence_coordinate(const fmb_evidence *e, size_t i, int j);
+FMB_API double fmb_evidence_ray(const fmb_evidence *e, size_t i, int j);
+FMB_API double fmb_evidence_value(const fmb_evidence *e, size_t i);
+/* Number of terms of the linear form that a claim IMPLIED, BOUND or UNBOUNDED is about, unless it
+ * is one variable (fmb_evidence_var), and of the variables of a claim WHOLE; the variable of the
+ * k-th, or -1, with its coefficient as the nearest double, or 0, in *coef, which may be NULL. */
+FMB_API size_t fmb_evidence_terms(const fmb_evidence *e, size_t i);
+FMB_API int fmb_evidence_term(const fmb_evidence *e, size_t i, size_t k, double *coef);
+/* The same numbers as exact text (<fmb/base.h>), "0" where there is none. */
+FMB_API size_t fmb_evidence_multiplier_text(const fmb_evidence *e, size_t i, size_t r, char *text,
+                                            size_t size);
+FMB_API size_t fmb_evidence_coordinate_text(const fmb_evidence *e, size_t i, int j, char *text,
+                                            size_t size);
+FMB_API size_t fmb_evidence_ray_text(const fmb_evidence *e, size_t i, int j, char *text,
+                                     size_t size);
+FMB_API size_t fmb_evidence_value_text(const fmb_evidence *e, size_t i, char *text, size_t size);
+FMB_API size_t fmb_evidence_term_text(const fmb_evidence *e, size_t i, size_t k, char *text,
+                                      size_t size);
 /* The first row from r on whose multiplier in claim i is not 0, SIZE_MAX if there is none. */
 FMB_API size_t fmb_evidence_next_row(const fmb_evidence *e, size_t i, size_t r);
 

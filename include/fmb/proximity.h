@@ -56,6 +56,13 @@ FMB_API double fmb_proximity_shift(const fmb_proximity *p, int j);
  * when they are that near. */
 FMB_API double fmb_proximity_point(const fmb_proximity *p, int which, int j);
 FMB_API double fmb_proximity_time(const fmb_proximity *p);
+/* The same as exact text (<fmb/base.h>): the length, but its square where the norm is Euclidean;
+ * and the rest. */
+FMB_API size_t fmb_proximity_measure_text(const fmb_proximity *p, char *text, size_t size);
+FMB_API size_t fmb_proximity_shift_text(const fmb_proximity *p, int j, char *text, size_t size);
+FMB_API size_t fmb_proximity_point_text(const fmb_proximity *p, int which, int j, char *text,
+                                        size_t size);
+FMB_API size_t fmb_proximity_time_text(const fmb_proximity *p, char *text, size_t size);
 
 /* [give] A row a.x <= b over x1, x2, ... and, if something moves, t: the first frame satisfies it,
  * the second a.x >= b, and fmb_separates accepts it. *out is NULL if they meet. Errors: ARG,

@@ -157,6 +157,13 @@ FMB_API void fmb_box_free(fmb_box *b);
 FMB_API int fmb_box_size(const fmb_box *b);       /* number of intervals */
 FMB_API int fmb_box_var(const fmb_box *b, int i); /* the variable of interval i */
 FMB_API fmb_end fmb_box_end(const fmb_box *b, int i, fmb_side side);
+/* The value of that end rounded to the nearest double, which may lie inside; and as exact text
+ * (<fmb/base.h>), "" unless it is finite or outer. */
+FMB_API double fmb_box_nearest(const fmb_box *b, int i, fmb_side side);
+FMB_API size_t fmb_box_end_text(const fmb_box *b, int i, fmb_side side, char *text, size_t size);
+/* The values of all ends at once, rounded outward as fmb_box_end has them: lower[size],
+ * upper[size], each of which may be NULL. Errors: ARG (b NULL). */
+FMB_API FMB_CHECKED fmb_status fmb_box_ends(const fmb_box *b, double *lower, double *upper);
 
 /* ---- optima ---------------------------------------------------------------------------------- */
 
@@ -166,6 +173,10 @@ FMB_API fmb_sense fmb_optimum_sense(const fmb_optimum *o);
 /* How far it goes, its constant included. FINITE: the optimum, attained or approached; OUTER: no
  * solution is beyond; INFINITE: unbounded. UNKNOWN for NULL. */
 FMB_API fmb_end fmb_optimum_end(const fmb_optimum *o);
+/* Its value rounded to the nearest double, infinite unless it is finite or outer, 0 for NULL; and
+ * as exact text (<fmb/base.h>), "" unless it is finite or outer. */
+FMB_API double fmb_optimum_nearest(const fmb_optimum *o);
+FMB_API size_t fmb_optimum_value_text(const fmb_optimum *o, char *text, size_t size);
 /* Coordinate j, as the nearest double, of a point and, if the form is unbounded, of a ray. The
  * point is at the optimum where that is FINITE: a solution if it is attained, else it satisfies the
  * rows with < read as <=, and solutions come as near as you like. In other cases, where the system
@@ -173,6 +184,9 @@ FMB_API fmb_end fmb_optimum_end(const fmb_optimum *o);
  * and the form grows (for MIN: falls). 0 where there is none. */
 FMB_API double fmb_optimum_coordinate(const fmb_optimum *o, int j);
 FMB_API double fmb_optimum_ray(const fmb_optimum *o, int j);
+/* The same as exact text. */
+FMB_API size_t fmb_optimum_coordinate_text(const fmb_optimum *o, int j, char *text, size_t size);
+FMB_API size_t fmb_optimum_ray_text(const fmb_optimum *o, int j, char *text, size_t size);
 
 #ifdef __cplusplus
 }

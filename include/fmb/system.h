@@ -76,6 +76,21 @@ FMB_API FMB_CHECKED fmb_status fmb_system_get_rows(const fmb_system *s, size_t f
 FMB_API FMB_CHECKED fmb_status fmb_system_get_rows_int(const fmb_system *s, size_t first, size_t n,
                                                        size_t *start, int *var, int64_t *coef,
                                                        fmb_rel *rel, int64_t *b);
+/* All of them as one object, for whoever would not allocate. The arrays are the matrix's. */
+typedef struct fmb_matrix {
+    size_t rows, terms; /* terms: of all rows */
+    int dim;
+    const size_t *start; /* [rows + 1] */
+    const int *var;      /* [terms] */
+    const double *coef;  /* [terms] the nearest doubles */
+    const fmb_rel *rel;  /* [rows] */
+    const double *b;     /* [rows] */
+} fmb_matrix;
+
+/* [give, fmb_matrix_free] The rows of s as they are now, with its allocator. Errors: ARG, MEMORY.
+ */
+FMB_API FMB_CHECKED fmb_status fmb_system_matrix(const fmb_system *s, fmb_matrix **out);
+FMB_API void fmb_matrix_free(fmb_matrix *m);
 /* The coefficient of term k of row i as exact text, "-1/3", and its right side; "0" where there is
  * none. The length without the NUL is returned, and text[size] is written only if size is more than
  * that, as of all numbers as text (<fmb/base.h>). */

@@ -61,6 +61,12 @@ const char *fmb_stop_text(fmb_stop s)
     return "unknown stop";
 }
 
+const char *fmb_rel_text(fmb_rel r)
+{
+    static const char *const text[] = {"<=", "<", "=", ">=", ">"};
+    return (unsigned)r <= FMB_GT ? text[r] : "?";
+}
+
 size_t fmb_where_text(const fmb_where *where, const char *name, char *text, size_t size)
 {
     char place[64] = "";

@@ -94,10 +94,22 @@ bool fmb_rational_as_integer(mpq_srcptr q, int64_t *out)
     return true;
 }
 
+void fmb_rational_give(mpq_srcptr q, mpq_ptr out)
+{
+    if (out && q)
+        mpq_set(out, q);
+    else if (out)
+        mpq_set_ui(out, 0, 1);
+}
+
 /* GMP allocates the text, and gets it back, as it does limbs. */
 size_t fmb_rational_print(mpq_srcptr q, char *text, size_t size)
 {
     void (*release)(void *, size_t);
+    if (!q && text && size > 1)
+        memcpy(text, "0", 2);
+    if (!q)
+        return 1;
     char *all = mpq_get_str(NULL, 10, q);
     size_t length = strlen(all);
     if (text && length < size)

@@ -17,7 +17,10 @@ double fmb_nearest_double(mpq_srcptr q);
 double fmb_nearest_root(mpq_srcptr q);
 /* q as such an integer, if it is one. */
 bool fmb_rational_as_integer(mpq_srcptr q, int64_t *out);
-/* "-1/3" and a NUL to text[size], if it has room for that; how long it is without the NUL. */
+/* out = q, 0 for NULL; nothing where out is NULL. */
+void fmb_rational_give(mpq_srcptr q, mpq_ptr out);
+/* "-1/3" and a NUL to text[size], if it has room for that; how long it is without the NUL. "0" for
+ * NULL. */
 size_t fmb_rational_print(mpq_srcptr q, char *text, size_t size);
 
 #endif

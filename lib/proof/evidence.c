@@ -224,33 +224,30 @@ fmb_rel fmb_evidence_rel(const fmb_evidence *e, size_t i)
     return claim_at(e, i)->rel;
 }
 
-/* Copy q to out, 0 for NULL. */
-static void give_rational(mpq_srcptr q, mpq_t out)
-{
-    if (out && q)
-        mpq_set(out, q);
-    else if (out)
-        mpq_set_ui(out, 0, 1);
-}
-
 void fmb_evidence_multiplier_q(const fmb_evidence *e, size_t i, size_t r, mpq_t out)
 {
-    give_rational(fmb_sparse_find(&claim_at(e, i)->multipliers, r), out);
+    fmb_rational_give(fmb_sparse_find(&claim_at(e, i)->multipliers, r), out);
 }
 
 void fmb_evidence_coordinate_q(const fmb_evidence *e, size_t i, int j, mpq_t out)
 {
-    give_rational(fmb_sparse_find(&claim_at(e, i)->point, (size_t)j), out);
+    fmb_rational_give(fmb_sparse_find(&claim_at(e, i)->point, (size_t)j), out);
 }
 
 void fmb_evidence_ray_q(const fmb_evidence *e, size_t i, int j, mpq_t out)
 {
-    give_rational(fmb_sparse_find(&claim_at(e, i)->ray, (size_t)j), out);
+    fmb_rational_give(fmb_sparse_find(&claim_at(e, i)->ray, (size_t)j), out);
+}
+
+/* NULL: there is no such claim. */
+static mpq_srcptr value_of_claim(const fmb_evidence *e, size_t i)
+{
+    return i < fmb_evidence_claims(e) ? e->claim[i].value : NULL;
 }
 
 void fmb_evidence_value_q(const fmb_evidence *e, size_t i, mpq_t out)
 {
-    give_rational(i < fmb_evidence_claims(e) ? e->claim[i].value : NULL, out);
+    fmb_rational_give(value_of_claim(e, i), out);
 }
 
 size_t fmb_evidence_terms(const fmb_evidence *e, size_t i)
@@ -262,7 +259,7 @@ int fmb_evidence_term_q(const fmb_evidence *e, size_t i, size_t k, mpq_t coef)
 {
     const fmb_sparse_vector *terms = &claim_at(e, i)->terms;
     bool there = k < terms->size;
-    give_rational(there ? terms->value[k] : NULL, coef);
+    fmb_rational_give(there ? terms->value[k] : NULL, coef);
     return there ? (int)terms->index[k] : -1;
 }
 
@@ -288,4 +285,52 @@ size_t fmb_evidence_next_row(const fmb_evidence *e, size_t i, size_t r)
 double fmb_evidence_coordinate(const fmb_evidence *e, size_t i, int j)
 {
     return fmb_nearest_double(fmb_sparse_find(&claim_at(e, i)->point, (size_t)j));
+}
+
+double fmb_evidence_ray(const fmb_evidence *e, size_t i, int j)
+{
+    return fmb_nearest_double(fmb_sparse_find(&claim_at(e, i)->ray, (size_t)j));
+}
+
+double fmb_evidence_value(const fmb_evidence *e, size_t i)
+{
+    return fmb_nearest_double(value_of_claim(e, i));
+}
+
+int fmb_evidence_term(const fmb_evidence *e, size_t i, size_t k, double *coef)
+{
+    const fmb_sparse_vector *terms = &claim_at(e, i)->terms;
+    bool there = k < terms->size;
+    if (coef)
+        *coef = there ? fmb_nearest_double(terms->value[k]) : 0;
+    return there ? (int)terms->index[k] : -1;
+}
+
+/* ---- as text --------------------------------------------------------------------------------- */
+
+size_t fmb_evidence_multiplier_text(const fmb_evidence *e, size_t i, size_t r, char *text,
+                                    size_t size)
+{
+    return fmb_rational_print(fmb_sparse_find(&claim_at(e, i)->multipliers, r), text, size);
+}
+
+size_t fmb_evidence_coordinate_text(const fmb_evidence *e, size_t i, int j, char *text, size_t size)
+{
+    return fmb_rational_print(fmb_sparse_find(&claim_at(e, i)->point, (size_t)j), text, size);
+}
+
+size_t fmb_evidence_ray_text(const fmb_evidence *e, size_t i, int j, char *text, size_t size)
+{
+    return fmb_rational_print(fmb_sparse_find(&claim_at(e, i)->ray, (size_t)j), text, size);
+}
+
+size_t fmb_evidence_value_text(const fmb_evidence *e, size_t i, char *text, size_t size)
+{
+    return fmb_rational_print(value_of_claim(e, i), text, size);
+}
+
+size_t fmb_evidence_term_text(const fmb_evidence *e, size_t i, size_t k, char *text, size_t size)
+{
+    const fmb_sparse_vector *terms = &claim_at(e, i)->terms;
+    return fmb_rational_print(k < terms->size ? terms->value[k] : NULL, text, size);
 }

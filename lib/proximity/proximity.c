@@ -56,14 +56,6 @@ static mpq_srcptr shift_of(const fmb_proximity *p, int j)
     return is_coordinate(p, j) ? p->shift[j] : NULL;
 }
 
-static void copy_or_zero(mpq_t out, mpq_srcptr from)
-{
-    if (from)
-        mpq_set(out, from);
-    else
-        mpq_set_ui(out, 0, 1);
-}
-
 int fmb_proximity_dim(const fmb_proximity *p)
 {
     return p ? p->dim : 0;
@@ -92,20 +84,40 @@ double fmb_proximity_shift(const fmb_proximity *p, int j)
 
 void fmb_proximity_measure_q(const fmb_proximity *p, mpq_t out)
 {
-    copy_or_zero(out, p ? p->measure : NULL);
+    fmb_rational_give(p ? p->measure : NULL, out);
 }
 
 void fmb_proximity_time_q(const fmb_proximity *p, mpq_t out)
 {
-    copy_or_zero(out, p ? p->time : NULL);
+    fmb_rational_give(p ? p->time : NULL, out);
 }
 
 void fmb_proximity_point_q(const fmb_proximity *p, int which, int j, mpq_t out)
 {
-    copy_or_zero(out, point_of(p, which, j));
+    fmb_rational_give(point_of(p, which, j), out);
 }
 
 void fmb_proximity_shift_q(const fmb_proximity *p, int j, mpq_t out)
 {
-    copy_or_zero(out, shift_of(p, j));
+    fmb_rational_give(shift_of(p, j), out);
+}
+
+size_t fmb_proximity_measure_text(const fmb_proximity *p, char *text, size_t size)
+{
+    return fmb_rational_print(p ? p->measure : NULL, text, size);
+}
+
+size_t fmb_proximity_time_text(const fmb_proximity *p, char *text, size_t size)
+{
+    return fmb_rational_print(p ? p->time : NULL, text, size);
+}
+
+size_t fmb_proximity_point_text(const fmb_proximity *p, int which, int j, char *text, size_t size)
+{
+    return fmb_rational_print(point_of(p, which, j), text, size);
+}
+
+size_t fmb_proximity_shift_text(const fmb_proximity *p, int j, char *text, size_t size)
+{
+    return fmb_rational_print(shift_of(p, j), text, size);
 }

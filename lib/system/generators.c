@@ -172,3 +172,28 @@ double fmb_generators_coordinate(const fmb_generators *g, size_t i, int j)
     mpq_clear(q);
     return d;
 }
+
+size_t fmb_generators_coordinate_text(const fmb_generators *g, size_t i, int j, char *text,
+                                      size_t size)
+{
+    mpq_t q;
+    mpq_init(q);
+    fmb_generators_coordinate_q(g, i, j, q);
+    size_t length = fmb_rational_print(q, text, size);
+    mpq_clear(q);
+    return length;
+}
+
+fmb_status fmb_generators_get(const fmb_generators *g, size_t first, size_t n,
+                              fmb_generator_kind *kind, double *x)
+{
+    if (!g || first > g->size || n > g->size - first)
+        return FMB_ERR_ARG;
+    for (size_t i = first; i < first + n; i++) {
+        if (kind)
+            *kind++ = g->kind[i];
+        for (int j = 0; x && j < g->dim; j++)
+            *x++ = fmb_generators_coordinate(g, i, j);
+    }
+    return FMB_OK;
+}

@@ -187,6 +187,14 @@ static fmb_status on_print_claim(world *w, int null)
     return fmb_evidence_print_claim(P(0, w->e), P(1, w->s), 0, P(2, text), sizeof text, P(3, &n));
 }
 
+static fmb_status on_matrix(world *w, int null)
+{
+    fmb_matrix *out = NULL;
+    fmb_status st = fmb_system_matrix(P(0, w->s), P(1, &out));
+    fmb_matrix_free(out);
+    return st;
+}
+
 static fmb_status on_write(world *w, int null)
 {
     return fmb_evidence_write(P(0, w->e), P(1, w->s), P(2, w->stream));
@@ -248,6 +256,7 @@ static const struct {
     {"fmb_evidence_write", 3, on_write},
     {"fmb_evidence_parse", 3, on_parse_evidence},
     {"fmb_system_print", 3, on_print_system},
+    {"fmb_system_matrix", 2, on_matrix},
     {"fmb_evidence_print", 4, on_print_evidence},
     {"fmb_evidence_print_claim", 4, on_print_claim},
     {"fmb_check", 3, on_check},
@@ -355,6 +364,8 @@ Test(arguments, accessors)
     cr_expect_not_null(fmb_status_text((fmb_status)-1));
     cr_expect_not_null(fmb_verdict_text((fmb_verdict)77));
     cr_expect_not_null(fmb_stop_text((fmb_stop)77));
+    cr_expect_str_eq(fmb_rel_text((fmb_rel)77), "?");
+    cr_expect_str_eq(fmb_rel_text(FMB_GE), ">=");
     close_world(&w);
 }
 

@@ -142,6 +142,28 @@ Test(building, new_and_copy)
     cr_assert_eq(h.live, 0);
 }
 
+/* A matrix of the rows: a failure leaves nothing behind. */
+Test(building, matrix)
+{
+    hook h = {0};
+    fmb_alloc mem = hook_alloc(&h);
+    fmb_matrix *const mark = (fmb_matrix *)&h, *m = mark;
+    fmb_status st = FMB_ERR_MEMORY;
+    fmb_system *s = sample(0, &mem);
+    size_t before = h.live, tries = 0;
+    for (; st != FMB_OK; tries++) {
+        hook_arm(&h, tries + 1, false);
+        st = fmb_system_matrix(s, &m);
+        cr_assert(st == FMB_OK || (st == FMB_ERR_MEMORY && m == mark && h.live == before));
+    }
+    hook_calm(&h);
+    cr_expect_gt(tries, 5);
+    cr_expect_eq(m->rows, fmb_system_rows(s));
+    fmb_system_free(s);
+    fmb_matrix_free(m);
+    cr_assert_eq(h.live, 0);
+}
+
 /* Evidence read from text: a failure leaves nothing behind. */
 Test(building, evidence)
 {

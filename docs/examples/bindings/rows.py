@@ -1,115 +1,54 @@
-"""rows.py: rows.c in Python. cffi reads the headers themselves, after the C preprocessor:
-python3 rows.py INCLUDE LIBRARY [RIGHT]. Ends with 77 where cffi or gcc is missing."""
+"""rows.py: rows.c in Python; cffi reads the headers: rows.py INCLUDE LIBRARY [RIGHT]."""
 
-import re
-import shutil
 import subprocess
 import sys
 
-try:
-    import cffi
-except ImportError:
-    sys.exit(77)
+import cffi
 
 ROWS, DIM = 20000, 100
+include, library, last = (sys.argv + ["5"])[1:4]
+ffi = cffi.FFI()
+headers = ["gcc", "-E", "-P", "-DFMB_DECLARATIONS_ONLY", "-I", include, include + "/fmb/fmb.h"]
+ffi.cdef(subprocess.check_output(headers, text=True))
+fmb = ffi.dlopen(library)
 
 
-def read_headers(include):
-    """What <fmb/fmb.h> declares, without what it includes of the C library: cffi knows that."""
-    text = subprocess.run(["gcc", "-E", "-D__attribute__(x)=", "-I", include, "-include",
-                           "fmb/fmb.h", "-x", "c", "/dev/null"],
-                          check=True, capture_output=True, text=True).stdout
-    ours, kept = False, []
-    for line in text.splitlines():
-        mark = re.match(r'# \d+ "(.*?)"', line)
-        if mark:
-            ours = mark.group(1).startswith(include)
-        elif ours:
-            kept.append(line)
-    return "\n".join(kept)
+def text(of):
+    return ffi.string(of).decode()
 
 
-class Library:
-    def __init__(self, include, path):
-        self.ffi = cffi.FFI()
-        self.ffi.cdef(read_headers(include))
-        self.c = self.ffi.dlopen(path)
-
-    def need(self, status, trouble=b""):
-        if status != self.c.FMB_OK:
-            said = self.ffi.string(self.c.fmb_status_text(status))
-            why = self.ffi.string(trouble) if trouble else b""
-            raise ValueError((said + b": " + why).decode())
-
-    def load(self, dim, rows, right):
-        """A system of rows [(variable, coefficient), ...] <= right, all at once."""
-        start = [0]
-        for row in rows:
-            start.append(start[-1] + len(row))
-        out = self.ffi.new("fmb_system **")
-        self.need(self.c.fmb_system_new(dim, self.ffi.NULL, out))
-        s = self.ffi.gc(out[0], self.c.fmb_system_free)
-        var = [j for row in rows for j, _ in row]
-        coef = [a for row in rows for _, a in row]
-        self.need(self.c.fmb_system_add_rows(s, len(rows), self.ffi.new("size_t[]", start),
-                                             self.ffi.new("int[]", var),
-                                             self.ffi.new("double[]", coef), self.ffi.NULL,
-                                             self.ffi.new("double[]", right)),
-                  self.c.fmb_system_trouble(s))
-        return s
-
-    def rows(self, s):
-        """The rows of a system, [([(variable, coefficient), ...], right side), ...]."""
-        n, terms = self.c.fmb_system_rows(s), self.c.fmb_system_nonzeros(s)
-        start, var = self.ffi.new("size_t[]", n + 1), self.ffi.new("int[]", terms)
-        coef, right = self.ffi.new("double[]", terms), self.ffi.new("double[]", n)
-        self.need(self.c.fmb_system_get_rows(s, 0, n, start, var, coef, self.ffi.NULL, right))
-        return [([(var[k], coef[k]) for k in range(start[i], start[i + 1])], right[i])
-                for i in range(n)]
+def need(status, trouble=ffi.new("char *")):
+    if status != fmb.FMB_OK:
+        sys.exit(f"{text(fmb.fmb_status_text(status))}: {text(trouble)}")
 
 
-def print_answer(lib, v, verdict):
-    if verdict == lib.c.FMB_FEASIBLE:
-        x = lib.ffi.new("double[]", DIM)
-        lib.need(lib.c.fmb_solver_point(v, x), lib.c.fmb_solver_trouble(v))
-        print(f"feasible: {x[0]:g} {x[1]:g} ... {x[DIM - 1]:g}")
-        return
-    n = lib.ffi.new("size_t *")
-    lib.need(lib.c.fmb_solver_conflict(v, n), lib.c.fmb_solver_trouble(v))
-    print(f"infeasible: {n[0]} rows in conflict")
-    for k in (0, n[0] - 1):
-        print(f"{lib.c.fmb_solver_conflict_multiplier(v, k):g} * row "
-              f"{lib.c.fmb_solver_conflict_row(v, k)}")
+def owned(out, free):
+    return ffi.gc(out[0], free)
 
 
-def main():
-    if not shutil.which("gcc"):
-        return 77
-    lib = Library(sys.argv[1], sys.argv[2])
-    last = float(sys.argv[3]) if len(sys.argv) > 3 else 0
-    rows = [[(i % DIM, 1), ((i % DIM + 1 + i // DIM % (DIM - 1)) % DIM, -1)]
-            for i in range(ROWS - 1)]
-    right = [0 if i < DIM - 1 else DIM + i % 7 for i in range(ROWS - 1)]
-    s = lib.load(DIM, rows + [[(DIM - 1, 1), (0, -1)]], right + [last])
-    out, r = lib.ffi.new("fmb_solver **"), lib.ffi.new("fmb_result *")
-    lib.need(lib.c.fmb_solver_new(lib.ffi.NULL, lib.ffi.NULL, out))
-    v = lib.ffi.gc(out[0], lib.c.fmb_solver_free)
-    lib.need(lib.c.fmb_solve(v, s, r), lib.c.fmb_solver_trouble(v))
-    print_answer(lib, v, r.verdict)
-
-    # x1 + x2 <= 2, x2 <= x3 <= 3 x2, without x2.
-    some = lib.load(3, [[(0, 1), (1, 1)], [(1, 1), (2, -1)], [(1, -3), (2, 1)]], [2, 0, 0])
-    shadow = lib.ffi.new("fmb_system **")
-    lib.need(lib.c.fmb_project(v, some, lib.ffi.new("int[]", [0, 2]), 2, shadow, lib.ffi.NULL),
-             lib.c.fmb_solver_trouble(v))
-    image = lib.ffi.gc(shadow[0], lib.c.fmb_system_free)
-    for terms, b in lib.rows(image):
-        for j, a in terms:
-            name = lib.ffi.string(lib.c.fmb_system_name(image, j)).decode()
-            print(f"{a:+g} {name}", end=" ")
-        print(f"<= {b:g}")
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+# Row i: a variable is at most b beyond the next in the ring.
+var = [(i + k) % DIM for i in range(ROWS) for k in (0, 1)]
+b = [0 if i < DIM - 1 else i for i in range(ROWS - 1)] + [float(last)]
+need(fmb.fmb_system_new(DIM, ffi.NULL, out := ffi.new("fmb_system **")))
+s = owned(out, fmb.fmb_system_free)
+need(fmb.fmb_system_add_rows(s, ROWS, list(range(0, 2 * ROWS + 1, 2)), var, [1, -1] * ROWS,
+                             ffi.NULL, b), fmb.fmb_system_trouble(s))
+need(fmb.fmb_solver_new(ffi.NULL, ffi.NULL, out := ffi.new("fmb_solver **")))
+v = owned(out, fmb.fmb_solver_free)
+need(fmb.fmb_solve(v, s, r := ffi.new("fmb_result *")), fmb.fmb_solver_trouble(v))
+if r.verdict == fmb.FMB_FEASIBLE:
+    need(fmb.fmb_solver_point(v, x := ffi.new("double[]", DIM)), fmb.fmb_solver_trouble(v))
+    print(f"feasible: {x[0]:g} {x[1]:g} ... {x[DIM - 1]:g}")
+else:
+    need(fmb.fmb_solver_conflict(v, n := ffi.new("size_t *")), fmb.fmb_solver_trouble(v))
+    print(f"infeasible: {n[0]} rows, up to row {fmb.fmb_solver_conflict_row(v, n[0] - 1)}")
+keep = [0, DIM // 2, DIM - 1]
+need(fmb.fmb_project(v, s, keep, 3, out := ffi.new("fmb_system **"), ffi.NULL),
+     fmb.fmb_solver_trouble(v))
+image = owned(out, fmb.fmb_system_free)
+need(fmb.fmb_system_matrix(image, out := ffi.new("fmb_matrix **")))
+m = owned(out, fmb.fmb_matrix_free)
+for i in range(m.rows):
+    for k in range(m.start[i], m.start[i + 1]):
+        print(f"{m.coef[k]:+g} {text(fmb.fmb_system_name(image, m.var[k]))}", end=" ")
+    print(f"{text(fmb.fmb_rel_text(m.rel[i]))} {m.b[i]:g}")

@@ -64,32 +64,53 @@ static mpq_srcptr coordinate_of(const fmb_optimum *o, mpq_t *x, int j)
     return j >= 0 && (size_t)j < o->dim ? x[j] : NULL;
 }
 
-static void give_coordinate(mpq_srcptr q, mpq_t out)
+/* Where o is NULL there is neither. */
+static mpq_srcptr point_of_optimum(const fmb_optimum *o, int j)
 {
-    if (out && q)
-        mpq_set(out, q);
-    else if (out)
-        mpq_set_ui(out, 0, 1);
+    return o ? coordinate_of(o, o->point, j) : NULL;
+}
+
+static mpq_srcptr ray_of_optimum(const fmb_optimum *o, int j)
+{
+    return o ? coordinate_of(o, o->ray, j) : NULL;
 }
 
 void fmb_optimum_coordinate_q(const fmb_optimum *o, int j, mpq_t out)
 {
-    give_coordinate(o ? coordinate_of(o, o->point, j) : NULL, out);
+    fmb_rational_give(point_of_optimum(o, j), out);
 }
 
 void fmb_optimum_ray_q(const fmb_optimum *o, int j, mpq_t out)
 {
-    give_coordinate(o ? coordinate_of(o, o->ray, j) : NULL, out);
+    fmb_rational_give(ray_of_optimum(o, j), out);
 }
 
 double fmb_optimum_coordinate(const fmb_optimum *o, int j)
 {
-    mpq_srcptr q = o ? coordinate_of(o, o->point, j) : NULL;
-    return q ? fmb_nearest_double(q) : 0;
+    return fmb_nearest_double(point_of_optimum(o, j));
 }
 
 double fmb_optimum_ray(const fmb_optimum *o, int j)
 {
-    mpq_srcptr q = o ? coordinate_of(o, o->ray, j) : NULL;
-    return q ? fmb_nearest_double(q) : 0;
+    return fmb_nearest_double(ray_of_optimum(o, j));
+}
+
+size_t fmb_optimum_coordinate_text(const fmb_optimum *o, int j, char *text, size_t size)
+{
+    return fmb_rational_print(point_of_optimum(o, j), text, size);
+}
+
+size_t fmb_optimum_ray_text(const fmb_optimum *o, int j, char *text, size_t size)
+{
+    return fmb_rational_print(ray_of_optimum(o, j), text, size);
+}
+
+double fmb_optimum_nearest(const fmb_optimum *o)
+{
+    return o ? fmb_exact_side_nearest(&o->best, side_of_sense(o)) : 0;
+}
+
+size_t fmb_optimum_value_text(const fmb_optimum *o, char *text, size_t size)
+{
+    return fmb_exact_side_print(o ? &o->best : NULL, text, size);
 }

@@ -45,32 +45,14 @@ static mpq_srcptr find_coordinate(const fmb_solver *v, int j)
     return c && j >= 0 ? fmb_sparse_find(&c->point, (size_t)j) : NULL;
 }
 
-/* NULL is 0. */
-static size_t print_or_zero(mpq_srcptr q, char *text, size_t size)
-{
-    mpq_t zero;
-    mpq_init(zero);
-    size_t length = fmb_rational_print(q ? q : zero, text, size);
-    mpq_clear(zero);
-    return length;
-}
-
-static void copy_or_zero(mpq_srcptr q, mpq_t out)
-{
-    if (out && q)
-        mpq_set(out, q);
-    else if (out)
-        mpq_set_ui(out, 0, 1);
-}
-
 size_t fmb_solver_point_text(const fmb_solver *v, int j, char *text, size_t size)
 {
-    return print_or_zero(find_coordinate(v, j), text, size);
+    return fmb_rational_print(find_coordinate(v, j), text, size);
 }
 
 void fmb_solver_point_q(const fmb_solver *v, int j, mpq_t out)
 {
-    copy_or_zero(find_coordinate(v, j), out);
+    fmb_rational_give(find_coordinate(v, j), out);
 }
 
 /* ---- conflicts ------------------------------------------------------------------------------- */
@@ -114,10 +96,10 @@ double fmb_solver_conflict_multiplier(const fmb_solver *v, size_t k)
 
 size_t fmb_solver_conflict_multiplier_text(const fmb_solver *v, size_t k, char *text, size_t size)
 {
-    return print_or_zero(find_conflict_multiplier(v, k), text, size);
+    return fmb_rational_print(find_conflict_multiplier(v, k), text, size);
 }
 
 void fmb_solver_conflict_multiplier_q(const fmb_solver *v, size_t k, mpq_t out)
 {
-    copy_or_zero(find_conflict_multiplier(v, k), out);
+    fmb_rational_give(find_conflict_multiplier(v, k), out);
 }

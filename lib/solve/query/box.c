@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "num/rationals.h"
+
 fmb_status fmb_box_new(const int *var, int size, const fmb_alloc *hook, fmb_box **out)
 {
     fmb_mem mem;
@@ -82,19 +84,62 @@ fmb_end fmb_exact_side_end(const fmb_exact_side *e, fmb_side side)
     return (fmb_end){e->kind, e->attained, round_outward(e->value, side)};
 }
 
+double fmb_exact_side_nearest(const fmb_exact_side *e, fmb_side side)
+{
+    return fmb_exact_side_has_value(e) ? fmb_nearest_double(e->value)
+                                       : fmb_exact_side_end(e, side).value;
+}
+
+size_t fmb_exact_side_print(const fmb_exact_side *e, char *text, size_t size)
+{
+    if (e && fmb_exact_side_has_value(e))
+        return fmb_rational_print(e->value, text, size);
+    if (text && size > 0)
+        *text = '\0';
+    return 0;
+}
+
+/* NULL: there is none. */
+static const fmb_exact_side *side_of_box(const fmb_box *b, int i, fmb_side side)
+{
+    bool is_there = has_interval(b, i) && (side == FMB_LOWER || side == FMB_UPPER);
+    return is_there ? &b->side[i][side] : NULL;
+}
+
 fmb_end fmb_box_end(const fmb_box *b, int i, fmb_side side)
 {
-    if (!has_interval(b, i) || (side != FMB_LOWER && side != FMB_UPPER))
-        return (fmb_end){.kind = FMB_END_UNKNOWN};
-    return fmb_exact_side_end(&b->side[i][side], side);
+    const fmb_exact_side *e = side_of_box(b, i, side);
+    return e ? fmb_exact_side_end(e, side) : (fmb_end){.kind = FMB_END_UNKNOWN};
+}
+
+double fmb_box_nearest(const fmb_box *b, int i, fmb_side side)
+{
+    const fmb_exact_side *e = side_of_box(b, i, side);
+    return e ? fmb_exact_side_nearest(e, side) : 0;
+}
+
+size_t fmb_box_end_text(const fmb_box *b, int i, fmb_side side, char *text, size_t size)
+{
+    return fmb_exact_side_print(side_of_box(b, i, side), text, size);
 }
 
 bool fmb_box_end_q(const fmb_box *b, int i, fmb_side side, mpq_t value)
 {
-    if (!value || !has_interval(b, i) || (side != FMB_LOWER && side != FMB_UPPER))
-        return false;
-    const fmb_exact_side *e = &b->side[i][side];
-    if (fmb_exact_side_has_value(e))
+    const fmb_exact_side *e = side_of_box(b, i, side);
+    bool known = value && e && fmb_exact_side_has_value(e);
+    if (known)
         mpq_set(value, e->value);
-    return fmb_exact_side_has_value(e);
+    return known;
+}
+
+fmb_status fmb_box_ends(const fmb_box *b, double *lower, double *upper)
+{
+    double *const out[] = {[FMB_LOWER] = lower, [FMB_UPPER] = upper};
+    if (!b)
+        return FMB_ERR_ARG;
+    for (int i = 0; i < b->size; i++)
+        for (int side = FMB_LOWER; side <= FMB_UPPER; side++)
+            if (out[side])
+                out[side][i] = fmb_box_end(b, i, (fmb_side)side).value;
+    return FMB_OK;
 }

@@ -2,6 +2,7 @@
  * of the Minkowski difference, and verdicts on frames that were moved. */
 #include <criterion/criterion.h>
 #include <math.h>
+#include <string.h>
 
 #include <fmb/fmb.h>
 #include <fmb/geometry.h>
@@ -493,4 +494,32 @@ Test(proximity, limits)
         cr_expect(!p && !common && !row);
     }
     fmb_solver_free(small);
+}
+
+static void expect_text(const char *want, size_t length, const char *text)
+{
+    cr_expect_str_eq(text, want);
+    cr_expect_eq(length, strlen(want));
+}
+
+/* Two squares, half a side apart. */
+Test(proximity, as_text)
+{
+    static const double axes[] = {1, 0, 0, 1}, here[] = {0, 0}, there[] = {1.5, 0};
+    const fmb_frame f[] = {{FMB_CUBOID, 2, 2, here, axes, NULL},
+                           {FMB_CUBOID, 2, 2, there, axes, NULL}};
+    fmb_proximity *p = NULL;
+    char text[16];
+    must(fmb_distance(solver, f, FMB_NORM_EUCLIDEAN, &p, NULL));
+    expect_text("1/4", fmb_proximity_measure_text(p, text, sizeof text), text);
+    cr_expect_eq(fmb_proximity_length(p), 0.5);
+    expect_text("-1/2", fmb_proximity_shift_text(p, 0, text, sizeof text), text);
+    expect_text("0", fmb_proximity_shift_text(p, 2, text, sizeof text), text);
+    expect_text("1", fmb_proximity_point_text(p, 0, 0, text, sizeof text), text);
+    expect_text("3/2", fmb_proximity_point_text(p, 1, 0, text, sizeof text), text);
+    expect_text("0", fmb_proximity_point_text(p, 2, 0, text, sizeof text), text);
+    expect_text("0", fmb_proximity_time_text(p, text, sizeof text), text);
+    expect_text("0", fmb_proximity_measure_text(NULL, text, sizeof text), text);
+    cr_expect_eq(fmb_proximity_time_text(NULL, NULL, 0), 1);
+    fmb_proximity_free(p);
 }

@@ -255,6 +255,31 @@ Test(matrix, wrong_matrices_append_nothing)
 
 enum { MANY = 20000 };
 
+/* The rows as one object. */
+Test(matrix, rows_as_one_object)
+{
+    fmb_system *s = open_system(2);
+    fmb_matrix *m = NULL;
+    static const double dense[] = {1, -0.5, 0, 3}, b[] = {2, 0.25};
+    const fmb_rel rel[] = {FMB_EQ, FMB_GT};
+    cr_assert_eq(fmb_system_add_rows(s, 2, NULL, NULL, dense, rel, b), FMB_OK);
+    cr_assert_eq(fmb_system_matrix(s, &m), FMB_OK);
+    fmb_system_free(s); /* the matrix has its own */
+    cr_expect(m->rows == 2 && m->terms == 3 && m->dim == 2);
+    cr_expect(memcmp(m->start, (size_t[]){0, 2, 3}, 3 * sizeof *m->start) == 0);
+    cr_expect(memcmp(m->var, (int[]){0, 1, 1}, 3 * sizeof *m->var) == 0);
+    cr_expect(memcmp(m->coef, (double[]){1, -0.5, -3}, 3 * sizeof *m->coef) == 0);
+    cr_expect(memcmp(m->rel, (fmb_rel[]){FMB_EQ, FMB_LT}, 2 * sizeof *m->rel) == 0);
+    cr_expect(memcmp(m->b, (double[]){2, -0.25}, 2 * sizeof *m->b) == 0);
+    fmb_matrix_free(m);
+    fmb_matrix_free(NULL);
+    s = open_system(0);
+    cr_assert_eq(fmb_system_matrix(s, &m), FMB_OK);
+    cr_expect(m->rows == 0 && m->terms == 0 && m->dim == 0 && m->start[0] == 0);
+    fmb_matrix_free(m);
+    fmb_system_free(s);
+}
+
 /* A large matrix comes out as it went in. */
 Test(matrix, many_rows)
 {
