@@ -40,7 +40,8 @@ static bool is_wanted(void *self, const fmb_frame *p, const fmb_frame *q)
 {
     wanted *w = self;
     fmb_verdict is;
-    must(fmb_pair_test(w->k, 1, p, q, &(fmb_pair_answers){.verdict = &is}));
+    must(fmb_pair_test(w->k, 1, p, q,
+                       &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = &is}));
     return is == w->verdict;
 }
 

@@ -30,8 +30,9 @@ typedef struct way {
 static fmb_status ask_pairs(void *self, size_t first, size_t n)
 {
     way *w = self;
-    return fmb_frames_test(w->k, w->a, w->b, n, w->pair + first,
-                           &(fmb_pair_answers){.verdict = w->verdict + first});
+    return fmb_frames_test(
+        w->k, w->a, w->b, n, w->pair + first,
+        &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = w->verdict + first});
 }
 
 static bool count_pairs_told(void *self, fmb_verdict verdict, size_t n, const fmb_frames_pair *pair)
@@ -81,7 +82,7 @@ static void open_duel(const study_pair_plan *plan, fmb_simd simd, duel *d)
 {
     static fmb_frames_pair pair[PAIRS];
     static fmb_verdict verdict[2][PAIRS];
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     o.simd = simd;
     for (uint32_t i = 0; i < PAIRS; i++)
         pair[i] = (fmb_frames_pair){i, i};
@@ -164,10 +165,12 @@ static void measure_flat(const char *what, const int naxes[2], bool moves, fmb_s
     make_sides(&plan, naxes, &a, &b);
     set_frames(&d, a, b);
     run_duel(&d, ask_all, 1);
+    fmb_pair_counts counts = {.size = sizeof counts};
+    must(fmb_pair_count(d.w[0].k, &counts));
     study_spread ns = study_clock_ns(&d.clock, 0);
     printf("%-24s %-6s  %6.2f [%5.2f]  %5.1f %% meet, %llu exact\n", what,
            moves ? "moving" : "still", ns.median, ns.least, 100.0 * (double)d.w[0].meeting / PAIRS,
-           (unsigned long long)fmb_pair_count(d.w[0].k).exact_verdicts);
+           (unsigned long long)counts.exact_verdicts);
     study_clock_clear(&d.clock);
     fmb_frames_free(a);
     fmb_frames_free(b);
@@ -181,7 +184,7 @@ static void measure_flat(const char *what, const int naxes[2], bool moves, fmb_s
 static double measure_threads(size_t threads)
 {
     const study_pair_plan plan = {.family = STUDY_PAIR_ARTICLE, .dim = 3};
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     way w = {.k = NULL};
     study_pairs pairs;
     fmb_frames *set = NULL;

@@ -32,8 +32,9 @@ static fmb_status run(void *self, size_t first, size_t n)
     size_t step = w->one ? 1 : n;
     fmb_status st = FMB_OK;
     for (size_t i = first; st == FMB_OK && i < first + n; i += step)
-        st = fmb_pair_test(w->k, step, w->pairs->p + i, w->pairs->q + i,
-                           &(fmb_pair_answers){.verdict = w->verdict + i});
+        st = fmb_pair_test(
+            w->k, step, w->pairs->p + i, w->pairs->q + i,
+            &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = w->verdict + i});
     return st;
 }
 
@@ -44,7 +45,7 @@ static void measure(const setting *how, const study_pair_plan *plan, fmb_verdict
     way w[2];
     study_timed timed[2];
     for (int i = 0; i < 2; i++) {
-        fmb_pair_options o = fmb_pair_options_default();
+        fmb_pair_options o = {.size = sizeof o};
         o.simd = how->simd;
         w[i] = (way){.pairs = &pairs, .verdict = out[i], .one = how->one};
         must(i == 0 ? fmb_pair_new(plan->dim, &o, NULL, &w[i].k)

@@ -45,7 +45,7 @@ static size_t draw_below(bench *b, size_t n)
 
 static fmb_verdict ask_timed(fmb_solver *v, const fmb_system *s, double *seconds)
 {
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     double begin = thread_seconds();
     must_be_ok(fmb_solve(v, s, &r));
     *seconds = thread_seconds() - begin;
@@ -158,7 +158,7 @@ static void measure_file(bench *b, const char *name, const fmb_system *s)
 int main(int argc, char **argv)
 {
     bench b = {.random = 1};
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     o.evidence = FMB_EVIDENCE_ALL;
     must_be_ok(fmb_solver_new(&o, NULL, &b.v));
     must_be_ok(fmb_solver_new(&o, NULL, &b.fresh));

@@ -148,7 +148,7 @@ static void name_kind(const char *path, char kind[16])
 static void add_file(bench *b, const char *path)
 {
     FILE *in = fopen(path, "r");
-    fmb_reader how = {.format = FMB_FORMAT_INE};
+    fmb_reader how = {.size = sizeof how, .format = FMB_FORMAT_INE};
     fmb_where where;
     fmb_system *s = NULL;
     char kind[16];
@@ -195,7 +195,7 @@ static double pass_fmb(bench *b, const choice *c)
     double begin = thread_seconds();
     for (size_t i = 0; i < c->items; i++) {
         item *it = c->list[i];
-        fmb_result r = {0};
+        fmb_result r = {.size = sizeof r};
         if (fmb_solve(b->solver, it->s, &r) != FMB_OK)
             need(NULL);
         it->ours = r.verdict;
@@ -297,11 +297,11 @@ static void report(bench *b, int passes, bool json)
 int main(int argc, char **argv)
 {
     bench b = {0};
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     bool json = false;
     int passes = 9;
     unsigned pairs = 7168;
-    o.evidence = false;
+    o.evidence = FMB_EVIDENCE_NONE;
     if (fmb_solver_new(&o, NULL, &b.solver) != FMB_OK)
         need(NULL);
     glp_term_out(GLP_OFF);

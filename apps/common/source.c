@@ -106,8 +106,11 @@ int app_source_outcome_of(app_kind wanted, fmb_status st, const char *path, cons
 
 fmb_reader app_source_reader(app_source *src)
 {
-    return (fmb_reader){
-        .format = src->format, .warn = warn, .self = src, .max_bytes = src->max_input};
+    return (fmb_reader){.size = sizeof(fmb_reader),
+                        .format = src->format,
+                        .warn = warn,
+                        .self = src,
+                        .max_bytes = src->max_input};
 }
 
 /* What a reader of the library is asked for. */

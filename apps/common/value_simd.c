@@ -7,7 +7,7 @@
  * have. */
 static bool has_kernels(fmb_simd level)
 {
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     fmb_pair *k = NULL;
     o.simd = level;
     fmb_status st = fmb_pair_new(2, &o, NULL, &k);

@@ -181,7 +181,9 @@ static error_t share_inputs(int key, char *arg, struct argp_state *state)
 
 void app_ask_parse(app_ask *ask, const app_usage *usage, void *own_input, int argc, char **argv)
 {
-    *ask = (app_ask){.options = fmb_options_default(), .own_input = own_input, .usage = usage};
+    *ask = (app_ask){.options = (fmb_options){.size = sizeof(fmb_options)},
+                     .own_input = own_input,
+                     .usage = usage};
     ask->options.max_bytes = app_ask_half_of_memory();
     solver_table table;
     fill_table(&table, usage);

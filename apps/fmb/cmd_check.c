@@ -396,7 +396,7 @@ static int forget_integers(fmb_system *s)
 static int judge(const request *r, const fmb_system *s, const fmb_evidence *e,
                  const fmb_system *image)
 {
-    finding f = {.s = s, .e = e, .integers = has_integers(s)};
+    finding f = {.s = s, .e = e, .j = {.size = sizeof f.j}, .integers = has_integers(s)};
     const fmb_patience patience = patience_left(r);
     fmb_status st = fmb_check_within(s, e, &patience, &f.j);
     if (st == FMB_OK)
@@ -440,7 +440,7 @@ int cmd_check(int argc, char **argv)
                                       .args_doc = "FILE PROOF",
                                       .doc = doc,
                                       .children = children};
-    request r = {.patience = fmb_patience_default()};
+    request r = {.patience = {.size = sizeof r.patience}};
     app_options_parse(&whole, argc, argv, &r);
     fmb_system *s = NULL, *image = NULL;
     fmb_evidence *e = NULL;

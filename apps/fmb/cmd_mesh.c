@@ -230,7 +230,8 @@ static fmb_status find_hits(const mesh_ask *ask, const fmb_mesh *a, const fmb_me
                             fmb_mesh_answer *answer)
 {
     app_bar bar = app_bar_begin(ask->quiet || app_rank() > 0);
-    fmb_mesh_options how = {.neighbours = ask->neighbours,
+    fmb_mesh_options how = {.size = sizeof how,
+                            .neighbours = ask->neighbours,
                             .motion = ask->moves ? ask->motion : NULL,
                             .max_seconds = ask->max_seconds,
                             .max_bytes = ask->max_bytes,
@@ -253,7 +254,7 @@ static void forget_answer(const mesh_ask *ask, fmb_mesh_answer *answer)
 
 static int meet(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b)
 {
-    fmb_mesh_answer answer = {0};
+    fmb_mesh_answer answer = {.size = sizeof answer};
     fmb_status st = find_hits(ask, a, b, &answer);
     if (st != FMB_OK)
         return app_ranks_fail(app_status_error(st));

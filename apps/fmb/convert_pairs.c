@@ -97,7 +97,8 @@ static int write_all(fmb_frame_reader *lines, const char *file)
 
 int convert_pairs(const app_source *source, bool nearest)
 {
-    fmb_reader reading = {.nearest = nearest, .max_bytes = source->max_input};
+    fmb_reader reading = {
+        .size = sizeof reading, .nearest = nearest, .max_bytes = source->max_input};
     fmb_frame_reader *lines = NULL;
     FILE *in;
     int code = app_file_open(source->file, &in);

@@ -128,7 +128,7 @@ static int solve_fixed(app_session *s, const fmb_system *fixed)
                             : o.max_seconds / 2;
     fmb_solver *first = s->solver;
     fmb_evidence *relaxed = s->evidence;
-    fmb_result res;
+    fmb_result res = {.size = sizeof res};
     fmb_status st = fmb_solver_new(&o, NULL, &s->solver);
     if (st != FMB_OK)
         return app_status_error(st);

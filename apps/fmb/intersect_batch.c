@@ -67,10 +67,10 @@ void batch_join(const batch *b)
 static fmb_status prepare(batch *b, int dim)
 {
     size_t d = (size_t)dim;
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     o.contact = b->x->ask->contact;
     o.max_seconds = b->x->ask->max_seconds;
-    o.max_bytes = b->x->ask->max_bytes;
+    o.max_bytes = b->x->ask->max_bytes > 0 ? b->x->ask->max_bytes : SIZE_MAX;
     app_stop_pairs(NULL);
     fmb_pair_free(b->k);
     b->k = NULL;
@@ -125,7 +125,7 @@ static void take_answer(batch *b, size_t i, const fmb_pair_answers *a)
 static fmb_status test_pairs(batch *b)
 {
     size_t d = (size_t)b->dim, n = b->pairs;
-    fmb_pair_answers a = {.verdict = b->verdict};
+    fmb_pair_answers a = {.size = sizeof a, .verdict = b->verdict};
     if (n == 0)
         return FMB_OK;
     if (n == 1 && b->dim <= 3) { /* boxes of several are the same in any company */

@@ -65,7 +65,7 @@ static fmb_status find_box(const intersect *x, const fmb_frame_line *line, const
 {
     int *var = app_need(malloc((size_t)(fmb_system_dim(s) + 1) * sizeof *var));
     fmb_box *box = NULL;
-    fmb_result res = {0};
+    fmb_result res = {.size = sizeof res};
     list_variables(line, s, out, var);
     int n = out->dim + out->inside + out->moves;
     out->interval = app_need(calloc((size_t)n, sizeof *out->interval));
@@ -105,7 +105,7 @@ static fmb_status intersect_by_verbs(const intersect *x, const fmb_frame_line *l
 {
     fmb_system *s = NULL;
     fmb_evidence *e = NULL;
-    fmb_result res = {0};
+    fmb_result res = {.size = sizeof res};
     fmb_status st = make_system(x, line, &s, &res.stop);
     if (st == FMB_OK && s)
         st = fmb_solve(x->solver, s, &res);

@@ -61,14 +61,15 @@ fmb_status answer_lines(answering *w, intersect *x, fmb_where *where)
 
 fmb_status intersect_solver(const intersect_ask *ask, fmb_solver **out)
 {
-    fmb_options how = fmb_options_default();
+    fmb_options how = {.size = sizeof how};
     how.max_seconds = ask->max_seconds;
     how.max_bytes = ask->max_bytes;
-    how.evidence = ask->boxes != BOXES_NONE;
+    how.evidence = ask->boxes != BOXES_NONE ? FMB_EVIDENCE_ALL : FMB_EVIDENCE_NONE;
     return fmb_solver_new(&how, NULL, out);
 }
 
 fmb_reader intersect_reader(const intersect_ask *ask)
 {
-    return (fmb_reader){.nearest = ask->nearest, .max_bytes = ask->max_input};
+    return (fmb_reader){
+        .size = sizeof(fmb_reader), .nearest = ask->nearest, .max_bytes = ask->max_input};
 }

@@ -81,7 +81,7 @@ static fmb_status frame_of_body(fmb_solver *v, const fmb_body *body, hull_frame 
         *out = body->frame;
         return FMB_OK;
     }
-    fmb_result r = {0};
+    fmb_result r = {.size = sizeof r};
     fmb_status st = fmb_generate(v, body->rows, &g, &r);
     *known = st == FMB_OK && g && r.stop == FMB_STOP_DONE && are_vertices(g);
     if (*known)
@@ -123,7 +123,7 @@ static fmb_status ask_when_apart(const near_ask *ask, fmb_solver *v, const fmb_f
                                  fmb_contact contact, near_found *out)
 {
     fmb_status st = FMB_OK;
-    fmb_result r = {0};
+    fmb_result r = {.size = sizeof r};
     if (ask->within || ask->distance)
         st = fmb_distance_q(v, f, ask->norm, &out->distance, &r);
     note_stop(&r, out);
@@ -138,7 +138,7 @@ static fmb_status ask_when_meeting(const near_ask *ask, fmb_solver *v, const fmb
                                    near_found *out)
 {
     fmb_status st = FMB_OK;
-    fmb_result r = {0};
+    fmb_result r = {.size = sizeof r};
     if (ask->depth)
         st = fmb_depth_q(v, f, ask->norm, &out->depth, &r);
     note_stop(&r, out);

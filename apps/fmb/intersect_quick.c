@@ -90,7 +90,11 @@ static void write_intervals(const intersect *x, numbers *a, meeting *out)
 static fmb_pair_answers_q list_answers(const meeting *m, numbers *a)
 {
     mpq_t *inside = a->end + 2 * m->dim;
-    return (fmb_pair_answers_q){a->end, inside, inside + 2 * m->inside, a->at};
+    return (fmb_pair_answers_q){.size = sizeof(fmb_pair_answers_q),
+                                .world = a->end,
+                                .inside = inside,
+                                .time = inside + 2 * m->inside,
+                                .witness = a->at};
 }
 
 static bool is_quick(const fmb_frame_line *line)
@@ -103,7 +107,7 @@ fmb_status intersect_quickly(const intersect *x, const fmb_frame_line *line, num
                              meeting *out)
 {
     const fmb_frame_q *p = &line->body[0].frame, *q = &line->body[1].frame;
-    fmb_pair_answers_q places = {0};
+    fmb_pair_answers_q places = {.size = sizeof places};
     if (!is_quick(line))
         return FMB_OK;
     out->dim = line->dim;

@@ -107,7 +107,7 @@ static fmb_status ask_rows_of_this_rank(const fmb_mesh *a, const fmb_mesh *b,
         uint64_t to = cells - from < rows ? cells : from + rows;
         rows_progress p = {how, (double)from / (double)cells, (double)(to - from) / (double)cells};
         fmb_mesh_options o = *how;
-        fmb_mesh_answer part = {0};
+        fmb_mesh_answer part = {.size = sizeof part};
         o.max_seconds = seconds_left(how, began);
         o.max_bytes = room_for_hits(how, all);
         o.progress = tell_progress_of_rows;
@@ -137,7 +137,8 @@ static void join_answers(fmb_mesh_answer *all)
     app_ranks_sum(sum, 5);
     fmb_mesh_hit *hit = app_ranks_gather(all->hit, all->hits * sizeof *hit, &bytes);
     free(all->hit);
-    *all = (fmb_mesh_answer){.hits = bytes / sizeof *hit,
+    *all = (fmb_mesh_answer){.size = sizeof(fmb_mesh_answer),
+                             .hits = bytes / sizeof *hit,
                              .hit = hit,
                              .tested = sum[0],
                              .framed = sum[1],

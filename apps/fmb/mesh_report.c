@@ -73,7 +73,8 @@ static fmb_status find_place(const report *r, const fmb_mesh_hit *h, place_of_hi
     fmb_frame p = frame_of_cell(r->a, h->a, NULL, number[0]);
     fmb_frame q = frame_of_cell(r->b, h->b, motion, number[1]);
     fmb_verdict v;
-    fmb_pair_answers answers = {.verdict = &v, .world = ends, .time = ends + 6};
+    fmb_pair_answers answers = {
+        .size = sizeof answers, .verdict = &v, .world = ends, .time = ends + 6};
     *out = (place_of_hit){.intervals = 0};
     fmb_status st = r->solver ? common_points(r, &p, &q, out) : FMB_OK;
     if (st != FMB_OK || !r->pair)
@@ -259,7 +260,7 @@ int mesh_report(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b,
                 const fmb_mesh_answer *answer, int code)
 {
     report r = {.ask = ask, .a = a, .b = b, .answer = answer};
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     fmb_status st = FMB_OK;
     o.tightest = true;
     if (ask->where)

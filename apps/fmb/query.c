@@ -114,7 +114,7 @@ static int open_solver(app_session *s)
  * before the query, as nobody likes to hear after an hour that a folder is missing. */
 int app_session_open_solver(app_session *s, const app_ask *ask)
 {
-    *s = (app_session){.ask = ask};
+    *s = (app_session){.ask = ask, .result = {.size = sizeof s->result}};
     return open_solver(s);
 }
 
@@ -141,7 +141,7 @@ int app_session_end(app_session *s, fmb_status st)
     s->rules_worked |= s->result.stats.rounds > 0 || s->result.stats.rows_dropped > 0;
     if (st == FMB_ERR_RULE)
         return app_error(APP_USAGE, "%s", fmb_solver_trouble(s->solver));
-    if (st != FMB_OK || !s->ask->options.evidence)
+    if (st != FMB_OK || s->ask->options.evidence == FMB_EVIDENCE_NONE)
         return st == FMB_OK ? APP_YES : app_status_error(st);
     st = fmb_solver_evidence(s->solver, &s->evidence);
     return st == FMB_OK || st == FMB_ERR_STATE ? APP_YES : app_status_error(st);

@@ -254,7 +254,7 @@ int main(int argc, char **argv)
 {
     static run r;
     bool good = true;
-    r.options = fmb_options_default();
+    r.options = (fmb_options){.size = sizeof(fmb_options)};
     r.options.evidence = FMB_EVIDENCE_NONE;
     r.how = (setup){.cases = "../shared/cases",
                     .bytes = (size_t)8 << 30,

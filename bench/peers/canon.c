@@ -171,11 +171,11 @@ static char *sorted_rows(const table *t, bool constants)
 
 char *canonical_text(const fmb_system *s)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     fmb_system *least = NULL;
-    fmb_result r = {0};
-    o.evidence = false;
+    fmb_result r = {.size = sizeof r};
+    o.evidence = FMB_EVIDENCE_NONE;
     if (fmb_solver_new(&o, NULL, &v) != FMB_OK || fmb_reduce(v, s, NULL, &least, &r) != FMB_OK)
         need(NULL);
     fmb_solver_free(v);

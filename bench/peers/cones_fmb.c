@@ -35,7 +35,7 @@ static void ready_fmb(void *self)
 static bool vertices_fmb(void *self)
 {
     state *s = self;
-    fmb_result r = {0};
+    fmb_result r = {.size = sizeof r};
     return fmb_generate(s->solver, s->problem->system, &s->generators, &r) == FMB_OK &&
            r.stop == FMB_STOP_DONE;
 }
@@ -43,7 +43,7 @@ static bool vertices_fmb(void *self)
 static bool hull_fmb(void *self)
 {
     state *s = self;
-    fmb_result r = {0};
+    fmb_result r = {.size = sizeof r};
     return fmb_hull(s->solver, s->problem->generators, &s->hull, &r) == FMB_OK &&
            r.stop == FMB_STOP_DONE;
 }

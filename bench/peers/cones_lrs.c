@@ -126,7 +126,7 @@ static fmb_system *fetch_lrs(void *self)
 {
     const state *s = self;
     FILE *in = need(fopen(s->out, "r"));
-    fmb_reader how = {.format = FMB_FORMAT_INE};
+    fmb_reader how = {.size = sizeof how, .format = FMB_FORMAT_INE};
     fmb_where where = {0};
     fmb_system *out = NULL;
     fmb_generators *g = NULL;

@@ -277,9 +277,9 @@ static int finish(setup *s, bool good)
 
 int main(int argc, char **argv)
 {
-    setup s = {.options = fmb_options_default(), .seed = 1, .each = 4};
+    setup s = {.options = (fmb_options){.size = sizeof(fmb_options)}, .seed = 1, .each = 4};
     bool good = true;
-    s.options.evidence = false;
+    s.options.evidence = FMB_EVIDENCE_NONE;
     s.report.limits = (child_limits){
         .seconds = 5, .bytes = (size_t)4 << 30, .later = 0.2, .variants = CHILD_VARIANTS};
     if (!take_arguments(&s, argc, argv)) {

@@ -81,7 +81,7 @@ static void ready_fmb(void *self)
 static bool project_fmb(void *self)
 {
     state *s = self;
-    fmb_result r = {0};
+    fmb_result r = {.size = sizeof r};
     return fmb_project(s->solver, s->system, s->keep, s->kept, &s->result, &r) == FMB_OK &&
            r.stop == FMB_STOP_DONE;
 }
@@ -104,28 +104,28 @@ static fmb_verdict whole(fmb_status st, const fmb_result *r)
 static fmb_verdict decide_fmb(void *self)
 {
     state *s = self;
-    fmb_result r = {0};
+    fmb_result r = {.size = sizeof r};
     return whole(fmb_solve(s->solver, s->system, &r), &r);
 }
 
 static fmb_verdict box_fmb(void *self)
 {
     state *s = self;
-    fmb_result r = {0};
+    fmb_result r = {.size = sizeof r};
     return whole(fmb_bound(s->solver, s->system, NULL, 0, &s->box, &r), &r);
 }
 
 static fmb_verdict reduce_fmb(void *self)
 {
     state *s = self;
-    fmb_result r = {0};
+    fmb_result r = {.size = sizeof r};
     return whole(fmb_reduce(s->solver, s->system, NULL, &s->result, &r), &r);
 }
 
 static fmb_verdict optimize_fmb(void *self)
 {
     state *s = self;
-    fmb_result r = {0};
+    fmb_result r = {.size = sizeof r};
     return whole(fmb_optimize(s->solver, s->system, NULL, &s->optimum, &r), &r);
 }
 
@@ -158,7 +158,7 @@ static bool prove_fmb(void *self, peer_question question)
 {
     state *s = self;
     fmb_evidence *e = NULL;
-    fmb_judgement j = {0};
+    fmb_judgement j = {.size = sizeof j};
     bool meets = false;
     if (fmb_solver_evidence(s->solver, &e) != FMB_OK || fmb_check(s->system, e, &j) != FMB_OK ||
         fmb_evidence_meets(e, s->system, demand_of(question, j.verdict), NULL, &meets, NULL, 0) !=

@@ -176,11 +176,11 @@ fmb_system *system_of_generators(const fmb_generators *g)
 
 bool problem_turn_over(problem *p)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     fmb_generators *g = NULL;
-    fmb_result r = {0};
-    o.evidence = false;
+    fmb_result r = {.size = sizeof r};
+    o.evidence = FMB_EVIDENCE_NONE;
     o.max_seconds = 10;
     if (p->generators)
         return true;
@@ -201,7 +201,7 @@ bool problem_turn_over(problem *p)
 bool problem_read(problem *p, const char *path)
 {
     FILE *in = fopen(path, "r");
-    fmb_reader how = {.format = fmb_format_of_name(path)};
+    fmb_reader how = {.size = sizeof how, .format = fmb_format_of_name(path)};
     fmb_where where = {0};
     fmb_system *s = NULL;
     fmb_generators *g = NULL;

@@ -11,6 +11,22 @@
  * &length) tells how many bytes there are, and writes them with a NUL behind only if size is more
  * than that: so ask with NULL and 0, get a block of length + 1, ask again. A number or a line as
  * text (*_text) returns its length and writes in the same way. Streams are FILE of the C library.
+ *
+ * Structures that may grow begin with their size, as the program was compiled with it: settings
+ * (fmb_options, fmb_pair_options, fmb_mesh_options, fmb_reader, fmb_patience), reports (fmb_result,
+ * fmb_judgement, fmb_pair_counts, fmb_mesh_answer) and lists of arrays (fmb_pair_answers,
+ * fmb_pair_answers_q, fmb_frame_arrays). Set it, and all else to 0, which is the default of every
+ * setting:
+ *
+ *   fmb_options o = {.size = sizeof o, .max_seconds = 10};     (C)
+ *   fmb_options o{}; o.size = sizeof o;                        (C++)
+ *   o = ffi.new("fmb_options *", {"size": ffi.sizeof("fmb_options")})     (Python, cffi)
+ *
+ * A program of an older version goes on to work: what its structures lack is taken as 0, or not
+ * reported. One of a newer version does where what this one does not know is 0. Otherwise, and for
+ * a size that was never set, FMB_ERR_ARG. What the library itself hands out by pointer (events,
+ * lines, descriptions) may grow at its end; all other structures stay as they are.
+ *
  * Threads: const arguments may be shared; any other object belongs to one thread at a time. The
  * library keeps no globals, starts no threads unless asked to, prints nothing and never exits.
  */

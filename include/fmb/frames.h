@@ -38,6 +38,7 @@ FMB_API FMB_CHECKED fmb_status fmb_frames_new(int dim, size_t n, const fmb_frame
 
 /* Frames of one shape in arrays, of double or of float. */
 typedef struct fmb_frame_arrays {
+    size_t size; /* sizeof(fmb_frame_arrays) */
     fmb_shape shape;
     int naxes;
     bool single;        /* numbers are float, not double */

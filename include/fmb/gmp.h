@@ -95,6 +95,7 @@ FMB_API void fmb_proximity_time_q(const fmb_proximity *p, mpq_t out);
 /* Where exact answers about one pair go: like fmb_pair_answers, in rationals, which are
  * initialised. */
 typedef struct fmb_pair_answers_q {
+    size_t size;    /* sizeof(fmb_pair_answers_q) */
     mpq_t *world;   /* [dim][2] */
     mpq_t *inside;  /* [naxes of the second frame][2] */
     mpq_t *time;    /* [2]; not written if nothing moves */

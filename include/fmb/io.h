@@ -35,8 +35,9 @@ FMB_API fmb_format fmb_format_of_name(const char *path);
 /* Longest text that is read unless a reader says otherwise [bytes]. */
 #define FMB_READER_MAX_BYTES ((size_t)1 << 30)
 
-/* How to read. Zero-initialise for defaults. */
+/* How to read; NULL, wherever one is expected: as by default. */
 typedef struct fmb_reader {
+    size_t size;          /* sizeof(fmb_reader) */
     fmb_format format;    /* AUTO: guess from the content */
     const fmb_alloc *mem; /* NULL: malloc */
     /* Called for each thing that is ignored (a second objective); may be NULL. */

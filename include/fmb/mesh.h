@@ -122,8 +122,9 @@ typedef struct fmb_mesh_hit {
     fmb_mesh_how how; /* if something moves: TOUCH, for "they meet at some time" */
 } fmb_mesh_hit;
 
-/* Zero-initialise for defaults: hits that are not mere neighbours, nothing moves, no limit. */
+/* By default: hits that are not mere neighbours, nothing moves, no limit. */
 typedef struct fmb_mesh_options {
+    size_t size;          /* sizeof(fmb_mesh_options) */
     bool neighbours;      /* hits of kind SHARE are wanted, too: most pairs of a mesh with itself */
     const double *motion; /* [3] or NULL: the second mesh moves by so much while t goes from 0 to 1
                              [world length units] */
@@ -139,7 +140,12 @@ typedef struct fmb_mesh_options {
     void *self;
 } fmb_mesh_options;
 
+/* Why fmb_mesh_meet refuses these options, as fmb_options_trouble tells of others; of a mesh
+ * against itself a motion is refused, too. */
+FMB_API size_t fmb_mesh_options_trouble(const fmb_mesh_options *o, char *text, size_t size);
+
 typedef struct fmb_mesh_answer {
+    size_t size; /* sizeof(fmb_mesh_answer) */
     size_t hits;
     fmb_mesh_hit *hit; /* [hits] by a, then b */
     uint64_t tested;   /* pairs of cells whose boxes meet; without trees, all pairs */

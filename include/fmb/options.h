@@ -60,14 +60,15 @@ typedef enum fmb_symmetries {
 
 /* Which claims are kept. Those of an answer may need much memory: a point for each end of a box. */
 typedef enum fmb_evidence_kept {
-    FMB_EVIDENCE_NONE = 0,
-    FMB_EVIDENCE_ALL,     /* whatever proves the answer */
+    FMB_EVIDENCE_ALL = 0, /* whatever proves the answer */
+    FMB_EVIDENCE_NONE,
     FMB_EVIDENCE_VERDICT, /* why it is feasible or infeasible */
     FMB_EVIDENCE_WHOLE    /* all; and of a projection, that no row is missing, unless that takes too
                              long: points or directions for each vertex, ray and line */
 } fmb_evidence_kept;
 
 typedef struct fmb_options {
+    size_t size; /* sizeof(fmb_options) */
     fmb_arith arith;
     fmb_method method;
     fmb_order order;
@@ -90,10 +91,13 @@ typedef struct fmb_options {
                                    place of those that are found: <fmb/symmetry.h> */
 } fmb_options;
 
-FMB_API fmb_options fmb_options_default(void);
+/* Why fmb_solver_new refuses these options, in one line: "max_seconds is -1", "" where it does not.
+ * The length is returned (<fmb/base.h>, "Texts"). */
+FMB_API size_t fmb_options_trouble(const fmb_options *o, char *text, size_t size);
 
-/* Set one field by name from text ("max_seconds", "2.5"). Errors: ARG (unknown name, or a value out
- * of range). Rule names are checked by fmb_solver_new. */
+/* Set one field by name from text ("max_seconds", "2.5"). Errors: ARG (unknown name, a value out of
+ * range, or options that are too small to have that field). Rule names are checked by
+ * fmb_solver_new. */
 FMB_API FMB_CHECKED fmb_status fmb_options_set(fmb_options *o, const char *name, const char *value);
 
 /* One line of the table. */

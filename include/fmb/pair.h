@@ -22,6 +22,7 @@ typedef enum fmb_pair_method {
 } fmb_pair_method;
 
 typedef struct fmb_pair_options {
+    size_t size; /* sizeof(fmb_pair_options) */
     fmb_contact contact;
     fmb_pair_method method;
     bool tightest; /* ends of boxes are the exact ones, each rounded outward to a double; if not,
@@ -34,16 +35,18 @@ typedef struct fmb_pair_options {
     /* Limits of one exact query: beyond them the verdict is UNKNOWN. */
     double max_seconds; /* [s]; 0 = no limit */
     size_t max_bytes;   /* its system and workspace, and as much again for the proof of a witness
-                           [bytes]; 0 = no limit; 1 GiB unless set */
+                           [bytes]; 0 = 1 GiB; SIZE_MAX = no limit */
 } fmb_pair_options;
 
-FMB_API fmb_pair_options fmb_pair_options_default(void);
+/* Why fmb_pair_new refuses these options, as fmb_options_trouble tells of others. */
+FMB_API size_t fmb_pair_options_trouble(const fmb_pair_options *o, char *text, size_t size);
 
 /* Where answers go: arrays of the caller's, for n pairs. Every one but verdict may be NULL. Of a
  * pair that does not meet (or is UNKNOWN) only the verdict is written. The common points are those
  * that both frames (closed, whatever the contact) hold at one time t; a witness is one of them, up
  * to rounding. Ends come as lower, upper. [world length units; c and t have none] */
 typedef struct fmb_pair_answers {
+    size_t size;          /* sizeof(fmb_pair_answers) */
     fmb_verdict *verdict; /* [n] FEASIBLE: they meet */
     double *world;        /* [n][dim][2] the common points, tightly */
     double *inside;  /* [n][dim][2] their coordinates c in the second frame; rows from its naxes
@@ -53,6 +56,7 @@ typedef struct fmb_pair_answers {
 } fmb_pair_answers;
 
 typedef struct fmb_pair_counts {
+    size_t size;             /* sizeof(fmb_pair_counts) */
     uint64_t pairs;          /* asked so far */
     uint64_t exact_verdicts; /* of those, decided exactly */
     uint64_t exact_boxes;    /* of those, answered with more than a verdict by an exact query */
@@ -79,8 +83,8 @@ FMB_API FMB_CHECKED fmb_status fmb_pair_test(fmb_pair *k, size_t n, const fmb_fr
  * about that number of frame q[17]; "" otherwise, and for NULL. Good until the next call. */
 FMB_API const char *fmb_pair_trouble(const fmb_pair *k);
 
-/* All 0 for NULL. */
-FMB_API fmb_pair_counts fmb_pair_count(const fmb_pair *k);
+/* What k was asked so far. Errors: ARG (NULL, a size that is none). */
+FMB_API FMB_CHECKED fmb_status fmb_pair_count(const fmb_pair *k, fmb_pair_counts *out);
 
 /* Ask a running fmb_pair_test to stop soon: what is not decided is UNKNOWN. The one call allowed
  * from another thread or a signal handler. NULL is fine. */

@@ -70,9 +70,9 @@ FMB_API size_t fmb_evidence_term_text(const fmb_evidence *e, size_t i, size_t k,
 /* The first row from r on whose multiplier in claim i is not 0, SIZE_MAX if there is none. */
 FMB_API size_t fmb_evidence_next_row(const fmb_evidence *e, size_t i, size_t r);
 
-/* How long to wait for a proof that is read or judged. More may be added: begin with
- * fmb_patience_default(), which is to wait for ever. */
+/* How long to wait for a proof that is read or judged; by default for ever. */
 typedef struct fmb_patience {
+    size_t size;        /* sizeof(fmb_patience) */
     double max_seconds; /* wall clock [s]; 0: no limit */
     size_t max_bytes;   /* of the evidence, limbs too, and what a judge works with, but for the
                            numbers of one product or sum [bytes]; 0: no limit */
@@ -81,7 +81,8 @@ typedef struct fmb_patience {
     void *self;
 } fmb_patience;
 
-FMB_API fmb_patience fmb_patience_default(void);
+/* Why these limits are refused, as fmb_options_trouble tells of others. */
+FMB_API size_t fmb_patience_trouble(const fmb_patience *p, char *text, size_t size);
 
 /* [give] Read the text form. Names of variables are those of s. Errors: PARSE, IO, MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_evidence_read(FILE *in, const fmb_system *s, fmb_evidence **out,
@@ -110,6 +111,7 @@ FMB_API FMB_CHECKED fmb_status fmb_evidence_print(const fmb_evidence *e, const f
 
 /* What fmb_check found. */
 typedef struct fmb_judgement {
+    size_t size;         /* sizeof(fmb_judgement) */
     bool accepted;       /* every claim holds, and there is at least one */
     fmb_verdict verdict; /* what the accepted claims say of the system, UNKNOWN if nothing */
     fmb_stop stop;       /* DONE, or the limit at which the judge left off: not accepted then */

@@ -6,7 +6,8 @@
  * Besides the errors listed, every query may return RULE, where rules do not go together, and what
  * a rule or chooser of the caller's brings about (<fmb/rule.h>). No argument crashes: a solver,
  * system or out that is NULL, or a variable out of range, is ARG, and fmb_solver_trouble says
- * which; the last answer stays. res may be NULL.
+ * which; the last answer stays. res may be NULL; else its size
+ * is set (<fmb/base.h>).
  */
 #ifndef FMB_SOLVE_H
 #define FMB_SOLVE_H
@@ -39,10 +40,11 @@ typedef struct fmb_stats {
 } fmb_stats;
 
 typedef struct fmb_result {
+    size_t size;         /* sizeof(fmb_result) */
     fmb_verdict verdict; /* the answer; of all other verbs: is the system feasible */
     fmb_trust trust;     /* how it was obtained */
     fmb_stop stop;       /* FMB_STOP_DONE unless cut short */
-    fmb_stats stats;
+    fmb_stats stats;     /* last, as it is what grows */
 } fmb_result;
 
 /* [give] Options are copied. Errors: ARG (an option out of range, or instructions that the

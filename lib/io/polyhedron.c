@@ -8,7 +8,7 @@ static bool is_v_representation(const char *text, size_t size, const fmb_reader 
 {
     fmb_mem mem;
     fmb_where at;
-    fmb_format f = how ? how->format : FMB_FORMAT_AUTO;
+    fmb_format f = how->format;
     fmb_mem_init(&mem, NULL, 0);
     fmb_cursor c = fmb_io_cursor(text, size, how, &mem, &at);
     return (f == FMB_FORMAT_AUTO || f == FMB_FORMAT_INE) && size <= fmb_io_max_bytes(how) &&
@@ -20,11 +20,15 @@ fmb_status fmb_polyhedron_parse(const char *text, size_t size, const fmb_reader 
 {
     fmb_system *rows = NULL;
     fmb_generators *generators = NULL;
+    fmb_reader reader;
     if (!s || !g)
         return fmb_io_refuse_argument(where, "s or g is NULL");
-    fmb_status st = text && is_v_representation(text, size, how)
-                        ? fmb_generators_parse(text, size, how, &generators, where)
-                        : fmb_system_parse(text, size, how, &rows, where);
+    fmb_status st = fmb_io_take_reader(how, &reader, where);
+    if (st != FMB_OK)
+        return st;
+    st = text && is_v_representation(text, size, &reader)
+             ? fmb_generators_parse(text, size, &reader, &generators, where)
+             : fmb_system_parse(text, size, &reader, &rows, where);
     if (st == FMB_OK) {
         *s = rows;
         *g = generators;

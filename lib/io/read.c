@@ -30,7 +30,7 @@ static fmb_status check_reader_arguments(const fmb_reader *how, fmb_system **out
 {
     if (!out)
         return fmb_io_refuse_argument(where, "out is NULL");
-    if (how && how->format != FMB_FORMAT_AUTO && !fmb_codec_of(how->format))
+    if (how->format != FMB_FORMAT_AUTO && !fmb_codec_of(how->format))
         return fmb_io_refuse_argument(where, "how->format is no fmb_format");
     return FMB_OK;
 }
@@ -57,14 +57,16 @@ static fmb_status parse_text(const char *text, size_t size, const fmb_reader *ho
 fmb_status fmb_system_parse(const char *text, size_t size, const fmb_reader *how, fmb_system **out,
                             fmb_where *where)
 {
-    static const fmb_reader plain = {.format = FMB_FORMAT_AUTO};
+    fmb_reader reader;
     fmb_where at = {0};
-    fmb_status st = check_reader_arguments(how, out, where);
+    fmb_status st = fmb_io_take_reader(how, &reader, where);
+    if (st == FMB_OK)
+        st = check_reader_arguments(&reader, out, where);
     if (st != FMB_OK)
         return st;
     if (!text && size > 0)
         return fmb_io_refuse_argument(where, "text is NULL");
-    st = parse_text(text ? text : "", size, how ? how : &plain, out, &at);
+    st = parse_text(text ? text : "", size, &reader, out, &at);
     if (st == FMB_ERR_PARSE && where)
         *where = at;
     return st;
@@ -80,8 +82,11 @@ static fmb_status parse_system(const char *text, size_t size, const fmb_reader *
 
 fmb_status fmb_system_read(FILE *in, const fmb_reader *how, fmb_system **out, fmb_where *where)
 {
-    fmb_status st = check_reader_arguments(how, out, where);
-    return st == FMB_OK ? fmb_parse_stream(in, how, parse_system, out, where) : st;
+    fmb_reader reader;
+    fmb_status st = fmb_io_take_reader(how, &reader, where);
+    if (st == FMB_OK)
+        st = check_reader_arguments(&reader, out, where);
+    return st == FMB_OK ? fmb_parse_stream(in, &reader, parse_system, out, where) : st;
 }
 
 fmb_status fmb_system_write(const fmb_system *s, fmb_format f, FILE *out)

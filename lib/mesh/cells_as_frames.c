@@ -8,12 +8,12 @@
 
 fmb_status fmb_mesh_frames_open(fmb_mesh_frames *x, const fmb_alloc *hook, const double *motion)
 {
-    fmb_pair_options o = fmb_pair_options_default();
-    fmb_options how = fmb_options_default();
+    fmb_pair_options o = {.size = sizeof o};
+    fmb_options how = {.size = sizeof how};
     *x = (fmb_mesh_frames){.motion = motion};
     x->mem = hook ? *hook : (fmb_alloc){0};
-    how.evidence = false;
-    o.max_bytes = 0;
+    how.evidence = FMB_EVIDENCE_NONE;
+    o.max_bytes = SIZE_MAX;
     fmb_status st = fmb_pair_new(3, &o, hook, &x->closed);
     o.contact = FMB_CONTACT_OPEN;
     if (st == FMB_OK)
@@ -58,7 +58,7 @@ static fmb_status ask_beyond_shared(fmb_mesh_frames *x, const fmb_frame f[2], in
     const fmb_alloc *hook = x->mem.resize ? &x->mem : NULL;
     int64_t row[2 * FMB_CELL_MOST_CORNERS] = {0};
     fmb_system *s = NULL;
-    fmb_result result = {0};
+    fmb_result result = {.size = sizeof result};
     for (int i = shared - 1; i < f[0].naxes; i++)
         row[i] = -1;
     fmb_status st =
@@ -76,7 +76,8 @@ static fmb_status ask_beyond_shared(fmb_mesh_frames *x, const fmb_frame f[2], in
 static fmb_status ask_pair(fmb_pair *k, const fmb_frame f[2], bool *meet)
 {
     fmb_verdict v;
-    fmb_status st = fmb_pair_test(k, 1, &f[0], &f[1], &(fmb_pair_answers){.verdict = &v});
+    fmb_status st = fmb_pair_test(
+        k, 1, &f[0], &f[1], &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = &v});
     *meet = st == FMB_OK && v == FMB_FEASIBLE;
     return st;
 }

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/sized.h"
 #include "base/threads.h"
 #include "mesh/tree_walk.h"
 
@@ -180,7 +181,7 @@ static fmb_status meet_by_threads(fmb_walk_plan *plan, fmb_mem *mem, fmb_mesh_an
         st = join_walks(plan, walk, threads);
     if (st == FMB_OK) {
         *out = walk[0].out;
-        walk[0].out = (fmb_mesh_answer){0};
+        walk[0].out = (fmb_mesh_answer){.size = sizeof(fmb_mesh_answer)};
     }
     close_walks(walk, threads);
     fmb_mem_put(mem, walk, (size_t)threads, sizeof *walk);
@@ -189,9 +190,30 @@ static fmb_status meet_by_threads(fmb_walk_plan *plan, fmb_mem *mem, fmb_mesh_an
 
 /* ---- the query ------------------------------------------------------------------------------- */
 
-static bool is_good_motion(const double *motion)
+/* The options that are given, or those by default. Errors: ARG, and why. */
+static fmb_status read_mesh_options(const fmb_mesh_options *o, fmb_mesh_options *ours, char *why,
+                                    size_t size)
 {
-    return !motion || (isfinite(motion[0]) && isfinite(motion[1]) && isfinite(motion[2]));
+    *ours = (fmb_mesh_options){.size = sizeof *ours};
+    if (o && !fmb_sized_is_good(o, sizeof *o, "options", why, size))
+        return FMB_ERR_ARG;
+    if (o)
+        fmb_sized_take(ours, sizeof *ours, o);
+    why[0] = '\0';
+    for (int j = 0; ours->motion && j < 3 && !why[0]; j++)
+        if (!isfinite(ours->motion[j]))
+            snprintf(why, size, "motion[%d] is %g", j, ours->motion[j]);
+    if (!(ours->max_seconds >= 0))
+        snprintf(why, size, "max_seconds is %g", ours->max_seconds);
+    return why[0] ? FMB_ERR_ARG : FMB_OK;
+}
+
+size_t fmb_mesh_options_trouble(const fmb_mesh_options *o, char *text, size_t size)
+{
+    fmb_mesh_options ours;
+    char why[160];
+    (void)read_mesh_options(o, &ours, why, sizeof why);
+    return fmb_text_give(why, text, size);
 }
 
 /* Numbers of b's points, as a knows them. */
@@ -214,17 +236,27 @@ static fmb_status meet_with_ids(fmb_walk_plan *plan, fmb_mem *mem, fmb_mesh_answ
     return st;
 }
 
+/* Whatever the version of the caller: what is to be released must have its place. */
+static bool can_hold_answer(const fmb_mesh_answer *out)
+{
+    return fmb_sized_is_good(out, sizeof *out, "out", NULL, 0) &&
+           out->size >= offsetof(fmb_mesh_answer, mem) + sizeof out->mem;
+}
+
 static fmb_status meet_as_planned(const fmb_mesh *a, const fmb_mesh *b, const fmb_mesh_options *o,
                                   fmb_walk_plan *plan, fmb_mesh_answer *out)
 {
-    static const fmb_mesh_options usual = {0};
+    fmb_mesh_options options;
+    fmb_mesh_answer found = {.size = sizeof found};
     fmb_mem mem;
-    o = o ? o : &usual;
-    if (!a || !out || !is_good_motion(o->motion) || ((!b || b == a) && o->motion) ||
-        !(o->max_seconds >= 0))
+    char why[160];
+    if (!a || !out || !can_hold_answer(out) ||
+        read_mesh_options(o, &options, why, sizeof why) != FMB_OK ||
+        ((!b || b == a) && options.motion))
         return FMB_ERR_ARG;
+    o = &options;
     fmb_mem_init(&mem, o->mem, 0);
-    fmb_options limits = fmb_options_default();
+    fmb_options limits = {.size = sizeof limits};
     limits.max_seconds = o->max_seconds;
     limits.max_bytes = o->max_bytes;
     fmb_run_begin(&plan->run, &mem, &limits, &plan->stopped, (fmb_sink){0}, "mesh");
@@ -232,9 +264,12 @@ static fmb_status meet_as_planned(const fmb_mesh *a, const fmb_mesh *b, const fm
     plan->b = b ? b : a;
     plan->o = o;
     fmb_mem_take(&mem, a->mem.used + (plan->b != a ? plan->b->mem.used : 0));
-    fmb_status st = meet_with_ids(plan, &mem, out);
+    fmb_status st = meet_with_ids(plan, &mem, &found);
     if (st == FMB_LIMIT)
-        *out = (fmb_mesh_answer){.stop = FMB_STOP_BYTES, .mem = mem.alloc};
+        found = (fmb_mesh_answer){
+            .size = sizeof(fmb_mesh_answer), .stop = FMB_STOP_BYTES, .mem = mem.alloc};
+    if (st == FMB_OK || st == FMB_LIMIT)
+        fmb_sized_give(out, &found, sizeof found);
     return st == FMB_LIMIT ? FMB_OK : st;
 }
 

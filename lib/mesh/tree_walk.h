@@ -28,10 +28,10 @@ typedef struct fmb_tree_walk {
     fmb_mem mem; /* of the hits */
     fmb_run run; /* stopped with the plan, or since time is up */
     fmb_mesh_frames frames;
-    fmb_mesh_answer out;
-    bool tells;       /* this thread tells progress */
-    unsigned unheard; /* leaves since what is done was shared; */
-    double weight;    /* theirs */
+    fmb_mesh_answer out; /* without its size */
+    bool tells;          /* this thread tells progress */
+    unsigned unheard;    /* leaves since what is done was shared; */
+    double weight;       /* theirs */
     fmb_status st;
 } fmb_tree_walk;
 

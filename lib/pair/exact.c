@@ -8,14 +8,17 @@
 fmb_status fmb_pair_oracle_open(fmb_pair_oracle *x, const fmb_pair_options *o,
                                 const fmb_alloc *hook)
 {
-    *x = (fmb_pair_oracle){.contact = o->contact, .limits = fmb_options_default()};
+    *x = (fmb_pair_oracle){.contact = o->contact,
+                           .limits = (fmb_options){.size = sizeof(fmb_options)}};
     x->limits.max_seconds = o->max_seconds;
-    x->limits.max_bytes = o->max_bytes;
+    x->limits.max_bytes = o->max_bytes == 0          ? (size_t)1 << 30
+                          : o->max_bytes == SIZE_MAX ? 0
+                                                     : o->max_bytes;
     fmb_mem_init(&x->mem, hook, 0);
-    fmb_options how = fmb_options_default();
-    how.evidence = false;
+    fmb_options how = {.size = sizeof how};
+    how.evidence = FMB_EVIDENCE_NONE;
     fmb_status st = fmb_solver_new(&how, hook, &x->solver);
-    how.evidence = true;
+    how.evidence = FMB_EVIDENCE_ALL;
     if (st == FMB_OK)
         st = fmb_solver_new(&how, hook, &x->proving);
     if (st == FMB_OK)
@@ -47,7 +50,7 @@ fmb_status fmb_pair_oracle_decide(fmb_pair_oracle *x, const fmb_frame *p, const 
                                   fmb_verdict *out)
 {
     fmb_system *s = NULL;
-    fmb_result res = {0};
+    fmb_result res = {.size = sizeof res};
     fmb_status st = start_query(x, p, q, FMB_COORDINATES_EACH, &s);
     if (st == FMB_OK)
         st = fmb_solve(x->solver, s, &res);
@@ -105,7 +108,7 @@ static fmb_status bound_variables_asked(fmb_pair_oracle *x, const fmb_system *s,
 {
     size_t most = 2 * (size_t)p->dim + 1;
     fmb_box *box = NULL;
-    fmb_result res;
+    fmb_result res = {.size = sizeof res};
     int *vars = fmb_mem_get(&x->mem, most, sizeof *vars);
     if (!vars)
         return fmb_mem_status(&x->mem);
@@ -124,7 +127,7 @@ static fmb_status find_witness(fmb_pair_oracle *x, const fmb_system *s, int dim,
                                const fmb_pair_answers *out)
 {
     fmb_evidence *e = NULL;
-    fmb_result res;
+    fmb_result res = {.size = sizeof res};
     fmb_status st = fmb_solve(x->proving, s, &res);
     if (st == FMB_OK)
         *out->verdict = res.verdict;

@@ -25,7 +25,8 @@ static fmb_pair_answers answers_of(const query *a, size_t i)
 {
     size_t dim = (size_t)a->k->dim;
     const fmb_pair_answers *o = a->out;
-    return (fmb_pair_answers){.verdict = o->verdict + i,
+    return (fmb_pair_answers){.size = sizeof(fmb_pair_answers),
+                              .verdict = o->verdict + i,
                               .world = o->world ? o->world + 2 * dim * i : NULL,
                               .inside = o->inside ? o->inside + 2 * dim * i : NULL,
                               .time = o->time ? o->time + 2 * i : NULL,

@@ -3,15 +3,11 @@
 
 #include <stdio.h>
 
+#include "base/sized.h"
 #include "pair/extreme/extreme.h"
 #include "pair/ladder.h"
 
 /* ---- life ------------------------------------------------------------------------------------ */
-
-fmb_pair_options fmb_pair_options_default(void)
-{
-    return (fmb_pair_options){.max_bytes = (size_t)1 << 30};
-}
 
 enum { MOST_THREADS = 64 };
 
@@ -44,19 +40,45 @@ static void dismiss_crew(fmb_pair *k)
     fmb_mem_put(&k->mem, k->crew, (size_t)k->threads - 1, sizeof *k->crew);
 }
 
-static bool are_options(const fmb_pair_options *o)
+/* The options that are given, or those by default. Errors: ARG, and why. */
+static fmb_status read_pair_options(const fmb_pair_options *o, fmb_pair_options *ours, char *why,
+                                    size_t size)
 {
-    return (unsigned)o->contact <= FMB_CONTACT_OPEN && (unsigned)o->method <= FMB_PAIR_EXACT &&
-           o->max_seconds >= 0 && fmb_pair_kernels_choose(o->simd);
+    *ours = (fmb_pair_options){.size = sizeof *ours};
+    if (o && !fmb_sized_is_good(o, sizeof *o, "options", why, size))
+        return FMB_ERR_ARG;
+    if (o)
+        fmb_sized_take(ours, sizeof *ours, o);
+    why[0] = '\0';
+    if ((unsigned)ours->contact > FMB_CONTACT_OPEN)
+        snprintf(why, size, "contact is %d, which is none", (int)ours->contact);
+    else if ((unsigned)ours->method > FMB_PAIR_EXACT)
+        snprintf(why, size, "method is %d, which is none", (int)ours->method);
+    else if (!(ours->max_seconds >= 0))
+        snprintf(why, size, "max_seconds is %g", ours->max_seconds);
+    else if (!fmb_pair_kernels_choose(ours->simd))
+        snprintf(why, size, "simd is %d: none, or the processor lacks these instructions",
+                 (int)ours->simd);
+    return why[0] ? FMB_ERR_ARG : FMB_OK;
+}
+
+size_t fmb_pair_options_trouble(const fmb_pair_options *o, char *text, size_t size)
+{
+    fmb_pair_options ours;
+    char why[160];
+    (void)read_pair_options(o, &ours, why, sizeof why);
+    return fmb_text_give(why, text, size);
 }
 
 fmb_status fmb_pair_new(int dim, const fmb_pair_options *o, const fmb_alloc *hook, fmb_pair **out)
 {
-    fmb_pair_options usual = fmb_pair_options_default();
+    fmb_pair_options options;
     fmb_mem mem;
-    o = o ? o : &usual;
-    if (!out || dim < 1 || dim > FMB_FRAME_MOST_DIM || !are_options(o))
+    char why[160];
+    if (!out || dim < 1 || dim > FMB_FRAME_MOST_DIM ||
+        read_pair_options(o, &options, why, sizeof why) != FMB_OK)
         return FMB_ERR_ARG;
+    o = &options;
     fmb_mem_init(&mem, hook, 0);
     fmb_pair *k = fmb_mem_zero(&mem, 1, sizeof *k);
     if (!k)
@@ -96,16 +118,19 @@ void fmb_pair_use_kernels(fmb_pair *k, const fmb_pair_kernels *one, const fmb_pa
         fmb_pair_use_kernels(k->crew[i], one, wide);
 }
 
-fmb_pair_counts fmb_pair_count(const fmb_pair *k)
+fmb_status fmb_pair_count(const fmb_pair *k, fmb_pair_counts *out)
 {
-    fmb_pair_counts all = {0};
-    for (int i = -1; k && i < k->threads - 1; i++) {
+    fmb_pair_counts all = {.size = sizeof all};
+    if (!k || !out || !fmb_sized_is_good(out, sizeof *out, "out", NULL, 0))
+        return FMB_ERR_ARG;
+    for (int i = -1; i < k->threads - 1; i++) {
         const fmb_pair_counts *c = i < 0 ? &k->counts : &k->crew[i]->counts;
         all.pairs += c->pairs;
         all.exact_verdicts += c->exact_verdicts;
         all.exact_boxes += c->exact_boxes;
     }
-    return all;
+    fmb_sized_give(out, &all, sizeof all);
+    return FMB_OK;
 }
 
 const char *fmb_pair_trouble(const fmb_pair *k)
@@ -123,35 +148,45 @@ void fmb_pair_cancel(fmb_pair *k)
 static const char *find_missing(size_t n, const fmb_frame *p, const fmb_frame *q,
                                 const fmb_pair_answers *out)
 {
-    if (!out)
-        return "out";
     if (n == 0)
         return NULL;
     return !p ? "p" : !q ? "q" : !out->verdict ? "out->verdict" : NULL;
 }
 
+fmb_status fmb_pair_read_answers(fmb_pair *k, const fmb_pair_answers *out, fmb_pair_answers *ours)
+{
+    k->trouble[0] = '\0';
+    if (!out)
+        snprintf(k->trouble, sizeof k->trouble, "out is NULL");
+    else if (fmb_sized_is_good(out, sizeof *out, "out", k->trouble, sizeof k->trouble))
+        fmb_sized_take(ours, sizeof *ours, out);
+    return k->trouble[0] ? FMB_ERR_ARG : FMB_OK;
+}
+
 fmb_status fmb_pair_test(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_frame *q,
                          const fmb_pair_answers *out)
 {
-    if (!k)
+    fmb_pair_answers ours;
+    if (!k || fmb_pair_read_answers(k, out, &ours) != FMB_OK)
         return FMB_ERR_ARG;
-    const char *missing = find_missing(n, p, q, out);
-    k->trouble[0] = '\0';
+    const char *missing = find_missing(n, p, q, &ours);
     if (missing) {
         snprintf(k->trouble, sizeof k->trouble, "%s is NULL", missing);
         return FMB_ERR_ARG;
     }
     atomic_store_explicit(&k->oracle.cancel, 0, memory_order_relaxed);
     k->counts.pairs += n;
-    return fmb_pair_answer_all(k, n, p, q, out);
+    return fmb_pair_answer_all(k, n, p, q, &ours);
 }
 
 fmb_status fmb_pair_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
                              const fmb_pair_answers_q *out, fmb_verdict *verdict)
 {
-    if (!p || !q || !out || !verdict || !fmb_frame_q_is_good(p, p->dim) ||
-        !fmb_frame_q_is_good(q, p->dim))
+    fmb_pair_answers_q ours;
+    if (!p || !q || !out || !verdict || !fmb_sized_is_good(out, sizeof *out, "out", NULL, 0) ||
+        !fmb_frame_q_is_good(p, p->dim) || !fmb_frame_q_is_good(q, p->dim))
         return FMB_ERR_ARG;
-    *verdict = fmb_extreme_answer_q(p, q, out);
+    fmb_sized_take(&ours, sizeof ours, out);
+    *verdict = fmb_extreme_answer_q(p, q, &ours);
     return FMB_OK;
 }

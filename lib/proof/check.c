@@ -15,6 +15,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/sized.h"
 #include "proof/combine.h"
 #include "proof/integral.h"
 #include "proof/whole.h"
@@ -390,7 +391,7 @@ static void mark_rows(court *c)
 /* A limit is a result: what was not judged by then was not accepted. */
 static void judge_to_limit(court *c, fmb_judgement *out)
 {
-    fmb_judgement found = {.claim = SIZE_MAX};
+    fmb_judgement found = {.size = sizeof found, .claim = SIZE_MAX};
     if (c->st == FMB_OK) {
         mark_rows(c);
         judge_all(c, &found);
@@ -404,13 +405,13 @@ static void judge_to_limit(court *c, fmb_judgement *out)
         c->st = FMB_OK;
     }
     if (c->st == FMB_OK)
-        *out = found;
+        fmb_sized_give(out, &found, sizeof found);
 }
 
 fmb_status fmb_check_within(const fmb_system *s, const fmb_evidence *e,
                             const fmb_patience *patience, fmb_judgement *out)
 {
-    if (!out || !fmb_evidence_fits(e, s))
+    if (!out || !fmb_sized_is_good(out, sizeof *out, "out", NULL, 0) || !fmb_evidence_fits(e, s))
         return FMB_ERR_ARG;
     court c = {.s = s, .e = e, .integers = fmb_first_integer(s) >= 0};
     fmb_mem_init(&c.mem, &s->mem.alloc, 0);

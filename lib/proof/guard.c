@@ -2,16 +2,37 @@
 #include "proof/guard.h"
 
 #include "base/clock.h"
+#include "base/sized.h"
 
-fmb_patience fmb_patience_default(void)
+/* What is wrong with it, in words; "" and FMB_OK: nothing. */
+static fmb_status take_patience(const fmb_patience *p, fmb_patience *ours, char *why, size_t size)
 {
-    return (fmb_patience){0};
+    *ours = (fmb_patience){.size = sizeof *ours};
+    why[0] = '\0';
+    if (!p)
+        return FMB_OK;
+    if (!fmb_sized_is_good(p, sizeof *p, "patience", why, size))
+        return FMB_ERR_ARG;
+    fmb_sized_take(ours, sizeof *ours, p);
+    if (ours->max_seconds >= 0)
+        return FMB_OK;
+    snprintf(why, size, "max_seconds is %g", ours->max_seconds);
+    return FMB_ERR_ARG;
+}
+
+size_t fmb_patience_trouble(const fmb_patience *p, char *text, size_t size)
+{
+    fmb_patience ours;
+    char why[160];
+    (void)take_patience(p, &ours, why, sizeof why);
+    return fmb_text_give(why, text, size);
 }
 
 fmb_status fmb_guard_begin(fmb_guard *g, const fmb_patience *patience, fmb_mem *mem)
 {
-    *g = (fmb_guard){.patience = patience ? *patience : fmb_patience_default()};
-    if (!(g->patience.max_seconds >= 0))
+    char why[160];
+    *g = (fmb_guard){0};
+    if (take_patience(patience, &g->patience, why, sizeof why) != FMB_OK)
         return FMB_ERR_ARG;
     if (g->patience.max_seconds > 0)
         g->deadline = fmb_monotonic_seconds() + g->patience.max_seconds;

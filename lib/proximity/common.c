@@ -65,8 +65,8 @@ static fmb_status find_common_points(fmb_solver *v, const fmb_two *two, fmb_gene
 {
     fmb_system *s = NULL;
     fmb_generators *found = NULL;
-    fmb_result r = {0};
-    fmb_status st = fmb_two_expect(v, two, out != NULL);
+    fmb_result r = {.size = sizeof r};
+    fmb_status st = fmb_two_expect(v, two, out != NULL, res);
     if (st != FMB_OK)
         return st;
     st = fmb_two_system(two, FMB_COORDINATES_WORLD, FMB_CONTACT_CLOSED, &v->mem.alloc, &s);
@@ -84,7 +84,7 @@ static fmb_status find_common_points(fmb_solver *v, const fmb_two *two, fmb_gene
     }
     if (st == FMB_OK) {
         *out = found;
-        *(res ? res : &r) = r;
+        fmb_result_give(res, &r);
     }
     return st;
 }

@@ -113,8 +113,8 @@ static fmb_status find_depth(fmb_solver *v, const fmb_two *two, fmb_norm norm, f
 {
     fmb_system *facets = NULL;
     fmb_proximity *p = NULL;
-    fmb_result r = {0};
-    fmb_status st = fmb_two_expect(v, two, out != NULL);
+    fmb_result r = {.size = sizeof r};
+    fmb_status st = fmb_two_expect(v, two, out != NULL, res);
     if (st == FMB_OK && (unsigned)norm > FMB_NORM_MAX)
         st = fmb_solver_refuse(v, FMB_ERR_ARG, "norm is %d, which is none", (int)norm);
     if (st != FMB_OK)
@@ -131,7 +131,7 @@ static fmb_status find_depth(fmb_solver *v, const fmb_two *two, fmb_norm norm, f
         find_least_depth(facets, p);
     if (st == FMB_OK) {
         *out = p;
-        *(res ? res : &r) = r;
+        fmb_result_give(res, &r);
     }
     fmb_system_free(facets);
     return st;

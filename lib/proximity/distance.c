@@ -121,8 +121,8 @@ static fmb_status find_distance(fmb_solver *v, const fmb_two *two, fmb_norm norm
 {
     fmb_minkowski m;
     fmb_proximity *p = NULL;
-    fmb_result r = {0};
-    fmb_status st = fmb_two_expect(v, two, out != NULL);
+    fmb_result r = {.size = sizeof r};
+    fmb_status st = fmb_two_expect(v, two, out != NULL, res);
     if (st == FMB_OK && (unsigned)norm > FMB_NORM_MAX)
         st = fmb_solver_refuse(v, FMB_ERR_ARG, "norm is %d, which is none", (int)norm);
     if (st != FMB_OK)
@@ -137,7 +137,7 @@ static fmb_status find_distance(fmb_solver *v, const fmb_two *two, fmb_norm norm
     bool known = st == FMB_OK && r.verdict != FMB_UNKNOWN;
     if (st == FMB_OK) {
         *out = known ? p : NULL;
-        *(res ? res : &r) = r;
+        fmb_result_give(res, &r);
     }
     if (!known)
         fmb_proximity_free(p);

@@ -163,8 +163,8 @@ static fmb_status separate_two(fmb_solver *v, const fmb_two *two, fmb_contact co
 {
     fmb_system *s = NULL, *row = NULL;
     fmb_evidence *e = NULL;
-    fmb_result r = {0};
-    fmb_status st = fmb_two_expect(v, two, out != NULL);
+    fmb_result r = {.size = sizeof r};
+    fmb_status st = fmb_two_expect(v, two, out != NULL, res);
     if (st == FMB_OK && (unsigned)contact > FMB_CONTACT_OPEN)
         st = fmb_solver_refuse(v, FMB_ERR_ARG, "contact is %d, which is none", (int)contact);
     if (st == FMB_OK)
@@ -175,7 +175,7 @@ static fmb_status separate_two(fmb_solver *v, const fmb_two *two, fmb_contact co
         st = make_row(v, two, s, e, &row);
     if (st == FMB_OK) {
         *out = row;
-        *(res ? res : &r) = r;
+        fmb_result_give(res, &r);
     }
     fmb_evidence_free(e);
     fmb_system_free(s);

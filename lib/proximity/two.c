@@ -1,14 +1,17 @@
 /* two.c: see two.h. */
 #include "proximity/two.h"
 
-fmb_status fmb_two_expect(fmb_solver *v, const fmb_two *two, bool out)
+fmb_status fmb_two_expect(fmb_solver *v, const fmb_two *two, bool out, const fmb_result *res)
 {
     char fault[FMB_FRAME_FAULT_SIZE] = "";
+    fmb_status st;
     if (!v || !out || (!two->f && !two->q))
         return fmb_solver_refuse(v, FMB_ERR_ARG, "%s is NULL",
                                  !v     ? "the solver"
                                  : !out ? "out"
                                         : "f");
+    if ((st = fmb_solver_expect_result(v, res)) != FMB_OK)
+        return st;
     if (fmb_two_dim(two) < 1)
         return fmb_solver_refuse(v, FMB_ERR_ARG, "dim is %d, not at least 1", fmb_two_dim(two));
     for (int k = 0; two->f && k < 2; k++)

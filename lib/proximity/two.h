@@ -13,7 +13,7 @@ typedef struct fmb_two {
 } fmb_two;
 
 /* Are there two frames, and a place for the answer? Errors: ARG. */
-fmb_status fmb_two_expect(fmb_solver *v, const fmb_two *two, bool out);
+fmb_status fmb_two_expect(fmb_solver *v, const fmb_two *two, bool out, const fmb_result *res);
 int fmb_two_dim(const fmb_two *two);
 bool fmb_two_moves(const fmb_two *two);
 int fmb_two_axes(const fmb_two *two, int k);

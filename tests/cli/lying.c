@@ -7,7 +7,8 @@
 
 static void end(fmb_norm norm, fmb_result *res)
 {
-    *res = (fmb_result){.stop = norm == FMB_NORM_MAX ? FMB_STOP_TIME : FMB_STOP_DONE};
+    *res = (fmb_result){.size = sizeof(fmb_result),
+                        .stop = norm == FMB_NORM_MAX ? FMB_STOP_TIME : FMB_STOP_DONE};
 }
 
 fmb_status fmb_depth_q(fmb_solver *v, const fmb_frame_q *f, fmb_norm norm, fmb_proximity **out,

@@ -20,7 +20,7 @@ typedef struct world {
 static world open_world(void)
 {
     world w = {.stream = tmpfile()};
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     mpq_init(w.q);
     must(fmb_system_new(2, NULL, &w.s));
     must(fmb_system_add_int(w.s, (int64_t[]){1, 1}, FMB_LE, 4));
@@ -202,7 +202,7 @@ static fmb_status on_write(world *w, int null)
 
 static fmb_status on_check(world *w, int null)
 {
-    fmb_judgement j = {0};
+    fmb_judgement j = {.size = sizeof j};
     return fmb_check(P(0, w->s), P(1, w->e), P(2, &j));
 }
 

@@ -169,14 +169,14 @@ Test(building, evidence)
 {
     hook h = {0};
     fmb_alloc mem = hook_alloc(&h);
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     fmb_evidence *const mark = (fmb_evidence *)&h, *e = NULL, *f = mark;
     char *text = NULL;
     size_t size = 0;
     fmb_system *s = sample(0, &mem);
-    o.evidence = true;
+    o.evidence = FMB_EVIDENCE_ALL;
     must(fmb_solver_new(&o, NULL, &v));
     must(fmb_solve(v, s, &r));
     must(fmb_solver_evidence(v, &e));
@@ -193,7 +193,7 @@ Test(building, evidence)
         cr_assert(st == FMB_OK || (st == FMB_ERR_MEMORY && f == mark && h.live == before));
     }
     hook_calm(&h);
-    fmb_judgement j;
+    fmb_judgement j = {.size = sizeof j};
     must(fmb_check(s, f, &j));
     cr_assert(j.accepted && j.verdict == FMB_FEASIBLE);
     fmb_evidence_free(e);

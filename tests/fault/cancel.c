@@ -25,7 +25,7 @@ static void cancel_from_another_thread(void *v)
 static void expect_usable(fmb_solver *v, const fmb_system *s, fmb_verdict verdict)
 {
     char answer[VERB_ANSWER] = "";
-    fmb_result r = {0};
+    fmb_result r = {.size = sizeof r};
     must(VERBS[0].ask(v, s, &r, answer));
     cr_assert_eq(r.stop, FMB_STOP_DONE, "%s", fmb_stop_text(r.stop));
     cr_assert_eq(r.verdict, verdict);
@@ -33,9 +33,9 @@ static void expect_usable(fmb_solver *v, const fmb_system *s, fmb_verdict verdic
 
 static fmb_solver *solver_that_reads_the_clock(fmb_method method)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
-    o.evidence = true;
+    o.evidence = FMB_EVIDENCE_ALL;
     o.method = method;
     o.max_seconds = COUNTED_FOREVER;
     must(fmb_solver_new(&o, NULL, &v));
@@ -47,7 +47,7 @@ static fmb_solver *solver_that_reads_the_clock(fmb_method method)
 static void cancel_at(fmb_solver *v, const verb *w, const fmb_system *s, size_t at)
 {
     char answer[VERB_ANSWER] = "";
-    fmb_result r = {0};
+    fmb_result r = {.size = sizeof r};
     counted_clock_start(at, cancel_from_another_thread, v);
     must(w->ask(v, s, &r, answer));
     counted_clock_stop();
@@ -78,7 +78,7 @@ Test(cancel, polygon)
     fmb_system *hard = sample_hard(20, 60, NULL), *easy = sample(1, NULL);
     fmb_solver *v = solver_that_reads_the_clock(FMB_METHOD_AUTO);
     char answer[VERB_ANSWER] = "";
-    fmb_result r = {0};
+    fmb_result r = {.size = sizeof r};
     counted_clock_start(0, NULL, NULL);
     must(VERBS[1].ask(v, hard, &r, answer));
     counted_clock_stop();
@@ -97,9 +97,9 @@ Test(cancel, polygon)
 Test(cancel, before)
 {
     fmb_system *easy = sample(1, NULL);
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
-    o.evidence = true;
+    o.evidence = FMB_EVIDENCE_ALL;
     must(fmb_solver_new(&o, NULL, &v));
     fmb_solver_cancel(v);
     expect_usable(v, easy, FMB_INFEASIBLE);

@@ -129,9 +129,9 @@ static fmb_stop ask_within(const char *name, int w, fmb_method method, const fmb
                            size_t limit)
 {
     static const int keep[] = {0, 1};
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
-    fmb_result r = {0};
+    fmb_result r = {.size = sizeof r};
     fmb_box *box = NULL;
     fmb_system *out = NULL;
     size_t before = held, copy = w == 3 ? held : 0;

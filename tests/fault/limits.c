@@ -10,8 +10,8 @@
 
 static fmb_options options(fmb_method method)
 {
-    fmb_options o = fmb_options_default();
-    o.evidence = true;
+    fmb_options o = {.size = sizeof o};
+    o.evidence = FMB_EVIDENCE_ALL;
     o.method = method;
     return o;
 }
@@ -21,7 +21,7 @@ static fmb_stop ask(const verb *w, const fmb_options *o, const fmb_system *s, fm
                     const char *expected)
 {
     char answer[VERB_ANSWER] = "";
-    fmb_result r = {0};
+    fmb_result r = {.size = sizeof r};
     fmb_solver *v = NULL;
     must(fmb_solver_new(o, NULL, &v));
     must(w->ask(v, s, &r, answer));
@@ -57,7 +57,7 @@ static void every_limit(set_limit *set, size_t most, fmb_stop stop, fmb_method m
         for (int q = 0; q < verbs; q++) {
             char truth[VERB_ANSWER] = "";
             fmb_options o = options(method);
-            fmb_result r = {0};
+            fmb_result r = {.size = sizeof r};
             fmb_solver *v = NULL;
             must(fmb_solver_new(&o, NULL, &v));
             must(VERBS[q].ask(v, s, &r, truth));
@@ -105,7 +105,7 @@ Test(limits, polygon)
     fmb_system *s = sample_hard(5, 18, NULL);
     char truth[VERB_ANSWER] = "";
     fmb_options o = options(FMB_METHOD_AUTO);
-    fmb_result r = {0};
+    fmb_result r = {.size = sizeof r};
     fmb_solver *v = NULL;
     size_t tries = 0;
     must(fmb_solver_new(&o, NULL, &v));
@@ -128,7 +128,7 @@ static void expect_time(const verb *w, const fmb_system *s, size_t seconds)
 {
     fmb_options o = options(FMB_METHOD_FM);
     char answer[VERB_ANSWER] = "";
-    fmb_result r = {0};
+    fmb_result r = {.size = sizeof r};
     fmb_solver *v = NULL;
     o.max_seconds = (double)seconds;
     must(fmb_solver_new(&o, NULL, &v));
@@ -161,7 +161,7 @@ Test(limits, outputs)
     fmb_system *s = sample_hard(12, 40, NULL), *out = s;
     fmb_options o = options(FMB_METHOD_FM);
     fmb_solver *v = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     fmb_box *box = NULL;
     fmb_fate fate[40];
     o.max_seconds = 1;
@@ -191,7 +191,7 @@ Test(limits, many_rows_of_two_variables)
 {
     enum { ROWS = 4000 };
     fmb_options o = options(FMB_METHOD_AUTO);
-    fmb_result r = {0};
+    fmb_result r = {.size = sizeof r};
     fmb_system *s = NULL;
     fmb_solver *v = NULL;
     must(fmb_system_new(2, NULL, &s));
@@ -229,12 +229,12 @@ static fmb_system *many_intervals(int dim)
 Test(limits, bytes_of_evidence)
 {
     fmb_options o = options(FMB_METHOD_AUTO);
-    fmb_result r = {0};
+    fmb_result r = {.size = sizeof r};
     fmb_system *s = many_intervals(500);
     fmb_solver *v = NULL;
     fmb_box *box = NULL;
     fmb_evidence *e = NULL;
-    fmb_judgement j;
+    fmb_judgement j = {.size = sizeof j};
     o.max_bytes = (size_t)4 << 20;
     must(fmb_solver_new(&o, NULL, &v));
     must(fmb_bound(v, s, NULL, 0, &box, &r));

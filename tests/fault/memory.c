@@ -16,7 +16,7 @@ static const char *const RULES[] = {NULL, "none", "kohler", "duplicate,kohler"};
 /* Double description proves its projections whole, too. */
 static fmb_solver *solver(hook *h, fmb_method method, const char *rules)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_alloc mem = hook_alloc(h);
     fmb_solver *v = NULL;
     o.evidence = method == FMB_METHOD_DD ? FMB_EVIDENCE_WHOLE : FMB_EVIDENCE_ALL;
@@ -31,7 +31,7 @@ static bool fails_well(const verb *w, hook *h, fmb_solver *v, const fmb_system *
                        bool forever, const char *truth)
 {
     char answer[VERB_ANSWER] = "";
-    fmb_result r = {0};
+    fmb_result r = {.size = sizeof r};
     hook_arm(h, k, forever);
     fmb_status st = w->ask(v, s, &r, answer);
     bool reached = h->calls >= k;
@@ -43,7 +43,7 @@ static bool fails_well(const verb *w, hook *h, fmb_solver *v, const fmb_system *
     }
     cr_assert_eq(st, FMB_ERR_MEMORY, "%s, request %zu: %s", w->name, k, fmb_status_text(st));
     memset(answer, 0, sizeof answer);
-    r = (fmb_result){0};
+    r = (fmb_result){.size = sizeof(fmb_result)};
     must(w->ask(v, s, &r, answer));
     cr_assert_str_eq(answer, truth, "%s after request %zu failed", w->name, k);
     return false;
@@ -59,7 +59,7 @@ static void every_request(const verb *w, int i, fmb_method method, const char *r
     fmb_system *s = sample(i, &mem);
     size_t before = h.live;
     fmb_solver *v = solver(&h, method, rules);
-    fmb_result r = {0};
+    fmb_result r = {.size = sizeof r};
     must(w->ask(v, s, &r, truth));
     fmb_solver_free(v);
     cr_assert_eq(h.live, before);
@@ -123,7 +123,7 @@ Test(memory, one_solver)
         fmb_system *s = sample(i, &mem);
         for (int q = 0; q < VERBS_COUNT; q++) {
             char truth[VERB_ANSWER] = "";
-            fmb_result r = {0};
+            fmb_result r = {.size = sizeof r};
             must(VERBS[q].ask(v, s, &r, truth));
             bool past = false;
             for (size_t k = 1; !past; k++)
@@ -144,9 +144,9 @@ Test(memory, no_stale_evidence)
     fmb_evidence *e = NULL;
     for (int q = 0; q < VERBS_COUNT; q++) {
         char answer[VERB_ANSWER] = "";
-        fmb_result r = {0};
+        fmb_result r = {.size = sizeof r};
         must(VERBS[q].ask(v, s, &r, answer));
-        r = (fmb_result){0};
+        r = (fmb_result){.size = sizeof(fmb_result)};
         hook_arm(&h, 1, false);
         cr_assert_eq(VERBS[q].ask(v, s, &r, answer), FMB_ERR_MEMORY);
         hook_calm(&h);
@@ -164,7 +164,7 @@ static void every_large(const verb *w, int n, int m)
     fmb_solver *v = solver(&h, FMB_METHOD_AUTO, NULL);
     fmb_system *s = sample_hard(n, m, &mem);
     char truth[VERB_ANSWER] = "";
-    fmb_result r = {0};
+    fmb_result r = {.size = sizeof r};
     must(w->ask(v, s, &r, truth));
     for (size_t k = 1; !fails_well(w, &h, v, s, k, false, truth); k++)
         ;
@@ -193,7 +193,7 @@ Test(memory, solver_new)
 {
     hook h = {0};
     fmb_alloc mem = hook_alloc(&h);
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *const mark = (fmb_solver *)&h, *v = mark;
     fmb_status st = FMB_ERR_MEMORY;
     for (size_t k = 1; st != FMB_OK; k++) {

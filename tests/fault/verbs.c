@@ -32,14 +32,15 @@ static void say_system(char *out, const fmb_system *s)
 static fmb_status prove(fmb_solver *v, const fmb_system *s, char *out)
 {
     fmb_evidence *const mark = (fmb_evidence *)out, *e = mark;
-    fmb_judgement j;
+    fmb_judgement j = {.size = sizeof j};
     fmb_status st = fmb_solver_evidence(v, &e);
     if (st != FMB_OK) {
         cr_assert_eq(e, mark, "evidence was touched");
         return st;
     }
-    fmb_judgement untouched;
+    fmb_judgement untouched = {.size = sizeof untouched};
     memset(&j, 0x5a, sizeof j);
+    j.size = sizeof j;
     untouched = j;
     st = fmb_check(s, e, &j);
     if (st == FMB_OK) {
@@ -56,7 +57,7 @@ static fmb_status prove(fmb_solver *v, const fmb_system *s, char *out)
 static fmb_status finish(fmb_status st, bool untouched, fmb_solver *v, const fmb_system *s,
                          const fmb_result *r, char *out)
 {
-    static const fmb_result fresh;
+    static const fmb_result fresh = {.size = sizeof fresh};
     if (st != FMB_OK) {
         cr_assert(untouched, "an out argument was touched");
         cr_assert_eq(memcmp(r, &fresh, sizeof fresh), 0, "the result was touched");

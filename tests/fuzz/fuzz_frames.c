@@ -36,7 +36,9 @@ static void read_all(const uint8_t *data, size_t size, bool nearest)
     const fmb_frame_line *line = NULL;
     fmb_status st;
     long last = 0;
-    demand(in && fmb_frame_reader_new(in, &(fmb_reader){.nearest = nearest}, &r) == FMB_OK);
+    demand(in &&
+           fmb_frame_reader_new(in, &(fmb_reader){.size = sizeof(fmb_reader), .nearest = nearest},
+                                &r) == FMB_OK);
     do {
         fmb_where where = {.line = -1};
         st = fmb_frame_reader_next(r, &line, &where);

@@ -20,8 +20,8 @@ static bool stop_at_once(void *self, double done)
 
 static void ask(const fmb_mesh *m)
 {
-    fmb_mesh_options o = {.neighbours = true, .progress = stop_at_once};
-    fmb_mesh_answer answer = {0};
+    fmb_mesh_options o = {.size = sizeof o, .neighbours = true, .progress = stop_at_once};
+    fmb_mesh_answer answer = {.size = sizeof answer};
     for (size_t c = 0; c < fmb_mesh_cells(m) * (size_t)fmb_mesh_corners(m); c++)
         demand(fmb_mesh_indices(m)[c] < fmb_mesh_vertices(m));
     demand(fmb_mesh_meet(m, NULL, &o, &answer) == FMB_OK);

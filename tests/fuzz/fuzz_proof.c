@@ -21,7 +21,7 @@ static void demand(bool ok)
 
 static void judge(const fmb_system *s, const fmb_evidence *e)
 {
-    fmb_judgement j;
+    fmb_judgement j = {.size = sizeof j};
     fmb_verdict truth;
     demand(fmb_check(s, e, &j) == FMB_OK);
     demand(j.claim == naive_first_failing(s, e));
@@ -89,7 +89,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (!end)
         return 0;
     size_t length = (size_t)(end - text) + 1;
-    fmb_reader how = {.format = FMB_FORMAT_TEXT};
+    fmb_reader how = {.size = sizeof how, .format = FMB_FORMAT_TEXT};
     if (fmb_system_parse(text, length, &how, &s, NULL) != FMB_OK)
         return 0;
     if (fmb_system_dim(s) <= MOST_VARIABLES && fmb_system_rows(s) <= MOST_ROWS)

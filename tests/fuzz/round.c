@@ -26,7 +26,8 @@ static void come_back(const fmb_system *s, fmb_format f)
     size_t size, again_size;
     fmb_system *back;
     char *text = written(s, f, &size);
-    demand(fmb_system_parse(text, size, &(fmb_reader){.format = f}, &back, NULL) == FMB_OK);
+    demand(fmb_system_parse(text, size, &(fmb_reader){.size = sizeof(fmb_reader), .format = f},
+                            &back, NULL) == FMB_OK);
     demand(fmb_system_rows(back) == fmb_system_rows(s));
     demand(fmb_system_dim(back) == fmb_system_dim(s));
     char *again = written(back, f, &again_size);
@@ -47,8 +48,9 @@ void fuzz_round(const uint8_t *data, size_t size, fmb_format f, fmb_format throu
 {
     fmb_system *s;
     fmb_where where = {.line = -1};
-    fmb_status st =
-        fmb_system_parse((const char *)data, size, &(fmb_reader){f, .warn = hear}, &s, &where);
+    fmb_status st = fmb_system_parse(
+        (const char *)data, size,
+        &(fmb_reader){.size = sizeof(fmb_reader), .format = f, .warn = hear}, &s, &where);
     demand(st == FMB_OK || st == FMB_ERR_PARSE);
     if (st == FMB_ERR_PARSE) {
         demand(where.line >= 0 && where.column >= 0 && where.text[0]);

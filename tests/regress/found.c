@@ -47,7 +47,7 @@ static void expect_agreement(agree *g, fmb_solver *v, const truth *t, const char
 
 Test(regress, found)
 {
-    fmb_reader how = {.format = FMB_FORMAT_TEXT};
+    fmb_reader how = {.size = sizeof how, .format = FMB_FORMAT_TEXT};
     agree g = {.max_rows = 5000};
     for (size_t k = 0; k < sizeof FOUND / sizeof *FOUND; k++) {
         fmb_system *s = NULL;

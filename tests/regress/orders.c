@@ -10,7 +10,7 @@
 static void expect_table(agree *g, fmb_solver *v, const regress *r, const fmb_system *s,
                          const int *place)
 {
-    fmb_result result;
+    fmb_result result = {.size = sizeof result};
     must(fmb_solve(v, s, &result));
     cr_assert_eq(result.verdict, r->verdict, "%s: %s", r->name, fmb_verdict_text(result.verdict));
     if (r->keep < 0)

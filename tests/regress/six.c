@@ -56,10 +56,10 @@ static void ask(setting *w, const fmb_options *o)
 /* All sets of rules, arithmetics and ways to re-base. */
 static void ask_all(setting *w, fmb_order order)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     o.method = FMB_METHOD_FM;
     o.order = order;
-    o.evidence = true;
+    o.evidence = FMB_EVIDENCE_ALL;
     for (unsigned mix = 0; mix < MIX_SUBSETS; mix++) {
         o.rules = mix_text(mix, mix);
         for (int arith = FMB_ARITH_AUTO; arith <= FMB_ARITH_GMP; arith++)

@@ -7,11 +7,11 @@
 
 fmb_verdict support_proved_verdict(const fmb_system *s)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     fmb_evidence *e = NULL;
-    fmb_judgement j;
+    fmb_judgement j = {.size = sizeof j};
     o.evidence = FMB_EVIDENCE_ALL;
     support_must(fmb_solver_new(&o, NULL, &v));
     support_must(fmb_solve(v, s, &r));

@@ -68,8 +68,9 @@ static fmb_status run_asked(void *self, size_t first, size_t n)
 static fmb_status run_packed(void *self, size_t first, size_t n)
 {
     asker *s = self;
-    return fmb_frames_test(s->k, s->of->a, s->of->b, n, s->of->number + first,
-                           &(fmb_pair_answers){.verdict = s->verdict + first});
+    return fmb_frames_test(
+        s->k, s->of->a, s->of->b, n, s->of->number + first,
+        &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = s->verdict + first});
 }
 
 /* ---- measuring ------------------------------------------------------------------------------- */

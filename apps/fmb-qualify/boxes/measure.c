@@ -18,7 +18,8 @@ static const double allowed = 1e-12; /* beyond the exact end, of the largest coo
 static bool meets(void *self, const fmb_frame *p, const fmb_frame *q)
 {
     fmb_verdict verdict = FMB_UNKNOWN;
-    fmb_status st = fmb_pair_test(self, 1, p, q, &(fmb_pair_answers){.verdict = &verdict});
+    fmb_status st = fmb_pair_test(
+        self, 1, p, q, &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = &verdict});
     return st == FMB_OK && verdict == FMB_FEASIBLE;
 }
 
@@ -55,7 +56,7 @@ static void close_sizing(sizing *z)
 
 static fmb_status open_sizing(sizing *z, int dim, fmb_simd simd)
 {
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     *z = (sizing){0};
     o.simd = simd;
     fmb_status st = fmb_pair_new(dim, &o, NULL, &z->usual);
@@ -95,12 +96,15 @@ static fmb_status ask(sizing *z, const fmb_frame *p, const fmb_frame *q)
 {
     double other[2 * MOST_DIM];
     fmb_verdict verdict;
-    fmb_status st = fmb_pair_test(
-        z->tightest, 1, p, q,
-        &(fmb_pair_answers){.verdict = &verdict, .world = z->tight[0], .inside = z->tight[1]});
+    fmb_status st = fmb_pair_test(z->tightest, 1, p, q,
+                                  &(fmb_pair_answers){.size = sizeof(fmb_pair_answers),
+                                                      .verdict = &verdict,
+                                                      .world = z->tight[0],
+                                                      .inside = z->tight[1]});
     if (st == FMB_OK)
         st = fmb_pair_test(z->usual, 1, p, q,
-                           &(fmb_pair_answers){.verdict = &verdict,
+                           &(fmb_pair_answers){.size = sizeof(fmb_pair_answers),
+                                               .verdict = &verdict,
                                                .world = z->box[BOXES_OURS],
                                                .inside = z->box[BOXES_OURS_INSIDE]});
     if (st == FMB_OK)
@@ -185,15 +189,19 @@ static fmb_status run(void *self, size_t first, size_t n)
 fmb_status boxes_time(const study_pairs *pairs, const qualify_setup *o, study_clock *out)
 {
     size_t n = pairs->n, dim = (size_t)pairs->p[0].dim;
-    fmb_pair_options options = fmb_pair_options_default();
+    fmb_pair_options options = {.size = sizeof options};
     fmb_pair *k = NULL;
     fmb_verdict *verdict = app_need(malloc(n * sizeof *verdict));
     double *number = app_need(malloc(n * (5 * dim + 2) * sizeof *number));
-    timing alone = {pairs, NULL, {.verdict = verdict}},
+    timing alone = {pairs, NULL, {.size = sizeof(fmb_pair_answers), .verdict = verdict}},
            all = {pairs,
                   NULL,
-                  {verdict, number, number + 2 * dim * n, number + 4 * dim * n,
-                   number + (4 * dim + 2) * n}};
+                  {.size = sizeof(fmb_pair_answers),
+                   .verdict = verdict,
+                   .world = number,
+                   .inside = number + 2 * dim * n,
+                   .time = number + 4 * dim * n,
+                   .witness = number + (4 * dim + 2) * n}};
     const study_timed way[2] = {{run, &alone}, {run, &all}};
     options.simd = o->simd;
     fmb_status st = fmb_pair_new((int)dim, &options, NULL, &k);

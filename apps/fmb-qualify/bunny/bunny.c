@@ -32,7 +32,8 @@ static bool tell_bunny_progress(void *self, double done)
 /* Frames, their corners and trees; then what meets. */
 static fmb_status ask_by_trees(bunny_study *s, const fmb_mesh *m)
 {
-    const fmb_mesh_options o = {.neighbours = true, .progress = tell_bunny_progress};
+    const fmb_mesh_options o = {
+        .size = sizeof o, .neighbours = true, .progress = tell_bunny_progress};
     double start = study_thread_seconds();
     fmb_status st = bunny_body_make(m, false, &s->a);
     if (st == FMB_OK)
@@ -126,7 +127,7 @@ static void collect_sums(bunny_study *s)
 
 static fmb_status ask_by_pairs(bunny_study *s)
 {
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     fmb_pair *k = NULL;
     fmb_frames *a = NULL, *b = NULL;
     o.simd = s->setup->simd;
@@ -221,7 +222,7 @@ static int conclude_bunny(bunny_study *s, qualify_page *page)
 
 static int run_bunny(const qualify_setup *o, qualify_page *page)
 {
-    bunny_study s = {.setup = o};
+    bunny_study s = {.setup = o, .answer = {.size = sizeof s.answer}};
     fmb_mesh *m = NULL;
     int code = bunny_read(o->file, &m);
     if (code != APP_YES)

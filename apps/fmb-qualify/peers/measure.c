@@ -35,7 +35,8 @@ static study_pair_plan plan_of(study_pair_family family, int kind)
 static fmb_status ask_exactly(fmb_pair *k, const fmb_frame *p, const fmb_frame *q, fmb_verdict *out)
 {
     *out = FMB_UNKNOWN;
-    return fmb_pair_test(k, 1, p, q, &(fmb_pair_answers){.verdict = out});
+    return fmb_pair_test(k, 1, p, q,
+                         &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = out});
 }
 
 /* ---- times ----------------------------------------------------------------------------------- */
@@ -202,7 +203,7 @@ static void note(peers_faults *f, size_t i, fmb_verdict closed, fmb_verdict open
 /* The exact verdicts of n pairs, with and without faces: [2 n]. */
 static fmb_status find_truth(const peer_work *w, fmb_verdict *truth)
 {
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     fmb_status st = FMB_OK;
     o.method = FMB_PAIR_EXACT;
     for (int contact = 0; st == FMB_OK && contact < 2; contact++) {

@@ -36,7 +36,7 @@ static void close_ours(void *self)
 
 static fmb_status open_fmb(const peer_work *w, void **self)
 {
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     fmb_status st = open_work(w, self);
     ours *s = *self;
     o.simd = w->simd;
@@ -45,7 +45,7 @@ static fmb_status open_fmb(const peer_work *w, void **self)
 
 static fmb_status open_sat(const peer_work *w, void **self)
 {
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     fmb_status st = open_work(w, self);
     ours *s = *self;
     o.simd = w->simd;
@@ -56,7 +56,7 @@ static fmb_status ask_pair(void *self, size_t first, size_t n, fmb_verdict *verd
 {
     ours *s = self;
     return fmb_pair_test(s->k, n, s->work.p + first, s->work.q + first,
-                         &(fmb_pair_answers){.verdict = verdict});
+                         &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = verdict});
 }
 
 const peer_driver peer_fmb = {.name = "FMB",

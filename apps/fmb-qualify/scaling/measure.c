@@ -61,8 +61,9 @@ static void put_at(placed *g, const double *away, size_t n, double times)
 
 static fmb_status ask(placed *g, size_t n)
 {
-    return fmb_pair_test(g->k, n, g->drawn.p, g->drawn.q,
-                         &(fmb_pair_answers){.verdict = g->verdict});
+    return fmb_pair_test(
+        g->k, n, g->drawn.p, g->drawn.q,
+        &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = g->verdict});
 }
 
 static size_t count_meeting(const placed *g, size_t n)
@@ -121,7 +122,7 @@ static fmb_status make(const scaling_class *c, const qualify_setup *o, size_t n,
                                   .dim = c->dim,
                                   .moves = c->moves,
                                   .shape = {(int)c->shape[0], (int)c->shape[1]}};
-    fmb_pair_options options = fmb_pair_options_default();
+    fmb_pair_options options = {.size = sizeof options};
     options.simd = o->simd;
     fmb_status st = fmb_pair_new(c->dim, &options, NULL, &g->k);
     if (st == FMB_OK)
@@ -166,11 +167,14 @@ static fmb_status check_box(const placed *g, fmb_pair *tightest, size_t i, bool 
     double usual[2 * SCALING_MOST_DIM], tight[2 * SCALING_MOST_DIM];
     double scale = fmax(study_aabb_scale(p), study_aabb_scale(q));
     fmb_verdict verdict;
-    fmb_status st =
-        fmb_pair_test(g->k, 1, p, q, &(fmb_pair_answers){.verdict = &verdict, .world = usual});
+    fmb_status st = fmb_pair_test(
+        g->k, 1, p, q,
+        &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = &verdict, .world = usual});
     if (st == FMB_OK)
         st = fmb_pair_test(tightest, 1, p, q,
-                           &(fmb_pair_answers){.verdict = &verdict, .world = tight});
+                           &(fmb_pair_answers){.size = sizeof(fmb_pair_answers),
+                                               .verdict = &verdict,
+                                               .world = tight});
     *good = st == FMB_OK && study_aabb_holds(p->dim, usual, tight, 0) &&
             study_aabb_holds(p->dim, tight, usual, allowed * scale);
     return st;
@@ -178,7 +182,7 @@ static fmb_status check_box(const placed *g, fmb_pair *tightest, size_t i, bool 
 
 static fmb_status check_boxes(const placed *g, scaling_cell *out)
 {
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     fmb_pair *tightest = NULL;
     o.tightest = true;
     fmb_status st = fmb_pair_new(out->class.dim, &o, NULL, &tightest);
@@ -199,7 +203,7 @@ static fmb_status check_boxes(const placed *g, scaling_cell *out)
 /* Rows that exact elimination makes. */
 static fmb_status count_rows(const placed *g, scaling_cell *out)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     size_t n = some_of(g);
     double rows = 0;
@@ -207,7 +211,7 @@ static fmb_status count_rows(const placed *g, scaling_cell *out)
     fmb_status st = fmb_solver_new(&o, NULL, &v);
     for (size_t i = 0; st == FMB_OK && i < n; i++) {
         fmb_system *s = NULL;
-        fmb_result res;
+        fmb_result res = {.size = sizeof res};
         st = system_of(g, i, &s);
         if (st == FMB_OK)
             st = fmb_solve(v, s, &res);
@@ -223,8 +227,9 @@ static fmb_status count_rows(const placed *g, scaling_cell *out)
 static fmb_status run(void *self, size_t first, size_t n)
 {
     placed *g = self;
-    return fmb_pair_test(g->k, n, g->drawn.p + first, g->drawn.q + first,
-                         &(fmb_pair_answers){.verdict = g->verdict + first});
+    return fmb_pair_test(
+        g->k, n, g->drawn.p + first, g->drawn.q + first,
+        &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = g->verdict + first});
 }
 
 static study_clock clock_of(const study_timed *way, size_t ways, size_t n, int passes)
@@ -242,9 +247,12 @@ static fmb_status time_verdicts(placed *g, int passes, scaling_cell *out)
 {
     const study_timed way = {run, g};
     study_clock clock = clock_of(&way, 1, g->drawn.n, passes);
-    fmb_pair_counts before = fmb_pair_count(g->k);
-    fmb_status st = study_clock_run(&clock);
-    fmb_pair_counts after = fmb_pair_count(g->k);
+    fmb_pair_counts before = {.size = sizeof before}, after = {.size = sizeof after};
+    fmb_status st = fmb_pair_count(g->k, &before);
+    if (st == FMB_OK)
+        st = study_clock_run(&clock);
+    if (st == FMB_OK)
+        st = fmb_pair_count(g->k, &after);
     if (st != FMB_OK)
         return st;
     out->exact_share = (double)(after.exact_verdicts - before.exact_verdicts) /

@@ -15,7 +15,7 @@ enum {
 
 fmb_status verdict_rivals_open(verdict_rivals *r, int dim, fmb_simd simd)
 {
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     o.simd = simd;
     *r = (verdict_rivals){NULL, NULL};
     fmb_status st = fmb_pair_new(dim, &o, NULL, &r->fmb);
@@ -33,8 +33,9 @@ void verdict_rivals_close(verdict_rivals *r)
 fmb_status verdict_way_all(void *self, size_t first, size_t n)
 {
     verdict_way *w = self;
-    return fmb_pair_test(w->k, n, w->p + first, w->q + first,
-                         &(fmb_pair_answers){.verdict = w->verdict + first});
+    return fmb_pair_test(
+        w->k, n, w->p + first, w->q + first,
+        &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = w->verdict + first});
 }
 
 static fmb_status one_by_one(void *self, size_t first, size_t n)
@@ -98,9 +99,13 @@ static fmb_status run_cold(const verdict_pool *pool, const qualify_setup *o,
                      .groups = 1,
                      .passes = o->passes,
                      .step = qualify_watch_step_within};
-    fmb_pair_counts before = fmb_pair_count(r->fmb);
-    fmb_status st = study_clock_run(&c);
-    d->exact_share = share(before, fmb_pair_count(r->fmb));
+    fmb_pair_counts before = {.size = sizeof before}, after = {.size = sizeof after};
+    fmb_status st = fmb_pair_count(r->fmb, &before);
+    if (st == FMB_OK)
+        st = study_clock_run(&c);
+    if (st == FMB_OK)
+        st = fmb_pair_count(r->fmb, &after);
+    d->exact_share = share(before, after);
     d->complete = c.complete == o->passes;
     d->fmb = study_clock_ns(&c, FMB);
     d->sat = study_clock_ns(&c, SAT);

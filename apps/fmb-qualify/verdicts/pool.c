@@ -77,7 +77,9 @@ static bool choose(void *self, const fmb_frame *p, const fmb_frame *q)
     reshape_pair(c->from, &a, number[0], &b, number[1]);
     if (c->from->near && !boxes_meet(&a, &b))
         return false;
-    c->st = fmb_pair_test(c->judge, 1, &a, &b, &(fmb_pair_answers){.verdict = &verdict});
+    c->st =
+        fmb_pair_test(c->judge, 1, &a, &b,
+                      &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = &verdict});
     return verdict == c->wanted;
 }
 

@@ -56,7 +56,7 @@ static fmb_status open_solver(const fmb_options *o, const study_way *way, fmb_so
 fmb_status study_engine_open(study_engine *e, const study_way *way, const study_limits *limits,
                              study_names *names)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     *e = (study_engine){.names = names};
     o.method = FMB_METHOD_FM;
     e->by_fmplex = way->rules && strcmp(way->rules, "fmplex") == 0;
@@ -83,7 +83,7 @@ void study_engine_close(study_engine *e)
 fmb_status study_engine_count(study_engine *e, const fmb_system *s, const int *keep, int n,
                               study_run *run, fmb_system **shadow)
 {
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     *shadow = NULL;
     if (e->by_fmplex) {
         run->outcome = STUDY_REFUSED;
@@ -110,7 +110,7 @@ fmb_status study_engine_count(study_engine *e, const fmb_system *s, const int *k
 fmb_status study_engine_time(study_engine *e, const fmb_system *s, fmb_verdict truth,
                              study_run *run)
 {
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     double begin = study_thread_seconds();
     fmb_status st =
         e->by_fmplex ? study_fmplex_solve(e->timing, s, &r) : fmb_solve(e->timing, s, &r);

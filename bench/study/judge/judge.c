@@ -14,9 +14,9 @@
 
 fmb_status study_judge_open(study_judge *j, double max_seconds)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     *j = (study_judge){0};
-    o.evidence = true;
+    o.evidence = FMB_EVIDENCE_ALL;
     o.max_seconds = max_seconds;
     fmb_status st = fmb_solver_new(&o, NULL, &j->shadow);
     o.method = FMB_METHOD_LP;
@@ -35,7 +35,7 @@ void study_judge_close(study_judge *j)
 static fmb_status check(study_judge *j, const fmb_solver *v, const fmb_system *s)
 {
     fmb_evidence *e = NULL;
-    fmb_judgement say;
+    fmb_judgement say = {.size = sizeof say};
     fmb_status st = fmb_solver_evidence(v, &e);
     if (st == FMB_OK)
         st = fmb_check(s, e, &say);
@@ -47,7 +47,7 @@ static fmb_status check(study_judge *j, const fmb_solver *v, const fmb_system *s
 
 fmb_status study_judge_verdict(study_judge *j, const fmb_system *s, fmb_verdict *out)
 {
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     fmb_status st = fmb_solve(j->oracle, s, &r);
     if (st == FMB_OK && r.verdict != FMB_UNKNOWN)
         st = check(j, j->oracle, s);
@@ -80,7 +80,7 @@ static char *interval_words(const fmb_box *b)
 
 static fmb_status bound_words(study_judge *j, const fmb_system *s, int var, bool mine, char **out)
 {
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     fmb_box *b = NULL;
     fmb_status st = fmb_bound(j->oracle, s, &var, 1, &b, &r);
     if (st == FMB_OK && mine && r.verdict != FMB_UNKNOWN)
@@ -185,7 +185,7 @@ fmb_status study_judge_words(study_judge *j, const fmb_system *p, char **out)
 fmb_status study_judge_shadow(study_judge *j, const fmb_system *s, const int *keep, int n,
                               char **out)
 {
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     fmb_system *p = NULL;
     char *text = NULL;
     if (n == 1)

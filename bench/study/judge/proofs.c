@@ -14,8 +14,8 @@ struct study_proofs {
 fmb_status study_proofs_open(study_proofs **out)
 {
     study_proofs *s = calloc(1, sizeof *s);
-    fmb_options o = fmb_options_default();
-    o.evidence = true;
+    fmb_options o = {.size = sizeof o};
+    o.evidence = FMB_EVIDENCE_ALL;
     fmb_status st = s ? fmb_solver_new(&o, NULL, &s->solver) : FMB_ERR_MEMORY;
     if (st == FMB_OK)
         *out = s;
@@ -44,8 +44,8 @@ static fmb_status prove(study_proofs *s, const fmb_frame *p, const fmb_frame *q,
     const fmb_frame both[2] = {*p, *q};
     fmb_system *rows = NULL;
     fmb_evidence *e = NULL;
-    fmb_result res;
-    fmb_judgement j = {0};
+    fmb_result res = {.size = sizeof res};
+    fmb_judgement j = {.size = sizeof j};
     fmb_status st = fmb_system_from_frames(both, 2, FMB_COORDINATES_EACH, contact, NULL, &rows);
     if (st == FMB_OK)
         st = fmb_solve(s->solver, rows, &res);

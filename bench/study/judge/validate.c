@@ -105,7 +105,7 @@ static void choose(study_validator *s, uint64_t first)
 static fmb_status ask(study_validator *s, int way, int order)
 {
     fmb_verdict said[STUDY_VALIDATE_MOST];
-    fmb_pair_answers out = {.verdict = said};
+    fmb_pair_answers out = {.size = sizeof out, .verdict = said};
     bool few = EXACT_WAYS >> way & 1;
     size_t n = few ? s->chosen : s->pairs.n;
     const fmb_frame *p = few ? s->p : s->pairs.p, *q = few ? s->q : s->pairs.q;

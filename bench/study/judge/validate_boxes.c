@@ -29,7 +29,7 @@ struct study_box_bench {
 static fmb_status open_way(study_box_bench *b, int i, fmb_simd simd)
 {
     size_t n = STUDY_VALIDATE_MOST, dim = (size_t)b->dim;
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     o.method = i == EXACT ? FMB_PAIR_EXACT : FMB_PAIR_FMB;
     o.tightest = i == TIGHTEST;
     o.simd = simd;
@@ -48,8 +48,8 @@ fmb_status study_box_bench_open(int dim, fmb_simd simd, study_box_bench **out)
     if (!b)
         return FMB_ERR_MEMORY;
     b->dim = dim;
-    fmb_options o = fmb_options_default();
-    o.evidence = false;
+    fmb_options o = {.size = sizeof o};
+    o.evidence = FMB_EVIDENCE_NONE;
     fmb_status st = fmb_solver_new(&o, NULL, &b->solver);
     for (int i = 0; st == FMB_OK && i < WAYS; i++)
         st = open_way(b, i, simd);
@@ -89,15 +89,19 @@ static fmb_pair_answers of_pair(const study_box_bench *b, int way, size_t i)
 {
     const answers *a = &b->said[way];
     size_t dim = (size_t)b->dim;
-    return (fmb_pair_answers){a->verdict + i, a->world + 2 * dim * i, a->inside + 2 * dim * i,
-                              a->time + 2 * i, a->witness + dim * i};
+    return (fmb_pair_answers){.size = sizeof(fmb_pair_answers),
+                              .verdict = a->verdict + i,
+                              .world = a->world + 2 * dim * i,
+                              .inside = a->inside + 2 * dim * i,
+                              .time = a->time + 2 * i,
+                              .witness = a->witness + dim * i};
 }
 
 static fmb_status check_witness(study_box_bench *b, const fmb_frame *p, const fmb_frame *q,
                                 const double *x, unsigned *faults)
 {
     fmb_system *s = NULL;
-    fmb_result res = {0};
+    fmb_result res = {.size = sizeof res};
     for (int j = 0; j < b->dim; j++)
         if (!isfinite(x[j])) {
             *faults |= STUDY_FAULT_WITNESS;
@@ -134,8 +138,8 @@ static fmb_status judge(study_box_bench *b, size_t i, const fmb_frame *p, const 
 fmb_status study_box_bench_run(study_box_bench *b, size_t n, const fmb_frame *p, const fmb_frame *q,
                                unsigned *faults, study_tally *tally)
 {
-    fmb_status st = FMB_OK;
-    uint64_t before = fmb_pair_count(b->way[USUAL]).exact_boxes;
+    fmb_pair_counts before = {.size = sizeof before}, after = {.size = sizeof after};
+    fmb_status st = fmb_pair_count(b->way[USUAL], &before);
     for (size_t i = 0; i < n; i++)
         faults[i] = 0;
     for (int order = 0; order < 2; order++) {
@@ -148,6 +152,8 @@ fmb_status study_box_bench_run(study_box_bench *b, size_t n, const fmb_frame *p,
             st = judge(b, i, &x[i], &y[i], &faults[i], tally);
     }
     tally->boxes += n;
-    tally->doubtful += fmb_pair_count(b->way[USUAL]).exact_boxes - before;
+    if (st == FMB_OK)
+        st = fmb_pair_count(b->way[USUAL], &after);
+    tally->doubtful += after.exact_boxes - before.exact_boxes;
     return st;
 }

@@ -43,7 +43,7 @@ study_pair_method study_way_method(study_way_of_pairs which)
 fmb_pair_options study_way_options(study_way_of_pairs which, fmb_simd simd)
 {
     const way *w = &WAY[which];
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     o.method = w->method == STUDY_BY_EXACT ? FMB_PAIR_EXACT : FMB_PAIR_FMB;
     o.contact = w->closed ? FMB_CONTACT_CLOSED : FMB_CONTACT_OPEN;
     o.doubles_only = w->closed && w->open;

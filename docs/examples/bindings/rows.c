@@ -21,7 +21,7 @@ int main(int argc, char **argv)
     static double coef[2 * ROWS], b[ROWS], x[DIM];
     fmb_system *s, *image;
     fmb_solver *v;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     fmb_matrix *m;
     for (int i = 0; i < ROWS; i++) { /* a variable is at most b beyond the next in the ring */
         start[i + 1] = 2 * (size_t)i + 2;

@@ -34,7 +34,8 @@ int main(int argc, char **argv)
     fmb_system *s, *image;
     fmb_solver *v;
     fmb_matrix *m;
-    fmb_result r;
+    fmb_result r{};
+    r.size = sizeof r;
     need(fmb_system_new(dim, nullptr, &s));
     std::unique_ptr<fmb_system, By<fmb_system_free>> own_s(s);
     need(fmb_system_add_rows(s, rows, start.data(), var.data(), coef.data(), nullptr, b.data()),

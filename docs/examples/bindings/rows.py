@@ -35,7 +35,8 @@ need(fmb.fmb_system_add_rows(s, ROWS, list(range(0, 2 * ROWS + 1, 2)), var, [1, 
                              ffi.NULL, b), fmb.fmb_system_trouble(s))
 need(fmb.fmb_solver_new(ffi.NULL, ffi.NULL, out := ffi.new("fmb_solver **")))
 v = owned(out, fmb.fmb_solver_free)
-need(fmb.fmb_solve(v, s, r := ffi.new("fmb_result *")), fmb.fmb_solver_trouble(v))
+r = ffi.new("fmb_result *", {"size": ffi.sizeof("fmb_result")})
+need(fmb.fmb_solve(v, s, r), fmb.fmb_solver_trouble(v))
 if r.verdict == fmb.FMB_FEASIBLE:
     need(fmb.fmb_solver_point(v, x := ffi.new("double[]", DIM)), fmb.fmb_solver_trouble(v))
     print(f"feasible: {x[0]:g} {x[1]:g} ... {x[DIM - 1]:g}")

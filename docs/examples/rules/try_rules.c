@@ -30,7 +30,7 @@ static fmb_system *build(void)
 static void judge(const fmb_solver *v, const fmb_system *s)
 {
     fmb_evidence *evidence;
-    fmb_judgement j;
+    fmb_judgement j = {.size = sizeof j};
     need(fmb_solver_evidence(v, &evidence));
     need(fmb_check(s, evidence, &j));
     if (j.accepted)
@@ -43,14 +43,14 @@ static void judge(const fmb_solver *v, const fmb_system *s)
 /* Kohler's rule counts on every row that it has not dropped itself. */
 static void try(const fmb_rule *rule, fmb_rebase rebase)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     o.method = FMB_METHOD_FM;
     o.order = FMB_ORDER_GIVEN;
     o.rules = "kohler";
     o.rebase = rebase;
     fmb_system *s = build();
     fmb_solver *v;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     need(fmb_solver_new(&o, NULL, &v));
     need(fmb_solver_add_rule(v, rule));
     fmb_status st = fmb_solve(v, s, &r);

@@ -2,6 +2,7 @@
 #include <stdarg.h>
 #include <string.h>
 
+#include "base/sized.h"
 #include "io/core/cursor.h"
 #include "io/core/utf8.h"
 
@@ -208,6 +209,18 @@ fmb_status fmb_io_fail(fmb_cursor *c, const char *p, const char *format, ...)
     fill_place_and_text(c, p, c->where, format, args);
     va_end(args);
     return FMB_ERR_PARSE;
+}
+
+fmb_status fmb_io_take_reader(const fmb_reader *how, fmb_reader *ours, fmb_where *where)
+{
+    char why[sizeof where->text];
+    *ours = (fmb_reader){.size = sizeof *ours};
+    if (!how)
+        return FMB_OK;
+    if (!fmb_sized_is_good(how, sizeof *how, "how", why, sizeof why))
+        return fmb_io_refuse_argument(where, why);
+    fmb_sized_take(ours, sizeof *ours, how);
+    return FMB_OK;
 }
 
 fmb_status fmb_io_refuse_argument(fmb_where *where, const char *trouble)

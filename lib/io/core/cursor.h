@@ -79,6 +79,8 @@ fmb_status
 fmb_io_fail(fmb_cursor *c, const char *p, const char *format, ...);
 /* ARG, and *where (may be NULL) says why. */
 fmb_status fmb_io_refuse_argument(fmb_where *where, const char *trouble);
+/* The reader that is given, or one by default. Errors: ARG, told in *where. */
+fmb_status fmb_io_take_reader(const fmb_reader *how, fmb_reader *ours, fmb_where *where);
 /* The text at p grows by that many decimal digits. Errors: PARSE (beyond the budget). */
 fmb_status fmb_io_charge(fmb_cursor *c, const char *p, size_t digits);
 /* Decimal digits of a rational, at least roughly; 0 for those that fit two machine words. */

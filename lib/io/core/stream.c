@@ -22,13 +22,17 @@ fmb_status fmb_parse_stream(FILE *in, const fmb_reader *how, fmb_parse_fn *parse
 {
     fmb_mem mem;
     fmb_bytes b = {0};
+    fmb_reader reader;
     if (!in)
         return fmb_io_refuse_argument(where, "in is NULL");
-    fmb_mem_init(&mem, how ? how->mem : NULL, 0);
-    fmb_status st = fmb_read_whole_stream(in, fmb_io_max_bytes(how), &b, &mem);
+    fmb_status st = fmb_io_take_reader(how, &reader, where);
+    if (st != FMB_OK)
+        return st;
+    fmb_mem_init(&mem, reader.mem, 0);
+    st = fmb_read_whole_stream(in, fmb_io_max_bytes(&reader), &b, &mem);
     int cause = errno;
     if (st == FMB_OK)
-        st = parse(b.p, b.size, how, self, where);
+        st = parse(b.p, b.size, &reader, self, where);
     fmb_mem_put(&mem, b.p, b.capacity, 1);
     if (st == FMB_ERR_IO)
         errno = cause;

@@ -240,16 +240,17 @@ void fmb_frame_reader_cancel(fmb_frame_reader *r)
 fmb_status fmb_frame_reader_new(FILE *in, const fmb_reader *how, fmb_frame_reader **out)
 {
     fmb_mem mem;
-    if (!in || !out)
+    fmb_reader reader;
+    if (!in || !out || fmb_io_take_reader(how, &reader, NULL) != FMB_OK)
         return FMB_ERR_ARG;
-    fmb_mem_init(&mem, how ? how->mem : NULL, 0);
+    fmb_mem_init(&mem, reader.mem, 0);
     fmb_frame_reader *r = fmb_mem_zero(&mem, 1, sizeof *r);
     if (!r)
         return fmb_mem_status(&mem);
     r->mem = mem;
     r->in = in;
     atomic_init(&r->cancel, 0);
-    r->how = how ? *how : (fmb_reader){0};
+    r->how = reader;
     r->hook = mem.alloc;
     r->how.mem = &r->hook;
     fmb_draft_init(&r->row, &r->mem);

@@ -22,7 +22,8 @@ static bool spells_lp(const char *name)
     mpq_t value;
     size_t size = strlen(name);
     fmb_mem_init(&mem, NULL, 0);
-    fmb_cursor c = fmb_io_cursor(name, size, &(fmb_reader){0}, &mem, &where);
+    fmb_cursor c =
+        fmb_io_cursor(name, size, &(fmb_reader){.size = sizeof(fmb_reader)}, &mem, &where);
     if ((*name | 32) == 'e' && (name[1] == '\0' || strspn(name + 1, "0123456789.") > 0))
         return false;
     if (fmb_span_is_nocase((fmb_span){name, size}, "free") ||

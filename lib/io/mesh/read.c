@@ -148,14 +148,16 @@ static fmb_status check_mesh_arguments(fmb_mesh_format f, fmb_mesh **out, fmb_wh
 fmb_status fmb_mesh_parse(const char *text, size_t size, fmb_mesh_format f, const fmb_reader *how,
                           fmb_mesh **out, fmb_where *where)
 {
-    static const fmb_reader plain = {.format = FMB_FORMAT_AUTO};
+    fmb_reader reader;
     fmb_where at = {0};
-    fmb_status st = check_mesh_arguments(f, out, where);
+    fmb_status st = fmb_io_take_reader(how, &reader, where);
+    if (st == FMB_OK)
+        st = check_mesh_arguments(f, out, where);
     if (st != FMB_OK)
         return st;
     if (!text && size > 0)
         return fmb_io_refuse_argument(where, "text is NULL");
-    st = parse_mesh(text ? text : "", size, f, how ? how : &plain, out, &at);
+    st = parse_mesh(text ? text : "", size, f, &reader, out, &at);
     if (st == FMB_ERR_PARSE && where)
         *where = at;
     return st;
@@ -166,16 +168,19 @@ fmb_status fmb_mesh_read(FILE *in, fmb_mesh_format f, const fmb_reader *how, fmb
 {
     fmb_mem mem;
     fmb_bytes b = {0};
-    fmb_status st = check_mesh_arguments(f, out, where);
+    fmb_reader reader;
+    fmb_status st = fmb_io_take_reader(how, &reader, where);
+    if (st == FMB_OK)
+        st = check_mesh_arguments(f, out, where);
     if (st != FMB_OK)
         return st;
     if (!in)
         return fmb_io_refuse_argument(where, "in is NULL");
-    fmb_mem_init(&mem, how ? how->mem : NULL, 0);
-    st = fmb_read_whole_stream(in, fmb_io_max_bytes(how), &b, &mem);
+    fmb_mem_init(&mem, reader.mem, 0);
+    st = fmb_read_whole_stream(in, fmb_io_max_bytes(&reader), &b, &mem);
     int cause = errno;
     if (st == FMB_OK)
-        st = fmb_mesh_parse(b.p, b.size, f, how, out, where);
+        st = fmb_mesh_parse(b.p, b.size, f, &reader, out, where);
     fmb_mem_put(&mem, b.p, b.capacity, 1);
     if (st == FMB_ERR_IO)
         errno = cause;
@@ -237,10 +242,13 @@ static fmb_status read_tetgen_files(const tetgen_file *points, const tetgen_file
                                     const fmb_reader *how, fmb_mesh **out, fmb_where *where,
                                     bool *in_cells)
 {
-    static const fmb_reader plain = {.format = FMB_FORMAT_AUTO};
+    fmb_reader reader;
     fmb_where at = {0};
     bool second = false;
-    fmb_status st = read_tetgen(points, cells, how ? how : &plain, out, &at, &second);
+    fmb_status st = fmb_io_take_reader(how, &reader, where);
+    if (st != FMB_OK)
+        return st;
+    st = read_tetgen(points, cells, &reader, out, &at, &second);
     if (st == FMB_ERR_PARSE && where)
         *where = at;
     if (in_cells)

@@ -117,17 +117,21 @@ fmb_status fmb_script_parse(const char *text, size_t size, const fmb_reader *how
 {
     fmb_mem mem;
     fmb_where at = {0};
+    fmb_reader reader;
     if (!out || (!text && size > 0))
         return fmb_io_refuse_argument(where, out ? "text is NULL" : "out is NULL");
-    fmb_mem_init(&mem, how ? how->mem : NULL, 0);
+    fmb_status st = fmb_io_take_reader(how, &reader, where);
+    if (st != FMB_OK)
+        return st;
+    fmb_mem_init(&mem, reader.mem, 0);
     fmb_script *s = fmb_mem_zero(&mem, 1, sizeof *s);
     if (!s)
         return fmb_mem_status(&mem);
     s->mem = mem;
-    s->how = how ? *how : (fmb_reader){0};
+    s->how = reader;
     s->how.format = FMB_FORMAT_SMT2;
     s->asked = SIZE_MAX;
-    fmb_status st = fill_script(s, text ? text : "", size, &at);
+    st = fill_script(s, text ? text : "", size, &at);
     if (st == FMB_ERR_PARSE && where)
         *where = at;
     if (st == FMB_OK)

@@ -132,18 +132,20 @@ static fmb_status parse_map(fmb_cursor *c, const fmb_system *s, fmb_system **out
 fmb_status fmb_system_parse_graph(const char *text, size_t size, const fmb_reader *how,
                                   const fmb_system *s, fmb_system **out, fmb_where *where)
 {
-    static const fmb_reader plain = {.format = FMB_FORMAT_AUTO};
+    fmb_reader reader;
     fmb_where at = {0};
     fmb_mem mem;
     if (!s || !out || (!text && size > 0))
         return fmb_io_refuse_argument(where, !s     ? "s is NULL"
                                              : !out ? "out is NULL"
                                                     : "text is NULL");
-    how = how ? how : &plain;
+    fmb_status st = fmb_io_take_reader(how, &reader, where);
+    if (st != FMB_OK)
+        return st;
+    how = &reader;
     fmb_mem_init(&mem, how->mem, 0);
     fmb_cursor c = fmb_io_cursor(text ? text : "", size, how, &mem, &at);
-    fmb_status st =
-        size > fmb_io_max_bytes(how) ? fmb_io_fail_too_long(&c, NULL) : parse_map(&c, s, out);
+    st = size > fmb_io_max_bytes(how) ? fmb_io_fail_too_long(&c, NULL) : parse_map(&c, s, out);
     if (st == FMB_ERR_PARSE && where)
         *where = at;
     return st;

@@ -38,7 +38,7 @@ fmb_status fmb_system_parse_objective(fmb_system *s, fmb_sense sense, const char
         return fmb_io_refuse_argument(where, !s      ? "s is NULL"
                                              : !text ? "text is NULL"
                                                      : "sense is neither MAX nor MIN");
-    const fmb_reader plain = {.mem = &s->mem.alloc};
+    const fmb_reader plain = {.size = sizeof plain, .mem = &s->mem.alloc};
     fmb_mem_init(&mem, plain.mem, 0);
     fmb_cursor c = fmb_io_cursor(text, size, &plain, &mem, &at);
     fmb_text t = {.c = &c, .s = s, .declared = true, .alone = true};

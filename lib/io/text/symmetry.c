@@ -384,17 +384,20 @@ fmb_status fmb_permutations_parse(const char *text, size_t size, const fmb_reade
                                   const fmb_system *s, const int *keep, int n,
                                   fmb_permutations **out, fmb_where *where)
 {
-    static const fmb_reader plain = {.format = FMB_FORMAT_AUTO};
+    fmb_reader reader;
     const char *bad = !text && size > 0 ? "text is NULL" : bad_argument(s, keep, n, out);
     fmb_where at = {0};
     fmb_mem mem;
     if (bad)
         return fmb_io_refuse_argument(where, bad);
-    how = how ? how : &plain;
+    fmb_status st = fmb_io_take_reader(how, &reader, where);
+    if (st != FMB_OK)
+        return st;
+    how = &reader;
     fmb_mem_init(&mem, how->mem, 0);
     fmb_cursor c = fmb_io_cursor(text ? text : "", size, how, &mem, &at);
-    fmb_status st = size > fmb_io_max_bytes(how) ? fmb_io_fail_too_long(&c, NULL)
-                                                 : parse_symmetries(&c, s, keep, n, out);
+    st = size > fmb_io_max_bytes(how) ? fmb_io_fail_too_long(&c, NULL)
+                                      : parse_symmetries(&c, s, keep, n, out);
     if (st == FMB_ERR_PARSE && where)
         *where = at;
     return st;

@@ -71,7 +71,8 @@ static fmb_status answer_as_frames(fmb_pair *k, const fmb_frames *a, const fmb_f
 /* The answers from pair i on. */
 static fmb_pair_answers answers_from(const fmb_pair_answers *o, size_t dim, size_t i)
 {
-    return (fmb_pair_answers){.verdict = o->verdict + i,
+    return (fmb_pair_answers){.size = sizeof(fmb_pair_answers),
+                              .verdict = o->verdict + i,
                               .world = o->world ? o->world + 2 * dim * i : NULL,
                               .inside = o->inside ? o->inside + 2 * dim * i : NULL,
                               .time = o->time ? o->time + 2 * i : NULL,
@@ -94,7 +95,8 @@ static fmb_status answer_all_as_frames(fmb_pair *k, const fmb_frames *a, const f
 fmb_status fmb_packed_decide(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
                              const fmb_frames_pair *pair, fmb_verdict *out)
 {
-    return answer_all_as_frames(k, a, b, n, pair, &(fmb_pair_answers){.verdict = out});
+    return answer_all_as_frames(
+        k, a, b, n, pair, &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = out});
 }
 
 /* ---- verdicts of a portion ------------------------------------------------------------------- */
@@ -276,12 +278,14 @@ static fmb_status answer_alone(fmb_pair *k, const pairs_query *x)
 fmb_status fmb_frames_test(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
                            const fmb_frames_pair *pair, const fmb_pair_answers *out)
 {
-    if (!k || !fmb_packed_begin(k, a, b))
+    fmb_pair_answers ours = {.size = sizeof ours};
+    if (!k || !fmb_packed_begin(k, a, b) ||
+        ((n > 0 || out) && fmb_pair_read_answers(k, out, &ours) != FMB_OK))
         return FMB_ERR_ARG;
-    if (n > 0 && (!pair || !out || !out->verdict)) {
+    if (n > 0 && (!pair || !ours.verdict)) {
         snprintf(k->trouble, sizeof k->trouble, "%s is NULL", !pair ? "pair" : "out->verdict");
         return FMB_ERR_ARG;
     }
-    pairs_query x = {a, b, pair, out, n};
+    pairs_query x = {a, b, pair, &ours, n};
     return k->threads > 1 && n > PORTION ? answer_by_threads(k, &x) : answer_alone(k, &x);
 }

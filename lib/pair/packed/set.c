@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "base/sized.h"
 #include "frame/frame_private.h"
 #include "pair/corner_edges.h"
 #include "pair/packed/bounds.h"
@@ -217,10 +218,14 @@ static fmb_frame frame_of_arrays(int dim, const fmb_frame_arrays *a, size_t i, d
     return f;
 }
 
-fmb_status fmb_frames_from_arrays(int dim, size_t n, const fmb_frame_arrays *a,
+fmb_status fmb_frames_from_arrays(int dim, size_t n, const fmb_frame_arrays *given,
                                   const fmb_alloc *mem, fmb_frames **out)
 {
-    if (!out || !a || !is_dimension(dim) || n > FMB_FRAMES_MOST || a->naxes < 0 ||
+    fmb_frame_arrays ours, *a = &ours;
+    if (!given || !fmb_sized_is_good(given, sizeof *given, "a", NULL, 0))
+        return FMB_ERR_ARG;
+    fmb_sized_take(&ours, sizeof ours, given);
+    if (!out || !is_dimension(dim) || n > FMB_FRAMES_MOST || a->naxes < 0 ||
         a->naxes > FMB_FRAME_MOST_DIM || (unsigned)a->shape > FMB_SIMPLEX_BY_CORNERS ||
         (n > 0 && (!a->origin || (a->naxes > 0 && !a->axes))))
         return FMB_ERR_ARG;

@@ -138,7 +138,7 @@ fmb_status fmb_bound(fmb_solver *v, const fmb_system *s, const int *vars, int n,
     fmb_query q;
     fmb_box *box = NULL;
     fmb_verdict verdict = FMB_UNKNOWN;
-    fmb_status st = fmb_solver_expect(v, s, out != NULL);
+    fmb_status st = fmb_solver_expect(v, s, out != NULL, res);
     if (st == FMB_OK)
         st = fmb_solver_expect_variables(v, s, "vars", vars, n);
     if (st != FMB_OK)

@@ -9,7 +9,7 @@
 fmb_status fmb_solver_load(fmb_solver *v, const fmb_system *s)
 {
     fmb_session *c;
-    fmb_status st = fmb_solver_expect(v, s, true);
+    fmb_status st = fmb_solver_expect(v, s, true, NULL);
     if (st == FMB_OK)
         st = fmb_session_new(&v->mem, s, &c);
     if (st != FMB_OK)

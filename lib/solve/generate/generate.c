@@ -80,7 +80,7 @@ fmb_status fmb_generate(fmb_solver *v, const fmb_system *s, fmb_generators **out
     fmb_query q;
     fmb_generators *g = NULL;
     fmb_verdict verdict = FMB_UNKNOWN;
-    fmb_status st = fmb_solver_expect(v, s, out != NULL);
+    fmb_status st = fmb_solver_expect(v, s, out != NULL, res);
     if (st != FMB_OK)
         return st;
     st = fmb_query_begin(&q, v, s, "vertices");

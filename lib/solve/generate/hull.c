@@ -116,7 +116,10 @@ fmb_status fmb_hull(fmb_solver *v, const fmb_generators *g, fmb_system **out, fm
                                  !v   ? "the solver"
                                  : !g ? "g"
                                       : "out");
-    fmb_status st = fmb_system_new(g->dim, &v->mem.alloc, &hull);
+    fmb_status st = fmb_solver_expect_result(v, res);
+    if (st != FMB_OK)
+        return st;
+    st = fmb_system_new(g->dim, &v->mem.alloc, &hull);
     if (st != FMB_OK)
         return st;
     st = ask_for_hull(v, g, hull, &verdict, res);

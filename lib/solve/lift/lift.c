@@ -55,11 +55,15 @@ static fmb_status finish_lift(fmb_solver *v, fmb_system *lift, fmb_status st, co
 }
 
 /* [give] An empty system for a verb with these arguments. */
-static fmb_status open_lift(fmb_solver *v, const char *missing, fmb_system **lift)
+static fmb_status open_lift(fmb_solver *v, const char *missing, const fmb_result *res,
+                            fmb_system **lift)
 {
     if (!v || missing)
         return fmb_solver_refuse(v, FMB_ERR_ARG, "%s is NULL", v ? missing : "the solver");
-    fmb_status st = fmb_system_new(0, &v->mem.alloc, lift);
+    fmb_status st = fmb_solver_expect_result(v, res);
+    if (st != FMB_OK)
+        return st;
+    st = fmb_system_new(0, &v->mem.alloc, lift);
     if (st != FMB_OK)
         v->answered = false;
     return st;
@@ -69,7 +73,7 @@ fmb_status fmb_image(fmb_solver *v, const fmb_system *s, const fmb_system *graph
                      fmb_system **out, fmb_result *res)
 {
     fmb_system *t = NULL;
-    fmb_status st = open_lift(v, !s ? "s" : !graph ? "graph" : out ? NULL : "out", &t);
+    fmb_status st = open_lift(v, !s ? "s" : !graph ? "graph" : out ? NULL : "out", res, &t);
     if (st != FMB_OK)
         return st;
     st = fmb_lift_image(t, s, graph);
@@ -80,7 +84,7 @@ fmb_status fmb_sum(fmb_solver *v, const fmb_system *const *s, size_t n, fmb_syst
                    fmb_system **out, fmb_result *res)
 {
     fmb_system *t = NULL;
-    fmb_status st = open_lift(v, out ? NULL : "out", &t);
+    fmb_status st = open_lift(v, out ? NULL : "out", res, &t);
     if (st != FMB_OK)
         return st;
     st = fmb_lift_match(t, s, n);
@@ -125,8 +129,7 @@ static fmb_status give_whole_space(const fmb_system *like, fmb_system *space, co
     if (a->lift)
         *a->lift = NULL;
     *a->out = space;
-    if (a->res)
-        *a->res = *r;
+    fmb_result_give(a->res, r);
     return FMB_OK;
 }
 
@@ -135,7 +138,7 @@ static fmb_status find_hull_of_nonempty(fmb_solver *v, const fmb_system *const *
                                         const fmb_system **chosen, fmb_system *t,
                                         const lift_answer *a)
 {
-    fmb_result r = {0};
+    fmb_result r = {.size = sizeof r};
     fmb_run all;
     size_t size = 0;
     const fmb_run *within = v->within;
@@ -158,7 +161,7 @@ fmb_status fmb_hull_union(fmb_solver *v, const fmb_system *const *s, size_t n, f
                           fmb_system **out, fmb_result *res)
 {
     fmb_system *t = NULL;
-    fmb_status st = open_lift(v, out ? NULL : "out", &t);
+    fmb_status st = open_lift(v, out ? NULL : "out", res, &t);
     if (st != FMB_OK)
         return st;
     st = fmb_lift_match(t, s, n);

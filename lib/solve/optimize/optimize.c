@@ -297,7 +297,7 @@ static fmb_status optimize_wish(fmb_solver *v, const fmb_system *s, fmb_wish wis
     fmb_query q;
     fmb_optimum *o = NULL;
     fmb_verdict verdict = FMB_UNKNOWN;
-    fmb_status st = fmb_solver_expect(v, s, out != NULL);
+    fmb_status st = fmb_solver_expect(v, s, out != NULL, res);
     if (st == FMB_OK)
         st = fmb_goal_expect(v, s, wish);
     if (st != FMB_OK)

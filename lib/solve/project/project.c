@@ -187,7 +187,7 @@ fmb_status fmb_project(fmb_solver *v, const fmb_system *s, const int *keep, int 
     fmb_query q;
     fmb_system *image = NULL, *empty = NULL;
     fmb_verdict verdict = FMB_UNKNOWN;
-    fmb_status st = fmb_solver_expect(v, s, out != NULL);
+    fmb_status st = fmb_solver_expect(v, s, out != NULL, res);
     if (st == FMB_OK)
         st = expect_increasing(v, s, keep, n);
     if (st != FMB_OK)

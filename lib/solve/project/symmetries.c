@@ -200,7 +200,7 @@ fmb_status fmb_symmetries_find(fmb_solver *v, const fmb_system *s, const int *ke
 {
     fmb_query q;
     fmb_permutations *found = NULL;
-    fmb_status st = fmb_solver_expect(v, s, out != NULL);
+    fmb_status st = fmb_solver_expect(v, s, out != NULL, res);
     if (st == FMB_OK && !keep && n > 0)
         st = fmb_solver_refuse(v, FMB_ERR_ARG, "keep is NULL, but n is %d", n);
     if (st == FMB_OK)

@@ -16,7 +16,7 @@ static const char *const ARITH[] = {"auto", "int", "gmp", NULL};
 static const char *const METHOD[] = {"auto", "fm", "lp", "hull", "dd", NULL};
 static const char *const ORDER[] = {"pairs", "given", "min", "fill", NULL};
 
-static const char *const EVIDENCE[] = {"none", "all", "verdict", "whole", NULL};
+static const char *const EVIDENCE[] = {"all", "none", "verdict", "whole", NULL};
 static const char *const SYMMETRY[] = {"auto", "none", NULL};
 static const char *const REBASE[] = {"auto", "always", "never", NULL};
 static const char *const SIMD[] = {"auto", "plain", "avx2", "avx512", NULL};
@@ -58,7 +58,7 @@ static const entry TABLE[] = {
      FLAG,
      offsetof(fmb_options, trace_rows),
      NULL},
-    {{"evidence", "none|all|verdict|whole", "all",
+    {{"evidence", "all|none|verdict|whole", "all",
       "Keep the numbers that prove the answer, or its verdict only, or that no row is missing, "
       "too."},
      WORD,
@@ -87,11 +87,6 @@ static const entry TABLE[] = {
      offsetof(fmb_options, symmetry),
      SYMMETRY},
 };
-
-fmb_options fmb_options_default(void)
-{
-    return (fmb_options){.evidence = FMB_EVIDENCE_ALL};
-}
 
 const fmb_option_info *fmb_options_describe(size_t i)
 {
@@ -167,10 +162,28 @@ static fmb_status set_flag_option(const char *value, bool *field)
     return FMB_OK;
 }
 
+/* Where the field of an option ends. */
+static size_t find_end_of_option(const entry *e)
+{
+    switch (e->kind) {
+    case WORD:
+        return e->offset + sizeof(int);
+    case FLAG:
+        return e->offset + sizeof(bool);
+    case SECONDS:
+        return e->offset + sizeof(double);
+    case COUNT:
+        return e->offset + sizeof(size_t);
+    case TEXT:
+        return e->offset + sizeof(const char *);
+    }
+    return SIZE_MAX;
+}
+
 fmb_status fmb_options_set(fmb_options *o, const char *name, const char *value)
 {
-    const entry *e = find_option(name);
-    if (!e || !value)
+    const entry *e = name ? find_option(name) : NULL;
+    if (!e || !value || !o || o->size < find_end_of_option(e))
         return FMB_ERR_ARG;
     void *field = (char *)o + e->offset;
     switch (e->kind) {
@@ -187,4 +200,29 @@ fmb_status fmb_options_set(fmb_options *o, const char *name, const char *value)
         return FMB_OK;
     }
     return FMB_ERR_ARG;
+}
+
+/* ---- values by name of a field --------------------------------------------------------------- */
+
+static int count_words(const entry *e)
+{
+    int n = 0;
+    while (e->words[n])
+        n++;
+    return n;
+}
+
+fmb_status fmb_options_expect(fmb_solver *v, const fmb_options *o)
+{
+    for (size_t i = 0; i < sizeof TABLE / sizeof *TABLE; i++) {
+        const entry *e = &TABLE[i];
+        const void *field = (const char *)o + e->offset;
+        int word = e->kind == WORD ? *(const int *)field : 0;
+        double seconds = e->kind == SECONDS ? *(const double *)field : 0;
+        if (e->kind == WORD && (word < 0 || word >= count_words(e)))
+            return fmb_solver_refuse(v, FMB_ERR_ARG, "%s is %d, which is none", e->info.name, word);
+        if (!(seconds >= 0))
+            return fmb_solver_refuse(v, FMB_ERR_ARG, "%s is %g", e->info.name, seconds);
+    }
+    return FMB_OK;
 }

@@ -56,8 +56,11 @@ static fmb_status take_named_rule(fmb_solver *v, const char *word, size_t size)
     for (int k = 0; k < v->rules; k++)
         if (v->rule[k] == rule)
             return FMB_OK;
-    if (!rule || v->rules == FMB_MAX_RULES)
-        return FMB_ERR_RULE;
+    if (!rule)
+        return fmb_solver_refuse(v, FMB_ERR_RULE, "rules: there is no rule \"%.*s\"",
+                                 (int)(size < 64 ? size : 64), word);
+    if (v->rules == FMB_MAX_RULES)
+        return fmb_solver_refuse(v, FMB_ERR_RULE, "rules: more than %d", FMB_MAX_RULES);
     v->rule[v->rules++] = rule;
     return FMB_OK;
 }
@@ -72,7 +75,8 @@ static fmb_status take_named_step(fmb_solver *v, const char *word, size_t size)
             v->steps |= 1u << i;
             return FMB_OK;
         }
-    return FMB_ERR_ARG;
+    return fmb_solver_refuse(v, FMB_ERR_ARG, "presolve: there is no step \"%.*s\"",
+                             (int)(size < 64 ? size : 64), word);
 }
 
 fmb_status fmb_rules_read(fmb_solver *v, const fmb_options *o)

@@ -4,20 +4,9 @@
 #include "num/rationals.h"
 #include "solve/query/rule_lp.h"
 
-static bool are_options_sound(const fmb_options *o)
-{
-    return o->arith >= FMB_ARITH_AUTO && o->arith <= FMB_ARITH_GMP &&
-           o->method >= FMB_METHOD_AUTO && o->method <= FMB_METHOD_DD &&
-           o->order >= FMB_ORDER_PAIRS && o->order <= FMB_ORDER_FILL &&
-           o->rebase >= FMB_REBASE_AUTO && o->rebase <= FMB_REBASE_NEVER &&
-           o->evidence >= FMB_EVIDENCE_NONE && o->evidence <= FMB_EVIDENCE_WHOLE &&
-           fmb_kernels_choose(o->simd) && o->max_seconds >= 0;
-}
-
 fmb_status fmb_solver_new(const fmb_options *o, const fmb_alloc *hook, fmb_solver **out)
 {
-    fmb_options options = o ? *o : fmb_options_default();
-    if (!out || !are_options_sound(&options))
+    if (!out)
         return FMB_ERR_ARG;
     fmb_mem mem;
     fmb_mem_init(&mem, hook, 0);
@@ -25,12 +14,9 @@ fmb_status fmb_solver_new(const fmb_options *o, const fmb_alloc *hook, fmb_solve
     if (!v)
         return FMB_ERR_MEMORY;
     v->mem = mem;
-    v->options = options;
     atomic_init(&v->cancel, 0);
     fmb_arena_init(&v->arena, &v->mem);
-    fmb_status st = fmb_rules_read(v, &options);
-    v->usual_rules = options.rules || options.presolve ? -1 : v->rules;
-    v->options.rules = v->options.presolve = NULL; /* they were borrowed */
+    fmb_status st = fmb_options_read(v, o);
     if (st == FMB_OK)
         *out = v;
     else
@@ -184,11 +170,12 @@ fmb_status fmb_query_end(fmb_query *q, fmb_status st, fmb_verdict verdict, fmb_r
     if (st != FMB_OK && st != FMB_LIMIT)
         return st;
     v->answered = true;
-    if (res)
-        *res = (fmb_result){.verdict = verdict,
-                            .trust = verdict == FMB_UNKNOWN ? FMB_TRUST_NONE : FMB_TRUST_EXACT,
-                            .stop = q->run.stop,
-                            .stats = q->run.stats};
+    fmb_result_give(
+        res, &(fmb_result){.size = sizeof(fmb_result),
+                           .verdict = verdict,
+                           .trust = verdict == FMB_UNKNOWN ? FMB_TRUST_NONE : FMB_TRUST_EXACT,
+                           .stop = q->run.stop,
+                           .stats = q->run.stats});
     return FMB_OK;
 }
 

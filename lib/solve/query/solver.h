@@ -9,6 +9,7 @@
 #include <fmb/symmetry.h>
 
 #include "base/arena.h"
+#include "base/sized.h"
 #include "elim/round/elim.h"
 #include "lp/exact/dictionary.h"
 #include "lp/oracle/oracle.h"
@@ -59,8 +60,16 @@ typedef struct fmb_query {
 /* Return st, and say why; v may be NULL. */
 __attribute__((format(printf, 3, 4))) fmb_status fmb_solver_refuse(fmb_solver *v, fmb_status st,
                                                                    const char *format, ...);
-/* Are v, s and the place for the answer there? Errors: ARG. */
-fmb_status fmb_solver_expect(fmb_solver *v, const fmb_system *s, bool out);
+/* Are v, s and the place for the answer there, and may res be written, unless it is NULL? Errors:
+ * ARG. */
+fmb_status fmb_solver_expect(fmb_solver *v, const fmb_system *s, bool out, const fmb_result *res);
+fmb_status fmb_solver_expect_result(fmb_solver *v, const fmb_result *res);
+/* What was found goes to the caller, unless res is NULL. */
+static inline void fmb_result_give(fmb_result *res, const fmb_result *found)
+{
+    if (res)
+        fmb_sized_give(res, found, sizeof *found);
+}
 /* Is list[0..n), or NULL, a list of variables of s? Errors: ARG, by that name of the list. */
 fmb_status fmb_solver_expect_variables(fmb_solver *v, const fmb_system *s, const char *name,
                                        const int *list, int n);
@@ -125,6 +134,12 @@ fmb_status fmb_query_load(fmb_query *q, const fmb_part *p, bool feasible, fmb_el
 
 /* options.c: the default of an option of the table, as text. */
 const char *fmb_options_initial(const char *name);
+
+/* options_read.c: the options of v, and its rules, are those given, or those by default. Errors:
+ * ARG, RULE. */
+fmb_status fmb_options_read(fmb_solver *v, const fmb_options *o);
+/* options.c: is every option of the table in its range? Errors: ARG. */
+fmb_status fmb_options_expect(fmb_solver *v, const fmb_options *o);
 
 /* rules.c: read options.rules and options.presolve; do the rules agree with each other and with the
  * query of that name? Errors: ARG (no such step), RULE. */

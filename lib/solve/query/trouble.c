@@ -20,10 +20,18 @@ fmb_status fmb_solver_refuse(fmb_solver *v, fmb_status st, const char *format, .
     return st;
 }
 
-fmb_status fmb_solver_expect(fmb_solver *v, const fmb_system *s, bool out)
+fmb_status fmb_solver_expect_result(fmb_solver *v, const fmb_result *res)
+{
+    char why[sizeof v->trouble];
+    if (!res || fmb_sized_is_good(res, sizeof *res, "res", why, sizeof why))
+        return FMB_OK;
+    return fmb_solver_refuse(v, FMB_ERR_ARG, "%s", why);
+}
+
+fmb_status fmb_solver_expect(fmb_solver *v, const fmb_system *s, bool out, const fmb_result *res)
 {
     if (v && s && out)
-        return FMB_OK;
+        return fmb_solver_expect_result(v, res);
     return fmb_solver_refuse(v, FMB_ERR_ARG, "%s is NULL", s ? "out" : "s");
 }
 

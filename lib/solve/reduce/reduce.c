@@ -238,7 +238,7 @@ fmb_status fmb_reduce(fmb_solver *v, const fmb_system *s, fmb_fate *fate, fmb_sy
     fmb_query q;
     fmb_verdict verdict = FMB_UNKNOWN;
     fmb_system *reduced = NULL;
-    fmb_status st = fmb_solver_expect(v, s, out != NULL);
+    fmb_status st = fmb_solver_expect(v, s, out != NULL, res);
     if (st != FMB_OK)
         return st;
     size_t rows = fmb_system_rows(s);

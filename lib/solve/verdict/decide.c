@@ -136,9 +136,9 @@ fmb_status fmb_query_decide(fmb_query *q, bool oracles, fmb_verdict *out)
 static bool wants_verdict_only(const fmb_solver *v)
 {
     const fmb_options *o = &v->options;
-    return v->rules == v->usual_rules && !o->evidence && !v->sink.put && !v->chooser.choose &&
-           o->method <= FMB_METHOD_FM && o->arith <= FMB_ARITH_INT && o->order == FMB_ORDER_PAIRS &&
-           o->rebase == FMB_REBASE_AUTO && o->max_rows == 0;
+    return v->rules == v->usual_rules && o->evidence == FMB_EVIDENCE_NONE && !v->sink.put &&
+           !v->chooser.choose && o->method <= FMB_METHOD_FM && o->arith <= FMB_ARITH_INT &&
+           o->order == FMB_ORDER_PAIRS && o->rebase == FMB_REBASE_AUTO && o->max_rows == 0;
 }
 
 fmb_verdict fmb_query_decide_tiny(fmb_query *q)
@@ -167,8 +167,10 @@ static bool decide_on_stack(fmb_solver *v, const fmb_system *s, fmb_result *res)
     v->evidence = NULL;
     v->trouble[0] = '\0';
     v->answered = true;
-    if (res)
-        *res = (fmb_result){.verdict = verdict, .trust = FMB_TRUST_EXACT, .stats = run.stats};
+    fmb_result_give(res, &(fmb_result){.size = sizeof(fmb_result),
+                                       .verdict = verdict,
+                                       .trust = FMB_TRUST_EXACT,
+                                       .stats = run.stats});
     return true;
 }
 
@@ -176,7 +178,7 @@ fmb_status fmb_solve(fmb_solver *v, const fmb_system *s, fmb_result *res)
 {
     fmb_query q;
     fmb_verdict verdict = FMB_UNKNOWN;
-    fmb_status st = fmb_solver_expect(v, s, true);
+    fmb_status st = fmb_solver_expect(v, s, true, res);
     if (st != FMB_OK || (wants_verdict_only(v) && decide_on_stack(v, s, res)))
         return st;
     st = fmb_query_resume(&q, v, s, "solve");

@@ -28,7 +28,7 @@ void asking_fail(const char *format, ...)
 static void judge_evidence(const fmb_solver *v, const scene *c, const fmb_result *r)
 {
     fmb_evidence *e = NULL;
-    fmb_judgement j;
+    fmb_judgement j = {.size = sizeof j};
     must(fmb_solver_evidence(v, &e));
     must(fmb_check(c->s, e, &j));
     if (!j.accepted && fmb_evidence_claims(e) > 0)
@@ -146,7 +146,7 @@ static void hull(fmb_solver *v, const scene *c, fmb_result *r, moment *returned)
 
 fmb_result asking(fmb_solver *v, const scene *c, asking_kind kind, moment *returned)
 {
-    fmb_result r = {0};
+    fmb_result r = {.size = sizeof r};
     if (kind == ASKING_PROJECT)
         project(v, c, &r, returned);
     else if (kind == ASKING_BOUND)

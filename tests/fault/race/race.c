@@ -60,7 +60,7 @@ static void note(void *self, const fmb_event *e)
 /* A method that this library has. */
 static fmb_options some_options(support_rng *g)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     o.method = (fmb_method)support_between(g, FMB_METHOD_AUTO, FMB_METHOD_DD);
     o.threads = support_chance(g, 50) ? (size_t)support_between(g, 2, 5) : 1;
     o.arith = support_chance(g, 20) ? FMB_ARITH_GMP : FMB_ARITH_AUTO;

@@ -20,7 +20,7 @@ enum { GIVE_UP = 10 };
 static fmb_solver *solver_of(fmb_method method)
 {
     static fmb_solver *v[FMB_METHOD_LP + 1];
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     o.method = method;
     o.evidence = FMB_EVIDENCE_ALL;
     if (!v[method])
@@ -80,7 +80,7 @@ static bool agrees_in_other_scales(agree *g, fmb_solver *v, const fmb_system *s,
     int *power = calloc((size_t)fmb_system_dim(s) + 1, sizeof *power);
     fmb_system *u = NULL;
     fmb_box *box = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     truth t;
     must(study_system_rescale(s, 9, seed, power, &u));
     must(fmb_bound(v, s, NULL, 0, &box, &r));
@@ -100,8 +100,8 @@ static bool proved_optimum(agree *g, fmb_solver *v, const fmb_system *s, mpq_t v
 {
     fmb_optimum *optimum = NULL;
     fmb_evidence *e = NULL;
-    fmb_judgement j = {0};
-    fmb_result r;
+    fmb_judgement j = {.size = sizeof j};
+    fmb_result r = {.size = sizeof r};
     bool meets = false;
     must(fmb_optimize(v, s, NULL, &optimum, &r));
     must(fmb_solver_evidence(v, &e));

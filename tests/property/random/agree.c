@@ -86,7 +86,7 @@ bool judge_evidence(agree *g, fmb_solver *v, const fmb_system *s, const fmb_resu
                     fmb_evidence **out)
 {
     fmb_evidence *e = NULL;
-    fmb_judgement j;
+    fmb_judgement j = {.size = sizeof j};
     fmb_status st = fmb_solver_evidence(v, &e);
     if (st != FMB_OK)
         return differ(g, "no evidence: %s", fmb_status_text(st));
@@ -113,7 +113,7 @@ bool judge_claims(agree *g, const fmb_evidence *e, fmb_claim_kind a, fmb_claim_k
 
 bool agree_solve(agree *g, fmb_solver *v, const truth *t)
 {
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     fmb_evidence *e = NULL;
     if (!judge_result(g, fmb_solve(v, t->s, &r), &r, t))
         return false;
@@ -189,7 +189,7 @@ bool agree_bound(agree *g, fmb_solver *v, const truth *t)
 {
     fmb_box *box = NULL;
     fmb_evidence *e = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     bool good = judge_result(g, fmb_bound(v, t->s, NULL, 0, &box, &r), &r, t);
     if (good && r.stop == FMB_STOP_DONE) {
         good = (box != NULL) == (r.verdict == FMB_FEASIBLE) ||
@@ -207,7 +207,7 @@ bool agree_bound(agree *g, fmb_solver *v, const truth *t)
 bool agree_end(agree *g, fmb_solver *v, const truth *t, int var)
 {
     fmb_box *box = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     bool good = judge_result(g, fmb_bound(v, t->s, &var, 1, &box, &r), &r, t);
     fmb_evidence *e = NULL;
     if (good && box && r.stop == FMB_STOP_DONE) {

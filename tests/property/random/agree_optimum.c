@@ -234,7 +234,7 @@ bool agree_optimize(agree *g, fmb_solver *v, const truth *t, uint64_t choice)
     form f;
     fmb_optimum *o = NULL;
     fmb_evidence *e = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     form_init(&f, fmb_system_dim(t->s), choice);
     bool good = judge_result(g, ask_form(&f, v, t->s, choice, &o, &r), &r, t);
     if (good && r.stop == FMB_STOP_DONE) {

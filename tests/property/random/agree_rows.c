@@ -113,7 +113,7 @@ bool agree_project(agree *g, fmb_solver *v, const truth *t, const int *keep, int
                    fmb_system **out)
 {
     fmb_system *p = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     bool good = judge_result(g, fmb_project(v, t->s, keep, n, &p, &r), &r, t);
     if (good && !p)
         good = differ(g, "no projection");
@@ -191,7 +191,7 @@ static bool judge_reduced(agree *g, fmb_solver *v, const truth *t, const fmb_res
 bool agree_reduce(agree *g, fmb_solver *v, const truth *t, fmb_system **out)
 {
     fmb_system *p = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     fmb_fate *fate = calloc(fmb_system_rows(t->s) + 1, sizeof *fate);
     bool good = judge_result(g, fmb_reduce(v, t->s, fate, &p, &r), &r, t);
     if (good && r.stop == FMB_STOP_DONE)

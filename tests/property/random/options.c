@@ -36,8 +36,8 @@ int options_count(void)
 
 fmb_options options_at(int i)
 {
-    fmb_options o = fmb_options_default();
-    o.evidence = true;
+    fmb_options o = {.size = sizeof o};
+    o.evidence = FMB_EVIDENCE_ALL;
     if (i == 0)
         return o;
     i -= 1;

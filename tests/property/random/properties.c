@@ -144,7 +144,7 @@ static bool same_answers(agree *g, fmb_solver *v, const truth *t, fmb_system *ot
     translate(&u, t, other, map);
     bool good = agree_solve(g, v, &u) && agree_bound(g, v, &u);
     fmb_system *p = NULL, *q = NULL, *r = NULL;
-    fmb_result result;
+    fmb_result result = {.size = sizeof result};
     /* Keep in other what map makes of keep in s. */
     int wanted[64] = {0}, place[64];
     for (int i = 0; i < n; i++)
@@ -184,7 +184,7 @@ static bool twice(agree *g, fmb_solver *v, const truth *t, uint64_t choice)
         if (part >> all[i] & 1)
             inner[k++] = i;
     fmb_system *p = NULL, *q = NULL, *direct = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must(fmb_project(v, t->s, all, n, &p, &r));
     must(fmb_project(v, t->s, some, m, &direct, &r));
     if (p)

@@ -13,7 +13,7 @@ enum { SYSTEMS = 400 };
 static fmb_stats ask(const fmb_system *s, const fmb_options *o, fmb_verdict *verdict)
 {
     fmb_solver *v = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must(fmb_solver_new(o, NULL, &v));
     must(fmb_solve(v, s, &r));
     *verdict = r.verdict;
@@ -80,9 +80,9 @@ Test(levels, refused)
 {
     fmb_system *s = make_system(1);
     for (unsigned mix = 0; mix < 2 * MIX_SUBSETS; mix++) {
-        fmb_options o = fmb_options_default();
+        fmb_options o = {.size = sizeof o};
         fmb_solver *v = NULL;
-        fmb_result r;
+        fmb_result r = {.size = sizeof r};
         o.rebase = FMB_REBASE_NEVER;
         o.rules = mix_text(mix, 0);
         must(fmb_solver_new(&o, NULL, &v));

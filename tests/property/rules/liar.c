@@ -63,7 +63,7 @@ enum { LIARS = sizeof LIAR / sizeof *LIAR };
 static int judge(fmb_solver *v, const fmb_system *s, const fmb_result *r, fmb_verdict known)
 {
     fmb_evidence *e = NULL;
-    fmb_judgement j = {0};
+    fmb_judgement j = {.size = sizeof j};
     if (fmb_solver_evidence(v, &e) == FMB_OK)
         must(fmb_check(s, e, &j));
     fmb_evidence_free(e);
@@ -100,7 +100,7 @@ static int one_system(uint64_t seed, fmb_system *s, fmb_verdict known)
         must(fmb_solver_new(&o, NULL, &v));
         must(fmb_solver_add_rule(v, &LIAR[k]));
         for (int kind = 0; kind < 4; kind++) {
-            fmb_result r = {0};
+            fmb_result r = {.size = sizeof r};
             must(ask(v, s, kind, &r));
             wrong += judge(v, s, &r, known);
         }

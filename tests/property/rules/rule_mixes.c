@@ -35,13 +35,13 @@ typedef struct task {
 /* What the oracle says, if it proves it. */
 static fmb_verdict proved_verdict(const fmb_system *s, agree *g)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     truth unknown = {.s = s};
     uint64_t unjudged = g->unjudged;
     o.method = FMB_METHOD_LP;
-    o.evidence = true;
+    o.evidence = FMB_EVIDENCE_ALL;
     must(fmb_solver_new(&o, NULL, &v));
     bool good = agree_solve(g, v, &unknown);
     must(fmb_solve(v, s, &r));

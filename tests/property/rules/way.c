@@ -6,7 +6,7 @@
 
 fmb_simd way_widest(void)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     for (int level = FMB_SIMD_AVX512;; level--) {
         fmb_solver *v = NULL;
         o.simd = (fmb_simd)level;
@@ -30,9 +30,9 @@ fmb_options way_at(support_rng *g, unsigned mix)
     static int widest = -1;
     if (widest < 0)
         widest = (int)way_widest();
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     o.method = FMB_METHOD_FM;
-    o.evidence = true;
+    o.evidence = FMB_EVIDENCE_ALL;
     o.rules = mix_text(mix, (unsigned)support_between(g, 0, MIX_TURNS - 1));
     o.order = support_chance(g, 40)
                   ? FMB_ORDER_GIVEN

@@ -118,7 +118,7 @@ bool law_of_hulls(law_source *g, char why[LAW_WHY])
     static const fmb_method method[] = {FMB_METHOD_AUTO, FMB_METHOD_LP, FMB_METHOD_HULL,
                                         FMB_METHOD_DD};
     int dim = law_draw(g, 1, MOST_DIM), power[MOST_DIM];
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_generators *points[2];
     fmb_system *hull[2];
     fmb_solver *v = NULL;

@@ -19,9 +19,10 @@ static fmb_mesh_how plain_kind(fmb_mesh_how h)
 static bool same_hits(fmb_mesh *const mesh[2], fmb_mesh *const moving[2], double motion[2][3],
                       char why[LAW_WHY])
 {
-    fmb_mesh_answer of[2] = {{0}, {0}};
+    fmb_mesh_answer of[2] = {{.size = sizeof of[0]}, {.size = sizeof of[0]}};
     for (int w = 0; w < 2; w++) {
-        fmb_mesh_options o = {.neighbours = true, .motion = moving ? motion[w] : NULL};
+        fmb_mesh_options o = {
+            .size = sizeof o, .neighbours = true, .motion = moving ? motion[w] : NULL};
         law_must(fmb_mesh_meet(mesh[w], moving ? moving[w] : NULL, &o, &of[w]));
     }
     bool same =

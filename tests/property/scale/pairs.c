@@ -13,8 +13,11 @@ static told ask_pair(const fmb_pair_options *o, const fmb_frame f[2])
     told t = {.time = {0, 1}};
     fmb_pair *k = NULL;
     law_must(fmb_pair_new(f[0].dim, o, NULL, &k));
-    fmb_pair_answers out = {
-        .verdict = &t.verdict, .world = t.world[0], .inside = t.inside[0], .time = t.time};
+    fmb_pair_answers out = {.size = sizeof out,
+                            .verdict = &t.verdict,
+                            .world = t.world[0],
+                            .inside = t.inside[0],
+                            .time = t.time};
     law_must(fmb_pair_test(k, 1, &f[0], &f[1], &out));
     fmb_pair_free(k);
     return t;
@@ -25,7 +28,8 @@ static fmb_verdict ask_verdict(const fmb_pair_options *o, const fmb_frame f[2])
     fmb_pair *k = NULL;
     fmb_verdict v = FMB_UNKNOWN;
     law_must(fmb_pair_new(f[0].dim, o, NULL, &k));
-    law_must(fmb_pair_test(k, 1, &f[0], &f[1], &(fmb_pair_answers){.verdict = &v}));
+    law_must(fmb_pair_test(k, 1, &f[0], &f[1],
+                           &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = &v}));
     fmb_pair_free(k);
     return v;
 }
@@ -77,7 +81,7 @@ bool law_of_pairs(law_source *g, char why[LAW_WHY])
     bodies_draw(g, false, true, &b);
     for (int contact = 0; contact < 2; contact++)
         for (int method = 0; method < 2; method++) {
-            fmb_pair_options o = fmb_pair_options_default();
+            fmb_pair_options o = {.size = sizeof o};
             o.contact = (fmb_contact)contact;
             o.method = (fmb_pair_method)method;
             fmb_verdict v = ask_verdict(&o, b.plain), w = ask_verdict(&o, b.scaled);

@@ -38,7 +38,8 @@ static void ask_pairs(fmb_pair *k, drawn_set *s)
     for (size_t i = 0; i < s->n; i++)
         for (size_t j = i; j < s->n; j++)
             law_must(fmb_pair_test(k, 1, &s->body[i].frame[0], &s->body[j].frame[0],
-                                   &(fmb_pair_answers){.verdict = &s->verdict[i][j]}));
+                                   &(fmb_pair_answers){.size = sizeof(fmb_pair_answers),
+                                                       .verdict = &s->verdict[i][j]}));
 }
 
 static fmb_frames *make_set(const drawn_set *s, int scaled)
@@ -91,7 +92,7 @@ static bool same_meetings(fmb_pair *k, const drawn_set *s, const fmb_frames *set
 bool law_of_sets(law_source *g, char why[LAW_WHY])
 {
     drawn_set s;
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     fmb_pair *k = NULL;
     bool good = true;
     o.contact = (fmb_contact)law_draw(g, 0, 1);

@@ -51,7 +51,7 @@ static drawn_system draw_system(law_source *g)
 static bool same_boxes(const drawn_system *d, fmb_solver *v, char why[LAW_WHY])
 {
     fmb_box *box[2];
-    fmb_result r[2];
+    fmb_result r[2] = {{.size = sizeof r[0]}, {.size = sizeof r[0]}};
     bool same = true;
     mpq_t end[2];
     mpq_inits(end[0], end[1], NULL);
@@ -165,8 +165,8 @@ static bool same_generators(const drawn_system *d, fmb_solver *v, char why[LAW_W
 bool law_of_systems(law_source *g, char why[LAW_WHY])
 {
     drawn_system d = draw_system(g);
-    fmb_options o = fmb_options_default();
-    fmb_result r[2];
+    fmb_options o = {.size = sizeof o};
+    fmb_result r[2] = {{.size = sizeof r[0]}, {.size = sizeof r[0]}};
     fmb_solver *v = NULL;
     o.method = (fmb_method)law_draw(g, 0, FMB_METHOD_DD);
     o.arith = (fmb_arith)law_draw(g, 0, FMB_ARITH_GMP);

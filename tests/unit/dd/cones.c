@@ -68,7 +68,7 @@ static void list_rays(const plain *p, bool carried, uint64_t pause, bool wide, r
     fmb_mem mem;
     fmb_run run;
     atomic_int cancel = 0;
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_vec v[MOST_ROWS];
     fmb_cone_row row[MOST_ROWS];
     size_t keep[MOST_D];

@@ -53,7 +53,7 @@ Test(edges, neighbours_of_corners)
     fmb_mem mem;
     fmb_run run;
     atomic_int cancel = 0;
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_ray_edges e = {0};
     size_t met = 0;
     fmb_mem_init(&mem, NULL, 0);

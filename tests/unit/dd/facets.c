@@ -22,7 +22,7 @@ typedef struct bench {
 
 static void open_bench(bench *b, int d)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     *b = (bench){.d = d};
     fmb_mem_init(&b->mem, NULL, 0);
     fmb_run_begin(&b->run, &b->mem, &o, &b->cancel, (fmb_sink){0}, "test");

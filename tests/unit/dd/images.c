@@ -7,7 +7,7 @@
 
 static fmb_solver *dd_solver(fmb_arith arith)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     o.method = FMB_METHOD_DD;
     o.arith = arith;

@@ -44,7 +44,7 @@ static void put_middle(int64_t *x, int t)
  * not simple. */
 static void open_bench(bench *b, size_t threads, bool doubled, bool wide)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     int rows = doubled ? ROWS : SIMPLE_ROWS;
     *b = (bench){0};
     o.threads = threads;
@@ -196,7 +196,7 @@ typedef struct hull {
 
 static void open_hull(hull *h, size_t threads, int bits, size_t most_bytes)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     support_rng g = {(uint64_t)bits};
     int least = -(1 << (bits - 1));
     *h = (hull){0};

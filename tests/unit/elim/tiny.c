@@ -63,10 +63,10 @@ static fmb_system *make(const kind *k, uint64_t seed)
 
 static fmb_solver *simplex(void)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     o.method = FMB_METHOD_LP;
-    o.evidence = false;
+    o.evidence = FMB_EVIDENCE_NONE;
     cr_assert_eq(fmb_solver_new(&o, NULL, &v), FMB_OK);
     return v;
 }
@@ -87,7 +87,7 @@ static bool is_wrong(fmb_verdict a, fmb_verdict b)
 static bool differs(void *self, const fmb_system *s)
 {
     fmb_stats stats = {0};
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     cr_assert_eq(fmb_solve(self, s, &r), FMB_OK);
     return is_wrong(fmb_tiny_decide(s, &stats), r.verdict);
 }
@@ -239,9 +239,9 @@ Test(tiny, what_it_leaves_to_others)
 
 static fmb_solver *usual(void)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
-    o.evidence = false;
+    o.evidence = FMB_EVIDENCE_NONE;
     cr_assert_eq(fmb_solver_new(&o, NULL, &v), FMB_OK);
     return v;
 }
@@ -254,7 +254,7 @@ Test(tiny, families_through_the_solver)
     uint64_t on_stack = 0;
     for (uint64_t seed = 0; seed < 20000; seed++) {
         support_case c = support_make((support_family)(seed % SUPPORT_FAMILIES), seed, NULL);
-        fmb_result r, truth;
+        fmb_result r = {.size = sizeof r}, truth = {.size = sizeof truth};
         fmb_stats stats = {0};
         cr_assert_eq(fmb_solve(v, c.s, &r), FMB_OK);
         cr_assert_eq(fmb_solve(judge, c.s, &truth), FMB_OK);
@@ -280,11 +280,11 @@ Test(tiny, families_through_the_solver)
 Test(tiny, limits_are_kept)
 {
     const int64_t row[] = {1, 1, 1, -1, 1, 1, 1, -1, 1, -1, -1, 1};
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_system *s = NULL;
     fmb_solver *v = NULL;
-    fmb_result r;
-    o.evidence = false;
+    fmb_result r = {.size = sizeof r};
+    o.evidence = FMB_EVIDENCE_NONE;
     cr_assert_eq(fmb_system_new(2, NULL, &s), FMB_OK);
     for (int i = 0; i < 4; i++)
         cr_assert_eq(fmb_system_add_int(s, row + 3 * i, FMB_LE, row[3 * i + 2]), FMB_OK);

@@ -80,14 +80,16 @@ Test(corners, systems_and_pairs)
         cr_expect((contact ? meet_open : meet)(f, 2, FMB_COORDINATES_ALL) ==
                   (want == FMB_FEASIBLE));
         for (int method = 0; method < 2; method++) {
-            fmb_pair_options o = fmb_pair_options_default();
+            fmb_pair_options o = {.size = sizeof o};
             fmb_pair *k = NULL;
             double world[2 * MOST];
             o.contact = contact;
             o.method = (fmb_pair_method)method;
             must(fmb_pair_new(dim, &o, NULL, &k));
             must(fmb_pair_test(k, 1, &f[0], &f[1],
-                               &(fmb_pair_answers){.verdict = &got, .world = world}));
+                               &(fmb_pair_answers){.size = sizeof(fmb_pair_answers),
+                                                   .verdict = &got,
+                                                   .world = world}));
             cr_expect(got == want, "round %d, method %d", round, method);
             for (int j = 0; got == FMB_FEASIBLE && j < dim; j++)
                 cr_expect(world[2 * j] <= world[2 * j + 1]);
@@ -126,9 +128,11 @@ Test(corners, neighbours_meet)
             rounded[i].shape = FMB_SIMPLEX;
             rounded[i].axes = edges[i][0];
         }
-        must(fmb_pair_test(k, 1, &corners[0], &corners[1], &(fmb_pair_answers){.verdict = &v}));
+        must(fmb_pair_test(k, 1, &corners[0], &corners[1],
+                           &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = &v}));
         cr_expect(v == FMB_FEASIBLE, "round %d", round);
-        must(fmb_pair_test(k, 1, &rounded[0], &rounded[1], &(fmb_pair_answers){.verdict = &v}));
+        must(fmb_pair_test(k, 1, &rounded[0], &rounded[1],
+                           &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = &v}));
         rounded_apart += v == FMB_INFEASIBLE;
     }
     cr_expect(rounded_apart > 0);
@@ -180,13 +184,14 @@ Test(corners, hulls)
                                .origin = number[k],
                                .axes = number[k] + dim};
         }
-        fmb_pair_options o = fmb_pair_options_default();
+        fmb_pair_options o = {.size = sizeof o};
         fmb_pair *k = NULL;
         fmb_verdict got, want = truth_of_hulls(dim, corners, p, round & 1);
         o.contact = round & 1 ? FMB_CONTACT_OPEN : FMB_CONTACT_CLOSED;
         must(fmb_pair_new(dim, &o, NULL, &k));
         must(fmb_pair_test(k, 1, &f[0], &f[1],
-                           &(fmb_pair_answers){.verdict = &got, .world = world}));
+                           &(fmb_pair_answers){
+                               .size = sizeof(fmb_pair_answers), .verdict = &got, .world = world}));
         cr_expect(got == want, "round %d", round);
         for (int j = 0; got == FMB_FEASIBLE && j < dim; j++)
             cr_expect(world[2 * j] <= world[2 * j + 1]);

@@ -15,12 +15,12 @@ fmb_system *meeting(const fmb_frame *f, size_t n, fmb_coordinates in)
 
 bool is_feasible(const fmb_system *s)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     fmb_evidence *e = NULL;
-    fmb_result r;
-    fmb_judgement j;
-    o.evidence = true;
+    fmb_result r = {.size = sizeof r};
+    fmb_judgement j = {.size = sizeof j};
+    o.evidence = FMB_EVIDENCE_ALL;
     must(fmb_solver_new(&o, NULL, &v));
     must(fmb_solve(v, s, &r));
     must(fmb_solver_evidence(v, &e));

@@ -40,7 +40,7 @@ static void measure_rows(cone_rows *c)
 
 static fmb_run begin_run(fmb_mem *mem, const fmb_alloc *alloc, const atomic_int *cancel)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_run run;
     fmb_mem_init(mem, alloc, 0);
     fmb_run_begin(&run, mem, &o, cancel, (fmb_sink){0}, "test");

@@ -19,7 +19,7 @@ typedef struct bench {
 static void open_bench(bench *b, dense (*make)(support_rng *g), uint64_t seed, const int *kept,
                        size_t k)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     support_rng g = {seed};
     *b = (bench){.d = make(&g)};
     fmb_mem_init(&b->mem, NULL, 0);

@@ -43,7 +43,7 @@ static void fill_row(bench *b, size_t i)
 /* Takes over d. */
 static void open_bench(bench *b, const char *name, uint64_t seed, dense d)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     size_t m = (size_t)d.rows;
     o.max_seconds = MOST_SECONDS;
     *b = (bench){.d = d, .name = name, .seed = seed, .s = dense_system(&d)};
@@ -114,9 +114,9 @@ static int cross(const half *a, const half *b)
 static bool eliminate(const fmb_system *s, int i, int j, image *out)
 {
     int keep[2] = {i < j ? i : j, i < j ? j : i};
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     fmb_system *p = NULL;
     o.method = FMB_METHOD_FM;
     o.max_rows = 20000;

@@ -511,8 +511,9 @@ Test(as_glpk, mutated_files)
         walk w = {.p = hidden ? NULL : glpk_of(text, size, form)};
         fmb_system *s = NULL;
         fmb_where at = {0};
-        fmb_status st =
-            fmb_system_parse(text, size, &(fmb_reader){.format = format_of(form)}, &s, &at);
+        fmb_status st = fmb_system_parse(
+            text, size, &(fmb_reader){.size = sizeof(fmb_reader), .format = format_of(form)}, &s,
+            &at);
         cr_expect(st == FMB_OK || (st == FMB_ERR_PARSE && at.line > 0 && at.text[0]), "seed %llu",
                   (unsigned long long)(seed + (uint64_t)run));
         w.s = s;

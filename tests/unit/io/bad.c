@@ -64,7 +64,8 @@ static void check_complaint(const entry *e, fmb_format f, const char *text, size
     FILE *in = fopen(e->path, "rb");
     (void)text;
     (void)size;
-    fmb_status st = fmb_system_read(in, &(fmb_reader){.format = f}, &s, &w);
+    fmb_status st =
+        fmb_system_read(in, &(fmb_reader){.size = sizeof(fmb_reader), .format = f}, &s, &w);
     fclose(in);
     cr_expect(st == FMB_ERR_PARSE && !s, "%s: %s", e->path, fmb_status_text(st));
     cr_expect(w.line == e->line && w.column == e->column && strstr(w.text, e->piece),
@@ -85,8 +86,9 @@ static void check_other_formats(const entry *e, fmb_format f, const char *text, 
     (void)f;
     for (int g = FMB_FORMAT_AUTO; g <= FMB_FORMAT_LP; g++) {
         fmb_system *s = NULL;
-        fmb_status st =
-            fmb_system_parse(text, size, &(fmb_reader){.format = (fmb_format)g}, &s, NULL);
+        fmb_status st = fmb_system_parse(
+            text, size, &(fmb_reader){.size = sizeof(fmb_reader), .format = (fmb_format)g}, &s,
+            NULL);
         cr_expect(st == FMB_OK || st == FMB_ERR_PARSE || st == FMB_ERR_ARG, "%s as %s: %s", e->path,
                   fmb_format_text((fmb_format)g), fmb_status_text(st));
         fmb_system_free(s);
@@ -185,8 +187,9 @@ Test(bad, megabytes)
         char *text = pile_up(&heaps[i], &size);
         fmb_system *s = NULL;
         double start = seconds();
-        fmb_status st =
-            fmb_system_parse(text, size, &(fmb_reader){.format = heaps[i].format}, &s, NULL);
+        fmb_status st = fmb_system_parse(
+            text, size, &(fmb_reader){.size = sizeof(fmb_reader), .format = heaps[i].format}, &s,
+            NULL);
         double taken = seconds() - start;
         cr_expect(st == heaps[i].expected, "%s %s...: %s", heaps[i].before, heaps[i].unit,
                   fmb_status_text(st));

@@ -117,7 +117,8 @@ static void fail_with_warning(void *path, const fmb_where *where)
 static void expect_no_warning(char *path, const char *text)
 {
     fmb_system *s = NULL;
-    fmb_reader how = {FMB_FORMAT_TEXT, .warn = fail_with_warning, .self = path};
+    fmb_reader how = {
+        .size = sizeof how, .format = FMB_FORMAT_TEXT, .warn = fail_with_warning, .self = path};
     const char *rows = text + (strncmp(text, "vars:", 5) == 0 ? strcspn(text, "\n") : 0);
     cr_expect(fmb_system_parse(rows, strlen(rows), &how, &s, NULL) == FMB_OK);
     fmb_system_free(s);

@@ -64,7 +64,7 @@ static void expect_blame(fmb_status st, const fmb_where *w, const char *piece)
 /* The message says which argument is wrong. */
 Test(formats, reading_arguments)
 {
-    const fmb_reader none = {.format = (fmb_format)99};
+    const fmb_reader none = {.size = sizeof none, .format = (fmb_format)99};
     fmb_system *s = NULL;
     fmb_where w;
     expect_blame(fmb_system_parse(NULL, 1, NULL, &s, &w), &w, "text is NULL");
@@ -99,7 +99,7 @@ Test(formats, nothing)
         fmb_system *s = NULL;
         fmb_where w = {0};
         size_t size = table[i].text ? strlen(table[i].text) : 0;
-        fmb_reader how = {.format = table[i].format};
+        fmb_reader how = {.size = sizeof how, .format = table[i].format};
         cr_expect(fmb_system_parse(table[i].text, size, &how, &s, &w) == FMB_ERR_PARSE && !s);
         cr_expect(w.line == 0 && strstr(w.text, "rows or variables, found none"), "%zu: %s", i,
                   w.text);
@@ -113,7 +113,7 @@ Test(formats, nothing)
 
 static fmb_status read_at_most(const char *text, size_t most, fmb_where *w)
 {
-    fmb_reader how = {.max_bytes = most};
+    fmb_reader how = {.size = sizeof how, .max_bytes = most};
     fmb_system *s = NULL;
     FILE *in = fmemopen((void *)(uintptr_t)text, strlen(text), "r");
     fmb_status parsed = fmb_system_parse(text, strlen(text), &how, &s, NULL);
@@ -143,7 +143,8 @@ Test(formats, endless_stream)
     fmb_where w = {0};
     if (!in)
         cr_skip_test("no /dev/zero here");
-    cr_expect(fmb_system_read(in, &(fmb_reader){.max_bytes = 100000}, &s, &w) == FMB_ERR_PARSE);
+    cr_expect(fmb_system_read(in, &(fmb_reader){.size = sizeof(fmb_reader), .max_bytes = 100000},
+                              &s, &w) == FMB_ERR_PARSE);
     cr_expect(strstr(w.text, "at most 100000 bytes"), "%s", w.text);
     fclose(in);
 }
@@ -269,7 +270,7 @@ Test(formats, failing_stream)
         char text[] = "cap: 2(x - \"y z\") <= 3/7 <= 1e30\nproject: x\n";
         fmb_system *s = NULL;
         FILE *in = fmemopen(text, sizeof text - 1, "r");
-        st = fmb_system_read(in, &(fmb_reader){.mem = &mem}, &s, NULL);
+        st = fmb_system_read(in, &(fmb_reader){.size = sizeof(fmb_reader), .mem = &mem}, &s, NULL);
         fclose(in);
         fmb_system_free(s);
         cr_assert(c.live == 0);

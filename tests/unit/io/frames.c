@@ -130,7 +130,8 @@ Test(frames, nearest)
                                   0,
                                   123456789.123456789};
     for (int nearest = 0; nearest < 2; nearest++) {
-        reading a = begin(text, sizeof text - 1, &(fmb_reader){.nearest = nearest != 0});
+        reading a = begin(text, sizeof text - 1,
+                          &(fmb_reader){.size = sizeof(fmb_reader), .nearest = nearest != 0});
         const fmb_frame_line *line = next(&a);
         mpq_t q;
         mpq_init(q);
@@ -155,7 +156,8 @@ Test(frames, polytopes_nearest)
     static const char text[] =
         "{\"A\": {\"rows\": [{\"relation\": \"<\", \"rhs\": 0.1, \"coefficients\": [\"1/3\"]}], "
         "\"type\": \"polytope\"}, \"B\": {\"type\": \"cuboid\", \"orig\": [0.1], \"comp\": []}}";
-    reading a = begin(text, sizeof text - 1, &(fmb_reader){.nearest = true});
+    reading a =
+        begin(text, sizeof text - 1, &(fmb_reader){.size = sizeof(fmb_reader), .nearest = true});
     const fmb_frame_line *line = next(&a);
     mpq_t q, want;
     mpq_inits(q, want, NULL);
@@ -300,7 +302,7 @@ Test(frames, limits)
         "{\"A\": " POINT ", \"B\": " POINT "}\n{\"A\": " POINT ", \"B\": " POINT "}\n";
     reading a = begin(text, sizeof text - 1, NULL);
     const fmb_frame_line *line = NULL;
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     fmb_system *s = NULL;
     fmb_stop stop = FMB_STOP_ROWS;
@@ -340,7 +342,8 @@ Test(frames, longest_line)
         "{\"A\": " POINT ", \"B\": " POINT "}\n{\"A\": " POINT ", \"B\":         " POINT
         "}\n{\"A\": " POINT ", \"B\": " POINT "}\n";
     size_t most = (size_t)(strchr(text, '\n') - text) + 1;
-    reading a = begin(text, sizeof text - 1, &(fmb_reader){.max_bytes = most});
+    reading a =
+        begin(text, sizeof text - 1, &(fmb_reader){.size = sizeof(fmb_reader), .max_bytes = most});
     const fmb_frame_line *line = NULL;
     fmb_where w = {0};
     cr_expect(fmb_frame_reader_next(a.r, &line, &w) == FMB_OK && line->number == 1);
@@ -364,7 +367,7 @@ Test(frames, memory)
         FILE *in = fmemopen((void *)(uintptr_t)text, sizeof text - 1, "rb");
         fmb_frame_reader *r = NULL;
         const fmb_frame_line *line = NULL;
-        st = fmb_frame_reader_new(in, &(fmb_reader){.mem = &mem}, &r);
+        st = fmb_frame_reader_new(in, &(fmb_reader){.size = sizeof(fmb_reader), .mem = &mem}, &r);
         while (st == FMB_OK && (!line || line->number < 2)) {
             fmb_system *s = NULL;
             st = fmb_frame_reader_next(r, &line, NULL);
@@ -472,7 +475,7 @@ Test(frames, binary_of_single_precision)
 /* How many pairs are read before an error (*fault) or the end. */
 static int count_pairs(const char *bytes, size_t size, bool *fault)
 {
-    const fmb_reader how = {.max_bytes = 1000};
+    const fmb_reader how = {.size = sizeof how, .max_bytes = 1000};
     reading a = begin(bytes, size, &how);
     const fmb_frame_line *line = NULL;
     fmb_where w = {0};

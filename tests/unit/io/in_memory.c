@@ -105,7 +105,7 @@ static scene open_scene(void)
                                "max: x\n";
     scene w = {.s = parse(FMB_FORMAT_TEXT, text, sizeof text - 1)};
     w.f[0] = w.f[1] = (fmb_frame){FMB_CUBOID, 2, 2, ORIGIN, AXES, NULL};
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     o.evidence = FMB_EVIDENCE_ALL;
     fmb_box *box = NULL;
     must(fmb_solver_new(&o, NULL, &w.v));
@@ -200,7 +200,7 @@ Test(in_memory, evidence)
     char text[4096];
     size_t length;
     fmb_evidence *e = NULL;
-    fmb_judgement j;
+    fmb_judgement j = {.size = sizeof j};
     fmb_where at = {0};
     fmb_stop stop = FMB_STOP_TIME;
     must(fmb_evidence_print(w.e, w.s, text, sizeof text, &length));

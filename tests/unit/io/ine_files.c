@@ -81,7 +81,7 @@ Test(ine, warnings)
                                "verbose\n";
     long lines[4] = {0};
     fmb_system *s;
-    fmb_reader how = {.format = FMB_FORMAT_INE, .warn = count, .self = lines};
+    fmb_reader how = {.size = sizeof how, .format = FMB_FORMAT_INE, .warn = count, .self = lines};
     cr_assert(fmb_system_parse(text, sizeof text - 1, &how, &s, NULL) == FMB_OK);
     cr_expect(lines[0] == 2 && lines[1] == 1 && lines[2] == 10, "%ld: %ld %ld", lines[0], lines[1],
               lines[2]);
@@ -102,7 +102,8 @@ Test(ine, names_that_do_not_fit)
     for (size_t i = 0; i < COUNT(texts); i++) {
         long lines[4] = {0};
         fmb_system *s;
-        fmb_reader how = {.format = FMB_FORMAT_INE, .warn = count, .self = lines};
+        fmb_reader how = {
+            .size = sizeof how, .format = FMB_FORMAT_INE, .warn = count, .self = lines};
         cr_assert(fmb_system_parse(texts[i], strlen(texts[i]), &how, &s, NULL) == FMB_OK);
         cr_expect(lines[0] == 1 && lines[1] == 1, "%s", texts[i]);
         char *says = write_text(s, FMB_FORMAT_TEXT);

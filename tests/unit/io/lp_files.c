@@ -129,7 +129,7 @@ Test(lp_files, no_end)
     static const char text[] = "min\n 0 x\nst\n c: x >= 1";
     fmb_where w = {0};
     fmb_system *s = NULL;
-    fmb_reader how = {.format = FMB_FORMAT_LP, .warn = hear, .self = &w};
+    fmb_reader how = {.size = sizeof how, .format = FMB_FORMAT_LP, .warn = hear, .self = &w};
     cr_assert(fmb_system_parse(text, sizeof text - 1, &how, &s, NULL) == FMB_OK);
     cr_expect(w.line == 4 && strstr(w.text, "'end' is missing"), "%ld: %s", w.line, w.text);
     fmb_system_free(s);

@@ -339,8 +339,9 @@ Test(mesh, arguments)
     cr_expect(fmb_mesh_parse(NULL, 1, FMB_MESH_AUTO, NULL, &m, &w) == FMB_ERR_ARG);
     cr_expect(fmb_mesh_parse("", 0, (fmb_mesh_format)77, NULL, &m, &w) == FMB_ERR_ARG);
     cr_expect(fmb_mesh_parse("", 0, FMB_MESH_AUTO, NULL, &m, &w) == FMB_ERR_PARSE);
-    cr_expect(fmb_mesh_parse("OFF\n", 4, FMB_MESH_OFF, &(fmb_reader){.max_bytes = 3}, &m, &w) ==
-              FMB_ERR_PARSE);
+    cr_expect(fmb_mesh_parse("OFF\n", 4, FMB_MESH_OFF,
+                             &(fmb_reader){.size = sizeof(fmb_reader), .max_bytes = 3}, &m,
+                             &w) == FMB_ERR_PARSE);
 }
 
 Test(mesh, formats)

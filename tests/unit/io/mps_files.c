@@ -209,7 +209,7 @@ Test(mps_files, warnings)
     } expected[] = {{13, 2, "another set"}, {4, 4, "1e30"}, {16, 7, "negative upper bound"}};
     heard h = {0};
     fmb_system *s = NULL;
-    fmb_reader how = {.format = FMB_FORMAT_MPS, .warn = hear, .self = &h};
+    fmb_reader how = {.size = sizeof how, .format = FMB_FORMAT_MPS, .warn = hear, .self = &h};
     cr_assert(fmb_system_parse(text, sizeof text - 1, &how, &s, NULL) == FMB_OK);
     cr_expect(h.n == 3);
     for (int i = 0; i < 3; i++)

@@ -66,7 +66,7 @@ static void check_value(const char *text, const mpq_t value)
 {
     fmb_mem mem;
     fmb_where where;
-    fmb_reader how = {.warn = NULL};
+    fmb_reader how = {.size = sizeof how, .warn = NULL};
     fmb_mem_init(&mem, NULL, 0);
     fmb_cursor c = cursor_on(text, &mem, &where, &how);
     mpq_t q;
@@ -134,7 +134,7 @@ Test(number, ends)
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
         fmb_mem mem;
         fmb_where where;
-        fmb_reader how = {.warn = NULL};
+        fmb_reader how = {.size = sizeof how, .warn = NULL};
         fmb_mem_init(&mem, NULL, 0);
         fmb_cursor c = cursor_on(table[i].text, &mem, &where, &how);
         mpq_t q;
@@ -181,7 +181,7 @@ Test(number, cost_of_exponents)
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
         fmb_mem mem;
         fmb_where where;
-        fmb_reader how = {.warn = NULL};
+        fmb_reader how = {.size = sizeof how, .warn = NULL};
         mpq_t q;
         mpq_init(q);
         fmb_mem_init(&mem, NULL, 0);
@@ -206,7 +206,7 @@ Test(number, places)
 {
     fmb_mem mem;
     fmb_where where;
-    fmb_reader how = {.warn = NULL};
+    fmb_reader how = {.size = sizeof how, .warn = NULL};
     fmb_mem_init(&mem, NULL, 0);
     fmb_cursor c = cursor_on("ab\n\ncde\n", &mem, &where, &how);
     static const long places[][3] = {{8, 4, 1}, {6, 3, 3}, {0, 1, 1},

@@ -9,7 +9,8 @@ fmb_system *parse(fmb_format f, const char *text, size_t size)
 {
     fmb_system *s = NULL;
     fmb_where w = {0};
-    fmb_status st = fmb_system_parse(text, size, &(fmb_reader){.format = f}, &s, &w);
+    fmb_status st = fmb_system_parse(
+        text, size, &(fmb_reader){.size = sizeof(fmb_reader), .format = f}, &s, &w);
     cr_assert(st == FMB_OK, "%s at %ld:%ld: %s\n%.300s", fmb_status_text(st), w.line, w.column,
               w.text, text);
     return s;
@@ -44,7 +45,8 @@ void check_mistakes(fmb_format f, const mistake *table, size_t n)
         fmb_system *s = NULL;
         fmb_where w = {0};
         fmb_status st =
-            fmb_system_parse(m->text, strlen(m->text), &(fmb_reader){.format = f}, &s, &w);
+            fmb_system_parse(m->text, strlen(m->text),
+                             &(fmb_reader){.size = sizeof(fmb_reader), .format = f}, &s, &w);
         cr_expect(st == FMB_ERR_PARSE && !s, "read without complaint: %s", m->text);
         cr_expect(w.line == m->line && w.column == m->column && strstr(w.text, m->piece),
                   "%s\ncomplains at %ld:%ld: %s\nnot at %ld:%ld: %s", m->text, w.line, w.column,
@@ -149,7 +151,9 @@ void check_every_failure(fmb_format f, const char *text, size_t size, fmb_status
         fmb_alloc mem = countdown_alloc(&c);
         fmb_system *s = NULL;
         fmb_where w = {0};
-        st = fmb_system_parse(text, size, &(fmb_reader){.format = f, .mem = &mem}, &s, &w);
+        st = fmb_system_parse(text, size,
+                              &(fmb_reader){.size = sizeof(fmb_reader), .format = f, .mem = &mem},
+                              &s, &w);
         cr_assert((st == FMB_OK) == (s != NULL), "out argument touched at request %zu", k);
         fmb_system_free(s);
         cr_assert(c.live == 0, "%zu bytes lost when request %zu failed: %.80s", c.live, k, text);

@@ -261,7 +261,7 @@ static heard warnings(const char *text)
 {
     heard h = {0};
     fmb_system *s = NULL;
-    fmb_reader how = {.format = FMB_FORMAT_SMT2, .warn = hear, .self = &h};
+    fmb_reader how = {.size = sizeof how, .format = FMB_FORMAT_SMT2, .warn = hear, .self = &h};
     cr_assert(fmb_system_parse(text, strlen(text), &how, &s, NULL) == FMB_OK);
     fmb_system_free(s);
     return h;

@@ -10,7 +10,8 @@ static fmb_status open_script(const char *text, const fmb_alloc *mem, fmb_script
 {
     FILE *in = fmemopen((char *)(uintptr_t)text, strlen(text), "r");
     cr_assert(in);
-    fmb_status st = fmb_script_read(in, &(fmb_reader){.mem = mem}, out, where);
+    fmb_status st =
+        fmb_script_read(in, &(fmb_reader){.size = sizeof(fmb_reader), .mem = mem}, out, where);
     fclose(in);
     return st;
 }

@@ -29,7 +29,7 @@ static void add_row(bench *b, size_t i)
 
 static void open_bench(bench *b, support_family family, uint64_t seed)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     *b = (bench){.c = support_make(family, seed, NULL)};
     fmb_mem_init(&b->mem, NULL, 0);
     fmb_run_begin(&b->run, &b->mem, &o, &b->cancel, (fmb_sink){0}, "test");
@@ -328,7 +328,7 @@ Test(certified, chain)
                 row[j + 1] = coef[k][1];
             cr_assert_eq(fmb_system_add_int(s, row, FMB_LE, 1), FMB_OK);
         }
-    fmb_options options = fmb_options_default();
+    fmb_options options = {.size = sizeof options};
     fmb_mem_init(&b.mem, NULL, 0);
     fmb_run_begin(&b.run, &b.mem, &options, &b.cancel, (fmb_sink){0}, "test");
     b.c.s = s;

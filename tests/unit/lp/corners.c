@@ -39,7 +39,9 @@ static void draw_row(plane *k, support_rng *g, int i)
 static void open_plane(plane *k, uint64_t seed)
 {
     support_rng g = {seed};
-    *k = (plane){.options = fmb_options_default(), .a[ROWS] = {1, 0, 0}, .a[ROWS + 1] = {0, 1, 0}};
+    *k = (plane){.options = (fmb_options){.size = sizeof(fmb_options)},
+                 .a[ROWS] = {1, 0, 0},
+                 .a[ROWS + 1] = {0, 1, 0}};
     fmb_mem_init(&k->mem, NULL, 0);
     fmb_run_begin(&k->run, &k->mem, &k->options, &k->cancel, (fmb_sink){0}, "test");
     fmb_program_init(&k->p, &k->mem, 2);

@@ -60,7 +60,7 @@ static const program PROGRAMS[] = {
 
 static void solve_program(const program *p, bool wide)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     atomic_int cancel = 0;
     fmb_mem mem;
     fmb_run run;

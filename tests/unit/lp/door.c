@@ -43,7 +43,7 @@ static void free_numbers(mpq_t *q, size_t count)
 /* False: the system has no part, so there is nothing to ask. */
 static bool open_bench(bench *b, support_family family, uint64_t seed, const support_shape *shape)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     *b = (bench){.c = support_make(family, seed, shape)};
     fmb_mem_init(&b->mem, NULL, 0);
     fmb_arena_init(&b->arena, &b->mem);

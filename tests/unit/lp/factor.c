@@ -114,7 +114,7 @@ typedef struct bench {
 
 static void open_bench(bench *b, size_t n)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     *b = (bench){.n = n, .a = integers(n * n), .basis = malloc(n * sizeof *b->basis)};
     fmb_mem_init(&b->mem, NULL, 0);
     fmb_run_begin(&b->run, &b->mem, &o, &b->cancel, (fmb_sink){0}, "test");

@@ -24,7 +24,7 @@ typedef struct bench {
 
 static void open_bench(bench *b, support_family family, uint64_t seed)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     *b = (bench){.c = support_make(family, seed, NULL)};
     fmb_mem_init(&b->mem, NULL, 0);
     fmb_arena_init(&b->arena, &b->mem);

@@ -6,7 +6,7 @@
 
 bool scene_open(scene *c, const fmb_system *s)
 {
-    c->options = fmb_options_default();
+    c->options = (fmb_options){.size = sizeof(fmb_options)};
     atomic_init(&c->cancel, 0);
     fmb_mem_init(&c->mem, NULL, 0);
     fmb_arena_init(&c->arena, &c->mem);

@@ -15,7 +15,7 @@ enum { ROWS = 4 };
 static fmb_stats sort_square(int64_t right, int64_t top, bool known, fmb_sorting *out)
 {
     int64_t words[ROWS][3] = {{-1, 0, 0}, {1, 0, right}, {0, -1, 0}, {0, 1, top}};
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     atomic_int cancel = 0;
     fmb_mem mem;
     fmb_run run;
@@ -72,7 +72,7 @@ Test(sorting, columns_that_no_row_names_do_not_count)
         words[i][i < 2 ? X : Y] = i % 2 == 0 ? -1 : 1;
         words[i][COLUMNS] = i % 2 == 0 ? 0 : 5;
     }
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     atomic_int cancel = 0;
     fmb_mem mem;
     fmb_run run;
@@ -126,7 +126,7 @@ static void draw_crowd(crowd *c, support_rng *g, bool flat)
 
 static void sort_crowd(const crowd *c, size_t threads, fmb_sorting *out)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     atomic_int cancel = 0;
     fmb_mem mem;
     fmb_run run;
@@ -141,7 +141,7 @@ static void sort_crowd(const crowd *c, size_t threads, fmb_sorting *out)
 /* Do the rows not gone imply those that are? And are those kept irredundant among them? */
 static void expect_truth(const crowd *c, const fmb_sorting *found)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     atomic_int cancel = 0;
     fmb_mem mem;
     fmb_run run;

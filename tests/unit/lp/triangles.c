@@ -36,7 +36,7 @@ static void append_random_row(bench *b, support_rng *g, int share)
 
 static void open_bench(bench *b, support_rng *g)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     *b = (bench){.n = (size_t)support_between(g, 1, MOST)};
     int share = support_between(g, 1, 30);
     fmb_mem_init(&b->mem, NULL, 0);

@@ -16,7 +16,7 @@ typedef struct bench {
 
 static void open_bench(bench *b)
 {
-    b->options = fmb_options_default();
+    b->options = (fmb_options){.size = sizeof(fmb_options)};
     atomic_init(&b->cancel, 0);
     fmb_mem_init(&b->mem, NULL, 0);
     fmb_run_begin(&b->run, &b->mem, &b->options, &b->cancel, (fmb_sink){0}, "test");

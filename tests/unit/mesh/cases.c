@@ -52,7 +52,7 @@ static bool is_sat(const json_t *row, size_t i)
 static fmb_mesh_how ask_faces(const fmb_mesh *m, size_t a, size_t b)
 {
     fmb_mesh *part[2] = {NULL, NULL};
-    fmb_mesh_answer answer = {0};
+    fmb_mesh_answer answer = {.size = sizeof answer};
     fmb_mesh_how worst = FMB_MESH_APART;
     size_t corners = (size_t)fmb_mesh_corners(m);
     for (int k = 0; k < 2; k++) {
@@ -71,7 +71,9 @@ static fmb_mesh_how ask_faces(const fmb_mesh *m, size_t a, size_t b)
         }
         must(fmb_mesh_new((int)corners, n * corners, point, n, index, NULL, &part[k]));
     }
-    must(fmb_mesh_meet(part[0], part[1], &(fmb_mesh_options){.neighbours = true}, &answer));
+    must(fmb_mesh_meet(part[0], part[1],
+                       &(fmb_mesh_options){.size = sizeof(fmb_mesh_options), .neighbours = true},
+                       &answer));
     for (size_t i = 0; i < answer.hits; i++)
         worst = answer.hit[i].how > worst ? answer.hit[i].how : worst;
     fmb_mesh_answer_clear(&answer);
@@ -146,7 +148,7 @@ static void check_hulls(const char *name, bool *found)
     const fmb_frame_line *line = NULL;
     fmb_system *s = NULL;
     fmb_solver *v = NULL;
-    fmb_result result;
+    fmb_result result = {.size = sizeof result};
     must(fmb_frame_reader_new(in, NULL, &r));
     must(fmb_frame_reader_next(r, &line, NULL));
     must(fmb_system_from_line(line, FMB_CONTACT_CLOSED, NULL, &s));

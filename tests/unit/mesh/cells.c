@@ -56,12 +56,12 @@ static fmb_frame frame_of(const cell *c)
 static bool ask(const cell *a, const cell *b, fmb_contact contact, int beyond)
 {
     fmb_frame f[2] = {frame_of(a), frame_of(b)};
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_system *s = NULL;
     fmb_solver *v = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     int64_t row[8] = {0};
-    o.evidence = false;
+    o.evidence = FMB_EVIDENCE_NONE;
     for (int i = beyond - 1; i >= 0 && i < f[0].naxes; i++)
         row[i] = -1;
     must(fmb_system_from_frames(f, 2, FMB_COORDINATES_EACH, contact, NULL, &s));
@@ -129,8 +129,9 @@ static fmb_mesh *mesh_of(const cell *c)
 static fmb_mesh_how answer(const cell *a, const cell *b, int *shared)
 {
     fmb_mesh *m = mesh_of(a), *n = mesh_of(b);
-    fmb_mesh_answer out = {0};
-    must(fmb_mesh_meet(m, n, &(fmb_mesh_options){.neighbours = true}, &out));
+    fmb_mesh_answer out = {.size = sizeof out};
+    must(fmb_mesh_meet(
+        m, n, &(fmb_mesh_options){.size = sizeof(fmb_mesh_options), .neighbours = true}, &out));
     fmb_mesh_how how = out.hits ? out.hit[0].how : FMB_MESH_APART;
     *shared = out.hits ? out.hit[0].shared : 0;
     cr_assert(out.hits <= 1);

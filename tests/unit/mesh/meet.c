@@ -53,7 +53,7 @@ static fmb_mesh_hit ask_cells(const soup *s, size_t a, const soup *t, size_t b,
                               const fmb_mesh_options *o)
 {
     fmb_mesh *m = cell_of(s, a), *n = cell_of(t, b);
-    fmb_mesh_answer answer = {0};
+    fmb_mesh_answer answer = {.size = sizeof answer};
     fmb_mesh_hit hit = {.how = FMB_MESH_APART};
     must(fmb_mesh_meet(m, n, o, &answer));
     cr_assert(answer.hits <= 1);
@@ -70,7 +70,7 @@ static fmb_mesh_hit ask_cells(const soup *s, size_t a, const soup *t, size_t b,
 static void compare(const soup *s, const soup *t, const fmb_mesh_options *o)
 {
     fmb_mesh *m = mesh_of(s), *n = t ? mesh_of(t) : NULL;
-    fmb_mesh_answer answer = {0};
+    fmb_mesh_answer answer = {.size = sizeof answer};
     size_t next = 0;
     must(fmb_mesh_meet(m, n, o, &answer));
     for (size_t a = 0; a < s->cells; a++)
@@ -96,7 +96,7 @@ Test(meet, soups)
     support_rng g = {7};
     soup s, t;
     for (int neighbours = 0; neighbours < 2; neighbours++) {
-        fmb_mesh_options o = {.neighbours = neighbours};
+        fmb_mesh_options o = {.size = sizeof o, .neighbours = neighbours};
         draw_soup(&g, 3, 40, &s);
         draw_soup(&g, 4, 20, &t);
         compare(&s, NULL, &o);
@@ -113,7 +113,7 @@ Test(meet, motion)
     draw_soup(&g, 3, 12, &s);
     draw_soup(&g, 3, 12, &t);
     const double motion[3] = {0.5, -3, 1.25};
-    compare(&s, &t, &(fmb_mesh_options){.motion = motion});
+    compare(&s, &t, &(fmb_mesh_options){.size = sizeof(fmb_mesh_options), .motion = motion});
 }
 
 /* Every cell of a sound mesh meets its neighbours and no one else, however coordinates round. */
@@ -136,9 +136,11 @@ Test(meet, neighbours)
             cells += 2;
         }
     fmb_mesh *m = NULL;
-    fmb_mesh_answer answer = {0};
+    fmb_mesh_answer answer = {.size = sizeof answer};
     must(fmb_mesh_new(3, SIDE * SIDE, point[0], cells, corner[0], NULL, &m));
-    must(fmb_mesh_meet(m, NULL, &(fmb_mesh_options){.neighbours = true}, &answer));
+    must(fmb_mesh_meet(m, NULL,
+                       &(fmb_mesh_options){.size = sizeof(fmb_mesh_options), .neighbours = true},
+                       &answer));
     for (size_t i = 0; i < answer.hits; i++) {
         meet++;
         cr_expect(answer.hit[i].how == FMB_MESH_SHARE && answer.hit[i].shared > 0);
@@ -196,8 +198,8 @@ Test(meet, seconds)
     fmb_mesh *m = mesh_of(&s);
     int calls = 0;
     for (size_t threads = 1; threads < 4; threads += 2) {
-        fmb_mesh_answer trees = {0}, pairs = {0};
-        fmb_mesh_options o = {.max_seconds = 1e-9, .threads = threads};
+        fmb_mesh_answer trees = {.size = sizeof trees}, pairs = {.size = sizeof pairs};
+        fmb_mesh_options o = {.size = sizeof o, .max_seconds = 1e-9, .threads = threads};
         must(fmb_mesh_meet(m, NULL, &o, &trees));
         cr_expect(trees.stop == FMB_STOP_TIME && trees.hits == 0 && trees.tested == 0);
         must(fmb_mesh_meet_pairs(m, 0, CELLS, NULL, &o, &pairs));
@@ -207,8 +209,9 @@ Test(meet, seconds)
         cr_expect(trees.stop == FMB_STOP_DONE && trees.hits > 10);
         fmb_mesh_answer_clear(&trees);
     }
-    fmb_mesh_options slow = {.max_seconds = 0.005, .progress = waste_time, .self = &calls};
-    fmb_mesh_answer late = {0};
+    fmb_mesh_options slow = {
+        .size = sizeof slow, .max_seconds = 0.005, .progress = waste_time, .self = &calls};
+    fmb_mesh_answer late = {.size = sizeof late};
     must(fmb_mesh_meet(m, NULL, &slow, &late));
     cr_expect(late.stop == FMB_STOP_TIME && calls <= 1);
     fmb_mesh_answer_clear(&late);
@@ -228,16 +231,22 @@ Test(meet, limits)
     int calls = 0;
     draw_soup(&g, 3, CELLS, &s);
     fmb_mesh *m = mesh_of(&s);
-    fmb_mesh_answer answer = {0};
-    must(fmb_mesh_meet(m, NULL, &(fmb_mesh_options){.progress = stop, .self = &calls}, &answer));
+    fmb_mesh_answer answer = {.size = sizeof answer};
+    must(fmb_mesh_meet(
+        m, NULL,
+        &(fmb_mesh_options){.size = sizeof(fmb_mesh_options), .progress = stop, .self = &calls},
+        &answer));
     cr_expect(answer.stop == FMB_STOP_CANCELLED && calls == 1);
     fmb_mesh_answer_clear(&answer);
-    must(fmb_mesh_meet_pairs(m, 0, CELLS, NULL,
-                             &(fmb_mesh_options){.progress = stop, .self = &calls}, &answer));
+    must(fmb_mesh_meet_pairs(
+        m, 0, CELLS, NULL,
+        &(fmb_mesh_options){.size = sizeof(fmb_mesh_options), .progress = stop, .self = &calls},
+        &answer));
     cr_expect(answer.stop == FMB_STOP_DONE && calls == 1 &&
               answer.tested == CELLS * (CELLS - 1) / 2);
     fmb_mesh_answer_clear(&answer);
-    must(fmb_mesh_meet(m, NULL, &(fmb_mesh_options){.max_bytes = 300}, &answer));
+    must(fmb_mesh_meet(
+        m, NULL, &(fmb_mesh_options){.size = sizeof(fmb_mesh_options), .max_bytes = 300}, &answer));
     cr_expect(answer.stop == FMB_STOP_BYTES && answer.hits == 0);
     fmb_mesh_answer_clear(&answer);
     fmb_mesh_free(m);
@@ -266,10 +275,13 @@ static size_t peak_of_no_cells(peak *k, const fmb_alloc *mem, size_t threads)
 {
     const size_t before = atomic_load(&k->live);
     fmb_mesh *none = NULL;
-    fmb_mesh_answer answer = {0};
+    fmb_mesh_answer answer = {.size = sizeof answer};
     must(fmb_mesh_new(3, 0, NULL, 0, NULL, mem, &none));
     atomic_store(&k->most, before);
-    must(fmb_mesh_meet(none, NULL, &(fmb_mesh_options){.mem = mem, .threads = threads}, &answer));
+    must(fmb_mesh_meet(
+        none, NULL,
+        &(fmb_mesh_options){.size = sizeof(fmb_mesh_options), .mem = mem, .threads = threads},
+        &answer));
     fmb_mesh_answer_clear(&answer);
     fmb_mesh_free(none);
     return atomic_load(&k->most) - before;
@@ -286,7 +298,7 @@ Test(meet, bytes)
     peak k = {0};
     fmb_alloc mem = {.self = &k, .resize = resize_and_note};
     fmb_mesh *m = NULL;
-    fmb_mesh_answer answer = {0};
+    fmb_mesh_answer answer = {.size = sizeof answer};
     for (uint32_t i = 0; i < 3 * MANY; i++) {
         corner[i] = i;
         for (int j = 0; j < 3; j++)
@@ -294,15 +306,18 @@ Test(meet, bytes)
     }
     must(fmb_mesh_new(3, 3 * MANY, point[0], MANY, corner, &mem, &m));
     const size_t meshes = atomic_load(&k.live);
-    must(fmb_mesh_meet(m, NULL, &(fmb_mesh_options){.mem = &mem}, &answer));
+    must(fmb_mesh_meet(m, NULL, &(fmb_mesh_options){.size = sizeof(fmb_mesh_options), .mem = &mem},
+                       &answer));
     const size_t all = answer.hits, bytes = all * sizeof *answer.hit;
     cr_assert(bytes > meshes);
     fmb_mesh_answer_clear(&answer);
     for (size_t threads = 1; threads < 4; threads += 2) {
         const size_t fixed = peak_of_no_cells(&k, &mem, threads);
         for (size_t part = 1; part < 6; part++) {
-            fmb_mesh_options o = {
-                .max_bytes = meshes + part * bytes, .threads = threads, .mem = &mem};
+            fmb_mesh_options o = {.size = sizeof o,
+                                  .max_bytes = meshes + part * bytes,
+                                  .threads = threads,
+                                  .mem = &mem};
             atomic_store(&k.most, 0);
             must(fmb_mesh_meet(m, NULL, &o, &answer));
             cr_expect(atomic_load(&k.most) <= o.max_bytes + fixed, "%zu of %zu",
@@ -323,7 +338,7 @@ Test(meet, arguments)
     const double point[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, bad[3] = {0, INFINITY, 0};
     const uint32_t corner[3] = {0, 1, 2}, beyond[3] = {0, 1, 3};
     fmb_mesh *m = NULL, *none = NULL;
-    fmb_mesh_answer answer = {0};
+    fmb_mesh_answer answer = {.size = sizeof answer};
     must(fmb_mesh_new(3, 3, point, 1, corner, NULL, &m));
     cr_expect(fmb_mesh_new(2, 3, point, 1, corner, NULL, &none) == FMB_ERR_ARG);
     cr_expect(fmb_mesh_new(3, 3, point, 1, beyond, NULL, &none) == FMB_ERR_ARG);
@@ -332,10 +347,18 @@ Test(meet, arguments)
     cr_expect(fmb_mesh_new(3, 3, point, 1, corner, NULL, NULL) == FMB_ERR_ARG);
     cr_expect(fmb_mesh_meet(NULL, m, NULL, &answer) == FMB_ERR_ARG);
     cr_expect(fmb_mesh_meet(m, NULL, NULL, NULL) == FMB_ERR_ARG);
-    cr_expect(fmb_mesh_meet(m, NULL, &(fmb_mesh_options){.motion = point}, &answer) == FMB_ERR_ARG);
-    cr_expect(fmb_mesh_meet(m, m, &(fmb_mesh_options){.motion = bad}, &answer) == FMB_ERR_ARG);
-    cr_expect(fmb_mesh_meet(m, m, &(fmb_mesh_options){.max_seconds = -1}, &answer) == FMB_ERR_ARG);
-    cr_expect(fmb_mesh_meet(m, m, &(fmb_mesh_options){.max_seconds = NAN}, &answer) == FMB_ERR_ARG);
+    cr_expect(fmb_mesh_meet(m, NULL,
+                            &(fmb_mesh_options){.size = sizeof(fmb_mesh_options), .motion = point},
+                            &answer) == FMB_ERR_ARG);
+    cr_expect(fmb_mesh_meet(m, m,
+                            &(fmb_mesh_options){.size = sizeof(fmb_mesh_options), .motion = bad},
+                            &answer) == FMB_ERR_ARG);
+    cr_expect(fmb_mesh_meet(
+                  m, m, &(fmb_mesh_options){.size = sizeof(fmb_mesh_options), .max_seconds = -1},
+                  &answer) == FMB_ERR_ARG);
+    cr_expect(fmb_mesh_meet(
+                  m, m, &(fmb_mesh_options){.size = sizeof(fmb_mesh_options), .max_seconds = NAN},
+                  &answer) == FMB_ERR_ARG);
     cr_expect(!none && fmb_mesh_cells(NULL) == 0 && !fmb_mesh_points(NULL) &&
               !fmb_mesh_indices(NULL) && fmb_mesh_corners(NULL) == 0 &&
               fmb_mesh_vertices(NULL) == 0 && fmb_mesh_face(NULL, 3) == 0);
@@ -355,11 +378,11 @@ static void compare_pairs_with_trees(const fmb_mesh *m, const fmb_mesh *n,
                                      const fmb_mesh_options *o)
 {
     size_t cells = fmb_mesh_cells(m), cut[] = {0, cells / 3, cells}, next = 0;
-    fmb_mesh_answer trees = {0};
+    fmb_mesh_answer trees = {.size = sizeof trees};
     uint64_t tested = 0;
     must(fmb_mesh_meet(m, n, o, &trees));
     for (int i = 0; i < 2; i++) {
-        fmb_mesh_answer pairs = {0};
+        fmb_mesh_answer pairs = {.size = sizeof pairs};
         must(fmb_mesh_meet_pairs(m, cut[i], cut[i + 1], n, o, &pairs));
         tested += pairs.tested;
         cr_assert(next + pairs.hits <= trees.hits && pairs.stop == FMB_STOP_DONE);
@@ -380,13 +403,14 @@ Test(meet, all_pairs)
     draw_soup(&g, 3, CELLS, &s);
     draw_soup(&g, 4, 30, &t);
     fmb_mesh *m = mesh_of(&s), *n = mesh_of(&t);
-    fmb_mesh_answer answer = {0};
+    fmb_mesh_answer answer = {.size = sizeof answer};
     for (size_t threads = 1; threads < 4; threads += 2) {
-        fmb_mesh_options o = {.neighbours = true, .threads = threads};
+        fmb_mesh_options o = {.size = sizeof o, .neighbours = true, .threads = threads};
         compare_pairs_with_trees(m, NULL, &o);
         compare_pairs_with_trees(n, m, &o);
     }
-    compare_pairs_with_trees(m, n, &(fmb_mesh_options){.motion = motion});
+    compare_pairs_with_trees(
+        m, n, &(fmb_mesh_options){.size = sizeof(fmb_mesh_options), .motion = motion});
     cr_expect(fmb_mesh_meet_pairs(m, 3, 3, n, NULL, &answer) == FMB_ERR_ARG);
     cr_expect(fmb_mesh_meet_pairs(m, 0, CELLS + 1, n, NULL, &answer) == FMB_ERR_ARG);
     cr_expect(fmb_mesh_meet_pairs(NULL, 0, 1, n, NULL, &answer) == FMB_ERR_ARG);
@@ -403,10 +427,14 @@ Test(meet, threads)
     draw_soup(&g, 4, 30, &t);
     fmb_mesh *m = mesh_of(&s), *n = mesh_of(&t);
     for (int both = 0; both < 2; both++) {
-        fmb_mesh_answer one = {0}, many = {0};
-        must(fmb_mesh_meet(m, both ? n : NULL, &(fmb_mesh_options){.neighbours = true}, &one));
-        must(fmb_mesh_meet(m, both ? n : NULL,
-                           &(fmb_mesh_options){.neighbours = true, .threads = 3}, &many));
+        fmb_mesh_answer one = {.size = sizeof one}, many = {.size = sizeof many};
+        must(fmb_mesh_meet(
+            m, both ? n : NULL,
+            &(fmb_mesh_options){.size = sizeof(fmb_mesh_options), .neighbours = true}, &one));
+        must(fmb_mesh_meet(
+            m, both ? n : NULL,
+            &(fmb_mesh_options){.size = sizeof(fmb_mesh_options), .neighbours = true, .threads = 3},
+            &many));
         cr_assert(one.hits == many.hits && one.hits > 100);
         cr_expect(one.tested == many.tested && one.framed == many.framed);
         for (size_t i = 0; i < one.hits; i++)
@@ -423,15 +451,18 @@ Test(meet, threads)
 static fmb_status do_all(const char *text, const fmb_alloc *mem)
 {
     fmb_mesh *m = NULL, *placed = NULL;
-    fmb_mesh_answer answer = {0};
+    fmb_mesh_answer answer = {.size = sizeof answer};
     const fmb_mesh_place place = {{1, 1, 1}, {0.25, 0, 0}};
-    fmb_reader how = {.mem = mem};
+    fmb_reader how = {.size = sizeof how, .mem = mem};
     fmb_where w;
     fmb_status st = fmb_mesh_parse(text, strlen(text), FMB_MESH_AUTO, &how, &m, &w);
     if (st == FMB_OK)
         st = fmb_mesh_placed(m, &place, mem, &placed);
     if (st == FMB_OK)
-        st = fmb_mesh_meet(m, placed, &(fmb_mesh_options){.neighbours = true, .mem = mem}, &answer);
+        st = fmb_mesh_meet(
+            m, placed,
+            &(fmb_mesh_options){.size = sizeof(fmb_mesh_options), .neighbours = true, .mem = mem},
+            &answer);
     cr_expect(st == FMB_OK ? answer.hits > 3 && answer.framed > 0 : answer.hits == 0);
     fmb_mesh_answer_clear(&answer);
     fmb_mesh_free(placed);

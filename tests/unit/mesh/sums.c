@@ -83,7 +83,7 @@ Test(sums, a_wall_on_a_floor)
         draw_floor(&d[0], n);
         draw_wall(&d[1], n);
         fmb_mesh *floor = mesh_of(&d[0]), *wall = mesh_of(&d[1]);
-        fmb_mesh_answer a = {0};
+        fmb_mesh_answer a = {.size = sizeof a};
         must(fmb_mesh_meet(floor, wall, NULL, &a));
         cr_expect_eq(a.hits, 2 * (size_t)n + 2);
         cr_expect_eq(count(&a, FMB_MESH_CROSS), 2 * (size_t)n);
@@ -144,7 +144,7 @@ Test(sums, stars_of_cubes)
     draw_cubes(&d);
     fmb_mesh *cubes = mesh_of(&d);
     for (size_t i = 0; i < sizeof star / sizeof *star; i++) {
-        fmb_mesh_answer a = {0};
+        fmb_mesh_answer a = {.size = sizeof a};
         draw_around(&d, star[i].at[0], star[i].at[1], star[i].at[2]);
         fmb_mesh *small = mesh_of(&d);
         must(fmb_mesh_meet(cubes, small, NULL, &a));

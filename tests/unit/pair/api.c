@@ -10,6 +10,7 @@
 
 #include "fault/hook.h"
 #include "property/random/rows.h"
+#include "support/pair_counts.h"
 
 static const double ZERO[3], UNIT[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
@@ -39,17 +40,21 @@ Test(pair, squares_that_overlap_touch_and_are_apart)
         q[i] = cube(2, place[i]);
     }
     for (int contact = 0; contact < 2; contact++) {
-        fmb_pair_options o = fmb_pair_options_default();
+        fmb_pair_options o = {.size = sizeof o};
         o.contact = (fmb_contact)contact;
         fmb_pair *k = opened(2, &o);
         fmb_verdict verdict[3];
         double world[3][2][2], inside[3][2][2], time[3][2], witness[3][2];
-        const fmb_pair_answers out = {verdict, &world[0][0][0], &inside[0][0][0], &time[0][0],
-                                      &witness[0][0]};
+        const fmb_pair_answers out = {.size = sizeof(fmb_pair_answers),
+                                      .verdict = verdict,
+                                      .world = &world[0][0][0],
+                                      .inside = &inside[0][0][0],
+                                      .time = &time[0][0],
+                                      .witness = &witness[0][0]};
         must(fmb_pair_test(k, 3, p, q, &out));
         for (int i = 0; i < 3; i++)
             cr_expect_eq(verdict[i], contact ? open[i] : closed[i], "%d %d", contact, i);
-        cr_expect_eq(fmb_pair_count(k).pairs, 3u);
+        cr_expect_eq(counts_of_pairs(k).pairs, 3u);
         cr_expect_float_eq(world[0][0][0], 0.5, 1e-12);
         cr_expect_float_eq(world[0][1][1], 1, 1e-12);
         cr_expect_float_eq(inside[0][0][1], 0.5, 1e-12);
@@ -67,12 +72,13 @@ Test(pair, contact_times)
     fmb_frame p = cube(3, ZERO), q = cube(3, origin);
     q.speed = speed;
     for (int tightest = 0; tightest < 2; tightest++) {
-        fmb_pair_options o = fmb_pair_options_default();
+        fmb_pair_options o = {.size = sizeof o};
         o.tightest = tightest;
         fmb_pair *k = opened(3, &o);
         fmb_verdict verdict;
         double world[3][2], time[2];
-        const fmb_pair_answers out = {.verdict = &verdict, .world = world[0], .time = time};
+        const fmb_pair_answers out = {
+            .size = sizeof out, .verdict = &verdict, .world = world[0], .time = time};
         must(fmb_pair_test(k, 1, &p, &q, &out));
         cr_assert_eq(verdict, FMB_FEASIBLE);
         cr_expect(time[0] <= 0.25 && time[0] >= 0.25 - 1e-12);
@@ -94,12 +100,15 @@ Test(pair, nothing_else_is_written)
     double world[2][2][2];
     for (int i = 0; i < 8; i++)
         (&world[0][0][0])[i] = 77;
-    must(fmb_pair_test(k, 2, p, q, &(fmb_pair_answers){.verdict = verdict, .world = world[0][0]}));
+    must(fmb_pair_test(k, 2, p, q,
+                       &(fmb_pair_answers){.size = sizeof(fmb_pair_answers),
+                                           .verdict = verdict,
+                                           .world = world[0][0]}));
     cr_expect_eq(verdict[0], FMB_INFEASIBLE);
     for (int i = 0; i < 4; i++)
         cr_expect_eq((&world[0][0][0])[i], 77);
     cr_expect_neq(world[1][0][0], 77);
-    must(fmb_pair_test(k, 0, NULL, NULL, &(fmb_pair_answers){0}));
+    must(fmb_pair_test(k, 0, NULL, NULL, &(fmb_pair_answers){.size = sizeof(fmb_pair_answers)}));
     fmb_pair_free(k);
 }
 
@@ -109,18 +118,18 @@ Test(pair, arguments)
 {
     const double bad[2] = {NAN, 0}, huge[2] = {INFINITY, 0};
     fmb_pair *k = NULL;
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     cr_expect_eq(fmb_pair_new(0, &o, NULL, &k), FMB_ERR_ARG);
     cr_expect_eq(fmb_pair_new(2, &o, NULL, NULL), FMB_ERR_ARG);
     o.contact = (fmb_contact)2;
     cr_expect_eq(fmb_pair_new(2, &o, NULL, &k), FMB_ERR_ARG);
-    o = fmb_pair_options_default();
+    o = (fmb_pair_options){.size = sizeof(fmb_pair_options)};
     o.method = (fmb_pair_method)2;
     cr_expect_eq(fmb_pair_new(2, &o, NULL, &k), FMB_ERR_ARG);
-    o = fmb_pair_options_default();
+    o = (fmb_pair_options){.size = sizeof(fmb_pair_options)};
     o.max_seconds = NAN;
     cr_expect_eq(fmb_pair_new(2, &o, NULL, &k), FMB_ERR_ARG);
-    o = fmb_pair_options_default();
+    o = (fmb_pair_options){.size = sizeof(fmb_pair_options)};
     o.simd = (fmb_simd)9;
     cr_expect_eq(fmb_pair_new(2, &o, NULL, &k), FMB_ERR_ARG);
     cr_expect_null(k);
@@ -128,7 +137,7 @@ Test(pair, arguments)
 
     k = opened(2, NULL);
     fmb_verdict verdict = FMB_UNKNOWN;
-    const fmb_pair_answers out = {.verdict = &verdict};
+    const fmb_pair_answers out = {.size = sizeof out, .verdict = &verdict};
     fmb_frame good = cube(2, ZERO), wrong[6];
     for (int i = 0; i < 6; i++)
         wrong[i] = good;
@@ -144,7 +153,9 @@ Test(pair, arguments)
     }
     cr_expect_eq(fmb_pair_test(k, 1, &good, &good, NULL), FMB_ERR_ARG);
     cr_expect_eq(fmb_pair_test(k, 1, NULL, &good, &out), FMB_ERR_ARG);
-    cr_expect_eq(fmb_pair_test(k, 1, &good, &good, &(fmb_pair_answers){0}), FMB_ERR_ARG);
+    cr_expect_eq(
+        fmb_pair_test(k, 1, &good, &good, &(fmb_pair_answers){.size = sizeof(fmb_pair_answers)}),
+        FMB_ERR_ARG);
     must(fmb_pair_test(k, 1, &good, &good, &out));
     cr_expect_eq(verdict, FMB_FEASIBLE);
     fmb_pair_free(k);
@@ -157,7 +168,7 @@ Test(pair, trouble_says_where)
     const double bad[2] = {0, NAN}, edges[4] = {1, 0, INFINITY, 1};
     fmb_frame *p = calloc(PAIRS, sizeof *p), *q = calloc(PAIRS, sizeof *q);
     fmb_verdict *verdict = calloc(PAIRS, sizeof *verdict);
-    const fmb_pair_answers out = {.verdict = verdict};
+    const fmb_pair_answers out = {.size = sizeof out, .verdict = verdict};
     fmb_pair *k = opened(2, NULL);
     for (int i = 0; i < PAIRS; i++)
         p[i] = q[i] = cube(2, ZERO);
@@ -201,8 +212,9 @@ Test(pair, null)
     fmb_pair *k = NULL;
     fmb_frame good = cube(2, ZERO);
     fmb_verdict verdict;
-    const fmb_pair_answers out = {.verdict = &verdict};
-    cr_expect_eq(fmb_pair_count(NULL).pairs, 0u);
+    const fmb_pair_answers out = {.size = sizeof out, .verdict = &verdict};
+    cr_expect_eq(fmb_pair_count(NULL, &(fmb_pair_counts){.size = sizeof(fmb_pair_counts)}),
+                 FMB_ERR_ARG);
     cr_expect_str_empty(fmb_pair_trouble(NULL));
     fmb_pair_cancel(NULL);
     cr_expect_eq(fmb_pair_test(NULL, 1, &good, &good, &out), FMB_ERR_ARG);
@@ -216,7 +228,9 @@ Test(pair, null)
     cr_expect_str_eq(fmb_pair_trouble(k), "p is NULL");
     cr_expect_eq(fmb_pair_test(k, 1, &good, NULL, &out), FMB_ERR_ARG);
     cr_expect_str_eq(fmb_pair_trouble(k), "q is NULL");
-    cr_expect_eq(fmb_pair_test(k, 1, &good, &good, &(fmb_pair_answers){0}), FMB_ERR_ARG);
+    cr_expect_eq(
+        fmb_pair_test(k, 1, &good, &good, &(fmb_pair_answers){.size = sizeof(fmb_pair_answers)}),
+        FMB_ERR_ARG);
     cr_expect_str_eq(fmb_pair_trouble(k), "out->verdict is NULL");
     fmb_pair_free(k);
 }
@@ -232,14 +246,15 @@ Test(pair, instructions)
     }
     int levels = 0;
     for (int simd = FMB_SIMD_AUTO; simd <= FMB_SIMD_AVX512; simd++) {
-        fmb_pair_options o = fmb_pair_options_default();
+        fmb_pair_options o = {.size = sizeof o};
         fmb_pair *k = NULL;
         fmb_verdict verdict[5] = {0};
         o.simd = (fmb_simd)simd;
         if (fmb_pair_new(2, &o, NULL, &k) != FMB_OK)
             continue;
         levels++;
-        must(fmb_pair_test(k, 5, p, q, &(fmb_pair_answers){.verdict = verdict}));
+        must(fmb_pair_test(
+            k, 5, p, q, &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = verdict}));
         for (int i = 0; i < 5; i++)
             cr_expect_eq(verdict[i], FMB_FEASIBLE);
         fmb_pair_free(k);
@@ -254,14 +269,15 @@ Test(pair, doubles_only_leaves_the_close_ones)
 {
     const double place[2][2] = {{1, 0}, {0.5, 0.5}};
     fmb_frame p[2] = {cube(2, ZERO), cube(2, ZERO)}, q[2] = {cube(2, place[0]), cube(2, place[1])};
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     o.doubles_only = true;
     fmb_pair *k = opened(2, &o);
     fmb_verdict verdict[2];
-    must(fmb_pair_test(k, 2, p, q, &(fmb_pair_answers){.verdict = verdict}));
+    must(fmb_pair_test(k, 2, p, q,
+                       &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = verdict}));
     cr_expect_eq(verdict[0], FMB_UNKNOWN);
     cr_expect_eq(verdict[1], FMB_FEASIBLE);
-    cr_expect_eq(fmb_pair_count(k).exact_verdicts, 0u);
+    cr_expect_eq(counts_of_pairs(k).exact_verdicts, 0u);
     fmb_pair_free(k);
 }
 
@@ -277,7 +293,7 @@ Test(pair, memory)
         fmb_verdict verdict[2];
         double world[2][2][2], witness[2][2];
         const fmb_pair_answers out = {
-            .verdict = verdict, .world = world[0][0], .witness = witness[0]};
+            .size = sizeof out, .verdict = verdict, .world = world[0][0], .witness = witness[0]};
         hook_arm(&h, fail, false);
         st = fmb_pair_new(2, NULL, &mem, &k);
         if (st == FMB_OK)
@@ -340,21 +356,23 @@ Test(pair, cancel)
         p[i] = cube(2, ZERO);
         q[i] = cube(2, place);
     }
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     o.method = FMB_PAIR_EXACT;
     fuse of = {0};
     fmb_alloc alloc = fuse_alloc(&of);
     fmb_pair *k = NULL;
     must(fmb_pair_new(2, &o, &alloc, &k));
     of = (fuse){k, 0, 1000};
-    must(fmb_pair_test(k, MANY, p, q, &(fmb_pair_answers){.verdict = verdict}));
+    must(fmb_pair_test(k, MANY, p, q,
+                       &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = verdict}));
     cr_expect_geq(of.calls, of.cancel_at, "only %zu requests", of.calls);
     for (int i = 0; i < MANY; i++) {
         cr_assert_neq(verdict[i], FMB_INFEASIBLE);
         known += verdict[i] == FMB_FEASIBLE;
     }
     cr_expect_lt(known, MANY);
-    must(fmb_pair_test(k, 10, p, q, &(fmb_pair_answers){.verdict = verdict}));
+    must(fmb_pair_test(k, 10, p, q,
+                       &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = verdict}));
     for (int i = 0; i < 10; i++)
         cr_expect_eq(verdict[i], FMB_FEASIBLE);
     fmb_pair_free(k);
@@ -407,10 +425,14 @@ static double ask_large(const large *l, bool boxes, fmb_verdict *verdict)
 {
     size_t d = (size_t)l->f[0].dim;
     double *answer = calloc(5 * d + 2, sizeof *answer), start = now();
-    fmb_pair_answers out = {.verdict = verdict};
+    fmb_pair_answers out = {.size = sizeof out, .verdict = verdict};
     if (boxes)
-        out =
-            (fmb_pair_answers){verdict, answer, answer + 2 * d, answer + 4 * d, answer + 4 * d + 2};
+        out = (fmb_pair_answers){.size = sizeof(fmb_pair_answers),
+                                 .verdict = verdict,
+                                 .world = answer,
+                                 .inside = answer + 2 * d,
+                                 .time = answer + 4 * d,
+                                 .witness = answer + 4 * d + 2};
     must(fmb_pair_test(l->k, 1, &l->f[0], &l->f[1], &out));
     free(answer);
     return now() - start;
@@ -425,7 +447,7 @@ Test(pair, max_seconds_in_large_spaces)
     const int size[][2] = {{3000, 3000}, {300, 300}, {60, 60}};
     for (size_t i = 0; i < 3; i++)
         for (int boxes = 0; boxes < 2; boxes++) {
-            fmb_pair_options o = fmb_pair_options_default();
+            fmb_pair_options o = {.size = sizeof o};
             fmb_verdict verdict;
             o.max_seconds = 0.2;
             large l = large_new(size[i][0], size[i][1], o);
@@ -440,7 +462,7 @@ Test(pair, max_seconds_in_large_spaces)
 Test(pair, points_in_large_spaces)
 {
     fmb_verdict verdict;
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     o.max_bytes = (size_t)64 << 20;
     large l = large_new(10000, 0, o);
     double took = ask_large(&l, true, &verdict);
@@ -453,7 +475,7 @@ Test(pair, points_in_large_spaces)
 Test(pair, max_bytes)
 {
     for (int boxes = 0; boxes < 2; boxes++) {
-        fmb_pair_options o = fmb_pair_options_default();
+        fmb_pair_options o = {.size = sizeof o};
         fmb_verdict verdict;
         o.max_bytes = (size_t)1 << 20;
         large l = large_new(1000, 1000, o);
@@ -472,7 +494,8 @@ Test(pair, cancel_in_large_spaces)
         fmb_verdict verdict;
         fuse of = {0};
         fmb_alloc alloc = fuse_alloc(&of);
-        large l = large_new_with(size[i], size[i], fmb_pair_options_default(), &alloc);
+        large l = large_new_with(size[i], size[i],
+                                 (fmb_pair_options){.size = sizeof(fmb_pair_options)}, &alloc);
         of = (fuse){l.k, 0, 1};
         ask_large(&l, false, &verdict);
         cr_expect_eq(verdict, FMB_UNKNOWN, "%d", size[i]);
@@ -486,7 +509,7 @@ Test(pair, cancel_in_large_spaces)
 Test(pair, cancel_before_the_last_pair)
 {
     enum { DIM = 8, PAIRS = 100000 };
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     o.doubles_only = true;
     large l = large_new(DIM, DIM, o);
     fmb_frame *f = calloc(2 * PAIRS, sizeof *f);
@@ -499,7 +522,8 @@ Test(pair, cancel_before_the_last_pair)
         f[i].origin = far;
     }
     cr_assert_eq(pthread_create(&other, NULL, cancel_soon, l.k), 0);
-    must(fmb_pair_test(l.k, PAIRS, f, f + PAIRS, &(fmb_pair_answers){.verdict = verdict}));
+    must(fmb_pair_test(l.k, PAIRS, f, f + PAIRS,
+                       &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = verdict}));
     pthread_join(other, NULL);
     cr_expect_eq(verdict[PAIRS - 1], FMB_UNKNOWN);
     cr_expect_neq(verdict[0], FMB_UNKNOWN);

@@ -10,6 +10,7 @@
 #include "pair/kernels/pair_kernels.h"
 #include "rows.h"
 #include "study/draw/pairs.h"
+#include "support/pair_counts.h"
 
 enum { LEVELS = FMB_BOX_LEVELS, WIDTHS = 4 };
 
@@ -82,7 +83,8 @@ static void ask_all(box_check *c, const fmb_frame *p, const fmb_frame *q, uint64
 static bool meet(fmb_pair *k, const study_pair *s)
 {
     fmb_verdict v;
-    must(fmb_pair_test(k, 1, &s->p, &s->q, &(fmb_pair_answers){.verdict = &v}));
+    must(fmb_pair_test(k, 1, &s->p, &s->q,
+                       &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = &v}));
     return v == FMB_FEASIBLE;
 }
 
@@ -188,7 +190,7 @@ static uint64_t whole_plan(const study_pair_plan *plan, size_t n, bool tightest)
 {
     int dim = plan->dim;
     study_pairs s;
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     fmb_pair *k = NULL;
     box_check c;
     box_check_open(&c);
@@ -199,8 +201,12 @@ static uint64_t whole_plan(const study_pair_plan *plan, size_t n, bool tightest)
     fmb_verdict *v = calloc(n, sizeof *v);
     double *number = calloc(n * (5 * d + 2), sizeof *number);
     cr_assert(v && number);
-    const fmb_pair_answers out = {v, number, number + 2 * d * n, number + 4 * d * n,
-                                  number + (4 * d + 2) * n};
+    const fmb_pair_answers out = {.size = sizeof(fmb_pair_answers),
+                                  .verdict = v,
+                                  .world = number,
+                                  .inside = number + 2 * d * n,
+                                  .time = number + 4 * d * n,
+                                  .witness = number + (4 * d + 2) * n};
     must(fmb_pair_test(k, n, s.p, s.q, &out));
     for (size_t i = 0; i < n; i++) {
         box_answer a = {0};
@@ -215,7 +221,7 @@ static uint64_t whole_plan(const study_pair_plan *plan, size_t n, bool tightest)
     free(number);
     free(v);
     study_pairs_free(&s);
-    uint64_t asked = fmb_pair_count(k).exact_boxes;
+    uint64_t asked = counts_of_pairs(k).exact_boxes;
     fmb_pair_free(k);
     box_check_close(&c);
     return asked;
@@ -294,14 +300,16 @@ static void expect_ends_around_a_half(int64_t a, int64_t b, int64_t c, int64_t d
     double axes[4] = {2 * (double)a, 2 * (double)c, 2 * (double)b, 2 * (double)d};
     fmb_frame p = {FMB_CUBOID, 2, 0, point, axes, NULL};
     fmb_frame q = {FMB_CUBOID, 2, 2, corner, axes, NULL};
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     fmb_pair *k = NULL;
     fmb_verdict verdict;
     o.tightest = true;
     cr_assert_eq(fmb_pair_new(2, &o, NULL, &k), FMB_OK);
-    cr_assert_eq(
-        fmb_pair_test(k, 1, &p, &q, &(fmb_pair_answers){.verdict = &verdict, .inside = ends[0]}),
-        FMB_OK);
+    cr_assert_eq(fmb_pair_test(k, 1, &p, &q,
+                               &(fmb_pair_answers){.size = sizeof(fmb_pair_answers),
+                                                   .verdict = &verdict,
+                                                   .inside = ends[0]}),
+                 FMB_OK);
     cr_assert_eq(verdict, FMB_FEASIBLE);
     cr_expect_eq(ends[0][0], sign > 0 ? 0.5 : nextafter(0.5, 0), "%.17g", ends[0][0]);
     cr_expect_eq(ends[0][1], sign > 0 ? nextafter(0.5, 1) : 0.5, "%.17g", ends[0][1]);

@@ -10,7 +10,12 @@
 fmb_pair_answers box_answer_places(box_answer *a, fmb_verdict *verdict)
 {
     memset(a, 0, sizeof *a);
-    return (fmb_pair_answers){verdict, a->world[0], a->inside[0], a->time, a->witness};
+    return (fmb_pair_answers){.size = sizeof(fmb_pair_answers),
+                              .verdict = verdict,
+                              .world = a->world[0],
+                              .inside = a->inside[0],
+                              .time = a->time,
+                              .witness = a->witness};
 }
 
 /* The largest coordinate j of a corner, or minus the least. */
@@ -36,8 +41,8 @@ double box_largest(const fmb_frame *p, const fmb_frame *q)
 
 void box_check_open(box_check *c)
 {
-    fmb_options o = fmb_options_default();
-    o.evidence = false;
+    fmb_options o = {.size = sizeof o};
+    o.evidence = FMB_EVIDENCE_NONE;
     *c = (box_check){.solver = NULL};
     must(fmb_solver_new(&o, NULL, &c->solver));
 }
@@ -99,7 +104,7 @@ static bool witness_is_near(box_check *c, const fmb_system *s, int dim, const do
                             double allowed)
 {
     fmb_system *near = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must(fmb_system_copy(s, &near));
     for (int j = 0; j < dim; j++)
         for (int sign = -1; sign <= 1; sign += 2) {
@@ -138,7 +143,7 @@ bool box_check_pair(box_check *c, const fmb_frame *p, const fmb_frame *q, const 
     const fmb_frame both[2] = {*p, *q};
     fmb_system *s = NULL;
     fmb_box *box = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must(fmb_system_from_frames(both, 2, FMB_COORDINATES_ALL, FMB_CONTACT_CLOSED, NULL, &s));
     must(fmb_bound(c->solver, s, NULL, 0, &box, &r));
     bool good = r.verdict == FMB_FEASIBLE;

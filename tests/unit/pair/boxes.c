@@ -11,6 +11,7 @@
 #include "box_check.h"
 #include "rows.h"
 #include "study/draw/pairs.h"
+#include "support/pair_counts.h"
 
 enum { LEAST_DIM = 2, MOST_DIM = 5, KINDS = 2, MOST_DRAWS = 50 };
 
@@ -60,7 +61,7 @@ static bool run_family(study_pair_family family, int dim, uint64_t n, uint64_t s
                                       .shape = {STUDY_PAIR_ANY_SHAPE, STUDY_PAIR_ANY_SHAPE}};
         good = run(&b, &plan, n, &done);
     }
-    fmb_pair_counts c = fmb_pair_count(b.pairs);
+    fmb_pair_counts c = counts_of_pairs(b.pairs);
     printf("%-10s %dD: %6llu pairs, %6llu exactly, excess %.3f\n", study_pair_family_text(family),
            dim, (unsigned long long)done, (unsigned long long)c.exact_boxes, b.check.excess);
     fflush(stdout);

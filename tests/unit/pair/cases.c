@@ -102,7 +102,7 @@ static void ask(fmb_pair *k, const fmb_frame_line *line, int swap, const char *v
 {
     fmb_verdict got;
     double world[MOST_DIM][2], inside[MOST_DIM][2], time[2], witness[MOST_DIM];
-    fmb_pair_answers out = {.verdict = &got};
+    fmb_pair_answers out = {.size = sizeof out, .verdict = &got};
     if (bbox) {
         out.world = &world[0][0];
         out.inside = &inside[0][0];
@@ -131,7 +131,7 @@ static void check_line(const fmb_frame_line *line, const json_t *truth)
     for (int contact = 0; contact < 2; contact++)
         for (int method = FMB_PAIR_FMB; method <= FMB_PAIR_EXACT; method++)
             for (int tightest = 0; tightest < 2; tightest++) {
-                fmb_pair_options o = fmb_pair_options_default();
+                fmb_pair_options o = {.size = sizeof o};
                 fmb_pair *k = NULL;
                 o.contact = (fmb_contact)contact;
                 o.method = (fmb_pair_method)method;
@@ -227,9 +227,9 @@ static fmb_verdict hulls_meet(const json_t *file)
             must(fmb_system_add_variable(s, NULL, &map[v]));
     }
     must(fmb_system_join(s, q, map));
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
-    fmb_result res;
+    fmb_result res = {.size = sizeof res};
     must(fmb_solver_new(&o, NULL, &v));
     must(fmb_solve(v, s, &res));
     fmb_solver_free(v);

@@ -102,7 +102,7 @@ static truth truth_new(void)
 {
     truth t;
     for (int dim = 2; dim < 4; dim++) {
-        fmb_pair_options o = fmb_pair_options_default();
+        fmb_pair_options o = {.size = sizeof o};
         o.method = FMB_PAIR_EXACT;
         must(fmb_pair_new(dim, &o, NULL, &t.closed[dim]));
         o.contact = FMB_CONTACT_OPEN;
@@ -128,9 +128,12 @@ static fmb_pair_bits truth_of(const truth *t, int dim, unsigned lanes, const fmb
         fmb_verdict closed = FMB_UNKNOWN, open = FMB_UNKNOWN;
         if (!(lanes >> i & 1))
             continue;
-        must(fmb_pair_test(t->closed[dim], 1, &p[i], &q[i],
-                           &(fmb_pair_answers){.verdict = &closed}));
-        must(fmb_pair_test(t->open[dim], 1, &p[i], &q[i], &(fmb_pair_answers){.verdict = &open}));
+        must(fmb_pair_test(
+            t->closed[dim], 1, &p[i], &q[i],
+            &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = &closed}));
+        must(
+            fmb_pair_test(t->open[dim], 1, &p[i], &q[i],
+                          &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = &open}));
         out.apart |= (unsigned)(closed == FMB_INFEASIBLE) << i;
         out.meet |= (unsigned)(open == FMB_FEASIBLE) << i;
     }
@@ -190,7 +193,8 @@ static int check_exact(const truth *t, const kind *k, const fmb_frame *p, const 
         fmb_pair *ask = contact ? t->open[k->dim] : t->closed[k->dim];
         if (!fmb_extreme_decide(p, q, (fmb_contact)contact, &says))
             continue;
-        must(fmb_pair_test(ask, 1, p, q, &(fmb_pair_answers){.verdict = &is}));
+        must(fmb_pair_test(ask, 1, p, q,
+                           &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = &is}));
         cr_expect_eq(says, is, "%s %dD %d: %d %d, %d %d, contact %d", what, k->dim, k->moves,
                      k->naxes[0], k->shape[0], k->naxes[1], k->shape[1], contact);
         decided++;

@@ -12,6 +12,7 @@
 #include "pair/kernels/pair_kernels.h"
 #include "property/random/rows.h"
 #include "study/draw/pairs.h"
+#include "support/pair_counts.h"
 
 /* ---- frames ---------------------------------------------------------------------------------- */
 
@@ -51,7 +52,7 @@ static void draw_many(int dim, int kind, bool moves, study_pair_family family, u
 static fmb_pair *opened(int dim, fmb_simd simd, size_t threads)
 {
     fmb_pair *k = NULL;
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     o.simd = simd;
     o.threads = threads;
     must(fmb_pair_new(dim, &o, NULL, &k));
@@ -68,8 +69,9 @@ static void ask_one_by_one(fmb_pair *k, const many *a, const many *b, size_t n,
                            const fmb_frames_pair *pair, fmb_verdict *out)
 {
     for (size_t i = 0; i < n; i++)
-        must(fmb_pair_test(k, 1, &a->frame[pair[i].a], &b->frame[pair[i].b],
-                           &(fmb_pair_answers){.verdict = &out[i]}));
+        must(fmb_pair_test(
+            k, 1, &a->frame[pair[i].a], &b->frame[pair[i].b],
+            &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = &out[i]}));
 }
 
 /* ---- what is kept ---------------------------------------------------------------------------- */
@@ -119,6 +121,7 @@ Test(frames, arrays_of_floats_and_of_doubles)
                 same[i] = number[i];
             }
             const fmb_frame_arrays a = {
+                .size = sizeof a,
                 .shape = (fmb_shape)shape,
                 .naxes = 2,
                 .single = single,
@@ -144,16 +147,18 @@ static void check_pairs(const many *a, const many *b, fmb_simd simd, size_t n)
     static fmb_frames_pair pair[MOST_PAIRS];
     static fmb_verdict is[MOST_PAIRS], says[MOST_PAIRS];
     fmb_pair *k = NULL, *one = opened(fmb_frames_dim(a->set), FMB_SIMD_PLAIN, 1);
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     o.simd = simd;
     if (fmb_pair_new(fmb_frames_dim(a->set), &o, NULL, &k) == FMB_OK) {
         for (size_t i = 0; i < n; i++)
             pair[i] = some_pair(i);
         ask_one_by_one(one, a, b, n, pair, is);
-        must(fmb_frames_test(k, a->set, b->set, n, pair, &(fmb_pair_answers){.verdict = says}));
+        must(fmb_frames_test(
+            k, a->set, b->set, n, pair,
+            &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = says}));
         for (size_t i = 0; i < n; i++)
             cr_expect_eq(says[i], is[i], "pair %zu: %d, not %d", i, says[i], is[i]);
-        cr_expect_eq(fmb_pair_count(k).pairs, n);
+        cr_expect_eq(counts_of_pairs(k).pairs, n);
     }
     fmb_pair_free(k);
     fmb_pair_free(one);
@@ -212,8 +217,12 @@ Test(frames, boxes)
     }
     fmb_pair_answers out[2];
     for (int w = 0; w < 2; w++)
-        out[w] = (fmb_pair_answers){verdict[w], world[w][0][0], inside[w][0][0], time[w][0],
-                                    witness[w][0]};
+        out[w] = (fmb_pair_answers){.size = sizeof(fmb_pair_answers),
+                                    .verdict = verdict[w],
+                                    .world = world[w][0][0],
+                                    .inside = inside[w][0][0],
+                                    .time = time[w][0],
+                                    .witness = witness[w][0]};
     must(fmb_pair_test(k, N, p, q, &out[0]));
     must(fmb_frames_test(k, a.set, a.set, N, pair, &out[1]));
     cr_expect_eq(memcmp(verdict[0], verdict[1], sizeof verdict[0]), 0);
@@ -249,7 +258,9 @@ static void check_rows(fmb_pair *k, const many *a, const many *b, fmb_verdict (*
         fmb_frames_pair pair[MOST];
         for (uint32_t j = 0; j < MOST; j++)
             pair[j] = (fmb_frames_pair){i, j};
-        must(fmb_frames_test(k, a->set, b->set, MOST, pair, &(fmb_pair_answers){.verdict = is[i]}));
+        must(fmb_frames_test(
+            k, a->set, b->set, MOST, pair,
+            &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = is[i]}));
         if (i % 8 == 0) {
             fmb_verdict says[MOST];
             must(fmb_frames_test_row(k, a->set, i, b->set, says));
@@ -276,7 +287,7 @@ static void check_meeting(fmb_pair *k, const many *a, const many *b, fmb_verdict
 static void check_rows_and_meeting(int dim, fmb_simd simd, const many *a, const many *b)
 {
     static fmb_verdict is[MOST][MOST];
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     fmb_pair *k = NULL;
     o.simd = simd;
     if (fmb_pair_new(dim, &o, NULL, &k) != FMB_OK)
@@ -372,13 +383,14 @@ Test(frames, answers_are_the_same_by_any_number_of_threads)
         now = (heard){.most_calls = SIZE_MAX};
         must(fmb_frames_meet(k, a.set, NULL, hear, &now));
         must(fmb_frames_test(k, a.set, a.set, MOST_PAIRS, pair,
-                             &(fmb_pair_answers){.verdict = verdict[threads > 1]}));
+                             &(fmb_pair_answers){.size = sizeof(fmb_pair_answers),
+                                                 .verdict = verdict[threads > 1]}));
         if (threads == 1)
             first = now;
         cr_expect_eq(first.n, now.n);
         cr_expect_eq(memcmp(first.pair, now.pair, now.n * sizeof *now.pair), 0);
         cr_expect(threads == 1 || memcmp(verdict[0], verdict[1], sizeof verdict[0]) == 0);
-        cr_expect_eq(fmb_pair_count(k).pairs, (size_t)MOST * (MOST - 1) / 2 + MOST_PAIRS);
+        cr_expect_eq(counts_of_pairs(k).pairs, (size_t)MOST * (MOST - 1) / 2 + MOST_PAIRS);
         fmb_pair_free(k);
     }
     fmb_frames_free(a.set);
@@ -395,7 +407,7 @@ Test(frames, arguments)
     cr_expect_eq(fmb_frames_new(2, 1, f, NULL, &set), FMB_ERR_ARG);
     cr_expect_eq(fmb_frames_new(0, 0, f, NULL, &set), FMB_ERR_ARG);
     cr_expect_eq(fmb_frames_new(3, 1, NULL, NULL, &set), FMB_ERR_ARG);
-    fmb_frame_arrays arrays = {.naxes = 1, .origin = zero};
+    fmb_frame_arrays arrays = {.size = sizeof arrays, .naxes = 1, .origin = zero};
     cr_expect_eq(fmb_frames_from_arrays(3, 1, &arrays, NULL, &set), FMB_ERR_ARG);
     arrays.axes = bad;
     cr_expect_eq(fmb_frames_from_arrays(3, 1, &arrays, NULL, &set), FMB_ERR_ARG);
@@ -405,7 +417,7 @@ Test(frames, arguments)
     must(fmb_frames_new(2, 0, NULL, NULL, &flat));
     fmb_pair *k = opened(3, FMB_SIMD_AUTO, 2);
     fmb_verdict v[2] = {FMB_UNKNOWN};
-    const fmb_pair_answers out = {.verdict = v};
+    const fmb_pair_answers out = {.size = sizeof out, .verdict = v};
     const fmb_frames_pair pair[2] = {{0, 0}, {0, 1}};
     cr_expect_eq(fmb_frames_test(NULL, set, set, 1, pair, &out), FMB_ERR_ARG);
     cr_expect_eq(fmb_frames_test(k, set, flat, 0, pair, &out), FMB_ERR_ARG);
@@ -446,7 +458,7 @@ static fmb_status use_sets(const many *m, const fmb_alloc *mem, heard *h)
     enum { FEW = 60 };
     fmb_frames *set = NULL;
     fmb_pair *k = NULL;
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     fmb_verdict verdict[MOST];
     o.threads = 2;
     fmb_status st = fmb_frames_new(2, FEW, m->frame, mem, &set);

@@ -7,6 +7,7 @@
 #include "fault/hook.h"
 #include "pair/general/workspace.h"
 #include "property/random/rows.h"
+#include "support/pair_counts.h"
 #include "support/support.h"
 
 enum { MOST = 16 };
@@ -115,7 +116,7 @@ static void draw(support_rng *g, family of, int dim, bool moves, bool faces, dou
 
 static fmb_pair *exact(int dim, fmb_contact contact)
 {
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     fmb_pair *k = NULL;
     o.method = FMB_PAIR_EXACT;
     o.contact = contact;
@@ -126,7 +127,8 @@ static fmb_pair *exact(int dim, fmb_contact contact)
 static fmb_verdict ask(fmb_pair *k, const two *t)
 {
     fmb_verdict verdict = FMB_UNKNOWN;
-    must(fmb_pair_test(k, 1, &t->f[0], &t->f[1], &(fmb_pair_answers){.verdict = &verdict}));
+    must(fmb_pair_test(k, 1, &t->f[0], &t->f[1],
+                       &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = &verdict}));
     return verdict;
 }
 
@@ -240,7 +242,12 @@ typedef struct box {
 
 static fmb_pair_answers into(box *b, fmb_verdict *verdict)
 {
-    return (fmb_pair_answers){verdict, b->world[0], b->inside[0], b->time, b->witness};
+    return (fmb_pair_answers){.size = sizeof(fmb_pair_answers),
+                              .verdict = verdict,
+                              .world = b->world[0],
+                              .inside = b->inside[0],
+                              .time = b->time,
+                              .witness = b->witness};
 }
 
 static double largest_corner(const fmb_frame *f)
@@ -300,7 +307,7 @@ static bool judge_box(judge *j, fmb_pair *tightest, const two *t)
 
 static fmb_pair *exact_tightest(int dim)
 {
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     fmb_pair *k = NULL;
     o.method = FMB_PAIR_EXACT;
     o.tightest = true;
@@ -345,7 +352,7 @@ Test(general, boxes_by_the_public_door)
         fmb_pair_answers a = into(&b, &verdict);
         must(fmb_pair_test(k, 1, &t[i].f[0], &t[i].f[1], &a));
     }
-    cr_expect_leq(fmb_pair_count(k).exact_boxes + fmb_pair_count(k).exact_verdicts, 3u);
+    cr_expect_leq(counts_of_pairs(k).exact_boxes + counts_of_pairs(k).exact_verdicts, 3u);
     fmb_pair_free(k);
 }
 

@@ -89,7 +89,7 @@ typedef struct truth {
 static truth truth_new(int dim)
 {
     truth t;
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     o.method = FMB_PAIR_EXACT;
     must(fmb_pair_new(dim, &o, NULL, &t.closed));
     o.contact = FMB_CONTACT_OPEN;
@@ -108,8 +108,10 @@ static fmb_pair_bits truth_of(const truth *t, const fmb_frame *p, const fmb_fram
 {
     fmb_verdict closed[LANES], open[LANES];
     fmb_pair_bits out = {0, 0};
-    must(fmb_pair_test(t->closed, LANES, p, q, &(fmb_pair_answers){.verdict = closed}));
-    must(fmb_pair_test(t->open, LANES, p, q, &(fmb_pair_answers){.verdict = open}));
+    must(fmb_pair_test(t->closed, LANES, p, q,
+                       &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = closed}));
+    must(fmb_pair_test(t->open, LANES, p, q,
+                       &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = open}));
     for (int i = 0; i < LANES; i++) {
         out.apart |= (unsigned)(closed[i] == FMB_INFEASIBLE) << i;
         out.meet |= (unsigned)(open[i] == FMB_FEASIBLE) << i;

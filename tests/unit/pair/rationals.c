@@ -75,7 +75,11 @@ static void open_places(places *a)
     init_all(a->inside, 2 * MOST_DIM);
     init_all(a->time, 2);
     init_all(a->witness, MOST);
-    a->out = (fmb_pair_answers_q){a->world, a->inside, a->time, a->witness};
+    a->out = (fmb_pair_answers_q){.size = sizeof(fmb_pair_answers_q),
+                                  .world = a->world,
+                                  .inside = a->inside,
+                                  .time = a->time,
+                                  .witness = a->witness};
 }
 
 static void close_places(places *a)
@@ -102,7 +106,7 @@ static void expect_witness(fmb_solver *v, fmb_system *s, const rational_frame *q
                            mpq_t *at)
 {
     int d = q->frame.dim, n = fmb_system_dim(s) - first;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     mpq_t one;
     mpq_init(one);
     mpq_set_ui(one, 1, 1);
@@ -124,7 +128,7 @@ static bool compare_with_system(fmb_solver *v, const study_pair *pair, unsigned 
     fmb_verdict verdict = FMB_UNKNOWN;
     fmb_system *s = NULL;
     fmb_box *box = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     open_places(&a);
     open_frame(&f[0], &pair->p, denominator, false);
     open_frame(&f[1], &pair->q, denominator, by_corners);
@@ -151,11 +155,11 @@ static bool compare_with_system(fmb_solver *v, const study_pair *pair, unsigned 
 
 static int compare_plan(const study_pair_plan *plan, int n)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     static study_pair pair;
     int answered = 0;
-    o.evidence = false;
+    o.evidence = FMB_EVIDENCE_NONE;
     must(fmb_solver_new(&o, NULL, &v));
     for (int i = 0; i < n; i++) {
         study_pair_draw(plan, 5, (uint64_t)i, &pair);
@@ -197,7 +201,7 @@ Test(rationals, what_is_not_asked_or_not_for_it)
     static study_pair pair;
     rational_frame f;
     fmb_verdict verdict = FMB_INFEASIBLE;
-    const fmb_pair_answers_q nothing = {0};
+    const fmb_pair_answers_q nothing = {.size = sizeof nothing};
     study_pair_draw(&plan, 1, 1, &pair);
     open_frame(&f, &pair.p, 3, false);
     cr_expect_eq(fmb_pair_answer_q(&f.frame, &f.frame, &nothing, &verdict), FMB_OK);

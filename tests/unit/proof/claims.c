@@ -8,7 +8,7 @@
 
 static void judge(const proof_sample *p)
 {
-    fmb_judgement j = {0};
+    fmb_judgement j = {.size = sizeof j};
     fmb_system *s = proof_system(p->system, NULL);
     fmb_evidence *e = proof_claims(s, p->claims);
     cr_assert_eq(fmb_check(s, e, &j), FMB_OK);
@@ -53,7 +53,7 @@ Test(claims, every_kind)
 /* Evidence made for another shape of system is the caller's error. */
 Test(claims, other_shape)
 {
-    fmb_judgement j = {.claim = 77};
+    fmb_judgement j = {.size = sizeof j, .claim = 77};
     fmb_system *s = proof_system("x\n1 <= 1", NULL), *two = proof_system("x\n1 <= 1\n1 <= 2", NULL),
                *wide = proof_system("x y\n1 0 <= 1", NULL);
     fmb_evidence *e = proof_claims(s, "claim feasible\npoint x 0\nend\n");
@@ -78,7 +78,7 @@ Test(claims, malformed)
         for (int part = 0; part < 6; part++) {
             fmb_evidence *e = NULL;
             fmb_claim *c = NULL;
-            fmb_judgement j = {0};
+            fmb_judgement j = {.size = sizeof j};
             cr_assert_eq(fmb_evidence_new(1, 1, NULL, &e), FMB_OK);
             cr_assert_eq(fmb_evidence_claim(e, (fmb_claim_kind)kind, &c), FMB_OK);
             if (part == 1)
@@ -112,7 +112,7 @@ Test(claims, malformed)
 Test(claims, no_variables)
 {
     fmb_system *s = NULL;
-    fmb_judgement j = {0};
+    fmb_judgement j = {.size = sizeof j};
     int64_t none = 0;
     cr_assert_eq(fmb_system_new(0, NULL, &s), FMB_OK);
     cr_assert_eq(fmb_system_add_int(s, &none, FMB_LE, 2), FMB_OK);

@@ -18,8 +18,8 @@ static bool ask_patient(void *self)
 
 static fmb_judgement judge_with(const fmb_system *s, const fmb_evidence *e, patient *p)
 {
-    fmb_judgement j = {0};
-    fmb_patience wait = fmb_patience_default();
+    fmb_judgement j = {.size = sizeof j};
+    fmb_patience wait = {.size = sizeof wait};
     wait.give_up = ask_patient;
     wait.self = p;
     cr_assert_eq(fmb_check_within(s, e, &wait, &j), FMB_OK);
@@ -55,8 +55,8 @@ Test(limits, bytes)
 {
     fmb_system *s = proof_system("x y\n1 1 <= 2\n-1 0 <= 0\n0 -1 <= 0", NULL);
     fmb_evidence *e = proof_claims(s, triangle);
-    fmb_patience wait = fmb_patience_default();
-    fmb_judgement j = {0};
+    fmb_patience wait = {.size = sizeof wait};
+    fmb_judgement j = {.size = sizeof j};
     size_t stopped = 0;
     for (wait.max_bytes = 1; !j.accepted; wait.max_bytes += 100, stopped++) {
         cr_assert_eq(fmb_check_within(s, e, &wait, &j), FMB_OK);
@@ -78,7 +78,7 @@ Test(limits, reading)
     strcat(text, "\nclaim feasible\nend\nclaims 1\n");
     for (size_t most = 0; most < 16; most++) {
         patient p = {.most = most};
-        fmb_patience wait = fmb_patience_default();
+        fmb_patience wait = {.size = sizeof wait};
         wait.give_up = ask_patient;
         wait.self = &p;
         fmb_evidence *e = NULL;

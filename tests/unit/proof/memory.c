@@ -21,7 +21,7 @@ static fmb_status do_read(const fmb_system *s, const fmb_evidence *e, const char
 
 static fmb_status do_check(const fmb_system *s, const fmb_evidence *e, const char *text, void **out)
 {
-    static const fmb_judgement untouched = {.claim = 12345};
+    static const fmb_judgement untouched = {.size = sizeof untouched, .claim = 12345};
     fmb_judgement j = untouched;
     (void)text, (void)out;
     fmb_status st = fmb_check(s, e, &j);

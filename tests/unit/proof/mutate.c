@@ -23,7 +23,7 @@ typedef struct tally {
 
 static void judge(const fmb_system *s, const fmb_evidence *e, const char *what, tally *t)
 {
-    fmb_judgement j = {0};
+    fmb_judgement j = {.size = sizeof j};
     fmb_verdict truth = FMB_UNKNOWN;
     cr_assert_eq(fmb_check(s, e, &j), FMB_OK);
     size_t failing = naive_first_failing(s, e);
@@ -83,7 +83,7 @@ Test(mutate, samples)
 /* Ask question number which; the evidence, or NULL. */
 static fmb_evidence *ask(fmb_solver *v, const fmb_system *s, int which)
 {
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     fmb_box *box = NULL;
     fmb_system *out = NULL;
     fmb_evidence *e = NULL;
@@ -106,7 +106,7 @@ static fmb_evidence *ask(fmb_solver *v, const fmb_system *s, int which)
 Test(mutate, proofs_of_the_solver, .timeout = 600)
 {
     tally right = {0}, t = {0};
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     o.evidence = FMB_EVIDENCE_WHOLE;
     support_must(fmb_solver_new(&o, NULL, &v));

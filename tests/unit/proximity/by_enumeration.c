@@ -168,7 +168,7 @@ static void compare_distance(fmb_solver *v, const duo *d, const minkowski *m, lo
     expect(meets == (far[FMB_NORM_MAX].p == 0), "enumeration contradicts itself", pair);
     for (int norm = 0; norm < 2; norm++) {
         fmb_proximity *p = NULL;
-        fmb_result r;
+        fmb_result r = {.size = sizeof r};
         must_work(fmb_distance(v, d->f, (fmb_norm)norm, &p, &r));
         expect(p && r.verdict == (meets ? FMB_FEASIBLE : FMB_INFEASIBLE), "verdict", pair);
         if (p)
@@ -183,7 +183,7 @@ static void compare_depth(fmb_solver *v, const duo *d, const minkowski *m, bool 
 {
     for (int norm = 0; norm < 2; norm++) {
         fmb_proximity *p = NULL;
-        fmb_result r;
+        fmb_result r = {.size = sizeof r};
         must_work(fmb_depth(v, d->f, (fmb_norm)norm, &p, &r));
         expect((p != NULL) == meets, "a depth, or none", pair);
         if (p) {
@@ -216,7 +216,7 @@ static void compare_common(fmb_solver *v, const duo *d, bool meets, long pair)
 {
     common_points all;
     fmb_generators *g = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must_work(fmb_common(v, d->f, &g, &r));
     expect((g != NULL) == meets, "common points, or none", pair);
     if (g && enumerate_common(&d->s[0], &d->s[1], &all)) {

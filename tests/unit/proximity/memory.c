@@ -15,11 +15,11 @@ enum { VERBS = 5 };
 /* True if the call worked. */
 static bool ask(int verb, fmb_solver *v, const fmb_frame *f)
 {
-    static const fmb_result fresh;
+    static const fmb_result fresh = {.size = sizeof fresh};
     fmb_proximity *const mark = (fmb_proximity *)v, *p = mark;
     fmb_generators *const points = (fmb_generators *)v, *common = points;
     fmb_system *const none = (fmb_system *)v, *row = none;
-    fmb_result r = {0};
+    fmb_result r = {.size = sizeof r};
     fmb_status st = verb == 0   ? fmb_distance(v, f, FMB_NORM_EUCLIDEAN, &p, &r)
                     : verb == 1 ? fmb_distance(v, f, FMB_NORM_MAX, &p, &r)
                     : verb == 2 ? fmb_depth(v, f, FMB_NORM_EUCLIDEAN, &p, &r)

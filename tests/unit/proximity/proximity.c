@@ -199,7 +199,7 @@ Test(proximity, distances_are_proved_by_corners)
         bool meets = meet(b.f, 2, FMB_COORDINATES_EACH);
         for (fmb_norm norm = FMB_NORM_EUCLIDEAN; norm <= FMB_NORM_MAX; norm++) {
             fmb_proximity *p = NULL;
-            fmb_result r;
+            fmb_result r = {.size = sizeof r};
             must(fmb_distance(solver, b.f, norm, &p, &r));
             cr_assert(p && r.verdict == (meets ? FMB_FEASIBLE : FMB_INFEASIBLE));
             cr_expect((fmb_proximity_length(p) == 0) == meets);
@@ -270,7 +270,7 @@ Test(proximity, depths_part_the_frames)
         bool meets = meet(b.f, 2, FMB_COORDINATES_EACH);
         for (fmb_norm norm = FMB_NORM_EUCLIDEAN; norm <= FMB_NORM_MAX; norm++) {
             fmb_proximity *p = NULL;
-            fmb_result r;
+            fmb_result r = {.size = sizeof r};
             must(fmb_depth(solver, b.f, norm, &p, &r));
             cr_assert((p != NULL) == meets && r.verdict == (meets ? FMB_FEASIBLE : FMB_INFEASIBLE));
             if (!p)
@@ -300,7 +300,7 @@ static void expect_box(const fmb_frame *f, const fmb_generators *g)
 {
     fmb_system *s = meeting(f, 2, FMB_COORDINATES_ALL);
     fmb_box *box = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     mpq_t end, x;
     mpq_inits(end, x, NULL);
     must(fmb_bound(solver, s, NULL, 0, &box, &r));
@@ -350,7 +350,7 @@ Test(proximity, common_points_fill_the_box)
         bodies_draw(&g, support_between(&g, 1, 3), round % 2 == 0, support_between(&g, 1, 5), &b);
         bool meets = meet(b.f, 2, FMB_COORDINATES_EACH), moves = b.f[0].speed || b.f[1].speed;
         fmb_generators *common = NULL;
-        fmb_result r;
+        fmb_result r = {.size = sizeof r};
         must(fmb_common(solver, b.f, &common, &r));
         cr_assert((common != NULL) == meets);
         if (!meets)
@@ -477,7 +477,7 @@ Test(proximity, limits)
     support_rng g = {24};
     bodies b;
     bodies_draw(&g, 3, false, 20, &b);
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *small = NULL;
     o.max_bytes = 100;
     must(fmb_solver_new(&o, NULL, &small));
@@ -485,7 +485,7 @@ Test(proximity, limits)
         fmb_proximity *p = NULL;
         fmb_generators *common = NULL;
         fmb_system *row = NULL;
-        fmb_result r;
+        fmb_result r = {.size = sizeof r};
         must(verb == 0   ? fmb_distance(small, b.f, FMB_NORM_EUCLIDEAN, &p, &r)
              : verb == 1 ? fmb_depth(small, b.f, FMB_NORM_MAX, &p, &r)
              : verb == 2 ? fmb_common(small, b.f, &common, &r)

@@ -69,7 +69,7 @@ static void separate_pair(fmb_solver *v, const fmb_frame *f, fmb_contact contact
                           fmb_verdict verdict, long pair)
 {
     fmb_system *row = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must_work(fmb_separate(v, f, contact, &row, &r));
     expect(r.verdict == verdict, "verdicts differ", pair);
     expect((row != NULL) == (verdict == FMB_INFEASIBLE), "a row, or none", pair);
@@ -89,7 +89,7 @@ int main(int argc, char **argv)
     must_work(fmb_solver_new(NULL, NULL, &v));
     for (int dim = 1; dim <= BODIES_MOST_DIM; dim++)
         for (int open = 0; open < 2; open++) {
-            fmb_pair_options o = fmb_pair_options_default();
+            fmb_pair_options o = {.size = sizeof o};
             o.contact = open ? FMB_CONTACT_OPEN : FMB_CONTACT_CLOSED;
             must_work(fmb_pair_new(dim, &o, NULL, &kernel[dim][open]));
         }
@@ -98,7 +98,7 @@ int main(int argc, char **argv)
         fmb_verdict verdict;
         int dim = support_between(&g, 1, BODIES_MOST_DIM), open = support_between(&g, 0, 1);
         bodies_draw(&g, dim, support_chance(&g, 50), support_between(&g, 3, 12), &b);
-        fmb_pair_answers answers = {.verdict = &verdict};
+        fmb_pair_answers answers = {.size = sizeof answers, .verdict = &verdict};
         must_work(fmb_pair_test(kernel[dim][open], 1, &b.f[0], &b.f[1], &answers));
         separate_pair(v, b.f, open ? FMB_CONTACT_OPEN : FMB_CONTACT_CLOSED, verdict, pair);
         apart += verdict == FMB_INFEASIBLE;

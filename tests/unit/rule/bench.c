@@ -6,7 +6,7 @@
 
 void bench_open(bench *b, int n)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     *b = (bench){0};
     b->e.n = n;
     b->how =

@@ -41,7 +41,7 @@ static fmb_system *draw_pair(support_rng *g)
 static bool count(fmb_solver *v, const fmb_system *s, double *sum)
 {
     static const int keep = D;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     fmb_system *out = NULL;
     must(fmb_project(v, s, &keep, 1, &out, &r));
     fmb_system_free(out);
@@ -53,13 +53,13 @@ static bool count(fmb_solver *v, const fmb_system *s, double *sum)
 double cuboids_rows_made(const char *rules, const char *presolve)
 {
     support_rng g = {1};
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     double sum = 0;
     o.method = FMB_METHOD_FM;
     o.rules = rules;
     o.presolve = presolve;
-    o.evidence = false;
+    o.evidence = FMB_EVIDENCE_NONE;
     must(fmb_solver_new(&o, NULL, &v));
     for (int meeting = 0; meeting < PAIRS;) {
         fmb_system *s = draw_pair(&g);

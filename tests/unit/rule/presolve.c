@@ -55,7 +55,7 @@ static void ask_all(fmb_options o, uint64_t offset)
 Test(presolve, any_step_may_be_left_out)
 {
     for (int way = 0; way < WAYS; way++) {
-        fmb_options o = fmb_options_default();
+        fmb_options o = {.size = sizeof o};
         o.presolve = STEPS[way];
         ask_all(o, 1000 * (uint64_t)way);
     }
@@ -68,12 +68,12 @@ Test(presolve, any_way_to_rebase)
                                         "imbert,dominated"};
     for (int k = 0; k < 3; k++)
         for (int rebase = FMB_REBASE_AUTO; rebase <= FMB_REBASE_ALWAYS; rebase++) {
-            fmb_options o = fmb_options_default();
+            fmb_options o = {.size = sizeof o};
             o.rules = rules[k];
             o.rebase = (fmb_rebase)rebase;
             ask_all(o, 100000 + 1000 * (uint64_t)k);
         }
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     o.rebase = FMB_REBASE_NEVER;
     o.rules = "kohler,chernikov,imbert,box";
     ask_all(o, 200000);

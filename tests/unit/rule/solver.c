@@ -10,7 +10,7 @@
 
 static fmb_solver *open_solver(const char *rules, fmb_rebase rebase)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     o.method = FMB_METHOD_FM;
     o.rules = rules;
@@ -59,7 +59,7 @@ static fmb_status ask(fmb_solver *v, const fmb_system *s, int query, fmb_result 
 static void expect_trouble(fmb_solver *v, bool solve_too, const char *word, const char *other)
 {
     fmb_system *s = some();
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     for (int query = SOLVE; query < QUERIES; query++) {
         bool refused = query != SOLVE || solve_too;
         cr_expect_eq(ask(v, s, query, &r), refused ? FMB_ERR_RULE : FMB_OK, "query %d", query);
@@ -114,7 +114,7 @@ Test(rules, never_rebase)
     for (int i = 0; i < 4; i++) {
         fmb_solver *v = open_solver(good[i], FMB_REBASE_NEVER);
         for (int query = SOLVE; query < QUERIES; query++) {
-            fmb_result r;
+            fmb_result r = {.size = sizeof r};
             cr_expect_eq(ask(v, s, query, &r), FMB_OK, "%s", good[i]);
         }
         fmb_solver_free(v);
@@ -139,7 +139,7 @@ Test(rules, one_base)
     must(fmb_solver_add_rule(v, &one_base));
     expect_trouble(v, true, "\"lonely\"", "\"duplicate\"");
     fmb_system *s = some();
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     v = open_solver("kohler,box", FMB_REBASE_AUTO);
     must(fmb_solver_add_rule(v, &one_base));
     for (int query = SOLVE; query < QUERIES; query++)
@@ -166,7 +166,7 @@ Test(rules, add_rule)
     }
     cr_expect_eq(added, 15, "sixteen rules in all");
     fmb_system *s = some();
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     cr_expect_eq(ask(v, s, SOLVE, &r), FMB_OK, "rules without callbacks do nothing");
     fmb_system_free(s);
     fmb_solver_free(v);
@@ -194,7 +194,7 @@ Test(chooser, bad_answers)
 {
     static const int bad[] = {-1, 3, 1 << 30, -100};
     fmb_system *s = some();
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     fmb_solver *v = open_solver(NULL, FMB_REBASE_AUTO);
     for (int i = 0; i < 4; i++) {
         whim h = {.answer = bad[i]};
@@ -223,8 +223,8 @@ static void note_round(void *self, const fmb_event *e)
 Test(chooser, is_obeyed)
 {
     fmb_system *s = some();
-    fmb_result r;
-    fmb_options o = fmb_options_default();
+    fmb_result r = {.size = sizeof r};
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     o.method = FMB_METHOD_FM;
     o.presolve = "none";
@@ -271,7 +271,7 @@ static int rebases_beside(const fmb_rule *rule, int *offered)
                                      {0, 0, -1, 1, 1, 6}, {0, 0, 0, 0, -1, 1}};
     fmb_system *s = NULL;
     fmb_solver *v = open_solver("none", FMB_REBASE_AUTO);
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     bases b = {0};
     must(fmb_system_new(5, NULL, &s));
     must(fmb_system_add_int(s, (const int64_t[]){1, -1, 0, 0, 0}, FMB_EQ, 0));
@@ -343,9 +343,9 @@ Test(scratch, limits)
     fmb_system *s = some();
     for (int k = 0; k < 3; k++)
         for (int query = SOLVE; query <= PROJECT; query++) {
-            fmb_options o = fmb_options_default();
+            fmb_options o = {.size = sizeof o};
             fmb_solver *v = NULL;
-            fmb_result r;
+            fmb_result r = {.size = sizeof r};
             o.method = FMB_METHOD_FM;
             o.rules = "none";
             o.max_bytes = 1 << 20;
@@ -376,9 +376,9 @@ Test(scratch, failures)
     for (int k = 0; k < 3; k++) {
         hook h = {0};
         fmb_alloc alloc = hook_alloc(&h);
-        fmb_options o = fmb_options_default();
+        fmb_options o = {.size = sizeof o};
         fmb_solver *v = NULL;
-        fmb_result r;
+        fmb_result r = {.size = sizeof r};
         o.method = FMB_METHOD_FM;
         must(fmb_solver_new(&o, &alloc, &v));
         must(fmb_solver_add_rule(v, &wanting[k]));
@@ -436,9 +436,9 @@ Test(rules, stop_when_told)
                                        {.name = "round", .end_round = round_for_ever}};
     fmb_system *s = some();
     for (int i = 0; i < 3; i++) {
-        fmb_options o = fmb_options_default();
+        fmb_options o = {.size = sizeof o};
         fmb_solver *v = NULL;
-        fmb_result r;
+        fmb_result r = {.size = sizeof r};
         o.method = FMB_METHOD_FM;
         o.max_seconds = 0.01;
         must(fmb_solver_new(&o, NULL, &v));
@@ -454,7 +454,7 @@ Test(rules, errors_arrive)
 {
     static const fmb_rule tired = {.name = "tired", .end_round = give_up};
     fmb_system *s = some();
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     fmb_solver *v = open_solver("none", FMB_REBASE_AUTO);
     must(fmb_solver_add_rule(v, &tired));
     cr_expect_eq(ask(v, s, SOLVE, &r), FMB_ERR_STATE);

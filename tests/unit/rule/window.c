@@ -274,9 +274,9 @@ static fmb_system *make(support_rng *g, bool huge)
 
 static void look_through(bool huge, fmb_arith arith, int count)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     o.method = FMB_METHOD_FM;
     o.rules = "none";
     o.arith = arith;
@@ -336,9 +336,9 @@ static bool note_row(void *state, const fmb_view *w, size_t row)
 Test(window, slack_and_variables)
 {
     static const fmb_rule rule = {.name = "slack", .drop_row = note_row};
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     fmb_system *s = rows_none(4);
     for (int sign = -1; sign <= 1; sign += 2)
         for (int j = 1; j < 4; j += 2) {
@@ -393,9 +393,9 @@ Test(window, without_histories)
     memset(&seen, 0, sizeof seen);
     for (uint64_t seed = 0; seed < 50; seed++) {
         support_rng g = {seed};
-        fmb_options o = fmb_options_default();
+        fmb_options o = {.size = sizeof o};
         fmb_solver *v = NULL;
-        fmb_result r;
+        fmb_result r = {.size = sizeof r};
         fmb_system *s = make(&g, false);
         o.method = FMB_METHOD_FM;
         o.rules = "none";

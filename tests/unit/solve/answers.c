@@ -65,7 +65,7 @@ static fmb_verdict judge_conflict(const fmb_solver *v, size_t n, const fmb_syste
 {
     fmb_system *part = rows_none(fmb_system_dim(s));
     fmb_solver *other = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must(fmb_solver_new(NULL, NULL, &other));
     for (size_t k = 0; k < n; k++)
         if (k != without)
@@ -107,7 +107,7 @@ static void expect_irreducible(fmb_solver *v, const fmb_system *s, const char *w
 
 static fmb_verdict ask(fmb_solver *v, const fmb_system *s, int question)
 {
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     fmb_system *out = NULL;
     fmb_box *box = NULL;
     static const int one[1];
@@ -151,7 +151,7 @@ Test(answers, of_every_way_to_ask)
 Test(answers, exact_numbers)
 {
     static const char text[] = "3x = 1\n", clash[] = "100000000000000000001 y <= 7\n7 y >= 1\n";
-    static const fmb_reader how = {.format = FMB_FORMAT_TEXT};
+    static const fmb_reader how = {.size = sizeof how, .format = FMB_FORMAT_TEXT};
     fmb_system *s = NULL, *t = NULL;
     fmb_solver *v = NULL;
     char room[64] = "untouched";
@@ -196,7 +196,7 @@ static void expect_state(fmb_solver *v, const char *why)
 
 Test(answers, not_kept)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_system *s = rows_none(3);
     fmb_solver *v = NULL;
     o.evidence = FMB_EVIDENCE_NONE;

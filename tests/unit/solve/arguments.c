@@ -8,9 +8,9 @@
 
 static fmb_solver *solver(bool evidence)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
-    o.evidence = evidence;
+    o.evidence = evidence ? FMB_EVIDENCE_ALL : FMB_EVIDENCE_NONE;
     must(fmb_solver_new(&o, NULL, &v));
     return v;
 }
@@ -33,8 +33,9 @@ Test(arguments, project)
 {
     fmb_solver *v = solver(true);
     fmb_system *s = triple(), *out = s;
-    fmb_result r, fresh;
+    fmb_result r = {.size = sizeof r}, fresh = {.size = sizeof fresh};
     memset(&r, 0x5a, sizeof r);
+    r.size = sizeof r;
     fresh = r;
     for (size_t i = 0; i < sizeof BAD / sizeof *BAD; i++) {
         cr_expect_eq(fmb_project(v, s, BAD[i].list, BAD[i].n, &out, &r), FMB_ERR_ARG, "%zu", i);
@@ -49,7 +50,7 @@ Test(arguments, project_on_nothing)
 {
     fmb_solver *v = solver(true);
     fmb_system *s = triple(), *out = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must(fmb_project(v, s, NULL, 0, &out, &r));
     cr_expect(fmb_system_dim(out) == 0 && fmb_system_rows(out) == 0);
     fmb_system_free(out);
@@ -68,7 +69,7 @@ Test(arguments, project_names)
     static const int keep[] = {0, 2};
     fmb_solver *v = solver(true);
     fmb_system *s = triple(), *out = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must(fmb_system_set_name(s, 2, "height"));
     must(fmb_project(v, s, keep, 2, &out, &r));
     cr_expect_str_eq(fmb_system_name(out, 0), "x1");
@@ -83,8 +84,9 @@ Test(arguments, bound)
     fmb_solver *v = solver(true);
     fmb_system *s = triple();
     fmb_box *const mark = (fmb_box *)s, *box = mark;
-    fmb_result r, fresh;
+    fmb_result r = {.size = sizeof r}, fresh = {.size = sizeof fresh};
     memset(&r, 0x5a, sizeof r);
+    r.size = sizeof r;
     fresh = r;
     static const int bad[][2] = {{3, 0}, {-1, 0}, {0, 1 << 30}};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
@@ -104,7 +106,7 @@ Test(arguments, bound_some)
     fmb_solver *v = solver(true);
     fmb_system *s = triple();
     fmb_box *box = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must(fmb_system_add_int(s, low, FMB_LT, 1));
     must(fmb_system_add_int(s, high, FMB_LE, 5));
     must(fmb_bound(v, s, vars, 2, &box, &r));
@@ -133,7 +135,7 @@ static void expect_no_evidence(fmb_solver *v)
 Test(arguments, evidence_state)
 {
     fmb_system *s = triple();
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     fmb_solver *v = solver(true);
     expect_no_evidence(v);
     must(fmb_solve(v, s, &r));
@@ -159,8 +161,8 @@ Test(arguments, evidence_is_owned)
     static const int64_t zero[3] = {0};
     fmb_system *s = triple(), *bad = triple();
     fmb_evidence *e = NULL, *f = NULL;
-    fmb_judgement j;
-    fmb_result r;
+    fmb_judgement j = {.size = sizeof j};
+    fmb_result r = {.size = sizeof r};
     fmb_solver *v = solver(true);
     must(fmb_system_add_int(bad, zero, FMB_LE, -1));
     must(fmb_solve(v, s, &r));
@@ -185,7 +187,7 @@ Test(arguments, results_are_owned)
     fmb_solver *v = solver(true);
     fmb_system *s = triple(), *out = NULL;
     fmb_box *box = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must(fmb_bound(v, s, NULL, 0, &box, &r));
     must(fmb_reduce(v, s, NULL, &out, &r));
     fmb_system_free(s);
@@ -211,7 +213,7 @@ Test(arguments, missing)
     fmb_system *s = triple(), *out = NULL;
     fmb_box *box = NULL;
     fmb_evidence *e = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must(fmb_solve(v, s, NULL));
     cr_expect_str_empty(fmb_solver_trouble(v));
     expect_said(v, fmb_solve(v, NULL, &r), "s is NULL");
@@ -238,7 +240,7 @@ Test(arguments, no_solver)
     fmb_system *s = triple(), *out = NULL;
     fmb_box *box = NULL;
     fmb_evidence *e = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     cr_expect_eq(fmb_solve(NULL, s, &r), FMB_ERR_ARG);
     cr_expect_eq(fmb_project(NULL, s, NULL, 0, &out, &r), FMB_ERR_ARG);
     cr_expect_eq(fmb_project(NULL, s, NULL, -1, &out, &r), FMB_ERR_ARG);
@@ -303,7 +305,7 @@ static int choose_nothing(void *self, const fmb_view *w, const int *col, size_t 
 
 Test(arguments, chooser)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     fmb_system *s = triple();
     o.method = FMB_METHOD_FM;

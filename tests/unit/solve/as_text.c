@@ -22,7 +22,7 @@ static fmb_system *open_strip(void)
 
 static fmb_solver *open_solver(void)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     o.evidence = FMB_EVIDENCE_ALL;
     must(fmb_solver_new(&o, NULL, &v));

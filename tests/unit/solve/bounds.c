@@ -46,7 +46,7 @@ static fmb_system *cut_box(support_rng *g, int cuts)
 static fmb_solver *solver(void)
 {
     fmb_solver *v = NULL;
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     o.method = FMB_METHOD_FM;
     must(fmb_solver_new(&o, NULL, &v));
     return v;
@@ -76,7 +76,7 @@ typedef struct cost {
 static cost compare(const fmb_system *s)
 {
     fmb_solver *v = solver();
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     fmb_box *all = NULL;
     cost c = {0};
     must(fmb_solve(v, s, &r));
@@ -169,9 +169,9 @@ Test(bounds, in_every_way)
 {
     static const char *const rules[] = {"none", "kohler", "imbert,dominated", "lp", NULL};
     for (uint64_t seed = 0; seed < 300; seed++) {
-        fmb_options o = fmb_options_default();
+        fmb_options o = {.size = sizeof o};
         o.method = FMB_METHOD_FM;
-        o.evidence = true;
+        o.evidence = FMB_EVIDENCE_ALL;
         o.order = (fmb_order)(seed % 4);
         o.arith = seed % 3 ? FMB_ARITH_INT : FMB_ARITH_GMP;
         o.rebase = seed % 2 ? FMB_REBASE_ALWAYS : FMB_REBASE_AUTO;
@@ -191,7 +191,7 @@ Test(bounds, any_list)
     rows_append_but(s, t, SIZE_MAX, NULL);
     fmb_solver *v = solver();
     fmb_box *all = NULL, *some = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must(fmb_bound(v, s, NULL, 0, &all, &r));
     must(fmb_bound(v, s, vars, 4, &some, &r));
     for (int i = 0; i < 4; i++)

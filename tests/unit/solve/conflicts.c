@@ -32,7 +32,7 @@ static int expect_lowest_terms(fmb_solver *v, const fmb_system *s, const char *w
 
 static fmb_verdict ask(fmb_solver *v, const fmb_system *s, int question)
 {
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     fmb_system *out = NULL;
     fmb_box *box = NULL;
     static const int none[1];
@@ -96,7 +96,7 @@ static fmb_system *rows_of_conflict(const fmb_system *s, const fmb_evidence *e, 
 Test(conflicts, no_row_can_be_left_out)
 {
     fmb_solver *v = NULL, *other = NULL;
-    fmb_options lp = fmb_options_default(), o = fmb_options_default();
+    fmb_options lp = {.size = sizeof lp}, o = (fmb_options){.size = sizeof(fmb_options)};
     lp.method = FMB_METHOD_LP;
     o.rules = "duplicate,dominated,lp";
     must(fmb_solver_new(&o, NULL, &v));
@@ -104,7 +104,7 @@ Test(conflicts, no_row_can_be_left_out)
     for (uint64_t seed = 0; seed < 300; seed++) {
         support_case c = support_make(SUPPORT_PLANTED_FARKAS, seed, NULL);
         fmb_evidence *e = NULL;
-        fmb_result r;
+        fmb_result r = {.size = sizeof r};
         must(fmb_solve(v, c.s, &r));
         cr_assert_eq(r.verdict, FMB_INFEASIBLE);
         must(fmb_solver_evidence(v, &e));

@@ -7,9 +7,9 @@
 
 static fmb_verdict verdict_of(const fmb_system *s)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must(fmb_solver_new(&o, NULL, &v));
     must(fmb_solve(v, s, &r));
     fmb_solver_free(v);
@@ -62,10 +62,10 @@ static void interval(const mpq_t low, const mpq_t high, fmb_end end[2])
 {
     int var = 0;
     mpq_t coef[1];
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     fmb_box *box = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     mpq_init(coef[0]);
     fmb_system *s = rows_none(1);
     mpq_set_si(coef[0], 1, 1);

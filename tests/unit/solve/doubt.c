@@ -7,7 +7,7 @@
 
 static fmb_solver *solver(fmb_method method, fmb_evidence_kept evidence)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     o.method = method;
     o.evidence = evidence;
@@ -65,7 +65,7 @@ static void check_seed(uint64_t seed, bool few, tally *sum)
     fmb_solver *v[3] = {solver(FMB_METHOD_AUTO, FMB_EVIDENCE_NONE),
                         solver(FMB_METHOD_AUTO, FMB_EVIDENCE_WHOLE),
                         solver(FMB_METHOD_DD, FMB_EVIDENCE_NONE)};
-    fmb_result r[3];
+    fmb_result r[3] = {{.size = sizeof r[0]}, {.size = sizeof r[0]}, {.size = sizeof r[0]}};
     agree g = {.max_rows = 5000};
     for (int k = 0; k < 3; k++) {
         must(fmb_project(v[k], s, (int[]){0, 1, 2, 3, 4, 5, 6, 7}, keep, &p[k], &r[k]));

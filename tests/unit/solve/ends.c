@@ -20,7 +20,7 @@ static const struct {
 
 Test(ends, own_strict_end)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_elim_options how = {.order = FMB_ORDER_PAIRS};
     atomic_int cancel = 0;
     fmb_mem mem;

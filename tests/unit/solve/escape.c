@@ -6,7 +6,7 @@
 
 static fmb_solver *solver(fmb_method method)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     o.method = method;
     o.evidence = method == FMB_METHOD_AUTO ? FMB_EVIDENCE_WHOLE : FMB_EVIDENCE_NONE;
@@ -36,7 +36,7 @@ static fmb_system *rows_that_mostly_escape(support_rng *g, int n, int keep, int 
 static void check_evidence(const fmb_solver *v, const fmb_system *s, uint64_t seed)
 {
     fmb_evidence *e = NULL;
-    fmb_judgement j;
+    fmb_judgement j = {.size = sizeof j};
     must(fmb_solver_evidence(v, &e));
     must(fmb_check(s, e, &j));
     cr_assert(j.accepted, "seed %lu, claim %zu: %s", (unsigned long)seed, j.claim, j.reason);
@@ -61,7 +61,7 @@ static void check_seed(uint64_t seed, tally *sum)
     fmb_system *p = NULL, *q = NULL,
                *s = rows_that_mostly_escape(&rng, n, keep, n + support_between(&rng, 2, 8), only);
     fmb_solver *v = solver(FMB_METHOD_AUTO), *fm = solver(FMB_METHOD_FM);
-    fmb_result r, other;
+    fmb_result r = {.size = sizeof r}, other = {.size = sizeof other};
     agree g = {.max_rows = 5000};
     for (int j = 0; j < keep; j++)
         kept[j] = j;

@@ -7,7 +7,7 @@
 
 fmb_solver *open_solver(const fmb_alloc *mem)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     o.evidence = FMB_EVIDENCE_ALL;
     must(fmb_solver_new(&o, mem, &v));
@@ -17,7 +17,7 @@ fmb_solver *open_solver(const fmb_alloc *mem)
 void expect_proof(fmb_solver *v, const fmb_system *s)
 {
     fmb_evidence *e = NULL;
-    fmb_judgement j;
+    fmb_judgement j = {.size = sizeof j};
     must(fmb_solver_evidence(v, &e));
     must(fmb_check(s, e, &j));
     cr_assert(j.accepted, "%s", j.reason);
@@ -26,7 +26,7 @@ void expect_proof(fmb_solver *v, const fmb_system *s)
 
 static fmb_verdict ask_verdict(fmb_solver *v, const fmb_system *s)
 {
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must(fmb_solve(v, s, &r));
     expect_proof(v, s);
     return r.verdict;

@@ -14,7 +14,7 @@
 
 static fmb_solver *plain_solver(void)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     must(fmb_solver_new(&o, NULL, &v));
     return v;
@@ -33,7 +33,7 @@ Test(generators, a_cube_has_its_corners)
     fmb_solver *v = plain_solver();
     fmb_system *s = rows_none(3);
     fmb_generators *g = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     for (int j = 0; j < 6; j++) {
         int64_t a[3] = {0};
         a[j / 2] = j % 2 ? 2 : -2;
@@ -55,9 +55,9 @@ static fmb_system *there_and_back(fmb_solver *v, const fmb_system *s, fmb_verdic
 {
     fmb_generators *g = NULL;
     fmb_system *t = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     fmb_evidence *e = NULL;
-    fmb_judgement j;
+    fmb_judgement j = {.size = sizeof j};
     must(fmb_generate(v, s, &g, &r));
     *verdict = r.verdict;
     cr_assert_eq(g != NULL, r.verdict == FMB_FEASIBLE);
@@ -123,7 +123,7 @@ Test(generators, a_cross_polytope_has_two_vertices_for_each_coordinate)
     for (int n = 2; n <= 9; n++) {
         fmb_system *s = cross_polytope(n), *t = NULL;
         fmb_generators *g = NULL;
-        fmb_result r;
+        fmb_result r = {.size = sizeof r};
         must(fmb_generate(v, s, &g, &r));
         cr_assert(g && fmb_generators_size(g) == 2 * (size_t)n);
         for (size_t i = 0; i < fmb_generators_size(g); i++) {
@@ -187,7 +187,7 @@ Test(generators, a_prism_has_its_base_twice)
         fmb_system *s = rows_around_ball(SIZES[seed], false, seed);
         fmb_system *t = rows_around_ball(SIZES[seed], true, seed);
         fmb_generators *base = NULL, *prism = NULL;
-        fmb_result r;
+        fmb_result r = {.size = sizeof r};
         must(fmb_generate(v, s, &base, &r));
         must(fmb_generate(v, t, &prism, &r));
         cr_assert_eq(fmb_generators_size(prism), 2 * fmb_generators_size(base));
@@ -208,7 +208,7 @@ Test(generators, a_cube_among_rows_that_touch_it)
     fmb_solver *v = plain_solver();
     fmb_system *s = rows_none(N);
     fmb_generators *g = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     support_rng random = {7};
     for (int i = 0; i < ROWS; i++) {
         int64_t a[N] = {0}, sum = 0;
@@ -233,7 +233,7 @@ Test(generators, by_hand)
     fmb_solver *v = plain_solver();
     fmb_generators *g = NULL;
     fmb_system *t = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must(fmb_generators_new(2, NULL, &g));
     must(fmb_hull(v, g, &t, &r));
     cr_assert(r.verdict == FMB_INFEASIBLE && fmb_system_rows(t) == 1);
@@ -281,7 +281,7 @@ Test(generators, very_many_points_of_few_facets)
     fmb_solver *v = plain_solver();
     fmb_system *s = polar_of_moment_curve(7, 16), *t = NULL;
     fmb_generators *g = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must(fmb_generate(v, s, &g, &r));
     cr_assert_geq(fmb_generators_size(g), 300);
     must(fmb_hull(v, g, &t, &r));
@@ -306,11 +306,11 @@ static void check_some_corners(const fmb_generators *g, const fmb_result *r, int
 
 Test(generators, at_a_limit)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     fmb_system *s = rows_none(18);
     fmb_generators *g = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     o.max_bytes = 1 << 20;
     must(fmb_solver_new(&o, NULL, &v));
     for (int j = 0; j < 36; j++) {
@@ -361,7 +361,7 @@ static void check_row_holds(const fmb_system *s, size_t i, const fmb_generators 
 Test(generators, some_rows_at_a_limit)
 {
     enum { N = 9, POINTS = 200 };
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     o.max_seconds = 200;
     must(fmb_solver_new(&o, NULL, &v));
@@ -369,7 +369,7 @@ Test(generators, some_rows_at_a_limit)
         support_rng random = {5};
         fmb_generators *g = NULL;
         fmb_system *s = NULL;
-        fmb_result r;
+        fmb_result r = {.size = sizeof r};
         double x[N];
         must(fmb_generators_new(N, NULL, &g));
         for (int i = 0; i < POINTS; i++) {
@@ -397,7 +397,7 @@ static fmb_status ask_there_and_back(fmb_solver *v, const fmb_system *s)
 {
     fmb_generators *g = NULL;
     fmb_system *t = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     fmb_status st = fmb_generate(v, s, &g, &r);
     if (st == FMB_OK && g)
         st = fmb_hull(v, g, &t, &r);
@@ -411,7 +411,7 @@ static void let_requests_fail(const fmb_system *s, size_t every)
 {
     hook h = {0};
     fmb_alloc mem = hook_alloc(&h);
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     fmb_status st = FMB_ERR_MEMORY;
     for (size_t k = 1; st == FMB_ERR_MEMORY; k += 1 + k / every) {

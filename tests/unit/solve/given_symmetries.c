@@ -16,7 +16,7 @@ static const int KEEP[KEPT] = {0, 1, 2, 3};
 
 static fmb_solver *solver_with(fmb_method method, fmb_symmetries symmetry)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     o.method = method;
     o.symmetry = symmetry;
@@ -72,8 +72,8 @@ static fmb_system *projection_by(fmb_solver *v, const fmb_system *s, uint64_t *p
 {
     fmb_system *out = NULL;
     fmb_evidence *e = NULL;
-    fmb_judgement j;
-    fmb_result r;
+    fmb_judgement j = {.size = sizeof j};
+    fmb_result r = {.size = sizeof r};
     must(fmb_project(v, s, KEEP, KEPT, &out, &r));
     cr_assert(r.stop == FMB_STOP_DONE && r.verdict == FMB_FEASIBLE);
     *programs += r.stats.lps;
@@ -348,8 +348,8 @@ Test(given_symmetries, bad_texts_are_told_where)
 static fmb_status ask_for_everything(const fmb_alloc *mem, const fmb_system *s,
                                      const fmb_permutations *given)
 {
-    const fmb_reader how = {.mem = mem};
-    fmb_options o = fmb_options_default();
+    const fmb_reader how = {.size = sizeof how, .mem = mem};
+    fmb_options o = {.size = sizeof o};
     fmb_permutations *p = NULL, *found = NULL;
     fmb_solver *v = NULL;
     fmb_system *out = NULL;

@@ -105,7 +105,7 @@ static void expect_hull_of(fmb_solver *v, fmb_generators *g, const fmb_system *a
 {
     agree a = {.max_rows = 20000};
     fmb_system *expected = NULL, *closed = support_closure(answer);
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must(fmb_hull(v, g, &expected, &r));
     cr_assert_eq(r.verdict, verdict, "seed %lu", (unsigned long)seed);
     cr_assert(agree_same(&a, closed, expected), "seed %lu: %s", (unsigned long)seed, a.why);
@@ -128,7 +128,7 @@ static two two_at_random(fmb_solver *v, uint64_t seed)
 {
     static const int BITS[] = {0, 0, 0, 31, 63};
     support_rng g = {seed};
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     two t = {.dim = support_between(&g, 1, 3)};
     for (int k = 0; k < 2; k++) {
         support_shape shape = {t.dim, support_between(&g, 1, 2 * t.dim + 1), BITS[seed % 5]};

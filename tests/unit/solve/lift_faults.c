@@ -45,7 +45,7 @@ enum { VERBS_SIZE = sizeof VERBS / sizeof *VERBS };
 
 static fmb_options with_evidence(void)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     o.evidence = FMB_EVIDENCE_ALL;
     return o;
 }
@@ -110,7 +110,7 @@ static void expect_outer(const fmb_system *lift, const fmb_system *out)
     fmb_solver *v = lifts_solver();
     for (size_t i = 0; lift && i < fmb_system_rows(out); i++) {
         fmb_system *beyond = rows_with(lift, SIZE_MAX, out, i, ROW_ABOVE, NULL);
-        fmb_result r;
+        fmb_result r = {.size = sizeof r};
         must(fmb_solve(v, beyond, &r));
         cr_assert(fmb_system_rel(out, i) != FMB_LE || r.verdict == FMB_INFEASIBLE);
         fmb_system_free(beyond);
@@ -130,7 +130,7 @@ Test(lift_faults, limits_are_results)
         for (size_t bytes = 256; stop != FMB_STOP_DONE; bytes += bytes / 16) {
             fmb_system *lift = NULL, *out = NULL;
             fmb_solver *v = NULL;
-            fmb_result r;
+            fmb_result r = {.size = sizeof r};
             fmb_options o = with_evidence();
             o.max_bytes = bytes;
             must(fmb_solver_new(&o, NULL, &v));
@@ -161,7 +161,7 @@ Test(lift_faults, a_cancel_between_the_steps_of_a_hull_counts)
 {
     fmb_system *s = rows_none(2), *out = NULL;
     fmb_solver *v = lifts_solver();
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must(fmb_system_add_int(s, (int64_t[]){3, 1}, FMB_LE, 5));
     must(fmb_system_add_int(s, (int64_t[]){-1, 2}, FMB_LE, 5));
     fmb_solver_set_sink(v, (fmb_sink){cancel_at_first_event, &v});
@@ -240,7 +240,7 @@ Test(lift_faults, bad_maps_are_told_where)
         cr_expect_str_eq(where.text, bad[i].says);
     }
     fmb_system *graph = NULL;
-    const fmb_reader tight = {.max_bytes = 3};
+    const fmb_reader tight = {.size = sizeof tight, .max_bytes = 3};
     cr_expect_eq(fmb_system_parse_graph("u = x", 5, &tight, s, &graph, NULL), FMB_ERR_PARSE);
     cr_expect_eq(fmb_system_parse_graph("u = x", 5, NULL, NULL, &graph, NULL), FMB_ERR_ARG);
     cr_expect_eq(fmb_system_parse_graph(NULL, 5, NULL, s, &graph, NULL), FMB_ERR_ARG);
@@ -252,7 +252,7 @@ Test(lift_faults, maps_without_memory)
 {
     hook h = {0};
     fmb_alloc mem = hook_alloc(&h);
-    const fmb_reader how = {.mem = &mem};
+    const fmb_reader how = {.size = sizeof how, .mem = &mem};
     fmb_system *s = some_system();
     fmb_status st = FMB_ERR_MEMORY;
     for (size_t k = 1; st == FMB_ERR_MEMORY; k++) {
@@ -292,7 +292,7 @@ Test(lift_faults, a_polyhedron_is_read_either_way)
     fclose(file);
     fmb_system_free(graph);
     fmb_system_free(s);
-    const fmb_reader text = {.format = FMB_FORMAT_TEXT};
+    const fmb_reader text = {.size = sizeof text, .format = FMB_FORMAT_TEXT};
     cr_expect_eq(fmb_polyhedron_parse(EXT, sizeof EXT - 1, &text, &s, &g, &where), FMB_ERR_PARSE);
     cr_expect_eq(fmb_polyhedron_parse(EXT, sizeof EXT - 1, NULL, NULL, &g, &where), FMB_ERR_ARG);
     cr_expect_eq(fmb_polyhedron_parse(NULL, 3, NULL, &s, &g, &where), FMB_ERR_ARG);

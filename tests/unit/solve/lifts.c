@@ -7,7 +7,7 @@
 
 fmb_solver *lifts_solver(void)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     o.evidence = FMB_EVIDENCE_ALL;
     must(fmb_solver_new(&o, NULL, &v));
@@ -17,7 +17,7 @@ fmb_solver *lifts_solver(void)
 static lifts_answer judge(fmb_solver *v, lifts_answer a, const fmb_result *r)
 {
     fmb_evidence *e = NULL;
-    fmb_judgement j;
+    fmb_judgement j = {.size = sizeof j};
     a.verdict = r->verdict;
     cr_assert(a.lift && a.out && r->stop == FMB_STOP_DONE);
     must(fmb_solver_evidence(v, &e));
@@ -31,7 +31,7 @@ static lifts_answer judge(fmb_solver *v, lifts_answer a, const fmb_result *r)
 lifts_answer lifts_image(fmb_solver *v, const fmb_system *s, const fmb_system *graph)
 {
     lifts_answer a = {NULL, NULL, FMB_UNKNOWN};
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must(fmb_image(v, s, graph, &a.lift, &a.out, &r));
     return judge(v, a, &r);
 }
@@ -39,7 +39,7 @@ lifts_answer lifts_image(fmb_solver *v, const fmb_system *s, const fmb_system *g
 lifts_answer lifts_sum(fmb_solver *v, const fmb_system *const *s, size_t n)
 {
     lifts_answer a = {NULL, NULL, FMB_UNKNOWN};
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must(fmb_sum(v, s, n, &a.lift, &a.out, &r));
     return judge(v, a, &r);
 }
@@ -47,7 +47,7 @@ lifts_answer lifts_sum(fmb_solver *v, const fmb_system *const *s, size_t n)
 lifts_answer lifts_hull(fmb_solver *v, const fmb_system *const *s, size_t n)
 {
     lifts_answer a = {NULL, NULL, FMB_UNKNOWN};
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must(fmb_hull_union(v, s, n, &a.lift, &a.out, &r));
     return judge(v, a, &r);
 }

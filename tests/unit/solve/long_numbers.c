@@ -12,16 +12,16 @@
 
 static fmb_verdict ask_with(const fmb_system *s, fmb_method method, fmb_evidence_kept evidence)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     o.method = method;
     o.evidence = evidence;
     must(fmb_solver_new(&o, NULL, &v));
     must(fmb_solve(v, s, &r));
     if (evidence != FMB_EVIDENCE_NONE) {
         fmb_evidence *e = NULL;
-        fmb_judgement j;
+        fmb_judgement j = {.size = sizeof j};
         must(fmb_solver_evidence(v, &e));
         must(fmb_check(s, e, &j));
         cr_assert(j.accepted, "%s", j.reason);
@@ -145,10 +145,10 @@ Test(long_numbers, a_projection_does_not_prune_rows_of_them_for_long)
     for (uint64_t seed = 0; seed < 6; seed++) {
         support_rng g = {seed};
         fmb_system *s = sparse_rows_in_box(&g, 40, 56), *p[2];
-        fmb_result r[2];
+        fmb_result r[2] = {{.size = sizeof r[0]}, {.size = sizeof r[0]}};
         agree equal = {.max_rows = 1};
         for (int k = 0; k < 2; k++) {
-            fmb_options o = fmb_options_default();
+            fmb_options o = {.size = sizeof o};
             fmb_solver *v = NULL;
             o.method = k == 0 ? FMB_METHOD_AUTO : FMB_METHOD_HULL;
             o.evidence = FMB_EVIDENCE_NONE;

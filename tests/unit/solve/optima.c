@@ -11,7 +11,7 @@
 
 static fmb_solver *solver_of(fmb_method method, fmb_evidence_kept evidence)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     o.method = method;
     o.evidence = evidence;
@@ -24,7 +24,7 @@ static fmb_system *system_of(const char *text)
 {
     fmb_system *s = NULL;
     fmb_where w = {0};
-    fmb_reader how = {.format = FMB_FORMAT_TEXT};
+    fmb_reader how = {.size = sizeof how, .format = FMB_FORMAT_TEXT};
     cr_assert_eq(fmb_system_parse(text, strlen(text), &how, &s, &w), FMB_OK, "%s", w.text);
     return s;
 }
@@ -33,7 +33,7 @@ static fmb_system *system_of(const char *text)
 static void expect_proved(fmb_solver *v, const fmb_system *s, fmb_verdict verdict)
 {
     fmb_evidence *e = NULL;
-    fmb_judgement j;
+    fmb_judgement j = {.size = sizeof j};
     bool meets = false;
     char why[160] = "";
     must(fmb_solver_evidence(v, &e));
@@ -99,7 +99,7 @@ static void expect_known(const struct known *k, fmb_solver *v, bool proved)
 {
     fmb_system *s = system_of(k->text);
     fmb_optimum *o = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must(fmb_optimize(v, s, NULL, &o, &r));
     cr_assert(r.verdict == FMB_FEASIBLE && r.stop == FMB_STOP_DONE && o, "%s", k->text);
     fmb_end end = fmb_optimum_end(o);
@@ -148,7 +148,7 @@ Test(optima, infeasible)
             fmb_solver *v = solver_of(METHODS[m], FMB_EVIDENCE_ALL);
             fmb_system *s = system_of(texts[i]);
             fmb_optimum *o = (fmb_optimum *)s;
-            fmb_result r;
+            fmb_result r = {.size = sizeof r};
             must(fmb_optimize(v, s, NULL, &o, &r));
             cr_expect(r.verdict == FMB_INFEASIBLE && o == NULL);
             expect_proved(v, s, FMB_INFEASIBLE);
@@ -180,7 +180,7 @@ Test(optima, forms_of_the_call)
     fmb_solver *v = solver_of(FMB_METHOD_AUTO, FMB_EVIDENCE_ALL);
     fmb_system *s = system_of("vars: x y\nmax: x\n" BOX);
     fmb_optimum *o = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     mpq_t coef[3], value;
     mpq_inits(coef[0], coef[1], coef[2], value, NULL);
     mpq_set_si(coef[0], 1, 1);
@@ -207,7 +207,7 @@ Test(optima, arguments)
     fmb_solver *v = solver_of(FMB_METHOD_AUTO, FMB_EVIDENCE_ALL);
     fmb_system *s = system_of("vars: x y\n" BOX);
     fmb_optimum *const mark = (fmb_optimum *)s, *o = mark;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     mpq_t q[1], zero;
     mpq_inits(q[0], zero, NULL);
     mpz_set_ui(mpq_denref(zero), 0);
@@ -304,7 +304,7 @@ static void judge_cut(fmb_solver *v, const fmb_system *s, const fmb_optimum *o, 
 {
     fmb_end end = fmb_optimum_end(o);
     fmb_evidence *e = NULL;
-    fmb_judgement j;
+    fmb_judgement j = {.size = sizeof j};
     mpq_t q;
     mpq_init(q);
     n->cut += r->stop != FMB_STOP_DONE;
@@ -338,9 +338,9 @@ static void cut_often(support_rng *g, const fmb_system *s, const mpq_t best, who
                       tally *n)
 {
     for (int k = 0; k < 10; k++) {
-        fmb_options o = fmb_options_default();
+        fmb_options o = {.size = sizeof o};
         canceller c = {.events = support_between(g, 0, 30)};
-        fmb_result r;
+        fmb_result r = {.size = sizeof r};
         o.evidence = FMB_EVIDENCE_ALL;
         o.method = METHODS[support_between(g, 0, 2)];
         if (k % 3 == 0)
@@ -369,7 +369,7 @@ Test(optima, limits)
         support_shape shape = {support_between(&g, 1, 6), support_between(&g, 3, 14), 0};
         support_case c = support_make((support_family)support_between(&g, 0, SUPPORT_FAMILIES - 1),
                                       support_next(&g), &shape);
-        fmb_result r;
+        fmb_result r = {.size = sizeof r};
         fmb_optimum *o = optimum_of(v, c.s, &r);
         whole_end whole = !o ? NO_SOLUTION : fmb_optimum_value_q(o, best) ? AN_END : NO_END;
         cut_often(&g, c.s, best, whole, &n);

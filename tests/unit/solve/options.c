@@ -58,7 +58,7 @@ Test(options, good_values)
 {
     for (size_t k = 0; k < LINES; k++)
         for (int i = 0; i < 8 && TABLE[k].good[i]; i++) {
-            fmb_options o = fmb_options_default();
+            fmb_options o = {.size = sizeof o};
             fmb_solver *v = NULL;
             cr_expect_eq(fmb_options_set(&o, TABLE[k].name, TABLE[k].good[i]), FMB_OK, "%s = %s",
                          TABLE[k].name, TABLE[k].good[i]);
@@ -70,10 +70,10 @@ Test(options, good_values)
 
 Test(options, bad_values)
 {
-    fmb_options untouched = fmb_options_default();
+    fmb_options untouched = {.size = sizeof untouched};
     for (size_t k = 0; k < LINES; k++)
         for (int i = 0; i < 10 && TABLE[k].bad[i]; i++) {
-            fmb_options o = fmb_options_default();
+            fmb_options o = {.size = sizeof o};
             cr_expect_eq(fmb_options_set(&o, TABLE[k].name, TABLE[k].bad[i]), FMB_ERR_ARG,
                          "%s = '%s'", TABLE[k].name, TABLE[k].bad[i]);
             cr_expect(o.arith == untouched.arith && o.method == untouched.method &&
@@ -83,7 +83,7 @@ Test(options, bad_values)
                       o.simd == untouched.simd && o.trace_rows == untouched.trace_rows &&
                       o.max_seconds <= untouched.max_seconds);
         }
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     cr_expect_eq(fmb_options_set(&o, "max-rows", "1"), FMB_ERR_ARG);
     cr_expect_eq(fmb_options_set(&o, "", "1"), FMB_ERR_ARG);
     cr_expect_eq(fmb_options_set(&o, "speed", "1"), FMB_ERR_ARG);
@@ -92,7 +92,7 @@ Test(options, bad_values)
 /* The text of the default sets the default. */
 Test(options, defaults)
 {
-    fmb_options d = fmb_options_default();
+    fmb_options d = {.size = sizeof d};
     const fmb_option_info *i;
     for (size_t n = 0; (i = fmb_options_describe(n)) != NULL; n++) {
         fmb_options o = d;
@@ -111,7 +111,7 @@ Test(options, defaults)
 
 Test(options, values_arrive)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     cr_expect_eq(fmb_options_set(&o, "arith", "gmp"), FMB_OK);
     cr_expect_eq(fmb_options_set(&o, "method", "lp"), FMB_OK);
     cr_expect_eq(fmb_options_set(&o, "order", "fill"), FMB_OK);
@@ -142,38 +142,38 @@ static void expect_refused(fmb_options o, fmb_status status)
 
 Test(options, solver_refuses)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     o.max_seconds = -1;
     expect_refused(o, FMB_ERR_ARG);
     o.max_seconds = NAN;
     expect_refused(o, FMB_ERR_ARG);
-    o = fmb_options_default();
+    o = (fmb_options){.size = sizeof(fmb_options)};
     o.arith = (fmb_arith)77;
     expect_refused(o, FMB_ERR_ARG);
-    o = fmb_options_default();
+    o = (fmb_options){.size = sizeof(fmb_options)};
     o.method = (fmb_method)-1;
     expect_refused(o, FMB_ERR_ARG);
-    o = fmb_options_default();
+    o = (fmb_options){.size = sizeof(fmb_options)};
     o.order = (fmb_order)4;
     expect_refused(o, FMB_ERR_ARG);
-    o = fmb_options_default();
+    o = (fmb_options){.size = sizeof(fmb_options)};
     o.rebase = (fmb_rebase)3;
     expect_refused(o, FMB_ERR_ARG);
-    o = fmb_options_default();
+    o = (fmb_options){.size = sizeof(fmb_options)};
     o.simd = (fmb_simd)4;
     expect_refused(o, FMB_ERR_ARG);
     static const char *const bad[] = {
         "koehler", "none,none",         ",",       "none,kohler",   "kohler,kohlr",
         "k",       "kohler, duplicate", "kohlerx", "kohler kohler", "KOHLER"};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-        o = fmb_options_default();
+        o = (fmb_options){.size = sizeof(fmb_options)};
         o.rules = bad[i];
         expect_refused(o, FMB_ERR_RULE);
     }
     static const char *const steps[] = {"equality", "none,bounds", ",",     "bounds,",
                                         "",         "bounds box",  "BOUNDS"};
     for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
-        o = fmb_options_default();
+        o = (fmb_options){.size = sizeof(fmb_options)};
         o.presolve = steps[i];
         expect_refused(o, FMB_ERR_ARG);
     }

@@ -24,9 +24,9 @@ static cut make_cut(support_rng *g)
 {
     static const fmb_method method[] = {FMB_METHOD_FM, FMB_METHOD_FM, FMB_METHOD_LP,
                                         FMB_METHOD_AUTO, FMB_METHOD_DD};
-    cut c = {.o = fmb_options_default(), .events = -1};
+    cut c = {.o = (fmb_options){.size = sizeof(fmb_options)}, .events = -1};
     c.o.method = method[support_between(g, 0, 4)];
-    c.o.evidence = true;
+    c.o.evidence = FMB_EVIDENCE_ALL;
     c.o.arith = support_chance(g, 20) ? FMB_ARITH_GMP : FMB_ARITH_AUTO;
     c.o.rules = support_chance(g, 50) ? NULL : support_chance(g, 50) ? "none" : "kohler";
     c.o.presolve = support_chance(g, 20) ? "none" : NULL;
@@ -60,7 +60,7 @@ static size_t judge_claims(fmb_solver *v, const fmb_system *s, const fmb_result 
                            fmb_claim_kind kind)
 {
     fmb_evidence *e = NULL;
-    fmb_judgement j;
+    fmb_judgement j = {.size = sizeof j};
     size_t found = 0;
     must(fmb_solver_evidence(v, &e));
     must(fmb_check(s, e, &j));
@@ -128,7 +128,7 @@ static void bound(support_rng *g, const truth *t, tally *n)
 {
     cut c = make_cut(g);
     fmb_box *box = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     open_cut(&c);
     must(fmb_bound(c.v, t->s, NULL, 0, &box, &r));
     counted_clock_stop();
@@ -166,7 +166,7 @@ static void project(support_rng *g, const truth *t, tally *n)
     cut c = make_cut(g);
     agree judge = {.max_rows = 2000};
     fmb_system *p = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     int keep[8], kept = 0;
     for (int j = 0; j < fmb_system_dim(t->s); j++)
         if (support_chance(g, 50))
@@ -226,11 +226,11 @@ Test(outer, rows_and_points_by_every_way)
     static const fmb_method method[] = {FMB_METHOD_FM, FMB_METHOD_DD, FMB_METHOD_HULL};
     fmb_system *s = dense(false);
     for (int k = 0; k < 9; k++) {
-        cut c = {.o = fmb_options_default(), .events = -1};
+        cut c = {.o = (fmb_options){.size = sizeof(fmb_options)}, .events = -1};
         fmb_system *p = NULL;
-        fmb_result r;
+        fmb_result r = {.size = sizeof r};
         c.o.method = method[k / 3];
-        c.o.evidence = true;
+        c.o.evidence = FMB_EVIDENCE_ALL;
         c.o.max_rows = k % 3 == 0 ? 25 : 0;
         c.o.max_bytes = k % 3 == 1 ? 300000 : 0;
         c.o.max_seconds = k % 3 == 2 ? 2000 : 0;
@@ -262,10 +262,10 @@ static fmb_system *chain(void)
 Test(outer, chain)
 {
     fmb_system *s = chain();
-    cut c = {.o = fmb_options_default(), .events = 1};
+    cut c = {.o = (fmb_options){.size = sizeof(fmb_options)}, .events = 1};
     fmb_box *box = NULL;
-    fmb_result r;
-    c.o.evidence = true;
+    fmb_result r = {.size = sizeof r};
+    c.o.evidence = FMB_EVIDENCE_ALL;
     open_cut(&c);
     must(fmb_bound(c.v, s, NULL, 0, &box, &r));
     counted_clock_stop();
@@ -285,11 +285,11 @@ Test(outer, chain)
 Test(outer, contradiction)
 {
     fmb_system *s = chain();
-    cut c = {.o = fmb_options_default(), .events = 1};
+    cut c = {.o = (fmb_options){.size = sizeof(fmb_options)}, .events = 1};
     fmb_box *box = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must(fmb_system_add_int(s, (int64_t[]){0, 0, -1}, FMB_LE, -7));
-    c.o.evidence = true;
+    c.o.evidence = FMB_EVIDENCE_ALL;
     open_cut(&c);
     must(fmb_bound(c.v, s, NULL, 0, &box, &r));
     counted_clock_stop();
@@ -306,11 +306,11 @@ Test(outer, points_of_a_cone)
     static const fmb_method method[] = {FMB_METHOD_FM, FMB_METHOD_DD};
     fmb_system *s = dense(true);
     for (int k = 0; k < 2; k++) {
-        cut c = {.o = fmb_options_default(), .events = -1};
+        cut c = {.o = (fmb_options){.size = sizeof(fmb_options)}, .events = -1};
         fmb_system *p = NULL;
-        fmb_result r;
+        fmb_result r = {.size = sizeof r};
         c.o.method = method[k];
-        c.o.evidence = true;
+        c.o.evidence = FMB_EVIDENCE_ALL;
         c.o.max_rows = 25;
         open_cut(&c);
         must(fmb_project(c.v, s, (int[]){0, 1, 2, 3}, 4, &p, &r));

@@ -10,9 +10,9 @@
 
 static fmb_solver *solver(fmb_method method)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
-    o.evidence = true;
+    o.evidence = FMB_EVIDENCE_ALL;
     o.method = method;
     o.max_seconds = 20;
     o.max_rows = 20000;
@@ -65,7 +65,7 @@ static fmb_system *by_hand(fmb_solver *v, const fmb_system *s, const int *keep, 
 static void check_evidence(const fmb_solver *v, const fmb_system *s, const fmb_system *p)
 {
     fmb_evidence *e = NULL;
-    fmb_judgement j;
+    fmb_judgement j = {.size = sizeof j};
     size_t implied = 0;
     must(fmb_solver_evidence(v, &e));
     must(fmb_check(s, e, &j));
@@ -91,7 +91,7 @@ typedef struct tally {
 static void check_by_hand(const support_case *c, const int *keep, int n, tally *sum)
 {
     bool done;
-    fmb_result r, other;
+    fmb_result r = {.size = sizeof r}, other = {.size = sizeof other};
     fmb_system *p = NULL;
     agree g = {.max_rows = 5000};
     fmb_solver *v = solver(FMB_METHOD_AUTO), *fm = solver(FMB_METHOD_FM);
@@ -144,7 +144,7 @@ Test(polygon, declines)
     fmb_query q;
     fmb_system *out = rows_none(3);
     fmb_verdict verdict;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     int place[4] = {-1, -1, -1, -1};
     bool done = true;
     must(fmb_query_begin(&q, v, c.s, "project"));
@@ -204,9 +204,9 @@ static fmb_system *with_goal(const fmb_system *s, const int *keep, int n, mpq_t 
 static fmb_end reach(const fmb_system *s, const int *keep, int n, mpq_t *c, mpq_t value)
 {
     fmb_solver *v = NULL;
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_box *box = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     int z;
     fmb_system *t = with_goal(s, keep, n, c, &z);
     o.method = FMB_METHOD_LP;
@@ -273,9 +273,9 @@ static bool check_dense(const fmb_system *s, const int *keep, int n)
 {
     agree g = {.max_rows = 5000};
     fmb_solver *v = solver(FMB_METHOD_AUTO);
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_system *p = NULL, *plain = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must(fmb_project(v, s, keep, n, &p, &r));
     if (p) {
         cr_assert_eq(r.verdict, FMB_FEASIBLE);
@@ -318,7 +318,7 @@ Test(polygon, dense_systems_by_elimination)
         fmb_system *s = dense_rows(&g, 5, support_between(&g, 16, 24), false), *p[2] = {0};
         for (int k = 0; k < 2; k++) {
             fmb_solver *v = solver(k ? FMB_METHOD_FM : FMB_METHOD_AUTO);
-            fmb_result r;
+            fmb_result r = {.size = sizeof r};
             must(fmb_project(v, s, (int[]){1, 3}, 2, &p[k], &r));
             fmb_solver_free(v);
         }
@@ -343,7 +343,7 @@ Test(polygon, cones)
         int n = support_between(&g, 4, 5);
         fmb_system *s = rows_none(n), *p = NULL;
         fmb_solver *v = solver(FMB_METHOD_AUTO);
-        fmb_result r;
+        fmb_result r = {.size = sizeof r};
         for (int i = support_between(&g, 14, 22); i > 0; i--) {
             int64_t a[5], b = 0;
             for (int j = 0; j < n; j++) {

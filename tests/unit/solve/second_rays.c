@@ -26,9 +26,9 @@ static fmb_system *rows_around_origin(support_rng *g, const shape *k)
 static fmb_result project(const fmb_system *s, int keep, fmb_method method, fmb_system **out)
 {
     static const int kept[] = {0, 1, 2, 3};
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     o.method = method;
     must(fmb_solver_new(&o, NULL, &v));
     must(fmb_project(v, s, kept, keep, out, &r));

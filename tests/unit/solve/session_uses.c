@@ -191,7 +191,7 @@ Test(session, many_rows_come_and_go)
     size_t most = 0;
     for (int k = 0; k < 600; k++) {
         int64_t a[6];
-        fmb_result r;
+        fmb_result r = {.size = sizeof r};
         for (int j = 0; j < 6; j++)
             a[j] = support_between(&g, -9, 9);
         must(fmb_solver_push(v));
@@ -313,7 +313,7 @@ Test(session, right_sides_keep_their_direction)
 {
     static const char text[] = "x >= 1\nx > 1/3\nx <= 90\nx < 91\n2x + y >= 3 - y\n";
     static const double sign[] = {-1, -1, 1, 1, -1, -1, -1, 1};
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_system *read = NULL, *s = NULL;
     fmb_solver *v = NULL;
     must(fmb_solver_new(&o, NULL, &v));
@@ -434,7 +434,7 @@ static void cancel_at_program(void *self, const fmb_event *e)
 Test(session, cancelled)
 {
     fmb_solver *v = load_box(5, 7);
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     fmb_box *box = NULL;
     must(fmb_solver_add_int(v, CUT, FMB_LT, -9));
     for (int warm = 0; warm < 2; warm++) {
@@ -455,10 +455,10 @@ Test(session, cancelled)
 Test(session, bytes)
 {
     for (size_t most = 1 << 10; most < 1 << 20; most *= 2) {
-        fmb_options o = fmb_options_default();
+        fmb_options o = {.size = sizeof o};
         fmb_solver *v = NULL;
         fmb_system *s = box_of(5, 7, NULL);
-        fmb_result r;
+        fmb_result r = {.size = sizeof r};
         o.evidence = FMB_EVIDENCE_ALL;
         o.max_bytes = most;
         must(fmb_solver_new(&o, NULL, &v));

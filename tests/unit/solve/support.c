@@ -13,7 +13,7 @@ typedef struct family {
 
 static fmb_solver *solver(fmb_evidence_kept evidence)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     o.evidence = evidence;
     o.method = FMB_METHOD_HULL;
@@ -38,7 +38,7 @@ static void check_projection(const family *f, int seed, const fmb_system *s, sup
     int keep[6], n = choose_kept(g, fmb_system_dim(s), keep);
     fmb_solver *v = solver(FMB_EVIDENCE_ALL), *plain = solver(FMB_EVIDENCE_NONE);
     fmb_system *p = NULL, *q = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     truth_init(&t, s, a.max_rows);
     cr_assert(agree_project(&a, v, &t, keep, n, &p), "%s %d: %s", f->name, seed, a.why);
     must(fmb_project(plain, s, keep, n, &q, &r));
@@ -183,8 +183,8 @@ static bool cut_short(const fmb_system *s, int programs, size_t *rows, size_t *p
     patience p = {v, programs};
     fmb_system *out = NULL;
     fmb_evidence *e = NULL;
-    fmb_judgement j;
-    fmb_result r;
+    fmb_judgement j = {.size = sizeof j};
+    fmb_result r = {.size = sizeof r};
     fmb_solver_set_sink(v, (fmb_sink){lose_patience, &p});
     must(fmb_project(v, s, keep, 3, &out, &r));
     must(fmb_solver_evidence(v, &e));
@@ -237,12 +237,12 @@ static fmb_system *dense_rows(void)
 Test(support, kept_where_an_elimination_is_cut_short)
 {
     static const int keep[] = {0, 1, 2, 3, 4, 5, 6};
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_system *s = dense_rows(), *out = NULL;
     fmb_solver *v = NULL;
     fmb_evidence *e = NULL;
-    fmb_judgement j;
-    fmb_result r;
+    fmb_judgement j = {.size = sizeof j};
+    fmb_result r = {.size = sizeof r};
     o.evidence = FMB_EVIDENCE_ALL;
     o.max_rows = 300;
     must(fmb_solver_new(&o, NULL, &v));

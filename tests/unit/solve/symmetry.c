@@ -39,12 +39,12 @@ static char *project_with(const fmb_system *s, fmb_symmetries symmetry, size_t t
                           size_t seconds, uint64_t *queries)
 {
     static const int keep[KEPT] = {0, 1, 2, 3};
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     fmb_evidence *e = NULL;
     fmb_system *p = NULL;
-    fmb_judgement j;
-    fmb_result r;
+    fmb_judgement j = {.size = sizeof j};
+    fmb_result r = {.size = sizeof r};
     char *text = NULL;
     size_t size;
     FILE *f = open_memstream(&text, &size);
@@ -125,7 +125,7 @@ static fmb_system *project_judged(fmb_solver *v, const fmb_system *s, fmb_result
 {
     fmb_evidence *e = NULL;
     fmb_system *p = NULL;
-    fmb_judgement j;
+    fmb_judgement j = {.size = sizeof j};
     must(fmb_project(v, s, (int[]){0, 1, 2, 3}, KEPT, &p, r));
     must(fmb_solver_evidence(v, &e));
     must(fmb_check(s, e, &j));
@@ -140,7 +140,7 @@ static fmb_system *project_judged(fmb_solver *v, const fmb_system *s, fmb_result
 Test(symmetry, cancelled_at_any_event)
 {
     support_rng g = {79};
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_system *s = with_planted_symmetry(&g);
     countdown c = {NULL, -1};
     size_t rows = 0, cancelled = 0;
@@ -148,7 +148,7 @@ Test(symmetry, cancelled_at_any_event)
     must(fmb_solver_new(&o, NULL, &c.v));
     fmb_solver_set_sink(c.v, (fmb_sink){cancel_at_event, &c});
     for (long k = -1; k < 400; k = k < 40 ? k + 1 : k + 23) {
-        fmb_result r;
+        fmb_result r = {.size = sizeof r};
         c.events = k;
         fmb_system *p = project_judged(c.v, s, &r);
         cr_expect(r.stop == FMB_STOP_DONE || r.stop == FMB_STOP_CANCELLED);

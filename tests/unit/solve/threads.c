@@ -37,11 +37,11 @@ static fmb_system *large(support_rng *g)
 /* Limits are in readings of a counted clock; 0: none. */
 static fmb_box *box_by(const fmb_system *s, size_t threads, size_t seconds, fmb_result *r)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     fmb_box *box = NULL;
     fmb_evidence *e = NULL;
-    fmb_judgement j;
+    fmb_judgement j = {.size = sizeof j};
     o.threads = threads;
     o.max_seconds = seconds > 0 ? (double)seconds : COUNTED_FOREVER;
     must(fmb_solver_new(&o, NULL, &v));
@@ -75,7 +75,7 @@ Test(threads, same_box)
 {
     support_rng g = {77};
     for (int i = 0; i < 4; i++) {
-        fmb_result r;
+        fmb_result r = {.size = sizeof r};
         fmb_system *s = large(&g);
         fmb_box *one = box_by(s, 0, 0, &r);
         cr_assert(one && r.stop == FMB_STOP_DONE);
@@ -95,7 +95,7 @@ Test(threads, limits)
 {
     support_rng g = {78};
     fmb_system *s = large(&g);
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     fmb_box *one = box_by(s, 3, 0, &r);
     size_t all = counted_clock_readings();
     for (size_t i = 1; i < 8; i++) {
@@ -139,12 +139,12 @@ static fmb_system *around_ball(support_rng *g)
 static char *reduce_by(const fmb_system *s, size_t threads, fmb_stop stop, size_t seconds,
                        fmb_fate *fate)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     fmb_evidence *e = NULL;
     fmb_system *reduced = NULL;
-    fmb_judgement j;
-    fmb_result r;
+    fmb_judgement j = {.size = sizeof j};
+    fmb_result r = {.size = sizeof r};
     char *text = NULL;
     size_t size = 0;
     FILE *f = open_memstream(&text, &size);
@@ -225,12 +225,12 @@ static fmb_system *project_by(const fmb_system *s, fmb_method method, size_t thr
                               size_t seconds, fmb_stop *stop, char **proof)
 {
     static const int keep[KEPT] = {0, 2, 3, 5};
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     fmb_evidence *e = NULL;
     fmb_system *p = NULL;
-    fmb_judgement j;
-    fmb_result r;
+    fmb_judgement j = {.size = sizeof j};
+    fmb_result r = {.size = sizeof r};
     size_t size = 0;
     FILE *f = open_memstream(proof, &size);
     o.threads = threads;
@@ -354,7 +354,7 @@ Test(threads, projection_under_a_limit)
 
 static fmb_solver *solver_with_threads(size_t threads)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     o.threads = threads;
     must(fmb_solver_new(&o, NULL, &v));
@@ -366,7 +366,7 @@ static char *hull_by(const fmb_generators *g, size_t threads)
 {
     fmb_solver *v = solver_with_threads(threads);
     fmb_system *s = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     char *text = NULL;
     size_t size = 0;
     FILE *f = open_memstream(&text, &size);
@@ -384,7 +384,7 @@ static char *vertices_by(const fmb_system *s, size_t threads)
 {
     fmb_solver *v = solver_with_threads(threads);
     fmb_generators *g = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     char *text = NULL;
     size_t size = 0;
     FILE *f = open_memstream(&text, &size);

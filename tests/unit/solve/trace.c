@@ -57,10 +57,10 @@ static void note(void *self, const fmb_event *e)
 
 static fmb_solver *solver(fmb_method method)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     o.method = method;
-    o.evidence = true;
+    o.evidence = FMB_EVIDENCE_ALL;
     must(fmb_solver_new(&o, NULL, &v));
     return v;
 }
@@ -85,7 +85,7 @@ Test(trace, events)
                 fmb_system *s = sample(i, NULL);
                 journal j = {.s = s};
                 char answer[VERB_ANSWER] = "";
-                fmb_result r;
+                fmb_result r = {.size = sizeof r};
                 fmb_solver_set_sink(v, (fmb_sink){note, &j});
                 must(VERBS[q].ask(v, s, &r, answer));
                 cr_expect(j.begins == 1 && j.ends == 1 && j.events >= 2, "%d begins, %d ends",
@@ -102,7 +102,7 @@ Test(trace, sinks)
 {
     fmb_solver *v = solver(FMB_METHOD_FM);
     fmb_system *s = sample(0, NULL);
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     char *text = NULL;
     size_t size = 0;
     FILE *out = open_memstream(&text, &size);
@@ -152,9 +152,9 @@ static void expect_lines(const fmb_rule *more, const char *expected)
 {
     static const int64_t row[][4] = {{0, 1, 1, 1}, {0, -1, 1, -1}, {0, -1, 0, 1}, {0, 0, -1, 0}};
     static const int64_t right[] = {1, 1, 0, 0};
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     fmb_system *s = rows_none(4);
     char *text = NULL, lines[2000] = "";
     size_t size = 0;
@@ -215,9 +215,9 @@ Test(trace, rows_dropped)
 Test(trace, counted)
 {
     static const int64_t row[][2] = {{1, 1}, {1, -1}, {-1, 2}, {-1, -3}};
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     fmb_system *s = rows_none(2);
     for (int i = 0; i < 4; i++)
         must(fmb_system_add_int(s, row[i], FMB_LE, 10 + i));
@@ -271,7 +271,7 @@ Test(trace, variables_of_the_system)
     bool seen[4] = {false};
     fmb_system *s = NULL;
     fmb_solver *v = solver(FMB_METHOD_FM);
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must(fmb_system_new(4, NULL, &s));
     for (int i = 0; i < 4; i++)
         must(fmb_system_add_int(s, rows[i], FMB_LE, 1));

@@ -49,9 +49,9 @@ static fmb_system *random_system(proved *p, int dim)
 static proved prove(uint64_t seed, fmb_method method)
 {
     proved p = {.g = {seed}};
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     int dim = support_between(&p.g, 2, 6), keep[] = {0, 1, 2, 3};
     int kept = support_between(&p.g, 1, dim < 4 ? dim : 4);
     p.bounded = seed % 4 != 3;
@@ -76,7 +76,7 @@ static void forget(proved *p)
 /* Is the proof accepted, and is it one of that projection, whole? */
 static bool convinces(const fmb_system *s, const fmb_evidence *e, const fmb_system *image)
 {
-    fmb_judgement j = {0};
+    fmb_judgement j = {.size = sizeof j};
     bool meets = false;
     support_must(fmb_check(s, e, &j));
     support_must(fmb_evidence_meets(e, s, FMB_DEMAND_WHOLE, image, &meets, NULL, 0));
@@ -262,8 +262,8 @@ static bool cut_system(proved *p)
     mpq_sub(dense_rhs(&d, row), dense_rhs(&d, row), t);
     fmb_system *s = dense_system(&d), *image = NULL;
     fmb_solver *v = NULL;
-    fmb_options o = fmb_options_default();
-    fmb_result r;
+    fmb_options o = {.size = sizeof o};
+    fmb_result r = {.size = sizeof r};
     int keep[] = {0, 1, 2, 3};
     support_must(fmb_solver_new(&o, NULL, &v));
     support_must(fmb_project(v, s, keep, fmb_system_dim(p->image), &image, &r));

@@ -138,7 +138,7 @@ static fmb_verdict expect(const fmb_system *s, fmb_verdict verdict, const char *
     bench b;
     open_bench(&b, s, NULL);
     for (int way = 0; way < 4; way++) {
-        fmb_options o = fmb_options_default();
+        fmb_options o = {.size = sizeof o};
         o.order = orders[way % 2];
         o.arith = ariths[way / 2];
         cr_assert_eq(ask(&b, &o), FMB_OK);
@@ -284,9 +284,9 @@ Test(fmplex, all_tiny_systems)
 /* Where plain elimination would drown: the oracle answers. */
 static fmb_verdict oracle(const fmb_system *s)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     o.method = FMB_METHOD_LP;
     support_must(fmb_solver_new(&o, NULL, &v));
     support_must(fmb_solve(v, s, &r));
@@ -316,7 +316,7 @@ Test(fmplex, memory_follows_the_depth)
 {
     support_case c = hard();
     bench b;
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     open_bench(&b, c.s, NULL);
     cr_assert_eq(ask(&b, &o), FMB_OK);
     size_t levels = (size_t)b.d.dim + 1, most = levels * (size_t)b.d.rows;
@@ -344,7 +344,7 @@ Test(fmplex, limits)
     bench b;
     open_bench(&b, c.s, NULL);
     for (int way = 0; way < 2; way++) {
-        fmb_options o = fmb_options_default();
+        fmb_options o = {.size = sizeof o};
         o.arith = ariths[way];
         o.max_rows = 40;
         cr_assert_eq(limited(&b, &o), FMB_STOP_ROWS);
@@ -396,7 +396,7 @@ Test(fmplex, every_allocation_fails_once)
         support_case c = support_make(family, 3, &shape);
         faulty f = {0};
         fmb_alloc alloc = {resize, &f};
-        fmb_options o = fmb_options_default();
+        fmb_options o = {.size = sizeof o};
         fmb_status st = FMB_ERR_MEMORY;
         for (long at = 1; st != FMB_OK; at++) {
             bench b;
@@ -420,7 +420,7 @@ static fmb_status solve(const fmb_system *s, const fmb_options *o, const fmb_all
 {
     fmb_solver *v = NULL;
     fmb_evidence *e = NULL;
-    fmb_judgement found = {0};
+    fmb_judgement found = {.size = sizeof found};
     fmb_status st = fmb_solver_new(o, alloc, &v);
     if (st == FMB_OK)
         st = study_fmplex_solve(v, s, r);
@@ -457,15 +457,15 @@ static fmb_system *beside(const fmb_system *a, const fmb_system *b)
 
 Test(fmplex, parts_and_claims)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     int verdicts[3] = {0};
-    o.evidence = true;
+    o.evidence = FMB_EVIDENCE_ALL;
     for (uint64_t seed = 1; seed <= 200; seed++)
         for (support_family family = 0; family < SUPPORT_FAMILIES; family++) {
             support_case a = support_make(family, seed, NULL);
             support_case b = support_make((family + seed) % SUPPORT_FAMILIES, seed + 1, NULL);
             fmb_system *s = beside(a.s, b.s);
-            fmb_result r;
+            fmb_result r = {.size = sizeof r};
             support_must(solve(s, &o, NULL, &r));
             cr_assert_eq(r.verdict, oracle(s), "seed %lu", (unsigned long)seed);
             verdicts[r.verdict]++;
@@ -479,9 +479,9 @@ Test(fmplex, parts_and_claims)
 Test(fmplex, a_limit_is_a_result)
 {
     support_case c = hard();
-    fmb_options o = fmb_options_default();
-    fmb_result r;
-    o.evidence = true;
+    fmb_options o = {.size = sizeof o};
+    fmb_result r = {.size = sizeof r};
+    o.evidence = FMB_EVIDENCE_ALL;
     o.max_rows = 40;
     support_must(solve(c.s, &o, NULL, &r));
     cr_assert(r.verdict == FMB_UNKNOWN && r.stop == FMB_STOP_ROWS);
@@ -498,10 +498,10 @@ Test(fmplex, every_allocation_of_a_query_fails_once)
         support_case c = support_make(family, 5, NULL);
         faulty f = {0};
         fmb_alloc alloc = {resize, &f};
-        fmb_options o = fmb_options_default();
+        fmb_options o = {.size = sizeof o};
         fmb_status st = FMB_ERR_MEMORY;
-        fmb_result r;
-        o.evidence = true;
+        fmb_result r = {.size = sizeof r};
+        o.evidence = FMB_EVIDENCE_ALL;
         for (long at = 1; st != FMB_OK; at++) {
             f.left = at;
             st = solve(c.s, &o, &alloc, &r);

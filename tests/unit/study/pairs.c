@@ -158,7 +158,7 @@ Test(pairs, the_article_s)
 /* How many of n pairs meet, exactly. */
 static int meeting(const study_pair_plan *plan, fmb_contact contact, size_t n)
 {
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     fmb_pair *k = NULL;
     study_pairs pairs;
     fmb_verdict verdict[1000];
@@ -167,7 +167,8 @@ static int meeting(const study_pair_plan *plan, fmb_contact contact, size_t n)
     o.contact = contact;
     must(fmb_pair_new(plan->dim, &o, NULL, &k));
     must(study_pairs_make(plan, 5, n, NULL, NULL, &pairs));
-    must(fmb_pair_test(k, n, pairs.p, pairs.q, &(fmb_pair_answers){.verdict = verdict}));
+    must(fmb_pair_test(k, n, pairs.p, pairs.q,
+                       &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = verdict}));
     for (size_t i = 0; i < n; i++)
         count += verdict[i] == FMB_FEASIBLE;
     study_pairs_free(&pairs);

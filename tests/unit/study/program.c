@@ -80,10 +80,10 @@ Test(program, a_seed_is_a_program)
 
 static bool best_of(const study_program *p, mpq_t best)
 {
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     fmb_optimum *optimum = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     cr_assert_eq(fmb_solver_new(&o, NULL, &v), FMB_OK);
     cr_assert_eq(fmb_optimize(v, p->s, NULL, &optimum, &r), FMB_OK);
     bool finite = fmb_optimum_value_q(optimum, best);

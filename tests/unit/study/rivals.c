@@ -20,7 +20,7 @@ static void must(fmb_status st)
 
 static fmb_pair *opened(int dim, fmb_contact contact)
 {
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     fmb_pair *k = NULL;
     o.contact = contact;
     o.tightest = true;
@@ -31,7 +31,9 @@ static fmb_pair *opened(int dim, fmb_contact contact)
 static fmb_verdict asked(fmb_pair *k, const fmb_frame *p, const fmb_frame *q, double *world)
 {
     fmb_verdict verdict;
-    must(fmb_pair_test(k, 1, p, q, &(fmb_pair_answers){.verdict = &verdict, .world = world}));
+    must(fmb_pair_test(k, 1, p, q,
+                       &(fmb_pair_answers){
+                           .size = sizeof(fmb_pair_answers), .verdict = &verdict, .world = world}));
     return verdict;
 }
 
@@ -82,7 +84,7 @@ Test(rivals, seidel_says_what_elimination_says)
                 study_pair_plan plan = planned(STUDY_PAIR_ARTICLE, dim, moves);
                 study_pair pair;
                 fmb_system *s = NULL;
-                fmb_result res;
+                fmb_result res = {.size = sizeof res};
                 study_pair_draw(&plan, 1, k, &pair);
                 const fmb_frame f[2] = {pair.p, pair.q};
                 must(fmb_system_from_frames(f, 2, FMB_COORDINATES_LAST, FMB_CONTACT_CLOSED, NULL,

@@ -23,7 +23,7 @@ typedef struct duel {
 static duel duel_of(const study_pair_plan *plan, fmb_simd simd)
 {
     duel d;
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     o.simd = simd;
     must(fmb_pair_new(plan->dim, &o, NULL, &d.way[0]));
     must(study_sat_new(plan->dim, &o, &d.way[1]));
@@ -68,7 +68,7 @@ static void expect_same_verdicts(const study_pair_plan *plan, fmb_simd simd)
         for (uint32_t j = 0; j < FRAMES; j++)
             pair[j] = (fmb_frames_pair){i, j};
         for (int w = 0; w < 2; w++) {
-            const fmb_pair_answers out = {.verdict = one_by_one[w]};
+            const fmb_pair_answers out = {.size = sizeof out, .verdict = one_by_one[w]};
             must(fmb_frames_test_row(d.way[w], d.a, i, d.b, row[w]));
             must(fmb_frames_test(d.way[w], d.a, d.b, FRAMES, pair, &out));
             cr_assert_eq(memcmp(row[w], row[0], sizeof row[w]), 0, "row %u, way %d", i, w);

@@ -8,7 +8,7 @@
  * those that just touch. */
 static void agree(study_pair_family family, int dim, bool moves, uint64_t pairs)
 {
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     fmb_pair *k = NULL;
     size_t meet = 0;
     study_pair one;
@@ -19,7 +19,9 @@ static void agree(study_pair_family family, int dim, bool moves, uint64_t pairs)
     for (uint64_t i = 0; i < pairs; i++) {
         fmb_verdict verdict;
         study_pair_draw(&plan, 7, i, &one);
-        cr_assert_eq(fmb_pair_test(k, 1, &one.p, &one.q, &(fmb_pair_answers){.verdict = &verdict}),
+        cr_assert_eq(fmb_pair_test(k, 1, &one.p, &one.q,
+                                   &(fmb_pair_answers){.size = sizeof(fmb_pair_answers),
+                                                       .verdict = &verdict}),
                      FMB_OK);
         cr_assert_eq(study_sat_plain(&one.p, &one.q), verdict == FMB_FEASIBLE,
                      "%s %dD, moves %d, pair %d", study_pair_family_text(family), dim, moves,

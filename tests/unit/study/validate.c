@@ -126,14 +126,19 @@ typedef struct box {
 
 static fmb_pair_answers answers(box *b)
 {
-    return (fmb_pair_answers){&b->verdict, b->world, b->inside, b->time, b->witness};
+    return (fmb_pair_answers){.size = sizeof(fmb_pair_answers),
+                              .verdict = &b->verdict,
+                              .world = b->world,
+                              .inside = b->inside,
+                              .time = b->time,
+                              .witness = b->witness};
 }
 
 static box exact_box(void)
 {
     box b;
     fmb_pair_answers out = answers(&b);
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     fmb_pair *k = NULL;
     o.method = FMB_PAIR_EXACT;
     must(fmb_pair_new(2, &o, NULL, &k));
@@ -177,7 +182,7 @@ static fmb_verdict witness_verdict(double x, double y)
 {
     fmb_system *s = NULL;
     fmb_solver *solver = NULL;
-    fmb_result res;
+    fmb_result res = {.size = sizeof res};
     must(study_witness_system(&SQUARE, &LONG, (const double[2]){x, y}, &s));
     must(fmb_solver_new(NULL, NULL, &solver));
     must(fmb_solve(solver, s, &res));

@@ -80,7 +80,7 @@ static void append_to_program(bench *b, int i)
 static void open_bench(bench *b, uint64_t seed)
 {
     support_rng g = {seed};
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     memset(b, 0, sizeof *b);
     fmb_mem_init(&b->mem, NULL, 0);
     fmb_run_begin(&b->run, &b->mem, &o, &b->cancel, (fmb_sink){0}, "test");
@@ -284,7 +284,7 @@ Test(symmetry, little_memory)
 static void open_crowd(bench *b)
 {
     static const bool all[N] = {true, true, true, true, true, true, true, true};
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     bool fits;
     memset(b, 0, sizeof *b);
     fmb_mem_init(&b->mem, NULL, 0);
