@@ -8,8 +8,6 @@
 #include "lp/exact/exact_simplex.h"
 #include "shadows.h"
 
-enum { MOST_SECONDS = 60 };
-
 /* ---- an oracle and the same rows as a system ------------------------------------------------- */
 
 typedef struct bench {
@@ -45,7 +43,6 @@ static void open_bench(bench *b, const char *name, uint64_t seed, dense d)
 {
     fmb_options o = {.size = sizeof o};
     size_t m = (size_t)d.rows;
-    o.max_seconds = MOST_SECONDS;
     *b = (bench){.d = d, .name = name, .seed = seed, .s = dense_system(&d)};
     b->vec = calloc(m + 1, sizeof *b->vec);
     b->words = calloc((m + 1) * ((size_t)d.dim + 1), sizeof *b->words);
@@ -120,7 +117,6 @@ static bool eliminate(const fmb_system *s, int i, int j, image *out)
     fmb_system *p = NULL;
     o.method = FMB_METHOD_FM;
     o.max_rows = 20000;
-    o.max_seconds = 5;
     cr_assert_eq(fmb_solver_new(&o, NULL, &v), FMB_OK);
     cr_assert_eq(fmb_project(v, s, keep, 2, &p, &r), FMB_OK);
     *out = (image){0};

@@ -4,11 +4,11 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include <fmb/mesh.h>
 #include <fmb/pair.h>
 
+#include "counted_clock.h"
 #include "fault/hook.h"
 #include "property/random/rows.h"
 #include "support/support.h"
@@ -182,14 +182,13 @@ Test(meet, place)
 
 static bool waste_time(void *self, double done)
 {
-    const struct timespec ten_milliseconds = {.tv_nsec = 10000000};
     ++*(int *)self;
-    nanosleep(&ten_milliseconds, NULL);
+    counted_clock_pass(1000);
     return done >= 0;
 }
 
 /* A limit that is always reached ends trees and rows, before a pair is tested; one that
- * progress uses up, if not what was before it, ends them at once. */
+ * progress uses up ends them at once. */
 Test(meet, seconds)
 {
     support_rng g = {13};
@@ -199,21 +198,27 @@ Test(meet, seconds)
     int calls = 0;
     for (size_t threads = 1; threads < 4; threads += 2) {
         fmb_mesh_answer trees = {.size = sizeof trees}, pairs = {.size = sizeof pairs};
-        fmb_mesh_options o = {.size = sizeof o, .max_seconds = 1e-9, .threads = threads};
+        fmb_mesh_options o = {.size = sizeof o, .max_seconds = 1, .threads = threads};
+        counted_clock_start(0, NULL, NULL);
         must(fmb_mesh_meet(m, NULL, &o, &trees));
+        counted_clock_stop();
         cr_expect(trees.stop == FMB_STOP_TIME && trees.hits == 0 && trees.tested == 0);
+        counted_clock_start(0, NULL, NULL);
         must(fmb_mesh_meet_pairs(m, 0, CELLS, NULL, &o, &pairs));
+        counted_clock_stop();
         cr_expect(pairs.stop == FMB_STOP_TIME && pairs.hits == 0 && pairs.tested == 0);
-        o.max_seconds = 1e9;
+        o.max_seconds = COUNTED_FOREVER;
         must(fmb_mesh_meet(m, NULL, &o, &trees));
         cr_expect(trees.stop == FMB_STOP_DONE && trees.hits > 10);
         fmb_mesh_answer_clear(&trees);
     }
     fmb_mesh_options slow = {
-        .size = sizeof slow, .max_seconds = 0.005, .progress = waste_time, .self = &calls};
+        .size = sizeof slow, .max_seconds = 1000, .progress = waste_time, .self = &calls};
     fmb_mesh_answer late = {.size = sizeof late};
+    counted_clock_start(0, NULL, NULL);
     must(fmb_mesh_meet(m, NULL, &slow, &late));
-    cr_expect(late.stop == FMB_STOP_TIME && calls <= 1);
+    counted_clock_stop();
+    cr_expect(late.stop == FMB_STOP_TIME && calls == 1, "%d", calls);
     fmb_mesh_answer_clear(&late);
     fmb_mesh_free(m);
 }

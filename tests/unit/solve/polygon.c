@@ -14,7 +14,6 @@ static fmb_solver *solver(fmb_method method)
     fmb_solver *v = NULL;
     o.evidence = FMB_EVIDENCE_ALL;
     o.method = method;
-    o.max_seconds = 20;
     o.max_rows = 20000;
     must(fmb_solver_new(&o, NULL, &v));
     return v;
