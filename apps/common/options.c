@@ -31,8 +31,9 @@ static void list_option(const struct argp_option *o, void *self)
 {
     (void)self;
     bool letter = o->key > 0 && o->key < 0x80 && isprint(o->key);
-    printf("--%s\t%.*s\t%s\t%s\n", o->name, letter, (const char[]){(char)o->key, '\0'},
-           o->arg ? o->arg : "", o->doc);
+    bool maybe = o->flags & OPTION_ARG_OPTIONAL;
+    printf("--%s\t%.*s\t%s%s%s\t%s\n", o->name, letter, (const char[]){(char)o->key, '\0'},
+           maybe ? "[" : "", o->arg ? o->arg : "", maybe ? "]" : "", o->doc);
 }
 
 typedef struct search {

@@ -11,6 +11,8 @@
  * nearest to it; the one word --list-options prints a line for each option and ends it:
  *
  *     --name TAB short letter or nothing TAB what it takes or nothing TAB meaning
+ *
+ * What may be left out stands in brackets.
  */
 void app_options_parse(const struct argp *argp, int argc, char **argv, void *input);
 

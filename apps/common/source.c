@@ -15,8 +15,8 @@ enum { KEY_MAX_INPUT = 0x300 };
 #define FORMATS "auto|fmb|ine|ieq|smt2|mps|lp"
 
 static const struct argp_option source_options[] = {
-    {"format", 'f', "FORMAT", 0,
-     "FILE is in this format: " FORMATS " (default auto: by name, else by content)", 1},
+    {"format", 'f', FORMATS, 0, "FILE is in this format (default auto: by name, else by content)",
+     1},
     {"max-input", KEY_MAX_INPUT, "BYTES", 0, "Refuse a FILE that is longer (default 1073741824)",
      1},
     {"quiet", 'q', NULL, 0, "Nothing on standard error but errors", 1},

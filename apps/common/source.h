@@ -61,6 +61,8 @@ fmb_format app_source_written(const app_source *src);
 /* Write s to standard output; an exit code. */
 int app_source_write(const fmb_system *s, fmb_format f);
 
+/* Words of --to, as its value and in messages. */
+#define APP_FORMATS_TO "fmb|ine|smt2|mps|lp"
 /* A format word of the command line that can be written (--to); false if it cannot. */
 bool app_format_to(const char *word, fmb_format *out);
 

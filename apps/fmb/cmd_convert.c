@@ -11,10 +11,10 @@
 enum { KEY_TO = 0x200, KEY_NEAREST };
 
 static const struct argp_option options[] = {
-    {"to", KEY_TO, "FORMAT", 0,
-     "Write this format: fmb|ine|smt2|mps|lp, or pairs: FILE then has pairs of frames, as fmb "
-     "intersect "
-     "reads them, and they are written in binary",
+    {"to", KEY_TO, APP_FORMATS_TO "|pairs", 0,
+     "Write this format; pairs: FILE has pairs of frames, as fmb intersect reads them, and they "
+     "are "
+     "written in binary",
      1},
     {"nearest", KEY_NEAREST, NULL, 0, "(pairs) A number means the double nearest to it", 1},
     {0}};
@@ -35,7 +35,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case KEY_TO:
         r->pairs = strcmp(arg, "pairs") == 0;
         if (!r->pairs && !app_format_to(arg, &r->to))
-            argp_error(state, "--to: expected fmb|ine|smt2|mps|lp|pairs, found '%s'", arg);
+            argp_error(state, "--to: expected " APP_FORMATS_TO "|pairs, found '%s'", arg);
         return 0;
     case KEY_NEAREST:
         r->nearest = true;

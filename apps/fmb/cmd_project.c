@@ -12,10 +12,8 @@ enum { KEY_KEEP = 0x200, KEY_ELIMINATE, KEY_TO, KEY_CLASSES };
 static const struct argp_option options[] = {
     {"keep", KEY_KEEP, "NAMES", 0, "Project on these variables (x,y)", 1},
     {"eliminate", KEY_ELIMINATE, "NAMES", 0, "Eliminate these variables (z,t)", 1},
-    {"to", KEY_TO, "FORMAT", 0,
-     "Write this format: fmb|ine|smt2|mps|lp (default: that of FILE where it can be written, else "
-     "fmb)",
-     1},
+    {"to", KEY_TO, APP_FORMATS_TO, 0,
+     "Write this format (default: that of FILE where it can be written, else fmb)", 1},
     {"classes", KEY_CLASSES, "FILE", OPTION_ARG_OPTIONAL,
      "Print one row of each class that symmetries take to one another, with the number of its "
      "rows; symmetries of the projection in FILE, else those of --symmetry",
@@ -43,7 +41,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         return 0;
     case KEY_TO:
         if (!app_format_to(arg, &r->to))
-            argp_error(state, "--to: expected fmb|ine|smt2|mps|lp, found '%s'", arg);
+            argp_error(state, "--to: expected " APP_FORMATS_TO ", found '%s'", arg);
         return 0;
     case KEY_CLASSES:
         r->classes = true;

@@ -9,9 +9,9 @@
 
 enum { KEY_TO = 0x200 };
 
-static const struct argp_option options[] = {{"to", KEY_TO, "FORMAT", 0,
-                                              "Write this format: fmb|ine|smt2|mps|lp (default: "
-                                              "that of FILE where it can be written, else fmb)",
+static const struct argp_option options[] = {{"to", KEY_TO, APP_FORMATS_TO, 0,
+                                              "Write this format (default: that of FILE where it "
+                                              "can be written, else fmb)",
                                               1},
                                              {0}};
 
@@ -20,7 +20,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     if (key != KEY_TO)
         return ARGP_ERR_UNKNOWN;
     if (!app_format_to(arg, state->input))
-        argp_error(state, "--to: expected fmb|ine|smt2|mps|lp, found '%s'", arg);
+        argp_error(state, "--to: expected " APP_FORMATS_TO ", found '%s'", arg);
     return 0;
 }
 

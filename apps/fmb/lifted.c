@@ -14,10 +14,9 @@
 enum { KEY_TO = 0x200, KEY_LIFTED };
 
 static const struct argp_option options[] = {
-    {"to", KEY_TO, "FORMAT", 0,
-     "Write this format: fmb|ine|smt2|mps|lp (default: that of the first FILE with a system where "
-     "it can "
-     "be written, else fmb; ine if there are V-representations alone)",
+    {"to", KEY_TO, APP_FORMATS_TO, 0,
+     "Write this format (default: that of the first FILE with a system where it can be written, "
+     "else fmb; ine if there are V-representations alone)",
      1},
     {"lifted", KEY_LIFTED, "OUT", 0,
      "Write to OUT the system whose projection this is: a proof is about it", 2},
@@ -57,7 +56,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     switch (key) {
     case KEY_TO:
         if (!app_format_to(arg, &r->to))
-            argp_error(state, "--to: expected fmb|ine|smt2|mps|lp, found '%s'", arg);
+            argp_error(state, "--to: expected " APP_FORMATS_TO ", found '%s'", arg);
         return 0;
     case KEY_LIFTED:
         r->lifted = arg;
