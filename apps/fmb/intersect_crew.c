@@ -4,15 +4,14 @@
  * then each is read, answered and reported by one thread, into memory, and the reports go out in
  * order. No answer depends on where the cuts are. Those who have slow pairs see answers soon, as a
  * round that takes long makes portions shorter. */
-#include <assert.h>
 #include <errno.h>
 #include <pthread.h>
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/clock.h"
+#include "base/line.h"
 #include "common/message.h"
 #include "common/signals.h"
 #include "fmb/intersect.h"
@@ -206,23 +205,6 @@ static void count_line(crew *c, portion *p)
         crew_flush(c);
 }
 
-/* At most n - 1 bytes up to a line end are put there, and counted. fgets does not tell how many
- * they are where some are NUL: it puts one behind the last, and leaves line ends where it does not
- * come.
- */
-static size_t fetch_part(FILE *in, char *to, size_t n)
-{
-    assert(to);
-    memset(to, '\n', n);
-    if (!fgets_unlocked(to, (int)n, in))
-        return 0;
-    const char *end = memchr(to, '\n', n);
-    if (!end)
-        return n - 1;
-    size_t before = (size_t)(end - to);
-    return before + 1 < n && end[1] == '\0' ? before + 1 : before - 1;
-}
-
 /* The next line, with its end; size 0 at the end of the stream. Of a line that is too long, one
  * byte more than the limit is kept: whoever reads it sees that. */
 static void fetch_line(crew *c, FILE *in)
@@ -236,7 +218,7 @@ static void fetch_line(crew *c, FILE *in)
             c->capacity = 2 * (c->size + n);
             c->line = app_need(realloc(c->line, c->capacity));
         }
-        size_t got = fetch_part(in, c->line + c->size, n);
+        size_t got = fmb_fetch_part_of_line(in, c->line + c->size, n);
         c->size += got;
         more = got > 0 && c->line[c->size - 1] != '\n';
         c->size = c->size > most ? most + 1 : c->size;

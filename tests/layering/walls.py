@@ -20,7 +20,7 @@ NEVER = {"elim": {"rule"}}
 FOLDERS = {"elim": "store history rules round".split(), "lp": "float exact oracle redundancy".split()}
 
 # What programs compile of the library: they see no other private header.
-SHARED = {"base/clock.h", "io/core/utf8.h"}
+SHARED = {"base/clock.h", "base/line.h", "io/core/utf8.h"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]', re.M)
 FUNCTION = re.compile(r"FMB_API\b[^;{]*?\b(fmb_\w+)\s*\(", re.S)

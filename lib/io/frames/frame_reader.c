@@ -1,10 +1,10 @@
 /* frame_reader.c: pairs of frames from text, line by line; see fmb/gmp.h. */
 #include "io/frames/frame_reader.h"
 
-#include <assert.h>
 #include <errno.h>
 #include <string.h>
 
+#include "base/line.h"
 #include "base/memory_stream.h"
 #include "system/system_private.h"
 
@@ -123,22 +123,6 @@ fmb_status fmb_frame_reader_rationals(fmb_frame_reader *r)
 
 /* ---- lines ----------------------------------------------------------------------------------- */
 
-/* n > 1 bytes of room: at most n - 1 up to a line end are put there, and counted. fgets does not
- * tell how many they are where some are NUL: it puts one behind the last, and leaves line ends
- * where it does not come. */
-static size_t fetch_part_of_line(FILE *in, char *to, size_t n)
-{
-    assert(to);
-    memset(to, '\n', n);
-    if (!fgets(to, (int)n, in))
-        return 0;
-    const char *end = memchr(to, '\n', n);
-    if (!end)
-        return n - 1;
-    size_t before = (size_t)(end - to);
-    return before + 1 < n && end[1] == '\0' ? before + 1 : before - 1;
-}
-
 /* The next line, with its end; size 0 at the end of the stream. Of a line that is too long, one
  * byte more than the limit is kept. */
 static fmb_status fetch_line_of_stream(fmb_frame_reader *r)
@@ -153,7 +137,7 @@ static fmb_status fetch_line_of_stream(fmb_frame_reader *r)
             st = fmb_mem_reserve(&r->mem, (void **)&r->text, &r->capacity, r->size + n, 1);
         if (st != FMB_OK)
             return st;
-        size_t got = fetch_part_of_line(r->in, r->text + r->size, n);
+        size_t got = fmb_fetch_part_of_line(r->in, r->text + r->size, n);
         r->size += got;
         more = got > 0 && r->text[r->size - 1] != '\n';
         r->size = r->size > most ? most + 1 : r->size;
