@@ -20,6 +20,15 @@
  * gone stay behind, switched off; when they are most of the rows, and after a limit or a failed
  * allocation has ended a query, the next one begins afresh. All this counts in options.max_bytes.
  *
+ * Rows have numbers, which change when others before them go, and handles, which do not: a handle
+ * belongs to its row from when the row comes until it goes, comes back with it where
+ * fmb_solver_pop brings it back, and is no other row's ever after, also of a system that is loaded
+ * later. So rows of a conflict or of evidence are best kept as handles:
+ *
+ *   fmb_row cut = fmb_solver_last_row(v);                                     (behind an addition)
+ *   fmb_solver_remove(v, fmb_solver_row_number(v, cut));
+ *   fmb_row guilty = fmb_solver_row(v, fmb_solver_conflict_row(v, k));         (before a change)
+ *
  * Errors of all changes: STATE, where nothing is loaded; MEMORY; ARG, which fmb_solver_trouble
  * explains. A change that fails changes nothing. Take evidence (fmb_solver_evidence) before the
  * next change: it speaks of the rows as they were.
@@ -41,6 +50,16 @@ FMB_API void fmb_solver_unload(fmb_solver *v);
 /* The system as it is now, owned by v; the same pointer until another one is loaded. NULL: none. */
 FMB_API const fmb_system *fmb_solver_system(const fmb_solver *v);
 
+/* A row of a system that was loaded, now or before. 0: none. */
+typedef uint64_t fmb_row;
+
+/* The handle of the row of that number as rows are now; 0 where there is none. And of the last row,
+ * that is of the one that was added last, unless it is gone. */
+FMB_API fmb_row fmb_solver_row(const fmb_solver *v, size_t number);
+FMB_API fmb_row fmb_solver_last_row(const fmb_solver *v);
+/* The number of a row; SIZE_MAX while it is not there. Time: logarithmic in the number of rows. */
+FMB_API size_t fmb_solver_row_number(const fmb_solver *v, fmb_row row);
+
 /* Append a.x REL b; a has length dim. Errors: ARG as of fmb_system_add. */
 FMB_API FMB_CHECKED fmb_status fmb_solver_add(fmb_solver *v, const double *a, fmb_rel rel,
                                               double b);
@@ -54,10 +73,20 @@ FMB_API FMB_CHECKED fmb_status fmb_solver_remove(fmb_solver *v, size_t row);
  */
 FMB_API FMB_CHECKED fmb_status fmb_solver_set_right(fmb_solver *v, size_t row, double b);
 
+/* Name a row, or not (NULL): fmb_system_label of fmb_solver_system, and messages, tell it. Errors:
+ * ARG (no such row). */
+FMB_API FMB_CHECKED fmb_status fmb_solver_set_label(fmb_solver *v, size_t row, const char *label);
+
+/* Append a variable, which no row names yet; name NULL: x1, x2, ... by its number. *index, unless
+ * index is NULL, is that number. The next question begins afresh. Errors: ARG (as of
+ * fmb_system_add_variable). */
+FMB_API FMB_CHECKED fmb_status fmb_solver_add_variable(fmb_solver *v, const char *name, int *index);
+
 /* Begin a level; levels nest. */
 FMB_API FMB_CHECKED fmb_status fmb_solver_push(fmb_solver *v);
-/* End the last level: rows are as they were when it began, in their order, with their labels.
- * Errors: STATE (no level), and never MEMORY. */
+/* End the last level: rows are as they were when it began, in their order, with their labels and
+ * handles, and so are variables: those that were added since are gone, with all rows that name
+ * them. Errors: STATE (no level), and never MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_solver_pop(fmb_solver *v);
 
 #ifdef __cplusplus

@@ -72,6 +72,12 @@ fmb_status fmb_names_change(fmb_names *t, int j, const char *name, fmb_mem *mem)
     return FMB_OK;
 }
 
+void fmb_names_drop_last(fmb_names *t, fmb_mem *mem)
+{
+    fmb_mem_put_text(mem, t->name[--t->size]);
+    refill(t);
+}
+
 int fmb_names_find(const fmb_names *t, const char *name)
 {
     return t->slots ? t->slot[slot_of(t, name)] : -1;

@@ -17,6 +17,8 @@ typedef struct fmb_names {
 /* Append a name that is not taken yet (the caller has looked). Errors: MEMORY. */
 fmb_status fmb_names_add(fmb_names *t, const char *name, fmb_mem *mem);
 fmb_status fmb_names_change(fmb_names *t, int j, const char *name, fmb_mem *mem);
+/* The last name goes. */
+void fmb_names_drop_last(fmb_names *t, fmb_mem *mem);
 int fmb_names_find(const fmb_names *t, const char *name);
 void fmb_names_clear(fmb_names *t, fmb_mem *mem);
 

@@ -77,6 +77,8 @@ fmb_status fmb_system_change_right(fmb_system *s, size_t i, const mpq_t b, fmb_s
 /* [give] fmb_system_copy with that allocator. */
 fmb_status fmb_system_copy_to(const fmb_system *s, const fmb_alloc *hook, fmb_system **out);
 
+/* The last variable goes, which no row and no objective names. */
+void fmb_system_drop_last_variable(fmb_system *s);
 /* Remove row i; the rows behind it move up. */
 void fmb_system_remove(fmb_system *s, size_t i);
 /* Give t the objective of s, whose variable j is place[j] there, or none (-1): then one that names

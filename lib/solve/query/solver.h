@@ -37,6 +37,7 @@ struct fmb_solver {
     bool answered;          /* the last query ended without an error */
     fmb_evidence *evidence; /* of the last query, or NULL */
     fmb_session *session;   /* the system that is loaded, or NULL */
+    fmb_row handles;        /* of rows of systems that were loaded, the last one */
 };
 
 typedef struct fmb_query {

@@ -6,12 +6,14 @@
 #ifndef FMB_SOLVE_SESSION_SESSION_PRIVATE_H
 #define FMB_SOLVE_SESSION_SESSION_PRIVATE_H
 
+#include <fmb/session.h>
+
 #include "lp/oracle/oracle.h"
 
 typedef struct fmb_session fmb_session;
 
-/* [give] s is copied. Errors: MEMORY. */
-fmb_status fmb_session_new(fmb_mem *mem, const fmb_system *s, fmb_session **out);
+/* [give] s is copied; *handles counts the rows that there have been. Errors: MEMORY. */
+fmb_status fmb_session_new(fmb_mem *mem, const fmb_system *s, fmb_row *handles, fmb_session **out);
 void fmb_session_free(fmb_session *c);
 const fmb_system *fmb_session_system(const fmb_session *c);
 

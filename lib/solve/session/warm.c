@@ -124,9 +124,16 @@ static bool has_many_spare_slots(const fmb_session *c)
     return c->oracle && c->program.m > 2 * rows + SPARE_SLOTS;
 }
 
+/* Columns of the program are variables by their numbers; rows over one that is gone are switched
+ * off. */
+static bool has_other_variables(const fmb_session *c)
+{
+    return c->oracle && c->program.n != fmb_system_dim(c->s);
+}
+
 fmb_status fmb_session_enter(fmb_session *c, const fmb_run *run)
 {
-    if (has_many_spare_slots(c))
+    if (has_many_spare_slots(c) || has_other_variables(c))
         fmb_session_forget(c);
     c->run = *run;
     c->run.stats = (fmb_stats){0};
