@@ -146,6 +146,9 @@ Test(section, nothing_but_zero)
     cr_expect_eq(compare_ways(&c, 0, 0), 1);
     c.m = 0;
     cr_expect_eq(compare_ways(&c, 0, 0), 0);
+    /* two equalities beside a line: the mean of the rows is 0, and no form of theirs */
+    cone_rows flat = {.d = 3, .m = 4, .word = {{0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
+    cr_expect_eq(compare_ways(&flat, 0, 0), 0);
 }
 
 /* A cone without lines, and all that was found of it. */
