@@ -3,8 +3,11 @@
  * A coordinate of a point of a frame is the sum of its origin's and at most four of its axes' and
  * speed's, times factors in 0 ... 1; ends are such sums, each factor 0 or 1. Five additions in
  * doubles err by less than 6 u S (u = 2^-53, S the sum of the absolute values, itself rounded) and
- * taking off 8 u S adds another u S. Where numbers are so small that 8 u S is rounded, or is 0,
- * sums are exact. Sums that overflow make S infinite, and the box with it.
+ * taking off 8 u S adds another u S. A sum less than 2^-1021 is exact, as it is a multiple of
+ * 2^-1074. So where S is less than that nothing errs, whatever 8 u S is rounded to; and where it is
+ * not, 8 u S is at least 2^-1071, and rounded by at most 2^-1075, less than the u S that are left.
+ * Sums that overflow make S infinite, and the box with it: a lower end is not +inf before that, as
+ * all that is added to a finite number is at most 0; nor is an upper one -inf.
  */
 #include "pair/packed/bounds.h"
 

@@ -133,6 +133,26 @@ Test(doubles, outward)
     mpq_clear(q);
 }
 
+/* A third of a unit beside numbers of 1 to 53 bits, times 2^power: subnormal ones, too. */
+Test(doubles, outward_at_every_scale)
+{
+    mpq_t q, third;
+    mpq_inits(q, third, NULL);
+    mpq_set_ui(third, 1, 3);
+    for (int power = -1140; power <= 970; power += power < -1010 || power > 950 ? 1 : 97)
+        for (int bits = 0; bits <= 53; bits += 53 - bits < 3 || bits < 3 ? 1 : 9)
+            for (int sign = -1; sign <= 1; sign += 2) {
+                mpq_set_d(q, sign * ldexp(1, bits));
+                mpq_add(q, q, third);
+                if (power < 0)
+                    mpq_div_2exp(q, q, (mp_bitcnt_t)-power);
+                else
+                    mpq_mul_2exp(q, q, (mp_bitcnt_t)power);
+                expect_outward(q);
+            }
+    mpq_clears(q, third, NULL);
+}
+
 /* Beyond the range of doubles. */
 Test(doubles, range)
 {
