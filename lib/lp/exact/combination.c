@@ -1,8 +1,7 @@
 /* combination.c: see combination.h. */
 #include "lp/exact/combination.h"
 
-#include <math.h>
-
+#include "lp/exact/hadamard.h"
 #include "num/gcd.h"
 
 /* ---- modulo a Mersenne prime ------------------------------------------------------------------
@@ -221,25 +220,6 @@ static void solve_modulo_prime(fmb_combination *c)
 
 /* ---- lifting ----------------------------------------------------------------------------------
  */
-
-static double squared_entry(const fmb_vec *v, size_t j)
-{
-    double a = v->z ? mpz_get_d(v->z[j]) : (double)v->s[j];
-    return a * a;
-}
-
-/* log2 of Hadamard's bound on every minor of the determining equations, right side included. */
-static double hadamard_bits(const fmb_combination *c)
-{
-    double bits = 0;
-    for (size_t e = 0; e < c->unknowns; e++) {
-        double square = squared_entry(c->row[c->i].v, c->column[e]);
-        for (size_t k = 0; k < c->unknowns; k++)
-            square += squared_entry(unknown_row(c, k), c->column[e]);
-        bits += log2(square) / 2;
-    }
-    return bits;
-}
 
 /* The number next to 0 with that remainder. */
 static void set_symmetric(mpz_t z, uint64_t remainder)
@@ -473,7 +453,7 @@ fmb_status fmb_combine(fmb_combination *c, fmb_run *run, size_t i, const size_t 
     if (!*found)
         return FMB_OK;
     solve_modulo_prime(c);
-    double bits = hadamard_bits(c);
+    double bits = fmb_hadamard_bits(c->row, c->i, c->unknowns, c->index, c->column);
     if (bits < PRIME_BITS - 2) {
         lift_minors(c);
         *found = solves_equations(c, c->part, c->unknowns);

@@ -144,8 +144,8 @@ FMB_BOX_INLINE void still_bound(const box_kind *k, int guest, const lane *all, l
 
 /* shift: from the origin of the host, a, to that of the guest, b. 2^-200 is for underflow: products
  * of numbers up to 2^40 that underflow change a value by less than 2^-1025, and wide_i is at least
- * 2^-253. As size is at least 2^-252 where it is known, quotients by it and by |d_i|, which is taken
- * to be at least 2^-10 wide_i, are finite. */
+ * 2^-253. As size is at least 2^-252 where it is known, quotients by it and by |d_i|, which is
+ * taken to be at least 2^-10 wide_i, are finite. */
 FMB_BOX_INLINE void still_view_of(const box_kind *k, int guest, const still_frame *a,
                                   const still_frame *b, const lane *shift, still_view *v)
 {

@@ -12,9 +12,9 @@
  * most) and size > its error. Then nothing overflows, and underflow does not hurt. A product is
  * known but for 2^-1072, which counts 2^44 times in a value at most (the largest X_j), and with
  * other values, at most 2^128, in a product of two or three: so it changes a value by less than
- * 2^-1020, products by less than 2^-888 and 2^-755. But to every most_i 2^-200 is added, which makes
- * the bounds on these errors 2^-301, 2^-497 and 2^-694 at least. The same keeps quotients finite:
- * |size| and |d_i| (box_cyrus_beck.h) are at least 2^-311, |det| (box_cross.h) 2^-502.
+ * 2^-1020, products by less than 2^-888 and 2^-755. But to every most_i 2^-200 is added, which
+ * makes the bounds on these errors 2^-301, 2^-497 and 2^-694 at least. The same keeps quotients
+ * finite: |size| and |d_i| (box_cyrus_beck.h) are at least 2^-311, |det| (box_cross.h) 2^-502.
  */
 #ifndef FMB_PAIR_BOX_VIEW_H
 #define FMB_PAIR_BOX_VIEW_H

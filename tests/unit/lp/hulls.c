@@ -130,15 +130,18 @@ static void check_combination(const scene *c, const fmb_combination *f, size_t i
     mpz_clears(sum, t, product, NULL);
 }
 
-/* Random rows, the last one a combination of the first ones, or not. */
-static bool combine_drawn_rows(support_rng *g, int n, int size, int bits, bool planted)
+/* Drawn like the others; a combination of them; or that but for the prime in one column, which
+ * remainders do not tell. */
+typedef enum last_row { ANY_ROW, PLANTED_ROW, HIDDEN_ROW } last_row;
+
+static bool combine_drawn_rows(support_rng *g, int n, int size, int bits, last_row last)
 {
     dense d = dense_new(n, size + 1);
     mpz_t z;
     mpz_init(z);
     for (int i = 0; i <= size; i++)
         for (int j = 0; j <= n; j++) {
-            if (i < size || !planted) {
+            if (i < size || last == ANY_ROW) {
                 support_integer(g, bits, z);
                 mpq_set_z(dense_row(&d, i)[j], z);
                 continue;
@@ -153,6 +156,10 @@ static bool combine_drawn_rows(support_rng *g, int n, int size, int bits, bool p
                 mpq_clear(t);
             }
         }
+    mpz_ui_pow_ui(z, 2, 61);
+    mpz_sub_ui(z, z, 1);
+    if (last == HIDDEN_ROW)
+        mpz_addmul(mpq_numref(dense_row(&d, size)[0]), z, mpq_denref(dense_row(&d, size)[0]));
     fmb_system *s = dense_system(&d);
     scene c;
     bool found = false;
@@ -176,15 +183,17 @@ static bool combine_drawn_rows(support_rng *g, int n, int size, int bits, bool p
 
 Test(hulls, exact_combinations)
 {
-    static const int bits[] = {0, 31, 62, 63, 200};
+    static const int bits[] = {0, 31, 62, 63, 200, 600, 1100};
     support_rng g = {9};
     int found = 0, square = 0;
     for (int k = 0; k < 300; k++) {
         int n = support_between(&g, 1, 12), size = support_between(&g, 1, n);
-        found += combine_drawn_rows(&g, n, size, bits[k % 5], true);
-        square += combine_drawn_rows(&g, n, n, bits[k % 5], false);
-        if (n >= 3) /* a row that is no combination is none */
-            cr_expect(!combine_drawn_rows(&g, n, n - 2, 31, false));
+        found += combine_drawn_rows(&g, n, size, bits[k % 7], PLANTED_ROW);
+        square += combine_drawn_rows(&g, n, n, bits[k % 7], ANY_ROW);
+        if (n >= 3) { /* a row that is no combination is none */
+            cr_expect(!combine_drawn_rows(&g, n, n - 2, bits[k % 7], ANY_ROW));
+            cr_expect(!combine_drawn_rows(&g, n, n - 2, bits[k % 7], HIDDEN_ROW));
+        }
     }
     cr_expect_gt(found, 270, "%d", found); /* where the rows are independent */
     cr_expect_gt(square, 270, "%d", square);
