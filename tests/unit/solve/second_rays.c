@@ -7,10 +7,10 @@
 #include "support.h"
 
 typedef struct shape {
-    int dim, keep, rows;
+    int dim, keep, rows, missing; /* variables that a row does not name, in turn */
 } shape;
 
-/* Rows that name all variables, around the origin. */
+/* Around the origin. */
 static fmb_system *rows_around_origin(support_rng *g, const shape *k)
 {
     fmb_system *s = rows_none(k->dim);
@@ -18,6 +18,8 @@ static fmb_system *rows_around_origin(support_rng *g, const shape *k)
         int64_t a[16];
         for (int j = 0; j < k->dim; j++)
             a[j] = support_between(g, -9, 9);
+        for (int j = 0; j < k->missing; j++)
+            a[(i + 2 * j) % k->dim] = 0;
         must(fmb_system_add_int(s, a, FMB_LE, support_between(g, 5, 30)));
     }
     return s;
@@ -58,14 +60,24 @@ static void check_pairs(const shape *k, uint64_t seed, bool by_rays_alone)
 
 Test(second_rays, end_projections_with_few_rays)
 {
-    static const shape shapes[] = {{6, 3, 24}, {7, 4, 17}, {8, 4, 18}};
+    static const shape shapes[] = {{6, 3, 24, 0}, {7, 4, 17, 0}, {8, 4, 18, 0}};
     for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++)
         for (uint64_t seed = 0; seed < 4; seed++)
             check_pairs(&shapes[i], seed, true);
 }
 
+/* Three of six variables stay, and rows are many, but do not name nearly all variables; of rows that
+ * do there are too many. */
+Test(second_rays, end_projections_to_three_of_six_variables)
+{
+    for (uint64_t seed = 0; seed < 4; seed++) {
+        check_pairs(&(shape){6, 3, 40, 2}, seed, true);
+        check_pairs(&(shape){6, 3, 40, 0}, seed, false);
+    }
+}
+
 Test(second_rays, are_not_made_of_cones_with_many)
 {
     for (uint64_t seed = 0; seed < 4; seed++)
-        check_pairs(&(shape){10, 4, 22}, seed, false);
+        check_pairs(&(shape){10, 4, 22, 0}, seed, false);
 }
