@@ -109,9 +109,7 @@ static fmb_status evidence_of_system(const app_session *s, const fmb_system *fix
         fprintf(to, "%.*ssystem %zu rows %d variables%s", (int)(second - text), text,
                 fmb_system_rows(s->system), fmb_system_dim(s->system), strchr(second, '\n'));
         fclose(to);
-        FILE *in = app_need(fmemopen(app_need(moved), size, "r"));
-        st = fmb_evidence_read(in, s->system, out, NULL);
-        fclose(in);
+        st = fmb_evidence_parse(app_need(moved), size, s->system, out, NULL);
     }
     free(text);
     free(moved);

@@ -31,14 +31,12 @@ static void use(const fmb_frame_line *line)
 
 static void read_all(const uint8_t *data, size_t size, bool nearest)
 {
-    FILE *in = fmemopen((void *)(uintptr_t)data, size, "rb");
     fmb_frame_reader *r = NULL;
     const fmb_frame_line *line = NULL;
     fmb_status st;
     long last = 0;
-    demand(in &&
-           fmb_frame_reader_new(in, &(fmb_reader){.size = sizeof(fmb_reader), .nearest = nearest},
-                                &r) == FMB_OK);
+    const fmb_reader how = {.size = sizeof how, .nearest = nearest};
+    demand(fmb_frame_reader_from_text((const char *)data, size, &how, &r) == FMB_OK);
     do {
         fmb_where where = {.line = -1};
         st = fmb_frame_reader_next(r, &line, &where);
@@ -51,7 +49,6 @@ static void read_all(const uint8_t *data, size_t size, bool nearest)
         last = st == FMB_ERR_PARSE ? where.line : line ? line->number : last;
     } while (st == FMB_ERR_PARSE || line);
     fmb_frame_reader_free(r);
-    fclose(in);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

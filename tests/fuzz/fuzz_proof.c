@@ -55,10 +55,7 @@ static fmb_evidence *parsed(const fmb_system *s, const char *text, size_t size)
 {
     fmb_evidence *e = NULL;
     fmb_where where = {.line = -1};
-    FILE *in = fmemopen((void *)(uintptr_t)text, size, "r");
-    demand(in != NULL);
-    fmb_status st = fmb_evidence_read(in, s, &e, &where);
-    fclose(in);
+    fmb_status st = fmb_evidence_parse(text, size, s, &e, &where);
     demand(st == FMB_OK ? e && where.line == -1 : st == FMB_ERR_PARSE && !e && where.line > 0);
     return e;
 }

@@ -163,28 +163,23 @@ fmb_status fmb_mesh_parse(const char *text, size_t size, fmb_mesh_format f, cons
     return st;
 }
 
+typedef struct mesh_as {
+    fmb_mesh_format format;
+    fmb_mesh **out;
+} mesh_as;
+
+static fmb_status parse_mesh_as(const char *text, size_t size, const fmb_reader *how, void *self,
+                                fmb_where *where)
+{
+    const mesh_as *m = self;
+    return fmb_mesh_parse(text, size, m->format, how, m->out, where);
+}
+
 fmb_status fmb_mesh_read(FILE *in, fmb_mesh_format f, const fmb_reader *how, fmb_mesh **out,
                          fmb_where *where)
 {
-    fmb_mem mem;
-    fmb_bytes b = {0};
-    fmb_reader reader;
-    fmb_status st = fmb_io_take_reader(how, &reader, where);
-    if (st == FMB_OK)
-        st = check_mesh_arguments(f, out, where);
-    if (st != FMB_OK)
-        return st;
-    if (!in)
-        return fmb_io_refuse_argument(where, "in is NULL");
-    fmb_mem_init(&mem, reader.mem, 0);
-    st = fmb_read_whole_stream(in, fmb_io_max_bytes(&reader), &b, &mem);
-    int cause = errno;
-    if (st == FMB_OK)
-        st = fmb_mesh_parse(b.p, b.size, f, &reader, out, where);
-    fmb_mem_put(&mem, b.p, b.capacity, 1);
-    if (st == FMB_ERR_IO)
-        errno = cause;
-    return st;
+    fmb_status st = check_mesh_arguments(f, out, where);
+    return st == FMB_OK ? fmb_parse_stream(in, how, parse_mesh_as, &(mesh_as){f, out}, where) : st;
 }
 
 /* ---- TetGen ---------------------------------------------------------------------------------- */
