@@ -25,7 +25,8 @@ extern "C" {
 
 /* A round in progress: the live rows over columns 0 <= col < fmb_view_dim. A row has a name, a
  * number that stays the same for the whole elimination; its entries are integers, a.x REL b. What a
- * view gives is good until the callback returns. */
+ * view gives is good until the callback returns. Of NULL all of it is 0, NULL, -1 for a variable or
+ * column, and true for fmb_view_stop and fmb_view_minimal. */
 typedef struct fmb_view fmb_view;
 
 typedef enum fmb_rule_flag {

@@ -153,6 +153,8 @@ fmb_generator_kind fmb_generators_kind(const fmb_generators *g, size_t i)
 
 void fmb_generators_coordinate_q(const fmb_generators *g, size_t i, int j, mpq_t out)
 {
+    if (!out)
+        return;
     mpq_set_ui(out, 0, 1);
     if (i >= fmb_generators_size(g) || j < 0 || j >= g->dim)
         return;

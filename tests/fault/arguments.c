@@ -1,5 +1,5 @@
-/* arguments.c: wrong arguments of the functions of systems, evidence and boxes: NULL for each
- * pointer in turn, numbers out of range: a status or 0, never a crash, and a word about it. */
+/* arguments.c: wrong arguments of the functions of systems, evidence and boxes, numbers out of
+ * range: a status or 0, never a crash, and a word about it. NULL for each pointer: nulls.c. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <string.h>
@@ -13,13 +13,12 @@ typedef struct world {
     fmb_solver *v;   /* which has answered */
     fmb_evidence *e; /* of a feasible system: one claim */
     fmb_box *box;    /* of its variables */
-    FILE *stream;
     mpq_t q;
 } world;
 
 static world open_world(void)
 {
-    world w = {.stream = tmpfile()};
+    world w = {0};
     fmb_result r = {.size = sizeof r};
     mpq_init(w.q);
     must(fmb_system_new(2, NULL, &w.s));
@@ -28,253 +27,16 @@ static world open_world(void)
     must(fmb_bound(w.v, w.s, NULL, 0, &w.box, &r));
     must(fmb_solve(w.v, w.s, &r));
     must(fmb_solver_evidence(w.v, &w.e));
-    cr_assert_not_null(w.stream);
     return w;
 }
 
 static void close_world(world *w)
 {
-    fclose(w->stream);
     mpq_clear(w->q);
     fmb_box_free(w->box);
     fmb_evidence_free(w->e);
     fmb_solver_free(w->v);
     fmb_system_free(w->s);
-}
-
-/* ---- NULL for each pointer ------------------------------------------------------------------- */
-
-/* The k-th pointer of a call, NULL in its turn. A call gives its status; an accessor gives OK, and
- * ARG if it told of anything. */
-#define P(k, pointer) (null == (k) ? NULL : (pointer))
-
-static fmb_status on_new(world *w, int null)
-{
-    (void)w;
-    fmb_system *out = NULL;
-    fmb_status st = fmb_system_new(1, NULL, P(0, &out));
-    fmb_system_free(out);
-    return st;
-}
-
-static fmb_status on_copy(world *w, int null)
-{
-    fmb_system *out = NULL;
-    fmb_status st = fmb_system_copy(P(0, w->s), P(1, &out));
-    fmb_system_free(out);
-    return st;
-}
-
-static fmb_status on_add(world *w, int null)
-{
-    return fmb_system_add(P(0, w->s), P(1, ((double[]){1, 2})), FMB_LE, 1);
-}
-
-static fmb_status on_add_int(world *w, int null)
-{
-    return fmb_system_add_int(P(0, w->s), P(1, ((int64_t[]){1, 2})), FMB_LE, 1);
-}
-
-static fmb_status on_add_q(world *w, int null)
-{
-    return fmb_system_add_q(P(0, w->s), 1, P(1, (int[]){0}), P(2, &w->q), FMB_LE, P(3, w->q));
-}
-
-static fmb_status on_add_text(world *w, int null)
-{
-    const char *const coef[] = {P(4, "1/3")};
-    return fmb_system_add_terms_text(P(0, w->s), 1, P(1, (int[]){0}), P(2, coef), FMB_LE,
-                                     P(3, "0.1"));
-}
-
-static fmb_status on_point(world *w, int null)
-{
-    double x[2];
-    return fmb_solver_point(P(0, w->v), P(1, x));
-}
-
-static fmb_status on_conflict(world *w, int null)
-{
-    size_t n;
-    return fmb_solver_conflict(P(0, w->v), P(1, &n));
-}
-
-static fmb_status on_objective(world *w, int null)
-{
-    fmb_objective o = {FMB_SENSE_MAX, P(1, ((double[]){1, 2})), 0};
-    return fmb_system_set_objective(P(0, w->s), &o);
-}
-
-static fmb_status on_objective_int(world *w, int null)
-{
-    return fmb_system_set_objective_terms_int(P(0, w->s), FMB_SENSE_MAX, 1, P(1, (int[]){0}),
-                                              P(2, ((int64_t[]){3})), 0);
-}
-
-static fmb_status on_get_objective_int(world *w, int null)
-{
-    int64_t constant;
-    return fmb_system_get_objective_int(P(0, w->s), NULL, NULL, &constant);
-}
-
-static fmb_status on_objective_q(world *w, int null)
-{
-    fmb_objective_q o = {FMB_SENSE_MAX, 1, P(1, (int[]){0}), P(2, &w->q), NULL};
-    return fmb_system_set_objective_q(P(0, w->s), &o);
-}
-
-static fmb_status on_parse_objective(world *w, int null)
-{
-    return fmb_system_parse_objective(P(0, w->s), FMB_SENSE_MIN, P(1, "x1"), 2, NULL);
-}
-
-static fmb_status on_join(world *w, int null)
-{
-    return fmb_system_join(P(0, w->s), P(1, w->s), NULL);
-}
-
-static fmb_status on_add_variable(world *w, int null)
-{
-    return fmb_system_add_variable(P(0, w->s), NULL, NULL);
-}
-
-static fmb_status on_set_name(world *w, int null)
-{
-    return fmb_system_set_name(P(0, w->s), 0, P(1, "y"));
-}
-
-static fmb_status on_set_label(world *w, int null)
-{
-    return fmb_system_set_label(P(0, w->s), 0, "row");
-}
-
-static fmb_status on_read(world *w, int null)
-{
-    fmb_evidence *out = NULL;
-    rewind(w->stream);
-    fmb_status st = fmb_evidence_read(P(0, w->stream), P(1, w->s), P(2, &out), NULL);
-    fmb_evidence_free(out);
-    return st;
-}
-
-static fmb_status on_parse_evidence(world *w, int null)
-{
-    static const char proof[] = "fmb-proof 4\nsystem 1 rows 2 variables\nclaims 0\n";
-    fmb_evidence *out = NULL;
-    fmb_status st = fmb_evidence_parse(P(0, proof), sizeof proof - 1, P(1, w->s), P(2, &out), NULL);
-    fmb_evidence_free(out);
-    return st;
-}
-
-static fmb_status on_print_system(world *w, int null)
-{
-    char text[100];
-    size_t length;
-    return fmb_system_print(P(0, w->s), FMB_FORMAT_TEXT, P(1, text), sizeof text, P(2, &length));
-}
-
-static fmb_status on_print_evidence(world *w, int null)
-{
-    char text[100];
-    size_t length;
-    return fmb_evidence_print(P(0, w->e), P(1, w->s), P(2, text), sizeof text, P(3, &length));
-}
-
-static fmb_status on_print_claim(world *w, int null)
-{
-    char text[100];
-    size_t n;
-    return fmb_evidence_print_claim(P(0, w->e), P(1, w->s), 0, P(2, text), sizeof text, P(3, &n));
-}
-
-static fmb_status on_matrix(world *w, int null)
-{
-    fmb_matrix *out = NULL;
-    fmb_status st = fmb_system_matrix(P(0, w->s), P(1, &out));
-    fmb_matrix_free(out);
-    return st;
-}
-
-static fmb_status on_write(world *w, int null)
-{
-    return fmb_evidence_write(P(0, w->e), P(1, w->s), P(2, w->stream));
-}
-
-static fmb_status on_check(world *w, int null)
-{
-    fmb_judgement j = {.size = sizeof j};
-    return fmb_check(P(0, w->s), P(1, w->e), P(2, &j));
-}
-
-static void put_nothing(void *self, mpq_srcptr q, FILE *out)
-{
-    (void)self, (void)q, (void)out;
-}
-
-static fmb_status on_tell(world *w, int null)
-{
-    return fmb_evidence_tell(P(0, w->e), P(1, w->s), 0, P(2, w->stream));
-}
-
-static fmb_status on_tell_with(world *w, int null)
-{
-    fmb_number_style style = {.put = null == 4 ? NULL : put_nothing};
-    return fmb_evidence_tell_with(P(0, w->e), P(1, w->s), 0, P(2, &style), P(3, w->stream));
-}
-
-static fmb_status on_meets(world *w, int null)
-{
-    bool meets;
-    char why[160];
-    return fmb_evidence_meets(P(0, w->e), P(1, w->s), FMB_DEMAND_PROJECTION, P(2, w->s),
-                              P(3, &meets), why, sizeof why);
-}
-
-static const struct {
-    const char *name;
-    int pointers;
-    fmb_status (*call)(world *w, int null);
-} CALLS[] = {
-    {"fmb_system_new", 1, on_new},
-    {"fmb_system_copy", 2, on_copy},
-    {"fmb_system_add", 2, on_add},
-    {"fmb_system_add_int", 2, on_add_int},
-    {"fmb_system_add_q", 4, on_add_q},
-    {"fmb_system_add_terms_text", 5, on_add_text},
-    {"fmb_solver_point", 2, on_point},
-    {"fmb_solver_conflict", 2, on_conflict},
-    {"fmb_system_join", 2, on_join},
-    {"fmb_system_set_objective", 2, on_objective},
-    {"fmb_system_set_objective_terms_int", 3, on_objective_int},
-    {"fmb_system_get_objective_int", 1, on_get_objective_int},
-    {"fmb_system_set_objective_q", 3, on_objective_q},
-    {"fmb_system_parse_objective", 2, on_parse_objective},
-    {"fmb_system_set_name", 2, on_set_name},
-    {"fmb_system_add_variable", 1, on_add_variable},
-    {"fmb_evidence_read", 3, on_read},
-    {"fmb_system_set_label", 1, on_set_label},
-    {"fmb_evidence_write", 3, on_write},
-    {"fmb_evidence_parse", 3, on_parse_evidence},
-    {"fmb_system_print", 3, on_print_system},
-    {"fmb_system_matrix", 2, on_matrix},
-    {"fmb_evidence_print", 4, on_print_evidence},
-    {"fmb_evidence_print_claim", 4, on_print_claim},
-    {"fmb_check", 3, on_check},
-    {"fmb_evidence_tell", 3, on_tell},
-    {"fmb_evidence_tell_with", 5, on_tell_with},
-    {"fmb_evidence_meets", 4, on_meets},
-};
-
-Test(arguments, null)
-{
-    world w = open_world();
-    for (size_t i = 0; i < sizeof CALLS / sizeof *CALLS; i++)
-        for (int null = 0; null < CALLS[i].pointers; null++)
-            cr_expect_eq(CALLS[i].call(&w, null), FMB_ERR_ARG, "%s, pointer %d", CALLS[i].name,
-                         null);
-    cr_expect_eq(fmb_system_rows(w.s), 1);
-    cr_expect_eq(fmb_system_dim(w.s), 2);
-    close_world(&w);
 }
 
 /* ---- accessors ------------------------------------------------------------------------------- */
@@ -440,4 +202,37 @@ Test(arguments, huge)
     must(fmb_system_new(FMB_DIM_MAX, NULL, &s));
     expect_trouble(s, fmb_system_add_variable(s, "one more", NULL), "more than 1000000 variables");
     fmb_system_free(s);
+}
+
+/* ---- numbers in a style of one's own ----------------------------------------------------------
+ */
+
+static void put_star(void *self, mpq_srcptr q, FILE *out)
+{
+    (void)q;
+    (*(int *)self)++;
+    fputs("*", out);
+}
+
+Test(arguments, style)
+{
+    world w = open_world();
+    char *text = NULL;
+    size_t size = 0;
+    int numbers = 0;
+    fmb_evidence *e = NULL;
+    must(fmb_system_add_int(w.s, (int64_t[]){-3, 0}, FMB_LE, 1));
+    fmb_box_free(w.box);
+    must(fmb_bound(w.v, w.s, (int[]){0}, 1, &w.box, NULL));
+    must(fmb_solver_evidence(w.v, &e));
+    FILE *out = open_memstream(&text, &size);
+    for (size_t i = 0; i < fmb_evidence_claims(e); i++)
+        must(fmb_evidence_tell_with(e, w.s, i, &(fmb_number_style){put_star, &numbers}, out));
+    cr_expect_eq(fmb_evidence_tell_with(e, w.s, 0, &(fmb_number_style){NULL, NULL}, out),
+                 FMB_ERR_ARG);
+    fclose(out);
+    cr_expect(numbers > 0 && strstr(text, "min x1 = *") && !strstr(text, "1/3"), "%s", text);
+    free(text);
+    fmb_evidence_free(e);
+    close_world(&w);
 }

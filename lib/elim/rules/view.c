@@ -40,8 +40,10 @@ static void note_failure(const fmb_view *w, fmb_status st)
 
 void *fmb_view_scratch(const fmb_view *w, size_t bytes)
 {
-    fmb_mem *mem = w->e->run->mem;
     size_t all = bytes + sizeof(fmb_scratch);
+    if (!w)
+        return NULL;
+    fmb_mem *mem = w->e->run->mem;
     fmb_scratch *s = all > bytes ? fmb_mem_get(mem, all, 1) : NULL;
     if (!s) {
         note_failure(w, all > bytes ? fmb_mem_status(mem) : FMB_ERR_MEMORY);
@@ -54,6 +56,8 @@ void *fmb_view_scratch(const fmb_view *w, size_t bytes)
 
 bool fmb_view_stop(const fmb_view *w)
 {
+    if (!w)
+        return true;
     fmb_status st = fmb_run_poll(w->e->run);
     note_failure(w, st);
     return st != FMB_OK;
@@ -61,94 +65,101 @@ bool fmb_view_stop(const fmb_view *w)
 
 int fmb_view_dim(const fmb_view *w)
 {
-    return w->e->n;
+    return w ? w->e->n : 0;
 }
 
 int fmb_view_variable(const fmb_view *w, int col)
 {
-    return w->e->run->var_of ? w->e->run->var_of[col] : col;
+    return !w ? -1 : w->e->run->var_of ? w->e->run->var_of[col] : col;
 }
 
 int fmb_view_column(const fmb_view *w)
 {
-    return w->var;
+    return w ? w->var : -1;
 }
 
 size_t fmb_view_rows(const fmb_view *w)
 {
-    return w->e->live.size;
+    return w ? w->e->live.size : 0;
 }
 
 size_t fmb_view_row(const fmb_view *w, size_t i)
 {
-    return w->e->live.row[i];
+    return w ? w->e->live.row[i] : 0;
 }
 
 int fmb_view_eliminated(const fmb_view *w)
 {
-    return w->e->since;
+    return w ? w->e->since : 0;
 }
 
 size_t fmb_view_lowers(const fmb_view *w)
 {
-    return w->lowers;
+    return w ? w->lowers : 0;
 }
 
 size_t fmb_view_uppers(const fmb_view *w)
 {
-    return w->uppers;
+    return w ? w->uppers : 0;
 }
 
 size_t fmb_view_lower(const fmb_view *w, size_t i)
 {
-    return w->lower[i];
+    return w ? w->lower[i] : 0;
 }
 
 size_t fmb_view_upper(const fmb_view *w, size_t j)
 {
-    return w->upper[j];
+    return w ? w->upper[j] : 0;
 }
 
 fmb_rel fmb_view_rel(const fmb_view *w, size_t row)
 {
-    return fmb_derived_rel(&w->e->row[row]);
+    return w ? fmb_derived_rel(&w->e->row[row]) : FMB_LE;
 }
 
 int fmb_view_sign(const fmb_view *w, size_t row, int col)
 {
-    return fmb_vec_sgn(&w->e->row[row].v, (size_t)col);
+    return w ? fmb_vec_sgn(&w->e->row[row].v, (size_t)col) : 0;
 }
 
 const int64_t *fmb_view_int64(const fmb_view *w, size_t row)
 {
-    const fmb_vec *v = &w->e->row[row].v;
-    return fmb_vec_is_wide(v) ? NULL : v->s;
+    const fmb_vec *v = w ? &w->e->row[row].v : NULL;
+    return !v || fmb_vec_is_wide(v) ? NULL : v->s;
 }
 
 void fmb_view_get(const fmb_view *w, size_t row, int col, mpz_t out)
 {
-    fmb_vec_get(&w->e->row[row].v, (size_t)col, out);
+    if (w && out)
+        fmb_vec_get(&w->e->row[row].v, (size_t)col, out);
+    else if (out)
+        mpz_set_ui(out, 0);
 }
 
 /* ---- histories ------------------------------------------------------------------------------- */
 
 const uint64_t *fmb_view_history(const fmb_view *w, size_t row, size_t *words)
 {
-    *words = w->e->words;
-    return w->e->histories && w->e->based ? w->e->row[row].history : NULL;
+    if (words)
+        *words = w ? w->e->words : 0;
+    return w && w->e->histories && w->e->based ? w->e->row[row].history : NULL;
 }
 
 const uint64_t *fmb_view_effective(const fmb_view *w, size_t row, size_t *words)
 {
     size_t before;
     const uint64_t *h = fmb_view_history(w, row, &before);
-    *words = w->e->var_words;
+    if (words)
+        *words = w ? w->e->var_words : 0;
     return h ? h + before : NULL;
 }
 
 void fmb_view_implicit(const fmb_view *w, size_t row, uint64_t *out)
 {
     size_t words;
+    if (!w || !out)
+        return;
     if (fmb_view_history(w, row, &words))
         fmb_history_implicit(w->e, &w->e->row[row], out);
     else
@@ -157,22 +168,22 @@ void fmb_view_implicit(const fmb_view *w, size_t row, uint64_t *out)
 
 const uint64_t *fmb_view_gone(const fmb_view *w)
 {
-    return w->e->gone;
+    return w ? w->e->gone : NULL;
 }
 
 size_t fmb_view_bases(const fmb_view *w)
 {
-    return w->e->bases;
+    return w ? w->e->bases : 0;
 }
 
 int fmb_view_base_sign(const fmb_view *w, size_t base, int col)
 {
-    return fmb_view_sign(w, w->e->base[base], col);
+    return w ? fmb_view_sign(w, w->e->base[base], col) : 0;
 }
 
 void fmb_view_base_get(const fmb_view *w, size_t base, int col, mpz_t out)
 {
-    fmb_view_get(w, w->e->base[base], col, out);
+    fmb_view_get(w, w ? w->e->base[base] : 0, col, out);
 }
 
 bool fmb_view_minimal(const fmb_view *w, size_t row)
@@ -187,17 +198,17 @@ bool fmb_view_minimal(const fmb_view *w, size_t row)
 
 void fmb_view_drop_larger(const fmb_view *w, size_t i, int most, uint64_t *drop)
 {
-    if (w->e->histories)
+    if (w && drop && w->e->histories)
         note_failure(w, fmb_filter_drop_larger(w->e, w->lower[i], w->upper, w->uppers, most, drop));
 }
 
 void fmb_view_drop_covered(const fmb_view *w, size_t i, uint64_t *drop)
 {
-    if (w->e->histories)
+    if (w && drop && w->e->histories)
         note_failure(w, fmb_filter_drop_covered(w->e, w->lower[i], w->upper, w->uppers, drop));
 }
 
 int fmb_view_slack(const fmb_view *w, size_t row)
 {
-    return fmb_box_slack(w->e, &w->e->row[row]);
+    return w ? fmb_box_slack(w->e, &w->e->row[row]) : -1;
 }

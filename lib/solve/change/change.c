@@ -170,8 +170,9 @@ fmb_status fmb_solver_set_label(fmb_solver *v, size_t row, const char *label)
 fmb_status fmb_solver_add_variable(fmb_solver *v, const char *name, int *index)
 {
     fmb_status st = begin_addition(v);
-    if (st == FMB_OK)
-        st = fmb_system_add_variable(v->session->s, name, index);
+    if (st != FMB_OK)
+        return st;
+    st = fmb_system_add_variable(v->session->s, name, index);
     if (st == FMB_OK)
         fmb_session_note_variable(v->session);
     else if (st == FMB_ERR_ARG)
