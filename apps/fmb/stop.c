@@ -18,14 +18,14 @@ typedef struct running {
 
 static running of_thread[APP_MOST_THREADS];
 static _Thread_local int this_thread;
-static volatile sig_atomic_t asked_to_stop;
+static atomic_bool asked_to_stop;
 static atomic_int handlers_at_work;
 
 static void cancel(int signal_number)
 {
     int before = errno; /* of the call that the signal came in */
     (void)signal_number;
-    asked_to_stop = 1;
+    asked_to_stop = true;
     atomic_fetch_add(&handlers_at_work, 1);
     for (int i = 0; i < APP_MOST_THREADS; i++) {
         fmb_solver_cancel(of_thread[i].solver);
@@ -53,7 +53,7 @@ static void put(void *self, const fmb_event *e)
 
 void app_stop_begin(fmb_solver *solver)
 {
-    asked_to_stop = 0;
+    asked_to_stop = false;
     app_stop_join(0, solver);
     app_signals_set(cancel);
 }
@@ -93,5 +93,5 @@ void app_stop_reader(fmb_frame_reader *lines)
 
 bool app_stop_asked(void)
 {
-    return asked_to_stop != 0;
+    return asked_to_stop;
 }

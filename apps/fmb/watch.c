@@ -4,13 +4,14 @@
 
 #include <errno.h>
 #include <signal.h>
+#include <stdatomic.h>
 #include <unistd.h>
 
 #include "common/file.h"
 #include "common/signals.h"
 
-static fmb_solver *volatile running;
-static volatile sig_atomic_t asked_to_stop;
+static fmb_solver *_Atomic running;
+static atomic_bool asked_to_stop; /* perhaps in a thread of the library's */
 
 static const double patience = 0.5;  /* before anything is shown [s] */
 static const double interval = 0.15; /* between two updates [s] */
@@ -19,9 +20,8 @@ static void cancel(int signal_number)
 {
     int before = errno;
     (void)signal_number;
-    asked_to_stop = 1;
-    if (running)
-        fmb_solver_cancel(running);
+    asked_to_stop = true;
+    fmb_solver_cancel(running);
     errno = before;
 }
 
@@ -68,7 +68,7 @@ void app_watch_begin(app_watch *w, fmb_solver *solver, fmb_sink trace, bool quie
     *w = (app_watch){.solver = solver, .trace = trace};
     w->terminal = !quiet && isatty(STDERR_FILENO);
     fmb_solver_set_sink(solver, (fmb_sink){put, w});
-    asked_to_stop = 0;
+    asked_to_stop = false;
     running = solver;
     app_signals_set(cancel);
 }
