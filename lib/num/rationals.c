@@ -52,6 +52,19 @@ double fmb_nearest_double(mpq_srcptr q)
     return beyond ? out : in;
 }
 
+/* A division is rounded once, so its quotient is the nearest double if both sides are doubles; and
+ * by a power of two, which den is as a double then, it is exact, and num has been rounded once. No
+ * such quotient is too small for that: den is less than 2^63. */
+bool fmb_nearest_quotient(int64_t num, int64_t den, double *out)
+{
+    const int64_t most = (int64_t)1 << 53;
+    bool are_doubles = num >= -most && num <= most && den <= most;
+    if (!are_doubles && (den & (den - 1)) != 0)
+        return false;
+    *out = (double)num / (double)den;
+    return true;
+}
+
 /* Least number of bits of the integer part: with 54 and one that stands for all that follow, no
  * rounding to 53 bits, or to fewer among subnormals, depends on what is left out. */
 enum { ROOT_BITS = 64 };

@@ -13,6 +13,8 @@ void fmb_rationals_free(mpq_t *x, size_t n, fmb_mem *mem);
 
 /* The double nearest to q; 0 for NULL. */
 double fmb_nearest_double(mpq_srcptr q);
+/* *out = the double nearest to num / den, where one division finds it; den > 0. */
+bool fmb_nearest_quotient(int64_t num, int64_t den, double *out);
 /* The double nearest to the root of q >= 0, whatever the size of q. */
 double fmb_nearest_root(mpq_srcptr q);
 /* q as such an integer, if it is one. */

@@ -167,12 +167,19 @@ void fmb_generators_coordinate_q(const fmb_generators *g, size_t i, int j, mpq_t
 
 double fmb_generators_coordinate(const fmb_generators *g, size_t i, int j)
 {
+    if (i >= fmb_generators_size(g) || j < 0 || j >= g->dim)
+        return 0;
+    double x;
+    const fmb_vec *v = &g->vec[i];
+    int64_t den = fmb_vec_is_wide(v) || g->kind[i] != FMB_VERTEX ? 1 : v->s[g->dim];
+    if (!fmb_vec_is_wide(v) && fmb_nearest_quotient(v->s[j], den, &x))
+        return x;
     mpq_t q;
     mpq_init(q);
     fmb_generators_coordinate_q(g, i, j, q);
-    double d = fmb_nearest_double(q);
+    x = fmb_nearest_double(q);
     mpq_clear(q);
-    return d;
+    return x;
 }
 
 size_t fmb_generators_coordinate_text(const fmb_generators *g, size_t i, int j, char *text,

@@ -21,25 +21,16 @@ static bool is_whole_row(const fmb_sysrow *r)
     return !fmb_vec_is_wide(&r->val) && r->val.s[r->nnz + 1] == 1;
 }
 
-/* Is (double)num / (double)den the double nearest to the fraction? A division is rounded once, so
- * it is if both are doubles; and by a power of two, which den > 0 is as a double then, it is exact,
- * and num has been rounded once. No such quotient is too small for that: den is less than 2^63. */
-static bool divides_nearest(int64_t num, int64_t den)
-{
-    const int64_t most = (int64_t)1 << 53;
-    bool are_doubles = num >= -most && num <= most && den <= most;
-    return are_doubles || (den & (den - 1)) == 0;
-}
-
 /* The double nearest to entry k. */
 static double entry_as_double(const fmb_sysrow *r, size_t k)
 {
-    if (!fmb_vec_is_wide(&r->val) && divides_nearest(r->val.s[k], r->val.s[r->nnz + 1]))
-        return (double)r->val.s[k] / (double)r->val.s[r->nnz + 1];
+    double x;
+    if (!fmb_vec_is_wide(&r->val) && fmb_nearest_quotient(r->val.s[k], r->val.s[r->nnz + 1], &x))
+        return x;
     mpq_t q;
     mpq_init(q);
     fmb_sysrow_get_q(r, k, q);
-    double x = fmb_nearest_double(q);
+    x = fmb_nearest_double(q);
     mpq_clear(q);
     return x;
 }

@@ -132,3 +132,32 @@ Test(loading, integers)
     fmb_system_free(s);
     cr_expect_eq(h.live, 0);
 }
+
+/* Points and directions come out without GMP, too. */
+Test(loading, generators)
+{
+    enum { POINTS = 1000 };
+    static double x[POINTS * DIM];
+    static fmb_generator_kind kind[POINTS];
+    hook h = {0};
+    fmb_alloc mem = hook_alloc(&h);
+    fmb_generators *g = NULL;
+    fill_matrix(10);
+    cr_assert_eq(fmb_generators_new(DIM, &mem, &g), FMB_OK);
+    for (size_t i = 0; i < POINTS; i++)
+        cr_assert_eq(fmb_generators_add(g, i % 2 ? FMB_RAY : FMB_VERTEX, &in.coef[i]), FMB_OK);
+    hook_arm(&h, 0, false);
+    limbs = 0;
+    mp_set_memory_functions(get, resize, put);
+    cr_assert_eq(fmb_generators_get(g, 0, POINTS, kind, x), FMB_OK);
+    cr_expect_eq(h.calls + limbs, 0, "out: %zu blocks", h.calls + limbs);
+    for (size_t i = 0; i < POINTS; i++) {
+        bool is_ray = i % 2; /* whose length is free: here its numbers are made whole */
+        double factor = is_ray ? x[i * DIM] / in.coef[i] : 1;
+        cr_assert_eq(kind[i], is_ray ? FMB_RAY : FMB_VERTEX);
+        for (size_t j = 0; j < DIM; j++)
+            cr_assert_eq(x[i * DIM + j], factor * in.coef[i + j]);
+    }
+    fmb_generators_free(g);
+    cr_expect_eq(h.live, 0);
+}
