@@ -1,10 +1,4 @@
-/* canon.c: see canon.h.
- *
- * fmb_reduce makes the rows irredundant and finds all equalities (implicit ones too). The affine
- * hull has one reduced row-echelon form; modulo it each facet has one row that is 0 on the pivots,
- * up to scale; and an irredundant closed system consists of exactly its facets. So equal text means
- * equal sets, and the reverse wherever no row is strict.
- */
+/* canon.c: see canon.h. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -173,22 +167,20 @@ char *canonical_text(const fmb_system *s)
 {
     fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
-    fmb_system *least = NULL;
+    fmb_system *form = NULL;
     fmb_result r = {.size = sizeof r};
+    int n = fmb_system_dim(s), *all = need(calloc((size_t)n + 1, sizeof *all));
+    for (int j = 0; j < n; j++)
+        all[j] = j;
     o.evidence = FMB_EVIDENCE_NONE;
-    if (fmb_solver_new(&o, NULL, &v) != FMB_OK || fmb_reduce(v, s, NULL, &least, &r) != FMB_OK)
+    if (fmb_solver_new(&o, NULL, &v) != FMB_OK || fmb_project(v, s, all, n, &form, &r) != FMB_OK)
         need(NULL);
     fmb_solver_free(v);
-    char *text;
-    if (r.verdict == FMB_INFEASIBLE) {
-        text = need(strdup("empty\n"));
-    } else {
-        table t = table_of(least);
-        reduce_by_equalities(&t);
-        text = sorted_rows(&t, false);
-        table_clear(&t);
-    }
-    fmb_system_free(least);
+    free(all);
+    table t = table_of(form);
+    char *text = r.verdict == FMB_INFEASIBLE ? need(strdup("empty\n")) : sorted_rows(&t, false);
+    table_clear(&t);
+    fmb_system_free(form);
     return text;
 }
 

@@ -4,8 +4,8 @@
 
 #include <fmb/fmb.h>
 
-/* Rows one a line: equalities in reduced echelon form, then the irredundant inequalities reduced by
- * them; primitive integers; sorted. "empty" if there is no solution. The caller frees it. */
+/* The rows of the projection on all variables, which are the same for equal sets, one a line,
+ * sorted. "empty" if there is no solution. The caller frees it. */
 char *canonical_text(const fmb_system *s);
 
 /* The same of a list that is irredundant, its equalities told: rows, or generators, where the row

@@ -48,3 +48,16 @@ void fmb_integers_cancel(mpz_t *x, size_t n, mpz_t den)
     }
     mpz_clear(common);
 }
+
+void fmb_integers_reduce(mpz_t *z, size_t n, mpz_t divisor)
+{
+    mpz_set_ui(divisor, 0);
+    for (size_t j = 0; j < n && mpz_cmp_ui(divisor, 1) != 0; j++)
+        if (mpz_sgn(z[j]) != 0)
+            mpz_gcd(divisor, divisor, z[j]);
+    if (mpz_sgn(divisor) == 0)
+        mpz_set_ui(divisor, 1);
+    for (size_t j = 0; j < n && mpz_cmp_ui(divisor, 1) != 0; j++)
+        if (mpz_sgn(z[j]) != 0)
+            mpz_divexact(z[j], z[j], divisor);
+}

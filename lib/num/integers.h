@@ -16,6 +16,8 @@ fmb_status fmb_integers_init(fmb_integers *v, size_t n, fmb_mem *mem);
 void fmb_integers_clear(fmb_integers *v, fmb_mem *mem);
 /* Divide x[n] and den > 0 by their greatest common divisor. */
 void fmb_integers_cancel(mpz_t *x, size_t n, mpz_t den);
+/* Divide z[n] by their greatest common divisor, which is also set; 1 where all are 0. */
+void fmb_integers_reduce(mpz_t *z, size_t n, mpz_t divisor);
 /* Charge what the numbers hold now. Errors: LIMIT. */
 fmb_status fmb_integers_settle(fmb_integers *v, fmb_mem *mem);
 

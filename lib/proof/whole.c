@@ -113,15 +113,6 @@ static int sign_of_form(assembly *a, size_t i, const fmb_integers *v)
     return mpz_sgn(a->t);
 }
 
-static void divide_by_content(assembly *a, fmb_integers *v)
-{
-    mpz_set_ui(a->t, 0);
-    for (size_t k = 0; k < v->size && mpz_cmp_ui(a->t, 1) != 0; k++)
-        mpz_gcd(a->t, a->t, v->z[k]);
-    for (size_t k = 0; k < v->size && mpz_cmp_ui(a->t, 1) > 0; k++)
-        mpz_divexact(v->z[k], v->z[k], a->t);
-}
-
 /* x y modulo PRIME; x, y < PRIME. */
 static uint64_t multiply_modulo(uint64_t x, uint64_t y)
 {
@@ -202,7 +193,7 @@ static fmb_status find_rank(assembly *a, fmb_integers *v, size_t n, size_t *foun
                 mpz_mul(v[i].z[k], v[i].z[k], chosen.z[c]);
                 mpz_addmul(v[i].z[k], a->z, chosen.z[k]);
             }
-            divide_by_content(a, &v[i]);
+            fmb_integers_reduce(v[i].z, v[i].size, a->t);
             st = fmb_poll_ask(a->poll);
         }
     }
@@ -262,7 +253,7 @@ static fmb_status write_out_numbers(assembly *a)
     for (size_t g = 0; st == FMB_OK && g < a->corners; g++) {
         st = gather_corner(a, a->corner[g], a->column, a->width, &a->vector[g]);
         if (st == FMB_OK)
-            divide_by_content(a, &a->vector[g]);
+            fmb_integers_reduce(a->vector[g].z, a->vector[g].size, a->t);
     }
     return st;
 }

@@ -87,6 +87,11 @@ fmb_status fmb_system_carry_objective(fmb_system *t, const fmb_system *s, const 
 /* From now on there is no objective. */
 void fmb_system_drop_objective(fmb_system *s);
 
+/* An order of rows with integers for numbers: equations before inequalities, by the first variable
+ * in which they differ; inequalities of fewer variables first, then by these, then larger
+ * coefficients first, then larger right sides. -1, 0 or 1. */
+int fmb_sysrow_compare(const fmb_sysrow *a, const fmb_sysrow *b);
+
 /* Entry k of a row as written, k = nnz being the right side; 0 where r is NULL or has none. */
 void fmb_sysrow_get_q(const fmb_sysrow *r, size_t k, mpq_t out);
 

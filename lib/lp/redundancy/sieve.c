@@ -16,6 +16,13 @@
 
 enum { GROUP = 1024 };
 
+#define MOST_WORK 2e8
+
+bool fmb_sieve_is_affordable(size_t n, size_t m)
+{
+    return (double)n * (double)n * (double)m <= MOST_WORK;
+}
+
 fmb_status fmb_sieve_open(fmb_sieve *s, fmb_run *run, size_t n, size_t m, const fmb_lp_row *row,
                           bool *inner)
 {

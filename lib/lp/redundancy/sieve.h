@@ -17,6 +17,9 @@ typedef struct fmb_sieve {
     const fmb_verdicts *told; /* the caller's, or NULL */
 } fmb_sieve;
 
+/* A look for a point strictly inside takes steps of n^2 m multiplications: is that a fraction of a
+ * second at most? A limit has to wait for one. */
+bool fmb_sieve_is_affordable(size_t n, size_t m);
 /* row must outlive s. *inner: there is a point strictly inside, proved; else there may be one
  * (equalities leave none). Errors: MEMORY, LIMIT. In any case fmb_sieve_close it. */
 fmb_status fmb_sieve_open(fmb_sieve *s, fmb_run *run, size_t n, size_t m, const fmb_lp_row *row,

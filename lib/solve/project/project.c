@@ -1,5 +1,6 @@
 /* project.c: the projection, part by part (portfolio.h). */
 #include "solve/limit/outer.h"
+#include "solve/project/canonical.h"
 #include "solve/project/completeness.h"
 #include "solve/project/escape.h"
 #include "solve/project/portfolio.h"
@@ -212,6 +213,8 @@ fmb_status fmb_project(fmb_solver *v, const fmb_system *s, const int *keep, int 
         fmb_mem_enter(&image->mem, &v->mem);
     if (st == FMB_OK)
         st = project_or_outer_rows(&q, place, image, &verdict);
+    if (st == FMB_OK && verdict == FMB_FEASIBLE)
+        st = fmb_query_canonical(&q, place, image);
     if (st == FMB_OK && verdict == FMB_FEASIBLE)
         st = fmb_query_prove_whole(&q, place, image);
     if (st == FMB_OK && verdict == FMB_INFEASIBLE)

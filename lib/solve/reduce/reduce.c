@@ -122,15 +122,6 @@ static bool is_some_row_unknown(const reduce_progress *g)
     return false;
 }
 
-/* A look for a point strictly inside takes steps of n^2 m multiplications, a fraction of a second
- * at most: a limit has to wait for one. */
-#define MOST_WORK 2e8
-
-static bool is_sieve_affordable(const fmb_part *p)
-{
-    return (double)p->n * p->n * (double)p->m <= MOST_WORK;
-}
-
 /* *inner: there is a point strictly inside. */
 static fmb_status sift_rows_of_part(reduce_progress *g, const fmb_verdicts *told, bool *inner)
 {
@@ -173,7 +164,7 @@ static fmb_status decide_rows_of_part(fmb_query *q, int part, fmb_fate *fate)
     fmb_status st = list_rows_of_part(&g, part);
     if (st != FMB_OK)
         return st;
-    if (is_sieve_affordable(g.p)) {
+    if (fmb_sieve_is_affordable((size_t)g.p->n, g.p->m)) {
         st = sift_rows_of_part(&g, listener, &inner);
         fmb_run_tell_attempt(&q->run, fmb_query_attempt(q, part, "sieve", "rows"), st, inner);
     }

@@ -40,6 +40,9 @@ bool agree_end(agree *g, fmb_solver *v, const truth *t, int var);
 bool agree_optimize(agree *g, fmb_solver *v, const truth *t, uint64_t choice);
 bool agree_project(agree *g, fmb_solver *v, const truth *t, const int *keep, int n,
                    fmb_system **out);
+/* p and q, projections of different systems, or in different ways, are the same, row by row; NULL:
+ * a limit was reached. */
+bool agree_form(agree *g, const fmb_system *p, const fmb_system *q);
 bool agree_reduce(agree *g, fmb_solver *v, const truth *t, fmb_system **out);
 
 /* Every row of b follows from a, where variable j of b is variable map[j] of a. */

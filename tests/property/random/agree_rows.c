@@ -3,7 +3,8 @@
  * Two systems have the same solutions if every row of one follows from the other and vice versa; a
  * row follows from s if s with the row negated is infeasible, which the ground truth decides. The
  * projection P of s on K: every row of P must follow from s (P is large enough), and every row of
- * the ground truth's projection from P (P is small enough).
+ * the ground truth's projection from P (P is small enough). Every way has the same P, to the
+ * letter.
  */
 #include <stdlib.h>
 
@@ -77,6 +78,28 @@ bool agree_irredundant(agree *g, const fmb_system *s)
     return true;
 }
 
+bool agree_form(agree *g, const fmb_system *p, const fmb_system *q)
+{
+    return !p || !q || rows_all_equal(p, q) || differ(g, "the same set in other rows");
+}
+
+/* Is p what a solver with the usual options makes of s? */
+static bool has_usual_form(agree *g, const fmb_system *s, const fmb_system *p, const int *keep,
+                           int n)
+{
+    fmb_options o = {.size = sizeof o};
+    fmb_solver *v = NULL;
+    fmb_system *usual = NULL;
+    fmb_result r = {.size = sizeof r};
+    o.evidence = FMB_EVIDENCE_NONE;
+    must(fmb_solver_new(&o, NULL, &v));
+    must(fmb_project(v, s, keep, n, &usual, &r));
+    bool good = agree_form(g, p, r.stop == FMB_STOP_DONE ? usual : NULL);
+    fmb_system_free(usual);
+    fmb_solver_free(v);
+    return good;
+}
+
 /* The one row 0 <= -1. */
 static bool is_empty_set(agree *g, const fmb_system *s)
 {
@@ -100,7 +123,8 @@ static bool judge_projection(agree *g, const truth *t, fmb_verdict verdict, cons
         return differ(g, "the projection has %d variables, not %d", fmb_system_dim(p), n);
     if (verdict == FMB_INFEASIBLE)
         return is_empty_set(g, p);
-    if (!agree_implies(g, t->s, p, keep) || !agree_irredundant(g, p))
+    if (!agree_implies(g, t->s, p, keep) || !agree_irredundant(g, p) ||
+        !has_usual_form(g, t->s, p, keep, n))
         return false;
     must(study_textbook_project(t->s, keep, n, g->max_rows, &e, &v));
     g->unjudged += v == FMB_UNKNOWN;

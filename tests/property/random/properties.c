@@ -1,5 +1,6 @@
 /* properties.c: what must not change an answer: the order of rows, positive factors, the names and
- * order of variables, redundant rows, and projecting in two steps. */
+ * order of variables, redundant rows, and projecting in two steps. Projections stay the same to the
+ * letter. */
 #include <stdlib.h>
 
 #include "agree_inside.h"
@@ -136,6 +137,21 @@ static void translate(truth *to, const truth *t, const fmb_system *other, const 
         }
 }
 
+/* r, whose variables came in another order, has the form of q once it is projected on all of them.
+ */
+static bool agree_renamed_form(agree *g, fmb_solver *v, const fmb_system *r, const fmb_system *q)
+{
+    fmb_system *p = NULL;
+    fmb_result result = {.size = sizeof result};
+    int all[64];
+    for (int j = 0; j < fmb_system_dim(r); j++)
+        all[j] = j;
+    must(fmb_project(v, r, all, fmb_system_dim(r), &p, &result));
+    bool good = agree_form(g, result.stop == FMB_STOP_DONE ? p : NULL, q);
+    fmb_system_free(p);
+    return good;
+}
+
 static bool same_answers(agree *g, fmb_solver *v, const truth *t, fmb_system *other, const int *map,
                          uint64_t choice)
 {
@@ -164,7 +180,7 @@ static bool same_answers(agree *g, fmb_solver *v, const truth *t, fmb_system *ot
             names[i] = place[map[keep[i]]];
         r = rows_none(n);
         rows_append_but(r, p, SIZE_MAX, names);
-        good = agree_same(g, r, q);
+        good = agree_same(g, r, q) && agree_renamed_form(g, v, r, q);
     }
     fmb_system_free(p);
     fmb_system_free(q);
@@ -189,7 +205,7 @@ static bool twice(agree *g, fmb_solver *v, const truth *t, uint64_t choice)
     must(fmb_project(v, t->s, some, m, &direct, &r));
     if (p)
         must(fmb_project(v, p, inner, m, &q, &r));
-    bool good = !p || !q || !direct || agree_same(g, q, direct);
+    bool good = !p || !q || !direct || (agree_same(g, q, direct) && agree_form(g, q, direct));
     fmb_system_free(p);
     fmb_system_free(q);
     fmb_system_free(direct);

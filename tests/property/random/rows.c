@@ -95,6 +95,14 @@ bool rows_equal(const fmb_system *a, size_t i, const fmb_system *b, size_t k)
     return same;
 }
 
+bool rows_all_equal(const fmb_system *a, const fmb_system *b)
+{
+    bool same = fmb_system_rows(a) == fmb_system_rows(b);
+    for (size_t i = 0; same && i < fmb_system_rows(a); i++)
+        same = rows_equal(a, i, b, i);
+    return same;
+}
+
 void rows_print(const fmb_system *s, FILE *out)
 {
     static const char *const rel[] = {"<=", "<", "="};

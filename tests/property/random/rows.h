@@ -35,6 +35,9 @@ fmb_system *rows_with(const fmb_system *s, size_t but, const fmb_system *from, s
 /* The same row, term for term. */
 bool rows_equal(const fmb_system *a, size_t i, const fmb_system *b, size_t k);
 
+/* The same rows in the same order. */
+bool rows_all_equal(const fmb_system *a, const fmb_system *b);
+
 /* Print s as .fmb text. */
 void rows_print(const fmb_system *s, FILE *out);
 

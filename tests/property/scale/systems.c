@@ -73,6 +73,45 @@ static bool same_boxes(const drawn_system *d, fmb_solver *v, char why[LAW_WHY])
     return same || law_broken(why, "bound", (int)r[0].verdict, (int)r[1].verdict);
 }
 
+/* [give] b, with y_j in place of 2^power[j] y_j. */
+static fmb_system *scaled_back(const fmb_system *b, const int *power)
+{
+    fmb_system *t;
+    int dim = fmb_system_dim(b), var[MOST_DIM];
+    mpq_t coef[MOST_DIM], right;
+    mpq_init(right);
+    for (int j = 0; j < MOST_DIM; j++)
+        mpq_init(coef[j]);
+    law_must(fmb_system_new(dim, NULL, &t));
+    for (size_t i = 0; i < fmb_system_rows(b); i++) {
+        size_t terms = fmb_system_terms(b, i);
+        for (size_t k = 0; k < terms; k++) {
+            var[k] = fmb_system_term_q(b, i, k, coef[k]);
+            law_shift(coef[k], -power[var[k]]);
+        }
+        fmb_system_rhs_q(b, i, right);
+        law_must(fmb_system_add_q(t, terms, var, coef, fmb_system_rel(b, i), right));
+    }
+    for (int j = 0; j < MOST_DIM; j++)
+        mpq_clear(coef[j]);
+    mpq_clear(right);
+    return t;
+}
+
+/* Equal sets have the same projection on all of their variables, row by row. */
+static bool are_same_sets(fmb_solver *v, const fmb_system *a, const fmb_system *b, const int *power)
+{
+    static const int all[MOST_DIM] = {0, 1, 2, 3};
+    fmb_system *back = scaled_back(b, power), *form[2];
+    law_must(fmb_project(v, a, all, fmb_system_dim(a), &form[0], NULL));
+    law_must(fmb_project(v, back, all, fmb_system_dim(a), &form[1], NULL));
+    bool same = law_same_rows(form[0], form[1], NULL);
+    fmb_system_free(back);
+    fmb_system_free(form[0]);
+    fmb_system_free(form[1]);
+    return same;
+}
+
 static bool same_projections(const drawn_system *d, fmb_solver *v, int mask, char why[LAW_WHY])
 {
     int keep[MOST_DIM], power[MOST_DIM], n = 0;
@@ -84,7 +123,7 @@ static bool same_projections(const drawn_system *d, fmb_solver *v, int mask, cha
         }
     law_must(fmb_project(v, d->s, keep, n, &out[0], NULL));
     law_must(fmb_project(v, d->scaled, keep, n, &out[1], NULL));
-    bool same = law_same_rows(out[0], out[1], power);
+    bool same = are_same_sets(v, out[0], out[1], power);
     int rows[2] = {(int)fmb_system_rows(out[0]), (int)fmb_system_rows(out[1])};
     fmb_system_free(out[0]);
     fmb_system_free(out[1]);
@@ -120,10 +159,7 @@ static bool same_reductions(const drawn_system *d, fmb_solver *v, char why[LAW_W
     law_must(fmb_reduce(v, d->s, NULL, &out[0], NULL));
     law_must(fmb_reduce(v, d->scaled, NULL, &out[1], NULL));
     int rows[2] = {(int)fmb_system_rows(out[0]), (int)fmb_system_rows(out[1])};
-    bool strict = false;
-    for (size_t i = 0; i < fmb_system_rows(d->s); i++)
-        strict |= fmb_system_rel(d->s, i) == FMB_LT;
-    bool same = strict ? true : law_same_rows(out[0], out[1], d->column);
+    bool same = are_same_sets(v, out[0], out[1], d->column);
     fmb_system_free(out[0]);
     fmb_system_free(out[1]);
     return same || law_broken(why, "reduce", rows[0], rows[1]);

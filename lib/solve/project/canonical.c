@@ -1,0 +1,338 @@
+/* canonical.c: one form for one set; see canonical.h.
+ *
+ * The rows of a set P that is not empty, convex and described by rows <=, < and =:
+ *
+ *   equations     in reduced echelon form: each has a pivot, the first variable that it names,
+ * which no other row names, with a positive coefficient; inequalities  without pivots: one for each
+ * facet of the closure of P, strict if the facet is not in P; and a strict one for each largest
+ * face that P lacks beside those in facets that it lacks: the sum of the rows of all facets that
+ * hold that face;
+ *
+ * all of integers without a common divisor, in the order of fmb_sysrow_compare.
+ *
+ * CLAIM. Equal sets have equal rows, and the rows describe P.
+ *
+ * The affine hull of P has one reduced echelon form. Modulo its equations each facet has one row,
+ * up to a positive factor, and that is 0 in the pivots. Facets, the faces that P lacks, and which
+ * facets hold a face are told by the set P alone. So the first half is clear.
+ *
+ * Let P be described by some rows. The closure of P is what they describe with < read as <=, as the
+ * segment from a point of P to one of that set is in P but for its end. P is the closure without
+ * the faces F(r) on which a strict row r is tight. A face that P lacks is covered by these, and as
+ * it is convex, it is part of one of them: so the largest faces that P lacks are some of the F(r),
+ * and P is the closure without these. Let s be the sum of the rows of all facets that hold such a
+ * face F: on the closure it is tight where all of these are, and that is on F, since a face is the
+ * intersection of the facets that hold it. So the rows above describe P.
+ *
+ * Conversely, let no row of a description be implied by the others, and no inequality always be
+ * tight. It has one row for each facet, as its closure has. A row <= of no facet would follow from
+ * those. A strict row r of no facet has an F(r) that is in no other F(r'), or P would be the same
+ * without r. So these rows are one for each largest face, and what is to do is to tell which they
+ * are, and which facets hold F(r) (faces_excluded.c). END
+ *
+ * Source: minimal descriptions of polyhedra that are not closed: Bagnara, Hill, Zaffanella 2005,
+ * Not necessarily closed convex polyhedra and the double description method.
+ */
+#include "solve/project/canonical.h"
+
+#include "num/integers.h"
+#include "num/rationals.h"
+
+/* The equations of the image on their way to echelon form. */
+typedef struct echelon {
+    fmb_claimed_rows *c;
+    size_t n, size, rank; /* columns, equations, and those so far that are in echelon form */
+    fmb_integers *row;    /* [size]: n + 1 entries each */
+    mpq_t **of;           /* [size][size] the sum of which equations it is; NULL without claims */
+    size_t *at;    /* [size] their numbers in the image; in the end that of each with a pivot */
+    size_t *pivot; /* [rank] columns, increasing */
+    mpz_t p, a, g; /* scratch */
+} echelon;
+
+/* ---- integers -------------------------------------------------------------------------------- */
+
+/* z[n + 1] = a row of the image times its denominator. */
+static void expand_row(const fmb_sysrow *r, mpz_t *z, size_t n)
+{
+    for (size_t j = 0; j < n; j++)
+        mpz_set_ui(z[j], 0);
+    for (size_t k = 0; k < r->nnz; k++)
+        fmb_vec_get(&r->val, k, z[r->var[k]]);
+    fmb_vec_get(&r->val, r->nnz, z[n]);
+}
+
+/* ---- equations ------------------------------------------------------------------------------- */
+
+static fmb_status open_echelon(echelon *e)
+{
+    fmb_mem *mem = e->c->q->run.mem;
+    bool claims = e->c->q->claims != NULL;
+    mpz_inits(e->p, e->a, e->g, NULL);
+    e->row = fmb_mem_zero(mem, e->size, sizeof *e->row);
+    e->of = fmb_mem_zero(mem, e->size, sizeof *e->of);
+    e->at = fmb_mem_get(mem, e->size, sizeof *e->at);
+    e->pivot = fmb_mem_get(mem, e->size, sizeof *e->pivot);
+    fmb_status st = e->row && e->of && e->at && e->pivot ? FMB_OK : fmb_mem_status(mem);
+    for (size_t i = 0, k = 0; st == FMB_OK && i < e->c->image->rows; i++) {
+        if (e->c->image->row[i].rel != FMB_EQ)
+            continue;
+        e->at[k] = i;
+        st = fmb_integers_init(&e->row[k], e->n + 1, mem);
+        if (st == FMB_OK && claims)
+            st = fmb_rationals_new(&e->of[k], e->size, mem);
+        if (st != FMB_OK)
+            break;
+        expand_row(&e->c->image->row[i], e->row[k].z, e->n);
+        if (claims)
+            mpq_set_ui(e->of[k][k], 1, 1);
+        st = fmb_integers_settle(&e->row[k++], mem);
+    }
+    return st;
+}
+
+static void close_echelon(echelon *e)
+{
+    fmb_mem *mem = e->c->q->run.mem;
+    for (size_t k = 0; e->row && e->of && k < e->size; k++) {
+        fmb_integers_clear(&e->row[k], mem);
+        fmb_rationals_free(e->of[k], e->size, mem);
+    }
+    fmb_mem_put(mem, e->row, e->size, sizeof *e->row);
+    fmb_mem_put(mem, e->of, e->size, sizeof *e->of);
+    fmb_mem_put(mem, e->at, e->size, sizeof *e->at);
+    fmb_mem_put(mem, e->pivot, e->size, sizeof *e->pivot);
+    mpz_clears(e->p, e->a, e->g, NULL);
+}
+
+/* of = (p of - a other) / g, p, a and g being those of e. */
+static void combine_origins(echelon *e, mpq_t *of, mpq_t *other)
+{
+    mpq_t p, a, t;
+    mpq_inits(p, a, t, NULL);
+    mpq_set_z(p, e->p);
+    mpq_set_z(a, e->a);
+    mpz_set(mpq_numref(t), e->g);
+    mpq_div(p, p, t);
+    mpq_div(a, a, t);
+    for (size_t k = 0; of && k < e->size; k++) {
+        mpq_mul(of[k], of[k], p);
+        if (!other)
+            continue;
+        mpq_mul(t, other[k], a);
+        mpq_sub(of[k], of[k], t);
+    }
+    mpq_clears(p, a, t, NULL);
+}
+
+/* Row i gets a 0 in column j by means of row k, which has none there. */
+static fmb_status clear_entry(echelon *e, size_t i, size_t k, size_t j)
+{
+    mpz_t *to = e->row[i].z, *by = e->row[k].z;
+    mpz_gcd(e->g, to[j], by[j]);
+    mpz_divexact(e->p, by[j], e->g);
+    mpz_divexact(e->a, to[j], e->g);
+    for (size_t c = 0; c <= e->n; c++) {
+        if (mpz_sgn(to[c]) != 0)
+            mpz_mul(to[c], to[c], e->p);
+        if (mpz_sgn(by[c]) != 0)
+            mpz_submul(to[c], e->a, by[c]);
+    }
+    fmb_integers_reduce(to, e->n + 1, e->g);
+    combine_origins(e, e->of[i], e->of[k]);
+    fmb_status st = fmb_integers_settle(&e->row[i], e->c->q->run.mem);
+    return st == FMB_OK ? fmb_run_poll(&e->c->q->run) : st;
+}
+
+static void swap_equations(echelon *e, size_t i, size_t k)
+{
+    fmb_integers row = e->row[i];
+    mpq_t *of = e->of[i];
+    e->row[i] = e->row[k];
+    e->of[i] = e->of[k];
+    e->row[k] = row;
+    e->of[k] = of;
+}
+
+/* Gauss and Jordan. */
+static fmb_status bring_to_echelon_form(echelon *e)
+{
+    fmb_status st = FMB_OK;
+    for (size_t j = 0; st == FMB_OK && j < e->n && e->rank < e->size; j++) {
+        size_t k = e->rank;
+        while (k < e->size && mpz_sgn(e->row[k].z[j]) == 0)
+            k++;
+        if (k == e->size)
+            continue;
+        swap_equations(e, k, e->rank);
+        for (size_t i = 0; st == FMB_OK && i < e->size; i++)
+            if (i != e->rank && mpz_sgn(e->row[i].z[j]) != 0)
+                st = clear_entry(e, i, e->rank, j);
+        e->pivot[e->rank++] = j;
+    }
+    return st;
+}
+
+/* Coprime, the pivot positive. */
+static void normalize_equation(echelon *e, size_t k)
+{
+    mpz_t *z = e->row[k].z;
+    fmb_integers_reduce(z, e->n + 1, e->g);
+    mpz_set_si(e->p, mpz_sgn(z[e->pivot[k]]));
+    for (size_t j = 0; mpz_sgn(e->p) < 0 && j <= e->n; j++)
+        mpz_neg(z[j], z[j]);
+    combine_origins(e, e->of[k], NULL);
+}
+
+static fmb_status append_equation(echelon *e, size_t k)
+{
+    fmb_mem *mem = e->c->q->run.mem;
+    fmb_weights w = {0};
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && e->of[k] && i < e->size; i++)
+        if (mpq_sgn(e->of[k][i]) != 0)
+            st = fmb_weights_add(&w, (uint32_t)e->at[i], e->of[k][i], mem);
+    if (st == FMB_OK)
+        st = fmb_claimed_rows_append(e->c, e->row[k].z, FMB_EQ, &w);
+    fmb_weights_clear(&w, mem);
+    return st;
+}
+
+/* Those in echelon form take the places of the first equations; others are sums of them. */
+static fmb_status replace_equations(echelon *e)
+{
+    size_t rows = e->c->image->rows;
+    fmb_status st = FMB_OK;
+    for (size_t k = 0; st == FMB_OK && k < e->rank; k++) {
+        normalize_equation(e, k);
+        st = append_equation(e, k);
+    }
+    while (st != FMB_OK && e->c->image->rows > rows)
+        fmb_claimed_rows_drop(e->c, e->c->image->rows - 1);
+    for (size_t k = e->rank; st == FMB_OK && k-- > 0;)
+        fmb_claimed_rows_put_last(e->c, e->at[k]);
+    for (size_t k = e->size; st == FMB_OK && k-- > e->rank;)
+        fmb_claimed_rows_drop(e->c, e->at[k]);
+    return st;
+}
+
+/* ---- inequalities ---------------------------------------------------------------------------- */
+
+/* z[] becomes 0 in the pivots: it is multiplied by *own, and an equation by what is added to w. */
+static fmb_status subtract_equations(echelon *e, mpz_t *z, mpq_t own, fmb_weights *w)
+{
+    fmb_status st = FMB_OK;
+    mpq_t factor;
+    mpz_set_ui(e->p, 1);
+    for (size_t k = 0; k < e->rank; k++) {
+        mpz_srcptr pivot = e->row[k].z[e->pivot[k]];
+        mpz_gcd(e->g, z[e->pivot[k]], pivot);
+        mpz_divexact(e->g, pivot, e->g);
+        mpz_lcm(e->p, e->p, e->g);
+    }
+    for (size_t j = 0; j <= e->n; j++)
+        mpz_mul(z[j], z[j], e->p);
+    mpq_set_z(own, e->p);
+    mpq_init(factor);
+    for (size_t k = 0; st == FMB_OK && k < e->rank; k++) {
+        mpz_t *by = e->row[k].z;
+        if (mpz_sgn(z[e->pivot[k]]) == 0)
+            continue;
+        mpz_divexact(e->a, z[e->pivot[k]], by[e->pivot[k]]);
+        for (size_t j = 0; j <= e->n; j++)
+            if (mpz_sgn(by[j]) != 0)
+                mpz_submul(z[j], e->a, by[j]);
+        mpq_set_z(factor, e->a);
+        mpq_neg(factor, factor);
+        st = fmb_weights_add(w, (uint32_t)e->at[k], factor, e->c->q->run.mem);
+    }
+    mpq_clear(factor);
+    return st;
+}
+
+/* Inequality i is taken for its reduced form, which differs; z[n + 1] is scratch. */
+static fmb_status reduce_inequality(echelon *e, size_t i, mpz_t *z)
+{
+    fmb_mem *mem = e->c->q->run.mem;
+    fmb_weights w = {0};
+    mpq_t own, content;
+    mpq_inits(own, content, NULL);
+    expand_row(&e->c->image->row[i], z, e->n);
+    fmb_status st = subtract_equations(e, z, own, &w);
+    if (st == FMB_OK)
+        st = fmb_weights_add(&w, (uint32_t)i, own, mem);
+    fmb_integers_reduce(z, e->n + 1, mpq_numref(content));
+    for (size_t k = 0; k < w.size; k++)
+        mpq_div(w.value[k], w.value[k], content);
+    if (st == FMB_OK)
+        st = fmb_claimed_rows_append(e->c, z, e->c->image->row[i].rel, &w);
+    if (st == FMB_OK)
+        fmb_claimed_rows_put_last(e->c, i);
+    mpq_clears(own, content, NULL);
+    fmb_weights_clear(&w, mem);
+    return st == FMB_OK ? fmb_run_poll(&e->c->q->run) : st;
+}
+
+/* Does the row name a pivot, or have a common divisor? */
+static bool is_reduced(echelon *e, const fmb_sysrow *r)
+{
+    for (size_t k = 0, p = 0; k < r->nnz; k++) {
+        while (p < e->rank && e->pivot[p] < (size_t)r->var[k])
+            p++;
+        if (p < e->rank && e->pivot[p] == (size_t)r->var[k])
+            return false;
+    }
+    mpz_set_ui(e->g, 0);
+    for (size_t k = 0; k <= r->nnz && mpz_cmp_ui(e->g, 1) != 0; k++) {
+        fmb_vec_get(&r->val, k, e->a);
+        mpz_gcd(e->g, e->g, e->a);
+    }
+    return mpz_cmp_ui(e->g, 1) == 0;
+}
+
+static fmb_status reduce_inequalities(echelon *e)
+{
+    fmb_mem *mem = e->c->q->run.mem;
+    fmb_integers z;
+    fmb_status st = fmb_integers_init(&z, e->n + 1, mem);
+    for (size_t i = 0; st == FMB_OK && i < e->c->image->rows; i++) {
+        const fmb_sysrow *r = &e->c->image->row[i];
+        if (r->rel != FMB_EQ && !is_reduced(e, r))
+            st = reduce_inequality(e, i, z.z);
+        if (st == FMB_OK)
+            st = fmb_integers_settle(&z, mem);
+    }
+    fmb_integers_clear(&z, mem);
+    return st;
+}
+
+/* ---- all ------------------------------------------------------------------------------------- */
+
+static fmb_status reduce_rows(fmb_claimed_rows *c)
+{
+    echelon e = {.c = c, .n = (size_t)fmb_system_dim(c->image)};
+    for (size_t i = 0; i < c->image->rows; i++)
+        e.size += c->image->row[i].rel == FMB_EQ;
+    fmb_status st = open_echelon(&e);
+    if (st == FMB_OK)
+        st = bring_to_echelon_form(&e);
+    if (st == FMB_OK)
+        st = replace_equations(&e);
+    if (st == FMB_OK)
+        st = reduce_inequalities(&e);
+    close_echelon(&e);
+    return st;
+}
+
+fmb_status fmb_query_canonical(fmb_query *q, const int *place, fmb_system *image)
+{
+    fmb_claimed_rows c;
+    fmb_status st = fmb_claimed_rows_open(&c, q, place, image);
+    if (st == FMB_OK)
+        st = reduce_rows(&c);
+    if (st == FMB_OK)
+        st = fmb_canonical_faces(&c);
+    if (st == FMB_OK)
+        st = fmb_claimed_rows_sort(&c);
+    fmb_claimed_rows_close(&c);
+    return st;
+}

@@ -1,0 +1,434 @@
+/* faces_excluded.c: strict rows of a projection that describe no facet; see canonical.h.
+ *
+ * The inequalities are irredundant and reduced by the equations, so none is always tight. Without
+ * its strictness a row is implied by the others if and only if it describes no facet. Let r be such
+ * a strict row, and r = sum of y_f f over facets with y >= 0, which a linear program finds: r is as
+ * large over the closure as its right side. Then r is tight where all f with y_f > 0 are, so these
+ * hold the face F(r). Others that hold it are those that cannot be positive where these are 0: they
+ * are demanded to be positive all together, and as long as that cannot be, some that take part in
+ * the conflict are among them.
+ *
+ * The sum s of the rows T that hold the face is proved by r: with e = 1 / max y, e > 0,
+ *     s = e r + the sum of (1 - e y_f) f over T, and no factor is negative.
+ */
+#include <string.h>
+
+#include "lp/oracle/oracle.h"
+#include "lp/redundancy/by_oracle.h"
+#include "lp/redundancy/sieve.h"
+#include "num/integers.h"
+#include "num/rationals.h"
+#include "solve/project/canonical.h"
+
+typedef struct excluded_face {
+    size_t row;     /* of the image: strict, and of no facet */
+    uint64_t *on;   /* facets that hold the face */
+    fmb_weights y;  /* over facets: their sum is the row */
+    bool redundant; /* the row says nothing that others do not */
+} excluded_face;
+
+typedef struct face_search {
+    fmb_claimed_rows *c;
+    fmb_arena *arena;
+    size_t n; /* columns of the image */
+    size_t facets, faces, words;
+    size_t *facet;       /* [facets] rows of the image */
+    excluded_face *face; /* [faces] */
+    fmb_program program; /* facets, < read as <= */
+    fmb_oracle *oracle;
+    mpq_t *x; /* [n] a point of the face at hand */
+} face_search;
+
+/* ---- which rows are facets ------------------------------------------------------------------- */
+
+/* Inequalities, as the tests of redundancy take them, and what is found out about them. */
+typedef struct closure {
+    size_t n, m;
+    size_t *row; /* [m] of the image */
+    fmb_lp_row *lp;
+    fmb_fate *fate;
+} closure;
+
+/* The columns that inequalities name, n of them: place[], -1 for others. */
+static int *place_named_columns(const face_search *f, size_t *n)
+{
+    const fmb_system *image = f->c->image;
+    int *place = fmb_arena_get(f->arena, f->n, sizeof *place);
+    for (size_t j = 0; place && j < f->n; j++)
+        place[j] = -1;
+    for (size_t i = 0; place && i < image->rows; i++)
+        for (size_t k = 0; image->row[i].rel != FMB_EQ && k < image->row[i].nnz; k++)
+            place[image->row[i].var[k]] = 0;
+    for (size_t j = 0; place && j < f->n; j++)
+        if (place[j] == 0)
+            place[j] = (int)(*n)++;
+    return place;
+}
+
+static fmb_status close_row(const face_search *f, const fmb_sysrow *r, const int *place, size_t n,
+                            mpz_t *z, fmb_lp_row *out)
+{
+    fmb_vec *v = fmb_arena_get(f->arena, 1, sizeof *v);
+    int64_t *s = fmb_arena_get(f->arena, n + 1, sizeof *s);
+    if (!v || !s)
+        return fmb_mem_status(f->arena->mem);
+    *v = (fmb_vec){.s = s};
+    *out = (fmb_lp_row){v, FMB_LE};
+    for (size_t j = 0; j <= n; j++)
+        mpz_set_ui(z[j], 0);
+    for (size_t k = 0; k < r->nnz; k++)
+        fmb_vec_get(&r->val, k, z[place[r->var[k]]]);
+    fmb_vec_get(&r->val, r->nnz, z[n]);
+    return fmb_vec_set_z(v, n + 1, z, f->arena->mem);
+}
+
+/* Close it in any case. */
+static fmb_status open_closure(closure *o, const face_search *f)
+{
+    const fmb_system *image = f->c->image;
+    fmb_integers z = {0};
+    *o = (closure){0};
+    o->row = fmb_arena_get(f->arena, image->rows, sizeof *o->row);
+    o->lp = fmb_arena_get(f->arena, image->rows, sizeof *o->lp);
+    o->fate = fmb_arena_get(f->arena, image->rows, sizeof *o->fate);
+    const int *place = place_named_columns(f, &o->n);
+    if (!o->row || !o->lp || !o->fate || !place)
+        return fmb_mem_status(f->arena->mem);
+    fmb_status st = fmb_integers_init(&z, o->n + 1, f->arena->mem);
+    for (size_t i = 0; st == FMB_OK && i < image->rows; i++) {
+        if (image->row[i].rel == FMB_EQ)
+            continue;
+        o->row[o->m] = i;
+        o->fate[o->m] = FMB_FATE_UNKNOWN;
+        st = close_row(f, &image->row[i], place, o->n, z.z, &o->lp[o->m]);
+        o->m += st == FMB_OK;
+    }
+    fmb_integers_clear(&z, f->arena->mem);
+    return st;
+}
+
+static void close_closure(closure *o, const face_search *f)
+{
+    for (size_t i = 0; i < o->m; i++) {
+        fmb_vec v = *o->lp[i].v;
+        fmb_vec_clear(&v, o->n + 1, f->arena->mem);
+    }
+}
+
+static fmb_status sort_by_sieve(closure *o, fmb_run *run)
+{
+    fmb_sieve sieve;
+    bool inner = false;
+    fmb_status st = fmb_sieve_open(&sieve, run, o->n, o->m, o->lp, &inner);
+    if (st == FMB_OK && inner)
+        st = fmb_sieve_sort(&sieve, o->fate, NULL);
+    fmb_sieve_close(&sieve);
+    return st;
+}
+
+static fmb_status find_facets(face_search *f, closure *o)
+{
+    fmb_run *run = &f->c->q->run;
+    fmb_status st = fmb_sieve_is_affordable(o->n, o->m) ? sort_by_sieve(o, run) : FMB_OK;
+    bool unknown = false;
+    for (size_t i = 0; i < o->m; i++)
+        unknown = unknown || o->fate[i] == FMB_FATE_UNKNOWN;
+    return st == FMB_OK && unknown ? fmb_redundant_by_oracle(run, o->n, o->m, o->lp, o->fate) : st;
+}
+
+static fmb_status list_facets_and_faces(face_search *f)
+{
+    closure o;
+    fmb_status st = open_closure(&o, f);
+    if (st == FMB_OK)
+        st = find_facets(f, &o);
+    f->facet = fmb_arena_get(f->arena, o.m, sizeof *f->facet);
+    f->face = fmb_arena_get(f->arena, o.m, sizeof *f->face);
+    if (st == FMB_OK && (!f->facet || !f->face))
+        st = fmb_mem_status(f->arena->mem);
+    for (size_t i = 0; st == FMB_OK && i < o.m; i++) {
+        if (o.fate[i] == FMB_FATE_REDUNDANT)
+            f->face[f->faces++] = (excluded_face){.row = o.row[i]};
+        else
+            f->facet[f->facets++] = o.row[i];
+    }
+    f->words = (f->facets + 63) / 64;
+    close_closure(&o, f);
+    return st;
+}
+
+/* ---- the facets that hold a face ------------------------------------------------------------- */
+
+static bool is_in_set(const uint64_t *set, size_t i)
+{
+    return set[i / 64] >> (i % 64) & 1;
+}
+
+static void put_in_set(uint64_t *set, size_t i)
+{
+    set[i / 64] |= (uint64_t)1 << (i % 64);
+}
+
+static bool is_set_inside(const uint64_t *a, const uint64_t *b, size_t words)
+{
+    for (size_t k = 0; k < words; k++)
+        if (a[k] & ~b[k])
+            return false;
+    return true;
+}
+
+static fmb_status add_row_to_program(const face_search *f, size_t i, fmb_rel rel, fmb_program *p)
+{
+    const fmb_sysrow *r = &f->c->image->row[i];
+    return fmb_program_add(p, r->nnz, r->var, NULL, &r->val, rel);
+}
+
+static fmb_status open_facets_program(face_search *f)
+{
+    fmb_run *run = &f->c->q->run;
+    bool feasible;
+    fmb_status st = fmb_rationals_new(&f->x, f->n, run->mem);
+    for (size_t i = 0; st == FMB_OK && i < f->facets; i++)
+        st = add_row_to_program(f, f->facet[i], FMB_LE, &f->program);
+    if (st == FMB_OK)
+        st = fmb_oracle_new(run, &f->program, &f->oracle);
+    return st == FMB_OK ? fmb_oracle_feasible(f->oracle, &feasible) : st;
+}
+
+/* r as a sum of facets, and a point where it is tight. */
+static fmb_status write_row_by_facets(face_search *f, excluded_face *face)
+{
+    fmb_mem *mem = f->c->q->run.mem;
+    const fmb_sysrow *r = &f->c->image->row[face->row];
+    fmb_weights form = {0};
+    fmb_oracle_end end = FMB_ORACLE_UNBOUNDED;
+    bool attained;
+    mpq_t a, b;
+    mpq_inits(a, b, NULL);
+    fmb_status st = FMB_OK;
+    for (size_t k = 0; st == FMB_OK && k < r->nnz; k++) {
+        fmb_vec_get_q(&r->val, k, a);
+        st = fmb_weights_add(&form, (uint32_t)r->var[k], a, mem);
+    }
+    if (st == FMB_OK)
+        st = fmb_oracle_maximize(f->oracle, &form, &end, &attained);
+    if (st == FMB_OK) {
+        fmb_oracle_value(f->oracle, a);
+        fmb_vec_get_q(&r->val, r->nnz, b);
+        face->redundant = mpq_cmp(a, b) < 0;
+        fmb_oracle_point(f->oracle, f->x);
+        st = fmb_oracle_multipliers(f->oracle, &face->y);
+    }
+    for (size_t k = 0; st == FMB_OK && k < face->y.size; k++)
+        if (mpq_sgn(face->y.value[k]) > 0)
+            put_in_set(face->on, face->y.index[k]);
+    mpq_clears(a, b, NULL);
+    fmb_weights_clear(&form, mem);
+    return st;
+}
+
+static bool is_tight_at_point(const face_search *f, size_t i)
+{
+    const fmb_sysrow *r = &f->c->image->row[i];
+    mpq_t sum, a;
+    mpq_inits(sum, a, NULL);
+    fmb_vec_get_q(&r->val, r->nnz, sum);
+    for (size_t k = 0; k < r->nnz; k++) {
+        fmb_vec_get_q(&r->val, k, a);
+        mpq_mul(a, a, f->x[r->var[k]]);
+        mpq_sub(sum, sum, a);
+    }
+    bool tight = mpq_sgn(sum) == 0;
+    mpq_clears(sum, a, NULL);
+    return tight;
+}
+
+/* The facets in face->on are tight, the doubtful ones must not be. *more: some of these have to be,
+ * and are in face->on now. */
+static fmb_status ask_about_doubtful_facets(face_search *f, excluded_face *face,
+                                            const uint64_t *doubtful, bool *more)
+{
+    fmb_run *run = &f->c->q->run;
+    fmb_program p;
+    fmb_oracle *o = NULL;
+    fmb_weights w = {0};
+    bool feasible = true;
+    fmb_status st = FMB_OK;
+    fmb_program_init(&p, run->mem, (int)f->n);
+    for (size_t i = 0; st == FMB_OK && i < f->facets; i++) {
+        fmb_rel rel = is_in_set(face->on, i) ? FMB_EQ : is_in_set(doubtful, i) ? FMB_LT : FMB_LE;
+        st = add_row_to_program(f, f->facet[i], rel, &p);
+    }
+    if (st == FMB_OK)
+        st = fmb_oracle_new(run, &p, &o);
+    if (st == FMB_OK)
+        st = fmb_oracle_feasible(o, &feasible);
+    if (st == FMB_OK && !feasible)
+        st = fmb_oracle_conflict(o, &w);
+    *more = st == FMB_OK && !feasible;
+    for (size_t k = 0; st == FMB_OK && k < w.size; k++)
+        if (mpq_sgn(w.value[k]) > 0)
+            put_in_set(face->on, w.index[k]);
+    fmb_weights_clear(&w, run->mem);
+    fmb_oracle_free(o);
+    fmb_program_clear(&p);
+    return st;
+}
+
+static fmb_status find_facets_of_face(face_search *f, excluded_face *face)
+{
+    bool more = true;
+    uint64_t *doubtful = fmb_arena_get(f->arena, f->words, sizeof *doubtful);
+    face->on = fmb_arena_get(f->arena, f->words, sizeof *face->on);
+    if (!doubtful || !face->on)
+        return fmb_mem_status(f->arena->mem);
+    memset(doubtful, 0, f->words * sizeof *doubtful);
+    memset(face->on, 0, f->words * sizeof *face->on);
+    fmb_status st = write_row_by_facets(f, face);
+    for (size_t i = 0; st == FMB_OK && i < f->facets; i++)
+        if (is_tight_at_point(f, f->facet[i]))
+            put_in_set(doubtful, i);
+    while (st == FMB_OK && !face->redundant && more) {
+        more = !is_set_inside(doubtful, face->on, f->words);
+        if (more)
+            st = ask_about_doubtful_facets(f, face, doubtful, &more);
+    }
+    return st;
+}
+
+/* A face that is part of another one, or of a facet that is missing, is missing anyway. */
+static void find_faces_of_missing_ones(face_search *f)
+{
+    for (size_t i = 0; i < f->faces; i++) {
+        excluded_face *face = &f->face[i];
+        face->redundant = face->redundant || f->c->image->row[face->row].rel != FMB_LT;
+        for (size_t k = 0; !face->redundant && k < f->facets; k++)
+            face->redundant = is_in_set(face->on, k) && f->c->image->row[f->facet[k]].rel == FMB_LT;
+    }
+    for (size_t i = 0; i < f->faces; i++)
+        for (size_t k = 0; !f->face[i].redundant && k < f->faces; k++)
+            f->face[i].redundant = k != i && !f->face[k].redundant &&
+                                   is_set_inside(f->face[k].on, f->face[i].on, f->words);
+}
+
+/* ---- rows ------------------------------------------------------------------------------------ */
+
+/* z[n + 1] = the sum of the facets that hold the face, over its content, which is also set. */
+static void sum_facets_of_face(const face_search *f, const excluded_face *face, mpz_t *z,
+                               mpz_t content)
+{
+    mpz_t a;
+    mpz_init(a);
+    for (size_t j = 0; j <= f->n; j++)
+        mpz_set_ui(z[j], 0);
+    for (size_t i = 0; i < f->facets; i++) {
+        const fmb_sysrow *r = &f->c->image->row[f->facet[i]];
+        for (size_t k = 0; is_in_set(face->on, i) && k <= r->nnz; k++) {
+            mpz_ptr to = z[k < r->nnz ? (size_t)r->var[k] : f->n];
+            fmb_vec_get(&r->val, k, a);
+            mpz_add(to, to, a);
+        }
+    }
+    mpz_clear(a);
+    fmb_integers_reduce(z, f->n + 1, content);
+}
+
+/* The multipliers in the proof at the head of this file, over the content. */
+static fmb_status prove_sum(const face_search *f, const excluded_face *face, const mpz_t content,
+                            fmb_weights *w)
+{
+    fmb_mem *mem = f->c->q->run.mem;
+    fmb_status st = FMB_OK;
+    mpq_t most, part, whole;
+    mpq_inits(most, part, whole, NULL);
+    mpz_set(mpq_numref(whole), content);
+    mpq_inv(whole, whole);
+    for (size_t k = 0; k < face->y.size; k++)
+        if (mpq_cmp(face->y.value[k], most) > 0)
+            mpq_set(most, face->y.value[k]);
+    mpq_div(part, whole, most);
+    st = fmb_weights_add(w, (uint32_t)face->row, part, mem);
+    for (size_t i = 0; st == FMB_OK && i < f->facets; i++)
+        if (is_in_set(face->on, i))
+            st = fmb_weights_add(w, (uint32_t)f->facet[i], whole, mem);
+    for (size_t k = 0; st == FMB_OK && k < face->y.size; k++) {
+        mpq_div(part, face->y.value[k], most);
+        mpq_mul(part, part, whole);
+        for (size_t i = 1; i < w->size; i++)
+            if (w->index[i] == f->facet[face->y.index[k]])
+                mpq_sub(w->value[i], w->value[i], part);
+    }
+    mpq_clears(most, part, whole, NULL);
+    return st;
+}
+
+static fmb_status put_row_of_face(face_search *f, const excluded_face *face)
+{
+    fmb_mem *mem = f->c->q->run.mem;
+    fmb_integers z;
+    fmb_weights w = {0};
+    mpz_t content;
+    mpz_init(content);
+    fmb_status st = fmb_integers_init(&z, f->n + 1, mem);
+    if (st == FMB_OK)
+        sum_facets_of_face(f, face, z.z, content);
+    if (st == FMB_OK)
+        st = fmb_integers_settle(&z, mem);
+    if (st == FMB_OK)
+        st = prove_sum(f, face, content, &w);
+    if (st == FMB_OK)
+        st = fmb_claimed_rows_append(f->c, z.z, FMB_LT, &w);
+    if (st == FMB_OK)
+        fmb_claimed_rows_put_last(f->c, face->row);
+    mpz_clear(content);
+    fmb_weights_clear(&w, mem);
+    fmb_integers_clear(&z, mem);
+    return st;
+}
+
+/* Faces are listed in the order of their rows, which move up where some go. */
+static fmb_status put_all_faces(face_search *f)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i < f->faces; i++)
+        if (!f->face[i].redundant)
+            st = put_row_of_face(f, &f->face[i]);
+    for (size_t i = f->faces; st == FMB_OK && i-- > 0;)
+        if (f->face[i].redundant)
+            fmb_claimed_rows_drop(f->c, f->face[i].row);
+    return st;
+}
+
+/* ---- all ------------------------------------------------------------------------------------- */
+
+static fmb_status settle_faces(face_search *f)
+{
+    fmb_status st = open_facets_program(f);
+    for (size_t i = 0; st == FMB_OK && i < f->faces; i++)
+        st = find_facets_of_face(f, &f->face[i]);
+    if (st != FMB_OK)
+        return st;
+    find_faces_of_missing_ones(f);
+    return put_all_faces(f);
+}
+
+fmb_status fmb_canonical_faces(fmb_claimed_rows *c)
+{
+    fmb_query *q = c->q;
+    face_search f = {.c = c, .arena = &q->v->arena, .n = (size_t)fmb_system_dim(c->image)};
+    bool strict = false;
+    for (size_t i = 0; !strict && i < c->image->rows; i++)
+        strict = c->image->row[i].rel == FMB_LT;
+    if (!strict)
+        return FMB_OK;
+    fmb_program_init(&f.program, q->run.mem, (int)f.n);
+    fmb_status st = list_facets_and_faces(&f);
+    if (st == FMB_OK && f.faces > 0)
+        st = settle_faces(&f);
+    for (size_t i = 0; i < f.faces; i++)
+        fmb_weights_clear(&f.face[i].y, q->run.mem);
+    fmb_oracle_free(f.oracle);
+    fmb_program_clear(&f.program);
+    fmb_rationals_free(f.x, f.n, q->run.mem);
+    return st;
+}
