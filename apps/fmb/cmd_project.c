@@ -63,7 +63,8 @@ static const struct argp own = {.options = options, .parser = parse};
 static const app_usage usage = {
     .args = "FILE",
     .doc = "The projection of the system in FILE on some of its variables, as an irredundant "
-           "system. Without --keep and --eliminate the file itself must ask for a projection (a "
+           "system, the same to the letter for all systems with that projection. Without --keep "
+           "and --eliminate the file itself must ask for a projection (a "
            "project or eliminate line in .ine, project: in .fmb). The projection of an infeasible "
            "system is the row "
            "0 <= -1. Symmetries save work where they are found, or told: --symmetry FILE has lines "

@@ -70,7 +70,12 @@ FMB_API void fmb_solver_set_sink(fmb_solver *v, fmb_sink sink);
 FMB_API FMB_CHECKED fmb_status fmb_solve(fmb_solver *v, const fmb_system *s, fmb_result *res);
 
 /* [give] The projection of s on the variables keep[0..n), strictly increasing: an irredundant
- * system of dimension n with their names; the single row 0 <= -1 if s is infeasible. If a limit was
+ * system of dimension n with their names; the single row 0 <= -1 if s is infeasible. Its form is
+ * canonical: equal projections have the same rows in the same order, however s describes them and
+ * whatever the options are. Equations come first, in reduced echelon form: the first variable of
+ * each is named by no other row. Then inequalities, those of fewer variables first: one for each
+ * facet, < where the facet is missing; and where other faces are missing, one with < for each of
+ * the largest, the sum of the facets that hold it. Numbers are coprime integers. If a limit was
  * reached (res->stop), *out is an outer one: rows that follow from s, perhaps too few or more than
  * are needed; and evidence of what was found from within has claims FEASIBLE: the kept coordinates
  * of their points are in the projection. Errors: ARG, MEMORY. */

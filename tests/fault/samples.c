@@ -39,6 +39,15 @@ static const row TABLE[][ROWS] = {
      {{0, 0, 1, -1}, FMB_LE, 6},
      {{0, 0, 1, -2}, FMB_LE, 60},
      {{0, 0, 0, 1}, FMB_LE, 100}},
+    /* the projection on two variables lacks a corner, and no facet */
+    {{{-1, 0, 0, 0}, FMB_LE, 0},
+     {{0, 0, -1, 0}, FMB_LE, 0},
+     {{-1, 0, -3, 1}, FMB_LT, 0},
+     {{0, 0, 0, -1}, FMB_LE, 0},
+     {{1, 1, 1, 0}, FMB_LE, 9},
+     {{0, -1, 0, 0}, FMB_LE, 0},
+     {{0, 1, 0, 1}, FMB_LE, 3},
+     {{2, 0, 2, 0}, FMB_LE, 18}},
 };
 
 enum { TABLES = sizeof TABLE / sizeof *TABLE };

@@ -20,7 +20,7 @@ typedef struct ascent {
     fmb_claim *claim; /* that the parts so far have put their multipliers into; NULL: none */
     mpq_t sum;        /* of their values: of the goal, without the constant */
     bool attained, exact;
-    bool lost; /* multipliers, for want of memory: without them no end is told */
+    bool lost; /* numbers of the claim, for want of memory: without them no end is told */
 } ascent;
 
 /* ---- claims ---------------------------------------------------------------------------------- */
@@ -56,7 +56,8 @@ static fmb_status put_terms_of_form(ascent *a, fmb_claim *claim, bool as_goal)
     return st;
 }
 
-/* BOUND with the point where it is reached; of an outer end, IMPLIED: goal <= sum. */
+/* BOUND with the point where it is reached; of an outer end, IMPLIED: goal <= sum. What fails has
+ * filled half of the claim. */
 static fmb_status close_optimum_claim(ascent *a)
 {
     fmb_claim *claim = a->claim;
@@ -71,6 +72,7 @@ static fmb_status close_optimum_claim(ascent *a)
     fmb_status st = put_terms_of_form(a, claim, !a->exact);
     if (st == FMB_OK && a->exact)
         st = fmb_evidence_push_all(a->q->claims, &claim->point, a->g->dim, NULL, a->o->point);
+    a->lost = a->lost || st != FMB_OK;
     return st;
 }
 

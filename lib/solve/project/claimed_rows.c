@@ -187,17 +187,17 @@ void fmb_claimed_rows_drop(fmb_claimed_rows *c, size_t i)
 
 /* ---- their order ----------------------------------------------------------------------------- */
 
-typedef struct sorted_row {
+typedef struct placed_row {
     fmb_sysrow row; /* first: pointers to both are alike */
     size_t was;     /* its number */
-} sorted_row;
+} placed_row;
 
-static int compare_sorted_rows(const void *a, const void *b)
+static int compare_placed_rows(const void *a, const void *b)
 {
     return fmb_sysrow_compare(a, b);
 }
 
-static fmb_status sort_claims(fmb_claimed_rows *c, const sorted_row *sorted)
+static fmb_status sort_claims(fmb_claimed_rows *c, const placed_row *sorted)
 {
     fmb_mem *mem = c->q->run.mem;
     size_t rows = c->image->rows;
@@ -219,12 +219,12 @@ fmb_status fmb_claimed_rows_sort(fmb_claimed_rows *c)
     size_t rows = c->image->rows;
     if (rows < 2)
         return FMB_OK;
-    sorted_row *sorted = fmb_mem_get(mem, rows, sizeof *sorted);
+    placed_row *sorted = fmb_mem_get(mem, rows, sizeof *sorted);
     if (!sorted)
         return fmb_mem_status(mem);
     for (size_t i = 0; i < rows; i++)
-        sorted[i] = (sorted_row){c->image->row[i], i};
-    qsort(sorted, rows, sizeof *sorted, compare_sorted_rows);
+        sorted[i] = (placed_row){c->image->row[i], i};
+    qsort(sorted, rows, sizeof *sorted, compare_placed_rows);
     fmb_status st = sort_claims(c, sorted);
     for (size_t i = 0; st == FMB_OK && i < rows; i++)
         c->image->row[i] = sorted[i].row;

@@ -126,7 +126,7 @@ static fmb_status sort_by_sieve(closure *o, fmb_run *run)
     return st;
 }
 
-static fmb_status find_facets(face_search *f, closure *o)
+static fmb_status tell_facets_from_faces(face_search *f, closure *o)
 {
     fmb_run *run = &f->c->q->run;
     fmb_status st = fmb_sieve_is_affordable(o->n, o->m) ? sort_by_sieve(o, run) : FMB_OK;
@@ -141,7 +141,7 @@ static fmb_status list_facets_and_faces(face_search *f)
     closure o;
     fmb_status st = open_closure(&o, f);
     if (st == FMB_OK)
-        st = find_facets(f, &o);
+        st = tell_facets_from_faces(f, &o);
     f->facet = fmb_arena_get(f->arena, o.m, sizeof *f->facet);
     f->face = fmb_arena_get(f->arena, o.m, sizeof *f->face);
     if (st == FMB_OK && (!f->facet || !f->face))
