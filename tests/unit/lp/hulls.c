@@ -198,3 +198,70 @@ Test(hulls, exact_combinations)
     cr_expect_gt(found, 270, "%d", found); /* where the rows are independent */
     cr_expect_gt(square, 270, "%d", square);
 }
+
+/* ---- what combinations prove ----------------------------------------------------------------- */
+
+enum { PROVED_ROWS = 4 };
+
+/* Rows x <= 1, y <= 1, x - y <= 1 with these relations; then the row that two of them shall prove.
+ */
+static bool is_row_proved(const fmb_rel *rel, int64_t a, int64_t b, int64_t right, fmb_rel wanted,
+                          const size_t support[2])
+{
+    int64_t number[PROVED_ROWS][3] = {{1, 0, 1}, {0, 1, 1}, {1, -1, 1}, {a, b, right}};
+    fmb_vec v[PROVED_ROWS];
+    fmb_lp_row row[PROVED_ROWS];
+    fmb_combination f;
+    fmb_mem mem;
+    fmb_run run;
+    fmb_options o = {.size = sizeof o};
+    atomic_int cancel = 0;
+    bool found, proves;
+    fmb_mem_init(&mem, NULL, 0);
+    fmb_run_begin(&run, &mem, &o, &cancel, (fmb_sink){0}, "test");
+    for (int i = 0; i < PROVED_ROWS; i++) {
+        v[i] = (fmb_vec){.s = number[i]};
+        fmb_vec_measure(&v[i], 3);
+        row[i] = (fmb_lp_row){&v[i], i == PROVED_ROWS - 1 ? wanted : rel[i]};
+    }
+    cr_assert_eq(fmb_combination_init(&f, &mem, 2, row), FMB_OK);
+    cr_assert_eq(fmb_combine(&f, &run, PROVED_ROWS - 1, support, 2, &found), FMB_OK);
+    cr_assert(found);
+    proves = fmb_combination_proves(&f);
+    fmb_combination_clear(&f);
+    cr_assert_eq(mem.used, 0);
+    return proves;
+}
+
+/* a x + b y by two of the rows: factors that are negative want equalities, and a strict row a
+ * smaller right side or a strict row that counts. */
+Test(hulls, combinations_prove_what_signs_and_relations_allow)
+{
+    static const fmb_rel RELS[] = {FMB_LE, FMB_LT, FMB_EQ};
+    static const int64_t ROWS[3][2] = {{1, 0}, {0, 1}, {1, -1}};
+    int proved = 0, refused = 0;
+    for (int code = 0; code < 27 * 3 * 25 * 3; code++) {
+        const fmb_rel rel[3] = {RELS[code % 3], RELS[code / 3 % 3], RELS[code / 9 % 3]};
+        const size_t p = (size_t)(code / 27 % 3), support[2] = {p, (p + 1) % 3};
+        const int64_t f[2] = {code / 81 % 5 - 2, code / 405 % 5 - 2};
+        const int shift = code / 2025 - 1;
+        int64_t a = 0, b = 0;
+        bool allowed = true, strict = false;
+        for (int k = 0; k < 2; k++) {
+            a += f[k] * ROWS[support[k]][0];
+            b += f[k] * ROWS[support[k]][1];
+            allowed = allowed && (f[k] >= 0 || rel[support[k]] == FMB_EQ);
+            strict = strict || (f[k] > 0 && rel[support[k]] == FMB_LT);
+        }
+        if (a == 0 && b == 0)
+            continue;
+        for (int wanted = 0; wanted < 2; wanted++) {
+            bool truth = allowed && (shift > 0 || (shift == 0 && (wanted == 0 || strict)));
+            bool says = is_row_proved(rel, a, b, f[0] + f[1] + shift, RELS[wanted], support);
+            cr_assert_eq(says, truth, "%d", code);
+            proved += says;
+            refused += !says;
+        }
+    }
+    cr_expect(proved > 1000 && refused > 1000, "%d, %d", proved, refused);
+}

@@ -3,28 +3,10 @@
 #include <criterion/criterion.h>
 
 #include "lp/oracle/refute.h"
-#include "lp/oracle/vertex.h"
-
-typedef struct bench {
-    fmb_mem mem;
-    fmb_run run;
-    fmb_options options;
-    atomic_int cancel;
-    fmb_program p;
-    fmb_vertex v;
-} bench;
-
-static void open_bench(bench *b)
-{
-    b->options = (fmb_options){.size = sizeof(fmb_options)};
-    atomic_init(&b->cancel, 0);
-    fmb_mem_init(&b->mem, NULL, 0);
-    fmb_run_begin(&b->run, &b->mem, &b->options, &b->cancel, (fmb_sink){0}, "test");
-    fmb_program_init(&b->p, &b->mem, 2);
-}
+#include "vertex_bench.h"
 
 /* (a 2^ea + odd) x + c 2^ec y rel d: odd, so that the powers of two are not divided away. */
-static void add_row(bench *b, const int a[2], int odd, const int c[2], int d, fmb_rel rel)
+static void add_row(vertex_bench *b, const int a[2], int odd, const int c[2], int d, fmb_rel rel)
 {
     mpz_t z[3];
     mpz_init_set_si(z[0], a[0]);
@@ -38,28 +20,21 @@ static void add_row(bench *b, const int a[2], int odd, const int c[2], int d, fm
         mpz_clear(z[k]);
 }
 
-static void stand_on_first_rows(bench *b)
+static void stand_on_first_rows(vertex_bench *b)
 {
-    cr_assert_eq(fmb_vertex_init(&b->v, &b->run, &b->p), FMB_OK);
+    vertex_bench_stand(b);
     cr_assert_eq(fmb_vertex_set(&b->v, (const size_t[]){0, 1}), FMB_OK);
     cr_assert_eq(fmb_vertex_solve(&b->v), FMB_OK);
-}
-
-static void close_bench(bench *b)
-{
-    fmb_vertex_clear(&b->v);
-    fmb_program_clear(&b->p);
-    cr_assert_eq(b->mem.used, 0);
 }
 
 /* x = 1.5 and y = 1.25 times 2^e, and 10 x - 19 y <= 0, which holds, or >= 0, times 2^k. As doubles
  * at e = -1074 these are 2 and 1. */
 static void check_row_at(int e, int k, bool holds)
 {
-    bench b;
+    vertex_bench b;
     size_t row;
     int sign;
-    open_bench(&b);
+    vertex_bench_open(&b);
     add_row(&b, (const int[]){1, 1 - e}, 0, (const int[]){0, 0}, 3, FMB_EQ);
     add_row(&b, (const int[]){0, 0}, 0, (const int[]){1, 2 - e}, 5, FMB_EQ);
     if (holds)
@@ -69,7 +44,7 @@ static void check_row_at(int e, int k, bool holds)
     stand_on_first_rows(&b);
     cr_assert_eq(fmb_vertex_find_violated(&b.v, true, &row, &sign), FMB_OK);
     cr_assert_eq(row, holds ? SIZE_MAX : 2, "2^%d, 2^%d", e, k);
-    close_bench(&b);
+    vertex_bench_close(&b);
 }
 
 Test(vertex, slacks_where_coordinates_underflow)
@@ -89,10 +64,10 @@ Test(vertex, slacks_where_coordinates_underflow)
  * they say x >= 0, and multipliers have the wrong signs. */
 static void check_refutation(int turn, int far, int d)
 {
-    bench b;
+    vertex_bench b;
     int sign;
     bool sure, wanted = turn > 0 && d > 0;
-    open_bench(&b);
+    vertex_bench_open(&b);
     add_row(&b, (const int[]){turn * 2, 0}, 0, (const int[]){1, far + 1}, 0, FMB_LE);
     add_row(&b, (const int[]){turn * 2, 0}, 0, (const int[]){-1, far + 1}, 0, FMB_LE);
     add_row(&b, (const int[]){-1, 0}, 0, (const int[]){0, 0}, -d, FMB_LE);
@@ -100,7 +75,7 @@ static void check_refutation(int turn, int far, int d)
     cr_assert_eq(fmb_refute(&b.v, 2, &sign, &sure), FMB_OK);
     cr_assert(!sure || wanted, "%d, 2^%d, %d", turn, far, d);
     cr_assert(sure || !wanted || far > 120, "2^%d, %d", far, d);
-    close_bench(&b);
+    vertex_bench_close(&b);
 }
 
 Test(vertex, refutations)
