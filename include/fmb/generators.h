@@ -30,6 +30,10 @@ FMB_API void fmb_generators_free(fmb_generators *g);
 FMB_API FMB_CHECKED fmb_status fmb_generators_add(fmb_generators *g, fmb_generator_kind kind,
                                                   const double *x);
 
+/* What was wrong with the arguments of the last addition, in one line: "x[2] is nan"; "" if nothing
+ * was, and for NULL. Good until the next addition. */
+FMB_API const char *fmb_generators_trouble(const fmb_generators *g);
+
 FMB_API int fmb_generators_dim(const fmb_generators *g);
 FMB_API size_t fmb_generators_size(const fmb_generators *g);
 /* The i-th; VERTEX where there is none. */

@@ -28,6 +28,9 @@ FMB_API void fmb_permutations_free(fmb_permutations *p);
 /* Append the one that takes variable j to image[j]. Errors: ARG (it takes two to one, or out of
  * range), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_permutations_add(fmb_permutations *p, const int *image);
+/* What was wrong with the arguments of the last addition, in one line: "variables 0 and 2 both go
+ * to 1"; "" if nothing was, and for NULL. Good until the next addition. */
+FMB_API const char *fmb_permutations_trouble(const fmb_permutations *p);
 FMB_API int fmb_permutations_dim(const fmb_permutations *p);
 FMB_API size_t fmb_permutations_size(const fmb_permutations *p);
 /* Where the i-th takes variable j; -1 where there is none. */

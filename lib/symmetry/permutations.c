@@ -1,6 +1,7 @@
 /* permutations.c: lists of permutations of variables; see fmb/symmetry.h. */
 #include "symmetry/permutations.h"
 
+#include <stdio.h>
 #include <string.h>
 
 /* ---- life ------------------------------------------------------------------------------------ */
@@ -77,21 +78,50 @@ static fmb_status append_permutation(fmb_permutations *p, const int *image)
     return FMB_OK;
 }
 
+/* Put down that variable j goes nowhere, or where another goes; FMB_OK if all go to places of their
+ * own. from[n]: who comes there, -1 at first. */
+static fmb_status expect_permutation(fmb_permutations *p, const int *image, int *from)
+{
+    for (int j = 0; j < p->dim; j++)
+        from[j] = -1;
+    for (int j = 0; j < p->dim; j++) {
+        int to = image[j];
+        if (to < 0 || to >= p->dim)
+            snprintf(p->trouble, sizeof p->trouble, "variable %d goes to %d, but there are %d", j,
+                     to, p->dim);
+        else if (from[to] >= 0)
+            snprintf(p->trouble, sizeof p->trouble, "variables %d and %d both go to %d", from[to],
+                     j, to);
+        else
+            from[to] = j;
+        if (p->trouble[0])
+            return FMB_ERR_ARG;
+    }
+    return FMB_OK;
+}
+
 fmb_status fmb_permutations_add(fmb_permutations *p, const int *image)
 {
-    if (!p || (!image && p->dim > 0))
+    if (!p)
         return FMB_ERR_ARG;
-    for (int j = 0; j < p->dim; j++)
-        if (image[j] < 0)
-            return FMB_ERR_ARG;
-    bool *met = fmb_mem_get(&p->mem, (size_t)p->dim, sizeof *met);
-    if (!met)
-        return FMB_ERR_MEMORY;
-    bool good = p->dim == 0 || goes_to_places_of_its_own(image, p->dim, met);
-    fmb_mem_put(&p->mem, met, (size_t)p->dim, sizeof *met);
+    p->trouble[0] = '\0';
     if (p->dim == 0)
         return FMB_OK; /* there is nothing to move */
-    return good ? append_permutation(p, image) : FMB_ERR_ARG;
+    if (!image) {
+        snprintf(p->trouble, sizeof p->trouble, "image is NULL");
+        return FMB_ERR_ARG;
+    }
+    int *from = fmb_mem_get(&p->mem, (size_t)p->dim, sizeof *from);
+    if (!from)
+        return FMB_ERR_MEMORY;
+    fmb_status st = expect_permutation(p, image, from);
+    fmb_mem_put(&p->mem, from, (size_t)p->dim, sizeof *from);
+    return st == FMB_OK ? append_permutation(p, image) : st;
+}
+
+const char *fmb_permutations_trouble(const fmb_permutations *p)
+{
+    return p ? p->trouble : "";
 }
 
 /* ---- reading --------------------------------------------------------------------------------- */

@@ -2,6 +2,8 @@
 #include "system/generators_private.h"
 
 #include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
 
 #include "num/rationals.h"
 
@@ -89,23 +91,46 @@ static void write_common_multiple(const fmb_generators *g, fmb_generator_kind ki
         mpz_set_ui(z[n], 0);
 }
 
-static bool are_generator_arguments_good(const fmb_generators *g, fmb_generator_kind kind,
-                                         const void *x)
+__attribute__((format(printf, 2, 3))) static fmb_status refuse_generator(fmb_generators *g,
+                                                                         const char *format, ...)
 {
-    return g && (x || g->dim == 0) && kind >= FMB_VERTEX && kind <= FMB_LINE;
+    va_list list;
+    va_start(list, format);
+    vsnprintf(g->trouble, sizeof g->trouble, format, list);
+    va_end(list);
+    return FMB_ERR_ARG;
+}
+
+static fmb_status expect_generator_arguments(fmb_generators *g, fmb_generator_kind kind,
+                                             const void *x)
+{
+    if (!g)
+        return FMB_ERR_ARG;
+    g->trouble[0] = '\0';
+    if (!x && g->dim > 0)
+        return refuse_generator(g, "x is NULL");
+    if ((unsigned)kind > FMB_LINE)
+        return refuse_generator(g, "kind is %d, which is none", (int)kind);
+    return FMB_OK;
+}
+
+const char *fmb_generators_trouble(const fmb_generators *g)
+{
+    return g ? g->trouble : "";
 }
 
 fmb_status fmb_generators_add_q(fmb_generators *g, fmb_generator_kind kind, mpq_t *x)
 {
-    if (!are_generator_arguments_good(g, kind, x))
-        return FMB_ERR_ARG;
-    for (int j = 0; j < g->dim; j++)
+    fmb_status st = expect_generator_arguments(g, kind, x);
+    for (int j = 0; st == FMB_OK && j < g->dim; j++)
         if (mpz_sgn(mpq_denref(x[j])) == 0)
-            return FMB_ERR_ARG;
+            st = refuse_generator(g, "x[%d] has denominator 0", j);
+    if (st != FMB_OK)
+        return st;
     size_t n = (size_t)g->dim + 1;
     fmb_vec *v = NULL;
     mpz_t *z = fmb_vec_block(n, &g->mem);
-    fmb_status st = z ? open_generator(g, kind, &v) : FMB_ERR_MEMORY;
+    st = z ? open_generator(g, kind, &v) : FMB_ERR_MEMORY;
     if (st == FMB_OK) {
         write_common_multiple(g, kind, x, z);
         st = close_generator(g, fmb_vec_set_z(v, n, z, &g->mem));
@@ -119,12 +144,13 @@ fmb_status fmb_generators_add_q(fmb_generators *g, fmb_generator_kind kind, mpq_
 fmb_status fmb_generators_add(fmb_generators *g, fmb_generator_kind kind, const double *x)
 {
     mpq_t *q;
-    if (!are_generator_arguments_good(g, kind, x))
-        return FMB_ERR_ARG;
-    for (int j = 0; j < g->dim; j++)
+    fmb_status st = expect_generator_arguments(g, kind, x);
+    for (int j = 0; st == FMB_OK && j < g->dim; j++)
         if (!isfinite(x[j]))
-            return FMB_ERR_ARG;
-    fmb_status st = fmb_rationals_new(&q, (size_t)g->dim, &g->mem);
+            st = refuse_generator(g, "x[%d] is %g", j, x[j]);
+    if (st != FMB_OK)
+        return st;
+    st = fmb_rationals_new(&q, (size_t)g->dim, &g->mem);
     if (st != FMB_OK)
         return st;
     for (int j = 0; j < g->dim; j++)

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include <fmb/symmetry.h>
+
 #include "property/random/rows.h"
 #include "verbs.h"
 
@@ -165,6 +167,47 @@ Test(arguments, trouble)
     expect_trouble(s, fmb_system_set_label(s, 3, "y"), "row 3 of a system that has 1");
     fmb_system_free(wide);
     close_world(&w);
+}
+
+/* The same of lists. */
+Test(arguments, trouble_of_lists)
+{
+    fmb_generators *g = NULL;
+    fmb_permutations *p = NULL;
+    mpq_t broken[2];
+    mpq_inits(broken[0], broken[1], NULL);
+    mpz_set_ui(mpq_denref(broken[1]), 0);
+    must(fmb_generators_new(2, NULL, &g));
+    must(fmb_permutations_new(3, NULL, &p));
+    cr_expect_str_eq(fmb_generators_trouble(g), "");
+    cr_expect_eq(fmb_generators_add(g, FMB_RAY, (double[]){1, NAN}), FMB_ERR_ARG);
+    cr_expect_str_eq(fmb_generators_trouble(g), "x[1] is nan");
+    cr_expect_eq(fmb_generators_add(g, (fmb_generator_kind)3, (double[]){1, 1}), FMB_ERR_ARG);
+    cr_expect_str_eq(fmb_generators_trouble(g), "kind is 3, which is none");
+    cr_expect_eq(fmb_generators_add_q(g, FMB_RAY, broken), FMB_ERR_ARG);
+    cr_expect_str_eq(fmb_generators_trouble(g), "x[1] has denominator 0");
+    cr_expect_eq(fmb_generators_add(g, FMB_RAY, NULL), FMB_ERR_ARG);
+    cr_expect_str_eq(fmb_generators_trouble(g), "x is NULL");
+    must(fmb_generators_add(g, FMB_RAY, (double[]){1, 1}));
+    cr_expect_str_eq(fmb_generators_trouble(g), "");
+    cr_expect_str_eq(fmb_generators_trouble(NULL), "");
+    cr_expect_eq(fmb_generators_size(g), 1u);
+    cr_expect_eq(fmb_permutations_add(p, (int[]){1, 0, 1}), FMB_ERR_ARG);
+    cr_expect_str_eq(fmb_permutations_trouble(p), "variables 0 and 2 both go to 1");
+    cr_expect_eq(fmb_permutations_add(p, (int[]){1, 3, 1}), FMB_ERR_ARG);
+    cr_expect_str_eq(fmb_permutations_trouble(p), "variable 1 goes to 3, but there are 3");
+    cr_expect_eq(fmb_permutations_add(p, (int[]){1, -1, 0}), FMB_ERR_ARG);
+    cr_expect_str_eq(fmb_permutations_trouble(p), "variable 1 goes to -1, but there are 3");
+    cr_expect_eq(fmb_permutations_add(p, NULL), FMB_ERR_ARG);
+    cr_expect_str_eq(fmb_permutations_trouble(p), "image is NULL");
+    must(fmb_permutations_add(p, (int[]){1, 0, 2}));
+    cr_expect_str_eq(fmb_permutations_trouble(p), "");
+    cr_expect_str_eq(fmb_permutations_trouble(NULL), "");
+    cr_expect_eq(fmb_permutations_size(p), 1u);
+    mpz_set_ui(mpq_denref(broken[1]), 1);
+    mpq_clears(broken[0], broken[1], NULL);
+    fmb_permutations_free(p);
+    fmb_generators_free(g);
 }
 
 /* Rationals that are not in lowest terms mean what they say. */

@@ -1,6 +1,7 @@
 """The walls of the house: which room includes which, that no files form a ring, what static functions
-are called, what a public header needs, what the library exports, and that every public function is
-mentioned in a test, and that no tag, header or function has a name for two things. usage: walls.py CHECK ROOT [LIBRARY... [NODE]]
+are called, what a public header needs, what the library exports, that every public function is
+mentioned in a test, that no tag, header or function has a name for two things, and that public names
+go together. usage: walls.py CHECK ROOT [LIBRARY... [NODE]]
 """
 
 import pathlib
@@ -23,6 +24,7 @@ FOLDERS = {"elim": "store history rules round".split(), "lp": "float exact oracl
 SHARED = {"base/clock.h", "base/line.h", "io/core/utf8.h"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]', re.M)
+DECLARATION = re.compile(r"FMB_API\b([^;{]*?)\b(fmb_\w+)\s*\(([^;{]*)\)\s*;", re.S)
 FUNCTION = re.compile(r"FMB_API\b[^;{]*?\b(fmb_\w+)\s*\(", re.S)
 COMMENT = re.compile(r"/\*.*?\*/", re.S)
 
@@ -227,6 +229,33 @@ def mentioned(root):
         yield f"{name}: no test mentions it"
 
 
+GIVEN = re.compile(r"(?<!const )\bfmb_(\w+) \*\*")
+RELEASE = re.compile(r"_(close|delete|destroy|discard|dispose|finish|release)$")
+
+
+def words(root):
+    """Public names that go together: what a function gives out has a *_free, nothing is released by another
+    word (*_clear: what a structure of the caller's holds), and what has functions that refuse arguments has a
+    *_trouble that says why, unless they tell an fmb_where."""
+    free, refusing, declared = set(), set(), public_functions(root)
+    for header in sorted((root / "include").glob("fmb/*.h")):
+        for kind, name, text in DECLARATION.findall(COMMENT.sub("", header.read_text())):
+            parameters = [" ".join(p.split()) for p in text.split(",")]
+            free |= {what for p in parameters for what in GIVEN.findall(p)}
+            owner = re.match(r"fmb_(\w+) \*\w+$", parameters[0])
+            if owner and "fmb_status" in kind and len(parameters) > 1 and "fmb_where" not in text:
+                refusing.add(owner.group(1))
+    for name in sorted(declared):
+        if RELEASE.search(name):
+            yield f"{name}: released by free (objects) or clear (what a structure holds), nothing else"
+    for what in sorted(free):
+        if f"fmb_{what}_free" not in declared:
+            yield f"fmb_{what} is handed out, but there is no fmb_{what}_free"
+    for what in sorted(refusing & {n[4:-5] for n in declared if n.endswith("_free")}):
+        if f"fmb_{what}_trouble" not in declared:
+            yield f"fmb_{what} refuses arguments, but there is no fmb_{what}_trouble"
+
+
 def selftest(_root):
     """Each check finds the fault it is there for."""
     with tempfile.TemporaryDirectory() as name:
@@ -246,11 +275,15 @@ def selftest(_root):
             "lib/base/twice.h": "struct fmb_twice {\n};\nint fmb_twofold(void);\n",
             "lib/num/twice.h": "typedef struct fmb_twice {\n} fmb_twice;\nint fmb_twofold(\n    int a);\n",
             "tests/g.c": "",
+            "include/fmb/given.h": "FMB_API fmb_status fmb_thing_new(fmb_thing **out);\n"
+                                   "FMB_API void fmb_thing_close(fmb_thing *t);\n"
+                                   "FMB_API fmb_status fmb_other_add(fmb_other *o, int a);\n"
+                                   "FMB_API void fmb_other_free(fmb_other *o);\n",
         }
         for path, content in bad.items():
             (root / path).parent.mkdir(parents=True, exist_ok=True)
             (root / path).write_text(content)
-        for check, expected in ((rooms, 8), (headers, 2), (mentioned, 1), (once, 3)):
+        for check, expected in ((rooms, 8), (headers, 4), (mentioned, 5), (once, 3), (words, 3)):
             found = list(check(root))
             if len(found) != expected:
                 yield f"{check.__name__} found {len(found)} of {expected} faults: {found}"
