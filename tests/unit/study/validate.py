@@ -8,10 +8,8 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
 
-# A background job of a shell ignores it, and so would what is started here.
-signal.signal(signal.SIGINT, signal.SIG_DFL)
+import watched
 
 program, man_page = sys.argv[1], pathlib.Path(sys.argv[2])
 CASES = ["2d-static", "2d-dynamic", "3d-static", "3d-dynamic"]
@@ -158,7 +156,7 @@ def unwritable(folder):
     """It is noticed at once, not after an hour."""
     for option in ("--json", "--failures"):
         got = subprocess.run([program, "--pairs", "1000000000000", option, str(folder)],
-                             capture_output=True, text=True, timeout=60)
+                             capture_output=True, text=True)
         expect(got.returncode == 74 and not got.stdout and
                got.stderr == f"fmb-validate: {folder}: Is a directory\n", f"{option}: {got}")
 
@@ -170,12 +168,11 @@ def seeds():
 
 
 def interrupted():
-    child = subprocess.Popen([program, "--pairs", "1000000000", "--threads", "2", "--json", "-"],
-                             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    time.sleep(2)
-    child.send_signal(signal.SIGINT)
-    text, errors = child.communicate(timeout=60)
-    expect(child.returncode == 2 and not errors, f"Ctrl-C: {child.returncode} {errors}")
+    run = watched.Watched([program, "--pairs", "1000000000", "--threads", "2", "--json", "-"])
+    run.at_work()
+    run.child.send_signal(signal.SIGINT)
+    code, text, errors = run.end()
+    expect(code == 2 and not errors, f"Ctrl-C: {code} {errors}")
     report = json.loads(text)
     expect(not report["complete"] and report["disagreements"] == 0, f"Ctrl-C: {report}")
     expect(report["cases"][0]["tested"] > 0 == report["cases"][3]["tested"], f"Ctrl-C: {report}")
