@@ -99,11 +99,13 @@ static bool note_pairs(void *self, fmb_verdict verdict, size_t n, const fmb_fram
 
 static void ask_frames(const frames_scene *c, size_t threads, frames_answers *out)
 {
-    fmb_pair_options o = fmb_pair_options_default();
+    fmb_pair_options o = {.size = sizeof o};
     fmb_pair *k = NULL;
     o.threads = threads;
     must(fmb_pair_new(DIM, &o, NULL, &k));
-    must(fmb_frames_test(k, c->a, c->b, PAIRS, c->pair, &(fmb_pair_answers){.verdict = out->pair}));
+    must(fmb_frames_test(
+        k, c->a, c->b, PAIRS, c->pair,
+        &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = out->pair}));
     must(fmb_frames_test_row(k, c->a, 0, c->b, out->row));
     must(fmb_frames_meet(k, c->a, c->b, note_pairs, out));
     fmb_pair_free(k);
@@ -150,8 +152,8 @@ static fmb_mesh *draw_mesh(support_rng *g, int corners)
 
 static void compare_meshes(const fmb_mesh *a, const fmb_mesh *b, const double *motion)
 {
-    fmb_mesh_options o = {.neighbours = true, .motion = motion};
-    fmb_mesh_answer one = {0}, crew = {0};
+    fmb_mesh_options o = {.size = sizeof o, .neighbours = true, .motion = motion};
+    fmb_mesh_answer one = {.size = sizeof one}, crew = {.size = sizeof crew};
     must(fmb_mesh_meet(a, b, &o, &one));
     o.threads = CREW;
     must(fmb_mesh_meet(a, b, &o, &crew));
@@ -190,9 +192,9 @@ typedef struct sessions {
 static void play_session(const sessions *c, size_t threads, fmb_verdict *out)
 {
     support_rng g = {c->seed};
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     o.threads = threads;
     must(fmb_solver_new(&o, NULL, &v));
     must(fmb_solver_load(v, c->s));
@@ -235,7 +237,7 @@ typedef struct trial {
 static void check_evidence(void *self, int i)
 {
     const trial *t = self;
-    fmb_judgement j;
+    fmb_judgement j = {.size = sizeof j};
     must(fmb_check(t->c->s, t->e, &j));
     if (!j.accepted || j.verdict != t->c->verdict)
         asking_fail("%s: thread %d rejects the evidence: %s", t->c->name, i, j.reason);
@@ -244,9 +246,9 @@ static void check_evidence(void *self, int i)
 static void try_evidence(const scene *c)
 {
     trial t = {.c = c};
-    fmb_options o = fmb_options_default();
+    fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
-    fmb_result r;
+    fmb_result r = {.size = sizeof r};
     must(fmb_solver_new(&o, NULL, &v));
     must(fmb_solve(v, c->s, &r));
     must(fmb_solver_evidence(v, &t.e));
@@ -262,7 +264,7 @@ static void try_solvers(const scene *c)
 {
     for (int method = FMB_METHOD_AUTO; method <= FMB_METHOD_DD; method++)
         for (int kind = 0; kind < ASKING_KINDS; kind++) {
-            fmb_options o = fmb_options_default();
+            fmb_options o = {.size = sizeof o};
             fmb_solver *v = NULL;
             moment returned;
             o.method = (fmb_method)method;
