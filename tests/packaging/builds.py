@@ -99,5 +99,6 @@ def by_meson():
 
 libraries = {"pkg-config": by_pkg_config, "cmake": by_cmake, "meson": by_meson}[way]()
 for language in ("c", "cpp"):
-    call(sys.executable, "-B", judge, folder / f"rows_{language}", LD_LIBRARY_PATH=str(libraries))
+    call(sys.executable, "-B", judge, examples / f"rows.{language}", folder / f"rows_{language}",
+         LD_LIBRARY_PATH=str(libraries))
 print(f"{way}: C and C++20")
