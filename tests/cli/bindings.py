@@ -8,11 +8,15 @@ import shutil
 import subprocess
 import sys
 
-LINES, COLUMNS = 64, 100
+LINES, COLUMNS = 60, 100
+
+
+def run(right):
+    return subprocess.run(sys.argv[2:] + [right], capture_output=True, text=True, timeout=100)
 
 
 def answer(right):
-    done = subprocess.run(sys.argv[2:] + [right], capture_output=True, text=True, timeout=100)
+    done = run(right)
     if done.returncode != 0:
         sys.exit(f"ended with {done.returncode}: {done.stderr}")
     return done.stdout.splitlines()
@@ -42,6 +46,9 @@ def wrong_answers():
             yield shadow
     if (said := answer("-1")) != ["infeasible: 100 rows, up to row 19999", "<= -1"]:
         yield said
+    refused = run("nan")
+    if refused.returncode == 0 or "row 19999: right side is nan" not in refused.stderr:
+        yield refused.stderr
 
 
 def main():

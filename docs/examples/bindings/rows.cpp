@@ -3,23 +3,20 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <memory>
 #include <vector>
 
-template <auto free> using By = decltype([](auto *p) { free(p); });
-
-static void need(fmb_status st, const char *trouble = "")
-{
-    if (st != FMB_OK) {
-        std::fprintf(stderr, "%s: %s\n", fmb_status_text(st), trouble);
-        std::exit(EXIT_FAILURE);
-    }
-}
+template <class T, void (*release)(T *)> struct Owned {
+    T *p = nullptr;
+    Owned() = default;
+    Owned(const Owned &) = delete;
+    ~Owned() { release(p); }
+    operator T *() const { return p; }
+    T *operator->() const { return p; }
+};
 
 int main(int argc, char **argv)
 {
-    constexpr int rows = 20000, dim = 100;
-    const int keep[] = {0, dim / 2, dim - 1};
+    constexpr int rows = 20000, dim = 100, keep[] = {0, dim / 2, dim - 1};
     std::vector<std::size_t> start{0};
     std::vector<int> var;
     std::vector<double> coef, b, x(dim);
@@ -30,30 +27,24 @@ int main(int argc, char **argv)
         start.push_back(var.size());
     }
     b.back() = argc > 1 ? std::atof(argv[1]) : 5;
-    std::size_t n;
-    fmb_system *s, *image;
-    fmb_solver *v;
-    fmb_matrix *m;
+    Owned<fmb_system, fmb_system_free> s, image;
+    Owned<fmb_solver, fmb_solver_free> v;
+    Owned<fmb_matrix, fmb_matrix_free> m;
     fmb_result r{};
     r.size = sizeof r;
-    need(fmb_system_new(dim, nullptr, &s));
-    std::unique_ptr<fmb_system, By<fmb_system_free>> own_s(s);
-    need(fmb_system_add_rows(s, rows, start.data(), var.data(), coef.data(), nullptr, b.data()),
-         fmb_system_trouble(s));
-    need(fmb_solver_new(nullptr, nullptr, &v));
-    std::unique_ptr<fmb_solver, By<fmb_solver_free>> own_v(v);
-    need(fmb_solve(v, s, &r), fmb_solver_trouble(v));
-    if (r.verdict == FMB_FEASIBLE) {
-        need(fmb_solver_point(v, x.data()), fmb_solver_trouble(v));
-        std::printf("feasible: %g %g ... %g\n", x[0], x[1], x.back());
-    } else {
-        need(fmb_solver_conflict(v, &n), fmb_solver_trouble(v));
-        std::printf("infeasible: %zu rows, up to row %zu\n", n, fmb_solver_conflict_row(v, n - 1));
+    std::size_t n = 0;
+    if (fmb_system_new(dim, nullptr, &s.p) || fmb_solver_new(nullptr, nullptr, &v.p) ||
+        fmb_system_add_rows(s, rows, start.data(), var.data(), coef.data(), nullptr, b.data()) ||
+        fmb_project(v, s, keep, 3, &image.p, nullptr) || fmb_system_matrix(image, &m.p) ||
+        fmb_solve(v, s, &r) ||
+        (r.verdict == FMB_FEASIBLE ? fmb_solver_point(v, x.data()) : fmb_solver_conflict(v, &n))) {
+        std::fprintf(stderr, "failed: %s%s\n", fmb_system_trouble(s), fmb_solver_trouble(v));
+        return EXIT_FAILURE;
     }
-    need(fmb_project(v, s, keep, 3, &image, nullptr), fmb_solver_trouble(v));
-    std::unique_ptr<fmb_system, By<fmb_system_free>> own_image(image);
-    need(fmb_system_matrix(image, &m));
-    std::unique_ptr<fmb_matrix, By<fmb_matrix_free>> own_m(m);
+    if (r.verdict == FMB_FEASIBLE)
+        std::printf("feasible: %g %g ... %g\n", x[0], x[1], x.back());
+    else
+        std::printf("infeasible: %zu rows, up to row %zu\n", n, fmb_solver_conflict_row(v, n - 1));
     for (std::size_t i = 0; i < m->rows; i++) {
         for (std::size_t k = m->start[i]; k < m->start[i + 1]; k++)
             std::printf("%+g %s ", m->coef[k], fmb_system_name(image, m->var[k]));
