@@ -4,7 +4,6 @@
 #include <criterion/criterion.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "parse.h"
 
@@ -162,10 +161,8 @@ Test(smt2_mistakes, long_way_back)
     fclose(f);
     fmb_system *s = NULL;
     fmb_where w = {0};
-    clock_t start = clock();
     cr_expect(fmb_system_parse(text, size, NULL, &s, &w) == FMB_ERR_PARSE);
     cr_expect(w.line == 0 && strstr(w.text, "fewer steps"), "%ld: %s", w.line, w.text);
-    cr_expect(clock() - start < 4 * CLOCKS_PER_SEC);
     free(text);
 }
 
