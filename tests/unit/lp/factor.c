@@ -4,100 +4,10 @@
 
 #include <stdlib.h>
 
+#include "bareiss.h"
 #include "lp/exact/factor.h"
-#include "lp/exact/modular_kernel.h"
 #include "lp/exact/prime.h"
-#include "num/gcd.h"
 #include "support.h"
-
-/* ---- the truth ------------------------------------------------------------------------------- */
-
-static mpz_t *integers(size_t n)
-{
-    mpz_t *z = malloc(n * sizeof *z);
-    for (size_t i = 0; i < n; i++)
-        mpz_init(z[i]);
-    return z;
-}
-
-static void free_integers(mpz_t *z, size_t n)
-{
-    for (size_t i = 0; i < n; i++)
-        mpz_clear(z[i]);
-    free(z);
-}
-
-/* Rank of a[n][width], whose first n columns count; a becomes triangular, and where the rank is n,
- * a[n-1][n-1] is the determinant but for its sign. */
-static size_t eliminate_plainly(mpz_t *a, size_t n, size_t width)
-{
-    mpz_t last, t;
-    mpz_init_set_ui(last, 1);
-    mpz_init(t);
-    size_t rank = 0;
-    for (size_t c = 0; c < n; c++) {
-        size_t p = rank;
-        while (p < n && mpz_sgn(a[p * width + c]) == 0)
-            p++;
-        if (p == n)
-            continue;
-        for (size_t j = 0; p != rank && j < width; j++)
-            mpz_swap(a[p * width + j], a[rank * width + j]);
-        for (size_t i = rank + 1; i < n; i++) {
-            for (size_t j = c + 1; j < width; j++) {
-                mpz_mul(a[i * width + j], a[i * width + j], a[rank * width + c]);
-                mpz_mul(t, a[i * width + c], a[rank * width + j]);
-                mpz_sub(a[i * width + j], a[i * width + j], t);
-                mpz_divexact(a[i * width + j], a[i * width + j], last);
-            }
-            mpz_set_ui(a[i * width + c], 0);
-        }
-        mpz_set(last, a[rank * width + c]);
-        rank++;
-    }
-    mpz_clears(last, t, NULL);
-    return rank;
-}
-
-static size_t rank_of(mpz_t *a, size_t n)
-{
-    mpz_t *copy = integers(n * n);
-    for (size_t t = 0; t < n * n; t++)
-        mpz_set(copy[t], a[t]);
-    size_t rank = eliminate_plainly(copy, n, n);
-    free_integers(copy, n * n);
-    return rank;
-}
-
-/* x / den with A x = den right, in lowest terms; A is regular. */
-static void solve_plainly(mpz_t *a, size_t n, mpz_t *right, mpz_t *x, mpz_t den)
-{
-    mpz_t *w = integers(n * (n + 1)), g;
-    mpz_init(g);
-    for (size_t i = 0; i < n; i++) {
-        for (size_t j = 0; j < n; j++)
-            mpz_set(w[i * (n + 1) + j], a[i * n + j]);
-        mpz_set(w[i * (n + 1) + n], right[i]);
-    }
-    cr_assert_eq(eliminate_plainly(w, n, n + 1), n);
-    mpz_set(den, w[(n - 1) * (n + 1) + n - 1]);
-    for (size_t i = n; i-- > 0;) { /* Cramer: each den x is an integer */
-        mpz_mul(x[i], w[i * (n + 1) + n], den);
-        for (size_t j = i + 1; j < n; j++)
-            mpz_submul(x[i], w[i * (n + 1) + j], x[j]);
-        mpz_divexact(x[i], x[i], w[i * (n + 1) + i]);
-    }
-    mpz_set(g, den);
-    for (size_t i = 0; i < n; i++)
-        mpz_gcd(g, g, x[i]);
-    if (mpz_sgn(den) < 0)
-        mpz_neg(g, g);
-    mpz_divexact(den, den, g);
-    for (size_t i = 0; i < n; i++)
-        mpz_divexact(x[i], x[i], g);
-    mpz_clear(g);
-    free_integers(w, n * (n + 1));
-}
 
 /* ---- a matrix and its factor ----------------------------------------------------------------- */
 
@@ -115,7 +25,7 @@ typedef struct bench {
 static void open_bench(bench *b, size_t n)
 {
     fmb_options o = {.size = sizeof o};
-    *b = (bench){.n = n, .a = integers(n * n), .basis = malloc(n * sizeof *b->basis)};
+    *b = (bench){.n = n, .a = bareiss_numbers(n * n), .basis = malloc(n * sizeof *b->basis)};
     fmb_mem_init(&b->mem, NULL, 0);
     fmb_run_begin(&b->run, &b->mem, &o, &b->cancel, (fmb_sink){0}, "test");
     fmb_program_init(&b->p, &b->mem, (int)n);
@@ -124,7 +34,7 @@ static void open_bench(bench *b, size_t n)
 /* The rows of a, in another order; some that are unit vectors are so by their number. */
 static void build_program(bench *b, support_rng *g)
 {
-    mpz_t *row = integers(b->n + 1);
+    mpz_t *row = bareiss_numbers(b->n + 1);
     for (size_t i = 0; i < b->n; i++)
         b->basis[i] = i;
     for (size_t i = b->n; i-- > 1;) {
@@ -141,7 +51,7 @@ static void build_program(bench *b, support_rng *g)
         cr_assert_eq(fmb_program_add_integers(&b->p, row, FMB_LE), FMB_OK);
     }
     b->m = b->n;
-    free_integers(row, b->n + 1);
+    bareiss_free(row, b->n + 1);
     cr_assert_eq(fmb_factor_new(&b->run, &b->p, &b->f), FMB_OK);
 }
 
@@ -157,7 +67,7 @@ static void close_bench(bench *b)
     fmb_factor_free(b->f);
     fmb_program_clear(&b->p);
     cr_assert_eq(b->mem.used, 0);
-    free_integers(b->a, b->n * b->n);
+    bareiss_free(b->a, b->n * b->n);
     free(b->basis);
 }
 
@@ -166,7 +76,7 @@ static void close_bench(bench *b)
 static void check_solution_for(bench *b, bool across, mpz_t *right)
 {
     size_t n = b->n;
-    mpz_t *x = integers(n), *truth = integers(n), *a = integers(n * n), den, t;
+    mpz_t *x = bareiss_numbers(n), *truth = bareiss_numbers(n), *a = bareiss_numbers(n * n), den, t;
     mpz_inits(den, t, NULL);
     for (size_t i = 0; i < n; i++)
         for (size_t j = 0; j < n; j++)
@@ -182,7 +92,7 @@ static void check_solution_for(bench *b, bool across, mpz_t *right)
         cr_assert_eq(mpz_sgn(t), 0, "row %zu of %zu", i, n);
     }
     if (n <= 24) {
-        solve_plainly(a, n, right, truth, t);
+        bareiss_solve(a, n, right, truth, t);
         cr_assert_eq(mpz_cmp(den, t), 0);
         for (size_t i = 0; i < n; i++)
             cr_assert_eq(mpz_cmp(x[i], truth[i]), 0);
@@ -191,20 +101,20 @@ static void check_solution_for(bench *b, bool across, mpz_t *right)
         mpz_gcd(den, den, x[i]);
     cr_assert_eq(mpz_cmp_ui(den, 1), 0);
     mpz_clears(den, t, NULL);
-    free_integers(x, n);
-    free_integers(truth, n);
-    free_integers(a, n * n);
+    bareiss_free(x, n);
+    bareiss_free(truth, n);
+    bareiss_free(a, n * n);
 }
 
 /* For a random right side. */
 static void check_solution(bench *b, support_rng *g, bool across, int bits, int percent)
 {
-    mpz_t *right = integers(b->n);
+    mpz_t *right = bareiss_numbers(b->n);
     for (size_t i = 0; i < b->n; i++)
         if (support_chance(g, percent))
             support_integer(g, bits, right[i]);
     check_solution_for(b, across, right);
-    free_integers(right, b->n);
+    bareiss_free(right, b->n);
 }
 
 static void check_all_solutions(bench *b, support_rng *g)
@@ -267,7 +177,7 @@ static void make_row_dependent(bench *b, support_rng *g, size_t r)
 /* Factor; take over what was exchanged, and check that it had to be and helps. */
 static void factor_and_check_rank(bench *b)
 {
-    size_t n = b->n, rank = rank_of(b->a, n), exchanged = 0;
+    size_t n = b->n, rank = bareiss_rank(b->a, n), exchanged = 0;
     size_t *before = malloc(n * sizeof *before);
     bool changed;
     for (size_t r = 0; r < n; r++)
@@ -282,7 +192,7 @@ static void factor_and_check_rank(bench *b)
         make_unit_row(b, r, b->basis[r] - b->m);
     }
     cr_assert_eq(exchanged, n - rank);
-    cr_assert_eq(rank_of(b->a, n), n);
+    cr_assert_eq(bareiss_rank(b->a, n), n);
     free(before);
 }
 
@@ -397,7 +307,7 @@ static void check_short_residues(size_t n, int k, bool across)
     support_rng g = {(uint64_t)k};
     bench b;
     bool changed;
-    mpz_t *right = integers(n);
+    mpz_t *right = bareiss_numbers(n);
     open_bench(&b, n);
     fill(&b, &g, 100, 0);
     mpz_set_ui(b.a[0], 1ul << k);
@@ -417,7 +327,7 @@ static void check_short_residues(size_t n, int k, bool across)
         }
     }
     check_solution_for(&b, across, right);
-    free_integers(right, n);
+    bareiss_free(right, n);
     close_bench(&b);
 }
 
@@ -475,7 +385,7 @@ Test(factor, limits_on_memory_leave_nothing_behind)
         for (size_t i = 0; i < b.n; i++)
             mpz_set_ui(b.a[i * b.n + i], 1);
         build_program(&b, &g);
-        mpz_t *right = integers(b.n), *x = integers(b.n), den;
+        mpz_t *right = bareiss_numbers(b.n), *x = bareiss_numbers(b.n), den;
         mpz_init(den);
         for (size_t i = 0; i < b.n; i++)
             support_integer(&g, 70, right[i]);
@@ -491,77 +401,8 @@ Test(factor, limits_on_memory_leave_nothing_behind)
         cr_assert_eq(solve_once(&b, right, x, den), FMB_LIMIT);
         cr_assert_eq(b.mem.used, used);
         mpz_clear(den);
-        free_integers(right, b.n);
-        free_integers(x, b.n);
+        bareiss_free(right, b.n);
+        bareiss_free(x, b.n);
         close_bench(&b);
     }
-}
-
-/* ---- short numbers --------------------------------------------------------------------------- */
-
-static void fill_at_random(support_rng *g, fmb_short *h, size_t columns, int64_t *a)
-{
-    size_t n = h->n;
-    bool dependent = n > 2 && support_chance(g, 30), empty = support_chance(g, 30);
-    fmb_short_zero(h, columns);
-    for (size_t i = 0; i < n; i++)
-        for (size_t j = 0; j < columns; j++) {
-            int64_t *x = &a[i * columns + j];
-            *x = support_chance(g, 40) ? 0 : support_between(g, -9, 9);
-            if (dependent && i + 1 == n)
-                *x = a[j] - 2 * a[columns + j];
-            if (empty && i == 1)
-                *x = 0;
-            if (*x != 0)
-                fmb_short_put(h, i, j, *x);
-        }
-}
-
-static size_t rank_of_rows(const int64_t *a, size_t n, size_t columns)
-{
-    size_t size = n + columns;
-    mpz_t *z = integers(size * size); /* with zeros around it */
-    for (size_t i = 0; i < n; i++)
-        for (size_t j = 0; j < columns; j++)
-            mpz_set_si(z[i * size + j], a[i * columns + j]);
-    size_t rank = rank_of(z, size);
-    free_integers(z, size * size);
-    return rank;
-}
-
-/* Is v, not 0 and coprime, 0 on all rows? */
-static void expect_kernel(const fmb_short *h, const int64_t *a)
-{
-    uint64_t g = 0;
-    for (size_t j = 0; j < h->columns; j++)
-        g = fmb_gcd64(g, fmb_abs64(h->v[j]));
-    cr_assert_eq(g, 1);
-    for (size_t i = 0; i < h->n; i++) {
-        fmb_i128 sum = 0;
-        for (size_t j = 0; j < h->columns; j++)
-            sum += (fmb_i128)a[i * h->columns + j] * h->v[j];
-        cr_assert(sum == 0);
-    }
-}
-
-Test(factor, kernels_of_short_numbers)
-{
-    fmb_mem mem;
-    fmb_mem_init(&mem, NULL, 0);
-    for (uint64_t seed = 0; seed < 3000; seed++) {
-        support_rng g = {seed};
-        fmb_short h;
-        size_t n = (size_t)support_between(&g, 1, 12), columns = n + 1;
-        int64_t a[12 * 13];
-        if (support_chance(&g, 50))
-            columns = (size_t)support_between(&g, n > 2 ? (int)n - 2 : 1, (int)n + 1);
-        cr_assert_eq(fmb_short_init(&h, &mem, n), FMB_OK);
-        fill_at_random(&g, &h, columns, a);
-        bool found = fmb_short_find_kernel(&h);
-        cr_assert_eq(found, rank_of_rows(a, n, columns) + 1 == columns);
-        if (found)
-            expect_kernel(&h, a);
-        fmb_short_clear(&h, &mem);
-    }
-    cr_assert_eq(mem.used, 0);
 }
