@@ -40,3 +40,11 @@ void app_json_print(json_t *obj)
     fputc('\n', stdout);
     json_decref(obj);
 }
+
+void app_json_print_unread(void)
+{
+    json_t *obj = app_need(json_object());
+    app_json_set(obj, "verdict", json_string(fmb_verdict_text(FMB_UNKNOWN)));
+    app_json_set(obj, "stop", json_string(fmb_stop_text(FMB_STOP_BYTES)));
+    app_json_print(obj);
+}

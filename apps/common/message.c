@@ -1,6 +1,8 @@
 /* message.c: see message.h. */
 #include "common/message.h"
 
+#include "common/budget.h"
+
 #include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -135,6 +137,9 @@ int app_error_at(app_place at, int code, const char *format, ...)
 
 int app_status_error(fmb_status st)
 {
+    if (st == FMB_ERR_MEMORY && app_budget_is_spent())
+        return app_error(APP_UNDECIDED, "undecided (%s): the input alone takes more",
+                         fmb_stop_text(FMB_STOP_BYTES));
     int code = st == FMB_ERR_RULE ? APP_USAGE : st == FMB_ERR_IO ? APP_CANNOT_WRITE : APP_INTERNAL;
     return app_error(code, "%s", fmb_status_text(st));
 }

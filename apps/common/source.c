@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/budget.h"
 #include "common/file.h"
 #include "common/message.h"
 #include "common/text.h"
@@ -108,6 +109,7 @@ fmb_reader app_source_reader(app_source *src)
 {
     return (fmb_reader){.size = sizeof(fmb_reader),
                         .format = src->format,
+                        .mem = app_budget_alloc(),
                         .warn = warn,
                         .self = src,
                         .max_bytes = src->max_input};

@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "base/clock.h"
+#include "common/budget.h"
 #include "common/decimal.h"
 #include "common/exit_code.h"
 #include "common/file.h"
@@ -51,7 +52,8 @@ static const struct argp_option options[] = {
     {"max-seconds", KEY_SECONDS, "SECONDS", 0,
      "Stop reading and judging the proof after that time (default 0: no limit)", 2},
     {"max-bytes", KEY_BYTES, "BYTES", 0,
-     "Stop when the proof and what it is judged with need more (default 0: no limit)", 2},
+     "Stop when the system, the proof and what it is judged with need more (default 0: no limit)",
+     2},
     {"json", KEY_JSON, NULL, 0, "Print one JSON object instead of text", 2},
     {0}};
 
@@ -196,15 +198,20 @@ static fmb_patience patience_left(const request *r)
     return p;
 }
 
+/* Nothing was judged. */
+static void print_stop_as_json(fmb_stop stop)
+{
+    json_t *obj = app_need(json_object());
+    app_json_set(obj, "accepted", json_false());
+    app_json_set(obj, "verdict", json_string(fmb_verdict_text(FMB_UNKNOWN)));
+    app_json_set(obj, "stop", json_string(fmb_stop_text(stop)));
+    app_json_print(obj);
+}
+
 static int report_stop_of_reader(const request *r, fmb_stop stop)
 {
-    if (r->json) {
-        json_t *obj = app_need(json_object());
-        app_json_set(obj, "accepted", json_false());
-        app_json_set(obj, "verdict", json_string(fmb_verdict_text(FMB_UNKNOWN)));
-        app_json_set(obj, "stop", json_string(fmb_stop_text(stop)));
-        app_json_print(obj);
-    }
+    if (r->json)
+        print_stop_as_json(stop);
     return app_error(APP_UNDECIDED,
                      "undecided (%s): the proof was not read to its end, and no claim judged",
                      fmb_stop_text(stop));
@@ -444,11 +451,15 @@ int cmd_check(int argc, char **argv)
     app_options_parse(&whole, argc, argv, &r);
     fmb_system *s = NULL, *image = NULL;
     fmb_evidence *e = NULL;
+    app_budget_begin(r.patience.max_bytes);
     int code = app_source_read(&r.source, &s);
     if (code == APP_YES)
         code = read_image(&r, s, &image);
     if (code == APP_YES && r.relax)
         code = app_first_code(forget_integers(s), forget_integers(image));
+    r.patience.max_bytes = app_budget_end();
+    if (code == APP_UNDECIDED && r.json)
+        print_stop_as_json(FMB_STOP_BYTES);
     begin_to_wait(&r);
     if (code == APP_YES)
         code = read_proof(&r, s, &e);

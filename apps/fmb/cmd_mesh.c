@@ -5,8 +5,10 @@
 #include <string.h>
 
 #include "common/bar.h"
+#include "common/budget.h"
 #include "common/decimal.h"
 #include "common/file.h"
+#include "common/json.h"
 #include "common/message.h"
 #include "common/options.h"
 #include "common/ranks.h"
@@ -290,7 +292,11 @@ static int answer_as_ranks(const mesh_ask *ask)
     app_stop_begin(NULL);
     if (app_ranks() > 1)
         app_signals_set(app_file_abandon);
+    app_budget_begin(ask->max_bytes);
     int code = read_meshes(ask, ask->file[1] ? 2 : 1, m);
+    app_budget_end(); /* the search counts the meshes itself */
+    if (code == APP_UNDECIDED && ask->json)
+        app_json_print_unread();
     if (code == APP_YES)
         code = meet(ask, m[0], m[1]);
     app_stop_end();

@@ -70,7 +70,7 @@ static int open_session(app_session *s, const app_ask *ask, app_source *source, 
     if (!app_source_is_script(source))
         return app_session_open(s, ask);
     int code = app_session_open_solver(s, ask);
-    return code == APP_YES ? open_script(s, source, script) : code;
+    return code == APP_YES ? app_session_end_reading(s, open_script(s, source, script)) : code;
 }
 
 int cmd_solve(int argc, char **argv)

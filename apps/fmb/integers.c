@@ -119,7 +119,7 @@ static fmb_status evidence_of_system(const app_session *s, const fmb_system *fix
 /* Solve fixed in what is left of the time; its point, if there is one, becomes the session's. */
 static int solve_fixed(app_session *s, const fmb_system *fixed)
 {
-    fmb_options o = s->ask->options;
+    fmb_options o = s->options;
     if (o.max_seconds > 0)
         o.max_seconds = o.max_seconds > 2 * s->result.stats.seconds
                             ? o.max_seconds - s->result.stats.seconds

@@ -281,7 +281,7 @@ int app_lifted_run(const app_lifted *command, int argc, char **argv)
     if (code == APP_YES)
         code = app_ask_exact_rows(&question);
     if (code == APP_YES)
-        code = read_polyhedra(&r, &p);
+        code = app_session_end_reading(&s, read_polyhedra(&r, &p));
     if (code == APP_YES)
         code = app_session_open_outputs(&s);
     if (code == APP_YES)

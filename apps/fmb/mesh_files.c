@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/budget.h"
 #include "common/file.h"
 #include "common/message.h"
 #include "common/need.h"
@@ -24,7 +25,7 @@ static char *partner_of_tetgen(const char *path, bool *is_node)
 
 static int read_tetgen(const mesh_ask *ask, const char *node, const char *ele, fmb_mesh **out)
 {
-    fmb_reader how = {.size = sizeof how, .max_bytes = ask->max_input};
+    fmb_reader how = {.size = sizeof how, .mem = app_budget_alloc(), .max_bytes = ask->max_input};
     fmb_where where = {0};
     bool in_cells = false;
     FILE *points = NULL, *cells = NULL;
@@ -45,7 +46,7 @@ static int read_tetgen(const mesh_ask *ask, const char *node, const char *ele, f
 static int read_one_file(const mesh_ask *ask, const char *path, fmb_mesh **out)
 {
     fmb_mesh_format f = ask->format != FMB_MESH_AUTO ? ask->format : fmb_mesh_format_of_name(path);
-    fmb_reader how = {.size = sizeof how, .max_bytes = ask->max_input};
+    fmb_reader how = {.size = sizeof how, .mem = app_budget_alloc(), .max_bytes = ask->max_input};
     fmb_where where = {0};
     FILE *in;
     int code = app_file_open(path, &in);

@@ -6,7 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/budget.h"
 #include "common/file.h"
+#include "common/json.h"
 #include "common/message.h"
 #include "common/nearest.h"
 
@@ -93,13 +95,13 @@ static int open_rules(app_session *s)
                            : code;
 }
 
-static int open_solver(app_session *s)
+/* With the options of the session, in place of one that is there. */
+static int make_solver(app_session *s)
 {
-    fmb_options o = s->ask->options;
-    int code = open_rules(s);
-    if (code != APP_YES)
-        return code;
+    fmb_options o = s->options;
     o.rules = s->rules.words;
+    fmb_solver_free(s->solver);
+    s->solver = NULL;
     fmb_status st = fmb_solver_new(&o, NULL, &s->solver);
     if (st == FMB_OK)
         st = app_rule_set_add(&s->rules, s->solver);
@@ -110,11 +112,29 @@ static int open_solver(app_session *s)
     return st == FMB_OK ? APP_YES : app_status_error(st);
 }
 
+static int open_solver(app_session *s)
+{
+    int code = open_rules(s);
+    app_budget_begin(s->options.max_bytes);
+    return code == APP_YES ? make_solver(s) : code;
+}
+
+int app_session_end_reading(app_session *s, int code)
+{
+    size_t left = app_budget_end();
+    if (code == APP_UNDECIDED && s->ask->json)
+        app_json_print_unread();
+    if (code != APP_YES || left == s->options.max_bytes)
+        return code;
+    s->options.max_bytes = left;
+    return make_solver(s);
+}
+
 /* Outputs are opened after the input was read, so that one which is the input is refused, and
  * before the query, as nobody likes to hear after an hour that a folder is missing. */
 int app_session_open_solver(app_session *s, const app_ask *ask)
 {
-    *s = (app_session){.ask = ask, .result = {.size = sizeof s->result}};
+    *s = (app_session){.ask = ask, .options = ask->options, .result = {.size = sizeof s->result}};
     return open_solver(s);
 }
 
@@ -122,7 +142,7 @@ int app_session_open(app_session *s, const app_ask *ask)
 {
     int code = app_session_open_solver(s, ask);
     if (code == APP_YES)
-        code = app_source_read(&ask->source, &s->system);
+        code = app_session_end_reading(s, app_source_read(&ask->source, &s->system));
     return code == APP_YES ? app_session_open_outputs(s) : code;
 }
 

@@ -14,6 +14,7 @@
 
 typedef struct app_session {
     const app_ask *ask;
+    fmb_options options; /* those asked for, with what is left of max_bytes once all is read */
     app_rule_library library;
     app_rule_set rules;
     fmb_solver *solver;
@@ -33,6 +34,9 @@ int app_session_open(app_session *s, const app_ask *ask);
 /* The same in steps, for commands that read more than a system between them. */
 int app_session_open_solver(app_session *s, const app_ask *ask);
 int app_session_open_outputs(app_session *s);
+/* All is read, with that code: the query gets what is left of the memory. The same code, or one
+ * after a message; with --json, what was not read to its end is told there, too. */
+int app_session_end_reading(app_session *s, int code);
 /* Around the query. end takes what the query returned and fetches the evidence; an exit code,
  * APP_YES if there is a result. */
 void app_session_begin(app_session *s);

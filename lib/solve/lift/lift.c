@@ -24,9 +24,8 @@ static fmb_status give_up_lift(fmb_solver *v, fmb_system *lift, fmb_status st)
     return st;
 }
 
-/* Its kept variables are the first ones. */
-static fmb_status project_lift(fmb_solver *v, const fmb_system *lift, fmb_system **out,
-                               fmb_result *res)
+/* Its kept variables are the first ones. It counts among what the query holds. */
+static fmb_status project_lift(fmb_solver *v, fmb_system *lift, fmb_system **out, fmb_result *res)
 {
     int n = fmb_lift_dim(lift);
     int *keep = fmb_mem_get(&v->mem, (size_t)n, sizeof *keep);
@@ -36,7 +35,9 @@ static fmb_status project_lift(fmb_solver *v, const fmb_system *lift, fmb_system
     }
     for (int j = 0; j < n; j++)
         keep[j] = j;
+    fmb_mem_enter(&lift->mem, &v->mem);
     fmb_status st = fmb_project(v, lift, keep, n, out, res);
+    fmb_mem_leave(&lift->mem);
     fmb_mem_put(&v->mem, keep, (size_t)n, sizeof *keep);
     return st;
 }
