@@ -138,7 +138,7 @@ void *app_ranks_gather(const void *x, size_t n, size_t *all)
     if (team.by)
         team.by->list(n, size);
     for (int i = 0; team.rank == 0 && i < team.ranks; i++)
-        *all += size[i];
+        *all += (size_t)size[i];
     if (team.rank > 0)
         team.by->send(x, n);
     else
@@ -148,7 +148,7 @@ void *app_ranks_gather(const void *x, size_t n, size_t *all)
     char *next = out;
     for (int i = 1; out && i < team.ranks; i++) {
         next += size[i - 1];
-        team.by->receive(i, next, size[i]);
+        team.by->receive(i, next, (size_t)size[i]);
     }
     free(size);
     return out;

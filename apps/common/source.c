@@ -32,7 +32,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
             argp_error(state, "--format: expected " FORMATS ", found '%s'", arg);
         return 0;
     case KEY_MAX_INPUT:
-        src->max_input = app_value_whole("--max-input", arg, 1, SIZE_MAX, state);
+        src->max_input = (size_t)app_value_whole("--max-input", arg, 1, SIZE_MAX, state);
         return 0;
     case 'q':
         src->quiet = true;

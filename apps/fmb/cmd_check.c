@@ -129,7 +129,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         r->patience.max_seconds = app_value_number("--max-seconds", arg, 0, DBL_MAX, state);
         return 0;
     case KEY_BYTES:
-        r->patience.max_bytes = app_value_whole("--max-bytes", arg, 0, SIZE_MAX, state);
+        r->patience.max_bytes = (size_t)app_value_whole("--max-bytes", arg, 0, SIZE_MAX, state);
         return 0;
     case KEY_EXPECT:
         if (!read_demand(r, arg))

@@ -133,10 +133,10 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         ask->max_seconds = app_value_number("--max-seconds", arg, 0, DBL_MAX, state);
         return 0;
     case KEY_BYTES:
-        ask->max_bytes = app_value_whole("--max-bytes", arg, 0, SIZE_MAX, state);
+        ask->max_bytes = (size_t)app_value_whole("--max-bytes", arg, 0, SIZE_MAX, state);
         return 0;
     case KEY_MAX_INPUT:
-        ask->max_input = app_value_whole("--max-input", arg, 1, SIZE_MAX, state);
+        ask->max_input = (size_t)app_value_whole("--max-input", arg, 1, SIZE_MAX, state);
         return 0;
     case 'j':
         ask->json = true;

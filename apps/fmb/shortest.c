@@ -20,17 +20,16 @@
 #include <string.h>
 
 #include "common/need.h"
+#include "num/int128.h"
 
 enum { FEWEST = 15, MOST = 17, ROOM = 32 };
-
-__extension__ typedef unsigned __int128 wide;
 
 static const uint64_t most_in_front = 100000000000000000; /* 10^17 */
 
 /* |d| as above. */
 typedef struct scaled_double {
     uint64_t m;
-    wide scaled, step;
+    fmb_u128 scaled, step;
     int s, x;
 } scaled_double;
 
@@ -49,14 +48,20 @@ static void print_until_read_again(double d, char *text)
 static scaled_double scale_by_power_of_ten(double size, int x)
 {
     int e, k = 16 - x;
-    scaled_double a = {.m = (uint64_t)ldexp(frexp(size, &e), 53), .step = 1, .x = x};
+    scaled_double a = {.m = (uint64_t)ldexp(frexp(size, &e), 53), .step = fmb_u128_of(1), .x = x};
     int power = e - 53 + k;
     for (int i = 0; i < k; i++)
-        a.step *= 5;
+        a.step = fmb_u128_times(a.step, fmb_u128_of(5));
     a.s = power < 0 ? -power : 0;
-    a.step <<= power > 0 ? power : 0;
-    a.scaled = a.m * a.step;
+    a.step = fmb_u128_left(a.step, power > 0 ? power : 0);
+    a.scaled = fmb_u128_times(fmb_u128_of(a.m), a.step);
     return a;
+}
+
+/* The digits in front of the point; their number is less than 2^64. */
+static uint64_t in_front(const scaled_double *a)
+{
+    return fmb_u128_low(fmb_u128_right(a->scaled, a->s));
 }
 
 /* With 2^b <= size < 2^(b + 1), -14 <= b <= 49, b log10 2 <= log10 size < b log10 2 + 0.302. For
@@ -68,25 +73,27 @@ static scaled_double scale_double(double size)
     frexp(size, &b);
     int x = (--b * 1233 + whole * 4096) / 4096 - whole; /* rounded down */
     scaled_double a = scale_by_power_of_ten(size, x);
-    return a.scaled >> a.s < most_in_front ? a : scale_by_power_of_ten(size, x + 1);
+    return in_front(&a) < most_in_front ? a : scale_by_power_of_ten(size, x + 1);
 }
 
 /* The nearest multiple of `unit`, ties to an even one, in front of the point. */
 static uint64_t round_to_unit(const scaled_double *a, uint64_t unit)
 {
-    wide each = (wide)unit << a->s;
-    uint64_t front = (uint64_t)(a->scaled >> a->s), times = front / unit;
-    wide rest = a->scaled - times * each;
-    times += 2 * rest > each || (2 * rest == each && (times & 1));
+    fmb_u128 each = fmb_u128_left(fmb_u128_of(unit), a->s);
+    uint64_t times = in_front(a) / unit;
+    fmb_u128 rest = fmb_u128_minus(a->scaled, fmb_u128_times(fmb_u128_of(times), each));
+    int order = fmb_u128_compare(fmb_u128_left(rest, 1), each);
+    times += order > 0 || (order == 0 && (times & 1));
     return times * unit;
 }
 
 static bool is_read_again(const scaled_double *a, uint64_t decimal)
 {
-    wide there = (wide)decimal << a->s;
-    bool below = there < a->scaled, narrow = below && a->m == (uint64_t)1 << 52;
-    wide off = (below ? a->scaled - there : there - a->scaled) << (narrow ? 2 : 1);
-    return off < a->step || (off == a->step && (a->m & 1) == 0);
+    fmb_u128 there = fmb_u128_left(fmb_u128_of(decimal), a->s);
+    bool below = fmb_u128_is_less(there, a->scaled), narrow = below && a->m == (uint64_t)1 << 52;
+    fmb_u128 off = below ? fmb_u128_minus(a->scaled, there) : fmb_u128_minus(there, a->scaled);
+    int order = fmb_u128_compare(fmb_u128_left(off, narrow ? 2 : 1), a->step);
+    return order < 0 || (order == 0 && (a->m & 1) == 0);
 }
 
 /* decimal 10^(x - 16), of 17 digits, -4 <= x <= 14, without zeros behind its point. */

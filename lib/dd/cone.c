@@ -26,7 +26,7 @@ static fmb_status write_values_of_unit_line(fmb_cone *c, fmb_vec *v, size_t j)
     if (!z)
         return fmb_mem_status(c->run->mem);
     for (size_t k = 0; k < c->coords; k++)
-        mpz_set_si(z[k], v->s[k]);
+        fmb_integer_set_i64(z[k], v->s[k]);
     for (size_t k = c->coords; k < width; k++)
         fmb_vec_get(c->of.row[k - c->coords].v, j, z[k]);
     fmb_status st = fmb_vec_set_z(v, width, z, c->run->mem);

@@ -62,7 +62,7 @@ fmb_status fmb_ray_edges_begin(fmb_ray_edges *e, const fmb_edge_sides *of, fmb_r
 /* The first free place from the key's own on; another thread may take it in between. */
 static void put_edge_into_table(fmb_ray_edges *e, uint64_t key, uint32_t number)
 {
-    for (size_t at = key & e->mask;; at = (at + 1) & e->mask) {
+    for (size_t at = (size_t)key & e->mask;; at = (at + 1) & e->mask) {
         uint32_t free = FMB_NO_RAY;
         if (atomic_load_explicit(&e->table[at], memory_order_relaxed) == FMB_NO_RAY &&
             atomic_compare_exchange_strong_explicit(&e->table[at], &free, number,
@@ -104,7 +104,7 @@ static void look_up_edges(fmb_ray_edges *e, const fmb_edge_sides *of, uint32_t b
     for (size_t w = 0; w < of->words; w++)
         for (uint64_t z = zeros_in_word(of, b, w); z != 0; z &= z - 1) {
             uint64_t key = hash ^ word_of_bit(64 * w + (size_t)__builtin_ctzll(z));
-            for (size_t at = key & e->mask;; at = (at + 1) & e->mask) {
+            for (size_t at = (size_t)key & e->mask;; at = (at + 1) & e->mask) {
                 size_t number = atomic_load_explicit(&e->table[at], memory_order_relaxed);
                 if (number == FMB_NO_RAY)
                     break;

@@ -31,14 +31,14 @@ static uint32_t next_set_of_same_size(uint32_t set)
 /* The minor of this set, with g as the last row. Signs alternate from the last column. */
 static void expand_small_minor(minors *m, uint32_t set, const fmb_vec *g)
 {
-    fmb_u128 sum = 0;
+    fmb_i128 sum = fmb_i128_of(0);
     for (uint32_t left = set, sign = 0; left != 0; sign ^= 1) {
         uint32_t c = 31 - (uint32_t)__builtin_clz(left), bit = (uint32_t)1 << c;
-        fmb_u128 t = (fmb_u128)m->s[set ^ bit] * (fmb_u128)g->s[c];
-        sum += sign ? 0 - t : t;
+        fmb_i128 t = fmb_i128_times(m->s[set ^ bit], fmb_i128_of(g->s[c]));
+        sum = sign ? fmb_i128_minus(sum, t) : fmb_i128_plus(sum, t);
         left ^= bit;
     }
-    m->s[set] = (fmb_i128)sum;
+    m->s[set] = sum;
 }
 
 static void expand_wide_minor(minors *m, uint32_t set, const fmb_vec *g, mpz_t room)
@@ -66,7 +66,7 @@ static void add_row_to_minors(minors *m, const fmb_vec *g, mpz_t room, bool *add
             expand_wide_minor(m, set, g, room);
         else
             expand_small_minor(m, set, g);
-        *added |= m->z ? mpz_sgn(m->z[set]) != 0 : m->s[set] != 0;
+        *added |= m->z ? mpz_sgn(m->z[set]) != 0 : fmb_i128_sign(m->s[set]) != 0;
     }
     m->rows += *added;
 }
@@ -76,11 +76,10 @@ static void add_row_to_minors(minors *m, const fmb_vec *g, mpz_t room, bool *add
 /* Of a small vector: its length squared is less than 2 to that. */
 static int bits_of_squared_length(const fmb_vec *v, size_t d)
 {
-    fmb_u128 sum = 0;
+    fmb_u128 sum = fmb_u128_of(0);
     for (size_t j = 0; j < d; j++)
-        sum += (fmb_u128)((fmb_i128)v->s[j] * v->s[j]);
-    uint64_t high = (uint64_t)(sum >> 64);
-    return high != 0 ? 64 + fmb_bits64(high) : fmb_bits64((uint64_t)sum);
+        sum = fmb_u128_plus_product(sum, fmb_abs64(v->s[j]), fmb_abs64(v->s[j]));
+    return fmb_u128_bits(sum);
 }
 
 /* Do minors of any generators on the facet fit into 126 bits? */
@@ -103,7 +102,7 @@ static void find_minors(const fmb_facets *f, const fmb_facet *a, minors *m, mpz_
     if (m->z)
         mpz_set_ui(m->z[0], 1);
     else
-        m->s[0] = 1;
+        m->s[0] = fmb_i128_of(1);
     for (size_t i = 0; m->rows + 1 < f->d; i++) {
         i = fmb_facet_next(a, i, true);
         add_row_to_minors(m, &f->generator[i], room, &added);
@@ -116,9 +115,9 @@ static bool take_short_minors(const minors *m, fmb_vec *normal)
     uint32_t all = ((uint32_t)1 << m->d) - 1;
     for (size_t j = 0; j < m->d; j++) {
         fmb_i128 t = m->s[all ^ (uint32_t)1 << j];
-        if (t >> FMB_SMALL_BITS != 0 && t >> FMB_SMALL_BITS != -1)
+        if (fmb_u128_bits(fmb_i128_size(t)) > FMB_SMALL_BITS)
             return false;
-        normal->s[j] = (int64_t)(j % 2 ? -t : t);
+        normal->s[j] = j % 2 ? -fmb_i128_low(t) : fmb_i128_low(t);
     }
     normal->s[m->d] = 0;
     return true;

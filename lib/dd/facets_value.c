@@ -12,9 +12,9 @@ static bool is_product_small(const fmb_vec *v, const fmb_vec *g)
 
 static fmb_i128 product_of_small(const fmb_facets *f, const fmb_vec *v, const fmb_vec *g)
 {
-    fmb_i128 sum = 0;
+    fmb_i128 sum = fmb_i128_of(0);
     for (size_t j = 0; j < f->d; j++)
-        sum += (fmb_i128)v->s[j] * g->s[j];
+        sum = fmb_i128_plus_product(sum, v->s[j], g->s[j]);
     return sum;
 }
 
@@ -32,8 +32,7 @@ static void multiply_as_mpz(const fmb_facets *f, const fmb_vec *v, const fmb_vec
 int fmb_facets_sign_by(const fmb_facets *f, const fmb_vec *v, const fmb_vec *g, fmb_num *num)
 {
     if (is_product_small(v, g)) {
-        fmb_i128 sum = product_of_small(f, v, g);
-        return (sum > 0) - (sum < 0);
+        return fmb_i128_sign(product_of_small(f, v, g));
     }
     multiply_as_mpz(f, v, g, num);
     return mpz_sgn(num->t);
@@ -48,10 +47,9 @@ fmb_status fmb_facets_evaluate(fmb_facets *f, fmb_vec *v)
 {
     if (is_product_small(v, &f->g)) {
         fmb_i128 sum = product_of_small(f, v, &f->g);
-        fmb_u128 size = sum < 0 ? 0 - (fmb_u128)sum : (fmb_u128)sum;
-        if (size >> FMB_SMALL_BITS == 0) {
-            int bits = fmb_bits64((uint64_t)size);
-            v->s[f->d] = (int64_t)sum;
+        int bits = fmb_u128_bits(fmb_i128_size(sum));
+        if (bits <= FMB_SMALL_BITS) {
+            v->s[f->d] = fmb_i128_low(sum);
             v->bits = bits > v->bits ? bits : v->bits;
             return FMB_OK;
         }

@@ -45,8 +45,8 @@ static int64_t first_entry_or_near(const fmb_vec *v)
 {
     if (!v->z)
         return v->s[0];
-    if (mpz_fits_slong_p(v->z[0]))
-        return mpz_get_si(v->z[0]);
+    if (fmb_integer_is_i64(v->z[0]))
+        return fmb_integer_get_i64(v->z[0]);
     return mpz_sgn(v->z[0]) < 0 ? INT64_MIN : INT64_MAX;
 }
 
@@ -174,11 +174,10 @@ static int sign_of_product(fmb_image *m, const fmb_vec *v, const fmb_vec *ray, b
 {
     size_t t = m->n - 1;
     if (!v->z && !ray->z && v->bits + ray->bits + fmb_bits64(m->n) <= 126) {
-        fmb_i128 sum = 0, last = (fmb_i128)v->s[t] * ray->s[t];
+        fmb_i128 sum = fmb_i128_of(0), last = fmb_i128_product(v->s[t], ray->s[t]);
         for (size_t k = 0; k < t; k++)
-            sum += (fmb_i128)v->s[k] * ray->s[k];
-        sum = turned ? last - sum : last + sum;
-        return (sum > 0) - (sum < 0);
+            sum = fmb_i128_plus_product(sum, v->s[k], ray->s[k]);
+        return fmb_i128_sign(turned ? fmb_i128_minus(last, sum) : fmb_i128_plus(last, sum));
     }
     mpz_set_ui(m->num.t, 0);
     for (size_t k = 0; k <= t; k++) {

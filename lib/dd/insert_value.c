@@ -22,12 +22,12 @@ fmb_status fmb_insertion_set_value(const fmb_cone *c, fmb_vec *v, const fmb_vec 
     int bits = v->bits + row->bits + fmb_bits64(c->coords);
     if (v->z || row->z || bits > 126)
         return set_wide_value(c, v, row, num);
-    fmb_i128 sum = 0;
+    fmb_i128 sum = fmb_i128_of(0);
     for (size_t k = 0; k < c->coords; k++)
-        sum += (fmb_i128)row->s[k] * v->s[k];
-    if (bits > FMB_SMALL_BITS && (sum >> FMB_SMALL_BITS != 0 && sum >> FMB_SMALL_BITS != -1))
+        sum = fmb_i128_plus_product(sum, row->s[k], v->s[k]);
+    if (bits > FMB_SMALL_BITS && fmb_u128_bits(fmb_i128_size(sum)) > FMB_SMALL_BITS)
         return set_wide_value(c, v, row, num);
-    v->s[c->coords] = (int64_t)sum;
+    v->s[c->coords] = fmb_i128_low(sum);
     fmb_vec_measure(v, c->ray.width);
     return FMB_OK;
 }

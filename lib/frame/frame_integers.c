@@ -55,7 +55,7 @@ static void widen_double(mpz_t unit, const void *frame, int i, int j)
 static void take_double(mpz_t out, const void *frame, int i, int j, const mpz_t unit)
 {
     int exponent;
-    mpz_set_si(out, odd_part(double_at(frame, i, j), &exponent));
+    fmb_integer_set_i64(out, odd_part(double_at(frame, i, j), &exponent));
     mpz_mul_2exp(out, out, (mp_bitcnt_t)(log_of_unit(unit) + exponent));
 }
 

@@ -35,7 +35,7 @@ static fmb_status write_row_as_normal(fmb_known *w, const fmb_program *p, size_t
 
 static size_t find_place_in_table(const fmb_known *w, const fmb_vec *v, size_t n)
 {
-    size_t at = fmb_vec_hash(v, n) & w->mask;
+    size_t at = (size_t)fmb_vec_hash(v, n) & w->mask;
     while (w->table[at] != NO_ROW && !fmb_vec_equal(&w->row[w->table[at]], v, n))
         at = (at + 1) & w->mask;
     return at;

@@ -92,7 +92,7 @@ static uint64_t slack_residue(const fmb_tight *t, size_t i, size_t n)
         uint64_t a = row->value->z ? fmb_prime_of_integer(q, row->value->z[k])
                                    : fmb_prime_of_signed(q, row->value->s[k]);
         uint64_t x = t->residue[k < row->size ? (size_t)row->column[k] : n];
-        sum = fmb_prime_fold(q, (fmb_u128)a * x + sum);
+        sum = fmb_prime_fold(q, fmb_u128_plus_product(fmb_u128_of(sum), a, x));
     }
     return sum;
 }
@@ -195,12 +195,13 @@ static bool combine_rows(fmb_support *s)
     memset(t->sum, 0, (s->n + 1) * sizeof *t->sum);
     for (size_t r = 0; r < t->rows; r++) {
         const fmb_program_row *row = &t->p->row[t->row[r]];
-        for (size_t k = 0; k <= row->size; k++)
-            t->sum[k < row->size ? (size_t)row->column[k] : s->n] +=
-                (fmb_i128)t->few.v[r] * row->value->s[k];
+        for (size_t k = 0; k <= row->size; k++) {
+            fmb_i128 *sum = &t->sum[k < row->size ? (size_t)row->column[k] : s->n];
+            *sum = fmb_i128_plus_product(*sum, t->few.v[r], row->value->s[k]);
+        }
     }
     for (size_t j = 0; j < s->n; j++)
-        if (t->place[j] >= 0 && t->sum[j] != 0)
+        if (t->place[j] >= 0 && fmb_i128_sign(t->sum[j]) != 0)
             return false;
     return true;
 }
@@ -212,7 +213,7 @@ static fmb_status compare_with_facet(fmb_support *s, const fmb_vec *normal, bool
     fmb_num *num = &s->hull.num;
     fmb_integer_set_128(s->g.z[0], t->sum[s->n]);
     for (size_t j = 0; j < s->k; j++)
-        fmb_integer_set_128(s->g.z[j + 1], -t->sum[s->kept[j]]);
+        fmb_integer_set_128(s->g.z[j + 1], fmb_i128_negative(t->sum[s->kept[j]]));
     fmb_status st = fmb_vec_set_z(&t->h, s->k + 1, s->g.z, num->mem);
     if (st == FMB_OK)
         st = fmb_vec_reduce(&t->h, s->k + 1, num);
@@ -234,7 +235,8 @@ static fmb_status write_multipliers(fmb_support *s, const fmb_vec *normal, fmb_s
     mpz_set(mpq_denref(factor), s->g.z[j]);
     mpq_canonicalize(factor);
     for (size_t r = 0; st == FMB_OK && r < t->rows; r++) {
-        mpq_set_si(part, t->few.v[r], 1);
+        fmb_integer_set_i64(mpq_numref(part), t->few.v[r]);
+        mpz_set_ui(mpq_denref(part), 1);
         mpq_mul(part, part, factor);
         if (mpq_sgn(part) != 0)
             st = fmb_weights_add(&row->proof, t->row[r], part, s->run->mem);

@@ -141,7 +141,7 @@ fmb_status fmb_program_set_right(fmb_program *p, size_t i, const mpz_t b)
     fmb_vec *v = p->own[i];
     size_t size = p->row[i].size;
     if (!v->z && mpz_sizeinbase(b, 2) <= FMB_SMALL_BITS) {
-        v->s[size] = mpz_get_si(b);
+        v->s[size] = fmb_integer_get_i64(b);
         fmb_vec_measure(v, size + 1);
         return FMB_OK;
     }
@@ -231,14 +231,6 @@ fmb_status fmb_program_add_margin(fmb_program *p, const fmb_program *from, size_
     return finish_own_row(p, to, st);
 }
 
-static void add_small_product(mpz_t to, int64_t a, const mpz_t x)
-{
-    if (a >= 0)
-        mpz_addmul_ui(to, x, (unsigned long)a);
-    else
-        mpz_submul_ui(to, x, (unsigned long)-a);
-}
-
 void fmb_program_add_product(const fmb_program *p, size_t i, mpz_t *x, mpz_t to)
 {
     const fmb_program_row *r = &p->row[i];
@@ -246,7 +238,7 @@ void fmb_program_add_product(const fmb_program *p, size_t i, mpz_t *x, mpz_t to)
         if (r->value->z)
             mpz_addmul(to, r->value->z[k], x[r->column[k]]);
         else
-            add_small_product(to, r->value->s[k], x[r->column[k]]);
+            fmb_integer_add_product_i64(to, x[r->column[k]], r->value->s[k]);
     }
 }
 

@@ -39,7 +39,7 @@ static uint32_t find_or_enter_point(point_table *t, const fmb_mesh *m, const fmb
                                     size_t v, size_t offset)
 {
     const double *p = m->point + 3 * v;
-    size_t at = hash_point(p) & (t->size - 1);
+    size_t at = (size_t)hash_point(p) & (t->size - 1);
     for (; t->slot[at] != UINT32_MAX; at = (at + 1) & (t->size - 1)) {
         uint32_t id = t->slot[at];
         const double *q =

@@ -4,18 +4,13 @@
 #include "num/gcd.h"
 #include "num/vec.h"
 
-static fmb_u128 absolute_128(fmb_i128 v)
-{
-    return v < 0 ? 0 - (fmb_u128)v : (fmb_u128)v;
-}
-
 static fmb_status store_scratch(fmb_vec *dst, size_t n, fmb_num *k, fmb_u128 all)
 {
     const fmb_i128 *w = k->scratch;
-    if (all >> FMB_SMALL_BITS == 0) {
+    if (fmb_u128_is_zero(fmb_u128_right(all, FMB_SMALL_BITS))) {
         fmb_vec_clear(dst, n, k->mem);
         for (size_t i = 0; i < n; i++)
-            dst->s[i] = (int64_t)w[i];
+            dst->s[i] = fmb_i128_low(w[i]);
         return FMB_OK;
     }
     k->promotions++;
@@ -28,26 +23,23 @@ static fmb_status store_scratch(fmb_vec *dst, size_t n, fmb_num *k, fmb_u128 all
     return fmb_vec_settle(dst, n, k->mem);
 }
 
-static int trailing_zeros_128(fmb_u128 v)
-{
-    uint64_t low = (uint64_t)v;
-    return low != 0 ? __builtin_ctzll(low) : 64 + __builtin_ctzll((uint64_t)(v >> 64));
-}
-
 /* As fmb_gcd64, until both fit. */
 static fmb_u128 gcd_of_128_bits(fmb_u128 a, fmb_u128 b)
 {
-    if (a == 0 || b == 0)
-        return a | b;
-    int shift = trailing_zeros_128(a | b);
-    a >>= trailing_zeros_128(a);
-    while (b != 0 && (a | b) >> 64 != 0) {
-        b >>= trailing_zeros_128(b);
-        fmb_u128 low = a < b ? a : b;
-        b = a < b ? b - a : a - b;
+    if (fmb_u128_is_zero(a) || fmb_u128_is_zero(b))
+        return fmb_u128_or(a, b);
+    int shift = fmb_u128_trailing_zeros(fmb_u128_or(a, b));
+    a = fmb_u128_right(a, fmb_u128_trailing_zeros(a));
+    while (!fmb_u128_is_zero(b) && (fmb_u128_high(a) | fmb_u128_high(b)) != 0) {
+        b = fmb_u128_right(b, fmb_u128_trailing_zeros(b));
+        bool less = fmb_u128_is_less(a, b);
+        fmb_u128 low = less ? a : b;
+        b = less ? fmb_u128_minus(b, a) : fmb_u128_minus(a, b);
         a = low;
     }
-    return (b == 0 ? a : (fmb_u128)fmb_gcd64((uint64_t)a, (uint64_t)b)) << shift;
+    if (!fmb_u128_is_zero(b))
+        a = fmb_u128_of(fmb_gcd64(fmb_u128_low(a), fmb_u128_low(b)));
+    return fmb_u128_left(a, shift);
 }
 
 /* p a + q b in 128 bits, divided by its content before it is stored. */
@@ -55,16 +47,17 @@ static fmb_status cancel_in_128_bits(fmb_vec *dst, const fmb_vec *a, const fmb_v
                                      int64_t p, int64_t q, fmb_num *k)
 {
     fmb_i128 *w = k->scratch;
-    fmb_u128 g = 0, all = 0;
+    const fmb_u128 one = fmb_u128_of(1);
+    fmb_u128 g = fmb_u128_of(0), all = g;
     for (size_t i = 0; i < n; i++) {
-        w[i] = (fmb_i128)p * a->s[i] + (fmb_i128)q * b->s[i];
-        if (g != 1)
-            g = gcd_of_128_bits(g, absolute_128(w[i]));
+        w[i] = fmb_i128_plus_product(fmb_i128_product(p, a->s[i]), q, b->s[i]);
+        if (!fmb_u128_are_equal(g, one))
+            g = gcd_of_128_bits(g, fmb_i128_size(w[i]));
     }
     for (size_t i = 0; i < n; i++) {
-        if (g > 1)
-            w[i] /= (fmb_i128)g;
-        all |= absolute_128(w[i]);
+        if (fmb_u128_is_less(one, g))
+            w[i] = fmb_i128_quotient(w[i], fmb_i128_of_u128(g));
+        all = fmb_u128_or(all, fmb_i128_size(w[i]));
     }
     fmb_status st = store_scratch(dst, n, k, all);
     if (st == FMB_OK && !dst->z)
@@ -97,7 +90,7 @@ static mpz_srcptr entry_as_mpz(const fmb_vec *v, size_t i, mpz_t room)
 {
     if (v->z)
         return v->z[i];
-    mpz_set_si(room, v->s[i]);
+    fmb_integer_set_i64(room, v->s[i]);
     return room;
 }
 

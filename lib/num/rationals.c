@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "num/word.h"
+
 /* What malloc takes for the limb of a denominator 1. */
 #define FIRST_LIMB ((size_t)32)
 
@@ -101,9 +103,9 @@ double fmb_nearest_root(mpq_srcptr q)
 
 bool fmb_rational_as_integer(mpq_srcptr q, int64_t *out)
 {
-    if (mpz_cmp_ui(mpq_denref(q), 1) != 0 || !mpz_fits_slong_p(mpq_numref(q)))
+    if (mpz_cmp_ui(mpq_denref(q), 1) != 0 || !fmb_integer_is_i64(mpq_numref(q)))
         return false;
-    *out = mpz_get_si(mpq_numref(q));
+    *out = fmb_integer_get_i64(mpq_numref(q));
     return true;
 }
 

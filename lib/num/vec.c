@@ -60,17 +60,7 @@ void fmb_vec_get(const fmb_vec *v, size_t i, mpz_t out)
     if (v->z)
         mpz_set(out, v->z[i]);
     else
-        mpz_set_si(out, v->s[i]);
-}
-
-void fmb_integer_set_128(mpz_t out, fmb_i128 x)
-{
-    fmb_u128 size = x < 0 ? 0 - (fmb_u128)x : (fmb_u128)x;
-    mpz_set_ui(out, (uint64_t)(size >> 64));
-    mpz_mul_2exp(out, out, 64);
-    mpz_add_ui(out, out, (uint64_t)size);
-    if (x < 0)
-        mpz_neg(out, out);
+        fmb_integer_set_i64(out, v->s[i]);
 }
 
 void fmb_vec_measure(fmb_vec *v, size_t n)
@@ -123,7 +113,7 @@ fmb_status fmb_vec_set_z(fmb_vec *v, size_t n, mpz_t *from, fmb_mem *mem)
     if (bits <= FMB_SMALL_BITS) {
         fmb_vec_clear(v, n, mem);
         for (size_t i = 0; i < n; i++)
-            v->s[i] = mpz_get_si(from[i]);
+            v->s[i] = fmb_integer_get_i64(from[i]);
         fmb_vec_measure(v, n);
         return FMB_OK;
     }
@@ -145,7 +135,7 @@ fmb_status fmb_vec_widen(fmb_vec *v, size_t n, fmb_mem *mem)
     if (!z)
         return fmb_mem_status(mem);
     for (size_t i = 0; i < n; i++)
-        mpz_set_si(z[i], v->s[i]);
+        fmb_integer_set_i64(z[i], v->s[i]);
     v->z = z;
     return fmb_vec_settle(v, n, mem);
 }
@@ -231,7 +221,7 @@ fmb_status fmb_vec_reduce(fmb_vec *v, size_t n, fmb_num *k)
     if (bits > FMB_SMALL_BITS || k->wide_only)
         return fmb_vec_settle(v, n, k->mem);
     for (size_t i = 0; i < n; i++)
-        v->s[i] = mpz_get_si(v->z[i]);
+        v->s[i] = fmb_integer_get_i64(v->z[i]);
     fmb_vec_clear(v, n, k->mem);
     fmb_vec_measure(v, n);
     return FMB_OK;
@@ -251,9 +241,9 @@ int fmb_vec_compare_products(const fmb_vec *x, size_t i, const fmb_vec *y, size_
                              const fmb_vec *z, size_t k, const fmb_vec *w, size_t l)
 {
     if (!x->z && !y->z && !z->z && !w->z) {
-        fmb_i128 left = (fmb_i128)x->s[i] * (int64_t)fmb_abs64(y->s[j]);
-        fmb_i128 right = (fmb_i128)z->s[k] * (int64_t)fmb_abs64(w->s[l]);
-        return (left > right) - (left < right);
+        fmb_i128 left = fmb_i128_product(x->s[i], (int64_t)fmb_abs64(y->s[j]));
+        fmb_i128 right = fmb_i128_product(z->s[k], (int64_t)fmb_abs64(w->s[l]));
+        return fmb_i128_compare(left, right);
     }
     mpz_t left, right, room;
     mpz_inits(left, right, room, NULL);
@@ -270,8 +260,8 @@ bool fmb_vec_equal(const fmb_vec *a, const fmb_vec *b, size_t n)
         return memcmp(a->s, b->s, n * sizeof *a->s) == 0;
     for (size_t i = 0; i < n; i++) {
         int same = a->z && b->z ? mpz_cmp(a->z[i], b->z[i])
-                   : a->z       ? mpz_cmp_si(a->z[i], b->s[i])
-                                : mpz_cmp_si(b->z[i], a->s[i]);
+                   : a->z       ? fmb_integer_compare_i64(a->z[i], b->s[i])
+                                : fmb_integer_compare_i64(b->z[i], a->s[i]);
         if (same != 0)
             return false;
     }
@@ -283,8 +273,8 @@ static int compare_entries(const fmb_vec *a, const fmb_vec *b, size_t k)
     if (!a->z && !b->z)
         return (a->s[k] > b->s[k]) - (a->s[k] < b->s[k]);
     int order = a->z && b->z ? mpz_cmp(a->z[k], b->z[k])
-                : a->z       ? mpz_cmp_si(a->z[k], b->s[k])
-                             : -mpz_cmp_si(b->z[k], a->s[k]);
+                : a->z       ? fmb_integer_compare_i64(a->z[k], b->s[k])
+                             : -fmb_integer_compare_i64(b->z[k], a->s[k]);
     return (order > 0) - (order < 0);
 }
 
@@ -300,7 +290,7 @@ uint64_t fmb_vec_hash(const fmb_vec *v, size_t n)
 {
     uint64_t h = 0x9e3779b97f4a7c15u;
     for (size_t i = 0; i < n; i++) {
-        uint64_t low = v->z ? (uint64_t)mpz_get_ui(v->z[i]) : fmb_abs64(v->s[i]);
+        uint64_t low = v->z ? fmb_integer_low(v->z[i]) : fmb_abs64(v->s[i]);
         h = (h ^ (fmb_vec_sgn(v, i) < 0 ? ~low : low)) * 0xff51afd7ed558ccdu;
         h ^= h >> 32;
     }

@@ -12,14 +12,12 @@
 
 #include "base/mem.h"
 #include "num/kernels.h"
+#include "num/word.h"
 
 #define FMB_SMALL_BITS 62
 /* Up to this size a combination is left as it is: two such can be combined without leaving int64.
  */
 #define FMB_LAZY_BITS 30
-
-__extension__ typedef __int128 fmb_i128;
-__extension__ typedef unsigned __int128 fmb_u128;
 
 typedef struct fmb_vec {
     int64_t *s;
@@ -64,8 +62,6 @@ static inline void fmb_vec_get_q(const fmb_vec *v, size_t i, mpq_t out)
     fmb_vec_get(v, i, mpq_numref(out));
     mpz_set_ui(mpq_denref(out), 1);
 }
-
-void fmb_integer_set_128(mpz_t out, fmb_i128 x);
 
 /* Recompute bits of a small vec whose s was filled in. |s[i]| < 2^62 is the caller's promise. */
 void fmb_vec_measure(fmb_vec *v, size_t n);

@@ -73,7 +73,7 @@ static size_t *find_slot_of_face(const faces_of_level *at, const uint64_t *set, 
         h = (h ^ set[k]) * 0x9e3779b97f4a7c15u;
         h ^= h >> 29;
     }
-    size_t i = h & (at->slots - 1);
+    size_t i = (size_t)h & (at->slots - 1);
     while (at->slot[i] > 0 &&
            memcmp(at->set + (at->slot[i] - 1) * words, set, words * sizeof *set) != 0)
         i = (i + 1) & (at->slots - 1);
@@ -203,7 +203,7 @@ static size_t find_slot_of_neighbours(const simple_face *s, size_t x)
     for (size_t k = 0; k < s->width; k++)
         if (k != x % s->width)
             h = (h ^ forms[k]) * 0x9e3779b97f4a7c15u, h ^= h >> 29;
-    size_t i = h & (s->slots - 1);
+    size_t i = (size_t)h & (s->slots - 1);
     while (s->slot[i] > 0 && !are_same_but_one(s, s->slot[i] - 1, x))
         i = (i + 1) & (s->slots - 1);
     return i;

@@ -116,7 +116,9 @@ static int sign_of_form(assembly *a, size_t i, const fmb_integers *v)
 /* x y modulo PRIME; x, y < PRIME. */
 static uint64_t multiply_modulo(uint64_t x, uint64_t y)
 {
-    return (uint64_t)((fmb_u128)x * y % PRIME);
+    fmb_u128 rest;
+    fmb_u128_divide(fmb_u128_product(x, y), fmb_u128_of(PRIME), &rest);
+    return fmb_u128_low(rest);
 }
 
 /* 1 / x modulo PRIME, as x^(PRIME - 2). */
@@ -167,7 +169,7 @@ static fmb_status find_rank_modulo(assembly *a, const fmb_integers *v, size_t n,
         return fmb_mem_status(a->mem);
     for (size_t i = 0; i < n; i++)
         for (size_t k = 0; k < a->width; k++)
-            m[i * a->width + k] = mpz_fdiv_ui(v[i].z[k], PRIME);
+            m[i * a->width + k] = fmb_integer_modulo_u64(v[i].z[k], PRIME);
     fmb_status st = eliminate_modulo(a, m, n, rank);
     fmb_mem_put(a->mem, m, n, a->width * sizeof *m);
     return st;

@@ -8,7 +8,7 @@
 
 #include <fmb/gmp.h>
 
-__extension__ typedef __int128 wide;
+#include "num/word.h"
 
 typedef struct parallel_search {
     const fmb_view *w;
@@ -84,7 +84,7 @@ static uint64_t hash_of_row(parallel_search *s, size_t i)
         fmb_view_get(s->w, row, j, s->a);
         mpz_divexact(s->a, s->a, s->scale_a);
         if (mpz_sgn(s->a) != 0)
-            h = stir_into_hash(h, j, mpz_get_ui(s->a), mpz_sgn(s->a) < 0);
+            h = stir_into_hash(h, j, fmb_integer_low(s->a), mpz_sgn(s->a) < 0);
     }
     return h;
 }
@@ -105,8 +105,8 @@ static int compare_entries(parallel_search *s, size_t i, size_t k, int j)
     size_t x = fmb_view_row(s->w, i), y = fmb_view_row(s->w, k);
     const int64_t *u = fmb_view_int64(s->w, x), *v = fmb_view_int64(s->w, y);
     if (u && v) {
-        wide left = (wide)u[j] * (int64_t)s->scale[k], right = (wide)v[j] * (int64_t)s->scale[i];
-        return (left > right) - (left < right);
+        return fmb_i128_compare(fmb_i128_product(u[j], (int64_t)s->scale[k]),
+                                fmb_i128_product(v[j], (int64_t)s->scale[i]));
     }
     fmb_view_get(s->w, x, j, s->a);
     fmb_view_get(s->w, y, j, s->b);
@@ -122,7 +122,8 @@ static bool are_int64_rows_like(const parallel_search *s, size_t i, size_t k, co
     for (int j = 0; like && j < s->entries; j++)
         like = s->scale[i] == s->scale[k]
                    ? u[j] == v[j]
-                   : (wide)u[j] * (int64_t)s->scale[k] == (wide)v[j] * (int64_t)s->scale[i];
+                   : fmb_i128_compare(fmb_i128_product(u[j], (int64_t)s->scale[k]),
+                                      fmb_i128_product(v[j], (int64_t)s->scale[i])) == 0;
     return like;
 }
 

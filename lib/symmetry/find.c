@@ -58,14 +58,14 @@ static bool is_program_small(const fmb_program *p)
         return false;
     for (size_t i = 0; i < p->m; i++)
         for (size_t k = 0; p->row[i].value->z && k <= p->row[i].size; k++)
-            if (!mpz_fits_slong_p(p->row[i].value->z[k]))
+            if (!fmb_integer_is_i64(p->row[i].value->z[k]))
                 return false;
     return true;
 }
 
 static int64_t entry_as_int64(const fmb_vec *v, size_t k)
 {
-    return v->z ? mpz_get_si(v->z[k]) : v->s[k];
+    return v->z ? fmb_integer_get_i64(v->z[k]) : v->s[k];
 }
 
 /* ---- life ------------------------------------------------------------------------------------ */

@@ -52,7 +52,8 @@ static bool are_entries_equal(const fmb_vec *a, size_t i, const fmb_vec *b, size
         return a->s[i] == b->s[j];
     if (a->z && b->z)
         return mpz_cmp(a->z[i], b->z[j]) == 0;
-    return a->z ? mpz_cmp_si(a->z[i], b->s[j]) == 0 : mpz_cmp_si(b->z[j], a->s[i]) == 0;
+    return a->z ? fmb_integer_compare_i64(a->z[i], b->s[j]) == 0
+                : fmb_integer_compare_i64(b->z[j], a->s[i]) == 0;
 }
 
 /* Is row a, its columns moved, row b? */

@@ -147,7 +147,7 @@ static bool is_moved_row(const fmb_row_images *t, fmb_rel rel, size_t i)
 /* Its place in the table, or the free one where it belongs. */
 static size_t find_slot_of_moved_row(const fmb_row_images *t, fmb_rel rel)
 {
-    size_t at = t->moved.hash & (t->slots - 1);
+    size_t at = (size_t)t->moved.hash & (t->slots - 1);
     while (t->slot[at] != SIZE_MAX && !is_moved_row(t, rel, t->slot[at]))
         at = (at + 1) & (t->slots - 1);
     return at;

@@ -73,7 +73,8 @@ static bool shift_integer(const void *numbers, size_t i, size_t shift, int64_t *
 
 static void get_integer(mpq_t q, const void *numbers, size_t i)
 {
-    mpq_set_si(q, ((const int64_t *)numbers)[i], 1);
+    fmb_integer_set_i64(mpq_numref(q), ((const int64_t *)numbers)[i]);
+    mpz_set_ui(mpq_denref(q), 1);
 }
 
 static const char *no_rational(const void *numbers, size_t i, char buf[FMB_WRONG_NUMBER])
@@ -97,7 +98,7 @@ static bool shift_rational(const void *numbers, size_t i, size_t shift, int64_t 
     mpz_srcptr z = mpq_numref(((const mpq_t *)numbers)[i]);
     if (shift > 0 || mpz_sizeinbase(z, 2) > FMB_SMALL_BITS)
         return false;
-    *out = mpz_get_si(z);
+    *out = fmb_integer_get_i64(z);
     return true;
 }
 

@@ -14,8 +14,8 @@
 
 static uint64_t times_mod_prime(uint64_t a, uint64_t b)
 {
-    fmb_u128 t = (fmb_u128)a * b;
-    uint64_t s = (uint64_t)(t & PRIME) + (uint64_t)(t >> 61);
+    fmb_u128 t = fmb_u128_product(a, b);
+    uint64_t s = (fmb_u128_low(t) & PRIME) + fmb_u128_low(fmb_u128_right(t, 61));
     return s >= PRIME ? s - PRIME : s;
 }
 
@@ -31,7 +31,7 @@ static uint64_t inverse_mod_prime(uint64_t a)
 static uint64_t entry_mod_prime(const fmb_vec *v, size_t j)
 {
     if (v->z)
-        return mpz_fdiv_ui(v->z[j], PRIME);
+        return fmb_integer_modulo_u64(v->z[j], PRIME);
     int64_t r = v->s[j] % (int64_t)PRIME;
     return (uint64_t)(r < 0 ? r + (int64_t)PRIME : r);
 }

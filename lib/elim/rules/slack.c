@@ -15,13 +15,13 @@ static int slack_sign_in_gmp(const fmb_elim *e, const fmb_derived *r, int at)
     mpz_t sum, t;
     mpz_inits(sum, t, NULL);
     fmb_vec_get(&r->v, (size_t)e->n, t);
-    mpz_mul_si(sum, t, box->unit);
+    fmb_integer_times_i64(sum, t, box->unit);
     for (size_t j = 0; j < (size_t)e->n; j++) {
         int sign = fmb_vec_sgn(&r->v, j);
         if (sign == 0)
             continue;
         fmb_vec_get(&r->v, j, t);
-        mpz_mul_si(t, t, box->end[sign * at > 0][j]);
+        fmb_integer_times_i64(t, t, box->end[sign * at > 0][j]);
         mpz_sub(sum, sum, t);
     }
     int sign = mpz_sgn(sum);
@@ -33,10 +33,10 @@ static int slack_sign_in_int128(const fmb_elim *e, const fmb_derived *r, int at)
 {
     const fmb_box_rows *box = &e->box;
     const int64_t *a = r->v.s;
-    fmb_i128 sum = (fmb_i128)a[e->n] * box->unit;
+    fmb_i128 sum = fmb_i128_product(a[e->n], box->unit);
     for (int j = fmb_elim_next_variable(e, r, 0); j >= 0; j = fmb_elim_next_variable(e, r, j + 1))
-        sum -= (fmb_i128)a[j] * box->end[(a[j] > 0) == (at > 0)][j];
-    return (sum > 0) - (sum < 0);
+        sum = fmb_i128_minus_product(sum, a[j], box->end[(a[j] > 0) == (at > 0)][j]);
+    return fmb_i128_sign(sum);
 }
 
 /* Has the box an end wherever a.x is greatest (at = 1) or least (at = -1)? */
@@ -82,7 +82,7 @@ static int slack_sign_with_budget(const fmb_elim *e, const fmb_derived *r)
 {
     const fmb_box_rows *box = &e->box;
     const int64_t *a = r->v.s, *s = e->row[box->budget].v.s;
-    fmb_i128 sum = (fmb_i128)a[e->n] * box->unit;
+    fmb_i128 sum = fmb_i128_product(a[e->n], box->unit);
     int64_t gain = 0, price = 1;
     int bits = r->v.bits + box->bits + fmb_bits64((uint64_t)e->n + 1);
     if (r->v.z || bits + e->row[box->budget].v.bits > 126)
@@ -91,15 +91,16 @@ static int slack_sign_with_budget(const fmb_elim *e, const fmb_derived *r)
         int side = s[j] != 0 ? fmb_box_side_of_least(s[j]) : a[j] > 0 ? FMB_UPPER : FMB_LOWER;
         if (box->row[side][j] == FMB_NO_ROW)
             return -1;
-        sum -= (fmb_i128)a[j] * box->end[side][j];
+        sum = fmb_i128_minus_product(sum, a[j], box->end[side][j]);
         int64_t g = s[j] < 0 ? -a[j] : a[j], p = (int64_t)fmb_abs64(s[j]);
-        if (p > 0 && g > 0 && (fmb_i128)g * price > (fmb_i128)gain * p) {
+        if (p > 0 && g > 0 &&
+            fmb_i128_compare(fmb_i128_product(g, price), fmb_i128_product(gain, p)) > 0) {
             gain = g;
             price = p;
         }
     }
-    sum = sum * price - (fmb_i128)gain * box->room;
-    return (sum > 0) - (sum < 0);
+    sum = fmb_i128_times(sum, fmb_i128_of(price));
+    return fmb_i128_sign(fmb_i128_minus_product(sum, gain, box->room));
 }
 
 int fmb_box_slack(const fmb_elim *e, const fmb_derived *r)

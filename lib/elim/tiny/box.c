@@ -11,19 +11,20 @@ static word judge_row_over_box(const fmb_tiny *t, const fmb_tiny_table *rows, in
 {
     const int64_t *a = rows->a[i];
     unsigned no_most = 0, no_least = 0; /* the box is open where a.x is greatest, least */
-    fmb_i128 most = 0, least = 0;
+    fmb_i128 most = fmb_i128_of(0), least = most, right = fmb_i128_of(a[0]);
     for (int k = 1; k <= t->n; k++) {
         if (a[k] == 0)
             continue;
         int up = a[k] > 0;
         no_most |= t->open[up] >> k & 1;
         no_least |= t->open[!up] >> k & 1;
-        most += (fmb_i128)a[k] * t->end[up][k];
-        least += (fmb_i128)a[k] * t->end[!up][k];
+        most = fmb_i128_plus_product(most, a[k], t->end[up][k]);
+        least = fmb_i128_plus_product(least, a[k], t->end[!up][k]);
     }
-    if (!no_most && most < a[0])
+    if (!no_most && fmb_i128_compare(most, right) < 0)
         return ALWAYS;
-    if (!no_least && (least > a[0] || (least == a[0] && rows->strict[i])))
+    int order = fmb_i128_compare(least, right);
+    if (!no_least && (order > 0 || (order == 0 && rows->strict[i])))
         return NEVER;
     return NOTHING;
 }

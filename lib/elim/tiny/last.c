@@ -4,44 +4,43 @@
  */
 #include "elim/tiny/tiny_private.h"
 
-static bool fits_int64(fmb_i128 v)
-{
-    return v == (fmb_i128)(int64_t)v;
-}
-
 /* high, low = x y */
 static void multiply_to_256_bits(fmb_u128 x, fmb_u128 y, fmb_u128 *high, fmb_u128 *low)
 {
-    fmb_u128 x0 = (uint64_t)x, x1 = x >> 64, y0 = (uint64_t)y, y1 = y >> 64;
-    fmb_u128 mid = x1 * y0 + ((x0 * y0) >> 64); /* below 2^127 + 2^64 */
-    fmb_u128 more = x0 * y1 + (uint64_t)mid;
-    *high = x1 * y1 + (mid >> 64) + (more >> 64);
-    *low = more << 64 | (uint64_t)(x0 * y0);
+    uint64_t x0 = fmb_u128_low(x), x1 = fmb_u128_high(x), y0 = fmb_u128_low(y),
+             y1 = fmb_u128_high(y);
+    fmb_u128 least = fmb_u128_product(x0, y0);
+    fmb_u128 mid =
+        fmb_u128_plus_product(fmb_u128_of(fmb_u128_high(least)), x1, y0); /* below 2^127 + 2^64 */
+    fmb_u128 more = fmb_u128_plus_product(fmb_u128_of(fmb_u128_low(mid)), x0, y1);
+    *high = fmb_u128_plus_product(fmb_u128_of(fmb_u128_high(mid)), x1, y1);
+    *high = fmb_u128_plus_word(*high, fmb_u128_high(more));
+    *low = fmb_u128_join(fmb_u128_low(more), fmb_u128_low(least));
 }
 
 /* Sign of x y - z w, for y, w > 0. */
 static int compare_products_exactly(fmb_i128 x, fmb_i128 y, fmb_i128 z, fmb_i128 w)
 {
-    if (fits_int64(x) && fits_int64(y) && fits_int64(z) && fits_int64(w)) {
-        fmb_i128 a = x * y, b = z * w;
-        return (a > b) - (a < b);
-    }
-    int sign = (x > 0) - (x < 0), other = (z > 0) - (z < 0);
+    if (fmb_i128_is_word(x) && fmb_i128_is_word(y) && fmb_i128_is_word(z) && fmb_i128_is_word(w))
+        return fmb_i128_compare(fmb_i128_product(fmb_i128_low(x), fmb_i128_low(y)),
+                                fmb_i128_product(fmb_i128_low(z), fmb_i128_low(w)));
+    int sign = fmb_i128_sign(x), other = fmb_i128_sign(z);
     if (sign != other || sign == 0)
         return (sign > other) - (sign < other);
     fmb_u128 high, low, high2, low2;
-    multiply_to_256_bits((fmb_u128)(x < 0 ? -x : x), (fmb_u128)y, &high, &low);
-    multiply_to_256_bits((fmb_u128)(z < 0 ? -z : z), (fmb_u128)w, &high2, &low2);
-    int order = high != high2 ? (high > high2) - (high < high2) : (low > low2) - (low < low2);
-    return sign * order;
+    multiply_to_256_bits(fmb_i128_size(x), fmb_u128_of_i128(y), &high, &low);
+    multiply_to_256_bits(fmb_i128_size(z), fmb_u128_of_i128(w), &high2, &low2);
+    int order = fmb_u128_compare(high, high2);
+    return sign * (order != 0 ? order : fmb_u128_compare(low, low2));
 }
 
 fmb_tiny_step fmb_tiny_note(fmb_tiny *t, fmb_i128 c, fmb_i128 b, bool strict)
 {
-    if (c == 0)
-        return b < 0 || (b == 0 && strict) ? FMB_TINY_CLASH : FMB_TINY_GO;
-    fmb_tiny_end *end = &t->last[c > 0];
-    c = c < 0 ? -c : c;
+    int side = fmb_i128_sign(c), room = fmb_i128_sign(b);
+    if (side == 0)
+        return room < 0 || (room == 0 && strict) ? FMB_TINY_CLASH : FMB_TINY_GO;
+    fmb_tiny_end *end = &t->last[side > 0];
+    c = side < 0 ? fmb_i128_negative(c) : c;
     int order = end->known ? compare_products_exactly(b, end->c, end->b, c) : -1;
     if (order < 0 || (order == 0 && strict))
         *end = (fmb_tiny_end){.b = b, .c = c, .strict = strict, .known = true};
@@ -54,6 +53,6 @@ bool fmb_tiny_is_open(const fmb_tiny *t)
     const fmb_tiny_end *low = &t->last[0], *high = &t->last[1];
     if (!low->known || !high->known)
         return true;
-    int order = compare_products_exactly(high->b, low->c, -low->b, high->c);
+    int order = compare_products_exactly(high->b, low->c, fmb_i128_negative(low->b), high->c);
     return order > 0 || (order == 0 && !low->strict && !high->strict);
 }

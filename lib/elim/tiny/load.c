@@ -25,9 +25,10 @@ typedef struct load_ends {
 /* Is a x REL b tighter than row i on the same side of the same variable? */
 static bool is_tighter_end(const fmb_tiny_table *base, int i, int var, const fmb_sysrow *r)
 {
-    fmb_i128 mine = (fmb_i128)r->val.s[1] * (int64_t)fmb_abs64(base->a[i][var]);
-    fmb_i128 its = (fmb_i128)base->a[i][0] * (int64_t)fmb_abs64(r->val.s[0]);
-    return mine < its || (mine == its && r->rel == FMB_LT && !base->strict[i]);
+    fmb_i128 mine = fmb_i128_product(r->val.s[1], (int64_t)fmb_abs64(base->a[i][var]));
+    fmb_i128 its = fmb_i128_product(base->a[i][0], (int64_t)fmb_abs64(r->val.s[0]));
+    int order = fmb_i128_compare(mine, its);
+    return order < 0 || (order == 0 && r->rel == FMB_LT && !base->strict[i]);
 }
 
 static void put_base_row(fmb_tiny_table *base, int i, const fmb_sysrow *r)

@@ -8,27 +8,28 @@
 
 static bool fits_small_bits(fmb_i128 v)
 {
-    return v > -((fmb_i128)1 << FMB_SMALL_BITS) && v < (fmb_i128)1 << FMB_SMALL_BITS;
+    return fmb_u128_is_zero(fmb_u128_right(fmb_i128_size(v), FMB_SMALL_BITS));
 }
 
 /* out = v divided by its content, found by Euclid's algorithm: slow, and rarely needed. */
 static bool divide_by_content(int64_t *out, const fmb_i128 *v, int n)
 {
-    fmb_i128 g = 0;
+    fmb_u128 g = fmb_u128_of(0);
     for (int k = 0; k <= n; k++) {
-        fmb_i128 a = v[k];
-        while (a != 0) {
-            fmb_i128 rest = g % a;
+        fmb_u128 a = fmb_i128_size(v[k]);
+        while (!fmb_u128_is_zero(a)) {
+            fmb_u128 rest;
+            fmb_u128_divide(g, a, &rest);
             g = a;
             a = rest;
         }
     }
-    g = g < 0 ? -g : g;
+    bool divides = fmb_u128_is_less(fmb_u128_of(1), g);
     for (int k = 0; k <= n; k++) {
-        fmb_i128 quotient = g > 1 ? v[k] / g : v[k];
+        fmb_i128 quotient = divides ? fmb_i128_quotient(v[k], fmb_i128_of_u128(g)) : v[k];
         if (!fits_small_bits(quotient))
             return false;
-        out[k] = (int64_t)quotient;
+        out[k] = fmb_i128_low(quotient);
     }
     return true;
 }
@@ -39,7 +40,7 @@ static bool combine_in_128_bits(const fmb_tiny *t, int64_t *out, int p, int q, i
     const int64_t *a = t->now->a[p], *b = t->now->a[q];
     fmb_i128 v[FMB_TINY_WORDS];
     for (int k = 0; k <= t->n; k++)
-        v[k] = (fmb_i128)f * a[k] + (fmb_i128)g * b[k];
+        v[k] = fmb_i128_plus_product(fmb_i128_product(f, a[k]), g, b[k]);
     return divide_by_content(out, v, t->n);
 }
 

@@ -171,8 +171,9 @@ static fmb_tiny_step note_pair_as_bound(fmb_tiny *t, int p, int q, int c, int d)
         return FMB_TINY_GO;
     }
     t->stats->rows_made++;
-    fmb_i128 f = b[c], g = -a[c];
-    return fmb_tiny_note(t, f * a[d] + g * b[d], f * a[0] + g * b[0],
+    int64_t f = b[c], g = -a[c];
+    return fmb_tiny_note(t, fmb_i128_plus_product(fmb_i128_product(f, a[d]), g, b[d]),
+                         fmb_i128_plus_product(fmb_i128_product(f, a[0]), g, b[0]),
                          t->now->strict[p] || t->now->strict[q]);
 }
 
@@ -187,7 +188,8 @@ static fmb_tiny_step make_last_round(fmb_tiny *t)
         if (a != 0)
             s.row[a > 0][s.rows[a > 0]++] = (uint8_t)i;
         else if (step == FMB_TINY_GO)
-            step = fmb_tiny_note(t, t->now->a[i][d], t->now->a[i][0], t->now->strict[i]);
+            step = fmb_tiny_note(t, fmb_i128_of(t->now->a[i][d]), fmb_i128_of(t->now->a[i][0]),
+                                 t->now->strict[i]);
     }
     for (int i = 0; i < s.rows[0]; i++)
         for (int j = 0; step == FMB_TINY_GO && j < s.rows[1]; j++)

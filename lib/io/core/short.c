@@ -188,14 +188,14 @@ static inline double scale_by_power_of_two(uint64_t m, int e)
  * which then has more than 54 bits. It is neither tiny nor huge. */
 static double round_to_double(fmb_u128 q, bool more, int e)
 {
-    uint64_t high = (uint64_t)(q >> 64);
-    int bits = high > 0 ? 128 - __builtin_clzll(high) : 64 - __builtin_clzll((uint64_t)q);
-    int drop = bits - 53;
+    const fmb_u128 one = fmb_u128_of(1);
+    int drop = fmb_u128_bits(q) - 53;
     if (drop <= 0)
-        return scale_by_power_of_two((uint64_t)q, e);
-    fmb_u128 half = (fmb_u128)1 << (drop - 1), rest = q & (2 * half - 1);
-    uint64_t m = (uint64_t)(q >> drop);
-    m += rest > half || (rest == half && (more || (m & 1)));
+        return scale_by_power_of_two(fmb_u128_low(q), e);
+    fmb_u128 half = fmb_u128_left(one, drop - 1), unit = fmb_u128_left(one, drop);
+    int order = fmb_u128_compare(fmb_u128_and(q, fmb_u128_minus(unit, one)), half);
+    uint64_t m = fmb_u128_low(fmb_u128_right(q, drop));
+    m += order > 0 || (order == 0 && (more || (m & 1)));
     return scale_by_power_of_two(m, e + drop);
 }
 
@@ -203,8 +203,9 @@ static double round_to_double(fmb_u128 q, bool more, int e)
 static double divide_by_power_of_ten(uint64_t z, int k)
 {
     int shift = 63 + __builtin_clzll(z);
-    fmb_u128 n = (fmb_u128)z << shift, q = n / power_of_five[k].value;
-    return round_to_double(q, q * power_of_five[k].value != n, -shift - k);
+    fmb_u128 rest, power = fmb_u128_of(power_of_five[k].value);
+    fmb_u128 q = fmb_u128_divide(fmb_u128_left(fmb_u128_of(z), shift), power, &rest);
+    return round_to_double(q, !fmb_u128_is_zero(rest), -shift - k);
 }
 
 /* The same by the reciprocal r = inverse 2^(1 - 64 - bits), r <= 5^-k < r + 2^(1 - 64 - bits). With
@@ -215,7 +216,7 @@ static inline bool multiply_by_reciprocal(uint64_t z, int k, double *out)
 {
     const struct power_of_five *five = &power_of_five[k];
     int shift = __builtin_clzll(z);
-    uint64_t high = (uint64_t)(((fmb_u128)(z << shift) * five->inverse) >> 64);
+    uint64_t high = fmb_u128_high(fmb_u128_product(z << shift, five->inverse));
     int drop = 11 - __builtin_clzll(high);
     uint64_t half = (uint64_t)1 << (drop - 1), rest = high & (2 * half - 1);
     bool up = rest > half;
@@ -234,7 +235,7 @@ static inline double nearest_to_magnitude(uint64_t z, int power)
     if (power < 0)
         return are_doubles ? (double)z / power_of_ten[k] : divide_by_power_of_ten(z, k);
     return are_doubles ? (double)z * power_of_ten[k]
-                       : round_to_double((fmb_u128)z * power_of_five[k].value, false, k);
+                       : round_to_double(fmb_u128_product(z, power_of_five[k].value), false, k);
 }
 
 bool fmb_short_decimal_nearest(const fmb_short_decimal *d, double *out)
@@ -258,10 +259,10 @@ static void set_magnitude(uint64_t z, int power, mpq_t out, bool *exact)
     twos += power;
     z >>= __builtin_ctzll(z);
     mpz_ptr n = mpq_numref(out);
-    mpz_set_ui(n, z);
+    fmb_integer_set_u64(n, z);
     if (power > 0)
-        mpz_mul_ui(n, n, power_of_five[power].value);
-    mpz_set_ui(mpq_denref(out), power_of_five[fives].value);
+        fmb_integer_times_u64(n, n, power_of_five[power].value);
+    fmb_integer_set_u64(mpq_denref(out), power_of_five[fives].value);
     *exact = fives == 0 && mpz_sizeinbase(n, 2) <= 53;
     if (twos > 0)
         mpz_mul_2exp(n, n, (mp_bitcnt_t)twos);

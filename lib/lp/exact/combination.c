@@ -13,18 +13,18 @@
 /* What is less than 2^122 + 2^61, less than about 2^62. */
 static fmb_u128 fold_once(fmb_u128 a)
 {
-    return (a & PRIME) + (a >> PRIME_BITS);
+    return fmb_u128_plus_word(fmb_u128_right(a, PRIME_BITS), fmb_u128_low(a) & PRIME);
 }
 
 static uint64_t reduce_modulo(fmb_u128 a)
 {
-    uint64_t r = (uint64_t)fold_once(fold_once(a));
+    uint64_t r = fmb_u128_low(fold_once(fold_once(a)));
     return r >= PRIME ? r - PRIME : r;
 }
 
 static uint64_t multiply_modulo(uint64_t a, uint64_t b)
 {
-    return reduce_modulo((fmb_u128)a * b);
+    return reduce_modulo(fmb_u128_product(a, b));
 }
 
 static uint64_t subtract_modulo(uint64_t a, uint64_t b)
@@ -47,11 +47,11 @@ static uint64_t invert_modulo(uint64_t a)
 /* Reduced after every 32 products: the sum stays below 2^128. */
 static uint64_t dot_modulo(const uint64_t *a, const uint64_t *b, size_t n)
 {
-    fmb_u128 sum = 0;
+    fmb_u128 sum = fmb_u128_of(0);
     for (size_t k = 0; k < n;) {
         size_t end = k + 32 < n ? k + 32 : n;
         for (; k < end; k++)
-            sum += (fmb_u128)a[k] * b[k];
+            sum = fmb_u128_plus_product(sum, a[k], b[k]);
         sum = fold_once(sum);
     }
     return reduce_modulo(sum);
@@ -60,7 +60,7 @@ static uint64_t dot_modulo(const uint64_t *a, const uint64_t *b, size_t n)
 static uint64_t entry_modulo(const fmb_vec *v, size_t j)
 {
     if (v->z)
-        return mpz_fdiv_ui(v->z[j], PRIME);
+        return fmb_integer_modulo_u64(v->z[j], PRIME);
     uint64_t r = fmb_abs64(v->s[j]) % PRIME;
     return v->s[j] < 0 && r > 0 ? PRIME - r : r;
 }
@@ -225,9 +225,9 @@ static void solve_modulo_prime(fmb_combination *c)
 static void set_symmetric(mpz_t z, uint64_t remainder)
 {
     if (remainder > PRIME / 2)
-        mpz_set_si(z, -(int64_t)(PRIME - remainder));
+        fmb_integer_set_i64(z, -(int64_t)(PRIME - remainder));
     else
-        mpz_set_ui(z, remainder);
+        fmb_integer_set_u64(z, remainder);
 }
 
 /* Cramer's rule: the determinant and its products with the unknowns are minors, thus known. */
@@ -244,33 +244,23 @@ static void lift_minors(fmb_combination *c)
 /* ---- digit by digit ---------------------------------------------------------------------------
  */
 
-static void set_wide_integer(mpz_t z, fmb_i128 v)
-{
-    fmb_u128 size = v < 0 ? -(fmb_u128)v : (fmb_u128)v;
-    mpz_set_ui(z, (uint64_t)(size >> 64));
-    mpz_mul_2exp(z, z, 64);
-    mpz_add_ui(z, z, (uint64_t)size);
-    if (v < 0)
-        mpz_neg(z, z);
-}
-
 /* s = equation e times the digits; small: all sums fit in 127 bits. */
 static void multiply_by_digits(fmb_combination *c, size_t e, bool small)
 {
-    fmb_i128 sum = 0;
+    fmb_i128 sum = fmb_i128_of(0);
     size_t j = c->column[e];
     mpz_set_ui(c->s, 0);
     for (size_t k = 0; k < c->unknowns; k++) {
         const fmb_vec *v = unknown_row(c, k);
         if (small) {
-            sum += (fmb_i128)v->s[j] * (fmb_i128)c->digit[k];
+            sum = fmb_i128_plus_product(sum, v->s[j], (int64_t)c->digit[k]);
             continue;
         }
         fmb_vec_get(v, j, c->t);
-        mpz_addmul_ui(c->s, c->t, c->digit[k]);
+        fmb_integer_add_product_u64(c->s, c->t, c->digit[k]);
     }
     if (small)
-        set_wide_integer(c->s, sum);
+        fmb_integer_set_128(c->s, sum);
 }
 
 static bool do_digit_sums_fit(const fmb_combination *c)
@@ -297,14 +287,14 @@ static void lift_by_one_digit(fmb_combination *c, bool small)
 {
     size_t wide = c->unknowns + 1;
     for (size_t e = 0; e < c->unknowns; e++) {
-        mpz_addmul_ui(c->part[e], c->power, c->digit[e]);
+        fmb_integer_add_product_u64(c->part[e], c->power, c->digit[e]);
         multiply_by_digits(c, e, small);
         mpz_sub(c->rest[e], c->rest[e], c->s);
-        mpz_divexact_ui(c->rest[e], c->rest[e], PRIME);
+        fmb_integer_divide_exactly_u64(c->rest[e], c->rest[e], PRIME);
     }
-    mpz_mul_ui(c->power, c->power, PRIME);
+    fmb_integer_times_u64(c->power, c->power, PRIME);
     for (size_t e = 0; e < c->unknowns; e++)
-        c->sum[e] = subtract_modulo(mpz_fdiv_ui(c->rest[e], PRIME),
+        c->sum[e] = subtract_modulo(fmb_integer_modulo_u64(c->rest[e], PRIME),
                                     dot_modulo(&c->matrix[e * wide], c->sum, e));
     substitute_back(c);
 }

@@ -57,9 +57,9 @@ void fmb_lift_clear(fmb_dixon *l)
 static void set_residual(fmb_dixon *l, size_t k, int64_t value)
 {
     size_t at = l->word_start[k];
-    l->word[at] = (mp_limb_t)value;
+    l->word[at] = (fmb_word)value;
     while (++at < l->word_start[k + 1])
-        l->word[at] = value < 0 ? ~(mp_limb_t)0 : 0;
+        l->word[at] = value < 0 ? ~(fmb_word)0 : 0;
 }
 
 fmb_status fmb_lift_begin(fmb_dixon *l, mpz_t *right, const int *at)
@@ -69,7 +69,7 @@ fmb_status fmb_lift_begin(fmb_dixon *l, mpz_t *right, const int *at)
     for (size_t k = 0; k < l->n; k++) {
         mpz_srcptr b = right[at[k]];
         if (mpz_sizeinbase(b, 2) < FMB_PRIME_BITS) {
-            set_residual(l, k, mpz_get_si(b));
+            set_residual(l, k, fmb_integer_get_i64(b));
             continue;
         }
         fmb_status st = fmb_mem_reserve(l->mem, (void **)&l->rest, &l->rest_room, l->rests + 1,
@@ -79,7 +79,7 @@ fmb_status fmb_lift_begin(fmb_dixon *l, mpz_t *right, const int *at)
         fmb_lift_rest *rest = &l->rest[l->rests++];
         rest->place = (int)k;
         mpz_init(rest->rest);
-        uint64_t low = mpz_tdiv_q_ui(rest->rest, b, l->q->p);
+        uint64_t low = fmb_integer_divide_u64(rest->rest, b, l->q->p);
         set_residual(l, k, mpz_sgn(b) < 0 ? -(int64_t)low : (int64_t)low);
     }
     return FMB_OK;
@@ -90,40 +90,44 @@ fmb_status fmb_lift_begin(fmb_dixon *l, mpz_t *right, const int *at)
 /* The residual of row k modulo p. */
 static uint64_t reduce_residual(const fmb_dixon *l, size_t k)
 {
-    const mp_limb_t *w = l->word + l->word_start[k];
+    const fmb_word *w = l->word + l->word_start[k];
     size_t words = l->word_start[k + 1] - l->word_start[k];
     if (words == 1)
         return fmb_prime_of_signed(l->q, (int64_t)w[0]);
     /* from the sign down, as 2^64 = 8 c */
     uint64_t x = (int64_t)w[words - 1] < 0 ? l->q->p - 1 : 0;
     while (words-- > 0)
-        x = fmb_prime_fold(l->q, (fmb_u128)x << 64 | w[words]);
+        x = fmb_prime_fold(l->q, fmb_u128_join(x, w[words]));
     return x;
 }
 
 /* w -= f times the entry t. */
-static void subtract_product(mp_limb_t *w, size_t words, const fmb_sparse *b, size_t t, uint64_t f)
+static void subtract_product(fmb_word *w, size_t words, const fmb_sparse *b, size_t t, uint64_t f)
 {
+    fmb_word small = fmb_abs64(b->value[t]);
     mpz_srcptr big = b->big ? b->big[t] : NULL;
-    mp_limb_t small = fmb_abs64(b->value[t]);
-    mp_size_t size = big ? (mp_size_t)mpz_size(big) : 1;
-    const mp_limb_t *from = big ? mpz_limbs_read(big) : &small;
+    size_t size = big ? fmb_integer_words(big) : 1;
     bool minus = big ? mpz_sgn(big) > 0 : b->value[t] > 0;
-    mp_limb_t carry = minus ? mpn_submul_1(w, from, size, f) : mpn_addmul_1(w, from, size, f);
-    if ((mp_size_t)words > size && minus)
-        mpn_sub_1(w + size, w + size, (mp_size_t)words - size, carry);
-    else if ((mp_size_t)words > size)
-        mpn_add_1(w + size, w + size, (mp_size_t)words - size, carry);
+    uint64_t carry;
+    if (minus)
+        carry =
+            big ? fmb_words_subtract_product(w, big, f) : fmb_word_subtract_product(w, small, f);
+    else
+        carry = big ? fmb_words_add_product(w, big, f) : fmb_word_add_product(w, small, f);
+    if (words > size && minus)
+        fmb_words_subtract(w + size, words - size, carry);
+    else if (words > size)
+        fmb_words_add(w + size, words - size, carry);
 }
 
 /* w / p, which is known to be an integer, modulo 2^64 to the power of `words`. */
-static void divide_words_exactly(mp_limb_t *w, size_t words, const fmb_prime *q)
+static void divide_words_exactly(fmb_word *w, size_t words, const fmb_prime *q)
 {
     for (size_t k = 0; k < words; k++) {
         w[k] *= q->inverse;
-        mp_limb_t over = (mp_limb_t)((fmb_u128)w[k] * q->p >> 64);
+        uint64_t over = fmb_u128_high(fmb_u128_product(w[k], q->p));
         if (k + 1 < words)
-            mpn_sub_1(w + k + 1, w + k + 1, (mp_size_t)(words - k - 1), over);
+            fmb_words_subtract(w + k + 1, words - k - 1, over);
     }
 }
 
@@ -139,7 +143,7 @@ static void update_short_residual(fmb_dixon *l, size_t k)
 static void update_residual(fmb_dixon *l, size_t k)
 {
     const fmb_sparse *b = l->b;
-    mp_limb_t *w = l->word + l->word_start[k];
+    fmb_word *w = l->word + l->word_start[k];
     size_t words = l->word_start[k + 1] - l->word_start[k];
     if (words == 1) {
         update_short_residual(l, k);
@@ -160,12 +164,12 @@ static void take_in_next_right_digit(fmb_dixon *l)
             continue;
         bool minus = mpz_sgn(rest->rest) < 0;
         size_t k = (size_t)rest->place, words = l->word_start[k + 1] - l->word_start[k];
-        mp_limb_t *w = l->word + l->word_start[k];
-        mp_limb_t low = mpz_tdiv_q_ui(rest->rest, rest->rest, l->q->p);
+        fmb_word *w = l->word + l->word_start[k];
+        uint64_t low = fmb_integer_divide_u64(rest->rest, rest->rest, l->q->p);
         if (minus)
-            mpn_sub_1(w, w, (mp_size_t)words, low);
+            fmb_words_subtract(w, words, low);
         else
-            mpn_add_1(w, w, (mp_size_t)words, low);
+            fmb_words_add(w, words, low);
     }
 }
 
@@ -195,7 +199,7 @@ void fmb_lift_value(fmb_dixon *l, size_t k, mpz_t out)
 {
     mpz_set_ui(out, 0);
     for (size_t s = l->digits; s-- > 0;) {
-        mpz_mul_ui(out, out, l->q->p);
-        mpz_add_ui(out, out, l->digit[s * l->n + k]);
+        fmb_integer_times_u64(out, out, l->q->p);
+        fmb_integer_plus_u64(out, out, l->digit[s * l->n + k]);
     }
 }

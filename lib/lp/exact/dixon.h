@@ -29,7 +29,7 @@ typedef struct fmb_dixon {
     uint64_t *v;        /* [n] */
     bool wide;          /* some residual is longer than a word */
     size_t *word_start; /* [n + 1] */
-    mp_limb_t *word;    /* residuals, in two's complement */
+    fmb_word *word;     /* residuals, in two's complement */
     uint64_t *digit;    /* [digits][n] */
     size_t digits, digit_room;
     fmb_lift_rest *rest; /* [rests] right sides longer than a word */

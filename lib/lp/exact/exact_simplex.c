@@ -118,7 +118,7 @@ static size_t find_broken_equality(const fmb_lp *lp)
  * rule usually needs. */
 fmb_status fmb_lp_make_feasible(fmb_lp *lp, bool *feasible)
 {
-    size_t patience = lp->run->stats.pivots + 2 * ((size_t)lp->n + lp->m);
+    uint64_t patience = lp->run->stats.pivots + 2 * ((size_t)lp->n + lp->m);
     lp->stalled = 0;
     lp->at_row = find_broken_equality(lp);
     while (lp->at_row == SIZE_MAX) {

@@ -220,7 +220,7 @@ static fmb_status lift_until_found(fmb_factor *f, asked *s, size_t most)
             st = fmb_run_poll(f->run);
         if (st != FMB_OK)
             return st;
-        mpz_mul_ui(f->m, f->m, f->q.p);
+        fmb_integer_times_u64(f->m, f->m, f->q.p);
         size_t digits = s->lift->digits;
         if (digits < next)
             continue;

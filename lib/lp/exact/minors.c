@@ -47,7 +47,7 @@ static void copy_entries(fmb_minors *f, const fmb_sparse *b)
             if (b->big && b->big[t])
                 mpz_set(to, b->big[t]);
             else
-                mpz_set_si(to, b->value[t]);
+                fmb_integer_set_i64(to, b->value[t]);
         }
 }
 

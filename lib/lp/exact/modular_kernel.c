@@ -61,7 +61,8 @@ static void clear_below_pivot(fmb_short *h, size_t r, size_t c)
         if (row[c] == 0)
             continue;
         for (size_t j = c + 1; j < h->columns; j++)
-            row[j] = fmb_prime_fold(&h->q, (fmb_u128)top[c] * row[j] + (fmb_u128)minus * top[j]);
+            row[j] = fmb_prime_fold(
+                &h->q, fmb_u128_plus_product(fmb_u128_product(top[c], row[j]), minus, top[j]));
         row[h->n + 1] = fmb_prime_times(&h->q, row[h->n + 1], top[c]);
     }
 }

@@ -40,14 +40,15 @@ static inline fmb_prime fmb_prime_number(int k)
 static inline uint64_t fmb_prime_fold(const fmb_prime *q, fmb_u128 x)
 {
     const uint64_t mask = ((uint64_t)1 << FMB_PRIME_BITS) - 1;
-    fmb_u128 y = (fmb_u128)(uint64_t)(x >> 64) * (8 * q->c) + (uint64_t)x; /* < 2^76 */
-    uint64_t z = ((uint64_t)y & mask) + q->c * (uint64_t)(y >> FMB_PRIME_BITS);
+    fmb_u128 y = fmb_u128_product(fmb_u128_high(x), 8 * q->c);
+    y = fmb_u128_plus_word(y, fmb_u128_low(x)); /* < 2^76 */
+    uint64_t z = (fmb_u128_low(y) & mask) + q->c * fmb_u128_low(fmb_u128_right(y, FMB_PRIME_BITS));
     return z >= q->p ? z - q->p : z;
 }
 
 static inline uint64_t fmb_prime_times(const fmb_prime *q, uint64_t a, uint64_t b)
 {
-    return fmb_prime_fold(q, (fmb_u128)a * b);
+    return fmb_prime_fold(q, fmb_u128_product(a, b));
 }
 
 static inline uint64_t fmb_prime_minus(const fmb_prime *q, uint64_t a, uint64_t b)
@@ -66,7 +67,7 @@ static inline uint64_t fmb_prime_of_signed(const fmb_prime *q, int64_t x)
 
 static inline uint64_t fmb_prime_of_integer(const fmb_prime *q, mpz_srcptr x)
 {
-    return mpz_fdiv_ui(x, q->p);
+    return fmb_integer_modulo_u64(x, q->p);
 }
 
 /* a^-1, a not 0: Euclid. */
@@ -92,9 +93,9 @@ static inline uint64_t fmb_prime_minus_dot(const fmb_prime *q, uint64_t sum, con
     uint64_t total = 0;
     while (n > 0) {
         size_t part = n < FMB_PRIME_TERMS - 1 ? n : FMB_PRIME_TERMS - 1;
-        fmb_u128 x = total;
+        fmb_u128 x = fmb_u128_of(total);
         for (size_t t = 0; t < part; t++)
-            x += (fmb_u128)a[t] * b[index ? (size_t)index[t] : t];
+            x = fmb_u128_plus_product(x, a[t], b[index ? (size_t)index[t] : t]);
         total = fmb_prime_fold(q, x);
         a += part;
         if (index)

@@ -3,6 +3,8 @@
 
 #include <stdint.h>
 
+#include "num/word.h"
+
 void fmb_rational_init(fmb_rational *w)
 {
     mpz_inits(w->r, w->s, w->x, w->y, w->t, w->u, NULL);
@@ -47,11 +49,8 @@ static steps find_sure_steps(int64_t r, int64_t s)
 /* out = p a + q b. */
 static void combine_integers(mpz_t out, const mpz_t a, int64_t p, const mpz_t b, int64_t q)
 {
-    mpz_mul_si(out, a, p);
-    if (q < 0)
-        mpz_submul_ui(out, b, 0 - (unsigned long)q);
-    else
-        mpz_addmul_ui(out, b, (unsigned long)q);
+    fmb_integer_times_i64(out, a, p);
+    fmb_integer_add_product_i64(out, b, q);
 }
 
 static void combine_pair(fmb_rational *w, mpz_t a, mpz_t b, const steps *h)
@@ -71,7 +70,7 @@ static bool take_sure_steps(fmb_rational *w, size_t a_bits)
         return false;
     mpz_tdiv_q_2exp(w->t, w->r, bits - LEAD_BITS);
     mpz_tdiv_q_2exp(w->u, w->s, bits - LEAD_BITS);
-    steps h = find_sure_steps(mpz_get_si(w->t), mpz_get_si(w->u));
+    steps h = find_sure_steps(fmb_integer_get_i64(w->t), fmb_integer_get_i64(w->u));
     if (h.u[1] == 0)
         return false;
     combine_pair(w, w->r, w->s, &h);

@@ -23,17 +23,16 @@ static fmb_status allocate_sparse(fmb_sparse *s, fmb_arena *arena, size_t n, siz
 /* Bound the sum of |entries| of row k. */
 static void measure_sparse_row(fmb_sparse *s, size_t k)
 {
-    fmb_u128 small = 0;
+    fmb_u128 small = fmb_u128_of(0);
     size_t large = 0, count = s->start[k + 1] - s->start[k];
     for (size_t t = s->start[k]; t < s->start[k + 1]; t++)
         if (s->big && s->big[t]) {
             size_t bits = mpz_sizeinbase(s->big[t], 2);
             large = bits > large ? bits : large;
         } else {
-            small += fmb_abs64(s->value[t]);
+            small = fmb_u128_plus_word(small, fmb_abs64(s->value[t]));
         }
-    uint32_t bits = (uint32_t)(small >> 64 ? 64 + fmb_bits64((uint64_t)(small >> 64))
-                                           : fmb_bits64((uint64_t)small));
+    uint32_t bits = (uint32_t)fmb_u128_bits(small);
     if (large > 0) /* at most 2^bits in all */
         bits = (uint32_t)(large > bits ? large : bits) + (uint32_t)fmb_bits64(count);
     s->bits[k] = bits;
@@ -46,7 +45,7 @@ static void gather_row_terms(fmb_sparse *s, size_t at, const fmb_program_row *ro
     for (size_t k = 0; k < row->size; k++) {
         bool wide = v->z && mpz_sizeinbase(v->z[k], 2) > FMB_SMALL_BITS;
         s->index[at + k] = row->column[k];
-        s->value[at + k] = !v->z ? v->s[k] : wide ? 0 : mpz_get_si(v->z[k]);
+        s->value[at + k] = !v->z ? v->s[k] : wide ? 0 : fmb_integer_get_i64(v->z[k]);
         if (s->big)
             s->big[at + k] = wide ? v->z[k] : NULL;
     }

@@ -34,19 +34,11 @@ static bool reach_unknowns(const fmb_triangle *t, mpz_t *right, const int *right
         }
         if (!t->reached[k] || diagonal == 1)
             continue;
-        mpz_mul_ui(den, den, diagonal);
+        fmb_integer_times_u64(den, den, diagonal);
         if (mpz_sizeinbase(den, 2) > MOST_BITS)
             return false;
     }
     return true;
-}
-
-static void subtract_multiple(mpz_t from, int64_t a, const mpz_t x)
-{
-    if (a >= 0)
-        mpz_submul_ui(from, x, (unsigned long)a);
-    else
-        mpz_addmul_ui(from, x, (unsigned long)-a);
 }
 
 /* x = D times unknown k. */
@@ -62,10 +54,10 @@ static void solve_for_unknown(const fmb_triangle *t, size_t k, const mpz_t right
         if (j == k)
             diagonal = b->value[e];
         else if (t->reached[j])
-            subtract_multiple(to, b->value[e], x[at[j]]);
+            fmb_integer_add_product_i64(to, x[at[j]], -b->value[e]);
     }
     if (fmb_abs64(diagonal) != 1)
-        mpz_divexact_ui(to, to, fmb_abs64(diagonal));
+        fmb_integer_divide_exactly_u64(to, to, fmb_abs64(diagonal));
     if (diagonal < 0)
         mpz_neg(to, to);
 }

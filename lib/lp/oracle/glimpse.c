@@ -39,8 +39,8 @@ static void take_short_point(fmb_oracle *o)
 {
     const int64_t *v = o->few.v;
     for (size_t j = 0; j < o->n; j++)
-        mpz_set_si(o->point.z[j], v[o->n] < 0 ? -v[j] : v[j]);
-    mpz_set_si(o->point_den, v[o->n] < 0 ? -v[o->n] : v[o->n]);
+        fmb_integer_set_i64(o->point.z[j], v[o->n] < 0 ? -v[j] : v[j]);
+    fmb_integer_set_i64(o->point_den, v[o->n] < 0 ? -v[o->n] : v[o->n]);
 }
 
 fmb_status fmb_oracle_look_shortly(fmb_oracle *o, bool *seen)

@@ -193,7 +193,8 @@ size_t fmb_inside_shoot(const fmb_inside *p, const double *way, const bool *gone
         if (gone[i] || speed[i] <= 0)
             continue;
         int64_t mine = (int64_t)speed[i];
-        fmb_i128 later = (fmb_i128)p->slack[i] * fast - (fmb_i128)slack * mine;
+        int later =
+            fmb_i128_compare(fmb_i128_product(p->slack[i], fast), fmb_i128_product(slack, mine));
         tie = later == 0 || (tie && later > 0);
         if (later < 0) {
             first = i;

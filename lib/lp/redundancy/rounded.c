@@ -76,9 +76,9 @@ static bool write_parts_over_all(fmb_rounded *c)
 /* all (row i) - sum part_k row_k, at entry j. Fewer than 2^8 products of 54 + 62 bits. */
 static fmb_i128 difference_at_entry(const fmb_rounded *c, const fmb_lp_row *row, size_t i, size_t j)
 {
-    fmb_i128 sum = (fmb_i128)c->all * row[i].v->s[j];
+    fmb_i128 sum = fmb_i128_product(c->all, row[i].v->s[j]);
     for (size_t k = 0; k < c->size; k++)
-        sum -= (fmb_i128)c->part[k] * row[c->index[k]].v->s[j];
+        sum = fmb_i128_minus_product(sum, c->part[k], row[c->index[k]].v->s[j]);
     return sum;
 }
 
@@ -94,8 +94,8 @@ bool fmb_rounded_proves(fmb_rounded *c, size_t n, const fmb_lp_row *row, size_t 
         strict |= row[c->index[k]].rel == FMB_LT && c->part[k] > 0;
     }
     for (size_t j = 0; j < n; j++)
-        if (difference_at_entry(c, row, i, j) != 0)
+        if (fmb_i128_sign(difference_at_entry(c, row, i, j)) != 0)
             return false;
-    fmb_i128 slack = difference_at_entry(c, row, i, n);
+    int slack = fmb_i128_sign(difference_at_entry(c, row, i, n));
     return slack > 0 || (slack == 0 && (strict || row[i].rel != FMB_LT));
 }

@@ -28,7 +28,7 @@ static uint64_t scale_of_small(const fmb_vec *v, size_t n)
 static void scale_of_any(const twin_search *s, size_t i, mpz_t g)
 {
     const fmb_vec *v = s->row[i].v;
-    mpz_set_ui(g, v->z ? 0 : s->scale[i]);
+    fmb_integer_set_u64(g, v->z ? 0 : s->scale[i]);
     for (size_t j = 0; v->z && j < s->n; j++)
         mpz_gcd(g, g, v->z[j]);
 }
@@ -48,7 +48,7 @@ static uint64_t hash_direction(twin_search *s, size_t i)
     for (size_t j = 0; j < s->n; j++) {
         if (v->z) {
             mpz_divexact(s->a, v->z[j], s->scale_a);
-            h = stir_word(h, mpz_get_ui(s->a), mpz_sgn(s->a) < 0);
+            h = stir_word(h, fmb_integer_low(s->a), mpz_sgn(s->a) < 0);
             continue;
         }
         uint64_t size = fmb_abs64(v->s[j]);
@@ -62,9 +62,8 @@ static int compare_scaled_entries(twin_search *s, size_t i, size_t k, size_t j)
 {
     const fmb_vec *u = s->row[i].v, *v = s->row[k].v;
     if (!u->z && !v->z && s->scale[i] < INT64_MAX && s->scale[k] < INT64_MAX) {
-        fmb_i128 x = (fmb_i128)u->s[j] * (int64_t)s->scale[k];
-        fmb_i128 y = (fmb_i128)v->s[j] * (int64_t)s->scale[i];
-        return (x > y) - (x < y);
+        return fmb_i128_compare(fmb_i128_product(u->s[j], (int64_t)s->scale[k]),
+                                fmb_i128_product(v->s[j], (int64_t)s->scale[i]));
     }
     scale_of_any(s, i, s->scale_a);
     scale_of_any(s, k, s->scale_b);
@@ -136,7 +135,7 @@ static fmb_status meet_twin(twin_search *s, size_t i, size_t *slot, fmb_fate *fa
 
 static size_t *find_twin_slot(twin_search *s, size_t i)
 {
-    size_t at = hash_direction(s, i) & (s->size - 1);
+    size_t at = (size_t)hash_direction(s, i) & (s->size - 1);
     while (s->slot[at] != SIZE_MAX && !are_parallel(s, i, s->slot[at]))
         at = (at + 1) & (s->size - 1);
     return &s->slot[at];

@@ -86,14 +86,14 @@ static mpq_srcptr rational_of_frame(const fmb_frame_q *f, int axis, int row)
 
 static bool is_word(mpz_srcptr z)
 {
-    return GMP_NUMB_BITS == 64 && mpz_size(z) <= 1;
+    return fmb_integer_words(z) <= 1;
 }
 
 /* d divides unit, which is seen at once. */
 static bool is_divisor(mpz_srcptr d, mpz_srcptr unit)
 {
     return mpz_cmp_ui(d, 1) == 0 || mpz_cmp(d, unit) == 0 ||
-           (is_word(d) && is_word(unit) && mpz_getlimbn(unit, 0) % mpz_getlimbn(d, 0) == 0);
+           (is_word(d) && is_word(unit) && fmb_integer_low(unit) % fmb_integer_low(d) == 0);
 }
 
 /* The least common denominator of a row; false if numbers are too long in terms of it. */
@@ -119,10 +119,10 @@ static bool find_denominator_of_row(const rational_pair *d, int row)
 /* n / d in that unit, where all three are words. */
 static void read_words(mpz_srcptr n, mpz_srcptr d, mpz_srcptr unit, fmb_wide *out)
 {
-    fmb_u128 factor = mpz_getlimbn(unit, 0) / mpz_getlimbn(d, 0);
-    fmb_u128 product = mpz_getlimbn(n, 0) * factor;
-    out->word[0] = (uint64_t)product;
-    out->word[1] = (uint64_t)(product >> 64);
+    uint64_t factor = fmb_integer_low(unit) / fmb_integer_low(d);
+    fmb_u128 product = fmb_u128_product(fmb_integer_low(n), factor);
+    out->word[0] = fmb_u128_low(product);
+    out->word[1] = fmb_u128_high(product);
     out->n = 1 + (out->word[1] != 0);
     out->minus = mpz_sgn(n) < 0;
 }

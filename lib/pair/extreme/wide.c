@@ -11,9 +11,10 @@ static void add_product_of_words(uint64_t *to, const fmb_wide *a, const fmb_wide
         uint64_t x = a->word[i], carry = 0;
         int k = i;
         for (int j = 0; j < b->n; j++, k++) {
-            fmb_u128 sum = (fmb_u128)x * b->word[j] + to[k] + carry;
-            to[k] = (uint64_t)sum;
-            carry = (uint64_t)(sum >> 64);
+            fmb_u128 sum = fmb_u128_plus_word(fmb_u128_product(x, b->word[j]), to[k]);
+            sum = fmb_u128_plus_word(sum, carry);
+            to[k] = fmb_u128_low(sum);
+            carry = fmb_u128_high(sum);
         }
         for (; carry != 0; k++) {
             to[k] += carry;
@@ -39,19 +40,20 @@ static void subtract_words(fmb_wide *out, const uint64_t *large, const uint64_t 
 static bool dot_of_short_factors(fmb_wide *out, int n, const fmb_wide *const *a,
                                  const fmb_wide *const *b, unsigned minus)
 {
-    fmb_i128 sum = 0;
+    fmb_i128 sum = fmb_i128_of(0);
     for (int i = 0; i < n; i++) {
         uint64_t x = a[i]->n > 0 ? a[i]->word[0] : 0, y = b[i]->n > 0 ? b[i]->word[0] : 0;
         if ((a[i]->n > 1) | (b[i]->n > 1) | ((x | y) >> 62 > 0))
             return false;
-        fmb_i128 product = (fmb_i128)((fmb_u128)x * y);
-        sum += (a[i]->minus != b[i]->minus) != (minus >> i & 1) ? -product : product;
+        fmb_i128 product = fmb_i128_of_u128(fmb_u128_product(x, y));
+        bool negative = (a[i]->minus != b[i]->minus) != (minus >> i & 1);
+        sum = fmb_i128_plus(sum, negative ? fmb_i128_negative(product) : product);
     }
-    fmb_u128 size = sum < 0 ? -(fmb_u128)sum : (fmb_u128)sum;
-    out->word[0] = (uint64_t)size;
-    out->word[1] = (uint64_t)(size >> 64);
-    out->n = size >> 64 > 0 ? 2 : size > 0;
-    out->minus = sum < 0;
+    fmb_u128 size = fmb_i128_size(sum);
+    out->word[0] = fmb_u128_low(size);
+    out->word[1] = fmb_u128_high(size);
+    out->n = out->word[1] > 0 ? 2 : out->word[0] > 0;
+    out->minus = fmb_i128_sign(sum) < 0;
     return true;
 }
 

@@ -84,9 +84,10 @@ static inline void fmb_wide_add_magnitude(fmb_wide *a, const fmb_wide *b)
     for (; a->n < b->n; a->n++)
         a->word[a->n] = 0;
     for (int i = 0; i < a->n && (i < b->n || carry != 0); i++) {
-        fmb_u128 sum = (fmb_u128)a->word[i] + (i < b->n ? b->word[i] : 0) + carry;
-        a->word[i] = (uint64_t)sum;
-        carry = (uint64_t)(sum >> 64);
+        fmb_u128 sum = fmb_u128_plus_word(fmb_u128_of(a->word[i]), i < b->n ? b->word[i] : 0);
+        sum = fmb_u128_plus_word(sum, carry);
+        a->word[i] = fmb_u128_low(sum);
+        carry = fmb_u128_high(sum);
     }
     if (carry != 0) {
         assert(a->n < FMB_WIDE_WORDS);
@@ -148,9 +149,10 @@ static inline void fmb_wide_add_row(fmb_wide *out, int at, uint64_t x, const fmb
 {
     uint64_t carry = 0;
     for (int j = 0; j < b->n; j++) {
-        fmb_u128 sum = (fmb_u128)x * b->word[j] + out->word[at + j] + carry;
-        out->word[at + j] = (uint64_t)sum;
-        carry = (uint64_t)(sum >> 64);
+        fmb_u128 sum = fmb_u128_plus_word(fmb_u128_product(x, b->word[j]), out->word[at + j]);
+        sum = fmb_u128_plus_word(sum, carry);
+        out->word[at + j] = fmb_u128_low(sum);
+        carry = fmb_u128_high(sum);
     }
     out->word[at + b->n] = carry;
 }

@@ -21,7 +21,7 @@ Test(modular, arithmetic_modulo_each_prime)
             mpz_set_ui(x, high);
             mpz_mul_2exp(x, x, 64);
             mpz_add_ui(x, x, low);
-            cr_assert_eq(fmb_prime_fold(&q, (fmb_u128)high << 64 | low), mpz_fdiv_ui(x, q.p));
+            cr_assert_eq(fmb_prime_fold(&q, fmb_u128_join(high, low)), mpz_fdiv_ui(x, q.p));
             int64_t z = (int64_t)(low >> 1) - (support_chance(&g, 50) ? (int64_t)4 << 60 : 0);
             mpz_set_si(x, z);
             cr_assert_eq(fmb_prime_of_signed(&q, z), mpz_fdiv_ui(x, q.p));

@@ -3,6 +3,7 @@
 #include <criterion/criterion.h>
 #include <string.h>
 
+#include "num/int128.h"
 #include "num/kernels.h"
 #include "num/ones.h"
 #include "support.h"
@@ -130,8 +131,6 @@ Test(kernels, sets)
 
 /* ---- combinations ---------------------------------------------------------------------------- */
 
-__extension__ typedef __int128 wide;
-
 /* Up to `most`, often just that. */
 static int64_t draw_number(support_rng *g, int64_t most)
 {
@@ -153,9 +152,10 @@ static void expect_combined(combine *f, const int64_t *a, const int64_t *b, size
     memcpy(own, a, n * sizeof *a);
     uint64_t first = f(fresh, a, b, n, p, q), second = f(own, own, b, n, p, q);
     for (size_t i = 0; i < n; i++) {
-        wide x = (wide)p * a[i] + (wide)q * b[i];
-        cr_assert((wide)fresh[i] == x && own[i] == fresh[i], "entry %zu of %zu", i, n);
-        all |= (uint64_t)(x < 0 ? -x : x);
+        fmb_i128 x = fmb_i128_plus_product(fmb_i128_product(p, a[i]), q, b[i]);
+        cr_assert(fmb_i128_compare(fmb_i128_of(fresh[i]), x) == 0 && own[i] == fresh[i],
+                  "entry %zu of %zu", i, n);
+        all |= fmb_u128_low(fmb_i128_size(x));
     }
     for (size_t i = n; i < COUNT + 8; i++)
         cr_assert(fresh[i] == 0x5a5a5a5a5a5a5a5a && own[i] == fresh[i]);
