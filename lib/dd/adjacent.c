@@ -7,6 +7,7 @@
  * them.
  */
 #include "dd/adjacent.h"
+#include "base/ways.h"
 
 #include <string.h>
 
@@ -148,7 +149,8 @@ fmb_status fmb_adjacency_begin(fmb_cone *c)
     fmb_insertion *s = c->at;
     fmb_edge_sides of = fmb_adjacency_sides(c);
     fmb_status st = gather_supports(c, c->run->mem, &s->large_side, s->ray, s->large);
-    s->by_edges = do_edges_pay(&of);
+    s->by_edges = do_edges_pay(&of) && fmb_way(FMB_WAY_EDGES);
+    fmb_way_answered(FMB_WAY_EDGES, s->by_edges);
     return st == FMB_OK && s->by_edges ? list_crowded_rays(c, &of) : st;
 }
 

@@ -21,6 +21,7 @@
  * by less than six times 2^-1075, which LEAST beside e_j has, and its scaling by 2^-1075, which
  * LEAST beside off_j has (and which a scale less than 1 would not leave of the other).
  */
+#include "base/ways.h"
 #include <math.h>
 
 #include "dd/facets_inside.h"
@@ -92,6 +93,8 @@ void fmb_facets_combine_roughly(fmb_facets *f, fmb_facet *a, const fmb_facet *n,
 bool fmb_facets_guess_side(const fmb_facets *f, fmb_facet *a, const double *near, int *side)
 {
     double sum = 0, off = LEAST;
+    if (!fmb_way(FMB_WAY_ROUGH))
+        return false;
     for (size_t j = 0; j < f->d; j++) {
         sum += a->roughly[j] * near[j];
         off += a->roughly[f->d + j] * fabs(near[j]);
@@ -99,5 +102,7 @@ bool fmb_facets_guess_side(const fmb_facets *f, fmb_facet *a, const double *near
     a->value = sum;
     a->off = off * (1 + (double)(f->d + 2) * 0x1p-51);
     *side = sum > 0 ? 1 : -1;
-    return isfinite(sum) && fabs(sum) > a->off;
+    bool sure = isfinite(sum) && fabs(sum) > a->off;
+    fmb_way_answered(FMB_WAY_ROUGH, sure);
+    return sure;
 }

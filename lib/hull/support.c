@@ -1,4 +1,5 @@
 /* support.c: life, and which facet is asked about next; see support.h. */
+#include "base/ways.h"
 #include "hull/support_inside.h"
 
 /* ---- life ------------------------------------------------------------------------------------ */
@@ -98,13 +99,17 @@ static fmb_status find_open_facet(fmb_support *s, size_t *at)
 static fmb_status ask_about_facet(fmb_support *s, size_t at)
 {
     fmb_support_row row = {0};
-    bool stands;
+    bool stands = false;
     const fmb_vec *normal = &s->hull.facet[at].normal;
-    if (fmb_support_is_known(s, normal)) {
+    if (s->known && fmb_way(FMB_WAY_KNOWN) && fmb_support_is_known(s, normal)) {
+        fmb_way_answered(FMB_WAY_KNOWN, true);
         fmb_support_note_facet(s, at, FMB_LE);
         return FMB_OK;
     }
-    fmb_status st = fmb_support_try_tight_rows(s, at, &row, &stands);
+    fmb_status st = FMB_OK;
+    if (fmb_way(FMB_WAY_TIGHT))
+        st = fmb_support_try_tight_rows(s, at, &row, &stands);
+    fmb_way_answered(FMB_WAY_TIGHT, stands);
     if (st == FMB_OK && !stands)
         st = fmb_support_query(s, normal, 1, &row, &stands);
     if (st == FMB_OK && stands) {
@@ -147,7 +152,8 @@ static fmb_status ask_next_question(fmb_support *s, bool *done)
     const fmb_facets *f = &s->hull;
     size_t at;
     fmb_status st = fmb_run_poll_now(s->run);
-    if (st == FMB_OK && s->program && !s->symmetry && has_asked_a_while(s))
+    if (st == FMB_OK && s->program && !s->symmetry && has_asked_a_while(s) &&
+        fmb_way(FMB_WAY_SYMMETRY))
         st = fmb_support_find_symmetry(s);
     if (st != FMB_OK)
         return st;

@@ -189,6 +189,26 @@ def once(root):
                 yield f"{what} {name} stands in {', '.join(str(p) for p in paths)}"
 
 
+WAY = re.compile(r'WAY\((\w+),((?:\s|\\|"[^"]*"|,)*)\)')
+
+
+def ways(root):
+    """Each way (base/ways.h) has files that are there and is asked somewhere; docs/ways.md has a row for it."""
+    lib = root / "lib"
+    table = (root / "docs/ways.md").read_text()
+    code = "".join(path.read_text() for path in sources(lib) if path.name != "ways.h")
+    for identifier, rest in WAY.findall((lib / "base/ways.h").read_text()):
+        texts = [re.sub(r'"\s*\\?\s*"', "", field).strip(' "\\\n') for field in rest.split(",")[:2]]
+        name, files = texts
+        for file in files.split():
+            if not (lib / f"{file}.c").exists() and not (lib / f"{file}.h").exists():
+                yield f"way {name}: there is no lib/{file}"
+        if f"fmb_way(FMB_WAY_{identifier})" not in code:
+            yield f"way {name}: nothing asks it"
+        if f"| {name} " not in table:
+            yield f"way {name}: docs/ways.md has no row for it"
+
+
 def headers(root):
     include = root / "include"
     compilers = (["gcc", "-std=c11", "-x", "c"], ["g++", "-std=c++17", "-x", "c++"])
@@ -286,11 +306,13 @@ def selftest(_root):
                                    "FMB_API void fmb_thing_close(fmb_thing *t);\n"
                                    "FMB_API fmb_status fmb_other_add(fmb_other *o, int a);\n"
                                    "FMB_API void fmb_other_free(fmb_other *o);\n",
+            "lib/base/ways.h": '#define FMB_WAYS(WAY) \\\n    WAY(A, "one way", "base/c base/gone", \\\n        "about")\n',
+            "docs/ways.md": "",
         }
         for path, content in bad.items():
             (root / path).parent.mkdir(parents=True, exist_ok=True)
             (root / path).write_text(content)
-        for check, expected in ((rooms, 9), (headers, 4), (mentioned, 5), (once, 3), (words, 3)):
+        for check, expected in ((rooms, 9), (headers, 4), (mentioned, 5), (once, 3), (words, 3), (ways, 3)):
             found = list(check(root))
             if len(found) != expected:
                 yield f"{check.__name__} found {len(found)} of {expected} faults: {found}"

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "base/ways.h"
 #include "elim/history/filter.h"
 #include "elim/round/round.h"
 #include "elim/rules/prune.h"
@@ -163,8 +164,9 @@ static fmb_status eliminate_by_pairs(fmb_elim *e, int var)
     e->since++;
     e->gone[var / 64] |= (uint64_t)1 << (var % 64);
     e->run->stats.rounds++;
-    return names_no_other_variable(e, round) ? fmb_elim_squeeze(e, round, lowers)
-                                             : fmb_elim_pair(e, round, lowers);
+    bool last = names_no_other_variable(e, round) && fmb_way(FMB_WAY_SQUEEZE);
+    fmb_way_answered(FMB_WAY_SQUEEZE, last);
+    return last ? fmb_elim_squeeze(e, round, lowers) : fmb_elim_pair(e, round, lowers);
 }
 
 /* ---- a round --------------------------------------------------------------------------------- */

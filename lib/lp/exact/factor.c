@@ -4,6 +4,7 @@
 #include <assert.h>
 #include <string.h>
 
+#include "base/ways.h"
 #include "lp/exact/dixon.h"
 #include "lp/exact/lu.h"
 #include "lp/exact/minors.h"
@@ -94,7 +95,8 @@ fmb_status fmb_factor_set(fmb_factor *f, size_t *basis, bool *changed)
     if (st == FMB_OK && !f->reached)
         st = fmb_mem_status(f->mem);
     if (st == FMB_OK)
-        f->is_short = fmb_minors_suit(&f->b[0]);
+        f->is_short = fmb_minors_suit(&f->b[0]) && fmb_way(FMB_WAY_MINORS);
+    fmb_way_answered(FMB_WAY_MINORS, f->is_short);
     return st;
 }
 
@@ -277,8 +279,11 @@ static fmb_status solve_factored(fmb_factor *f, bool across, mpz_t *right, mpz_t
     const int *right_at = across ? f->lu.column_at : f->lu.row_at;
     const int *at = across ? f->lu.row_at : f->lu.column_at;
     fmb_status st = f->lu.is_triangular && across ? prepare_transposed(f) : FMB_OK;
-    if (st == FMB_OK && f->lu.is_triangular && substitute(f, across, right, x, den))
+    if (st == FMB_OK && f->lu.is_triangular && fmb_way(FMB_WAY_SUBSTITUTE) &&
+        substitute(f, across, right, x, den)) {
+        fmb_way_answered(FMB_WAY_SUBSTITUTE, true);
         return fmb_run_poll(f->run);
+    }
     if (st == FMB_OK)
         st = f->is_short ? prepare_minors(f) : prepare_lifting(f, across);
     if (st == FMB_OK && !f->is_short)

@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "base/ways.h"
+
 /* Up to so many columns there is an inverse. */
 #define FEW_COLUMNS 100
 /* Less than this times the largest is no pivot. */
@@ -25,8 +27,9 @@ fmb_status fmb_corner_init(fmb_corner *c, const fmb_reals *f, bool factors)
 {
     size_t n = f->n;
     fmb_mem *mem = f->run->mem;
-    *c =
-        (fmb_corner){.f = f, .n = n, .triangles.f = f, .has_inverse = n <= FEW_COLUMNS && !factors};
+    bool sparse = (n > FEW_COLUMNS || factors) && fmb_way(FMB_WAY_FACTORED);
+    *c = (fmb_corner){.f = f, .n = n, .triangles.f = f, .has_inverse = !sparse};
+    fmb_way_answered(FMB_WAY_FACTORED, sparse);
     c->member = fmb_mem_get(mem, n, sizeof *c->member);
     c->old = fmb_mem_get(mem, n, sizeof *c->old);
     if (!c->member || !c->old)

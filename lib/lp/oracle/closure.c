@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/ways.h"
 #include "lp/oracle/state.h"
 
 /* Exact pivots between two refinements of a guess, and how many of those there are. */
@@ -111,7 +112,8 @@ static fmb_status refine_guess(fmb_oracle *o, double scale, fmb_hint *h)
 static fmb_status try_conflict(fmb_oracle *o, fmb_hint *h, fmb_walk_end *end)
 {
     fmb_status st = FMB_OK;
-    bool sure = false, is_long = fmb_refute_is_worth_it(&o->v);
+    bool sure = false;
+    bool is_long = fmb_refute_is_worth_it(&o->v) && fmb_way(FMB_WAY_REFUTE);
     if (is_long)
         st = fmb_refute(&o->v, h->odd, &o->w.sign, &sure);
     if (st == FMB_OK && is_long && !sure) {
@@ -124,6 +126,7 @@ static fmb_status try_conflict(fmb_oracle *o, fmb_hint *h, fmb_walk_end *end)
     }
     if (st != FMB_OK || h->kind != FMB_HINT_INFEASIBLE)
         return st;
+    fmb_way_answered(FMB_WAY_REFUTE, sure);
     if (!sure)
         return fmb_walk_try_conflict(&o->w, h->odd, end);
     o->w.odd = h->odd;

@@ -3,6 +3,7 @@
  * Rows of the basis are solved modulo one prime. If the point that comes out satisfies all rows, it
  * is a solution of the closure, and that is all that is claimed: no factor is needed, nor lifting.
  */
+#include "base/ways.h"
 #include "lp/oracle/state.h"
 
 /* More columns take longer than a sparse factor. */
@@ -47,7 +48,7 @@ fmb_status fmb_oracle_look_shortly(fmb_oracle *o, bool *seen)
 {
     fmb_status st = FMB_OK;
     *seen = false;
-    if (o->n > MOST_COLUMNS || o->misses > MOST_MISSES)
+    if (o->n > MOST_COLUMNS || o->misses > MOST_MISSES || !fmb_way(FMB_WAY_GLIMPSE))
         return FMB_OK;
     if (!o->few.a)
         st = fmb_short_init(&o->few, o->run->mem, o->n);
@@ -55,6 +56,7 @@ fmb_status fmb_oracle_look_shortly(fmb_oracle *o, bool *seen)
         take_short_point(o);
         st = fmb_vertex_try_point(&o->v, o->point.z, o->point_den, o->price, false, seen);
     }
+    fmb_way_answered(FMB_WAY_GLIMPSE, *seen);
     o->misses += *seen ? -(o->misses > 0) : 1;
     return st == FMB_OK ? fmb_integers_settle(&o->point, o->run->mem) : st;
 }

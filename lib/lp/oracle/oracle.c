@@ -1,5 +1,6 @@
 /* oracle.c: the door of oracles: what is plain, then the closure, then strict rows; see oracle.h.
  */
+#include "base/ways.h"
 #include "lp/oracle/state.h"
 
 /* ---- is there a solution --------------------------------------------------------------------- */
@@ -40,8 +41,9 @@ static fmb_status search_for_point(fmb_oracle *o, bool *feasible)
     bool room = true;
     *feasible = false;
     fmb_status st = fmb_closure_guess(o, &h);
-    if (st == FMB_OK && h.kind == FMB_HINT_OPTIMUM)
+    if (st == FMB_OK && h.kind == FMB_HINT_OPTIMUM && fmb_way(FMB_WAY_GRID))
         st = fmb_oracle_look_on_grid(o, &h, feasible);
+    fmb_way_answered(FMB_WAY_GRID, *feasible);
     if (st != FMB_OK || *feasible)
         return st;
     st = fmb_closure_certify(o, &h, &end);

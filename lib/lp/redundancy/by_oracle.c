@@ -6,6 +6,8 @@
  */
 #include "lp/redundancy/by_oracle.h"
 
+#include "base/ways.h"
+
 #include <string.h>
 
 #include "num/rationals.h"
@@ -342,5 +344,8 @@ bool fmb_suits_oracle(size_t n, size_t m, const fmb_lp_row *row)
         for (size_t j = 0; short_numbers && j < n; j++)
             short_numbers = v->s[j] >= -1 && v->s[j] <= 1;
     }
-    return !strict && !short_numbers && count_named_columns(n, m, row) > FEW_VARIABLES;
+    bool suits = !strict && !short_numbers && count_named_columns(n, m, row) > FEW_VARIABLES;
+    suits = suits && fmb_way(FMB_WAY_REDUCE_ORACLE);
+    fmb_way_answered(FMB_WAY_REDUCE_ORACLE, suits);
+    return suits;
 }

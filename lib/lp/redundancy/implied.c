@@ -13,6 +13,7 @@
  */
 #include "lp/redundancy/implied.h"
 
+#include "base/ways.h"
 #include "lp/exact/exact_simplex.h"
 #include "lp/oracle/oracle.h"
 #include "lp/redundancy/awake.h"
@@ -239,7 +240,7 @@ fmb_status fmb_lp_sort_rows(fmb_run *run, int n, size_t m, const fmb_lp_row *row
     out->doubtful = 0;
     out->inner = false;
     out->feasible = true;
-    if (!are_rows_small(m, row)) {
+    if (!are_rows_small(m, row) || !fmb_way(FMB_WAY_ACTIVE_SET)) {
         out->doubtful = m;
         return FMB_OK;
     }
@@ -249,5 +250,6 @@ fmb_status fmb_lp_sort_rows(fmb_run *run, int n, size_t m, const fmb_lp_row *row
     else if (st == FMB_OK)
         out->doubtful = m;
     fmb_named_clear(&named);
+    fmb_way_answered(FMB_WAY_ACTIVE_SET, 4 * out->doubtful < m);
     return st;
 }

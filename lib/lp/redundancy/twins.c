@@ -2,6 +2,8 @@
  * coefficients, the scale. */
 #include "lp/redundancy/twins.h"
 
+#include "base/ways.h"
+
 #include "num/gcd.h"
 
 typedef struct twin_search {
@@ -160,11 +162,14 @@ fmb_status fmb_drop_twins(fmb_run *run, size_t n, size_t m, const fmb_lp_row *ro
                           const fmb_verdicts *told)
 {
     twin_search s = {.mem = run->mem, .n = n, .row = row};
+    if (!fmb_way(FMB_WAY_PARALLEL))
+        return FMB_OK;
     mpz_inits(s.a, s.b, s.scale_a, s.scale_b, NULL);
     fmb_status st = open_twin_search(&s, m);
     for (size_t i = 0; st == FMB_OK && i < m; i++) {
         if (fate[i] == FMB_FATE_UNKNOWN)
             st = meet_twin(&s, i, find_twin_slot(&s, i), fate, told);
+        fmb_way_answered(FMB_WAY_PARALLEL, fate[i] == FMB_FATE_REDUNDANT);
         if (st == FMB_OK)
             st = fmb_run_poll(run);
     }

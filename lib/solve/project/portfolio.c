@@ -1,6 +1,7 @@
 /* portfolio.c: the projection of one part, and which way leads to it; see portfolio.h. */
 #include "solve/project/portfolio.h"
 
+#include "base/ways.h"
 #include "elim/round/mark.h"
 #include "solve/limit/outer.h"
 #include "solve/project/escape.h"
@@ -266,13 +267,25 @@ static fmb_status open_queries(rungs *r)
                       : fmb_queries_open(r->q, r->part, r->place, &r->queries, r->feasible);
 }
 
+/* A way was tried, with that status. */
+static fmb_status note(fmb_way_id way, const rungs *r, fmb_status st)
+{
+    fmb_way_answered(way, st == FMB_OK && (r->done || !*r->feasible));
+    return st;
+}
+
+static bool walks(const fmb_lift *lift, const fmb_part *p, int kept)
+{
+    return fmb_judge_walks(lift, p, kept) && fmb_way(FMB_WAY_WALK);
+}
+
 /* By whom the oracle is asked later on, if it is. */
 static fmb_status learn_if_feasible(rungs *r)
 {
     const fmb_part *p = &r->q->parts.part[r->part];
     if (r->known)
         return FMB_OK;
-    if (!fmb_judge_walks(r->lift, p, fmb_judge_kept(p, r->place)))
+    if (!walks(r->lift, p, fmb_judge_kept(p, r->place)))
         return open_queries(r);
     r->known = true;
     return is_part_feasible(r->q, r->part, r->feasible);
@@ -309,7 +322,7 @@ static fmb_status try_oracle(rungs *r)
 {
     const fmb_part *p = &r->q->parts.part[r->part];
     int kept = fmb_judge_kept(p, r->place);
-    fmb_status st = fmb_judge_walks(r->lift, p, kept) ? try_walk(r) : FMB_OK;
+    fmb_status st = walks(r->lift, p, kept) ? note(FMB_WAY_WALK, r, try_walk(r)) : FMB_OK;
     return is_open(st, r) ? try_queries(r, kept <= FEW_KEPT ? 0 : FIRST_PAIRS) : st;
 }
 
@@ -320,14 +333,16 @@ static fmb_status try_rays_and_steeper_elimination(rungs *r, int kept)
     const fmb_part *p = &r->q->parts.part[r->part];
     uint64_t rays = fmb_judge_first_rays(r->lift, p, kept);
     fmb_status st = FMB_OK;
-    if (fmb_judge_goes_steeper(r->lift, kept))
-        st = try_steeper_elimination(r, kept);
-    if (is_open(st, r) && rays > 0)
-        st = try_rays(r, rays);
+    if (fmb_judge_goes_steeper(r->lift, kept) && fmb_way(FMB_WAY_STEEPER))
+        st = note(FMB_WAY_STEEPER, r, try_steeper_elimination(r, kept));
+    if (is_open(st, r) && rays > 0 && fmb_way(FMB_WAY_FIRST_RAYS))
+        st = note(FMB_WAY_FIRST_RAYS, r, try_rays(r, rays));
     if (is_open(st, r) && kept <= FMB_SHORT_QUERIES && fmb_lift_is_nearly_done(r->lift))
         st = try_rays(r, rays);
     rays = is_open(st, r) ? fmb_judge_second_rays(r->lift, p, kept) : 0;
-    return rays > 0 ? try_rays(r, rays) : st;
+    return rays > 0 && fmb_way(FMB_WAY_SECOND_RAYS)
+               ? note(FMB_WAY_SECOND_RAYS, r, try_rays(r, rays))
+               : st;
 }
 
 /* What is nearly cheap is eliminated; then what rows and numbers are like tells the way; then the
@@ -337,14 +352,14 @@ static fmb_status try_each_shortly(rungs *r)
     const fmb_part *p = &r->q->parts.part[r->part];
     int kept = fmb_judge_kept(p, r->place);
     fmb_status st = fmb_judge_doubts_solution(r->lift) && !r->known ? open_queries(r) : FMB_OK;
-    if (is_open(st, r) && fmb_judge_escapes(r->lift))
-        st = try_escape(r);
+    if (is_open(st, r) && fmb_judge_escapes(r->lift) && fmb_way(FMB_WAY_ESCAPE))
+        st = note(FMB_WAY_ESCAPE, r, try_escape(r));
     if (is_open(st, r) && !fmb_judge_asks_ends(r->lift, p, kept)) {
-        if (fmb_judge_goes_gently(r->lift, kept))
-            st = try_gentle_elimination(r, kept);
+        if (fmb_judge_goes_gently(r->lift, kept) && fmb_way(FMB_WAY_GENTLE))
+            st = note(FMB_WAY_GENTLE, r, try_gentle_elimination(r, kept));
         size_t budget = is_open(st, r) ? fmb_judge_pruned_rows(r->lift, p, kept) : 0;
-        if (budget > 0)
-            st = try_pruned_elimination(r, budget);
+        if (budget > 0 && fmb_way(FMB_WAY_PRUNED))
+            st = note(FMB_WAY_PRUNED, r, try_pruned_elimination(r, budget));
         if (is_open(st, r))
             st = try_rays_and_steeper_elimination(r, kept);
     }

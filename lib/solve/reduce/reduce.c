@@ -5,6 +5,7 @@
  * all rows. The exact oracle decides about rows that are left, and about parts without such a
  * point.
  */
+#include "base/ways.h"
 #include "lp/exact/exact_simplex.h"
 #include "lp/redundancy/by_oracle.h"
 #include "lp/redundancy/sieve.h"
@@ -164,9 +165,10 @@ static fmb_status decide_rows_of_part(fmb_query *q, int part, fmb_fate *fate)
     fmb_status st = list_rows_of_part(&g, part);
     if (st != FMB_OK)
         return st;
-    if (fmb_sieve_is_affordable((size_t)g.p->n, g.p->m)) {
+    if (fmb_sieve_is_affordable((size_t)g.p->n, g.p->m) && fmb_way(FMB_WAY_RAY_SHOOTING)) {
         st = sift_rows_of_part(&g, listener, &inner);
         fmb_run_tell_attempt(&q->run, fmb_query_attempt(q, part, "sieve", "rows"), st, inner);
+        fmb_way_answered(FMB_WAY_RAY_SHOOTING, inner);
     }
     if (st == FMB_OK && is_some_row_unknown(&g))
         st = decide_open_rows(&g, part, inner, listener);

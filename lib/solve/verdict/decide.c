@@ -4,6 +4,7 @@
  * 30 us, and gives up in as little time. Where evidence is wanted, parts of few rows: those of 8
  * take 10 to 100 us by either way, of 16 ten times as much by elimination.
  */
+#include "base/ways.h"
 #include "elim/round/witness.h"
 #include "elim/tiny/tiny.h"
 #include "solve/query/solver.h"
@@ -144,9 +145,10 @@ static bool wants_verdict_only(const fmb_solver *v)
 fmb_verdict fmb_query_decide_tiny(fmb_query *q)
 {
     fmb_stats stats = q->run.stats;
-    if (!wants_verdict_only(q->v))
+    if (!wants_verdict_only(q->v) || !fmb_way(FMB_WAY_TINY))
         return FMB_UNKNOWN;
     fmb_verdict verdict = fmb_tiny_decide(q->s, &stats);
+    fmb_way_answered(FMB_WAY_TINY, verdict == FMB_INFEASIBLE);
     if (verdict == FMB_INFEASIBLE)
         q->run.stats = stats;
     return verdict;
@@ -158,6 +160,7 @@ static bool decide_on_stack(fmb_solver *v, const fmb_system *s, fmb_result *res)
     fmb_run run;
     fmb_run_begin(&run, &v->mem, &v->options, &v->cancel, v->sink, "solve");
     fmb_verdict verdict = fmb_tiny_decide(s, &run.stats);
+    fmb_way_answered(FMB_WAY_TINY, verdict != FMB_UNKNOWN);
     if (verdict == FMB_UNKNOWN)
         return false;
     fmb_run_end(&run, verdict);
@@ -179,7 +182,8 @@ fmb_status fmb_solve(fmb_solver *v, const fmb_system *s, fmb_result *res)
     fmb_query q;
     fmb_verdict verdict = FMB_UNKNOWN;
     fmb_status st = fmb_solver_expect(v, s, true, res);
-    if (st != FMB_OK || (wants_verdict_only(v) && decide_on_stack(v, s, res)))
+    if (st != FMB_OK ||
+        (wants_verdict_only(v) && fmb_way(FMB_WAY_TINY) && decide_on_stack(v, s, res)))
         return st;
     st = fmb_query_resume(&q, v, s, "solve");
     if (st == FMB_OK)

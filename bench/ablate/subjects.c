@@ -1,0 +1,180 @@
+/* subjects.c: see subjects.h. */
+#include "subjects.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+
+#include "../peers/polytope.h"
+#include "study/program/program.h"
+#include "study/program/projection.h"
+#include "study/program/random.h"
+
+typedef struct asking {
+    subject_ask *ask;
+    void *self;
+} asking;
+
+/* Numbers of systems: as they are drawn, or fractions of so many digits. */
+static const int DIGITS[] = {0, 9};
+
+enum { DRESSES = sizeof DIGITS / sizeof *DIGITS };
+
+/* Takes over s. */
+static fmb_system *dress_numbers(fmb_system *s, int digits, uint64_t seed)
+{
+    fmb_system *dressed = NULL;
+    if (digits == 0)
+        return s;
+    if (study_system_fractions(s, digits, seed, &dressed) != FMB_OK)
+        need(NULL);
+    fmb_system_free(s);
+    return dressed;
+}
+
+static void ask_projection(int family, uint64_t seed, int digits, const asking *a)
+{
+    study_projection drawn;
+    problem p;
+    char name[sizeof p.name];
+    if (study_projection_draw(family, seed, &drawn) != FMB_OK)
+        need(NULL);
+    snprintf(name, sizeof name, "project %s%s_%" PRIu64, study_projection_name(family),
+             digits > 0 ? "/" : "", seed);
+    problem_of_system(&p, name, dress_numbers(drawn.s, digits, seed));
+    p.keep = drawn.keep;
+    a->ask(a->self, &p, PEER_PROJECT);
+}
+
+static void ask_projections(uint64_t seed, const asking *a)
+{
+    for (int f = 0; f < study_projections(); f++)
+        for (int k = 0; k < DRESSES; k++)
+            ask_projection(f, seed, DIGITS[k], a);
+}
+
+/* The same program for each question: who asks takes over what it gets. */
+static void ask_program(const study_program_plan *plan, int digits, peer_question question,
+                        const asking *a)
+{
+    static const char *const WORD[PEER_QUESTIONS] = {[PEER_DECIDE] = "decide",
+                                                     [PEER_BOX] = "box",
+                                                     [PEER_REDUCE] = "reduce",
+                                                     [PEER_OPTIMIZE] = "optimize"};
+    study_program drawn;
+    problem p;
+    char text[48], name[sizeof p.name];
+    if (study_program_draw(plan, &drawn) != FMB_OK)
+        need(NULL);
+    study_program_plan_text(plan, text, sizeof text);
+    snprintf(name, sizeof name, "%s %.36s%s_%" PRIu64, WORD[question], text, digits > 0 ? "/" : "",
+             plan->seed);
+    problem_of_system(&p, name, dress_numbers(drawn.s, digits, plan->seed));
+    drawn.s = NULL;
+    study_program_clear(&drawn);
+    a->ask(a->self, &p, question);
+}
+
+/* Of a quarter to twice the usual size of its family. */
+static study_program_plan draw_program_plan(int family, uint64_t seed)
+{
+    study_random g = {.state = seed * 1000003 + (uint64_t)family};
+    study_program_plan plan;
+    const char *bad;
+    if (!study_program_plan_parse(study_program_name(family), &plan, &bad))
+        need(NULL);
+    double by = 0.25 * (double)study_random_between(&g, 1, 8);
+    plan.seed = seed;
+    plan.rows = (int)(by * plan.rows);
+    plan.variables = plan.variables > 8 ? (int)(by * plan.variables) : plan.variables;
+    return plan;
+}
+
+/* Boxes of large programs are many optima. */
+#define MOST_ROWS_OF_BOX 200
+
+static void ask_programs(uint64_t seed, const asking *a)
+{
+    for (int f = 0; f < study_program_families(); f++) {
+        study_program_plan plan = draw_program_plan(f, seed);
+        for (int k = 0; k < DRESSES; k++) {
+            ask_program(&plan, DIGITS[k], PEER_DECIDE, a);
+            ask_program(&plan, DIGITS[k], PEER_OPTIMIZE, a);
+            if (plan.rows <= MOST_ROWS_OF_BOX)
+                ask_program(&plan, DIGITS[k], PEER_BOX, a);
+            ask_program(&plan, DIGITS[k], PEER_REDUCE, a);
+        }
+    }
+}
+
+/* Families of polytopes, the sizes between which the seed chooses, and rows. */
+static const struct {
+    const char *name;
+    int least, most, rows; /* rows: as many times the size; 0: the family tells */
+} POLYTOPE[] = {{"cube", 5, 10, 0},     {"cross", 4, 9, 0},    {"cyclic", 4, 7, 5},
+                {"metric", 4, 5, 0},    {"cut", 4, 5, 0},      {"small", 3, 5, 10},
+                {"sphere", 3, 6, 12},   {"blocking", 3, 5, 3}, {"slice", 4, 8, 0},
+                {"lattice", 3, 5, 10},  {"zonotope", 3, 5, 2}, {"product", 4, 7, 0},
+                {"assignment", 3, 4, 0}};
+
+static void ask_polytope(size_t family, uint64_t seed, bool hull, const asking *a)
+{
+    study_random g = {.state = seed * 7919 + family};
+    polytope_plan plan = {.seed = seed};
+    problem p;
+    char text[32], name[sizeof p.name];
+    int size = (int)study_random_between(&g, POLYTOPE[family].least, POLYTOPE[family].most);
+    int rows = POLYTOPE[family].rows * size;
+    if (rows > 0)
+        snprintf(text, sizeof text, "%s:%d:%d", POLYTOPE[family].name, size, rows);
+    else
+        snprintf(text, sizeof text, "%s:%d", POLYTOPE[family].name, size);
+    if (!polytope_parse(text, &plan))
+        need(NULL);
+    snprintf(name, sizeof name, "%s %s_%" PRIu64, hull ? "hull" : "vertices", text, seed);
+    polytope_draw(&plan, &p, name);
+    if (!hull)
+        a->ask(a->self, &p, PEER_VERTICES);
+    else if (problem_turn_over(&p))
+        a->ask(a->self, &p, PEER_HULL);
+    else
+        problem_clear(&p);
+}
+
+static void ask_polytopes(uint64_t seed, const asking *a)
+{
+    for (size_t k = 0; k < sizeof POLYTOPE / sizeof *POLYTOPE; k++)
+        for (int hull = 0; hull < 2; hull++)
+            ask_polytope(k, seed, hull, a);
+}
+
+static bool ask_file(const char *path, peer_question question, const asking *a)
+{
+    problem p;
+    if (!problem_read(&p, path))
+        return false;
+    if (question == PEER_PROJECT && p.keep == p.n)
+        problem_clear(&p);
+    else
+        a->ask(a->self, &p, question);
+    return true;
+}
+
+static bool ask_files(const subject_plan *plan, const asking *a)
+{
+    bool good = true;
+    for (size_t i = 0; i < plan->files; i++)
+        good &= ask_file(plan->file[i], PEER_DECIDE, a) &&
+                ask_file(plan->file[i], PEER_PROJECT, a) && ask_file(plan->file[i], PEER_REDUCE, a);
+    return good;
+}
+
+bool subjects_each(const subject_plan *plan, subject_ask *ask, void *self)
+{
+    asking a = {ask, self};
+    for (uint64_t seed = plan->seed; seed < plan->seed + plan->each; seed++) {
+        ask_projections(seed, &a);
+        ask_programs(seed, &a);
+        ask_polytopes(seed, &a);
+    }
+    return ask_files(plan, &a);
+}

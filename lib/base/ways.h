@@ -1,0 +1,116 @@
+/* ways.h: the engines and tricks that answers do not depend on, each with a switch.
+ *
+ * Nothing here changes what is right: where a way is switched off, another one answers. A build
+ * with -Dablate=true (FMB_ABLATE) can switch each of them off and counts how often it was asked and
+ * how often it answered; bench/ablate makes docs/ways.md of that. In every other build all ways are
+ * on, and nothing of this file is left in the code.
+ *
+ *   if (suits && fmb_way(FMB_WAY_ESCAPE)) ... fmb_way_answered(FMB_WAY_ESCAPE, done);
+ *
+ * A row: identifier, name, the files that would go with it (room/name, without .c or .h), and what
+ * it is. A way that stays in the library pays: docs/ways.md.
+ */
+#ifndef FMB_BASE_WAYS_H
+#define FMB_BASE_WAYS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* clang-format off */
+#define FMB_WAYS(WAY)                                                                              \
+    WAY(ESCAPE, "escape", "solve/project/escape",                                                  \
+        "projections: recession directions that leave all rows behind")                            \
+    WAY(GENTLE, "gentle elimination", "",                                                          \
+        "projections: variables that make few rows are eliminated first")                          \
+    WAY(PRUNED, "pruned elimination", "solve/query/rule_lp",                                       \
+        "projections: elimination pruned by the oracle, where cones are large")                    \
+    WAY(STEEPER, "steeper elimination", "",                                                        \
+        "projections: the last variables, however many rows they make")                            \
+    WAY(FIRST_RAYS, "first rays", "", "projections: double description within a small budget")     \
+    WAY(SECOND_RAYS, "second rays", "", "projections: double description within a larger one")     \
+    WAY(WALK, "walk around a shadow",                                                              \
+        "hull/walk hull/walk_inside hull/walk_plane hull/walk_start solve/project/polygon",        \
+        "projections on a plane: around it, edge by edge, on a dictionary")                        \
+    WAY(TIGHT, "tight rows", "hull/support_tight",                                                 \
+        "support queries: facets proved by the rows tight on them")                                \
+    WAY(KNOWN, "known rows", "hull/support_known",                                                 \
+        "support queries: facets that are rows of the system")                                     \
+    WAY(SYMMETRY, "symmetry", "hull/support_symmetry",                                             \
+        "support queries: one facet of each orbit")                                                \
+    WAY(GLIMPSE, "modular vertex", "lp/oracle/glimpse",                                            \
+        "oracle: vertices of short numbers modulo one prime")                                      \
+    WAY(GRID, "rounding to a lattice", "lp/oracle/grid",                                           \
+        "oracle: solutions of short numbers by rounding")                                          \
+    WAY(REFUTE, "Farkas by refinement", "lp/oracle/refute",                                        \
+        "oracle: conflicts between long numbers by iterative refinement")                          \
+    WAY(SUBSTITUTE, "substitution", "lp/exact/substitute", "exact: triangular bases")              \
+    WAY(MINORS, "minors", "lp/exact/minors", "exact: small bases without fractions")               \
+    WAY(FACTORED, "LU with updates", "lp/float/triangles lp/float/markowitz",                      \
+        "doubles: a basis as sparse triangles instead of a dense inverse")                         \
+    WAY(RAY_SHOOTING, "ray shooting",                                                              \
+        "lp/redundancy/sieve lp/redundancy/sift lp/redundancy/polar lp/redundancy/ray "            \
+        "lp/redundancy/blocks lp/redundancy/findings lp/float/gauge lp/float/gauge_basis "         \
+        "lp/float/gauge_inside lp/float/gauge_walk lp/float/centre",                         \
+        "redundancy: rows seen from a point inside")                                               \
+    WAY(PARALLEL, "parallel rows", "lp/redundancy/twins", "redundancy: by hashing")                \
+    WAY(REDUCE_ORACLE, "redundancy by oracle", "lp/redundancy/by_oracle",                          \
+        "redundancy: by linear programs that are guessed")                                         \
+    WAY(ACTIVE_SET, "active set",                                                                  \
+        "lp/redundancy/implied lp/redundancy/awake lp/redundancy/rounded lp/redundancy/named "     \
+        "lp/redundancy/interior_point",                                                            \
+        "elimination: rows that others imply, guessed among few")                                  \
+    WAY(EDGES, "edges of rays", "dd/edges",                                                        \
+        "double description: adjacency of simple rays by their edges")                             \
+    WAY(ROUGH, "facets in doubles", "dd/facets_roughly dd/facets_normals",                         \
+        "hulls: sides of facets by doubles with an error bound")                                   \
+    WAY(SQUEEZE, "last variable", "elim/round/squeeze",                                            \
+        "elimination: the last variable by its ends, not by pairs")                                \
+    WAY(TINY, "tiny systems",                                                                      \
+        "elim/tiny/box elim/tiny/last elim/tiny/load elim/tiny/row elim/tiny/tiny "                \
+        "elim/tiny/tiny_private",                                                                  \
+        "verdicts: elimination on the stack")
+/* clang-format on */
+
+#define FMB_WAY_IDENTIFIER(id, name, files, about) FMB_WAY_##id,
+typedef enum fmb_way_id { FMB_WAYS(FMB_WAY_IDENTIFIER) FMB_WAY_COUNT } fmb_way_id;
+#undef FMB_WAY_IDENTIFIER
+
+#ifdef FMB_ABLATE
+
+typedef struct fmb_ways {
+    bool off[FMB_WAY_COUNT];
+    unsigned long long asked[FMB_WAY_COUNT], answered[FMB_WAY_COUNT];
+} fmb_ways;
+
+/* Where the switches and counts are; bench/ablate puts them into memory that processes share. Not
+ * for several threads. */
+extern fmb_ways *fmb_ways_at_hand;
+
+/* Is the way on? It is asked, then. */
+static inline bool fmb_way(fmb_way_id way)
+{
+    fmb_ways_at_hand->asked[way]++;
+    return !fmb_ways_at_hand->off[way];
+}
+
+static inline void fmb_way_answered(fmb_way_id way, bool answered)
+{
+    fmb_ways_at_hand->answered[way] += answered;
+}
+
+#else
+
+static inline bool fmb_way(fmb_way_id way)
+{
+    (void)way;
+    return true;
+}
+
+static inline void fmb_way_answered(fmb_way_id way, bool answered)
+{
+    (void)way;
+    (void)answered;
+}
+
+#endif
+#endif
