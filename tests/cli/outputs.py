@@ -1,5 +1,7 @@
 """What a command writes to a file gets its name when it is whole, an input is never written to, and
-names of files cannot speak to a terminal. usage: outputs.py FMB EXAMPLES"""
+names of files cannot speak to a terminal. usage: outputs.py FMB EXAMPLES [named]
+
+named: no_nameless.c is loaded, so every file must have a name from the beginning."""
 
 import os
 import pathlib
@@ -12,6 +14,7 @@ import tempfile
 import default_signals  # noqa: F401
 
 fmb, examples = sys.argv[1], pathlib.Path(sys.argv[2])
+NAMED = sys.argv[3:] == ["named"]
 faults = []
 
 
@@ -41,10 +44,11 @@ def nameless_files(folder):
 
 
 def kill_while_writing(folder, *words):
-    """Its outputs are open when the trace begins, and nobody takes all of that from the pipe."""
+    """Its outputs are open when the trace begins, which is megabytes, and nobody takes them from the pipe."""
     rows = "".join(f"x{i} + {i + 2} x{j} - x{(i * j) % 40} >= {i - j}\n"
                    for i in range(40) for j in range(i))
-    one = subprocess.Popen([fmb, *map(str, words), "--trace", "/dev/stdout"], text=True, bufsize=0,
+    one = subprocess.Popen([fmb, *map(str, words), "--trace", "/dev/stdout", "--trace-rows=true",
+                            "--method", "fm"], text=True, bufsize=0,
                            stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
     one.stdin.write(rows)
     one.stdin.close()
@@ -84,11 +88,16 @@ with tempfile.TemporaryDirectory() as name:
     expect(r.returncode == 64 and proof.read_text() == good, "a failure keeps the old proof")
     expect(clean(folder, "s.fmb", "s.proof"), f"a failure leaves no file: {os.listdir(folder)}")
 
-    if nameless_files(folder):
-        for target in (proof, folder / "new"):
-            expect(kill_while_writing(folder, "bounds", "-", "--proof", target), "killed midway")
-            expect(clean(folder, "s.fmb", "s.proof"), f"a kill leaves: {os.listdir(folder)}")
-        expect(proof.read_text() == good, "a kill keeps the old proof")
+    nameless = nameless_files(folder)
+    expect(not (nameless and NAMED), "there are files without names all the same")
+    for target in (proof, folder / "new"):
+        expect(kill_while_writing(folder, "bounds", "-", "--proof", target), "killed midway")
+        left = [p for p in folder.iterdir() if p not in (system, proof)]
+        expect(len(left) == (0 if nameless else 1) and all(p.name.startswith(target.name + ".") for p in left),
+               f"a kill leaves: {left}")
+        for path in left:
+            path.unlink()
+    expect(proof.read_text() == good, "a kill keeps the old proof")
 
     # A proof through a link goes to the file behind it.
     (folder / "latest").symlink_to(proof)

@@ -210,8 +210,10 @@ fmb_status fmb_query_prove_whole(fmb_query *q, const int *place, const fmb_syste
     fmb_status st = prove_whole(&w);
     while (!(st == FMB_OK && w.done) && q->claims->claims > w.first)
         fmb_evidence_drop_last(q->claims);
-    if (st == FMB_LIMIT)
-        fmb_solver_refuse(q->v, st, "not proved whole: a limit (%s)", fmb_stop_text(q->run.stop));
+    if (st == FMB_LIMIT) /* which is one of memory where the run itself was not stopped */
+        fmb_solver_refuse(
+            q->v, st, "not proved whole: a limit (%s)",
+            fmb_stop_text(q->run.stop == FMB_STOP_DONE ? FMB_STOP_BYTES : q->run.stop));
     else if (st == FMB_OK && !w.done)
         fmb_solver_refuse(q->v, st, "not proved whole: %s", w.why);
     if (st == FMB_LIMIT)
