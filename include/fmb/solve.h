@@ -187,8 +187,9 @@ FMB_API size_t fmb_optimum_value_text(const fmb_optimum *o, char *text, size_t s
 /* Coordinate j, as the nearest double, of a point and, if the form is unbounded, of a ray. The
  * point is at the optimum where that is FINITE: a solution if it is attained, else it satisfies the
  * rows with < read as <=, and solutions come as near as you like. In other cases, where the system
- * is known to be feasible, it is some solution. From a solution every point along the ray is one,
- * and the form grows (for MIN: falls). 0 where there is none. */
+ * is known to be feasible, it is some solution; after a limit, the best that was met. From a
+ * solution every point along the ray is one, and the form grows (for MIN: falls). 0 where there is
+ * none. */
 FMB_API double fmb_optimum_coordinate(const fmb_optimum *o, int j);
 FMB_API double fmb_optimum_ray(const fmb_optimum *o, int j);
 /* The same as exact text. */

@@ -255,6 +255,23 @@ static void let_door_follow(fmb_oracle *o, uint64_t pivots, fmb_walk_end end)
         fmb_door_place(o->door, o->v.basis);
 }
 
+/* The vertex at hand, which satisfies all rows, is the point from here on if its cost.x is larger:
+ * where a limit ends the climb, that much was reached. */
+static fmb_status keep_better_vertex(fmb_oracle *o)
+{
+    mpz_t here, there;
+    mpz_inits(here, there, NULL);
+    for (size_t j = 0; j < o->n; j++) {
+        mpz_addmul(here, o->cost.z[j], o->v.x.z[j]);
+        mpz_addmul(there, o->cost.z[j], o->point.z[j]);
+    }
+    mpz_mul(here, here, o->point_den);
+    mpz_mul(there, there, o->v.den);
+    bool better = mpz_cmp(here, there) > 0;
+    mpz_clears(here, there, NULL);
+    return better ? take_vertex(o) : FMB_OK;
+}
+
 /* From a guess to the optimum, exactly. */
 static fmb_status climb_with_refinements(fmb_oracle *o, fmb_walk_end *end)
 {
@@ -263,7 +280,9 @@ static fmb_status climb_with_refinements(fmb_oracle *o, fmb_walk_end *end)
     uint64_t pivots = o->run->stats.pivots;
     fmb_status st = fmb_walk_to_optimum(&o->w, FEW_PIVOTS, o->cost.z, end);
     for (int k = 0; st == FMB_OK && *end == FMB_WALK_TIRED && k <= MOST_OPTIMA; k++) {
-        st = refine_optimum(o, &h);
+        st = keep_better_vertex(o);
+        if (st == FMB_OK)
+            st = refine_optimum(o, &h);
         if (st == FMB_OK)
             st = reach_feasible(o, &there);
         if (st == FMB_OK)

@@ -49,6 +49,10 @@ fmb_status fmb_oracle_grow(fmb_oracle *o);
 void fmb_oracle_shift(fmb_oracle *o);
 void fmb_oracle_switch(fmb_oracle *o, size_t i, bool on);
 
+/* A limit has ended one of these: x[n] becomes the best of the points on the way, unless that is
+ * not strictly inside strict rows, or no solution was known: then false. */
+bool fmb_oracle_reached(fmb_oracle *o, mpq_t *x);
+
 /* ---- answers: valid until the next call ------------------------------------------------------ */
 
 /* x[n]: the solution; after an optimum, one that reaches it, or if none does, one of the closure.

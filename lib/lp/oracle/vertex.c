@@ -240,6 +240,15 @@ bool fmb_vertex_is_inside(fmb_vertex *v)
     return true;
 }
 
+bool fmb_vertex_is_point_inside(fmb_vertex *v, mpz_t *x, const mpz_t den)
+{
+    bool inside = true;
+    for (size_t i = 0; i < v->p->m && inside; i++)
+        if (v->p->row[i].rel == FMB_LT && !v->p->row[i].off)
+            inside = slack_sign_at(v, i, x, den) > 0;
+    return inside;
+}
+
 fmb_status fmb_vertex_try_point(fmb_vertex *v, mpz_t *x, const mpz_t den, double *roughly,
                                 bool strictly, bool *holds)
 {

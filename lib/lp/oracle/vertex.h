@@ -70,6 +70,9 @@ bool fmb_vertex_is_inside(fmb_vertex *v);
  * scratch. */
 fmb_status fmb_vertex_try_point(fmb_vertex *v, mpz_t *x, const mpz_t den, double *roughly,
                                 bool strictly, bool *holds);
+/* Does the point x / den satisfy every strict row strictly? For a few points: exactly, and without
+ * a look at limits. */
+bool fmb_vertex_is_point_inside(fmb_vertex *v, mpz_t *x, const mpz_t den);
 /* The price of place r, rounded. */
 double fmb_vertex_rough_price(const fmb_vertex *v, size_t r);
 /* b_i - a_i.x, rounded. */

@@ -4,8 +4,9 @@
  * so over each part, and its largest value is the sum. It is reached if that of every part is; a
  * point is put together from points. One part, or one variable that no row names, along which it
  * grows for ever will do for all. At a limit, the ends of variables (limit/ends.h) may still bound
- * what is left.
+ * what is left; and the best solution so far is put together from what was reached over each part.
  */
+#include "num/rationals.h"
 #include "solve/limit/outer.h"
 #include "solve/optimize/optimum.h"
 #include "solve/optimize/peak.h"
@@ -18,6 +19,8 @@ typedef struct ascent {
     fmb_optimum *o;
     fmb_peak peak;    /* of the part at hand */
     fmb_claim *claim; /* that the parts so far have put their multipliers into; NULL: none */
+    mpq_t *best;      /* [dim] the best solution so far: where a limit ends the climb, the answer */
+    bool improved;    /* it is another one than the decision has found */
     mpq_t sum;        /* of their values: of the goal, without the constant */
     bool attained, exact;
     bool lost; /* numbers of the claim, for want of memory: without them no end is told */
@@ -129,6 +132,55 @@ static fmb_status answer_sum(ascent *a)
     return FMB_OK;
 }
 
+/* ---- the best solution so far --------------------------------------------------------------- */
+
+/* Does x, over the columns of a part, make the goal larger than the best solution does? */
+static bool is_better_over_part(const ascent *a, const fmb_part *p, mpq_t *x)
+{
+    mpq_t gain, t;
+    mpq_inits(gain, t, NULL);
+    for (int j = 0; j < p->n; j++) {
+        mpq_sub(t, x[j], a->best[p->var[j]]);
+        mpq_mul(t, t, a->g->coef[p->var[j]]);
+        mpq_add(gain, gain, t);
+    }
+    bool better = mpq_sgn(gain) > 0;
+    mpq_clears(gain, t, NULL);
+    return better;
+}
+
+/* x is a part of some solution. */
+static void note_solution_of_part(ascent *a, const fmb_part *p, mpq_t *x)
+{
+    if (!is_better_over_part(a, p, x))
+        return;
+    fmb_query_scatter(p, x, a->best);
+    a->improved = true;
+}
+
+static fmb_status claim_best_solution(ascent *a)
+{
+    fmb_claim *claim;
+    if (!a->q->claims)
+        return FMB_OK;
+    fmb_status st = fmb_evidence_claim(a->q->claims, FMB_CLAIM_FEASIBLE, &claim);
+    if (st != FMB_OK)
+        return st;
+    st = fmb_evidence_push_all(a->q->claims, &claim->point, a->g->dim, NULL, a->best);
+    return fmb_query_finish_claim(a->q, st);
+}
+
+/* It takes the place of the solution that the decision has found, and has a claim of its own; or,
+ * for want of memory for that, it does not. */
+static void answer_best_solution(ascent *a)
+{
+    return_to_solution(a);
+    if (!a->improved || claim_best_solution(a) != FMB_OK)
+        return;
+    for (size_t j = 0; j < a->g->dim; j++)
+        mpq_set(a->o->point[j], a->best[j]);
+}
+
 /* ---- part by part ---------------------------------------------------------------------------- */
 
 /* A variable that no row names and the form does, or -1. */
@@ -162,6 +214,8 @@ static fmb_status add_peak(ascent *a, const fmb_part *p)
     a->exact = a->exact && exact;
     if (exact)
         fmb_query_scatter(p, k->x, a->o->point);
+    if (exact && k->attained)
+        note_solution_of_part(a, p, k->x);
     return FMB_OK;
 }
 
@@ -189,6 +243,8 @@ static fmb_status climb_all_parts(ascent *a, int *c, bool *ends)
             *ends = false;
             return answer_endless(a);
         }
+        if (a->peak.reached)
+            note_solution_of_part(a, p, a->peak.x);
         if (st == FMB_OK || (st == FMB_LIMIT && a->peak.kind == FMB_END_OUTER)) {
             fmb_status added = add_peak(a, p);
             *c += st == FMB_LIMIT && added == FMB_OK;
@@ -206,6 +262,8 @@ static fmb_status climb_from_solution(ascent *a, int *c, fmb_verdict *verdict)
     if (st != FMB_OK || *verdict != FMB_FEASIBLE)
         return st;
     return_to_solution(a);
+    for (size_t k = 0; k < a->g->dim; k++)
+        mpq_set(a->best[k], a->q->point[k]);
     int j = find_endless_variable(a);
     if (j >= 0)
         return answer_endless_variable(a, j);
@@ -254,7 +312,7 @@ static fmb_status settle_for_outer_end(ascent *a, int c, fmb_verdict *verdict)
     if (st != FMB_OK || !bounded)
         drop_optimum_claim(a);
     if (*verdict == FMB_FEASIBLE)
-        return_to_solution(a);
+        answer_best_solution(a);
     return st == FMB_OK ? FMB_LIMIT : st;
 }
 
@@ -283,10 +341,13 @@ static fmb_status climb_within_query(fmb_query *q, const fmb_system *s, fmb_wish
         mpq_init(a.sum);
         st = fmb_peak_init(&a.peak, q);
         if (st == FMB_OK)
+            st = fmb_rationals_new(&a.best, g.dim, mem);
+        if (st == FMB_OK)
             st = fmb_query_want_point(q);
         if (st == FMB_OK)
             st = climb_or_settle(&a, verdict);
         fmb_peak_clear(&a.peak, q);
+        fmb_rationals_free(a.best, g.dim, mem);
         mpq_clear(a.sum);
     }
     fmb_goal_clear(&g, mem);

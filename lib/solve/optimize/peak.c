@@ -28,7 +28,7 @@ void fmb_peak_clear(fmb_peak *k, fmb_query *q)
 static void forget_peak(fmb_peak *k, fmb_query *q)
 {
     k->kind = FMB_END_UNKNOWN;
-    k->attained = k->clash = false;
+    k->attained = k->clash = k->reached = false;
     fmb_weights_clear(&k->w, q->run.mem);
 }
 
@@ -75,7 +75,7 @@ static fmb_status read_peak_of_oracle(fmb_query *q, const fmb_part *p, const fmb
 fmb_status fmb_peak_by_oracle(fmb_query *q, const fmb_goal *g, int part, fmb_peak *k)
 {
     const fmb_part *p = &q->parts.part[part];
-    fmb_oracle *o;
+    fmb_oracle *o = NULL;
     fmb_oracle_end end = FMB_ORACLE_OPTIMUM;
     fmb_weights cost = {0};
     forget_peak(k, q);
@@ -84,6 +84,7 @@ fmb_status fmb_peak_by_oracle(fmb_query *q, const fmb_goal *g, int part, fmb_pea
         st = weigh_columns(q, g, p, &cost);
     if (st == FMB_OK)
         st = fmb_oracle_maximize(o, &cost, &end, &k->attained);
+    k->reached = st == FMB_LIMIT && o && fmb_oracle_reached(o, k->x);
     fmb_weights_clear(&cost, q->run.mem);
     if (st == FMB_OK && end == FMB_ORACLE_UNBOUNDED) {
         k->kind = FMB_END_INFINITE;

@@ -10,6 +10,7 @@ typedef struct fmb_peak {
     bool clash;    /* at a limit: the rows of the part contradict each other, and a claim says so */
     mpq_t value;   /* FINITE, OUTER: goal <= value over the part; < if it is not attained */
     fmb_weights w; /* over the part's rows: they prove that */
+    bool reached;  /* a limit came first, and x is the best solution on the way */
     mpq_t *x;      /* [room] FINITE: a point there, of the closure if it is not attained;
                       INFINITE: a ray. By column */
     size_t room;   /* one more than the columns of any part */

@@ -6,6 +6,7 @@
 
 #include <fmb/fmb.h>
 
+#include "counted_clock.h"
 #include "property/random/agree.h"
 #include "support.h"
 
@@ -380,6 +381,96 @@ Test(optima, limits)
               n.outer, n.exact);
     mpq_clear(best);
     fmb_solver_free(v);
+}
+
+/* A program whose optimum takes some pivots, from a corner far away. */
+static fmb_system *many_rows(support_rng *g, int strict)
+{
+    enum { DIM = 12, ROWS = 40 };
+    fmb_system *s = rows_none(DIM);
+    for (int i = 0; i < ROWS; i++) {
+        int64_t a[DIM];
+        for (int j = 0; j < DIM; j++)
+            a[j] = support_between(g, 0, 99);
+        must(fmb_system_add_int(s, a, support_chance(g, strict) ? FMB_LT : FMB_LE, 1000));
+    }
+    for (int j = 0; j < DIM; j++) {
+        int64_t a[DIM] = {0};
+        a[j] = -1;
+        must(fmb_system_add_int(s, a, FMB_LE, -1));
+    }
+    return s;
+}
+
+/* How much is reached by so many readings of the clock, with what proves it; true: it is all. */
+static bool reach_within(const fmb_system *s, size_t readings, mpq_t reached)
+{
+    fmb_options how = {.size = sizeof how, .method = FMB_METHOD_LP};
+    fmb_result r = {.size = sizeof r};
+    fmb_solver *v = NULL;
+    fmb_optimum *o = NULL;
+    double coef[12];
+    mpq_t x, c;
+    mpq_inits(x, c, NULL);
+    for (int j = 0; j < 12; j++)
+        coef[j] = 1 + j;
+    how.max_seconds = (double)readings;
+    must(fmb_solver_new(&how, NULL, &v));
+    counted_clock_start(0, NULL, NULL);
+    must(fmb_optimize(v, s, &(fmb_objective){FMB_SENSE_MAX, coef, 0}, &o, &r));
+    counted_clock_stop();
+    mpq_set_ui(reached, 0, 1);
+    for (int j = 0; r.verdict == FMB_FEASIBLE && j < 12; j++) {
+        fmb_optimum_coordinate_q(o, j, x);
+        mpq_set_d(c, coef[j]);
+        mpq_mul(x, x, c);
+        mpq_add(reached, reached, x);
+    }
+    fmb_evidence *e = NULL;
+    fmb_judgement judged = {.size = sizeof judged};
+    must(fmb_solver_evidence(v, &e));
+    must(fmb_check(s, e, &judged));
+    cr_assert(judged.accepted || fmb_evidence_claims(e) == 0, "%s", judged.reason);
+    size_t last = fmb_evidence_claims(e); /* with a FEASIBLE claim for the point */
+    for (int j = 0; r.stop != FMB_STOP_DONE && r.verdict == FMB_FEASIBLE && j < 12; j++) {
+        size_t i = last;
+        while (i-- > 0 && fmb_evidence_kind(e, i) != FMB_CLAIM_FEASIBLE)
+            continue;
+        fmb_evidence_coordinate_q(e, i, j, x);
+        fmb_optimum_coordinate_q(o, j, c);
+        cr_assert(mpq_equal(x, c), "the point is not claimed");
+    }
+    fmb_evidence_free(e);
+    fmb_optimum_free(o);
+    fmb_solver_free(v);
+    mpq_clears(x, c, NULL);
+    return r.stop == FMB_STOP_DONE;
+}
+
+/* The longer it takes, the more is reached; and a limit that comes between the first solution and
+ * the optimum tells a point that is better than the first. */
+Test(optima, a_limit_tells_the_best_point_so_far)
+{
+    support_rng g = {5};
+    int better = 0;
+    mpq_t reached, before;
+    mpq_inits(reached, before, NULL);
+    for (int i = 0; i < 8; i++) {
+        fmb_system *s = many_rows(&g, i % 2 ? 20 : 0);
+        int steps = 0;
+        bool all = false;
+        mpq_set_ui(before, 0, 1);
+        for (size_t k = 1; !all; k++) {
+            all = reach_within(s, k, reached);
+            cr_assert(all || mpq_cmp(reached, before) >= 0, "less by the limit %zu", k);
+            steps += !all && mpq_sgn(before) > 0 && mpq_cmp(reached, before) > 0;
+            mpq_set(before, reached);
+        }
+        better += steps > 0;
+        fmb_system_free(s);
+    }
+    cr_expect_geq(better, 6, "%d of 8", better);
+    mpq_clears(reached, before, NULL);
 }
 
 /* ---- the objective of a system --------------------------------------------------------------- */
