@@ -8,10 +8,10 @@
 static bool has_solution(fmb_lifted *h)
 {
     bool solution = h->image.has_point;
-    for (size_t i = 0; solution && i < h->rows; i++) {
-        bool positive = !h->row[i].wanted;
+    for (size_t i = 0; solution && i < h->rows.size; i++) {
+        bool positive = !h->rows.row[i].wanted;
         for (size_t k = 0; !positive && k < h->image.rays; k++)
-            positive = fmb_image_value_sign(&h->image, &h->v[i], &h->image.ray[k]) > 0;
+            positive = fmb_image_value_sign(&h->image, &h->rows.v[i], &h->image.ray[k]) > 0;
         solution = positive;
     }
     return solution;
@@ -48,7 +48,7 @@ static fmb_status generate_some(fmb_lifted *h, fmb_generators *to, fmb_verdict *
     fmb_verdict seen = FMB_UNKNOWN;
     fmb_image_clear(&h->image);
     fmb_cone_clear(&h->cone);
-    fmb_status st = fmb_glance_at_rays(run, h->row, h->rows, h->d, &h->image);
+    fmb_status st = fmb_glance_at_rays(run, h->rows.row, h->rows.size, h->d, &h->image);
     if (st == FMB_OK && h->image.run)
         st = take_generators(h, to, &seen);
     if (seen == FMB_FEASIBLE)

@@ -51,15 +51,15 @@ static int compare_rows(const void *x, const void *y)
 static fmb_status sort_rows(const fmb_lifted *h, fmb_cone_row *row)
 {
     fmb_mem *mem = h->q->run.mem;
-    sorted_row *list = fmb_mem_get(mem, h->rows, sizeof *list);
+    sorted_row *list = fmb_mem_get(mem, h->rows.size, sizeof *list);
     if (!list)
         return fmb_mem_status(mem);
-    for (size_t i = 0; i < h->rows; i++)
-        list[i] = (sorted_row){h->row[i], h->d};
-    qsort(list, h->rows, sizeof *list, compare_rows);
-    for (size_t i = 0; i < h->rows; i++)
+    for (size_t i = 0; i < h->rows.size; i++)
+        list[i] = (sorted_row){h->rows.row[i], h->d};
+    qsort(list, h->rows.size, sizeof *list, compare_rows);
+    for (size_t i = 0; i < h->rows.size; i++)
         row[i] = list[i].row;
-    fmb_mem_put(mem, list, h->rows, sizeof *list);
+    fmb_mem_put(mem, list, h->rows.size, sizeof *list);
     return FMB_OK;
 }
 
@@ -67,11 +67,11 @@ static fmb_status sort_rows(const fmb_lifted *h, fmb_cone_row *row)
 static bool have_rows_a_pattern(const fmb_lifted *h, const fmb_cone_row *sorted)
 {
     size_t shared = 0;
-    for (size_t i = 1; i < h->rows; i++)
+    for (size_t i = 1; i < h->rows.size; i++)
         for (size_t k = 0; k < h->d && fmb_vec_compare(sorted[i - 1].v, sorted[i].v, k + 1) == 0;
              k++)
             shared++;
-    return 2 * shared >= h->d * h->rows;
+    return 2 * shared >= h->d * h->rows.size;
 }
 
 /* ---- rows as vectors ------------------------------------------------------------------------- */
@@ -81,16 +81,16 @@ static fmb_status find_rays_as_facets(fmb_lifted *h)
     fmb_run *run = &h->q->run;
     bool wide = fmb_query_is_wide(h->q);
     fmb_image rows = {0};
-    bool *line = fmb_mem_get(run->mem, h->rows, sizeof *line);
+    bool *line = fmb_mem_get(run->mem, h->rows.size, sizeof *line);
     if (!line)
         return fmb_mem_status(run->mem);
-    for (size_t i = 0; i < h->rows; i++)
-        line[i] = h->row[i].equality;
-    fmb_status st = fmb_image_init_vectors(&rows, run, h->d, h->rows, h->v, line, wide);
+    for (size_t i = 0; i < h->rows.size; i++)
+        line[i] = h->rows.row[i].equality;
+    fmb_status st = fmb_image_init_vectors(&rows, run, h->d, h->rows.size, h->rows.v, line, wide);
     if (st == FMB_OK)
         st = fmb_image_init_dual(&h->image, &rows);
     fmb_image_clear(&rows);
-    fmb_mem_put(run->mem, line, h->rows, sizeof *line);
+    fmb_mem_put(run->mem, line, h->rows.size, sizeof *line);
     return st;
 }
 
@@ -130,7 +130,7 @@ static fmb_status run_in_turns(fmb_lifted *h, const fmb_cone_row *sorted, bool *
 {
     fmb_cone lexicographic = {0};
     fmb_cone_problem of = {
-        .d = h->d, .m = h->rows, .row = sorted, .wide_only = fmb_query_is_wide(h->q)};
+        .d = h->d, .m = h->rows.size, .row = sorted, .wide_only = fmb_query_is_wide(h->q)};
     bool first = have_rows_a_pattern(h, sorted);
     fmb_cone *turn[2] = {first ? &lexicographic : &h->cone, first ? &h->cone : &lexicographic};
     const uint64_t share[2] = {first ? 4 : 1, first ? 1 : 2};
@@ -165,8 +165,8 @@ static fmb_status find_rays_row_by_row(fmb_lifted *h, const fmb_cone_row *sorted
  * these are on its hull. */
 static bool is_origin_inside(const fmb_lifted *h)
 {
-    for (size_t i = 0; i < h->rows; i++)
-        if (!h->row[i].equality && fmb_vec_sgn(&h->v[i], h->d - 1) < 0)
+    for (size_t i = 0; i < h->rows.size; i++)
+        if (!h->rows.row[i].equality && fmb_vec_sgn(&h->rows.v[i], h->d - 1) < 0)
             return false;
     return true;
 }
@@ -174,9 +174,9 @@ static bool is_origin_inside(const fmb_lifted *h)
 /* Of more than a few coordinates. */
 static bool are_facets_cheaper(const fmb_lifted *h, const fmb_cone_row *sorted)
 {
-    bool many = h->rows >= VERY_MANY_ROWS * h->d && is_origin_inside(h);
+    bool many = h->rows.size >= VERY_MANY_ROWS * h->d && is_origin_inside(h);
     return h->d <= FMB_FACETS_FEW &&
-           (many || fmb_vec_minor_bits(h->v, h->rows, h->d) > LONG_BITS) &&
+           (many || fmb_vec_minor_bits(h->rows.v, h->rows.size, h->d) > LONG_BITS) &&
            !have_rows_a_pattern(h, sorted);
 }
 
@@ -187,7 +187,7 @@ static fmb_status find_rays(fmb_lifted *h, const fmb_cone_row *sorted, bool face
                            .task = "rays",
                            .part = -1,
                            .columns = h->d,
-                           .rows = h->rows};
+                           .rows = h->rows.size};
     fmb_status st = facets ? find_rays_as_facets(h) : find_rays_row_by_row(h, sorted);
     fmb_run_tell_attempt(&h->q->run, a, st, true);
     return st;
@@ -196,14 +196,14 @@ static fmb_status find_rays(fmb_lifted *h, const fmb_cone_row *sorted, bool face
 fmb_status fmb_lifted_find_rays(fmb_lifted *h)
 {
     fmb_mem *mem = h->q->run.mem;
-    if (h->rows < MANY_ROWS * h->d)
+    if (h->rows.size < MANY_ROWS * h->d)
         return find_rays(h, NULL, false);
     if (h->d <= FEW_COORDINATES)
         return find_rays(h, NULL, true);
-    fmb_cone_row *sorted = fmb_mem_get(mem, h->rows, sizeof *sorted);
+    fmb_cone_row *sorted = fmb_mem_get(mem, h->rows.size, sizeof *sorted);
     fmb_status st = sorted ? sort_rows(h, sorted) : fmb_mem_status(mem);
     if (st == FMB_OK)
         st = find_rays(h, sorted, are_facets_cheaper(h, sorted));
-    fmb_mem_put(mem, sorted, h->rows, sizeof *sorted);
+    fmb_mem_put(mem, sorted, h->rows.size, sizeof *sorted);
     return st;
 }

@@ -9,6 +9,7 @@
 
 #include <string.h>
 
+#include "dd/cone_rows.h"
 #include "dd/image.h"
 #include "elim/store/derive.h"
 #include "lp/exact/read.h"
@@ -25,9 +26,7 @@ struct fmb_lift {
     bool *drop;          /* [n] variables that go */
     size_t d, *column;   /* [d - 1] columns of the part that live rows name; then comes t */
     size_t keeps, *keep; /* coordinates of the cone that stay; t last */
-    size_t rows;
-    fmb_cone_row *row; /* [rows] */
-    fmb_vec *v;        /* [rows] */
+    fmb_cone_rows rows;
     fmb_cone cone;
     fmb_image image;
     fmb_vec facet; /* scratch: a row of the part */
@@ -85,14 +84,11 @@ static fmb_status list_coordinates(fmb_lift *h)
     return FMB_OK;
 }
 
-/* a.x <= b as b t - a.x >= 0; z[d]. */
-static fmb_status write_cone_row(fmb_lift *h, size_t i, mpz_t *z)
+/* a.x <= b as b t - a.x >= 0. */
+static void write_live_row(const void *of, size_t i, mpz_t *z, fmb_cone_row *row)
 {
-    fmb_vec *v = &h->v[i];
+    const fmb_lift *h = of;
     const fmb_derived *r = i > 0 ? &h->e.row[h->e.live.row[i - 1]] : NULL;
-    v->s = fmb_arena_get(&h->q->v->arena, h->d, sizeof *v->s);
-    if (!v->s)
-        return fmb_mem_status(h->q->run.mem);
     for (size_t k = 0; k + 1 < h->d; k++) {
         mpz_set_ui(z[k], 0);
         if (r)
@@ -102,40 +98,19 @@ static fmb_status write_cone_row(fmb_lift *h, size_t i, mpz_t *z)
     mpz_set_ui(z[h->d - 1], 1);
     if (r)
         fmb_vec_get(&r->v, (size_t)h->p->n, z[h->d - 1]);
-    h->row[i] = (fmb_cone_row){.v = v, .equality = r && r->equality, .wanted = r && r->strict};
-    return fmb_vec_set_z(v, h->d, z, h->q->run.mem);
-}
-
-static fmb_status write_cone_rows(fmb_lift *h)
-{
-    fmb_arena *arena = &h->q->v->arena;
-    fmb_mem *mem = h->q->run.mem;
-    size_t rows = h->e.live.size + 1;
-    h->row = fmb_arena_get(arena, rows, sizeof *h->row);
-    h->v = fmb_arena_get(arena, rows, sizeof *h->v);
-    mpz_t *z = h->row && h->v ? fmb_vec_block(h->d, mem) : NULL;
-    if (!z)
-        return fmb_mem_status(mem);
-    for (size_t i = 0; i < rows; i++)
-        h->v[i] = (fmb_vec){0};
-    h->rows = rows;
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < rows; i++)
-        st = write_cone_row(h, i, z);
-    for (size_t k = 0; k < h->d; k++)
-        mpz_clear(z[k]);
-    fmb_mem_put(mem, z, h->d, sizeof *z);
-    return st;
+    row->equality = r && r->equality;
+    row->wanted = r && r->strict;
 }
 
 static fmb_status open_cone_of_part(fmb_lift *h)
 {
     fmb_status st = list_coordinates(h);
     if (st == FMB_OK)
-        st = write_cone_rows(h);
+        st = fmb_cone_rows_write(&h->rows, &h->q->v->arena, &h->q->run, h->d, h->e.live.size + 1,
+                                 write_live_row, h);
     fmb_cone_problem of = {.d = h->d,
-                           .m = h->rows,
-                           .row = h->row,
+                           .m = h->rows.size,
+                           .row = h->rows.row,
                            .keeps = h->keeps,
                            .keep = h->keep,
                            .wide_only = fmb_query_is_wide(h->q)};
@@ -149,8 +124,8 @@ static fmb_status open_cone_of_part(fmb_lift *h)
 static size_t list_tight_rows(const fmb_lift *h, const fmb_image_row *f, uint32_t *live)
 {
     size_t n = 0;
-    for (size_t i = 1; i < h->rows; i++)
-        if (h->row[i].equality)
+    for (size_t i = 1; i < h->rows.size; i++)
+        if (h->rows.row[i].equality)
             live[n++] = h->e.live.row[i - 1];
     for (size_t b = 0; b < h->cone.bits; b++)
         if (!(f->slack[b / 64] >> (b % 64) & 1) && h->cone.row_of_bit[b] > 0)
@@ -192,8 +167,8 @@ static fmb_status claim_facet(fmb_lift *h, const fmb_image_row *f, fmb_rel rel)
 {
     fmb_mem *mem = h->q->run.mem;
     fmb_weights w[2] = {{0}, {0}};
-    uint32_t *live = fmb_mem_get(mem, h->rows, sizeof *live);
-    fmb_lp_row *rows = fmb_mem_get(mem, h->rows + 1, sizeof *rows);
+    uint32_t *live = fmb_mem_get(mem, h->rows.size, sizeof *live);
+    fmb_lp_row *rows = fmb_mem_get(mem, h->rows.size + 1, sizeof *rows);
     fmb_status st = live && rows ? FMB_OK : fmb_mem_status(mem);
     size_t m = st == FMB_OK ? list_tight_rows(h, f, live) : 0;
     for (size_t i = 0; i < m; i++)
@@ -216,8 +191,8 @@ static fmb_status claim_facet(fmb_lift *h, const fmb_image_row *f, fmb_rel rel)
     mpq_clear(one);
     fmb_weights_clear(&w[0], mem);
     fmb_weights_clear(&w[1], mem);
-    fmb_mem_put(mem, rows, h->rows + 1, sizeof *rows);
-    fmb_mem_put(mem, live, h->rows, sizeof *live);
+    fmb_mem_put(mem, rows, h->rows.size + 1, sizeof *rows);
+    fmb_mem_put(mem, live, h->rows.size, sizeof *live);
     return st;
 }
 
@@ -265,8 +240,8 @@ static fmb_status put_all_facets(fmb_lift *h)
 
 static bool has_strict_row(const fmb_lift *h)
 {
-    for (size_t i = 0; i < h->rows; i++)
-        if (h->row[i].wanted)
+    for (size_t i = 0; i < h->rows.size; i++)
+        if (h->rows.row[i].wanted)
             return true;
     return false;
 }
@@ -280,7 +255,7 @@ static fmb_status exclude_faces(fmb_lift *h, bool *feasible, bool *done)
         return fmb_mem_status(h->q->run.mem);
     memset(excludes, 0, words * sizeof *excludes);
     for (size_t b = 0; b < h->cone.bits; b++)
-        if (h->row[h->cone.row_of_bit[b]].wanted)
+        if (h->rows.row[h->cone.row_of_bit[b]].wanted)
             excludes[b / 64] |= (uint64_t)1 << (b % 64);
     fmb_status st = fmb_image_open_faces(&h->image, excludes, &empty, done);
     *feasible = st != FMB_OK || !empty;
@@ -316,8 +291,7 @@ void fmb_lift_close(fmb_lift *h)
 {
     if (!h)
         return;
-    for (size_t i = 0; i < h->rows; i++)
-        fmb_vec_clear(&h->v[i], h->d, h->q->run.mem);
+    fmb_cone_rows_clear(&h->rows, h->q->run.mem);
     fmb_image_clear(&h->image);
     fmb_cone_clear(&h->cone);
     fmb_elim_clear(&h->e);
@@ -346,7 +320,7 @@ fmb_elim *fmb_lift_elimination(fmb_lift *h, const bool **drop)
 
 bool fmb_lift_is_nearly_done(const fmb_lift *h)
 {
-    return h->lifted && 4 * h->cone.lefts <= h->rows;
+    return h->lifted && 4 * h->cone.lefts <= h->rows.size;
 }
 
 bool fmb_lift_is_long(const fmb_lift *h)

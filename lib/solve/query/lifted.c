@@ -3,14 +3,11 @@
 
 #include "system/system_private.h"
 
-/* a.x <= b as b t - a.x >= 0; z[d]. */
-static fmb_status lift_system_row(fmb_lifted *h, size_t i, mpz_t *z)
+/* a.x <= b as b t - a.x >= 0. */
+static void write_system_row(const void *of, size_t i, mpz_t *z, fmb_cone_row *row)
 {
+    const fmb_lifted *h = of;
     const fmb_sysrow *r = i > 0 ? fmb_system_row(h->s, i - 1) : NULL;
-    fmb_vec *v = &h->v[i];
-    v->s = fmb_arena_get(&h->q->v->arena, h->d, sizeof *v->s);
-    if (!v->s)
-        return fmb_mem_status(h->q->run.mem);
     for (size_t k = 0; k < h->d; k++)
         mpz_set_ui(z[k], r ? 0 : k + 1 == h->d);
     for (size_t k = 0; r && k < r->nnz; k++) {
@@ -19,36 +16,21 @@ static fmb_status lift_system_row(fmb_lifted *h, size_t i, mpz_t *z)
     }
     if (r)
         fmb_vec_get(&r->val, r->nnz, z[h->d - 1]);
-    h->row[i] =
-        (fmb_cone_row){.v = v, .equality = r && r->rel == FMB_EQ, .wanted = r && r->rel == FMB_LT};
-    fmb_status st = fmb_vec_set_z(v, h->d, z, h->q->run.mem);
-    return st == FMB_OK ? fmb_run_poll(&h->q->run) : st;
+    row->equality = r && r->rel == FMB_EQ;
+    row->wanted = r && r->rel == FMB_LT;
 }
 
 static fmb_status lift_system_rows(fmb_lifted *h)
 {
     fmb_arena *arena = &h->q->v->arena;
-    fmb_mem *mem = h->q->run.mem;
-    size_t rows = fmb_system_rows(h->s) + 1;
     h->d = (size_t)fmb_system_dim(h->s) + 1;
-    h->row = fmb_arena_get(arena, rows, sizeof *h->row);
-    h->v = fmb_arena_get(arena, rows, sizeof *h->v);
     h->keep = fmb_arena_get(arena, h->d, sizeof *h->keep);
-    mpz_t *z = h->row && h->v && h->keep ? fmb_vec_block(h->d, mem) : NULL;
-    if (!z)
-        return fmb_mem_status(mem);
-    for (size_t i = 0; i < rows; i++)
-        h->v[i] = (fmb_vec){0};
-    h->rows = rows;
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < rows; i++)
-        st = lift_system_row(h, i, z);
-    for (size_t k = 0; k < h->d; k++) {
+    if (!h->keep)
+        return fmb_mem_status(arena->mem);
+    for (size_t k = 0; k < h->d; k++)
         h->keep[k] = k;
-        mpz_clear(z[k]);
-    }
-    fmb_mem_put(mem, z, h->d, sizeof *z);
-    return st;
+    return fmb_cone_rows_write(&h->rows, arena, &h->q->run, h->d, fmb_system_rows(h->s) + 1,
+                               write_system_row, h);
 }
 
 fmb_status fmb_lifted_open(fmb_lifted *h, fmb_query *q, const fmb_system *s)
@@ -56,8 +38,8 @@ fmb_status fmb_lifted_open(fmb_lifted *h, fmb_query *q, const fmb_system *s)
     *h = (fmb_lifted){.q = q, .s = s};
     fmb_status st = lift_system_rows(h);
     fmb_cone_problem of = {.d = h->d,
-                           .m = h->rows,
-                           .row = h->row,
+                           .m = h->rows.size,
+                           .row = h->rows.row,
                            .keeps = h->d,
                            .keep = h->keep,
                            .wide_only = fmb_query_is_wide(q),
@@ -75,8 +57,7 @@ fmb_status fmb_lifted_run(fmb_lifted *h, uint64_t rays, bool *done)
 
 void fmb_lifted_close(fmb_lifted *h)
 {
-    for (size_t i = 0; i < h->rows; i++)
-        fmb_vec_clear(&h->v[i], h->d, h->q->run.mem);
+    fmb_cone_rows_clear(&h->rows, h->q->run.mem);
     fmb_image_clear(&h->image);
     fmb_cone_clear(&h->cone);
 }

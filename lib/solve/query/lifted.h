@@ -3,6 +3,7 @@
 #ifndef FMB_SOLVE_LIFTED_H
 #define FMB_SOLVE_LIFTED_H
 
+#include "dd/cone_rows.h"
 #include "dd/image.h"
 #include "solve/query/solver.h"
 
@@ -10,10 +11,9 @@
 typedef struct fmb_lifted {
     fmb_query *q;
     const fmb_system *s;
-    size_t d, rows;
-    fmb_cone_row *row; /* [rows] */
-    fmb_vec *v;        /* [rows] */
-    size_t *keep;      /* [d] all coordinates */
+    size_t d;
+    fmb_cone_rows rows;
+    size_t *keep; /* [d] all coordinates */
     fmb_cone cone;
     fmb_image image; /* once the cone is complete: all its rays and lines */
 } fmb_lifted;
