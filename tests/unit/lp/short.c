@@ -44,10 +44,10 @@ static void expect_kernel(const fmb_short *h, const int64_t *a)
         g = fmb_gcd64(g, fmb_abs64(h->v[j]));
     cr_assert_eq(g, 1);
     for (size_t i = 0; i < h->n; i++) {
-        fmb_i128 sum = 0;
+        fmb_i128 sum = fmb_i128_of(0);
         for (size_t j = 0; j < h->columns; j++)
-            sum += (fmb_i128)a[i * h->columns + j] * h->v[j];
-        cr_assert(sum == 0);
+            sum = fmb_i128_plus_product(sum, a[i * h->columns + j], h->v[j]);
+        cr_assert(fmb_i128_sign(sum) == 0);
     }
 }
 
