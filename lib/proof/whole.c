@@ -65,6 +65,30 @@ bool fmb_whole_names_only(const fmb_claim *c, int dim, const bool *kept)
 
 /* ---- numbers --------------------------------------------------------------------------------- */
 
+static bool is_entry_taken(const assembly *a, const fmb_sparse_vector *list, const size_t *column,
+                           size_t k)
+{
+    return !column || a->kept[list->index[k]];
+}
+
+/* out = a common denominator of entries [from, to) that are taken, by halves: so long numbers meet
+ * long ones. */
+static void find_denominator(const assembly *a, const fmb_sparse_vector *list, const size_t *column,
+                             size_t from, size_t to, mpz_t out)
+{
+    mpz_t half;
+    mpz_set_ui(out, 1);
+    if (to - from == 1 && is_entry_taken(a, list, column, from))
+        mpz_set(out, mpq_denref(list->value[from]));
+    if (to - from < 2)
+        return;
+    mpz_init(half);
+    find_denominator(a, list, column, from, from + (to - from) / 2, out);
+    find_denominator(a, list, column, from + (to - from) / 2, to, half);
+    mpz_lcm(out, out, half);
+    mpz_clear(half);
+}
+
 /* v = sign times the list, by column (NULL: by index; entries of no column are left out), then
  * `last` behind it; all times a common denominator. */
 static fmb_status gather(assembly *a, const fmb_sparse_vector *list, const size_t *column, int sign,
@@ -73,14 +97,12 @@ static fmb_status gather(assembly *a, const fmb_sparse_vector *list, const size_
     fmb_status st = fmb_integers_init(v, width, a->mem);
     if (st != FMB_OK)
         return st;
-    mpz_set(a->t, mpq_denref(last));
-    for (size_t k = 0; k < list->size; k++)
-        if (!column || a->kept[list->index[k]])
-            mpz_lcm(a->t, a->t, mpq_denref(list->value[k]));
+    find_denominator(a, list, column, 0, list->size, a->t);
+    mpz_lcm(a->t, a->t, mpq_denref(last));
     for (size_t k = 0; k <= list->size; k++) {
         bool behind = k == list->size;
         mpq_srcptr from = behind ? last : list->value[k];
-        if (!behind && column && !a->kept[list->index[k]])
+        if (!behind && !is_entry_taken(a, list, column, k))
             continue;
         size_t at = behind ? width - 1 : column ? column[list->index[k]] : list->index[k];
         mpz_divexact(a->z, a->t, mpq_denref(from));

@@ -1,7 +1,8 @@
 """documented.py FMB DOCUMENT: the proofs in the document are right, and so is the small checker.
 
 Every block ```proof is about the block ```fmb before it. Both judges, `fmb check` and check_proof.py, must
-accept it; then its numbers are changed, one by one, and the judges must agree on each change.
+accept it; then its numbers are changed, one by one, and the judges must agree on each change. The judge is as
+short as the document says.
 """
 import os
 import re
@@ -60,7 +61,19 @@ class Judges:
         return code == 0, check_proof.judge(*check_proof.read(self.ine, path)) == "accepted"
 
 
+def check_lines(document):
+    """The judge, by the files that the document names, has so many lines at most, and not far fewer."""
+    names, most = re.search(r"The judge \((.*?) in `lib/proof`.*?fewer than ([\d,]+) lines",
+                            open(document).read(), re.S).groups()
+    folder, most = os.path.join(os.path.dirname(document), "../lib/proof"), int(most.replace(",", ""))
+    paths = [os.path.join(folder, name + end) for name in re.findall(r"`(\w+)`", names)
+             for end in (".c", ".h")]
+    lines = sum(len(open(path).readlines()) for path in paths if os.path.exists(path))
+    assert most - 200 < lines < most, f"the judge has {lines} lines, not fewer than {most}"
+
+
 def main(fmb, document):
+    check_lines(document)
     seen, asked, rejected = set(), 0, 0
     with tempfile.TemporaryDirectory() as folder:
         for system, proof in blocks(document):
