@@ -16,10 +16,12 @@
 /* ---- what is held ---------------------------------------------------------------------------- */
 
 static size_t held, peak; /* [bytes] by GMP and the library */
+static size_t written;    /* [bytes] all that GMP and the library have asked for */
 
 static void count(size_t old_bytes, size_t new_bytes)
 {
     held += new_bytes - old_bytes;
+    written += new_bytes;
     peak = held > peak ? held : peak;
 }
 
@@ -190,4 +192,56 @@ Test(gmp, exponents)
 {
     watch_gmp();
     ask_all("10^9000", far_exponents(8));
+}
+
+/* x_j >= -1, and rows whose numbers are so long, each of which bounds every x_j by the others. */
+static fmb_system *long_budgets(int n, int m, int digits)
+{
+    fmb_system *s = NULL;
+    mpq_t a[8], b;
+    int var[8];
+    must(fmb_system_new(n, &counted, &s));
+    mpq_init(b);
+    for (int j = 0; j < n; j++) {
+        int64_t least[8] = {0};
+        least[j] = -1;
+        must(fmb_system_add_int(s, least, FMB_LE, 1));
+        mpq_init(a[j]);
+        var[j] = j;
+    }
+    for (int i = 0; i < m; i++) {
+        for (int j = 0; j < n; j++) {
+            mpz_ui_pow_ui(mpq_numref(a[j]), 10, (unsigned)digits);
+            mpz_add_ui(mpq_numref(a[j]), mpq_numref(a[j]), (unsigned)(i * i + 7 * j * i + j + 1));
+        }
+        mpq_set(b, a[i % n]);
+        must(fmb_system_add_q(s, (size_t)n, var, a, FMB_LE, b));
+    }
+    for (int j = 0; j < n; j++)
+        mpq_clear(a[j]);
+    mpq_clear(b);
+    return s;
+}
+
+/* What is done once a limit is reached is little, also with long numbers: the rows are read into a
+ * store, which writes four times what the system has, and are not multiplied with each other. */
+Test(gmp, at_a_limit)
+{
+    watch_gmp();
+    fmb_system *s = long_budgets(6, 12, 50000);
+    fmb_options o = {.size = sizeof o, .max_rows = 1, .method = FMB_METHOD_FM};
+    fmb_result r = {.size = sizeof r};
+    fmb_solver *v = NULL;
+    fmb_box *box = NULL;
+    size_t system = held;
+    must(fmb_solver_new(&o, &counted, &v));
+    counted_clock_start(0, NULL, NULL);
+    written = 0;
+    must(fmb_bound(v, s, NULL, 0, &box, &r));
+    counted_clock_stop();
+    cr_expect_eq(r.stop, FMB_STOP_ROWS);
+    cr_expect_lt(written, 5 * system, "%zu bytes of results, the system has %zu", written, system);
+    fmb_box_free(box);
+    fmb_solver_free(v);
+    fmb_system_free(s);
 }

@@ -4,13 +4,15 @@
 /* In all: some milliseconds. One derivation at most looks at a row for each of its variables. */
 #define WORK   ((size_t)1 << 17)
 #define PASSES 4
-/* Wide entries count for more, and an end of more digits than this is not looked for. */
+/* Wide entries count for more: to multiply and to divide them takes up to the square of their
+ * length. An end of more digits than this is not looked for. */
 #define WIDE_WORK 8
 #define MOST_BITS 1024
 
 static bool spend_work_on_row(fmb_ends *f, const fmb_vec *v)
 {
-    size_t cost = (size_t)f->e->n * (fmb_vec_is_wide(v) ? WIDE_WORK : 1);
+    size_t n = (size_t)f->e->n, limbs = fmb_vec_is_wide(v) ? v->limbs / (n + 1) : 0;
+    size_t cost = n * (fmb_vec_is_wide(v) ? WIDE_WORK + limbs * limbs : 1);
     bool enough = f->work >= cost;
     f->work -= enough ? cost : f->work;
     return enough;
