@@ -136,13 +136,18 @@ static void scan_lp_word(fmb_cursor *c, fmb_lp_token *t, const fmb_lp_token *bef
     t->is_label = section < 0 && peek_on_line(*c) == ':';
 }
 
-/* An 'e' right behind a number is its exponent's. */
+/* An 'e' right behind a number is its exponent's, and a '/' makes it a fraction: by the letter of
+ * the format 1/2 would be a variable named /2, which nobody means. */
 static fmb_status scan_lp_number(fmb_cursor *c, fmb_lp_token *t, mpq_t value)
 {
     t->kind = FMB_LP_NUMBER;
     fmb_status st = fmb_scan_number(c, FMB_NUM_DECIMAL | FMB_NUM_EXPONENT, "a number", value);
     if (st == FMB_OK && (fmb_peek(c) | 32) == 'e')
         return fmb_io_fail(c, c->at + 1, "expected the digits of an exponent");
+    if (st == FMB_OK && fmb_peek(c) == '/')
+        return fmb_io_fail(c, c->at,
+                           "expected a decimal, or a blank in front of a name that begins "
+                           "with '/': LP has no fractions");
     return st;
 }
 

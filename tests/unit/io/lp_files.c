@@ -108,6 +108,8 @@ Test(lp_files, mistakes)
         {HEAD "bounds\n -2 <= x <=\nend", 7, 1, "a number or infinity, found 'end'"},
         {HEAD " c: x >= 1\nend", 5, 2, "a new name of a row, found 'c:'"},
         {HEAD " d: x >= 1e\nend", 5, 12, "the digits of an exponent"},
+        {HEAD " d: x + y <= 1/2\nend", 5, 15, "LP has no fractions"},
+        {HEAD " d: 1/2 x <= 1\nend", 5, 6, "LP has no fractions"},
         {HEAD " d: x^2 >= 1\nend", 5, 6, "found '^2'"},
         {HEAD " d: x + [ x ^ 2 ] >= 1\nend", 5, 9, "a number or a variable, found '['"},
         {"max\n obj: inf\nst\n x >= 1\nend", 2, 2, "a finite objective"},
