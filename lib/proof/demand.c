@@ -114,7 +114,22 @@ static bool is_as_tight(const asker *a, const fmb_claim *c, size_t i, const mpq_
     return order == 0 ? equal_will_do : order < 0 && wanted != FMB_EQ;
 }
 
-/* Is each row of the image implied by a claim? They come in the same order, mostly. */
+/* Does every point satisfy 0 REL value, and does none? */
+static bool is_true(fmb_rel rel, mpq_srcptr value)
+{
+    int sign = mpq_sgn(value);
+    return rel == FMB_EQ ? sign == 0 : rel == FMB_LT ? sign > 0 : sign >= 0;
+}
+
+/* Is row i of the image constant, and true if that is what is wanted, else false? */
+static bool is_constant(const asker *a, size_t i, bool wanted, mpq_t t)
+{
+    fmb_system_rhs_q(a->image, i, t);
+    return fmb_system_terms(a->image, i) == 0 && is_true(fmb_system_rel(a->image, i), t) == wanted;
+}
+
+/* Is each row of the image implied by a claim, or true of everything? They come in the same order,
+ * mostly. */
 static bool names_image(const asker *a)
 {
     bool good = true;
@@ -122,7 +137,7 @@ static bool names_image(const asker *a)
     mpq_t factor, t;
     mpq_inits(factor, t, NULL);
     for (size_t i = 0; good && i < fmb_system_rows(a->image); i++) {
-        bool found = false;
+        bool found = is_constant(a, i, true, t);
         for (size_t k = 0; !found && k < claims; k++, at = (at + 1) % claims) {
             const fmb_claim *c = &a->e->claim[at];
             found = c->kind == FMB_CLAIM_IMPLIED && is_multiple(a, c, i, factor, t) &&
@@ -134,29 +149,15 @@ static bool names_image(const asker *a)
     return good;
 }
 
-/* A constant row that no point satisfies. */
 static bool has_false_row(const asker *a)
 {
     bool found = false;
-    mpq_t b;
-    mpq_init(b);
-    for (size_t i = 0; !found && i < fmb_system_rows(a->image); i++) {
-        fmb_system_rhs_q(a->image, i, b);
-        fmb_rel rel = fmb_system_rel(a->image, i);
-        found = fmb_system_terms(a->image, i) == 0 &&
-                (rel == FMB_EQ ? mpq_sgn(b) != 0 : mpq_sgn(b) < (rel == FMB_LT));
-    }
-    mpq_clear(b);
+    mpq_t t;
+    mpq_init(t);
+    for (size_t i = 0; !found && i < fmb_system_rows(a->image); i++)
+        found = is_constant(a, i, false, t);
+    mpq_clear(t);
     return found;
-}
-
-/* Is 0 REL value true? */
-static bool says_nothing(const fmb_claim *c)
-{
-    int sign = mpq_sgn(c->value);
-    return c->terms.size == 0 && (c->rel == FMB_EQ   ? sign == 0
-                                  : c->rel == FMB_LT ? sign > 0
-                                                     : sign >= 0);
 }
 
 /* Row i of the image is the claim's left side times that factor: does it say as much as the claim?
@@ -177,7 +178,7 @@ static bool says_as_much(const asker *a, const fmb_claim *c, size_t i, const mpq
  * mostly. */
 static bool is_in_image(const asker *a, const fmb_claim *c, size_t *at)
 {
-    bool found = says_nothing(c);
+    bool found = c->terms.size == 0 && is_true(c->rel, c->value);
     size_t rows = fmb_system_rows(a->image);
     mpq_t factor, t;
     mpq_inits(factor, t, NULL);
