@@ -1,4 +1,4 @@
-/* fmb-qualify.c: studies of the library: a table of subcommands, one a question. */
+/* main.c: studies of the library: a table of subcommands, one a question. */
 #include "common/dispatch.h"
 #include "fmb-qualify/study.h"
 

@@ -1,4 +1,4 @@
-/* fmb-validate.c: do FMB, separating axes and the exact way agree on random pairs of frames? */
+/* main.c: do FMB, separating axes and the exact way agree on random pairs of frames? */
 #include <stdlib.h>
 
 #include <fmb/base.h>

@@ -20,9 +20,6 @@ void fmb_system_put_row(fmb_system *s, size_t i, const fmb_sysrow *r)
 
 void fmb_system_drop_last_variable(fmb_system *s)
 {
-    size_t last = s->names.size - 1;
-    if (s->mark[last].kept || s->mark[last].integer)
-        s->mark[last] = (fmb_variable_mark){0};
     fmb_names_drop_last(&s->names, &s->mem);
 }
 

@@ -9,10 +9,12 @@
 static const char *const KIND[] = {"begin", "round", "rule",   "lp",
                                    "end",   "row",   "rebase", "engine"};
 
-/* Names of rules may come from anywhere. */
+/* NULL is null. Names of rules may come from anywhere. */
 static void print_quoted_word(FILE *out, const char *key, const char *word)
 {
-    fprintf(out, ", \"%s\": \"", key);
+    fprintf(out, ", \"%s\": %s", key, word ? "\"" : "null");
+    if (!word)
+        return;
     for (; *word; word++) {
         if (*word == '"' || *word == '\\')
             fputc('\\', out);
@@ -67,10 +69,7 @@ static void print_derived_row(FILE *out, const fmb_row_event *r)
     static const char *const MINIMAL[] = {"null", "false", "true"};
     print_count(out, "row", r->row + 1);
     fprintf(out, ", \"parents\": [%" PRIu64 ", %" PRIu64 "]", r->parent[0] + 1, r->parent[1] + 1);
-    if (r->dropped_by)
-        print_quoted_word(out, "dropped_by", r->dropped_by);
-    else
-        fputs(", \"dropped_by\": null", out);
+    print_quoted_word(out, "dropped_by", r->dropped_by);
     if (r->history) {
         print_history(out, r);
         print_variables(out, "effective", r->effective, r);

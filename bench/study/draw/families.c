@@ -1,4 +1,4 @@
-/* families.c: what the pairs of each family are; see study/pairs.h. */
+/* families.c: what the pairs of each family are; see study/draw/pairs.h. */
 #include "study/draw/draft.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* box.c: rows over the box of a tiny elimination; see rule/box.c and rules/box.c for why.
+/* box.c: rows over the box of a tiny elimination; see rule/box.c and rules/box_rule.c for why.
  *
  * A sum of 9 products of numbers below 2^62 and 2^60 is below 2^126.
  */

@@ -192,6 +192,19 @@ Test(in_memory, not_written)
     close_scene(&w);
 }
 
+/* What an attempt leaves open is null. */
+Test(in_memory, attempt_without_words)
+{
+    char text[256];
+    size_t length = 0;
+    const fmb_attempt open = {.part = -1, .budget = 5};
+    const fmb_event e = {.kind = FMB_EVENT_ENGINE, .var = -1, .attempt = &open};
+    cr_assert_eq(fmb_event_print(&e, text, sizeof text, &length), FMB_OK);
+    cr_expect_str_eq(text, "{\"event\": \"engine\", \"seconds\": 0.000000, \"name\": null, "
+                           "\"task\": null, \"columns\": 0, \"rows\": 0, \"budget\": 5, "
+                           "\"unit\": null, \"ended\": null}\n");
+}
+
 /* ---- reading --------------------------------------------------------------------------------- */
 
 Test(in_memory, evidence)
