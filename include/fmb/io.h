@@ -110,8 +110,9 @@ FMB_API FMB_CHECKED fmb_status fmb_script_whole(fmb_script *s, fmb_system **out,
 /* On to the next command that asks. Errors: PARSE (a pop without its push), MEMORY, ARG. */
 FMB_API FMB_CHECKED fmb_status fmb_script_next(fmb_script *s, fmb_script_kind *out,
                                                fmb_where *where);
-/* [give] What the last check asks about: the assertions that hold there, and its assumptions. Each
- * call reads the text once. Errors: as of fmb_system_parse; lines and columns are the script's. */
+/* [give] What the last check asks about: the assertions that hold there, and its assumptions; the
+ * row 0 <= 0 if neither a row nor a variable is left. Each call reads the text once. Errors: as of
+ * fmb_system_parse; lines and columns are the script's. */
 FMB_API FMB_CHECKED fmb_status fmb_script_question(fmb_script *s, fmb_system **out,
                                                    fmb_where *where);
 /* [give] Behind FMB_SCRIPT_VALUE: term i of its list, as text that belongs to s, and a system whose

@@ -324,7 +324,7 @@ fmb_status fmb_script_question(fmb_script *s, fmb_system **out, fmb_where *where
         return fmb_io_refuse_argument(where, "s is NULL");
     write_question(s, true);
     write_assumptions(s);
-    return fmb_system_parse(s->question, s->size, &s->how, out, where);
+    return fmb_parse_question(s->question, s->size, &s->how, out, where);
 }
 
 fmb_status fmb_script_whole(fmb_script *s, fmb_system **out, fmb_where *where)
