@@ -1,10 +1,10 @@
 /* counted_clock.h: a clock that goes by what is asked of it, and not by time.
  *
  * A program that links it has a clock_gettime of its own. Until a test winds it up it shows the
- * time. From then on the monotonic clock stands still, but for a second at each reading: so a limit
- * of n seconds is one of n readings, on however busy a machine, and something can be done at a
- * certain reading. A query reads it when it begins, when it ends, for each event, and wherever it
- * asks whether to go on, if it has a limit of time.
+ * time. From then on the monotonic clock, and that of a thread's processor time with it, stands
+ * still, but for a second at each reading: so a limit of n seconds is one of n readings, on however
+ * busy a machine, and something can be done at a certain reading. A query reads it when it begins,
+ * when it ends, for each event, and wherever it asks whether to go on, if it has a limit of time.
  */
 #ifndef FMB_TEST_COUNTED_CLOCK_H
 #define FMB_TEST_COUNTED_CLOCK_H

@@ -6,13 +6,8 @@
 #include <fmb/generators.h>
 
 #include "asking.h"
-#include "base/clock.h"
+#include "counted_clock.h"
 #include "rows.h"
-
-moment asking_moment(clockid_t thread)
-{
-    return (moment){fmb_monotonic_seconds(), fmb_clock_seconds(thread)};
-}
 
 void asking_fail(const char *format, ...)
 {
@@ -60,21 +55,21 @@ static void judge_end(const scene *c, fmb_end end, fmb_side side, fmb_stop stop)
         asking_fail("%s: an end of %g", c->name, end.value);
 }
 
-static void project(fmb_solver *v, const scene *c, fmb_result *r, moment *returned)
+static void project(fmb_solver *v, const scene *c, fmb_result *r, size_t *readings)
 {
     fmb_system *p = NULL;
     must(fmb_project(v, c->s, c->keep, c->kept, &p, r));
-    *returned = asking_moment(CLOCK_THREAD_CPUTIME_ID);
+    *readings = counted_clock_readings();
     if (!p && r->stop == FMB_STOP_DONE)
         asking_fail("%s: done without a projection", c->name);
     fmb_system_free(p);
 }
 
-static void bound(fmb_solver *v, const scene *c, fmb_result *r, moment *returned)
+static void bound(fmb_solver *v, const scene *c, fmb_result *r, size_t *readings)
 {
     fmb_box *box = NULL;
     must(fmb_bound(v, c->s, NULL, 0, &box, r));
-    *returned = asking_moment(CLOCK_THREAD_CPUTIME_ID);
+    *readings = counted_clock_readings();
     if (!box && r->verdict == FMB_FEASIBLE)
         asking_fail("%s: feasible without a box", c->name);
     for (int i = 0; box && i < fmb_box_size(box); i++)
@@ -83,18 +78,18 @@ static void bound(fmb_solver *v, const scene *c, fmb_result *r, moment *returned
     fmb_box_free(box);
 }
 
-static void reduce(fmb_solver *v, const scene *c, fmb_result *r, moment *returned)
+static void reduce(fmb_solver *v, const scene *c, fmb_result *r, size_t *readings)
 {
     fmb_system *p = NULL;
     must(fmb_reduce(v, c->s, NULL, &p, r));
-    *returned = asking_moment(CLOCK_THREAD_CPUTIME_ID);
+    *readings = counted_clock_readings();
     if (!p)
         asking_fail("%s: no reduced system", c->name);
     fmb_system_free(p);
 }
 
 /* The sum of all variables, as large as it gets. */
-static void optimize(fmb_solver *v, const scene *c, fmb_result *r, moment *returned)
+static void optimize(fmb_solver *v, const scene *c, fmb_result *r, size_t *readings)
 {
     enum { MOST_VARIABLES = 256 };
     double one[MOST_VARIABLES];
@@ -104,7 +99,7 @@ static void optimize(fmb_solver *v, const scene *c, fmb_result *r, moment *retur
     for (int j = 0; j < MOST_VARIABLES; j++)
         one[j] = 1;
     must(fmb_optimize(v, c->s, &(fmb_objective){FMB_SENSE_MAX, one, 0}, &o, r));
-    *returned = asking_moment(CLOCK_THREAD_CPUTIME_ID);
+    *readings = counted_clock_readings();
     if (!o && r->verdict == FMB_FEASIBLE)
         asking_fail("%s: feasible without an optimum", c->name);
     if (o)
@@ -112,18 +107,18 @@ static void optimize(fmb_solver *v, const scene *c, fmb_result *r, moment *retur
     fmb_optimum_free(o);
 }
 
-static void vertices(fmb_solver *v, const scene *c, fmb_result *r, moment *returned)
+static void vertices(fmb_solver *v, const scene *c, fmb_result *r, size_t *readings)
 {
     fmb_generators *g = NULL;
     must(fmb_generate(v, c->s, &g, r));
-    *returned = asking_moment(CLOCK_THREAD_CPUTIME_ID);
+    *readings = counted_clock_readings();
     if (!g && r->verdict == FMB_FEASIBLE && r->stop == FMB_STOP_DONE)
         asking_fail("%s: feasible without vertices", c->name);
     fmb_generators_free(g);
 }
 
 /* (t, t^2, ...): of each two neighbours in 4 to 7 dimensions some facet goes through. */
-static void hull(fmb_solver *v, const scene *c, fmb_result *r, moment *returned)
+static void hull(fmb_solver *v, const scene *c, fmb_result *r, size_t *readings)
 {
     enum { POINTS = 48, MOST_DIM = 7 };
     double x[MOST_DIM];
@@ -137,32 +132,32 @@ static void hull(fmb_solver *v, const scene *c, fmb_result *r, moment *returned)
         must(fmb_generators_add(g, FMB_VERTEX, x));
     }
     must(fmb_hull(v, g, &s, r));
-    *returned = asking_moment(CLOCK_THREAD_CPUTIME_ID);
+    *readings = counted_clock_readings();
     if (s ? r->verdict != FMB_FEASIBLE : r->stop == FMB_STOP_DONE)
         asking_fail("the hull: %s", fmb_verdict_text(r->verdict));
     fmb_system_free(s);
     fmb_generators_free(g);
 }
 
-fmb_result asking(fmb_solver *v, const scene *c, asking_kind kind, moment *returned)
+fmb_result asking(fmb_solver *v, const scene *c, asking_kind kind, size_t *readings)
 {
     fmb_result r = {.size = sizeof r};
     if (kind == ASKING_PROJECT)
-        project(v, c, &r, returned);
+        project(v, c, &r, readings);
     else if (kind == ASKING_BOUND)
-        bound(v, c, &r, returned);
+        bound(v, c, &r, readings);
     else if (kind == ASKING_REDUCE)
-        reduce(v, c, &r, returned);
+        reduce(v, c, &r, readings);
     else if (kind == ASKING_OPTIMIZE)
-        optimize(v, c, &r, returned);
+        optimize(v, c, &r, readings);
     else if (kind == ASKING_VERTICES)
-        vertices(v, c, &r, returned);
+        vertices(v, c, &r, readings);
     else if (kind == ASKING_HULL) {
-        hull(v, c, &r, returned);
+        hull(v, c, &r, readings);
         return r;
     } else {
         must(fmb_solve(v, c->s, &r));
-        *returned = asking_moment(CLOCK_THREAD_CPUTIME_ID);
+        *readings = counted_clock_readings();
     }
     judge_result(c, &r);
     judge_evidence(v, c, &r);

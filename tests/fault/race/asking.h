@@ -2,8 +2,6 @@
 #ifndef FMB_TEST_ASKING_H
 #define FMB_TEST_ASKING_H
 
-#include <time.h>
-
 #include <fmb/solve.h>
 
 #include "scenes.h"
@@ -19,19 +17,11 @@ typedef enum asking_kind {
     ASKING_KINDS
 } asking_kind;
 
-/* A moment on the wall, and in the processor time of one thread, which does not pass while others
- * have the processor [s]. */
-typedef struct moment {
-    double wall, cpu;
-} moment;
-
 /* The query's result, if all is well: the verdict is unknown or the truth, the evidence is accepted
  * and says the same, and what else was handed out fits the stop. Otherwise the program ends with a
- * message. *returned is when the query came back. */
-fmb_result asking(fmb_solver *v, const scene *c, asking_kind kind, moment *returned);
+ * message. *readings: of the counted clock, when the query came back. */
+fmb_result asking(fmb_solver *v, const scene *c, asking_kind kind, size_t *readings);
 
-/* Now: on the wall, and of the thread whose processor clock this is. */
-moment asking_moment(clockid_t thread);
 /* Print and end the program. */
 #if defined(__GNUC__)
 __attribute__((format(printf, 1, 2), noreturn))

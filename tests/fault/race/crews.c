@@ -266,13 +266,13 @@ static void try_solvers(const scene *c)
         for (int kind = 0; kind < ASKING_KINDS; kind++) {
             fmb_options o = {.size = sizeof o};
             fmb_solver *v = NULL;
-            moment returned;
+            size_t readings;
             o.method = (fmb_method)method;
             o.threads = CREW;
             o.max_seconds = 2; /* some ways take for ever */
             o.evidence = FMB_EVIDENCE_WHOLE;
             must(fmb_solver_new(&o, NULL, &v));
-            asking(v, c, (asking_kind)kind, &returned);
+            asking(v, c, (asking_kind)kind, &readings);
             fmb_solver_free(v);
         }
 }

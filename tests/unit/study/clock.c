@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "counted_clock.h"
 #include "study/clock/clock.h"
 
 enum { MOST_CALLS = 256 };
@@ -169,22 +170,26 @@ Test(clock, interval)
     cr_assert_float_eq(r.high, 1 + wide, wide / 5);
 }
 
-static fmb_status spin(void *self, size_t first, size_t n)
+/* A way whose queries take so many seconds each, by a clock that counts. */
+static fmb_status let_pass(void *self, size_t first, size_t n)
 {
-    double until = study_thread_seconds() + *(double *)self * (double)n;
     (void)first;
-    while (study_thread_seconds() < until)
-        continue;
+    counted_clock_pass(*(size_t *)self * n);
     return FMB_OK;
 }
 
+/* Of 20 queries, and a second from one reading to the next. */
 Test(clock, measures)
 {
-    double slow = 1e-4, fast = 1e-5;
-    const study_timed way[] = {{spin, &slow}, {spin, &fast}};
+    size_t slow = 10, fast = 1;
+    const study_timed way[] = {{let_pass, &slow}, {let_pass, &fast}};
     study_clock c = {.way = way, .ways = 2, .queries = 20, .groups = 1, .passes = 3};
+    counted_clock_start(0, NULL, NULL);
     cr_assert_eq(study_clock_run(&c), FMB_OK);
-    cr_assert_geq(study_clock_ns(&c, 0).least, 1e5 * 0.99);
-    cr_assert_gt(study_clock_ratio(&c, 0, 1).ratio, 2);
+    counted_clock_stop();
+    study_spread s = study_clock_ns(&c, 0);
+    cr_assert(s.least == 201e9 / 20 && s.most == s.least);
+    study_ratio r = study_clock_ratio(&c, 0, 1);
+    cr_assert(r.ratio == 201.0 / 21 && r.least == r.ratio && r.most == r.ratio);
     study_clock_clear(&c);
 }
