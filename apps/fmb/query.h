@@ -3,8 +3,8 @@
  *   app_session_open -> app_session_begin -> the query -> app_session_end -> a report
  *                    -> app_session_close
  */
-#ifndef APP_SESSION_H
-#define APP_SESSION_H
+#ifndef APP_QUERY_H
+#define APP_QUERY_H
 
 #include <fmb/solve.h>
 

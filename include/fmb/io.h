@@ -103,16 +103,17 @@ FMB_API FMB_CHECKED fmb_status fmb_script_parse(const char *text, size_t size,
                                                 const fmb_reader *how, fmb_script **out,
                                                 fmb_where *where);
 FMB_API void fmb_script_free(fmb_script *s);
-/* Does it ask more than a conjunction can be asked? If not, fmb_script_whole is what
- * fmb_system_read would give. */
+/* Does it ask more than a conjunction can be asked? false for NULL. */
 FMB_API bool fmb_script_asks_often(const fmb_script *s);
+/* [give, fmb_system_free] If not: what fmb_system_read would give. Errors: as of fmb_system_parse.
+ */
 FMB_API FMB_CHECKED fmb_status fmb_script_whole(fmb_script *s, fmb_system **out, fmb_where *where);
 /* On to the next command that asks. Errors: PARSE (a pop without its push), MEMORY, ARG. */
 FMB_API FMB_CHECKED fmb_status fmb_script_next(fmb_script *s, fmb_script_kind *out,
                                                fmb_where *where);
-/* [give] What the last check asks about: the assertions that hold there, and its assumptions; the
- * row 0 <= 0 if neither a row nor a variable is left. Each call reads the text once. Errors: as of
- * fmb_system_parse; lines and columns are the script's. */
+/* [give, fmb_system_free] What the last check asks about: the assertions that hold there, and its
+ * assumptions; the row 0 <= 0 if neither a row nor a variable is left. Each call reads the text
+ * once. Errors: as of fmb_system_parse; lines and columns are the script's. */
 FMB_API FMB_CHECKED fmb_status fmb_script_question(fmb_script *s, fmb_system **out,
                                                    fmb_where *where);
 /* [give] Behind FMB_SCRIPT_VALUE: term i of its list, as text that belongs to s, and a system whose

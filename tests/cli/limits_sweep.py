@@ -62,8 +62,7 @@ def call(*words, text=None, stop=None):
 
 # ---- what is asked -----------------------------------------------------------------------------
 
-# The words of a command; does it have the limits of the solver; who reads its text; a file it
-# writes for others.
+# The words of a command; limits that it must have; who reads its text, or None.
 Case = collections.namedtuple("Case", "words limits reader")
 SOLVER = ("seconds", "bytes", "rows")
 CONVERT = ("convert", "-", "--to", "smt2")
@@ -170,7 +169,7 @@ def judge(case, words, as_json, whole, reply):
         expect("limit" in err, "standard error does not say why")
 
 
-def sweep(name, case, as_json):
+def sweep(case, as_json):
     words = [*case.words, *(["--json"] if as_json else [])]
     whole = call(*words)
     if whole[0] not in (0, 1):
@@ -186,10 +185,10 @@ def sweep(name, case, as_json):
 with tempfile.TemporaryDirectory() as folder:
     os.chdir(folder)
     write_files(folder)
-    for name, case in CASES.items():
+    for case in CASES.values():
         for as_json in (False, True):
             if not as_json or case.words[0] != "convert":
-                sweep(name, case, as_json)
+                sweep(case, as_json)
     os.chdir(EXAMPLES)
 
 total = sum(ends.values())

@@ -2,11 +2,12 @@
  *
  * The rows of a set P that is not empty, convex and described by rows <=, < and =:
  *
- *   equations     in reduced echelon form: each has a pivot, the first variable that it names,
- * which no other row names, with a positive coefficient; inequalities  without pivots: one for each
- * facet of the closure of P, strict if the facet is not in P; and a strict one for each largest
- * face that P lacks beside those in facets that it lacks: the sum of the rows of all facets that
- * hold that face;
+ * - equations in reduced echelon form: each has a pivot, the first variable that it names, which no
+ *   other row names, with a positive coefficient;
+ * - inequalities without pivots: one for each facet of the closure of P, strict if the facet is not
+ *   in P;
+ * - and a strict one for each largest face that P lacks beside those in facets that it lacks: the
+ *   sum of the rows of all facets that hold that face;
  *
  * all of integers without a common divisor, in the order of fmb_sysrow_compare.
  *

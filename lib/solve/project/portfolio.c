@@ -164,7 +164,7 @@ static bool uses_lp_rule(const fmb_solver *v)
 }
 
 /* A part, and what has been found out about it. */
-typedef struct rungs {
+typedef struct part_run {
     fmb_query *q;
     int part;
     const int *place;
@@ -172,15 +172,15 @@ typedef struct rungs {
     fmb_lift *lift;
     fmb_queries *queries;
     bool known, *feasible, done;
-} rungs;
+} part_run;
 
-static bool is_answered(const rungs *r)
+static bool is_answered(const part_run *r)
 {
     return r->done || !*r->feasible;
 }
 
 /* budget 0: to the end. */
-static void tell_attempt(rungs *r, const char *engine, uint64_t budget, const char *unit,
+static void tell_attempt(part_run *r, const char *engine, uint64_t budget, const char *unit,
                          fmb_status st)
 {
     fmb_attempt a = fmb_query_attempt(r->q, r->part, engine, "projection");
@@ -189,14 +189,14 @@ static void tell_attempt(rungs *r, const char *engine, uint64_t budget, const ch
     fmb_run_tell_attempt(&r->q->run, a, st, is_answered(r));
 }
 
-static fmb_status try_rays(rungs *r, uint64_t rays)
+static fmb_status try_rays(part_run *r, uint64_t rays)
 {
     fmb_status st = fmb_lift_run(r->lift, rays, r->out, r->feasible, &r->done);
     tell_attempt(r, "double description", rays, "rays", st);
     return st;
 }
 
-static shadow shadow_of_rungs(const rungs *r)
+static shadow shadow_of_run(const part_run *r)
 {
     return (shadow){.q = r->q,
                     .p = &r->q->parts.part[r->part],
@@ -205,18 +205,18 @@ static shadow shadow_of_rungs(const rungs *r)
                     .e.run = &r->q->run};
 }
 
-static fmb_status try_elimination(rungs *r, bool known, size_t budget)
+static fmb_status try_elimination(part_run *r, bool known, size_t budget)
 {
-    shadow h = shadow_of_rungs(r);
+    shadow h = shadow_of_run(r);
     fmb_status st = project_by_elimination(&h, known, budget, r->feasible, &r->done);
     tell_attempt(r, "elimination", budget, "rows", st);
     return st;
 }
 
 /* Nothing that names variables that go may be left of the projection. */
-static fmb_status try_escape(rungs *r)
+static fmb_status try_escape(part_run *r)
 {
-    shadow h = shadow_of_rungs(r);
+    shadow h = shadow_of_run(r);
     const bool *drop;
     bool escapes;
     fmb_elim *e = fmb_lift_elimination(r->lift, &drop);
@@ -227,9 +227,9 @@ static fmb_status try_escape(rungs *r)
     return st;
 }
 
-static fmb_status try_gentle_elimination(rungs *r, int kept)
+static fmb_status try_gentle_elimination(part_run *r, int kept)
 {
-    shadow h = shadow_of_rungs(r);
+    shadow h = shadow_of_run(r);
     slope gentle = {GENTLE, 2, kept};
     const bool *drop;
     if (!fmb_mark_possible(fmb_lift_elimination(r->lift, &drop)))
@@ -240,9 +240,9 @@ static fmb_status try_gentle_elimination(rungs *r, int kept)
     return st;
 }
 
-static fmb_status try_steeper_elimination(rungs *r, int kept)
+static fmb_status try_steeper_elimination(part_run *r, int kept)
 {
-    shadow h = shadow_of_rungs(r);
+    shadow h = shadow_of_run(r);
     const bool *drop;
     fmb_elim *e = fmb_lift_elimination(r->lift, &drop);
     if (!fmb_mark_possible(e))
@@ -255,12 +255,12 @@ static fmb_status try_steeper_elimination(rungs *r, int kept)
     return st;
 }
 
-static bool is_open(fmb_status st, const rungs *r)
+static bool is_open(fmb_status st, const part_run *r)
 {
     return st == FMB_OK && !r->done && *r->feasible;
 }
 
-static fmb_status open_queries(rungs *r)
+static fmb_status open_queries(part_run *r)
 {
     r->known = true;
     return r->queries ? FMB_OK
@@ -268,7 +268,7 @@ static fmb_status open_queries(rungs *r)
 }
 
 /* A way was tried, with that status. */
-static fmb_status note(fmb_way_id way, const rungs *r, fmb_status st)
+static fmb_status note(fmb_way_id way, const part_run *r, fmb_status st)
 {
     fmb_way_answered(way, st == FMB_OK && (r->done || !*r->feasible));
     return st;
@@ -280,7 +280,7 @@ static bool walks(const fmb_lift *lift, const fmb_part *p, int kept)
 }
 
 /* By whom the oracle is asked later on, if it is. */
-static fmb_status learn_if_feasible(rungs *r)
+static fmb_status learn_if_feasible(part_run *r)
 {
     const fmb_part *p = &r->q->parts.part[r->part];
     if (r->known)
@@ -292,14 +292,14 @@ static fmb_status learn_if_feasible(rungs *r)
 }
 
 /* With the rule that asks the oracle, from the part again. */
-static fmb_status try_pruned_elimination(rungs *r, size_t budget)
+static fmb_status try_pruned_elimination(part_run *r, size_t budget)
 {
     fmb_status st = learn_if_feasible(r);
     return is_open(st, r) ? try_elimination(r, true, budget) : st;
 }
 
 /* pairs: 0, any number. */
-static fmb_status try_queries(rungs *r, uint64_t pairs)
+static fmb_status try_queries(part_run *r, uint64_t pairs)
 {
     fmb_status st = open_queries(r);
     if (is_open(st, r))
@@ -308,7 +308,7 @@ static fmb_status try_queries(rungs *r, uint64_t pairs)
     return st;
 }
 
-static fmb_status try_walk(rungs *r)
+static fmb_status try_walk(part_run *r)
 {
     fmb_status st = learn_if_feasible(r);
     if (is_open(st, r))
@@ -318,7 +318,7 @@ static fmb_status try_walk(rungs *r)
 }
 
 /* In the plane around it; in a few dimensions, by asking how far it goes; in more, so far. */
-static fmb_status try_oracle(rungs *r)
+static fmb_status try_oracle(part_run *r)
 {
     const fmb_part *p = &r->q->parts.part[r->part];
     int kept = fmb_judge_kept(p, r->place);
@@ -328,7 +328,7 @@ static fmb_status try_oracle(rungs *r)
 
 /* What is steeper to eliminate, then a few rays; if both grow, some more rays where there seem to
  * be few. */
-static fmb_status try_rays_and_steeper_elimination(rungs *r, int kept)
+static fmb_status try_rays_and_steeper_elimination(part_run *r, int kept)
 {
     const fmb_part *p = &r->q->parts.part[r->part];
     uint64_t rays = fmb_judge_first_rays(r->lift, p, kept);
@@ -347,7 +347,7 @@ static fmb_status try_rays_and_steeper_elimination(rungs *r, int kept)
 
 /* What is nearly cheap is eliminated; then what rows and numbers are like tells the way; then the
  * oracle is asked. */
-static fmb_status try_each_shortly(rungs *r)
+static fmb_status try_each_shortly(part_run *r)
 {
     const fmb_part *p = &r->q->parts.part[r->part];
     int kept = fmb_judge_kept(p, r->place);
@@ -367,7 +367,7 @@ static fmb_status try_each_shortly(rungs *r)
 }
 
 /* What is left is eliminated, and pruned by the oracle, in turns with rays and queries. */
-static fmb_status take_turns(rungs *r)
+static fmb_status take_turns(part_run *r)
 {
     size_t budget = FMB_TRIAL_BUDGET(r->q->parts.part[r->part].m);
     uint64_t pairs = FIRST_PAIRS;
@@ -384,7 +384,7 @@ static fmb_status take_turns(rungs *r)
     return st;
 }
 
-static fmb_status climb_rungs(rungs *r)
+static fmb_status run_portfolio(part_run *r)
 {
     bool by_rays = r->q->v->options.method == FMB_METHOD_DD;
     size_t rows = fmb_system_rows(r->out);
@@ -406,12 +406,12 @@ static fmb_status climb_rungs(rungs *r)
 fmb_status fmb_query_project_part(fmb_query *q, int part, const int *place, fmb_system *out,
                                   bool *feasible)
 {
-    rungs r = {.q = q,
-               .part = part,
-               .place = place,
-               .out = out,
-               .known = q->decided,
-               .feasible = feasible};
+    part_run r = {.q = q,
+                  .part = part,
+                  .place = place,
+                  .out = out,
+                  .known = q->decided,
+                  .feasible = feasible};
     fmb_status st = FMB_OK;
     *feasible = true;
     if (q->v->options.method == FMB_METHOD_HULL) {
@@ -421,7 +421,7 @@ fmb_status fmb_query_project_part(fmb_query *q, int part, const int *place, fmb_
         return st;
     }
     if (!fmb_query_eliminates(q))
-        return climb_rungs(&r);
+        return run_portfolio(&r);
     if (!r.known && uses_lp_rule(q->v)) {
         st = is_part_feasible(q, part, feasible);
         r.known = true;

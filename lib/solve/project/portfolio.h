@@ -1,7 +1,8 @@
 /* portfolio.h: the projection of one part.
  *
- * The part is eliminated by itself; of the rows left, the oracle keeps the irredundant ones. Every
- * row that comes out carries the multipliers that prove it.
+ * Several ways lead to it; they are tried one after another, each for a while, as the judge tells
+ * (judge.h; docs/theory.md, "Projections: which way"). The rows that come out are irredundant, and
+ * each carries the multipliers that prove it.
  */
 #ifndef FMB_SOLVE_PROJECT_PORTFOLIO_H
 #define FMB_SOLVE_PROJECT_PORTFOLIO_H

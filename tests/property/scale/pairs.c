@@ -34,16 +34,16 @@ static fmb_verdict ask_verdict(const fmb_pair_options *o, const fmb_frame f[2])
     return v;
 }
 
-/* A tightest end is the exact one rounded outward. Where 2^power keeps it normal, so does rounding
- * commute with it; elsewhere the scaled end is that of the plain one or further out by one step. */
+/* A tightest end is the exact one rounded outward. Where 2^power keeps it normal, rounding commutes
+ * with it; elsewhere the scaled end is that of the plain one or further out by one step: the plain
+ * one is out by less than half a step of the least doubles. */
 static bool is_scaled_end(double plain, double scaled, int side, int power)
 {
     double there = ldexp(plain, power);
     if (fabs(there) >= 0x1p-1022 || plain == 0)
         return scaled == there;
     double step = ldexp(1, -1074);
-    return side == 0 ? scaled >= there - step && scaled <= there + step
-                     : scaled <= there + step && scaled >= there - step;
+    return scaled == there || scaled == (side == 0 ? there - step : there + step);
 }
 
 static bool same_ends(const told *plain, const told *scaled, const bodies *b, char why[LAW_WHY])
