@@ -9,8 +9,8 @@
  * at most 2^62: for |r - B d| / p <= |r| / p + S, and a digit of the right side is less than p. */
 #define WORD_BITS 62
 
-fmb_status fmb_lift_init(fmb_dixon *l, fmb_arena *arena, const fmb_prime *q, const fmb_sparse *b,
-                         const fmb_sweep *first, const fmb_sweep *second)
+fmb_status fmb_dixon_init(fmb_dixon *l, fmb_arena *arena, const fmb_prime *q, const fmb_sparse *b,
+                          const fmb_sweep *first, const fmb_sweep *second)
 {
     size_t n = b->n;
     *l = (fmb_dixon){.mem = arena->mem, .q = q, .b = b, .first = first, .second = second, .n = n};
@@ -42,7 +42,7 @@ static void forget_rests(fmb_dixon *l)
         mpz_clear(l->rest[--l->rests].rest);
 }
 
-void fmb_lift_clear(fmb_dixon *l)
+void fmb_dixon_clear(fmb_dixon *l)
 {
     if (!l->mem)
         return;
@@ -62,7 +62,7 @@ static void set_residual(fmb_dixon *l, size_t k, int64_t value)
         l->word[at] = value < 0 ? ~(fmb_word)0 : 0;
 }
 
-fmb_status fmb_lift_begin(fmb_dixon *l, mpz_t *right, const int *at)
+fmb_status fmb_dixon_begin(fmb_dixon *l, mpz_t *right, const int *at)
 {
     l->digits = 0;
     forget_rests(l);
@@ -76,7 +76,7 @@ fmb_status fmb_lift_begin(fmb_dixon *l, mpz_t *right, const int *at)
                                         sizeof *l->rest);
         if (st != FMB_OK)
             return st;
-        fmb_lift_rest *rest = &l->rest[l->rests++];
+        fmb_dixon_rest *rest = &l->rest[l->rests++];
         rest->place = (int)k;
         mpz_init(rest->rest);
         uint64_t low = fmb_integer_divide_u64(rest->rest, b, l->q->p);
@@ -159,7 +159,7 @@ static void update_residual(fmb_dixon *l, size_t k)
 static void take_in_next_right_digit(fmb_dixon *l)
 {
     for (size_t i = 0; i < l->rests; i++) {
-        fmb_lift_rest *rest = &l->rest[i];
+        fmb_dixon_rest *rest = &l->rest[i];
         if (mpz_sgn(rest->rest) == 0)
             continue;
         bool minus = mpz_sgn(rest->rest) < 0;
@@ -173,7 +173,7 @@ static void take_in_next_right_digit(fmb_dixon *l)
     }
 }
 
-fmb_status fmb_lift_step(fmb_dixon *l)
+fmb_status fmb_dixon_step(fmb_dixon *l)
 {
     size_t n = l->n;
     fmb_status st = fmb_mem_reserve(l->mem, (void **)&l->digit, &l->digit_room, (l->digits + 1) * n,
@@ -195,7 +195,7 @@ fmb_status fmb_lift_step(fmb_dixon *l)
     return FMB_OK;
 }
 
-void fmb_lift_value(fmb_dixon *l, size_t k, mpz_t out)
+void fmb_dixon_value(fmb_dixon *l, size_t k, mpz_t out)
 {
     mpz_set_ui(out, 0);
     for (size_t s = l->digits; s-- > 0;) {

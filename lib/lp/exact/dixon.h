@@ -13,10 +13,10 @@
 #include "lp/exact/sweep.h"
 #include "trace/run.h"
 
-typedef struct fmb_lift_rest {
+typedef struct fmb_dixon_rest {
     int place;
     mpz_t rest; /* what is left of that right side */
-} fmb_lift_rest;
+} fmb_dixon_rest;
 
 typedef struct fmb_dixon {
     fmb_mem *mem;
@@ -32,20 +32,20 @@ typedef struct fmb_dixon {
     fmb_word *word;     /* residuals, in two's complement */
     uint64_t *digit;    /* [digits][n] */
     size_t digits, digit_room;
-    fmb_lift_rest *rest; /* [rests] right sides longer than a word */
+    fmb_dixon_rest *rest; /* [rests] right sides longer than a word */
     size_t rests, rest_room;
     mpz_t scratch;
 } fmb_dixon;
 
 /* B and its factors in the order of their sweeps stay where they are. Errors: MEMORY, LIMIT. */
-fmb_status fmb_lift_init(fmb_dixon *l, fmb_arena *arena, const fmb_prime *q, const fmb_sparse *b,
-                         const fmb_sweep *first, const fmb_sweep *second);
-void fmb_lift_clear(fmb_dixon *l);
+fmb_status fmb_dixon_init(fmb_dixon *l, fmb_arena *arena, const fmb_prime *q, const fmb_sparse *b,
+                          const fmb_sweep *first, const fmb_sweep *second);
+void fmb_dixon_clear(fmb_dixon *l);
 /* The right side of row k is right[at[k]]. Errors: MEMORY, LIMIT. */
-fmb_status fmb_lift_begin(fmb_dixon *l, mpz_t *right, const int *at);
+fmb_status fmb_dixon_begin(fmb_dixon *l, mpz_t *right, const int *at);
 /* One more digit. Errors: MEMORY, LIMIT. */
-fmb_status fmb_lift_step(fmb_dixon *l);
+fmb_status fmb_dixon_step(fmb_dixon *l);
 /* Unknown k modulo p^digits, not negative. */
-void fmb_lift_value(fmb_dixon *l, size_t k, mpz_t out);
+void fmb_dixon_value(fmb_dixon *l, size_t k, mpz_t out);
 
 #endif

@@ -49,8 +49,8 @@ void fmb_factor_free(fmb_factor *f)
 {
     if (!f)
         return;
-    fmb_lift_clear(&f->lift[0]);
-    fmb_lift_clear(&f->lift[1]);
+    fmb_dixon_clear(&f->lift[0]);
+    fmb_dixon_clear(&f->lift[1]);
     fmb_minors_clear(&f->minors, f->mem);
     fmb_rational_clear(&f->rational);
     mpz_clears(f->m, f->y, f->a, f->d, NULL);
@@ -73,8 +73,8 @@ fmb_status fmb_factor_set(fmb_factor *f, size_t *basis, bool *changed)
     fmb_sparse rows;
     f->has_minors = false;
     f->b[1] = (fmb_sparse){0};
-    fmb_lift_clear(&f->lift[0]);
-    fmb_lift_clear(&f->lift[1]);
+    fmb_dixon_clear(&f->lift[0]);
+    fmb_dixon_clear(&f->lift[1]);
     fmb_arena_reset(&f->passing);
     fmb_status st = fmb_sparse_gather(&rows, &f->passing, f->p, basis);
     for (int k = 0; st == FMB_OK && k < 2; k++) {
@@ -122,7 +122,8 @@ static fmb_status prepare_lifting_transposed(fmb_factor *f)
     if (st == FMB_OK)
         st = fmb_sweep_transpose(&f->lu.lower, &f->lasting, &f->across[1]);
     if (st == FMB_OK)
-        st = fmb_lift_init(&f->lift[1], &f->lasting, &f->q, &f->b[1], &f->across[0], &f->across[1]);
+        st =
+            fmb_dixon_init(&f->lift[1], &f->lasting, &f->q, &f->b[1], &f->across[0], &f->across[1]);
     return st;
 }
 
@@ -132,7 +133,7 @@ static fmb_status prepare_lifting(fmb_factor *f, bool across)
         return FMB_OK;
     if (across)
         return prepare_lifting_transposed(f);
-    return fmb_lift_init(&f->lift[0], &f->lasting, &f->q, &f->b[0], &f->lu.lower, &f->lu.upper);
+    return fmb_dixon_init(&f->lift[0], &f->lasting, &f->q, &f->b[0], &f->lu.lower, &f->lu.upper);
 }
 
 /* ---- solutions ------------------------------------------------------------------------------- */
@@ -150,7 +151,7 @@ typedef struct asked {
 /* f->y = f->d times unknown k, modulo f->m, between -m/2 and m/2. */
 static void scale_unknown(fmb_factor *f, const asked *s, size_t k)
 {
-    fmb_lift_value(s->lift, k, f->y);
+    fmb_dixon_value(s->lift, k, f->y);
     mpz_mul(f->y, f->y, f->d);
     mpz_fdiv_r(f->y, f->y, f->m);
 }
@@ -217,7 +218,7 @@ static fmb_status lift_until_found(fmb_factor *f, asked *s, size_t most)
     size_t *usual = &f->usual[s->lift - f->lift];
     size_t first = *usual < most ? *usual : most, next = first;
     while (true) {
-        fmb_status st = fmb_lift_step(s->lift);
+        fmb_status st = fmb_dixon_step(s->lift);
         if (st == FMB_OK)
             st = fmb_run_poll(f->run);
         if (st != FMB_OK)
@@ -257,7 +258,7 @@ static fmb_status solve_by_lifting(fmb_factor *f, fmb_dixon *lift, mpz_t *right,
         s.right_bits = bits > s.right_bits ? bits : s.right_bits;
     }
     mpz_set_ui(f->m, 1);
-    fmb_status st = fmb_lift_begin(lift, right, right_at);
+    fmb_status st = fmb_dixon_begin(lift, right, right_at);
     if (st == FMB_OK)
         st = lift_until_found(f, &s, count_most_digits(lift->b, s.right_bits));
     if (st == FMB_OK)

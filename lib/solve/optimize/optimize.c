@@ -3,8 +3,9 @@
  * Rows of different parts say nothing of one another, so the form is as large as it gets when it is
  * so over each part, and its largest value is the sum. It is reached if that of every part is; a
  * point is put together from points. One part, or one variable that no row names, along which it
- * grows for ever will do for all. At a limit, the ends of variables (limit/outer_ends.h) may still bound
- * what is left; and the best solution so far is put together from what was reached over each part.
+ * grows for ever will do for all. At a limit, the ends of variables (limit/outer_ends.h) may still
+ * bound what is left; and the best solution so far is put together from what was reached over each
+ * part.
  */
 #include "num/rationals.h"
 #include "solve/limit/outer.h"

@@ -1,7 +1,7 @@
 /* thin.c: of the rows that an elimination left, those that are irredundant; see thin.h.
  *
- * Most rows are settled by guesses that are proved at once (lp/redundancy/implied.h); the oracle decides about
- * the others, and finds the inequalities that always hold with equality.
+ * Most rows are settled by guesses that are proved at once (lp/redundancy/implied.h); the oracle
+ * decides about the others, and finds the inequalities that always hold with equality.
  */
 #include "solve/project/thin.h"
 
