@@ -1,4 +1,5 @@
 /* options.c: the one table of options. */
+#include <stdlib.h>
 #include <string.h>
 
 #include "solve/query/solver.h"
@@ -131,25 +132,46 @@ static fmb_status set_count_option(const char *value, size_t *field)
     return FMB_OK;
 }
 
-/* A plain decimal "12.5": read without the locale. */
+/* The digits of "12.5e-3", read without the locale: *value becomes 125, *unit 10. What stands
+ * behind them, or NULL without any. */
+static const char *read_digits(const char *p, double *value, double *unit)
+{
+    bool point = false, digits = false;
+    for (; (*p >= '0' && *p <= '9') || (*p == '.' && !point); p++) {
+        point = point || *p == '.';
+        digits = digits || *p != '.';
+        *value = *p == '.' ? *value : *value * 10 + (*p - '0');
+        *unit *= point && *p != '.' ? 10 : 1;
+    }
+    return digits ? p : NULL;
+}
+
+/* "e-3", of at most three digits, or nothing. */
+static bool read_exponent(const char *p, double *value, double *unit)
+{
+    if (*p == '\0')
+        return true;
+    if ((*p | 32) != 'e')
+        return false;
+    bool minus = p[1] == '-';
+    p += minus || p[1] == '+' ? 2 : 1;
+    size_t digits = strspn(p, "0123456789");
+    for (long n = strtol(p, NULL, 10); digits > 0 && digits <= 3 && n > 0; n--)
+        *(minus ? unit : value) *= 10;
+    return digits > 0 && digits <= 3 && p[digits] == '\0';
+}
+
+/* What is more than 0 stays so, as 0 is no limit. */
 static fmb_status set_seconds_option(const char *value, double *field)
 {
-    double whole = 0, unit = 1;
-    bool point = false, digits = false;
-    for (; *value; value++) {
-        if (*value == '.' && !point) {
-            point = true;
-            continue;
-        }
-        if (*value < '0' || *value > '9')
-            return FMB_ERR_ARG;
-        digits = true;
-        whole = whole * 10 + (*value - '0');
-        unit *= point ? 10 : 1;
-    }
-    if (!digits || !(whole / unit <= 1e15))
+    double number = 0, unit = 1;
+    const char *rest = read_digits(value, &number, &unit);
+    if (!rest || !read_exponent(rest, &number, &unit))
         return FMB_ERR_ARG;
-    *field = whole / unit;
+    double seconds = number / unit;
+    if (!(seconds <= 1e15) || (number > 0 && !(seconds > 0)))
+        return FMB_ERR_ARG;
+    *field = seconds;
     return FMB_OK;
 }
 

@@ -27,7 +27,7 @@ static const values TABLE[] = {
     {"evidence", {"none", "all", "verdict", "whole"}, {"", "true", "2", "-1"}},
     {"max_seconds",
      {"0", "2.5", "1000", "0.001"},
-     {"", "-1", "nan", "inf", "1e3", "1s", "two", "1,5", "."}},
+     {"", "-1", "nan", "inf", "1e", "1s", "two", "1,5", "."}},
     {"max_rows",
      {"0", "1", "1000000", "18446744073709551615"},
      {"", "-1", "1.5", "x", "18446744073709551616", "99999999999999999999999", "1 2"}},
@@ -130,6 +130,24 @@ Test(options, values_arrive)
     cr_expect(o.rebase == FMB_REBASE_NEVER && o.simd == FMB_SIMD_AVX2 && o.trace_rows);
     cr_expect(o.max_rows == 7 && o.max_bytes == SIZE_MAX);
     cr_expect_float_eq(o.max_seconds, 2.5, 0);
+}
+
+Test(options, seconds)
+{
+    static const struct {
+        const char *text;
+        double seconds; /* -1: refused */
+    } table[] = {{"0", 0},        {"1e3", 1000},  {"2.5E+1", 25}, {"25e-1", 2.5}, {".5", 0.5},
+                 {"1e-9", 1e-9},  {"1.", 1},      {"1e", -1},     {"e3", -1},     {"", -1},
+                 {".", -1},       {"1e1000", -1}, {"1e-400", -1}, {"-1", -1},     {"1e16", -1},
+                 {"1e--1", -1},   {"1 ", -1},     {"0x10", -1},   {"nan", -1},    {"1.2.3", -1},
+                 {"1e-0009", -1}, {"1e5x", -1}};
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
+        fmb_options o = {.size = sizeof o, .max_seconds = -1};
+        fmb_status st = fmb_options_set(&o, "max_seconds", table[i].text);
+        cr_expect_eq(st, table[i].seconds < 0 ? FMB_ERR_ARG : FMB_OK, "%s", table[i].text);
+        cr_expect_float_eq(o.max_seconds, table[i].seconds, 0, "%s", table[i].text);
+    }
 }
 
 /* What fmb_solver_new refuses. */
