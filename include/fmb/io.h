@@ -112,8 +112,10 @@ FMB_API FMB_CHECKED fmb_status fmb_script_whole(fmb_script *s, fmb_system **out,
 FMB_API FMB_CHECKED fmb_status fmb_script_next(fmb_script *s, fmb_script_kind *out,
                                                fmb_where *where);
 /* [give, fmb_system_free] What the last check asks about: the assertions that hold there, and its
- * assumptions; the row 0 <= 0 if neither a row nor a variable is left. Each call reads the text
- * once. Errors: as of fmb_system_parse; lines and columns are the script's. */
+ * assumptions; the row 0 <= 0 if neither a row nor a variable is left. Each call reads what has
+ * come to hold since the last one; all that holds is read once more where a later command tells
+ * what a Boolean unknown is that an earlier one needs, where a pop undoes such news, and after an
+ * error. Errors: as of fmb_system_parse; lines and columns are the script's. */
 FMB_API FMB_CHECKED fmb_status fmb_script_question(fmb_script *s, fmb_system **out,
                                                    fmb_where *where);
 /* [give] Behind FMB_SCRIPT_VALUE: term i of its list, as text that belongs to s, and a system whose

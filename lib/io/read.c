@@ -13,8 +13,7 @@ static bool says_nothing(const fmb_codec *codec, const fmb_system *s)
     return fmb_system_rows(s) == 0 && fmb_system_dim(s) == 0 && codec->format != FMB_FORMAT_INE;
 }
 
-static fmb_status parse_with_codec(fmb_cursor *c, const fmb_codec *codec, bool question,
-                                   fmb_system *s)
+static fmb_status parse_with_codec(fmb_cursor *c, const fmb_codec *codec, fmb_system *s)
 {
     fmb_status st = fmb_io_check(c);
     if (st != FMB_OK)
@@ -22,10 +21,9 @@ static fmb_status parse_with_codec(fmb_cursor *c, const fmb_codec *codec, bool q
     if (!codec)
         codec = fmb_codec_guess(c);
     st = codec->read(c, s);
-    if (st != FMB_OK || !says_nothing(codec, s))
-        return st;
-    return question ? fmb_system_add_terms_int(s, 0, NULL, NULL, FMB_LE, 0)
-                    : fmb_io_fail(c, NULL, "expected rows or variables, found none");
+    if (st == FMB_OK && says_nothing(codec, s))
+        st = fmb_io_fail(c, NULL, "expected rows or variables, found none");
+    return st;
 }
 
 static fmb_status check_reader_arguments(const fmb_reader *how, fmb_system **out, fmb_where *where)
@@ -37,8 +35,8 @@ static fmb_status check_reader_arguments(const fmb_reader *how, fmb_system **out
     return FMB_OK;
 }
 
-static fmb_status parse_text(const char *text, size_t size, const fmb_reader *how, bool question,
-                             fmb_system **out, fmb_where *where)
+static fmb_status parse_text(const char *text, size_t size, const fmb_reader *how, fmb_system **out,
+                             fmb_where *where)
 {
     fmb_mem mem;
     fmb_system *s;
@@ -47,9 +45,8 @@ static fmb_status parse_text(const char *text, size_t size, const fmb_reader *ho
     fmb_status st = fmb_system_new(0, how->mem, &s);
     if (st != FMB_OK)
         return st;
-    st = size > fmb_io_max_bytes(how)
-             ? fmb_io_fail_too_long(&c, NULL)
-             : parse_with_codec(&c, fmb_codec_of(how->format), question, s);
+    st = size > fmb_io_max_bytes(how) ? fmb_io_fail_too_long(&c, NULL)
+                                      : parse_with_codec(&c, fmb_codec_of(how->format), s);
     if (st == FMB_OK)
         *out = s;
     else
@@ -57,8 +54,8 @@ static fmb_status parse_text(const char *text, size_t size, const fmb_reader *ho
     return st;
 }
 
-static fmb_status parse_checked(const char *text, size_t size, const fmb_reader *how, bool question,
-                                fmb_system **out, fmb_where *where)
+fmb_status fmb_system_parse(const char *text, size_t size, const fmb_reader *how, fmb_system **out,
+                            fmb_where *where)
 {
     fmb_reader reader;
     fmb_where at = {0};
@@ -69,22 +66,10 @@ static fmb_status parse_checked(const char *text, size_t size, const fmb_reader 
         return st;
     if (!text && size > 0)
         return fmb_io_refuse_argument(where, "text is NULL");
-    st = parse_text(text ? text : "", size, &reader, question, out, &at);
+    st = parse_text(text ? text : "", size, &reader, out, &at);
     if (st == FMB_ERR_PARSE && where)
         *where = at;
     return st;
-}
-
-fmb_status fmb_system_parse(const char *text, size_t size, const fmb_reader *how, fmb_system **out,
-                            fmb_where *where)
-{
-    return parse_checked(text, size, how, false, out, where);
-}
-
-fmb_status fmb_parse_question(const char *text, size_t size, const fmb_reader *how,
-                              fmb_system **out, fmb_where *where)
-{
-    return parse_checked(text, size, how, true, out, where);
 }
 
 /* ---- streams --------------------------------------------------------------------------------- */

@@ -21,6 +21,7 @@ typedef struct fmb_cursor {
     const char *begin, *at, *end;
     const char *mark; /* start of line number `line`, at or before the last place asked for */
     long line;
+    size_t tokens; /* read so far, by a lexer that counts them */
     size_t budget; /* decimal digits that the text may still grow by */
     const fmb_reader *how;
     fmb_mem *mem;     /* scratch of the reader */

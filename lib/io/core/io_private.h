@@ -16,9 +16,4 @@ typedef fmb_status fmb_write_fn(const fmb_system *s, FILE *out);
 fmb_read_fn fmb_read_text, fmb_read_ine, fmb_read_ieq, fmb_read_smt2, fmb_read_mps, fmb_read_lp;
 fmb_write_fn fmb_write_text, fmb_write_ine, fmb_write_smt2, fmb_write_mps, fmb_write_lp;
 
-/* fmb_system_parse of a question of a script: where neither a row nor a variable is left,
- * everything satisfies it, and it is the row 0 <= 0. */
-fmb_status fmb_parse_question(const char *text, size_t size, const fmb_reader *how,
-                              fmb_system **out, fmb_where *where);
-
 #endif

@@ -49,9 +49,15 @@ static fmb_status learn_fact(fmb_forms *f, const fmb_form_task *k, fmb_system *s
     fmb_smt_truth said = k->literal % 2 ? FMB_SMT_IS_FALSE : FMB_SMT_IS_TRUE;
     if (*known != FMB_SMT_OPEN_TRUTH)
         return *known == said ? FMB_OK : append_false_row(f, v->at, k->label, s);
+    fmb_smt_facts *facts = f->facts;
+    fmb_status st = fmb_mem_reserve(f->lin->c->mem, (void **)&facts->told, &facts->told_capacity,
+                                    facts->tolds + 1, sizeof *facts->told);
+    if (st != FMB_OK)
+        return st;
+    facts->told[facts->tolds++] = v->unknown;
     *known = said;
-    f->facts->learned = true;
-    f->facts->open--;
+    facts->learned = true;
+    facts->open--;
     return FMB_OK;
 }
 

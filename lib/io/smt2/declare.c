@@ -24,9 +24,10 @@ static fmb_status read_known_sort(fmb_smt *r, fmb_smt_sort *out)
 /* ---- declarations ---------------------------------------------------------------------------- */
 
 /* A Boolean unknown: the declared-th of the facts, which a reading before may have told. */
-static fmb_status declare_boolean(fmb_smt *r, fmb_smt_symbol *symbol)
+static fmb_status declare_boolean(fmb_smt *r, size_t number)
 {
     fmb_smt_facts *facts = r->forms.facts;
+    fmb_smt_symbol *symbol = &r->scope.symbol[number];
     if (facts->declared == facts->unknowns) {
         fmb_status st = fmb_mem_reserve(r->c->mem, (void **)&facts->truth, &facts->capacity,
                                         facts->unknowns + 1, sizeof *facts->truth);
@@ -48,8 +49,11 @@ static fmb_status declare_unknown(fmb_smt *r, size_t symbol, const char *at)
         st = fmb_smt_close_command(r);
     if (st != FMB_OK)
         return st;
+    st = fmb_smt_give(&r->scope, symbol, false);
+    if (st != FMB_OK)
+        return st;
     if (sort == FMB_SMT_BOOL)
-        return declare_boolean(r, &r->scope.symbol[symbol]);
+        return declare_boolean(r, symbol);
     fmb_smt_value v = {.at = at};
     int var;
     st = fmb_span_variable(r->c, r->scope.symbol[symbol].text, r->s, &var);
@@ -105,6 +109,8 @@ fmb_status fmb_smt_define_sort(fmb_smt *r, const char *open)
         st = fmb_smt_expect(r->c, FMB_SMT_CLOSE, "')': sorts with parameters cannot be read", &t);
     if (st == FMB_OK)
         st = read_known_sort(r, &sort);
+    if (st == FMB_OK)
+        st = fmb_smt_give(&r->scope, symbol, true);
     if (st != FMB_OK)
         return st;
     r->scope.symbol[symbol].is_sort = true;
@@ -167,6 +173,8 @@ static fmb_status define_macro_body(fmb_smt *r, size_t symbol, size_t n, bool fo
     if (st == FMB_OK)
         st = fmb_mem_reserve(r->c->mem, (void **)&r->macro, &r->macro_capacity, r->macros + 1,
                              sizeof *r->macro);
+    if (st == FMB_OK)
+        st = fmb_smt_give(&r->scope, symbol, false);
     if (st != FMB_OK)
         return st;
     r->macro[r->macros] = m;
@@ -181,6 +189,8 @@ static fmb_status define_named_value(fmb_smt *r, size_t symbol, bool formula)
     fmb_status st = fmb_smt_term(r, &v);
     if (st == FMB_OK)
         st = fmb_smt_check_kind(r, &v, formula);
+    if (st == FMB_OK)
+        st = fmb_smt_give(&r->scope, symbol, false);
     if (st != FMB_OK)
         return st;
     r->named = true;

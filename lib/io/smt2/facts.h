@@ -23,6 +23,8 @@ typedef enum fmb_smt_truth {
 typedef struct fmb_smt_facts {
     fmb_smt_truth *truth; /* [unknowns] in the order of their declarations */
     size_t unknowns, capacity;
+    size_t *told; /* unknowns that this reading has told, one after another */
+    size_t tolds, told_capacity;
     size_t declared;  /* by this reading */
     size_t open;      /* of those declared, unknown */
     bool learned;     /* this reading has told something new */
@@ -30,5 +32,13 @@ typedef struct fmb_smt_facts {
     bool passed_over; /* one such was passed over by this reading */
     fmb_where first;  /* where that was */
 } fmb_smt_facts;
+
+/* Nothing is known. */
+static inline void fmb_smt_facts_clear(fmb_smt_facts *facts, fmb_mem *mem)
+{
+    fmb_mem_put(mem, facts->truth, facts->capacity, sizeof *facts->truth);
+    fmb_mem_put(mem, facts->told, facts->told_capacity, sizeof *facts->told);
+    *facts = (fmb_smt_facts){0};
+}
 
 #endif

@@ -98,6 +98,7 @@ static fmb_status scan_plain_token(fmb_cursor *c, fmb_smt_token *t)
 fmb_status fmb_smt_next(fmb_cursor *c, fmb_smt_token *t)
 {
     skip_semicolon_comments(c);
+    c->tokens++;
     *t = (fmb_smt_token){.at = c->at, .text = {c->at, 0}};
     int b = fmb_peek(c);
     if (b < 0)

@@ -5,7 +5,7 @@
  * whose meaning depends on the order of its commands (push, pop, reset, assumptions) is refused.
  * Source: Barrett, Fontaine, Tinelli, The SMT-LIB Standard, version 2.6, 2017.
  */
-#include "io/smt2/term.h"
+#include "io/smt2/reading.h"
 #include "system/system_private.h"
 
 static fmb_status run_assert_command(fmb_smt *r, const char *open)
@@ -131,7 +131,7 @@ static const char *const ignored[] = {"set-logic",
                                       "get-unsat-core",
                                       "echo"};
 
-static fmb_status run_next_command(fmb_smt *r, const char *open)
+fmb_status fmb_smt_run_command(fmb_smt *r, const char *open)
 {
     fmb_smt_token t;
     fmb_status st = fmb_smt_expect(r->c, FMB_SMT_SYMBOL, "a command", &t);
@@ -165,6 +165,12 @@ static fmb_status pass_over_failed_command(fmb_smt *r, const char *open)
     return fmb_smt_skip(r->c, "a command");
 }
 
+fmb_status fmb_smt_run(fmb_smt *r, const char *open, fmb_smt_command *run)
+{
+    fmb_status st = run(r, open);
+    return st == FMB_ERR_PARSE ? pass_over_failed_command(r, open) : st;
+}
+
 static fmb_status run_all_commands(fmb_smt *r)
 {
     for (;;) {
@@ -177,24 +183,22 @@ static fmb_status run_all_commands(fmb_smt *r)
             return fmb_io_fail(r->c, t.at, "expected '(' of a command, found %s",
                                fmb_quote(r->c, t.at, buf));
         }
-        st = run_next_command(r, t.at);
-        if (st == FMB_ERR_PARSE)
-            st = pass_over_failed_command(r, t.at);
+        st = fmb_smt_run(r, t.at, fmb_smt_run_command);
         if (st != FMB_OK)
             return st;
     }
 }
 
-/* One reading of the text. *again: another one knows more; what this one made is gone. */
-static fmb_status read_with_facts(fmb_cursor *c, fmb_system *s, fmb_smt_facts *facts, bool *again)
+void fmb_smt_begin_reading(fmb_smt_facts *facts)
 {
-    fmb_smt r;
-    facts->declared = facts->open = 0;
+    facts->declared = facts->open = facts->tolds = 0;
     facts->learned = facts->undecided = facts->passed_over = false;
-    fmb_status st = fmb_smt_init(&r, c, s, facts);
-    if (st == FMB_OK)
-        st = run_all_commands(&r);
-    fmb_smt_clear(&r);
+}
+
+fmb_status fmb_smt_end_reading(fmb_cursor *c, const fmb_smt_facts *facts, fmb_status st,
+                               bool *again)
+{
+    *again = false;
     if (!facts->passed_over || (st != FMB_OK && st != FMB_ERR_PARSE))
         return st;
     *c->where = facts->first;
@@ -206,6 +210,21 @@ static fmb_status read_with_facts(fmb_cursor *c, fmb_system *s, fmb_smt_facts *f
             "expected fewer steps from one Boolean unknown to the next: each step is "
             "one more reading of the text");
     *again = true;
+    return FMB_OK;
+}
+
+/* One reading of the text. *again: another one knows more; what this one made is gone. */
+static fmb_status read_with_facts(fmb_cursor *c, fmb_system *s, fmb_smt_facts *facts, bool *again)
+{
+    fmb_smt r;
+    fmb_smt_begin_reading(facts);
+    fmb_status st = fmb_smt_init(&r, c, s, facts);
+    if (st == FMB_OK)
+        st = run_all_commands(&r);
+    fmb_smt_clear(&r);
+    st = fmb_smt_end_reading(c, facts, st, again);
+    if (!*again)
+        return st;
     c->at = c->begin;
     while (fmb_system_rows(s) > 0)
         fmb_system_remove(s, fmb_system_rows(s) - 1);
@@ -222,11 +241,10 @@ fmb_status fmb_read_smt2(fmb_cursor *c, fmb_system *s)
     bool again;
     silent.warn = NULL;
     do {
-        again = false;
         st = read_with_facts(c, s, &facts, &again);
         c->how = &silent;
     } while (again);
     c->how = how;
-    fmb_mem_put(c->mem, facts.truth, facts.capacity, sizeof *facts.truth);
+    fmb_smt_facts_clear(&facts, c->mem);
     return st;
 }

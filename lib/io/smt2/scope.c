@@ -13,6 +13,7 @@ void fmb_smt_scope_clear(fmb_smt_scope *s)
     fmb_mem_put(s->mem, s->symbol, s->symbol_capacity, sizeof *s->symbol);
     fmb_mem_put(s->mem, s->slot, s->slots, sizeof *s->slot);
     fmb_mem_put(s->mem, s->local, s->local_capacity, sizeof *s->local);
+    fmb_mem_put(s->mem, s->given, s->given_capacity, sizeof *s->given);
 }
 
 /* FNV-1a. */
@@ -70,6 +71,26 @@ fmb_status fmb_smt_intern(fmb_smt_scope *s, fmb_span text, size_t *out)
     }
     *out = s->slot[i] - 1;
     return FMB_OK;
+}
+
+fmb_status fmb_smt_give(fmb_smt_scope *s, size_t symbol, bool sort)
+{
+    fmb_status st = fmb_mem_reserve(s->mem, (void **)&s->given, &s->given_capacity, s->givens + 1,
+                                    sizeof *s->given);
+    if (st == FMB_OK)
+        s->given[s->givens++] = (fmb_smt_given){symbol, sort};
+    return st;
+}
+
+void fmb_smt_take_back(fmb_smt_scope *s, size_t givens)
+{
+    while (s->givens > givens) {
+        const fmb_smt_given *g = &s->given[--s->givens];
+        if (g->sort)
+            s->symbol[g->symbol].is_sort = false;
+        else
+            s->symbol[g->symbol].meaning = FMB_SMT_NOTHING;
+    }
 }
 
 fmb_status fmb_smt_bind(fmb_smt_scope *s, size_t symbol, fmb_smt_value value)

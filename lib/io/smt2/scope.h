@@ -48,6 +48,12 @@ typedef struct fmb_smt_local {
     fmb_smt_value value;
 } fmb_smt_local;
 
+/* A global meaning that was given: as a function, or as a sort. */
+typedef struct fmb_smt_given {
+    size_t symbol;
+    bool sort;
+} fmb_smt_given;
+
 typedef struct fmb_smt_scope {
     fmb_mem *mem;
     fmb_smt_symbol *symbol;
@@ -57,12 +63,18 @@ typedef struct fmb_smt_scope {
     fmb_smt_local *local;
     size_t locals, local_capacity;
     size_t visible;
+    fmb_smt_given *given; /* global meanings, in the order in which commands gave them */
+    size_t givens, given_capacity;
 } fmb_smt_scope;
 
 void fmb_smt_scope_init(fmb_smt_scope *s, fmb_mem *mem);
 void fmb_smt_scope_clear(fmb_smt_scope *s);
 /* Number of the symbol, new or known. Its text must live as long as the scope. Errors: MEMORY. */
 fmb_status fmb_smt_intern(fmb_smt_scope *s, fmb_span text, size_t *out);
+/* A command gives the symbol a global meaning, which the caller sets; take back all but the first
+ * `givens` that were given so. Errors: MEMORY. */
+fmb_status fmb_smt_give(fmb_smt_scope *s, size_t symbol, bool sort);
+void fmb_smt_take_back(fmb_smt_scope *s, size_t givens);
 /* A new local meaning; back to the first `locals` of them. Errors: MEMORY. */
 fmb_status fmb_smt_bind(fmb_smt_scope *s, size_t symbol, fmb_smt_value value);
 void fmb_smt_unbind(fmb_smt_scope *s, size_t locals);

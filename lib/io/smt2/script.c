@@ -1,45 +1,24 @@
 /* script.c: SMT-LIB scripts that ask more than once; see fmb/io.h.
  *
  * The commands of the text are found once. What holds at a place is a list of those that count
- * there, by levels of push. A question is the text with all other commands blanked out, so that it
- * reads as any conjunction does, with lines and columns as they are: check-sat-assuming becomes an
- * assertion in place, and a term of get-value an objective.
+ * there, by levels of push. One reading (reading.h) follows: a question (ask.c) hands it those
+ * commands that it has not taken yet, and a pop has it take back what they did.
  */
 #include <string.h>
 
 #include "io/core/chars.h"
 #include "io/core/stream.h"
-#include "io/smt2/lex.h"
-
-typedef struct script_command {
-    fmb_span word, text;
-    size_t inner; /* check-sat-assuming, get-value: offset of the list in text; 0: none */
-    bool counts;  /* at the place that has been reached */
-} script_command;
-
-struct fmb_script {
-    fmb_mem mem;
-    fmb_reader how;
-    char *text, *question; /* [size] */
-    size_t size;
-    script_command *command;
-    size_t commands, capacity;
-    size_t *level; /* for each push: commands in front of it */
-    size_t levels, level_capacity;
-    size_t at;    /* the next command */
-    size_t asked; /* the last check, or SIZE_MAX */
-    bool global;  /* declarations outlive pop */
-};
+#include "io/smt2/script_private.h"
 
 /* ---- finding commands ------------------------------------------------------------------------ */
 
-static bool is_command(const script_command *k, const char *word)
+static bool is_command(const fmb_script_command *k, const char *word)
 {
     return fmb_span_is(k->word, word);
 }
 
 /* Behind the word, the parenthesis of a list. */
-static fmb_status find_inner_list(fmb_cursor *c, script_command *k)
+static fmb_status find_inner_list(fmb_cursor *c, fmb_script_command *k)
 {
     fmb_smt_token t;
     if (!is_command(k, "check-sat-assuming") && !is_command(k, "get-value"))
@@ -53,7 +32,7 @@ static fmb_status scan_commands(fmb_script *s, fmb_cursor *c)
 {
     for (bool more = true; more;) {
         fmb_smt_token open, word;
-        script_command k = {0};
+        fmb_script_command k = {0};
         fmb_status st = fmb_smt_next(c, &open);
         if (st != FMB_OK || open.kind == FMB_SMT_END)
             return st;
@@ -87,9 +66,10 @@ void fmb_script_free(fmb_script *s)
 {
     if (!s)
         return;
+    if (s->reading.c.mem)
+        fmb_smt_reading_drop(&s->reading);
     fmb_mem mem = s->mem;
     fmb_mem_put(&mem, s->text, s->size, 1);
-    fmb_mem_put(&mem, s->question, s->size, 1);
     fmb_mem_put(&mem, s->command, s->capacity, sizeof *s->command);
     fmb_mem_put(&mem, s->level, s->level_capacity, sizeof *s->level);
     fmb_mem_put(&mem, s, 1, sizeof *s);
@@ -103,13 +83,16 @@ static fmb_status fill_script(fmb_script *s, const char *text, size_t size, fmb_
         return fmb_io_fail_too_long(&c, NULL);
     s->size = size;
     s->text = fmb_mem_get(&s->mem, size, 1);
-    s->question = fmb_mem_get(&s->mem, size, 1);
-    if (!s->text || !s->question)
+    if (!s->text)
         return fmb_mem_status(&s->mem);
     memcpy(s->text, text, size);
     c = fmb_io_cursor(s->text, size, &s->how, &s->mem, where);
     fmb_status st = fmb_io_check(&c);
-    return st == FMB_OK ? scan_commands(s, &c) : st;
+    if (st == FMB_OK)
+        st = scan_commands(s, &c);
+    s->scanned = c.tokens;
+    s->reading = fmb_smt_reading_of(s->text, size, &s->how, &s->mem);
+    return st;
 }
 
 fmb_status fmb_script_parse(const char *text, size_t size, const fmb_reader *how, fmb_script **out,
@@ -169,7 +152,7 @@ bool fmb_script_asks_often(const fmb_script *s)
 
 /* ---- from question to question --------------------------------------------------------------- */
 
-static fmb_status fail_at_command(fmb_script *s, const script_command *k, const char *what,
+static fmb_status fail_at_command(fmb_script *s, const fmb_script_command *k, const char *what,
                                   fmb_where *where)
 {
     fmb_where at;
@@ -181,7 +164,7 @@ static fmb_status fail_at_command(fmb_script *s, const script_command *k, const 
 }
 
 /* The number of a push or pop, 1 if there is none. */
-static size_t count_of_levels(const script_command *k)
+static size_t count_of_levels(const fmb_script_command *k)
 {
     size_t n = 0;
     bool any = false;
@@ -193,10 +176,35 @@ static size_t count_of_levels(const script_command *k)
     return any ? n : 1;
 }
 
-static bool is_declaration(const script_command *k)
+static bool is_declaration(const fmb_script_command *k)
 {
     return k->word.n > 7 &&
            (memcmp(k->word.p, "declare", 7) == 0 || memcmp(k->word.p, "define-", 7) == 0);
+}
+
+/* ---- what has been read ---------------------------------------------------------------------- */
+
+void fmb_script_drop_reading(fmb_script *s)
+{
+    fmb_smt_reading_drop(&s->reading);
+    s->read = s->marked = s->told = s->knew = 0;
+}
+
+/* Back to the first `levels` levels. A reading that began with facts from behind there knew too
+ * much. */
+static void return_to_level(fmb_script *s, size_t levels)
+{
+    if (s->marked <= levels)
+        return;
+    const fmb_script_level *l = &s->level[levels];
+    if (l->at < s->knew) {
+        fmb_script_drop_reading(s);
+        return;
+    }
+    fmb_smt_reading_return(&s->reading, &l->mark);
+    s->read = l->at;
+    s->told = s->told < l->at ? s->told : l->at;
+    s->marked = levels;
 }
 
 /* From command `from` on nothing counts, but declarations if they are global. */
@@ -216,12 +224,12 @@ static fmb_status push_levels(fmb_script *s, size_t n)
                                         s->levels + 1, sizeof *s->level);
         if (st != FMB_OK)
             return st;
-        s->level[s->levels++] = s->at;
+        s->level[s->levels++] = (fmb_script_level){.at = s->at};
     }
     return FMB_OK;
 }
 
-static fmb_status run_script_command(fmb_script *s, script_command *k, fmb_where *where)
+static fmb_status run_script_command(fmb_script *s, fmb_script_command *k, fmb_where *where)
 {
     size_t n = count_of_levels(k);
     if (is_command(k, "push")) {
@@ -234,10 +242,12 @@ static fmb_status run_script_command(fmb_script *s, script_command *k, fmb_where
         if (n > s->levels)
             return fail_at_command(s, k, "expected a push for each pop", where);
         s->levels -= n;
+        return_to_level(s, s->levels);
         if (n > 0)
-            forget_commands(s, s->level[s->levels], false);
+            forget_commands(s, s->level[s->levels].at, false);
     } else if (is_command(k, "reset") || is_command(k, "reset-assertions")) {
         s->levels = 0;
+        fmb_script_drop_reading(s);
         forget_commands(s, 0, is_command(k, "reset"));
         s->global = s->global && !is_command(k, "reset");
     } else if (is_command(k, "set-option")) {
@@ -250,7 +260,7 @@ static fmb_status run_script_command(fmb_script *s, script_command *k, fmb_where
     return FMB_OK;
 }
 
-static fmb_script_kind kind_of_command(const script_command *k)
+fmb_script_kind fmb_script_kind_of(const fmb_script_command *k)
 {
     static const struct {
         const char *word;
@@ -269,8 +279,8 @@ fmb_status fmb_script_next(fmb_script *s, fmb_script_kind *out, fmb_where *where
     if (!s || !out)
         return fmb_io_refuse_argument(where, s ? "out is NULL" : "s is NULL");
     while (s->at < s->commands) {
-        script_command *k = &s->command[s->at];
-        fmb_script_kind kind = kind_of_command(k);
+        fmb_script_command *k = &s->command[s->at];
+        fmb_script_kind kind = fmb_script_kind_of(k);
         fmb_status st = kind ? FMB_OK : run_script_command(s, k, where);
         if (st != FMB_OK)
             return st;
@@ -284,97 +294,4 @@ fmb_status fmb_script_next(fmb_script *s, fmb_script_kind *out, fmb_where *where
     }
     *out = FMB_SCRIPT_END;
     return FMB_OK;
-}
-
-/* ---- questions ------------------------------------------------------------------------------- */
-
-static char *place_in_question(const fmb_script *s, const char *p)
-{
-    return s->question + (p - s->text);
-}
-
-/* The commands that count, the others blank; objectives only if they are wanted. */
-static void write_question(fmb_script *s, bool objectives)
-{
-    for (size_t i = 0; i < s->size; i++)
-        s->question[i] = s->text[i] == '\n' ? '\n' : ' ';
-    for (size_t k = 0; k < s->at; k++) {
-        const script_command *c = &s->command[k];
-        bool form = is_command(c, "minimize") || is_command(c, "maximize");
-        if (c->counts && (objectives || !form))
-            memcpy(place_in_question(s, c->text.p), c->text.p, c->text.n);
-    }
-}
-
-/* (check-sat-assuming (a b)) as (assert (and true a b)), which is shorter. */
-static void write_assumptions(fmb_script *s)
-{
-    static const char head[] = "(assert (and true ";
-    const script_command *k = s->asked == SIZE_MAX ? NULL : &s->command[s->asked];
-    if (!k || k->inner == 0)
-        return;
-    char *to = place_in_question(s, k->text.p);
-    memcpy(to, head, sizeof head - 1);
-    memcpy(to + k->inner + 1, k->text.p + k->inner + 1, k->text.n - k->inner - 1);
-}
-
-fmb_status fmb_script_question(fmb_script *s, fmb_system **out, fmb_where *where)
-{
-    if (!s)
-        return fmb_io_refuse_argument(where, "s is NULL");
-    write_question(s, true);
-    write_assumptions(s);
-    return fmb_parse_question(s->question, s->size, &s->how, out, where);
-}
-
-fmb_status fmb_script_whole(fmb_script *s, fmb_system **out, fmb_where *where)
-{
-    if (!s)
-        return fmb_io_refuse_argument(where, "s is NULL");
-    return fmb_system_parse(s->text, s->size, &s->how, out, where);
-}
-
-/* The i-th item of the list behind get-value; n 0: there is none. */
-static fmb_span find_value_term(fmb_script *s, size_t i)
-{
-    fmb_where at;
-    fmb_smt_token t;
-    const script_command *k = s->at > 0 ? &s->command[s->at - 1] : NULL;
-    if (!k || kind_of_command(k) != FMB_SCRIPT_VALUE)
-        return (fmb_span){NULL, 0};
-    fmb_cursor c = fmb_io_cursor(s->text, s->size, &s->how, &s->mem, &at);
-    for (c.at = k->text.p + k->inner + 1; fmb_smt_next(&c, &t) == FMB_OK; i--) {
-        if (t.kind == FMB_SMT_CLOSE || t.kind == FMB_SMT_END)
-            break;
-        if (t.kind == FMB_SMT_OPEN && fmb_smt_leave(&c, t.at) != FMB_OK)
-            break;
-        if (i == 0)
-            return (fmb_span){t.at, (size_t)(c.at - t.at)};
-    }
-    return (fmb_span){NULL, 0};
-}
-
-fmb_status fmb_script_term(fmb_script *s, size_t i, const char **text, size_t *size,
-                           fmb_system **out, fmb_where *where)
-{
-    static const char head[] = "(minimize ";
-    if (!s || !text || !size || !out)
-        return fmb_io_refuse_argument(where, "an argument is NULL");
-    fmb_span term = find_value_term(s, i);
-    if (term.n == 0) {
-        *text = NULL;
-        *size = 0;
-        return FMB_OK;
-    }
-    const script_command *k = &s->command[s->at - 1];
-    write_question(s, false);
-    memcpy(place_in_question(s, k->text.p), head, sizeof head - 1);
-    memcpy(place_in_question(s, term.p), term.p, term.n);
-    place_in_question(s, k->text.p)[k->text.n - 1] = ')';
-    fmb_status st = fmb_system_parse(s->question, s->size, &s->how, out, where);
-    if (st == FMB_OK) {
-        *text = term.p;
-        *size = term.n;
-    }
-    return st;
 }

@@ -86,6 +86,8 @@ static fmb_status take_named_attribute(fmb_smt *r, fmb_smt_value *v)
     size_t symbol;
     const char *at;
     fmb_status st = fmb_smt_new_name(r, &symbol, &at);
+    if (st == FMB_OK)
+        st = fmb_smt_give(&r->scope, symbol, false);
     if (st != FMB_OK)
         return st;
     r->scope.symbol[symbol].meaning = FMB_SMT_VALUE;

@@ -145,13 +145,19 @@ Test(smt2_scripts, memory)
         fmb_system *q = NULL;
         fmb_where where;
         fmb_script_kind kind;
-        st = open_script(X "(push)(assert (< x 1))(check-sat)", &mem, &s, &where);
-        if (st == FMB_OK)
-            st = fmb_script_next(s, &kind, &where);
-        if (st == FMB_OK)
-            st = fmb_script_question(s, &q, &where);
-        cr_expect(st == FMB_OK || st == FMB_ERR_MEMORY);
-        fmb_system_free(q);
+        st = open_script(X "(declare-const p Bool)(assert (=> p (< x 2)))(push)(assert p)"
+                           "(declare-const y Real)(check-sat)(pop)(assert (not p))"
+                           "(check-sat-assuming ((< x 1)))",
+                         &mem, &s, &where);
+        for (int check = 0; check < 2; check++) {
+            if (st == FMB_OK)
+                st = fmb_script_next(s, &kind, &where);
+            if (st == FMB_OK)
+                st = fmb_script_question(s, &q, &where);
+            cr_expect(st == FMB_OK || st == FMB_ERR_MEMORY);
+            fmb_system_free(q);
+            q = NULL;
+        }
         fmb_script_free(s);
         cr_expect_eq(c.live, 0);
     }
