@@ -13,14 +13,16 @@
 #include "table.h"
 
 static const char USAGE[] =
-    "usage: bench-ablate [--seed N] [--each N] [--seconds S] [--later S] [--way NAME] [FILE...]\n"
+    "usage: bench-ablate [--seed N] [--each N] [--seconds S] [--later S] [--way NAME]\n"
+    "                    [--question WORD] [FILE...]\n"
     "Problems of all families, N seeds of each from --seed on, and the files.\n";
 
 typedef struct setup {
     subject_plan plan;
     child_limits limits;
     fmb_options options;
-    const char *only; /* one way */
+    const char *only;     /* one way */
+    const char *question; /* one question */
     table table;
     unsigned problems, wrong;
 } setup;
@@ -72,6 +74,10 @@ static void ask_with_and_without(void *self, problem *p, peer_question question)
 {
     setup *s = self;
     problem variants[CHILD_VARIANTS];
+    if (s->question && strcmp(s->question, subject_word(question)) != 0) {
+        problem_clear(p);
+        return;
+    }
     int count = p->m * (size_t)(p->n + 1) > 20000 ? 1 : 4;
     for (int v = 0; v < count; v++)
         problem_variant(&variants[v], p, (unsigned)v);
@@ -120,6 +126,8 @@ static bool take_arguments(setup *s, int argc, char **argv)
             s->limits.later = atof(argv[i]);
         else if (strcmp(a, "--way") == 0)
             s->only = argv[i];
+        else if (strcmp(a, "--question") == 0)
+            s->question = argv[i];
         else
             return false;
     }

@@ -9,6 +9,15 @@
 #include "study/program/projection.h"
 #include "study/program/random.h"
 
+const char *subject_word(peer_question question)
+{
+    static const char *const WORD[PEER_QUESTIONS] = {
+        [PEER_PROJECT] = "project",  [PEER_VERTICES] = "vertices", [PEER_HULL] = "hull",
+        [PEER_DECIDE] = "decide",    [PEER_BOX] = "box",           [PEER_REDUCE] = "reduce",
+        [PEER_OPTIMIZE] = "optimize"};
+    return WORD[question];
+}
+
 typedef struct asking {
     subject_ask *ask;
     void *self;
@@ -56,18 +65,14 @@ static void ask_projections(uint64_t seed, const asking *a)
 static void ask_program(const study_program_plan *plan, int digits, peer_question question,
                         const asking *a)
 {
-    static const char *const WORD[PEER_QUESTIONS] = {[PEER_DECIDE] = "decide",
-                                                     [PEER_BOX] = "box",
-                                                     [PEER_REDUCE] = "reduce",
-                                                     [PEER_OPTIMIZE] = "optimize"};
     study_program drawn;
     problem p;
     char text[48], name[sizeof p.name];
     if (study_program_draw(plan, &drawn) != FMB_OK)
         need(NULL);
     study_program_plan_text(plan, text, sizeof text);
-    snprintf(name, sizeof name, "%s %.36s%s_%" PRIu64, WORD[question], text, digits > 0 ? "/" : "",
-             plan->seed);
+    snprintf(name, sizeof name, "%s %.36s%s_%" PRIu64, subject_word(question), text,
+             digits > 0 ? "/" : "", plan->seed);
     problem_of_system(&p, name, dress_numbers(drawn.s, digits, plan->seed));
     drawn.s = NULL;
     study_program_clear(&drawn);
@@ -130,7 +135,8 @@ static void ask_polytope(size_t family, uint64_t seed, bool hull, const asking *
         snprintf(text, sizeof text, "%s:%d", POLYTOPE[family].name, size);
     if (!polytope_parse(text, &plan))
         need(NULL);
-    snprintf(name, sizeof name, "%s %s_%" PRIu64, hull ? "hull" : "vertices", text, seed);
+    peer_question question = hull ? PEER_HULL : PEER_VERTICES;
+    snprintf(name, sizeof name, "%s %s_%" PRIu64, subject_word(question), text, seed);
     polytope_draw(&plan, &p, name);
     if (!hull)
         a->ask(a->self, &p, PEER_VERTICES);

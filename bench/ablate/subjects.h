@@ -10,6 +10,8 @@ typedef struct subject_plan {
     size_t files;
 } subject_plan;
 
+/* "project", ...: what is asked, in a word. */
+const char *subject_word(peer_question question);
 /* Takes over p. */
 typedef void subject_ask(void *self, problem *p, peer_question question);
 
