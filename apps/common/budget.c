@@ -88,7 +88,7 @@ size_t app_budget_end(void)
 {
     size_t all = limit, used = atomic_load(&held);
     limit = 0;
-    mp_set_memory_functions(NULL, NULL, NULL);
+    app_need_limbs();
     if (all == 0)
         return 0;
     return used < all ? all - used : 1;

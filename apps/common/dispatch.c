@@ -11,6 +11,7 @@
 #include "common/file.h"
 #include "common/message.h"
 #include "common/nearest.h"
+#include "common/need.h"
 
 /* The table stands between the first line of the documentation and what follows the options. */
 static char *help_text(int key, const char *text, void *input)
@@ -168,6 +169,7 @@ int app_dispatch(const app_program *p, int argc, char **argv)
     argp_err_exit_status = APP_USAGE;
     argp_program_version_hook = print_version;
     app_file_guard_output();
+    app_need_limbs();
     argv[0] = p->name;
     spell_out_help(p, argc, argv);
     while (argc > 1 && !argv[argc - 1])

@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <fmb/base.h>
+#include <gmp.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -28,4 +29,28 @@ void *app_need(void *p)
         exit(APP_INTERNAL);
     }
     return p;
+}
+
+/* ---- limbs ----------------------------------------------------------------------------------- */
+
+static void *need_new_limbs(size_t bytes)
+{
+    return app_need(malloc(bytes));
+}
+
+static void *need_grown_limbs(void *p, size_t old_bytes, size_t new_bytes)
+{
+    (void)old_bytes;
+    return app_need(realloc(p, new_bytes));
+}
+
+static void free_limbs(void *p, size_t bytes)
+{
+    (void)bytes;
+    free(p);
+}
+
+void app_need_limbs(void)
+{
+    mp_set_memory_functions(need_new_limbs, need_grown_limbs, free_limbs);
 }

@@ -6,6 +6,7 @@
 #include "common/file.h"
 #include "common/json.h"
 #include "common/message.h"
+#include "common/need.h"
 #include "common/ranks.h"
 #include "fmb-validate/report.h"
 
@@ -113,6 +114,7 @@ int main(int argc, char **argv)
     argp_program_version_hook = print_version;
     argp_err_exit_status = APP_USAGE;
     app_file_guard_output();
+    app_need_limbs();
     validate_plan_init(&plan);
     argp_parse(&validate_argp, argc, argv, 0, NULL, &plan);
     int code = app_ranks_begin(VALIDATE_MOST_JOBS);

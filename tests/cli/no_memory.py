@@ -1,0 +1,45 @@
+"""Where the system gives no more memory, a command says so and ends with 70, whoever asked for it: the
+library, the command or GMP, which by itself would abort. The numbers are so long that most of
+what is asked for are numbers.
+usage: no_memory.py FMB"""
+
+import collections
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+
+FMB = os.path.abspath(sys.argv[1])
+DIGITS, STEP, MORE = 100_000, 500_000, 8_000_000
+
+
+def call(room, *words):
+    """How the command ends where its addresses take so many bytes, and what it says."""
+    run = subprocess.run([FMB, *words], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (room, room)))
+    return run.returncode, run.stderr.decode()
+
+
+with tempfile.TemporaryDirectory() as folder:
+    os.chdir(folder)
+    with open("long.fmb", "w") as out:
+        out.write(f"{'7' * DIGITS} x + y <= {'3' * DIGITS}\ny >= 1/{'9' * DIGITS}\nx >= 0\n")
+    subprocess.run([FMB, "bounds", "long.fmb", "--proof", "long.proof"], check=True,
+                   stdout=subprocess.DEVNULL)
+    least = STEP  # a process that starts, so that the loader has what it needs
+    while call(least, "--version")[0] != 0:
+        least += STEP
+    faults, ends = [], collections.Counter()
+    for words in (("solve", "long.fmb"), ("bounds", "long.fmb"), ("check", "long.fmb", "long.proof")):
+        for room in range(least, least + MORE, STEP):
+            code, said = call(room, *words)
+            ends[words[0], code] += 1
+            if code not in (0, 70) or (code == 70) != ("out of memory" in said):
+                faults.append(f"{' '.join(words)} in {room} bytes: {code}, {said}")
+    for verb in ("solve", "bounds", "check"):
+        if ends[verb, 0] == 0 or ends[verb, 70] == 0:
+            faults.append(f"{verb}: {ends[verb, 0]} with enough memory, {ends[verb, 70]} without")
+
+print(*faults, dict(ends), sep="\n")
+sys.exit(bool(faults))
