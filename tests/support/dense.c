@@ -1,20 +1,13 @@
 /* dense.c: see dense.h. */
 #include "dense.h"
 
+#include "support/must.h"
 #include <stdlib.h>
-
-void support_must(fmb_status st)
-{
-    if (st == FMB_OK)
-        return;
-    fprintf(stderr, "tests/support: %s\n", fmb_status_text(st));
-    abort();
-}
 
 static void *get(size_t count, size_t size)
 {
     void *p = calloc(count + 1, size);
-    support_must(p ? FMB_OK : FMB_ERR_MEMORY);
+    must(p ? FMB_OK : FMB_ERR_MEMORY);
     return p;
 }
 
@@ -92,10 +85,9 @@ fmb_system *dense_system(const dense *d)
     int *var = get((size_t)d->dim, sizeof *var);
     for (int j = 0; j < d->dim; j++)
         var[j] = j;
-    support_must(fmb_system_new(d->dim, NULL, &s));
+    must(fmb_system_new(d->dim, NULL, &s));
     for (int i = 0; i < d->rows; i++)
-        support_must(
-            fmb_system_add_q(s, (size_t)d->dim, var, dense_row(d, i), d->rel[i], dense_rhs(d, i)));
+        must(fmb_system_add_q(s, (size_t)d->dim, var, dense_row(d, i), d->rel[i], dense_rhs(d, i)));
     free(var);
     return s;
 }

@@ -23,7 +23,4 @@ void dense_swap(dense *d, int i, int k);
 dense dense_without(const dense *d, int i, int j);
 fmb_system *dense_system(const dense *d);
 
-/* Stop the program unless st is FMB_OK. */
-void support_must(fmb_status st);
-
 #endif

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "dense.h"
+#include "support/must.h"
 
 #define CODES 54
 
@@ -69,11 +70,11 @@ fmb_system *support_tiny_next(support_tiny *at)
         at->begun = true;
     } while (!is_first(at));
     fmb_system *s = NULL;
-    support_must(fmb_system_new(2, NULL, &s));
+    must(fmb_system_new(2, NULL, &s));
     for (int i = 0; i < at->rows; i++) {
         int code = at->row[i];
         int64_t a[2] = {code / 18 - 1, code / 6 % 3 - 1};
-        support_must(fmb_system_add_int(s, a, code % 2 ? FMB_LT : FMB_LE, code % 6 / 2 - 1));
+        must(fmb_system_add_int(s, a, code % 2 ? FMB_LT : FMB_LE, code % 6 / 2 - 1));
     }
     return s;
 }

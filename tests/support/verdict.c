@@ -4,6 +4,7 @@
 #include <fmb/fmb.h>
 
 #include "dense.h"
+#include "support/must.h"
 
 fmb_verdict support_proved_verdict(const fmb_system *s)
 {
@@ -13,10 +14,10 @@ fmb_verdict support_proved_verdict(const fmb_system *s)
     fmb_evidence *e = NULL;
     fmb_judgement j = {.size = sizeof j};
     o.evidence = FMB_EVIDENCE_ALL;
-    support_must(fmb_solver_new(&o, NULL, &v));
-    support_must(fmb_solve(v, s, &r));
-    support_must(fmb_solver_evidence(v, &e));
-    support_must(fmb_check(s, e, &j));
+    must(fmb_solver_new(&o, NULL, &v));
+    must(fmb_solve(v, s, &r));
+    must(fmb_solver_evidence(v, &e));
+    must(fmb_check(s, e, &j));
     if (!j.accepted) {
         fprintf(stderr, "tests/support: %s\n", j.reason);
         abort();

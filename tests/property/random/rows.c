@@ -3,14 +3,6 @@
 
 #include "rows.h"
 
-void must(fmb_status st)
-{
-    if (st != FMB_OK) {
-        fprintf(stderr, "unexpected status: %s\n", fmb_status_text(st));
-        abort();
-    }
-}
-
 fmb_system *rows_none(int dim)
 {
     fmb_system *s = NULL;

@@ -6,6 +6,8 @@
 
 #include <fmb/gmp.h>
 
+#include "support/must.h"
+
 /* What becomes of a row a.x REL b on its way. */
 typedef enum row_change {
     ROW_SAME,
@@ -13,9 +15,6 @@ typedef enum row_change {
     ROW_ABOVE, /* a.x > b: not <=; the other half of "not =" */
     ROW_REACHED, /* a.x >= b: not < */
 } row_change;
-
-/* Call and insist: these only fail when memory runs out. */
-void must(fmb_status st);
 
 /* A system of that dimension without rows. */
 fmb_system *rows_none(int dim);

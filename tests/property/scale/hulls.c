@@ -22,7 +22,7 @@ static void draw_points(law_source *g, int dim, const int *power, fmb_generators
 {
     int n = law_draw(g, 1, MOST_POINTS), most = law_draw(g, 1, 7);
     for (int w = 0; w < 2; w++)
-        law_must(fmb_generators_new(dim, NULL, &out[w]));
+        must(fmb_generators_new(dim, NULL, &out[w]));
     for (int i = 0; i < n; i++) {
         fmb_generator_kind kind = i > 0 && law_draw(g, 0, 7) == 0 ? FMB_RAY : FMB_VERTEX;
         double x[MOST_DIM], y[MOST_DIM];
@@ -30,8 +30,8 @@ static void draw_points(law_source *g, int dim, const int *power, fmb_generators
             x[j] = law_draw(g, -most, most);
             y[j] = ldexp(x[j], power[j]);
         }
-        law_must(fmb_generators_add(out[0], kind, x));
-        law_must(fmb_generators_add(out[1], kind, y));
+        must(fmb_generators_add(out[0], kind, x));
+        must(fmb_generators_add(out[1], kind, y));
     }
 }
 
@@ -56,7 +56,7 @@ static bool same_sums(fmb_solver *v, fmb_system *s[2], const int *power, char wh
 {
     fmb_system *out[2];
     for (int w = 0; w < 2; w++)
-        law_must(fmb_sum(v, (const fmb_system *const[]){s[w], s[w]}, 2, NULL, &out[w], NULL));
+        must(fmb_sum(v, (const fmb_system *const[]){s[w], s[w]}, 2, NULL, &out[w], NULL));
     return compare_free(out, power, "sum", why);
 }
 
@@ -69,13 +69,13 @@ static bool same_unions(law_source *g, fmb_solver *v, fmb_system *s[2], const in
     for (int j = 0; j < dim; j++)
         x[j] = law_draw(g, -7, 7);
     for (int w = 0; w < 2; w++) {
-        law_must(fmb_system_new(dim, NULL, &point[w]));
+        must(fmb_system_new(dim, NULL, &point[w]));
         for (int j = 0; j < dim; j++) {
             double row[MOST_DIM] = {0};
             row[j] = 1;
-            law_must(fmb_system_add(point[w], row, FMB_EQ, ldexp(x[j], w ? power[j] : 0)));
+            must(fmb_system_add(point[w], row, FMB_EQ, ldexp(x[j], w ? power[j] : 0)));
         }
-        law_must(
+        must(
             fmb_hull_union(v, (const fmb_system *const[]){s[w], point[w]}, 2, NULL, &out[w], NULL));
         fmb_system_free(point[w]);
     }
@@ -91,7 +91,7 @@ static bool same_images(fmb_solver *v, fmb_system *s[2], const int *power, char 
         fmb_system *graph = NULL;
         mpq_t coef[MOST_DIM + 1], right;
         int var[MOST_DIM + 1] = {dim};
-        law_must(fmb_system_new(dim + 1, NULL, &graph));
+        must(fmb_system_new(dim + 1, NULL, &graph));
         mpq_init(right);
         mpq_init(coef[dim]);
         mpq_set_si(coef[dim], -1, 1);
@@ -102,8 +102,8 @@ static bool same_images(fmb_solver *v, fmb_system *s[2], const int *power, char 
             mpq_set_si(coef[j], j % 2 ? -1 : 1, 1);
             law_shift(coef[j], w ? power[0] - power[j] : 0);
         }
-        law_must(fmb_system_add_q(graph, (size_t)dim + 1, var, coef, FMB_EQ, right));
-        law_must(fmb_image(v, s[w], graph, NULL, &out[w], NULL));
+        must(fmb_system_add_q(graph, (size_t)dim + 1, var, coef, FMB_EQ, right));
+        must(fmb_image(v, s[w], graph, NULL, &out[w], NULL));
         for (int j = 0; j <= dim; j++)
             mpq_clear(coef[j]);
         mpq_clear(right);
@@ -125,9 +125,9 @@ bool law_of_hulls(law_source *g, char why[LAW_WHY])
     o.method = method[law_draw(g, 0, 3)];
     draw_powers(g, dim, power);
     draw_points(g, dim, power, points);
-    law_must(fmb_solver_new(&o, NULL, &v));
+    must(fmb_solver_new(&o, NULL, &v));
     for (int w = 0; w < 2; w++)
-        law_must(fmb_hull(v, points[w], &hull[w], NULL));
+        must(fmb_hull(v, points[w], &hull[w], NULL));
     bool good = same_sums(v, hull, power, why) && same_images(v, hull, power, why) &&
                 same_unions(g, v, hull, power, why);
     good = compare_free(hull, power, "hull", why) && good;

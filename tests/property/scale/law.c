@@ -26,14 +26,6 @@ int law_draw(law_source *s, int lo, int hi)
     return lo + (int)(value % span);
 }
 
-void law_must(fmb_status st)
-{
-    if (st != FMB_OK) {
-        fprintf(stderr, "law: %s\n", fmb_status_text(st));
-        abort();
-    }
-}
-
 bool law_broken(char why[LAW_WHY], const char *what, int a, int b)
 {
     snprintf(why, LAW_WHY, "%s: %d, scaled %d", what, a, b);

@@ -12,6 +12,8 @@
 
 #include <fmb/gmp.h>
 
+#include "support/must.h"
+
 typedef struct law_source {
     const uint8_t *byte; /* [left] */
     size_t left;
@@ -41,8 +43,6 @@ typedef struct law_entry {
 enum { LAWS = 6 };
 extern const law_entry law_list[LAWS];
 
-/* Stop the program unless st is OK. */
-void law_must(fmb_status st);
 /* Write why; false. */
 bool law_broken(char why[LAW_WHY], const char *what, int a, int b);
 /* q *= 2^power */

@@ -23,7 +23,7 @@ static bool same_hits(fmb_mesh *const mesh[2], fmb_mesh *const moving[2], double
     for (int w = 0; w < 2; w++) {
         fmb_mesh_options o = {
             .size = sizeof o, .neighbours = true, .motion = moving ? motion[w] : NULL};
-        law_must(fmb_mesh_meet(mesh[w], moving ? moving[w] : NULL, &o, &of[w]));
+        must(fmb_mesh_meet(mesh[w], moving ? moving[w] : NULL, &o, &of[w]));
     }
     bool same =
         of[0].hits == of[1].hits || law_broken(why, moving ? "hits of a mesh that moves" : "hits",
@@ -57,7 +57,7 @@ static void draw_mesh(law_source *g, int most, const int *power, fmb_mesh *out[2
     for (int k = 0; k < CELLS * corners; k++)
         corner[k] = (uint32_t)law_draw(g, 0, VERTICES - 1);
     for (int w = 0; w < 2; w++)
-        law_must(fmb_mesh_new(corners, VERTICES, point[w][0], CELLS, corner, NULL, &out[w]));
+        must(fmb_mesh_new(corners, VERTICES, point[w][0], CELLS, corner, NULL, &out[w]));
 }
 
 bool law_of_meshes(law_source *g, char why[LAW_WHY])

@@ -21,7 +21,7 @@ static bool same_measures(fmb_solver *v, const bodies *b, fmb_norm norm, char wh
         for (int w = 0; w < 2; w++) {
             fmb_proximity *p = NULL;
             const fmb_frame *f = w ? b->scaled : b->plain;
-            law_must(depth ? fmb_depth(v, f, norm, &p, NULL) : fmb_distance(v, f, norm, &p, NULL));
+            must(depth ? fmb_depth(v, f, norm, &p, NULL) : fmb_distance(v, f, norm, &p, NULL));
             take_measure(p, measure[w]);
         }
         if (mpq_sgn(measure[0]) >= 0)
@@ -38,8 +38,8 @@ static bool same_measures(fmb_solver *v, const bodies *b, fmb_norm norm, char wh
 static bool same_common_points(fmb_solver *v, const bodies *b, char why[LAW_WHY])
 {
     fmb_generators *out[2] = {NULL, NULL};
-    law_must(fmb_common(v, b->plain, &out[0], NULL));
-    law_must(fmb_common(v, b->scaled, &out[1], NULL));
+    must(fmb_common(v, b->plain, &out[0], NULL));
+    must(fmb_common(v, b->scaled, &out[1], NULL));
     int n[2] = {out[0] ? (int)fmb_generators_size(out[0]) : -1,
                 out[1] ? (int)fmb_generators_size(out[1]) : -1};
     fmb_generators_free(out[0]);
@@ -50,8 +50,8 @@ static bool same_common_points(fmb_solver *v, const bodies *b, char why[LAW_WHY]
 static bool same_separations(fmb_solver *v, const bodies *b, fmb_contact contact, char why[LAW_WHY])
 {
     fmb_system *row[2] = {NULL, NULL};
-    law_must(fmb_separate(v, b->plain, contact, &row[0], NULL));
-    law_must(fmb_separate(v, b->scaled, contact, &row[1], NULL));
+    must(fmb_separate(v, b->plain, contact, &row[0], NULL));
+    must(fmb_separate(v, b->scaled, contact, &row[1], NULL));
     bool same = !row[0] == !row[1];
     same = same && (!row[1] || fmb_separates(b->scaled, contact, row[1]));
     int found[2] = {row[0] != NULL, row[1] != NULL};
@@ -65,7 +65,7 @@ bool law_of_nears(law_source *g, char why[LAW_WHY])
     bodies b;
     fmb_solver *v = NULL;
     bodies_draw(g, true, true, &b);
-    law_must(fmb_solver_new(NULL, NULL, &v));
+    must(fmb_solver_new(NULL, NULL, &v));
     bool good = b.dim > 3 || (same_measures(v, &b, FMB_NORM_EUCLIDEAN, why) &&
                               same_measures(v, &b, FMB_NORM_MAX, why));
     if (good) {

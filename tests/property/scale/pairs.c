@@ -12,13 +12,13 @@ static told ask_pair(const fmb_pair_options *o, const fmb_frame f[2])
 {
     told t = {.time = {0, 1}};
     fmb_pair *k = NULL;
-    law_must(fmb_pair_new(f[0].dim, o, NULL, &k));
+    must(fmb_pair_new(f[0].dim, o, NULL, &k));
     fmb_pair_answers out = {.size = sizeof out,
                             .verdict = &t.verdict,
                             .world = t.world[0],
                             .inside = t.inside[0],
                             .time = t.time};
-    law_must(fmb_pair_test(k, 1, &f[0], &f[1], &out));
+    must(fmb_pair_test(k, 1, &f[0], &f[1], &out));
     fmb_pair_free(k);
     return t;
 }
@@ -27,9 +27,9 @@ static fmb_verdict ask_verdict(const fmb_pair_options *o, const fmb_frame f[2])
 {
     fmb_pair *k = NULL;
     fmb_verdict v = FMB_UNKNOWN;
-    law_must(fmb_pair_new(f[0].dim, o, NULL, &k));
-    law_must(fmb_pair_test(k, 1, &f[0], &f[1],
-                           &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = &v}));
+    must(fmb_pair_new(f[0].dim, o, NULL, &k));
+    must(fmb_pair_test(k, 1, &f[0], &f[1],
+                       &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = &v}));
     fmb_pair_free(k);
     return v;
 }

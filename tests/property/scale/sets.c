@@ -37,9 +37,9 @@ static void ask_pairs(fmb_pair *k, drawn_set *s)
 {
     for (size_t i = 0; i < s->n; i++)
         for (size_t j = i; j < s->n; j++)
-            law_must(fmb_pair_test(k, 1, &s->body[i].frame[0], &s->body[j].frame[0],
-                                   &(fmb_pair_answers){.size = sizeof(fmb_pair_answers),
-                                                       .verdict = &s->verdict[i][j]}));
+            must(fmb_pair_test(k, 1, &s->body[i].frame[0], &s->body[j].frame[0],
+                               &(fmb_pair_answers){.size = sizeof(fmb_pair_answers),
+                                                   .verdict = &s->verdict[i][j]}));
 }
 
 static fmb_frames *make_set(const drawn_set *s, int scaled)
@@ -48,7 +48,7 @@ static fmb_frames *make_set(const drawn_set *s, int scaled)
     fmb_frames *out = NULL;
     for (size_t i = 0; i < s->n; i++)
         f[i] = s->body[i].frame[scaled];
-    law_must(fmb_frames_new(s->dim, s->n, f, NULL, &out));
+    must(fmb_frames_new(s->dim, s->n, f, NULL, &out));
     return out;
 }
 
@@ -56,7 +56,7 @@ static bool same_rows(fmb_pair *k, const drawn_set *s, const fmb_frames *set, ch
 {
     for (size_t i = 0; i < s->n; i++) {
         fmb_verdict out[MOST_FRAMES];
-        law_must(fmb_frames_test_row(k, set, i, set, out));
+        must(fmb_frames_test_row(k, set, i, set, out));
         for (size_t j = 0; j < s->n; j++)
             if (out[j] != verdict_of(s, i, j))
                 return law_broken(why, "one against many", (int)verdict_of(s, i, j), (int)out[j]);
@@ -81,7 +81,7 @@ static bool note_pairs(void *self, fmb_verdict verdict, size_t n, const fmb_fram
 static bool same_meetings(fmb_pair *k, const drawn_set *s, const fmb_frames *set, char why[LAW_WHY])
 {
     told_pairs t = {.unknown = false};
-    law_must(fmb_frames_meet(k, set, NULL, note_pairs, &t));
+    must(fmb_frames_meet(k, set, NULL, note_pairs, &t));
     for (size_t i = 0; i < s->n; i++)
         for (size_t j = i + 1; j < s->n; j++)
             if (t.meet[i][j] != (s->verdict[i][j] == FMB_FEASIBLE))
@@ -97,7 +97,7 @@ bool law_of_sets(law_source *g, char why[LAW_WHY])
     bool good = true;
     o.contact = (fmb_contact)law_draw(g, 0, 1);
     draw_set(g, &s);
-    law_must(fmb_pair_new(s.dim, &o, NULL, &k));
+    must(fmb_pair_new(s.dim, &o, NULL, &k));
     ask_pairs(k, &s);
     for (int scaled = 0; good && scaled < 2; scaled++) {
         fmb_frames *set = make_set(&s, scaled);

@@ -31,8 +31,8 @@ static drawn_system draw_system(law_source *g)
     drawn_system d = {.dim = law_draw(g, 1, MOST_DIM), .rows = law_draw(g, 1, MOST_ROWS)};
     int row[MOST_ROWS], most = law_draw(g, 1, 7);
     draw_powers(g, &d, row);
-    law_must(fmb_system_new(d.dim, NULL, &d.s));
-    law_must(fmb_system_new(d.dim, NULL, &d.scaled));
+    must(fmb_system_new(d.dim, NULL, &d.s));
+    must(fmb_system_new(d.dim, NULL, &d.scaled));
     for (int i = 0; i < d.rows; i++) {
         static const fmb_rel rel[] = {FMB_LE, FMB_LE, FMB_LE, FMB_LE, FMB_LT, FMB_LE, FMB_EQ};
         double a[MOST_DIM], b[MOST_DIM];
@@ -42,8 +42,8 @@ static drawn_system draw_system(law_source *g)
             a[j] = law_draw(g, -most, most);
             b[j] = ldexp(a[j], row[i] + d.column[j]);
         }
-        law_must(fmb_system_add(d.s, a, r, right));
-        law_must(fmb_system_add(d.scaled, b, r, ldexp(right, row[i])));
+        must(fmb_system_add(d.s, a, r, right));
+        must(fmb_system_add(d.scaled, b, r, ldexp(right, row[i])));
     }
     return d;
 }
@@ -55,8 +55,8 @@ static bool same_boxes(const drawn_system *d, fmb_solver *v, char why[LAW_WHY])
     bool same = true;
     mpq_t end[2];
     mpq_inits(end[0], end[1], NULL);
-    law_must(fmb_bound(v, d->s, NULL, 0, &box[0], &r[0]));
-    law_must(fmb_bound(v, d->scaled, NULL, 0, &box[1], &r[1]));
+    must(fmb_bound(v, d->s, NULL, 0, &box[0], &r[0]));
+    must(fmb_bound(v, d->scaled, NULL, 0, &box[1], &r[1]));
     same = r[0].verdict == r[1].verdict;
     for (int j = 0; same && box[0] && j < 2 * d->dim; j++) {
         fmb_end x = fmb_box_end(box[0], j / 2, (fmb_side)(j % 2)),
@@ -82,7 +82,7 @@ static fmb_system *scaled_back(const fmb_system *b, const int *power)
     mpq_init(right);
     for (int j = 0; j < MOST_DIM; j++)
         mpq_init(coef[j]);
-    law_must(fmb_system_new(dim, NULL, &t));
+    must(fmb_system_new(dim, NULL, &t));
     for (size_t i = 0; i < fmb_system_rows(b); i++) {
         size_t terms = fmb_system_terms(b, i);
         for (size_t k = 0; k < terms; k++) {
@@ -90,7 +90,7 @@ static fmb_system *scaled_back(const fmb_system *b, const int *power)
             law_shift(coef[k], -power[var[k]]);
         }
         fmb_system_rhs_q(b, i, right);
-        law_must(fmb_system_add_q(t, terms, var, coef, fmb_system_rel(b, i), right));
+        must(fmb_system_add_q(t, terms, var, coef, fmb_system_rel(b, i), right));
     }
     for (int j = 0; j < MOST_DIM; j++)
         mpq_clear(coef[j]);
@@ -103,8 +103,8 @@ static bool are_same_sets(fmb_solver *v, const fmb_system *a, const fmb_system *
 {
     static const int all[MOST_DIM] = {0, 1, 2, 3};
     fmb_system *back = scaled_back(b, power), *form[2];
-    law_must(fmb_project(v, a, all, fmb_system_dim(a), &form[0], NULL));
-    law_must(fmb_project(v, back, all, fmb_system_dim(a), &form[1], NULL));
+    must(fmb_project(v, a, all, fmb_system_dim(a), &form[0], NULL));
+    must(fmb_project(v, back, all, fmb_system_dim(a), &form[1], NULL));
     bool same = law_same_rows(form[0], form[1], NULL);
     fmb_system_free(back);
     fmb_system_free(form[0]);
@@ -121,8 +121,8 @@ static bool same_projections(const drawn_system *d, fmb_solver *v, int mask, cha
             power[n] = d->column[j];
             keep[n++] = j;
         }
-    law_must(fmb_project(v, d->s, keep, n, &out[0], NULL));
-    law_must(fmb_project(v, d->scaled, keep, n, &out[1], NULL));
+    must(fmb_project(v, d->s, keep, n, &out[0], NULL));
+    must(fmb_project(v, d->scaled, keep, n, &out[1], NULL));
     bool same = are_same_sets(v, out[0], out[1], power);
     int rows[2] = {(int)fmb_system_rows(out[0]), (int)fmb_system_rows(out[1])};
     fmb_system_free(out[0]);
@@ -140,8 +140,8 @@ static bool same_optima(const drawn_system *d, fmb_solver *v, law_source *g, cha
     fmb_optimum *out[2];
     mpq_t value[2];
     mpq_inits(value[0], value[1], NULL);
-    law_must(fmb_optimize(v, d->s, &(fmb_objective){FMB_SENSE_MAX, a, 0}, &out[0], NULL));
-    law_must(fmb_optimize(v, d->scaled, &(fmb_objective){FMB_SENSE_MAX, b, 0}, &out[1], NULL));
+    must(fmb_optimize(v, d->s, &(fmb_objective){FMB_SENSE_MAX, a, 0}, &out[0], NULL));
+    must(fmb_optimize(v, d->scaled, &(fmb_objective){FMB_SENSE_MAX, b, 0}, &out[1], NULL));
     fmb_end x = fmb_optimum_end(out[0]), y = fmb_optimum_end(out[1]);
     bool finite = fmb_optimum_value_q(out[0], value[0]);
     bool same = !out[0] == !out[1] && x.kind == y.kind && x.attained == y.attained &&
@@ -156,8 +156,8 @@ static bool same_optima(const drawn_system *d, fmb_solver *v, law_source *g, cha
 static bool same_reductions(const drawn_system *d, fmb_solver *v, char why[LAW_WHY])
 {
     fmb_system *out[2];
-    law_must(fmb_reduce(v, d->s, NULL, &out[0], NULL));
-    law_must(fmb_reduce(v, d->scaled, NULL, &out[1], NULL));
+    must(fmb_reduce(v, d->s, NULL, &out[0], NULL));
+    must(fmb_reduce(v, d->scaled, NULL, &out[1], NULL));
     int rows[2] = {(int)fmb_system_rows(out[0]), (int)fmb_system_rows(out[1])};
     bool same = are_same_sets(v, out[0], out[1], d->column);
     fmb_system_free(out[0]);
@@ -185,8 +185,8 @@ static bool same_generators(const drawn_system *d, fmb_solver *v, char why[LAW_W
 {
     fmb_generators *out[2];
     law_table table[2];
-    law_must(fmb_generate(v, d->s, &out[0], NULL));
-    law_must(fmb_generate(v, d->scaled, &out[1], NULL));
+    must(fmb_generate(v, d->s, &out[0], NULL));
+    must(fmb_generate(v, d->scaled, &out[1], NULL));
     take_generators(out[0], NULL, d->dim, &table[0]);
     take_generators(out[1], d->column, d->dim, &table[1]);
     int size[2] = {(int)table[0].size, (int)table[1].size};
@@ -206,9 +206,9 @@ bool law_of_systems(law_source *g, char why[LAW_WHY])
     fmb_solver *v = NULL;
     o.method = (fmb_method)law_draw(g, 0, FMB_METHOD_DD);
     o.arith = (fmb_arith)law_draw(g, 0, FMB_ARITH_GMP);
-    law_must(fmb_solver_new(&o, NULL, &v));
-    law_must(fmb_solve(v, d.s, &r[0]));
-    law_must(fmb_solve(v, d.scaled, &r[1]));
+    must(fmb_solver_new(&o, NULL, &v));
+    must(fmb_solve(v, d.s, &r[0]));
+    must(fmb_solve(v, d.scaled, &r[1]));
     bool good = r[0].verdict == r[1].verdict ||
                 law_broken(why, "solve", (int)r[0].verdict, (int)r[1].verdict);
     good = good && same_boxes(&d, v, why) &&

@@ -5,6 +5,7 @@
 #include "fault/hook.h"
 #include "hull/section.h"
 #include "support/dense.h"
+#include "support/must.h"
 #include "support/support.h"
 
 enum { MOST_D = 7, MOST_ROWS = 60 };
@@ -69,9 +70,9 @@ static void find_by_rows(const cone_rows *c, fmb_run *run, fmb_image *image)
     for (size_t i = 0; i < c->m; i++)
         row[i] = (fmb_cone_row){.v = &c->v[i]};
     fmb_cone_problem of = {.d = c->d, .m = c->m, .row = row};
-    support_must(fmb_cone_init(&cone, run, &of));
-    support_must(fmb_cone_run(&cone, 0, &done));
-    support_must(fmb_image_init(image, run, &cone, false));
+    must(fmb_cone_init(&cone, run, &of));
+    must(fmb_cone_run(&cone, 0, &done));
+    must(fmb_image_init(image, run, &cone, false));
     fmb_cone_clear(&cone);
 }
 
@@ -99,7 +100,7 @@ static size_t compare_ways(cone_rows *c, uint64_t seed, uint64_t pairs)
     fmb_run run = begin_run(&mem, NULL, &cancel);
     fmb_image a = {0}, b = {0};
     measure_rows(c);
-    support_must(find_by_section(c, &run, pairs, &a));
+    must(find_by_section(c, &run, pairs, &a));
     find_by_rows(c, &run, &b);
     check_same_rays(c, &a, &b, seed);
     size_t rays = a.rays;
@@ -170,10 +171,10 @@ static bool open_known_section(known_section *k, uint64_t seed)
     k->run = begin_run(&k->mem, NULL, &k->cancel);
     draw_rows(&g, &k->c, 3, 9, 9);
     measure_rows(&k->c);
-    support_must(fmb_section_open(&k->s, &k->run, k->c.v, k->c.m, k->c.d));
+    must(fmb_section_open(&k->s, &k->run, k->c.v, k->c.m, k->c.d));
     while (!done)
-        support_must(fmb_section_ask(&k->s, 0, 0, &done));
-    support_must(fmb_section_take_rays(&k->s, &k->image));
+        must(fmb_section_ask(&k->s, 0, 0, &done));
+    must(fmb_section_take_rays(&k->s, &k->image));
     return k->s.begun && k->s.rank == 3 && k->s.support.hull.generators == k->image.rays;
 }
 
@@ -203,7 +204,7 @@ static bool move_first_point(known_section *k, const int64_t *z)
 static bool is_moved_point_taken(known_section *k)
 {
     fmb_image image = {0};
-    support_must(fmb_section_take_rays(&k->s, &image));
+    must(fmb_section_take_rays(&k->s, &image));
     size_t rays = image.rays;
     fmb_image_clear(&image);
     return rays == k->image.rays;

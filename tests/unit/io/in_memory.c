@@ -9,11 +9,7 @@
 #include <fmb/geometry.h>
 
 #include "parse.h"
-
-static void must(fmb_status st)
-{
-    cr_assert(st == FMB_OK, "%s", fmb_status_text(st));
-}
+#include "support/must.h"
 
 /* ---- writing --------------------------------------------------------------------------------- */
 

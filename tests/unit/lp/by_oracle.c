@@ -8,6 +8,7 @@
 #include "lp/exact/exact_simplex.h"
 #include "lp/redundancy/by_oracle.h"
 #include "support/dense.h"
+#include "support/must.h"
 
 typedef struct tally {
     size_t redundant, kept, equality;
@@ -27,10 +28,10 @@ static bool ask_dictionary(scene *c, fmb_fate *fate)
 {
     fmb_lp lp;
     bool feasible = false;
-    support_must(fmb_lp_init(&lp, &c->run, (int)c->n, c->m, c->row, false));
-    support_must(fmb_lp_feasible(&lp, &feasible));
+    must(fmb_lp_init(&lp, &c->run, (int)c->n, c->m, c->row, false));
+    must(fmb_lp_feasible(&lp, &feasible));
     if (feasible)
-        support_must(fmb_irredundant(&lp, c->rel, fate, NULL));
+        must(fmb_irredundant(&lp, c->rel, fate, NULL));
     fmb_lp_clear(&lp);
     return feasible;
 }
@@ -58,7 +59,7 @@ static void sort_both_ways(const support_case *s, tally *t)
     if (open)
         close_strict_rows(&c);
     if (open && ask_dictionary(&c, truth)) {
-        support_must(fmb_irredundant_by_oracle(&c.run, c.n, c.m, c.row, fate, &told));
+        must(fmb_irredundant_by_oracle(&c.run, c.n, c.m, c.row, fate, &told));
         compare_fates(&c, fate, truth, s->seed, t);
     }
     scene_close(&c);
@@ -105,7 +106,7 @@ Test(by_oracle, limits_on_memory_leave_nothing_behind)
     close_strict_rows(&s);
     fmb_fate fate[14] = {0};
     size_t used = s.mem.used;
-    support_must(fmb_irredundant_by_oracle(&s.run, s.n, s.m, s.row, fate, NULL));
+    must(fmb_irredundant_by_oracle(&s.run, s.n, s.m, s.row, fate, NULL));
     size_t peak = s.mem.peak;
     for (size_t part = 1; part < 40; part++) {
         for (size_t i = 0; i < s.m; i++)

@@ -3,6 +3,7 @@
 
 #include "scene.h"
 #include "support/dense.h"
+#include "support/must.h"
 
 bool scene_open(scene *c, const fmb_system *s)
 {
@@ -11,13 +12,13 @@ bool scene_open(scene *c, const fmb_system *s)
     fmb_mem_init(&c->mem, NULL, 0);
     fmb_arena_init(&c->arena, &c->mem);
     fmb_run_begin(&c->run, &c->mem, &c->options, &c->cancel, (fmb_sink){0}, "test");
-    support_must(fmb_parts_split(&c->parts, s, &c->run, &c->arena, FMB_SPLIT_NAMED));
+    must(fmb_parts_split(&c->parts, s, &c->run, &c->arena, FMB_SPLIT_NAMED));
     c->m = 0;
     if (c->parts.count == 0)
         return false;
     cr_assert_eq(c->parts.count, 1);
     fmb_part *p = &c->parts.part[0];
-    support_must(fmb_part_load(p, s, c->parts.place, &c->run, false));
+    must(fmb_part_load(p, s, c->parts.place, &c->run, false));
     c->n = (size_t)p->n;
     c->m = p->m;
     c->rel = p->rel;

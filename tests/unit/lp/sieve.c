@@ -9,6 +9,7 @@
 #include "lp/redundancy/sieve.h"
 #include "num/rationals.h"
 #include "support/dense.h"
+#include "support/must.h"
 
 /* ---- both ways ------------------------------------------------------------------------------- */
 
@@ -21,12 +22,12 @@ static bool decide_by_dictionary(scene *c, fmb_fate *fate)
 {
     fmb_lp lp;
     bool feasible = false;
-    support_must(fmb_lp_init(&lp, &c->run, (int)c->n, c->m, c->row, false));
-    support_must(fmb_lp_feasible(&lp, &feasible));
+    must(fmb_lp_init(&lp, &c->run, (int)c->n, c->m, c->row, false));
+    must(fmb_lp_feasible(&lp, &feasible));
     for (size_t i = 0; i < c->m; i++)
         fate[i] = FMB_FATE_UNKNOWN;
     if (feasible)
-        support_must(fmb_irredundant(&lp, c->rel, fate, NULL));
+        must(fmb_irredundant(&lp, c->rel, fate, NULL));
     fmb_lp_clear(&lp);
     return feasible;
 }
@@ -49,10 +50,10 @@ static void sort_and_compare(scene *c, const char *what, uint64_t seed, tally *t
     fmb_verdicts told = {scene_hear_redundant, NULL, scene_hear_irredundant, &l};
     fmb_sieve s;
     t->systems++;
-    support_must(fmb_sieve_open(&s, &c->run, c->n, c->m, c->row, &inner));
+    must(fmb_sieve_open(&s, &c->run, c->n, c->m, c->row, &inner));
     if (inner) {
         t->inner++;
-        support_must(fmb_sieve_sort(&s, fate, &told));
+        must(fmb_sieve_sort(&s, fate, &told));
         count_fates(c, fate, t);
         cr_assert(decide_by_dictionary(c, truth), "%s, seed %llu", what, (unsigned long long)seed);
     }
@@ -153,7 +154,7 @@ static void add_drawn_row(fmb_system *s, support_rng *g, shape kind, const int64
         right = support_chance(g, 40) ? llabs(right) : llabs(right) + support_between(g, 1, 30);
     for (int j = 0; j < n; j++)
         a[j] *= (turned ? -row : row) * (kind == SCALED ? scale[j] : 1);
-    support_must(fmb_system_add_int(s, a, rel, (kind == ROUND ? 3 : 1) * row * right));
+    must(fmb_system_add_int(s, a, rel, (kind == ROUND ? 3 : 1) * row * right));
 }
 
 Test(sieve, balls_corners_and_scales)
@@ -164,7 +165,7 @@ Test(sieve, balls_corners_and_scales)
     for (uint64_t seed = 0; seed < 100; seed++) {
         shape kind = (shape)(seed % SHAPES);
         fmb_system *s = NULL;
-        support_must(fmb_system_new(support_between(&g, 2, 6), NULL, &s));
+        must(fmb_system_new(support_between(&g, 2, 6), NULL, &s));
         int rows = support_between(&g, 20, 120);
         for (int i = 0; i < rows; i++)
             add_drawn_row(s, &g, kind, scale);
@@ -185,7 +186,7 @@ Test(sieve, many_rows)
     support_rng g = {5};
     for (int n = 2; n <= 3; n++) {
         fmb_system *s = NULL;
-        support_must(fmb_system_new(n, NULL, &s));
+        must(fmb_system_new(n, NULL, &s));
         for (int i = 0; i < 250; i++) {
             int64_t a[3];
             double square = 0;
@@ -193,7 +194,7 @@ Test(sieve, many_rows)
                 a[j] = support_between(&g, -999, 999);
                 square += (double)(a[j] * a[j]);
             }
-            support_must(fmb_system_add_int(s, a, FMB_LE, (int64_t)ceil(1e6 * sqrt(square))));
+            must(fmb_system_add_int(s, a, FMB_LE, (int64_t)ceil(1e6 * sqrt(square))));
         }
         sort_system(s, "sphere", (uint64_t)n, &t);
         fmb_system_free(s);
@@ -209,12 +210,12 @@ Test(sieve, leaves_what_only_touches)
 {
     fmb_system *s = NULL;
     tally t = {0};
-    support_must(fmb_system_new(2, NULL, &s));
-    support_must(fmb_system_add_int(s, (int64_t[]){1, 0}, FMB_LE, 1));
-    support_must(fmb_system_add_int(s, (int64_t[]){0, 1}, FMB_LE, 1));
-    support_must(fmb_system_add_int(s, (int64_t[]){-1, -1}, FMB_LE, 0));
-    support_must(fmb_system_add_int(s, (int64_t[]){1, 1}, FMB_LT, 2));
-    support_must(fmb_system_add_int(s, (int64_t[]){2, 1}, FMB_LT, 3));
+    must(fmb_system_new(2, NULL, &s));
+    must(fmb_system_add_int(s, (int64_t[]){1, 0}, FMB_LE, 1));
+    must(fmb_system_add_int(s, (int64_t[]){0, 1}, FMB_LE, 1));
+    must(fmb_system_add_int(s, (int64_t[]){-1, -1}, FMB_LE, 0));
+    must(fmb_system_add_int(s, (int64_t[]){1, 1}, FMB_LT, 2));
+    must(fmb_system_add_int(s, (int64_t[]){2, 1}, FMB_LT, 3));
     sort_system(s, "corner", 0, &t);
     cr_expect_eq(t.kept, 3);
     cr_expect_eq(t.unknown, 2);

@@ -15,6 +15,7 @@
 #include "samples.h"
 #include "study/textbook/exact.h"
 #include "support/dense.h"
+#include "support/must.h"
 
 typedef struct tally {
     int judged, accepted;
@@ -49,7 +50,7 @@ static void mutate(const fmb_system *s, const fmb_evidence *e, uint64_t seed, in
     char what[64];
     subject u = {.g = {seed}};
     for (int k = 0; k < times; k++) {
-        support_must(fmb_system_copy(s, &u.s));
+        must(fmb_system_copy(s, &u.s));
         u.e = proof_copy(s, e);
         snprintf(what, sizeof what, "seed %llu, mutation %d", (unsigned long long)seed, k);
         int changes = 0, wanted = support_chance(&u.g, 80) ? 1 : support_between(&u.g, 2, 3);
@@ -91,12 +92,12 @@ static fmb_evidence *ask(fmb_solver *v, const fmb_system *s, int which)
     fmb_optimum *best = NULL;
     double coef[16] = {2, -1, 0, 1, 3, -0.5};
     fmb_objective form = {fmb_system_rows(s) % 2 ? FMB_SENSE_MAX : FMB_SENSE_MIN, coef, 1};
-    support_must(which == 0   ? fmb_solve(v, s, &r)
-                 : which == 1 ? fmb_bound(v, s, NULL, 0, &box, &r)
-                 : which == 2 ? fmb_reduce(v, s, NULL, &out, &r)
-                 : which == 3 ? fmb_optimize(v, s, &form, &best, &r)
-                              : fmb_project(v, s, keep, 1, &out, &r));
-    support_must(fmb_solver_evidence(v, &e));
+    must(which == 0   ? fmb_solve(v, s, &r)
+         : which == 1 ? fmb_bound(v, s, NULL, 0, &box, &r)
+         : which == 2 ? fmb_reduce(v, s, NULL, &out, &r)
+         : which == 3 ? fmb_optimize(v, s, &form, &best, &r)
+                      : fmb_project(v, s, keep, 1, &out, &r));
+    must(fmb_solver_evidence(v, &e));
     fmb_box_free(box);
     fmb_optimum_free(best);
     fmb_system_free(out);
@@ -109,7 +110,7 @@ Test(mutate, proofs_of_the_solver, .timeout = 600)
     fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     o.evidence = FMB_EVIDENCE_WHOLE;
-    support_must(fmb_solver_new(&o, NULL, &v));
+    must(fmb_solver_new(&o, NULL, &v));
     for (uint64_t seed = 0; t.judged < 30000; seed++)
         for (support_family family = 0; family < SUPPORT_FAMILIES; family++) {
             support_case c = support_make(family, seed, NULL);

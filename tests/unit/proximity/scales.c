@@ -14,6 +14,7 @@
 #include <fmb/gmp.h>
 
 #include "support/dense.h"
+#include "support/must.h"
 #include "support/support.h"
 
 enum { DIM = 3, CORNERS = 8, EDGES = 6 };
@@ -231,7 +232,7 @@ static void expect_depth(fmb_solver *v, const fmb_frame *f, fmb_norm norm, const
     fmb_proximity *p = NULL;
     mpq_t measure;
     mpq_init(measure);
-    support_must(fmb_depth(v, f, norm, &p, NULL));
+    must(fmb_depth(v, f, norm, &p, NULL));
     cr_assert(p != NULL);
     fmb_proximity_measure_q(p, measure);
     cr_expect(mpq_equal(measure, truth), "depth of a pair near 2^%d, norm %d", power, (int)norm);
@@ -266,7 +267,7 @@ Test(scales, depths)
     static const int POWER[] = {565, -565, 332, -332, 830, -830, 0};
     support_rng g = {3};
     fmb_solver *v = NULL;
-    support_must(fmb_solver_new(NULL, NULL, &v));
+    must(fmb_solver_new(NULL, NULL, &v));
     for (size_t i = 0; i < sizeof POWER / sizeof *POWER; i++)
         for (int met = 0, drawn = 0; met < 30; drawn++) {
             pair_of_bodies b;

@@ -6,10 +6,7 @@
 
 #include <fmb/gmp.h>
 
-static void must(fmb_status st)
-{
-    cr_assert(st == FMB_OK, "%s", fmb_status_text(st));
-}
+#include "support/must.h"
 
 /* x from -2/7 to 1/3, y from x on. */
 static fmb_system *open_strip(void)

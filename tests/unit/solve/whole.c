@@ -7,6 +7,7 @@
 
 #include "proof/evidence.h"
 #include "support/dense.h"
+#include "support/must.h"
 
 /* A projection with its proof. */
 typedef struct proved {
@@ -59,9 +60,9 @@ static proved prove(uint64_t seed, fmb_method method)
     p.s = random_system(&p, dim);
     o.evidence = FMB_EVIDENCE_WHOLE;
     o.method = method;
-    support_must(fmb_solver_new(&o, NULL, &v));
-    support_must(fmb_project(v, p.s, keep, kept, &p.image, &r));
-    support_must(fmb_solver_evidence(v, &p.e));
+    must(fmb_solver_new(&o, NULL, &v));
+    must(fmb_project(v, p.s, keep, kept, &p.image, &r));
+    must(fmb_solver_evidence(v, &p.e));
     fmb_solver_free(v);
     return p;
 }
@@ -78,8 +79,8 @@ static bool convinces(const fmb_system *s, const fmb_evidence *e, const fmb_syst
 {
     fmb_judgement j = {.size = sizeof j};
     bool meets = false;
-    support_must(fmb_check(s, e, &j));
-    support_must(fmb_evidence_meets(e, s, FMB_DEMAND_WHOLE, image, &meets, NULL, 0));
+    must(fmb_check(s, e, &j));
+    must(fmb_evidence_meets(e, s, FMB_DEMAND_WHOLE, image, &meets, NULL, 0));
     return j.accepted && meets;
 }
 
@@ -88,7 +89,7 @@ static void complain(const proved *p, const fmb_evidence *e, const fmb_system *i
 {
     support_print(p->s, what, stderr);
     support_print(image, "the projection", stderr);
-    support_must(fmb_evidence_write(e, p->s, stderr));
+    must(fmb_evidence_write(e, p->s, stderr));
     cr_assert_fail("%s", what);
 }
 
@@ -111,7 +112,7 @@ Test(whole, proofs)
 static fmb_evidence *copy_claims(const proved *p, size_t without)
 {
     fmb_evidence *e;
-    support_must(fmb_evidence_new(p->e->dim, p->e->rows, NULL, &e));
+    must(fmb_evidence_new(p->e->dim, p->e->rows, NULL, &e));
     for (size_t i = 0; i < p->e->claims; i++) {
         const fmb_claim *from = &p->e->claim[i];
         const fmb_sparse_vector *lists[] = {&from->terms, &from->multipliers, &from->reverse,
@@ -119,7 +120,7 @@ static fmb_evidence *copy_claims(const proved *p, size_t without)
         fmb_claim *to;
         if (i == without)
             continue;
-        support_must(fmb_evidence_claim(e, from->kind, &to));
+        must(fmb_evidence_claim(e, from->kind, &to));
         to->row = from->row;
         to->var = from->var;
         to->side = from->side;
@@ -129,8 +130,7 @@ static fmb_evidence *copy_claims(const proved *p, size_t without)
                                        &to->ray};
         for (size_t l = 0; l < 5; l++)
             for (size_t k = 0; k < lists[l]->size; k++)
-                support_must(
-                    fmb_evidence_push(e, copies[l], lists[l]->index[k], lists[l]->value[k]));
+                must(fmb_evidence_push(e, copies[l], lists[l]->index[k], lists[l]->value[k]));
     }
     return e;
 }
@@ -237,7 +237,7 @@ static bool move_corner(proved *p)
             found = true;
         }
     if (!found) {
-        support_must(fmb_evidence_push(e, point, var, by));
+        must(fmb_evidence_push(e, point, var, by));
         point->mixed = true;
     }
     if (convinces(p->s, e, p->image))
@@ -265,12 +265,12 @@ static bool cut_system(proved *p)
     fmb_options o = {.size = sizeof o};
     fmb_result r = {.size = sizeof r};
     int keep[] = {0, 1, 2, 3};
-    support_must(fmb_solver_new(&o, NULL, &v));
-    support_must(fmb_project(v, s, keep, fmb_system_dim(p->image), &image, &r));
+    must(fmb_solver_new(&o, NULL, &v));
+    must(fmb_project(v, s, keep, fmb_system_dim(p->image), &image, &r));
     fmb_evidence *now = NULL;
-    support_must(fmb_solver_evidence(v, &now));
+    must(fmb_solver_evidence(v, &now));
     bool meets = false; /* the old rows, of the new system, all needed */
-    support_must(fmb_evidence_meets(now, s, FMB_DEMAND_PROJECTION, p->image, &meets, NULL, 0));
+    must(fmb_evidence_meets(now, s, FMB_DEMAND_PROJECTION, p->image, &meets, NULL, 0));
     bool same = meets && fmb_system_rows(image) == fmb_system_rows(p->image);
     if (convinces(s, p->e, p->image) && !same)
         complain(p, p->e, image, "the proof is of another system");

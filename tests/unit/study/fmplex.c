@@ -7,6 +7,7 @@
 #include "regress/systems.h"
 #include "study/fmplex/fmplex.h"
 #include "study/textbook/exact.h"
+#include "support/must.h"
 
 /* A system as FMplex takes it, and what it answered. */
 typedef struct bench {
@@ -159,9 +160,9 @@ static void expect_rows(int dim, int rows, const int64_t *row, const fmb_rel *re
                         fmb_verdict verdict, const char *name)
 {
     fmb_system *s = NULL;
-    support_must(fmb_system_new(dim, NULL, &s));
+    must(fmb_system_new(dim, NULL, &s));
     for (int i = 0; i < rows; i++, row += dim + 1)
-        support_must(fmb_system_add_int(s, row, rel ? rel[i] : FMB_LE, row[dim]));
+        must(fmb_system_add_int(s, row, rel ? rel[i] : FMB_LE, row[dim]));
     expect(s, verdict, name);
     fmb_system_free(s);
 }
@@ -241,12 +242,12 @@ Test(fmplex, equalities)
 Test(fmplex, no_rows_no_variables)
 {
     fmb_system *s = NULL;
-    support_must(fmb_system_new(0, NULL, &s));
+    must(fmb_system_new(0, NULL, &s));
     expect(s, FMB_FEASIBLE, "nothing");
-    support_must(fmb_system_add_int(s, NULL, FMB_LE, -1));
+    must(fmb_system_add_int(s, NULL, FMB_LE, -1));
     expect(s, FMB_INFEASIBLE, "0 <= -1");
     fmb_system_free(s);
-    support_must(fmb_system_new(3, NULL, &s));
+    must(fmb_system_new(3, NULL, &s));
     expect(s, FMB_FEASIBLE, "no rows");
     fmb_system_free(s);
 }
@@ -289,8 +290,8 @@ static fmb_verdict oracle(const fmb_system *s)
     fmb_solver *v = NULL;
     fmb_result r = {.size = sizeof r};
     o.method = FMB_METHOD_LP;
-    support_must(fmb_solver_new(&o, NULL, &v));
-    support_must(fmb_solve(v, s, &r));
+    must(fmb_solver_new(&o, NULL, &v));
+    must(fmb_solve(v, s, &r));
     fmb_solver_free(v);
     return r.verdict;
 }
@@ -470,7 +471,7 @@ Test(fmplex, parts_and_claims)
             support_case b = support_make((family + seed) % SUPPORT_FAMILIES, seed + 1, NULL);
             fmb_system *s = beside(a.s, b.s);
             fmb_result r = {.size = sizeof r};
-            support_must(solve(s, &o, NULL, &r));
+            must(solve(s, &o, NULL, &r));
             cr_assert_eq(r.verdict, oracle(s), "seed %lu", (unsigned long)seed);
             verdicts[r.verdict]++;
             fmb_system_free(s);
@@ -487,11 +488,11 @@ Test(fmplex, a_limit_is_a_result)
     fmb_result r = {.size = sizeof r};
     o.evidence = FMB_EVIDENCE_ALL;
     o.max_rows = 40;
-    support_must(solve(c.s, &o, NULL, &r));
+    must(solve(c.s, &o, NULL, &r));
     cr_assert(r.verdict == FMB_UNKNOWN && r.stop == FMB_STOP_ROWS);
     o.max_rows = 0;
     o.max_bytes = 1;
-    support_must(solve(c.s, &o, NULL, &r));
+    must(solve(c.s, &o, NULL, &r));
     cr_assert(r.verdict == FMB_UNKNOWN && r.stop == FMB_STOP_BYTES);
     support_case_clear(&c);
 }

@@ -6,11 +6,7 @@
 
 #include "study/draw/draft.h"
 #include "study/draw/pairs.h"
-
-static void must(fmb_status st)
-{
-    cr_assert_eq(st, FMB_OK, "%s", fmb_status_text(st));
-}
+#include "support/must.h"
 
 static study_pair_plan plan_of(study_pair_family family, int dim, bool moves)
 {

@@ -12,11 +12,7 @@
 #include "study/rivals/article.h"
 #include "study/rivals/gpr.h"
 #include "study/rivals/seidel.h"
-
-static void must(fmb_status st)
-{
-    cr_assert_eq(st, FMB_OK, "%s", fmb_status_text(st));
-}
+#include "support/must.h"
 
 static fmb_pair *opened(int dim, fmb_contact contact)
 {

@@ -6,13 +6,9 @@
 
 #include "study/draw/pairs.h"
 #include "study/sat/sat.h"
+#include "support/must.h"
 
 enum { FRAMES = 75 }; /* no multiple of any number of lanes */
-
-static void must(fmb_status st)
-{
-    cr_assert_eq(st, FMB_OK, "%s", fmb_status_text(st));
-}
 
 typedef struct duel {
     fmb_pair *way[2]; /* elimination, separating axes */

@@ -8,11 +8,7 @@
 #include <fmb/io.h>
 
 #include "study/grid/digest.h"
-
-static void must(fmb_status st)
-{
-    cr_assert_eq(st, FMB_OK, "%s", fmb_status_text(st));
-}
+#include "support/must.h"
 
 static const study_class PLAIN = {
     .dim = 3, .moves = true, .shape = {FMB_CUBOID, FMB_SIMPLEX}, .meets = true};

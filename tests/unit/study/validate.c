@@ -8,11 +8,7 @@
 #include "study/judge/ends.h"
 #include "study/judge/truth.h"
 #include "study/judge/validate.h"
-
-static void must(fmb_status st)
-{
-    cr_assert_eq(st, FMB_OK, "%s", fmb_status_text(st));
-}
+#include "support/must.h"
 
 /* ---- the textbook truth ---------------------------------------------------------------------- */
 

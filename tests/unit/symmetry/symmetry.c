@@ -6,6 +6,7 @@
 
 #include "dense.h"
 #include "support.h"
+#include "support/must.h"
 #include "symmetry/orbits.h"
 
 enum { N = 8, KEPT = 4, MOST_ROWS = 64 };
@@ -72,7 +73,7 @@ static void append_to_program(bench *b, int i)
     mpz_t z[N + 1];
     for (int j = 0; j <= N; j++)
         mpz_init_set_si(z[j], b->row[i][j]);
-    support_must(fmb_program_add_integers(&b->p, z, b->rel[i]));
+    must(fmb_program_add_integers(&b->p, z, b->rel[i]));
     for (int j = 0; j <= N; j++)
         mpz_clear(z[j]);
 }
@@ -95,7 +96,7 @@ static void open_bench(bench *b, uint64_t seed)
     fmb_program_init(&b->p, &b->mem, N);
     for (int i = 0; i < b->rows; i++)
         append_to_program(b, i);
-    support_must(fmb_symmetry_find(&b->run, &b->p, keeps, &b->group));
+    must(fmb_symmetry_find(&b->run, &b->p, keeps, &b->group));
 }
 
 static void close_bench(bench *b)
@@ -159,16 +160,16 @@ static void check_orbits(bench *b)
     fmb_orbits o;
     fmb_vec x;
     size_t size = count_orbit(b, v, orbit);
-    support_must(fmb_orbits_init(&o, &b->run, &b->group, kept, KEPT));
+    must(fmb_orbits_init(&o, &b->run, &b->group, kept, KEPT));
     set_vector(&x, entry, v);
-    support_must(fmb_orbits_add(&o, &x, 5));
+    must(fmb_orbits_add(&o, &x, 5));
     cr_assert_eq(o.size, size);
     for (size_t i = 0; i < size; i++) {
         set_vector(&x, entry, orbit[i]);
         size_t item = fmb_orbits_find(&o, &x);
         cr_assert_neq(item, SIZE_MAX);
         cr_assert_eq(o.item[fmb_orbits_root(&o, item)].tag, 5);
-        support_must(fmb_orbits_add(&o, &x, 6));
+        must(fmb_orbits_add(&o, &x, 6));
     }
     cr_assert_eq(o.size, size);
 #ifdef FMB_HAVE_NAUTY /* the planted symmetry is among them */
@@ -195,10 +196,10 @@ static void check_moved_weights(bench *b, int64_t factor)
     set_vector(&x, entry, (const int64_t[]){9, 4, 3, 2, 1});
     for (int i = 0; i < b->rows; i++) {
         mpq_set_si(q, factor + i, 1);
-        support_must(fmb_weights_add(&from, (uint32_t)i, q, &b->mem));
+        must(fmb_weights_add(&from, (uint32_t)i, q, &b->mem));
     }
-    support_must(fmb_orbits_init(&o, &b->run, &b->group, kept, KEPT));
-    support_must(fmb_orbits_add(&o, &x, 0));
+    must(fmb_orbits_init(&o, &b->run, &b->group, kept, KEPT));
+    must(fmb_orbits_add(&o, &x, 0));
     for (size_t item = 0; item < o.size; item++) {
         int64_t moved[N + 1] = {0}, sum[N + 1] = {0}, plain[N + 1] = {0};
         int moves[N] = {0, 1, 2, 3, 4, 5, 6, 7};
@@ -209,7 +210,7 @@ static void check_moved_weights(bench *b, int64_t factor)
         while (length-- > 0)
             for (int j = 0; j < N; j++)
                 moves[j] = (int)b->group.image[chain[length]][moves[j]];
-        support_must(fmb_orbits_move_weights(&o, item, &from, &to));
+        must(fmb_orbits_move_weights(&o, item, &from, &to));
         for (size_t k = 0; k < to.size; k++)
             for (int j = 0; j <= N; j++) {
                 sum[j] += (int64_t)mpz_get_si(mpq_numref(to.value[k])) * b->row[to.index[k]][j];
@@ -254,10 +255,10 @@ Test(symmetry, refused)
         for (int i = 0; i < b.rows; i++)
             for (int j = 0; j < N; j++)
                 symmetry &= b.row[i][j] == b.row[i][image[j]];
-        support_must(fmb_group_add(&b.group, &b.p, keeps, image, &fits));
+        must(fmb_group_add(&b.group, &b.p, keeps, image, &fits));
         cr_assert_eq(fits, symmetry && moves);
         image[x] = image[y]; /* no permutation, unless they are one */
-        support_must(fmb_group_add(&b.group, &b.p, keeps, image, &fits));
+        must(fmb_group_add(&b.group, &b.p, keeps, image, &fits));
         cr_assert(!fits);
         close_bench(&b);
     }
@@ -295,9 +296,9 @@ static void open_crowd(bench *b)
     fmb_program_init(&b->p, &b->mem, N);
     append_to_program(b, 0);
     fmb_group_init(&b->group, &b->mem, N, 1);
-    support_must(
+    must(
         fmb_group_add(&b->group, &b->p, all, (const uint32_t[]){1, 2, 3, 4, 5, 6, 7, 0, 0}, &fits));
-    support_must(
+    must(
         fmb_group_add(&b->group, &b->p, all, (const uint32_t[]){1, 0, 2, 3, 4, 5, 6, 7, 0}, &fits));
     cr_assert_eq(b->group.size, 2);
 }

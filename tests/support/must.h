@@ -1,0 +1,19 @@
+/* must.h: calls that a test insists on: these only fail when memory runs out. */
+#ifndef FMB_TEST_MUST_H
+#define FMB_TEST_MUST_H
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <fmb/base.h>
+
+/* Stop the program unless st is FMB_OK. */
+static inline void must(fmb_status st)
+{
+    if (st == FMB_OK)
+        return;
+    fprintf(stderr, "unexpected status: %s\n", fmb_status_text(st));
+    abort();
+}
+
+#endif
