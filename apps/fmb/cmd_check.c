@@ -238,6 +238,7 @@ typedef struct finding {
     const fmb_system *s;
     const fmb_evidence *e;
     fmb_judgement j;
+    fmb_stop stop; /* of the judge, or of looking at what the claims are about */
     bool integers; /* the system has some */
     bool meets;    /* the demand */
     char missing[160];
@@ -263,13 +264,27 @@ static void count_kinds(const fmb_evidence *e, size_t count[KINDS])
 /* Is anything said of a projection, and is it whole: the one that is demanded, or any? */
 static fmb_status look_at_projection(const request *r, const fmb_system *image, finding *f)
 {
+    const fmb_patience patience = patience_left(r);
     size_t count[KINDS] = {0};
     bool of_image = r->demand == FMB_DEMAND_PROJECTION || r->demand == FMB_DEMAND_WHOLE;
     count_kinds(f->e, count);
     f->whole = count[FMB_CLAIM_WHOLE] > 0;
     f->tells_rows = f->whole || count[FMB_CLAIM_IMPLIED] > 0 || of_image;
-    return of_image ? fmb_evidence_meets(f->e, f->s, FMB_DEMAND_WHOLE, image, &f->whole, NULL, 0)
+    return of_image ? fmb_evidence_meets_within(f->e, f->s, FMB_DEMAND_WHOLE, image, &patience,
+                                                &f->stop, &f->whole, NULL, 0)
                     : FMB_OK;
+}
+
+/* Are they the claims that are wanted? After a limit of the judge nobody looks. */
+static fmb_status look_at_claims(const request *r, const fmb_system *image, finding *f)
+{
+    const fmb_patience patience = patience_left(r);
+    f->stop = f->j.stop;
+    if (f->stop != FMB_STOP_DONE)
+        return FMB_OK;
+    fmb_status st = fmb_evidence_meets_within(f->e, f->s, r->demand, image, &patience, &f->stop,
+                                              &f->meets, f->missing, sizeof f->missing);
+    return st == FMB_OK && f->stop == FMB_STOP_DONE ? look_at_projection(r, image, f) : st;
 }
 
 /* "(1 feasible, 6 bound)" */
@@ -330,7 +345,7 @@ static int print_text(const request *r, const finding *f)
         if (r->list && list_claims(f, r->digits) != APP_YES)
             return APP_INTERNAL;
     }
-    if (j->accepted && !f->meets)
+    if (j->accepted && f->stop == FMB_STOP_DONE && !f->meets)
         printf("missing: %s\n", f->missing);
     return APP_YES;
 }
@@ -359,7 +374,7 @@ static void print_json(const request *r, const finding *f)
     app_json_set(obj, "accepted", json_boolean(f->j.accepted));
     app_json_set(obj, "verdict", json_string(fmb_verdict_text(f->j.verdict)));
     app_json_set(obj, "over", json_string(f->integers && !f->j.relaxed ? "integers" : "reals"));
-    app_json_set(obj, "stop", json_string(fmb_stop_text(f->j.stop)));
+    app_json_set(obj, "stop", json_string(fmb_stop_text(f->stop)));
     app_json_set(obj, "claims", json_integer((json_int_t)claims));
     if (f->j.stop != FMB_STOP_DONE)
         app_json_set(obj, "held", json_integer((json_int_t)f->j.held));
@@ -378,7 +393,7 @@ static void print_json(const request *r, const finding *f)
         app_json_set(obj, "claim", json_integer((json_int_t)f->j.claim + 1));
     if (!f->j.accepted)
         app_json_set(obj, "reason", app_json_text(f->j.reason));
-    if (f->j.accepted && !f->meets)
+    if (f->j.accepted && f->stop == FMB_STOP_DONE && !f->meets)
         app_json_set(obj, "missing", app_json_text(f->missing));
     app_json_print(obj);
 }
@@ -407,9 +422,7 @@ static int judge(const request *r, const fmb_system *s, const fmb_evidence *e,
     const fmb_patience patience = patience_left(r);
     fmb_status st = fmb_check_within(s, e, &patience, &f.j);
     if (st == FMB_OK)
-        st = fmb_evidence_meets(e, s, r->demand, image, &f.meets, f.missing, sizeof f.missing);
-    if (st == FMB_OK)
-        st = look_at_projection(r, image, &f);
+        st = look_at_claims(r, image, &f);
     if (st != FMB_OK)
         return app_status_error(st);
     int code = APP_YES;
@@ -420,6 +433,9 @@ static int judge(const request *r, const fmb_system *s, const fmb_evidence *e,
         code = print_text(r, &f);
     if (undecided)
         return app_error(APP_UNDECIDED, "%s so far; nothing is accepted", f.j.reason);
+    if (code == APP_YES && f.j.accepted && f.stop != FMB_STOP_DONE)
+        return app_error(APP_UNDECIDED, "undecided (%s): whether the claims are those expected",
+                         fmb_stop_text(f.stop));
     return code != APP_YES ? code : f.j.accepted && f.meets ? APP_YES : APP_NO;
 }
 

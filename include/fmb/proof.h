@@ -164,6 +164,14 @@ typedef enum fmb_demand {
 FMB_API FMB_CHECKED fmb_status fmb_evidence_meets(const fmb_evidence *e, const fmb_system *s,
                                                   fmb_demand what, const fmb_system *image,
                                                   bool *meets, char *why, size_t size);
+/* The same, but no longer than somebody waits: *stop says why it ended, and unless that is DONE,
+ * *meets is false and why is untouched. patience NULL: for ever. Errors: ARG (also a limit that is
+ * none), MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_evidence_meets_within(const fmb_evidence *e, const fmb_system *s,
+                                                         fmb_demand what, const fmb_system *image,
+                                                         const fmb_patience *patience,
+                                                         fmb_stop *stop, bool *meets, char *why,
+                                                         size_t size);
 
 #ifdef __cplusplus
 }

@@ -3,41 +3,56 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+#include "proof/guard.h"
 #include "proof/integral.h"
 #include "proof/whole.h"
 #include "system/system_private.h"
 
-/* What is missing goes to why; always false. */
+/* Who asks. Once st is a limit nothing is found any more, and nothing is missing. */
 typedef struct asker {
     const fmb_evidence *e;
     const fmb_system *s, *image;
     fmb_mem mem;
+    fmb_guard guard;
+    fmb_poll poll;
+    fmb_status st;
     char *why;
     size_t size;
 } asker;
 
+/* Another claim, or row, is looked at. */
+static bool has_time(asker *a)
+{
+    if (a->st == FMB_OK)
+        a->st = fmb_poll_ask(&a->poll);
+    return a->st == FMB_OK;
+}
+
+/* What is missing goes to why; always false. */
 __attribute__((format(printf, 2, 3))) static bool miss(const asker *a, const char *format, ...)
 {
     va_list args;
+    if (a->st != FMB_OK)
+        return false;
     va_start(args, format);
     vsnprintf(a->why, a->size, format, args);
     va_end(args);
     return false;
 }
 
-static bool has_claim(const asker *a, fmb_claim_kind kind)
+static bool has_claim(asker *a, fmb_claim_kind kind)
 {
-    for (size_t i = 0; i < a->e->claims; i++)
+    for (size_t i = 0; i < a->e->claims && has_time(a); i++)
         if (a->e->claim[i].kind == kind)
             return true;
     return false;
 }
 
 /* A solution, which is integral where the system says integers: of others, only over the reals. */
-static bool names_solution(const asker *a)
+static bool names_solution(asker *a)
 {
     bool any = false;
-    for (size_t i = 0; i < a->e->claims; i++) {
+    for (size_t i = 0; i < a->e->claims && has_time(a); i++) {
         const fmb_claim *c = &a->e->claim[i];
         if (c->kind == FMB_CLAIM_FEASIBLE && fmb_point_is_integral(a->s, &c->point))
             return true;
@@ -48,15 +63,15 @@ static bool names_solution(const asker *a)
 }
 
 /* Two marks a variable. */
-static bool names_all_ends(const asker *a, bool *seen)
+static bool names_all_ends(asker *a, bool *seen)
 {
-    for (size_t i = 0; i < a->e->claims; i++) {
+    for (size_t i = 0; i < a->e->claims && has_time(a); i++) {
         const fmb_claim *c = &a->e->claim[i];
         bool is_end = c->kind == FMB_CLAIM_BOUND || c->kind == FMB_CLAIM_UNBOUNDED;
         if (is_end && c->var >= 0 && c->var < a->e->dim)
             seen[2 * c->var + (c->side == FMB_UPPER)] = true;
     }
-    for (int j = 0; j < a->e->dim; j++)
+    for (int j = 0; j < a->e->dim && has_time(a); j++)
         for (int side = FMB_LOWER; side <= FMB_UPPER; side++)
             if (!seen[2 * j + side])
                 return miss(a, "no claim is about the %s end of %.80s",
@@ -65,12 +80,12 @@ static bool names_all_ends(const asker *a, bool *seen)
 }
 
 /* A mark a row; equalities may stay without a word. */
-static bool names_all_rows(const asker *a, bool *seen)
+static bool names_all_rows(asker *a, bool *seen)
 {
-    for (size_t i = 0; i < a->e->claims; i++)
+    for (size_t i = 0; i < a->e->claims && has_time(a); i++)
         if (a->e->claim[i].row < a->e->rows)
             seen[a->e->claim[i].row] = true;
-    for (size_t i = 0; i < a->e->rows; i++)
+    for (size_t i = 0; i < a->e->rows && has_time(a); i++)
         if (!seen[i] && fmb_system_rel(a->s, i) != FMB_EQ)
             return miss(a, "no claim is about row %zu", i + 1);
     return true;
@@ -130,15 +145,15 @@ static bool is_constant(const asker *a, size_t i, bool wanted, mpq_t t)
 
 /* Is each row of the image implied by a claim, or true of everything? They come in the same order,
  * mostly. */
-static bool names_image(const asker *a)
+static bool names_image(asker *a)
 {
     bool good = true;
     size_t at = 0, claims = a->e->claims;
     mpq_t factor, t;
     mpq_inits(factor, t, NULL);
-    for (size_t i = 0; good && i < fmb_system_rows(a->image); i++) {
+    for (size_t i = 0; good && i < fmb_system_rows(a->image) && has_time(a); i++) {
         bool found = is_constant(a, i, true, t);
-        for (size_t k = 0; !found && k < claims; k++, at = (at + 1) % claims) {
+        for (size_t k = 0; !found && k < claims && has_time(a); k++, at = (at + 1) % claims) {
             const fmb_claim *c = &a->e->claim[at];
             found = c->kind == FMB_CLAIM_IMPLIED && is_multiple(a, c, i, factor, t) &&
                     is_as_tight(a, c, i, factor, t);
@@ -149,12 +164,12 @@ static bool names_image(const asker *a)
     return good;
 }
 
-static bool has_false_row(const asker *a)
+static bool has_false_row(asker *a)
 {
     bool found = false;
     mpq_t t;
     mpq_init(t);
-    for (size_t i = 0; !found && i < fmb_system_rows(a->image); i++)
+    for (size_t i = 0; !found && i < fmb_system_rows(a->image) && has_time(a); i++)
         found = is_constant(a, i, false, t);
     mpq_clear(t);
     return found;
@@ -176,30 +191,30 @@ static bool says_as_much(const asker *a, const fmb_claim *c, size_t i, const mpq
 
 /* Is the claim in a row of the image, where *at is looked at first? They come in the same order,
  * mostly. */
-static bool is_in_image(const asker *a, const fmb_claim *c, size_t *at)
+static bool is_in_image(asker *a, const fmb_claim *c, size_t *at)
 {
     bool found = c->terms.size == 0 && is_true(c->rel, c->value);
     size_t rows = fmb_system_rows(a->image);
     mpq_t factor, t;
     mpq_inits(factor, t, NULL);
-    for (size_t k = 0; !found && k < rows; k++, *at = (*at + 1) % rows)
+    for (size_t k = 0; !found && k < rows && has_time(a); k++, *at = (*at + 1) % rows)
         found = is_multiple(a, c, *at, factor, t) && says_as_much(a, c, *at, factor, t);
     mpq_clears(factor, t, NULL);
     return found;
 }
 
 /* kept[dim]: variables of the image. Is there a claim WHOLE about these? */
-static bool names_whole(const asker *a, bool *kept)
+static bool names_whole(asker *a, bool *kept)
 {
     size_t size = (size_t)fmb_system_dim(a->image);
     bool found = false, known = true;
-    for (size_t i = 0; known && i < size; i++) {
+    for (size_t i = 0; known && i < size && has_time(a); i++) {
         int j = fmb_system_find(a->s, fmb_system_name(a->image, (int)i));
         known = j >= 0;
         if (known)
             kept[j] = true;
     }
-    for (size_t i = 0; known && !found && i < a->e->claims; i++) {
+    for (size_t i = 0; known && !found && i < a->e->claims && has_time(a); i++) {
         const fmb_claim *c = &a->e->claim[i];
         found = c->kind == FMB_CLAIM_WHOLE && c->terms.size == size &&
                 fmb_whole_names_only(c, a->e->dim, kept);
@@ -208,9 +223,9 @@ static bool names_whole(const asker *a, bool *kept)
 }
 
 /* A system that asks for a projection stands for that, not for its rows. */
-static bool keeps_all_variables(const asker *a)
+static bool keeps_all_variables(asker *a)
 {
-    for (int j = 0; j < fmb_system_dim(a->image); j++)
+    for (int j = 0; j < fmb_system_dim(a->image) && has_time(a); j++)
         if (!fmb_system_keeps(a->image, j))
             return miss(a, "the projection itself asks to eliminate %.80s",
                         fmb_system_name(a->image, j));
@@ -219,10 +234,10 @@ static bool keeps_all_variables(const asker *a)
 
 /* An image without integer variables is one over the reals. Else it must have those of the system,
  * and these must all be kept: then the integers of the image are the image of the integers. */
-static bool keeps_integers(const asker *a)
+static bool keeps_integers(asker *a)
 {
     int first = fmb_first_integer(a->image);
-    for (int j = 0; first >= 0 && j < fmb_system_dim(a->s); j++) {
+    for (int j = 0; first >= 0 && j < fmb_system_dim(a->s) && has_time(a); j++) {
         int k = fmb_system_find(a->image, fmb_system_name(a->s, j));
         if (fmb_system_is_integer(a->s, j) != (k >= 0 && fmb_system_is_integer(a->image, k)))
             return miss(a, "%.80s is integer in the %s alone", fmb_system_name(a->s, j),
@@ -232,12 +247,12 @@ static bool keeps_integers(const asker *a)
 }
 
 /* What the claim WHOLE leans on must be in the image. */
-static bool names_whole_image(const asker *a, bool *kept)
+static bool names_whole_image(asker *a, bool *kept)
 {
     bool good =
         keeps_all_variables(a) && keeps_integers(a) && names_image(a) && names_whole(a, kept);
     size_t at = 0;
-    for (size_t i = 0; good && i < a->e->claims; i++) {
+    for (size_t i = 0; good && i < a->e->claims && has_time(a); i++) {
         const fmb_claim *c = &a->e->claim[i];
         if (c->kind == FMB_CLAIM_IMPLIED && fmb_whole_names_only(c, a->e->dim, kept))
             good = is_in_image(a, c, &at) || miss(a, "the projection lacks claim %zu", i + 1);
@@ -261,7 +276,7 @@ static bool is_about_objective(const asker *a, const fmb_claim *c, const fmb_sys
     return good;
 }
 
-static bool names_optimum(const asker *a)
+static bool names_optimum(asker *a)
 {
     const fmb_system *of = a->image ? a->image : a->s;
     bool any = fmb_system_sense(of) == FMB_SENSE_NONE, found = false, real = false,
@@ -269,12 +284,12 @@ static bool names_optimum(const asker *a)
     bool integers = fmb_first_integer(a->s) >= 0;
     mpq_t t;
     mpq_init(t);
-    for (size_t i = 0; i < a->e->claims; i++) {
+    for (size_t i = 0; i < a->e->claims && has_time(a); i++) {
         const fmb_claim *c = &a->e->claim[i];
         solution =
             solution || (c->kind == FMB_CLAIM_FEASIBLE && fmb_point_is_integral(a->s, &c->point));
     }
-    for (size_t i = 0; !found && i < a->e->claims; i++) {
+    for (size_t i = 0; !found && i < a->e->claims && has_time(a); i++) {
         const fmb_claim *c = &a->e->claim[i];
         bool about = (c->kind == FMB_CLAIM_BOUND || c->kind == FMB_CLAIM_UNBOUNDED) &&
                      (any || is_about_objective(a, c, of, t));
@@ -289,7 +304,7 @@ static bool names_optimum(const asker *a)
 
 /* ---- all ------------------------------------------------------------------------------------- */
 
-static bool meets_demand(const asker *a, fmb_demand what, bool *seen)
+static bool meets_demand(asker *a, fmb_demand what, bool *seen)
 {
     switch (what) {
     case FMB_DEMAND_FEASIBLE:
@@ -314,21 +329,42 @@ static bool meets_demand(const asker *a, fmb_demand what, bool *seen)
     return true;
 }
 
-fmb_status fmb_evidence_meets(const fmb_evidence *e, const fmb_system *s, fmb_demand what,
-                              const fmb_system *image, bool *meets, char *why, size_t size)
+/* A limit is a result: what was not found by then is not said to be missing. */
+static fmb_status ask_to_limit(asker *a, fmb_demand what, fmb_stop *stop, bool *meets)
+{
+    size_t marks = 2 * (size_t)a->e->dim + a->e->rows;
+    fmb_mem_take(&a->mem, a->e->mem.used);
+    bool *seen = fmb_mem_zero(&a->mem, marks, sizeof *seen);
+    if (!seen)
+        a->st = fmb_mem_status(&a->mem);
+    bool found = seen && meets_demand(a, what, seen);
+    fmb_mem_put(&a->mem, seen, marks, sizeof *seen);
+    if (a->st != FMB_OK && a->st != FMB_LIMIT)
+        return a->st;
+    *stop = a->st == FMB_LIMIT ? fmb_guard_stop(&a->guard) : FMB_STOP_DONE;
+    *meets = found && a->st == FMB_OK;
+    return FMB_OK;
+}
+
+fmb_status fmb_evidence_meets_within(const fmb_evidence *e, const fmb_system *s, fmb_demand what,
+                                     const fmb_system *image, const fmb_patience *patience,
+                                     fmb_stop *stop, bool *meets, char *why, size_t size)
 {
     bool of_image = what == FMB_DEMAND_PROJECTION || what == FMB_DEMAND_WHOLE;
-    if (!meets || !fmb_evidence_fits(e, s) || (of_image && !image) || what < FMB_DEMAND_NOTHING ||
-        what > FMB_DEMAND_OPTIMUM)
+    if (!stop || !meets || !fmb_evidence_fits(e, s) || (of_image && !image) ||
+        what < FMB_DEMAND_NOTHING || what > FMB_DEMAND_OPTIMUM)
         return FMB_ERR_ARG;
     char unwanted[1];
     asker a = {.e = e, .s = s, .image = image, .why = why ? why : unwanted, .size = why ? size : 1};
-    size_t marks = 2 * (size_t)e->dim + e->rows;
     fmb_mem_init(&a.mem, &s->mem.alloc, 0);
-    bool *seen = fmb_mem_zero(&a.mem, marks, sizeof *seen);
-    if (!seen)
-        return FMB_ERR_MEMORY;
-    *meets = meets_demand(&a, what, seen);
-    fmb_mem_put(&a.mem, seen, marks, sizeof *seen);
-    return FMB_OK;
+    fmb_status st = fmb_guard_begin(&a.guard, patience, &a.mem);
+    a.poll = fmb_guard_poll(&a.guard);
+    return st == FMB_OK ? ask_to_limit(&a, what, stop, meets) : st;
+}
+
+fmb_status fmb_evidence_meets(const fmb_evidence *e, const fmb_system *s, fmb_demand what,
+                              const fmb_system *image, bool *meets, char *why, size_t size)
+{
+    fmb_stop stop;
+    return fmb_evidence_meets_within(e, s, what, image, NULL, &stop, meets, why, size);
 }

@@ -76,7 +76,7 @@ MAY_BE_NULL = {"where", "mem", "res", "how", "o", "patience", "lift", "index", "
 MAY_BE_NULL_IN = {
     ("fmb_system_add_variable", "name"), ("fmb_solver_add_variable", "name"), ("fmb_mesh_meet", "b"),
     ("fmb_mesh_meet_pairs", "b"), ("fmb_frames_meet", "b"), ("fmb_bound", "vars"),
-    ("fmb_evidence_meets", "image"), ("fmb_optimize", "objective"), ("fmb_optimize_q", "objective"), ("fmb_system_join", "var"),
+    ("fmb_evidence_meets", "image"), ("fmb_evidence_meets_within", "image"), ("fmb_optimize", "objective"), ("fmb_optimize_q", "objective"), ("fmb_system_join", "var"),
     ("fmb_solver_set_symmetries", "p"), ("fmb_box_ends", "lower"), ("fmb_box_ends", "upper"),
     ("fmb_generators_get", "kind"), ("fmb_generators_get", "x"),
     *((f"fmb_system_get_rows{kind}", name) for kind in ("", "_int") for name in ("start", "var", "coef", "b")),

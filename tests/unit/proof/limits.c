@@ -94,6 +94,49 @@ Test(limits, reading)
     fmb_system_free(s);
 }
 
+static void expect_meets(const fmb_system *s, const fmb_evidence *e, fmb_demand what,
+                         const fmb_patience *wait, fmb_stop expected, bool answer)
+{
+    fmb_stop stop = FMB_STOP_ROWS;
+    bool meets = !answer;
+    char why[80] = "untouched";
+    cr_assert_eq(fmb_evidence_meets_within(e, s, what, s, wait, &stop, &meets, why, sizeof why),
+                 FMB_OK);
+    cr_expect_eq(stop, expected);
+    cr_expect_eq(meets, answer);
+    cr_expect_eq(strcmp(why, "untouched") == 0, stop != FMB_STOP_DONE || meets, "%s", why);
+}
+
+/* Whenever somebody gives up, whatever is wanted, it is neither there nor missing; with one
+ * question more it is as if nobody had been in a hurry. */
+Test(limits, demands)
+{
+    fmb_system *s = proof_system("x y\n1 1 <= 2\n-1 0 <= 0\n0 -1 <= 0", NULL);
+    fmb_evidence *e = proof_claims(s, triangle);
+    for (int what = FMB_DEMAND_FEASIBLE; what <= FMB_DEMAND_OPTIMUM; what++) {
+        patient p = {.most = SIZE_MAX};
+        fmb_patience wait = {.size = sizeof wait, .give_up = ask_patient, .self = &p};
+        bool answer = what == FMB_DEMAND_FEASIBLE || what == FMB_DEMAND_OPTIMUM;
+        expect_meets(s, e, (fmb_demand)what, &wait, FMB_STOP_DONE, answer);
+        size_t all = p.asked;
+        cr_expect_gt(all, 0);
+        for (size_t most = 0; most < all; most++) {
+            p = (patient){.most = most};
+            expect_meets(s, e, (fmb_demand)what, &wait, FMB_STOP_CANCELLED, false);
+        }
+        wait = (fmb_patience){.size = sizeof wait, .max_bytes = 1};
+        expect_meets(s, e, (fmb_demand)what, &wait, FMB_STOP_BYTES, false);
+        wait.max_seconds = -1;
+        fmb_stop stop;
+        bool meets;
+        cr_expect_eq(
+            fmb_evidence_meets_within(e, s, (fmb_demand)what, s, &wait, &stop, &meets, NULL, 0),
+            FMB_ERR_ARG);
+    }
+    fmb_evidence_free(e);
+    fmb_system_free(s);
+}
+
 /* Questions until a proof that the cube of n variables is all of itself is accepted. */
 static size_t questions_of_cube(int n)
 {
