@@ -16,13 +16,14 @@ import threading
 import unittest
 
 import default_signals  # noqa: F401
+import under
 
-FMB, EXAMPLES = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
+FMB, EXAMPLES = under.command(sys.argv[1]), os.path.abspath(sys.argv[2])
 RATIONAL = re.compile(r"-?[0-9]+(/[1-9][0-9]*)?")
 
 
 def run(*words, text=None):
-    return subprocess.run([FMB, *words], cwd=EXAMPLES, input=text, capture_output=True)
+    return subprocess.run([*FMB, *words], cwd=EXAMPLES, input=text, capture_output=True)
 
 
 def ask(code, *words, text=None):
@@ -151,7 +152,7 @@ class Interruption(unittest.TestCase):
         self.folder.cleanup()
 
     def start(self, *words, **streams):
-        return subprocess.Popen([FMB, *words, self.file, "--method", "fm"],
+        return subprocess.Popen([*FMB, *words, self.file, "--method", "fm"],
                                 stdout=subprocess.PIPE, **streams)
 
     def stop(self, number, *words):
@@ -241,7 +242,7 @@ class Endless(unittest.TestCase):
     def play(self, *words, **streams):
         """The process while it is fed, its output in a file, and what is set when it has read enough."""
         out, fed = tempfile.TemporaryFile(), threading.Event()
-        p = subprocess.Popen([FMB, "intersect", "-", *words], stdin=subprocess.PIPE, stdout=out,
+        p = subprocess.Popen([*FMB, "intersect", "-", *words], stdin=subprocess.PIPE, stdout=out,
                              **streams)
         threading.Thread(target=self.feed, args=[p, fed], daemon=True).start()
         return p, out, fed
@@ -344,7 +345,7 @@ class Waiting(unittest.TestCase):
         """Whoever sends a pair and waits gets its answer; then a signal ends the command at once."""
         for number, threads in ((signal.SIGINT, "1"), (signal.SIGTERM, "1"), (signal.SIGINT, "2")):
             for rest in (b"", Endless.LINE[:30]):
-                with subprocess.Popen([FMB, "intersect", "-", "--boxes", "none",
+                with subprocess.Popen([*FMB, "intersect", "-", "--boxes", "none",
                                        "--threads", threads], bufsize=0,
                                       stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                       stderr=subprocess.PIPE) as p:

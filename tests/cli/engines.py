@@ -8,7 +8,9 @@ import subprocess
 import sys
 import tempfile
 
-fmb = sys.argv[1]
+import under
+
+fmb = under.command(sys.argv[1])
 KEYS = ["event", "seconds", "name", "task", "part", "columns", "rows", "budget", "unit", "ended"]
 ENDS = {"answered", "gave up", "unsuitable", "limit"}
 seen = {}
@@ -53,7 +55,7 @@ def look(e, parts, last):
 
 def ask(folder, text, *words, ending="fmb", parts=1):
     (folder / f"in.{ending}").write_text(text)
-    run = subprocess.run([fmb, words[0], str(folder / f"in.{ending}"), *words[1:], "--quiet",
+    run = subprocess.run([*fmb, words[0], str(folder / f"in.{ending}"), *words[1:], "--quiet",
                           "--trace", str(folder / "trace")], capture_output=True, text=True)
     assert run.returncode in (0, 1, 2), f"{words}: {run}"
     events = [json.loads(line) for line in (folder / "trace").read_text().splitlines()]

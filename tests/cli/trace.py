@@ -7,7 +7,9 @@ import subprocess
 import sys
 import tempfile
 
-fmb, examples = sys.argv[1], pathlib.Path(sys.argv[2])
+import under
+
+fmb, examples = under.command(sys.argv[1]), pathlib.Path(sys.argv[2])
 SOME = """vars: x y z w
 x + y + z <= 6
 x - y <= 1
@@ -34,7 +36,7 @@ seen = dict.fromkeys([*KEYS, "dropped", "histories", "implicit", "not minimal"],
 
 def trace(folder, *words):
     out = folder / "trace"
-    run = subprocess.run([fmb, *words, "--trace", str(out), "--trace-rows", "true"],
+    run = subprocess.run([*fmb, *words, "--trace", str(out), "--trace-rows", "true"],
                          capture_output=True, text=True)
     assert run.returncode in (0, 1), f"{words}: {run}"
     return [json.loads(line) for line in out.read_text().splitlines()]

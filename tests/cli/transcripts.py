@@ -18,10 +18,13 @@ import difflib
 import os
 import pathlib
 import re
+import shlex
 import shutil
 import subprocess
 import sys
 import tempfile
+
+import under
 
 BLOCK = re.compile(r"(^```console\n)(.*?)(^```$)", re.M | re.S)
 
@@ -64,7 +67,7 @@ def play_file(document, fmb, folders):
             shutil.copytree(source, folder, dirs_exist_ok=True)
         bin.mkdir()
         wrapper = bin / "fmb"
-        wrapper.write_text(f'#!/bin/sh\nexec {os.environ.get("FMB_UNDER", "")} "{fmb}" "$@"\n')
+        wrapper.write_text(f'#!/bin/sh\nexec {shlex.join(under.command(fmb))} "$@"\n')
         wrapper.chmod(0o755)
         path = f"{bin}:/usr/bin:/bin"
         text = document.read_text()
@@ -77,7 +80,7 @@ def main():
     fmb, folders, *documents = arguments[rewrite:]
     failed = False
     for document in map(pathlib.Path, documents):
-        expected, found = play_file(document, os.path.abspath(fmb), folders.split(","))
+        expected, found = play_file(document, fmb, folders.split(","))
         if not BLOCK.search(expected):
             print(f"{document}: no console blocks")
             failed = True
