@@ -7,6 +7,7 @@
 
 #include "io/core/export.h"
 #include "io/core/utf8.h"
+#include "num/rationals.h"
 
 /* One word, not a number, nor what begins a comment or names a marker. */
 static bool spells_mps(const char *name)
@@ -25,11 +26,13 @@ typedef struct mps_entry {
 
 typedef struct mps_columns {
     size_t *first; /* [dim] place + 1, or 0 */
+    mpq_t *scale;  /* [rows] what each is written times */
     mps_entry *entry;
     size_t entries, capacity;
 } mps_columns;
 
-/* From the last row to the first, so that each column has its rows in their order. */
+/* From the last row to the first, so that each column has its rows in their order. What a row is
+ * written times is found out once. */
 static fmb_status sort_by_columns(fmb_export *e, mps_columns *m)
 {
     mpq_ptr q = e->q;
@@ -37,19 +40,20 @@ static fmb_status sort_by_columns(fmb_export *e, mps_columns *m)
                            fmb_mem_zero(&e->mem, (size_t)fmb_system_dim(e->s), sizeof *m->first)};
     if (!m->first)
         return fmb_mem_status(&e->mem);
-    for (size_t i = fmb_system_rows(e->s); i-- > 0;) {
+    fmb_status st = fmb_rationals_new(&m->scale, fmb_system_rows(e->s), &e->mem);
+    for (size_t i = fmb_system_rows(e->s); st == FMB_OK && i-- > 0;) {
         size_t n = fmb_system_terms(e->s, i);
-        fmb_status st = fmb_mem_reserve(&e->mem, (void **)&m->entry, &m->capacity, m->entries + n,
-                                        sizeof *m->entry);
-        if (st != FMB_OK)
-            return st;
-        for (size_t k = 0; k < n; k++) {
+        fmb_export_scale(e, i);
+        mpq_set(m->scale[i], e->scale);
+        st = fmb_mem_reserve(&e->mem, (void **)&m->entry, &m->capacity, m->entries + n,
+                             sizeof *m->entry);
+        for (size_t k = 0; st == FMB_OK && k < n; k++) {
             size_t *first = &m->first[fmb_system_term_q(e->s, i, k, q)];
             m->entry[m->entries] = (mps_entry){i, k, *first};
             *first = ++m->entries;
         }
     }
-    return FMB_OK;
+    return st;
 }
 
 static void write_entry(fmb_export *e, const char *set, size_t row)
@@ -88,7 +92,7 @@ static void write_column(fmb_export *e, const mps_columns *m, int j, size_t *k)
     *k += asked;
     for (size_t at = m->first[j]; at > 0; at = m->entry[at - 1].next) {
         const mps_entry *t = &m->entry[at - 1];
-        fmb_export_scale(e, t->row);
+        mpq_set(e->scale, m->scale[t->row]);
         fmb_system_term_q(e->s, t->row, t->term, e->q);
         write_entry(e, name, t->row);
     }
@@ -110,17 +114,17 @@ static void write_mps_columns(fmb_export *e, const mps_columns *m)
 }
 
 /* The right side of the objective is minus its constant. */
-static void write_right_sides(fmb_export *e)
+static void write_right_sides(fmb_export *e, const mps_columns *m)
 {
-    size_t m = fmb_system_rows(e->s);
+    size_t rows = fmb_system_rows(e->s);
     fputs("RHS\n", e->out);
     fmb_system_objective_constant_q(e->s, e->q);
     mpq_neg(e->q, e->q);
     mpq_set_ui(e->scale, 1, 1);
     if (mpq_sgn(e->q) != 0)
-        write_entry(e, "RHS", m);
-    for (size_t i = 0; i < m; i++) {
-        fmb_export_scale(e, i);
+        write_entry(e, "RHS", rows);
+    for (size_t i = 0; i < rows; i++) {
+        mpq_set(e->scale, m->scale[i]);
         fmb_system_rhs_q(e->s, i, e->q);
         if (mpq_sgn(e->q) != 0)
             write_entry(e, "RHS", i);
@@ -140,7 +144,7 @@ fmb_status fmb_write_mps(const fmb_system *s, FILE *out)
         fputs("NAME\n", out);
         write_mps_rows(&e);
         write_mps_columns(&e, &m);
-        write_right_sides(&e);
+        write_right_sides(&e, &m);
         fputs("BOUNDS\n", out);
         for (int j = 0; j < fmb_system_dim(s); j++)
             fprintf(out, " FR\tBND\t%s\n", e.column.name[j]);
@@ -148,6 +152,7 @@ fmb_status fmb_write_mps(const fmb_system *s, FILE *out)
     }
     fmb_mem_put(&e.mem, m.first, (size_t)fmb_system_dim(s), sizeof *m.first);
     fmb_mem_put(&e.mem, m.entry, m.capacity, sizeof *m.entry);
+    fmb_rationals_free(m.scale, fmb_system_rows(s), &e.mem);
     fmb_export_close(&e);
     return st;
 }

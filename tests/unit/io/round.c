@@ -331,3 +331,60 @@ Test(round, program_names)
     }
     fmb_system_free(s);
 }
+
+/* ---- what it costs --------------------------------------------------------------------------- */
+
+static size_t blocks; /* of limbs that GMP has asked for */
+
+static void *count_new_limbs(size_t bytes)
+{
+    blocks++;
+    return malloc(bytes);
+}
+
+static void *count_grown_limbs(void *p, size_t old_bytes, size_t new_bytes)
+{
+    (void)old_bytes;
+    blocks++;
+    return realloc(p, new_bytes);
+}
+
+static void free_limbs(void *p, size_t bytes)
+{
+    (void)bytes;
+    free(p);
+}
+
+/* How often GMP asks for memory while n rows of n terms are written. */
+static size_t count_blocks_of_square(int n, fmb_format f)
+{
+    fmb_system *s = NULL;
+    int64_t *row = calloc((size_t)n, sizeof *row);
+    cr_assert(row && fmb_system_new(n, NULL, &s) == FMB_OK);
+    for (int i = 0; i < n; i++) {
+        for (int j = 0; j < n; j++)
+            row[j] = 1 + (i + 7 * j) % 89;
+        cr_assert_eq(fmb_system_add_int(s, row, FMB_LE, i), FMB_OK);
+    }
+    blocks = 0;
+    mp_set_memory_functions(count_new_limbs, count_grown_limbs, free_limbs);
+    free(write_text(s, f));
+    mp_set_memory_functions(NULL, NULL, NULL);
+    fmb_system_free(s);
+    free(row);
+    return blocks;
+}
+
+/* Four times as many rows, each four times as long, are sixteen times as many terms, and as much
+ * work; what is done for each term about its whole row would make that sixty-four. */
+Test(round, cost_of_dense_rows)
+{
+    static const fmb_format formats[] = {FMB_FORMAT_TEXT, FMB_FORMAT_INE, FMB_FORMAT_SMT2,
+                                         FMB_FORMAT_MPS, FMB_FORMAT_LP};
+    for (size_t k = 0; k < sizeof formats / sizeof *formats; k++) {
+        size_t small = count_blocks_of_square(20, formats[k]);
+        size_t large = count_blocks_of_square(80, formats[k]);
+        cr_expect(large <= 20 * (small + 1), "%s: %zu, %zu", fmb_format_text(formats[k]), small,
+                  large);
+    }
+}
