@@ -212,7 +212,16 @@ static void note_idle_rules(const app_session *s)
         app_session_note(s, "--rules had no say: no rows were paired");
 }
 
-/* Errors of the stream stay in it until it is closed. */
+int app_session_proof_error(const char *path, fmb_status st)
+{
+    if (st == FMB_ERR_IO)
+        return APP_YES;
+    return st == FMB_ERR_RANGE
+               ? app_error(APP_CANNOT_WRITE, "%s: a number is too long for a proof", path)
+               : app_status_error(st);
+}
+
+/* What is not whole is not left behind. */
 static int write_proof(app_session *s)
 {
     if (!s->proof)
@@ -222,7 +231,12 @@ static int write_proof(app_session *s)
         return APP_YES;
     }
     fmb_status st = fmb_evidence_write(s->evidence, s->system, s->proof);
-    return st == FMB_OK || st == FMB_ERR_IO ? APP_YES : app_status_error(st);
+    int code = st == FMB_OK ? APP_YES : app_session_proof_error(s->ask->proof, st);
+    if (code != APP_YES) {
+        app_file_discard(s->proof);
+        s->proof = NULL;
+    }
+    return code;
 }
 
 int app_session_close(app_session *s, int code)

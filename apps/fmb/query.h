@@ -53,6 +53,10 @@ int app_session_undecided(const app_session *s, const char *what);
 void app_session_note(const app_session *s, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
+/* Why fmb_evidence_write failed for the output of that name, in a message; APP_YES for an error of
+ * the stream, which stays in it until it is closed. */
+int app_session_proof_error(const char *path, fmb_status st);
+
 /* Write the proof, close and free everything; code, or the exit code of what went wrong now. */
 int app_session_close(app_session *s, int code);
 

@@ -200,9 +200,11 @@ static int write_numbered(const app_session *s, size_t number, const char *endin
         fmb_status st = ending        ? fmb_system_write(s->system, FMB_FORMAT_TEXT, out)
                         : s->evidence ? fmb_evidence_write(s->evidence, s->system, out)
                                       : FMB_OK;
-        code = st == FMB_OK || st == FMB_ERR_IO ? APP_YES : app_status_error(st);
-        int closed = app_file_close(out, path);
-        code = code == APP_YES ? closed : code;
+        code = st == FMB_OK ? APP_YES : app_session_proof_error(path, st);
+        if (code == APP_YES)
+            code = app_file_close(out, path);
+        else
+            app_file_discard(out);
     }
     free(path);
     return code;

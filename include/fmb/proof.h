@@ -102,10 +102,11 @@ FMB_API FMB_CHECKED fmb_status fmb_evidence_parse_within(const char *text, size_
                                                          const fmb_patience *patience,
                                                          fmb_evidence **out, fmb_stop *stop,
                                                          fmb_where *where);
-/* Write the text form. Errors: ARG (also: s is not of the shape that e is about), IO. */
+/* Write the text form. Errors: ARG (also: s is not of the shape that e is about), RANGE (a number
+ * is longer than a word of that form may be, 1,048,576 bytes), IO. */
 FMB_API FMB_CHECKED fmb_status fmb_evidence_write(const fmb_evidence *e, const fmb_system *s,
                                                   FILE *out);
-/* The same to memory (<fmb/base.h>). Errors: ARG, MEMORY. */
+/* The same to memory (<fmb/base.h>). Errors: ARG, RANGE, MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_evidence_print(const fmb_evidence *e, const fmb_system *s,
                                                   char *text, size_t size, size_t *length);
 

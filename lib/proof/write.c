@@ -26,11 +26,17 @@ static void write_name(FILE *out, const char *name)
     fputc('"', out);
 }
 
-/* False if the number is too long to be read back. */
-static bool write_number(FILE *out, const mpq_t q)
+/* Too long to be read back. */
+static bool is_too_long(const mpq_t q)
 {
     size_t digits = mpz_sizeinbase(mpq_numref(q), 10) + mpz_sizeinbase(mpq_denref(q), 10);
-    if (digits + 3 > FMB_PROOF_WORD_MAX)
+    return digits + 3 > FMB_PROOF_WORD_MAX;
+}
+
+/* False if the number is too long. */
+static bool write_number(FILE *out, const mpq_t q)
+{
+    if (is_too_long(q))
         return false;
     mpq_out_str(out, 10, q);
     return true;
@@ -127,6 +133,17 @@ static bool write_claim(FILE *out, const fmb_evidence *e, const fmb_system *s, f
     return good;
 }
 
+static bool has_long_number(fmb_claim *c)
+{
+    bool found = is_too_long(c->value);
+    for (fmb_form_part part = 0; part < FMB_PARTS; part++) {
+        const fmb_sparse_vector *list = fmb_form_list(c, part);
+        for (size_t k = 0; !found && k < list->size; k++)
+            found = is_too_long(list->value[k]);
+    }
+    return found;
+}
+
 fmb_status fmb_evidence_write(const fmb_evidence *e, const fmb_system *s, FILE *out)
 {
     if (!out || !fmb_evidence_fits(e, s))
@@ -134,7 +151,7 @@ fmb_status fmb_evidence_write(const fmb_evidence *e, const fmb_system *s, FILE *
     fprintf(out, "fmb-proof 4\nsystem %zu rows %d variables\n", e->rows, e->dim);
     for (size_t i = 0; i < e->claims; i++)
         if (!write_claim(out, e, s, &e->claim[i]))
-            return FMB_ERR_ARG;
+            return has_long_number(&e->claim[i]) ? FMB_ERR_RANGE : FMB_ERR_ARG;
     fprintf(out, "claims %zu\n", e->claims);
     return ferror(out) ? FMB_ERR_IO : FMB_OK;
 }

@@ -266,7 +266,7 @@ Test(text, long_numbers)
     mpz_ui_pow_ui(mpq_numref(e->claim[0].point.value[0]), 10, 2000000);
     FILE *out = tmpfile();
     cr_assert_not_null(out);
-    cr_expect_eq(fmb_evidence_write(e, s, out), FMB_ERR_ARG);
+    cr_expect_eq(fmb_evidence_write(e, s, out), FMB_ERR_RANGE);
     fclose(out);
     fmb_evidence_free(e);
     fmb_system_free(s);
