@@ -203,9 +203,11 @@ static int refuse_to_write(const fmb_system *s, fmb_format f)
     if (fmb_system_dim(s) == 0)
         return app_error(APP_BAD_INPUT, "there are no variables, which .%s cannot say",
                          fmb_format_text(f));
+    if (fmb_system_rows(s) == 0 && fmb_system_sense(s) == FMB_SENSE_NONE)
+        return app_error(APP_BAD_INPUT, "there is neither a row nor an objective, as .%s needs",
+                         fmb_format_text(f));
     return app_error(APP_BAD_INPUT,
-                     "the objective has numbers that are no finite decimals, as .%s needs, or "
-                     "there is neither a row nor an objective",
+                     "the objective has numbers that are no finite decimals, as .%s needs",
                      fmb_format_text(f));
 }
 
