@@ -8,6 +8,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include "common/json.h"
 #include "common/text.h"
@@ -17,39 +19,51 @@ static bool as_json;
 /* ---- what others write ----------------------------------------------------------------------- */
 
 static struct {
-    FILE *own; /* the real standard error; NULL: nothing is captured */
+    int own;  /* the real standard error, by another number; -1: nothing is captured */
+    int file; /* in memory: what stands in its place */
     const char *name;
-    char *text;
-    size_t size;
-} captured;
+} captured = {.own = -1};
 
 void app_errors_release(void)
 {
-    if (!captured.own)
+    char *line = NULL;
+    size_t room = 0, name;
+    if (captured.own < 0)
         return;
-    fclose(stderr);
-    stderr = captured.own;
-    captured.own = NULL;
-    size_t name = strlen(captured.name);
-    char *text = captured.text;
-    if (strncmp(text, captured.name, name) == 0 && strncmp(text + name, ": ", 2) == 0)
-        text += name + 2;
-    text[strcspn(text, "\n")] = '\0';
-    if (*text)
-        app_error(APP_USAGE, "%s", text);
-    free(captured.text);
+    fflush(stderr);
+    dup2(captured.own, STDERR_FILENO);
+    close(captured.own);
+    captured.own = -1;
+    FILE *in = app_need(fdopen(captured.file, "r"));
+    rewind(in);
+    if (getline(&line, &room, in) > 0) {
+        char *text = line;
+        name = strlen(captured.name);
+        if (strncmp(text, captured.name, name) == 0 && strncmp(text + name, ": ", 2) == 0)
+            text += name + 2;
+        text[strcspn(text, "\n")] = '\0';
+        if (*text)
+            app_error(APP_USAGE, "%s", text);
+    }
+    fclose(in);
+    free(line);
 }
 
+/* Where there is no standard error, or no such file, what others write stays as it is. */
 void app_errors_capture(const char *name)
 {
     static bool guarded;
     if (!guarded && atexit(app_errors_release) != 0)
         exit(app_status_error(FMB_ERR_MEMORY));
     guarded = true;
-    FILE *f = app_need(open_memstream(&captured.text, &captured.size));
-    captured.own = stderr;
     captured.name = name;
-    stderr = f; /* a variable, says the manual of the GNU C library */
+    captured.own = dup(STDERR_FILENO);
+    captured.file = captured.own < 0 ? -1 : memfd_create("errors", MFD_CLOEXEC);
+    if (captured.file >= 0 && dup2(captured.file, STDERR_FILENO) >= 0)
+        return;
+    if (captured.own >= 0)
+        close(captured.own);
+    captured.own = -1;
 }
 
 /* ---- errors ---------------------------------------------------------------------------------- */
