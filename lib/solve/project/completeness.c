@@ -13,15 +13,11 @@
 #include "solve/project/lifts.h"
 #include "solve/query/lifted.h"
 
-/* So many corners are too many, also on the way to them; and so many rays made on that way, of
- * which it is looked at how many are left after each turn. */
-#define MOST_CORNERS 5000
-#define MOST_TURNS   256
-#define RAYS_OF_TURN 1024
+/* So many rays may be made on the way to the corners, which are some of them: work and memory
+ * where nobody sets a limit. */
+#define MOST_RAYS 262144
 /* And so are more faces whose middle has to be shown. */
 #define MOST_MIDDLES 2000
-
-static const char TOO_MANY[] = "it has too many corners";
 
 typedef struct whole_proof {
     fmb_query *q;
@@ -71,8 +67,8 @@ static fmb_status claim_corner(whole_proof *w, const fmb_vec *ray, int sign, boo
 static fmb_status claim_all_corners(whole_proof *w, const fmb_image *m, bool *found)
 {
     fmb_status st = FMB_OK;
-    *found = m->rays + 2 * m->lines <= MOST_CORNERS;
-    w->why = *found ? "above some corner no solution was found" : TOO_MANY;
+    *found = true;
+    w->why = "above some corner no solution was found";
     for (size_t i = 0; st == FMB_OK && *found && i < m->rays; i++)
         st = claim_corner(w, &m->ray[i], 1, found);
     for (size_t i = 0; st == FMB_OK && *found && i < 2 * m->lines; i++)
@@ -85,12 +81,9 @@ static fmb_status find_corners(whole_proof *w, bool *found)
     fmb_lifted h;
     fmb_status st = fmb_lifted_open(&h, w->q, w->image);
     *found = false;
-    w->why = TOO_MANY;
-    for (int turn = 0; st == FMB_OK && !*found && turn < MOST_TURNS; turn++) {
-        if (h.cone.ray.size > MOST_CORNERS)
-            break;
-        st = fmb_lifted_run(&h, RAYS_OF_TURN, found);
-    }
+    w->why = "it has too many corners";
+    if (st == FMB_OK)
+        st = fmb_lifted_run(&h, MOST_RAYS, found);
     if (st == FMB_OK && *found)
         st = claim_all_corners(w, &h.image, found);
     fmb_lifted_close(&h);

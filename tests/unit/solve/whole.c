@@ -316,3 +316,49 @@ Test(whole, changes_4)
 {
     change(4000, 2500);
 }
+
+/* The cube of n variables, seen along one more that one of them bounds: with all its corners. */
+static fmb_stats prove_cube(int n)
+{
+    dense d = dense_new(n + 1, 2 * n + 3);
+    for (int i = 0; i < 2 * n + 2; i++) {
+        mpq_set_si(dense_row(&d, i)[i / 2], i % 2 ? 1 : -1, 1);
+        mpq_set_si(dense_rhs(&d, i), i % 2, 1);
+    }
+    mpq_set_si(dense_row(&d, 2 * n + 2)[n], 1, 1);
+    mpq_set_si(dense_row(&d, 2 * n + 2)[0], -1, 1);
+    mpq_set_si(dense_rhs(&d, 2 * n + 2), 1, 1);
+    fmb_system *s = dense_system(&d), *image = NULL;
+    fmb_evidence *e = NULL;
+    fmb_solver *v = NULL;
+    fmb_options o = {.size = sizeof o, .evidence = FMB_EVIDENCE_WHOLE};
+    fmb_result r = {.size = sizeof r};
+    int keep[16];
+    for (int k = 0; k < n; k++)
+        keep[k] = k;
+    dense_free(&d);
+    must(fmb_solver_new(&o, NULL, &v));
+    must(fmb_project(v, s, keep, n, &image, &r));
+    must(fmb_solver_evidence(v, &e));
+    cr_expect(convinces(s, e, image), "%d", n);
+    fmb_evidence_free(e);
+    fmb_system_free(image);
+    fmb_system_free(s);
+    fmb_solver_free(v);
+    return r.stats;
+}
+
+/* A cube of one dimension more has twice the corners: proving it whole takes no more than three
+ * times the linear programs and the memory. */
+Test(whole, cubes)
+{
+    fmb_stats before = prove_cube(9);
+    for (int n = 10; n <= 14; n++) {
+        fmb_stats now = prove_cube(n);
+        cr_expect_leq(now.lps, 3 * before.lps, "%d: %llu programs after %llu", n,
+                      (unsigned long long)now.lps, (unsigned long long)before.lps);
+        cr_expect_leq(now.bytes_peak, 3 * before.bytes_peak, "%d: %zu bytes after %zu", n,
+                      now.bytes_peak, before.bytes_peak);
+        before = now;
+    }
+}
