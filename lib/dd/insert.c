@@ -172,7 +172,7 @@ static fmb_status add_ray_of_pair(fmb_cone *c, uint32_t a, uint32_t b)
         return st;
     fmb_cone_count_negatives(c, &c->ray.v[at], 1, c->negatives);
     c->made += fmb_ray_price(&c->ray.v[at]);
-    return fmb_run_poll(c->run);
+    return fmb_run_poll_step(c->run, fmb_vec_is_wide(&c->ray.v[at]));
 }
 
 static fmb_status pair_next_ray(fmb_cone *c)

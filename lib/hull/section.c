@@ -36,7 +36,7 @@ static fmb_status find_base(fmb_section *c)
     for (size_t i = 0; st == FMB_OK && i < c->m && c->rank < c->d; i++) {
         st = try_row_for_base(c, i);
         if (st == FMB_OK)
-            st = fmb_run_poll(c->run);
+            st = fmb_run_poll_step(c->run, fmb_vec_is_wide(&c->row[i]));
     }
     return st;
 }

@@ -54,7 +54,13 @@ void fmb_share_end(const fmb_share *s, fmb_run *run, size_t *peak);
 fmb_status fmb_run_poll(fmb_run *run);
 /* The same, with the clock read at every call: before long steps. */
 fmb_status fmb_run_poll_now(fmb_run *run);
-/* The same; FMB_OK without a run. */
+/* Behind a step with numbers that are wide, or are not: wide ones may be of any length, and one
+ * step as long as many others. */
+static inline fmb_status fmb_run_poll_step(fmb_run *run, bool wide)
+{
+    return wide ? fmb_run_poll_now(run) : fmb_run_poll(run);
+}
+/* The same as fmb_run_poll_now; FMB_OK without a run. */
 static inline fmb_status fmb_poll_if_limited(fmb_run *run)
 {
     return run ? fmb_run_poll_now(run) : FMB_OK;

@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <fmb/generators.h>
+
 #include "counted_clock.h"
 #include "property/random/rows.h"
 #include "samples.h"
@@ -242,6 +244,28 @@ Test(gmp, at_a_limit)
     cr_expect_eq(r.stop, FMB_STOP_ROWS);
     cr_expect_lt(written, 5 * system, "%zu bytes of results, the system has %zu", written, system);
     fmb_box_free(box);
+    fmb_solver_free(v);
+    fmb_system_free(s);
+}
+
+/* Whether to go on is asked for each ray of long numbers that is made, as one of them may take
+ * long. */
+Test(gmp, each_ray)
+{
+    fmb_system *s = long_budgets(5, 10, 300);
+    fmb_options o = {.size = sizeof o, .max_seconds = COUNTED_FOREVER, .method = FMB_METHOD_DD};
+    fmb_result r = {.size = sizeof r};
+    fmb_solver *v = NULL;
+    fmb_generators *g = NULL;
+    must(fmb_solver_new(&o, &counted, &v));
+    counted_clock_start(0, NULL, NULL);
+    must(fmb_generate(v, s, &g, &r));
+    counted_clock_stop();
+    cr_assert_eq(r.stop, FMB_STOP_DONE);
+    cr_expect_gt(fmb_generators_size(g), 20, "%zu rays", fmb_generators_size(g));
+    cr_expect_gt(counted_clock_readings(), fmb_generators_size(g), "%zu readings, %zu rays",
+                 counted_clock_readings(), fmb_generators_size(g));
+    fmb_generators_free(g);
     fmb_solver_free(v);
     fmb_system_free(s);
 }

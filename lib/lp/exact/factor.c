@@ -104,7 +104,7 @@ static fmb_status prepare_minors(fmb_factor *f)
 {
     if (f->has_minors)
         return FMB_OK;
-    fmb_status st = fmb_minors_factor(&f->minors, &f->b[0], f->mem);
+    fmb_status st = fmb_minors_factor(&f->minors, &f->b[0], f->run);
     f->has_minors = st == FMB_OK;
     return st;
 }
@@ -290,7 +290,7 @@ static fmb_status solve_factored(fmb_factor *f, bool across, mpz_t *right, mpz_t
     if (st == FMB_OK && !f->is_short)
         return solve_by_lifting(f, &f->lift[across], right, right_at, at, x, den);
     if (st == FMB_OK)
-        fmb_minors_solve(&f->minors, across, right, right_at, at, x, den);
+        st = fmb_minors_solve(&f->minors, f->run, across, right, right_at, at, x, den);
     return st == FMB_OK ? fmb_run_poll(f->run) : st;
 }
 

@@ -66,9 +66,16 @@ static void clear_entry(mpz_t to, const mpz_t p, const mpz_t a, const mpz_t b, c
         mpz_divexact(to, to, last);
 }
 
-fmb_status fmb_minors_factor(fmb_minors *f, const fmb_sparse *b, fmb_mem *mem)
+/* One row went through step k. */
+static fmb_status poll_row(fmb_run *run, const fmb_minors *f, size_t k)
+{
+    return fmb_run_poll_step(run, !mpz_fits_slong_p(f->at.z[k * f->n + k]));
+}
+
+fmb_status fmb_minors_factor(fmb_minors *f, const fmb_sparse *b, fmb_run *run)
 {
     size_t n = b->n;
+    fmb_mem *mem = run->mem;
     fmb_status st = make_room(f, n, mem);
     if (st != FMB_OK)
         return st;
@@ -76,13 +83,16 @@ fmb_status fmb_minors_factor(fmb_minors *f, const fmb_sparse *b, fmb_mem *mem)
     mpz_t *a = f->at.z;
     mpz_set_ui(f->y.z[n], 1);
     mpz_ptr last = f->y.z[n];
-    for (size_t k = 0; k < n; k++) {
-        for (size_t i = k + 1; i < n; i++)
+    for (size_t k = 0; st == FMB_OK && k < n; k++) {
+        for (size_t i = k + 1; st == FMB_OK && i < n; i++) {
             for (size_t j = k + 1; j < n; j++)
                 clear_entry(a[i * n + j], a[k * n + k], a[i * n + k], a[k * n + j], last);
+            st = poll_row(run, f, k);
+        }
         last = a[k * n + k];
     }
-    st = fmb_integers_settle(&f->at, mem);
+    if (st == FMB_OK)
+        st = fmb_integers_settle(&f->at, mem);
     return st == FMB_OK ? fmb_integers_settle(&f->y, mem) : st;
 }
 
@@ -93,41 +103,50 @@ static mpz_srcptr factor_at(const fmb_minors *f, bool transposed, size_t i, size
 }
 
 /* y, a last column of the matrix, goes through the steps. */
-static void go_forwards(fmb_minors *f, bool transposed)
+static fmb_status go_forwards(fmb_minors *f, fmb_run *run, bool transposed)
 {
+    fmb_status st = FMB_OK;
     mpz_t *y = f->y.z;
     mpz_set_ui(y[f->n], 1);
     mpz_srcptr last = y[f->n];
-    for (size_t k = 0; k < f->n; k++) {
+    for (size_t k = 0; st == FMB_OK && k < f->n; k++) {
         mpz_srcptr p = factor_at(f, false, k, k);
         for (size_t i = k + 1; i < f->n; i++)
             clear_entry(y[i], p, factor_at(f, transposed, i, k), y[k], last);
         last = p;
+        st = poll_row(run, f, k);
     }
+    return st;
 }
 
 /* y becomes det x: sum_{j >= i} u_ij x_j = y_i, and each det x_j is an integer (Cramer). */
-static void go_backwards(fmb_minors *f, bool transposed, const mpz_t det)
+static fmb_status go_backwards(fmb_minors *f, fmb_run *run, bool transposed, const mpz_t det)
 {
+    fmb_status st = FMB_OK;
     mpz_t *y = f->y.z;
-    for (size_t i = f->n; i-- > 0;) {
+    for (size_t i = f->n; st == FMB_OK && i-- > 0;) {
         if (i + 1 < f->n)
             mpz_mul(y[i], y[i], det);
         for (size_t j = i + 1; j < f->n; j++)
             mpz_submul(y[i], factor_at(f, transposed, i, j), y[j]);
         if (i + 1 < f->n)
             mpz_divexact(y[i], y[i], factor_at(f, false, i, i));
+        st = poll_row(run, f, i);
     }
+    return st;
 }
 
-void fmb_minors_solve(fmb_minors *f, bool transposed, mpz_t *right, const int *right_at,
-                      const int *at, mpz_t *x, mpz_t den)
+fmb_status fmb_minors_solve(fmb_minors *f, fmb_run *run, bool transposed, mpz_t *right,
+                            const int *right_at, const int *at, mpz_t *x, mpz_t den)
 {
     for (size_t k = 0; k < f->n; k++)
         mpz_set(f->y.z[k], right[right_at[k]]);
     mpz_srcptr det = factor_at(f, false, f->n - 1, f->n - 1);
-    go_forwards(f, transposed);
-    go_backwards(f, transposed, det);
+    fmb_status st = go_forwards(f, run, transposed);
+    if (st == FMB_OK)
+        st = go_backwards(f, run, transposed, det);
+    if (st != FMB_OK)
+        return st;
     mpz_abs(den, det);
     for (size_t k = 0; k < f->n; k++)
         if (mpz_sgn(det) < 0)
@@ -135,4 +154,5 @@ void fmb_minors_solve(fmb_minors *f, bool transposed, mpz_t *right, const int *r
         else
             mpz_set(x[at[k]], f->y.z[k]);
     fmb_integers_cancel(x, f->n, den);
+    return FMB_OK;
 }

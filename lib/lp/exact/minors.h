@@ -13,6 +13,7 @@
 
 #include "lp/exact/sparse.h"
 #include "num/integers.h"
+#include "trace/run.h"
 
 typedef struct fmb_minors {
     size_t n;
@@ -23,14 +24,16 @@ typedef struct fmb_minors {
 /* Is b so small that this is quicker than lifting? */
 bool fmb_minors_suit(const fmb_sparse *b);
 
-/* Factor b, whose leading minors are not 0. An empty one is all zeros; what f held is gone, but its
+/* Both ask at each row whether to go on: where entries are long, a row may take long.
+ *
+ * Factor b, whose leading minors are not 0. An empty one is all zeros; what f held is gone, but its
  * memory is used again. Errors: MEMORY, LIMIT. In any case fmb_minors_clear it. */
-fmb_status fmb_minors_factor(fmb_minors *f, const fmb_sparse *b, fmb_mem *mem);
+fmb_status fmb_minors_factor(fmb_minors *f, const fmb_sparse *b, fmb_run *run);
 void fmb_minors_clear(fmb_minors *f, fmb_mem *mem);
 
 /* x[at[k]] / den = unknown k, in lowest terms together, den > 0, of B x = right, or where
- * `transposed` of B^T x = right, right[right_at[k]] in row k. */
-void fmb_minors_solve(fmb_minors *f, bool transposed, mpz_t *right, const int *right_at,
-                      const int *at, mpz_t *x, mpz_t den);
+ * `transposed` of B^T x = right, right[right_at[k]] in row k. Errors: LIMIT. */
+fmb_status fmb_minors_solve(fmb_minors *f, fmb_run *run, bool transposed, mpz_t *right,
+                            const int *right_at, const int *at, mpz_t *x, mpz_t den);
 
 #endif

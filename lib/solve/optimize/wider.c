@@ -10,7 +10,7 @@ static fmb_status open_wider_row(fmb_vec *v, size_t entries, fmb_arena *arena)
     return v->s ? FMB_OK : fmb_mem_status(arena->mem);
 }
 
-/* from[n + 1] as to[n + 2], with a zero before the right side. */
+/* from[n + 1], in lowest terms, as to[n + 2], with a zero before the right side. */
 static fmb_status copy_wider_row(fmb_vec *to, const fmb_vec *from, size_t n, fmb_num *k)
 {
     if (!fmb_vec_is_wide(from)) {
@@ -24,7 +24,7 @@ static fmb_status copy_wider_row(fmb_vec *to, const fmb_vec *from, size_t n, fmb
     fmb_status st = fmb_vec_widen(to, n + 2, k->mem);
     for (size_t j = 0; st == FMB_OK && j <= n; j++)
         fmb_vec_get(from, j, to->z[j < n ? j : n + 1]);
-    return st == FMB_OK ? fmb_vec_reduce(to, n + 2, k) : st;
+    return st == FMB_OK ? fmb_vec_settle(to, n + 2, k->mem) : st;
 }
 
 /* den z - (den goal).x = 0 in integers z[n + 2], den being the least common denominator. */
@@ -86,7 +86,7 @@ static fmb_status fill_wider_rows(fmb_part *p, fmb_query *q, const fmb_part *fro
         st = i < from->m ? copy_wider_row(&p->row[i], &from->row[i], n, k)
                          : set_goal_row(&p->row[i], from, g, k);
         if (st == FMB_OK && q->run.stop == FMB_STOP_DONE)
-            st = fmb_run_poll(&q->run);
+            st = fmb_run_poll_step(&q->run, fmb_vec_is_wide(&p->row[i]));
     }
     return st;
 }

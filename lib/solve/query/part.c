@@ -184,7 +184,7 @@ fmb_status fmb_part_load(fmb_part *p, const fmb_system *s, const int *place, fmb
     for (size_t i = 0; st == FMB_OK && i < p->m; i++) {
         st = load_row_of_part(&p->row[i], fmb_system_row(s, p->source[i]), place, n, &k);
         if (st == FMB_OK && run->stop == FMB_STOP_DONE)
-            st = fmb_run_poll(run);
+            st = fmb_run_poll_step(run, fmb_vec_is_wide(&p->row[i]));
     }
     fmb_num_clear(&k);
     if (st != FMB_OK)

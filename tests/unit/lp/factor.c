@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "bareiss.h"
+#include "counted_clock.h"
 #include "lp/exact/factor.h"
 #include "lp/exact/prime.h"
 #include "support.h"
@@ -405,4 +406,41 @@ Test(factor, limits_on_memory_leave_nothing_behind)
         bareiss_free(x, b.n);
         close_bench(&b);
     }
+}
+
+/* A small matrix of long numbers: whether to go on is asked at each row, so a limit of any number
+ * of readings stops it there; behind a limit the same is solved. */
+Test(factor, stops_between_rows)
+{
+    support_rng g = {11};
+    bench b;
+    mpz_t x[8], right[8], den;
+    size_t limit = 0;
+    fmb_status st;
+    open_bench(&b, 8);
+    fill(&b, &g, 100, 200);
+    build_program(&b, &g);
+    mpz_init(den);
+    for (size_t i = 0; i < b.n; i++) {
+        mpz_init(x[i]);
+        mpz_init_set_ui(right[i], i + 1);
+    }
+    factor_and_check_rank(&b);
+    do {
+        counted_clock_start(0, NULL, NULL);
+        b.run.stop = FMB_STOP_DONE;
+        b.run.deadline = (double)++limit;
+        st = fmb_factor_solve(b.f, right, x, den);
+        counted_clock_stop();
+        cr_assert(st == FMB_OK || (st == FMB_LIMIT && b.run.stop == FMB_STOP_TIME));
+        cr_assert_leq(counted_clock_readings(), limit);
+    } while (st != FMB_OK);
+    cr_assert_geq(limit, (b.n - 1) * (b.n - 2) / 2, "%zu readings", limit); /* behind step 0 */
+    b.run.deadline = 0;
+    check_solution(&b, &g, false, 200, 100);
+    check_solution(&b, &g, true, 200, 100);
+    for (size_t i = 0; i < b.n; i++)
+        mpz_clears(x[i], right[i], NULL);
+    mpz_clear(den);
+    close_bench(&b);
 }
