@@ -248,6 +248,29 @@ Test(gmp, at_a_limit)
     fmb_system_free(s);
 }
 
+/* Rows of long numbers that a limit of time left no time to load are not loaded behind it: at the
+ * third reading some of them are, and all of them write more than the system has. */
+Test(gmp, loading_ends_at_a_limit)
+{
+    watch_gmp();
+    fmb_system *s = long_budgets(6, 12, 50000), *out = NULL;
+    fmb_options o = {.size = sizeof o, .max_seconds = 3};
+    fmb_result r = {.size = sizeof r};
+    fmb_solver *v = NULL;
+    size_t system = held;
+    int keep[] = {0, 1};
+    must(fmb_solver_new(&o, &counted, &v));
+    counted_clock_start(0, NULL, NULL);
+    written = 0;
+    must(fmb_project(v, s, keep, 2, &out, &r));
+    counted_clock_stop();
+    cr_expect_eq(r.stop, FMB_STOP_TIME);
+    cr_expect_lt(written, system, "%zu bytes of results, the system has %zu", written, system);
+    fmb_system_free(out);
+    fmb_solver_free(v);
+    fmb_system_free(s);
+}
+
 /* Whether to go on is asked for each ray of long numbers that is made, as one of them may take
  * long. */
 Test(gmp, each_ray)

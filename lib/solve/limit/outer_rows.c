@@ -10,6 +10,9 @@
 /* Entries that are looked at in all rows, and rows that are looked at in all derivations. */
 #define MOST_ENTRIES ((size_t)1 << 20)
 #define MOST_STEPS   ((size_t)1 << 21)
+/* What loading a part takes at most, some milliseconds: an entry counts once, and the square of its
+ * length in limbs, as rows are divided by what their entries have in common. */
+#define MOST_LOADING ((size_t)1 << 24)
 
 /* A part on its way. */
 typedef struct image {
@@ -100,11 +103,26 @@ static fmb_status refute_by_clash(fmb_query *q, const fmb_part *p, const fmb_eli
     return st;
 }
 
+/* Is the part loaded, or soon would be? Rows of long numbers that the limit left no time for are
+ * not loaded behind it. */
+static bool is_loading_short(const fmb_query *q, const fmb_part *p)
+{
+    size_t work = 0;
+    for (size_t i = 0; !p->row && i < p->m && work <= MOST_LOADING; i++) {
+        const fmb_sysrow *r = fmb_system_row(q->s, p->source[i]);
+        size_t limbs = fmb_vec_is_wide(&r->val) ? r->val.limbs / (r->nnz + 2) : 0;
+        work += (r->nnz + 1) * (1 + limbs * limbs);
+    }
+    return work <= MOST_LOADING;
+}
+
 /* From the rows of the part alone. */
 static fmb_status put_part_at_limit(fmb_query *q, const fmb_part *p, const int *place,
                                     fmb_system *out, fmb_verdict *verdict)
 {
     fmb_elim e;
+    if (!is_loading_short(q, p))
+        return FMB_OK;
     fmb_arena_place start = fmb_arena_tell(&q->v->arena);
     fmb_status st = fmb_query_load(q, p, true, &e);
     if (st == FMB_OK && e.clash == FMB_NO_ROW)
