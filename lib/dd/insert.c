@@ -37,7 +37,8 @@ static fmb_status move_along_line(fmb_cone *c, fmb_vec *v, const fmb_vec *line, 
 {
     if (fmb_vec_sgn(v, entry) == 0)
         return FMB_OK;
-    return fmb_vec_cancel(v, v, line, c->line.width, entry, &c->num);
+    fmb_status st = fmb_vec_cancel(v, v, line, c->line.width, entry, &c->num);
+    return st == FMB_OK ? fmb_run_poll_step(c->run, fmb_vec_is_wide(v)) : st;
 }
 
 /* The line, turned to where the row is positive, becomes a ray: in all rows before it is 0. */
