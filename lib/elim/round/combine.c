@@ -87,10 +87,11 @@ fmb_status fmb_elim_combine(fmb_elim *e, uint32_t p, uint32_t q, int var)
     fmb_status st = fmb_elim_form_row(e, p, q, var);
     if (st != FMB_OK)
         return st;
+    bool wide = fmb_vec_is_wide(&e->row[e->rows].v);
     st = fmb_history_join(e, &e->row[e->rows], &e->row[p], &e->row[q]);
     if (st != FMB_OK)
         fmb_elim_forget_row(e, false);
     else
         st = judge_new_row(e);
-    return st != FMB_OK ? st : fmb_run_poll(e->run);
+    return st != FMB_OK ? st : fmb_run_poll_step(e->run, wide);
 }
