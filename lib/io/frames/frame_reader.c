@@ -1,7 +1,6 @@
 /* frame_reader.c: pairs of frames from text, line by line; see fmb/gmp.h. */
 #include "io/frames/frame_reader.h"
 
-#include <assert.h>
 #include <errno.h>
 #include <string.h>
 
@@ -138,7 +137,6 @@ static fmb_status fetch_line_of_stream(fmb_frame_reader *r)
             st = fmb_mem_reserve(&r->mem, (void **)&r->text, &r->capacity, r->size + n, 1);
         if (st != FMB_OK)
             return st;
-        assert(r->text); /* n > 0 */
         size_t got = fmb_fetch_part_of_line(r->in, r->text + r->size, n);
         r->size += got;
         more = got > 0 && r->text[r->size - 1] != '\n';
