@@ -281,7 +281,7 @@ enum { MOST_RULES = 100 }; /* more than a solver takes */
 Test(arguments, rules)
 {
     fmb_rule extra[MOST_RULES];
-    char name[MOST_RULES][8];
+    char name[MOST_RULES][16];
     fmb_solver *v = solver(true);
     cr_expect_eq(fmb_solver_add_rule(v, fmb_rule_find("kohler")), FMB_ERR_RULE);
     cr_expect_str_eq(fmb_solver_trouble(v), "rule \"kohler\" is in use");
