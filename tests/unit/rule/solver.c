@@ -153,7 +153,7 @@ Test(rules, add_rule)
 {
     static const fmb_rule nameless = {.name = NULL}, empty = {.name = ""};
     static fmb_rule many[20];
-    static char name[20][8];
+    static char name[20][16];
     fmb_solver *v = open_solver("kohler", FMB_REBASE_AUTO);
     cr_expect_eq(fmb_solver_add_rule(v, NULL), FMB_ERR_ARG);
     cr_expect_eq(fmb_solver_add_rule(v, &nameless), FMB_ERR_ARG);
