@@ -73,7 +73,7 @@ static size_t row_budget(size_t n, const char *const *coef, const char *b)
     size_t size = strlen(b);
     for (size_t k = 0; k < n; k++)
         size += strlen(coef[k]);
-    return fmb_io_cursor(b, size, NULL, NULL, NULL).budget;
+    return fmb_io_budget(size);
 }
 
 fmb_status fmb_system_add_terms_text(fmb_system *s, size_t n, const int *var,

@@ -12,6 +12,12 @@
 
 /* ---- a text ---------------------------------------------------------------------------------- */
 
+size_t fmb_io_budget(size_t size)
+{
+    bool fits = size < (SIZE_MAX - BUDGET_BASE) / BUDGET_PER_BYTE;
+    return BUDGET_BASE + (fits ? BUDGET_PER_BYTE * size : 0);
+}
+
 fmb_cursor fmb_io_cursor(const char *text, size_t size, const fmb_reader *how, fmb_mem *mem,
                          fmb_where *where)
 {
@@ -20,9 +26,7 @@ fmb_cursor fmb_io_cursor(const char *text, size_t size, const fmb_reader *how, f
         c.begin += 3;
     c.at = c.mark = c.begin;
     c.line = 1;
-    c.budget = BUDGET_BASE;
-    if (size < (SIZE_MAX - BUDGET_BASE) / BUDGET_PER_BYTE)
-        c.budget += BUDGET_PER_BYTE * size;
+    c.budget = fmb_io_budget(size);
     return c;
 }
 

@@ -28,6 +28,8 @@ typedef struct fmb_cursor {
     fmb_where *where; /* never NULL */
 } fmb_cursor;
 
+/* What numbers of a text of so many bytes may come to [bytes]. */
+size_t fmb_io_budget(size_t size);
 /* A cursor at the start of a text, behind a byte order mark. */
 fmb_cursor fmb_io_cursor(const char *text, size_t size, const fmb_reader *how, fmb_mem *mem,
                          fmb_where *where);
