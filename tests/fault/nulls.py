@@ -105,6 +105,8 @@ def argument(function, kind, name):
         return NAMED.get(name, '"1"')
     if kind in TYPED:
         return TYPED[kind]
+    if name == "size" and "_parse" in function:
+        return 'sizeof "x1 >= 1" - 1'
     if kind in ("size_t", "int"):
         return COUNTS.get(name, "0")
     if kind.startswith("fmb_") and "*" not in kind:
