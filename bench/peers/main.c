@@ -277,8 +277,7 @@ static int finish(setup *s, bool good)
 
 int main(int argc, char **argv)
 {
-    setup s = {
-        .options = (fmb_options){.size = sizeof(fmb_options), .threads = 1}, .seed = 1, .each = 4};
+    setup s = {.options = (fmb_options){.size = sizeof(fmb_options)}, .seed = 1, .each = 4};
     bool good = true;
     s.options.evidence = FMB_EVIDENCE_NONE;
     s.report.limits = (child_limits){
