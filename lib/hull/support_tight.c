@@ -89,8 +89,7 @@ static uint64_t slack_residue(const fmb_tight *t, size_t i, size_t n)
     const fmb_program_row *row = &t->p->row[i];
     uint64_t sum = 0;
     for (size_t k = 0; k <= row->size; k++) {
-        uint64_t a = row->value->z ? fmb_prime_of_integer(q, row->value->z[k])
-                                   : fmb_prime_of_signed(q, row->value->s[k]);
+        uint64_t a = fmb_prime_of_entry(q, row->value, k);
         uint64_t x = t->residue[k < row->size ? (size_t)row->column[k] : n];
         sum = fmb_prime_fold(q, fmb_u128_plus_product(fmb_u128_of(sum), a, x));
     }

@@ -30,10 +30,8 @@
 #include "proof/whole.h"
 
 #include "num/integers.h"
+#include "num/prime.h"
 #include "system/system_private.h"
-
-/* The largest prime below 2^61: 2^61 - 1. */
-#define PRIME (((uint64_t)1 << 61) - 1)
 
 typedef struct assembly {
     const fmb_system *s;
@@ -135,27 +133,9 @@ static int sign_of_form(assembly *a, size_t i, const fmb_integers *v)
     return mpz_sgn(a->t);
 }
 
-/* x y modulo PRIME; x, y < PRIME. */
-static uint64_t multiply_modulo(uint64_t x, uint64_t y)
-{
-    fmb_u128 rest;
-    fmb_u128_divide(fmb_u128_product(x, y), fmb_u128_of(PRIME), &rest);
-    return fmb_u128_low(rest);
-}
-
-/* 1 / x modulo PRIME, as x^(PRIME - 2). */
-static uint64_t invert_modulo(uint64_t x)
-{
-    uint64_t y = 1;
-    for (uint64_t e = PRIME - 2; e > 0; e /= 2) {
-        y = e % 2 ? multiply_modulo(y, x) : y;
-        x = multiply_modulo(x, x);
-    }
-    return y;
-}
-
-/* The rank of m[n][width] modulo PRIME, which is spent on finding it out. */
-static fmb_status eliminate_modulo(assembly *a, uint64_t *m, size_t n, size_t *rank)
+/* The rank of m[n][width] modulo the prime, which is spent on finding it out. */
+static fmb_status eliminate_modulo(assembly *a, const fmb_prime *prime, uint64_t *m, size_t n,
+                                   size_t *rank)
 {
     fmb_status st = FMB_OK;
     size_t width = a->width;
@@ -171,28 +151,29 @@ static fmb_status eliminate_modulo(assembly *a, uint64_t *m, size_t n, size_t *r
             p[k] = q[k];
             q[k] = x;
         }
-        uint64_t inverse = invert_modulo(p[c]);
+        uint64_t inverse = fmb_prime_inverse(prime, p[c]);
         for (size_t i = ++*rank; i < n; i++) {
-            uint64_t factor = PRIME - multiply_modulo(m[i * width + c], inverse);
-            for (size_t k = c; k < width && factor != PRIME; k++)
-                m[i * width + k] = (m[i * width + k] + multiply_modulo(factor, p[k])) % PRIME;
+            uint64_t *row = m + i * width, factor = fmb_prime_times(prime, row[c], inverse);
+            for (size_t k = c; k < width && factor != 0; k++)
+                row[k] = fmb_prime_minus(prime, row[k], fmb_prime_times(prime, factor, p[k]));
         }
         st = fmb_poll_ask(a->poll);
     }
     return st;
 }
 
-/* *rank = the rank of v[n] modulo PRIME: it is no more than the rank. */
+/* *rank = the rank of v[n] modulo a prime: it is no more than the rank. */
 static fmb_status find_rank_modulo(assembly *a, const fmb_integers *v, size_t n, size_t *rank)
 {
+    const fmb_prime prime = fmb_prime_number(0);
     *rank = 0;
     uint64_t *m = fmb_mem_get(a->mem, n, a->width * sizeof *m);
     if (!m)
         return fmb_mem_status(a->mem);
     for (size_t i = 0; i < n; i++)
         for (size_t k = 0; k < a->width; k++)
-            m[i * a->width + k] = fmb_integer_modulo_u64(v[i].z[k], PRIME);
-    fmb_status st = eliminate_modulo(a, m, n, rank);
+            m[i * a->width + k] = fmb_prime_of_integer(&prime, v[i].z[k]);
+    fmb_status st = eliminate_modulo(a, &prime, m, n, rank);
     fmb_mem_put(a->mem, m, n, a->width * sizeof *m);
     return st;
 }

@@ -10,31 +10,7 @@
 
 #include <string.h>
 
-#define PRIME (((uint64_t)1 << 61) - 1)
-
-static uint64_t times_mod_prime(uint64_t a, uint64_t b)
-{
-    fmb_u128 t = fmb_u128_product(a, b);
-    uint64_t s = (fmb_u128_low(t) & PRIME) + fmb_u128_low(fmb_u128_right(t, 61));
-    return s >= PRIME ? s - PRIME : s;
-}
-
-static uint64_t inverse_mod_prime(uint64_t a)
-{
-    uint64_t result = 1, power = a;
-    for (uint64_t k = PRIME - 2; k > 0; k >>= 1, power = times_mod_prime(power, power))
-        if (k & 1)
-            result = times_mod_prime(result, power);
-    return result;
-}
-
-static uint64_t entry_mod_prime(const fmb_vec *v, size_t j)
-{
-    if (v->z)
-        return fmb_integer_modulo_u64(v->z[j], PRIME);
-    int64_t r = v->s[j] % (int64_t)PRIME;
-    return (uint64_t)(r < 0 ? r + (int64_t)PRIME : r);
-}
+#include "num/prime.h"
 
 /* The rows of the history and the variables eliminated, as lists. */
 typedef struct minor {
@@ -52,7 +28,7 @@ static size_t list_members(const uint64_t *set, size_t words, size_t *out)
 }
 
 /* Gauss modulo the prime: a[rows][cols] is used up. */
-static size_t rank_mod_prime(uint64_t *a, size_t rows, size_t cols)
+static size_t rank_mod_prime(const fmb_prime *q, uint64_t *a, size_t rows, size_t cols)
 {
     size_t rank = 0;
     for (size_t c = 0; c < cols && rank < rows; c++) {
@@ -66,12 +42,12 @@ static size_t rank_mod_prime(uint64_t *a, size_t rows, size_t cols)
             a[p * cols + j] = a[rank * cols + j];
             a[rank * cols + j] = t;
         }
-        uint64_t scale = inverse_mod_prime(a[rank * cols + c]);
+        uint64_t scale = fmb_prime_inverse(q, a[rank * cols + c]);
         for (size_t i = rank + 1; i < rows; i++) {
-            uint64_t f = times_mod_prime(a[i * cols + c], scale);
+            uint64_t f = fmb_prime_times(q, a[i * cols + c], scale);
             for (size_t j = c; f != 0 && j < cols; j++)
                 a[i * cols + j] =
-                    (a[i * cols + j] + PRIME - times_mod_prime(f, a[rank * cols + j])) % PRIME;
+                    fmb_prime_minus(q, a[i * cols + j], fmb_prime_times(q, f, a[rank * cols + j]));
         }
         rank++;
     }
@@ -112,13 +88,14 @@ static size_t rank_by_bareiss(mpz_t *a, size_t rows, size_t cols)
 static fmb_status minor_rank_mod_prime(const fmb_elim *e, const minor *m, size_t *rank)
 {
     fmb_mem *mem = e->run->mem;
+    fmb_prime q = fmb_prime_number(0);
     uint64_t *a = fmb_mem_get(mem, m->rows * m->vars, sizeof *a);
     if (!a)
         return fmb_mem_status(mem);
     for (size_t i = 0; i < m->rows; i++)
         for (size_t j = 0; j < m->vars; j++)
-            a[i * m->vars + j] = entry_mod_prime(&e->row[e->base[m->row[i]]].v, m->var[j]);
-    *rank = rank_mod_prime(a, m->rows, m->vars);
+            a[i * m->vars + j] = fmb_prime_of_entry(&q, &e->row[e->base[m->row[i]]].v, m->var[j]);
+    *rank = rank_mod_prime(&q, a, m->rows, m->vars);
     fmb_mem_put(mem, a, m->rows * m->vars, sizeof *a);
     return FMB_OK;
 }

@@ -4,67 +4,6 @@
 #include "lp/exact/hadamard.h"
 #include "num/gcd.h"
 
-/* ---- modulo a Mersenne prime ------------------------------------------------------------------
- */
-
-#define PRIME_BITS 61
-#define PRIME      (((uint64_t)1 << PRIME_BITS) - 1)
-
-/* What is less than 2^122 + 2^61, less than about 2^62. */
-static fmb_u128 fold_once(fmb_u128 a)
-{
-    return fmb_u128_plus_word(fmb_u128_right(a, PRIME_BITS), fmb_u128_low(a) & PRIME);
-}
-
-static uint64_t reduce_modulo(fmb_u128 a)
-{
-    uint64_t r = fmb_u128_low(fold_once(fold_once(a)));
-    return r >= PRIME ? r - PRIME : r;
-}
-
-static uint64_t multiply_modulo(uint64_t a, uint64_t b)
-{
-    return reduce_modulo(fmb_u128_product(a, b));
-}
-
-static uint64_t subtract_modulo(uint64_t a, uint64_t b)
-{
-    return a >= b ? a - b : a + PRIME - b;
-}
-
-/* a^(p - 2), by Fermat. */
-static uint64_t invert_modulo(uint64_t a)
-{
-    uint64_t power = 1;
-    for (uint64_t bit = (uint64_t)1 << (PRIME_BITS - 1); bit > 0; bit >>= 1) {
-        power = multiply_modulo(power, power);
-        if ((PRIME - 2) & bit)
-            power = multiply_modulo(power, a);
-    }
-    return power;
-}
-
-/* Reduced after every 32 products: the sum stays below 2^128. */
-static uint64_t dot_modulo(const uint64_t *a, const uint64_t *b, size_t n)
-{
-    fmb_u128 sum = fmb_u128_of(0);
-    for (size_t k = 0; k < n;) {
-        size_t end = k + 32 < n ? k + 32 : n;
-        for (; k < end; k++)
-            sum = fmb_u128_plus_product(sum, a[k], b[k]);
-        sum = fold_once(sum);
-    }
-    return reduce_modulo(sum);
-}
-
-static uint64_t entry_modulo(const fmb_vec *v, size_t j)
-{
-    if (v->z)
-        return fmb_integer_modulo_u64(v->z[j], PRIME);
-    uint64_t r = fmb_abs64(v->s[j]) % PRIME;
-    return v->s[j] < 0 && r > 0 ? PRIME - r : r;
-}
-
 /* ---- life -------------------------------------------------------------------------------------
  */
 
@@ -85,7 +24,7 @@ static void free_integers(fmb_mem *mem, mpz_t *z, size_t n)
 
 fmb_status fmb_combination_init(fmb_combination *c, fmb_mem *mem, size_t n, const fmb_lp_row *row)
 {
-    *c = (fmb_combination){.mem = mem, .n = n, .row = row};
+    *c = (fmb_combination){.mem = mem, .n = n, .row = row, .q = fmb_prime_number(0)};
     mpz_inits(c->all, c->left, c->power, c->s, c->t, c->u, c->v, NULL);
     c->index = fmb_mem_get(mem, n, sizeof *c->index);
     c->column = fmb_mem_get(mem, n, sizeof *c->column);
@@ -144,8 +83,8 @@ static void load_equations(fmb_combination *c)
     size_t wide = c->unknowns + 1;
     for (size_t e = 0; e < c->equations; e++) {
         for (size_t k = 0; k < c->unknowns; k++)
-            c->matrix[e * wide + k] = entry_modulo(unknown_row(c, k), c->column[e]);
-        c->matrix[e * wide + c->unknowns] = entry_modulo(c->row[c->i].v, c->column[e]);
+            c->matrix[e * wide + k] = fmb_prime_of_entry(&c->q, unknown_row(c, k), c->column[e]);
+        c->matrix[e * wide + c->unknowns] = fmb_prime_of_entry(&c->q, c->row[c->i].v, c->column[e]);
     }
 }
 
@@ -168,7 +107,7 @@ static void reduce_matrix_column(fmb_combination *c, size_t k)
     for (size_t e = 0; e < c->equations; e++) {
         uint64_t *row = &c->matrix[e * wide];
         size_t before = e < k ? e : k;
-        row[k] = subtract_modulo(row[k], dot_modulo(row, c->sum, before));
+        row[k] = fmb_prime_minus_dot(&c->q, row[k], row, c->sum, NULL, before);
         if (e < k)
             c->sum[e] = row[k];
     }
@@ -189,9 +128,10 @@ static bool factor_equations(fmb_combination *c)
         if (e == c->equations)
             return false;
         swap_equations(c, k, e);
-        c->inverse[k] = invert_modulo(c->matrix[k * wide + k]);
+        c->inverse[k] = fmb_prime_inverse(&c->q, c->matrix[k * wide + k]);
         for (e = k + 1; e < c->equations; e++)
-            c->matrix[e * wide + k] = multiply_modulo(c->matrix[e * wide + k], c->inverse[k]);
+            c->matrix[e * wide + k] =
+                fmb_prime_times(&c->q, c->matrix[e * wide + k], c->inverse[k]);
     }
     reduce_matrix_column(c, m);
     for (size_t e = m; e < c->equations; e++)
@@ -205,9 +145,9 @@ static void substitute_back(fmb_combination *c)
 {
     size_t wide = c->unknowns + 1;
     for (size_t k = c->unknowns; k-- > 0;) {
-        uint64_t known =
-            dot_modulo(&c->matrix[k * wide + k + 1], &c->digit[k + 1], c->unknowns - k - 1);
-        c->digit[k] = multiply_modulo(subtract_modulo(c->sum[k], known), c->inverse[k]);
+        uint64_t left = fmb_prime_minus_dot(&c->q, c->sum[k], &c->matrix[k * wide + k + 1],
+                                            &c->digit[k + 1], NULL, c->unknowns - k - 1);
+        c->digit[k] = fmb_prime_times(&c->q, left, c->inverse[k]);
     }
 }
 
@@ -222,10 +162,10 @@ static void solve_modulo_prime(fmb_combination *c)
  */
 
 /* The number next to 0 with that remainder. */
-static void set_symmetric(mpz_t z, uint64_t remainder)
+static void set_symmetric(mpz_t z, const fmb_prime *q, uint64_t remainder)
 {
-    if (remainder > PRIME / 2)
-        fmb_integer_set_i64(z, -(int64_t)(PRIME - remainder));
+    if (remainder > q->p / 2)
+        fmb_integer_set_i64(z, -(int64_t)(q->p - remainder));
     else
         fmb_integer_set_u64(z, remainder);
 }
@@ -235,10 +175,10 @@ static void lift_minors(fmb_combination *c)
 {
     uint64_t determinant = 1;
     for (size_t k = 0; k < c->unknowns; k++)
-        determinant = multiply_modulo(determinant, c->matrix[k * (c->unknowns + 1) + k]);
-    set_symmetric(c->all, determinant);
+        determinant = fmb_prime_times(&c->q, determinant, c->matrix[k * (c->unknowns + 1) + k]);
+    set_symmetric(c->all, &c->q, determinant);
     for (size_t k = 0; k < c->unknowns; k++)
-        set_symmetric(c->part[k], multiply_modulo(determinant, c->digit[k]));
+        set_symmetric(c->part[k], &c->q, fmb_prime_times(&c->q, determinant, c->digit[k]));
 }
 
 /* ---- digit by digit ---------------------------------------------------------------------------
@@ -265,7 +205,7 @@ static void multiply_by_digits(fmb_combination *c, size_t e, bool small)
 
 static bool do_digit_sums_fit(const fmb_combination *c)
 {
-    int bits = PRIME_BITS + fmb_bits64(c->unknowns) + 1;
+    int bits = FMB_PRIME_BITS + fmb_bits64(c->unknowns) + 1;
     for (size_t k = 0; k < c->unknowns; k++)
         if (unknown_row(c, k)->z || unknown_row(c, k)->bits + bits > 127)
             return false;
@@ -290,12 +230,12 @@ static void lift_by_one_digit(fmb_combination *c, bool small)
         fmb_integer_add_product_u64(c->part[e], c->power, c->digit[e]);
         multiply_by_digits(c, e, small);
         mpz_sub(c->rest[e], c->rest[e], c->s);
-        fmb_integer_divide_exactly_u64(c->rest[e], c->rest[e], PRIME);
+        fmb_integer_divide_exactly_u64(c->rest[e], c->rest[e], c->q.p);
     }
-    fmb_integer_times_u64(c->power, c->power, PRIME);
+    fmb_integer_times_u64(c->power, c->power, c->q.p);
     for (size_t e = 0; e < c->unknowns; e++)
-        c->sum[e] = subtract_modulo(fmb_integer_modulo_u64(c->rest[e], PRIME),
-                                    dot_modulo(&c->matrix[e * wide], c->sum, e));
+        c->sum[e] = fmb_prime_minus_dot(&c->q, fmb_prime_of_integer(&c->q, c->rest[e]),
+                                        &c->matrix[e * wide], c->sum, NULL, e);
     substitute_back(c);
 }
 
@@ -384,7 +324,7 @@ static fmb_status lift_digits(fmb_combination *c, fmb_run *run, double bits, boo
 {
     fmb_status st = FMB_OK;
     bool small = do_digit_sums_fit(c);
-    double enough = (2 * bits + 3) / PRIME_BITS + 1;
+    double enough = (2 * bits + 3) / FMB_PRIME_BITS + 1;
     mpz_t *numerator = allocate_integers(c->mem, c->n);
     if (!numerator)
         return fmb_mem_status(c->mem);
@@ -444,7 +384,7 @@ fmb_status fmb_combine(fmb_combination *c, fmb_run *run, size_t i, const size_t 
         return FMB_OK;
     solve_modulo_prime(c);
     double bits = fmb_hadamard_bits(c->row, c->i, c->unknowns, c->index, c->column);
-    if (bits < PRIME_BITS - 2) {
+    if (bits < FMB_PRIME_BITS - 2) {
         lift_minors(c);
         *found = solves_equations(c, c->part, c->unknowns);
     } else {

@@ -11,12 +11,14 @@
 #include <gmp.h>
 
 #include "lp/row.h"
+#include "num/prime.h"
 #include "trace/run.h"
 
 typedef struct fmb_combination {
     fmb_mem *mem;
     size_t n;
     const fmb_lp_row *row;
+    fmb_prime q;
     /* all (a_i) = sum_k part[k] a_index[k], all > 0; left = all b_i - sum_k part[k] b_index[k]. */
     size_t size, *index; /* [n] */
     mpz_t *part;         /* [n] */

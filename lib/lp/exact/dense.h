@@ -7,7 +7,7 @@
 #define FMB_LP_DENSE_H
 
 #include "base/arena.h"
-#include "lp/exact/prime.h"
+#include "num/prime.h"
 #include "trace/run.h"
 
 typedef struct fmb_dense {

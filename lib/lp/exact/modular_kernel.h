@@ -10,7 +10,7 @@
 #ifndef FMB_LP_EXACT_MODULAR_KERNEL_H
 #define FMB_LP_EXACT_MODULAR_KERNEL_H
 
-#include "lp/exact/prime.h"
+#include "num/prime.h"
 
 typedef struct fmb_short {
     size_t n, columns; /* rows, and columns, at most n + 1 */

@@ -6,8 +6,8 @@
 #define FMB_LP_SPARSE_H
 
 #include "base/arena.h"
-#include "lp/exact/prime.h"
 #include "lp/program.h"
+#include "num/prime.h"
 
 typedef struct fmb_sparse {
     size_t n;

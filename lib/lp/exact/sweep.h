@@ -7,7 +7,7 @@
 #define FMB_LP_SWEEP_H
 
 #include "base/arena.h"
-#include "lp/exact/prime.h"
+#include "num/prime.h"
 
 typedef struct fmb_sweep {
     size_t n;

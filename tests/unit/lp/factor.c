@@ -7,7 +7,7 @@
 #include "bareiss.h"
 #include "counted_clock.h"
 #include "lp/exact/factor.h"
-#include "lp/exact/prime.h"
+#include "num/prime.h"
 #include "support.h"
 
 /* ---- a matrix and its factor ----------------------------------------------------------------- */

@@ -1,8 +1,8 @@
 /* modular.c: arithmetic modulo the primes of exact solutions, and fractions from their residues. */
 #include <criterion/criterion.h>
 
-#include "lp/exact/prime.h"
 #include "lp/exact/rational.h"
+#include "num/prime.h"
 #include "support.h"
 
 Test(modular, arithmetic_modulo_each_prime)

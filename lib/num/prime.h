@@ -4,8 +4,8 @@
  * number is ever brought into another form, and up to FMB_PRIME_TERMS products may be added before
  * one is reduced.
  */
-#ifndef FMB_LP_PRIME_H
-#define FMB_LP_PRIME_H
+#ifndef FMB_NUM_PRIME_H
+#define FMB_NUM_PRIME_H
 
 #include "num/vec.h"
 
@@ -68,6 +68,12 @@ static inline uint64_t fmb_prime_of_signed(const fmb_prime *q, int64_t x)
 static inline uint64_t fmb_prime_of_integer(const fmb_prime *q, mpz_srcptr x)
 {
     return fmb_integer_modulo_u64(x, q->p);
+}
+
+/* Entry j of v modulo p. */
+static inline uint64_t fmb_prime_of_entry(const fmb_prime *q, const fmb_vec *v, size_t j)
+{
+    return v->z ? fmb_prime_of_integer(q, v->z[j]) : fmb_prime_of_signed(q, v->s[j]);
 }
 
 /* a^-1, a not 0: Euclid. */
