@@ -43,12 +43,19 @@ bool fmb_sized_is_good(const void *given, size_t known, const char *name, char *
     return false;
 }
 
-void fmb_sized_take(void *ours, size_t known, const void *given)
+bool fmb_sized_take(void *ours, size_t known, const void *given, const char *name, char *why,
+                    size_t room)
 {
-    size_t size = smaller_size(given_size(given), known);
-    memmove(ours, given, size);
+    if (given && !fmb_sized_is_good(given, known, name, why, room))
+        return false;
+    size_t size = given ? smaller_size(given_size(given), known) : 0;
+    if (given)
+        memmove(ours, given, size);
+    else if (why)
+        why[0] = '\0';
     memset((char *)ours + size, 0, known - size);
     memcpy(ours, &known, sizeof known);
+    return true;
 }
 
 void fmb_sized_give(void *given, const void *ours, size_t known)

@@ -14,8 +14,10 @@ enum { FMB_SIZED_MOST = 1024 };
 /* What is wrong with the size of a caller's structure, which goes by that name and of which we know
  * `known` bytes, in words; "" and true: nothing is. why may be NULL. */
 bool fmb_sized_is_good(const void *given, size_t known, const char *name, char *why, size_t room);
-/* Ours becomes what is given, with all that we know, and our size. given may be ours. */
-void fmb_sized_take(void *ours, size_t known, const void *given);
+/* Ours becomes what is given, with all that we know, and our size; all 0 if NULL is given. False,
+ * and ours as it was: the size is wrong, as above. given may be ours. */
+bool fmb_sized_take(void *ours, size_t known, const void *given, const char *name, char *why,
+                    size_t room);
 /* What we found goes to the caller, as much as there is room for; its size stays. */
 void fmb_sized_give(void *given, const void *ours, size_t known);
 

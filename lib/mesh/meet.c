@@ -194,12 +194,8 @@ static fmb_status meet_by_threads(fmb_walk_plan *plan, fmb_mem *mem, fmb_mesh_an
 static fmb_status read_mesh_options(const fmb_mesh_options *o, fmb_mesh_options *ours, char *why,
                                     size_t size)
 {
-    *ours = (fmb_mesh_options){.size = sizeof *ours};
-    if (o && !fmb_sized_is_good(o, sizeof *o, "options", why, size))
+    if (!fmb_sized_take(ours, sizeof *ours, o, "options", why, size))
         return FMB_ERR_ARG;
-    if (o)
-        fmb_sized_take(ours, sizeof *ours, o);
-    why[0] = '\0';
     for (int j = 0; ours->motion && j < 3 && !why[0]; j++)
         if (!isfinite(ours->motion[j]))
             snprintf(why, size, "motion[%d] is %g", j, ours->motion[j]);

@@ -44,12 +44,8 @@ static void dismiss_crew(fmb_pair *k)
 static fmb_status read_pair_options(const fmb_pair_options *o, fmb_pair_options *ours, char *why,
                                     size_t size)
 {
-    *ours = (fmb_pair_options){.size = sizeof *ours};
-    if (o && !fmb_sized_is_good(o, sizeof *o, "options", why, size))
+    if (!fmb_sized_take(ours, sizeof *ours, o, "options", why, size))
         return FMB_ERR_ARG;
-    if (o)
-        fmb_sized_take(ours, sizeof *ours, o);
-    why[0] = '\0';
     if ((unsigned)ours->contact > FMB_CONTACT_OPEN)
         snprintf(why, size, "contact is %d, which is none", (int)ours->contact);
     else if ((unsigned)ours->method > FMB_PAIR_EXACT)
@@ -158,8 +154,8 @@ fmb_status fmb_pair_read_answers(fmb_pair *k, const fmb_pair_answers *out, fmb_p
     k->trouble[0] = '\0';
     if (!out)
         snprintf(k->trouble, sizeof k->trouble, "out is NULL");
-    else if (fmb_sized_is_good(out, sizeof *out, "out", k->trouble, sizeof k->trouble))
-        fmb_sized_take(ours, sizeof *ours, out);
+    else
+        (void)fmb_sized_take(ours, sizeof *ours, out, "out", k->trouble, sizeof k->trouble);
     return k->trouble[0] ? FMB_ERR_ARG : FMB_OK;
 }
 
@@ -183,10 +179,9 @@ fmb_status fmb_pair_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
                              const fmb_pair_answers_q *out, fmb_verdict *verdict)
 {
     fmb_pair_answers_q ours;
-    if (!p || !q || !out || !verdict || !fmb_sized_is_good(out, sizeof *out, "out", NULL, 0) ||
+    if (!p || !q || !out || !verdict || !fmb_sized_take(&ours, sizeof ours, out, "out", NULL, 0) ||
         !fmb_frame_q_is_good(p, p->dim) || !fmb_frame_q_is_good(q, p->dim))
         return FMB_ERR_ARG;
-    fmb_sized_take(&ours, sizeof ours, out);
     *verdict = fmb_extreme_answer_q(p, q, &ours);
     return FMB_OK;
 }

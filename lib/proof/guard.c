@@ -7,13 +7,8 @@
 /* What is wrong with it, in words; "" and FMB_OK: nothing. */
 static fmb_status take_patience(const fmb_patience *p, fmb_patience *ours, char *why, size_t size)
 {
-    *ours = (fmb_patience){.size = sizeof *ours};
-    why[0] = '\0';
-    if (!p)
-        return FMB_OK;
-    if (!fmb_sized_is_good(p, sizeof *p, "patience", why, size))
+    if (!fmb_sized_take(ours, sizeof *ours, p, "patience", why, size))
         return FMB_ERR_ARG;
-    fmb_sized_take(ours, sizeof *ours, p);
     if (ours->max_seconds >= 0)
         return FMB_OK;
     snprintf(why, size, "max_seconds is %g", ours->max_seconds);

@@ -218,13 +218,9 @@ fmb_status fmb_io_fail(fmb_cursor *c, const char *p, const char *format, ...)
 fmb_status fmb_io_take_reader(const fmb_reader *how, fmb_reader *ours, fmb_where *where)
 {
     char why[sizeof where->text];
-    *ours = (fmb_reader){.size = sizeof *ours};
-    if (!how)
-        return FMB_OK;
-    if (!fmb_sized_is_good(how, sizeof *how, "how", why, sizeof why))
-        return fmb_io_refuse_argument(where, why);
-    fmb_sized_take(ours, sizeof *ours, how);
-    return FMB_OK;
+    return fmb_sized_take(ours, sizeof *ours, how, "how", why, sizeof why)
+               ? FMB_OK
+               : fmb_io_refuse_argument(where, why);
 }
 
 fmb_status fmb_io_refuse_argument(fmb_where *where, const char *trouble)

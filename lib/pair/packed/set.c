@@ -222,9 +222,8 @@ fmb_status fmb_frames_from_arrays(int dim, size_t n, const fmb_frame_arrays *giv
                                   const fmb_alloc *mem, fmb_frames **out)
 {
     fmb_frame_arrays ours, *a = &ours;
-    if (!given || !fmb_sized_is_good(given, sizeof *given, "a", NULL, 0))
+    if (!given || !fmb_sized_take(&ours, sizeof ours, given, "a", NULL, 0))
         return FMB_ERR_ARG;
-    fmb_sized_take(&ours, sizeof ours, given);
     if (!out || !is_dimension(dim) || n > FMB_FRAMES_MOST || a->naxes < 0 ||
         a->naxes > FMB_FRAME_MOST_DIM || (unsigned)a->shape > FMB_SIMPLEX_BY_CORNERS ||
         (n > 0 && (!a->origin || (a->naxes > 0 && !a->axes))))

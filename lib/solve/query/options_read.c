@@ -7,11 +7,9 @@
 
 fmb_status fmb_options_read(fmb_solver *v, const fmb_options *o)
 {
-    static const fmb_options usual = {.size = sizeof usual};
-    o = o ? o : &usual;
-    if (!fmb_sized_is_good(o, sizeof *o, "options", v->trouble, sizeof v->trouble))
+    if (!fmb_sized_take(&v->options, sizeof v->options, o, "options", v->trouble,
+                        sizeof v->trouble))
         return FMB_ERR_ARG;
-    fmb_sized_take(&v->options, sizeof v->options, o);
     fmb_status st = fmb_options_expect(v, &v->options);
     if (st == FMB_OK && !fmb_kernels_choose(v->options.simd))
         st = fmb_solver_refuse(v, FMB_ERR_ARG, "simd: the processor lacks these instructions");
