@@ -154,6 +154,14 @@ int app_source_read(const app_source *src, fmb_system **out)
     return read_file(src, &(wanted){.system = out});
 }
 
+bool app_source_has_integers(const fmb_system *s)
+{
+    int j = 0;
+    while (j < fmb_system_dim(s) && !fmb_system_is_integer(s, j))
+        j++;
+    return j < fmb_system_dim(s);
+}
+
 bool app_source_is_script(const app_source *src)
 {
     return (src->format ? src->format : fmb_format_of_name(src->file)) == FMB_FORMAT_SMT2;

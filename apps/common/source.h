@@ -21,6 +21,9 @@ extern const struct argp app_source_argp;
  * standard error. */
 int app_source_read(const app_source *src, fmb_system **out);
 
+/* Are some variables of what was read integer? */
+bool app_source_has_integers(const fmb_system *s);
+
 /* Is FILE an SMT-LIB script, as --format or its name tell? */
 bool app_source_is_script(const app_source *src);
 /* [give, fmb_script_free] Such a script; src lives as long. */

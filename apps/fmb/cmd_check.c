@@ -398,14 +398,6 @@ static void print_json(const request *r, const finding *f)
     app_json_print(obj);
 }
 
-static bool has_integers(const fmb_system *s)
-{
-    bool any = false;
-    for (int j = 0; !any && j < fmb_system_dim(s); j++)
-        any = fmb_system_is_integer(s, j);
-    return any;
-}
-
 /* All variables become real. */
 static int forget_integers(fmb_system *s)
 {
@@ -418,7 +410,7 @@ static int forget_integers(fmb_system *s)
 static int judge(const request *r, const fmb_system *s, const fmb_evidence *e,
                  const fmb_system *image)
 {
-    finding f = {.s = s, .e = e, .j = {.size = sizeof f.j}, .integers = has_integers(s)};
+    finding f = {.s = s, .e = e, .j = {.size = sizeof f.j}, .integers = app_source_has_integers(s)};
     const fmb_patience patience = patience_left(r);
     fmb_status st = fmb_check_within(s, e, &patience, &f.j);
     if (st == FMB_OK)

@@ -6,7 +6,6 @@
 #include "common/source.h"
 #include "fmb/commands.h"
 #include "fmb/convert_pairs.h"
-#include "fmb/integers.h"
 
 enum { KEY_TO = 0x200, KEY_NEAREST };
 
@@ -69,7 +68,7 @@ int cmd_convert(int argc, char **argv)
         return convert_pairs(&r.source, r.nearest);
     fmb_system *s = NULL;
     int code = app_source_read(&r.source, &s);
-    if (code == APP_YES && r.to == FMB_FORMAT_INE && !r.source.quiet && app_has_integers(s))
+    if (code == APP_YES && r.to == FMB_FORMAT_INE && !r.source.quiet && app_source_has_integers(s))
         fputs("fmb: .ine cannot say which variables are integer\n", stderr);
     if (code == APP_YES)
         code = app_source_write(s, r.to);

@@ -8,14 +8,6 @@
 #include "common/message.h"
 #include "fmb/verdict.h"
 
-bool app_has_integers(const fmb_system *s)
-{
-    int j = 0;
-    while (j < fmb_system_dim(s) && !fmb_system_is_integer(s, j))
-        j++;
-    return j < fmb_system_dim(s);
-}
-
 void app_integers_note(app_session *s)
 {
     app_integers_note_of(s, s->system);
@@ -23,7 +15,7 @@ void app_integers_note(app_session *s)
 
 void app_integers_note_of(app_session *s, const fmb_system *file)
 {
-    if (s->ask->relax || s->relaxed || !app_has_integers(file))
+    if (s->ask->relax || s->relaxed || !app_source_has_integers(file))
         return;
     s->relaxed = true;
     app_session_note(s, "the file has integer variables: this is the answer over the reals");
@@ -44,7 +36,7 @@ static bool is_integral(const app_session *s, size_t claim)
 
 void app_integers_judge(app_session *s, const fmb_optimum *o)
 {
-    if (!o || s->result.verdict == FMB_INFEASIBLE || !app_has_integers(s->system))
+    if (!o || s->result.verdict == FMB_INFEASIBLE || !app_source_has_integers(s->system))
         return;
     fmb_end end = fmb_optimum_end(o);
     if (end.kind != FMB_END_FINITE && end.kind != FMB_END_INFINITE)

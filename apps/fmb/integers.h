@@ -6,7 +6,6 @@
 
 #include "fmb/query.h"
 
-bool app_has_integers(const fmb_system *s);
 /* For commands whose answer is over the reals: say so once, unless --relax or --quiet. */
 void app_integers_note(app_session *s);
 void app_integers_note_of(app_session *s, const fmb_system *file);

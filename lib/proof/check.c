@@ -413,7 +413,7 @@ fmb_status fmb_check_within(const fmb_system *s, const fmb_evidence *e,
 {
     if (!out || !fmb_sized_is_good(out, sizeof *out, "out", NULL, 0) || !fmb_evidence_fits(e, s))
         return FMB_ERR_ARG;
-    court c = {.s = s, .e = e, .integers = fmb_first_integer(s) >= 0};
+    court c = {.s = s, .e = e, .integers = fmb_system_first_integer(s) >= 0};
     fmb_mem_init(&c.mem, &s->mem.alloc, 0);
     c.st = fmb_guard_begin(&c.guard, patience, &c.mem);
     if (c.st != FMB_OK)

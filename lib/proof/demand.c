@@ -236,7 +236,7 @@ static bool keeps_all_variables(asker *a)
  * and these must all be kept: then the integers of the image are the image of the integers. */
 static bool keeps_integers(asker *a)
 {
-    int first = fmb_first_integer(a->image);
+    int first = fmb_system_first_integer(a->image);
     for (int j = 0; first >= 0 && j < fmb_system_dim(a->s) && has_time(a); j++) {
         int k = fmb_system_find(a->image, fmb_system_name(a->s, j));
         if (fmb_system_is_integer(a->s, j) != (k >= 0 && fmb_system_is_integer(a->image, k)))
@@ -281,7 +281,7 @@ static bool names_optimum(asker *a)
     const fmb_system *of = a->image ? a->image : a->s;
     bool any = fmb_system_sense(of) == FMB_SENSE_NONE, found = false, real = false,
          solution = false;
-    bool integers = fmb_first_integer(a->s) >= 0;
+    bool integers = fmb_system_first_integer(a->s) >= 0;
     mpq_t t;
     mpq_init(t);
     for (size_t i = 0; i < a->e->claims && has_time(a); i++) {

@@ -39,11 +39,3 @@ bool fmb_claim_is_integral(const fmb_system *s, const fmb_claim *q, bool solutio
         return true;
     }
 }
-
-int fmb_first_integer(const fmb_system *s)
-{
-    int j = 0;
-    while (j < fmb_system_dim(s) && !fmb_system_is_integer(s, j))
-        j++;
-    return j < fmb_system_dim(s) ? j : -1;
-}

@@ -12,7 +12,5 @@ bool fmb_point_is_integral(const fmb_system *s, const fmb_sparse_vector *point);
  * right claim FEASIBLE has one. A projection keeps its meaning if all integer variables are kept.
  * CORNER tells of the rows alone. */
 bool fmb_claim_is_integral(const fmb_system *s, const fmb_claim *q, bool solution);
-/* The first integer variable, or -1. */
-int fmb_first_integer(const fmb_system *s);
 
 #endif

@@ -206,6 +206,14 @@ bool fmb_system_is_integer(const fmb_system *s, int j)
     return has_variable(s, j) && s->mark[j].integer;
 }
 
+int fmb_system_first_integer(const fmb_system *s)
+{
+    int j = 0;
+    while (j < fmb_system_dim(s) && !s->mark[j].integer)
+        j++;
+    return j < fmb_system_dim(s) ? j : -1;
+}
+
 /* ---- rows ------------------------------------------------------------------------------------ */
 
 size_t fmb_system_rows(const fmb_system *s)

@@ -52,6 +52,9 @@ static inline bool fmb_system_keeps(const fmb_system *s, int j)
     return !s->asks_projection || s->mark[j].kept;
 }
 
+/* The first integer variable, or -1. */
+int fmb_system_first_integer(const fmb_system *s);
+
 /* Put down which argument was wrong, for fmb_system_trouble; always FMB_ERR_ARG. s may be NULL. */
 __attribute__((format(printf, 2, 3))) fmb_status fmb_system_refuse(fmb_system *s,
                                                                    const char *format, ...);

@@ -187,11 +187,8 @@ fmb_status fmb_write_smt2(const fmb_system *s, FILE *out)
     fmb_status st = FMB_OK;
     fmb_mem_init(&w.mem, &s->mem.alloc, 0);
     mpq_init(w.q);
-    int j = 0;
-    while (j < fmb_system_dim(s) && !fmb_system_is_integer(s, j))
-        j++;
-    fputs(j < fmb_system_dim(s) ? "(set-logic QF_LIRA)\n" : "(set-logic QF_LRA)\n", out);
-    for (j = 0; st == FMB_OK && j < fmb_system_dim(s); j++)
+    fputs(fmb_system_first_integer(s) >= 0 ? "(set-logic QF_LIRA)\n" : "(set-logic QF_LRA)\n", out);
+    for (int j = 0; st == FMB_OK && j < fmb_system_dim(s); j++)
         st = write_declaration(&w, j);
     for (size_t i = 0; st == FMB_OK && i < fmb_system_rows(s); i++)
         st = write_assertion(&w, i);

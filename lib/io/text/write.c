@@ -3,6 +3,7 @@
 
 #include "io/core/utf8.h"
 #include "io/text/text.h"
+#include "system/system_private.h"
 
 static void write_text_name(const char *name, FILE *out)
 {
@@ -101,10 +102,7 @@ fmb_status fmb_write_text(const fmb_system *s, FILE *out)
         write_line_of_names(s, "vars:", NULL, out);
     if (fmb_system_asks_projection(s))
         write_line_of_names(s, "project:", fmb_system_is_kept, out);
-    int j = 0;
-    while (j < fmb_system_dim(s) && !fmb_system_is_integer(s, j))
-        j++;
-    if (j < fmb_system_dim(s))
+    if (fmb_system_first_integer(s) >= 0)
         write_line_of_names(s, "integer:", fmb_system_is_integer, out);
     if (fmb_system_sense(s) != FMB_SENSE_NONE)
         write_objective_line(s, q, out);
