@@ -1,7 +1,6 @@
 /* intersect_report.c: pairs as text for people, and as one JSON object that is written as they
  * come. */
 #include <jansson.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,7 +8,6 @@
 #include "common/table.h"
 #include "common/text.h"
 #include "fmb/intersect.h"
-#include "fmb/shortest.h"
 #include "fmb/show.h"
 
 /* ---- numbers --------------------------------------------------------------------------------- */
@@ -28,14 +26,7 @@ char *report_rational(const intersect_ask *ask, mpq_srcptr q, app_rounding way)
 /* In JSON doubles are numbers, and decimals already. */
 char *report_double(const intersect_ask *ask, double d, app_rounding way)
 {
-    if (ask->digits == 0 || ask->json || !isfinite(d))
-        return app_shortest(d);
-    mpq_t q;
-    mpq_init(q);
-    mpq_set_d(q, d);
-    char *text = app_number(q, ask->digits, way);
-    mpq_clear(q);
-    return text;
+    return app_show_double(d, ask->json ? 0 : ask->digits, way);
 }
 
 /* ---- text ------------------------------------------------------------------------------------ */

@@ -8,7 +8,6 @@
 
 #include "common/message.h"
 #include "fmb/mesh_ask.h"
-#include "fmb/shortest.h"
 #include "fmb/show.h"
 #include "fmb/stop.h"
 
@@ -53,22 +52,10 @@ static fmb_status common_points(const report *r, const fmb_frame *p, const fmb_f
     return fmb_common(r->solver, both, &out->common, NULL);
 }
 
-/* In JSON doubles are numbers, and decimals already. */
-static char *end_text(const mesh_ask *ask, double d, app_rounding way)
-{
-    if (ask->digits == 0 || ask->json)
-        return app_shortest(d);
-    mpq_t q;
-    mpq_init(q);
-    mpq_set_d(q, d);
-    char *text = app_number(q, ask->digits, way);
-    mpq_clear(q);
-    return text;
-}
-
 static fmb_status find_place(const report *r, const fmb_mesh_hit *h, place_of_hit *out)
 {
     double number[2][12], ends[8];
+    int digits = r->ask->json ? 0 : r->ask->digits; /* JSON's doubles are decimals already */
     const double *motion = r->ask->moves ? r->ask->motion : NULL;
     fmb_frame p = frame_of_cell(r->a, h->a, NULL, number[0]);
     fmb_frame q = frame_of_cell(r->b, h->b, motion, number[1]);
@@ -83,7 +70,7 @@ static fmb_status find_place(const report *r, const fmb_mesh_hit *h, place_of_hi
     if (st == FMB_OK && v == FMB_FEASIBLE)
         out->intervals = motion ? 4 : 3;
     for (int i = 0; i < 2 * out->intervals; i++)
-        out->end[i] = end_text(r->ask, ends[i], i % 2 == 0 ? APP_DOWN : APP_UP);
+        out->end[i] = app_show_double(ends[i], digits, i % 2 == 0 ? APP_DOWN : APP_UP);
     return st;
 }
 

@@ -1,10 +1,12 @@
 /* show.c: see show.h. */
 #include "fmb/show.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "common/message.h"
 #include "common/text.h"
+#include "fmb/shortest.h"
 
 /* gmp_vasprintf allocates with GMP's functions, which are malloc's: nobody here sets others. */
 char *app_print(const char *format, ...)
@@ -30,6 +32,18 @@ char *app_show_row_name(const fmb_system *s, size_t i)
     char *label = app_text(raw, APP_TEXT_TERMINAL);
     char *text = app_print("row %zu (%s)", i + 1, label);
     free(label);
+    return text;
+}
+
+char *app_show_double(double d, int digits, app_rounding way)
+{
+    if (digits == 0 || !isfinite(d))
+        return app_shortest(d);
+    mpq_t q;
+    mpq_init(q);
+    mpq_set_d(q, d);
+    char *text = app_number(q, digits, way);
+    mpq_clear(q);
     return text;
 }
 

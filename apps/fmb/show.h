@@ -20,6 +20,10 @@ char *app_show_name(const fmb_system *s, int j);
 char *app_show_row_name(const fmb_system *s, size_t i);
 char *app_show_row(const fmb_system *s, size_t i, int digits);
 
+/* [give, free()] A double as the decimal that tells it from all others; with digits, as any other
+ * number. */
+char *app_show_double(double d, int digits, app_rounding way);
+
 /* [give, free()] The objective times sign, "3 x - y + 5", without its constant unless that is asked
  * for. */
 char *app_show_objective(const fmb_system *s, int sign, bool constant, int digits);
