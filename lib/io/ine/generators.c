@@ -10,8 +10,7 @@
 
 /* ---- reading --------------------------------------------------------------------------------- */
 
-static fmb_status add_generator_of_row(fmb_cursor *c, const fmb_system *s, size_t i, mpq_t *x,
-                                       fmb_generators *g)
+static fmb_status add_generator_of_row(const fmb_system *s, size_t i, mpq_t *x, fmb_generators *g)
 {
     mpq_t t;
     for (int j = 0; j < fmb_system_dim(s); j++)
@@ -22,13 +21,11 @@ static fmb_status add_generator_of_row(fmb_cursor *c, const fmb_system *s, size_
         mpq_neg(x[j], t);
     }
     fmb_system_rhs_q(s, i, t);
-    bool vertex = mpq_cmp_ui(t, 1, 1) == 0, ray = mpq_sgn(t) == 0;
+    fmb_generator_kind kind = fmb_system_rel(s, i) == FMB_EQ ? FMB_LINE
+                              : mpq_sgn(t) == 0              ? FMB_RAY
+                                                             : FMB_VERTEX;
     mpq_clear(t);
-    bool line = fmb_system_rel(s, i) == FMB_EQ;
-    if (line ? !ray : !vertex && !ray)
-        return fmb_io_fail(c, NULL, "expected %s at the start of row %zu",
-                           line ? "0, as it is a line," : "1 for a vertex or 0 for a ray", i + 1);
-    return fmb_generators_add_q(g, line ? FMB_LINE : ray ? FMB_RAY : FMB_VERTEX, x);
+    return fmb_generators_add_q(g, kind, x);
 }
 
 static fmb_status turn_rows_to_generators(fmb_cursor *c, const fmb_system *s, fmb_generators *g)
@@ -39,7 +36,7 @@ static fmb_status turn_rows_to_generators(fmb_cursor *c, const fmb_system *s, fm
     if (st != FMB_OK)
         return st;
     for (size_t i = 0; st == FMB_OK && i < fmb_system_rows(s); i++)
-        st = add_generator_of_row(c, s, i, x, g);
+        st = add_generator_of_row(s, i, x, g);
     fmb_rationals_free(x, dim, c->mem);
     return st;
 }

@@ -194,6 +194,10 @@ static fmb_status set_relation_of_rows(fmb_ine *f, const fmb_ine_list *list, fmb
             return fmb_io_fail(f->c, list->item[k].at, "expected a row number between 1 and %zu",
                                f->s->rows);
         fmb_sysrow *r = &f->s->row[i - 1];
+        if (f->generators && rel == FMB_EQ && fmb_vec_sgn(&r->val, r->nnz) != 0)
+            return fmb_io_fail(f->c, list->item[k].at,
+                               "expected a row that begins with 0, as it is a line, found row %zu",
+                               i);
         if (r->rel != FMB_LE && r->rel != rel)
             return fmb_io_fail(f->c, list->item[k].at,
                                "expected row %zu to be strict or a linearity, not both", i);

@@ -77,10 +77,23 @@ static fmb_status read_lines_before_matrix(fmb_ine *f)
 
 /* ---- matrix ---------------------------------------------------------------------------------- */
 
+/* A row of generators begins with 1 or 0. */
+static fmb_status check_generator(fmb_cursor *c, const char *p, const mpq_t value)
+{
+    char found[FMB_QUOTE];
+    return mpq_sgn(value) == 0 || mpq_cmp_ui(value, 1, 1) == 0
+               ? FMB_OK
+               : fmb_io_fail(c, p, "expected 1 for a vertex or 0 for a ray, found %s",
+                             fmb_quote(c, p, found));
+}
+
 /* Column j of a row into d: b, then a_j: b + a.x >= 0 is -a.x <= b. */
 static fmb_status read_matrix_entry(fmb_ine *f, size_t j, mpq_t value, fmb_draft *d)
 {
+    const char *p = f->c->at;
     fmb_status st = fmb_ine_number(f->c, value);
+    if (st == FMB_OK && j == 0 && f->generators)
+        st = check_generator(f->c, p, value);
     if (st == FMB_OK && j > (size_t)fmb_system_dim(f->s))
         st = fmb_system_add_variable(f->s, NULL, NULL);
     if (st != FMB_OK || mpq_sgn(value) == 0)

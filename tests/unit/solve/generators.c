@@ -476,8 +476,9 @@ Test(generators, bad_texts_are_told)
     } bad[] = {{"", 0},
                {"H-representation\nbegin\n1 2 integer\n1 0\nend\n", 1},
                {"V-representation\nbegin\n1 2 integer\n1 x\nend\n", 4},
-               {"V-representation\nbegin\n1 2 integer\n-1 1\nend\n", 0},
-               {"V-representation\nlinearity 1 1\nbegin\n1 2 integer\n1 1\nend\n", 0}};
+               {"V-representation\nbegin\n1 2 integer\n-1 1\nend\n", 4},
+               {"V-representation\nbegin\n2 2 integer\n1 1\n 2 1\nend\n", 5},
+               {"V-representation\nlinearity 1 1\nbegin\n1 2 integer\n1 1\nend\n", 2}};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         fmb_generators *g = NULL;
         fmb_where where = {0};
