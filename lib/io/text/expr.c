@@ -83,6 +83,21 @@ static void negate_linear_piece(fmb_draft *d, size_t from, mpq_t constant)
         mpq_neg(d->coef[k], d->coef[k]);
 }
 
+/* `1e` is 1 times e, or a number whose exponent was cut off: nobody may choose, unless variables
+ * are declared. */
+static fmb_status refuse_cut_exponent(const fmb_text *t, const char *number)
+{
+    fmb_cursor *c = t->c;
+    char found[FMB_QUOTE];
+    if (t->declared || (fmb_peek(c) | 32) != 'e' ||
+        fmb_text_name_char(c->at + 1, (size_t)(c->end - c->at) - 1, false) > 0)
+        return FMB_OK;
+    return fmb_io_fail(c, c->at,
+                       "expected '*' or the digits of an exponent: %s may be a product with the "
+                       "variable %c, or a number that was cut off",
+                       fmb_quote(c, number, found), *c->at);
+}
+
 /* Sets constant. */
 static fmb_status read_signed_factor(fmb_text *t, fmb_draft *d, mpq_t constant, int depth)
 {
@@ -101,9 +116,13 @@ static fmb_status read_signed_factor(fmb_text *t, fmb_draft *d, mpq_t constant, 
         st = read_parenthesis(t, d, constant, depth);
     else if (is_at_start_of_name(c))
         st = read_variable_factor(t, d);
-    else
+    else {
+        const char *number = c->at;
         st = fmb_scan_number(c, FMB_NUM_DECIMAL | FMB_NUM_EXPONENT | FMB_NUM_FRACTION,
                              "a number, a name or '('", constant);
+        if (st == FMB_OK)
+            st = refuse_cut_exponent(t, number);
+    }
     if (st == FMB_OK && minus)
         negate_linear_piece(d, from, constant);
     return st;

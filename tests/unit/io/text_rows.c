@@ -32,7 +32,7 @@ Test(text, numbers)
     static const meaning table[] = {
         {"2.5e-3x <= .5", "vars: x\n1/400 x <= 1/2\n"},
         {"0.1 x <= 1.", "vars: x\n1/10 x <= 1\n"},
-        {"2e + 2 e3 <= 2e3", "vars: e e3\n2 e + 2 e3 <= 2000\n"},
+        {"2*e + 2 e3 <= 2e3", "vars: e e3\n2 e + 2 e3 <= 2000\n"},
         {"2e3x <= 1E+2", "vars: x\n2000 x <= 100\n"},
         {"6/4 x <= 1.5/.3", "vars: x\n3/2 x <= 5\n"},
         {"x <= 123456789012345678901234567890", "vars: x\nx <= 123456789012345678901234567890\n"},
@@ -41,6 +41,30 @@ Test(text, numbers)
         {"x <= 0.00390625", "vars: x\nx <= 1/256\n"},
         {"x <= 390625e-10", "vars: x\nx <= 1/25600\n"},
     };
+    check_meanings(FMB_FORMAT_TEXT, table, COUNT(table));
+}
+
+/* 2 times e, or a number whose exponent was lost? */
+Test(text, lost_exponents)
+{
+    static const char *const texts[] = {"x <= 1e",      "x <= 2.5E+",  "x <= 1/2e\ny <= 1",
+                                        "1e- + x <= 1", "1e - 2 <= x", "(2e)x <= 3",
+                                        "e + 1e <= 3"};
+    static const meaning table[] = {
+        {"vars: e x\n2e + x <= 1", "vars: e x\n2 e + x <= 1\n"},
+        {"2 e <= 1 + 3*e", "vars: e\n-e <= 1\n"},
+        {"2ex <= 1e1e2", "vars: ex e2\n2 ex - 10 e2 <= 0\n"},
+        {"2\"e\" <= 1", "vars: e\n2 e <= 1\n"},
+    };
+    for (size_t i = 0; i < COUNT(texts); i++) {
+        fmb_system *s = NULL;
+        fmb_where w = {0};
+        cr_expect(fmb_system_parse(texts[i], strlen(texts[i]), NULL, &s, &w) == FMB_ERR_PARSE, "%s",
+                  texts[i]);
+        cr_expect(strstr(w.text, "or a number that was cut off"), "%s: %s", texts[i], w.text);
+        cr_expect(w.column > 0 && (texts[i][w.column - 1] | 32) == 'e', "%s", texts[i]);
+        fmb_system_free(s);
+    }
     check_meanings(FMB_FORMAT_TEXT, table, COUNT(table));
 }
 
