@@ -37,7 +37,11 @@ double app_value_number(const char *option, const char *text, double least, doub
                         struct argp_state *state)
 {
     char *end;
+    errno = 0;
     double x = strtod(text, &end);
+    if (x == 0 && errno == ERANGE) /* it would mean something else */
+        argp_error(state, "%s: expected 0 or a number that is not 0 as a double, found '%s'",
+                   option, text);
     bool good = end != text && *end == '\0' && x >= least && x <= most;
     if (!good && least == -DBL_MAX && most == DBL_MAX)
         argp_error(state, "%s: expected a number, found '%s'", option, text);
