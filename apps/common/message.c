@@ -24,16 +24,23 @@ static struct {
     const char *name;
 } captured = {.own = -1};
 
-void app_errors_release(void)
+void app_errors_drop(void)
 {
-    char *line = NULL;
-    size_t room = 0, name;
     if (captured.own < 0)
         return;
     fflush(stderr);
     dup2(captured.own, STDERR_FILENO);
     close(captured.own);
     captured.own = -1;
+}
+
+void app_errors_release(void)
+{
+    char *line = NULL;
+    size_t room = 0, name;
+    if (captured.own < 0)
+        return;
+    app_errors_drop();
     FILE *in = app_need(fdopen(captured.file, "r"));
     rewind(in);
     if (getline(&line, &room, in) > 0) {

@@ -33,6 +33,8 @@ bool app_errors_are_json(void);
  * is told as one with APP_USAGE at the release or the exit. (argp and getopt do so.) */
 void app_errors_capture(const char *name);
 void app_errors_release(void);
+/* The same, but what they wrote is forgotten; this asks for no memory. */
+void app_errors_drop(void);
 
 /* Say why a call of the library failed; the exit code that goes with it. */
 int app_status_error(fmb_status st);

@@ -13,6 +13,7 @@
 static void say_out_of_memory(void)
 {
     const char *text = fmb_status_text(FMB_ERR_MEMORY);
+    app_errors_drop();
     if (app_errors_are_json())
         fprintf(stderr,
                 "{\"error\": {\"file\": null, \"line\": null, \"column\": null, \"text\": \"%s\", "

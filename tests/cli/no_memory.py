@@ -4,6 +4,7 @@ what is asked for are numbers.
 usage: no_memory.py FMB"""
 
 import collections
+import json
 import os
 import resource
 import subprocess
@@ -21,6 +22,15 @@ def call(room, *words):
     return run.returncode, run.stderr.decode()
 
 
+def is_one_error(said):
+    """Is it one line of JSON about such an end?"""
+    lines = said.splitlines()
+    try:
+        return len(lines) == 1 and json.loads(lines[0])["error"]["exit"] == 70
+    except ValueError:
+        return False
+
+
 with tempfile.TemporaryDirectory() as folder:
     os.chdir(folder)
     with open("long.fmb", "w") as out:
@@ -31,12 +41,15 @@ with tempfile.TemporaryDirectory() as folder:
     while call(least, "--version")[0] != 0:
         least += STEP
     faults, ends = [], collections.Counter()
-    for words in (("solve", "long.fmb"), ("bounds", "long.fmb"), ("check", "long.fmb", "long.proof")):
+    for words in (("solve", "long.fmb"), ("bounds", "long.fmb"), ("check", "long.fmb", "long.proof"),
+                  ("solve", "long.fmb", "--json")):
         for room in range(least, least + MORE, STEP):
             code, said = call(room, *words)
             ends[words[0], code] += 1
             if code not in (0, 70) or (code == 70) != ("out of memory" in said):
                 faults.append(f"{' '.join(words)} in {room} bytes: {code}, {said}")
+            if code == 70 and "--json" in words and not is_one_error(said):
+                faults.append(f"{' '.join(words)} in {room} bytes: not one error, {said}")
     for verb in ("solve", "bounds", "check"):
         if ends[verb, 0] == 0 or ends[verb, 70] == 0:
             faults.append(f"{verb}: {ends[verb, 0]} with enough memory, {ends[verb, 70]} without")
