@@ -138,6 +138,27 @@ static error_t check_arguments(const mesh_ask *ask, struct argp_state *state)
     return 0;
 }
 
+/* An option about how much there may be; ARGP_ERR_UNKNOWN: it is none. */
+static error_t parse_limit(int key, const char *arg, mesh_ask *ask, struct argp_state *state)
+{
+    switch (key) {
+    case KEY_SECONDS:
+        ask->max_seconds = app_value_number("--max-seconds", arg, 0, DBL_MAX, state);
+        return 0;
+    case KEY_BYTES:
+        ask->max_bytes = (size_t)app_value_whole("--max-bytes", arg, 0, SIZE_MAX, state);
+        return 0;
+    case KEY_THREADS:
+        ask->threads = (size_t)app_value_whole("--threads", arg, 1, 64, state);
+        return 0;
+    case KEY_MAX_INPUT:
+        ask->max_input = (size_t)app_value_whole("--max-input", arg, 1, SIZE_MAX, state);
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
     mesh_ask *ask = state->input;
@@ -169,18 +190,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case KEY_FORMAT:
         ask->format = format_of(arg, state);
         return 0;
-    case KEY_SECONDS:
-        ask->max_seconds = app_value_number("--max-seconds", arg, 0, DBL_MAX, state);
-        return 0;
-    case KEY_BYTES:
-        ask->max_bytes = (size_t)app_value_whole("--max-bytes", arg, 0, SIZE_MAX, state);
-        return 0;
-    case KEY_THREADS:
-        ask->threads = (size_t)app_value_whole("--threads", arg, 1, 64, state);
-        return 0;
-    case KEY_MAX_INPUT:
-        ask->max_input = (size_t)app_value_whole("--max-input", arg, 1, SIZE_MAX, state);
-        return 0;
     case 'j':
         ask->json = true;
         return 0;
@@ -198,7 +207,7 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case ARGP_KEY_END:
         return check_arguments(ask, state);
     default:
-        return ARGP_ERR_UNKNOWN;
+        return parse_limit(key, arg, ask, state);
     }
 }
 
