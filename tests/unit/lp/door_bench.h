@@ -1,0 +1,46 @@
+/* door_bench.h: a connected system as a program, on a bench of its own, and what a basis of it
+ * proves in rationals. */
+#ifndef FMB_TEST_DOOR_BENCH_H
+#define FMB_TEST_DOOR_BENCH_H
+
+#include "lp/float/side.h"
+#include "solve/query/part.h"
+#include "support/support.h"
+
+/* A connected system as a program, and matrices to solve with. */
+typedef struct door_bench {
+    support_case c;
+    fmb_mem mem;
+    fmb_arena arena;
+    fmb_run run;
+    atomic_int cancel;
+    fmb_parts parts;
+    const fmb_part *part; /* the first, or NULL */
+    fmb_program p;        /* its rows */
+    size_t n, *basis;
+    bool *off;
+    mpq_t *matrix; /* [n][n + 1] */
+    mpq_t *x, *y;  /* [n] */
+    double *cost;  /* [n] */
+} door_bench;
+
+/* False: the system has no part, so there is nothing to ask. The struct must not move. */
+bool door_bench_open(door_bench *b, support_family family, uint64_t seed,
+                     const support_shape *shape);
+/* Append rows of the part until there are that many. */
+void door_bench_append(door_bench *b, size_t m);
+/* Nothing may be left in memory. */
+void door_bench_close(door_bench *b);
+
+/* x = where the members of the basis meet. False: nowhere, or in more than a point. */
+bool door_bench_meet(door_bench *b);
+/* Do all rows that are on hold at x, strict ones as if they were not? With `flat`, along x. */
+bool door_bench_holds(const door_bench *b, mpq_t *x, bool flat);
+/* Row `odd` is a combination of the basis that says the contrary. */
+bool door_bench_proves_conflict(door_bench *b, size_t odd);
+/* x is a solution, and the cost a combination of rows of the basis. */
+bool door_bench_proves_optimum(door_bench *b);
+/* x is a solution, and along the edge that leaves the row at that place the cost grows for ever. */
+bool door_bench_proves_ray(door_bench *b, size_t place);
+
+#endif
