@@ -6,49 +6,10 @@
 #include <fmb/gmp.h>
 
 #include "counted_clock.h"
+#include "frame_reading.h"
 #include "parse.h"
 
 #define LINE 1024
-
-/* A reader of a text, and its stream. */
-typedef struct reading {
-    FILE *in;
-    fmb_frame_reader *r;
-} reading;
-
-static reading begin(const char *text, size_t size, const fmb_reader *how)
-{
-    reading a = {.in = fmemopen((void *)(uintptr_t)text, size, "rb")};
-    cr_assert(a.in);
-    cr_assert_eq(fmb_frame_reader_new(a.in, how, &a.r), FMB_OK);
-    return a;
-}
-
-static void end(reading *a)
-{
-    fmb_frame_reader_free(a->r);
-    fclose(a->in);
-}
-
-static const fmb_frame_line *next(const reading *a)
-{
-    const fmb_frame_line *line = NULL;
-    fmb_where w = {0};
-    fmb_status st = fmb_frame_reader_next(a->r, &line, &w);
-    cr_assert_eq(st, FMB_OK, "%ld:%ld: %s", w.line, w.column, w.text);
-    return line;
-}
-
-static void expect_numbers(mpq_t *a, const char *const *want, int n)
-{
-    mpq_t q;
-    mpq_init(q);
-    for (int i = 0; i < n; i++) {
-        mpq_set_str(q, want[i], 10);
-        cr_expect(mpq_equal(a[i], q), "number %d is not %s", i, want[i]);
-    }
-    mpq_clear(q);
-}
 
 /* ---- what they say --------------------------------------------------------------------------- */
 
@@ -64,15 +25,15 @@ Test(frames, numbers)
         "\"id\": 17}";
     const char *broken = strchr(text, '\n');
     /* the first line lacks its B */
-    reading a = begin(text, (size_t)(broken - text), NULL);
+    frame_reading a = frame_reading_begin(text, (size_t)(broken - text), NULL);
     const fmb_frame_line *line = NULL;
     fmb_where w = {0};
     cr_expect_eq(fmb_frame_reader_next(a.r, &line, &w), FMB_ERR_PARSE);
     cr_expect(w.line == 1 && strstr(w.text, "key in quotes, found"), "%ld: %s", w.line, w.text);
-    end(&a);
-    a = begin(text, sizeof text - 1, NULL);
+    frame_reading_end(&a);
+    a = frame_reading_begin(text, sizeof text - 1, NULL);
     cr_expect_eq(fmb_frame_reader_next(a.r, &line, &w), FMB_ERR_PARSE);
-    line = next(&a);
+    line = frame_reading_next(&a);
     cr_assert(line);
     cr_expect_eq(line->number, 4);
     cr_expect_str_eq(line->id, "17");
@@ -81,14 +42,14 @@ Test(frames, numbers)
     cr_expect_eq(line->body[0].frame.shape, FMB_SIMPLEX);
     cr_expect_null(line->body[0].frame.speed);
     cr_expect_null(line->frame[0].speed);
-    expect_numbers(line->body[0].frame.axes, (const char *[]){"-1/4"}, 1);
+    expect_rationals(line->body[0].frame.axes, (const char *[]){"-1/4"}, 1);
     cr_expect_eq(line->frame[0].axes[0], -0.25);
     cr_expect_eq(line->body[1].frame.naxes, 0);
-    expect_numbers(line->body[1].frame.speed, (const char *[]){"3"}, 1);
+    expect_rationals(line->body[1].frame.speed, (const char *[]){"3"}, 1);
     cr_expect_eq(line->frame[1].speed[0], 3);
-    cr_expect_null(next(&a));
-    cr_expect_null(next(&a));
-    end(&a);
+    cr_expect_null(frame_reading_next(&a));
+    cr_expect_null(frame_reading_next(&a));
+    frame_reading_end(&a);
 }
 
 #define POINT "{\"type\": \"cuboid\", \"orig\": [0, 0, 0], \"comp\": []}"
@@ -98,15 +59,15 @@ Test(frames, rationals)
     static const char text[] =
         "{\"A\": {\"type\": \"cuboid\", \"vel\": [0, 0.0, -0e5], \"comp\": [[1e-2, \"-1/3\", "
         "0.125], [\"0.5/1.5\", 2E+1, -3]], \"orig\": [0.1, -7, 12]}, \"B\": " POINT "}\n";
-    reading a = begin(text, sizeof text - 1, NULL);
-    const fmb_frame_line *line = next(&a);
+    frame_reading a = frame_reading_begin(text, sizeof text - 1, NULL);
+    const fmb_frame_line *line = frame_reading_next(&a);
     cr_assert(line && !line->id && !line->are_doubles);
     const fmb_frame_q *f = &line->body[0].frame;
     cr_expect(f->dim == 3 && f->naxes == 2 && f->shape == FMB_CUBOID);
     cr_expect_null(f->speed, "a speed of 0 is none");
-    expect_numbers(f->axes, (const char *[]){"1/100", "-1/3", "1/8", "1/3", "20", "-3"}, 6);
-    expect_numbers(f->origin, (const char *[]){"1/10", "-7", "12"}, 3);
-    end(&a);
+    expect_rationals(f->axes, (const char *[]){"1/100", "-1/3", "1/8", "1/3", "20", "-3"}, 6);
+    expect_rationals(f->origin, (const char *[]){"1/10", "-7", "12"}, 3);
+    frame_reading_end(&a);
 }
 
 /* The double nearest to a decimal: ties to even, denormals, the largest. */
@@ -130,9 +91,10 @@ Test(frames, nearest)
                                   0,
                                   123456789.123456789};
     for (int nearest = 0; nearest < 2; nearest++) {
-        reading a = begin(text, sizeof text - 1,
-                          &(fmb_reader){.size = sizeof(fmb_reader), .nearest = nearest != 0});
-        const fmb_frame_line *line = next(&a);
+        frame_reading a =
+            frame_reading_begin(text, sizeof text - 1,
+                                &(fmb_reader){.size = sizeof(fmb_reader), .nearest = nearest != 0});
+        const fmb_frame_line *line = frame_reading_next(&a);
         mpq_t q;
         mpq_init(q);
         cr_assert_eq(line->are_doubles, nearest != 0);
@@ -147,7 +109,7 @@ Test(frames, nearest)
                                              : line->body[0].frame.axes[i - 3]));
         }
         mpq_clear(q);
-        end(&a);
+        frame_reading_end(&a);
     }
 }
 
@@ -156,9 +118,9 @@ Test(frames, polytopes_nearest)
     static const char text[] =
         "{\"A\": {\"rows\": [{\"relation\": \"<\", \"rhs\": 0.1, \"coefficients\": [\"1/3\"]}], "
         "\"type\": \"polytope\"}, \"B\": {\"type\": \"cuboid\", \"orig\": [0.1], \"comp\": []}}";
-    reading a =
-        begin(text, sizeof text - 1, &(fmb_reader){.size = sizeof(fmb_reader), .nearest = true});
-    const fmb_frame_line *line = next(&a);
+    frame_reading a = frame_reading_begin(
+        text, sizeof text - 1, &(fmb_reader){.size = sizeof(fmb_reader), .nearest = true});
+    const fmb_frame_line *line = frame_reading_next(&a);
     mpq_t q, want;
     mpq_inits(q, want, NULL);
     cr_assert_eq(fmb_frame_reader_rationals(a.r), FMB_OK);
@@ -170,7 +132,7 @@ Test(frames, polytopes_nearest)
     mpq_set_d(want, 0.1);
     cr_expect(mpq_equal(q, want) && mpq_equal(line->body[1].frame.origin[0], want));
     mpq_clears(q, want, NULL);
-    end(&a);
+    frame_reading_end(&a);
 }
 
 /* Lines of many lengths, so that they end at any place of what is fetched at once; the last one may
@@ -187,16 +149,16 @@ Test(frames, lengths_of_lines)
             text[(i + 1) * n - 1] = '\n';
         }
         text[2 * n - 2] = '\0';
-        reading a = begin(text, 3 * n - n % 2, NULL);
-        const fmb_frame_line *line = next(&a);
+        frame_reading a = frame_reading_begin(text, 3 * n - n % 2, NULL);
+        const fmb_frame_line *line = frame_reading_next(&a);
         fmb_where w = {0};
         cr_assert(line && line->number == 1, "%zu", n);
         cr_assert(fmb_frame_reader_next(a.r, &line, &w) == FMB_ERR_PARSE && w.line == 2 &&
                       w.column == (long)n - 1,
                   "%zu: %ld:%ld", n, w.line, w.column);
-        line = next(&a);
-        cr_assert(line && line->number == 3 && !next(&a), "%zu", n);
-        end(&a);
+        line = frame_reading_next(&a);
+        cr_assert(line && line->number == 3 && !frame_reading_next(&a), "%zu", n);
+        frame_reading_end(&a);
     }
 }
 
@@ -206,8 +168,8 @@ Test(frames, polytopes)
         "{\"A\": {\"rows\": [{\"relation\": \"<\", \"rhs\": \"1/2\", \"coefficients\": [1, 0, "
         "0.1]}, {\"coefficients\": [0, 1, 0], \"relation\": \"=\", \"rhs\": -2, \"label\": "
         "\"x\"}], \"type\": \"polytope\"}, \"B\": " POINT "}";
-    reading a = begin(text, sizeof text - 1, NULL);
-    const fmb_frame_line *line = next(&a);
+    frame_reading a = frame_reading_begin(text, sizeof text - 1, NULL);
+    const fmb_frame_line *line = frame_reading_next(&a);
     cr_assert(line->body[0].rows && !line->body[1].rows && !line->are_doubles);
     char *rows = write_text(line->body[0].rows, FMB_FORMAT_TEXT);
     cr_expect_str_eq(rows, "vars: x1 x2 x3\nx1 + 1/10 x3 < 1/2\nx2 = -2\n");
@@ -221,7 +183,7 @@ Test(frames, polytopes)
         cr_expect_eq(fmb_system_rel(s, 4), FMB_EQ);
         fmb_system_free(s);
     }
-    end(&a);
+    frame_reading_end(&a);
 }
 
 /* ---- where they go wrong --------------------------------------------------------------------- */
@@ -293,7 +255,7 @@ Test(frames, limits)
 {
     static const char text[] =
         "{\"A\": " POINT ", \"B\": " POINT "}\n{\"A\": " POINT ", \"B\": " POINT "}\n";
-    reading a = begin(text, sizeof text - 1, NULL);
+    frame_reading a = frame_reading_begin(text, sizeof text - 1, NULL);
     const fmb_frame_line *line = NULL;
     fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
@@ -327,7 +289,7 @@ Test(frames, limits)
     fmb_frame_reader_cancel(a.r);
     cr_expect(fmb_frame_reader_next(a.r, &line, NULL) == FMB_OK && !line);
     fmb_frame_reader_cancel(NULL);
-    end(&a);
+    frame_reading_end(&a);
 }
 
 /* A line beyond the limit is an error; the next one is read. */
@@ -337,8 +299,8 @@ Test(frames, longest_line)
         "{\"A\": " POINT ", \"B\": " POINT "}\n{\"A\": " POINT ", \"B\":         " POINT
         "}\n{\"A\": " POINT ", \"B\": " POINT "}\n";
     size_t most = (size_t)(strchr(text, '\n') - text) + 1;
-    reading a =
-        begin(text, sizeof text - 1, &(fmb_reader){.size = sizeof(fmb_reader), .max_bytes = most});
+    frame_reading a = frame_reading_begin(
+        text, sizeof text - 1, &(fmb_reader){.size = sizeof(fmb_reader), .max_bytes = most});
     const fmb_frame_line *line = NULL;
     fmb_where w = {0};
     cr_expect(fmb_frame_reader_next(a.r, &line, &w) == FMB_OK && line->number == 1);
@@ -346,7 +308,7 @@ Test(frames, longest_line)
               strstr(w.text, "expected at most"));
     cr_expect(fmb_frame_reader_next(a.r, &line, &w) == FMB_OK && line && line->number == 3);
     cr_expect(fmb_frame_reader_next(a.r, &line, &w) == FMB_OK && !line);
-    end(&a);
+    frame_reading_end(&a);
 }
 
 /* Whichever request fails: nothing is lost. */
@@ -387,142 +349,10 @@ Test(frames, megabyte)
         at += (size_t)sprintf(text, "{\"A\": {\"type\": \"cuboid\", \"orig\": [");
         for (; at + n < most; at += n)
             memcpy(text + at, unit[u], n);
-        reading a = begin(text, at, NULL);
+        frame_reading a = frame_reading_begin(text, at, NULL);
         const fmb_frame_line *line = NULL;
         cr_expect_eq(fmb_frame_reader_next(a.r, &line, NULL), FMB_ERR_PARSE);
-        end(&a);
+        frame_reading_end(&a);
         free(text);
     }
-}
-
-/* ---- binary ---------------------------------------------------------------------------------- */
-
-static const double unit[4] = {1, 0, 0, 1}, near[2] = {0.1, -0.5}, slow[2] = {0x1p-1074, -3},
-                    still[2] = {0, 0};
-static const fmb_frame square = {FMB_CUBOID, 2, 2, near, unit, NULL},
-                       mover = {FMB_SIMPLEX_BY_CORNERS, 2, 1, near, unit, slow},
-                       place = {FMB_SIMPLEX, 2, 0, unit, NULL, still};
-
-/* [give, free()] Four pairs in two blocks. */
-static char *write_pairs(size_t *size)
-{
-    const fmb_frame p[4] = {square, square, place, place}, q[4] = {mover, mover, square, square};
-    char *bytes = NULL;
-    FILE *out = open_memstream(&bytes, size);
-    cr_assert(out);
-    cr_assert_eq(fmb_frame_pairs_write(out, 4, p, q), FMB_OK);
-    fclose(out);
-    return bytes;
-}
-
-static void expect_same(const fmb_frame *f, const fmb_frame *want)
-{
-    size_t d = (size_t)want->dim;
-    cr_expect(f->shape == want->shape && f->dim == want->dim && f->naxes == want->naxes);
-    cr_expect_arr_eq(f->origin, want->origin, d * sizeof(double));
-    cr_expect(want->naxes == 0 ||
-              memcmp(f->axes, want->axes, d * (size_t)want->naxes * sizeof(double)) == 0);
-    cr_expect_eq(f->speed != NULL, want->speed == slow, "a speed of 0 is none");
-    cr_expect(!f->speed || memcmp(f->speed, want->speed, d * sizeof(double)) == 0);
-}
-
-Test(frames, binary)
-{
-    size_t size;
-    char *bytes = write_pairs(&size);
-    reading a = begin(bytes, size, NULL);
-    for (long i = 1; i <= 4; i++) {
-        const fmb_frame_line *line = next(&a);
-        cr_assert(line);
-        cr_expect(line->number == i && !line->id && line->are_doubles && line->dim == 2);
-        expect_same(&line->frame[0], i <= 2 ? &square : &place);
-        expect_same(&line->frame[1], i <= 2 ? &mover : &square);
-        cr_expect_null(line->body[0].frame.origin);
-        cr_assert_eq(fmb_frame_reader_rationals(a.r), FMB_OK);
-        expect_numbers(line->body[i <= 2].frame.axes, (const char *[]){"1", "0"}, i <= 2 ? 2 : 0);
-        cr_expect_eq(mpq_get_d(line->body[1].frame.origin[0]), 0.1);
-        cr_expect_eq(line->body[1].frame.speed != NULL, i <= 2);
-    }
-    cr_expect_null(next(&a));
-    cr_expect_null(next(&a));
-    end(&a);
-    free(bytes);
-}
-
-Test(frames, binary_of_single_precision)
-{
-    char bytes[32] = "fmbpairs\1\4\1\1";
-    const float x[2] = {0.1f, -2};
-    bytes[16] = bytes[28] = 1;
-    char whole[32 + sizeof x];
-    memcpy(whole, bytes, 32);
-    memcpy(whole + 32, x, sizeof x);
-    reading a = begin(whole, sizeof whole, NULL);
-    const fmb_frame_line *line = next(&a);
-    cr_assert(line && line->dim == 1);
-    cr_expect_eq(line->frame[0].origin[0], (double)0.1f);
-    cr_expect_eq(line->frame[1].origin[0], -2);
-    end(&a);
-}
-
-/* How many pairs are read before an error (*fault) or the end. */
-static int count_pairs(const char *bytes, size_t size, bool *fault)
-{
-    const fmb_reader how = {.size = sizeof how, .max_bytes = 1000};
-    reading a = begin(bytes, size, &how);
-    const fmb_frame_line *line = NULL;
-    fmb_where w = {0};
-    int n = 0;
-    fmb_status st;
-    while ((st = fmb_frame_reader_next(a.r, &line, &w)) == FMB_OK && line)
-        n++;
-    *fault = st != FMB_OK;
-    cr_expect(st == FMB_OK ||
-              (st == FMB_ERR_PARSE && w.line == n + 1 && strncmp(w.text, "expected ", 9) == 0));
-    if (*fault)
-        cr_expect(fmb_frame_reader_next(a.r, &line, &w) == FMB_OK && !line,
-                  "nothing behind an error");
-    end(&a);
-    return n;
-}
-
-Test(frames, binary_cut_or_wrong)
-{
-    static const struct {
-        size_t at;
-        char byte;
-    } wrong[] = {{3, 'x'}, {8, 2},  {9, 5},  {10, 4}, {11, 9}, {12, 4},  {13, 1},
-                 {15, 7},  {17, 1}, {19, 8}, {20, 3}, {27, 1}, {38, -16}};
-    size_t size;
-    bool fault;
-    char *bytes = write_pairs(&size);
-    for (size_t cut = 1; cut < size; cut++) {
-        int n = count_pairs(bytes, cut, &fault);
-        cr_expect(n < 4 && fault != (cut == 32 + 2 * 8 * 12), "%zu bytes", cut);
-    }
-    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        char kept = bytes[wrong[i].at];
-        bytes[wrong[i].at] = wrong[i].byte;
-        if (wrong[i].at == 38)
-            bytes[39] = 0x7f; /* no number */
-        cr_expect(count_pairs(bytes, size, &fault) == 0 && fault, "byte %zu", wrong[i].at);
-        bytes[wrong[i].at] = kept;
-    }
-    free(bytes);
-}
-
-Test(frames, binary_not_written)
-{
-    const fmb_frame flat = {FMB_CUBOID, 3, 0, near, NULL, NULL};
-    char *bytes = NULL;
-    size_t size;
-    FILE *out = open_memstream(&bytes, &size);
-    cr_expect_eq(fmb_frame_pairs_write(NULL, 1, &square, &square), FMB_ERR_ARG);
-    cr_expect_eq(fmb_frame_pairs_write(out, 1, NULL, &square), FMB_ERR_ARG);
-    cr_expect_eq(fmb_frame_pairs_write(out, 1, &square, &flat), FMB_ERR_ARG);
-    cr_expect_eq(fmb_frame_pairs_write(out, 0, NULL, NULL), FMB_OK);
-    cr_expect_eq(fmb_frame_reader_rationals(NULL), FMB_ERR_ARG);
-    fclose(out);
-    cr_expect_eq(size, 0);
-    free(bytes);
 }
