@@ -11,11 +11,10 @@
 #include <string.h>
 
 #include "parse.h"
+#include "random_program.h"
 #include "support/support.h"
 
 /* ---- GLPK ------------------------------------------------------------------------------------ */
-
-enum { AS_FIXED = GLP_MPS_DECK, AS_FREE = GLP_MPS_FILE, AS_LP = 100 };
 
 static jmp_buf aborted;
 
@@ -28,17 +27,17 @@ static void leave(void *info)
 /* The text as GLPK can read it: without empty lines and OBJSENSE, and without markers, for
  * which it bounds by 1 even columns that have a lower bound; of LP without comments, which it
  * refuses behind a row. */
-static void write_for_glpk(const char *text, size_t size, int form, FILE *out)
+static void write_for_glpk(const char *text, size_t size, program_form form, FILE *out)
 {
     bool sense = false;
     for (const char *p = text, *end = text + size; p < end;) {
         const char *eol = memchr(p, '\n', (size_t)(end - p));
         size_t n = eol ? (size_t)(eol - p) + 1 : (size_t)(end - p);
-        const char *comment = form == AS_LP ? memchr(p, '\\', n) : NULL;
+        const char *comment = form == LP ? memchr(p, '\\', n) : NULL;
         size_t kept = comment ? (size_t)(comment - p) : n;
         if (*p != ' ')
             sense = n > 8 && memcmp(p, "OBJSENSE", 8) == 0;
-        if (form != AS_LP && (sense || *p == '\n' || memmem(p, n, "'MARKER'", 8)))
+        if (form != LP && (sense || *p == '\n' || memmem(p, n, "'MARKER'", 8)))
             fputs("*\n", out);
         else
             fwrite(p, 1, kept, out);
@@ -48,7 +47,7 @@ static void write_for_glpk(const char *text, size_t size, int form, FILE *out)
     }
 }
 
-static glp_prob *glpk_of(const char *text, size_t size, int form)
+static glp_prob *glpk_of(const char *text, size_t size, program_form form)
 {
     char path[32];
     FILE *f = tmpfile();
@@ -67,7 +66,8 @@ static glp_prob *glpk_of(const char *text, size_t size, int form)
     glp_mpscp how;
     glp_init_mpscp(&how);
     how.tol_mps = 0;
-    int failed = form == AS_LP ? glp_read_lp(p, NULL, path) : glp_read_mps(p, form, &how, path);
+    int mps = form == MPS_FIXED ? GLP_MPS_DECK : GLP_MPS_FILE;
+    int failed = form == LP ? glp_read_lp(p, NULL, path) : glp_read_mps(p, mps, &how, path);
     glp_error_hook(NULL, NULL);
     fclose(f);
     if (failed)
@@ -155,7 +155,7 @@ static bool is_interval(walk *w, const char *name, const double *coef, int type,
            is_next(w, name, coef, 1, FMB_LE, high, ulps);
 }
 
-static bool has_same_rows(walk *w, int form)
+static bool has_same_rows(walk *w, program_form form)
 {
     int n = glp_get_num_cols(w->p);
     double *coef = calloc((size_t)n + 1, sizeof *coef), *value = malloc(((size_t)n + 1) * 8);
@@ -170,7 +170,7 @@ static bool has_same_rows(walk *w, int form)
         for (int k = 1; k <= terms; k++)
             coef[index[k]] = value[k];
         const char *label = w->row < fmb_system_rows(w->s) ? fmb_system_label(w->s, w->row) : NULL;
-        if (label ? !same_name(label, name) : form != AS_LP)
+        if (label ? !same_name(label, name) : form != LP)
             same = differ(w, "name", name);
         same = same && is_interval(w, name, coef, type, glp_get_row_lb(w->p, i),
                                    glp_get_row_ub(w->p, i), type == GLP_DB ? 64 : 0.5);
@@ -180,7 +180,7 @@ static bool has_same_rows(walk *w, int form)
         coef[j] = 1;
         same = is_interval(w, glp_get_col_name(w->p, j), coef, glp_get_col_type(w->p, j),
                            glp_get_col_lb(w->p, j), glp_get_col_ub(w->p, j), 0.5);
-        if (same && form != AS_LP && glp_get_col_type(w->p, j) == GLP_LO &&
+        if (same && form != LP && glp_get_col_type(w->p, j) == GLP_LO &&
             glp_get_col_lb(w->p, j) == 0 && fmb_system_is_integer(w->s, j - 1))
             (void)is_next(w, "", coef, 1, FMB_LE, 1, 0.5); /* from a marker that GLPK did not see */
     }
@@ -192,12 +192,12 @@ static bool has_same_rows(walk *w, int form)
 
 /* OBJSENSE is hidden from GLPK, which takes a right side of the objective for its constant; to us,
  * as to CPLEX, Gurobi and HiGHS, it is minus the constant. */
-static bool has_same_objective(walk *w, int form)
+static bool has_same_objective(walk *w, program_form form)
 {
     mpq_t q;
     mpq_init(q);
     bool max = glp_get_obj_dir(w->p) == GLP_MAX, same = true;
-    if (form == AS_LP && max != (fmb_system_sense(w->s) == FMB_SENSE_MAX))
+    if (form == LP && max != (fmb_system_sense(w->s) == FMB_SENSE_MAX))
         same = differ(w, "sense", "the objective");
     size_t terms = fmb_system_objective_terms(w->s), k = 0;
     for (int j = 1; same && j <= glp_get_num_cols(w->p); j++) {
@@ -209,7 +209,7 @@ static bool has_same_objective(walk *w, int form)
                differ(w, "objective", glp_get_col_name(w->p, j));
     }
     fmb_system_objective_constant_q(w->s, q);
-    if (form != AS_LP)
+    if (form != LP)
         mpq_neg(q, q);
     if (same && (k != terms || !is_double_of(q, glp_get_obj_coef(w->p, 0), 0.5)))
         same = differ(w, "constant", "the objective");
@@ -217,7 +217,7 @@ static bool has_same_objective(walk *w, int form)
     return same;
 }
 
-static bool is_same_program(walk *w, int form)
+static bool is_same_program(walk *w, program_form form)
 {
     if (glp_get_num_cols(w->p) != fmb_system_dim(w->s))
         return differ(w, "number", "columns");
@@ -226,19 +226,19 @@ static bool is_same_program(walk *w, int form)
         if (!same_name(fmb_system_name(w->s, j), name))
             return differ(w, "name", name);
         bool integer = glp_get_col_kind(w->p, j + 1) != GLP_CV;
-        if (integer != fmb_system_is_integer(w->s, j) && (integer || form == AS_LP))
+        if (integer != fmb_system_is_integer(w->s, j) && (integer || form == LP))
             return differ(w, "integrality", name);
     }
     return has_same_objective(w, form) && has_same_rows(w, form);
 }
 
-static fmb_format format_of(int form)
+static fmb_format format_of(program_form form)
 {
-    return form == AS_LP ? FMB_FORMAT_LP : FMB_FORMAT_MPS;
+    return form == LP ? FMB_FORMAT_LP : FMB_FORMAT_MPS;
 }
 
 /* Both read it, and the same. */
-static void check_same(const char *text, size_t size, int form, const char *name)
+static void check_same(const char *text, size_t size, program_form form, const char *name)
 {
     walk w = {.p = glpk_of(text, size, form)};
     fmb_system *s = parse(format_of(form), text, size);
@@ -264,8 +264,8 @@ Test(as_glpk, collected)
             continue;
         snprintf(path, sizeof path, CASES "/lp/%s", e->d_name);
         char *text = slurp_file(path, &size);
-        glp_prob *p = glpk_of(text, size, AS_FIXED);
-        check_same(text, size, p ? AS_FIXED : AS_FREE, e->d_name);
+        glp_prob *p = glpk_of(text, size, MPS_FIXED);
+        check_same(text, size, p ? MPS_FIXED : MPS_FREE, e->d_name);
         if (p)
             glp_delete_prob(p);
         free(text);
@@ -277,183 +277,6 @@ Test(as_glpk, collected)
 
 /* ---- random files ---------------------------------------------------------------------------- */
 
-typedef struct writer {
-    support_rng g;
-    FILE *out;
-    int form, rows, columns;
-    char type[9];
-} writer;
-
-static int below(writer *w, int n)
-{
-    return support_between(&w->g, 0, n - 1);
-}
-
-/* Names are told apart by their numbers; those of fixed form may have a blank inside. */
-static const char *name_of(writer *w, char kind, int i)
-{
-    static char buf[4][24];
-    static int turn;
-    static const char *const shapes[] = {"%c%d", "%c%d_x", "%c(%d)", "%c#%d", "%c %d"};
-    char *to = buf[turn++ % 4];
-    snprintf(to, 24, shapes[i % (w->form == AS_FIXED ? 5 : 4)], kind, i);
-    return to;
-}
-
-/* A multiple of 1/8, so that sums are exact in doubles, spelled some way. */
-static const char *number_of(writer *w)
-{
-    static const char *const shapes[] = {"%g", "%.3f", "%.4e", "%+g"};
-    static char buf[4][24];
-    static int turn;
-    char *to = buf[turn++ % 4];
-    double d = (below(w, 161) - 80) / 8.0;
-    snprintf(to, 24, shapes[w->form == AS_LP ? 0 : below(w, 4)], d == 0 ? 1.0 : d);
-    return to;
-}
-
-/* A line of data: kind, name, and up to two pairs of name and number. */
-static void put_card(writer *w, const char *kind, const char *name, const char *row,
-                     const char *number)
-{
-    if (w->form == AS_FIXED)
-        fprintf(w->out,
-                number ? " %-2s %-8s  %-8s  %12s\n"
-                : row  ? " %-2s %-8s  %s\n"
-                       : " %-2s %s\n",
-                kind, name, row, number);
-    else
-        fprintf(w->out, " %s %s %s %s\n", kind, name, row ? row : "", number ? number : "");
-}
-
-static void write_mps_bounds(writer *w)
-{
-    static const char *const kinds[] = {"UP", "LO", "FX", "FR", "MI", "PL", "BV", "LI", "UI"};
-    fputs("BOUNDS\n", w->out);
-    for (int j = 0; j < w->columns; j++) {
-        int k = below(w, 12);
-        char whole[16];
-        snprintf(whole, sizeof whole, "%d", below(w, 9));
-        if (k < 9)
-            put_card(w, kinds[k], "BND", name_of(w, 'x', j),
-                     k < 3   ? number_of(w)
-                     : k > 6 ? whole
-                             : NULL);
-        if (k == 1 && below(w, 2))
-            put_card(w, "UP", "BND", name_of(w, 'x', j), "90.5");
-    }
-}
-
-static void write_mps(writer *w)
-{
-    fputs("NAME          RANDOM\nROWS\n N  cost\n", w->out);
-    for (int i = 0; i < w->rows; i++) {
-        w->type[i] = "LGEN"[below(w, 4)];
-        put_card(w, (char[]){w->type[i], 0}, name_of(w, 'r', i), NULL, NULL);
-    }
-    fputs("COLUMNS\n", w->out);
-    bool integer = false;
-    for (int j = 0; j < w->columns; j++) {
-        if (below(w, 4) == 0) {
-            integer = !integer;
-            fprintf(w->out, "    M%-8d %-8s                 '%s'\n", j, "'MARKER'",
-                    integer ? "INTORG" : "INTEND");
-        }
-        put_card(w, "", name_of(w, 'x', j), "cost", number_of(w));
-        for (int i = 0; i < w->rows; i++)
-            if (below(w, 3) > 0)
-                put_card(w, "", name_of(w, 'x', j), name_of(w, 'r', i), number_of(w));
-        if (below(w, 5) == 0)
-            fputs("* a comment\n", w->out);
-    }
-    fputs("RHS\n", w->out);
-    for (int i = 0; i < w->rows; i++)
-        if (below(w, 3) > 0)
-            put_card(w, "", "RHS", name_of(w, 'r', i), number_of(w));
-    if (below(w, 3) == 0)
-        put_card(w, "", "RHS", "cost", number_of(w));
-    fputs("RANGES\n", w->out);
-    for (int i = 0; i < w->rows; i++)
-        if (below(w, 3) == 0 && w->type[i] != 'N')
-            put_card(w, "", "RNG", name_of(w, 'r', i), number_of(w));
-    write_mps_bounds(w);
-    fputs("ENDATA\n", w->out);
-}
-
-static void write_lp_sum(writer *w)
-{
-    fprintf(w->out, "%s %s", number_of(w), name_of(w, 'x', 0));
-    for (int j = 1; j < w->columns; j++)
-        if (below(w, 3) > 0)
-            fprintf(w->out, "%s %c %g %s", below(w, 4) == 0 ? "\n  " : "", below(w, 2) ? '+' : '-',
-                    below(w, 80) / 8.0, name_of(w, 'x', j));
-}
-
-static void write_lp_bounds(writer *w)
-{
-    fputs("Bounds\n", w->out);
-    for (int j = 0; j < w->columns; j++) {
-        const char *x = name_of(w, 'x', j), *d = number_of(w);
-        switch (below(w, 7)) {
-        case 0:
-            fprintf(w->out, " %s <= %s\n", x, d);
-            break;
-        case 1:
-            fprintf(w->out, " %s >= %s\n", x, d);
-            break;
-        case 2:
-            fprintf(w->out, " %s <= %s <= 100\n", d, x);
-            break;
-        case 3:
-            fprintf(w->out, " %s free\n", x);
-            break;
-        case 4:
-            fprintf(w->out, " -inf <= %s <= %s\n", x, d);
-            break;
-        case 5:
-            fprintf(w->out, " %s = %s\n", x, d);
-            break;
-        }
-    }
-}
-
-static void write_lp(writer *w)
-{
-    static const char *const relations[] = {"<=", ">=", "=", "<", ">", "=<", "=>"};
-    static const char *const heads[] = {"Subject To", "st", "such that", "s.t."};
-    fputs(below(w, 2) ? "Maximize\n cost: " : "minimum\n ", w->out);
-    write_lp_sum(w);
-    fprintf(w->out, "\n%s\n", heads[below(w, 4)]);
-    for (int i = 0; i < w->rows; i++) {
-        fputs(" ", w->out);
-        if (below(w, 4) > 0)
-            fprintf(w->out, "%s: ", name_of(w, 'r', i));
-        write_lp_sum(w);
-        fprintf(w->out, " %s %s%s\n", relations[below(w, 7)], number_of(w),
-                below(w, 5) == 0 ? " \\ a comment" : "");
-    }
-    write_lp_bounds(w);
-    fputs("General\n", w->out);
-    for (int j = 0; j < w->columns; j++)
-        if (below(w, 4) == 0)
-            fprintf(w->out, " %s\n", name_of(w, 'x', j));
-    fputs("End\n", w->out);
-}
-
-static char *random_file(uint64_t seed, int form, size_t *size)
-{
-    char *text = NULL;
-    writer w = {.g = {seed}, .out = open_memstream(&text, size), .form = form};
-    w.rows = 1 + below(&w, 8);
-    w.columns = 1 + below(&w, 8);
-    if (form == AS_LP)
-        write_lp(&w);
-    else
-        write_mps(&w);
-    fclose(w.out);
-    return text;
-}
-
 /* Others are asked about with another FMB_GLPK_SEED. */
 static uint64_t first_seed(void)
 {
@@ -461,7 +284,7 @@ static uint64_t first_seed(void)
     return other ? strtoull(other, NULL, 10) : 1;
 }
 
-static const int forms[] = {AS_FIXED, AS_FREE, AS_LP};
+static const program_form forms[] = {MPS_FIXED, MPS_FREE, LP};
 
 Test(as_glpk, random_files)
 {
@@ -470,7 +293,7 @@ Test(as_glpk, random_files)
         char name[64];
         size_t size;
         snprintf(name, sizeof name, "seed %llu", (unsigned long long)(seed + (uint64_t)run));
-        char *text = random_file(seed + (uint64_t)run, forms[run % 3], &size);
+        char *text = random_program(seed + (uint64_t)run, forms[run % 3], &size);
         check_same(text, size, forms[run % 3], name);
         free(text);
     }
@@ -509,8 +332,8 @@ Test(as_glpk, mutated_files)
     for (int run = 0; run < 3000; run++) {
         support_rng g = {seed + (uint64_t)run};
         size_t size;
-        int form = forms[run % 3];
-        char *text = random_file(g.state, form, &size);
+        program_form form = forms[run % 3];
+        char *text = random_program(g.state, form, &size);
         for (int k = support_between(&g, 1, 2); k > 0 && size > 1; k--)
             mutate(&g, &text, &size);
         bool hidden = memmem(text, size, "'M", 2) != NULL;
