@@ -9,108 +9,9 @@
 #include "property/random/rows.h"
 #include "support/pair_counts.h"
 #include "support/support.h"
+#include "two.h"
 
-enum { MOST = 16 };
-
-/* ---- pairs ----------------------------------------------------------------------------------- */
-
-typedef enum family {
-    ARTICLE,  /* evenly in -100 ... 100 */
-    LATTICE,  /* whole numbers -2 ... 2: touching, degenerate, dependent axes */
-    NEAR,     /* those, one origin a little aside */
-    FLAT,     /* article, one axis of 1e-8 */
-    TINY,     /* article, one frame by 1e-9 */
-    FAR,      /* article, both 1e9 away */
-    DENORMAL, /* lattice in multiples of the least double */
-    HUGE,     /* lattice in multiples of 2^1021: differences may overflow */
-    MIXED,    /* lattice, each world coordinate in a unit of its own */
-    GRAZING,  /* lattice, touching but for rounding */
-    FAMILIES
-} family;
-
-typedef struct two {
-    fmb_frame f[2];
-    double number[2][MOST * (MOST + 2)];
-} two;
-
-static double even(support_rng *g)
-{
-    return (double)(support_next(g) >> 11) * (200 * 0x1p-53) - 100;
-}
-
-static bool is_lattice(family of)
-{
-    return of == LATTICE || of == NEAR || of >= DENORMAL;
-}
-
-static void fill(support_rng *g, family of, double *x, int n)
-{
-    for (int i = 0; i < n; i++)
-        x[i] = is_lattice(of) ? support_between(g, -2, 2) : even(g);
-}
-
-static void scale(double *x, int n, int step, double by)
-{
-    for (int i = 0; i < n; i += step)
-        x[i] *= by;
-}
-
-/* The frames lie on either side of the plane x_1 = 0 with their origins and many axes in it, and
- * move along it; then all is turned. Rounding leaves them touching, just apart or just overlapping,
- * and those that were flat hardly so. */
-static void graze(support_rng *g, int dim, bool first, double *x)
-{
-    for (int i = 0; i < dim + 2; i++) {
-        double *v = x + i * dim;
-        bool leaves = i > 0 && i <= dim && support_chance(g, 50);
-        v[0] = !leaves ? 0 : first ? -fabs(v[0]) : fabs(v[0]);
-        for (int j = 0; j + 1 < dim; j++) {
-            double a = v[j], b = v[j + 1];
-            v[j] = 0.6 * a - 0.8 * b;
-            v[j + 1] = 0.8 * a + 0.6 * b;
-        }
-    }
-}
-
-/* Numbers of one frame: origin, axes, speed. */
-static void spoil(support_rng *g, family of, int dim, bool first, double *x)
-{
-    int all = dim * (dim + 2), j = support_between(g, 0, dim - 1);
-    if (of == NEAR && first)
-        x[j] += ldexp(support_between(g, -1, 1), -support_between(g, 10, 52));
-    if (of == FLAT && first)
-        scale(x + dim + dim * j, dim, 1, 1e-10);
-    if (of == TINY && first)
-        scale(x + dim, all - dim, 1, 1e-9);
-    for (int i = 0; of == FAR && i < dim; i++)
-        x[i] += i % 2 ? 1e9 : -1e9;
-    if (of == DENORMAL || of == HUGE)
-        scale(x, all, 1, of == HUGE ? 0x1p1021 : 0x1p-1074);
-    for (int i = 0; of == MIXED && i < dim; i++)
-        scale(x + i, all - i, dim, ldexp(1, 300 * (i % 5 - 2)));
-    if (of == GRAZING)
-        graze(g, dim, first, x);
-}
-
-/* closer: of the distance between the origins. */
-static void draw(support_rng *g, family of, int dim, bool moves, bool faces, double closer,
-                 two *out)
-{
-    for (int k = 0; k < 2; k++) {
-        double *x = out->number[k];
-        fill(g, of, x, dim * (dim + 2));
-        scale(x, dim, 1, closer);
-        spoil(g, of, dim, k == 0, x);
-        out->f[k] = (fmb_frame){
-            .shape = support_chance(g, 50) ? FMB_SIMPLEX : FMB_CUBOID,
-            .dim = dim,
-            .naxes = faces ? support_between(g, 0, dim) : dim,
-            .origin = x,
-            .axes = x + dim,
-            .speed = moves && support_chance(g, 80) ? x + dim + dim * dim : NULL,
-        };
-    }
-}
+enum { MOST = TWO_MOST_DIM };
 
 /* ---- answers --------------------------------------------------------------------------------- */
 
@@ -176,7 +77,7 @@ static void judge_family(judge *j, family of, int dim, bool faces, int pairs)
                                                "far",     "denormal", "huge", "mixed", "grazing"};
     for (int i = 0; i < pairs; i++) {
         two t;
-        draw(&g, of, dim, i % 2, faces, i % 3 ? 0.3 : 1, &t);
+        two_draw(&g, of, dim, i % 2, faces, i % 3 ? 0.3 : 1, &t);
         judge_pair(j, &t, NAME[of], i);
     }
 }
@@ -213,7 +114,7 @@ Test(general, decides_in_many_dimensions)
         int meet = 0;
         for (int i = 0; i < 40; i++) {
             two t;
-            draw(&g, ARTICLE, dim, i % 2, false, i % 4 ? 0.1 : 0.5, &t);
+            two_draw(&g, ARTICLE, dim, i % 2, false, i % 4 ? 0.1 : 0.5, &t);
             judge_pair(&j, &t, "article", i);
             meet += ask(j.open, &t) == FMB_FEASIBLE;
         }
@@ -326,7 +227,7 @@ Test(general, boxes)
             int known = 0, meet = j.asked;
             for (int i = 0; i < (dim < 4 ? 120 : 20); i++) {
                 two t;
-                draw(&g, (family)of, dim, i % 2, i % 3 == 2, 0.3, &t);
+                two_draw(&g, (family)of, dim, i % 2, i % 3 == 2, 0.3, &t);
                 known += judge_box(&j, tightest, &t);
             }
             meet = j.asked - meet;
@@ -348,7 +249,7 @@ Test(general, boxes_by_the_public_door)
     for (int i = 0; i < PAIRS; i++) {
         box b;
         fmb_verdict verdict;
-        draw(&g, ARTICLE, DIM, i % 2, false, 0.3, &t[i]);
+        two_draw(&g, ARTICLE, DIM, i % 2, false, 0.3, &t[i]);
         fmb_pair_answers a = into(&b, &verdict);
         must(fmb_pair_test(k, 1, &t[i].f[0], &t[i].f[1], &a));
     }
@@ -399,12 +300,13 @@ Test(general, proofs_of_wrong_guesses)
         for (int i = 0; i < 400; i++) {
             two t;
             double u[MOST], z[2 * MOST + 1];
-            draw(&g, i % 2 ? LATTICE : NEAR, dim, i % 4 > 1, false, 1, &t);
+            two_draw(&g, i % 2 ? LATTICE : NEAR, dim, i % 4 > 1, false, 1, &t);
             (void)fmb_general_decide(j.general, &t.f[0], &t.f[1]);
             bool closed = ask(j.closed, &t) == FMB_FEASIBLE;
             bool open = ask(j.open, &t) == FMB_FEASIBLE;
             for (int try = 0; try < 20; try++) {
-                fill(&g, LATTICE, u, dim);
+                for (int k = 0; k < dim; k++)
+                    u[k] = support_between(&g, -2, 2);
                 for (int k = 0; k < j.general->pair.columns; k++)
                     z[k] = support_between(&g, 0, 8) / 8.0;
                 bool says_apart = fmb_general_are_apart(&j.general->pair, u);
@@ -444,12 +346,15 @@ Test(general, proofs_by_a_wrong_inverse)
         for (int i = 0; i < 400; i++) {
             two t;
             double z[2 * MOST + 1];
-            draw(&g, i % 2 ? LATTICE : NEAR, dim, false, false, 1, &t);
+            two_draw(&g, i % 2 ? LATTICE : NEAR, dim, false, false, 1, &t);
             (void)fmb_general_decide(j.general, &t.f[0], &t.f[1]);
             bool open = ask(j.open, &t) == FMB_FEASIBLE;
-            for (int row = 0; row < dim; row++)
-                scale(fmb_general_solved(j.general, row) + s->columns + 1, dim, 1,
-                      1 + support_between(&g, -8, 8) / 10.0);
+            for (int row = 0; row < dim; row++) {
+                double *inverse = fmb_general_solved(j.general, row) + s->columns + 1;
+                double by = 1 + support_between(&g, -8, 8) / 10.0;
+                for (int k = 0; k < dim; k++)
+                    inverse[k] *= by;
+            }
             for (int try = 0; try < 20; try++) {
                 for (int k = 0; k < s->columns; k++)
                     z[k] = support_between(&g, 1, 7) / 8.0;

@@ -4,6 +4,7 @@
 
 #include "counted_clock.h"
 #include "dense.h"
+#include "fault/hook.h"
 #include "regress/systems.h"
 #include "study/fmplex/fmplex.h"
 #include "study/textbook/exact.h"
@@ -283,26 +284,14 @@ Test(fmplex, all_tiny_systems)
     }
 }
 
-/* Where plain elimination would drown: the oracle answers. */
-static fmb_verdict oracle(const fmb_system *s)
-{
-    fmb_options o = {.size = sizeof o};
-    fmb_solver *v = NULL;
-    fmb_result r = {.size = sizeof r};
-    o.method = FMB_METHOD_LP;
-    must(fmb_solver_new(&o, NULL, &v));
-    must(fmb_solve(v, s, &r));
-    fmb_solver_free(v);
-    return r.verdict;
-}
-
+/* Where plain elimination would drown. */
 Test(fmplex, deep_branching)
 {
     for (uint64_t seed = 1; seed <= 60; seed++)
         for (support_family family = 0; family < SUPPORT_FAMILIES; family++) {
             support_shape shape = {.dim = 6 + (int)(seed % 5), .rows = 20 + (int)(seed % 11)};
             support_case c = support_make(family, seed, &shape);
-            expect(c.s, oracle(c.s), support_family_name(family));
+            expect(c.s, support_proved_verdict(c.s), support_family_name(family));
             support_case_clear(&c);
         }
 }
@@ -378,38 +367,22 @@ Test(fmplex, limits)
     support_case_clear(&c);
 }
 
-/* An allocator that fails once, at the left-th request. */
-typedef struct faulty {
-    long left;
-} faulty;
-
-static void *resize(void *self, void *p, size_t old_bytes, size_t new_bytes)
-{
-    faulty *f = self;
-    (void)old_bytes;
-    if (new_bytes == 0) {
-        free(p);
-        return NULL;
-    }
-    return --f->left == 0 ? NULL : realloc(p, new_bytes);
-}
-
 Test(fmplex, every_allocation_fails_once)
 {
     support_shape shape = {.dim = 5, .rows = 12, .bits = 200};
     for (support_family family = 0; family < SUPPORT_FAMILIES; family++) {
         support_case c = support_make(family, 3, &shape);
-        faulty f = {0};
-        fmb_alloc alloc = {resize, &f};
+        hook h = {0};
+        fmb_alloc alloc = hook_alloc(&h);
         fmb_options o = {.size = sizeof o};
         fmb_status st = FMB_ERR_MEMORY;
-        for (long at = 1; st != FMB_OK; at++) {
+        for (size_t at = 1; st != FMB_OK; at++) {
             bench b;
             open_bench(&b, c.s, &alloc);
-            f.left = at;
+            hook_arm(&h, at, false);
             st = ask(&b, &o);
-            cr_assert(st == FMB_OK || (st == FMB_ERR_MEMORY && f.left <= 0));
-            f.left = 0;
+            cr_assert(st == FMB_OK || (st == FMB_ERR_MEMORY && h.calls >= at));
+            hook_calm(&h);
             close_bench(&b);
         }
         support_case_clear(&c);
@@ -472,7 +445,7 @@ Test(fmplex, parts_and_claims)
             fmb_system *s = beside(a.s, b.s);
             fmb_result r = {.size = sizeof r};
             must(solve(s, &o, NULL, &r));
-            cr_assert_eq(r.verdict, oracle(s), "seed %lu", (unsigned long)seed);
+            cr_assert_eq(r.verdict, support_proved_verdict(s), "seed %lu", (unsigned long)seed);
             verdicts[r.verdict]++;
             fmb_system_free(s);
             support_case_clear(&a);
@@ -501,16 +474,16 @@ Test(fmplex, every_allocation_of_a_query_fails_once)
 {
     for (support_family family = 0; family < SUPPORT_FAMILIES; family++) {
         support_case c = support_make(family, 5, NULL);
-        faulty f = {0};
-        fmb_alloc alloc = {resize, &f};
+        hook h = {0};
+        fmb_alloc alloc = hook_alloc(&h);
         fmb_options o = {.size = sizeof o};
         fmb_status st = FMB_ERR_MEMORY;
         fmb_result r = {.size = sizeof r};
         o.evidence = FMB_EVIDENCE_ALL;
-        for (long at = 1; st != FMB_OK; at++) {
-            f.left = at;
+        for (size_t at = 1; st != FMB_OK; at++) {
+            hook_arm(&h, at, false);
             st = solve(c.s, &o, &alloc, &r);
-            cr_assert(st == FMB_OK || (st == FMB_ERR_MEMORY && f.left <= 0));
+            cr_assert(h.live == 0 && (st == FMB_OK || (st == FMB_ERR_MEMORY && h.calls >= at)));
         }
         support_case_clear(&c);
     }
