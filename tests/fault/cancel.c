@@ -33,13 +33,7 @@ static void expect_usable(fmb_solver *v, const fmb_system *s, fmb_verdict verdic
 
 static fmb_solver *solver_that_reads_the_clock(fmb_method method)
 {
-    fmb_options o = {.size = sizeof o};
-    fmb_solver *v = NULL;
-    o.evidence = FMB_EVIDENCE_ALL;
-    o.method = method;
-    o.max_seconds = COUNTED_FOREVER;
-    must(fmb_solver_new(&o, NULL, &v));
-    return v;
+    return must_open((fmb_options){.method = method, .max_seconds = COUNTED_FOREVER});
 }
 
 /* Cancelled at reading `at` of the clock, the query notes it before it reads the clock again to go

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include <fmb/base.h>
+#include <fmb/solve.h>
 
 /* Stop the program unless st is FMB_OK. */
 static inline void must(fmb_status st)
@@ -14,6 +14,15 @@ static inline void must(fmb_status st)
         return;
     fprintf(stderr, "unexpected status: %s\n", fmb_status_text(st));
     abort();
+}
+
+/* [give, fmb_solver_free] A solver with these options. */
+static inline fmb_solver *must_open(fmb_options o)
+{
+    fmb_solver *v = NULL;
+    o.size = sizeof o;
+    must(fmb_solver_new(&o, NULL, &v));
+    return v;
 }
 
 #endif

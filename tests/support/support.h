@@ -68,6 +68,9 @@ fmb_system *support_closure(const fmb_system *s);
 /* The verdict on s, by a solver of its own, whose evidence fmb_check accepted. */
 fmb_verdict support_proved_verdict(const fmb_system *s);
 
+/* How many claims IMPLIED the evidence of the last query on s has, which fmb_check accepted. */
+size_t support_proved_rows(const fmb_solver *v, const fmb_system *s);
+
 /* ---- all tiny systems ------------------------------------------------------------------------ */
 
 /* All systems of 2 variables and at most 4 rows, coefficients and right sides in {-1, 0, 1},

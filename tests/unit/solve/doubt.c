@@ -7,12 +7,7 @@
 
 static fmb_solver *solver(fmb_method method, fmb_evidence_kept evidence)
 {
-    fmb_options o = {.size = sizeof o};
-    fmb_solver *v = NULL;
-    o.method = method;
-    o.evidence = evidence;
-    must(fmb_solver_new(&o, NULL, &v));
-    return v;
+    return must_open((fmb_options){.method = method, .evidence = evidence});
 }
 
 /* m rows that name up to four of n variables each, often far from the origin. */

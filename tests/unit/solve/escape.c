@@ -6,13 +6,10 @@
 
 static fmb_solver *solver(fmb_method method)
 {
-    fmb_options o = {.size = sizeof o};
-    fmb_solver *v = NULL;
-    o.method = method;
-    o.evidence = method == FMB_METHOD_AUTO ? FMB_EVIDENCE_WHOLE : FMB_EVIDENCE_NONE;
-    o.max_rows = 5000;
-    must(fmb_solver_new(&o, NULL, &v));
-    return v;
+    return must_open((fmb_options){.method = method,
+                                   .evidence = method == FMB_METHOD_AUTO ? FMB_EVIDENCE_WHOLE
+                                                                         : FMB_EVIDENCE_NONE,
+                                   .max_rows = 5000});
 }
 
 /* m rows in n variables, of which the first `only` name none but the first `keep`. Of the others

@@ -16,13 +16,7 @@ static const int KEEP[KEPT] = {0, 1, 2, 3};
 
 static fmb_solver *solver_with(fmb_method method, fmb_symmetries symmetry)
 {
-    fmb_options o = {.size = sizeof o};
-    fmb_solver *v = NULL;
-    o.method = method;
-    o.symmetry = symmetry;
-    o.evidence = FMB_EVIDENCE_ALL;
-    must(fmb_solver_new(&o, NULL, &v));
-    return v;
+    return must_open((fmb_options){.method = method, .symmetry = symmetry});
 }
 
 /* ---- the same answers ------------------------------------------------------------------------ */

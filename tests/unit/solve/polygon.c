@@ -10,13 +10,7 @@
 
 static fmb_solver *solver(fmb_method method)
 {
-    fmb_options o = {.size = sizeof o};
-    fmb_solver *v = NULL;
-    o.evidence = FMB_EVIDENCE_ALL;
-    o.method = method;
-    o.max_rows = 20000;
-    must(fmb_solver_new(&o, NULL, &v));
-    return v;
+    return must_open((fmb_options){.method = method, .max_rows = 20000});
 }
 
 /* Every part by fmb_query_polygon_part; parts without a kept variable need none. *done: all were
@@ -60,21 +54,6 @@ static fmb_system *by_hand(fmb_solver *v, const fmb_system *s, const int *keep, 
     return out;
 }
 
-/* Every row of p is proved by evidence that fmb_check accepts. */
-static void check_evidence(const fmb_solver *v, const fmb_system *s, const fmb_system *p)
-{
-    fmb_evidence *e = NULL;
-    fmb_judgement j = {.size = sizeof j};
-    size_t implied = 0;
-    must(fmb_solver_evidence(v, &e));
-    must(fmb_check(s, e, &j));
-    cr_assert(j.accepted, "claim %zu: %s", j.claim, j.reason);
-    for (size_t i = 0; i < fmb_evidence_claims(e); i++)
-        implied += fmb_evidence_kind(e, i) == FMB_CLAIM_IMPLIED;
-    cr_assert_eq(implied, fmb_system_rows(p), "%zu claims", implied);
-    fmb_evidence_free(e);
-}
-
 static bool has(const fmb_system *s, fmb_rel rel)
 {
     for (size_t i = 0; i < fmb_system_rows(s); i++)
@@ -97,7 +76,7 @@ static void check_by_hand(const support_case *c, const int *keep, int n, tally *
     fmb_system *out = by_hand(v, c->s, keep, n, &done, &r);
     must(fmb_project(fm, c->s, keep, n, &p, &other));
     if (p && r.verdict == FMB_FEASIBLE && done) {
-        check_evidence(v, c->s, out);
+        cr_assert_eq(support_proved_rows(v, c->s), fmb_system_rows(out));
         cr_assert_not(has(p, FMB_EQ), "done, but there are no inner points");
         cr_assert_eq(fmb_system_rows(out), fmb_system_rows(p));
         cr_assert(agree_same(&g, out, p), "%s %lu: %s", support_family_name(c->family),
@@ -278,7 +257,7 @@ static bool check_dense(const fmb_system *s, const int *keep, int n)
     must(fmb_project(v, s, keep, n, &p, &r));
     if (p) {
         cr_assert_eq(r.verdict, FMB_FEASIBLE);
-        check_evidence(v, s, p);
+        cr_assert_eq(support_proved_rows(v, s), fmb_system_rows(p));
         cr_assert(agree_irredundant(&g, p), "%s", g.why);
         check_corners(s, p, keep, n);
     }
@@ -354,7 +333,7 @@ Test(polygon, cones)
         must(fmb_project(v, s, (int[]){0, 2}, 2, &p, &r));
         cr_assert_eq(r.stop, FMB_STOP_DONE, "seed %lu: %s", (unsigned long)seed,
                      fmb_stop_text(r.stop));
-        check_evidence(v, s, p);
+        cr_assert_eq(support_proved_rows(v, s), fmb_system_rows(p));
         check_corners(s, p, (int[]){0, 2}, 2);
         points += has(p, FMB_EQ);
         fmb_system_free(p);

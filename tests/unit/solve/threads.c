@@ -354,11 +354,7 @@ Test(threads, projection_under_a_limit)
 
 static fmb_solver *solver_with_threads(size_t threads)
 {
-    fmb_options o = {.size = sizeof o};
-    fmb_solver *v = NULL;
-    o.threads = threads;
-    must(fmb_solver_new(&o, NULL, &v));
-    return v;
+    return must_open((fmb_options){.threads = threads});
 }
 
 /* [give] The hull of points, as text. */

@@ -58,12 +58,7 @@ static void note(void *self, const fmb_event *e)
 
 static fmb_solver *solver(fmb_method method)
 {
-    fmb_options o = {.size = sizeof o};
-    fmb_solver *v = NULL;
-    o.method = method;
-    o.evidence = FMB_EVIDENCE_ALL;
-    must(fmb_solver_new(&o, NULL, &v));
-    return v;
+    return must_open((fmb_options){.method = method});
 }
 
 /* By the counted clock: it is read at the beginning, for each event, before the last one for the
