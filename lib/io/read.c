@@ -13,8 +13,9 @@ static bool says_nothing(const fmb_codec *codec, const fmb_system *s)
     return fmb_system_rows(s) == 0 && fmb_system_dim(s) == 0 && codec->format != FMB_FORMAT_INE;
 }
 
-static fmb_status parse_with_codec(fmb_cursor *c, const fmb_codec *codec, fmb_system *s)
+static fmb_status read_with_codec(fmb_cursor *c, fmb_system *s)
 {
+    const fmb_codec *codec = fmb_codec_of(c->how->format);
     fmb_status st = fmb_io_check(c);
     if (st != FMB_OK)
         return st;
@@ -23,6 +24,19 @@ static fmb_status parse_with_codec(fmb_cursor *c, const fmb_codec *codec, fmb_sy
     st = codec->read(c, s);
     if (st == FMB_OK && says_nothing(codec, s))
         st = fmb_io_fail(c, NULL, "expected rows or variables, found none");
+    return st;
+}
+
+static fmb_status parse_with_codec(fmb_cursor *c, void *out)
+{
+    fmb_system *s = NULL;
+    fmb_status st = fmb_system_new(0, c->how->mem, &s);
+    if (st == FMB_OK)
+        st = read_with_codec(c, s);
+    if (st == FMB_OK)
+        *(fmb_system **)out = s;
+    else
+        fmb_system_free(s);
     return st;
 }
 
@@ -35,41 +49,14 @@ static fmb_status check_reader_arguments(const fmb_reader *how, fmb_system **out
     return FMB_OK;
 }
 
-static fmb_status parse_text(const char *text, size_t size, const fmb_reader *how, fmb_system **out,
-                             fmb_where *where)
-{
-    fmb_mem mem;
-    fmb_system *s;
-    fmb_mem_init(&mem, how->mem, 0);
-    fmb_cursor c = fmb_io_cursor(text, size, how, &mem, where);
-    fmb_status st = fmb_system_new(0, how->mem, &s);
-    if (st != FMB_OK)
-        return st;
-    st = size > fmb_io_max_bytes(how) ? fmb_io_fail_too_long(&c, NULL)
-                                      : parse_with_codec(&c, fmb_codec_of(how->format), s);
-    if (st == FMB_OK)
-        *out = s;
-    else
-        fmb_system_free(s);
-    return st;
-}
-
 fmb_status fmb_system_parse(const char *text, size_t size, const fmb_reader *how, fmb_system **out,
                             fmb_where *where)
 {
     fmb_reader reader;
-    fmb_where at = {0};
     fmb_status st = fmb_io_take_reader(how, &reader, where);
     if (st == FMB_OK)
         st = check_reader_arguments(&reader, out, where);
-    if (st != FMB_OK)
-        return st;
-    if (!text && size > 0)
-        return fmb_io_refuse_argument(where, "text is NULL");
-    st = parse_text(text ? text : "", size, &reader, out, &at);
-    if (st == FMB_ERR_PARSE && where)
-        *where = at;
-    return st;
+    return st == FMB_OK ? fmb_parse_memory(text, size, &reader, parse_with_codec, out, where) : st;
 }
 
 /* ---- streams --------------------------------------------------------------------------------- */

@@ -17,6 +17,25 @@ fmb_status fmb_read_whole_stream(FILE *in, size_t most, fmb_bytes *b, fmb_mem *m
     return FMB_OK;
 }
 
+fmb_status fmb_parse_memory(const char *text, size_t size, const fmb_reader *how,
+                            fmb_parse_cursor_fn *parse, void *self, fmb_where *where)
+{
+    fmb_reader reader;
+    fmb_where at = {0};
+    fmb_mem mem;
+    if (!text && size > 0)
+        return fmb_io_refuse_argument(where, "text is NULL");
+    fmb_status st = fmb_io_take_reader(how, &reader, where);
+    if (st != FMB_OK)
+        return st;
+    fmb_mem_init(&mem, reader.mem, 0);
+    fmb_cursor c = fmb_io_cursor(text ? text : "", size, &reader, &mem, &at);
+    st = size > fmb_io_max_bytes(&reader) ? fmb_io_fail_too_long(&c, NULL) : parse(&c, self);
+    if (st == FMB_ERR_PARSE && where)
+        *where = at;
+    return st;
+}
+
 fmb_status fmb_parse_stream(FILE *in, const fmb_reader *how, fmb_parse_fn *parse, void *self,
                             fmb_where *where)
 {

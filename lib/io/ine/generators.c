@@ -41,8 +41,9 @@ static fmb_status turn_rows_to_generators(fmb_cursor *c, const fmb_system *s, fm
     return st;
 }
 
-static fmb_status parse_generators(fmb_cursor *c, const fmb_alloc *hook, fmb_generators **out)
+static fmb_status parse_generators(fmb_cursor *c, void *out)
 {
+    const fmb_alloc *hook = c->how->mem;
     fmb_system *s = NULL;
     fmb_generators *g = NULL;
     fmb_status st = fmb_io_check(c);
@@ -56,7 +57,7 @@ static fmb_status parse_generators(fmb_cursor *c, const fmb_alloc *hook, fmb_gen
         st = turn_rows_to_generators(c, s, g);
     fmb_system_free(s);
     if (st == FMB_OK)
-        *out = g;
+        *(fmb_generators **)out = g;
     else
         fmb_generators_free(g);
     return st;
@@ -65,22 +66,8 @@ static fmb_status parse_generators(fmb_cursor *c, const fmb_alloc *hook, fmb_gen
 fmb_status fmb_generators_parse(const char *text, size_t size, const fmb_reader *how,
                                 fmb_generators **out, fmb_where *where)
 {
-    fmb_reader reader;
-    fmb_where at = {0};
-    fmb_mem mem;
-    if (!out || (!text && size > 0))
-        return fmb_io_refuse_argument(where, out ? "text is NULL" : "out is NULL");
-    fmb_status st = fmb_io_take_reader(how, &reader, where);
-    if (st != FMB_OK)
-        return st;
-    how = &reader;
-    fmb_mem_init(&mem, how->mem, 0);
-    fmb_cursor c = fmb_io_cursor(text ? text : "", size, how, &mem, &at);
-    st = size > fmb_io_max_bytes(how) ? fmb_io_fail_too_long(&c, NULL)
-                                      : parse_generators(&c, how->mem, out);
-    if (st == FMB_ERR_PARSE && where)
-        *where = at;
-    return st;
+    return out ? fmb_parse_memory(text, size, how, parse_generators, out, where)
+               : fmb_io_refuse_argument(where, "out is NULL");
 }
 
 static fmb_status parse_v_representation(const char *text, size_t size, const fmb_reader *how,

@@ -110,12 +110,18 @@ static fmb_status read_map_lines(graph *g)
     return st;
 }
 
-static fmb_status parse_map(fmb_cursor *c, const fmb_system *s, fmb_system **out)
+typedef struct map_text {
+    const fmb_system *s;
+    fmb_system **out;
+} map_text;
+
+static fmb_status parse_map(fmb_cursor *c, void *self)
 {
+    const map_text *m = self;
     fmb_text t = {.c = c, .declared = true, .alone = true};
     graph g = {.t = &t};
     fmb_draft_init(&t.left, c->mem);
-    fmb_status st = open_graph(&g, s);
+    fmb_status st = open_graph(&g, m->s);
     t.s = g.from;
     if (st == FMB_OK)
         st = read_map_lines(&g);
@@ -123,7 +129,7 @@ static fmb_status parse_map(fmb_cursor *c, const fmb_system *s, fmb_system **out
     fmb_mem_put(c->mem, t.name.p, t.name.capacity, 1);
     fmb_system_free(g.from);
     if (st == FMB_OK)
-        *out = g.to;
+        *m->out = g.to;
     else
         fmb_system_free(g.to);
     return st;
@@ -132,29 +138,9 @@ static fmb_status parse_map(fmb_cursor *c, const fmb_system *s, fmb_system **out
 fmb_status fmb_system_parse_graph(const char *text, size_t size, const fmb_reader *how,
                                   const fmb_system *s, fmb_system **out, fmb_where *where)
 {
-    fmb_reader reader;
-    fmb_where at = {0};
-    fmb_mem mem;
-    if (!s || !out || (!text && size > 0))
-        return fmb_io_refuse_argument(where, !s     ? "s is NULL"
-                                             : !out ? "out is NULL"
-                                                    : "text is NULL");
-    fmb_status st = fmb_io_take_reader(how, &reader, where);
-    if (st != FMB_OK)
-        return st;
-    how = &reader;
-    fmb_mem_init(&mem, how->mem, 0);
-    fmb_cursor c = fmb_io_cursor(text ? text : "", size, how, &mem, &at);
-    st = size > fmb_io_max_bytes(how) ? fmb_io_fail_too_long(&c, NULL) : parse_map(&c, s, out);
-    if (st == FMB_ERR_PARSE && where)
-        *where = at;
-    return st;
+    return s && out ? fmb_parse_memory(text, size, how, parse_map, &(map_text){s, out}, where)
+                    : fmb_io_refuse_argument(where, "s or out is NULL");
 }
-
-typedef struct map_text {
-    const fmb_system *s;
-    fmb_system **out;
-} map_text;
 
 static fmb_status parse_map_text(const char *text, size_t size, const fmb_reader *how, void *self,
                                  fmb_where *where)

@@ -345,22 +345,29 @@ static void close_reader(permutation_reader *r)
 }
 
 /* fmb_text_variable finds names of a system that is not written to, as names are declared. */
-static fmb_status parse_symmetries(fmb_cursor *c, const fmb_system *s, const int *keep, int n,
-                                   fmb_permutations **out)
+typedef struct symmetry_text {
+    const fmb_system *s;
+    const int *keep;
+    int n;
+    fmb_permutations **out;
+} symmetry_text;
+
+static fmb_status parse_symmetries(fmb_cursor *c, void *self)
 {
+    const symmetry_text *x = self;
     fmb_system *names = NULL;
-    fmb_status st = fmb_system_copy_to(s, c->how->mem, &names);
+    fmb_status st = fmb_system_copy_to(x->s, c->how->mem, &names);
     if (st != FMB_OK)
         return st;
     fmb_text t = {.c = c, .s = names, .declared = true, .alone = true};
     permutation_reader r = {.t = &t, .s = names};
-    st = open_reader(&r, keep, n);
+    st = open_reader(&r, x->keep, x->n);
     if (st == FMB_OK)
         st = read_lines(&r);
     close_reader(&r);
     fmb_system_free(names);
     if (st == FMB_OK)
-        *out = r.out;
+        *x->out = r.out;
     else
         fmb_permutations_free(r.out);
     return st;
@@ -384,31 +391,11 @@ fmb_status fmb_permutations_parse(const char *text, size_t size, const fmb_reade
                                   const fmb_system *s, const int *keep, int n,
                                   fmb_permutations **out, fmb_where *where)
 {
-    fmb_reader reader;
-    const char *bad = !text && size > 0 ? "text is NULL" : bad_argument(s, keep, n, out);
-    fmb_where at = {0};
-    fmb_mem mem;
-    if (bad)
-        return fmb_io_refuse_argument(where, bad);
-    fmb_status st = fmb_io_take_reader(how, &reader, where);
-    if (st != FMB_OK)
-        return st;
-    how = &reader;
-    fmb_mem_init(&mem, how->mem, 0);
-    fmb_cursor c = fmb_io_cursor(text ? text : "", size, how, &mem, &at);
-    st = size > fmb_io_max_bytes(how) ? fmb_io_fail_too_long(&c, NULL)
-                                      : parse_symmetries(&c, s, keep, n, out);
-    if (st == FMB_ERR_PARSE && where)
-        *where = at;
-    return st;
+    const char *bad = bad_argument(s, keep, n, out);
+    symmetry_text x = {s, keep, n, out};
+    return bad ? fmb_io_refuse_argument(where, bad)
+               : fmb_parse_memory(text, size, how, parse_symmetries, &x, where);
 }
-
-typedef struct symmetry_text {
-    const fmb_system *s;
-    const int *keep;
-    int n;
-    fmb_permutations **out;
-} symmetry_text;
 
 static fmb_status parse_symmetry_text(const char *text, size_t size, const fmb_reader *how,
                                       void *self, fmb_where *where)
