@@ -68,7 +68,7 @@ static fmb_status write_unit_lines(fmb_cone *c)
 fmb_status fmb_cone_init(fmb_cone *c, fmb_run *run, const fmb_cone_problem *of)
 {
     fmb_mem *mem = run->mem;
-    size_t width = entry_count(of), words = of->keep ? (of->m + 63) / 64 : 1;
+    size_t width = entry_count(of), words = of->keep ? fmb_set_words(of->m) : 1;
     *c = (fmb_cone){.run = run, .of = *of, .coords = of->keep ? of->keeps : of->d};
     fmb_rays_init(&c->line, mem, width, 1);
     fmb_rays_init(&c->ray, mem, width, words > 0 ? words : 1);

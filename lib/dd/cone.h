@@ -18,6 +18,7 @@
 #define FMB_DD_CONE_H
 
 #include "dd/rays.h"
+#include "num/bitset.h"
 #include "trace/run.h"
 
 /* row.x >= 0, or = 0. */
@@ -68,7 +69,7 @@ fmb_status fmb_cone_run(fmb_cone *c, uint64_t rays, bool *done);
 /* Is the row of that bit positive in ray i? */
 static inline bool fmb_cone_is_positive(const fmb_cone *c, size_t i, size_t bit)
 {
-    return fmb_rays_support(&c->ray, i)[bit / 64] >> (bit % 64) & 1;
+    return fmb_set_has(fmb_rays_support(&c->ray, i), bit);
 }
 
 #endif

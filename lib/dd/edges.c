@@ -9,6 +9,8 @@
 #include <stdatomic.h>
 #include <string.h>
 
+#include "num/bitset.h"
+
 void fmb_ray_edges_clear(fmb_ray_edges *e, fmb_mem *mem)
 {
     fmb_mem_put(mem, e->edge, e->edge_capacity, sizeof *e->edge);
@@ -94,7 +96,7 @@ static bool ends_edge_at(const fmb_ray_edges *e, const fmb_edge_sides *of, size_
     size_t gone = e->edge[number].gone, n = 0;
     for (size_t w = 0; w < of->words; w++)
         n += fmb_ones64(x[w] | y[w]);
-    return n + of->rank == of->bits + 2 && (y[gone / 64] >> (gone % 64) & 1);
+    return n + of->rank == of->bits + 2 && fmb_set_has(y, gone);
 }
 
 /* An edge has one end on the larger side: no two rays write the same one. */

@@ -21,6 +21,7 @@
 #ifndef FMB_DD_FACETS_H
 #define FMB_DD_FACETS_H
 
+#include "num/bitset.h"
 #include "num/vec.h"
 #include "trace/run.h"
 
@@ -89,7 +90,7 @@ fmb_status fmb_facets_need_all_normals(fmb_facets *f);
 
 static inline bool fmb_facet_holds(const fmb_facet *a, size_t generator)
 {
-    return a->on[generator / 64] >> generator % 64 & 1;
+    return fmb_set_has(a->on, generator);
 }
 /* The first generator on a facet, or not on it, from number i on; behind the last one if there is
  * none. */

@@ -21,7 +21,7 @@ fmb_status fmb_facets_list(fmb_facets *f, uint32_t **list, size_t *size, size_t 
 static inline void fmb_facet_put_on(fmb_facet *a, size_t generator)
 {
     a->ons += !fmb_facet_holds(a, generator);
-    a->on[generator / 64] |= (uint64_t)1 << generator % 64;
+    fmb_set_put(a->on, generator);
 }
 
 /* ---- facets_value.c -------------------------------------------------------------------------- */

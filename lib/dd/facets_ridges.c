@@ -67,7 +67,7 @@ static size_t least_in_common(const fmb_facets *f)
 
 static fmb_status list_holders(fmb_facets *f)
 {
-    size_t n = count_candidates(f), words = f->holder_words = (n + 63) / 64;
+    size_t n = count_candidates(f), words = f->holder_words = fmb_set_words(n);
     size_t size = 64 * f->words * words, scratch = least_in_common(f) * words;
     fmb_status st = fmb_mem_reserve(f->num.mem, (void **)&f->holder, &f->holder_capacity,
                                     size + scratch, sizeof *f->holder);
@@ -78,7 +78,7 @@ static fmb_status list_holders(fmb_facets *f)
         const fmb_facet *a = &f->facet[candidate(f, i)];
         for (size_t g = fmb_facet_next(a, 0, true); g < 64 * f->words;
              g = fmb_facet_next(a, g + 1, true))
-            f->holder[g * words + i / 64] |= (uint64_t)1 << i % 64;
+            fmb_set_put(f->holder + g * words, i);
     }
     return FMB_OK;
 }

@@ -58,7 +58,7 @@ static fmb_status make_ray_of_line(fmb_cone *c, size_t row, size_t entry, size_t
             else
                 v->s[k] = -v->s[k];
         }
-    fmb_rays_support(&c->ray, c->ray.size - 1)[c->bits / 64] |= (uint64_t)1 << (c->bits % 64);
+    fmb_set_put(fmb_rays_support(&c->ray, c->ray.size - 1), c->bits);
     c->row_of_bit[c->bits++] = row;
     c->rank++;
     c->made++;
@@ -111,7 +111,7 @@ static void give_bit_to_positives(fmb_cone *c)
     const uint32_t *positive = s->small_is_positive ? s->ray + s->large : s->ray;
     size_t n = s->small_is_positive ? s->small : s->large;
     for (size_t k = 0; k < n; k++)
-        fmb_rays_support(&c->ray, positive[k])[c->bits / 64] |= (uint64_t)1 << (c->bits % 64);
+        fmb_set_put(fmb_rays_support(&c->ray, positive[k]), c->bits);
     c->row_of_bit[c->bits++] = s->row;
 }
 

@@ -12,6 +12,7 @@
 #include <string.h>
 
 #include "dd/image.h"
+#include "num/bitset.h"
 
 /* Faces looked at before it is given up. */
 #define MOST_STEPS 20000
@@ -37,22 +38,6 @@ typedef struct open_search {
     size_t faces, capacity;
 } open_search;
 
-static bool do_sets_meet(const uint64_t *a, const uint64_t *b, size_t words)
-{
-    for (size_t k = 0; k < words; k++)
-        if (a[k] & b[k])
-            return true;
-    return false;
-}
-
-static bool is_set_inside(const uint64_t *a, const uint64_t *b, size_t words)
-{
-    for (size_t k = 0; k < words; k++)
-        if (a[k] & ~b[k])
-            return false;
-    return true;
-}
-
 /* ---- sets of rays ---------------------------------------------------------------------------- */
 
 static uint64_t *new_set_of_rays(open_search *o)
@@ -61,11 +46,6 @@ static uint64_t *new_set_of_rays(open_search *o)
     if (set)
         memset(set, 0, o->words * sizeof *set);
     return set;
-}
-
-static void put_ray_in_set(uint64_t *set, size_t i)
-{
-    set[i / 64] |= (uint64_t)1 << (i % 64);
 }
 
 static fmb_status list_rays_on_facets(open_search *o)
@@ -77,18 +57,18 @@ static fmb_status list_rays_on_facets(open_search *o)
             return fmb_mem_status(m->run->mem);
         for (size_t i = 0; i < m->rays; i++)
             if (fmb_image_side(m, &m->facet[f], &m->ray[i]) == 0)
-                put_ray_in_set(o->on[f], i);
+                fmb_set_put(o->on[f], i);
     }
     for (size_t i = 0; i < m->rays; i++)
         if (fmb_vec_sgn(&m->ray[i], m->n - 1) > 0)
-            put_ray_in_set(o->points, i);
+            fmb_set_put(o->points, i);
     return fmb_run_poll(m->run);
 }
 
 static fmb_status start_search(open_search *o)
 {
     fmb_arena *arena = &o->m->arena;
-    o->words = (o->m->rays + 63) / 64;
+    o->words = fmb_set_words(o->m->rays);
     o->facets = o->m->facets;
     o->on = fmb_arena_get(arena, o->facets, sizeof *o->on);
     o->taken = fmb_arena_get(arena, o->facets, sizeof *o->taken);
@@ -108,10 +88,10 @@ static fmb_status note_open_face(open_search *o, const uint64_t *on, size_t dept
     fmb_mem *mem = o->m->run->mem;
     size_t left = 0;
     for (size_t i = 0; i < o->faces; i++)
-        if (is_set_inside(on, o->face[i].on, o->words))
+        if (fmb_set_is_inside(on, o->face[i].on, o->words))
             return FMB_OK;
     for (size_t i = 0; i < o->faces; i++)
-        if (!is_set_inside(o->face[i].on, on, o->words))
+        if (!fmb_set_is_inside(o->face[i].on, on, o->words))
             o->face[left++] = o->face[i];
     o->faces = left;
     fmb_status st =
@@ -133,7 +113,7 @@ static fmb_status note_open_face(open_search *o, const uint64_t *on, size_t dept
 static bool is_in_strict_facet(const open_search *o, const uint64_t *on)
 {
     for (size_t f = 0; f < o->facets; f++)
-        if (o->m->facet[f].strict && is_set_inside(on, o->on[f], o->words))
+        if (o->m->facet[f].strict && fmb_set_is_inside(on, o->on[f], o->words))
             return true;
     return false;
 }
@@ -150,7 +130,7 @@ static size_t find_ray_outside(const open_search *o, const uint64_t *on)
 static fmb_status search_open_faces(open_search *o, size_t depth)
 {
     const uint64_t *on = o->stack + depth * o->words;
-    if (++o->steps > MOST_STEPS || !do_sets_meet(on, o->points, o->words) ||
+    if (++o->steps > MOST_STEPS || !fmb_sets_meet(on, o->points, o->words) ||
         is_in_strict_facet(o, on))
         return FMB_OK;
     size_t ray = find_ray_outside(o, on);
@@ -159,7 +139,7 @@ static fmb_status search_open_faces(open_search *o, size_t depth)
     fmb_status st = fmb_run_poll(o->m->run);
     for (size_t f = 0; st == FMB_OK && f < o->facets; f++) {
         const fmb_image_row *row = &o->m->facet[f];
-        if (row->equality || row->strict || o->on[f][ray / 64] >> (ray % 64) & 1)
+        if (row->equality || row->strict || fmb_set_has(o->on[f], ray))
             continue;
         uint64_t *next = o->stack + (depth + 1) * o->words;
         for (size_t k = 0; k < o->words; k++)
@@ -173,14 +153,14 @@ static fmb_status search_open_faces(open_search *o, size_t depth)
 static fmb_status search_for_strict_row(open_search *o, size_t bit)
 {
     fmb_image *m = o->m;
-    if (m->everywhere[bit / 64] >> (bit % 64) & 1)
+    if (fmb_set_has(m->everywhere, bit))
         return FMB_OK;
     memset(o->outside, 0, o->words * sizeof *o->outside);
     memset(o->stack, 0, o->words * sizeof *o->stack);
     for (size_t i = 0; i < m->rays; i++) {
-        put_ray_in_set(o->stack, i);
-        if (m->support[i][bit / 64] >> (bit % 64) & 1)
-            put_ray_in_set(o->outside, i);
+        fmb_set_put(o->stack, i);
+        if (fmb_set_has(m->support[i], bit))
+            fmb_set_put(o->outside, i);
     }
     return search_open_faces(o, 0);
 }
@@ -225,7 +205,7 @@ static fmb_status add_row_of_face(open_search *o, const open_face *face)
     m->facets++;
     memcpy(row->slack, m->everywhere, m->words * sizeof *row->slack);
     for (size_t i = 0; i < m->rays; i++)
-        for (size_t k = 0; (face->on[i / 64] >> (i % 64) & 1) && k < m->words; k++)
+        for (size_t k = 0; fmb_set_has(face->on, i) && k < m->words; k++)
             row->slack[k] |= m->support[i][k];
     return sum_facets(o, face, row);
 }
@@ -238,7 +218,7 @@ fmb_status fmb_image_open_faces(fmb_image *m, const uint64_t *excludes, bool *em
     if (st == FMB_OK)
         open_facets(&o, excludes);
     for (size_t b = 0; st == FMB_OK && b < m->of->bits; b++)
-        if (excludes[b / 64] >> (b % 64) & 1)
+        if (fmb_set_has(excludes, b))
             st = search_for_strict_row(&o, b);
     for (size_t i = 0; st == FMB_OK && i < o.faces; i++) {
         *empty |= o.face[i].facets == 0;

@@ -17,6 +17,7 @@
 #include <string.h>
 
 #include "hull/support_inside.h"
+#include "num/bitset.h"
 
 typedef struct lattice {
     fmb_support *s;
@@ -31,29 +32,6 @@ typedef struct lattice {
     fmb_vec h;        /* the same */
 } lattice;
 
-/* ---- sets of generators ---------------------------------------------------------------------- */
-
-static bool has_subset(const uint64_t *set, const uint64_t *of, size_t words)
-{
-    for (size_t w = 0; w < words; w++)
-        if (set[w] & ~of[w])
-            return false;
-    return true;
-}
-
-static bool do_sets_meet(const uint64_t *a, const uint64_t *b, size_t words)
-{
-    for (size_t w = 0; w < words; w++)
-        if (a[w] & b[w])
-            return true;
-    return false;
-}
-
-static void put_in_set(uint64_t *set, size_t i)
-{
-    set[i / 64] |= (uint64_t)1 << i % 64;
-}
-
 static bool is_facet_alive(const lattice *l, size_t a, int note)
 {
     return l->f->facet[a].alive && l->f->facet[a].note == note;
@@ -63,10 +41,11 @@ static bool is_facet_alive(const lattice *l, size_t a, int note)
 static bool is_on_missing_face(const lattice *l, const uint64_t *set)
 {
     for (size_t i = 0; i < l->gones; i++)
-        if (has_subset(set, l->gone + i * l->words, l->words))
+        if (fmb_set_is_inside(set, l->gone + i * l->words, l->words))
             return true;
     for (size_t a = 0; a < l->f->slots; a++)
-        if (is_facet_alive(l, a, FMB_FACET_MISSING) && has_subset(set, l->f->facet[a].on, l->words))
+        if (is_facet_alive(l, a, FMB_FACET_MISSING) &&
+            fmb_set_is_inside(set, l->f->facet[a].on, l->words))
             return true;
     return false;
 }
@@ -82,7 +61,7 @@ static fmb_status add_normals_around(lattice *l, const uint64_t *set)
         mpz_set_ui(l->sum.z[j], 0);
     for (size_t a = 0; a < l->f->slots; a++) {
         const fmb_facet *facet = &l->f->facet[a];
-        if (!facet->alive || !has_subset(set, facet->on, l->words))
+        if (!facet->alive || !fmb_set_is_inside(set, facet->on, l->words))
             continue;
         for (size_t j = 0; j < l->f->d; j++) {
             fmb_vec_get(&facet->normal, j, t);
@@ -117,9 +96,9 @@ static fmb_status find_missing_points(lattice *l)
     for (size_t i = 0; st == FMB_OK && i < l->f->generators; i++) {
         if (fmb_vec_sgn(&l->f->generator[i], 0) == 0)
             continue;
-        put_in_set(l->points, i);
+        fmb_set_put(l->points, i);
         memset(one, 0, l->words * sizeof *one);
-        put_in_set(one, i);
+        fmb_set_put(one, i);
         bool missing = is_on_missing_face(l, one);
         if (!missing) {
             st = ask_about_face(l, one, &row, &missing);
@@ -127,7 +106,7 @@ static fmb_status find_missing_points(lattice *l)
                 fmb_support_drop(&row, l->s->run->mem);
         }
         if (missing)
-            put_in_set(l->missing, i);
+            fmb_set_put(l->missing, i);
     }
     return st;
 }
@@ -162,7 +141,7 @@ static fmb_status list_faces_of_face(lattice *l, size_t i)
         uint64_t *next = l->face + l->faces * l->words;
         for (size_t w = 0; w < l->words; w++)
             next[w] = l->face[i * l->words + w] & l->f->facet[a].on[w];
-        if (do_sets_meet(next, l->missing, l->words) && !was_face_met(l, next) &&
+        if (fmb_sets_meet(next, l->missing, l->words) && !was_face_met(l, next) &&
             !is_on_missing_face(l, next))
             l->faces++;
         st = fmb_run_poll(l->s->run);

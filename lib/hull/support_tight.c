@@ -11,6 +11,7 @@
 
 #include "hull/support_inside.h"
 #include "lp/exact/modular_kernel.h"
+#include "num/bitset.h"
 #include "num/gcd.h"
 
 /* Products of a multiplier and a coefficient of so many bits together, some of them added up. */
@@ -106,7 +107,7 @@ static void find_tight_rows(fmb_support *s, const fmb_scout *c, uint64_t *set)
     t->residue[s->n] = fmb_prime_minus(q, 0, fmb_prime_of_integer(q, c->den));
     for (size_t i = 0; i < t->p->m; i++)
         if (!t->p->row[i].off && slack_residue(t, i, s->n) == 0)
-            set[i / 64] |= (uint64_t)1 << i % 64;
+            fmb_set_put(set, i);
 }
 
 fmb_status fmb_support_note_tight(fmb_support *s, const fmb_scout *c)

@@ -1,5 +1,6 @@
 /* lattice.c: the faces of a cone, level by level, from sets of generators; see lattice.h. */
 #include "proof/lattice.h"
+#include "num/bitset.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -36,32 +37,6 @@ typedef struct lattice_walk {
     bool is_unshown;   /* ... if there is one */
     fmb_lattice_end end;
 } lattice_walk;
-
-/* ---- sets ------------------------------------------------------------------------------------ */
-
-static size_t count_members(const uint64_t *set, size_t words)
-{
-    size_t n = 0;
-    for (size_t k = 0; k < words; k++)
-        n += (size_t)__builtin_popcountll(set[k]);
-    return n;
-}
-
-static bool is_contained(const uint64_t *a, const uint64_t *b, size_t words)
-{
-    bool inside = true;
-    for (size_t k = 0; inside && k < words; k++)
-        inside = (a[k] & ~b[k]) == 0;
-    return inside;
-}
-
-static bool have_common_member(const uint64_t *a, const uint64_t *b, size_t words)
-{
-    bool common = false;
-    for (size_t k = 0; !common && k < words; k++)
-        common = (a[k] & b[k]) != 0;
-    return common;
-}
 
 /* ---- faces of a level ------------------------------------------------------------------------ */
 
@@ -130,13 +105,13 @@ static int compare_sizes_of_cuts(const void *x, const void *y)
 /* The sets f&r that are neither empty nor f, larger ones first; how many. */
 static size_t cut_face(lattice_walk *w, const uint64_t *f)
 {
-    size_t words = w->l->words, size = count_members(f, words), cuts = 0;
+    size_t words = w->l->words, size = fmb_set_size(f, words), cuts = 0;
     for (size_t r = 0; r < w->l->forms; r++) {
         uint64_t *set = w->set + cuts * words;
         const uint64_t *zero = w->l->zero + r * words;
         for (size_t k = 0; k < words; k++)
             set[k] = f[k] & zero[k];
-        size_t left = count_members(set, words);
+        size_t left = fmb_set_size(set, words);
         if (left > 0 && left < size)
             w->cut[cuts++] = (face_cut){set, left};
     }
@@ -157,7 +132,7 @@ static bool find_facets(lattice_walk *w, const uint64_t *f)
         bool known = false;
         for (size_t k = 0; above < 2 && k < facets; k++) {
             const face_cut *facet = &w->cut[w->facet[k]];
-            bool inside = is_contained(c->set, facet->set, words);
+            bool inside = fmb_set_is_inside(c->set, facet->set, words);
             above += inside;
             known = known || (inside && facet->size == c->size);
         }
@@ -235,10 +210,10 @@ static bool list_tight_forms(const lattice_walk *w, const uint64_t *f, simple_fa
     bool good = true;
     for (size_t g = 0; good && g < 64 * w->l->words; g++) {
         size_t n = 0;
-        if (!(f[g / 64] >> (g % 64) & 1))
+        if (!fmb_set_has(f, g))
             continue;
         for (size_t i = 0; good && i < w->facets; i++) {
-            if (!(w->cut[w->facet[i]].set[g / 64] >> (g % 64) & 1))
+            if (!fmb_set_has(w->cut[w->facet[i]].set, g))
                 continue;
             good = n < s->width;
             if (good)
@@ -253,7 +228,7 @@ static bool list_tight_forms(const lattice_walk *w, const uint64_t *f, simple_fa
 /* Is f simple, where R' is one form for each facet? */
 static fmb_status is_simple(lattice_walk *w, const uint64_t *f, size_t dimension, bool *simple)
 {
-    simple_face s = {.members = count_members(f, w->l->words), .width = dimension - 1, .slots = 64};
+    simple_face s = {.members = fmb_set_size(f, w->l->words), .width = dimension - 1, .slots = 64};
     size_t incidences = 0;
     for (size_t i = 0; i < w->facets; i++)
         incidences += w->cut[w->facet[i]].size;
@@ -297,8 +272,8 @@ static bool is_closed_ray(const lattice_walk *w, const uint64_t *f)
     size_t words = w->l->words;
     bool positive = false;
     for (size_t r = 0; !positive && r < w->l->forms; r++)
-        positive = !have_common_member(f, w->l->zero + r * words, words);
-    return positive && count_members(f, words) == 1;
+        positive = !fmb_sets_meet(f, w->l->zero + r * words, words);
+    return positive && fmb_set_size(f, words) == 1;
 }
 
 static bool shows_what_it_must(const lattice_walk *w, const uint64_t *f)
@@ -306,9 +281,9 @@ static bool shows_what_it_must(const lattice_walk *w, const uint64_t *f)
     const fmb_lattice *l = w->l;
     bool excluded = l->wanted == 0, all = true;
     for (size_t r = 0; !excluded && r < l->forms; r++)
-        excluded = l->excludes[r] && is_contained(f, l->zero + r * l->words, l->words);
+        excluded = l->excludes[r] && fmb_set_is_inside(f, l->zero + r * l->words, l->words);
     for (size_t i = 0; !excluded && all && i < l->wanted; i++)
-        all = have_common_member(f, l->shows + i * l->words, l->words);
+        all = fmb_sets_meet(f, l->shows + i * l->words, l->words);
     return all;
 }
 

@@ -29,6 +29,7 @@
  */
 #include "proof/whole.h"
 
+#include "num/bitset.h"
 #include "num/integers.h"
 #include "num/prime.h"
 #include "system/system_private.h"
@@ -265,16 +266,6 @@ static fmb_status write_out_numbers(assembly *a)
 
 /* ---- which corner is where ------------------------------------------------------------------- */
 
-static void put_corner(uint64_t *set, size_t g)
-{
-    set[g / 64] |= (uint64_t)1 << (g % 64);
-}
-
-static bool has_corner(const uint64_t *set, size_t g)
-{
-    return set[g / 64] >> (g % 64) & 1;
-}
-
 /* The zeros of all forms; the last one is t, which excludes faces at infinity. */
 static fmb_status find_zeros(assembly *a)
 {
@@ -296,10 +287,10 @@ static fmb_status find_zeros(assembly *a)
             bool on = i < a->rows ? sign_of_form(a, i, &a->vector[g]) == 0
                                   : mpz_sgn(a->vector[g].z[a->width - 1]) == 0;
             if (on)
-                put_corner(l->zero + i * l->words, g);
+                fmb_set_put(l->zero + i * l->words, g);
             zeros += on;
         }
-        put_corner(zeros == l->forms ? a->free : a->rest, g);
+        fmb_set_put(zeros == l->forms ? a->free : a->rest, g);
     }
     for (size_t i = 0; i < l->forms; i++)
         l->excludes[i] = i == a->rows || a->row[i]->rel == FMB_LT;
@@ -320,7 +311,7 @@ static bool is_free_part_linear(assembly *a, size_t *n)
     bool linear = true;
     *n = 0;
     for (size_t g = 0; g < a->corners; g++)
-        if (has_corner(a->free, g)) {
+        if (fmb_set_has(a->free, g)) {
             fmb_integers v = a->vector[g];
             a->vector[g] = a->vector[*n];
             a->vector[(*n)++] = v;
@@ -368,7 +359,7 @@ static fmb_status find_strict_insides(assembly *a)
             if (row->rel != FMB_LT)
                 continue;
             if (is_strictly_inside(a, row, &v))
-                put_corner(set, g);
+                fmb_set_put(set, g);
             set += l->words;
         }
         fmb_integers_clear(&v, a->mem);
@@ -419,7 +410,7 @@ static fmb_status judge_faces(assembly *a, const char **why, bool *on)
     }
     *why = said[end];
     for (size_t g = 0; on && st == FMB_OK && g < a->corners; g++)
-        on[a->corner[g] - a->e->claim] = end == FMB_LATTICE_UNSHOWN && has_corner(a->face, g);
+        on[a->corner[g] - a->e->claim] = end == FMB_LATTICE_UNSHOWN && fmb_set_has(a->face, g);
     return st;
 }
 

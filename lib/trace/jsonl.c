@@ -5,6 +5,7 @@
 #include <inttypes.h>
 
 #include "base/memory_stream.h"
+#include "num/bitset.h"
 
 static const char *const KIND[] = {"begin", "round", "rule",   "lp",
                                    "end",   "row",   "rebase", "engine"};
@@ -31,7 +32,7 @@ static void print_count(FILE *out, const char *key, uint64_t n)
 /* The least element of a set that is at least i; 64 words or more: there is none. */
 static size_t find_next_element(const uint64_t *set, size_t words, size_t i)
 {
-    while (i < 64 * words && !(set[i / 64] >> (i % 64) & 1))
+    while (i < 64 * words && !fmb_set_has(set, i))
         i++;
     return i;
 }

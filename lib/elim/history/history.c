@@ -38,7 +38,7 @@ fmb_status fmb_history_join(fmb_elim *e, fmb_derived *r, const fmb_derived *p, c
     size_t size = e->words + e->var_words;
     for (size_t i = 0; i < size; i++)
         r->history[i] = p->history[i] | q->history[i];
-    r->history[e->words + (size_t)r->var / 64] |= (uint64_t)1 << (r->var % 64);
+    fmb_set_put(r->history + e->words, (size_t)r->var);
     return FMB_OK;
 }
 

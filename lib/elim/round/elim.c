@@ -162,7 +162,7 @@ static fmb_status eliminate_by_pairs(fmb_elim *e, int var)
     if (st != FMB_OK || e->clash != FMB_NO_ROW || lowers == 0 || lowers == round->rows)
         return st;
     e->since++;
-    e->gone[var / 64] |= (uint64_t)1 << (var % 64);
+    fmb_set_put(e->gone, (size_t)var);
     e->run->stats.rounds++;
     bool last = names_no_other_variable(e, round) && fmb_way(FMB_WAY_SQUEEZE);
     fmb_way_answered(FMB_WAY_SQUEEZE, last);

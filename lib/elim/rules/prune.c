@@ -35,14 +35,6 @@ fmb_status fmb_rules_drop_base_rows(fmb_elim *e)
     return st;
 }
 
-static uint64_t count_bits(const uint64_t *set, size_t words)
-{
-    uint64_t n = 0;
-    for (size_t k = 0; k < words; k++)
-        n += (uint64_t)__builtin_popcountll(set[k]);
-    return n;
-}
-
 /* What each rule adds to drop is its own. */
 fmb_status fmb_rules_refuse_pairs(fmb_elim *e, const fmb_round *round, size_t lowers, size_t i,
                                   uint64_t *drop)
@@ -62,7 +54,7 @@ fmb_status fmb_rules_refuse_pairs(fmb_elim *e, const fmb_round *round, size_t lo
         w.view.uppers = round->rows - lowers;
         rule->drop_pairs(e->worker[k].state, &w.view, i, drop);
         st = fmb_window_close(&w);
-        uint64_t after = count_bits(drop, words);
+        uint64_t after = fmb_set_size(drop, words);
         note_drop_of_rule(e, k, after - before);
         before = after;
     }

@@ -17,6 +17,7 @@
 #include <fmb/rule.h>
 
 #include "base/arena.h"
+#include "num/bitset.h"
 #include "num/vec.h"
 #include "trace/run.h"
 
@@ -197,12 +198,6 @@ fmb_status fmb_list_push(fmb_elim *e, fmb_list *list, uint32_t row);
 static inline bool fmb_elim_keeps(const fmb_elim *e, fmb_step step)
 {
     return (e->steps & (unsigned)step) != 0;
-}
-
-/* Words of 64 bits for a set of n. */
-static inline size_t fmb_set_words(size_t n)
-{
-    return (n + 63) / 64;
 }
 
 #endif

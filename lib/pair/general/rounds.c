@@ -12,6 +12,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "num/bitset.h"
+
 /* Pairs looked at before giving up [pairs]: what five dimensions need. In six and more the simplex
  * method is faster by then. */
 #define MOST_PAIRS 1000
@@ -110,11 +112,11 @@ static fmb_general_step pair_with_those_before(fmb_general *g, size_t i)
     const fmb_general_head *x = &g->head[g->named[i]];
     const fmb_planes planes = {g->bits, g->most_rows, 2, i};
     fmb_general_step step = FMB_GENERAL_GO;
-    memset(g->drop, 0, (i + 63) / 64 * sizeof *g->drop);
+    memset(g->drop, 0, fmb_set_words(i) * sizeof *g->drop);
     g->kernels->larger(&planes, (const uint64_t[2]){x->minus, x->plus}, g->removed + 2, g->drop);
     g->pairs += i;
     for (size_t j = 0; step == FMB_GENERAL_GO && j < i; j++)
-        if (!(g->drop[j / 64] >> j % 64 & 1))
+        if (!fmb_set_has(g->drop, j))
             step = pair_two_rows(g, g->named[i], g->named[j]);
     return step == FMB_GENERAL_GO && g->pairs > MOST_PAIRS ? FMB_GENERAL_LOST : step;
 }

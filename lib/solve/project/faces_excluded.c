@@ -16,6 +16,7 @@
 #include "lp/oracle/oracle.h"
 #include "lp/redundancy/by_oracle.h"
 #include "lp/redundancy/sieve.h"
+#include "num/bitset.h"
 #include "num/integers.h"
 #include "num/rationals.h"
 #include "solve/project/canonical.h"
@@ -152,30 +153,12 @@ static fmb_status list_facets_and_faces(face_search *f)
         else
             f->facet[f->facets++] = o.row[i];
     }
-    f->words = (f->facets + 63) / 64;
+    f->words = fmb_set_words(f->facets);
     close_closure(&o, f);
     return st;
 }
 
 /* ---- the facets that hold a face ------------------------------------------------------------- */
-
-static bool is_in_set(const uint64_t *set, size_t i)
-{
-    return set[i / 64] >> (i % 64) & 1;
-}
-
-static void put_in_set(uint64_t *set, size_t i)
-{
-    set[i / 64] |= (uint64_t)1 << (i % 64);
-}
-
-static bool is_set_inside(const uint64_t *a, const uint64_t *b, size_t words)
-{
-    for (size_t k = 0; k < words; k++)
-        if (a[k] & ~b[k])
-            return false;
-    return true;
-}
 
 static fmb_status add_row_to_program(const face_search *f, size_t i, fmb_rel rel, fmb_program *p)
 {
@@ -221,7 +204,7 @@ static fmb_status write_row_by_facets(face_search *f, excluded_face *face)
     }
     for (size_t k = 0; st == FMB_OK && k < face->y.size; k++)
         if (mpq_sgn(face->y.value[k]) > 0)
-            put_in_set(face->on, face->y.index[k]);
+            fmb_set_put(face->on, face->y.index[k]);
     mpq_clears(a, b, NULL);
     fmb_weights_clear(&form, mem);
     return st;
@@ -256,7 +239,9 @@ static fmb_status ask_about_doubtful_facets(face_search *f, excluded_face *face,
     fmb_status st = FMB_OK;
     fmb_program_init(&p, run->mem, (int)f->n);
     for (size_t i = 0; st == FMB_OK && i < f->facets; i++) {
-        fmb_rel rel = is_in_set(face->on, i) ? FMB_EQ : is_in_set(doubtful, i) ? FMB_LT : FMB_LE;
+        fmb_rel rel = fmb_set_has(face->on, i)   ? FMB_EQ
+                      : fmb_set_has(doubtful, i) ? FMB_LT
+                                                 : FMB_LE;
         st = add_row_to_program(f, f->facet[i], rel, &p);
     }
     if (st == FMB_OK)
@@ -268,7 +253,7 @@ static fmb_status ask_about_doubtful_facets(face_search *f, excluded_face *face,
     *more = st == FMB_OK && !feasible;
     for (size_t k = 0; st == FMB_OK && k < w.size; k++)
         if (mpq_sgn(w.value[k]) > 0)
-            put_in_set(face->on, w.index[k]);
+            fmb_set_put(face->on, w.index[k]);
     fmb_weights_clear(&w, run->mem);
     fmb_oracle_free(o);
     fmb_program_clear(&p);
@@ -287,9 +272,9 @@ static fmb_status find_facets_of_face(face_search *f, excluded_face *face)
     fmb_status st = write_row_by_facets(f, face);
     for (size_t i = 0; st == FMB_OK && i < f->facets; i++)
         if (is_tight_at_point(f, f->facet[i]))
-            put_in_set(doubtful, i);
+            fmb_set_put(doubtful, i);
     while (st == FMB_OK && !face->redundant && more) {
-        more = !is_set_inside(doubtful, face->on, f->words);
+        more = !fmb_set_is_inside(doubtful, face->on, f->words);
         if (more)
             st = ask_about_doubtful_facets(f, face, doubtful, &more);
     }
@@ -303,12 +288,13 @@ static void find_faces_of_missing_ones(face_search *f)
         excluded_face *face = &f->face[i];
         face->redundant = face->redundant || f->c->image->row[face->row].rel != FMB_LT;
         for (size_t k = 0; !face->redundant && k < f->facets; k++)
-            face->redundant = is_in_set(face->on, k) && f->c->image->row[f->facet[k]].rel == FMB_LT;
+            face->redundant =
+                fmb_set_has(face->on, k) && f->c->image->row[f->facet[k]].rel == FMB_LT;
     }
     for (size_t i = 0; i < f->faces; i++)
         for (size_t k = 0; !f->face[i].redundant && k < f->faces; k++)
             f->face[i].redundant = k != i && !f->face[k].redundant &&
-                                   is_set_inside(f->face[k].on, f->face[i].on, f->words);
+                                   fmb_set_is_inside(f->face[k].on, f->face[i].on, f->words);
 }
 
 /* ---- rows ------------------------------------------------------------------------------------ */
@@ -323,7 +309,7 @@ static void sum_facets_of_face(const face_search *f, const excluded_face *face, 
         mpz_set_ui(z[j], 0);
     for (size_t i = 0; i < f->facets; i++) {
         const fmb_sysrow *r = &f->c->image->row[f->facet[i]];
-        for (size_t k = 0; is_in_set(face->on, i) && k <= r->nnz; k++) {
+        for (size_t k = 0; fmb_set_has(face->on, i) && k <= r->nnz; k++) {
             mpz_ptr to = z[k < r->nnz ? (size_t)r->var[k] : f->n];
             fmb_vec_get(&r->val, k, a);
             mpz_add(to, to, a);
@@ -349,7 +335,7 @@ static fmb_status prove_sum(const face_search *f, const excluded_face *face, con
     mpq_div(part, whole, most);
     st = fmb_weights_add(w, (uint32_t)face->row, part, mem);
     for (size_t i = 0; st == FMB_OK && i < f->facets; i++)
-        if (is_in_set(face->on, i))
+        if (fmb_set_has(face->on, i))
             st = fmb_weights_add(w, (uint32_t)f->facet[i], whole, mem);
     for (size_t k = 0; st == FMB_OK && k < face->y.size; k++) {
         mpq_div(part, face->y.value[k], most);

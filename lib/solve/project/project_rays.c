@@ -128,7 +128,7 @@ static size_t list_tight_rows(const fmb_lift *h, const fmb_image_row *f, uint32_
         if (h->rows.row[i].equality)
             live[n++] = h->e.live.row[i - 1];
     for (size_t b = 0; b < h->cone.bits; b++)
-        if (!(f->slack[b / 64] >> (b % 64) & 1) && h->cone.row_of_bit[b] > 0)
+        if (!fmb_set_has(f->slack, b) && h->cone.row_of_bit[b] > 0)
             live[n++] = h->e.live.row[h->cone.row_of_bit[b] - 1];
     return n;
 }
@@ -256,7 +256,7 @@ static fmb_status exclude_faces(fmb_lift *h, bool *feasible, bool *done)
     memset(excludes, 0, words * sizeof *excludes);
     for (size_t b = 0; b < h->cone.bits; b++)
         if (h->rows.row[h->cone.row_of_bit[b]].wanted)
-            excludes[b / 64] |= (uint64_t)1 << (b % 64);
+            fmb_set_put(excludes, b);
     fmb_status st = fmb_image_open_faces(&h->image, excludes, &empty, done);
     *feasible = st != FMB_OK || !empty;
     return st;
