@@ -4,23 +4,10 @@
 
 #include <fmb/fmb.h>
 
+#include "canceller.h"
 #include "counted_clock.h"
 #include "property/random/rows.h"
 #include "support.h"
-
-/* Cancels at an event. */
-typedef struct canceller {
-    fmb_solver *v;
-    int events;
-} canceller;
-
-static void cancel_at_event(void *self, const fmb_event *e)
-{
-    canceller *c = self;
-    (void)e;
-    if (c->events-- == 0)
-        fmb_solver_cancel(c->v);
-}
 
 typedef struct tally {
     int cut, outer, exact;

@@ -1,6 +1,7 @@
 /* outer.c: what a query that a limit has cut short hands out is proved, whenever that happens. */
 #include <criterion/criterion.h>
 
+#include "canceller.h"
 #include "counted_clock.h"
 #include "property/random/agree.h"
 #include "support.h"
@@ -8,23 +9,14 @@
 /* One way to be cut short. */
 typedef struct cut {
     fmb_options o;
-    fmb_solver *v;
-    int events; /* cancel at that event; -1: never */
+    canceller at;
 } cut;
-
-static void count_down(void *self, const fmb_event *e)
-{
-    cut *c = self;
-    (void)e;
-    if (c->events-- == 0)
-        fmb_solver_cancel(c->v);
-}
 
 static cut make_cut(support_rng *g)
 {
     static const fmb_method method[] = {FMB_METHOD_FM, FMB_METHOD_FM, FMB_METHOD_LP,
                                         FMB_METHOD_AUTO, FMB_METHOD_DD};
-    cut c = {.o = (fmb_options){.size = sizeof(fmb_options)}, .events = -1};
+    cut c = {.o = (fmb_options){.size = sizeof(fmb_options)}, .at.events = -1};
     c.o.method = method[support_between(g, 0, 4)];
     c.o.evidence = FMB_EVIDENCE_ALL;
     c.o.arith = support_chance(g, 20) ? FMB_ARITH_GMP : FMB_ARITH_AUTO;
@@ -41,7 +33,7 @@ static cut make_cut(support_rng *g)
         c.o.max_seconds = support_between(g, 1, 50);
         break;
     default:
-        c.events = support_between(g, 0, 40);
+        c.at.events = support_between(g, 0, 40);
     }
     return c;
 }
@@ -50,9 +42,9 @@ static cut make_cut(support_rng *g)
 static void open_cut(cut *c)
 {
     counted_clock_start(0, NULL, NULL);
-    must(fmb_solver_new(&c->o, NULL, &c->v));
-    if (c->events >= 0)
-        fmb_solver_set_sink(c->v, (fmb_sink){count_down, c});
+    must(fmb_solver_new(&c->o, NULL, &c->at.v));
+    if (c->at.events >= 0)
+        fmb_solver_set_sink(c->at.v, (fmb_sink){cancel_at_event, &c->at});
 }
 
 /* Evidence is accepted; claims of that kind are counted. */
@@ -107,7 +99,7 @@ static size_t judge_box(const cut *c, const truth *t, const fmb_box *box, const 
                           "x%d: kind %d, about %g, stop %s, method %d", i + 1, (int)end.kind,
                           end.value, fmb_stop_text(r->stop), (int)c->o.method);
         }
-    cr_assert_eq(judge_claims(c->v, t->s, r, FMB_CLAIM_IMPLIED), outer);
+    cr_assert_eq(judge_claims(c->at.v, t->s, r, FMB_CLAIM_IMPLIED), outer);
     return outer;
 }
 
@@ -130,7 +122,7 @@ static void bound(support_rng *g, const truth *t, tally *n)
     fmb_box *box = NULL;
     fmb_result r = {.size = sizeof r};
     open_cut(&c);
-    must(fmb_bound(c.v, t->s, NULL, 0, &box, &r));
+    must(fmb_bound(c.at.v, t->s, NULL, 0, &box, &r));
     counted_clock_stop();
     cr_assert(r.verdict == FMB_UNKNOWN || r.verdict == t->verdict || t->verdict == FMB_UNKNOWN);
     cr_assert_eq(box == NULL, r.verdict == FMB_INFEASIBLE);
@@ -138,9 +130,9 @@ static void bound(support_rng *g, const truth *t, tally *n)
     if (box)
         n->outer += judge_box(&c, t, box, &r);
     else
-        judge_claims(c.v, t->s, &r, FMB_CLAIM_INFEASIBLE);
+        judge_claims(c.at.v, t->s, &r, FMB_CLAIM_INFEASIBLE);
     fmb_box_free(box);
-    fmb_solver_free(c.v);
+    fmb_solver_free(c.at.v);
 }
 
 Test(outer, boxes)
@@ -172,18 +164,18 @@ static void project(support_rng *g, const truth *t, tally *n)
         if (support_chance(g, 50))
             keep[kept++] = j;
     open_cut(&c);
-    must(fmb_project(c.v, t->s, keep, kept, &p, &r));
+    must(fmb_project(c.at.v, t->s, keep, kept, &p, &r));
     counted_clock_stop();
     cr_assert(p && fmb_system_dim(p) == kept);
     cr_assert(r.verdict == FMB_UNKNOWN || r.verdict == t->verdict || t->verdict == FMB_UNKNOWN);
     cr_assert(r.verdict == FMB_UNKNOWN ? r.stop != FMB_STOP_DONE : true);
     if (r.verdict != FMB_INFEASIBLE)
-        cr_assert_geq(judge_claims(c.v, t->s, &r, FMB_CLAIM_IMPLIED), fmb_system_rows(p));
+        cr_assert_geq(judge_claims(c.at.v, t->s, &r, FMB_CLAIM_IMPLIED), fmb_system_rows(p));
     cr_assert(agree_implies(&judge, t->s, p, keep), "%s", judge.why);
     n->cut += r.stop != FMB_STOP_DONE;
     n->outer += r.stop != FMB_STOP_DONE ? fmb_system_rows(p) : 0;
     fmb_system_free(p);
-    fmb_solver_free(c.v);
+    fmb_solver_free(c.at.v);
 }
 
 Test(outer, projections)
@@ -224,7 +216,7 @@ static fmb_system *dense(bool cone)
  * for elimination, which would go on for minutes. */
 static double most_of_time(const fmb_system *s, fmb_method method)
 {
-    cut c = {.o = (fmb_options){.size = sizeof(fmb_options)}, .events = -1};
+    cut c = {.o = (fmb_options){.size = sizeof(fmb_options)}, .at.events = -1};
     fmb_system *p = NULL;
     fmb_result r = {.size = sizeof r};
     if (method == FMB_METHOD_FM)
@@ -233,11 +225,11 @@ static double most_of_time(const fmb_system *s, fmb_method method)
     c.o.evidence = FMB_EVIDENCE_ALL;
     c.o.max_seconds = COUNTED_FOREVER;
     open_cut(&c);
-    must(fmb_project(c.v, s, (int[]){0, 1}, 2, &p, &r));
+    must(fmb_project(c.at.v, s, (int[]){0, 1}, 2, &p, &r));
     counted_clock_stop();
     cr_assert_eq(r.stop, FMB_STOP_DONE);
     fmb_system_free(p);
-    fmb_solver_free(c.v);
+    fmb_solver_free(c.at.v);
     return (double)(counted_clock_readings() - counted_clock_readings() / 16);
 }
 
@@ -248,7 +240,7 @@ Test(outer, rows_and_points_by_every_way)
     static const fmb_method method[] = {FMB_METHOD_FM, FMB_METHOD_DD, FMB_METHOD_HULL};
     fmb_system *s = dense(false);
     for (int k = 0; k < 9; k++) {
-        cut c = {.o = (fmb_options){.size = sizeof(fmb_options)}, .events = -1};
+        cut c = {.o = (fmb_options){.size = sizeof(fmb_options)}, .at.events = -1};
         fmb_system *p = NULL;
         fmb_result r = {.size = sizeof r};
         c.o.method = method[k / 3];
@@ -257,15 +249,15 @@ Test(outer, rows_and_points_by_every_way)
         c.o.max_bytes = k % 3 == 1 ? 300000 : 0;
         c.o.max_seconds = k % 3 == 2 ? most_of_time(s, method[k / 3]) : 0;
         open_cut(&c);
-        must(fmb_project(c.v, s, (int[]){0, 1}, 2, &p, &r));
+        must(fmb_project(c.at.v, s, (int[]){0, 1}, 2, &p, &r));
         counted_clock_stop();
         cr_expect(k % 3 != 2 || r.stop == FMB_STOP_TIME, "way %d: %s", k, fmb_stop_text(r.stop));
         cr_expect(fmb_system_rows(p) > 0, "way %d: no row", k);
-        cr_expect(r.stop == FMB_STOP_DONE || judge_claims(c.v, s, &r, FMB_CLAIM_FEASIBLE) > 1,
+        cr_expect(r.stop == FMB_STOP_DONE || judge_claims(c.at.v, s, &r, FMB_CLAIM_FEASIBLE) > 1,
                   "way %d: no points", k);
-        cr_expect_geq(judge_claims(c.v, s, &r, FMB_CLAIM_IMPLIED), fmb_system_rows(p));
+        cr_expect_geq(judge_claims(c.at.v, s, &r, FMB_CLAIM_IMPLIED), fmb_system_rows(p));
         fmb_system_free(p);
-        fmb_solver_free(c.v);
+        fmb_solver_free(c.at.v);
     }
     fmb_system_free(s);
 }
@@ -285,12 +277,12 @@ static fmb_system *chain(void)
 Test(outer, chain)
 {
     fmb_system *s = chain();
-    cut c = {.o = (fmb_options){.size = sizeof(fmb_options)}, .events = 1};
+    cut c = {.o = (fmb_options){.size = sizeof(fmb_options)}, .at.events = 1};
     fmb_box *box = NULL;
     fmb_result r = {.size = sizeof r};
     c.o.evidence = FMB_EVIDENCE_ALL;
     open_cut(&c);
-    must(fmb_bound(c.v, s, NULL, 0, &box, &r));
+    must(fmb_bound(c.at.v, s, NULL, 0, &box, &r));
     counted_clock_stop();
     cr_assert(box && r.stop == FMB_STOP_CANCELLED && r.verdict == FMB_UNKNOWN);
     fmb_end x = fmb_box_end(box, 0, FMB_LOWER), y = fmb_box_end(box, 1, FMB_UPPER),
@@ -298,9 +290,9 @@ Test(outer, chain)
     cr_expect(x.kind == FMB_END_OUTER && x.value >= 1 && x.value <= 1 && !x.attained);
     cr_expect(y.kind == FMB_END_OUTER && y.value >= 3 && y.value <= 3);
     cr_expect(z.kind == FMB_END_OUTER && z.value >= 7 && z.value <= 7);
-    cr_expect_geq(judge_claims(c.v, s, &r, FMB_CLAIM_IMPLIED), 4);
+    cr_expect_geq(judge_claims(c.at.v, s, &r, FMB_CLAIM_IMPLIED), 4);
     fmb_box_free(box);
-    fmb_solver_free(c.v);
+    fmb_solver_free(c.at.v);
     fmb_system_free(s);
 }
 
@@ -308,18 +300,18 @@ Test(outer, chain)
 Test(outer, contradiction)
 {
     fmb_system *s = chain();
-    cut c = {.o = (fmb_options){.size = sizeof(fmb_options)}, .events = 1};
+    cut c = {.o = (fmb_options){.size = sizeof(fmb_options)}, .at.events = 1};
     fmb_box *box = NULL;
     fmb_result r = {.size = sizeof r};
     must(fmb_system_add_int(s, (int64_t[]){0, 0, -1}, FMB_LE, -7));
     c.o.evidence = FMB_EVIDENCE_ALL;
     open_cut(&c);
-    must(fmb_bound(c.v, s, NULL, 0, &box, &r));
+    must(fmb_bound(c.at.v, s, NULL, 0, &box, &r));
     counted_clock_stop();
     cr_assert_null(box);
     cr_assert(r.verdict == FMB_INFEASIBLE && r.stop == FMB_STOP_DONE);
-    cr_expect_eq(judge_claims(c.v, s, &r, FMB_CLAIM_INFEASIBLE), 1);
-    fmb_solver_free(c.v);
+    cr_expect_eq(judge_claims(c.at.v, s, &r, FMB_CLAIM_INFEASIBLE), 1);
+    fmb_solver_free(c.at.v);
     fmb_system_free(s);
 }
 
@@ -329,19 +321,19 @@ Test(outer, points_of_a_cone)
     static const fmb_method method[] = {FMB_METHOD_FM, FMB_METHOD_DD};
     fmb_system *s = dense(true);
     for (int k = 0; k < 2; k++) {
-        cut c = {.o = (fmb_options){.size = sizeof(fmb_options)}, .events = -1};
+        cut c = {.o = (fmb_options){.size = sizeof(fmb_options)}, .at.events = -1};
         fmb_system *p = NULL;
         fmb_result r = {.size = sizeof r};
         c.o.method = method[k];
         c.o.evidence = FMB_EVIDENCE_ALL;
         c.o.max_rows = 25;
         open_cut(&c);
-        must(fmb_project(c.v, s, (int[]){0, 1, 2, 3}, 4, &p, &r));
+        must(fmb_project(c.at.v, s, (int[]){0, 1, 2, 3}, 4, &p, &r));
         counted_clock_stop();
         cr_expect_eq(r.stop, FMB_STOP_ROWS);
-        cr_expect_gt(judge_claims(c.v, s, &r, FMB_CLAIM_FEASIBLE), 3, "way %d", k);
+        cr_expect_gt(judge_claims(c.at.v, s, &r, FMB_CLAIM_FEASIBLE), 3, "way %d", k);
         fmb_system_free(p);
-        fmb_solver_free(c.v);
+        fmb_solver_free(c.at.v);
     }
     fmb_system_free(s);
 }

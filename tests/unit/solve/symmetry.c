@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "canceller.h"
 #include "counted_clock.h"
 #include "property/random/agree.h"
 #include "support.h"
@@ -107,19 +108,6 @@ Test(symmetry, under_a_limit)
 
 /* ---- cancelled ------------------------------------------------------------------------------- */
 
-typedef struct countdown {
-    fmb_solver *v;
-    long events; /* so many, and then a cancel */
-} countdown;
-
-static void cancel_at_event(void *self, const fmb_event *e)
-{
-    countdown *c = self;
-    (void)e;
-    if (c->events-- == 0)
-        fmb_solver_cancel(c->v);
-}
-
 /* [give] The projection by a solver, with its proof judged. */
 static fmb_system *project_judged(fmb_solver *v, const fmb_system *s, fmb_result *r)
 {
@@ -142,12 +130,12 @@ Test(symmetry, cancelled_at_any_event)
     support_rng g = {79};
     fmb_options o = {.size = sizeof o};
     fmb_system *s = with_planted_symmetry(&g);
-    countdown c = {NULL, -1};
+    canceller c = {NULL, -1};
     size_t rows = 0, cancelled = 0;
     o.method = FMB_METHOD_HULL;
     must(fmb_solver_new(&o, NULL, &c.v));
     fmb_solver_set_sink(c.v, (fmb_sink){cancel_at_event, &c});
-    for (long k = -1; k < 400; k = k < 40 ? k + 1 : k + 23) {
+    for (int k = -1; k < 400; k = k < 40 ? k + 1 : k + 23) {
         fmb_result r = {.size = sizeof r};
         c.events = k;
         fmb_system *p = project_judged(c.v, s, &r);
