@@ -183,19 +183,6 @@ Test(mps_files, other_locale)
     fmb_system_free(s);
 }
 
-typedef struct heard {
-    int n;
-    fmb_where at[4];
-} heard;
-
-static void hear(void *self, const fmb_where *w)
-{
-    heard *h = self;
-    if (h->n < 4)
-        h->at[h->n] = *w;
-    h->n++;
-}
-
 /* Each with its true place; integrality is no warning but a mark. */
 Test(mps_files, warnings)
 {
@@ -207,10 +194,8 @@ Test(mps_files, warnings)
         long line, column;
         const char *piece;
     } expected[] = {{13, 2, "another set"}, {4, 4, "1e30"}, {16, 7, "negative upper bound"}};
-    heard h = {0};
-    fmb_system *s = NULL;
-    fmb_reader how = {.size = sizeof how, .format = FMB_FORMAT_MPS, .warn = hear, .self = &h};
-    cr_assert(fmb_system_parse(text, sizeof text - 1, &how, &s, NULL) == FMB_OK);
+    warnings h = parse_warnings(FMB_FORMAT_MPS, text);
+    fmb_system *s = parse(FMB_FORMAT_MPS, text, sizeof text - 1);
     cr_expect(h.n == 3);
     for (int i = 0; i < 3; i++)
         cr_expect(h.at[i].line == expected[i].line && h.at[i].column == expected[i].column &&

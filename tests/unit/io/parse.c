@@ -16,6 +16,24 @@ fmb_system *parse(fmb_format f, const char *text, size_t size)
     return s;
 }
 
+static void hear(void *self, const fmb_where *w)
+{
+    warnings *h = self;
+    if (h->n < 4)
+        h->at[h->n] = *w;
+    h->n++;
+}
+
+warnings parse_warnings(fmb_format f, const char *text)
+{
+    warnings h = {0};
+    fmb_system *s = NULL;
+    fmb_reader how = {.size = sizeof how, .format = f, .warn = hear, .self = &h};
+    cr_assert(fmb_system_parse(text, strlen(text), &how, &s, NULL) == FMB_OK, "%s", text);
+    fmb_system_free(s);
+    return h;
+}
+
 char *write_text(const fmb_system *s, fmb_format f)
 {
     char *text = NULL;

@@ -20,6 +20,12 @@ typedef struct mistake {
 
 /* The system in text; fails the test if it cannot be read. */
 fmb_system *parse(fmb_format f, const char *text, size_t size);
+/* What is warned of while a text is read: how often, and the first four. */
+typedef struct warnings {
+    int n;
+    fmb_where at[4];
+} warnings;
+warnings parse_warnings(fmb_format f, const char *text);
 /* s in format f, in malloc's memory. */
 char *write_text(const fmb_system *s, fmb_format f);
 

@@ -245,42 +245,24 @@ Test(smt2_meaning, boolean_unknowns)
     CHECK(table);
 }
 
-typedef struct heard {
-    int n;
-    fmb_where last;
-} heard;
-
-static void hear(void *self, const fmb_where *w)
-{
-    heard *h = self;
-    h->n++;
-    h->last = *w;
-}
-
-static heard warnings(const char *text)
-{
-    heard h = {0};
-    fmb_system *s = NULL;
-    fmb_reader how = {.size = sizeof how, .format = FMB_FORMAT_SMT2, .warn = hear, .self = &h};
-    cr_assert(fmb_system_parse(text, strlen(text), &how, &s, NULL) == FMB_OK);
-    fmb_system_free(s);
-    return h;
-}
-
 Test(smt2_meaning, warnings)
 {
-    heard h = warnings("(declare-const x Real)(assert (< x 1))(check-sat)");
+    warnings h =
+        parse_warnings(FMB_FORMAT_SMT2, "(declare-const x Real)(assert (< x 1))(check-sat)");
     cr_expect(h.n == 0);
-    h = warnings("(declare-const a Int)\n(declare-fun b () Int)(assert (< a b))");
+    h = parse_warnings(FMB_FORMAT_SMT2,
+                       "(declare-const a Int)\n(declare-fun b () Int)(assert (< a b))");
     cr_expect(h.n == 0); /* a mark, not a warning */
-    h = warnings("(declare-const x Real)(check-sat)\n (assert (< x 1))(assert (< x 2))");
-    cr_expect(h.n == 1 && h.last.line == 2 && h.last.column == 2 &&
-              strstr(h.last.text, "after a check-sat"));
-    h = warnings("(declare-const x Real)(maximize x)");
+    h = parse_warnings(FMB_FORMAT_SMT2,
+                       "(declare-const x Real)(check-sat)\n (assert (< x 1))(assert (< x 2))");
+    cr_expect(h.n == 1 && h.at[0].line == 2 && h.at[0].column == 2 &&
+              strstr(h.at[0].text, "after a check-sat"));
+    h = parse_warnings(FMB_FORMAT_SMT2, "(declare-const x Real)(maximize x)");
     cr_expect(h.n == 0);
-    h = warnings("(declare-const x Real)(maximize x)\n (minimize x)(assert (< x 2))");
-    cr_expect(h.n == 1 && h.last.line == 2 && h.last.column == 2 &&
-              strstr(h.last.text, "another objective"));
+    h = parse_warnings(FMB_FORMAT_SMT2,
+                       "(declare-const x Real)(maximize x)\n (minimize x)(assert (< x 2))");
+    cr_expect(h.n == 1 && h.at[0].line == 2 && h.at[0].column == 2 &&
+              strstr(h.at[0].text, "another objective"));
 }
 
 /* Int is a mark, which text and scripts keep. */

@@ -265,28 +265,6 @@ Test(text, objectives_alone)
 
 /* ---- slips ----------------------------------------------------------------------------------- */
 
-typedef struct heard {
-    int n;
-    fmb_where last;
-} heard;
-
-static void hear(void *self, const fmb_where *w)
-{
-    heard *h = self;
-    h->n++;
-    h->last = *w;
-}
-
-static heard warnings(const char *text)
-{
-    heard h = {0};
-    fmb_system *s = NULL;
-    fmb_reader how = {.size = sizeof how, .format = FMB_FORMAT_TEXT, .warn = hear, .self = &h};
-    cr_assert(fmb_system_parse(text, strlen(text), &how, &s, NULL) == FMB_OK, "%s", text);
-    fmb_system_free(s);
-    return h;
-}
-
 /* A name that stands once and looks like a slip of another is told, with its place. */
 Test(text, slips)
 {
@@ -304,11 +282,11 @@ Test(text, slips)
         {"\xC3\xA9t\xC3\xA9x <= 1\n\xC3\xA9tx\xC3\xA9 <= 1", 0, 0, ""},
     };
     for (size_t i = 0; i < COUNT(table); i++) {
-        heard h = warnings(table[i].text);
-        cr_expect(h.n == (table[i].line > 0) && h.last.line == table[i].line &&
-                      h.last.column == table[i].column && strstr(h.last.text, table[i].piece),
-                  "%s: %d, %ld:%ld: %s", table[i].text, h.n, h.last.line, h.last.column,
-                  h.last.text);
+        warnings h = parse_warnings(FMB_FORMAT_TEXT, table[i].text);
+        cr_expect(h.n == (table[i].line > 0) && h.at[0].line == table[i].line &&
+                      h.at[0].column == table[i].column && strstr(h.at[0].text, table[i].piece),
+                  "%s: %d, %ld:%ld: %s", table[i].text, h.n, h.at[0].line, h.at[0].column,
+                  h.at[0].text);
     }
 }
 
@@ -328,8 +306,8 @@ Test(text, no_slips)
         "seat <= 1\nseta <= 1\nsaet <= 1\nesat <= 1",
     };
     for (size_t i = 0; i < COUNT(texts); i++) {
-        heard h = warnings(texts[i]);
-        cr_expect(h.n == 0, "%s: %s", texts[i], h.last.text);
+        warnings h = parse_warnings(FMB_FORMAT_TEXT, texts[i]);
+        cr_expect(h.n == 0, "%s: %s", texts[i], h.at[0].text);
     }
 }
 
@@ -344,7 +322,7 @@ Test(text, slips_among_many)
         fprintf(f, "%c%c%c%cname <= 1\n", 'a' + i % 26, 'a' + i / 26 % 26, 'a' + i / 676 % 26,
                 'a' + i / 17576);
     fclose(f);
-    cr_expect(warnings(many).n == 0);
+    cr_expect(parse_warnings(FMB_FORMAT_TEXT, many).n == 0);
     free(many);
     check_every_failure(FMB_FORMAT_TEXT, text, sizeof text - 1, FMB_OK);
 }
