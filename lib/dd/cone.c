@@ -85,8 +85,7 @@ fmb_status fmb_cone_init(fmb_cone *c, fmb_run *run, const fmb_cone_problem *of)
             c->weight[i] += fmb_vec_sgn(of->row[i].v, k) != 0;
     for (size_t k = 0; k < c->lefts; k++)
         c->left[k] = k;
-    fmb_status st = fmb_num_init(&c->num, mem, width, of->wide_only);
-    c->num.kernels = run->kernels;
+    fmb_status st = fmb_run_open_num(run, &c->num, width, of->wide_only);
     return st == FMB_OK ? write_unit_lines(c) : st;
 }
 

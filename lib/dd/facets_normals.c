@@ -37,10 +37,9 @@ static fmb_status find_normals_of_share(void *self, size_t k, fmb_run *run)
 {
     normals *w = self;
     fmb_num num;
-    fmb_status st = fmb_num_init(&num, run->mem, w->f->d + 1, false);
+    fmb_status st = fmb_run_open_num(run, &num, w->f->d + 1, false);
     if (st != FMB_OK)
         return st;
-    num.kernels = run->kernels;
     st = find_normals_by(w, k, &num, run);
     fmb_num_clear(&num);
     return st;

@@ -123,10 +123,9 @@ fmb_status fmb_facets_init(fmb_facets *f, fmb_run *run, size_t d)
 {
     fmb_mem *mem = run->mem;
     *f = (fmb_facets){.run = run, .d = d, .words = 1, .common_words = 1};
-    fmb_status st = fmb_num_init(&f->num, mem, d + 1, false);
+    fmb_status st = fmb_run_open_num(run, &f->num, d + 1, false);
     if (st != FMB_OK)
         return st;
-    f->num.kernels = run->kernels;
     f->g.s = fmb_mem_zero(mem, d, sizeof *f->g.s);
     f->near = fmb_mem_get(mem, d, sizeof *f->near);
     f->common = fmb_mem_get(mem, f->words, sizeof *f->common);

@@ -114,7 +114,7 @@ static fmb_status open_image(fmb_image *m, fmb_run *run, size_t n, size_t words,
 {
     *m = (fmb_image){.run = run, .n = n, .words = words};
     fmb_arena_init(&m->arena, run->mem);
-    fmb_status st = fmb_num_init(&m->num, run->mem, n, wide_only);
+    fmb_status st = fmb_run_open_num(run, &m->num, n, wide_only);
     if (st != FMB_OK)
         return st;
     m->ray = fmb_arena_get(&m->arena, rays, sizeof *m->ray);

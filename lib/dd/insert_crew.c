@@ -7,14 +7,12 @@
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
-static fmb_status equip_share(fmb_cone *c, fmb_crew_share *p, fmb_mem *mem)
+static fmb_status equip_share(fmb_cone *c, fmb_crew_share *p, fmb_run *run)
 {
-    p->negatives = fmb_mem_get(mem, c->of.m, sizeof *p->negatives);
+    p->negatives = fmb_mem_get(run->mem, c->of.m, sizeof *p->negatives);
     if (!p->negatives)
-        return fmb_mem_status(mem);
-    fmb_status st = fmb_num_init(&p->num, mem, c->ray.width, c->of.wide_only);
-    p->num.kernels = c->run->kernels;
-    return st;
+        return fmb_mem_status(run->mem);
+    return fmb_run_open_num(run, &p->num, c->ray.width, c->of.wide_only);
 }
 
 fmb_status fmb_crew_hire(fmb_cone *c)
@@ -26,7 +24,7 @@ fmb_status fmb_crew_hire(fmb_cone *c)
     w->m = c->of.m;
     fmb_status st = fmb_team_open(&w->team, c->run, FMB_CREW_SHARES);
     for (size_t k = 0; st == FMB_OK && k < FMB_CREW_SHARES; k++)
-        st = equip_share(c, &w->share[k], &w->team.share[k].mem);
+        st = equip_share(c, &w->share[k], &w->team.share[k].run);
     return st;
 }
 

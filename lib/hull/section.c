@@ -146,7 +146,7 @@ fmb_status fmb_section_open(fmb_section *c, fmb_run *run, const fmb_vec *row, si
     *c = (fmb_section){.run = run, .d = d, .m = m, .row = row};
     fmb_arena_init(&c->arena, run->mem);
     fmb_program_init(&c->program, run->mem, 0);
-    fmb_status st = fmb_num_init(&c->num, run->mem, d, false);
+    fmb_status st = fmb_run_open_num(run, &c->num, d, false);
     if (st == FMB_OK)
         st = make_room_for_section(c);
     if (st == FMB_OK)

@@ -72,7 +72,7 @@ fmb_status fmb_support_know_rows(fmb_support *s, const fmb_program *p)
         return fmb_mem_status(mem);
     for (size_t at = 0; at <= w->mask; at++)
         w->table[at] = NO_ROW;
-    fmb_status st = fmb_num_init(&w->num, mem, (size_t)p->n + 1, false);
+    fmb_status st = fmb_run_open_num(s->run, &w->num, (size_t)p->n + 1, false);
     for (size_t i = 0; st == FMB_OK && i < p->m; i++)
         st = know_row(s, p, i);
     return st;

@@ -2,6 +2,7 @@
  * entry vanishes. Three widths, one formula; see vec.h.
  */
 #include "num/gcd.h"
+#include "num/long_gcd.h"
 #include "num/vec.h"
 
 static fmb_status store_scratch(fmb_vec *dst, size_t n, fmb_num *k, fmb_u128 all)
@@ -97,14 +98,16 @@ static mpz_srcptr entry_as_mpz(const fmb_vec *v, size_t i, mpz_t room)
 static fmb_status cancel_in_gmp(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size_t n,
                                 size_t c, fmb_num *k)
 {
+    fmb_vec_get(a, c, k->q);
+    fmb_vec_get(b, c, k->p);
+    fmb_status st = fmb_long_gcd(k->t, k->p, k->q, &k->poll);
+    if (st != FMB_OK)
+        return st;
     mpz_t *z = dst->z; /* entry i is read before it is written: dst may be a */
     if (!z)
         z = fmb_vec_block(n, k->mem);
     if (!z)
         return fmb_mem_status(k->mem);
-    fmb_vec_get(a, c, k->q);
-    fmb_vec_get(b, c, k->p);
-    mpz_gcd(k->t, k->p, k->q);
     mpz_divexact(k->p, k->p, k->t);
     mpz_divexact(k->q, k->q, k->t);
     if (mpz_sgn(k->p) < 0)

@@ -1,6 +1,8 @@
 /* integers.c: vectors of integers; see integers.h. */
 #include "num/integers.h"
 
+#include "num/long_gcd.h"
+
 fmb_status fmb_integers_init(fmb_integers *v, size_t n, fmb_mem *mem)
 {
     *v = (fmb_integers){.z = fmb_mem_get(mem, n, sizeof *v->z)};
@@ -34,30 +36,36 @@ fmb_status fmb_integers_settle(fmb_integers *v, fmb_mem *mem)
     return FMB_OK;
 }
 
-void fmb_integers_cancel(mpz_t *x, size_t n, mpz_t den)
+fmb_status fmb_integers_cancel(mpz_t *x, size_t n, mpz_t den, const fmb_poll *poll)
 {
     mpz_t common;
+    fmb_status st = FMB_OK;
     mpz_init_set(common, den);
-    for (size_t k = 0; k < n && mpz_cmp_ui(common, 1) != 0; k++)
+    for (size_t k = 0; st == FMB_OK && k < n && mpz_cmp_ui(common, 1) != 0; k++)
         if (mpz_sgn(x[k]) != 0)
-            mpz_gcd(common, common, x[k]);
-    if (mpz_cmp_ui(common, 1) != 0) {
+            st = fmb_long_gcd(common, common, x[k], poll);
+    if (st == FMB_OK && mpz_cmp_ui(common, 1) != 0) {
         for (size_t k = 0; k < n; k++)
             mpz_divexact(x[k], x[k], common);
         mpz_divexact(den, den, common);
     }
     mpz_clear(common);
+    return st;
 }
 
-void fmb_integers_reduce(mpz_t *z, size_t n, mpz_t divisor)
+fmb_status fmb_integers_reduce(mpz_t *z, size_t n, mpz_t divisor, const fmb_poll *poll)
 {
+    fmb_status st = FMB_OK;
     mpz_set_ui(divisor, 0);
-    for (size_t j = 0; j < n && mpz_cmp_ui(divisor, 1) != 0; j++)
+    for (size_t j = 0; st == FMB_OK && j < n && mpz_cmp_ui(divisor, 1) != 0; j++)
         if (mpz_sgn(z[j]) != 0)
-            mpz_gcd(divisor, divisor, z[j]);
+            st = fmb_long_gcd(divisor, divisor, z[j], poll);
+    if (st != FMB_OK)
+        return st;
     if (mpz_sgn(divisor) == 0)
         mpz_set_ui(divisor, 1);
     for (size_t j = 0; j < n && mpz_cmp_ui(divisor, 1) != 0; j++)
         if (mpz_sgn(z[j]) != 0)
             mpz_divexact(z[j], z[j], divisor);
+    return FMB_OK;
 }

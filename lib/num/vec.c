@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "num/gcd.h"
+#include "num/long_gcd.h"
 
 fmb_status fmb_num_init(fmb_num *k, fmb_mem *mem, size_t n, bool wide_only)
 {
@@ -209,9 +210,12 @@ fmb_status fmb_vec_reduce(fmb_vec *v, size_t n, fmb_num *k)
         return k->wide_only ? fmb_vec_widen(v, n, k->mem) : FMB_OK;
     }
     size_t bits = 0;
+    fmb_status st = FMB_OK;
     mpz_set_ui(k->t, 0);
-    for (size_t i = 0; i < n && mpz_cmp_ui(k->t, 1) != 0; i++)
-        mpz_gcd(k->t, k->t, v->z[i]);
+    for (size_t i = 0; st == FMB_OK && i < n && mpz_cmp_ui(k->t, 1) != 0; i++)
+        st = fmb_long_gcd(k->t, k->t, v->z[i], &k->poll);
+    if (st != FMB_OK)
+        return st;
     for (size_t i = 0; i < n; i++) {
         if (mpz_cmp_ui(k->t, 1) > 0)
             mpz_divexact(v->z[i], v->z[i], k->t);

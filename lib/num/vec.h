@@ -11,6 +11,7 @@
 #include <gmp.h>
 
 #include "base/mem.h"
+#include "base/poll.h"
 #include "num/kernels.h"
 #include "num/word.h"
 
@@ -32,6 +33,7 @@ typedef struct fmb_num {
     bool wide_only;             /* keep every vec wide (options.arith = gmp) */
     const fmb_kernels *kernels; /* the best that there are, unless the owner takes others */
     uint64_t promotions;        /* small vecs that became wide */
+    fmb_poll poll;              /* asked within operations on long numbers; at first nobody is */
     mpz_t p, q, t;              /* scratch */
     fmb_i128 *scratch;          /* [scratch_size] */
     size_t scratch_size;
@@ -78,7 +80,8 @@ fmb_status fmb_vec_widen(fmb_vec *v, size_t n, fmb_mem *mem);
 fmb_status fmb_vec_drop_entry(fmb_vec *v, size_t n, size_t c, fmb_mem *mem);
 
 /* Divide by the greatest common divisor of the entries; a vec of zeros stays. Wide vecs that fit
- * become small again unless k->wide_only. */
+ * become small again unless k->wide_only. Errors: MEMORY, LIMIT, what k->poll says; the vec is good
+ * in any case. */
 fmb_status fmb_vec_reduce(fmb_vec *v, size_t n, fmb_num *k);
 
 /* dst = (|b_c|/g) a - sgn(a_c b_c) (|a_c|/g) b with g = gcd(a_c, b_c), which makes entry c zero,

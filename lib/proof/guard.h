@@ -5,17 +5,7 @@
 #include <fmb/proof.h>
 
 #include "base/mem.h"
-
-/* Somebody to ask from time to time whether to go on: anything but FMB_OK ends it. */
-typedef struct fmb_poll {
-    fmb_status (*ask)(void *with); /* NULL: for ever */
-    void *with;
-} fmb_poll;
-
-static inline fmb_status fmb_poll_ask(const fmb_poll *p)
-{
-    return p->ask ? p->ask(p->with) : FMB_OK;
-}
+#include "base/poll.h"
 
 /* A caller's patience, from the moment it began to wait. */
 typedef struct fmb_guard {

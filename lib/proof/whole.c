@@ -199,8 +199,9 @@ static fmb_status find_rank(assembly *a, fmb_integers *v, size_t n, size_t *foun
                 mpz_mul(v[i].z[k], v[i].z[k], chosen.z[c]);
                 mpz_addmul(v[i].z[k], a->z, chosen.z[k]);
             }
-            fmb_integers_reduce(v[i].z, v[i].size, a->t);
-            st = fmb_poll_ask(a->poll);
+            st = fmb_integers_reduce(v[i].z, v[i].size, a->t, a->poll);
+            if (st == FMB_OK)
+                st = fmb_poll_ask(a->poll);
         }
     }
     *found = rank;
@@ -259,7 +260,7 @@ static fmb_status write_out_numbers(assembly *a)
     for (size_t g = 0; st == FMB_OK && g < a->corners; g++) {
         st = gather_corner(a, a->corner[g], a->column, a->width, &a->vector[g]);
         if (st == FMB_OK)
-            fmb_integers_reduce(a->vector[g].z, a->vector[g].size, a->t);
+            st = fmb_integers_reduce(a->vector[g].z, a->vector[g].size, a->t, a->poll);
     }
     return st;
 }

@@ -52,6 +52,24 @@ fmb_status fmb_run_poll(fmb_run *run)
     return fmb_run_poll_now(run);
 }
 
+static fmb_status ask_run(void *run)
+{
+    return fmb_run_poll_now(run);
+}
+
+fmb_poll fmb_run_asked(fmb_run *run)
+{
+    return (fmb_poll){ask_run, run};
+}
+
+fmb_status fmb_run_open_num(fmb_run *run, fmb_num *k, size_t n, bool wide_only)
+{
+    fmb_status st = fmb_num_init(k, run->mem, n, wide_only);
+    k->kernels = run->kernels;
+    k->poll = fmb_run_asked(run);
+    return st;
+}
+
 /* Of the time that is left, one in so many seconds. */
 #define RESERVED 16
 

@@ -14,7 +14,8 @@
 #include <fmb/trace.h>
 
 #include "base/mem.h"
-#include "num/kernels.h"
+#include "base/poll.h"
+#include "num/vec.h"
 
 typedef struct fmb_run {
     fmb_mem *mem;
@@ -65,6 +66,11 @@ static inline fmb_status fmb_poll_if_limited(fmb_run *run)
 {
     return run ? fmb_run_poll_now(run) : FMB_OK;
 }
+/* Somebody to ask: the query, with the clock read each time. */
+fmb_poll fmb_run_asked(fmb_run *run);
+/* What operations of the query on vecs of at most n entries need: with its memory and kernels, and
+ * the query is asked within long ones. In any case fmb_num_clear it. Errors: MEMORY, LIMIT. */
+fmb_status fmb_run_open_num(fmb_run *run, fmb_num *k, size_t n, bool wide_only);
 /* Keep a share of the time that is left for what follows a limit: fmb_run_go_on. */
 void fmb_run_reserve(fmb_run *run);
 /* After a limit: go on, with the time that was kept; false after a cancel, as then nothing goes on.

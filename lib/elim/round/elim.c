@@ -48,8 +48,7 @@ fmb_status fmb_elim_init(fmb_elim *e, fmb_run *run, fmb_arena *arena, int n,
     memset(e->gone, 0, e->var_words * sizeof *e->gone);
     fmb_status st = hire_rules(e, o);
     if (st == FMB_OK)
-        st = fmb_num_init(&e->num, run->mem, (size_t)n + 1, o->wide_only);
-    e->num.kernels = run->kernels;
+        st = fmb_run_open_num(run, &e->num, (size_t)n + 1, o->wide_only);
     return st;
 }
 

@@ -140,7 +140,7 @@ fmb_status fmb_lp_init(fmb_lp *lp, fmb_run *run, int n, size_t m, const fmb_lp_r
                        bool wide_only)
 {
     *lp = (fmb_lp){.run = run, .n = n, .m = m, .source = rows, .at_row = SIZE_MAX};
-    fmb_status st = fmb_num_init(&lp->num, run->mem, fmb_lp_width(lp), wide_only);
+    fmb_status st = fmb_run_open_num(run, &lp->num, fmb_lp_width(lp), wide_only);
     if (st == FMB_OK)
         st = allocate_dictionary(lp);
     for (size_t i = 0; st == FMB_OK && i < m; i++) {

@@ -153,6 +153,6 @@ fmb_status fmb_minors_solve(fmb_minors *f, fmb_run *run, bool transposed, mpz_t 
             mpz_neg(x[at[k]], f->y.z[k]);
         else
             mpz_set(x[at[k]], f->y.z[k]);
-    fmb_integers_cancel(x, f->n, den);
-    return FMB_OK;
+    const fmb_poll poll = fmb_run_asked(run);
+    return fmb_integers_cancel(x, f->n, den, &poll);
 }

@@ -75,6 +75,5 @@ bool fmb_substitute(const fmb_triangle *t, mpz_t *right, const int *right_at, co
         else
             mpz_set_ui(x[at[k]], 0);
     }
-    fmb_integers_cancel(x, n, den);
-    return true;
+    return fmb_integers_cancel(x, n, den, NULL) == FMB_OK; /* den is short */
 }

@@ -70,8 +70,9 @@ fmb_status fmb_note_end(fmb_bound_job *j, fmb_found_end *f)
     mpq_set(j->end->value, f->value);
     j->end->attained = f->attained;
     if (j->q->claims) {
-        fmb_query_take_oracle_weights(j->q, j->p, &f->w);
-        st = fmb_bound_claim(j, &f->w);
+        st = fmb_query_take_oracle_weights(j->q, j->p, &f->w);
+        if (st == FMB_OK)
+            st = fmb_bound_claim(j, &f->w);
     }
     if (st == FMB_OK)
         j->end->kind = FMB_END_FINITE;

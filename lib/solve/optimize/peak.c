@@ -68,8 +68,7 @@ static fmb_status read_peak_of_oracle(fmb_query *q, const fmb_part *p, const fmb
     if (!q->claims)
         return FMB_OK;
     fmb_status st = fmb_oracle_multipliers(o, &k->w);
-    fmb_query_take_oracle_weights(q, p, &k->w);
-    return st;
+    return st == FMB_OK ? fmb_query_take_oracle_weights(q, p, &k->w) : st;
 }
 
 fmb_status fmb_peak_by_oracle(fmb_query *q, const fmb_goal *g, int part, fmb_peak *k)

@@ -109,7 +109,7 @@ fmb_status fmb_wider_init(fmb_wider *w, fmb_query *q, int part, const fmb_goal *
     p->var[n] = -1;
     p->rel[from->m] = FMB_EQ;
     p->source[from->m] = from->source[0];
-    st = fmb_num_init(&k, w->mem, 1, fmb_query_is_wide(q));
+    st = fmb_run_open_num(&q->run, &k, 1, fmb_query_is_wide(q));
     if (st == FMB_OK)
         st = fill_wider_rows(p, q, from, g, &k);
     fmb_num_clear(&k);

@@ -37,6 +37,7 @@
 #include "solve/project/canonical.h"
 
 #include "num/integers.h"
+#include "num/long_gcd.h"
 #include "num/rationals.h"
 
 /* The equations of the image on their way to echelon form. */
@@ -48,6 +49,7 @@ typedef struct echelon {
     size_t *at;    /* [size] their numbers in the image; in the end that of each with a pivot */
     size_t *pivot; /* [rank] columns, increasing */
     mpz_t p, a, g; /* scratch */
+    fmb_poll poll; /* the query */
 } echelon;
 
 /* ---- integers -------------------------------------------------------------------------------- */
@@ -129,7 +131,9 @@ static void combine_origins(echelon *e, mpq_t *of, mpq_t *other)
 static fmb_status clear_entry(echelon *e, size_t i, size_t k, size_t j)
 {
     mpz_t *to = e->row[i].z, *by = e->row[k].z;
-    mpz_gcd(e->g, to[j], by[j]);
+    fmb_status st = fmb_long_gcd(e->g, to[j], by[j], &e->poll);
+    if (st != FMB_OK)
+        return st;
     mpz_divexact(e->p, by[j], e->g);
     mpz_divexact(e->a, to[j], e->g);
     for (size_t c = 0; c <= e->n; c++) {
@@ -138,9 +142,11 @@ static fmb_status clear_entry(echelon *e, size_t i, size_t k, size_t j)
         if (mpz_sgn(by[c]) != 0)
             mpz_submul(to[c], e->a, by[c]);
     }
-    fmb_integers_reduce(to, e->n + 1, e->g);
+    st = fmb_integers_reduce(to, e->n + 1, e->g, &e->poll);
+    if (st != FMB_OK)
+        return st;
     combine_origins(e, e->of[i], e->of[k]);
-    fmb_status st = fmb_integers_settle(&e->row[i], e->c->q->run.mem);
+    st = fmb_integers_settle(&e->row[i], e->c->q->run.mem);
     return st == FMB_OK ? fmb_run_poll(&e->c->q->run) : st;
 }
 
@@ -174,14 +180,17 @@ static fmb_status bring_to_echelon_form(echelon *e)
 }
 
 /* Coprime, the pivot positive. */
-static void normalize_equation(echelon *e, size_t k)
+static fmb_status normalize_equation(echelon *e, size_t k)
 {
     mpz_t *z = e->row[k].z;
-    fmb_integers_reduce(z, e->n + 1, e->g);
+    fmb_status st = fmb_integers_reduce(z, e->n + 1, e->g, &e->poll);
+    if (st != FMB_OK)
+        return st;
     mpz_set_si(e->p, mpz_sgn(z[e->pivot[k]]));
     for (size_t j = 0; mpz_sgn(e->p) < 0 && j <= e->n; j++)
         mpz_neg(z[j], z[j]);
     combine_origins(e, e->of[k], NULL);
+    return FMB_OK;
 }
 
 static fmb_status append_equation(echelon *e, size_t k)
@@ -204,8 +213,9 @@ static fmb_status replace_equations(echelon *e)
     size_t rows = e->c->image->rows;
     fmb_status st = FMB_OK;
     for (size_t k = 0; st == FMB_OK && k < e->rank; k++) {
-        normalize_equation(e, k);
-        st = append_equation(e, k);
+        st = normalize_equation(e, k);
+        if (st == FMB_OK)
+            st = append_equation(e, k);
     }
     while (st != FMB_OK && e->c->image->rows > rows)
         fmb_claimed_rows_drop(e->c, e->c->image->rows - 1);
@@ -218,18 +228,33 @@ static fmb_status replace_equations(echelon *e)
 
 /* ---- inequalities ---------------------------------------------------------------------------- */
 
+/* e->p becomes a multiple of what z[] must be multiplied by to be 0 in pivot k. */
+static fmb_status multiply_by_pivot(echelon *e, size_t k, mpz_t *z)
+{
+    mpz_srcptr pivot = e->row[k].z[e->pivot[k]];
+    fmb_status st = fmb_long_gcd(e->g, z[e->pivot[k]], pivot, &e->poll);
+    if (st != FMB_OK)
+        return st;
+    mpz_divexact(e->a, pivot, e->g);
+    st = fmb_long_gcd(e->g, e->p, e->a, &e->poll);
+    if (st != FMB_OK)
+        return st;
+    mpz_divexact(e->a, e->a, e->g);
+    mpz_mul(e->p, e->p, e->a);
+    mpz_abs(e->p, e->p);
+    return FMB_OK;
+}
+
 /* z[] becomes 0 in the pivots: it is multiplied by *own, and an equation by what is added to w. */
 static fmb_status subtract_equations(echelon *e, mpz_t *z, mpq_t own, fmb_weights *w)
 {
     fmb_status st = FMB_OK;
     mpq_t factor;
     mpz_set_ui(e->p, 1);
-    for (size_t k = 0; k < e->rank; k++) {
-        mpz_srcptr pivot = e->row[k].z[e->pivot[k]];
-        mpz_gcd(e->g, z[e->pivot[k]], pivot);
-        mpz_divexact(e->g, pivot, e->g);
-        mpz_lcm(e->p, e->p, e->g);
-    }
+    for (size_t k = 0; st == FMB_OK && k < e->rank; k++)
+        st = multiply_by_pivot(e, k, z);
+    if (st != FMB_OK)
+        return st;
     for (size_t j = 0; j <= e->n; j++)
         mpz_mul(z[j], z[j], e->p);
     mpq_set_z(own, e->p);
@@ -261,8 +286,9 @@ static fmb_status reduce_inequality(echelon *e, size_t i, mpz_t *z)
     fmb_status st = subtract_equations(e, z, own, &w);
     if (st == FMB_OK)
         st = fmb_weights_add(&w, (uint32_t)i, own, mem);
-    fmb_integers_reduce(z, e->n + 1, mpq_numref(content));
-    for (size_t k = 0; k < w.size; k++)
+    if (st == FMB_OK)
+        st = fmb_integers_reduce(z, e->n + 1, mpq_numref(content), &e->poll);
+    for (size_t k = 0; st == FMB_OK && k < w.size; k++)
         mpq_div(w.value[k], w.value[k], content);
     if (st == FMB_OK)
         st = fmb_claimed_rows_append(e->c, z, e->c->image->row[i].rel, &w);
@@ -273,21 +299,24 @@ static fmb_status reduce_inequality(echelon *e, size_t i, mpz_t *z)
     return st == FMB_OK ? fmb_run_poll(&e->c->q->run) : st;
 }
 
-/* Does the row name a pivot, or have a common divisor? */
-static bool is_reduced(echelon *e, const fmb_sysrow *r)
+/* *reduced: the row names no pivot, and has no common divisor. */
+static fmb_status judge_row(echelon *e, const fmb_sysrow *r, bool *reduced)
 {
+    fmb_status st = FMB_OK;
+    *reduced = false;
     for (size_t k = 0, p = 0; k < r->nnz; k++) {
         while (p < e->rank && e->pivot[p] < (size_t)r->var[k])
             p++;
         if (p < e->rank && e->pivot[p] == (size_t)r->var[k])
-            return false;
+            return FMB_OK;
     }
     mpz_set_ui(e->g, 0);
-    for (size_t k = 0; k <= r->nnz && mpz_cmp_ui(e->g, 1) != 0; k++) {
+    for (size_t k = 0; st == FMB_OK && k <= r->nnz && mpz_cmp_ui(e->g, 1) != 0; k++) {
         fmb_vec_get(&r->val, k, e->a);
-        mpz_gcd(e->g, e->g, e->a);
+        st = fmb_long_gcd(e->g, e->g, e->a, &e->poll);
     }
-    return mpz_cmp_ui(e->g, 1) == 0;
+    *reduced = mpz_cmp_ui(e->g, 1) == 0;
+    return st;
 }
 
 static fmb_status reduce_inequalities(echelon *e)
@@ -297,7 +326,10 @@ static fmb_status reduce_inequalities(echelon *e)
     fmb_status st = fmb_integers_init(&z, e->n + 1, mem);
     for (size_t i = 0; st == FMB_OK && i < e->c->image->rows; i++) {
         const fmb_sysrow *r = &e->c->image->row[i];
-        if (r->rel != FMB_EQ && !is_reduced(e, r))
+        bool reduced = true;
+        if (r->rel != FMB_EQ)
+            st = judge_row(e, r, &reduced);
+        if (st == FMB_OK && !reduced)
             st = reduce_inequality(e, i, z.z);
         if (st == FMB_OK)
             st = fmb_integers_settle(&z, mem);
@@ -310,7 +342,7 @@ static fmb_status reduce_inequalities(echelon *e)
 
 static fmb_status reduce_rows(fmb_claimed_rows *c)
 {
-    echelon e = {.c = c, .n = (size_t)fmb_system_dim(c->image)};
+    echelon e = {.c = c, .n = (size_t)fmb_system_dim(c->image), .poll = fmb_run_asked(&c->q->run)};
     for (size_t i = 0; i < c->image->rows; i++)
         e.size += c->image->row[i].rel == FMB_EQ;
     fmb_status st = open_echelon(&e);

@@ -122,15 +122,10 @@ static fmb_status find_middle(whole_proof *w, const bool *on)
     return fmb_integers_settle(&w->y, w->q->run.mem);
 }
 
-static fmb_status poll_run(void *run)
-{
-    return fmb_run_poll(run);
-}
-
 /* Ask the judge; while all that it misses is a point above some face, give it one. */
 static fmb_status satisfy_judge(whole_proof *w, size_t claim)
 {
-    const fmb_poll poll = {poll_run, &w->q->run};
+    const fmb_poll poll = fmb_run_asked(&w->q->run);
     fmb_evidence *e = w->q->claims;
     size_t room = e->claims + MOST_MIDDLES;
     bool *on = fmb_mem_zero(w->q->run.mem, room, sizeof *on), more = on != NULL;

@@ -300,9 +300,10 @@ static void find_faces_of_missing_ones(face_search *f)
 /* ---- rows ------------------------------------------------------------------------------------ */
 
 /* z[n + 1] = the sum of the facets that hold the face, over its content, which is also set. */
-static void sum_facets_of_face(const face_search *f, const excluded_face *face, mpz_t *z,
-                               mpz_t content)
+static fmb_status sum_facets_of_face(const face_search *f, const excluded_face *face, mpz_t *z,
+                                     mpz_t content)
 {
+    const fmb_poll poll = fmb_run_asked(&f->c->q->run);
     mpz_t a;
     mpz_init(a);
     for (size_t j = 0; j <= f->n; j++)
@@ -316,7 +317,7 @@ static void sum_facets_of_face(const face_search *f, const excluded_face *face, 
         }
     }
     mpz_clear(a);
-    fmb_integers_reduce(z, f->n + 1, content);
+    return fmb_integers_reduce(z, f->n + 1, content, &poll);
 }
 
 /* The multipliers in the proof at the head of this file, over the content. */
@@ -357,7 +358,7 @@ static fmb_status put_row_of_face(face_search *f, const excluded_face *face)
     mpz_init(content);
     fmb_status st = fmb_integers_init(&z, f->n + 1, mem);
     if (st == FMB_OK)
-        sum_facets_of_face(f, face, z.z, content);
+        st = sum_facets_of_face(f, face, z.z, content);
     if (st == FMB_OK)
         st = fmb_integers_settle(&z, mem);
     if (st == FMB_OK)

@@ -31,10 +31,11 @@ static fmb_status claim_support_row(fmb_queries *h, fmb_support_row *r)
         return FMB_OK;
     mpq_init(one);
     mpq_set_ui(one, 1, 1);
-    fmb_query_take_oracle_weights(h->q, h->p, &r->proof);
-    fmb_query_take_oracle_weights(h->q, h->p, &r->reverse);
-    fmb_status st =
-        fmb_query_claim_implied(h->q, h->p, &h->row, one, r->rel, &r->proof, &r->reverse);
+    fmb_status st = fmb_query_take_oracle_weights(h->q, h->p, &r->proof);
+    if (st == FMB_OK)
+        st = fmb_query_take_oracle_weights(h->q, h->p, &r->reverse);
+    if (st == FMB_OK)
+        st = fmb_query_claim_implied(h->q, h->p, &h->row, one, r->rel, &r->proof, &r->reverse);
     mpq_clear(one);
     return st;
 }

@@ -11,15 +11,16 @@ fmb_status fmb_query_push(fmb_query *q, const fmb_part *p, const fmb_weights *w,
     mpq_inits(t, unit, NULL);
     mpq_set_si(unit, sign, 1);
     if (target != SIZE_MAX) {
-        fmb_part_scale(q->s, p->source[target], t);
+        st = fmb_part_scale(q->s, p->source[target], &q->run, t);
         mpq_div(unit, unit, t);
     }
     for (size_t i = 0; st == FMB_OK && i < w->size; i++) {
         size_t source = p->source[w->index[i]];
-        fmb_part_scale(q->s, source, t);
+        st = fmb_part_scale(q->s, source, &q->run, t);
         mpq_mul(t, t, w->value[i]);
         mpq_mul(t, t, unit);
-        st = fmb_evidence_push(q->evidence, list, source, t);
+        if (st == FMB_OK)
+            st = fmb_evidence_push(q->evidence, list, source, t);
     }
     mpq_clears(t, unit, NULL);
     return st;

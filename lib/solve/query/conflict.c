@@ -26,7 +26,8 @@ static fmb_status take_conflict(fmb_query *q, const fmb_part *p, fmb_oracle *o, 
     fmb_status st = fmb_oracle_conflict(o, &less);
     for (size_t k = 0; st == FMB_OK && k < less.size; k++)
         less.index[k] = w->index[less.index[k]];
-    fmb_query_take_integer_weights(q, p, &less);
+    if (st == FMB_OK)
+        st = fmb_query_take_integer_weights(q, p, &less);
     if (st == FMB_OK) {
         fmb_weights all = *w;
         *w = less;

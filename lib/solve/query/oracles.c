@@ -56,15 +56,17 @@ fmb_status fmb_query_feasible_oracle(fmb_query *q, int part, fmb_oracle **out)
     return st == FMB_OK && !feasible ? FMB_LIMIT : st;
 }
 
-void fmb_query_take_integer_weights(const fmb_query *q, const fmb_part *p, fmb_weights *w)
+fmb_status fmb_query_take_integer_weights(fmb_query *q, const fmb_part *p, fmb_weights *w)
 {
+    fmb_status st = FMB_OK;
     mpq_t content;
     mpq_init(content);
-    for (size_t k = 0; k < w->size; k++) {
-        fmb_part_content(q->s, p->source[w->index[k]], mpq_numref(content));
+    for (size_t k = 0; st == FMB_OK && k < w->size; k++) {
+        st = fmb_part_content(q->s, p->source[w->index[k]], &q->run, mpq_numref(content));
         mpq_mul(w->value[k], w->value[k], content);
     }
     mpq_clear(content);
+    return st;
 }
 
 /* Rows of the system become such of the part, which has them in increasing order. */
@@ -80,13 +82,13 @@ static void number_rows_as_part(const fmb_part *p, fmb_weights *w)
     }
 }
 
-void fmb_query_take_oracle_weights(const fmb_query *q, const fmb_part *p, fmb_weights *w)
+fmb_status fmb_query_take_oracle_weights(fmb_query *q, const fmb_part *p, fmb_weights *w)
 {
     if (q->entered) {
         fmb_session_take_weights(q->session, w);
         number_rows_as_part(p, w);
     }
-    fmb_query_take_integer_weights(q, p, w);
+    return fmb_query_take_integer_weights(q, p, w);
 }
 
 fmb_status fmb_query_dictionary(fmb_query *q, int part, fmb_lp **out, bool *feasible)

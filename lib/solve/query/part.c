@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "num/long_gcd.h"
 #include "system/system_private.h"
 
 static int component_root(int *up, int j)
@@ -173,7 +174,7 @@ fmb_status fmb_part_load(fmb_part *p, const fmb_system *s, const int *place, fmb
         return FMB_ERR_MEMORY;
     p->row = fmb_mem_zero(run->mem, p->m, sizeof *p->row);
     p->words = p->row ? fmb_mem_zero(run->mem, cells, sizeof *p->words) : NULL;
-    fmb_status st = p->words ? fmb_num_init(&k, run->mem, 1, wide_only) : fmb_mem_status(run->mem);
+    fmb_status st = p->words ? fmb_run_open_num(run, &k, 1, wide_only) : fmb_mem_status(run->mem);
     if (!p->words) {
         fmb_mem_put(run->mem, p->row, p->m, sizeof *p->row);
         p->row = NULL;
@@ -201,25 +202,33 @@ void fmb_parts_clear(fmb_parts *p, fmb_mem *mem)
 
 /* ---- scale ----------------------------------------------------------------------------------- */
 
-void fmb_part_content(const fmb_system *s, size_t source, mpz_t content)
+fmb_status fmb_part_content(const fmb_system *s, size_t source, fmb_run *run, mpz_t content)
 {
     const fmb_sysrow *r = fmb_system_row(s, source);
+    const fmb_poll poll = fmb_run_asked(run);
+    fmb_status st = FMB_OK;
     mpz_t t;
     mpz_init(t);
     mpz_set_ui(content, 0);
-    for (size_t k = 0; k <= r->nnz && mpz_cmp_ui(content, 1) != 0; k++) {
+    for (size_t k = 0; st == FMB_OK && k <= r->nnz && mpz_cmp_ui(content, 1) != 0; k++) {
         fmb_vec_get(&r->val, k, t);
-        mpz_gcd(content, content, t);
+        st = fmb_long_gcd(content, content, t, &poll);
     }
     mpz_clear(t);
+    return st;
 }
 
 /* The row as written is ints / den, the part's row ints / g with g the greatest common divisor of
  * coefficients and right side: so a multiplier u of the latter is u den / g of the former. */
-void fmb_part_scale(const fmb_system *s, size_t source, mpq_t factor)
+fmb_status fmb_part_scale(const fmb_system *s, size_t source, fmb_run *run, mpq_t factor)
 {
     const fmb_sysrow *r = fmb_system_row(s, source);
-    fmb_part_content(s, source, mpq_denref(factor));
+    fmb_status st = fmb_part_content(s, source, run, mpq_denref(factor));
+    if (st != FMB_OK) {
+        mpq_set_ui(factor, 1, 1);
+        return st;
+    }
     fmb_vec_get(&r->val, r->nnz + 1, mpq_numref(factor));
     mpq_canonicalize(factor);
+    return FMB_OK;
 }

@@ -43,14 +43,15 @@ fmb_status fmb_parts_split(fmb_parts *p, const fmb_system *s, fmb_run *run, fmb_
 void fmb_parts_clear(fmb_parts *p, fmb_mem *mem);
 
 /* Write the rows of a part out, unless they are: place[dim] as in fmb_parts; what is wanted behind
- * a limit is not stopped by it. Errors: MEMORY, LIMIT. */
+ * a limit is not stopped by it, unless numbers are long (num/long_gcd.h). Errors: MEMORY, LIMIT. */
 fmb_status fmb_part_load(fmb_part *p, const fmb_system *s, const int *place, fmb_run *run,
                          bool wide_only);
 
-/* The greatest common divisor of coefficients and right side, as the system holds them. */
-void fmb_part_content(const fmb_system *s, size_t source, mpz_t content);
+/* The greatest common divisor of coefficients and right side, as the system holds them. Errors:
+ * LIMIT. */
+fmb_status fmb_part_content(const fmb_system *s, size_t source, fmb_run *run, mpz_t content);
 /* The factor that turns a multiplier of the part's primitive row into one of row `source` as
- * written. */
-void fmb_part_scale(const fmb_system *s, size_t source, mpq_t factor);
+ * written. Errors: LIMIT. */
+fmb_status fmb_part_scale(const fmb_system *s, size_t source, fmb_run *run, mpq_t factor);
 
 #endif

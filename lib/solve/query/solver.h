@@ -118,10 +118,10 @@ fmb_status fmb_query_oracle(fmb_query *q, int part, fmb_oracle **out);
 fmb_status fmb_query_feasible_oracle(fmb_query *q, int part, fmb_oracle **out);
 fmb_status fmb_query_dictionary(fmb_query *q, int part, fmb_lp **out, bool *feasible);
 /* Weights of rows of a part, over integers of the system's rows, become such over the part's
- * primitive rows. */
-void fmb_query_take_integer_weights(const fmb_query *q, const fmb_part *p, fmb_weights *w);
+ * primitive rows. Errors, here and below: LIMIT. */
+fmb_status fmb_query_take_integer_weights(fmb_query *q, const fmb_part *p, fmb_weights *w);
 /* Weights as the oracle of a part gives them become such over the part's primitive rows. */
-void fmb_query_take_oracle_weights(const fmb_query *q, const fmb_part *p, fmb_weights *w);
+fmb_status fmb_query_take_oracle_weights(fmb_query *q, const fmb_part *p, fmb_weights *w);
 /* The oracle of the system that is loaded is asked no more by this query. */
 void fmb_query_leave_session(fmb_query *q, bool forget);
 /* The oracle and the dictionary of a part go. */

@@ -63,7 +63,8 @@ static fmb_status claim_oracle_conflict(fmb_query *q, const fmb_part *p, fmb_ora
     if (!q->evidence)
         return FMB_OK;
     fmb_status st = fmb_oracle_conflict(o, &w);
-    fmb_query_take_oracle_weights(q, p, &w);
+    if (st == FMB_OK)
+        st = fmb_query_take_oracle_weights(q, p, &w);
     if (st == FMB_OK)
         st = fmb_query_claim_infeasible(q, p, &w);
     fmb_weights_clear(&w, q->run.mem);

@@ -1,0 +1,340 @@
+/* long_gcd.c: greatest common divisors that somebody may wait for; see long_gcd.h.
+ *
+ * Euclid's quotients depend on the leading bits: those of the leading halves of two numbers, as
+ * long as the halves are longer than half of what they were, are quotients of the numbers. So a
+ * matrix of a quarter of the bits is found in half of them, by recursion; two such, the second in
+ * what the first leaves, make the two numbers half as long (half-gcd). Short pieces go by machine
+ * words.
+ *
+ * CLAIM. Whatever matrices are found in the halves, the result is right, and there is one.
+ *
+ * A matrix is a product of swaps, changes of sign, and of steps by which a multiple of one number
+ * is subtracted from the other: it is one of integers whose determinant is 1 or -1, and so both
+ * numbers and what it makes of them have the same divisors. What it makes of them is taken only if
+ * that is shorter, and each round has a division by the smaller number: so it ends. END
+ *
+ * Nothing else is promised of a matrix, so quotients near the end of a half need no correction:
+ * some of them are not those of the numbers, which costs a few bits. Only the matrix comes back
+ * from a half. What is between its two parts is computed in the bits that the second part reads.
+ *
+ * Source: Moeller 2008, On Schoenhage's algorithm and subquadratic integer gcd computation,
+ * Mathematics of Computation 77; Lehmer 1938 for the words.
+ */
+#include "num/long_gcd.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "num/word.h"
+
+/* So many bits go word by word, and so many take milliseconds. */
+#define WORDWISE_BITS ((size_t)3072)
+#define MOMENT_BITS   ((size_t)1 << 17)
+/* What leading words know [bits], and how many of them quotients use up at most. */
+#define WORD_BITS 62
+#define STEP_BITS 31
+/* What a product modulo a power of two may be longer than foreseen. */
+#define SPARE_BITS 64
+/* Of the numbers, one in so many bits is a piece whose matrix is found at a time. */
+#define PIECES 3
+
+/* row[0] and row[1], times a pair of numbers, make another pair. */
+typedef struct transform {
+    mpz_t at[2][2];
+} transform;
+
+typedef struct half_gcd {
+    const fmb_poll *poll;
+    mpz_t s[2]; /* scratch */
+} half_gcd;
+
+static void open_matrix(transform *m)
+{
+    mpz_init_set_ui(m->at[0][0], 1);
+    mpz_init_set_ui(m->at[0][1], 0);
+    mpz_init_set_ui(m->at[1][0], 0);
+    mpz_init_set_ui(m->at[1][1], 1);
+}
+
+static void close_matrix(transform *m)
+{
+    mpz_clears(m->at[0][0], m->at[0][1], m->at[1][0], m->at[1][1], NULL);
+}
+
+static size_t bits_of(const mpz_t z)
+{
+    return mpz_sgn(z) == 0 ? 0 : mpz_sizeinbase(z, 2);
+}
+
+static size_t longest_entry(const transform *m)
+{
+    size_t most = 0;
+    for (int i = 0; i < 4; i++) {
+        size_t bits = bits_of(m->at[i / 2][i % 2]);
+        most = bits > most ? bits : most;
+    }
+    return most;
+}
+
+static void negate_row(transform *m, int i)
+{
+    mpz_neg(m->at[i][0], m->at[i][0]);
+    mpz_neg(m->at[i][1], m->at[i][1]);
+}
+
+static void swap_rows(transform *m)
+{
+    mpz_swap(m->at[0][0], m->at[1][0]);
+    mpz_swap(m->at[0][1], m->at[1][1]);
+}
+
+/* a >= b >= 0 in place of what a step made of them. */
+static void put_in_order(transform *m, mpz_t a, mpz_t b)
+{
+    if (mpz_sgn(a) < 0) {
+        mpz_neg(a, a);
+        negate_row(m, 0);
+    }
+    if (mpz_sgn(b) < 0) {
+        mpz_neg(b, b);
+        negate_row(m, 1);
+    }
+    if (mpz_cmp(a, b) < 0) {
+        mpz_swap(a, b);
+        swap_rows(m);
+    }
+}
+
+/* One of Euclid's steps, whatever its quotient; b > 0. */
+static void divide_once(half_gcd *h, transform *m, mpz_t a, mpz_t b)
+{
+    mpz_tdiv_qr(h->s[0], a, a, b);
+    mpz_submul(m->at[0][0], h->s[0], m->at[1][0]);
+    mpz_submul(m->at[0][1], h->s[0], m->at[1][1]);
+    mpz_swap(a, b);
+    swap_rows(m);
+}
+
+/* ---- words ----------------------------------------------------------------------------------- */
+
+/* Sizes of the entries of a matrix of words, whose signs alternate: + in the corner at 0, 0 if
+ * even.
+ */
+typedef struct word_matrix {
+    uint32_t at[2][2];
+    bool odd;
+} word_matrix;
+
+/* From leading bits x >= y, x < 2^62. While y >= 2^31, an entry is at most 2^62 / 2^31, as the
+ * bits are its product with one of the next pair, and more. False: no step. */
+static bool step_through_words(word_matrix *w, uint64_t x, uint64_t y)
+{
+    uint64_t m[2][2] = {{1, 0}, {0, 1}};
+    bool odd = false, any = y >> STEP_BITS != 0;
+    while (y >> STEP_BITS != 0) {
+        uint64_t q = x / y, next = x - q * y;
+        for (int j = 0; j < 2; j++) {
+            uint64_t entry = m[0][j] + q * m[1][j];
+            m[0][j] = m[1][j];
+            m[1][j] = entry;
+        }
+        x = y;
+        y = next;
+        odd = !odd;
+    }
+    for (int i = 0; i < 4; i++)
+        w->at[i / 2][i % 2] = (uint32_t)m[i / 2][i % 2];
+    w->odd = odd;
+    return any;
+}
+
+/* (x, y) becomes its product with the matrix. */
+static void multiply_by_words(half_gcd *h, const word_matrix *w, mpz_t x, mpz_t y)
+{
+    mpz_ptr u = h->s[0], v = h->s[1];
+    mpz_mul_ui(u, x, w->at[0][0]);
+    mpz_submul_ui(u, y, w->at[0][1]);
+    mpz_mul_ui(v, y, w->at[1][1]);
+    mpz_submul_ui(v, x, w->at[1][0]);
+    if (w->odd) {
+        mpz_neg(u, u);
+        mpz_neg(v, v);
+    }
+    mpz_swap(x, u);
+    mpz_swap(y, v);
+}
+
+/* The leading bits of z, of which there are more, as a word. */
+static uint64_t leading_word(half_gcd *h, const mpz_t z, size_t cut)
+{
+    mpz_tdiv_q_2exp(h->s[0], z, cut);
+    return fmb_integer_low(h->s[0]);
+}
+
+/* a >= b >= 0 become half as long, nearly; m is the matrix by which they did. */
+static void halve_wordwise(half_gcd *h, transform *m, mpz_t a, mpz_t b)
+{
+    const size_t half = bits_of(a) / 2 + STEP_BITS;
+    for (size_t n = bits_of(a); n > half && n > WORD_BITS && bits_of(b) > half - STEP_BITS;
+         n = bits_of(a)) {
+        word_matrix w;
+        if (step_through_words(&w, leading_word(h, a, n - WORD_BITS),
+                               leading_word(h, b, n - WORD_BITS))) {
+            multiply_by_words(h, &w, a, b);
+            multiply_by_words(h, &w, m->at[0][0], m->at[1][0]);
+            multiply_by_words(h, &w, m->at[0][1], m->at[1][1]);
+            put_in_order(m, a, b);
+        } else {
+            divide_once(h, m, a, b);
+        }
+    }
+}
+
+/* ---- halves ---------------------------------------------------------------------------------- */
+
+/* z modulo 2^bits, with the least absolute value. */
+static void wrap(mpz_t z, size_t bits)
+{
+    mpz_fdiv_r_2exp(z, z, bits);
+    if (mpz_tstbit(z, bits - 1))
+        mpz_cdiv_r_2exp(z, z, bits);
+}
+
+/* to = p x + q y */
+static void combine(mpz_t to, const mpz_t p, const mpz_t x, const mpz_t q, const mpz_t y)
+{
+    mpz_mul(to, p, x);
+    mpz_addmul(to, q, y);
+}
+
+/* (a, b) becomes its product with the matrix, modulo 2^bits (0: not so). */
+static void multiply_pair(half_gcd *h, const transform *m, mpz_t a, mpz_t b, size_t bits)
+{
+    if (bits > 0) {
+        mpz_fdiv_r_2exp(a, a, bits);
+        mpz_fdiv_r_2exp(b, b, bits);
+    }
+    combine(h->s[0], m->at[0][0], a, m->at[0][1], b);
+    combine(h->s[1], m->at[1][0], a, m->at[1][1], b);
+    mpz_swap(a, h->s[0]);
+    mpz_swap(b, h->s[1]);
+    if (bits > 0) {
+        wrap(a, bits);
+        wrap(b, bits);
+    }
+}
+
+/* m = by m */
+static void multiply_matrix(half_gcd *h, const transform *by, transform *m)
+{
+    multiply_pair(h, by, m->at[0][0], m->at[1][0], 0);
+    multiply_pair(h, by, m->at[0][1], m->at[1][1], 0);
+}
+
+static fmb_status halve(half_gcd *h, transform *m, mpz_t a, mpz_t b);
+
+/* m becomes its product with the matrix of the leading bits of a and b behind `cut` of them. */
+static fmb_status halve_leading_bits(half_gcd *h, transform *m, const mpz_t a, const mpz_t b,
+                                     size_t cut)
+{
+    mpz_t x, y;
+    transform piece;
+    mpz_inits(x, y, NULL);
+    open_matrix(&piece);
+    mpz_tdiv_q_2exp(x, a, cut);
+    mpz_tdiv_q_2exp(y, b, cut);
+    fmb_status st = halve(h, &piece, x, y);
+    if (st == FMB_OK)
+        multiply_matrix(h, &piece, m);
+    close_matrix(&piece);
+    mpz_clears(x, y, NULL);
+    return st;
+}
+
+/* The matrix m, 1 at first, that makes a >= b >= 0 half as long, nearly. Both are used up.
+ *
+ * The first half tells the leading bits of what it makes of a and b: the longest entry of its
+ * matrix has t bits, so n/2 - t are left of n/2, and what the bits behind the half add has t more
+ * than those. So it needs not be computed beyond that, and a few bits for good measure. */
+static fmb_status halve(half_gcd *h, transform *m, mpz_t a, mpz_t b)
+{
+    const size_t n = bits_of(a), half = n / 2;
+    if (n <= WORDWISE_BITS) {
+        halve_wordwise(h, m, a, b);
+        return FMB_OK;
+    }
+    fmb_status st = n > MOMENT_BITS ? fmb_poll_ask(h->poll) : FMB_OK;
+    if (st == FMB_OK)
+        st = halve_leading_bits(h, m, a, b, n - half);
+    if (st != FMB_OK)
+        return st;
+    size_t t = longest_entry(m), left = half > 2 * t ? half - t : t;
+    multiply_pair(h, m, a, b, left + (n - half) + SPARE_BITS);
+    put_in_order(m, a, b);
+    t += bits_of(a) - bits_of(b);
+    if (mpz_sgn(b) == 0 || t >= half)
+        return FMB_OK;
+    divide_once(h, m, a, b);
+    size_t rest = bits_of(a), wanted = 2 * (half - t);
+    return halve_leading_bits(h, m, a, b, rest > wanted ? rest - wanted : 0);
+}
+
+/* ---- rounds ---------------------------------------------------------------------------------- */
+
+/* a >= b > 0 of the same divisors, shorter ones. */
+static fmb_status shorten(half_gcd *h, mpz_t a, mpz_t b)
+{
+    transform m;
+    mpz_t x, y;
+    size_t n = bits_of(a);
+    open_matrix(&m);
+    mpz_inits(x, y, NULL);
+    fmb_status st = halve_leading_bits(h, &m, a, b, n - n / PIECES);
+    if (st == FMB_OK) {
+        mpz_set(x, a);
+        mpz_set(y, b);
+        multiply_pair(h, &m, x, y, 0);
+        put_in_order(&m, x, y);
+        st = fmb_poll_ask(h->poll);
+    }
+    if (st == FMB_OK && bits_of(x) < n) {
+        mpz_swap(a, x);
+        mpz_swap(b, y);
+    }
+    close_matrix(&m);
+    mpz_clears(x, y, NULL);
+    return st;
+}
+
+static fmb_status reduce_long_pair(half_gcd *h, mpz_t a, mpz_t b)
+{
+    fmb_status st = FMB_OK;
+    while (st == FMB_OK && bits_of(b) > FMB_LONG_BITS) {
+        mpz_tdiv_r(a, a, b);
+        mpz_swap(a, b);
+        st = fmb_poll_ask(h->poll);
+        if (st == FMB_OK && mpz_sgn(b) != 0)
+            st = shorten(h, a, b);
+    }
+    return st;
+}
+
+fmb_status fmb_long_gcd(mpz_t out, const mpz_t a, const mpz_t b, const fmb_poll *poll)
+{
+    if (bits_of(a) <= FMB_LONG_BITS || bits_of(b) <= FMB_LONG_BITS) {
+        mpz_gcd(out, a, b);
+        return FMB_OK;
+    }
+    half_gcd h = {.poll = poll};
+    mpz_t x, y;
+    mpz_inits(x, y, h.s[0], h.s[1], NULL);
+    mpz_abs(x, a);
+    mpz_abs(y, b);
+    if (mpz_cmp(x, y) < 0)
+        mpz_swap(x, y);
+    fmb_status st = reduce_long_pair(&h, x, y);
+    if (st == FMB_OK)
+        mpz_gcd(out, x, y);
+    mpz_clears(x, y, h.s[0], h.s[1], NULL);
+    return st;
+}

@@ -1,0 +1,124 @@
+/* long_gcd.c: greatest common divisors of long numbers are those of GMP, and can be broken off. */
+#include "num/long_gcd.h"
+
+#include <criterion/criterion.h>
+#include <stdint.h>
+
+/* Says no at call `limit`. */
+typedef struct waiting {
+    size_t asked, limit;
+} waiting;
+
+static fmb_status ask(void *self)
+{
+    waiting *w = self;
+    return ++w->asked < w->limit ? FMB_OK : FMB_ERR_IO;
+}
+
+static mpz_t a, b, c;
+static gmp_randstate_t draw;
+
+static void open_numbers(void)
+{
+    mpz_inits(a, b, c, NULL);
+    gmp_randinit_default(draw);
+    gmp_randseed_ui(draw, 1);
+}
+
+static void close_numbers(void)
+{
+    mpz_clears(a, b, c, NULL);
+    gmp_randclear(draw);
+}
+
+TestSuite(long_gcd, .init = open_numbers, .fini = close_numbers);
+
+/* Of a and b, in both orders and into each of them; how often it asked. */
+static size_t check_pair(void)
+{
+    waiting w = {.limit = SIZE_MAX};
+    const fmb_poll poll = {ask, &w};
+    mpz_t truth, x;
+    mpz_inits(truth, x, NULL);
+    mpz_gcd(truth, a, b);
+    cr_assert_eq(fmb_long_gcd(c, a, b, &poll), FMB_OK);
+    cr_expect_eq(mpz_cmp(c, truth), 0);
+    size_t asked = w.asked;
+    mpz_set(x, b);
+    cr_assert_eq(fmb_long_gcd(x, x, a, NULL), FMB_OK);
+    cr_expect_eq(mpz_cmp(x, truth), 0);
+    mpz_set(x, b);
+    cr_assert_eq(fmb_long_gcd(x, a, x, &poll), FMB_OK);
+    cr_expect_eq(mpz_cmp(x, truth), 0);
+    mpz_clears(truth, x, NULL);
+    return asked;
+}
+
+Test(long_gcd, random_numbers)
+{
+    static const struct {
+        size_t a, b, common;
+    } bits[] = {
+        {1, 0, 1},           {1, 64, 100},        {300000, 300000, 7},  {524288, 524289, 0},
+        {524290, 524300, 1}, {800000, 700000, 0}, {600000, 2000000, 3}, {400000, 400000, 400000},
+        {10, 600000, 900000}};
+    for (size_t k = 0; k < sizeof bits / sizeof *bits; k++) {
+        mpz_urandomb(c, draw, bits[k].common);
+        mpz_add_ui(c, c, 1);
+        mpz_urandomb(a, draw, bits[k].a);
+        mpz_mul(a, a, c);
+        mpz_urandomb(b, draw, bits[k].b);
+        mpz_mul(b, b, c);
+        if (k % 2)
+            mpz_neg(a, a);
+        if (k % 3 == 2)
+            mpz_neg(b, b);
+        (void)check_pair();
+    }
+}
+
+/* Numbers whose quotients are not like those of random ones: of 1 alone, one that divides the
+ * other, ones with long quotients in between, and many of thousands of bits. */
+Test(long_gcd, odd_quotients)
+{
+    mpz_fib2_ui(a, b, 1200000);
+    (void)check_pair();
+    mpz_mul(a, b, b);
+    (void)check_pair();
+    mpz_ui_pow_ui(a, 10, 200000);
+    mpz_ui_pow_ui(b, 10, 180000);
+    mpz_add_ui(b, b, 1);
+    (void)check_pair();
+    mpz_set_ui(a, 0);
+    mpz_setbit(a, 700000);
+    mpz_set(b, a);
+    mpz_setbit(b, 350000);
+    mpz_setbit(b, 3);
+    (void)check_pair();
+    mpz_set_ui(a, 1);
+    mpz_set_ui(b, 0);
+    for (int k = 0; k < 300; k++) {
+        mpz_urandomb(c, draw, k % 7 ? 2000 : 9000);
+        mpz_addmul(b, a, c);
+        mpz_swap(a, b);
+    }
+    (void)check_pair();
+}
+
+/* mpz_gcd takes a third of a second and more: so a few tens of calls are one every few hundredths.
+ * Wherever it is broken off, nothing is written. */
+Test(long_gcd, asks_and_ends)
+{
+    mpz_urandomb(a, draw, 3322000);
+    mpz_urandomb(b, draw, 3322000);
+    size_t asked = check_pair();
+    cr_expect_geq(asked, 40, "%zu calls", asked);
+    mpz_set_ui(c, 17);
+    for (size_t limit = 1; limit <= asked; limit += limit < 3 ? 1 : asked / 4) {
+        waiting w = {.limit = limit};
+        const fmb_poll poll = {ask, &w};
+        cr_expect_eq(fmb_long_gcd(c, a, b, &poll), FMB_ERR_IO);
+        cr_expect_eq(w.asked, limit);
+        cr_expect_eq(mpz_cmp_ui(c, 17), 0);
+    }
+}
