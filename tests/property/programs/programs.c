@@ -7,8 +7,6 @@
  * Program i is made from seed i alone. Exit 1 on any disagreement, which is printed with its seed,
  * family and system.
  */
-#include <stdlib.h>
-#include <string.h>
 
 #include "crew.h"
 #include "study/program/program.h"
@@ -182,21 +180,13 @@ static bool job(void *self, uint64_t i, agree *g, uint64_t *failures)
     return *failures < GIVE_UP;
 }
 
-static bool number(const char *arg, const char *name, uint64_t *out)
-{
-    size_t n = strlen(name);
-    if (strncmp(arg, name, n) != 0)
-        return false;
-    *out = strtoull(arg + n, NULL, 10);
-    return true;
-}
-
 int main(int argc, char **argv)
 {
     uint64_t count = 300, first = 0, processes = 2;
     for (int i = 1; i < argc; i++)
-        if (!number(argv[i], "--count=", &count) && !number(argv[i], "--first=", &first) &&
-            !number(argv[i], "--processes=", &processes)) {
+        if (!crew_number(argv[i], "--count=", &count) &&
+            !crew_number(argv[i], "--first=", &first) &&
+            !crew_number(argv[i], "--processes=", &processes)) {
             fprintf(stderr, "usage: programs [--count=N] [--first=I] [--processes=P]\n");
             return 64;
         }

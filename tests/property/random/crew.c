@@ -1,5 +1,6 @@
 /* crew.c: see crew.h. */
 #include <stdlib.h>
+#include <string.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -79,4 +80,13 @@ bool crew_run(crew_job *job, void *self, uint64_t first, uint64_t count, int pro
             add(sum, &part);
     }
     return good;
+}
+
+bool crew_number(const char *arg, const char *name, uint64_t *out)
+{
+    size_t n = strlen(name);
+    if (strncmp(arg, name, n) != 0)
+        return false;
+    *out = strtoull(arg + n, NULL, 10);
+    return true;
 }

@@ -17,4 +17,7 @@ typedef bool crew_job(void *self, uint64_t i, agree *g, uint64_t *failures);
 bool crew_run(crew_job *job, void *self, uint64_t first, uint64_t count, int processes,
               size_t max_rows, crew_sum *sum);
 
+/* "--count=7" for the name "--count=": true, and *out is 7. */
+bool crew_number(const char *arg, const char *name, uint64_t *out);
+
 #endif

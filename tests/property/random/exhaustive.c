@@ -54,11 +54,8 @@ int main(int argc, char **argv)
     uint64_t processes = 2, n = 0;
     p.ways = 2;
     for (int i = 1; i < argc; i++)
-        if (strncmp(argv[i], "--ways=", 7) == 0)
-            p.ways = strtoull(argv[i] + 7, NULL, 10);
-        else if (strncmp(argv[i], "--processes=", 12) == 0)
-            processes = strtoull(argv[i] + 12, NULL, 10);
-        else {
+        if (!crew_number(argv[i], "--ways=", &p.ways) &&
+            !crew_number(argv[i], "--processes=", &processes)) {
             fprintf(stderr, "usage: exhaustive [--ways=N] [--processes=P]\n");
             return 64;
         }

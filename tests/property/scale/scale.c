@@ -26,15 +26,6 @@ static bool job(void *self, uint64_t i, agree *g, uint64_t *failures)
     return *failures < GIVE_UP;
 }
 
-static bool read_number(const char *arg, const char *name, uint64_t *out)
-{
-    size_t n = strlen(name);
-    if (strncmp(arg, name, n) != 0)
-        return false;
-    *out = strtoull(arg + n, NULL, 10);
-    return true;
-}
-
 static bool read_law(const char *arg, law_entry *only, void **self)
 {
     for (int k = 0; strncmp(arg, "--law=", 6) == 0 && k < LAWS; k++)
@@ -52,9 +43,9 @@ int main(int argc, char **argv)
     law_entry only;
     void *self = NULL;
     for (int i = 1; i < argc; i++)
-        if (!read_number(argv[i], "--count=", &count) &&
-            !read_number(argv[i], "--first=", &first) &&
-            !read_number(argv[i], "--processes=", &processes) && !read_law(argv[i], &only, &self)) {
+        if (!crew_number(argv[i], "--count=", &count) &&
+            !crew_number(argv[i], "--first=", &first) &&
+            !crew_number(argv[i], "--processes=", &processes) && !read_law(argv[i], &only, &self)) {
             fprintf(stderr, "usage: scale [--count=N] [--first=I] [--processes=P] [--law=NAME]\n");
             return 64;
         }

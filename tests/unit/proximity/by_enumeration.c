@@ -12,6 +12,7 @@
 #include <fmb/gmp.h>
 
 #include "enumerate.h"
+#include "support/must.h"
 #include "support/support.h"
 
 static atomic_int faults;
@@ -25,12 +26,6 @@ static void expect(bool holds, const char *what, long pair)
         return;
     fprintf(stderr, "pair %ld: %s\n", pair, what);
     faults++;
-}
-
-static void must_work(fmb_status st)
-{
-    if (st != FMB_OK)
-        abort();
 }
 
 /* ---- pairs ----------------------------------------------------------------------------------- */
@@ -169,7 +164,7 @@ static void compare_distance(fmb_solver *v, const duo *d, const minkowski *m, lo
     for (int norm = 0; norm < 2; norm++) {
         fmb_proximity *p = NULL;
         fmb_result r = {.size = sizeof r};
-        must_work(fmb_distance(v, d->f, (fmb_norm)norm, &p, &r));
+        must(fmb_distance(v, d->f, (fmb_norm)norm, &p, &r));
         expect(p && r.verdict == (meets ? FMB_FEASIBLE : FMB_INFEASIBLE), "verdict", pair);
         if (p)
             expect_measure(p, (fmb_norm)norm, far[norm], d->unit, "distance", pair);
@@ -184,7 +179,7 @@ static void compare_depth(fmb_solver *v, const duo *d, const minkowski *m, bool 
     for (int norm = 0; norm < 2; norm++) {
         fmb_proximity *p = NULL;
         fmb_result r = {.size = sizeof r};
-        must_work(fmb_depth(v, d->f, (fmb_norm)norm, &p, &r));
+        must(fmb_depth(v, d->f, (fmb_norm)norm, &p, &r));
         expect((p != NULL) == meets, "a depth, or none", pair);
         if (p) {
             fraction x =
@@ -217,7 +212,7 @@ static void compare_common(fmb_solver *v, const duo *d, bool meets, long pair)
     common_points all;
     fmb_generators *g = NULL;
     fmb_result r = {.size = sizeof r};
-    must_work(fmb_common(v, d->f, &g, &r));
+    must(fmb_common(v, d->f, &g, &r));
     expect((g != NULL) == meets, "common points, or none", pair);
     if (g && enumerate_common(&d->s[0], &d->s[1], &all)) {
         expect(fmb_generators_dim(g) == all.dim, "coordinates", pair);
@@ -258,7 +253,7 @@ int main(int argc, char **argv)
 #endif
     {
         fmb_solver *v = NULL;
-        must_work(fmb_solver_new(NULL, NULL, &v));
+        must(fmb_solver_new(NULL, NULL, &v));
 #ifdef _OPENMP
 #pragma omp for schedule(dynamic, 16)
 #endif

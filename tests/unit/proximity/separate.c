@@ -9,6 +9,7 @@
 #include <fmb/gmp.h>
 
 #include "bodies.h"
+#include "support/must.h"
 
 static int faults;
 
@@ -20,12 +21,6 @@ static void expect(bool holds, const char *what, long pair)
     faults++;
 }
 
-static void must_work(fmb_status st)
-{
-    if (st != FMB_OK)
-        abort();
-}
-
 /* The row with its right side moved by so much times a power of two. */
 static fmb_system *moved_row(const fmb_system *row, long by, mp_bitcnt_t power)
 {
@@ -33,7 +28,7 @@ static fmb_system *moved_row(const fmb_system *row, long by, mp_bitcnt_t power)
     int var[BODIES_MOST_DIM + 1];
     mpq_t coef[BODIES_MOST_DIM + 1], b, d;
     fmb_system *out = NULL;
-    must_work(fmb_system_new(fmb_system_dim(row), NULL, &out));
+    must(fmb_system_new(fmb_system_dim(row), NULL, &out));
     mpq_inits(b, d, NULL);
     for (size_t k = 0; k < n; k++) {
         mpq_init(coef[k]);
@@ -43,7 +38,7 @@ static fmb_system *moved_row(const fmb_system *row, long by, mp_bitcnt_t power)
     mpq_set_si(d, by, 1);
     mpq_mul_2exp(d, d, power);
     mpq_add(b, b, d);
-    must_work(fmb_system_add_q(out, n, var, coef, FMB_LE, b));
+    must(fmb_system_add_q(out, n, var, coef, FMB_LE, b));
     for (size_t k = 0; k < n; k++)
         mpq_clear(coef[k]);
     mpq_clears(b, d, NULL);
@@ -70,7 +65,7 @@ static void separate_pair(fmb_solver *v, const fmb_frame *f, fmb_contact contact
 {
     fmb_system *row = NULL;
     fmb_result r = {.size = sizeof r};
-    must_work(fmb_separate(v, f, contact, &row, &r));
+    must(fmb_separate(v, f, contact, &row, &r));
     expect(r.verdict == verdict, "verdicts differ", pair);
     expect((row != NULL) == (verdict == FMB_INFEASIBLE), "a row, or none", pair);
     if (!row)
@@ -86,12 +81,12 @@ int main(int argc, char **argv)
     support_rng g = {argc > 2 ? strtoull(argv[2], NULL, 10) : 1};
     fmb_pair *kernel[BODIES_MOST_DIM + 1][2];
     fmb_solver *v = NULL;
-    must_work(fmb_solver_new(NULL, NULL, &v));
+    must(fmb_solver_new(NULL, NULL, &v));
     for (int dim = 1; dim <= BODIES_MOST_DIM; dim++)
         for (int open = 0; open < 2; open++) {
             fmb_pair_options o = {.size = sizeof o};
             o.contact = open ? FMB_CONTACT_OPEN : FMB_CONTACT_CLOSED;
-            must_work(fmb_pair_new(dim, &o, NULL, &kernel[dim][open]));
+            must(fmb_pair_new(dim, &o, NULL, &kernel[dim][open]));
         }
     for (; apart < wanted && faults == 0; pair++) {
         bodies b;
@@ -99,7 +94,7 @@ int main(int argc, char **argv)
         int dim = support_between(&g, 1, BODIES_MOST_DIM), open = support_between(&g, 0, 1);
         bodies_draw(&g, dim, support_chance(&g, 50), support_between(&g, 3, 12), &b);
         fmb_pair_answers answers = {.size = sizeof answers, .verdict = &verdict};
-        must_work(fmb_pair_test(kernel[dim][open], 1, &b.f[0], &b.f[1], &answers));
+        must(fmb_pair_test(kernel[dim][open], 1, &b.f[0], &b.f[1], &answers));
         separate_pair(v, b.f, open ? FMB_CONTACT_OPEN : FMB_CONTACT_CLOSED, verdict, pair);
         apart += verdict == FMB_INFEASIBLE;
     }
