@@ -110,30 +110,26 @@ static void close_active(fmb_active *a)
 
 /* ---- loading --------------------------------------------------------------------------------- */
 
-static size_t size_of_member(const fmb_reals *f, size_t i)
+/* The rows of the core, then the columns. */
+static fmb_status load_active_rows(fmb_active *a)
 {
-    return i >= FMB_UNIT ? 1 : f->start[i + 1] - f->start[i];
-}
-
-/* The rows of the members, then the columns. */
-static fmb_status load_active_rows(fmb_active *a, const size_t *member)
-{
-    const fmb_reals *f = a->u->f;
+    const fmb_triangles *u = a->u;
     size_t terms = 0;
+    int one;
     for (size_t r = 0; r < a->n; r++)
-        terms += size_of_member(f, member[r]);
+        if (u->singleton[r] < 0)
+            terms += fmb_triangles_terms(u->f, u->member[r], &one).size;
     fmb_status st = fmb_lists_reserve(&a->by_row, a->mem, terms + terms / 2);
     if (st == FMB_OK)
         st = fmb_mem_reserve(a->mem, (void **)&a->by_column, &a->by_column_room, terms + terms / 2,
                              sizeof *a->by_column);
     for (size_t r = 0; st == FMB_OK && r < a->n; r++) {
-        size_t i = member[r], size = size_of_member(f, i);
-        a->row[r] = (fmb_strip){a->by_row.size, size, size};
-        if (i >= FMB_UNIT)
-            fmb_lists_push(&a->by_row, i - FMB_UNIT, 1);
-        for (size_t k = 0; i < FMB_UNIT && k < size; k++)
-            fmb_lists_push(&a->by_row, (size_t)fmb_reals_columns(f, i)[k],
-                           f->value[f->start[i] + k]);
+        fmb_terms m = fmb_triangles_terms(u->f, u->member[r], &one);
+        size_t start = a->by_row.size;
+        for (size_t k = 0; u->singleton[r] < 0 && k < m.size; k++)
+            if (u->singleton_of[m.column[k]] < 0)
+                fmb_lists_push(&a->by_row, (size_t)m.column[k], m.value[k]);
+        a->row[r] = (fmb_strip){start, a->by_row.size - start, a->by_row.size - start};
     }
     return st;
 }
@@ -152,10 +148,12 @@ static void load_active_columns(fmb_active *a)
             fmb_strip *c = &a->column[a->by_row.index[t]];
             a->by_column[c->start + c->size++] = (int)r;
         }
-        link_by_length(&a->rows, (int)r, a->row[r].size);
+        if (a->u->singleton[r] < 0)
+            link_by_length(&a->rows, (int)r, a->row[r].size);
     }
     for (size_t j = 0; j < a->n; j++)
-        link_by_length(&a->columns, (int)j, a->column[j].size);
+        if (a->u->singleton_of[j] < 0)
+            link_by_length(&a->columns, (int)j, a->column[j].size);
 }
 
 /* ---- entries --------------------------------------------------------------------------------- */
@@ -380,21 +378,21 @@ static fmb_status eliminate_column(fmb_active *a, int p, int q, size_t step)
     return st;
 }
 
-fmb_status fmb_triangles_eliminate(fmb_triangles *u, const size_t *member, size_t *steps)
+fmb_status fmb_triangles_eliminate(fmb_triangles *u)
 {
     fmb_active a;
     int row = 0, column = 0;
     fmb_status st = open_active(&a, u);
     if (st == FMB_OK)
-        st = load_active_rows(&a, member);
+        st = load_active_rows(&a);
     if (st == FMB_OK)
         load_active_columns(&a);
     u->lower.size = u->upper.size = 0;
     u->lower.start[0] = u->upper.start[0] = 0;
     for (size_t k = 0; k < u->n; k++)
         u->step_of_place[k] = u->step_of_column[k] = -1;
-    for (*steps = 0; st == FMB_OK && find_active_pivot(&a, &row, &column); ++*steps) {
-        st = eliminate_column(&a, row, column, *steps);
+    for (u->steps = 0; st == FMB_OK && find_active_pivot(&a, &row, &column); u->steps++) {
+        st = eliminate_column(&a, row, column, u->steps);
         if (st == FMB_OK)
             st = fmb_run_poll(u->f->run);
     }

@@ -53,4 +53,12 @@ static inline void fmb_spread_add(fmb_spread *v, size_t k, double x)
     v->at[k] = sum != 0 ? sum : FMB_NOTHING / 2;
 }
 
+/* Place k becomes x, likewise. */
+static inline void fmb_spread_put(fmb_spread *v, size_t k, double x)
+{
+    if (v->at[k] == 0)
+        v->index[v->count++] = (int)k;
+    v->at[k] = x != 0 ? x : FMB_NOTHING / 2;
+}
+
 #endif
