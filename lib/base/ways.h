@@ -18,7 +18,7 @@
 
 /* clang-format off */
 #define FMB_WAYS(WAY)                                                                              \
-    WAY(ESCAPE, "escape", "solve/project/escape",                                                  \
+    WAY(ESCAPE, "escape", "solve/portfolio/recession",                                                  \
         "projections: recession directions that leave all rows behind")                            \
     WAY(GENTLE, "gentle elimination", "",                                                          \
         "projections: variables that make few rows are eliminated first")                          \
@@ -29,44 +29,44 @@
     WAY(FIRST_RAYS, "first rays", "", "projections: double description within a small budget")     \
     WAY(SECOND_RAYS, "second rays", "", "projections: double description within a larger one")     \
     WAY(WALK, "walk around a shadow",                                                              \
-        "hull/walk hull/walk_inside hull/walk_plane hull/walk_start solve/project/polygon",        \
+        "hull/shadow/shadow_walk hull/shadow/shadow_walk_private hull/shadow/shadow_walk_plane hull/shadow/shadow_walk_start solve/portfolio/polygon",        \
         "projections on a plane: around it, edge by edge, on a dictionary")                        \
-    WAY(TIGHT, "tight rows", "hull/support_tight",                                                 \
+    WAY(TIGHT, "tight rows", "hull/support/support_tight",                                                 \
         "support queries: facets proved by the rows tight on them")                                \
-    WAY(KNOWN, "known rows", "hull/support_known",                                                 \
+    WAY(KNOWN, "known rows", "hull/support/support_known",                                                 \
         "support queries: facets that are rows of the system")                                     \
-    WAY(SYMMETRY, "symmetry", "hull/support_symmetry",                                             \
+    WAY(SYMMETRY, "symmetry", "hull/support/support_symmetry",                                             \
         "support queries: one facet of each orbit")                                                \
-    WAY(GLIMPSE, "modular vertex", "lp/oracle/glimpse",                                            \
+    WAY(GLIMPSE, "modular vertex", "lp/oracle/modular_vertex",                                            \
         "oracle: vertices of short numbers modulo one prime")                                      \
-    WAY(GRID, "rounding to a lattice", "lp/oracle/grid",                                           \
+    WAY(GRID, "rounding to a lattice", "lp/oracle/lattice_point",                                           \
         "oracle: solutions of short numbers by rounding")                                          \
-    WAY(REFUTE, "Farkas by refinement", "lp/oracle/refute",                                        \
+    WAY(REFUTE, "Farkas by refinement", "lp/oracle/refined_farkas",                                        \
         "oracle: conflicts between long numbers by iterative refinement")                          \
-    WAY(SUBSTITUTE, "substitution", "lp/exact/substitute", "exact: triangular bases")              \
-    WAY(MINORS, "minors", "lp/exact/minors", "exact: small bases without fractions")               \
-    WAY(FACTORED, "LU with updates", "lp/float/triangles lp/float/markowitz",                      \
+    WAY(SUBSTITUTE, "substitution", "lp/linalg/exact/triangular", "exact: triangular bases")              \
+    WAY(MINORS, "minors", "lp/linalg/exact/minors", "exact: small bases without fractions")               \
+    WAY(FACTORED, "LU with updates", "lp/linalg/doubles/updated_lu lp/linalg/doubles/markowitz",                      \
         "doubles: a basis as sparse triangles instead of a dense inverse")                         \
     WAY(RAY_SHOOTING, "ray shooting",                                                              \
-        "lp/redundancy/sieve lp/redundancy/sift lp/redundancy/polar lp/redundancy/ray "            \
-        "lp/redundancy/blocks lp/redundancy/findings lp/float/gauge lp/float/gauge_basis "         \
-        "lp/float/gauge_inside lp/float/gauge_walk lp/float/centre",                         \
+        "lp/redundancy/ray_shooting/ray_shooting lp/redundancy/ray_shooting/ray_sorter lp/redundancy/ray_shooting/polar_points lp/redundancy/ray_shooting/ray "            \
+        "lp/redundancy/ray_shooting/spatial_blocks lp/redundancy/result_log lp/redundancy/ray_shooting/membership lp/redundancy/ray_shooting/membership_basis "         \
+        "lp/redundancy/ray_shooting/membership_private lp/redundancy/ray_shooting/membership_walk lp/redundancy/ray_shooting/centre",                         \
         "redundancy: rows seen from a point inside")                                               \
-    WAY(PARALLEL, "parallel rows", "lp/redundancy/twins", "redundancy: by hashing")                \
+    WAY(PARALLEL, "parallel rows", "lp/redundancy/parallel_rows", "redundancy: by hashing")                \
     WAY(REDUCE_ORACLE, "redundancy by oracle", "lp/redundancy/by_oracle",                          \
         "redundancy: by linear programs that are guessed")                                         \
     WAY(ACTIVE_SET, "active set",                                                                  \
-        "lp/redundancy/implied lp/redundancy/awake lp/redundancy/rounded lp/redundancy/named "     \
-        "lp/redundancy/interior_point",                                                            \
+        "lp/redundancy/active_set/implied lp/redundancy/active_set/active_set lp/redundancy/active_set/rounded_proof lp/redundancy/active_set/nonzero_columns "     \
+        "lp/redundancy/active_set/interior_point",                                                            \
         "elimination: rows that others imply, guessed among few")                                  \
     WAY(EDGES, "edges of rays", "dd/edges",                                                        \
         "double description: adjacency of simple rays by their edges")                             \
-    WAY(ROUGH, "facets in doubles", "dd/facets_roughly dd/facets_normals",                         \
+    WAY(ROUGH, "facets in doubles", "hull/facets/facets_roughly hull/facets/facets_normals",                         \
         "hulls: sides of facets by doubles with an error bound")                                   \
     WAY(SQUEEZE, "last variable", "elim/round/squeeze",                                            \
         "elimination: the last variable by its ends, not by pairs")                                \
     WAY(TINY, "tiny systems",                                                                      \
-        "elim/tiny/box elim/tiny/last elim/tiny/load elim/tiny/row elim/tiny/tiny "                \
+        "elim/tiny/tiny_box elim/tiny/tiny_last elim/tiny/tiny_load elim/tiny/tiny_row elim/tiny/tiny "                \
         "elim/tiny/tiny_private",                                                                  \
         "verdicts: elimination on the stack")
 /* clang-format on */

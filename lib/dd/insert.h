@@ -26,7 +26,7 @@ typedef struct fmb_adjacency {
     size_t founds, found_capacity;
 } fmb_adjacency;
 
-/* Several threads (insert_crew.c). */
+/* Several threads (insert_workers.c). */
 typedef struct fmb_insertion_crew fmb_insertion_crew;
 
 /* A row that separates rays. Pairs are taken by the rays of the smaller side, one after another. */
@@ -75,7 +75,8 @@ uint64_t fmb_ray_price(const fmb_vec *v);
 /* The entry behind the coordinates becomes row.v. Errors: MEMORY, LIMIT. */
 fmb_status fmb_insertion_set_value(const fmb_cone *c, fmb_vec *v, const fmb_vec *row, fmb_num *num);
 
-/* ---- insert_crew.c --------------------------------------------------------------------------- */
+/* ---- insert_workers.c ---------------------------------------------------------------------------
+ */
 
 /* By several threads where that pays. The entry behind the coordinates of each line and ray becomes
  * its value in the row; the sign of each ray in the row at hand; an entry of each ray goes; edges

@@ -1,11 +1,11 @@
-/* pair.c: see fmb/pair.h; how answers are found: ladder.h. */
+/* pair.c: see fmb/pair.h; how answers are found: pair_portfolio.h. */
 #include <fmb/pair.h>
 
 #include <stdio.h>
 
 #include "base/sized.h"
-#include "pair/extreme/extreme.h"
-#include "pair/ladder.h"
+#include "pair/exact_box/exact_box.h"
+#include "pair/pair_portfolio.h"
 
 /* ---- life ------------------------------------------------------------------------------------ */
 

@@ -1,8 +1,8 @@
-/* check.c: the judge of evidence. This file, combine.c and sum.c, whole.c and lattice.c are the
- * trusted base: believe them, GMP, and how a system stores its rows, and nothing else of the
+/* check.c: the judge of evidence. This file, combine_rows.c and sum.c, complete.c and lattice.c are
+ * the trusted base: believe them, GMP, and how a system stores its rows, and nothing else of the
  * library needs to be believed.
  *
- * All claims come down to two questions, asked of the rows as the user wrote them (combine.h):
+ * All claims come down to two questions, asked of the rows as the user wrote them (combine_rows.h):
  *   proves:  do the multipliers combine the rows to a given inequality?
  *   side_of: on which side of a row does a point lie?
  * Numbers that a claim does not need are not looked at. Claims about redundancy stand or fall
@@ -16,9 +16,9 @@
 #include <string.h>
 
 #include "base/sized.h"
-#include "proof/combine.h"
+#include "proof/combine_rows.h"
+#include "proof/complete.h"
 #include "proof/integral.h"
-#include "proof/whole.h"
 #include "system/system_private.h"
 
 typedef struct court {

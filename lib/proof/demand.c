@@ -3,9 +3,9 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-#include "proof/guard.h"
+#include "proof/complete.h"
+#include "proof/evidence/guard.h"
 #include "proof/integral.h"
-#include "proof/whole.h"
 #include "system/system_private.h"
 
 /* Who asks. Once st is a limit nothing is found any more, and nothing is missing. */

@@ -2,7 +2,7 @@
 #ifndef FMB_PROOF_INTEGRAL_H
 #define FMB_PROOF_INTEGRAL_H
 
-#include "proof/evidence.h"
+#include "proof/evidence/evidence.h"
 
 /* Is the point integral in all integer variables? */
 bool fmb_point_is_integral(const fmb_system *s, const fmb_sparse_vector *point);

@@ -67,7 +67,7 @@
 #ifndef FMB_PROOF_LATTICE_H
 #define FMB_PROOF_LATTICE_H
 
-#include "proof/guard.h"
+#include "proof/evidence/guard.h"
 
 /* Sets of vectors are bits, `words` words each. */
 typedef struct fmb_lattice {

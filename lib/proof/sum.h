@@ -15,7 +15,7 @@
 
 #include "num/integers.h"
 #include "num/vec.h"
-#include "proof/guard.h"
+#include "proof/evidence/guard.h"
 
 typedef struct fmb_fractions {
     fmb_mem *mem;

@@ -1,6 +1,6 @@
 /* common.c: the points that two frames have in common, as a polytope; see fmb/proximity.h. */
 #include "num/rationals.h"
-#include "proximity/around.h"
+#include "proximity/angular_sort.h"
 #include "proximity/proximity_private.h"
 #include "system/generators_private.h"
 

@@ -12,7 +12,7 @@
 #include "proximity/proximity_private.h"
 #include "system/system_private.h"
 
-/* Rows of a frame before those that tell its point (frame/rows.c). */
+/* Rows of a frame before those that tell its point (frame/frame_rows.c). */
 static size_t rows_before_point(const fmb_minkowski_frame *f)
 {
     size_t n = (size_t)f->naxes;

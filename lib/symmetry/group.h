@@ -9,7 +9,7 @@
 #ifndef FMB_SYMMETRY_GROUP_H
 #define FMB_SYMMETRY_GROUP_H
 
-#include "lp/program.h"
+#include "lp/model/program.h"
 #include "trace/run.h"
 
 typedef struct fmb_group {

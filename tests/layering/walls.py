@@ -18,7 +18,10 @@ ONLY = {"proof": {"base", "num", "system", "proof"}, "rule": {"rule"}}
 # Elimination is handed rules; it knows none.
 NEVER = {"elim": {"rule"}}
 # Folders inside a room that include only those to their left; the rest of the room may see them all.
-FOLDERS = {"elim": "store history rules round".split(), "lp": "float exact oracle redundancy".split()}
+FOLDERS = {"elim": "store history rules round".split(),
+           "lp": "model linalg simplex dictionary oracle redundancy".split(),
+           "hull": "facets image support section shadow".split(),
+           "solve": "session query limit portfolio project".split()}
 
 # What programs compile of the library: they see no other private header.
 SHARED = {"base/clock.h", "base/line.h", "io/core/utf8.h", "num/int128.h"}
@@ -35,12 +38,12 @@ def sources(folder):
     return sorted(p for p in folder.rglob("*.[ch]"))
 
 
-def room_faults(path, room):
+def room_faults(root, path, room):
     for bracket, name in INCLUDE.findall(path.read_text()):
         if f"{room}/{path.name}" in LACKED and bracket == '"' and name not in LACKED:
             yield f'"{name}": {path.name} knows no room'
         if bracket == "<":
-            if not name.startswith("fmb/") and (path.parent.parent / name).exists():
+            if not name.startswith("fmb/") and (root / "lib" / name).exists():
                 yield f"<{name}> is a private header: write \"{name}\""
             continue
         target = name.split("/")[0]
@@ -56,7 +59,8 @@ def room_faults(path, room):
             yield f'"{name}": {room} may not know {target}'
         elif target == room:
             folders = FOLDERS.get(room, [])
-            ranks = [folders.index(f) for f in (path.parent.name, name.split("/")[1]) if f in folders]
+            place = path.parts[len(path.parts) - 1 - path.parts[::-1].index(room) + 1]
+            ranks = [folders.index(f) for f in (place, name.split("/")[1]) if f in folders]
             if ranks != sorted(ranks, reverse=True):
                 yield f'"{name}": {room}/{path.parent.name} stands below it'
 
@@ -68,7 +72,7 @@ def rooms(root):
             yield f"{folder}: no room of that name is in the picture"
             continue
         for path in sources(folder):
-            for fault in room_faults(path, folder.name):
+            for fault in room_faults(root, path, folder.name):
                 yield f"{path}: {fault}"
     for path in sources(root / "apps"):
         own = {"common", "fmb"}

@@ -16,7 +16,7 @@
 
 #include <stdbool.h>
 
-#include "pair/kernels/local_frame.h"
+#include "pair/kernels/lane/local_frame.h"
 
 /* Which kernel; every one is compiled with a constant. If A is a simplex, so is B. */
 typedef struct sat_kind {

@@ -1,10 +1,10 @@
 /* packed.h: blocks of packed frames decided by separating axes, in the loops of the library
- * (pair/kernels/pack.h).
+ * (pair/kernels/packed/pack.h).
  */
 #ifndef FMB_STUDY_SAT_PACKED_H
 #define FMB_STUDY_SAT_PACKED_H
 
-#include "pair/kernels/packed_flat.h"
+#include "pair/kernels/packed/packed_flat.h"
 #include "study/sat/kernels.h"
 
 /* dim, moves, shapes and asked are constant. */

@@ -4,4 +4,4 @@
 
 #include "study/sat/packed.h"
 
-#include "pair/kernels/pack.h"
+#include "pair/kernels/packed/pack.h"

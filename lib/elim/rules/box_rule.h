@@ -20,8 +20,9 @@ fmb_status fmb_box_make(fmb_elim *e);
 /* Note which rows of the base make the box: histories are about to start. */
 fmb_status fmb_box_mark(fmb_elim *e);
 
-/* slack.c: the sign of the least of b - a.x over the box; -1 also if it is open where it matters,
- * or if the row itself makes the box, or is made of nothing but rows of a box with a budget. */
+/* box_slack.c: the sign of the least of b - a.x over the box; -1 also if it is open where it
+ * matters, or if the row itself makes the box, or is made of nothing but rows of a box with a
+ * budget. */
 int fmb_box_slack(const fmb_elim *e, const fmb_derived *r);
 /* Does no point of the box satisfy the row? */
 bool fmb_box_refutes(const fmb_elim *e, const fmb_derived *r);

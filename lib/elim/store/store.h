@@ -70,8 +70,8 @@ typedef enum fmb_step {
     FMB_STEP_REFUTE = 16     /* a row that the box refutes ends the elimination */
 } fmb_step;
 
-/* The box that rows with one variable make (box.h). Ends are multiples of 1 / unit, so that a row
- * is compared in integers. */
+/* The box that rows with one variable make (exact_intervals.h). Ends are multiples of 1 / unit, so
+ * that a row is compared in integers. */
 typedef struct fmb_box_rows {
     uint32_t *row[2]; /* [side][n]: the row that makes the end, FMB_NO_ROW where there is none */
     int64_t *end[2];  /* [side][n]: unit times the end */

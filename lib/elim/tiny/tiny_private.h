@@ -60,18 +60,19 @@ static inline void fmb_tiny_copy(fmb_tiny_table *to, int i, const fmb_tiny_table
     to->strict[i] = from->strict[k];
 }
 
-/* load.c: the rows of s as the base; rows with one variable also as the box. */
+/* tiny_load.c: the rows of s as the base; rows with one variable also as the box. */
 fmb_tiny_step fmb_tiny_load(fmb_tiny *t, const fmb_system *s);
 
-/* row.c: the combination of rows p and q of t->now that cancels variable c, p's coefficient being
- * negative and q's positive, at the end of t->next, not counted yet; false if it does not fit. */
+/* tiny_row.c: the combination of rows p and q of t->now that cancels variable c, p's coefficient
+ * being negative and q's positive, at the end of t->next, not counted yet; false if it does not
+ * fit. */
 bool fmb_tiny_combine(fmb_tiny *t, int p, int q, int c);
 
-/* box.c: drop the rows from number `first` on that hold strictly in the box. A clash is one
+/* tiny_box.c: drop the rows from number `first` on that hold strictly in the box. A clash is one
  * that fails in all of it. */
 fmb_tiny_step fmb_tiny_prune(fmb_tiny *t, fmb_tiny_table *rows, int first);
 
-/* last.c: note c x <= b (< b). A constant row may be false. */
+/* tiny_last.c: note c x <= b (< b). A constant row may be false. */
 fmb_tiny_step fmb_tiny_note(fmb_tiny *t, fmb_i128 c, fmb_i128 b, bool strict);
 /* Do the ends noted leave a value? */
 bool fmb_tiny_is_open(const fmb_tiny *t);

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "base/ways.h"
-#include "lp/oracle/state.h"
+#include "lp/oracle/oracle_state.h"
 
 /* Exact pivots between two refinements of a guess, and how many of those there are. */
 #define FEW_STEPS   4

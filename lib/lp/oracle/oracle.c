@@ -1,7 +1,7 @@
 /* oracle.c: the door of oracles: what is plain, then the closure, then strict rows; see oracle.h.
  */
 #include "base/ways.h"
-#include "lp/oracle/state.h"
+#include "lp/oracle/oracle_state.h"
 
 /* ---- is there a solution --------------------------------------------------------------------- */
 

@@ -1,9 +1,9 @@
 /* oracle.h: linear programs, guessed in doubles and certified exactly.
  *
- * The door (lp/float/door.h) guesses a basis; its vertex, multipliers or ray are solved for exactly
- * (lp/exact/factor.h), and every row is checked. A guess that is not quite right is walked on from
- * by exact pivots, or refined; Bland's rule ends every walk. Nothing is answered that does not hold
- * exactly.
+ * The door (lp/simplex/backend.h) guesses a basis; its vertex, multipliers or ray are solved for
+ * exactly (lp/linalg/exact/factor.h), and every row is checked. A guess that is not quite right is
+ * walked on from by exact pivots, or refined; Bland's rule ends every walk. Nothing is answered
+ * that does not hold exactly.
  *
  * Sources: Applegate, Cook, Dash, Espinoza 2007, Exact solutions to linear programming problems;
  * Gleixner, Steffy, Wolter 2016, Iterative refinement for linear programming.
@@ -11,7 +11,7 @@
 #ifndef FMB_LP_ORACLE_H
 #define FMB_LP_ORACLE_H
 
-#include "lp/program.h"
+#include "lp/model/program.h"
 #include "num/weights.h"
 #include "trace/run.h"
 

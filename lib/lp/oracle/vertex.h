@@ -6,7 +6,7 @@
 #ifndef FMB_LP_VERTEX_H
 #define FMB_LP_VERTEX_H
 
-#include "lp/exact/factor.h"
+#include "lp/linalg/exact/factor.h"
 #include "num/integers.h"
 
 typedef struct fmb_vertex {

@@ -1,8 +1,8 @@
 /* irredundant.c: removing redundant rows one after another; see irredundant.h. */
 #include "lp/redundancy/irredundant.h"
 
-#include "lp/exact/read.h"
-#include "lp/redundancy/lazy.h"
+#include "lp/dictionary/dictionary_read.h"
+#include "lp/redundancy/active_test.h"
 #include "num/rationals.h"
 
 typedef struct pass {

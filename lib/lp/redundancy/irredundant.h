@@ -11,7 +11,7 @@
 
 #include <fmb/solve.h>
 
-#include "lp/exact/dictionary.h"
+#include "lp/dictionary/dictionary.h"
 #include "num/weights.h"
 
 /* Told of each decision as it falls; the oracle's reading functions are valid during the call. */

@@ -2,7 +2,7 @@
 #ifndef FMB_LP_SLACK_H
 #define FMB_LP_SLACK_H
 
-#include "lp/exact/exact_simplex.h"
+#include "lp/dictionary/exact_simplex.h"
 
 /* From a feasible dictionary: is the inequality i implied by the other rows that count? OPTIMUM:
  * yes, and the row is relaxed; VIOLATED: no. Never UNBOUNDED. The dictionary is feasible again

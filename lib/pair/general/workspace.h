@@ -19,7 +19,7 @@
 #ifndef FMB_PAIR_GENERAL_WORKSPACE_H
 #define FMB_PAIR_GENERAL_WORKSPACE_H
 
-#include "lp/float/simplex.h"
+#include "lp/simplex/simplex.h"
 #include "num/kernels.h"
 #include "pair/general/general.h"
 
@@ -120,7 +120,7 @@ bool fmb_general_load(fmb_general *g, const fmb_frame *p, const fmb_frame *q);
 /* pivots.c: choose pivots and solve for them. */
 void fmb_general_solve(fmb_general *g);
 
-/* rows.c: the rows of the pair. */
+/* general_rows.c: the rows of the pair. */
 fmb_general_step fmb_general_start(fmb_general *g);
 /* Keep the row at the end, of n unknowns, without ends that say nothing in the box. */
 fmb_general_step fmb_general_settle(fmb_general *g, int n);
@@ -133,7 +133,7 @@ fmb_general_step fmb_general_eliminate(fmb_general *g);
 /* last_two.c: the last two, then z from all rows. */
 fmb_general_step fmb_general_finish(fmb_general *g);
 
-/* program.c: a first vertex of the pair. */
+/* general_program.c: a first vertex of the pair. */
 fmb_general_step fmb_general_find_vertex(fmb_general *g);
 /* From a vertex to one where cost z is greatest; y are the prices of M's rows. False if lost. */
 bool fmb_general_maximize(fmb_general *g, const double *cost, double *y);

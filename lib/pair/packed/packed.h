@@ -3,8 +3,8 @@
 #define FMB_PAIR_PACKED_H
 
 #include "pair/kernels/packed_kernels.h"
-#include "pair/ladder.h"
 #include "pair/packed/set.h"
+#include "pair/pair_portfolio.h"
 
 /* How kernels decide pairs of two kinds. */
 typedef struct fmb_packed_plan {

@@ -2,7 +2,7 @@
 #ifndef FMB_SOLVE_JOB_H
 #define FMB_SOLVE_JOB_H
 
-#include "solve/query/box.h"
+#include "solve/query/exact_intervals.h"
 #include "solve/query/solver.h"
 
 /* One end being worked on: variable, side, sign 1 for the upper end, and where the answer goes. */

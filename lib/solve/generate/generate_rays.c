@@ -1,10 +1,10 @@
 /* generate_rays.c: which way to rays; see generate_rays.h.
  *
  * - Few coordinates and many rows: rows are vectors of the dual cone, whose facets are the rays.
- *   Vector by vector these stay known with their neighbours (dd/facets.h). With some coordinates
- *   more that is cheaper only where numbers grow long, as facets are in doubles for most of their
- *   lives, or rows are very many, of which most are behind some facet at once; and where few rows
- *   meet in a vertex.
+ *   Vector by vector these stay known with their neighbours (hull/facets/facets.h). With some
+ * coordinates more that is cheaper only where numbers grow long, as facets are in doubles for most
+ * of their lives, or rows are very many, of which most are behind some facet at once; and where few
+ * rows meet in a vertex.
  * - Else double description (dd/cone.h), rows of few coefficients first. Where rows look alike and
  *   there are many of them, its order can go wrong without bounds: of the cross-polytope's rows
  *   it keeps those that cut most, and gets millions of rays in between, where in lexicographic
@@ -15,7 +15,7 @@
 
 #include <stdlib.h>
 
-#include "dd/facets.h"
+#include "hull/facets/facets.h"
 
 /* Up to so many coordinates, t included, facets with their neighbours are cheaper (measured: 2 to 4
  * times with 4 or 5, half as much with 7) ... */

@@ -1,7 +1,7 @@
 /* glance.c: some rays of a cone, by support queries of a section; see glance.h. */
 #include "solve/generate/glance.h"
 
-#include "hull/section.h"
+#include "hull/section/section.h"
 
 /* Where no clock ends a glance: rays for each coordinate, and pairs of facets of their hull. */
 #define RAYS_OF_COORDINATE 4

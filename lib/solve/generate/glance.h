@@ -2,7 +2,7 @@
 #ifndef FMB_SOLVE_GLANCE_H
 #define FMB_SOLVE_GLANCE_H
 
-#include "dd/image.h"
+#include "hull/image/image.h"
 
 /* *image, new, gets rays of {x : row.x >= 0 or = 0}, each of them extreme, and all lines; after a
  * cancel nothing. The time that was kept for that (fmb_run_reserve) is used, or so many steps;

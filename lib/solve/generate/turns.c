@@ -3,12 +3,12 @@
  * Facets are the rays of the dual cone, whose rows are vertices and rays of the hull. Row by row
  * (dd/cone.h) there may be very many rays in between, in one order or in another: lexicographic, or
  * rows of few coefficients first. Where facets are far fewer than rows, support queries of a
- * section of the cone find them one by one (hull/section.h). None is best on all; so each gets its
- * turn, and then a longer one. Once it is seen that facets are not few, queries end.
+ * section of the cone find them one by one (hull/section/section.h). None is best on all; so each
+ * gets its turn, and then a longer one. Once it is seen that facets are not few, queries end.
  */
 #include "solve/generate/turns.h"
 
-#include "hull/section.h"
+#include "hull/section/section.h"
 
 /* With fewer generators for each coordinate, facets mostly are more than those, or soon found. */
 #define MANY_ROWS 16

@@ -2,7 +2,7 @@
 #ifndef FMB_SOLVE_TURNS_H
 #define FMB_SOLVE_TURNS_H
 
-#include "dd/image.h"
+#include "hull/image/image.h"
 
 /* The image has a point, and gets its facets, without slacks. Errors: MEMORY, LIMIT. */
 fmb_status fmb_hull_find_facets(fmb_image *m);

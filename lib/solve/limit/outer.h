@@ -11,7 +11,7 @@
 #ifndef FMB_SOLVE_OUTER_H
 #define FMB_SOLVE_OUTER_H
 
-#include "solve/query/box.h"
+#include "solve/query/exact_intervals.h"
 #include "solve/query/solver.h"
 
 /* Are the rows of the part, written out, few enough to be looked at when time is up? */

@@ -9,8 +9,8 @@
  */
 #include "num/rationals.h"
 #include "solve/limit/outer.h"
+#include "solve/optimize/component_optimum.h"
 #include "solve/optimize/optimum.h"
-#include "solve/optimize/peak.h"
 #include "system/system_private.h"
 
 /* The question on its way through its parts. */

@@ -2,7 +2,7 @@
 #ifndef FMB_SOLVE_OPTIMUM_H
 #define FMB_SOLVE_OPTIMUM_H
 
-#include "solve/query/box.h"
+#include "solve/query/exact_intervals.h"
 
 struct fmb_optimum {
     fmb_mem mem;

@@ -1,4 +1,4 @@
-/* completeness.c: corners of a projection, and the claim that they span it (proof/whole.h).
+/* completeness.c: corners of a projection, and the claim that they span it (proof/complete.h).
  *
  * The corners are the vertices, rays and lines of the rows that were found, by double description
  * in the kept variables alone; above each lies a solution, found by the oracle. So they owe nothing
@@ -9,8 +9,8 @@
 #include "solve/project/completeness.h"
 
 #include "num/rationals.h"
-#include "proof/whole.h"
-#include "solve/project/lifts.h"
+#include "proof/complete.h"
+#include "solve/project/preimages.h"
 #include "solve/query/lifted.h"
 
 /* So many rays may be made on the way to the corners, which are some of them: work and memory

@@ -15,7 +15,7 @@
 
 #include "lp/oracle/oracle.h"
 #include "lp/redundancy/by_oracle.h"
-#include "lp/redundancy/sieve.h"
+#include "lp/redundancy/ray_shooting/ray_shooting.h"
 #include "num/bitset.h"
 #include "num/integers.h"
 #include "num/rationals.h"

@@ -1,11 +1,11 @@
 /* project.c: the projection, part by part (portfolio.h). */
 #include "solve/limit/outer.h"
+#include "solve/portfolio/portfolio.h"
+#include "solve/portfolio/project_support.h"
+#include "solve/portfolio/recession.h"
+#include "solve/portfolio/symmetries.h"
 #include "solve/project/canonical.h"
 #include "solve/project/completeness.h"
-#include "solve/project/escape.h"
-#include "solve/project/portfolio.h"
-#include "solve/project/project_support.h"
-#include "solve/project/symmetries.h"
 #include "system/system_private.h"
 
 /* An empty system over the variables kept; keep NULL: the first n. */

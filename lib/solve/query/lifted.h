@@ -4,7 +4,7 @@
 #define FMB_SOLVE_LIFTED_H
 
 #include "dd/cone_rows.h"
-#include "dd/image.h"
+#include "hull/image/image.h"
 #include "solve/query/solver.h"
 
 /* Row 0 is t >= 0, row 1 + i is row i of the system; strict rows are "wanted". */

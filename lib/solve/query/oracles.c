@@ -1,6 +1,6 @@
 /* oracles.c: what is made of a part when it is first asked for: dense rows, an oracle, a
  * dictionary; see solver.h. */
-#include "lp/exact/exact_simplex.h"
+#include "lp/dictionary/exact_simplex.h"
 #include "solve/query/solver.h"
 #include "system/system_private.h"
 

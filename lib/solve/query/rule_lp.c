@@ -6,9 +6,9 @@
 #include "solve/query/rule_lp.h"
 
 #include "elim/rules/view.h"
-#include "lp/exact/exact_simplex.h"
+#include "lp/dictionary/exact_simplex.h"
+#include "lp/redundancy/active_set/implied.h"
 #include "lp/redundancy/by_oracle.h"
-#include "lp/redundancy/implied.h"
 
 typedef struct patience {
     size_t next; /* rows from which on it looks again; 0: it has not looked */

@@ -5,8 +5,8 @@
 
 #include <stdlib.h>
 
-#include "dd/facets.h"
 #include "dd/insert.h"
+#include "hull/facets/facets.h"
 #include "support.h"
 
 enum { D = 7, SIMPLE_ROWS = 44, ROWS = 64 };

@@ -3,7 +3,7 @@
 #include <criterion/criterion.h>
 
 #include "fault/hook.h"
-#include "hull/section.h"
+#include "hull/section/section.h"
 #include "support/dense.h"
 #include "support/must.h"
 #include "support/support.h"

@@ -2,7 +2,7 @@
  * and queries in portions end where all at once do. */
 #include <criterion/criterion.h>
 
-#include "hull/support.h"
+#include "hull/support/support.h"
 #include "shadows.h"
 
 typedef struct bench {

@@ -4,8 +4,8 @@
 
 #include <stdlib.h>
 
-#include "hull/shadow.h"
-#include "lp/exact/exact_simplex.h"
+#include "hull/shadow/shadow.h"
+#include "lp/dictionary/exact_simplex.h"
 #include "shadows.h"
 
 /* ---- an oracle and the same rows as a system ------------------------------------------------- */

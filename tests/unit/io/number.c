@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "io/core/io_private.h"
-#include "io/core/short.h"
+#include "io/core/short_decimal.h"
 
 /* splitmix64. */
 static uint64_t next(uint64_t *seed)

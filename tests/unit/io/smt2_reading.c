@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "io/smt2/script_private.h"
+#include "io/smt2/script/script_private.h"
 #include "support/support.h"
 
 static void must(fmb_status st, const fmb_where *where)

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "claims.h"
-#include "lp/exact/exact_simplex.h"
+#include "lp/dictionary/exact_simplex.h"
 #include "lp/redundancy/by_oracle.h"
 #include "support/dense.h"
 #include "support/must.h"

@@ -2,8 +2,8 @@
  * added, left out and taken in again. */
 #include <criterion/criterion.h>
 
-#include "lp/exact/exact_simplex.h"
-#include "lp/exact/read.h"
+#include "lp/dictionary/dictionary_read.h"
+#include "lp/dictionary/exact_simplex.h"
 #include "lp/oracle/oracle.h"
 #include "support.h"
 #include "system/system_private.h"

@@ -5,7 +5,7 @@
 #include <criterion/criterion.h>
 
 #include "lp/oracle/pivot_walk.h"
-#include "lp/oracle/refute.h"
+#include "lp/oracle/refined_farkas.h"
 #include "support/support.h"
 #include "vertex_bench.h"
 

@@ -7,8 +7,8 @@
 #include <criterion/criterion.h>
 #include <string.h>
 
-#include "lp/exact/exact_simplex.h"
-#include "lp/exact/read.h"
+#include "lp/dictionary/dictionary_read.h"
+#include "lp/dictionary/exact_simplex.h"
 
 enum { MOST = 12, STALL = 16 };
 

@@ -6,7 +6,7 @@
 
 #include "bareiss.h"
 #include "counted_clock.h"
-#include "lp/exact/factor.h"
+#include "lp/linalg/exact/factor.h"
 #include "num/prime.h"
 #include "support.h"
 

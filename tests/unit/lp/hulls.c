@@ -3,8 +3,8 @@
 #include <criterion/criterion.h>
 #include <math.h>
 
-#include "lp/exact/combination.h"
-#include "lp/float/gauge.h"
+#include "lp/linalg/exact/combination.h"
+#include "lp/redundancy/ray_shooting/membership.h"
 #include "scene.h"
 #include "support/dense.h"
 

@@ -1,7 +1,7 @@
 /* modular.c: arithmetic modulo the primes of exact solutions, and fractions from their residues. */
 #include <criterion/criterion.h>
 
-#include "lp/exact/rational.h"
+#include "lp/linalg/exact/rational.h"
 #include "num/prime.h"
 #include "support.h"
 

@@ -3,9 +3,9 @@
 
 #include <stdlib.h>
 
-#include "lp/exact/exact_simplex.h"
-#include "lp/exact/read.h"
-#include "lp/redundancy/lazy.h"
+#include "lp/dictionary/dictionary_read.h"
+#include "lp/dictionary/exact_simplex.h"
+#include "lp/redundancy/active_test.h"
 #include "solve/query/part.h"
 #include "study/textbook/exact.h"
 #include "support.h"

@@ -2,7 +2,7 @@
 #ifndef FMB_TEST_SCENE_H
 #define FMB_TEST_SCENE_H
 
-#include "lp/row.h"
+#include "lp/model/row.h"
 #include "solve/query/part.h"
 #include "support/support.h"
 

@@ -4,8 +4,8 @@
 #include <criterion/criterion.h>
 #include <string.h>
 
-#include "lp/exact/exact_simplex.h"
-#include "lp/redundancy/implied.h"
+#include "lp/dictionary/exact_simplex.h"
+#include "lp/redundancy/active_set/implied.h"
 #include "lp/redundancy/irredundant.h"
 #include "support.h"
 

@@ -2,7 +2,7 @@
  * wrong, whatever underflows. */
 #include <criterion/criterion.h>
 
-#include "lp/oracle/refute.h"
+#include "lp/oracle/refined_farkas.h"
 #include "vertex_bench.h"
 
 /* (a 2^ea + odd) x + c 2^ec y rel d: odd, so that the powers of two are not divided away. */

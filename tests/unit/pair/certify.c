@@ -5,8 +5,8 @@
 #include <criterion/criterion.h>
 #include <math.h>
 
-#include "pair/extreme/certify.h"
-#include "pair/extreme/value.h"
+#include "pair/exact_box/certify.h"
+#include "pair/exact_box/exact_box_value.h"
 
 enum { UNKNOWNS = FMB_EXTREME_UNKNOWNS, DIM = FMB_EXTREME_DIM };
 

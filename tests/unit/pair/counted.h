@@ -1,5 +1,5 @@
 // counted.h: numbers that know how far they may be off; they stand in place of the lanes of
-// pair/kernels/lane.h, so that the kernels' own text is counted.
+// pair/kernels/lane/lane.h, so that the kernels' own text is counted.
 //
 // A number is a value v, and e: what is computed is within e u of what is meant, u = 2^-53. Each
 // operation adds what it inherits and its own rounding (docs/error-bounds.md). Where values are

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "pair/kernels/double_double.h"
+#include "pair/kernels/lane/double_double.h"
 
 enum { OPERATIONS = 3, ROUNDS = 100000 };
 

@@ -14,7 +14,7 @@
 #include <map>
 #include <string>
 
-#include "pair/kernels/fmb_gaps.h"
+#include "pair/kernels/verdict/verdict_gaps.h"
 
 /* ---- what was claimed, what is needed -------------------------------------------------------- */
 
@@ -148,13 +148,13 @@ static void count_certain(fmb_gaps *, lane size, double count, lane bound)
 #define local_frame_make make_bounds
 #define fmb_gaps_class   count_class
 #define fmb_gaps_certain count_certain
-#include "pair/kernels/fmb_kernel.h"
+#include "pair/kernels/verdict/verdict_kernel.h"
 #undef local_frame_make
 
 /* ---- verdicts: any axes ---------------------------------------------------------------------- */
 
 #include "pair/kernels/flat.c"
-#include "pair/kernels/fmb_flat.h"
+#include "pair/kernels/verdict/verdict_flat.h"
 
 /* Directions of any size; differences of axes are rounded, and so are shift and drift. */
 static void make_flat_pair(const fmb_flat_kind *k, bool filter, flat_pair *p)
@@ -220,7 +220,7 @@ static void count_axes(int dim, bool moves, bool a, bool b)
 
 /* ---- boxes of frames that stand still -------------------------------------------------------- */
 
-#include "pair/kernels/box_kernel.h"
+#include "pair/kernels/box/box_kernel.h"
 
 static double some_number() // of either sign; often a small one
 {

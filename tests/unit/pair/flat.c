@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "pair/block.h"
-#include "pair/extreme/normals.h"
+#include "pair/exact_box/normals.h"
 #include "pair/kernels/packed_kernels.h"
 #include "property/random/rows.h"
 #include "study/draw/pairs.h"

@@ -2,7 +2,7 @@
 #include <criterion/criterion.h>
 #include <gmp.h>
 
-#include "pair/extreme/wide.h"
+#include "pair/exact_box/wide.h"
 
 enum { MOST_TERMS = 4, MOST_WORDS = 5, ROUNDS = 20000 };
 

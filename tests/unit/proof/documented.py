@@ -66,7 +66,7 @@ def check_lines(document):
     names, most = re.search(r"The judge \((.*?) in `lib/proof`.*?fewer than ([\d,]+) lines",
                             open(document).read(), re.S).groups()
     folder, most = os.path.join(os.path.dirname(document), "../lib/proof"), int(most.replace(",", ""))
-    paths = [os.path.join(folder, name + end) for name in re.findall(r"`(\w+)`", names)
+    paths = [os.path.join(folder, name + end) for name in re.findall(r"`([\w/]+)`", names)
              for end in (".c", ".h")]
     lines = sum(len(open(path).readlines()) for path in paths if os.path.exists(path))
     assert most - 200 < lines < most, f"the judge has {lines} lines, not fewer than {most}"

@@ -2,7 +2,7 @@
 #ifndef FMB_TEST_MUTATIONS_H
 #define FMB_TEST_MUTATIONS_H
 
-#include "proof/evidence.h"
+#include "proof/evidence/evidence.h"
 #include "support/support.h"
 
 typedef struct subject {

@@ -3,7 +3,7 @@
 #ifndef FMB_TEST_NAIVE_H
 #define FMB_TEST_NAIVE_H
 
-#include "proof/evidence.h"
+#include "proof/evidence/evidence.h"
 #include "support/dense.h"
 
 /* Index of the first claim that does not hold, SIZE_MAX if all do. */

@@ -2,7 +2,7 @@
 #ifndef FMB_TEST_PROOF_SAMPLES_H
 #define FMB_TEST_PROOF_SAMPLES_H
 
-#include "proof/evidence.h"
+#include "proof/evidence/evidence.h"
 
 typedef struct proof_sample {
     const char *name;

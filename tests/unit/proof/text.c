@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "proof/form.h"
+#include "proof/evidence/form.h"
 #include "samples.h"
 
 /* ---- round trips ----------------------------------------------------------------------------- */

@@ -5,7 +5,7 @@
 
 #include <fmb/lift.h>
 
-#include "lifts.h"
+#include "preimages.h"
 #include "property/random/agree.h"
 #include "support.h"
 

@@ -7,7 +7,7 @@
 #include <fmb/lift.h>
 
 #include "fault/hook.h"
-#include "lifts.h"
+#include "preimages.h"
 #include "property/random/rows.h"
 #include "support.h"
 

@@ -1,5 +1,6 @@
 /* long_numbers.c: verdicts on linear programs, which are had without an exact solution where that
- * is possible (lp/oracle/grid.c, refute.c), against answers whose evidence fmb_check accepts.
+ * is possible (lp/oracle/lattice_point.c, refute.c), against answers whose evidence fmb_check
+ * accepts.
  */
 #include <criterion/criterion.h>
 

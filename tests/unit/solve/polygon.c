@@ -3,7 +3,7 @@
 #include <criterion/criterion.h>
 
 #include "property/random/agree.h"
-#include "solve/project/polygon.h"
+#include "solve/portfolio/polygon.h"
 #include "support.h"
 
 /* ---- a query by hand ------------------------------------------------------------------------- */

@@ -1,0 +1,119 @@
+/* tiny_load.c: rows of a system into a table on the stack.
+ *
+ * Of the rows with one variable only the tightest of each side stays. Its end, rounded outward to a
+ * whole number, is an end of the box: the box may be larger than what the rows say, and what holds
+ * in it strictly, or fails in all of it, does so in the smaller one.
+ */
+#include "elim/tiny/tiny_private.h"
+#include "num/gcd.h"
+#include "system/system_private.h"
+
+static void ask_for_memory(const void *p)
+{
+#ifdef __GNUC__
+    __builtin_prefetch(p);
+#else
+    (void)p;
+#endif
+}
+
+/* Base rows that are ends: row[side][variable], or -1. */
+typedef struct load_ends {
+    int row[2][FMB_TINY_WORDS];
+} load_ends;
+
+/* Is a x REL b tighter than row i on the same side of the same variable? */
+static bool is_tighter_end(const fmb_tiny_table *base, int i, int var, const fmb_sysrow *r)
+{
+    fmb_i128 mine = fmb_i128_product(r->val.s[1], (int64_t)fmb_abs64(base->a[i][var]));
+    fmb_i128 its = fmb_i128_product(base->a[i][0], (int64_t)fmb_abs64(r->val.s[0]));
+    int order = fmb_i128_compare(mine, its);
+    return order < 0 || (order == 0 && r->rel == FMB_LT && !base->strict[i]);
+}
+
+static void put_base_row(fmb_tiny_table *base, int i, const fmb_sysrow *r)
+{
+    int64_t *a = base->a[i];
+    for (int k = 0; k < FMB_TINY_WORDS; k++)
+        a[k] = 0;
+    for (size_t k = 0; k < r->nnz; k++)
+        a[r->var[k] + 1] = r->val.s[k];
+    a[0] = r->val.s[r->nnz];
+    base->history[i] = 0; /* until it is known which rows stay */
+    base->bits[i] = (uint8_t)r->val.bits;
+    base->strict[i] = r->rel == FMB_LT;
+}
+
+/* A row with one variable: as an end, unless there is a tighter one. */
+static void put_end_row(fmb_tiny_table *base, load_ends *e, const fmb_sysrow *r)
+{
+    int var = r->var[0] + 1, *end = &e->row[r->val.s[0] > 0][var];
+    if (*end < 0)
+        put_base_row(base, *end = base->rows++, r);
+    else if (is_tighter_end(base, *end, var, r))
+        put_base_row(base, *end, r);
+}
+
+/* The greatest whole number that is at most b / a, for a > 0. */
+static int64_t floor_divide(int64_t b, int64_t a)
+{
+    return a == 1 ? b : b / a - (b % a < 0);
+}
+
+/* Ends that are too large for the sums in tiny_box.c are left out. */
+static void make_outward_box(fmb_tiny *t, const load_ends *e)
+{
+    t->open[0] = t->open[1] = 0;
+    for (int k = 1; k <= t->n; k++) {
+        for (int side = 0; side < 2; side++) {
+            int i = e->row[side][k];
+            if (i >= 0) {
+                const int64_t *a = t->now->a[i];
+                t->end[side][k] = side ? -floor_divide(-a[0], a[k]) : floor_divide(-a[0], -a[k]);
+            }
+            bool open = i < 0 || fmb_bits64(fmb_abs64(t->end[side][k])) > FMB_TINY_END_BITS;
+            t->open[side] |= (unsigned)open << k;
+            if (open) /* counted all the same, and then left aside */
+                t->end[side][k] = 0;
+        }
+    }
+}
+
+/* Can all rows be taken? Their words, far apart in memory, are asked for on the way: at this size
+ * waiting for them one by one would take longer than all the rest. */
+static bool suits_the_stack(const fmb_system *s)
+{
+    bool good = true;
+    for (size_t i = 0; i < s->rows; i++) {
+        const fmb_sysrow *r = fmb_system_row(s, i);
+        ask_for_memory(r->var);
+        ask_for_memory(r->val.s);
+        good &= !fmb_vec_is_wide(&r->val) & (r->rel != FMB_EQ);
+    }
+    return good;
+}
+
+fmb_tiny_step fmb_tiny_load(fmb_tiny *t, const fmb_system *s)
+{
+    load_ends e;
+    t->n = fmb_system_dim(s);
+    t->now->rows = 0;
+    if (!suits_the_stack(s))
+        return FMB_TINY_FULL;
+    for (int k = 0; k < FMB_TINY_WORDS; k++)
+        e.row[0][k] = e.row[1][k] = -1;
+    for (size_t i = 0; i < s->rows; i++) {
+        const fmb_sysrow *r = fmb_system_row(s, i);
+        if (r->nnz == 1)
+            put_end_row(t->now, &e, r);
+        else if (r->nnz > 1)
+            put_base_row(t->now, t->now->rows++, r);
+        else if (r->val.s[0] < 0 || (r->val.s[0] == 0 && r->rel == FMB_LT))
+            return FMB_TINY_CLASH;
+    }
+    make_outward_box(t, &e);
+    fmb_tiny_step step = fmb_tiny_prune(t, t->now, 0);
+    for (int i = 0; i < t->now->rows; i++)
+        t->now->history[i] = (uint64_t)1 << i;
+    return step;
+}

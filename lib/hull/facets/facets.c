@@ -1,0 +1,125 @@
+/* facets.c: a generator more: inside, beyond some facets, or outside of the span; see facets.h. */
+#include "hull/facets/facets_private.h"
+
+/* The one at hand is outside: it gets a number. */
+static fmb_status number_generator(fmb_facets *f)
+{
+    fmb_mem *mem = f->num.mem;
+    fmb_status st = fmb_mem_reserve(mem, (void **)&f->generator, &f->generator_capacity,
+                                    f->generators + 1, sizeof *f->generator);
+    if (st == FMB_OK && f->generators == 64 * f->words)
+        st = fmb_facets_widen_sets(f);
+    if (st != FMB_OK)
+        return st;
+    fmb_vec v = {.s = fmb_mem_get(mem, f->d, sizeof *v.s)};
+    if (!v.s)
+        return fmb_mem_status(mem);
+    f->generator[f->generators++] = v;
+    return fmb_vec_copy(&f->generator[f->generators - 1], &f->g, f->d, mem);
+}
+
+/* An equation that v does not satisfy; f->d: none. */
+static size_t find_equation_off(fmb_facets *f, const fmb_vec *v)
+{
+    for (size_t e = 0; e < f->d - f->rank; e++)
+        if (fmb_facets_sign(f, &f->equation[e], v) != 0)
+            return e;
+    return f->d;
+}
+
+bool fmb_facets_is_off_span(fmb_facets *f, const fmb_vec *v)
+{
+    return find_equation_off(f, v) < f->d;
+}
+
+/* On which side of a facet is the generator at hand? Those that matter are listed. */
+static fmb_status find_side(fmb_facets *f, uint32_t at)
+{
+    fmb_facet *a = &f->facet[at];
+    a->round = f->round;
+    fmb_status st = fmb_facets_side(f, at, &f->g, f->near, &a->side);
+    if (st == FMB_OK && a->side < 0)
+        st = fmb_facets_list(f, &f->seen, &f->seens, &f->seen_capacity, at);
+    else if (st == FMB_OK && a->side == 0)
+        st = fmb_facets_list(f, &f->touched, &f->toucheds, &f->touched_capacity, at);
+    return st;
+}
+
+/* From one facet that sees it to all that do, and those beside them. */
+static fmb_status spread_from_facets_that_see(fmb_facets *f)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i < f->seens; i++) {
+        uint32_t v = f->seen[i];
+        for (size_t k = 0; st == FMB_OK && k < f->facet[v].nexts; k++) {
+            uint32_t n = f->facet[v].next[k];
+            if (f->facet[n].round != f->round)
+                st = find_side(f, n);
+        }
+    }
+    return st;
+}
+
+/* Facets are the vertices of a polytope in the dual space, ridges its edges; the generator is a
+ * linear form there. By the simplex method, where that is not least there is an edge on which it
+ * falls: so a facet that holds it, if any sees it, is beside one that sees it; and those that see
+ * it hang together, as the way down from each ends where it is least, and the least ones are a
+ * face. */
+static fmb_status find_sides(fmb_facets *f, size_t first)
+{
+    fmb_status st = FMB_OK;
+    f->seens = f->toucheds = 0;
+    f->round++;
+    for (size_t i = first; st == FMB_OK && i < f->slots && f->seens == 0; i++)
+        if (f->facet[i].alive)
+            st = find_side(f, (uint32_t)i);
+    return st == FMB_OK ? spread_from_facets_that_see(f) : st;
+}
+
+static fmb_status load_generator(fmb_facets *f, fmb_status st)
+{
+    if (st == FMB_OK)
+        st = fmb_vec_reduce(&f->g, f->d, &f->num);
+    if (st == FMB_OK)
+        fmb_facets_round(&f->g, f->d, f->near);
+    return st;
+}
+
+/* Take in what has been loaded. */
+static fmb_status add_generator_at_hand(fmb_facets *f, bool *grown)
+{
+    fmb_status st = FMB_OK;
+    size_t e = find_equation_off(f, &f->g);
+    if (e == f->d)
+        st = find_sides(f, 0);
+    *grown = st == FMB_OK && (e < f->d || f->seens > 0);
+    if (!*grown)
+        return st;
+    st = number_generator(f);
+    if (st == FMB_OK)
+        st = e < f->d ? fmb_facets_raise(f, e, f->generators - 1)
+                      : fmb_facets_cut(f, f->generators - 1);
+    return st;
+}
+
+fmb_status fmb_facets_add(fmb_facets *f, mpz_t *g, bool *grown)
+{
+    fmb_status st = load_generator(f, fmb_vec_set_z(&f->g, f->d, g, f->num.mem));
+    return st == FMB_OK ? add_generator_at_hand(f, grown) : st;
+}
+
+fmb_status fmb_facets_add_vec(fmb_facets *f, const fmb_vec *v, bool *grown)
+{
+    fmb_status st = load_generator(f, fmb_vec_copy(&f->g, v, f->d, f->num.mem));
+    return st == FMB_OK ? add_generator_at_hand(f, grown) : st;
+}
+
+fmb_status fmb_facets_add_beyond(fmb_facets *f, const fmb_vec *v, size_t at)
+{
+    fmb_status st = load_generator(f, fmb_vec_copy(&f->g, v, f->d, f->num.mem));
+    if (st == FMB_OK)
+        st = find_sides(f, at);
+    if (st == FMB_OK)
+        st = number_generator(f);
+    return st == FMB_OK ? fmb_facets_cut(f, f->generators - 1) : st;
+}

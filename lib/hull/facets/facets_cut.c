@@ -1,0 +1,119 @@
+/* facets_cut.c: a generator beyond some facets; see facets.h.
+ *
+ * Facets that see the generator g go. Each ridge between one of those, v, and one that does not see
+ * it, n, spans a facet with g: the combination of both normals that is 0 on g. A facet whose
+ * hyperplane holds g grows by it; it has a ridge with one that goes. On a facet that is new stands,
+ * besides g, what stands on both v and n: the combination is 0 exactly where both are.
+ * Ridges between facets that are new or have grown come last (facets_ridges.c).
+ */
+#include "hull/facets/facets_private.h"
+#include "num/ones.h"
+
+/* Combinations of so many bits stay small. */
+#define EXACT_BITS 56
+
+/* ---- new facets ------------------------------------------------------------------------------ */
+
+static fmb_status need_value(fmb_facets *f, fmb_facet *a)
+{
+    if (a->valued)
+        return FMB_OK;
+    a->valued = true;
+    return fmb_facets_evaluate(f, &a->normal);
+}
+
+/* Short numbers are quicker than doubles with bounds; and where there are equations, normals are
+ * not told by what is on them. */
+static bool is_combination_exact(const fmb_facets *f, const fmb_facet *n, const fmb_facet *v)
+{
+    const fmb_vec *p = &n->normal, *q = &v->normal, *g = &f->g;
+    bool is_short = !p->z && !q->z && !g->z && p->bits + q->bits + g->bits < EXACT_BITS;
+    return n->known && v->known && (is_short || f->rank < f->d || f->d > FMB_FACETS_FEW);
+}
+
+static fmb_status combine_exactly(fmb_facets *f, fmb_facet *a, fmb_facet *n, fmb_facet *v)
+{
+    fmb_status st = need_value(f, n);
+    if (st == FMB_OK)
+        st = need_value(f, v);
+    if (st == FMB_OK)
+        st = fmb_vec_cancel(&a->normal, &n->normal, &v->normal, f->d + 1, f->d, &f->num);
+    if (st == FMB_OK)
+        st = fmb_facets_tidy(f, &a->normal);
+    a->known = st == FMB_OK;
+    fmb_facets_round_normal(f, a);
+    return st;
+}
+
+static fmb_status combine_normals(fmb_facets *f, uint32_t at, uint32_t n, uint32_t v)
+{
+    fmb_facet *a = &f->facet[at], *p = &f->facet[n], *q = &f->facet[v];
+    if (is_combination_exact(f, p, q))
+        return combine_exactly(f, a, p, q);
+    fmb_facets_combine_roughly(f, a, p, q);
+    return FMB_OK;
+}
+
+static fmb_status make_facet_over_ridge(fmb_facets *f, uint32_t v, uint32_t n, size_t generator)
+{
+    uint32_t at;
+    fmb_status st = fmb_facets_open_slot(f, &at);
+    if (st == FMB_OK)
+        st = combine_normals(f, at, n, v);
+    if (st != FMB_OK)
+        return st;
+    fmb_facet *a = &f->facet[at];
+    for (size_t w = 0; w < f->words; w++) {
+        a->on[w] = f->facet[v].on[w] & f->facet[n].on[w];
+        a->ons += fmb_ones64(a->on[w]);
+    }
+    fmb_facet_put_on(a, generator);
+    fmb_facets_part(f, n, v);
+    st = fmb_facets_join(f, at, n);
+    return st == FMB_OK ? fmb_facets_list(f, &f->made, &f->mades, &f->made_capacity, at) : st;
+}
+
+static fmb_status replace_facets_that_see(fmb_facets *f, size_t generator)
+{
+    fmb_status st = FMB_OK;
+    f->mades = 0;
+    for (size_t i = 0; st == FMB_OK && i < f->seens; i++) {
+        uint32_t v = f->seen[i];
+        for (size_t k = 0; st == FMB_OK && k < f->facet[v].nexts; k++) {
+            uint32_t n = f->facet[v].next[k];
+            if (f->facet[n].side > 0)
+                st = make_facet_over_ridge(f, v, n, generator);
+            else if (f->facet[n].side == 0)
+                fmb_facets_part(f, n, v);
+        }
+        if (st == FMB_OK)
+            st = fmb_run_poll(f->run);
+    }
+    return st;
+}
+
+/* ---- the whole way --------------------------------------------------------------------------- */
+
+static fmb_status forget_values(fmb_facets *f)
+{
+    fmb_status st = FMB_OK;
+    for (size_t a = 0; st == FMB_OK && a < f->slots; a++) {
+        if (!f->facet[a].alive || !f->facet[a].valued)
+            continue;
+        f->facet[a].valued = false;
+        st = fmb_facets_tidy(f, &f->facet[a].normal);
+    }
+    return st;
+}
+
+fmb_status fmb_facets_cut(fmb_facets *f, size_t generator)
+{
+    for (size_t i = 0; i < f->toucheds; i++)
+        fmb_facet_put_on(&f->facet[f->touched[i]], generator);
+    fmb_status st = replace_facets_that_see(f, generator);
+    for (size_t i = 0; st == FMB_OK && i < f->seens; i++)
+        fmb_facets_close_slot(f, f->seen[i]);
+    if (st == FMB_OK)
+        st = forget_values(f);
+    return st == FMB_OK ? fmb_facets_join_new(f) : st;
+}

@@ -1,0 +1,278 @@
+/* facets_many.c: many generators, those farthest out first; see facets.h.
+ *
+ * Each vector that may still be beyond some facet waits at one that it is beyond. The one farthest
+ * beyond its facet comes next. Those that waited at facets which go then are asked about the new
+ * facets, and about those that grow: if they are beyond none of these, they are inside for ever.
+ *
+ * Proof. Say p, waiting at v, which goes as g comes, is beyond a facet of the new cone. The facets
+ * of the old cone that p is beyond hang together, ridge by ridge. If all of them go, those of the
+ * new cone that p is beyond are new, or have grown. Else some that goes, v', shares a ridge with
+ * some n that stays. If n has grown, p is beyond that. If not, n is positive on g, and the new
+ * facet over that ridge is a combination of n and v' with positive numbers: p is beyond it.
+ *
+ * Source: Barber, Dobkin, Huhdanpaa 1996, The quickhull algorithm for convex hulls, lemma 3.1.
+ */
+#include <math.h>
+
+#include "hull/facets/facets_private.h"
+
+#define NOBODY UINT32_MAX
+
+/* At a facet, by slot. */
+typedef struct queue {
+    uint32_t first; /* the one farthest beyond */
+    double depth;   /* how far, roughly */
+} queue;
+
+typedef struct crowd {
+    fmb_facets *f;
+    const fmb_vec *v; /* [size] */
+    size_t size, t;
+    double *near;   /* [size][d] the vectors, scaled so that distances are comparable */
+    uint32_t *next; /* [size] who waits at the same facet */
+    queue *at;      /* [slots] */
+    size_t slots, capacity;
+} crowd;
+
+/* ---- vectors in doubles ---------------------------------------------------------------------- */
+
+/* No entry of a vector in doubles is larger than about 2^900: then sums of products with normals,
+ * and the bounds of these, do not overflow. */
+enum { MOST_EXPONENT = 900, LEAST_EXPONENT = -1200 };
+
+/* Entry k is that number times 2^*exponent, cut off after 53 bits; it is within 1/2 ... 1, or 0. */
+static double take_apart(const fmb_vec *v, size_t k, long *exponent)
+{
+    int e;
+    if (v->z)
+        return mpz_get_d_2exp(exponent, v->z[k]);
+    double x = frexp((double)v->s[k], &e);
+    *exponent = e;
+    return x;
+}
+
+/* The largest exponent of an entry that is not 0, and the column where it is. */
+static long find_largest_exponent(const fmb_vec *v, size_t d, size_t *column)
+{
+    long most = 0, e;
+    *column = d;
+    for (size_t k = 0; k < d; k++)
+        if (take_apart(v, k, &e) != 0 && (*column == d || e > most)) {
+            most = e;
+            *column = k;
+        }
+    return most;
+}
+
+/* Points get the coordinate t = 1, rays a largest coordinate of about 1; or less, where some other
+ * would overflow.
+ *
+ * Theorem. x_k = s v_k up to a factor within 1 +- 2^-50, and up to 2^-1075, for some s > 0.
+ * Proof. Entry k is cut off and divided: a factor within 1 +- 2^-51. The divisor, as cut off, is
+ * the same for all entries, as is the power of two: they are in s. Only ldexp may underflow, once;
+ * what is less than 2^LEAST_EXPONENT becomes 0 either way. */
+static void scale_vector(const fmb_vec *v, size_t d, size_t t, double *x)
+{
+    size_t largest, unit = t;
+    long most = find_largest_exponent(v, d, &largest), one, e;
+    if (fmb_vec_sgn(v, t) == 0)
+        unit = largest;
+    double by = fabs(take_apart(v, unit, &one));
+    if (most - one > MOST_EXPONENT)
+        one = most - MOST_EXPONENT;
+    for (size_t k = 0; k < d; k++) {
+        double part = take_apart(v, k, &e) / by;
+        x[k] = ldexp(part, e - one < LEAST_EXPONENT ? LEAST_EXPONENT : (int)(e - one));
+    }
+}
+
+static void scale_vectors(crowd *c)
+{
+    size_t d = c->f->d;
+    for (size_t i = 0; i < c->size; i++)
+        scale_vector(&c->v[i], d, c->t, c->near + i * d);
+}
+
+/* ---- queues ---------------------------------------------------------------------------------- */
+
+static void wait_at_facet(crowd *c, uint32_t a, uint32_t i)
+{
+    queue *q = &c->at[a];
+    double depth = -c->f->facet[a].value;
+    bool farthest = q->first == NOBODY || depth > q->depth;
+    uint32_t *place = farthest ? &q->first : &c->next[q->first];
+    q->depth = farthest ? depth : q->depth;
+    c->next[i] = *place;
+    *place = i;
+}
+
+/* If the vector is beyond one of these facets for sure, it waits there. */
+static bool look_for_sure_facet(crowd *c, uint32_t i, const uint32_t *facet, size_t facets,
+                                bool *doubtful)
+{
+    const double *near = c->near + i * c->f->d;
+    for (size_t k = 0; k < facets; k++) {
+        int side;
+        bool sure = fmb_facets_guess_side(c->f, &c->f->facet[facet[k]], near, &side);
+        *doubtful |= !sure;
+        if (sure && side < 0) {
+            wait_at_facet(c, facet[k], i);
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The same where doubts are looked into. */
+static fmb_status look_for_facet(crowd *c, uint32_t i, const uint32_t *facet, size_t facets,
+                                 bool *waits)
+{
+    fmb_status st = FMB_OK;
+    const double *near = c->near + i * c->f->d;
+    for (size_t k = 0; st == FMB_OK && !*waits && k < facets; k++) {
+        int side;
+        st = fmb_facets_side(c->f, facet[k], &c->v[i], near, &side);
+        *waits = st == FMB_OK && side < 0;
+        if (*waits)
+            wait_at_facet(c, facet[k], i);
+    }
+    return st;
+}
+
+static fmb_status look_for_new_facet(crowd *c, uint32_t i)
+{
+    const fmb_facets *f = c->f;
+    bool doubtful = false;
+    bool waits = look_for_sure_facet(c, i, f->made, f->mades, &doubtful) ||
+                 look_for_sure_facet(c, i, f->touched, f->toucheds, &doubtful);
+    if (waits || !doubtful)
+        return FMB_OK;
+    fmb_status st = look_for_facet(c, i, f->made, f->mades, &waits);
+    return st == FMB_OK ? look_for_facet(c, i, f->touched, f->toucheds, &waits) : st;
+}
+
+static fmb_status open_queues(crowd *c)
+{
+    fmb_status st =
+        fmb_mem_reserve(c->f->num.mem, (void **)&c->at, &c->capacity, c->f->slots, sizeof *c->at);
+    for (; st == FMB_OK && c->slots < c->f->slots; c->slots++)
+        c->at[c->slots] = (queue){.first = NOBODY};
+    return st;
+}
+
+/* ---- all of them ----------------------------------------------------------------------------- */
+
+static fmb_status add_from_crowd(crowd *c, size_t i)
+{
+    bool grown;
+    fmb_status st = fmb_run_poll(c->f->run);
+    return st == FMB_OK ? fmb_facets_add_vec(c->f, &c->v[i], &grown) : st;
+}
+
+/* Those farthest out both ways in each coordinate. */
+static fmb_status add_outermost_vectors(crowd *c)
+{
+    fmb_status st = FMB_OK;
+    size_t d = c->f->d;
+    for (size_t k = 0; st == FMB_OK && k < d && c->size > 0; k++) {
+        size_t least = 0, most = 0;
+        for (size_t i = 1; i < c->size; i++) {
+            least = c->near[i * d + k] < c->near[least * d + k] ? i : least;
+            most = c->near[i * d + k] > c->near[most * d + k] ? i : most;
+        }
+        st = add_from_crowd(c, least);
+        if (st == FMB_OK)
+            st = add_from_crowd(c, most);
+    }
+    return st;
+}
+
+/* After this all vectors are in the span of the generators. */
+static fmb_status add_vectors_off_the_span(crowd *c)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i < c->size && c->f->rank < c->f->d; i++)
+        if (fmb_facets_is_off_span(c->f, &c->v[i]))
+            st = add_from_crowd(c, i);
+    return st;
+}
+
+static fmb_status send_all_to_facets(crowd *c)
+{
+    fmb_facets *f = c->f;
+    f->mades = f->toucheds = 0;
+    fmb_status st = open_queues(c);
+    for (uint32_t a = 0; st == FMB_OK && a < f->slots; a++)
+        if (f->facet[a].alive)
+            st = fmb_facets_list(f, &f->made, &f->mades, &f->made_capacity, a);
+    for (uint32_t i = 0; st == FMB_OK && i < c->size; i++) {
+        st = look_for_new_facet(c, i);
+        if (st == FMB_OK)
+            st = fmb_run_poll(f->run);
+    }
+    return st;
+}
+
+/* The first one at facet a becomes a generator; those at facets that go move on. Facets count as
+ * rows. */
+static fmb_status add_first_at_facet(crowd *c, uint32_t a)
+{
+    uint32_t i = c->at[a].first;
+    c->at[a].first = c->next[i];
+    fmb_status st = fmb_run_poll(c->f->run);
+    if (st == FMB_OK)
+        st = fmb_facets_add_beyond(c->f, &c->v[i], a);
+    if (st == FMB_OK)
+        st = fmb_run_rows(c->f->run, c->f->alive);
+    if (st == FMB_OK)
+        st = open_queues(c);
+    for (size_t k = 0; st == FMB_OK && k < c->f->seens; k++) {
+        queue *q = &c->at[c->f->seen[k]];
+        uint32_t next = q->first;
+        *q = (queue){.first = NOBODY};
+        while (st == FMB_OK && next != NOBODY) {
+            i = next;
+            next = c->next[i];
+            st = look_for_new_facet(c, i);
+        }
+    }
+    return st;
+}
+
+static fmb_status add_all_who_wait(crowd *c)
+{
+    fmb_status st = FMB_OK;
+    for (bool any = true; st == FMB_OK && any;) {
+        any = false;
+        for (uint32_t a = 0; st == FMB_OK && a < c->slots; a++) {
+            if (c->at[a].first == NOBODY)
+                continue;
+            st = add_first_at_facet(c, a);
+            any = true;
+        }
+    }
+    return st;
+}
+
+fmb_status fmb_facets_add_all(fmb_facets *f, const fmb_vec *v, size_t size, size_t t)
+{
+    fmb_mem *mem = f->num.mem;
+    crowd c = {.f = f, .v = v, .size = size, .t = t};
+    c.near = fmb_mem_get(mem, size * f->d, sizeof *c.near);
+    c.next = fmb_mem_get(mem, size, sizeof *c.next);
+    fmb_status st = c.near && c.next ? FMB_OK : fmb_mem_status(mem);
+    if (st == FMB_OK) {
+        scale_vectors(&c);
+        st = add_outermost_vectors(&c);
+    }
+    if (st == FMB_OK)
+        st = add_vectors_off_the_span(&c);
+    if (st == FMB_OK)
+        st = send_all_to_facets(&c);
+    if (st == FMB_OK)
+        st = add_all_who_wait(&c);
+    fmb_mem_put(mem, c.near, size * f->d, sizeof *c.near);
+    fmb_mem_put(mem, c.next, size, sizeof *c.next);
+    fmb_mem_put(mem, c.at, c.capacity, sizeof *c.at);
+    return st;
+}

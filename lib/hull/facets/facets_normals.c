@@ -1,0 +1,74 @@
+/* facets_normals.c: the normals of all facets, by several threads; see facets.h.
+ *
+ * Slots are divided into shares that are the same for any number of threads. A normal that is wide
+ * is counted in its share's memory until all are found.
+ */
+#include "hull/facets/facets_private.h"
+#include "trace/team.h"
+
+enum { SHARES = 16 };
+
+/* With fewer facets threads wait longer than they work. */
+#define FACETS_FOR_THREADS 256
+
+typedef struct normals {
+    fmb_facets *f;
+    size_t bytes[SHARES]; /* that the normals of a share hold */
+} normals;
+
+static fmb_status find_normals_by(normals *w, size_t k, fmb_num *num, fmb_run *run)
+{
+    fmb_facets *f = w->f;
+    fmb_normal_tools tools = {.num = num};
+    size_t before = run->mem->used;
+    fmb_status st = FMB_OK;
+    for (size_t i = f->slots * k / SHARES; st == FMB_OK && i < f->slots * (k + 1) / SHARES; i++) {
+        if (f->facet[i].alive && !f->facet[i].known)
+            st = fmb_facets_find_normal(f, &f->facet[i], &tools);
+        if (st == FMB_OK)
+            st = fmb_run_poll(run);
+    }
+    fmb_normal_tools_clear(f, &tools);
+    w->bytes[k] = run->mem->used - before;
+    return st;
+}
+
+static fmb_status find_normals_of_share(void *self, size_t k, fmb_run *run)
+{
+    normals *w = self;
+    fmb_num num;
+    fmb_status st = fmb_run_open_num(run, &num, w->f->d + 1, false);
+    if (st != FMB_OK)
+        return st;
+    st = find_normals_by(w, k, &num, run);
+    fmb_num_clear(&num);
+    return st;
+}
+
+static fmb_status find_normals_together(fmb_facets *f)
+{
+    fmb_team team;
+    normals w = {.f = f};
+    fmb_status st = fmb_team_open(&team, f->run, SHARES);
+    if (st == FMB_OK) {
+        st = fmb_team_do(&team, SHARES, find_normals_of_share, &w);
+        for (size_t k = 0; k < SHARES; k++)
+            fmb_team_hand_over(&team, k, w.bytes[k]);
+    }
+    fmb_team_close(&team);
+    return st;
+}
+
+fmb_status fmb_facets_need_all_normals(fmb_facets *f)
+{
+    fmb_status st = FMB_OK;
+    if (f->run->threads > 1 && f->d <= FMB_FACETS_FEW && f->alive >= FACETS_FOR_THREADS)
+        return find_normals_together(f);
+    for (size_t i = 0; st == FMB_OK && i < f->slots; i++) {
+        if (f->facet[i].alive)
+            st = fmb_facets_need_normal(f, i);
+        if (st == FMB_OK)
+            st = fmb_run_poll(f->run);
+    }
+    return st;
+}

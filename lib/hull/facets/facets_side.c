@@ -1,0 +1,19 @@
+/* facets_side.c: on which side of a facet a generator lies: in doubles, and exactly where these are
+ * in doubt; see facets.h.
+ */
+#include "hull/facets/facets_private.h"
+
+fmb_status fmb_facets_side(fmb_facets *f, size_t at, const fmb_vec *g, const double *near,
+                           int *side)
+{
+    fmb_facet *a = &f->facet[at];
+    if (fmb_facets_guess_side(f, a, near, side))
+        return FMB_OK;
+    if (!a->known) {
+        fmb_status st = fmb_facets_need_normal(f, at);
+        if (st != FMB_OK || fmb_facets_guess_side(f, a, near, side))
+            return st;
+    }
+    *side = fmb_facets_sign(f, &a->normal, g);
+    return FMB_OK;
+}

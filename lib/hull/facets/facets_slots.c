@@ -1,0 +1,178 @@
+/* facets_slots.c: life of facets: their slots, their sets, their neighbours; see facets.h. */
+#include "hull/facets/facets_private.h"
+
+#include <string.h>
+
+/* ---- slots ----------------------------------------------------------------------------------- */
+
+static fmb_status widen_set(fmb_facets *f, uint64_t **set, size_t *words, size_t wanted)
+{
+    uint64_t *wider = fmb_mem_grow(f->num.mem, *set, *words, wanted, sizeof *wider);
+    if (!wider)
+        return fmb_mem_status(f->num.mem);
+    memset(wider + *words, 0, (wanted - *words) * sizeof *wider);
+    *set = wider;
+    *words = wanted;
+    return FMB_OK;
+}
+
+fmb_status fmb_facets_widen_sets(fmb_facets *f)
+{
+    size_t wanted = 2 * f->words;
+    fmb_status st = widen_set(f, &f->common, &f->common_words, wanted);
+    for (size_t a = 0; st == FMB_OK && a < f->slots; a++)
+        st = widen_set(f, &f->facet[a].on, &f->facet[a].words, wanted);
+    f->words = wanted;
+    return st;
+}
+
+/* A slot that never was used. */
+static fmb_status make_slot(fmb_facets *f, uint32_t *out)
+{
+    fmb_mem *mem = f->num.mem;
+    fmb_status st = fmb_mem_reserve(mem, (void **)&f->facet, &f->facet_capacity, f->slots + 1,
+                                    sizeof *f->facet);
+    if (st != FMB_OK)
+        return st;
+    fmb_facet *a = &f->facet[f->slots++];
+    *a = (fmb_facet){0};
+    a->normal.s = fmb_mem_zero(mem, f->d + 1, sizeof *a->normal.s);
+    a->roughly = fmb_mem_get(mem, 2 * f->d, sizeof *a->roughly);
+    a->on = fmb_mem_get(mem, f->words, sizeof *a->on);
+    a->words = f->words;
+    *out = (uint32_t)(f->slots - 1);
+    return a->normal.s && a->roughly && a->on ? FMB_OK : fmb_mem_status(mem);
+}
+
+fmb_status fmb_facets_open_slot(fmb_facets *f, uint32_t *out)
+{
+    fmb_status st = FMB_OK;
+    if (f->unuseds > 0)
+        *out = f->unused[--f->unuseds];
+    else
+        st = make_slot(f, out);
+    if (st == FMB_OK) /* so that closing a slot cannot fail */
+        st = fmb_mem_reserve(f->num.mem, (void **)&f->unused, &f->unused_capacity, f->slots,
+                             sizeof *f->unused);
+    if (st != FMB_OK)
+        return st;
+    fmb_facet *a = &f->facet[*out];
+    memset(a->on, 0, f->words * sizeof *a->on);
+    a->ons = a->nexts = 0;
+    a->valued = a->known = false;
+    a->note = 0;
+    a->alive = true;
+    f->alive++;
+    return FMB_OK;
+}
+
+void fmb_facets_close_slot(fmb_facets *f, uint32_t a)
+{
+    fmb_vec_clear(&f->facet[a].normal, f->d + 1, f->num.mem);
+    f->facet[a].alive = false;
+    f->facet[a].nexts = 0;
+    f->unused[f->unuseds++] = a;
+    f->alive--;
+}
+
+fmb_status fmb_facets_list(fmb_facets *f, uint32_t **list, size_t *size, size_t *capacity,
+                           uint32_t a)
+{
+    fmb_status st = fmb_mem_reserve(f->num.mem, (void **)list, capacity, *size + 1, sizeof **list);
+    if (st == FMB_OK)
+        (*list)[(*size)++] = a;
+    return st;
+}
+
+static fmb_status add_neighbour(fmb_facets *f, uint32_t a, uint32_t b)
+{
+    fmb_facet *t = &f->facet[a];
+    return fmb_facets_list(f, &t->next, &t->nexts, &t->next_capacity, b);
+}
+
+fmb_status fmb_facets_join(fmb_facets *f, uint32_t a, uint32_t b)
+{
+    fmb_status st = add_neighbour(f, a, b);
+    return st == FMB_OK ? add_neighbour(f, b, a) : st;
+}
+
+void fmb_facets_part(fmb_facets *f, uint32_t a, uint32_t b)
+{
+    fmb_facet *t = &f->facet[a];
+    for (size_t k = 0; k < t->nexts; k++)
+        if (t->next[k] == b) {
+            t->next[k] = t->next[--t->nexts];
+            return;
+        }
+}
+
+/* ---- life ------------------------------------------------------------------------------------ */
+
+static fmb_status open_vectors(fmb_facets *f)
+{
+    for (size_t i = 0; i < f->d; i++) {
+        f->equation[i].s = fmb_mem_zero(f->num.mem, f->d + 1, sizeof *f->equation[i].s);
+        if (!f->equation[i].s)
+            return fmb_mem_status(f->num.mem);
+        f->equation[i].s[i] = f->equation[i].bits = 1;
+    }
+    return FMB_OK;
+}
+
+fmb_status fmb_facets_init(fmb_facets *f, fmb_run *run, size_t d)
+{
+    fmb_mem *mem = run->mem;
+    *f = (fmb_facets){.run = run, .d = d, .words = 1, .common_words = 1};
+    fmb_status st = fmb_run_open_num(run, &f->num, d + 1, false);
+    if (st != FMB_OK)
+        return st;
+    f->g.s = fmb_mem_zero(mem, d, sizeof *f->g.s);
+    f->near = fmb_mem_get(mem, d, sizeof *f->near);
+    f->common = fmb_mem_get(mem, f->words, sizeof *f->common);
+    f->equation = fmb_mem_zero(mem, d, sizeof *f->equation);
+    if (!f->g.s || !f->near || !f->common || !f->equation)
+        return fmb_mem_status(mem);
+    return open_vectors(f);
+}
+
+static void clear_facet_slot(fmb_facets *f, fmb_facet *a)
+{
+    fmb_mem *mem = f->num.mem;
+    fmb_vec_clear(&a->normal, f->d + 1, mem);
+    fmb_mem_put(mem, a->normal.s, f->d + 1, sizeof *a->normal.s);
+    fmb_mem_put(mem, a->roughly, 2 * f->d, sizeof *a->roughly);
+    fmb_mem_put(mem, a->on, a->words, sizeof *a->on);
+    fmb_mem_put(mem, a->next, a->next_capacity, sizeof *a->next);
+}
+
+static void clear_vectors(fmb_vec *v, size_t count, size_t capacity, size_t n, fmb_mem *mem)
+{
+    for (size_t i = 0; v && i < count; i++) {
+        fmb_vec_clear(&v[i], n, mem);
+        fmb_mem_put(mem, v[i].s, n, sizeof *v[i].s);
+    }
+    fmb_mem_put(mem, v, capacity, sizeof *v);
+}
+
+void fmb_facets_clear(fmb_facets *f)
+{
+    fmb_mem *mem = f->num.mem;
+    if (!f->num.scratch) /* nothing was made */
+        return;
+    for (size_t a = 0; a < f->slots; a++)
+        clear_facet_slot(f, &f->facet[a]);
+    clear_vectors(f->equation, f->d, f->d, f->d + 1, mem);
+    fmb_normal_tools_clear(f, &(fmb_normal_tools){&f->num, f->minor});
+    clear_vectors(f->generator, f->generators, f->generator_capacity, f->d, mem);
+    fmb_vec_clear(&f->g, f->d, mem);
+    fmb_mem_put(mem, f->g.s, f->d, sizeof *f->g.s);
+    fmb_mem_put(mem, f->near, f->d, sizeof *f->near);
+    fmb_mem_put(mem, f->common, f->common_words, sizeof *f->common);
+    fmb_mem_put(mem, f->holder, f->holder_capacity, sizeof *f->holder);
+    fmb_mem_put(mem, f->facet, f->facet_capacity, sizeof *f->facet);
+    fmb_mem_put(mem, f->seen, f->seen_capacity, sizeof *f->seen);
+    fmb_mem_put(mem, f->touched, f->touched_capacity, sizeof *f->touched);
+    fmb_mem_put(mem, f->made, f->made_capacity, sizeof *f->made);
+    fmb_mem_put(mem, f->unused, f->unused_capacity, sizeof *f->unused);
+    fmb_num_clear(&f->num);
+}

@@ -1,0 +1,202 @@
+/* image.c: the image of a cone, and its facets; see image.h. */
+#include "hull/image/image.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "num/gcd.h"
+
+/* ---- rays of the image ----------------------------------------------------------------------- */
+
+static bool is_zero_vector(const fmb_vec *v, size_t n)
+{
+    for (size_t k = 0; k < n; k++)
+        if (fmb_vec_sgn(v, k) != 0)
+            return false;
+    return true;
+}
+
+/* The coordinates of a ray or line, in lowest terms. */
+fmb_status fmb_image_copy_coordinates(fmb_image *m, fmb_vec *to, const fmb_vec *from)
+{
+    *to = (fmb_vec){.s = fmb_arena_get(&m->arena, m->n, sizeof *to->s)};
+    if (!to->s)
+        return fmb_mem_status(m->run->mem);
+    fmb_status st = fmb_vec_copy(to, from, m->n, m->run->mem);
+    if (st == FMB_OK && !to->z)
+        fmb_vec_measure(to, m->n);
+    return st == FMB_OK ? fmb_vec_reduce(to, m->n, &m->num) : st;
+}
+
+static void unite_supports(fmb_image *m, uint64_t *to, const uint64_t *from)
+{
+    for (size_t k = 0; k < m->words; k++)
+        to[k] |= from[k];
+}
+
+typedef struct sorted_ray {
+    fmb_vec v;
+    uint64_t *support;
+    size_t n;
+    int64_t first; /* entry, or the nearest number to it: mostly tells the order */
+} sorted_ray;
+
+static int64_t first_entry_or_near(const fmb_vec *v)
+{
+    if (!v->z)
+        return v->s[0];
+    if (fmb_integer_is_i64(v->z[0]))
+        return fmb_integer_get_i64(v->z[0]);
+    return mpz_sgn(v->z[0]) < 0 ? INT64_MIN : INT64_MAX;
+}
+
+static int compare_rays_lexicographically(const void *x, const void *y)
+{
+    const sorted_ray *a = x, *b = y;
+    if (a->first != b->first)
+        return a->first < b->first ? -1 : 1;
+    return fmb_vec_compare(&a->v, &b->v, a->n);
+}
+
+/* Sort, and make one of equal ones. */
+static fmb_status sort_rays_of_image(fmb_image *m)
+{
+    fmb_mem *mem = m->run->mem;
+    size_t rays = m->rays, left = 0;
+    sorted_ray *list = fmb_mem_get(mem, rays, sizeof *list);
+    if (!list)
+        return fmb_mem_status(mem);
+    for (size_t i = 0; i < rays; i++)
+        list[i] = (sorted_ray){m->ray[i], m->support[i], m->n, first_entry_or_near(&m->ray[i])};
+    qsort(list, rays, sizeof *list, compare_rays_lexicographically);
+    for (size_t i = 0; i < rays; i++) {
+        bool twin = i > 0 && fmb_vec_equal(&m->ray[left - 1], &list[i].v, m->n);
+        if (twin) {
+            unite_supports(m, m->support[left - 1], list[i].support);
+            fmb_vec_clear(&list[i].v, m->n, mem);
+            continue;
+        }
+        m->ray[left] = list[i].v;
+        m->support[left++] = list[i].support;
+    }
+    m->rays = left;
+    fmb_mem_put(mem, list, rays, sizeof *list);
+    return FMB_OK;
+}
+
+/* A ray that is 0 in the image is above each of its points. */
+static fmb_status add_ray_to_image(fmb_image *m, const fmb_vec *v, const uint64_t *support)
+{
+    if (is_zero_vector(v, m->n)) {
+        unite_supports(m, m->everywhere, support);
+        return FMB_OK;
+    }
+    uint64_t *own = fmb_arena_get(&m->arena, m->words, sizeof *own);
+    if (!own)
+        return fmb_mem_status(m->run->mem);
+    memcpy(own, support, m->words * sizeof *own);
+    m->support[m->rays] = own;
+    fmb_status st = fmb_image_copy_coordinates(m, &m->ray[m->rays], v);
+    m->has_point |= st == FMB_OK && fmb_vec_sgn(&m->ray[m->rays], m->n - 1) > 0;
+    m->rays++;
+    return st;
+}
+
+static fmb_status add_line_to_image(fmb_image *m, const fmb_vec *v)
+{
+    return is_zero_vector(v, m->n) ? FMB_OK
+                                   : fmb_image_copy_coordinates(m, &m->line[m->lines++], v);
+}
+
+/* Room for so many rays and lines. */
+static fmb_status open_image(fmb_image *m, fmb_run *run, size_t n, size_t words, size_t rays,
+                             size_t lines, bool wide_only)
+{
+    *m = (fmb_image){.run = run, .n = n, .words = words};
+    fmb_arena_init(&m->arena, run->mem);
+    fmb_status st = fmb_run_open_num(run, &m->num, n, wide_only);
+    if (st != FMB_OK)
+        return st;
+    m->ray = fmb_arena_get(&m->arena, rays, sizeof *m->ray);
+    m->support = fmb_arena_get(&m->arena, rays, sizeof *m->support);
+    m->line = fmb_arena_get(&m->arena, lines, sizeof *m->line);
+    m->everywhere = fmb_arena_get(&m->arena, words, sizeof *m->everywhere);
+    if (!m->ray || !m->support || !m->line || !m->everywhere)
+        return fmb_mem_status(run->mem);
+    memset(m->everywhere, 0, words * sizeof *m->everywhere);
+    return FMB_OK;
+}
+
+fmb_status fmb_image_init(fmb_image *m, fmb_run *run, const fmb_cone *of, bool wide_only)
+{
+    size_t rays = of->ray.size, lines = of->line.size;
+    fmb_status st = open_image(m, run, of->coords, of->ray.words, rays, lines, wide_only);
+    m->of = of;
+    for (size_t i = 0; st == FMB_OK && i < lines; i++)
+        st = add_line_to_image(m, &of->line.v[i]);
+    for (size_t i = 0; st == FMB_OK && i < rays; i++)
+        st = add_ray_to_image(m, &of->ray.v[i], fmb_rays_support(&of->ray, i));
+    return st == FMB_OK ? sort_rays_of_image(m) : st;
+}
+
+fmb_status fmb_image_init_vectors(fmb_image *m, fmb_run *run, size_t n, size_t vectors,
+                                  const fmb_vec *v, const bool *line, bool wide_only)
+{
+    static const uint64_t none;
+    fmb_status st = open_image(m, run, n, 1, vectors, vectors, wide_only);
+    for (size_t i = 0; st == FMB_OK && i < vectors; i++)
+        st = line[i] ? add_line_to_image(m, &v[i]) : add_ray_to_image(m, &v[i], &none);
+    return st == FMB_OK ? sort_rays_of_image(m) : st;
+}
+
+void fmb_image_clear(fmb_image *m)
+{
+    if (!m->run)
+        return;
+    fmb_mem *mem = m->run->mem;
+    for (size_t i = 0; i < m->rays; i++)
+        fmb_vec_clear(&m->ray[i], m->n, mem);
+    for (size_t i = 0; i < m->lines; i++)
+        fmb_vec_clear(&m->line[i], m->n, mem);
+    for (size_t i = 0; i < m->facets; i++)
+        fmb_vec_clear(&m->facet[i].v, m->n, mem);
+    fmb_mem_put(mem, m->facet, m->facet_capacity, sizeof *m->facet);
+    fmb_arena_clear(&m->arena);
+    fmb_num_clear(&m->num);
+    m->run = NULL;
+}
+
+/* ---- rows and rays ----------------------------------------------------------------------------
+ */
+
+/* Sign of v.ray; `turned`: of v_t t - v_x.x. */
+static int sign_of_product(fmb_image *m, const fmb_vec *v, const fmb_vec *ray, bool turned)
+{
+    size_t t = m->n - 1;
+    if (!v->z && !ray->z && v->bits + ray->bits + fmb_bits64(m->n) <= 126) {
+        fmb_i128 sum = fmb_i128_of(0), last = fmb_i128_product(v->s[t], ray->s[t]);
+        for (size_t k = 0; k < t; k++)
+            sum = fmb_i128_plus_product(sum, v->s[k], ray->s[k]);
+        return fmb_i128_sign(turned ? fmb_i128_minus(last, sum) : fmb_i128_plus(last, sum));
+    }
+    mpz_set_ui(m->num.t, 0);
+    for (size_t k = 0; k <= t; k++) {
+        fmb_vec_get(v, k, m->num.p);
+        fmb_vec_get(ray, k, m->num.q);
+        if (k < t && turned)
+            mpz_submul(m->num.t, m->num.p, m->num.q);
+        else
+            mpz_addmul(m->num.t, m->num.p, m->num.q);
+    }
+    return mpz_sgn(m->num.t);
+}
+
+int fmb_image_side(fmb_image *m, const fmb_image_row *f, const fmb_vec *ray)
+{
+    return sign_of_product(m, &f->v, ray, true);
+}
+
+int fmb_image_value_sign(fmb_image *m, const fmb_vec *row, const fmb_vec *ray)
+{
+    return sign_of_product(m, row, ray, false);
+}

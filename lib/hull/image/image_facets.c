@@ -1,0 +1,285 @@
+/* image_facets.c: the rows of an image; see image.h.
+ *
+ * They are the facets of the cone that its rays and lines span. In few coordinates many rays come
+ * one after another to the facets so far (facets.h), those farthest beyond one of them first. Else
+ * they are the rays of the dual cone, whose rows are the rays of the image in lexicographic order.
+ */
+#include <string.h>
+
+#include "hull/facets/facets.h"
+#include "hull/image/image.h"
+
+/* With more coordinates, rays often are on very many facets. */
+#define FEW_COORDINATES 7
+/* Facets with so many bits, as Hadamard's inequality has it, mostly do not fit into 62 (measured).
+ */
+#define LONG_BITS 72
+/* With fewer rays for each coordinate than this, facets are cheaper as rays of the dual cone: at
+ * most three times if numbers are short, which doubles gain nothing by (measured). */
+#define MANY_RAYS      12
+#define MANY_LONG_RAYS 5
+
+/* ---- what is above a facet ------------------------------------------------------------------- */
+
+static void add_to_slack(fmb_image *m, uint64_t *to, const uint64_t *from)
+{
+    for (size_t k = 0; k < m->words; k++)
+        to[k] |= from[k];
+}
+
+/* y.(x, t) >= 0 as a.x <= b. */
+static void turn_to_row(fmb_vec *v, size_t n)
+{
+    for (size_t k = 0; k + 1 < n; k++) {
+        if (v->z)
+            mpz_neg(v->z[k], v->z[k]);
+        else
+            v->s[k] = -v->s[k];
+    }
+}
+
+/* Unite the supports above the facet. */
+static fmb_status look_above_facet(fmb_image *m, fmb_image_row *f)
+{
+    f->slack = fmb_arena_get(&m->arena, m->words, sizeof *f->slack);
+    if (!f->slack)
+        return fmb_mem_status(m->run->mem);
+    memcpy(f->slack, m->everywhere, m->words * sizeof *f->slack);
+    for (size_t i = 0; i < m->rays; i++)
+        if (fmb_image_side(m, f, &m->ray[i]) == 0)
+            add_to_slack(m, f->slack, m->support[i]);
+    return fmb_run_poll(m->run);
+}
+
+/* y.(x, t) >= 0, or = 0, is a row of the image. */
+static fmb_status add_facet(fmb_image *m, const fmb_vec *y, bool equality, bool slacks)
+{
+    fmb_status st = fmb_mem_reserve(m->run->mem, (void **)&m->facet, &m->facet_capacity,
+                                    m->facets + 1, sizeof *m->facet);
+    if (st != FMB_OK)
+        return st;
+    fmb_image_row *f = &m->facet[m->facets++];
+    *f = (fmb_image_row){.equality = equality};
+    st = fmb_image_copy_coordinates(m, &f->v, y);
+    if (st != FMB_OK)
+        return st;
+    turn_to_row(&f->v, m->n);
+    return slacks ? look_above_facet(m, f) : FMB_OK;
+}
+
+/* ---- ray by ray -------------------------------------------------------------------------------
+ */
+
+/* A line is a ray both ways. */
+static fmb_status add_lines_to_facets(const fmb_image *m, fmb_facets *f)
+{
+    bool grown;
+    fmb_status st = FMB_OK;
+    mpz_t *z = fmb_vec_block(m->n, f->num.mem);
+    if (!z)
+        return fmb_mem_status(f->num.mem);
+    for (size_t i = 0; st == FMB_OK && i < 2 * m->lines; i++) {
+        for (size_t k = 0; k < m->n; k++) {
+            fmb_vec_get(&m->line[i / 2], k, z[k]);
+            if (i % 2 == 0)
+                mpz_neg(z[k], z[k]);
+        }
+        st = fmb_facets_add(f, z, &grown);
+    }
+    for (size_t k = 0; k < m->n; k++)
+        mpz_clear(z[k]);
+    fmb_mem_put(f->num.mem, z, m->n, sizeof *z);
+    return st;
+}
+
+/* Or is it the face at infinity? Whatever spans it is among the generators that are known on it. */
+static bool holds_facet_a_point(const fmb_facets *f, const fmb_facet *a)
+{
+    for (size_t i = 0; i < f->generators; i++)
+        if (fmb_facet_holds(a, i) && fmb_vec_sgn(&f->generator[i], f->d - 1) > 0)
+            return true;
+    return false;
+}
+
+static fmb_status take_facets(fmb_image *m, fmb_facets *f, bool slacks)
+{
+    fmb_status st = FMB_OK;
+    for (size_t e = 0; st == FMB_OK && e < m->n - f->rank; e++)
+        st = add_facet(m, &f->equation[e], true, slacks);
+    if (st == FMB_OK)
+        st = fmb_facets_need_all_normals(f);
+    for (size_t i = 0; st == FMB_OK && i < f->slots; i++)
+        if (f->facet[i].alive && holds_facet_a_point(f, &f->facet[i]))
+            st = add_facet(m, &f->facet[i].normal, false, slacks);
+    return st;
+}
+
+/* The facets of what rays and lines span. In any case fmb_facets_clear it. */
+static fmb_status add_vectors_to_facets(const fmb_image *m, fmb_facets *f)
+{
+    fmb_status st = fmb_facets_init(f, m->run, m->n);
+    if (st == FMB_OK)
+        st = add_lines_to_facets(m, f);
+    return st == FMB_OK ? fmb_facets_add_all(f, m->ray, m->rays, m->n - 1) : st;
+}
+
+static fmb_status find_facets_ray_by_ray(fmb_image *m, bool slacks)
+{
+    fmb_facets f;
+    fmb_status st = add_vectors_to_facets(m, &f);
+    if (st == FMB_OK)
+        st = take_facets(m, &f, slacks);
+    fmb_facets_clear(&f);
+    return st;
+}
+
+/* v[], line[] have room for all facets and equations. */
+static fmb_status list_facets(fmb_facets *f, fmb_vec *v, bool *line, size_t *size)
+{
+    fmb_status st = fmb_facets_need_all_normals(f);
+    for (size_t e = 0; e < f->d - f->rank; e++, ++*size) {
+        v[*size] = f->equation[e];
+        line[*size] = true;
+    }
+    for (size_t i = 0; st == FMB_OK && i < f->slots; i++) {
+        if (!f->facet[i].alive)
+            continue;
+        v[*size] = f->facet[i].normal;
+        line[(*size)++] = false;
+    }
+    return st;
+}
+
+fmb_status fmb_image_init_dual(fmb_image *m, const fmb_image *of)
+{
+    fmb_mem *mem = of->run->mem;
+    fmb_facets f;
+    size_t size = 0;
+    fmb_status st = add_vectors_to_facets(of, &f);
+    size_t most = st == FMB_OK ? f.slots + f.d : 0;
+    fmb_vec *v = fmb_mem_get(mem, most, sizeof *v);
+    bool *line = fmb_mem_get(mem, most, sizeof *line);
+    if (st == FMB_OK && (!v || !line))
+        st = fmb_mem_status(mem);
+    if (st == FMB_OK)
+        st = list_facets(&f, v, line, &size);
+    if (st == FMB_OK)
+        st = fmb_image_init_vectors(m, of->run, of->n, size, v, line, of->num.wide_only);
+    fmb_mem_put(mem, line, most, sizeof *line);
+    fmb_mem_put(mem, v, most, sizeof *v);
+    fmb_facets_clear(&f);
+    return st;
+}
+
+/* ---- all at once ------------------------------------------------------------------------------
+ */
+
+/* The same of a ray of the dual: rows left out of supports are implied by others. */
+static bool holds_dual_ray_a_point(const fmb_image *m, const fmb_cone *dual, size_t i)
+{
+    for (size_t b = 0; b < dual->bits; b++)
+        if (!fmb_cone_is_positive(dual, i, b) &&
+            fmb_vec_sgn(dual->of.row[dual->row_of_bit[b]].v, m->n - 1) > 0)
+            return true;
+    return false;
+}
+
+/* The same of a ray that comes without its zeros. */
+static bool holds_row_a_point(fmb_image *m, const fmb_vec *y)
+{
+    for (size_t i = 0; i < m->rays; i++)
+        if (fmb_vec_sgn(&m->ray[i], m->n - 1) > 0 && fmb_image_value_sign(m, y, &m->ray[i]) == 0)
+            return true;
+    return false;
+}
+
+static fmb_status take_facets_of_dual(fmb_image *m, const fmb_cone *dual, bool slacks)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i < dual->line.size; i++)
+        st = add_facet(m, &dual->line.v[i], true, slacks);
+    for (size_t i = 0; st == FMB_OK && i < dual->ray.size; i++)
+        if (holds_dual_ray_a_point(m, dual, i))
+            st = add_facet(m, &dual->ray.v[i], false, slacks);
+    return st;
+}
+
+fmb_status fmb_dual_open(fmb_dual *d, fmb_image *m, bool sparse_first)
+{
+    fmb_mem *mem = m->run->mem;
+    *d = (fmb_dual){.of = m, .rows = m->lines + m->rays};
+    d->row = fmb_mem_get(mem, d->rows, sizeof *d->row);
+    d->all = fmb_mem_get(mem, m->n, sizeof *d->all);
+    if (!d->row || !d->all)
+        return fmb_mem_status(mem);
+    for (size_t i = 0; i < d->rows; i++)
+        d->row[i] = i < m->lines ? (fmb_cone_row){.v = &m->line[i], .equality = true}
+                                 : (fmb_cone_row){.v = &m->ray[i - m->lines]};
+    for (size_t k = 0; k < m->n; k++)
+        d->all[k] = k;
+    fmb_cone_problem of = {.d = m->n, .m = d->rows, .row = d->row, .wide_only = m->num.wide_only};
+    if (sparse_first) {
+        of.keep = d->all;
+        of.keeps = m->n;
+        of.sparse_first = true;
+    }
+    return fmb_cone_init(&d->cone, m->run, &of);
+}
+
+void fmb_dual_close(fmb_dual *d)
+{
+    if (!d->of)
+        return;
+    fmb_mem *mem = d->of->run->mem;
+    fmb_cone_clear(&d->cone);
+    fmb_mem_put(mem, d->all, d->of->n, sizeof *d->all);
+    fmb_mem_put(mem, d->row, d->rows, sizeof *d->row);
+    *d = (fmb_dual){0};
+}
+
+fmb_status fmb_dual_find_facets(fmb_dual *d, uint64_t rays, bool slacks, bool *done)
+{
+    fmb_status st = fmb_cone_run(&d->cone, rays, done);
+    return st == FMB_OK && *done ? take_facets_of_dual(d->of, &d->cone, slacks) : st;
+}
+
+static fmb_status find_facets_as_dual_rays(fmb_image *m, bool slacks)
+{
+    fmb_dual d;
+    bool done;
+    fmb_status st = fmb_dual_open(&d, m, false);
+    if (st == FMB_OK)
+        st = fmb_dual_find_facets(&d, 0, slacks, &done);
+    fmb_dual_close(&d);
+    return st;
+}
+
+static bool are_rays_many(const fmb_image *m)
+{
+    if (m->rays >= MANY_RAYS * m->n)
+        return true;
+    return m->rays >= MANY_LONG_RAYS * m->n &&
+           fmb_vec_minor_bits(m->ray, m->rays, m->n) > LONG_BITS;
+}
+
+bool fmb_image_has_few_coordinates(const fmb_image *m)
+{
+    return m->n <= FEW_COORDINATES && are_rays_many(m);
+}
+
+fmb_status fmb_image_find_facets(fmb_image *m, bool slacks)
+{
+    return fmb_image_has_few_coordinates(m) ? find_facets_ray_by_ray(m, slacks)
+                                            : find_facets_as_dual_rays(m, slacks);
+}
+
+fmb_status fmb_image_take_facets(fmb_image *m, const fmb_image *dual)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i < dual->lines; i++)
+        st = add_facet(m, &dual->line[i], true, false);
+    for (size_t i = 0; st == FMB_OK && i < dual->rays; i++)
+        if (holds_row_a_point(m, &dual->ray[i]))
+            st = add_facet(m, &dual->ray[i], false, false);
+    return st;
+}

@@ -1,0 +1,104 @@
+/* support.h: a projection as the hull of what support queries find (convex hull method).
+ *
+ * An inner hull of points and rays of the projection is kept, facet by facet
+ * (hull/facets/facets.h). How far does the projection go in the direction of a facet? If no further
+ * than the facet, it stands: the multipliers of the optimum prove its row. Else the optimum is a
+ * point more, or the way to infinity a ray. Each query finds a facet or a generator, and there are
+ * only so many vertices and rays of a program. At any time there are inner points and proved rows.
+ *
+ * The same for hulls that are flat: an equation of all generators stands if the projection goes no
+ * further on either side. Of rows that are strict the closure counts; at the end is asked which
+ * facets and other faces the projection lacks (support_strict.c).
+ *
+ * Sources: Lassez 1990, Querying constraints; Huynh, Lassez, Lassez 1992; Jones, Kerrigan,
+ * Maciejowski 2004, Equality set projection.
+ */
+#ifndef FMB_HULL_SUPPORT_H
+#define FMB_HULL_SUPPORT_H
+
+#include "hull/facets/facets.h"
+#include "lp/oracle/oracle.h"
+#include "num/integers.h"
+#include "symmetry/group.h"
+#include "trace/team.h"
+
+/* A row of the projection: a.x <= b, < b or = b over its k variables. */
+typedef struct fmb_support_row {
+    fmb_integers z; /* [k + 1] a, then b: coprime */
+    fmb_rel rel;
+    fmb_weights proof, reverse; /* over the oracle's rows; reverse: of an equality, a.x >= b */
+} fmb_support_row;
+
+/* Who looks how far the projection goes, and what was seen last: the point x / den, or den = 0 and
+ * the direction x in which it goes on for ever. */
+typedef struct fmb_scout {
+    fmb_run *run;
+    fmb_oracle *oracle;
+    fmb_integers x; /* [n] */
+    mpz_t den, t;   /* t: scratch */
+} fmb_scout;
+
+typedef struct fmb_crew
+    fmb_crew; /* scouts that look at several facets at once (support_workers.c) */
+typedef struct fmb_symmetry fmb_symmetry; /* of the program (support_symmetry.c) */
+
+typedef struct fmb_known fmb_known; /* rows of the program (support_known.c) */
+
+typedef struct fmb_tight fmb_tight; /* rows that are tight at generators (support_tight.c) */
+
+typedef struct fmb_support {
+    fmb_run *run;
+    fmb_scout scout;
+    fmb_crew *crew;             /* or NULL */
+    const fmb_program *program; /* whose symmetries may be used, or NULL */
+    fmb_group *given;           /* these; NULL: those that are found */
+    fmb_symmetry *symmetry;     /* NULL: not looked for yet */
+    size_t n, k;                /* columns; those that are kept, */
+    const int *kept;            /* [k], increasing */
+    bool strict;                /* some row of the program is strict */
+    bool proves;                /* proofs are wanted */
+    size_t most;                /* generators, with more of which asking ends; 0: any number */
+    fmb_facets hull;            /* of (1, x) and (0, x) */
+    fmb_tight *tight;           /* or NULL */
+    fmb_known *known;           /* or NULL */
+    bool begun;
+    size_t equations;     /* these of the hull stand */
+    size_t at;            /* the facet to begin with when looking for one that does not stand */
+    fmb_support_row *row; /* [rows] proved */
+    size_t rows, row_capacity;
+    fmb_integers g;      /* scratch: [k + 1] a point or ray of the projection */
+    fmb_integers *point; /* [points] of proofs: x[0..n) over x[n], whose shadows are in the hull */
+    size_t points, point_capacity;
+} fmb_support;
+
+/* The oracle's program, of n columns, is known to have a solution. kept[k] must outlive this. In
+ * any case fmb_support_clear it. Errors: MEMORY, LIMIT, here and below. */
+fmb_status fmb_support_init(fmb_support *s, fmb_run *run, fmb_oracle *oracle, size_t n,
+                            const int *kept, size_t k, bool strict, bool proves);
+void fmb_support_clear(fmb_support *s);
+/* From now on look at several facets at once, by as many threads as the run has (at least two),
+ * each with an oracle of its own of p, the program. What is found is the same for any number of
+ * threads, but perhaps in another order than by one alone. Errors: MEMORY, LIMIT. */
+fmb_status fmb_support_hire(fmb_support *s, const fmb_program *p);
+
+/* Symmetries of p, the program, may be looked for and used. */
+static inline void fmb_support_allow_symmetry(fmb_support *s, const fmb_program *p)
+{
+    s->program = p;
+}
+
+/* All columns are kept, and no proofs are wanted: a facet that is a row of p, the program, stands
+ * without a query, and is not told. p has no strict rows. Errors: MEMORY, LIMIT. */
+fmb_status fmb_support_know_rows(fmb_support *s, const fmb_program *p);
+
+/* Images of rows whose facets the hull has not come to yet become rows, too: at a limit. Errors:
+ * MEMORY, LIMIT: the rows that there are hold. */
+fmb_status fmb_support_keep_images(fmb_support *s);
+
+/* Ask about facets and equations until all stand: *done; or until the hull has looked at so many
+ * pairs of facets for ridges, 0: any number. (Queries are about as many as the projection has
+ * facets and vertices; it is inner hulls that may have many more.) What is proved stays so,
+ * whatever ends the call; but after an error it is the last one. */
+fmb_status fmb_support_ask(fmb_support *s, uint64_t pairs, bool *done);
+
+#endif

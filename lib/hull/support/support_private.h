@@ -1,0 +1,92 @@
+/* support_private.h: what the files of the support queries share; see support.h. */
+#ifndef FMB_HULL_SUPPORT_PRIVATE_H
+#define FMB_HULL_SUPPORT_PRIVATE_H
+
+#include "hull/support/support.h"
+
+/* What is noted of a facet of the hull. */
+enum {
+    FMB_FACET_OPEN = 0, /* it may be that the projection goes further */
+    FMB_FACET_STANDS,
+    FMB_FACET_MISSING /* the same, but the projection only comes near */
+};
+
+/* ---- support_query.c ------------------------------------------------------------------------- */
+
+/* The oracle must outlive the scout. In any case fmb_scout_clear it. Errors: MEMORY, LIMIT. */
+fmb_status fmb_scout_init(fmb_scout *c, fmb_run *run, fmb_oracle *oracle, size_t n);
+void fmb_scout_clear(fmb_scout *c);
+/* Does the projection satisfy sign (h0 + h1 x1 + ...) >= 0, h[k + 1], which all generators do?
+ * *stands: if so, and the row is written down, proof included (of an equality, with sign -1 the
+ * reverse), in the scout's memory. Else the scout sees a point or ray beyond. */
+fmb_status fmb_scout_look(fmb_scout *c, const fmb_support *s, const fmb_vec *h, int sign,
+                          fmb_support_row *row, bool *stands);
+/* The hull takes in what the scout saw. */
+fmb_status fmb_support_take(fmb_support *s, fmb_scout *c);
+/* Both, alone. */
+fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, int sign, fmb_support_row *row,
+                             bool *stands);
+
+/* ---- support_workers.c --------------------------------------------------------------------------
+ */
+
+/* Scouts of a crew, and facets that are asked about at once. */
+#define FMB_CREW 8
+/* For so many rows and generators, oracles that begin anew would cost more than they save; nor are
+ * symmetries looked for. */
+#define FMB_QUERIES_ALONE 32
+
+/* Ask about n <= FMB_CREW different facets that are open. There is a crew. */
+fmb_status fmb_support_ask_crew(fmb_support *s, size_t n, const size_t *facet);
+void fmb_support_dismiss(fmb_support *s);
+
+/* ---- support_symmetry.c ---------------------------------------------------------------------- */
+
+/* Look for symmetries, and use them on what there is. Errors: MEMORY, LIMIT, as below. */
+fmb_status fmb_support_find_symmetry(fmb_support *s);
+void fmb_support_forget_symmetry(fmb_support *s);
+/* The hull has grown by its last generator: take in its images. */
+fmb_status fmb_support_take_images(fmb_support *s);
+/* The row kept last is that of a facet: note its images. */
+fmb_status fmb_support_note_images(fmb_support *s, const fmb_vec *normal);
+/* Is that facet an image of one that stands? Then it stands, too. */
+fmb_status fmb_support_recall(fmb_support *s, size_t facet, bool *known);
+
+/* ---- support_row.c: a row is proved, or of no use -------------------------------------------- */
+
+fmb_status fmb_support_write_row(const fmb_support *s, const fmb_vec *h, fmb_support_row *row,
+                                 fmb_mem *mem);
+/* Takes over the row, whatever the status. */
+fmb_status fmb_support_keep(fmb_support *s, fmb_support_row *row);
+/* That facet stands, its row having the relation. */
+static inline void fmb_support_note_facet(fmb_support *s, size_t facet, fmb_rel rel)
+{
+    s->hull.facet[facet].note = rel == FMB_LT ? FMB_FACET_MISSING : FMB_FACET_STANDS;
+}
+/* The same, and keep the row. */
+fmb_status fmb_support_stand(fmb_support *s, size_t facet, fmb_support_row *row);
+/* A copy of a row that is held elsewhere. In any case fmb_support_drop it. */
+fmb_status fmb_support_copy_row(const fmb_support *s, const fmb_support_row *from,
+                                fmb_support_row *to);
+void fmb_support_drop(fmb_support_row *row, fmb_mem *mem);
+
+/* ---- support_tight.c ------------------------------------------------------------------------- */
+
+/* The hull's last generator is what the scout saw. */
+fmb_status fmb_support_note_tight(fmb_support *s, const fmb_scout *c);
+/* Do the rows that are tight on what is known of a facet prove it? *stands: they do, and the row is
+ * written down, proof included; else nothing is said. */
+fmb_status fmb_support_try_tight_rows(fmb_support *s, size_t at, fmb_support_row *row,
+                                      bool *stands);
+void fmb_support_close_tight(fmb_support *s);
+
+/* ---- support_known.c ------------------------------------------------------------------------- */
+
+/* Is the facet of that normal a row of the program, and those are known? */
+bool fmb_support_is_known(const fmb_support *s, const fmb_vec *normal);
+void fmb_support_forget_rows(fmb_support *s);
+
+/* support_strict.c: all facets stand. Rows for the other faces that the projection lacks. */
+fmb_status fmb_support_find_missing_faces(fmb_support *s);
+
+#endif

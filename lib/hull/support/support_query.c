@@ -1,0 +1,156 @@
+/* support_query.c: one query; see support.h.
+ *
+ * First a guess in doubles, made a vertex exactly: mostly it is beyond the facet already, and how
+ * far the optimum is does not matter. Only where it is not the optimum is wanted, and its proof.
+ */
+#include "hull/support/support_private.h"
+
+/* ---- generators ------------------------------------------------------------------------------ */
+
+/* x[n + 1] becomes what was seen; a ray, which has no place, as seen from the first point p / q: it
+ * goes through (p + q ray) / q. */
+static void write_inner_point(const fmb_support *s, const fmb_scout *c, fmb_integers *x)
+{
+    bool ray = mpz_sgn(c->den) == 0;
+    const fmb_integers *first = &s->point[0];
+    for (size_t j = 0; j < s->n; j++) {
+        mpz_set(x->z[j], c->x.z[j]);
+        if (ray) {
+            mpz_mul(x->z[j], x->z[j], first->z[s->n]);
+            mpz_add(x->z[j], x->z[j], first->z[j]);
+        }
+    }
+    mpz_set(x->z[s->n], ray ? first->z[s->n] : c->den);
+}
+
+/* A point of the closure need not be a solution where rows are strict. */
+static fmb_status note_inner_point(fmb_support *s, fmb_scout *c)
+{
+    fmb_mem *mem = s->run->mem;
+    if (!s->proves || s->strict || (mpz_sgn(c->den) == 0 && s->points == 0))
+        return FMB_OK;
+    fmb_status st = fmb_mem_reserve(mem, (void **)&s->point, &s->point_capacity, s->points + 1,
+                                    sizeof *s->point);
+    if (st != FMB_OK)
+        return st;
+    fmb_integers *x = &s->point[s->points];
+    st = fmb_integers_init(x, s->n + 1, mem);
+    if (st != FMB_OK)
+        return st;
+    s->points++;
+    write_inner_point(s, c, x);
+    return fmb_integers_settle(x, mem);
+}
+
+fmb_status fmb_support_take(fmb_support *s, fmb_scout *c)
+{
+    bool grown;
+    mpz_set(s->g.z[0], c->den);
+    for (size_t j = 0; j < s->k; j++)
+        mpz_set(s->g.z[j + 1], c->x.z[s->kept[j]]);
+    fmb_status st = fmb_facets_add(&s->hull, s->g.z, &grown);
+    if (st == FMB_OK && grown)
+        st = fmb_support_note_tight(s, c);
+    if (st == FMB_OK && grown)
+        st = note_inner_point(s, c);
+    return st == FMB_OK && grown ? fmb_support_take_images(s) : st;
+}
+
+/* ---- scouts ---------------------------------------------------------------------------------- */
+
+fmb_status fmb_scout_init(fmb_scout *c, fmb_run *run, fmb_oracle *oracle, size_t n)
+{
+    *c = (fmb_scout){.run = run, .oracle = oracle};
+    mpz_inits(c->den, c->t, NULL);
+    return fmb_integers_init(&c->x, n, run->mem);
+}
+
+void fmb_scout_clear(fmb_scout *c)
+{
+    fmb_integers_clear(&c->x, c->run->mem);
+    mpz_clears(c->den, c->t, NULL);
+}
+
+/* The form that a query makes large: - sign (h1 x1 + ...). */
+static fmb_status write_cost(const fmb_support *s, const fmb_vec *h, int sign, fmb_weights *cost,
+                             fmb_mem *mem)
+{
+    fmb_status st = FMB_OK;
+    mpq_t q;
+    mpq_init(q);
+    for (size_t j = 0; st == FMB_OK && j < s->k; j++) {
+        fmb_vec_get_q(h, j + 1, q);
+        if (sign > 0)
+            mpq_neg(q, q);
+        if (mpq_sgn(q) != 0)
+            st = fmb_weights_add(cost, (uint32_t)s->kept[j], q, mem);
+    }
+    mpq_clear(q);
+    return st;
+}
+
+/* Is the point at which the oracle stands beyond h? */
+static bool is_point_beyond(fmb_scout *c, const fmb_support *s, const fmb_vec *h, int sign)
+{
+    fmb_oracle_point_integers(c->oracle, c->x.z, c->den);
+    fmb_vec_get(h, 0, c->t);
+    mpz_mul(c->den, c->den, c->t);
+    for (size_t j = 0; j < s->k; j++) {
+        fmb_vec_get(h, j + 1, c->t);
+        mpz_addmul(c->den, c->x.z[s->kept[j]], c->t);
+    }
+    return mpz_sgn(c->den) * sign < 0;
+}
+
+/* It is the optimum, and not beyond h. */
+static fmb_status prove_row(fmb_scout *c, const fmb_support *s, const fmb_vec *h, int sign,
+                            fmb_support_row *row)
+{
+    bool attained = true;
+    fmb_status st = row->rel == FMB_EQ ? FMB_OK : fmb_oracle_attain(c->oracle, &attained);
+    if (st == FMB_OK && sign > 0)
+        st = fmb_support_write_row(s, h, row, c->run->mem);
+    if (st == FMB_OK && !attained)
+        row->rel = FMB_LT;
+    if (st == FMB_OK && s->proves)
+        st = fmb_oracle_multipliers(c->oracle, sign > 0 ? &row->proof : &row->reverse);
+    return st;
+}
+
+fmb_status fmb_scout_look(fmb_scout *c, const fmb_support *s, const fmb_vec *h, int sign,
+                          fmb_support_row *row, bool *stands)
+{
+    fmb_weights cost = {0};
+    fmb_oracle_end end;
+    bool beyond = false;
+    *stands = false;
+    fmb_status st = write_cost(s, h, sign, &cost, c->run->mem);
+    if (st == FMB_OK)
+        st = fmb_oracle_glimpse(c->oracle, &cost, &end);
+    if (st == FMB_OK && end == FMB_ORACLE_OPTIMUM)
+        beyond = is_point_beyond(c, s, h, sign);
+    if (st == FMB_OK && end == FMB_ORACLE_OPTIMUM && !beyond) {
+        st = fmb_oracle_climb(c->oracle, &end);
+        beyond = st == FMB_OK && end == FMB_ORACLE_OPTIMUM && is_point_beyond(c, s, h, sign);
+    }
+    fmb_weights_clear(&cost, c->run->mem);
+    if (st != FMB_OK)
+        return st;
+    *stands = end == FMB_ORACLE_OPTIMUM && !beyond;
+    if (*stands)
+        return prove_row(c, s, h, sign, row);
+    if (end == FMB_ORACLE_OPTIMUM) {
+        fmb_oracle_point_integers(c->oracle, c->x.z, c->den);
+    } else {
+        fmb_oracle_ray_integers(c->oracle, c->x.z);
+        mpz_set_ui(c->den, 0);
+    }
+    return FMB_OK;
+}
+
+fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, int sign, fmb_support_row *row,
+                             bool *stands)
+{
+    fmb_status st = fmb_scout_look(&s->scout, s, h, sign, row, stands);
+    return st == FMB_OK && !*stands ? fmb_support_take(s, &s->scout) : st;
+}

@@ -1,0 +1,57 @@
+/* support_row.c: rows that are proved; see support.h. */
+#include "hull/support/support_private.h"
+
+/* h0 + h.x >= 0 as -h.x <= h0. */
+fmb_status fmb_support_write_row(const fmb_support *s, const fmb_vec *h, fmb_support_row *row,
+                                 fmb_mem *mem)
+{
+    fmb_status st = fmb_integers_init(&row->z, s->k + 1, mem);
+    if (st != FMB_OK)
+        return st;
+    for (size_t j = 0; j < s->k; j++) {
+        fmb_vec_get(h, j + 1, row->z.z[j]);
+        mpz_neg(row->z.z[j], row->z.z[j]);
+    }
+    fmb_vec_get(h, 0, row->z.z[s->k]);
+    return fmb_integers_settle(&row->z, mem);
+}
+
+fmb_status fmb_support_keep(fmb_support *s, fmb_support_row *row)
+{
+    fmb_status st = fmb_mem_reserve(s->run->mem, (void **)&s->row, &s->row_capacity, s->rows + 1,
+                                    sizeof *s->row);
+    if (st == FMB_OK)
+        s->row[s->rows++] = *row;
+    else
+        fmb_support_drop(row, s->run->mem);
+    return st;
+}
+
+fmb_status fmb_support_stand(fmb_support *s, size_t facet, fmb_support_row *row)
+{
+    fmb_support_note_facet(s, facet, row->rel);
+    return fmb_support_keep(s, row);
+}
+
+fmb_status fmb_support_copy_row(const fmb_support *s, const fmb_support_row *from,
+                                fmb_support_row *to)
+{
+    fmb_mem *mem = s->run->mem;
+    *to = (fmb_support_row){.rel = from->rel};
+    fmb_status st = fmb_integers_init(&to->z, s->k + 1, mem);
+    if (st != FMB_OK)
+        return st;
+    for (size_t j = 0; j <= s->k; j++)
+        mpz_set(to->z.z[j], from->z.z[j]);
+    st = fmb_integers_settle(&to->z, mem);
+    if (st == FMB_OK)
+        st = fmb_weights_append(&to->proof, &from->proof, mem);
+    return st == FMB_OK ? fmb_weights_append(&to->reverse, &from->reverse, mem) : st;
+}
+
+void fmb_support_drop(fmb_support_row *row, fmb_mem *mem)
+{
+    fmb_integers_clear(&row->z, mem);
+    fmb_weights_clear(&row->proof, mem);
+    fmb_weights_clear(&row->reverse, mem);
+}

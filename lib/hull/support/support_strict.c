@@ -1,0 +1,256 @@
+/* support_strict.c: which faces a projection lacks, where rows are strict; see support.h.
+ *
+ * The hull is the closure of the projection. The projection lacks the points u of it over which
+ * every point of the program's closure lies on some strict row; that is, one and the same strict
+ * row, since a convex set is not covered by finitely many faces unless it is one of them. How far
+ * that row's left side must at least go over u is a convex function of u; where it reaches the
+ * right side it is greatest, and that is a union of faces. So:
+ *
+ * - With a face all its faces are missing; and if some point of a face is not, all of the relative
+ *   interior is not (the segments from that point lie in the projection, but for their other ends).
+ * - Let h be the sum of the normals of the facets around a face. It is missing if and only if the
+ *   optimum of h, which is reached on that face alone, is not attained: then h < optimum is a row.
+ *
+ * So it is enough to ask about faces all of whose generators are missing. Faces of facets that are
+ * missing need no row of their own, nor do those of other missing faces.
+ */
+#include <string.h>
+
+#include "hull/support/support_private.h"
+#include "num/bitset.h"
+
+typedef struct lattice {
+    fmb_support *s;
+    fmb_facets *f;
+    uint64_t *missing; /* [words] generators: points that are */
+    uint64_t *points;  /* [words] generators that are points */
+    uint64_t *face;    /* [faces][words] those met so far, as sets of generators */
+    size_t faces, capacity, words;
+    uint64_t *gone; /* [gones][words] those of them that are missing, and rows now */
+    size_t gones, gone_capacity;
+    fmb_integers sum; /* [d] scratch */
+    fmb_vec h;        /* the same */
+} lattice;
+
+static bool is_facet_alive(const lattice *l, size_t a, int note)
+{
+    return l->f->facet[a].alive && l->f->facet[a].note == note;
+}
+
+/* Does a facet or face that is missing, and a row already, hold all of it? */
+static bool is_on_missing_face(const lattice *l, const uint64_t *set)
+{
+    for (size_t i = 0; i < l->gones; i++)
+        if (fmb_set_is_inside(set, l->gone + i * l->words, l->words))
+            return true;
+    for (size_t a = 0; a < l->f->slots; a++)
+        if (is_facet_alive(l, a, FMB_FACET_MISSING) &&
+            fmb_set_is_inside(set, l->f->facet[a].on, l->words))
+            return true;
+    return false;
+}
+
+/* ---- questions ------------------------------------------------------------------------------- */
+
+/* l->h = the sum of the normals of all facets that hold the set. */
+static fmb_status add_normals_around(lattice *l, const uint64_t *set)
+{
+    mpz_t t;
+    mpz_init(t);
+    for (size_t j = 0; j < l->f->d; j++)
+        mpz_set_ui(l->sum.z[j], 0);
+    for (size_t a = 0; a < l->f->slots; a++) {
+        const fmb_facet *facet = &l->f->facet[a];
+        if (!facet->alive || !fmb_set_is_inside(set, facet->on, l->words))
+            continue;
+        for (size_t j = 0; j < l->f->d; j++) {
+            fmb_vec_get(&facet->normal, j, t);
+            mpz_add(l->sum.z[j], l->sum.z[j], t);
+        }
+    }
+    mpz_clear(t);
+    fmb_status st = fmb_vec_set_z(&l->h, l->f->d, l->sum.z, l->s->run->mem);
+    return st == FMB_OK ? fmb_vec_reduce(&l->h, l->f->d, &l->f->num) : st;
+}
+
+/* Is the face around that set missing? The row that says so. */
+static fmb_status ask_about_face(lattice *l, const uint64_t *set, fmb_support_row *row,
+                                 bool *missing)
+{
+    bool stands;
+    *row = (fmb_support_row){0};
+    fmb_status st = add_normals_around(l, set);
+    if (st == FMB_OK)
+        st = fmb_support_query(l->s, &l->h, 1, row, &stands);
+    *missing = st == FMB_OK && row->rel == FMB_LT;
+    if (!*missing)
+        fmb_support_drop(row, l->s->run->mem);
+    return st;
+}
+
+static fmb_status find_missing_points(lattice *l)
+{
+    fmb_support_row row;
+    fmb_status st = FMB_OK;
+    uint64_t *one = l->face; /* there are none yet */
+    for (size_t i = 0; st == FMB_OK && i < l->f->generators; i++) {
+        if (fmb_vec_sgn(&l->f->generator[i], 0) == 0)
+            continue;
+        fmb_set_put(l->points, i);
+        memset(one, 0, l->words * sizeof *one);
+        fmb_set_put(one, i);
+        bool missing = is_on_missing_face(l, one);
+        if (!missing) {
+            st = ask_about_face(l, one, &row, &missing);
+            if (missing)
+                fmb_support_drop(&row, l->s->run->mem);
+        }
+        if (missing)
+            fmb_set_put(l->missing, i);
+    }
+    return st;
+}
+
+/* ---- faces ----------------------------------------------------------------------------------- */
+
+static bool was_face_met(const lattice *l, const uint64_t *set)
+{
+    for (size_t i = 0; i < l->faces; i++)
+        if (memcmp(l->face + i * l->words, set, l->words * sizeof *set) == 0)
+            return true;
+    return false;
+}
+
+/* Room for one set more, at the end of a list. */
+static fmb_status reserve_set(lattice *l, uint64_t **list, size_t size, size_t *capacity)
+{
+    return fmb_mem_reserve(l->s->run->mem, (void **)list, capacity, (size + 1) * l->words,
+                           sizeof **list);
+}
+
+/* Where face i meets facets: faces that may be missing, and are not for a reason that is known. */
+static fmb_status list_faces_of_face(lattice *l, size_t i)
+{
+    fmb_status st = FMB_OK;
+    for (size_t a = 0; st == FMB_OK && a < l->f->slots; a++) {
+        if (!is_facet_alive(l, a, FMB_FACET_STANDS))
+            continue;
+        st = reserve_set(l, &l->face, l->faces, &l->capacity);
+        if (st != FMB_OK)
+            return st;
+        uint64_t *next = l->face + l->faces * l->words;
+        for (size_t w = 0; w < l->words; w++)
+            next[w] = l->face[i * l->words + w] & l->f->facet[a].on[w];
+        if (fmb_sets_meet(next, l->missing, l->words) && !was_face_met(l, next) &&
+            !is_on_missing_face(l, next))
+            l->faces++;
+        st = fmb_run_poll(l->s->run);
+    }
+    return st;
+}
+
+static bool are_all_points_missing(const lattice *l, const uint64_t *set)
+{
+    for (size_t w = 0; w < l->words; w++)
+        if (set[w] & l->points[w] & ~l->missing[w])
+            return false;
+    return true;
+}
+
+/* The largest face of those from number i on comes to place i. */
+static void bring_largest_forward(lattice *l, size_t i)
+{
+    size_t best = i, most = 0;
+    for (size_t k = i; k < l->faces; k++) {
+        size_t size = 0;
+        for (size_t w = 0; w < l->words; w++)
+            size += (size_t)__builtin_popcountll(l->face[k * l->words + w]);
+        if (size > most) {
+            best = k;
+            most = size;
+        }
+    }
+    for (size_t w = 0; w < l->words; w++) {
+        uint64_t t = l->face[i * l->words + w];
+        l->face[i * l->words + w] = l->face[best * l->words + w];
+        l->face[best * l->words + w] = t;
+    }
+}
+
+static fmb_status keep_missing_face(lattice *l, size_t i, fmb_support_row *row)
+{
+    fmb_status st = reserve_set(l, &l->gone, l->gones, &l->gone_capacity);
+    if (st != FMB_OK) {
+        fmb_support_drop(row, l->s->run->mem);
+        return st;
+    }
+    memcpy(l->gone + l->gones++ * l->words, l->face + i * l->words, l->words * sizeof *l->gone);
+    return fmb_support_keep(l->s, row);
+}
+
+static fmb_status look_at_face(lattice *l, size_t i)
+{
+    fmb_support_row row;
+    bool missing = false;
+    fmb_status st = FMB_OK;
+    const uint64_t *face = l->face + i * l->words;
+    if (i > 0 && is_on_missing_face(l, face))
+        return FMB_OK;
+    if (i > 0 && are_all_points_missing(l, face))
+        st = ask_about_face(l, face, &row, &missing);
+    if (st != FMB_OK)
+        return st;
+    return missing ? keep_missing_face(l, i, &row) : list_faces_of_face(l, i);
+}
+
+/* From all of the hull downwards, the largest face first: so a face is met after all those that it
+ * is a face of, and what is missing is a row unless a larger face is. */
+static fmb_status walk_down_the_lattice(lattice *l)
+{
+    fmb_status st = FMB_OK;
+    memset(l->face, 0xff, l->words * sizeof *l->face);
+    l->faces = 1;
+    for (size_t i = 0; st == FMB_OK && i < l->faces; i++) {
+        bring_largest_forward(l, i);
+        st = look_at_face(l, i);
+    }
+    return st;
+}
+
+/* ---- all ------------------------------------------------------------------------------------- */
+
+static fmb_status open_lattice(lattice *l)
+{
+    fmb_mem *mem = l->s->run->mem;
+    l->missing = fmb_mem_zero(mem, l->words, sizeof *l->missing);
+    l->points = fmb_mem_zero(mem, l->words, sizeof *l->points);
+    l->h.s = fmb_mem_get(mem, l->f->d, sizeof *l->h.s);
+    fmb_status st = l->missing && l->points && l->h.s ? FMB_OK : fmb_mem_status(mem);
+    if (st == FMB_OK)
+        st = reserve_set(l, &l->face, l->faces, &l->capacity);
+    return st == FMB_OK ? fmb_integers_init(&l->sum, l->f->d, mem) : st;
+}
+
+static void close_lattice(lattice *l)
+{
+    fmb_mem *mem = l->s->run->mem;
+    fmb_vec_clear(&l->h, l->f->d, mem);
+    fmb_mem_put(mem, l->h.s, l->f->d, sizeof *l->h.s);
+    fmb_mem_put(mem, l->missing, l->words, sizeof *l->missing);
+    fmb_mem_put(mem, l->points, l->words, sizeof *l->points);
+    fmb_mem_put(mem, l->face, l->capacity, sizeof *l->face);
+    fmb_mem_put(mem, l->gone, l->gone_capacity, sizeof *l->gone);
+    fmb_integers_clear(&l->sum, mem);
+}
+
+fmb_status fmb_support_find_missing_faces(fmb_support *s)
+{
+    lattice l = {.s = s, .f = &s->hull, .words = s->hull.words};
+    fmb_status st = open_lattice(&l);
+    if (st == FMB_OK)
+        st = find_missing_points(&l);
+    if (st == FMB_OK)
+        st = walk_down_the_lattice(&l);
+    close_lattice(&l);
+    return st;
+}

@@ -1,0 +1,74 @@
+/* near_duplicate_names.c: names that stand in a .fmb text once and look like a slip of another
+ * name: mlik for milk.
+ *
+ * Where a vars line declares the names, a slip is an error; elsewhere it is a new variable, and the
+ * answer is about another system. A slip is a letter too many, too few, wrong, or swapped with its
+ * neighbour (Damerau 1964). No slips are names that differ in digits (x1, x2), in a letter that
+ * counts like one (dist_a, dist_b, flow_ab, flow_ba), or are very short; and if many names look
+ * like slips, they are made by a scheme.
+ */
+#include <string.h>
+
+#include "io/core/chars.h"
+#include "io/text/text.h"
+
+enum { SHORTEST = 4, MOST_NAMES = 1000 };
+
+static bool is_ascii_letter(int b)
+{
+    return (b | 32) >= 'a' && (b | 32) <= 'z';
+}
+
+/* From name a to name b, of which b comes `often` or only once. */
+static bool is_one_slip_apart(const char *a, const char *b, bool often)
+{
+    size_t m = strlen(a), n = strlen(b), from = 0, behind = 0;
+    if (m + n < 2 * SHORTEST - 1 || m > n + 1 || n > m + 1)
+        return false;
+    while (from < m && from < n && a[from] == b[from])
+        from++;
+    while (behind < m - from && behind < n - from && a[m - 1 - behind] == b[n - 1 - behind])
+        behind++;
+    size_t p = m - from - behind, q = n - from - behind;
+    for (size_t k = 0; k < p + q; k++)
+        if (fmb_is_digit(k < p ? a[from + k] : b[from + k - p]))
+            return false;
+    bool left = from > 0 && is_ascii_letter(a[from - 1]);
+    bool right = behind > 0 && is_ascii_letter(a[m - behind]);
+    if (p == 1 && q == 1)
+        return often && left && right;
+    return p + q == 1 || (p == 2 && q == 2 && a[from] == b[from + 1] && a[from + 1] == b[from] &&
+                          (left || right));
+}
+
+/* The variable that a variable which comes once may have meant, or -1. Of two that come once, the
+ * second is the slip. */
+static int find_twin(const fmb_text *t, int j)
+{
+    const char *name = fmb_system_name(t->s, j);
+    for (int i = 0; i < fmb_system_dim(t->s); i++) {
+        bool often = t->use[i].times > 1;
+        if (i != j && (often || i < j) && is_one_slip_apart(name, fmb_system_name(t->s, i), often))
+            return i;
+    }
+    return -1;
+}
+
+void fmb_text_warn_of_twins(const fmb_text *t)
+{
+    int dim = fmb_system_dim(t->s), slips = 0;
+    if (t->declared || dim > MOST_NAMES || !t->c->how->warn)
+        return;
+    for (int j = 0; j < dim; j++) {
+        t->use[j].twin = t->use[j].times == 1 ? find_twin(t, j) : -1;
+        slips += t->use[j].twin >= 0;
+    }
+    for (int j = 0; j < dim && slips <= 1 + dim / 4; j++) {
+        char found[FMB_QUOTE], meant[FMB_QUOTE];
+        int i = t->use[j].twin;
+        if (i >= 0)
+            fmb_io_warn(t->c, t->use[j].at, "%s stands here only; did you mean %s?",
+                        fmb_quote_name(fmb_system_name(t->s, j), found),
+                        fmb_quote_name(fmb_system_name(t->s, i), meant));
+    }
+}

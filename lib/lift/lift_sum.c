@@ -1,0 +1,63 @@
+/* lift_sum.c: lifts of images and of Minkowski sums: rows side by side, and what ties them; see
+ * lift_private.h.
+ *
+ * A point y is in the image if some (x, y) is in the graph with x in the polyhedron, and in the sum
+ * if it is one of a point of each: the lifts say that, word for word. So strict rows stay strict.
+ */
+#include "lift/lift_private.h"
+#include "system/system_private.h"
+
+/* Names of the answer: those of the graph behind the first d. */
+static fmb_status add_answer_of_graph(fmb_system *lift, const fmb_system *graph, int d, int *var)
+{
+    fmb_status st = FMB_OK;
+    lift->asks_projection = true;
+    for (int i = d; st == FMB_OK && i < fmb_system_dim(graph); i++) {
+        st = fmb_system_add_variable(lift, fmb_system_name(graph, i), &var[i]);
+        if (st == FMB_OK)
+            fmb_system_set_kept(lift, var[i], true);
+    }
+    return st;
+}
+
+/* var[dim of graph], copy[dim of s] */
+static fmb_status join_graph_and_copy(fmb_system *lift, const fmb_system *s,
+                                      const fmb_system *graph, int *var, int *copy)
+{
+    fmb_status st = add_answer_of_graph(lift, graph, fmb_lift_dim(s), var);
+    if (st == FMB_OK)
+        st = fmb_lift_add_copies(lift, s, 0, copy);
+    for (int j = 0, i = 0; st == FMB_OK && j < fmb_system_dim(s); j++)
+        if (fmb_system_keeps(s, j))
+            var[i++] = copy[j];
+    if (st == FMB_OK)
+        st = fmb_system_join(lift, graph, var);
+    return st == FMB_OK ? fmb_system_join(lift, s, copy) : st;
+}
+
+fmb_status fmb_lift_image(fmb_system *lift, const fmb_system *s, const fmb_system *graph)
+{
+    int d = fmb_lift_dim(s), places = fmb_system_dim(graph);
+    if (places < d)
+        return fmb_system_refuse(lift, "the graph has %d variables, but the system keeps %d",
+                                 places, d);
+    int *var = fmb_mem_get(&lift->mem, (size_t)places, sizeof *var);
+    int *copy = fmb_mem_get(&lift->mem, (size_t)fmb_system_dim(s), sizeof *copy);
+    fmb_status st =
+        var && copy ? join_graph_and_copy(lift, s, graph, var, copy) : fmb_mem_status(&lift->mem);
+    fmb_mem_put(&lift->mem, copy, (size_t)fmb_system_dim(s), sizeof *copy);
+    fmb_mem_put(&lift->mem, var, (size_t)places, sizeof *var);
+    return st;
+}
+
+fmb_status fmb_lift_sum(fmb_system *lift, const fmb_system *const *s, size_t n)
+{
+    fmb_lift_copies c;
+    fmb_status st = fmb_lift_open_copies(&c, lift, s[0], s, n);
+    if (st == FMB_OK)
+        st = fmb_lift_append_sums(&c, lift);
+    for (size_t k = 0; st == FMB_OK && k < n; k++)
+        st = fmb_system_join(lift, s[k], c.var[k]);
+    fmb_lift_close_copies(&c, lift);
+    return st;
+}

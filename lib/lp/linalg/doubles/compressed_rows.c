@@ -1,0 +1,24 @@
+/* compressed_rows.c: see compressed_rows.h. */
+#include "lp/linalg/doubles/compressed_rows.h"
+
+fmb_status fmb_lists_reserve(fmb_lists *l, fmb_mem *mem, size_t more)
+{
+    size_t need = l->size + more;
+    fmb_status st =
+        fmb_mem_reserve(mem, (void **)&l->index, &l->index_room, need, sizeof *l->index);
+    return st == FMB_OK
+               ? fmb_mem_reserve(mem, (void **)&l->value, &l->value_room, need, sizeof *l->value)
+               : st;
+}
+
+fmb_status fmb_lists_reserve_starts(fmb_lists *l, fmb_mem *mem, size_t lists)
+{
+    return fmb_mem_reserve(mem, (void **)&l->start, &l->start_room, lists + 1, sizeof *l->start);
+}
+
+void fmb_lists_free(fmb_lists *l, fmb_mem *mem)
+{
+    fmb_mem_put(mem, l->start, l->start_room, sizeof *l->start);
+    fmb_mem_put(mem, l->index, l->index_room, sizeof *l->index);
+    fmb_mem_put(mem, l->value, l->value_room, sizeof *l->value);
+}

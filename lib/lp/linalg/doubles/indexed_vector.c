@@ -1,0 +1,57 @@
+/* indexed_vector.c: see indexed_vector.h. */
+#include "lp/linalg/doubles/indexed_vector.h"
+
+fmb_status fmb_spread_resize(fmb_spread *v, fmb_mem *mem, size_t size)
+{
+    if (size > v->room || !v->at) {
+        double *at = fmb_mem_get(mem, size + size / 2, sizeof *at);
+        int *index = fmb_mem_get(mem, size + size / 2, sizeof *index);
+        if (!at || !index) {
+            fmb_mem_put(mem, at, size + size / 2, sizeof *at);
+            fmb_mem_put(mem, index, size + size / 2, sizeof *index);
+            return fmb_mem_status(mem);
+        }
+        fmb_spread_free(v, mem);
+        *v = (fmb_spread){.at = at, .index = index, .room = size + size / 2};
+    }
+    v->size = size;
+    fmb_spread_clear(v, true);
+    fmb_spread_clear(v, false);
+    return FMB_OK;
+}
+
+void fmb_spread_free(fmb_spread *v, fmb_mem *mem)
+{
+    fmb_mem_put(mem, v->at, v->room, sizeof *v->at);
+    fmb_mem_put(mem, v->index, v->room, sizeof *v->index);
+    *v = (fmb_spread){0};
+}
+
+void fmb_spread_clear(fmb_spread *v, bool full)
+{
+    if (v->full || full || v->count > v->size / 8)
+        memset(v->at, 0, v->size * sizeof *v->at);
+    else
+        for (size_t t = 0; t < v->count; t++)
+            v->at[v->index[t]] = 0;
+    v->count = 0;
+    v->full = full;
+}
+
+void fmb_spread_gather(fmb_spread *v)
+{
+    v->full = false;
+    v->count = 0;
+    for (size_t k = 0; k < v->size; k++) {
+        v->index[v->count] = (int)k;
+        v->count += v->at[k] != 0;
+    }
+}
+
+void fmb_spread_subtract(const fmb_spread *v, double factor, double *to, const fmb_kernels *k)
+{
+    if (v->full)
+        k->accumulate(to, v->at, v->size, -factor);
+    for (size_t t = 0; !v->full && t < v->count; t++)
+        to[v->index[t]] -= factor * v->at[v->index[t]];
+}

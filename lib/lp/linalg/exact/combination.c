@@ -1,0 +1,410 @@
+/* combination.c: see combination.h. */
+#include "lp/linalg/exact/combination.h"
+
+#include "lp/linalg/exact/hadamard.h"
+#include "num/gcd.h"
+
+/* ---- life -------------------------------------------------------------------------------------
+ */
+
+static mpz_t *allocate_integers(fmb_mem *mem, size_t n)
+{
+    mpz_t *z = fmb_mem_get(mem, n, sizeof *z);
+    for (size_t k = 0; z && k < n; k++)
+        mpz_init(z[k]);
+    return z;
+}
+
+static void free_integers(fmb_mem *mem, mpz_t *z, size_t n)
+{
+    for (size_t k = 0; z && k < n; k++)
+        mpz_clear(z[k]);
+    fmb_mem_put(mem, z, n, sizeof *z);
+}
+
+fmb_status fmb_combination_init(fmb_combination *c, fmb_mem *mem, size_t n, const fmb_lp_row *row)
+{
+    *c = (fmb_combination){.mem = mem, .n = n, .row = row, .q = fmb_prime_number(0)};
+    mpz_inits(c->all, c->left, c->power, c->s, c->t, c->u, c->v, NULL);
+    c->index = fmb_mem_get(mem, n, sizeof *c->index);
+    c->column = fmb_mem_get(mem, n, sizeof *c->column);
+    c->matrix = fmb_mem_get(mem, n * (n + 1), sizeof *c->matrix);
+    c->inverse = fmb_mem_get(mem, n, sizeof *c->inverse);
+    c->digit = fmb_mem_get(mem, n, sizeof *c->digit);
+    c->sum = fmb_mem_get(mem, n, sizeof *c->sum);
+    c->part = allocate_integers(mem, n);
+    c->rest = allocate_integers(mem, n);
+    return c->index && c->column && c->matrix && c->inverse && c->digit && c->sum && c->part &&
+                   c->rest
+               ? FMB_OK
+               : fmb_mem_status(mem);
+}
+
+void fmb_combination_clear(fmb_combination *c)
+{
+    size_t n = c->n;
+    if (!c->mem)
+        return;
+    mpz_clears(c->all, c->left, c->power, c->s, c->t, c->u, c->v, NULL);
+    fmb_mem_put(c->mem, c->index, n, sizeof *c->index);
+    fmb_mem_put(c->mem, c->column, n, sizeof *c->column);
+    fmb_mem_put(c->mem, c->matrix, n * (n + 1), sizeof *c->matrix);
+    fmb_mem_put(c->mem, c->inverse, n, sizeof *c->inverse);
+    fmb_mem_put(c->mem, c->digit, n, sizeof *c->digit);
+    fmb_mem_put(c->mem, c->sum, n, sizeof *c->sum);
+    free_integers(c->mem, c->part, n);
+    free_integers(c->mem, c->rest, n);
+    c->mem = NULL;
+}
+
+/* ---- the equations ----------------------------------------------------------------------------
+ */
+
+static const fmb_vec *unknown_row(const fmb_combination *c, size_t k)
+{
+    return c->row[c->index[k]].v;
+}
+
+/* The columns that the rows name, an equation each. */
+static void list_equations(fmb_combination *c)
+{
+    c->equations = 0;
+    for (size_t j = 0; j < c->n; j++) {
+        bool named = fmb_vec_sgn(c->row[c->i].v, j) != 0;
+        for (size_t k = 0; !named && k < c->unknowns; k++)
+            named = fmb_vec_sgn(unknown_row(c, k), j) != 0;
+        if (named)
+            c->column[c->equations++] = j;
+    }
+}
+
+static void load_equations(fmb_combination *c)
+{
+    size_t wide = c->unknowns + 1;
+    for (size_t e = 0; e < c->equations; e++) {
+        for (size_t k = 0; k < c->unknowns; k++)
+            c->matrix[e * wide + k] = fmb_prime_of_entry(&c->q, unknown_row(c, k), c->column[e]);
+        c->matrix[e * wide + c->unknowns] = fmb_prime_of_entry(&c->q, c->row[c->i].v, c->column[e]);
+    }
+}
+
+static void swap_equations(fmb_combination *c, size_t a, size_t b)
+{
+    size_t wide = c->unknowns + 1, column = c->column[a];
+    for (size_t k = 0; a != b && k < wide; k++) {
+        uint64_t t = c->matrix[a * wide + k];
+        c->matrix[a * wide + k] = c->matrix[b * wide + k];
+        c->matrix[b * wide + k] = t;
+    }
+    c->column[a] = c->column[b];
+    c->column[b] = column;
+}
+
+/* Column k of L U: what the columns before it leave (Crout). */
+static void reduce_matrix_column(fmb_combination *c, size_t k)
+{
+    size_t wide = c->unknowns + 1;
+    for (size_t e = 0; e < c->equations; e++) {
+        uint64_t *row = &c->matrix[e * wide];
+        size_t before = e < k ? e : k;
+        row[k] = fmb_prime_minus_dot(&c->q, row[k], row, c->sum, NULL, before);
+        if (e < k)
+            c->sum[e] = row[k];
+    }
+}
+
+/* L U = the equations, rows in another order; false where unknowns depend on one another, or the
+ * equations contradict each other. */
+static bool factor_equations(fmb_combination *c)
+{
+    size_t wide = c->unknowns + 1, m = c->unknowns;
+    if (c->equations < m)
+        return false;
+    for (size_t k = 0; k < m; k++) {
+        size_t e = k;
+        reduce_matrix_column(c, k);
+        while (e < c->equations && c->matrix[e * wide + k] == 0)
+            e++;
+        if (e == c->equations)
+            return false;
+        swap_equations(c, k, e);
+        c->inverse[k] = fmb_prime_inverse(&c->q, c->matrix[k * wide + k]);
+        for (e = k + 1; e < c->equations; e++)
+            c->matrix[e * wide + k] =
+                fmb_prime_times(&c->q, c->matrix[e * wide + k], c->inverse[k]);
+    }
+    reduce_matrix_column(c, m);
+    for (size_t e = m; e < c->equations; e++)
+        if (c->matrix[e * wide + m] != 0)
+            return false;
+    return true;
+}
+
+/* digit = U^-1 sum. */
+static void substitute_back(fmb_combination *c)
+{
+    size_t wide = c->unknowns + 1;
+    for (size_t k = c->unknowns; k-- > 0;) {
+        uint64_t left = fmb_prime_minus_dot(&c->q, c->sum[k], &c->matrix[k * wide + k + 1],
+                                            &c->digit[k + 1], NULL, c->unknowns - k - 1);
+        c->digit[k] = fmb_prime_times(&c->q, left, c->inverse[k]);
+    }
+}
+
+static void solve_modulo_prime(fmb_combination *c)
+{
+    for (size_t k = 0; k < c->unknowns; k++)
+        c->sum[k] = c->matrix[k * (c->unknowns + 1) + c->unknowns];
+    substitute_back(c);
+}
+
+/* ---- lifting ----------------------------------------------------------------------------------
+ */
+
+/* The number next to 0 with that remainder. */
+static void set_symmetric(mpz_t z, const fmb_prime *q, uint64_t remainder)
+{
+    if (remainder > q->p / 2)
+        fmb_integer_set_i64(z, -(int64_t)(q->p - remainder));
+    else
+        fmb_integer_set_u64(z, remainder);
+}
+
+/* Cramer's rule: the determinant and its products with the unknowns are minors, thus known. */
+static void lift_minors(fmb_combination *c)
+{
+    uint64_t determinant = 1;
+    for (size_t k = 0; k < c->unknowns; k++)
+        determinant = fmb_prime_times(&c->q, determinant, c->matrix[k * (c->unknowns + 1) + k]);
+    set_symmetric(c->all, &c->q, determinant);
+    for (size_t k = 0; k < c->unknowns; k++)
+        set_symmetric(c->part[k], &c->q, fmb_prime_times(&c->q, determinant, c->digit[k]));
+}
+
+/* ---- digit by digit ---------------------------------------------------------------------------
+ */
+
+/* s = equation e times the digits; small: all sums fit in 127 bits. */
+static void multiply_by_digits(fmb_combination *c, size_t e, bool small)
+{
+    fmb_i128 sum = fmb_i128_of(0);
+    size_t j = c->column[e];
+    mpz_set_ui(c->s, 0);
+    for (size_t k = 0; k < c->unknowns; k++) {
+        const fmb_vec *v = unknown_row(c, k);
+        if (small) {
+            sum = fmb_i128_plus_product(sum, v->s[j], (int64_t)c->digit[k]);
+            continue;
+        }
+        fmb_vec_get(v, j, c->t);
+        fmb_integer_add_product_u64(c->s, c->t, c->digit[k]);
+    }
+    if (small)
+        fmb_integer_set_128(c->s, sum);
+}
+
+static bool do_digit_sums_fit(const fmb_combination *c)
+{
+    int bits = FMB_PRIME_BITS + fmb_bits64(c->unknowns) + 1;
+    for (size_t k = 0; k < c->unknowns; k++)
+        if (unknown_row(c, k)->z || unknown_row(c, k)->bits + bits > 127)
+            return false;
+    return true;
+}
+
+/* part[k] = what the first digits say; the rest for the next ones. */
+static void begin_digits(fmb_combination *c)
+{
+    mpz_set_ui(c->power, 1);
+    for (size_t k = 0; k < c->unknowns; k++) {
+        fmb_vec_get(c->row[c->i].v, c->column[k], c->rest[k]);
+        mpz_set_ui(c->part[k], 0);
+    }
+}
+
+/* Take in the digits at hand, and find the next ones. */
+static void lift_by_one_digit(fmb_combination *c, bool small)
+{
+    size_t wide = c->unknowns + 1;
+    for (size_t e = 0; e < c->unknowns; e++) {
+        fmb_integer_add_product_u64(c->part[e], c->power, c->digit[e]);
+        multiply_by_digits(c, e, small);
+        mpz_sub(c->rest[e], c->rest[e], c->s);
+        fmb_integer_divide_exactly_u64(c->rest[e], c->rest[e], c->q.p);
+    }
+    fmb_integer_times_u64(c->power, c->power, c->q.p);
+    for (size_t e = 0; e < c->unknowns; e++)
+        c->sum[e] = fmb_prime_minus_dot(&c->q, fmb_prime_of_integer(&c->q, c->rest[e]),
+                                        &c->matrix[e * wide], c->sum, NULL, e);
+    substitute_back(c);
+}
+
+/* The fraction s / t with the remainder v modulo the power, both at most `most`; by Euclid's
+ * algorithm (Wang 1981). False if there is none. */
+static bool find_fraction_of_remainder(fmb_combination *c, const mpz_t most)
+{
+    mpz_t a, b;
+    mpz_init_set(a, c->power);
+    mpz_init_set_ui(b, 0);
+    mpz_set(c->s, c->v);
+    mpz_set_ui(c->t, 1);
+    while (mpz_cmp(c->s, most) > 0) { /* (a, b) and (s, t): s = t v modulo the power */
+        mpz_fdiv_qr(c->u, a, a, c->s);
+        mpz_submul(b, c->u, c->t);
+        mpz_swap(a, c->s);
+        mpz_swap(b, c->t);
+    }
+    mpz_clears(a, b, NULL);
+    if (mpz_sgn(c->t) < 0) {
+        mpz_neg(c->t, c->t);
+        mpz_neg(c->s, c->s);
+    }
+    return mpz_cmp(c->t, most) <= 0;
+}
+
+/* Numerators over one denominator `all` for what the digits say; false where some is too large to
+ * be believed. */
+static bool guess_fractions(fmb_combination *c, mpz_t *numerator)
+{
+    bool found = true;
+    mpz_t most;
+    mpz_init(most);
+    mpz_fdiv_q_2exp(most, c->power, 1);
+    mpz_sqrt(most, most);
+    mpz_set_ui(c->all, 1);
+    for (size_t k = 0; found && k < c->unknowns; k++) {
+        mpz_mul(c->v, c->part[k], c->all);
+        mpz_fdiv_r(c->v, c->v, c->power);
+        mpz_sub(c->u, c->v, c->power); /* the remainder next to 0 */
+        mpz_set(numerator[k], mpz_cmpabs(c->u, c->v) < 0 ? c->u : c->v);
+        if (mpz_cmpabs(numerator[k], most) <= 0)
+            continue;
+        found = find_fraction_of_remainder(c, most);
+        mpz_set(numerator[k], c->s);
+        mpz_mul(c->all, c->all, c->t);
+        for (size_t i = 0; i < k; i++)
+            mpz_mul(numerator[i], numerator[i], c->t);
+        found = found && mpz_cmp(c->all, most) <= 0;
+    }
+    mpz_clear(most);
+    return found;
+}
+
+/* ---- judging ----------------------------------------------------------------------------------
+ */
+
+/* left = all (row i) - sum of part_k (row k), at entry j. */
+static void subtract_parts(fmb_combination *c, mpz_t *part, size_t j, mpz_t left)
+{
+    fmb_vec_get(c->row[c->i].v, j, c->t);
+    mpz_mul(left, c->all, c->t);
+    for (size_t k = 0; k < c->unknowns; k++) {
+        const fmb_vec *v = unknown_row(c, k);
+        if (fmb_vec_sgn(v, j) == 0)
+            continue;
+        fmb_vec_get(v, j, c->t);
+        mpz_submul(left, part[k], c->t);
+    }
+}
+
+/* Do the parts solve equations from .. on? */
+static bool solves_equations(fmb_combination *c, mpz_t *part, size_t from)
+{
+    for (size_t e = from; e < c->equations; e++) {
+        subtract_parts(c, part, c->column[e], c->left);
+        if (mpz_sgn(c->left) != 0)
+            return false;
+    }
+    return true;
+}
+
+/* Rounds of digits until fractions hold: as soon as they do, and at the latest when no larger ones
+ * are possible. */
+static fmb_status lift_digits(fmb_combination *c, fmb_run *run, double bits, bool *found)
+{
+    fmb_status st = FMB_OK;
+    bool small = do_digit_sums_fit(c);
+    double enough = (2 * bits + 3) / FMB_PRIME_BITS + 1;
+    mpz_t *numerator = allocate_integers(c->mem, c->n);
+    if (!numerator)
+        return fmb_mem_status(c->mem);
+    begin_digits(c);
+    for (size_t digits = 1, next = 2; st == FMB_OK && !*found; digits++) {
+        lift_by_one_digit(c, small);
+        if (digits < next && (double)digits < enough)
+            continue;
+        *found = guess_fractions(c, numerator) && solves_equations(c, numerator, 0);
+        if ((double)digits >= enough)
+            break;
+        next += next / 2;
+        st = fmb_run_poll_now(run);
+    }
+    for (size_t k = 0; *found && k < c->unknowns; k++)
+        mpz_swap(c->part[k], numerator[k]);
+    free_integers(c->mem, numerator, c->n);
+    return st;
+}
+
+/* ---- the answer -------------------------------------------------------------------------------
+ */
+
+/* In lowest terms, all > 0, without parts that are 0; left by the right sides. */
+static void tidy_combination(fmb_combination *c)
+{
+    size_t kept = 0;
+    mpz_set(c->s, c->all);
+    for (size_t k = 0; k < c->unknowns && mpz_cmp_ui(c->s, 1) != 0; k++)
+        mpz_gcd(c->s, c->s, c->part[k]);
+    if (mpz_sgn(c->all) < 0)
+        mpz_neg(c->s, c->s);
+    mpz_divexact(c->all, c->all, c->s);
+    for (size_t k = 0; k < c->unknowns; k++) {
+        if (mpz_sgn(c->part[k]) == 0)
+            continue;
+        mpz_divexact(c->part[k], c->part[k], c->s);
+        mpz_swap(c->part[kept], c->part[k]);
+        c->index[kept++] = c->index[k];
+    }
+    c->size = c->unknowns = kept;
+    subtract_parts(c, c->part, c->n, c->left);
+}
+
+fmb_status fmb_combine(fmb_combination *c, fmb_run *run, size_t i, const size_t *support,
+                       size_t size, bool *found)
+{
+    fmb_status st = FMB_OK;
+    c->i = i;
+    c->unknowns = size;
+    for (size_t k = 0; k < size; k++)
+        c->index[k] = support[k];
+    list_equations(c);
+    load_equations(c);
+    *found = factor_equations(c);
+    if (!*found)
+        return FMB_OK;
+    solve_modulo_prime(c);
+    double bits = fmb_hadamard_bits(c->row, c->i, c->unknowns, c->index, c->column);
+    if (bits < FMB_PRIME_BITS - 2) {
+        lift_minors(c);
+        *found = solves_equations(c, c->part, c->unknowns);
+    } else {
+        *found = false;
+        st = lift_digits(c, run, bits, found);
+    }
+    if (*found)
+        tidy_combination(c);
+    return st;
+}
+
+bool fmb_combination_proves(const fmb_combination *c)
+{
+    bool strict = false;
+    for (size_t k = 0; k < c->size; k++) {
+        fmb_rel rel = c->row[c->index[k]].rel;
+        if (mpz_sgn(c->part[k]) < 0 && rel != FMB_EQ)
+            return false;
+        strict = strict || (rel == FMB_LT && mpz_sgn(c->part[k]) > 0);
+    }
+    int sign = mpz_sgn(c->left);
+    return sign > 0 || (sign == 0 && (strict || c->row[c->i].rel != FMB_LT));
+}

@@ -1,0 +1,305 @@
+/* factor.c: square sparse matrices of integers, solved exactly; see factor.h. */
+#include "lp/linalg/exact/factor.h"
+
+#include <assert.h>
+#include <string.h>
+
+#include "base/ways.h"
+#include "lp/linalg/exact/dixon.h"
+#include "lp/linalg/exact/minors.h"
+#include "lp/linalg/exact/rational.h"
+#include "lp/linalg/exact/triangular.h"
+#include "lp/linalg/modular/modular_lu.h"
+
+struct fmb_factor {
+    fmb_run *run;
+    fmb_mem *mem;
+    const fmb_program *p;
+    fmb_arena lasting, passing;
+    fmb_prime q;
+    fmb_lu lu;
+    fmb_sparse b[2];     /* in the order of the pivots, and its transpose */
+    fmb_sweep across[2]; /* the transposes of lu.upper, lu.lower */
+    fmb_dixon lift[2];
+    fmb_minors minors;
+    bool is_short, has_minors; /* minors suit it; they are there */
+    bool *reached;             /* [n] scratch of substitution */
+    fmb_rational rational;
+    mpz_t m, y, a, d;
+    size_t usual[2]; /* digits that were enough last time */
+};
+
+fmb_status fmb_factor_new(fmb_run *run, const fmb_program *p, fmb_factor **out)
+{
+    fmb_factor *f = fmb_mem_zero(run->mem, 1, sizeof *f);
+    if (!f)
+        return fmb_mem_status(run->mem);
+    f->run = run;
+    f->mem = run->mem;
+    f->p = p;
+    fmb_arena_init(&f->lasting, f->mem);
+    fmb_arena_init(&f->passing, f->mem);
+    fmb_rational_init(&f->rational);
+    mpz_inits(f->m, f->y, f->a, f->d, NULL);
+    *out = f;
+    return FMB_OK;
+}
+
+void fmb_factor_free(fmb_factor *f)
+{
+    if (!f)
+        return;
+    fmb_dixon_clear(&f->lift[0]);
+    fmb_dixon_clear(&f->lift[1]);
+    fmb_minors_clear(&f->minors, f->mem);
+    fmb_rational_clear(&f->rational);
+    mpz_clears(f->m, f->y, f->a, f->d, NULL);
+    fmb_arena_clear(&f->lasting);
+    fmb_arena_clear(&f->passing);
+    fmb_mem_put(f->mem, f, 1, sizeof *f);
+}
+
+/* ---- factors --------------------------------------------------------------------------------- */
+
+static fmb_status factor_by_prime(fmb_factor *f, const fmb_sparse *rows, int k)
+{
+    f->q = fmb_prime_number(k);
+    fmb_arena_reset(&f->lasting);
+    return fmb_lu_factor(&f->lu, f->run, &f->lasting, &f->passing, rows, &f->q);
+}
+
+fmb_status fmb_factor_set(fmb_factor *f, size_t *basis, bool *changed)
+{
+    fmb_sparse rows;
+    f->has_minors = false;
+    f->b[1] = (fmb_sparse){0};
+    fmb_dixon_clear(&f->lift[0]);
+    fmb_dixon_clear(&f->lift[1]);
+    fmb_arena_reset(&f->passing);
+    fmb_status st = fmb_sparse_gather(&rows, &f->passing, f->p, basis);
+    for (int k = 0; st == FMB_OK && k < 2; k++) {
+        st = factor_by_prime(f, &rows, k);
+        if (st == FMB_OK && f->lu.rank == f->lu.n)
+            break;
+    }
+    if (st != FMB_OK)
+        return st;
+    *changed = f->lu.rank < f->lu.n;
+    for (size_t k = f->lu.rank; k < f->lu.n; k++)
+        basis[f->lu.row_at[k]] = f->p->m + (size_t)f->lu.column_at[k];
+    if (*changed)
+        st = fmb_sparse_gather(&rows, &f->passing, f->p, basis);
+    if (st == FMB_OK)
+        st = fmb_sparse_permute(&rows, &f->lasting, f->lu.row_at, f->lu.column_place, &f->b[0]);
+    f->reached = fmb_arena_get(&f->lasting, f->lu.n, sizeof *f->reached);
+    if (st == FMB_OK && !f->reached)
+        st = fmb_mem_status(f->mem);
+    if (st == FMB_OK)
+        f->is_short = fmb_minors_suit(&f->b[0]) && fmb_way(FMB_WAY_MINORS);
+    fmb_way_answered(FMB_WAY_MINORS, f->is_short);
+    return st;
+}
+
+static fmb_status prepare_minors(fmb_factor *f)
+{
+    if (f->has_minors)
+        return FMB_OK;
+    fmb_status st = fmb_minors_factor(&f->minors, &f->b[0], f->run);
+    f->has_minors = st == FMB_OK;
+    return st;
+}
+
+static fmb_status prepare_transposed(fmb_factor *f)
+{
+    return f->b[1].start ? FMB_OK : fmb_sparse_transpose(&f->b[0], &f->lasting, &f->b[1]);
+}
+
+static fmb_status prepare_lifting_transposed(fmb_factor *f)
+{
+    fmb_status st = prepare_transposed(f);
+    if (st == FMB_OK)
+        st = fmb_sweep_transpose(&f->lu.upper, &f->lasting, &f->across[0]);
+    if (st == FMB_OK)
+        st = fmb_sweep_transpose(&f->lu.lower, &f->lasting, &f->across[1]);
+    if (st == FMB_OK)
+        st =
+            fmb_dixon_init(&f->lift[1], &f->lasting, &f->q, &f->b[1], &f->across[0], &f->across[1]);
+    return st;
+}
+
+static fmb_status prepare_lifting(fmb_factor *f, bool across)
+{
+    if (f->lift[across].mem)
+        return FMB_OK;
+    if (across)
+        return prepare_lifting_transposed(f);
+    return fmb_dixon_init(&f->lift[0], &f->lasting, &f->q, &f->b[0], &f->lu.lower, &f->lu.upper);
+}
+
+/* ---- solutions ------------------------------------------------------------------------------- */
+
+/* What one solution is asked: x[at[k]] is unknown k. */
+typedef struct asked {
+    fmb_dixon *lift;
+    const int *at;
+    mpz_t *x;
+    size_t right_bits;
+} asked;
+
+#define GUARD_BITS 24
+
+/* f->y = f->d times unknown k, modulo f->m, between -m/2 and m/2. */
+static void scale_unknown(fmb_factor *f, const asked *s, size_t k)
+{
+    fmb_dixon_value(s->lift, k, f->y);
+    mpz_mul(f->y, f->y, f->d);
+    mpz_fdiv_r(f->y, f->y, f->m);
+}
+
+/* Is f->y, or f->y - m, of at most so many bits? */
+static bool is_short(fmb_factor *f, size_t bits)
+{
+    mpz_sub(f->a, f->m, f->y);
+    return mpz_sizeinbase(mpz_cmp(f->a, f->y) < 0 ? f->a : f->y, 2) <= bits;
+}
+
+/* f->y is a fraction over what f->d lacks: multiply that in. False: none is found yet. */
+static bool widen_denominator(fmb_factor *f, size_t m_bits)
+{
+    size_t half = (m_bits + mpz_sizeinbase(f->d, 2)) / 2;
+    if (m_bits < half + GUARD_BITS ||
+        !fmb_rational_find(&f->rational, f->y, f->m, half, m_bits - half - GUARD_BITS, f->a,
+                           f->y) ||
+        mpz_cmp_ui(f->y, 1) == 0)
+        return false;
+    mpz_mul(f->d, f->d, f->y);
+    return true;
+}
+
+/* Theorem. Let m = p^k, x the digits so far: B x = right modulo m. If y = d x modulo m, then B y =
+ * d right modulo m; and if both sides are less than m/2, B y = d right.
+ *
+ * A fraction may look short by chance before its denominator is in d (m is not at random: 1/2^30
+ * is, modulo some powers of some primes), and not after: then that is looked for once more. */
+static bool find_common_denominator(fmb_factor *f, const asked *s)
+{
+    size_t m_bits = mpz_sizeinbase(f->m, 2) - 1, norm_bits = s->lift->b->bits_max;
+    if (m_bits < norm_bits + 2 + GUARD_BITS)
+        return false;
+    size_t room = m_bits - norm_bits - 2, shorter = room - GUARD_BITS;
+    mpz_set_ui(f->d, 1);
+    for (size_t i = 0; i < s->lift->n; i++) {
+        size_t k = s->lift == &f->lift[0] ? s->lift->n - 1 - i : i;
+        scale_unknown(f, s, k);
+        if (!is_short(f, shorter) && !widen_denominator(f, m_bits))
+            return false;
+    }
+    for (size_t k = 0; k < s->lift->n; k++) {
+        mpz_ptr x = s->x[s->at[k]];
+        scale_unknown(f, s, k);
+        if (!is_short(f, room)) {
+            if (!widen_denominator(f, m_bits))
+                return false;
+            k = SIZE_MAX; /* all once more: d has grown */
+            continue;
+        }
+        if (mpz_cmp(f->a, f->y) < 0)
+            mpz_neg(x, f->a);
+        else
+            mpz_set(x, f->y);
+    }
+    return mpz_sizeinbase(f->d, 2) + s->right_bits + 2 <= m_bits;
+}
+
+/* Fractions are not looked for before there are as many digits as were enough last time, roughly:
+ * digits are cheaper than looking in vain. */
+static fmb_status lift_until_found(fmb_factor *f, asked *s, size_t most)
+{
+    size_t *usual = &f->usual[s->lift - f->lift];
+    size_t first = *usual < most ? *usual : most, next = first;
+    while (true) {
+        fmb_status st = fmb_dixon_step(s->lift);
+        if (st == FMB_OK)
+            st = fmb_run_poll(f->run);
+        if (st != FMB_OK)
+            return st;
+        fmb_integer_times_u64(f->m, f->m, f->q.p);
+        size_t digits = s->lift->digits;
+        if (digits < next)
+            continue;
+        if (find_common_denominator(f, s)) {
+            *usual = digits > first ? digits : digits - digits / 8 - 1;
+            return FMB_OK;
+        }
+        assert(digits <= most);
+        if (digits > most) /* only if our arithmetic is wrong: rather that than for ever */
+            return FMB_ERR_STATE;
+        next = digits + digits / 8 + 1;
+    }
+}
+
+/* Cramer: numerators and denominator are determinants, at most the product of the rows' norms. */
+static size_t count_most_digits(const fmb_sparse *b, size_t right_bits)
+{
+    double bits = 2 * (fmb_sparse_determinant_bits(b) + (double)right_bits + b->bits_max + 64);
+    return (size_t)(bits / (FMB_PRIME_BITS - 1)) + 3;
+}
+
+static fmb_status solve_by_lifting(fmb_factor *f, fmb_dixon *lift, mpz_t *right,
+                                   const int *right_at, const int *at, mpz_t *x, mpz_t den)
+{
+    asked s = {.lift = lift, .at = at, .x = x};
+    if (lift->n == 0) {
+        mpz_set_ui(den, 1);
+        return FMB_OK;
+    }
+    for (size_t k = 0; k < lift->n; k++) {
+        size_t bits = mpz_sizeinbase(right[k], 2);
+        s.right_bits = bits > s.right_bits ? bits : s.right_bits;
+    }
+    mpz_set_ui(f->m, 1);
+    fmb_status st = fmb_dixon_begin(lift, right, right_at);
+    if (st == FMB_OK)
+        st = lift_until_found(f, &s, count_most_digits(lift->b, s.right_bits));
+    if (st == FMB_OK)
+        mpz_set(den, f->d);
+    return st;
+}
+
+static bool substitute(fmb_factor *f, bool across, mpz_t *right, mpz_t *x, mpz_t den)
+{
+    fmb_triangle t = {
+        .b = &f->b[across], .turn = f->lu.turn, .backwards = across, .reached = f->reached};
+    const int *row = f->lu.row_at, *column = f->lu.column_at;
+    return fmb_substitute(&t, right, across ? column : row, across ? row : column, x, den);
+}
+
+/* B, or across it B^T: triangular, or of short minors, or digit by digit. */
+static fmb_status solve_factored(fmb_factor *f, bool across, mpz_t *right, mpz_t *x, mpz_t den)
+{
+    const int *right_at = across ? f->lu.column_at : f->lu.row_at;
+    const int *at = across ? f->lu.row_at : f->lu.column_at;
+    fmb_status st = f->lu.is_triangular && across ? prepare_transposed(f) : FMB_OK;
+    if (st == FMB_OK && f->lu.is_triangular && fmb_way(FMB_WAY_SUBSTITUTE) &&
+        substitute(f, across, right, x, den)) {
+        fmb_way_answered(FMB_WAY_SUBSTITUTE, true);
+        return fmb_run_poll(f->run);
+    }
+    if (st == FMB_OK)
+        st = f->is_short ? prepare_minors(f) : prepare_lifting(f, across);
+    if (st == FMB_OK && !f->is_short)
+        return solve_by_lifting(f, &f->lift[across], right, right_at, at, x, den);
+    if (st == FMB_OK)
+        st = fmb_minors_solve(&f->minors, f->run, across, right, right_at, at, x, den);
+    return st == FMB_OK ? fmb_run_poll(f->run) : st;
+}
+
+fmb_status fmb_factor_solve(fmb_factor *f, mpz_t *right, mpz_t *x, mpz_t den)
+{
+    return solve_factored(f, false, right, x, den);
+}
+
+fmb_status fmb_factor_solve_transposed(fmb_factor *f, mpz_t *cost, mpz_t *y, mpz_t den)
+{
+    return solve_factored(f, true, cost, y, den);
+}

@@ -1,0 +1,227 @@
+/* scaled_program.c: see scaled_program.h. */
+#include "lp/model/scaled_program.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Right sides beyond are that, or they would drown all others. */
+#define FAR_AWAY 1e60
+/* Columns are scaled where coefficients of the scaled rows are less than 2^-WIDE. */
+#define WIDE   7
+#define PASSES 4
+
+void fmb_reals_clear(fmb_reals *f)
+{
+    fmb_mem *mem = f->run->mem;
+    fmb_mem_put(mem, f->start, f->start_room, sizeof *f->start);
+    fmb_mem_put(mem, f->value, f->value_room, sizeof *f->value);
+    fmb_mem_put(mem, f->right, f->right_room, sizeof *f->right);
+    fmb_mem_put(mem, f->exponent, f->exponent_room, sizeof *f->exponent);
+    fmb_mem_put(mem, f->off, f->off_room, sizeof *f->off);
+    fmb_mem_put(mem, f->column_exponent, f->n, sizeof *f->column_exponent);
+}
+
+/* ---- numbers --------------------------------------------------------------------------------- */
+
+/* The exponent e of x = f 2^e, 1/2 <= |f| < 1. */
+static int exponent_of(double x)
+{
+    int e = 0;
+    frexp(x, &e);
+    return x != 0 ? e : 0;
+}
+
+/* Coefficient k of a wide row as a number from 1/2 to 1 and a power of two. */
+static double split_wide(const fmb_vec *v, size_t k, int *exponent)
+{
+    long e = 0;
+    double fraction = mpz_get_d_2exp(&e, v->z[k]);
+    *exponent = (int)e;
+    return fraction;
+}
+
+/* Term k of the row as it is, divided by two to the power of e. */
+static double term_divided(const fmb_program_row *row, size_t k, int e)
+{
+    int own = 0;
+    double x = row->value->z ? split_wide(row->value, k, &own) : (double)row->value->s[k];
+    return ldexp(x, own - e);
+}
+
+static double right_side_divided(const fmb_program_row *row, int e)
+{
+    return fmax(-FAR_AWAY, fmin(FAR_AWAY, term_divided(row, row->size, e)));
+}
+
+/* The terms of row i, its columns scaled as they are, and the row to what fits; the exponent of the
+ * row is e at first. */
+static int divide_by_largest(const fmb_reals *f, size_t i, int e)
+{
+    const int *column = fmb_reals_columns(f, i);
+    double *value = &f->value[f->start[i]], largest = 0;
+    size_t size = f->p->row[i].size;
+    for (size_t k = 0; k < size; k++) {
+        if (f->column_exponent[column[k]] != 0)
+            value[k] = ldexp(value[k], -f->column_exponent[column[k]]);
+        largest = fmax(largest, fabs(value[k]));
+    }
+    int more = exponent_of(largest);
+    double factor = ldexp(1, -more);
+    for (size_t k = 0; k < size; k++)
+        value[k] *= factor;
+    return e + more;
+}
+
+static int load_wide_terms(const fmb_program_row *row, double *value)
+{
+    int most = 0, e;
+    for (size_t k = 0; k < row->size; k++) {
+        split_wide(row->value, k, &e);
+        most = e > most ? e : most;
+    }
+    for (size_t k = 0; k < row->size; k++)
+        value[k] = term_divided(row, k, most);
+    return most;
+}
+
+/* Terms and right side of row i. */
+static void load_real_row(fmb_reals *f, size_t i)
+{
+    const fmb_program_row *row = &f->p->row[i];
+    double *value = &f->value[f->start[i]];
+    int e = 0;
+    if (row->value->z)
+        e = load_wide_terms(row, value);
+    for (size_t k = 0; !row->value->z && k < row->size; k++)
+        value[k] = (double)row->value->s[k];
+    f->exponent[i] = divide_by_largest(f, i, e);
+    f->right[i] = right_side_divided(row, f->exponent[i]);
+    f->off[i] = row->off;
+    f->start[i + 1] = f->start[i] + row->size;
+}
+
+/* ---- columns --------------------------------------------------------------------------------- */
+
+static double find_least_coefficient(const fmb_reals *f)
+{
+    double least = 1;
+    for (size_t t = 0; t < f->start[f->m]; t++)
+        least = fabs(f->value[t]) < least ? fabs(f->value[t]) : least;
+    return least;
+}
+
+/* Rows, then columns, in turn: the mean of the exponents becomes 0. sum and count are scratch. */
+static void average_exponents(const fmb_reals *f, int *of_row, int *of_column, int *sum, int *count)
+{
+    memset(sum, 0, f->n * sizeof *sum);
+    memset(count, 0, f->n * sizeof *count);
+    for (size_t i = 0; i < f->m; i++) {
+        const int *column = fmb_reals_columns(f, i);
+        int size = (int)f->p->row[i].size, total = 0;
+        if (size < 2)
+            continue;
+        for (int k = 0; k < size; k++)
+            total += exponent_of(f->value[f->start[i] + (size_t)k]) - of_column[column[k]];
+        of_row[i] = total / size;
+        for (int k = 0; k < size; k++) {
+            sum[column[k]] += exponent_of(f->value[f->start[i] + (size_t)k]) - of_row[i];
+            count[column[k]]++;
+        }
+    }
+    for (size_t j = 0; j < f->n; j++)
+        of_column[j] = count[j] > 0 ? sum[j] / count[j] : 0;
+}
+
+/* Exponents of the columns, and rows to match. */
+static fmb_status scale_columns(fmb_reals *f)
+{
+    fmb_mem *mem = f->run->mem;
+    int *of_row = fmb_mem_zero(mem, f->m, sizeof *of_row);
+    int *sum = fmb_mem_get(mem, f->n, sizeof *sum), *count = fmb_mem_get(mem, f->n, sizeof *count);
+    fmb_status st = of_row && sum && count ? FMB_OK : fmb_mem_status(mem);
+    for (int pass = 0; st == FMB_OK && pass < PASSES; pass++) {
+        average_exponents(f, of_row, f->column_exponent, sum, count);
+        st = fmb_run_poll_now(f->run);
+    }
+    for (size_t i = 0; st == FMB_OK && i < f->m; i++)
+        load_real_row(f, i);
+    fmb_mem_put(mem, of_row, f->m, sizeof *of_row);
+    fmb_mem_put(mem, sum, f->n, sizeof *sum);
+    fmb_mem_put(mem, count, f->n, sizeof *count);
+    return st;
+}
+
+/* ---- as a whole ------------------------------------------------------------------------------ */
+
+static fmb_status reserve_real_rows(fmb_reals *f, size_t m, size_t terms)
+{
+    fmb_mem *mem = f->run->mem;
+    fmb_status st =
+        fmb_mem_reserve(mem, (void **)&f->start, &f->start_room, m + 1, sizeof *f->start);
+    if (st == FMB_OK)
+        st = fmb_mem_reserve(mem, (void **)&f->value, &f->value_room, terms, sizeof *f->value);
+    if (st == FMB_OK)
+        st = fmb_mem_reserve(mem, (void **)&f->right, &f->right_room, m, sizeof *f->right);
+    if (st == FMB_OK)
+        st = fmb_mem_reserve(mem, (void **)&f->exponent, &f->exponent_room, m, sizeof *f->exponent);
+    if (st == FMB_OK)
+        st = fmb_mem_reserve(mem, (void **)&f->off, &f->off_room, m, sizeof *f->off);
+    return st;
+}
+
+fmb_status fmb_reals_grow(fmb_reals *f)
+{
+    size_t m = f->p->m, terms = f->m > 0 ? f->start[f->m] : 0;
+    for (size_t i = f->m; i < m; i++)
+        terms += f->p->row[i].size;
+    fmb_status st = reserve_real_rows(f, m, terms);
+    if (st != FMB_OK)
+        return st;
+    f->start[0] = 0;
+    for (; f->m < m; f->m++)
+        load_real_row(f, f->m);
+    return FMB_OK;
+}
+
+fmb_status fmb_reals_init(fmb_reals *f, fmb_run *run, const fmb_program *p)
+{
+    *f = (fmb_reals){.run = run, .p = p, .n = (size_t)p->n};
+    f->column_exponent = fmb_mem_zero(run->mem, f->n, sizeof *f->column_exponent);
+    if (!f->column_exponent)
+        return fmb_mem_status(run->mem);
+    fmb_status st = fmb_reals_grow(f);
+    return st == FMB_OK && find_least_coefficient(f) < ldexp(1, -WIDE) ? scale_columns(f) : st;
+}
+
+void fmb_reals_shift(fmb_reals *f, const double *right)
+{
+    for (size_t i = 0; i < f->m; i++)
+        f->right[i] = right ? ldexp(right[i], -f->exponent[i])
+                            : right_side_divided(&f->p->row[i], f->exponent[i]);
+}
+
+void fmb_reals_move_in(fmb_reals *f, double by)
+{
+    for (size_t i = 0; i < f->m; i++) {
+        double sum = 0;
+        for (size_t t = f->start[i]; t < f->start[i + 1]; t++)
+            sum += fabs(f->value[t]);
+        if (!fmb_reals_is_equality(f, i))
+            f->right[i] -= by * sum;
+    }
+}
+
+bool fmb_reals_scale_cost(const fmb_reals *f, const double *cost, double *scaled)
+{
+    double largest = 0;
+    for (size_t j = 0; j < f->n; j++) {
+        if (!isfinite(cost[j]))
+            return false;
+        scaled[j] = ldexp(cost[j], -f->column_exponent[j]);
+        largest = fmax(largest, fabs(scaled[j]));
+    }
+    double factor = ldexp(1, -exponent_of(largest));
+    for (size_t j = 0; j < f->n; j++)
+        scaled[j] *= factor;
+    return isfinite(largest);
+}

@@ -1,0 +1,56 @@
+/* scaled_program.h: a program in doubles: what both sides of the door see of it (backend.h).
+ *
+ * Row i is multiplied by a power of two, so that its largest coefficient is from 1/2 to 1 and
+ * numbers beyond doubles fit; so is column j, where coefficients differ much: x_j = 2^-e x'_j, e
+ * its exponent. Rows come in the order of the program; those that are off are there but do not
+ * count.
+ *
+ * Source: Curtis and Reid 1972, On the automatic scaling of matrices for Gaussian elimination.
+ */
+#ifndef FMB_LP_SCALED_PROGRAM_H
+#define FMB_LP_SCALED_PROGRAM_H
+
+#include "lp/model/program.h"
+#include "trace/run.h"
+
+/* A place in a list that is not there. */
+#define FMB_NOWHERE SIZE_MAX
+/* Members of a basis are rows of the program, or FMB_UNIT + j: the row x_j = 0. */
+#define FMB_UNIT (SIZE_MAX / 2)
+
+typedef struct fmb_reals {
+    fmb_run *run;
+    const fmb_program *p;
+    size_t n, m;   /* columns; rows taken in so far */
+    size_t *start; /* [m + 1] where the terms of a row begin; their columns are the program's */
+    double *value; /* [start[m]] */
+    double *right; /* [m] as it is now, scaled as its row */
+    int *exponent; /* [m] the row was divided by two to the power of that */
+    int *column_exponent; /* [n] likewise */
+    bool *off;            /* [m] */
+    size_t start_room, value_room, right_room, exponent_room, off_room;
+    bool sharp; /* tolerances as tight as they go */
+} fmb_reals;
+
+/* The rows that the program has. In any case fmb_reals_clear it. Errors: MEMORY, LIMIT. */
+fmb_status fmb_reals_init(fmb_reals *f, fmb_run *run, const fmb_program *p);
+void fmb_reals_clear(fmb_reals *f);
+/* Take in the rows that the program has by now. Errors: MEMORY, LIMIT. */
+fmb_status fmb_reals_grow(fmb_reals *f);
+/* Right sides by other numbers, right[m], in the units of the program; NULL: the program's. */
+void fmb_reals_shift(fmb_reals *f, const double *right);
+/* Right sides of inequalities by less: `by` times the sum of |coefficients|. */
+void fmb_reals_move_in(fmb_reals *f, double by);
+/* scaled[n] = cost[n] for these columns, the largest about 1. False: not all are finite. */
+bool fmb_reals_scale_cost(const fmb_reals *f, const double *cost, double *scaled);
+
+static inline const int *fmb_reals_columns(const fmb_reals *f, size_t i)
+{
+    return f->p->row[i].column;
+}
+static inline bool fmb_reals_is_equality(const fmb_reals *f, size_t i)
+{
+    return f->p->row[i].rel == FMB_EQ;
+}
+
+#endif

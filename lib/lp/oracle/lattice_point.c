@@ -1,0 +1,62 @@
+/* lattice_point.c: solutions on a grid, for which nothing is solved exactly.
+ *
+ * Theorem. If a_i.x <= b_i - g |a_i|_1 for every row, x may be rounded to multiples of g: that
+ * changes a_i.x by g/2 |a_i|_1 at most, so the rows hold, and strict ones strictly. (Coordinates
+ * may have grids of their own: then g |a_i|_1 is the sum of g_j |a_ij|.)
+ *
+ * Such an x is a vertex of rows that are moved in, which doubles find from the vertex at hand, most
+ * often in a few pivots. Its numbers are as short as the grid is coarse, where those of a vertex
+ * are determinants. Doubles guess; the rows as they are given decide.
+ */
+#include <math.h>
+
+#include "lp/oracle/oracle_state.h"
+
+/* Grids of 2^-fine: the coarsest for which rows are moved in, how much finer the next one is, and
+ * the finest. */
+#define COARSE 10
+#define FINER  20
+#define FINEST 30
+/* On the way to a grid, coarser ones are tried, so much apart. */
+#define STRIDE 5
+
+/* The guess, rounded: to integers first. */
+static fmb_status try_rounded(fmb_oracle *o, int finest, bool *found)
+{
+    fmb_status st = FMB_OK;
+    for (int fine = 0; st == FMB_OK && !*found && fine <= finest; fine += STRIDE) {
+        if (!fmb_door_point(o->door, fine, o->point.z, o->point_den))
+            return FMB_OK;
+        st = fmb_vertex_try_point(&o->v, o->point.z, o->point_den, o->price, true, found);
+    }
+    return st == FMB_OK ? fmb_integers_settle(&o->point, o->run->mem) : st;
+}
+
+/* Twice as far as the theorem asks for: doubles take rows for satisfied that are not quite. */
+static fmb_status move_in_and_search(fmb_oracle *o, int fine, fmb_hint *h, bool *found)
+{
+    fmb_door_move_in(o->door, ldexp(1, -fine));
+    fmb_status st = fmb_door_search(o->door, h);
+    if (st == FMB_OK && h->kind == FMB_HINT_OPTIMUM)
+        st = try_rounded(o, fine, found);
+    fmb_door_shift(o->door, NULL);
+    return st;
+}
+
+static bool has_equality(const fmb_program *p)
+{
+    for (size_t i = 0; i < p->m; i++)
+        if (p->row[i].rel == FMB_EQ && !p->row[i].off)
+            return true;
+    return false;
+}
+
+fmb_status fmb_oracle_look_on_grid(fmb_oracle *o, fmb_hint *h, bool *found)
+{
+    fmb_status st = try_rounded(o, COARSE, found);
+    if (*found || st != FMB_OK || has_equality(o->p))
+        return st;
+    for (int fine = COARSE; st == FMB_OK && !*found && fine <= FINEST; fine += FINER)
+        st = move_in_and_search(o, fine, h, found);
+    return st == FMB_OK && !*found ? fmb_closure_guess(o, h) : st;
+}

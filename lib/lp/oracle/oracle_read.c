@@ -1,0 +1,107 @@
+/* oracle_read.c: what an oracle has found, as rationals; see oracle.h. */
+#include "lp/oracle/oracle_state.h"
+
+static void set_ratio(mpq_t to, const mpz_t num, const mpz_t den)
+{
+    mpz_set(mpq_numref(to), num);
+    mpz_set(mpq_denref(to), den);
+    mpq_canonicalize(to);
+}
+
+void fmb_oracle_point(const fmb_oracle *o, mpq_t *x)
+{
+    for (size_t j = 0; j < o->n; j++)
+        set_ratio(x[j], o->point.z[j], o->point_den);
+}
+
+void fmb_oracle_ray(const fmb_oracle *o, mpq_t *x)
+{
+    for (size_t j = 0; j < o->n; j++)
+        set_ratio(x[j], o->w.ray.z[j], o->w.ray_den);
+}
+
+void fmb_oracle_point_integers(const fmb_oracle *o, mpz_t *x, mpz_t den)
+{
+    for (size_t j = 0; j < o->n; j++)
+        mpz_set(x[j], o->point.z[j]);
+    mpz_set(den, o->point_den);
+}
+
+void fmb_oracle_ray_integers(const fmb_oracle *o, mpz_t *x)
+{
+    for (size_t j = 0; j < o->n; j++)
+        mpz_set(x[j], o->w.ray.z[j]);
+}
+
+/* Add sign times the prices of the basis, over `unit`, as weights of its rows. */
+static fmb_status add_prices(const fmb_oracle *o, const mpz_t unit, int sign, fmb_weights *w)
+{
+    const fmb_vertex *v = &o->v;
+    fmb_status st = FMB_OK;
+    mpq_t q;
+    mpq_init(q);
+    for (size_t r = 0; st == FMB_OK && r < v->n; r++) {
+        if (mpz_sgn(v->y.z[r]) == 0)
+            continue;
+        set_ratio(q, v->y.z[r], unit);
+        if (sign < 0)
+            mpq_neg(q, q);
+        st = fmb_weights_add(w, (uint32_t)v->basis[r], q, o->run->mem);
+    }
+    mpq_clear(q);
+    return st;
+}
+
+static fmb_status add_margin_weights(const fmb_oracle *o, fmb_weights *w)
+{
+    fmb_status st = FMB_OK;
+    for (size_t k = 0; st == FMB_OK && k < o->margin.size; k++)
+        st = fmb_weights_add(w, o->margin.index[k], o->margin.value[k], o->run->mem);
+    return st;
+}
+
+fmb_status fmb_oracle_multipliers(const fmb_oracle *o, fmb_weights *w)
+{
+    if (o->has_margin)
+        return add_margin_weights(o, w);
+    mpz_t unit;
+    mpz_init(unit);
+    mpz_mul(unit, o->v.unit, o->cost_unit);
+    fmb_status st = add_prices(o, unit, 1, w);
+    mpz_clear(unit);
+    return st;
+}
+
+/* sum_r y_r b_r over the unit of prices and that of the cost. */
+void fmb_oracle_value(const fmb_oracle *o, mpq_t value)
+{
+    const fmb_vertex *v = &o->v;
+    mpz_t b;
+    mpz_init(b);
+    mpq_set_ui(value, 0, 1);
+    for (size_t r = 0; r < v->n; r++) {
+        if (mpz_sgn(v->y.z[r]) == 0)
+            continue;
+        fmb_program_get(v->p, v->basis[r], v->p->row[v->basis[r]].size, b);
+        mpz_addmul(mpq_numref(value), v->y.z[r], b);
+    }
+    mpz_mul(mpq_denref(value), v->unit, o->cost_unit);
+    mpq_canonicalize(value);
+    mpz_clear(b);
+}
+
+/* sign a_odd - sum_r y_r a_r = 0, and so on the right side, which is negative. */
+fmb_status fmb_oracle_conflict(fmb_oracle *o, fmb_weights *w)
+{
+    mpq_t one;
+    if (o->has_margin)
+        return add_margin_weights(o, w);
+    fmb_status st = fmb_walk_price_conflict(&o->w);
+    if (st != FMB_OK)
+        return st;
+    mpq_init(one);
+    mpq_set_si(one, o->w.sign, 1);
+    st = fmb_weights_add(w, (uint32_t)o->w.odd, one, o->run->mem);
+    mpq_clear(one);
+    return st == FMB_OK ? add_prices(o, o->v.unit, -1, w) : st;
+}

@@ -1,0 +1,464 @@
+/* refined_farkas.c: see refined_farkas.h.
+ *
+ * Theorem. Let B be square, R any matrix and H = I - B R with |H| <= 1/2, |H| being the largest sum
+ * of a row's sizes. Then B is regular; and if y' B = c - rest, the y with y B = c differs from y'
+ * in no entry by more than 2 |rest R|_1.
+ *
+ * Proof. |z H|_1 <= |z|_1 |H|, so I - H = B R has the inverse I + H + H^2 + ..., and y - y' = rest
+ * B^-1 = rest R (I - H)^-1 is of size |rest R|_1 / (1 - |H|) at most.
+ *
+ * R is an inverse in doubles, and |H| is bounded with their rounding errors. y' are integers over
+ * 2^places, so `rest` is known exactly; and rest R, in doubles, says how to correct y', some more
+ * places at a time (iterative refinement: Wan 2006, see factor.h). Once the bound is less than each
+ * |y'_r|, the signs are known, and so is that of what the combination leaves on the right. Rows are
+ * divided by powers of two, so that doubles hold them.
+ *
+ * Rows whose multiplier is 0 cannot be told so in this way. They are left out, with the columns
+ * that no row then names: if as many rows as columns are left, that is B.
+ */
+#include "lp/oracle/refined_farkas.h"
+
+#include <math.h>
+#include <string.h>
+
+#define MOST_UNKNOWNS 256
+/* Places of y' that each correction brings, and how many there are. */
+#define PLACES      32
+#define CORRECTIONS 8
+/* Multipliers that are less, beside the largest, are taken for 0. */
+#define NO_MULTIPLIER 1e-11
+/* A bound of doubles that were added up, all of one sign, is made safe by this. */
+#define SAFE 1.01
+/* Less than this is not told from what underflowed. */
+#define LEAST 0x1p-1000
+
+typedef struct refuter {
+    const fmb_vertex *v;
+    size_t odd, n, size;
+    size_t *place, *column;   /* [size] places of the basis, and columns */
+    size_t *at;               /* [n] where a column stands */
+    int *exponent;            /* [size] rows are divided by two to that power */
+    int odd_exponent, unit;   /* unit: the largest exponent */
+    double *matrix, *inverse; /* [size][size] B and R */
+    double *c, *y, *rest;     /* [size]; y: scratch */
+    double *reach;            /* [size] sums of sizes of the rows of R */
+    bool *is_named;           /* [n] scratch */
+    fmb_integers multiplier;  /* [size] y', in units of 2^-places */
+    fmb_integers left;        /* [size] rest, in units of 2^-(places + unit) */
+    int places;
+    mpz_t term, entry;
+} refuter;
+
+/* ---- life ------------------------------------------------------------------------------------ */
+
+bool fmb_refute_is_worth_it(const fmb_vertex *v)
+{
+    for (size_t r = 0; r < v->n && v->n <= MOST_UNKNOWNS; r++)
+        if (!fmb_vertex_is_unit(v, r) && v->p->row[v->basis[r]].value->z)
+            return true;
+    return false;
+}
+
+static fmb_status open_refuter(refuter *t, const fmb_vertex *v, size_t odd)
+{
+    size_t n = v->n;
+    fmb_mem *mem = v->run->mem;
+    *t = (refuter){.v = v, .odd = odd, .n = n};
+    mpz_inits(t->term, t->entry, NULL);
+    t->place = fmb_mem_get(mem, n, sizeof *t->place);
+    t->column = fmb_mem_get(mem, n, sizeof *t->column);
+    t->at = fmb_mem_get(mem, n, sizeof *t->at);
+    t->exponent = fmb_mem_get(mem, n, sizeof *t->exponent);
+    t->matrix = fmb_mem_get(mem, n * n, sizeof *t->matrix);
+    t->inverse = fmb_mem_get(mem, n * n, sizeof *t->inverse);
+    t->c = fmb_mem_get(mem, n, sizeof *t->c);
+    t->y = fmb_mem_get(mem, n, sizeof *t->y);
+    t->rest = fmb_mem_get(mem, n, sizeof *t->rest);
+    t->reach = fmb_mem_get(mem, n, sizeof *t->reach);
+    t->is_named = fmb_mem_get(mem, n, sizeof *t->is_named);
+    if (!t->place || !t->column || !t->at || !t->exponent || !t->matrix || !t->inverse || !t->c ||
+        !t->y || !t->rest || !t->reach || !t->is_named)
+        return fmb_mem_status(mem);
+    fmb_status st = fmb_integers_init(&t->multiplier, n, mem);
+    return st == FMB_OK ? fmb_integers_init(&t->left, n, mem) : st;
+}
+
+static void close_refuter(refuter *t)
+{
+    size_t n = t->n;
+    fmb_mem *mem = t->v->run->mem;
+    fmb_integers_clear(&t->multiplier, mem);
+    fmb_integers_clear(&t->left, mem);
+    fmb_mem_put(mem, t->place, n, sizeof *t->place);
+    fmb_mem_put(mem, t->column, n, sizeof *t->column);
+    fmb_mem_put(mem, t->at, n, sizeof *t->at);
+    fmb_mem_put(mem, t->exponent, n, sizeof *t->exponent);
+    fmb_mem_put(mem, t->matrix, n * n, sizeof *t->matrix);
+    fmb_mem_put(mem, t->inverse, n * n, sizeof *t->inverse);
+    fmb_mem_put(mem, t->c, n, sizeof *t->c);
+    fmb_mem_put(mem, t->y, n, sizeof *t->y);
+    fmb_mem_put(mem, t->rest, n, sizeof *t->rest);
+    fmb_mem_put(mem, t->reach, n, sizeof *t->reach);
+    fmb_mem_put(mem, t->is_named, n, sizeof *t->is_named);
+    mpz_clears(t->term, t->entry, NULL);
+}
+
+/* ---- B and its inverse ----------------------------------------------------------------------- */
+
+/* Coefficient k of a row, k == size: its right side, from 1/2 to 1 and a power of two; off by a
+ * factor of 1 +- 2^-52. */
+static double split_coefficient(const refuter *t, size_t row, size_t k, int *exponent)
+{
+    const fmb_vec *v = t->v->p->row[row].value;
+    long e = 0;
+    if (!v->z)
+        return frexp((double)v->s[k], exponent);
+    double x = mpz_get_d_2exp(&e, v->z[k]);
+    *exponent = (int)e;
+    return x;
+}
+
+static int find_row_exponent(const refuter *t, size_t row)
+{
+    int most = 0, e;
+    for (size_t k = 0; k < t->v->p->row[row].size; k++) {
+        split_coefficient(t, row, k, &e);
+        most = k == 0 || e > most ? e : most;
+    }
+    return most;
+}
+
+/* to[size]: a row, divided by two to that power; *exponent. */
+static void write_row(const refuter *t, size_t row, int *exponent, double *to)
+{
+    const fmb_program_row *r = &t->v->p->row[row];
+    int e;
+    *exponent = find_row_exponent(t, row);
+    memset(to, 0, t->size * sizeof *to);
+    for (size_t k = 0; k < r->size; k++) {
+        double x = split_coefficient(t, row, k, &e);
+        to[t->at[r->column[k]]] = ldexp(x, e - *exponent);
+    }
+}
+
+static void write_matrix(refuter *t)
+{
+    for (size_t k = 0; k < t->size; k++)
+        t->at[t->column[k]] = k;
+    write_row(t, t->odd, &t->odd_exponent, t->c);
+    t->unit = t->odd_exponent;
+    for (size_t s = 0; s < t->size; s++) {
+        double *to = &t->matrix[s * t->size];
+        size_t r = t->place[s];
+        if (!fmb_vertex_is_unit(t->v, r)) {
+            write_row(t, t->v->basis[r], &t->exponent[s], to);
+        } else {
+            memset(to, 0, t->size * sizeof *to);
+            to[t->at[t->v->basis[r] - t->v->m]] = 1;
+            t->exponent[s] = 0;
+        }
+        t->unit = t->exponent[s] > t->unit ? t->exponent[s] : t->unit;
+    }
+}
+
+static void swap_matrix_rows(double *a, double *b, size_t size)
+{
+    for (size_t j = 0; a != b && j < size; j++) {
+        double x = a[j];
+        a[j] = b[j];
+        b[j] = x;
+    }
+}
+
+static size_t find_largest_in_column(const refuter *t, size_t k)
+{
+    size_t best = k;
+    for (size_t i = k + 1; i < t->size; i++)
+        if (fabs(t->matrix[i * t->size + k]) > fabs(t->matrix[best * t->size + k]))
+            best = i;
+    return best;
+}
+
+/* Gauss and Jordan; the matrix is used up. False: it seems to be singular. */
+static bool invert_matrix(refuter *t)
+{
+    size_t n = t->size;
+    memset(t->inverse, 0, n * n * sizeof *t->inverse);
+    for (size_t k = 0; k < n; k++)
+        t->inverse[k * n + k] = 1;
+    for (size_t k = 0; k < n; k++) {
+        double *a = &t->matrix[k * n], *b = &t->inverse[k * n];
+        size_t best = find_largest_in_column(t, k);
+        swap_matrix_rows(a, &t->matrix[best * n], n);
+        swap_matrix_rows(b, &t->inverse[best * n], n);
+        if (fabs(a[k]) < 1e-200)
+            return false;
+        double factor = 1 / a[k];
+        for (size_t j = 0; j < n; j++) {
+            a[j] *= factor;
+            b[j] *= factor;
+        }
+        for (size_t i = 0; i < n; i++) {
+            double x = t->matrix[i * n + k];
+            if (i == k || x == 0)
+                continue;
+            for (size_t j = k; j < n; j++)
+                t->matrix[i * n + j] -= x * a[j];
+            for (size_t j = 0; j < n; j++)
+                t->inverse[i * n + j] -= x * b[j];
+        }
+    }
+    return true;
+}
+
+/* Is |I - B R| <= 1/2? A row of it, in doubles, is off by less than (size + 8) 2^-52 times 1 + the
+ * sizes of the row of B times those of R: size + 1 roundings by 2^-53 and one of each number of B.
+ * y is scratch. */
+static bool is_inverse_good(refuter *t)
+{
+    size_t n = t->size;
+    for (size_t k = 0; k < n; k++) {
+        t->reach[k] = 0;
+        for (size_t j = 0; j < n; j++)
+            t->reach[k] += fabs(t->inverse[k * n + j]);
+        if (!(t->reach[k] < 1e50))
+            return false;
+    }
+    write_matrix(t);
+    for (size_t r = 0; r < n; r++) {
+        double sizes = 1, sum = 1e-60; /* more than what underflows */
+        memset(t->y, 0, n * sizeof *t->y);
+        t->y[r] = 1;
+        for (size_t k = 0; k < n; k++) {
+            double x = t->matrix[r * n + k];
+            sizes += fabs(x) * t->reach[k];
+            for (size_t j = 0; x != 0 && j < n; j++)
+                t->y[j] -= x * t->inverse[k * n + j];
+        }
+        for (size_t j = 0; j < n; j++)
+            sum += fabs(t->y[j]);
+        if (!(SAFE * (sum + (double)(n + 8) * 0x1p-52 * sizes) <= 0.5))
+            return false;
+    }
+    return true;
+}
+
+/* y = z R */
+static void multiply_by_inverse(refuter *t, const double *z)
+{
+    memset(t->y, 0, t->size * sizeof *t->y);
+    for (size_t k = 0; k < t->size; k++)
+        for (size_t j = 0; z[k] != 0 && j < t->size; j++)
+            t->y[j] += z[k] * t->inverse[k * t->size + j];
+}
+
+/* ---- which rows ------------------------------------------------------------------------------ */
+
+static void take_all_rows(refuter *t)
+{
+    t->size = t->n;
+    for (size_t k = 0; k < t->n; k++)
+        t->place[k] = t->column[k] = k;
+}
+
+static void note_columns(refuter *t, size_t row)
+{
+    const fmb_program_row *r = &t->v->p->row[row];
+    for (size_t k = 0; k < r->size; k++)
+        t->is_named[r->column[k]] = true;
+}
+
+/* Leave out rows whose multiplier, in y, seems to be 0. False: the others are not as many as their
+ * columns, or nothing demands one. */
+static bool keep_rows_that_count(refuter *t)
+{
+    size_t kept = 0, columns = 0;
+    double most = 0;
+    for (size_t s = 0; s < t->size; s++)
+        most = fmax(most, fabs(t->y[s]));
+    memset(t->is_named, 0, t->n * sizeof *t->is_named);
+    note_columns(t, t->odd);
+    for (size_t s = 0; s < t->size; s++) {
+        size_t r = t->place[s];
+        if (!(fabs(t->y[s]) > NO_MULTIPLIER * most))
+            continue;
+        if (fmb_vertex_is_loose(t->v, r))
+            return false;
+        note_columns(t, t->v->basis[r]);
+        t->place[kept++] = r;
+    }
+    for (size_t j = 0; j < t->n; j++)
+        if (t->is_named[j])
+            t->column[columns++] = j;
+    t->size = kept;
+    return kept == columns && kept > 0;
+}
+
+/* B, R and c are those of the rows that count. */
+static fmb_status prepare_inverse(refuter *t, bool *good)
+{
+    take_all_rows(t);
+    write_matrix(t);
+    *good = invert_matrix(t);
+    if (*good) {
+        multiply_by_inverse(t, t->c);
+        *good = keep_rows_that_count(t);
+    }
+    fmb_status st = fmb_run_poll_now(t->v->run);
+    if (st == FMB_OK && *good && t->size < t->n) {
+        write_matrix(t);
+        *good = invert_matrix(t);
+    }
+    *good = *good && is_inverse_good(t);
+    return st;
+}
+
+/* ---- corrections ----------------------------------------------------------------------------- */
+
+/* number -= part times coefficient k of a row. */
+static void subtract_coefficient(refuter *t, size_t row, size_t k, mpz_t number)
+{
+    fmb_program_get(t->v->p, row, k, t->entry);
+    mpz_submul(number, t->term, t->entry);
+}
+
+/* term = what row s of B is multiplied by, as an integer row of the program. */
+static void take_multiplier(refuter *t, size_t s)
+{
+    mpz_mul_2exp(t->term, t->multiplier.z[s], (mp_bitcnt_t)(t->unit - t->exponent[s]));
+}
+
+/* -1 times a power of two is the multiplier of the odd row. */
+static void take_odd_multiplier(refuter *t)
+{
+    mpz_set_si(t->term, -1);
+    mpz_mul_2exp(t->term, t->term, (mp_bitcnt_t)(t->places + t->unit - t->odd_exponent));
+}
+
+static double in_units(const mpz_t number, int unit)
+{
+    long e = 0;
+    double x = mpz_get_d_2exp(&e, number);
+    e -= unit;
+    return e > 2000 ? x * HUGE_VAL : e < -2000 ? 0 : ldexp(x, (int)e);
+}
+
+/* What y' leaves of c, exactly in `left`, and in doubles. */
+static void find_rest(refuter *t)
+{
+    for (size_t k = 0; k < t->size; k++)
+        mpz_set_ui(t->left.z[k], 0);
+    for (size_t s = 0; s <= t->size; s++) {
+        size_t row = s < t->size ? t->v->basis[t->place[s]] : t->odd;
+        const fmb_program_row *r = &t->v->p->row[row];
+        if (s < t->size)
+            take_multiplier(t, s);
+        else
+            take_odd_multiplier(t);
+        for (size_t k = 0; k < r->size; k++)
+            subtract_coefficient(t, row, k, t->left.z[t->at[r->column[k]]]);
+    }
+    for (size_t k = 0; k < t->size; k++)
+        t->rest[k] = in_units(t->left.z[k], t->places + t->unit);
+}
+
+/* Some more places of y'. */
+static void correct_multipliers(refuter *t)
+{
+    multiply_by_inverse(t, t->rest);
+    t->places += PLACES;
+    for (size_t s = 0; s < t->size; s++) {
+        mpz_mul_2exp(t->multiplier.z[s], t->multiplier.z[s], PLACES);
+        mpz_set_d(t->term, nearbyint(ldexp(t->y[s], t->places)));
+        mpz_add(t->multiplier.z[s], t->multiplier.z[s], t->term);
+    }
+}
+
+/* ---- signs ----------------------------------------------------------------------------------- */
+
+/* By how much the multipliers may be off. */
+static double bound_error(const refuter *t)
+{
+    double sum = 0;
+    for (size_t k = 0; k < t->size; k++)
+        sum += fabs(t->rest[k]) * t->reach[k];
+    return 2 * SAFE * sum + 1e-250;
+}
+
+/* The sign that all multipliers of inequalities have, 0 where there are none; false: not known yet,
+ * or they *differ. */
+static bool find_common_sign(const refuter *t, double error, int *sign, bool *differ)
+{
+    bool known = true;
+    *sign = 0;
+    *differ = false;
+    for (size_t s = 0; s < t->size && !*differ; s++) {
+        double y = in_units(t->multiplier.z[s], t->places);
+        if (fmb_vertex_is_equality(t->v, t->place[s]))
+            continue;
+        if (!(fabs(y) > SAFE * error)) {
+            known = false;
+            continue;
+        }
+        *differ = *sign * y < 0;
+        *sign = y > 0 ? 1 : -1;
+    }
+    return known && !*differ;
+}
+
+/* The sign of b_odd - sum_r y_r b_r, 0 if it is not known. Right sides that underflow are less than
+ * the first size; what that, or the rest, is off by is less than the least that is believed. */
+static int find_sign_of_remainder(refuter *t, double error)
+{
+    mpz_ptr sum = t->left.z[0];
+    double size = (double)t->size * 0x1p-1074;
+    int e;
+    mpz_set_ui(sum, 0);
+    for (size_t s = 0; s < t->size; s++) {
+        size_t row = t->v->basis[t->place[s]], k = t->v->p->row[row].size;
+        take_multiplier(t, s);
+        subtract_coefficient(t, row, k, sum);
+        double b = split_coefficient(t, row, k, &e);
+        size += b == 0 ? 0 : ldexp(fabs(b), e - t->exponent[s]);
+    }
+    take_odd_multiplier(t);
+    subtract_coefficient(t, t->odd, t->v->p->row[t->odd].size, sum);
+    double rest = in_units(sum, t->places + t->unit);
+    return fabs(rest) > SAFE * SAFE * error * size + LEAST ? mpz_sgn(sum) : 0;
+}
+
+/* Multipliers of inequalities have to be of the sign opposite to *sign, and the remainder, too. */
+static bool is_refuted(refuter *t, int *sign, bool *hopeless)
+{
+    int common, remainder;
+    double error = bound_error(t);
+    if (!find_common_sign(t, error, &common, hopeless))
+        return false;
+    remainder = find_sign_of_remainder(t, error);
+    *sign = -remainder;
+    return remainder != 0 && remainder * common >= 0 &&
+           (*sign > 0 || t->v->p->row[t->odd].rel == FMB_EQ);
+}
+
+fmb_status fmb_refute(const fmb_vertex *v, size_t odd, int *sign, bool *sure)
+{
+    refuter t;
+    bool good = false, hopeless = false;
+    *sure = false;
+    fmb_status st = open_refuter(&t, v, odd);
+    if (st == FMB_OK && !v->p->row[odd].off && !fmb_vertex_holds(v, odd))
+        st = prepare_inverse(&t, &good);
+    for (int k = 0; st == FMB_OK && good && !*sure && !hopeless && k <= CORRECTIONS; k++) {
+        if (k > 0)
+            correct_multipliers(&t);
+        find_rest(&t);
+        *sure = is_refuted(&t, sign, &hopeless);
+        st = fmb_integers_settle(&t.multiplier, v->run->mem);
+        if (st == FMB_OK)
+            st = fmb_integers_settle(&t.left, v->run->mem);
+        if (st == FMB_OK)
+            st = fmb_run_poll_now(v->run);
+    }
+    close_refuter(&t);
+    return st;
+}

@@ -1,0 +1,118 @@
+/* strict_interior.c: strict rows, by the widest margin.
+ *
+ * With a column t more, rows a.x < b become a.x + t <= b, and t <= 1. The largest t is positive if
+ * and only if some x satisfies all strict rows; if it is not, its multipliers y combine the rows to
+ * t <= 0: then sum y_i a_i = 0, the y of strict rows add up to 1, and sum y_i b_i <= 0, a conflict.
+ *
+ * On the face of an optimum there is one row more, -C.x <= -V, with multiplier mu. Then
+ * sum y_i a_i = mu C and sum y_i b_i <= mu V. mu > 0, as the y alone would be a conflict of
+ * rows that have a solution; so y / mu proves C.x < V, of which C.x <= V is known to be the best.
+ */
+#include "lp/oracle/oracle_state.h"
+
+/* The rows and t <= 1, with the face's row before that. */
+static fmb_status load_margin_rows(fmb_oracle *o, bool face, fmb_program *q)
+{
+    const fmb_program *p = o->p;
+    fmb_integers z;
+    fmb_status st = fmb_integers_init(&z, o->n + 2, o->run->mem);
+    for (size_t i = 0; st == FMB_OK && i < p->m; i++)
+        st = fmb_program_add_margin(q, p, i);
+    if (st == FMB_OK && face) {
+        mpq_t value;
+        mpq_init(value);
+        fmb_oracle_value(o, value);
+        mpz_set(z.z[o->n + 1], mpq_numref(value));
+        mpz_mul(z.z[o->n + 1], z.z[o->n + 1], o->cost_unit);
+        mpz_neg(z.z[o->n + 1], z.z[o->n + 1]);
+        for (size_t j = 0; j < o->n; j++) {
+            mpz_mul(z.z[j], o->cost.z[j], mpq_denref(value));
+            mpz_neg(z.z[j], z.z[j]);
+        }
+        st = fmb_program_add_integers(q, z.z, FMB_LE);
+        mpq_clear(value);
+    }
+    for (size_t j = 0; j < z.size; j++)
+        mpz_set_ui(z.z[j], j >= o->n);
+    if (st == FMB_OK)
+        st = fmb_program_add_integers(q, z.z, FMB_LE);
+    fmb_integers_clear(&z, o->run->mem);
+    return st;
+}
+
+/* The multipliers of the rows as they were given; of a face, over mu times the denominator that its
+ * row was multiplied by and the unit of the cost. */
+static fmb_status take_margin_weights(fmb_oracle *o, const fmb_oracle *t, bool face)
+{
+    fmb_weights w = {0};
+    mpq_t scale, value;
+    mpq_inits(scale, value, NULL);
+    mpq_set_ui(scale, 1, 1);
+    fmb_status st = fmb_oracle_multipliers(t, &w);
+    for (size_t k = 0; st == FMB_OK && face && k < w.size; k++)
+        if (w.index[k] == o->p->m) {
+            fmb_oracle_value(o, value);
+            mpz_mul(mpq_denref(scale), mpq_numref(w.value[k]), mpq_denref(value));
+            mpz_mul(mpq_denref(scale), mpq_denref(scale), o->cost_unit);
+            mpz_set(mpq_numref(scale), mpq_denref(w.value[k]));
+            mpq_canonicalize(scale);
+        }
+    fmb_weights_clear(&o->margin, o->run->mem);
+    for (size_t k = 0; st == FMB_OK && k < w.size; k++) {
+        mpq_mul(value, w.value[k], scale);
+        if (w.index[k] < o->p->m)
+            st = fmb_weights_add(&o->margin, w.index[k], value, o->run->mem);
+    }
+    o->has_margin = true;
+    fmb_weights_clear(&w, o->run->mem);
+    mpq_clears(scale, value, NULL);
+    return st;
+}
+
+static fmb_status take_inner_point(fmb_oracle *o, const fmb_oracle *t)
+{
+    for (size_t j = 0; j < o->n; j++)
+        mpz_set(o->point.z[j], t->point.z[j]);
+    mpz_set(o->point_den, t->point_den);
+    return fmb_integers_settle(&o->point, o->run->mem);
+}
+
+/* t as large as it gets. */
+static fmb_status widen_margin(fmb_oracle *o, fmb_oracle *t, bool face, bool *room)
+{
+    fmb_weights cost = {0};
+    fmb_walk_end end;
+    mpq_t most;
+    mpq_init(most);
+    mpq_set_ui(most, 1, 1);
+    fmb_status st = fmb_weights_add(&cost, (uint32_t)o->n, most, o->run->mem);
+    if (st == FMB_OK)
+        st = fmb_closure_decide(t, &end);
+    if (st == FMB_OK)
+        st = fmb_closure_approach(t, &cost, &end);
+    if (st == FMB_OK && end == FMB_WALK_THERE)
+        st = fmb_closure_climb(t, &end);
+    if (st == FMB_OK) {
+        fmb_oracle_value(t, most);
+        *room = mpq_sgn(most) > 0;
+        st = *room ? take_inner_point(o, t) : take_margin_weights(o, t, face);
+    }
+    fmb_weights_clear(&cost, o->run->mem);
+    mpq_clear(most);
+    return st;
+}
+
+fmb_status fmb_oracle_find_room(fmb_oracle *o, bool face, bool *room)
+{
+    fmb_program q;
+    fmb_oracle *t = NULL;
+    fmb_program_init(&q, o->run->mem, (int)o->n + 1);
+    fmb_status st = load_margin_rows(o, face, &q);
+    if (st == FMB_OK)
+        st = fmb_oracle_new(o->run, &q, &t);
+    if (st == FMB_OK)
+        st = widen_margin(o, t, face, room);
+    fmb_oracle_free(t);
+    fmb_program_clear(&q);
+    return st;
+}

@@ -1,0 +1,318 @@
+/* active_set.c: see active_set.h. */
+#include "lp/redundancy/active_set/active_set.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "lp/simplex/simplex.h"
+
+/* Numbers below these are taken for rounding errors, in multipliers and in pivots: inputs are about
+ * 1. */
+#define ROUNDING    1e-9
+#define LEAST_PIVOT 1e-7
+
+/* ---- rows ------------------------------------------------------------------------------------ */
+
+static void scale_row_to_unit(fmb_scaled_rows *s, size_t i)
+{
+    const fmb_vec *v = s->row[i].v;
+    s->exponent[i] = v->bits;
+    for (size_t k = 0; k < s->d; k++)
+        s->at[k * s->m + i] = ldexp((double)v->s[k], -v->bits);
+}
+
+fmb_status fmb_scaled_rows_init(fmb_scaled_rows *s, fmb_mem *mem, size_t n, size_t m,
+                                const fmb_lp_row *row)
+{
+    *s = (fmb_scaled_rows){.n = n, .m = m, .d = n + 1, .row = row};
+    s->at = fmb_mem_get(mem, s->d * m, sizeof *s->at);
+    s->exponent = fmb_mem_get(mem, m, sizeof *s->exponent);
+    if (!s->at || !s->exponent)
+        return fmb_mem_status(mem);
+    for (size_t i = 0; i < m; i++)
+        scale_row_to_unit(s, i);
+    return FMB_OK;
+}
+
+void fmb_scaled_rows_clear(fmb_scaled_rows *s, fmb_mem *mem)
+{
+    fmb_mem_put(mem, s->at, s->d * s->m, sizeof *s->at);
+    fmb_mem_put(mem, s->exponent, s->m, sizeof *s->exponent);
+}
+
+/* ---- life ------------------------------------------------------------------------------------ */
+
+fmb_status fmb_awake_init(fmb_awake *s, fmb_run *run, const fmb_scaled_rows *of,
+                          const fmb_inside *seen)
+{
+    fmb_mem *mem = run->mem;
+    size_t m = of->m, d = of->d;
+    *s = (fmb_awake){.run = run, .of = of, .seen = seen, .asleep = m};
+    fmb_status st = fmb_basis_init(&s->cone, mem, run->kernels, d);
+    s->cone.value_zero = ROUNDING;
+    s->cone.entry_zero = LEAST_PIVOT;
+    s->gone = fmb_mem_zero(mem, m, sizeof *s->gone);
+    s->kept = fmb_mem_zero(mem, m, sizeof *s->kept);
+    s->target = fmb_mem_get(mem, d, sizeof *s->target);
+    s->price = fmb_mem_get(mem, m, sizeof *s->price);
+    s->way = fmb_mem_get(mem, of->n, sizeof *s->way);
+    s->speed = fmb_mem_get(mem, m, sizeof *s->speed);
+    s->number = fmb_mem_get(mem, m, sizeof *s->number);
+    s->source = fmb_mem_get(mem, m + 1, sizeof *s->source);
+    if (st != FMB_OK || !s->gone || !s->kept || !s->target || !s->price || !s->way || !s->speed ||
+        !s->number || !s->source)
+        return st != FMB_OK ? st : fmb_mem_status(mem);
+    for (size_t i = 0; i < m; i++)
+        s->number[i] = SIZE_MAX;
+    return fmb_rounded_init(&s->proof, mem, d);
+}
+
+void fmb_awake_clear(fmb_awake *s)
+{
+    if (!s->run)
+        return;
+    fmb_mem *mem = s->run->mem;
+    size_t m = s->of->m;
+    fmb_basis_clear(&s->cone);
+    fmb_rounded_clear(&s->proof, mem);
+    fmb_mem_put(mem, s->gone, m, sizeof *s->gone);
+    fmb_mem_put(mem, s->kept, m, sizeof *s->kept);
+    fmb_mem_put(mem, s->target, s->of->d, sizeof *s->target);
+    fmb_mem_put(mem, s->price, m, sizeof *s->price);
+    fmb_mem_put(mem, s->way, s->of->n, sizeof *s->way);
+    fmb_mem_put(mem, s->speed, m, sizeof *s->speed);
+    fmb_mem_put(mem, s->number, m, sizeof *s->number);
+    fmb_mem_put(mem, s->source, m + 1, sizeof *s->source);
+    fmb_mem_put(mem, s->proved, s->proved_room, sizeof *s->proved);
+    s->run = NULL;
+}
+
+/* ---- proofs ---------------------------------------------------------------------------------- */
+
+/* Round the multipliers of the basis for target i; false if they are not simple. */
+static bool round_multipliers_of_basis(fmb_awake *s, size_t i)
+{
+    const int *exponent = s->of->exponent;
+    fmb_rounded_begin(&s->proof);
+    for (size_t r = 0; r < s->of->d; r++) {
+        size_t g = s->cone.basic[r], j = g == SIZE_MAX ? s->of->m : s->source[g];
+        if (j == s->of->m || fabs(s->cone.value[r]) < ROUNDING)
+            continue;
+        if (!fmb_rounded_add(&s->proof, j, ldexp(s->cone.value[r], exponent[i] - exponent[j])))
+            return false;
+    }
+    return true;
+}
+
+static fmb_status note_proof_of_row(fmb_awake *s, size_t i)
+{
+    size_t size = s->proof.size;
+    void *room = s->proved;
+    fmb_status st =
+        fmb_mem_reserve(s->run->mem, &room, &s->proved_room, s->told + 2 + size, sizeof *s->proved);
+    s->proved = room;
+    if (st != FMB_OK)
+        return st;
+    s->proved[s->told++] = i;
+    s->proved[s->told++] = size;
+    for (size_t k = 0; k < size; k++)
+        s->proved[s->told++] = s->proof.index[k];
+    return FMB_OK;
+}
+
+static void note_row_gone(fmb_awake *s, size_t i)
+{
+    s->gone[i] = true;
+    if (s->number[i] != SIZE_MAX)
+        s->cone.range[s->number[i]] = FMB_RANGE_ZERO;
+    else
+        s->asleep--;
+}
+
+/* The cone says that row i is implied: prove it, and let it go. */
+static fmb_status drop_row_if_proved(fmb_awake *s, size_t i)
+{
+    if (!round_multipliers_of_basis(s, i) ||
+        !fmb_rounded_proves(&s->proof, s->of->n, s->of->row, i)) {
+        s->doubtful++;
+        return FMB_OK;
+    }
+    note_row_gone(s, i);
+    return note_proof_of_row(s, i);
+}
+
+/* ---- rays ------------------------------------------------------------------------------------ */
+
+/* What the ray hits is kept; SIZE_MAX: nothing that is proved thereby. */
+static size_t keep_row_hit(fmb_awake *s)
+{
+    size_t hit = fmb_inside_shoot(s->seen, s->way, s->gone, s->speed);
+    if (hit != SIZE_MAX)
+        s->kept[hit] = true;
+    return hit;
+}
+
+fmb_status fmb_awake_shoot(fmb_awake *s, size_t from, size_t to)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = from; st == FMB_OK && i < to; i++) {
+        for (size_t j = 0; j < s->of->n; j++)
+            s->way[j] = (double)s->of->row[i].v->s[j];
+        (void)keep_row_hit(s);
+        st = fmb_run_poll(s->run);
+    }
+    return st;
+}
+
+/* Behind the hyperplane lies a point that breaks the row at hand and no other row awake: shoot
+ * there. */
+static size_t shoot_beyond_normal(fmb_awake *s)
+{
+    const double *normal = s->cone.normal;
+    double depth = normal[s->of->n];
+    if (!s->seen)
+        return SIZE_MAX;
+    for (size_t j = 0; j < s->of->n; j++) /* at the scale of the point, 1 / depth */
+        s->way[j] = -normal[j] - depth * s->seen->x[j];
+    return keep_row_hit(s);
+}
+
+/* ---- guesses --------------------------------------------------------------------------------- */
+
+static void aim_at_row(fmb_awake *s, size_t i)
+{
+    for (size_t k = 0; k < s->of->d; k++)
+        s->target[k] = s->of->at[k * s->of->m + i];
+}
+
+static fmb_status wake_row_in_cone(fmb_awake *s, size_t i)
+{
+    aim_at_row(s, i);
+    s->asleep--;
+    s->number[i] = s->generators;
+    s->source[s->generators++] = i;
+    return fmb_basis_add(&s->cone, s->target,
+                         s->of->row[i].rel == FMB_EQ ? FMB_RANGE_FREE : FMB_RANGE_UP);
+}
+
+/* The sleeping row farthest beyond the hyperplane, SIZE_MAX if none is. */
+static size_t find_farthest_asleep(fmb_awake *s)
+{
+    size_t best = SIZE_MAX, m = s->of->m;
+    double least = 0;
+    if (s->asleep == 0)
+        return SIZE_MAX;
+    memset(s->price, 0, m * sizeof *s->price);
+    for (size_t k = 0; k < s->of->d; k++)
+        s->run->kernels->accumulate(s->price, &s->of->at[k * m], m, s->cone.normal[k]);
+    for (size_t i = 0; i < m; i++)
+        if (s->price[i] < least && s->number[i] == SIZE_MAX && !s->gone[i]) {
+            least = s->price[i];
+            best = i;
+        }
+    return best;
+}
+
+/* A row that sleeps beyond the hyperplane, best one that is proved to stay; SIZE_MAX if none does.
+ */
+static size_t find_row_to_wake(fmb_awake *s)
+{
+    size_t hit = shoot_beyond_normal(s);
+    return hit != SIZE_MAX && s->number[hit] == SIZE_MAX ? hit : find_farthest_asleep(s);
+}
+
+/* Wake rows until those awake imply row i, or it is awake itself. */
+static fmb_status test_row_asleep(fmb_awake *s, size_t i)
+{
+    fmb_status st = FMB_OK;
+    while (st == FMB_OK && s->number[i] == SIZE_MAX) {
+        fmb_guess guess;
+        aim_at_row(s, i);
+        st = fmb_simplex_search(&s->cone, s->target, SIZE_MAX, s->run, &guess);
+        if (st == FMB_OK && guess == FMB_GUESS_INSIDE)
+            st = drop_row_if_proved(s, i);
+        if (guess == FMB_GUESS_INSIDE && s->gone[i])
+            return st;
+        size_t j = guess == FMB_GUESS_OUTSIDE ? find_row_to_wake(s) : i;
+        if (st == FMB_OK)
+            st = wake_row_in_cone(s, j == SIZE_MAX ? i : j);
+        if (st == FMB_OK)
+            st = fmb_run_poll(s->run);
+    }
+    return st;
+}
+
+/* Does row i, awake itself, lie beyond all that is awake? Others may sleep there: *on if one was
+ * woken. */
+static fmb_status wake_row_beyond_normal(fmb_awake *s, size_t i, bool *on)
+{
+    size_t j = find_row_to_wake(s);
+    *on = !s->kept[i] && j != SIZE_MAX;
+    return *on ? wake_row_in_cone(s, j) : FMB_OK;
+}
+
+/* Once more with all rows that matter awake. */
+static fmb_status test_row_awake(fmb_awake *s, size_t i)
+{
+    fmb_status st = FMB_OK;
+    for (bool on = true; st == FMB_OK && on;) {
+        fmb_guess guess;
+        on = false;
+        aim_at_row(s, i);
+        st = fmb_simplex_search(&s->cone, s->target, s->number[i], s->run, &guess);
+        if (st == FMB_OK && guess == FMB_GUESS_INSIDE)
+            st = drop_row_if_proved(s, i);
+        else if (st == FMB_OK && guess == FMB_GUESS_OUTSIDE)
+            st = wake_row_beyond_normal(s, i, &on);
+        if (st == FMB_OK)
+            st = fmb_run_poll(s->run);
+    }
+    return st;
+}
+
+/* ---- a search -------------------------------------------------------------------------------- */
+
+static bool is_row_settled(const fmb_awake *s, size_t i)
+{
+    return s->gone[i] || s->kept[i] || s->of->row[i].rel == FMB_EQ;
+}
+
+static fmb_status wake_row_into_basis(fmb_awake *s, size_t i)
+{
+    fmb_status st = wake_row_in_cone(s, i);
+    if (st == FMB_OK)
+        fmb_basis_span(&s->cone, s->number[i]);
+    return st == FMB_OK ? fmb_run_poll(s->run) : st;
+}
+
+/* The right side as generator 0, rows that stay, and others until they span what they can. */
+static fmb_status wake_first_rows(fmb_awake *s)
+{
+    size_t d = s->of->d;
+    for (size_t k = 0; k < d; k++)
+        s->target[k] = k + 1 == d;
+    s->source[s->generators++] = s->of->m;
+    fmb_status st = fmb_basis_add(&s->cone, s->target, FMB_RANGE_UP);
+    if (st == FMB_OK)
+        fmb_basis_span(&s->cone, 0);
+    for (size_t i = 0; st == FMB_OK && i < s->of->m; i++)
+        if (is_row_settled(s, i))
+            st = wake_row_into_basis(s, i);
+    for (size_t i = 0; st == FMB_OK && i < s->of->m && s->cone.pivots < d; i++)
+        if (s->number[i] == SIZE_MAX)
+            st = wake_row_into_basis(s, i);
+    return st;
+}
+
+fmb_status fmb_awake_test(fmb_awake *s, const size_t *open, size_t from, size_t to)
+{
+    fmb_status st = wake_first_rows(s);
+    for (size_t k = from; st == FMB_OK && k < to; k++)
+        if (s->number[open[k]] == SIZE_MAX && !s->gone[open[k]])
+            st = test_row_asleep(s, open[k]);
+    s->doubtful = 0; /* they were woken, and are tried again */
+    for (size_t k = from; st == FMB_OK && k < to; k++)
+        if (!is_row_settled(s, open[k]))
+            st = test_row_awake(s, open[k]);
+    return st;
+}

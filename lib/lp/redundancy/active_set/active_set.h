@@ -1,0 +1,60 @@
+/* active_set.h: a search for rows that others imply, among rows that are awake.
+ *
+ * A row (a, b) is implied by others if it is a nonnegative combination of them and of (0, 1). Which
+ * rows, and with which multipliers, is guessed in doubles (simplex.h), and proved in integers
+ * (rounded_proof.h). Only rows that are awake are looked at: a row that they do not imply gives a
+ * hyperplane, the row that lies farthest beyond it is woken, and the search goes on (Clarkson
+ * 1994).
+ *
+ * A search tests some rows and looks at all; several may go on at a time, each with what it finds
+ * out. Invariant: a proof names no row that was gone in the search when it was found.
+ */
+#ifndef FMB_LP_ACTIVE_SET_H
+#define FMB_LP_ACTIVE_SET_H
+
+#include "lp/redundancy/active_set/interior_point.h"
+#include "lp/redundancy/active_set/rounded_proof.h"
+#include "lp/simplex/basis.h"
+
+/* The rows, all of them small (num/vec.h), for all searches to look at. */
+typedef struct fmb_scaled_rows {
+    size_t n, m, d; /* columns, rows, columns with the right side */
+    const fmb_lp_row *row;
+    double *at;    /* [d][m] rows, scaled */
+    int *exponent; /* [m] row = 2^exponent times what is in at */
+} fmb_scaled_rows;
+
+/* Errors: MEMORY, LIMIT. In any case fmb_scaled_rows_clear it. */
+fmb_status fmb_scaled_rows_init(fmb_scaled_rows *s, fmb_mem *mem, size_t n, size_t m,
+                                const fmb_lp_row *row);
+void fmb_scaled_rows_clear(fmb_scaled_rows *s, fmb_mem *mem);
+
+typedef struct fmb_awake {
+    fmb_run *run;
+    const fmb_scaled_rows *of;
+    const fmb_inside *seen; /* NULL: no point strictly inside is known */
+    bool *gone, *kept;      /* [m] what is known so far */
+    double *target, *price; /* [d], [m] */
+    double *way, *speed;    /* [n], [m] of rays */
+    size_t *number;         /* [m] of the row's generator, SIZE_MAX: asleep */
+    size_t *source;         /* [m + 1] row of a generator; m: the unit vector of the right side */
+    size_t generators, asleep;
+    fmb_basis cone;
+    fmb_rounded proof;
+    size_t *proved; /* [told] each proof: row, number of rows that it names, those */
+    size_t told, proved_room;
+    size_t doubtful; /* rows that seemed to be implied, but whose multipliers were not found */
+} fmb_awake;
+
+/* All rows are asleep, none is gone or kept. Errors: MEMORY, LIMIT. In any case fmb_awake_clear
+ * it. */
+fmb_status fmb_awake_init(fmb_awake *s, fmb_run *run, const fmb_scaled_rows *of,
+                          const fmb_inside *seen);
+void fmb_awake_clear(fmb_awake *s);
+/* From the point inside shoot at rows from, ..., to - 1: what is hit is kept. Errors: LIMIT. */
+fmb_status fmb_awake_shoot(fmb_awake *s, size_t from, size_t to);
+/* Test the rows open[from], ..., open[to - 1]: those that others imply go. The rows kept so far are
+ * woken, and equalities. Once. Errors: MEMORY, LIMIT. */
+fmb_status fmb_awake_test(fmb_awake *s, const size_t *open, size_t from, size_t to);
+
+#endif

@@ -1,0 +1,23 @@
+/* implied.h: which rows the others imply, guessed in doubles and proved in integers. */
+#ifndef FMB_LP_IMPLIED_H
+#define FMB_LP_IMPLIED_H
+
+#include "lp/model/row.h"
+#include "trace/run.h"
+
+/* What is found out about m rows. */
+typedef struct fmb_sorting {
+    bool *gone;      /* [m] in: false; out: inequalities that are implied by the rows not gone */
+    bool *kept;      /* [m] in: false; out: proved to be irredundant */
+    bool known;      /* in: the rows are known to have a solution, or it does not matter */
+    bool feasible;   /* false if there is none, and nothing else was found out */
+    bool inner;      /* some point is strictly inside all rows */
+    size_t doubtful; /* rows that seemed to be implied, but whose multipliers were not found */
+} fmb_sorting;
+
+/* Sort out rows. Each that goes is proved by multipliers over rows that are still there; each that
+ * is kept by a ray that leaves through it alone. Others stay undecided, all of them if some number
+ * is beyond 62 bits. Errors: MEMORY, LIMIT. */
+fmb_status fmb_lp_sort_rows(fmb_run *run, int n, size_t m, const fmb_lp_row *row, fmb_sorting *out);
+
+#endif

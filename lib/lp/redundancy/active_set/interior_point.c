@@ -1,0 +1,206 @@
+/* interior_point.c: ray shooting from a point inside; see interior_point.h.
+ *
+ * The point is found by reflections: as long as a row is broken (or nearly), go to the mirror image
+ * behind the one broken worst. If the polyhedron has inner points, that ends (Motzkin and
+ * Schoenberg 1954). It is then rounded to multiples of 1 / UNIT, and checked in integers.
+ *
+ * A ray from there leaves the polyhedron through some row. If it meets that row alone first, then
+ * behind it lies a point that breaks this row and no other: the row is irredundant. Directions are
+ * rounded; what the rounded ray meets is computed exactly.
+ */
+#include "lp/redundancy/active_set/interior_point.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Sizes [bits], so that the slack (ROW + POINT + 6), the speed towards a row (ROW + WAY + 6), and a
+ * product of both fit in 62, 53 and 127 bits: doubles add up speeds without rounding. */
+enum { ROW_BITS = 29, POINT_BITS = 24, WAY_BITS = 18, MOST_COLUMNS = 64 };
+#define UNIT 4096
+
+static void find_excess_of_rows(fmb_inside *p)
+{
+    memcpy(p->excess, &p->unit[p->n * p->m], p->m * sizeof *p->excess);
+    for (size_t j = 0; j < p->n; j++)
+        p->run->kernels->accumulate(p->excess, &p->unit[j * p->m], p->m, p->x[j]);
+}
+
+/* The row broken worst, all of them moved inwards by margin; SIZE_MAX if none is. */
+static size_t find_worst_broken_row(fmb_inside *p, double margin, double *most)
+{
+    size_t worst = SIZE_MAX;
+    *most = 0;
+    find_excess_of_rows(p);
+    for (size_t i = 0; i < p->m; i++)
+        if (p->excess[i] + margin > *most) {
+            *most = p->excess[i] + margin;
+            worst = i;
+        }
+    return worst;
+}
+
+/* Between the same two rows to and fro, equally far: there is no room between them. */
+static bool is_to_and_fro(const double *most, const size_t *row)
+{
+    return row[0] == row[2] && row[1] == row[3] && row[0] != row[1] && most[3] >= most[2] &&
+           most[2] >= most[1] && most[1] >= most[0];
+}
+
+static fmb_status reflect_until_inside(fmb_inside *p, size_t steps, double margin, bool *inside)
+{
+    fmb_status st = FMB_OK;
+    double most[4] = {0};
+    size_t row[4] = {SIZE_MAX, SIZE_MAX, SIZE_MAX, SIZE_MAX};
+    *inside = false;
+    for (size_t k = 0; st == FMB_OK && k < steps; k++) {
+        memmove(&most[0], &most[1], 3 * sizeof *most);
+        memmove(&row[0], &row[1], 3 * sizeof *row);
+        size_t i = row[3] = find_worst_broken_row(p, margin, &most[3]);
+        *inside = i == SIZE_MAX;
+        if (*inside || (k > 2 && is_to_and_fro(most, row)))
+            break;
+        for (size_t j = 0; j < p->n; j++)
+            p->x[j] -= 2 * most[3] * p->unit[j * p->m + i];
+        st = fmb_run_poll(p->run);
+    }
+    return st;
+}
+
+/* Round the point and compute the slacks; false if it is not strictly inside. */
+static bool round_point_inside(fmb_inside *p)
+{
+    for (size_t j = 0; j < p->n; j++) {
+        p->x[j] = nearbyint(p->x[j] * UNIT);
+        if (!(fabs(p->x[j]) < (1 << POINT_BITS)))
+            return false;
+    }
+    for (size_t i = 0; i < p->m; i++) {
+        const int64_t *a = p->row[i].v->s;
+        p->slack[i] = a[p->n] * UNIT;
+        for (size_t j = 0; j < p->n; j++)
+            p->slack[i] -= a[j] * (int64_t)p->x[j];
+        if (p->slack[i] <= 0)
+            return false;
+    }
+    for (size_t j = 0; j < p->n; j++)
+        p->x[j] /= UNIT;
+    return true;
+}
+
+static bool do_products_fit(size_t n, size_t m, const fmb_lp_row *row)
+{
+    for (size_t i = 0; i < m; i++)
+        if (row[i].rel == FMB_EQ || row[i].v->z || row[i].v->bits > ROW_BITS)
+            return false;
+    return n <= MOST_COLUMNS;
+}
+
+static void write_unit_row(fmb_inside *p, size_t i)
+{
+    const int64_t *a = p->row[i].v->s;
+    double square = 0;
+    for (size_t j = 0; j < p->n; j++)
+        square += (double)a[j] * (double)a[j];
+    double size = 1 / sqrt(square);
+    for (size_t j = 0; j < p->n; j++) {
+        p->entry[j * p->m + i] = (double)a[j];
+        p->unit[j * p->m + i] = (double)a[j] * size;
+    }
+    p->unit[p->n * p->m + i] = -(double)a[p->n] * size;
+}
+
+static fmb_status open_inside_point(fmb_inside *p)
+{
+    fmb_mem *mem = p->run->mem;
+    p->x = fmb_mem_zero(mem, p->n, sizeof *p->x);
+    p->slack = fmb_mem_get(mem, p->m, sizeof *p->slack);
+    p->unit = fmb_mem_get(mem, (p->n + 1) * p->m, sizeof *p->unit);
+    p->entry = fmb_mem_get(mem, p->n * p->m, sizeof *p->entry);
+    p->excess = fmb_mem_get(mem, p->m, sizeof *p->excess);
+    if (!p->x || !p->slack || !p->unit || !p->entry || !p->excess)
+        return fmb_mem_status(mem);
+    for (size_t i = 0; i < p->m; i++)
+        write_unit_row(p, i);
+    return FMB_OK;
+}
+
+fmb_status fmb_inside_open(fmb_inside *p, fmb_run *run, size_t n, size_t m, const fmb_lp_row *row,
+                           bool *possible)
+{
+    *p = (fmb_inside){.run = run, .n = n, .m = m, .row = row};
+    *possible = do_products_fit(n, m, row);
+    return *possible ? open_inside_point(p) : FMB_OK;
+}
+
+static fmb_status try_margin(fmb_inside *p, size_t steps, double margin, bool *found)
+{
+    fmb_status st = reflect_until_inside(p, steps, margin, found);
+    *found = st == FMB_OK && *found && round_point_inside(p);
+    return st;
+}
+
+/* Most that have inner points show one after a few steps; a deep one if possible, from where rays
+ * tell more rows apart. */
+fmb_status fmb_inside_glance(fmb_inside *p, bool *found)
+{
+    fmb_status st = try_margin(p, 8 + 2 * p->n, 0.25, found);
+    return st == FMB_OK && !*found ? try_margin(p, 8 + 2 * p->n, 1.0 / 64, found) : st;
+}
+
+fmb_status fmb_inside_find(fmb_inside *p, bool *found)
+{
+    fmb_status st = FMB_OK;
+    *found = false;
+    for (double margin = 0.25; st == FMB_OK && !*found && margin > 1.0 / UNIT; margin /= 16)
+        st = try_margin(p, 50 + 16 * p->n, margin, found);
+    return st;
+}
+
+void fmb_inside_clear(fmb_inside *p)
+{
+    fmb_mem *mem = p->run->mem;
+    fmb_mem_put(mem, p->x, p->n, sizeof *p->x);
+    fmb_mem_put(mem, p->slack, p->m, sizeof *p->slack);
+    fmb_mem_put(mem, p->unit, (p->n + 1) * p->m, sizeof *p->unit);
+    fmb_mem_put(mem, p->entry, p->n * p->m, sizeof *p->entry);
+    fmb_mem_put(mem, p->excess, p->m, sizeof *p->excess);
+}
+
+/* How fast the ray comes to each row; false if it goes nowhere. */
+static bool find_speeds_of_ray(const fmb_inside *p, const double *way, double *speed)
+{
+    double most = 0;
+    for (size_t j = 0; j < p->n; j++)
+        most = fabs(way[j]) > most ? fabs(way[j]) : most;
+    if (!(most > 0 && most < HUGE_VAL))
+        return false;
+    memset(speed, 0, p->m * sizeof *speed);
+    for (size_t j = 0; j < p->n; j++) {
+        double step = nearbyint(way[j] / most * ((1 << WAY_BITS) - 1));
+        p->run->kernels->accumulate(speed, &p->entry[j * p->m], p->m, step);
+    }
+    return true;
+}
+
+size_t fmb_inside_shoot(const fmb_inside *p, const double *way, const bool *gone, double *speed)
+{
+    size_t first = SIZE_MAX;
+    int64_t slack = 1, fast = 0; /* of the first; none: slack / fast is infinite */
+    bool tie = false;
+    if (!find_speeds_of_ray(p, way, speed))
+        return SIZE_MAX;
+    for (size_t i = 0; i < p->m; i++) {
+        if (gone[i] || speed[i] <= 0)
+            continue;
+        int64_t mine = (int64_t)speed[i];
+        int later =
+            fmb_i128_compare(fmb_i128_product(p->slack[i], fast), fmb_i128_product(slack, mine));
+        tie = later == 0 || (tie && later > 0);
+        if (later < 0) {
+            first = i;
+            slack = p->slack[i];
+            fast = mine;
+        }
+    }
+    return tie ? SIZE_MAX : first;
+}

@@ -1,0 +1,180 @@
+/* parallel_rows.c: see parallel_rows.h. Rows are compared divided by the greatest common divisor of
+ * their coefficients, the scale. */
+#include "lp/redundancy/parallel_rows.h"
+
+#include "base/ways.h"
+
+#include "num/gcd.h"
+
+typedef struct twin_search {
+    fmb_mem *mem;
+    size_t n;
+    const fmb_lp_row *row;
+    uint64_t *scale; /* [m] of small rows */
+    size_t *slot;    /* [size] a row, SIZE_MAX: free; a table at most half full */
+    size_t size;     /* a power of two */
+    mpz_t a, b, scale_a, scale_b;
+} twin_search;
+
+/* ---- directions -------------------------------------------------------------------------------
+ */
+
+static uint64_t scale_of_small(const fmb_vec *v, size_t n)
+{
+    uint64_t g = 0;
+    for (size_t j = 0; j < n && g != 1; j++)
+        g = fmb_gcd64(fmb_abs64(v->s[j]), g);
+    return g;
+}
+
+static void scale_of_any(const twin_search *s, size_t i, mpz_t g)
+{
+    const fmb_vec *v = s->row[i].v;
+    fmb_integer_set_u64(g, v->z ? 0 : s->scale[i]);
+    for (size_t j = 0; v->z && j < s->n; j++)
+        mpz_gcd(g, g, v->z[j]);
+}
+
+static uint64_t stir_word(uint64_t h, uint64_t low, bool negative)
+{
+    h = (h ^ (negative ? ~low : low)) * 0xff51afd7ed558ccdu;
+    return h ^ h >> 32;
+}
+
+/* Equal for parallel rows, small or wide. */
+static uint64_t hash_direction(twin_search *s, size_t i)
+{
+    const fmb_vec *v = s->row[i].v;
+    uint64_t h = 0;
+    scale_of_any(s, i, s->scale_a);
+    for (size_t j = 0; j < s->n; j++) {
+        if (v->z) {
+            mpz_divexact(s->a, v->z[j], s->scale_a);
+            h = stir_word(h, fmb_integer_low(s->a), mpz_sgn(s->a) < 0);
+            continue;
+        }
+        uint64_t size = fmb_abs64(v->s[j]);
+        h = stir_word(h, s->scale[i] > 1 ? size / s->scale[i] : size, v->s[j] < 0);
+    }
+    return h;
+}
+
+/* Entry j of row i, over the scale of the row, against the same of row k: its sign. */
+static int compare_scaled_entries(twin_search *s, size_t i, size_t k, size_t j)
+{
+    const fmb_vec *u = s->row[i].v, *v = s->row[k].v;
+    if (!u->z && !v->z && s->scale[i] < INT64_MAX && s->scale[k] < INT64_MAX) {
+        return fmb_i128_compare(fmb_i128_product(u->s[j], (int64_t)s->scale[k]),
+                                fmb_i128_product(v->s[j], (int64_t)s->scale[i]));
+    }
+    scale_of_any(s, i, s->scale_a);
+    scale_of_any(s, k, s->scale_b);
+    fmb_vec_get(u, j, s->a);
+    fmb_vec_get(v, j, s->b);
+    mpz_mul(s->a, s->a, s->scale_b);
+    mpz_mul(s->b, s->b, s->scale_a);
+    return mpz_cmp(s->a, s->b);
+}
+
+static bool are_parallel(twin_search *s, size_t i, size_t k)
+{
+    for (size_t j = 0; j < s->n; j++)
+        if (compare_scaled_entries(s, i, k, j) != 0)
+            return false;
+    return true;
+}
+
+/* ---- which one goes ---------------------------------------------------------------------------
+ */
+
+/* Does row k imply row i, its twin? */
+static bool does_twin_imply(twin_search *s, size_t k, size_t i)
+{
+    fmb_rel have = s->row[k].rel, want = s->row[i].rel;
+    int order = compare_scaled_entries(s, i, k, s->n); /* b_i against b_k */
+    if (want == FMB_EQ)
+        return have == FMB_EQ && order == 0;
+    return order > 0 || (order == 0 && (want == FMB_LE || have == FMB_LT));
+}
+
+static fmb_status tell_of_twin(twin_search *s, size_t i, size_t k, const fmb_verdicts *told)
+{
+    fmb_weights w = {0};
+    mpq_t factor;
+    if (!told || !told->redundant)
+        return FMB_OK;
+    mpq_init(factor);
+    scale_of_any(s, i, mpq_numref(factor));
+    scale_of_any(s, k, mpq_denref(factor));
+    mpq_canonicalize(factor);
+    fmb_status st = fmb_weights_add(&w, (uint32_t)k, factor, s->mem);
+    if (st == FMB_OK)
+        st = told->redundant(told->self, i, &w);
+    fmb_weights_clear(&w, s->mem);
+    mpq_clear(factor);
+    return st;
+}
+
+/* Row i beside the twin in that slot, if there is one. */
+static fmb_status meet_twin(twin_search *s, size_t i, size_t *slot, fmb_fate *fate,
+                            const fmb_verdicts *told)
+{
+    size_t k = *slot;
+    if (k == SIZE_MAX) {
+        *slot = i;
+        return FMB_OK;
+    }
+    if (does_twin_imply(s, k, i)) {
+        fate[i] = FMB_FATE_REDUNDANT;
+        return tell_of_twin(s, i, k, told);
+    }
+    if (!does_twin_imply(s, i, k))
+        return FMB_OK;
+    *slot = i;
+    fate[k] = FMB_FATE_REDUNDANT;
+    return tell_of_twin(s, k, i, told);
+}
+
+static size_t *find_twin_slot(twin_search *s, size_t i)
+{
+    size_t at = (size_t)hash_direction(s, i) & (s->size - 1);
+    while (s->slot[at] != SIZE_MAX && !are_parallel(s, i, s->slot[at]))
+        at = (at + 1) & (s->size - 1);
+    return &s->slot[at];
+}
+
+static fmb_status open_twin_search(twin_search *s, size_t m)
+{
+    for (s->size = 16; s->size < 2 * m;)
+        s->size *= 2;
+    s->scale = fmb_mem_get(s->mem, m, sizeof *s->scale);
+    s->slot = fmb_mem_get(s->mem, s->size, sizeof *s->slot);
+    if (!s->scale || !s->slot)
+        return fmb_mem_status(s->mem);
+    for (size_t k = 0; k < s->size; k++)
+        s->slot[k] = SIZE_MAX;
+    for (size_t i = 0; i < m; i++)
+        s->scale[i] = s->row[i].v->z ? 0 : scale_of_small(s->row[i].v, s->n);
+    return FMB_OK;
+}
+
+fmb_status fmb_drop_twins(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row, fmb_fate *fate,
+                          const fmb_verdicts *told)
+{
+    twin_search s = {.mem = run->mem, .n = n, .row = row};
+    if (!fmb_way(FMB_WAY_PARALLEL))
+        return FMB_OK;
+    mpz_inits(s.a, s.b, s.scale_a, s.scale_b, NULL);
+    fmb_status st = open_twin_search(&s, m);
+    for (size_t i = 0; st == FMB_OK && i < m; i++) {
+        if (fate[i] == FMB_FATE_UNKNOWN)
+            st = meet_twin(&s, i, find_twin_slot(&s, i), fate, told);
+        fmb_way_answered(FMB_WAY_PARALLEL, fate[i] == FMB_FATE_REDUNDANT);
+        if (st == FMB_OK)
+            st = fmb_run_poll(run);
+    }
+    fmb_mem_put(s.mem, s.scale, m, sizeof *s.scale);
+    fmb_mem_put(s.mem, s.slot, s.size, sizeof *s.slot);
+    mpz_clears(s.a, s.b, s.scale_a, s.scale_b, NULL);
+    return st;
+}

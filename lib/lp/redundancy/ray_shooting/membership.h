@@ -1,0 +1,59 @@
+/* membership.h: how much must a hull be blown up until a point lies in it? In doubles: a guess.
+ *
+ * Points q_j of n numbers span a hull, together with the origin. The gauge of a point q (Minkowski)
+ * is the least sum of z >= 0 with sum_j z_j q_j = q; q lies in the hull if that is 1 at most. By
+ * duality it is the greatest w.q of all w with w.q_j <= 1 for every j. A basis of n points gives a
+ * vertex w of these; for another q the search goes on from there.
+ */
+#ifndef FMB_LP_MEMBERSHIP_H
+#define FMB_LP_MEMBERSHIP_H
+
+#include "base/mem.h"
+#include "num/kernels.h"
+#include "trace/run.h"
+
+typedef enum fmb_side_of_hull {
+    FMB_HULL_NONE = 0, /* no answer: the search was stuck */
+    FMB_HULL_INSIDE,   /* value of the basic points: sum_r value[r] (point r) = q, sum <= 1 */
+    FMB_HULL_OUTSIDE   /* w.q > 1, and w.q_j <= 1 for every point */
+} fmb_side_of_hull;
+
+/* Points are numbered as they come. So that there always is a vertex, w stays in a large cube as
+ * well: its walls are points, too, and have no number. */
+typedef struct fmb_gauge {
+    fmb_mem *mem;
+    const fmb_kernels *kernels;
+    size_t n, size, capacity;
+    double cube;     /* |w_k| <= cube */
+    double zero;     /* values below 0 by no more are taken for 0 */
+    double *at;      /* [n][capacity]: number k of point j is at[k * capacity + j] */
+    size_t *name;    /* [capacity] whatever the caller calls it */
+    double *reduced; /* [capacity] 1 - w.q_j */
+    double *along;   /* [capacity] scratch: how w.q_j changes along an edge */
+    size_t *basic;   /* [n] point of each place of the basis; size_max / 2 and more: walls */
+    double *inverse; /* [n][n] of the basis: row r belongs to place r */
+    double *length;  /* [n] squares of the lengths of its rows, which are the edges at w */
+    double *value;   /* [n] of the basic points */
+    double *w;       /* [n] */
+    double *entry;   /* [n] scratch: a point, written in the basis */
+    double *work;    /* [n][2 n] scratch */
+    size_t pivots;   /* since the basis was inverted afresh */
+} fmb_gauge;
+
+/* No points, of n numbers. Errors: MEMORY, LIMIT. In any case fmb_gauge_clear it. */
+fmb_status fmb_gauge_init(fmb_gauge *g, fmb_mem *mem, const fmb_kernels *kernels, size_t n,
+                          double cube);
+void fmb_gauge_clear(fmb_gauge *g);
+
+/* Add a point. Errors: MEMORY, LIMIT. */
+fmb_status fmb_gauge_add(fmb_gauge *g, const double *q, size_t name);
+/* Drop all points but those of the basis. */
+void fmb_gauge_forget(fmb_gauge *g);
+/* Take another cube; the search starts afresh. */
+void fmb_gauge_resize_cube(fmb_gauge *g, double cube);
+/* Is q in the hull? run may be NULL. Errors: LIMIT. */
+fmb_status fmb_gauge_ask(fmb_gauge *g, const double *q, fmb_run *run, fmb_side_of_hull *out);
+/* The caller's name of the point at place r of the basis; SIZE_MAX: a wall. */
+size_t fmb_gauge_name(const fmb_gauge *g, size_t r);
+
+#endif

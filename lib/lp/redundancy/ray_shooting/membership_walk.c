@@ -1,0 +1,171 @@
+/* membership_walk.c: from vertex to vertex, by the dual and by the primal method; see
+ * membership_private.h. */
+#include "lp/redundancy/ray_shooting/membership_private.h"
+
+#include <math.h>
+
+/* Pivots are larger than this, where edges have length 1. */
+#define LEAST_PIVOT 1e-8
+
+/* ---- the dual method: up along edges --------------------------------------------------------- */
+
+/* The place whose edge rises most for its length. */
+static size_t find_steepest_rise(const fmb_gauge *g)
+{
+    size_t best = SIZE_MAX;
+    double most = 0;
+    for (size_t r = 0; r < g->n; r++) {
+        double v = g->value[r];
+        if (v < -g->zero && v * v > most * g->length[r]) {
+            most = v * v / g->length[r];
+            best = r;
+        }
+    }
+    return best;
+}
+
+/* The wall, of points and of the cube, that an edge meets first; of those that are met nearly at
+ * once, the one that is met most squarely. */
+typedef struct first_wall {
+    size_t wall;
+    double gap, along;
+} first_wall;
+
+static double cube_gap(const fmb_gauge *g, size_t j)
+{
+    return 1 - g->w[fmb_wall_axis(j)] * fmb_wall_coordinate(g, j);
+}
+
+static double cube_along(const fmb_gauge *g, size_t r, size_t j)
+{
+    return g->inverse[r * g->n + fmb_wall_axis(j)] * fmb_wall_coordinate(g, j);
+}
+
+/* How far the edge goes if walls may be passed by as little as rounding errors: rates of approach
+ * are counted from `least` on. */
+static double find_longest_step(const fmb_gauge *g, size_t r, double least)
+{
+    double step = INFINITY;
+    for (size_t j = 0; j < g->size; j++)
+        if (g->along[j] < -least && g->reduced[j] + FMB_GAUGE_ROUNDING < step * -g->along[j])
+            step = (g->reduced[j] + FMB_GAUGE_ROUNDING) / -g->along[j];
+    for (size_t j = FMB_GAUGE_WALLS; j < FMB_GAUGE_WALLS + 2 * g->n; j++) {
+        double along = cube_along(g, r, j);
+        if (along < -least / g->cube && cube_gap(g, j) + FMB_GAUGE_ROUNDING < step * -along)
+            step = (cube_gap(g, j) + FMB_GAUGE_ROUNDING) / -along;
+    }
+    return step;
+}
+
+static first_wall find_first_wall(const fmb_gauge *g, size_t r)
+{
+    double least = LEAST_PIVOT * sqrt(g->length[r]), step = find_longest_step(g, r, least);
+    first_wall f = {SIZE_MAX, 0, -least};
+    for (size_t j = 0; j < g->size; j++)
+        if (g->along[j] < f.along && g->reduced[j] <= step * -g->along[j])
+            f = (first_wall){j, g->reduced[j], g->along[j]};
+    for (size_t j = FMB_GAUGE_WALLS; f.wall == SIZE_MAX && j < FMB_GAUGE_WALLS + 2 * g->n; j++)
+        if (cube_along(g, r, j) < -least / g->cube && cube_gap(g, j) <= step * -cube_along(g, r, j))
+            f = (first_wall){j, cube_gap(g, j), cube_along(g, r, j)};
+    f.gap = f.gap > 0 ? f.gap : 0;
+    return f;
+}
+
+static double sum_of_values(const fmb_gauge *g)
+{
+    double sum = 0;
+    for (size_t r = 0; r < g->n; r++)
+        sum += g->value[r];
+    return sum;
+}
+
+fmb_status fmb_gauge_climb(fmb_gauge *g, const double *q, fmb_run *run, fmb_side_of_hull *out)
+{
+    fmb_status st = FMB_OK;
+    *out = FMB_HULL_NONE;
+    fmb_gauge_find_values(g, q);
+    for (size_t steps = 0; st == FMB_OK && steps < 64 + 16 * g->n; steps++) {
+        if (sum_of_values(g) > 1 + FMB_GAUGE_ROUNDING) {
+            *out = FMB_HULL_OUTSIDE;
+            return FMB_OK;
+        }
+        size_t r = find_steepest_rise(g);
+        if (r == SIZE_MAX) {
+            *out = FMB_HULL_INSIDE;
+            return FMB_OK;
+        }
+        fmb_gauge_price(g, r);
+        first_wall f = find_first_wall(g, r);
+        if (f.wall == SIZE_MAX)
+            return FMB_OK;
+        fmb_gauge_write(g, f.wall);
+        fmb_gauge_exchange(g, r, f.wall, f.gap);
+        st = run ? fmb_run_poll(run) : FMB_OK;
+    }
+    return st;
+}
+
+/* ---- the primal method: back behind new walls ------------------------------------------------ */
+
+/* The wall, of points and of the cube, that w is farthest beyond. */
+static size_t find_most_broken_wall(const fmb_gauge *g, double *gap)
+{
+    size_t best = SIZE_MAX;
+    *gap = -FMB_GAUGE_ROUNDING;
+    for (size_t j = 0; j < g->size; j++)
+        if (g->reduced[j] < *gap) {
+            *gap = g->reduced[j];
+            best = j;
+        }
+    for (size_t j = FMB_GAUGE_WALLS; j < FMB_GAUGE_WALLS + 2 * g->n; j++)
+        if (cube_gap(g, j) < *gap) {
+            *gap = cube_gap(g, j);
+            best = j;
+        }
+    return best;
+}
+
+/* The basic point that comes down to 0 first when j, just written, goes up. */
+static size_t find_leaving_point(const fmb_gauge *g, size_t j)
+{
+    size_t best = SIZE_MAX;
+    double room = INFINITY, least = fmb_gauge_is_wall(j) ? LEAST_PIVOT / g->cube : LEAST_PIVOT;
+    for (size_t r = 0; r < g->n; r++)
+        if (g->entry[r] > least * sqrt(g->length[r]) && g->value[r] < room * g->entry[r]) {
+            room = g->value[r] / g->entry[r];
+            best = r;
+        }
+    return best;
+}
+
+/* A target that w is the highest vertex for: a sum of all basic points, no two of them alike. */
+static void aim_at_vertex(fmb_gauge *g)
+{
+    uint32_t h = 1;
+    for (size_t r = 0; r < g->n; r++) {
+        h = h * 1664525u + 1013904223u;
+        g->value[r] = 1 + (double)(h >> 8) / (1 << 24);
+    }
+}
+
+fmb_status fmb_gauge_return(fmb_gauge *g, fmb_run *run, bool *done)
+{
+    fmb_status st = FMB_OK;
+    aim_at_vertex(g);
+    *done = false;
+    for (size_t steps = 0; st == FMB_OK && steps < 64 + 16 * g->n; steps++) {
+        double gap;
+        size_t j = find_most_broken_wall(g, &gap);
+        *done = j == SIZE_MAX;
+        if (*done)
+            return FMB_OK;
+        fmb_gauge_write(g, j);
+        size_t r = find_leaving_point(g, j);
+        if (r == SIZE_MAX)
+            return FMB_OK;
+        fmb_gauge_price(g, r);
+        fmb_gauge_exchange(g, r, j, gap);
+        st = run ? fmb_run_poll(run) : FMB_OK;
+    }
+    return st;
+}

@@ -1,0 +1,294 @@
+/* polar_points.c: see polar_points.h. Where the point inside comes from:
+ * lp/redundancy/ray_shooting/centre.h. */
+#include "lp/redundancy/ray_shooting/polar_points.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "lp/redundancy/ray_shooting/centre.h"
+#include "num/gcd.h"
+
+/* ---- life -------------------------------------------------------------------------------------
+ */
+
+static fmb_status list_named_columns(fmb_polar *p)
+{
+    p->column = fmb_mem_get(p->mem, p->n, sizeof *p->column);
+    if (!p->column)
+        return fmb_mem_status(p->mem);
+    for (size_t j = 0; j < p->n; j++)
+        for (size_t i = 0; i < p->m; i++)
+            if (fmb_vec_sgn(p->row[i].v, j) != 0) {
+                p->column[p->d++] = j;
+                break;
+            }
+    return FMB_OK;
+}
+
+static fmb_status allocate_polar(fmb_polar *p)
+{
+    fmb_mem *mem = p->mem;
+    size_t d = p->d;
+    size_t blocks = p->blocks = (p->m + FMB_POLAR_BLOCK - 1) / FMB_POLAR_BLOCK;
+    p->exponent = fmb_mem_get(mem, d, sizeof *p->exponent);
+    p->order = fmb_mem_get(mem, p->m, sizeof *p->order);
+    p->place = fmb_mem_get(mem, p->m, sizeof *p->place);
+    p->middle = fmb_mem_get(mem, d * blocks, sizeof *p->middle);
+    p->radius = fmb_mem_get(mem, blocks, sizeof *p->radius);
+    p->reach = fmb_mem_get(mem, blocks, sizeof *p->reach);
+    p->sight = fmb_mem_get(mem, d * p->m, sizeof *p->sight);
+    p->round = fmb_mem_get(mem, d * p->m, sizeof *p->round);
+    p->size = fmb_mem_get(mem, p->m, sizeof *p->size);
+    p->half = fmb_mem_get(mem, d * d, sizeof *p->half);
+    p->x = fmb_mem_get(mem, d, sizeof *p->x);
+    for (size_t k = 0; p->x && k < d; k++)
+        mpz_init(p->x[k]);
+    bool blocked = p->order && p->place && p->middle && p->radius && p->reach;
+    bool seen = p->sight && p->round && p->size && p->half;
+    return blocked && seen && p->exponent && p->x ? FMB_OK : fmb_mem_status(mem);
+}
+
+void fmb_polar_clear(fmb_polar *p)
+{
+    fmb_mem *mem = p->mem;
+    size_t d = p->d;
+    if (!mem)
+        return;
+    for (size_t k = 0; p->x && k < d; k++)
+        mpz_clear(p->x[k]);
+    fmb_mem_put(mem, p->column, p->n, sizeof *p->column);
+    fmb_mem_put(mem, p->exponent, d, sizeof *p->exponent);
+    fmb_mem_put(mem, p->order, p->m, sizeof *p->order);
+    fmb_mem_put(mem, p->place, p->m, sizeof *p->place);
+    fmb_mem_put(mem, p->middle, d * p->blocks, sizeof *p->middle);
+    fmb_mem_put(mem, p->radius, p->blocks, sizeof *p->radius);
+    fmb_mem_put(mem, p->reach, p->blocks, sizeof *p->reach);
+    fmb_mem_put(mem, p->sight, d * p->m, sizeof *p->sight);
+    fmb_mem_put(mem, p->round, d * p->m, sizeof *p->round);
+    fmb_mem_put(mem, p->size, p->m, sizeof *p->size);
+    fmb_mem_put(mem, p->half, d * d, sizeof *p->half);
+    fmb_mem_put(mem, p->x, d, sizeof *p->x);
+    p->mem = NULL;
+}
+
+/* ---- rows in doubles --------------------------------------------------------------------------
+ */
+
+/* Entry j of a row, times 2^-exponent. */
+static double scaled_entry(const fmb_vec *v, size_t j, int exponent)
+{
+    long own = 0;
+    if (!v->z)
+        return ldexp((double)v->s[j], -exponent);
+    double a = mpz_get_d_2exp(&own, v->z[j]);
+    return own - exponent < -1000 ? 0 : ldexp(a, (int)(own - exponent));
+}
+
+/* The least e with |entry| < 2^e for all coefficients. */
+static int coefficient_bits(const fmb_polar *p, size_t i)
+{
+    const fmb_vec *v = p->row[i].v;
+    size_t bits = 0;
+    for (size_t k = 0; k < p->d; k++) {
+        size_t b = fmb_vec_entry_bits(v, p->column[k]);
+        bits = b > bits ? b : bits;
+    }
+    return (int)bits;
+}
+
+/* Rows of length about 1, columns with a largest entry of about 1. False if a right side is beyond
+ * doubles. */
+static bool load_scaled_rows(fmb_polar *p, fmb_centre *c)
+{
+    for (size_t i = 0; i < p->m; i++) {
+        int bits = coefficient_bits(p, i);
+        for (size_t k = 0; k < p->d; k++)
+            c->at[k * c->m + i] = scaled_entry(p->row[i].v, p->column[k], bits);
+        c->right[i] = scaled_entry(p->row[i].v, p->n, bits);
+    }
+    for (size_t k = 0; k < p->d; k++) {
+        double most = 0;
+        for (size_t i = 0; i < c->m; i++)
+            most = fmax(most, fabs(c->at[k * c->m + i]));
+        frexp(most, &p->exponent[k]);
+        for (size_t i = 0; i < c->m; i++)
+            c->at[k * c->m + i] = ldexp(c->at[k * c->m + i], -p->exponent[k]);
+    }
+    for (size_t i = 0; i < c->m; i++) {
+        double square = 0;
+        for (size_t k = 0; k < p->d; k++)
+            square += c->at[k * c->m + i] * c->at[k * c->m + i];
+        double length = sqrt(square);
+        for (size_t k = 0; k < p->d; k++)
+            c->at[k * c->m + i] /= length;
+        c->right[i] /= length;
+        if (!(fabs(c->right[i]) < 1e150))
+            return false;
+    }
+    return true;
+}
+
+/* ---- the point --------------------------------------------------------------------------------
+ */
+
+/* Binary places behind the point at which rounding does not reach a row: every coordinate moves by
+ * less than a quarter of what the row's slack allows. */
+static int places_needed(const fmb_centre *c)
+{
+    double most = 0;
+    int places;
+    for (size_t i = 0; i < c->m; i++) {
+        double sum = 0;
+        for (size_t k = 0; k < c->n; k++)
+            sum += fabs(c->at[k * c->m + i]);
+        most = fmax(most, 2 * sum / c->slack[i]);
+    }
+    frexp(most, &places);
+    return places;
+}
+
+/* x / 2^shift = the centre, rounded. Column k counts 2^exponent[k], so its x as much less. False
+ * if that is beyond doubles. */
+static bool round_centre(fmb_polar *p, const fmb_centre *c)
+{
+    int places = places_needed(c);
+    p->shift = 0;
+    for (size_t k = 0; k < p->d; k++)
+        if (places + p->exponent[k] > p->shift)
+            p->shift = places + p->exponent[k];
+    for (size_t k = 0; k < p->d; k++) {
+        int more = p->shift - places - p->exponent[k];
+        double whole = nearbyint(ldexp(c->x[k], places));
+        if (!isfinite(whole))
+            return false;
+        mpz_set_d(p->x[k], whole);
+        mpz_mul_2exp(p->x[k], p->x[k], (mp_bitcnt_t)more);
+    }
+    return true;
+}
+
+void fmb_polar_slack(const fmb_polar *p, size_t i, mpz_t slack, mpz_t t)
+{
+    const fmb_vec *v = p->row[i].v;
+    fmb_vec_get(v, p->n, slack);
+    mpz_mul_2exp(slack, slack, (mp_bitcnt_t)p->shift);
+    for (size_t k = 0; k < p->d; k++) {
+        if (fmb_vec_sgn(v, p->column[k]) == 0)
+            continue;
+        fmb_vec_get(v, p->column[k], t);
+        mpz_submul(slack, t, p->x[k]);
+    }
+}
+
+/* 2^(shift + more) / slack of row i, to two roundings if it is a normal number; 0 where the point
+ * is not strictly inside of it. */
+static double inverse_slack(const fmb_polar *p, size_t i, int more, mpz_t slack, mpz_t t)
+{
+    long bits;
+    fmb_polar_slack(p, i, slack, t);
+    if (mpz_sgn(slack) <= 0)
+        return 0;
+    double head = mpz_get_d_2exp(&bits, slack);
+    return ldexp(1 / head, p->shift + more - (int)bits);
+}
+
+/* The polar points, by row; false where the point is not strictly inside, or numbers are too large
+ * or too small: then no entry of a row that is not 0 is taken for 0, and what underflows in an
+ * entry is less than 2^-594 of the length, which itself is rounded like a sum. */
+static bool see_rows(fmb_polar *p)
+{
+    bool inside = true;
+    mpz_t slack, t;
+    mpz_inits(slack, t, NULL);
+    for (size_t i = 0; inside && i < p->m; i++) {
+        int bits = coefficient_bits(p, i);
+        double square = 0, inverse = inverse_slack(p, i, bits, slack, t);
+        for (size_t k = 0; k < p->d; k++) {
+            double a = scaled_entry(p->row[i].v, p->column[k], bits);
+            inside &= a != 0 || fmb_vec_sgn(p->row[i].v, p->column[k]) == 0;
+            a = ldexp(a, -p->exponent[k]) * inverse;
+            p->sight[k * p->m + i] = a;
+            square += a * a;
+        }
+        p->size[i] = sqrt(square);
+        inside &= isnormal(inverse) && square > 0x1p-960 && square < 1e300;
+    }
+    mpz_clears(slack, t, NULL);
+    return inside;
+}
+
+/* round = half^-1 sight. */
+static void make_round(fmb_polar *p)
+{
+    size_t d = p->d;
+    memcpy(p->round, p->sight, d * p->m * sizeof *p->round);
+    for (size_t j = 0; j < d; j++) {
+        double *row = &p->round[j * p->m], by = 1 / p->half[j * d + j];
+        for (size_t k = 0; k < j; k++)
+            if (p->half[j * d + k] != 0)
+                p->kernels->accumulate(row, &p->round[k * p->m], p->m, -p->half[j * d + k]);
+        for (size_t i = 0; i < p->m; i++)
+            row[i] *= by;
+    }
+}
+
+static fmb_status look_from_centre(fmb_polar *p, fmb_run *run, fmb_centre *c, bool *inside)
+{
+    fmb_status st = fmb_centre_init(c, p->mem, p->d, p->m);
+    if (st != FMB_OK || !load_scaled_rows(p, c))
+        return st;
+    st = fmb_centre_find(c, run, inside);
+    if (st != FMB_OK || !*inside)
+        return st;
+    *inside = round_centre(p, c) && see_rows(p);
+    for (size_t j = 0; j < p->d; j++)
+        for (size_t k = 0; k <= j; k++)
+            p->half[j * p->d + k] = c->half[j * (c->n + 1) + k];
+    if (*inside) {
+        fmb_polar_arrange(p);
+        make_round(p);
+    }
+    return FMB_OK;
+}
+
+fmb_status fmb_polar_open(fmb_polar *p, fmb_run *run, size_t n, size_t m, const fmb_lp_row *row,
+                          bool *inside)
+{
+    fmb_centre c = {0};
+    *p = (fmb_polar){.mem = run->mem, .kernels = run->kernels, .n = n, .m = m, .row = row};
+    *inside = false;
+    fmb_status st = list_named_columns(p);
+    if (st == FMB_OK)
+        st = allocate_polar(p);
+    for (size_t i = 0; st == FMB_OK && i < m; i++)
+        if (row[i].rel == FMB_EQ)
+            return FMB_OK;
+    if (st == FMB_OK)
+        st = look_from_centre(p, run, &c, inside);
+    fmb_centre_clear(&c);
+    return st;
+}
+
+void fmb_polar_hide(fmb_polar *p, size_t i)
+{
+    size_t at = p->place[i];
+    for (size_t k = 0; k < p->d; k++)
+        p->sight[k * p->m + at] = p->round[k * p->m + at] = 0;
+    p->size[at] = 0;
+}
+
+void fmb_polar_round_point(const fmb_polar *p, size_t i, double *q)
+{
+    for (size_t k = 0; k < p->d; k++)
+        q[k] = p->round[k * p->m + p->place[i]];
+}
+
+void fmb_polar_point(const fmb_polar *p, mpq_t *x)
+{
+    for (size_t j = 0; j < p->n; j++)
+        mpq_set_ui(x[j], 0, 1);
+    for (size_t k = 0; k < p->d; k++) {
+        mpq_set_z(x[p->column[k]], p->x[k]);
+        mpq_div_2exp(x[p->column[k]], x[p->column[k]], (mp_bitcnt_t)p->shift);
+    }
+}

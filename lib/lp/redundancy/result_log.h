@@ -1,0 +1,31 @@
+/* result_log.h: what was found about rows, noted to be told later. */
+#ifndef FMB_LP_RESULT_LOG_H
+#define FMB_LP_RESULT_LOG_H
+
+#include "lp/redundancy/irredundant.h"
+
+typedef struct fmb_finding {
+    size_t row;
+    bool kept;
+    fmb_weights weights; /* the proof of a row that is redundant, */
+    mpq_t *x;            /* [n] or the point of one that is not; none where nobody was told */
+} fmb_finding;
+
+typedef struct fmb_findings {
+    fmb_mem *mem;
+    size_t n;
+    fmb_finding *item; /* [count] */
+    size_t count, room;
+    fmb_verdicts listener; /* notes what it is told, with proofs */
+} fmb_findings;
+
+/* None. f must not move. */
+void fmb_findings_begin(fmb_findings *f, fmb_mem *mem, size_t n);
+/* Note what became of a row, without a proof. Errors: MEMORY, LIMIT. */
+fmb_status fmb_findings_note(fmb_findings *f, size_t row, fmb_fate fate);
+void fmb_findings_end(fmb_findings *f);
+/* Set fate[m] and tell of those rows that are UNKNOWN there; told may be NULL. Errors: those of
+ * told. */
+fmb_status fmb_findings_tell(fmb_findings *f, fmb_fate *fate, const fmb_verdicts *told);
+
+#endif

@@ -1,0 +1,55 @@
+/* backend.h: one door to a sparse simplex in doubles. It hands out a basis, and says nothing that
+ * is believed.
+ *
+ * A basis is n rows that are to hold with equality: rows of the program, by number; or m + j, the
+ * row x_j = 0 of a column that is free and nonbasic. A door is used by one thread at a time.
+ */
+#ifndef FMB_LP_BACKEND_H
+#define FMB_LP_BACKEND_H
+
+#include "lp/model/program.h"
+#include "trace/run.h"
+
+typedef struct fmb_door fmb_door;
+
+typedef enum fmb_hint_kind {
+    FMB_HINT_NONE = 0,   /* it gave up: the basis is where it stood */
+    FMB_HINT_OPTIMUM,    /* of a search: a vertex */
+    FMB_HINT_INFEASIBLE, /* row `odd` cannot hold beside the basis */
+    FMB_HINT_UNBOUNDED   /* leaving the row at place `odd` of the basis goes on for ever */
+} fmb_hint_kind;
+
+typedef struct fmb_hint {
+    fmb_hint_kind kind;
+    size_t *basis; /* [n], the caller's */
+    size_t odd;    /* INFEASIBLE: a row of the program; UNBOUNDED: a place of the basis */
+} fmb_hint;
+
+/* p must outlive the door; its rows that are off are left out. Errors: MEMORY, LIMIT. */
+fmb_status fmb_door_open(fmb_run *run, const fmb_program *p, fmb_door **out);
+void fmb_door_close(fmb_door *d);
+
+/* Is there a solution? From where the last call ended. Errors: MEMORY, LIMIT. */
+fmb_status fmb_door_search(fmb_door *d, fmb_hint *h);
+/* Where is cost.x greatest, cost[n]? From where the last call ended; INFEASIBLE is possible. */
+fmb_status fmb_door_maximize(fmb_door *d, const double *cost, fmb_hint *h);
+
+/* Take in rows that were appended to the program. Errors: MEMORY, LIMIT. */
+fmb_status fmb_door_grow(fmb_door *d);
+/* Leave out row i, or (on) take it in again. */
+void fmb_door_switch(fmb_door *d, size_t i, bool on);
+/* Start from this basis[n] next time. */
+void fmb_door_place(fmb_door *d, const size_t *basis);
+/* Right sides by other numbers, right[m]; NULL: those of the program. For refinement, which looks
+ * at a solution through a magnifying glass (Gleixner, Steffy, Wolter 2016). */
+void fmb_door_shift(fmb_door *d, const double *right);
+/* Likewise, right sides of inequalities less by `by` times the sizes of a row's coefficients, as
+ * rows and columns are scaled; until the next shift. */
+void fmb_door_move_in(fmb_door *d, double by);
+/* x[n] / den: where the last question ended, rounded to multiples of 2^-fine, as columns are
+ * scaled. False: it is beyond doubles. */
+bool fmb_door_point(fmb_door *d, int fine, mpz_t *x, mpz_t den);
+/* Tolerances as tight as they go, from now on. */
+void fmb_door_sharpen(fmb_door *d);
+
+#endif

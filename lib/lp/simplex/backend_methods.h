@@ -1,0 +1,36 @@
+/* backend_methods.h: what stands behind the door (backend.h): a simplex in doubles, as a table.
+ *
+ * What a function is about is noted in the reals before it is called. Errors of those that have a
+ * status: MEMORY, LIMIT.
+ */
+#ifndef FMB_LP_BACKEND_METHODS_H
+#define FMB_LP_BACKEND_METHODS_H
+
+#include "lp/model/scaled_program.h"
+#include "lp/simplex/backend.h"
+
+typedef struct fmb_door_side {
+    /* *out is NULL where this side wants no such program. */
+    fmb_status (*open)(const fmb_reals *f, void **out);
+    void (*close)(void *self);
+    fmb_status (*search)(void *self, fmb_hint *h);
+    /* The cost is scaled as the columns are. */
+    fmb_status (*maximize)(void *self, const double *cost, fmb_hint *h);
+    fmb_status (*grow)(void *self);
+    /* Row i goes off or on; if off, it leaves the basis. */
+    fmb_status (*switch_row)(void *self, size_t i);
+    fmb_status (*place)(void *self, const size_t *basis);
+    void (*shift)(void *self);
+    /* Where the last question ended, scaled as the columns are: x[n]. */
+    void (*point)(void *self, double *x);
+} fmb_door_side;
+
+/* Our own; the second one has factors of the basis however few columns there are, for tests. */
+extern const fmb_door_side fmb_door_side_own, fmb_door_side_factors;
+
+/* A door with this side alone behind it, for tests; *out is NULL where it wants no such program.
+ * Errors: MEMORY, LIMIT. */
+fmb_status fmb_door_open_side(fmb_run *run, const fmb_program *p, const fmb_door_side *side,
+                              fmb_door **out);
+
+#endif

@@ -1,0 +1,174 @@
+/* basis.c: see basis.h. */
+#include "lp/simplex/basis.h"
+
+#include <math.h>
+#include <string.h>
+
+/* ---- life ------------------------------------------------------------------------------------ */
+
+fmb_status fmb_basis_init(fmb_basis *b, fmb_mem *mem, const fmb_kernels *kernels, size_t d)
+{
+    *b = (fmb_basis){.mem = mem, .kernels = kernels, .d = d, .most_d = d};
+    b->basic = fmb_mem_get(mem, d, sizeof *b->basic);
+    b->inverse = fmb_mem_get(mem, d * d, sizeof *b->inverse);
+    b->value = fmb_mem_zero(mem, d, sizeof *b->value);
+    b->normal = fmb_mem_zero(mem, d, sizeof *b->normal);
+    b->entry = fmb_mem_get(mem, d, sizeof *b->entry);
+    b->rest = fmb_mem_get(mem, d, sizeof *b->rest);
+    if (!b->basic || !b->inverse || !b->value || !b->normal || !b->entry || !b->rest)
+        return fmb_mem_status(mem);
+    fmb_basis_restart(b, d);
+    return FMB_OK;
+}
+
+static void free_columns(fmb_basis *b)
+{
+    fmb_mem_put(b->mem, b->at, b->most_d * b->capacity, sizeof *b->at);
+    fmb_mem_put(b->mem, b->range, b->capacity, sizeof *b->range);
+    fmb_mem_put(b->mem, b->is_high, b->capacity, sizeof *b->is_high);
+    fmb_mem_put(b->mem, b->is_basic, b->capacity, sizeof *b->is_basic);
+    fmb_mem_put(b->mem, b->price, b->capacity, sizeof *b->price);
+}
+
+void fmb_basis_clear(fmb_basis *b)
+{
+    if (!b->mem)
+        return;
+    free_columns(b);
+    fmb_mem_put(b->mem, b->basic, b->most_d, sizeof *b->basic);
+    fmb_mem_put(b->mem, b->inverse, b->most_d * b->most_d, sizeof *b->inverse);
+    fmb_mem_put(b->mem, b->value, b->most_d, sizeof *b->value);
+    fmb_mem_put(b->mem, b->normal, b->most_d, sizeof *b->normal);
+    fmb_mem_put(b->mem, b->entry, b->most_d, sizeof *b->entry);
+    fmb_mem_put(b->mem, b->rest, b->most_d, sizeof *b->rest);
+}
+
+/* Columns lie by row, so each row moves. */
+fmb_status fmb_basis_reserve(fmb_basis *b, size_t capacity)
+{
+    fmb_basis old = *b;
+    b->capacity = capacity;
+    b->at = fmb_mem_get(b->mem, b->most_d * capacity, sizeof *b->at);
+    b->range = fmb_mem_get(b->mem, capacity, sizeof *b->range);
+    b->is_high = fmb_mem_get(b->mem, capacity, sizeof *b->is_high);
+    b->is_basic = fmb_mem_get(b->mem, capacity, sizeof *b->is_basic);
+    b->price = fmb_mem_get(b->mem, capacity, sizeof *b->price);
+    if (!b->at || !b->range || !b->is_high || !b->is_basic || !b->price) {
+        fmb_status st = fmb_mem_status(b->mem);
+        free_columns(b);
+        *b = old;
+        return st;
+    }
+    if (old.size > 0) {
+        for (size_t k = 0; k < b->d; k++)
+            memcpy(&b->at[k * capacity], &old.at[k * old.capacity], old.size * sizeof *b->at);
+        memcpy(b->range, old.range, old.size * sizeof *b->range);
+        memcpy(b->is_high, old.is_high, old.size * sizeof *b->is_high);
+        memcpy(b->is_basic, old.is_basic, old.size * sizeof *b->is_basic);
+    }
+    free_columns(&old);
+    return FMB_OK;
+}
+
+/* ---- columns --------------------------------------------------------------------------------- */
+
+/* Unit vectors fill the basis. */
+static void start_from_unit_vectors(fmb_basis *b)
+{
+    memset(b->inverse, 0, b->d * b->d * sizeof *b->inverse);
+    for (size_t k = 0; k < b->d; k++) {
+        b->basic[k] = SIZE_MAX;
+        b->inverse[k * b->d + k] = 1;
+    }
+    b->pivots = 0;
+}
+
+void fmb_basis_restart(fmb_basis *b, size_t d)
+{
+    b->d = d;
+    b->size = b->highs = 0;
+    start_from_unit_vectors(b);
+}
+
+fmb_status fmb_basis_add(fmb_basis *b, const double *v, fmb_range range)
+{
+    fmb_status st = FMB_OK;
+    if (b->size == b->capacity)
+        st = fmb_basis_reserve(b, b->capacity == 0 ? 64 : 2 * b->capacity);
+    if (st != FMB_OK)
+        return st;
+    for (size_t k = 0; k < b->d; k++)
+        b->at[k * b->capacity + b->size] = v[k];
+    b->range[b->size] = (uint8_t)range;
+    b->is_high[b->size] = b->is_basic[b->size] = false;
+    b->size++;
+    return FMB_OK;
+}
+
+/* ---- the basis ------------------------------------------------------------------------------- */
+
+void fmb_basis_write(fmb_basis *b, size_t j)
+{
+    size_t d = b->d;
+    for (size_t k = 0; k < d; k++)
+        b->rest[k] = b->at[k * b->capacity + j];
+    for (size_t r = 0; r < d; r++) {
+        double sum = 0;
+        for (size_t k = 0; k < d; k++)
+            sum += b->inverse[r * d + k] * b->rest[k];
+        b->entry[r] = sum;
+    }
+}
+
+void fmb_basis_replace(fmb_basis *b, size_t r, size_t j)
+{
+    size_t d = b->d;
+    double *restrict row = &b->inverse[r * d], pivot = b->entry[r];
+    for (size_t k = 0; k < d; k++)
+        row[k] /= pivot;
+    for (size_t i = 0; i < d; i++) {
+        double *restrict other = &b->inverse[i * d], f = i == r ? 0 : b->entry[i];
+        for (size_t k = 0; f != 0 && k < d; k++)
+            other[k] -= f * row[k];
+    }
+    if (b->basic[r] != SIZE_MAX)
+        b->is_basic[b->basic[r]] = false;
+    b->highs -= b->is_high[j];
+    b->is_high[j] = false;
+    b->is_basic[j] = true;
+    b->basic[r] = j;
+    b->pivots++;
+}
+
+void fmb_basis_span(fmb_basis *b, size_t j)
+{
+    size_t best = SIZE_MAX;
+    double most = b->entry_zero;
+    fmb_basis_write(b, j);
+    for (size_t r = 0; r < b->d; r++) {
+        double a = b->basic[r] == SIZE_MAX ? fabs(b->entry[r]) : 0;
+        if (a > most) {
+            most = a;
+            best = r;
+        }
+    }
+    if (best != SIZE_MAX)
+        fmb_basis_replace(b, best, j);
+}
+
+/* Large ones are left as they are. */
+void fmb_basis_invert(fmb_basis *b)
+{
+    size_t old[64], d = b->d;
+    if (d > sizeof old / sizeof *old)
+        return;
+    memcpy(old, b->basic, d * sizeof *old);
+    start_from_unit_vectors(b);
+    for (size_t k = 0; k < d; k++)
+        if (old[k] != SIZE_MAX)
+            b->is_basic[old[k]] = false;
+    for (size_t k = 0; k < d; k++)
+        if (old[k] != SIZE_MAX)
+            fmb_basis_span(b, old[k]);
+    b->pivots = 0;
+}

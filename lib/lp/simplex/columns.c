@@ -1,0 +1,124 @@
+/* columns.c: see columns.h. */
+#include "lp/simplex/columns.h"
+
+/* At least such a share of all coefficients is not zero, and all have room. */
+#define DENSE      0.3
+#define MOST_DENSE ((size_t)1 << 22)
+
+fmb_status fmb_columns_init(fmb_columns *c, const fmb_reals *f)
+{
+    *c = (fmb_columns){.f = f};
+    c->start = fmb_mem_zero(f->run->mem, f->n + 1, sizeof *c->start);
+    return c->start ? FMB_OK : fmb_mem_status(f->run->mem);
+}
+
+void fmb_columns_clear(fmb_columns *c)
+{
+    fmb_mem *mem = c->f->run->mem;
+    fmb_mem_put(mem, c->start, c->f->n + 1, sizeof *c->start);
+    fmb_mem_put(mem, c->row, c->row_room, sizeof *c->row);
+    fmb_mem_put(mem, c->value, c->value_room, sizeof *c->value);
+}
+
+static fmb_status fill_sparse_columns(fmb_columns *c)
+{
+    const fmb_reals *f = c->f;
+    size_t terms = f->start[f->m];
+    fmb_mem *mem = f->run->mem;
+    fmb_status st = fmb_mem_reserve(mem, (void **)&c->row, &c->row_room, terms, sizeof *c->row);
+    if (st == FMB_OK)
+        st = fmb_mem_reserve(mem, (void **)&c->value, &c->value_room, terms, sizeof *c->value);
+    if (st != FMB_OK)
+        return st;
+    memset(c->start, 0, (f->n + 1) * sizeof *c->start);
+    for (size_t i = 0; i < f->m; i++)
+        for (size_t k = 0; k < f->p->row[i].size; k++)
+            c->start[fmb_reals_columns(f, i)[k]]++;
+    for (size_t j = 0, sum = 0; j <= f->n; j++) {
+        sum += c->start[j];
+        c->start[j] = sum;
+    }
+    for (size_t i = f->m; i-- > 0;)
+        for (size_t k = 0; k < f->p->row[i].size; k++) {
+            size_t at = --c->start[fmb_reals_columns(f, i)[k]];
+            c->row[at] = (int)i;
+            c->value[at] = f->value[f->start[i] + k];
+        }
+    return FMB_OK;
+}
+
+/* Rows first, ... in columns of that capacity. */
+static fmb_status fill_dense_columns(fmb_columns *c, size_t first)
+{
+    const fmb_reals *f = c->f;
+    if (f->m > c->capacity) {
+        size_t capacity = f->m + (first > 0 ? f->m / 2 : 0);
+        fmb_status st = fmb_mem_reserve(f->run->mem, (void **)&c->value, &c->value_room,
+                                        f->n * capacity, sizeof *c->value);
+        if (st != FMB_OK)
+            return st;
+        c->capacity = capacity;
+        first = 0;
+    }
+    for (size_t j = 0; j < f->n; j++)
+        memset(&c->value[j * c->capacity + first], 0, (f->m - first) * sizeof *c->value);
+    for (size_t i = first; i < f->m; i++)
+        for (size_t k = 0; k < f->p->row[i].size; k++)
+            c->value[(size_t)fmb_reals_columns(f, i)[k] * c->capacity + i] =
+                f->value[f->start[i] + k];
+    return FMB_OK;
+}
+
+fmb_status fmb_columns_grow(fmb_columns *c)
+{
+    const fmb_reals *f = c->f;
+    bool was_dense = c->dense;
+    c->dense =
+        f->n * f->m <= MOST_DENSE && (double)f->start[f->m] > DENSE * (double)f->n * (double)f->m;
+    if (!was_dense)
+        c->capacity = 0;
+    fmb_status st = c->dense ? fill_dense_columns(c, was_dense ? c->m : 0) : fill_sparse_columns(c);
+    if (st == FMB_OK)
+        c->m = f->m;
+    return st;
+}
+
+/* How many terms the columns have in which x is not zero; counting stops at most. */
+static size_t count_touched_terms(const fmb_columns *c, const fmb_spread *x, size_t most)
+{
+    size_t terms = 0;
+    for (size_t t = 0; t < x->count && terms < most; t++)
+        terms += c->start[x->index[t] + 1] - c->start[x->index[t]];
+    return terms;
+}
+
+static void multiply_sparse_columns(const fmb_columns *c, const fmb_spread *x, fmb_spread *rate)
+{
+    bool full = x->full || count_touched_terms(c, x, c->m / 4 + 1) > c->m / 4;
+    fmb_spread_clear(rate, full);
+    for (size_t t = 0; t < fmb_spread_count(x); t++) {
+        size_t j = fmb_spread_key(x, t);
+        double factor = x->at[j];
+        if (factor == 0)
+            continue;
+        for (size_t k = c->start[j]; k < c->start[j + 1]; k++)
+            if (full)
+                rate->at[c->row[k]] += factor * c->value[k];
+            else
+                fmb_spread_add(rate, (size_t)c->row[k], factor * c->value[k]);
+    }
+}
+
+void fmb_columns_times(const fmb_columns *c, const fmb_spread *x, fmb_spread *rate)
+{
+    if (!c->dense) {
+        multiply_sparse_columns(c, x, rate);
+        return;
+    }
+    fmb_spread_clear(rate, true);
+    for (size_t t = 0; t < fmb_spread_count(x); t++) {
+        size_t j = fmb_spread_key(x, t);
+        if (x->at[j] != 0)
+            c->f->run->kernels->accumulate(rate->at, &c->value[j * c->capacity], c->m, x->at[j]);
+    }
+}

@@ -1,0 +1,158 @@
+/* primal_simplex.c: the primal method; see simplex_methods.h.
+ *
+ * The point follows the edge that gains most for its length, in the sense of Devex, until a row
+ * stops it: of those that come soon the one that it meets most squarely. Where it stands still for
+ * long, the rows are moved away a little at random.
+ *
+ * Source: Dantzig 1955, Upper bounds, secondary constraints, and block triangularity; Harris 1973,
+ * Pivot selection methods of the Devex LP code; Wolfe 1963, A technique for resolving degeneracy in
+ * linear programming.
+ */
+#include <math.h>
+
+#include "lp/simplex/simplex_methods.h"
+
+/* Less than this times the largest rate stops nothing. */
+#define NO_STOP 1e-9
+/* Steps without a gain, besides the number of columns, after which rows are moved, and how far. */
+#define PATIENCE 50
+#define MOVE     1e-6
+
+/* The place of the edge that gains most; FMB_NOWHERE: none gains. */
+static size_t find_steepest_edge(const fmb_stand *o)
+{
+    double most = 0, zero = fmb_stand_tolerance(o);
+    size_t best = FMB_NOWHERE;
+    for (size_t r = 0; r < o->n; r++) {
+        double gain = o->member_role[r] == FMB_ROLE_FREE ? fabs(o->y[r]) : -o->y[r];
+        if (gain <= zero || o->member_role[r] == FMB_ROLE_EQUAL ||
+            gain * gain <= most * o->edge_weight[r])
+            continue;
+        most = gain * gain / o->edge_weight[r];
+        best = r;
+    }
+    return best;
+}
+
+static double find_largest_rate(const fmb_stand *o)
+{
+    double largest = 0;
+    for (size_t t = 0; t < fmb_spread_count(&o->rate); t++) {
+        double rate = fabs(o->rate.at[fmb_spread_key(&o->rate, t)]);
+        largest = rate > largest ? rate : largest;
+    }
+    return largest;
+}
+
+/* How fast the way along the edge, with this sign, comes to row i: 0 if it does not. */
+static inline double find_approach(const fmb_stand *o, size_t i, double sign)
+{
+    double rate = o->rate.at[i];
+    return o->row_role[i] == FMB_ROLE_LESS    ? sign * rate
+           : o->row_role[i] == FMB_ROLE_EQUAL ? fabs(rate)
+                                              : 0;
+}
+
+/* How far the row is. */
+static inline double find_distance(const fmb_stand *o, size_t i)
+{
+    return o->row_role[i] == FMB_ROLE_EQUAL ? 0 : fmax(o->slack[i], 0);
+}
+
+static size_t find_stopping_row(const fmb_stand *o, double sign)
+{
+    double zero = NO_STOP * fmax(1, find_largest_rate(o)), slip = fmb_stand_tolerance(o);
+    double least = INFINITY, most = 0;
+    size_t best = FMB_NOWHERE, count = fmb_spread_count(&o->rate);
+    for (size_t t = 0; t < count; t++) {
+        size_t i = fmb_spread_key(&o->rate, t);
+        double rate = find_approach(o, i, sign);
+        if (rate > zero)
+            least = fmin(least, (find_distance(o, i) + slip) / rate);
+    }
+    for (size_t t = 0; t < count && least < INFINITY; t++) {
+        size_t i = fmb_spread_key(&o->rate, t);
+        double rate = find_approach(o, i, sign);
+        if (rate > zero && rate > most && find_distance(o, i) <= least * rate) {
+            most = rate;
+            best = i;
+        }
+    }
+    return best;
+}
+
+/* How long each edge is. */
+static void update_edge_weights(fmb_stand *o, size_t r)
+{
+    double pivot = o->entry.at[r], scale = o->edge_weight[r] / (pivot * pivot);
+    for (size_t t = 0; t < fmb_spread_count(&o->entry); t++) {
+        size_t k = fmb_spread_key(&o->entry, t);
+        double weight = o->entry.at[k] * o->entry.at[k] * scale;
+        o->edge_weight[k] = weight > o->edge_weight[k] ? weight : o->edge_weight[k];
+    }
+    o->edge_weight[r] = fmax(1, scale);
+}
+
+/* Let the rows stand a little farther away, each by a share of its own. */
+static fmb_status move_right_sides(fmb_stand *o)
+{
+    o->moved = true;
+    for (size_t i = 0; i < o->m; i++)
+        if (!fmb_reals_is_equality(o->f, i))
+            o->right[i] += MOVE * fmb_stand_draw(o) * (1 + fabs(o->right[i]));
+    return fmb_stand_refresh(o);
+}
+
+static fmb_status take_primal_step(fmb_stand *o, fmb_walk *end, size_t *odd, size_t *idle)
+{
+    size_t r = find_steepest_edge(o);
+    if (r == FMB_NOWHERE) {
+        *end = FMB_WALK_DONE;
+        return FMB_OK;
+    }
+    fmb_stand_look_along(o, r);
+    size_t i = find_stopping_row(o, o->y[r] > 0 ? 1 : -1);
+    if (i == FMB_NOWHERE) {
+        *odd = r;
+        *end = FMB_WALK_STOPPED;
+        return FMB_OK;
+    }
+    *idle = o->slack[i] > fmb_stand_tolerance(o) ? 0 : *idle + 1;
+    o->slack[i] = o->row_role[i] == FMB_ROLE_EQUAL ? o->slack[i] : fmax(o->slack[i], 0);
+    fmb_corner_write(&o->corner, i, &o->entry);
+    update_edge_weights(o, r);
+    fmb_status st = fmb_stand_exchange(o, r, i);
+    if (st == FMB_OK && *idle > PATIENCE + o->n && !o->moved) {
+        *idle = 0;
+        st = move_right_sides(o);
+    }
+    return st;
+}
+
+fmb_status fmb_walk_primally(fmb_stand *o, fmb_walk *end, size_t *odd)
+{
+    bool fresh = true;
+    int looks = 0;
+    size_t idle = 0;
+    for (size_t r = 0; r < o->n; r++)
+        o->edge_weight[r] = 1;
+    fmb_status st = fmb_stand_refresh(o);
+    *end = FMB_WALK_ON;
+    while (st == FMB_OK && *end == FMB_WALK_ON) {
+        if (o->steps > fmb_walk_most_steps(o))
+            *end = FMB_WALK_LOST;
+        else
+            st = take_primal_step(o, end, odd, &idle);
+        bool ended = *end == FMB_WALK_DONE || *end == FMB_WALK_STOPPED;
+        bool looks_again = ended && !fresh && looks++ < FMB_WALK_MOST_LOOKS;
+        if (st == FMB_OK && (looks_again || (!ended && fmb_corner_is_stale(&o->corner)))) {
+            st = fmb_stand_refresh(o);
+            *end = FMB_WALK_ON;
+            ended = true;
+        }
+        fresh = ended;
+        if (st == FMB_OK)
+            st = fmb_run_poll(o->f->run);
+    }
+    return st;
+}

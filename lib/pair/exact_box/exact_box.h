@@ -1,0 +1,19 @@
+/* exact_box.h: boxes of pairs in up to three dimensions, exactly: doubles walk from vertex to
+ * vertex, and each vertex where an end of the box is found is computed and proved in integers
+ * (certify.h).
+ */
+#ifndef FMB_PAIR_EXACT_BOX_H
+#define FMB_PAIR_EXACT_BOX_H
+
+#include <fmb/gmp.h>
+
+/* Of good frames that meet: all that out asks for, but the verdict; every end is the exact one,
+ * rounded outward. False, and nothing written, if that was not proved. Nothing is allocated. */
+bool fmb_extreme_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out);
+
+/* Do these closed frames meet, and all that out asks for, but the verdict. UNKNOWN if that was not
+ * proved; out is then in part written. The time of what is still is not written. */
+fmb_verdict fmb_extreme_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
+                                 const fmb_pair_answers_q *out);
+
+#endif

@@ -1,0 +1,276 @@
+/* exact_box_load.c: frames as integers; see exact_box_program.h. */
+#include "pair/exact_box/exact_box_program.h"
+
+#include <string.h>
+
+#include "frame/frame_private.h"
+
+/* Reads number i of a row. */
+typedef void fmb_extreme_reader(const void *self, int frame, int i, int row, fmb_wide *out);
+
+enum { ORIGIN = -1, SPEED = -2 }; /* in place of an axis */
+
+/* ---- doubles --------------------------------------------------------------------------------- */
+
+/* |x| = m 2^e, m odd or 0. */
+static uint64_t split_into_odd_and_power(double x, int *e)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    uint64_t m = bits & ((UINT64_C(1) << 52) - 1);
+    int exponent = (int)(bits >> 52 & 0x7ff);
+    m |= (uint64_t)(exponent > 0) << 52;
+    int zeros = m == 0 ? 0 : __builtin_ctzll(m);
+    *e = (exponent > 0 ? exponent : 1) - 1075 + zeros;
+    return m >> zeros;
+}
+
+typedef struct double_pair {
+    const fmb_frame *frame[2];
+    int exponent[FMB_EXTREME_DIM];
+} double_pair;
+
+static double number_of_frame(const fmb_frame *f, int axis, int row)
+{
+    if (axis == ORIGIN)
+        return f->origin[row];
+    if (axis == SPEED)
+        return f->speed ? f->speed[row] : 0;
+    return f->axes[axis * f->dim + row];
+}
+
+/* The least power of two in a row; false if its largest number is too large in terms of it. */
+static bool find_unit_of_row(double_pair *d, int row)
+{
+    int least = INT32_MAX, most = INT32_MIN;
+    for (int k = 0; k < 2; k++)
+        for (int axis = SPEED; axis < d->frame[k]->naxes; axis++) {
+            double x = number_of_frame(d->frame[k], axis, row);
+            int low, high;
+            if (x == 0)
+                continue;
+            uint64_t m = split_into_odd_and_power(x, &low);
+            high = low + 64 - __builtin_clzll(m);
+            least = low < least ? low : least;
+            most = high > most ? high : most;
+        }
+    d->exponent[row] = least == INT32_MAX ? 0 : -least;
+    return least == INT32_MAX || most - least < FMB_EXTREME_BITS - 1;
+}
+
+static void read_double(const void *self, int frame, int axis, int row, fmb_wide *out)
+{
+    const double_pair *d = self;
+    double x = number_of_frame(d->frame[frame], axis, row);
+    int e;
+    fmb_wide_set_word(out, split_into_odd_and_power(x, &e));
+    out->minus = x < 0;
+    fmb_wide_shift(out, x == 0 ? 0 : e + d->exponent[row]);
+}
+
+/* ---- rationals ------------------------------------------------------------------------------- */
+
+typedef struct rational_pair {
+    const fmb_frame_q *frame[2];
+    mpz_t *unit, *whole;
+} rational_pair;
+
+static mpq_srcptr rational_of_frame(const fmb_frame_q *f, int axis, int row)
+{
+    if (axis == ORIGIN)
+        return f->origin[row];
+    if (axis == SPEED)
+        return f->speed ? f->speed[row] : NULL;
+    return f->axes[axis * f->dim + row];
+}
+
+static bool is_word(mpz_srcptr z)
+{
+    return fmb_integer_words(z) <= 1;
+}
+
+/* d divides unit, which is seen at once. */
+static bool is_divisor(mpz_srcptr d, mpz_srcptr unit)
+{
+    return mpz_cmp_ui(d, 1) == 0 || mpz_cmp(d, unit) == 0 ||
+           (is_word(d) && is_word(unit) && fmb_integer_low(unit) % fmb_integer_low(d) == 0);
+}
+
+/* The least common denominator of a row; false if numbers are too long in terms of it. */
+static bool find_denominator_of_row(const rational_pair *d, int row)
+{
+    size_t most = 0;
+    mpz_set_ui(d->unit[row], 1);
+    for (int k = 0; k < 2; k++)
+        for (int axis = SPEED; axis < d->frame[k]->naxes; axis++) {
+            mpq_srcptr x = rational_of_frame(d->frame[k], axis, row);
+            size_t bits = x ? mpz_sizeinbase(mpq_numref(x), 2) : 0;
+            if (x && mpz_sizeinbase(mpq_denref(x), 2) > FMB_EXTREME_BITS)
+                return false;
+            if (x && !is_divisor(mpq_denref(x), d->unit[row]))
+                mpz_lcm(d->unit[row], d->unit[row], mpq_denref(x));
+            most = bits > most ? bits : most;
+            if (most + mpz_sizeinbase(d->unit[row], 2) > FMB_EXTREME_BITS - 2)
+                return false;
+        }
+    return true;
+}
+
+/* n / d in that unit, where all three are words. */
+static void read_words(mpz_srcptr n, mpz_srcptr d, mpz_srcptr unit, fmb_wide *out)
+{
+    uint64_t factor = fmb_integer_low(unit) / fmb_integer_low(d);
+    fmb_u128 product = fmb_u128_product(fmb_integer_low(n), factor);
+    out->word[0] = fmb_u128_low(product);
+    out->word[1] = fmb_u128_high(product);
+    out->n = 1 + (out->word[1] != 0);
+    out->minus = mpz_sgn(n) < 0;
+}
+
+static void read_rational(const void *self, int frame, int axis, int row, fmb_wide *out)
+{
+    const rational_pair *d = self;
+    mpq_srcptr x = rational_of_frame(d->frame[frame], axis, row);
+    size_t words = 0;
+    out->n = 0;
+    out->minus = false;
+    if (!x || mpq_sgn(x) == 0)
+        return;
+    if (is_word(mpq_numref(x)) && is_word(mpq_denref(x)) && is_word(d->unit[row])) {
+        read_words(mpq_numref(x), mpq_denref(x), d->unit[row], out);
+        return;
+    }
+    mpz_divexact(*d->whole, d->unit[row], mpq_denref(x));
+    mpz_mul(*d->whole, *d->whole, mpq_numref(x));
+    mpz_export(out->word, &words, -1, sizeof *out->word, 0, 0, *d->whole);
+    out->n = (int)words;
+    out->minus = mpz_sgn(*d->whole) < 0;
+}
+
+/* ---- both ------------------------------------------------------------------------------------ */
+
+/* What a frame is, whatever its numbers are. */
+typedef struct body {
+    fmb_shape shape;
+    int dim, naxes;
+    bool moves;
+} body;
+
+/* Columns of frame k, whose edges come with that sign. */
+static void load_axes_of_frame(fmb_extreme_program *s, int k, const body *b,
+                               fmb_extreme_reader *read, const void *self)
+{
+    bool by_corners = fmb_frame_is_by_corners(b->shape);
+    s->is_simplex[k] = b->shape == FMB_SIMPLEX || b->shape == FMB_SIMPLEX_BY_CORNERS;
+    for (int axis = 0; axis < b->naxes; axis++, s->columns++) {
+        s->group[s->columns] = (signed char)(s->is_simplex[k] ? k : FMB_EXTREME_UNIT);
+        for (int row = 0; row < s->dim; row++) {
+            fmb_wide *to = &s->m[s->columns][row].whole, origin;
+            read(self, k, axis, row, to);
+            if (by_corners) {
+                read(self, k, ORIGIN, row, &origin);
+                fmb_wide_subtract(to, &origin);
+            }
+            if (k == 1)
+                fmb_wide_negate(to);
+        }
+    }
+    if (s->is_simplex[k])
+        s->group[FMB_EXTREME_SLACK + k] = (signed char)k;
+}
+
+static void load_places(fmb_extreme_program *s, fmb_extreme_reader *read, const void *self)
+{
+    for (int row = 0; row < s->dim; row++) {
+        fmb_wide *h = &s->h[row].whole, *less = &s->origin[1][row].whole;
+        for (int k = 0; k < 2; k++)
+            read(self, k, ORIGIN, row, &s->origin[k][row].whole);
+        fmb_wide_copy(h, less);
+        fmb_wide_subtract(h, &s->origin[0][row].whole);
+        fmb_wide_negate(less);
+    }
+}
+
+static void load_speeds(fmb_extreme_program *s, fmb_extreme_reader *read, const void *self)
+{
+    for (int row = 0; row < s->dim; row++) {
+        fmb_wide *drift = &s->m[s->columns][row].whole, *less = &s->speed[1][row].whole;
+        for (int k = 0; k < 2; k++)
+            read(self, k, SPEED, row, &s->speed[k][row].whole);
+        fmb_wide_negate(less);
+        fmb_wide_copy(drift, &s->speed[0][row].whole);
+        fmb_wide_add(drift, less);
+    }
+    s->group[s->columns++] = FMB_EXTREME_UNIT;
+}
+
+/* A row that is left over is 0. */
+static void finish_number(const fmb_extreme_program *s, int row, fmb_extreme_number *x)
+{
+    if (row >= s->dim)
+        fmb_wide_set_word(&x->whole, 0);
+    x->near = fmb_wide_to_doubles(&x->whole, &x->rest);
+}
+
+static void load_both(fmb_extreme_program *s, const body *p, const body *q,
+                      fmb_extreme_reader *read, const void *self)
+{
+    s->dim = p->dim;
+    s->columns = 0;
+    for (int j = 0; j < FMB_EXTREME_UNKNOWNS; j++)
+        s->group[j] = j < FMB_EXTREME_ARTIFICIAL ? FMB_EXTREME_NONE : FMB_EXTREME_ZERO;
+    s->first_of_b = p->naxes;
+    s->time = p->moves || q->moves ? p->naxes + q->naxes : -1;
+    load_axes_of_frame(s, 0, p, read, self);
+    load_axes_of_frame(s, 1, q, read, self);
+    load_places(s, read, self);
+    if (s->time >= 0)
+        load_speeds(s, read, self);
+    for (int row = 0; row < FMB_EXTREME_DIM; row++) {
+        finish_number(s, row, &s->h[row]);
+        for (int k = 0; k < 2; k++) {
+            finish_number(s, row, &s->origin[k][row]);
+            if (s->time >= 0)
+                finish_number(s, row, &s->speed[k][row]);
+        }
+        for (int j = 0; j < s->columns; j++)
+            finish_number(s, row, &s->m[j][row]);
+    }
+}
+
+static bool is_for_vertices(int dim, int naxes_p, int naxes_q)
+{
+    return dim <= FMB_EXTREME_DIM && naxes_p <= dim && naxes_q <= dim;
+}
+
+bool fmb_extreme_load(fmb_extreme_program *s, const fmb_frame *p, const fmb_frame *q)
+{
+    double_pair d = {.frame = {p, q}};
+    bool good = is_for_vertices(p->dim, p->naxes, q->naxes);
+    for (int row = 0; good && row < p->dim; row++)
+        good = find_unit_of_row(&d, row);
+    if (!good)
+        return false;
+    for (int row = 0; row < FMB_EXTREME_DIM; row++)
+        s->exponent[row] = d.exponent[row];
+    load_both(s, &(body){p->shape, p->dim, p->naxes, p->speed != NULL},
+              &(body){q->shape, q->dim, q->naxes, q->speed != NULL}, read_double, &d);
+    return true;
+}
+
+bool fmb_extreme_load_q(fmb_extreme_program *s, const fmb_frame_q *p, const fmb_frame_q *q,
+                        mpz_t *unit)
+{
+    mpz_t whole;
+    rational_pair d = {.frame = {p, q}, .unit = unit, .whole = &whole};
+    bool good = is_for_vertices(p->dim, p->naxes, q->naxes);
+    for (int row = 0; good && row < p->dim; row++)
+        good = find_denominator_of_row(&d, row);
+    if (!good)
+        return false;
+    mpz_init(whole);
+    load_both(s, &(body){p->shape, p->dim, p->naxes, p->speed != NULL},
+              &(body){q->shape, q->dim, q->naxes, q->speed != NULL}, read_rational, &d);
+    mpz_clear(whole);
+    return true;
+}

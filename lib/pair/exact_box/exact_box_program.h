@@ -1,0 +1,84 @@
+/* exact_box_program.h: where two frames meet, as a linear program in integers of a few words.
+ *
+ * The points that A and B have in common at time t are those of unknowns z = (c of A, c of B, t) in
+ * their places with M z = h, where M = [axes of A, - axes of B, speed of A - speed of B] and h =
+ * origin of B - origin of A; such a point is x = origin of A + (axes of A, 0, speed of A) z. Each
+ * row, a coordinate of the world, is in units of its own, so that all numbers in it are integers.
+ * In one or two dimensions the rows that are left over are 0.
+ *
+ * The places: 0 <= z <= 1 of a unit; for each simplex z >= 0 and sum z <= 1. To each simplex
+ * belongs one unknown more, its slack 1 - sum z: so all of its unknowns, the barycentric
+ * coordinates, are alike. And for each row there is an artificial unknown, whose column is a unit
+ * vector and whose place is 0: so there is a basis of unit vectors, and M may have any rank.
+ *
+ * In a basic solution each unknown that is not basic is at an end of its place. Basic are as many
+ * as there are rows, and one more for each simplex.
+ */
+#ifndef FMB_PAIR_EXACT_BOX_PROGRAM_H
+#define FMB_PAIR_EXACT_BOX_PROGRAM_H
+
+#include <fmb/gmp.h>
+
+#include "pair/exact_box/wide.h"
+
+enum {
+    FMB_EXTREME_DIM = 3,
+    FMB_EXTREME_COLUMNS = 2 * FMB_EXTREME_DIM + 1,
+    /* numbers of unknowns: columns of M, slacks, artificial ones */
+    FMB_EXTREME_SLACK = FMB_EXTREME_COLUMNS,
+    FMB_EXTREME_ARTIFICIAL = FMB_EXTREME_SLACK + 2,
+    FMB_EXTREME_UNKNOWNS = FMB_EXTREME_ARTIFICIAL + FMB_EXTREME_DIM,
+    /* Bits of M, h, origins and speeds: then nothing that is computed from them has more than four
+     * times as many and 16. */
+    FMB_EXTREME_BITS = 150
+};
+
+/* Which group an unknown is in. */
+enum { FMB_EXTREME_OF_A, FMB_EXTREME_OF_B, FMB_EXTREME_UNIT, FMB_EXTREME_ZERO, FMB_EXTREME_NONE };
+
+/* A whole number, the double next to it, and what that is less, off by at most 2^-102 of it. */
+typedef struct fmb_extreme_number {
+    fmb_wide whole;
+    double near, rest;
+} fmb_extreme_number;
+
+typedef struct fmb_extreme_program {
+    int dim, columns;
+    int first_of_b, time; /* columns; time is -1 if nothing moves */
+    bool is_simplex[2];
+    signed char group[FMB_EXTREME_UNKNOWNS];                    /* NONE: there is no such unknown */
+    fmb_extreme_number m[FMB_EXTREME_COLUMNS][FMB_EXTREME_DIM]; /* [column][row] */
+    fmb_extreme_number h[FMB_EXTREME_DIM];
+    fmb_extreme_number origin[2][FMB_EXTREME_DIM],
+        speed[2][FMB_EXTREME_DIM]; /* of A; of B, negative; speeds, if anything moves */
+    /* A number x of row i is x / unit_i: 2^exponent[i], or unit[i] where numbers are rationals. */
+    int exponent[FMB_EXTREME_DIM];
+} fmb_extreme_program;
+
+/* False: numbers of a row are too far apart, more than three dimensions, more axes than dimensions,
+ * which this is not for. All numbers are finite. */
+bool fmb_extreme_load(fmb_extreme_program *s, const fmb_frame *p, const fmb_frame *q);
+/* The same of rationals; unit[0 .. dim) are initialised. */
+bool fmb_extreme_load_q(fmb_extreme_program *s, const fmb_frame_q *p, const fmb_frame_q *q,
+                        mpz_t *unit);
+
+/* ---- basic solutions ------------------------------------------------------------------------- */
+
+typedef enum fmb_extreme_place {
+    FMB_EXTREME_LOW,
+    FMB_EXTREME_HIGH,
+    FMB_EXTREME_BASIC
+} fmb_extreme_place;
+
+typedef struct fmb_extreme_basis {
+    unsigned char place[FMB_EXTREME_UNKNOWNS];
+} fmb_extreme_basis;
+
+/* An unknown, or a coordinate of the world: which end of it is wanted. */
+typedef struct fmb_extreme_goal {
+    bool is_world;
+    int number; /* of the unknown, of the coordinate */
+    bool greatest;
+} fmb_extreme_goal;
+
+#endif

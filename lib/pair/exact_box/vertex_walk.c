@@ -1,0 +1,227 @@
+/* vertex_walk.c: see vertex_walk.h.
+ *
+ * Source: Dantzig 1955, Upper bounds, secondary constraints, and block triangularity.
+ */
+#include "pair/exact_box/vertex_walk.h"
+
+#include <string.h>
+
+/* Guesses: less than this share of what a gain is made of is its rounding error; of the largest
+ * entry of a column, no pivot; and of 1, no distance. */
+#define NO_GAIN     0x1p-44
+#define NO_PIVOT    0x1p-36
+#define NO_DISTANCE 0x1p-40
+
+enum { MOST_STEPS = 64 };
+
+static int group_of(const fmb_extreme_walk *w, int unknown)
+{
+    return w->program->group[unknown];
+}
+
+/* ---- the first basis ------------------------------------------------------------------------- */
+
+/* A power of two that makes the largest number of a row about 1. */
+static double scale_of_row(const fmb_extreme_program *s, int row)
+{
+    double most = fabs(s->h[row].near);
+    int e;
+    for (int j = 0; j < s->columns; j++)
+        most = fmax(most, fabs(s->m[j][row].near));
+    frexp(most, &e);
+    return ldexp(1, -e);
+}
+
+static void put_row_of_world(fmb_extreme_walk *w, int row, double scale)
+{
+    const fmb_extreme_program *s = w->program;
+    w->basic[row] = FMB_EXTREME_ARTIFICIAL + row;
+    w->scale[row] = scale;
+    w->value[row] = s->h[row].near * scale;
+    for (int j = 0; j < s->columns; j++) {
+        w->entry[row][j] = s->m[j][row].near * scale;
+        w->world[row][j] = j < s->first_of_b ? w->entry[row][j] : 0;
+    }
+    if (s->time >= 0)
+        w->world[row][s->time] = s->speed[0][row].near * scale;
+}
+
+static void put_row_of_simplex(fmb_extreme_walk *w, int k)
+{
+    int row = w->rows++;
+    w->basic[row] = FMB_EXTREME_SLACK + k;
+    w->value[row] = 1;
+    for (int j = 0; j < FMB_WALK_COLUMNS; j++)
+        w->entry[row][j] = group_of(w, j) == k;
+}
+
+static void put_first_basis(fmb_extreme_walk *w, const fmb_extreme_program *s)
+{
+    memset(w, 0, sizeof *w);
+    w->program = s;
+    w->rows = FMB_EXTREME_DIM;
+    w->columns = s->is_simplex[0] || s->is_simplex[1] ? FMB_WALK_COLUMNS : s->columns;
+    for (int row = 0; row < FMB_EXTREME_DIM; row++)
+        put_row_of_world(w, row, scale_of_row(s, row));
+    for (int k = 0; k < 2; k++)
+        if (s->is_simplex[k])
+            put_row_of_simplex(w, k);
+    for (int row = 0; row < w->rows; row++)
+        w->basis.place[w->basic[row]] = FMB_EXTREME_BASIC;
+}
+
+/* ---- steps ----------------------------------------------------------------------------------- */
+
+/* The unknown that gains most for each unit by which it leaves its end, or -1. weight_r is the cost
+ * of the basic unknown of row r. */
+static int find_entering(const fmb_extreme_walk *w, const double *cost, const double *weight)
+{
+    double gain[FMB_WALK_COLUMNS], size[FMB_WALK_COLUMNS], most = 0;
+    int best = -1;
+    for (int j = 0; j < FMB_WALK_COLUMNS; j++) {
+        gain[j] = cost[j];
+        size[j] = fabs(cost[j]);
+    }
+    for (int r = 0; r < w->rows; r++) {
+        if (weight[r] == 0)
+            continue;
+        for (int j = 0; j < FMB_WALK_COLUMNS; j++) {
+            double part = weight[r] * w->entry[r][j];
+            gain[j] -= part;
+            size[j] += fabs(part);
+        }
+    }
+    for (int j = 0; j < w->columns; j++) {
+        double up = w->basis.place[j] == FMB_EXTREME_HIGH ? -gain[j] : gain[j];
+        if (up > most && up > NO_GAIN * size[j] && w->basis.place[j] != FMB_EXTREME_BASIC) {
+            most = up;
+            best = j;
+        }
+    }
+    return best;
+}
+
+/* How far the basic unknown of row r may go up (or down) until it is at an end. */
+static double find_room(const fmb_extreme_walk *w, int r, bool up, bool *high)
+{
+    int group = group_of(w, w->basic[r]);
+    double value = w->value[r];
+    *high = up && group == FMB_EXTREME_UNIT;
+    if (group == FMB_EXTREME_ZERO && fabs(value) > NO_DISTANCE)
+        return up == (value < 0) ? fabs(value) : INFINITY;
+    if (group == FMB_EXTREME_ZERO)
+        return 0;
+    if (up && group != FMB_EXTREME_UNIT)
+        return INFINITY;
+    return fmax(up ? 1 - value : value, 0);
+}
+
+/* Row r is written for unknown j in place of the one that is basic there. */
+static void pivot(fmb_extreme_walk *w, int r, int j)
+{
+    double *row = w->entry[r], inverse = 1 / row[j];
+    for (int k = 0; k < FMB_WALK_COLUMNS; k++)
+        row[k] *= inverse;
+    row[j] = 1;
+    for (int i = 0; i < w->rows; i++) {
+        double factor = w->entry[i][j];
+        if (i == r || factor == 0)
+            continue;
+        for (int k = 0; k < FMB_WALK_COLUMNS; k++)
+            w->entry[i][k] -= factor * row[k];
+        w->entry[i][j] = 0;
+    }
+}
+
+/* Unknown j leaves its end until a basic one comes to an end, or j to its other one. */
+static void leave_end(fmb_extreme_walk *w, int j)
+{
+    double sign = w->basis.place[j] == FMB_EXTREME_HIGH ? -1 : 1, largest = 0;
+    double way = group_of(w, j) == FMB_EXTREME_UNIT ? 1 : INFINITY, weight = 0;
+    int leaving = -1;
+    bool high = false, end;
+    for (int r = 0; r < w->rows; r++)
+        largest = fmax(largest, fabs(w->entry[r][j]));
+    for (int r = 0; r < w->rows; r++) {
+        double fall = sign * w->entry[r][j], speed = fabs(fall);
+        if (speed <= NO_PIVOT * largest)
+            continue;
+        double reach = find_room(w, r, fall < 0, &end) / speed;
+        if (reach > way || (reach == way && speed < weight) || reach == INFINITY)
+            continue;
+        way = reach;
+        weight = speed;
+        leaving = r;
+        high = end;
+    }
+    if (way == INFINITY)
+        return;
+    for (int r = 0; r < w->rows; r++)
+        w->value[r] -= sign * way * w->entry[r][j];
+    if (leaving < 0) {
+        w->basis.place[j] = sign > 0 ? FMB_EXTREME_HIGH : FMB_EXTREME_LOW;
+        return;
+    }
+    w->basis.place[w->basic[leaving]] = high ? FMB_EXTREME_HIGH : FMB_EXTREME_LOW;
+    w->basis.place[j] = FMB_EXTREME_BASIC;
+    w->basic[leaving] = j;
+    w->value[leaving] = sign > 0 ? way : 1 - way;
+    pivot(w, leaving, j);
+}
+
+/* ---- walks ----------------------------------------------------------------------------------- */
+
+/* The artificial unknowns that are not 0 are to become less. */
+static bool weigh_artificial_unknowns(const fmb_extreme_walk *w, double *weight)
+{
+    bool any = false;
+    for (int r = 0; r < w->rows; r++) {
+        bool is_off = w->basic[r] >= FMB_EXTREME_ARTIFICIAL && fabs(w->value[r]) > NO_DISTANCE;
+        weight[r] = !is_off ? 0 : w->value[r] > 0 ? -1 : 1;
+        any |= is_off;
+    }
+    return any;
+}
+
+static void note_weights(fmb_extreme_walk *w, const double *weight)
+{
+    for (int r = 0; r < w->rows; r++) {
+        int row = w->basic[r] - FMB_EXTREME_ARTIFICIAL;
+        if (row >= 0)
+            w->weight[row] = weight[r] * w->scale[row];
+    }
+}
+
+bool fmb_extreme_walk_start(fmb_extreme_walk *w, const fmb_extreme_program *s)
+{
+    static const double nothing[FMB_WALK_COLUMNS] = {0};
+    double weight[FMB_WALK_ROWS];
+    put_first_basis(w, s);
+    for (int steps = 0; weigh_artificial_unknowns(w, weight); steps++) {
+        int j = find_entering(w, nothing, weight);
+        if (j < 0 || steps > MOST_STEPS) {
+            note_weights(w, weight);
+            return false;
+        }
+        leave_end(w, j);
+    }
+    return true;
+}
+
+bool fmb_extreme_walk_to(fmb_extreme_walk *w, const fmb_extreme_goal *goal)
+{
+    double cost[FMB_WALK_COLUMNS] = {0}, weight[FMB_WALK_ROWS];
+    for (int j = 0; j < FMB_WALK_COLUMNS; j++) {
+        double c = goal->is_world ? w->world[goal->number][j] : j == goal->number;
+        cost[j] = goal->greatest ? c : -c;
+    }
+    for (int steps = 0; steps < MOST_STEPS; steps++) {
+        for (int r = 0; r < w->rows; r++)
+            weight[r] = w->basic[r] < FMB_WALK_COLUMNS ? cost[w->basic[r]] : 0;
+        int j = find_entering(w, cost, weight);
+        if (j < 0)
+            return true;
+        leave_end(w, j);
+    }
+    return false;
+}

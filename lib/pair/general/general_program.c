@@ -1,0 +1,141 @@
+/* general_program.c: linear programs over the common points of a pair, in doubles: guesses too.
+ *
+ * The system of the pair, with a slack for the sum of each simplex, so that every unknown has ends
+ * of its own: 0, and 1 unless it is summed. A vertex has all unknowns but the pivots at an end.
+ */
+#include "pair/general/workspace.h"
+
+#include <math.h>
+
+/* ---- the system ------------------------------------------------------------------------------ */
+
+/* The pair; for each simplex a row c_1 + ... + slack = 1. */
+static void load_with_slacks(const fmb_general_system *pair, fmb_general_system *s)
+{
+    int row[FMB_GENERAL_KINDS] = {-1, -1, -1, -1};
+    for (int j = 0; j < pair->columns; j++)
+        row[pair->kind[j]] = 0;
+    s->rows = pair->rows;
+    s->columns = pair->columns;
+    for (int kind = FMB_GENERAL_OF_A; kind <= FMB_GENERAL_OF_B; kind++)
+        if (row[kind] == 0) {
+            s->kind[s->columns++] = (fmb_general_kind)kind;
+            row[kind] = s->rows++;
+        }
+    for (int i = 0; i < s->rows; i++)
+        s->h[i] = i < pair->rows ? pair->h[i] : 1;
+    for (int j = 0; j < s->columns; j++) {
+        bool is_slack = j >= pair->columns;
+        fmb_general_kind kind = is_slack ? s->kind[j] : pair->kind[j];
+        double *to = s->m + j * s->rows;
+        for (int i = 0; i < s->rows; i++)
+            to[i] = i < pair->rows ? (is_slack ? 0 : pair->m[j * pair->rows + i]) : i == row[kind];
+        s->kind[j] = kind == FMB_GENERAL_UNIT ? kind : FMB_GENERAL_SUMMED;
+    }
+}
+
+/* The pivots of the pair, and the slacks: with S the sums over the pivots, the inverse of [P 0; S
+ * I] is [R 0; -S R I]. */
+static void start_from_pivots_of_pair(fmb_general *g)
+{
+    const fmb_general_system *pair = &g->pair, *s = &g->program;
+    fmb_basis *b = &g->basis;
+    size_t d = (size_t)s->rows;
+    fmb_basis_restart(b, d);
+    for (int j = 0; j < s->columns; j++)
+        (void)fmb_basis_add(b, s->m + j * s->rows,
+                            s->kind[j] == FMB_GENERAL_UNIT ? FMB_RANGE_UNIT : FMB_RANGE_UP);
+    for (int i = 0; i < s->rows; i++) {
+        int column = i < pair->rows ? pair->pivot[i] : pair->columns + i - pair->rows;
+        b->basic[i] = (size_t)column;
+        b->is_basic[column] = true;
+    }
+    for (int i = 0; i < pair->rows; i++)
+        for (int k = 0; k < pair->rows; k++)
+            b->inverse[(size_t)i * d + (size_t)k] = fmb_general_inverse(pair, i)[k];
+    for (int sum = pair->rows; sum < s->rows; sum++)
+        for (int i = 0; i < pair->rows; i++)
+            for (int k = 0; s->m[pair->pivot[i] * s->rows + sum] != 0 && k < pair->rows; k++)
+                b->inverse[(size_t)sum * d + (size_t)k] -= fmb_general_inverse(pair, i)[k];
+}
+
+/* The pivots, and z, of the vertex at which the basis stands. */
+static void read_vertex_of_basis(fmb_general *g)
+{
+    fmb_general_system *s = &g->program;
+    const fmb_basis *b = &g->basis;
+    for (int j = 0; j < s->columns; j++) {
+        s->is_pivot[j] = b->is_basic[j];
+        g->vertex[j] = b->is_high[j];
+    }
+    for (int i = 0; i < s->rows; i++) {
+        s->pivot[i] = (int)b->basic[i];
+        g->vertex[s->pivot[i]] = b->value[i];
+    }
+    s->inverse = b->inverse;
+    s->stride = s->rank = s->rows;
+}
+
+/* ---- vertices -------------------------------------------------------------------------------- */
+
+fmb_general_step fmb_general_find_vertex(fmb_general *g)
+{
+    fmb_guess guess;
+    if (g->pair.rank < g->pair.rows)
+        return FMB_GENERAL_LOST;
+    load_with_slacks(&g->pair, &g->program);
+    start_from_pivots_of_pair(g);
+    if (fmb_simplex_search(&g->basis, g->program.h, SIZE_MAX, NULL, &guess) != FMB_OK ||
+        guess == FMB_GUESS_NONE)
+        return FMB_GENERAL_LOST;
+    for (int k = 0; k < g->dim; k++)
+        g->direction[k] = g->basis.normal[k];
+    read_vertex_of_basis(g);
+    return guess == FMB_GUESS_INSIDE ? FMB_GENERAL_GO : FMB_GENERAL_CLASH;
+}
+
+bool fmb_general_maximize(fmb_general *g, const double *cost, double *y)
+{
+    bool good = fmb_simplex_maximize(&g->basis, g->program.h, cost, y);
+    read_vertex_of_basis(g);
+    return good;
+}
+
+/* ---- a point inside -------------------------------------------------------------------------- */
+
+/* The unknown that is closest to an end. */
+static int find_tightest_unknown(const fmb_general_system *s, const double *z)
+{
+    int tightest = 0;
+    for (int j = 1; j < s->columns; j++)
+        if (fmin(z[j], 1 - z[j]) < fmin(z[tightest], 1 - z[tightest]))
+            tightest = j;
+    return tightest;
+}
+
+/* The mean of vertices, each the farthest from the end that the mean of those before is closest to.
+ * It stops when that is not close, or where nothing leads away from it. */
+bool fmb_general_find_inside(fmb_general *g, double *z)
+{
+    const fmb_general_system *s = &g->program;
+    double sum[FMB_GENERAL_MOST_COLUMNS], y[FMB_GENERAL_MOST_ROWS];
+    for (int j = 0; j < s->columns; j++)
+        z[j] = sum[j] = g->vertex[j];
+    for (int n = 2; n < 2 * s->columns; n++) {
+        double cost[FMB_GENERAL_MOST_COLUMNS] = {0};
+        int j = find_tightest_unknown(s, z);
+        double room = fmin(z[j], 1 - z[j]);
+        if (room > 1.0 / 64)
+            return true;
+        cost[j] = z[j] < 0.5 ? 1 : -1;
+        if (!fmb_general_maximize(g, cost, y))
+            return false;
+        if (fabs(g->vertex[j] - z[j]) <= room / 4)
+            return room > 0;
+        for (int k = 0; k < s->columns; k++) {
+            sum[k] += g->vertex[k];
+            z[k] = sum[k] / n;
+        }
+    }
+    return true;
+}

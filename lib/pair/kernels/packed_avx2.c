@@ -1,7 +1,0 @@
-/* packed_avx2.c: four pairs at a time; see packed_kernels.h. */
-#define FMB_LANES        4
-#define FMB_PACKED_TABLE fmb_packed_avx2
-
-#include "pair/kernels/packed_fmb.h"
-
-#include "pair/kernels/pack.h"

@@ -1,7 +1,0 @@
-/* packed_avx512.c: eight pairs at a time; see packed_kernels.h. */
-#define FMB_LANES        8
-#define FMB_PACKED_TABLE fmb_packed_avx512
-
-#include "pair/kernels/packed_fmb.h"
-
-#include "pair/kernels/pack.h"

@@ -1,0 +1,84 @@
+/* verdict_kernel.h: verdicts by Fourier-Motzkin elimination. */
+#ifndef FMB_PAIR_VERDICT_KERNEL_H
+#define FMB_PAIR_VERDICT_KERNEL_H
+
+#include "pair/kernels/verdict/verdict_cuboids.h"
+#include "pair/kernels/verdict/verdict_simplices.h"
+
+static fmb_pair_bits fmb_2d_cc(const double *block)
+{
+    return fmb_cuboids_2d(block, false);
+}
+
+static fmb_pair_bits fmb_2d_ct(const double *block)
+{
+    return fmb_simplices_2d(block, false, false);
+}
+
+static fmb_pair_bits fmb_2d_tt(const double *block)
+{
+    return fmb_simplices_2d(block, false, true);
+}
+
+static fmb_pair_bits fmb_2d_moving_cc(const double *block)
+{
+    return fmb_cuboids_2d(block, true);
+}
+
+static fmb_pair_bits fmb_2d_moving_ct(const double *block)
+{
+    return fmb_simplices_2d(block, true, false);
+}
+
+static fmb_pair_bits fmb_2d_moving_tt(const double *block)
+{
+    return fmb_simplices_2d(block, true, true);
+}
+
+static fmb_pair_bits fmb_3d_cc(const double *block)
+{
+    return fmb_cuboids_3d(block, false, FMB_ASK_ALL);
+}
+
+static fmb_pair_bits fmb_3d_ct(const double *block)
+{
+    return fmb_simplices_3d(block, false, false, FMB_ASK_ALL);
+}
+
+static fmb_pair_bits fmb_3d_tt(const double *block)
+{
+    return fmb_simplices_3d(block, false, true, FMB_ASK_ALL);
+}
+
+static fmb_pair_bits fmb_3d_moving_cc(const double *block)
+{
+    return fmb_cuboids_3d(block, true, FMB_ASK_ALL);
+}
+
+static fmb_pair_bits fmb_3d_moving_ct(const double *block)
+{
+    return fmb_simplices_3d(block, true, false, FMB_ASK_ALL);
+}
+
+static fmb_pair_bits fmb_3d_moving_tt(const double *block)
+{
+    return fmb_simplices_3d(block, true, true, FMB_ASK_ALL);
+}
+
+/* A block (simplex, cuboid) is swapped. */
+#define FMB_SHAPES(name)                                                                           \
+    {                                                                                              \
+        {name##_cc, name##_ct},                                                                    \
+        {                                                                                          \
+            name##_ct, name##_tt                                                                   \
+        }                                                                                          \
+    }
+#define FMB_VERDICTS                                                                               \
+    {                                                                                              \
+        {FMB_SHAPES(fmb_2d), FMB_SHAPES(fmb_2d_moving)},                                           \
+        {                                                                                          \
+            FMB_SHAPES(fmb_3d), FMB_SHAPES(fmb_3d_moving)                                          \
+        }                                                                                          \
+    }
+
+#endif

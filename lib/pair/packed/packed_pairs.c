@@ -1,0 +1,291 @@
+/* packed_pairs.c: pairs of frames of sets, by index. */
+#include <stdio.h>
+
+#include "pair/packed/packed.h"
+
+/* ---- what queries share ---------------------------------------------------------------------- */
+
+bool fmb_packed_begin(fmb_pair *k, const fmb_frames *a, const fmb_frames *b)
+{
+    k->trouble[0] = '\0';
+    if (!a || !b || a->dim != k->dim || b->dim != k->dim) {
+        snprintf(k->trouble, sizeof k->trouble, "%s",
+                 !a || !b ? "a set is NULL" : "a set has another dim");
+        return false;
+    }
+    for (int i = -1; i < k->threads - 1; i++)
+        atomic_store_explicit(i < 0 ? &k->oracle.cancel : &k->crew[i]->oracle.cancel, 0,
+                              memory_order_relaxed);
+    return true;
+}
+
+fmb_status fmb_packed_do(fmb_pair *k, size_t jobs, fmb_thread_job job, void *self)
+{
+    fmb_status st = FMB_OK;
+    if (!k->running.thread)
+        st = fmb_threads_open(&k->running, &k->mem, (size_t)k->threads);
+    if (st == FMB_OK)
+        fmb_threads_do(&k->running, jobs, job, self);
+    return st;
+}
+
+fmb_pair *fmb_packed_worker(fmb_pair *k, size_t thread)
+{
+    return thread == 0 ? k : k->crew[thread - 1];
+}
+
+bool fmb_packed_plan_of(const fmb_pair *k, int a, int b, fmb_packed_plan *out)
+{
+    if (k->options.method == FMB_PAIR_EXACT || a == FMB_KIND_NONE || b == FMB_KIND_NONE)
+        return false;
+    const int naxes[2] = {fmb_kind_naxes(a), fmb_kind_naxes(b)};
+    const bool simplex[2] = {fmb_kind_shape(a), fmb_kind_shape(b)};
+    out->moves = ((a | b) & FMB_KIND_MOVES) != 0;
+    out->swapped = false;
+    out->shapes = FMB_PACKED_ANY;
+    if (naxes[0] == k->dim && naxes[1] == k->dim) {
+        out->swapped = simplex[0] && !simplex[1];
+        out->shapes = simplex[0] && simplex[1]   ? FMB_PACKED_SIMPLICES
+                      : simplex[0] || simplex[1] ? FMB_PACKED_ONE_OF_EACH
+                                                 : FMB_PACKED_CUBOIDS;
+    } else {
+        fmb_flat_kind_of(k->dim, out->moves, naxes, simplex, &out->flat);
+    }
+    return true;
+}
+
+enum { FRAMES_AT_ONCE = 64 };
+
+/* More than verdicts too; out is of these n pairs, n <= FRAMES_AT_ONCE. */
+static fmb_status answer_as_frames(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
+                                   const fmb_frames_pair *pair, const fmb_pair_answers *out)
+{
+    fmb_frame p[FRAMES_AT_ONCE], q[FRAMES_AT_ONCE];
+    for (size_t i = 0; i < n; i++) {
+        p[i] = fmb_frames_at(a, pair[i].a);
+        q[i] = fmb_frames_at(b, pair[i].b);
+    }
+    return fmb_pair_answer_all(k, n, p, q, out);
+}
+
+/* The answers from pair i on. */
+static fmb_pair_answers answers_from(const fmb_pair_answers *o, size_t dim, size_t i)
+{
+    return (fmb_pair_answers){.size = sizeof(fmb_pair_answers),
+                              .verdict = o->verdict + i,
+                              .world = o->world ? o->world + 2 * dim * i : NULL,
+                              .inside = o->inside ? o->inside + 2 * dim * i : NULL,
+                              .time = o->time ? o->time + 2 * i : NULL,
+                              .witness = o->witness ? o->witness + dim * i : NULL};
+}
+
+static fmb_status answer_all_as_frames(fmb_pair *k, const fmb_frames *a, const fmb_frames *b,
+                                       size_t n, const fmb_frames_pair *pair,
+                                       const fmb_pair_answers *out)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i < n; i += FRAMES_AT_ONCE) {
+        fmb_pair_answers some = answers_from(out, (size_t)k->dim, i);
+        st = answer_as_frames(k, a, b, n - i < FRAMES_AT_ONCE ? n - i : FRAMES_AT_ONCE, pair + i,
+                              &some);
+    }
+    return st;
+}
+
+fmb_status fmb_packed_decide(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
+                             const fmb_frames_pair *pair, fmb_verdict *out)
+{
+    return answer_all_as_frames(
+        k, a, b, n, pair, &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = out});
+}
+
+/* ---- verdicts of a portion ------------------------------------------------------------------- */
+
+enum { PORTION = 1024 };
+
+typedef struct pairs_query {
+    const fmb_frames *a, *b;
+    const fmb_frames_pair *pair;
+    const fmb_pair_answers *out;
+    size_t n;
+} pairs_query;
+
+/* Verdicts that are UNKNOWN among n. */
+static fmb_status decide_open_pairs(fmb_pair *k, const pairs_query *x, size_t n,
+                                    const fmb_frames_pair *pair, fmb_verdict *out)
+{
+    fmb_frames_pair open[FRAMES_AT_ONCE];
+    fmb_verdict is[FRAMES_AT_ONCE];
+    size_t place[FRAMES_AT_ONCE], found = 0;
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i <= n; i++) {
+        if (i < n && out[i] == FMB_UNKNOWN) {
+            open[found] = pair[i];
+            place[found++] = i;
+        }
+        if (found < FRAMES_AT_ONCE && i < n)
+            continue;
+        st = fmb_packed_decide(k, x->a, x->b, found, open, is);
+        for (size_t j = 0; st == FMB_OK && j < found; j++)
+            out[place[j]] = is[j];
+        found = 0;
+    }
+    return st;
+}
+
+/* n > 0 pairs of these kinds. */
+static fmb_status decide_pairs_of_kinds(fmb_pair *k, const pairs_query *x, int kind_a, int kind_b,
+                                        size_t n, const fmb_frames_pair *pair, fmb_verdict *out)
+{
+    fmb_packed_plan plan;
+    if (!fmb_packed_plan_of(k, kind_a, kind_b, &plan))
+        return fmb_packed_decide(k, x->a, x->b, n, pair, out);
+    const fmb_frames *set[2] = {x->a, x->b};
+    const uint32_t *index[2] = {&pair->a, &pair->b};
+    fmb_packed_pairs packed = {
+        .n = n, .moves = plan.moves, .shapes = plan.shapes, .kind = &plan.flat};
+    for (int side = 0; side < 2; side++) {
+        packed.record[side] = set[side ^ plan.swapped]->record;
+        packed.index[side] = index[side ^ plan.swapped];
+    }
+    bool known = k->wide->packed->pairs[k->dim - 2](&packed, out);
+    return known ? FMB_OK : decide_open_pairs(k, x, n, pair, out);
+}
+
+/* Pairs of many kinds: first those of one kind are brought together (counting sort). */
+static fmb_status decide_mixed_pairs(fmb_pair *k, const pairs_query *x, size_t n,
+                                     const fmb_frames_pair *pair, fmb_verdict *out)
+{
+    uint16_t first[FMB_KINDS * FMB_KINDS + 1] = {0}, key[PORTION], place[PORTION];
+    fmb_frames_pair sorted[PORTION];
+    fmb_verdict is[PORTION];
+    for (size_t i = 0; i < n; i++) {
+        key[i] = (uint16_t)(FMB_KINDS * x->a->kind[pair[i].a] + x->b->kind[pair[i].b]);
+        first[key[i] + 1]++;
+    }
+    for (int j = 0; j < FMB_KINDS * FMB_KINDS; j++)
+        first[j + 1] = (uint16_t)(first[j + 1] + first[j]);
+    for (size_t i = 0; i < n; i++) {
+        place[i] = first[key[i]]++;
+        sorted[place[i]] = pair[i];
+    }
+    fmb_status st = FMB_OK;
+    /* first[j] is now the end of kind j */
+    for (size_t j = 0, from = 0; st == FMB_OK && from < n; from = first[j++]) {
+        if (first[j] > from)
+            st = decide_pairs_of_kinds(k, x, (int)j / FMB_KINDS, (int)j % FMB_KINDS,
+                                       first[j] - from, sorted + from, is + from);
+    }
+    for (size_t i = 0; st == FMB_OK && i < n; i++)
+        out[i] = is[place[i]];
+    return st;
+}
+
+/* The first pair with a number that is none; n: there is none. */
+static size_t find_bad_pair(const fmb_pair *k, const pairs_query *x, size_t n,
+                            const fmb_frames_pair *pair)
+{
+    uint32_t most[2];
+    size_t i = 0;
+    k->wide->packed->largest(&pair->a, 2 * n, most);
+    if (most[0] < x->a->n && most[1] < x->b->n)
+        return n;
+    while (pair[i].a < x->a->n && pair[i].b < x->b->n)
+        i++;
+    return i;
+}
+
+/* Pairs from `from`, PORTION at most. */
+static fmb_status answer_portion(fmb_pair *k, const pairs_query *x, size_t from)
+{
+    size_t n = x->n - from < PORTION ? x->n - from : PORTION;
+    const fmb_frames_pair *pair = x->pair + from;
+    const fmb_pair_answers *o = x->out;
+    size_t bad = find_bad_pair(k, x, n, pair);
+    if (bad < n) {
+        snprintf(k->trouble, sizeof k->trouble, "pair[%zu]: no such frame", from + bad);
+        return FMB_ERR_ARG;
+    }
+    if (fmb_pair_is_cancelled(k)) {
+        for (size_t i = 0; i < n; i++)
+            o->verdict[from + i] = FMB_UNKNOWN;
+        return FMB_OK;
+    }
+    k->counts.pairs += n;
+    if (o->world || o->inside || o->time || o->witness) {
+        fmb_pair_answers some = answers_from(o, (size_t)k->dim, from);
+        return answer_all_as_frames(k, x->a, x->b, n, pair, &some);
+    }
+    return x->a->only >= 0 && x->b->only >= 0
+               ? decide_pairs_of_kinds(k, x, x->a->only, x->b->only, n, pair, o->verdict + from)
+               : decide_mixed_pairs(k, x, n, pair, o->verdict + from);
+}
+
+/* ---- threads --------------------------------------------------------------------------------- */
+
+/* Portions that a thread takes at once. */
+enum { PORTIONS = 4 };
+
+typedef struct pairs_round {
+    fmb_pair *k;
+    const pairs_query *x;
+    size_t *failed; /* [jobs] the first pair of its first portion with an error */
+    fmb_status *st; /* [jobs] */
+} pairs_round;
+
+static void answer_some_portions(void *self, size_t job, size_t thread)
+{
+    const pairs_round *r = self;
+    size_t from = job * PORTIONS * PORTION, to = from + PORTIONS * PORTION;
+    to = to < r->x->n ? to : r->x->n;
+    for (r->st[job] = FMB_OK; r->st[job] == FMB_OK && from < to; from += PORTION) {
+        r->st[job] = answer_portion(fmb_packed_worker(r->k, thread), r->x, from);
+        r->failed[job] = from;
+    }
+}
+
+/* The error of the first portion that has one. It is asked again by k, which then tells what is
+ * wrong with it, and not with a later one. */
+static fmb_status answer_by_threads(fmb_pair *k, const pairs_query *x)
+{
+    size_t jobs = (x->n - 1) / (PORTIONS * PORTION) + 1, job = 0;
+    pairs_round r = {.k = k, .x = x};
+    r.failed = fmb_mem_get(&k->mem, jobs, sizeof *r.failed);
+    r.st = r.failed ? fmb_mem_get(&k->mem, jobs, sizeof *r.st) : NULL;
+    fmb_status st = r.st ? FMB_OK : fmb_mem_status(&k->mem);
+    if (st == FMB_OK)
+        st = fmb_packed_do(k, jobs, answer_some_portions, &r);
+    if (st == FMB_OK) {
+        while (job + 1 < jobs && r.st[job] == FMB_OK)
+            job++;
+        st = r.st[job];
+    }
+    if (st == FMB_ERR_ARG)
+        st = answer_portion(k, x, r.failed[job]);
+    fmb_mem_put(&k->mem, r.failed, jobs, sizeof *r.failed);
+    fmb_mem_put(&k->mem, r.st, jobs, sizeof *r.st);
+    return st;
+}
+
+static fmb_status answer_alone(fmb_pair *k, const pairs_query *x)
+{
+    fmb_status st = FMB_OK;
+    for (size_t from = 0; st == FMB_OK && from < x->n; from += PORTION)
+        st = answer_portion(k, x, from);
+    return st;
+}
+
+fmb_status fmb_frames_test(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
+                           const fmb_frames_pair *pair, const fmb_pair_answers *out)
+{
+    fmb_pair_answers ours = {.size = sizeof ours};
+    if (!k || !fmb_packed_begin(k, a, b) ||
+        ((n > 0 || out) && fmb_pair_read_answers(k, out, &ours) != FMB_OK))
+        return FMB_ERR_ARG;
+    if (n > 0 && (!pair || !ours.verdict)) {
+        snprintf(k->trouble, sizeof k->trouble, "%s is NULL", !pair ? "pair" : "out->verdict");
+        return FMB_ERR_ARG;
+    }
+    pairs_query x = {a, b, pair, &ours, n};
+    return k->threads > 1 && n > PORTION ? answer_by_threads(k, &x) : answer_alone(k, &x);
+}

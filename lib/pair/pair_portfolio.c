@@ -1,0 +1,407 @@
+/* pair_portfolio.c: see pair_portfolio.h. */
+#include "pair/pair_portfolio.h"
+
+#include <stdio.h>
+
+#include "pair/corner_edges.h"
+#include "pair/corners/cell.h"
+#include "pair/exact_box/exact_box.h"
+#include "pair/exact_box/normals.h"
+#include "pair/kernels/packed_kernels.h"
+
+/* One call of fmb_pair_test. */
+typedef struct query {
+    fmb_pair *k;
+    const fmb_frame *p, *q;
+    const fmb_pair_answers *out;
+    bool boxes, alone; /* more than the verdict is wanted; this is the only pair */
+    const fmb_pair_kernels *kernels;
+} query;
+
+/* ---- one pair -------------------------------------------------------------------------------- */
+
+/* The places of pair i. */
+static fmb_pair_answers answers_of(const query *a, size_t i)
+{
+    size_t dim = (size_t)a->k->dim;
+    const fmb_pair_answers *o = a->out;
+    return (fmb_pair_answers){.size = sizeof(fmb_pair_answers),
+                              .verdict = o->verdict + i,
+                              .world = o->world ? o->world + 2 * dim * i : NULL,
+                              .inside = o->inside ? o->inside + 2 * dim * i : NULL,
+                              .time = o->time ? o->time + 2 * i : NULL,
+                              .witness = o->witness ? o->witness + dim * i : NULL};
+}
+
+/* Pair i as frames by edges, as doubles want them. False: an edge is no double. */
+static bool take_edges(const query *a, size_t i, fmb_corner_edges *p, fmb_corner_edges *q)
+{
+    return fmb_edges_of_frame(&a->p[i], p) && fmb_edges_of_frame(&a->q[i], q);
+}
+
+static bool asks_exactly(const query *a)
+{
+    return !a->k->options.doubles_only && !fmb_pair_is_cancelled(a->k);
+}
+
+/* More than a verdict, which is FEASIBLE. */
+static fmb_status answer_exactly(const query *a, size_t i)
+{
+    fmb_pair_answers out = answers_of(a, i);
+    if (!asks_exactly(a)) {
+        *out.verdict = FMB_UNKNOWN;
+        return FMB_OK;
+    }
+    a->k->counts.exact_boxes++;
+    return fmb_pair_oracle_answer(&a->k->oracle, &a->p[i], &a->q[i], &out);
+}
+
+/* The same, in doubles if they are good enough, or at vertices that are proved. */
+static fmb_status answer_generally(const query *a, size_t i)
+{
+    const fmb_pair *k = a->k;
+    fmb_pair_answers out = answers_of(a, i);
+    fmb_corner_edges p, q;
+    if (k->options.method == FMB_PAIR_EXACT)
+        return answer_exactly(a, i);
+    if (!k->options.tightest && take_edges(a, i, &p, &q) &&
+        fmb_general_answer(k->general, &p.frame, &q.frame, &out))
+        return FMB_OK;
+    if (asks_exactly(a) && fmb_extreme_answer(&a->p[i], &a->q[i], &out))
+        return FMB_OK;
+    return answer_exactly(a, i);
+}
+
+static fmb_status decide_exactly(const query *a, size_t i)
+{
+    fmb_verdict *out = &a->out->verdict[i];
+    *out = FMB_UNKNOWN;
+    if (!asks_exactly(a))
+        return FMB_OK;
+    a->k->counts.exact_verdicts++;
+    fmb_status st = fmb_pair_oracle_decide(&a->k->oracle, &a->p[i], &a->q[i], out);
+    return st == FMB_OK && *out == FMB_FEASIBLE && a->boxes ? answer_generally(a, i) : st;
+}
+
+/* Say what is wrong with pair i. */
+static fmb_status refuse_pair(const query *a, size_t i)
+{
+    fmb_pair *k = a->k;
+    char fault[FMB_FRAME_FAULT_SIZE];
+    bool first = fmb_frame_describe_fault(&a->p[i], k->dim, fault, sizeof fault);
+    if (first || fmb_frame_describe_fault(&a->q[i], k->dim, fault, sizeof fault))
+        snprintf(k->trouble, sizeof k->trouble, "%c[%zu]: %s", first ? 'p' : 'q', i, fault);
+    return FMB_ERR_ARG;
+}
+
+/* Let pair i wait in a block of that stage. */
+static fmb_status wait_in_block(const query *a, int stage, size_t i);
+/* Let it wait in the block for any number of axes, if its edges are doubles. */
+static fmb_status wait_in_flat_block(const query *a, size_t i);
+
+/* ---- boxes by kernels ------------------------------------------------------------------------ */
+
+/* Rows of lower, then of upper ends, in turn. */
+FMB_BLOCK_INLINE void write_ends(int dim, const double *from, int width, double *to)
+{
+#pragma GCC unroll 3
+    for (int j = 0; j < dim; j++) {
+        to[2 * j] = from[j * width];
+        to[2 * j + 1] = from[(dim + j) * width];
+    }
+}
+
+/* dim is constant. */
+FMB_BLOCK_INLINE void write_lane_of_box(int dim, const fmb_pair_answers *out, const double *from,
+                                        int width, size_t i)
+{
+    size_t d = (size_t)dim;
+    if (out->world)
+        write_ends(dim, from, width, out->world + 2 * d * i);
+    if (out->inside)
+        write_ends(dim, from + 2 * dim * width, width, out->inside + 2 * d * i);
+    if (out->time)
+        write_ends(1, from + 4 * dim * width, width, out->time + 2 * i);
+    for (int j = 0; out->witness && j < dim; j++)
+        out->witness[d * i + (size_t)j] = from[(4 * dim + 2 + j) * width];
+}
+
+static void write_lanes(const query *a, const fmb_block *b, unsigned lanes, const double *answer)
+{
+    for (; lanes; lanes &= lanes - 1) {
+        int lane = __builtin_ctz(lanes);
+        if (a->k->dim == 2)
+            write_lane_of_box(2, a->out, answer + lane, a->kernels->width, b->pair[lane]);
+        else
+            write_lane_of_box(3, a->out, answer + lane, a->kernels->width, b->pair[lane]);
+    }
+}
+
+/* The kernel of a stage; NULL: there is none. */
+static fmb_box_kernel *kernel_of_boxes(const query *a, int stage, int kind)
+{
+    fmb_box_kernel *const(*of)[2][2][2] = a->kernels->box[stage - STAGE_BOX];
+    return a->k->options.tightest ? NULL : of[a->k->dim - 2][kind / 4][kind / 2 % 2][kind % 2];
+}
+
+/* Pair i meets; a kernel said so. */
+static fmb_status find_box_from_stage(const query *a, int stage, int kind, size_t i)
+{
+    return stage < STAGES && kernel_of_boxes(a, stage, kind) ? wait_in_block(a, stage, i)
+                                                             : answer_generally(a, i);
+}
+
+/* Boxes of these lanes of a block. */
+static fmb_status find_boxes_of_lanes(const query *a, const fmb_block *b, int stage, int kind,
+                                      unsigned lanes)
+{
+    _Alignas(64) double answer[FMB_BOX_MOST_ROWS * FMB_BLOCK_MOST_LANES];
+    unsigned good = kernel_of_boxes(a, stage, kind)(b->number, answer);
+    fmb_status st = FMB_OK;
+    write_lanes(a, b, lanes & good, answer);
+    for (lanes &= ~good; st == FMB_OK && lanes; lanes &= lanes - 1)
+        st = find_box_from_stage(a, stage + 1, kind, b->pair[__builtin_ctz(lanes)]);
+    return st;
+}
+
+/* ---- verdicts --------------------------------------------------------------------- */
+
+/* Good frames, by signs of determinants and normals, or in doubles in any dimension. */
+static void decide_without_query(const query *a, size_t i, fmb_verdict *out)
+{
+    fmb_pair *k = a->k;
+    const fmb_frame *p = &a->p[i], *q = &a->q[i];
+    fmb_contact contact = k->options.contact;
+    fmb_corner_edges of_p, of_q;
+    if (fmb_decide_corners(p, q, contact, out))
+        return;
+    if (asks_exactly(a) && fmb_extreme_decide(p, q, contact, out))
+        k->counts.exact_verdicts++;
+    else if (take_edges(a, i, &of_p, &of_q))
+        *out = fmb_general_decide(k->general, &of_p.frame, &of_q.frame);
+}
+
+/* What no kernel decides. Then its box may still be one for kernels, from that stage on. */
+static fmb_status decide_generally(const query *a, int stage, int kind, size_t i)
+{
+    fmb_pair *k = a->k;
+    if (!fmb_frame_is_good(&a->p[i], k->dim) || !fmb_frame_is_good(&a->q[i], k->dim))
+        return refuse_pair(a, i);
+    a->out->verdict[i] = FMB_UNKNOWN;
+    if (k->options.method != FMB_PAIR_EXACT && !fmb_pair_is_cancelled(k))
+        decide_without_query(a, i, &a->out->verdict[i]);
+    if (a->out->verdict[i] == FMB_UNKNOWN)
+        return decide_exactly(a, i);
+    return a->out->verdict[i] == FMB_FEASIBLE && a->boxes ? find_box_from_stage(a, stage, kind, i)
+                                                          : FMB_OK;
+}
+
+static fmb_verdict_kernel *verdict_kernel(const query *a, int kind)
+{
+    return a->kernels->verdict[a->k->dim - 2][kind / 4][kind / 2 % 2][kind % 2];
+}
+
+static unsigned lanes_taken(const fmb_block *b)
+{
+    return (1U << b->lanes) - 1;
+}
+
+/* Where most lanes meet, they go on to boxes as they stand; else it is cheaper to put them into a
+ * block of their own. */
+static fmb_status flush_verdicts(const query *a, const fmb_block *b, int kind)
+{
+    fmb_pair_bits bits = verdict_kernel(a, kind)(b->number);
+    unsigned boxed = a->boxes ? bits.meet & ~bits.apart & lanes_taken(b) : 0;
+    bool stay = 2 * __builtin_popcount(boxed) > b->lanes && kernel_of_boxes(a, STAGE_BOX, kind);
+    fmb_status st = FMB_OK;
+    for (int lane = 0; st == FMB_OK && lane < b->lanes; lane++) {
+        size_t i = b->pair[lane];
+        if (bits.apart >> lane & 1) {
+            a->out->verdict[i] = FMB_INFEASIBLE;
+        } else if (bits.meet >> lane & 1) {
+            a->out->verdict[i] = FMB_FEASIBLE;
+            st = a->boxes && !stay ? find_box_from_stage(a, STAGE_BOX, kind, i) : FMB_OK;
+        } else {
+            st = decide_generally(a, STAGE_BOX, kind, i);
+        }
+    }
+    return st == FMB_OK && stay ? find_boxes_of_lanes(a, b, STAGE_BOX, kind, boxed) : st;
+}
+
+/* The same of the block of frames with any number of axes. */
+static fmb_status flush_flat_verdicts(const query *a, const fmb_block *b)
+{
+    fmb_pair_bits bits = a->kernels->packed->flat[a->k->dim - 2](&a->k->flat, b->number);
+    fmb_status st = FMB_OK;
+    for (int lane = 0; st == FMB_OK && lane < b->lanes; lane++) {
+        size_t i = b->pair[lane];
+        bool meet = bits.meet >> lane & 1, apart = bits.apart >> lane & 1;
+        if (meet || apart)
+            a->out->verdict[i] = meet ? FMB_FEASIBLE : FMB_INFEASIBLE;
+        if (!meet && !apart)
+            st = decide_generally(a, STAGES, 0, i);
+        else if (meet && a->boxes)
+            st = answer_generally(a, i);
+    }
+    return st;
+}
+
+/* And edges that are doubles. */
+static bool has_all_axes(const fmb_frame *f, int dim)
+{
+    fmb_corner_edges ignored;
+    return f->naxes == dim && f->origin && f->axes &&
+           ((unsigned)f->shape <= FMB_SIMPLEX ||
+            (fmb_frame_is_by_corners(f->shape) && fmb_edges_of_frame(f, &ignored)));
+}
+
+/* Frames that are soon put into blocks: their numbers may still be far from the processor. */
+enum { AHEAD = 12 };
+
+static void prefetch_frames(const fmb_frame *p, const fmb_frame *q)
+{
+    __builtin_prefetch(p->axes);
+    __builtin_prefetch(p->axes + 8);
+    __builtin_prefetch(q->axes);
+    __builtin_prefetch(q->axes + 8);
+}
+
+static fmb_status answer_or_wait(const query *a, size_t i)
+{
+    fmb_pair *k = a->k;
+    const fmb_frame *p = &a->p[i], *q = &a->q[i];
+    if (p->dim != k->dim || q->dim != k->dim)
+        return refuse_pair(a, i);
+    if (k->dim < 2 || k->dim > 3 || k->options.method == FMB_PAIR_EXACT)
+        return decide_generally(a, STAGES, 0, i);
+    if (!has_all_axes(p, k->dim) || !has_all_axes(q, k->dim))
+        return wait_in_flat_block(a, i);
+    return wait_in_block(a, STAGE_VERDICT, i);
+}
+
+/* ---- blocks ---------------------------------------------------------------------------------- */
+
+/* Unused lanes repeat the first. */
+static void fill_unused_lanes(fmb_block *b, int width)
+{
+    for (int r = 0; b->lanes < width && r < FMB_BLOCK_MOST_ROWS; r++)
+        for (int lane = b->lanes; lane < width; lane++)
+            b->number[r * width + lane] = b->number[r * width];
+}
+
+static fmb_status flush_block(const query *a, int number)
+{
+    fmb_block *b = &a->k->block[number];
+    int stage = number / KINDS, kind = number % KINDS;
+    if (!a->alone || number == FLAT_BLOCK)
+        fill_unused_lanes(b, a->kernels->width);
+    fmb_status st = number == FLAT_BLOCK ? flush_flat_verdicts(a, b)
+                    : stage == STAGE_VERDICT
+                        ? flush_verdicts(a, b, kind)
+                        : find_boxes_of_lanes(a, b, stage, kind, lanes_taken(b));
+    b->lanes = 0;
+    a->k->waiting &= ~(UINT64_C(1) << number);
+    return st;
+}
+
+static fmb_status wait_in_block(const query *a, int stage, size_t i)
+{
+    const fmb_frame *p = &a->p[i], *q = &a->q[i];
+    fmb_corner_edges of_p, of_q;
+    if (((unsigned)p->shape | (unsigned)q->shape) > FMB_SIMPLEX && take_edges(a, i, &of_p, &of_q)) {
+        p = &of_p.frame;
+        q = &of_q.frame;
+    }
+    bool moves = p->speed || q->speed;
+    int number = KINDS * stage + 4 * moves + 2 * (int)p->shape + (int)q->shape;
+    fmb_block *b = &a->k->block[number];
+    if (a->alone)
+        fmb_block_put_alone(b, a->kernels->width, p, q, moves, a->boxes);
+    else
+        fmb_block_put(b, a->kernels->width, p, q, moves, a->boxes, i);
+    a->k->waiting |= UINT64_C(1) << number;
+    return b->lanes == a->kernels->width ? flush_block(a, number) : FMB_OK;
+}
+
+static bool is_flat_kind(const fmb_flat_kind *k, bool moves, const fmb_frame *p, const fmb_frame *q)
+{
+    return k->moves == moves && k->side[0].naxes == p->naxes && k->side[1].naxes == q->naxes &&
+           k->side[0].simplex == (bool)p->shape && k->side[1].simplex == (bool)q->shape;
+}
+
+/* The block holds one kind at a time: another one makes it go. */
+static fmb_status prepare_flat_block(const query *a, const fmb_frame *p, const fmb_frame *q)
+{
+    const int naxes[2] = {p->naxes, q->naxes};
+    const bool simplex[2] = {p->shape, q->shape}, moves = p->speed || q->speed;
+    fmb_pair *k = a->k;
+    fmb_status st = FMB_OK;
+    if (k->flat.dim > 0 && is_flat_kind(&k->flat, moves, p, q))
+        return FMB_OK;
+    if (k->block[FLAT_BLOCK].lanes > 0)
+        st = flush_block(a, FLAT_BLOCK);
+    fmb_flat_kind_of(k->dim, moves, naxes, simplex, &k->flat);
+    return st;
+}
+
+static fmb_status wait_in_flat_block(const query *a, size_t i)
+{
+    fmb_pair *k = a->k;
+    fmb_block *b = &k->block[FLAT_BLOCK];
+    fmb_corner_edges p, q;
+    if (!fmb_frame_is_good(&a->p[i], k->dim) || !fmb_frame_is_good(&a->q[i], k->dim) ||
+        !take_edges(a, i, &p, &q))
+        return decide_generally(a, STAGES, 0, i);
+    fmb_status st = prepare_flat_block(a, &p.frame, &q.frame);
+    int width = a->kernels->width;
+    fmb_block_put_flat(b, width, &p.frame, &q.frame, i);
+    k->waiting |= UINT64_C(1) << FLAT_BLOCK;
+    return st == FMB_OK && b->lanes == width ? flush_block(a, FLAT_BLOCK) : st;
+}
+
+static void forget_waiting_pairs(fmb_pair *k)
+{
+    for (int number = 0; k->waiting && number < BLOCKS; number++)
+        k->block[number].lanes = 0;
+    k->waiting = 0;
+}
+
+/* Pairs between two looks at a cancel; those that take long look themselves. */
+enum { PAIRS_AT_ONCE = 256 };
+
+/* Pairs from `from` up to but without `to`. */
+static fmb_status answer_some(const query *a, size_t from, size_t to, size_t n)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = from; st == FMB_OK && i < to; i++) {
+        if (i + AHEAD < n)
+            prefetch_frames(&a->p[i + AHEAD], &a->q[i + AHEAD]);
+        st = answer_or_wait(a, i);
+    }
+    return st;
+}
+
+fmb_status fmb_pair_answer_all(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_frame *q,
+                               const fmb_pair_answers *out)
+{
+    query a = {k,
+               p,
+               q,
+               out,
+               out->world || out->inside || out->time || out->witness,
+               n == 1,
+               n == 1 ? k->one : k->wide};
+    fmb_status st = FMB_OK;
+    size_t next = 0;
+    while (st == FMB_OK && next < n && !fmb_pair_is_cancelled(k)) {
+        size_t from = next;
+        next = n - from < PAIRS_AT_ONCE ? n : from + PAIRS_AT_ONCE;
+        st = answer_some(&a, from, next, n);
+    }
+    for (size_t i = next; st == FMB_OK && i < n; i++)
+        out->verdict[i] = FMB_UNKNOWN;
+    while (st == FMB_OK && k->waiting)
+        st = flush_block(&a, __builtin_ctzll(k->waiting));
+    forget_waiting_pairs(k);
+    return st;
+}

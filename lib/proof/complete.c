@@ -1,0 +1,459 @@
+/* complete.c: the judge of claims WHOLE; part of the trusted base, as check.c is.
+ *
+ * Let S be the system, S' the same with < read as <=, and "image" the projection on the k kept
+ * variables. Claims IMPLIED give valid rows a.x <= b, some of them strict, and equations; Q is the
+ * set of x that satisfy them with < read as <=, and Q* that of those that satisfy them as written.
+ * Claims CORNER give points p and directions d of S'.
+ *
+ * No index comes twice in a list of a claim: the reader sees to it.
+ *
+ * CLAIM. If the conditions below hold, the image of S is Q*.
+ *
+ * The space A is that of all (x, t) with a.x = b t for the equations; its dimension is k + 1 minus
+ * their rank. The forms R are b t - a.x for the rows, and t. The vectors G are (x(p), 1) and
+ * (x(d), 0). They lie in A and no form is negative there, as multipliers that prove a row prove it
+ * of S' and of its directions, too. Let N be those of G on which all forms vanish.
+ *   1. With each g, N has a negative multiple of g. So cone N is a linear space, of dimension l.
+ *   2. The rest of G is closed of dimension dim A - l (lattice.h), in A modulo cone N.
+ * By the theorem there, cone G is P = {y in A : r(y) >= 0 for all r in R}. If x is in Q, then
+ * (x, 1) is in P, so x is a mean of points x(p) and a nonnegative sum of directions: the image of
+ * S' is Q. Without strict rows in S that is all: the rows of Q* hold in S.
+ *   3. Let F be a face of P that contains a point with t > 0 and on which no form of a strict row
+ *      vanishes. Then for each strict row of S, some corner on F satisfies it strictly; of a
+ *      direction, that means a.d < 0.
+ * Let x be in Q*, and F the face of P with (x, 1) in its relative interior: it is such a face. The
+ * mean of the points on F plus the sum of the directions on it is a solution z of S, and its image
+ * is in the relative interior of F, too. So a little behind x, seen from there, is a point of Q,
+ * the image of some z' in S'. x is the image of a point between z and z', which satisfies all
+ * strict rows since z does. END
+ */
+#include "proof/complete.h"
+
+#include "num/bitset.h"
+#include "num/integers.h"
+#include "num/prime.h"
+#include "system/system_private.h"
+
+typedef struct assembly {
+    const fmb_system *s;
+    const fmb_evidence *e;
+    fmb_mem *mem;
+    const fmb_poll *poll;
+    size_t width;          /* k + 1 */
+    bool *kept;            /* [dim] */
+    size_t *column;        /* [dim] of a kept variable */
+    const fmb_claim **row; /* [rows] inequalities, then equations[equations] */
+    size_t rows, equations;
+    const fmb_claim **corner; /* [corners] */
+    size_t corners;
+    fmb_integers *form,
+        *vector; /* [rows + equations], [corners]: over (x, t), each with a factor */
+    fmb_lattice faces;
+    uint64_t *free, *rest; /* N, and all others */
+    uint64_t *face;        /* see fmb_lattice_check */
+    mpz_t t, z;
+} assembly;
+
+bool fmb_whole_names_only(const fmb_claim *c, int dim, const bool *kept)
+{
+    bool only = true;
+    for (size_t k = 0; only && k < c->terms.size; k++)
+        only = c->terms.index[k] < (size_t)dim && kept[c->terms.index[k]];
+    return only;
+}
+
+/* ---- numbers --------------------------------------------------------------------------------- */
+
+static bool is_entry_taken(const assembly *a, const fmb_sparse_vector *list, const size_t *column,
+                           size_t k)
+{
+    return !column || a->kept[list->index[k]];
+}
+
+/* out = a common denominator of entries [from, to) that are taken, by halves: so long numbers meet
+ * long ones. */
+static void find_denominator(const assembly *a, const fmb_sparse_vector *list, const size_t *column,
+                             size_t from, size_t to, mpz_t out)
+{
+    mpz_t half;
+    mpz_set_ui(out, 1);
+    if (to - from == 1 && is_entry_taken(a, list, column, from))
+        mpz_set(out, mpq_denref(list->value[from]));
+    if (to - from < 2)
+        return;
+    mpz_init(half);
+    find_denominator(a, list, column, from, from + (to - from) / 2, out);
+    find_denominator(a, list, column, from + (to - from) / 2, to, half);
+    mpz_lcm(out, out, half);
+    mpz_clear(half);
+}
+
+/* v = sign times the list, by column (NULL: by index; entries of no column are left out), then
+ * `last` behind it; all times a common denominator. */
+static fmb_status gather(assembly *a, const fmb_sparse_vector *list, const size_t *column, int sign,
+                         mpq_srcptr last, size_t width, fmb_integers *v)
+{
+    fmb_status st = fmb_integers_init(v, width, a->mem);
+    if (st != FMB_OK)
+        return st;
+    find_denominator(a, list, column, 0, list->size, a->t);
+    mpz_lcm(a->t, a->t, mpq_denref(last));
+    for (size_t k = 0; k <= list->size; k++) {
+        bool behind = k == list->size;
+        mpq_srcptr from = behind ? last : list->value[k];
+        if (!behind && !is_entry_taken(a, list, column, k))
+            continue;
+        size_t at = behind ? width - 1 : column ? column[list->index[k]] : list->index[k];
+        mpz_divexact(a->z, a->t, mpq_denref(from));
+        mpz_mul(v->z[at], a->z, mpq_numref(from));
+        if (!behind && sign < 0)
+            mpz_neg(v->z[at], v->z[at]);
+    }
+    return fmb_integers_settle(v, a->mem);
+}
+
+/* A corner over all variables, or kept ones; t is 1 for points. */
+static fmb_status gather_corner(assembly *a, const fmb_claim *c, const size_t *column, size_t width,
+                                fmb_integers *v)
+{
+    bool point = c->ray.size == 0;
+    mpq_t t;
+    mpq_init(t);
+    mpq_set_ui(t, point, 1);
+    fmb_status st = gather(a, point ? &c->point : &c->ray, column, 1, t, width, v);
+    mpq_clear(t);
+    return st;
+}
+
+/* Sign of form number i at v. */
+static int sign_of_form(assembly *a, size_t i, const fmb_integers *v)
+{
+    mpz_set_ui(a->t, 0);
+    for (size_t k = 0; k < a->width; k++)
+        mpz_addmul(a->t, a->form[i].z[k], v->z[k]);
+    return mpz_sgn(a->t);
+}
+
+/* The rank of m[n][width] modulo the prime, which is spent on finding it out. */
+static fmb_status eliminate_modulo(assembly *a, const fmb_prime *prime, uint64_t *m, size_t n,
+                                   size_t *rank)
+{
+    fmb_status st = FMB_OK;
+    size_t width = a->width;
+    for (size_t c = 0; st == FMB_OK && c < width && *rank < n; c++) {
+        size_t pivot = *rank;
+        while (pivot < n && m[pivot * width + c] == 0)
+            pivot++;
+        if (pivot == n)
+            continue;
+        uint64_t *p = m + *rank * width, *q = m + pivot * width;
+        for (size_t k = 0; k < width; k++) {
+            uint64_t x = p[k];
+            p[k] = q[k];
+            q[k] = x;
+        }
+        uint64_t inverse = fmb_prime_inverse(prime, p[c]);
+        for (size_t i = ++*rank; i < n; i++) {
+            uint64_t *row = m + i * width, factor = fmb_prime_times(prime, row[c], inverse);
+            for (size_t k = c; k < width && factor != 0; k++)
+                row[k] = fmb_prime_minus(prime, row[k], fmb_prime_times(prime, factor, p[k]));
+        }
+        st = fmb_poll_ask(a->poll);
+    }
+    return st;
+}
+
+/* *rank = the rank of v[n] modulo a prime: it is no more than the rank. */
+static fmb_status find_rank_modulo(assembly *a, const fmb_integers *v, size_t n, size_t *rank)
+{
+    const fmb_prime prime = fmb_prime_number(0);
+    *rank = 0;
+    uint64_t *m = fmb_mem_get(a->mem, n, a->width * sizeof *m);
+    if (!m)
+        return fmb_mem_status(a->mem);
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = 0; k < a->width; k++)
+            m[i * a->width + k] = fmb_prime_of_integer(&prime, v[i].z[k]);
+    fmb_status st = eliminate_modulo(a, &prime, m, n, rank);
+    fmb_mem_put(a->mem, m, n, a->width * sizeof *m);
+    return st;
+}
+
+/* *found = the rank of v[n], which is spent on finding it out. */
+static fmb_status find_rank(assembly *a, fmb_integers *v, size_t n, size_t *found)
+{
+    size_t rank = 0;
+    fmb_status st = FMB_OK;
+    for (size_t c = 0; st == FMB_OK && c < a->width && rank < n; c++) {
+        size_t pivot = rank;
+        while (pivot < n && mpz_sgn(v[pivot].z[c]) == 0)
+            pivot++;
+        if (pivot == n)
+            continue;
+        fmb_integers chosen = v[pivot];
+        v[pivot] = v[rank];
+        v[rank++] = chosen;
+        for (size_t i = rank; st == FMB_OK && i < n; i++) {
+            mpz_neg(a->z, v[i].z[c]);
+            for (size_t k = 0; k < a->width && mpz_sgn(a->z) != 0; k++) {
+                mpz_mul(v[i].z[k], v[i].z[k], chosen.z[c]);
+                mpz_addmul(v[i].z[k], a->z, chosen.z[k]);
+            }
+            st = fmb_integers_reduce(v[i].z, v[i].size, a->t, a->poll);
+            if (st == FMB_OK)
+                st = fmb_poll_ask(a->poll);
+        }
+    }
+    *found = rank;
+    return st;
+}
+
+/* ---- rows and corners ------------------------------------------------------------------------ */
+
+static fmb_status list_kept_variables(assembly *a, const fmb_claim *q)
+{
+    size_t dim = (size_t)a->e->dim;
+    a->kept = fmb_mem_zero(a->mem, dim, sizeof *a->kept);
+    a->column = fmb_mem_get(a->mem, dim, sizeof *a->column);
+    if (!a->kept || !a->column)
+        return fmb_mem_status(a->mem);
+    for (size_t k = 0; k < q->terms.size; k++) {
+        a->kept[q->terms.index[k]] = true;
+        a->column[q->terms.index[k]] = k;
+    }
+    a->width = q->terms.size + 1;
+    return FMB_OK;
+}
+
+static bool is_row_of_image(const assembly *a, const fmb_claim *c)
+{
+    return c->kind == FMB_CLAIM_IMPLIED && fmb_whole_names_only(c, a->e->dim, a->kept);
+}
+
+static fmb_status list_rows_and_corners(assembly *a)
+{
+    const fmb_evidence *e = a->e;
+    a->row = fmb_mem_get(a->mem, e->claims, sizeof *a->row);
+    a->corner = fmb_mem_get(a->mem, e->claims, sizeof *a->corner);
+    if (!a->row || !a->corner)
+        return fmb_mem_status(a->mem);
+    for (int equation = 0; equation <= 1; equation++)
+        for (size_t i = 0; i < e->claims; i++)
+            if (is_row_of_image(a, &e->claim[i]) && (e->claim[i].rel == FMB_EQ) == equation) {
+                a->row[a->rows + a->equations] = &e->claim[i];
+                *(equation ? &a->equations : &a->rows) += 1;
+            }
+    for (size_t i = 0; i < e->claims; i++)
+        if (e->claim[i].kind == FMB_CLAIM_CORNER)
+            a->corner[a->corners++] = &e->claim[i];
+    return FMB_OK;
+}
+
+static fmb_status write_out_numbers(assembly *a)
+{
+    size_t forms = a->rows + a->equations;
+    a->form = fmb_mem_zero(a->mem, forms, sizeof *a->form);
+    a->vector = fmb_mem_zero(a->mem, a->corners, sizeof *a->vector);
+    fmb_status st = a->form && a->vector ? FMB_OK : fmb_mem_status(a->mem);
+    for (size_t i = 0; st == FMB_OK && i < forms; i++)
+        st = gather(a, &a->row[i]->terms, a->column, -1, a->row[i]->value, a->width, &a->form[i]);
+    for (size_t g = 0; st == FMB_OK && g < a->corners; g++) {
+        st = gather_corner(a, a->corner[g], a->column, a->width, &a->vector[g]);
+        if (st == FMB_OK)
+            st = fmb_integers_reduce(a->vector[g].z, a->vector[g].size, a->t, a->poll);
+    }
+    return st;
+}
+
+/* ---- which corner is where ------------------------------------------------------------------- */
+
+/* The zeros of all forms; the last one is t, which excludes faces at infinity. */
+static fmb_status find_zeros(assembly *a)
+{
+    fmb_lattice *l = &a->faces;
+    l->forms = a->rows + 1;
+    l->words = a->corners / 64 + 1;
+    l->zero = fmb_mem_zero(a->mem, l->forms, l->words * sizeof *l->zero);
+    l->excludes = fmb_mem_zero(a->mem, l->forms, sizeof *l->excludes);
+    a->free = fmb_mem_zero(a->mem, l->words, sizeof *a->free);
+    a->rest = fmb_mem_zero(a->mem, l->words, sizeof *a->rest);
+    a->face = fmb_mem_zero(a->mem, l->words, sizeof *a->face);
+    if (!l->zero || !l->excludes || !a->free || !a->rest || !a->face)
+        return fmb_mem_status(a->mem);
+    fmb_status st = FMB_OK;
+    for (size_t g = 0; st == FMB_OK && g < a->corners; g++) {
+        size_t zeros = 0;
+        for (size_t i = 0; i < l->forms; i++) {
+            st = st == FMB_OK ? fmb_poll_ask(a->poll) : st;
+            bool on = i < a->rows ? sign_of_form(a, i, &a->vector[g]) == 0
+                                  : mpz_sgn(a->vector[g].z[a->width - 1]) == 0;
+            if (on)
+                fmb_set_put(l->zero + i * l->words, g);
+            zeros += on;
+        }
+        fmb_set_put(zeros == l->forms ? a->free : a->rest, g);
+    }
+    for (size_t i = 0; i < l->forms; i++)
+        l->excludes[i] = i == a->rows || a->row[i]->rel == FMB_LT;
+    return st;
+}
+
+static bool are_opposite(const fmb_integers *v, const fmb_integers *w)
+{
+    bool opposite = true;
+    for (size_t k = 0; opposite && k < v->size; k++)
+        opposite = mpz_cmpabs(v->z[k], w->z[k]) == 0 && mpz_sgn(v->z[k]) == -mpz_sgn(w->z[k]);
+    return opposite;
+}
+
+/* Condition 1. Vectors are in lowest terms. The free ones come first, *n of them. */
+static bool is_free_part_linear(assembly *a, size_t *n)
+{
+    bool linear = true;
+    *n = 0;
+    for (size_t g = 0; g < a->corners; g++)
+        if (fmb_set_has(a->free, g)) {
+            fmb_integers v = a->vector[g];
+            a->vector[g] = a->vector[*n];
+            a->vector[(*n)++] = v;
+        }
+    for (size_t i = 0; linear && i < *n; i++) {
+        size_t k = 0;
+        while (k < *n && !are_opposite(&a->vector[i], &a->vector[k]))
+            k++;
+        linear = k < *n;
+    }
+    return linear;
+}
+
+/* Does a corner over all variables, behind it t, satisfy a strict row of the system strictly? */
+static bool is_strictly_inside(assembly *a, const fmb_sysrow *row, const fmb_integers *v)
+{
+    mpz_set_ui(a->t, 0);
+    for (size_t k = 0; k < row->nnz; k++) {
+        fmb_vec_get(&row->val, k, a->z);
+        mpz_addmul(a->t, a->z, v->z[row->var[k]]);
+    }
+    fmb_vec_get(&row->val, row->nnz, a->z);
+    mpz_submul(a->t, a->z, v->z[v->size - 1]);
+    return mpz_sgn(a->t) < 0;
+}
+
+/* Which corners are strictly inside of each strict row of the system. */
+static fmb_status find_strict_insides(assembly *a)
+{
+    fmb_lattice *l = &a->faces;
+    size_t dim = (size_t)a->e->dim, strict = 0;
+    for (size_t i = 0; i < a->s->rows; i++)
+        strict += fmb_system_row(a->s, i)->rel == FMB_LT;
+    l->shows = fmb_mem_zero(a->mem, strict, l->words * sizeof *l->shows);
+    if (!l->shows)
+        return fmb_mem_status(a->mem);
+    l->wanted = strict;
+    fmb_status st = FMB_OK;
+    for (size_t g = 0; st == FMB_OK && strict > 0 && g < a->corners; g++) {
+        fmb_integers v = {0};
+        uint64_t *set = l->shows;
+        st = gather_corner(a, a->corner[g], NULL, dim + 1, &v);
+        for (size_t i = 0; st == FMB_OK && i < a->s->rows; i++) {
+            const fmb_sysrow *row = fmb_system_row(a->s, i);
+            if (row->rel != FMB_LT)
+                continue;
+            if (is_strictly_inside(a, row, &v))
+                fmb_set_put(set, g);
+            set += l->words;
+        }
+        fmb_integers_clear(&v, a->mem);
+        st = st == FMB_OK ? fmb_poll_ask(a->poll) : st;
+    }
+    return st;
+}
+
+/* ---- the claim ------------------------------------------------------------------------------- */
+
+/* Condition 2, with that sum of ranks. */
+static fmb_status judge_faces_of(assembly *a, size_t rank, fmb_lattice_end *end)
+{
+    return rank > a->width ? FMB_OK
+                           : fmb_lattice_check(&a->faces, a->rest, a->width - rank, a->mem, a->poll,
+                                               end, a->face);
+}
+
+/* Ranks modulo a prime may be too small, which makes the dimension too large: no set is closed of a
+ * dimension that is larger than that of its span (lattice.h), so nothing wrong is accepted; and
+ * before something is refused the ranks are found exactly. */
+static fmb_status judge_faces(assembly *a, const char **why, bool *on)
+{
+    static const char *const said[] = {
+        [FMB_LATTICE_CLOSED] = NULL,
+        [FMB_LATTICE_OPEN] = "the corners leave some of what the rows allow unproved",
+        [FMB_LATTICE_UNSHOWN] = "no corners show that a face belongs to the projection",
+        [FMB_LATTICE_LARGE] = "there are too many faces to look at"};
+    fmb_lattice_end end = FMB_LATTICE_OPEN;
+    size_t n = 0;
+    bool linear = is_free_part_linear(a, &n);
+    size_t equations = 0, lines = 0;
+    fmb_status st = FMB_OK;
+    if (linear)
+        st = find_rank_modulo(a, a->form + a->rows, a->equations, &equations);
+    if (linear && st == FMB_OK)
+        st = find_rank_modulo(a, a->vector, n, &lines);
+    if (linear && st == FMB_OK)
+        st = judge_faces_of(a, equations + lines, &end);
+    bool may_be_more = equations < a->equations || lines < n;
+    if (linear && st == FMB_OK && end == FMB_LATTICE_OPEN && may_be_more) {
+        size_t before = equations + lines;
+        st = find_rank(a, a->form + a->rows, a->equations, &equations);
+        if (st == FMB_OK)
+            st = find_rank(a, a->vector, n, &lines);
+        if (st == FMB_OK && equations + lines > before)
+            st = judge_faces_of(a, equations + lines, &end);
+    }
+    *why = said[end];
+    for (size_t g = 0; on && st == FMB_OK && g < a->corners; g++)
+        on[a->corner[g] - a->e->claim] = end == FMB_LATTICE_UNSHOWN && fmb_set_has(a->face, g);
+    return st;
+}
+
+static void clear_assembly(assembly *a)
+{
+    size_t dim = (size_t)a->e->dim, forms = a->rows + a->equations;
+    fmb_lattice *l = &a->faces;
+    for (size_t i = 0; a->form && i < forms; i++)
+        fmb_integers_clear(&a->form[i], a->mem);
+    for (size_t g = 0; a->vector && g < a->corners; g++)
+        fmb_integers_clear(&a->vector[g], a->mem);
+    fmb_mem_put(a->mem, a->form, forms, sizeof *a->form);
+    fmb_mem_put(a->mem, a->vector, a->corners, sizeof *a->vector);
+    fmb_mem_put(a->mem, a->row, a->e->claims, sizeof *a->row);
+    fmb_mem_put(a->mem, a->corner, a->e->claims, sizeof *a->corner);
+    fmb_mem_put(a->mem, a->kept, dim, sizeof *a->kept);
+    fmb_mem_put(a->mem, a->column, dim, sizeof *a->column);
+    fmb_mem_put(a->mem, l->zero, l->forms, l->words * sizeof *l->zero);
+    fmb_mem_put(a->mem, l->excludes, l->forms, sizeof *l->excludes);
+    fmb_mem_put(a->mem, l->shows, l->wanted, l->words * sizeof *l->shows);
+    fmb_mem_put(a->mem, a->free, l->words, sizeof *a->free);
+    fmb_mem_put(a->mem, a->rest, l->words, sizeof *a->rest);
+    fmb_mem_put(a->mem, a->face, l->words, sizeof *a->face);
+    mpz_clears(a->t, a->z, NULL);
+}
+
+fmb_status fmb_whole_judge(const fmb_system *s, const fmb_evidence *e, const fmb_claim *q,
+                           fmb_mem *mem, const fmb_poll *poll, const char **why, bool *on)
+{
+    assembly a = {.s = s, .e = e, .mem = mem, .poll = poll};
+    mpz_inits(a.t, a.z, NULL);
+    fmb_status st = list_kept_variables(&a, q);
+    if (st == FMB_OK)
+        st = list_rows_and_corners(&a);
+    if (st == FMB_OK)
+        st = write_out_numbers(&a);
+    if (st == FMB_OK)
+        st = find_zeros(&a);
+    if (st == FMB_OK)
+        st = find_strict_insides(&a);
+    if (st == FMB_OK)
+        st = judge_faces(&a, why, on);
+    clear_assembly(&a);
+    return st;
+}

@@ -1,0 +1,419 @@
+/* read_proof.c: evidence from its text form (docs/proof-format.md).
+ *
+ * Memory is bounded by the length of the text and the size of the system: the shape in the header
+ * must be that of the system, a line gives one number at most, and seen holds a mark per part and
+ * key. A text that was cut off lacks the count of its claims.
+ */
+#include <string.h>
+
+#include "base/memory_stream.h"
+#include "proof/evidence/form.h"
+#include "proof/evidence/words.h"
+#include "system/system_private.h"
+
+typedef struct reader {
+    fmb_words words;
+    const fmb_system *s;
+    fmb_evidence *e;
+    /* seen[part][key] == number of claims so far: the key has come in this claim */
+    size_t *seen[FMB_PARTS];
+    mpq_t number; /* scratch */
+} reader;
+
+static size_t keys(const reader *r, fmb_form_part part)
+{
+    return fmb_part_forms[part].by_row ? r->e->rows : (size_t)r->e->dim;
+}
+
+/* ---- pieces of a line ------------------------------------------------------------------------ */
+
+/* The variable that the current word names. */
+static fmb_status find_variable(reader *r, int *out)
+{
+    int j = r->words.size > 0 ? fmb_system_find(r->s, r->words.text) : -1;
+    if (j < 0)
+        return fmb_words_expected(&r->words, "the name of a variable of the system");
+    *out = j;
+    return FMB_OK;
+}
+
+static fmb_status read_variable(reader *r, int *out)
+{
+    fmb_status st = fmb_words_next(&r->words);
+    return st == FMB_OK ? find_variable(r, out) : st;
+}
+
+static fmb_status read_row(reader *r, size_t *out)
+{
+    size_t number = 1;
+    fmb_status st = fmb_words_next(&r->words);
+    if (st == FMB_OK)
+        st = fmb_words_count(&r->words, "a row", r->e->rows, &number);
+    if (st == FMB_OK)
+        *out = number - 1;
+    return st;
+}
+
+static fmb_status read_number(reader *r, mpq_t out)
+{
+    fmb_status st = fmb_words_next(&r->words);
+    return st == FMB_OK ? fmb_words_rational(&r->words, out) : st;
+}
+
+static fmb_status read_side(reader *r, fmb_side *out)
+{
+    fmb_status st = fmb_words_next(&r->words);
+    if (st != FMB_OK)
+        return st;
+    bool upper = fmb_words_is(&r->words, "upper");
+    if (!upper && !fmb_words_is(&r->words, "lower"))
+        return fmb_words_expected(&r->words, "'lower' or 'upper'");
+    *out = upper ? FMB_UPPER : FMB_LOWER;
+    return FMB_OK;
+}
+
+/* What a word says as a relation, of the first n; -1: it is none. */
+static int relation_of_word(const reader *r, fmb_side side, int n)
+{
+    int rel = n - 1;
+    while (rel >= 0 && !fmb_words_is(&r->words, fmb_form_relation((fmb_rel)rel, side)))
+        rel--;
+    return rel;
+}
+
+/* One of the first n relations <=, <, =, as that end of an interval spells them. */
+static fmb_status read_relation(reader *r, fmb_side side, int n, fmb_rel *out)
+{
+    fmb_status st = fmb_words_next(&r->words);
+    if (st != FMB_OK)
+        return st;
+    int rel = relation_of_word(r, side, n);
+    if (rel >= 0) {
+        *out = (fmb_rel)rel;
+        return FMB_OK;
+    }
+    return fmb_words_expected(&r->words, "'%s'%s '%s'%s", fmb_form_relation(FMB_LE, side),
+                              n > 2 ? "," : " or", fmb_form_relation(FMB_LT, side),
+                              n > 2 ? " or '='" : "");
+}
+
+/* ---- claims ---------------------------------------------------------------------------------- */
+
+/* "[VARIABLE]" */
+static fmb_status read_end_heading(reader *r, fmb_claim *c)
+{
+    fmb_status st = fmb_words_next(&r->words);
+    return st == FMB_OK && r->words.size > 0 ? find_variable(r, &c->var) : st;
+}
+
+/* "[VARIABLE] REL VALUE". A variable may be called like a relation: then another one follows. */
+static fmb_status read_bound_heading(reader *r, fmb_claim *c)
+{
+    fmb_status st = fmb_words_next(&r->words);
+    if (st != FMB_OK)
+        return st;
+    int first = relation_of_word(r, c->side, 2), second = -1;
+    if (first >= 0 && (st = fmb_words_next(&r->words)) == FMB_OK)
+        second = relation_of_word(r, c->side, 2);
+    if (st == FMB_OK && first >= 0 && second < 0) {
+        c->rel = (fmb_rel)first;
+        return fmb_words_rational(&r->words, c->value);
+    }
+    if (st == FMB_OK && first >= 0) {
+        c->var = fmb_system_find(r->s, fmb_form_relation((fmb_rel)first, c->side));
+        c->rel = (fmb_rel)second;
+        if (c->var < 0)
+            st = fmb_words_expected(&r->words, "a number");
+    } else if (st == FMB_OK) {
+        st = find_variable(r, &c->var);
+        if (st == FMB_OK)
+            st = read_relation(r, c->side, 2, &c->rel);
+    }
+    return st == FMB_OK ? read_number(r, c->value) : st;
+}
+
+/* Note that the key has come as that part of this claim; it must be new there. */
+static fmb_status mark_key(reader *r, fmb_form_part part, size_t key)
+{
+    const fmb_part_form *form = &fmb_part_forms[part];
+    if (r->seen[part][key] == r->e->claims)
+        return fmb_words_expected(&r->words, "each %s at most once in the lines '%s'",
+                                  form->by_row ? "row" : "variable", form->word);
+    r->seen[part][key] = r->e->claims;
+    return FMB_OK;
+}
+
+/* "[VARIABLE ...]" up to the end of the line, as terms. */
+static fmb_status read_variables(reader *r, fmb_claim *c)
+{
+    fmb_status st;
+    mpq_set_ui(r->number, 1, 1);
+    while ((st = fmb_words_next(&r->words)) == FMB_OK && r->words.size > 0) {
+        int var = 0;
+        st = find_variable(r, &var);
+        if (st == FMB_OK)
+            st = mark_key(r, FMB_PART_TERM, (size_t)var);
+        if (st == FMB_OK)
+            st = fmb_evidence_push(r->e, &c->terms, (size_t)var, r->number);
+        if (st != FMB_OK)
+            break;
+    }
+    return st;
+}
+
+static fmb_status read_heading(reader *r, fmb_claim *c)
+{
+    fmb_heading heading = fmb_claim_forms[c->kind].heading;
+    fmb_status st = FMB_OK;
+    if (heading == FMB_HEADING_ROW)
+        st = read_row(r, &c->row);
+    if (heading == FMB_HEADING_END || heading == FMB_HEADING_BOUND)
+        st = read_side(r, &c->side);
+    if (st == FMB_OK && heading == FMB_HEADING_END)
+        st = read_end_heading(r, c);
+    if (st == FMB_OK && heading == FMB_HEADING_BOUND)
+        st = read_bound_heading(r, c);
+    if (heading == FMB_HEADING_INEQUALITY) {
+        st = read_relation(r, FMB_UPPER, 3, &c->rel);
+        if (st == FMB_OK)
+            st = read_number(r, c->value);
+    }
+    if (heading == FMB_HEADING_VARIABLES)
+        return read_variables(r, c);
+    return st == FMB_OK ? fmb_words_end(&r->words) : st;
+}
+
+/* The key of a part, which must be new in this claim. */
+static fmb_status read_key(reader *r, fmb_form_part part, size_t *out)
+{
+    const fmb_part_form *form = &fmb_part_forms[part];
+    size_t key = 0;
+    int var = 0;
+    fmb_status st = form->by_row ? read_row(r, &key) : read_variable(r, &var);
+    if (st != FMB_OK)
+        return st;
+    if (!form->by_row)
+        key = (size_t)var;
+    *out = key;
+    return mark_key(r, part, key);
+}
+
+static fmb_status read_part(reader *r, fmb_claim *c, fmb_form_part part)
+{
+    size_t key = 0;
+    fmb_status st = read_key(r, part, &key);
+    if (st == FMB_OK)
+        st = read_number(r, r->number);
+    if (st == FMB_OK)
+        st = fmb_words_end(&r->words);
+    if (st != FMB_OK)
+        return st;
+    return fmb_evidence_push(r->e, fmb_form_list(c, part), key, r->number);
+}
+
+/* The part whose line begins with the current word, if the claim may have it; else FMB_PARTS. */
+static fmb_form_part find_part(const reader *r, const fmb_claim *c)
+{
+    fmb_form_part part = 0;
+    while (part < FMB_PARTS &&
+           !(fmb_form_allows(c, part) && fmb_words_is(&r->words, fmb_part_forms[part].word)))
+        part++;
+    return part;
+}
+
+/* "'row', 'point' or 'end'" */
+static fmb_status expected_part(reader *r, const fmb_claim *c)
+{
+    char list[80];
+    size_t n = 0;
+    for (fmb_form_part part = 0; part < FMB_PARTS; part++)
+        if (fmb_form_allows(c, part))
+            n += (size_t)snprintf(list + n, sizeof list - n, "%s'%s'", n > 0 ? ", " : "",
+                                  fmb_part_forms[part].word);
+    return fmb_words_expected(&r->words, "%s or 'end'", list);
+}
+
+static fmb_status read_parts(reader *r, fmb_claim *c)
+{
+    fmb_status st;
+    while ((st = fmb_words_line(&r->words)) == FMB_OK && !fmb_words_is(&r->words, "end")) {
+        fmb_form_part part = find_part(r, c);
+        st = part < FMB_PARTS ? read_part(r, c, part) : expected_part(r, c);
+        if (st != FMB_OK)
+            return st;
+    }
+    return st == FMB_OK ? fmb_words_end(&r->words) : st;
+}
+
+/* The kind named by the current word, or NONE. */
+static fmb_claim_kind find_kind(const reader *r)
+{
+    fmb_claim_kind kind = FMB_CLAIM_WHOLE;
+    while (kind > FMB_CLAIM_NONE && !fmb_words_is(&r->words, fmb_claim_forms[kind].word))
+        kind--;
+    return kind;
+}
+
+static fmb_status read_claim(reader *r)
+{
+    fmb_claim *c = NULL;
+    fmb_status st = fmb_words_next(&r->words);
+    if (st != FMB_OK)
+        return st;
+    fmb_claim_kind kind = find_kind(r);
+    if (kind == FMB_CLAIM_NONE)
+        return fmb_words_expected(&r->words, "a kind of claim, such as 'feasible' or 'bound'");
+    st = fmb_evidence_claim(r->e, kind, &c);
+    if (st == FMB_OK)
+        st = read_heading(r, c);
+    return st == FMB_OK ? read_parts(r, c) : st;
+}
+
+/* ---- the whole text -------------------------------------------------------------------------- */
+
+static fmb_status read_shape(reader *r)
+{
+    size_t rows = r->e->rows, dim = (size_t)r->e->dim;
+    char text[2][24];
+    snprintf(text[0], sizeof text[0], "%zu", rows);
+    snprintf(text[1], sizeof text[1], "%zu", dim);
+    const char *words[] = {text[0], "rows", text[1], "variables"};
+    for (int i = 0; i < 4; i++) {
+        fmb_status st = fmb_words_next(&r->words);
+        if (st == FMB_OK && !fmb_words_is(&r->words, words[i]))
+            st = fmb_words_expected(&r->words, "'system %zu rows %zu variables', as the system has",
+                                    rows, dim);
+        if (st != FMB_OK)
+            return st;
+    }
+    return fmb_words_end(&r->words);
+}
+
+static fmb_status read_line_keyword(reader *r, const char *word)
+{
+    fmb_status st = fmb_words_line(&r->words);
+    return st == FMB_OK && !fmb_words_is(&r->words, word)
+               ? fmb_words_expected(&r->words, "'%s'", word)
+               : st;
+}
+
+/* "claims 12", behind the last claim. */
+static fmb_status read_count(reader *r)
+{
+    char count[24];
+    snprintf(count, sizeof count, "%zu", r->e->claims);
+    fmb_status st = fmb_words_next(&r->words);
+    if (st == FMB_OK && !fmb_words_is(&r->words, count))
+        st = fmb_words_expected(&r->words, "'claims %s', as there are", count);
+    if (st == FMB_OK)
+        st = fmb_words_end(&r->words);
+    if (st == FMB_OK)
+        st = fmb_words_line(&r->words);
+    return st == FMB_OK && r->words.size > 0 ? fmb_words_expected(&r->words, "the end of the text")
+                                             : st;
+}
+
+/* All that versions 2 and 3 can say means the same now. */
+static fmb_status read_version(reader *r)
+{
+    fmb_status st = fmb_words_next(&r->words);
+    if (st == FMB_OK && !fmb_words_is(&r->words, "2") && !fmb_words_is(&r->words, "3") &&
+        !fmb_words_is(&r->words, "4"))
+        st = fmb_words_expected(&r->words, "'4', '3' or '2'");
+    return st;
+}
+
+static fmb_status read_text(reader *r)
+{
+    fmb_status st = read_line_keyword(r, "fmb-proof");
+    if (st == FMB_OK)
+        st = read_version(r);
+    if (st == FMB_OK)
+        st = fmb_words_end(&r->words);
+    if (st == FMB_OK)
+        st = read_line_keyword(r, "system");
+    if (st == FMB_OK)
+        st = read_shape(r);
+    while (st == FMB_OK && (st = fmb_words_line(&r->words)) == FMB_OK &&
+           fmb_words_is(&r->words, "claim"))
+        st = read_claim(r);
+    if (st != FMB_OK)
+        return st;
+    return fmb_words_is(&r->words, "claims")
+               ? read_count(r)
+               : fmb_words_expected(&r->words, "'claim' or, at the end, 'claims %zu'",
+                                    r->e->claims);
+}
+
+/* All of the text, with what that needs. */
+static fmb_status read_into(reader *r, FILE *in, const fmb_poll *poll, fmb_where *where)
+{
+    bool ready = true;
+    fmb_words_init(&r->words, in, &r->e->mem, poll, where);
+    mpq_init(r->number);
+    for (fmb_form_part part = 0; ready && part < FMB_PARTS; part++) {
+        r->seen[part] = fmb_mem_zero(&r->e->mem, keys(r, part), sizeof **r->seen);
+        ready = r->seen[part] != NULL;
+    }
+    fmb_status st = ready ? read_text(r) : fmb_mem_status(&r->e->mem);
+    for (fmb_form_part part = 0; part < FMB_PARTS; part++)
+        fmb_mem_put(&r->e->mem, r->seen[part], keys(r, part), sizeof **r->seen);
+    mpq_clear(r->number);
+    fmb_words_clear(&r->words);
+    return r->words.is_cut ? FMB_LIMIT : st;
+}
+
+fmb_status fmb_evidence_read_within(FILE *in, const fmb_system *s, const fmb_patience *patience,
+                                    fmb_evidence **out, fmb_stop *stop, fmb_where *where)
+{
+    fmb_where unwanted;
+    fmb_guard guard;
+    reader r = {.s = s};
+    if (!in || !s || !out || !stop)
+        return FMB_ERR_ARG;
+    fmb_status st = fmb_evidence_new(fmb_system_dim(s), fmb_system_rows(s), &s->mem.alloc, &r.e);
+    if (st != FMB_OK)
+        return st;
+    st = fmb_guard_begin(&guard, patience, &r.e->mem);
+    const fmb_poll poll = fmb_guard_poll(&guard);
+    if (st == FMB_OK)
+        st = read_into(&r, in, &poll, where ? where : &unwanted);
+    r.e->mem.limit = 0;
+    if (st != FMB_OK) {
+        fmb_evidence_free(r.e);
+        r.e = NULL;
+    }
+    if (st == FMB_OK || st == FMB_LIMIT) {
+        *stop = st == FMB_OK ? FMB_STOP_DONE : fmb_guard_stop(&guard);
+        *out = r.e;
+        st = FMB_OK;
+    }
+    return st;
+}
+
+fmb_status fmb_evidence_parse_within(const char *text, size_t size, const fmb_system *s,
+                                     const fmb_patience *patience, fmb_evidence **out,
+                                     fmb_stop *stop, fmb_where *where)
+{
+    if (!text && size > 0)
+        return FMB_ERR_ARG;
+    FILE *in = fmb_memory_stream(text, size);
+    if (!in)
+        return FMB_ERR_MEMORY;
+    fmb_status st = fmb_evidence_read_within(in, s, patience, out, stop, where);
+    fclose(in);
+    return st;
+}
+
+fmb_status fmb_evidence_parse(const char *text, size_t size, const fmb_system *s,
+                              fmb_evidence **out, fmb_where *where)
+{
+    fmb_stop stop;
+    return fmb_evidence_parse_within(text, size, s, NULL, out, &stop, where);
+}
+
+fmb_status fmb_evidence_read(FILE *in, const fmb_system *s, fmb_evidence **out, fmb_where *where)
+{
+    fmb_stop stop;
+    return fmb_evidence_read_within(in, s, NULL, out, &stop, where);
+}

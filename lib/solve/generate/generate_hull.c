@@ -1,0 +1,133 @@
+/* generate_hull.c: from vertices, rays and lines to rows (hull/image/image.h). */
+#include "solve/generate/glance.h"
+#include "solve/generate/turns.h"
+#include "solve/query/solver.h"
+#include "system/generators_private.h"
+#include "system/system_private.h"
+
+static fmb_status append_facet(const fmb_image_row *f, size_t n, fmb_system *out, int *var,
+                               mpz_t *z)
+{
+    size_t terms = 0;
+    for (size_t k = 0; k < n; k++) {
+        if (fmb_vec_sgn(&f->v, k) == 0)
+            continue;
+        var[terms] = (int)k;
+        fmb_vec_get(&f->v, k, z[terms++]);
+    }
+    fmb_vec_get(&f->v, n, z[terms]);
+    mpz_set_ui(z[terms + 1], 1);
+    return fmb_system_append(out, terms, var, z, f->equality ? FMB_EQ : FMB_LE);
+}
+
+static fmb_status append_all_facets(const fmb_image *m, fmb_system *out)
+{
+    fmb_mem *mem = m->run->mem;
+    size_t n = m->n - 1;
+    int *var = fmb_mem_get(mem, n, sizeof *var);
+    mpz_t *z = fmb_vec_block(n + 2, mem);
+    fmb_status st = var && z ? FMB_OK : fmb_mem_status(mem);
+    for (size_t i = 0; st == FMB_OK && i < m->facets; i++)
+        st = append_facet(&m->facet[i], n, out, var, z);
+    for (size_t k = 0; z && k < n + 2; k++)
+        mpz_clear(z[k]);
+    fmb_mem_put(mem, z, n + 2, sizeof *z);
+    fmb_mem_put(mem, var, n, sizeof *var);
+    return st;
+}
+
+/* Those that a glance tells. */
+static fmb_status find_some_facets(fmb_image *m)
+{
+    fmb_mem *mem = m->run->mem;
+    size_t rows = m->lines + m->rays;
+    fmb_image dual = {0};
+    for (; m->facets > 0; m->facets--)
+        fmb_vec_clear(&m->facet[m->facets - 1].v, m->n, mem);
+    fmb_cone_row *row = fmb_mem_get(mem, rows, sizeof *row);
+    if (!row)
+        return fmb_mem_status(mem);
+    for (size_t i = 0; i < rows; i++)
+        row[i] = i < m->lines ? (fmb_cone_row){.v = &m->line[i], .equality = true}
+                              : (fmb_cone_row){.v = &m->ray[i - m->lines]};
+    fmb_status st = fmb_glance_at_rays(m->run, row, rows, m->n, &dual);
+    if (st == FMB_OK && dual.run)
+        st = fmb_image_take_facets(m, &dual);
+    fmb_image_clear(&dual);
+    fmb_mem_put(mem, row, rows, sizeof *row);
+    return st;
+}
+
+static fmb_status find_facets(fmb_image *m, fmb_system *out)
+{
+    fmb_run_reserve(m->run);
+    fmb_status st = fmb_hull_find_facets(m);
+    bool all = st == FMB_OK;
+    if (st == FMB_LIMIT)
+        st = find_some_facets(m);
+    if (st == FMB_OK)
+        st = append_all_facets(m, out);
+    return st == FMB_OK && !all ? FMB_LIMIT : st;
+}
+
+/* out has no rows yet. */
+static fmb_status find_hull(fmb_query *q, const fmb_generators *g, fmb_system *out,
+                            fmb_verdict *verdict)
+{
+    fmb_image m = {0};
+    bool *line = fmb_arena_get(&q->v->arena, g->size, sizeof *line);
+    if (!line)
+        return fmb_mem_status(&q->v->mem);
+    for (size_t i = 0; i < g->size; i++)
+        line[i] = g->kind[i] == FMB_LINE;
+    fmb_status st = fmb_image_init_vectors(&m, &q->run, (size_t)g->dim + 1, g->size, g->vec, line,
+                                           fmb_query_is_wide(q));
+    if (st == FMB_OK)
+        *verdict = m.has_point ? FMB_FEASIBLE : FMB_INFEASIBLE;
+    if (st == FMB_OK && m.has_point)
+        st = find_facets(&m, out);
+    fmb_image_clear(&m);
+    return st;
+}
+
+/* The query is one about a system without rows: what it needs of one is its dimension. */
+static fmb_status ask_for_hull(fmb_solver *v, const fmb_generators *g, fmb_system *hull,
+                               fmb_verdict *verdict, fmb_result *res)
+{
+    fmb_query q;
+    fmb_status st = fmb_query_begin(&q, v, hull, "hull");
+    fmb_mem_enter(&hull->mem, &v->mem);
+    if (st == FMB_OK)
+        st = find_hull(&q, g, hull, verdict);
+    fmb_mem_leave(&hull->mem);
+    bool some = st == FMB_OK || (st == FMB_LIMIT && fmb_system_rows(hull) > 0);
+    st = fmb_query_end(&q, st, *verdict, res);
+    v->answered = false;
+    *verdict = some ? *verdict : FMB_UNKNOWN;
+    return st;
+}
+
+fmb_status fmb_hull(fmb_solver *v, const fmb_generators *g, fmb_system **out, fmb_result *res)
+{
+    fmb_system *hull = NULL, *empty = NULL;
+    fmb_verdict verdict = FMB_UNKNOWN;
+    if (!v || !g || !out)
+        return fmb_solver_refuse(v, FMB_ERR_ARG, "%s is NULL",
+                                 !v   ? "the solver"
+                                 : !g ? "g"
+                                      : "out");
+    fmb_status st = fmb_solver_expect_result(v, res);
+    if (st != FMB_OK)
+        return st;
+    st = fmb_system_new(g->dim, &v->mem.alloc, &hull);
+    if (st != FMB_OK)
+        return st;
+    st = ask_for_hull(v, g, hull, &verdict, res);
+    if (st == FMB_OK && verdict == FMB_INFEASIBLE)
+        st = fmb_empty_set(hull, NULL, g->dim, &empty);
+    if (st == FMB_OK)
+        *out = verdict == FMB_FEASIBLE ? hull : empty;
+    if (st != FMB_OK || verdict != FMB_FEASIBLE)
+        fmb_system_free(hull);
+    return st;
+}

@@ -1,0 +1,210 @@
+/* component_optimum.c: see component_optimum.h. */
+#include "solve/optimize/component_optimum.h"
+
+#include "elim/round/witness.h"
+#include "num/rationals.h"
+#include "solve/limit/outer.h"
+#include "solve/limit/outer_ends.h"
+
+/* ---- life ------------------------------------------------------------------------------------ */
+
+fmb_status fmb_peak_init(fmb_peak *k, fmb_query *q)
+{
+    *k = (fmb_peak){.room = 1};
+    mpq_init(k->value);
+    for (int c = 0; c < q->parts.count; c++)
+        if ((size_t)q->parts.part[c].n + 1 > k->room)
+            k->room = (size_t)q->parts.part[c].n + 1;
+    return fmb_rationals_new(&k->x, k->room, q->run.mem);
+}
+
+void fmb_peak_clear(fmb_peak *k, fmb_query *q)
+{
+    fmb_weights_clear(&k->w, q->run.mem);
+    fmb_rationals_free(k->x, k->room, q->run.mem);
+    mpq_clear(k->value);
+}
+
+static void forget_peak(fmb_peak *k, fmb_query *q)
+{
+    k->kind = FMB_END_UNKNOWN;
+    k->attained = k->clash = k->reached = false;
+    fmb_weights_clear(&k->w, q->run.mem);
+}
+
+/* The row that says what z is has done its work. */
+static void drop_weight_of_goal_row(fmb_peak *k, const fmb_part *wider)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < k->w.size; i++) {
+        if (k->w.index[i] == wider->m - 1)
+            continue;
+        k->w.index[kept] = k->w.index[i];
+        mpq_swap(k->w.value[kept++], k->w.value[i]);
+    }
+    for (; k->w.size > kept; k->w.size--)
+        mpq_clear(k->w.value[k->w.size - 1]);
+}
+
+/* ---- by the oracle --------------------------------------------------------------------------- */
+
+/* The goal over the columns of a part. */
+static fmb_status weigh_columns(fmb_query *q, const fmb_goal *g, const fmb_part *p,
+                                fmb_weights *cost)
+{
+    fmb_status st = FMB_OK;
+    for (int j = 0; st == FMB_OK && j < p->n; j++)
+        if (mpq_sgn(g->coef[p->var[j]]) != 0)
+            st = fmb_weights_add(cost, (uint32_t)j, g->coef[p->var[j]], q->run.mem);
+    return st;
+}
+
+static fmb_status read_peak_of_oracle(fmb_query *q, const fmb_part *p, const fmb_oracle *o,
+                                      fmb_peak *k)
+{
+    k->kind = FMB_END_FINITE;
+    fmb_oracle_value(o, k->value);
+    fmb_oracle_point(o, k->x);
+    if (!q->claims)
+        return FMB_OK;
+    fmb_status st = fmb_oracle_multipliers(o, &k->w);
+    return st == FMB_OK ? fmb_query_take_oracle_weights(q, p, &k->w) : st;
+}
+
+fmb_status fmb_peak_by_oracle(fmb_query *q, const fmb_goal *g, int part, fmb_peak *k)
+{
+    const fmb_part *p = &q->parts.part[part];
+    fmb_oracle *o = NULL;
+    fmb_oracle_end end = FMB_ORACLE_OPTIMUM;
+    fmb_weights cost = {0};
+    forget_peak(k, q);
+    fmb_status st = fmb_query_feasible_oracle(q, part, &o);
+    if (st == FMB_OK)
+        st = weigh_columns(q, g, p, &cost);
+    if (st == FMB_OK)
+        st = fmb_oracle_maximize(o, &cost, &end, &k->attained);
+    k->reached = st == FMB_LIMIT && o && fmb_oracle_reached(o, k->x);
+    fmb_weights_clear(&cost, q->run.mem);
+    if (st == FMB_OK && end == FMB_ORACLE_UNBOUNDED) {
+        k->kind = FMB_END_INFINITE;
+        fmb_oracle_ray(o, k->x);
+        return FMB_OK;
+    }
+    return st == FMB_OK ? read_peak_of_oracle(q, p, o, k) : st;
+}
+
+/* ---- by elimination -------------------------------------------------------------------------- */
+
+/* z <= value is that row of the store, divided by its coefficient. */
+static fmb_status take_peak_from_row(fmb_query *q, const fmb_elim *e, uint32_t row, fmb_peak *k)
+{
+    const fmb_derived *r = &e->row[row];
+    mpq_t t;
+    mpq_init(t);
+    mpz_set_ui(mpq_numref(t), 1);
+    fmb_vec_get(&r->v, (size_t)e->n - 1, mpq_denref(t));
+    mpq_canonicalize(t);
+    fmb_end_of_row(&r->v, e->n, e->n - 1, k->value);
+    fmb_status st = fmb_query_derive(q, e, row, t, &k->w);
+    mpq_clear(t);
+    return st;
+}
+
+/* All is gone but z, and that is the row which bounds it; FMB_NO_ROW: none does. */
+static fmb_status read_peak_of_store(fmb_query *q, const fmb_elim *e, uint32_t row, fmb_peak *k)
+{
+    mpq_ptr z = k->x[e->n - 1];
+    if (row == FMB_NO_ROW) {
+        mpq_set_ui(z, 1, 1);
+        k->kind = FMB_END_INFINITE;
+        return fmb_elim_point(e, FMB_POINT_RAY, k->x);
+    }
+    fmb_status st = take_peak_from_row(q, e, row, k);
+    if (st != FMB_OK)
+        return st;
+    k->kind = FMB_END_FINITE;
+    k->attained = !e->row[row].strict;
+    mpq_set(z, k->value);
+    return fmb_elim_point(e, k->attained ? FMB_POINT_INSIDE : FMB_POINT_CLOSURE, k->x);
+}
+
+/* An end of z by the rows there are. */
+static fmb_status find_outer_peak(fmb_query *q, const fmb_part *p, fmb_elim *e, fmb_peak *k)
+{
+    fmb_ends f;
+    fmb_status st = fmb_ends_open(&f, e);
+    if (st == FMB_OK)
+        st = fmb_ends_find(&f);
+    if (st == FMB_OK && e->clash != FMB_NO_ROW) {
+        st = fmb_query_claim_clash(q, p, e);
+        k->clash = st == FMB_OK;
+    } else if (st == FMB_OK && f.row[FMB_UPPER][e->n - 1] != FMB_NO_ROW) {
+        st = take_peak_from_row(q, e, f.row[FMB_UPPER][e->n - 1], k);
+        if (st == FMB_OK)
+            k->kind = FMB_END_OUTER;
+    }
+    fmb_ends_clear(&f);
+    return st == FMB_LIMIT ? FMB_OK : st;
+}
+
+/* Rows of an elimination that a limit has cut short: of more than these the derivations are long.
+ */
+#define MOST_ROWS_AT_LIMIT ((size_t)1 << 15)
+
+static fmb_status eliminate_all_but_goal(fmb_query *q, const fmb_part *p, fmb_elim *e, fmb_peak *k)
+{
+    bool *drop = fmb_arena_get(&q->v->arena, (size_t)p->n, sizeof *drop);
+    if (!drop)
+        return fmb_mem_status(q->run.mem);
+    for (int j = 0; j < p->n; j++)
+        drop[j] = j < p->n - 1;
+    fmb_status st = fmb_elim_eliminate(e, drop);
+    if (st == FMB_OK)
+        return read_peak_of_store(q, e, fmb_end_tightest_row(e, p->n - 1, 1), k);
+    fmb_status saved =
+        st == FMB_LIMIT && e->rows <= MOST_ROWS_AT_LIMIT ? find_outer_peak(q, p, e, k) : FMB_OK;
+    return saved != FMB_OK ? saved : st;
+}
+
+fmb_status fmb_peak_by_elimination(fmb_query *q, const fmb_goal *g, int part, fmb_peak *k)
+{
+    fmb_wider w = {0};
+    fmb_elim e = {.run = &q->run};
+    fmb_arena_place place = fmb_arena_tell(&q->v->arena);
+    forget_peak(k, q);
+    fmb_status st = fmb_wider_init(&w, q, part, g);
+    if (st == FMB_OK) {
+        st = fmb_query_load(q, &w.p, true, &e);
+        if (st == FMB_OK)
+            st = eliminate_all_but_goal(q, &w.p, &e, k);
+        fmb_elim_clear(&e);
+    }
+    drop_weight_of_goal_row(k, &w.p);
+    fmb_wider_clear(&w);
+    fmb_arena_rewind(&q->v->arena, place);
+    return st;
+}
+
+/* ---- at a limit ------------------------------------------------------------------------------ */
+
+fmb_status fmb_peak_at_limit(fmb_query *q, const fmb_goal *g, int part, fmb_peak *k)
+{
+    fmb_wider w = {0};
+    fmb_elim e = {.run = &q->run};
+    const fmb_part *p = &q->parts.part[part];
+    fmb_arena_place place = fmb_arena_tell(&q->v->arena);
+    forget_peak(k, q);
+    if (!fmb_outer_is_cheap(p))
+        return FMB_OK;
+    fmb_status st = fmb_wider_init(&w, q, part, g);
+    if (st == FMB_OK) {
+        st = fmb_query_load(q, &w.p, true, &e);
+        if (st == FMB_OK)
+            st = find_outer_peak(q, &w.p, &e, k);
+        fmb_elim_clear(&e);
+    }
+    drop_weight_of_goal_row(k, &w.p);
+    fmb_wider_clear(&w);
+    fmb_arena_rewind(&q->v->arena, place);
+    return st == FMB_LIMIT ? FMB_OK : st;
+}

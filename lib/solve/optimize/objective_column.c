@@ -1,0 +1,124 @@
+/* objective_column.c: see objective_column.h. */
+#include "solve/optimize/objective_column.h"
+
+#include <string.h>
+
+/* Room for entries of a row. */
+static fmb_status open_wider_row(fmb_vec *v, size_t entries, fmb_arena *arena)
+{
+    *v = (fmb_vec){.s = fmb_arena_get(arena, entries, sizeof *v->s)};
+    return v->s ? FMB_OK : fmb_mem_status(arena->mem);
+}
+
+/* from[n + 1], in lowest terms, as to[n + 2], with a zero before the right side. */
+static fmb_status copy_wider_row(fmb_vec *to, const fmb_vec *from, size_t n, fmb_num *k)
+{
+    if (!fmb_vec_is_wide(from)) {
+        memcpy(to->s, from->s, n * sizeof *to->s);
+        to->s[n] = 0;
+        to->s[n + 1] = from->s[n];
+        to->bits = from->bits;
+        return FMB_OK;
+    }
+    memset(to->s, 0, (n + 2) * sizeof *to->s);
+    fmb_status st = fmb_vec_widen(to, n + 2, k->mem);
+    for (size_t j = 0; st == FMB_OK && j <= n; j++)
+        fmb_vec_get(from, j, to->z[j < n ? j : n + 1]);
+    return st == FMB_OK ? fmb_vec_settle(to, n + 2, k->mem) : st;
+}
+
+/* den z - (den goal).x = 0 in integers z[n + 2], den being the least common denominator. */
+static void write_goal_in_integers(const fmb_part *from, const fmb_goal *g, mpz_t *z)
+{
+    size_t n = (size_t)from->n;
+    mpz_ptr den = z[n];
+    mpz_set_ui(den, 1);
+    for (size_t j = 0; j < n; j++)
+        mpz_lcm(den, den, mpq_denref(g->coef[from->var[j]]));
+    for (size_t j = 0; j < n; j++) {
+        mpq_srcptr c = g->coef[from->var[j]];
+        mpz_divexact(z[j], den, mpq_denref(c));
+        mpz_mul(z[j], z[j], mpq_numref(c));
+        mpz_neg(z[j], z[j]);
+    }
+    mpz_set_ui(z[n + 1], 0);
+}
+
+static fmb_status set_goal_row(fmb_vec *row, const fmb_part *from, const fmb_goal *g, fmb_num *k)
+{
+    size_t entries = (size_t)from->n + 2;
+    mpz_t *z = fmb_mem_get(k->mem, entries, sizeof *z);
+    if (!z)
+        return fmb_mem_status(k->mem);
+    for (size_t j = 0; j < entries; j++)
+        mpz_init(z[j]);
+    write_goal_in_integers(from, g, z);
+    fmb_status st = fmb_vec_set_z(row, entries, z, k->mem);
+    if (st == FMB_OK)
+        st = fmb_vec_reduce(row, entries, k);
+    for (size_t j = 0; j < entries; j++)
+        mpz_clear(z[j]);
+    fmb_mem_put(k->mem, z, entries, sizeof *z);
+    return st;
+}
+
+static fmb_status allocate_wider_part(fmb_part *p, int n, size_t m, fmb_arena *arena)
+{
+    *p = (fmb_part){.n = n};
+    p->var = fmb_arena_get(arena, (size_t)n, sizeof *p->var);
+    p->row = fmb_arena_get(arena, m, sizeof *p->row);
+    p->rel = fmb_arena_get(arena, m, sizeof *p->rel);
+    p->source = fmb_arena_get(arena, m, sizeof *p->source);
+    return p->var && p->row && p->rel && p->source ? FMB_OK : fmb_mem_status(arena->mem);
+}
+
+/* At a limit no more polls: what was asked for then is to be had at little cost. */
+static fmb_status fill_wider_rows(fmb_part *p, fmb_query *q, const fmb_part *from,
+                                  const fmb_goal *g, fmb_num *k)
+{
+    size_t n = (size_t)from->n;
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i <= from->m; i++) {
+        st = open_wider_row(&p->row[i], n + 2, &q->v->arena);
+        if (st != FMB_OK)
+            break;
+        p->m++;
+        st = i < from->m ? copy_wider_row(&p->row[i], &from->row[i], n, k)
+                         : set_goal_row(&p->row[i], from, g, k);
+        if (st == FMB_OK && q->run.stop == FMB_STOP_DONE)
+            st = fmb_run_poll_step(&q->run, fmb_vec_is_wide(&p->row[i]));
+    }
+    return st;
+}
+
+fmb_status fmb_wider_init(fmb_wider *w, fmb_query *q, int part, const fmb_goal *g)
+{
+    fmb_num k;
+    const fmb_part *from = &q->parts.part[part];
+    size_t n = (size_t)from->n;
+    fmb_part *p = &w->p;
+    w->mem = q->run.mem;
+    fmb_status st = fmb_query_write_rows(q, part);
+    if (st == FMB_OK)
+        st = allocate_wider_part(p, from->n + 1, from->m + 1, &q->v->arena);
+    if (st != FMB_OK)
+        return st;
+    memcpy(p->var, from->var, n * sizeof *p->var);
+    memcpy(p->rel, from->rel, from->m * sizeof *p->rel);
+    memcpy(p->source, from->source, from->m * sizeof *p->source);
+    p->var[n] = -1;
+    p->rel[from->m] = FMB_EQ;
+    p->source[from->m] = from->source[0];
+    st = fmb_run_open_num(&q->run, &k, 1, fmb_query_is_wide(q));
+    if (st == FMB_OK)
+        st = fill_wider_rows(p, q, from, g, &k);
+    fmb_num_clear(&k);
+    return st;
+}
+
+void fmb_wider_clear(fmb_wider *w)
+{
+    for (size_t i = 0; i < w->p.m; i++)
+        fmb_vec_clear(&w->p.row[i], (size_t)w->p.n + 1, w->mem);
+    w->p.m = 0;
+}

@@ -1,0 +1,220 @@
+/* irredundant_rows.c: of the rows that an elimination left, those that are irredundant; see
+ * irredundant_rows.h.
+ *
+ * Most rows are settled by guesses that are proved at once (lp/redundancy/active_set/implied.h);
+ * the oracle decides about the others, and finds the inequalities that always hold with equality.
+ */
+#include "solve/portfolio/irredundant_rows.h"
+
+#include "elim/store/derive.h"
+#include "lp/dictionary/exact_simplex.h"
+#include "lp/redundancy/active_set/implied.h"
+#include "lp/redundancy/by_oracle.h"
+#include "lp/redundancy/irredundant.h"
+
+/* The rows left. Row k of the oracle is row e->live[k] of the store. */
+typedef struct remains {
+    fmb_query *q;
+    const fmb_part *p;
+    const int *place; /* [dim] column in the projection, -1 for variables that go */
+    fmb_elim *e;
+    fmb_system *out;
+    fmb_lp lp;
+    bool has_lp;
+    fmb_lp_row *row;      /* [lives] */
+    fmb_rel *rel;         /* [lives] */
+    fmb_fate *fate;       /* [lives] */
+    fmb_weights *reverse; /* [lives] proofs that rows are equalities, over oracle rows */
+} remains;
+
+/* ---- evidence -------------------------------------------------------------------------------- */
+
+/* Weights over oracle rows become weights over the part's rows. */
+static fmb_status derive_from_oracle_rows(const remains *h, fmb_weights *w)
+{
+    for (size_t i = 0; i < w->size; i++)
+        w->index[i] = h->e->live.row[w->index[i]];
+    return fmb_elim_derive(h->e, w);
+}
+
+static fmb_status add_scaled_weights(remains *h, fmb_weights *sum, const fmb_weights *w,
+                                     mpq_srcptr factor)
+{
+    fmb_status st = FMB_OK;
+    mpq_t t;
+    mpq_init(t);
+    for (size_t k = 0; st == FMB_OK && k < w->size; k++) {
+        mpq_mul(t, w->value[k], factor);
+        st = fmb_weights_add(sum, w->index[k], t, h->q->run.mem);
+    }
+    mpq_clear(t);
+    return st;
+}
+
+/* The oracle may have used a row that it knows to be an equality backwards: what proved that stands
+ * in for it. */
+static fmb_status note_equality_proof(void *self, size_t i, const fmb_weights *w)
+{
+    remains *h = self;
+    fmb_status st = FMB_OK;
+    mpq_t size;
+    mpq_init(size);
+    for (size_t k = 0; st == FMB_OK && k < w->size; k++) {
+        size_t row = w->index[k];
+        bool backwards = mpq_sgn(w->value[k]) < 0 && h->rel[row] != FMB_EQ;
+        mpq_abs(size, w->value[k]);
+        st = backwards ? add_scaled_weights(h, &h->reverse[i], &h->reverse[row], size)
+                       : fmb_weights_add(&h->reverse[i], (uint32_t)row, w->value[k], h->q->run.mem);
+    }
+    mpq_clear(size);
+    return st;
+}
+
+/* Oracle row k as a row of the projection. */
+static fmb_status put_irredundant_row(remains *h, size_t k)
+{
+    uint32_t r = h->e->live.row[k];
+    if (h->fate[k] != FMB_FATE_EQUALITY)
+        return fmb_query_put_row(h->q, h->p, h->e, r, h->rel[k], NULL, h->place, h->out);
+    fmb_weights *reverse = &h->reverse[k];
+    fmb_status st = derive_from_oracle_rows(h, reverse);
+    return st == FMB_OK ? fmb_query_put_row(h->q, h->p, h->e, r, FMB_EQ, reverse, h->place, h->out)
+                        : st;
+}
+
+/* ---- what is irredundant --------------------------------------------------------------------- */
+
+/* The rows left, as the oracle takes them. */
+static fmb_status list_rows_left(remains *h)
+{
+    fmb_arena *arena = &h->q->v->arena;
+    size_t m = h->e->live.size;
+    h->row = fmb_arena_get(arena, m, sizeof *h->row);
+    h->rel = fmb_arena_get(arena, m, sizeof *h->rel);
+    h->fate = fmb_arena_get(arena, m, sizeof *h->fate);
+    if (!h->row || !h->rel || !h->fate)
+        return fmb_mem_status(arena->mem);
+    for (size_t k = 0; k < m; k++) {
+        fmb_derived *r = &h->e->row[h->e->live.row[k]];
+        fmb_status st = fmb_vec_reduce(&r->v, (size_t)h->e->n + 1, &h->e->num);
+        if (st != FMB_OK)
+            return st;
+        h->rel[k] = fmb_derived_rel(r);
+        h->fate[k] = FMB_FATE_UNKNOWN;
+        h->row[k] = (fmb_lp_row){&r->v, h->rel[k]};
+    }
+    return FMB_OK;
+}
+
+/* Drop the rows that are gone; note which are kept. */
+static void apply_sorting(remains *h, const fmb_sorting *sorting)
+{
+    size_t left = 0;
+    for (size_t k = 0; k < h->e->live.size; k++) {
+        if (sorting->gone[k])
+            continue;
+        h->e->live.row[left] = h->e->live.row[k];
+        h->row[left] = h->row[k];
+        h->rel[left] = h->rel[k];
+        h->fate[left] = sorting->kept[k] ? FMB_FATE_KEPT : FMB_FATE_UNKNOWN;
+        left++;
+    }
+    h->e->live.size = left;
+}
+
+/* What a guess finds is cheap, and mostly all. *inner: the projection has a point strictly inside
+ * its rows. */
+static fmb_status sort_rows_by_guess(remains *h, bool known, bool *feasible, bool *inner)
+{
+    fmb_mem *mem = h->q->run.mem;
+    size_t m = h->e->live.size;
+    fmb_sorting sorting = {.gone = fmb_mem_zero(mem, m, sizeof *sorting.gone),
+                           .kept = fmb_mem_zero(mem, m, sizeof *sorting.kept),
+                           .known = known};
+    fmb_status st = sorting.gone && sorting.kept ? FMB_OK : fmb_mem_status(mem);
+    if (st == FMB_OK)
+        st = fmb_lp_sort_rows(&h->q->run, h->p->n, m, h->row, &sorting);
+    if (st == FMB_OK)
+        apply_sorting(h, &sorting);
+    *inner = sorting.inner;
+    *feasible = sorting.feasible;
+    fmb_mem_put(mem, sorting.gone, m, sizeof *sorting.gone);
+    fmb_mem_put(mem, sorting.kept, m, sizeof *sorting.kept);
+    return st;
+}
+
+static bool are_all_fates_known(const remains *h)
+{
+    for (size_t k = 0; k < h->e->live.size; k++)
+        if (h->fate[k] == FMB_FATE_UNKNOWN)
+            return false;
+    return true;
+}
+
+static bool is_some_row_strict(const remains *h)
+{
+    bool strict = false;
+    for (size_t k = 0; k < h->e->live.size; k++)
+        strict = strict || h->rel[k] == FMB_LT;
+    return strict;
+}
+
+/* The columns that went stay in a dictionary, as zeros, so that a program for each of many rows is
+ * quicker. */
+#define MANY_ROWS 64
+
+/* The oracle decides what is left to decide. */
+static fmb_status ask_oracle_about_rows(remains *h, bool *feasible)
+{
+    size_t m = h->e->live.size;
+    fmb_verdicts told = {NULL, note_equality_proof, NULL, h};
+    h->reverse = fmb_arena_get(&h->q->v->arena, m, sizeof *h->reverse);
+    if (!h->reverse)
+        return fmb_mem_status(h->q->run.mem);
+    for (size_t k = 0; k < m; k++)
+        h->reverse[k] = (fmb_weights){0};
+    if (m > MANY_ROWS && !is_some_row_strict(h))
+        return fmb_irredundant_by_oracle(&h->q->run, (size_t)h->p->n, m, h->row, h->fate,
+                                         h->q->claims ? &told : NULL);
+    h->has_lp = true;
+    fmb_status st = fmb_lp_init(&h->lp, &h->q->run, h->p->n, m, h->row, fmb_query_is_wide(h->q));
+    if (st == FMB_OK)
+        st = fmb_lp_feasible(&h->lp, feasible);
+    if (st != FMB_OK || !*feasible)
+        return st;
+    return fmb_irredundant(&h->lp, h->rel, h->fate, h->q->claims ? &told : NULL);
+}
+
+/* Put out what is irredundant. */
+static fmb_status put_rows_that_stay(remains *h)
+{
+    fmb_status st = FMB_OK;
+    for (size_t k = 0; st == FMB_OK && k < h->e->live.size; k++)
+        if (h->fate[k] != FMB_FATE_REDUNDANT)
+            st = put_irredundant_row(h, k);
+    return st;
+}
+
+static void close_remains(remains *h)
+{
+    if (h->has_lp)
+        fmb_lp_clear(&h->lp);
+    for (size_t k = 0; h->reverse && k < h->e->live.size; k++)
+        fmb_weights_clear(&h->reverse[k], h->q->run.mem);
+}
+
+fmb_status fmb_thin_out(fmb_query *q, const fmb_part *p, const int *place, fmb_elim *e, bool known,
+                        fmb_system *out, bool *feasible)
+{
+    remains h = {.q = q, .p = p, .place = place, .e = e, .out = out};
+    bool inner = false;
+    fmb_status st = list_rows_left(&h);
+    if (st == FMB_OK)
+        st = sort_rows_by_guess(&h, known, feasible, &inner);
+    if (st == FMB_OK && *feasible && !(inner && are_all_fates_known(&h)))
+        st = ask_oracle_about_rows(&h, feasible);
+    if (st == FMB_OK && *feasible)
+        st = put_rows_that_stay(&h);
+    close_remains(&h);
+    return st;
+}

@@ -1,0 +1,17 @@
+/* irredundant_rows.h: the irredundant rows of what an elimination left.
+ *
+ * Every row that comes out carries the multipliers that prove it.
+ */
+#ifndef FMB_SOLVE_IRREDUNDANT_ROWS_H
+#define FMB_SOLVE_IRREDUNDANT_ROWS_H
+
+#include "solve/query/solver.h"
+
+/* Append the irredundant rows of e's live rows, which name kept variables only, to out, with
+ * claims; place[dim] is the column of a variable there. Inequalities that always hold with equality
+ * become equalities. *feasible false: the rows have no solution (which cannot be where one is
+ * known), and nothing was appended. Rows may leave e's live list. */
+fmb_status fmb_thin_out(fmb_query *q, const fmb_part *p, const int *place, fmb_elim *e, bool known,
+                        fmb_system *out, bool *feasible);
+
+#endif

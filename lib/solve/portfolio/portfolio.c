@@ -1,0 +1,430 @@
+/* portfolio.c: the projection of one part, and which way leads to it; see portfolio.h. */
+#include "solve/portfolio/portfolio.h"
+
+#include "base/ways.h"
+#include "elim/round/mark.h"
+#include "solve/limit/outer.h"
+#include "solve/portfolio/irredundant_rows.h"
+#include "solve/portfolio/polygon.h"
+#include "solve/portfolio/project_rays.h"
+#include "solve/portfolio/project_support.h"
+#include "solve/portfolio/recession.h"
+#include "solve/portfolio/selection.h"
+#include "solve/query/rule_lp.h"
+
+/* One part on its way by elimination. */
+typedef struct shadow {
+    fmb_query *q;
+    const fmb_part *p;
+    const int *place; /* [dim] column in the projection, -1 for variables that go */
+    fmb_system *out;
+    fmb_elim e;
+} shadow;
+
+/* What one variable may make, as a share of the rows: in most systems, and in those of few rows. */
+#define GENTLE 0.25
+#define STEEP  1.5
+/* So few variables are eliminated however steep that is, where other ways are long. */
+#define STEEP_STEPS 2
+/* Rows of long numbers are pruned so slowly that few of them may be made before other ways are
+ * taken. */
+#define WIDE_MORE 3
+
+/* ---- by elimination -------------------------------------------------------------------------- */
+
+/* Many rows for their variables are mostly redundant: then the rule looks before the first pairs,
+ * whose number is the square of theirs. Else it waits until rows have doubled. */
+static bool has_rows_in_plenty(const fmb_part *p)
+{
+    return p->m >= 64 && p->m / 8 >= (size_t)p->n;
+}
+
+/* budget > 0: the store may not outgrow it. */
+static fmb_status eliminate_columns_that_go(shadow *h, bool feasible, size_t budget)
+{
+    fmb_query *q = h->q;
+    bool *drop = fmb_arena_get(&q->v->arena, (size_t)h->p->n, sizeof *drop);
+    if (!drop)
+        return fmb_mem_status(q->run.mem);
+    for (int j = 0; j < h->p->n; j++)
+        drop[j] = h->place[h->p->var[j]] < 0;
+    fmb_status st = fmb_query_load(q, h->p, feasible, &h->e);
+    h->e.budget = budget;
+    h->e.wide_more = WIDE_MORE;
+    if (st == FMB_OK && feasible && has_rows_in_plenty(h->p))
+        st = fmb_elim_prune(&h->e);
+    return st == FMB_OK ? fmb_elim_eliminate(&h->e, drop) : st;
+}
+
+/* The elimination ended, with a status: put out what is irredundant of its rows; or, at a limit,
+ * what names kept variables only. */
+static fmb_status put_rows_of_elimination(shadow *h, fmb_elim *e, fmb_status st, bool known,
+                                          bool *feasible, bool *done)
+{
+    size_t rows = fmb_system_rows(h->out);
+    *done = st == FMB_OK;
+    if (st == FMB_LIMIT && e->over_budget)
+        return FMB_OK;
+    if (st == FMB_OK)
+        *feasible = e->clash == FMB_NO_ROW;
+    if (st == FMB_OK && *feasible)
+        st = fmb_thin_out(h->q, h->p, h->place, e, known || h->q->decided, h->out, feasible);
+    fmb_status saved = FMB_OK;
+    bool room = h->q->run.stop != FMB_STOP_DONE && e->n > 0; /* else memory ran out, or no row was
+                                                                loaded */
+    if (st == FMB_LIMIT && room && fmb_system_rows(h->out) == rows)
+        saved = fmb_outer_rows(h->q, h->p, e, h->place, h->out);
+    return saved != FMB_OK ? saved : st;
+}
+
+static fmb_status project_by_elimination(shadow *h, bool known, size_t budget, bool *feasible,
+                                         bool *done)
+{
+    fmb_status st = eliminate_columns_that_go(h, known, budget);
+    st = put_rows_of_elimination(h, &h->e, st, known, feasible, done);
+    fmb_elim_clear(&h->e);
+    return st;
+}
+
+static int count_variables_to_go(const fmb_elim *e, const bool *drop)
+{
+    int n = 0;
+    for (int j = 0; j < e->n; j++) {
+        bool named = false;
+        for (size_t i = 0; drop[j] && !named && i < e->live.size; i++)
+            named = fmb_vec_sgn(&e->row[e->live.row[i]].v, (size_t)j) != 0;
+        n += named;
+    }
+    return n;
+}
+
+/* How far an elimination may go. */
+typedef struct slope {
+    double steep;  /* what one variable may make, as a share of the rows; 0: anything */
+    size_t trials; /* budgets of a trial */
+    int kept;      /* variables that stay, which tell how many rows may be left in the end */
+} slope;
+
+/* A trial ended, with a status; if it left too many rows, it used up its budget. */
+static fmb_status expect_few_rows(fmb_elim *e, fmb_status st, int kept)
+{
+    if (st != FMB_OK || e->clash != FMB_NO_ROW || fmb_judge_thins(e, e->flat, kept))
+        return st;
+    e->over_budget = true;
+    return FMB_LIMIT;
+}
+
+/* Go on where the cheap variables are gone, and come back if a variable is too steep, or if there
+ * are too many rows. */
+static fmb_status eliminate_rest_of_lift(shadow *h, fmb_lift *lift, const slope *limit,
+                                         size_t *budget, bool *feasible, bool *done)
+{
+    const bool *drop;
+    fmb_elim *e = fmb_lift_elimination(lift, &drop);
+    fmb_mark mark;
+    fmb_status st = fmb_mark_set(&mark, e);
+    *budget = e->rows + limit->trials * FMB_TRIAL_BUDGET(e->live.size);
+    if (st != FMB_OK)
+        return st;
+    e->order = h->q->v->options.order;
+    e->chooser = h->q->v->chooser;
+    e->cheap_only = false;
+    e->steep = limit->steep;
+    e->flat = e->live.size;
+    e->wide_more = WIDE_MORE;
+    e->budget = *budget;
+    st = fmb_elim_eliminate(e, drop);
+    st = expect_few_rows(e, st, limit->kept);
+    st = put_rows_of_elimination(h, e, st, false, feasible, done);
+    if (st == FMB_OK && !*done)
+        fmb_mark_return(&mark, e);
+    e->over_budget = false;
+    return st;
+}
+
+/* A hull in so many dimensions mostly has few enough facets. */
+#define FEW_KEPT 6
+/* In more dimensions, so many pairs of facets of a hull take as long as a few queries. */
+#define FIRST_PAIRS ((uint64_t)1 << 17)
+
+/* ---- which way ------------------------------------------------------------------------------- */
+
+static fmb_status is_part_feasible(fmb_query *q, int part, bool *feasible)
+{
+    fmb_lp *lp;
+    return fmb_query_dictionary(q, part, &lp, feasible);
+}
+
+static bool uses_lp_rule(const fmb_solver *v)
+{
+    for (int k = 0; k < v->rules; k++)
+        if (v->rule[k] == &fmb_rule_lp)
+            return true;
+    return false;
+}
+
+/* A part, and what has been found out about it. */
+typedef struct part_run {
+    fmb_query *q;
+    int part;
+    const int *place;
+    fmb_system *out;
+    fmb_lift *lift;
+    fmb_queries *queries;
+    bool known, *feasible, done;
+} part_run;
+
+static bool is_answered(const part_run *r)
+{
+    return r->done || !*r->feasible;
+}
+
+/* budget 0: to the end. */
+static void tell_attempt(part_run *r, const char *engine, uint64_t budget, const char *unit,
+                         fmb_status st)
+{
+    fmb_attempt a = fmb_query_attempt(r->q, r->part, engine, "projection");
+    a.budget = budget;
+    a.unit = unit;
+    fmb_run_tell_attempt(&r->q->run, a, st, is_answered(r));
+}
+
+static fmb_status try_rays(part_run *r, uint64_t rays)
+{
+    fmb_status st = fmb_lift_run(r->lift, rays, r->out, r->feasible, &r->done);
+    tell_attempt(r, "double description", rays, "rays", st);
+    return st;
+}
+
+static shadow shadow_of_run(const part_run *r)
+{
+    return (shadow){.q = r->q,
+                    .p = &r->q->parts.part[r->part],
+                    .place = r->place,
+                    .out = r->out,
+                    .e.run = &r->q->run};
+}
+
+static fmb_status try_elimination(part_run *r, bool known, size_t budget)
+{
+    shadow h = shadow_of_run(r);
+    fmb_status st = project_by_elimination(&h, known, budget, r->feasible, &r->done);
+    tell_attempt(r, "elimination", budget, "rows", st);
+    return st;
+}
+
+/* Nothing that names variables that go may be left of the projection. */
+static fmb_status try_escape(part_run *r)
+{
+    shadow h = shadow_of_run(r);
+    const bool *drop;
+    bool escapes;
+    fmb_elim *e = fmb_lift_elimination(r->lift, &drop);
+    fmb_status st = fmb_escape(e, drop, &r->q->v->arena, &escapes);
+    if (st == FMB_OK && escapes)
+        st = put_rows_of_elimination(&h, e, FMB_OK, false, r->feasible, &r->done);
+    tell_attempt(r, "escape", 0, NULL, st);
+    return st;
+}
+
+static fmb_status try_gentle_elimination(part_run *r, int kept)
+{
+    shadow h = shadow_of_run(r);
+    slope gentle = {GENTLE, 2, kept};
+    const bool *drop;
+    if (!fmb_mark_possible(fmb_lift_elimination(r->lift, &drop)))
+        return FMB_OK;
+    size_t budget;
+    fmb_status st = eliminate_rest_of_lift(&h, r->lift, &gentle, &budget, r->feasible, &r->done);
+    tell_attempt(r, "gentle elimination", budget, "rows", st);
+    return st;
+}
+
+static fmb_status try_steeper_elimination(part_run *r, int kept)
+{
+    shadow h = shadow_of_run(r);
+    const bool *drop;
+    fmb_elim *e = fmb_lift_elimination(r->lift, &drop);
+    if (!fmb_mark_possible(e))
+        return try_elimination(r, false, FMB_TRIAL_BUDGET(h.p->m));
+    bool any = kept > FMB_SHORT_QUERIES && count_variables_to_go(e, drop) <= STEEP_STEPS;
+    slope steeper = {any ? 0 : STEEP, 1, kept};
+    size_t budget;
+    fmb_status st = eliminate_rest_of_lift(&h, r->lift, &steeper, &budget, r->feasible, &r->done);
+    tell_attempt(r, "steeper elimination", budget, "rows", st);
+    return st;
+}
+
+static bool is_open(fmb_status st, const part_run *r)
+{
+    return st == FMB_OK && !r->done && *r->feasible;
+}
+
+static fmb_status open_queries(part_run *r)
+{
+    r->known = true;
+    return r->queries ? FMB_OK
+                      : fmb_queries_open(r->q, r->part, r->place, &r->queries, r->feasible);
+}
+
+/* A way was tried, with that status. */
+static fmb_status note(fmb_way_id way, const part_run *r, fmb_status st)
+{
+    fmb_way_answered(way, st == FMB_OK && (r->done || !*r->feasible));
+    return st;
+}
+
+static bool walks(const fmb_lift *lift, const fmb_part *p, int kept)
+{
+    return fmb_judge_walks(lift, p, kept) && fmb_way(FMB_WAY_WALK);
+}
+
+/* By whom the oracle is asked later on, if it is. */
+static fmb_status learn_if_feasible(part_run *r)
+{
+    const fmb_part *p = &r->q->parts.part[r->part];
+    if (r->known)
+        return FMB_OK;
+    if (!walks(r->lift, p, fmb_judge_kept(p, r->place)))
+        return open_queries(r);
+    r->known = true;
+    return is_part_feasible(r->q, r->part, r->feasible);
+}
+
+/* With the rule that asks the oracle, from the part again. */
+static fmb_status try_pruned_elimination(part_run *r, size_t budget)
+{
+    fmb_status st = learn_if_feasible(r);
+    return is_open(st, r) ? try_elimination(r, true, budget) : st;
+}
+
+/* pairs: 0, any number. */
+static fmb_status try_queries(part_run *r, uint64_t pairs)
+{
+    fmb_status st = open_queries(r);
+    if (is_open(st, r))
+        st = fmb_queries_run(r->queries, pairs, r->out, &r->done);
+    tell_attempt(r, "support queries", pairs, "pairs", st);
+    return st;
+}
+
+static fmb_status try_walk(part_run *r)
+{
+    fmb_status st = learn_if_feasible(r);
+    if (is_open(st, r))
+        st = fmb_query_polygon_part(r->q, r->part, r->place, r->out, &r->done);
+    tell_attempt(r, "walk around", 0, NULL, st);
+    return st;
+}
+
+/* In the plane around it; in a few dimensions, by asking how far it goes; in more, so far. */
+static fmb_status try_oracle(part_run *r)
+{
+    const fmb_part *p = &r->q->parts.part[r->part];
+    int kept = fmb_judge_kept(p, r->place);
+    fmb_status st = walks(r->lift, p, kept) ? note(FMB_WAY_WALK, r, try_walk(r)) : FMB_OK;
+    return is_open(st, r) ? try_queries(r, kept <= FEW_KEPT ? 0 : FIRST_PAIRS) : st;
+}
+
+/* What is steeper to eliminate, then a few rays; if both grow, some more rays where there seem to
+ * be few. */
+static fmb_status try_rays_and_steeper_elimination(part_run *r, int kept)
+{
+    const fmb_part *p = &r->q->parts.part[r->part];
+    uint64_t rays = fmb_judge_first_rays(r->lift, p, kept);
+    fmb_status st = FMB_OK;
+    if (fmb_judge_goes_steeper(r->lift, kept) && fmb_way(FMB_WAY_STEEPER))
+        st = note(FMB_WAY_STEEPER, r, try_steeper_elimination(r, kept));
+    if (is_open(st, r) && rays > 0 && fmb_way(FMB_WAY_FIRST_RAYS))
+        st = note(FMB_WAY_FIRST_RAYS, r, try_rays(r, rays));
+    if (is_open(st, r) && kept <= FMB_SHORT_QUERIES && fmb_lift_is_nearly_done(r->lift))
+        st = try_rays(r, rays);
+    rays = is_open(st, r) ? fmb_judge_second_rays(r->lift, p, kept) : 0;
+    return rays > 0 && fmb_way(FMB_WAY_SECOND_RAYS)
+               ? note(FMB_WAY_SECOND_RAYS, r, try_rays(r, rays))
+               : st;
+}
+
+/* What is nearly cheap is eliminated; then what rows and numbers are like tells the way; then the
+ * oracle is asked. */
+static fmb_status try_each_shortly(part_run *r)
+{
+    const fmb_part *p = &r->q->parts.part[r->part];
+    int kept = fmb_judge_kept(p, r->place);
+    fmb_status st = fmb_judge_doubts_solution(r->lift) && !r->known ? open_queries(r) : FMB_OK;
+    if (is_open(st, r) && fmb_judge_escapes(r->lift) && fmb_way(FMB_WAY_ESCAPE))
+        st = note(FMB_WAY_ESCAPE, r, try_escape(r));
+    if (is_open(st, r) && !fmb_judge_asks_ends(r->lift, p, kept)) {
+        if (fmb_judge_goes_gently(r->lift, kept) && fmb_way(FMB_WAY_GENTLE))
+            st = note(FMB_WAY_GENTLE, r, try_gentle_elimination(r, kept));
+        size_t budget = is_open(st, r) ? fmb_judge_pruned_rows(r->lift, p, kept) : 0;
+        if (budget > 0 && fmb_way(FMB_WAY_PRUNED))
+            st = note(FMB_WAY_PRUNED, r, try_pruned_elimination(r, budget));
+        if (is_open(st, r))
+            st = try_rays_and_steeper_elimination(r, kept);
+    }
+    return is_open(st, r) ? try_oracle(r) : st;
+}
+
+/* What is left is eliminated, and pruned by the oracle, in turns with rays and queries. */
+static fmb_status take_turns(part_run *r)
+{
+    size_t budget = FMB_TRIAL_BUDGET(r->q->parts.part[r->part].m);
+    uint64_t pairs = FIRST_PAIRS;
+    fmb_status st = FMB_OK;
+    while (is_open(st, r)) {
+        pairs *= 4;
+        budget *= 8;
+        st = try_rays(r, budget);
+        if (is_open(st, r))
+            st = try_elimination(r, true, fmb_lift_has_given_up(r->lift) ? 0 : budget);
+        if (is_open(st, r))
+            st = try_queries(r, pairs);
+    }
+    return st;
+}
+
+static fmb_status run_portfolio(part_run *r)
+{
+    bool by_rays = r->q->v->options.method == FMB_METHOD_DD;
+    size_t rows = fmb_system_rows(r->out);
+    fmb_status st = fmb_lift_open(r->q, r->part, r->place, &r->lift, r->feasible);
+    if (is_open(st, r))
+        st = by_rays ? try_rays(r, 0) : try_each_shortly(r);
+    if (is_open(st, r))
+        st = by_rays ? try_oracle(r) : FMB_OK;
+    if (is_open(st, r))
+        st = take_turns(r);
+    fmb_status kept = FMB_OK;
+    if (st == FMB_LIMIT && r->queries && fmb_system_rows(r->out) == rows)
+        kept = fmb_queries_keep(r->queries, r->out);
+    fmb_lift_close(r->lift);
+    fmb_queries_close(r->queries);
+    return kept != FMB_OK ? kept : st;
+}
+
+fmb_status fmb_query_project_part(fmb_query *q, int part, const int *place, fmb_system *out,
+                                  bool *feasible)
+{
+    part_run r = {.q = q,
+                  .part = part,
+                  .place = place,
+                  .out = out,
+                  .known = q->decided,
+                  .feasible = feasible};
+    fmb_status st = FMB_OK;
+    *feasible = true;
+    if (q->v->options.method == FMB_METHOD_HULL) {
+        st = fmb_query_support_part(q, part, place, out, feasible);
+        r.done = st == FMB_OK;
+        tell_attempt(&r, "support queries", 0, NULL, st);
+        return st;
+    }
+    if (!fmb_query_eliminates(q))
+        return run_portfolio(&r);
+    if (!r.known && uses_lp_rule(q->v)) {
+        st = is_part_feasible(q, part, feasible);
+        r.known = true;
+    }
+    return is_open(st, &r) ? try_elimination(&r, r.known, 0) : st;
+}

@@ -1,0 +1,388 @@
+/* project_rays.c: the projection of a part by double description; see project_rays.h.
+ *
+ * Variables that stand in an equality, or that make no more rows than go, are eliminated first. The
+ * cone over what is left is turned into rays (dd/cone.h), which are projected by leaving out
+ * coordinates, and turned back into rows (hull/image/image.h). Each of those is a combination of
+ * the rows that are tight on all of its preimage: a small linear program finds the multipliers.
+ */
+#include "solve/portfolio/project_rays.h"
+
+#include <string.h>
+
+#include "dd/cone_rows.h"
+#include "elim/store/derive.h"
+#include "hull/image/image.h"
+#include "lp/dictionary/dictionary_read.h"
+#include "lp/redundancy/slack.h"
+#include "solve/portfolio/irredundant_rows.h"
+
+/* A part on its way. Row 0 of the cone is t >= 0, row 1 + i is live row i. */
+struct fmb_lift {
+    fmb_query *q;
+    const fmb_part *p;
+    const int *place; /* [dim] column in the projection, -1 for variables that go */
+    fmb_system *out;
+    fmb_elim e;
+    bool *drop;          /* [n] variables that go */
+    size_t d, *column;   /* [d - 1] columns of the part that live rows name; then comes t */
+    size_t keeps, *keep; /* coordinates of the cone that stay; t last */
+    fmb_cone_rows rows;
+    fmb_cone cone;
+    fmb_image image;
+    fmb_vec facet; /* scratch: a row of the part */
+    bool rest;     /* variables that go are left in live rows */
+    bool lifted;   /* the cone is there */
+    bool over;     /* too many faces are excluded */
+};
+
+/* ---- the cone -------------------------------------------------------------------------------- */
+
+static fmb_status eliminate_cheap_columns(fmb_lift *h)
+{
+    fmb_query *q = h->q;
+    bool *drop = h->drop = fmb_arena_get(&q->v->arena, (size_t)h->p->n, sizeof *drop);
+    if (!drop)
+        return fmb_mem_status(q->run.mem);
+    for (int j = 0; j < h->p->n; j++)
+        drop[j] = h->place[h->p->var[j]] < 0;
+    fmb_status st = fmb_query_load(q, h->p, false, &h->e);
+    h->e.order = FMB_ORDER_PAIRS;
+    h->e.chooser = (fmb_chooser){0};
+    h->e.cheap_only = true;
+    if (st == FMB_OK)
+        st = fmb_elim_eliminate(&h->e, drop);
+    for (size_t i = 0; st == FMB_OK && i < h->e.live.size; i++)
+        for (int j = 0; j < h->p->n; j++)
+            h->rest |= drop[j] && fmb_vec_sgn(&h->e.row[h->e.live.row[i]].v, (size_t)j) != 0;
+    return st;
+}
+
+static bool is_column_named(const fmb_elim *e, int j)
+{
+    for (size_t i = 0; i < e->live.size; i++)
+        if (fmb_vec_sgn(&e->row[e->live.row[i]].v, (size_t)j) != 0)
+            return true;
+    return false;
+}
+
+static fmb_status list_coordinates(fmb_lift *h)
+{
+    fmb_arena *arena = &h->q->v->arena;
+    size_t n = (size_t)h->p->n + 1;
+    h->column = fmb_arena_get(arena, n, sizeof *h->column);
+    h->keep = fmb_arena_get(arena, n, sizeof *h->keep);
+    if (!h->column || !h->keep)
+        return fmb_mem_status(arena->mem);
+    for (int j = 0; j < h->p->n; j++) {
+        if (!is_column_named(&h->e, j))
+            continue;
+        if (h->place[h->p->var[j]] >= 0)
+            h->keep[h->keeps++] = h->d;
+        h->column[h->d++] = (size_t)j;
+    }
+    h->keep[h->keeps++] = h->d++;
+    return FMB_OK;
+}
+
+/* a.x <= b as b t - a.x >= 0. */
+static void write_live_row(const void *of, size_t i, mpz_t *z, fmb_cone_row *row)
+{
+    const fmb_lift *h = of;
+    const fmb_derived *r = i > 0 ? &h->e.row[h->e.live.row[i - 1]] : NULL;
+    for (size_t k = 0; k + 1 < h->d; k++) {
+        mpz_set_ui(z[k], 0);
+        if (r)
+            fmb_vec_get(&r->v, h->column[k], z[k]);
+        mpz_neg(z[k], z[k]);
+    }
+    mpz_set_ui(z[h->d - 1], 1);
+    if (r)
+        fmb_vec_get(&r->v, (size_t)h->p->n, z[h->d - 1]);
+    row->equality = r && r->equality;
+    row->wanted = r && r->strict;
+}
+
+static fmb_status open_cone_of_part(fmb_lift *h)
+{
+    fmb_status st = list_coordinates(h);
+    if (st == FMB_OK)
+        st = fmb_cone_rows_write(&h->rows, &h->q->v->arena, &h->q->run, h->d, h->e.live.size + 1,
+                                 write_live_row, h);
+    fmb_cone_problem of = {.d = h->d,
+                           .m = h->rows.size,
+                           .row = h->rows.row,
+                           .keeps = h->keeps,
+                           .keep = h->keep,
+                           .wide_only = fmb_query_is_wide(h->q)};
+    h->lifted = true;
+    return st == FMB_OK ? fmb_cone_init(&h->cone, &h->q->run, &of) : st;
+}
+
+/* ---- proofs ---------------------------------------------------------------------------------- */
+
+/* The row of the cone, of that bit or any equality, is tight on all of the facet's preimage. */
+static size_t list_tight_rows(const fmb_lift *h, const fmb_image_row *f, uint32_t *live)
+{
+    size_t n = 0;
+    for (size_t i = 1; i < h->rows.size; i++)
+        if (h->rows.row[i].equality)
+            live[n++] = h->e.live.row[i - 1];
+    for (size_t b = 0; b < h->cone.bits; b++)
+        if (!fmb_set_has(f->slack, b) && h->cone.row_of_bit[b] > 0)
+            live[n++] = h->e.live.row[h->cone.row_of_bit[b] - 1];
+    return n;
+}
+
+/* The last of m rows is a combination of the others: which? */
+static fmb_status combine_rows_to_last(fmb_lift *h, size_t m, const fmb_lp_row *rows,
+                                       const uint32_t *live, fmb_weights *w)
+{
+    fmb_lp lp;
+    bool feasible;
+    fmb_lp_end end = FMB_LP_VIOLATED;
+    fmb_status st = fmb_lp_init(&lp, &h->q->run, h->p->n, m, rows, fmb_query_is_wide(h->q));
+    if (st == FMB_OK)
+        st = fmb_lp_feasible(&lp, &feasible);
+    if (st == FMB_OK)
+        st = fmb_lp_test(&lp, m - 1, &end);
+    if (st == FMB_OK)
+        st = fmb_lp_optimum(&lp, -1, w);
+    fmb_lp_clear(&lp);
+    for (size_t i = 0; i < w->size; i++)
+        w->index[i] = live[w->index[i]];
+    return st == FMB_OK ? fmb_elim_derive(&h->e, w) : st;
+}
+
+static void negate_row(fmb_vec *v, size_t n)
+{
+    for (size_t k = 0; k < n; k++) {
+        if (v->z)
+            mpz_neg(v->z[k], v->z[k]);
+        else
+            v->s[k] = -v->s[k];
+    }
+}
+
+static fmb_status claim_facet(fmb_lift *h, const fmb_image_row *f, fmb_rel rel)
+{
+    fmb_mem *mem = h->q->run.mem;
+    fmb_weights w[2] = {{0}, {0}};
+    uint32_t *live = fmb_mem_get(mem, h->rows.size, sizeof *live);
+    fmb_lp_row *rows = fmb_mem_get(mem, h->rows.size + 1, sizeof *rows);
+    fmb_status st = live && rows ? FMB_OK : fmb_mem_status(mem);
+    size_t m = st == FMB_OK ? list_tight_rows(h, f, live) : 0;
+    for (size_t i = 0; i < m; i++)
+        rows[i] = (fmb_lp_row){&h->e.row[live[i]].v, fmb_derived_rel(&h->e.row[live[i]])};
+    if (st == FMB_OK)
+        rows[m] = (fmb_lp_row){&h->facet, rel == FMB_LT ? FMB_LT : FMB_LE};
+    if (st == FMB_OK)
+        st = combine_rows_to_last(h, m + 1, rows, live, &w[0]);
+    if (st == FMB_OK && f->equality) {
+        negate_row(&h->facet, (size_t)h->p->n + 1);
+        st = combine_rows_to_last(h, m + 1, rows, live, &w[1]);
+        negate_row(&h->facet, (size_t)h->p->n + 1);
+    }
+    mpq_t one;
+    mpq_init(one);
+    mpq_set_ui(one, 1, 1);
+    if (st == FMB_OK)
+        st = fmb_query_claim_implied(h->q, h->p, &h->facet, one, rel, &w[0],
+                                     f->equality ? &w[1] : NULL);
+    mpq_clear(one);
+    fmb_weights_clear(&w[0], mem);
+    fmb_weights_clear(&w[1], mem);
+    fmb_mem_put(mem, rows, h->rows.size + 1, sizeof *rows);
+    fmb_mem_put(mem, live, h->rows.size, sizeof *live);
+    return st;
+}
+
+/* ---- rows ------------------------------------------------------------------------------------ */
+
+/* The facet as a row over the part's columns; z[n + 1] comes in 0, and leaves so. */
+static fmb_status write_facet_row(fmb_lift *h, const fmb_image_row *f, mpz_t *z)
+{
+    size_t n = (size_t)h->p->n;
+    for (size_t k = 0; k + 1 < h->keeps; k++)
+        fmb_vec_get(&f->v, k, z[h->column[h->keep[k]]]);
+    fmb_vec_get(&f->v, h->keeps - 1, z[n]);
+    fmb_status st = fmb_vec_set_z(&h->facet, n + 1, z, h->q->run.mem);
+    for (size_t k = 0; k + 1 < h->keeps; k++)
+        mpz_set_ui(z[h->column[h->keep[k]]], 0);
+    return st;
+}
+
+static fmb_status put_facet(fmb_lift *h, const fmb_image_row *f, mpz_t *z)
+{
+    fmb_rel rel = f->equality ? FMB_EQ : f->strict ? FMB_LT : FMB_LE;
+    fmb_status st = write_facet_row(h, f, z);
+    if (st == FMB_OK && h->q->claims)
+        st = claim_facet(h, f, rel);
+    return st == FMB_OK ? fmb_query_append_row(h->q, h->p, &h->facet, rel, h->place, h->out) : st;
+}
+
+static fmb_status put_all_facets(fmb_lift *h)
+{
+    fmb_mem *mem = h->q->run.mem;
+    size_t n = (size_t)h->p->n + 1;
+    mpz_t *z = fmb_vec_block(n, mem);
+    h->facet.s = fmb_arena_get(&h->q->v->arena, n, sizeof *h->facet.s);
+    fmb_status st = z && h->facet.s ? FMB_OK : fmb_mem_status(mem);
+    for (size_t k = 0; st == FMB_OK && k < h->image.facets; k++)
+        st = put_facet(h, &h->image.facet[k], z);
+    for (size_t k = 0; z && k < n; k++)
+        mpz_clear(z[k]);
+    fmb_mem_put(mem, z, n, sizeof *z);
+    fmb_vec_clear(&h->facet, n, mem);
+    return st;
+}
+
+/* ---- the whole way --------------------------------------------------------------------------- */
+
+static bool has_strict_row(const fmb_lift *h)
+{
+    for (size_t i = 0; i < h->rows.size; i++)
+        if (h->rows.row[i].wanted)
+            return true;
+    return false;
+}
+
+static fmb_status exclude_faces(fmb_lift *h, bool *feasible, bool *done)
+{
+    size_t words = h->image.words;
+    bool empty;
+    uint64_t *excludes = fmb_arena_get(&h->q->v->arena, words, sizeof *excludes);
+    if (!excludes)
+        return fmb_mem_status(h->q->run.mem);
+    memset(excludes, 0, words * sizeof *excludes);
+    for (size_t b = 0; b < h->cone.bits; b++)
+        if (h->rows.row[h->cone.row_of_bit[b]].wanted)
+            fmb_set_put(excludes, b);
+    fmb_status st = fmb_image_open_faces(&h->image, excludes, &empty, done);
+    *feasible = st != FMB_OK || !empty;
+    return st;
+}
+
+static fmb_status project_rays(fmb_lift *h, bool *feasible, bool *done)
+{
+    bool strict = has_strict_row(h);
+    fmb_status st = fmb_image_init(&h->image, &h->q->run, &h->cone, fmb_query_is_wide(h->q));
+    *feasible = h->image.has_point;
+    if (st == FMB_OK && *feasible)
+        st = fmb_image_find_facets(&h->image, strict || h->q->claims);
+    if (st == FMB_OK && *feasible && strict)
+        st = exclude_faces(h, feasible, done);
+    h->over = !*done;
+    return st == FMB_OK && *feasible && *done ? put_all_facets(h) : st;
+}
+
+fmb_status fmb_lift_open(fmb_query *q, int part, const int *place, fmb_lift **out, bool *feasible)
+{
+    fmb_lift *h = fmb_arena_get(&q->v->arena, 1, sizeof *h);
+    if (!h)
+        return fmb_mem_status(&q->v->mem);
+    *h = (fmb_lift){.q = q, .p = &q->parts.part[part], .place = place, .e.run = &q->run};
+    *out = h;
+    fmb_status st = eliminate_cheap_columns(h);
+    *feasible = st != FMB_OK || h->e.clash == FMB_NO_ROW;
+    return st;
+}
+
+void fmb_lift_close(fmb_lift *h)
+{
+    if (!h)
+        return;
+    fmb_cone_rows_clear(&h->rows, h->q->run.mem);
+    fmb_image_clear(&h->image);
+    fmb_cone_clear(&h->cone);
+    fmb_elim_clear(&h->e);
+}
+
+fmb_status fmb_lift_run(fmb_lift *h, uint64_t rays, fmb_system *out, bool *feasible, bool *done)
+{
+    h->out = out;
+    *feasible = true;
+    *done = !h->rest;
+    if (!h->rest)
+        return fmb_thin_out(h->q, h->p, h->place, &h->e, h->q->decided, out, feasible);
+    if (h->over)
+        return FMB_OK;
+    fmb_status st = h->lifted ? FMB_OK : open_cone_of_part(h);
+    if (st == FMB_OK)
+        st = fmb_cone_run(&h->cone, rays, done);
+    return st == FMB_OK && *done ? project_rays(h, feasible, done) : st;
+}
+
+fmb_elim *fmb_lift_elimination(fmb_lift *h, const bool **drop)
+{
+    *drop = h->drop;
+    return &h->e;
+}
+
+bool fmb_lift_is_nearly_done(const fmb_lift *h)
+{
+    return h->lifted && 4 * h->cone.lefts <= h->rows.size;
+}
+
+bool fmb_lift_is_long(const fmb_lift *h)
+{
+    bool wide = false, long_all = true;
+    for (size_t i = 0; i < h->e.live.size; i++) {
+        const fmb_vec *v = &h->e.row[h->e.live.row[i]].v;
+        wide |= fmb_vec_is_wide(v);
+        long_all &= fmb_vec_is_wide(v) || v->bits > FMB_LAZY_BITS;
+    }
+    return wide || long_all;
+}
+
+size_t fmb_lift_minor_bits(const fmb_lift *h)
+{
+    return fmb_elim_minor_bits(&h->e);
+}
+
+size_t fmb_lift_rows(const fmb_lift *h)
+{
+    return h->e.live.size;
+}
+
+size_t fmb_lift_entries(const fmb_lift *h)
+{
+    size_t named = 0;
+    for (size_t i = 0; i < h->e.live.size; i++)
+        named += (size_t)fmb_elim_count_variables(&h->e, &h->e.row[h->e.live.row[i]]);
+    return named;
+}
+
+size_t fmb_lift_bounds(const fmb_lift *h)
+{
+    size_t bounds = 0;
+    for (size_t i = 0; i < h->e.live.size; i++)
+        bounds += fmb_elim_count_variables(&h->e, &h->e.row[h->e.live.row[i]]) == 1;
+    return bounds;
+}
+
+bool fmb_lift_has_origin(const fmb_lift *h)
+{
+    for (size_t i = 0; i < h->e.live.size; i++) {
+        const fmb_derived *r = &h->e.row[h->e.live.row[i]];
+        int side = fmb_vec_sgn(&r->v, (size_t)h->p->n);
+        if (side < 0 || (r->strict && side == 0) || (r->equality && side != 0))
+            return false;
+    }
+    return true;
+}
+
+bool fmb_lift_has_given_up(const fmb_lift *h)
+{
+    return h->over;
+}
+
+size_t fmb_lift_columns(const fmb_lift *h)
+{
+    return (size_t)h->p->n - (size_t)h->e.rounds;
+}
+
+size_t fmb_lift_freedom(const fmb_lift *h)
+{
+    size_t rows = h->e.live.size, d = fmb_lift_columns(h) + 1;
+    return rows > d && rows - d > d ? d : rows > d ? rows - d : 0;
+}

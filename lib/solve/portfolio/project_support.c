@@ -1,0 +1,237 @@
+/* project_support.c: rows of a projection from support queries (hull/support/support.h); see
+ * project_support.h. */
+#include "solve/portfolio/project_support.h"
+
+#include <stdlib.h>
+
+#include "hull/support/support.h"
+#include "solve/portfolio/symmetries.h"
+#include "system/system_private.h"
+
+struct fmb_queries {
+    fmb_query *q;
+    const fmb_part *p;
+    int part;
+    const int *place;
+    int *column; /* [n], k of them: of the part, those that are kept */
+    size_t k;
+    fmb_support s;
+    mpz_t *z;        /* [n + 1] scratch: a row of the part */
+    fmb_vec row;     /* the same */
+    bool begun;      /* there is an s */
+    fmb_group group; /* symmetries that were given */
+};
+
+/* ---- rows ------------------------------------------------------------------------------------ */
+
+static fmb_status claim_support_row(fmb_queries *h, fmb_support_row *r)
+{
+    mpq_t one;
+    if (!h->q->claims)
+        return FMB_OK;
+    mpq_init(one);
+    mpq_set_ui(one, 1, 1);
+    fmb_status st = fmb_query_take_oracle_weights(h->q, h->p, &r->proof);
+    if (st == FMB_OK)
+        st = fmb_query_take_oracle_weights(h->q, h->p, &r->reverse);
+    if (st == FMB_OK)
+        st = fmb_query_claim_implied(h->q, h->p, &h->row, one, r->rel, &r->proof, &r->reverse);
+    mpq_clear(one);
+    return st;
+}
+
+static fmb_status put_support_row(fmb_queries *h, fmb_support_row *r, fmb_system *out)
+{
+    size_t n = (size_t)h->p->n;
+    for (size_t j = 0; j < h->k; j++)
+        mpz_set(h->z[h->column[j]], r->z.z[j]);
+    mpz_set(h->z[n], r->z.z[h->k]);
+    fmb_status st = fmb_vec_set_z(&h->row, n + 1, h->z, h->q->run.mem);
+    if (st == FMB_OK)
+        st = claim_support_row(h, r);
+    return st == FMB_OK ? fmb_query_append_row(h->q, h->p, &h->row, r->rel, h->place, out) : st;
+}
+
+static int compare_support_rows(const void *a, const void *b)
+{
+    const fmb_integers *x = &((const fmb_support_row *)a)->z, *y = &((const fmb_support_row *)b)->z;
+    int sign = 0;
+    for (size_t j = 0; sign == 0 && j < x->size; j++)
+        sign = mpz_cmp(x->z[j], y->z[j]);
+    return sign;
+}
+
+/* In an order that does not depend on when they were found. */
+static fmb_status put_all_support_rows(fmb_queries *h, fmb_system *out)
+{
+    size_t n = (size_t)h->p->n + 1;
+    fmb_mem *mem = h->q->run.mem;
+    h->z = fmb_mem_get(mem, n, sizeof *h->z);
+    h->row.s = fmb_mem_get(mem, n, sizeof *h->row.s);
+    fmb_status st = h->z && h->row.s ? FMB_OK : fmb_mem_status(mem);
+    for (size_t j = 0; h->z && j < n; j++)
+        mpz_init(h->z[j]);
+    if (h->s.rows > 1)
+        qsort(h->s.row, h->s.rows, sizeof *h->s.row, compare_support_rows);
+    for (size_t i = 0; st == FMB_OK && i < h->s.rows; i++)
+        st = put_support_row(h, &h->s.row[i], out);
+    for (size_t j = 0; h->z && j < n; j++)
+        mpz_clear(h->z[j]);
+    fmb_mem_put(mem, h->z, n, sizeof *h->z);
+    fmb_vec_clear(&h->row, n, mem);
+    fmb_mem_put(mem, h->row.s, n, sizeof *h->row.s);
+    return st;
+}
+
+/* ---- inner points ---------------------------------------------------------------------------- */
+
+/* A claim that there is a solution there. */
+static fmb_status claim_inner_point(fmb_queries *h, const fmb_integers *x)
+{
+    fmb_query *q = h->q;
+    fmb_claim *claim;
+    fmb_status st = fmb_evidence_claim(q->claims, FMB_CLAIM_FEASIBLE, &claim);
+    if (st != FMB_OK)
+        return st;
+    for (int j = 0; j < h->p->n; j++) {
+        mpz_set(mpq_numref(q->x[j]), x->z[j]);
+        mpz_set(mpq_denref(q->x[j]), x->z[h->p->n]);
+        mpq_canonicalize(q->x[j]);
+    }
+    for (int j = 0; st == FMB_OK && j < fmb_system_dim(q->s); j++) {
+        mpq_srcptr value = q->parts.of_var[j] == h->part ? q->x[q->parts.place[j]] : q->point[j];
+        st = fmb_evidence_push(q->claims, &claim->point, (size_t)j, value);
+    }
+    return fmb_query_finish_claim(q, st);
+}
+
+/* Without memory for more, it is those so far. */
+static fmb_status claim_inner_points(fmb_queries *h)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && h->q->claims && i < h->s.points; i++)
+        st = claim_inner_point(h, &h->s.point[i]);
+    return st == FMB_LIMIT ? FMB_OK : st;
+}
+
+/* ---- a part ---------------------------------------------------------------------------------- */
+
+static fmb_status list_kept_columns(fmb_queries *h)
+{
+    h->column = fmb_mem_get(h->q->run.mem, (size_t)h->p->n, sizeof *h->column);
+    if (!h->column)
+        return fmb_mem_status(h->q->run.mem);
+    for (int j = 0; j < h->p->n; j++)
+        if (h->place[h->p->var[j]] >= 0)
+            h->column[h->k++] = j;
+    return FMB_OK;
+}
+
+/* Those that were given, or any that are found. */
+static fmb_status allow_symmetries(fmb_queries *h)
+{
+    fmb_query *q = h->q;
+    if (q->session || q->v->options.symmetry != FMB_SYMMETRY_AUTO)
+        return FMB_OK;
+    fmb_support_allow_symmetry(&h->s, &q->program[h->part]);
+    if (!q->v->moved)
+        return FMB_OK;
+    h->s.given = &h->group;
+    return fmb_symmetries_of_part(q, h->part, h->column, h->k, &h->group);
+}
+
+fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, fmb_queries **out,
+                            bool *feasible)
+{
+    fmb_oracle *o;
+    fmb_queries *h = fmb_mem_zero(q->run.mem, 1, sizeof *h);
+    *out = h;
+    *feasible = true;
+    if (!h)
+        return fmb_mem_status(q->run.mem);
+    *h = (fmb_queries){.q = q, .p = &q->parts.part[part], .part = part, .place = place};
+    fmb_status st = list_kept_columns(h);
+    if (st == FMB_OK)
+        st = fmb_query_oracle(q, part, &o);
+    if (st == FMB_OK && !fmb_oracle_has_solution(o))
+        st = fmb_oracle_feasible(o, feasible);
+    if (st != FMB_OK || !*feasible)
+        return st;
+    h->begun = true;
+    st = fmb_support_init(&h->s, &q->run, o, (size_t)h->p->n, h->column, h->k,
+                          q->program[part].any_strict, q->claims != NULL);
+    if (st == FMB_OK)
+        st = allow_symmetries(h);
+    if (st == FMB_OK && q->run.threads > 1 && !q->session)
+        st = fmb_support_hire(&h->s, &q->program[part]);
+    return st;
+}
+
+void fmb_queries_close(fmb_queries *h)
+{
+    if (!h)
+        return;
+    fmb_mem *mem = h->q->run.mem;
+    if (h->begun)
+        fmb_support_clear(&h->s);
+    fmb_group_clear(&h->group);
+    fmb_mem_put(mem, h->column, (size_t)h->p->n, sizeof *h->column);
+    fmb_mem_put(mem, h, 1, sizeof *h);
+}
+
+/* Points as claims: so much of the projection is known from within. */
+fmb_status fmb_queries_keep(fmb_queries *h, fmb_system *out)
+{
+    if (!h->begun)
+        return FMB_OK;
+    fmb_facets_clear(&h->s.hull); /* what is put out needs memory, too */
+    fmb_status st = fmb_support_keep_images(&h->s);
+    if (st == FMB_OK || st == FMB_LIMIT)
+        st = put_all_support_rows(h, out);
+    h->q->inner = h->s.points > 0;
+    return st == FMB_OK ? claim_inner_points(h) : st;
+}
+
+fmb_status fmb_queries_run(fmb_queries *h, uint64_t pairs, fmb_system *out, bool *done)
+{
+    *done = h->k == 0;
+    fmb_status st = *done ? FMB_OK : fmb_support_ask(&h->s, pairs, done);
+    if (st == FMB_OK ? !*done : st != FMB_LIMIT)
+        return st;
+    fmb_facets_clear(&h->s.hull);
+    fmb_status put = st == FMB_LIMIT ? fmb_queries_keep(h, out) : put_all_support_rows(h, out);
+    return put == FMB_OK ? st : put;
+}
+
+/* Pairs of facets where no clock ends a glance: so many go with dozens of queries. The last query
+ * may take as many again, but not all that the images of one point by symmetries could. */
+#define PAIRS_OF_GLANCE ((uint64_t)1 << 12)
+
+fmb_status fmb_queries_glance(fmb_query *q, int part, const int *place, fmb_system *out)
+{
+    bool feasible, done;
+    fmb_queries *h;
+    uint64_t pairs = q->run.deadline > 0 ? 0 : PAIRS_OF_GLANCE;
+    fmb_status st = fmb_queries_open(q, part, place, &h, &feasible);
+    bool asked = st == FMB_OK && feasible && h->k > 0;
+    if (asked) {
+        h->s.hull.most_pairs = 2 * pairs;
+        st = fmb_support_ask(&h->s, pairs, &done);
+    }
+    if (asked && (st == FMB_OK || st == FMB_LIMIT))
+        st = fmb_queries_keep(h, out);
+    fmb_queries_close(h);
+    return st == FMB_LIMIT ? FMB_OK : st;
+}
+
+fmb_status fmb_query_support_part(fmb_query *q, int part, const int *place, fmb_system *out,
+                                  bool *feasible)
+{
+    bool done;
+    fmb_queries *h;
+    fmb_status st = fmb_queries_open(q, part, place, &h, feasible);
+    if (st == FMB_OK && *feasible)
+        st = fmb_queries_run(h, 0, out, &done);
+    fmb_queries_close(h);
+    return st;
+}

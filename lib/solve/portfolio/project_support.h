@@ -1,0 +1,33 @@
+/* project_support.h: the projection of a part as the hull of what support queries find, without
+ * eliminating anything; in turns, if need be.
+ */
+#ifndef FMB_SOLVE_PROJECT_SUPPORT_H
+#define FMB_SOLVE_PROJECT_SUPPORT_H
+
+#include "solve/query/solver.h"
+
+typedef struct fmb_queries fmb_queries;
+
+/* On those of the part's variables with place[] >= 0, perhaps none; place outlives it. *feasible
+ * false: the part has no solution, and nothing can be asked. In any case fmb_queries_close what is
+ * not NULL. Errors: MEMORY, LIMIT, here and below. */
+fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, fmb_queries **out,
+                            bool *feasible);
+/* At a limit that something else has come to: put out what is proved so far, and points as claims.
+ * Errors: MEMORY. Then close it. */
+fmb_status fmb_queries_keep(fmb_queries *h, fmb_system *out);
+void fmb_queries_close(fmb_queries *h);
+
+/* Go on until the hull has looked at so many pairs of facets, 0: to the end. *done: the projection
+ * has been appended to out; else nothing, but at a limit (LIMIT) the rows that are proved. */
+fmb_status fmb_queries_run(fmb_queries *h, uint64_t pairs, fmb_system *out, bool *done);
+
+/* After a limit, by queries of its own: what rows and points the time left allows, or a few. *out
+ * may stay as it is. Errors: MEMORY. */
+fmb_status fmb_queries_glance(fmb_query *q, int part, const int *place, fmb_system *out);
+
+/* All at once. */
+fmb_status fmb_query_support_part(fmb_query *q, int part, const int *place, fmb_system *out,
+                                  bool *feasible);
+
+#endif

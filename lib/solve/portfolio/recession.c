@@ -1,0 +1,225 @@
+/* recession.c: see recession.h.
+ *
+ * Let z be a direction among the variables that go, in which all rows that name one of these go
+ * down: a.z < 0. Whatever values the other variables have, far enough along z all of those rows
+ * hold, strictly: none of them is left in the projection. For one variable, that is one that has no
+ * upper or no lower bound. A cone of m rows in k dimensions, drawn around 0 at random, has such a z
+ * with a chance of 1/2 where m = 2k (Wendel 1962), and then eliminations, rays and queries may take
+ * long to find out that there is nothing to find.
+ *
+ * The direction is a point strictly inside the rows with right sides 0
+ * (lp/redundancy/active_set/interior_point.h): a glance in doubles, proved in integers. In small
+ * systems it may be seen at once, in integers alone: first columns of one sign go, with all rows
+ * that name them, one after another; then a perceptron (Rosenblatt 1958) looks for z, by going away
+ * from rows that do not go down. If none is left, z is proved.
+ */
+#include "solve/portfolio/recession.h"
+
+#include <string.h>
+
+#include "lp/redundancy/active_set/interior_point.h"
+#include "system/system_private.h"
+
+/* The rows that name variables that go, in those. */
+typedef struct cone {
+    fmb_elim *e;
+    size_t n, m;
+    int *column;     /* [n] of e */
+    fmb_vec *v;      /* [m] */
+    fmb_lp_row *row; /* [m] */
+} cone;
+
+static const fmb_derived *live_row_of_cone(const cone *c, size_t i)
+{
+    return &c->e->row[c->e->live.row[i]];
+}
+
+static bool names_column_of_cone(const cone *c, const fmb_derived *r)
+{
+    for (size_t j = 0; j < c->n; j++)
+        if (fmb_vec_sgn(&r->v, (size_t)c->column[j]) != 0)
+            return true;
+    return false;
+}
+
+static fmb_status list_columns_of_cone(cone *c, const bool *drop, fmb_arena *arena)
+{
+    c->column = fmb_arena_get(arena, (size_t)c->e->n, sizeof *c->column);
+    for (int j = 0; c->column && j < c->e->n; j++) {
+        bool named = false;
+        for (size_t i = 0; drop[j] && !named && i < c->e->live.size; i++)
+            named = fmb_vec_sgn(&live_row_of_cone(c, i)->v, (size_t)j) != 0;
+        if (named)
+            c->column[c->n++] = j;
+    }
+    return c->column ? FMB_OK : fmb_mem_status(arena->mem);
+}
+
+static void add_row_to_cone(cone *c, const fmb_vec *v, int64_t *value)
+{
+    for (size_t j = 0; j < c->n; j++)
+        value[j] = v->s[c->column[j]];
+    value[c->n] = 0;
+    c->v[c->m] = (fmb_vec){.s = value, .bits = v->bits};
+    c->row[c->m] = (fmb_lp_row){&c->v[c->m], FMB_LE};
+    c->m++;
+}
+
+/* *possible false: there are equalities, or long numbers. */
+static fmb_status list_rows_of_cone(cone *c, fmb_arena *arena, bool *possible)
+{
+    size_t rows = c->e->live.size, size = c->n + 1;
+    c->v = fmb_arena_get(arena, rows, sizeof *c->v);
+    c->row = fmb_arena_get(arena, rows, sizeof *c->row);
+    int64_t *value = fmb_arena_get(arena, rows * size, sizeof *value);
+    if (!c->v || !c->row || !value)
+        return fmb_mem_status(arena->mem);
+    *possible = c->n > 0;
+    for (size_t i = 0; *possible && i < rows; i++) {
+        const fmb_derived *r = live_row_of_cone(c, i);
+        if (!names_column_of_cone(c, r))
+            continue;
+        *possible = !r->equality && !fmb_vec_is_wide(&r->v);
+        if (*possible)
+            add_row_to_cone(c, &r->v, &value[c->m * size]);
+    }
+    return FMB_OK;
+}
+
+static fmb_status look_for_direction(const cone *c, bool *found)
+{
+    fmb_inside p;
+    bool possible;
+    fmb_status st = fmb_inside_open(&p, c->e->run, c->n, c->m, c->row, &possible);
+    if (st == FMB_OK && possible)
+        st = fmb_inside_glance(&p, found);
+    fmb_inside_clear(&p);
+    return st;
+}
+
+static void leave_rows_behind(cone *c)
+{
+    size_t left = 0;
+    for (size_t i = 0; i < c->e->live.size; i++)
+        if (!names_column_of_cone(c, live_row_of_cone(c, i)))
+            c->e->live.row[left++] = c->e->live.row[i];
+    c->e->live.size = left;
+}
+
+fmb_status fmb_escape(fmb_elim *e, const bool *drop, fmb_arena *arena, bool *escapes)
+{
+    cone c = {.e = e};
+    bool possible = false;
+    *escapes = false;
+    fmb_status st = list_columns_of_cone(&c, drop, arena);
+    if (st == FMB_OK)
+        st = list_rows_of_cone(&c, arena, &possible);
+    if (st == FMB_OK && possible)
+        st = look_for_direction(&c, escapes);
+    if (st == FMB_OK && *escapes)
+        leave_rows_behind(&c);
+    return st;
+}
+
+/* ---- at sight -------------------------------------------------------------------------------- */
+
+#define SIGHT_ROWS      64
+#define SIGHT_VARIABLES 16
+/* Rows of entries so short [bits], and so many looks at each: sums of products stay within 62 bits.
+ */
+#define SIGHT_BITS  20
+#define SIGHT_LOOKS 8
+
+/* Rows in the variables that go. */
+typedef struct sight {
+    size_t n, m;
+    int64_t a[SIGHT_ROWS][SIGHT_VARIABLES];
+} sight;
+
+static bool is_row_in_sight(const fmb_sysrow *r)
+{
+    return !fmb_vec_is_wide(&r->val) && r->val.bits <= SIGHT_BITS && r->rel != FMB_EQ;
+}
+
+/* The row with entries for n variables, number[var] or -1. False: it names none of them. */
+static bool put_row_in_sight(sight *g, const fmb_sysrow *r, const int8_t *number)
+{
+    int64_t *a = g->a[g->m++];
+    bool any = false;
+    memset(a, 0, g->n * sizeof *a);
+    for (size_t k = 0; k < r->nnz; k++) {
+        int8_t j = number[r->var[k]];
+        any |= j >= 0;
+        if (j >= 0)
+            a[j] = r->val.s[k];
+    }
+    return any;
+}
+
+/* False: there is more to see than that, or a row that stays. */
+static bool put_system_in_sight(sight *g, const fmb_system *s, const int *place)
+{
+    int8_t number[SIGHT_ROWS];
+    g->n = g->m = 0;
+    if (fmb_system_dim(s) > SIGHT_ROWS || s->rows > SIGHT_ROWS)
+        return false;
+    for (int j = 0; j < fmb_system_dim(s); j++) {
+        number[j] = place[j] < 0 ? (int8_t)g->n : -1;
+        g->n += place[j] < 0;
+    }
+    bool good = g->n <= SIGHT_VARIABLES;
+    for (size_t i = 0; good && i < s->rows; i++) {
+        const fmb_sysrow *r = fmb_system_row(s, i);
+        good = is_row_in_sight(r) && (r->nnz == 0 || put_row_in_sight(g, r, number));
+    }
+    return good;
+}
+
+/* If variable j has one sign, its rows are gone. */
+static bool leave_rows_of_one_sign(sight *g, size_t j)
+{
+    bool sign[2] = {false, false};
+    size_t left = 0;
+    for (size_t i = 0; i < g->m; i++)
+        if (g->a[i][j] != 0)
+            sign[g->a[i][j] > 0] = true;
+    if (sign[0] == sign[1])
+        return false;
+    for (size_t i = 0; i < g->m; i++)
+        if (g->a[i][j] == 0)
+            memcpy(g->a[left++], g->a[i], g->n * sizeof **g->a);
+    g->m = left;
+    return true;
+}
+
+/* False: a row does not go down along z, which has gone away from all such rows. */
+static bool do_all_rows_go_down(const sight *g, int64_t *z)
+{
+    bool all = true;
+    for (size_t i = 0; i < g->m; i++) {
+        int64_t slope = 0;
+        for (size_t j = 0; j < g->n; j++)
+            slope += g->a[i][j] * z[j];
+        for (size_t j = 0; slope >= 0 && j < g->n; j++)
+            z[j] -= g->a[i][j];
+        all &= slope < 0;
+    }
+    return all;
+}
+
+bool fmb_escape_at_sight(const fmb_system *s, const int *place)
+{
+    sight g;
+    int64_t z[SIGHT_VARIABLES] = {0};
+    bool more = put_system_in_sight(&g, s, place), down = false;
+    if (!more)
+        return false;
+    while (more) {
+        more = false;
+        for (size_t j = 0; j < g.n; j++)
+            more |= leave_rows_of_one_sign(&g, j);
+    }
+    for (int k = 0; !down && k < SIGHT_LOOKS; k++)
+        down = do_all_rows_go_down(&g, z);
+    return down;
+}

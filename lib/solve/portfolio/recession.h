@@ -1,0 +1,18 @@
+/* recession.h: whether variables that go can go on for ever, away from all rows that name them. */
+#ifndef FMB_SOLVE_RECESSION_H
+#define FMB_SOLVE_RECESSION_H
+
+#include <fmb/system.h>
+
+#include "elim/round/elim.h"
+
+/* drop[e->n]: variables that go; workspace comes from the arena. *escapes: all live rows that named
+ * one of those have left e, and the others are the projection; else nothing has changed.
+ * Errors: MEMORY, LIMIT. */
+fmb_status fmb_escape(fmb_elim *e, const bool *drop, fmb_arena *arena, bool *escapes);
+
+/* The same of a small system, on the stack: is it seen at once that no row of s is left?
+ * place[dim]: -1 for variables that go. */
+bool fmb_escape_at_sight(const fmb_system *s, const int *place);
+
+#endif

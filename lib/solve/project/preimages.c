@@ -1,0 +1,202 @@
+/* preimages.c: a program a part and reading of strict rows; see preimages.h. */
+#include "solve/project/preimages.h"
+
+#include "system/system_private.h"
+
+/* A part, as a program over its variables that go: those rows that name one. */
+typedef struct lifted_part {
+    const fmb_part *p;
+    int *column; /* [p->n] of variables that go; -1: kept */
+    int n;       /* columns */
+    fmb_program program;
+    const fmb_sysrow **row; /* [p->m] of the program's rows */
+    fmb_oracle *oracle;     /* or NULL: no variable goes */
+} lifted_part;
+
+struct fmb_lifts {
+    fmb_query *q;
+    const int *place;
+    size_t parts;
+    lifted_part *part[2]; /* [parts] as the closure, and with strict rows */
+    mpz_t b, t;
+};
+
+/* ---- programs -------------------------------------------------------------------------------- */
+
+static fmb_status number_columns_that_go(fmb_lifts *l, lifted_part *h)
+{
+    fmb_arena *arena = &l->q->v->arena;
+    h->column = fmb_arena_get(arena, (size_t)h->p->n, sizeof *h->column);
+    h->row = fmb_arena_get(arena, h->p->m, sizeof(fmb_sysrow *));
+    if (!h->column || !h->row)
+        return fmb_mem_status(l->q->run.mem);
+    for (int j = 0; j < h->p->n; j++)
+        h->column[j] = l->place[h->p->var[j]] < 0 ? h->n++ : -1;
+    return FMB_OK;
+}
+
+/* The row's terms that go, with right side 0 for now, unless there are none; z[h->n + 1]. */
+static fmb_status add_lifted_row(fmb_lifts *l, lifted_part *h, const fmb_sysrow *row, bool strict,
+                                 fmb_integers *z)
+{
+    bool any = false;
+    for (int j = 0; j <= h->n; j++)
+        mpz_set_ui(z->z[j], 0);
+    for (size_t k = 0; k < row->nnz; k++) {
+        int column = h->column[l->q->parts.place[row->var[k]]];
+        if (column >= 0)
+            fmb_vec_get(&row->val, k, z->z[column]);
+        any = any || column >= 0;
+    }
+    if (!any)
+        return FMB_OK;
+    h->row[h->program.m] = row;
+    return fmb_program_add_integers(&h->program, z->z,
+                                    row->rel == FMB_LT && !strict ? FMB_LE : row->rel);
+}
+
+static fmb_status open_lifted_part(fmb_lifts *l, lifted_part *h, const fmb_part *p, bool strict)
+{
+    fmb_integers z = {0};
+    *h = (lifted_part){.p = p};
+    fmb_status st = number_columns_that_go(l, h);
+    fmb_program_init(&h->program, l->q->run.mem, h->n);
+    if (st == FMB_OK)
+        st = fmb_integers_init(&z, (size_t)h->n + 1, l->q->run.mem);
+    for (size_t i = 0; st == FMB_OK && h->n > 0 && i < p->m; i++)
+        st = add_lifted_row(l, h, fmb_system_row(l->q->s, p->source[i]), strict, &z);
+    fmb_integers_clear(&z, l->q->run.mem);
+    return st == FMB_OK && h->n > 0 ? fmb_oracle_new(&l->q->run, &h->program, &h->oracle) : st;
+}
+
+fmb_status fmb_lifts_open(fmb_query *q, const int *place, fmb_lifts **out)
+{
+    size_t parts = (size_t)q->parts.count;
+    fmb_lifts *l = fmb_mem_zero(q->run.mem, 1, sizeof *l);
+    *out = l;
+    if (!l)
+        return fmb_mem_status(q->run.mem);
+    *l = (fmb_lifts){.q = q, .place = place};
+    mpz_inits(l->b, l->t, NULL);
+    for (int strict = 0; strict <= 1; strict++)
+        if (!(l->part[strict] = fmb_arena_get(&q->v->arena, parts, sizeof **l->part)))
+            return fmb_mem_status(q->run.mem);
+    fmb_status st = FMB_OK;
+    for (; st == FMB_OK && l->parts < parts; l->parts++) {
+        const fmb_part *p = &q->parts.part[l->parts];
+        l->part[1][l->parts] = (lifted_part){.p = p};
+        st = open_lifted_part(l, &l->part[0][l->parts], p, false);
+        if (st == FMB_OK)
+            st = open_lifted_part(l, &l->part[1][l->parts], p, true);
+    }
+    return st;
+}
+
+void fmb_lifts_close(fmb_lifts *l)
+{
+    if (!l)
+        return;
+    fmb_mem *mem = l->q->run.mem;
+    for (size_t c = 0; c < 2 * l->parts; c++) {
+        lifted_part *h = &l->part[c % 2][c / 2];
+        fmb_oracle_free(h->oracle);
+        fmb_program_clear(&h->program);
+    }
+    mpz_clears(l->b, l->t, NULL);
+    fmb_mem_put(mem, l, 1, sizeof *l);
+}
+
+/* ---- points ---------------------------------------------------------------------------------- */
+
+/* b = t times the right side minus what kept variables contribute. */
+static void find_right_side(fmb_lifts *l, const fmb_sysrow *row, const fmb_integers *y)
+{
+    fmb_vec_get(&row->val, row->nnz, l->b);
+    mpz_mul(l->b, l->b, y->z[y->size - 1]);
+    for (size_t k = 0; k < row->nnz; k++) {
+        int column = l->place[row->var[k]];
+        if (column < 0)
+            continue;
+        fmb_vec_get(&row->val, k, l->t);
+        mpz_submul(l->b, l->t, y->z[column]);
+    }
+}
+
+/* Strict rows without a variable that goes: they hold at y, or not. */
+static bool keeps_strict_rows(fmb_lifts *l, const fmb_integers *y)
+{
+    bool good = true;
+    for (size_t i = 0; good && i < l->q->s->rows; i++) {
+        const fmb_sysrow *row = fmb_system_row(l->q->s, i);
+        bool kept = row->rel == FMB_LT;
+        for (size_t k = 0; kept && k < row->nnz; k++)
+            kept = l->place[row->var[k]] >= 0;
+        if (!kept)
+            continue;
+        find_right_side(l, row, y);
+        good = mpz_sgn(l->b) > 0;
+    }
+    return good;
+}
+
+static fmb_status lift_in_part(fmb_lifts *l, lifted_part *h, const fmb_integers *y, mpq_t *x,
+                               bool *found)
+{
+    fmb_mem *mem = l->q->run.mem;
+    fmb_integers z = {0};
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i < h->program.m; i++) {
+        find_right_side(l, h->row[i], y);
+        st = fmb_program_set_right(&h->program, i, l->b);
+    }
+    if (st == FMB_OK) {
+        fmb_oracle_shift(h->oracle);
+        st = fmb_oracle_feasible(h->oracle, found);
+    }
+    if (st == FMB_OK && *found)
+        st = fmb_integers_init(&z, (size_t)h->n + 1, mem);
+    if (st != FMB_OK || !*found)
+        return st;
+    fmb_oracle_point_integers(h->oracle, z.z, z.z[h->n]);
+    bool direction = mpz_sgn(y->z[y->size - 1]) == 0;
+    for (int j = 0; j < h->p->n; j++) {
+        if (h->column[j] < 0)
+            continue;
+        mpq_ptr at = x[h->p->var[j]];
+        mpz_set(mpq_numref(at), z.z[h->column[j]]);
+        mpz_set(mpq_denref(at), z.z[h->n]);
+        if (!direction)
+            mpz_mul(mpq_denref(at), mpq_denref(at), y->z[y->size - 1]);
+        mpq_canonicalize(at);
+    }
+    fmb_integers_clear(&z, mem);
+    return FMB_OK;
+}
+
+/* Variables that go and that no row names are 0. */
+static void spread_kept_variables(const fmb_lifts *l, const fmb_integers *y, mpq_t *x)
+{
+    bool direction = mpz_sgn(y->z[y->size - 1]) == 0;
+    for (int j = 0; j < fmb_system_dim(l->q->s); j++) {
+        mpq_set_ui(x[j], 0, 1);
+        if (l->place[j] < 0)
+            continue;
+        mpz_set(mpq_numref(x[j]), y->z[l->place[j]]);
+        if (!direction)
+            mpz_set(mpq_denref(x[j]), y->z[y->size - 1]);
+        mpq_canonicalize(x[j]);
+    }
+}
+
+fmb_status fmb_lifts_find(fmb_lifts *l, const fmb_integers *y, bool strict, mpq_t *x, bool *found)
+{
+    *found = !strict || keeps_strict_rows(l, y);
+    spread_kept_variables(l, y, x);
+    fmb_status st = fmb_run_poll(&l->q->run);
+    for (size_t c = 0; st == FMB_OK && *found && c < l->parts; c++) {
+        lifted_part *h = &l->part[strict][c];
+        if (h->oracle)
+            st = lift_in_part(l, h, y, x, found);
+    }
+    return st;
+}

@@ -1,0 +1,263 @@
+/* reduce.c: the irredundant system.
+ *
+ * Parts with a point strictly inside, which most have, go through the sieve
+ * (lp/redundancy/ray_shooting/ray_shooting.h): the point tells that there is a solution, and the
+ * sieve decides nearly all rows. The exact oracle decides about rows that are left, and about parts
+ * without such a point.
+ */
+#include "base/ways.h"
+#include "lp/dictionary/exact_simplex.h"
+#include "lp/redundancy/by_oracle.h"
+#include "lp/redundancy/ray_shooting/ray_shooting.h"
+#include "solve/query/solver.h"
+#include "system/system_private.h"
+
+/* A part on its way. */
+typedef struct reduce_progress {
+    fmb_query *q;
+    const fmb_part *p;
+    fmb_lp_row *row;     /* [m] */
+    fmb_fate *fate;      /* [m] */
+    const size_t *place; /* the part's row of each row of the dictionary; NULL: the same */
+} reduce_progress;
+
+/* ---- claims ---------------------------------------------------------------------------------- */
+
+/* By rows of the part. */
+static fmb_status claim_combination(reduce_progress *g, fmb_claim_kind kind, size_t i,
+                                    const fmb_weights *w)
+{
+    fmb_query *q = g->q;
+    fmb_claim *claim;
+    fmb_status st = fmb_evidence_claim(q->claims, kind, &claim);
+    if (st != FMB_OK)
+        return st;
+    i = g->place ? g->place[i] : i;
+    for (size_t k = 0; g->place && k < w->size; k++)
+        w->index[k] = (uint32_t)g->place[w->index[k]];
+    claim->row = g->p->source[i];
+    st = fmb_query_push(q, g->p, w, i, 1, &claim->multipliers);
+    if (st == FMB_OK && kind == FMB_CLAIM_REDUNDANT && g->p->rel[i] == FMB_EQ)
+        st = fmb_query_push(q, g->p, w, i, -1, &claim->reverse);
+    return fmb_query_finish_claim(q, st);
+}
+
+static fmb_status claim_redundant_row(void *self, size_t i, const fmb_weights *w)
+{
+    return claim_combination(self, FMB_CLAIM_REDUNDANT, i, w);
+}
+
+static fmb_status claim_equality_row(void *self, size_t i, const fmb_weights *w)
+{
+    return claim_combination(self, FMB_CLAIM_EQUALITY, i, w);
+}
+
+static fmb_status claim_irredundant_row(void *self, size_t i, mpq_t *x)
+{
+    reduce_progress *g = self;
+    fmb_claim *claim;
+    fmb_status st = fmb_evidence_claim(g->q->claims, FMB_CLAIM_IRREDUNDANT, &claim);
+    if (st != FMB_OK)
+        return st;
+    claim->row = g->p->source[g->place ? g->place[i] : i];
+    st = fmb_query_attach_point(g->q, claim, g->p, x);
+    return fmb_query_finish_claim(g->q, st);
+}
+
+/* ---- one part -------------------------------------------------------------------------------- */
+
+/* The part's rows, nothing known about them. */
+static fmb_status list_rows_of_part(reduce_progress *g, int part)
+{
+    fmb_query *q = g->q;
+    const fmb_part *p = g->p;
+    fmb_status st = fmb_query_write_rows(q, part);
+    g->row = fmb_arena_get(&q->v->arena, p->m, sizeof *g->row);
+    g->fate = fmb_arena_get(&q->v->arena, p->m, sizeof *g->fate);
+    if (!g->row || !g->fate)
+        return fmb_mem_status(q->run.mem);
+    for (size_t i = 0; st == FMB_OK && i < p->m; i++) {
+        g->row[i] = (fmb_lp_row){&p->row[i], p->rel[i]};
+        g->fate[i] = FMB_FATE_UNKNOWN;
+    }
+    return st;
+}
+
+/* A dictionary of the rows still there. */
+static fmb_status ask_dictionary_about_rest(reduce_progress *g, const fmb_verdicts *told)
+{
+    fmb_arena *arena = &g->q->v->arena;
+    size_t m = 0, *place = fmb_arena_get(arena, g->p->m, sizeof *place);
+    fmb_lp_row *row = fmb_arena_get(arena, g->p->m, sizeof *row);
+    fmb_rel *rel = fmb_arena_get(arena, g->p->m, sizeof *rel);
+    fmb_fate *fate = fmb_arena_get(arena, g->p->m, sizeof *fate);
+    fmb_lp lp;
+    bool feasible = false;
+    if (!place || !row || !rel || !fate)
+        return fmb_mem_status(arena->mem);
+    for (size_t i = 0; i < g->p->m; i++) {
+        if (g->fate[i] == FMB_FATE_REDUNDANT)
+            continue;
+        place[m] = i;
+        row[m] = g->row[i];
+        rel[m] = g->p->rel[i];
+        fate[m++] = g->fate[i];
+    }
+    g->place = place;
+    fmb_status st = fmb_lp_init(&lp, &g->q->run, g->p->n, m, row, fmb_query_is_wide(g->q));
+    if (st == FMB_OK)
+        st = fmb_lp_feasible(&lp, &feasible);
+    if (st == FMB_OK && feasible)
+        st = fmb_irredundant(&lp, rel, fate, told);
+    fmb_lp_clear(&lp);
+    for (size_t k = 0; k < m; k++)
+        g->fate[place[k]] = fate[k];
+    return st;
+}
+
+static bool is_some_row_unknown(const reduce_progress *g)
+{
+    for (size_t i = 0; i < g->p->m; i++)
+        if (g->fate[i] == FMB_FATE_UNKNOWN)
+            return true;
+    return false;
+}
+
+/* *inner: there is a point strictly inside. */
+static fmb_status sift_rows_of_part(reduce_progress *g, const fmb_verdicts *told, bool *inner)
+{
+    fmb_sieve sieve;
+    fmb_status st = fmb_sieve_open(&sieve, &g->q->run, (size_t)g->p->n, g->p->m, g->row, inner);
+    if (st == FMB_OK && *inner)
+        st = fmb_sieve_sort(&sieve, g->fate, told);
+    fmb_sieve_close(&sieve);
+    return st;
+}
+
+static fmb_status ask_dictionary_about_all(reduce_progress *g, int part, const fmb_verdicts *told)
+{
+    fmb_lp *lp;
+    bool feasible;
+    fmb_status st = fmb_query_dictionary(g->q, part, &lp, &feasible);
+    return st == FMB_OK ? fmb_irredundant(lp, g->p->rel, g->fate, told) : st;
+}
+
+static fmb_status decide_open_rows(reduce_progress *g, int part, bool inner,
+                                   const fmb_verdicts *told)
+{
+    size_t n = (size_t)g->p->n, m = g->p->m;
+    bool suits = fmb_suits_oracle(n, m, g->row);
+    fmb_attempt a = fmb_query_attempt(g->q, part, suits ? "oracle" : "dictionary", "rows");
+    fmb_status st = suits   ? fmb_irredundant_by_oracle(&g->q->run, n, m, g->row, g->fate, told)
+                    : inner ? ask_dictionary_about_rest(g, told)
+                            : ask_dictionary_about_all(g, part, told);
+    fmb_run_tell_attempt(&g->q->run, a, st, true);
+    return st;
+}
+
+/* fate[rows] is by row of the system. */
+static fmb_status decide_rows_of_part(fmb_query *q, int part, fmb_fate *fate)
+{
+    reduce_progress g = {.q = q, .p = &q->parts.part[part]};
+    fmb_verdicts told = {claim_redundant_row, claim_equality_row, claim_irredundant_row, &g};
+    const fmb_verdicts *listener = q->claims ? &told : NULL;
+    bool inner = false;
+    fmb_status st = list_rows_of_part(&g, part);
+    if (st != FMB_OK)
+        return st;
+    if (fmb_sieve_is_affordable((size_t)g.p->n, g.p->m) && fmb_way(FMB_WAY_RAY_SHOOTING)) {
+        st = sift_rows_of_part(&g, listener, &inner);
+        fmb_run_tell_attempt(&q->run, fmb_query_attempt(q, part, "sieve", "rows"), st, inner);
+        fmb_way_answered(FMB_WAY_RAY_SHOOTING, inner);
+    }
+    if (st == FMB_OK && is_some_row_unknown(&g))
+        st = decide_open_rows(&g, part, inner, listener);
+    for (size_t i = 0; i < g.p->m; i++)
+        fate[g.p->source[i]] = g.fate[i];
+    return st;
+}
+
+/* ---- all parts ------------------------------------------------------------------------------- */
+
+/* Rows that name no variable are true here, and follow from nothing at all. */
+static fmb_status drop_constant_rows(fmb_query *q, fmb_fate *fate)
+{
+    fmb_status st = FMB_OK;
+    fmb_claim *claim;
+    for (size_t i = 0; st == FMB_OK && i < q->s->rows; i++) {
+        if (fmb_system_row(q->s, i)->nnz > 0)
+            continue;
+        fate[i] = FMB_FATE_REDUNDANT;
+        if (!q->claims)
+            continue;
+        st = fmb_evidence_claim(q->claims, FMB_CLAIM_REDUNDANT, &claim);
+        if (st == FMB_OK)
+            claim->row = i;
+    }
+    return st;
+}
+
+/* The rows that stay, in their order. */
+static fmb_status build_reduced_system(const fmb_system *s, const fmb_fate *fate, fmb_system **out)
+{
+    fmb_system *t;
+    fmb_status st = fmb_system_copy(s, &t);
+    if (st != FMB_OK)
+        return st;
+    for (size_t i = 0; i < t->rows; i++)
+        if (fate[i] == FMB_FATE_EQUALITY)
+            t->row[i].rel = FMB_EQ;
+    for (size_t i = t->rows; i-- > 0;)
+        if (fate[i] == FMB_FATE_REDUNDANT)
+            fmb_system_remove(t, i);
+    *out = t;
+    return FMB_OK;
+}
+
+static fmb_status decide_all_rows(fmb_query *q, fmb_fate *fate, fmb_verdict *verdict)
+{
+    fmb_status st = fmb_query_decide(q, fmb_query_eliminates(q), verdict);
+    if (st != FMB_OK || *verdict != FMB_FEASIBLE)
+        return st;
+    st = drop_constant_rows(q, fate);
+    for (int c = 0; st == FMB_OK && c < q->parts.count; c++)
+        st = decide_rows_of_part(q, c, fate);
+    return st;
+}
+
+fmb_status fmb_reduce(fmb_solver *v, const fmb_system *s, fmb_fate *fate, fmb_system **out,
+                      fmb_result *res)
+{
+    fmb_query q;
+    fmb_verdict verdict = FMB_UNKNOWN;
+    fmb_system *reduced = NULL;
+    fmb_status st = fmb_solver_expect(v, s, out != NULL, res);
+    if (st != FMB_OK)
+        return st;
+    size_t rows = fmb_system_rows(s);
+    fmb_fate *mine = fmb_mem_zero(&v->mem, rows, sizeof *mine);
+    if (!mine) {
+        v->answered = false; /* the evidence at hand is that of an older query */
+        return FMB_ERR_MEMORY;
+    }
+    st = fmb_query_begin(&q, v, s, "reduce");
+    fmb_mem result = {.used = s->mem.used}; /* it is made at the end, but has its place now */
+    fmb_mem_enter(&result, &v->mem);
+    if (st == FMB_OK)
+        st = decide_all_rows(&q, mine, &verdict);
+    fmb_mem_leave(&result);
+    if (st == FMB_OK || st == FMB_LIMIT) {
+        fmb_status built = verdict == FMB_INFEASIBLE
+                               ? fmb_empty_set(s, NULL, fmb_system_dim(s), &reduced)
+                               : build_reduced_system(s, mine, &reduced);
+        st = built != FMB_OK ? built : st;
+    }
+    st = fmb_query_end(&q, st, verdict, res);
+    if (st == FMB_OK) {
+        for (size_t i = 0; fate && i < rows; i++)
+            fate[i] = mine[i];
+        *out = reduced;
+    }
+    fmb_mem_put(&v->mem, mine, rows, sizeof *mine);
+    return st;
+}

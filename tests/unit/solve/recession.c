@@ -1,0 +1,93 @@
+/* recession.c: projections where the variables that go can go on for ever, against elimination. */
+#include <criterion/criterion.h>
+
+#include "property/random/agree.h"
+#include "support.h"
+
+static fmb_solver *solver(fmb_method method)
+{
+    return must_open((fmb_options){.method = method,
+                                   .evidence = method == FMB_METHOD_AUTO ? FMB_EVIDENCE_WHOLE
+                                                                         : FMB_EVIDENCE_NONE,
+                                   .max_rows = 5000});
+}
+
+/* m rows in n variables, of which the first `only` name none but the first `keep`. Of the others
+ * most go down along the last variables. */
+static fmb_system *rows_that_mostly_escape(support_rng *g, int n, int keep, int m, int only)
+{
+    fmb_system *s = rows_none(n);
+    int down = support_between(g, 50, 100);
+    for (int i = 0; i < m; i++) {
+        int64_t a[16];
+        for (int j = 0; j < n; j++)
+            a[j] = support_between(g, -9, 9);
+        for (int j = keep; j < n; j++)
+            a[j] = i < only ? 0 : support_chance(g, down) ? -support_between(g, 1, 9) : a[j];
+        must(fmb_system_add_int(s, a, support_chance(g, 20) ? FMB_LT : FMB_LE,
+                                support_between(g, -4, 9)));
+    }
+    return s;
+}
+
+static void check_evidence(const fmb_solver *v, const fmb_system *s, uint64_t seed)
+{
+    fmb_evidence *e = NULL;
+    fmb_judgement j = {.size = sizeof j};
+    must(fmb_solver_evidence(v, &e));
+    must(fmb_check(s, e, &j));
+    cr_assert(j.accepted, "seed %lu, claim %zu: %s", (unsigned long)seed, j.claim, j.reason);
+    fmb_evidence_free(e);
+}
+
+/* No row of p has to do with other rows than the first `only`. */
+static bool is_no_row_new(const fmb_system *p, int only)
+{
+    return fmb_system_rows(p) <= (size_t)only;
+}
+
+typedef struct tally {
+    int escaped, others, empty, unjudged;
+} tally;
+
+static void check_seed(uint64_t seed, tally *sum)
+{
+    support_rng rng = {seed};
+    int n = support_between(&rng, 4, 8), keep = support_between(&rng, 1, n - 2), kept[8];
+    int only = support_chance(&rng, 50) ? support_between(&rng, 1, 3) : 0;
+    fmb_system *p = NULL, *q = NULL,
+               *s = rows_that_mostly_escape(&rng, n, keep, n + support_between(&rng, 2, 8), only);
+    fmb_solver *v = solver(FMB_METHOD_AUTO), *fm = solver(FMB_METHOD_FM);
+    fmb_result r = {.size = sizeof r}, other = {.size = sizeof other};
+    agree g = {.max_rows = 5000};
+    for (int j = 0; j < keep; j++)
+        kept[j] = j;
+    must(fmb_project(v, s, kept, keep, &p, &r));
+    must(fmb_project(fm, s, kept, keep, &q, &other));
+    bool judged = r.stop == FMB_STOP_DONE && other.stop == FMB_STOP_DONE;
+    if (judged) {
+        check_evidence(v, s, seed);
+        cr_assert_eq(r.verdict, other.verdict, "seed %lu", (unsigned long)seed);
+        cr_assert_eq(fmb_system_rows(p), fmb_system_rows(q), "seed %lu", (unsigned long)seed);
+        cr_assert(agree_same(&g, p, q), "seed %lu: %s", (unsigned long)seed, g.why);
+    }
+    sum->unjudged += !judged;
+    sum->empty += judged && r.verdict == FMB_INFEASIBLE;
+    sum->escaped += judged && r.verdict == FMB_FEASIBLE && is_no_row_new(p, only);
+    sum->others += judged && r.verdict == FMB_FEASIBLE && !is_no_row_new(p, only);
+    fmb_system_free(p);
+    fmb_system_free(q);
+    fmb_system_free(s);
+    fmb_solver_free(v);
+    fmb_solver_free(fm);
+}
+
+Test(escape, as_elimination_says)
+{
+    tally sum = {0};
+    for (uint64_t seed = 0; seed < 400; seed++)
+        check_seed(seed, &sum);
+    cr_expect(sum.escaped > 100 && sum.others > 50 && sum.empty > 10, "%d, %d, %d", sum.escaped,
+              sum.others, sum.empty);
+    cr_expect_leq(sum.unjudged, 20, "%d unjudged", sum.unjudged);
+}
