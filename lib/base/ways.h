@@ -5,7 +5,7 @@
  * how often it answered; bench/ablate makes docs/ways.md of that. In every other build all ways are
  * on, and nothing of this file is left in the code.
  *
- *   if (suits && fmb_way(FMB_WAY_ESCAPE)) ... fmb_way_answered(FMB_WAY_ESCAPE, done);
+ *   if (suits && fmb_way(FMB_WAY_RECESSION)) ... fmb_way_answered(FMB_WAY_RECESSION, done);
  *
  * A row: identifier, name, the files that would go with it (room/name, without .c or .h), and what
  * it is. A way that stays in the library pays: docs/ways.md.
@@ -18,13 +18,13 @@
 
 /* clang-format off */
 #define FMB_WAYS(WAY)                                                                              \
-    WAY(ESCAPE, "escape", "solve/portfolio/recession",                                                  \
+    WAY(RECESSION, "recession directions", "solve/portfolio/recession",                                                  \
         "projections: recession directions that leave all rows behind")                            \
-    WAY(GENTLE, "gentle elimination", "",                                                          \
+    WAY(BOUNDED_GROWTH, "bounded elimination", "",                                                          \
         "projections: variables that make few rows are eliminated first")                          \
     WAY(PRUNED, "pruned elimination", "solve/query/rule_lp",                                       \
         "projections: elimination pruned by the oracle, where cones are large")                    \
-    WAY(STEEPER, "steeper elimination", "",                                                        \
+    WAY(HIGHER_GROWTH, "growing elimination", "",                                                        \
         "projections: the last variables, however many rows they make")                            \
     WAY(FIRST_RAYS, "first rays", "", "projections: double description within a small budget")     \
     WAY(SECOND_RAYS, "second rays", "", "projections: double description within a larger one")     \
@@ -37,13 +37,13 @@
         "support queries: facets that are rows of the system")                                     \
     WAY(SYMMETRY, "symmetry", "hull/support/support_symmetry",                                             \
         "support queries: one facet of each orbit")                                                \
-    WAY(GLIMPSE, "modular vertex", "lp/oracle/modular_vertex",                                            \
+    WAY(MODULAR_VERTEX, "modular vertex", "lp/oracle/modular_vertex",                                            \
         "oracle: vertices of short numbers modulo one prime")                                      \
-    WAY(GRID, "rounding to a lattice", "lp/oracle/lattice_point",                                           \
+    WAY(LATTICE, "rounding to a lattice", "lp/oracle/lattice_point",                                           \
         "oracle: solutions of short numbers by rounding")                                          \
-    WAY(REFUTE, "Farkas by refinement", "lp/oracle/refined_farkas",                                        \
+    WAY(REFINED_FARKAS, "Farkas by refinement", "lp/oracle/refined_farkas",                                        \
         "oracle: conflicts between long numbers by iterative refinement")                          \
-    WAY(SUBSTITUTE, "substitution", "lp/linalg/exact/triangular", "exact: triangular bases")              \
+    WAY(TRIANGULAR, "substitution", "lp/linalg/exact/triangular", "exact: triangular bases")              \
     WAY(MINORS, "minors", "lp/linalg/exact/minors", "exact: small bases without fractions")               \
     WAY(FACTORED, "LU with updates", "lp/linalg/doubles/updated_lu lp/linalg/doubles/markowitz",                      \
         "doubles: a basis as sparse triangles instead of a dense inverse")                         \

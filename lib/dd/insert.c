@@ -12,7 +12,7 @@
 
 void fmb_insertion_clear(fmb_insertion *s, fmb_mem *mem)
 {
-    fmb_insertion_dismiss_crew(s, mem);
+    fmb_insertion_dismiss_workers(s, mem);
     fmb_mem_put(mem, s->ray, s->ray_capacity, sizeof *s->ray);
     fmb_mem_put(mem, s->sign, s->sign_capacity, sizeof *s->sign);
     fmb_mem_put(mem, s->large_side.word, s->large_side.capacity, sizeof *s->large_side.word);
@@ -204,7 +204,8 @@ fmb_status fmb_insertion_run(fmb_cone *c, uint64_t most)
     if (s->large > 0 && !s->large_side.ready)
         st = prepare_pairs(c);
     while (st == FMB_OK && s->next < s->small && s->large > 0 && c->made < most)
-        st = fmb_insertion_is_work_for_crew(c) ? fmb_insertion_run_crew(c, most) : pair_next_ray(c);
+        st = fmb_insertion_is_work_for_workers(c) ? fmb_insertion_run_workers(c, most)
+                                                  : pair_next_ray(c);
     if (st == FMB_OK && (s->next == s->small || s->large == 0))
         finish_insertion(c);
     return st;

@@ -15,8 +15,8 @@ typedef struct fmb_support_planes {
 
 /* What one thread needs to find the neighbours of a ray (adjacent.c). */
 typedef struct fmb_adjacency {
-    fmb_support_planes near;  /* of all rays that share zeros enough with the one at hand */
-    uint64_t *far, *far_rest; /* bits: those of large, of rest that share too few */
+    fmb_support_planes near;  /* of all rays that chunk zeros enough with the one at hand */
+    uint64_t *far, *far_rest; /* bits: those of large, of rest that chunk too few */
     size_t far_capacity, far_rest_capacity;
     uint32_t *nearby; /* the rays of near */
     size_t nearby_capacity;
@@ -27,7 +27,7 @@ typedef struct fmb_adjacency {
 } fmb_adjacency;
 
 /* Several threads (insert_workers.c). */
-typedef struct fmb_insertion_crew fmb_insertion_crew;
+typedef struct fmb_insertion_workers fmb_insertion_workers;
 
 /* A row that separates rays. Pairs are taken by the rays of the smaller side, one after another. */
 typedef struct fmb_insertion {
@@ -48,7 +48,7 @@ typedef struct fmb_insertion {
     size_t crowds, crowded_capacity;
     fmb_support_planes crowd; /* their supports */
     fmb_adjacency pairs;
-    fmb_insertion_crew *crew; /* or NULL */
+    fmb_insertion_workers *workers; /* or NULL */
 } fmb_insertion;
 
 /* Vectors have their value in the row at that entry. Errors: MEMORY, LIMIT. */
@@ -85,14 +85,14 @@ fmb_status fmb_insertion_set_values(fmb_cone *c, const fmb_vec *row);
 fmb_status fmb_insertion_find_signs(fmb_cone *c);
 fmb_status fmb_insertion_drop_entry(fmb_cone *c, size_t entry);
 fmb_status fmb_insertion_find_edges(fmb_cone *c);
-void fmb_insertion_dismiss_crew(fmb_insertion *s, fmb_mem *mem);
+void fmb_insertion_dismiss_workers(fmb_insertion *s, fmb_mem *mem);
 
 /* ---- insert_batch.c -------------------------------------------------------------------------- */
 
 /* Are there threads, and enough for them to do? */
-bool fmb_insertion_is_work_for_crew(const fmb_cone *c);
+bool fmb_insertion_is_work_for_workers(const fmb_cone *c);
 /* The next pairs, as if they were combined one after another: until c->made reaches `most`, or for
  * a while. Errors: MEMORY, LIMIT. */
-fmb_status fmb_insertion_run_crew(fmb_cone *c, uint64_t most);
+fmb_status fmb_insertion_run_workers(fmb_cone *c, uint64_t most);
 
 #endif

@@ -1,22 +1,22 @@
 /* insert_batch.c: pairs of rays by several threads; see insert_workers.h.
  *
- * Rays of the smaller side come in batches. First each share finds the neighbours of its rays; then
- * new rays get their places, in the order of one thread; then each share fills in its own. A batch
+ * Rays of the smaller side come in batches. First each chunk finds the neighbours of its rays; then
+ * new rays get their places, in the order of one thread; then each chunk fills in its own. A batch
  * ends where one thread would have paused: what was made beyond that goes again.
  */
 #include "dd/insert_workers.h"
 
 /* What costs as much as a new ray: looks at so many rays of the larger side. */
 #define LOOKS_OF_RAY 64
-/* New rays in a share, about. */
-#define WORTH_A_SHARE 1024
+/* New rays in a chunk, about. */
+#define WORTH_A_CHUNK 1024
 
 /* ---- neighbours ------------------------------------------------------------------------------ */
 
-static fmb_status find_neighbours_of_share(void *self, size_t k, fmb_run *run)
+static fmb_status find_neighbours_of_chunk(void *self, size_t k, fmb_run *run)
 {
     fmb_cone *c = self;
-    fmb_crew_share *p = &c->at->crew->share[k];
+    fmb_insertion_chunk *p = &c->at->workers->chunk[k];
     fmb_status st = FMB_OK;
     p->founds = 0;
     for (size_t i = 0; st == FMB_OK && i < p->rays; i++) {
@@ -45,14 +45,14 @@ static size_t work_of_ray(const fmb_cone *c)
 static void divide_batch(fmb_cone *c, uint64_t most)
 {
     fmb_insertion *s = c->at;
-    size_t each = 1 + WORTH_A_SHARE / work_of_ray(c), next = s->next, left = s->small - next;
+    size_t each = 1 + WORTH_A_CHUNK / work_of_ray(c), next = s->next, left = s->small - next;
     left = left < most - c->made ? left : (size_t)(most - c->made);
-    each = each < FMB_CREW_RAYS ? each : FMB_CREW_RAYS;
-    each = each < left / FMB_CREW_SHARES + 1 ? each : left / FMB_CREW_SHARES + 1;
-    for (size_t k = 0; k < FMB_CREW_SHARES; k++) {
+    each = each < FMB_INSERTION_CHUNK_RAYS ? each : FMB_INSERTION_CHUNK_RAYS;
+    each = each < left / FMB_INSERTION_CHUNKS + 1 ? each : left / FMB_INSERTION_CHUNKS + 1;
+    for (size_t k = 0; k < FMB_INSERTION_CHUNKS; k++) {
         size_t n = left < each ? left : each;
-        s->crew->share[k].first = next;
-        s->crew->share[k].rays = n;
+        s->workers->chunk[k].first = next;
+        s->workers->chunk[k].rays = n;
         next += n;
         left -= n;
     }
@@ -65,8 +65,8 @@ static fmb_status make_room_for_rays(fmb_cone *c, uint64_t most)
 {
     uint64_t made = c->made;
     size_t at = c->ray.size;
-    for (size_t k = 0; k < FMB_CREW_SHARES; k++) {
-        fmb_crew_share *p = &c->at->crew->share[k];
+    for (size_t k = 0; k < FMB_INSERTION_CHUNKS; k++) {
+        fmb_insertion_chunk *p = &c->at->workers->chunk[k];
         size_t rays = 0, n = 0;
         for (; rays < p->rays && made + n < most; rays++)
             n = p->end[rays];
@@ -78,10 +78,10 @@ static fmb_status make_room_for_rays(fmb_cone *c, uint64_t most)
     return fmb_rays_add_many(&c->ray, at - c->ray.size);
 }
 
-static fmb_status make_rays_of_share(void *self, size_t k, fmb_run *run)
+static fmb_status make_rays_of_chunk(void *self, size_t k, fmb_run *run)
 {
     fmb_cone *c = self;
-    fmb_crew_share *p = &c->at->crew->share[k];
+    fmb_insertion_chunk *p = &c->at->workers->chunk[k];
     size_t at = p->at, j = 0, before = run->mem->used;
     fmb_status st = FMB_OK;
     for (size_t i = 0; i < c->lefts; i++)
@@ -103,21 +103,21 @@ static fmb_status make_rays_of_share(void *self, size_t k, fmb_run *run)
 /* New rays are the cone's own, whatever has happened. */
 static void take_over_rays(fmb_cone *c)
 {
-    fmb_insertion_crew *w = c->at->crew;
-    for (size_t k = 0; k < FMB_CREW_SHARES; k++) {
-        fmb_team_hand_over(&w->team, k, w->share[k].bytes);
+    fmb_insertion_workers *w = c->at->workers;
+    for (size_t k = 0; k < FMB_INSERTION_CHUNKS; k++) {
+        fmb_team_hand_over(&w->team, k, w->chunk[k].bytes);
         for (size_t i = 0; i < c->lefts; i++)
-            c->negatives[i] += w->share[k].negatives[i];
-        c->num.promotions += w->share[k].num.promotions;
-        w->share[k].num.promotions = 0;
+            c->negatives[i] += w->chunk[k].negatives[i];
+        c->num.promotions += w->chunk[k].num.promotions;
+        w->chunk[k].num.promotions = 0;
     }
 }
 
 static void count_rays_until_pause(fmb_cone *c, uint64_t most)
 {
     size_t at = c->ray.size;
-    for (size_t k = 0; k < FMB_CREW_SHARES; k++) {
-        const fmb_crew_share *p = &c->at->crew->share[k];
+    for (size_t k = 0; k < FMB_INSERTION_CHUNKS; k++) {
+        const fmb_insertion_chunk *p = &c->at->workers->chunk[k];
         at = p->at;
         for (size_t i = 0; i < p->rays && c->made < most; i++, c->at->next++)
             for (; at < p->at + p->end[i]; at++)
@@ -136,7 +136,7 @@ static fmb_status make_rays_of_batch(fmb_cone *c, uint64_t most)
     fmb_status st = make_room_for_rays(c, most);
     if (st != FMB_OK)
         return st;
-    st = fmb_crew_do(c, make_rays_of_share);
+    st = fmb_insertion_do(c, make_rays_of_chunk);
     take_over_rays(c);
     if (st == FMB_OK)
         count_rays_until_pause(c, most);
@@ -145,22 +145,22 @@ static fmb_status make_rays_of_batch(fmb_cone *c, uint64_t most)
 
 /* ---- a batch --------------------------------------------------------------------------------- */
 
-bool fmb_insertion_is_work_for_crew(const fmb_cone *c)
+bool fmb_insertion_is_work_for_workers(const fmb_cone *c)
 {
     const fmb_insertion *s = c->at;
-    return c->run->threads > 1 && s->next + FMB_CREW_SHARES <= s->small &&
-           (s->small - s->next) * work_of_ray(c) >= 4 * WORTH_A_SHARE;
+    return c->run->threads > 1 && s->next + FMB_INSERTION_CHUNKS <= s->small &&
+           (s->small - s->next) * work_of_ray(c) >= 4 * WORTH_A_CHUNK;
 }
 
-fmb_status fmb_insertion_run_crew(fmb_cone *c, uint64_t most)
+fmb_status fmb_insertion_run_workers(fmb_cone *c, uint64_t most)
 {
     fmb_insertion *s = c->at;
-    fmb_status st = s->crew ? FMB_OK : fmb_crew_hire(c);
+    fmb_status st = s->workers ? FMB_OK : fmb_insertion_hire(c);
     if (st == FMB_OK && !s->rest.ready)
         st = fmb_adjacency_gather_rest(c);
     if (st != FMB_OK)
         return st;
     divide_batch(c, most);
-    st = fmb_crew_do(c, find_neighbours_of_share);
+    st = fmb_insertion_do(c, find_neighbours_of_chunk);
     return st == FMB_OK ? make_rays_of_batch(c, most) : st;
 }

@@ -1,13 +1,13 @@
 /* insert_workers.c: threads that look at each ray of a cone; see insert_workers.h. */
 #include "dd/insert_workers.h"
 
-/* Simple rays whose edges are worth a crew; and rays of which an entry is looked at. */
-#define WORTH_A_CREW 2048
-#define WORTH_A_LOOK 16384
+/* Simple rays whose edges are worth a workers; and rays of which an entry is looked at. */
+#define WORTH_WORKERS 2048
+#define WORTH_A_LOOK  16384
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
-static fmb_status equip_share(fmb_cone *c, fmb_crew_share *p, fmb_run *run)
+static fmb_status equip_chunk(fmb_cone *c, fmb_insertion_chunk *p, fmb_run *run)
 {
     p->negatives = fmb_mem_get(run->mem, c->of.m, sizeof *p->negatives);
     if (!p->negatives)
@@ -15,20 +15,20 @@ static fmb_status equip_share(fmb_cone *c, fmb_crew_share *p, fmb_run *run)
     return fmb_run_open_num(run, &p->num, c->ray.width, c->of.wide_only);
 }
 
-fmb_status fmb_crew_hire(fmb_cone *c)
+fmb_status fmb_insertion_hire(fmb_cone *c)
 {
-    fmb_insertion_crew *w = fmb_mem_zero(c->run->mem, 1, sizeof *w);
+    fmb_insertion_workers *w = fmb_mem_zero(c->run->mem, 1, sizeof *w);
     if (!w)
         return fmb_mem_status(c->run->mem);
-    c->at->crew = w;
+    c->at->workers = w;
     w->m = c->of.m;
-    fmb_status st = fmb_team_open(&w->team, c->run, FMB_CREW_SHARES);
-    for (size_t k = 0; st == FMB_OK && k < FMB_CREW_SHARES; k++)
-        st = equip_share(c, &w->share[k], &w->team.share[k].run);
+    fmb_status st = fmb_team_open(&w->team, c->run, FMB_INSERTION_CHUNKS);
+    for (size_t k = 0; st == FMB_OK && k < FMB_INSERTION_CHUNKS; k++)
+        st = equip_chunk(c, &w->chunk[k], &w->team.share[k].run);
     return st;
 }
 
-static void dismiss_share(fmb_crew_share *p, size_t m, fmb_mem *mem)
+static void dismiss_chunk(fmb_insertion_chunk *p, size_t m, fmb_mem *mem)
 {
     fmb_adjacency_clear(&p->pairs, mem);
     fmb_mem_put(mem, p->found, p->found_capacity, sizeof *p->found);
@@ -36,32 +36,32 @@ static void dismiss_share(fmb_crew_share *p, size_t m, fmb_mem *mem)
     fmb_num_clear(&p->num);
 }
 
-void fmb_insertion_dismiss_crew(fmb_insertion *s, fmb_mem *mem)
+void fmb_insertion_dismiss_workers(fmb_insertion *s, fmb_mem *mem)
 {
-    fmb_insertion_crew *w = s->crew;
+    fmb_insertion_workers *w = s->workers;
     if (!w)
         return;
     for (size_t k = 0; k < w->team.size; k++)
-        dismiss_share(&w->share[k], w->m, &w->team.share[k].mem);
+        dismiss_chunk(&w->chunk[k], w->m, &w->team.share[k].mem);
     fmb_team_close(&w->team);
     fmb_mem_put(mem, w, 1, sizeof *w);
-    s->crew = NULL;
+    s->workers = NULL;
 }
 
-fmb_status fmb_crew_do(fmb_cone *c, fmb_team_job job)
+fmb_status fmb_insertion_do(fmb_cone *c, fmb_team_job job)
 {
-    fmb_status st = c->at->crew ? FMB_OK : fmb_crew_hire(c);
-    return st == FMB_OK ? fmb_team_do(&c->at->crew->team, FMB_CREW_SHARES, job, c) : st;
+    fmb_status st = c->at->workers ? FMB_OK : fmb_insertion_hire(c);
+    return st == FMB_OK ? fmb_team_do(&c->at->workers->team, FMB_INSERTION_CHUNKS, job, c) : st;
 }
 
 /* ---- an entry of each ray -------------------------------------------------------------------- */
 
 static fmb_side_part part_of_side(size_t rays, size_t k)
 {
-    return (fmb_side_part){rays * k / FMB_CREW_SHARES, rays * (k + 1) / FMB_CREW_SHARES};
+    return (fmb_side_part){rays * k / FMB_INSERTION_CHUNKS, rays * (k + 1) / FMB_INSERTION_CHUNKS};
 }
 
-static fmb_status find_signs_of_share(void *self, size_t k, fmb_run *run)
+static fmb_status find_signs_of_chunk(void *self, size_t k, fmb_run *run)
 {
     const fmb_cone *c = self;
     fmb_side_part part = part_of_side(c->ray.size, k);
@@ -70,94 +70,94 @@ static fmb_status find_signs_of_share(void *self, size_t k, fmb_run *run)
     return fmb_run_poll(run);
 }
 
-static bool is_a_look_for_crew(const fmb_cone *c)
+static bool is_a_look_for_workers(const fmb_cone *c)
 {
     size_t price = c->ray.size > 0 ? (size_t)fmb_ray_price(&c->ray.v[c->ray.size - 1]) : 0;
-    return c->at->crew && c->ray.size * price >= WORTH_A_LOOK;
+    return c->at->workers && c->ray.size * price >= WORTH_A_LOOK;
 }
 
 fmb_status fmb_insertion_find_signs(fmb_cone *c)
 {
-    if (is_a_look_for_crew(c))
-        return fmb_crew_do(c, find_signs_of_share);
+    if (is_a_look_for_workers(c))
+        return fmb_insertion_do(c, find_signs_of_chunk);
     for (size_t i = 0; i < c->ray.size; i++)
         c->at->sign[i] = (int8_t)fmb_vec_sgn(&c->ray.v[i], c->at->entry);
     return FMB_OK;
 }
 
-/* What rays hold is counted aside while a share works on them, with as much room as it has. */
-static fmb_mem count_rays_aside(const fmb_cone *c, fmb_side_part part, const fmb_mem *share)
+/* What rays hold is counted aside while a chunk works on them, with as much room as it has. */
+static fmb_mem count_rays_aside(const fmb_cone *c, fmb_side_part part, const fmb_mem *chunk)
 {
     fmb_mem aside;
     size_t bytes = fmb_rays_bytes_of(&c->ray, part.from, part.to);
-    fmb_mem_init(&aside, &share->alloc, 0);
+    fmb_mem_init(&aside, &chunk->alloc, 0);
     fmb_mem_take(&aside, bytes);
-    if (share->limit > 0)
-        aside.limit = bytes + (share->limit > share->used ? share->limit - share->used : 1);
+    if (chunk->limit > 0)
+        aside.limit = bytes + (chunk->limit > chunk->used ? chunk->limit - chunk->used : 1);
     return aside;
 }
 
-static void note_bytes_of_share(fmb_cone *c, size_t k, size_t before, size_t after)
+static void note_bytes_of_chunk(fmb_cone *c, size_t k, size_t before, size_t after)
 {
-    c->at->crew->share[k].before = before;
-    c->at->crew->share[k].after = after;
+    c->at->workers->chunk[k].before = before;
+    c->at->workers->chunk[k].after = after;
 }
 
 static void count_rays_again(fmb_cone *c)
 {
-    for (size_t k = 0; k < FMB_CREW_SHARES; k++) {
-        fmb_mem_take(c->run->mem, c->at->crew->share[k].after);
-        fmb_mem_refund(c->run->mem, c->at->crew->share[k].before);
+    for (size_t k = 0; k < FMB_INSERTION_CHUNKS; k++) {
+        fmb_mem_take(c->run->mem, c->at->workers->chunk[k].after);
+        fmb_mem_refund(c->run->mem, c->at->workers->chunk[k].before);
     }
 }
 
-static fmb_status drop_entry_of_share(void *self, size_t k, fmb_run *run)
+static fmb_status drop_entry_of_chunk(void *self, size_t k, fmb_run *run)
 {
     fmb_cone *c = self;
     fmb_side_part part = part_of_side(c->ray.size, k);
     fmb_mem aside = count_rays_aside(c, part, run->mem);
     size_t before = aside.used;
     fmb_status st = fmb_rays_drop_entry_of(&c->ray, c->at->entry, part.from, part.to, &aside);
-    note_bytes_of_share(c, k, before, aside.used);
+    note_bytes_of_chunk(c, k, before, aside.used);
     return st;
 }
 
 fmb_status fmb_insertion_drop_entry(fmb_cone *c, size_t entry)
 {
-    if (!is_a_look_for_crew(c))
+    if (!is_a_look_for_workers(c))
         return fmb_rays_drop_entry(&c->ray, entry);
     c->at->entry = entry;
-    fmb_status st = fmb_crew_do(c, drop_entry_of_share);
+    fmb_status st = fmb_insertion_do(c, drop_entry_of_chunk);
     count_rays_again(c);
     c->ray.width--;
     return st;
 }
 
-static fmb_status set_values_of_share(void *self, size_t k, fmb_run *run)
+static fmb_status set_values_of_chunk(void *self, size_t k, fmb_run *run)
 {
     fmb_cone *c = self;
-    fmb_insertion_crew *w = c->at->crew;
+    fmb_insertion_workers *w = c->at->workers;
     fmb_side_part part = part_of_side(c->ray.size, k);
     fmb_mem aside = count_rays_aside(c, part, run->mem);
     size_t before = aside.used;
     fmb_status st = FMB_OK;
-    w->share[k].num.mem = &aside;
+    w->chunk[k].num.mem = &aside;
     for (size_t i = part.from; st == FMB_OK && i < part.to; i++) {
-        st = fmb_insertion_set_value(c, &c->ray.v[i], w->row, &w->share[k].num);
+        st = fmb_insertion_set_value(c, &c->ray.v[i], w->row, &w->chunk[k].num);
         if (st == FMB_OK)
             st = fmb_run_poll(run);
     }
-    w->share[k].num.mem = run->mem;
-    note_bytes_of_share(c, k, before, aside.used);
+    w->chunk[k].num.mem = run->mem;
+    note_bytes_of_chunk(c, k, before, aside.used);
     return st;
 }
 
 static fmb_status set_values_of_rays(fmb_cone *c, const fmb_vec *row)
 {
     fmb_status st = FMB_OK;
-    if (is_a_look_for_crew(c)) {
-        c->at->crew->row = row;
-        st = fmb_crew_do(c, set_values_of_share);
+    if (is_a_look_for_workers(c)) {
+        c->at->workers->row = row;
+        st = fmb_insertion_do(c, set_values_of_chunk);
         count_rays_again(c);
         return st;
     }
@@ -179,14 +179,14 @@ fmb_status fmb_insertion_set_values(fmb_cone *c, const fmb_vec *row)
 
 /* ---- edges ----------------------------------------------------------------------------------- */
 
-static fmb_status enter_edges_of_share(void *self, size_t k, fmb_run *run)
+static fmb_status enter_edges_of_chunk(void *self, size_t k, fmb_run *run)
 {
     fmb_cone *c = self;
     fmb_edge_sides of = fmb_adjacency_sides(c);
     return fmb_ray_edges_enter(&c->at->edges, &of, part_of_side(of.smalls, k), run);
 }
 
-static fmb_status look_up_edges_of_share(void *self, size_t k, fmb_run *run)
+static fmb_status look_up_edges_of_chunk(void *self, size_t k, fmb_run *run)
 {
     fmb_cone *c = self;
     fmb_edge_sides of = fmb_adjacency_sides(c);
@@ -196,10 +196,10 @@ static fmb_status look_up_edges_of_share(void *self, size_t k, fmb_run *run)
 fmb_status fmb_insertion_find_edges(fmb_cone *c)
 {
     fmb_edge_sides of = fmb_adjacency_sides(c);
-    if (c->run->threads < 2 || of.smalls + of.larges < WORTH_A_CREW)
+    if (c->run->threads < 2 || of.smalls + of.larges < WORTH_WORKERS)
         return fmb_ray_edges_find(&c->at->edges, &of, c->run);
     fmb_status st = fmb_ray_edges_begin(&c->at->edges, &of, c->run);
     if (st == FMB_OK)
-        st = fmb_crew_do(c, enter_edges_of_share);
-    return st == FMB_OK ? fmb_crew_do(c, look_up_edges_of_share) : st;
+        st = fmb_insertion_do(c, enter_edges_of_chunk);
+    return st == FMB_OK ? fmb_insertion_do(c, look_up_edges_of_chunk) : st;
 }

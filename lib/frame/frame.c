@@ -138,7 +138,7 @@ static bool count_columns(fmb_maker *m)
     int64_t axes = 0, vars;
     int most = 0;
     for (size_t k = 0; k < w->frames && axes < INT32_MAX; k++) {
-        const fmb_whole *f = &w->frame[k];
+        const fmb_integer_frame *f = &w->frame[k];
         moves |= f->moves;
         axes += f->naxes;
         most = f->naxes > most ? f->naxes : most;

@@ -105,15 +105,16 @@ static fmb_status open_scene(fmb_scene *w, int dim, size_t n, fmb_mem *mem,
     return w->frame ? FMB_OK : fmb_mem_status(mem);
 }
 
-static fmb_whole outline_of_frame(fmb_shape shape, int naxes, bool moves, const void *source)
+static fmb_integer_frame outline_of_frame(fmb_shape shape, int naxes, bool moves,
+                                          const void *source)
 {
     bool is_simplex = shape == FMB_SIMPLEX || shape == FMB_SIMPLEX_BY_CORNERS;
-    return (fmb_whole){.shape = is_simplex ? FMB_SIMPLEX : FMB_CUBOID,
-                       .naxes = naxes,
-                       .rows = 1 + naxes + moves,
-                       .moves = moves,
-                       .by_corners = fmb_frame_is_by_corners(shape),
-                       .source = source};
+    return (fmb_integer_frame){.shape = is_simplex ? FMB_SIMPLEX : FMB_CUBOID,
+                               .naxes = naxes,
+                               .rows = 1 + naxes + moves,
+                               .moves = moves,
+                               .by_corners = fmb_frame_is_by_corners(shape),
+                               .source = source};
 }
 
 fmb_status fmb_scene_of_doubles(fmb_scene *w, const fmb_frame *f, size_t n, fmb_mem *mem,
@@ -144,7 +145,7 @@ void fmb_scene_clear(fmb_scene *w)
     fmb_mem_put(w->mem, w->frame, w->frames, sizeof *w->frame);
 }
 
-void fmb_scene_number(const fmb_scene *w, const fmb_whole *f, int i, int j, mpz_t out)
+void fmb_scene_number(const fmb_scene *w, const fmb_integer_frame *f, int i, int j, mpz_t out)
 {
     w->from->take(out, f->source, i, j, w->unit[j]);
     if (!f->by_corners || i == 0 || i > f->naxes)

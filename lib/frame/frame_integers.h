@@ -15,13 +15,13 @@
 
 /* The outline of a frame. Its numbers are [rows][dim]: the origin, the edges, the speed if it
  * moves. */
-typedef struct fmb_whole {
+typedef struct fmb_integer_frame {
     fmb_shape shape; /* cuboid or simplex */
     int naxes, rows;
     bool moves;
     bool by_corners;    /* the source has corners in place of edges */
     const void *source; /* the fmb_frame or fmb_frame_q */
-} fmb_whole;
+} fmb_integer_frame;
 
 /* How numbers are read from a source. */
 typedef struct fmb_number_source fmb_number_source;
@@ -31,8 +31,8 @@ typedef struct fmb_scene {
     fmb_mem *mem;
     int dim;
     size_t frames;
-    fmb_whole *frame; /* [frames] */
-    mpz_t *unit;      /* [dim], whole and positive: the number of units in 1 */
+    fmb_integer_frame *frame; /* [frames] */
+    mpz_t *unit;              /* [dim], whole and positive: the number of units in 1 */
     const fmb_number_source *from;
 } fmb_scene;
 
@@ -45,6 +45,6 @@ fmb_status fmb_scene_of_rationals(fmb_scene *w, const fmb_frame_q *f, size_t n, 
 void fmb_scene_clear(fmb_scene *w);
 
 /* out = number j of row i of a frame, in units of world axis j. */
-void fmb_scene_number(const fmb_scene *w, const fmb_whole *f, int i, int j, mpz_t out);
+void fmb_scene_number(const fmb_scene *w, const fmb_integer_frame *f, int i, int j, mpz_t out);
 
 #endif

@@ -33,7 +33,7 @@ static fmb_status bound_sum(const fmb_maker *m, int from, int n, int sign, fmb_r
 
 /* ---- frames whose coordinates are variables, numbered from `from` ---------------------------- */
 
-static fmb_status bound_variables(const fmb_maker *m, const fmb_whole *f, int from)
+static fmb_status bound_variables(const fmb_maker *m, const fmb_integer_frame *f, int from)
 {
     fmb_status st = FMB_OK;
     for (int i = 0; st == FMB_OK && i < f->naxes; i++)
@@ -45,7 +45,8 @@ static fmb_status bound_variables(const fmb_maker *m, const fmb_whole *f, int fr
                : st;
 }
 
-static void add_number(const fmb_maker *m, const fmb_whole *f, int i, int j, int sign, mpz_t cell)
+static void add_number(const fmb_maker *m, const fmb_integer_frame *f, int i, int j, int sign,
+                       mpz_t cell)
 {
     fmb_scene_number(&m->scene, f, i, j, m->spare[0]);
     if (sign > 0)
@@ -55,7 +56,8 @@ static void add_number(const fmb_maker *m, const fmb_whole *f, int i, int j, int
 }
 
 /* Coordinate j of the edges of f, behind the n terms that are there; their number then. */
-static size_t put_edges(const fmb_maker *m, const fmb_whole *f, int from, int j, int sign, size_t n)
+static size_t put_edges(const fmb_maker *m, const fmb_integer_frame *f, int from, int j, int sign,
+                        size_t n)
 {
     for (int i = 0; i < f->naxes; i++) {
         mpz_set_ui(m->row[n], 0);
@@ -67,8 +69,8 @@ static size_t put_edges(const fmb_maker *m, const fmb_whole *f, int from, int j,
 }
 
 /* Coordinate j: the point of frame f is that of `first`; or, without one, variable j. */
-static fmb_status add_meeting_row(const fmb_maker *m, const fmb_whole *first, const fmb_whole *f,
-                                  int from, int j)
+static fmb_status add_meeting_row(const fmb_maker *m, const fmb_integer_frame *first,
+                                  const fmb_integer_frame *f, int from, int j)
 {
     size_t n = 0;
     if (first) {
@@ -94,7 +96,7 @@ static fmb_status add_meeting_row(const fmb_maker *m, const fmb_whole *first, co
 
 static fmb_status add_frame(const fmb_maker *m, size_t k, int from)
 {
-    const fmb_whole *f = &m->scene.frame[k];
+    const fmb_integer_frame *f = &m->scene.frame[k];
     bool point = m->in == FMB_COORDINATES_ALL, meets = point || k > 0;
     fmb_status st = bound_variables(m, f, from);
     for (int j = 0; st == FMB_OK && m->in != FMB_COORDINATES_LAST && meets && j < m->dim; j++)
@@ -127,7 +129,7 @@ static fmb_status append_form(const fmb_maker *m, mpz_t *form, int sign, fmb_rel
     return append_row(m, n, rel);
 }
 
-static fmb_status bound_solved(const fmb_maker *m, const fmb_whole *f)
+static fmb_status bound_solved(const fmb_maker *m, const fmb_integer_frame *f)
 {
     fmb_status st = FMB_OK;
     for (int i = 0; st == FMB_OK && i < f->naxes; i++)
@@ -147,7 +149,7 @@ static fmb_status bound_solved(const fmb_maker *m, const fmb_whole *f)
 }
 
 /* form += sign (origin + t speed) */
-static void add_place(const fmb_maker *m, const fmb_whole *f, int j, int sign, mpz_t *form)
+static void add_place(const fmb_maker *m, const fmb_integer_frame *f, int j, int sign, mpz_t *form)
 {
     add_number(m, f, 0, j, sign, form[m->vars]);
     if (f->moves)
@@ -156,7 +158,8 @@ static void add_place(const fmb_maker *m, const fmb_whole *f, int j, int sign, m
 
 /* The coordinates of f, of the point of `last` (or, without one, of the point that is variables).
  */
-static fmb_status add_solved(const fmb_maker *m, const fmb_whole *f, const fmb_whole *last)
+static fmb_status add_solved(const fmb_maker *m, const fmb_integer_frame *f,
+                             const fmb_integer_frame *last)
 {
     fmb_status st = FMB_OK;
     for (int j = 0; st == FMB_OK && j < m->dim; j++) {
@@ -187,12 +190,12 @@ static fmb_status add_solved(const fmb_maker *m, const fmb_whole *f, const fmb_w
 
 fmb_status fmb_maker_rows(const fmb_maker *m)
 {
-    const fmb_whole *frame = m->scene.frame, *end = frame + m->scene.frames;
-    const fmb_whole *last = m->in == FMB_COORDINATES_LAST ? end - 1 : NULL;
+    const fmb_integer_frame *frame = m->scene.frame, *end = frame + m->scene.frames;
+    const fmb_integer_frame *last = m->in == FMB_COORDINATES_LAST ? end - 1 : NULL;
     bool each = m->in == FMB_COORDINATES_EACH, all = m->in == FMB_COORDINATES_ALL;
     fmb_status st = FMB_OK;
     int from = all ? m->dim : 0;
-    for (const fmb_whole *f = frame; st == FMB_OK && f < end; f++) {
+    for (const fmb_integer_frame *f = frame; st == FMB_OK && f < end; f++) {
         bool is_solved = !each && !all && f != last;
         st = is_solved ? add_solved(m, f, last) : add_frame(m, (size_t)(f - frame), from);
         from += is_solved ? 0 : f->naxes;

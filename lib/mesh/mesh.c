@@ -131,9 +131,9 @@ static void look_at_cells(fmb_mesh *m)
     for (size_t i = 0; i < m->cells; i++) {
         fmb_cell c = fmb_mesh_cell_of(m, m->same, i);
         bool tame = fmb_cell_is_tame(&c);
-        m->trouble[i] = tame ? 0 : FMB_MESH_WILD;
+        m->faults[i] = tame ? 0 : FMB_MESH_WILD;
         if (tame ? fmb_cell_is_flat(&c) : is_flat_at_any_size(&c))
-            m->trouble[i] |= FMB_MESH_FLAT;
+            m->faults[i] |= FMB_MESH_FLAT;
     }
 }
 
@@ -167,8 +167,8 @@ static fmb_status fill_mesh(fmb_mesh *m, const double *point, const uint32_t *co
     m->corner = copy_array(mem, corner, m->cells * (size_t)m->corners, sizeof *corner);
     m->face = face ? copy_array(mem, face, m->cells, sizeof *face) : NULL;
     m->same = fmb_mem_get(mem, m->vertices, sizeof *m->same);
-    m->trouble = fmb_mem_get(mem, m->cells, sizeof *m->trouble);
-    if (!m->point || !m->corner || (face && !m->face) || !m->same || !m->trouble)
+    m->faults = fmb_mem_get(mem, m->cells, sizeof *m->faults);
+    if (!m->point || !m->corner || (face && !m->face) || !m->same || !m->faults)
         return fmb_mem_status(mem);
     fmb_status st = fmb_mesh_find_same(m, NULL, mem, m->same);
     if (st != FMB_OK)
@@ -215,7 +215,7 @@ void fmb_mesh_free(fmb_mesh *m)
     fmb_mem_put(&mem, m->corner, m->cells * (size_t)m->corners, sizeof *m->corner);
     fmb_mem_put(&mem, m->face, m->cells, sizeof *m->face);
     fmb_mem_put(&mem, m->same, m->vertices, sizeof *m->same);
-    fmb_mem_put(&mem, m->trouble, m->cells, sizeof *m->trouble);
+    fmb_mem_put(&mem, m->faults, m->cells, sizeof *m->faults);
     fmb_mem_put(&mem, m->order, m->cells, sizeof *m->order);
     fmb_mem_put(&mem, m->node, m->nodes, sizeof *m->node);
     fmb_mem_put(&mem, m, 1, sizeof *m);

@@ -32,8 +32,8 @@ struct fmb_mesh {
     uint32_t *same;   /* [vertices] the first vertex at the same point */
     uint32_t *corner; /* [cells][corners] */
     uint32_t *face;   /* [cells] where in its file, or NULL */
-    uint8_t *trouble; /* [cells] FLAT: its corners lie in a line (of a tetrahedron: in a plane);
-                         WILD: a coordinate is not tame (pair/corners/volume.h) */
+    uint8_t *faults;  /* [cells] FLAT: its corners lie in a line (of a tetrahedron: in a plane);
+                          WILD: a coordinate is not tame (pair/corners/volume.h) */
     uint32_t *order;  /* [cells] of the tree */
     fmb_mesh_node *node;
     size_t nodes;

@@ -42,9 +42,9 @@ static fmb_mesh_box box_of_cell(const fmb_cell *c)
 /* ---- pairs of cells -------------------------------------------------------------------------- */
 
 static fmb_status decide_cells(fmb_tree_walk *x, const fmb_cell *a, const fmb_cell *b,
-                               unsigned trouble, int shared, fmb_mesh_how *how)
+                               unsigned faults, int shared, fmb_mesh_how *how)
 {
-    bool alike = a->corners == b->corners && !trouble && !x->plan->o->motion;
+    bool alike = a->corners == b->corners && !faults && !x->plan->o->motion;
     *how = FMB_MESH_TOUCH;
     if (alike && a->corners == 3)
         *how = fmb_decide_triangles(a, b, shared);
@@ -53,7 +53,7 @@ static fmb_status decide_cells(fmb_tree_walk *x, const fmb_cell *a, const fmb_ce
     if (alike && (a->corners == 3 || shared == 0 || *how != FMB_MESH_TOUCH))
         return FMB_OK;
     x->out.framed++;
-    return fmb_mesh_decide_frames(&x->frames, a, b, (trouble >> 4 & FMB_MESH_FLAT) != 0, shared,
+    return fmb_mesh_decide_frames(&x->frames, a, b, (faults >> 4 & FMB_MESH_FLAT) != 0, shared,
                                   how);
 }
 
@@ -75,8 +75,8 @@ static fmb_status look_at_pair_of_cells(fmb_tree_walk *x, const fmb_cell *a, uin
     if (fmb_run_poll(&x->run) != FMB_OK)
         return FMB_LIMIT;
     x->out.tested++;
-    unsigned trouble = x->plan->a->trouble[i] | (unsigned)x->plan->b->trouble[j] << 4;
-    fmb_status st = decide_cells(x, a, b, trouble, shared, &how);
+    unsigned faults = x->plan->a->faults[i] | (unsigned)x->plan->b->faults[j] << 4;
+    fmb_status st = decide_cells(x, a, b, faults, shared, &how);
     bool wanted = how != FMB_MESH_APART && (how != FMB_MESH_SHARE || x->plan->o->neighbours);
     return st == FMB_OK && wanted ? append_hit(x, (fmb_mesh_hit){i, j, shared, how}) : st;
 }

@@ -17,27 +17,27 @@ static int count_threads_of_pairs(const fmb_pair_options *o)
 }
 
 /* The others that work for k: each has all of k's options but threads. */
-static fmb_status hire_crew(fmb_pair *k, const fmb_alloc *hook)
+static fmb_status hire_workers(fmb_pair *k, const fmb_alloc *hook)
 {
     fmb_pair_options o = k->options;
     fmb_status st = FMB_OK;
     o.threads = 1;
     if (k->threads == 1)
         return FMB_OK;
-    k->crew = fmb_mem_zero(&k->mem, (size_t)k->threads - 1, sizeof *k->crew);
-    if (!k->crew)
+    k->workers = fmb_mem_zero(&k->mem, (size_t)k->threads - 1, sizeof *k->workers);
+    if (!k->workers)
         return fmb_mem_status(&k->mem);
     for (int i = 0; st == FMB_OK && i < k->threads - 1; i++)
-        st = fmb_pair_new(k->dim, &o, hook, &k->crew[i]);
+        st = fmb_pair_new(k->dim, &o, hook, &k->workers[i]);
     return st;
 }
 
-static void dismiss_crew(fmb_pair *k)
+static void dismiss_workers(fmb_pair *k)
 {
     fmb_threads_close(&k->running);
-    for (int i = 0; k->crew && i < k->threads - 1; i++)
-        fmb_pair_free(k->crew[i]);
-    fmb_mem_put(&k->mem, k->crew, (size_t)k->threads - 1, sizeof *k->crew);
+    for (int i = 0; k->workers && i < k->threads - 1; i++)
+        fmb_pair_free(k->workers[i]);
+    fmb_mem_put(&k->mem, k->workers, (size_t)k->threads - 1, sizeof *k->workers);
 }
 
 /* The options that are given, or those by default. Errors: ARG, and why. */
@@ -87,7 +87,7 @@ fmb_status fmb_pair_new(int dim, const fmb_pair_options *o, const fmb_alloc *hoo
     k->general = fmb_general_new(dim, o->simd, &k->mem);
     fmb_status st = k->general ? fmb_pair_oracle_open(&k->oracle, o, hook) : FMB_ERR_MEMORY;
     if (st == FMB_OK)
-        st = hire_crew(k, hook);
+        st = hire_workers(k, hook);
     if (st == FMB_OK)
         *out = k;
     else
@@ -99,7 +99,7 @@ void fmb_pair_free(fmb_pair *k)
 {
     if (!k)
         return;
-    dismiss_crew(k);
+    dismiss_workers(k);
     fmb_pair_oracle_close(&k->oracle);
     fmb_general_free(k->general, &k->mem);
     fmb_mem mem = k->mem;
@@ -110,8 +110,8 @@ void fmb_pair_use_kernels(fmb_pair *k, const fmb_pair_kernels *one, const fmb_pa
 {
     k->one = one;
     k->wide = wide;
-    for (int i = 0; k->crew && i < k->threads - 1; i++)
-        fmb_pair_use_kernels(k->crew[i], one, wide);
+    for (int i = 0; k->workers && i < k->threads - 1; i++)
+        fmb_pair_use_kernels(k->workers[i], one, wide);
 }
 
 fmb_status fmb_pair_count(const fmb_pair *k, fmb_pair_counts *out)
@@ -120,7 +120,7 @@ fmb_status fmb_pair_count(const fmb_pair *k, fmb_pair_counts *out)
     if (!k || !out || !fmb_sized_is_good(out, sizeof *out, "out", NULL, 0))
         return FMB_ERR_ARG;
     for (int i = -1; i < k->threads - 1; i++) {
-        const fmb_pair_counts *c = i < 0 ? &k->counts : &k->crew[i]->counts;
+        const fmb_pair_counts *c = i < 0 ? &k->counts : &k->workers[i]->counts;
         all.pairs += c->pairs;
         all.exact_verdicts += c->exact_verdicts;
         all.exact_boxes += c->exact_boxes;
@@ -131,13 +131,13 @@ fmb_status fmb_pair_count(const fmb_pair *k, fmb_pair_counts *out)
 
 const char *fmb_pair_trouble(const fmb_pair *k)
 {
-    return k ? k->trouble : "";
+    return k ? k->error : "";
 }
 
 void fmb_pair_cancel(fmb_pair *k)
 {
     for (int i = -1; k && i < k->threads - 1; i++)
-        atomic_store(i < 0 ? &k->oracle.cancel : &k->crew[i]->oracle.cancel, 1);
+        atomic_store(i < 0 ? &k->oracle.cancel : &k->workers[i]->oracle.cancel, 1);
 }
 
 /* The argument that is missing, or NULL. */
@@ -151,12 +151,12 @@ static const char *find_missing(size_t n, const fmb_frame *p, const fmb_frame *q
 
 fmb_status fmb_pair_read_answers(fmb_pair *k, const fmb_pair_answers *out, fmb_pair_answers *ours)
 {
-    k->trouble[0] = '\0';
+    k->error[0] = '\0';
     if (!out)
-        snprintf(k->trouble, sizeof k->trouble, "out is NULL");
+        snprintf(k->error, sizeof k->error, "out is NULL");
     else
-        (void)fmb_sized_take(ours, sizeof *ours, out, "out", k->trouble, sizeof k->trouble);
-    return k->trouble[0] ? FMB_ERR_ARG : FMB_OK;
+        (void)fmb_sized_take(ours, sizeof *ours, out, "out", k->error, sizeof k->error);
+    return k->error[0] ? FMB_ERR_ARG : FMB_OK;
 }
 
 fmb_status fmb_pair_test(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_frame *q,
@@ -167,7 +167,7 @@ fmb_status fmb_pair_test(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_fr
         return FMB_ERR_ARG;
     const char *missing = find_missing(n, p, q, &ours);
     if (missing) {
-        snprintf(k->trouble, sizeof k->trouble, "%s is NULL", missing);
+        snprintf(k->error, sizeof k->error, "%s is NULL", missing);
         return FMB_ERR_ARG;
     }
     atomic_store_explicit(&k->oracle.cancel, 0, memory_order_relaxed);
@@ -182,6 +182,6 @@ fmb_status fmb_pair_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
     if (!p || !q || !out || !verdict || !fmb_sized_take(&ours, sizeof ours, out, "out", NULL, 0) ||
         !fmb_frame_q_is_good(p, p->dim) || !fmb_frame_q_is_good(q, p->dim))
         return FMB_ERR_ARG;
-    *verdict = fmb_extreme_answer_q(p, q, &ours);
+    *verdict = fmb_exact_box_answer_q(p, q, &ours);
     return FMB_OK;
 }

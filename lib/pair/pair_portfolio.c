@@ -67,7 +67,7 @@ static fmb_status answer_generally(const query *a, size_t i)
     if (!k->options.tightest && take_edges(a, i, &p, &q) &&
         fmb_general_answer(k->general, &p.frame, &q.frame, &out))
         return FMB_OK;
-    if (asks_exactly(a) && fmb_extreme_answer(&a->p[i], &a->q[i], &out))
+    if (asks_exactly(a) && fmb_exact_box_answer(&a->p[i], &a->q[i], &out))
         return FMB_OK;
     return answer_exactly(a, i);
 }
@@ -90,7 +90,7 @@ static fmb_status refuse_pair(const query *a, size_t i)
     char fault[FMB_FRAME_FAULT_SIZE];
     bool first = fmb_frame_describe_fault(&a->p[i], k->dim, fault, sizeof fault);
     if (first || fmb_frame_describe_fault(&a->q[i], k->dim, fault, sizeof fault))
-        snprintf(k->trouble, sizeof k->trouble, "%c[%zu]: %s", first ? 'p' : 'q', i, fault);
+        snprintf(k->error, sizeof k->error, "%c[%zu]: %s", first ? 'p' : 'q', i, fault);
     return FMB_ERR_ARG;
 }
 
@@ -175,7 +175,7 @@ static void decide_without_query(const query *a, size_t i, fmb_verdict *out)
     fmb_corner_edges of_p, of_q;
     if (fmb_decide_corners(p, q, contact, out))
         return;
-    if (asks_exactly(a) && fmb_extreme_decide(p, q, contact, out))
+    if (asks_exactly(a) && fmb_exact_box_decide(p, q, contact, out))
         k->counts.exact_verdicts++;
     else if (take_edges(a, i, &of_p, &of_q))
         *out = fmb_general_decide(k->general, &of_p.frame, &of_q.frame);

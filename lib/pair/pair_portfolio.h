@@ -29,12 +29,12 @@ struct fmb_pair {
     fmb_general *general;
     fmb_pair_oracle oracle;
     fmb_pair_counts counts; /* without its size */
-    fmb_pair **crew;     /* [threads - 1] one for each other thread, of sets of frames; or NULL */
+    fmb_pair **workers;  /* [threads - 1] one for each other thread, of sets of frames; or NULL */
     int threads;         /* at least 1 */
     fmb_threads running; /* since the first query for them */
-    char trouble[FMB_FRAME_FAULT_SIZE + 40]; /* why the last call returned FMB_ERR_ARG */
-    uint64_t waiting;                        /* the blocks that are not empty */
-    fmb_flat_kind flat;                      /* what waits in the last block */
+    char error[FMB_FRAME_FAULT_SIZE + 40]; /* why the last call returned FMB_ERR_ARG */
+    uint64_t waiting;                      /* the blocks that are not empty */
+    fmb_flat_kind flat;                    /* what waits in the last block */
     fmb_block block[BLOCKS];
 };
 
@@ -44,9 +44,9 @@ static inline bool fmb_pair_is_cancelled(const fmb_pair *k)
     return atomic_load_explicit(&k->oracle.cancel, memory_order_relaxed) != 0;
 }
 
-/* The caller's places for answers, as we know them. Errors: ARG, with k->trouble set. */
+/* The caller's places for answers, as we know them. Errors: ARG, with k->error set. */
 fmb_status fmb_pair_read_answers(fmb_pair *k, const fmb_pair_answers *out, fmb_pair_answers *ours);
-/* Answer all pairs; after a cancel, those that are left are UNKNOWN. Errors: ARG, with k->trouble
+/* Answer all pairs; after a cancel, those that are left are UNKNOWN. Errors: ARG, with k->error
  * set, MEMORY. */
 fmb_status fmb_pair_answer_all(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_frame *q,
                                const fmb_pair_answers *out);

@@ -160,13 +160,13 @@ static bool proves(court *c, const fmb_sparse_vector *multipliers, const fmb_com
 
 /* ---- one judge for each kind of claim -------------------------------------------------------- */
 
-static bool judge_feasible(court *c, const fmb_claim *q)
+static bool check_feasible(court *c, const fmb_claim *q)
 {
     return keeps_all(c, &q->point, AS_WRITTEN);
 }
 
 /* Infeasible: the rows prove 0 < 0. */
-static bool judge_infeasible(court *c, const fmb_claim *q)
+static bool check_infeasible(court *c, const fmb_claim *q)
 {
     return proves(c, &q->multipliers, &(fmb_combination_goal){.row = SIZE_MAX}, true, WRITTEN);
 }
@@ -193,7 +193,7 @@ static bool proves_form(court *c, const fmb_claim *q, const fmb_sparse_vector *m
  * For the latter, let p satisfy the rows with < read as <=, form(p) = value, and let q be a
  * solution. Every q + t(p - q), 0 <= t < 1, is a solution (a strict row holds strictly at q), and
  * the form tends to value as t tends to 1. Lower ends are upper ends of -form. */
-static bool judge_bound(court *c, const fmb_claim *q)
+static bool check_bound(court *c, const fmb_claim *q)
 {
     if (q->rel == FMB_EQ)
         return refuse(c, "the claim is no bound");
@@ -212,7 +212,7 @@ static bool judge_bound(court *c, const fmb_claim *q)
 }
 
 /* From a solution one can walk along the ray for ever. */
-static bool judge_unbounded(court *c, const fmb_claim *q)
+static bool check_unbounded(court *c, const fmb_claim *q)
 {
     if (!has_form(c, q))
         return false;
@@ -226,7 +226,7 @@ static bool judge_unbounded(court *c, const fmb_claim *q)
 }
 
 /* An equality needs both directions. */
-static bool judge_implied(court *c, const fmb_claim *q)
+static bool check_implied(court *c, const fmb_claim *q)
 {
     if (!has_form(c, q))
         return false;
@@ -248,7 +248,7 @@ static bool has_row(court *c, const fmb_claim *q)
 
 /* The last row to go follows from rows that stay, the one before it from those and the last, and so
  * on: the rows that stay, with their equalities, imply all others. */
-static bool judge_redundant(court *c, const fmb_claim *q)
+static bool check_redundant(court *c, const fmb_claim *q)
 {
     if (!has_row(c, q))
         return false;
@@ -259,7 +259,7 @@ static bool judge_redundant(court *c, const fmb_claim *q)
 
 /* Row a.x <= b is an equality if all rows, and equalities known by now, prove -a.x <= -b. A strict
  * row is none, even where there is no solution: as an equality it would let points in. */
-static bool judge_equality(court *c, const fmb_claim *q)
+static bool check_equality(court *c, const fmb_claim *q)
 {
     if (!has_row(c, q))
         return false;
@@ -269,7 +269,7 @@ static bool judge_equality(court *c, const fmb_claim *q)
 }
 
 /* Without row i the rows that stay would let the point in. */
-static bool judge_irredundant(court *c, const fmb_claim *q)
+static bool check_irredundant(court *c, const fmb_claim *q)
 {
     bool good = true;
     if (!has_row(c, q) || !lay_out(c, &q->point, false))
@@ -290,21 +290,21 @@ static bool judge_irredundant(court *c, const fmb_claim *q)
 }
 
 /* A point of the closure, or a direction in it. */
-static bool judge_corner(court *c, const fmb_claim *q)
+static bool check_corner(court *c, const fmb_claim *q)
 {
     if (q->point.size > 0 && q->ray.size > 0)
         return refuse(c, "the corner is both a point and a ray");
     return q->ray.size > 0 ? keeps_all(c, &q->ray, DIRECTION) : keeps_all(c, &q->point, CLOSED);
 }
 
-static bool judge_whole(court *c, const fmb_claim *q)
+static bool check_complete(court *c, const fmb_claim *q)
 {
     const char *why = NULL;
     if (!has_form(c, q))
         return false;
     if (c->doubtful)
         return refuse(c, "it leans on claims that do not hold");
-    return goes_on(c, fmb_whole_judge(c->s, c->e, q, &c->mem, &c->poll, &why, NULL)) &&
+    return goes_on(c, fmb_complete_check(c->s, c->e, q, &c->mem, &c->poll, &why, NULL)) &&
            (!why || refuse(c, "%s", why));
 }
 
@@ -313,11 +313,11 @@ static bool judge_whole(court *c, const fmb_claim *q)
 static bool judge(court *c, const fmb_claim *q)
 {
     static bool (*const by_kind[])(court *, const fmb_claim *) = {
-        [FMB_CLAIM_FEASIBLE] = judge_feasible, [FMB_CLAIM_INFEASIBLE] = judge_infeasible,
-        [FMB_CLAIM_BOUND] = judge_bound,       [FMB_CLAIM_UNBOUNDED] = judge_unbounded,
-        [FMB_CLAIM_IMPLIED] = judge_implied,   [FMB_CLAIM_REDUNDANT] = judge_redundant,
-        [FMB_CLAIM_EQUALITY] = judge_equality, [FMB_CLAIM_IRREDUNDANT] = judge_irredundant,
-        [FMB_CLAIM_CORNER] = judge_corner,     [FMB_CLAIM_WHOLE] = judge_whole};
+        [FMB_CLAIM_FEASIBLE] = check_feasible, [FMB_CLAIM_INFEASIBLE] = check_infeasible,
+        [FMB_CLAIM_BOUND] = check_bound,       [FMB_CLAIM_UNBOUNDED] = check_unbounded,
+        [FMB_CLAIM_IMPLIED] = check_implied,   [FMB_CLAIM_REDUNDANT] = check_redundant,
+        [FMB_CLAIM_EQUALITY] = check_equality, [FMB_CLAIM_IRREDUNDANT] = check_irredundant,
+        [FMB_CLAIM_CORNER] = check_corner,     [FMB_CLAIM_WHOLE] = check_complete};
     if (q->kind <= FMB_CLAIM_NONE || q->kind > FMB_CLAIM_WHOLE)
         return refuse(c, "the claim is of no known kind");
     return by_kind[q->kind](c, q);
@@ -340,7 +340,7 @@ static int turn_of(const fmb_claim *q)
 }
 
 /* Judge claim i, and put down what becomes of it. The reason of the first failing claim wins. */
-static void judge_claim(court *c, size_t i, fmb_judgement *out)
+static void check_claim(court *c, size_t i, fmb_judgement *out)
 {
     char reason[sizeof out->reason] = "";
     const fmb_claim *q = &c->e->claim[i];
@@ -360,14 +360,14 @@ static void judge_claim(court *c, size_t i, fmb_judgement *out)
     }
 }
 
-static void judge_all(court *c, fmb_judgement *out)
+static void check_all(court *c, fmb_judgement *out)
 {
     const fmb_evidence *e = c->e;
     for (int turn = 0; turn <= 2; turn++) {
         c->doubtful = out->claim != SIZE_MAX;
         for (size_t i = 0; c->st == FMB_OK && i < e->claims; i++)
             if (turn_of(&e->claim[i]) == turn)
-                judge_claim(c, i, out);
+                check_claim(c, i, out);
     }
     out->accepted = c->st == FMB_OK && e->claims > 0 && out->claim == SIZE_MAX;
     if (e->claims == 0)
@@ -389,12 +389,12 @@ static void mark_rows(court *c)
 }
 
 /* A limit is a result: what was not judged by then was not accepted. */
-static void judge_to_limit(court *c, fmb_judgement *out)
+static void check_to_limit(court *c, fmb_judgement *out)
 {
     fmb_judgement found = {.size = sizeof found, .claim = SIZE_MAX};
     if (c->st == FMB_OK) {
         mark_rows(c);
-        judge_all(c, &found);
+        check_all(c, &found);
     }
     if (c->st == FMB_LIMIT) {
         found.stop = fmb_guard_stop(&c->guard);
@@ -425,7 +425,7 @@ fmb_status fmb_check_within(const fmb_system *s, const fmb_evidence *e,
     c.st = fmb_place_init(&c.here, (size_t)e->dim, &c.mem);
     if (c.st == FMB_OK && (!c.goes || !c.equal))
         c.st = fmb_mem_status(&c.mem);
-    judge_to_limit(&c, out);
+    check_to_limit(&c, out);
     fmb_place_clear(&c.here, &c.mem);
     fmb_mem_put(&c.mem, c.goes, e->rows, sizeof *c.goes);
     fmb_mem_put(&c.mem, c.equal, e->rows, sizeof *c.equal);

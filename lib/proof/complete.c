@@ -54,7 +54,7 @@ typedef struct assembly {
     mpz_t t, z;
 } assembly;
 
-bool fmb_whole_names_only(const fmb_claim *c, int dim, const bool *kept)
+bool fmb_complete_names_only(const fmb_claim *c, int dim, const bool *kept)
 {
     bool only = true;
     for (size_t k = 0; only && k < c->terms.size; k++)
@@ -227,7 +227,7 @@ static fmb_status list_kept_variables(assembly *a, const fmb_claim *q)
 
 static bool is_row_of_image(const assembly *a, const fmb_claim *c)
 {
-    return c->kind == FMB_CLAIM_IMPLIED && fmb_whole_names_only(c, a->e->dim, a->kept);
+    return c->kind == FMB_CLAIM_IMPLIED && fmb_complete_names_only(c, a->e->dim, a->kept);
 }
 
 static fmb_status list_rows_and_corners(assembly *a)
@@ -372,7 +372,7 @@ static fmb_status find_strict_insides(assembly *a)
 /* ---- the claim ------------------------------------------------------------------------------- */
 
 /* Condition 2, with that sum of ranks. */
-static fmb_status judge_faces_of(assembly *a, size_t rank, fmb_lattice_end *end)
+static fmb_status check_faces_of(assembly *a, size_t rank, fmb_lattice_end *end)
 {
     return rank > a->width ? FMB_OK
                            : fmb_lattice_check(&a->faces, a->rest, a->width - rank, a->mem, a->poll,
@@ -382,7 +382,7 @@ static fmb_status judge_faces_of(assembly *a, size_t rank, fmb_lattice_end *end)
 /* Ranks modulo a prime may be too small, which makes the dimension too large: no set is closed of a
  * dimension that is larger than that of its span (lattice.h), so nothing wrong is accepted; and
  * before something is refused the ranks are found exactly. */
-static fmb_status judge_faces(assembly *a, const char **why, bool *on)
+static fmb_status check_faces(assembly *a, const char **why, bool *on)
 {
     static const char *const said[] = {
         [FMB_LATTICE_CLOSED] = NULL,
@@ -399,7 +399,7 @@ static fmb_status judge_faces(assembly *a, const char **why, bool *on)
     if (linear && st == FMB_OK)
         st = find_rank_modulo(a, a->vector, n, &lines);
     if (linear && st == FMB_OK)
-        st = judge_faces_of(a, equations + lines, &end);
+        st = check_faces_of(a, equations + lines, &end);
     bool may_be_more = equations < a->equations || lines < n;
     if (linear && st == FMB_OK && end == FMB_LATTICE_OPEN && may_be_more) {
         size_t before = equations + lines;
@@ -407,7 +407,7 @@ static fmb_status judge_faces(assembly *a, const char **why, bool *on)
         if (st == FMB_OK)
             st = find_rank(a, a->vector, n, &lines);
         if (st == FMB_OK && equations + lines > before)
-            st = judge_faces_of(a, equations + lines, &end);
+            st = check_faces_of(a, equations + lines, &end);
     }
     *why = said[end];
     for (size_t g = 0; on && st == FMB_OK && g < a->corners; g++)
@@ -438,8 +438,8 @@ static void clear_assembly(assembly *a)
     mpz_clears(a->t, a->z, NULL);
 }
 
-fmb_status fmb_whole_judge(const fmb_system *s, const fmb_evidence *e, const fmb_claim *q,
-                           fmb_mem *mem, const fmb_poll *poll, const char **why, bool *on)
+fmb_status fmb_complete_check(const fmb_system *s, const fmb_evidence *e, const fmb_claim *q,
+                              fmb_mem *mem, const fmb_poll *poll, const char **why, bool *on)
 {
     assembly a = {.s = s, .e = e, .mem = mem, .poll = poll};
     mpz_inits(a.t, a.z, NULL);
@@ -453,7 +453,7 @@ fmb_status fmb_whole_judge(const fmb_system *s, const fmb_evidence *e, const fmb
     if (st == FMB_OK)
         st = find_strict_insides(&a);
     if (st == FMB_OK)
-        st = judge_faces(&a, why, on);
+        st = check_faces(&a, why, on);
     clear_assembly(&a);
     return st;
 }

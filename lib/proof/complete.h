@@ -12,10 +12,10 @@
 /* Does claim q, of kind WHOLE, follow from the claims that it leans on? *why: NULL, or why not.
  * on[claims], or NULL: where all that is missing is a solution above the relative interior of some
  * face, the corners on that; else none. Errors: MEMORY, LIMIT, and what poll says. */
-fmb_status fmb_whole_judge(const fmb_system *s, const fmb_evidence *e, const fmb_claim *q,
-                           fmb_mem *mem, const fmb_poll *poll, const char **why, bool *on);
+fmb_status fmb_complete_check(const fmb_system *s, const fmb_evidence *e, const fmb_claim *q,
+                              fmb_mem *mem, const fmb_poll *poll, const char **why, bool *on);
 
 /* Does the claim name only variables with kept[dim] set? */
-bool fmb_whole_names_only(const fmb_claim *c, int dim, const bool *kept);
+bool fmb_complete_names_only(const fmb_claim *c, int dim, const bool *kept);
 
 #endif

@@ -217,7 +217,7 @@ static bool names_whole(asker *a, bool *kept)
     for (size_t i = 0; known && !found && i < a->e->claims && has_time(a); i++) {
         const fmb_claim *c = &a->e->claim[i];
         found = c->kind == FMB_CLAIM_WHOLE && c->terms.size == size &&
-                fmb_whole_names_only(c, a->e->dim, kept);
+                fmb_complete_names_only(c, a->e->dim, kept);
     }
     return found || miss(a, "no claim is about the whole projection");
 }
@@ -254,7 +254,7 @@ static bool names_whole_image(asker *a, bool *kept)
     size_t at = 0;
     for (size_t i = 0; good && i < a->e->claims && has_time(a); i++) {
         const fmb_claim *c = &a->e->claim[i];
-        if (c->kind == FMB_CLAIM_IMPLIED && fmb_whole_names_only(c, a->e->dim, kept))
+        if (c->kind == FMB_CLAIM_IMPLIED && fmb_complete_names_only(c, a->e->dim, kept))
             good = is_in_image(a, c, &at) || miss(a, "the projection lacks claim %zu", i + 1);
     }
     return good;

@@ -121,7 +121,7 @@ static fmb_status sort_vertices(common_polygon *p, fmb_generators **g, const fmb
     return FMB_OK;
 }
 
-fmb_status fmb_sort_around(fmb_generators **g, fmb_mem *mem)
+fmb_status fmb_angular_sort(fmb_generators **g, fmb_mem *mem)
 {
     common_polygon p = {.n = fmb_generators_size(*g), .dim = (size_t)fmb_generators_dim(*g)};
     if (p.n < 4 || p.dim < 2)

@@ -8,6 +8,6 @@
 
 /* *g, vertices none of which is between others, may become another list of them: where they span a
  * plane, they follow each other around the polygon. Errors: MEMORY, LIMIT; *g is then as it was. */
-fmb_status fmb_sort_around(fmb_generators **g, fmb_mem *mem);
+fmb_status fmb_angular_sort(fmb_generators **g, fmb_mem *mem);
 
 #endif

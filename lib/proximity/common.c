@@ -77,7 +77,7 @@ static fmb_status find_common_points(fmb_solver *v, const fmb_two *two, fmb_gene
     v->answered = false;
     fmb_system_free(s);
     if (st == FMB_OK && found)
-        st = fmb_sort_around(&found, &v->mem);
+        st = fmb_angular_sort(&found, &v->mem);
     if (st != FMB_OK || r.stop != FMB_STOP_DONE) { /* some are not the common points */
         fmb_generators_free(found);
         found = NULL;

@@ -21,7 +21,7 @@ static void find_common_unit(fmb_minkowski *m, const fmb_scene *scene)
 
 static void read_frame_rows(fmb_minkowski *m, const fmb_scene *scene, int k)
 {
-    const fmb_whole *f = &scene->frame[k];
+    const fmb_integer_frame *f = &scene->frame[k];
     for (int j = 0; j < m->dim; j++) {
         mpz_divexact(m->t[0], m->unit, scene->unit[j]);
         for (int i = 0; i < f->rows; i++) {
@@ -44,7 +44,7 @@ static fmb_status read_scene(fmb_minkowski *m, const fmb_scene *scene)
     mpz_t *next = m->cell;
     find_common_unit(m, scene);
     for (int k = 0; k < 2; k++) {
-        const fmb_whole *f = &scene->frame[k];
+        const fmb_integer_frame *f = &scene->frame[k];
         m->frame[k] = (fmb_minkowski_frame){f->shape, f->naxes, next};
         m->moves |= f->moves;
         next += ((size_t)f->naxes + 2) * dim;

@@ -43,7 +43,7 @@ static void read_direction(const fmb_minkowski *m, const fmb_system *s, const fm
 }
 
 /* out = w without fractions. */
-static void make_direction_whole(const fmb_minkowski *m, mpq_t *w, mpz_t *out)
+static void make_direction_integer(const fmb_minkowski *m, mpq_t *w, mpz_t *out)
 {
     mpz_t scale;
     mpz_init_set_ui(scale, 1);
@@ -110,7 +110,7 @@ static fmb_status find_row(fmb_minkowski *m, const fmb_system *s, const fmb_evid
     fmb_status st = whole ? fmb_rationals_new(&w, dim, m->mem) : fmb_mem_status(m->mem);
     if (st == FMB_OK) {
         read_direction(m, s, e, w);
-        make_direction_whole(m, w, whole);
+        make_direction_integer(m, w, whole);
         for (size_t j = 0; j < dim; j++)
             mpz_neg(whole[dim + j], whole[j]);
         fmb_minkowski_lowest(m, whole + dim, whole + 2 * dim);

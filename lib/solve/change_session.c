@@ -16,7 +16,7 @@ fmb_status fmb_solver_load(fmb_solver *v, const fmb_system *s)
         return st;
     fmb_session_free(v->session);
     v->session = c;
-    v->trouble[0] = '\0';
+    v->error[0] = '\0';
     return FMB_OK;
 }
 
@@ -59,7 +59,7 @@ static fmb_status expect_loaded_system(fmb_solver *v)
 {
     if (!v)
         return FMB_ERR_ARG;
-    v->trouble[0] = '\0';
+    v->error[0] = '\0';
     return v->session ? FMB_OK : FMB_ERR_STATE;
 }
 

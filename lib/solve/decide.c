@@ -169,7 +169,7 @@ static bool decide_on_stack(fmb_solver *v, const fmb_system *s, fmb_result *res)
         return false;
     fmb_evidence_free(v->evidence);
     v->evidence = NULL;
-    v->trouble[0] = '\0';
+    v->error[0] = '\0';
     v->answered = true;
     fmb_result_give(res, &(fmb_result){.size = sizeof(fmb_result),
                                        .verdict = verdict,

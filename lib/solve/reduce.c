@@ -1,9 +1,9 @@
 /* reduce.c: the irredundant system.
  *
- * Parts with a point strictly inside, which most have, go through the sieve
+ * Parts with a point strictly inside, which most have, go through the shooting
  * (lp/redundancy/ray_shooting/ray_shooting.h): the point tells that there is a solution, and the
- * sieve decides nearly all rows. The exact oracle decides about rows that are left, and about parts
- * without such a point.
+ * shooting decides nearly all rows. The exact oracle decides about rows that are left, and about
+ * parts without such a point.
  */
 #include "base/ways.h"
 #include "lp/dictionary/exact_simplex.h"
@@ -124,13 +124,14 @@ static bool is_some_row_unknown(const reduce_progress *g)
 }
 
 /* *inner: there is a point strictly inside. */
-static fmb_status sift_rows_of_part(reduce_progress *g, const fmb_verdicts *told, bool *inner)
+static fmb_status shoot_rays_at_part(reduce_progress *g, const fmb_verdicts *told, bool *inner)
 {
-    fmb_sieve sieve;
-    fmb_status st = fmb_sieve_open(&sieve, &g->q->run, (size_t)g->p->n, g->p->m, g->row, inner);
+    fmb_ray_shooting shooting;
+    fmb_status st =
+        fmb_ray_shooting_open(&shooting, &g->q->run, (size_t)g->p->n, g->p->m, g->row, inner);
     if (st == FMB_OK && *inner)
-        st = fmb_sieve_sort(&sieve, g->fate, told);
-    fmb_sieve_close(&sieve);
+        st = fmb_ray_shooting_sort(&shooting, g->fate, told);
+    fmb_ray_shooting_close(&shooting);
     return st;
 }
 
@@ -165,8 +166,8 @@ static fmb_status decide_rows_of_part(fmb_query *q, int part, fmb_fate *fate)
     fmb_status st = list_rows_of_part(&g, part);
     if (st != FMB_OK)
         return st;
-    if (fmb_sieve_is_affordable((size_t)g.p->n, g.p->m) && fmb_way(FMB_WAY_RAY_SHOOTING)) {
-        st = sift_rows_of_part(&g, listener, &inner);
+    if (fmb_ray_shooting_is_affordable((size_t)g.p->n, g.p->m) && fmb_way(FMB_WAY_RAY_SHOOTING)) {
+        st = shoot_rays_at_part(&g, listener, &inner);
         fmb_run_tell_attempt(&q->run, fmb_query_attempt(q, part, "sieve", "rows"), st, inner);
         fmb_way_answered(FMB_WAY_RAY_SHOOTING, inner);
     }

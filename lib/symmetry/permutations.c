@@ -87,14 +87,14 @@ static fmb_status expect_permutation(fmb_permutations *p, const int *image, int 
     for (int j = 0; j < p->dim; j++) {
         int to = image[j];
         if (to < 0 || to >= p->dim)
-            snprintf(p->trouble, sizeof p->trouble, "variable %d goes to %d, but there are %d", j,
-                     to, p->dim);
+            snprintf(p->error, sizeof p->error, "variable %d goes to %d, but there are %d", j, to,
+                     p->dim);
         else if (from[to] >= 0)
-            snprintf(p->trouble, sizeof p->trouble, "variables %d and %d both go to %d", from[to],
-                     j, to);
+            snprintf(p->error, sizeof p->error, "variables %d and %d both go to %d", from[to], j,
+                     to);
         else
             from[to] = j;
-        if (p->trouble[0])
+        if (p->error[0])
             return FMB_ERR_ARG;
     }
     return FMB_OK;
@@ -104,11 +104,11 @@ fmb_status fmb_permutations_add(fmb_permutations *p, const int *image)
 {
     if (!p)
         return FMB_ERR_ARG;
-    p->trouble[0] = '\0';
+    p->error[0] = '\0';
     if (p->dim == 0)
         return FMB_OK; /* there is nothing to move */
     if (!image) {
-        snprintf(p->trouble, sizeof p->trouble, "image is NULL");
+        snprintf(p->error, sizeof p->error, "image is NULL");
         return FMB_ERR_ARG;
     }
     int *from = fmb_mem_get(&p->mem, (size_t)p->dim, sizeof *from);
@@ -121,7 +121,7 @@ fmb_status fmb_permutations_add(fmb_permutations *p, const int *image)
 
 const char *fmb_permutations_trouble(const fmb_permutations *p)
 {
-    return p ? p->trouble : "";
+    return p ? p->error : "";
 }
 
 /* ---- reading --------------------------------------------------------------------------------- */

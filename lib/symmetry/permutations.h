@@ -11,7 +11,7 @@ struct fmb_permutations {
     int dim;
     int **image; /* [size][dim] */
     size_t size, capacity;
-    char trouble[160]; /* what was wrong with the last that was to be added */
+    char error[160]; /* what was wrong with the last that was to be added */
 };
 
 /* image[n] is -1 where nothing is said: chains become cycles, everything else stays. False if two

@@ -96,7 +96,7 @@ __attribute__((format(printf, 2, 3))) static fmb_status refuse_generator(fmb_gen
 {
     va_list list;
     va_start(list, format);
-    vsnprintf(g->trouble, sizeof g->trouble, format, list);
+    vsnprintf(g->error, sizeof g->error, format, list);
     va_end(list);
     return FMB_ERR_ARG;
 }
@@ -106,7 +106,7 @@ static fmb_status expect_generator_arguments(fmb_generators *g, fmb_generator_ki
 {
     if (!g)
         return FMB_ERR_ARG;
-    g->trouble[0] = '\0';
+    g->error[0] = '\0';
     if (!x && g->dim > 0)
         return refuse_generator(g, "x is NULL");
     if ((unsigned)kind > FMB_LINE)
@@ -116,7 +116,7 @@ static fmb_status expect_generator_arguments(fmb_generators *g, fmb_generator_ki
 
 const char *fmb_generators_trouble(const fmb_generators *g)
 {
-    return g ? g->trouble : "";
+    return g ? g->error : "";
 }
 
 fmb_status fmb_generators_add_q(fmb_generators *g, fmb_generator_kind kind, mpq_t *x)

@@ -15,7 +15,7 @@ fmb_status fmb_system_refuse(fmb_system *s, const char *format, ...)
     if (!s)
         return FMB_ERR_ARG;
     va_start(args, format);
-    vsnprintf(s->trouble, sizeof s->trouble, format, args);
+    vsnprintf(s->error, sizeof s->error, format, args);
     va_end(args);
     return FMB_ERR_ARG;
 }
@@ -32,7 +32,7 @@ static fmb_status refuse_row(fmb_system *s, size_t i)
 
 const char *fmb_system_trouble(const fmb_system *s)
 {
-    return s ? s->trouble : "";
+    return s ? s->error : "";
 }
 
 /* ---- life ------------------------------------------------------------------------------------ */

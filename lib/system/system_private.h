@@ -38,7 +38,7 @@ struct fmb_system {
     bool asks_projection;
     fmb_sense sense;
     fmb_sysrow objective; /* unless sense is NONE: the right side is the constant */
-    char trouble[160];    /* what fmb_system_refuse said last */
+    char error[160];      /* what fmb_system_refuse said last */
 };
 
 static inline const fmb_sysrow *fmb_system_row(const fmb_system *s, size_t i)

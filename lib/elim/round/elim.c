@@ -228,7 +228,7 @@ static void close_round(fmb_elim *e, int var, const tally *before)
 /* Rules that look at all rows look at few new ones only in rounds that can make many. */
 static bool is_time_for_rules(const fmb_elim *e)
 {
-    bool careful = e->cheap_only || e->steep > 0;
+    bool careful = e->cheap_only || e->growth > 0;
     return !careful || 8 * (e->rows - e->judged) >= e->live.size;
 }
 
@@ -282,11 +282,11 @@ static bool is_ready_to_pair(const fmb_elim *e, const bool *drop)
 
 /* Of the many pairs of a variable with both ends the box refuses most; that shows in the rows left.
  */
-static bool is_too_steep(const fmb_elim *e, int var, double growth)
+static bool grows_too_much(const fmb_elim *e, int var, double growth)
 {
     bool boxed = e->box.any && e->box.row[FMB_LOWER][var] != FMB_NO_ROW &&
                  e->box.row[FMB_UPPER][var] != FMB_NO_ROW;
-    return (!boxed && growth > e->steep * (double)e->live.size) || e->live.size > 2 * e->flat;
+    return (!boxed && growth > e->growth * (double)e->live.size) || e->live.size > 2 * e->flat;
 }
 
 /* Histories start before the choice: what goes then is not counted in it. */
@@ -301,16 +301,16 @@ fmb_status fmb_elim_eliminate(fmb_elim *e, const bool *drop)
             st = fmb_elim_choose(e, drop, &var);
         if (st != FMB_OK || e->clash != FMB_NO_ROW || var < 0)
             break;
-        double growth = e->cheap_only || e->steep > 0 ? fmb_elim_growth(e, var) : 0;
+        double growth = e->cheap_only || e->growth > 0 ? fmb_elim_growth(e, var) : 0;
         if (e->cheap_only && growth > 0)
             break;
-        if (e->steep > 0 && is_too_steep(e, var, growth)) {
+        if (e->growth > 0 && grows_too_much(e, var, growth)) {
             e->over_budget = true;
             return FMB_LIMIT;
         }
         st = eliminate_variable(e, var);
     }
-    bool unseen = (e->cheap_only || e->steep > 0) && e->rounds > 0 && e->judged < e->rows;
+    bool unseen = (e->cheap_only || e->growth > 0) && e->rounds > 0 && e->judged < e->rows;
     return st == FMB_OK && e->clash == FMB_NO_ROW && unseen ? let_rules_end_round(e, -1) : st;
 }
 

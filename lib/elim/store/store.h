@@ -108,9 +108,9 @@ typedef struct fmb_elim {
     int *candidate; /* [n] scratch of the choice */
 
     bool cheap_only; /* stop before a variable that makes more rows than go: set it after init */
-    double steep;    /* > 0: the budget is used up before a variable that makes so many times more
-                        rows than are alive, unless the box holds it (elim.c), and where more than
-                        twice `flat` rows are alive: set both after init */
+    double growth;   /* > 0: the budget is used up before a variable that makes so many times more
+                       rows than are alive, unless the box holds it (elim.c), and where more than
+                       twice `flat` rows are alive: set both after init */
     size_t flat;
     size_t judged;    /* rows that rules saw at the end of a round are before it */
     size_t budget;    /* rows that the store may hold, 0 = any number: set it after init */

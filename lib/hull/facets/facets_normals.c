@@ -6,14 +6,14 @@
 #include "hull/facets/facets_private.h"
 #include "trace/team.h"
 
-enum { SHARES = 16 };
+enum { CHUNKS = 16 };
 
 /* With fewer facets threads wait longer than they work. */
 #define FACETS_FOR_THREADS 256
 
 typedef struct normals {
     fmb_facets *f;
-    size_t bytes[SHARES]; /* that the normals of a share hold */
+    size_t bytes[CHUNKS]; /* that the normals of a share hold */
 } normals;
 
 static fmb_status find_normals_by(normals *w, size_t k, fmb_num *num, fmb_run *run)
@@ -22,7 +22,7 @@ static fmb_status find_normals_by(normals *w, size_t k, fmb_num *num, fmb_run *r
     fmb_normal_tools tools = {.num = num};
     size_t before = run->mem->used;
     fmb_status st = FMB_OK;
-    for (size_t i = f->slots * k / SHARES; st == FMB_OK && i < f->slots * (k + 1) / SHARES; i++) {
+    for (size_t i = f->slots * k / CHUNKS; st == FMB_OK && i < f->slots * (k + 1) / CHUNKS; i++) {
         if (f->facet[i].alive && !f->facet[i].known)
             st = fmb_facets_find_normal(f, &f->facet[i], &tools);
         if (st == FMB_OK)
@@ -33,7 +33,7 @@ static fmb_status find_normals_by(normals *w, size_t k, fmb_num *num, fmb_run *r
     return st;
 }
 
-static fmb_status find_normals_of_share(void *self, size_t k, fmb_run *run)
+static fmb_status find_normals_of_chunk(void *self, size_t k, fmb_run *run)
 {
     normals *w = self;
     fmb_num num;
@@ -49,10 +49,10 @@ static fmb_status find_normals_together(fmb_facets *f)
 {
     fmb_team team;
     normals w = {.f = f};
-    fmb_status st = fmb_team_open(&team, f->run, SHARES);
+    fmb_status st = fmb_team_open(&team, f->run, CHUNKS);
     if (st == FMB_OK) {
-        st = fmb_team_do(&team, SHARES, find_normals_of_share, &w);
-        for (size_t k = 0; k < SHARES; k++)
+        st = fmb_team_do(&team, CHUNKS, find_normals_of_chunk, &w);
+        for (size_t k = 0; k < CHUNKS; k++)
             fmb_team_hand_over(&team, k, w.bytes[k]);
     }
     fmb_team_close(&team);

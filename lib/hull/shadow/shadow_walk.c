@@ -27,7 +27,7 @@ static void clear_walk_numbers(fmb_shadow_walk *w)
 
 static bool is_shadow_at(fmb_shadow_walk *w, mpq_t *point)
 {
-    fmb_walk_locate(w, w->here);
+    fmb_shadow_walk_locate(w, w->here);
     return mpq_equal(w->here[X], point[X]) && mpq_equal(w->here[Y], point[Y]);
 }
 
@@ -45,8 +45,9 @@ static fmb_status add_edge_multipliers(fmb_shadow_walk *w, fmb_edge *e)
             continue;
         mpq_set_ui(sum, 0, 1);
         for (int axis = X; axis <= Y; axis++) {
-            fmb_vec_get(fmb_walk_row_of(w, axis), j, mpq_numref(w->q));
-            fmb_vec_get(fmb_walk_row_of(w, axis), fmb_lp_place(lp, FMB_LP_OWN), mpq_denref(w->q));
+            fmb_vec_get(fmb_shadow_walk_row_of(w, axis), j, mpq_numref(w->q));
+            fmb_vec_get(fmb_shadow_walk_row_of(w, axis), fmb_lp_place(lp, FMB_LP_OWN),
+                        mpq_denref(w->q));
             mpz_mul(mpq_numref(w->q), mpq_numref(w->q), e->normal[axis]);
             mpq_canonicalize(w->q); /* the denominator is negative: so is the product */
             mpq_add(sum, sum, w->q);
@@ -70,7 +71,7 @@ static fmb_status add_polygon_edge(fmb_shadow_walk *w)
     mpz_divexact(e->normal[X], w->along[Y], w->t);
     mpz_divexact(e->normal[Y], w->along[X], w->t);
     mpz_neg(e->normal[w->turn > 0 ? Y : X], e->normal[w->turn > 0 ? Y : X]);
-    fmb_walk_locate(w, w->here);
+    fmb_shadow_walk_locate(w, w->here);
     for (int axis = X; axis <= Y; axis++) {
         mpq_set_z(w->q, e->normal[axis]);
         mpq_mul(w->q, w->q, w->here[axis]);
@@ -84,8 +85,9 @@ static fmb_status add_polygon_edge(fmb_shadow_walk *w)
 /* Is direction a met before b when turning from w->along? All directions lie within half a turn. */
 static bool is_met_first_turning(fmb_shadow_walk *w, mpz_t *a, mpz_t *b)
 {
-    int order = fmb_walk_cross(w, a, b) * w->turn;
-    return order > 0 || (order == 0 && fmb_walk_dot(w, a, w->along) > fmb_walk_dot(w, b, w->along));
+    int order = fmb_shadow_walk_cross(w, a, b) * w->turn;
+    return order > 0 || (order == 0 &&
+                         fmb_shadow_walk_dot(w, a, w->along) > fmb_shadow_walk_dot(w, b, w->along));
 }
 
 /* Turn to the next edge. *flat: there is none before half a turn at this vertex. Then it is
@@ -98,15 +100,15 @@ static void turn_to_next_edge(fmb_shadow_walk *w, bool *flat)
     for (size_t j = 0; j < (size_t)lp->n; j++) {
         if (!fmb_lp_may_enter(lp, j))
             continue;
-        fmb_walk_direction(w, j, w->r);
-        if (fmb_walk_is_zero(w->r) || (any && !is_met_first_turning(w, w->r, w->best)))
+        fmb_shadow_walk_direction(w, j, w->r);
+        if (fmb_shadow_walk_is_zero(w->r) || (any && !is_met_first_turning(w, w->r, w->best)))
             continue;
         any = true;
         mpz_swap(w->r[X], w->best[X]);
         mpz_swap(w->r[Y], w->best[Y]);
     }
-    int side = fmb_walk_cross(w, w->from, w->best) * w->turn;
-    *flat = !any || side < 0 || (side == 0 && fmb_walk_dot(w, w->from, w->best) < 0);
+    int side = fmb_shadow_walk_cross(w, w->from, w->best) * w->turn;
+    *flat = !any || side < 0 || (side == 0 && fmb_shadow_walk_dot(w, w->from, w->best) < 0);
     mpz_gcd(w->t, w->best[X], w->best[Y]);
     for (int axis = X; !*flat && axis <= Y; axis++)
         mpz_divexact(w->along[axis], w->best[axis], w->t);
@@ -124,11 +126,11 @@ static fmb_status walk_one_way(fmb_shadow_walk *w, bool *closed, bool *flat)
         turn_to_next_edge(w, flat);
         if (*flat)
             break;
-        fmb_walk_locate(w, before);
-        st = fmb_walk_push(w, w->along, true, &unbounded);
+        fmb_shadow_walk_locate(w, before);
+        st = fmb_shadow_walk_push(w, w->along, true, &unbounded);
         if (st != FMB_OK || (!unbounded && is_shadow_at(w, before)))
             continue;
-        fmb_walk_set(w->from, w->along);
+        fmb_shadow_walk_set(w->from, w->along);
         st = add_polygon_edge(w);
         *closed = !unbounded && is_shadow_at(w, w->start);
     }
@@ -141,8 +143,8 @@ static bool has_line_in_shadow(const fmb_shadow_walk *w)
 {
     const fmb_lp *lp = w->lp;
     for (size_t j = 0; j < (size_t)lp->n; j++)
-        if (fmb_lp_is_x(lp, lp->column[j]) && (fmb_vec_sgn(fmb_walk_row_of(w, X), j) != 0 ||
-                                               fmb_vec_sgn(fmb_walk_row_of(w, Y), j) != 0))
+        if (fmb_lp_is_x(lp, lp->column[j]) && (fmb_vec_sgn(fmb_shadow_walk_row_of(w, X), j) != 0 ||
+                                               fmb_vec_sgn(fmb_shadow_walk_row_of(w, Y), j) != 0))
             return true;
     return false;
 }
@@ -151,7 +153,7 @@ static bool has_line_in_shadow(const fmb_shadow_walk *w)
 static fmb_status walk_back_from_start(fmb_shadow_walk *w, mpz_t *goal, mpz_t *normal, bool *flat)
 {
     bool found, closed;
-    fmb_status st = fmb_walk_reach(w, goal, &found);
+    fmb_status st = fmb_shadow_walk_reach(w, goal, &found);
     if (st != FMB_OK)
         return st;
     w->turn = -1;
@@ -167,9 +169,9 @@ static fmb_status walk_both_ways(fmb_shadow_walk *w, mpz_t *goal, bool *done)
 {
     bool closed, flat;
     size_t first = w->edges->size;
-    fmb_walk_locate(w, w->start);
+    fmb_shadow_walk_locate(w, w->start);
     w->turn = 1;
-    fmb_walk_set(w->from, w->along);
+    fmb_shadow_walk_set(w->from, w->along);
     fmb_status st = walk_one_way(w, &closed, &flat);
     if (st == FMB_OK && !closed && !flat)
         st = walk_back_from_start(w, goal, w->edges->edge[first].normal, &flat);
@@ -182,7 +184,7 @@ static fmb_status walk_from_some_vertex(fmb_shadow_walk *w, bool *done)
     mpz_t goal[2];
     bool found;
     mpz_inits(goal[X], goal[Y], NULL);
-    fmb_status st = fmb_walk_find_start(w, goal, &found);
+    fmb_status st = fmb_shadow_walk_find_start(w, goal, &found);
     if (st == FMB_OK && found)
         st = walk_both_ways(w, goal, done);
     mpz_clears(goal[X], goal[Y], NULL);

@@ -5,24 +5,24 @@
 #include "lp/dictionary/exact_simplex.h"
 
 /* x = sum (c_xj / d_x) N_j, and so for y: both are multiplied by d_x d_y. */
-void fmb_walk_direction(fmb_shadow_walk *w, size_t j, mpz_t *r)
+void fmb_shadow_walk_direction(fmb_shadow_walk *w, size_t j, mpz_t *r)
 {
     for (int axis = X; axis <= Y; axis++) {
-        fmb_vec_get(fmb_walk_row_of(w, axis), j, r[axis]);
-        fmb_vec_get(fmb_walk_row_of(w, 1 - axis), fmb_lp_place(w->lp, FMB_LP_OWN), w->t);
+        fmb_vec_get(fmb_shadow_walk_row_of(w, axis), j, r[axis]);
+        fmb_vec_get(fmb_shadow_walk_row_of(w, 1 - axis), fmb_lp_place(w->lp, FMB_LP_OWN), w->t);
         mpz_mul(r[axis], r[axis], w->t);
         mpz_neg(r[axis], r[axis]);
     }
 }
 
-int fmb_walk_cross(fmb_shadow_walk *w, mpz_t *a, mpz_t *b)
+int fmb_shadow_walk_cross(fmb_shadow_walk *w, mpz_t *a, mpz_t *b)
 {
     mpz_mul(w->t, a[X], b[Y]);
     mpz_mul(w->u, a[Y], b[X]);
     return mpz_cmp(w->t, w->u);
 }
 
-int fmb_walk_dot(fmb_shadow_walk *w, mpz_t *a, mpz_t *b)
+int fmb_shadow_walk_dot(fmb_shadow_walk *w, mpz_t *a, mpz_t *b)
 {
     mpz_mul(w->t, a[X], b[X]);
     mpz_mul(w->u, a[Y], b[Y]);
@@ -30,12 +30,12 @@ int fmb_walk_dot(fmb_shadow_walk *w, mpz_t *a, mpz_t *b)
     return mpz_sgn(w->t);
 }
 
-void fmb_walk_locate(fmb_shadow_walk *w, mpq_t *point)
+void fmb_shadow_walk_locate(fmb_shadow_walk *w, mpq_t *point)
 {
     for (int axis = X; axis <= Y; axis++) {
-        fmb_vec_get(fmb_walk_row_of(w, axis), fmb_lp_place(w->lp, FMB_LP_K),
+        fmb_vec_get(fmb_shadow_walk_row_of(w, axis), fmb_lp_place(w->lp, FMB_LP_K),
                     mpq_numref(point[axis]));
-        fmb_vec_get(fmb_walk_row_of(w, axis), fmb_lp_place(w->lp, FMB_LP_OWN),
+        fmb_vec_get(fmb_shadow_walk_row_of(w, axis), fmb_lp_place(w->lp, FMB_LP_OWN),
                     mpq_denref(point[axis]));
         mpz_neg(mpq_denref(point[axis]), mpq_denref(point[axis]));
         mpq_canonicalize(point[axis]);
@@ -51,15 +51,16 @@ static size_t find_column_towards(fmb_shadow_walk *w, mpz_t *goal, bool exactly)
     for (size_t j = 0; j < (size_t)lp->n; j++) {
         if (!fmb_lp_may_enter(lp, j))
             continue;
-        fmb_walk_direction(w, j, w->r);
-        if ((!exactly || fmb_walk_cross(w, goal, w->r) == 0) && fmb_walk_dot(w, goal, w->r) > 0 &&
+        fmb_shadow_walk_direction(w, j, w->r);
+        if ((!exactly || fmb_shadow_walk_cross(w, goal, w->r) == 0) &&
+            fmb_shadow_walk_dot(w, goal, w->r) > 0 &&
             (best == SIZE_MAX || lp->column[j] < lp->column[best]))
             best = j;
     }
     return best;
 }
 
-fmb_status fmb_walk_push(fmb_shadow_walk *w, mpz_t *goal, bool exactly, bool *unbounded)
+fmb_status fmb_shadow_walk_push(fmb_shadow_walk *w, mpz_t *goal, bool exactly, bool *unbounded)
 {
     *unbounded = false;
     for (;;) {
@@ -69,7 +70,7 @@ fmb_status fmb_walk_push(fmb_shadow_walk *w, mpz_t *goal, bool exactly, bool *un
         size_t block = fmb_lp_find_block(w->lp, j, 1);
         *unbounded = block == SIZE_MAX;
         if (*unbounded)
-            fmb_walk_direction(w, j, w->r);
+            fmb_shadow_walk_direction(w, j, w->r);
         fmb_status st = *unbounded ? FMB_OK : fmb_lp_pivot(w->lp, block, j);
         if (st != FMB_OK || *unbounded)
             return st;

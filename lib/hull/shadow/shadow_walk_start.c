@@ -32,7 +32,8 @@ static bool widen_sector(fmb_shadow_walk *w, sector *s)
         s->sides = 1;
         return true;
     }
-    int before = fmb_walk_cross(w, s->side[0], w->r), after = fmb_walk_cross(w, s->side[1], w->r);
+    int before = fmb_shadow_walk_cross(w, s->side[0], w->r),
+        after = fmb_shadow_walk_cross(w, s->side[1], w->r);
     if (before < 0 && after < 0)
         divide_by_gcd(s->side[0], w->r);
     else if (before > 0 && after > 0)
@@ -60,8 +61,8 @@ static void aim_against_sector(fmb_shadow_walk *w, sector *s, mpz_t *goal)
 {
     mpz_set_ui(goal[X], 0);
     mpz_set_ui(goal[Y], 0);
-    if (fmb_walk_cross(w, s->side[0], s->side[1]) == 0) {
-        fmb_walk_set(goal, s->side[0]);
+    if (fmb_shadow_walk_cross(w, s->side[0], s->side[1]) == 0) {
+        fmb_shadow_walk_set(goal, s->side[0]);
     } else {
         add_quarter_turn(w, goal, s->side[0], 1, s->side[1]);
         add_quarter_turn(w, goal, s->side[1], -1, s->side[0]);
@@ -71,14 +72,14 @@ static void aim_against_sector(fmb_shadow_walk *w, sector *s, mpz_t *goal)
     divide_by_gcd(goal, goal);
 }
 
-fmb_status fmb_walk_reach(fmb_shadow_walk *w, mpz_t *goal, bool *found)
+fmb_status fmb_shadow_walk_reach(fmb_shadow_walk *w, mpz_t *goal, bool *found)
 {
     bool unbounded;
-    fmb_status st = fmb_walk_push(w, goal, false, &unbounded);
+    fmb_status st = fmb_shadow_walk_push(w, goal, false, &unbounded);
     if (st == FMB_OK && !unbounded) {
         mpz_neg(w->along[X], goal[Y]);
         mpz_set(w->along[Y], goal[X]);
-        st = fmb_walk_push(w, w->along, true, &unbounded);
+        st = fmb_shadow_walk_push(w, w->along, true, &unbounded);
     }
     *found = !unbounded;
     return st;
@@ -91,14 +92,14 @@ static fmb_status try_goals_in_turn(fmb_shadow_walk *w, mpz_t *goal, sector *s, 
     mpz_set_si(goal[X], 1);
     mpz_set_si(goal[Y], 0);
     for (;;) {
-        fmb_status st = fmb_walk_reach(w, goal, found);
+        fmb_status st = fmb_shadow_walk_reach(w, goal, found);
         if (st != FMB_OK || *found || !widen_sector(w, s))
             return st;
         aim_against_sector(w, s, goal);
     }
 }
 
-fmb_status fmb_walk_find_start(fmb_shadow_walk *w, mpz_t *goal, bool *found)
+fmb_status fmb_shadow_walk_find_start(fmb_shadow_walk *w, mpz_t *goal, bool *found)
 {
     sector s = {0};
     for (int k = 0; k < 2; k++)

@@ -9,7 +9,7 @@ fmb_status fmb_support_init(fmb_support *s, fmb_run *run, fmb_oracle *oracle, si
 {
     *s =
         (fmb_support){.run = run, .n = n, .k = k, .kept = kept, .strict = strict, .proves = proves};
-    fmb_status st = fmb_scout_init(&s->scout, run, oracle, n);
+    fmb_status st = fmb_support_worker_init(&s->worker, run, oracle, n);
     if (st == FMB_OK)
         st = fmb_integers_init(&s->g, k + 1, run->mem);
     return st == FMB_OK ? fmb_facets_init(&s->hull, run, k + 1) : st;
@@ -30,7 +30,7 @@ void fmb_support_clear(fmb_support *s)
     fmb_mem_put(mem, s->point, s->point_capacity, sizeof *s->point);
     fmb_facets_clear(&s->hull);
     fmb_integers_clear(&s->g, mem);
-    fmb_scout_clear(&s->scout);
+    fmb_support_worker_clear(&s->worker);
 }
 
 /* ---- the next question ----------------------------------------------------------------------- */
@@ -40,11 +40,11 @@ static fmb_status find_first_point(fmb_support *s)
 {
     const fmb_weights nowhere = {0};
     fmb_oracle_end end;
-    fmb_status st = fmb_oracle_approach(s->scout.oracle, &nowhere, &end);
+    fmb_status st = fmb_oracle_approach(s->worker.oracle, &nowhere, &end);
     s->begun = true;
     if (st == FMB_OK)
-        fmb_oracle_point_integers(s->scout.oracle, s->scout.x.z, s->scout.den);
-    return st == FMB_OK ? fmb_support_take(s, &s->scout) : st;
+        fmb_oracle_point_integers(s->worker.oracle, s->worker.x.z, s->worker.den);
+    return st == FMB_OK ? fmb_support_take(s, &s->worker) : st;
 }
 
 /* An equation that all generators satisfy: on either side, does the projection go further? */
@@ -128,13 +128,13 @@ static bool has_asked_a_while(const fmb_support *s)
 /* That one and others. */
 static fmb_status ask_about_facets_at_once(fmb_support *s, size_t first)
 {
-    size_t facet[FMB_CREW], n = 0, at = first;
+    size_t facet[FMB_SUPPORT_WORKERS], n = 0, at = first;
     fmb_status st = FMB_OK;
-    while (st == FMB_OK && n < FMB_CREW && (n == 0 || at != first)) {
+    while (st == FMB_OK && n < FMB_SUPPORT_WORKERS && (n == 0 || at != first)) {
         facet[n++] = at;
         st = find_open_facet(s, &at);
     }
-    return st == FMB_OK ? fmb_support_ask_crew(s, n, facet) : st;
+    return st == FMB_OK ? fmb_support_ask_workers(s, n, facet) : st;
 }
 
 static fmb_status ask_about_open_facets(fmb_support *s, size_t first)
@@ -143,8 +143,8 @@ static fmb_status ask_about_open_facets(fmb_support *s, size_t first)
     fmb_status st = fmb_support_recall(s, first, &known);
     if (st != FMB_OK || known)
         return st;
-    return s->crew && has_asked_a_while(s) ? ask_about_facets_at_once(s, first)
-                                           : ask_about_facet(s, first);
+    return s->workers && has_asked_a_while(s) ? ask_about_facets_at_once(s, first)
+                                              : ask_about_facet(s, first);
 }
 
 static fmb_status ask_next_question(fmb_support *s, bool *done)

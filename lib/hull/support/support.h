@@ -31,15 +31,15 @@ typedef struct fmb_support_row {
 
 /* Who looks how far the projection goes, and what was seen last: the point x / den, or den = 0 and
  * the direction x in which it goes on for ever. */
-typedef struct fmb_scout {
+typedef struct fmb_support_worker {
     fmb_run *run;
     fmb_oracle *oracle;
     fmb_integers x; /* [n] */
     mpz_t den, t;   /* t: scratch */
-} fmb_scout;
+} fmb_support_worker;
 
-typedef struct fmb_crew
-    fmb_crew; /* scouts that look at several facets at once (support_workers.c) */
+typedef struct fmb_support_workers
+    fmb_support_workers; /* scouts that look at several facets at once (support_workers.c) */
 typedef struct fmb_symmetry fmb_symmetry; /* of the program (support_symmetry.c) */
 
 typedef struct fmb_known fmb_known; /* rows of the program (support_known.c) */
@@ -48,19 +48,19 @@ typedef struct fmb_tight fmb_tight; /* rows that are tight at generators (suppor
 
 typedef struct fmb_support {
     fmb_run *run;
-    fmb_scout scout;
-    fmb_crew *crew;             /* or NULL */
-    const fmb_program *program; /* whose symmetries may be used, or NULL */
-    fmb_group *given;           /* these; NULL: those that are found */
-    fmb_symmetry *symmetry;     /* NULL: not looked for yet */
-    size_t n, k;                /* columns; those that are kept, */
-    const int *kept;            /* [k], increasing */
-    bool strict;                /* some row of the program is strict */
-    bool proves;                /* proofs are wanted */
-    size_t most;                /* generators, with more of which asking ends; 0: any number */
-    fmb_facets hull;            /* of (1, x) and (0, x) */
-    fmb_tight *tight;           /* or NULL */
-    fmb_known *known;           /* or NULL */
+    fmb_support_worker worker;
+    fmb_support_workers *workers; /* or NULL */
+    const fmb_program *program;   /* whose symmetries may be used, or NULL */
+    fmb_group *given;             /* these; NULL: those that are found */
+    fmb_symmetry *symmetry;       /* NULL: not looked for yet */
+    size_t n, k;                  /* columns; those that are kept, */
+    const int *kept;              /* [k], increasing */
+    bool strict;                  /* some row of the program is strict */
+    bool proves;                  /* proofs are wanted */
+    size_t most;                  /* generators, with more of which asking ends; 0: any number */
+    fmb_facets hull;              /* of (1, x) and (0, x) */
+    fmb_tight *tight;             /* or NULL */
+    fmb_known *known;             /* or NULL */
     bool begun;
     size_t equations;     /* these of the hull stand */
     size_t at;            /* the facet to begin with when looking for one that does not stand */

@@ -13,16 +13,18 @@ enum {
 
 /* ---- support_query.c ------------------------------------------------------------------------- */
 
-/* The oracle must outlive the scout. In any case fmb_scout_clear it. Errors: MEMORY, LIMIT. */
-fmb_status fmb_scout_init(fmb_scout *c, fmb_run *run, fmb_oracle *oracle, size_t n);
-void fmb_scout_clear(fmb_scout *c);
+/* The oracle must outlive the worker. In any case fmb_support_worker_clear it. Errors: MEMORY,
+ * LIMIT. */
+fmb_status fmb_support_worker_init(fmb_support_worker *c, fmb_run *run, fmb_oracle *oracle,
+                                   size_t n);
+void fmb_support_worker_clear(fmb_support_worker *c);
 /* Does the projection satisfy sign (h0 + h1 x1 + ...) >= 0, h[k + 1], which all generators do?
  * *stands: if so, and the row is written down, proof included (of an equality, with sign -1 the
- * reverse), in the scout's memory. Else the scout sees a point or ray beyond. */
-fmb_status fmb_scout_look(fmb_scout *c, const fmb_support *s, const fmb_vec *h, int sign,
-                          fmb_support_row *row, bool *stands);
-/* The hull takes in what the scout saw. */
-fmb_status fmb_support_take(fmb_support *s, fmb_scout *c);
+ * reverse), in the worker's memory. Else the worker sees a point or ray beyond. */
+fmb_status fmb_support_worker_look(fmb_support_worker *c, const fmb_support *s, const fmb_vec *h,
+                                   int sign, fmb_support_row *row, bool *stands);
+/* The hull takes in what the worker saw. */
+fmb_status fmb_support_take(fmb_support *s, fmb_support_worker *c);
 /* Both, alone. */
 fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, int sign, fmb_support_row *row,
                              bool *stands);
@@ -30,14 +32,14 @@ fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, int sign, fmb_sup
 /* ---- support_workers.c --------------------------------------------------------------------------
  */
 
-/* Scouts of a crew, and facets that are asked about at once. */
-#define FMB_CREW 8
+/* Scouts of a workers, and facets that are asked about at once. */
+#define FMB_SUPPORT_WORKERS 8
 /* For so many rows and generators, oracles that begin anew would cost more than they save; nor are
  * symmetries looked for. */
 #define FMB_QUERIES_ALONE 32
 
-/* Ask about n <= FMB_CREW different facets that are open. There is a crew. */
-fmb_status fmb_support_ask_crew(fmb_support *s, size_t n, const size_t *facet);
+/* Ask about n <= FMB_SUPPORT_WORKERS different facets that are open. There is a workers. */
+fmb_status fmb_support_ask_workers(fmb_support *s, size_t n, const size_t *facet);
 void fmb_support_dismiss(fmb_support *s);
 
 /* ---- support_symmetry.c ---------------------------------------------------------------------- */
@@ -72,8 +74,8 @@ void fmb_support_drop(fmb_support_row *row, fmb_mem *mem);
 
 /* ---- support_tight.c ------------------------------------------------------------------------- */
 
-/* The hull's last generator is what the scout saw. */
-fmb_status fmb_support_note_tight(fmb_support *s, const fmb_scout *c);
+/* The hull's last generator is what the worker saw. */
+fmb_status fmb_support_note_tight(fmb_support *s, const fmb_support_worker *c);
 /* Do the rows that are tight on what is known of a facet prove it? *stands: they do, and the row is
  * written down, proof included; else nothing is said. */
 fmb_status fmb_support_try_tight_rows(fmb_support *s, size_t at, fmb_support_row *row,

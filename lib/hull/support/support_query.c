@@ -9,7 +9,7 @@
 
 /* x[n + 1] becomes what was seen; a ray, which has no place, as seen from the first point p / q: it
  * goes through (p + q ray) / q. */
-static void write_inner_point(const fmb_support *s, const fmb_scout *c, fmb_integers *x)
+static void write_inner_point(const fmb_support *s, const fmb_support_worker *c, fmb_integers *x)
 {
     bool ray = mpz_sgn(c->den) == 0;
     const fmb_integers *first = &s->point[0];
@@ -24,7 +24,7 @@ static void write_inner_point(const fmb_support *s, const fmb_scout *c, fmb_inte
 }
 
 /* A point of the closure need not be a solution where rows are strict. */
-static fmb_status note_inner_point(fmb_support *s, fmb_scout *c)
+static fmb_status note_inner_point(fmb_support *s, fmb_support_worker *c)
 {
     fmb_mem *mem = s->run->mem;
     if (!s->proves || s->strict || (mpz_sgn(c->den) == 0 && s->points == 0))
@@ -42,7 +42,7 @@ static fmb_status note_inner_point(fmb_support *s, fmb_scout *c)
     return fmb_integers_settle(x, mem);
 }
 
-fmb_status fmb_support_take(fmb_support *s, fmb_scout *c)
+fmb_status fmb_support_take(fmb_support *s, fmb_support_worker *c)
 {
     bool grown;
     mpz_set(s->g.z[0], c->den);
@@ -58,14 +58,15 @@ fmb_status fmb_support_take(fmb_support *s, fmb_scout *c)
 
 /* ---- scouts ---------------------------------------------------------------------------------- */
 
-fmb_status fmb_scout_init(fmb_scout *c, fmb_run *run, fmb_oracle *oracle, size_t n)
+fmb_status fmb_support_worker_init(fmb_support_worker *c, fmb_run *run, fmb_oracle *oracle,
+                                   size_t n)
 {
-    *c = (fmb_scout){.run = run, .oracle = oracle};
+    *c = (fmb_support_worker){.run = run, .oracle = oracle};
     mpz_inits(c->den, c->t, NULL);
     return fmb_integers_init(&c->x, n, run->mem);
 }
 
-void fmb_scout_clear(fmb_scout *c)
+void fmb_support_worker_clear(fmb_support_worker *c)
 {
     fmb_integers_clear(&c->x, c->run->mem);
     mpz_clears(c->den, c->t, NULL);
@@ -90,7 +91,7 @@ static fmb_status write_cost(const fmb_support *s, const fmb_vec *h, int sign, f
 }
 
 /* Is the point at which the oracle stands beyond h? */
-static bool is_point_beyond(fmb_scout *c, const fmb_support *s, const fmb_vec *h, int sign)
+static bool is_point_beyond(fmb_support_worker *c, const fmb_support *s, const fmb_vec *h, int sign)
 {
     fmb_oracle_point_integers(c->oracle, c->x.z, c->den);
     fmb_vec_get(h, 0, c->t);
@@ -103,7 +104,7 @@ static bool is_point_beyond(fmb_scout *c, const fmb_support *s, const fmb_vec *h
 }
 
 /* It is the optimum, and not beyond h. */
-static fmb_status prove_row(fmb_scout *c, const fmb_support *s, const fmb_vec *h, int sign,
+static fmb_status prove_row(fmb_support_worker *c, const fmb_support *s, const fmb_vec *h, int sign,
                             fmb_support_row *row)
 {
     bool attained = true;
@@ -117,8 +118,8 @@ static fmb_status prove_row(fmb_scout *c, const fmb_support *s, const fmb_vec *h
     return st;
 }
 
-fmb_status fmb_scout_look(fmb_scout *c, const fmb_support *s, const fmb_vec *h, int sign,
-                          fmb_support_row *row, bool *stands)
+fmb_status fmb_support_worker_look(fmb_support_worker *c, const fmb_support *s, const fmb_vec *h,
+                                   int sign, fmb_support_row *row, bool *stands)
 {
     fmb_weights cost = {0};
     fmb_oracle_end end;
@@ -126,7 +127,7 @@ fmb_status fmb_scout_look(fmb_scout *c, const fmb_support *s, const fmb_vec *h, 
     *stands = false;
     fmb_status st = write_cost(s, h, sign, &cost, c->run->mem);
     if (st == FMB_OK)
-        st = fmb_oracle_glimpse(c->oracle, &cost, &end);
+        st = fmb_oracle_approach_point(c->oracle, &cost, &end);
     if (st == FMB_OK && end == FMB_ORACLE_OPTIMUM)
         beyond = is_point_beyond(c, s, h, sign);
     if (st == FMB_OK && end == FMB_ORACLE_OPTIMUM && !beyond) {
@@ -151,6 +152,6 @@ fmb_status fmb_scout_look(fmb_scout *c, const fmb_support *s, const fmb_vec *h, 
 fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, int sign, fmb_support_row *row,
                              bool *stands)
 {
-    fmb_status st = fmb_scout_look(&s->scout, s, h, sign, row, stands);
-    return st == FMB_OK && !*stands ? fmb_support_take(s, &s->scout) : st;
+    fmb_status st = fmb_support_worker_look(&s->worker, s, h, sign, row, stands);
+    return st == FMB_OK && !*stands ? fmb_support_take(s, &s->worker) : st;
 }

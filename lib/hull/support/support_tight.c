@@ -23,15 +23,15 @@ struct fmb_tight {
     size_t words;  /* of a set of rows */
     uint64_t *set; /* [generators][words] rows that are tight there; none: not known */
     size_t generators, capacity;
-    size_t gone;       /* columns that go: */
-    int *place;        /* [n] the place among them, or -1 */
-    fmb_short few;     /* one row for each of them */
-    uint64_t *common;  /* [words] scratch */
-    uint32_t *row;     /* [gone + 1] rows that are combined, */
-    size_t rows;       /* so many of them, */
-    fmb_i128 *sum;     /* [n + 1] and their sum, right side last */
-    fmb_vec h;         /* [k + 1] the same as a facet */
-    uint64_t *residue; /* [n + 1] of a point, scratch */
+    size_t gone;            /* columns that go: */
+    int *place;             /* [n] the place among them, or -1 */
+    fmb_modular_kernel few; /* one row for each of them */
+    uint64_t *common;       /* [words] scratch */
+    uint32_t *row;          /* [gone + 1] rows that are combined, */
+    size_t rows;            /* so many of them, */
+    fmb_i128 *sum;          /* [n + 1] and their sum, right side last */
+    fmb_vec h;              /* [k + 1] the same as a facet */
+    uint64_t *residue;      /* [n + 1] of a point, scratch */
 };
 
 /* ---- life ------------------------------------------------------------------------------------ */
@@ -43,7 +43,7 @@ static fmb_status open_tight(fmb_support *s)
     if (!t)
         return fmb_mem_status(mem);
     s->tight = t;
-    t->p = fmb_oracle_program(s->scout.oracle);
+    t->p = fmb_oracle_program(s->worker.oracle);
     t->words = t->p->m / 64 + 1;
     t->gone = s->n - s->k;
     t->place = fmb_mem_get(mem, s->n, sizeof *t->place);
@@ -59,7 +59,7 @@ static fmb_status open_tight(fmb_support *s)
         t->place[j] = stays ? -1 : (int)(j - kept);
         kept += stays;
     }
-    return fmb_short_init(&t->few, mem, t->gone);
+    return fmb_modular_kernel_init(&t->few, mem, t->gone);
 }
 
 void fmb_support_close_tight(fmb_support *s)
@@ -68,7 +68,7 @@ void fmb_support_close_tight(fmb_support *s)
     fmb_tight *t = s->tight;
     if (!t)
         return;
-    fmb_short_clear(&t->few, mem);
+    fmb_modular_kernel_clear(&t->few, mem);
     fmb_vec_clear(&t->h, s->k + 1, mem);
     fmb_mem_put(mem, t->h.s, s->k + 1, sizeof *t->h.s);
     fmb_mem_put(mem, t->residue, s->n + 1, sizeof *t->residue);
@@ -98,7 +98,7 @@ static uint64_t slack_residue(const fmb_tight *t, size_t i, size_t n)
 }
 
 /* A guess, as it is made modulo the prime. */
-static void find_tight_rows(fmb_support *s, const fmb_scout *c, uint64_t *set)
+static void find_tight_rows(fmb_support *s, const fmb_support_worker *c, uint64_t *set)
 {
     fmb_tight *t = s->tight;
     const fmb_prime *q = &t->few.q;
@@ -110,7 +110,7 @@ static void find_tight_rows(fmb_support *s, const fmb_scout *c, uint64_t *set)
             fmb_set_put(set, i);
 }
 
-fmb_status fmb_support_note_tight(fmb_support *s, const fmb_scout *c)
+fmb_status fmb_support_note_tight(fmb_support *s, const fmb_support_worker *c)
 {
     fmb_status st = s->tight || s->n == s->k ? FMB_OK : open_tight(s);
     if (st != FMB_OK || !s->tight)
@@ -155,16 +155,17 @@ static bool list_rows_tight_on_facet(fmb_support *s, const fmb_facet *a)
 
 static bool find_multipliers(fmb_tight *t)
 {
-    fmb_short_zero(&t->few, t->rows);
+    fmb_modular_kernel_zero(&t->few, t->rows);
     for (size_t r = 0; r < t->rows; r++) {
         const fmb_program_row *row = &t->p->row[t->row[r]];
         if (row->value->z || row->value->bits + MULTIPLIER_BITS + fmb_bits64(t->rows) > SUM_BITS)
             return false;
         for (size_t k = 0; k < row->size; k++)
             if (t->place[row->column[k]] >= 0)
-                fmb_short_put(&t->few, (size_t)t->place[row->column[k]], r, row->value->s[k]);
+                fmb_modular_kernel_put(&t->few, (size_t)t->place[row->column[k]], r,
+                                       row->value->s[k]);
     }
-    return fmb_short_find_kernel(&t->few);
+    return fmb_modular_kernel_find(&t->few);
 }
 
 /* Are they not negative, or else not positive? Then they become the former. *strict: a strict row

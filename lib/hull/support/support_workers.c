@@ -1,6 +1,6 @@
 /* support_workers.c: support queries, several at once; see support.h.
  *
- * Facets are asked about in batches of a fixed size, the k-th of each by the k-th scout, whose
+ * Facets are asked about in batches of a fixed size, the k-th of each by the k-th worker, whose
  * oracle is warm from the batch before: so what is found does not depend on how many threads there
  * are. The hull takes in what was seen afterwards, in order. A facet that stands does so whatever
  * comes; what was seen beyond another may lie in the hull by then, and was seen in vain.
@@ -10,17 +10,17 @@
 /* A facet that is asked about, and the answer. */
 typedef struct sighting {
     size_t facet;
-    fmb_support_row row; /* in the memory of its scout */
+    fmb_support_row row; /* in the memory of its worker */
     bool stands;
 } sighting;
 
-struct fmb_crew {
+struct fmb_support_workers {
     fmb_support *of;
     const fmb_program *program;
     fmb_team team;
-    fmb_scout scout[FMB_CREW];
+    fmb_support_worker worker[FMB_SUPPORT_WORKERS];
     size_t hired; /* scouts that are there */
-    sighting seen[FMB_CREW];
+    sighting seen[FMB_SUPPORT_WORKERS];
 };
 
 /* ---- life ------------------------------------------------------------------------------------ */
@@ -28,39 +28,39 @@ struct fmb_crew {
 fmb_status fmb_support_hire(fmb_support *s, const fmb_program *p)
 {
     fmb_status st = FMB_OK;
-    fmb_crew *w = fmb_mem_zero(s->run->mem, 1, sizeof *w);
+    fmb_support_workers *w = fmb_mem_zero(s->run->mem, 1, sizeof *w);
     if (!w)
         return fmb_mem_status(s->run->mem);
-    s->crew = w;
+    s->workers = w;
     w->of = s;
     w->program = p;
-    st = fmb_team_open(&w->team, s->run, FMB_CREW);
-    while (st == FMB_OK && w->hired < FMB_CREW) {
+    st = fmb_team_open(&w->team, s->run, FMB_SUPPORT_WORKERS);
+    while (st == FMB_OK && w->hired < FMB_SUPPORT_WORKERS) {
         size_t k = w->hired++;
-        st = fmb_scout_init(&w->scout[k], &w->team.share[k].run, NULL, s->n);
+        st = fmb_support_worker_init(&w->worker[k], &w->team.share[k].run, NULL, s->n);
     }
     return st;
 }
 
 void fmb_support_dismiss(fmb_support *s)
 {
-    fmb_crew *w = s->crew;
+    fmb_support_workers *w = s->workers;
     if (!w)
         return;
     for (size_t k = 0; k < w->hired; k++) {
-        fmb_support_drop(&w->seen[k].row, w->scout[k].run->mem);
-        fmb_oracle_free(w->scout[k].oracle);
-        fmb_scout_clear(&w->scout[k]);
+        fmb_support_drop(&w->seen[k].row, w->worker[k].run->mem);
+        fmb_oracle_free(w->worker[k].oracle);
+        fmb_support_worker_clear(&w->worker[k]);
     }
     fmb_team_close(&w->team);
     fmb_mem_put(s->run->mem, w, 1, sizeof *w);
-    s->crew = NULL;
+    s->workers = NULL;
 }
 
 /* ---- a batch --------------------------------------------------------------------------------- */
 
 /* An oracle that has found a point, which there is. */
-static fmb_status give_scout_an_oracle(fmb_scout *c, const fmb_program *p)
+static fmb_status give_worker_an_oracle(fmb_support_worker *c, const fmb_program *p)
 {
     bool feasible;
     fmb_status st = fmb_oracle_new(c->run, p, &c->oracle);
@@ -69,14 +69,15 @@ static fmb_status give_scout_an_oracle(fmb_scout *c, const fmb_program *p)
 
 static fmb_status look_at_facet(void *self, size_t k, fmb_run *run)
 {
-    fmb_crew *w = self;
-    fmb_scout *c = &w->scout[k];
+    fmb_support_workers *w = self;
+    fmb_support_worker *c = &w->worker[k];
     sighting *g = &w->seen[k];
     fmb_status st = fmb_run_poll_now(run);
     if (st == FMB_OK && !c->oracle)
-        st = give_scout_an_oracle(c, w->program);
+        st = give_worker_an_oracle(c, w->program);
     if (st == FMB_OK)
-        st = fmb_scout_look(c, w->of, &w->of->hull.facet[g->facet].normal, 1, &g->row, &g->stands);
+        st = fmb_support_worker_look(c, w->of, &w->of->hull.facet[g->facet].normal, 1, &g->row,
+                                     &g->stands);
     return st;
 }
 
@@ -95,26 +96,26 @@ static fmb_status keep_row_seen(fmb_support *s, const sighting *g)
 /* Rows first: as long as nothing is taken in, facets stay where they are. */
 static fmb_status take_in_what_was_seen(fmb_support *s, size_t n)
 {
-    fmb_crew *w = s->crew;
+    fmb_support_workers *w = s->workers;
     fmb_status st = FMB_OK;
     for (size_t k = 0; st == FMB_OK && k < n; k++)
         if (w->seen[k].stands)
             st = keep_row_seen(s, &w->seen[k]);
     for (size_t k = 0; st == FMB_OK && k < n; k++)
         if (!w->seen[k].stands)
-            st = fmb_support_take(s, &w->scout[k]);
+            st = fmb_support_take(s, &w->worker[k]);
     return st;
 }
 
-fmb_status fmb_support_ask_crew(fmb_support *s, size_t n, const size_t *facet)
+fmb_status fmb_support_ask_workers(fmb_support *s, size_t n, const size_t *facet)
 {
-    fmb_crew *w = s->crew;
+    fmb_support_workers *w = s->workers;
     for (size_t k = 0; k < n; k++)
         w->seen[k] = (sighting){.facet = facet[k]};
     fmb_status st = fmb_team_do(&w->team, n, look_at_facet, w);
     if (st == FMB_OK)
         st = take_in_what_was_seen(s, n);
     for (size_t k = 0; k < n; k++)
-        fmb_support_drop(&w->seen[k].row, w->scout[k].run->mem);
+        fmb_support_drop(&w->seen[k].row, w->worker[k].run->mem);
     return st;
 }

@@ -223,11 +223,11 @@ fmb_status fmb_io_take_reader(const fmb_reader *how, fmb_reader *ours, fmb_where
                : fmb_io_refuse_argument(where, why);
 }
 
-fmb_status fmb_io_refuse_argument(fmb_where *where, const char *trouble)
+fmb_status fmb_io_refuse_argument(fmb_where *where, const char *error)
 {
     if (where) {
         *where = (fmb_where){0};
-        snprintf(where->text, sizeof where->text, "%s", trouble);
+        snprintf(where->text, sizeof where->text, "%s", error);
     }
     return FMB_ERR_ARG;
 }

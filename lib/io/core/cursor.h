@@ -81,7 +81,7 @@ __attribute__((format(printf, 3, 4)))
 fmb_status
 fmb_io_fail(fmb_cursor *c, const char *p, const char *format, ...);
 /* ARG, and *where (may be NULL) says why. */
-fmb_status fmb_io_refuse_argument(fmb_where *where, const char *trouble);
+fmb_status fmb_io_refuse_argument(fmb_where *where, const char *error);
 /* The reader that is given, or one by default. Errors: ARG, told in *where. */
 fmb_status fmb_io_take_reader(const fmb_reader *how, fmb_reader *ours, fmb_where *where);
 /* The text at p grows by that many decimal digits. Errors: PARSE (beyond the budget). */

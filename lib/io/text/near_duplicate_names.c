@@ -43,7 +43,7 @@ static bool is_one_slip_apart(const char *a, const char *b, bool often)
 
 /* The variable that a variable which comes once may have meant, or -1. Of two that come once, the
  * second is the slip. */
-static int find_twin(const fmb_text *t, int j)
+static int find_near_duplicate(const fmb_text *t, int j)
 {
     const char *name = fmb_system_name(t->s, j);
     for (int i = 0; i < fmb_system_dim(t->s); i++) {
@@ -54,18 +54,18 @@ static int find_twin(const fmb_text *t, int j)
     return -1;
 }
 
-void fmb_text_warn_of_twins(const fmb_text *t)
+void fmb_text_warn_of_near_duplicates(const fmb_text *t)
 {
     int dim = fmb_system_dim(t->s), slips = 0;
     if (t->declared || dim > MOST_NAMES || !t->c->how->warn)
         return;
     for (int j = 0; j < dim; j++) {
-        t->use[j].twin = t->use[j].times == 1 ? find_twin(t, j) : -1;
-        slips += t->use[j].twin >= 0;
+        t->use[j].near_duplicate = t->use[j].times == 1 ? find_near_duplicate(t, j) : -1;
+        slips += t->use[j].near_duplicate >= 0;
     }
     for (int j = 0; j < dim && slips <= 1 + dim / 4; j++) {
         char found[FMB_QUOTE], meant[FMB_QUOTE];
-        int i = t->use[j].twin;
+        int i = t->use[j].near_duplicate;
         if (i >= 0)
             fmb_io_warn(t->c, t->use[j].at, "%s stands here only; did you mean %s?",
                         fmb_quote_name(fmb_system_name(t->s, j), found),

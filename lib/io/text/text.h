@@ -15,7 +15,7 @@
 typedef struct fmb_text_use {
     const char *at; /* where first */
     size_t times;
-    int twin; /* scratch of fmb_text_warn_of_twins */
+    int near_duplicate; /* scratch of fmb_text_warn_of_near_duplicates */
 } fmb_text_use;
 
 typedef struct fmb_text {
@@ -46,7 +46,7 @@ fmb_status fmb_text_scan_name(fmb_text *t, fmb_span *out);
 fmb_status fmb_text_variable(fmb_text *t, const char *p, fmb_span name, int *index);
 
 /* Warns of variables that stand in the text once and look like a slip of another one. */
-void fmb_text_warn_of_twins(const fmb_text *t);
+void fmb_text_warn_of_near_duplicates(const fmb_text *t);
 
 /* Does a label say that a line without a relation is an objective, and which way it goes? NONE: it
  * does not. */

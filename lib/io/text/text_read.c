@@ -288,7 +288,7 @@ fmb_status fmb_read_text(fmb_cursor *c, fmb_system *s)
     }
     if (st == FMB_OK) {
         set_kept_variables(&t);
-        fmb_text_warn_of_twins(&t);
+        fmb_text_warn_of_near_duplicates(&t);
     }
     for (size_t i = 0; i < 3; i++)
         fmb_draft_clear(drafts[i]);

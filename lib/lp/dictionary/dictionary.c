@@ -230,7 +230,7 @@ static fmb_status substitute_pivot_row(fmb_lp *lp, size_t i, size_t j)
 static bool is_row_out_of_use(const fmb_lp *lp, size_t r)
 {
     size_t v = lp->basic[r];
-    return !fmb_lp_is_x(lp, v) && lp->slack[v - (size_t)lp->n] >= FMB_SLACK_ASLEEP;
+    return !fmb_lp_is_x(lp, v) && lp->slack[v - (size_t)lp->n] >= FMB_SLACK_INACTIVE;
 }
 
 fmb_status fmb_lp_pivot(fmb_lp *lp, size_t r, size_t j)

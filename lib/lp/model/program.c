@@ -198,7 +198,7 @@ fmb_status fmb_program_add_integers(fmb_program *p, mpz_t *z, fmb_rel rel)
     return finish_own_row(p, to, st);
 }
 
-fmb_status fmb_program_add_margin(fmb_program *p, const fmb_program *from, size_t i)
+fmb_status fmb_program_add_interior_row(fmb_program *p, const fmb_program *from, size_t i)
 {
     const fmb_program_row *r = &from->row[i];
     if (r->rel != FMB_LT) {

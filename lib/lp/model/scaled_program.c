@@ -10,7 +10,7 @@
 #define WIDE   7
 #define PASSES 4
 
-void fmb_reals_clear(fmb_reals *f)
+void fmb_scaled_program_clear(fmb_scaled_program *f)
 {
     fmb_mem *mem = f->run->mem;
     fmb_mem_put(mem, f->start, f->start_room, sizeof *f->start);
@@ -55,9 +55,9 @@ static double right_side_divided(const fmb_program_row *row, int e)
 
 /* The terms of row i, its columns scaled as they are, and the row to what fits; the exponent of the
  * row is e at first. */
-static int divide_by_largest(const fmb_reals *f, size_t i, int e)
+static int divide_by_largest(const fmb_scaled_program *f, size_t i, int e)
 {
-    const int *column = fmb_reals_columns(f, i);
+    const int *column = fmb_scaled_program_columns(f, i);
     double *value = &f->value[f->start[i]], largest = 0;
     size_t size = f->p->row[i].size;
     for (size_t k = 0; k < size; k++) {
@@ -85,7 +85,7 @@ static int load_wide_terms(const fmb_program_row *row, double *value)
 }
 
 /* Terms and right side of row i. */
-static void load_real_row(fmb_reals *f, size_t i)
+static void load_real_row(fmb_scaled_program *f, size_t i)
 {
     const fmb_program_row *row = &f->p->row[i];
     double *value = &f->value[f->start[i]];
@@ -102,7 +102,7 @@ static void load_real_row(fmb_reals *f, size_t i)
 
 /* ---- columns --------------------------------------------------------------------------------- */
 
-static double find_least_coefficient(const fmb_reals *f)
+static double find_least_coefficient(const fmb_scaled_program *f)
 {
     double least = 1;
     for (size_t t = 0; t < f->start[f->m]; t++)
@@ -111,12 +111,13 @@ static double find_least_coefficient(const fmb_reals *f)
 }
 
 /* Rows, then columns, in turn: the mean of the exponents becomes 0. sum and count are scratch. */
-static void average_exponents(const fmb_reals *f, int *of_row, int *of_column, int *sum, int *count)
+static void average_exponents(const fmb_scaled_program *f, int *of_row, int *of_column, int *sum,
+                              int *count)
 {
     memset(sum, 0, f->n * sizeof *sum);
     memset(count, 0, f->n * sizeof *count);
     for (size_t i = 0; i < f->m; i++) {
-        const int *column = fmb_reals_columns(f, i);
+        const int *column = fmb_scaled_program_columns(f, i);
         int size = (int)f->p->row[i].size, total = 0;
         if (size < 2)
             continue;
@@ -133,7 +134,7 @@ static void average_exponents(const fmb_reals *f, int *of_row, int *of_column, i
 }
 
 /* Exponents of the columns, and rows to match. */
-static fmb_status scale_columns(fmb_reals *f)
+static fmb_status scale_columns(fmb_scaled_program *f)
 {
     fmb_mem *mem = f->run->mem;
     int *of_row = fmb_mem_zero(mem, f->m, sizeof *of_row);
@@ -153,7 +154,7 @@ static fmb_status scale_columns(fmb_reals *f)
 
 /* ---- as a whole ------------------------------------------------------------------------------ */
 
-static fmb_status reserve_real_rows(fmb_reals *f, size_t m, size_t terms)
+static fmb_status reserve_real_rows(fmb_scaled_program *f, size_t m, size_t terms)
 {
     fmb_mem *mem = f->run->mem;
     fmb_status st =
@@ -169,7 +170,7 @@ static fmb_status reserve_real_rows(fmb_reals *f, size_t m, size_t terms)
     return st;
 }
 
-fmb_status fmb_reals_grow(fmb_reals *f)
+fmb_status fmb_scaled_program_grow(fmb_scaled_program *f)
 {
     size_t m = f->p->m, terms = f->m > 0 ? f->start[f->m] : 0;
     for (size_t i = f->m; i < m; i++)
@@ -183,35 +184,35 @@ fmb_status fmb_reals_grow(fmb_reals *f)
     return FMB_OK;
 }
 
-fmb_status fmb_reals_init(fmb_reals *f, fmb_run *run, const fmb_program *p)
+fmb_status fmb_scaled_program_init(fmb_scaled_program *f, fmb_run *run, const fmb_program *p)
 {
-    *f = (fmb_reals){.run = run, .p = p, .n = (size_t)p->n};
+    *f = (fmb_scaled_program){.run = run, .p = p, .n = (size_t)p->n};
     f->column_exponent = fmb_mem_zero(run->mem, f->n, sizeof *f->column_exponent);
     if (!f->column_exponent)
         return fmb_mem_status(run->mem);
-    fmb_status st = fmb_reals_grow(f);
+    fmb_status st = fmb_scaled_program_grow(f);
     return st == FMB_OK && find_least_coefficient(f) < ldexp(1, -WIDE) ? scale_columns(f) : st;
 }
 
-void fmb_reals_shift(fmb_reals *f, const double *right)
+void fmb_scaled_program_shift(fmb_scaled_program *f, const double *right)
 {
     for (size_t i = 0; i < f->m; i++)
         f->right[i] = right ? ldexp(right[i], -f->exponent[i])
                             : right_side_divided(&f->p->row[i], f->exponent[i]);
 }
 
-void fmb_reals_move_in(fmb_reals *f, double by)
+void fmb_scaled_program_move_in(fmb_scaled_program *f, double by)
 {
     for (size_t i = 0; i < f->m; i++) {
         double sum = 0;
         for (size_t t = f->start[i]; t < f->start[i + 1]; t++)
             sum += fabs(f->value[t]);
-        if (!fmb_reals_is_equality(f, i))
+        if (!fmb_scaled_program_is_equality(f, i))
             f->right[i] -= by * sum;
     }
 }
 
-bool fmb_reals_scale_cost(const fmb_reals *f, const double *cost, double *scaled)
+bool fmb_scaled_program_scale_cost(const fmb_scaled_program *f, const double *cost, double *scaled)
 {
     double largest = 0;
     for (size_t j = 0; j < f->n; j++) {

@@ -18,7 +18,7 @@
 /* Members of a basis are rows of the program, or FMB_UNIT + j: the row x_j = 0. */
 #define FMB_UNIT (SIZE_MAX / 2)
 
-typedef struct fmb_reals {
+typedef struct fmb_scaled_program {
     fmb_run *run;
     const fmb_program *p;
     size_t n, m;   /* columns; rows taken in so far */
@@ -30,25 +30,25 @@ typedef struct fmb_reals {
     bool *off;            /* [m] */
     size_t start_room, value_room, right_room, exponent_room, off_room;
     bool sharp; /* tolerances as tight as they go */
-} fmb_reals;
+} fmb_scaled_program;
 
-/* The rows that the program has. In any case fmb_reals_clear it. Errors: MEMORY, LIMIT. */
-fmb_status fmb_reals_init(fmb_reals *f, fmb_run *run, const fmb_program *p);
-void fmb_reals_clear(fmb_reals *f);
+/* The rows that the program has. In any case fmb_scaled_program_clear it. Errors: MEMORY, LIMIT. */
+fmb_status fmb_scaled_program_init(fmb_scaled_program *f, fmb_run *run, const fmb_program *p);
+void fmb_scaled_program_clear(fmb_scaled_program *f);
 /* Take in the rows that the program has by now. Errors: MEMORY, LIMIT. */
-fmb_status fmb_reals_grow(fmb_reals *f);
+fmb_status fmb_scaled_program_grow(fmb_scaled_program *f);
 /* Right sides by other numbers, right[m], in the units of the program; NULL: the program's. */
-void fmb_reals_shift(fmb_reals *f, const double *right);
+void fmb_scaled_program_shift(fmb_scaled_program *f, const double *right);
 /* Right sides of inequalities by less: `by` times the sum of |coefficients|. */
-void fmb_reals_move_in(fmb_reals *f, double by);
+void fmb_scaled_program_move_in(fmb_scaled_program *f, double by);
 /* scaled[n] = cost[n] for these columns, the largest about 1. False: not all are finite. */
-bool fmb_reals_scale_cost(const fmb_reals *f, const double *cost, double *scaled);
+bool fmb_scaled_program_scale_cost(const fmb_scaled_program *f, const double *cost, double *scaled);
 
-static inline const int *fmb_reals_columns(const fmb_reals *f, size_t i)
+static inline const int *fmb_scaled_program_columns(const fmb_scaled_program *f, size_t i)
 {
     return f->p->row[i].column;
 }
-static inline bool fmb_reals_is_equality(const fmb_reals *f, size_t i)
+static inline bool fmb_scaled_program_is_equality(const fmb_scaled_program *f, size_t i)
 {
     return f->p->row[i].rel == FMB_EQ;
 }

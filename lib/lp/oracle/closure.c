@@ -42,13 +42,13 @@ void fmb_oracle_free(fmb_oracle *o)
     if (!o)
         return;
     fmb_mem *mem = o->run->mem;
-    fmb_door_close(o->door);
+    fmb_backend_close(o->backend);
     if (o->v.p) {
-        fmb_walk_clear(&o->w);
+        fmb_pivot_walk_clear(&o->w);
         fmb_vertex_clear(&o->v);
     }
-    fmb_weights_clear(&o->margin, mem);
-    fmb_short_clear(&o->few, mem);
+    fmb_weights_clear(&o->interior_proof, mem);
+    fmb_modular_kernel_clear(&o->few, mem);
     fmb_integers_clear(&o->cost, mem);
     fmb_integers_clear(&o->point, mem);
     fmb_mem_put(mem, o->hint, o->n, sizeof *o->hint);
@@ -57,21 +57,21 @@ void fmb_oracle_free(fmb_oracle *o)
     fmb_mem_put(mem, o, 1, sizeof *o);
 }
 
-/* The door and the vertex are made when they are needed: the origin may do. */
-static fmb_status need_door(fmb_oracle *o)
+/* The backend and the vertex are made when they are needed: the origin may do. */
+static fmb_status need_backend(fmb_oracle *o)
 {
-    if (o->door)
+    if (o->backend)
         return FMB_OK;
     fmb_status st = fmb_vertex_init(&o->v, o->run, o->p);
     if (st == FMB_OK)
-        st = fmb_walk_init(&o->w, &o->v);
-    return st == FMB_OK ? fmb_door_open(o->run, o->p, &o->door) : st;
+        st = fmb_pivot_walk_init(&o->w, &o->v);
+    return st == FMB_OK ? fmb_backend_open(o->run, o->p, &o->backend) : st;
 }
 
 void fmb_closure_begin(fmb_oracle *o)
 {
     o->answer = FMB_ANSWER_NONE;
-    o->has_margin = false;
+    o->has_interior_proof = false;
     o->run->stats.lps++;
     fmb_run_emit(
         o->run,
@@ -88,7 +88,7 @@ static fmb_status take_vertex(fmb_oracle *o)
     return fmb_integers_settle(&o->point, o->run->mem);
 }
 
-/* Ask the door again from the basis at hand, through a magnifying glass: right sides are what is
+/* Ask the backend again from the basis at hand, through a magnifying glass: right sides are what is
  * left of them at the exact vertex, times `scale`. */
 static fmb_status refine_guess(fmb_oracle *o, double scale, fmb_hint *h)
 {
@@ -98,10 +98,10 @@ static fmb_status refine_guess(fmb_oracle *o, double scale, fmb_hint *h)
         return fmb_mem_status(o->run->mem);
     for (size_t i = 0; i < v->m; i++)
         right[i] = fmb_vertex_holds(v, i) ? 0 : scale * fmb_vertex_slack(v, i);
-    fmb_door_place(o->door, v->basis);
-    fmb_door_shift(o->door, right);
-    fmb_status st = fmb_door_search(o->door, h);
-    fmb_door_shift(o->door, NULL);
+    fmb_backend_place(o->backend, v->basis);
+    fmb_backend_shift(o->backend, right);
+    fmb_status st = fmb_backend_search(o->backend, h);
+    fmb_backend_shift(o->backend, NULL);
     fmb_mem_put(o->run->mem, right, v->m, sizeof *right);
     return st;
 }
@@ -109,74 +109,75 @@ static fmb_status refine_guess(fmb_oracle *o, double scale, fmb_hint *h)
 /* Does the basis at hand contradict row h->odd? Where numbers are long, its prices are solved for
  * only when somebody wants them; and doubles look twice before that, as what long numbers say may
  * hang on their last digits. */
-static fmb_status try_conflict(fmb_oracle *o, fmb_hint *h, fmb_walk_end *end)
+static fmb_status try_conflict(fmb_oracle *o, fmb_hint *h, fmb_pivot_walk_end *end)
 {
     fmb_status st = FMB_OK;
     bool sure = false;
-    bool is_long = fmb_refute_is_worth_it(&o->v) && fmb_way(FMB_WAY_REFUTE);
+    bool is_long = fmb_refined_farkas_is_worth_it(&o->v) && fmb_way(FMB_WAY_REFINED_FARKAS);
     if (is_long)
-        st = fmb_refute(&o->v, h->odd, &o->w.sign, &sure);
+        st = fmb_refined_farkas(&o->v, h->odd, &o->w.sign, &sure);
     if (st == FMB_OK && is_long && !sure) {
-        fmb_door_sharpen(o->door);
-        st = fmb_door_search(o->door, h);
+        fmb_backend_sharpen(o->backend);
+        st = fmb_backend_search(o->backend, h);
         if (st == FMB_OK)
             st = fmb_vertex_set(&o->v, o->hint);
         if (st == FMB_OK && h->kind == FMB_HINT_INFEASIBLE)
-            st = fmb_refute(&o->v, h->odd, &o->w.sign, &sure);
+            st = fmb_refined_farkas(&o->v, h->odd, &o->w.sign, &sure);
     }
     if (st != FMB_OK || h->kind != FMB_HINT_INFEASIBLE)
         return st;
-    fmb_way_answered(FMB_WAY_REFUTE, sure);
+    fmb_way_answered(FMB_WAY_REFINED_FARKAS, sure);
     if (!sure)
-        return fmb_walk_try_conflict(&o->w, h->odd, end);
+        return fmb_pivot_walk_try_conflict(&o->w, h->odd, end);
     o->w.odd = h->odd;
     o->w.is_priced = false;
-    *end = FMB_WALK_CONFLICT;
+    *end = FMB_PIVOT_WALK_CONFLICT;
     return FMB_OK;
 }
 
 /* From the basis at hand: a few exact pivots, then a finer guess, and so on; in the end as many
  * pivots as it takes. */
-static fmb_status reach_feasible(fmb_oracle *o, fmb_walk_end *end)
+static fmb_status reach_feasible(fmb_oracle *o, fmb_pivot_walk_end *end)
 {
     fmb_hint h = {.basis = o->hint};
-    fmb_status st = fmb_walk_to_feasible(&o->w, FEW_STEPS, end);
+    fmb_status st = fmb_pivot_walk_to_feasible(&o->w, FEW_STEPS, end);
     double scale = 0x1p20;
-    for (int k = 0; st == FMB_OK && *end == FMB_WALK_TIRED && k < REFINEMENTS; k++) {
+    for (int k = 0; st == FMB_OK && *end == FMB_PIVOT_WALK_ITERATION_LIMIT && k < REFINEMENTS;
+         k++) {
         st = refine_guess(o, scale, &h);
         if (st == FMB_OK)
             st = fmb_vertex_set(&o->v, o->hint);
         if (st == FMB_OK && h.kind == FMB_HINT_INFEASIBLE)
             st = try_conflict(o, &h, end);
-        if (st == FMB_OK && *end == FMB_WALK_TIRED)
-            st = fmb_walk_to_feasible(&o->w, FEW_STEPS, end);
+        if (st == FMB_OK && *end == FMB_PIVOT_WALK_ITERATION_LIMIT)
+            st = fmb_pivot_walk_to_feasible(&o->w, FEW_STEPS, end);
         scale *= 0x1p10;
     }
-    if (st == FMB_OK && *end == FMB_WALK_TIRED)
-        st = fmb_walk_to_feasible(&o->w, 0, end);
+    if (st == FMB_OK && *end == FMB_PIVOT_WALK_ITERATION_LIMIT)
+        st = fmb_pivot_walk_to_feasible(&o->w, 0, end);
     return st;
 }
 
 fmb_status fmb_closure_guess(fmb_oracle *o, fmb_hint *h)
 {
     *h = (fmb_hint){.basis = o->hint};
-    fmb_status st = need_door(o);
-    return st == FMB_OK ? fmb_door_search(o->door, h) : st;
+    fmb_status st = need_backend(o);
+    return st == FMB_OK ? fmb_backend_search(o->backend, h) : st;
 }
 
 /* The closure of the rows: a vertex or a conflict. */
-fmb_status fmb_closure_certify(fmb_oracle *o, fmb_hint *h, fmb_walk_end *end)
+fmb_status fmb_closure_certify(fmb_oracle *o, fmb_hint *h, fmb_pivot_walk_end *end)
 {
-    *end = FMB_WALK_TIRED;
+    *end = FMB_PIVOT_WALK_ITERATION_LIMIT;
     fmb_status st = fmb_vertex_set(&o->v, o->hint);
     if (st == FMB_OK && h->kind == FMB_HINT_INFEASIBLE)
         st = try_conflict(o, h, end);
-    if (st == FMB_OK && *end == FMB_WALK_TIRED)
+    if (st == FMB_OK && *end == FMB_PIVOT_WALK_ITERATION_LIMIT)
         st = reach_feasible(o, end);
-    return st == FMB_OK && *end == FMB_WALK_THERE ? take_vertex(o) : st;
+    return st == FMB_OK && *end == FMB_PIVOT_WALK_REACHED ? take_vertex(o) : st;
 }
 
-fmb_status fmb_closure_decide(fmb_oracle *o, fmb_walk_end *end)
+fmb_status fmb_closure_decide(fmb_oracle *o, fmb_pivot_walk_end *end)
 {
     fmb_hint h;
     fmb_status st = fmb_closure_guess(o, &h);
@@ -227,32 +228,32 @@ static void add_place_to_price(fmb_oracle *o, size_t r, double part)
             o->price[row->column[k]] += part * fmb_program_double(v->p, v->basis[r], k);
 }
 
-/* Ask the door again from the basis at hand, whose prices these are, as through a magnifying glass:
- * the largest price that is not allowed counts 1, and those that are allowed no more than that.
- * What they say beside the others is below what doubles see. */
+/* Ask the backend again from the basis at hand, whose prices these are, as through a magnifying
+ * glass: the largest price that is not allowed counts 1, and those that are allowed no more than
+ * that. What they say beside the others is below what doubles see. */
 static fmb_status refine_optimum(fmb_oracle *o, fmb_hint *h)
 {
     fmb_vertex *v = &o->v;
     double most = 0;
     memset(o->price, 0, o->n * sizeof *o->price);
     for (size_t r = 0; r < v->n; r++)
-        if (!fmb_walk_is_price_allowed(v, r, 1))
+        if (!fmb_pivot_walk_is_price_allowed(v, r, 1))
             most = fmax(most, fabs(weigh_place(o, r)));
     for (size_t r = 0; r < v->n; r++) {
         double weight = weigh_place(o, r);
         if (weight != 0)
             add_place_to_price(o, r, fmb_vertex_rough_price(v, r) / fmax(most, fabs(weight)));
     }
-    fmb_door_place(o->door, v->basis);
-    fmb_status st = fmb_door_maximize(o->door, o->price, h);
+    fmb_backend_place(o->backend, v->basis);
+    fmb_status st = fmb_backend_maximize(o->backend, o->price, h);
     return st == FMB_OK ? fmb_vertex_set(v, o->hint) : st;
 }
 
-/* Where exact pivots were taken, the door goes on from where they ended. */
-static void let_door_follow(fmb_oracle *o, uint64_t pivots, fmb_walk_end end)
+/* Where exact pivots were taken, the backend goes on from where they ended. */
+static void let_backend_follow(fmb_oracle *o, uint64_t pivots, fmb_pivot_walk_end end)
 {
-    if (end == FMB_WALK_THERE && o->run->stats.pivots != pivots)
-        fmb_door_place(o->door, o->v.basis);
+    if (end == FMB_PIVOT_WALK_REACHED && o->run->stats.pivots != pivots)
+        fmb_backend_place(o->backend, o->v.basis);
 }
 
 /* The vertex at hand, which satisfies all rows, is the point from here on if its cost.x is larger:
@@ -273,76 +274,78 @@ static fmb_status keep_better_vertex(fmb_oracle *o)
 }
 
 /* From a guess to the optimum, exactly. */
-static fmb_status climb_with_refinements(fmb_oracle *o, fmb_walk_end *end)
+static fmb_status climb_with_refinements(fmb_oracle *o, fmb_pivot_walk_end *end)
 {
     fmb_hint h = {.basis = o->hint};
-    fmb_walk_end there;
+    fmb_pivot_walk_end there;
     uint64_t pivots = o->run->stats.pivots;
-    fmb_status st = fmb_walk_to_optimum(&o->w, FEW_PIVOTS, o->cost.z, end);
-    for (int k = 0; st == FMB_OK && *end == FMB_WALK_TIRED && k <= MOST_OPTIMA; k++) {
+    fmb_status st = fmb_pivot_walk_to_optimum(&o->w, FEW_PIVOTS, o->cost.z, end);
+    for (int k = 0; st == FMB_OK && *end == FMB_PIVOT_WALK_ITERATION_LIMIT && k <= MOST_OPTIMA;
+         k++) {
         st = keep_better_vertex(o);
         if (st == FMB_OK)
             st = refine_optimum(o, &h);
         if (st == FMB_OK)
             st = reach_feasible(o, &there);
         if (st == FMB_OK)
-            st = fmb_walk_to_optimum(&o->w, k < MOST_OPTIMA ? FEW_PIVOTS : 0, o->cost.z, end);
+            st = fmb_pivot_walk_to_optimum(&o->w, k < MOST_OPTIMA ? FEW_PIVOTS : 0, o->cost.z, end);
     }
     if (st == FMB_OK)
-        let_door_follow(o, pivots, *end);
+        let_backend_follow(o, pivots, *end);
     return st;
 }
 
-/* Where does the door lead to? */
+/* Where does the backend lead to? */
 static fmb_status guess_optimum(fmb_oracle *o, const fmb_weights *cost, fmb_hint *h)
 {
     *h = (fmb_hint){.basis = o->hint};
-    o->glimpsed = false;
-    fmb_status st = need_door(o);
+    o->is_modular = false;
+    fmb_status st = need_backend(o);
     if (st == FMB_OK)
         st = take_cost(o, cost);
-    return st == FMB_OK ? fmb_door_maximize(o->door, o->price, h) : st;
+    return st == FMB_OK ? fmb_backend_maximize(o->backend, o->price, h) : st;
 }
 
-static fmb_status certify_approach(fmb_oracle *o, const fmb_hint *h, fmb_walk_end *end)
+static fmb_status certify_approach(fmb_oracle *o, const fmb_hint *h, fmb_pivot_walk_end *end)
 {
     uint64_t pivots = o->run->stats.pivots;
-    *end = FMB_WALK_TIRED;
+    *end = FMB_PIVOT_WALK_ITERATION_LIMIT;
     fmb_status st = fmb_vertex_set(&o->v, o->hint);
     if (st == FMB_OK && h->kind == FMB_HINT_UNBOUNDED)
-        st = fmb_walk_try_ray(&o->w, h->odd, o->cost.z, end);
-    if (st == FMB_OK && *end == FMB_WALK_TIRED)
+        st = fmb_pivot_walk_try_ray(&o->w, h->odd, o->cost.z, end);
+    if (st == FMB_OK && *end == FMB_PIVOT_WALK_ITERATION_LIMIT)
         st = reach_feasible(o, end);
     if (st == FMB_OK)
-        let_door_follow(o, pivots, *end);
-    return st == FMB_OK && *end == FMB_WALK_THERE ? take_vertex(o) : st;
+        let_backend_follow(o, pivots, *end);
+    return st == FMB_OK && *end == FMB_PIVOT_WALK_REACHED ? take_vertex(o) : st;
 }
 
-fmb_status fmb_closure_approach(fmb_oracle *o, const fmb_weights *cost, fmb_walk_end *end)
+fmb_status fmb_closure_approach(fmb_oracle *o, const fmb_weights *cost, fmb_pivot_walk_end *end)
 {
     fmb_hint h;
     fmb_status st = guess_optimum(o, cost, &h);
     return st == FMB_OK ? certify_approach(o, &h, end) : st;
 }
 
-fmb_status fmb_closure_glimpse(fmb_oracle *o, const fmb_weights *cost, fmb_walk_end *end)
+fmb_status fmb_closure_approach_point(fmb_oracle *o, const fmb_weights *cost,
+                                      fmb_pivot_walk_end *end)
 {
     fmb_hint h;
     fmb_status st = guess_optimum(o, cost, &h);
     if (st == FMB_OK && h.kind == FMB_HINT_OPTIMUM)
-        st = fmb_oracle_look_shortly(o, &o->glimpsed);
-    *end = FMB_WALK_THERE;
-    return st == FMB_OK && !o->glimpsed ? certify_approach(o, &h, end) : st;
+        st = fmb_oracle_try_modular_vertex(o, &o->is_modular);
+    *end = FMB_PIVOT_WALK_REACHED;
+    return st == FMB_OK && !o->is_modular ? certify_approach(o, &h, end) : st;
 }
 
-fmb_status fmb_closure_climb(fmb_oracle *o, fmb_walk_end *end)
+fmb_status fmb_closure_climb(fmb_oracle *o, fmb_pivot_walk_end *end)
 {
     fmb_hint h = {.kind = FMB_HINT_OPTIMUM, .basis = o->hint};
-    fmb_status st = o->glimpsed ? certify_approach(o, &h, end) : FMB_OK;
-    o->glimpsed = false;
+    fmb_status st = o->is_modular ? certify_approach(o, &h, end) : FMB_OK;
+    o->is_modular = false;
     if (st == FMB_OK)
         st = climb_with_refinements(o, end);
-    return st == FMB_OK && *end == FMB_WALK_THERE ? take_vertex(o) : st;
+    return st == FMB_OK && *end == FMB_PIVOT_WALK_REACHED ? take_vertex(o) : st;
 }
 
 /* ---- a program that changes ------------------------------------------------------------------ */
@@ -350,26 +353,26 @@ fmb_status fmb_closure_climb(fmb_oracle *o, fmb_walk_end *end)
 fmb_status fmb_oracle_grow(fmb_oracle *o)
 {
     o->feasible = false;
-    if (!o->door)
+    if (!o->backend)
         return FMB_OK;
     fmb_status st = fmb_vertex_grow(&o->v);
-    return st == FMB_OK ? fmb_door_grow(o->door) : st;
+    return st == FMB_OK ? fmb_backend_grow(o->backend) : st;
 }
 
 void fmb_oracle_switch(fmb_oracle *o, size_t i, bool on)
 {
     o->feasible = false;
-    if (!o->door)
+    if (!o->backend)
         return;
     o->v.feasible = false;
-    fmb_door_switch(o->door, i, on);
+    fmb_backend_switch(o->backend, i, on);
 }
 
 void fmb_oracle_shift(fmb_oracle *o)
 {
     o->feasible = false;
-    if (!o->door)
+    if (!o->backend)
         return;
     o->v.solved = o->v.feasible = false;
-    fmb_door_shift(o->door, NULL);
+    fmb_backend_shift(o->backend, NULL);
 }

@@ -25,7 +25,7 @@ static fmb_status try_rounded(fmb_oracle *o, int finest, bool *found)
 {
     fmb_status st = FMB_OK;
     for (int fine = 0; st == FMB_OK && !*found && fine <= finest; fine += STRIDE) {
-        if (!fmb_door_point(o->door, fine, o->point.z, o->point_den))
+        if (!fmb_backend_point(o->backend, fine, o->point.z, o->point_den))
             return FMB_OK;
         st = fmb_vertex_try_point(&o->v, o->point.z, o->point_den, o->price, true, found);
     }
@@ -35,11 +35,11 @@ static fmb_status try_rounded(fmb_oracle *o, int finest, bool *found)
 /* Twice as far as the theorem asks for: doubles take rows for satisfied that are not quite. */
 static fmb_status move_in_and_search(fmb_oracle *o, int fine, fmb_hint *h, bool *found)
 {
-    fmb_door_move_in(o->door, ldexp(1, -fine));
-    fmb_status st = fmb_door_search(o->door, h);
+    fmb_backend_move_in(o->backend, ldexp(1, -fine));
+    fmb_status st = fmb_backend_search(o->backend, h);
     if (st == FMB_OK && h->kind == FMB_HINT_OPTIMUM)
         st = try_rounded(o, fine, found);
-    fmb_door_shift(o->door, NULL);
+    fmb_backend_shift(o->backend, NULL);
     return st;
 }
 
@@ -51,7 +51,7 @@ static bool has_equality(const fmb_program *p)
     return false;
 }
 
-fmb_status fmb_oracle_look_on_grid(fmb_oracle *o, fmb_hint *h, bool *found)
+fmb_status fmb_oracle_try_lattice_point(fmb_oracle *o, fmb_hint *h, bool *found)
 {
     fmb_status st = try_rounded(o, COARSE, found);
     if (*found || st != FMB_OK || has_equality(o->p))

@@ -15,25 +15,25 @@
 static bool put_basis_row(fmb_oracle *o, size_t r, size_t i)
 {
     if (i >= o->p->m) {
-        fmb_short_put(&o->few, r, i - o->p->m, 1);
+        fmb_modular_kernel_put(&o->few, r, i - o->p->m, 1);
         return true;
     }
     const fmb_program_row *row = &o->p->row[i];
     if (row->value->z)
         return false;
     for (size_t k = 0; k < row->size; k++)
-        fmb_short_put(&o->few, r, (size_t)row->column[k], row->value->s[k]);
-    fmb_short_put(&o->few, r, o->n, -row->value->s[row->size]);
+        fmb_modular_kernel_put(&o->few, r, (size_t)row->column[k], row->value->s[k]);
+    fmb_modular_kernel_put(&o->few, r, o->n, -row->value->s[row->size]);
     return true;
 }
 
 static bool solve_basis(fmb_oracle *o)
 {
-    fmb_short_zero(&o->few, o->n + 1);
+    fmb_modular_kernel_zero(&o->few, o->n + 1);
     for (size_t r = 0; r < o->n; r++)
         if (!put_basis_row(o, r, o->hint[r]))
             return false;
-    return fmb_short_find_kernel(&o->few) && o->few.v[o->n] != 0;
+    return fmb_modular_kernel_find(&o->few) && o->few.v[o->n] != 0;
 }
 
 static void take_short_point(fmb_oracle *o)
@@ -44,19 +44,19 @@ static void take_short_point(fmb_oracle *o)
     fmb_integer_set_i64(o->point_den, v[o->n] < 0 ? -v[o->n] : v[o->n]);
 }
 
-fmb_status fmb_oracle_look_shortly(fmb_oracle *o, bool *seen)
+fmb_status fmb_oracle_try_modular_vertex(fmb_oracle *o, bool *seen)
 {
     fmb_status st = FMB_OK;
     *seen = false;
-    if (o->n > MOST_COLUMNS || o->misses > MOST_MISSES || !fmb_way(FMB_WAY_GLIMPSE))
+    if (o->n > MOST_COLUMNS || o->misses > MOST_MISSES || !fmb_way(FMB_WAY_MODULAR_VERTEX))
         return FMB_OK;
     if (!o->few.a)
-        st = fmb_short_init(&o->few, o->run->mem, o->n);
+        st = fmb_modular_kernel_init(&o->few, o->run->mem, o->n);
     if (st == FMB_OK && solve_basis(o)) {
         take_short_point(o);
         st = fmb_vertex_try_point(&o->v, o->point.z, o->point_den, o->price, false, seen);
     }
-    fmb_way_answered(FMB_WAY_GLIMPSE, *seen);
+    fmb_way_answered(FMB_WAY_MODULAR_VERTEX, *seen);
     o->misses += *seen ? -(o->misses > 0) : 1;
     return st == FMB_OK ? fmb_integers_settle(&o->point, o->run->mem) : st;
 }

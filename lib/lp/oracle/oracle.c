@@ -1,4 +1,5 @@
-/* oracle.c: the door of oracles: what is plain, then the closure, then strict rows; see oracle.h.
+/* oracle.c: the backend of oracles: what is plain, then the closure, then strict rows; see
+ * oracle.h.
  */
 #include "base/ways.h"
 #include "lp/oracle/oracle_state.h"
@@ -28,7 +29,7 @@ static void take_origin(fmb_oracle *o)
 static fmb_status try_last_point(fmb_oracle *o, bool *holds)
 {
     *holds = false;
-    if (!o->has_point || !o->door)
+    if (!o->has_point || !o->backend)
         return FMB_OK;
     return fmb_vertex_try_point(&o->v, o->point.z, o->point_den, o->price, true, holds);
 }
@@ -36,20 +37,21 @@ static fmb_status try_last_point(fmb_oracle *o, bool *holds)
 /* A point strictly inside, or a conflict. */
 static fmb_status search_for_point(fmb_oracle *o, bool *feasible)
 {
-    fmb_walk_end end;
+    fmb_pivot_walk_end end;
     fmb_hint h;
     bool room = true;
     *feasible = false;
     fmb_status st = fmb_closure_guess(o, &h);
-    if (st == FMB_OK && h.kind == FMB_HINT_OPTIMUM && fmb_way(FMB_WAY_GRID))
-        st = fmb_oracle_look_on_grid(o, &h, feasible);
-    fmb_way_answered(FMB_WAY_GRID, *feasible);
+    if (st == FMB_OK && h.kind == FMB_HINT_OPTIMUM && fmb_way(FMB_WAY_LATTICE))
+        st = fmb_oracle_try_lattice_point(o, &h, feasible);
+    fmb_way_answered(FMB_WAY_LATTICE, *feasible);
     if (st != FMB_OK || *feasible)
         return st;
     st = fmb_closure_certify(o, &h, &end);
-    if (st == FMB_OK && end == FMB_WALK_THERE && o->p->any_strict && !fmb_vertex_is_inside(&o->v))
-        st = fmb_oracle_find_room(o, false, &room);
-    *feasible = end == FMB_WALK_THERE && room;
+    if (st == FMB_OK && end == FMB_PIVOT_WALK_REACHED && o->p->any_strict &&
+        !fmb_vertex_is_inside(&o->v))
+        st = fmb_oracle_find_strict_interior(o, false, &room);
+    *feasible = end == FMB_PIVOT_WALK_REACHED && room;
     return st;
 }
 
@@ -96,36 +98,37 @@ static fmb_status find_whether_attained(fmb_oracle *o, bool *attained)
     for (size_t r = 0; r < v->n && *attained; r++)
         *attained = fmb_vertex_is_loose(v, r) || mpz_sgn(v->y.z[r]) == 0 ||
                     o->p->row[v->basis[r]].rel != FMB_LT;
-    return *attained ? fmb_oracle_find_room(o, true, attained) : FMB_OK;
+    return *attained ? fmb_oracle_find_strict_interior(o, true, attained) : FMB_OK;
 }
 
-static fmb_status note_end(fmb_oracle *o, fmb_status st, fmb_walk_end end, fmb_oracle_end *out)
+static fmb_status note_end(fmb_oracle *o, fmb_status st, fmb_pivot_walk_end end,
+                           fmb_oracle_end *out)
 {
-    *out = end == FMB_WALK_RAY ? FMB_ORACLE_UNBOUNDED : FMB_ORACLE_OPTIMUM;
+    *out = end == FMB_PIVOT_WALK_RAY ? FMB_ORACLE_UNBOUNDED : FMB_ORACLE_OPTIMUM;
     if (st == FMB_OK)
-        o->answer = end == FMB_WALK_RAY ? FMB_ANSWER_RAY : FMB_ANSWER_OPTIMUM;
+        o->answer = end == FMB_PIVOT_WALK_RAY ? FMB_ANSWER_RAY : FMB_ANSWER_OPTIMUM;
     return st;
 }
 
 fmb_status fmb_oracle_approach(fmb_oracle *o, const fmb_weights *cost, fmb_oracle_end *out)
 {
-    fmb_walk_end end;
+    fmb_pivot_walk_end end;
     fmb_closure_begin(o);
     fmb_status st = fmb_closure_approach(o, cost, &end);
     return note_end(o, st, end, out);
 }
 
-fmb_status fmb_oracle_glimpse(fmb_oracle *o, const fmb_weights *cost, fmb_oracle_end *out)
+fmb_status fmb_oracle_approach_point(fmb_oracle *o, const fmb_weights *cost, fmb_oracle_end *out)
 {
-    fmb_walk_end end;
+    fmb_pivot_walk_end end;
     fmb_closure_begin(o);
-    fmb_status st = fmb_closure_glimpse(o, cost, &end);
+    fmb_status st = fmb_closure_approach_point(o, cost, &end);
     return note_end(o, st, end, out);
 }
 
 fmb_status fmb_oracle_climb(fmb_oracle *o, fmb_oracle_end *out)
 {
-    fmb_walk_end end;
+    fmb_pivot_walk_end end;
     fmb_status st = fmb_closure_climb(o, &end);
     return note_end(o, st, end, out);
 }
@@ -137,7 +140,7 @@ fmb_status fmb_oracle_attain(fmb_oracle *o, bool *attained)
 
 bool fmb_oracle_reached(fmb_oracle *o, mpq_t *x)
 {
-    bool reached = o->feasible && (!o->p->any_strict || !o->door ||
+    bool reached = o->feasible && (!o->p->any_strict || !o->backend ||
                                    fmb_vertex_is_point_inside(&o->v, o->point.z, o->point_den));
     if (reached)
         fmb_oracle_point(o, x);

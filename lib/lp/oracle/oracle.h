@@ -1,6 +1,6 @@
 /* oracle.h: linear programs, guessed in doubles and certified exactly.
  *
- * The door (lp/simplex/backend.h) guesses a basis; its vertex, multipliers or ray are solved for
+ * The backend (lp/simplex/backend.h) guesses a basis; its vertex, multipliers or ray are solved for
  * exactly (lp/linalg/exact/factor.h), and every row is checked. A guess that is not quite right is
  * walked on from by exact pivots, or refined; Bland's rule ends every walk. Nothing is answered
  * that does not hold exactly.
@@ -40,7 +40,7 @@ fmb_status fmb_oracle_maximize(fmb_oracle *o, const fmb_weights *cost, fmb_oracl
 fmb_status fmb_oracle_approach(fmb_oracle *o, const fmb_weights *cost, fmb_oracle_end *end);
 fmb_status fmb_oracle_climb(fmb_oracle *o, fmb_oracle_end *end);
 /* As fmb_oracle_approach, but cheaper for whoever mostly needs the point alone. */
-fmb_status fmb_oracle_glimpse(fmb_oracle *o, const fmb_weights *cost, fmb_oracle_end *end);
+fmb_status fmb_oracle_approach_point(fmb_oracle *o, const fmb_weights *cost, fmb_oracle_end *end);
 fmb_status fmb_oracle_attain(fmb_oracle *o, bool *attained);
 
 /* Rows were appended, row i was left out or taken in again, or rows have other right sides: ask

@@ -52,18 +52,19 @@ static fmb_status add_prices(const fmb_oracle *o, const mpz_t unit, int sign, fm
     return st;
 }
 
-static fmb_status add_margin_weights(const fmb_oracle *o, fmb_weights *w)
+static fmb_status add_interior_weights(const fmb_oracle *o, fmb_weights *w)
 {
     fmb_status st = FMB_OK;
-    for (size_t k = 0; st == FMB_OK && k < o->margin.size; k++)
-        st = fmb_weights_add(w, o->margin.index[k], o->margin.value[k], o->run->mem);
+    for (size_t k = 0; st == FMB_OK && k < o->interior_proof.size; k++)
+        st =
+            fmb_weights_add(w, o->interior_proof.index[k], o->interior_proof.value[k], o->run->mem);
     return st;
 }
 
 fmb_status fmb_oracle_multipliers(const fmb_oracle *o, fmb_weights *w)
 {
-    if (o->has_margin)
-        return add_margin_weights(o, w);
+    if (o->has_interior_proof)
+        return add_interior_weights(o, w);
     mpz_t unit;
     mpz_init(unit);
     mpz_mul(unit, o->v.unit, o->cost_unit);
@@ -94,9 +95,9 @@ void fmb_oracle_value(const fmb_oracle *o, mpq_t value)
 fmb_status fmb_oracle_conflict(fmb_oracle *o, fmb_weights *w)
 {
     mpq_t one;
-    if (o->has_margin)
-        return add_margin_weights(o, w);
-    fmb_status st = fmb_walk_price_conflict(&o->w);
+    if (o->has_interior_proof)
+        return add_interior_weights(o, w);
+    fmb_status st = fmb_pivot_walk_price_conflict(&o->w);
     if (st != FMB_OK)
         return st;
     mpq_init(one);

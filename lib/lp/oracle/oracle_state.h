@@ -20,7 +20,7 @@ struct fmb_oracle {
     fmb_run *run;
     const fmb_program *p;
     size_t n;
-    fmb_door *door; /* made when it is first asked */
+    fmb_backend *backend; /* made when it is first asked */
     fmb_vertex v;
     fmb_pivot_walk w;
     size_t *hint;      /* [n] a guessed basis */
@@ -32,38 +32,40 @@ struct fmb_oracle {
     fmb_integers point; /* [n], over point_den: a solution, strict rows included */
     mpz_t point_den;
     fmb_oracle_answer answer;
-    fmb_short few;   /* for glimpses; made when it is needed */
-    int misses;      /* of glimpses, less hits */
-    bool glimpsed;   /* the point is a glimpse, the vertex an older one */
-    bool has_margin; /* the answer's multipliers are those of `margin`, from strict_interior.c */
-    fmb_weights margin;
+    fmb_modular_kernel few;  /* for glimpses; made when it is needed */
+    int misses;              /* of glimpses, less hits */
+    bool is_modular;         /* the point is a glimpse, the vertex an older one */
+    bool has_interior_proof; /* the answer's multipliers are those of `interior_proof`, from
+                                strict_interior.c */
+    fmb_weights interior_proof;
 };
 
 /* closure.c: the same questions about the closure. Count a program, and tell the watcher. */
 void fmb_closure_begin(fmb_oracle *o);
 /* THERE, and o->point is a vertex, or CONFLICT. Errors: MEMORY, LIMIT. */
-fmb_status fmb_closure_decide(fmb_oracle *o, fmb_walk_end *end);
+fmb_status fmb_closure_decide(fmb_oracle *o, fmb_pivot_walk_end *end);
 /* Its two halves. */
 fmb_status fmb_closure_guess(fmb_oracle *o, fmb_hint *h);
-fmb_status fmb_closure_certify(fmb_oracle *o, fmb_hint *h, fmb_walk_end *end);
+fmb_status fmb_closure_certify(fmb_oracle *o, fmb_hint *h, fmb_pivot_walk_end *end);
 /* To a vertex where cost.x is large: THERE, and o->point is it; or RAY. */
-fmb_status fmb_closure_approach(fmb_oracle *o, const fmb_weights *cost, fmb_walk_end *end);
+fmb_status fmb_closure_approach(fmb_oracle *o, const fmb_weights *cost, fmb_pivot_walk_end *end);
 /* The same, but the point need not be that of the vertex at hand. */
-fmb_status fmb_closure_glimpse(fmb_oracle *o, const fmb_weights *cost, fmb_walk_end *end);
+fmb_status fmb_closure_approach_point(fmb_oracle *o, const fmb_weights *cost,
+                                      fmb_pivot_walk_end *end);
 /* From there: THERE, and o->point is the optimum, or RAY. */
-fmb_status fmb_closure_climb(fmb_oracle *o, fmb_walk_end *end);
+fmb_status fmb_closure_climb(fmb_oracle *o, fmb_pivot_walk_end *end);
 
 /* modular_vertex.c: the vertex of the basis that is hinted at; *seen: o->point is it, and satisfies
  * the closure. Errors: MEMORY, LIMIT. */
-fmb_status fmb_oracle_look_shortly(fmb_oracle *o, bool *seen);
+fmb_status fmb_oracle_try_modular_vertex(fmb_oracle *o, bool *seen);
 
 /* lattice_point.c: the guess h is a vertex: is there a solution of short numbers near it? If
  * *found, it is o->point. Else h is asked for again. Errors: MEMORY, LIMIT. */
-fmb_status fmb_oracle_look_on_grid(fmb_oracle *o, fmb_hint *h, bool *found);
+fmb_status fmb_oracle_try_lattice_point(fmb_oracle *o, fmb_hint *h, bool *found);
 
 /* strict_interior.c: the rows hold, but is there room where they are strict? *room; if there is,
- * o->point is such a solution, else o->margin a conflict. face: of those with cost.x at its
- * optimum; then o->margin proves cost.x < optimum. Errors: MEMORY, LIMIT. */
-fmb_status fmb_oracle_find_room(fmb_oracle *o, bool face, bool *room);
+ * o->point is such a solution, else o->interior_proof a conflict. face: of those with cost.x at its
+ * optimum; then o->interior_proof proves cost.x < optimum. Errors: MEMORY, LIMIT. */
+fmb_status fmb_oracle_find_strict_interior(fmb_oracle *o, bool face, bool *room);
 
 #endif

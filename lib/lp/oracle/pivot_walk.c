@@ -4,7 +4,7 @@
 /* Steps after which the least index decides. */
 #define PATIENCE(v) (50 + (v)->n / 4)
 
-fmb_status fmb_walk_init(fmb_pivot_walk *w, fmb_vertex *v)
+fmb_status fmb_pivot_walk_init(fmb_pivot_walk *w, fmb_vertex *v)
 {
     *w = (fmb_pivot_walk){.v = v};
     mpz_inits(w->ray_den, w->ratio_num, w->ratio_den, w->num, w->den, NULL);
@@ -12,7 +12,7 @@ fmb_status fmb_walk_init(fmb_pivot_walk *w, fmb_vertex *v)
     return st == FMB_OK ? fmb_integers_init(&w->ray, v->n, v->run->mem) : st;
 }
 
-void fmb_walk_clear(fmb_pivot_walk *w)
+void fmb_pivot_walk_clear(fmb_pivot_walk *w)
 {
     fmb_integers_clear(&w->cost, w->v->run->mem);
     fmb_integers_clear(&w->ray, w->v->run->mem);
@@ -37,7 +37,7 @@ static fmb_status price_row(fmb_pivot_walk *w, size_t row, int sign)
     return fmb_vertex_price(w->v, w->cost.z);
 }
 
-bool fmb_walk_is_price_allowed(const fmb_vertex *v, size_t r, int sign)
+bool fmb_pivot_walk_is_price_allowed(const fmb_vertex *v, size_t r, int sign)
 {
     int s = mpz_sgn(v->y.z[r]);
     return s == 0 || (fmb_vertex_is_loose(v, r)      ? false
@@ -52,7 +52,7 @@ static size_t find_place_to_leave(const fmb_vertex *v, int sign, bool least)
     size_t best = SIZE_MAX;
     bool loose = false;
     for (size_t r = 0; r < v->n; r++) {
-        if (fmb_walk_is_price_allowed(v, r, sign))
+        if (fmb_pivot_walk_is_price_allowed(v, r, sign))
             continue;
         bool now = fmb_vertex_is_loose(v, r);
         bool better = best == SIZE_MAX ? true
@@ -86,18 +86,18 @@ static int sign_of_remainder(fmb_pivot_walk *w, size_t row, int sign)
 }
 
 /* Its prices are at hand. */
-static void note_conflict(fmb_pivot_walk *w, size_t odd, int sign, fmb_walk_end *end)
+static void note_conflict(fmb_pivot_walk *w, size_t odd, int sign, fmb_pivot_walk_end *end)
 {
     w->odd = odd;
     w->sign = sign;
     w->is_priced = true;
-    *end = FMB_WALK_CONFLICT;
+    *end = FMB_PIVOT_WALK_CONFLICT;
 }
 
-fmb_status fmb_walk_try_conflict(fmb_pivot_walk *w, size_t odd, fmb_walk_end *end)
+fmb_status fmb_pivot_walk_try_conflict(fmb_pivot_walk *w, size_t odd, fmb_pivot_walk_end *end)
 {
     const fmb_program_row *row = &w->v->p->row[odd];
-    *end = FMB_WALK_TIRED;
+    *end = FMB_PIVOT_WALK_ITERATION_LIMIT;
     if (row->off || fmb_vertex_holds(w->v, odd))
         return FMB_OK;
     for (int sign = 1; sign >= (row->rel == FMB_EQ ? -1 : 1); sign -= 2) {
@@ -112,7 +112,7 @@ fmb_status fmb_walk_try_conflict(fmb_pivot_walk *w, size_t odd, fmb_walk_end *en
     return FMB_OK;
 }
 
-fmb_status fmb_walk_price_conflict(fmb_pivot_walk *w)
+fmb_status fmb_pivot_walk_price_conflict(fmb_pivot_walk *w)
 {
     fmb_status st = w->is_priced ? FMB_OK : price_row(w, w->odd, w->sign);
     w->is_priced = st == FMB_OK;
@@ -121,7 +121,7 @@ fmb_status fmb_walk_price_conflict(fmb_pivot_walk *w)
 
 /* Row `row` is violated by sign: a place of the basis makes room for it, or there is a conflict. */
 static fmb_status make_row_hold(fmb_pivot_walk *w, size_t row, int sign, bool least,
-                                fmb_walk_end *end)
+                                fmb_pivot_walk_end *end)
 {
     fmb_status st = price_row(w, row, sign);
     if (st != FMB_OK)
@@ -133,11 +133,11 @@ static fmb_status make_row_hold(fmb_pivot_walk *w, size_t row, int sign, bool le
     return FMB_OK;
 }
 
-fmb_status fmb_walk_to_feasible(fmb_pivot_walk *w, size_t steps, fmb_walk_end *end)
+fmb_status fmb_pivot_walk_to_feasible(fmb_pivot_walk *w, size_t steps, fmb_pivot_walk_end *end)
 {
     fmb_vertex *v = w->v;
-    *end = FMB_WALK_THERE;
-    for (size_t k = 0; *end == FMB_WALK_THERE; k++) {
+    *end = FMB_PIVOT_WALK_REACHED;
+    for (size_t k = 0; *end == FMB_PIVOT_WALK_REACHED; k++) {
         size_t row;
         int sign;
         bool least = k > PATIENCE(v);
@@ -149,7 +149,7 @@ fmb_status fmb_walk_to_feasible(fmb_pivot_walk *w, size_t steps, fmb_walk_end *e
         if (st != FMB_OK || row == SIZE_MAX)
             return st;
         if (steps > 0 && k >= steps)
-            *end = FMB_WALK_TIRED;
+            *end = FMB_PIVOT_WALK_ITERATION_LIMIT;
         else
             st = make_row_hold(w, row, sign, least, end);
         if (st != FMB_OK)
@@ -218,26 +218,28 @@ static fmb_status leave_place(fmb_pivot_walk *w, size_t r, size_t *block)
     return st == FMB_OK ? find_blocking_row(w, block) : st;
 }
 
-fmb_status fmb_walk_try_ray(fmb_pivot_walk *w, size_t r, mpz_t *cost, fmb_walk_end *end)
+fmb_status fmb_pivot_walk_try_ray(fmb_pivot_walk *w, size_t r, mpz_t *cost, fmb_pivot_walk_end *end)
 {
     size_t block;
-    *end = FMB_WALK_TIRED;
+    *end = FMB_PIVOT_WALK_ITERATION_LIMIT;
     fmb_status st = fmb_vertex_price(w->v, cost);
-    if (st != FMB_OK || fmb_walk_is_price_allowed(w->v, r, 1) || fmb_vertex_is_equality(w->v, r))
+    if (st != FMB_OK || fmb_pivot_walk_is_price_allowed(w->v, r, 1) ||
+        fmb_vertex_is_equality(w->v, r))
         return st;
     st = fmb_vertex_solve(w->v);
     if (st == FMB_OK)
         st = leave_place(w, r, &block);
     if (st == FMB_OK && block == SIZE_MAX)
-        *end = FMB_WALK_RAY;
+        *end = FMB_PIVOT_WALK_RAY;
     return st;
 }
 
-fmb_status fmb_walk_to_optimum(fmb_pivot_walk *w, size_t steps, mpz_t *cost, fmb_walk_end *end)
+fmb_status fmb_pivot_walk_to_optimum(fmb_pivot_walk *w, size_t steps, mpz_t *cost,
+                                     fmb_pivot_walk_end *end)
 {
     fmb_vertex *v = w->v;
     size_t stalled = 0, block;
-    *end = FMB_WALK_THERE;
+    *end = FMB_PIVOT_WALK_REACHED;
     for (size_t k = 0;; k++) {
         fmb_status st = fmb_run_poll_now(v->run);
         if (st == FMB_OK)
@@ -248,14 +250,14 @@ fmb_status fmb_walk_to_optimum(fmb_pivot_walk *w, size_t steps, mpz_t *cost, fmb
         if (r == SIZE_MAX)
             return st;
         if (steps > 0 && k >= steps) {
-            *end = FMB_WALK_TIRED;
+            *end = FMB_PIVOT_WALK_ITERATION_LIMIT;
             return FMB_OK;
         }
         st = leave_place(w, r, &block);
         if (st != FMB_OK)
             return st;
         if (block == SIZE_MAX) {
-            *end = FMB_WALK_RAY;
+            *end = FMB_PIVOT_WALK_RAY;
             return FMB_OK;
         }
         stalled = mpz_sgn(w->ratio_num) == 0 ? stalled + 1 : 0;

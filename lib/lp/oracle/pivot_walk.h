@@ -8,12 +8,13 @@
 #include "lp/oracle/vertex.h"
 
 /* Why a walk to a feasible vertex ended. */
-typedef enum fmb_walk_end {
-    FMB_WALK_THERE = 0, /* the vertex satisfies all rows; or, of the other walk, is the optimum */
-    FMB_WALK_CONFLICT,  /* row `odd`, times `sign`, contradicts the basis */
-    FMB_WALK_RAY,       /* `ray` leads away for ever */
-    FMB_WALK_TIRED      /* so many steps were not enough */
-} fmb_walk_end;
+typedef enum fmb_pivot_walk_end {
+    FMB_PIVOT_WALK_REACHED =
+        0, /* the vertex satisfies all rows; or, of the other walk, is the optimum */
+    FMB_PIVOT_WALK_CONFLICT,       /* row `odd`, times `sign`, contradicts the basis */
+    FMB_PIVOT_WALK_RAY,            /* `ray` leads away for ever */
+    FMB_PIVOT_WALK_ITERATION_LIMIT /* so many steps were not enough */
+} fmb_pivot_walk_end;
 
 typedef struct fmb_pivot_walk {
     fmb_vertex *v;
@@ -25,25 +26,27 @@ typedef struct fmb_pivot_walk {
     mpz_t ray_den, ratio_num, ratio_den, num, den; /* the last four are scratch */
 } fmb_pivot_walk;
 
-/* Errors: MEMORY, LIMIT. In any case fmb_walk_clear it. */
-fmb_status fmb_walk_init(fmb_pivot_walk *w, fmb_vertex *v);
-void fmb_walk_clear(fmb_pivot_walk *w);
+/* Errors: MEMORY, LIMIT. In any case fmb_pivot_walk_clear it. */
+fmb_status fmb_pivot_walk_init(fmb_pivot_walk *w, fmb_vertex *v);
+void fmb_pivot_walk_clear(fmb_pivot_walk *w);
 
 /* Is row `odd` in conflict with the basis at hand, as a guess has it? CONFLICT, or TIRED. */
-fmb_status fmb_walk_try_conflict(fmb_pivot_walk *w, size_t odd, fmb_walk_end *end);
+fmb_status fmb_pivot_walk_try_conflict(fmb_pivot_walk *w, size_t odd, fmb_pivot_walk_end *end);
 /* Solve for the prices of row `odd`, times `sign`, unless that is done. Errors: MEMORY, LIMIT. */
-fmb_status fmb_walk_price_conflict(fmb_pivot_walk *w);
+fmb_status fmb_pivot_walk_price_conflict(fmb_pivot_walk *w);
 /* Does leaving the row at place r lead away for ever, raising cost? RAY, or TIRED. */
-fmb_status fmb_walk_try_ray(fmb_pivot_walk *w, size_t r, mpz_t *cost, fmb_walk_end *end);
+fmb_status fmb_pivot_walk_try_ray(fmb_pivot_walk *w, size_t r, mpz_t *cost,
+                                  fmb_pivot_walk_end *end);
 
 /* To a vertex that satisfies all rows, in at most so many steps (0: any number): THERE, CONFLICT or
  * TIRED. The dual simplex method without costs (Dutertre and de Moura 2006). */
-fmb_status fmb_walk_to_feasible(fmb_pivot_walk *w, size_t steps, fmb_walk_end *end);
+fmb_status fmb_pivot_walk_to_feasible(fmb_pivot_walk *w, size_t steps, fmb_pivot_walk_end *end);
 /* From there to where cost.x is greatest, in at most so many steps (0: any number): THERE, RAY, or
  * TIRED; then y are the prices at hand. */
-fmb_status fmb_walk_to_optimum(fmb_pivot_walk *w, size_t steps, mpz_t *cost, fmb_walk_end *end);
+fmb_status fmb_pivot_walk_to_optimum(fmb_pivot_walk *w, size_t steps, mpz_t *cost,
+                                     fmb_pivot_walk_end *end);
 /* Can the price of place r be had from a proof? Those of rows that nothing demands are 0, and
  * `sign` times those of inequalities are not negative. */
-bool fmb_walk_is_price_allowed(const fmb_vertex *v, size_t r, int sign);
+bool fmb_pivot_walk_is_price_allowed(const fmb_vertex *v, size_t r, int sign);
 
 #endif

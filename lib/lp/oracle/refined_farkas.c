@@ -42,7 +42,7 @@ typedef struct refuter {
     double *matrix, *inverse; /* [size][size] B and R */
     double *c, *y, *rest;     /* [size]; y: scratch */
     double *reach;            /* [size] sums of sizes of the rows of R */
-    bool *is_named;           /* [n] scratch */
+    bool *is_nonzero;         /* [n] scratch */
     fmb_integers multiplier;  /* [size] y', in units of 2^-places */
     fmb_integers left;        /* [size] rest, in units of 2^-(places + unit) */
     int places;
@@ -51,7 +51,7 @@ typedef struct refuter {
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
-bool fmb_refute_is_worth_it(const fmb_vertex *v)
+bool fmb_refined_farkas_is_worth_it(const fmb_vertex *v)
 {
     for (size_t r = 0; r < v->n && v->n <= MOST_UNKNOWNS; r++)
         if (!fmb_vertex_is_unit(v, r) && v->p->row[v->basis[r]].value->z)
@@ -75,9 +75,9 @@ static fmb_status open_refuter(refuter *t, const fmb_vertex *v, size_t odd)
     t->y = fmb_mem_get(mem, n, sizeof *t->y);
     t->rest = fmb_mem_get(mem, n, sizeof *t->rest);
     t->reach = fmb_mem_get(mem, n, sizeof *t->reach);
-    t->is_named = fmb_mem_get(mem, n, sizeof *t->is_named);
+    t->is_nonzero = fmb_mem_get(mem, n, sizeof *t->is_nonzero);
     if (!t->place || !t->column || !t->at || !t->exponent || !t->matrix || !t->inverse || !t->c ||
-        !t->y || !t->rest || !t->reach || !t->is_named)
+        !t->y || !t->rest || !t->reach || !t->is_nonzero)
         return fmb_mem_status(mem);
     fmb_status st = fmb_integers_init(&t->multiplier, n, mem);
     return st == FMB_OK ? fmb_integers_init(&t->left, n, mem) : st;
@@ -99,7 +99,7 @@ static void close_refuter(refuter *t)
     fmb_mem_put(mem, t->y, n, sizeof *t->y);
     fmb_mem_put(mem, t->rest, n, sizeof *t->rest);
     fmb_mem_put(mem, t->reach, n, sizeof *t->reach);
-    fmb_mem_put(mem, t->is_named, n, sizeof *t->is_named);
+    fmb_mem_put(mem, t->is_nonzero, n, sizeof *t->is_nonzero);
     mpz_clears(t->term, t->entry, NULL);
 }
 
@@ -265,7 +265,7 @@ static void note_columns(refuter *t, size_t row)
 {
     const fmb_program_row *r = &t->v->p->row[row];
     for (size_t k = 0; k < r->size; k++)
-        t->is_named[r->column[k]] = true;
+        t->is_nonzero[r->column[k]] = true;
 }
 
 /* Leave out rows whose multiplier, in y, seems to be 0. False: the others are not as many as their
@@ -276,7 +276,7 @@ static bool keep_rows_that_count(refuter *t)
     double most = 0;
     for (size_t s = 0; s < t->size; s++)
         most = fmax(most, fabs(t->y[s]));
-    memset(t->is_named, 0, t->n * sizeof *t->is_named);
+    memset(t->is_nonzero, 0, t->n * sizeof *t->is_nonzero);
     note_columns(t, t->odd);
     for (size_t s = 0; s < t->size; s++) {
         size_t r = t->place[s];
@@ -288,7 +288,7 @@ static bool keep_rows_that_count(refuter *t)
         t->place[kept++] = r;
     }
     for (size_t j = 0; j < t->n; j++)
-        if (t->is_named[j])
+        if (t->is_nonzero[j])
             t->column[columns++] = j;
     t->size = kept;
     return kept == columns && kept > 0;
@@ -440,7 +440,7 @@ static bool is_refuted(refuter *t, int *sign, bool *hopeless)
            (*sign > 0 || t->v->p->row[t->odd].rel == FMB_EQ);
 }
 
-fmb_status fmb_refute(const fmb_vertex *v, size_t odd, int *sign, bool *sure)
+fmb_status fmb_refined_farkas(const fmb_vertex *v, size_t odd, int *sign, bool *sure)
 {
     refuter t;
     bool good = false, hopeless = false;

@@ -1,4 +1,4 @@
-/* strict_interior.c: strict rows, by the widest margin.
+/* strict_interior.c: strict rows, by the widest interior_proof.
  *
  * With a column t more, rows a.x < b become a.x + t <= b, and t <= 1. The largest t is positive if
  * and only if some x satisfies all strict rows; if it is not, its multipliers y combine the rows to
@@ -11,13 +11,13 @@
 #include "lp/oracle/oracle_state.h"
 
 /* The rows and t <= 1, with the face's row before that. */
-static fmb_status load_margin_rows(fmb_oracle *o, bool face, fmb_program *q)
+static fmb_status load_interior_rows(fmb_oracle *o, bool face, fmb_program *q)
 {
     const fmb_program *p = o->p;
     fmb_integers z;
     fmb_status st = fmb_integers_init(&z, o->n + 2, o->run->mem);
     for (size_t i = 0; st == FMB_OK && i < p->m; i++)
-        st = fmb_program_add_margin(q, p, i);
+        st = fmb_program_add_interior_row(q, p, i);
     if (st == FMB_OK && face) {
         mpq_t value;
         mpq_init(value);
@@ -42,7 +42,7 @@ static fmb_status load_margin_rows(fmb_oracle *o, bool face, fmb_program *q)
 
 /* The multipliers of the rows as they were given; of a face, over mu times the denominator that its
  * row was multiplied by and the unit of the cost. */
-static fmb_status take_margin_weights(fmb_oracle *o, const fmb_oracle *t, bool face)
+static fmb_status take_interior_weights(fmb_oracle *o, const fmb_oracle *t, bool face)
 {
     fmb_weights w = {0};
     mpq_t scale, value;
@@ -57,13 +57,13 @@ static fmb_status take_margin_weights(fmb_oracle *o, const fmb_oracle *t, bool f
             mpz_set(mpq_numref(scale), mpq_denref(w.value[k]));
             mpq_canonicalize(scale);
         }
-    fmb_weights_clear(&o->margin, o->run->mem);
+    fmb_weights_clear(&o->interior_proof, o->run->mem);
     for (size_t k = 0; st == FMB_OK && k < w.size; k++) {
         mpq_mul(value, w.value[k], scale);
         if (w.index[k] < o->p->m)
-            st = fmb_weights_add(&o->margin, w.index[k], value, o->run->mem);
+            st = fmb_weights_add(&o->interior_proof, w.index[k], value, o->run->mem);
     }
-    o->has_margin = true;
+    o->has_interior_proof = true;
     fmb_weights_clear(&w, o->run->mem);
     mpq_clears(scale, value, NULL);
     return st;
@@ -78,10 +78,10 @@ static fmb_status take_inner_point(fmb_oracle *o, const fmb_oracle *t)
 }
 
 /* t as large as it gets. */
-static fmb_status widen_margin(fmb_oracle *o, fmb_oracle *t, bool face, bool *room)
+static fmb_status widen_interior(fmb_oracle *o, fmb_oracle *t, bool face, bool *room)
 {
     fmb_weights cost = {0};
-    fmb_walk_end end;
+    fmb_pivot_walk_end end;
     mpq_t most;
     mpq_init(most);
     mpq_set_ui(most, 1, 1);
@@ -90,28 +90,28 @@ static fmb_status widen_margin(fmb_oracle *o, fmb_oracle *t, bool face, bool *ro
         st = fmb_closure_decide(t, &end);
     if (st == FMB_OK)
         st = fmb_closure_approach(t, &cost, &end);
-    if (st == FMB_OK && end == FMB_WALK_THERE)
+    if (st == FMB_OK && end == FMB_PIVOT_WALK_REACHED)
         st = fmb_closure_climb(t, &end);
     if (st == FMB_OK) {
         fmb_oracle_value(t, most);
         *room = mpq_sgn(most) > 0;
-        st = *room ? take_inner_point(o, t) : take_margin_weights(o, t, face);
+        st = *room ? take_inner_point(o, t) : take_interior_weights(o, t, face);
     }
     fmb_weights_clear(&cost, o->run->mem);
     mpq_clear(most);
     return st;
 }
 
-fmb_status fmb_oracle_find_room(fmb_oracle *o, bool face, bool *room)
+fmb_status fmb_oracle_find_strict_interior(fmb_oracle *o, bool face, bool *room)
 {
     fmb_program q;
     fmb_oracle *t = NULL;
     fmb_program_init(&q, o->run->mem, (int)o->n + 1);
-    fmb_status st = load_margin_rows(o, face, &q);
+    fmb_status st = load_interior_rows(o, face, &q);
     if (st == FMB_OK)
         st = fmb_oracle_new(o->run, &q, &t);
     if (st == FMB_OK)
-        st = widen_margin(o, t, face, room);
+        st = widen_interior(o, t, face, room);
     fmb_oracle_free(t);
     fmb_program_clear(&q);
     return st;

@@ -2,20 +2,20 @@
  *
  * Most rows of a large system matter to few tests. So rows sleep, and a test looks at those awake:
  * if they imply the row, it is redundant; if not, there is a point that they let in and the row
- * does not. Should a sleeping row keep that point out, it is woken, and the test goes on; else the
- * point shows that the row is irredundant. Which row to wake is a guess in doubles (the first that
- * the way from a center to the point meets: it is irredundant itself, as a rule); that none is
+ * does not. Should a sleeping row keep that point out, it is activated, and the test goes on; else
+ * the point shows that the row is irredundant. Which row to wake is a guess in doubles (the first
+ * that the way from a center to the point meets: it is irredundant itself, as a rule); that none is
  * violated is checked exactly. Source: Clarkson 1994, More output-sensitive geometric algorithms.
  */
 #include "lp/redundancy/active_test.h"
 
 #include "lp/dictionary/dictionary_read.h"
 
-void fmb_lp_sleep(fmb_lp *lp)
+void fmb_lp_deactivate(fmb_lp *lp)
 {
     for (size_t i = 0; i < lp->m; i++)
         if (lp->slack[i] == FMB_SLACK_ACTIVE && lp->where[(size_t)lp->n + i] < lp->m)
-            lp->slack[i] = FMB_SLACK_ASLEEP;
+            lp->slack[i] = FMB_SLACK_INACTIVE;
 }
 
 void fmb_lp_add_point(const fmb_lp *lp, double *sum)
@@ -90,7 +90,7 @@ static fmb_status rebuild_dictionary_row(fmb_lp *lp, size_t i, mpz_t *z)
     return st == FMB_OK ? fmb_vec_reduce(row, n + 4, &lp->num) : st;
 }
 
-static fmb_status wake_sleeping_row(fmb_lp *lp, size_t i)
+static fmb_status activate_inactive_row(fmb_lp *lp, size_t i)
 {
     size_t width = fmb_lp_width(lp);
     mpz_t *z = fmb_mem_get(lp->run->mem, width, sizeof *z);
@@ -130,7 +130,7 @@ static size_t find_first_row_met(const fmb_lp *lp, const double *center, mpq_t *
     for (size_t j = 0; j < (size_t)lp->n; j++)
         x[j] = mpq_get_d(point[j]);
     for (size_t i = 0; i < lp->m; i++) {
-        if (lp->slack[i] != FMB_SLACK_ASLEEP)
+        if (lp->slack[i] != FMB_SLACK_INACTIVE)
             continue;
         double from = rough_excess(lp, i, center), to = rough_excess(lp, i, x),
                time = from / (from - to);
@@ -162,55 +162,55 @@ static bool does_point_break_row(const fmb_lp *lp, size_t i, mpq_t *x, mpq_t sum
 }
 
 /* Wake every sleeping row that x breaks; *count of them. */
-static fmb_status wake_rows_broken(fmb_lp *lp, mpq_t *x, size_t *count)
+static fmb_status activate_rows_broken(fmb_lp *lp, mpq_t *x, size_t *count)
 {
     fmb_status st = FMB_OK;
     mpq_t sum, t;
     mpq_inits(sum, t, NULL);
     *count = 0;
     for (size_t i = 0; st == FMB_OK && i < lp->m; i++) {
-        if (lp->slack[i] != FMB_SLACK_ASLEEP || !does_point_break_row(lp, i, x, sum, t))
+        if (lp->slack[i] != FMB_SLACK_INACTIVE || !does_point_break_row(lp, i, x, sum, t))
             continue;
         ++*count;
-        st = wake_sleeping_row(lp, i);
+        st = activate_inactive_row(lp, i);
     }
     mpq_clears(sum, t, NULL);
     return st == FMB_OK ? fmb_run_poll(lp->run) : st;
 }
 
 /* Wake what keeps x out, if anything does; then make the dictionary feasible again. */
-static fmb_status wake_what_keeps_out(fmb_lp *lp, const double *center, mpq_t *x, double *room,
-                                      size_t *count)
+static fmb_status activate_what_keeps_out(fmb_lp *lp, const double *center, mpq_t *x, double *room,
+                                          size_t *count)
 {
     bool feasible;
     fmb_status st;
     size_t i = find_first_row_met(lp, center, x, room);
     *count = 1;
     if (i != SIZE_MAX)
-        st = wake_sleeping_row(lp, i);
+        st = activate_inactive_row(lp, i);
     else
-        st = wake_rows_broken(lp, x, count);
+        st = activate_rows_broken(lp, x, count);
     if (st != FMB_OK || *count == 0)
         return st;
     return fmb_lp_make_feasible(lp, &feasible);
 }
 
-fmb_status fmb_lp_test_lazily(fmb_lp *lp, size_t i, const double *center, mpq_t *x, fmb_lp_end *end)
+fmb_status fmb_lp_test_active(fmb_lp *lp, size_t i, const double *center, mpq_t *x, fmb_lp_end *end)
 {
-    size_t n = (size_t)lp->n, woken = 1;
+    size_t n = (size_t)lp->n, activated = 1;
     fmb_status st = FMB_OK;
     double *room = fmb_mem_get(lp->run->mem, n, sizeof *room);
     if (!room)
         return fmb_mem_status(lp->run->mem);
-    if (lp->slack[i] == FMB_SLACK_ASLEEP)
-        st = wake_sleeping_row(lp, i);
-    while (st == FMB_OK && woken > 0) {
+    if (lp->slack[i] == FMB_SLACK_INACTIVE)
+        st = activate_inactive_row(lp, i);
+    while (st == FMB_OK && activated > 0) {
         st = fmb_lp_test(lp, i, end);
         if (st != FMB_OK || *end != FMB_LP_VIOLATED)
             break;
         st = fmb_lp_violation(lp, x);
         if (st == FMB_OK)
-            st = wake_what_keeps_out(lp, center, x, room, &woken);
+            st = activate_what_keeps_out(lp, center, x, room, &activated);
     }
     fmb_mem_put(lp->run->mem, room, n, sizeof *room);
     return st;

@@ -22,7 +22,7 @@ typedef struct pruner {
     fmb_program all, equal; /* every row, those gone being off; the equalities that stay */
     fmb_oracle *over_all, *over_equal;
     size_t *equality; /* [m] rows of `equal` */
-    bool *is_named;   /* [n] columns that some equality names */
+    bool *is_nonzero; /* [n] columns that some equality names */
     bool *slack;      /* [m] known to be positive somewhere */
     mpq_t *inner, *x; /* [n] some solution; scratch */
     mpq_t sum, term;
@@ -41,7 +41,7 @@ static void close_pruner(pruner *p)
     fmb_weights_clear(&p->form, mem);
     fmb_weights_clear(&p->w, mem);
     fmb_mem_put(mem, p->equality, p->m, sizeof *p->equality);
-    fmb_mem_put(mem, p->is_named, p->n, sizeof *p->is_named);
+    fmb_mem_put(mem, p->is_nonzero, p->n, sizeof *p->is_nonzero);
     fmb_mem_put(mem, p->slack, p->m, sizeof *p->slack);
     fmb_rationals_free(p->inner, p->n, mem);
     fmb_rationals_free(p->x, p->n, mem);
@@ -68,9 +68,9 @@ static fmb_status open_pruner(pruner *p)
     fmb_program_init(&p->equal, mem, (int)p->n);
     mpq_inits(p->sum, p->term, NULL);
     p->equality = fmb_mem_get(mem, p->m, sizeof *p->equality);
-    p->is_named = fmb_mem_zero(mem, p->n, sizeof *p->is_named);
+    p->is_nonzero = fmb_mem_zero(mem, p->n, sizeof *p->is_nonzero);
     p->slack = fmb_mem_zero(mem, p->m, sizeof *p->slack);
-    fmb_status st = p->equality && p->is_named && p->slack ? FMB_OK : fmb_mem_status(mem);
+    fmb_status st = p->equality && p->is_nonzero && p->slack ? FMB_OK : fmb_mem_status(mem);
     if (st == FMB_OK)
         st = fmb_rationals_new(&p->inner, p->n, mem);
     if (st == FMB_OK)
@@ -159,8 +159,8 @@ static bool names_new_column(pruner *p, size_t i)
     const fmb_program_row *r = &p->all.row[i];
     bool news = false;
     for (size_t k = 0; k < r->size; k++) {
-        news = news || !p->is_named[r->column[k]];
-        p->is_named[r->column[k]] = true;
+        news = news || !p->is_nonzero[r->column[k]];
+        p->is_nonzero[r->column[k]] = true;
     }
     return news;
 }
@@ -322,7 +322,7 @@ fmb_status fmb_redundant_by_oracle(fmb_run *run, size_t n, size_t m, const fmb_l
  * they do not at all (transport polytopes of 288 variables: 34 ms, and 375 ms by the oracle). */
 #define FEW_VARIABLES 8
 
-static size_t count_named_columns(size_t n, size_t m, const fmb_lp_row *row)
+static size_t count_nonzero_columns(size_t n, size_t m, const fmb_lp_row *row)
 {
     size_t named = 0;
     for (size_t j = 0; j < n; j++) {
@@ -344,7 +344,7 @@ bool fmb_suits_oracle(size_t n, size_t m, const fmb_lp_row *row)
         for (size_t j = 0; short_numbers && j < n; j++)
             short_numbers = v->s[j] >= -1 && v->s[j] <= 1;
     }
-    bool suits = !strict && !short_numbers && count_named_columns(n, m, row) > FEW_VARIABLES;
+    bool suits = !strict && !short_numbers && count_nonzero_columns(n, m, row) > FEW_VARIABLES;
     suits = suits && fmb_way(FMB_WAY_REDUCE_ORACLE);
     fmb_way_answered(FMB_WAY_REDUCE_ORACLE, suits);
     return suits;

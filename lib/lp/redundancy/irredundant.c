@@ -92,7 +92,7 @@ static fmb_status find_implicit_equality(pass *p, size_t i)
 static fmb_status test_row_redundant(pass *p, size_t i)
 {
     fmb_lp_end end;
-    fmb_status st = fmb_lp_test_lazily(p->lp, i, p->center, p->x, &end);
+    fmb_status st = fmb_lp_test_active(p->lp, i, p->center, p->x, &end);
     if (st != FMB_OK)
         return st;
     if (end == FMB_LP_OPTIMUM)
@@ -106,12 +106,12 @@ static fmb_status test_row_redundant(pass *p, size_t i)
 /* With fewer rows sleeping saves nothing. */
 #define MANY_ROWS 64
 
-static void prepare_lazy_tests(pass *p)
+static void prepare_active_tests(pass *p)
 {
     for (int j = 0; p->points > 0 && j < p->lp->n; j++)
         p->center[j] /= (double)p->points;
     if (p->lp->m >= MANY_ROWS)
-        fmb_lp_sleep(p->lp);
+        fmb_lp_deactivate(p->lp);
 }
 
 static fmb_status run_three_passes(pass *p)
@@ -125,7 +125,7 @@ static fmb_status run_three_passes(pass *p)
     for (size_t i = 0; st == FMB_OK && i < m; i++)
         if (p->rel[i] == FMB_LE && p->fate[i] == FMB_FATE_UNKNOWN)
             st = find_implicit_equality(p, i);
-    prepare_lazy_tests(p);
+    prepare_active_tests(p);
     for (size_t i = m; st == FMB_OK && i-- > 0;)
         if (p->fate[i] == FMB_FATE_UNKNOWN)
             st = test_row_redundant(p, i);

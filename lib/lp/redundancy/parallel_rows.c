@@ -6,7 +6,7 @@
 
 #include "num/gcd.h"
 
-typedef struct twin_search {
+typedef struct parallel_table {
     fmb_mem *mem;
     size_t n;
     const fmb_lp_row *row;
@@ -14,7 +14,7 @@ typedef struct twin_search {
     size_t *slot;    /* [size] a row, SIZE_MAX: free; a table at most half full */
     size_t size;     /* a power of two */
     mpz_t a, b, scale_a, scale_b;
-} twin_search;
+} parallel_table;
 
 /* ---- directions -------------------------------------------------------------------------------
  */
@@ -27,7 +27,7 @@ static uint64_t scale_of_small(const fmb_vec *v, size_t n)
     return g;
 }
 
-static void scale_of_any(const twin_search *s, size_t i, mpz_t g)
+static void scale_of_any(const parallel_table *s, size_t i, mpz_t g)
 {
     const fmb_vec *v = s->row[i].v;
     fmb_integer_set_u64(g, v->z ? 0 : s->scale[i]);
@@ -42,7 +42,7 @@ static uint64_t stir_word(uint64_t h, uint64_t low, bool negative)
 }
 
 /* Equal for parallel rows, small or wide. */
-static uint64_t hash_direction(twin_search *s, size_t i)
+static uint64_t hash_direction(parallel_table *s, size_t i)
 {
     const fmb_vec *v = s->row[i].v;
     uint64_t h = 0;
@@ -60,7 +60,7 @@ static uint64_t hash_direction(twin_search *s, size_t i)
 }
 
 /* Entry j of row i, over the scale of the row, against the same of row k: its sign. */
-static int compare_scaled_entries(twin_search *s, size_t i, size_t k, size_t j)
+static int compare_scaled_entries(parallel_table *s, size_t i, size_t k, size_t j)
 {
     const fmb_vec *u = s->row[i].v, *v = s->row[k].v;
     if (!u->z && !v->z && s->scale[i] < INT64_MAX && s->scale[k] < INT64_MAX) {
@@ -76,7 +76,7 @@ static int compare_scaled_entries(twin_search *s, size_t i, size_t k, size_t j)
     return mpz_cmp(s->a, s->b);
 }
 
-static bool are_parallel(twin_search *s, size_t i, size_t k)
+static bool are_parallel(parallel_table *s, size_t i, size_t k)
 {
     for (size_t j = 0; j < s->n; j++)
         if (compare_scaled_entries(s, i, k, j) != 0)
@@ -88,7 +88,7 @@ static bool are_parallel(twin_search *s, size_t i, size_t k)
  */
 
 /* Does row k imply row i, its twin? */
-static bool does_twin_imply(twin_search *s, size_t k, size_t i)
+static bool does_parallel_imply(parallel_table *s, size_t k, size_t i)
 {
     fmb_rel have = s->row[k].rel, want = s->row[i].rel;
     int order = compare_scaled_entries(s, i, k, s->n); /* b_i against b_k */
@@ -97,7 +97,7 @@ static bool does_twin_imply(twin_search *s, size_t k, size_t i)
     return order > 0 || (order == 0 && (want == FMB_LE || have == FMB_LT));
 }
 
-static fmb_status tell_of_twin(twin_search *s, size_t i, size_t k, const fmb_verdicts *told)
+static fmb_status tell_of_parallel(parallel_table *s, size_t i, size_t k, const fmb_verdicts *told)
 {
     fmb_weights w = {0};
     mpq_t factor;
@@ -116,26 +116,26 @@ static fmb_status tell_of_twin(twin_search *s, size_t i, size_t k, const fmb_ver
 }
 
 /* Row i beside the twin in that slot, if there is one. */
-static fmb_status meet_twin(twin_search *s, size_t i, size_t *slot, fmb_fate *fate,
-                            const fmb_verdicts *told)
+static fmb_status meet_parallel(parallel_table *s, size_t i, size_t *slot, fmb_fate *fate,
+                                const fmb_verdicts *told)
 {
     size_t k = *slot;
     if (k == SIZE_MAX) {
         *slot = i;
         return FMB_OK;
     }
-    if (does_twin_imply(s, k, i)) {
+    if (does_parallel_imply(s, k, i)) {
         fate[i] = FMB_FATE_REDUNDANT;
-        return tell_of_twin(s, i, k, told);
+        return tell_of_parallel(s, i, k, told);
     }
-    if (!does_twin_imply(s, i, k))
+    if (!does_parallel_imply(s, i, k))
         return FMB_OK;
     *slot = i;
     fate[k] = FMB_FATE_REDUNDANT;
-    return tell_of_twin(s, k, i, told);
+    return tell_of_parallel(s, k, i, told);
 }
 
-static size_t *find_twin_slot(twin_search *s, size_t i)
+static size_t *find_parallel_slot(parallel_table *s, size_t i)
 {
     size_t at = (size_t)hash_direction(s, i) & (s->size - 1);
     while (s->slot[at] != SIZE_MAX && !are_parallel(s, i, s->slot[at]))
@@ -143,7 +143,7 @@ static size_t *find_twin_slot(twin_search *s, size_t i)
     return &s->slot[at];
 }
 
-static fmb_status open_twin_search(twin_search *s, size_t m)
+static fmb_status open_parallel_table(parallel_table *s, size_t m)
 {
     for (s->size = 16; s->size < 2 * m;)
         s->size *= 2;
@@ -158,17 +158,17 @@ static fmb_status open_twin_search(twin_search *s, size_t m)
     return FMB_OK;
 }
 
-fmb_status fmb_drop_twins(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row, fmb_fate *fate,
-                          const fmb_verdicts *told)
+fmb_status fmb_drop_parallel_rows(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row,
+                                  fmb_fate *fate, const fmb_verdicts *told)
 {
-    twin_search s = {.mem = run->mem, .n = n, .row = row};
+    parallel_table s = {.mem = run->mem, .n = n, .row = row};
     if (!fmb_way(FMB_WAY_PARALLEL))
         return FMB_OK;
     mpz_inits(s.a, s.b, s.scale_a, s.scale_b, NULL);
-    fmb_status st = open_twin_search(&s, m);
+    fmb_status st = open_parallel_table(&s, m);
     for (size_t i = 0; st == FMB_OK && i < m; i++) {
         if (fate[i] == FMB_FATE_UNKNOWN)
-            st = meet_twin(&s, i, find_twin_slot(&s, i), fate, told);
+            st = meet_parallel(&s, i, find_parallel_slot(&s, i), fate, told);
         fmb_way_answered(FMB_WAY_PARALLEL, fate[i] == FMB_FATE_REDUNDANT);
         if (st == FMB_OK)
             st = fmb_run_poll(run);

@@ -9,7 +9,7 @@
  * equality, or the tightest inequality, of equal ones the first. Two equalities are left to others
  * unless they are equal. fate[m] of those that go becomes REDUNDANT, and told (or NULL) hears of
  * it. Rows with another fate do not count. Errors: MEMORY, LIMIT. */
-fmb_status fmb_drop_twins(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row, fmb_fate *fate,
-                          const fmb_verdicts *told);
+fmb_status fmb_drop_parallel_rows(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row,
+                                  fmb_fate *fate, const fmb_verdicts *told);
 
 #endif

@@ -10,7 +10,7 @@
 #include "lp/model/program.h"
 #include "trace/run.h"
 
-typedef struct fmb_door fmb_door;
+typedef struct fmb_backend fmb_backend;
 
 typedef enum fmb_hint_kind {
     FMB_HINT_NONE = 0,   /* it gave up: the basis is where it stood */
@@ -26,30 +26,30 @@ typedef struct fmb_hint {
 } fmb_hint;
 
 /* p must outlive the door; its rows that are off are left out. Errors: MEMORY, LIMIT. */
-fmb_status fmb_door_open(fmb_run *run, const fmb_program *p, fmb_door **out);
-void fmb_door_close(fmb_door *d);
+fmb_status fmb_backend_open(fmb_run *run, const fmb_program *p, fmb_backend **out);
+void fmb_backend_close(fmb_backend *d);
 
 /* Is there a solution? From where the last call ended. Errors: MEMORY, LIMIT. */
-fmb_status fmb_door_search(fmb_door *d, fmb_hint *h);
+fmb_status fmb_backend_search(fmb_backend *d, fmb_hint *h);
 /* Where is cost.x greatest, cost[n]? From where the last call ended; INFEASIBLE is possible. */
-fmb_status fmb_door_maximize(fmb_door *d, const double *cost, fmb_hint *h);
+fmb_status fmb_backend_maximize(fmb_backend *d, const double *cost, fmb_hint *h);
 
 /* Take in rows that were appended to the program. Errors: MEMORY, LIMIT. */
-fmb_status fmb_door_grow(fmb_door *d);
+fmb_status fmb_backend_grow(fmb_backend *d);
 /* Leave out row i, or (on) take it in again. */
-void fmb_door_switch(fmb_door *d, size_t i, bool on);
+void fmb_backend_switch(fmb_backend *d, size_t i, bool on);
 /* Start from this basis[n] next time. */
-void fmb_door_place(fmb_door *d, const size_t *basis);
+void fmb_backend_place(fmb_backend *d, const size_t *basis);
 /* Right sides by other numbers, right[m]; NULL: those of the program. For refinement, which looks
  * at a solution through a magnifying glass (Gleixner, Steffy, Wolter 2016). */
-void fmb_door_shift(fmb_door *d, const double *right);
+void fmb_backend_shift(fmb_backend *d, const double *right);
 /* Likewise, right sides of inequalities less by `by` times the sizes of a row's coefficients, as
  * rows and columns are scaled; until the next shift. */
-void fmb_door_move_in(fmb_door *d, double by);
+void fmb_backend_move_in(fmb_backend *d, double by);
 /* x[n] / den: where the last question ended, rounded to multiples of 2^-fine, as columns are
  * scaled. False: it is beyond doubles. */
-bool fmb_door_point(fmb_door *d, int fine, mpz_t *x, mpz_t den);
+bool fmb_backend_point(fmb_backend *d, int fine, mpz_t *x, mpz_t den);
 /* Tolerances as tight as they go, from now on. */
-void fmb_door_sharpen(fmb_door *d);
+void fmb_backend_sharpen(fmb_backend *d);
 
 #endif

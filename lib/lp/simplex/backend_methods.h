@@ -1,6 +1,6 @@
 /* backend_methods.h: what stands behind the door (backend.h): a simplex in doubles, as a table.
  *
- * What a function is about is noted in the reals before it is called. Errors of those that have a
+ * What a function is about is noted in the scaled before it is called. Errors of those that have a
  * status: MEMORY, LIMIT.
  */
 #ifndef FMB_LP_BACKEND_METHODS_H
@@ -9,9 +9,9 @@
 #include "lp/model/scaled_program.h"
 #include "lp/simplex/backend.h"
 
-typedef struct fmb_door_side {
+typedef struct fmb_backend_methods {
     /* *out is NULL where this side wants no such program. */
-    fmb_status (*open)(const fmb_reals *f, void **out);
+    fmb_status (*open)(const fmb_scaled_program *f, void **out);
     void (*close)(void *self);
     fmb_status (*search)(void *self, fmb_hint *h);
     /* The cost is scaled as the columns are. */
@@ -23,14 +23,14 @@ typedef struct fmb_door_side {
     void (*shift)(void *self);
     /* Where the last question ended, scaled as the columns are: x[n]. */
     void (*point)(void *self, double *x);
-} fmb_door_side;
+} fmb_backend_methods;
 
 /* Our own; the second one has factors of the basis however few columns there are, for tests. */
-extern const fmb_door_side fmb_door_side_own, fmb_door_side_factors;
+extern const fmb_backend_methods fmb_backend_revised_simplex, fmb_backend_revised_simplex_lu;
 
 /* A door with this side alone behind it, for tests; *out is NULL where it wants no such program.
  * Errors: MEMORY, LIMIT. */
-fmb_status fmb_door_open_side(fmb_run *run, const fmb_program *p, const fmb_door_side *side,
-                              fmb_door **out);
+fmb_status fmb_backend_open_with(fmb_run *run, const fmb_program *p,
+                                 const fmb_backend_methods *side, fmb_backend **out);
 
 #endif

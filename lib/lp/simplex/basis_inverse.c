@@ -14,7 +14,7 @@
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
-static void invert_units(fmb_corner *c)
+static void invert_units(fmb_basis_inverse *c)
 {
     memset(c->inverse, 0, c->n * c->n * sizeof *c->inverse);
     for (size_t r = 0; r < c->n; r++) {
@@ -23,12 +23,12 @@ static void invert_units(fmb_corner *c)
     }
 }
 
-fmb_status fmb_corner_init(fmb_corner *c, const fmb_reals *f, bool factors)
+fmb_status fmb_basis_inverse_init(fmb_basis_inverse *c, const fmb_scaled_program *f, bool factors)
 {
     size_t n = f->n;
     fmb_mem *mem = f->run->mem;
     bool sparse = (n > FEW_COLUMNS || factors) && fmb_way(FMB_WAY_FACTORED);
-    *c = (fmb_corner){.f = f, .n = n, .triangles.f = f, .has_inverse = !sparse};
+    *c = (fmb_basis_inverse){.f = f, .n = n, .lu.f = f, .has_inverse = !sparse};
     fmb_way_answered(FMB_WAY_FACTORED, sparse);
     c->member = fmb_mem_get(mem, n, sizeof *c->member);
     c->old = fmb_mem_get(mem, n, sizeof *c->old);
@@ -36,7 +36,7 @@ fmb_status fmb_corner_init(fmb_corner *c, const fmb_reals *f, bool factors)
         return fmb_mem_status(mem);
     for (size_t r = 0; r < n; r++)
         c->member[r] = FMB_UNIT + r;
-    fmb_status st = fmb_spread_resize(&c->work, mem, n);
+    fmb_status st = fmb_indexed_vector_resize(&c->work, mem, n);
     if (st != FMB_OK)
         return st;
     if (c->has_inverse) {
@@ -46,40 +46,40 @@ fmb_status fmb_corner_init(fmb_corner *c, const fmb_reals *f, bool factors)
         invert_units(c);
         return FMB_OK;
     }
-    st = fmb_triangles_init(&c->triangles, f);
-    return st == FMB_OK ? fmb_triangles_factor(&c->triangles, c->member) : st;
+    st = fmb_updated_lu_init(&c->lu, f);
+    return st == FMB_OK ? fmb_updated_lu_factor(&c->lu, c->member) : st;
 }
 
-void fmb_corner_clear(fmb_corner *c)
+void fmb_basis_inverse_clear(fmb_basis_inverse *c)
 {
     fmb_mem *mem = c->f->run->mem;
     fmb_mem_put(mem, c->member, c->n, sizeof *c->member);
     fmb_mem_put(mem, c->old, c->n, sizeof *c->old);
-    fmb_spread_free(&c->work, mem);
+    fmb_indexed_vector_free(&c->work, mem);
     if (c->has_inverse)
         fmb_mem_put(mem, c->inverse, c->n * c->n, sizeof *c->inverse);
     else
-        fmb_triangles_clear(&c->triangles);
+        fmb_updated_lu_clear(&c->lu);
 }
 
 /* ---- the inverse ----------------------------------------------------------------------------- */
 
 /* out = row times the inverse: the sum of its rows. */
-static void combine_inverse(const fmb_corner *c, size_t i, fmb_spread *entry)
+static void combine_inverse(const fmb_basis_inverse *c, size_t i, fmb_indexed_vector *entry)
 {
-    const fmb_reals *f = c->f;
-    fmb_spread_clear(entry, true);
+    const fmb_scaled_program *f = c->f;
+    fmb_indexed_vector_clear(entry, true);
     if (i >= FMB_UNIT) {
         memcpy(entry->at, &c->inverse[(i - FMB_UNIT) * c->n], c->n * sizeof *entry->at);
         return;
     }
     for (size_t t = f->start[i]; t < f->start[i + 1]; t++) {
-        size_t j = (size_t)fmb_reals_columns(f, i)[t - f->start[i]];
+        size_t j = (size_t)fmb_scaled_program_columns(f, i)[t - f->start[i]];
         f->run->kernels->accumulate(entry->at, &c->inverse[j * c->n], c->n, f->value[t]);
     }
 }
 
-static void exchange_in_inverse(fmb_corner *c, size_t r, const fmb_spread *entry)
+static void pivot_inverse(fmb_basis_inverse *c, size_t r, const fmb_indexed_vector *entry)
 {
     double pivot = entry->at[r];
     for (size_t k = 0; k < c->n; k++)
@@ -94,7 +94,7 @@ static void exchange_in_inverse(fmb_corner *c, size_t r, const fmb_spread *entry
 }
 
 /* Take in member i in place of the unit vector that it replaces best. */
-static void span_member(fmb_corner *c, size_t i, fmb_spread *entry)
+static void span_member(fmb_basis_inverse *c, size_t i, fmb_indexed_vector *entry)
 {
     size_t best = FMB_NOWHERE;
     double most = 0, largest = 0;
@@ -109,19 +109,20 @@ static void span_member(fmb_corner *c, size_t i, fmb_spread *entry)
     }
     if (best == FMB_NOWHERE || most <= DEPENDENT * largest)
         return;
-    exchange_in_inverse(c, best, entry);
+    pivot_inverse(c, best, entry);
     c->member[best] = i;
 }
 
 /* ---- either way ------------------------------------------------------------------------------ */
 
-fmb_status fmb_corner_meet(fmb_corner *c, const size_t *member, fmb_spread *entry)
+fmb_status fmb_basis_inverse_set(fmb_basis_inverse *c, const size_t *member,
+                                 fmb_indexed_vector *entry)
 {
-    c->exchanges = 0;
+    c->pivots = 0;
     memcpy(c->old, member, c->n * sizeof *c->old);
     if (!c->has_inverse) {
         memcpy(c->member, c->old, c->n * sizeof *c->member);
-        fmb_status st = fmb_triangles_factor(&c->triangles, c->member);
+        fmb_status st = fmb_updated_lu_factor(&c->lu, c->member);
         c->failed = st != FMB_OK;
         return st;
     }
@@ -132,81 +133,82 @@ fmb_status fmb_corner_meet(fmb_corner *c, const size_t *member, fmb_spread *entr
     return FMB_OK;
 }
 
-fmb_status fmb_corner_replace(fmb_corner *c, size_t r, size_t i, const fmb_spread *entry,
-                              const fmb_spread *edge)
+fmb_status fmb_basis_inverse_replace(fmb_basis_inverse *c, size_t r, size_t i,
+                                     const fmb_indexed_vector *entry,
+                                     const fmb_indexed_vector *edge)
 {
     fmb_status st = FMB_OK;
     if (c->has_inverse)
-        exchange_in_inverse(c, r, entry);
+        pivot_inverse(c, r, entry);
     else
-        st = fmb_triangles_exchange(&c->triangles, r, i, entry, edge);
+        st = fmb_updated_lu_pivot(&c->lu, r, i, entry, edge);
     c->failed = st != FMB_OK;
     c->member[r] = i;
-    c->exchanges++;
+    c->pivots++;
     return st;
 }
 
-bool fmb_corner_is_stale(const fmb_corner *c)
+bool fmb_basis_inverse_is_stale(const fmb_basis_inverse *c)
 {
-    return c->failed ||
-           (c->has_inverse ? c->exchanges > STALE : fmb_triangles_are_long(&c->triangles));
+    return c->failed || (c->has_inverse ? c->pivots > STALE : fmb_updated_lu_is_long(&c->lu));
 }
 
-void fmb_corner_write(fmb_corner *c, size_t i, fmb_spread *entry)
+void fmb_basis_inverse_write(fmb_basis_inverse *c, size_t i, fmb_indexed_vector *entry)
 {
-    const fmb_reals *f = c->f;
+    const fmb_scaled_program *f = c->f;
     if (c->has_inverse) {
         combine_inverse(c, i, entry);
         return;
     }
     if (i >= FMB_UNIT)
-        fmb_spread_add(&c->work, i - FMB_UNIT, 1);
+        fmb_indexed_vector_add(&c->work, i - FMB_UNIT, 1);
     for (size_t t = 0; i < FMB_UNIT && t < f->start[i + 1] - f->start[i]; t++)
-        fmb_spread_add(&c->work, (size_t)fmb_reals_columns(f, i)[t], f->value[f->start[i] + t]);
-    fmb_triangles_solve_transposed(&c->triangles, &c->work, entry);
+        fmb_indexed_vector_add(&c->work, (size_t)fmb_scaled_program_columns(f, i)[t],
+                               f->value[f->start[i] + t]);
+    fmb_updated_lu_solve_transposed(&c->lu, &c->work, entry);
 }
 
-/* What is not zero, on its way through the triangles. */
-static void load_work(fmb_corner *c, const double *from)
+/* What is not zero, on its way through the lu. */
+static void load_work(fmb_basis_inverse *c, const double *from)
 {
     for (size_t k = 0; k < c->n; k++)
         if (from[k] != 0)
-            fmb_spread_add(&c->work, k, from[k]);
+            fmb_indexed_vector_add(&c->work, k, from[k]);
 }
 
-void fmb_corner_price(fmb_corner *c, const double *cost, fmb_spread *y)
+void fmb_basis_inverse_price(fmb_basis_inverse *c, const double *cost, fmb_indexed_vector *y)
 {
     if (!c->has_inverse) {
         load_work(c, cost);
-        fmb_triangles_solve_transposed(&c->triangles, &c->work, y);
+        fmb_updated_lu_solve_transposed(&c->lu, &c->work, y);
         return;
     }
-    fmb_spread_clear(y, true);
+    fmb_indexed_vector_clear(y, true);
     for (size_t j = 0; j < c->n; j++)
         if (cost[j] != 0)
             c->f->run->kernels->accumulate(y->at, &c->inverse[j * c->n], c->n, cost[j]);
 }
 
-void fmb_corner_edge(fmb_corner *c, size_t r, fmb_spread *edge)
+void fmb_basis_inverse_edge(fmb_basis_inverse *c, size_t r, fmb_indexed_vector *edge)
 {
     if (!c->has_inverse) {
-        fmb_spread_add(&c->work, r, 1);
-        fmb_triangles_solve(&c->triangles, &c->work, edge);
+        fmb_indexed_vector_add(&c->work, r, 1);
+        fmb_updated_lu_solve(&c->lu, &c->work, edge);
         return;
     }
-    fmb_spread_clear(edge, true);
+    fmb_indexed_vector_clear(edge, true);
     for (size_t j = 0; j < c->n; j++)
         edge->at[j] = c->inverse[j * c->n + r];
 }
 
-void fmb_corner_point(fmb_corner *c, const double *right, fmb_spread *x)
+void fmb_basis_inverse_point(fmb_basis_inverse *c, const double *right, fmb_indexed_vector *x)
 {
     if (!c->has_inverse) {
         load_work(c, right);
-        fmb_triangles_solve(&c->triangles, &c->work, x);
+        fmb_updated_lu_solve(&c->lu, &c->work, x);
         return;
     }
-    fmb_spread_clear(x, true);
+    fmb_indexed_vector_clear(x, true);
     for (size_t j = 0; j < c->n; j++)
         for (size_t r = 0; r < c->n; r++)
             x->at[j] += c->inverse[j * c->n + r] * right[r];

@@ -5,7 +5,7 @@
 #define DENSE      0.3
 #define MOST_DENSE ((size_t)1 << 22)
 
-fmb_status fmb_columns_init(fmb_columns *c, const fmb_reals *f)
+fmb_status fmb_columns_init(fmb_columns *c, const fmb_scaled_program *f)
 {
     *c = (fmb_columns){.f = f};
     c->start = fmb_mem_zero(f->run->mem, f->n + 1, sizeof *c->start);
@@ -22,7 +22,7 @@ void fmb_columns_clear(fmb_columns *c)
 
 static fmb_status fill_sparse_columns(fmb_columns *c)
 {
-    const fmb_reals *f = c->f;
+    const fmb_scaled_program *f = c->f;
     size_t terms = f->start[f->m];
     fmb_mem *mem = f->run->mem;
     fmb_status st = fmb_mem_reserve(mem, (void **)&c->row, &c->row_room, terms, sizeof *c->row);
@@ -33,14 +33,14 @@ static fmb_status fill_sparse_columns(fmb_columns *c)
     memset(c->start, 0, (f->n + 1) * sizeof *c->start);
     for (size_t i = 0; i < f->m; i++)
         for (size_t k = 0; k < f->p->row[i].size; k++)
-            c->start[fmb_reals_columns(f, i)[k]]++;
+            c->start[fmb_scaled_program_columns(f, i)[k]]++;
     for (size_t j = 0, sum = 0; j <= f->n; j++) {
         sum += c->start[j];
         c->start[j] = sum;
     }
     for (size_t i = f->m; i-- > 0;)
         for (size_t k = 0; k < f->p->row[i].size; k++) {
-            size_t at = --c->start[fmb_reals_columns(f, i)[k]];
+            size_t at = --c->start[fmb_scaled_program_columns(f, i)[k]];
             c->row[at] = (int)i;
             c->value[at] = f->value[f->start[i] + k];
         }
@@ -50,7 +50,7 @@ static fmb_status fill_sparse_columns(fmb_columns *c)
 /* Rows first, ... in columns of that capacity. */
 static fmb_status fill_dense_columns(fmb_columns *c, size_t first)
 {
-    const fmb_reals *f = c->f;
+    const fmb_scaled_program *f = c->f;
     if (f->m > c->capacity) {
         size_t capacity = f->m + (first > 0 ? f->m / 2 : 0);
         fmb_status st = fmb_mem_reserve(f->run->mem, (void **)&c->value, &c->value_room,
@@ -64,14 +64,14 @@ static fmb_status fill_dense_columns(fmb_columns *c, size_t first)
         memset(&c->value[j * c->capacity + first], 0, (f->m - first) * sizeof *c->value);
     for (size_t i = first; i < f->m; i++)
         for (size_t k = 0; k < f->p->row[i].size; k++)
-            c->value[(size_t)fmb_reals_columns(f, i)[k] * c->capacity + i] =
+            c->value[(size_t)fmb_scaled_program_columns(f, i)[k] * c->capacity + i] =
                 f->value[f->start[i] + k];
     return FMB_OK;
 }
 
 fmb_status fmb_columns_grow(fmb_columns *c)
 {
-    const fmb_reals *f = c->f;
+    const fmb_scaled_program *f = c->f;
     bool was_dense = c->dense;
     c->dense =
         f->n * f->m <= MOST_DENSE && (double)f->start[f->m] > DENSE * (double)f->n * (double)f->m;
@@ -84,7 +84,7 @@ fmb_status fmb_columns_grow(fmb_columns *c)
 }
 
 /* How many terms the columns have in which x is not zero; counting stops at most. */
-static size_t count_touched_terms(const fmb_columns *c, const fmb_spread *x, size_t most)
+static size_t count_touched_terms(const fmb_columns *c, const fmb_indexed_vector *x, size_t most)
 {
     size_t terms = 0;
     for (size_t t = 0; t < x->count && terms < most; t++)
@@ -92,12 +92,13 @@ static size_t count_touched_terms(const fmb_columns *c, const fmb_spread *x, siz
     return terms;
 }
 
-static void multiply_sparse_columns(const fmb_columns *c, const fmb_spread *x, fmb_spread *rate)
+static void multiply_sparse_columns(const fmb_columns *c, const fmb_indexed_vector *x,
+                                    fmb_indexed_vector *rate)
 {
     bool full = x->full || count_touched_terms(c, x, c->m / 4 + 1) > c->m / 4;
-    fmb_spread_clear(rate, full);
-    for (size_t t = 0; t < fmb_spread_count(x); t++) {
-        size_t j = fmb_spread_key(x, t);
+    fmb_indexed_vector_clear(rate, full);
+    for (size_t t = 0; t < fmb_indexed_vector_count(x); t++) {
+        size_t j = fmb_indexed_vector_key(x, t);
         double factor = x->at[j];
         if (factor == 0)
             continue;
@@ -105,19 +106,19 @@ static void multiply_sparse_columns(const fmb_columns *c, const fmb_spread *x, f
             if (full)
                 rate->at[c->row[k]] += factor * c->value[k];
             else
-                fmb_spread_add(rate, (size_t)c->row[k], factor * c->value[k]);
+                fmb_indexed_vector_add(rate, (size_t)c->row[k], factor * c->value[k]);
     }
 }
 
-void fmb_columns_times(const fmb_columns *c, const fmb_spread *x, fmb_spread *rate)
+void fmb_columns_times(const fmb_columns *c, const fmb_indexed_vector *x, fmb_indexed_vector *rate)
 {
     if (!c->dense) {
         multiply_sparse_columns(c, x, rate);
         return;
     }
-    fmb_spread_clear(rate, true);
-    for (size_t t = 0; t < fmb_spread_count(x); t++) {
-        size_t j = fmb_spread_key(x, t);
+    fmb_indexed_vector_clear(rate, true);
+    for (size_t t = 0; t < fmb_indexed_vector_count(x); t++) {
+        size_t j = fmb_indexed_vector_key(x, t);
         if (x->at[j] != 0)
             c->f->run->kernels->accumulate(rate->at, &c->value[j * c->capacity], c->m, x->at[j]);
     }

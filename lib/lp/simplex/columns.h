@@ -1,4 +1,4 @@
-/* columns.h: the rows of the reals, by columns: what all rows say of a vector.
+/* columns.h: the rows of the scaled, by columns: what all rows say of a vector.
  *
  * Where many coefficients are not zero, all are kept, column after column.
  */
@@ -9,7 +9,7 @@
 #include "lp/model/scaled_program.h"
 
 typedef struct fmb_columns {
-    const fmb_reals *f;
+    const fmb_scaled_program *f;
     size_t m;        /* rows taken in */
     bool dense;      /* then row i of column j is value[j * capacity + i] */
     size_t capacity; /* [rows] */
@@ -20,12 +20,12 @@ typedef struct fmb_columns {
 } fmb_columns;
 
 /* No rows yet. In any case fmb_columns_clear it. Errors: MEMORY, LIMIT. */
-fmb_status fmb_columns_init(fmb_columns *c, const fmb_reals *f);
+fmb_status fmb_columns_init(fmb_columns *c, const fmb_scaled_program *f);
 void fmb_columns_clear(fmb_columns *c);
-/* Take in the rows that the reals have by now. Errors: MEMORY, LIMIT. */
+/* Take in the rows that the scaled have by now. Errors: MEMORY, LIMIT. */
 fmb_status fmb_columns_grow(fmb_columns *c);
 
 /* rate = all rows times x; rate is of m places. */
-void fmb_columns_times(const fmb_columns *c, const fmb_spread *x, fmb_spread *rate);
+void fmb_columns_times(const fmb_columns *c, const fmb_indexed_vector *x, fmb_indexed_vector *rate);
 
 #endif

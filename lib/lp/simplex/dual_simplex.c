@@ -2,8 +2,8 @@
  *
  * The row that is violated most comes in, and a member leaves whose multiplier would be the first
  * to become negative; a unit vector before any other. Each row that comes in with a multiplier of
- * about 0 has the cost grow a little along it, at random: so each step gains, and no corner comes
- * twice.
+ * about 0 has the cost grow a little along it, at random: so each step gains, and no inverse_of
+ * comes twice.
  *
  * Source: Lemke 1954, The dual method of solving the linear programming problem; Harris 1973, Pivot
  * selection methods of the Devex LP code.
@@ -16,27 +16,27 @@
 
 /* Multipliers may become negative by so much; less than this times the largest entry is no pivot.
  */
-static double find_zero_of_multipliers(const fmb_stand *o)
+static double find_zero_of_multipliers(const fmb_simplex_state *o)
 {
     return o->f->sharp ? 1e-12 : 1e-9;
 }
 
 /* Likewise, of a unit vector, which need not go. */
-static double find_zero_of_units(const fmb_stand *o)
+static double find_zero_of_units(const fmb_simplex_state *o)
 {
     return o->f->sharp ? 1e-12 : 1e-7;
 }
 
 /* By how much row i, outside and on, is violated; 0 if not by more than rounding errors. */
-static inline double find_excess(const fmb_stand *o, size_t i)
+static inline double find_excess(const fmb_simplex_state *o, size_t i)
 {
     double excess = o->row_role[i] == FMB_ROLE_EQUAL ? fabs(o->slack[i]) : -o->slack[i];
-    double zero = fmb_stand_tolerance(o);
+    double zero = fmb_simplex_state_tolerance(o);
     bool counts = excess > zero && o->row_role[i] != FMB_ROLE_FREE;
     return counts && excess > zero * fabs(o->right[i]) ? excess : 0;
 }
 
-static void list_if_violated(fmb_stand *o, size_t i)
+static void list_if_violated(fmb_simplex_state *o, size_t i)
 {
     if (o->is_listed[i] || find_excess(o, i) == 0)
         return;
@@ -44,7 +44,7 @@ static void list_if_violated(fmb_stand *o, size_t i)
     o->violated[o->violations++] = (int)i;
 }
 
-static void list_all_violated(fmb_stand *o)
+static void list_all_violated(fmb_simplex_state *o)
 {
     if (o->m > 0)
         memset(o->is_listed, 0, o->m * sizeof *o->is_listed);
@@ -54,15 +54,15 @@ static void list_all_violated(fmb_stand *o)
 }
 
 /* After a step along the edge. */
-static void list_newly_violated(fmb_stand *o)
+static void list_newly_violated(fmb_simplex_state *o)
 {
-    for (size_t t = 0; t < fmb_spread_count(&o->rate); t++)
-        list_if_violated(o, fmb_spread_key(&o->rate, t));
+    for (size_t t = 0; t < fmb_indexed_vector_count(&o->rate); t++)
+        list_if_violated(o, fmb_indexed_vector_key(&o->rate, t));
 }
 
 /* The row that is violated most, in the sense of Devex; FMB_NOWHERE: all hold. Rows that hold leave
  * the list. */
-static size_t find_violated_row(fmb_stand *o)
+static size_t find_violated_row(fmb_simplex_state *o)
 {
     double most = 0;
     size_t best = FMB_NOWHERE, kept = 0;
@@ -81,20 +81,20 @@ static size_t find_violated_row(fmb_stand *o)
     return best;
 }
 
-static double find_largest_entry(const fmb_stand *o)
+static double find_largest_entry(const fmb_simplex_state *o)
 {
     double largest = 0;
-    for (size_t t = 0; t < fmb_spread_count(&o->entry); t++)
-        largest = fmax(largest, fabs(o->entry.at[fmb_spread_key(&o->entry, t)]));
+    for (size_t t = 0; t < fmb_indexed_vector_count(&o->entry); t++)
+        largest = fmax(largest, fabs(o->entry.at[fmb_indexed_vector_key(&o->entry, t)]));
     return largest;
 }
 
-static size_t find_leaving_unit(const fmb_stand *o, double zero)
+static size_t find_leaving_unit(const fmb_simplex_state *o, double zero)
 {
     double most = zero;
     size_t best = FMB_NOWHERE;
-    for (size_t t = 0; t < fmb_spread_count(&o->entry); t++) {
-        size_t r = fmb_spread_key(&o->entry, t);
+    for (size_t t = 0; t < fmb_indexed_vector_count(&o->entry); t++) {
+        size_t r = fmb_indexed_vector_key(&o->entry, t);
         double weight = fabs(o->entry.at[r]);
         if (weight > most && o->member_role[r] == FMB_ROLE_FREE) {
             most = weight;
@@ -106,18 +106,18 @@ static size_t find_leaving_unit(const fmb_stand *o, double zero)
 
 /* Of the members whose multiplier soon becomes negative when the row comes in with this sign, the
  * one with the largest entry. */
-static size_t find_leaving_member(const fmb_stand *o, double sign, double zero)
+static size_t find_leaving_member(const fmb_simplex_state *o, double sign, double zero)
 {
     double least = INFINITY, most = 0, slip = find_zero_of_multipliers(o);
-    size_t best = FMB_NOWHERE, count = fmb_spread_count(&o->entry);
+    size_t best = FMB_NOWHERE, count = fmb_indexed_vector_count(&o->entry);
     for (size_t t = 0; t < count; t++) {
-        size_t r = fmb_spread_key(&o->entry, t);
+        size_t r = fmb_indexed_vector_key(&o->entry, t);
         double entry = sign * o->entry.at[r];
         if (entry > zero && o->member_role[r] == FMB_ROLE_LESS)
             least = fmin(least, (fmax(o->y[r], 0) + slip) / entry);
     }
     for (size_t t = 0; t < count && least < INFINITY; t++) {
-        size_t r = fmb_spread_key(&o->entry, t);
+        size_t r = fmb_indexed_vector_key(&o->entry, t);
         double entry = sign * o->entry.at[r];
         if (entry > zero && entry > most && o->member_role[r] == FMB_ROLE_LESS &&
             fmax(o->y[r], 0) <= least * entry) {
@@ -129,13 +129,13 @@ static size_t find_leaving_member(const fmb_stand *o, double sign, double zero)
 }
 
 /* How much each slack changes where the others do. */
-static void update_row_weights(fmb_stand *o, size_t r, size_t i)
+static void update_row_weights(fmb_simplex_state *o, size_t r, size_t i)
 {
     double own = o->row_weight[i], pivot = o->entry.at[r];
     double scale = own / (pivot * pivot);
-    size_t old = o->corner.member[r];
-    for (size_t t = 0; t < fmb_spread_count(&o->rate); t++) {
-        size_t k = fmb_spread_key(&o->rate, t);
+    size_t old = o->inverse_of.member[r];
+    for (size_t t = 0; t < fmb_indexed_vector_count(&o->rate); t++) {
+        size_t k = fmb_indexed_vector_key(&o->rate, t);
         double weight = o->rate.at[k] * o->rate.at[k] * scale;
         o->row_weight[k] = weight > o->row_weight[k] ? weight : o->row_weight[k];
     }
@@ -144,70 +144,71 @@ static void update_row_weights(fmb_stand *o, size_t r, size_t i)
 }
 
 /* The cost grows by this times row i, which has just taken place r. */
-static void add_row_to_cost(fmb_stand *o, size_t r, size_t i, double part)
+static void add_row_to_cost(fmb_simplex_state *o, size_t r, size_t i, double part)
 {
     const double *value = &o->f->value[o->f->start[i]];
-    const int *column = fmb_reals_columns(o->f, i);
+    const int *column = fmb_scaled_program_columns(o->f, i);
     for (size_t k = 0; k < o->f->start[i + 1] - o->f->start[i]; k++)
         o->cost[column[k]] += part * value[k];
     o->y[r] += part;
 }
 
-static fmb_status take_dual_step(fmb_stand *o, fmb_walk *end, size_t *odd)
+static fmb_status take_dual_step(fmb_simplex_state *o, fmb_simplex_end *end, size_t *odd)
 {
     size_t i = find_violated_row(o);
     if (i == FMB_NOWHERE) {
-        *end = FMB_WALK_DONE;
+        *end = FMB_SIMPLEX_DONE;
         return FMB_OK;
     }
     double sign = o->slack[i] < 0 ? 1 : -1;
-    fmb_corner_write(&o->corner, i, &o->entry);
+    fmb_basis_inverse_write(&o->inverse_of, i, &o->entry);
     double largest = find_largest_entry(o);
     size_t r = find_leaving_unit(o, find_zero_of_units(o) * largest);
     if (r == FMB_NOWHERE)
         r = find_leaving_member(o, sign, find_zero_of_multipliers(o) * largest);
     if (r == FMB_NOWHERE) {
         *odd = i;
-        *end = FMB_WALK_STOPPED;
+        *end = FMB_SIMPLEX_STOPPED;
         return FMB_OK;
     }
-    fmb_stand_look_along(o, r);
+    fmb_simplex_state_look_along(o, r);
     update_row_weights(o, r, i);
-    fmb_status st = fmb_stand_exchange(o, r, i);
+    fmb_status st = fmb_simplex_state_pivot(o, r, i);
     list_newly_violated(o);
     if (st == FMB_OK && o->member_role[r] == FMB_ROLE_LESS && o->y[r] < 1e-3 &&
         o->steps > PATIENCE_OF_DUAL + o->n)
-        add_row_to_cost(o, r, i, 1e-2 * fmb_stand_draw(o));
+        add_row_to_cost(o, r, i, 1e-2 * fmb_simplex_state_draw(o));
     return st;
 }
 
 /* What an end says is looked at once more from a basis computed afresh. */
-fmb_status fmb_walk_dually(fmb_stand *o, fmb_walk *end, size_t *odd)
+fmb_status fmb_dual_simplex(fmb_simplex_state *o, fmb_simplex_end *end, size_t *odd)
 {
     bool fresh = true;
     int looks = 0;
     for (size_t i = 0; i < o->m; i++)
         o->row_weight[i] = 1;
-    fmb_status st = fmb_stand_refresh(o);
+    fmb_status st = fmb_simplex_state_refresh(o);
     list_all_violated(o);
-    *end = FMB_WALK_ON;
-    while (st == FMB_OK && *end == FMB_WALK_ON) {
-        if (o->steps > fmb_walk_most_steps(o))
-            *end = FMB_WALK_LOST;
+    *end = FMB_SIMPLEX_RUNNING;
+    while (st == FMB_OK && *end == FMB_SIMPLEX_RUNNING) {
+        if (o->steps > fmb_simplex_most_pivots(o))
+            *end = FMB_SIMPLEX_ITERATION_LIMIT;
         else
             st = take_dual_step(o, end, odd);
-        bool ended = *end == FMB_WALK_DONE || *end == FMB_WALK_STOPPED;
-        bool looks_again = ended && !fresh && looks++ < FMB_WALK_MOST_LOOKS;
-        if (st == FMB_OK && (looks_again || (!ended && fmb_corner_is_stale(&o->corner)))) {
-            st = fmb_stand_refresh(o);
+        bool ended = *end == FMB_SIMPLEX_DONE || *end == FMB_SIMPLEX_STOPPED;
+        bool looks_again = ended && !fresh && looks++ < FMB_SIMPLEX_MOST_CHECKS;
+        if (st == FMB_OK &&
+            (looks_again || (!ended && fmb_basis_inverse_is_stale(&o->inverse_of)))) {
+            st = fmb_simplex_state_refresh(o);
             list_all_violated(o);
-            *end = FMB_WALK_ON;
+            *end = FMB_SIMPLEX_RUNNING;
             ended = fresh = true;
         }
         fresh = ended;
         if (st == FMB_OK)
             st = fmb_run_poll(o->f->run);
     }
-    o->feasible = *end == FMB_WALK_DONE && !o->moved;
+    o->feasible = *end == FMB_SIMPLEX_DONE && !o->moved;
     return st;
 }

@@ -19,9 +19,9 @@
 #define MOVE     1e-6
 
 /* The place of the edge that gains most; FMB_NOWHERE: none gains. */
-static size_t find_steepest_edge(const fmb_stand *o)
+static size_t find_steepest_edge(const fmb_simplex_state *o)
 {
-    double most = 0, zero = fmb_stand_tolerance(o);
+    double most = 0, zero = fmb_simplex_state_tolerance(o);
     size_t best = FMB_NOWHERE;
     for (size_t r = 0; r < o->n; r++) {
         double gain = o->member_role[r] == FMB_ROLE_FREE ? fabs(o->y[r]) : -o->y[r];
@@ -34,18 +34,18 @@ static size_t find_steepest_edge(const fmb_stand *o)
     return best;
 }
 
-static double find_largest_rate(const fmb_stand *o)
+static double find_largest_rate(const fmb_simplex_state *o)
 {
     double largest = 0;
-    for (size_t t = 0; t < fmb_spread_count(&o->rate); t++) {
-        double rate = fabs(o->rate.at[fmb_spread_key(&o->rate, t)]);
+    for (size_t t = 0; t < fmb_indexed_vector_count(&o->rate); t++) {
+        double rate = fabs(o->rate.at[fmb_indexed_vector_key(&o->rate, t)]);
         largest = rate > largest ? rate : largest;
     }
     return largest;
 }
 
 /* How fast the way along the edge, with this sign, comes to row i: 0 if it does not. */
-static inline double find_approach(const fmb_stand *o, size_t i, double sign)
+static inline double find_approach(const fmb_simplex_state *o, size_t i, double sign)
 {
     double rate = o->rate.at[i];
     return o->row_role[i] == FMB_ROLE_LESS    ? sign * rate
@@ -54,24 +54,24 @@ static inline double find_approach(const fmb_stand *o, size_t i, double sign)
 }
 
 /* How far the row is. */
-static inline double find_distance(const fmb_stand *o, size_t i)
+static inline double find_distance(const fmb_simplex_state *o, size_t i)
 {
     return o->row_role[i] == FMB_ROLE_EQUAL ? 0 : fmax(o->slack[i], 0);
 }
 
-static size_t find_stopping_row(const fmb_stand *o, double sign)
+static size_t find_stopping_row(const fmb_simplex_state *o, double sign)
 {
-    double zero = NO_STOP * fmax(1, find_largest_rate(o)), slip = fmb_stand_tolerance(o);
+    double zero = NO_STOP * fmax(1, find_largest_rate(o)), slip = fmb_simplex_state_tolerance(o);
     double least = INFINITY, most = 0;
-    size_t best = FMB_NOWHERE, count = fmb_spread_count(&o->rate);
+    size_t best = FMB_NOWHERE, count = fmb_indexed_vector_count(&o->rate);
     for (size_t t = 0; t < count; t++) {
-        size_t i = fmb_spread_key(&o->rate, t);
+        size_t i = fmb_indexed_vector_key(&o->rate, t);
         double rate = find_approach(o, i, sign);
         if (rate > zero)
             least = fmin(least, (find_distance(o, i) + slip) / rate);
     }
     for (size_t t = 0; t < count && least < INFINITY; t++) {
-        size_t i = fmb_spread_key(&o->rate, t);
+        size_t i = fmb_indexed_vector_key(&o->rate, t);
         double rate = find_approach(o, i, sign);
         if (rate > zero && rate > most && find_distance(o, i) <= least * rate) {
             most = rate;
@@ -82,11 +82,11 @@ static size_t find_stopping_row(const fmb_stand *o, double sign)
 }
 
 /* How long each edge is. */
-static void update_edge_weights(fmb_stand *o, size_t r)
+static void update_edge_weights(fmb_simplex_state *o, size_t r)
 {
     double pivot = o->entry.at[r], scale = o->edge_weight[r] / (pivot * pivot);
-    for (size_t t = 0; t < fmb_spread_count(&o->entry); t++) {
-        size_t k = fmb_spread_key(&o->entry, t);
+    for (size_t t = 0; t < fmb_indexed_vector_count(&o->entry); t++) {
+        size_t k = fmb_indexed_vector_key(&o->entry, t);
         double weight = o->entry.at[k] * o->entry.at[k] * scale;
         o->edge_weight[k] = weight > o->edge_weight[k] ? weight : o->edge_weight[k];
     }
@@ -94,34 +94,35 @@ static void update_edge_weights(fmb_stand *o, size_t r)
 }
 
 /* Let the rows stand a little farther away, each by a share of its own. */
-static fmb_status move_right_sides(fmb_stand *o)
+static fmb_status move_right_sides(fmb_simplex_state *o)
 {
     o->moved = true;
     for (size_t i = 0; i < o->m; i++)
-        if (!fmb_reals_is_equality(o->f, i))
-            o->right[i] += MOVE * fmb_stand_draw(o) * (1 + fabs(o->right[i]));
-    return fmb_stand_refresh(o);
+        if (!fmb_scaled_program_is_equality(o->f, i))
+            o->right[i] += MOVE * fmb_simplex_state_draw(o) * (1 + fabs(o->right[i]));
+    return fmb_simplex_state_refresh(o);
 }
 
-static fmb_status take_primal_step(fmb_stand *o, fmb_walk *end, size_t *odd, size_t *idle)
+static fmb_status take_primal_step(fmb_simplex_state *o, fmb_simplex_end *end, size_t *odd,
+                                   size_t *idle)
 {
     size_t r = find_steepest_edge(o);
     if (r == FMB_NOWHERE) {
-        *end = FMB_WALK_DONE;
+        *end = FMB_SIMPLEX_DONE;
         return FMB_OK;
     }
-    fmb_stand_look_along(o, r);
+    fmb_simplex_state_look_along(o, r);
     size_t i = find_stopping_row(o, o->y[r] > 0 ? 1 : -1);
     if (i == FMB_NOWHERE) {
         *odd = r;
-        *end = FMB_WALK_STOPPED;
+        *end = FMB_SIMPLEX_STOPPED;
         return FMB_OK;
     }
-    *idle = o->slack[i] > fmb_stand_tolerance(o) ? 0 : *idle + 1;
+    *idle = o->slack[i] > fmb_simplex_state_tolerance(o) ? 0 : *idle + 1;
     o->slack[i] = o->row_role[i] == FMB_ROLE_EQUAL ? o->slack[i] : fmax(o->slack[i], 0);
-    fmb_corner_write(&o->corner, i, &o->entry);
+    fmb_basis_inverse_write(&o->inverse_of, i, &o->entry);
     update_edge_weights(o, r);
-    fmb_status st = fmb_stand_exchange(o, r, i);
+    fmb_status st = fmb_simplex_state_pivot(o, r, i);
     if (st == FMB_OK && *idle > PATIENCE + o->n && !o->moved) {
         *idle = 0;
         st = move_right_sides(o);
@@ -129,25 +130,26 @@ static fmb_status take_primal_step(fmb_stand *o, fmb_walk *end, size_t *odd, siz
     return st;
 }
 
-fmb_status fmb_walk_primally(fmb_stand *o, fmb_walk *end, size_t *odd)
+fmb_status fmb_primal_simplex(fmb_simplex_state *o, fmb_simplex_end *end, size_t *odd)
 {
     bool fresh = true;
     int looks = 0;
     size_t idle = 0;
     for (size_t r = 0; r < o->n; r++)
         o->edge_weight[r] = 1;
-    fmb_status st = fmb_stand_refresh(o);
-    *end = FMB_WALK_ON;
-    while (st == FMB_OK && *end == FMB_WALK_ON) {
-        if (o->steps > fmb_walk_most_steps(o))
-            *end = FMB_WALK_LOST;
+    fmb_status st = fmb_simplex_state_refresh(o);
+    *end = FMB_SIMPLEX_RUNNING;
+    while (st == FMB_OK && *end == FMB_SIMPLEX_RUNNING) {
+        if (o->steps > fmb_simplex_most_pivots(o))
+            *end = FMB_SIMPLEX_ITERATION_LIMIT;
         else
             st = take_primal_step(o, end, odd, &idle);
-        bool ended = *end == FMB_WALK_DONE || *end == FMB_WALK_STOPPED;
-        bool looks_again = ended && !fresh && looks++ < FMB_WALK_MOST_LOOKS;
-        if (st == FMB_OK && (looks_again || (!ended && fmb_corner_is_stale(&o->corner)))) {
-            st = fmb_stand_refresh(o);
-            *end = FMB_WALK_ON;
+        bool ended = *end == FMB_SIMPLEX_DONE || *end == FMB_SIMPLEX_STOPPED;
+        bool looks_again = ended && !fresh && looks++ < FMB_SIMPLEX_MOST_CHECKS;
+        if (st == FMB_OK &&
+            (looks_again || (!ended && fmb_basis_inverse_is_stale(&o->inverse_of)))) {
+            st = fmb_simplex_state_refresh(o);
+            *end = FMB_SIMPLEX_RUNNING;
             ended = true;
         }
         fresh = ended;

@@ -1,8 +1,8 @@
 /* revised_simplex.c: our own simplex behind the door; see backend_methods.h.
  *
- * It goes from corner to corner of the rows themselves: a search by the dual method, with a cost
- * that nobody asked for; then by the primal method to where the cost is greatest. Where that moved
- * right sides away, the dual method mends what it broke.
+ * It goes from inverse_of to inverse_of of the rows themselves: a search by the dual method, with a
+ * cost that nobody asked for; then by the primal method to where the cost is greatest. Where that
+ * moved right sides away, the dual method mends what it broke.
  */
 #include "lp/simplex/backend_methods.h"
 #include "lp/simplex/simplex_methods.h"
@@ -14,15 +14,15 @@
 
 /* ---- questions ------------------------------------------------------------------------------- */
 
-static void hand_out_members(const fmb_stand *o, fmb_hint *h)
+static void hand_out_members(const fmb_simplex_state *o, fmb_hint *h)
 {
     for (size_t r = 0; r < o->n; r++) {
-        size_t i = o->corner.member[r];
+        size_t i = o->inverse_of.member[r];
         h->basis[r] = i < FMB_UNIT ? i : o->m + (i - FMB_UNIT);
     }
 }
 
-static void restore_right_sides(fmb_stand *o)
+static void restore_right_sides(fmb_simplex_state *o)
 {
     if (o->m > 0)
         memcpy(o->right, o->f->right, o->m * sizeof *o->right);
@@ -30,21 +30,21 @@ static void restore_right_sides(fmb_stand *o)
 }
 
 /* From multipliers that are those of an optimum to where all rows hold. */
-static fmb_status search_on(fmb_stand *o, fmb_hint *h)
+static fmb_status search_on(fmb_simplex_state *o, fmb_hint *h)
 {
-    fmb_walk end = FMB_WALK_LOST;
-    fmb_status st = fmb_walk_dually(o, &end, &h->odd);
-    h->kind = end == FMB_WALK_STOPPED ? FMB_HINT_INFEASIBLE
-              : end == FMB_WALK_DONE  ? FMB_HINT_OPTIMUM
-                                      : FMB_HINT_NONE;
+    fmb_simplex_end end = FMB_SIMPLEX_ITERATION_LIMIT;
+    fmb_status st = fmb_dual_simplex(o, &end, &h->odd);
+    h->kind = end == FMB_SIMPLEX_STOPPED ? FMB_HINT_INFEASIBLE
+              : end == FMB_SIMPLEX_DONE  ? FMB_HINT_OPTIMUM
+                                         : FMB_HINT_NONE;
     return st;
 }
 
 /* Begin where bounds of columns meet, of each the one nearer to 0. */
-static fmb_status start_at_bounds(fmb_stand *o)
+static fmb_status start_at_bounds(fmb_simplex_state *o)
 {
     double *bound = o->given;
-    size_t *member = o->corner.old;
+    size_t *member = o->inverse_of.old;
     for (size_t j = 0; j < o->n; j++) {
         member[j] = FMB_UNIT + j;
         bound[j] = FAR_BOUND;
@@ -52,19 +52,19 @@ static fmb_status start_at_bounds(fmb_stand *o)
     for (size_t i = 0; i < o->m; i++) {
         if (o->f->p->row[i].size != 1 || o->f->off[i])
             continue;
-        size_t j = (size_t)fmb_reals_columns(o->f, i)[0];
+        size_t j = (size_t)fmb_scaled_program_columns(o->f, i)[0];
         double b = o->f->right[i] / o->f->value[o->f->start[i]];
         if (b < 0 ? -b < bound[j] : b < bound[j]) {
             bound[j] = b < 0 ? -b : b;
             member[j] = i;
         }
     }
-    return fmb_stand_place(o, member);
+    return fmb_simplex_state_place(o, member);
 }
 
 static fmb_status search_own(void *self, fmb_hint *h)
 {
-    fmb_stand *o = self;
+    fmb_simplex_state *o = self;
     fmb_status st = FMB_OK;
     if (!o->placed)
         st = start_at_bounds(o);
@@ -77,17 +77,17 @@ static fmb_status search_own(void *self, fmb_hint *h)
     return st;
 }
 
-/* From a feasible corner. */
-static fmb_status climb_to_optimum(fmb_stand *o, const double *cost, fmb_hint *h)
+/* From a feasible inverse_of. */
+static fmb_status climb_to_optimum(fmb_simplex_state *o, const double *cost, fmb_hint *h)
 {
-    fmb_walk end = FMB_WALK_LOST;
+    fmb_simplex_end end = FMB_SIMPLEX_ITERATION_LIMIT;
     fmb_status st = FMB_OK;
     for (int round = 0; st == FMB_OK && o->feasible && round < ROUNDS; round++) {
         memcpy(o->cost, cost, o->n * sizeof *o->cost);
-        st = fmb_walk_primally(o, &end, &h->odd);
-        h->kind = end == FMB_WALK_DONE      ? FMB_HINT_OPTIMUM
-                  : end == FMB_WALK_STOPPED ? FMB_HINT_UNBOUNDED
-                                            : FMB_HINT_NONE;
+        st = fmb_primal_simplex(o, &end, &h->odd);
+        h->kind = end == FMB_SIMPLEX_DONE      ? FMB_HINT_OPTIMUM
+                  : end == FMB_SIMPLEX_STOPPED ? FMB_HINT_UNBOUNDED
+                                               : FMB_HINT_NONE;
         if (!o->moved)
             return st;
         h->kind = FMB_HINT_NONE;
@@ -103,7 +103,7 @@ static fmb_status climb_to_optimum(fmb_stand *o, const double *cost, fmb_hint *h
 
 static fmb_status maximize_own(void *self, const double *cost, fmb_hint *h)
 {
-    fmb_stand *o = self;
+    fmb_simplex_state *o = self;
     fmb_status st = FMB_OK;
     h->kind = FMB_HINT_NONE;
     o->steps = 0;
@@ -117,18 +117,18 @@ static fmb_status maximize_own(void *self, const double *cost, fmb_hint *h)
 
 static void point_of_own(void *self, double *x)
 {
-    fmb_stand *o = self;
-    fmb_stand_find_point(o);
+    fmb_simplex_state *o = self;
+    fmb_simplex_state_find_point(o);
     memcpy(x, o->edge.at, o->n * sizeof *x);
 }
 
 /* ---- changes --------------------------------------------------------------------------------- */
 
 /* The place of row i in the basis, or FMB_NOWHERE. */
-static size_t find_member(const fmb_stand *o, size_t i)
+static size_t find_member(const fmb_simplex_state *o, size_t i)
 {
     for (size_t r = 0; r < o->n; r++)
-        if (o->corner.member[r] == i)
+        if (o->inverse_of.member[r] == i)
             return r;
     return FMB_NOWHERE;
 }
@@ -136,55 +136,55 @@ static size_t find_member(const fmb_stand *o, size_t i)
 /* A row that is left out leaves the basis, whose members may change places before. */
 static fmb_status switch_own(void *self, size_t i)
 {
-    fmb_stand *o = self;
+    fmb_simplex_state *o = self;
     bool off = o->f->off[i], leaves = off && find_member(o, i) != FMB_NOWHERE;
-    fmb_status st = leaves ? fmb_stand_refresh(o) : FMB_OK;
+    fmb_status st = leaves ? fmb_simplex_state_refresh(o) : FMB_OK;
     size_t r = leaves ? find_member(o, i) : FMB_NOWHERE;
     o->feasible = o->feasible && off;
     if (st == FMB_OK && r != FMB_NOWHERE)
-        return fmb_stand_expel(o, r);
-    fmb_stand_note_role(o, i);
+        return fmb_simplex_state_expel(o, r);
+    fmb_simplex_state_note_role(o, i);
     return st;
 }
 
 static fmb_status place_own(void *self, const size_t *basis)
 {
-    fmb_stand *o = self;
+    fmb_simplex_state *o = self;
     for (size_t r = 0; r < o->n; r++)
-        o->corner.member[r] = basis[r] < o->m ? basis[r] : FMB_UNIT + (basis[r] - o->m);
+        o->inverse_of.member[r] = basis[r] < o->m ? basis[r] : FMB_UNIT + (basis[r] - o->m);
     o->feasible = false;
     o->placed = true;
-    return fmb_stand_place(o, o->corner.member);
+    return fmb_simplex_state_place(o, o->inverse_of.member);
 }
 
 static void shift_own(void *self)
 {
-    fmb_stand *o = self;
+    fmb_simplex_state *o = self;
     restore_right_sides(o);
     o->feasible = false;
 }
 
 static fmb_status grow_own(void *self)
 {
-    return fmb_stand_grow(self);
+    return fmb_simplex_state_grow(self);
 }
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
 static void close_own(void *self)
 {
-    fmb_stand *o = self;
+    fmb_simplex_state *o = self;
     fmb_mem *mem = o->f->run->mem;
-    fmb_stand_clear(o);
+    fmb_simplex_state_clear(o);
     fmb_mem_put(mem, o, 1, sizeof *o);
 }
 
-static fmb_status open_stand(const fmb_reals *f, bool factors, void **out)
+static fmb_status open_state(const fmb_scaled_program *f, bool factors, void **out)
 {
-    fmb_stand *o = fmb_mem_get(f->run->mem, 1, sizeof *o);
+    fmb_simplex_state *o = fmb_mem_get(f->run->mem, 1, sizeof *o);
     if (!o)
         return fmb_mem_status(f->run->mem);
-    fmb_status st = fmb_stand_init(o, f, factors);
+    fmb_status st = fmb_simplex_state_init(o, f, factors);
     if (st == FMB_OK)
         *out = o;
     else
@@ -192,18 +192,19 @@ static fmb_status open_stand(const fmb_reals *f, bool factors, void **out)
     return st;
 }
 
-static fmb_status open_own(const fmb_reals *f, void **out)
+static fmb_status open_own(const fmb_scaled_program *f, void **out)
 {
-    return open_stand(f, false, out);
+    return open_state(f, false, out);
 }
 
-static fmb_status open_own_factors(const fmb_reals *f, void **out)
+static fmb_status open_own_factors(const fmb_scaled_program *f, void **out)
 {
-    return open_stand(f, true, out);
+    return open_state(f, true, out);
 }
 
-const fmb_door_side fmb_door_side_own = {open_own,   close_own, search_own, maximize_own, grow_own,
-                                         switch_own, place_own, shift_own,  point_of_own};
-const fmb_door_side fmb_door_side_factors = {open_own_factors, close_own, search_own,
-                                             maximize_own,     grow_own,  switch_own,
-                                             place_own,        shift_own, point_of_own};
+const fmb_backend_methods fmb_backend_revised_simplex = {open_own,     close_own, search_own,
+                                                         maximize_own, grow_own,  switch_own,
+                                                         place_own,    shift_own, point_of_own};
+const fmb_backend_methods fmb_backend_revised_simplex_lu = {
+    open_own_factors, close_own, search_own, maximize_own, grow_own,
+    switch_own,       place_own, shift_own,  point_of_own};

@@ -103,7 +103,7 @@ static void read_normal(fmb_basis *b, size_t r)
         b->normal[k] = sign * b->inverse[r * b->d + k];
 }
 
-static void exchange_columns(fmb_basis *b, size_t r, size_t j)
+static void pivot_columns(fmb_basis *b, size_t r, size_t j)
 {
     fmb_basis_write(b, j);
     fmb_basis_replace(b, r, j);
@@ -120,7 +120,7 @@ static void expel_zero_columns(fmb_basis *b)
         b->value[r] = -1;
         j = j != SIZE_MAX ? j : find_entering(b, r, SIZE_MAX);
         if (j != SIZE_MAX) {
-            exchange_columns(b, r, j);
+            pivot_columns(b, r, j);
         } else {
             b->is_basic[b->basic[r]] = false;
             b->basic[r] = SIZE_MAX;
@@ -149,7 +149,7 @@ fmb_status fmb_simplex_search(fmb_basis *b, const double *target, size_t banned,
             *out = FMB_GUESS_OUTSIDE;
             return FMB_OK;
         }
-        exchange_columns(b, r, j);
+        pivot_columns(b, r, j);
         put_at_end(b, old, old != banned && b->value[r] > 1);
         st = run ? fmb_run_poll(run) : FMB_OK;
     }

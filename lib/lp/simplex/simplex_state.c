@@ -9,7 +9,7 @@
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
-static fmb_status reserve_for_members(fmb_stand *o)
+static fmb_status reserve_for_members(fmb_simplex_state *o)
 {
     fmb_mem *mem = o->f->run->mem;
     size_t n = o->n;
@@ -21,30 +21,30 @@ static fmb_status reserve_for_members(fmb_stand *o)
     if (!o->y || !o->cost || !o->given || !o->edge_weight || !o->member_role)
         return fmb_mem_status(mem);
     memset(o->member_role, FMB_ROLE_FREE, n);
-    fmb_status st = fmb_spread_resize(&o->entry, mem, n);
-    return st == FMB_OK ? fmb_spread_resize(&o->edge, mem, n) : st;
+    fmb_status st = fmb_indexed_vector_resize(&o->entry, mem, n);
+    return st == FMB_OK ? fmb_indexed_vector_resize(&o->edge, mem, n) : st;
 }
 
-fmb_status fmb_stand_init(fmb_stand *o, const fmb_reals *f, bool factors)
+fmb_status fmb_simplex_state_init(fmb_simplex_state *o, const fmb_scaled_program *f, bool factors)
 {
-    *o = (fmb_stand){.f = f, .n = f->n};
-    o->corner.f = o->columns.f = o->corner.triangles.f = f;
-    fmb_status st = fmb_corner_init(&o->corner, f, factors);
+    *o = (fmb_simplex_state){.f = f, .n = f->n};
+    o->inverse_of.f = o->columns.f = o->inverse_of.lu.f = f;
+    fmb_status st = fmb_basis_inverse_init(&o->inverse_of, f, factors);
     if (st == FMB_OK)
         st = fmb_columns_init(&o->columns, f);
     if (st == FMB_OK)
         st = reserve_for_members(o);
-    return st == FMB_OK ? fmb_stand_grow(o) : st;
+    return st == FMB_OK ? fmb_simplex_state_grow(o) : st;
 }
 
-void fmb_stand_clear(fmb_stand *o)
+void fmb_simplex_state_clear(fmb_simplex_state *o)
 {
     fmb_mem *mem = o->f->run->mem;
-    fmb_corner_clear(&o->corner);
+    fmb_basis_inverse_clear(&o->inverse_of);
     fmb_columns_clear(&o->columns);
-    fmb_spread_free(&o->entry, mem);
-    fmb_spread_free(&o->edge, mem);
-    fmb_spread_free(&o->rate, mem);
+    fmb_indexed_vector_free(&o->entry, mem);
+    fmb_indexed_vector_free(&o->edge, mem);
+    fmb_indexed_vector_free(&o->rate, mem);
     fmb_mem_put(mem, o->y, o->n, sizeof *o->y);
     fmb_mem_put(mem, o->cost, o->n, sizeof *o->cost);
     fmb_mem_put(mem, o->given, o->n, sizeof *o->given);
@@ -58,7 +58,7 @@ void fmb_stand_clear(fmb_stand *o)
     fmb_mem_put(mem, o->is_listed, o->listed_room, sizeof *o->is_listed);
 }
 
-fmb_status fmb_stand_grow(fmb_stand *o)
+fmb_status fmb_simplex_state_grow(fmb_simplex_state *o)
 {
     fmb_mem *mem = o->f->run->mem;
     size_t m = o->f->m;
@@ -75,7 +75,7 @@ fmb_status fmb_stand_grow(fmb_stand *o)
     if (st == FMB_OK)
         st = fmb_mem_reserve(mem, (void **)&o->is_listed, &o->listed_room, m, sizeof *o->is_listed);
     if (st == FMB_OK)
-        st = fmb_spread_resize(&o->rate, mem, m);
+        st = fmb_indexed_vector_resize(&o->rate, mem, m);
     if (st == FMB_OK)
         st = fmb_columns_grow(&o->columns);
     if (st != FMB_OK)
@@ -83,7 +83,7 @@ fmb_status fmb_stand_grow(fmb_stand *o)
     for (size_t i = o->m; i < m; i++) {
         o->right[i] = o->f->right[i];
         o->slack[i] = 0;
-        fmb_stand_note_role(o, i);
+        fmb_simplex_state_note_role(o, i);
     }
     o->m = m;
     o->feasible = false;
@@ -93,55 +93,55 @@ fmb_status fmb_stand_grow(fmb_stand *o)
 /* ---- the basis ------------------------------------------------------------------------------- */
 
 /* Of a row outside of the basis. */
-void fmb_stand_note_role(fmb_stand *o, size_t i)
+void fmb_simplex_state_note_role(fmb_simplex_state *o, size_t i)
 {
-    o->row_role[i] = o->f->off[i]                     ? FMB_ROLE_FREE
-                     : fmb_reals_is_equality(o->f, i) ? FMB_ROLE_EQUAL
-                                                      : FMB_ROLE_LESS;
+    o->row_role[i] = o->f->off[i]                              ? FMB_ROLE_FREE
+                     : fmb_scaled_program_is_equality(o->f, i) ? FMB_ROLE_EQUAL
+                                                               : FMB_ROLE_LESS;
 }
 
 /* The member at place r is noted as such. */
-static void note_member(fmb_stand *o, size_t r)
+static void note_member(fmb_simplex_state *o, size_t r)
 {
-    size_t i = o->corner.member[r];
+    size_t i = o->inverse_of.member[r];
     o->member_role[r] = FMB_ROLE_FREE;
     if (i >= FMB_UNIT)
         return;
-    fmb_stand_note_role(o, i);
+    fmb_simplex_state_note_role(o, i);
     o->member_role[r] = o->row_role[i];
     o->row_role[i] = FMB_ROLE_FREE;
 }
 
-fmb_status fmb_stand_place(fmb_stand *o, const size_t *member)
+fmb_status fmb_simplex_state_place(fmb_simplex_state *o, const size_t *member)
 {
-    fmb_status st = fmb_corner_meet(&o->corner, member, &o->entry);
+    fmb_status st = fmb_basis_inverse_set(&o->inverse_of, member, &o->entry);
     for (size_t i = 0; i < o->m; i++)
-        fmb_stand_note_role(o, i);
+        fmb_simplex_state_note_role(o, i);
     for (size_t r = 0; r < o->n; r++)
         note_member(o, r);
     return st;
 }
 
-void fmb_stand_find_point(fmb_stand *o)
+void fmb_simplex_state_find_point(fmb_simplex_state *o)
 {
     for (size_t r = 0; r < o->n; r++) {
-        size_t i = o->corner.member[r];
+        size_t i = o->inverse_of.member[r];
         o->given[r] = i < FMB_UNIT ? o->right[i] : 0;
     }
-    fmb_corner_point(&o->corner, o->given, &o->edge);
+    fmb_basis_inverse_point(&o->inverse_of, o->given, &o->edge);
 }
 
 /* Slacks from the basis; how far its rows are off. */
-static double find_slacks(fmb_stand *o)
+static double find_slacks(fmb_simplex_state *o)
 {
     double most = 0;
-    fmb_stand_find_point(o);
+    fmb_simplex_state_find_point(o);
     fmb_columns_times(&o->columns, &o->edge, &o->rate);
     if (o->m > 0)
         memcpy(o->slack, o->right, o->m * sizeof *o->slack);
-    fmb_spread_subtract(&o->rate, 1, o->slack, o->f->run->kernels);
+    fmb_indexed_vector_subtract(&o->rate, 1, o->slack, o->f->run->kernels);
     for (size_t r = 0; r < o->n; r++) {
-        size_t i = o->corner.member[r];
+        size_t i = o->inverse_of.member[r];
         if (i >= FMB_UNIT)
             continue;
         most = fmax(most, fabs(o->slack[i]) / (1 + fabs(o->right[i])));
@@ -150,45 +150,46 @@ static double find_slacks(fmb_stand *o)
     return most;
 }
 
-fmb_status fmb_stand_refresh(fmb_stand *o)
+fmb_status fmb_simplex_state_refresh(fmb_simplex_state *o)
 {
     fmb_status st = FMB_OK;
-    if (fmb_corner_is_stale(&o->corner))
-        st = fmb_stand_place(o, o->corner.member);
-    if (st == FMB_OK && find_slacks(o) > INEXACT && o->corner.exchanges > 0) {
-        st = fmb_stand_place(o, o->corner.member);
+    if (fmb_basis_inverse_is_stale(&o->inverse_of))
+        st = fmb_simplex_state_place(o, o->inverse_of.member);
+    if (st == FMB_OK && find_slacks(o) > INEXACT && o->inverse_of.pivots > 0) {
+        st = fmb_simplex_state_place(o, o->inverse_of.member);
         if (st == FMB_OK)
             find_slacks(o);
     }
     if (st != FMB_OK)
         return st;
-    fmb_corner_price(&o->corner, o->cost, &o->edge);
+    fmb_basis_inverse_price(&o->inverse_of, o->cost, &o->edge);
     memset(o->y, 0, o->n * sizeof *o->y);
-    fmb_spread_subtract(&o->edge, -1, o->y, o->f->run->kernels);
+    fmb_indexed_vector_subtract(&o->edge, -1, o->y, o->f->run->kernels);
     return FMB_OK;
 }
 
-/* ---- from corner to corner ------------------------------------------------------------------- */
+/* ---- from inverse_of to inverse_of
+ * ------------------------------------------------------------------- */
 
-void fmb_stand_look_along(fmb_stand *o, size_t r)
+void fmb_simplex_state_look_along(fmb_simplex_state *o, size_t r)
 {
-    fmb_corner_edge(&o->corner, r, &o->edge);
+    fmb_basis_inverse_edge(&o->inverse_of, r, &o->edge);
     fmb_columns_times(&o->columns, &o->edge, &o->rate);
 }
 
-fmb_status fmb_stand_exchange(fmb_stand *o, size_t r, size_t i)
+fmb_status fmb_simplex_state_pivot(fmb_simplex_state *o, size_t r, size_t i)
 {
     const fmb_kernels *k = o->f->run->kernels;
-    size_t old = o->corner.member[r];
+    size_t old = o->inverse_of.member[r];
     double pivot = o->entry.at[r];
     double way = o->slack[i] / pivot, multiplier = o->y[r] / pivot;
-    fmb_spread_subtract(&o->rate, way, o->slack, k);
-    fmb_spread_subtract(&o->entry, multiplier, o->y, k);
+    fmb_indexed_vector_subtract(&o->rate, way, o->slack, k);
+    fmb_indexed_vector_subtract(&o->entry, multiplier, o->y, k);
     o->y[r] = multiplier;
     o->slack[i] = 0;
-    fmb_status st = fmb_corner_replace(&o->corner, r, i, &o->entry, &o->edge);
+    fmb_status st = fmb_basis_inverse_replace(&o->inverse_of, r, i, &o->entry, &o->edge);
     if (old < FMB_UNIT)
-        fmb_stand_note_role(o, old);
+        fmb_simplex_state_note_role(o, old);
     note_member(o, r);
     o->steps++;
     return st;
@@ -197,12 +198,12 @@ fmb_status fmb_stand_exchange(fmb_stand *o, size_t r, size_t i)
 /* ---- rows that are switched off -------------------------------------------------------------- */
 
 /* The row outside that the way along the edge meets first, either way, or FMB_NOWHERE. */
-static size_t find_nearest_row(const fmb_stand *o)
+static size_t find_nearest_row(const fmb_simplex_state *o)
 {
     double least = INFINITY, most = 0;
     size_t best = FMB_NOWHERE;
-    for (size_t t = 0; t < fmb_spread_count(&o->rate); t++) {
-        size_t i = fmb_spread_key(&o->rate, t);
+    for (size_t t = 0; t < fmb_indexed_vector_count(&o->rate); t++) {
+        size_t i = fmb_indexed_vector_key(&o->rate, t);
         double rate = fabs(o->rate.at[i]);
         if (o->row_role[i] == FMB_ROLE_FREE || rate < 1e-9)
             continue;
@@ -217,27 +218,28 @@ static size_t find_nearest_row(const fmb_stand *o)
 }
 
 /* The unit vector that best takes place r. */
-static fmb_status exchange_for_unit(fmb_stand *o, size_t r)
+static fmb_status pivot_to_unit(fmb_simplex_state *o, size_t r)
 {
-    size_t best = fmb_spread_key(&o->edge, 0), old = o->corner.member[r];
+    size_t best = fmb_indexed_vector_key(&o->edge, 0), old = o->inverse_of.member[r];
     assert(old < FMB_UNIT);
-    for (size_t t = 1; t < fmb_spread_count(&o->edge); t++) {
-        size_t j = fmb_spread_key(&o->edge, t);
+    for (size_t t = 1; t < fmb_indexed_vector_count(&o->edge); t++) {
+        size_t j = fmb_indexed_vector_key(&o->edge, t);
         best = fabs(o->edge.at[j]) > fabs(o->edge.at[best]) ? j : best;
     }
-    fmb_corner_write(&o->corner, FMB_UNIT + best, &o->entry);
-    fmb_status st = fmb_corner_replace(&o->corner, r, FMB_UNIT + best, &o->entry, &o->edge);
-    fmb_stand_note_role(o, old);
+    fmb_basis_inverse_write(&o->inverse_of, FMB_UNIT + best, &o->entry);
+    fmb_status st =
+        fmb_basis_inverse_replace(&o->inverse_of, r, FMB_UNIT + best, &o->entry, &o->edge);
+    fmb_simplex_state_note_role(o, old);
     note_member(o, r);
-    return st == FMB_OK ? fmb_stand_refresh(o) : st;
+    return st == FMB_OK ? fmb_simplex_state_refresh(o) : st;
 }
 
-fmb_status fmb_stand_expel(fmb_stand *o, size_t r)
+fmb_status fmb_simplex_state_expel(fmb_simplex_state *o, size_t r)
 {
-    fmb_stand_look_along(o, r);
+    fmb_simplex_state_look_along(o, r);
     size_t i = find_nearest_row(o);
     if (i == FMB_NOWHERE)
-        return exchange_for_unit(o, r);
-    fmb_corner_write(&o->corner, i, &o->entry);
-    return fmb_stand_exchange(o, r, i);
+        return pivot_to_unit(o, r);
+    fmb_basis_inverse_write(&o->inverse_of, i, &o->entry);
+    return fmb_simplex_state_pivot(o, r, i);
 }

@@ -1,5 +1,5 @@
-/* simplex_state.h: where our own simplex stands: a corner, what the rows have left there, and the
- * multipliers of a cost.
+/* simplex_state.h: where our own simplex stands: a inverse_of, what the rows have left there, and
+ * the multipliers of a cost.
  *
  * Invariants: slack = right - rows times the point, that of rows in the basis is about 0; y times
  * the basis is the cost.
@@ -17,61 +17,62 @@ typedef enum fmb_role {
     FMB_ROLE_FREE   /* zero: a unit vector or a row that is off; a row inside of the basis */
 } fmb_role;
 
-typedef struct fmb_stand {
-    const fmb_reals *f;
+typedef struct fmb_simplex_state {
+    const fmb_scaled_program *f;
     size_t n, m;
-    fmb_corner corner;
+    fmb_basis_inverse inverse_of;
     fmb_columns columns;
-    fmb_spread entry, edge, rate; /* [n], [n], [m]: a row in the basis, an edge, rows along it */
-    double *y, *cost, *given;     /* [n]; given: right sides by place */
-    double *edge_weight;          /* [n] of Devex, for the primal method */
-    uint8_t *member_role;         /* [n] */
-    double *right, *slack;        /* [m] right sides as they are now */
-    double *row_weight;           /* [m] of Devex, for the dual method */
-    uint8_t *row_role;            /* [m] */
-    int *violated;                /* [violations] of the dual method: rows that may be */
-    bool *is_listed;              /* [m] among them */
+    fmb_indexed_vector entry, edge,
+        rate;                 /* [n], [n], [m]: a row in the basis, an edge, rows along it */
+    double *y, *cost, *given; /* [n]; given: right sides by place */
+    double *edge_weight;      /* [n] of Devex, for the primal method */
+    uint8_t *member_role;     /* [n] */
+    double *right, *slack;    /* [m] right sides as they are now */
+    double *row_weight;       /* [m] of Devex, for the dual method */
+    uint8_t *row_role;        /* [m] */
+    int *violated;            /* [violations] of the dual method: rows that may be */
+    bool *is_listed;          /* [m] among them */
     size_t violations;
     size_t right_room, slack_room, row_weight_room, row_role_room, violated_room, listed_room;
     size_t steps;
     uint64_t random;
     bool placed;
-    bool feasible, moved; /* right sides are moved away from those of the reals */
-} fmb_stand;
+    bool feasible, moved; /* right sides are moved away from those of the scaled */
+} fmb_simplex_state;
 
-/* At the unit vectors, before all rows that the reals have; the basis in factors or as seems best.
- * In any case fmb_stand_clear it. Errors:
+/* At the unit vectors, before all rows that the scaled have; the basis in factors or as seems best.
+ * In any case fmb_simplex_state_clear it. Errors:
  * MEMORY, LIMIT. */
-fmb_status fmb_stand_init(fmb_stand *o, const fmb_reals *f, bool factors);
-void fmb_stand_clear(fmb_stand *o);
-/* Take in the rows that the reals have by now. Errors: MEMORY, LIMIT. */
-fmb_status fmb_stand_grow(fmb_stand *o);
+fmb_status fmb_simplex_state_init(fmb_simplex_state *o, const fmb_scaled_program *f, bool factors);
+void fmb_simplex_state_clear(fmb_simplex_state *o);
+/* Take in the rows that the scaled have by now. Errors: MEMORY, LIMIT. */
+fmb_status fmb_simplex_state_grow(fmb_simplex_state *o);
 
 /* Take these members. Errors: MEMORY, LIMIT, here and below. */
-fmb_status fmb_stand_place(fmb_stand *o, const size_t *member);
+fmb_status fmb_simplex_state_place(fmb_simplex_state *o, const size_t *member);
 /* Slacks and multipliers from the basis alone, which is computed afresh where it is stale, or found
  * to be inexact. */
-fmb_status fmb_stand_refresh(fmb_stand *o);
+fmb_status fmb_simplex_state_refresh(fmb_simplex_state *o);
 /* The point, into `edge`. */
-void fmb_stand_find_point(fmb_stand *o);
+void fmb_simplex_state_find_point(fmb_simplex_state *o);
 /* What row i is, inside or outside, on or off, has changed. */
-void fmb_stand_note_role(fmb_stand *o, size_t i);
+void fmb_simplex_state_note_role(fmb_simplex_state *o, size_t i);
 
 /* Edge r, and the rates of the rows along it. */
-void fmb_stand_look_along(fmb_stand *o, size_t r);
+void fmb_simplex_state_look_along(fmb_simplex_state *o, size_t r);
 /* Row i, written in the basis, takes place r, whose edge was looked along: the point goes there
  * until row i is tight. */
-fmb_status fmb_stand_exchange(fmb_stand *o, size_t r, size_t i);
+fmb_status fmb_simplex_state_pivot(fmb_simplex_state *o, size_t r, size_t i);
 /* A row that is off leaves place r; the point goes to the nearest row that stops it, either way. */
-fmb_status fmb_stand_expel(fmb_stand *o, size_t r);
+fmb_status fmb_simplex_state_expel(fmb_simplex_state *o, size_t r);
 
 /* Slacks that are less, for a right side of about 1, are none. */
-static inline double fmb_stand_tolerance(const fmb_stand *o)
+static inline double fmb_simplex_state_tolerance(const fmb_simplex_state *o)
 {
     return o->f->sharp ? 1e-11 : 1e-9;
 }
 /* From 1 to 2. */
-static inline double fmb_stand_draw(fmb_stand *o)
+static inline double fmb_simplex_state_draw(fmb_simplex_state *o)
 {
     o->random = o->random * 6364136223846793005u + 1442695040888963407u;
     return 1 + (double)(o->random >> 12) * 0x1p-52;

@@ -6,9 +6,9 @@
 
 /* Are the closed frames apart in the direction of these weights of the basic artificial unknowns,
  * in which the basis, which need not be common, is nearest? */
-bool fmb_extreme_are_apart(fmb_extreme *v, const fmb_extreme_program *s,
-                           const fmb_extreme_basis *basis, const double *weight);
+bool fmb_exact_box_are_apart(fmb_exact_box *v, const fmb_exact_box_program *s,
+                             const fmb_exact_box_basis *basis, const double *weight);
 /* Is the goal nowhere in M z = h, z in its places, farther out than here? */
-bool fmb_extreme_is_farthest(fmb_extreme *v, const fmb_extreme_goal *goal);
+bool fmb_exact_box_is_farthest(fmb_exact_box *v, const fmb_exact_box_goal *goal);
 
 #endif

@@ -8,23 +8,23 @@
 #include "pair/exact_box/exact_box_value.h"
 #include "pair/exact_box/vertex_walk.h"
 
-enum { MOST_GOALS = 2 * (2 * FMB_EXTREME_DIM + 1), MOST_POINTS = MOST_GOALS + 1 };
+enum { MOST_GOALS = 2 * (2 * FMB_EXACT_BOX_DIM + 1), MOST_POINTS = MOST_GOALS + 1 };
 
 /* Many ends are at a vertex where another one was found. */
-typedef struct extreme_boxer {
-    fmb_extreme_program program;
-    fmb_extreme_walk walk;
-    fmb_extreme point[MOST_POINTS]; /* visited so far */
-    double near[MOST_POINTS][FMB_EXTREME_COLUMNS];
+typedef struct exact_boxer {
+    fmb_exact_box_program program;
+    fmb_exact_box_walk walk;
+    fmb_exact_box point[MOST_POINTS]; /* visited so far */
+    double near[MOST_POINTS][FMB_EXACT_BOX_COLUMNS];
     bool is_near[MOST_POINTS]; /* its numbers in near are good enough for a witness */
     int points;
-    fmb_extreme *at; /* one of them */
-} extreme_boxer;
+    fmb_exact_box *at; /* one of them */
+} exact_boxer;
 
 /* ---- ends ------------------------------------------------------------------------------------ */
 
 /* At that basic solution; it counts among those whose mean is the witness. */
-static bool stand_at_basis(extreme_boxer *b, const fmb_extreme_basis *basis)
+static bool take_state_of_basis(exact_boxer *b, const fmb_exact_box_basis *basis)
 {
     int k = 0;
     while (k < b->points && memcmp(basis, &b->point[k].basis, sizeof *basis) != 0)
@@ -32,15 +32,15 @@ static bool stand_at_basis(extreme_boxer *b, const fmb_extreme_basis *basis)
     b->at = &b->point[k];
     if (k < b->points)
         return true;
-    if (!fmb_extreme_stand(b->at, &b->program, basis))
+    if (!fmb_exact_box_state(b->at, &b->program, basis))
         return false;
-    b->is_near[k] = fmb_extreme_near_values(b->at, b->near[k]);
+    b->is_near[k] = fmb_exact_box_near_values(b->at, b->near[k]);
     b->points++;
     return true;
 }
 
 /* How far visited point k is in the direction of the goal, roughly. */
-static double near_value_of_goal(const extreme_boxer *b, const fmb_extreme_goal *goal, int k)
+static double near_value_of_goal(const exact_boxer *b, const fmb_exact_box_goal *goal, int k)
 {
     double value = goal->is_world ? 0 : b->near[k][goal->number];
     for (int j = 0; goal->is_world && j < b->program.columns; j++)
@@ -48,7 +48,7 @@ static double near_value_of_goal(const extreme_boxer *b, const fmb_extreme_goal 
     return goal->greatest ? value : -value;
 }
 
-static bool is_end_visited(extreme_boxer *b, const fmb_extreme_goal *goal)
+static bool is_end_visited(exact_boxer *b, const fmb_exact_box_goal *goal)
 {
     double most = -INFINITY;
     for (int k = 0; k < b->points; k++) {
@@ -58,32 +58,32 @@ static bool is_end_visited(extreme_boxer *b, const fmb_extreme_goal *goal)
             b->at = &b->point[k];
         }
     }
-    return b->points > 0 && fmb_extreme_is_farthest(b->at, goal);
+    return b->points > 0 && fmb_exact_box_is_farthest(b->at, goal);
 }
 
-static bool is_end_reached(extreme_boxer *b, const fmb_extreme_goal *goal)
+static bool is_end_reached(exact_boxer *b, const fmb_exact_box_goal *goal)
 {
-    return fmb_extreme_walk_to(&b->walk, goal) && stand_at_basis(b, &b->walk.basis) &&
-           fmb_extreme_is_farthest(b->at, goal);
+    return fmb_exact_box_walk_to(&b->walk, goal) && take_state_of_basis(b, &b->walk.basis) &&
+           fmb_exact_box_is_farthest(b->at, goal);
 }
 
-static bool stand_at_end(extreme_boxer *b, const fmb_extreme_goal *goal)
+static bool take_state_at_end(exact_boxer *b, const fmb_exact_box_goal *goal)
 {
     return is_end_visited(b, goal) || is_end_reached(b, goal);
 }
 
 /* Both ends of n coordinates, or unknowns, from the first on. Least ends, then greatest ones:
  * neighbours are near each other. */
-static int add_goals(fmb_extreme_goal *goal, int goals, bool is_world, int first, int n)
+static int add_goals(fmb_exact_box_goal *goal, int goals, bool is_world, int first, int n)
 {
     for (int side = 0; side < 2; side++)
         for (int i = 0; i < n; i++)
-            goal[goals++] = (fmb_extreme_goal){is_world, first + i, side == 1};
+            goal[goals++] = (fmb_exact_box_goal){is_world, first + i, side == 1};
     return goals;
 }
 
-static int list_goals(const fmb_extreme_program *s, bool world, bool inside, bool time,
-                      fmb_extreme_goal *goal)
+static int list_goals(const fmb_exact_box_program *s, bool world, bool inside, bool time,
+                      fmb_exact_box_goal *goal)
 {
     int last = s->time < 0 ? s->columns : s->time;
     int n = add_goals(goal, 0, true, 0, world ? s->dim : 0);
@@ -92,7 +92,8 @@ static int list_goals(const fmb_extreme_program *s, bool world, bool inside, boo
 }
 
 /* Of these, which: where an end stands among those of the world, of B, of time. */
-static size_t place_of_goal(const fmb_extreme_program *s, const fmb_extreme_goal *goal, int *group)
+static size_t place_of_goal(const fmb_exact_box_program *s, const fmb_exact_box_goal *goal,
+                            int *group)
 {
     bool is_time = !goal->is_world && goal->number == s->time;
     int first = goal->is_world ? 0 : is_time ? s->time : s->first_of_b;
@@ -106,32 +107,33 @@ enum { WORLD, INSIDE, TIME, GROUPS };
 
 /* Ends by group; the caller's are written only when all is known. */
 typedef struct box_answer {
-    double end[GROUPS][2 * FMB_EXTREME_DIM];
+    double end[GROUPS][2 * FMB_EXACT_BOX_DIM];
 } box_answer;
 
-static bool find_rounded_end(extreme_boxer *b, const fmb_extreme_goal *goal, box_answer *to)
+static bool find_rounded_end(exact_boxer *b, const fmb_exact_box_goal *goal, box_answer *to)
 {
     int group, exponent = goal->is_world ? b->program.exponent[goal->number] : 0;
     size_t place = place_of_goal(&b->program, goal, &group);
-    return stand_at_end(b, goal) &&
-           fmb_extreme_value_outward(b->at, goal, exponent, &to->end[group][place]);
+    return take_state_at_end(b, goal) &&
+           fmb_exact_box_value_outward(b->at, goal, exponent, &to->end[group][place]);
 }
 
 /* Coordinate i of visited point k. */
-static double coordinate_of_point(extreme_boxer *b, const fmb_frame *p, int k, int i)
+static double coordinate_of_point(exact_boxer *b, const fmb_frame *p, int k, int i)
 {
     const double *z = b->near[k];
     bool by_corners = fmb_frame_is_by_corners(p->shape);
     if (!b->is_near[k])
-        return ldexp(fmb_extreme_value_roughly(&b->point[k], &(fmb_extreme_goal){true, i, false}),
-                     -b->program.exponent[i]);
+        return ldexp(
+            fmb_exact_box_value_roughly(&b->point[k], &(fmb_exact_box_goal){true, i, false}),
+            -b->program.exponent[i]);
     double x = p->origin[i] + (p->speed ? z[b->program.time] * p->speed[i] : 0);
     for (int l = 0; l < p->naxes; l++)
         x += z[l] * (p->axes[l * p->dim + i] - (by_corners ? p->origin[i] : 0));
     return x;
 }
 
-static void write_mean_of_extreme_points(extreme_boxer *b, const fmb_frame *p, double *x)
+static void write_mean_of_extreme_points(exact_boxer *b, const fmb_frame *p, double *x)
 {
     for (int i = 0; i < p->dim; i++) {
         x[i] = 0;
@@ -147,19 +149,19 @@ static void copy_ends(double *to, const double *from, int n)
         to[i] = from[i];
 }
 
-bool fmb_extreme_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out)
+bool fmb_exact_box_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out)
 {
-    extreme_boxer b;
+    exact_boxer b;
     box_answer found = {.end[TIME] = {0, 1}};
-    fmb_extreme_goal goal[MOST_GOALS];
+    fmb_exact_box_goal goal[MOST_GOALS];
     b.points = 0;
-    if (!fmb_extreme_load(&b.program, p, q) || !fmb_extreme_walk_start(&b.walk, &b.program))
+    if (!fmb_exact_box_load(&b.program, p, q) || !fmb_exact_box_walk_start(&b.walk, &b.program))
         return false;
     int goals = list_goals(&b.program, out->world, out->inside, out->time, goal);
     for (int i = 0; i < goals; i++)
         if (!find_rounded_end(&b, &goal[i], &found))
             return false;
-    if (b.points == 0 && !stand_at_basis(&b, &b.walk.basis))
+    if (b.points == 0 && !take_state_of_basis(&b, &b.walk.basis))
         return false;
     copy_ends(out->world, found.end[WORLD], p->dim);
     copy_ends(out->inside, found.end[INSIDE], q->naxes);
@@ -184,53 +186,53 @@ static void write_fraction(const fmb_wide *numerator, const fmb_wide *denominato
     mpq_canonicalize(out);
 }
 
-static mpz_srcptr unit_of_goal(mpz_t *unit, const fmb_extreme_goal *goal)
+static mpz_srcptr unit_of_goal(mpz_t *unit, const fmb_exact_box_goal *goal)
 {
     return goal->is_world ? unit[goal->number] : NULL;
 }
 
-static void write_value_here(extreme_boxer *b, mpz_t *unit, const fmb_extreme_goal *goal, mpq_t out)
+static void write_value_here(exact_boxer *b, mpz_t *unit, const fmb_exact_box_goal *goal, mpq_t out)
 {
     fmb_wide numerator, denominator;
-    fmb_extreme_value(b->at, goal, &numerator, &denominator);
+    fmb_exact_box_value(b->at, goal, &numerator, &denominator);
     write_fraction(&numerator, &denominator, unit_of_goal(unit, goal), out);
 }
 
-static bool find_exact_end(extreme_boxer *b, mpz_t *unit, const fmb_extreme_goal *goal,
+static bool find_exact_end(exact_boxer *b, mpz_t *unit, const fmb_exact_box_goal *goal,
                            const fmb_pair_answers_q *out)
 {
     mpq_t *const to[GROUPS] = {out->world, out->inside, out->time};
     int group;
     size_t place = place_of_goal(&b->program, goal, &group);
-    bool good = stand_at_end(b, goal);
+    bool good = take_state_at_end(b, goal);
     if (good)
         write_value_here(b, unit, goal, to[group][place]);
     return good;
 }
 
 /* The vertex at which b stands: in the world, in B, its time. */
-static void write_extreme_point(extreme_boxer *b, mpz_t *unit, mpq_t *out)
+static void write_extreme_point(exact_boxer *b, mpz_t *unit, mpq_t *out)
 {
-    const fmb_extreme_program *s = &b->program;
+    const fmb_exact_box_program *s = &b->program;
     for (int i = 0; i < s->dim; i++)
-        write_value_here(b, unit, &(fmb_extreme_goal){true, i, false}, out[i]);
+        write_value_here(b, unit, &(fmb_exact_box_goal){true, i, false}, out[i]);
     for (int j = s->first_of_b; j < s->columns; j++)
-        write_value_here(b, unit, &(fmb_extreme_goal){false, j, false},
+        write_value_here(b, unit, &(fmb_exact_box_goal){false, j, false},
                          out[s->dim + j - s->first_of_b]);
 }
 
-static fmb_verdict answer_in_units(extreme_boxer *b, mpz_t *unit, const fmb_frame_q *p,
+static fmb_verdict answer_in_units(exact_boxer *b, mpz_t *unit, const fmb_frame_q *p,
                                    const fmb_frame_q *q, const fmb_pair_answers_q *out)
 {
-    fmb_extreme_goal goal[MOST_GOALS];
+    fmb_exact_box_goal goal[MOST_GOALS];
     b->points = 0;
-    if (!fmb_extreme_load_q(&b->program, p, q, unit))
+    if (!fmb_exact_box_load_q(&b->program, p, q, unit))
         return FMB_UNKNOWN;
-    if (!fmb_extreme_walk_start(&b->walk, &b->program))
-        return fmb_extreme_are_apart(&b->point[0], &b->program, &b->walk.basis, b->walk.weight)
+    if (!fmb_exact_box_walk_start(&b->walk, &b->program))
+        return fmb_exact_box_are_apart(&b->point[0], &b->program, &b->walk.basis, b->walk.weight)
                    ? FMB_INFEASIBLE
                    : FMB_UNKNOWN;
-    if (!stand_at_basis(b, &b->walk.basis))
+    if (!take_state_of_basis(b, &b->walk.basis))
         return FMB_UNKNOWN;
     if (out->witness)
         write_extreme_point(b, unit, out->witness);
@@ -241,15 +243,15 @@ static fmb_verdict answer_in_units(extreme_boxer *b, mpz_t *unit, const fmb_fram
     return FMB_FEASIBLE;
 }
 
-fmb_verdict fmb_extreme_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
-                                 const fmb_pair_answers_q *out)
+fmb_verdict fmb_exact_box_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
+                                   const fmb_pair_answers_q *out)
 {
-    extreme_boxer b;
-    mpz_t unit[FMB_EXTREME_DIM];
-    for (int i = 0; i < FMB_EXTREME_DIM; i++)
+    exact_boxer b;
+    mpz_t unit[FMB_EXACT_BOX_DIM];
+    for (int i = 0; i < FMB_EXACT_BOX_DIM; i++)
         mpz_init(unit[i]);
     fmb_verdict verdict = answer_in_units(&b, unit, p, q, out);
-    for (int i = 0; i < FMB_EXTREME_DIM; i++)
+    for (int i = 0; i < FMB_EXACT_BOX_DIM; i++)
         mpz_clear(unit[i]);
     return verdict;
 }

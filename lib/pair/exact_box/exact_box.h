@@ -9,11 +9,11 @@
 
 /* Of good frames that meet: all that out asks for, but the verdict; every end is the exact one,
  * rounded outward. False, and nothing written, if that was not proved. Nothing is allocated. */
-bool fmb_extreme_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out);
+bool fmb_exact_box_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out);
 
 /* Do these closed frames meet, and all that out asks for, but the verdict. UNKNOWN if that was not
  * proved; out is then in part written. The time of what is still is not written. */
-fmb_verdict fmb_extreme_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
-                                 const fmb_pair_answers_q *out);
+fmb_verdict fmb_exact_box_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,
+                                   const fmb_pair_answers_q *out);
 
 #endif

@@ -6,7 +6,7 @@
 #include "frame/frame_private.h"
 
 /* Reads number i of a row. */
-typedef void fmb_extreme_reader(const void *self, int frame, int i, int row, fmb_wide *out);
+typedef void fmb_exact_box_reader(const void *self, int frame, int i, int row, fmb_wide *out);
 
 enum { ORIGIN = -1, SPEED = -2 }; /* in place of an axis */
 
@@ -27,7 +27,7 @@ static uint64_t split_into_odd_and_power(double x, int *e)
 
 typedef struct double_pair {
     const fmb_frame *frame[2];
-    int exponent[FMB_EXTREME_DIM];
+    int exponent[FMB_EXACT_BOX_DIM];
 } double_pair;
 
 static double number_of_frame(const fmb_frame *f, int axis, int row)
@@ -55,7 +55,7 @@ static bool find_unit_of_row(double_pair *d, int row)
             most = high > most ? high : most;
         }
     d->exponent[row] = least == INT32_MAX ? 0 : -least;
-    return least == INT32_MAX || most - least < FMB_EXTREME_BITS - 1;
+    return least == INT32_MAX || most - least < FMB_EXACT_BOX_BITS - 1;
 }
 
 static void read_double(const void *self, int frame, int axis, int row, fmb_wide *out)
@@ -105,12 +105,12 @@ static bool find_denominator_of_row(const rational_pair *d, int row)
         for (int axis = SPEED; axis < d->frame[k]->naxes; axis++) {
             mpq_srcptr x = rational_of_frame(d->frame[k], axis, row);
             size_t bits = x ? mpz_sizeinbase(mpq_numref(x), 2) : 0;
-            if (x && mpz_sizeinbase(mpq_denref(x), 2) > FMB_EXTREME_BITS)
+            if (x && mpz_sizeinbase(mpq_denref(x), 2) > FMB_EXACT_BOX_BITS)
                 return false;
             if (x && !is_divisor(mpq_denref(x), d->unit[row]))
                 mpz_lcm(d->unit[row], d->unit[row], mpq_denref(x));
             most = bits > most ? bits : most;
-            if (most + mpz_sizeinbase(d->unit[row], 2) > FMB_EXTREME_BITS - 2)
+            if (most + mpz_sizeinbase(d->unit[row], 2) > FMB_EXACT_BOX_BITS - 2)
                 return false;
         }
     return true;
@@ -157,13 +157,13 @@ typedef struct body {
 } body;
 
 /* Columns of frame k, whose edges come with that sign. */
-static void load_axes_of_frame(fmb_extreme_program *s, int k, const body *b,
-                               fmb_extreme_reader *read, const void *self)
+static void load_axes_of_frame(fmb_exact_box_program *s, int k, const body *b,
+                               fmb_exact_box_reader *read, const void *self)
 {
     bool by_corners = fmb_frame_is_by_corners(b->shape);
     s->is_simplex[k] = b->shape == FMB_SIMPLEX || b->shape == FMB_SIMPLEX_BY_CORNERS;
     for (int axis = 0; axis < b->naxes; axis++, s->columns++) {
-        s->group[s->columns] = (signed char)(s->is_simplex[k] ? k : FMB_EXTREME_UNIT);
+        s->group[s->columns] = (signed char)(s->is_simplex[k] ? k : FMB_EXACT_BOX_UNIT);
         for (int row = 0; row < s->dim; row++) {
             fmb_wide *to = &s->m[s->columns][row].whole, origin;
             read(self, k, axis, row, to);
@@ -176,10 +176,10 @@ static void load_axes_of_frame(fmb_extreme_program *s, int k, const body *b,
         }
     }
     if (s->is_simplex[k])
-        s->group[FMB_EXTREME_SLACK + k] = (signed char)k;
+        s->group[FMB_EXACT_BOX_SLACK + k] = (signed char)k;
 }
 
-static void load_places(fmb_extreme_program *s, fmb_extreme_reader *read, const void *self)
+static void load_places(fmb_exact_box_program *s, fmb_exact_box_reader *read, const void *self)
 {
     for (int row = 0; row < s->dim; row++) {
         fmb_wide *h = &s->h[row].whole, *less = &s->origin[1][row].whole;
@@ -191,7 +191,7 @@ static void load_places(fmb_extreme_program *s, fmb_extreme_reader *read, const 
     }
 }
 
-static void load_speeds(fmb_extreme_program *s, fmb_extreme_reader *read, const void *self)
+static void load_speeds(fmb_exact_box_program *s, fmb_exact_box_reader *read, const void *self)
 {
     for (int row = 0; row < s->dim; row++) {
         fmb_wide *drift = &s->m[s->columns][row].whole, *less = &s->speed[1][row].whole;
@@ -201,24 +201,24 @@ static void load_speeds(fmb_extreme_program *s, fmb_extreme_reader *read, const 
         fmb_wide_copy(drift, &s->speed[0][row].whole);
         fmb_wide_add(drift, less);
     }
-    s->group[s->columns++] = FMB_EXTREME_UNIT;
+    s->group[s->columns++] = FMB_EXACT_BOX_UNIT;
 }
 
 /* A row that is left over is 0. */
-static void finish_number(const fmb_extreme_program *s, int row, fmb_extreme_number *x)
+static void finish_number(const fmb_exact_box_program *s, int row, fmb_exact_box_number *x)
 {
     if (row >= s->dim)
         fmb_wide_set_word(&x->whole, 0);
     x->near = fmb_wide_to_doubles(&x->whole, &x->rest);
 }
 
-static void load_both(fmb_extreme_program *s, const body *p, const body *q,
-                      fmb_extreme_reader *read, const void *self)
+static void load_both(fmb_exact_box_program *s, const body *p, const body *q,
+                      fmb_exact_box_reader *read, const void *self)
 {
     s->dim = p->dim;
     s->columns = 0;
-    for (int j = 0; j < FMB_EXTREME_UNKNOWNS; j++)
-        s->group[j] = j < FMB_EXTREME_ARTIFICIAL ? FMB_EXTREME_NONE : FMB_EXTREME_ZERO;
+    for (int j = 0; j < FMB_EXACT_BOX_UNKNOWNS; j++)
+        s->group[j] = j < FMB_EXACT_BOX_ARTIFICIAL ? FMB_EXACT_BOX_NONE : FMB_EXACT_BOX_ZERO;
     s->first_of_b = p->naxes;
     s->time = p->moves || q->moves ? p->naxes + q->naxes : -1;
     load_axes_of_frame(s, 0, p, read, self);
@@ -226,7 +226,7 @@ static void load_both(fmb_extreme_program *s, const body *p, const body *q,
     load_places(s, read, self);
     if (s->time >= 0)
         load_speeds(s, read, self);
-    for (int row = 0; row < FMB_EXTREME_DIM; row++) {
+    for (int row = 0; row < FMB_EXACT_BOX_DIM; row++) {
         finish_number(s, row, &s->h[row]);
         for (int k = 0; k < 2; k++) {
             finish_number(s, row, &s->origin[k][row]);
@@ -240,10 +240,10 @@ static void load_both(fmb_extreme_program *s, const body *p, const body *q,
 
 static bool is_for_vertices(int dim, int naxes_p, int naxes_q)
 {
-    return dim <= FMB_EXTREME_DIM && naxes_p <= dim && naxes_q <= dim;
+    return dim <= FMB_EXACT_BOX_DIM && naxes_p <= dim && naxes_q <= dim;
 }
 
-bool fmb_extreme_load(fmb_extreme_program *s, const fmb_frame *p, const fmb_frame *q)
+bool fmb_exact_box_load(fmb_exact_box_program *s, const fmb_frame *p, const fmb_frame *q)
 {
     double_pair d = {.frame = {p, q}};
     bool good = is_for_vertices(p->dim, p->naxes, q->naxes);
@@ -251,15 +251,15 @@ bool fmb_extreme_load(fmb_extreme_program *s, const fmb_frame *p, const fmb_fram
         good = find_unit_of_row(&d, row);
     if (!good)
         return false;
-    for (int row = 0; row < FMB_EXTREME_DIM; row++)
+    for (int row = 0; row < FMB_EXACT_BOX_DIM; row++)
         s->exponent[row] = d.exponent[row];
     load_both(s, &(body){p->shape, p->dim, p->naxes, p->speed != NULL},
               &(body){q->shape, q->dim, q->naxes, q->speed != NULL}, read_double, &d);
     return true;
 }
 
-bool fmb_extreme_load_q(fmb_extreme_program *s, const fmb_frame_q *p, const fmb_frame_q *q,
-                        mpz_t *unit)
+bool fmb_exact_box_load_q(fmb_exact_box_program *s, const fmb_frame_q *p, const fmb_frame_q *q,
+                          mpz_t *unit)
 {
     mpz_t whole;
     rational_pair d = {.frame = {p, q}, .unit = unit, .whole = &whole};

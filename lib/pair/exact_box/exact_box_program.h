@@ -22,63 +22,69 @@
 #include "pair/exact_box/wide.h"
 
 enum {
-    FMB_EXTREME_DIM = 3,
-    FMB_EXTREME_COLUMNS = 2 * FMB_EXTREME_DIM + 1,
+    FMB_EXACT_BOX_DIM = 3,
+    FMB_EXACT_BOX_COLUMNS = 2 * FMB_EXACT_BOX_DIM + 1,
     /* numbers of unknowns: columns of M, slacks, artificial ones */
-    FMB_EXTREME_SLACK = FMB_EXTREME_COLUMNS,
-    FMB_EXTREME_ARTIFICIAL = FMB_EXTREME_SLACK + 2,
-    FMB_EXTREME_UNKNOWNS = FMB_EXTREME_ARTIFICIAL + FMB_EXTREME_DIM,
+    FMB_EXACT_BOX_SLACK = FMB_EXACT_BOX_COLUMNS,
+    FMB_EXACT_BOX_ARTIFICIAL = FMB_EXACT_BOX_SLACK + 2,
+    FMB_EXACT_BOX_UNKNOWNS = FMB_EXACT_BOX_ARTIFICIAL + FMB_EXACT_BOX_DIM,
     /* Bits of M, h, origins and speeds: then nothing that is computed from them has more than four
      * times as many and 16. */
-    FMB_EXTREME_BITS = 150
+    FMB_EXACT_BOX_BITS = 150
 };
 
 /* Which group an unknown is in. */
-enum { FMB_EXTREME_OF_A, FMB_EXTREME_OF_B, FMB_EXTREME_UNIT, FMB_EXTREME_ZERO, FMB_EXTREME_NONE };
+enum {
+    FMB_EXACT_BOX_OF_A,
+    FMB_EXACT_BOX_OF_B,
+    FMB_EXACT_BOX_UNIT,
+    FMB_EXACT_BOX_ZERO,
+    FMB_EXACT_BOX_NONE
+};
 
 /* A whole number, the double next to it, and what that is less, off by at most 2^-102 of it. */
-typedef struct fmb_extreme_number {
+typedef struct fmb_exact_box_number {
     fmb_wide whole;
     double near, rest;
-} fmb_extreme_number;
+} fmb_exact_box_number;
 
-typedef struct fmb_extreme_program {
+typedef struct fmb_exact_box_program {
     int dim, columns;
     int first_of_b, time; /* columns; time is -1 if nothing moves */
     bool is_simplex[2];
-    signed char group[FMB_EXTREME_UNKNOWNS];                    /* NONE: there is no such unknown */
-    fmb_extreme_number m[FMB_EXTREME_COLUMNS][FMB_EXTREME_DIM]; /* [column][row] */
-    fmb_extreme_number h[FMB_EXTREME_DIM];
-    fmb_extreme_number origin[2][FMB_EXTREME_DIM],
-        speed[2][FMB_EXTREME_DIM]; /* of A; of B, negative; speeds, if anything moves */
+    signed char group[FMB_EXACT_BOX_UNKNOWNS]; /* NONE: there is no such unknown */
+    fmb_exact_box_number m[FMB_EXACT_BOX_COLUMNS][FMB_EXACT_BOX_DIM]; /* [column][row] */
+    fmb_exact_box_number h[FMB_EXACT_BOX_DIM];
+    fmb_exact_box_number origin[2][FMB_EXACT_BOX_DIM],
+        speed[2][FMB_EXACT_BOX_DIM]; /* of A; of B, negative; speeds, if anything moves */
     /* A number x of row i is x / unit_i: 2^exponent[i], or unit[i] where numbers are rationals. */
-    int exponent[FMB_EXTREME_DIM];
-} fmb_extreme_program;
+    int exponent[FMB_EXACT_BOX_DIM];
+} fmb_exact_box_program;
 
 /* False: numbers of a row are too far apart, more than three dimensions, more axes than dimensions,
  * which this is not for. All numbers are finite. */
-bool fmb_extreme_load(fmb_extreme_program *s, const fmb_frame *p, const fmb_frame *q);
+bool fmb_exact_box_load(fmb_exact_box_program *s, const fmb_frame *p, const fmb_frame *q);
 /* The same of rationals; unit[0 .. dim) are initialised. */
-bool fmb_extreme_load_q(fmb_extreme_program *s, const fmb_frame_q *p, const fmb_frame_q *q,
-                        mpz_t *unit);
+bool fmb_exact_box_load_q(fmb_exact_box_program *s, const fmb_frame_q *p, const fmb_frame_q *q,
+                          mpz_t *unit);
 
 /* ---- basic solutions ------------------------------------------------------------------------- */
 
-typedef enum fmb_extreme_place {
-    FMB_EXTREME_LOW,
-    FMB_EXTREME_HIGH,
-    FMB_EXTREME_BASIC
-} fmb_extreme_place;
+typedef enum fmb_exact_box_place {
+    FMB_EXACT_BOX_LOW,
+    FMB_EXACT_BOX_HIGH,
+    FMB_EXACT_BOX_BASIC
+} fmb_exact_box_place;
 
-typedef struct fmb_extreme_basis {
-    unsigned char place[FMB_EXTREME_UNKNOWNS];
-} fmb_extreme_basis;
+typedef struct fmb_exact_box_basis {
+    unsigned char place[FMB_EXACT_BOX_UNKNOWNS];
+} fmb_exact_box_basis;
 
 /* An unknown, or a coordinate of the world: which end of it is wanted. */
-typedef struct fmb_extreme_goal {
+typedef struct fmb_exact_box_goal {
     bool is_world;
     int number; /* of the unknown, of the coordinate */
     bool greatest;
-} fmb_extreme_goal;
+} fmb_exact_box_goal;
 
 #endif

@@ -20,23 +20,23 @@
 #include "pair/exact_box/exact_box_program.h"
 #include "pair/kernels/verdict/verdict_flat.h"
 
-typedef struct judge {
-    fmb_extreme_program program;
+typedef struct normal_test {
+    fmb_exact_box_program program;
     fmb_flat_kind kind;
     flat_pair near;
     bool apart, touches, solid; /* solid: there is an interior */
-} judge;
+} normal_test;
 
 /* ---- in doubles ------------------------------------------------------------------------------ */
 
 /* The column of axis i of a side, or of the drift. */
-static int column_of_axis(const judge *w, int side, int i)
+static int column_of_axis(const normal_test *w, int side, int i)
 {
     return side == 0 ? i : w->program.first_of_b + i;
 }
 
 /* Direction i from those of its columns; B's and the drift's are negative in M. */
-static void near_direction(judge *w, int i, int column, int less)
+static void near_direction(normal_test *w, int i, int column, int less)
 {
     for (int j = 0; j < 3; j++) {
         double x = w->program.m[column][j].near;
@@ -46,7 +46,7 @@ static void near_direction(judge *w, int i, int column, int less)
     w->near.size[i] = flat_size(3, w->near.direction[i]);
 }
 
-static void load_near_side(judge *w, int side)
+static void load_near_side(normal_test *w, int side)
 {
     const fmb_flat_side *s = &w->kind.side[side];
     int base = side * FMB_FLAT_MOST_EDGES;
@@ -61,7 +61,7 @@ static void load_near_side(judge *w, int side)
     }
 }
 
-static void load_near(judge *w)
+static void load_near(normal_test *w)
 {
     for (int j = 0; j < 3; j++)
         w->near.shift[j] = w->program.h[j].near;
@@ -80,7 +80,7 @@ static void load_near(judge *w)
 }
 
 /* What a normal tells in doubles; false: nothing that is certain. */
-static bool ask_near(judge *w, int i)
+static bool ask_near(normal_test *w, int i)
 {
     int dim = w->kind.dim;
     double n[3], unit = (dim == 2 ? FLAT_FILTER_PLANE : FLAT_FILTER_SPACE) * 0x1p-53;
@@ -94,7 +94,7 @@ static bool ask_near(judge *w, int i)
 /* ---- in integers ----------------------------------------------------------------------------- */
 
 /* Direction i, of either sign. */
-static void whole_direction(const judge *w, int i, fmb_wide out[3])
+static void integer_direction(const normal_test *w, int i, fmb_wide out[3])
 {
     int side = i / FMB_FLAT_MOST_EDGES, edge = i % FMB_FLAT_MOST_EDGES;
     for (int j = 0; j < 3; j++) {
@@ -113,18 +113,18 @@ static void whole_direction(const judge *w, int i, fmb_wide out[3])
 }
 
 /* The normal number i; false: it is 0. */
-static bool whole_normal(const judge *w, int i, fmb_wide n[3])
+static bool integer_normal(const normal_test *w, int i, fmb_wide n[3])
 {
     const uint8_t *of = w->kind.normal[i];
     fmb_wide f[3], g[3];
-    whole_direction(w, of[0], f);
+    integer_direction(w, of[0], f);
     if (w->kind.dim == 2) {
         fmb_wide_copy(&n[0], &f[1]);
         fmb_wide_copy(&n[1], &f[0]);
         fmb_wide_negate(&n[1]);
         fmb_wide_set_word(&n[2], 0);
     } else {
-        whole_direction(w, of[1], g);
+        integer_direction(w, of[1], g);
         for (int j = 0; j < 3; j++) {
             int k = (j + 1) % 3, l = (j + 2) % 3;
             fmb_wide_cross(&n[j], &f[k], &g[l], &f[l], &g[k]);
@@ -133,7 +133,7 @@ static bool whole_normal(const judge *w, int i, fmb_wide n[3])
     return n[0].n > 0 || n[1].n > 0 || n[2].n > 0;
 }
 
-static void whole_product(const fmb_wide n[3], const fmb_extreme_number x[3], fmb_wide *out)
+static void integer_product(const fmb_wide n[3], const fmb_exact_box_number x[3], fmb_wide *out)
 {
     fmb_wide_dot(out, 3, (const fmb_wide *const[]){&n[0], &n[1], &n[2]},
                  (const fmb_wide *const[]){&x[0].whole, &x[1].whole, &x[2].whole}, 0);
@@ -141,19 +141,19 @@ static void whole_product(const fmb_wide n[3], const fmb_extreme_number x[3], fm
 
 /* n M z, its least and its greatest value over all places: those of one frame, or of the time, come
  * on top. */
-typedef struct whole_span {
+typedef struct integer_span {
     fmb_wide end[2];
-} whole_span;
+} integer_span;
 
-static void add_span_of_columns(const judge *w, const fmb_wide n[3], int first, int columns,
-                                bool simplex, whole_span *all)
+static void add_span_of_columns(const normal_test *w, const fmb_wide n[3], int first, int columns,
+                                bool simplex, integer_span *all)
 {
-    whole_span own;
+    integer_span own;
     fmb_wide at;
     for (int side = 0; side < 2; side++)
         fmb_wide_set_word(&own.end[side], 0);
     for (int k = first; k < first + columns; k++) {
-        whole_product(n, w->program.m[k], &at);
+        integer_product(n, w->program.m[k], &at);
         int side = fmb_wide_sign(&at) > 0;
         if (!simplex)
             fmb_wide_add(&own.end[side], &at);
@@ -165,12 +165,12 @@ static void add_span_of_columns(const judge *w, const fmb_wide n[3], int first, 
 }
 
 /* What a normal tells. */
-static void ask_whole(judge *w, int i)
+static void ask_in_integers(normal_test *w, int i)
 {
     const fmb_flat_kind *k = &w->kind;
     fmb_wide n[3], away;
-    whole_span span;
-    if (!whole_normal(w, i, n))
+    integer_span span;
+    if (!integer_normal(w, i, n))
         return;
     for (int side = 0; side < 2; side++)
         fmb_wide_set_word(&span.end[side], 0);
@@ -179,7 +179,7 @@ static void ask_whole(judge *w, int i)
                             k->side[side].simplex, &span);
     if (k->moves)
         add_span_of_columns(w, n, w->program.time, 1, false, &span);
-    whole_product(n, w->program.h, &away);
+    integer_product(n, w->program.h, &away);
     int low = fmb_wide_compare(&away, &span.end[0]), high = fmb_wide_compare(&away, &span.end[1]);
     w->apart |= low < 0 || high > 0;
     w->touches |= low == 0 || high == 0;
@@ -187,7 +187,7 @@ static void ask_whole(judge *w, int i)
 }
 
 /* n = a x b; false: it is 0. */
-static bool cross_columns(const fmb_extreme_number a[3], const fmb_extreme_number b[3],
+static bool cross_columns(const fmb_exact_box_number a[3], const fmb_exact_box_number b[3],
                           fmb_wide n[3])
 {
     for (int j = 0; j < 3; j++) {
@@ -199,9 +199,9 @@ static bool cross_columns(const fmb_extreme_number a[3], const fmb_extreme_numbe
 
 /* Have the points of the frames alone, which do not move, an interior? The normal of two columns
  * that are not parallel is not one of all columns. */
-static bool is_solid_without_drift(const judge *w)
+static bool is_solid_without_drift(const normal_test *w)
 {
-    const fmb_extreme_number(*m)[FMB_EXTREME_DIM] = w->program.m;
+    const fmb_exact_box_number(*m)[FMB_EXACT_BOX_DIM] = w->program.m;
     int columns = w->program.time;
     fmb_wide n[3], product;
     bool found = false, solid = w->kind.dim == 2;
@@ -209,7 +209,7 @@ static bool is_solid_without_drift(const judge *w)
         for (int j = i + 1; !found && j < columns; j++)
             found = cross_columns(m[i], m[j], n);
     for (int k = 0; found && !solid && k < columns; k++) {
-        whole_product(n, m[k], &product);
+        integer_product(n, m[k], &product);
         solid = product.n > 0;
     }
     return found && solid;
@@ -217,23 +217,24 @@ static bool is_solid_without_drift(const judge *w)
 
 /* ---- both ------------------------------------------------------------------------------------ */
 
-static void make_kind(const judge *w, const fmb_frame *p, const fmb_frame *q, fmb_flat_kind *out)
+static void make_kind(const normal_test *w, const fmb_frame *p, const fmb_frame *q,
+                      fmb_flat_kind *out)
 {
     const int naxes[2] = {p->naxes, q->naxes};
     fmb_flat_kind_of(p->dim, w->program.time >= 0, naxes, w->program.is_simplex, out);
 }
 
-bool fmb_extreme_decide(const fmb_frame *p, const fmb_frame *q, fmb_contact contact,
-                        fmb_verdict *out)
+bool fmb_exact_box_decide(const fmb_frame *p, const fmb_frame *q, fmb_contact contact,
+                          fmb_verdict *out)
 {
-    judge w = {.apart = false};
-    if (p->dim < 2 || !fmb_extreme_load(&w.program, p, q))
+    normal_test w = {.apart = false};
+    if (p->dim < 2 || !fmb_exact_box_load(&w.program, p, q))
         return false;
     make_kind(&w, p, q, &w.kind);
     load_near(&w);
     for (int i = 0; !w.apart && i < w.kind.normals; i++)
         if (!ask_near(&w, i))
-            ask_whole(&w, i);
+            ask_in_integers(&w, i);
     if (!w.apart && (!w.solid || (contact == FMB_CONTACT_OPEN && w.touches && w.kind.moves &&
                                   !is_solid_without_drift(&w))))
         return false;

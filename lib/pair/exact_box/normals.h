@@ -9,7 +9,7 @@
 /* Of good frames. False, and *out is as it was: another dimension, numbers too far apart, all in
  * one plane, or the faces alone meet (FMB_CONTACT_OPEN) and something moves. Nothing is allocated.
  */
-bool fmb_extreme_decide(const fmb_frame *p, const fmb_frame *q, fmb_contact contact,
-                        fmb_verdict *out);
+bool fmb_exact_box_decide(const fmb_frame *p, const fmb_frame *q, fmb_contact contact,
+                          fmb_verdict *out);
 
 #endif

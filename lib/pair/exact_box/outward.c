@@ -49,7 +49,8 @@ static void keep_53_bits(quotient *q)
     }
 }
 
-bool fmb_extreme_round_outward(const fmb_wide *numerator, const fmb_wide *det, bool up, double *out)
+bool fmb_exact_box_round_outward(const fmb_wide *numerator, const fmb_wide *det, bool up,
+                                 double *out)
 {
     quotient q;
     *out = 0;

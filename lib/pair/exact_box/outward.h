@@ -6,7 +6,7 @@
 
 /* The least double that is not below (up), or the greatest that is not above, numerator / det, det
  * > 0. False: it is near the ends of what doubles are. */
-bool fmb_extreme_round_outward(const fmb_wide *numerator, const fmb_wide *det, bool up,
-                               double *out);
+bool fmb_exact_box_round_outward(const fmb_wide *numerator, const fmb_wide *det, bool up,
+                                 double *out);
 
 #endif

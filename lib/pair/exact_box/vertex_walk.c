@@ -14,7 +14,7 @@
 
 enum { MOST_STEPS = 64 };
 
-static int group_of(const fmb_extreme_walk *w, int unknown)
+static int group_of(const fmb_exact_box_walk *w, int unknown)
 {
     return w->program->group[unknown];
 }
@@ -22,7 +22,7 @@ static int group_of(const fmb_extreme_walk *w, int unknown)
 /* ---- the first basis ------------------------------------------------------------------------- */
 
 /* A power of two that makes the largest number of a row about 1. */
-static double scale_of_row(const fmb_extreme_program *s, int row)
+static double scale_of_row(const fmb_exact_box_program *s, int row)
 {
     double most = fabs(s->h[row].near);
     int e;
@@ -32,10 +32,10 @@ static double scale_of_row(const fmb_extreme_program *s, int row)
     return ldexp(1, -e);
 }
 
-static void put_row_of_world(fmb_extreme_walk *w, int row, double scale)
+static void put_row_of_world(fmb_exact_box_walk *w, int row, double scale)
 {
-    const fmb_extreme_program *s = w->program;
-    w->basic[row] = FMB_EXTREME_ARTIFICIAL + row;
+    const fmb_exact_box_program *s = w->program;
+    w->basic[row] = FMB_EXACT_BOX_ARTIFICIAL + row;
     w->scale[row] = scale;
     w->value[row] = s->h[row].near * scale;
     for (int j = 0; j < s->columns; j++) {
@@ -46,35 +46,35 @@ static void put_row_of_world(fmb_extreme_walk *w, int row, double scale)
         w->world[row][s->time] = s->speed[0][row].near * scale;
 }
 
-static void put_row_of_simplex(fmb_extreme_walk *w, int k)
+static void put_row_of_simplex(fmb_exact_box_walk *w, int k)
 {
     int row = w->rows++;
-    w->basic[row] = FMB_EXTREME_SLACK + k;
+    w->basic[row] = FMB_EXACT_BOX_SLACK + k;
     w->value[row] = 1;
     for (int j = 0; j < FMB_WALK_COLUMNS; j++)
         w->entry[row][j] = group_of(w, j) == k;
 }
 
-static void put_first_basis(fmb_extreme_walk *w, const fmb_extreme_program *s)
+static void put_first_basis(fmb_exact_box_walk *w, const fmb_exact_box_program *s)
 {
     memset(w, 0, sizeof *w);
     w->program = s;
-    w->rows = FMB_EXTREME_DIM;
+    w->rows = FMB_EXACT_BOX_DIM;
     w->columns = s->is_simplex[0] || s->is_simplex[1] ? FMB_WALK_COLUMNS : s->columns;
-    for (int row = 0; row < FMB_EXTREME_DIM; row++)
+    for (int row = 0; row < FMB_EXACT_BOX_DIM; row++)
         put_row_of_world(w, row, scale_of_row(s, row));
     for (int k = 0; k < 2; k++)
         if (s->is_simplex[k])
             put_row_of_simplex(w, k);
     for (int row = 0; row < w->rows; row++)
-        w->basis.place[w->basic[row]] = FMB_EXTREME_BASIC;
+        w->basis.place[w->basic[row]] = FMB_EXACT_BOX_BASIC;
 }
 
 /* ---- steps ----------------------------------------------------------------------------------- */
 
 /* The unknown that gains most for each unit by which it leaves its end, or -1. weight_r is the cost
  * of the basic unknown of row r. */
-static int find_entering(const fmb_extreme_walk *w, const double *cost, const double *weight)
+static int find_entering(const fmb_exact_box_walk *w, const double *cost, const double *weight)
 {
     double gain[FMB_WALK_COLUMNS], size[FMB_WALK_COLUMNS], most = 0;
     int best = -1;
@@ -92,8 +92,8 @@ static int find_entering(const fmb_extreme_walk *w, const double *cost, const do
         }
     }
     for (int j = 0; j < w->columns; j++) {
-        double up = w->basis.place[j] == FMB_EXTREME_HIGH ? -gain[j] : gain[j];
-        if (up > most && up > NO_GAIN * size[j] && w->basis.place[j] != FMB_EXTREME_BASIC) {
+        double up = w->basis.place[j] == FMB_EXACT_BOX_HIGH ? -gain[j] : gain[j];
+        if (up > most && up > NO_GAIN * size[j] && w->basis.place[j] != FMB_EXACT_BOX_BASIC) {
             most = up;
             best = j;
         }
@@ -102,22 +102,22 @@ static int find_entering(const fmb_extreme_walk *w, const double *cost, const do
 }
 
 /* How far the basic unknown of row r may go up (or down) until it is at an end. */
-static double find_room(const fmb_extreme_walk *w, int r, bool up, bool *high)
+static double find_room(const fmb_exact_box_walk *w, int r, bool up, bool *high)
 {
     int group = group_of(w, w->basic[r]);
     double value = w->value[r];
-    *high = up && group == FMB_EXTREME_UNIT;
-    if (group == FMB_EXTREME_ZERO && fabs(value) > NO_DISTANCE)
+    *high = up && group == FMB_EXACT_BOX_UNIT;
+    if (group == FMB_EXACT_BOX_ZERO && fabs(value) > NO_DISTANCE)
         return up == (value < 0) ? fabs(value) : INFINITY;
-    if (group == FMB_EXTREME_ZERO)
+    if (group == FMB_EXACT_BOX_ZERO)
         return 0;
-    if (up && group != FMB_EXTREME_UNIT)
+    if (up && group != FMB_EXACT_BOX_UNIT)
         return INFINITY;
     return fmax(up ? 1 - value : value, 0);
 }
 
 /* Row r is written for unknown j in place of the one that is basic there. */
-static void pivot(fmb_extreme_walk *w, int r, int j)
+static void pivot(fmb_exact_box_walk *w, int r, int j)
 {
     double *row = w->entry[r], inverse = 1 / row[j];
     for (int k = 0; k < FMB_WALK_COLUMNS; k++)
@@ -134,10 +134,10 @@ static void pivot(fmb_extreme_walk *w, int r, int j)
 }
 
 /* Unknown j leaves its end until a basic one comes to an end, or j to its other one. */
-static void leave_end(fmb_extreme_walk *w, int j)
+static void leave_end(fmb_exact_box_walk *w, int j)
 {
-    double sign = w->basis.place[j] == FMB_EXTREME_HIGH ? -1 : 1, largest = 0;
-    double way = group_of(w, j) == FMB_EXTREME_UNIT ? 1 : INFINITY, weight = 0;
+    double sign = w->basis.place[j] == FMB_EXACT_BOX_HIGH ? -1 : 1, largest = 0;
+    double way = group_of(w, j) == FMB_EXACT_BOX_UNIT ? 1 : INFINITY, weight = 0;
     int leaving = -1;
     bool high = false, end;
     for (int r = 0; r < w->rows; r++)
@@ -159,11 +159,11 @@ static void leave_end(fmb_extreme_walk *w, int j)
     for (int r = 0; r < w->rows; r++)
         w->value[r] -= sign * way * w->entry[r][j];
     if (leaving < 0) {
-        w->basis.place[j] = sign > 0 ? FMB_EXTREME_HIGH : FMB_EXTREME_LOW;
+        w->basis.place[j] = sign > 0 ? FMB_EXACT_BOX_HIGH : FMB_EXACT_BOX_LOW;
         return;
     }
-    w->basis.place[w->basic[leaving]] = high ? FMB_EXTREME_HIGH : FMB_EXTREME_LOW;
-    w->basis.place[j] = FMB_EXTREME_BASIC;
+    w->basis.place[w->basic[leaving]] = high ? FMB_EXACT_BOX_HIGH : FMB_EXACT_BOX_LOW;
+    w->basis.place[j] = FMB_EXACT_BOX_BASIC;
     w->basic[leaving] = j;
     w->value[leaving] = sign > 0 ? way : 1 - way;
     pivot(w, leaving, j);
@@ -172,27 +172,27 @@ static void leave_end(fmb_extreme_walk *w, int j)
 /* ---- walks ----------------------------------------------------------------------------------- */
 
 /* The artificial unknowns that are not 0 are to become less. */
-static bool weigh_artificial_unknowns(const fmb_extreme_walk *w, double *weight)
+static bool weigh_artificial_unknowns(const fmb_exact_box_walk *w, double *weight)
 {
     bool any = false;
     for (int r = 0; r < w->rows; r++) {
-        bool is_off = w->basic[r] >= FMB_EXTREME_ARTIFICIAL && fabs(w->value[r]) > NO_DISTANCE;
+        bool is_off = w->basic[r] >= FMB_EXACT_BOX_ARTIFICIAL && fabs(w->value[r]) > NO_DISTANCE;
         weight[r] = !is_off ? 0 : w->value[r] > 0 ? -1 : 1;
         any |= is_off;
     }
     return any;
 }
 
-static void note_weights(fmb_extreme_walk *w, const double *weight)
+static void note_weights(fmb_exact_box_walk *w, const double *weight)
 {
     for (int r = 0; r < w->rows; r++) {
-        int row = w->basic[r] - FMB_EXTREME_ARTIFICIAL;
+        int row = w->basic[r] - FMB_EXACT_BOX_ARTIFICIAL;
         if (row >= 0)
             w->weight[row] = weight[r] * w->scale[row];
     }
 }
 
-bool fmb_extreme_walk_start(fmb_extreme_walk *w, const fmb_extreme_program *s)
+bool fmb_exact_box_walk_start(fmb_exact_box_walk *w, const fmb_exact_box_program *s)
 {
     static const double nothing[FMB_WALK_COLUMNS] = {0};
     double weight[FMB_WALK_ROWS];
@@ -208,7 +208,7 @@ bool fmb_extreme_walk_start(fmb_extreme_walk *w, const fmb_extreme_program *s)
     return true;
 }
 
-bool fmb_extreme_walk_to(fmb_extreme_walk *w, const fmb_extreme_goal *goal)
+bool fmb_exact_box_walk_to(fmb_exact_box_walk *w, const fmb_exact_box_goal *goal)
 {
     double cost[FMB_WALK_COLUMNS] = {0}, weight[FMB_WALK_ROWS];
     for (int j = 0; j < FMB_WALK_COLUMNS; j++) {

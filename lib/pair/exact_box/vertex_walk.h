@@ -5,30 +5,31 @@
 #include "pair/exact_box/exact_box_program.h"
 
 enum {
-    FMB_WALK_ROWS = FMB_EXTREME_DIM + 2, /* with a sum for each simplex */
+    FMB_WALK_ROWS = FMB_EXACT_BOX_DIM + 2, /* with a sum for each simplex */
     /* Artificial unknowns never come back; an even number, as vectors like it. */
-    FMB_WALK_COLUMNS = (FMB_EXTREME_ARTIFICIAL + 1) / 2 * 2
+    FMB_WALK_COLUMNS = (FMB_EXACT_BOX_ARTIFICIAL + 1) / 2 * 2
 };
 
 /* Every unknown j written by those that are basic: z_basic(r) = value_r at the basic solution, and
  * falls by entry[r][j] for each unit that z_j rises. Columns of unknowns that are not there are 0.
  */
-typedef struct fmb_extreme_walk {
-    const fmb_extreme_program *program;
+typedef struct fmb_exact_box_walk {
+    const fmb_exact_box_program *program;
     int rows, columns; /* columns: 1 + the last that there is */
     double entry[FMB_WALK_ROWS][FMB_WALK_COLUMNS], value[FMB_WALK_ROWS];
     int basic[FMB_WALK_ROWS];
-    fmb_extreme_basis basis;
-    double scale[FMB_EXTREME_DIM];  /* of rows, powers of two */
-    double weight[FMB_EXTREME_DIM]; /* of artificial unknowns that are not 0: 1 or -1, and scaled */
+    fmb_exact_box_basis basis;
+    double scale[FMB_EXACT_BOX_DIM]; /* of rows, powers of two */
+    double
+        weight[FMB_EXACT_BOX_DIM]; /* of artificial unknowns that are not 0: 1 or -1, and scaled */
     /* the world: coordinate i of A's points in its own unit, scaled */
-    double world[FMB_EXTREME_DIM][FMB_WALK_COLUMNS];
-} fmb_extreme_walk;
+    double world[FMB_EXACT_BOX_DIM][FMB_WALK_COLUMNS];
+} fmb_exact_box_walk;
 
 /* To a vertex of the common points. False: there seems to be none; the basis is where the
  * artificial unknowns are least, which have these weights. */
-bool fmb_extreme_walk_start(fmb_extreme_walk *w, const fmb_extreme_program *s);
+bool fmb_exact_box_walk_start(fmb_exact_box_walk *w, const fmb_exact_box_program *s);
 /* From a vertex to one where the goal is at its end. False if that was not reached. */
-bool fmb_extreme_walk_to(fmb_extreme_walk *w, const fmb_extreme_goal *goal);
+bool fmb_exact_box_walk_to(fmb_exact_box_walk *w, const fmb_exact_box_goal *goal);
 
 #endif

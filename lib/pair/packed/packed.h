@@ -20,7 +20,7 @@ bool fmb_packed_plan_of(const fmb_pair *k, int kind_a, int kind_b, fmb_packed_pl
 fmb_status fmb_packed_decide(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
                              const fmb_frames_pair *pair, fmb_verdict *out);
 
-/* Are the arguments sets of the dimension of k? If not, k->trouble says so. A query begins. */
+/* Are the arguments sets of the dimension of k? If not, k->error says so. A query begins. */
 bool fmb_packed_begin(fmb_pair *k, const fmb_frames *a, const fmb_frames *b);
 
 /* Jobs by the threads of k, in rounds. Errors: MEMORY. */

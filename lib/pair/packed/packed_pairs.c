@@ -7,14 +7,14 @@
 
 bool fmb_packed_begin(fmb_pair *k, const fmb_frames *a, const fmb_frames *b)
 {
-    k->trouble[0] = '\0';
+    k->error[0] = '\0';
     if (!a || !b || a->dim != k->dim || b->dim != k->dim) {
-        snprintf(k->trouble, sizeof k->trouble, "%s",
+        snprintf(k->error, sizeof k->error, "%s",
                  !a || !b ? "a set is NULL" : "a set has another dim");
         return false;
     }
     for (int i = -1; i < k->threads - 1; i++)
-        atomic_store_explicit(i < 0 ? &k->oracle.cancel : &k->crew[i]->oracle.cancel, 0,
+        atomic_store_explicit(i < 0 ? &k->oracle.cancel : &k->workers[i]->oracle.cancel, 0,
                               memory_order_relaxed);
     return true;
 }
@@ -31,7 +31,7 @@ fmb_status fmb_packed_do(fmb_pair *k, size_t jobs, fmb_thread_job job, void *sel
 
 fmb_pair *fmb_packed_worker(fmb_pair *k, size_t thread)
 {
-    return thread == 0 ? k : k->crew[thread - 1];
+    return thread == 0 ? k : k->workers[thread - 1];
 }
 
 bool fmb_packed_plan_of(const fmb_pair *k, int a, int b, fmb_packed_plan *out)
@@ -203,7 +203,7 @@ static fmb_status answer_portion(fmb_pair *k, const pairs_query *x, size_t from)
     const fmb_pair_answers *o = x->out;
     size_t bad = find_bad_pair(k, x, n, pair);
     if (bad < n) {
-        snprintf(k->trouble, sizeof k->trouble, "pair[%zu]: no such frame", from + bad);
+        snprintf(k->error, sizeof k->error, "pair[%zu]: no such frame", from + bad);
         return FMB_ERR_ARG;
     }
     if (fmb_pair_is_cancelled(k)) {
@@ -283,7 +283,7 @@ fmb_status fmb_frames_test(fmb_pair *k, const fmb_frames *a, const fmb_frames *b
         ((n > 0 || out) && fmb_pair_read_answers(k, out, &ours) != FMB_OK))
         return FMB_ERR_ARG;
     if (n > 0 && (!pair || !ours.verdict)) {
-        snprintf(k->trouble, sizeof k->trouble, "%s is NULL", !pair ? "pair" : "out->verdict");
+        snprintf(k->error, sizeof k->error, "%s is NULL", !pair ? "pair" : "out->verdict");
         return FMB_ERR_ARG;
     }
     pairs_query x = {a, b, pair, &ours, n};

@@ -148,8 +148,7 @@ fmb_status fmb_frames_test_row(fmb_pair *k, const fmb_frames *a, size_t i, const
     if (!k || !fmb_packed_begin(k, a, b))
         return FMB_ERR_ARG;
     if (i >= a->n || (b->n > 0 && !verdict)) {
-        snprintf(k->trouble, sizeof k->trouble, "%s",
-                 i >= a->n ? "no such frame" : "verdict is NULL");
+        snprintf(k->error, sizeof k->error, "%s", i >= a->n ? "no such frame" : "verdict is NULL");
         return FMB_ERR_ARG;
     }
     k->counts.pairs += b->n;
@@ -324,7 +323,7 @@ static fmb_status open_bands(const all_query *x, fmb_pair *k, band *w)
 {
     fmb_status st = FMB_OK;
     for (int t = 0; st == FMB_OK && t < k->threads; t++) {
-        w[t].k = t == 0 ? k : k->crew[t - 1];
+        w[t].k = t == 0 ? k : k->workers[t - 1];
         fmb_mem_init(&w[t].mem, &k->mem.alloc, 0);
         w[t].meet = fmb_mem_get(&w[t].mem, x->rows * x->words, sizeof *w[t].meet);
         w[t].open =

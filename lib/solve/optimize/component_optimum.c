@@ -8,9 +8,9 @@
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
-fmb_status fmb_peak_init(fmb_peak *k, fmb_query *q)
+fmb_status fmb_component_optimum_init(fmb_component_optimum *k, fmb_query *q)
 {
-    *k = (fmb_peak){.room = 1};
+    *k = (fmb_component_optimum){.room = 1};
     mpq_init(k->value);
     for (int c = 0; c < q->parts.count; c++)
         if ((size_t)q->parts.part[c].n + 1 > k->room)
@@ -18,14 +18,14 @@ fmb_status fmb_peak_init(fmb_peak *k, fmb_query *q)
     return fmb_rationals_new(&k->x, k->room, q->run.mem);
 }
 
-void fmb_peak_clear(fmb_peak *k, fmb_query *q)
+void fmb_component_optimum_clear(fmb_component_optimum *k, fmb_query *q)
 {
     fmb_weights_clear(&k->w, q->run.mem);
     fmb_rationals_free(k->x, k->room, q->run.mem);
     mpq_clear(k->value);
 }
 
-static void forget_peak(fmb_peak *k, fmb_query *q)
+static void forget_optimum(fmb_component_optimum *k, fmb_query *q)
 {
     k->kind = FMB_END_UNKNOWN;
     k->attained = k->clash = k->reached = false;
@@ -33,11 +33,11 @@ static void forget_peak(fmb_peak *k, fmb_query *q)
 }
 
 /* The row that says what z is has done its work. */
-static void drop_weight_of_goal_row(fmb_peak *k, const fmb_part *wider)
+static void drop_weight_of_goal_row(fmb_component_optimum *k, const fmb_part *with_objective)
 {
     size_t kept = 0;
     for (size_t i = 0; i < k->w.size; i++) {
-        if (k->w.index[i] == wider->m - 1)
+        if (k->w.index[i] == with_objective->m - 1)
             continue;
         k->w.index[kept] = k->w.index[i];
         mpq_swap(k->w.value[kept++], k->w.value[i]);
@@ -59,8 +59,8 @@ static fmb_status weigh_columns(fmb_query *q, const fmb_goal *g, const fmb_part 
     return st;
 }
 
-static fmb_status read_peak_of_oracle(fmb_query *q, const fmb_part *p, const fmb_oracle *o,
-                                      fmb_peak *k)
+static fmb_status read_optimum_of_oracle(fmb_query *q, const fmb_part *p, const fmb_oracle *o,
+                                         fmb_component_optimum *k)
 {
     k->kind = FMB_END_FINITE;
     fmb_oracle_value(o, k->value);
@@ -71,13 +71,14 @@ static fmb_status read_peak_of_oracle(fmb_query *q, const fmb_part *p, const fmb
     return st == FMB_OK ? fmb_query_take_oracle_weights(q, p, &k->w) : st;
 }
 
-fmb_status fmb_peak_by_oracle(fmb_query *q, const fmb_goal *g, int part, fmb_peak *k)
+fmb_status fmb_component_optimum_by_oracle(fmb_query *q, const fmb_goal *g, int part,
+                                           fmb_component_optimum *k)
 {
     const fmb_part *p = &q->parts.part[part];
     fmb_oracle *o = NULL;
     fmb_oracle_end end = FMB_ORACLE_OPTIMUM;
     fmb_weights cost = {0};
-    forget_peak(k, q);
+    forget_optimum(k, q);
     fmb_status st = fmb_query_feasible_oracle(q, part, &o);
     if (st == FMB_OK)
         st = weigh_columns(q, g, p, &cost);
@@ -90,13 +91,14 @@ fmb_status fmb_peak_by_oracle(fmb_query *q, const fmb_goal *g, int part, fmb_pea
         fmb_oracle_ray(o, k->x);
         return FMB_OK;
     }
-    return st == FMB_OK ? read_peak_of_oracle(q, p, o, k) : st;
+    return st == FMB_OK ? read_optimum_of_oracle(q, p, o, k) : st;
 }
 
 /* ---- by elimination -------------------------------------------------------------------------- */
 
 /* z <= value is that row of the store, divided by its coefficient. */
-static fmb_status take_peak_from_row(fmb_query *q, const fmb_elim *e, uint32_t row, fmb_peak *k)
+static fmb_status take_optimum_from_row(fmb_query *q, const fmb_elim *e, uint32_t row,
+                                        fmb_component_optimum *k)
 {
     const fmb_derived *r = &e->row[row];
     mpq_t t;
@@ -111,7 +113,8 @@ static fmb_status take_peak_from_row(fmb_query *q, const fmb_elim *e, uint32_t r
 }
 
 /* All is gone but z, and that is the row which bounds it; FMB_NO_ROW: none does. */
-static fmb_status read_peak_of_store(fmb_query *q, const fmb_elim *e, uint32_t row, fmb_peak *k)
+static fmb_status read_optimum_of_store(fmb_query *q, const fmb_elim *e, uint32_t row,
+                                        fmb_component_optimum *k)
 {
     mpq_ptr z = k->x[e->n - 1];
     if (row == FMB_NO_ROW) {
@@ -119,7 +122,7 @@ static fmb_status read_peak_of_store(fmb_query *q, const fmb_elim *e, uint32_t r
         k->kind = FMB_END_INFINITE;
         return fmb_elim_point(e, FMB_POINT_RAY, k->x);
     }
-    fmb_status st = take_peak_from_row(q, e, row, k);
+    fmb_status st = take_optimum_from_row(q, e, row, k);
     if (st != FMB_OK)
         return st;
     k->kind = FMB_END_FINITE;
@@ -129,7 +132,8 @@ static fmb_status read_peak_of_store(fmb_query *q, const fmb_elim *e, uint32_t r
 }
 
 /* An end of z by the rows there are. */
-static fmb_status find_outer_peak(fmb_query *q, const fmb_part *p, fmb_elim *e, fmb_peak *k)
+static fmb_status find_outer_optimum(fmb_query *q, const fmb_part *p, fmb_elim *e,
+                                     fmb_component_optimum *k)
 {
     fmb_ends f;
     fmb_status st = fmb_ends_open(&f, e);
@@ -139,7 +143,7 @@ static fmb_status find_outer_peak(fmb_query *q, const fmb_part *p, fmb_elim *e, 
         st = fmb_query_claim_clash(q, p, e);
         k->clash = st == FMB_OK;
     } else if (st == FMB_OK && f.row[FMB_UPPER][e->n - 1] != FMB_NO_ROW) {
-        st = take_peak_from_row(q, e, f.row[FMB_UPPER][e->n - 1], k);
+        st = take_optimum_from_row(q, e, f.row[FMB_UPPER][e->n - 1], k);
         if (st == FMB_OK)
             k->kind = FMB_END_OUTER;
     }
@@ -151,7 +155,8 @@ static fmb_status find_outer_peak(fmb_query *q, const fmb_part *p, fmb_elim *e, 
  */
 #define MOST_ROWS_AT_LIMIT ((size_t)1 << 15)
 
-static fmb_status eliminate_all_but_goal(fmb_query *q, const fmb_part *p, fmb_elim *e, fmb_peak *k)
+static fmb_status eliminate_all_but_goal(fmb_query *q, const fmb_part *p, fmb_elim *e,
+                                         fmb_component_optimum *k)
 {
     bool *drop = fmb_arena_get(&q->v->arena, (size_t)p->n, sizeof *drop);
     if (!drop)
@@ -160,19 +165,20 @@ static fmb_status eliminate_all_but_goal(fmb_query *q, const fmb_part *p, fmb_el
         drop[j] = j < p->n - 1;
     fmb_status st = fmb_elim_eliminate(e, drop);
     if (st == FMB_OK)
-        return read_peak_of_store(q, e, fmb_end_tightest_row(e, p->n - 1, 1), k);
+        return read_optimum_of_store(q, e, fmb_end_tightest_row(e, p->n - 1, 1), k);
     fmb_status saved =
-        st == FMB_LIMIT && e->rows <= MOST_ROWS_AT_LIMIT ? find_outer_peak(q, p, e, k) : FMB_OK;
+        st == FMB_LIMIT && e->rows <= MOST_ROWS_AT_LIMIT ? find_outer_optimum(q, p, e, k) : FMB_OK;
     return saved != FMB_OK ? saved : st;
 }
 
-fmb_status fmb_peak_by_elimination(fmb_query *q, const fmb_goal *g, int part, fmb_peak *k)
+fmb_status fmb_component_optimum_by_elimination(fmb_query *q, const fmb_goal *g, int part,
+                                                fmb_component_optimum *k)
 {
-    fmb_wider w = {0};
+    fmb_objective_column w = {0};
     fmb_elim e = {.run = &q->run};
     fmb_arena_place place = fmb_arena_tell(&q->v->arena);
-    forget_peak(k, q);
-    fmb_status st = fmb_wider_init(&w, q, part, g);
+    forget_optimum(k, q);
+    fmb_status st = fmb_objective_column_init(&w, q, part, g);
     if (st == FMB_OK) {
         st = fmb_query_load(q, &w.p, true, &e);
         if (st == FMB_OK)
@@ -180,31 +186,32 @@ fmb_status fmb_peak_by_elimination(fmb_query *q, const fmb_goal *g, int part, fm
         fmb_elim_clear(&e);
     }
     drop_weight_of_goal_row(k, &w.p);
-    fmb_wider_clear(&w);
+    fmb_objective_column_clear(&w);
     fmb_arena_rewind(&q->v->arena, place);
     return st;
 }
 
 /* ---- at a limit ------------------------------------------------------------------------------ */
 
-fmb_status fmb_peak_at_limit(fmb_query *q, const fmb_goal *g, int part, fmb_peak *k)
+fmb_status fmb_component_optimum_at_limit(fmb_query *q, const fmb_goal *g, int part,
+                                          fmb_component_optimum *k)
 {
-    fmb_wider w = {0};
+    fmb_objective_column w = {0};
     fmb_elim e = {.run = &q->run};
     const fmb_part *p = &q->parts.part[part];
     fmb_arena_place place = fmb_arena_tell(&q->v->arena);
-    forget_peak(k, q);
+    forget_optimum(k, q);
     if (!fmb_outer_is_cheap(p))
         return FMB_OK;
-    fmb_status st = fmb_wider_init(&w, q, part, g);
+    fmb_status st = fmb_objective_column_init(&w, q, part, g);
     if (st == FMB_OK) {
         st = fmb_query_load(q, &w.p, true, &e);
         if (st == FMB_OK)
-            st = find_outer_peak(q, &w.p, &e, k);
+            st = find_outer_optimum(q, &w.p, &e, k);
         fmb_elim_clear(&e);
     }
     drop_weight_of_goal_row(k, &w.p);
-    fmb_wider_clear(&w);
+    fmb_objective_column_clear(&w);
     fmb_arena_rewind(&q->v->arena, place);
     return st == FMB_LIMIT ? FMB_OK : st;
 }

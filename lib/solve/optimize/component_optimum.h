@@ -4,7 +4,7 @@
 
 #include "solve/optimize/objective_column.h"
 
-typedef struct fmb_peak {
+typedef struct fmb_component_optimum {
     fmb_end_kind kind; /* UNKNOWN: the way did not lead anywhere */
     bool attained;
     bool clash;    /* at a limit: the rows of the part contradict each other, and a claim says so */
@@ -14,18 +14,20 @@ typedef struct fmb_peak {
     mpq_t *x;      /* [room] FINITE: a point there, of the closure if it is not attained;
                       INFINITE: a ray. By column */
     size_t room;   /* one more than the columns of any part */
-} fmb_peak;
+} fmb_component_optimum;
 
-/* Errors: MEMORY, LIMIT. In any case fmb_peak_clear it. */
-fmb_status fmb_peak_init(fmb_peak *k, fmb_query *q);
-void fmb_peak_clear(fmb_peak *k, fmb_query *q);
+/* Errors: MEMORY, LIMIT. In any case fmb_component_optimum_clear it. */
+fmb_status fmb_component_optimum_init(fmb_component_optimum *k, fmb_query *q);
+void fmb_component_optimum_clear(fmb_component_optimum *k, fmb_query *q);
 
 /* One way; what k held before is gone. FINITE and INFINITE are exact; OUTER is what a limit has
  * left. */
-typedef fmb_status fmb_climb(fmb_query *q, const fmb_goal *g, int part, fmb_peak *k);
+typedef fmb_status fmb_component_optimum_method(fmb_query *q, const fmb_goal *g, int part,
+                                                fmb_component_optimum *k);
 
 /* By the oracle; by elimination of all but the goal; and, when a limit was reached, by the ends of
  * variables, which never returns LIMIT. The part is known to be feasible but for the last one. */
-fmb_climb fmb_peak_by_oracle, fmb_peak_by_elimination, fmb_peak_at_limit;
+fmb_component_optimum_method fmb_component_optimum_by_oracle, fmb_component_optimum_by_elimination,
+    fmb_component_optimum_at_limit;
 
 #endif

@@ -4,14 +4,14 @@
 #include <string.h>
 
 /* Room for entries of a row. */
-static fmb_status open_wider_row(fmb_vec *v, size_t entries, fmb_arena *arena)
+static fmb_status open_row_with_objective(fmb_vec *v, size_t entries, fmb_arena *arena)
 {
     *v = (fmb_vec){.s = fmb_arena_get(arena, entries, sizeof *v->s)};
     return v->s ? FMB_OK : fmb_mem_status(arena->mem);
 }
 
 /* from[n + 1], in lowest terms, as to[n + 2], with a zero before the right side. */
-static fmb_status copy_wider_row(fmb_vec *to, const fmb_vec *from, size_t n, fmb_num *k)
+static fmb_status copy_row_with_objective(fmb_vec *to, const fmb_vec *from, size_t n, fmb_num *k)
 {
     if (!fmb_vec_is_wide(from)) {
         memcpy(to->s, from->s, n * sizeof *to->s);
@@ -62,7 +62,7 @@ static fmb_status set_goal_row(fmb_vec *row, const fmb_part *from, const fmb_goa
     return st;
 }
 
-static fmb_status allocate_wider_part(fmb_part *p, int n, size_t m, fmb_arena *arena)
+static fmb_status allocate_part_with_objective(fmb_part *p, int n, size_t m, fmb_arena *arena)
 {
     *p = (fmb_part){.n = n};
     p->var = fmb_arena_get(arena, (size_t)n, sizeof *p->var);
@@ -73,17 +73,17 @@ static fmb_status allocate_wider_part(fmb_part *p, int n, size_t m, fmb_arena *a
 }
 
 /* At a limit no more polls: what was asked for then is to be had at little cost. */
-static fmb_status fill_wider_rows(fmb_part *p, fmb_query *q, const fmb_part *from,
-                                  const fmb_goal *g, fmb_num *k)
+static fmb_status fill_rows_with_objective(fmb_part *p, fmb_query *q, const fmb_part *from,
+                                           const fmb_goal *g, fmb_num *k)
 {
     size_t n = (size_t)from->n;
     fmb_status st = FMB_OK;
     for (size_t i = 0; st == FMB_OK && i <= from->m; i++) {
-        st = open_wider_row(&p->row[i], n + 2, &q->v->arena);
+        st = open_row_with_objective(&p->row[i], n + 2, &q->v->arena);
         if (st != FMB_OK)
             break;
         p->m++;
-        st = i < from->m ? copy_wider_row(&p->row[i], &from->row[i], n, k)
+        st = i < from->m ? copy_row_with_objective(&p->row[i], &from->row[i], n, k)
                          : set_goal_row(&p->row[i], from, g, k);
         if (st == FMB_OK && q->run.stop == FMB_STOP_DONE)
             st = fmb_run_poll_step(&q->run, fmb_vec_is_wide(&p->row[i]));
@@ -91,7 +91,8 @@ static fmb_status fill_wider_rows(fmb_part *p, fmb_query *q, const fmb_part *fro
     return st;
 }
 
-fmb_status fmb_wider_init(fmb_wider *w, fmb_query *q, int part, const fmb_goal *g)
+fmb_status fmb_objective_column_init(fmb_objective_column *w, fmb_query *q, int part,
+                                     const fmb_goal *g)
 {
     fmb_num k;
     const fmb_part *from = &q->parts.part[part];
@@ -100,7 +101,7 @@ fmb_status fmb_wider_init(fmb_wider *w, fmb_query *q, int part, const fmb_goal *
     w->mem = q->run.mem;
     fmb_status st = fmb_query_write_rows(q, part);
     if (st == FMB_OK)
-        st = allocate_wider_part(p, from->n + 1, from->m + 1, &q->v->arena);
+        st = allocate_part_with_objective(p, from->n + 1, from->m + 1, &q->v->arena);
     if (st != FMB_OK)
         return st;
     memcpy(p->var, from->var, n * sizeof *p->var);
@@ -111,12 +112,12 @@ fmb_status fmb_wider_init(fmb_wider *w, fmb_query *q, int part, const fmb_goal *
     p->source[from->m] = from->source[0];
     st = fmb_run_open_num(&q->run, &k, 1, fmb_query_is_wide(q));
     if (st == FMB_OK)
-        st = fill_wider_rows(p, q, from, g, &k);
+        st = fill_rows_with_objective(p, q, from, g, &k);
     fmb_num_clear(&k);
     return st;
 }
 
-void fmb_wider_clear(fmb_wider *w)
+void fmb_objective_column_clear(fmb_objective_column *w)
 {
     for (size_t i = 0; i < w->p.m; i++)
         fmb_vec_clear(&w->p.row[i], (size_t)w->p.n + 1, w->mem);

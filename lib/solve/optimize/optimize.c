@@ -18,7 +18,7 @@ typedef struct ascent {
     fmb_query *q;
     const fmb_goal *g;
     fmb_optimum *o;
-    fmb_peak peak;    /* of the part at hand */
+    fmb_component_optimum optimum_of_part; /* of the part at hand */
     fmb_claim *claim; /* that the parts so far have put their multipliers into; NULL: none */
     mpq_t *best;      /* [dim] the best solution so far: where a limit ends the climb, the answer */
     bool improved;    /* it is another one than the decision has found */
@@ -199,10 +199,10 @@ static fmb_status answer_endless_variable(ascent *a, int j)
     return answer_endless(a);
 }
 
-/* The peak is finite, or an outer end. */
-static fmb_status add_peak(ascent *a, const fmb_part *p)
+/* The optimum_of_part is finite, or an outer end. */
+static fmb_status add_component(ascent *a, const fmb_part *p)
 {
-    const fmb_peak *k = &a->peak;
+    const fmb_component_optimum *k = &a->optimum_of_part;
     bool exact = k->kind == FMB_END_FINITE;
     fmb_status st = open_optimum_claim(a);
     if (st == FMB_OK && a->claim)
@@ -230,24 +230,25 @@ static bool is_part_asked(const ascent *a, int c)
 static fmb_status climb_all_parts(ascent *a, int *c, bool *ends)
 {
     bool eliminates = fmb_query_eliminates(a->q);
-    fmb_climb *climb = eliminates ? fmb_peak_by_elimination : fmb_peak_by_oracle;
+    fmb_component_optimum_method *climb =
+        eliminates ? fmb_component_optimum_by_elimination : fmb_component_optimum_by_oracle;
     const char *engine = eliminates ? "elimination" : "oracle";
     fmb_status st = FMB_OK;
     for (*ends = true; st == FMB_OK && *c < a->q->parts.count; *c += st == FMB_OK) {
         if (!is_part_asked(a, *c))
             continue;
         const fmb_part *p = &a->q->parts.part[*c];
-        st = climb(a->q, a->g, *c, &a->peak);
+        st = climb(a->q, a->g, *c, &a->optimum_of_part);
         fmb_run_tell_attempt(&a->q->run, fmb_query_attempt(a->q, *c, engine, "optimum"), st, true);
-        if (st == FMB_OK && a->peak.kind == FMB_END_INFINITE) {
-            fmb_query_scatter(p, a->peak.x, a->o->ray);
+        if (st == FMB_OK && a->optimum_of_part.kind == FMB_END_INFINITE) {
+            fmb_query_scatter(p, a->optimum_of_part.x, a->o->ray);
             *ends = false;
             return answer_endless(a);
         }
-        if (a->peak.reached)
-            note_solution_of_part(a, p, a->peak.x);
-        if (st == FMB_OK || (st == FMB_LIMIT && a->peak.kind == FMB_END_OUTER)) {
-            fmb_status added = add_peak(a, p);
+        if (a->optimum_of_part.reached)
+            note_solution_of_part(a, p, a->optimum_of_part.x);
+        if (st == FMB_OK || (st == FMB_LIMIT && a->optimum_of_part.kind == FMB_END_OUTER)) {
+            fmb_status added = add_component(a, p);
             *c += st == FMB_LIMIT && added == FMB_OK;
             st = added == FMB_OK ? st : added;
         }
@@ -284,16 +285,16 @@ static fmb_status bound_parts_left(ascent *a, int c, bool *bounded, fmb_verdict 
     for (; st == FMB_OK && *bounded && c < a->q->parts.count; c++) {
         if (!is_part_asked(a, c))
             continue;
-        st = fmb_peak_at_limit(a->q, a->g, c, &a->peak);
-        if (st == FMB_OK && a->peak.clash) {
+        st = fmb_component_optimum_at_limit(a->q, a->g, c, &a->optimum_of_part);
+        if (st == FMB_OK && a->optimum_of_part.clash) {
             *verdict = FMB_INFEASIBLE;
             a->q->run.stop = FMB_STOP_DONE;
             a->claim = NULL; /* it went with all others */
             return FMB_OK;
         }
-        *bounded = a->peak.kind == FMB_END_OUTER;
+        *bounded = a->optimum_of_part.kind == FMB_END_OUTER;
         if (st == FMB_OK && *bounded)
-            st = add_peak(a, &a->q->parts.part[c]);
+            st = add_component(a, &a->q->parts.part[c]);
     }
     return st;
 }
@@ -340,14 +341,14 @@ static fmb_status climb_within_query(fmb_query *q, const fmb_system *s, fmb_wish
     fmb_status st = fmb_goal_init(&g, s, wish, mem);
     if (st == FMB_OK) {
         mpq_init(a.sum);
-        st = fmb_peak_init(&a.peak, q);
+        st = fmb_component_optimum_init(&a.optimum_of_part, q);
         if (st == FMB_OK)
             st = fmb_rationals_new(&a.best, g.dim, mem);
         if (st == FMB_OK)
             st = fmb_query_want_point(q);
         if (st == FMB_OK)
             st = climb_or_settle(&a, verdict);
-        fmb_peak_clear(&a.peak, q);
+        fmb_component_optimum_clear(&a.optimum_of_part, q);
         fmb_rationals_free(a.best, g.dim, mem);
         mpq_clear(a.sum);
     }

@@ -203,8 +203,8 @@ static void close_remains(remains *h)
         fmb_weights_clear(&h->reverse[k], h->q->run.mem);
 }
 
-fmb_status fmb_thin_out(fmb_query *q, const fmb_part *p, const int *place, fmb_elim *e, bool known,
-                        fmb_system *out, bool *feasible)
+fmb_status fmb_irredundant_rows_append(fmb_query *q, const fmb_part *p, const int *place,
+                                       fmb_elim *e, bool known, fmb_system *out, bool *feasible)
 {
     remains h = {.q = q, .p = p, .place = place, .e = e, .out = out};
     bool inner = false;

@@ -11,7 +11,7 @@
  * claims; place[dim] is the column of a variable there. Inequalities that always hold with equality
  * become equalities. *feasible false: the rows have no solution (which cannot be where one is
  * known), and nothing was appended. Rows may leave e's live list. */
-fmb_status fmb_thin_out(fmb_query *q, const fmb_part *p, const int *place, fmb_elim *e, bool known,
-                        fmb_system *out, bool *feasible);
+fmb_status fmb_irredundant_rows_append(fmb_query *q, const fmb_part *p, const int *place,
+                                       fmb_elim *e, bool known, fmb_system *out, bool *feasible);
 
 #endif

@@ -22,10 +22,10 @@ typedef struct shadow {
 } shadow;
 
 /* What one variable may make, as a share of the rows: in most systems, and in those of few rows. */
-#define GENTLE 0.25
-#define STEEP  1.5
-/* So few variables are eliminated however steep that is, where other ways are long. */
-#define STEEP_STEPS 2
+#define FIRST_GROWTH  0.25
+#define SECOND_GROWTH 1.5
+/* So few variables are eliminated however growth that is, where other ways are long. */
+#define MOST_FREE_STEPS 2
 /* Rows of long numbers are pruned so slowly that few of them may be made before other ways are
  * taken. */
 #define WIDE_MORE 3
@@ -68,7 +68,8 @@ static fmb_status put_rows_of_elimination(shadow *h, fmb_elim *e, fmb_status st,
     if (st == FMB_OK)
         *feasible = e->clash == FMB_NO_ROW;
     if (st == FMB_OK && *feasible)
-        st = fmb_thin_out(h->q, h->p, h->place, e, known || h->q->decided, h->out, feasible);
+        st = fmb_irredundant_rows_append(h->q, h->p, h->place, e, known || h->q->decided, h->out,
+                                         feasible);
     fmb_status saved = FMB_OK;
     bool room = h->q->run.stop != FMB_STOP_DONE && e->n > 0; /* else memory ran out, or no row was
                                                                 loaded */
@@ -90,37 +91,38 @@ static int count_variables_to_go(const fmb_elim *e, const bool *drop)
 {
     int n = 0;
     for (int j = 0; j < e->n; j++) {
-        bool named = false;
-        for (size_t i = 0; drop[j] && !named && i < e->live.size; i++)
-            named = fmb_vec_sgn(&e->row[e->live.row[i]].v, (size_t)j) != 0;
-        n += named;
+        bool nonzero = false;
+        for (size_t i = 0; drop[j] && !nonzero && i < e->live.size; i++)
+            nonzero = fmb_vec_sgn(&e->row[e->live.row[i]].v, (size_t)j) != 0;
+        n += nonzero;
     }
     return n;
 }
 
 /* How far an elimination may go. */
-typedef struct slope {
-    double steep;  /* what one variable may make, as a share of the rows; 0: anything */
+typedef struct growth_bound {
+    double growth; /* what one variable may make, as a share of the rows; 0: anything */
     size_t trials; /* budgets of a trial */
     int kept;      /* variables that stay, which tell how many rows may be left in the end */
-} slope;
+} growth_bound;
 
 /* A trial ended, with a status; if it left too many rows, it used up its budget. */
 static fmb_status expect_few_rows(fmb_elim *e, fmb_status st, int kept)
 {
-    if (st != FMB_OK || e->clash != FMB_NO_ROW || fmb_judge_thins(e, e->flat, kept))
+    if (st != FMB_OK || e->clash != FMB_NO_ROW || fmb_selection_keeps_rows(e, e->flat, kept))
         return st;
     e->over_budget = true;
     return FMB_LIMIT;
 }
 
-/* Go on where the cheap variables are gone, and come back if a variable is too steep, or if there
+/* Go on where the cheap variables are gone, and come back if a variable is too growth, or if there
  * are too many rows. */
-static fmb_status eliminate_rest_of_lift(shadow *h, fmb_lift *lift, const slope *limit,
-                                         size_t *budget, bool *feasible, bool *done)
+static fmb_status eliminate_rest_of_lift(shadow *h, fmb_ray_projection *projection,
+                                         const growth_bound *limit, size_t *budget, bool *feasible,
+                                         bool *done)
 {
     const bool *drop;
-    fmb_elim *e = fmb_lift_elimination(lift, &drop);
+    fmb_elim *e = fmb_ray_projection_elimination(projection, &drop);
     fmb_mark mark;
     fmb_status st = fmb_mark_set(&mark, e);
     *budget = e->rows + limit->trials * FMB_TRIAL_BUDGET(e->live.size);
@@ -129,7 +131,7 @@ static fmb_status eliminate_rest_of_lift(shadow *h, fmb_lift *lift, const slope 
     e->order = h->q->v->options.order;
     e->chooser = h->q->v->chooser;
     e->cheap_only = false;
-    e->steep = limit->steep;
+    e->growth = limit->growth;
     e->flat = e->live.size;
     e->wide_more = WIDE_MORE;
     e->budget = *budget;
@@ -169,7 +171,7 @@ typedef struct part_run {
     int part;
     const int *place;
     fmb_system *out;
-    fmb_lift *lift;
+    fmb_ray_projection *projection;
     fmb_queries *queries;
     bool known, *feasible, done;
 } part_run;
@@ -191,7 +193,7 @@ static void tell_attempt(part_run *r, const char *engine, uint64_t budget, const
 
 static fmb_status try_rays(part_run *r, uint64_t rays)
 {
-    fmb_status st = fmb_lift_run(r->lift, rays, r->out, r->feasible, &r->done);
+    fmb_status st = fmb_ray_projection_run(r->projection, rays, r->out, r->feasible, &r->done);
     tell_attempt(r, "double description", rays, "rays", st);
     return st;
 }
@@ -214,43 +216,45 @@ static fmb_status try_elimination(part_run *r, bool known, size_t budget)
 }
 
 /* Nothing that names variables that go may be left of the projection. */
-static fmb_status try_escape(part_run *r)
+static fmb_status try_recession(part_run *r)
 {
     shadow h = shadow_of_run(r);
     const bool *drop;
-    bool escapes;
-    fmb_elim *e = fmb_lift_elimination(r->lift, &drop);
-    fmb_status st = fmb_escape(e, drop, &r->q->v->arena, &escapes);
-    if (st == FMB_OK && escapes)
+    bool recedes;
+    fmb_elim *e = fmb_ray_projection_elimination(r->projection, &drop);
+    fmb_status st = fmb_recession_drop_rows(e, drop, &r->q->v->arena, &recedes);
+    if (st == FMB_OK && recedes)
         st = put_rows_of_elimination(&h, e, FMB_OK, false, r->feasible, &r->done);
     tell_attempt(r, "escape", 0, NULL, st);
     return st;
 }
 
-static fmb_status try_gentle_elimination(part_run *r, int kept)
+static fmb_status try_bounded_elimination(part_run *r, int kept)
 {
     shadow h = shadow_of_run(r);
-    slope gentle = {GENTLE, 2, kept};
+    growth_bound bounded = {FIRST_GROWTH, 2, kept};
     const bool *drop;
-    if (!fmb_mark_possible(fmb_lift_elimination(r->lift, &drop)))
+    if (!fmb_mark_possible(fmb_ray_projection_elimination(r->projection, &drop)))
         return FMB_OK;
     size_t budget;
-    fmb_status st = eliminate_rest_of_lift(&h, r->lift, &gentle, &budget, r->feasible, &r->done);
+    fmb_status st =
+        eliminate_rest_of_lift(&h, r->projection, &bounded, &budget, r->feasible, &r->done);
     tell_attempt(r, "gentle elimination", budget, "rows", st);
     return st;
 }
 
-static fmb_status try_steeper_elimination(part_run *r, int kept)
+static fmb_status try_growing_elimination(part_run *r, int kept)
 {
     shadow h = shadow_of_run(r);
     const bool *drop;
-    fmb_elim *e = fmb_lift_elimination(r->lift, &drop);
+    fmb_elim *e = fmb_ray_projection_elimination(r->projection, &drop);
     if (!fmb_mark_possible(e))
         return try_elimination(r, false, FMB_TRIAL_BUDGET(h.p->m));
-    bool any = kept > FMB_SHORT_QUERIES && count_variables_to_go(e, drop) <= STEEP_STEPS;
-    slope steeper = {any ? 0 : STEEP, 1, kept};
+    bool any = kept > FMB_SHORT_QUERIES && count_variables_to_go(e, drop) <= MOST_FREE_STEPS;
+    growth_bound growing = {any ? 0 : SECOND_GROWTH, 1, kept};
     size_t budget;
-    fmb_status st = eliminate_rest_of_lift(&h, r->lift, &steeper, &budget, r->feasible, &r->done);
+    fmb_status st =
+        eliminate_rest_of_lift(&h, r->projection, &growing, &budget, r->feasible, &r->done);
     tell_attempt(r, "steeper elimination", budget, "rows", st);
     return st;
 }
@@ -274,9 +278,9 @@ static fmb_status note(fmb_way_id way, const part_run *r, fmb_status st)
     return st;
 }
 
-static bool walks(const fmb_lift *lift, const fmb_part *p, int kept)
+static bool walks(const fmb_ray_projection *projection, const fmb_part *p, int kept)
 {
-    return fmb_judge_walks(lift, p, kept) && fmb_way(FMB_WAY_WALK);
+    return fmb_selection_walks(projection, p, kept) && fmb_way(FMB_WAY_WALK);
 }
 
 /* By whom the oracle is asked later on, if it is. */
@@ -285,7 +289,7 @@ static fmb_status learn_if_feasible(part_run *r)
     const fmb_part *p = &r->q->parts.part[r->part];
     if (r->known)
         return FMB_OK;
-    if (!walks(r->lift, p, fmb_judge_kept(p, r->place)))
+    if (!walks(r->projection, p, fmb_selection_kept(p, r->place)))
         return open_queries(r);
     r->known = true;
     return is_part_feasible(r->q, r->part, r->feasible);
@@ -321,25 +325,26 @@ static fmb_status try_walk(part_run *r)
 static fmb_status try_oracle(part_run *r)
 {
     const fmb_part *p = &r->q->parts.part[r->part];
-    int kept = fmb_judge_kept(p, r->place);
-    fmb_status st = walks(r->lift, p, kept) ? note(FMB_WAY_WALK, r, try_walk(r)) : FMB_OK;
+    int kept = fmb_selection_kept(p, r->place);
+    fmb_status st = walks(r->projection, p, kept) ? note(FMB_WAY_WALK, r, try_walk(r)) : FMB_OK;
     return is_open(st, r) ? try_queries(r, kept <= FEW_KEPT ? 0 : FIRST_PAIRS) : st;
 }
 
-/* What is steeper to eliminate, then a few rays; if both grow, some more rays where there seem to
+/* What is growing to eliminate, then a few rays; if both grow, some more rays where there seem to
  * be few. */
-static fmb_status try_rays_and_steeper_elimination(part_run *r, int kept)
+static fmb_status try_rays_and_growing_elimination(part_run *r, int kept)
 {
     const fmb_part *p = &r->q->parts.part[r->part];
-    uint64_t rays = fmb_judge_first_rays(r->lift, p, kept);
+    uint64_t rays = fmb_selection_first_rays(r->projection, p, kept);
     fmb_status st = FMB_OK;
-    if (fmb_judge_goes_steeper(r->lift, kept) && fmb_way(FMB_WAY_STEEPER))
-        st = note(FMB_WAY_STEEPER, r, try_steeper_elimination(r, kept));
+    if (fmb_selection_raises_bound(r->projection, kept) && fmb_way(FMB_WAY_HIGHER_GROWTH))
+        st = note(FMB_WAY_HIGHER_GROWTH, r, try_growing_elimination(r, kept));
     if (is_open(st, r) && rays > 0 && fmb_way(FMB_WAY_FIRST_RAYS))
         st = note(FMB_WAY_FIRST_RAYS, r, try_rays(r, rays));
-    if (is_open(st, r) && kept <= FMB_SHORT_QUERIES && fmb_lift_is_nearly_done(r->lift))
+    if (is_open(st, r) && kept <= FMB_SHORT_QUERIES &&
+        fmb_ray_projection_is_nearly_done(r->projection))
         st = try_rays(r, rays);
-    rays = is_open(st, r) ? fmb_judge_second_rays(r->lift, p, kept) : 0;
+    rays = is_open(st, r) ? fmb_selection_second_rays(r->projection, p, kept) : 0;
     return rays > 0 && fmb_way(FMB_WAY_SECOND_RAYS)
                ? note(FMB_WAY_SECOND_RAYS, r, try_rays(r, rays))
                : st;
@@ -350,18 +355,20 @@ static fmb_status try_rays_and_steeper_elimination(part_run *r, int kept)
 static fmb_status try_each_shortly(part_run *r)
 {
     const fmb_part *p = &r->q->parts.part[r->part];
-    int kept = fmb_judge_kept(p, r->place);
-    fmb_status st = fmb_judge_doubts_solution(r->lift) && !r->known ? open_queries(r) : FMB_OK;
-    if (is_open(st, r) && fmb_judge_escapes(r->lift) && fmb_way(FMB_WAY_ESCAPE))
-        st = note(FMB_WAY_ESCAPE, r, try_escape(r));
-    if (is_open(st, r) && !fmb_judge_asks_ends(r->lift, p, kept)) {
-        if (fmb_judge_goes_gently(r->lift, kept) && fmb_way(FMB_WAY_GENTLE))
-            st = note(FMB_WAY_GENTLE, r, try_gentle_elimination(r, kept));
-        size_t budget = is_open(st, r) ? fmb_judge_pruned_rows(r->lift, p, kept) : 0;
+    int kept = fmb_selection_kept(p, r->place);
+    fmb_status st =
+        fmb_selection_doubts_solution(r->projection) && !r->known ? open_queries(r) : FMB_OK;
+    if (is_open(st, r) && fmb_selection_tries_recession(r->projection) &&
+        fmb_way(FMB_WAY_RECESSION))
+        st = note(FMB_WAY_RECESSION, r, try_recession(r));
+    if (is_open(st, r) && !fmb_selection_asks_ends(r->projection, p, kept)) {
+        if (fmb_selection_bounds_growth(r->projection, kept) && fmb_way(FMB_WAY_BOUNDED_GROWTH))
+            st = note(FMB_WAY_BOUNDED_GROWTH, r, try_bounded_elimination(r, kept));
+        size_t budget = is_open(st, r) ? fmb_selection_pruned_rows(r->projection, p, kept) : 0;
         if (budget > 0 && fmb_way(FMB_WAY_PRUNED))
             st = note(FMB_WAY_PRUNED, r, try_pruned_elimination(r, budget));
         if (is_open(st, r))
-            st = try_rays_and_steeper_elimination(r, kept);
+            st = try_rays_and_growing_elimination(r, kept);
     }
     return is_open(st, r) ? try_oracle(r) : st;
 }
@@ -377,7 +384,8 @@ static fmb_status take_turns(part_run *r)
         budget *= 8;
         st = try_rays(r, budget);
         if (is_open(st, r))
-            st = try_elimination(r, true, fmb_lift_has_given_up(r->lift) ? 0 : budget);
+            st = try_elimination(r, true,
+                                 fmb_ray_projection_has_given_up(r->projection) ? 0 : budget);
         if (is_open(st, r))
             st = try_queries(r, pairs);
     }
@@ -388,7 +396,7 @@ static fmb_status run_portfolio(part_run *r)
 {
     bool by_rays = r->q->v->options.method == FMB_METHOD_DD;
     size_t rows = fmb_system_rows(r->out);
-    fmb_status st = fmb_lift_open(r->q, r->part, r->place, &r->lift, r->feasible);
+    fmb_status st = fmb_ray_projection_open(r->q, r->part, r->place, &r->projection, r->feasible);
     if (is_open(st, r))
         st = by_rays ? try_rays(r, 0) : try_each_shortly(r);
     if (is_open(st, r))
@@ -398,7 +406,7 @@ static fmb_status run_portfolio(part_run *r)
     fmb_status kept = FMB_OK;
     if (st == FMB_LIMIT && r->queries && fmb_system_rows(r->out) == rows)
         kept = fmb_queries_keep(r->queries, r->out);
-    fmb_lift_close(r->lift);
+    fmb_ray_projection_close(r->projection);
     fmb_queries_close(r->queries);
     return kept != FMB_OK ? kept : st;
 }

@@ -17,7 +17,7 @@
 #include "solve/portfolio/irredundant_rows.h"
 
 /* A part on its way. Row 0 of the cone is t >= 0, row 1 + i is live row i. */
-struct fmb_lift {
+struct fmb_ray_projection {
     fmb_query *q;
     const fmb_part *p;
     const int *place; /* [dim] column in the projection, -1 for variables that go */
@@ -37,7 +37,7 @@ struct fmb_lift {
 
 /* ---- the cone -------------------------------------------------------------------------------- */
 
-static fmb_status eliminate_cheap_columns(fmb_lift *h)
+static fmb_status eliminate_cheap_columns(fmb_ray_projection *h)
 {
     fmb_query *q = h->q;
     bool *drop = h->drop = fmb_arena_get(&q->v->arena, (size_t)h->p->n, sizeof *drop);
@@ -57,7 +57,7 @@ static fmb_status eliminate_cheap_columns(fmb_lift *h)
     return st;
 }
 
-static bool is_column_named(const fmb_elim *e, int j)
+static bool is_column_nonzero(const fmb_elim *e, int j)
 {
     for (size_t i = 0; i < e->live.size; i++)
         if (fmb_vec_sgn(&e->row[e->live.row[i]].v, (size_t)j) != 0)
@@ -65,7 +65,7 @@ static bool is_column_named(const fmb_elim *e, int j)
     return false;
 }
 
-static fmb_status list_coordinates(fmb_lift *h)
+static fmb_status list_coordinates(fmb_ray_projection *h)
 {
     fmb_arena *arena = &h->q->v->arena;
     size_t n = (size_t)h->p->n + 1;
@@ -74,7 +74,7 @@ static fmb_status list_coordinates(fmb_lift *h)
     if (!h->column || !h->keep)
         return fmb_mem_status(arena->mem);
     for (int j = 0; j < h->p->n; j++) {
-        if (!is_column_named(&h->e, j))
+        if (!is_column_nonzero(&h->e, j))
             continue;
         if (h->place[h->p->var[j]] >= 0)
             h->keep[h->keeps++] = h->d;
@@ -87,7 +87,7 @@ static fmb_status list_coordinates(fmb_lift *h)
 /* a.x <= b as b t - a.x >= 0. */
 static void write_live_row(const void *of, size_t i, mpz_t *z, fmb_cone_row *row)
 {
-    const fmb_lift *h = of;
+    const fmb_ray_projection *h = of;
     const fmb_derived *r = i > 0 ? &h->e.row[h->e.live.row[i - 1]] : NULL;
     for (size_t k = 0; k + 1 < h->d; k++) {
         mpz_set_ui(z[k], 0);
@@ -102,7 +102,7 @@ static void write_live_row(const void *of, size_t i, mpz_t *z, fmb_cone_row *row
     row->wanted = r && r->strict;
 }
 
-static fmb_status open_cone_of_part(fmb_lift *h)
+static fmb_status open_cone_of_part(fmb_ray_projection *h)
 {
     fmb_status st = list_coordinates(h);
     if (st == FMB_OK)
@@ -121,7 +121,7 @@ static fmb_status open_cone_of_part(fmb_lift *h)
 /* ---- proofs ---------------------------------------------------------------------------------- */
 
 /* The row of the cone, of that bit or any equality, is tight on all of the facet's preimage. */
-static size_t list_tight_rows(const fmb_lift *h, const fmb_image_row *f, uint32_t *live)
+static size_t list_tight_rows(const fmb_ray_projection *h, const fmb_image_row *f, uint32_t *live)
 {
     size_t n = 0;
     for (size_t i = 1; i < h->rows.size; i++)
@@ -134,7 +134,7 @@ static size_t list_tight_rows(const fmb_lift *h, const fmb_image_row *f, uint32_
 }
 
 /* The last of m rows is a combination of the others: which? */
-static fmb_status combine_rows_to_last(fmb_lift *h, size_t m, const fmb_lp_row *rows,
+static fmb_status combine_rows_to_last(fmb_ray_projection *h, size_t m, const fmb_lp_row *rows,
                                        const uint32_t *live, fmb_weights *w)
 {
     fmb_lp lp;
@@ -163,7 +163,7 @@ static void negate_row(fmb_vec *v, size_t n)
     }
 }
 
-static fmb_status claim_facet(fmb_lift *h, const fmb_image_row *f, fmb_rel rel)
+static fmb_status claim_facet(fmb_ray_projection *h, const fmb_image_row *f, fmb_rel rel)
 {
     fmb_mem *mem = h->q->run.mem;
     fmb_weights w[2] = {{0}, {0}};
@@ -199,7 +199,7 @@ static fmb_status claim_facet(fmb_lift *h, const fmb_image_row *f, fmb_rel rel)
 /* ---- rows ------------------------------------------------------------------------------------ */
 
 /* The facet as a row over the part's columns; z[n + 1] comes in 0, and leaves so. */
-static fmb_status write_facet_row(fmb_lift *h, const fmb_image_row *f, mpz_t *z)
+static fmb_status write_facet_row(fmb_ray_projection *h, const fmb_image_row *f, mpz_t *z)
 {
     size_t n = (size_t)h->p->n;
     for (size_t k = 0; k + 1 < h->keeps; k++)
@@ -211,7 +211,7 @@ static fmb_status write_facet_row(fmb_lift *h, const fmb_image_row *f, mpz_t *z)
     return st;
 }
 
-static fmb_status put_facet(fmb_lift *h, const fmb_image_row *f, mpz_t *z)
+static fmb_status put_facet(fmb_ray_projection *h, const fmb_image_row *f, mpz_t *z)
 {
     fmb_rel rel = f->equality ? FMB_EQ : f->strict ? FMB_LT : FMB_LE;
     fmb_status st = write_facet_row(h, f, z);
@@ -220,7 +220,7 @@ static fmb_status put_facet(fmb_lift *h, const fmb_image_row *f, mpz_t *z)
     return st == FMB_OK ? fmb_query_append_row(h->q, h->p, &h->facet, rel, h->place, h->out) : st;
 }
 
-static fmb_status put_all_facets(fmb_lift *h)
+static fmb_status put_all_facets(fmb_ray_projection *h)
 {
     fmb_mem *mem = h->q->run.mem;
     size_t n = (size_t)h->p->n + 1;
@@ -238,7 +238,7 @@ static fmb_status put_all_facets(fmb_lift *h)
 
 /* ---- the whole way --------------------------------------------------------------------------- */
 
-static bool has_strict_row(const fmb_lift *h)
+static bool has_strict_row(const fmb_ray_projection *h)
 {
     for (size_t i = 0; i < h->rows.size; i++)
         if (h->rows.row[i].wanted)
@@ -246,7 +246,7 @@ static bool has_strict_row(const fmb_lift *h)
     return false;
 }
 
-static fmb_status exclude_faces(fmb_lift *h, bool *feasible, bool *done)
+static fmb_status exclude_faces(fmb_ray_projection *h, bool *feasible, bool *done)
 {
     size_t words = h->image.words;
     bool empty;
@@ -262,7 +262,7 @@ static fmb_status exclude_faces(fmb_lift *h, bool *feasible, bool *done)
     return st;
 }
 
-static fmb_status project_rays(fmb_lift *h, bool *feasible, bool *done)
+static fmb_status project_rays(fmb_ray_projection *h, bool *feasible, bool *done)
 {
     bool strict = has_strict_row(h);
     fmb_status st = fmb_image_init(&h->image, &h->q->run, &h->cone, fmb_query_is_wide(h->q));
@@ -275,19 +275,20 @@ static fmb_status project_rays(fmb_lift *h, bool *feasible, bool *done)
     return st == FMB_OK && *feasible && *done ? put_all_facets(h) : st;
 }
 
-fmb_status fmb_lift_open(fmb_query *q, int part, const int *place, fmb_lift **out, bool *feasible)
+fmb_status fmb_ray_projection_open(fmb_query *q, int part, const int *place,
+                                   fmb_ray_projection **out, bool *feasible)
 {
-    fmb_lift *h = fmb_arena_get(&q->v->arena, 1, sizeof *h);
+    fmb_ray_projection *h = fmb_arena_get(&q->v->arena, 1, sizeof *h);
     if (!h)
         return fmb_mem_status(&q->v->mem);
-    *h = (fmb_lift){.q = q, .p = &q->parts.part[part], .place = place, .e.run = &q->run};
+    *h = (fmb_ray_projection){.q = q, .p = &q->parts.part[part], .place = place, .e.run = &q->run};
     *out = h;
     fmb_status st = eliminate_cheap_columns(h);
     *feasible = st != FMB_OK || h->e.clash == FMB_NO_ROW;
     return st;
 }
 
-void fmb_lift_close(fmb_lift *h)
+void fmb_ray_projection_close(fmb_ray_projection *h)
 {
     if (!h)
         return;
@@ -297,13 +298,15 @@ void fmb_lift_close(fmb_lift *h)
     fmb_elim_clear(&h->e);
 }
 
-fmb_status fmb_lift_run(fmb_lift *h, uint64_t rays, fmb_system *out, bool *feasible, bool *done)
+fmb_status fmb_ray_projection_run(fmb_ray_projection *h, uint64_t rays, fmb_system *out,
+                                  bool *feasible, bool *done)
 {
     h->out = out;
     *feasible = true;
     *done = !h->rest;
     if (!h->rest)
-        return fmb_thin_out(h->q, h->p, h->place, &h->e, h->q->decided, out, feasible);
+        return fmb_irredundant_rows_append(h->q, h->p, h->place, &h->e, h->q->decided, out,
+                                           feasible);
     if (h->over)
         return FMB_OK;
     fmb_status st = h->lifted ? FMB_OK : open_cone_of_part(h);
@@ -312,18 +315,18 @@ fmb_status fmb_lift_run(fmb_lift *h, uint64_t rays, fmb_system *out, bool *feasi
     return st == FMB_OK && *done ? project_rays(h, feasible, done) : st;
 }
 
-fmb_elim *fmb_lift_elimination(fmb_lift *h, const bool **drop)
+fmb_elim *fmb_ray_projection_elimination(fmb_ray_projection *h, const bool **drop)
 {
     *drop = h->drop;
     return &h->e;
 }
 
-bool fmb_lift_is_nearly_done(const fmb_lift *h)
+bool fmb_ray_projection_is_nearly_done(const fmb_ray_projection *h)
 {
     return h->lifted && 4 * h->cone.lefts <= h->rows.size;
 }
 
-bool fmb_lift_is_long(const fmb_lift *h)
+bool fmb_ray_projection_is_long(const fmb_ray_projection *h)
 {
     bool wide = false, long_all = true;
     for (size_t i = 0; i < h->e.live.size; i++) {
@@ -334,25 +337,25 @@ bool fmb_lift_is_long(const fmb_lift *h)
     return wide || long_all;
 }
 
-size_t fmb_lift_minor_bits(const fmb_lift *h)
+size_t fmb_ray_projection_minor_bits(const fmb_ray_projection *h)
 {
     return fmb_elim_minor_bits(&h->e);
 }
 
-size_t fmb_lift_rows(const fmb_lift *h)
+size_t fmb_ray_projection_rows(const fmb_ray_projection *h)
 {
     return h->e.live.size;
 }
 
-size_t fmb_lift_entries(const fmb_lift *h)
+size_t fmb_ray_projection_entries(const fmb_ray_projection *h)
 {
-    size_t named = 0;
+    size_t nonzero = 0;
     for (size_t i = 0; i < h->e.live.size; i++)
-        named += (size_t)fmb_elim_count_variables(&h->e, &h->e.row[h->e.live.row[i]]);
-    return named;
+        nonzero += (size_t)fmb_elim_count_variables(&h->e, &h->e.row[h->e.live.row[i]]);
+    return nonzero;
 }
 
-size_t fmb_lift_bounds(const fmb_lift *h)
+size_t fmb_ray_projection_bounds(const fmb_ray_projection *h)
 {
     size_t bounds = 0;
     for (size_t i = 0; i < h->e.live.size; i++)
@@ -360,7 +363,7 @@ size_t fmb_lift_bounds(const fmb_lift *h)
     return bounds;
 }
 
-bool fmb_lift_has_origin(const fmb_lift *h)
+bool fmb_ray_projection_has_origin(const fmb_ray_projection *h)
 {
     for (size_t i = 0; i < h->e.live.size; i++) {
         const fmb_derived *r = &h->e.row[h->e.live.row[i]];
@@ -371,18 +374,18 @@ bool fmb_lift_has_origin(const fmb_lift *h)
     return true;
 }
 
-bool fmb_lift_has_given_up(const fmb_lift *h)
+bool fmb_ray_projection_has_given_up(const fmb_ray_projection *h)
 {
     return h->over;
 }
 
-size_t fmb_lift_columns(const fmb_lift *h)
+size_t fmb_ray_projection_columns(const fmb_ray_projection *h)
 {
     return (size_t)h->p->n - (size_t)h->e.rounds;
 }
 
-size_t fmb_lift_freedom(const fmb_lift *h)
+size_t fmb_ray_projection_freedom(const fmb_ray_projection *h)
 {
-    size_t rows = h->e.live.size, d = fmb_lift_columns(h) + 1;
+    size_t rows = h->e.live.size, d = fmb_ray_projection_columns(h) + 1;
     return rows > d && rows - d > d ? d : rows > d ? rows - d : 0;
 }

@@ -46,10 +46,10 @@ static fmb_status list_columns_of_cone(cone *c, const bool *drop, fmb_arena *are
 {
     c->column = fmb_arena_get(arena, (size_t)c->e->n, sizeof *c->column);
     for (int j = 0; c->column && j < c->e->n; j++) {
-        bool named = false;
-        for (size_t i = 0; drop[j] && !named && i < c->e->live.size; i++)
-            named = fmb_vec_sgn(&live_row_of_cone(c, i)->v, (size_t)j) != 0;
-        if (named)
+        bool nonzero = false;
+        for (size_t i = 0; drop[j] && !nonzero && i < c->e->live.size; i++)
+            nonzero = fmb_vec_sgn(&live_row_of_cone(c, i)->v, (size_t)j) != 0;
+        if (nonzero)
             c->column[c->n++] = j;
     }
     return c->column ? FMB_OK : fmb_mem_status(arena->mem);
@@ -88,12 +88,12 @@ static fmb_status list_rows_of_cone(cone *c, fmb_arena *arena, bool *possible)
 
 static fmb_status look_for_direction(const cone *c, bool *found)
 {
-    fmb_inside p;
+    fmb_interior_point p;
     bool possible;
-    fmb_status st = fmb_inside_open(&p, c->e->run, c->n, c->m, c->row, &possible);
+    fmb_status st = fmb_interior_point_open(&p, c->e->run, c->n, c->m, c->row, &possible);
     if (st == FMB_OK && possible)
-        st = fmb_inside_glance(&p, found);
-    fmb_inside_clear(&p);
+        st = fmb_interior_point_find_quickly(&p, found);
+    fmb_interior_point_clear(&p);
     return st;
 }
 
@@ -106,43 +106,44 @@ static void leave_rows_behind(cone *c)
     c->e->live.size = left;
 }
 
-fmb_status fmb_escape(fmb_elim *e, const bool *drop, fmb_arena *arena, bool *escapes)
+fmb_status fmb_recession_drop_rows(fmb_elim *e, const bool *drop, fmb_arena *arena, bool *recedes)
 {
     cone c = {.e = e};
     bool possible = false;
-    *escapes = false;
+    *recedes = false;
     fmb_status st = list_columns_of_cone(&c, drop, arena);
     if (st == FMB_OK)
         st = list_rows_of_cone(&c, arena, &possible);
     if (st == FMB_OK && possible)
-        st = look_for_direction(&c, escapes);
-    if (st == FMB_OK && *escapes)
+        st = look_for_direction(&c, recedes);
+    if (st == FMB_OK && *recedes)
         leave_rows_behind(&c);
     return st;
 }
 
-/* ---- at sight -------------------------------------------------------------------------------- */
+/* ---- at small_system
+ * -------------------------------------------------------------------------------- */
 
-#define SIGHT_ROWS      64
-#define SIGHT_VARIABLES 16
+#define SMALL_ROWS      64
+#define SMALL_VARIABLES 16
 /* Rows of entries so short [bits], and so many looks at each: sums of products stay within 62 bits.
  */
-#define SIGHT_BITS  20
-#define SIGHT_LOOKS 8
+#define SMALL_BITS  20
+#define SMALL_LOOKS 8
 
 /* Rows in the variables that go. */
-typedef struct sight {
+typedef struct small_system {
     size_t n, m;
-    int64_t a[SIGHT_ROWS][SIGHT_VARIABLES];
-} sight;
+    int64_t a[SMALL_ROWS][SMALL_VARIABLES];
+} small_system;
 
-static bool is_row_in_sight(const fmb_sysrow *r)
+static bool is_row_small(const fmb_sysrow *r)
 {
-    return !fmb_vec_is_wide(&r->val) && r->val.bits <= SIGHT_BITS && r->rel != FMB_EQ;
+    return !fmb_vec_is_wide(&r->val) && r->val.bits <= SMALL_BITS && r->rel != FMB_EQ;
 }
 
 /* The row with entries for n variables, number[var] or -1. False: it names none of them. */
-static bool put_row_in_sight(sight *g, const fmb_sysrow *r, const int8_t *number)
+static bool put_row_in_small_system(small_system *g, const fmb_sysrow *r, const int8_t *number)
 {
     int64_t *a = g->a[g->m++];
     bool any = false;
@@ -157,26 +158,26 @@ static bool put_row_in_sight(sight *g, const fmb_sysrow *r, const int8_t *number
 }
 
 /* False: there is more to see than that, or a row that stays. */
-static bool put_system_in_sight(sight *g, const fmb_system *s, const int *place)
+static bool put_in_small_system(small_system *g, const fmb_system *s, const int *place)
 {
-    int8_t number[SIGHT_ROWS];
+    int8_t number[SMALL_ROWS];
     g->n = g->m = 0;
-    if (fmb_system_dim(s) > SIGHT_ROWS || s->rows > SIGHT_ROWS)
+    if (fmb_system_dim(s) > SMALL_ROWS || s->rows > SMALL_ROWS)
         return false;
     for (int j = 0; j < fmb_system_dim(s); j++) {
         number[j] = place[j] < 0 ? (int8_t)g->n : -1;
         g->n += place[j] < 0;
     }
-    bool good = g->n <= SIGHT_VARIABLES;
+    bool good = g->n <= SMALL_VARIABLES;
     for (size_t i = 0; good && i < s->rows; i++) {
         const fmb_sysrow *r = fmb_system_row(s, i);
-        good = is_row_in_sight(r) && (r->nnz == 0 || put_row_in_sight(g, r, number));
+        good = is_row_small(r) && (r->nnz == 0 || put_row_in_small_system(g, r, number));
     }
     return good;
 }
 
 /* If variable j has one sign, its rows are gone. */
-static bool leave_rows_of_one_sign(sight *g, size_t j)
+static bool leave_rows_of_one_sign(small_system *g, size_t j)
 {
     bool sign[2] = {false, false};
     size_t left = 0;
@@ -193,25 +194,25 @@ static bool leave_rows_of_one_sign(sight *g, size_t j)
 }
 
 /* False: a row does not go down along z, which has gone away from all such rows. */
-static bool do_all_rows_go_down(const sight *g, int64_t *z)
+static bool do_all_rows_go_down(const small_system *g, int64_t *z)
 {
     bool all = true;
     for (size_t i = 0; i < g->m; i++) {
-        int64_t slope = 0;
+        int64_t growth_bound = 0;
         for (size_t j = 0; j < g->n; j++)
-            slope += g->a[i][j] * z[j];
-        for (size_t j = 0; slope >= 0 && j < g->n; j++)
+            growth_bound += g->a[i][j] * z[j];
+        for (size_t j = 0; growth_bound >= 0 && j < g->n; j++)
             z[j] -= g->a[i][j];
-        all &= slope < 0;
+        all &= growth_bound < 0;
     }
     return all;
 }
 
-bool fmb_escape_at_sight(const fmb_system *s, const int *place)
+bool fmb_recession_drops_all_at_sight(const fmb_system *s, const int *place)
 {
-    sight g;
-    int64_t z[SIGHT_VARIABLES] = {0};
-    bool more = put_system_in_sight(&g, s, place), down = false;
+    small_system g;
+    int64_t z[SMALL_VARIABLES] = {0};
+    bool more = put_in_small_system(&g, s, place), down = false;
     if (!more)
         return false;
     while (more) {
@@ -219,7 +220,7 @@ bool fmb_escape_at_sight(const fmb_system *s, const int *place)
         for (size_t j = 0; j < g.n; j++)
             more |= leave_rows_of_one_sign(&g, j);
     }
-    for (int k = 0; !down && k < SIGHT_LOOKS; k++)
+    for (int k = 0; !down && k < SMALL_LOOKS; k++)
         down = do_all_rows_go_down(&g, z);
     return down;
 }

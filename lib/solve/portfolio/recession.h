@@ -6,13 +6,13 @@
 
 #include "elim/round/elim.h"
 
-/* drop[e->n]: variables that go; workspace comes from the arena. *escapes: all live rows that named
- * one of those have left e, and the others are the projection; else nothing has changed.
+/* drop[e->n]: variables that go; workspace comes from the arena. *recedes: all live rows that
+ * nonzero one of those have left e, and the others are the projection; else nothing has changed.
  * Errors: MEMORY, LIMIT. */
-fmb_status fmb_escape(fmb_elim *e, const bool *drop, fmb_arena *arena, bool *escapes);
+fmb_status fmb_recession_drop_rows(fmb_elim *e, const bool *drop, fmb_arena *arena, bool *recedes);
 
 /* The same of a small system, on the stack: is it seen at once that no row of s is left?
  * place[dim]: -1 for variables that go. */
-bool fmb_escape_at_sight(const fmb_system *s, const int *place);
+bool fmb_recession_drops_all_at_sight(const fmb_system *s, const int *place);
 
 #endif

@@ -10,8 +10,8 @@
 #define LEAST_FREEDOMS 2
 #define LONG_FREEDOMS  8
 #define MANY_FREEDOMS  32
-/* A steep elimination ends, if it does, where rows are hardly more than dimensions. */
-#define STEEP_FREEDOMS 4
+/* A growth elimination ends, if it does, where rows are hardly more than dimensions. */
+#define GROWING_FREEDOMS 4
 /* In the plane, rays end sooner than queries only in so few of them; with variables, if rows name
  * nearly all of these. */
 #define FREEDOMS_IN_PLANE 9
@@ -51,7 +51,7 @@
 /* [bits] What queries find modulo a prime (lp/linalg/modular/modular_kernel.h). */
 #define SHORT_MINOR 60
 
-int fmb_judge_kept(const fmb_part *p, const int *place)
+int fmb_selection_kept(const fmb_part *p, const int *place)
 {
     int kept = 0;
     for (int j = 0; j < p->n; j++)
@@ -76,58 +76,62 @@ static bool has_wide_rows(const fmb_part *p)
     return false;
 }
 
-bool fmb_judge_asks_ends(const fmb_lift *lift, const fmb_part *p, int kept)
+bool fmb_selection_asks_ends(const fmb_ray_projection *projection, const fmb_part *p, int kept)
 {
-    return kept <= 1 && !has_strict_rows(p) && fmb_lift_freedom(lift) > LEAST_FREEDOMS;
+    return kept <= 1 && !has_strict_rows(p) &&
+           fmb_ray_projection_freedom(projection) > LEAST_FREEDOMS;
 }
 
-static double named_by_row(const fmb_lift *lift)
+static double nonzeros_by_row(const fmb_ray_projection *projection)
 {
-    return (double)fmb_lift_entries(lift) / (double)fmb_lift_rows(lift);
+    return (double)fmb_ray_projection_entries(projection) /
+           (double)fmb_ray_projection_rows(projection);
 }
 
-static bool are_most_coefficients_there(const fmb_lift *lift)
+static bool are_most_coefficients_there(const fmb_ray_projection *projection)
 {
-    return 2 * named_by_row(lift) >= (double)fmb_lift_columns(lift);
+    return 2 * nonzeros_by_row(projection) >= (double)fmb_ray_projection_columns(projection);
 }
 
-static bool are_nearly_all_coefficients_there(const fmb_lift *lift)
+static bool are_nearly_all_coefficients_there(const fmb_ray_projection *projection)
 {
-    return 4 * named_by_row(lift) >= 3 * (double)fmb_lift_columns(lift);
+    return 4 * nonzeros_by_row(projection) >= 3 * (double)fmb_ray_projection_columns(projection);
 }
 
-bool fmb_judge_escapes(const fmb_lift *lift)
+bool fmb_selection_tries_recession(const fmb_ray_projection *projection)
 {
-    return are_nearly_all_coefficients_there(lift) && fmb_lift_bounds(lift) == 0;
+    return are_nearly_all_coefficients_there(projection) &&
+           fmb_ray_projection_bounds(projection) == 0;
 }
 
 /* Queries are quicker where rows name most variables, or where numbers of more than a few columns
  * would become long, and where they are answered by minors that are short; the only question of one
  * variable is how far it goes. */
-static bool is_dictionary_quick(const fmb_lift *lift, int kept)
+static bool is_dictionary_quick(const fmb_ray_projection *projection, int kept)
 {
-    size_t bits = fmb_lift_minor_bits(lift);
-    if (fmb_lift_columns(lift) <= SMALL_DICTIONARY)
+    size_t bits = fmb_ray_projection_minor_bits(projection);
+    if (fmb_ray_projection_columns(projection) <= SMALL_DICTIONARY)
         return kept != 2 || bits > SHORT_MINOR;
-    return !are_most_coefficients_there(lift) && bits <= FMB_LONG_MINOR;
+    return !are_most_coefficients_there(projection) && bits <= FMB_LONG_MINOR;
 }
 
-bool fmb_judge_walks(const fmb_lift *lift, const fmb_part *p, int kept)
+bool fmb_selection_walks(const fmb_ray_projection *projection, const fmb_part *p, int kept)
 {
-    bool many = 4 * p->m > 9 * (size_t)p->n && is_dictionary_quick(lift, kept);
+    bool many = 4 * p->m > 9 * (size_t)p->n && is_dictionary_quick(projection, kept);
     return kept <= 2 && p->n <= WALKED_COLUMNS && many && !has_wide_rows(p) && !has_strict_rows(p);
 }
 
-bool fmb_judge_doubts_solution(const fmb_lift *lift)
+bool fmb_selection_doubts_solution(const fmb_ray_projection *projection)
 {
-    return fmb_lift_entries(lift) >= MANY_ENTRIES && are_most_coefficients_there(lift) &&
-           !fmb_lift_has_origin(lift);
+    return fmb_ray_projection_entries(projection) >= MANY_ENTRIES &&
+           are_most_coefficients_there(projection) && !fmb_ray_projection_has_origin(projection);
 }
 
 /* Is that share of the rows bounds on one variable? */
-static bool has_bounds(const fmb_lift *lift, double share)
+static bool has_bounds(const fmb_ray_projection *projection, double share)
 {
-    return (double)fmb_lift_bounds(lift) >= share * (double)fmb_lift_rows(lift);
+    return (double)fmb_ray_projection_bounds(projection) >=
+           share * (double)fmb_ray_projection_rows(projection);
 }
 
 static bool do_few_go(const fmb_part *p, int kept)
@@ -136,141 +140,158 @@ static bool do_few_go(const fmb_part *p, int kept)
 }
 
 /* Rows are many for the variables that are left. */
-static bool is_crowded(const fmb_lift *lift)
+static bool is_crowded(const fmb_ray_projection *projection)
 {
-    size_t columns = fmb_lift_columns(lift);
-    return columns >= LEAST_CROWD && fmb_lift_rows(lift) >= 4 * columns;
+    size_t columns = fmb_ray_projection_columns(projection);
+    return columns >= LEAST_CROWD && fmb_ray_projection_rows(projection) >= 4 * columns;
 }
 
 /* Three of six variables stay: rays to the end are as quick as queries, but where very many rows
  * name all variables. */
-static bool are_rays_few(const fmb_lift *lift, const fmb_part *p, int kept)
+static bool are_rays_few(const fmb_ray_projection *projection, const fmb_part *p, int kept)
 {
-    bool many = p->m > MANY_ROWS(p) && are_nearly_all_coefficients_there(lift);
+    bool many = p->m > MANY_ROWS(p) && are_nearly_all_coefficients_there(projection);
     return kept == 3 && do_few_go(p, kept) && !many;
 }
 
 /* In the plane, queries are so quick that rays only delay them, but where these are few: of small
  * cones, and of such that are hardly more than a simplex. */
-static bool do_rays_delay_queries(const fmb_lift *lift, int kept)
+static bool do_rays_delay_queries(const fmb_ray_projection *projection, int kept)
 {
-    size_t freedom = fmb_lift_freedom(lift), columns = fmb_lift_columns(lift);
-    if (kept != 2 || freedom <= STEEP_FREEDOMS)
+    size_t freedom = fmb_ray_projection_freedom(projection),
+           columns = fmb_ray_projection_columns(projection);
+    if (kept != 2 || freedom <= GROWING_FREEDOMS)
         return false;
-    if (are_nearly_all_coefficients_there(lift))
-        return columns + freedom + fmb_lift_is_long(lift) > SIZE_IN_PLANE;
-    bool between_bounds = columns > LEAST_CROWD && is_crowded(lift) && has_bounds(lift, 0.33);
-    bool few_rows = fmb_lift_rows(lift) < 3 * columns; /* unlike disjunctions */
+    if (are_nearly_all_coefficients_there(projection))
+        return columns + freedom + fmb_ray_projection_is_long(projection) > SIZE_IN_PLANE;
+    bool between_bounds =
+        columns > LEAST_CROWD && is_crowded(projection) && has_bounds(projection, 0.33);
+    bool few_rows = fmb_ray_projection_rows(projection) < 3 * columns; /* unlike disjunctions */
     return between_bounds || (freedom > FREEDOMS_IN_PLANE && few_rows);
 }
 
 /* Rays of a first try: half as many where a few queries take as long; none where rows are many,
  * but name few variables. */
-uint64_t fmb_judge_first_rays(const fmb_lift *lift, const fmb_part *p, int kept)
+uint64_t fmb_selection_first_rays(const fmb_ray_projection *projection, const fmb_part *p, int kept)
 {
-    if (fmb_lift_freedom(lift) > MANY_FREEDOMS || do_rays_delay_queries(lift, kept))
+    if (fmb_ray_projection_freedom(projection) > MANY_FREEDOMS ||
+        do_rays_delay_queries(projection, kept))
         return 0;
-    bool full = are_nearly_all_coefficients_there(lift);
-    bool flat = full && fmb_lift_columns(lift) <= FLAT_CONE;
+    bool full = are_nearly_all_coefficients_there(projection);
+    bool flat = full && fmb_ray_projection_columns(projection) <= FLAT_CONE;
     uint64_t rays = kept <= 2 && !flat ? FMB_TRIAL_BUDGET(p->m) / 2 : FMB_TRIAL_BUDGET(p->m);
     if (kept < FMB_SHORT_QUERIES && p->m > MANY_ROWS(p) && !full && !do_few_go(p, kept))
         return 0;
-    if (fmb_lift_freedom(lift) > CROWDED_FREEDOMS && !(kept > 2 && has_bounds(lift, 0.25)))
+    if (fmb_ray_projection_freedom(projection) > CROWDED_FREEDOMS &&
+        !(kept > 2 && has_bounds(projection, 0.25)))
         return 0;
-    if (fmb_lift_freedom(lift) > FEW_FREEDOMS && kept <= 2 && named_by_row(lift) <= SPARSE)
+    if (fmb_ray_projection_freedom(projection) > FEW_FREEDOMS && kept <= 2 &&
+        nonzeros_by_row(projection) <= SPARSE)
         return 0;
-    bool short_queries = kept > 2 && kept <= FMB_SHORT_QUERIES && !are_rays_few(lift, p, kept);
+    bool short_queries =
+        kept > 2 && kept <= FMB_SHORT_QUERIES && !are_rays_few(projection, p, kept);
     return short_queries && p->m > MANY_ROWS(p) ? rays / 4 : rays;
 }
 
 /* What makes few more rows is eliminated: not where rows name many of the variables, or are many
  * for these, nor where variables are very many, as rays or a few queries are quicker, unless
  * numbers are long. */
-bool fmb_judge_goes_gently(const fmb_lift *lift, int kept)
+bool fmb_selection_bounds_growth(const fmb_ray_projection *projection, int kept)
 {
-    double named = named_by_row(lift), columns = (double)fmb_lift_columns(lift);
-    bool full = named > UNLIKE_SPARSE && 3 * named > columns;
-    bool many = columns > MANY_COLUMNS || is_crowded(lift);
-    bool long_queries = columns <= MANY_COLUMNS && fmb_lift_minor_bits(lift) > FMB_LONG_MINOR;
+    double nonzero = nonzeros_by_row(projection),
+           columns = (double)fmb_ray_projection_columns(projection);
+    bool full = nonzero > UNLIKE_SPARSE && 3 * nonzero > columns;
+    bool many = columns > MANY_COLUMNS || is_crowded(projection);
+    bool long_queries =
+        columns <= MANY_COLUMNS && fmb_ray_projection_minor_bits(projection) > FMB_LONG_MINOR;
     return kept >= FMB_SHORT_QUERIES || !(full || many) || long_queries;
 }
 
 /* A box in other coordinates, as of zonotopes: it has twice as many rows as variables. */
-static bool is_box(const fmb_lift *lift)
+static bool is_box(const fmb_ray_projection *projection)
 {
-    return fmb_lift_rows(lift) == 2 * fmb_lift_columns(lift) && has_bounds(lift, 0.33);
+    return fmb_ray_projection_rows(projection) == 2 * fmb_ray_projection_columns(projection) &&
+           has_bounds(projection, 0.33);
 }
 
 /* Its projection has few more facets than it has rows, while hulls in many dimensions, which rays
  * and queries end with, take longer than rows to be pruned. */
-static bool is_hull_dear(const fmb_lift *lift, int kept)
+static bool is_hull_expensive(const fmb_ray_projection *projection, int kept)
 {
-    return kept > FMB_SHORT_QUERIES && are_nearly_all_coefficients_there(lift) &&
-           fmb_lift_freedom(lift) <= FREEDOMS_BEFORE_HULL && !fmb_lift_is_long(lift);
+    return kept > FMB_SHORT_QUERIES && are_nearly_all_coefficients_there(projection) &&
+           fmb_ray_projection_freedom(projection) <= FREEDOMS_BEFORE_HULL &&
+           !fmb_ray_projection_is_long(projection);
 }
 
 /* In the plane, queries are quicker, but where the box refuses most pairs. */
-static bool is_sparse(const fmb_lift *lift, int kept)
+static bool is_sparse(const fmb_ray_projection *projection, int kept)
 {
-    double named = named_by_row(lift);
-    bool bounded = has_bounds(lift, 0.6);
-    return (kept > 2 || bounded) && named <= (bounded ? SPARSE_BETWEEN_BOUNDS : SPARSE) &&
-           3 * named <= (double)fmb_lift_columns(lift);
+    double nonzero = nonzeros_by_row(projection);
+    bool bounded = has_bounds(projection, 0.6);
+    return (kept > 2 || bounded) && nonzero <= (bounded ? SPARSE_BETWEEN_BOUNDS : SPARSE) &&
+           3 * nonzero <= (double)fmb_ray_projection_columns(projection);
 }
 
-size_t fmb_judge_pruned_rows(const fmb_lift *lift, const fmb_part *p, int kept)
+size_t fmb_selection_pruned_rows(const fmb_ray_projection *projection, const fmb_part *p, int kept)
 {
-    if (kept < FMB_SHORT_QUERIES && fmb_lift_columns(lift) > MANY_COLUMNS)
+    if (kept < FMB_SHORT_QUERIES && fmb_ray_projection_columns(projection) > MANY_COLUMNS)
         return 0;
-    if (is_box(lift) || (is_hull_dear(lift, kept) && kept > FMB_SHORT_QUERIES + 1))
+    if (is_box(projection) || (is_hull_expensive(projection, kept) && kept > FMB_SHORT_QUERIES + 1))
         return 100 * p->m;
-    if (is_hull_dear(lift, kept))
+    if (is_hull_expensive(projection, kept))
         return 20 * p->m;
-    if (is_sparse(lift, kept))
+    if (is_sparse(projection, kept))
         return (kept > FMB_SHORT_QUERIES ? 10 : 6) * p->m;
     return 0;
 }
 
-static bool is_cone_dense_or_small(const fmb_lift *lift)
+static bool is_cone_dense_or_small(const fmb_ray_projection *projection)
 {
-    return named_by_row(lift) >= DENSE || fmb_lift_columns(lift) <= SMALL_CONE ||
-           fmb_lift_freedom(lift) < SMALL_CONE;
+    return nonzeros_by_row(projection) >= DENSE ||
+           fmb_ray_projection_columns(projection) <= SMALL_CONE ||
+           fmb_ray_projection_freedom(projection) < SMALL_CONE;
 }
 
 /* Where the first variable tells, or other ways are long. */
-bool fmb_judge_goes_steeper(const fmb_lift *lift, int kept)
+bool fmb_selection_raises_bound(const fmb_ray_projection *projection, int kept)
 {
-    bool few = fmb_lift_freedom(lift) <= STEEP_FREEDOMS || kept > FMB_SHORT_QUERIES;
-    return few && !fmb_lift_is_long(lift) && are_most_coefficients_there(lift);
+    bool few =
+        fmb_ray_projection_freedom(projection) <= GROWING_FREEDOMS || kept > FMB_SHORT_QUERIES;
+    return few && !fmb_ray_projection_is_long(projection) &&
+           are_most_coefficients_there(projection);
 }
 
 /* Rays that a second try may make, before the oracle is asked: none where cones tend to have very
  * many, or rows are many for three kept variables; more where the oracle has more to do, or numbers
  * are too long for its guesses. */
-uint64_t fmb_judge_second_rays(const fmb_lift *lift, const fmb_part *p, int kept)
+uint64_t fmb_selection_second_rays(const fmb_ray_projection *projection, const fmb_part *p,
+                                   int kept)
 {
-    if (fmb_lift_freedom(lift) > FEW_FREEDOMS || do_rays_delay_queries(lift, kept))
+    if (fmb_ray_projection_freedom(projection) > FEW_FREEDOMS ||
+        do_rays_delay_queries(projection, kept))
         return 0;
     if (kept == 4 && has_wide_rows(p))
         return 64 * RAYS_OF_SECOND_TRY;
     if (has_strict_rows(p) || kept > FMB_SHORT_QUERIES)
         return 16 * RAYS_OF_SECOND_TRY;
-    if (kept > 2 && fmb_lift_is_long(lift) && fmb_lift_freedom(lift) <= LONG_FREEDOMS)
+    if (kept > 2 && fmb_ray_projection_is_long(projection) &&
+        fmb_ray_projection_freedom(projection) <= LONG_FREEDOMS)
         return 8 * RAYS_OF_SECOND_TRY;
-    if (are_rays_few(lift, p, kept))
+    if (are_rays_few(projection, p, kept))
         return 8 * RAYS_OF_SECOND_TRY;
     if (p->m > MANY_ROWS(p))
         return 0;
-    if (kept == 3 && has_bounds(lift, 0.25) && fmb_lift_rows(lift) <= 3 * fmb_lift_columns(lift))
+    if (kept == 3 && has_bounds(projection, 0.25) &&
+        fmb_ray_projection_rows(projection) <= 3 * fmb_ray_projection_columns(projection))
         return 8 * RAYS_OF_SECOND_TRY; /* as of rectifiers */
-    if (kept == 3 && is_cone_dense_or_small(lift))
+    if (kept == 3 && is_cone_dense_or_small(projection))
         return RAYS_OF_SECOND_TRY;
     return kept == 4 ? 8 * RAYS_OF_SECOND_TRY : 0;
 }
 
 /* To find out which of many rows are irredundant takes as long as some queries, where few variables
  * are kept; of long numbers, so it does of fewer rows. */
-bool fmb_judge_thins(const fmb_elim *e, size_t before, int kept)
+bool fmb_selection_keeps_rows(const fmb_elim *e, size_t before, int kept)
 {
     size_t most = fmb_elim_minor_bits(e) > FMB_LONG_MINOR ? before : before * (size_t)kept;
     return kept >= FMB_SHORT_QUERIES || e->live.size <= most;

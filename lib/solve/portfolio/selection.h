@@ -14,25 +14,27 @@
 /* In so many, queries are few, and rays soon turned into facets. */
 #define FMB_SHORT_QUERIES 4
 
-int fmb_judge_kept(const fmb_part *p, const int *place);
+int fmb_selection_kept(const fmb_part *p, const int *place);
 /* Is it gone around, in the plane? */
-bool fmb_judge_walks(const fmb_lift *lift, const fmb_part *p, int kept);
+bool fmb_selection_walks(const fmb_ray_projection *projection, const fmb_part *p, int kept);
 /* May a direction among the variables that go leave all rows behind? */
-bool fmb_judge_escapes(const fmb_lift *lift);
+bool fmb_selection_tries_recession(const fmb_ray_projection *projection);
 /* Two questions to the oracle are all there is to do. */
-bool fmb_judge_asks_ends(const fmb_lift *lift, const fmb_part *p, int kept);
+bool fmb_selection_asks_ends(const fmb_ray_projection *projection, const fmb_part *p, int kept);
 /* Is it asked first whether there is a solution? */
-bool fmb_judge_doubts_solution(const fmb_lift *lift);
+bool fmb_selection_doubts_solution(const fmb_ray_projection *projection);
 /* Are variables eliminated that make few more rows than go? */
-bool fmb_judge_goes_gently(const fmb_lift *lift, int kept);
+bool fmb_selection_bounds_growth(const fmb_ray_projection *projection, int kept);
 /* Rows that an elimination may make that is pruned before anything else is done; 0: none is tried.
  */
-size_t fmb_judge_pruned_rows(const fmb_lift *lift, const fmb_part *p, int kept);
-bool fmb_judge_goes_steeper(const fmb_lift *lift, int kept);
+size_t fmb_selection_pruned_rows(const fmb_ray_projection *projection, const fmb_part *p, int kept);
+bool fmb_selection_raises_bound(const fmb_ray_projection *projection, int kept);
 /* Rays of a first try, and of a second one, before queries. */
-uint64_t fmb_judge_first_rays(const fmb_lift *lift, const fmb_part *p, int kept);
-uint64_t fmb_judge_second_rays(const fmb_lift *lift, const fmb_part *p, int kept);
+uint64_t fmb_selection_first_rays(const fmb_ray_projection *projection, const fmb_part *p,
+                                  int kept);
+uint64_t fmb_selection_second_rays(const fmb_ray_projection *projection, const fmb_part *p,
+                                   int kept);
 /* Are the rows that an elimination left few enough to go on with? There were so many before. */
-bool fmb_judge_thins(const fmb_elim *e, size_t before, int kept);
+bool fmb_selection_keeps_rows(const fmb_elim *e, size_t before, int kept);
 
 #endif

@@ -19,26 +19,26 @@
 /* And so are more faces whose middle has to be shown. */
 #define MOST_MIDDLES 2000
 
-typedef struct whole_proof {
+typedef struct completeness_proof {
     fmb_query *q;
     const int *place;
     const fmb_system *image;
     size_t first; /* claim of this proof */
-    fmb_lifts *lifts;
+    fmb_preimages *preimages;
     fmb_integers y; /* a point or direction of the image, t behind it */
     mpq_t *x;       /* [dim] above it */
     bool any_strict, done;
     const char *why; /* it is not done */
-} whole_proof;
+} completeness_proof;
 
 /* ---- corners --------------------------------------------------------------------------------- */
 
 /* What lies above y, as such rows have it. */
-static fmb_status claim_corner_above(whole_proof *w, bool strict, bool *found)
+static fmb_status claim_corner_above(completeness_proof *w, bool strict, bool *found)
 {
     fmb_claim *claim;
     bool point = mpz_sgn(w->y.z[w->y.size - 1]) > 0;
-    fmb_status st = fmb_lifts_find(w->lifts, &w->y, strict, w->x, found);
+    fmb_status st = fmb_preimages_find(w->preimages, &w->y, strict, w->x, found);
     if (st == FMB_OK && *found)
         st = fmb_evidence_claim(w->q->claims, FMB_CLAIM_CORNER, &claim);
     if (st != FMB_OK || !*found)
@@ -49,7 +49,7 @@ static fmb_status claim_corner_above(whole_proof *w, bool strict, bool *found)
 }
 
 /* A point gets a strict solution, if there is one. */
-static fmb_status claim_corner(whole_proof *w, const fmb_vec *ray, int sign, bool *found)
+static fmb_status claim_corner(completeness_proof *w, const fmb_vec *ray, int sign, bool *found)
 {
     fmb_status st = FMB_OK;
     for (size_t k = 0; k < w->y.size; k++) {
@@ -64,7 +64,7 @@ static fmb_status claim_corner(whole_proof *w, const fmb_vec *ray, int sign, boo
 }
 
 /* *found false: above some there is nothing, and the rows say too little. */
-static fmb_status claim_all_corners(whole_proof *w, const fmb_image *m, bool *found)
+static fmb_status claim_all_corners(completeness_proof *w, const fmb_image *m, bool *found)
 {
     fmb_status st = FMB_OK;
     *found = true;
@@ -76,7 +76,7 @@ static fmb_status claim_all_corners(whole_proof *w, const fmb_image *m, bool *fo
     return st;
 }
 
-static fmb_status find_corners(whole_proof *w, bool *found)
+static fmb_status find_corners(completeness_proof *w, bool *found)
 {
     fmb_lifted h;
     fmb_status st = fmb_lifted_open(&h, w->q, w->image);
@@ -93,7 +93,7 @@ static fmb_status find_corners(whole_proof *w, bool *found)
 /* ---- faces that strict rows leave ------------------------------------------------------------ */
 
 /* y = the mean of points among the corners on[], plus the directions. */
-static fmb_status find_middle(whole_proof *w, const bool *on)
+static fmb_status find_middle(completeness_proof *w, const bool *on)
 {
     const fmb_evidence *e = w->q->claims;
     size_t dim = (size_t)e->dim, points = 0;
@@ -123,7 +123,7 @@ static fmb_status find_middle(whole_proof *w, const bool *on)
 }
 
 /* Ask the judge; while all that it misses is a point above some face, give it one. */
-static fmb_status satisfy_judge(whole_proof *w, size_t claim)
+static fmb_status satisfy_checker(completeness_proof *w, size_t claim)
 {
     const fmb_poll poll = fmb_run_asked(&w->q->run);
     fmb_evidence *e = w->q->claims;
@@ -133,7 +133,7 @@ static fmb_status satisfy_judge(whole_proof *w, size_t claim)
     while (st == FMB_OK && more) {
         const char *why = NULL;
         more = false;
-        st = fmb_whole_judge(w->q->s, e, &e->claim[claim], w->q->run.mem, &poll, &why, on);
+        st = fmb_complete_check(w->q->s, e, &e->claim[claim], w->q->run.mem, &poll, &why, on);
         w->done = st == FMB_OK && !why;
         w->why = why;
         for (size_t i = w->first; st == FMB_OK && why && i < e->claims; i++)
@@ -150,7 +150,7 @@ static fmb_status satisfy_judge(whole_proof *w, size_t claim)
 
 /* ---- the proof ------------------------------------------------------------------------------- */
 
-static fmb_status claim_whole(whole_proof *w)
+static fmb_status claim_complete(completeness_proof *w)
 {
     fmb_claim *claim;
     fmb_evidence *e = w->q->claims;
@@ -165,10 +165,10 @@ static fmb_status claim_whole(whole_proof *w)
             st = fmb_evidence_push(e, &claim->terms, (size_t)j, one);
     mpq_clear(one);
     st = fmb_query_finish_claim(w->q, st);
-    return st == FMB_OK ? satisfy_judge(w, (size_t)(claim - e->claim)) : st;
+    return st == FMB_OK ? satisfy_checker(w, (size_t)(claim - e->claim)) : st;
 }
 
-static fmb_status prove_whole(whole_proof *w)
+static fmb_status prove_complete(completeness_proof *w)
 {
     fmb_mem *mem = w->q->run.mem;
     size_t dim = (size_t)fmb_system_dim(w->q->s);
@@ -179,23 +179,23 @@ static fmb_status prove_whole(whole_proof *w)
     if (st == FMB_OK)
         st = fmb_rationals_new(&w->x, dim, mem);
     if (st == FMB_OK)
-        st = fmb_lifts_open(w->q, w->place, &w->lifts);
+        st = fmb_preimages_open(w->q, w->place, &w->preimages);
     if (st == FMB_OK)
         st = find_corners(w, &found);
     if (st == FMB_OK && found)
-        st = claim_whole(w);
-    fmb_lifts_close(w->lifts);
+        st = claim_complete(w);
+    fmb_preimages_close(w->preimages);
     fmb_rationals_free(w->x, dim, mem);
     fmb_integers_clear(&w->y, mem);
     return st;
 }
 
-fmb_status fmb_query_prove_whole(fmb_query *q, const int *place, const fmb_system *image)
+fmb_status fmb_query_prove_complete(fmb_query *q, const int *place, const fmb_system *image)
 {
     if (!q->claims || q->v->options.evidence != FMB_EVIDENCE_WHOLE)
         return FMB_OK;
-    whole_proof w = {.q = q, .place = place, .image = image, .first = q->claims->claims};
-    fmb_status st = prove_whole(&w);
+    completeness_proof w = {.q = q, .place = place, .image = image, .first = q->claims->claims};
+    fmb_status st = prove_complete(&w);
     while (!(st == FMB_OK && w.done) && q->claims->claims > w.first)
         fmb_evidence_drop_last(q->claims);
     if (st == FMB_LIMIT) /* which is one of memory where the run itself was not stopped */

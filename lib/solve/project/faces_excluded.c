@@ -51,7 +51,7 @@ typedef struct closure {
 } closure;
 
 /* The columns that inequalities name, n of them: place[], -1 for others. */
-static int *place_named_columns(const face_search *f, size_t *n)
+static int *place_nonzero_columns(const face_search *f, size_t *n)
 {
     const fmb_system *image = f->c->image;
     int *place = fmb_arena_get(f->arena, f->n, sizeof *place);
@@ -92,7 +92,7 @@ static fmb_status open_closure(closure *o, const face_search *f)
     o->row = fmb_arena_get(f->arena, image->rows, sizeof *o->row);
     o->lp = fmb_arena_get(f->arena, image->rows, sizeof *o->lp);
     o->fate = fmb_arena_get(f->arena, image->rows, sizeof *o->fate);
-    const int *place = place_named_columns(f, &o->n);
+    const int *place = place_nonzero_columns(f, &o->n);
     if (!o->row || !o->lp || !o->fate || !place)
         return fmb_mem_status(f->arena->mem);
     fmb_status st = fmb_integers_init(&z, o->n + 1, f->arena->mem);
@@ -116,21 +116,22 @@ static void close_closure(closure *o, const face_search *f)
     }
 }
 
-static fmb_status sort_by_sieve(closure *o, fmb_run *run)
+static fmb_status sort_by_ray_shooting(closure *o, fmb_run *run)
 {
-    fmb_sieve sieve;
+    fmb_ray_shooting shooting;
     bool inner = false;
-    fmb_status st = fmb_sieve_open(&sieve, run, o->n, o->m, o->lp, &inner);
+    fmb_status st = fmb_ray_shooting_open(&shooting, run, o->n, o->m, o->lp, &inner);
     if (st == FMB_OK && inner)
-        st = fmb_sieve_sort(&sieve, o->fate, NULL);
-    fmb_sieve_close(&sieve);
+        st = fmb_ray_shooting_sort(&shooting, o->fate, NULL);
+    fmb_ray_shooting_close(&shooting);
     return st;
 }
 
 static fmb_status tell_facets_from_faces(face_search *f, closure *o)
 {
     fmb_run *run = &f->c->q->run;
-    fmb_status st = fmb_sieve_is_affordable(o->n, o->m) ? sort_by_sieve(o, run) : FMB_OK;
+    fmb_status st =
+        fmb_ray_shooting_is_affordable(o->n, o->m) ? sort_by_ray_shooting(o, run) : FMB_OK;
     bool unknown = false;
     for (size_t i = 0; i < o->m; i++)
         unknown = unknown || o->fate[i] == FMB_FATE_UNKNOWN;

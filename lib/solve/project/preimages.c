@@ -13,7 +13,7 @@ typedef struct lifted_part {
     fmb_oracle *oracle;     /* or NULL: no variable goes */
 } lifted_part;
 
-struct fmb_lifts {
+struct fmb_preimages {
     fmb_query *q;
     const int *place;
     size_t parts;
@@ -23,7 +23,7 @@ struct fmb_lifts {
 
 /* ---- programs -------------------------------------------------------------------------------- */
 
-static fmb_status number_columns_that_go(fmb_lifts *l, lifted_part *h)
+static fmb_status number_columns_that_go(fmb_preimages *l, lifted_part *h)
 {
     fmb_arena *arena = &l->q->v->arena;
     h->column = fmb_arena_get(arena, (size_t)h->p->n, sizeof *h->column);
@@ -36,8 +36,8 @@ static fmb_status number_columns_that_go(fmb_lifts *l, lifted_part *h)
 }
 
 /* The row's terms that go, with right side 0 for now, unless there are none; z[h->n + 1]. */
-static fmb_status add_lifted_row(fmb_lifts *l, lifted_part *h, const fmb_sysrow *row, bool strict,
-                                 fmb_integers *z)
+static fmb_status add_lifted_row(fmb_preimages *l, lifted_part *h, const fmb_sysrow *row,
+                                 bool strict, fmb_integers *z)
 {
     bool any = false;
     for (int j = 0; j <= h->n; j++)
@@ -55,7 +55,7 @@ static fmb_status add_lifted_row(fmb_lifts *l, lifted_part *h, const fmb_sysrow 
                                     row->rel == FMB_LT && !strict ? FMB_LE : row->rel);
 }
 
-static fmb_status open_lifted_part(fmb_lifts *l, lifted_part *h, const fmb_part *p, bool strict)
+static fmb_status open_lifted_part(fmb_preimages *l, lifted_part *h, const fmb_part *p, bool strict)
 {
     fmb_integers z = {0};
     *h = (lifted_part){.p = p};
@@ -69,14 +69,14 @@ static fmb_status open_lifted_part(fmb_lifts *l, lifted_part *h, const fmb_part 
     return st == FMB_OK && h->n > 0 ? fmb_oracle_new(&l->q->run, &h->program, &h->oracle) : st;
 }
 
-fmb_status fmb_lifts_open(fmb_query *q, const int *place, fmb_lifts **out)
+fmb_status fmb_preimages_open(fmb_query *q, const int *place, fmb_preimages **out)
 {
     size_t parts = (size_t)q->parts.count;
-    fmb_lifts *l = fmb_mem_zero(q->run.mem, 1, sizeof *l);
+    fmb_preimages *l = fmb_mem_zero(q->run.mem, 1, sizeof *l);
     *out = l;
     if (!l)
         return fmb_mem_status(q->run.mem);
-    *l = (fmb_lifts){.q = q, .place = place};
+    *l = (fmb_preimages){.q = q, .place = place};
     mpz_inits(l->b, l->t, NULL);
     for (int strict = 0; strict <= 1; strict++)
         if (!(l->part[strict] = fmb_arena_get(&q->v->arena, parts, sizeof **l->part)))
@@ -92,7 +92,7 @@ fmb_status fmb_lifts_open(fmb_query *q, const int *place, fmb_lifts **out)
     return st;
 }
 
-void fmb_lifts_close(fmb_lifts *l)
+void fmb_preimages_close(fmb_preimages *l)
 {
     if (!l)
         return;
@@ -109,7 +109,7 @@ void fmb_lifts_close(fmb_lifts *l)
 /* ---- points ---------------------------------------------------------------------------------- */
 
 /* b = t times the right side minus what kept variables contribute. */
-static void find_right_side(fmb_lifts *l, const fmb_sysrow *row, const fmb_integers *y)
+static void find_right_side(fmb_preimages *l, const fmb_sysrow *row, const fmb_integers *y)
 {
     fmb_vec_get(&row->val, row->nnz, l->b);
     mpz_mul(l->b, l->b, y->z[y->size - 1]);
@@ -123,7 +123,7 @@ static void find_right_side(fmb_lifts *l, const fmb_sysrow *row, const fmb_integ
 }
 
 /* Strict rows without a variable that goes: they hold at y, or not. */
-static bool keeps_strict_rows(fmb_lifts *l, const fmb_integers *y)
+static bool keeps_strict_rows(fmb_preimages *l, const fmb_integers *y)
 {
     bool good = true;
     for (size_t i = 0; good && i < l->q->s->rows; i++) {
@@ -139,7 +139,7 @@ static bool keeps_strict_rows(fmb_lifts *l, const fmb_integers *y)
     return good;
 }
 
-static fmb_status lift_in_part(fmb_lifts *l, lifted_part *h, const fmb_integers *y, mpq_t *x,
+static fmb_status lift_in_part(fmb_preimages *l, lifted_part *h, const fmb_integers *y, mpq_t *x,
                                bool *found)
 {
     fmb_mem *mem = l->q->run.mem;
@@ -174,7 +174,7 @@ static fmb_status lift_in_part(fmb_lifts *l, lifted_part *h, const fmb_integers 
 }
 
 /* Variables that go and that no row names are 0. */
-static void spread_kept_variables(const fmb_lifts *l, const fmb_integers *y, mpq_t *x)
+static void spread_kept_variables(const fmb_preimages *l, const fmb_integers *y, mpq_t *x)
 {
     bool direction = mpz_sgn(y->z[y->size - 1]) == 0;
     for (int j = 0; j < fmb_system_dim(l->q->s); j++) {
@@ -188,7 +188,8 @@ static void spread_kept_variables(const fmb_lifts *l, const fmb_integers *y, mpq
     }
 }
 
-fmb_status fmb_lifts_find(fmb_lifts *l, const fmb_integers *y, bool strict, mpq_t *x, bool *found)
+fmb_status fmb_preimages_find(fmb_preimages *l, const fmb_integers *y, bool strict, mpq_t *x,
+                              bool *found)
 {
     *found = !strict || keeps_strict_rows(l, y);
     spread_kept_variables(l, y, x);

@@ -9,17 +9,19 @@
 #include "num/integers.h"
 #include "solve/query/solver.h"
 
-typedef struct fmb_lifts fmb_lifts;
+typedef struct fmb_preimages fmb_preimages;
 
 /* place[dim]: the column of a variable among those that are kept, -1 if it goes; place and q
- * outlive it. In any case fmb_lifts_close what is not NULL. Errors: MEMORY, LIMIT, here and below.
+ * outlive it. In any case fmb_preimages_close what is not NULL. Errors: MEMORY, LIMIT, here and
+ * below.
  */
-fmb_status fmb_lifts_open(fmb_query *q, const int *place, fmb_lifts **out);
-void fmb_lifts_close(fmb_lifts *l);
+fmb_status fmb_preimages_open(fmb_query *q, const int *place, fmb_preimages **out);
+void fmb_preimages_close(fmb_preimages *l);
 
 /* x[dim]: above the point y[k] / t, or if t = 0 the direction y, where y holds t behind its k
  * columns. strict: points only, and < counts; else it is read as <=. *found false: there is none.
  */
-fmb_status fmb_lifts_find(fmb_lifts *l, const fmb_integers *y, bool strict, mpq_t *x, bool *found);
+fmb_status fmb_preimages_find(fmb_preimages *l, const fmb_integers *y, bool strict, mpq_t *x,
+                              bool *found);
 
 #endif

@@ -60,15 +60,15 @@ typedef struct progress {
 /* May it be that there is no solution, as 0 is none, and is that told sooner than anything else? */
 static bool is_doubt_cheap(const fmb_system *s)
 {
-    size_t named = 0;
+    size_t nonzero = 0;
     bool origin = true;
     for (size_t i = 0; i < s->rows; i++) {
         const fmb_sysrow *r = fmb_system_row(s, i);
         int side = fmb_vec_sgn(&r->val, r->nnz);
         origin &= side > 0 || (side == 0 && r->rel != FMB_LT);
-        named += r->nnz;
+        nonzero += r->nnz;
     }
-    return !origin && named <= FEW_NAMED * s->rows;
+    return !origin && nonzero <= FEW_NAMED * s->rows;
 }
 
 /* Whether there is a solution is decided first where proofs are wanted, and where it costs hardly
@@ -87,7 +87,8 @@ static fmb_status decide_before_projection(fmb_query *q, fmb_verdict *verdict)
 static bool is_everything_at_sight(const fmb_query *q, const int *place)
 {
     bool sound = !q->evidence && q->parts.false_row == SIZE_MAX;
-    return sound && q->v->options.method == FMB_METHOD_AUTO && fmb_escape_at_sight(q->s, place);
+    return sound && q->v->options.method == FMB_METHOD_AUTO &&
+           fmb_recession_drops_all_at_sight(q->s, place);
 }
 
 static fmb_status project_all_parts(fmb_query *q, const int *place, fmb_system *out,
@@ -216,7 +217,7 @@ fmb_status fmb_project(fmb_solver *v, const fmb_system *s, const int *keep, int 
     if (st == FMB_OK && verdict == FMB_FEASIBLE)
         st = fmb_query_canonical(&q, place, image);
     if (st == FMB_OK && verdict == FMB_FEASIBLE)
-        st = fmb_query_prove_whole(&q, place, image);
+        st = fmb_query_prove_complete(&q, place, image);
     if (st == FMB_OK && verdict == FMB_INFEASIBLE)
         st = fmb_empty_set(s, keep, n, &empty);
     if (st == FMB_OK || st == FMB_LIMIT) {

@@ -7,7 +7,7 @@
 
 const char *fmb_solver_trouble(const fmb_solver *v)
 {
-    return v ? v->trouble : "";
+    return v ? v->error : "";
 }
 
 fmb_status fmb_solver_refuse(fmb_solver *v, fmb_status st, const char *format, ...)
@@ -15,14 +15,14 @@ fmb_status fmb_solver_refuse(fmb_solver *v, fmb_status st, const char *format, .
     va_list list;
     va_start(list, format);
     if (v)
-        vsnprintf(v->trouble, sizeof v->trouble, format, list);
+        vsnprintf(v->error, sizeof v->error, format, list);
     va_end(list);
     return st;
 }
 
 fmb_status fmb_solver_expect_result(fmb_solver *v, const fmb_result *res)
 {
-    char why[sizeof v->trouble];
+    char why[sizeof v->error];
     if (!res || fmb_sized_is_good(res, sizeof *res, "res", why, sizeof why))
         return FMB_OK;
     return fmb_solver_refuse(v, FMB_ERR_ARG, "%s", why);

@@ -86,7 +86,7 @@ fmb_status fmb_query_claim_clash(fmb_query *q, const fmb_part *p, const fmb_elim
     mpq_set_si(one, fmb_vec_sgn(&r->v, (size_t)e->n) > 0 ? -1 : 1, 1);
     fmb_status st = fmb_query_derive(q, e, e->clash, one, &w);
     if (st == FMB_OK)
-        st = fmb_query_thin_conflict(q, p, &w);
+        st = fmb_query_minimize_conflict(q, p, &w);
     if (st == FMB_OK)
         st = fmb_query_claim_infeasible(q, p, &w);
     fmb_weights_clear(&w, q->run.mem);

@@ -37,7 +37,7 @@ static fmb_status take_conflict(fmb_query *q, const fmb_part *p, fmb_oracle *o, 
     return st;
 }
 
-fmb_status fmb_query_thin_conflict(fmb_query *q, const fmb_part *p, fmb_weights *w)
+fmb_status fmb_query_minimize_conflict(fmb_query *q, const fmb_part *p, fmb_weights *w)
 {
     fmb_program rows;
     fmb_oracle *o = NULL;

@@ -7,8 +7,7 @@
 
 fmb_status fmb_options_read(fmb_solver *v, const fmb_options *o)
 {
-    if (!fmb_sized_take(&v->options, sizeof v->options, o, "options", v->trouble,
-                        sizeof v->trouble))
+    if (!fmb_sized_take(&v->options, sizeof v->options, o, "options", v->error, sizeof v->error))
         return FMB_ERR_ARG;
     fmb_status st = fmb_options_expect(v, &v->options);
     if (st == FMB_OK && !fmb_kernels_choose(v->options.simd))
@@ -25,5 +24,5 @@ size_t fmb_options_trouble(const fmb_options *o, char *text, size_t size)
     fmb_solver v = {.rules = 0};
     if (o)
         (void)fmb_options_read(&v, o);
-    return fmb_text_give(v.trouble, text, size);
+    return fmb_text_give(v.error, text, size);
 }

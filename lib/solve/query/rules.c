@@ -98,7 +98,7 @@ fmb_status fmb_solver_add_rule(fmb_solver *v, const fmb_rule *rule)
             return fmb_solver_refuse(v, FMB_ERR_RULE, "rule \"%s\" is in use", rule->name);
     if (v->rules == FMB_MAX_RULES)
         return fmb_solver_refuse(v, FMB_ERR_RULE, "more than %d rules", FMB_MAX_RULES);
-    v->trouble[0] = '\0';
+    v->error[0] = '\0';
     v->rule[v->rules++] = rule;
     return FMB_OK;
 }
@@ -113,7 +113,7 @@ static bool do_rules_disagree(const fmb_solver *v, const fmb_rule *a, const fmb_
 
 fmb_status fmb_rules_agree(fmb_solver *v, const char *query)
 {
-    v->trouble[0] = '\0';
+    v->error[0] = '\0';
     for (int i = 0; i < v->rules; i++) {
         const fmb_rule *a = v->rule[i];
         if ((a->flags & FMB_RULE_VERDICT_ONLY) && strcmp(query, "solve") != 0)

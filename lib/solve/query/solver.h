@@ -28,7 +28,7 @@ struct fmb_solver {
     int usual_rules; /* their number, if rules and steps are those by default; else -1 */
     unsigned steps;  /* of fmb_step: options.presolve */
     fmb_chooser chooser;
-    char trouble[160]; /* why the last call returned FMB_ERR_ARG or FMB_ERR_RULE */
+    char error[160]; /* why the last call returned FMB_ERR_ARG or FMB_ERR_RULE */
     atomic_int cancel;
     fmb_permutations *symmetries; /* given for projections, or NULL */
     uint32_t *moved;       /* [permutations][dim + rows] by these, while one is made, or NULL */
@@ -158,7 +158,7 @@ fmb_status fmb_query_push(fmb_query *q, const fmb_part *p, const fmb_weights *w,
 fmb_status fmb_query_finish_claim(fmb_query *q, fmb_status st);
 fmb_status fmb_query_claim_infeasible(fmb_query *q, const fmb_part *p, const fmb_weights *w);
 /* conflict.c: leave out rows of a conflict until none can be. At a limit it stays as it is. */
-fmb_status fmb_query_thin_conflict(fmb_query *q, const fmb_part *p, fmb_weights *w);
+fmb_status fmb_query_minimize_conflict(fmb_query *q, const fmb_part *p, fmb_weights *w);
 /* The same from an elimination whose rows clash. */
 fmb_status fmb_query_claim_clash(fmb_query *q, const fmb_part *p, const fmb_elim *e);
 /* Weights over the part's rows for factor times row r of the store. Errors: MEMORY, LIMIT. */

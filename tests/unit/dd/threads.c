@@ -103,7 +103,7 @@ static void check_threads(size_t threads, uint64_t pause, bool doubled, bool wid
         expect_same_cones(&one.cone, &several.cone);
     }
     cr_assert(one.cone.ray.size >= (doubled ? 1000 : 11440), "%zu", one.cone.ray.size);
-    cr_assert(several.cone.at->crew, "all was done by one thread");
+    cr_assert(several.cone.at->workers, "all was done by one thread");
     close_bench(&several);
     close_bench(&one);
 }

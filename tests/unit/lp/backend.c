@@ -1,4 +1,4 @@
-/* backend.c: what the door hands out is a basis; what it says of it is proved in rationals here,
+/* backend.c: what the backend hands out is a basis; what it says of it is proved in rationals here,
  * which must succeed nearly always; and it is the same from where it stood as from the beginning.
  */
 #include <criterion/criterion.h>
@@ -47,29 +47,29 @@ static void draw_cost(door_bench *b, support_rng *g)
         b->cost[j] = support_between(g, -3, 3);
 }
 
-static fmb_hint ask(door_bench *b, fmb_door *d, bool search, tally *t)
+static fmb_hint ask(door_bench *b, fmb_backend *d, bool search, tally *t)
 {
     fmb_hint h = {.basis = b->basis};
-    cr_assert_eq(search ? fmb_door_search(d, &h) : fmb_door_maximize(d, b->cost, &h), FMB_OK);
+    cr_assert_eq(search ? fmb_backend_search(d, &h) : fmb_backend_maximize(d, b->cost, &h), FMB_OK);
     count_hint(b, &h, search, t);
     return h;
 }
 
-static fmb_door *open_side(door_bench *b, const fmb_door_side *side)
+static fmb_backend *open_side(door_bench *b, const fmb_backend_methods *side)
 {
-    fmb_door *d;
-    cr_assert_eq(fmb_door_open_side(&b->run, &b->p, side, &d), FMB_OK);
+    fmb_backend *d;
+    cr_assert_eq(fmb_backend_open_with(&b->run, &b->p, side, &d), FMB_OK);
     cr_assert(d);
     return d;
 }
 
 /* A search, then costs one after another. Numbers that doubles cannot tell apart may get answers
  * that contradict each other. */
-static void ask_all(door_bench *b, const fmb_door_side *side, int costs, tally *t)
+static void ask_all(door_bench *b, const fmb_backend_methods *side, int costs, tally *t)
 {
     support_rng g = {b->c.seed};
     door_bench_append(b, b->part->m);
-    fmb_door *d = open_side(b, side);
+    fmb_backend *d = open_side(b, side);
     fmb_hint_kind first = ask(b, d, true, t).kind;
     for (int k = 0; k < costs; k++) {
         draw_cost(b, &g);
@@ -78,7 +78,7 @@ static void ask_all(door_bench *b, const fmb_door_side *side, int costs, tally *
             cr_assert_eq(h.kind == FMB_HINT_INFEASIBLE, first == FMB_HINT_INFEASIBLE, "seed %lu",
                          (unsigned long)b->c.seed);
     }
-    fmb_door_close(d);
+    fmb_backend_close(d);
 }
 
 static void expect_share(const char *what, const tally *t, double share)
@@ -88,7 +88,7 @@ static void expect_share(const char *what, const tally *t, double share)
                   t->asked);
 }
 
-static void ask_small_systems(const fmb_door_side *side)
+static void ask_small_systems(const fmb_backend_methods *side)
 {
     tally narrow = {0}, wide = {0};
     for (uint64_t seed = 0; seed < 1000; seed++) {
@@ -104,7 +104,7 @@ static void ask_small_systems(const fmb_door_side *side)
     expect_share("wide", &wide, 0.7);
 }
 
-static void ask_larger_systems(const fmb_door_side *side)
+static void ask_larger_systems(const fmb_backend_methods *side)
 {
     tally t = {0};
     for (uint64_t seed = 0; seed < 60; seed++) {
@@ -117,26 +117,28 @@ static void ask_larger_systems(const fmb_door_side *side)
     expect_share("larger", &t, 0.999);
 }
 
-Test(door, hints_of_our_own_are_proved)
+Test(backend, hints_of_our_own_are_proved)
 {
-    ask_small_systems(&fmb_door_side_own);
-    ask_larger_systems(&fmb_door_side_own);
+    ask_small_systems(&fmb_backend_revised_simplex);
+    ask_larger_systems(&fmb_backend_revised_simplex);
 }
 
-Test(door, hints_of_factors_are_proved)
+Test(backend, hints_of_factors_are_proved)
 {
-    ask_small_systems(&fmb_door_side_factors);
-    ask_larger_systems(&fmb_door_side_factors);
+    ask_small_systems(&fmb_backend_revised_simplex_lu);
+    ask_larger_systems(&fmb_backend_revised_simplex_lu);
 }
 
 /* ---- changes --------------------------------------------------------------------------------- */
 
-typedef void change(door_bench *b, fmb_door *d, support_rng *g, tally *t);
+typedef void change(door_bench *b, fmb_backend *d, support_rng *g, tally *t);
 
-/* What changes, on many systems and every side of the door; it opens with so many of 100 rows. */
+/* What changes, on many systems and every side of the backend; it opens with so many of 100 rows.
+ */
 static void ask_while(const char *what, change *changes, int share)
 {
-    static const fmb_door_side *const sides[] = {&fmb_door_side_own, &fmb_door_side_factors};
+    static const fmb_backend_methods *const sides[] = {&fmb_backend_revised_simplex,
+                                                       &fmb_backend_revised_simplex_lu};
     static const support_shape shape = {.dim = 6, .rows = 24};
     for (int side = 0; side < 2; side++) {
         tally t = {0};
@@ -145,9 +147,9 @@ static void ask_while(const char *what, change *changes, int share)
             door_bench b;
             if (door_bench_open(&b, (support_family)(seed % SUPPORT_FAMILIES), seed, &shape)) {
                 door_bench_append(&b, b.part->m * (size_t)share / 100);
-                fmb_door *d = open_side(&b, sides[side]);
+                fmb_backend *d = open_side(&b, sides[side]);
                 changes(&b, d, &g, &t);
-                fmb_door_close(d);
+                fmb_backend_close(d);
             }
             door_bench_close(&b);
         }
@@ -156,28 +158,28 @@ static void ask_while(const char *what, change *changes, int share)
 }
 
 /* Rows come a few at a time. */
-static void append_and_ask(door_bench *b, fmb_door *d, support_rng *g, tally *t)
+static void append_and_ask(door_bench *b, fmb_backend *d, support_rng *g, tally *t)
 {
     for (size_t m = 0; m <= b->part->m; m += (size_t)support_between(g, 1, 5)) {
         door_bench_append(b, m);
-        cr_assert_eq(fmb_door_grow(d), FMB_OK);
+        cr_assert_eq(fmb_backend_grow(d), FMB_OK);
         draw_cost(b, g);
         ask(b, d, support_chance(g, 50), t);
     }
 }
 
-Test(door, follows_rows_that_come)
+Test(backend, follows_rows_that_come)
 {
     ask_while("growing", append_and_ask, 0);
 }
 
 /* Rows go and come; no basis may hold one that is off. */
-static void switch_and_ask(door_bench *b, fmb_door *d, support_rng *g, tally *t)
+static void switch_and_ask(door_bench *b, fmb_backend *d, support_rng *g, tally *t)
 {
     for (int k = 0; k < 20; k++) {
         size_t i = (size_t)support_between(g, 0, (int)b->p.m - 1);
         b->off[i] = !b->off[i];
-        fmb_door_switch(d, i, !b->off[i]);
+        fmb_backend_switch(d, i, !b->off[i]);
         draw_cost(b, g);
         ask(b, d, support_chance(g, 50), t);
         for (size_t r = 0; r < b->n; r++)
@@ -186,13 +188,13 @@ static void switch_and_ask(door_bench *b, fmb_door *d, support_rng *g, tally *t)
     }
 }
 
-Test(door, follows_rows_that_are_switched)
+Test(backend, follows_rows_that_are_switched)
 {
     ask_while("switching", switch_and_ask, 100);
 }
 
 /* Other right sides, another basis, and back. */
-static void move_and_ask(door_bench *b, fmb_door *d, support_rng *g, tally *t)
+static void move_and_ask(door_bench *b, fmb_backend *d, support_rng *g, tally *t)
 {
     double *right = calloc(b->p.m + 1, sizeof *right);
     fmb_hint h = {.basis = b->basis};
@@ -200,37 +202,37 @@ static void move_and_ask(door_bench *b, fmb_door *d, support_rng *g, tally *t)
         right[i] = support_between(g, -4, 4);
     draw_cost(b, g);
     ask(b, d, false, t);
-    fmb_door_shift(d, right);
-    cr_assert_eq(fmb_door_search(d, &h), FMB_OK);
+    fmb_backend_shift(d, right);
+    cr_assert_eq(fmb_backend_search(d, &h), FMB_OK);
     check_basis(b);
-    fmb_door_shift(d, NULL);
-    fmb_door_sharpen(d);
+    fmb_backend_shift(d, NULL);
+    fmb_backend_sharpen(d);
     ask(b, d, support_chance(g, 50), t);
     for (size_t r = 0; r < b->n; r++)
         b->basis[r] = b->p.m + r;
-    fmb_door_place(d, b->basis);
+    fmb_backend_place(d, b->basis);
     ask(b, d, support_chance(g, 50), t);
     free(right);
 }
 
-Test(door, starts_from_other_bases_and_right_sides)
+Test(backend, starts_from_other_bases_and_right_sides)
 {
     ask_while("moved", move_and_ask, 100);
 }
 
 /* As the library opens it. */
-Test(door, opens_on_our_own_side)
+Test(backend, opens_on_our_own_side)
 {
     tally t = {0};
     for (uint64_t seed = 0; seed < 20; seed++) {
         static const support_shape shape = {.dim = 104, .rows = 16};
         door_bench b;
-        fmb_door *d;
+        fmb_backend *d;
         if (door_bench_open(&b, SUPPORT_PLANTED_POINT, seed, seed ? NULL : &shape)) {
             door_bench_append(&b, b.part->m);
-            cr_assert_eq(fmb_door_open(&b.run, &b.p, &d), FMB_OK);
+            cr_assert_eq(fmb_backend_open(&b.run, &b.p, &d), FMB_OK);
             ask(&b, d, true, &t);
-            fmb_door_close(d);
+            fmb_backend_close(d);
         }
         door_bench_close(&b);
     }

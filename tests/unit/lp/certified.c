@@ -209,7 +209,7 @@ static void maximize_from_glimpse(bench *b, fmb_oracle *o, const fmb_weights *co
                                   fmb_oracle_end *end, bool *attained)
 {
     *attained = false;
-    cr_assert_eq(fmb_oracle_glimpse(o, cost, end), FMB_OK);
+    cr_assert_eq(fmb_oracle_approach_point(o, cost, end), FMB_OK);
     if (*end == FMB_ORACLE_UNBOUNDED)
         return;
     expect_solution(b, o, true);

@@ -42,12 +42,12 @@ static void open_plane(plane *k, uint64_t seed)
     for (int i = 0; i < ROWS; i++)
         draw_row(k, &g, i);
     vertex_bench_stand(&k->b);
-    cr_assert_eq(fmb_walk_init(&k->w, &k->b.v), FMB_OK);
+    cr_assert_eq(fmb_pivot_walk_init(&k->w, &k->b.v), FMB_OK);
 }
 
 static void close_plane(plane *k)
 {
-    fmb_walk_clear(&k->w);
+    fmb_pivot_walk_clear(&k->w);
     vertex_bench_close(&k->b);
 }
 
@@ -123,9 +123,9 @@ static void check_rows_at_vertex(plane *k, const long *x, long den)
 /* Exact prices tell whenever there is a conflict. */
 static void check_conflict(plane *k, size_t odd, bool truth)
 {
-    fmb_walk_end end;
-    cr_assert_eq(fmb_walk_try_conflict(&k->w, odd, &end), FMB_OK);
-    cr_assert_eq(end == FMB_WALK_CONFLICT, truth, "row %zu", odd);
+    fmb_pivot_walk_end end;
+    cr_assert_eq(fmb_pivot_walk_try_conflict(&k->w, odd, &end), FMB_OK);
+    cr_assert_eq(end == FMB_PIVOT_WALK_CONFLICT, truth, "row %zu", odd);
     cr_assert(!truth || do_rows_conflict(k, k->b.v.basis, (int)odd, k->w.sign));
 }
 
@@ -151,12 +151,12 @@ static int count_rays(plane *k)
     for (int c = 0; c < 4; c++)
         for (size_t place = 0; place < 2; place++) {
             mpz_t z[2];
-            fmb_walk_end end;
+            fmb_pivot_walk_end end;
             mpz_init_set_si(z[0], cost[c][0]);
             mpz_init_set_si(z[1], cost[c][1]);
-            cr_assert_eq(fmb_walk_try_ray(&k->w, place, z, &end), FMB_OK);
-            cr_assert(end != FMB_WALK_RAY || is_way_free(k, cost[c]));
-            rays += end == FMB_WALK_RAY;
+            cr_assert_eq(fmb_pivot_walk_try_ray(&k->w, place, z, &end), FMB_OK);
+            cr_assert(end != FMB_PIVOT_WALK_RAY || is_way_free(k, cost[c]));
+            rays += end == FMB_PIVOT_WALK_RAY;
             mpz_clears(z[0], z[1], NULL);
         }
     return rays;
@@ -173,7 +173,7 @@ static int check_basis(plane *k, const size_t *basis)
     for (int odd = 0; odd < ROWS; odd++) {
         int sign;
         bool sure, truth = is_contradicted(k, k->b.v.basis, odd);
-        cr_assert_eq(fmb_refute(&k->b.v, (size_t)odd, &sign, &sure), FMB_OK);
+        cr_assert_eq(fmb_refined_farkas(&k->b.v, (size_t)odd, &sign, &sure), FMB_OK);
         cr_assert(truth || !sure, "row %d", odd);
         cr_assert(!sure || do_rows_conflict(k, k->b.v.basis, odd, sign));
         check_conflict(k, (size_t)odd, truth);

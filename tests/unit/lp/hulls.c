@@ -33,13 +33,13 @@ static double times(const cloud *p, const double *a, const double *b)
 }
 
 /* z >= 0 makes up the target, and adds up to 1 at most; walls of the cube are large or small. */
-static bool check_inside(const cloud *p, const fmb_gauge *g, const double *q)
+static bool check_inside(const cloud *p, const fmb_membership *g, const double *q)
 {
     double sum = 0, left[MOST_D];
     for (size_t k = 0; k < p->d; k++)
         left[k] = q[k];
     for (size_t r = 0; r < p->d; r++) {
-        size_t j = fmb_gauge_name(g, r);
+        size_t j = fmb_membership_name(g, r);
         cr_assert_geq(g->value[r], -1e-8);
         if (j == SIZE_MAX && g->value[r] > 1e-8)
             return false;
@@ -53,7 +53,7 @@ static bool check_inside(const cloud *p, const fmb_gauge *g, const double *q)
 }
 
 /* Rounding errors begin with the size of the cube, where the search starts. */
-static void check_outside(const cloud *p, const fmb_gauge *g, const double *q, const bool *in)
+static void check_outside(const cloud *p, const fmb_membership *g, const double *q, const bool *in)
 {
     double error = 1e-6 + 1e-13 * g->cube;
     cr_assert_gt(times(p, g->w, q), 1 - error);
@@ -67,9 +67,9 @@ static void question_cloud(support_rng *g, size_t *answers)
     cloud p = {.d = (size_t)support_between(g, 1, MOST_D)};
     bool in[MOST_POINTS] = {0};
     fmb_mem mem;
-    fmb_gauge gauge;
+    fmb_membership gauge;
     fmb_mem_init(&mem, NULL, 0);
-    cr_assert_eq(fmb_gauge_init(&gauge, &mem, fmb_kernels_choose(FMB_SIMD_AUTO), p.d, 1000),
+    cr_assert_eq(fmb_membership_init(&gauge, &mem, fmb_kernels_choose(FMB_SIMD_AUTO), p.d, 1000),
                  FMB_OK);
     for (int k = 0; k < 80; k++) {
         double q[MOST_D];
@@ -77,25 +77,25 @@ static void question_cloud(support_rng *g, size_t *answers)
         if (p.n < MOST_POINTS && support_chance(g, 60)) {
             draw_point(g, &p, p.at[p.n]);
             in[p.n] = true;
-            cr_assert_eq(fmb_gauge_add(&gauge, p.at[p.n], p.n), FMB_OK);
+            cr_assert_eq(fmb_membership_add(&gauge, p.at[p.n], p.n), FMB_OK);
             p.n++;
         }
         if (support_chance(g, 5)) {
-            fmb_gauge_forget(&gauge);
+            fmb_membership_forget(&gauge);
             for (size_t j = 0; j < p.n; j++)
                 in[j] = false;
             for (size_t j = 0; j < gauge.size; j++)
                 in[gauge.name[j]] = true;
         }
         if (gauge.cube < 1e9 && support_chance(g, 2))
-            fmb_gauge_resize_cube(&gauge, 64 * gauge.cube);
+            fmb_membership_resize_cube(&gauge, 64 * gauge.cube);
         draw_point(g, &p, q);
-        cr_assert_eq(fmb_gauge_ask(&gauge, q, NULL, &side), FMB_OK);
+        cr_assert_eq(fmb_membership_ask(&gauge, q, NULL, &side), FMB_OK);
         if (side == FMB_HULL_OUTSIDE)
             check_outside(&p, &gauge, q, in);
         answers[side == FMB_HULL_INSIDE && !check_inside(&p, &gauge, q) ? 0 : side]++;
     }
-    fmb_gauge_clear(&gauge);
+    fmb_membership_clear(&gauge);
     cr_expect_eq(mem.used, 0);
 }
 

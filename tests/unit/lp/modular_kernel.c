@@ -7,11 +7,11 @@
 #include "num/gcd.h"
 #include "support.h"
 
-static void fill_at_random(support_rng *g, fmb_short *h, size_t columns, int64_t *a)
+static void fill_at_random(support_rng *g, fmb_modular_kernel *h, size_t columns, int64_t *a)
 {
     size_t n = h->n;
     bool dependent = n > 2 && support_chance(g, 30), empty = support_chance(g, 30);
-    fmb_short_zero(h, columns);
+    fmb_modular_kernel_zero(h, columns);
     for (size_t i = 0; i < n; i++)
         for (size_t j = 0; j < columns; j++) {
             int64_t *x = &a[i * columns + j];
@@ -21,7 +21,7 @@ static void fill_at_random(support_rng *g, fmb_short *h, size_t columns, int64_t
             if (empty && i == 1)
                 *x = 0;
             if (*x != 0)
-                fmb_short_put(h, i, j, *x);
+                fmb_modular_kernel_put(h, i, j, *x);
         }
 }
 
@@ -38,7 +38,7 @@ static size_t rank_of_rows(const int64_t *a, size_t n, size_t columns)
 }
 
 /* Is v, not 0 and coprime, 0 on all rows? */
-static void expect_kernel(const fmb_short *h, const int64_t *a)
+static void expect_kernel(const fmb_modular_kernel *h, const int64_t *a)
 {
     uint64_t g = 0;
     for (size_t j = 0; j < h->columns; j++)
@@ -58,18 +58,18 @@ Test(short, kernels)
     fmb_mem_init(&mem, NULL, 0);
     for (uint64_t seed = 0; seed < 3000; seed++) {
         support_rng g = {seed};
-        fmb_short h;
+        fmb_modular_kernel h;
         size_t n = (size_t)support_between(&g, 1, 12), columns = n + 1;
         int64_t a[12 * 13];
         if (support_chance(&g, 50))
             columns = (size_t)support_between(&g, n > 2 ? (int)n - 2 : 1, (int)n + 1);
-        cr_assert_eq(fmb_short_init(&h, &mem, n), FMB_OK);
+        cr_assert_eq(fmb_modular_kernel_init(&h, &mem, n), FMB_OK);
         fill_at_random(&g, &h, columns, a);
-        bool found = fmb_short_find_kernel(&h);
+        bool found = fmb_modular_kernel_find(&h);
         cr_assert_eq(found, rank_of_rows(a, n, columns) + 1 == columns);
         if (found)
             expect_kernel(&h, a);
-        fmb_short_clear(&h, &mem);
+        fmb_modular_kernel_clear(&h, &mem);
     }
     cr_assert_eq(mem.used, 0);
 }

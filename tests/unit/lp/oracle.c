@@ -108,7 +108,7 @@ static fmb_lp_end test_row(bench *b, size_t i, const bool *gone, bool lazily)
         mpq_init(x[j]);
     mpq_inits(sum, t, NULL);
     if (lazily)
-        cr_assert_eq(fmb_lp_test_lazily(&b->lp, i, center, x, &end), FMB_OK);
+        cr_assert_eq(fmb_lp_test_active(&b->lp, i, center, x, &end), FMB_OK);
     else
         cr_assert_eq(fmb_lp_test(&b->lp, i, &end), FMB_OK);
     if (end == FMB_LP_VIOLATED && !lazily)
@@ -142,7 +142,7 @@ static void check_tests(bench *b)
 {
     bool *gone = calloc(b->p->m, sizeof *gone), lazily = b->c.seed % 2;
     if (lazily)
-        fmb_lp_sleep(&b->lp);
+        fmb_lp_deactivate(&b->lp);
     for (size_t i = 0; i < b->p->m; i++) {
         fmb_lp_end end;
         fmb_verdict truth;

@@ -48,12 +48,12 @@ static void sort_and_compare(scene *c, const char *what, uint64_t seed, tally *t
     bool *gone = calloc(c->m, sizeof *gone), inner = false;
     scene_listener l = {c, gone, 0};
     fmb_verdicts told = {scene_hear_redundant, NULL, scene_hear_irredundant, &l};
-    fmb_sieve s;
+    fmb_ray_shooting s;
     t->systems++;
-    must(fmb_sieve_open(&s, &c->run, c->n, c->m, c->row, &inner));
+    must(fmb_ray_shooting_open(&s, &c->run, c->n, c->m, c->row, &inner));
     if (inner) {
         t->inner++;
-        must(fmb_sieve_sort(&s, fate, &told));
+        must(fmb_ray_shooting_sort(&s, fate, &told));
         count_fates(c, fate, t);
         cr_assert(decide_by_dictionary(c, truth), "%s, seed %llu", what, (unsigned long long)seed);
     }
@@ -63,7 +63,7 @@ static void sort_and_compare(scene *c, const char *what, uint64_t seed, tally *t
                   what, (unsigned long long)seed, i, fate[i]);
     }
     cr_assert_eq(l.claims, 0);
-    fmb_sieve_close(&s);
+    fmb_ray_shooting_close(&s);
     free(fate);
     free(truth);
     free(gone);

@@ -44,7 +44,7 @@ static bool is_implied(const target *t, const int *sixths)
 }
 
 /* Multipliers are off by a little, as those in doubles are. */
-static bool prove_by(fmb_rounded *c, target *t, const int *sixths)
+static bool prove_by(fmb_rounded_proof *c, target *t, const int *sixths)
 {
     fmb_vec v[PARTS + 1];
     fmb_lp_row row[PARTS + 1];
@@ -53,14 +53,14 @@ static bool prove_by(fmb_rounded *c, target *t, const int *sixths)
         fmb_vec_measure(&v[i], COLUMNS + 1);
         row[i] = (fmb_lp_row){&v[i], t->rel[i]};
     }
-    fmb_rounded_begin(c);
+    fmb_rounded_proof_begin(c);
     for (size_t k = 0; k < PARTS; k++)
-        cr_assert(fmb_rounded_add(c, k, sixths[k] / 6.0 * (1 + 1e-11)));
-    return fmb_rounded_proves(c, COLUMNS, row, PARTS);
+        cr_assert(fmb_rounded_proof_add(c, k, sixths[k] / 6.0 * (1 + 1e-11)));
+    return fmb_rounded_proof_holds(c, COLUMNS, row, PARTS);
 }
 
 /* By all guesses; how many prove it? */
-static int check_target(fmb_rounded *c, target *t)
+static int check_target(fmb_rounded_proof *c, target *t)
 {
     int proofs = 0;
     write_target(t);
@@ -78,10 +78,10 @@ Test(rounded, proves_what_is_implied_only)
 {
     static const fmb_rel rels[] = {FMB_LE, FMB_LT, FMB_EQ};
     fmb_mem mem;
-    fmb_rounded c;
+    fmb_rounded_proof c;
     int proofs = 0;
     fmb_mem_init(&mem, NULL, 0);
-    cr_assert_eq(fmb_rounded_init(&c, &mem, PARTS), FMB_OK);
+    cr_assert_eq(fmb_rounded_proof_init(&c, &mem, PARTS), FMB_OK);
     for (int code = 0; code < GUESSES * GUESSES; code++)
         for (int rel = 0; rel < 18; rel++)
             for (int slack = -1; slack <= 1; slack++) {
@@ -91,20 +91,20 @@ Test(rounded, proves_what_is_implied_only)
                 proofs += check_target(&c, &t);
             }
     cr_expect_gt(proofs, 500);
-    fmb_rounded_clear(&c, &mem);
+    fmb_rounded_proof_clear(&c, &mem);
     cr_assert_eq(mem.used, 0);
 }
 
 Test(rounded, takes_short_fractions_only)
 {
     fmb_mem mem;
-    fmb_rounded c;
+    fmb_rounded_proof c;
     fmb_mem_init(&mem, NULL, 0);
-    cr_assert_eq(fmb_rounded_init(&c, &mem, 1), FMB_OK);
+    cr_assert_eq(fmb_rounded_proof_init(&c, &mem, 1), FMB_OK);
     const double others[] = {1 / 4097.0, -1 - 1 / 9001.0, 1e6, INFINITY, NAN};
     for (size_t k = 0; k < sizeof others / sizeof *others; k++) {
-        fmb_rounded_begin(&c);
-        cr_expect(!fmb_rounded_add(&c, 0, others[k]), "%g", others[k]);
+        fmb_rounded_proof_begin(&c);
+        cr_expect(!fmb_rounded_proof_add(&c, 0, others[k]), "%g", others[k]);
     }
-    fmb_rounded_clear(&c, &mem);
+    fmb_rounded_proof_clear(&c, &mem);
 }

@@ -14,10 +14,10 @@ typedef struct bench {
     fmb_run run;
     atomic_int cancel;
     fmb_program p;
-    fmb_reals reals;
-    fmb_triangles factors;
+    fmb_scaled_program reals;
+    fmb_updated_lu factors;
     size_t n, member[MOST];
-    fmb_spread in, out;
+    fmb_indexed_vector in, out;
 } bench;
 
 /* Sparse rows, some of one term, some that depend on others. */
@@ -44,18 +44,18 @@ static void open_bench(bench *b, support_rng *g)
     fmb_program_init(&b->p, &b->mem, (int)b->n);
     for (size_t i = 0; i < ROWS; i++)
         append_random_row(b, g, share);
-    cr_assert_eq(fmb_reals_init(&b->reals, &b->run, &b->p), FMB_OK);
-    cr_assert_eq(fmb_triangles_init(&b->factors, &b->reals), FMB_OK);
-    cr_assert_eq(fmb_spread_resize(&b->in, &b->mem, b->n), FMB_OK);
-    cr_assert_eq(fmb_spread_resize(&b->out, &b->mem, b->n), FMB_OK);
+    cr_assert_eq(fmb_scaled_program_init(&b->reals, &b->run, &b->p), FMB_OK);
+    cr_assert_eq(fmb_updated_lu_init(&b->factors, &b->reals), FMB_OK);
+    cr_assert_eq(fmb_indexed_vector_resize(&b->in, &b->mem, b->n), FMB_OK);
+    cr_assert_eq(fmb_indexed_vector_resize(&b->out, &b->mem, b->n), FMB_OK);
 }
 
 static void close_bench(bench *b)
 {
-    fmb_spread_free(&b->in, &b->mem);
-    fmb_spread_free(&b->out, &b->mem);
-    fmb_triangles_clear(&b->factors);
-    fmb_reals_clear(&b->reals);
+    fmb_indexed_vector_free(&b->in, &b->mem);
+    fmb_indexed_vector_free(&b->out, &b->mem);
+    fmb_updated_lu_clear(&b->factors);
+    fmb_scaled_program_clear(&b->reals);
     fmb_program_clear(&b->p);
     cr_assert_eq(b->mem.used, 0);
 }
@@ -80,11 +80,11 @@ static void draw_input(bench *b, support_rng *g, double *copy)
         if (copy[j] != 0)
             continue;
         copy[j] = support_between(g, 1, 9);
-        fmb_spread_add(&b->in, j, copy[j]);
+        fmb_indexed_vector_add(&b->in, j, copy[j]);
     }
 }
 
-static void check_that_it_is_empty(const fmb_spread *v)
+static void check_that_it_is_empty(const fmb_indexed_vector *v)
 {
     cr_assert_eq(v->count, 0);
     for (size_t k = 0; k < v->size; k++)
@@ -92,7 +92,7 @@ static void check_that_it_is_empty(const fmb_spread *v)
 }
 
 /* Places in the index are different. */
-static void check_index(const fmb_spread *v)
+static void check_index(const fmb_indexed_vector *v)
 {
     bool seen[MOST] = {false};
     for (size_t t = 0; t < v->count; t++) {
@@ -106,7 +106,7 @@ static double find_residual(bench *b, support_rng *g)
 {
     double line[MOST], given[MOST], worst = 0, largest = 1;
     draw_input(b, g, given);
-    fmb_triangles_solve(&b->factors, &b->in, &b->out);
+    fmb_updated_lu_solve(&b->factors, &b->in, &b->out);
     check_that_it_is_empty(&b->in);
     check_index(&b->out);
     for (size_t r = 0; r < b->n; r++) {
@@ -118,7 +118,7 @@ static double find_residual(bench *b, support_rng *g)
         largest = fmax(largest, fabs(b->out.at[r]));
     }
     draw_input(b, g, given);
-    fmb_triangles_solve_transposed(&b->factors, &b->in, &b->out);
+    fmb_updated_lu_solve_transposed(&b->factors, &b->in, &b->out);
     check_that_it_is_empty(&b->in);
     check_index(&b->out);
     for (size_t r = 0; r < b->n; r++) {
@@ -136,20 +136,20 @@ static double find_residual(bench *b, support_rng *g)
 static bool exchange(bench *b, support_rng *g)
 {
     size_t i = (size_t)support_between(g, 0, ROWS - 1), place = 0;
-    fmb_spread edge = {0};
+    fmb_indexed_vector edge = {0};
     for (size_t k = 0; k < b->p.row[i].size; k++)
-        fmb_spread_add(&b->in, (size_t)b->p.row[i].column[k],
-                       b->reals.value[b->reals.start[i] + k]);
-    fmb_triangles_solve_transposed(&b->factors, &b->in, &b->out);
+        fmb_indexed_vector_add(&b->in, (size_t)b->p.row[i].column[k],
+                               b->reals.value[b->reals.start[i] + k]);
+    fmb_updated_lu_solve_transposed(&b->factors, &b->in, &b->out);
     for (size_t r = 0; r < b->n; r++)
         place = fabs(b->out.at[r]) > fabs(b->out.at[place]) ? r : place;
     if (fabs(b->out.at[place]) < 1e-3)
         return false;
-    cr_assert_eq(fmb_spread_resize(&edge, &b->mem, b->n), FMB_OK);
-    fmb_spread_add(&b->in, place, 1);
-    fmb_triangles_solve(&b->factors, &b->in, &edge);
-    cr_assert_eq(fmb_triangles_exchange(&b->factors, place, i, &b->out, &edge), FMB_OK);
-    fmb_spread_free(&edge, &b->mem);
+    cr_assert_eq(fmb_indexed_vector_resize(&edge, &b->mem, b->n), FMB_OK);
+    fmb_indexed_vector_add(&b->in, place, 1);
+    fmb_updated_lu_solve(&b->factors, &b->in, &edge);
+    cr_assert_eq(fmb_updated_lu_pivot(&b->factors, place, i, &b->out, &edge), FMB_OK);
+    fmb_indexed_vector_free(&edge, &b->mem);
     b->member[place] = i;
     return true;
 }
@@ -163,7 +163,7 @@ Test(triangles, solve_what_multiplies_back)
         open_bench(&b, &g);
         for (size_t r = 0; r < b.n; r++)
             b.member[r] = support_chance(&g, 20) ? FMB_UNIT + r : r;
-        cr_assert_eq(fmb_triangles_factor(&b.factors, b.member), FMB_OK);
+        cr_assert_eq(fmb_updated_lu_factor(&b.factors, b.member), FMB_OK);
         cr_assert_lt(find_residual(&b, &g), 1e-8, "seed %lu", (unsigned long)seed);
         for (int k = 0; k < 30; k++) {
             exchanges += exchange(&b, &g);

@@ -72,7 +72,7 @@ static void check_refutation(int turn, int far, int d)
     add_row(&b, (const int[]){turn * 2, 0}, 0, (const int[]){-1, far + 1}, 0, FMB_LE);
     add_row(&b, (const int[]){-1, 0}, 0, (const int[]){0, 0}, -d, FMB_LE);
     stand_on_first_rows(&b);
-    cr_assert_eq(fmb_refute(&b.v, 2, &sign, &sure), FMB_OK);
+    cr_assert_eq(fmb_refined_farkas(&b.v, 2, &sign, &sure), FMB_OK);
     cr_assert(!sure || wanted, "%d, 2^%d, %d", turn, far, d);
     cr_assert(sure || !wanted || far > 120, "2^%d, %d", far, d);
     vertex_bench_close(&b);

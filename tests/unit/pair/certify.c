@@ -8,14 +8,14 @@
 #include "pair/exact_box/certify.h"
 #include "pair/exact_box/exact_box_value.h"
 
-enum { UNKNOWNS = FMB_EXTREME_UNKNOWNS, DIM = FMB_EXTREME_DIM };
+enum { UNKNOWNS = FMB_EXACT_BOX_UNKNOWNS, DIM = FMB_EXACT_BOX_DIM };
 
 /* ---- pairs at a distance --------------------------------------------------------------------- */
 
 typedef struct certified_pair {
     fmb_frame p, q;
     double origin[DIM]; /* of q */
-    fmb_extreme_program program;
+    fmb_exact_box_program program;
 } certified_pair;
 
 static const double ZERO[DIM], TWICE_PLANE[] = {2, 0, 0, 2},
@@ -69,42 +69,43 @@ enum { KINDS = sizeof PLACES / sizeof *PLACES };
 static void load_pair(certified_pair *c, int kind, double gap)
 {
     PLACES[kind](c, gap);
-    cr_assert(fmb_extreme_load(&c->program, &c->p, &c->q));
+    cr_assert(fmb_exact_box_load(&c->program, &c->p, &c->q));
 }
 
 /* ---- all that may be guessed ----------------------------------------------------------------- */
 
 /* The next of all ways to give each unknown a place; only units may be at their upper end. Those
  * with the wrong number of basic unknowns are among them. */
-static bool turn_to_next_basis(const fmb_extreme_program *s, fmb_extreme_basis *basis, bool high)
+static bool turn_to_next_basis(const fmb_exact_box_program *s, fmb_exact_box_basis *basis,
+                               bool high)
 {
     for (int j = 0; j < UNKNOWNS; j++) {
         unsigned char *place = &basis->place[j];
-        if (s->group[j] == FMB_EXTREME_NONE)
+        if (s->group[j] == FMB_EXACT_BOX_NONE)
             continue;
-        if (*place == FMB_EXTREME_LOW && high && s->group[j] == FMB_EXTREME_UNIT) {
-            *place = FMB_EXTREME_HIGH;
+        if (*place == FMB_EXACT_BOX_LOW && high && s->group[j] == FMB_EXACT_BOX_UNIT) {
+            *place = FMB_EXACT_BOX_HIGH;
             return true;
         }
-        if (*place != FMB_EXTREME_BASIC) {
-            *place = FMB_EXTREME_BASIC;
+        if (*place != FMB_EXACT_BOX_BASIC) {
+            *place = FMB_EXACT_BOX_BASIC;
             return true;
         }
-        *place = FMB_EXTREME_LOW;
+        *place = FMB_EXACT_BOX_LOW;
     }
     return false;
 }
 
 /* Of all weights of artificial unknowns that are these, how many prove that basis apart? */
-static int count_proofs(fmb_extreme *v, const fmb_extreme_program *s,
-                        const fmb_extreme_basis *basis)
+static int count_proofs(fmb_exact_box *v, const fmb_exact_box_program *s,
+                        const fmb_exact_box_basis *basis)
 {
     static const double weights[] = {0, 1, -1, 4};
     int proofs = 0;
     for (int code = 0; code < 64; code++) {
         const double weight[DIM] = {weights[code % 4], weights[code / 4 % 4], weights[code / 16]};
-        bool is_right = fmb_extreme_are_apart(v, s, basis, weight);
-        bool is_counted = fmb_extreme_take_basis(v, s, basis);
+        bool is_right = fmb_exact_box_are_apart(v, s, basis, weight);
+        bool is_counted = fmb_exact_box_take_basis(v, s, basis);
         cr_assert(is_counted || !is_right, "no basis at all");
         proofs += is_right;
     }
@@ -117,8 +118,8 @@ Test(certify, only_frames_that_are_apart_are_proved_apart)
     for (int kind = 0; kind < KINDS; kind++)
         for (size_t i = 0; i < sizeof gaps / sizeof *gaps; i++) {
             certified_pair c;
-            fmb_extreme v;
-            fmb_extreme_basis basis = {{0}};
+            fmb_exact_box v;
+            fmb_exact_box_basis basis = {{0}};
             int proofs = 0;
             load_pair(&c, kind, gaps[i]);
             do
@@ -130,22 +131,23 @@ Test(certify, only_frames_that_are_apart_are_proved_apart)
 
 /* ---- ends ------------------------------------------------------------------------------------ */
 
-static double value_here(fmb_extreme *v, const fmb_extreme_goal *goal)
+static double value_here(fmb_exact_box *v, const fmb_exact_box_goal *goal)
 {
     fmb_wide numerator, denominator;
-    fmb_extreme_value(v, goal, &numerator, &denominator);
+    fmb_exact_box_value(v, goal, &numerator, &denominator);
     cr_assert(numerator.n <= 1 && denominator.n == 1);
     double size = numerator.n == 0 ? 0 : (double)numerator.word[0] / (double)denominator.word[0];
     return numerator.minus ? -size : size;
 }
 
 /* The greatest value, or the least, of the goal at all corners. */
-static double find_end(fmb_extreme *v, const fmb_extreme_program *s, const fmb_extreme_goal *goal)
+static double find_end(fmb_exact_box *v, const fmb_exact_box_program *s,
+                       const fmb_exact_box_goal *goal)
 {
-    fmb_extreme_basis basis = {{0}};
+    fmb_exact_box_basis basis = {{0}};
     double end = goal->greatest ? -INFINITY : INFINITY;
     do
-        if (fmb_extreme_stand(v, s, &basis)) {
+        if (fmb_exact_box_state(v, s, &basis)) {
             double value = value_here(v, goal);
             end = goal->greatest ? fmax(end, value) : fmin(end, value);
         }
@@ -153,14 +155,14 @@ static double find_end(fmb_extreme *v, const fmb_extreme_program *s, const fmb_e
     return end;
 }
 
-static void expect_ends_only(fmb_extreme *v, const fmb_extreme_program *s,
-                             const fmb_extreme_goal *goal)
+static void expect_ends_only(fmb_exact_box *v, const fmb_exact_box_program *s,
+                             const fmb_exact_box_goal *goal)
 {
-    fmb_extreme_basis basis = {{0}};
+    fmb_exact_box_basis basis = {{0}};
     double end = find_end(v, s, goal);
     int right = 0;
     do
-        if (fmb_extreme_stand(v, s, &basis) && fmb_extreme_is_farthest(v, goal)) {
+        if (fmb_exact_box_state(v, s, &basis) && fmb_exact_box_is_farthest(v, goal)) {
             cr_assert_eq(value_here(v, goal), end, "%d %d: %g is not %g", goal->is_world,
                          goal->number, value_here(v, goal), end);
             right++;
@@ -174,13 +176,13 @@ Test(certify, only_corners_at_the_end_are_farthest)
     for (int kind = 0; kind < KINDS; kind++)
         for (int gap = -1; gap <= 0; gap++) {
             certified_pair c;
-            fmb_extreme v;
+            fmb_exact_box v;
             load_pair(&c, kind, gap);
             for (int greatest = 0; greatest < 2; greatest++) {
                 for (int i = 0; i < c.program.dim; i++)
-                    expect_ends_only(&v, &c.program, &(fmb_extreme_goal){true, i, greatest});
+                    expect_ends_only(&v, &c.program, &(fmb_exact_box_goal){true, i, greatest});
                 for (int j = 0; j < c.program.columns; j++)
-                    expect_ends_only(&v, &c.program, &(fmb_extreme_goal){false, j, greatest});
+                    expect_ends_only(&v, &c.program, &(fmb_exact_box_goal){false, j, greatest});
             }
         }
 }

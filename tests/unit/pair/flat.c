@@ -191,7 +191,7 @@ static int check_exact(const truth *t, const kind *k, const fmb_frame *p, const 
     for (int contact = 0; contact < 2; contact++) {
         fmb_verdict is = FMB_UNKNOWN, says = FMB_UNKNOWN;
         fmb_pair *ask = contact ? t->open[k->dim] : t->closed[k->dim];
-        if (!fmb_extreme_decide(p, q, (fmb_contact)contact, &says))
+        if (!fmb_exact_box_decide(p, q, (fmb_contact)contact, &says))
             continue;
         must(fmb_pair_test(ask, 1, p, q,
                            &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = &is}));

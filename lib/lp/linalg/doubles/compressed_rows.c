@@ -1,7 +1,7 @@
 /* compressed_rows.c: see compressed_rows.h. */
 #include "lp/linalg/doubles/compressed_rows.h"
 
-fmb_status fmb_lists_reserve(fmb_lists *l, fmb_mem *mem, size_t more)
+fmb_status fmb_compressed_rows_reserve(fmb_compressed_rows *l, fmb_mem *mem, size_t more)
 {
     size_t need = l->size + more;
     fmb_status st =
@@ -11,12 +11,12 @@ fmb_status fmb_lists_reserve(fmb_lists *l, fmb_mem *mem, size_t more)
                : st;
 }
 
-fmb_status fmb_lists_reserve_starts(fmb_lists *l, fmb_mem *mem, size_t lists)
+fmb_status fmb_compressed_rows_reserve_starts(fmb_compressed_rows *l, fmb_mem *mem, size_t lists)
 {
     return fmb_mem_reserve(mem, (void **)&l->start, &l->start_room, lists + 1, sizeof *l->start);
 }
 
-void fmb_lists_free(fmb_lists *l, fmb_mem *mem)
+void fmb_compressed_rows_free(fmb_compressed_rows *l, fmb_mem *mem)
 {
     fmb_mem_put(mem, l->start, l->start_room, sizeof *l->start);
     fmb_mem_put(mem, l->index, l->index_room, sizeof *l->index);

@@ -1,7 +1,7 @@
 /* indexed_vector.c: see indexed_vector.h. */
 #include "lp/linalg/doubles/indexed_vector.h"
 
-fmb_status fmb_spread_resize(fmb_spread *v, fmb_mem *mem, size_t size)
+fmb_status fmb_indexed_vector_resize(fmb_indexed_vector *v, fmb_mem *mem, size_t size)
 {
     if (size > v->room || !v->at) {
         double *at = fmb_mem_get(mem, size + size / 2, sizeof *at);
@@ -11,23 +11,23 @@ fmb_status fmb_spread_resize(fmb_spread *v, fmb_mem *mem, size_t size)
             fmb_mem_put(mem, index, size + size / 2, sizeof *index);
             return fmb_mem_status(mem);
         }
-        fmb_spread_free(v, mem);
-        *v = (fmb_spread){.at = at, .index = index, .room = size + size / 2};
+        fmb_indexed_vector_free(v, mem);
+        *v = (fmb_indexed_vector){.at = at, .index = index, .room = size + size / 2};
     }
     v->size = size;
-    fmb_spread_clear(v, true);
-    fmb_spread_clear(v, false);
+    fmb_indexed_vector_clear(v, true);
+    fmb_indexed_vector_clear(v, false);
     return FMB_OK;
 }
 
-void fmb_spread_free(fmb_spread *v, fmb_mem *mem)
+void fmb_indexed_vector_free(fmb_indexed_vector *v, fmb_mem *mem)
 {
     fmb_mem_put(mem, v->at, v->room, sizeof *v->at);
     fmb_mem_put(mem, v->index, v->room, sizeof *v->index);
-    *v = (fmb_spread){0};
+    *v = (fmb_indexed_vector){0};
 }
 
-void fmb_spread_clear(fmb_spread *v, bool full)
+void fmb_indexed_vector_clear(fmb_indexed_vector *v, bool full)
 {
     if (v->full || full || v->count > v->size / 8)
         memset(v->at, 0, v->size * sizeof *v->at);
@@ -38,7 +38,7 @@ void fmb_spread_clear(fmb_spread *v, bool full)
     v->full = full;
 }
 
-void fmb_spread_gather(fmb_spread *v)
+void fmb_indexed_vector_gather(fmb_indexed_vector *v)
 {
     v->full = false;
     v->count = 0;
@@ -48,7 +48,8 @@ void fmb_spread_gather(fmb_spread *v)
     }
 }
 
-void fmb_spread_subtract(const fmb_spread *v, double factor, double *to, const fmb_kernels *k)
+void fmb_indexed_vector_subtract(const fmb_indexed_vector *v, double factor, double *to,
+                                 const fmb_kernels *k)
 {
     if (v->full)
         k->accumulate(to, v->at, v->size, -factor);

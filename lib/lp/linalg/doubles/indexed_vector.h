@@ -12,30 +12,31 @@
 #include "base/mem.h"
 #include "num/kernels.h"
 
-typedef struct fmb_spread {
+typedef struct fmb_indexed_vector {
     double *at; /* [size] */
     int *index; /* [count] */
     size_t size, count, room;
     bool full;
-} fmb_spread;
+} fmb_indexed_vector;
 
 /* size may grow later: nothing is kept but zeros. Errors: MEMORY, LIMIT. */
-fmb_status fmb_spread_resize(fmb_spread *v, fmb_mem *mem, size_t size);
-void fmb_spread_free(fmb_spread *v, fmb_mem *mem);
+fmb_status fmb_indexed_vector_resize(fmb_indexed_vector *v, fmb_mem *mem, size_t size);
+void fmb_indexed_vector_free(fmb_indexed_vector *v, fmb_mem *mem);
 
 /* All zero again; full or not. */
-void fmb_spread_clear(fmb_spread *v, bool full);
+void fmb_indexed_vector_clear(fmb_indexed_vector *v, bool full);
 /* Where it is not zero, after somebody wrote all of it. */
-void fmb_spread_gather(fmb_spread *v);
+void fmb_indexed_vector_gather(fmb_indexed_vector *v);
 /* to -= factor v, to[v->size]. */
-void fmb_spread_subtract(const fmb_spread *v, double factor, double *to, const fmb_kernels *k);
+void fmb_indexed_vector_subtract(const fmb_indexed_vector *v, double factor, double *to,
+                                 const fmb_kernels *k);
 
 /* Places that count, and the t-th of them. */
-static inline size_t fmb_spread_count(const fmb_spread *v)
+static inline size_t fmb_indexed_vector_count(const fmb_indexed_vector *v)
 {
     return v->full ? v->size : v->count;
 }
-static inline size_t fmb_spread_key(const fmb_spread *v, size_t t)
+static inline size_t fmb_indexed_vector_key(const fmb_indexed_vector *v, size_t t)
 {
     return v->full ? t : (size_t)v->index[t];
 }
@@ -45,7 +46,7 @@ static inline size_t fmb_spread_key(const fmb_spread *v, size_t t)
 #define FMB_NOTHING 1e-40
 
 /* Add x to place k of one that is not full. */
-static inline void fmb_spread_add(fmb_spread *v, size_t k, double x)
+static inline void fmb_indexed_vector_add(fmb_indexed_vector *v, size_t k, double x)
 {
     double sum = v->at[k] + x;
     if (v->at[k] == 0)
@@ -54,7 +55,7 @@ static inline void fmb_spread_add(fmb_spread *v, size_t k, double x)
 }
 
 /* Place k becomes x, likewise. */
-static inline void fmb_spread_put(fmb_spread *v, size_t k, double x)
+static inline void fmb_spread_put(fmb_indexed_vector *v, size_t k, double x)
 {
     if (v->at[k] == 0)
         v->index[v->count++] = (int)k;

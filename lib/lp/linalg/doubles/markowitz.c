@@ -28,12 +28,12 @@ typedef struct fmb_strip {
 } fmb_strip;
 
 typedef struct fmb_active {
-    fmb_triangles *u;
+    fmb_updated_lu *u;
     fmb_mem *mem;
     size_t n;
-    fmb_strip *row, *column; /* [n] */
-    fmb_lists by_row;        /* column, value */
-    int *by_column;          /* row */
+    fmb_strip *row, *column;    /* [n] */
+    fmb_compressed_rows by_row; /* column, value */
+    int *by_column;             /* row */
     size_t by_column_size, by_column_room;
     fmb_by_length rows, columns;
     double *pivot_row; /* [n] by column, zero between steps */
@@ -82,7 +82,7 @@ static void close_lengths(fmb_active *a, fmb_by_length *l)
     fmb_mem_put(a->mem, l->before, a->n, sizeof *l->before);
 }
 
-static fmb_status open_active(fmb_active *a, fmb_triangles *u)
+static fmb_status open_active(fmb_active *a, fmb_updated_lu *u)
 {
     *a = (fmb_active){.u = u, .mem = u->f->run->mem, .n = u->n};
     a->row = fmb_mem_get(a->mem, a->n, sizeof *a->row);
@@ -113,13 +113,13 @@ static void close_active(fmb_active *a)
 /* The rows of the core, then the columns. */
 static fmb_status load_active_rows(fmb_active *a)
 {
-    const fmb_triangles *u = a->u;
+    const fmb_updated_lu *u = a->u;
     size_t terms = 0;
     int one;
     for (size_t r = 0; r < a->n; r++)
         if (u->singleton[r] < 0)
             terms += fmb_triangles_terms(u->f, u->member[r], &one).size;
-    fmb_status st = fmb_lists_reserve(&a->by_row, a->mem, terms + terms / 2);
+    fmb_status st = fmb_compressed_rows_reserve(&a->by_row, a->mem, terms + terms / 2);
     if (st == FMB_OK)
         st = fmb_mem_reserve(a->mem, (void **)&a->by_column, &a->by_column_room, terms + terms / 2,
                              sizeof *a->by_column);
@@ -128,7 +128,7 @@ static fmb_status load_active_rows(fmb_active *a)
         size_t start = a->by_row.size;
         for (size_t k = 0; u->singleton[r] < 0 && k < m.size; k++)
             if (u->singleton_of[m.column[k]] < 0)
-                fmb_lists_push(&a->by_row, (size_t)m.column[k], m.value[k]);
+                fmb_compressed_rows_push(&a->by_row, (size_t)m.column[k], m.value[k]);
         a->row[r] = (fmb_strip){start, a->by_row.size - start, a->by_row.size - start};
     }
     return st;
@@ -191,7 +191,7 @@ static fmb_status widen_active_row(fmb_active *a, size_t r, size_t more)
     size_t need = row->size + more;
     if (need <= row->room)
         return FMB_OK;
-    fmb_status st = fmb_lists_reserve(&a->by_row, a->mem, 2 * need);
+    fmb_status st = fmb_compressed_rows_reserve(&a->by_row, a->mem, 2 * need);
     if (st != FMB_OK)
         return st;
     size_t to = a->by_row.size;
@@ -294,9 +294,9 @@ static bool find_active_pivot(fmb_active *a, int *row, int *column)
 /* The pivot row becomes a row of U, and leaves its columns. */
 static fmb_status take_pivot_row(fmb_active *a, int p, int q, size_t step)
 {
-    fmb_triangles *u = a->u;
+    fmb_updated_lu *u = a->u;
     const fmb_strip *row = &a->row[p];
-    fmb_status st = fmb_lists_reserve(&u->upper, a->mem, row->size);
+    fmb_status st = fmb_compressed_rows_reserve(&u->upper, a->mem, row->size);
     if (st != FMB_OK)
         return st;
     unlink_by_length(&a->rows, p, row->size);
@@ -309,7 +309,7 @@ static fmb_status take_pivot_row(fmb_active *a, int p, int q, size_t step)
             continue;
         }
         a->pivot_row[j] = a->by_row.value[t];
-        fmb_lists_push(&u->upper, (size_t)j, a->by_row.value[t]);
+        fmb_compressed_rows_push(&u->upper, (size_t)j, a->by_row.value[t]);
     }
     u->place[step] = p;
     u->column[step] = q;
@@ -321,7 +321,7 @@ static fmb_status take_pivot_row(fmb_active *a, int p, int q, size_t step)
 /* Row r less f times the pivot row, of which step's row of U is the rest. */
 static fmb_status subtract_pivot_row(fmb_active *a, size_t r, double f, size_t step)
 {
-    const fmb_lists *upper = &a->u->upper;
+    const fmb_compressed_rows *upper = &a->u->upper;
     size_t begin = upper->start[step], end = upper->start[step + 1];
     fmb_status st = widen_active_row(a, r, end - begin);
     if (st != FMB_OK)
@@ -353,18 +353,18 @@ static fmb_status subtract_pivot_row(fmb_active *a, size_t r, double f, size_t s
 
 static fmb_status eliminate_column(fmb_active *a, int p, int q, size_t step)
 {
-    fmb_triangles *u = a->u;
+    fmb_updated_lu *u = a->u;
     fmb_strip *column = &a->column[q];
     fmb_status st = take_pivot_row(a, p, q, step);
     if (st == FMB_OK)
-        st = fmb_lists_reserve(&u->lower, a->mem, column->size);
+        st = fmb_compressed_rows_reserve(&u->lower, a->mem, column->size);
     for (size_t t = 0; st == FMB_OK && t < column->size; t++) {
         int r = a->by_column[column->start + t];
         size_t at = find_in_row(a, (size_t)r, (size_t)q);
         double f = a->by_row.value[at] / u->pivot[step];
         unlink_by_length(&a->rows, r, a->row[r].size);
         remove_from_row(a, (size_t)r, at);
-        fmb_lists_push(&u->lower, (size_t)r, f);
+        fmb_compressed_rows_push(&u->lower, (size_t)r, f);
         st = subtract_pivot_row(a, (size_t)r, f, step);
         link_by_length(&a->rows, r, a->row[r].size);
     }
@@ -378,7 +378,7 @@ static fmb_status eliminate_column(fmb_active *a, int p, int q, size_t step)
     return st;
 }
 
-fmb_status fmb_triangles_eliminate(fmb_triangles *u)
+fmb_status fmb_updated_lu_eliminate(fmb_updated_lu *u)
 {
     fmb_active a;
     int row = 0, column = 0;

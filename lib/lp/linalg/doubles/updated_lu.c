@@ -2,11 +2,11 @@
 #include "lp/linalg/doubles/updated_lu.h"
 
 /* What list k holds under index i is in list step_of[i] of *to under place[k]. */
-static fmb_status transpose_lists(const fmb_triangles *u, const fmb_lists *from, const int *step_of,
-                                  fmb_lists *to)
+static fmb_status transpose_rows(const fmb_updated_lu *u, const fmb_compressed_rows *from,
+                                 const int *step_of, fmb_compressed_rows *to)
 {
     to->size = 0;
-    fmb_status st = fmb_lists_reserve(to, u->f->run->mem, from->size);
+    fmb_status st = fmb_compressed_rows_reserve(to, u->f->run->mem, from->size);
     if (st != FMB_OK)
         return st;
     memset(to->start, 0, (u->steps + 1) * sizeof *to->start);
@@ -30,18 +30,18 @@ static fmb_status transpose_lists(const fmb_triangles *u, const fmb_lists *from,
 
 enum { LISTS = 8 };
 
-static fmb_lists *find_list(fmb_triangles *u, size_t k)
+static fmb_compressed_rows *find_list(fmb_updated_lu *u, size_t k)
 {
-    return (fmb_lists *[LISTS]){&u->lower,           &u->lower_by_target, &u->upper,
-                                &u->upper_by_column, &u->entry,           &u->edge,
-                                &u->beside,          &u->awoken}[k];
+    return (fmb_compressed_rows *[LISTS]){&u->lower,           &u->lower_by_target, &u->upper,
+                                          &u->upper_by_column, &u->entry,           &u->edge,
+                                          &u->beside,          &u->awoken}[k];
 }
 
-fmb_status fmb_triangles_init(fmb_triangles *u, const fmb_reals *f)
+fmb_status fmb_updated_lu_init(fmb_updated_lu *u, const fmb_scaled_program *f)
 {
     fmb_mem *mem = f->run->mem;
     size_t n = f->n;
-    *u = (fmb_triangles){.f = f, .n = n};
+    *u = (fmb_updated_lu){.f = f, .n = n};
     u->member = fmb_mem_get(mem, n, sizeof *u->member);
     u->singleton = fmb_mem_get(mem, n, sizeof *u->singleton);
     u->singleton_of = fmb_mem_get(mem, n, sizeof *u->singleton_of);
@@ -60,15 +60,15 @@ fmb_status fmb_triangles_init(fmb_triangles *u, const fmb_reals *f)
         return fmb_mem_status(mem);
     fmb_status st = FMB_OK;
     for (size_t k = 0; st == FMB_OK && k < LISTS; k++)
-        st = fmb_lists_reserve_starts(find_list(u, k), mem, n);
+        st = fmb_compressed_rows_reserve_starts(find_list(u, k), mem, n);
     return st;
 }
 
-void fmb_triangles_clear(fmb_triangles *u)
+void fmb_updated_lu_clear(fmb_updated_lu *u)
 {
     fmb_mem *mem = u->f->run->mem;
     for (size_t k = 0; k < LISTS; k++)
-        fmb_lists_free(find_list(u, k), mem);
+        fmb_compressed_rows_free(find_list(u, k), mem);
     fmb_mem_put(mem, u->member, u->n, sizeof *u->member);
     fmb_mem_put(mem, u->singleton, u->n, sizeof *u->singleton);
     fmb_mem_put(mem, u->singleton_of, u->n, sizeof *u->singleton_of);
@@ -88,17 +88,17 @@ void fmb_triangles_clear(fmb_triangles *u)
 
 static const double one_itself = 1;
 
-fmb_terms fmb_triangles_terms(const fmb_reals *f, size_t i, int *one)
+fmb_terms fmb_triangles_terms(const fmb_scaled_program *f, size_t i, int *one)
 {
     if (i < FMB_UNIT)
-        return (fmb_terms){fmb_reals_columns(f, i), &f->value[f->start[i]],
+        return (fmb_terms){fmb_scaled_program_columns(f, i), &f->value[f->start[i]],
                            f->start[i + 1] - f->start[i]};
     *one = (int)(i - FMB_UNIT);
     return (fmb_terms){one, &one_itself, 1};
 }
 
 /* The first member that names a column alone. */
-static void set_singletons_aside(fmb_triangles *u)
+static void set_singletons_aside(fmb_updated_lu *u)
 {
     for (size_t k = 0; k < u->n; k++) {
         u->singleton[k] = u->singleton_of[k] = u->latest[k] = -1;
@@ -117,9 +117,9 @@ static void set_singletons_aside(fmb_triangles *u)
 }
 
 /* What the core has in columns of singletons. */
-static fmb_status list_beside(fmb_triangles *u)
+static fmb_status list_beside(fmb_updated_lu *u)
 {
-    fmb_lists *b = &u->beside;
+    fmb_compressed_rows *b = &u->beside;
     int one;
     memset(b->start, 0, (u->n + 1) * sizeof *b->start);
     for (size_t r = 0; r < u->n; r++) {
@@ -133,7 +133,7 @@ static fmb_status list_beside(fmb_triangles *u)
         b->start[j] = sum;
     }
     b->size = 0;
-    fmb_status st = fmb_lists_reserve(b, u->f->run->mem, sum);
+    fmb_status st = fmb_compressed_rows_reserve(b, u->f->run->mem, sum);
     b->size = st == FMB_OK ? sum : 0;
     for (size_t r = u->n; st == FMB_OK && r-- > 0;) {
         fmb_terms t = fmb_triangles_terms(u->f, u->member[r], &one);
@@ -150,7 +150,7 @@ static fmb_status list_beside(fmb_triangles *u)
 
 /* ---- factoring ------------------------------------------------------------------------------- */
 
-static void drop_place_from_list(fmb_lists *l, size_t r)
+static void drop_place_from_list(fmb_compressed_rows *l, size_t r)
 {
     for (size_t t = 0; t < l->size; t++)
         l->value[t] = l->index[t] == (int)r ? 0 : l->value[t];
@@ -158,7 +158,7 @@ static void drop_place_from_list(fmb_lists *l, size_t r)
 
 /* Places in the core without a step get the columns without one, as unit vectors: of which nothing
  * was subtracted. */
-static void fill_up_with_units(fmb_triangles *u)
+static void fill_up_with_units(fmb_updated_lu *u)
 {
     size_t j = 0;
     for (size_t r = 0; r < u->n; r++) {
@@ -178,81 +178,83 @@ static void fill_up_with_units(fmb_triangles *u)
     }
 }
 
-fmb_status fmb_triangles_factor(fmb_triangles *u, size_t *member)
+fmb_status fmb_updated_lu_factor(fmb_updated_lu *u, size_t *member)
 {
     u->etas = u->entry.size = u->edge.size = u->awoken.size = 0;
     memcpy(u->member, member, u->n * sizeof *member);
     set_singletons_aside(u);
     fmb_status st = list_beside(u);
     if (st == FMB_OK)
-        st = fmb_triangles_eliminate(u);
+        st = fmb_updated_lu_eliminate(u);
     if (st != FMB_OK)
         return st;
     fill_up_with_units(u);
     memcpy(member, u->member, u->n * sizeof *member);
-    st = transpose_lists(u, &u->lower, u->step_of_place, &u->lower_by_target);
-    return st == FMB_OK ? transpose_lists(u, &u->upper, u->step_of_column, &u->upper_by_column)
-                        : st;
+    st = transpose_rows(u, &u->lower, u->step_of_place, &u->lower_by_target);
+    return st == FMB_OK ? transpose_rows(u, &u->upper, u->step_of_column, &u->upper_by_column) : st;
 }
 
 /* What v has but at place `but` and where it rests (NULL: nowhere), as list k. */
-static void keep_list(fmb_lists *l, size_t k, const fmb_spread *v, size_t but, const bool *rests)
+static void keep_list(fmb_compressed_rows *l, size_t k, const fmb_indexed_vector *v, size_t but,
+                      const bool *rests)
 {
     l->start[k] = l->size;
-    for (size_t t = 0; t < fmb_spread_count(v); t++) {
-        size_t at = fmb_spread_key(v, t);
+    for (size_t t = 0; t < fmb_indexed_vector_count(v); t++) {
+        size_t at = fmb_indexed_vector_key(v, t);
         if (at != but && v->at[at] != 0 && !(rests && rests[at]))
-            fmb_lists_push(l, at, v->at[at]);
+            fmb_compressed_rows_push(l, at, v->at[at]);
     }
     l->start[k + 1] = l->size;
 }
 
 /* Why y_p is what it is at a place p that rests until now: the column of its singleton, in members
  * as they are, as list k; of other places nothing. */
-static fmb_status wake_place(fmb_triangles *u, size_t k, size_t p)
+static fmb_status wake_place(fmb_updated_lu *u, size_t k, size_t p)
 {
-    fmb_lists *l = &u->awoken;
+    fmb_compressed_rows *l = &u->awoken;
     int j = u->singleton[p];
     l->start[k] = l->start[k + 1] = l->size;
     if (!u->rests[p])
         return FMB_OK;
     size_t begin = u->beside.start[j], end = u->beside.start[j + 1];
-    fmb_status st = fmb_lists_reserve(l, u->f->run->mem, end - begin + k);
+    fmb_status st = fmb_compressed_rows_reserve(l, u->f->run->mem, end - begin + k);
     for (size_t t = begin; st == FMB_OK && t < end; t++)
         if (u->latest[u->beside.index[t]] < 0)
-            fmb_lists_push(l, (size_t)u->beside.index[t], u->beside.value[t] * u->reciprocal[p]);
+            fmb_compressed_rows_push(l, (size_t)u->beside.index[t],
+                                     u->beside.value[t] * u->reciprocal[p]);
     for (size_t e = 0; st == FMB_OK && e < k; e++) {
         int one;
         fmb_terms m = fmb_triangles_terms(u->f, u->eta[e].member, &one);
         for (size_t t = 0; u->latest[u->eta[e].place] == (int)e && t < m.size; t++)
             if (m.column[t] == j)
-                fmb_lists_push(l, u->eta[e].place, m.value[t] * u->reciprocal[p]);
+                fmb_compressed_rows_push(l, u->eta[e].place, m.value[t] * u->reciprocal[p]);
     }
     l->start[k + 1] = l->size;
     u->rests[p] = false;
     return st;
 }
 
-static fmb_status reserve_exchange(fmb_triangles *u, size_t entries, size_t edges)
+static fmb_status reserve_exchange(fmb_updated_lu *u, size_t entries, size_t edges)
 {
     fmb_mem *mem = u->f->run->mem;
     fmb_status st =
         fmb_mem_reserve(mem, (void **)&u->eta, &u->eta_room, u->etas + 1, sizeof *u->eta);
     if (st == FMB_OK)
-        st = fmb_lists_reserve(&u->entry, mem, entries);
+        st = fmb_compressed_rows_reserve(&u->entry, mem, entries);
     if (st == FMB_OK)
-        st = fmb_lists_reserve(&u->edge, mem, edges);
+        st = fmb_compressed_rows_reserve(&u->edge, mem, edges);
     if (st == FMB_OK)
-        st = fmb_lists_reserve_starts(&u->entry, mem, u->etas + 1);
+        st = fmb_compressed_rows_reserve_starts(&u->entry, mem, u->etas + 1);
     if (st == FMB_OK)
-        st = fmb_lists_reserve_starts(&u->edge, mem, u->etas + 1);
-    return st == FMB_OK ? fmb_lists_reserve_starts(&u->awoken, mem, u->etas + 1) : st;
+        st = fmb_compressed_rows_reserve_starts(&u->edge, mem, u->etas + 1);
+    return st == FMB_OK ? fmb_compressed_rows_reserve_starts(&u->awoken, mem, u->etas + 1) : st;
 }
 
-fmb_status fmb_triangles_exchange(fmb_triangles *u, size_t place, size_t member,
-                                  const fmb_spread *entry, const fmb_spread *edge)
+fmb_status fmb_updated_lu_pivot(fmb_updated_lu *u, size_t place, size_t member,
+                                const fmb_indexed_vector *entry, const fmb_indexed_vector *edge)
 {
-    fmb_status st = reserve_exchange(u, fmb_spread_count(entry), fmb_spread_count(edge));
+    fmb_status st =
+        reserve_exchange(u, fmb_indexed_vector_count(entry), fmb_indexed_vector_count(edge));
     if (st == FMB_OK)
         st = wake_place(u, u->etas, place);
     if (st != FMB_OK)
@@ -265,7 +267,7 @@ fmb_status fmb_triangles_exchange(fmb_triangles *u, size_t place, size_t member,
     return FMB_OK;
 }
 
-bool fmb_triangles_are_long(const fmb_triangles *u)
+bool fmb_updated_lu_is_long(const fmb_updated_lu *u)
 {
     return u->etas > 100 ||
            (u->etas > 20 && u->entry.size + u->edge.size >
@@ -274,23 +276,23 @@ bool fmb_triangles_are_long(const fmb_triangles *u)
 
 /* ---- solving --------------------------------------------------------------------------------- */
 
-static inline void mark_step(fmb_triangles *u, int step)
+static inline void mark_step(fmb_updated_lu *u, int step)
 {
     u->marks[step / 64] |= (uint64_t)1 << (step % 64);
 }
 
-static void mark_steps_of(fmb_triangles *u, const fmb_spread *v, const int *step_of)
+static void mark_steps_of(fmb_updated_lu *u, const fmb_indexed_vector *v, const int *step_of)
 {
-    for (size_t t = 0; t < fmb_spread_count(v); t++) {
-        size_t k = fmb_spread_key(v, t);
+    for (size_t t = 0; t < fmb_indexed_vector_count(v); t++) {
+        size_t k = fmb_indexed_vector_key(v, t);
         if (v->at[k] != 0 && step_of[k] >= 0)
             mark_step(u, step_of[k]);
     }
 }
 
 /* from less factor times list k, with their steps marked. */
-static inline void subtract_list(fmb_triangles *u, const fmb_lists *l, size_t k, double factor,
-                                 double *from, const int *step_of)
+static inline void subtract_list(fmb_updated_lu *u, const fmb_compressed_rows *l, size_t k,
+                                 double factor, double *from, const int *step_of)
 {
     for (size_t t = l->start[k]; t < l->start[k + 1]; t++) {
         from[l->index[t]] -= factor * l->value[t];
@@ -299,14 +301,15 @@ static inline void subtract_list(fmb_triangles *u, const fmb_lists *l, size_t k,
 }
 
 /* The same, to a spread. */
-static void subtract_list_from(const fmb_lists *l, size_t k, double factor, fmb_spread *from)
+static void subtract_list_from(const fmb_compressed_rows *l, size_t k, double factor,
+                               fmb_indexed_vector *from)
 {
     for (size_t t = l->start[k]; t < l->start[k + 1]; t++)
-        fmb_spread_add(from, (size_t)l->index[t], -factor * l->value[t]);
+        fmb_indexed_vector_add(from, (size_t)l->index[t], -factor * l->value[t]);
 }
 
 /* Marked steps go up; steps that are marked on the way are later ones. */
-static void solve_lower(fmb_triangles *u, double *b)
+static void solve_lower(fmb_updated_lu *u, double *b)
 {
     for (size_t w = 0; w <= u->steps / 64; w++)
         for (uint64_t done = 0, left; (left = u->marks[w] & ~done) != 0;) {
@@ -318,7 +321,7 @@ static void solve_lower(fmb_triangles *u, double *b)
         }
 }
 
-static void solve_upper(fmb_triangles *u, double *b, fmb_spread *x)
+static void solve_upper(fmb_updated_lu *u, double *b, fmb_indexed_vector *x)
 {
     for (size_t w = u->steps / 64 + 1; w-- > 0;)
         while (u->marks[w] != 0) {
@@ -329,12 +332,12 @@ static void solve_upper(fmb_triangles *u, double *b, fmb_spread *x)
             b[u->place[k]] = 0;
             if (fabs(value) <= FMB_NOTHING)
                 continue;
-            fmb_spread_add(x, (size_t)u->column[k], value);
+            fmb_indexed_vector_add(x, (size_t)u->column[k], value);
             subtract_list(u, &u->upper_by_column, k, value, b, u->step_of_place);
         }
 }
 
-static double member_times(const fmb_reals *f, size_t i, const double *x)
+static double member_times(const fmb_scaled_program *f, size_t i, const double *x)
 {
     int one;
     fmb_terms m = fmb_triangles_terms(f, i, &one);
@@ -345,23 +348,23 @@ static double member_times(const fmb_reals *f, size_t i, const double *x)
 }
 
 /* Columns of singletons; what is left of b is that of the core, marked. */
-static void solve_singletons(fmb_triangles *u, fmb_spread *b, fmb_spread *x)
+static void solve_singletons(fmb_updated_lu *u, fmb_indexed_vector *b, fmb_indexed_vector *x)
 {
-    for (size_t t = 0; t < fmb_spread_count(b); t++) {
-        size_t r = fmb_spread_key(b, t);
+    for (size_t t = 0; t < fmb_indexed_vector_count(b); t++) {
+        size_t r = fmb_indexed_vector_key(b, t);
         if (b->at[r] == 0 || u->singleton[r] < 0)
             continue;
         size_t j = (size_t)u->singleton[r];
         double value = b->at[r] * u->reciprocal[r];
         b->at[r] = 0;
-        fmb_spread_add(x, j, value);
+        fmb_indexed_vector_add(x, j, value);
         subtract_list(u, &u->beside, j, value, b->at, u->step_of_place);
     }
 }
 
-void fmb_triangles_solve(fmb_triangles *u, fmb_spread *b, fmb_spread *x)
+void fmb_updated_lu_solve(fmb_updated_lu *u, fmb_indexed_vector *b, fmb_indexed_vector *x)
 {
-    fmb_spread_clear(x, false);
+    fmb_indexed_vector_clear(x, false);
     for (size_t k = 0; k < u->etas; k++)
         u->eta[k].right = b->at[u->eta[k].place];
     mark_steps_of(u, b, u->step_of_place);
@@ -378,7 +381,7 @@ void fmb_triangles_solve(fmb_triangles *u, fmb_spread *b, fmb_spread *x)
 }
 
 /* Marks stay, at the places of what is not zero. */
-static void solve_upper_transposed(fmb_triangles *u, double *c, fmb_spread *y)
+static void solve_upper_transposed(fmb_updated_lu *u, double *c, fmb_indexed_vector *y)
 {
     for (size_t w = 0; w <= u->steps / 64; w++)
         for (uint64_t done = 0, left; (left = u->marks[w] & ~done) != 0;) {
@@ -389,14 +392,14 @@ static void solve_upper_transposed(fmb_triangles *u, double *c, fmb_spread *y)
             c[u->column[k]] = 0;
             if (fabs(value) <= FMB_NOTHING)
                 continue;
-            fmb_spread_add(y, (size_t)u->place[k], value);
+            fmb_indexed_vector_add(y, (size_t)u->place[k], value);
             subtract_list(u, &u->upper, k, value, c, u->step_of_column);
         }
 }
 
-static void solve_lower_transposed(fmb_triangles *u, fmb_spread *y)
+static void solve_lower_transposed(fmb_updated_lu *u, fmb_indexed_vector *y)
 {
-    const fmb_lists *l = &u->lower_by_target;
+    const fmb_compressed_rows *l = &u->lower_by_target;
     for (size_t w = u->steps / 64 + 1; w-- > 0;)
         while (u->marks[w] != 0) {
             int bit = 63 - __builtin_clzll(u->marks[w]);
@@ -404,27 +407,27 @@ static void solve_lower_transposed(fmb_triangles *u, fmb_spread *y)
             double value = y->at[u->place[k]];
             u->marks[w] &= ~((uint64_t)1 << bit);
             for (size_t t = l->start[k]; fabs(value) > FMB_NOTHING && t < l->start[k + 1]; t++) {
-                fmb_spread_add(y, (size_t)l->index[t], -value * l->value[t]);
+                fmb_indexed_vector_add(y, (size_t)l->index[t], -value * l->value[t]);
                 mark_step(u, u->step_of_place[l->index[t]]);
             }
         }
 }
 
 /* What c has in columns of singletons becomes that of their places, and zero. */
-static void price_singletons(fmb_triangles *u, fmb_spread *c, fmb_spread *y)
+static void price_singletons(fmb_updated_lu *u, fmb_indexed_vector *c, fmb_indexed_vector *y)
 {
-    for (size_t t = 0; t < fmb_spread_count(c); t++) {
-        size_t j = fmb_spread_key(c, t);
+    for (size_t t = 0; t < fmb_indexed_vector_count(c); t++) {
+        size_t j = fmb_indexed_vector_key(c, t);
         int r = u->singleton_of[j];
         if (r < 0 || c->at[j] == 0)
             continue;
-        fmb_spread_add(y, (size_t)r, c->at[j] * u->reciprocal[r]);
+        fmb_indexed_vector_add(y, (size_t)r, c->at[j] * u->reciprocal[r]);
         c->at[j] = 0;
     }
 }
 
 /* Places at rest, from all others. */
-static void price_places_at_rest(fmb_triangles *u, fmb_spread *y)
+static void price_places_at_rest(fmb_updated_lu *u, fmb_indexed_vector *y)
 {
     for (size_t t = 0, count = y->count; t < count; t++) {
         size_t r = (size_t)y->index[t];
@@ -436,13 +439,13 @@ static void price_places_at_rest(fmb_triangles *u, fmb_spread *y)
         for (size_t k = 0; k < m.size; k++) {
             int s = u->singleton_of[m.column[k]];
             if (s >= 0 && u->rests[s])
-                fmb_spread_add(y, (size_t)s, -value * m.value[k] * u->reciprocal[s]);
+                fmb_indexed_vector_add(y, (size_t)s, -value * m.value[k] * u->reciprocal[s]);
         }
     }
 }
 
 /* The number at the place of an exchange before it. */
-static double price_before_exchange(const fmb_triangles *u, size_t k, const double *y)
+static double price_before_exchange(const fmb_updated_lu *u, size_t k, const double *y)
 {
     double at = y[u->eta[k].place];
     for (size_t t = u->awoken.start[k]; t < u->awoken.start[k + 1]; t++)
@@ -450,9 +453,10 @@ static double price_before_exchange(const fmb_triangles *u, size_t k, const doub
     return at;
 }
 
-void fmb_triangles_solve_transposed(fmb_triangles *u, fmb_spread *c, fmb_spread *y)
+void fmb_updated_lu_solve_transposed(fmb_updated_lu *u, fmb_indexed_vector *c,
+                                     fmb_indexed_vector *y)
 {
-    fmb_spread_clear(y, false);
+    fmb_indexed_vector_clear(y, false);
     mark_steps_of(u, c, u->step_of_column);
     price_singletons(u, c, y);
     solve_upper_transposed(u, c->at, y);

@@ -33,8 +33,8 @@ typedef struct fmb_eta {
     double pivot, right;
 } fmb_eta;
 
-typedef struct fmb_triangles {
-    const fmb_reals *f;
+typedef struct fmb_updated_lu {
+    const fmb_scaled_program *f;
     size_t n, steps;
     size_t *member;                      /* [n] at each place as it is now */
     int *singleton;                      /* [n] by place: its column, -1: the core */
@@ -42,39 +42,41 @@ typedef struct fmb_triangles {
     double *reciprocal;                  /* [n] by place: of the coefficient of a singleton */
     bool *rests;                         /* [n] by place: a singleton, not exchanged yet */
     int *latest;                         /* [n] by place: its last exchange, -1: none */
-    fmb_lists beside;                    /* by column of a singleton: place in the core, value */
+    fmb_compressed_rows beside;          /* by column of a singleton: place in the core, value */
     int *place, *column;                 /* [steps] of each step */
     int *step_of_place, *step_of_column; /* [n] -1: a singleton's */
     double *pivot;                       /* [steps] of each step */
-    fmb_lists lower, lower_by_target; /* by step: place, factor; by step of the place: place of the
-                                         pivot, factor */
-    fmb_lists upper, upper_by_column; /* by step: column, value; by step of the column: place */
-    fmb_lists entry, edge; /* by exchange: place, entry, without the pivot and places at rest;
-                              column, edge */
-    fmb_lists awoken;      /* by exchange of a place at rest: place, value of its column */
-    fmb_eta *eta;          /* [etas] */
+    fmb_compressed_rows lower, lower_by_target; /* by step: place, factor; by step of the place:
+                                         place of the pivot, factor */
+    fmb_compressed_rows upper,
+        upper_by_column;             /* by step: column, value; by step of the column: place */
+    fmb_compressed_rows entry, edge; /* by exchange: place, entry, without the pivot and places at
+                              rest; column, edge */
+    fmb_compressed_rows awoken; /* by exchange of a place at rest: place, value of its column */
+    fmb_eta *eta;               /* [etas] */
     size_t eta_room, etas;
     uint64_t *marks; /* [n / 64 + 1], all zero between calls */
-} fmb_triangles;
+} fmb_updated_lu;
 
-/* Nothing factored yet. In any case fmb_triangles_clear it. Errors: MEMORY, LIMIT. */
-fmb_status fmb_triangles_init(fmb_triangles *u, const fmb_reals *f);
-void fmb_triangles_clear(fmb_triangles *u);
+/* Nothing factored yet. In any case fmb_updated_lu_clear it. Errors: MEMORY, LIMIT. */
+fmb_status fmb_updated_lu_init(fmb_updated_lu *u, const fmb_scaled_program *f);
+void fmb_updated_lu_clear(fmb_updated_lu *u);
 
 /* Factor these members; one that depends on others becomes a unit vector, in member itself. Errors:
  * MEMORY, LIMIT; then nothing is factored. */
-fmb_status fmb_triangles_factor(fmb_triangles *u, size_t *member);
+fmb_status fmb_updated_lu_factor(fmb_updated_lu *u, size_t *member);
 /* This member takes the place, of which these are the writing and the edge. Errors: MEMORY, LIMIT.
  */
-fmb_status fmb_triangles_exchange(fmb_triangles *u, size_t place, size_t member,
-                                  const fmb_spread *entry, const fmb_spread *edge);
+fmb_status fmb_updated_lu_pivot(fmb_updated_lu *u, size_t place, size_t member,
+                                const fmb_indexed_vector *entry, const fmb_indexed_vector *edge);
 /* Would factoring afresh pay? */
-bool fmb_triangles_are_long(const fmb_triangles *u);
+bool fmb_updated_lu_is_long(const fmb_updated_lu *u);
 
 /* W x = b: b by place becomes zero, x is by column. */
-void fmb_triangles_solve(fmb_triangles *u, fmb_spread *b, fmb_spread *x);
+void fmb_updated_lu_solve(fmb_updated_lu *u, fmb_indexed_vector *b, fmb_indexed_vector *x);
 /* y W = c: c by column becomes zero, y is by place. */
-void fmb_triangles_solve_transposed(fmb_triangles *u, fmb_spread *c, fmb_spread *y);
+void fmb_updated_lu_solve_transposed(fmb_updated_lu *u, fmb_indexed_vector *c,
+                                     fmb_indexed_vector *y);
 
 /* ---- between the files of the factors -------------------------------------------------------- */
 
@@ -84,10 +86,10 @@ typedef struct fmb_terms {
     const double *value;
     size_t size;
 } fmb_terms;
-fmb_terms fmb_triangles_terms(const fmb_reals *f, size_t i, int *one);
+fmb_terms fmb_triangles_terms(const fmb_scaled_program *f, size_t i, int *one);
 
 /* Pivots, lower and upper by steps, of the core; places whose rows vanish get no step. Columns and
  * places without one have step -1; steps is the number of pivots. Errors: MEMORY, LIMIT. */
-fmb_status fmb_triangles_eliminate(fmb_triangles *u);
+fmb_status fmb_updated_lu_eliminate(fmb_updated_lu *u);
 
 #endif

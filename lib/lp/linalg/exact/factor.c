@@ -17,7 +17,7 @@ struct fmb_factor {
     const fmb_program *p;
     fmb_arena lasting, passing;
     fmb_prime q;
-    fmb_lu lu;
+    fmb_modular_lu lu;
     fmb_sparse b[2];     /* in the order of the pivots, and its transpose */
     fmb_sweep across[2]; /* the transposes of lu.upper, lu.lower */
     fmb_dixon lift[2];
@@ -65,7 +65,7 @@ static fmb_status factor_by_prime(fmb_factor *f, const fmb_sparse *rows, int k)
 {
     f->q = fmb_prime_number(k);
     fmb_arena_reset(&f->lasting);
-    return fmb_lu_factor(&f->lu, f->run, &f->lasting, &f->passing, rows, &f->q);
+    return fmb_modular_lu_factor(&f->lu, f->run, &f->lasting, &f->passing, rows, &f->q);
 }
 
 fmb_status fmb_factor_set(fmb_factor *f, size_t *basis, bool *changed)
@@ -268,10 +268,10 @@ static fmb_status solve_by_lifting(fmb_factor *f, fmb_dixon *lift, mpz_t *right,
 
 static bool substitute(fmb_factor *f, bool across, mpz_t *right, mpz_t *x, mpz_t den)
 {
-    fmb_triangle t = {
+    fmb_triangular t = {
         .b = &f->b[across], .turn = f->lu.turn, .backwards = across, .reached = f->reached};
     const int *row = f->lu.row_at, *column = f->lu.column_at;
-    return fmb_substitute(&t, right, across ? column : row, across ? row : column, x, den);
+    return fmb_triangular_solve(&t, right, across ? column : row, across ? row : column, x, den);
 }
 
 /* B, or across it B^T: triangular, or of short minors, or digit by digit. */
@@ -280,9 +280,9 @@ static fmb_status solve_factored(fmb_factor *f, bool across, mpz_t *right, mpz_t
     const int *right_at = across ? f->lu.column_at : f->lu.row_at;
     const int *at = across ? f->lu.row_at : f->lu.column_at;
     fmb_status st = f->lu.is_triangular && across ? prepare_transposed(f) : FMB_OK;
-    if (st == FMB_OK && f->lu.is_triangular && fmb_way(FMB_WAY_SUBSTITUTE) &&
+    if (st == FMB_OK && f->lu.is_triangular && fmb_way(FMB_WAY_TRIANGULAR) &&
         substitute(f, across, right, x, den)) {
-        fmb_way_answered(FMB_WAY_SUBSTITUTE, true);
+        fmb_way_answered(FMB_WAY_TRIANGULAR, true);
         return fmb_run_poll(f->run);
     }
     if (st == FMB_OK)

@@ -12,13 +12,13 @@
 /* More bits than this are left to lifting, which stops early where the solution is short. */
 #define MOST_BITS 4096
 
-static size_t turn_at(const fmb_triangle *t, size_t s)
+static size_t turn_at(const fmb_triangular *t, size_t s)
 {
     return (size_t)t->turn[t->backwards ? t->b->n - 1 - s : s];
 }
 
 /* den = D. False: it is too long. */
-static bool reach_unknowns(const fmb_triangle *t, mpz_t *right, const int *right_at, mpz_t den)
+static bool reach_unknowns(const fmb_triangular *t, mpz_t *right, const int *right_at, mpz_t den)
 {
     const fmb_sparse *b = t->b;
     mpz_set_ui(den, 1);
@@ -42,7 +42,7 @@ static bool reach_unknowns(const fmb_triangle *t, mpz_t *right, const int *right
 }
 
 /* x = D times unknown k. */
-static void solve_for_unknown(const fmb_triangle *t, size_t k, const mpz_t right, const int *at,
+static void solve_for_unknown(const fmb_triangular *t, size_t k, const mpz_t right, const int *at,
                               mpz_t *x, const mpz_t den)
 {
     const fmb_sparse *b = t->b;
@@ -62,8 +62,8 @@ static void solve_for_unknown(const fmb_triangle *t, size_t k, const mpz_t right
         mpz_neg(to, to);
 }
 
-bool fmb_substitute(const fmb_triangle *t, mpz_t *right, const int *right_at, const int *at,
-                    mpz_t *x, mpz_t den)
+bool fmb_triangular_solve(const fmb_triangular *t, mpz_t *right, const int *right_at, const int *at,
+                          mpz_t *x, mpz_t den)
 {
     size_t n = t->b->n;
     if (t->b->big || !reach_unknowns(t, right, right_at, den))

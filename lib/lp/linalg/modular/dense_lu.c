@@ -3,10 +3,10 @@
 
 #include <string.h>
 
-fmb_status fmb_dense_open(fmb_dense *d, fmb_arena *arena, size_t rows, size_t columns)
+fmb_status fmb_dense_lu_open(fmb_dense_lu *d, fmb_arena *arena, size_t rows, size_t columns)
 {
     size_t least = rows < columns ? rows : columns;
-    *d = (fmb_dense){.rows = rows, .columns = columns};
+    *d = (fmb_dense_lu){.rows = rows, .columns = columns};
     d->row = fmb_arena_get(arena, rows, sizeof *d->row);
     d->column = fmb_arena_get(arena, columns, sizeof *d->column);
     d->at = fmb_arena_get(arena, rows * columns, sizeof *d->at);
@@ -18,7 +18,7 @@ fmb_status fmb_dense_open(fmb_dense *d, fmb_arena *arena, size_t rows, size_t co
     return FMB_OK;
 }
 
-static void swap_dense_rows(fmb_dense *d, size_t i, size_t k)
+static void swap_dense_rows(fmb_dense_lu *d, size_t i, size_t k)
 {
     if (i == k)
         return;
@@ -33,7 +33,7 @@ static void swap_dense_rows(fmb_dense *d, size_t i, size_t k)
 }
 
 /* Column k, which is 0 now below its pivots and stays so, gives its place to column j. */
-static void set_dense_column_aside(fmb_dense *d, size_t k, size_t j)
+static void set_dense_column_aside(fmb_dense_lu *d, size_t k, size_t j)
 {
     for (size_t i = 0; i < d->rows; i++) {
         uint64_t t = d->at[i * d->columns + j];
@@ -47,7 +47,7 @@ static void set_dense_column_aside(fmb_dense *d, size_t k, size_t j)
 }
 
 /* What is left of column k after k pivots; returns a row that has a pivot there, or rows. */
-static size_t reduce_dense_column(fmb_dense *d, const fmb_prime *q, size_t k)
+static size_t reduce_dense_column(fmb_dense_lu *d, const fmb_prime *q, size_t k)
 {
     size_t pivot = d->rows;
     for (size_t i = k; i < d->rows; i++) {
@@ -60,7 +60,7 @@ static size_t reduce_dense_column(fmb_dense *d, const fmb_prime *q, size_t k)
 }
 
 /* Row k above the diagonal, in columns that may have a pivot, and the multipliers of column k. */
-static void finish_dense_pivot(fmb_dense *d, const fmb_prime *q, size_t k, size_t columns)
+static void finish_dense_pivot(fmb_dense_lu *d, const fmb_prime *q, size_t k, size_t columns)
 {
     uint64_t *row = d->at + k * d->columns;
     d->inverse[k] = fmb_prime_inverse(q, row[k]);
@@ -75,7 +75,7 @@ static void finish_dense_pivot(fmb_dense *d, const fmb_prime *q, size_t k, size_
     }
 }
 
-fmb_status fmb_dense_factor(fmb_dense *d, fmb_run *run, const fmb_prime *q)
+fmb_status fmb_dense_lu_factor(fmb_dense_lu *d, fmb_run *run, const fmb_prime *q)
 {
     size_t columns = d->columns; /* that may have a pivot */
     while (d->rank < columns && d->rank < d->rows) {

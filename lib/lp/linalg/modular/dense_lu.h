@@ -10,17 +10,17 @@
 #include "num/prime.h"
 #include "trace/run.h"
 
-typedef struct fmb_dense {
+typedef struct fmb_dense_lu {
     size_t rows, columns, rank;
     int *row, *column; /* [rows], [columns] what stands there, in the caller's numbers */
     uint64_t *at;      /* [rows][columns] multipliers below the pivots, the upper factor above */
     uint64_t *across;  /* [columns][rows] the upper factor by columns */
     uint64_t *inverse; /* [rank] of the pivots */
-} fmb_dense;
+} fmb_dense_lu;
 
 /* All zeros. Errors: MEMORY, LIMIT. */
-fmb_status fmb_dense_open(fmb_dense *d, fmb_arena *arena, size_t rows, size_t columns);
+fmb_status fmb_dense_lu_open(fmb_dense_lu *d, fmb_arena *arena, size_t rows, size_t columns);
 /* Factor. Errors: LIMIT. */
-fmb_status fmb_dense_factor(fmb_dense *d, fmb_run *run, const fmb_prime *q);
+fmb_status fmb_dense_lu_factor(fmb_dense_lu *d, fmb_run *run, const fmb_prime *q);
 
 #endif

@@ -5,9 +5,9 @@
 
 #include "num/gcd.h"
 
-fmb_status fmb_short_init(fmb_short *h, fmb_mem *mem, size_t n)
+fmb_status fmb_modular_kernel_init(fmb_modular_kernel *h, fmb_mem *mem, size_t n)
 {
-    *h = (fmb_short){.n = n, .q = fmb_prime_number(0)};
+    *h = (fmb_modular_kernel){.n = n, .q = fmb_prime_number(0)};
     h->a = fmb_mem_get(mem, n * (n + 2), sizeof *h->a);
     h->row = fmb_mem_get(mem, n, sizeof *h->row);
     h->column = fmb_mem_get(mem, n, sizeof *h->column);
@@ -18,7 +18,7 @@ fmb_status fmb_short_init(fmb_short *h, fmb_mem *mem, size_t n)
     return all ? FMB_OK : fmb_mem_status(mem);
 }
 
-void fmb_short_clear(fmb_short *h, fmb_mem *mem)
+void fmb_modular_kernel_clear(fmb_modular_kernel *h, fmb_mem *mem)
 {
     size_t n = h->n;
     fmb_mem_put(mem, h->a, n * (n + 2), sizeof *h->a);
@@ -29,7 +29,7 @@ void fmb_short_clear(fmb_short *h, fmb_mem *mem)
     fmb_mem_put(mem, h->v, n + 1, sizeof *h->v);
 }
 
-void fmb_short_zero(fmb_short *h, size_t columns)
+void fmb_modular_kernel_zero(fmb_modular_kernel *h, size_t columns)
 {
     h->columns = columns;
     memset(h->a, 0, h->n * (h->n + 2) * sizeof *h->a);
@@ -38,7 +38,7 @@ void fmb_short_zero(fmb_short *h, size_t columns)
 /* ---- elimination ----------------------------------------------------------------------------- */
 
 /* Bring a row with an entry in column c to place r. */
-static bool find_pivot_of_column(fmb_short *h, size_t r, size_t c)
+static bool find_pivot_of_column(fmb_modular_kernel *h, size_t r, size_t c)
 {
     size_t i = r;
     while (i < h->n && h->row[i][c] == 0)
@@ -53,7 +53,7 @@ static bool find_pivot_of_column(fmb_short *h, size_t r, size_t c)
 }
 
 /* Rows below r become 0 in column c, by combinations. */
-static void clear_below_pivot(fmb_short *h, size_t r, size_t c)
+static void clear_below_pivot(fmb_modular_kernel *h, size_t r, size_t c)
 {
     const uint64_t *top = h->row[r];
     for (size_t i = r + 1; i < h->n; i++) {
@@ -68,7 +68,7 @@ static void clear_below_pivot(fmb_short *h, size_t r, size_t c)
 }
 
 /* The rows become triangular; *free is the one column without a pivot. */
-static bool make_triangular(fmb_short *h, size_t *free)
+static bool make_triangular(fmb_modular_kernel *h, size_t *free)
 {
     size_t r = 0;
     *free = SIZE_MAX;
@@ -90,7 +90,7 @@ static bool make_triangular(fmb_short *h, size_t *free)
 /* The inverses of the pivots, by one of their product times `scale`, by which their rows have been
  * multiplied; and the determinant of their rows and columns, which is that product over `scale`, up
  * to its sign. */
-static uint64_t invert_pivots(fmb_short *h)
+static uint64_t invert_pivots(fmb_modular_kernel *h)
 {
     uint64_t product = 1, scale = 1;
     for (size_t r = 0; r + 1 < h->columns; r++) {
@@ -110,7 +110,7 @@ static uint64_t invert_pivots(fmb_short *h)
 
 /* ---- the vector ------------------------------------------------------------------------------ */
 
-static void take_least_residues(fmb_short *h, uint64_t determinant)
+static void take_least_residues(fmb_modular_kernel *h, uint64_t determinant)
 {
     uint64_t g = 0;
     for (size_t j = 0; j < h->columns; j++) {
@@ -122,7 +122,7 @@ static void take_least_residues(fmb_short *h, uint64_t determinant)
         h->v[j] /= (int64_t)g;
 }
 
-bool fmb_short_find_kernel(fmb_short *h)
+bool fmb_modular_kernel_find(fmb_modular_kernel *h)
 {
     size_t free;
     if (!make_triangular(h, &free))

@@ -12,7 +12,7 @@
 
 #include "num/prime.h"
 
-typedef struct fmb_short {
+typedef struct fmb_modular_kernel {
     size_t n, columns; /* rows, and columns, at most n + 1 */
     fmb_prime q;
     uint64_t *a;           /* [n][n + 2] entries; last, by what the row has been multiplied */
@@ -20,20 +20,20 @@ typedef struct fmb_short {
     size_t *column;        /* [n] columns of the pivots */
     uint64_t *w, *inverse; /* [n + 1] scratch */
     int64_t *v;            /* [n + 1] what is found: coprime */
-} fmb_short;
+} fmb_modular_kernel;
 
-/* Errors: MEMORY, LIMIT. In any case fmb_short_clear it. */
-fmb_status fmb_short_init(fmb_short *h, fmb_mem *mem, size_t n);
-void fmb_short_clear(fmb_short *h, fmb_mem *mem);
+/* Errors: MEMORY, LIMIT. In any case fmb_modular_kernel_clear it. */
+fmb_status fmb_modular_kernel_init(fmb_modular_kernel *h, fmb_mem *mem, size_t n);
+void fmb_modular_kernel_clear(fmb_modular_kernel *h, fmb_mem *mem);
 
 /* So many columns of zeros; then one entry becomes x, |x| < 2^62. */
-void fmb_short_zero(fmb_short *h, size_t columns);
-static inline void fmb_short_put(fmb_short *h, size_t i, size_t j, int64_t x)
+void fmb_modular_kernel_zero(fmb_modular_kernel *h, size_t columns);
+static inline void fmb_modular_kernel_put(fmb_modular_kernel *h, size_t i, size_t j, int64_t x)
 {
     h->a[i * (h->n + 2) + j] = fmb_prime_of_signed(&h->q, x);
 }
 /* A guess: v[columns] is 0 on all rows. False: not one vector is free, but several or none. The
  * entries are gone. */
-bool fmb_short_find_kernel(fmb_short *h);
+bool fmb_modular_kernel_find(fmb_modular_kernel *h);
 
 #endif

@@ -11,7 +11,7 @@
  * is the last one's number when one is left. */
 typedef struct peeling {
     const fmb_sparse *a;
-    fmb_lu *f;
+    fmb_modular_lu *f;
     const fmb_prime *q;
     size_t *column_start; /* [n + 1] the rows of each column */
     int *column_rows;
@@ -129,7 +129,7 @@ static void peel_all_pivots(peeling *p)
 static fmb_status load_nucleus(const peeling *p, fmb_nucleus *u, fmb_run *run, fmb_arena *arena,
                                int **rows, int **columns)
 {
-    fmb_lu *f = p->f;
+    fmb_modular_lu *f = p->f;
     size_t size = f->n - p->pivots, entries = 0, r = 0, c = 0;
     *rows = fmb_arena_get(arena, size, sizeof(int));
     *columns = fmb_arena_get(arena, size, sizeof(int));
@@ -158,7 +158,7 @@ static fmb_status load_nucleus(const peeling *p, fmb_nucleus *u, fmb_run *run, f
     return st;
 }
 
-static void place_pivot(fmb_lu *f, size_t k, int i, int j)
+static void place_pivot(fmb_modular_lu *f, size_t k, int i, int j)
 {
     f->row_at[k] = i;
     f->column_at[k] = j;
@@ -166,8 +166,8 @@ static void place_pivot(fmb_lu *f, size_t k, int i, int j)
 }
 
 /* Places of the nucleus' pivots, and those of rows and columns that are left over. */
-static void place_all_pivots(fmb_lu *f, const fmb_nucleus *u, size_t peeled, const int *rows,
-                             const int *columns)
+static void place_all_pivots(fmb_modular_lu *f, const fmb_nucleus *u, size_t peeled,
+                             const int *rows, const int *columns)
 {
     size_t k = peeled, left_rows, left_columns;
     for (size_t i = 0; i < f->n; i++)
@@ -211,7 +211,7 @@ static fmb_status put_sweep_term(fmb_sweep *w, fmb_arena *arena, size_t *at, int
 static fmb_status write_given_terms(const peeling *p, fmb_arena *arena, size_t k, size_t *low,
                                     size_t *up)
 {
-    fmb_lu *f = p->f;
+    fmb_modular_lu *f = p->f;
     size_t i = (size_t)f->row_at[k];
     fmb_status st = FMB_OK;
     for (size_t t = p->a->start[i]; st == FMB_OK && t < p->a->start[i + 1]; t++) {
@@ -230,8 +230,8 @@ static fmb_status write_given_terms(const peeling *p, fmb_arena *arena, size_t k
 }
 
 /* Pivot s of the nucleus, one of its sparse ones. */
-static fmb_status write_sparse_upper(fmb_lu *f, fmb_arena *arena, const fmb_nucleus *u, int s,
-                                     const int *columns, size_t k, size_t *up)
+static fmb_status write_sparse_upper(fmb_modular_lu *f, fmb_arena *arena, const fmb_nucleus *u,
+                                     int s, const int *columns, size_t k, size_t *up)
 {
     fmb_status st = FMB_OK;
     int r = u->row_at[s];
@@ -244,10 +244,11 @@ static fmb_status write_sparse_upper(fmb_lu *f, fmb_arena *arena, const fmb_nucl
     return st;
 }
 
-static fmb_status write_dense_row(fmb_lu *f, fmb_arena *arena, const fmb_nucleus *u, size_t s,
-                                  const int *columns, size_t first, size_t *low, size_t *up)
+static fmb_status write_dense_row(fmb_modular_lu *f, fmb_arena *arena, const fmb_nucleus *u,
+                                  size_t s, const int *columns, size_t first, size_t *low,
+                                  size_t *up)
 {
-    const fmb_dense *d = &u->dense;
+    const fmb_dense_lu *d = &u->dense;
     const uint64_t *row = d->at + s * d->columns;
     fmb_status st = FMB_OK;
     f->upper.scale[first + s] = d->inverse[s];
@@ -260,8 +261,8 @@ static fmb_status write_dense_row(fmb_lu *f, fmb_arena *arena, const fmb_nucleus
     return st;
 }
 
-static fmb_status write_multipliers(fmb_lu *f, fmb_arena *arena, const fmb_nucleus *u, int row,
-                                    size_t first, size_t *low)
+static fmb_status write_multipliers(fmb_modular_lu *f, fmb_arena *arena, const fmb_nucleus *u,
+                                    int row, size_t first, size_t *low)
 {
     fmb_status st = FMB_OK;
     for (int t = u->last[row]; st == FMB_OK && t >= 0; t = u->multiplier[t].before)
@@ -273,7 +274,7 @@ static fmb_status write_multipliers(fmb_lu *f, fmb_arena *arena, const fmb_nucle
 static fmb_status write_factors(const peeling *p, fmb_arena *arena, const fmb_nucleus *u,
                                 const int *columns)
 {
-    fmb_lu *f = p->f;
+    fmb_modular_lu *f = p->f;
     size_t low = 0, up = 0, dense = p->pivots + (size_t)u->pivots, terms = p->a->start[f->n];
     fmb_status st = fmb_sweep_open(&f->lower, arena, f->n, terms, false);
     if (st == FMB_OK)
@@ -300,7 +301,7 @@ static fmb_status write_factors(const peeling *p, fmb_arena *arena, const fmb_nu
 /* See modular_lu.h. */
 static void order_turns(const peeling *p)
 {
-    fmb_lu *f = p->f;
+    fmb_modular_lu *f = p->f;
     size_t turns = 0;
     f->is_triangular = p->pivots == f->n;
     for (size_t k = 0; f->is_triangular && k < f->n; k++)
@@ -313,9 +314,9 @@ static void order_turns(const peeling *p)
 
 /* ---- the door -------------------------------------------------------------------------------- */
 
-static fmb_status open_lu(fmb_lu *f, fmb_arena *arena, size_t n)
+static fmb_status open_lu(fmb_modular_lu *f, fmb_arena *arena, size_t n)
 {
-    *f = (fmb_lu){.n = n};
+    *f = (fmb_modular_lu){.n = n};
     f->row_at = fmb_arena_get(arena, n, sizeof *f->row_at);
     f->column_at = fmb_arena_get(arena, n, sizeof *f->column_at);
     f->row_place = fmb_arena_get(arena, n, sizeof *f->row_place);
@@ -328,8 +329,8 @@ static fmb_status open_lu(fmb_lu *f, fmb_arena *arena, size_t n)
     return FMB_OK;
 }
 
-fmb_status fmb_lu_factor(fmb_lu *f, fmb_run *run, fmb_arena *lasting, fmb_arena *passing,
-                         const fmb_sparse *a, const fmb_prime *q)
+fmb_status fmb_modular_lu_factor(fmb_modular_lu *f, fmb_run *run, fmb_arena *lasting,
+                                 fmb_arena *passing, const fmb_sparse *a, const fmb_prime *q)
 {
     peeling p = {.a = a, .f = f, .q = q};
     fmb_nucleus u;

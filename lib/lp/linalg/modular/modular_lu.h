@@ -19,17 +19,17 @@
 #include "lp/linalg/modular/sweep.h"
 #include "trace/run.h"
 
-typedef struct fmb_lu {
+typedef struct fmb_modular_lu {
     size_t n, rank;
     int *row_at, *column_at;       /* [n] */
     int *row_place, *column_place; /* [n] the inverse of these */
     fmb_sweep lower, upper;
     bool is_triangular; /* all pivots were peeled */
     int *turn;          /* [n] then: pivots in the order in which unknowns are solved for */
-} fmb_lu;
+} fmb_modular_lu;
 
 /* The factors lie in lasting, scratch in passing. Errors: MEMORY, LIMIT. */
-fmb_status fmb_lu_factor(fmb_lu *f, fmb_run *run, fmb_arena *lasting, fmb_arena *passing,
-                         const fmb_sparse *a, const fmb_prime *q);
+fmb_status fmb_modular_lu_factor(fmb_modular_lu *f, fmb_run *run, fmb_arena *lasting,
+                                 fmb_arena *passing, const fmb_sparse *a, const fmb_prime *q);
 
 #endif

@@ -343,8 +343,8 @@ static fmb_status factor_dense_rest(fmb_nucleus *u)
         for (int j = u->by_column.head[k]; j >= 0; j = u->by_column.next[j])
             columns++;
     }
-    fmb_dense *d = &u->dense;
-    fmb_status st = fmb_dense_open(d, u->arena, rows, columns);
+    fmb_dense_lu *d = &u->dense;
+    fmb_status st = fmb_dense_lu_open(d, u->arena, rows, columns);
     if (st != FMB_OK)
         return st;
     for (int k = 1; k <= u->size; k++)
@@ -361,7 +361,7 @@ static fmb_status factor_dense_rest(fmb_nucleus *u)
                 d->at[at * columns + (size_t)u->mark[u->row.entry[e]]] = u->row.value[e];
             }
         }
-    return fmb_dense_factor(d, u->run, u->q);
+    return fmb_dense_lu_factor(d, u->run, u->q);
 }
 
 /* A dense entry costs about a third of a sparse one. */

@@ -45,12 +45,12 @@ typedef struct fmb_nucleus {
     uint64_t *inverse;       /* [pivots] of the pivot, which is the first entry of its row */
     fmb_multiplier *multiplier;
     size_t multipliers, multiplier_room;
-    int *last;       /* [size] the last multiplier of each row, or -1 */
-    int *mark;       /* [size] a column's place in the pivot row, or -1 */
-    bool *met;       /* [size] places of the pivot row that the other row has, too */
-    size_t entries;  /* of active rows */
-    int active;      /* rows that are not pivots yet, empty ones included */
-    fmb_dense dense; /* the rest */
+    int *last;          /* [size] the last multiplier of each row, or -1 */
+    int *mark;          /* [size] a column's place in the pivot row, or -1 */
+    bool *met;          /* [size] places of the pivot row that the other row has, too */
+    size_t entries;     /* of active rows */
+    int active;         /* rows that are not pivots yet, empty ones included */
+    fmb_dense_lu dense; /* the rest */
 } fmb_nucleus;
 
 /* No rows yet. Errors: MEMORY, LIMIT. */

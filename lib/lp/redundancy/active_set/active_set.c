@@ -42,12 +42,12 @@ void fmb_scaled_rows_clear(fmb_scaled_rows *s, fmb_mem *mem)
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
-fmb_status fmb_awake_init(fmb_awake *s, fmb_run *run, const fmb_scaled_rows *of,
-                          const fmb_inside *seen)
+fmb_status fmb_active_set_init(fmb_active_set *s, fmb_run *run, const fmb_scaled_rows *of,
+                               const fmb_interior_point *seen)
 {
     fmb_mem *mem = run->mem;
     size_t m = of->m, d = of->d;
-    *s = (fmb_awake){.run = run, .of = of, .seen = seen, .asleep = m};
+    *s = (fmb_active_set){.run = run, .of = of, .seen = seen, .inactive = m};
     fmb_status st = fmb_basis_init(&s->cone, mem, run->kernels, d);
     s->cone.value_zero = ROUNDING;
     s->cone.entry_zero = LEAST_PIVOT;
@@ -64,17 +64,17 @@ fmb_status fmb_awake_init(fmb_awake *s, fmb_run *run, const fmb_scaled_rows *of,
         return st != FMB_OK ? st : fmb_mem_status(mem);
     for (size_t i = 0; i < m; i++)
         s->number[i] = SIZE_MAX;
-    return fmb_rounded_init(&s->proof, mem, d);
+    return fmb_rounded_proof_init(&s->proof, mem, d);
 }
 
-void fmb_awake_clear(fmb_awake *s)
+void fmb_active_set_clear(fmb_active_set *s)
 {
     if (!s->run)
         return;
     fmb_mem *mem = s->run->mem;
     size_t m = s->of->m;
     fmb_basis_clear(&s->cone);
-    fmb_rounded_clear(&s->proof, mem);
+    fmb_rounded_proof_clear(&s->proof, mem);
     fmb_mem_put(mem, s->gone, m, sizeof *s->gone);
     fmb_mem_put(mem, s->kept, m, sizeof *s->kept);
     fmb_mem_put(mem, s->target, s->of->d, sizeof *s->target);
@@ -90,21 +90,22 @@ void fmb_awake_clear(fmb_awake *s)
 /* ---- proofs ---------------------------------------------------------------------------------- */
 
 /* Round the multipliers of the basis for target i; false if they are not simple. */
-static bool round_multipliers_of_basis(fmb_awake *s, size_t i)
+static bool round_multipliers_of_basis(fmb_active_set *s, size_t i)
 {
     const int *exponent = s->of->exponent;
-    fmb_rounded_begin(&s->proof);
+    fmb_rounded_proof_begin(&s->proof);
     for (size_t r = 0; r < s->of->d; r++) {
         size_t g = s->cone.basic[r], j = g == SIZE_MAX ? s->of->m : s->source[g];
         if (j == s->of->m || fabs(s->cone.value[r]) < ROUNDING)
             continue;
-        if (!fmb_rounded_add(&s->proof, j, ldexp(s->cone.value[r], exponent[i] - exponent[j])))
+        if (!fmb_rounded_proof_add(&s->proof, j,
+                                   ldexp(s->cone.value[r], exponent[i] - exponent[j])))
             return false;
     }
     return true;
 }
 
-static fmb_status note_proof_of_row(fmb_awake *s, size_t i)
+static fmb_status note_proof_of_row(fmb_active_set *s, size_t i)
 {
     size_t size = s->proof.size;
     void *room = s->proved;
@@ -120,20 +121,20 @@ static fmb_status note_proof_of_row(fmb_awake *s, size_t i)
     return FMB_OK;
 }
 
-static void note_row_gone(fmb_awake *s, size_t i)
+static void note_row_gone(fmb_active_set *s, size_t i)
 {
     s->gone[i] = true;
     if (s->number[i] != SIZE_MAX)
         s->cone.range[s->number[i]] = FMB_RANGE_ZERO;
     else
-        s->asleep--;
+        s->inactive--;
 }
 
 /* The cone says that row i is implied: prove it, and let it go. */
-static fmb_status drop_row_if_proved(fmb_awake *s, size_t i)
+static fmb_status drop_row_if_proved(fmb_active_set *s, size_t i)
 {
     if (!round_multipliers_of_basis(s, i) ||
-        !fmb_rounded_proves(&s->proof, s->of->n, s->of->row, i)) {
+        !fmb_rounded_proof_holds(&s->proof, s->of->n, s->of->row, i)) {
         s->doubtful++;
         return FMB_OK;
     }
@@ -144,15 +145,15 @@ static fmb_status drop_row_if_proved(fmb_awake *s, size_t i)
 /* ---- rays ------------------------------------------------------------------------------------ */
 
 /* What the ray hits is kept; SIZE_MAX: nothing that is proved thereby. */
-static size_t keep_row_hit(fmb_awake *s)
+static size_t keep_row_hit(fmb_active_set *s)
 {
-    size_t hit = fmb_inside_shoot(s->seen, s->way, s->gone, s->speed);
+    size_t hit = fmb_interior_point_shoot(s->seen, s->way, s->gone, s->speed);
     if (hit != SIZE_MAX)
         s->kept[hit] = true;
     return hit;
 }
 
-fmb_status fmb_awake_shoot(fmb_awake *s, size_t from, size_t to)
+fmb_status fmb_active_set_shoot(fmb_active_set *s, size_t from, size_t to)
 {
     fmb_status st = FMB_OK;
     for (size_t i = from; st == FMB_OK && i < to; i++) {
@@ -166,7 +167,7 @@ fmb_status fmb_awake_shoot(fmb_awake *s, size_t from, size_t to)
 
 /* Behind the hyperplane lies a point that breaks the row at hand and no other row awake: shoot
  * there. */
-static size_t shoot_beyond_normal(fmb_awake *s)
+static size_t shoot_beyond_normal(fmb_active_set *s)
 {
     const double *normal = s->cone.normal;
     double depth = normal[s->of->n];
@@ -179,16 +180,16 @@ static size_t shoot_beyond_normal(fmb_awake *s)
 
 /* ---- guesses --------------------------------------------------------------------------------- */
 
-static void aim_at_row(fmb_awake *s, size_t i)
+static void aim_at_row(fmb_active_set *s, size_t i)
 {
     for (size_t k = 0; k < s->of->d; k++)
         s->target[k] = s->of->at[k * s->of->m + i];
 }
 
-static fmb_status wake_row_in_cone(fmb_awake *s, size_t i)
+static fmb_status activate_row_in_cone(fmb_active_set *s, size_t i)
 {
     aim_at_row(s, i);
-    s->asleep--;
+    s->inactive--;
     s->number[i] = s->generators;
     s->source[s->generators++] = i;
     return fmb_basis_add(&s->cone, s->target,
@@ -196,11 +197,11 @@ static fmb_status wake_row_in_cone(fmb_awake *s, size_t i)
 }
 
 /* The sleeping row farthest beyond the hyperplane, SIZE_MAX if none is. */
-static size_t find_farthest_asleep(fmb_awake *s)
+static size_t find_farthest_inactive(fmb_active_set *s)
 {
     size_t best = SIZE_MAX, m = s->of->m;
     double least = 0;
-    if (s->asleep == 0)
+    if (s->inactive == 0)
         return SIZE_MAX;
     memset(s->price, 0, m * sizeof *s->price);
     for (size_t k = 0; k < s->of->d; k++)
@@ -215,14 +216,14 @@ static size_t find_farthest_asleep(fmb_awake *s)
 
 /* A row that sleeps beyond the hyperplane, best one that is proved to stay; SIZE_MAX if none does.
  */
-static size_t find_row_to_wake(fmb_awake *s)
+static size_t find_row_to_activate(fmb_active_set *s)
 {
     size_t hit = shoot_beyond_normal(s);
-    return hit != SIZE_MAX && s->number[hit] == SIZE_MAX ? hit : find_farthest_asleep(s);
+    return hit != SIZE_MAX && s->number[hit] == SIZE_MAX ? hit : find_farthest_inactive(s);
 }
 
 /* Wake rows until those awake imply row i, or it is awake itself. */
-static fmb_status test_row_asleep(fmb_awake *s, size_t i)
+static fmb_status test_inactive_row(fmb_active_set *s, size_t i)
 {
     fmb_status st = FMB_OK;
     while (st == FMB_OK && s->number[i] == SIZE_MAX) {
@@ -233,9 +234,9 @@ static fmb_status test_row_asleep(fmb_awake *s, size_t i)
             st = drop_row_if_proved(s, i);
         if (guess == FMB_GUESS_INSIDE && s->gone[i])
             return st;
-        size_t j = guess == FMB_GUESS_OUTSIDE ? find_row_to_wake(s) : i;
+        size_t j = guess == FMB_GUESS_OUTSIDE ? find_row_to_activate(s) : i;
         if (st == FMB_OK)
-            st = wake_row_in_cone(s, j == SIZE_MAX ? i : j);
+            st = activate_row_in_cone(s, j == SIZE_MAX ? i : j);
         if (st == FMB_OK)
             st = fmb_run_poll(s->run);
     }
@@ -244,15 +245,15 @@ static fmb_status test_row_asleep(fmb_awake *s, size_t i)
 
 /* Does row i, awake itself, lie beyond all that is awake? Others may sleep there: *on if one was
  * woken. */
-static fmb_status wake_row_beyond_normal(fmb_awake *s, size_t i, bool *on)
+static fmb_status activate_row_beyond_normal(fmb_active_set *s, size_t i, bool *on)
 {
-    size_t j = find_row_to_wake(s);
+    size_t j = find_row_to_activate(s);
     *on = !s->kept[i] && j != SIZE_MAX;
-    return *on ? wake_row_in_cone(s, j) : FMB_OK;
+    return *on ? activate_row_in_cone(s, j) : FMB_OK;
 }
 
 /* Once more with all rows that matter awake. */
-static fmb_status test_row_awake(fmb_awake *s, size_t i)
+static fmb_status test_active_row(fmb_active_set *s, size_t i)
 {
     fmb_status st = FMB_OK;
     for (bool on = true; st == FMB_OK && on;) {
@@ -263,7 +264,7 @@ static fmb_status test_row_awake(fmb_awake *s, size_t i)
         if (st == FMB_OK && guess == FMB_GUESS_INSIDE)
             st = drop_row_if_proved(s, i);
         else if (st == FMB_OK && guess == FMB_GUESS_OUTSIDE)
-            st = wake_row_beyond_normal(s, i, &on);
+            st = activate_row_beyond_normal(s, i, &on);
         if (st == FMB_OK)
             st = fmb_run_poll(s->run);
     }
@@ -272,21 +273,21 @@ static fmb_status test_row_awake(fmb_awake *s, size_t i)
 
 /* ---- a search -------------------------------------------------------------------------------- */
 
-static bool is_row_settled(const fmb_awake *s, size_t i)
+static bool is_row_settled(const fmb_active_set *s, size_t i)
 {
     return s->gone[i] || s->kept[i] || s->of->row[i].rel == FMB_EQ;
 }
 
-static fmb_status wake_row_into_basis(fmb_awake *s, size_t i)
+static fmb_status activate_row_into_basis(fmb_active_set *s, size_t i)
 {
-    fmb_status st = wake_row_in_cone(s, i);
+    fmb_status st = activate_row_in_cone(s, i);
     if (st == FMB_OK)
         fmb_basis_span(&s->cone, s->number[i]);
     return st == FMB_OK ? fmb_run_poll(s->run) : st;
 }
 
 /* The right side as generator 0, rows that stay, and others until they span what they can. */
-static fmb_status wake_first_rows(fmb_awake *s)
+static fmb_status activate_first_rows(fmb_active_set *s)
 {
     size_t d = s->of->d;
     for (size_t k = 0; k < d; k++)
@@ -297,22 +298,22 @@ static fmb_status wake_first_rows(fmb_awake *s)
         fmb_basis_span(&s->cone, 0);
     for (size_t i = 0; st == FMB_OK && i < s->of->m; i++)
         if (is_row_settled(s, i))
-            st = wake_row_into_basis(s, i);
+            st = activate_row_into_basis(s, i);
     for (size_t i = 0; st == FMB_OK && i < s->of->m && s->cone.pivots < d; i++)
         if (s->number[i] == SIZE_MAX)
-            st = wake_row_into_basis(s, i);
+            st = activate_row_into_basis(s, i);
     return st;
 }
 
-fmb_status fmb_awake_test(fmb_awake *s, const size_t *open, size_t from, size_t to)
+fmb_status fmb_active_set_test(fmb_active_set *s, const size_t *open, size_t from, size_t to)
 {
-    fmb_status st = wake_first_rows(s);
+    fmb_status st = activate_first_rows(s);
     for (size_t k = from; st == FMB_OK && k < to; k++)
         if (s->number[open[k]] == SIZE_MAX && !s->gone[open[k]])
-            st = test_row_asleep(s, open[k]);
+            st = test_inactive_row(s, open[k]);
     s->doubtful = 0; /* they were woken, and are tried again */
     for (size_t k = from; st == FMB_OK && k < to; k++)
         if (!is_row_settled(s, open[k]))
-            st = test_row_awake(s, open[k]);
+            st = test_active_row(s, open[k]);
     return st;
 }

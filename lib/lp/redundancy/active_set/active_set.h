@@ -29,32 +29,32 @@ fmb_status fmb_scaled_rows_init(fmb_scaled_rows *s, fmb_mem *mem, size_t n, size
                                 const fmb_lp_row *row);
 void fmb_scaled_rows_clear(fmb_scaled_rows *s, fmb_mem *mem);
 
-typedef struct fmb_awake {
+typedef struct fmb_active_set {
     fmb_run *run;
     const fmb_scaled_rows *of;
-    const fmb_inside *seen; /* NULL: no point strictly inside is known */
-    bool *gone, *kept;      /* [m] what is known so far */
-    double *target, *price; /* [d], [m] */
-    double *way, *speed;    /* [n], [m] of rays */
-    size_t *number;         /* [m] of the row's generator, SIZE_MAX: asleep */
-    size_t *source;         /* [m + 1] row of a generator; m: the unit vector of the right side */
-    size_t generators, asleep;
+    const fmb_interior_point *seen; /* NULL: no point strictly inside is known */
+    bool *gone, *kept;              /* [m] what is known so far */
+    double *target, *price;         /* [d], [m] */
+    double *way, *speed;            /* [n], [m] of rays */
+    size_t *number;                 /* [m] of the row's generator, SIZE_MAX: inactive */
+    size_t *source; /* [m + 1] row of a generator; m: the unit vector of the right side */
+    size_t generators, inactive;
     fmb_basis cone;
-    fmb_rounded proof;
+    fmb_rounded_proof proof;
     size_t *proved; /* [told] each proof: row, number of rows that it names, those */
     size_t told, proved_room;
     size_t doubtful; /* rows that seemed to be implied, but whose multipliers were not found */
-} fmb_awake;
+} fmb_active_set;
 
-/* All rows are asleep, none is gone or kept. Errors: MEMORY, LIMIT. In any case fmb_awake_clear
- * it. */
-fmb_status fmb_awake_init(fmb_awake *s, fmb_run *run, const fmb_scaled_rows *of,
-                          const fmb_inside *seen);
-void fmb_awake_clear(fmb_awake *s);
+/* All rows are inactive, none is gone or kept. Errors: MEMORY, LIMIT. In any case
+ * fmb_active_set_clear it. */
+fmb_status fmb_active_set_init(fmb_active_set *s, fmb_run *run, const fmb_scaled_rows *of,
+                               const fmb_interior_point *seen);
+void fmb_active_set_clear(fmb_active_set *s);
 /* From the point inside shoot at rows from, ..., to - 1: what is hit is kept. Errors: LIMIT. */
-fmb_status fmb_awake_shoot(fmb_awake *s, size_t from, size_t to);
+fmb_status fmb_active_set_shoot(fmb_active_set *s, size_t from, size_t to);
 /* Test the rows open[from], ..., open[to - 1]: those that others imply go. The rows kept so far are
  * woken, and equalities. Once. Errors: MEMORY, LIMIT. */
-fmb_status fmb_awake_test(fmb_awake *s, const size_t *open, size_t from, size_t to);
+fmb_status fmb_active_set_test(fmb_active_set *s, const size_t *open, size_t from, size_t to);
 
 #endif

@@ -29,12 +29,12 @@ enum { SEARCHES = 4, WORTH_SEARCHES = 4048 };
 typedef struct sorting {
     fmb_run *run;
     fmb_scaled_rows rows;
-    fmb_inside inside;
-    fmb_awake search[SEARCHES];
+    fmb_interior_point inside;
+    fmb_active_set search[SEARCHES];
     size_t searches;
     size_t *open; /* [opens] rows that rays did not settle */
     size_t opens;
-    bool *used; /* [m] named in a proof that was accepted */
+    bool *used; /* [m] reduced in a proof that was accepted */
     fmb_sorting *out;
 } sorting;
 
@@ -76,13 +76,13 @@ static fmb_status look_for_inner_point(sorting *s)
 {
     bool possible, known = s->out->known, *inner = &s->out->inner;
     fmb_status st =
-        fmb_inside_open(&s->inside, s->run, s->rows.n, s->rows.m, s->rows.row, &possible);
+        fmb_interior_point_open(&s->inside, s->run, s->rows.n, s->rows.m, s->rows.row, &possible);
     if (st == FMB_OK && possible && !known)
-        st = fmb_inside_glance(&s->inside, inner);
+        st = fmb_interior_point_find_quickly(&s->inside, inner);
     if (st == FMB_OK && !known && !*inner)
         st = s->rows.m > MANY_ROWS ? ask_oracle_if_feasible(s) : ask_dictionary_if_feasible(s);
     if (st == FMB_OK && possible && !*inner && s->out->feasible)
-        st = fmb_inside_find(&s->inside, inner);
+        st = fmb_interior_point_find(&s->inside, inner);
     return st;
 }
 
@@ -92,10 +92,10 @@ static fmb_status shoot_for_search(void *self, size_t k, fmb_run *run)
 {
     sorting *s = self;
     size_t shots = s->rows.m < MOST_SHOTS ? s->rows.m : MOST_SHOTS, of = s->searches;
-    fmb_awake *search = &s->search[k];
-    fmb_status st = fmb_awake_init(search, run, &s->rows, s->out->inner ? &s->inside : NULL);
+    fmb_active_set *search = &s->search[k];
+    fmb_status st = fmb_active_set_init(search, run, &s->rows, s->out->inner ? &s->inside : NULL);
     return st == FMB_OK && s->out->inner
-               ? fmb_awake_shoot(search, shots * k / of, shots * (k + 1) / of)
+               ? fmb_active_set_shoot(search, shots * k / of, shots * (k + 1) / of)
                : st;
 }
 
@@ -104,7 +104,7 @@ static fmb_status test_for_search(void *self, size_t k, fmb_run *run)
     sorting *s = self;
     size_t of = s->searches;
     (void)run; /* the search has it */
-    return fmb_awake_test(&s->search[k], s->open, s->opens * k / of, s->opens * (k + 1) / of);
+    return fmb_active_set_test(&s->search[k], s->open, s->opens * k / of, s->opens * (k + 1) / of);
 }
 
 /* Every search learns what all rays hit; the rows left are open. */
@@ -124,7 +124,7 @@ static void share_what_was_hit(sorting *s)
 }
 
 /* Rows go that no search heard before needs. True if all do. */
-static bool drop_rows_not_used(sorting *s, const fmb_awake *search)
+static bool drop_rows_not_used(sorting *s, const fmb_active_set *search)
 {
     size_t refused = 0;
     for (size_t at = 0; at < search->told; at += 2 + search->proved[at + 1]) {
@@ -136,7 +136,7 @@ static bool drop_rows_not_used(sorting *s, const fmb_awake *search)
     return refused == 0;
 }
 
-static void note_rows_used(sorting *s, const fmb_awake *search)
+static void note_rows_used(sorting *s, const fmb_active_set *search)
 {
     for (size_t at = 0; at < search->told; at += 2 + search->proved[at + 1])
         for (size_t k = 0; s->out->gone[search->proved[at]] && k < search->proved[at + 1]; k++)
@@ -144,7 +144,7 @@ static void note_rows_used(sorting *s, const fmb_awake *search)
 }
 
 /* A ray of a search that is not believed everything may have passed a row that stays. */
-static void hear_search(sorting *s, const fmb_awake *search)
+static void hear_search(sorting *s, const fmb_active_set *search)
 {
     bool believed = drop_rows_not_used(s, search);
     note_rows_used(s, search);
@@ -187,7 +187,7 @@ static fmb_status search_all_rows(sorting *s)
     for (size_t k = 0; k < s->searches; k++) {
         if (st == FMB_OK)
             hear_search(s, &s->search[k]);
-        fmb_awake_clear(&s->search[k]);
+        fmb_active_set_clear(&s->search[k]);
     }
     if (together)
         fmb_team_close(&team);
@@ -208,16 +208,17 @@ static fmb_status sort_scaled_rows(sorting *s)
     if (st == FMB_OK && s->out->feasible)
         st = search_all_rows(s);
     if (s->inside.run)
-        fmb_inside_clear(&s->inside);
+        fmb_interior_point_clear(&s->inside);
     fmb_mem_put(mem, s->open, m, sizeof *s->open);
     fmb_mem_put(mem, s->used, m, sizeof *s->used);
     return st;
 }
 
-static fmb_status sort_named_rows(fmb_run *run, const fmb_named *named, fmb_sorting *out)
+static fmb_status sort_reduced_rows(fmb_run *run, const fmb_nonzero_columns *reduced,
+                                    fmb_sorting *out)
 {
     sorting s = {.run = run, .out = out};
-    fmb_status st = fmb_scaled_rows_init(&s.rows, run->mem, named->n, named->m, named->row);
+    fmb_status st = fmb_scaled_rows_init(&s.rows, run->mem, reduced->n, reduced->m, reduced->row);
     if (st == FMB_OK)
         st = sort_scaled_rows(&s);
     fmb_scaled_rows_clear(&s.rows, run->mem);
@@ -237,7 +238,7 @@ static bool are_rows_small(size_t m, const fmb_lp_row *row)
 
 fmb_status fmb_lp_sort_rows(fmb_run *run, int n, size_t m, const fmb_lp_row *row, fmb_sorting *out)
 {
-    fmb_named named;
+    fmb_nonzero_columns reduced;
     out->doubtful = 0;
     out->inner = false;
     out->feasible = true;
@@ -245,12 +246,12 @@ fmb_status fmb_lp_sort_rows(fmb_run *run, int n, size_t m, const fmb_lp_row *row
         out->doubtful = m;
         return FMB_OK;
     }
-    fmb_status st = fmb_named_open(&named, run->mem, (size_t)n, m, row);
-    if (st == FMB_OK && named.n <= MOST_COLUMNS)
-        st = sort_named_rows(run, &named, out);
+    fmb_status st = fmb_nonzero_columns_open(&reduced, run->mem, (size_t)n, m, row);
+    if (st == FMB_OK && reduced.n <= MOST_COLUMNS)
+        st = sort_reduced_rows(run, &reduced, out);
     else if (st == FMB_OK)
         out->doubtful = m;
-    fmb_named_clear(&named);
+    fmb_nonzero_columns_clear(&reduced);
     fmb_way_answered(FMB_WAY_ACTIVE_SET, 4 * out->doubtful < m);
     return st;
 }

@@ -18,7 +18,7 @@
 enum { ROW_BITS = 29, POINT_BITS = 24, WAY_BITS = 18, MOST_COLUMNS = 64 };
 #define UNIT 4096
 
-static void find_excess_of_rows(fmb_inside *p)
+static void find_excess_of_rows(fmb_interior_point *p)
 {
     memcpy(p->excess, &p->unit[p->n * p->m], p->m * sizeof *p->excess);
     for (size_t j = 0; j < p->n; j++)
@@ -26,7 +26,7 @@ static void find_excess_of_rows(fmb_inside *p)
 }
 
 /* The row broken worst, all of them moved inwards by margin; SIZE_MAX if none is. */
-static size_t find_worst_broken_row(fmb_inside *p, double margin, double *most)
+static size_t find_worst_broken_row(fmb_interior_point *p, double margin, double *most)
 {
     size_t worst = SIZE_MAX;
     *most = 0;
@@ -46,7 +46,8 @@ static bool is_to_and_fro(const double *most, const size_t *row)
            most[2] >= most[1] && most[1] >= most[0];
 }
 
-static fmb_status reflect_until_inside(fmb_inside *p, size_t steps, double margin, bool *inside)
+static fmb_status reflect_until_inside(fmb_interior_point *p, size_t steps, double margin,
+                                       bool *inside)
 {
     fmb_status st = FMB_OK;
     double most[4] = {0};
@@ -67,7 +68,7 @@ static fmb_status reflect_until_inside(fmb_inside *p, size_t steps, double margi
 }
 
 /* Round the point and compute the slacks; false if it is not strictly inside. */
-static bool round_point_inside(fmb_inside *p)
+static bool round_point_inside(fmb_interior_point *p)
 {
     for (size_t j = 0; j < p->n; j++) {
         p->x[j] = nearbyint(p->x[j] * UNIT);
@@ -95,7 +96,7 @@ static bool do_products_fit(size_t n, size_t m, const fmb_lp_row *row)
     return n <= MOST_COLUMNS;
 }
 
-static void write_unit_row(fmb_inside *p, size_t i)
+static void write_unit_row(fmb_interior_point *p, size_t i)
 {
     const int64_t *a = p->row[i].v->s;
     double square = 0;
@@ -109,7 +110,7 @@ static void write_unit_row(fmb_inside *p, size_t i)
     p->unit[p->n * p->m + i] = -(double)a[p->n] * size;
 }
 
-static fmb_status open_inside_point(fmb_inside *p)
+static fmb_status open_inside_point(fmb_interior_point *p)
 {
     fmb_mem *mem = p->run->mem;
     p->x = fmb_mem_zero(mem, p->n, sizeof *p->x);
@@ -124,15 +125,15 @@ static fmb_status open_inside_point(fmb_inside *p)
     return FMB_OK;
 }
 
-fmb_status fmb_inside_open(fmb_inside *p, fmb_run *run, size_t n, size_t m, const fmb_lp_row *row,
-                           bool *possible)
+fmb_status fmb_interior_point_open(fmb_interior_point *p, fmb_run *run, size_t n, size_t m,
+                                   const fmb_lp_row *row, bool *possible)
 {
-    *p = (fmb_inside){.run = run, .n = n, .m = m, .row = row};
+    *p = (fmb_interior_point){.run = run, .n = n, .m = m, .row = row};
     *possible = do_products_fit(n, m, row);
     return *possible ? open_inside_point(p) : FMB_OK;
 }
 
-static fmb_status try_margin(fmb_inside *p, size_t steps, double margin, bool *found)
+static fmb_status try_slack(fmb_interior_point *p, size_t steps, double margin, bool *found)
 {
     fmb_status st = reflect_until_inside(p, steps, margin, found);
     *found = st == FMB_OK && *found && round_point_inside(p);
@@ -141,22 +142,22 @@ static fmb_status try_margin(fmb_inside *p, size_t steps, double margin, bool *f
 
 /* Most that have inner points show one after a few steps; a deep one if possible, from where rays
  * tell more rows apart. */
-fmb_status fmb_inside_glance(fmb_inside *p, bool *found)
+fmb_status fmb_interior_point_find_quickly(fmb_interior_point *p, bool *found)
 {
-    fmb_status st = try_margin(p, 8 + 2 * p->n, 0.25, found);
-    return st == FMB_OK && !*found ? try_margin(p, 8 + 2 * p->n, 1.0 / 64, found) : st;
+    fmb_status st = try_slack(p, 8 + 2 * p->n, 0.25, found);
+    return st == FMB_OK && !*found ? try_slack(p, 8 + 2 * p->n, 1.0 / 64, found) : st;
 }
 
-fmb_status fmb_inside_find(fmb_inside *p, bool *found)
+fmb_status fmb_interior_point_find(fmb_interior_point *p, bool *found)
 {
     fmb_status st = FMB_OK;
     *found = false;
     for (double margin = 0.25; st == FMB_OK && !*found && margin > 1.0 / UNIT; margin /= 16)
-        st = try_margin(p, 50 + 16 * p->n, margin, found);
+        st = try_slack(p, 50 + 16 * p->n, margin, found);
     return st;
 }
 
-void fmb_inside_clear(fmb_inside *p)
+void fmb_interior_point_clear(fmb_interior_point *p)
 {
     fmb_mem *mem = p->run->mem;
     fmb_mem_put(mem, p->x, p->n, sizeof *p->x);
@@ -167,7 +168,7 @@ void fmb_inside_clear(fmb_inside *p)
 }
 
 /* How fast the ray comes to each row; false if it goes nowhere. */
-static bool find_speeds_of_ray(const fmb_inside *p, const double *way, double *speed)
+static bool find_speeds_of_ray(const fmb_interior_point *p, const double *way, double *speed)
 {
     double most = 0;
     for (size_t j = 0; j < p->n; j++)
@@ -182,7 +183,8 @@ static bool find_speeds_of_ray(const fmb_inside *p, const double *way, double *s
     return true;
 }
 
-size_t fmb_inside_shoot(const fmb_inside *p, const double *way, const bool *gone, double *speed)
+size_t fmb_interior_point_shoot(const fmb_interior_point *p, const double *way, const bool *gone,
+                                double *speed)
 {
     size_t first = SIZE_MAX;
     int64_t slack = 1, fast = 0; /* of the first; none: slack / fast is infinite */

@@ -5,7 +5,7 @@
 #include "lp/model/row.h"
 #include "trace/run.h"
 
-typedef struct fmb_inside {
+typedef struct fmb_interior_point {
     fmb_run *run;
     size_t n, m;
     const fmb_lp_row *row;
@@ -14,20 +14,21 @@ typedef struct fmb_inside {
     double *unit;   /* [n + 1][m] column by column, rows by their lengths |a|; the last is -b */
     double *entry;  /* [n][m] column by column, as they are */
     double *excess; /* [m] scratch: how far x is beyond each row */
-} fmb_inside;
+} fmb_interior_point;
 
 /* *possible false: there are equalities, or the numbers are too large. Errors: MEMORY. In any case
- * fmb_inside_clear it. */
-fmb_status fmb_inside_open(fmb_inside *p, fmb_run *run, size_t n, size_t m, const fmb_lp_row *row,
-                           bool *possible);
+ * fmb_interior_point_clear it. */
+fmb_status fmb_interior_point_open(fmb_interior_point *p, fmb_run *run, size_t n, size_t m,
+                                   const fmb_lp_row *row, bool *possible);
 /* Look for a point strictly inside all of the rows, from where the last search ended. *found false:
  * none was found. A glance costs little. Errors: LIMIT. */
-fmb_status fmb_inside_find(fmb_inside *p, bool *found);
-fmb_status fmb_inside_glance(fmb_inside *p, bool *found);
-void fmb_inside_clear(fmb_inside *p);
+fmb_status fmb_interior_point_find(fmb_interior_point *p, bool *found);
+fmb_status fmb_interior_point_find_quickly(fmb_interior_point *p, bool *found);
+void fmb_interior_point_clear(fmb_interior_point *p);
 /* The row among those not gone that a ray from the point in direction way[n] (roughly) meets before
  * any other: it is irredundant. SIZE_MAX: it meets several at once, or none. speed[m]: scratch.
  * Exact. */
-size_t fmb_inside_shoot(const fmb_inside *p, const double *way, const bool *gone, double *speed);
+size_t fmb_interior_point_shoot(const fmb_interior_point *p, const double *way, const bool *gone,
+                                double *speed);
 
 #endif

@@ -1,7 +1,7 @@
 /* nonzero_columns.c: rows in the columns that some of them name; see nonzero_columns.h. */
 #include "lp/redundancy/active_set/nonzero_columns.h"
 
-static bool is_column_named_in_rows(size_t j, size_t m, const fmb_lp_row *row)
+static bool is_column_nonzero_in_rows(size_t j, size_t m, const fmb_lp_row *row)
 {
     for (size_t i = 0; i < m; i++)
         if (row[i].v->s[j] != 0)
@@ -10,7 +10,8 @@ static bool is_column_named_in_rows(size_t j, size_t m, const fmb_lp_row *row)
 }
 
 /* column[0..n]: those, and the right side. */
-static void copy_entries_of_columns(fmb_named *t, const size_t *column, const fmb_lp_row *row)
+static void copy_entries_of_columns(fmb_nonzero_columns *t, const size_t *column,
+                                    const fmb_lp_row *row)
 {
     size_t d = t->n + 1;
     for (size_t i = 0; i < t->m; i++) {
@@ -22,14 +23,15 @@ static void copy_entries_of_columns(fmb_named *t, const size_t *column, const fm
     }
 }
 
-fmb_status fmb_named_open(fmb_named *t, fmb_mem *mem, size_t n, size_t m, const fmb_lp_row *row)
+fmb_status fmb_nonzero_columns_open(fmb_nonzero_columns *t, fmb_mem *mem, size_t n, size_t m,
+                                    const fmb_lp_row *row)
 {
-    *t = (fmb_named){.mem = mem, .m = m};
+    *t = (fmb_nonzero_columns){.mem = mem, .m = m};
     size_t *column = fmb_mem_get(mem, n + 1, sizeof *column);
     if (!column)
         return fmb_mem_status(mem);
     for (size_t j = 0; j < n; j++)
-        if (is_column_named_in_rows(j, m, row))
+        if (is_column_nonzero_in_rows(j, m, row))
             column[t->n++] = j;
     column[t->n] = n;
     t->row = fmb_mem_get(mem, m, sizeof *t->row);
@@ -42,7 +44,7 @@ fmb_status fmb_named_open(fmb_named *t, fmb_mem *mem, size_t n, size_t m, const 
     return got ? FMB_OK : fmb_mem_status(mem);
 }
 
-void fmb_named_clear(fmb_named *t)
+void fmb_nonzero_columns_clear(fmb_nonzero_columns *t)
 {
     fmb_mem_put(t->mem, t->row, t->m, sizeof *t->row);
     fmb_mem_put(t->mem, t->v, t->m, sizeof *t->v);

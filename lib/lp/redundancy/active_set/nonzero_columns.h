@@ -8,17 +8,18 @@
 
 #include "lp/model/row.h"
 
-typedef struct fmb_named {
+typedef struct fmb_nonzero_columns {
     fmb_mem *mem;
     size_t n, m;     /* columns, rows */
     fmb_lp_row *row; /* [m] over n columns */
     fmb_vec *v;      /* [m] */
     int64_t *entry;  /* [m][n + 1] */
-} fmb_named;
+} fmb_nonzero_columns;
 
 /* Rows over n columns, all of them small (num/vec.h). Errors: MEMORY, LIMIT. In any case
- * fmb_named_clear it. */
-fmb_status fmb_named_open(fmb_named *t, fmb_mem *mem, size_t n, size_t m, const fmb_lp_row *row);
-void fmb_named_clear(fmb_named *t);
+ * fmb_nonzero_columns_clear it. */
+fmb_status fmb_nonzero_columns_open(fmb_nonzero_columns *t, fmb_mem *mem, size_t n, size_t m,
+                                    const fmb_lp_row *row);
+void fmb_nonzero_columns_clear(fmb_nonzero_columns *t);
 
 #endif

@@ -9,23 +9,23 @@
 #define MOST_ONE 4096
 #define MOST_ALL ((int64_t)1 << 31)
 
-fmb_status fmb_rounded_init(fmb_rounded *c, fmb_mem *mem, size_t room)
+fmb_status fmb_rounded_proof_init(fmb_rounded_proof *c, fmb_mem *mem, size_t room)
 {
-    *c = (fmb_rounded){.room = room};
+    *c = (fmb_rounded_proof){.room = room};
     c->index = fmb_mem_get(mem, room, sizeof *c->index);
     c->part = fmb_mem_get(mem, room, sizeof *c->part);
     c->unit = fmb_mem_get(mem, room, sizeof *c->unit);
     return c->index && c->part && c->unit ? FMB_OK : fmb_mem_status(mem);
 }
 
-void fmb_rounded_clear(fmb_rounded *c, fmb_mem *mem)
+void fmb_rounded_proof_clear(fmb_rounded_proof *c, fmb_mem *mem)
 {
     fmb_mem_put(mem, c->index, c->room, sizeof *c->index);
     fmb_mem_put(mem, c->part, c->room, sizeof *c->part);
     fmb_mem_put(mem, c->unit, c->room, sizeof *c->unit);
 }
 
-void fmb_rounded_begin(fmb_rounded *c)
+void fmb_rounded_proof_begin(fmb_rounded_proof *c)
 {
     c->size = 0;
     c->all = 1;
@@ -53,7 +53,7 @@ static bool find_simple_fraction(double v, int64_t *p, int64_t *q)
     return true;
 }
 
-bool fmb_rounded_add(fmb_rounded *c, size_t row, double multiplier)
+bool fmb_rounded_proof_add(fmb_rounded_proof *c, size_t row, double multiplier)
 {
     if (!find_simple_fraction(multiplier, &c->part[c->size], &c->unit[c->size]))
         return false;
@@ -64,7 +64,7 @@ bool fmb_rounded_add(fmb_rounded *c, size_t row, double multiplier)
 }
 
 /* Over one denominator; false if the parts become long. */
-static bool write_parts_over_all(fmb_rounded *c)
+static bool write_parts_over_all(fmb_rounded_proof *c)
 {
     for (size_t k = 0; k < c->size; k++)
         if (__builtin_mul_overflow(c->part[k], c->all / c->unit[k], &c->part[k]) ||
@@ -74,7 +74,8 @@ static bool write_parts_over_all(fmb_rounded *c)
 }
 
 /* all (row i) - sum part_k row_k, at entry j. Fewer than 2^8 products of 54 + 62 bits. */
-static fmb_i128 difference_at_entry(const fmb_rounded *c, const fmb_lp_row *row, size_t i, size_t j)
+static fmb_i128 difference_at_entry(const fmb_rounded_proof *c, const fmb_lp_row *row, size_t i,
+                                    size_t j)
 {
     fmb_i128 sum = fmb_i128_product(c->all, row[i].v->s[j]);
     for (size_t k = 0; k < c->size; k++)
@@ -83,7 +84,7 @@ static fmb_i128 difference_at_entry(const fmb_rounded *c, const fmb_lp_row *row,
 }
 
 /* A strict row needs a smaller right side, or a strict row among the parts. */
-bool fmb_rounded_proves(fmb_rounded *c, size_t n, const fmb_lp_row *row, size_t i)
+bool fmb_rounded_proof_holds(fmb_rounded_proof *c, size_t n, const fmb_lp_row *row, size_t i)
 {
     bool strict = false;
     if (!write_parts_over_all(c))

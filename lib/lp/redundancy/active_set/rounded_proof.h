@@ -10,21 +10,21 @@
 #include "lp/model/row.h"
 
 /* Multipliers part[k] / all of rows index[k]. */
-typedef struct fmb_rounded {
+typedef struct fmb_rounded_proof {
     size_t *index;        /* [room] */
     int64_t *part, *unit; /* [room]; unit: own denominators */
     size_t size, room;
     int64_t all;
-} fmb_rounded;
+} fmb_rounded_proof;
 
-/* Room for so many rows. Errors: MEMORY, LIMIT. In any case fmb_rounded_clear it. */
-fmb_status fmb_rounded_init(fmb_rounded *c, fmb_mem *mem, size_t room);
-void fmb_rounded_clear(fmb_rounded *c, fmb_mem *mem);
+/* Room for so many rows. Errors: MEMORY, LIMIT. In any case fmb_rounded_proof_clear it. */
+fmb_status fmb_rounded_proof_init(fmb_rounded_proof *c, fmb_mem *mem, size_t room);
+void fmb_rounded_proof_clear(fmb_rounded_proof *c, fmb_mem *mem);
 /* No rows; one more, at most room of them: false if its multiplier is no simple fraction. */
-void fmb_rounded_begin(fmb_rounded *c);
-bool fmb_rounded_add(fmb_rounded *c, size_t row, double multiplier);
+void fmb_rounded_proof_begin(fmb_rounded_proof *c);
+bool fmb_rounded_proof_add(fmb_rounded_proof *c, size_t row, double multiplier);
 /* Does the combination, which is complete, prove row i of these over n columns: the same
  * coefficients, and no larger a right side? Once. Rows are small (num/vec.h), n <= 200. Exact. */
-bool fmb_rounded_proves(fmb_rounded *c, size_t n, const fmb_lp_row *row, size_t i);
+bool fmb_rounded_proof_holds(fmb_rounded_proof *c, size_t n, const fmb_lp_row *row, size_t i);
 
 #endif

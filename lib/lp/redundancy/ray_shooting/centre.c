@@ -158,7 +158,7 @@ static double solve_for_way(fmb_centre *c, size_t n)
 /* ---- how far along it -------------------------------------------------------------------------
  */
 
-static double way_to_nearest_wall(const fmb_centre *c)
+static double way_to_nearest_row(const fmb_centre *c)
 {
     double most = 0; /* of speed over slack */
     for (size_t i = 0; i < c->m; i++)
@@ -191,7 +191,7 @@ static double slope_at(const fmb_centre *c, double length, double *bend)
 /* Where the barrier and the pull on the last of n columns are least along the way. */
 static double find_best_length(const fmb_centre *c, size_t n, double pull)
 {
-    double low = 0, high = 0.99 * way_to_nearest_wall(c), length = high < 1 ? 0.9 * high : 1;
+    double low = 0, high = 0.99 * way_to_nearest_row(c), length = high < 1 ? 0.9 * high : 1;
     for (int k = 0; k < 6; k++) {
         double bend, slope = slope_at(c, length, &bend) + pull * c->way[n - 1];
         if (slope > 0)

@@ -3,10 +3,10 @@
  * Each point j allows w the half-space w.q_j <= 1; a basis is n points whose walls meet in the
  * vertex w, and the rows of its inverse, turned round, are the edges there. For a new q the dual
  * method walks from vertex to vertex, always up: along the edge that rises most for its length
- * (steepest edge: Goldfarb and Reid 1977, Forrest and Goldfarb 1992), until the next wall. A vertex
- * above 1 is answer enough, and so is one from where no edge rises. A point that is added may cut
- * the vertex off: the primal method then finds one that is left, the highest in a direction that
- * the old one was highest in.
+ * (steepest edge: Goldfarb and Reid 1977, Forrest and Goldfarb 1992), until the next artificial. A
+ * vertex above 1 is answer enough, and so is one from where no edge rises. A point that is added
+ * may cut the vertex off: the primal method then finds one that is left, the highest in a direction
+ * that the old one was highest in.
  */
 #include "lp/redundancy/ray_shooting/membership_private.h"
 
@@ -19,13 +19,13 @@
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
-static fmb_status reserve_hull_points(fmb_gauge *g, size_t capacity);
+static fmb_status reserve_hull_points(fmb_membership *g, size_t capacity);
 
-fmb_status fmb_gauge_init(fmb_gauge *g, fmb_mem *mem, const fmb_kernels *kernels, size_t n,
-                          double cube)
+fmb_status fmb_membership_init(fmb_membership *g, fmb_mem *mem, const fmb_kernels *kernels,
+                               size_t n, double cube)
 {
-    *g = (fmb_gauge){
-        .mem = mem, .kernels = kernels, .n = n, .cube = cube, .zero = FMB_GAUGE_ROUNDING};
+    *g = (fmb_membership){
+        .mem = mem, .kernels = kernels, .n = n, .cube = cube, .zero = FMB_MEMBERSHIP_ROUNDING};
     g->basic = fmb_mem_get(mem, n, sizeof *g->basic);
     g->inverse = fmb_mem_get(mem, n * n, sizeof *g->inverse);
     g->length = fmb_mem_get(mem, n, sizeof *g->length);
@@ -37,11 +37,11 @@ fmb_status fmb_gauge_init(fmb_gauge *g, fmb_mem *mem, const fmb_kernels *kernels
         return fmb_mem_status(mem);
     fmb_status st = reserve_hull_points(g, FIRST_POINTS);
     if (st == FMB_OK)
-        fmb_gauge_start_from_cube(g, NULL);
+        fmb_membership_start_from_cube(g, NULL);
     return st;
 }
 
-static void free_hull_points(fmb_gauge *g)
+static void free_hull_points(fmb_membership *g)
 {
     fmb_mem_put(g->mem, g->at, g->n * g->capacity, sizeof *g->at);
     fmb_mem_put(g->mem, g->name, g->capacity, sizeof *g->name);
@@ -49,7 +49,7 @@ static void free_hull_points(fmb_gauge *g)
     fmb_mem_put(g->mem, g->along, g->capacity, sizeof *g->along);
 }
 
-void fmb_gauge_clear(fmb_gauge *g)
+void fmb_membership_clear(fmb_membership *g)
 {
     size_t n = g->n;
     if (!g->mem)
@@ -66,9 +66,9 @@ void fmb_gauge_clear(fmb_gauge *g)
 }
 
 /* Points lie by coordinate, so each coordinate moves. */
-static fmb_status reserve_hull_points(fmb_gauge *g, size_t capacity)
+static fmb_status reserve_hull_points(fmb_membership *g, size_t capacity)
 {
-    fmb_gauge old = *g;
+    fmb_membership old = *g;
     g->capacity = capacity;
     g->at = fmb_mem_get(g->mem, g->n * capacity, sizeof *g->at);
     g->name = fmb_mem_get(g->mem, capacity, sizeof *g->name);
@@ -92,7 +92,7 @@ static fmb_status reserve_hull_points(fmb_gauge *g, size_t capacity)
 
 /* ---- questions ------------------------------------------------------------------------------- */
 
-fmb_status fmb_gauge_add(fmb_gauge *g, const double *q, size_t name)
+fmb_status fmb_membership_add(fmb_membership *g, const double *q, size_t name)
 {
     fmb_status st = FMB_OK;
     if (g->size == g->capacity)
@@ -103,17 +103,17 @@ fmb_status fmb_gauge_add(fmb_gauge *g, const double *q, size_t name)
         g->at[k * g->capacity + g->size] = q[k];
     g->name[g->size] = name;
     g->size++;
-    fmb_gauge_reduce_points(g, g->size - 1);
+    fmb_membership_reduce_points(g, g->size - 1);
     return FMB_OK;
 }
 
-void fmb_gauge_forget(fmb_gauge *g)
+void fmb_membership_forget(fmb_membership *g)
 {
     size_t left = 0;
     for (size_t j = 0; j < g->size; j++)
         g->along[j] = 0;
     for (size_t r = 0; r < g->n; r++)
-        if (!fmb_gauge_is_wall(g->basic[r]))
+        if (!fmb_membership_is_artificial(g->basic[r]))
             g->along[g->basic[r]] = 1;
     for (size_t j = 0; j < g->size; j++) {
         if (g->along[j] == 0)
@@ -126,29 +126,30 @@ void fmb_gauge_forget(fmb_gauge *g)
         g->name[left++] = g->name[j];
     }
     g->size = left;
-    fmb_gauge_reduce_points(g, 0);
+    fmb_membership_reduce_points(g, 0);
 }
 
-void fmb_gauge_resize_cube(fmb_gauge *g, double cube)
+void fmb_membership_resize_cube(fmb_membership *g, double cube)
 {
     g->cube = cube;
-    fmb_gauge_start_from_cube(g, NULL);
+    fmb_membership_start_from_cube(g, NULL);
 }
 
 /* Once more from the cube if the search is stuck: errors may have gathered. */
-fmb_status fmb_gauge_ask(fmb_gauge *g, const double *q, fmb_run *run, fmb_side_of_hull *out)
+fmb_status fmb_membership_ask(fmb_membership *g, const double *q, fmb_run *run,
+                              fmb_side_of_hull *out)
 {
     fmb_status st = FMB_OK;
     *out = FMB_HULL_NONE;
     for (int tries = 0; st == FMB_OK && *out == FMB_HULL_NONE && tries < 2; tries++) {
         bool done;
         if (tries > 0)
-            fmb_gauge_start_from_cube(g, q);
+            fmb_membership_start_from_cube(g, q);
         else if (g->pivots > STALE)
-            fmb_gauge_refresh(g);
-        st = fmb_gauge_return(g, run, &done);
+            fmb_membership_refresh(g);
+        st = fmb_membership_run_primal(g, run, &done);
         if (st == FMB_OK && done)
-            st = fmb_gauge_climb(g, q, run, out);
+            st = fmb_membership_run_dual(g, q, run, out);
     }
     return st;
 }

@@ -1,9 +1,9 @@
 /* membership.h: how much must a hull be blown up until a point lies in it? In doubles: a guess.
  *
- * Points q_j of n numbers span a hull, together with the origin. The gauge of a point q (Minkowski)
- * is the least sum of z >= 0 with sum_j z_j q_j = q; q lies in the hull if that is 1 at most. By
- * duality it is the greatest w.q of all w with w.q_j <= 1 for every j. A basis of n points gives a
- * vertex w of these; for another q the search goes on from there.
+ * Points q_j of n numbers span a hull, together with the origin. The membership of a point q
+ * (Minkowski) is the least sum of z >= 0 with sum_j z_j q_j = q; q lies in the hull if that is 1 at
+ * most. By duality it is the greatest w.q of all w with w.q_j <= 1 for every j. A basis of n points
+ * gives a vertex w of these; for another q the search goes on from there.
  */
 #ifndef FMB_LP_MEMBERSHIP_H
 #define FMB_LP_MEMBERSHIP_H
@@ -20,7 +20,7 @@ typedef enum fmb_side_of_hull {
 
 /* Points are numbered as they come. So that there always is a vertex, w stays in a large cube as
  * well: its walls are points, too, and have no number. */
-typedef struct fmb_gauge {
+typedef struct fmb_membership {
     fmb_mem *mem;
     const fmb_kernels *kernels;
     size_t n, size, capacity;
@@ -38,22 +38,23 @@ typedef struct fmb_gauge {
     double *entry;   /* [n] scratch: a point, written in the basis */
     double *work;    /* [n][2 n] scratch */
     size_t pivots;   /* since the basis was inverted afresh */
-} fmb_gauge;
+} fmb_membership;
 
-/* No points, of n numbers. Errors: MEMORY, LIMIT. In any case fmb_gauge_clear it. */
-fmb_status fmb_gauge_init(fmb_gauge *g, fmb_mem *mem, const fmb_kernels *kernels, size_t n,
-                          double cube);
-void fmb_gauge_clear(fmb_gauge *g);
+/* No points, of n numbers. Errors: MEMORY, LIMIT. In any case fmb_membership_clear it. */
+fmb_status fmb_membership_init(fmb_membership *g, fmb_mem *mem, const fmb_kernels *kernels,
+                               size_t n, double cube);
+void fmb_membership_clear(fmb_membership *g);
 
 /* Add a point. Errors: MEMORY, LIMIT. */
-fmb_status fmb_gauge_add(fmb_gauge *g, const double *q, size_t name);
+fmb_status fmb_membership_add(fmb_membership *g, const double *q, size_t name);
 /* Drop all points but those of the basis. */
-void fmb_gauge_forget(fmb_gauge *g);
+void fmb_membership_forget(fmb_membership *g);
 /* Take another cube; the search starts afresh. */
-void fmb_gauge_resize_cube(fmb_gauge *g, double cube);
+void fmb_membership_resize_cube(fmb_membership *g, double cube);
 /* Is q in the hull? run may be NULL. Errors: LIMIT. */
-fmb_status fmb_gauge_ask(fmb_gauge *g, const double *q, fmb_run *run, fmb_side_of_hull *out);
-/* The caller's name of the point at place r of the basis; SIZE_MAX: a wall. */
-size_t fmb_gauge_name(const fmb_gauge *g, size_t r);
+fmb_status fmb_membership_ask(fmb_membership *g, const double *q, fmb_run *run,
+                              fmb_side_of_hull *out);
+/* The caller's name of the point at place r of the basis; SIZE_MAX: a artificial. */
+size_t fmb_membership_name(const fmb_membership *g, size_t r);
 
 #endif

@@ -4,15 +4,15 @@
 #include <math.h>
 #include <string.h>
 
-size_t fmb_gauge_name(const fmb_gauge *g, size_t r)
+size_t fmb_membership_name(const fmb_membership *g, size_t r)
 {
-    return fmb_gauge_is_wall(g->basic[r]) ? SIZE_MAX : g->name[g->basic[r]];
+    return fmb_membership_is_artificial(g->basic[r]) ? SIZE_MAX : g->name[g->basic[r]];
 }
 
 /* ---- the basis ------------------------------------------------------------------------------- */
 
 /* w is where all basic walls meet: w.q_j = 1. */
-static void find_vertex(fmb_gauge *g)
+static void find_vertex(fmb_membership *g)
 {
     size_t n = g->n;
     memset(g->w, 0, n * sizeof *g->w);
@@ -21,7 +21,7 @@ static void find_vertex(fmb_gauge *g)
             g->w[k] += g->inverse[r * n + k];
 }
 
-void fmb_gauge_reduce_points(fmb_gauge *g, size_t from)
+void fmb_membership_reduce_points(fmb_membership *g, size_t from)
 {
     for (size_t j = from; j < g->size; j++)
         g->reduced[j] = 1;
@@ -30,7 +30,7 @@ void fmb_gauge_reduce_points(fmb_gauge *g, size_t from)
             g->kernels->accumulate(&g->reduced[from], &g->at[k * g->capacity + from],
                                    g->size - from, -g->w[k]);
     for (size_t r = 0; r < g->n; r++)
-        if (!fmb_gauge_is_wall(g->basic[r]) && g->basic[r] >= from)
+        if (!fmb_membership_is_artificial(g->basic[r]) && g->basic[r] >= from)
             g->reduced[g->basic[r]] = 0;
 }
 
@@ -47,33 +47,34 @@ static double dot_product(const double *a, const double *b, size_t n)
     return sum[0] + sum[1] + (sum[2] + sum[3]);
 }
 
-static void measure_edges(fmb_gauge *g)
+static void measure_edges(fmb_membership *g)
 {
     for (size_t r = 0; r < g->n; r++)
         g->length[r] = dot_product(&g->inverse[r * g->n], &g->inverse[r * g->n], g->n);
 }
 
-void fmb_gauge_start_from_cube(fmb_gauge *g, const double *q)
+void fmb_membership_start_from_cube(fmb_membership *g, const double *q)
 {
     memset(g->inverse, 0, g->n * g->n * sizeof *g->inverse);
     for (size_t k = 0; k < g->n; k++) {
         bool mirrored = q && q[k] < 0;
-        g->basic[k] = FMB_GAUGE_WALLS + 2 * k + mirrored;
+        g->basic[k] = FMB_MEMBERSHIP_ARTIFICIALS + 2 * k + mirrored;
         g->inverse[k * g->n + k] = mirrored ? -g->cube : g->cube;
     }
     g->pivots = 0;
     find_vertex(g);
     measure_edges(g);
-    fmb_gauge_reduce_points(g, 0);
+    fmb_membership_reduce_points(g, 0);
 }
 
-void fmb_gauge_write(fmb_gauge *g, size_t j)
+void fmb_membership_write(fmb_membership *g, size_t j)
 {
     size_t n = g->n;
     double *point = g->work;
-    if (fmb_gauge_is_wall(j)) {
+    if (fmb_membership_is_artificial(j)) {
         for (size_t r = 0; r < n; r++)
-            g->entry[r] = g->inverse[r * n + fmb_wall_axis(j)] * fmb_wall_coordinate(g, j);
+            g->entry[r] = g->inverse[r * n + fmb_membership_artificial_axis(j)] *
+                          fmb_membership_artificial_coordinate(g, j);
         return;
     }
     for (size_t k = 0; k < n; k++)
@@ -82,13 +83,13 @@ void fmb_gauge_write(fmb_gauge *g, size_t j)
         g->entry[r] = dot_product(&g->inverse[r * n], point, n);
 }
 
-void fmb_gauge_find_values(fmb_gauge *g, const double *q)
+void fmb_membership_find_values(fmb_membership *g, const double *q)
 {
     for (size_t r = 0; r < g->n; r++)
         g->value[r] = dot_product(&g->inverse[r * g->n], q, g->n);
 }
 
-void fmb_gauge_price(fmb_gauge *g, size_t r)
+void fmb_membership_price(fmb_membership *g, size_t r)
 {
     const double *row = &g->inverse[r * g->n];
     memset(g->along, 0, g->size * sizeof *g->along);
@@ -97,7 +98,7 @@ void fmb_gauge_price(fmb_gauge *g, size_t r)
             g->kernels->accumulate(g->along, &g->at[k * g->capacity], g->size, row[k]);
 }
 
-void fmb_gauge_exchange(fmb_gauge *g, size_t r, size_t j, double gap)
+void fmb_membership_pivot(fmb_membership *g, size_t r, size_t j, double gap)
 {
     size_t n = g->n, old = g->basic[r];
     double *row = &g->inverse[r * n], pivot = g->entry[r], way = gap / pivot;
@@ -118,30 +119,31 @@ void fmb_gauge_exchange(fmb_gauge *g, size_t r, size_t j, double gap)
     }
     g->value[r] = value;
     g->basic[r] = j;
-    if (!fmb_gauge_is_wall(j))
+    if (!fmb_membership_is_artificial(j))
         g->reduced[j] = 0;
-    if (!fmb_gauge_is_wall(old))
+    if (!fmb_membership_is_artificial(old))
         g->reduced[old] = -way;
     g->pivots++;
 }
 
 /* ---- the inverse afresh ---------------------------------------------------------------------- */
 
-static void load_basis_matrix(fmb_gauge *g)
+static void load_basis_matrix(fmb_membership *g)
 {
     size_t n = g->n, wide = 2 * n;
     memset(g->work, 0, n * wide * sizeof *g->work);
     for (size_t r = 0; r < n; r++) { /* points are the columns */
         size_t j = g->basic[r];
-        if (fmb_gauge_is_wall(j))
-            g->work[fmb_wall_axis(j) * wide + r] = fmb_wall_coordinate(g, j);
-        for (size_t k = 0; !fmb_gauge_is_wall(j) && k < n; k++)
+        if (fmb_membership_is_artificial(j))
+            g->work[fmb_membership_artificial_axis(j) * wide + r] =
+                fmb_membership_artificial_coordinate(g, j);
+        for (size_t k = 0; !fmb_membership_is_artificial(j) && k < n; k++)
             g->work[k * wide + r] = g->at[k * g->capacity + j];
         g->work[r * wide + n + r] = 1;
     }
 }
 
-static void swap_work_rows(fmb_gauge *g, size_t a, size_t b)
+static void swap_work_rows(fmb_membership *g, size_t a, size_t b)
 {
     size_t wide = 2 * g->n;
     for (size_t k = 0; a != b && k < wide; k++) {
@@ -151,7 +153,7 @@ static void swap_work_rows(fmb_gauge *g, size_t a, size_t b)
     }
 }
 
-static size_t find_pivot_row(const fmb_gauge *g, size_t c)
+static size_t find_pivot_row(const fmb_membership *g, size_t c)
 {
     size_t best = c, wide = 2 * g->n;
     for (size_t r = c; r < g->n; r++)
@@ -161,14 +163,14 @@ static size_t find_pivot_row(const fmb_gauge *g, size_t c)
 }
 
 /* Gauss and Jordan. False if the basis is singular. */
-static bool invert_basis_matrix(fmb_gauge *g)
+static bool invert_basis_matrix(fmb_membership *g)
 {
     size_t n = g->n, wide = 2 * n;
     load_basis_matrix(g);
     for (size_t c = 0; c < n; c++) {
         swap_work_rows(g, c, find_pivot_row(g, c));
         double *row = &g->work[c * wide], pivot = row[c];
-        if (!(fabs(pivot) > FMB_GAUGE_ROUNDING / g->cube))
+        if (!(fabs(pivot) > FMB_MEMBERSHIP_ROUNDING / g->cube))
             return false;
         for (size_t k = c; k < wide; k++)
             row[k] /= pivot;
@@ -183,14 +185,14 @@ static bool invert_basis_matrix(fmb_gauge *g)
     return true;
 }
 
-void fmb_gauge_refresh(fmb_gauge *g)
+void fmb_membership_refresh(fmb_membership *g)
 {
     if (!invert_basis_matrix(g)) {
-        fmb_gauge_start_from_cube(g, NULL);
+        fmb_membership_start_from_cube(g, NULL);
         return;
     }
     g->pivots = 0;
     find_vertex(g);
     measure_edges(g);
-    fmb_gauge_reduce_points(g, 0);
+    fmb_membership_reduce_points(g, 0);
 }

@@ -10,7 +10,7 @@
 /* ---- the dual method: up along edges --------------------------------------------------------- */
 
 /* The place whose edge rises most for its length. */
-static size_t find_steepest_rise(const fmb_gauge *g)
+static size_t find_steepest_rise(const fmb_membership *g)
 {
     size_t best = SIZE_MAX;
     double most = 0;
@@ -24,54 +24,56 @@ static size_t find_steepest_rise(const fmb_gauge *g)
     return best;
 }
 
-/* The wall, of points and of the cube, that an edge meets first; of those that are met nearly at
- * once, the one that is met most squarely. */
-typedef struct first_wall {
-    size_t wall;
+/* The artificial, of points and of the cube, that an edge meets first; of those that are met nearly
+ * at once, the one that is met most squarely. */
+typedef struct first_artificial {
+    size_t artificial;
     double gap, along;
-} first_wall;
+} first_artificial;
 
-static double cube_gap(const fmb_gauge *g, size_t j)
+static double cube_gap(const fmb_membership *g, size_t j)
 {
-    return 1 - g->w[fmb_wall_axis(j)] * fmb_wall_coordinate(g, j);
+    return 1 - g->w[fmb_membership_artificial_axis(j)] * fmb_membership_artificial_coordinate(g, j);
 }
 
-static double cube_along(const fmb_gauge *g, size_t r, size_t j)
+static double cube_along(const fmb_membership *g, size_t r, size_t j)
 {
-    return g->inverse[r * g->n + fmb_wall_axis(j)] * fmb_wall_coordinate(g, j);
+    return g->inverse[r * g->n + fmb_membership_artificial_axis(j)] *
+           fmb_membership_artificial_coordinate(g, j);
 }
 
 /* How far the edge goes if walls may be passed by as little as rounding errors: rates of approach
  * are counted from `least` on. */
-static double find_longest_step(const fmb_gauge *g, size_t r, double least)
+static double find_longest_step(const fmb_membership *g, size_t r, double least)
 {
     double step = INFINITY;
     for (size_t j = 0; j < g->size; j++)
-        if (g->along[j] < -least && g->reduced[j] + FMB_GAUGE_ROUNDING < step * -g->along[j])
-            step = (g->reduced[j] + FMB_GAUGE_ROUNDING) / -g->along[j];
-    for (size_t j = FMB_GAUGE_WALLS; j < FMB_GAUGE_WALLS + 2 * g->n; j++) {
+        if (g->along[j] < -least && g->reduced[j] + FMB_MEMBERSHIP_ROUNDING < step * -g->along[j])
+            step = (g->reduced[j] + FMB_MEMBERSHIP_ROUNDING) / -g->along[j];
+    for (size_t j = FMB_MEMBERSHIP_ARTIFICIALS; j < FMB_MEMBERSHIP_ARTIFICIALS + 2 * g->n; j++) {
         double along = cube_along(g, r, j);
-        if (along < -least / g->cube && cube_gap(g, j) + FMB_GAUGE_ROUNDING < step * -along)
-            step = (cube_gap(g, j) + FMB_GAUGE_ROUNDING) / -along;
+        if (along < -least / g->cube && cube_gap(g, j) + FMB_MEMBERSHIP_ROUNDING < step * -along)
+            step = (cube_gap(g, j) + FMB_MEMBERSHIP_ROUNDING) / -along;
     }
     return step;
 }
 
-static first_wall find_first_wall(const fmb_gauge *g, size_t r)
+static first_artificial find_first_artificial(const fmb_membership *g, size_t r)
 {
     double least = LEAST_PIVOT * sqrt(g->length[r]), step = find_longest_step(g, r, least);
-    first_wall f = {SIZE_MAX, 0, -least};
+    first_artificial f = {SIZE_MAX, 0, -least};
     for (size_t j = 0; j < g->size; j++)
         if (g->along[j] < f.along && g->reduced[j] <= step * -g->along[j])
-            f = (first_wall){j, g->reduced[j], g->along[j]};
-    for (size_t j = FMB_GAUGE_WALLS; f.wall == SIZE_MAX && j < FMB_GAUGE_WALLS + 2 * g->n; j++)
+            f = (first_artificial){j, g->reduced[j], g->along[j]};
+    for (size_t j = FMB_MEMBERSHIP_ARTIFICIALS;
+         f.artificial == SIZE_MAX && j < FMB_MEMBERSHIP_ARTIFICIALS + 2 * g->n; j++)
         if (cube_along(g, r, j) < -least / g->cube && cube_gap(g, j) <= step * -cube_along(g, r, j))
-            f = (first_wall){j, cube_gap(g, j), cube_along(g, r, j)};
+            f = (first_artificial){j, cube_gap(g, j), cube_along(g, r, j)};
     f.gap = f.gap > 0 ? f.gap : 0;
     return f;
 }
 
-static double sum_of_values(const fmb_gauge *g)
+static double sum_of_values(const fmb_membership *g)
 {
     double sum = 0;
     for (size_t r = 0; r < g->n; r++)
@@ -79,13 +81,14 @@ static double sum_of_values(const fmb_gauge *g)
     return sum;
 }
 
-fmb_status fmb_gauge_climb(fmb_gauge *g, const double *q, fmb_run *run, fmb_side_of_hull *out)
+fmb_status fmb_membership_run_dual(fmb_membership *g, const double *q, fmb_run *run,
+                                   fmb_side_of_hull *out)
 {
     fmb_status st = FMB_OK;
     *out = FMB_HULL_NONE;
-    fmb_gauge_find_values(g, q);
+    fmb_membership_find_values(g, q);
     for (size_t steps = 0; st == FMB_OK && steps < 64 + 16 * g->n; steps++) {
-        if (sum_of_values(g) > 1 + FMB_GAUGE_ROUNDING) {
+        if (sum_of_values(g) > 1 + FMB_MEMBERSHIP_ROUNDING) {
             *out = FMB_HULL_OUTSIDE;
             return FMB_OK;
         }
@@ -94,12 +97,12 @@ fmb_status fmb_gauge_climb(fmb_gauge *g, const double *q, fmb_run *run, fmb_side
             *out = FMB_HULL_INSIDE;
             return FMB_OK;
         }
-        fmb_gauge_price(g, r);
-        first_wall f = find_first_wall(g, r);
-        if (f.wall == SIZE_MAX)
+        fmb_membership_price(g, r);
+        first_artificial f = find_first_artificial(g, r);
+        if (f.artificial == SIZE_MAX)
             return FMB_OK;
-        fmb_gauge_write(g, f.wall);
-        fmb_gauge_exchange(g, r, f.wall, f.gap);
+        fmb_membership_write(g, f.artificial);
+        fmb_membership_pivot(g, r, f.artificial, f.gap);
         st = run ? fmb_run_poll(run) : FMB_OK;
     }
     return st;
@@ -107,17 +110,17 @@ fmb_status fmb_gauge_climb(fmb_gauge *g, const double *q, fmb_run *run, fmb_side
 
 /* ---- the primal method: back behind new walls ------------------------------------------------ */
 
-/* The wall, of points and of the cube, that w is farthest beyond. */
-static size_t find_most_broken_wall(const fmb_gauge *g, double *gap)
+/* The artificial, of points and of the cube, that w is farthest beyond. */
+static size_t find_most_broken_artificial(const fmb_membership *g, double *gap)
 {
     size_t best = SIZE_MAX;
-    *gap = -FMB_GAUGE_ROUNDING;
+    *gap = -FMB_MEMBERSHIP_ROUNDING;
     for (size_t j = 0; j < g->size; j++)
         if (g->reduced[j] < *gap) {
             *gap = g->reduced[j];
             best = j;
         }
-    for (size_t j = FMB_GAUGE_WALLS; j < FMB_GAUGE_WALLS + 2 * g->n; j++)
+    for (size_t j = FMB_MEMBERSHIP_ARTIFICIALS; j < FMB_MEMBERSHIP_ARTIFICIALS + 2 * g->n; j++)
         if (cube_gap(g, j) < *gap) {
             *gap = cube_gap(g, j);
             best = j;
@@ -126,10 +129,11 @@ static size_t find_most_broken_wall(const fmb_gauge *g, double *gap)
 }
 
 /* The basic point that comes down to 0 first when j, just written, goes up. */
-static size_t find_leaving_point(const fmb_gauge *g, size_t j)
+static size_t find_leaving_point(const fmb_membership *g, size_t j)
 {
     size_t best = SIZE_MAX;
-    double room = INFINITY, least = fmb_gauge_is_wall(j) ? LEAST_PIVOT / g->cube : LEAST_PIVOT;
+    double room = INFINITY,
+           least = fmb_membership_is_artificial(j) ? LEAST_PIVOT / g->cube : LEAST_PIVOT;
     for (size_t r = 0; r < g->n; r++)
         if (g->entry[r] > least * sqrt(g->length[r]) && g->value[r] < room * g->entry[r]) {
             room = g->value[r] / g->entry[r];
@@ -139,7 +143,7 @@ static size_t find_leaving_point(const fmb_gauge *g, size_t j)
 }
 
 /* A target that w is the highest vertex for: a sum of all basic points, no two of them alike. */
-static void aim_at_vertex(fmb_gauge *g)
+static void aim_at_vertex(fmb_membership *g)
 {
     uint32_t h = 1;
     for (size_t r = 0; r < g->n; r++) {
@@ -148,23 +152,23 @@ static void aim_at_vertex(fmb_gauge *g)
     }
 }
 
-fmb_status fmb_gauge_return(fmb_gauge *g, fmb_run *run, bool *done)
+fmb_status fmb_membership_run_primal(fmb_membership *g, fmb_run *run, bool *done)
 {
     fmb_status st = FMB_OK;
     aim_at_vertex(g);
     *done = false;
     for (size_t steps = 0; st == FMB_OK && steps < 64 + 16 * g->n; steps++) {
         double gap;
-        size_t j = find_most_broken_wall(g, &gap);
+        size_t j = find_most_broken_artificial(g, &gap);
         *done = j == SIZE_MAX;
         if (*done)
             return FMB_OK;
-        fmb_gauge_write(g, j);
+        fmb_membership_write(g, j);
         size_t r = find_leaving_point(g, j);
         if (r == SIZE_MAX)
             return FMB_OK;
-        fmb_gauge_price(g, r);
-        fmb_gauge_exchange(g, r, j, gap);
+        fmb_membership_price(g, r);
+        fmb_membership_pivot(g, r, j, gap);
         st = run ? fmb_run_poll(run) : FMB_OK;
     }
     return st;

@@ -11,7 +11,7 @@
 /* ---- life -------------------------------------------------------------------------------------
  */
 
-static fmb_status list_named_columns(fmb_polar *p)
+static fmb_status list_nonzero_columns(fmb_polar_points *p)
 {
     p->column = fmb_mem_get(p->mem, p->n, sizeof *p->column);
     if (!p->column)
@@ -25,18 +25,18 @@ static fmb_status list_named_columns(fmb_polar *p)
     return FMB_OK;
 }
 
-static fmb_status allocate_polar(fmb_polar *p)
+static fmb_status allocate_points(fmb_polar_points *p)
 {
     fmb_mem *mem = p->mem;
     size_t d = p->d;
-    size_t blocks = p->blocks = (p->m + FMB_POLAR_BLOCK - 1) / FMB_POLAR_BLOCK;
+    size_t blocks = p->blocks = (p->m + FMB_SPATIAL_BLOCK - 1) / FMB_SPATIAL_BLOCK;
     p->exponent = fmb_mem_get(mem, d, sizeof *p->exponent);
     p->order = fmb_mem_get(mem, p->m, sizeof *p->order);
     p->place = fmb_mem_get(mem, p->m, sizeof *p->place);
     p->middle = fmb_mem_get(mem, d * blocks, sizeof *p->middle);
     p->radius = fmb_mem_get(mem, blocks, sizeof *p->radius);
     p->reach = fmb_mem_get(mem, blocks, sizeof *p->reach);
-    p->sight = fmb_mem_get(mem, d * p->m, sizeof *p->sight);
+    p->point_at = fmb_mem_get(mem, d * p->m, sizeof *p->point_at);
     p->round = fmb_mem_get(mem, d * p->m, sizeof *p->round);
     p->size = fmb_mem_get(mem, p->m, sizeof *p->size);
     p->half = fmb_mem_get(mem, d * d, sizeof *p->half);
@@ -44,11 +44,11 @@ static fmb_status allocate_polar(fmb_polar *p)
     for (size_t k = 0; p->x && k < d; k++)
         mpz_init(p->x[k]);
     bool blocked = p->order && p->place && p->middle && p->radius && p->reach;
-    bool seen = p->sight && p->round && p->size && p->half;
+    bool seen = p->point_at && p->round && p->size && p->half;
     return blocked && seen && p->exponent && p->x ? FMB_OK : fmb_mem_status(mem);
 }
 
-void fmb_polar_clear(fmb_polar *p)
+void fmb_polar_points_clear(fmb_polar_points *p)
 {
     fmb_mem *mem = p->mem;
     size_t d = p->d;
@@ -63,7 +63,7 @@ void fmb_polar_clear(fmb_polar *p)
     fmb_mem_put(mem, p->middle, d * p->blocks, sizeof *p->middle);
     fmb_mem_put(mem, p->radius, p->blocks, sizeof *p->radius);
     fmb_mem_put(mem, p->reach, p->blocks, sizeof *p->reach);
-    fmb_mem_put(mem, p->sight, d * p->m, sizeof *p->sight);
+    fmb_mem_put(mem, p->point_at, d * p->m, sizeof *p->point_at);
     fmb_mem_put(mem, p->round, d * p->m, sizeof *p->round);
     fmb_mem_put(mem, p->size, p->m, sizeof *p->size);
     fmb_mem_put(mem, p->half, d * d, sizeof *p->half);
@@ -85,7 +85,7 @@ static double scaled_entry(const fmb_vec *v, size_t j, int exponent)
 }
 
 /* The least e with |entry| < 2^e for all coefficients. */
-static int coefficient_bits(const fmb_polar *p, size_t i)
+static int coefficient_bits(const fmb_polar_points *p, size_t i)
 {
     const fmb_vec *v = p->row[i].v;
     size_t bits = 0;
@@ -98,7 +98,7 @@ static int coefficient_bits(const fmb_polar *p, size_t i)
 
 /* Rows of length about 1, columns with a largest entry of about 1. False if a right side is beyond
  * doubles. */
-static bool load_scaled_rows(fmb_polar *p, fmb_centre *c)
+static bool load_scaled_rows(fmb_polar_points *p, fmb_centre *c)
 {
     for (size_t i = 0; i < p->m; i++) {
         int bits = coefficient_bits(p, i);
@@ -149,7 +149,7 @@ static int places_needed(const fmb_centre *c)
 
 /* x / 2^shift = the centre, rounded. Column k counts 2^exponent[k], so its x as much less. False
  * if that is beyond doubles. */
-static bool round_centre(fmb_polar *p, const fmb_centre *c)
+static bool round_centre(fmb_polar_points *p, const fmb_centre *c)
 {
     int places = places_needed(c);
     p->shift = 0;
@@ -167,7 +167,7 @@ static bool round_centre(fmb_polar *p, const fmb_centre *c)
     return true;
 }
 
-void fmb_polar_slack(const fmb_polar *p, size_t i, mpz_t slack, mpz_t t)
+void fmb_polar_points_slack(const fmb_polar_points *p, size_t i, mpz_t slack, mpz_t t)
 {
     const fmb_vec *v = p->row[i].v;
     fmb_vec_get(v, p->n, slack);
@@ -182,20 +182,20 @@ void fmb_polar_slack(const fmb_polar *p, size_t i, mpz_t slack, mpz_t t)
 
 /* 2^(shift + more) / slack of row i, to two roundings if it is a normal number; 0 where the point
  * is not strictly inside of it. */
-static double inverse_slack(const fmb_polar *p, size_t i, int more, mpz_t slack, mpz_t t)
+static double inverse_slack(const fmb_polar_points *p, size_t i, int more, mpz_t slack, mpz_t t)
 {
     long bits;
-    fmb_polar_slack(p, i, slack, t);
+    fmb_polar_points_slack(p, i, slack, t);
     if (mpz_sgn(slack) <= 0)
         return 0;
     double head = mpz_get_d_2exp(&bits, slack);
     return ldexp(1 / head, p->shift + more - (int)bits);
 }
 
-/* The polar points, by row; false where the point is not strictly inside, or numbers are too large
+/* The points points, by row; false where the point is not strictly inside, or numbers are too large
  * or too small: then no entry of a row that is not 0 is taken for 0, and what underflows in an
  * entry is less than 2^-594 of the length, which itself is rounded like a sum. */
-static bool see_rows(fmb_polar *p)
+static bool see_rows(fmb_polar_points *p)
 {
     bool inside = true;
     mpz_t slack, t;
@@ -207,7 +207,7 @@ static bool see_rows(fmb_polar *p)
             double a = scaled_entry(p->row[i].v, p->column[k], bits);
             inside &= a != 0 || fmb_vec_sgn(p->row[i].v, p->column[k]) == 0;
             a = ldexp(a, -p->exponent[k]) * inverse;
-            p->sight[k * p->m + i] = a;
+            p->point_at[k * p->m + i] = a;
             square += a * a;
         }
         p->size[i] = sqrt(square);
@@ -217,11 +217,11 @@ static bool see_rows(fmb_polar *p)
     return inside;
 }
 
-/* round = half^-1 sight. */
-static void make_round(fmb_polar *p)
+/* round = half^-1 point_at. */
+static void make_round(fmb_polar_points *p)
 {
     size_t d = p->d;
-    memcpy(p->round, p->sight, d * p->m * sizeof *p->round);
+    memcpy(p->round, p->point_at, d * p->m * sizeof *p->round);
     for (size_t j = 0; j < d; j++) {
         double *row = &p->round[j * p->m], by = 1 / p->half[j * d + j];
         for (size_t k = 0; k < j; k++)
@@ -232,7 +232,7 @@ static void make_round(fmb_polar *p)
     }
 }
 
-static fmb_status look_from_centre(fmb_polar *p, fmb_run *run, fmb_centre *c, bool *inside)
+static fmb_status look_from_centre(fmb_polar_points *p, fmb_run *run, fmb_centre *c, bool *inside)
 {
     fmb_status st = fmb_centre_init(c, p->mem, p->d, p->m);
     if (st != FMB_OK || !load_scaled_rows(p, c))
@@ -245,21 +245,21 @@ static fmb_status look_from_centre(fmb_polar *p, fmb_run *run, fmb_centre *c, bo
         for (size_t k = 0; k <= j; k++)
             p->half[j * p->d + k] = c->half[j * (c->n + 1) + k];
     if (*inside) {
-        fmb_polar_arrange(p);
+        fmb_polar_points_arrange(p);
         make_round(p);
     }
     return FMB_OK;
 }
 
-fmb_status fmb_polar_open(fmb_polar *p, fmb_run *run, size_t n, size_t m, const fmb_lp_row *row,
-                          bool *inside)
+fmb_status fmb_polar_points_open(fmb_polar_points *p, fmb_run *run, size_t n, size_t m,
+                                 const fmb_lp_row *row, bool *inside)
 {
     fmb_centre c = {0};
-    *p = (fmb_polar){.mem = run->mem, .kernels = run->kernels, .n = n, .m = m, .row = row};
+    *p = (fmb_polar_points){.mem = run->mem, .kernels = run->kernels, .n = n, .m = m, .row = row};
     *inside = false;
-    fmb_status st = list_named_columns(p);
+    fmb_status st = list_nonzero_columns(p);
     if (st == FMB_OK)
-        st = allocate_polar(p);
+        st = allocate_points(p);
     for (size_t i = 0; st == FMB_OK && i < m; i++)
         if (row[i].rel == FMB_EQ)
             return FMB_OK;
@@ -269,21 +269,21 @@ fmb_status fmb_polar_open(fmb_polar *p, fmb_run *run, size_t n, size_t m, const 
     return st;
 }
 
-void fmb_polar_hide(fmb_polar *p, size_t i)
+void fmb_polar_points_hide(fmb_polar_points *p, size_t i)
 {
     size_t at = p->place[i];
     for (size_t k = 0; k < p->d; k++)
-        p->sight[k * p->m + at] = p->round[k * p->m + at] = 0;
+        p->point_at[k * p->m + at] = p->round[k * p->m + at] = 0;
     p->size[at] = 0;
 }
 
-void fmb_polar_round_point(const fmb_polar *p, size_t i, double *q)
+void fmb_polar_points_round_point(const fmb_polar_points *p, size_t i, double *q)
 {
     for (size_t k = 0; k < p->d; k++)
         q[k] = p->round[k * p->m + p->place[i]];
 }
 
-void fmb_polar_point(const fmb_polar *p, mpq_t *x)
+void fmb_polar_points_point(const fmb_polar_points *p, mpq_t *x)
 {
     for (size_t j = 0; j < p->n; j++)
         mpq_set_ui(x[j], 0, 1);

@@ -10,7 +10,7 @@
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
-fmb_status fmb_ray_init(fmb_ray *r, fmb_mem *mem, const fmb_polar *p)
+fmb_status fmb_ray_init(fmb_ray *r, fmb_mem *mem, const fmb_polar_points *p)
 {
     size_t d = p->d;
     *r = (fmb_ray){.mem = mem, .p = p, .hit = SIZE_MAX};
@@ -46,10 +46,10 @@ void fmb_ray_clear(fmb_ray *r)
 /* ---- rays -------------------------------------------------------------------------------------
  */
 
-/* way . round = scaled . sight: scaled = half^-T way. */
+/* way . round = scaled . point_at: scaled = half^-T way. */
 static void turn_to_scaled_columns(fmb_ray *r, const double *way)
 {
-    const fmb_polar *p = r->p;
+    const fmb_polar_points *p = r->p;
     size_t d = p->d;
     for (size_t j = d; j-- > 0;) {
         double sum = way[j];
@@ -63,7 +63,7 @@ static void turn_to_scaled_columns(fmb_ray *r, const double *way)
  * False if it is 0, or so large or small that rates might overflow or underflow. */
 static bool round_direction(fmb_ray *r, int bits)
 {
-    const fmb_polar *p = r->p;
+    const fmb_polar_points *p = r->p;
     double most = 0;
     int top, least = 0;
     for (size_t k = 0; k < p->d; k++)
@@ -112,20 +112,21 @@ static double largest_rate_bound(const fmb_ray *r, size_t from, size_t to, doubl
 
 static size_t end_of_block(const fmb_ray *r, size_t b)
 {
-    return (b + 1) * FMB_POLAR_BLOCK < r->p->m ? (b + 1) * FMB_POLAR_BLOCK : r->p->m;
+    return (b + 1) * FMB_SPATIAL_BLOCK < r->p->m ? (b + 1) * FMB_SPATIAL_BLOCK : r->p->m;
 }
 
 /* If a block reaches far enough, find its rates, and from them its bound; sure: some rate is at
  * least that. */
 static void look_at_block(fmb_ray *r, size_t b, double error, double *sure)
 {
-    const fmb_polar *p = r->p;
-    size_t from = b * FMB_POLAR_BLOCK, to = end_of_block(r, b);
+    const fmb_polar_points *p = r->p;
+    size_t from = b * FMB_SPATIAL_BLOCK, to = end_of_block(r, b);
     if (r->bound[b] <= 0 || r->bound[b] < *sure)
         return;
     memset(&r->rate[from], 0, (to - from) * sizeof *r->rate);
     for (size_t k = 0; k < p->d; k++)
-        p->kernels->accumulate(&r->rate[from], &p->sight[k * p->m + from], to - from, r->scaled[k]);
+        p->kernels->accumulate(&r->rate[from], &p->point_at[k * p->m + from], to - from,
+                               r->scaled[k]);
     r->bound[b] = largest_rate_bound(r, from, to, error);
     if (r->bound[b] > *sure)
         *sure = larger_of(*sure, largest_rate_bound(r, from, to, -error));
@@ -134,7 +135,7 @@ static void look_at_block(fmb_ray *r, size_t b, double error, double *sure)
 /* Of a block that was looked at, the rows that may be the first; false if they are too many. */
 static bool try_rows_of_block(fmb_ray *r, size_t b, double error, double sure)
 {
-    for (size_t at = b * FMB_POLAR_BLOCK; at < end_of_block(r, b); at++) {
+    for (size_t at = b * FMB_SPATIAL_BLOCK; at < end_of_block(r, b); at++) {
         double most = rate_bound(r, at, error);
         if (most < sure || most <= 0)
             r->rest = larger_of(r->rest, most);
@@ -149,7 +150,7 @@ static bool try_rows_of_block(fmb_ray *r, size_t b, double error, double sure)
 /* No rate in a block is larger than its bound; the block with the largest. */
 static size_t bound_blocks(fmb_ray *r, double length, double error)
 {
-    const fmb_polar *p = r->p;
+    const fmb_polar_points *p = r->p;
     size_t best = 0;
     memset(r->bound, 0, p->blocks * sizeof *r->bound);
     for (size_t k = 0; k < p->d; k++)
@@ -165,7 +166,7 @@ static size_t bound_blocks(fmb_ray *r, double length, double error)
  * entries, four roundings; of the sum, one for each. */
 static bool list_first_rows(fmb_ray *r)
 {
-    const fmb_polar *p = r->p;
+    const fmb_polar_points *p = r->p;
     double square = 0, sure = 0;
     for (size_t k = 0; k < p->d; k++)
         square += r->scaled[k] * r->scaled[k];
@@ -189,11 +190,11 @@ static bool list_first_rows(fmb_ray *r)
 /* The exact time at which the ray meets row i; false if it never does. */
 static bool exact_time(const fmb_ray *r, size_t i, mpq_t time)
 {
-    const fmb_polar *p = r->p;
+    const fmb_polar_points *p = r->p;
     mpz_ptr slack = mpq_numref(time), speed = mpq_denref(time);
     mpz_t t;
     mpz_init(t);
-    fmb_polar_slack(p, i, slack, t);
+    fmb_polar_points_slack(p, i, slack, t);
     mpz_mul_2exp(slack, slack, (mp_bitcnt_t)(r->unit > 0 ? r->unit : 0));
     mpz_set_ui(speed, 0);
     for (size_t k = 0; k < p->d; k++) {
@@ -323,13 +324,13 @@ static void find_time_between(mpq_t time, const mpq_t low, const mpq_t high, boo
 
 void fmb_ray_beyond(fmb_ray *r, mpq_t *x)
 {
-    const fmb_polar *p = r->p;
+    const fmb_polar_points *p = r->p;
     mpq_t low, high, time;
     mpq_inits(low, high, time, NULL);
     exact_time(r, r->hit, low);
     bool bounded = next_time(r, high);
     find_time_between(time, low, high, bounded);
-    fmb_polar_point(p, x);
+    fmb_polar_points_point(p, x);
     if (r->unit > 0)
         mpq_div_2exp(time, time, (mp_bitcnt_t)r->unit);
     else

@@ -1,4 +1,4 @@
-/* ray.h: a ray from the point of a polar: which row it meets first, and points behind that.
+/* ray.h: a ray from the point of a points: which row it meets first, and points behind that.
  *
  * In direction w, row i is met at the time 1 / (w.p_i), so before all others if w.p_i is the
  * largest. Such a row is irredundant, since just behind it lies a point that breaks it and no
@@ -15,7 +15,7 @@
 
 typedef struct fmb_ray {
     fmb_mem *mem;
-    const fmb_polar *p;
+    const fmb_polar_points *p;
     mpz_t *way; /* [d] its direction: way / 2^unit */
     int unit;
     double *scaled; /* [d] the same in scaled columns */
@@ -29,7 +29,7 @@ typedef struct fmb_ray {
 } fmb_ray;
 
 /* p must outlive r. Errors: MEMORY, LIMIT. In any case fmb_ray_clear it. */
-fmb_status fmb_ray_init(fmb_ray *r, fmb_mem *mem, const fmb_polar *p);
+fmb_status fmb_ray_init(fmb_ray *r, fmb_mem *mem, const fmb_polar_points *p);
 void fmb_ray_clear(fmb_ray *r);
 
 /* The row that a ray in direction way[d], in round coordinates, meets first: of several at once,

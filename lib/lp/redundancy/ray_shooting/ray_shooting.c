@@ -18,108 +18,108 @@ enum { GROUP = 1024 };
 
 #define MOST_WORK 2e8
 
-bool fmb_sieve_is_affordable(size_t n, size_t m)
+bool fmb_ray_shooting_is_affordable(size_t n, size_t m)
 {
     return (double)n * (double)n * (double)m <= MOST_WORK;
 }
 
-fmb_status fmb_sieve_open(fmb_sieve *s, fmb_run *run, size_t n, size_t m, const fmb_lp_row *row,
-                          bool *inner)
+fmb_status fmb_ray_shooting_open(fmb_ray_shooting *s, fmb_run *run, size_t n, size_t m,
+                                 const fmb_lp_row *row, bool *inner)
 {
-    *s = (fmb_sieve){.run = run};
-    return fmb_polar_open(&s->polar, run, n, m, row, inner);
+    *s = (fmb_ray_shooting){.run = run};
+    return fmb_polar_points_open(&s->points, run, n, m, row, inner);
 }
 
-void fmb_sieve_close(fmb_sieve *s)
+void fmb_ray_shooting_close(fmb_ray_shooting *s)
 {
     if (s->run)
-        fmb_polar_clear(&s->polar);
+        fmb_polar_points_clear(&s->points);
     s->run = NULL;
 }
 
-static fmb_status sift_rows(const fmb_sieve *s, fmb_run *run, fmb_fate *fate,
+static fmb_status sort_rows(const fmb_ray_shooting *s, fmb_run *run, fmb_fate *fate,
                             const fmb_verdicts *told, size_t from, size_t to)
 {
-    fmb_sifter sifter;
-    fmb_status st = fmb_sifter_init(&sifter, run, &s->polar, fate, told);
+    fmb_ray_sorter sorter;
+    fmb_status st = fmb_ray_sorter_init(&sorter, run, &s->points, fate, told);
     if (st == FMB_OK)
-        st = fmb_sift(&sifter, from, to);
-    fmb_sifter_clear(&sifter);
+        st = fmb_ray_sorter_sort(&sorter, from, to);
+    fmb_ray_sorter_clear(&sorter);
     return st;
 }
 
 /* ---- together -------------------------------------------------------------------------------- */
 
-typedef struct sifting {
-    const fmb_sieve *s;
-    fmb_findings *found; /* [groups] */
-} sifting;
+typedef struct sort_job {
+    const fmb_ray_shooting *s;
+    fmb_result_log *found; /* [groups] */
+} sort_job;
 
 /* With fates of its own, which begin as they are. */
-static fmb_status sift_group(void *self, size_t number, fmb_run *run)
+static fmb_status sort_group(void *self, size_t number, fmb_run *run)
 {
-    const sifting *all = self;
-    const fmb_sieve *s = all->s;
-    fmb_findings *found = &all->found[number];
-    size_t m = s->polar.m, from = number * GROUP, to = from + GROUP < m ? from + GROUP : m;
+    const sort_job *all = self;
+    const fmb_ray_shooting *s = all->s;
+    fmb_result_log *found = &all->found[number];
+    size_t m = s->points.m, from = number * GROUP, to = from + GROUP < m ? from + GROUP : m;
     fmb_fate *fate = fmb_mem_get(run->mem, m, sizeof *fate);
     const fmb_verdicts *told = s->told ? &found->listener : NULL;
-    fmb_findings_begin(found, run->mem, s->polar.n);
+    fmb_result_log_begin(found, run->mem, s->points.n);
     if (!fate)
         return fmb_mem_status(run->mem);
     memcpy(fate, s->fate, m * sizeof *fate);
-    fmb_status st = sift_rows(s, run, fate, told, from, to);
+    fmb_status st = sort_rows(s, run, fate, told, from, to);
     for (size_t i = 0; (st == FMB_OK || st == FMB_LIMIT) && !told && i < m; i++)
         if (fate[i] != s->fate[i])
-            st = fmb_findings_note(found, i, fate[i]) == FMB_OK ? st : FMB_ERR_MEMORY;
+            st = fmb_result_log_note(found, i, fate[i]) == FMB_OK ? st : FMB_ERR_MEMORY;
     fmb_mem_put(run->mem, fate, m, sizeof *fate);
     return st;
 }
 
 /* Tells what was found, in order, then says what went wrong first. */
-static fmb_status sift_all_groups(fmb_sieve *s, fmb_findings *found, size_t groups)
+static fmb_status sort_all_groups(fmb_ray_shooting *s, fmb_result_log *found, size_t groups)
 {
     fmb_team team;
-    sifting all = {s, found};
+    sort_job all = {s, found};
     fmb_status st = FMB_OK, worst = fmb_team_open(&team, s->run, groups);
     bool begun = worst == FMB_OK;
     if (begun)
-        worst = fmb_team_do(&team, groups, sift_group, &all);
+        worst = fmb_team_do(&team, groups, sort_group, &all);
     for (size_t k = 0; begun && k < groups; k++) {
         if (st == FMB_OK)
-            st = fmb_findings_tell(&found[k], s->fate, s->told);
-        fmb_findings_end(&found[k]);
+            st = fmb_result_log_tell(&found[k], s->fate, s->told);
+        fmb_result_log_end(&found[k]);
     }
     fmb_team_close(&team);
     return st != FMB_OK ? st : worst;
 }
 
-static fmb_status sift_together(fmb_sieve *s, size_t groups)
+static fmb_status sort_together(fmb_ray_shooting *s, size_t groups)
 {
     fmb_mem *mem = s->run->mem;
-    fmb_findings *found = fmb_mem_zero(mem, groups, sizeof *found);
+    fmb_result_log *found = fmb_mem_zero(mem, groups, sizeof *found);
     if (!found)
         return fmb_mem_status(mem);
-    fmb_status st = sift_all_groups(s, found, groups);
+    fmb_status st = sort_all_groups(s, found, groups);
     fmb_mem_put(mem, found, groups, sizeof *found);
     return st;
 }
 
 /* ---- all rows -------------------------------------------------------------------------------- */
 
-fmb_status fmb_sieve_sort(fmb_sieve *s, fmb_fate *fate, const fmb_verdicts *told)
+fmb_status fmb_ray_shooting_sort(fmb_ray_shooting *s, fmb_fate *fate, const fmb_verdicts *told)
 {
-    const fmb_polar *p = &s->polar;
+    const fmb_polar_points *p = &s->points;
     size_t groups = (p->m + GROUP - 1) / GROUP;
     s->fate = fate;
     s->told = told;
-    fmb_status st = fmb_drop_twins(s->run, p->n, p->m, p->row, fate, told);
+    fmb_status st = fmb_drop_parallel_rows(s->run, p->n, p->m, p->row, fate, told);
     if (st != FMB_OK)
         return st;
     for (size_t i = 0; i < p->m; i++)
         if (fate[i] == FMB_FATE_REDUNDANT)
-            fmb_polar_hide(&s->polar, i);
+            fmb_polar_points_hide(&s->points, i);
     if (s->run->threads > 1 && groups > 1)
-        return sift_together(s, groups);
-    return sift_rows(s, s->run, fate, told, 0, p->m);
+        return sort_together(s, groups);
+    return sort_rows(s, s->run, fate, told, 0, p->m);
 }

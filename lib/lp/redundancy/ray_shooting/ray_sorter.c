@@ -17,56 +17,57 @@
 /* Values below are taken for 0, and are tried for what they are if that fails. */
 #define NEARLY_NONE 1e-9
 #define LOOK_CLOSER 1e-14
-/* The cube of the gauge; how much larger it becomes when a wall of it is needed, and how large. */
+/* The cube of the membership; how much larger it becomes when a artificial of it is needed, and how
+ * large. */
 #define FIRST_CUBE  64.0
 #define LARGER_CUBE 64.0
 #define LAST_CUBE   0x1p42
 /* Vertices that are looked at as fast as a ray is shot, beside those that it looks at itself. */
 #define MANY_KNOWN 1024
 /* With more vertices than that, a test looks at those near the row. */
-#define MOST_AWAKE(d) (64 + 5 * (d))
+#define MOST_ACTIVE(d) (64 + 5 * (d))
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
-fmb_status fmb_sifter_init(fmb_sifter *s, fmb_run *run, const fmb_polar *polar, fmb_fate *fate,
-                           const fmb_verdicts *told)
+fmb_status fmb_ray_sorter_init(fmb_ray_sorter *s, fmb_run *run, const fmb_polar_points *points,
+                               fmb_fate *fate, const fmb_verdicts *told)
 {
     fmb_mem *mem = run->mem;
-    size_t d = polar->d;
-    *s = (fmb_sifter){.run = run, .polar = polar, .fate = fate, .told = told};
-    s->awake = fmb_mem_zero(mem, polar->m, sizeof *s->awake);
+    size_t d = points->d;
+    *s = (fmb_ray_sorter){.run = run, .points = points, .fate = fate, .told = told};
+    s->is_active = fmb_mem_zero(mem, points->m, sizeof *s->is_active);
     s->target = fmb_mem_get(mem, d, sizeof *s->target);
     s->support = fmb_mem_get(mem, d, sizeof *s->support);
-    if (!s->awake || !s->target || !s->support)
+    if (!s->is_active || !s->target || !s->support)
         return fmb_mem_status(mem);
-    fmb_status st = fmb_gauge_init(&s->gauge, mem, run->kernels, d, FIRST_CUBE);
+    fmb_status st = fmb_membership_init(&s->membership, mem, run->kernels, d, FIRST_CUBE);
     if (st == FMB_OK)
-        st = fmb_ray_init(&s->ray, mem, polar);
+        st = fmb_ray_init(&s->ray, mem, points);
     if (st == FMB_OK)
-        st = fmb_combination_init(&s->combination, mem, polar->n, polar->row);
-    return st == FMB_OK ? fmb_rationals_new(&s->x, polar->n, mem) : st;
+        st = fmb_combination_init(&s->combination, mem, points->n, points->row);
+    return st == FMB_OK ? fmb_rationals_new(&s->x, points->n, mem) : st;
 }
 
-static void free_known_rows(fmb_sifter *s)
+static void free_known_rows(fmb_ray_sorter *s)
 {
     fmb_mem *mem = s->run->mem;
     fmb_mem_put(mem, s->name, s->capacity, sizeof *s->name);
-    fmb_mem_put(mem, s->at, s->polar->d * s->capacity, sizeof *s->at);
+    fmb_mem_put(mem, s->at, s->points->d * s->capacity, sizeof *s->at);
     fmb_mem_put(mem, s->score, s->capacity, sizeof *s->score);
 }
 
-void fmb_sifter_clear(fmb_sifter *s)
+void fmb_ray_sorter_clear(fmb_ray_sorter *s)
 {
     if (!s->run)
         return;
     fmb_mem *mem = s->run->mem;
-    size_t d = s->polar->d;
+    size_t d = s->points->d;
     free_known_rows(s);
-    fmb_mem_put(mem, s->awake, s->polar->m, sizeof *s->awake);
+    fmb_mem_put(mem, s->is_active, s->points->m, sizeof *s->is_active);
     fmb_mem_put(mem, s->target, d, sizeof *s->target);
     fmb_mem_put(mem, s->support, d, sizeof *s->support);
-    fmb_rationals_free(s->x, s->polar->n, mem);
-    fmb_gauge_clear(&s->gauge);
+    fmb_rationals_free(s->x, s->points->n, mem);
+    fmb_membership_clear(&s->membership);
     fmb_ray_clear(&s->ray);
     fmb_combination_clear(&s->combination);
     s->run = NULL;
@@ -75,11 +76,11 @@ void fmb_sifter_clear(fmb_sifter *s)
 /* ---- vertices known ---------------------------------------------------------------------------
  */
 
-static fmb_status reserve_known_rows(fmb_sifter *s, size_t capacity)
+static fmb_status reserve_known_rows(fmb_ray_sorter *s, size_t capacity)
 {
     fmb_mem *mem = s->run->mem;
-    size_t d = s->polar->d;
-    fmb_sifter old = *s;
+    size_t d = s->points->d;
+    fmb_ray_sorter old = *s;
     s->capacity = capacity;
     s->name = fmb_mem_get(mem, capacity, sizeof *s->name);
     s->at = fmb_mem_get(mem, d * capacity, sizeof *s->at);
@@ -98,39 +99,39 @@ static fmb_status reserve_known_rows(fmb_sifter *s, size_t capacity)
     return FMB_OK;
 }
 
-static void aim_at_point(fmb_sifter *s, size_t i)
+static void aim_at_point(fmb_ray_sorter *s, size_t i)
 {
-    fmb_polar_round_point(s->polar, i, s->target);
+    fmb_polar_points_round_point(s->points, i, s->target);
 }
 
-/* Into the gauge, if there is room; at the cost of points that are not in its basis. */
-static fmb_status wake_row(fmb_sifter *s, size_t i)
+/* Into the membership, if there is room; at the cost of points that are not in its basis. */
+static fmb_status activate_row(fmb_ray_sorter *s, size_t i)
 {
     double point[256], *q = point;
-    size_t d = s->polar->d;
-    if (s->awake[i])
+    size_t d = s->points->d;
+    if (s->is_active[i])
         return FMB_OK;
     if (d > sizeof point / sizeof *point)
         q = fmb_mem_get(s->run->mem, d, sizeof *q);
     if (!q)
         return fmb_mem_status(s->run->mem);
-    if (s->gauge.size >= MOST_AWAKE(d)) {
-        for (size_t j = 0; j < s->gauge.size; j++)
-            s->awake[s->gauge.name[j]] = false;
-        fmb_gauge_forget(&s->gauge);
-        for (size_t j = 0; j < s->gauge.size; j++)
-            s->awake[s->gauge.name[j]] = true;
+    if (s->membership.size >= MOST_ACTIVE(d)) {
+        for (size_t j = 0; j < s->membership.size; j++)
+            s->is_active[s->membership.name[j]] = false;
+        fmb_membership_forget(&s->membership);
+        for (size_t j = 0; j < s->membership.size; j++)
+            s->is_active[s->membership.name[j]] = true;
     }
-    fmb_polar_round_point(s->polar, i, q);
-    s->awake[i] = true;
-    fmb_status st = fmb_gauge_add(&s->gauge, q, i);
+    fmb_polar_points_round_point(s->points, i, q);
+    s->is_active[i] = true;
+    fmb_status st = fmb_membership_add(&s->membership, q, i);
     if (q != point)
         fmb_mem_put(s->run->mem, q, d, sizeof *q);
     return st;
 }
 
 /* The last ray met row i alone. */
-static fmb_status keep_row(fmb_sifter *s, size_t i)
+static fmb_status keep_row(fmb_ray_sorter *s, size_t i)
 {
     fmb_status st = FMB_OK;
     s->fate[i] = FMB_FATE_KEPT;
@@ -142,24 +143,25 @@ static fmb_status keep_row(fmb_sifter *s, size_t i)
         st = reserve_known_rows(s, s->capacity == 0 ? 64 : 2 * s->capacity);
     if (st != FMB_OK)
         return st;
-    for (size_t k = 0; k < s->polar->d; k++)
-        s->at[k * s->capacity + s->known] = s->polar->round[k * s->polar->m + s->polar->place[i]];
+    for (size_t k = 0; k < s->points->d; k++)
+        s->at[k * s->capacity + s->known] =
+            s->points->round[k * s->points->m + s->points->place[i]];
     s->name[s->known++] = i;
-    return wake_row(s, i);
+    return activate_row(s, i);
 }
 
 /* ---- one row ----------------------------------------------------------------------------------
  */
 
 /* score = the target times each known vertex; the largest. */
-static double score_known_rows(fmb_sifter *s)
+static double score_known_rows(fmb_ray_sorter *s)
 {
     double most[4] = {0};
     size_t j = 0;
     if (s->known == 0)
         return 0;
     memset(s->score, 0, s->known * sizeof *s->score);
-    for (size_t k = 0; k < s->polar->d; k++)
+    for (size_t k = 0; k < s->points->d; k++)
         s->run->kernels->accumulate(s->score, &s->at[k * s->capacity], s->known, s->target[k]);
     for (; j + 4 <= s->known; j += 4)
         for (size_t k = 0; k < 4; k++)
@@ -171,17 +173,17 @@ static double score_known_rows(fmb_sifter *s)
 
 /* Is the target farther in its own direction than all known vertices? Where they are many, a ray
  * finds out sooner. */
-static bool does_target_stick_out(fmb_sifter *s)
+static bool does_target_stick_out(fmb_ray_sorter *s)
 {
     double square = 0;
-    if (s->known > MANY_KNOWN + 2 * s->polar->blocks)
+    if (s->known > MANY_KNOWN + 2 * s->points->blocks)
         return true;
-    for (size_t k = 0; k < s->polar->d; k++)
+    for (size_t k = 0; k < s->points->d; k++)
         square += s->target[k] * s->target[k];
     return square > 0 && square > (1 + NEARLY_NONE) * score_known_rows(s);
 }
 
-static fmb_status tell_of_combination(fmb_sifter *s, size_t i)
+static fmb_status tell_of_combination(fmb_ray_sorter *s, size_t i)
 {
     const fmb_combination *c = &s->combination;
     fmb_status st = FMB_OK;
@@ -203,23 +205,24 @@ static fmb_status tell_of_combination(fmb_sifter *s, size_t i)
     return st;
 }
 
-/* Does the sum that reaches the target need a wall of the cube? */
-static bool is_cube_needed(const fmb_sifter *s)
+/* Does the sum that reaches the target need a artificial of the cube? */
+static bool is_cube_needed(const fmb_ray_sorter *s)
 {
-    for (size_t r = 0; r < s->polar->d; r++)
-        if (fmb_gauge_name(&s->gauge, r) == SIZE_MAX && s->gauge.value[r] > NEARLY_NONE)
+    for (size_t r = 0; r < s->points->d; r++)
+        if (fmb_membership_name(&s->membership, r) == SIZE_MAX &&
+            s->membership.value[r] > NEARLY_NONE)
             return true;
     return false;
 }
 
 /* Prove row i by the points of the basis that have more than this. */
-static fmb_status prove_by_basis(fmb_sifter *s, size_t i, double least)
+static fmb_status prove_by_basis(fmb_ray_sorter *s, size_t i, double least)
 {
     size_t size = 0;
     bool found;
-    for (size_t r = 0; r < s->polar->d; r++) {
-        size_t j = fmb_gauge_name(&s->gauge, r);
-        if (j != SIZE_MAX && s->gauge.value[r] > least)
+    for (size_t r = 0; r < s->points->d; r++) {
+        size_t j = fmb_membership_name(&s->membership, r);
+        if (j != SIZE_MAX && s->membership.value[r] > least)
             s->support[size++] = j;
     }
     fmb_status st = fmb_combine(&s->combination, s->run, i, s->support, size, &found);
@@ -229,7 +232,7 @@ static fmb_status prove_by_basis(fmb_sifter *s, size_t i, double least)
     return tell_of_combination(s, i);
 }
 
-static fmb_status prove_implied(fmb_sifter *s, size_t i)
+static fmb_status prove_implied(fmb_ray_sorter *s, size_t i)
 {
     fmb_status st = prove_by_basis(s, i, NEARLY_NONE);
     if (st == FMB_OK && s->fate[i] == FMB_FATE_UNKNOWN)
@@ -237,58 +240,58 @@ static fmb_status prove_implied(fmb_sifter *s, size_t i)
     return st;
 }
 
-/* The gauge says that row i is implied. If no proof comes of it, values that were taken for 0 may
- * have been negative. */
-static fmb_status prove_or_look_closer(fmb_sifter *s, size_t i, fmb_side_of_hull *side)
+/* The membership says that row i is implied. If no proof comes of it, values that were taken for 0
+ * may have been negative. */
+static fmb_status prove_or_look_closer(fmb_ray_sorter *s, size_t i, fmb_side_of_hull *side)
 {
-    double zero = s->gauge.zero;
+    double zero = s->membership.zero;
     fmb_status st = prove_implied(s, i);
     if (st != FMB_OK || s->fate[i] != FMB_FATE_UNKNOWN)
         return st;
-    s->gauge.zero = LOOK_CLOSER;
-    st = fmb_gauge_ask(&s->gauge, s->target, s->run, side);
-    s->gauge.zero = zero;
+    s->membership.zero = LOOK_CLOSER;
+    st = fmb_membership_ask(&s->membership, s->target, s->run, side);
+    s->membership.zero = zero;
     return st == FMB_OK && *side == FMB_HULL_INSIDE ? prove_implied(s, i) : st;
 }
 
-/* Shoot; *progress: a row not known or not awake so far was met. */
-static fmb_status shoot_for_vertex(fmb_sifter *s, const double *way, bool *progress)
+/* Shoot; *progress: a row not known or not is_active so far was met. */
+static fmb_status shoot_for_vertex(fmb_ray_sorter *s, const double *way, bool *progress)
 {
     size_t hit = fmb_ray_shoot(&s->ray, way, true);
-    if (hit == SIZE_MAX || s->awake[hit])
+    if (hit == SIZE_MAX || s->is_active[hit])
         hit = fmb_ray_shoot(&s->ray, way, false);
-    *progress = hit != SIZE_MAX && !s->awake[hit];
+    *progress = hit != SIZE_MAX && !s->is_active[hit];
     if (hit == SIZE_MAX)
         return FMB_OK;
     if (s->fate[hit] == FMB_FATE_UNKNOWN)
         return keep_row(s, hit);
-    return wake_row(s, hit);
+    return activate_row(s, hit);
 }
 
-/* Ask the gauge about row i, and act upon what it says. */
-static fmb_status ask_about_row(fmb_sifter *s, size_t i, bool *progress)
+/* Ask the membership about row i, and act upon what it says. */
+static fmb_status ask_about_row(fmb_ray_sorter *s, size_t i, bool *progress)
 {
     fmb_side_of_hull side;
-    fmb_status st = fmb_gauge_ask(&s->gauge, s->target, s->run, &side);
+    fmb_status st = fmb_membership_ask(&s->membership, s->target, s->run, &side);
     *progress = false;
     while (st == FMB_OK && side == FMB_HULL_INSIDE && is_cube_needed(s) &&
-           s->gauge.cube < LAST_CUBE) {
-        fmb_gauge_resize_cube(&s->gauge, LARGER_CUBE * s->gauge.cube);
-        st = fmb_gauge_ask(&s->gauge, s->target, s->run, &side);
+           s->membership.cube < LAST_CUBE) {
+        fmb_membership_resize_cube(&s->membership, LARGER_CUBE * s->membership.cube);
+        st = fmb_membership_ask(&s->membership, s->target, s->run, &side);
     }
     if (st == FMB_OK && side == FMB_HULL_INSIDE)
         st = prove_or_look_closer(s, i, &side);
     if (st != FMB_OK || side == FMB_HULL_NONE || s->fate[i] != FMB_FATE_UNKNOWN)
         return st;
-    return shoot_for_vertex(s, s->gauge.w, progress);
+    return shoot_for_vertex(s, s->membership.w, progress);
 }
 
 /* Most vertices are farther in their own directions than those known by then. */
-static fmb_status shoot_along_normals(fmb_sifter *s, size_t from, size_t to)
+static fmb_status shoot_along_normals(fmb_ray_sorter *s, size_t from, size_t to)
 {
     fmb_status st = FMB_OK;
     for (size_t at = from; st == FMB_OK && at < to; at++) {
-        size_t i = s->polar->order[at];
+        size_t i = s->points->order[at];
         bool progress;
         aim_at_point(s, i);
         if (s->fate[i] == FMB_FATE_UNKNOWN && does_target_stick_out(s))
@@ -299,7 +302,7 @@ static fmb_status shoot_along_normals(fmb_sifter *s, size_t from, size_t to)
     return st;
 }
 
-static fmb_status sift_one_row(fmb_sifter *s, size_t i)
+static fmb_status sort_one_row(fmb_ray_sorter *s, size_t i)
 {
     fmb_status st = FMB_OK;
     bool progress = true;
@@ -309,11 +312,11 @@ static fmb_status sift_one_row(fmb_sifter *s, size_t i)
     return st == FMB_OK ? fmb_run_poll(s->run) : st;
 }
 
-fmb_status fmb_sift(fmb_sifter *s, size_t from, size_t to)
+fmb_status fmb_ray_sorter_sort(fmb_ray_sorter *s, size_t from, size_t to)
 {
     fmb_status st = shoot_along_normals(s, from, to);
     for (size_t at = from; st == FMB_OK && at < to; at++)
-        if (s->fate[s->polar->order[at]] == FMB_FATE_UNKNOWN)
-            st = sift_one_row(s, s->polar->order[at]);
+        if (s->fate[s->points->order[at]] == FMB_FATE_UNKNOWN)
+            st = sort_one_row(s, s->points->order[at]);
     return st;
 }

@@ -1,4 +1,4 @@
-/* ray_sorter.h: the rows at some places of a polar, each kept or dropped; see ray_shooting.h. */
+/* ray_sorter.h: the rows at some places of a points, each kept or dropped; see ray_shooting.h. */
 #ifndef FMB_LP_RAY_SORTER_H
 #define FMB_LP_RAY_SORTER_H
 
@@ -7,31 +7,31 @@
 #include "lp/redundancy/ray_shooting/membership.h"
 #include "lp/redundancy/ray_shooting/ray.h"
 
-typedef struct fmb_sifter {
+typedef struct fmb_ray_sorter {
     fmb_run *run;
-    const fmb_polar *polar;
+    const fmb_polar_points *points;
     fmb_ray ray;
-    fmb_gauge gauge; /* of rows known to be irredundant, some of them if there are many */
+    fmb_membership membership; /* of rows known to be irredundant, some of them if there are many */
     fmb_combination combination;
     fmb_fate *fate;           /* [m] the caller's */
     const fmb_verdicts *told; /* the caller's, or NULL */
     size_t known, capacity;   /* rows known to be irredundant */
     size_t *name;             /* [capacity] the rows */
-    double *at;               /* [d][capacity] their polar points, in round coordinates */
+    double *at;               /* [d][capacity] their points points, in round coordinates */
     double *score;            /* [capacity] scratch */
-    bool *awake;              /* [m] in the gauge */
+    bool *is_active;          /* [m] in the membership */
     double *target;           /* [d] the row at hand */
     size_t *support;          /* [d] scratch */
     mpq_t *x;                 /* [n] scratch */
-} fmb_sifter;
+} fmb_ray_sorter;
 
 /* fate[m] is UNKNOWN for rows that are asked about. Errors: MEMORY, LIMIT. In any case
- * fmb_sifter_clear it. */
-fmb_status fmb_sifter_init(fmb_sifter *s, fmb_run *run, const fmb_polar *polar, fmb_fate *fate,
-                           const fmb_verdicts *told);
-void fmb_sifter_clear(fmb_sifter *s);
+ * fmb_ray_sorter_clear it. */
+fmb_status fmb_ray_sorter_init(fmb_ray_sorter *s, fmb_run *run, const fmb_polar_points *points,
+                               fmb_fate *fate, const fmb_verdicts *told);
+void fmb_ray_sorter_clear(fmb_ray_sorter *s);
 /* The rows at places from, ..., to - 1 become KEPT or REDUNDANT, or stay UNKNOWN, which few do;
  * others may become KEPT. On LIMIT the fates set so far hold. Errors: MEMORY, LIMIT. */
-fmb_status fmb_sift(fmb_sifter *s, size_t from, size_t to);
+fmb_status fmb_ray_sorter_sort(fmb_ray_sorter *s, size_t from, size_t to);
 
 #endif

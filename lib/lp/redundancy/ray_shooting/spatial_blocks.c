@@ -1,4 +1,4 @@
-/* spatial_blocks.c: polar points in an order in which neighbours are near each other; see
+/* spatial_blocks.c: points points in an order in which neighbours are near each other; see
  * polar_points.h.
  *
  * Points are split in two along the axis on which they are spread most, and each half again (a k-d
@@ -10,12 +10,12 @@
 #include "lp/redundancy/ray_shooting/polar_points.h"
 
 /* Coordinate k of the point that stands at a place. */
-static double coordinate_at(const fmb_polar *p, size_t k, size_t at)
+static double coordinate_at(const fmb_polar_points *p, size_t k, size_t at)
 {
-    return p->sight[k * p->m + p->order[at]];
+    return p->point_at[k * p->m + p->order[at]];
 }
 
-static size_t find_widest_axis(const fmb_polar *p, size_t from, size_t to)
+static size_t find_widest_axis(const fmb_polar_points *p, size_t from, size_t to)
 {
     size_t widest = 0;
     double most = -1;
@@ -34,7 +34,7 @@ static size_t find_widest_axis(const fmb_polar *p, size_t from, size_t to)
     return widest;
 }
 
-static void swap_places(fmb_polar *p, size_t a, size_t b)
+static void swap_places(fmb_polar_points *p, size_t a, size_t b)
 {
     size_t t = p->order[a];
     p->order[a] = p->order[b];
@@ -42,7 +42,8 @@ static void swap_places(fmb_polar *p, size_t a, size_t b)
 }
 
 /* Smaller coordinates before the place `middle`, larger ones behind it (Hoare 1961, Find). */
-static void select_by_coordinate(fmb_polar *p, size_t k, size_t from, size_t to, size_t middle)
+static void select_by_coordinate(fmb_polar_points *p, size_t k, size_t from, size_t to,
+                                 size_t middle)
 {
     while (to - from > 1) {
         double pivot = coordinate_at(p, k, from + (to - from) / 2);
@@ -68,31 +69,31 @@ static void select_by_coordinate(fmb_polar *p, size_t k, size_t from, size_t to,
     }
 }
 
-static void split_points(fmb_polar *p, size_t from, size_t to)
+static void split_points(fmb_polar_points *p, size_t from, size_t to)
 {
-    size_t blocks = (to - from + FMB_POLAR_BLOCK - 1) / FMB_POLAR_BLOCK;
+    size_t blocks = (to - from + FMB_SPATIAL_BLOCK - 1) / FMB_SPATIAL_BLOCK;
     if (blocks < 2)
         return;
-    size_t middle = from + blocks / 2 * FMB_POLAR_BLOCK;
+    size_t middle = from + blocks / 2 * FMB_SPATIAL_BLOCK;
     select_by_coordinate(p, find_widest_axis(p, from, to), from, to, middle);
     split_points(p, from, middle);
     split_points(p, middle, to);
 }
 
 /* A ball around the mean, larger than its rounding errors. */
-static void enclose_block(fmb_polar *p, size_t b)
+static void enclose_block(fmb_polar_points *p, size_t b)
 {
-    size_t from = b * FMB_POLAR_BLOCK;
-    size_t to = from + FMB_POLAR_BLOCK < p->m ? from + FMB_POLAR_BLOCK : p->m;
-    double most = 0, square[FMB_POLAR_BLOCK] = {0};
+    size_t from = b * FMB_SPATIAL_BLOCK;
+    size_t to = from + FMB_SPATIAL_BLOCK < p->m ? from + FMB_SPATIAL_BLOCK : p->m;
+    double most = 0, square[FMB_SPATIAL_BLOCK] = {0};
     p->reach[b] = 0;
     for (size_t k = 0; k < p->d; k++) {
         double sum = 0;
         for (size_t at = from; at < to; at++)
-            sum += p->sight[k * p->m + at];
+            sum += p->point_at[k * p->m + at];
         double mean = p->middle[k * p->blocks + b] = sum / (double)(to - from);
         for (size_t at = from; at < to; at++) {
-            double off = p->sight[k * p->m + at] - mean;
+            double off = p->point_at[k * p->m + at] - mean;
             square[at - from] += off * off;
         }
     }
@@ -104,7 +105,7 @@ static void enclose_block(fmb_polar *p, size_t b)
 }
 
 /* values[i] of row i goes to where the row stands; round points are not there yet. */
-static void put_in_order(const fmb_polar *p, double *values)
+static void put_in_order(const fmb_polar_points *p, double *values)
 {
     double *scratch = p->round;
     memcpy(scratch, values, p->m * sizeof *values);
@@ -112,7 +113,7 @@ static void put_in_order(const fmb_polar *p, double *values)
         values[at] = scratch[p->order[at]];
 }
 
-void fmb_polar_arrange(fmb_polar *p)
+void fmb_polar_points_arrange(fmb_polar_points *p)
 {
     for (size_t at = 0; at < p->m; at++)
         p->order[at] = at;
@@ -120,7 +121,7 @@ void fmb_polar_arrange(fmb_polar *p)
     for (size_t at = 0; at < p->m; at++)
         p->place[p->order[at]] = at;
     for (size_t k = 0; k < p->d; k++)
-        put_in_order(p, &p->sight[k * p->m]);
+        put_in_order(p, &p->point_at[k * p->m]);
     if (p->d > 0)
         put_in_order(p, p->size);
     for (size_t b = 0; b < p->blocks; b++)
