@@ -1,9 +1,10 @@
 /* exhaustive.c: all systems of 2 variables and at most 4 rows over {-1, 0, 1}, <= and <.
  *
- *   exhaustive [--ways=N] [--processes=P]
+ *   exhaustive [--ways=N] [--every=K] [--processes=P]
  *
- * Each is asked for its verdict and its box, under the default options and N - 1 other ways to
- * solve, which take turns; each answer is compared with the ground truth, and its evidence checked.
+ * Each, or each K-th, is asked for its verdict and its box, under the default options and N - 1
+ * other ways to solve, which take turns; each answer is compared with the ground truth, and its
+ * evidence checked.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -15,7 +16,7 @@
 typedef struct plan {
     fmb_system *all[SUPPORT_TINY_COUNT];
     fmb_solver *v[512];
-    uint64_t ways;
+    uint64_t ways, every;
 } plan;
 
 static fmb_solver *solver(plan *p, int i)
@@ -26,9 +27,10 @@ static fmb_solver *solver(plan *p, int i)
     return p->v[i];
 }
 
-static bool job(void *self, uint64_t i, agree *g, uint64_t *failures)
+static bool job(void *self, uint64_t nth, agree *g, uint64_t *failures)
 {
     plan *p = self;
+    uint64_t i = nth * p->every;
     support_case c = {.s = p->all[i], .seed = i};
     truth t;
     truth_init(&t, c.s, g->max_rows);
@@ -53,17 +55,21 @@ int main(int argc, char **argv)
     support_tiny at = {0};
     uint64_t processes = 2, n = 0;
     p.ways = 2;
+    p.every = 1;
     for (int i = 1; i < argc; i++)
         if (!crew_number(argv[i], "--ways=", &p.ways) &&
+            !crew_number(argv[i], "--every=", &p.every) &&
             !crew_number(argv[i], "--processes=", &processes)) {
-            fprintf(stderr, "usage: exhaustive [--ways=N] [--processes=P]\n");
+            fprintf(stderr, "usage: exhaustive [--ways=N] [--every=K] [--processes=P]\n");
             return 64;
         }
     for (fmb_system *s; (s = support_tiny_next(&at)) != NULL; n++)
         if (n < SUPPORT_TINY_COUNT)
             p.all[n] = s;
     crew_sum sum;
-    bool good = n == SUPPORT_TINY_COUNT && crew_run(job, &p, 0, n, (int)processes, 1000, &sum);
+    p.every += p.every == 0;
+    uint64_t jobs = (n + p.every - 1) / p.every;
+    bool good = n == SUPPORT_TINY_COUNT && crew_run(job, &p, 0, jobs, (int)processes, 1000, &sum);
     printf("%llu systems of %llu, %llu questions, %llu disagreements, %llu unjudged\n",
            (unsigned long long)(good ? sum.jobs : 0), (unsigned long long)n,
            (unsigned long long)sum.questions, (unsigned long long)sum.failures,
