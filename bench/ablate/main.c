@@ -27,12 +27,22 @@ typedef struct setup {
     unsigned problems, wrong;
 } setup;
 
+/* Ours that has this question. */
+static const peer *peer_with(peer_question question)
+{
+    for (int i = 0; peers[i]; i++)
+        if (peers[i]->ours && (peer_maker(peers[i], question) || peer_way(peers[i], question)))
+            return peers[i];
+    need(NULL);
+    return NULL;
+}
+
 static child_outcome ask(setup *s, const problem *variants, int way)
 {
     memset(fmb_ways_at_hand, 0, sizeof *fmb_ways_at_hand);
     if (way >= 0)
         fmb_ways_at_hand->off[way] = true;
-    return child_run(peers[0], variants, &s->limits);
+    return child_run(peer_with(s->limits.question), variants, &s->limits);
 }
 
 /* Are both answers the same, as far as there are two? */
@@ -96,7 +106,9 @@ static void ask_with_and_without(void *self, problem *p, peer_question question)
             if (counts.asked[way] > 0 && (!s->only || strcmp(s->only, table_way_name(way)) == 0))
                 try_without(s, variants, &with, way, &counts);
     } else {
-        fprintf(stderr, "%s: not finished with all ways\n", p->name);
+        fprintf(stderr, "%s: %s\n", p->name,
+                with.end == CHILD_CRASHED ? "crashed" : "not finished with all ways");
+        s->wrong += with.end == CHILD_CRASHED;
     }
     child_outcome_clear(&with);
     for (int v = 0; v < count; v++)
