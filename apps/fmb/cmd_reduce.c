@@ -121,6 +121,7 @@ static void report_json(const app_session *s, const fmb_fate *fate, const fmb_sy
     app_json_print(obj);
 }
 
+/* small NULL: there is no room for it, and the system as it was read says the same. */
 static int report(const app_session *s, fmb_format to, const fmb_fate *fate,
                   const fmb_system *small)
 {
@@ -130,19 +131,20 @@ static int report(const app_session *s, fmb_format to, const fmb_fate *fate,
     }
     if (!s->ask->source.quiet)
         print_reasons(s);
-    if (!small || !app_session_reports(s))
+    if (!app_session_reports(s))
         return APP_YES;
-    return app_source_write(small, to ? to : app_source_written(&s->ask->source));
+    return app_source_write(small ? small : s->system,
+                            to ? to : app_source_written(&s->ask->source));
 }
 
-static int exit_code(const app_session *s, const fmb_fate *fate)
+static int exit_code(const app_session *s, const fmb_fate *fate, const fmb_system *small)
 {
     if (s->result.verdict == FMB_INFEASIBLE)
         return APP_NO;
     if (s->result.stop == FMB_STOP_DONE)
         return APP_YES;
-    app_session_note(s, "undecided (%s): %zu rows not tested", fmb_stop_text(s->result.stop),
-                     untested(s, fate));
+    app_session_note(s, "undecided (%s): %zu rows not tested%s", fmb_stop_text(s->result.stop),
+                     untested(s, fate), small ? "" : "; all rows stay, as they are");
     return APP_UNDECIDED;
 }
 
@@ -165,7 +167,7 @@ int cmd_reduce(int argc, char **argv)
     if (code == 0)
         code = report(&s, to, fate, small);
     if (code == 0)
-        code = exit_code(&s, fate);
+        code = exit_code(&s, fate, small);
     fmb_system_free(small);
     free(fate);
     return app_session_close(&s, code);

@@ -28,8 +28,9 @@ extern "C" {
  * stand for those that s keeps, in their order, whatever they are called, and whose others are
  * those of the answer. The rows y = a.x + c make it a map; any other rows a relation, and the image
  * is then the set of all y to which some x is related. Strict rows count. *out is as from
- * fmb_project; *lift, unless lift is NULL, the lift of the image. Errors: ARG (also: a graph with
- * fewer variables than s keeps), MEMORY. */
+ * fmb_project; *lift, unless lift is NULL, the lift of the image. Where the lift alone is more than
+ * max_bytes, *out has no row, *lift is NULL and the verdict UNKNOWN, as below. Errors: ARG (also: a
+ * graph with fewer variables than s keeps), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_image(fmb_solver *v, const fmb_system *s,
                                          const fmb_system *graph, fmb_system **lift,
                                          fmb_system **out, fmb_result *res);

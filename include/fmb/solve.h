@@ -110,7 +110,8 @@ typedef enum fmb_fate {
 /* [give] An irredundant system with the same solutions: rows of s in their order, inequalities that
  * always hold with equality turned into equalities; the single row 0 <= -1 if s is infeasible.
  * fate[rows], unless NULL, says what became of each. If a limit was reached, rows not yet tested
- * are kept. Errors: ARG, MEMORY. */
+ * are kept; *out is NULL where that limit is max_bytes and a copy of s is more than it: s is what
+ * is known then, without the rows that fate says to be redundant. Errors: ARG, MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_reduce(fmb_solver *v, const fmb_system *s, fmb_fate *fate,
                                           fmb_system **out, fmb_result *res);
 

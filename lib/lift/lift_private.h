@@ -1,7 +1,7 @@
 /* lift_private.h: systems whose projection is an image, a sum or a hull; see fmb/lift.h.
  *
  * Each function fills a system that has no variables and rows yet, and marks those that the answer
- * keeps, which come first. After ARG, fmb_system_trouble of it tells why. After any error it is
+ * keeps, which come first. LIMIT is that of the memory within which the system stands. After ARG, fmb_system_trouble of it tells why. After any error it is
  * only good to be freed.
  */
 #ifndef FMB_LIFT_LIFT_PRIVATE_H
@@ -13,7 +13,10 @@
 /* How many variables s keeps (fmb_system_keeps). */
 int fmb_lift_dim(const fmb_system *s);
 
-/* Errors: ARG, MEMORY. */
+/* Only the variables of the answer, as fmb_lift_image adds them first. Errors: ARG, MEMORY. */
+fmb_status fmb_lift_add_answer_of_graph(fmb_system *lift, const fmb_system *s,
+                                        const fmb_system *graph);
+/* Errors: ARG, MEMORY, LIMIT. */
 fmb_status fmb_lift_image(fmb_system *lift, const fmb_system *s, const fmb_system *graph);
 fmb_status fmb_lift_sum(fmb_system *lift, const fmb_system *const *s, size_t n);
 /* None of them is empty; like has the names, if there are none. */

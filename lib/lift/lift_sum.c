@@ -7,15 +7,17 @@
 #include "lift/lift_private.h"
 #include "system/system_private.h"
 
-/* Names of the answer: those of the graph behind the first d. */
-static fmb_status add_answer_of_graph(fmb_system *lift, const fmb_system *graph, int d, int *var)
+/* Those of the graph behind the ones that s keeps. */
+fmb_status fmb_lift_add_answer_of_graph(fmb_system *lift, const fmb_system *s,
+                                        const fmb_system *graph)
 {
     fmb_status st = FMB_OK;
     lift->asks_projection = true;
-    for (int i = d; st == FMB_OK && i < fmb_system_dim(graph); i++) {
-        st = fmb_system_add_variable(lift, fmb_system_name(graph, i), &var[i]);
+    for (int i = fmb_lift_dim(s); st == FMB_OK && i < fmb_system_dim(graph); i++) {
+        int index;
+        st = fmb_system_add_variable(lift, fmb_system_name(graph, i), &index);
         if (st == FMB_OK)
-            fmb_system_set_kept(lift, var[i], true);
+            fmb_system_set_kept(lift, index, true);
     }
     return st;
 }
@@ -24,7 +26,10 @@ static fmb_status add_answer_of_graph(fmb_system *lift, const fmb_system *graph,
 static fmb_status join_graph_and_copy(fmb_system *lift, const fmb_system *s,
                                       const fmb_system *graph, int *var, int *copy)
 {
-    fmb_status st = add_answer_of_graph(lift, graph, fmb_lift_dim(s), var);
+    int d = fmb_lift_dim(s);
+    fmb_status st = fmb_lift_add_answer_of_graph(lift, s, graph);
+    for (int i = d; i < fmb_system_dim(graph); i++)
+        var[i] = i - d;
     if (st == FMB_OK)
         st = fmb_lift_add_copies(lift, s, 0, copy);
     for (int j = 0, i = 0; st == FMB_OK && j < fmb_system_dim(s); j++)

@@ -95,6 +95,45 @@ static mpz_srcptr entry_as_mpz(const fmb_vec *v, size_t i, mpz_t room)
     return room;
 }
 
+static bool is_long(const mpz_t z)
+{
+    return mpz_sizeinbase(z, 2) > FMB_LONG_BITS;
+}
+
+static void clear_block(mpz_t *z, size_t n, fmb_mem *mem)
+{
+    for (size_t i = 0; i < n; i++)
+        mpz_clear(z[i]);
+    fmb_mem_put(mem, z, n, sizeof *z);
+}
+
+/* dst = p a + q b with p and q as k has them. Long products are written beside dst, which stays as
+ * it was where that is broken off; entry i is read before it is written in any case, as dst may be
+ * a. */
+static fmb_status combine_in_gmp(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size_t n,
+                                 fmb_num *k)
+{
+    bool takes_long = is_long(k->p) || is_long(k->q), apart = takes_long || !dst->z;
+    fmb_status st = FMB_OK;
+    mpz_t *z = apart ? fmb_vec_block(n, k->mem) : dst->z;
+    if (!z)
+        return fmb_mem_status(k->mem);
+    for (size_t i = 0; st == FMB_OK && i < n; i++) {
+        mpz_mul(z[i], k->p, entry_as_mpz(a, i, k->t));
+        mpz_addmul(z[i], k->q, entry_as_mpz(b, i, k->t));
+        st = takes_long ? fmb_poll_ask(&k->poll) : FMB_OK;
+    }
+    if (st != FMB_OK) {
+        clear_block(z, n, k->mem);
+        return st;
+    }
+    k->promotions += dst->z == NULL;
+    if (apart)
+        fmb_vec_clear(dst, n, k->mem);
+    dst->z = z;
+    return FMB_OK;
+}
+
 static fmb_status cancel_in_gmp(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size_t n,
                                 size_t c, fmb_num *k)
 {
@@ -103,24 +142,14 @@ static fmb_status cancel_in_gmp(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b
     fmb_status st = fmb_long_gcd(k->t, k->p, k->q, &k->poll);
     if (st != FMB_OK)
         return st;
-    mpz_t *z = dst->z; /* entry i is read before it is written: dst may be a */
-    if (!z)
-        z = fmb_vec_block(n, k->mem);
-    if (!z)
-        return fmb_mem_status(k->mem);
     mpz_divexact(k->p, k->p, k->t);
     mpz_divexact(k->q, k->q, k->t);
     if (mpz_sgn(k->p) < 0)
         mpz_neg(k->p, k->p);
     else
         mpz_neg(k->q, k->q);
-    for (size_t i = 0; i < n; i++) {
-        mpz_mul(z[i], k->p, entry_as_mpz(a, i, k->t));
-        mpz_addmul(z[i], k->q, entry_as_mpz(b, i, k->t));
-    }
-    k->promotions += dst->z == NULL;
-    dst->z = z;
-    return fmb_vec_reduce(dst, n, k);
+    st = combine_in_gmp(dst, a, b, n, k);
+    return st == FMB_OK ? fmb_vec_reduce(dst, n, k) : st;
 }
 
 fmb_status fmb_vec_cancel(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size_t n, size_t c,

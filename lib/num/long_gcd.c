@@ -338,3 +338,25 @@ fmb_status fmb_long_gcd(mpz_t out, const mpz_t a, const mpz_t b, const fmb_poll 
     mpz_clears(x, y, h.s[0], h.s[1], NULL);
     return st;
 }
+
+/* The denominator has nothing in common with the numerator, nor has by, once what they share is out
+ * of both. */
+fmb_status fmb_long_divide(mpq_t x, const mpz_t by, const fmb_poll *poll)
+{
+    mpz_t common, rest;
+    mpz_inits(common, rest, NULL);
+    fmb_status st = fmb_long_gcd(common, mpq_numref(x), by, poll);
+    if (st == FMB_OK) {
+        mpz_divexact(rest, by, common);
+        mpz_divexact(mpq_numref(x), mpq_numref(x), common);
+        mpz_mul(mpq_denref(x), mpq_denref(x), rest);
+        if (mpz_sgn(by) < 0) {
+            mpz_neg(mpq_numref(x), mpq_numref(x));
+            mpz_neg(mpq_denref(x), mpq_denref(x));
+        }
+        if (mpz_sgn(mpq_numref(x)) == 0)
+            mpz_set_ui(mpq_denref(x), 1);
+    }
+    mpz_clears(common, rest, NULL);
+    return st;
+}

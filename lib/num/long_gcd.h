@@ -12,5 +12,7 @@
 
 /* out = gcd(a, b), which may be the same. Errors: what poll says; then out is as it was. */
 fmb_status fmb_long_gcd(mpz_t out, const mpz_t a, const mpz_t b, const fmb_poll *poll);
+/* x = x / by in lowest terms; by is not 0. Errors: what poll says; then x is as it was. */
+fmb_status fmb_long_divide(mpq_t x, const mpz_t by, const fmb_poll *poll);
 
 #endif

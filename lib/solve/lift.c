@@ -11,6 +11,7 @@ typedef struct lift_answer {
     fmb_system **lift; /* or NULL */
     fmb_system **out;
     fmb_result *res;
+    const fmb_system *like, *graph; /* name the variables; graph may be NULL */
 } lift_answer;
 
 /* The verb's own refusal: what was wrong with the arguments stands in the lift. */
@@ -42,9 +43,48 @@ static fmb_status project_lift(fmb_solver *v, fmb_system *lift, fmb_system **out
     return st;
 }
 
-/* lift was filled with that status, and goes over to here. */
+/* The whole space, which is all that is known at a limit. */
+static fmb_status give_whole_space(fmb_solver *v, const fmb_result *r, const lift_answer *a)
+{
+    fmb_system *space = NULL;
+    v->answered = false; /* the evidence at hand is that of an older query */
+    fmb_status st = fmb_system_new(0, &v->mem.alloc, &space);
+    if (st == FMB_OK)
+        st = a->graph ? fmb_lift_add_answer_of_graph(space, a->like, a->graph)
+                      : fmb_lift_add_answer(space, a->like);
+    if (st != FMB_OK) {
+        fmb_system_free(space);
+        return st;
+    }
+    space->asks_projection = false;
+    for (int j = 0; j < fmb_system_dim(space); j++)
+        space->mark[j].kept = false;
+    if (a->lift)
+        *a->lift = NULL;
+    *a->out = space;
+    fmb_result_give(a->res, r);
+    return FMB_OK;
+}
+
+/* From here on the lift, which nobody has filled yet, counts against the limit of a query. */
+static void limit_lift(fmb_solver *v, fmb_system *lift)
+{
+    if (v->options.max_bytes > 0)
+        fmb_arena_clear(&v->arena); /* what older queries left shall not count for this one */
+    v->mem.limit = v->options.max_bytes;
+    fmb_mem_enter(&lift->mem, &v->mem);
+}
+
+/* lift, which is limited, was filled with that status, and goes over to here. */
 static fmb_status finish_lift(fmb_solver *v, fmb_system *lift, fmb_status st, const lift_answer *a)
 {
+    const fmb_result at_limit = {.size = sizeof at_limit, .stop = FMB_STOP_BYTES};
+    fmb_mem_leave(&lift->mem);
+    v->mem.limit = 0;
+    if (st == FMB_LIMIT) {
+        fmb_system_free(lift);
+        return give_whole_space(v, &at_limit, a);
+    }
     if (st != FMB_OK)
         return give_up_lift(v, lift, st);
     st = project_lift(v, lift, a->out, a->res);
@@ -77,8 +117,9 @@ fmb_status fmb_image(fmb_solver *v, const fmb_system *s, const fmb_system *graph
     fmb_status st = open_lift(v, !s ? "s" : !graph ? "graph" : out ? NULL : "out", res, &t);
     if (st != FMB_OK)
         return st;
+    limit_lift(v, t);
     st = fmb_lift_image(t, s, graph);
-    return finish_lift(v, t, st, &(lift_answer){lift, out, res});
+    return finish_lift(v, t, st, &(lift_answer){lift, out, res, s, graph});
 }
 
 fmb_status fmb_sum(fmb_solver *v, const fmb_system *const *s, size_t n, fmb_system **lift,
@@ -89,9 +130,11 @@ fmb_status fmb_sum(fmb_solver *v, const fmb_system *const *s, size_t n, fmb_syst
     if (st != FMB_OK)
         return st;
     st = fmb_lift_match(t, s, n);
-    if (st == FMB_OK)
-        st = fmb_lift_sum(t, s, n);
-    return finish_lift(v, t, st, &(lift_answer){lift, out, res});
+    if (st != FMB_OK)
+        return give_up_lift(v, t, st);
+    limit_lift(v, t);
+    st = fmb_lift_sum(t, s, n);
+    return finish_lift(v, t, st, &(lift_answer){lift, out, res, s[0], NULL});
 }
 
 /* ---- hulls of several ------------------------------------------------------------------------ */
@@ -115,25 +158,6 @@ static fmb_status choose_nonempty(fmb_solver *v, const fmb_system *const *s, siz
     return st;
 }
 
-/* The whole space, which is all that is known at a limit. */
-static fmb_status give_whole_space(const fmb_system *like, fmb_system *space, const fmb_result *r,
-                                   const lift_answer *a)
-{
-    fmb_status st = fmb_lift_add_answer(space, like);
-    if (st != FMB_OK) {
-        fmb_system_free(space);
-        return st;
-    }
-    space->asks_projection = false;
-    for (int j = 0; j < fmb_system_dim(space); j++)
-        space->mark[j].kept = false;
-    if (a->lift)
-        *a->lift = NULL;
-    *a->out = space;
-    fmb_result_give(a->res, r);
-    return FMB_OK;
-}
-
 /* chosen[n] is room. One time and one cancel count for all queries. */
 static fmb_status find_hull_of_nonempty(fmb_solver *v, const fmb_system *const *s, size_t n,
                                         const fmb_system **chosen, fmb_system *t,
@@ -148,12 +172,13 @@ static fmb_status find_hull_of_nonempty(fmb_solver *v, const fmb_system *const *
     v->mem.limit = 0;
     v->within = within ? within : &all;
     fmb_status st = choose_nonempty(v, s, n, chosen, &size, &r);
-    if (st != FMB_OK)
-        fmb_system_free(t);
-    else if (r.verdict == FMB_UNKNOWN)
-        st = give_whole_space(s[0], t, &r, a);
-    else
+    if (st == FMB_OK && r.verdict != FMB_UNKNOWN) {
+        limit_lift(v, t);
         st = finish_lift(v, t, fmb_lift_hull(t, s[0], chosen, size), a);
+    } else {
+        fmb_system_free(t);
+        st = st == FMB_OK ? give_whole_space(v, &r, a) : st;
+    }
     v->within = within;
     return st;
 }
@@ -171,7 +196,7 @@ fmb_status fmb_hull_union(fmb_solver *v, const fmb_system *const *s, size_t n, f
     const fmb_system **chosen = fmb_mem_get(&v->mem, n, sizeof *chosen);
     if (!chosen)
         return give_up_lift(v, t, FMB_ERR_MEMORY);
-    st = find_hull_of_nonempty(v, s, n, chosen, t, &(lift_answer){lift, out, res});
+    st = find_hull_of_nonempty(v, s, n, chosen, t, &(lift_answer){lift, out, res, s[0], NULL});
     fmb_mem_put(&v->mem, chosen, n, sizeof *chosen);
     return st;
 }

@@ -198,10 +198,15 @@ static fmb_status drop_constant_rows(fmb_query *q, fmb_fate *fate)
     return st;
 }
 
-/* The rows that stay, in their order. */
-static fmb_status build_reduced_system(const fmb_system *s, const fmb_fate *fate, fmb_system **out)
+/* The rows that stay, in their order. LIMIT, and no system, where the limit has no room for a copy
+ * of s: all rows are there on the way. */
+static fmb_status build_reduced_system(const fmb_system *s, const fmb_fate *fate, fmb_mem *mem,
+                                       fmb_system **out)
 {
     fmb_system *t;
+    if (!fmb_mem_charge(mem, s->mem.used))
+        return fmb_mem_status(mem);
+    fmb_mem_refund(mem, s->mem.used);
     fmb_status st = fmb_system_copy(s, &t);
     if (st != FMB_OK)
         return st;
@@ -250,7 +255,7 @@ fmb_status fmb_reduce(fmb_solver *v, const fmb_system *s, fmb_fate *fate, fmb_sy
     if (st == FMB_OK || st == FMB_LIMIT) {
         fmb_status built = verdict == FMB_INFEASIBLE
                                ? fmb_empty_set(s, NULL, fmb_system_dim(s), &reduced)
-                               : build_reduced_system(s, mine, &reduced);
+                               : build_reduced_system(s, mine, &v->mem, &reduced);
         st = built != FMB_OK ? built : st;
     }
     st = fmb_query_end(&q, st, verdict, res);

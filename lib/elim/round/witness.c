@@ -8,29 +8,34 @@
  */
 #include "elim/round/witness.h"
 
+#include "num/long_gcd.h"
+
 typedef struct range {
     mpq_t lower, upper, value, t;
     bool has_lower, has_upper, lower_open, upper_open;
 } range;
 
 /* value = (b - sum of the other terms) / a_var for row r: the bound that it puts on var. */
-static void bound_by_row(const fmb_elim *e, const fmb_derived *r, int var, fmb_point_kind kind,
-                         mpq_t *x, range *g)
+static fmb_status bound_by_row(const fmb_elim *e, const fmb_derived *r, int var,
+                               fmb_point_kind kind, mpq_t *x, range *g)
 {
+    const fmb_poll poll = fmb_run_asked(e->run);
+    fmb_status st = FMB_OK;
     mpq_set_ui(g->value, 0, 1);
     if (kind != FMB_POINT_RAY)
         fmb_vec_get(&r->v, (size_t)e->n, mpq_numref(g->value));
-    for (int j = 0; j < e->n; j++) {
+    for (int j = 0; st == FMB_OK && j < e->n; j++) {
         if (j == var || fmb_vec_sgn(&r->v, (size_t)j) == 0 || mpq_sgn(x[j]) == 0)
             continue;
         mpq_set_ui(g->t, 1, 1);
         fmb_vec_get(&r->v, (size_t)j, mpq_numref(g->t));
         mpq_mul(g->t, g->t, x[j]);
         mpq_sub(g->value, g->value, g->t);
+        if (fmb_vec_is_wide(&r->v))
+            st = fmb_run_poll_now(e->run);
     }
-    mpq_set_ui(g->t, 1, 1);
     fmb_vec_get(&r->v, (size_t)var, mpq_numref(g->t));
-    mpq_div(g->value, g->value, g->t);
+    return st == FMB_OK ? fmb_long_divide(g->value, mpq_numref(g->t), &poll) : st;
 }
 
 /* Narrow the range by value; of equal bounds the open one counts. */
@@ -82,22 +87,25 @@ void fmb_simple_between(mpq_t x, mpq_srcptr lower, bool lower_open, mpq_srcptr u
     mpq_div_2exp(x, x, 1);
 }
 
-static void choose_value_of_round(const fmb_elim *e, const fmb_round *round, fmb_point_kind kind,
-                                  mpq_t *x, range *g)
+static fmb_status choose_value_of_round(const fmb_elim *e, const fmb_round *round,
+                                        fmb_point_kind kind, mpq_t *x, range *g)
 {
     g->has_lower = g->has_upper = g->lower_open = g->upper_open = false;
     for (size_t i = 0; i < round->rows; i++) {
         const fmb_derived *r = &e->row[round->row[i]];
-        bound_by_row(e, r, round->var, kind, x, g);
+        fmb_status st = bound_by_row(e, r, round->var, kind, x, g);
+        if (st != FMB_OK)
+            return st;
         if (round->equality) {
             mpq_set(x[round->var], g->value);
-            return;
+            return FMB_OK;
         }
         narrow_range(g, fmb_vec_sgn(&r->v, (size_t)round->var) < 0,
                      r->strict && kind == FMB_POINT_INSIDE);
     }
     fmb_simple_between(x[round->var], g->has_lower ? g->lower : NULL, g->lower_open,
                        g->has_upper ? g->upper : NULL, g->upper_open);
+    return FMB_OK;
 }
 
 fmb_status fmb_elim_point(const fmb_elim *e, fmb_point_kind kind, mpq_t *x)
@@ -106,8 +114,9 @@ fmb_status fmb_elim_point(const fmb_elim *e, fmb_point_kind kind, mpq_t *x)
     fmb_status st = FMB_OK;
     mpq_inits(g.lower, g.upper, g.value, g.t, NULL);
     for (int i = e->rounds; st == FMB_OK && i-- > 0;) {
-        choose_value_of_round(e, &e->round[i], kind, x, &g);
-        st = fmb_run_poll(e->run);
+        st = choose_value_of_round(e, &e->round[i], kind, x, &g);
+        if (st == FMB_OK)
+            st = fmb_run_poll(e->run);
     }
     mpq_clears(g.lower, g.upper, g.value, g.t, NULL);
     return st;

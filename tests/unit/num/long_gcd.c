@@ -4,6 +4,8 @@
 #include <criterion/criterion.h>
 #include <stdint.h>
 
+#include "num/vec.h"
+
 /* Says no at call `limit`. */
 typedef struct waiting {
     size_t asked, limit;
@@ -121,4 +123,71 @@ Test(long_gcd, asks_and_ends)
         cr_expect_eq(w.asked, limit);
         cr_expect_eq(mpz_cmp_ui(c, 17), 0);
     }
+}
+
+/* As GMP divides, short and long, of all signs. */
+Test(long_gcd, divides)
+{
+    mpq_t x, truth, by;
+    mpq_inits(x, truth, by, NULL);
+    for (int k = 0; k < 60; k++) {
+        size_t bits = k == 59 ? 600000 : (size_t)k * 3;
+        mpz_urandomb(mpq_numref(x), draw, bits);
+        mpz_urandomb(mpq_denref(x), draw, 40);
+        mpz_add_ui(mpq_denref(x), mpq_denref(x), 1);
+        mpz_urandomb(mpq_numref(by), draw, bits);
+        mpz_add_ui(mpq_numref(by), mpq_numref(by), 1);
+        if (k % 2)
+            mpz_neg(mpq_numref(x), mpq_numref(x));
+        if (k % 3)
+            mpz_neg(mpq_numref(by), mpq_numref(by));
+        mpq_canonicalize(x);
+        mpq_div(truth, x, by);
+        cr_assert_eq(fmb_long_divide(x, mpq_numref(by), NULL), FMB_OK);
+        cr_expect(mpq_equal(x, truth), "%d", k);
+    }
+    mpq_clears(x, truth, by, NULL);
+}
+
+/* A combination of rows of long numbers is broken off at each call; then the row that it was for is
+ * as it was, unless all that is missing is to divide it by its content. */
+Test(long_gcd, rows_are_broken_off)
+{
+    enum { N = 3 };
+    fmb_mem mem;
+    fmb_num num;
+    int64_t words[2][N] = {{0}, {0}};
+    fmb_vec row[2] = {{.s = words[0]}, {.s = words[1]}};
+    mpz_t entry[N];
+    fmb_status st = FMB_ERR_IO;
+    size_t limit = 1;
+    fmb_mem_init(&mem, NULL, 0);
+    cr_assert_eq(fmb_num_init(&num, &mem, N, false), FMB_OK);
+    for (int i = 0; i < 2; i++) {
+        for (int j = 0; j < N; j++) {
+            mpz_init(entry[j]);
+            mpz_urandomb(entry[j], draw, 600000);
+            mpz_setbit(entry[j], 600000);
+        }
+        cr_assert_eq(fmb_vec_set_z(&row[i], N, entry, &mem), FMB_OK);
+        for (int j = 0; j < N; j++)
+            mpz_clear(entry[j]);
+    }
+    mpz_set(a, row[0].z[0]);
+    for (bool kept = true; kept; limit++) {
+        waiting w = {.limit = limit};
+        num.poll = (fmb_poll){ask, &w};
+        st = fmb_vec_cancel(&row[0], &row[0], &row[1], N, 0, &num);
+        kept = fmb_vec_sgn(&row[0], 0) != 0 && mpz_cmp(row[0].z[0], a) == 0;
+        cr_assert(!kept || st == FMB_ERR_IO);
+    }
+    cr_expect_geq(limit, 8, "%zu calls", limit);
+    cr_expect_eq(fmb_vec_sgn(&row[0], 0), 0);
+    num.poll = (fmb_poll){0};
+    cr_assert_eq(fmb_vec_reduce(&row[0], N, &num), FMB_OK);
+    cr_expect_eq(fmb_vec_sgn(&row[0], 0), 0);
+    fmb_vec_clear(&row[0], N, &mem);
+    fmb_vec_clear(&row[1], N, &mem);
+    fmb_num_clear(&num);
+    cr_expect_eq(mem.used, 0);
 }
