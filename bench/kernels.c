@@ -8,7 +8,7 @@
 #include <stdlib.h>
 
 #include "machine.h"
-#include "num/kernels.h"
+#include "num/kernels/kernels.h"
 
 enum { SETS = 4096, ROWS = 512, LENGTH = 32, PASSES = 7, REPEATS = 64 };
 

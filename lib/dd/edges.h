@@ -9,7 +9,7 @@
 #ifndef FMB_DD_EDGES_H
 #define FMB_DD_EDGES_H
 
-#include "num/kernels.h"
+#include "num/kernels/kernels.h"
 #include "num/ones.h"
 #include "trace/run.h"
 

@@ -12,7 +12,7 @@
 
 #include "base/mem.h"
 #include "base/poll.h"
-#include "num/kernels.h"
+#include "num/kernels/kernels.h"
 #include "num/word.h"
 
 #define FMB_SMALL_BITS 62

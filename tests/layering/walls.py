@@ -1,5 +1,5 @@
-"""The walls of the house: which room includes which, that no files form a ring, what static functions
-are called, what a public header needs, what the library exports, that every public function is
+"""The walls of the house: which room includes which, that no files form a ring, how large a folder is, what static
+functions are called, what a public header needs, what the library exports, that every public function is
 mentioned in a test, that no tag, header or function has a name for two things, and that public names
 go together. usage: walls.py CHECK ROOT [LIBRARY... [NODE]]
 """
@@ -123,6 +123,23 @@ def includes(root):
             folder |= {n.rpartition("/")[0] for n in names} - {str(place.parent)}
         for circle in circles(uses) + (circles(folders) if top == "lib" else []):
             yield f"{top}: include each other: {', '.join(circle)}"
+
+
+MOST_FILES = 20
+
+
+def sizes(root):
+    """A folder has so many sources and headers at most; a file's name is there once in the library."""
+    folders, places = {}, {}
+    for path in sources(root / "lib"):
+        folders.setdefault(path.parent, []).append(path)
+        places.setdefault(path.name, []).append(path)
+    for folder, paths in sorted(folders.items()):
+        if len(paths) > MOST_FILES:
+            yield f"{folder} has {len(paths)} files"
+    for name, paths in sorted(places.items()):
+        if len(paths) > 1:
+            yield f"file {name} stands in {', '.join(str(p) for p in paths)}"
 
 
 def rings(_root, *libraries):
@@ -306,6 +323,7 @@ def selftest(_root):
             "lib/base/twice.h": "struct fmb_twice {\n};\nint fmb_twofold(void);\n",
             "lib/num/twice.h": "typedef struct fmb_twice {\n} fmb_twice;\nint fmb_twofold(\n    int a);\n",
             "tests/g.c": "",
+            **{f"lib/num/many/a{k}.c": "" for k in range(21)},
             "include/fmb/given.h": "FMB_API fmb_status fmb_thing_new(fmb_thing **out);\n"
                                    "FMB_API void fmb_thing_close(fmb_thing *t);\n"
                                    "FMB_API fmb_status fmb_other_add(fmb_other *o, int a);\n"
@@ -316,7 +334,8 @@ def selftest(_root):
         for path, content in bad.items():
             (root / path).parent.mkdir(parents=True, exist_ok=True)
             (root / path).write_text(content)
-        for check, expected in ((rooms, 9), (headers, 4), (mentioned, 5), (once, 3), (words, 3), (ways, 3)):
+        for check, expected in ((rooms, 9), (headers, 4), (mentioned, 5), (once, 3), (words, 3), (ways, 3),
+                                (sizes, 3)):
             found = list(check(root))
             if len(found) != expected:
                 yield f"{check.__name__} found {len(found)} of {expected} faults: {found}"

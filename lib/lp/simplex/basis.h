@@ -11,7 +11,7 @@
 #define FMB_LP_BASIS_H
 
 #include "base/mem.h"
-#include "num/kernels.h"
+#include "num/kernels/kernels.h"
 
 typedef enum fmb_range {
     FMB_RANGE_UP,   /* 0 <= z */

@@ -20,7 +20,7 @@
 #define FMB_PAIR_GENERAL_WORKSPACE_H
 
 #include "lp/simplex/simplex.h"
-#include "num/kernels.h"
+#include "num/kernels/kernels.h"
 #include "pair/general/general.h"
 
 enum {

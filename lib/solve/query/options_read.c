@@ -2,7 +2,7 @@
  */
 #include <string.h>
 
-#include "num/kernels.h"
+#include "num/kernels/kernels.h"
 #include "solve/query/solver.h"
 
 fmb_status fmb_options_read(fmb_solver *v, const fmb_options *o)

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "num/int128.h"
-#include "num/kernels.h"
+#include "num/kernels/kernels.h"
 #include "num/ones.h"
 #include "support.h"
 

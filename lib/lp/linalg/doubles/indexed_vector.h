@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "base/mem.h"
-#include "num/kernels.h"
+#include "num/kernels/kernels.h"
 
 typedef struct fmb_indexed_vector {
     double *at; /* [size] */

@@ -9,7 +9,7 @@
 #define FMB_LP_MEMBERSHIP_H
 
 #include "base/mem.h"
-#include "num/kernels.h"
+#include "num/kernels/kernels.h"
 #include "trace/run.h"
 
 typedef enum fmb_side_of_hull {

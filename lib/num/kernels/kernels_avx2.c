@@ -1,5 +1,5 @@
 /* kernels_avx2.c: the inner loops four words at a time. */
-#include "num/kernels.h"
+#include "num/kernels/kernels.h"
 
 #ifdef FMB_HAVE_X86
 #include <immintrin.h>

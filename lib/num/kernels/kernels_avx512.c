@@ -1,5 +1,5 @@
 /* kernels_avx512.c: the inner loops eight words at a time, with an instruction that counts bits. */
-#include "num/kernels.h"
+#include "num/kernels/kernels.h"
 
 #ifdef FMB_HAVE_X86
 #include <immintrin.h>

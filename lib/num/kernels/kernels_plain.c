@@ -1,5 +1,5 @@
 /* kernels_plain.c: the inner loops in C, for any processor; the others are held against these. */
-#include "num/kernels.h"
+#include "num/kernels/kernels.h"
 
 /* Bits set, by sums of ever wider fields. Source: Knuth, TAOCP 4A, 7.1.3. */
 static int count_bits_of_word(uint64_t x)
