@@ -6,8 +6,7 @@
  * parts without such a point.
  */
 #include "base/ways.h"
-#include "lp/dictionary/exact_simplex.h"
-#include "lp/redundancy/by_oracle.h"
+#include "lp/redundancy/irredundant.h"
 #include "lp/redundancy/ray_shooting/ray_shooting.h"
 #include "solve/query/solver.h"
 #include "system/system_private.h"
@@ -16,9 +15,8 @@
 typedef struct reduce_progress {
     fmb_query *q;
     const fmb_part *p;
-    fmb_lp_row *row;     /* [m] */
-    fmb_fate *fate;      /* [m] */
-    const size_t *place; /* the part's row of each row of the dictionary; NULL: the same */
+    fmb_lp_row *row; /* [m] */
+    fmb_fate *fate;  /* [m] */
 } reduce_progress;
 
 /* ---- claims ---------------------------------------------------------------------------------- */
@@ -32,9 +30,6 @@ static fmb_status claim_combination(reduce_progress *g, fmb_claim_kind kind, siz
     fmb_status st = fmb_evidence_claim(q->claims, kind, &claim);
     if (st != FMB_OK)
         return st;
-    i = g->place ? g->place[i] : i;
-    for (size_t k = 0; g->place && k < w->size; k++)
-        w->index[k] = (uint32_t)g->place[w->index[k]];
     claim->row = g->p->source[i];
     st = fmb_query_push(q, g->p, w, i, 1, &claim->multipliers);
     if (st == FMB_OK && kind == FMB_CLAIM_REDUNDANT && g->p->rel[i] == FMB_EQ)
@@ -59,7 +54,7 @@ static fmb_status claim_irredundant_row(void *self, size_t i, mpq_t *x)
     fmb_status st = fmb_evidence_claim(g->q->claims, FMB_CLAIM_IRREDUNDANT, &claim);
     if (st != FMB_OK)
         return st;
-    claim->row = g->p->source[g->place ? g->place[i] : i];
+    claim->row = g->p->source[i];
     st = fmb_query_attach_point(g->q, claim, g->p, x);
     return fmb_query_finish_claim(g->q, st);
 }
@@ -83,38 +78,6 @@ static fmb_status list_rows_of_part(reduce_progress *g, int part)
     return st;
 }
 
-/* A dictionary of the rows still there. */
-static fmb_status ask_dictionary_about_rest(reduce_progress *g, const fmb_verdicts *told)
-{
-    fmb_arena *arena = &g->q->v->arena;
-    size_t m = 0, *place = fmb_arena_get(arena, g->p->m, sizeof *place);
-    fmb_lp_row *row = fmb_arena_get(arena, g->p->m, sizeof *row);
-    fmb_rel *rel = fmb_arena_get(arena, g->p->m, sizeof *rel);
-    fmb_fate *fate = fmb_arena_get(arena, g->p->m, sizeof *fate);
-    fmb_lp lp;
-    bool feasible = false;
-    if (!place || !row || !rel || !fate)
-        return fmb_mem_status(arena->mem);
-    for (size_t i = 0; i < g->p->m; i++) {
-        if (g->fate[i] == FMB_FATE_REDUNDANT)
-            continue;
-        place[m] = i;
-        row[m] = g->row[i];
-        rel[m] = g->p->rel[i];
-        fate[m++] = g->fate[i];
-    }
-    g->place = place;
-    fmb_status st = fmb_lp_init(&lp, &g->q->run, g->p->n, m, row, fmb_query_is_wide(g->q));
-    if (st == FMB_OK)
-        st = fmb_lp_feasible(&lp, &feasible);
-    if (st == FMB_OK && feasible)
-        st = fmb_irredundant(&lp, rel, fate, told);
-    fmb_lp_clear(&lp);
-    for (size_t k = 0; k < m; k++)
-        g->fate[place[k]] = fate[k];
-    return st;
-}
-
 static bool is_some_row_unknown(const reduce_progress *g)
 {
     for (size_t i = 0; i < g->p->m; i++)
@@ -135,23 +98,13 @@ static fmb_status shoot_rays_at_part(reduce_progress *g, const fmb_verdicts *tol
     return st;
 }
 
-static fmb_status ask_dictionary_about_all(reduce_progress *g, int part, const fmb_verdicts *told)
+/* Known to be feasible. */
+static fmb_status decide_open_rows(reduce_progress *g, int part, const fmb_verdicts *told)
 {
-    fmb_lp *lp;
     bool feasible;
-    fmb_status st = fmb_query_dictionary(g->q, part, &lp, &feasible);
-    return st == FMB_OK ? fmb_irredundant(lp, g->p->rel, g->fate, told) : st;
-}
-
-static fmb_status decide_open_rows(reduce_progress *g, int part, bool inner,
-                                   const fmb_verdicts *told)
-{
-    size_t n = (size_t)g->p->n, m = g->p->m;
-    bool suits = fmb_suits_oracle(n, m, g->row);
-    fmb_attempt a = fmb_query_attempt(g->q, part, suits ? "oracle" : "dictionary", "rows");
-    fmb_status st = suits   ? fmb_irredundant_by_oracle(&g->q->run, n, m, g->row, g->fate, told)
-                    : inner ? ask_dictionary_about_rest(g, told)
-                            : ask_dictionary_about_all(g, part, told);
+    fmb_attempt a = fmb_query_attempt(g->q, part, "oracle", "rows");
+    fmb_status st =
+        fmb_irredundant(&g->q->run, (size_t)g->p->n, g->p->m, g->row, g->fate, told, &feasible);
     fmb_run_tell_attempt(&g->q->run, a, st, true);
     return st;
 }
@@ -172,7 +125,7 @@ static fmb_status decide_rows_of_part(fmb_query *q, int part, fmb_fate *fate)
         fmb_way_answered(FMB_WAY_RAY_SHOOTING, inner);
     }
     if (st == FMB_OK && is_some_row_unknown(&g))
-        st = decide_open_rows(&g, part, inner, listener);
+        st = decide_open_rows(&g, part, listener);
     for (size_t i = 0; i < g.p->m; i++)
         fate[g.p->source[i]] = g.fate[i];
     return st;

@@ -177,13 +177,6 @@ fmb_status fmb_closure_certify(fmb_oracle *o, fmb_hint *h, fmb_pivot_walk_end *e
     return st == FMB_OK && *end == FMB_PIVOT_WALK_REACHED ? take_vertex(o) : st;
 }
 
-fmb_status fmb_closure_decide(fmb_oracle *o, fmb_pivot_walk_end *end)
-{
-    fmb_hint h;
-    fmb_status st = fmb_closure_guess(o, &h);
-    return st == FMB_OK ? fmb_closure_certify(o, &h, end) : st;
-}
-
 /* ---- how far does it go ---------------------------------------------------------------------- */
 
 /* cost as integers, with their common denominator. */
@@ -338,10 +331,26 @@ fmb_status fmb_closure_approach_point(fmb_oracle *o, const fmb_weights *cost,
     return st == FMB_OK && !o->is_modular ? certify_approach(o, &h, end) : st;
 }
 
+/* The glimpse satisfies all rows, so the vertex of the basis does if it is the same point. */
+static fmb_status turn_glimpse_into_vertex(fmb_oracle *o, fmb_pivot_walk_end *end)
+{
+    fmb_vertex *v = &o->v;
+    fmb_hint h = {.kind = FMB_HINT_OPTIMUM, .basis = o->hint};
+    fmb_status st = fmb_vertex_set(v, o->hint);
+    if (st == FMB_OK)
+        st = fmb_vertex_solve(v);
+    if (st != FMB_OK)
+        return st;
+    bool same = mpz_cmp(v->den, o->point_den) == 0;
+    for (size_t j = 0; j < o->n && same; j++)
+        same = mpz_cmp(v->x.z[j], o->point.z[j]) == 0;
+    v->feasible = v->feasible || same;
+    return certify_approach(o, &h, end);
+}
+
 fmb_status fmb_closure_climb(fmb_oracle *o, fmb_pivot_walk_end *end)
 {
-    fmb_hint h = {.kind = FMB_HINT_OPTIMUM, .basis = o->hint};
-    fmb_status st = o->is_modular ? certify_approach(o, &h, end) : FMB_OK;
+    fmb_status st = o->is_modular ? turn_glimpse_into_vertex(o, end) : FMB_OK;
     o->is_modular = false;
     if (st == FMB_OK)
         st = climb_with_refinements(o, end);
@@ -375,4 +384,14 @@ void fmb_oracle_shift(fmb_oracle *o)
         return;
     o->v.solved = o->v.feasible = false;
     fmb_backend_shift(o->backend, NULL);
+}
+
+void fmb_oracle_shift_row(fmb_oracle *o, size_t i)
+{
+    o->feasible = false;
+    if (!o->backend)
+        return;
+    o->v.solved = o->v.solved && !fmb_vertex_holds(&o->v, i);
+    o->v.feasible = false;
+    fmb_door_shift_row(o->backend, i);
 }

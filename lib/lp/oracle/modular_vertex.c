@@ -1,7 +1,9 @@
 /* modular_vertex.c: the vertex of a guessed basis, where its numbers are short; see oracle.h.
  *
- * Rows of the basis are solved modulo one prime. If the point that comes out satisfies all rows, it
- * is a solution of the closure, and that is all that is claimed: no factor is needed, nor lifting.
+ * Rows of the basis are solved modulo one prime; or where columns are many, the point of the guess
+ * is rounded to integers, as vertices of networks are. If the point that comes out satisfies all
+ * rows, it is a solution of the closure, and that is all that is claimed: no factor is needed, nor
+ * lifting.
  */
 #include "base/ways.h"
 #include "lp/oracle/oracle_state.h"
@@ -44,18 +46,30 @@ static void take_short_point(fmb_oracle *o)
     fmb_integer_set_i64(o->point_den, v[o->n] < 0 ? -v[o->n] : v[o->n]);
 }
 
-fmb_status fmb_oracle_try_modular_vertex(fmb_oracle *o, bool *seen)
+static fmb_status find_short_point(fmb_oracle *o, bool *found)
 {
     fmb_status st = FMB_OK;
-    *seen = false;
-    if (o->n > MOST_COLUMNS || o->misses > MOST_MISSES || !fmb_way(FMB_WAY_MODULAR_VERTEX))
+    *found = false;
+    if (o->n > MOST_COLUMNS) {
+        *found = fmb_backend_point(o->backend, 0, o->point.z, o->point_den);
         return FMB_OK;
+    }
     if (!o->few.a)
         st = fmb_modular_kernel_init(&o->few, o->run->mem, o->n);
-    if (st == FMB_OK && solve_basis(o)) {
+    *found = st == FMB_OK && solve_basis(o);
+    if (*found)
         take_short_point(o);
+    return st;
+}
+
+fmb_status fmb_oracle_try_modular_vertex(fmb_oracle *o, bool *seen)
+{
+    *seen = false;
+    if (o->misses > MOST_MISSES || !fmb_way(FMB_WAY_MODULAR_VERTEX))
+        return FMB_OK;
+    fmb_status st = find_short_point(o, seen);
+    if (st == FMB_OK && *seen)
         st = fmb_vertex_try_point(&o->v, o->point.z, o->point_den, o->price, false, seen);
-    }
     fmb_way_answered(FMB_WAY_MODULAR_VERTEX, *seen);
     o->misses += *seen ? -(o->misses > 0) : 1;
     return st == FMB_OK ? fmb_integers_settle(&o->point, o->run->mem) : st;

@@ -47,6 +47,8 @@ fmb_status fmb_oracle_attain(fmb_oracle *o, bool *attained);
  * fmb_oracle_feasible first. */
 fmb_status fmb_oracle_grow(fmb_oracle *o);
 void fmb_oracle_shift(fmb_oracle *o);
+/* The same of row i alone. */
+void fmb_oracle_shift_row(fmb_oracle *o, size_t i);
 void fmb_oracle_switch(fmb_oracle *o, size_t i, bool on);
 
 /* A limit has ended one of these: x[n] becomes the best of the points on the way, unless that is

@@ -42,9 +42,8 @@ struct fmb_oracle {
 
 /* closure.c: the same questions about the closure. Count a program, and tell the watcher. */
 void fmb_closure_begin(fmb_oracle *o);
-/* THERE, and o->point is a vertex, or CONFLICT. Errors: MEMORY, LIMIT. */
-fmb_status fmb_closure_decide(fmb_oracle *o, fmb_pivot_walk_end *end);
-/* Its two halves. */
+/* A guess, and what it comes to: REACHED, and o->point is a vertex, or CONFLICT. Errors: MEMORY,
+ * LIMIT. */
 fmb_status fmb_closure_guess(fmb_oracle *o, fmb_hint *h);
 fmb_status fmb_closure_certify(fmb_oracle *o, fmb_hint *h, fmb_pivot_walk_end *end);
 /* To a vertex where cost.x is large: THERE, and o->point is it; or RAY. */

@@ -77,28 +77,25 @@ static fmb_status take_inner_point(fmb_oracle *o, const fmb_oracle *t)
     return fmb_integers_settle(&o->point, o->run->mem);
 }
 
-/* t as large as it gets. */
+/* t as large as it gets, unless the first point seen has a positive one. */
 static fmb_status widen_interior(fmb_oracle *o, fmb_oracle *t, bool face, bool *room)
 {
     fmb_weights cost = {0};
     fmb_pivot_walk_end end;
-    mpq_t most;
-    mpq_init(most);
-    mpq_set_ui(most, 1, 1);
-    fmb_status st = fmb_weights_add(&cost, (uint32_t)o->n, most, o->run->mem);
+    mpq_t one;
+    mpq_init(one);
+    mpq_set_ui(one, 1, 1);
+    fmb_status st = fmb_weights_add(&cost, (uint32_t)o->n, one, o->run->mem);
     if (st == FMB_OK)
-        st = fmb_closure_decide(t, &end);
-    if (st == FMB_OK)
-        st = fmb_closure_approach(t, &cost, &end);
-    if (st == FMB_OK && end == FMB_PIVOT_WALK_REACHED)
+        st = fmb_closure_approach_point(t, &cost, &end);
+    if (st == FMB_OK && mpz_sgn(t->point.z[o->n]) <= 0)
         st = fmb_closure_climb(t, &end);
     if (st == FMB_OK) {
-        fmb_oracle_value(t, most);
-        *room = mpq_sgn(most) > 0;
+        *room = mpz_sgn(t->point.z[o->n]) > 0;
         st = *room ? take_inner_point(o, t) : take_interior_weights(o, t, face);
     }
     fmb_weights_clear(&cost, o->run->mem);
-    mpq_clear(most);
+    mpq_clear(one);
     return st;
 }
 

@@ -176,8 +176,10 @@ double fmb_vertex_slack(fmb_vertex *v, size_t i)
  * by a factor within 1 +- 2^-51, the x being quotients of truncated numbers; sums of up to size + 1
  * terms add size + 1 roundings: together less than (size + 8) 2^-50 of the sum of all sizes. An x
  * that underflows is off by 2^-1075 times 1 + 2^-51 besides, which its coefficient enlarges; a
- * product that does, by 2^-1075: both are doubled. */
-static double rough_slack(const fmb_program *p, size_t i, const double *roughly, bool *sure)
+ * product that does, by 2^-1075: both are doubled. Where x is of integers (whole), as coefficients
+ * are, and all sums are less than 2^53, nothing is rounded. */
+static double rough_slack(const fmb_program *p, size_t i, const double *roughly, bool whole,
+                          bool *sure)
 {
     const fmb_program_row *row = &p->row[i];
     double slack = fmb_program_double(p, i, row->size), all = fabs(slack), weight = 1;
@@ -188,7 +190,7 @@ static double rough_slack(const fmb_program *p, size_t i, const double *roughly,
         weight += 1 + fabs(a);
     }
     double error = all * (double)(row->size + 8) * 0x1p-50 + weight * 0x1p-1073;
-    *sure = all < 1e300 && fabs(slack) > error;
+    *sure = (all < 1e300 && fabs(slack) > error) || (whole && all < 0x1p53);
     return slack;
 }
 
@@ -196,7 +198,7 @@ static double rough_slack(const fmb_program *p, size_t i, const double *roughly,
 static int violation_sign(fmb_vertex *v, size_t i, double *depth)
 {
     bool sure, equality = v->p->row[i].rel == FMB_EQ;
-    *depth = rough_slack(v->p, i, v->roughly, &sure);
+    *depth = rough_slack(v->p, i, v->roughly, false, &sure);
     int sign = sure ? (*depth > 0) - (*depth < 0) : fmb_vertex_slack_sign(v, i);
     *depth = isnan(*depth) ? 0 : fabs(*depth);
     return sign < 0 ? 1 : sign > 0 && equality ? -1 : 0;
@@ -233,7 +235,7 @@ bool fmb_vertex_is_inside(fmb_vertex *v)
             continue;
         if (fmb_vertex_holds(v, i))
             return false;
-        double slack = rough_slack(v->p, i, v->roughly, &sure);
+        double slack = rough_slack(v->p, i, v->roughly, false, &sure);
         if (sure ? slack <= 0 : fmb_vertex_slack_sign(v, i) <= 0)
             return false;
     }
@@ -252,6 +254,7 @@ bool fmb_vertex_is_point_inside(fmb_vertex *v, mpz_t *x, const mpz_t den)
 fmb_status fmb_vertex_try_point(fmb_vertex *v, mpz_t *x, const mpz_t den, double *roughly,
                                 bool strictly, bool *holds)
 {
+    bool whole = mpz_cmp_ui(den, 1) == 0;
     fmb_status st = FMB_OK;
     *holds = true;
     for (size_t j = 0; j < v->n; j++)
@@ -261,7 +264,7 @@ fmb_status fmb_vertex_try_point(fmb_vertex *v, mpz_t *x, const mpz_t den, double
         fmb_rel rel = v->p->row[i].rel;
         if (v->p->row[i].off)
             continue;
-        double slack = rough_slack(v->p, i, roughly, &sure);
+        double slack = rough_slack(v->p, i, roughly, whole, &sure);
         int sign = sure ? (slack > 0) - (slack < 0) : slack_sign_at(v, i, x, den);
         *holds = rel == FMB_EQ ? sign == 0 : rel == FMB_LT && strictly ? sign > 0 : sign >= 0;
         st = fmb_run_poll(v->run);

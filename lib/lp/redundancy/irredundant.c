@@ -1,165 +1,422 @@
-/* irredundant.c: removing redundant rows one after another; see irredundant.h. */
+/* irredundant.c: see irredundant.h.
+ *
+ * Two oracles: one of all rows that have not gone, and one of the equalities alone. A form has an
+ * optimum over equalities if and only if it is a combination of them, and then its multipliers say
+ * which.
+ *
+ * Theorem. Of rows with a solution z, the others imply a.x <= b if and only if a.x <= b holds where
+ * they do and a.x <= b + 1. For if y satisfies the others and a.y > b, so do the points between z
+ * and y, and among these are some with b < a.x <= b + 1. (They satisfy strict rows strictly, too,
+ * if z does, even where y is of the closure.) So a row is tested with its right side one larger,
+ * where a.x has an optimum; there the row is not tight, so it has no part in the proof.
+ */
 #include "lp/redundancy/irredundant.h"
 
-#include "lp/dictionary/dictionary_read.h"
-#include "lp/redundancy/active_test.h"
+#include "lp/oracle/oracle.h"
+#include "num/integers.h"
 #include "num/rationals.h"
 
-typedef struct pass {
-    fmb_lp *lp;
-    const fmb_rel *rel;
+typedef struct pruner {
+    fmb_run *run;
+    size_t n, m;
+    const fmb_lp_row *row;
     fmb_fate *fate;
-    bool *slack; /* [m] known to be positive somewhere */
     const fmb_verdicts *told;
-    bool as_given;  /* inequalities stay inequalities */
-    mpq_t *x;       /* [n] scratch */
-    double *center; /* [n] roughly inside: the mean of the points seen */
-    size_t points;  /* so far, of which center is the sum */
-} pass;
+    bool as_given; /* no inequality becomes an equality */
+    bool any_strict;
+    bool *feasible;
+    fmb_program all, equal; /* every row, those gone being off; the equalities that stay */
+    fmb_oracle *over_all, *over_equal;
+    size_t *equality;   /* [m] rows of `equal` */
+    bool *is_nonzero;   /* [n] columns that some equality names */
+    fmb_integers point; /* [n], over den: what the oracle said last */
+    mpz_t den, sum;
+    mpq_t *inner, *x;    /* [n] a solution; scratch: a point that is told */
+    fmb_weights form, w; /* scratch */
+} pruner;
 
-/* Multipliers at hand: the minimum (-1) or maximum (1) of a slack. */
-static fmb_status tell_with_multipliers(pass *p, size_t i, int sign,
-                                        fmb_status (*whom)(void *, size_t, const fmb_weights *))
+/* ---- life ------------------------------------------------------------------------------------ */
+
+static void close_pruner(pruner *p)
 {
-    fmb_weights w = {0};
-    if (!whom)
-        return FMB_OK;
-    fmb_status st = fmb_lp_optimum(p->lp, sign, &w);
+    fmb_mem *mem = p->run->mem;
+    fmb_oracle_free(p->over_all);
+    fmb_oracle_free(p->over_equal);
+    fmb_program_clear(&p->all);
+    fmb_program_clear(&p->equal);
+    fmb_weights_clear(&p->form, mem);
+    fmb_weights_clear(&p->w, mem);
+    fmb_mem_put(mem, p->equality, p->m, sizeof *p->equality);
+    fmb_mem_put(mem, p->is_nonzero, p->n, sizeof *p->is_nonzero);
+    fmb_integers_clear(&p->point, mem);
+    fmb_rationals_free(p->inner, p->n, mem);
+    fmb_rationals_free(p->x, p->n, mem);
+    mpz_clears(p->den, p->sum, NULL);
+}
+
+static fmb_status load_all_rows(pruner *p)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i < p->m; i++) {
+        st = fmb_program_add_dense(&p->all, p->row[i].v, p->row[i].rel);
+        if (st == FMB_OK)
+            p->all.row[i].off = p->fate[i] == FMB_FATE_REDUNDANT;
+    }
+    p->any_strict = p->all.any_strict;
     if (st == FMB_OK)
-        st = whom(p->told->self, i, &w);
-    fmb_weights_clear(&w, p->lp->run->mem);
+        st = fmb_oracle_new(p->run, &p->all, &p->over_all);
+    return st == FMB_OK ? fmb_oracle_new(p->run, &p->equal, &p->over_equal) : st;
+}
+
+static fmb_status open_pruner(pruner *p)
+{
+    fmb_mem *mem = p->run->mem;
+    fmb_program_init(&p->all, mem, (int)p->n);
+    fmb_program_init(&p->equal, mem, (int)p->n);
+    mpz_inits(p->den, p->sum, NULL);
+    p->equality = fmb_mem_get(mem, p->m, sizeof *p->equality);
+    p->is_nonzero = fmb_mem_zero(mem, p->n, sizeof *p->is_nonzero);
+    fmb_status st = p->equality && p->is_nonzero ? FMB_OK : fmb_mem_status(mem);
+    if (st == FMB_OK)
+        st = fmb_integers_init(&p->point, p->n, mem);
+    if (st == FMB_OK)
+        st = fmb_rationals_new(&p->inner, p->n, mem);
+    if (st == FMB_OK)
+        st = fmb_rationals_new(&p->x, p->n, mem);
+    return st == FMB_OK ? load_all_rows(p) : st;
+}
+
+/* ---- forms ----------------------------------------------------------------------------------- */
+
+/* Sign of a_i.x - b_i where the oracle stands. */
+static int sign_of_excess(pruner *p, size_t i)
+{
+    fmb_oracle_point_integers(p->over_all, p->point.z, p->den);
+    fmb_vec_get(p->row[i].v, p->n, p->sum);
+    mpz_mul(p->sum, p->sum, p->den);
+    mpz_neg(p->sum, p->sum);
+    fmb_program_add_product(&p->all, i, p->point.z, p->sum);
+    return mpz_sgn(p->sum);
+}
+
+static fmb_status write_form(pruner *p, size_t i)
+{
+    const fmb_program_row *r = &p->all.row[i];
+    fmb_status st = FMB_OK;
+    mpq_t a;
+    mpq_init(a);
+    fmb_weights_clear(&p->form, p->run->mem);
+    for (size_t k = 0; st == FMB_OK && k < r->size; k++) {
+        fmb_vec_get_q(r->value, k, a);
+        st = fmb_weights_add(&p->form, (uint32_t)r->column[k], a, p->run->mem);
+    }
+    mpq_clear(a);
     return st;
 }
 
-static fmb_status drop_redundant_row(pass *p, size_t i)
+/* How large can a_i.x - b_i be, which is bounded? Where it is positive, the first point seen is
+ * enough. */
+static fmb_status push_row(pruner *p, size_t i, int *excess)
+{
+    fmb_oracle_end end;
+    fmb_status st = write_form(p, i);
+    if (st == FMB_OK)
+        st = fmb_oracle_approach_point(p->over_all, &p->form, &end);
+    *excess = st == FMB_OK ? sign_of_excess(p, i) : 0;
+    if (st != FMB_OK || *excess > 0)
+        return st;
+    st = fmb_oracle_climb(p->over_all, &end);
+    *excess = st == FMB_OK ? sign_of_excess(p, i) : 0;
+    return st;
+}
+
+/* Tell of row i, with the multipliers of the last optimum; place numbers its rows, NULL: as here.
+ */
+static fmb_status tell_with_weights(pruner *p, const fmb_oracle *o, size_t i, const size_t *place,
+                                    fmb_status (*whom)(void *, size_t, const fmb_weights *))
+{
+    if (!whom)
+        return FMB_OK;
+    fmb_weights_clear(&p->w, p->run->mem);
+    fmb_status st = fmb_oracle_multipliers(o, &p->w);
+    for (size_t k = 0; place && k < p->w.size; k++)
+        p->w.index[k] = (uint32_t)place[p->w.index[k]];
+    return st == FMB_OK ? whom(p->told->self, i, &p->w) : st;
+}
+
+static void leave_out_row(pruner *p, size_t i)
+{
+    p->all.row[i].off = true;
+    fmb_oracle_switch(p->over_all, i, false);
+}
+
+static void take_in_row(pruner *p, size_t i)
+{
+    p->all.row[i].off = false;
+    fmb_oracle_switch(p->over_all, i, true);
+}
+
+static fmb_status drop_row_with_weights(pruner *p, const fmb_oracle *o, size_t i,
+                                        const size_t *place)
 {
     p->fate[i] = FMB_FATE_REDUNDANT;
-    return tell_with_multipliers(p, i, -1, p->told ? p->told->redundant : NULL);
+    leave_out_row(p, i);
+    return tell_with_weights(p, o, i, place, p->told ? p->told->redundant : NULL);
 }
 
 /* ---- equalities ------------------------------------------------------------------------------ */
 
-static fmb_status lock_equality_row(pass *p, size_t i)
+/* Does an equality have a column that no other one has so far? Then it depends on none. */
+static bool names_new_column(pruner *p, size_t i)
 {
-    bool depends;
-    fmb_status st = fmb_lp_lock(p->lp, i, &depends);
-    if (st != FMB_OK)
-        return st;
-    if (depends)
-        return drop_redundant_row(p, i);
-    p->fate[i] = FMB_FATE_KEPT;
-    return FMB_OK;
-}
-
-/* Every slack that is positive at the current point is no implicit equality. */
-static void note_positive_slacks(pass *p)
-{
-    fmb_lp_add_point(p->lp, p->center);
-    p->points++;
-    for (size_t i = 0; i < p->lp->m; i++)
-        p->slack[i] = p->slack[i] || fmb_lp_is_slack(p->lp, i);
-}
-
-/* A strict row is never tight on a feasible system. Otherwise the largest slack decides. */
-static fmb_status find_implicit_equality(pass *p, size_t i)
-{
-    fmb_lp_end end;
-    bool depends;
-    if (p->slack[i])
-        return FMB_OK;
-    fmb_status st = fmb_lp_widen_slack(p->lp, i, &end);
-    if (st == FMB_OK)
-        note_positive_slacks(p);
-    if (st != FMB_OK || end != FMB_LP_OPTIMUM || p->as_given)
-        return st;
-    fmb_weights reverse = {0};
-    st = fmb_lp_optimum(p->lp, 1, &reverse);
-    if (st == FMB_OK)
-        st = fmb_lp_lock(p->lp, i, &depends);
-    if (st == FMB_OK && depends) {
-        st = drop_redundant_row(p, i);
-    } else if (st == FMB_OK) {
-        p->fate[i] = FMB_FATE_EQUALITY;
-        if (p->told && p->told->equality)
-            st = p->told->equality(p->told->self, i, &reverse);
+    const fmb_program_row *r = &p->all.row[i];
+    bool news = false;
+    for (size_t k = 0; k < r->size; k++) {
+        news = news || !p->is_nonzero[r->column[k]];
+        p->is_nonzero[r->column[k]] = true;
     }
-    fmb_weights_clear(&reverse, p->lp->run->mem);
+    return news;
+}
+
+/* Row i is an equality, and joins the others, unless it depends on them; *depends tells. */
+static fmb_status lock_row(pruner *p, size_t i, bool *depends)
+{
+    const fmb_program_row *r = &p->all.row[i];
+    fmb_oracle_end end = FMB_ORACLE_UNBOUNDED;
+    fmb_status st = FMB_OK;
+    bool attained;
+    if (!names_new_column(p, i)) {
+        st = write_form(p, i);
+        if (st == FMB_OK)
+            st = fmb_oracle_maximize(p->over_equal, &p->form, &end, &attained);
+    }
+    *depends = end == FMB_ORACLE_OPTIMUM;
+    if (st != FMB_OK || *depends)
+        return st;
+    p->equality[p->equal.m] = i;
+    st = fmb_program_add(&p->equal, r->size, r->column, NULL, r->value, FMB_EQ);
+    return st == FMB_OK ? fmb_oracle_grow(p->over_equal) : st;
+}
+
+/* The same, and it goes if it depends on them; else that becomes of it. */
+static fmb_status lock_or_drop_row(pruner *p, size_t i, fmb_fate fate)
+{
+    bool depends;
+    fmb_status st = lock_row(p, i, &depends);
+    if (st == FMB_OK && depends)
+        return drop_row_with_weights(p, p->over_equal, i, p->equality);
+    if (st == FMB_OK)
+        p->fate[i] = fate;
+    return st;
+}
+
+static fmb_status lock_equalities(pruner *p)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i < p->m; i++)
+        if (p->row[i].rel == FMB_EQ && p->fate[i] != FMB_FATE_REDUNDANT)
+            st = lock_or_drop_row(p, i, FMB_FATE_KEPT);
+    return st;
+}
+
+/* May row i always be tight, as far as is known? */
+static bool is_row_open(const pruner *p, size_t i)
+{
+    return p->fate[i] == FMB_FATE_UNKNOWN && p->row[i].rel == FMB_LE;
+}
+
+/* Open rows are taken for strict ones, or not any more. */
+static size_t mark_open_rows(pruner *p, bool strict)
+{
+    size_t marked = 0;
+    for (size_t i = 0; i < p->m; i++)
+        if (is_row_open(p, i)) {
+            p->all.row[i].rel = strict ? FMB_LT : FMB_LE;
+            marked++;
+        }
+    p->all.any_strict = p->any_strict || (strict && marked > 0);
+    return marked;
+}
+
+/* A conflict, 0 = sum_k y_k a_k with the same of right sides, as the reverse of a row that it
+ * names: -a_i = sum (y_k / y_i) a_k over the others. */
+static fmb_status tell_of_equality(pruner *p, const fmb_weights *y, size_t at)
+{
+    fmb_status st = FMB_OK;
+    mpq_t t;
+    if (!p->told || !p->told->equality)
+        return FMB_OK;
+    mpq_init(t);
+    fmb_weights_clear(&p->w, p->run->mem);
+    for (size_t k = 0; st == FMB_OK && k < y->size; k++) {
+        mpq_div(t, y->value[k], y->value[at]);
+        if (k != at)
+            st = fmb_weights_add(&p->w, y->index[k], t, p->run->mem);
+    }
+    mpq_clear(t);
+    return st == FMB_OK ? p->told->equality(p->told->self, y->index[at], &p->w) : st;
+}
+
+static fmb_status turn_row_into_equality(pruner *p, const fmb_weights *y, size_t at)
+{
+    size_t i = y->index[at];
+    bool depends;
+    leave_out_row(p, i);
+    p->all.row[i].rel = FMB_EQ;
+    take_in_row(p, i);
+    fmb_status st = lock_row(p, i, &depends);
+    if (st != FMB_OK || depends)
+        return st;
+    p->fate[i] = FMB_FATE_EQUALITY;
+    return tell_of_equality(p, y, at);
+}
+
+/* There is a solution, but none that satisfies open rows strictly: those of the conflict are
+ * equalities, and some are there. They go, if they do, once all proofs that name them are told. */
+static fmb_status take_equalities_of_conflict(pruner *p)
+{
+    fmb_weights y = {0};
+    fmb_status st = fmb_oracle_conflict(p->over_all, &y);
+    for (size_t k = 0; st == FMB_OK && k < y.size; k++)
+        if (is_row_open(p, y.index[k]))
+            st = turn_row_into_equality(p, &y, k);
+    for (size_t k = 0; st == FMB_OK && k < y.size; k++)
+        if (is_row_open(p, y.index[k]))
+            st = lock_or_drop_row(p, y.index[k], FMB_FATE_EQUALITY);
+    fmb_weights_clear(&y, p->run->mem);
+    return st;
+}
+
+/* All rows that are always tight. In the end the oracle has a point where no other is. */
+static fmb_status find_implicit_equalities(pruner *p)
+{
+    fmb_status st = FMB_OK;
+    bool room = false;
+    while (st == FMB_OK && !room && mark_open_rows(p, true) > 0) {
+        st = fmb_oracle_feasible(p->over_all, &room);
+        mark_open_rows(p, false);
+        if (st == FMB_OK && !room)
+            st = take_equalities_of_conflict(p);
+    }
     return st;
 }
 
 /* ---- inequalities ---------------------------------------------------------------------------- */
 
-static fmb_status test_row_redundant(pass *p, size_t i)
+/* The right side of row i becomes b_i + by. */
+static fmb_status move_right_side(pruner *p, size_t i, unsigned long by)
 {
-    fmb_lp_end end;
-    fmb_status st = fmb_lp_test_active(p->lp, i, p->center, p->x, &end);
+    fmb_vec_get(p->row[i].v, p->n, p->sum);
+    mpz_add_ui(p->sum, p->sum, by);
+    fmb_status st = fmb_program_set_right(&p->all, i, p->sum);
+    fmb_oracle_shift_row(p->over_all, i);
+    return st;
+}
+
+/* out = a_i.x - b_i. */
+static void measure_excess(const pruner *p, size_t i, mpq_t *x, mpq_t out)
+{
+    const fmb_program_row *r = &p->all.row[i];
+    mpq_t t;
+    mpq_init(t);
+    fmb_vec_get_q(p->row[i].v, p->n, out);
+    mpq_neg(out, out);
+    for (size_t k = 0; k < r->size; k++) {
+        fmb_vec_get_q(r->value, k, t);
+        mpq_mul(t, t, x[r->column[k]]);
+        mpq_add(out, out, t);
+    }
+    mpq_clear(t);
+}
+
+/* x is of the closure, and a_i.x - b_i = e > 0; at the inner point it is -s. A share of
+ * (s + e/2) / (s + e) of the way from there to x it is e/2, and strict rows hold strictly. */
+static void go_half_way_to_inner(pruner *p, size_t i)
+{
+    mpq_t e, s, share;
+    mpq_inits(e, s, share, NULL);
+    measure_excess(p, i, p->x, e);
+    measure_excess(p, i, p->inner, s);
+    mpq_sub(s, e, s);
+    mpq_div_2exp(e, e, 1);
+    mpq_sub(share, s, e);
+    mpq_div(share, share, s);
+    for (size_t j = 0; j < p->n; j++) {
+        mpq_sub(p->x[j], p->x[j], p->inner[j]);
+        mpq_mul(p->x[j], p->x[j], share);
+        mpq_add(p->x[j], p->x[j], p->inner[j]);
+    }
+    mpq_clears(e, s, share, NULL);
+}
+
+/* The point where the oracle stands breaks row i; if `beyond`, even its closure. */
+static fmb_status keep_tested_row(pruner *p, size_t i, bool beyond)
+{
+    p->fate[i] = FMB_FATE_KEPT;
+    if (!p->told || !p->told->irredundant)
+        return FMB_OK;
+    fmb_oracle_point(p->over_all, p->x);
+    if (beyond && p->all.any_strict)
+        go_half_way_to_inner(p, i);
+    return p->told->irredundant(p->told->self, i, p->x);
+}
+
+static fmb_status test_row(pruner *p, size_t i)
+{
+    int excess = 0;
+    bool attained = false;
+    fmb_status st = move_right_side(p, i, 1);
+    if (st == FMB_OK)
+        st = push_row(p, i, &excess);
+    if (st == FMB_OK && excess == 0 && p->row[i].rel == FMB_LT)
+        st = fmb_oracle_attain(p->over_all, &attained);
     if (st != FMB_OK)
         return st;
-    if (end == FMB_LP_OPTIMUM)
-        return drop_redundant_row(p, i);
-    p->fate[i] = FMB_FATE_KEPT;
-    if (p->told && p->told->irredundant)
-        st = p->told->irredundant(p->told->self, i, p->x);
-    return st == FMB_OK ? fmb_lp_restore(p->lp) : st;
+    if (excess < 0 || (excess == 0 && !attained))
+        return drop_row_with_weights(p, p->over_all, i, NULL);
+    st = keep_tested_row(p, i, excess > 0);
+    return st == FMB_OK ? move_right_side(p, i, 0) : st;
 }
 
-/* With fewer rows sleeping saves nothing. */
-#define MANY_ROWS 64
-
-static void prepare_active_tests(pass *p)
+static fmb_status prune_in_passes(pruner *p)
 {
-    for (int j = 0; p->points > 0 && j < p->lp->n; j++)
-        p->center[j] /= (double)p->points;
-    if (p->lp->m >= MANY_ROWS)
-        fmb_lp_deactivate(p->lp);
-}
-
-static fmb_status run_three_passes(pass *p)
-{
-    fmb_status st = FMB_OK;
-    size_t m = p->lp->m;
-    for (size_t i = 0; st == FMB_OK && i < m; i++)
-        if (p->rel[i] == FMB_EQ)
-            st = lock_equality_row(p, i);
-    note_positive_slacks(p);
-    for (size_t i = 0; st == FMB_OK && i < m; i++)
-        if (p->rel[i] == FMB_LE && p->fate[i] == FMB_FATE_UNKNOWN)
-            st = find_implicit_equality(p, i);
-    prepare_active_tests(p);
-    for (size_t i = m; st == FMB_OK && i-- > 0;)
+    fmb_status st = fmb_oracle_feasible(p->over_all, p->feasible);
+    if (st != FMB_OK || !*p->feasible)
+        return st;
+    fmb_oracle_point(p->over_all, p->inner);
+    st = lock_equalities(p);
+    if (st == FMB_OK && !p->as_given)
+        st = find_implicit_equalities(p);
+    for (size_t i = p->m; st == FMB_OK && i-- > 0;)
         if (p->fate[i] == FMB_FATE_UNKNOWN)
-            st = test_row_redundant(p, i);
+            st = test_row(p, i);
     return st;
 }
 
-static fmb_status allocate_pass(pass *p)
+static fmb_status prune(pruner p)
 {
-    fmb_mem *mem = p->lp->run->mem;
-    p->slack = fmb_mem_zero(mem, p->lp->m, sizeof *p->slack);
-    p->center = fmb_mem_zero(mem, (size_t)p->lp->n, sizeof *p->center);
-    if (!p->slack || !p->center)
-        return fmb_mem_status(mem);
-    return fmb_rationals_new(&p->x, (size_t)p->lp->n, mem);
-}
-
-static fmb_status decide_rows_in_passes(pass *p)
-{
-    fmb_mem *mem = p->lp->run->mem;
-    fmb_status st = allocate_pass(p);
+    fmb_status st = open_pruner(&p);
     if (st == FMB_OK)
-        st = run_three_passes(p);
-    fmb_rationals_free(p->x, (size_t)p->lp->n, mem);
-    fmb_mem_put(mem, p->center, (size_t)p->lp->n, sizeof *p->center);
-    fmb_mem_put(mem, p->slack, p->lp->m, sizeof *p->slack);
+        st = prune_in_passes(&p);
+    close_pruner(&p);
     return st;
 }
 
-fmb_status fmb_irredundant(fmb_lp *lp, const fmb_rel *rel, fmb_fate *fate, const fmb_verdicts *told)
+fmb_status fmb_irredundant(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row, fmb_fate *fate,
+                           const fmb_verdicts *told, bool *feasible)
 {
-    return decide_rows_in_passes(&(pass){.lp = lp, .rel = rel, .fate = fate, .told = told});
+    return prune((pruner){
+        .run = run, .n = n, .m = m, .row = row, .fate = fate, .told = told, .feasible = feasible});
 }
 
-fmb_status fmb_redundant(fmb_lp *lp, const fmb_rel *rel, fmb_fate *fate)
+fmb_status fmb_redundant(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row, fmb_fate *fate,
+                         bool *feasible)
 {
-    return decide_rows_in_passes(&(pass){.lp = lp, .rel = rel, .fate = fate, .as_given = true});
+    return prune((pruner){.run = run,
+                          .n = n,
+                          .m = m,
+                          .row = row,
+                          .fate = fate,
+                          .as_given = true,
+                          .feasible = feasible});
 }

@@ -1,20 +1,21 @@
-/* irredundant.h: which rows of a feasible dictionary can go, one after another.
+/* irredundant.h: which of some rows can go, one after another, by linear programs.
  *
- * Three passes over the oracle's rows: equalities that depend on others go; inequalities that
- * always hold with equality become equalities (or go, if they depend on others); every other
- * inequality that the rows still there imply goes. A row is proved redundant from rows not yet
- * gone, so the removals are sound in their order. Source: Schrijver 1986, section 8.1; Fukuda,
- * Frequently asked questions in polyhedral computation, 2.21.
+ * Three passes: equalities that depend on others go; inequalities that always hold with equality
+ * become equalities (or go, if they depend on others); every other inequality that the rows still
+ * there imply goes. A row is proved redundant from rows not yet gone, so the removals are sound in
+ * their order. Source: Schrijver 1986, section 8.1; Fukuda, Frequently asked questions in
+ * polyhedral computation, 2.21.
  */
 #ifndef FMB_LP_IRREDUNDANT_H
 #define FMB_LP_IRREDUNDANT_H
 
 #include <fmb/solve.h>
 
-#include "lp/dictionary/dictionary.h"
+#include "lp/model/row.h"
 #include "num/weights.h"
+#include "trace/run.h"
 
-/* Told of each decision as it falls; the oracle's reading functions are valid during the call. */
+/* Told of each decision as it falls. */
 typedef struct fmb_verdicts {
     /* Row i is a combination (w) of rows not yet gone. */
     fmb_status (*redundant)(void *self, size_t i, const fmb_weights *w);
@@ -25,13 +26,15 @@ typedef struct fmb_verdicts {
     void *self;
 } fmb_verdicts;
 
-/* lp must be feasible. fate[m] comes in UNKNOWN, or KEPT for inequalities that are known to be
- * irredundant and not always tight: those are not looked at. told may be NULL. On FMB_LIMIT the
- * fates set so far hold. */
-fmb_status fmb_irredundant(fmb_lp *lp, const fmb_rel *rel, fmb_fate *fate,
-                           const fmb_verdicts *told);
+/* fate[m] comes in UNKNOWN; or REDUNDANT for rows that have gone, or KEPT for inequalities that are
+ * known to be irredundant and not always tight: those are not looked at. told may be NULL.
+ * *feasible false: there is no solution, and nothing else is said. On LIMIT the fates set so far
+ * hold. Errors: MEMORY, LIMIT. */
+fmb_status fmb_irredundant(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row, fmb_fate *fate,
+                           const fmb_verdicts *told, bool *feasible);
 /* The same without the second pass: inequalities stay what they are, and only their redundancy is
  * decided. */
-fmb_status fmb_redundant(fmb_lp *lp, const fmb_rel *rel, fmb_fate *fate);
+fmb_status fmb_redundant(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row, fmb_fate *fate,
+                         bool *feasible);
 
 #endif

@@ -108,6 +108,12 @@ void fmb_backend_shift(fmb_backend *d, const double *right)
     d->side->shift(d->self);
 }
 
+void fmb_door_shift_row(fmb_backend *d, size_t i)
+{
+    fmb_reals_shift_row(&d->scaled, i);
+    d->side->shift_row(d->self, i);
+}
+
 void fmb_backend_move_in(fmb_backend *d, double by)
 {
     fmb_scaled_program_move_in(&d->scaled, by);

@@ -21,6 +21,8 @@ typedef struct fmb_backend_methods {
     fmb_status (*switch_row)(void *self, size_t i);
     fmb_status (*place)(void *self, const size_t *basis);
     void (*shift)(void *self);
+    /* The right side of row i alone is another one. */
+    void (*shift_row)(void *self, size_t i);
     /* Where the last question ended, scaled as the columns are: x[n]. */
     void (*point)(void *self, double *x);
 } fmb_backend_methods;

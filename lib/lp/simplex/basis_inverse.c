@@ -209,7 +209,18 @@ void fmb_basis_inverse_point(fmb_basis_inverse *c, const double *right, fmb_inde
         return;
     }
     fmb_indexed_vector_clear(x, true);
-    for (size_t j = 0; j < c->n; j++)
+    size_t named = 0;
+    for (size_t r = 0; r < c->n; r++)
+        named += right[r] != 0;
+    if (8 * named <= c->n) /* the inverse is by rows: else columns take longer */
         for (size_t r = 0; r < c->n; r++)
-            x->at[j] += c->inverse[j * c->n + r] * right[r];
+            for (size_t j = 0; j < c->n && right[r] != 0; j++)
+                x->at[j] += c->inverse[j * c->n + r] * right[r];
+    else
+        for (size_t j = 0; j < c->n; j++) {
+            double sum = 0;
+            for (size_t r = 0; r < c->n; r++)
+                sum += c->inverse[j * c->n + r] * right[r];
+            x->at[j] = sum;
+        }
 }

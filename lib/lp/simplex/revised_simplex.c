@@ -164,6 +164,20 @@ static void shift_own(void *self)
     o->feasible = false;
 }
 
+/* Where the row is not in the basis, the point stays. */
+static void shift_row_of_own(void *self, size_t i)
+{
+    fmb_simplex_state *o = self;
+    double by = o->f->right[i] - o->right[i];
+    if (o->moved || !o->placed || find_member(o, i) != FMB_NOWHERE) {
+        shift_own(self);
+        return;
+    }
+    o->right[i] += by;
+    o->slack[i] += by;
+    o->feasible = o->feasible && by >= 0;
+}
+
 static fmb_status grow_own(void *self)
 {
     return fmb_simplex_state_grow(self);
@@ -202,9 +216,9 @@ static fmb_status open_own_factors(const fmb_scaled_program *f, void **out)
     return open_state(f, true, out);
 }
 
-const fmb_backend_methods fmb_backend_revised_simplex = {open_own,     close_own, search_own,
-                                                         maximize_own, grow_own,  switch_own,
-                                                         place_own,    shift_own, point_of_own};
+const fmb_backend_methods fmb_backend_revised_simplex = {
+    open_own,   close_own, search_own, maximize_own,     grow_own,
+    switch_own, place_own, shift_own,  shift_row_of_own, point_of_own};
 const fmb_backend_methods fmb_backend_revised_simplex_lu = {
-    open_own_factors, close_own, search_own, maximize_own, grow_own,
-    switch_own,       place_own, shift_own,  point_of_own};
+    open_own_factors, close_own, search_own, maximize_own,     grow_own,
+    switch_own,       place_own, shift_own,  shift_row_of_own, point_of_own};

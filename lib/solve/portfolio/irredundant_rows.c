@@ -7,9 +7,7 @@
 #include "solve/portfolio/irredundant_rows.h"
 
 #include "elim/store/derive.h"
-#include "lp/dictionary/exact_simplex.h"
 #include "lp/redundancy/active_set/implied.h"
-#include "lp/redundancy/by_oracle.h"
 #include "lp/redundancy/irredundant.h"
 
 /* The rows left. Row k of the oracle is row e->live[k] of the store. */
@@ -19,8 +17,6 @@ typedef struct remains {
     const int *place; /* [dim] column in the projection, -1 for variables that go */
     fmb_elim *e;
     fmb_system *out;
-    fmb_lp lp;
-    bool has_lp;
     fmb_lp_row *row;      /* [lives] */
     fmb_rel *rel;         /* [lives] */
     fmb_fate *fate;       /* [lives] */
@@ -151,18 +147,6 @@ static bool are_all_fates_known(const remains *h)
     return true;
 }
 
-static bool is_some_row_strict(const remains *h)
-{
-    bool strict = false;
-    for (size_t k = 0; k < h->e->live.size; k++)
-        strict = strict || h->rel[k] == FMB_LT;
-    return strict;
-}
-
-/* The columns that went stay in a dictionary, as zeros, so that a program for each of many rows is
- * quicker. */
-#define MANY_ROWS 64
-
 /* The oracle decides what is left to decide. */
 static fmb_status ask_oracle_about_rows(remains *h, bool *feasible)
 {
@@ -173,16 +157,8 @@ static fmb_status ask_oracle_about_rows(remains *h, bool *feasible)
         return fmb_mem_status(h->q->run.mem);
     for (size_t k = 0; k < m; k++)
         h->reverse[k] = (fmb_weights){0};
-    if (m > MANY_ROWS && !is_some_row_strict(h))
-        return fmb_irredundant_by_oracle(&h->q->run, (size_t)h->p->n, m, h->row, h->fate,
-                                         h->q->claims ? &told : NULL);
-    h->has_lp = true;
-    fmb_status st = fmb_lp_init(&h->lp, &h->q->run, h->p->n, m, h->row, fmb_query_is_wide(h->q));
-    if (st == FMB_OK)
-        st = fmb_lp_feasible(&h->lp, feasible);
-    if (st != FMB_OK || !*feasible)
-        return st;
-    return fmb_irredundant(&h->lp, h->rel, h->fate, h->q->claims ? &told : NULL);
+    return fmb_irredundant(&h->q->run, (size_t)h->p->n, m, h->row, h->fate,
+                           h->q->claims ? &told : NULL, feasible);
 }
 
 /* Put out what is irredundant. */
@@ -197,8 +173,6 @@ static fmb_status put_rows_that_stay(remains *h)
 
 static void close_remains(remains *h)
 {
-    if (h->has_lp)
-        fmb_lp_clear(&h->lp);
     for (size_t k = 0; h->reverse && k < h->e->live.size; k++)
         fmb_weights_clear(&h->reverse[k], h->q->run.mem);
 }

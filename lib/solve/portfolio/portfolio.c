@@ -153,8 +153,10 @@ static fmb_status eliminate_rest_of_lift(shadow *h, fmb_ray_projection *projecti
 
 static fmb_status is_part_feasible(fmb_query *q, int part, bool *feasible)
 {
-    fmb_lp *lp;
-    return fmb_query_dictionary(q, part, &lp, feasible);
+    fmb_oracle *o;
+    fmb_status st = fmb_query_oracle(q, part, &o);
+    *feasible = true;
+    return st == FMB_OK && !fmb_oracle_has_solution(o) ? fmb_oracle_feasible(o, feasible) : st;
 }
 
 static bool uses_lp_rule(const fmb_solver *v)

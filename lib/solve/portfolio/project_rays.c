@@ -12,8 +12,7 @@
 #include "dd/cone_rows.h"
 #include "elim/store/derive.h"
 #include "hull/image/image.h"
-#include "lp/dictionary/dictionary_read.h"
-#include "lp/redundancy/slack.h"
+#include "lp/oracle/oracle.h"
 #include "solve/portfolio/irredundant_rows.h"
 
 /* A part on its way. Row 0 of the cone is t >= 0, row 1 + i is live row i. */
@@ -133,34 +132,56 @@ static size_t list_tight_rows(const fmb_ray_projection *h, const fmb_image_row *
     return n;
 }
 
-/* The last of m rows is a combination of the others: which? */
-static fmb_status combine_rows_to_last(fmb_ray_projection *h, size_t m, const fmb_lp_row *rows,
-                                       const uint32_t *live, fmb_weights *w)
+/* The facet, or its reverse, is a combination of the rows of the oracle: which? */
+static fmb_status combine_tight_rows(fmb_ray_projection *h, fmb_oracle *o, int sign,
+                                     const uint32_t *live, fmb_weights *w)
 {
-    fmb_lp lp;
-    bool feasible;
-    fmb_lp_end end = FMB_LP_VIOLATED;
-    fmb_status st = fmb_lp_init(&lp, &h->q->run, h->p->n, m, rows, fmb_query_is_wide(h->q));
+    fmb_weights form = {0};
+    fmb_oracle_end end;
+    bool attained;
+    fmb_status st = FMB_OK;
+    mpq_t a;
+    mpq_init(a);
+    for (size_t j = 0; st == FMB_OK && j < (size_t)h->p->n; j++) {
+        fmb_vec_get_q(&h->facet, j, a);
+        if (sign < 0)
+            mpq_neg(a, a);
+        if (mpq_sgn(a) != 0)
+            st = fmb_weights_add(&form, (uint32_t)j, a, h->q->run.mem);
+    }
+    mpq_clear(a);
     if (st == FMB_OK)
-        st = fmb_lp_feasible(&lp, &feasible);
+        st = fmb_oracle_maximize(o, &form, &end, &attained);
     if (st == FMB_OK)
-        st = fmb_lp_test(&lp, m - 1, &end);
-    if (st == FMB_OK)
-        st = fmb_lp_optimum(&lp, -1, w);
-    fmb_lp_clear(&lp);
+        st = fmb_oracle_multipliers(o, w);
+    fmb_weights_clear(&form, h->q->run.mem);
     for (size_t i = 0; i < w->size; i++)
         w->index[i] = live[w->index[i]];
     return st == FMB_OK ? fmb_elim_derive(&h->e, w) : st;
 }
 
-static void negate_row(fmb_vec *v, size_t n)
+/* w[0] proves the facet, and if it is an equality w[1] its reverse. */
+static fmb_status prove_facet(fmb_ray_projection *h, const fmb_image_row *f, uint32_t *live,
+                              fmb_weights *w)
 {
-    for (size_t k = 0; k < n; k++) {
-        if (v->z)
-            mpz_neg(v->z[k], v->z[k]);
-        else
-            v->s[k] = -v->s[k];
+    fmb_program tight;
+    fmb_oracle *o = NULL;
+    fmb_status st = FMB_OK;
+    size_t m = list_tight_rows(h, f, live);
+    fmb_program_init(&tight, h->q->run.mem, h->p->n);
+    for (size_t i = 0; st == FMB_OK && i < m; i++) {
+        const fmb_derived *r = &h->e.row[live[i]];
+        st = fmb_program_add_dense(&tight, &r->v, fmb_derived_rel(r));
     }
+    if (st == FMB_OK)
+        st = fmb_oracle_new(&h->q->run, &tight, &o);
+    if (st == FMB_OK)
+        st = combine_tight_rows(h, o, 1, live, &w[0]);
+    if (st == FMB_OK && f->equality)
+        st = combine_tight_rows(h, o, -1, live, &w[1]);
+    fmb_oracle_free(o);
+    fmb_program_clear(&tight);
+    return st;
 }
 
 static fmb_status claim_facet(fmb_ray_projection *h, const fmb_image_row *f, fmb_rel rel)
@@ -168,20 +189,7 @@ static fmb_status claim_facet(fmb_ray_projection *h, const fmb_image_row *f, fmb
     fmb_mem *mem = h->q->run.mem;
     fmb_weights w[2] = {{0}, {0}};
     uint32_t *live = fmb_mem_get(mem, h->rows.size, sizeof *live);
-    fmb_lp_row *rows = fmb_mem_get(mem, h->rows.size + 1, sizeof *rows);
-    fmb_status st = live && rows ? FMB_OK : fmb_mem_status(mem);
-    size_t m = st == FMB_OK ? list_tight_rows(h, f, live) : 0;
-    for (size_t i = 0; i < m; i++)
-        rows[i] = (fmb_lp_row){&h->e.row[live[i]].v, fmb_derived_rel(&h->e.row[live[i]])};
-    if (st == FMB_OK)
-        rows[m] = (fmb_lp_row){&h->facet, rel == FMB_LT ? FMB_LT : FMB_LE};
-    if (st == FMB_OK)
-        st = combine_rows_to_last(h, m + 1, rows, live, &w[0]);
-    if (st == FMB_OK && f->equality) {
-        negate_row(&h->facet, (size_t)h->p->n + 1);
-        st = combine_rows_to_last(h, m + 1, rows, live, &w[1]);
-        negate_row(&h->facet, (size_t)h->p->n + 1);
-    }
+    fmb_status st = live ? prove_facet(h, f, live, w) : fmb_mem_status(mem);
     mpq_t one;
     mpq_init(one);
     mpq_set_ui(one, 1, 1);
@@ -191,7 +199,6 @@ static fmb_status claim_facet(fmb_ray_projection *h, const fmb_image_row *f, fmb
     mpq_clear(one);
     fmb_weights_clear(&w[0], mem);
     fmb_weights_clear(&w[1], mem);
-    fmb_mem_put(mem, rows, h->rows.size + 1, sizeof *rows);
     fmb_mem_put(mem, live, h->rows.size, sizeof *live);
     return st;
 }

@@ -14,7 +14,7 @@
 #include <string.h>
 
 #include "lp/oracle/oracle.h"
-#include "lp/redundancy/by_oracle.h"
+#include "lp/redundancy/irredundant.h"
 #include "lp/redundancy/ray_shooting/ray_shooting.h"
 #include "num/bitset.h"
 #include "num/integers.h"
@@ -135,7 +135,8 @@ static fmb_status tell_facets_from_faces(face_search *f, closure *o)
     bool unknown = false;
     for (size_t i = 0; i < o->m; i++)
         unknown = unknown || o->fate[i] == FMB_FATE_UNKNOWN;
-    return st == FMB_OK && unknown ? fmb_redundant_by_oracle(run, o->n, o->m, o->lp, o->fate) : st;
+    bool feasible; /* it is: these are rows of a projection that is not empty */
+    return st == FMB_OK && unknown ? fmb_redundant(run, o->n, o->m, o->lp, o->fate, &feasible) : st;
 }
 
 static fmb_status list_facets_and_faces(face_search *f)

@@ -6,9 +6,8 @@
 #include "solve/query/rule_lp.h"
 
 #include "elim/rules/view.h"
-#include "lp/dictionary/exact_simplex.h"
 #include "lp/redundancy/active_set/implied.h"
-#include "lp/redundancy/by_oracle.h"
+#include "lp/redundancy/irredundant.h"
 
 typedef struct patience {
     size_t next; /* rows from which on it looks again; 0: it has not looked */
@@ -17,7 +16,6 @@ typedef struct patience {
 /* Rows that still live, in lists for the oracle. */
 typedef struct rows {
     fmb_lp_row *row;
-    fmb_rel *rel;
     fmb_fate *fate;
     size_t *place; /* in the view */
     bool *gone;
@@ -28,7 +26,6 @@ typedef struct rows {
 static void free_row_lists(rows *a, fmb_mem *mem)
 {
     fmb_mem_put(mem, a->row, a->room, sizeof *a->row);
-    fmb_mem_put(mem, a->rel, a->room, sizeof *a->rel);
     fmb_mem_put(mem, a->fate, a->room, sizeof *a->fate);
     fmb_mem_put(mem, a->place, a->room, sizeof *a->place);
     fmb_mem_put(mem, a->gone, a->room, sizeof *a->gone);
@@ -39,12 +36,11 @@ static fmb_status allocate_row_lists(rows *a, fmb_mem *mem, size_t room)
 {
     *a = (rows){.room = room};
     a->row = fmb_mem_get(mem, room, sizeof *a->row);
-    a->rel = fmb_mem_get(mem, room, sizeof *a->rel);
     a->fate = fmb_mem_get(mem, room, sizeof *a->fate);
     a->place = fmb_mem_get(mem, room, sizeof *a->place);
     a->gone = fmb_mem_zero(mem, room, sizeof *a->gone);
     a->kept = fmb_mem_zero(mem, room, sizeof *a->kept);
-    bool got = a->row && a->rel && a->fate && a->place && a->gone && a->kept;
+    bool got = a->row && a->fate && a->place && a->gone && a->kept;
     return got ? FMB_OK : fmb_mem_status(mem);
 }
 
@@ -54,35 +50,18 @@ static void list_undropped_rows(rows *a, const fmb_elim *e, const bool *drop)
     a->size = 0;
     for (size_t i = 0; i < e->live.size; i++) {
         const fmb_derived *r = &e->row[e->live.row[i]];
-        fmb_rel rel = fmb_derived_rel(r);
         if (drop[i])
             continue;
         a->place[a->size] = i;
-        a->rel[a->size] = rel;
         a->fate[a->size] = FMB_FATE_UNKNOWN;
-        a->row[a->size++] = (fmb_lp_row){&r->v, rel};
+        a->row[a->size++] = (fmb_lp_row){&r->v, fmb_derived_rel(r)};
     }
-}
-
-static fmb_status ask_dictionary(const fmb_elim *e, rows *a)
-{
-    fmb_lp lp;
-    bool feasible = false;
-    fmb_status st = fmb_lp_init(&lp, e->run, e->n, a->size, a->row, e->num.wide_only);
-    if (st == FMB_OK)
-        st = fmb_lp_feasible(&lp, &feasible);
-    if (st == FMB_OK && feasible) /* if not, a rule lied when that was decided */
-        st = fmb_redundant(&lp, a->rel, a->fate);
-    fmb_lp_clear(&lp);
-    return st;
 }
 
 static fmb_status drop_rows_exactly(const fmb_elim *e, rows *a, bool *drop)
 {
-    size_t n = (size_t)e->n;
-    fmb_status st = fmb_suits_oracle(n, a->size, a->row)
-                        ? fmb_redundant_by_oracle(e->run, n, a->size, a->row, a->fate)
-                        : ask_dictionary(e, a);
+    bool feasible; /* if they are not, a rule lied when that was decided */
+    fmb_status st = fmb_redundant(e->run, (size_t)e->n, a->size, a->row, a->fate, &feasible);
     for (size_t i = 0; i < a->size; i++)
         drop[a->place[i]] |= a->fate[i] == FMB_FATE_REDUNDANT;
     return st;

@@ -1,9 +1,7 @@
-/* certified.c: oracles (lp/oracle) against the dictionary, on random programs, and while rows are
- * added, left out and taken in again. */
+/* certified.c: answers of oracles (lp/oracle) on random programs, and while rows are added, left
+ * out and taken in again: each comes with what proves it, which is formed again from the rows. */
 #include <criterion/criterion.h>
 
-#include "lp/dictionary/dictionary_read.h"
-#include "lp/dictionary/exact_simplex.h"
 #include "lp/oracle/oracle.h"
 #include "support.h"
 #include "system/system_private.h"
@@ -48,48 +46,6 @@ static void close_bench(bench *b)
     fmb_program_clear(&b->p);
     cr_assert_eq(b->mem.used, 0);
     support_case_clear(&b->c);
-}
-
-/* ---- the truth ------------------------------------------------------------------------------- */
-
-/* A dictionary of the rows that are not left out. */
-typedef struct truth {
-    fmb_lp lp;
-    fmb_lp_row *row;
-    fmb_vec *v;
-    size_t m, n;
-    bool feasible;
-} truth;
-
-static void open_truth(truth *t, bench *b)
-{
-    *t = (truth){.n = b->n};
-    t->row = malloc((b->p.m + 1) * sizeof *t->row);
-    t->v = calloc(b->p.m + 1, sizeof *t->v);
-    for (size_t i = 0; i < b->p.m; i++) {
-        const fmb_program_row *r = &b->p.row[i];
-        fmb_vec *v = &t->v[t->m];
-        if (r->off)
-            continue;
-        v->s = calloc(b->n + 1, sizeof *v->s);
-        cr_assert_eq(fmb_vec_widen(v, b->n + 1, &b->mem), FMB_OK);
-        for (size_t k = 0; k <= r->size; k++)
-            fmb_program_get(&b->p, i, k, v->z[k < r->size ? (size_t)r->column[k] : b->n]);
-        t->row[t->m++] = (fmb_lp_row){v, r->rel};
-    }
-    cr_assert_eq(fmb_lp_init(&t->lp, &b->run, (int)b->n, t->m, t->row, false), FMB_OK);
-    cr_assert_eq(fmb_lp_feasible(&t->lp, &t->feasible), FMB_OK);
-}
-
-static void close_truth(truth *t, bench *b)
-{
-    fmb_lp_clear(&t->lp);
-    for (size_t i = 0; i < t->m; i++) {
-        fmb_vec_clear(&t->v[i], t->n + 1, &b->mem);
-        free(t->v[i].s);
-    }
-    free(t->v);
-    free(t->row);
 }
 
 /* ---- proofs ---------------------------------------------------------------------------------- */
@@ -167,19 +123,16 @@ static void expect_solution(bench *b, const fmb_oracle *o, bool closure)
 
 /* ---- questions ------------------------------------------------------------------------------- */
 
-static void expect_optimum(bench *b, fmb_oracle *o, truth *t, int j, int sign, bool attained)
+/* The point reaches what the multipliers prove to be the most. */
+static void expect_optimum(bench *b, fmb_oracle *o, int j, int sign, bool attained)
 {
     fmb_weights w = {0};
     bool strict;
-    int step;
     mpq_t value, mine;
     mpq_inits(value, mine, NULL);
-    fmb_lp_value(&t->lp, value, &step);
-    fmb_oracle_value(o, mine);
+    fmb_oracle_value(o, value);
     if (sign < 0)
-        mpq_neg(mine, mine);
-    cr_assert(mpq_equal(value, mine));
-    cr_assert_eq(attained, step == 0);
+        mpq_neg(value, value);
     expect_solution(b, o, !attained);
     cr_assert(mpq_equal(b->x[j], value));
     cr_assert_eq(fmb_oracle_multipliers(o, &w), FMB_OK);
@@ -218,11 +171,10 @@ static void maximize_from_glimpse(bench *b, fmb_oracle *o, const fmb_weights *co
         cr_assert_eq(fmb_oracle_attain(o, attained), FMB_OK);
 }
 
-static void ask_end(bench *b, fmb_oracle *o, truth *t, int j, int sign, bool glimpse)
+static void ask_end(bench *b, fmb_oracle *o, int j, int sign, bool glimpse)
 {
     fmb_weights cost = {0};
     fmb_oracle_end end;
-    fmb_lp_end other;
     bool attained;
     mpq_t one;
     mpq_init(one);
@@ -232,35 +184,28 @@ static void ask_end(bench *b, fmb_oracle *o, truth *t, int j, int sign, bool gli
         maximize_from_glimpse(b, o, &cost, &end, &attained);
     else
         cr_assert_eq(fmb_oracle_maximize(o, &cost, &end, &attained), FMB_OK);
-    cr_assert_eq(fmb_lp_extreme(&t->lp, j, sign, &other), FMB_OK);
-    cr_assert_eq(end == FMB_ORACLE_UNBOUNDED, other == FMB_LP_UNBOUNDED);
     if (end == FMB_ORACLE_UNBOUNDED)
         expect_ray(b, o, j, sign);
     else
-        expect_optimum(b, o, t, j, sign, attained);
+        expect_optimum(b, o, j, sign, attained);
     fmb_weights_clear(&cost, &b->mem);
     mpq_clear(one);
 }
 
 static void ask_everything(bench *b, fmb_oracle *o)
 {
-    truth t;
     bool feasible;
-    open_truth(&t, b);
     cr_assert_eq(fmb_oracle_feasible(o, &feasible), FMB_OK);
-    cr_assert_eq(feasible, t.feasible, "%s %llu", support_family_name(b->c.family),
-                 (unsigned long long)b->c.seed);
     if (!feasible)
         expect_conflict(b, o);
     else
         expect_solution(b, o, false);
     for (int j = 0; feasible && j < (int)b->n; j++)
         for (int k = 0; k < 4; k++)
-            ask_end(b, o, &t, j, k % 2 ? 1 : -1, k / 2 == j % 2);
-    close_truth(&t, b);
+            ask_end(b, o, j, k % 2 ? 1 : -1, k / 2 == j % 2);
 }
 
-Test(certified, as_the_dictionary)
+Test(certified, random_programs)
 {
     for (int family = 0; family < SUPPORT_FAMILIES; family++)
         for (uint64_t seed = 0; seed < COUNT; seed++) {

@@ -1,11 +1,10 @@
-/* ray_shooting.c: rows sorted by guesses that are proved, against passes over an exact dictionary;
- * each proof is formed again from the rows. */
+/* ray_shooting.c: rows sorted by guesses that are proved, against linear programs, one a row; each
+ * proof is formed again from the rows. */
 #include <criterion/criterion.h>
 #include <math.h>
 #include <stdlib.h>
 
 #include "claims.h"
-#include "lp/dictionary/exact_simplex.h"
 #include "lp/redundancy/ray_shooting/ray_shooting.h"
 #include "num/rationals.h"
 #include "support/dense.h"
@@ -18,17 +17,12 @@ typedef struct tally {
 } tally;
 
 /* False: infeasible. */
-static bool decide_by_dictionary(scene *c, fmb_fate *fate)
+static bool decide_by_programs(scene *c, fmb_fate *fate)
 {
-    fmb_lp lp;
-    bool feasible = false;
-    must(fmb_lp_init(&lp, &c->run, (int)c->n, c->m, c->row, false));
-    must(fmb_lp_feasible(&lp, &feasible));
+    bool feasible;
     for (size_t i = 0; i < c->m; i++)
         fate[i] = FMB_FATE_UNKNOWN;
-    if (feasible)
-        must(fmb_irredundant(&lp, c->rel, fate, NULL));
-    fmb_lp_clear(&lp);
+    must(fmb_irredundant(&c->run, c->n, c->m, c->row, fate, NULL, &feasible));
     return feasible;
 }
 
@@ -55,7 +49,7 @@ static void sort_and_compare(scene *c, const char *what, uint64_t seed, tally *t
         t->inner++;
         must(fmb_ray_shooting_sort(&s, fate, &told));
         count_fates(c, fate, t);
-        cr_assert(decide_by_dictionary(c, truth), "%s, seed %llu", what, (unsigned long long)seed);
+        cr_assert(decide_by_programs(c, truth), "%s, seed %llu", what, (unsigned long long)seed);
     }
     for (size_t i = 0; inner && i < c->m; i++) {
         l.claims -= fate[i] != FMB_FATE_UNKNOWN;
@@ -205,7 +199,7 @@ Test(sieve, many_rows)
 }
 
 /* Two strict rows that touch the same corner: one of them may go, but neither is seen from inside.
- * Found out by the dictionary, so the sieve leaves them alone. */
+ * Found out by programs, so the sieve leaves them alone. */
 Test(sieve, leaves_what_only_touches)
 {
     fmb_system *s = NULL;

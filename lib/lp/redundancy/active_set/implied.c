@@ -15,7 +15,6 @@
 #include "lp/redundancy/active_set/implied.h"
 
 #include "base/ways.h"
-#include "lp/dictionary/exact_simplex.h"
 #include "lp/oracle/oracle.h"
 #include "lp/redundancy/active_set/active_set.h"
 #include "lp/redundancy/active_set/nonzero_columns.h"
@@ -40,16 +39,6 @@ typedef struct sorting {
 
 /* ---- a point inside -------------------------------------------------------------------------- */
 
-static fmb_status ask_dictionary_if_feasible(sorting *s)
-{
-    fmb_lp lp;
-    fmb_status st = fmb_lp_init(&lp, s->run, (int)s->rows.n, s->rows.m, s->rows.row, false);
-    if (st == FMB_OK)
-        st = fmb_lp_feasible(&lp, &s->out->feasible);
-    fmb_lp_clear(&lp);
-    return st;
-}
-
 static fmb_status ask_oracle_if_feasible(sorting *s)
 {
     fmb_program program;
@@ -67,9 +56,6 @@ static fmb_status ask_oracle_if_feasible(sorting *s)
     return st;
 }
 
-/* Of so many rows, a dictionary takes longer to be pivoted than the oracle to be opened. */
-#define MANY_ROWS 64
-
 /* Where there is no solution, the search goes on to its end: so unless one is known, a glance comes
  * first, and then the oracle, which is not asked about most systems that have one. */
 static fmb_status look_for_inner_point(sorting *s)
@@ -80,7 +66,7 @@ static fmb_status look_for_inner_point(sorting *s)
     if (st == FMB_OK && possible && !known)
         st = fmb_interior_point_find_quickly(&s->inside, inner);
     if (st == FMB_OK && !known && !*inner)
-        st = s->rows.m > MANY_ROWS ? ask_oracle_if_feasible(s) : ask_dictionary_if_feasible(s);
+        st = ask_oracle_if_feasible(s);
     if (st == FMB_OK && possible && !*inner && s->out->feasible)
         st = fmb_interior_point_find(&s->inside, inner);
     return st;
