@@ -15,6 +15,8 @@
 #define MOST_PULLS    60
 #define MOST_STEPS    16
 #define NEAR_A_CENTRE 0.1
+/* Rows for each column from which steps pay: among few rows any point inside serves as well. */
+#define CROWDED 24
 /* The pull on t, times this at each centre; and where it ends. */
 #define HARDER  16.0
 #define HARDEST 1e12
@@ -302,8 +304,9 @@ static void build_cube(fmb_centre *c)
 static fmb_status go_to_centre(fmb_centre *c, fmb_run *run)
 {
     fmb_status st = FMB_OK;
+    size_t most = c->m >= CROWDED * c->n ? MOST_STEPS : 0;
     build_cube(c);
-    for (size_t k = 0; st == FMB_OK && k < MOST_STEPS; k++) {
+    for (size_t k = 0; st == FMB_OK && k < most; k++) {
         if (step_to_centre(c, c->n, 0, run->kernels) < NEAR_A_CENTRE)
             break;
         st = fmb_run_poll(run);
