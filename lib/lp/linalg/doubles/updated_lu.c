@@ -42,6 +42,7 @@ fmb_status fmb_updated_lu_init(fmb_updated_lu *u, const fmb_scaled_program *f)
     fmb_mem *mem = f->run->mem;
     size_t n = f->n;
     *u = (fmb_updated_lu){.f = f, .n = n};
+    fmb_arena_init(&u->arena, mem);
     u->member = fmb_mem_get(mem, n, sizeof *u->member);
     u->singleton = fmb_mem_get(mem, n, sizeof *u->singleton);
     u->singleton_of = fmb_mem_get(mem, n, sizeof *u->singleton_of);
@@ -69,6 +70,7 @@ void fmb_updated_lu_clear(fmb_updated_lu *u)
     fmb_mem *mem = u->f->run->mem;
     for (size_t k = 0; k < LISTS; k++)
         fmb_compressed_rows_free(find_list(u, k), mem);
+    fmb_arena_clear(&u->arena);
     fmb_mem_put(mem, u->member, u->n, sizeof *u->member);
     fmb_mem_put(mem, u->singleton, u->n, sizeof *u->singleton);
     fmb_mem_put(mem, u->singleton_of, u->n, sizeof *u->singleton_of);
@@ -88,7 +90,7 @@ void fmb_updated_lu_clear(fmb_updated_lu *u)
 
 static const double one_itself = 1;
 
-fmb_terms fmb_triangles_terms(const fmb_scaled_program *f, size_t i, int *one)
+fmb_terms fmb_member_terms(const fmb_scaled_program *f, size_t i, int *one)
 {
     if (i < FMB_UNIT)
         return (fmb_terms){fmb_scaled_program_columns(f, i), &f->value[f->start[i]],
@@ -106,7 +108,7 @@ static void set_singletons_aside(fmb_updated_lu *u)
     }
     for (size_t r = 0; r < u->n; r++) {
         int one;
-        fmb_terms t = fmb_triangles_terms(u->f, u->member[r], &one);
+        fmb_terms t = fmb_member_terms(u->f, u->member[r], &one);
         if (t.size != 1 || u->singleton_of[*t.column] >= 0)
             continue;
         u->singleton[r] = *t.column;
@@ -123,7 +125,7 @@ static fmb_status list_beside(fmb_updated_lu *u)
     int one;
     memset(b->start, 0, (u->n + 1) * sizeof *b->start);
     for (size_t r = 0; r < u->n; r++) {
-        fmb_terms t = fmb_triangles_terms(u->f, u->member[r], &one);
+        fmb_terms t = fmb_member_terms(u->f, u->member[r], &one);
         for (size_t k = 0; u->singleton[r] < 0 && k < t.size; k++)
             b->start[t.column[k]] += u->singleton_of[t.column[k]] >= 0;
     }
@@ -136,7 +138,7 @@ static fmb_status list_beside(fmb_updated_lu *u)
     fmb_status st = fmb_compressed_rows_reserve(b, u->f->run->mem, sum);
     b->size = st == FMB_OK ? sum : 0;
     for (size_t r = u->n; st == FMB_OK && r-- > 0;) {
-        fmb_terms t = fmb_triangles_terms(u->f, u->member[r], &one);
+        fmb_terms t = fmb_member_terms(u->f, u->member[r], &one);
         for (size_t k = 0; u->singleton[r] < 0 && k < t.size; k++) {
             if (u->singleton_of[t.column[k]] < 0)
                 continue;
@@ -224,7 +226,7 @@ static fmb_status wake_place(fmb_updated_lu *u, size_t k, size_t p)
                                      u->beside.value[t] * u->reciprocal[p]);
     for (size_t e = 0; st == FMB_OK && e < k; e++) {
         int one;
-        fmb_terms m = fmb_triangles_terms(u->f, u->eta[e].member, &one);
+        fmb_terms m = fmb_member_terms(u->f, u->eta[e].member, &one);
         for (size_t t = 0; u->latest[u->eta[e].place] == (int)e && t < m.size; t++)
             if (m.column[t] == j)
                 fmb_compressed_rows_push(l, u->eta[e].place, m.value[t] * u->reciprocal[p]);
@@ -340,7 +342,7 @@ static void solve_upper(fmb_updated_lu *u, double *b, fmb_indexed_vector *x)
 static double member_times(const fmb_scaled_program *f, size_t i, const double *x)
 {
     int one;
-    fmb_terms m = fmb_triangles_terms(f, i, &one);
+    fmb_terms m = fmb_member_terms(f, i, &one);
     double sum = 0;
     for (size_t k = 0; k < m.size; k++)
         sum += m.value[k] * x[m.column[k]];
@@ -435,7 +437,7 @@ static void price_places_at_rest(fmb_updated_lu *u, fmb_indexed_vector *y)
         if (u->rests[r] || fabs(value) <= FMB_NOTHING)
             continue;
         int one;
-        fmb_terms m = fmb_triangles_terms(u->f, u->member[r], &one);
+        fmb_terms m = fmb_member_terms(u->f, u->member[r], &one);
         for (size_t k = 0; k < m.size; k++) {
             int s = u->singleton_of[m.column[k]];
             if (s >= 0 && u->rests[s])

@@ -23,6 +23,7 @@
 #ifndef FMB_LP_UPDATED_LU_H
 #define FMB_LP_UPDATED_LU_H
 
+#include "base/arena.h"
 #include "lp/linalg/doubles/compressed_rows.h"
 #include "lp/linalg/doubles/indexed_vector.h"
 #include "lp/model/scaled_program.h"
@@ -56,6 +57,7 @@ typedef struct fmb_updated_lu {
     fmb_eta *eta;               /* [etas] */
     size_t eta_room, etas;
     uint64_t *marks; /* [n / 64 + 1], all zero between calls */
+    fmb_arena arena; /* of an elimination */
 } fmb_updated_lu;
 
 /* Nothing factored yet. In any case fmb_updated_lu_clear it. Errors: MEMORY, LIMIT. */
@@ -86,7 +88,7 @@ typedef struct fmb_terms {
     const double *value;
     size_t size;
 } fmb_terms;
-fmb_terms fmb_triangles_terms(const fmb_scaled_program *f, size_t i, int *one);
+fmb_terms fmb_member_terms(const fmb_scaled_program *f, size_t i, int *one);
 
 /* Pivots, lower and upper by steps, of the core; places whose rows vanish get no step. Columns and
  * places without one have step -1; steps is the number of pivots. Errors: MEMORY, LIMIT. */

@@ -173,8 +173,8 @@ static void place_all_pivots(fmb_modular_lu *f, const fmb_nucleus *u, size_t pee
     for (size_t i = 0; i < f->n; i++)
         if (f->column_place[i] < 0)
             f->column_place[i] = -1;
-    for (int s = 0; s < u->pivots; s++)
-        place_pivot(f, k++, rows[u->row_at[s]], columns[u->column_at[s]]);
+    for (int s = 0; s < u->sparse.pivots; s++)
+        place_pivot(f, k++, rows[u->sparse.row_at[s]], columns[u->sparse.column_at[s]]);
     for (size_t s = 0; s < u->dense.rank; s++)
         place_pivot(f, k++, rows[u->dense.row[s]], columns[u->dense.column[s]]);
     f->rank = left_rows = left_columns = k;
@@ -234,12 +234,12 @@ static fmb_status write_sparse_upper(fmb_modular_lu *f, fmb_arena *arena, const 
                                      int s, const int *columns, size_t k, size_t *up)
 {
     fmb_status st = FMB_OK;
-    int r = u->row_at[s];
-    f->upper.scale[k] = u->inverse[s];
-    for (int t = 1; st == FMB_OK && t < u->row.size[r]; t++) {
-        size_t e = u->row.start[r] + (size_t)t;
-        int place = f->column_place[columns[u->row.entry[e]]];
-        st = put_sweep_term(&f->upper, arena, up, place, u->row.value[e]);
+    int r = u->sparse.row_at[s];
+    f->upper.scale[k] = u->sparse.divisor[s].residue;
+    for (int t = 1; st == FMB_OK && t < u->sparse.row.size[r]; t++) {
+        size_t e = u->sparse.row.start[r] + (size_t)t;
+        int place = f->column_place[columns[u->sparse.row.entry[e]]];
+        st = put_sweep_term(&f->upper, arena, up, place, u->sparse.row.value[e].residue);
     }
     return st;
 }
@@ -265,9 +265,9 @@ static fmb_status write_multipliers(fmb_modular_lu *f, fmb_arena *arena, const f
                                     int row, size_t first, size_t *low)
 {
     fmb_status st = FMB_OK;
-    for (int t = u->last[row]; st == FMB_OK && t >= 0; t = u->multiplier[t].before)
-        st = put_sweep_term(&f->lower, arena, low, (int)first + u->multiplier[t].pivot,
-                            u->multiplier[t].value);
+    for (int t = u->sparse.last[row]; st == FMB_OK && t >= 0; t = u->sparse.multiplier[t].before)
+        st = put_sweep_term(&f->lower, arena, low, (int)first + u->sparse.multiplier[t].pivot,
+                            u->sparse.multiplier[t].value.residue);
     return st;
 }
 
@@ -275,7 +275,7 @@ static fmb_status write_factors(const peeling *p, fmb_arena *arena, const fmb_nu
                                 const int *columns)
 {
     fmb_modular_lu *f = p->f;
-    size_t low = 0, up = 0, dense = p->pivots + (size_t)u->pivots, terms = p->a->start[f->n];
+    size_t low = 0, up = 0, dense = p->pivots + (size_t)u->sparse.pivots, terms = p->a->start[f->n];
     fmb_status st = fmb_sweep_open(&f->lower, arena, f->n, terms, false);
     if (st == FMB_OK)
         st = fmb_sweep_open(&f->upper, arena, f->n, terms, true);
@@ -286,7 +286,7 @@ static fmb_status write_factors(const peeling *p, fmb_arena *arena, const fmb_nu
         if (st == FMB_OK && k >= p->pivots && k < f->rank) {
             bool sparse = k < dense;
             size_t s = sparse ? k - p->pivots : k - dense;
-            int row = sparse ? u->row_at[s] : u->dense.row[s];
+            int row = sparse ? u->sparse.row_at[s] : u->dense.row[s];
             st = write_multipliers(f, arena, u, row, p->pivots, &low);
             if (st == FMB_OK)
                 st = sparse ? write_sparse_upper(f, arena, u, (int)s, columns, k, &up)

@@ -1,0 +1,144 @@
+/* eliminate_core.c: the core of a basis in doubles becomes triangles; see updated_lu.h.
+ *
+ * Markowitz's elimination (markowitz.h) on rows and columns that no singleton has, numbered in
+ * their order. A pivot is not small beside the largest of its row, which is about 1 at first.
+ */
+#include "lp/linalg/doubles/updated_lu.h"
+
+#include <math.h>
+
+#include "lp/linalg/markowitz.h"
+
+/* A pivot is at least this share of the largest in its row. */
+#define SHARE_OF_PIVOT 0.1
+/* What is less, of rows whose largest was about 1, is rounding error. */
+#define VANISHES 1e-11
+/* What is less after a subtraction has cancelled. */
+#define CANCELLED 1e-14
+
+/* ---- numbers --------------------------------------------------------------------------------- */
+
+static fmb_number keep_pivot(const void *self, fmb_number pivot)
+{
+    (void)self;
+    return pivot;
+}
+
+/* Not by the reciprocal: equal numbers are to cancel. */
+static fmb_number divide_doubles(const void *self, fmb_number a, fmb_number pivot)
+{
+    (void)self;
+    return (fmb_number){.real = a.real / pivot.real};
+}
+
+static int subtract_doubles(const void *self, fmb_number *v, const int *at, const fmb_number *pivot,
+                            int size, fmb_number factor)
+{
+    int zeros = 0;
+    (void)self;
+    for (int k = 0; k < size; k++) {
+        double *x = &v[at[k]].real;
+        *x -= factor.real * pivot[k].real;
+        if (fabs(*x) <= CANCELLED) {
+            *x = 0;
+            zeros++;
+        }
+    }
+    return zeros;
+}
+
+static double find_least_pivot(const fmb_number *v, int size)
+{
+    double largest = 0;
+    for (int k = 0; k < size; k++)
+        largest = fmax(largest, fabs(v[k].real));
+    return largest > VANISHES ? SHARE_OF_PIVOT * largest : HUGE_VAL;
+}
+
+static const fmb_markowitz_numbers doubles = {keep_pivot, divide_doubles, subtract_doubles,
+                                              find_least_pivot, VANISHES};
+
+/* ---- the core -------------------------------------------------------------------------------- */
+
+/* Rows of the core are numbered as they come: place[k], and its columns: column[k]. */
+static fmb_status load_core(const fmb_updated_lu *u, fmb_markowitz *m, fmb_arena *arena,
+                            const int *place, size_t size, const int *number)
+{
+    size_t entries = 0;
+    int one;
+    for (size_t i = 0; i < size; i++)
+        entries += fmb_member_terms(u->f, u->member[place[i]], &one).size;
+    fmb_status st = fmb_markowitz_open(m, u->f->run, arena, &doubles, NULL, size, entries);
+    for (size_t i = 0; st == FMB_OK && i < size; i++) {
+        fmb_terms t = fmb_member_terms(u->f, u->member[place[i]], &one);
+        for (size_t k = 0; k < t.size; k++)
+            if (number[t.column[k]] >= 0)
+                fmb_markowitz_put(m, (int)i, number[t.column[k]], (fmb_number){.real = t.value[k]});
+    }
+    if (st == FMB_OK)
+        fmb_markowitz_begin(m);
+    return st;
+}
+
+/* Pivots and their rows, then the multipliers, which come pivot by pivot. */
+static fmb_status write_triangles(fmb_updated_lu *u, const fmb_markowitz *m, const int *place,
+                                  const int *column)
+{
+    fmb_mem *mem = u->f->run->mem;
+    size_t entries = 0, at = 0;
+    for (int k = 0; k < m->pivots; k++)
+        entries += (size_t)m->row.size[m->row_at[k]];
+    fmb_status st = fmb_compressed_rows_reserve(&u->upper, mem, entries);
+    if (st == FMB_OK)
+        st = fmb_compressed_rows_reserve(&u->lower, mem, m->multipliers);
+    for (int k = 0; st == FMB_OK && k < m->pivots; k++) {
+        int r = m->row_at[k], c = m->column_at[k];
+        const int *e = &m->row.entry[m->row.start[r]];
+        const fmb_number *v = &m->row.value[m->row.start[r]];
+        u->place[k] = place[r];
+        u->column[k] = column[c];
+        u->step_of_place[place[r]] = u->step_of_column[column[c]] = k;
+        u->pivot[k] = v[0].real;
+        for (int t = 1; t < m->row.size[r]; t++)
+            fmb_compressed_rows_push(&u->upper, (size_t)column[e[t]], v[t].real);
+        for (; at < m->multipliers && m->multiplier[at].pivot == k; at++)
+            fmb_compressed_rows_push(&u->lower, (size_t)place[m->multiplier[at].row],
+                                     m->multiplier[at].value.real);
+        u->upper.start[k + 1] = u->upper.size;
+        u->lower.start[k + 1] = u->lower.size;
+    }
+    u->steps = st == FMB_OK ? (size_t)m->pivots : 0;
+    return st;
+}
+
+static fmb_status eliminate_in(fmb_updated_lu *u, fmb_arena *arena)
+{
+    fmb_markowitz m;
+    size_t rows = 0, columns = 0;
+    int *place = fmb_arena_get(arena, u->n, sizeof *place);
+    int *column = fmb_arena_get(arena, u->n, sizeof *column);
+    int *number = fmb_arena_get(arena, u->n, sizeof *number);
+    if (!place || !column || !number)
+        return fmb_mem_status(arena->mem);
+    for (size_t k = 0; k < u->n; k++) {
+        number[k] = u->singleton_of[k] < 0 ? (int)columns : -1;
+        if (number[k] >= 0)
+            column[columns++] = (int)k;
+        if (u->singleton[k] < 0)
+            place[rows++] = (int)k;
+    }
+    fmb_status st = load_core(u, &m, arena, place, rows, number);
+    for (bool done = false; st == FMB_OK && !done;)
+        st = fmb_markowitz_step(&m, &done);
+    return st == FMB_OK ? write_triangles(u, &m, place, column) : st;
+}
+
+fmb_status fmb_updated_lu_eliminate(fmb_updated_lu *u)
+{
+    u->steps = u->lower.size = u->upper.size = 0;
+    u->lower.start[0] = u->upper.start[0] = 0;
+    for (size_t k = 0; k < u->n; k++)
+        u->step_of_place[k] = u->step_of_column[k] = -1;
+    fmb_arena_reset(&u->arena);
+    return eliminate_in(u, &u->arena);
+}
