@@ -45,11 +45,11 @@
         "oracle: conflicts between long numbers by iterative refinement")                          \
     WAY(TRIANGULAR, "substitution", "lp/linalg/exact/triangular", "exact: triangular bases")              \
     WAY(MINORS, "minors", "lp/linalg/exact/minors", "exact: small bases without fractions")               \
-    WAY(FACTORED, "LU with updates", "lp/linalg/doubles/updated_lu lp/linalg/doubles/eliminate_core",                      \
+    WAY(FACTORED, "LU with updates", "lp/linalg/doubles/updated_lu_solve lp/linalg/doubles/eliminate_core",                      \
         "doubles: a basis as sparse triangles instead of a dense inverse")                         \
     WAY(RAY_SHOOTING, "ray shooting",                                                              \
-        "lp/redundancy/ray_shooting/ray_shooting lp/redundancy/ray_shooting/ray_sorter lp/redundancy/ray_shooting/polar_points lp/redundancy/ray_shooting/ray "            \
-        "lp/redundancy/ray_shooting/spatial_blocks lp/redundancy/result_log lp/redundancy/ray_shooting/membership lp/redundancy/ray_shooting/membership_basis "         \
+        "lp/redundancy/ray_shooting/ray_shooting lp/redundancy/ray_shooting/ray_sorter lp/redundancy/ray_shooting/polar_points_open lp/redundancy/ray_shooting/ray "            \
+        "lp/redundancy/ray_shooting/spatial_blocks lp/redundancy/result_log lp/redundancy/ray_shooting/membership_ask lp/redundancy/ray_shooting/membership_basis "         \
         "lp/redundancy/ray_shooting/membership_private lp/redundancy/ray_shooting/membership_walk lp/redundancy/ray_shooting/centre",                         \
         "redundancy: rows seen from a point inside")                                               \
     WAY(PARALLEL, "parallel rows", "lp/redundancy/parallel_rows", "redundancy: by hashing")                \

@@ -142,8 +142,23 @@ def sizes(root):
             yield f"file {name} stands in {', '.join(str(p) for p in paths)}"
 
 
-def rings(_root, *libraries):
-    """No object files of a library or program call each other in a circle."""
+def unit_uses(root):
+    """What each unit of the library, a .c with its .h, includes; and units by the names of their objects."""
+    uses, objects = {}, {}
+    for path in sources(root / "lib"):
+        place = path.relative_to(root / "lib")
+        unit = str(place)[:-2]
+        if path.suffix == ".c":
+            objects[str(place).replace("/", "_") + ".o"] = unit
+        names = {n[:-2] for b, n in INCLUDE.findall(path.read_text()) if b == '"'}
+        uses.setdefault(unit, set()).update(names - {unit})
+    return uses, objects
+
+
+def rings(root, *libraries):
+    """No object files of a library or program call each other in a circle, and no units of the library use each
+    other in one, by includes and calls together."""
+    units, objects = unit_uses(root)
     for library in libraries:
         owner, wanted = {}, {}
         paths = [library]
@@ -163,6 +178,10 @@ def rings(_root, *libraries):
                 for place, names in wanted.items()}
         for circle in circles(uses):
             yield f"{library}: call each other: {', '.join(circle)}"
+        for place in uses.keys() & objects.keys():
+            units[objects[place]] |= {objects[o] for o in uses[place] if o in objects}
+    for circle in circles(units):
+        yield f"use each other: {', '.join(circle)}"
 
 
 STATIC = re.compile(r"^(?:[A-Z\d]+ )?(?:static|FMB_INLINE) (?:inline )?[\w ]*?[ *]?(\w+)\(", re.M)

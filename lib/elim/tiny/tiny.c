@@ -10,6 +10,7 @@
  * Numbers stay exact: what could overflow is formed in 128 bits, and the elimination is given up
  * when a row does not fit after all. Then, and when a table is full, nothing is known.
  */
+#include "elim/tiny/tiny.h"
 #include "elim/tiny/tiny_private.h"
 
 #include "num/gcd.h"

@@ -7,7 +7,8 @@
 #ifndef FMB_ELIM_TINY_TINY_PRIVATE_H
 #define FMB_ELIM_TINY_TINY_PRIVATE_H
 
-#include "elim/tiny/tiny.h"
+#include <fmb/solve.h>
+
 #include "num/vec.h"
 
 #define FMB_TINY_VARIABLES 9

@@ -11,9 +11,6 @@
 #include "io/frames/json.h"
 #include "io/frames/packed_lines.h"
 
-/* Most numbers of a point: products of two such are an int. */
-#define FMB_FRAMES_DIM 10000
-
 /* Numbers as they come, as the nearest doubles and exactly, the latter where they are more than
  * doubles or asked for. q[0..capacity) are initialised. */
 typedef struct fmb_numbers {

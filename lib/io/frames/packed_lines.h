@@ -4,6 +4,9 @@
 
 #include <fmb/pair.h>
 
+/* Most numbers of a point: products of two such are an int. */
+#define FMB_FRAMES_DIM 10000
+
 enum { FMB_PACKED_HEADER = 32 }; /* [bytes] */
 
 /* What stands in front of pairs that are alike. */

@@ -1,4 +1,4 @@
-/* workspace.h: what the files of the general way share; see general.c.
+/* workspace.h: what the files of the general way share; see general_decide.c.
  *
  * The frames A and B have a point together iff M z = h for unknowns z = (c of A, c of B, t) in
  * their places, with M = [axes of A, - axes of B, speed of A - speed of B] and h = origin of B -
@@ -114,7 +114,7 @@ static inline double *fmb_general_cell(const fmb_general *g, size_t i)
     return g->cell + i * g->stride;
 }
 
-/* general.c: the pair, scaled. False if differences or scaled numbers overflow. */
+/* general_decide.c: the pair, scaled. False if differences or scaled numbers overflow. */
 bool fmb_general_load(fmb_general *g, const fmb_frame *p, const fmb_frame *q);
 
 /* pivots.c: choose pivots and solve for them. */

@@ -88,7 +88,15 @@ typedef struct fmb_terms {
     const double *value;
     size_t size;
 } fmb_terms;
-fmb_terms fmb_member_terms(const fmb_scaled_program *f, size_t i, int *one);
+static inline fmb_terms fmb_member_terms(const fmb_scaled_program *f, size_t i, int *one)
+{
+    static const double one_itself = 1;
+    if (i < FMB_UNIT)
+        return (fmb_terms){fmb_scaled_program_columns(f, i), &f->value[f->start[i]],
+                           f->start[i + 1] - f->start[i]};
+    *one = (int)(i - FMB_UNIT);
+    return (fmb_terms){one, &one_itself, 1};
+}
 
 /* Pivots, lower and upper by steps, of the core; places whose rows vanish get no step. Columns and
  * places without one have step -1; steps is the number of pivots. Errors: MEMORY, LIMIT. */

@@ -1,4 +1,4 @@
-/* cone.c: the rows of a cone, one after another; see cone.h.
+/* cone_run.c: the rows of a cone, one after another; see cone.h.
  *
  * Equalities come first, then rows that meet lines: the cone they make has as many rays as rows.
  * Of the other rows the one with most negative rays comes next: what it removes is never combined

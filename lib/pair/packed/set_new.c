@@ -1,4 +1,4 @@
-/* set.c: see set.h. */
+/* set_new.c: see set.h. */
 #include "pair/packed/set.h"
 
 #include <string.h>

@@ -1,4 +1,4 @@
-/* kernels.c: which instructions this processor has; see kernels.h. */
+/* kernels_choose.c: which instructions this processor has; see kernels.h. */
 #include "num/kernels/kernels.h"
 
 const fmb_kernels *fmb_kernels_choose(fmb_simd level)

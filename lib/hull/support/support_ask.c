@@ -1,4 +1,4 @@
-/* support.c: life, and which facet is asked about next; see support.h. */
+/* support_ask.c: life, and which facet is asked about next; see support.h. */
 #include "base/ways.h"
 #include "hull/support/support_private.h"
 

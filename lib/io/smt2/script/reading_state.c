@@ -1,4 +1,4 @@
-/* reading.c: a reading that goes on, and its ways back; see reading.h. */
+/* reading_state.c: a reading that goes on, and its ways back; see reading.h. */
 #include "io/smt2/script/reading.h"
 
 #include "system/system_private.h"

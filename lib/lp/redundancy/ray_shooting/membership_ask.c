@@ -1,4 +1,4 @@
-/* membership.c: see membership.h.
+/* membership_ask.c: see membership.h.
  *
  * Each point j allows w the half-space w.q_j <= 1; a basis is n points whose walls meet in the
  * vertex w, and the rows of its inverse, turned round, are the edges there. For a new q the dual

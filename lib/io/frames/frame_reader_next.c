@@ -1,4 +1,4 @@
-/* frame_reader.c: pairs of frames from text, line by line; see fmb/gmp.h. */
+/* frame_reader_next.c: pairs of frames from text, line by line; see fmb/gmp.h. */
 #include "io/frames/frame_reader.h"
 
 #include <errno.h>

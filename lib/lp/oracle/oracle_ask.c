@@ -1,4 +1,4 @@
-/* oracle.c: the backend of oracles: what is plain, then the closure, then strict rows; see
+/* oracle_ask.c: the backend of oracles: what is plain, then the closure, then strict rows; see
  * oracle.h.
  */
 #include "base/ways.h"

@@ -1,4 +1,4 @@
-/* term.c: reading one term; see term.h.
+/* term_read.c: reading one term; see term.h.
  *
  * Each open parenthesis is a frame; a finished term is handed to the frame on top, which may finish
  * another one, and so on.

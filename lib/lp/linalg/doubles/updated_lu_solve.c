@@ -1,4 +1,4 @@
-/* updated_lu.c: see updated_lu.h. */
+/* updated_lu_solve.c: see updated_lu.h. */
 #include "lp/linalg/doubles/updated_lu.h"
 
 /* What list k holds under index i is in list step_of[i] of *to under place[k]. */
@@ -87,17 +87,6 @@ void fmb_updated_lu_clear(fmb_updated_lu *u)
 }
 
 /* ---- singletons ------------------------------------------------------------------------------ */
-
-static const double one_itself = 1;
-
-fmb_terms fmb_member_terms(const fmb_scaled_program *f, size_t i, int *one)
-{
-    if (i < FMB_UNIT)
-        return (fmb_terms){fmb_scaled_program_columns(f, i), &f->value[f->start[i]],
-                           f->start[i + 1] - f->start[i]};
-    *one = (int)(i - FMB_UNIT);
-    return (fmb_terms){one, &one_itself, 1};
-}
 
 /* The first member that names a column alone. */
 static void set_singletons_aside(fmb_updated_lu *u)

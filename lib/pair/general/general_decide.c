@@ -1,4 +1,4 @@
-/* general.c: see general.h.
+/* general_decide.c: see general.h.
  *
  * Guess fast, prove exactly. The guess is Fourier-Motzkin elimination in plain doubles (where that
  * makes too many rows, the simplex method): either some combination of rows fails, and with it

@@ -1,4 +1,4 @@
-/* polar_points.c: see polar_points.h. Where the point inside comes from:
+/* polar_points_open.c: see polar_points.h. Where the point inside comes from:
  * lp/redundancy/ray_shooting/centre.h. */
 #include "lp/redundancy/ray_shooting/polar_points.h"
 

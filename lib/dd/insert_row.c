@@ -1,4 +1,4 @@
-/* insert.c: one row comes into a cone; see insert.h.
+/* insert_row.c: one row comes into a cone; see insert.h.
  *
  * Rays that are negative in the row go; each pair of adjacent rays on its two sides makes a new
  * one, positive wherever one of the two is (but for the row itself). Until the last pair is done

@@ -1,4 +1,5 @@
-/* facets.c: a generator more: inside, beyond some facets, or outside of the span; see facets.h. */
+/* facets_add.c: a generator more: inside, beyond some facets, or outside of the span; see facets.h.
+ */
 #include "hull/facets/facets_private.h"
 
 /* The one at hand is outside: it gets a number. */

@@ -1,4 +1,4 @@
-/* backend.c: see backend.h. */
+/* backend_ask.c: see backend.h. */
 #include "lp/simplex/backend.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* cell.c: see cell.h. */
+/* decide_corners.c: see cell.h. */
 #include "pair/corners/cell.h"
 
 #include "pair/corners/volume.h"

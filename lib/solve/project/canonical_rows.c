@@ -1,4 +1,4 @@
-/* canonical.c: one form for one set; see canonical.h.
+/* canonical_rows.c: one form for one set; see canonical.h.
  *
  * The rows of a set P that is not empty, convex and described by rows <=, < and =:
  *

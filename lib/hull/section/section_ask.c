@@ -1,4 +1,4 @@
-/* section.c: a section of a cone, and its vertices as rays; see section.h. */
+/* section_ask.c: a section of a cone, and its vertices as rays; see section.h. */
 #include "hull/section/section.h"
 
 /* ---- independent rows ------------------------------------------------------------------------ */

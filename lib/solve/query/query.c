@@ -1,4 +1,4 @@
-/* solver.c: life of a solver, and the frame of every query; see solver.h. */
+/* query.c: life of a solver, and the frame of every query; see solver.h. */
 #include "solve/query/solver.h"
 
 #include "num/rationals.h"
