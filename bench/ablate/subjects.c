@@ -115,10 +115,10 @@ static void ask_programs(uint64_t seed, const asking *a)
 static const struct {
     const char *name;
     int least, most, rows; /* rows: as many times the size; 0: the family tells */
-} POLYTOPE[] = {{"cube", 5, 10, 0},     {"cross", 4, 9, 0},    {"cyclic", 4, 7, 5},
-                {"metric", 4, 5, 0},    {"cut", 4, 5, 0},      {"small", 3, 5, 10},
-                {"sphere", 3, 6, 12},   {"blocking", 3, 5, 3}, {"slice", 4, 8, 0},
-                {"lattice", 3, 5, 10},  {"zonotope", 3, 5, 2}, {"product", 4, 7, 0},
+} POLYTOPE[] = {{"cube", 5, 10, 0},     {"cross", 4, 9, 0},    {"cyclic", 4, 9, 5},
+                {"metric", 4, 5, 0},    {"cut", 4, 5, 0},      {"small", 3, 7, 10},
+                {"sphere", 3, 7, 12},   {"blocking", 3, 7, 4}, {"slice", 4, 8, 0},
+                {"lattice", 3, 7, 10},  {"zonotope", 3, 6, 3}, {"product", 4, 7, 0},
                 {"assignment", 3, 4, 0}};
 
 static void ask_polytope(size_t family, uint64_t seed, bool hull, const asking *a)

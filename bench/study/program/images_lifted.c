@@ -96,8 +96,8 @@ void study_image_zonotope(study_writer *w)
 
 void study_image_orbit(study_writer *w)
 {
-    int n = study_draw(w, 3, 4);
-    int64_t number[4];
+    int n = study_draw(w, 3, 6);
+    int64_t number[6];
     if (!study_write_image(w, n + n * n, n))
         return;
     for (int i = 0; i < n; i++)

@@ -135,6 +135,15 @@ void study_image_endless(study_writer *w)
     }
 }
 
+/* Fewer than twice as many rows as variables that go: as often as not all rows are left behind
+ * along some direction among those (Wendel 1962), and nothing is left of them. */
+void study_image_open(study_writer *w)
+{
+    int keep = study_draw(w, 2, 4), gone = study_draw(w, 6, 30);
+    if (study_write_image(w, keep + gone, keep))
+        write_dense_rows(w, study_draw(w, gone + 1, 2 * gone - 1), FMB_LE);
+}
+
 /* Three rows whose sum is -s <= c, s being the sum of the kept ones: with s <= -c it stays. */
 static void write_flat_rows(study_writer *w, int64_t c)
 {

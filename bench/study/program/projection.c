@@ -18,6 +18,8 @@ static const struct {
     {"octagon", "+-x +-y <= c", study_image_octagon},
     {"equal", "a third of the variables are bound by equalities", study_image_equal},
     {"endless", "all rows let a planted ray through", study_image_endless},
+    {"open", "few rows around many variables, which often leave all of them behind",
+     study_image_open},
     {"flat", "a hidden equality between variables that stay and others", study_image_flat},
     {"none", "a hidden contradiction", study_image_none},
     {"cube", "a sheared cube", study_image_cube},

@@ -59,7 +59,8 @@ study_family study_assignment, study_transport, study_staircase;
 /* images_rows.c: projections of rows at random; the writer draws sizes */
 study_family study_image_boxed, study_image_dense, study_image_wide, study_image_sparse,
     study_image_strict, study_image_cone, study_image_long, study_image_octagon, study_image_equal,
-    study_image_endless, study_image_flat, study_image_none, study_image_cube, study_image_slice;
+    study_image_endless, study_image_open, study_image_flat, study_image_none, study_image_cube,
+    study_image_slice;
 /* images_lifted.c: polytopes that have fewer rows in more variables */
 study_family study_image_union, study_image_sum, study_image_zonotope, study_image_orbit,
     study_image_parity, study_image_knapsack;
