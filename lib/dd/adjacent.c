@@ -71,7 +71,7 @@ static size_t list_unmarked_rays(const uint64_t *far, const uint32_t *ray, size_
     return at;
 }
 
-/* All rays that chunk zeros enough with a. */
+/* All rays that share zeros enough with a. */
 static fmb_status gather_near_rays(fmb_cone *c, fmb_run *run, fmb_adjacency *p, uint32_t a,
                                    size_t most)
 {

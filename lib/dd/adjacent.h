@@ -3,7 +3,7 @@
  * Two extreme rays of a cone are adjacent if they span a face of dimension 2. With rank the rank of
  * the rows, they then are zero together in rank - 2 rows at least; and no third ray is zero in all
  * of those (Fukuda and Prodon 1996, Proposition 7). Where one of the two is zero in rank - 1 rows
- * only, these are independent: then any two rays that chunk rank - 2 of them are adjacent.
+ * only, these are independent: then any two rays that share rank - 2 of them are adjacent.
  *
  * In terms of supports: the union of the two is small, and no third support lies inside it. These
  * are Kohler's and Chernikov's questions about histories, and the same kernels answer them.

@@ -1,7 +1,7 @@
 /* edges.c: adjacent simple rays by their edges; see edges.h.
  *
  * The hash of a set is the sum modulo 2 of a word for each element, so that an element goes by one
- * operation. It only proposes: a pair stands if the two rays chunk rank - 2 zeros, and the second
+ * operation. It only proposes: a pair stands if the two rays share rank - 2 zeros, and the second
  * is positive in the one that the first has left out.
  */
 #include "dd/edges.h"

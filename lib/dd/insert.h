@@ -15,8 +15,8 @@ typedef struct fmb_support_planes {
 
 /* What one thread needs to find the neighbours of a ray (adjacent.c). */
 typedef struct fmb_adjacency {
-    fmb_support_planes near;  /* of all rays that chunk zeros enough with the one at hand */
-    uint64_t *far, *far_rest; /* bits: those of large, of rest that chunk too few */
+    fmb_support_planes near;  /* of all rays that share zeros enough with the one at hand */
+    uint64_t *far, *far_rest; /* bits: those of large, of rest that share too few */
     size_t far_capacity, far_rest_capacity;
     uint32_t *nearby; /* the rays of near */
     size_t nearby_capacity;
@@ -75,8 +75,7 @@ uint64_t fmb_ray_price(const fmb_vec *v);
 /* The entry behind the coordinates becomes row.v. Errors: MEMORY, LIMIT. */
 fmb_status fmb_insertion_set_value(const fmb_cone *c, fmb_vec *v, const fmb_vec *row, fmb_num *num);
 
-/* ---- insert_workers.c ---------------------------------------------------------------------------
- */
+/* ---- insert_workers.c ------------------------------------------------------------------------ */
 
 /* By several threads where that pays. The entry behind the coordinates of each line and ray becomes
  * its value in the row; the sign of each ray in the row at hand; an entry of each ray goes; edges

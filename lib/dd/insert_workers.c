@@ -1,7 +1,7 @@
 /* insert_workers.c: threads that look at each ray of a cone; see insert_workers.h. */
 #include "dd/insert_workers.h"
 
-/* Simple rays whose edges are worth a workers; and rays of which an entry is looked at. */
+/* Simple rays whose edges are worth several threads; and rays of which an entry is looked at. */
 #define WORTH_WORKERS 2048
 #define WORTH_A_LOOK  16384
 

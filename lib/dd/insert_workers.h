@@ -1,6 +1,6 @@
 /* insert_workers.h: threads that work on the rays of a cone, for the files that give them work.
  *
- * Work is divided into shares that are the same for any number of threads. What a chunk makes is
+ * Work is divided into chunks that are the same for any number of threads. What a chunk makes is
  * counted in its own memory until the cone takes it over.
  */
 #ifndef FMB_DD_INSERT_WORKERS_H

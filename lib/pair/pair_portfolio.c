@@ -164,7 +164,7 @@ static fmb_status find_boxes_of_lanes(const query *a, const fmb_block *b, int st
     return st;
 }
 
-/* ---- verdicts --------------------------------------------------------------------- */
+/* ---- verdicts -------------------------------------------------------------------------------- */
 
 /* Good frames, by signs of determinants and normals, or in doubles in any dimension. */
 static void decide_without_query(const query *a, size_t i, fmb_verdict *out)

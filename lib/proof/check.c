@@ -1,4 +1,4 @@
-/* check.c: the judge of evidence. This file, combine_rows.c and sum.c, complete.c and lattice.c are
+/* check.c: the checker of evidence. This file, combine_rows.c and sum.c, complete.c and lattice.c are
  * the trusted base: believe them, GMP, and how a system stores its rows, and nothing else of the
  * library needs to be believed.
  *
@@ -49,7 +49,7 @@ __attribute__((format(printf, 2, 3))) static bool refuse(court *c, const char *f
     return false;
 }
 
-/* May the judge go on? */
+/* May the checker go on? */
 static bool goes_on(court *c, fmb_status st)
 {
     if (c->st == FMB_OK)
@@ -158,7 +158,7 @@ static bool proves(court *c, const fmb_sparse_vector *multipliers, const fmb_com
     return true;
 }
 
-/* ---- one judge for each kind of claim -------------------------------------------------------- */
+/* ---- one check for each kind of claim -------------------------------------------------------- */
 
 static bool check_feasible(court *c, const fmb_claim *q)
 {
@@ -310,7 +310,7 @@ static bool check_complete(court *c, const fmb_claim *q)
 
 /* ---- the session ----------------------------------------------------------------------------- */
 
-static bool judge(court *c, const fmb_claim *q)
+static bool check_by_kind(court *c, const fmb_claim *q)
 {
     static bool (*const by_kind[])(court *, const fmb_claim *) = {
         [FMB_CLAIM_FEASIBLE] = check_feasible, [FMB_CLAIM_INFEASIBLE] = check_infeasible,
@@ -339,14 +339,14 @@ static int turn_of(const fmb_claim *q)
     return q->kind == FMB_CLAIM_FEASIBLE ? 0 : q->kind != FMB_CLAIM_WHOLE ? 1 : 2;
 }
 
-/* Judge claim i, and put down what becomes of it. The reason of the first failing claim wins. */
+/* Check claim i, and put down what becomes of it. The reason of the first failing claim wins. */
 static void check_claim(court *c, size_t i, fmb_judgement *out)
 {
     char reason[sizeof out->reason] = "";
     const fmb_claim *q = &c->e->claim[i];
     c->reason = reason;
     c->now = i;
-    if (judge(c, q) && goes_on(c, fmb_poll_ask(&c->poll))) {
+    if (check_by_kind(c, q) && goes_on(c, fmb_poll_ask(&c->poll))) {
         c->feasible = c->feasible || q->kind == FMB_CLAIM_FEASIBLE;
         c->integral = c->integral ||
                       (q->kind == FMB_CLAIM_FEASIBLE && fmb_point_is_integral(c->s, &q->point));

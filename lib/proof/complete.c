@@ -1,4 +1,4 @@
-/* complete.c: the judge of claims WHOLE; part of the trusted base, as check.c is.
+/* complete.c: the check of claims WHOLE; part of the trusted base, as check.c is.
  *
  * Let S be the system, S' the same with < read as <=, and "image" the projection on the k kept
  * variables. Claims IMPLIED give valid rows a.x <= b, some of them strict, and equations; Q is the

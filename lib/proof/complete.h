@@ -1,7 +1,7 @@
-/* complete.h: the judge of claims WHOLE: of a projection, no row is missing.
+/* complete.h: the check of claims WHOLE: of a projection, no row is missing.
  *
  * The rows are what the claims IMPLIED of the same evidence say that name kept variables only; the
- * corners are its claims CORNER, points and rays. That all of these hold is judged elsewhere.
+ * corners are its claims CORNER, points and rays. That all of these hold is checked elsewhere.
  */
 #ifndef FMB_PROOF_COMPLETE_H
 #define FMB_PROOF_COMPLETE_H

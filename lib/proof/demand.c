@@ -1,5 +1,5 @@
 /* demand.c: do the claims of a proof say what somebody wants to hear? Whether they hold is the
- * judge's business (check.c); here they are only read. */
+ * checker's business (check.c); here they are only read. */
 #include <stdarg.h>
 #include <stdio.h>
 

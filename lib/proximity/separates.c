@@ -1,4 +1,4 @@
-/* separates.c: does a row keep two frames apart? The judge of separate.c, which shares nothing with
+/* separates.c: does a row keep two frames apart? The check of separate.c, which shares nothing with
  * it but public headers.
  *
  * At a time t the numbers w.x + k t of a frame's points are an interval, whose ends are affine in

@@ -33,8 +33,7 @@ const fmb_system *fmb_solver_system(const fmb_solver *v)
     return v && v->session ? v->session->s : NULL;
 }
 
-/* ---- rows by handle ---------------------------------------------------------------------------
- */
+/* ---- rows by handle -------------------------------------------------------------------------- */
 
 fmb_row fmb_solver_row(const fmb_solver *v, size_t number)
 {

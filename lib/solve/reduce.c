@@ -1,9 +1,9 @@
 /* reduce.c: the irredundant system.
  *
- * Parts with a point strictly inside, which most have, go through the shooting
+ * Parts with a point strictly inside, which most have, go through ray shooting
  * (lp/redundancy/ray_shooting/ray_shooting.h): the point tells that there is a solution, and the
- * shooting decides nearly all rows. The exact oracle decides about rows that are left, and about
- * parts without such a point.
+ * ray shooting decides nearly all rows. The exact oracle decides about rows that are left, and
+ * about parts without such a point.
  */
 #include "base/ways.h"
 #include "lp/redundancy/irredundant.h"

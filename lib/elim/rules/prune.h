@@ -1,4 +1,4 @@
-/* prune.h: the door of rules: who is asked when. It keeps history rules and the others apart. */
+/* prune.h: asking rules: who is asked when. It keeps history rules and the others apart. */
 #ifndef FMB_ELIM_PRUNE_H
 #define FMB_ELIM_PRUNE_H
 

@@ -68,8 +68,7 @@ void fmb_normal_tools_clear(const fmb_facets *f, fmb_normal_tools *by);
 fmb_status fmb_facets_side(fmb_facets *f, size_t at, const fmb_vec *g, const double *near,
                            int *side);
 
-/* ---- facets_add.c
- * -------------------------------------------------------------------------------- */
+/* ---- facets_add.c ---------------------------------------------------------------------------- */
 
 /* Take in v, which is beyond facet `at`. */
 fmb_status fmb_facets_add_beyond(fmb_facets *f, const fmb_vec *v, size_t at);

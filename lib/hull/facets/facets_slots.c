@@ -7,11 +7,11 @@
 
 static fmb_status widen_set(fmb_facets *f, uint64_t **set, size_t *words, size_t wanted)
 {
-    uint64_t *wider = fmb_mem_grow(f->num.mem, *set, *words, wanted, sizeof *wider);
-    if (!wider)
+    uint64_t *larger = fmb_mem_grow(f->num.mem, *set, *words, wanted, sizeof *larger);
+    if (!larger)
         return fmb_mem_status(f->num.mem);
-    memset(wider + *words, 0, (wanted - *words) * sizeof *wider);
-    *set = wider;
+    memset(larger + *words, 0, (wanted - *words) * sizeof *larger);
+    *set = larger;
     *words = wanted;
     return FMB_OK;
 }

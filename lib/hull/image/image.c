@@ -70,8 +70,8 @@ static fmb_status sort_rays_of_image(fmb_image *m)
         list[i] = (sorted_ray){m->ray[i], m->support[i], m->n, first_entry_or_near(&m->ray[i])};
     qsort(list, rays, sizeof *list, compare_rays_lexicographically);
     for (size_t i = 0; i < rays; i++) {
-        bool twin = i > 0 && fmb_vec_equal(&m->ray[left - 1], &list[i].v, m->n);
-        if (twin) {
+        bool is_same = i > 0 && fmb_vec_equal(&m->ray[left - 1], &list[i].v, m->n);
+        if (is_same) {
             unite_supports(m, m->support[left - 1], list[i].support);
             fmb_vec_clear(&list[i].v, m->n, mem);
             continue;
@@ -166,8 +166,7 @@ void fmb_image_clear(fmb_image *m)
     m->run = NULL;
 }
 
-/* ---- rows and rays ----------------------------------------------------------------------------
- */
+/* ---- rows and rays --------------------------------------------------------------------------- */
 
 /* Sign of v.ray; `turned`: of v_t t - v_x.x. */
 static int sign_of_product(fmb_image *m, const fmb_vec *v, const fmb_vec *ray, bool turned)

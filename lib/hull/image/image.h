@@ -87,8 +87,7 @@ int fmb_image_side(fmb_image *m, const fmb_image_row *f, const fmb_vec *ray);
 /* Sign of row.ray, n entries each. */
 int fmb_image_value_sign(fmb_image *m, const fmb_vec *row, const fmb_vec *ray);
 
-/* ---- for the other files of this room ---------------------------------------------------------
- */
+/* ---- for the other files of this room -------------------------------------------------------- */
 
 /* *to, new, becomes the first coordinates of a ray or line, in lowest terms. Errors: MEMORY, LIMIT.
  * In any case clear it. */

@@ -67,8 +67,7 @@ static fmb_status add_facet(fmb_image *m, const fmb_vec *y, bool equality, bool 
     return slacks ? look_above_facet(m, f) : FMB_OK;
 }
 
-/* ---- ray by ray -------------------------------------------------------------------------------
- */
+/* ---- ray by ray ------------------------------------------------------------------------------ */
 
 /* A line is a ray both ways. */
 static fmb_status add_lines_to_facets(const fmb_image *m, fmb_facets *f)
@@ -171,8 +170,7 @@ fmb_status fmb_image_init_dual(fmb_image *m, const fmb_image *of)
     return st;
 }
 
-/* ---- all at once ------------------------------------------------------------------------------
- */
+/* ---- all at once ----------------------------------------------------------------------------- */
 
 /* The same of a ray of the dual: rows left out of supports are implied by others. */
 static bool holds_dual_ray_a_point(const fmb_image *m, const fmb_cone *dual, size_t i)

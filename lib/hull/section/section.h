@@ -50,8 +50,7 @@ size_t fmb_section_found(const fmb_section *c);
  * fmb_image_clear it. */
 fmb_status fmb_section_take_rays(fmb_section *c, fmb_image *image);
 
-/* ---- section_form.c ---------------------------------------------------------------------------
- */
+/* ---- section_form.c -------------------------------------------------------------------------- */
 
 /* w, of short numbers if that can be, and c->gone. The independent rows are known. Errors: MEMORY,
  * LIMIT. */

@@ -17,8 +17,7 @@ typedef struct fmb_shadow_walk {
     fmb_edges *edges;
 } fmb_shadow_walk;
 
-/* ---- the plane (shadow_walk_plane.c)
- * ---------------------------------------------------------------- */
+/* ---- the plane (shadow_walk_plane.c) --------------------------------------------------------- */
 
 /* The dictionary row of x or y. */
 static inline const fmb_vec *fmb_shadow_walk_row_of(const fmb_shadow_walk *w, int axis)
@@ -45,8 +44,7 @@ void fmb_shadow_walk_locate(fmb_shadow_walk *w, mpq_t *point);
  * infinity, along w->r. */
 fmb_status fmb_shadow_walk_push(fmb_shadow_walk *w, mpz_t *goal, bool exactly, bool *unbounded);
 
-/* ---- the start (shadow_walk_start.c)
- * ---------------------------------------------------------------- */
+/* ---- the start (shadow_walk_start.c) --------------------------------------------------------- */
 
 /* Reach the end against the clock of the face farthest in the direction goal. *found false: there
  * is none, and w->r leads to infinity. */

@@ -39,7 +39,7 @@ typedef struct fmb_support_worker {
 } fmb_support_worker;
 
 typedef struct fmb_support_workers
-    fmb_support_workers; /* scouts that look at several facets at once (support_workers.c) */
+    fmb_support_workers; /* workers that look at several facets at once (support_workers.c) */
 typedef struct fmb_symmetry fmb_symmetry; /* of the program (support_symmetry.c) */
 
 typedef struct fmb_known fmb_known; /* rows of the program (support_known.c) */

@@ -29,16 +29,15 @@ fmb_status fmb_support_take(fmb_support *s, fmb_support_worker *c);
 fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, int sign, fmb_support_row *row,
                              bool *stands);
 
-/* ---- support_workers.c --------------------------------------------------------------------------
- */
+/* ---- support_workers.c ----------------------------------------------------------------------- */
 
-/* Scouts of a workers, and facets that are asked about at once. */
+/* Workers, and facets that are asked about at once. */
 #define FMB_SUPPORT_WORKERS 8
 /* For so many rows and generators, oracles that begin anew would cost more than they save; nor are
  * symmetries looked for. */
 #define FMB_QUERIES_ALONE 32
 
-/* Ask about n <= FMB_SUPPORT_WORKERS different facets that are open. There is a workers. */
+/* Ask about n <= FMB_SUPPORT_WORKERS different facets that are open. There are workers. */
 fmb_status fmb_support_ask_workers(fmb_support *s, size_t n, const size_t *facet);
 void fmb_support_dismiss(fmb_support *s);
 

@@ -56,7 +56,7 @@ fmb_status fmb_support_take(fmb_support *s, fmb_support_worker *c)
     return st == FMB_OK && grown ? fmb_support_take_images(s) : st;
 }
 
-/* ---- scouts ---------------------------------------------------------------------------------- */
+/* ---- workers --------------------------------------------------------------------------------- */
 
 fmb_status fmb_support_worker_init(fmb_support_worker *c, fmb_run *run, fmb_oracle *oracle,
                                    size_t n)

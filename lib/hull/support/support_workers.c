@@ -19,7 +19,7 @@ struct fmb_support_workers {
     const fmb_program *program;
     fmb_team team;
     fmb_support_worker worker[FMB_SUPPORT_WORKERS];
-    size_t hired; /* scouts that are there */
+    size_t hired; /* workers that are there */
     sighting seen[FMB_SUPPORT_WORKERS];
 };
 

@@ -79,8 +79,7 @@ void fmb_smt_clear(fmb_smt *r)
     mpq_clear(r->number);
 }
 
-/* ---- what commands and terms share -------------------------------------------------------------
- */
+/* ---- what commands and terms share ----------------------------------------------------------- */
 
 fmb_status fmb_smt_new_name(fmb_smt *r, size_t *symbol, const char **at)
 {

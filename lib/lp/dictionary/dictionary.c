@@ -226,7 +226,7 @@ static fmb_status substitute_pivot_row(fmb_lp *lp, size_t i, size_t j)
     return fmb_vec_cancel(&lp->row[i], &lp->row[i], &lp->temp, fmb_lp_width(lp), scratch, &lp->num);
 }
 
-/* Gone for ever, or until it is woken. */
+/* Gone for ever, or until it is activated. */
 static bool is_row_out_of_use(const fmb_lp *lp, size_t r)
 {
     size_t v = lp->basic[r];

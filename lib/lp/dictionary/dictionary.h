@@ -27,7 +27,8 @@ typedef enum fmb_slack {
     FMB_SLACK_ACTIVE = 0,
     FMB_SLACK_LOCKED,
     FMB_SLACK_TESTED,   /* relaxed while fmb_lp_test looks how far it falls */
-    FMB_SLACK_INACTIVE, /* basic, and neither counted nor kept up to date until its row is woken */
+    FMB_SLACK_INACTIVE, /* basic, and neither counted nor kept up to date until its row is activated
+                         */
     FMB_SLACK_RELAXED   /* its row is gone: basic for ever, and not kept up to date */
 } fmb_slack;
 

@@ -1,4 +1,4 @@
-/* scaled_program.h: a program in doubles: what both sides of the door see of it (backend.h).
+/* scaled_program.h: a program in doubles: what a backend and those behind it see of it (backend.h).
  *
  * Row i is multiplied by a power of two, so that its largest coefficient is from 1/2 to 1 and
  * numbers beyond doubles fit; so is column j, where coefficients differ much: x_j = 2^-e x'_j, e

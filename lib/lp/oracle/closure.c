@@ -88,7 +88,7 @@ static fmb_status take_vertex(fmb_oracle *o)
     return fmb_integers_settle(&o->point, o->run->mem);
 }
 
-/* Ask the backend again from the basis at hand, through a magnifying glass: right sides are what is
+/* Ask the backend again from the basis at hand, by iterative refinement: right sides are what is
  * left of them at the exact vertex, times `scale`. */
 static fmb_status refine_guess(fmb_oracle *o, double scale, fmb_hint *h)
 {
@@ -221,9 +221,9 @@ static void add_place_to_price(fmb_oracle *o, size_t r, double part)
             o->price[row->column[k]] += part * fmb_program_double(v->p, v->basis[r], k);
 }
 
-/* Ask the backend again from the basis at hand, whose prices these are, as through a magnifying
- * glass: the largest price that is not allowed counts 1, and those that are allowed no more than
- * that. What they say beside the others is below what doubles see. */
+/* Ask the backend again from the basis at hand, whose prices these are, by iterative refinement:
+ * the largest price that is not allowed counts 1, and those that are allowed no more than that.
+ * What they say beside the others is below what doubles see. */
 static fmb_status refine_optimum(fmb_oracle *o, fmb_hint *h)
 {
     fmb_vertex *v = &o->v;
@@ -331,7 +331,7 @@ fmb_status fmb_closure_approach_point(fmb_oracle *o, const fmb_weights *cost,
     return st == FMB_OK && !o->is_modular ? certify_approach(o, &h, end) : st;
 }
 
-/* The glimpse satisfies all rows, so the vertex of the basis does if it is the same point. */
+/* The modular vertex satisfies all rows, so the vertex of the basis does if it is the same point. */
 static fmb_status turn_glimpse_into_vertex(fmb_oracle *o, fmb_pivot_walk_end *end)
 {
     fmb_vertex *v = &o->v;

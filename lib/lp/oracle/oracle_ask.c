@@ -1,4 +1,4 @@
-/* oracle_ask.c: the backend of oracles: what is plain, then the closure, then strict rows; see
+/* oracle_ask.c: what an oracle is asked: what is plain, then the closure, then strict rows; see
  * oracle.h.
  */
 #include "base/ways.h"

@@ -30,19 +30,20 @@ typedef struct fmb_pivot_walk {
 fmb_status fmb_pivot_walk_init(fmb_pivot_walk *w, fmb_vertex *v);
 void fmb_pivot_walk_clear(fmb_pivot_walk *w);
 
-/* Is row `odd` in conflict with the basis at hand, as a guess has it? CONFLICT, or TIRED. */
+/* Is row `odd` in conflict with the basis at hand, as a guess has it? CONFLICT, or ITERATION_LIMIT.
+ */
 fmb_status fmb_pivot_walk_try_conflict(fmb_pivot_walk *w, size_t odd, fmb_pivot_walk_end *end);
 /* Solve for the prices of row `odd`, times `sign`, unless that is done. Errors: MEMORY, LIMIT. */
 fmb_status fmb_pivot_walk_price_conflict(fmb_pivot_walk *w);
-/* Does leaving the row at place r lead away for ever, raising cost? RAY, or TIRED. */
+/* Does leaving the row at place r lead away for ever, raising cost? RAY, or ITERATION_LIMIT. */
 fmb_status fmb_pivot_walk_try_ray(fmb_pivot_walk *w, size_t r, mpz_t *cost,
                                   fmb_pivot_walk_end *end);
 
-/* To a vertex that satisfies all rows, in at most so many steps (0: any number): THERE, CONFLICT or
- * TIRED. The dual simplex method without costs (Dutertre and de Moura 2006). */
+/* To a vertex that satisfies all rows, in at most so many steps (0: any number): REACHED, CONFLICT
+ * or ITERATION_LIMIT. The dual simplex method without costs (Dutertre and de Moura 2006). */
 fmb_status fmb_pivot_walk_to_feasible(fmb_pivot_walk *w, size_t steps, fmb_pivot_walk_end *end);
-/* From there to where cost.x is greatest, in at most so many steps (0: any number): THERE, RAY, or
- * TIRED; then y are the prices at hand. */
+/* From there to where cost.x is greatest, in at most so many steps (0: any number): REACHED, RAY,
+ * or ITERATION_LIMIT; then y are the prices at hand. */
 fmb_status fmb_pivot_walk_to_optimum(fmb_pivot_walk *w, size_t steps, mpz_t *cost,
                                      fmb_pivot_walk_end *end);
 /* Can the price of place r be had from a proof? Those of rows that nothing demands are 0, and

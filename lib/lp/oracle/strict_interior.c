@@ -1,4 +1,4 @@
-/* strict_interior.c: strict rows, by the widest interior_proof.
+/* strict_interior.c: strict rows, by the widest margin.
  *
  * With a column t more, rows a.x < b become a.x + t <= b, and t <= 1. The largest t is positive if
  * and only if some x satisfies all strict rows; if it is not, its multipliers y combine the rows to

@@ -16,8 +16,7 @@ typedef struct parallel_table {
     mpz_t a, b, scale_a, scale_b;
 } parallel_table;
 
-/* ---- directions -------------------------------------------------------------------------------
- */
+/* ---- directions ------------------------------------------------------------------------------ */
 
 static uint64_t scale_of_small(const fmb_vec *v, size_t n)
 {
@@ -84,10 +83,9 @@ static bool are_parallel(parallel_table *s, size_t i, size_t k)
     return true;
 }
 
-/* ---- which one goes ---------------------------------------------------------------------------
- */
+/* ---- which one goes -------------------------------------------------------------------------- */
 
-/* Does row k imply row i, its twin? */
+/* Does row k imply row i, which is parallel? */
 static bool does_parallel_imply(parallel_table *s, size_t k, size_t i)
 {
     fmb_rel have = s->row[k].rel, want = s->row[i].rel;
@@ -115,7 +113,7 @@ static fmb_status tell_of_parallel(parallel_table *s, size_t i, size_t k, const 
     return st;
 }
 
-/* Row i beside the twin in that slot, if there is one. */
+/* Row i beside the parallel row in that slot, if there is one. */
 static fmb_status meet_parallel(parallel_table *s, size_t i, size_t *slot, fmb_fate *fate,
                                 const fmb_verdicts *told)
 {

@@ -1,8 +1,8 @@
-/* backend.h: one door to a sparse simplex in doubles. It hands out a basis, and says nothing that
+/* backend.h: a sparse simplex in doubles. It hands out a basis, and says nothing that
  * is believed.
  *
  * A basis is n rows that are to hold with equality: rows of the program, by number; or m + j, the
- * row x_j = 0 of a column that is free and nonbasic. A door is used by one thread at a time.
+ * row x_j = 0 of a column that is free and nonbasic. A backend is used by one thread at a time.
  */
 #ifndef FMB_LP_BACKEND_H
 #define FMB_LP_BACKEND_H
@@ -25,7 +25,7 @@ typedef struct fmb_hint {
     size_t odd;    /* INFEASIBLE: a row of the program; UNBOUNDED: a place of the basis */
 } fmb_hint;
 
-/* p must outlive the door; its rows that are off are left out. Errors: MEMORY, LIMIT. */
+/* p must outlive the backend; its rows that are off are left out. Errors: MEMORY, LIMIT. */
 fmb_status fmb_backend_open(fmb_run *run, const fmb_program *p, fmb_backend **out);
 void fmb_backend_close(fmb_backend *d);
 
@@ -40,8 +40,8 @@ fmb_status fmb_backend_grow(fmb_backend *d);
 void fmb_backend_switch(fmb_backend *d, size_t i, bool on);
 /* Start from this basis[n] next time. */
 void fmb_backend_place(fmb_backend *d, const size_t *basis);
-/* Right sides by other numbers, right[m]; NULL: those of the program. For refinement, which looks
- * at a solution through a magnifying glass (Gleixner, Steffy, Wolter 2016). */
+/* Right sides by other numbers, right[m]; NULL: those of the program. For iterative refinement
+ * (Gleixner, Steffy, Wolter 2016). */
 void fmb_backend_shift(fmb_backend *d, const double *right);
 /* Likewise, right sides of inequalities less by `by` times the sizes of a row's coefficients, as
  * rows and columns are scaled; until the next shift. */

@@ -8,10 +8,10 @@
 struct fmb_backend {
     fmb_scaled_program scaled;
     const fmb_backend_methods *side; /* who answers */
-    void *self;                      /* of the side */
+    void *self;                      /* of the method */
     double *cost;                    /* [n] scaled as the columns are */
     fmb_status late;                 /* of a call that has none */
-    bool behind;                     /* there are rows that the side has yet to take in */
+    bool behind;                     /* there are rows that the method has yet to take in */
 };
 
 void fmb_backend_close(fmb_backend *d)

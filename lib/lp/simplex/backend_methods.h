@@ -1,7 +1,7 @@
-/* backend_methods.h: what stands behind the door (backend.h): a simplex in doubles, as a table.
+/* backend_methods.h: what stands behind a backend (backend.h): a simplex in doubles, as a table.
  *
- * What a function is about is noted in the scaled before it is called. Errors of those that have a
- * status: MEMORY, LIMIT.
+ * What a function is about is noted in the scaled program before it is called. Errors of those that
+ * have a status: MEMORY, LIMIT.
  */
 #ifndef FMB_LP_BACKEND_METHODS_H
 #define FMB_LP_BACKEND_METHODS_H
@@ -10,7 +10,7 @@
 #include "lp/simplex/backend.h"
 
 typedef struct fmb_backend_methods {
-    /* *out is NULL where this side wants no such program. */
+    /* *out is NULL where this method wants no such program. */
     fmb_status (*open)(const fmb_scaled_program *f, void **out);
     void (*close)(void *self);
     fmb_status (*search)(void *self, fmb_hint *h);
@@ -30,7 +30,7 @@ typedef struct fmb_backend_methods {
 /* Our own; the second one has factors of the basis however few columns there are, for tests. */
 extern const fmb_backend_methods fmb_backend_revised_simplex, fmb_backend_revised_simplex_lu;
 
-/* A door with this side alone behind it, for tests; *out is NULL where it wants no such program.
+/* A backend with this method behind it, for tests; *out is NULL where it wants no such program.
  * Errors: MEMORY, LIMIT. */
 fmb_status fmb_backend_open_with(fmb_run *run, const fmb_program *p,
                                  const fmb_backend_methods *side, fmb_backend **out);

@@ -168,7 +168,7 @@ void fmb_basis_inverse_write(fmb_basis_inverse *c, size_t i, fmb_indexed_vector 
     fmb_updated_lu_solve_transposed(&c->lu, &c->work, entry);
 }
 
-/* What is not zero, on its way through the lu. */
+/* What is not zero, on its way through the factors. */
 static void load_work(fmb_basis_inverse *c, const double *from)
 {
     for (size_t k = 0; k < c->n; k++)

@@ -1,4 +1,4 @@
-/* basis_inverse.h: a basis and its inverse: the edges that leave a inverse_of.
+/* basis_inverse.h: a basis and its inverse: the edges that leave a vertex.
  *
  * The rows w_0, ..., w_{n-1} of a basis meet in a point. Edge r, e_r, leaves it along the other
  * rows: w_r.e_r = 1, w_k.e_r = 0. The edges are the columns of the inverse, which is kept as such

@@ -1,4 +1,4 @@
-/* columns.h: the rows of the scaled, by columns: what all rows say of a vector.
+/* columns.h: the rows of a scaled program, by columns: what all rows say of a vector.
  *
  * Where many coefficients are not zero, all are kept, column after column.
  */
@@ -22,7 +22,7 @@ typedef struct fmb_columns {
 /* No rows yet. In any case fmb_columns_clear it. Errors: MEMORY, LIMIT. */
 fmb_status fmb_columns_init(fmb_columns *c, const fmb_scaled_program *f);
 void fmb_columns_clear(fmb_columns *c);
-/* Take in the rows that the scaled have by now. Errors: MEMORY, LIMIT. */
+/* Take in the rows that the scaled program has by now. Errors: MEMORY, LIMIT. */
 fmb_status fmb_columns_grow(fmb_columns *c);
 
 /* rate = all rows times x; rate is of m places. */

@@ -2,7 +2,7 @@
  *
  * The row that is violated most comes in, and a member leaves whose multiplier would be the first
  * to become negative; a unit vector before any other. Each row that comes in with a multiplier of
- * about 0 has the cost grow a little along it, at random: so each step gains, and no inverse_of
+ * about 0 has the cost grow a little along it, at random: so each step gains, and no vertex
  * comes twice.
  *
  * Source: Lemke 1954, The dual method of solving the linear programming problem; Harris 1973, Pivot
@@ -133,7 +133,7 @@ static void update_row_weights(fmb_simplex_state *o, size_t r, size_t i)
 {
     double own = o->row_weight[i], pivot = o->entry.at[r];
     double scale = own / (pivot * pivot);
-    size_t old = o->inverse_of.member[r];
+    size_t old = o->basis.member[r];
     for (size_t t = 0; t < fmb_indexed_vector_count(&o->rate); t++) {
         size_t k = fmb_indexed_vector_key(&o->rate, t);
         double weight = o->rate.at[k] * o->rate.at[k] * scale;
@@ -161,7 +161,7 @@ static fmb_status take_dual_step(fmb_simplex_state *o, fmb_simplex_end *end, siz
         return FMB_OK;
     }
     double sign = o->slack[i] < 0 ? 1 : -1;
-    fmb_basis_inverse_write(&o->inverse_of, i, &o->entry);
+    fmb_basis_inverse_write(&o->basis, i, &o->entry);
     double largest = find_largest_entry(o);
     size_t r = find_leaving_unit(o, find_zero_of_units(o) * largest);
     if (r == FMB_NOWHERE)
@@ -198,8 +198,7 @@ fmb_status fmb_dual_simplex(fmb_simplex_state *o, fmb_simplex_end *end, size_t *
             st = take_dual_step(o, end, odd);
         bool ended = *end == FMB_SIMPLEX_DONE || *end == FMB_SIMPLEX_STOPPED;
         bool looks_again = ended && !fresh && looks++ < FMB_SIMPLEX_MOST_CHECKS;
-        if (st == FMB_OK &&
-            (looks_again || (!ended && fmb_basis_inverse_is_stale(&o->inverse_of)))) {
+        if (st == FMB_OK && (looks_again || (!ended && fmb_basis_inverse_is_stale(&o->basis)))) {
             st = fmb_simplex_state_refresh(o);
             list_all_violated(o);
             *end = FMB_SIMPLEX_RUNNING;

@@ -120,7 +120,7 @@ static fmb_status take_primal_step(fmb_simplex_state *o, fmb_simplex_end *end, s
     }
     *idle = o->slack[i] > fmb_simplex_state_tolerance(o) ? 0 : *idle + 1;
     o->slack[i] = o->row_role[i] == FMB_ROLE_EQUAL ? o->slack[i] : fmax(o->slack[i], 0);
-    fmb_basis_inverse_write(&o->inverse_of, i, &o->entry);
+    fmb_basis_inverse_write(&o->basis, i, &o->entry);
     update_edge_weights(o, r);
     fmb_status st = fmb_simplex_state_pivot(o, r, i);
     if (st == FMB_OK && *idle > PATIENCE + o->n && !o->moved) {
@@ -146,8 +146,7 @@ fmb_status fmb_primal_simplex(fmb_simplex_state *o, fmb_simplex_end *end, size_t
             st = take_primal_step(o, end, odd, &idle);
         bool ended = *end == FMB_SIMPLEX_DONE || *end == FMB_SIMPLEX_STOPPED;
         bool looks_again = ended && !fresh && looks++ < FMB_SIMPLEX_MOST_CHECKS;
-        if (st == FMB_OK &&
-            (looks_again || (!ended && fmb_basis_inverse_is_stale(&o->inverse_of)))) {
+        if (st == FMB_OK && (looks_again || (!ended && fmb_basis_inverse_is_stale(&o->basis)))) {
             st = fmb_simplex_state_refresh(o);
             *end = FMB_SIMPLEX_RUNNING;
             ended = true;

@@ -1,6 +1,6 @@
-/* revised_simplex.c: our own simplex behind the door; see backend_methods.h.
+/* revised_simplex.c: the revised simplex method behind a backend; see backend_methods.h.
  *
- * It goes from inverse_of to inverse_of of the rows themselves: a search by the dual method, with a
+ * It goes from vertex to vertex of the rows themselves: a search by the dual method, with a
  * cost that nobody asked for; then by the primal method to where the cost is greatest. Where that
  * moved right sides away, the dual method mends what it broke.
  */
@@ -17,7 +17,7 @@
 static void hand_out_members(const fmb_simplex_state *o, fmb_hint *h)
 {
     for (size_t r = 0; r < o->n; r++) {
-        size_t i = o->inverse_of.member[r];
+        size_t i = o->basis.member[r];
         h->basis[r] = i < FMB_UNIT ? i : o->m + (i - FMB_UNIT);
     }
 }
@@ -29,7 +29,7 @@ static void restore_right_sides(fmb_simplex_state *o)
     o->moved = false;
 }
 
-/* From multipliers that are those of an optimum to where all rows hold. */
+/* From multipliers that are those of an optimum to where the basis is primal feasible. */
 static fmb_status search_on(fmb_simplex_state *o, fmb_hint *h)
 {
     fmb_simplex_end end = FMB_SIMPLEX_ITERATION_LIMIT;
@@ -44,7 +44,7 @@ static fmb_status search_on(fmb_simplex_state *o, fmb_hint *h)
 static fmb_status start_at_bounds(fmb_simplex_state *o)
 {
     double *bound = o->given;
-    size_t *member = o->inverse_of.old;
+    size_t *member = o->basis.old;
     for (size_t j = 0; j < o->n; j++) {
         member[j] = FMB_UNIT + j;
         bound[j] = FAR_BOUND;
@@ -77,7 +77,7 @@ static fmb_status search_own(void *self, fmb_hint *h)
     return st;
 }
 
-/* From a feasible inverse_of. */
+/* From a vertex that is primal feasible. */
 static fmb_status climb_to_optimum(fmb_simplex_state *o, const double *cost, fmb_hint *h)
 {
     fmb_simplex_end end = FMB_SIMPLEX_ITERATION_LIMIT;
@@ -128,7 +128,7 @@ static void point_of_own(void *self, double *x)
 static size_t find_member(const fmb_simplex_state *o, size_t i)
 {
     for (size_t r = 0; r < o->n; r++)
-        if (o->inverse_of.member[r] == i)
+        if (o->basis.member[r] == i)
             return r;
     return FMB_NOWHERE;
 }
@@ -151,10 +151,10 @@ static fmb_status place_own(void *self, const size_t *basis)
 {
     fmb_simplex_state *o = self;
     for (size_t r = 0; r < o->n; r++)
-        o->inverse_of.member[r] = basis[r] < o->m ? basis[r] : FMB_UNIT + (basis[r] - o->m);
+        o->basis.member[r] = basis[r] < o->m ? basis[r] : FMB_UNIT + (basis[r] - o->m);
     o->feasible = false;
     o->placed = true;
-    return fmb_simplex_state_place(o, o->inverse_of.member);
+    return fmb_simplex_state_place(o, o->basis.member);
 }
 
 static void shift_own(void *self)

@@ -28,8 +28,8 @@ static fmb_status reserve_for_members(fmb_simplex_state *o)
 fmb_status fmb_simplex_state_init(fmb_simplex_state *o, const fmb_scaled_program *f, bool factors)
 {
     *o = (fmb_simplex_state){.f = f, .n = f->n};
-    o->inverse_of.f = o->columns.f = o->inverse_of.lu.f = f;
-    fmb_status st = fmb_basis_inverse_init(&o->inverse_of, f, factors);
+    o->basis.f = o->columns.f = o->basis.lu.f = f;
+    fmb_status st = fmb_basis_inverse_init(&o->basis, f, factors);
     if (st == FMB_OK)
         st = fmb_columns_init(&o->columns, f);
     if (st == FMB_OK)
@@ -40,7 +40,7 @@ fmb_status fmb_simplex_state_init(fmb_simplex_state *o, const fmb_scaled_program
 void fmb_simplex_state_clear(fmb_simplex_state *o)
 {
     fmb_mem *mem = o->f->run->mem;
-    fmb_basis_inverse_clear(&o->inverse_of);
+    fmb_basis_inverse_clear(&o->basis);
     fmb_columns_clear(&o->columns);
     fmb_indexed_vector_free(&o->entry, mem);
     fmb_indexed_vector_free(&o->edge, mem);
@@ -103,7 +103,7 @@ void fmb_simplex_state_note_role(fmb_simplex_state *o, size_t i)
 /* The member at place r is noted as such. */
 static void note_member(fmb_simplex_state *o, size_t r)
 {
-    size_t i = o->inverse_of.member[r];
+    size_t i = o->basis.member[r];
     o->member_role[r] = FMB_ROLE_FREE;
     if (i >= FMB_UNIT)
         return;
@@ -114,7 +114,7 @@ static void note_member(fmb_simplex_state *o, size_t r)
 
 fmb_status fmb_simplex_state_place(fmb_simplex_state *o, const size_t *member)
 {
-    fmb_status st = fmb_basis_inverse_set(&o->inverse_of, member, &o->entry);
+    fmb_status st = fmb_basis_inverse_set(&o->basis, member, &o->entry);
     for (size_t i = 0; i < o->m; i++)
         fmb_simplex_state_note_role(o, i);
     for (size_t r = 0; r < o->n; r++)
@@ -125,10 +125,10 @@ fmb_status fmb_simplex_state_place(fmb_simplex_state *o, const size_t *member)
 void fmb_simplex_state_find_point(fmb_simplex_state *o)
 {
     for (size_t r = 0; r < o->n; r++) {
-        size_t i = o->inverse_of.member[r];
+        size_t i = o->basis.member[r];
         o->given[r] = i < FMB_UNIT ? o->right[i] : 0;
     }
-    fmb_basis_inverse_point(&o->inverse_of, o->given, &o->edge);
+    fmb_basis_inverse_point(&o->basis, o->given, &o->edge);
 }
 
 /* Slacks from the basis; how far its rows are off. */
@@ -141,7 +141,7 @@ static double find_slacks(fmb_simplex_state *o)
         memcpy(o->slack, o->right, o->m * sizeof *o->slack);
     fmb_indexed_vector_subtract(&o->rate, 1, o->slack, o->f->run->kernels);
     for (size_t r = 0; r < o->n; r++) {
-        size_t i = o->inverse_of.member[r];
+        size_t i = o->basis.member[r];
         if (i >= FMB_UNIT)
             continue;
         most = fmax(most, fabs(o->slack[i]) / (1 + fabs(o->right[i])));
@@ -153,41 +153,40 @@ static double find_slacks(fmb_simplex_state *o)
 fmb_status fmb_simplex_state_refresh(fmb_simplex_state *o)
 {
     fmb_status st = FMB_OK;
-    if (fmb_basis_inverse_is_stale(&o->inverse_of))
-        st = fmb_simplex_state_place(o, o->inverse_of.member);
-    if (st == FMB_OK && find_slacks(o) > INEXACT && o->inverse_of.pivots > 0) {
-        st = fmb_simplex_state_place(o, o->inverse_of.member);
+    if (fmb_basis_inverse_is_stale(&o->basis))
+        st = fmb_simplex_state_place(o, o->basis.member);
+    if (st == FMB_OK && find_slacks(o) > INEXACT && o->basis.pivots > 0) {
+        st = fmb_simplex_state_place(o, o->basis.member);
         if (st == FMB_OK)
             find_slacks(o);
     }
     if (st != FMB_OK)
         return st;
-    fmb_basis_inverse_price(&o->inverse_of, o->cost, &o->edge);
+    fmb_basis_inverse_price(&o->basis, o->cost, &o->edge);
     memset(o->y, 0, o->n * sizeof *o->y);
     fmb_indexed_vector_subtract(&o->edge, -1, o->y, o->f->run->kernels);
     return FMB_OK;
 }
 
-/* ---- from inverse_of to inverse_of
- * ------------------------------------------------------------------- */
+/* ---- from vertex to vertex ------------------------------------------------------------------- */
 
 void fmb_simplex_state_look_along(fmb_simplex_state *o, size_t r)
 {
-    fmb_basis_inverse_edge(&o->inverse_of, r, &o->edge);
+    fmb_basis_inverse_edge(&o->basis, r, &o->edge);
     fmb_columns_times(&o->columns, &o->edge, &o->rate);
 }
 
 fmb_status fmb_simplex_state_pivot(fmb_simplex_state *o, size_t r, size_t i)
 {
     const fmb_kernels *k = o->f->run->kernels;
-    size_t old = o->inverse_of.member[r];
+    size_t old = o->basis.member[r];
     double pivot = o->entry.at[r];
     double way = o->slack[i] / pivot, multiplier = o->y[r] / pivot;
     fmb_indexed_vector_subtract(&o->rate, way, o->slack, k);
     fmb_indexed_vector_subtract(&o->entry, multiplier, o->y, k);
     o->y[r] = multiplier;
     o->slack[i] = 0;
-    fmb_status st = fmb_basis_inverse_replace(&o->inverse_of, r, i, &o->entry, &o->edge);
+    fmb_status st = fmb_basis_inverse_replace(&o->basis, r, i, &o->entry, &o->edge);
     if (old < FMB_UNIT)
         fmb_simplex_state_note_role(o, old);
     note_member(o, r);
@@ -220,15 +219,14 @@ static size_t find_nearest_row(const fmb_simplex_state *o)
 /* The unit vector that best takes place r. */
 static fmb_status pivot_to_unit(fmb_simplex_state *o, size_t r)
 {
-    size_t best = fmb_indexed_vector_key(&o->edge, 0), old = o->inverse_of.member[r];
+    size_t best = fmb_indexed_vector_key(&o->edge, 0), old = o->basis.member[r];
     assert(old < FMB_UNIT);
     for (size_t t = 1; t < fmb_indexed_vector_count(&o->edge); t++) {
         size_t j = fmb_indexed_vector_key(&o->edge, t);
         best = fabs(o->edge.at[j]) > fabs(o->edge.at[best]) ? j : best;
     }
-    fmb_basis_inverse_write(&o->inverse_of, FMB_UNIT + best, &o->entry);
-    fmb_status st =
-        fmb_basis_inverse_replace(&o->inverse_of, r, FMB_UNIT + best, &o->entry, &o->edge);
+    fmb_basis_inverse_write(&o->basis, FMB_UNIT + best, &o->entry);
+    fmb_status st = fmb_basis_inverse_replace(&o->basis, r, FMB_UNIT + best, &o->entry, &o->edge);
     fmb_simplex_state_note_role(o, old);
     note_member(o, r);
     return st == FMB_OK ? fmb_simplex_state_refresh(o) : st;
@@ -240,6 +238,6 @@ fmb_status fmb_simplex_state_expel(fmb_simplex_state *o, size_t r)
     size_t i = find_nearest_row(o);
     if (i == FMB_NOWHERE)
         return pivot_to_unit(o, r);
-    fmb_basis_inverse_write(&o->inverse_of, i, &o->entry);
+    fmb_basis_inverse_write(&o->basis, i, &o->entry);
     return fmb_simplex_state_pivot(o, r, i);
 }

@@ -1,5 +1,5 @@
-/* simplex_state.h: where our own simplex stands: a inverse_of, what the rows have left there, and
- * the multipliers of a cost.
+/* simplex_state.h: the state of the revised simplex method: a basis with its inverse, what the rows
+ * have left there, and the multipliers of a cost.
  *
  * Invariants: slack = right - rows times the point, that of rows in the basis is about 0; y times
  * the basis is the cost.
@@ -20,7 +20,7 @@ typedef enum fmb_role {
 typedef struct fmb_simplex_state {
     const fmb_scaled_program *f;
     size_t n, m;
-    fmb_basis_inverse inverse_of;
+    fmb_basis_inverse basis;
     fmb_columns columns;
     fmb_indexed_vector entry, edge,
         rate;                 /* [n], [n], [m]: a row in the basis, an edge, rows along it */
@@ -37,15 +37,14 @@ typedef struct fmb_simplex_state {
     size_t steps;
     uint64_t random;
     bool placed;
-    bool feasible, moved; /* right sides are moved away from those of the scaled */
+    bool feasible, moved; /* right sides are moved away from those of the scaled program */
 } fmb_simplex_state;
 
-/* At the unit vectors, before all rows that the scaled have; the basis in factors or as seems best.
- * In any case fmb_simplex_state_clear it. Errors:
- * MEMORY, LIMIT. */
+/* At the unit vectors, before all rows that the scaled program has; the basis in factors or as
+ * seems best. In any case fmb_simplex_state_clear it. Errors: MEMORY, LIMIT. */
 fmb_status fmb_simplex_state_init(fmb_simplex_state *o, const fmb_scaled_program *f, bool factors);
 void fmb_simplex_state_clear(fmb_simplex_state *o);
-/* Take in the rows that the scaled have by now. Errors: MEMORY, LIMIT. */
+/* Take in the rows that the scaled program has by now. Errors: MEMORY, LIMIT. */
 fmb_status fmb_simplex_state_grow(fmb_simplex_state *o);
 
 /* Take these members. Errors: MEMORY, LIMIT, here and below. */

@@ -63,7 +63,7 @@ const fmb_pair_kernels *fmb_pair_kernels_choose(fmb_simd level);
 extern const fmb_pair_kernels fmb_pair_kernels_narrow;
 
 /* Let k ask these instead of its own, a single pair and many at a time; for studies that measure
- * other kernels behind the same ladder. */
+ * other kernels behind the same portfolio. */
 void fmb_pair_use_kernels(fmb_pair *k, const fmb_pair_kernels *one, const fmb_pair_kernels *wide);
 
 /* ---- for the other files of this room -------------------------------------------------------- */

@@ -133,7 +133,7 @@ static fmb_status answer_sum(ascent *a)
     return FMB_OK;
 }
 
-/* ---- the best solution so far --------------------------------------------------------------- */
+/* ---- the best solution so far ---------------------------------------------------------------- */
 
 /* Does x, over the columns of a part, make the goal larger than the best solution does? */
 static bool is_better_over_part(const ascent *a, const fmb_part *p, mpq_t *x)
@@ -199,7 +199,7 @@ static fmb_status answer_endless_variable(ascent *a, int j)
     return answer_endless(a);
 }
 
-/* The optimum_of_part is finite, or an outer end. */
+/* The optimum of the part is finite, or an outer end. */
 static fmb_status add_component(ascent *a, const fmb_part *p)
 {
     const fmb_component_optimum *k = &a->optimum_of_part;

@@ -24,7 +24,7 @@ typedef struct shadow {
 /* What one variable may make, as a share of the rows: in most systems, and in those of few rows. */
 #define FIRST_GROWTH  0.25
 #define SECOND_GROWTH 1.5
-/* So few variables are eliminated however growth that is, where other ways are long. */
+/* So few variables are eliminated however many rows they make, where other ways are long. */
 #define MOST_FREE_STEPS 2
 /* Rows of long numbers are pruned so slowly that few of them may be made before other ways are
  * taken. */
@@ -115,8 +115,8 @@ static fmb_status expect_few_rows(fmb_elim *e, fmb_status st, int kept)
     return FMB_LIMIT;
 }
 
-/* Go on where the cheap variables are gone, and come back if a variable is too growth, or if there
- * are too many rows. */
+/* Go on where the cheap variables are gone, and come back if a variable makes too many rows, or if
+ * there are too many rows. */
 static fmb_status eliminate_rest_of_lift(shadow *h, fmb_ray_projection *projection,
                                          const growth_bound *limit, size_t *budget, bool *feasible,
                                          bool *done)
@@ -332,8 +332,8 @@ static fmb_status try_oracle(part_run *r)
     return is_open(st, r) ? try_queries(r, kept <= FEW_KEPT ? 0 : FIRST_PAIRS) : st;
 }
 
-/* What is growing to eliminate, then a few rays; if both grow, some more rays where there seem to
- * be few. */
+/* What makes more rows is eliminated, then a few rays; if both grow, some more rays where there
+ * seem to be few. */
 static fmb_status try_rays_and_growing_elimination(part_run *r, int kept)
 {
     const fmb_part *p = &r->q->parts.part[r->part];

@@ -1,8 +1,8 @@
 /* portfolio.h: the projection of one part.
  *
- * Several ways lead to it; they are tried one after another, each for a while, as the judge tells
- * (selection.h; docs/theory.md, "Projections: which way"). The rows that come out are irredundant,
- * and each carries the multipliers that prove it.
+ * Several ways lead to it; they are tried one after another, each for a while, as the selection
+ * tells (selection.h; docs/theory.md, "Projections: which way"). The rows that come out are
+ * irredundant, and each carries the multipliers that prove it.
  */
 #ifndef FMB_SOLVE_PORTFOLIO_H
 #define FMB_SOLVE_PORTFOLIO_H

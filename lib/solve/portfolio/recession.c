@@ -121,8 +121,7 @@ fmb_status fmb_recession_drop_rows(fmb_elim *e, const bool *drop, fmb_arena *are
     return st;
 }
 
-/* ---- at small_system
- * -------------------------------------------------------------------------------- */
+/* ---- a small system -------------------------------------------------------------------------- */
 
 #define SMALL_ROWS      64
 #define SMALL_VARIABLES 16

@@ -7,7 +7,7 @@
 #include "elim/round/elim.h"
 
 /* drop[e->n]: variables that go; workspace comes from the arena. *recedes: all live rows that
- * nonzero one of those have left e, and the others are the projection; else nothing has changed.
+ * named one of those have left e, and the others are the projection; else nothing has changed.
  * Errors: MEMORY, LIMIT. */
 fmb_status fmb_recession_drop_rows(fmb_elim *e, const bool *drop, fmb_arena *arena, bool *recedes);
 

@@ -10,7 +10,8 @@
 #define LEAST_FREEDOMS 2
 #define LONG_FREEDOMS  8
 #define MANY_FREEDOMS  32
-/* A growth elimination ends, if it does, where rows are hardly more than dimensions. */
+/* An elimination that makes many rows ends, if it does, where rows are hardly more than dimensions.
+ */
 #define GROWING_FREEDOMS 4
 /* In the plane, rays end sooner than queries only in so few of them; with variables, if rows name
  * nearly all of these. */

@@ -3,8 +3,8 @@
  * The corners are the vertices, rays and lines of the rows that were found, by double description
  * in the kept variables alone; above each lies a solution, found by the oracle. So they owe nothing
  * to the way in which the rows were found. Where strict rows open faces, a strict solution above
- * the middle of each closed one is added, as far as the judge asks for it. The judge decides in the
- * end: what it would not accept is not claimed.
+ * the middle of each closed one is added, as far as the checker asks for it. The checker decides in
+ * the end: what it would not accept is not claimed.
  */
 #include "solve/project/completeness.h"
 
@@ -122,7 +122,7 @@ static fmb_status find_middle(completeness_proof *w, const bool *on)
     return fmb_integers_settle(&w->y, w->q->run.mem);
 }
 
-/* Ask the judge; while all that it misses is a point above some face, give it one. */
+/* Ask the checker; while all that it misses is a point above some face, give it one. */
 static fmb_status satisfy_checker(completeness_proof *w, size_t claim)
 {
     const fmb_poll poll = fmb_run_asked(&w->q->run);

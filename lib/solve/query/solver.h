@@ -179,8 +179,7 @@ void fmb_query_scatter(const fmb_part *p, mpq_t *x, mpq_t *dense);
  * claim->point. */
 fmb_status fmb_query_attach_point(fmb_query *q, fmb_claim *claim, const fmb_part *p, mpq_t *x);
 
-/* ---- rows of answers --------------------------------------------------------------------------
- */
+/* ---- rows of answers ------------------------------------------------------------------------- */
 
 /* Append row[n + 1] of a part, which names kept variables only, to out. */
 fmb_status fmb_query_append_row(fmb_query *q, const fmb_part *p, const fmb_vec *row, fmb_rel rel,

@@ -5,19 +5,19 @@
 
 #include <stdlib.h>
 
-#include "door_bench.h"
+#include "backend_bench.h"
 
 /* ---- what a hint says ------------------------------------------------------------------------ */
 
 /* n distinct members that are independent. */
-static void check_basis(door_bench *b)
+static void check_basis(backend_bench *b)
 {
     for (size_t r = 0; r < b->n; r++) {
         cr_assert_lt(b->basis[r], b->p.m + b->n);
         for (size_t s = 0; s < r; s++)
             cr_assert_neq(b->basis[r], b->basis[s], "seed %lu", (unsigned long)b->c.seed);
     }
-    cr_assert(door_bench_meet(b), "singular, seed %lu", (unsigned long)b->c.seed);
+    cr_assert(backend_bench_meet(b), "singular, seed %lu", (unsigned long)b->c.seed);
 }
 
 typedef struct tally {
@@ -25,29 +25,29 @@ typedef struct tally {
 } tally;
 
 /* Is what it says true, and proved by the basis? */
-static void count_hint(door_bench *b, const fmb_hint *h, bool of_search, tally *t)
+static void count_hint(backend_bench *b, const fmb_hint *h, bool of_search, tally *t)
 {
     check_basis(b);
     bool proved = false;
     if (h->kind == FMB_HINT_OPTIMUM)
-        proved = of_search ? door_bench_meet(b) && door_bench_holds(b, b->x, false)
-                           : door_bench_proves_optimum(b);
+        proved = of_search ? backend_bench_meet(b) && backend_bench_holds(b, b->x, false)
+                           : backend_bench_proves_optimum(b);
     else if (h->kind == FMB_HINT_INFEASIBLE)
-        proved = h->odd < b->p.m && door_bench_proves_conflict(b, h->odd);
+        proved = h->odd < b->p.m && backend_bench_proves_conflict(b, h->odd);
     else if (h->kind == FMB_HINT_UNBOUNDED)
-        proved = !of_search && h->odd < b->n && door_bench_proves_ray(b, h->odd);
+        proved = !of_search && h->odd < b->n && backend_bench_proves_ray(b, h->odd);
     t->asked++;
     t->proved += proved;
     t->none += h->kind == FMB_HINT_NONE;
 }
 
-static void draw_cost(door_bench *b, support_rng *g)
+static void draw_cost(backend_bench *b, support_rng *g)
 {
     for (size_t j = 0; j < b->n; j++)
         b->cost[j] = support_between(g, -3, 3);
 }
 
-static fmb_hint ask(door_bench *b, fmb_backend *d, bool search, tally *t)
+static fmb_hint ask(backend_bench *b, fmb_backend *d, bool search, tally *t)
 {
     fmb_hint h = {.basis = b->basis};
     cr_assert_eq(search ? fmb_backend_search(d, &h) : fmb_backend_maximize(d, b->cost, &h), FMB_OK);
@@ -55,7 +55,7 @@ static fmb_hint ask(door_bench *b, fmb_backend *d, bool search, tally *t)
     return h;
 }
 
-static fmb_backend *open_side(door_bench *b, const fmb_backend_methods *side)
+static fmb_backend *open_side(backend_bench *b, const fmb_backend_methods *side)
 {
     fmb_backend *d;
     cr_assert_eq(fmb_backend_open_with(&b->run, &b->p, side, &d), FMB_OK);
@@ -65,10 +65,10 @@ static fmb_backend *open_side(door_bench *b, const fmb_backend_methods *side)
 
 /* A search, then costs one after another. Numbers that doubles cannot tell apart may get answers
  * that contradict each other. */
-static void ask_all(door_bench *b, const fmb_backend_methods *side, int costs, tally *t)
+static void ask_all(backend_bench *b, const fmb_backend_methods *side, int costs, tally *t)
 {
     support_rng g = {b->c.seed};
-    door_bench_append(b, b->part->m);
+    backend_bench_append(b, b->part->m);
     fmb_backend *d = open_side(b, side);
     fmb_hint_kind first = ask(b, d, true, t).kind;
     for (int k = 0; k < costs; k++) {
@@ -95,10 +95,10 @@ static void ask_small_systems(const fmb_backend_methods *side)
         support_shape shape = {.dim = 1 + (int)(seed % 6), .rows = 1 + (int)(seed % 13)};
         support_family family = (support_family)(seed % SUPPORT_FAMILIES);
         bool is_narrow = seed % 3 > 0;
-        door_bench b;
-        if (door_bench_open(&b, family, seed, is_narrow ? &shape : NULL))
+        backend_bench b;
+        if (backend_bench_open(&b, family, seed, is_narrow ? &shape : NULL))
             ask_all(&b, side, 4, is_narrow ? &narrow : &wide);
-        door_bench_close(&b);
+        backend_bench_close(&b);
     }
     expect_share("small", &narrow, 0.999);
     expect_share("wide", &wide, 0.7);
@@ -108,11 +108,11 @@ static void ask_larger_systems(const fmb_backend_methods *side)
 {
     tally t = {0};
     for (uint64_t seed = 0; seed < 60; seed++) {
-        door_bench b;
+        backend_bench b;
         support_shape shape = {.dim = 4 + (int)(seed % 4) * 6, .rows = 10 + (int)(seed % 7) * 10};
-        if (door_bench_open(&b, (support_family)(seed % SUPPORT_FAMILIES), seed, &shape))
+        if (backend_bench_open(&b, (support_family)(seed % SUPPORT_FAMILIES), seed, &shape))
             ask_all(&b, side, 3, &t);
-        door_bench_close(&b);
+        backend_bench_close(&b);
     }
     expect_share("larger", &t, 0.999);
 }
@@ -131,7 +131,7 @@ Test(backend, hints_of_factors_are_proved)
 
 /* ---- changes --------------------------------------------------------------------------------- */
 
-typedef void change(door_bench *b, fmb_backend *d, support_rng *g, tally *t);
+typedef void change(backend_bench *b, fmb_backend *d, support_rng *g, tally *t);
 
 /* What changes, on many systems and every side of the backend; it opens with so many of 100 rows.
  */
@@ -144,24 +144,24 @@ static void ask_while(const char *what, change *changes, int share)
         tally t = {0};
         for (uint64_t seed = 0; seed < 120; seed++) {
             support_rng g = {seed};
-            door_bench b;
-            if (door_bench_open(&b, (support_family)(seed % SUPPORT_FAMILIES), seed, &shape)) {
-                door_bench_append(&b, b.part->m * (size_t)share / 100);
+            backend_bench b;
+            if (backend_bench_open(&b, (support_family)(seed % SUPPORT_FAMILIES), seed, &shape)) {
+                backend_bench_append(&b, b.part->m * (size_t)share / 100);
                 fmb_backend *d = open_side(&b, sides[side]);
                 changes(&b, d, &g, &t);
                 fmb_backend_close(d);
             }
-            door_bench_close(&b);
+            backend_bench_close(&b);
         }
         expect_share(what, &t, 0.999);
     }
 }
 
 /* Rows come a few at a time. */
-static void append_and_ask(door_bench *b, fmb_backend *d, support_rng *g, tally *t)
+static void append_and_ask(backend_bench *b, fmb_backend *d, support_rng *g, tally *t)
 {
     for (size_t m = 0; m <= b->part->m; m += (size_t)support_between(g, 1, 5)) {
-        door_bench_append(b, m);
+        backend_bench_append(b, m);
         cr_assert_eq(fmb_backend_grow(d), FMB_OK);
         draw_cost(b, g);
         ask(b, d, support_chance(g, 50), t);
@@ -174,7 +174,7 @@ Test(backend, follows_rows_that_come)
 }
 
 /* Rows go and come; no basis may hold one that is off. */
-static void switch_and_ask(door_bench *b, fmb_backend *d, support_rng *g, tally *t)
+static void switch_and_ask(backend_bench *b, fmb_backend *d, support_rng *g, tally *t)
 {
     for (int k = 0; k < 20; k++) {
         size_t i = (size_t)support_between(g, 0, (int)b->p.m - 1);
@@ -194,7 +194,7 @@ Test(backend, follows_rows_that_are_switched)
 }
 
 /* Other right sides, another basis, and back. */
-static void move_and_ask(door_bench *b, fmb_backend *d, support_rng *g, tally *t)
+static void move_and_ask(backend_bench *b, fmb_backend *d, support_rng *g, tally *t)
 {
     double *right = calloc(b->p.m + 1, sizeof *right);
     fmb_hint h = {.basis = b->basis};
@@ -226,15 +226,15 @@ Test(backend, opens_on_our_own_side)
     tally t = {0};
     for (uint64_t seed = 0; seed < 20; seed++) {
         static const support_shape shape = {.dim = 104, .rows = 16};
-        door_bench b;
+        backend_bench b;
         fmb_backend *d;
-        if (door_bench_open(&b, SUPPORT_PLANTED_POINT, seed, seed ? NULL : &shape)) {
-            door_bench_append(&b, b.part->m);
+        if (backend_bench_open(&b, SUPPORT_PLANTED_POINT, seed, seed ? NULL : &shape)) {
+            backend_bench_append(&b, b.part->m);
             cr_assert_eq(fmb_backend_open(&b.run, &b.p, &d), FMB_OK);
             ask(&b, d, true, &t);
             fmb_backend_close(d);
         }
-        door_bench_close(&b);
+        backend_bench_close(&b);
     }
     expect_share("its own", &t, 0.7);
 }

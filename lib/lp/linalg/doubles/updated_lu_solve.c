@@ -291,7 +291,7 @@ static inline void subtract_list(fmb_updated_lu *u, const fmb_compressed_rows *l
     }
 }
 
-/* The same, to a spread. */
+/* The same, to an indexed vector. */
 static void subtract_list_from(const fmb_compressed_rows *l, size_t k, double factor,
                                fmb_indexed_vector *from)
 {

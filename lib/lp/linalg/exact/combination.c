@@ -4,8 +4,7 @@
 #include "lp/linalg/exact/hadamard.h"
 #include "num/gcd.h"
 
-/* ---- life -------------------------------------------------------------------------------------
- */
+/* ---- life ------------------------------------------------------------------------------------ */
 
 static mpz_t *allocate_integers(fmb_mem *mem, size_t n)
 {
@@ -57,8 +56,7 @@ void fmb_combination_clear(fmb_combination *c)
     c->mem = NULL;
 }
 
-/* ---- the equations ----------------------------------------------------------------------------
- */
+/* ---- the equations --------------------------------------------------------------------------- */
 
 static const fmb_vec *unknown_row(const fmb_combination *c, size_t k)
 {
@@ -158,8 +156,7 @@ static void solve_modulo_prime(fmb_combination *c)
     substitute_back(c);
 }
 
-/* ---- lifting ----------------------------------------------------------------------------------
- */
+/* ---- lifting --------------------------------------------------------------------------------- */
 
 /* The number next to 0 with that remainder. */
 static void set_symmetric(mpz_t z, const fmb_prime *q, uint64_t remainder)
@@ -181,8 +178,7 @@ static void lift_minors(fmb_combination *c)
         set_symmetric(c->part[k], &c->q, fmb_prime_times(&c->q, determinant, c->digit[k]));
 }
 
-/* ---- digit by digit ---------------------------------------------------------------------------
- */
+/* ---- digit by digit -------------------------------------------------------------------------- */
 
 /* s = equation e times the digits; small: all sums fit in 127 bits. */
 static void multiply_by_digits(fmb_combination *c, size_t e, bool small)
@@ -290,8 +286,7 @@ static bool guess_fractions(fmb_combination *c, mpz_t *numerator)
     return found;
 }
 
-/* ---- judging ----------------------------------------------------------------------------------
- */
+/* ---- judging --------------------------------------------------------------------------------- */
 
 /* left = all (row i) - sum of part_k (row k), at entry j. */
 static void subtract_parts(fmb_combination *c, mpz_t *part, size_t j, mpz_t left)
@@ -345,8 +340,7 @@ static fmb_status lift_digits(fmb_combination *c, fmb_run *run, double bits, boo
     return st;
 }
 
-/* ---- the answer -------------------------------------------------------------------------------
- */
+/* ---- the answer ------------------------------------------------------------------------------ */
 
 /* In lowest terms, all > 0, without parts that are 0; left by the right sides. */
 static void tidy_combination(fmb_combination *c)

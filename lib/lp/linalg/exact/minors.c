@@ -11,7 +11,7 @@
 
 /* Elimination takes n^3 products of numbers that grow; lifting, for each right side, as many digits
  * as the solution has on both sides of a fraction, each for n^2 products, of words where entries
- * are such, and else of what is twice as dear. */
+ * are such, and else of what is twice as expensive. */
 #define MOST_UNKNOWNS      12
 #define MOST_UNKNOWNS_LONG 24
 

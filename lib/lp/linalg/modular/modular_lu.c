@@ -312,7 +312,7 @@ static void order_turns(const peeling *p)
             f->turn[turns++] = (int)k;
 }
 
-/* ---- the door -------------------------------------------------------------------------------- */
+/* ---- the whole ------------------------------------------------------------------------------- */
 
 static fmb_status open_lu(fmb_modular_lu *f, fmb_arena *arena, size_t n)
 {

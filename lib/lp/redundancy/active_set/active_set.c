@@ -165,7 +165,7 @@ fmb_status fmb_active_set_shoot(fmb_active_set *s, size_t from, size_t to)
     return st;
 }
 
-/* Behind the hyperplane lies a point that breaks the row at hand and no other row awake: shoot
+/* Behind the hyperplane lies a point that breaks the row at hand and no other active row: shoot
  * there. */
 static size_t shoot_beyond_normal(fmb_active_set *s)
 {
@@ -222,7 +222,7 @@ static size_t find_row_to_activate(fmb_active_set *s)
     return hit != SIZE_MAX && s->number[hit] == SIZE_MAX ? hit : find_farthest_inactive(s);
 }
 
-/* Wake rows until those awake imply row i, or it is awake itself. */
+/* Activate rows until those that are active imply row i, or it is active itself. */
 static fmb_status test_inactive_row(fmb_active_set *s, size_t i)
 {
     fmb_status st = FMB_OK;
@@ -243,8 +243,8 @@ static fmb_status test_inactive_row(fmb_active_set *s, size_t i)
     return st;
 }
 
-/* Does row i, awake itself, lie beyond all that is awake? Others may sleep there: *on if one was
- * woken. */
+/* Does row i, active itself, lie beyond all active ones? Others may be inactive there: *on if one
+ * was activated. */
 static fmb_status activate_row_beyond_normal(fmb_active_set *s, size_t i, bool *on)
 {
     size_t j = find_row_to_activate(s);
@@ -252,7 +252,7 @@ static fmb_status activate_row_beyond_normal(fmb_active_set *s, size_t i, bool *
     return *on ? activate_row_in_cone(s, j) : FMB_OK;
 }
 
-/* Once more with all rows that matter awake. */
+/* Once more with all rows that matter active. */
 static fmb_status test_active_row(fmb_active_set *s, size_t i)
 {
     fmb_status st = FMB_OK;
@@ -311,7 +311,7 @@ fmb_status fmb_active_set_test(fmb_active_set *s, const size_t *open, size_t fro
     for (size_t k = from; st == FMB_OK && k < to; k++)
         if (s->number[open[k]] == SIZE_MAX && !s->gone[open[k]])
             st = test_inactive_row(s, open[k]);
-    s->doubtful = 0; /* they were woken, and are tried again */
+    s->doubtful = 0; /* they were activated, and are tried again */
     for (size_t k = from; st == FMB_OK && k < to; k++)
         if (!is_row_settled(s, open[k]))
             st = test_active_row(s, open[k]);

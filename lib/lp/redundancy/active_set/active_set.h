@@ -1,9 +1,9 @@
-/* active_set.h: a search for rows that others imply, among rows that are awake.
+/* active_set.h: a search for rows that others imply, among few rows that are active.
  *
  * A row (a, b) is implied by others if it is a nonnegative combination of them and of (0, 1). Which
  * rows, and with which multipliers, is guessed in doubles (simplex.h), and proved in integers
- * (rounded_proof.h). Only rows that are awake are looked at: a row that they do not imply gives a
- * hyperplane, the row that lies farthest beyond it is woken, and the search goes on (Clarkson
+ * (rounded_proof.h). Only active rows are looked at: a row that they do not imply gives a
+ * hyperplane, the row that lies farthest beyond it becomes active, and the search goes on (Clarkson
  * 1994).
  *
  * A search tests some rows and looks at all; several may go on at a time, each with what it finds
@@ -54,7 +54,7 @@ void fmb_active_set_clear(fmb_active_set *s);
 /* From the point inside shoot at rows from, ..., to - 1: what is hit is kept. Errors: LIMIT. */
 fmb_status fmb_active_set_shoot(fmb_active_set *s, size_t from, size_t to);
 /* Test the rows open[from], ..., open[to - 1]: those that others imply go. The rows kept so far are
- * woken, and equalities. Once. Errors: MEMORY, LIMIT. */
+ * activated, and equalities. Once. Errors: MEMORY, LIMIT. */
 fmb_status fmb_active_set_test(fmb_active_set *s, const size_t *open, size_t from, size_t to);
 
 #endif

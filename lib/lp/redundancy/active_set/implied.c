@@ -33,7 +33,7 @@ typedef struct sorting {
     size_t searches;
     size_t *open; /* [opens] rows that rays did not settle */
     size_t opens;
-    bool *used; /* [m] reduced in a proof that was accepted */
+    bool *used; /* [m] named in a proof that was accepted */
     fmb_sorting *out;
 } sorting;
 

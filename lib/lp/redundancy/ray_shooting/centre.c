@@ -59,8 +59,7 @@ void fmb_centre_clear(fmb_centre *c)
     c->mem = NULL;
 }
 
-/* ---- Newton's step ----------------------------------------------------------------------------
- */
+/* ---- Newton's step --------------------------------------------------------------------------- */
 
 /* slack = right - at.x over n columns. */
 static void find_row_slacks(fmb_centre *c, size_t n, const fmb_kernels *kernels)
@@ -157,8 +156,7 @@ static double solve_for_way(fmb_centre *c, size_t n)
     return square;
 }
 
-/* ---- how far along it -------------------------------------------------------------------------
- */
+/* ---- how far along it ------------------------------------------------------------------------ */
 
 static double way_to_nearest_row(const fmb_centre *c)
 {
@@ -221,8 +219,7 @@ static double step_to_centre(fmb_centre *c, size_t n, double pull, const fmb_ker
     return square;
 }
 
-/* ---- outside, inside --------------------------------------------------------------------------
- */
+/* ---- outside, inside ------------------------------------------------------------------------- */
 
 static double least_row_slack(const fmb_centre *c)
 {

@@ -1,6 +1,7 @@
-/* membership.h: how much must a hull be blown up until a point lies in it? In doubles: a guess.
+/* membership.h: the membership program: how much must a hull be blown up until a point lies in it?
+ * In doubles: a guess.
  *
- * Points q_j of n numbers span a hull, together with the origin. The membership of a point q
+ * Points q_j of n numbers span a hull, together with the origin. The gauge of a point q
  * (Minkowski) is the least sum of z >= 0 with sum_j z_j q_j = q; q lies in the hull if that is 1 at
  * most. By duality it is the greatest w.q of all w with w.q_j <= 1 for every j. A basis of n points
  * gives a vertex w of these; for another q the search goes on from there.
@@ -19,7 +20,7 @@ typedef enum fmb_side_of_hull {
 } fmb_side_of_hull;
 
 /* Points are numbered as they come. So that there always is a vertex, w stays in a large cube as
- * well: its walls are points, too, and have no number. */
+ * well: its walls are artificial points, which have no number. */
 typedef struct fmb_membership {
     fmb_mem *mem;
     const fmb_kernels *kernels;
@@ -30,7 +31,8 @@ typedef struct fmb_membership {
     size_t *name;    /* [capacity] whatever the caller calls it */
     double *reduced; /* [capacity] 1 - w.q_j */
     double *along;   /* [capacity] scratch: how w.q_j changes along an edge */
-    size_t *basic;   /* [n] point of each place of the basis; size_max / 2 and more: walls */
+    size_t
+        *basic; /* [n] point of each place of the basis; size_max / 2 and more: artificial points */
     double *inverse; /* [n][n] of the basis: row r belongs to place r */
     double *length;  /* [n] squares of the lengths of its rows, which are the edges at w */
     double *value;   /* [n] of the basic points */
@@ -54,7 +56,7 @@ void fmb_membership_resize_cube(fmb_membership *g, double cube);
 /* Is q in the hull? run may be NULL. Errors: LIMIT. */
 fmb_status fmb_membership_ask(fmb_membership *g, const double *q, fmb_run *run,
                               fmb_side_of_hull *out);
-/* The caller's name of the point at place r of the basis; SIZE_MAX: a artificial. */
+/* The caller's name of the point at place r of the basis; SIZE_MAX: artificial. */
 size_t fmb_membership_name(const fmb_membership *g, size_t r);
 
 #endif

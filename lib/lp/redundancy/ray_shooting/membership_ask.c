@@ -1,9 +1,9 @@
 /* membership_ask.c: see membership.h.
  *
- * Each point j allows w the half-space w.q_j <= 1; a basis is n points whose walls meet in the
- * vertex w, and the rows of its inverse, turned round, are the edges there. For a new q the dual
- * method walks from vertex to vertex, always up: along the edge that rises most for its length
- * (steepest edge: Goldfarb and Reid 1977, Forrest and Goldfarb 1992), until the next artificial. A
+ * Each point j allows w the half-space w.q_j <= 1; a basis is n points whose hyperplanes meet in
+ * the vertex w, and the rows of its inverse, turned round, are the edges there. For a new q the
+ * dual method walks from vertex to vertex, always up: along the edge that rises most for its length
+ * (steepest edge: Goldfarb and Reid 1977, Forrest and Goldfarb 1992), until the next hyperplane. A
  * vertex above 1 is answer enough, and so is one from where no edge rises. A point that is added
  * may cut the vertex off: the primal method then finds one that is left, the highest in a direction
  * that the old one was highest in.

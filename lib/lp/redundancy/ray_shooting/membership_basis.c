@@ -1,4 +1,4 @@
-/* membership_basis.c: points whose walls meet in a vertex; see membership_private.h. */
+/* membership_basis.c: points whose hyperplanes meet in a vertex; see membership_private.h. */
 #include "lp/redundancy/ray_shooting/membership_private.h"
 
 #include <math.h>
@@ -11,7 +11,7 @@ size_t fmb_membership_name(const fmb_membership *g, size_t r)
 
 /* ---- the basis ------------------------------------------------------------------------------- */
 
-/* w is where all basic walls meet: w.q_j = 1. */
+/* w is where all basic hyperplanes meet: w.q_j = 1. */
 static void find_vertex(fmb_membership *g)
 {
     size_t n = g->n;

@@ -24,7 +24,7 @@ static size_t find_steepest_rise(const fmb_membership *g)
     return best;
 }
 
-/* The artificial, of points and of the cube, that an edge meets first; of those that are met nearly
+/* The hyperplane, of points and of the cube, that an edge meets first; of those that are met nearly
  * at once, the one that is met most squarely. */
 typedef struct first_artificial {
     size_t artificial;
@@ -42,8 +42,8 @@ static double cube_along(const fmb_membership *g, size_t r, size_t j)
            fmb_membership_artificial_coordinate(g, j);
 }
 
-/* How far the edge goes if walls may be passed by as little as rounding errors: rates of approach
- * are counted from `least` on. */
+/* How far the edge goes if hyperplanes may be passed by as little as rounding errors: rates of
+ * approach are counted from `least` on. */
 static double find_longest_step(const fmb_membership *g, size_t r, double least)
 {
     double step = INFINITY;
@@ -108,9 +108,9 @@ fmb_status fmb_membership_run_dual(fmb_membership *g, const double *q, fmb_run *
     return st;
 }
 
-/* ---- the primal method: back behind new walls ------------------------------------------------ */
+/* ---- the primal method: back behind new hyperplanes ------------------------------------------ */
 
-/* The artificial, of points and of the cube, that w is farthest beyond. */
+/* The hyperplane, of points and of the cube, that w is farthest beyond. */
 static size_t find_most_broken_artificial(const fmb_membership *g, double *gap)
 {
     size_t best = SIZE_MAX;

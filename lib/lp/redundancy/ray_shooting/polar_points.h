@@ -1,6 +1,6 @@
 /* polar_points.h: rows as points, seen from a point strictly inside.
  *
- * Seen from x, row a.y <= b is the point a / (b - a.x) of the points: a ray from x in direction w
+ * Seen from x, row a.y <= b is the point a / (b - a.x) of the polar: a ray from x in direction w
  * (ray.h) meets row i at the time 1 / (w.p_i). The point x is exact, and strictly inside of every
  * row, exactly.
  */
@@ -23,7 +23,7 @@ typedef struct fmb_polar_points {
     int shift;
     size_t *order;    /* [m] rows as they stand here; neighbours in it are near each other */
     size_t *place;    /* [m] where a row stands */
-    double *point_at; /* [d][m] points points, by place; 0 for rows that are hidden */
+    double *point_at; /* [d][m] polar points, by place; 0 for rows that are hidden */
     double *size;     /* [m] their lengths */
     double *round;    /* [d][m] the same points in coordinates in which the hull is about round */
     double *half;     /* [d][d] lower triangle: point_at = half round */
@@ -49,7 +49,7 @@ void fmb_polar_points_round_point(const fmb_polar_points *p, size_t i, double *q
 
 /* Points stand together in blocks of so many. */
 #define FMB_SPATIAL_BLOCK 64
-/* Find an order with neighbours near each other, and put the points of point_at into it. */
+/* Find an order with neighbours near each other, and put the points into it. */
 void fmb_polar_points_arrange(fmb_polar_points *p);
 /* slack = 2^shift b - a.x of row i. */
 void fmb_polar_points_slack(const fmb_polar_points *p, size_t i, mpz_t slack, mpz_t t);

@@ -8,8 +8,7 @@
 #include "lp/redundancy/ray_shooting/centre.h"
 #include "num/gcd.h"
 
-/* ---- life -------------------------------------------------------------------------------------
- */
+/* ---- life ------------------------------------------------------------------------------------ */
 
 static fmb_status list_nonzero_columns(fmb_polar_points *p)
 {
@@ -71,8 +70,7 @@ void fmb_polar_points_clear(fmb_polar_points *p)
     p->mem = NULL;
 }
 
-/* ---- rows in doubles --------------------------------------------------------------------------
- */
+/* ---- rows in doubles ------------------------------------------------------------------------- */
 
 /* Entry j of a row, times 2^-exponent. */
 static double scaled_entry(const fmb_vec *v, size_t j, int exponent)
@@ -128,8 +126,7 @@ static bool load_scaled_rows(fmb_polar_points *p, fmb_centre *c)
     return true;
 }
 
-/* ---- the point --------------------------------------------------------------------------------
- */
+/* ---- the point ------------------------------------------------------------------------------- */
 
 /* Binary places behind the point at which rounding does not reach a row: every coordinate moves by
  * less than a quarter of what the row's slack allows. */
@@ -192,7 +189,7 @@ static double inverse_slack(const fmb_polar_points *p, size_t i, int more, mpz_t
     return ldexp(1 / head, p->shift + more - (int)bits);
 }
 
-/* The points points, by row; false where the point is not strictly inside, or numbers are too large
+/* The polar points, by row; false where the point is not strictly inside, or numbers are too large
  * or too small: then no entry of a row that is not 0 is taken for 0, and what underflows in an
  * entry is less than 2^-594 of the length, which itself is rounded like a sum. */
 static bool see_rows(fmb_polar_points *p)

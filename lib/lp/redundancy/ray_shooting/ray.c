@@ -43,8 +43,7 @@ void fmb_ray_clear(fmb_ray *r)
     r->mem = NULL;
 }
 
-/* ---- rays -------------------------------------------------------------------------------------
- */
+/* ---- rays ------------------------------------------------------------------------------------ */
 
 /* way . round = scaled . point_at: scaled = half^-T way. */
 static void turn_to_scaled_columns(fmb_ray *r, const double *way)
@@ -83,8 +82,7 @@ static bool round_direction(fmb_ray *r, int bits)
     return true;
 }
 
-/* ---- which row is met first -------------------------------------------------------------------
- */
+/* ---- which row is met first ------------------------------------------------------------------ */
 
 static double larger_of(double a, double b)
 {
@@ -282,8 +280,7 @@ size_t fmb_ray_shoot(fmb_ray *r, const double *way, bool roughly)
     return r->hit;
 }
 
-/* ---- points beyond ----------------------------------------------------------------------------
- */
+/* ---- points beyond --------------------------------------------------------------------------- */
 
 /* When the next row is met, or a little before; false if none is. Rates that are less than 2^-1000
  * are rounding errors. */

@@ -1,4 +1,5 @@
-/* ray.h: a ray from the point of a points: which row it meets first, and points behind that.
+/* ray.h: a ray from the point that rows are seen from: which row it meets first, and points behind
+ * that.
  *
  * In direction w, row i is met at the time 1 / (w.p_i), so before all others if w.p_i is the
  * largest. Such a row is irredundant, since just behind it lies a point that breaks it and no

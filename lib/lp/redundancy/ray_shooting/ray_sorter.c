@@ -17,8 +17,8 @@
 /* Values below are taken for 0, and are tried for what they are if that fails. */
 #define NEARLY_NONE 1e-9
 #define LOOK_CLOSER 1e-14
-/* The cube of the membership; how much larger it becomes when a artificial of it is needed, and how
- * large. */
+/* The cube of the membership program; how much larger it becomes when an artificial point is
+ * needed, and how large. */
 #define FIRST_CUBE  64.0
 #define LARGER_CUBE 64.0
 #define LAST_CUBE   0x1p42
@@ -73,8 +73,7 @@ void fmb_ray_sorter_clear(fmb_ray_sorter *s)
     s->run = NULL;
 }
 
-/* ---- vertices known ---------------------------------------------------------------------------
- */
+/* ---- vertices known -------------------------------------------------------------------------- */
 
 static fmb_status reserve_known_rows(fmb_ray_sorter *s, size_t capacity)
 {
@@ -104,7 +103,8 @@ static void aim_at_point(fmb_ray_sorter *s, size_t i)
     fmb_polar_points_round_point(s->points, i, s->target);
 }
 
-/* Into the membership, if there is room; at the cost of points that are not in its basis. */
+/* Into the membership program, if there is room; at the cost of points that are not in its basis.
+ */
 static fmb_status activate_row(fmb_ray_sorter *s, size_t i)
 {
     double point[256], *q = point;
@@ -150,8 +150,7 @@ static fmb_status keep_row(fmb_ray_sorter *s, size_t i)
     return activate_row(s, i);
 }
 
-/* ---- one row ----------------------------------------------------------------------------------
- */
+/* ---- one row --------------------------------------------------------------------------------- */
 
 /* score = the target times each known vertex; the largest. */
 static double score_known_rows(fmb_ray_sorter *s)
@@ -205,7 +204,7 @@ static fmb_status tell_of_combination(fmb_ray_sorter *s, size_t i)
     return st;
 }
 
-/* Does the sum that reaches the target need a artificial of the cube? */
+/* Does the sum that reaches the target need an artificial point? */
 static bool is_cube_needed(const fmb_ray_sorter *s)
 {
     for (size_t r = 0; r < s->points->d; r++)
@@ -240,8 +239,8 @@ static fmb_status prove_implied(fmb_ray_sorter *s, size_t i)
     return st;
 }
 
-/* The membership says that row i is implied. If no proof comes of it, values that were taken for 0
- * may have been negative. */
+/* The membership program says that row i is implied. If no proof comes of it, values that were
+ * taken for 0 may have been negative. */
 static fmb_status prove_or_look_closer(fmb_ray_sorter *s, size_t i, fmb_side_of_hull *side)
 {
     double zero = s->membership.zero;
@@ -254,7 +253,7 @@ static fmb_status prove_or_look_closer(fmb_ray_sorter *s, size_t i, fmb_side_of_
     return st == FMB_OK && *side == FMB_HULL_INSIDE ? prove_implied(s, i) : st;
 }
 
-/* Shoot; *progress: a row not known or not is_active so far was met. */
+/* Shoot; *progress: a row not known or not active so far was met. */
 static fmb_status shoot_for_vertex(fmb_ray_sorter *s, const double *way, bool *progress)
 {
     size_t hit = fmb_ray_shoot(&s->ray, way, true);
@@ -268,7 +267,7 @@ static fmb_status shoot_for_vertex(fmb_ray_sorter *s, const double *way, bool *p
     return activate_row(s, hit);
 }
 
-/* Ask the membership about row i, and act upon what it says. */
+/* Ask the membership program about row i, and act upon what it says. */
 static fmb_status ask_about_row(fmb_ray_sorter *s, size_t i, bool *progress)
 {
     fmb_side_of_hull side;

@@ -1,4 +1,5 @@
-/* ray_sorter.h: the rows at some places of a points, each kept or dropped; see ray_shooting.h. */
+/* ray_sorter.h: the rows at some places of the polar points, each kept or dropped; see
+ * ray_shooting.h. */
 #ifndef FMB_LP_RAY_SORTER_H
 #define FMB_LP_RAY_SORTER_H
 
@@ -17,9 +18,9 @@ typedef struct fmb_ray_sorter {
     const fmb_verdicts *told; /* the caller's, or NULL */
     size_t known, capacity;   /* rows known to be irredundant */
     size_t *name;             /* [capacity] the rows */
-    double *at;               /* [d][capacity] their points points, in round coordinates */
+    double *at;               /* [d][capacity] their polar points, in round coordinates */
     double *score;            /* [capacity] scratch */
-    bool *is_active;          /* [m] in the membership */
+    bool *is_active;          /* [m] in the membership program */
     double *target;           /* [d] the row at hand */
     size_t *support;          /* [d] scratch */
     mpq_t *x;                 /* [n] scratch */

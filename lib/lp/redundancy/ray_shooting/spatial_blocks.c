@@ -1,4 +1,4 @@
-/* spatial_blocks.c: points points in an order in which neighbours are near each other; see
+/* spatial_blocks.c: polar points in an order in which neighbours are near each other; see
  * polar_points.h.
  *
  * Points are split in two along the axis on which they are spread most, and each half again (a k-d

@@ -1,4 +1,4 @@
-/* door_bench.h: a connected system as a program, on a bench of its own, and what a basis of it
+/* backend_bench.h: a connected system as a program, on a bench of its own, and what a basis of it
  * proves in rationals. */
 #ifndef FMB_TEST_DOOR_BENCH_H
 #define FMB_TEST_DOOR_BENCH_H
@@ -8,7 +8,7 @@
 #include "support/support.h"
 
 /* A connected system as a program, and matrices to solve with. */
-typedef struct door_bench {
+typedef struct backend_bench {
     support_case c;
     fmb_mem mem;
     fmb_arena arena;
@@ -22,25 +22,25 @@ typedef struct door_bench {
     mpq_t *matrix; /* [n][n + 1] */
     mpq_t *x, *y;  /* [n] */
     double *cost;  /* [n] */
-} door_bench;
+} backend_bench;
 
 /* False: the system has no part, so there is nothing to ask. The struct must not move. */
-bool door_bench_open(door_bench *b, support_family family, uint64_t seed,
+bool backend_bench_open(backend_bench *b, support_family family, uint64_t seed,
                      const support_shape *shape);
 /* Append rows of the part until there are that many. */
-void door_bench_append(door_bench *b, size_t m);
+void backend_bench_append(backend_bench *b, size_t m);
 /* Nothing may be left in memory. */
-void door_bench_close(door_bench *b);
+void backend_bench_close(backend_bench *b);
 
 /* x = where the members of the basis meet. False: nowhere, or in more than a point. */
-bool door_bench_meet(door_bench *b);
+bool backend_bench_meet(backend_bench *b);
 /* Do all rows that are on hold at x, strict ones as if they were not? With `flat`, along x. */
-bool door_bench_holds(const door_bench *b, mpq_t *x, bool flat);
+bool backend_bench_holds(const backend_bench *b, mpq_t *x, bool flat);
 /* Row `odd` is a combination of the basis that says the contrary. */
-bool door_bench_proves_conflict(door_bench *b, size_t odd);
+bool backend_bench_proves_conflict(backend_bench *b, size_t odd);
 /* x is a solution, and the cost a combination of rows of the basis. */
-bool door_bench_proves_optimum(door_bench *b);
+bool backend_bench_proves_optimum(backend_bench *b);
 /* x is a solution, and along the edge that leaves the row at that place the cost grows for ever. */
-bool door_bench_proves_ray(door_bench *b, size_t place);
+bool backend_bench_proves_ray(backend_bench *b, size_t place);
 
 #endif

@@ -1,5 +1,5 @@
-/* door_bench.c: see door_bench.h. */
-#include "door_bench.h"
+/* backend_bench.c: see backend_bench.h. */
+#include "backend_bench.h"
 
 #include <criterion/criterion.h>
 #include <stdlib.h>
@@ -19,11 +19,11 @@ static void free_numbers(mpq_t *q, size_t count)
     free(q);
 }
 
-bool door_bench_open(door_bench *b, support_family family, uint64_t seed,
+bool backend_bench_open(backend_bench *b, support_family family, uint64_t seed,
                      const support_shape *shape)
 {
     fmb_options o = {.size = sizeof o};
-    *b = (door_bench){.c = support_make(family, seed, shape)};
+    *b = (backend_bench){.c = support_make(family, seed, shape)};
     fmb_mem_init(&b->mem, NULL, 0);
     fmb_arena_init(&b->arena, &b->mem);
     fmb_run_begin(&b->run, &b->mem, &o, &b->cancel, (fmb_sink){0}, "test");
@@ -43,13 +43,13 @@ bool door_bench_open(door_bench *b, support_family family, uint64_t seed,
     return b->part != NULL;
 }
 
-void door_bench_append(door_bench *b, size_t m)
+void backend_bench_append(backend_bench *b, size_t m)
 {
     for (size_t i = b->p.m; i < m; i++)
         cr_assert_eq(fmb_program_add_dense(&b->p, &b->part->row[i], b->part->rel[i]), FMB_OK);
 }
 
-void door_bench_close(door_bench *b)
+void backend_bench_close(backend_bench *b)
 {
     free(b->basis);
     free(b->cost);
@@ -66,13 +66,13 @@ void door_bench_close(door_bench *b)
 
 /* ---- exact arithmetic ------------------------------------------------------------------------ */
 
-static void coefficient(const door_bench *b, size_t i, size_t k, mpq_t out)
+static void coefficient(const backend_bench *b, size_t i, size_t k, mpq_t out)
 {
     fmb_vec_get_q(b->p.row[i].value, k, out);
 }
 
 /* matrix row r = member i of a basis, its right side last. */
-static void write_member(door_bench *b, size_t r, size_t i)
+static void write_member(backend_bench *b, size_t r, size_t i)
 {
     mpq_t *row = &b->matrix[r * (b->n + 1)];
     for (size_t j = 0; j <= b->n; j++)
@@ -101,7 +101,7 @@ static void subtract_row(mpq_t *from, mpq_t *row, size_t column, size_t n)
 }
 
 /* Solve matrix x = last column, by Gauss and Jordan. False: singular. */
-static bool solve(door_bench *b, mpq_t *x)
+static bool solve(backend_bench *b, mpq_t *x)
 {
     size_t n = b->n, w = n + 1;
     for (size_t j = 0; j < n; j++) {
@@ -121,7 +121,7 @@ static bool solve(door_bench *b, mpq_t *x)
     return true;
 }
 
-bool door_bench_meet(door_bench *b)
+bool backend_bench_meet(backend_bench *b)
 {
     for (size_t r = 0; r < b->n; r++)
         write_member(b, r, b->basis[r]);
@@ -129,7 +129,7 @@ bool door_bench_meet(door_bench *b)
 }
 
 /* y times the basis = these numbers, target[n]. */
-static bool combine(door_bench *b, mpq_t *target)
+static bool combine(backend_bench *b, mpq_t *target)
 {
     size_t n = b->n, w = n + 1;
     mpq_t *rows = new_numbers(n * w);
@@ -147,7 +147,7 @@ static bool combine(door_bench *b, mpq_t *target)
 }
 
 /* out = row i times x. */
-static void times(const door_bench *b, size_t i, mpq_t *x, mpq_t out)
+static void times(const backend_bench *b, size_t i, mpq_t *x, mpq_t out)
 {
     mpq_t t;
     mpq_init(t);
@@ -160,7 +160,7 @@ static void times(const door_bench *b, size_t i, mpq_t *x, mpq_t out)
     mpq_clear(t);
 }
 
-bool door_bench_holds(const door_bench *b, mpq_t *x, bool flat)
+bool backend_bench_holds(const backend_bench *b, mpq_t *x, bool flat)
 {
     mpq_t sum, right;
     bool all = true;
@@ -177,7 +177,7 @@ bool door_bench_holds(const door_bench *b, mpq_t *x, bool flat)
 }
 
 /* Are the multipliers y those of an optimum (sign 1), or of a conflict with one row more (-1)? */
-static bool is_signed(const door_bench *b, int sign)
+static bool is_signed(const backend_bench *b, int sign)
 {
     for (size_t r = 0; r < b->n; r++) {
         size_t i = b->basis[r];
@@ -190,7 +190,7 @@ static bool is_signed(const door_bench *b, int sign)
 }
 
 /* y . right sides of the basis, compared with the right side of row i. */
-static int compare_sides(const door_bench *b, size_t i)
+static int compare_sides(const backend_bench *b, size_t i)
 {
     mpq_t sum, t;
     mpq_inits(sum, t, NULL);
@@ -207,7 +207,7 @@ static int compare_sides(const door_bench *b, size_t i)
     return order;
 }
 
-bool door_bench_proves_conflict(door_bench *b, size_t odd)
+bool backend_bench_proves_conflict(backend_bench *b, size_t odd)
 {
     mpq_t *target = new_numbers(b->n);
     for (size_t k = 0; k < b->p.row[odd].size; k++)
@@ -220,29 +220,29 @@ bool door_bench_proves_conflict(door_bench *b, size_t odd)
     return proved;
 }
 
-static void exact_cost(const door_bench *b, mpq_t *target)
+static void exact_cost(const backend_bench *b, mpq_t *target)
 {
     for (size_t j = 0; j < b->n; j++)
         mpq_set_d(target[j], b->cost[j]);
 }
 
-bool door_bench_proves_optimum(door_bench *b)
+bool backend_bench_proves_optimum(backend_bench *b)
 {
     mpq_t *target = new_numbers(b->n);
     exact_cost(b, target);
-    bool proved = door_bench_meet(b) && door_bench_holds(b, b->x, false) && combine(b, target) &&
+    bool proved = backend_bench_meet(b) && backend_bench_holds(b, b->x, false) && combine(b, target) &&
                   is_signed(b, 1);
     free_numbers(target, b->n);
     return proved;
 }
 
-bool door_bench_proves_ray(door_bench *b, size_t place)
+bool backend_bench_proves_ray(backend_bench *b, size_t place)
 {
     size_t w = b->n + 1;
     mpq_t *target = new_numbers(b->n), gain, t;
     mpq_inits(gain, t, NULL);
     exact_cost(b, target);
-    bool proved = door_bench_meet(b) && door_bench_holds(b, b->x, false);
+    bool proved = backend_bench_meet(b) && backend_bench_holds(b, b->x, false);
     for (size_t r = 0; r < b->n; r++) {
         write_member(b, r, b->basis[r]);
         mpq_set_si(b->matrix[r * w + b->n], r == place, 1);
@@ -254,7 +254,7 @@ bool door_bench_proves_ray(door_bench *b, size_t place)
     }
     for (size_t j = 0; mpq_sgn(gain) < 0 && j < b->n; j++)
         mpq_neg(b->x[j], b->x[j]);
-    proved = proved && mpq_sgn(gain) != 0 && door_bench_holds(b, b->x, true);
+    proved = proved && mpq_sgn(gain) != 0 && backend_bench_holds(b, b->x, true);
     mpq_clears(gain, t, NULL);
     free_numbers(target, b->n);
     return proved;
