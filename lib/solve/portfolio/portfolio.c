@@ -9,6 +9,7 @@
 #include "solve/portfolio/project_rays.h"
 #include "solve/portfolio/project_support.h"
 #include "solve/portfolio/recession.h"
+#include "solve/portfolio/reduced_part.h"
 #include "solve/portfolio/selection.h"
 #include "solve/query/rule_lp.h"
 
@@ -117,12 +118,10 @@ static fmb_status expect_few_rows(fmb_elim *e, fmb_status st, int kept)
 
 /* Go on where the cheap variables are gone, and come back if a variable makes too many rows, or if
  * there are too many rows. */
-static fmb_status eliminate_rest_of_lift(shadow *h, fmb_ray_projection *projection,
-                                         const growth_bound *limit, size_t *budget, bool *feasible,
-                                         bool *done)
+static fmb_status eliminate_rest(shadow *h, fmb_reduced_part *reduced, const growth_bound *limit,
+                                 size_t *budget, bool *feasible, bool *done)
 {
-    const bool *drop;
-    fmb_elim *e = fmb_ray_projection_elimination(projection, &drop);
+    fmb_elim *e = &reduced->e;
     fmb_mark mark;
     fmb_status st = fmb_mark_set(&mark, e);
     *budget = e->rows + limit->trials * FMB_TRIAL_BUDGET(e->live.size);
@@ -135,7 +134,7 @@ static fmb_status eliminate_rest_of_lift(shadow *h, fmb_ray_projection *projecti
     e->flat = e->live.size;
     e->wide_more = WIDE_MORE;
     e->budget = *budget;
-    st = fmb_elim_eliminate(e, drop);
+    st = fmb_elim_eliminate(e, reduced->drop);
     st = expect_few_rows(e, st, limit->kept);
     st = put_rows_of_elimination(h, e, st, false, feasible, done);
     if (st == FMB_OK && !*done)
@@ -173,7 +172,8 @@ typedef struct part_run {
     int part;
     const int *place;
     fmb_system *out;
-    fmb_ray_projection *projection;
+    fmb_reduced_part reduced;
+    fmb_ray_projection *rays;
     fmb_queries *queries;
     bool known, *feasible, done;
 } part_run;
@@ -195,7 +195,7 @@ static void tell_attempt(part_run *r, const char *engine, uint64_t budget, const
 
 static fmb_status try_rays(part_run *r, uint64_t rays)
 {
-    fmb_status st = fmb_ray_projection_run(r->projection, rays, r->out, r->feasible, &r->done);
+    fmb_status st = fmb_ray_projection_run(r->rays, rays, r->out, r->feasible, &r->done);
     tell_attempt(r, "double description", rays, "rays", st);
     return st;
 }
@@ -221,10 +221,9 @@ static fmb_status try_elimination(part_run *r, bool known, size_t budget)
 static fmb_status try_recession(part_run *r)
 {
     shadow h = shadow_of_run(r);
-    const bool *drop;
     bool recedes;
-    fmb_elim *e = fmb_ray_projection_elimination(r->projection, &drop);
-    fmb_status st = fmb_recession_drop_rows(e, drop, &r->q->v->arena, &recedes);
+    fmb_elim *e = &r->reduced.e;
+    fmb_status st = fmb_recession_drop_rows(e, r->reduced.drop, &r->q->v->arena, &recedes);
     if (st == FMB_OK && recedes)
         st = put_rows_of_elimination(&h, e, FMB_OK, false, r->feasible, &r->done);
     tell_attempt(r, "escape", 0, NULL, st);
@@ -235,12 +234,10 @@ static fmb_status try_bounded_elimination(part_run *r, int kept)
 {
     shadow h = shadow_of_run(r);
     growth_bound bounded = {FIRST_GROWTH, 2, kept};
-    const bool *drop;
-    if (!fmb_mark_possible(fmb_ray_projection_elimination(r->projection, &drop)))
+    if (!fmb_mark_possible(&r->reduced.e))
         return FMB_OK;
     size_t budget;
-    fmb_status st =
-        eliminate_rest_of_lift(&h, r->projection, &bounded, &budget, r->feasible, &r->done);
+    fmb_status st = eliminate_rest(&h, &r->reduced, &bounded, &budget, r->feasible, &r->done);
     tell_attempt(r, "gentle elimination", budget, "rows", st);
     return st;
 }
@@ -248,15 +245,14 @@ static fmb_status try_bounded_elimination(part_run *r, int kept)
 static fmb_status try_growing_elimination(part_run *r, int kept)
 {
     shadow h = shadow_of_run(r);
-    const bool *drop;
-    fmb_elim *e = fmb_ray_projection_elimination(r->projection, &drop);
+    fmb_elim *e = &r->reduced.e;
     if (!fmb_mark_possible(e))
         return try_elimination(r, false, FMB_TRIAL_BUDGET(h.p->m));
-    bool any = kept > FMB_SHORT_QUERIES && count_variables_to_go(e, drop) <= MOST_FREE_STEPS;
+    bool any =
+        kept > FMB_SHORT_QUERIES && count_variables_to_go(e, r->reduced.drop) <= MOST_FREE_STEPS;
     growth_bound growing = {any ? 0 : SECOND_GROWTH, 1, kept};
     size_t budget;
-    fmb_status st =
-        eliminate_rest_of_lift(&h, r->projection, &growing, &budget, r->feasible, &r->done);
+    fmb_status st = eliminate_rest(&h, &r->reduced, &growing, &budget, r->feasible, &r->done);
     tell_attempt(r, "steeper elimination", budget, "rows", st);
     return st;
 }
@@ -280,9 +276,9 @@ static fmb_status note(fmb_way_id way, const part_run *r, fmb_status st)
     return st;
 }
 
-static bool walks(const fmb_ray_projection *projection, const fmb_part *p, int kept)
+static bool walks(const fmb_reduced_part *reduced, const fmb_part *p, int kept)
 {
-    return fmb_selection_walks(projection, p, kept) && fmb_way(FMB_WAY_WALK);
+    return fmb_selection_walks(reduced, p, kept) && fmb_way(FMB_WAY_WALK);
 }
 
 /* By whom the oracle is asked later on, if it is. */
@@ -291,7 +287,7 @@ static fmb_status learn_if_feasible(part_run *r)
     const fmb_part *p = &r->q->parts.part[r->part];
     if (r->known)
         return FMB_OK;
-    if (!walks(r->projection, p, fmb_selection_kept(p, r->place)))
+    if (!walks(&r->reduced, p, fmb_selection_kept(p, r->place)))
         return open_queries(r);
     r->known = true;
     return is_part_feasible(r->q, r->part, r->feasible);
@@ -328,7 +324,7 @@ static fmb_status try_oracle(part_run *r)
 {
     const fmb_part *p = &r->q->parts.part[r->part];
     int kept = fmb_selection_kept(p, r->place);
-    fmb_status st = walks(r->projection, p, kept) ? note(FMB_WAY_WALK, r, try_walk(r)) : FMB_OK;
+    fmb_status st = walks(&r->reduced, p, kept) ? note(FMB_WAY_WALK, r, try_walk(r)) : FMB_OK;
     return is_open(st, r) ? try_queries(r, kept <= FEW_KEPT ? 0 : FIRST_PAIRS) : st;
 }
 
@@ -337,16 +333,15 @@ static fmb_status try_oracle(part_run *r)
 static fmb_status try_rays_and_growing_elimination(part_run *r, int kept)
 {
     const fmb_part *p = &r->q->parts.part[r->part];
-    uint64_t rays = fmb_selection_first_rays(r->projection, p, kept);
+    uint64_t rays = fmb_selection_first_rays(&r->reduced, p, kept);
     fmb_status st = FMB_OK;
-    if (fmb_selection_raises_bound(r->projection, kept) && fmb_way(FMB_WAY_HIGHER_GROWTH))
+    if (fmb_selection_raises_bound(&r->reduced, kept) && fmb_way(FMB_WAY_HIGHER_GROWTH))
         st = note(FMB_WAY_HIGHER_GROWTH, r, try_growing_elimination(r, kept));
     if (is_open(st, r) && rays > 0 && fmb_way(FMB_WAY_FIRST_RAYS))
         st = note(FMB_WAY_FIRST_RAYS, r, try_rays(r, rays));
-    if (is_open(st, r) && kept <= FMB_SHORT_QUERIES &&
-        fmb_ray_projection_is_nearly_done(r->projection))
+    if (is_open(st, r) && kept <= FMB_SHORT_QUERIES && fmb_ray_projection_is_nearly_done(r->rays))
         st = try_rays(r, rays);
-    rays = is_open(st, r) ? fmb_selection_second_rays(r->projection, p, kept) : 0;
+    rays = is_open(st, r) ? fmb_selection_second_rays(&r->reduced, p, kept) : 0;
     return rays > 0 && fmb_way(FMB_WAY_SECOND_RAYS)
                ? note(FMB_WAY_SECOND_RAYS, r, try_rays(r, rays))
                : st;
@@ -359,14 +354,13 @@ static fmb_status try_each_shortly(part_run *r)
     const fmb_part *p = &r->q->parts.part[r->part];
     int kept = fmb_selection_kept(p, r->place);
     fmb_status st =
-        fmb_selection_doubts_solution(r->projection) && !r->known ? open_queries(r) : FMB_OK;
-    if (is_open(st, r) && fmb_selection_tries_recession(r->projection) &&
-        fmb_way(FMB_WAY_RECESSION))
+        fmb_selection_doubts_solution(&r->reduced) && !r->known ? open_queries(r) : FMB_OK;
+    if (is_open(st, r) && fmb_selection_tries_recession(&r->reduced) && fmb_way(FMB_WAY_RECESSION))
         st = note(FMB_WAY_RECESSION, r, try_recession(r));
-    if (is_open(st, r) && !fmb_selection_asks_ends(r->projection, p, kept)) {
-        if (fmb_selection_bounds_growth(r->projection, kept) && fmb_way(FMB_WAY_BOUNDED_GROWTH))
+    if (is_open(st, r) && !fmb_selection_asks_ends(&r->reduced, p, kept)) {
+        if (fmb_selection_bounds_growth(&r->reduced, kept) && fmb_way(FMB_WAY_BOUNDED_GROWTH))
             st = note(FMB_WAY_BOUNDED_GROWTH, r, try_bounded_elimination(r, kept));
-        size_t budget = is_open(st, r) ? fmb_selection_pruned_rows(r->projection, p, kept) : 0;
+        size_t budget = is_open(st, r) ? fmb_selection_pruned_rows(&r->reduced, p, kept) : 0;
         if (budget > 0 && fmb_way(FMB_WAY_PRUNED))
             st = note(FMB_WAY_PRUNED, r, try_pruned_elimination(r, budget));
         if (is_open(st, r))
@@ -386,8 +380,7 @@ static fmb_status take_turns(part_run *r)
         budget *= 8;
         st = try_rays(r, budget);
         if (is_open(st, r))
-            st = try_elimination(r, true,
-                                 fmb_ray_projection_has_given_up(r->projection) ? 0 : budget);
+            st = try_elimination(r, true, fmb_ray_projection_has_given_up(r->rays) ? 0 : budget);
         if (is_open(st, r))
             st = try_queries(r, pairs);
     }
@@ -398,7 +391,9 @@ static fmb_status run_portfolio(part_run *r)
 {
     bool by_rays = r->q->v->options.method == FMB_METHOD_DD;
     size_t rows = fmb_system_rows(r->out);
-    fmb_status st = fmb_ray_projection_open(r->q, r->part, r->place, &r->projection, r->feasible);
+    fmb_status st = fmb_reduced_part_open(&r->reduced, r->q, r->part, r->place, r->feasible);
+    if (is_open(st, r))
+        st = fmb_ray_projection_open(&r->reduced, &r->rays);
     if (is_open(st, r))
         st = by_rays ? try_rays(r, 0) : try_each_shortly(r);
     if (is_open(st, r))
@@ -408,7 +403,8 @@ static fmb_status run_portfolio(part_run *r)
     fmb_status kept = FMB_OK;
     if (st == FMB_LIMIT && r->queries && fmb_system_rows(r->out) == rows)
         kept = fmb_queries_keep(r->queries, r->out);
-    fmb_ray_projection_close(r->projection);
+    fmb_ray_projection_close(r->rays);
+    fmb_reduced_part_close(&r->reduced);
     fmb_queries_close(r->queries);
     return kept != FMB_OK ? kept : st;
 }

@@ -1,9 +1,9 @@
 /* project_rays.c: the projection of a part by double description; see project_rays.h.
  *
- * Variables that stand in an equality, or that make no more rows than go, are eliminated first. The
- * cone over what is left is turned into rays (dd/cone.h), which are projected by leaving out
- * coordinates, and turned back into rows (hull/image/image.h). Each of those is a combination of
- * the rows that are tight on all of its preimage: a small linear program finds the multipliers.
+ * The cone over what cheap elimination left (reduced_part.h) is turned into rays (dd/cone.h), which
+ * are projected by leaving out coordinates, and turned back into rows (hull/image/image.h). Each of
+ * those is a combination of the rows that are tight on all of its preimage: a small linear program
+ * finds the multipliers.
  */
 #include "solve/portfolio/project_rays.h"
 
@@ -17,44 +17,19 @@
 
 /* A part on its way. Row 0 of the cone is t >= 0, row 1 + i is live row i. */
 struct fmb_ray_projection {
-    fmb_query *q;
-    const fmb_part *p;
-    const int *place; /* [dim] column in the projection, -1 for variables that go */
+    fmb_reduced_part *of;
     fmb_system *out;
-    fmb_elim e;
-    bool *drop;          /* [n] variables that go */
     size_t d, *column;   /* [d - 1] columns of the part that live rows name; then comes t */
     size_t keeps, *keep; /* coordinates of the cone that stay; t last */
     fmb_cone_rows rows;
     fmb_cone cone;
     fmb_image image;
     fmb_vec facet; /* scratch: a row of the part */
-    bool rest;     /* variables that go are left in live rows */
     bool lifted;   /* the cone is there */
     bool over;     /* too many faces are excluded */
 };
 
 /* ---- the cone -------------------------------------------------------------------------------- */
-
-static fmb_status eliminate_cheap_columns(fmb_ray_projection *h)
-{
-    fmb_query *q = h->q;
-    bool *drop = h->drop = fmb_arena_get(&q->v->arena, (size_t)h->p->n, sizeof *drop);
-    if (!drop)
-        return fmb_mem_status(q->run.mem);
-    for (int j = 0; j < h->p->n; j++)
-        drop[j] = h->place[h->p->var[j]] < 0;
-    fmb_status st = fmb_query_load(q, h->p, false, &h->e);
-    h->e.order = FMB_ORDER_PAIRS;
-    h->e.chooser = (fmb_chooser){0};
-    h->e.cheap_only = true;
-    if (st == FMB_OK)
-        st = fmb_elim_eliminate(&h->e, drop);
-    for (size_t i = 0; st == FMB_OK && i < h->e.live.size; i++)
-        for (int j = 0; j < h->p->n; j++)
-            h->rest |= drop[j] && fmb_vec_sgn(&h->e.row[h->e.live.row[i]].v, (size_t)j) != 0;
-    return st;
-}
 
 static bool is_column_nonzero(const fmb_elim *e, int j)
 {
@@ -66,16 +41,16 @@ static bool is_column_nonzero(const fmb_elim *e, int j)
 
 static fmb_status list_coordinates(fmb_ray_projection *h)
 {
-    fmb_arena *arena = &h->q->v->arena;
-    size_t n = (size_t)h->p->n + 1;
+    fmb_arena *arena = &h->of->q->v->arena;
+    size_t n = (size_t)h->of->p->n + 1;
     h->column = fmb_arena_get(arena, n, sizeof *h->column);
     h->keep = fmb_arena_get(arena, n, sizeof *h->keep);
     if (!h->column || !h->keep)
         return fmb_mem_status(arena->mem);
-    for (int j = 0; j < h->p->n; j++) {
-        if (!is_column_nonzero(&h->e, j))
+    for (int j = 0; j < h->of->p->n; j++) {
+        if (!is_column_nonzero(&h->of->e, j))
             continue;
-        if (h->place[h->p->var[j]] >= 0)
+        if (h->of->place[h->of->p->var[j]] >= 0)
             h->keep[h->keeps++] = h->d;
         h->column[h->d++] = (size_t)j;
     }
@@ -87,7 +62,7 @@ static fmb_status list_coordinates(fmb_ray_projection *h)
 static void write_live_row(const void *of, size_t i, mpz_t *z, fmb_cone_row *row)
 {
     const fmb_ray_projection *h = of;
-    const fmb_derived *r = i > 0 ? &h->e.row[h->e.live.row[i - 1]] : NULL;
+    const fmb_derived *r = i > 0 ? &h->of->e.row[h->of->e.live.row[i - 1]] : NULL;
     for (size_t k = 0; k + 1 < h->d; k++) {
         mpz_set_ui(z[k], 0);
         if (r)
@@ -96,7 +71,7 @@ static void write_live_row(const void *of, size_t i, mpz_t *z, fmb_cone_row *row
     }
     mpz_set_ui(z[h->d - 1], 1);
     if (r)
-        fmb_vec_get(&r->v, (size_t)h->p->n, z[h->d - 1]);
+        fmb_vec_get(&r->v, (size_t)h->of->p->n, z[h->d - 1]);
     row->equality = r && r->equality;
     row->wanted = r && r->strict;
 }
@@ -105,16 +80,16 @@ static fmb_status open_cone_of_part(fmb_ray_projection *h)
 {
     fmb_status st = list_coordinates(h);
     if (st == FMB_OK)
-        st = fmb_cone_rows_write(&h->rows, &h->q->v->arena, &h->q->run, h->d, h->e.live.size + 1,
-                                 write_live_row, h);
+        st = fmb_cone_rows_write(&h->rows, &h->of->q->v->arena, &h->of->q->run, h->d,
+                                 h->of->e.live.size + 1, write_live_row, h);
     fmb_cone_problem of = {.d = h->d,
                            .m = h->rows.size,
                            .row = h->rows.row,
                            .keeps = h->keeps,
                            .keep = h->keep,
-                           .wide_only = fmb_query_is_wide(h->q)};
+                           .wide_only = fmb_query_is_wide(h->of->q)};
     h->lifted = true;
-    return st == FMB_OK ? fmb_cone_init(&h->cone, &h->q->run, &of) : st;
+    return st == FMB_OK ? fmb_cone_init(&h->cone, &h->of->q->run, &of) : st;
 }
 
 /* ---- proofs ---------------------------------------------------------------------------------- */
@@ -125,10 +100,10 @@ static size_t list_tight_rows(const fmb_ray_projection *h, const fmb_image_row *
     size_t n = 0;
     for (size_t i = 1; i < h->rows.size; i++)
         if (h->rows.row[i].equality)
-            live[n++] = h->e.live.row[i - 1];
+            live[n++] = h->of->e.live.row[i - 1];
     for (size_t b = 0; b < h->cone.bits; b++)
         if (!fmb_set_has(f->slack, b) && h->cone.row_of_bit[b] > 0)
-            live[n++] = h->e.live.row[h->cone.row_of_bit[b] - 1];
+            live[n++] = h->of->e.live.row[h->cone.row_of_bit[b] - 1];
     return n;
 }
 
@@ -142,22 +117,22 @@ static fmb_status combine_tight_rows(fmb_ray_projection *h, fmb_oracle *o, int s
     fmb_status st = FMB_OK;
     mpq_t a;
     mpq_init(a);
-    for (size_t j = 0; st == FMB_OK && j < (size_t)h->p->n; j++) {
+    for (size_t j = 0; st == FMB_OK && j < (size_t)h->of->p->n; j++) {
         fmb_vec_get_q(&h->facet, j, a);
         if (sign < 0)
             mpq_neg(a, a);
         if (mpq_sgn(a) != 0)
-            st = fmb_weights_add(&form, (uint32_t)j, a, h->q->run.mem);
+            st = fmb_weights_add(&form, (uint32_t)j, a, h->of->q->run.mem);
     }
     mpq_clear(a);
     if (st == FMB_OK)
         st = fmb_oracle_maximize(o, &form, &end, &attained);
     if (st == FMB_OK)
         st = fmb_oracle_multipliers(o, w);
-    fmb_weights_clear(&form, h->q->run.mem);
+    fmb_weights_clear(&form, h->of->q->run.mem);
     for (size_t i = 0; i < w->size; i++)
         w->index[i] = live[w->index[i]];
-    return st == FMB_OK ? fmb_elim_derive(&h->e, w) : st;
+    return st == FMB_OK ? fmb_elim_derive(&h->of->e, w) : st;
 }
 
 /* w[0] proves the facet, and if it is an equality w[1] its reverse. */
@@ -168,13 +143,13 @@ static fmb_status prove_facet(fmb_ray_projection *h, const fmb_image_row *f, uin
     fmb_oracle *o = NULL;
     fmb_status st = FMB_OK;
     size_t m = list_tight_rows(h, f, live);
-    fmb_program_init(&tight, h->q->run.mem, h->p->n);
+    fmb_program_init(&tight, h->of->q->run.mem, h->of->p->n);
     for (size_t i = 0; st == FMB_OK && i < m; i++) {
-        const fmb_derived *r = &h->e.row[live[i]];
+        const fmb_derived *r = &h->of->e.row[live[i]];
         st = fmb_program_add_dense(&tight, &r->v, fmb_derived_rel(r));
     }
     if (st == FMB_OK)
-        st = fmb_oracle_new(&h->q->run, &tight, &o);
+        st = fmb_oracle_new(&h->of->q->run, &tight, &o);
     if (st == FMB_OK)
         st = combine_tight_rows(h, o, 1, live, &w[0]);
     if (st == FMB_OK && f->equality)
@@ -186,7 +161,7 @@ static fmb_status prove_facet(fmb_ray_projection *h, const fmb_image_row *f, uin
 
 static fmb_status claim_facet(fmb_ray_projection *h, const fmb_image_row *f, fmb_rel rel)
 {
-    fmb_mem *mem = h->q->run.mem;
+    fmb_mem *mem = h->of->q->run.mem;
     fmb_weights w[2] = {{0}, {0}};
     uint32_t *live = fmb_mem_get(mem, h->rows.size, sizeof *live);
     fmb_status st = live ? prove_facet(h, f, live, w) : fmb_mem_status(mem);
@@ -194,7 +169,7 @@ static fmb_status claim_facet(fmb_ray_projection *h, const fmb_image_row *f, fmb
     mpq_init(one);
     mpq_set_ui(one, 1, 1);
     if (st == FMB_OK)
-        st = fmb_query_claim_implied(h->q, h->p, &h->facet, one, rel, &w[0],
+        st = fmb_query_claim_implied(h->of->q, h->of->p, &h->facet, one, rel, &w[0],
                                      f->equality ? &w[1] : NULL);
     mpq_clear(one);
     fmb_weights_clear(&w[0], mem);
@@ -208,11 +183,11 @@ static fmb_status claim_facet(fmb_ray_projection *h, const fmb_image_row *f, fmb
 /* The facet as a row over the part's columns; z[n + 1] comes in 0, and leaves so. */
 static fmb_status write_facet_row(fmb_ray_projection *h, const fmb_image_row *f, mpz_t *z)
 {
-    size_t n = (size_t)h->p->n;
+    size_t n = (size_t)h->of->p->n;
     for (size_t k = 0; k + 1 < h->keeps; k++)
         fmb_vec_get(&f->v, k, z[h->column[h->keep[k]]]);
     fmb_vec_get(&f->v, h->keeps - 1, z[n]);
-    fmb_status st = fmb_vec_set_z(&h->facet, n + 1, z, h->q->run.mem);
+    fmb_status st = fmb_vec_set_z(&h->facet, n + 1, z, h->of->q->run.mem);
     for (size_t k = 0; k + 1 < h->keeps; k++)
         mpz_set_ui(z[h->column[h->keep[k]]], 0);
     return st;
@@ -222,17 +197,19 @@ static fmb_status put_facet(fmb_ray_projection *h, const fmb_image_row *f, mpz_t
 {
     fmb_rel rel = f->equality ? FMB_EQ : f->strict ? FMB_LT : FMB_LE;
     fmb_status st = write_facet_row(h, f, z);
-    if (st == FMB_OK && h->q->claims)
+    if (st == FMB_OK && h->of->q->claims)
         st = claim_facet(h, f, rel);
-    return st == FMB_OK ? fmb_query_append_row(h->q, h->p, &h->facet, rel, h->place, h->out) : st;
+    return st == FMB_OK
+               ? fmb_query_append_row(h->of->q, h->of->p, &h->facet, rel, h->of->place, h->out)
+               : st;
 }
 
 static fmb_status put_all_facets(fmb_ray_projection *h)
 {
-    fmb_mem *mem = h->q->run.mem;
-    size_t n = (size_t)h->p->n + 1;
+    fmb_mem *mem = h->of->q->run.mem;
+    size_t n = (size_t)h->of->p->n + 1;
     mpz_t *z = fmb_vec_block(n, mem);
-    h->facet.s = fmb_arena_get(&h->q->v->arena, n, sizeof *h->facet.s);
+    h->facet.s = fmb_arena_get(&h->of->q->v->arena, n, sizeof *h->facet.s);
     fmb_status st = z && h->facet.s ? FMB_OK : fmb_mem_status(mem);
     for (size_t k = 0; st == FMB_OK && k < h->image.facets; k++)
         st = put_facet(h, &h->image.facet[k], z);
@@ -257,9 +234,9 @@ static fmb_status exclude_faces(fmb_ray_projection *h, bool *feasible, bool *don
 {
     size_t words = h->image.words;
     bool empty;
-    uint64_t *excludes = fmb_arena_get(&h->q->v->arena, words, sizeof *excludes);
+    uint64_t *excludes = fmb_arena_get(&h->of->q->v->arena, words, sizeof *excludes);
     if (!excludes)
-        return fmb_mem_status(h->q->run.mem);
+        return fmb_mem_status(h->of->q->run.mem);
     memset(excludes, 0, words * sizeof *excludes);
     for (size_t b = 0; b < h->cone.bits; b++)
         if (h->rows.row[h->cone.row_of_bit[b]].wanted)
@@ -272,37 +249,34 @@ static fmb_status exclude_faces(fmb_ray_projection *h, bool *feasible, bool *don
 static fmb_status project_rays(fmb_ray_projection *h, bool *feasible, bool *done)
 {
     bool strict = has_strict_row(h);
-    fmb_status st = fmb_image_init(&h->image, &h->q->run, &h->cone, fmb_query_is_wide(h->q));
+    fmb_status st =
+        fmb_image_init(&h->image, &h->of->q->run, &h->cone, fmb_query_is_wide(h->of->q));
     *feasible = h->image.has_point;
     if (st == FMB_OK && *feasible)
-        st = fmb_image_find_facets(&h->image, strict || h->q->claims);
+        st = fmb_image_find_facets(&h->image, strict || h->of->q->claims);
     if (st == FMB_OK && *feasible && strict)
         st = exclude_faces(h, feasible, done);
     h->over = !*done;
     return st == FMB_OK && *feasible && *done ? put_all_facets(h) : st;
 }
 
-fmb_status fmb_ray_projection_open(fmb_query *q, int part, const int *place,
-                                   fmb_ray_projection **out, bool *feasible)
+fmb_status fmb_ray_projection_open(fmb_reduced_part *of, fmb_ray_projection **out)
 {
-    fmb_ray_projection *h = fmb_arena_get(&q->v->arena, 1, sizeof *h);
+    fmb_ray_projection *h = fmb_arena_get(&of->q->v->arena, 1, sizeof *h);
     if (!h)
-        return fmb_mem_status(&q->v->mem);
-    *h = (fmb_ray_projection){.q = q, .p = &q->parts.part[part], .place = place, .e.run = &q->run};
+        return fmb_mem_status(&of->q->v->mem);
+    *h = (fmb_ray_projection){.of = of};
     *out = h;
-    fmb_status st = eliminate_cheap_columns(h);
-    *feasible = st != FMB_OK || h->e.clash == FMB_NO_ROW;
-    return st;
+    return FMB_OK;
 }
 
 void fmb_ray_projection_close(fmb_ray_projection *h)
 {
     if (!h)
         return;
-    fmb_cone_rows_clear(&h->rows, h->q->run.mem);
+    fmb_cone_rows_clear(&h->rows, h->of->q->run.mem);
     fmb_image_clear(&h->image);
     fmb_cone_clear(&h->cone);
-    fmb_elim_clear(&h->e);
 }
 
 fmb_status fmb_ray_projection_run(fmb_ray_projection *h, uint64_t rays, fmb_system *out,
@@ -310,10 +284,10 @@ fmb_status fmb_ray_projection_run(fmb_ray_projection *h, uint64_t rays, fmb_syst
 {
     h->out = out;
     *feasible = true;
-    *done = !h->rest;
-    if (!h->rest)
-        return fmb_irredundant_rows_append(h->q, h->p, h->place, &h->e, h->q->decided, out,
-                                           feasible);
+    *done = !h->of->rest;
+    if (!h->of->rest)
+        return fmb_irredundant_rows_append(h->of->q, h->of->p, h->of->place, &h->of->e,
+                                           h->of->q->decided, out, feasible);
     if (h->over)
         return FMB_OK;
     fmb_status st = h->lifted ? FMB_OK : open_cone_of_part(h);
@@ -322,77 +296,12 @@ fmb_status fmb_ray_projection_run(fmb_ray_projection *h, uint64_t rays, fmb_syst
     return st == FMB_OK && *done ? project_rays(h, feasible, done) : st;
 }
 
-fmb_elim *fmb_ray_projection_elimination(fmb_ray_projection *h, const bool **drop)
-{
-    *drop = h->drop;
-    return &h->e;
-}
-
 bool fmb_ray_projection_is_nearly_done(const fmb_ray_projection *h)
 {
     return h->lifted && 4 * h->cone.lefts <= h->rows.size;
 }
 
-bool fmb_ray_projection_is_long(const fmb_ray_projection *h)
-{
-    bool wide = false, long_all = true;
-    for (size_t i = 0; i < h->e.live.size; i++) {
-        const fmb_vec *v = &h->e.row[h->e.live.row[i]].v;
-        wide |= fmb_vec_is_wide(v);
-        long_all &= fmb_vec_is_wide(v) || v->bits > FMB_LAZY_BITS;
-    }
-    return wide || long_all;
-}
-
-size_t fmb_ray_projection_minor_bits(const fmb_ray_projection *h)
-{
-    return fmb_elim_minor_bits(&h->e);
-}
-
-size_t fmb_ray_projection_rows(const fmb_ray_projection *h)
-{
-    return h->e.live.size;
-}
-
-size_t fmb_ray_projection_entries(const fmb_ray_projection *h)
-{
-    size_t nonzero = 0;
-    for (size_t i = 0; i < h->e.live.size; i++)
-        nonzero += (size_t)fmb_elim_count_variables(&h->e, &h->e.row[h->e.live.row[i]]);
-    return nonzero;
-}
-
-size_t fmb_ray_projection_bounds(const fmb_ray_projection *h)
-{
-    size_t bounds = 0;
-    for (size_t i = 0; i < h->e.live.size; i++)
-        bounds += fmb_elim_count_variables(&h->e, &h->e.row[h->e.live.row[i]]) == 1;
-    return bounds;
-}
-
-bool fmb_ray_projection_has_origin(const fmb_ray_projection *h)
-{
-    for (size_t i = 0; i < h->e.live.size; i++) {
-        const fmb_derived *r = &h->e.row[h->e.live.row[i]];
-        int side = fmb_vec_sgn(&r->v, (size_t)h->p->n);
-        if (side < 0 || (r->strict && side == 0) || (r->equality && side != 0))
-            return false;
-    }
-    return true;
-}
-
 bool fmb_ray_projection_has_given_up(const fmb_ray_projection *h)
 {
     return h->over;
-}
-
-size_t fmb_ray_projection_columns(const fmb_ray_projection *h)
-{
-    return (size_t)h->p->n - (size_t)h->e.rounds;
-}
-
-size_t fmb_ray_projection_freedom(const fmb_ray_projection *h)
-{
-    size_t rows = h->e.live.size, d = fmb_ray_projection_columns(h) + 1;
-    return rows > d && rows - d > d ? d : rows > d ? rows - d : 0;
 }

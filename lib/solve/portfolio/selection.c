@@ -77,62 +77,58 @@ static bool has_wide_rows(const fmb_part *p)
     return false;
 }
 
-bool fmb_selection_asks_ends(const fmb_ray_projection *projection, const fmb_part *p, int kept)
+bool fmb_selection_asks_ends(const fmb_reduced_part *reduced, const fmb_part *p, int kept)
 {
-    return kept <= 1 && !has_strict_rows(p) &&
-           fmb_ray_projection_freedom(projection) > LEAST_FREEDOMS;
+    return kept <= 1 && !has_strict_rows(p) && fmb_features_freedom(reduced) > LEAST_FREEDOMS;
 }
 
-static double nonzeros_by_row(const fmb_ray_projection *projection)
+static double nonzeros_by_row(const fmb_reduced_part *reduced)
 {
-    return (double)fmb_ray_projection_entries(projection) /
-           (double)fmb_ray_projection_rows(projection);
+    return (double)fmb_features_entries(reduced) / (double)fmb_features_rows(reduced);
 }
 
-static bool are_most_coefficients_there(const fmb_ray_projection *projection)
+static bool are_most_coefficients_there(const fmb_reduced_part *reduced)
 {
-    return 2 * nonzeros_by_row(projection) >= (double)fmb_ray_projection_columns(projection);
+    return 2 * nonzeros_by_row(reduced) >= (double)fmb_features_columns(reduced);
 }
 
-static bool are_nearly_all_coefficients_there(const fmb_ray_projection *projection)
+static bool are_nearly_all_coefficients_there(const fmb_reduced_part *reduced)
 {
-    return 4 * nonzeros_by_row(projection) >= 3 * (double)fmb_ray_projection_columns(projection);
+    return 4 * nonzeros_by_row(reduced) >= 3 * (double)fmb_features_columns(reduced);
 }
 
-bool fmb_selection_tries_recession(const fmb_ray_projection *projection)
+bool fmb_selection_tries_recession(const fmb_reduced_part *reduced)
 {
-    return are_nearly_all_coefficients_there(projection) &&
-           fmb_ray_projection_bounds(projection) == 0;
+    return are_nearly_all_coefficients_there(reduced) && fmb_features_bounds(reduced) == 0;
 }
 
 /* Queries are quicker where rows name most variables, or where numbers of more than a few columns
  * would become long, and where they are answered by minors that are short; the only question of one
  * variable is how far it goes. */
-static bool is_dictionary_quick(const fmb_ray_projection *projection, int kept)
+static bool is_dictionary_quick(const fmb_reduced_part *reduced, int kept)
 {
-    size_t bits = fmb_ray_projection_minor_bits(projection);
-    if (fmb_ray_projection_columns(projection) <= SMALL_DICTIONARY)
+    size_t bits = fmb_features_minor_bits(reduced);
+    if (fmb_features_columns(reduced) <= SMALL_DICTIONARY)
         return kept != 2 || bits > SHORT_MINOR;
-    return !are_most_coefficients_there(projection) && bits <= FMB_LONG_MINOR;
+    return !are_most_coefficients_there(reduced) && bits <= FMB_LONG_MINOR;
 }
 
-bool fmb_selection_walks(const fmb_ray_projection *projection, const fmb_part *p, int kept)
+bool fmb_selection_walks(const fmb_reduced_part *reduced, const fmb_part *p, int kept)
 {
-    bool many = 4 * p->m > 9 * (size_t)p->n && is_dictionary_quick(projection, kept);
+    bool many = 4 * p->m > 9 * (size_t)p->n && is_dictionary_quick(reduced, kept);
     return kept <= 2 && p->n <= WALKED_COLUMNS && many && !has_wide_rows(p) && !has_strict_rows(p);
 }
 
-bool fmb_selection_doubts_solution(const fmb_ray_projection *projection)
+bool fmb_selection_doubts_solution(const fmb_reduced_part *reduced)
 {
-    return fmb_ray_projection_entries(projection) >= MANY_ENTRIES &&
-           are_most_coefficients_there(projection) && !fmb_ray_projection_has_origin(projection);
+    return fmb_features_entries(reduced) >= MANY_ENTRIES && are_most_coefficients_there(reduced) &&
+           !fmb_features_has_origin(reduced);
 }
 
 /* Is that share of the rows bounds on one variable? */
-static bool has_bounds(const fmb_ray_projection *projection, double share)
+static bool has_bounds(const fmb_reduced_part *reduced, double share)
 {
-    return (double)fmb_ray_projection_bounds(projection) >=
-           share * (double)fmb_ray_projection_rows(projection);
+    return (double)fmb_features_bounds(reduced) >= share * (double)fmb_features_rows(reduced);
 }
 
 static bool do_few_go(const fmb_part *p, int kept)
@@ -141,151 +137,139 @@ static bool do_few_go(const fmb_part *p, int kept)
 }
 
 /* Rows are many for the variables that are left. */
-static bool is_crowded(const fmb_ray_projection *projection)
+static bool is_crowded(const fmb_reduced_part *reduced)
 {
-    size_t columns = fmb_ray_projection_columns(projection);
-    return columns >= LEAST_CROWD && fmb_ray_projection_rows(projection) >= 4 * columns;
+    size_t columns = fmb_features_columns(reduced);
+    return columns >= LEAST_CROWD && fmb_features_rows(reduced) >= 4 * columns;
 }
 
 /* Three of six variables stay: rays to the end are as quick as queries, but where very many rows
  * name all variables. */
-static bool are_rays_few(const fmb_ray_projection *projection, const fmb_part *p, int kept)
+static bool are_rays_few(const fmb_reduced_part *reduced, const fmb_part *p, int kept)
 {
-    bool many = p->m > MANY_ROWS(p) && are_nearly_all_coefficients_there(projection);
+    bool many = p->m > MANY_ROWS(p) && are_nearly_all_coefficients_there(reduced);
     return kept == 3 && do_few_go(p, kept) && !many;
 }
 
 /* In the plane, queries are so quick that rays only delay them, but where these are few: of small
  * cones, and of such that are hardly more than a simplex. */
-static bool do_rays_delay_queries(const fmb_ray_projection *projection, int kept)
+static bool do_rays_delay_queries(const fmb_reduced_part *reduced, int kept)
 {
-    size_t freedom = fmb_ray_projection_freedom(projection),
-           columns = fmb_ray_projection_columns(projection);
+    size_t freedom = fmb_features_freedom(reduced), columns = fmb_features_columns(reduced);
     if (kept != 2 || freedom <= GROWING_FREEDOMS)
         return false;
-    if (are_nearly_all_coefficients_there(projection))
-        return columns + freedom + fmb_ray_projection_is_long(projection) > SIZE_IN_PLANE;
-    bool between_bounds =
-        columns > LEAST_CROWD && is_crowded(projection) && has_bounds(projection, 0.33);
-    bool few_rows = fmb_ray_projection_rows(projection) < 3 * columns; /* unlike disjunctions */
+    if (are_nearly_all_coefficients_there(reduced))
+        return columns + freedom + fmb_features_is_long(reduced) > SIZE_IN_PLANE;
+    bool between_bounds = columns > LEAST_CROWD && is_crowded(reduced) && has_bounds(reduced, 0.33);
+    bool few_rows = fmb_features_rows(reduced) < 3 * columns; /* unlike disjunctions */
     return between_bounds || (freedom > FREEDOMS_IN_PLANE && few_rows);
 }
 
 /* Rays of a first try: half as many where a few queries take as long; none where rows are many,
  * but name few variables. */
-uint64_t fmb_selection_first_rays(const fmb_ray_projection *projection, const fmb_part *p, int kept)
+uint64_t fmb_selection_first_rays(const fmb_reduced_part *reduced, const fmb_part *p, int kept)
 {
-    if (fmb_ray_projection_freedom(projection) > MANY_FREEDOMS ||
-        do_rays_delay_queries(projection, kept))
+    if (fmb_features_freedom(reduced) > MANY_FREEDOMS || do_rays_delay_queries(reduced, kept))
         return 0;
-    bool full = are_nearly_all_coefficients_there(projection);
-    bool flat = full && fmb_ray_projection_columns(projection) <= FLAT_CONE;
+    bool full = are_nearly_all_coefficients_there(reduced);
+    bool flat = full && fmb_features_columns(reduced) <= FLAT_CONE;
     uint64_t rays = kept <= 2 && !flat ? FMB_TRIAL_BUDGET(p->m) / 2 : FMB_TRIAL_BUDGET(p->m);
     if (kept < FMB_SHORT_QUERIES && p->m > MANY_ROWS(p) && !full && !do_few_go(p, kept))
         return 0;
-    if (fmb_ray_projection_freedom(projection) > CROWDED_FREEDOMS &&
-        !(kept > 2 && has_bounds(projection, 0.25)))
+    if (fmb_features_freedom(reduced) > CROWDED_FREEDOMS &&
+        !(kept > 2 && has_bounds(reduced, 0.25)))
         return 0;
-    if (fmb_ray_projection_freedom(projection) > FEW_FREEDOMS && kept <= 2 &&
-        nonzeros_by_row(projection) <= SPARSE)
+    if (fmb_features_freedom(reduced) > FEW_FREEDOMS && kept <= 2 &&
+        nonzeros_by_row(reduced) <= SPARSE)
         return 0;
-    bool short_queries =
-        kept > 2 && kept <= FMB_SHORT_QUERIES && !are_rays_few(projection, p, kept);
+    bool short_queries = kept > 2 && kept <= FMB_SHORT_QUERIES && !are_rays_few(reduced, p, kept);
     return short_queries && p->m > MANY_ROWS(p) ? rays / 4 : rays;
 }
 
 /* What makes few more rows is eliminated: not where rows name many of the variables, or are many
  * for these, nor where variables are very many, as rays or a few queries are quicker, unless
  * numbers are long. */
-bool fmb_selection_bounds_growth(const fmb_ray_projection *projection, int kept)
+bool fmb_selection_bounds_growth(const fmb_reduced_part *reduced, int kept)
 {
-    double nonzero = nonzeros_by_row(projection),
-           columns = (double)fmb_ray_projection_columns(projection);
+    double nonzero = nonzeros_by_row(reduced), columns = (double)fmb_features_columns(reduced);
     bool full = nonzero > UNLIKE_SPARSE && 3 * nonzero > columns;
-    bool many = columns > MANY_COLUMNS || is_crowded(projection);
+    bool many = columns > MANY_COLUMNS || is_crowded(reduced);
     bool long_queries =
-        columns <= MANY_COLUMNS && fmb_ray_projection_minor_bits(projection) > FMB_LONG_MINOR;
+        columns <= MANY_COLUMNS && fmb_features_minor_bits(reduced) > FMB_LONG_MINOR;
     return kept >= FMB_SHORT_QUERIES || !(full || many) || long_queries;
 }
 
 /* A box in other coordinates, as of zonotopes: it has twice as many rows as variables. */
-static bool is_box(const fmb_ray_projection *projection)
+static bool is_box(const fmb_reduced_part *reduced)
 {
-    return fmb_ray_projection_rows(projection) == 2 * fmb_ray_projection_columns(projection) &&
-           has_bounds(projection, 0.33);
+    return fmb_features_rows(reduced) == 2 * fmb_features_columns(reduced) &&
+           has_bounds(reduced, 0.33);
 }
 
 /* Its projection has few more facets than it has rows, while hulls in many dimensions, which rays
  * and queries end with, take longer than rows to be pruned. */
-static bool is_hull_expensive(const fmb_ray_projection *projection, int kept)
+static bool is_hull_expensive(const fmb_reduced_part *reduced, int kept)
 {
-    return kept > FMB_SHORT_QUERIES && are_nearly_all_coefficients_there(projection) &&
-           fmb_ray_projection_freedom(projection) <= FREEDOMS_BEFORE_HULL &&
-           !fmb_ray_projection_is_long(projection);
+    return kept > FMB_SHORT_QUERIES && are_nearly_all_coefficients_there(reduced) &&
+           fmb_features_freedom(reduced) <= FREEDOMS_BEFORE_HULL && !fmb_features_is_long(reduced);
 }
 
 /* In the plane, queries are quicker, but where the box refuses most pairs. */
-static bool is_sparse(const fmb_ray_projection *projection, int kept)
+static bool is_sparse(const fmb_reduced_part *reduced, int kept)
 {
-    double nonzero = nonzeros_by_row(projection);
-    bool bounded = has_bounds(projection, 0.6);
+    double nonzero = nonzeros_by_row(reduced);
+    bool bounded = has_bounds(reduced, 0.6);
     return (kept > 2 || bounded) && nonzero <= (bounded ? SPARSE_BETWEEN_BOUNDS : SPARSE) &&
-           3 * nonzero <= (double)fmb_ray_projection_columns(projection);
+           3 * nonzero <= (double)fmb_features_columns(reduced);
 }
 
-size_t fmb_selection_pruned_rows(const fmb_ray_projection *projection, const fmb_part *p, int kept)
+size_t fmb_selection_pruned_rows(const fmb_reduced_part *reduced, const fmb_part *p, int kept)
 {
-    if (kept < FMB_SHORT_QUERIES && fmb_ray_projection_columns(projection) > MANY_COLUMNS)
+    if (kept < FMB_SHORT_QUERIES && fmb_features_columns(reduced) > MANY_COLUMNS)
         return 0;
-    if (is_box(projection) || (is_hull_expensive(projection, kept) && kept > FMB_SHORT_QUERIES + 1))
+    if (is_box(reduced) || (is_hull_expensive(reduced, kept) && kept > FMB_SHORT_QUERIES + 1))
         return 100 * p->m;
-    if (is_hull_expensive(projection, kept))
+    if (is_hull_expensive(reduced, kept))
         return 20 * p->m;
-    if (is_sparse(projection, kept))
+    if (is_sparse(reduced, kept))
         return (kept > FMB_SHORT_QUERIES ? 10 : 6) * p->m;
     return 0;
 }
 
-static bool is_cone_dense_or_small(const fmb_ray_projection *projection)
+static bool is_cone_dense_or_small(const fmb_reduced_part *reduced)
 {
-    return nonzeros_by_row(projection) >= DENSE ||
-           fmb_ray_projection_columns(projection) <= SMALL_CONE ||
-           fmb_ray_projection_freedom(projection) < SMALL_CONE;
+    return nonzeros_by_row(reduced) >= DENSE || fmb_features_columns(reduced) <= SMALL_CONE ||
+           fmb_features_freedom(reduced) < SMALL_CONE;
 }
 
 /* Where the first variable tells, or other ways are long. */
-bool fmb_selection_raises_bound(const fmb_ray_projection *projection, int kept)
+bool fmb_selection_raises_bound(const fmb_reduced_part *reduced, int kept)
 {
-    bool few =
-        fmb_ray_projection_freedom(projection) <= GROWING_FREEDOMS || kept > FMB_SHORT_QUERIES;
-    return few && !fmb_ray_projection_is_long(projection) &&
-           are_most_coefficients_there(projection);
+    bool few = fmb_features_freedom(reduced) <= GROWING_FREEDOMS || kept > FMB_SHORT_QUERIES;
+    return few && !fmb_features_is_long(reduced) && are_most_coefficients_there(reduced);
 }
 
 /* Rays that a second try may make, before the oracle is asked: none where cones tend to have very
  * many, or rows are many for three kept variables; more where the oracle has more to do, or numbers
  * are too long for its guesses. */
-uint64_t fmb_selection_second_rays(const fmb_ray_projection *projection, const fmb_part *p,
-                                   int kept)
+uint64_t fmb_selection_second_rays(const fmb_reduced_part *reduced, const fmb_part *p, int kept)
 {
-    if (fmb_ray_projection_freedom(projection) > FEW_FREEDOMS ||
-        do_rays_delay_queries(projection, kept))
+    if (fmb_features_freedom(reduced) > FEW_FREEDOMS || do_rays_delay_queries(reduced, kept))
         return 0;
     if (kept == 4 && has_wide_rows(p))
         return 64 * RAYS_OF_SECOND_TRY;
     if (has_strict_rows(p) || kept > FMB_SHORT_QUERIES)
         return 16 * RAYS_OF_SECOND_TRY;
-    if (kept > 2 && fmb_ray_projection_is_long(projection) &&
-        fmb_ray_projection_freedom(projection) <= LONG_FREEDOMS)
+    if (kept > 2 && fmb_features_is_long(reduced) && fmb_features_freedom(reduced) <= LONG_FREEDOMS)
         return 8 * RAYS_OF_SECOND_TRY;
-    if (are_rays_few(projection, p, kept))
+    if (are_rays_few(reduced, p, kept))
         return 8 * RAYS_OF_SECOND_TRY;
     if (p->m > MANY_ROWS(p))
         return 0;
-    if (kept == 3 && has_bounds(projection, 0.25) &&
-        fmb_ray_projection_rows(projection) <= 3 * fmb_ray_projection_columns(projection))
+    if (kept == 3 && has_bounds(reduced, 0.25) &&
+        fmb_features_rows(reduced) <= 3 * fmb_features_columns(reduced))
         return 8 * RAYS_OF_SECOND_TRY; /* as of rectifiers */
-    if (kept == 3 && is_cone_dense_or_small(projection))
+    if (kept == 3 && is_cone_dense_or_small(reduced))
         return RAYS_OF_SECOND_TRY;
     return kept == 4 ? 8 * RAYS_OF_SECOND_TRY : 0;
 }

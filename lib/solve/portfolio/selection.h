@@ -7,7 +7,7 @@
 #ifndef FMB_SOLVE_SELECTION_H
 #define FMB_SOLVE_SELECTION_H
 
-#include "solve/portfolio/project_rays.h"
+#include "solve/portfolio/features.h"
 
 /* A few rows are eliminated faster than anything else is done. */
 #define FMB_TRIAL_BUDGET(m) (128 + 4 * (m))
@@ -16,24 +16,22 @@
 
 int fmb_selection_kept(const fmb_part *p, const int *place);
 /* Is it gone around, in the plane? */
-bool fmb_selection_walks(const fmb_ray_projection *projection, const fmb_part *p, int kept);
+bool fmb_selection_walks(const fmb_reduced_part *reduced, const fmb_part *p, int kept);
 /* May a direction among the variables that go leave all rows behind? */
-bool fmb_selection_tries_recession(const fmb_ray_projection *projection);
+bool fmb_selection_tries_recession(const fmb_reduced_part *reduced);
 /* Two questions to the oracle are all there is to do. */
-bool fmb_selection_asks_ends(const fmb_ray_projection *projection, const fmb_part *p, int kept);
+bool fmb_selection_asks_ends(const fmb_reduced_part *reduced, const fmb_part *p, int kept);
 /* Is it asked first whether there is a solution? */
-bool fmb_selection_doubts_solution(const fmb_ray_projection *projection);
+bool fmb_selection_doubts_solution(const fmb_reduced_part *reduced);
 /* Are variables eliminated that make few more rows than go? */
-bool fmb_selection_bounds_growth(const fmb_ray_projection *projection, int kept);
+bool fmb_selection_bounds_growth(const fmb_reduced_part *reduced, int kept);
 /* Rows that an elimination may make that is pruned before anything else is done; 0: none is tried.
  */
-size_t fmb_selection_pruned_rows(const fmb_ray_projection *projection, const fmb_part *p, int kept);
-bool fmb_selection_raises_bound(const fmb_ray_projection *projection, int kept);
+size_t fmb_selection_pruned_rows(const fmb_reduced_part *reduced, const fmb_part *p, int kept);
+bool fmb_selection_raises_bound(const fmb_reduced_part *reduced, int kept);
 /* Rays of a first try, and of a second one, before queries. */
-uint64_t fmb_selection_first_rays(const fmb_ray_projection *projection, const fmb_part *p,
-                                  int kept);
-uint64_t fmb_selection_second_rays(const fmb_ray_projection *projection, const fmb_part *p,
-                                   int kept);
+uint64_t fmb_selection_first_rays(const fmb_reduced_part *reduced, const fmb_part *p, int kept);
+uint64_t fmb_selection_second_rays(const fmb_reduced_part *reduced, const fmb_part *p, int kept);
 /* Are the rows that an elimination left few enough to go on with? There were so many before. */
 bool fmb_selection_keeps_rows(const fmb_elim *e, size_t before, int kept);
 

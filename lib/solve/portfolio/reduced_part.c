@@ -1,0 +1,36 @@
+/* reduced_part.c: see reduced_part.h. */
+#include "solve/portfolio/reduced_part.h"
+
+static fmb_status eliminate_cheap_columns(fmb_reduced_part *h)
+{
+    fmb_query *q = h->q;
+    bool *drop = h->drop = fmb_arena_get(&q->v->arena, (size_t)h->p->n, sizeof *drop);
+    if (!drop)
+        return fmb_mem_status(q->run.mem);
+    for (int j = 0; j < h->p->n; j++)
+        drop[j] = h->place[h->p->var[j]] < 0;
+    fmb_status st = fmb_query_load(q, h->p, false, &h->e);
+    h->e.order = FMB_ORDER_PAIRS;
+    h->e.chooser = (fmb_chooser){0};
+    h->e.cheap_only = true;
+    if (st == FMB_OK)
+        st = fmb_elim_eliminate(&h->e, drop);
+    for (size_t i = 0; st == FMB_OK && i < h->e.live.size; i++)
+        for (int j = 0; j < h->p->n; j++)
+            h->rest |= drop[j] && fmb_vec_sgn(&h->e.row[h->e.live.row[i]].v, (size_t)j) != 0;
+    return st;
+}
+
+fmb_status fmb_reduced_part_open(fmb_reduced_part *h, fmb_query *q, int part, const int *place,
+                                 bool *feasible)
+{
+    *h = (fmb_reduced_part){.q = q, .p = &q->parts.part[part], .place = place, .e.run = &q->run};
+    fmb_status st = eliminate_cheap_columns(h);
+    *feasible = st != FMB_OK || h->e.clash == FMB_NO_ROW;
+    return st;
+}
+
+void fmb_reduced_part_close(fmb_reduced_part *h)
+{
+    fmb_elim_clear(&h->e);
+}
