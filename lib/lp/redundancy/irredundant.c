@@ -12,6 +12,8 @@
  */
 #include "lp/redundancy/irredundant.h"
 
+#include <string.h>
+
 #include "lp/oracle/oracle.h"
 #include "num/integers.h"
 #include "num/rationals.h"
@@ -28,6 +30,7 @@ typedef struct pruner {
     fmb_program all, equal; /* every row, those gone being off; the equalities that stay */
     fmb_oracle *over_all, *over_equal;
     size_t *equality;   /* [m] rows of `equal` */
+    size_t *term;       /* [m] scratch: 1 + which term of a conflict a row is, or 0 */
     bool *is_nonzero;   /* [n] columns that some equality names */
     fmb_integers point; /* [n], over den: what the oracle said last */
     mpz_t den, sum;
@@ -47,6 +50,7 @@ static void close_pruner(pruner *p)
     fmb_weights_clear(&p->form, mem);
     fmb_weights_clear(&p->w, mem);
     fmb_mem_put(mem, p->equality, p->m, sizeof *p->equality);
+    fmb_mem_put(mem, p->term, p->m, sizeof *p->term);
     fmb_mem_put(mem, p->is_nonzero, p->n, sizeof *p->is_nonzero);
     fmb_integers_clear(&p->point, mem);
     fmb_rationals_free(p->inner, p->n, mem);
@@ -75,8 +79,9 @@ static fmb_status open_pruner(pruner *p)
     fmb_program_init(&p->equal, mem, (int)p->n);
     mpz_inits(p->den, p->sum, NULL);
     p->equality = fmb_mem_get(mem, p->m, sizeof *p->equality);
+    p->term = fmb_mem_get(mem, p->m, sizeof *p->term);
     p->is_nonzero = fmb_mem_zero(mem, p->n, sizeof *p->is_nonzero);
-    fmb_status st = p->equality && p->is_nonzero ? FMB_OK : fmb_mem_status(mem);
+    fmb_status st = p->equality && p->term && p->is_nonzero ? FMB_OK : fmb_mem_status(mem);
     if (st == FMB_OK)
         st = fmb_integers_init(&p->point, p->n, mem);
     if (st == FMB_OK)
@@ -272,17 +277,21 @@ static fmb_status turn_row_into_equality(pruner *p, const fmb_weights *y, size_t
 }
 
 /* There is a solution, but none that satisfies open rows strictly: those of the conflict are
- * equalities, and some are there. They go, if they do, once all proofs that name them are told. */
+ * equalities, and some are there. They go, if they do, once all proofs that name them are told. The
+ * first ones stay, in whatever order the conflict has them. */
 static fmb_status take_equalities_of_conflict(pruner *p)
 {
     fmb_weights y = {0};
     fmb_status st = fmb_oracle_conflict(p->over_all, &y);
+    memset(p->term, 0, p->m * sizeof *p->term);
     for (size_t k = 0; st == FMB_OK && k < y.size; k++)
-        if (is_row_open(p, y.index[k]))
-            st = turn_row_into_equality(p, &y, k);
-    for (size_t k = 0; st == FMB_OK && k < y.size; k++)
-        if (is_row_open(p, y.index[k]))
-            st = lock_or_drop_row(p, y.index[k], FMB_FATE_EQUALITY);
+        p->term[y.index[k]] = k + 1;
+    for (size_t i = 0; st == FMB_OK && i < p->m; i++)
+        if (p->term[i] > 0 && is_row_open(p, i))
+            st = turn_row_into_equality(p, &y, p->term[i] - 1);
+    for (size_t i = 0; st == FMB_OK && i < p->m; i++)
+        if (p->term[i] > 0 && is_row_open(p, i))
+            st = lock_or_drop_row(p, i, FMB_FATE_EQUALITY);
     fmb_weights_clear(&y, p->run->mem);
     return st;
 }
