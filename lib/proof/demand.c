@@ -204,7 +204,7 @@ static bool is_in_image(asker *a, const fmb_claim *c, size_t *at)
 }
 
 /* kept[dim]: variables of the image. Is there a claim WHOLE about these? */
-static bool names_whole(asker *a, bool *kept)
+static bool names_complete(asker *a, bool *kept)
 {
     size_t size = (size_t)fmb_system_dim(a->image);
     bool found = false, known = true;
@@ -247,10 +247,10 @@ static bool keeps_integers(asker *a)
 }
 
 /* What the claim WHOLE leans on must be in the image. */
-static bool names_whole_image(asker *a, bool *kept)
+static bool names_complete_image(asker *a, bool *kept)
 {
     bool good =
-        keeps_all_variables(a) && keeps_integers(a) && names_image(a) && names_whole(a, kept);
+        keeps_all_variables(a) && keeps_integers(a) && names_image(a) && names_complete(a, kept);
     size_t at = 0;
     for (size_t i = 0; good && i < a->e->claims && has_time(a); i++) {
         const fmb_claim *c = &a->e->claim[i];
@@ -320,7 +320,7 @@ static bool meets_demand(asker *a, fmb_demand what, bool *seen)
     case FMB_DEMAND_WHOLE:
         return has_claim(a, FMB_CLAIM_INFEASIBLE)
                    ? has_false_row(a) || miss(a, "the projection of the empty set is empty")
-                   : names_whole_image(a, seen);
+                   : names_complete_image(a, seen);
     case FMB_DEMAND_OPTIMUM:
         return has_claim(a, FMB_CLAIM_INFEASIBLE) || names_optimum(a);
     case FMB_DEMAND_NOTHING:

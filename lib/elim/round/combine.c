@@ -63,7 +63,7 @@ static fmb_status keep_row(fmb_elim *e)
     return fmb_run_rows(e->run, e->next.size);
 }
 
-static fmb_status judge_new_row(fmb_elim *e)
+static fmb_status check_new_row(fmb_elim *e)
 {
     const fmb_derived *r = &e->row[e->rows];
     const fmb_rule *by = NULL;
@@ -92,6 +92,6 @@ fmb_status fmb_elim_combine(fmb_elim *e, uint32_t p, uint32_t q, int var)
     if (st != FMB_OK)
         fmb_elim_forget_row(e, false);
     else
-        st = judge_new_row(e);
+        st = check_new_row(e);
     return st != FMB_OK ? st : fmb_run_poll_step(e->run, wide);
 }

@@ -7,7 +7,7 @@
 /* What the box says of a row. */
 typedef enum word { NOTHING, ALWAYS, NEVER } word;
 
-static word judge_row_over_box(const fmb_tiny *t, const fmb_tiny_table *rows, int i)
+static word check_row_over_box(const fmb_tiny *t, const fmb_tiny_table *rows, int i)
 {
     const int64_t *a = rows->a[i];
     unsigned no_most = 0, no_least = 0; /* the box is open where a.x is greatest, least */
@@ -33,7 +33,7 @@ fmb_tiny_step fmb_tiny_prune(fmb_tiny *t, fmb_tiny_table *rows, int first)
 {
     int left = first;
     for (int i = first; i < rows->rows; i++) {
-        word said = judge_row_over_box(t, rows, i);
+        word said = check_row_over_box(t, rows, i);
         if (said == NEVER)
             return FMB_TINY_CLASH;
         if (said == ALWAYS)

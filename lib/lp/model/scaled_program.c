@@ -201,7 +201,7 @@ void fmb_scaled_program_shift(fmb_scaled_program *f, const double *right)
                             : right_side_divided(&f->p->row[i], f->exponent[i]);
 }
 
-void fmb_reals_shift_row(fmb_scaled_program *f, size_t i)
+void fmb_scaled_program_shift_row(fmb_scaled_program *f, size_t i)
 {
     f->right[i] = right_side_divided(&f->p->row[i], f->exponent[i]);
 }

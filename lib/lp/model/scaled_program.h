@@ -40,7 +40,7 @@ fmb_status fmb_scaled_program_grow(fmb_scaled_program *f);
 /* Right sides by other numbers, right[m], in the units of the program; NULL: the program's. */
 void fmb_scaled_program_shift(fmb_scaled_program *f, const double *right);
 /* That of row i has changed in the program. */
-void fmb_reals_shift_row(fmb_scaled_program *f, size_t i);
+void fmb_scaled_program_shift_row(fmb_scaled_program *f, size_t i);
 /* Right sides of inequalities by less: `by` times the sum of |coefficients|. */
 void fmb_scaled_program_move_in(fmb_scaled_program *f, double by);
 /* scaled[n] = cost[n] for these columns, the largest about 1. False: not all are finite. */

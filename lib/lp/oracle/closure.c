@@ -331,8 +331,9 @@ fmb_status fmb_closure_approach_point(fmb_oracle *o, const fmb_weights *cost,
     return st == FMB_OK && !o->is_modular ? certify_approach(o, &h, end) : st;
 }
 
-/* The modular vertex satisfies all rows, so the vertex of the basis does if it is the same point. */
-static fmb_status turn_glimpse_into_vertex(fmb_oracle *o, fmb_pivot_walk_end *end)
+/* The modular vertex satisfies all rows, so the vertex of the basis does if it is the same point.
+ */
+static fmb_status turn_point_into_vertex(fmb_oracle *o, fmb_pivot_walk_end *end)
 {
     fmb_vertex *v = &o->v;
     fmb_hint h = {.kind = FMB_HINT_OPTIMUM, .basis = o->hint};
@@ -350,7 +351,7 @@ static fmb_status turn_glimpse_into_vertex(fmb_oracle *o, fmb_pivot_walk_end *en
 
 fmb_status fmb_closure_climb(fmb_oracle *o, fmb_pivot_walk_end *end)
 {
-    fmb_status st = o->is_modular ? turn_glimpse_into_vertex(o, end) : FMB_OK;
+    fmb_status st = o->is_modular ? turn_point_into_vertex(o, end) : FMB_OK;
     o->is_modular = false;
     if (st == FMB_OK)
         st = climb_with_refinements(o, end);
@@ -393,5 +394,5 @@ void fmb_oracle_shift_row(fmb_oracle *o, size_t i)
         return;
     o->v.solved = o->v.solved && !fmb_vertex_holds(&o->v, i);
     o->v.feasible = false;
-    fmb_door_shift_row(o->backend, i);
+    fmb_backend_shift_row(o->backend, i);
 }

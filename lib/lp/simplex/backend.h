@@ -47,7 +47,7 @@ void fmb_backend_shift(fmb_backend *d, const double *right);
  * rows and columns are scaled; until the next shift. */
 void fmb_backend_move_in(fmb_backend *d, double by);
 /* The right side of row i has changed in the program, and no other. */
-void fmb_door_shift_row(fmb_backend *d, size_t i);
+void fmb_backend_shift_row(fmb_backend *d, size_t i);
 /* x[n] / den: where the last question ended, rounded to multiples of 2^-fine, as columns are
  * scaled. False: it is beyond doubles. */
 bool fmb_backend_point(fmb_backend *d, int fine, mpz_t *x, mpz_t den);

@@ -108,9 +108,9 @@ void fmb_backend_shift(fmb_backend *d, const double *right)
     d->side->shift(d->self);
 }
 
-void fmb_door_shift_row(fmb_backend *d, size_t i)
+void fmb_backend_shift_row(fmb_backend *d, size_t i)
 {
-    fmb_reals_shift_row(&d->scaled, i);
+    fmb_scaled_program_shift_row(&d->scaled, i);
     d->side->shift_row(d->self, i);
 }
 

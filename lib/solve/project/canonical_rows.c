@@ -300,7 +300,7 @@ static fmb_status reduce_inequality(echelon *e, size_t i, mpz_t *z)
 }
 
 /* *reduced: the row names no pivot, and has no common divisor. */
-static fmb_status judge_row(echelon *e, const fmb_sysrow *r, bool *reduced)
+static fmb_status check_row(echelon *e, const fmb_sysrow *r, bool *reduced)
 {
     fmb_status st = FMB_OK;
     *reduced = false;
@@ -328,7 +328,7 @@ static fmb_status reduce_inequalities(echelon *e)
         const fmb_sysrow *r = &e->c->image->row[i];
         bool reduced = true;
         if (r->rel != FMB_EQ)
-            st = judge_row(e, r, &reduced);
+            st = check_row(e, r, &reduced);
         if (st == FMB_OK && !reduced)
             st = reduce_inequality(e, i, z.z);
         if (st == FMB_OK)

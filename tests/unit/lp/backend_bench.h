@@ -1,7 +1,7 @@
 /* backend_bench.h: a connected system as a program, on a bench of its own, and what a basis of it
  * proves in rationals. */
-#ifndef FMB_TEST_DOOR_BENCH_H
-#define FMB_TEST_DOOR_BENCH_H
+#ifndef FMB_TEST_BACKEND_BENCH_H
+#define FMB_TEST_BACKEND_BENCH_H
 
 #include "lp/simplex/backend_methods.h"
 #include "solve/query/part.h"
@@ -26,7 +26,7 @@ typedef struct backend_bench {
 
 /* False: the system has no part, so there is nothing to ask. The struct must not move. */
 bool backend_bench_open(backend_bench *b, support_family family, uint64_t seed,
-                     const support_shape *shape);
+                        const support_shape *shape);
 /* Append rows of the part until there are that many. */
 void backend_bench_append(backend_bench *b, size_t m);
 /* Nothing may be left in memory. */

@@ -81,8 +81,8 @@ static fmb_status load_core(const fmb_updated_lu *u, fmb_markowitz *m, fmb_arena
 }
 
 /* Pivots and their rows, then the multipliers, which come pivot by pivot. */
-static fmb_status write_triangles(fmb_updated_lu *u, const fmb_markowitz *m, const int *place,
-                                  const int *column)
+static fmb_status write_core_factors(fmb_updated_lu *u, const fmb_markowitz *m, const int *place,
+                                     const int *column)
 {
     fmb_mem *mem = u->f->run->mem;
     size_t entries = 0, at = 0;
@@ -130,7 +130,7 @@ static fmb_status eliminate_in(fmb_updated_lu *u, fmb_arena *arena)
     fmb_status st = load_core(u, &m, arena, place, rows, number);
     for (bool done = false; st == FMB_OK && !done;)
         st = fmb_markowitz_step(&m, &done);
-    return st == FMB_OK ? write_triangles(u, &m, place, column) : st;
+    return st == FMB_OK ? write_core_factors(u, &m, place, column) : st;
 }
 
 fmb_status fmb_updated_lu_eliminate(fmb_updated_lu *u)

@@ -55,7 +55,7 @@ static inline void fmb_indexed_vector_add(fmb_indexed_vector *v, size_t k, doubl
 }
 
 /* Place k becomes x, likewise. */
-static inline void fmb_spread_put(fmb_indexed_vector *v, size_t k, double x)
+static inline void fmb_indexed_vector_put(fmb_indexed_vector *v, size_t k, double x)
 {
     if (v->at[k] == 0)
         v->index[v->count++] = (int)k;

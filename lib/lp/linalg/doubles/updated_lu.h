@@ -53,8 +53,8 @@ typedef struct fmb_updated_lu {
         upper_by_column;             /* by step: column, value; by step of the column: place */
     fmb_compressed_rows entry, edge; /* by exchange: place, entry, without the pivot and places at
                               rest; column, edge */
-    fmb_compressed_rows awoken; /* by exchange of a place at rest: place, value of its column */
-    fmb_eta *eta;               /* [etas] */
+    fmb_compressed_rows activated; /* by exchange of a place at rest: place, value of its column */
+    fmb_eta *eta;                  /* [etas] */
     size_t eta_room, etas;
     uint64_t *marks; /* [n / 64 + 1], all zero between calls */
     fmb_arena arena; /* of an elimination */

@@ -34,7 +34,7 @@ static fmb_compressed_rows *find_list(fmb_updated_lu *u, size_t k)
 {
     return (fmb_compressed_rows *[LISTS]){&u->lower,           &u->lower_by_target, &u->upper,
                                           &u->upper_by_column, &u->entry,           &u->edge,
-                                          &u->beside,          &u->awoken}[k];
+                                          &u->beside,          &u->activated}[k];
 }
 
 fmb_status fmb_updated_lu_init(fmb_updated_lu *u, const fmb_scaled_program *f)
@@ -171,7 +171,7 @@ static void fill_up_with_units(fmb_updated_lu *u)
 
 fmb_status fmb_updated_lu_factor(fmb_updated_lu *u, size_t *member)
 {
-    u->etas = u->entry.size = u->edge.size = u->awoken.size = 0;
+    u->etas = u->entry.size = u->edge.size = u->activated.size = 0;
     memcpy(u->member, member, u->n * sizeof *member);
     set_singletons_aside(u);
     fmb_status st = list_beside(u);
@@ -200,9 +200,9 @@ static void keep_list(fmb_compressed_rows *l, size_t k, const fmb_indexed_vector
 
 /* Why y_p is what it is at a place p that rests until now: the column of its singleton, in members
  * as they are, as list k; of other places nothing. */
-static fmb_status wake_place(fmb_updated_lu *u, size_t k, size_t p)
+static fmb_status activate_place(fmb_updated_lu *u, size_t k, size_t p)
 {
-    fmb_compressed_rows *l = &u->awoken;
+    fmb_compressed_rows *l = &u->activated;
     int j = u->singleton[p];
     l->start[k] = l->start[k + 1] = l->size;
     if (!u->rests[p])
@@ -225,7 +225,7 @@ static fmb_status wake_place(fmb_updated_lu *u, size_t k, size_t p)
     return st;
 }
 
-static fmb_status reserve_exchange(fmb_updated_lu *u, size_t entries, size_t edges)
+static fmb_status reserve_pivot(fmb_updated_lu *u, size_t entries, size_t edges)
 {
     fmb_mem *mem = u->f->run->mem;
     fmb_status st =
@@ -238,16 +238,16 @@ static fmb_status reserve_exchange(fmb_updated_lu *u, size_t entries, size_t edg
         st = fmb_compressed_rows_reserve_starts(&u->entry, mem, u->etas + 1);
     if (st == FMB_OK)
         st = fmb_compressed_rows_reserve_starts(&u->edge, mem, u->etas + 1);
-    return st == FMB_OK ? fmb_compressed_rows_reserve_starts(&u->awoken, mem, u->etas + 1) : st;
+    return st == FMB_OK ? fmb_compressed_rows_reserve_starts(&u->activated, mem, u->etas + 1) : st;
 }
 
 fmb_status fmb_updated_lu_pivot(fmb_updated_lu *u, size_t place, size_t member,
                                 const fmb_indexed_vector *entry, const fmb_indexed_vector *edge)
 {
     fmb_status st =
-        reserve_exchange(u, fmb_indexed_vector_count(entry), fmb_indexed_vector_count(edge));
+        reserve_pivot(u, fmb_indexed_vector_count(entry), fmb_indexed_vector_count(edge));
     if (st == FMB_OK)
-        st = wake_place(u, u->etas, place);
+        st = activate_place(u, u->etas, place);
     if (st != FMB_OK)
         return st;
     keep_list(&u->entry, u->etas, entry, place, u->rests);
@@ -436,11 +436,11 @@ static void price_places_at_rest(fmb_updated_lu *u, fmb_indexed_vector *y)
 }
 
 /* The number at the place of an exchange before it. */
-static double price_before_exchange(const fmb_updated_lu *u, size_t k, const double *y)
+static double price_before_pivot(const fmb_updated_lu *u, size_t k, const double *y)
 {
     double at = y[u->eta[k].place];
-    for (size_t t = u->awoken.start[k]; t < u->awoken.start[k + 1]; t++)
-        at -= u->awoken.value[t] * y[u->awoken.index[t]];
+    for (size_t t = u->activated.start[k]; t < u->activated.start[k + 1]; t++)
+        at -= u->activated.value[t] * y[u->activated.index[t]];
     return at;
 }
 
@@ -455,10 +455,10 @@ void fmb_updated_lu_solve_transposed(fmb_updated_lu *u, fmb_indexed_vector *c,
     c->count = 0;
     for (size_t k = 0; k < u->etas; k++) {
         const fmb_eta *e = &u->eta[k];
-        double at = price_before_exchange(u, k, y->at);
+        double at = price_before_pivot(u, k, y->at);
         bool vanishes = fabs(at) <= FMB_NOTHING;
         if (!vanishes || y->at[e->place] != 0)
-            fmb_spread_put(y, e->place, vanishes ? 0 : at / e->pivot);
+            fmb_indexed_vector_put(y, e->place, vanishes ? 0 : at / e->pivot);
         if (!vanishes)
             subtract_list_from(&u->entry, k, at / e->pivot, y);
     }
