@@ -18,54 +18,62 @@
 
 /* clang-format off */
 #define FMB_WAYS(WAY)                                                                              \
-    WAY(RECESSION, "recession directions", "solve/portfolio/recession",                                                  \
+    WAY(RECESSION, "recession directions", "solve/portfolio/recession",                            \
         "projections: recession directions that leave all rows behind")                            \
-    WAY(BOUNDED_GROWTH, "bounded elimination", "",                                                          \
+    WAY(BOUNDED_GROWTH, "bounded elimination", "",                                                 \
         "projections: variables that make few rows are eliminated first")                          \
     WAY(PRUNED, "pruned elimination", "solve/query/rule_lp",                                       \
         "projections: elimination pruned by the oracle, where cones are large")                    \
-    WAY(HIGHER_GROWTH, "growing elimination", "",                                                        \
+    WAY(HIGHER_GROWTH, "growing elimination", "",                                                  \
         "projections: the last variables, however many rows they make")                            \
     WAY(FIRST_RAYS, "first rays", "", "projections: double description within a small budget")     \
     WAY(SECOND_RAYS, "second rays", "", "projections: double description within a larger one")     \
     WAY(WALK, "walk around a shadow",                                                              \
-        "hull/shadow/shadow_walk hull/shadow/shadow_walk_private hull/shadow/shadow_walk_plane hull/shadow/shadow_walk_start solve/portfolio/polygon",        \
+        "hull/shadow/shadow_walk hull/shadow/shadow_walk_private hull/shadow/shadow_walk_plane "   \
+        "hull/shadow/shadow_walk_start solve/portfolio/polygon",                                   \
         "projections on a plane: around it, edge by edge, on a dictionary")                        \
-    WAY(TIGHT, "tight rows", "hull/support/support_tight",                                                 \
+    WAY(TIGHT, "tight rows", "hull/support/support_tight",                                         \
         "support queries: facets proved by the rows tight on them")                                \
-    WAY(KNOWN, "known rows", "hull/support/support_known",                                                 \
+    WAY(KNOWN, "known rows", "hull/support/support_known",                                         \
         "support queries: facets that are rows of the system")                                     \
-    WAY(SYMMETRY, "symmetry", "hull/support/support_symmetry",                                             \
+    WAY(SYMMETRY, "symmetry", "hull/support/support_symmetry",                                     \
         "support queries: one facet of each orbit")                                                \
-    WAY(MODULAR_VERTEX, "modular vertex", "lp/oracle/modular_vertex",                                            \
+    WAY(MODULAR_VERTEX, "modular vertex", "lp/oracle/modular_vertex",                              \
         "oracle: vertices of short numbers modulo one prime")                                      \
-    WAY(LATTICE, "rounding to a lattice", "lp/oracle/lattice_point",                                           \
+    WAY(LATTICE, "rounding to a lattice", "lp/oracle/lattice_point",                               \
         "oracle: solutions of short numbers by rounding")                                          \
-    WAY(REFINED_FARKAS, "Farkas by refinement", "lp/oracle/refined_farkas",                                        \
+    WAY(REFINED_FARKAS, "Farkas by refinement", "lp/oracle/refined_farkas",                        \
         "oracle: conflicts between long numbers by iterative refinement")                          \
-    WAY(TRIANGULAR, "substitution", "lp/linalg/exact/triangular", "exact: triangular bases")              \
-    WAY(MINORS, "minors", "lp/linalg/exact/minors", "exact: small bases without fractions")               \
-    WAY(FACTORED, "LU with updates", "lp/linalg/doubles/updated_lu_solve lp/linalg/doubles/eliminate_core",                      \
+    WAY(TRIANGULAR, "substitution", "lp/linalg/exact/triangular", "exact: triangular bases")       \
+    WAY(MINORS, "minors", "lp/linalg/exact/minors", "exact: small bases without fractions")        \
+    WAY(FACTORED, "LU with updates",                                                               \
+        "lp/linalg/doubles/updated_lu lp/linalg/doubles/updated_lu_solve "                         \
+        "lp/linalg/doubles/eliminate_core",                                                        \
         "doubles: a basis as sparse triangles instead of a dense inverse")                         \
     WAY(RAY_SHOOTING, "ray shooting",                                                              \
-        "lp/redundancy/ray_shooting/ray_shooting lp/redundancy/ray_shooting/ray_sorter lp/redundancy/ray_shooting/polar_points_open lp/redundancy/ray_shooting/ray "            \
-        "lp/redundancy/ray_shooting/spatial_blocks lp/redundancy/result_log lp/redundancy/ray_shooting/membership_ask lp/redundancy/ray_shooting/membership_basis "         \
-        "lp/redundancy/ray_shooting/membership_private lp/redundancy/ray_shooting/membership_walk lp/redundancy/ray_shooting/centre",                         \
+        "lp/redundancy/ray_shooting/ray_shooting lp/redundancy/ray_shooting/ray_sorter "           \
+        "lp/redundancy/ray_shooting/polar_points lp/redundancy/ray_shooting/polar_points_open "    \
+        "lp/redundancy/ray_shooting/ray lp/redundancy/ray_shooting/spatial_blocks "                \
+        "lp/redundancy/result_log lp/redundancy/ray_shooting/membership "                          \
+        "lp/redundancy/ray_shooting/membership_ask lp/redundancy/ray_shooting/membership_basis "   \
+        "lp/redundancy/ray_shooting/membership_private "                                           \
+        "lp/redundancy/ray_shooting/membership_walk lp/redundancy/ray_shooting/centre",            \
         "redundancy: rows seen from a point inside")                                               \
-    WAY(PARALLEL, "parallel rows", "lp/redundancy/parallel_rows", "redundancy: by hashing")                \
+    WAY(PARALLEL, "parallel rows", "lp/redundancy/parallel_rows", "redundancy: by hashing")        \
     WAY(ACTIVE_SET, "active set",                                                                  \
-        "lp/redundancy/active_set/implied lp/redundancy/active_set/active_set lp/redundancy/active_set/rounded_proof lp/redundancy/active_set/nonzero_columns "     \
-        "lp/redundancy/active_set/interior_point",                                                            \
+        "lp/redundancy/active_set/implied lp/redundancy/active_set/active_set "                    \
+        "lp/redundancy/active_set/rounded_proof lp/redundancy/active_set/nonzero_columns "         \
+        "lp/redundancy/active_set/interior_point",                                                 \
         "elimination: rows that others imply, guessed among few")                                  \
     WAY(EDGES, "edges of rays", "dd/edges",                                                        \
         "double description: adjacency of simple rays by their edges")                             \
-    WAY(ROUGH, "facets in doubles", "hull/facets/facets_roughly hull/facets/facets_normals",                         \
+    WAY(ROUGH, "facets in doubles", "hull/facets/facets_roughly hull/facets/facets_normals",       \
         "hulls: sides of facets by doubles with an error bound")                                   \
     WAY(SQUEEZE, "last variable", "elim/round/squeeze",                                            \
         "elimination: the last variable by its ends, not by pairs")                                \
     WAY(TINY, "tiny systems",                                                                      \
-        "elim/tiny/tiny_box elim/tiny/tiny_last elim/tiny/tiny_load elim/tiny/tiny_row elim/tiny/tiny "                \
-        "elim/tiny/tiny_private",                                                                  \
+        "elim/tiny/tiny_box elim/tiny/tiny_last elim/tiny/tiny_load elim/tiny/tiny_row "           \
+        "elim/tiny/tiny elim/tiny/tiny_private",                                                   \
         "verdicts: elimination on the stack")
 /* clang-format on */
 
