@@ -10,15 +10,18 @@ fmb_status fmb_basis_init(fmb_basis *b, fmb_mem *mem, const fmb_kernels *kernels
 {
     *b = (fmb_basis){.mem = mem, .kernels = kernels, .d = d, .most_d = d};
     b->basic = fmb_mem_get(mem, d, sizeof *b->basic);
-    b->inverse = fmb_mem_get(mem, d * d, sizeof *b->inverse);
+    b->old = fmb_mem_get(mem, d, sizeof *b->old);
+    fmb_status st = fmb_dense_inverse_init(&b->inverse, mem, kernels, d);
+    b->edge = fmb_mem_get(mem, d, sizeof *b->edge);
     b->value = fmb_mem_zero(mem, d, sizeof *b->value);
     b->normal = fmb_mem_zero(mem, d, sizeof *b->normal);
     b->entry = fmb_mem_get(mem, d, sizeof *b->entry);
     b->rest = fmb_mem_get(mem, d, sizeof *b->rest);
-    if (!b->basic || !b->inverse || !b->value || !b->normal || !b->entry || !b->rest)
+    if (!b->basic || !b->old || !b->edge || !b->value || !b->normal || !b->entry || !b->rest)
         return fmb_mem_status(mem);
-    fmb_basis_restart(b, d);
-    return FMB_OK;
+    if (st == FMB_OK)
+        fmb_basis_restart(b, d);
+    return st;
 }
 
 static void free_columns(fmb_basis *b)
@@ -36,7 +39,9 @@ void fmb_basis_clear(fmb_basis *b)
         return;
     free_columns(b);
     fmb_mem_put(b->mem, b->basic, b->most_d, sizeof *b->basic);
-    fmb_mem_put(b->mem, b->inverse, b->most_d * b->most_d, sizeof *b->inverse);
+    fmb_mem_put(b->mem, b->old, b->most_d, sizeof *b->old);
+    fmb_dense_inverse_clear(&b->inverse, b->mem);
+    fmb_mem_put(b->mem, b->edge, b->most_d, sizeof *b->edge);
     fmb_mem_put(b->mem, b->value, b->most_d, sizeof *b->value);
     fmb_mem_put(b->mem, b->normal, b->most_d, sizeof *b->normal);
     fmb_mem_put(b->mem, b->entry, b->most_d, sizeof *b->entry);
@@ -75,11 +80,9 @@ fmb_status fmb_basis_reserve(fmb_basis *b, size_t capacity)
 /* Unit vectors fill the basis. */
 static void start_from_unit_vectors(fmb_basis *b)
 {
-    memset(b->inverse, 0, b->d * b->d * sizeof *b->inverse);
-    for (size_t k = 0; k < b->d; k++) {
+    fmb_dense_inverse_restart(&b->inverse, b->d);
+    for (size_t k = 0; k < b->d; k++)
         b->basic[k] = SIZE_MAX;
-        b->inverse[k * b->d + k] = 1;
-    }
     b->pivots = 0;
 }
 
@@ -109,28 +112,13 @@ fmb_status fmb_basis_add(fmb_basis *b, const double *v, fmb_range range)
 
 void fmb_basis_write(fmb_basis *b, size_t j)
 {
-    size_t d = b->d;
-    for (size_t k = 0; k < d; k++)
+    for (size_t k = 0; k < b->d; k++)
         b->rest[k] = b->at[k * b->capacity + j];
-    for (size_t r = 0; r < d; r++) {
-        double sum = 0;
-        for (size_t k = 0; k < d; k++)
-            sum += b->inverse[r * d + k] * b->rest[k];
-        b->entry[r] = sum;
-    }
+    fmb_dense_inverse_write(&b->inverse, b->rest, b->entry);
 }
 
-void fmb_basis_replace(fmb_basis *b, size_t r, size_t j)
+static void note_column(fmb_basis *b, size_t r, size_t j)
 {
-    size_t d = b->d;
-    double *restrict row = &b->inverse[r * d], pivot = b->entry[r];
-    for (size_t k = 0; k < d; k++)
-        row[k] /= pivot;
-    for (size_t i = 0; i < d; i++) {
-        double *restrict other = &b->inverse[i * d], f = i == r ? 0 : b->entry[i];
-        for (size_t k = 0; f != 0 && k < d; k++)
-            other[k] -= f * row[k];
-    }
     if (b->basic[r] != SIZE_MAX)
         b->is_basic[b->basic[r]] = false;
     b->highs -= b->is_high[j];
@@ -140,35 +128,29 @@ void fmb_basis_replace(fmb_basis *b, size_t r, size_t j)
     b->pivots++;
 }
 
-void fmb_basis_span(fmb_basis *b, size_t j)
+void fmb_basis_replace(fmb_basis *b, size_t r, size_t j)
 {
-    size_t best = SIZE_MAX;
-    double most = b->entry_zero;
-    fmb_basis_write(b, j);
-    for (size_t r = 0; r < b->d; r++) {
-        double a = b->basic[r] == SIZE_MAX ? fabs(b->entry[r]) : 0;
-        if (a > most) {
-            most = a;
-            best = r;
-        }
-    }
-    if (best != SIZE_MAX)
-        fmb_basis_replace(b, best, j);
+    fmb_dense_inverse_replace(&b->inverse, r, b->entry);
+    note_column(b, r, j);
 }
 
-/* Large ones are left as they are. */
+void fmb_basis_span(fmb_basis *b, size_t j)
+{
+    fmb_basis_write(b, j);
+    size_t r = fmb_dense_inverse_span(&b->inverse, b->entry, b->entry_zero);
+    if (r != SIZE_MAX)
+        note_column(b, r, j);
+}
+
 void fmb_basis_invert(fmb_basis *b)
 {
-    size_t old[64], d = b->d;
-    if (d > sizeof old / sizeof *old)
-        return;
-    memcpy(old, b->basic, d * sizeof *old);
+    memcpy(b->old, b->basic, b->d * sizeof *b->old);
     start_from_unit_vectors(b);
-    for (size_t k = 0; k < d; k++)
-        if (old[k] != SIZE_MAX)
-            b->is_basic[old[k]] = false;
-    for (size_t k = 0; k < d; k++)
-        if (old[k] != SIZE_MAX)
-            fmb_basis_span(b, old[k]);
+    for (size_t k = 0; k < b->d; k++)
+        if (b->old[k] != SIZE_MAX)
+            b->is_basic[b->old[k]] = false;
+    for (size_t k = 0; k < b->d; k++)
+        if (b->old[k] != SIZE_MAX)
+            fmb_basis_span(b, b->old[k]);
     b->pivots = 0;
 }

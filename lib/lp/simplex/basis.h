@@ -11,7 +11,7 @@
 #define FMB_LP_BASIS_H
 
 #include "base/mem.h"
-#include "num/kernels/kernels.h"
+#include "lp/simplex/dense_inverse.h"
 
 typedef enum fmb_range {
     FMB_RANGE_UP,   /* 0 <= z */
@@ -26,19 +26,21 @@ typedef struct fmb_basis {
     double value_zero, entry_zero; /* less is taken for the rounding error of 0: in values and
                                       gains; in entries that are pivots */
     size_t d, most_d, size, capacity;
-    double *at;      /* [d][capacity]: number k of column j is at[k * capacity + j] */
-    uint8_t *range;  /* [capacity] of fmb_range */
-    bool *is_high;   /* [capacity] stands at its upper end */
-    bool *is_basic;  /* [capacity] */
-    double *price;   /* [capacity] scratch */
-    size_t *basic;   /* [d] column of each place of the basis; SIZE_MAX: a unit vector, unused */
-    double *inverse; /* [d][d] of the basis */
-    double *value;   /* [d] of the basic columns, after a search */
-    double *normal;  /* [d] after a failed search: it tells the target from all that is possible */
-    double *entry;   /* [d] scratch: a column, written in the basis */
-    double *rest;    /* [d] scratch: a column, or the target less the high columns */
-    size_t highs;    /* columns that are high */
-    size_t pivots;   /* since the basis was inverted afresh */
+    double *at;     /* [d][capacity]: number k of column j is at[k * capacity + j] */
+    uint8_t *range; /* [capacity] of fmb_range */
+    bool *is_high;  /* [capacity] stands at its upper end */
+    bool *is_basic; /* [capacity] */
+    double *price;  /* [capacity] scratch */
+    size_t *old;    /* [d] scratch */
+    size_t *basic;  /* [d] column of each place of the basis; SIZE_MAX: a unit vector, unused */
+    fmb_dense_inverse inverse; /* of the basis */
+    double *value;             /* [d] of the basic columns, after a search */
+    double *normal; /* [d] after a failed search: it tells the target from all that is possible */
+    double *edge;   /* [d] scratch: a row of the inverse */
+    double *entry;  /* [d] scratch: a column, written in the basis */
+    double *rest;   /* [d] scratch: a column, or the target less the high columns */
+    size_t highs;   /* columns that are high */
+    size_t pivots;  /* since the basis was inverted afresh */
 } fmb_basis;
 
 /* No columns, of d numbers. Errors: MEMORY, LIMIT. In any case fmb_basis_clear it. */

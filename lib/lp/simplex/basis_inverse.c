@@ -14,15 +14,6 @@
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
-static void invert_units(fmb_basis_inverse *c)
-{
-    memset(c->inverse, 0, c->n * c->n * sizeof *c->inverse);
-    for (size_t r = 0; r < c->n; r++) {
-        c->member[r] = FMB_UNIT + r;
-        c->inverse[r * c->n + r] = 1;
-    }
-}
-
 fmb_status fmb_basis_inverse_init(fmb_basis_inverse *c, const fmb_scaled_program *f, bool factors)
 {
     size_t n = f->n;
@@ -39,13 +30,8 @@ fmb_status fmb_basis_inverse_init(fmb_basis_inverse *c, const fmb_scaled_program
     fmb_status st = fmb_indexed_vector_resize(&c->work, mem, n);
     if (st != FMB_OK)
         return st;
-    if (c->has_inverse) {
-        c->inverse = fmb_mem_get(mem, n * n, sizeof *c->inverse);
-        if (!c->inverse)
-            return fmb_mem_status(mem);
-        invert_units(c);
-        return FMB_OK;
-    }
+    if (c->has_inverse)
+        return fmb_dense_inverse_init(&c->inverse, mem, f->run->kernels, n);
     st = fmb_updated_lu_init(&c->lu, f);
     return st == FMB_OK ? fmb_updated_lu_factor(&c->lu, c->member) : st;
 }
@@ -57,60 +43,32 @@ void fmb_basis_inverse_clear(fmb_basis_inverse *c)
     fmb_mem_put(mem, c->old, c->n, sizeof *c->old);
     fmb_indexed_vector_free(&c->work, mem);
     if (c->has_inverse)
-        fmb_mem_put(mem, c->inverse, c->n * c->n, sizeof *c->inverse);
+        fmb_dense_inverse_clear(&c->inverse, mem);
     else
         fmb_updated_lu_clear(&c->lu);
 }
 
 /* ---- the inverse ----------------------------------------------------------------------------- */
 
-/* out = row times the inverse: the sum of its rows. */
-static void combine_inverse(const fmb_basis_inverse *c, size_t i, fmb_indexed_vector *entry)
+static void write_in_inverse(const fmb_basis_inverse *c, size_t i, fmb_indexed_vector *entry)
 {
-    const fmb_scaled_program *f = c->f;
+    int one;
+    fmb_terms m = fmb_member_terms(c->f, i, &one);
     fmb_indexed_vector_clear(entry, true);
-    if (i >= FMB_UNIT) {
-        memcpy(entry->at, &c->inverse[(i - FMB_UNIT) * c->n], c->n * sizeof *entry->at);
-        return;
-    }
-    for (size_t t = f->start[i]; t < f->start[i + 1]; t++) {
-        size_t j = (size_t)fmb_scaled_program_columns(f, i)[t - f->start[i]];
-        f->run->kernels->accumulate(entry->at, &c->inverse[j * c->n], c->n, f->value[t]);
-    }
+    for (size_t t = 0; t < m.size; t++)
+        fmb_dense_inverse_add_term(&c->inverse, (size_t)m.column[t], m.value[t], entry->at);
 }
 
-static void pivot_inverse(fmb_basis_inverse *c, size_t r, const fmb_indexed_vector *entry)
-{
-    double pivot = entry->at[r];
-    for (size_t k = 0; k < c->n; k++)
-        c->work.at[k] = entry->at[k] / pivot;
-    for (size_t j = 0; j < c->n; j++) {
-        double *row = &c->inverse[j * c->n], f = row[r];
-        if (f == 0)
-            continue;
-        c->f->run->kernels->accumulate(row, c->work.at, c->n, -f);
-        row[r] = f / pivot;
-    }
-}
-
-/* Take in member i in place of the unit vector that it replaces best. */
+/* Take in member i, unless it depends on others. */
 static void span_member(fmb_basis_inverse *c, size_t i, fmb_indexed_vector *entry)
 {
-    size_t best = FMB_NOWHERE;
-    double most = 0, largest = 0;
-    combine_inverse(c, i, entry);
-    for (size_t r = 0; r < c->n; r++) {
-        double weight = fabs(entry->at[r]);
-        largest = fmax(largest, weight);
-        if (c->member[r] >= FMB_UNIT && weight > most) {
-            most = weight;
-            best = r;
-        }
-    }
-    if (best == FMB_NOWHERE || most <= DEPENDENT * largest)
-        return;
-    pivot_inverse(c, best, entry);
-    c->member[best] = i;
+    double largest = 0;
+    write_in_inverse(c, i, entry);
+    for (size_t r = 0; r < c->n; r++)
+        largest = fmax(largest, fabs(entry->at[r]));
+    size_t r = fmb_dense_inverse_span(&c->inverse, entry->at, DEPENDENT * largest);
+    if (r != SIZE_MAX)
+        c->member[r] = i;
 }
 
 /* ---- either way ------------------------------------------------------------------------------ */
@@ -126,7 +84,9 @@ fmb_status fmb_basis_inverse_set(fmb_basis_inverse *c, const size_t *member,
         c->failed = st != FMB_OK;
         return st;
     }
-    invert_units(c);
+    fmb_dense_inverse_restart(&c->inverse, c->n);
+    for (size_t r = 0; r < c->n; r++)
+        c->member[r] = FMB_UNIT + r;
     for (size_t r = 0; r < c->n; r++)
         if (c->old[r] < FMB_UNIT)
             span_member(c, c->old[r], entry);
@@ -139,7 +99,7 @@ fmb_status fmb_basis_inverse_replace(fmb_basis_inverse *c, size_t r, size_t i,
 {
     fmb_status st = FMB_OK;
     if (c->has_inverse)
-        pivot_inverse(c, r, entry);
+        fmb_dense_inverse_replace(&c->inverse, r, entry->at);
     else
         st = fmb_updated_lu_pivot(&c->lu, r, i, entry, edge);
     c->failed = st != FMB_OK;
@@ -155,16 +115,14 @@ bool fmb_basis_inverse_is_stale(const fmb_basis_inverse *c)
 
 void fmb_basis_inverse_write(fmb_basis_inverse *c, size_t i, fmb_indexed_vector *entry)
 {
-    const fmb_scaled_program *f = c->f;
     if (c->has_inverse) {
-        combine_inverse(c, i, entry);
+        write_in_inverse(c, i, entry);
         return;
     }
-    if (i >= FMB_UNIT)
-        fmb_indexed_vector_add(&c->work, i - FMB_UNIT, 1);
-    for (size_t t = 0; i < FMB_UNIT && t < f->start[i + 1] - f->start[i]; t++)
-        fmb_indexed_vector_add(&c->work, (size_t)fmb_scaled_program_columns(f, i)[t],
-                               f->value[f->start[i] + t]);
+    int one;
+    fmb_terms m = fmb_member_terms(c->f, i, &one);
+    for (size_t t = 0; t < m.size; t++)
+        fmb_indexed_vector_add(&c->work, (size_t)m.column[t], m.value[t]);
     fmb_updated_lu_solve_transposed(&c->lu, &c->work, entry);
 }
 
@@ -184,9 +142,7 @@ void fmb_basis_inverse_price(fmb_basis_inverse *c, const double *cost, fmb_index
         return;
     }
     fmb_indexed_vector_clear(y, true);
-    for (size_t j = 0; j < c->n; j++)
-        if (cost[j] != 0)
-            c->f->run->kernels->accumulate(y->at, &c->inverse[j * c->n], c->n, cost[j]);
+    fmb_dense_inverse_write(&c->inverse, cost, y->at);
 }
 
 void fmb_basis_inverse_edge(fmb_basis_inverse *c, size_t r, fmb_indexed_vector *edge)
@@ -197,8 +153,7 @@ void fmb_basis_inverse_edge(fmb_basis_inverse *c, size_t r, fmb_indexed_vector *
         return;
     }
     fmb_indexed_vector_clear(edge, true);
-    for (size_t j = 0; j < c->n; j++)
-        edge->at[j] = c->inverse[j * c->n + r];
+    fmb_dense_inverse_edge(&c->inverse, r, edge->at);
 }
 
 void fmb_basis_inverse_point(fmb_basis_inverse *c, const double *right, fmb_indexed_vector *x)
@@ -215,12 +170,12 @@ void fmb_basis_inverse_point(fmb_basis_inverse *c, const double *right, fmb_inde
     if (8 * named <= c->n) /* the inverse is by rows: else columns take longer */
         for (size_t r = 0; r < c->n; r++)
             for (size_t j = 0; j < c->n && right[r] != 0; j++)
-                x->at[j] += c->inverse[j * c->n + r] * right[r];
+                x->at[j] += c->inverse.at[j * c->n + r] * right[r];
     else
         for (size_t j = 0; j < c->n; j++) {
             double sum = 0;
             for (size_t r = 0; r < c->n; r++)
-                sum += c->inverse[j * c->n + r] * right[r];
+                sum += c->inverse.at[j * c->n + r] * right[r];
             x->at[j] = sum;
         }
 }

@@ -8,14 +8,15 @@
 #define FMB_LP_BASIS_INVERSE_H
 
 #include "lp/linalg/doubles/updated_lu.h"
+#include "lp/simplex/dense_inverse.h"
 
 typedef struct fmb_basis_inverse {
     const fmb_scaled_program *f;
     size_t n;
     bool has_inverse;
-    size_t *member;          /* [n] the basis: rows, or FMB_UNIT + j */
-    size_t *old;             /* [n] scratch */
-    double *inverse;         /* [n][n]: number j of edge r is inverse[j * n + r] */
+    size_t *member; /* [n] the basis: rows, or FMB_UNIT + j */
+    size_t *old;    /* [n] scratch */
+    fmb_dense_inverse inverse;
     fmb_indexed_vector work; /* [n] scratch, zero between calls */
     fmb_updated_lu lu;
     size_t pivots; /* since all was computed afresh */

@@ -35,13 +35,7 @@ static const double *subtract_high_columns(fmb_basis *b, const double *target)
 
 static void find_values(fmb_basis *b, const double *target)
 {
-    const double *rest = subtract_high_columns(b, target);
-    for (size_t r = 0; r < b->d; r++) {
-        double sum = 0;
-        for (size_t k = 0; k < b->d; k++)
-            sum += b->inverse[r * b->d + k] * rest[k];
-        b->value[r] = sum;
-    }
+    fmb_dense_inverse_write(&b->inverse, subtract_high_columns(b, target), b->value);
 }
 
 static void put_at_end(fmb_basis *b, size_t j, bool high)
@@ -77,9 +71,10 @@ static size_t find_leaving(const fmb_basis *b, size_t banned)
 /* The column that best takes place r. */
 static size_t find_entering(fmb_basis *b, size_t r, size_t banned)
 {
-    const double *row = &b->inverse[r * b->d];
+    const double *row = b->edge;
     double sign = b->value[r] < 0 ? -1 : 1, most = b->entry_zero;
     size_t best = SIZE_MAX;
+    fmb_dense_inverse_edge(&b->inverse, r, b->edge);
     memset(b->price, 0, b->size * sizeof *b->price);
     for (size_t k = 0; k < b->d; k++)
         if (row[k] != 0)
@@ -100,7 +95,7 @@ static void read_normal(fmb_basis *b, size_t r)
 {
     double sign = b->value[r] < 0 ? 1 : -1;
     for (size_t k = 0; k < b->d; k++)
-        b->normal[k] = sign * b->inverse[r * b->d + k];
+        b->normal[k] = sign * b->inverse.at[k * b->d + r];
 }
 
 static void pivot_columns(fmb_basis *b, size_t r, size_t j)
@@ -124,6 +119,7 @@ static void expel_zero_columns(fmb_basis *b)
         } else {
             b->is_basic[b->basic[r]] = false;
             b->basic[r] = SIZE_MAX;
+            b->inverse.is_unit[r] = true;
         }
     }
 }
@@ -166,7 +162,7 @@ static void find_gains(fmb_basis *b, const double *cost, double *y)
     for (size_t r = 0; r < b->d; r++) {
         double c = b->basic[r] == SIZE_MAX ? 0 : cost[b->basic[r]];
         for (size_t k = 0; c != 0 && k < b->d; k++)
-            y[k] += c * b->inverse[r * b->d + k];
+            y[k] += c * b->inverse.at[k * b->d + r];
     }
     memcpy(b->price, cost, b->size * sizeof *b->price);
     for (size_t k = 0; k < b->d; k++)

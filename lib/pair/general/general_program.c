@@ -52,11 +52,11 @@ static void start_from_pivots_of_pair(fmb_general *g)
     }
     for (int i = 0; i < pair->rows; i++)
         for (int k = 0; k < pair->rows; k++)
-            b->inverse[(size_t)i * d + (size_t)k] = fmb_general_inverse(pair, i)[k];
+            b->inverse.at[(size_t)k * d + (size_t)i] = fmb_general_inverse(pair, i)[k];
     for (int sum = pair->rows; sum < s->rows; sum++)
         for (int i = 0; i < pair->rows; i++)
             for (int k = 0; s->m[pair->pivot[i] * s->rows + sum] != 0 && k < pair->rows; k++)
-                b->inverse[(size_t)sum * d + (size_t)k] -= fmb_general_inverse(pair, i)[k];
+                b->inverse.at[(size_t)k * d + (size_t)sum] -= fmb_general_inverse(pair, i)[k];
 }
 
 /* The pivots, and z, of the vertex at which the basis stands. */
@@ -72,7 +72,9 @@ static void read_vertex_of_basis(fmb_general *g)
         s->pivot[i] = (int)b->basic[i];
         g->vertex[s->pivot[i]] = b->value[i];
     }
-    s->inverse = b->inverse;
+    for (int i = 0; i < s->rows; i++)
+        fmb_dense_inverse_edge(&b->inverse, (size_t)i, g->edges + i * s->rows);
+    s->inverse = g->edges;
     s->stride = s->rank = s->rows;
 }
 

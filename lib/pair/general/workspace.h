@@ -90,7 +90,8 @@ struct fmb_general {
 
     /* linear programs: the pair with a slack for the sum of each simplex */
     fmb_general_system program;
-    fmb_basis basis; /* of its columns */
+    fmb_basis basis;                                             /* of its columns */
+    double edges[FMB_GENERAL_MOST_ROWS * FMB_GENERAL_MOST_ROWS]; /* [rows][rows] its inverse */
     double vertex[FMB_GENERAL_MOST_COLUMNS];
 
     /* what is found */

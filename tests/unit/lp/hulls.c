@@ -40,12 +40,12 @@ static bool check_inside(const cloud *p, const fmb_membership *g, const double *
         left[k] = q[k];
     for (size_t r = 0; r < p->d; r++) {
         size_t j = fmb_membership_name(g, r);
-        cr_assert_geq(g->value[r], -1e-8);
-        if (j == SIZE_MAX && g->value[r] > 1e-8)
+        cr_assert_geq(g->basis.value[r], -1e-8);
+        if (j == SIZE_MAX && g->basis.value[r] > 1e-8)
             return false;
-        sum += g->value[r];
+        sum += g->basis.value[r];
         for (size_t k = 0; j != SIZE_MAX && k < p->d; k++)
-            left[k] -= g->value[r] * p->at[j][k];
+            left[k] -= g->basis.value[r] * p->at[j][k];
     }
     cr_assert_leq(sum, 1 + 1e-7);
     cr_assert_leq(times(p, left, left), 1e-14);
@@ -84,7 +84,7 @@ static void question_cloud(support_rng *g, size_t *answers)
             fmb_membership_forget(&gauge);
             for (size_t j = 0; j < p.n; j++)
                 in[j] = false;
-            for (size_t j = 0; j < gauge.size; j++)
+            for (size_t j = 0; j < gauge.basis.size; j++)
                 in[gauge.name[j]] = true;
         }
         if (gauge.cube < 1e9 && support_chance(g, 2))

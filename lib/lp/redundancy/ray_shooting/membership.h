@@ -10,7 +10,7 @@
 #define FMB_LP_MEMBERSHIP_H
 
 #include "base/mem.h"
-#include "num/kernels/kernels.h"
+#include "lp/simplex/basis.h"
 #include "trace/run.h"
 
 typedef enum fmb_side_of_hull {
@@ -22,24 +22,15 @@ typedef enum fmb_side_of_hull {
 /* Points are numbered as they come. So that there always is a vertex, w stays in a large cube as
  * well: its walls are artificial points, which have no number. */
 typedef struct fmb_membership {
-    fmb_mem *mem;
-    const fmb_kernels *kernels;
-    size_t n, size, capacity;
+    fmb_basis basis; /* of points; FMB_MEMBERSHIP_ARTIFICIALS and more in it are artificial */
+    size_t n;
     double cube;     /* |w_k| <= cube */
     double zero;     /* values below 0 by no more are taken for 0 */
-    double *at;      /* [n][capacity]: number k of point j is at[k * capacity + j] */
-    size_t *name;    /* [capacity] whatever the caller calls it */
-    double *reduced; /* [capacity] 1 - w.q_j */
-    double *along;   /* [capacity] scratch: how w.q_j changes along an edge */
-    size_t
-        *basic; /* [n] point of each place of the basis; size_max / 2 and more: artificial points */
-    double *inverse; /* [n][n] of the basis: row r belongs to place r */
-    double *length;  /* [n] squares of the lengths of its rows, which are the edges at w */
-    double *value;   /* [n] of the basic points */
-    double *w;       /* [n] */
-    double *entry;   /* [n] scratch: a point, written in the basis */
-    double *work;    /* [n][2 n] scratch */
-    size_t pivots;   /* since the basis was inverted afresh */
+    size_t *name;    /* [name_room] whatever the caller calls a point */
+    double *reduced; /* [reduced_room] 1 - w.q_j */
+    size_t name_room, reduced_room;
+    double *length; /* [n] squares of the lengths of the edges */
+    double *w;      /* [n] */
 } fmb_membership;
 
 /* No points, of n numbers. Errors: MEMORY, LIMIT. In any case fmb_membership_clear it. */

@@ -1,12 +1,11 @@
 /* membership_basis.c: points whose hyperplanes meet in a vertex; see membership_private.h. */
 #include "lp/redundancy/ray_shooting/membership_private.h"
 
-#include <math.h>
 #include <string.h>
 
 size_t fmb_membership_name(const fmb_membership *g, size_t r)
 {
-    return fmb_membership_is_artificial(g->basic[r]) ? SIZE_MAX : g->name[g->basic[r]];
+    return fmb_membership_is_artificial(g->basis.basic[r]) ? SIZE_MAX : g->name[g->basis.basic[r]];
 }
 
 /* ---- the basis ------------------------------------------------------------------------------- */
@@ -16,52 +15,53 @@ static void find_vertex(fmb_membership *g)
 {
     size_t n = g->n;
     memset(g->w, 0, n * sizeof *g->w);
-    for (size_t r = 0; r < n; r++)
-        for (size_t k = 0; k < n; k++)
-            g->w[k] += g->inverse[r * n + k];
+    for (size_t k = 0; k < n; k++)
+        for (size_t r = 0; r < n; r++)
+            g->w[k] += g->basis.inverse.at[k * n + r];
 }
 
 void fmb_membership_reduce_points(fmb_membership *g, size_t from)
 {
-    for (size_t j = from; j < g->size; j++)
+    for (size_t j = from; j < g->basis.size; j++)
         g->reduced[j] = 1;
     for (size_t k = 0; k < g->n; k++)
         if (g->w[k] != 0)
-            g->kernels->accumulate(&g->reduced[from], &g->at[k * g->capacity + from],
-                                   g->size - from, -g->w[k]);
+            g->basis.kernels->accumulate(&g->reduced[from],
+                                         &g->basis.at[k * g->basis.capacity + from],
+                                         g->basis.size - from, -g->w[k]);
     for (size_t r = 0; r < g->n; r++)
-        if (!fmb_membership_is_artificial(g->basic[r]) && g->basic[r] >= from)
-            g->reduced[g->basic[r]] = 0;
+        if (!fmb_membership_is_artificial(g->basis.basic[r]) && g->basis.basic[r] >= from)
+            g->reduced[g->basis.basic[r]] = 0;
 }
 
-/* In four sums, so that none waits for the other. */
-static double dot_product(const double *a, const double *b, size_t n)
-{
-    double sum[4] = {0};
-    size_t k = 0;
-    for (; k + 4 <= n; k += 4)
-        for (size_t i = 0; i < 4; i++)
-            sum[i] += a[k + i] * b[k + i];
-    for (; k < n; k++)
-        sum[0] += a[k] * b[k];
-    return sum[0] + sum[1] + (sum[2] + sum[3]);
-}
-
+/* Four at a time, so that none waits for the other. */
 static void measure_edges(fmb_membership *g)
 {
-    for (size_t r = 0; r < g->n; r++)
-        g->length[r] = dot_product(&g->inverse[r * g->n], &g->inverse[r * g->n], g->n);
+    size_t n = g->n, r = 0;
+    for (; r + 4 <= n; r += 4) {
+        double sum[4] = {0};
+        const double *at = &g->basis.inverse.at[r];
+        for (size_t k = 0; k < n; k++, at += n)
+            for (size_t i = 0; i < 4; i++)
+                sum[i] += at[i] * at[i];
+        memcpy(&g->length[r], sum, sizeof sum);
+    }
+    for (; r < n; r++) {
+        g->length[r] = 0;
+        for (size_t k = 0; k < n; k++)
+            g->length[r] += g->basis.inverse.at[k * n + r] * g->basis.inverse.at[k * n + r];
+    }
 }
 
 void fmb_membership_start_from_cube(fmb_membership *g, const double *q)
 {
-    memset(g->inverse, 0, g->n * g->n * sizeof *g->inverse);
+    fmb_dense_inverse_restart(&g->basis.inverse, g->n);
     for (size_t k = 0; k < g->n; k++) {
         bool mirrored = q && q[k] < 0;
-        g->basic[k] = FMB_MEMBERSHIP_ARTIFICIALS + 2 * k + mirrored;
-        g->inverse[k * g->n + k] = mirrored ? -g->cube : g->cube;
+        g->basis.basic[k] = FMB_MEMBERSHIP_ARTIFICIALS + 2 * k + mirrored;
+        g->basis.inverse.at[k * g->n + k] = mirrored ? -g->cube : g->cube;
     }
-    g->pivots = 0;
+    g->basis.pivots = 0;
     find_vertex(g);
     measure_edges(g);
     fmb_membership_reduce_points(g, 0);
@@ -69,129 +69,74 @@ void fmb_membership_start_from_cube(fmb_membership *g, const double *q)
 
 void fmb_membership_write(fmb_membership *g, size_t j)
 {
-    size_t n = g->n;
-    double *point = g->work;
     if (fmb_membership_is_artificial(j)) {
-        for (size_t r = 0; r < n; r++)
-            g->entry[r] = g->inverse[r * n + fmb_membership_artificial_axis(j)] *
-                          fmb_membership_artificial_coordinate(g, j);
+        memset(g->basis.entry, 0, g->n * sizeof *g->basis.entry);
+        fmb_dense_inverse_add_term(&g->basis.inverse, fmb_membership_artificial_axis(j),
+                                   fmb_membership_artificial_coordinate(g, j), g->basis.entry);
         return;
     }
-    for (size_t k = 0; k < n; k++)
-        point[k] = g->at[k * g->capacity + j];
-    for (size_t r = 0; r < n; r++)
-        g->entry[r] = dot_product(&g->inverse[r * n], point, n);
+    fmb_basis_write(&g->basis, j);
 }
 
 void fmb_membership_find_values(fmb_membership *g, const double *q)
 {
-    for (size_t r = 0; r < g->n; r++)
-        g->value[r] = dot_product(&g->inverse[r * g->n], q, g->n);
+    fmb_dense_inverse_write(&g->basis.inverse, q, g->basis.value);
 }
 
 void fmb_membership_price(fmb_membership *g, size_t r)
 {
-    const double *row = &g->inverse[r * g->n];
-    memset(g->along, 0, g->size * sizeof *g->along);
+    fmb_dense_inverse_edge(&g->basis.inverse, r, g->basis.edge);
+    memset(g->basis.price, 0, g->basis.size * sizeof *g->basis.price);
     for (size_t k = 0; k < g->n; k++)
-        if (row[k] != 0)
-            g->kernels->accumulate(g->along, &g->at[k * g->capacity], g->size, row[k]);
+        if (g->basis.edge[k] != 0)
+            g->basis.kernels->accumulate(g->basis.price, &g->basis.at[k * g->basis.capacity],
+                                         g->basis.size, g->basis.edge[k]);
 }
 
 void fmb_membership_pivot(fmb_membership *g, size_t r, size_t j, double gap)
 {
-    size_t n = g->n, old = g->basic[r];
-    double *row = &g->inverse[r * n], pivot = g->entry[r], way = gap / pivot;
-    double value = g->value[r] / pivot;
-    for (size_t k = 0; k < n; k++)
-        g->w[k] += way * row[k];
-    g->kernels->accumulate(g->reduced, g->along, g->size, -way);
-    for (size_t k = 0; k < n; k++)
-        row[k] /= pivot;
-    g->length[r] /= pivot * pivot;
-    for (size_t i = 0; i < n; i++) {
-        double f = i == r ? 0 : g->entry[i];
-        if (f == 0)
-            continue;
-        g->kernels->accumulate(&g->inverse[i * n], row, n, -f);
-        g->length[i] = dot_product(&g->inverse[i * n], &g->inverse[i * n], n);
-        g->value[i] -= f * value;
+    size_t n = g->n, old = g->basis.basic[r];
+    double pivot = g->basis.entry[r], way = gap / pivot, value = g->basis.value[r] / pivot;
+    for (size_t k = 0; k < n; k++) {
+        g->w[k] += way * g->basis.edge[k];
+        g->basis.value[k] -= value * g->basis.entry[k];
     }
-    g->value[r] = value;
-    g->basic[r] = j;
+    g->basis.value[r] = value;
+    g->basis.kernels->accumulate(g->reduced, g->basis.price, g->basis.size, -way);
+    fmb_dense_inverse_replace(&g->basis.inverse, r, g->basis.entry);
+    measure_edges(g);
+    g->basis.basic[r] = j;
     if (!fmb_membership_is_artificial(j))
         g->reduced[j] = 0;
     if (!fmb_membership_is_artificial(old))
         g->reduced[old] = -way;
-    g->pivots++;
+    g->basis.pivots++;
 }
 
-/* ---- the inverse afresh ---------------------------------------------------------------------- */
-
-static void load_basis_matrix(fmb_membership *g)
+/* Members take their places afresh, perhaps others than before. False if they seem to be singular.
+ */
+static bool invert_basis(fmb_membership *g)
 {
-    size_t n = g->n, wide = 2 * n;
-    memset(g->work, 0, n * wide * sizeof *g->work);
-    for (size_t r = 0; r < n; r++) { /* points are the columns */
-        size_t j = g->basic[r];
-        if (fmb_membership_is_artificial(j))
-            g->work[fmb_membership_artificial_axis(j) * wide + r] =
-                fmb_membership_artificial_coordinate(g, j);
-        for (size_t k = 0; !fmb_membership_is_artificial(j) && k < n; k++)
-            g->work[k * wide + r] = g->at[k * g->capacity + j];
-        g->work[r * wide + n + r] = 1;
-    }
-}
-
-static void swap_work_rows(fmb_membership *g, size_t a, size_t b)
-{
-    size_t wide = 2 * g->n;
-    for (size_t k = 0; a != b && k < wide; k++) {
-        double t = g->work[a * wide + k];
-        g->work[a * wide + k] = g->work[b * wide + k];
-        g->work[b * wide + k] = t;
-    }
-}
-
-static size_t find_pivot_row(const fmb_membership *g, size_t c)
-{
-    size_t best = c, wide = 2 * g->n;
-    for (size_t r = c; r < g->n; r++)
-        if (fabs(g->work[r * wide + c]) > fabs(g->work[best * wide + c]))
-            best = r;
-    return best;
-}
-
-/* Gauss and Jordan. False if the basis is singular. */
-static bool invert_basis_matrix(fmb_membership *g)
-{
-    size_t n = g->n, wide = 2 * n;
-    load_basis_matrix(g);
-    for (size_t c = 0; c < n; c++) {
-        swap_work_rows(g, c, find_pivot_row(g, c));
-        double *row = &g->work[c * wide], pivot = row[c];
-        if (!(fabs(pivot) > FMB_MEMBERSHIP_ROUNDING / g->cube))
+    fmb_dense_inverse_restart(&g->basis.inverse, g->n);
+    memcpy(g->basis.old, g->basis.basic, g->n * sizeof *g->basis.old);
+    for (size_t k = 0; k < g->n; k++) {
+        fmb_membership_write(g, g->basis.old[k]);
+        size_t r = fmb_dense_inverse_span(&g->basis.inverse, g->basis.entry,
+                                          FMB_MEMBERSHIP_ROUNDING / g->cube);
+        if (r == SIZE_MAX)
             return false;
-        for (size_t k = c; k < wide; k++)
-            row[k] /= pivot;
-        for (size_t r = 0; r < n; r++) {
-            double f = r == c ? 0 : g->work[r * wide + c];
-            if (f != 0)
-                g->kernels->accumulate(&g->work[r * wide + c], row + c, wide - c, -f);
-        }
+        g->basis.basic[r] = g->basis.old[k];
     }
-    for (size_t r = 0; r < n; r++)
-        memcpy(&g->inverse[r * n], &g->work[r * wide + n], n * sizeof *g->inverse);
     return true;
 }
 
 void fmb_membership_refresh(fmb_membership *g)
 {
-    if (!invert_basis_matrix(g)) {
+    if (!invert_basis(g)) {
         fmb_membership_start_from_cube(g, NULL);
         return;
     }
-    g->pivots = 0;
+    g->basis.pivots = 0;
     find_vertex(g);
     measure_edges(g);
     fmb_membership_reduce_points(g, 0);

@@ -15,7 +15,7 @@ static size_t find_steepest_rise(const fmb_membership *g)
     size_t best = SIZE_MAX;
     double most = 0;
     for (size_t r = 0; r < g->n; r++) {
-        double v = g->value[r];
+        double v = g->basis.value[r];
         if (v < -g->zero && v * v > most * g->length[r]) {
             most = v * v / g->length[r];
             best = r;
@@ -38,7 +38,7 @@ static double cube_gap(const fmb_membership *g, size_t j)
 
 static double cube_along(const fmb_membership *g, size_t r, size_t j)
 {
-    return g->inverse[r * g->n + fmb_membership_artificial_axis(j)] *
+    return g->basis.inverse.at[fmb_membership_artificial_axis(j) * g->n + r] *
            fmb_membership_artificial_coordinate(g, j);
 }
 
@@ -47,9 +47,10 @@ static double cube_along(const fmb_membership *g, size_t r, size_t j)
 static double find_longest_step(const fmb_membership *g, size_t r, double least)
 {
     double step = INFINITY;
-    for (size_t j = 0; j < g->size; j++)
-        if (g->along[j] < -least && g->reduced[j] + FMB_MEMBERSHIP_ROUNDING < step * -g->along[j])
-            step = (g->reduced[j] + FMB_MEMBERSHIP_ROUNDING) / -g->along[j];
+    for (size_t j = 0; j < g->basis.size; j++)
+        if (g->basis.price[j] < -least &&
+            g->reduced[j] + FMB_MEMBERSHIP_ROUNDING < step * -g->basis.price[j])
+            step = (g->reduced[j] + FMB_MEMBERSHIP_ROUNDING) / -g->basis.price[j];
     for (size_t j = FMB_MEMBERSHIP_ARTIFICIALS; j < FMB_MEMBERSHIP_ARTIFICIALS + 2 * g->n; j++) {
         double along = cube_along(g, r, j);
         if (along < -least / g->cube && cube_gap(g, j) + FMB_MEMBERSHIP_ROUNDING < step * -along)
@@ -62,9 +63,9 @@ static first_artificial find_first_artificial(const fmb_membership *g, size_t r)
 {
     double least = LEAST_PIVOT * sqrt(g->length[r]), step = find_longest_step(g, r, least);
     first_artificial f = {SIZE_MAX, 0, -least};
-    for (size_t j = 0; j < g->size; j++)
-        if (g->along[j] < f.along && g->reduced[j] <= step * -g->along[j])
-            f = (first_artificial){j, g->reduced[j], g->along[j]};
+    for (size_t j = 0; j < g->basis.size; j++)
+        if (g->basis.price[j] < f.along && g->reduced[j] <= step * -g->basis.price[j])
+            f = (first_artificial){j, g->reduced[j], g->basis.price[j]};
     for (size_t j = FMB_MEMBERSHIP_ARTIFICIALS;
          f.artificial == SIZE_MAX && j < FMB_MEMBERSHIP_ARTIFICIALS + 2 * g->n; j++)
         if (cube_along(g, r, j) < -least / g->cube && cube_gap(g, j) <= step * -cube_along(g, r, j))
@@ -77,7 +78,7 @@ static double sum_of_values(const fmb_membership *g)
 {
     double sum = 0;
     for (size_t r = 0; r < g->n; r++)
-        sum += g->value[r];
+        sum += g->basis.value[r];
     return sum;
 }
 
@@ -115,7 +116,7 @@ static size_t find_most_broken_artificial(const fmb_membership *g, double *gap)
 {
     size_t best = SIZE_MAX;
     *gap = -FMB_MEMBERSHIP_ROUNDING;
-    for (size_t j = 0; j < g->size; j++)
+    for (size_t j = 0; j < g->basis.size; j++)
         if (g->reduced[j] < *gap) {
             *gap = g->reduced[j];
             best = j;
@@ -135,8 +136,9 @@ static size_t find_leaving_point(const fmb_membership *g, size_t j)
     double room = INFINITY,
            least = fmb_membership_is_artificial(j) ? LEAST_PIVOT / g->cube : LEAST_PIVOT;
     for (size_t r = 0; r < g->n; r++)
-        if (g->entry[r] > least * sqrt(g->length[r]) && g->value[r] < room * g->entry[r]) {
-            room = g->value[r] / g->entry[r];
+        if (g->basis.entry[r] > least * sqrt(g->length[r]) &&
+            g->basis.value[r] < room * g->basis.entry[r]) {
+            room = g->basis.value[r] / g->basis.entry[r];
             best = r;
         }
     return best;
@@ -148,7 +150,7 @@ static void aim_at_vertex(fmb_membership *g)
     uint32_t h = 1;
     for (size_t r = 0; r < g->n; r++) {
         h = h * 1664525u + 1013904223u;
-        g->value[r] = 1 + (double)(h >> 8) / (1 << 24);
+        g->basis.value[r] = 1 + (double)(h >> 8) / (1 << 24);
     }
 }
 

@@ -115,11 +115,11 @@ static fmb_status activate_row(fmb_ray_sorter *s, size_t i)
         q = fmb_mem_get(s->run->mem, d, sizeof *q);
     if (!q)
         return fmb_mem_status(s->run->mem);
-    if (s->membership.size >= MOST_ACTIVE(d)) {
-        for (size_t j = 0; j < s->membership.size; j++)
+    if (s->membership.basis.size >= MOST_ACTIVE(d)) {
+        for (size_t j = 0; j < s->membership.basis.size; j++)
             s->is_active[s->membership.name[j]] = false;
         fmb_membership_forget(&s->membership);
-        for (size_t j = 0; j < s->membership.size; j++)
+        for (size_t j = 0; j < s->membership.basis.size; j++)
             s->is_active[s->membership.name[j]] = true;
     }
     fmb_polar_points_round_point(s->points, i, q);
@@ -209,7 +209,7 @@ static bool is_cube_needed(const fmb_ray_sorter *s)
 {
     for (size_t r = 0; r < s->points->d; r++)
         if (fmb_membership_name(&s->membership, r) == SIZE_MAX &&
-            s->membership.value[r] > NEARLY_NONE)
+            s->membership.basis.value[r] > NEARLY_NONE)
             return true;
     return false;
 }
@@ -221,7 +221,7 @@ static fmb_status prove_by_basis(fmb_ray_sorter *s, size_t i, double least)
     bool found;
     for (size_t r = 0; r < s->points->d; r++) {
         size_t j = fmb_membership_name(&s->membership, r);
-        if (j != SIZE_MAX && s->membership.value[r] > least)
+        if (j != SIZE_MAX && s->membership.basis.value[r] > least)
             s->support[size++] = j;
     }
     fmb_status st = fmb_combine(&s->combination, s->run, i, s->support, size, &found);

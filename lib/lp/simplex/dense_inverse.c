@@ -1,0 +1,93 @@
+/* dense_inverse.c: see dense_inverse.h. */
+#include "lp/simplex/dense_inverse.h"
+
+#include <math.h>
+#include <string.h>
+
+fmb_status fmb_dense_inverse_init(fmb_dense_inverse *v, fmb_mem *mem, const fmb_kernels *kernels,
+                                  size_t n)
+{
+    *v = (fmb_dense_inverse){.kernels = kernels, .most_n = n};
+    v->at = fmb_mem_get(mem, n * n, sizeof *v->at);
+    v->work = fmb_mem_get(mem, n, sizeof *v->work);
+    v->is_unit = fmb_mem_get(mem, n, sizeof *v->is_unit);
+    if (!v->at || !v->work || !v->is_unit)
+        return fmb_mem_status(mem);
+    fmb_dense_inverse_restart(v, n);
+    return FMB_OK;
+}
+
+void fmb_dense_inverse_clear(fmb_dense_inverse *v, fmb_mem *mem)
+{
+    fmb_mem_put(mem, v->at, v->most_n * v->most_n, sizeof *v->at);
+    fmb_mem_put(mem, v->work, v->most_n, sizeof *v->work);
+    fmb_mem_put(mem, v->is_unit, v->most_n, sizeof *v->is_unit);
+}
+
+void fmb_dense_inverse_restart(fmb_dense_inverse *v, size_t n)
+{
+    v->n = n;
+    memset(v->at, 0, n * n * sizeof *v->at);
+    for (size_t r = 0; r < n; r++) {
+        v->at[r * n + r] = 1;
+        v->is_unit[r] = true;
+    }
+}
+
+/* Short vectors are not worth a call. */
+static inline void add_multiple(const fmb_dense_inverse *v, double *restrict to,
+                                const double *restrict from, double factor)
+{
+    if (v->n > 16)
+        v->kernels->accumulate(to, from, v->n, factor);
+    else
+        for (size_t r = 0; r < v->n; r++)
+            to[r] += factor * from[r];
+}
+
+void fmb_dense_inverse_add_term(const fmb_dense_inverse *v, size_t j, double factor, double *entry)
+{
+    add_multiple(v, entry, &v->at[j * v->n], factor);
+}
+
+void fmb_dense_inverse_write(const fmb_dense_inverse *v, const double *a, double *entry)
+{
+    memset(entry, 0, v->n * sizeof *entry);
+    for (size_t j = 0; j < v->n; j++)
+        if (a[j] != 0)
+            add_multiple(v, entry, &v->at[j * v->n], a[j]);
+}
+
+void fmb_dense_inverse_replace(fmb_dense_inverse *v, size_t r, const double *entry)
+{
+    double pivot = entry[r];
+    for (size_t k = 0; k < v->n; k++)
+        v->work[k] = entry[k] / pivot;
+    for (size_t j = 0; j < v->n; j++) {
+        double *row = &v->at[j * v->n], f = row[r];
+        if (f == 0)
+            continue;
+        add_multiple(v, row, v->work, -f);
+        row[r] = f / pivot;
+    }
+    v->is_unit[r] = false;
+}
+
+size_t fmb_dense_inverse_span(fmb_dense_inverse *v, const double *entry, double least)
+{
+    size_t best = SIZE_MAX;
+    for (size_t r = 0; r < v->n; r++)
+        if (v->is_unit[r] && fabs(entry[r]) > least) {
+            least = fabs(entry[r]);
+            best = r;
+        }
+    if (best != SIZE_MAX)
+        fmb_dense_inverse_replace(v, best, entry);
+    return best;
+}
+
+void fmb_dense_inverse_edge(const fmb_dense_inverse *v, size_t r, double *edge)
+{
+    for (size_t j = 0; j < v->n; j++)
+        edge[j] = v->at[j * v->n + r];
+}
