@@ -73,16 +73,24 @@ static bool is_at_infinity(const fmb_support *s, const fmb_vec *normal)
     return true;
 }
 
-/* A facet that nothing is known of, its normal known; SIZE_MAX if there is none. It is the
- * youngest, roughly: its direction is near that of the last query. */
+/* Is it open, and if `near` on the generator that was found last? There the oracle stands, so that
+ * its way to the optimum is short. */
+static bool is_facet_next(const fmb_support *s, const fmb_facet *a, bool near)
+{
+    size_t last = s->hull.generators - 1;
+    return a->alive && a->note == FMB_FACET_OPEN && (!near || (a->on[last / 64] >> last % 64 & 1));
+}
+
+/* A facet that nothing is known of, its normal known; SIZE_MAX if there is none. It is one near the
+ * last generator, or else the youngest, roughly. */
 static fmb_status find_open_facet(fmb_support *s, size_t *at)
 {
     fmb_facets *f = &s->hull;
     *at = SIZE_MAX;
-    for (size_t i = 0; i < f->slots; i++) {
+    for (size_t i = 0; i < 2 * f->slots; i++) {
         s->at = (s->at + f->slots - 1) % f->slots;
         fmb_facet *a = &f->facet[s->at];
-        if (!a->alive || a->note != FMB_FACET_OPEN)
+        if (!is_facet_next(s, a, i < f->slots))
             continue;
         fmb_status st = fmb_facets_need_normal(f, s->at);
         if (st != FMB_OK)

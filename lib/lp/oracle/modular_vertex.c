@@ -9,7 +9,7 @@
 #include "lp/oracle/oracle_state.h"
 
 /* More columns take longer than a sparse factor. */
-#define MOST_COLUMNS 20
+#define MOST_COLUMNS 32
 /* Numbers that are long so many times more often than short stay so. */
 #define MOST_MISSES 8
 
