@@ -160,8 +160,8 @@ static fmb_status ask_next_question(fmb_support *s, bool *done)
     const fmb_facets *f = &s->hull;
     size_t at;
     fmb_status st = fmb_run_poll_now(s->run);
-    if (st == FMB_OK && s->program && !s->symmetry && has_asked_a_while(s) &&
-        fmb_way(FMB_WAY_SYMMETRY))
+    if (st == FMB_OK && s->program && !s->symmetry && (s->k > 2 || s->given) &&
+        has_asked_a_while(s) && fmb_way(FMB_WAY_SYMMETRY))
         st = fmb_support_find_symmetry(s);
     if (st != FMB_OK)
         return st;
