@@ -28,10 +28,6 @@
         "projections: the last variables, however many rows they make")                            \
     WAY(FIRST_RAYS, "first rays", "", "projections: double description within a small budget")     \
     WAY(SECOND_RAYS, "second rays", "", "projections: double description within a larger one")     \
-    WAY(WALK, "walk around a shadow",                                                              \
-        "hull/shadow/shadow_walk hull/shadow/shadow_walk_private hull/shadow/shadow_walk_plane "   \
-        "hull/shadow/shadow_walk_start solve/portfolio/polygon",                                   \
-        "projections on a plane: around it, edge by edge, on a dictionary")                        \
     WAY(TIGHT, "tight rows", "hull/support/support_tight",                                         \
         "support queries: facets proved by the rows tight on them")                                \
     WAY(KNOWN, "known rows", "hull/support/support_known",                                         \

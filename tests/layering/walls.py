@@ -19,8 +19,8 @@ ONLY = {"proof": {"base", "num", "system", "proof"}, "rule": {"rule"}}
 NEVER = {"elim": {"rule"}}
 # Folders inside a room that include only those to their left; the rest of the room may see them all.
 FOLDERS = {"elim": "store history rules round".split(),
-           "lp": "model linalg simplex dictionary oracle redundancy".split(),
-           "hull": "facets image support section shadow".split(),
+           "lp": "model linalg simplex oracle redundancy".split(),
+           "hull": "facets image support section".split(),
            "solve": "session query limit portfolio project".split()}
 
 # What programs compile of the library: they see no other private header.

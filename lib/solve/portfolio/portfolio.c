@@ -5,7 +5,6 @@
 #include "elim/round/mark.h"
 #include "solve/limit/outer.h"
 #include "solve/portfolio/irredundant_rows.h"
-#include "solve/portfolio/polygon.h"
 #include "solve/portfolio/project_rays.h"
 #include "solve/portfolio/project_support.h"
 #include "solve/portfolio/recession.h"
@@ -276,27 +275,10 @@ static fmb_status note(fmb_way_id way, const part_run *r, fmb_status st)
     return st;
 }
 
-static bool walks(const fmb_reduced_part *reduced, const fmb_part *p, int kept)
-{
-    return fmb_selection_walks(reduced, p, kept) && fmb_way(FMB_WAY_WALK);
-}
-
-/* By whom the oracle is asked later on, if it is. */
-static fmb_status learn_if_feasible(part_run *r)
-{
-    const fmb_part *p = &r->q->parts.part[r->part];
-    if (r->known)
-        return FMB_OK;
-    if (!walks(&r->reduced, p, fmb_selection_kept(p, r->place)))
-        return open_queries(r);
-    r->known = true;
-    return is_part_feasible(r->q, r->part, r->feasible);
-}
-
 /* With the rule that asks the oracle, from the part again. */
 static fmb_status try_pruned_elimination(part_run *r, size_t budget)
 {
-    fmb_status st = learn_if_feasible(r);
+    fmb_status st = r->known ? FMB_OK : open_queries(r);
     return is_open(st, r) ? try_elimination(r, true, budget) : st;
 }
 
@@ -310,22 +292,11 @@ static fmb_status try_queries(part_run *r, uint64_t pairs)
     return st;
 }
 
-static fmb_status try_walk(part_run *r)
-{
-    fmb_status st = learn_if_feasible(r);
-    if (is_open(st, r))
-        st = fmb_query_polygon_part(r->q, r->part, r->place, r->out, &r->done);
-    tell_attempt(r, "walk around", 0, NULL, st);
-    return st;
-}
-
-/* In the plane around it; in a few dimensions, by asking how far it goes; in more, so far. */
+/* In a few dimensions, by asking how far it goes; in more, so far. */
 static fmb_status try_oracle(part_run *r)
 {
-    const fmb_part *p = &r->q->parts.part[r->part];
-    int kept = fmb_selection_kept(p, r->place);
-    fmb_status st = walks(&r->reduced, p, kept) ? note(FMB_WAY_WALK, r, try_walk(r)) : FMB_OK;
-    return is_open(st, r) ? try_queries(r, kept <= FEW_KEPT ? 0 : FIRST_PAIRS) : st;
+    int kept = fmb_selection_kept(&r->q->parts.part[r->part], r->place);
+    return try_queries(r, kept <= FEW_KEPT ? 0 : FIRST_PAIRS);
 }
 
 /* What makes more rows is eliminated, then a few rays; if both grow, some more rays where there

@@ -44,14 +44,6 @@
 /* So many rows mean many rays, but not many queries where few variables are kept. */
 #define MANY_ROWS(p) (4 * (size_t)(p)->n)
 
-/* The walk around a shadow is on a dictionary, which becomes dense; it is quick if it has no more
- * columns, and worth it where rows are many for those, as edges are then; small ones may be dense
- * from the beginning. */
-#define WALKED_COLUMNS   24
-#define SMALL_DICTIONARY 6
-/* [bits] What queries find modulo a prime (lp/linalg/modular/modular_kernel.h). */
-#define SHORT_MINOR 60
-
 int fmb_selection_kept(const fmb_part *p, const int *place)
 {
     int kept = 0;
@@ -100,23 +92,6 @@ static bool are_nearly_all_coefficients_there(const fmb_reduced_part *reduced)
 bool fmb_selection_tries_recession(const fmb_reduced_part *reduced)
 {
     return are_nearly_all_coefficients_there(reduced) && fmb_features_bounds(reduced) == 0;
-}
-
-/* Queries are quicker where rows name most variables, or where numbers of more than a few columns
- * would become long, and where they are answered by minors that are short; the only question of one
- * variable is how far it goes. */
-static bool is_dictionary_quick(const fmb_reduced_part *reduced, int kept)
-{
-    size_t bits = fmb_features_minor_bits(reduced);
-    if (fmb_features_columns(reduced) <= SMALL_DICTIONARY)
-        return kept != 2 || bits > SHORT_MINOR;
-    return !are_most_coefficients_there(reduced) && bits <= FMB_LONG_MINOR;
-}
-
-bool fmb_selection_walks(const fmb_reduced_part *reduced, const fmb_part *p, int kept)
-{
-    bool many = 4 * p->m > 9 * (size_t)p->n && is_dictionary_quick(reduced, kept);
-    return kept <= 2 && p->n <= WALKED_COLUMNS && many && !has_wide_rows(p) && !has_strict_rows(p);
 }
 
 bool fmb_selection_doubts_solution(const fmb_reduced_part *reduced)

@@ -15,8 +15,6 @@
 #define FMB_SHORT_QUERIES 4
 
 int fmb_selection_kept(const fmb_part *p, const int *place);
-/* Is it gone around, in the plane? */
-bool fmb_selection_walks(const fmb_reduced_part *reduced, const fmb_part *p, int kept);
 /* May a direction among the variables that go leave all rows behind? */
 bool fmb_selection_tries_recession(const fmb_reduced_part *reduced);
 /* Two questions to the oracle are all there is to do. */

@@ -1,6 +1,5 @@
-/* oracles.c: what is made of a part when it is first asked for: dense rows, an oracle, a
- * dictionary; see solver.h. */
-#include "lp/dictionary/exact_simplex.h"
+/* oracles.c: what is made of a part when it is first asked for: dense rows, an oracle; see
+ * solver.h. */
 #include "solve/query/solver.h"
 #include "system/system_private.h"
 
@@ -91,29 +90,6 @@ fmb_status fmb_query_take_oracle_weights(fmb_query *q, const fmb_part *p, fmb_we
     return fmb_query_take_integer_weights(q, p, w);
 }
 
-fmb_status fmb_query_dictionary(fmb_query *q, int part, fmb_lp **out, bool *feasible)
-{
-    const fmb_part *p = &q->parts.part[part];
-    *feasible = true;
-    if (q->lp[part]) {
-        *out = q->lp[part];
-        return FMB_OK;
-    }
-    fmb_status st = fmb_query_write_rows(q, part);
-    if (st != FMB_OK)
-        return st;
-    fmb_lp *lp = fmb_arena_get(&q->v->arena, 1, sizeof *lp);
-    fmb_lp_row *rows = fmb_arena_get(&q->v->arena, p->m, sizeof *rows);
-    if (!lp || !rows)
-        return fmb_mem_status(&q->v->mem);
-    for (size_t i = 0; i < p->m; i++)
-        rows[i] = (fmb_lp_row){&p->row[i], p->rel[i]};
-    q->lp[part] = lp;
-    *out = lp;
-    st = fmb_lp_init(lp, &q->run, p->n, p->m, rows, fmb_query_is_wide(q));
-    return st == FMB_OK ? fmb_lp_feasible(lp, feasible) : st;
-}
-
 void fmb_query_leave_session(fmb_query *q, bool forget)
 {
     if (!q->entered)
@@ -126,9 +102,6 @@ void fmb_query_leave_session(fmb_query *q, bool forget)
 
 void fmb_query_close_oracle(fmb_query *q, int part)
 {
-    if (q->lp[part])
-        fmb_lp_clear(q->lp[part]);
-    q->lp[part] = NULL;
     if (q->oracle[part]) {
         fmb_oracle_free(q->oracle[part]);
         fmb_program_clear(&q->program[part]);
@@ -139,6 +112,6 @@ void fmb_query_close_oracle(fmb_query *q, int part)
 void fmb_query_close_oracles(fmb_query *q)
 {
     fmb_query_leave_session(q, true);
-    for (int c = 0; q->lp && c < q->parts.count; c++)
+    for (int c = 0; q->oracle && c < q->parts.count; c++)
         fmb_query_close_oracle(q, c);
 }

@@ -118,16 +118,13 @@ static fmb_status begin_query(fmb_query *q, fmb_solver *v, const fmb_system *s, 
     if (st != FMB_OK)
         return st;
     size_t parts = (size_t)q->parts.count;
-    fmb_lp **lp = fmb_arena_get(&v->arena, parts, sizeof *lp);
+    fmb_oracle **oracle = fmb_arena_get(&v->arena, parts, sizeof *oracle);
     q->program = fmb_arena_get(&v->arena, parts, sizeof *q->program);
-    q->oracle = fmb_arena_get(&v->arena, parts, sizeof *q->oracle);
-    if (!lp || !q->program || !q->oracle)
+    if (!oracle || !q->program)
         return fmb_mem_status(&v->mem);
-    for (size_t i = 0; i < parts; i++) {
-        lp[i] = NULL;
-        q->oracle[i] = NULL;
-    }
-    q->lp = lp;
+    for (size_t i = 0; i < parts; i++)
+        oracle[i] = NULL;
+    q->oracle = oracle;
     return FMB_OK;
 }
 

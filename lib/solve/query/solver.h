@@ -11,7 +11,6 @@
 #include "base/arena.h"
 #include "base/sized.h"
 #include "elim/round/elim.h"
-#include "lp/dictionary/dictionary.h"
 #include "lp/oracle/oracle.h"
 #include "num/weights.h"
 #include "proof/evidence/evidence.h"
@@ -53,7 +52,6 @@ typedef struct fmb_query {
     bool inner;   /* points of the projection of the part at hand were put out, and rows */
     fmb_program *program; /* [parts] rows of each part for its oracle; n == 0: not made */
     fmb_oracle **oracle;  /* [parts] of each part, or NULL */
-    fmb_lp **lp;          /* [parts] dictionary of each part, or NULL */
     fmb_session *session; /* whose oracle answers in place of these, for the one part; or NULL */
     bool entered;         /* it is being asked */
 } fmb_query;
@@ -109,14 +107,12 @@ fmb_verdict fmb_query_decide_tiny(fmb_query *q);
 /* An engine at that task about a part, without a budget: for fmb_run_tell_attempt. */
 fmb_attempt fmb_query_attempt(const fmb_query *q, int part, const char *engine, const char *task);
 
-/* Parts by number: rows written out (p->row); the oracle; a feasible dictionary, for what goes from
- * vertex to vertex, or *feasible false. Made on the first call. */
+/* Parts by number: rows written out (p->row); the oracle. Made on the first call. */
 fmb_status fmb_query_write_rows(fmb_query *q, int part);
 fmb_status fmb_query_oracle(fmb_query *q, int part, fmb_oracle **out);
 /* The same of a part that was said to have a solution. LIMIT, too, if it has none: a rule lied, and
  * nothing is proved from there on. */
 fmb_status fmb_query_feasible_oracle(fmb_query *q, int part, fmb_oracle **out);
-fmb_status fmb_query_dictionary(fmb_query *q, int part, fmb_lp **out, bool *feasible);
 /* Weights of rows of a part, over integers of the system's rows, become such over the part's
  * primitive rows. Errors, here and below: LIMIT. */
 fmb_status fmb_query_take_integer_weights(fmb_query *q, const fmb_part *p, fmb_weights *w);
@@ -124,7 +120,7 @@ fmb_status fmb_query_take_integer_weights(fmb_query *q, const fmb_part *p, fmb_w
 fmb_status fmb_query_take_oracle_weights(fmb_query *q, const fmb_part *p, fmb_weights *w);
 /* The oracle of the system that is loaded is asked no more by this query. */
 void fmb_query_leave_session(fmb_query *q, bool forget);
-/* The oracle and the dictionary of a part go. */
+/* The oracle of a part goes. */
 void fmb_query_close_oracle(fmb_query *q, int part);
 /* All of them go; that of a system that is loaded forgets what it knows. */
 void fmb_query_close_oracles(fmb_query *q);

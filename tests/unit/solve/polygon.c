@@ -1,57 +1,13 @@
-/* polygon.c: projections on one or two variables that are found without elimination, against
- * elimination, and against linear programs in every direction that shows a corner. */
+/* polygon.c: projections on one or two variables against elimination, and against linear programs
+ * in every direction that shows a corner. */
 #include <criterion/criterion.h>
 
 #include "property/random/agree.h"
-#include "solve/portfolio/polygon.h"
 #include "support.h"
-
-/* ---- a query by hand ------------------------------------------------------------------------- */
 
 static fmb_solver *solver(fmb_method method)
 {
     return must_open((fmb_options){.method = method, .max_rows = 20000});
-}
-
-/* Every part by fmb_query_polygon_part; parts without a kept variable need none. *done: all were
- * described. */
-static fmb_status describe_parts(fmb_query *q, const int *place, fmb_system *out, bool *done)
-{
-    fmb_status st = FMB_OK;
-    *done = true;
-    for (int c = 0; st == FMB_OK && c < q->parts.count; c++) {
-        const fmb_part *p = &q->parts.part[c];
-        size_t rows = fmb_system_rows(out);
-        bool any = false, one;
-        for (int j = 0; j < p->n; j++)
-            any |= place[p->var[j]] >= 0;
-        st = fmb_query_polygon_part(q, c, place, out, &one);
-        cr_assert(st != FMB_OK || one || fmb_system_rows(out) == rows, "rows of half a polygon");
-        *done &= one || !any;
-    }
-    return st;
-}
-
-static fmb_system *by_hand(fmb_solver *v, const fmb_system *s, const int *keep, int n, bool *done,
-                           fmb_result *r)
-{
-    fmb_query q;
-    fmb_verdict verdict = FMB_UNKNOWN;
-    fmb_system *out = rows_none(n);
-    int place[16];
-    for (int j = 0; j < 16; j++)
-        place[j] = -1;
-    for (int k = 0; k < n; k++)
-        place[keep[k]] = k;
-    fmb_status st = fmb_query_begin(&q, v, s, "project");
-    q.decided = true;
-    *done = false;
-    if (st == FMB_OK)
-        st = fmb_query_decide(&q, true, &verdict);
-    if (st == FMB_OK && verdict == FMB_FEASIBLE)
-        st = describe_parts(&q, place, out, done);
-    must(fmb_query_end(&q, st, verdict, r));
-    return out;
 }
 
 static bool has(const fmb_system *s, fmb_rel rel)
@@ -62,86 +18,7 @@ static bool has(const fmb_system *s, fmb_rel rel)
     return false;
 }
 
-typedef struct tally {
-    int done, left, unjudged;
-} tally;
-
-static void check_by_hand(const support_case *c, const int *keep, int n, tally *sum)
-{
-    bool done;
-    fmb_result r = {.size = sizeof r}, other = {.size = sizeof other};
-    fmb_system *p = NULL;
-    agree g = {.max_rows = 5000};
-    fmb_solver *v = solver(FMB_METHOD_AUTO), *fm = solver(FMB_METHOD_FM);
-    fmb_system *out = by_hand(v, c->s, keep, n, &done, &r);
-    must(fmb_project(fm, c->s, keep, n, &p, &other));
-    if (p && r.verdict == FMB_FEASIBLE && done) {
-        cr_assert_eq(support_proved_rows(v, c->s), fmb_system_rows(out));
-        cr_assert_not(has(p, FMB_EQ), "done, but there are no inner points");
-        cr_assert_eq(fmb_system_rows(out), fmb_system_rows(p));
-        cr_assert(agree_same(&g, out, p), "%s %lu: %s", support_family_name(c->family),
-                  (unsigned long)c->seed, g.why);
-    } else if (p && r.verdict == FMB_FEASIBLE) {
-        cr_assert(n == 2 || has(c->s, FMB_LT) || has(p, FMB_EQ), "%s %lu: an interval was left",
-                  support_family_name(c->family), (unsigned long)c->seed);
-        sum->left++;
-    }
-    sum->done += done;
-    sum->unjudged += p == NULL;
-    fmb_system_free(p);
-    fmb_system_free(out);
-    fmb_solver_free(v);
-    fmb_solver_free(fm);
-}
-
-Test(polygon, a_query_by_hand)
-{
-    static const int BITS[] = {0, 0, 0, 31, 63, 200};
-    tally sum = {0};
-    for (uint64_t seed = 0; seed < 2000; seed++) {
-        support_rng g = {seed};
-        support_shape shape = {support_between(&g, 1, 5), support_between(&g, 2, 12),
-                               BITS[seed % 6]};
-        support_case c = support_make((support_family)(seed % SUPPORT_FAMILIES), seed, &shape);
-        int i = support_between(&g, 0, shape.dim - 1), j = support_between(&g, 0, shape.dim - 1);
-        int keep[2] = {i < j ? i : j, i < j ? j : i};
-        check_by_hand(&c, keep, i == j ? 1 : 2, &sum);
-        support_case_clear(&c);
-    }
-    cr_expect(sum.done > 100 && sum.left > 100, "%d done, %d left", sum.done, sum.left);
-    cr_expect_leq(sum.unjudged, 50, "%d unjudged", sum.unjudged);
-}
-
-/* Three variables of one part are too many, and none are not enough. */
-Test(polygon, declines)
-{
-    static const int keep[] = {0, 1, 2};
-    support_shape shape = {4, 10, 0};
-    support_case c = support_make(SUPPORT_PLANTED_POINT, 5, &shape);
-    fmb_solver *v = solver(FMB_METHOD_AUTO);
-    fmb_query q;
-    fmb_system *out = rows_none(3);
-    fmb_verdict verdict;
-    fmb_result r = {.size = sizeof r};
-    int place[4] = {-1, -1, -1, -1};
-    bool done = true;
-    must(fmb_query_begin(&q, v, c.s, "project"));
-    must(fmb_query_decide(&q, true, &verdict));
-    cr_assert_eq(verdict, FMB_FEASIBLE);
-    must(fmb_query_polygon_part(&q, 0, place, out, &done));
-    cr_assert_not(done);
-    for (int k = 0; k < 3; k++)
-        place[k] = keep[k];
-    done = true;
-    must(fmb_query_polygon_part(&q, 0, place, out, &done));
-    cr_assert(!done && fmb_system_rows(out) == 0);
-    must(fmb_query_end(&q, FMB_OK, verdict, &r));
-    fmb_system_free(out);
-    fmb_solver_free(v);
-    support_case_clear(&c);
-}
-
-/* ---- dense systems, through the front door --------------------------------------------------- */
+/* ---- dense systems --------------------------------------------------------------------------- */
 
 static fmb_system *dense_rows(support_rng *g, int n, int m, bool strict)
 {
@@ -312,7 +189,7 @@ Test(polygon, dense_systems_by_elimination)
     cr_expect_geq(judged, 30, "%d judged", judged);
 }
 
-/* All rows through one point, which is mostly all there is: nothing to walk around. */
+/* All rows through one point, which is mostly all there is: no edges. */
 Test(polygon, cones)
 {
     int points = 0;
