@@ -165,17 +165,14 @@ void fmb_basis_inverse_point(fmb_basis_inverse *c, const double *right, fmb_inde
     }
     fmb_indexed_vector_clear(x, true);
     size_t named = 0;
-    for (size_t r = 0; r < c->n; r++)
-        named += right[r] != 0;
-    if (8 * named <= c->n) /* the inverse is by rows: else columns take longer */
-        for (size_t r = 0; r < c->n; r++)
-            for (size_t j = 0; j < c->n && right[r] != 0; j++)
-                x->at[j] += c->inverse.at[j * c->n + r] * right[r];
-    else
-        for (size_t j = 0; j < c->n; j++) {
-            double sum = 0;
-            for (size_t r = 0; r < c->n; r++)
-                sum += c->inverse.at[j * c->n + r] * right[r];
-            x->at[j] = sum;
-        }
+    for (size_t r = 0; r < c->n; r++) /* x is full: its index is free */
+        if (right[r] != 0)
+            x->index[named++] = (int)r;
+    for (size_t j = 0; j < c->n; j++) {
+        const double *row = c->inverse.at + j * c->n;
+        double sum = 0;
+        for (size_t t = 0; t < named; t++)
+            sum += row[x->index[t]] * right[x->index[t]];
+        x->at[j] = sum;
+    }
 }
