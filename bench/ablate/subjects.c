@@ -111,6 +111,23 @@ static void ask_programs(uint64_t seed, const asking *a)
     }
 }
 
+/* Verdicts on systems of a few rows, as pairs of bodies and loops of programs ask for them. */
+static void ask_tiny_programs(uint64_t seed, const asking *a)
+{
+    static const char *const NAME[] = {"dense-origin", "dense-point", "dense-conflict", "strict"};
+    study_random g = {.state = seed * 104729};
+    for (size_t f = 0; f < sizeof NAME / sizeof *NAME; f++) {
+        study_program_plan plan;
+        const char *bad;
+        if (!study_program_plan_parse(NAME[f], &plan, &bad))
+            need(NULL);
+        plan.seed = seed;
+        plan.variables = (int)study_random_between(&g, 2, 5);
+        plan.rows = plan.variables * (int)study_random_between(&g, 2, 3);
+        ask_program(&plan, 0, PEER_DECIDE, a);
+    }
+}
+
 /* Families of polytopes, the sizes between which the seed chooses, and rows. */
 static const struct {
     const char *name;
@@ -180,6 +197,7 @@ bool subjects_each(const subject_plan *plan, subject_ask *ask, void *self)
     for (uint64_t seed = plan->seed; seed < plan->seed + plan->each; seed++) {
         ask_projections(seed, &a);
         ask_programs(seed, &a);
+        ask_tiny_programs(seed, &a);
         ask_polytopes(seed, &a);
     }
     return ask_files(plan, &a);
