@@ -1,61 +1,68 @@
 /* features.c: see features.h. */
 #include "solve/portfolio/features.h"
 
-bool fmb_features_is_long(const fmb_reduced_part *h)
+#ifdef FMB_ABLATE
+fmb_features_watcher fmb_features_watch;
+#endif
+
+static int count_kept_variables(const fmb_reduced_part *h)
 {
-    bool wide = false, long_all = true;
-    for (size_t i = 0; i < h->e.live.size; i++) {
-        const fmb_vec *v = &h->e.row[h->e.live.row[i]].v;
-        wide |= fmb_vec_is_wide(v);
-        long_all &= fmb_vec_is_wide(v) || v->bits > FMB_LAZY_BITS;
+    int kept = 0;
+    for (int j = 0; j < h->p->n; j++)
+        kept += h->place[h->p->var[j]] >= 0;
+    return kept;
+}
+
+static void note_given_rows(const fmb_part *p, fmb_features *f)
+{
+    f->given = p->m;
+    for (size_t i = 0; i < p->m; i++) {
+        f->is_strict |= p->rel[i] == FMB_LT;
+        f->is_wide |= fmb_vec_is_wide(&p->row[i]);
     }
-    return wide || long_all;
 }
 
-size_t fmb_features_minor_bits(const fmb_reduced_part *h)
+/* Does the row hold where all variables are 0? */
+static bool holds_at_origin(const fmb_derived *r, size_t n)
 {
-    return fmb_elim_minor_bits(&h->e);
+    int side = fmb_vec_sgn(&r->v, n);
+    return side >= 0 && !(r->strict && side == 0) && !(r->equality && side != 0);
 }
 
-size_t fmb_features_rows(const fmb_reduced_part *h)
+static void note_rows_left(const fmb_elim *e, fmb_features *f)
 {
-    return h->e.live.size;
-}
-
-size_t fmb_features_entries(const fmb_reduced_part *h)
-{
-    size_t nonzero = 0;
-    for (size_t i = 0; i < h->e.live.size; i++)
-        nonzero += (size_t)fmb_elim_count_variables(&h->e, &h->e.row[h->e.live.row[i]]);
-    return nonzero;
-}
-
-size_t fmb_features_bounds(const fmb_reduced_part *h)
-{
-    size_t bounds = 0;
-    for (size_t i = 0; i < h->e.live.size; i++)
-        bounds += fmb_elim_count_variables(&h->e, &h->e.row[h->e.live.row[i]]) == 1;
-    return bounds;
-}
-
-bool fmb_features_has_origin(const fmb_reduced_part *h)
-{
-    for (size_t i = 0; i < h->e.live.size; i++) {
-        const fmb_derived *r = &h->e.row[h->e.live.row[i]];
-        int side = fmb_vec_sgn(&r->v, (size_t)h->p->n);
-        if (side < 0 || (r->strict && side == 0) || (r->equality && side != 0))
-            return false;
+    bool wide = false, all_long = true;
+    f->rows = e->live.size;
+    f->has_origin = true;
+    for (size_t i = 0; i < e->live.size; i++) {
+        const fmb_derived *r = &e->row[e->live.row[i]];
+        size_t nonzero = (size_t)fmb_elim_count_variables(e, r);
+        f->entries += nonzero;
+        f->bounds += nonzero == 1;
+        wide |= fmb_vec_is_wide(&r->v);
+        all_long &= fmb_vec_is_wide(&r->v) || r->v.bits > FMB_LAZY_BITS;
+        f->has_origin &= holds_at_origin(r, (size_t)e->n);
     }
-    return true;
+    f->is_long = wide || all_long;
 }
 
-size_t fmb_features_columns(const fmb_reduced_part *h)
+static size_t freedom_of_cone(size_t rows, size_t dimensions)
 {
-    return (size_t)h->p->n - (size_t)h->e.rounds;
+    size_t beyond = rows > dimensions ? rows - dimensions : 0;
+    return beyond > dimensions ? dimensions : beyond;
 }
 
-size_t fmb_features_freedom(const fmb_reduced_part *h)
+fmb_features fmb_features_of(const fmb_reduced_part *reduced)
 {
-    size_t rows = h->e.live.size, d = fmb_features_columns(h) + 1;
-    return rows > d && rows - d > d ? d : rows > d ? rows - d : 0;
+    fmb_features f = {.kept = count_kept_variables(reduced), .variables = reduced->p->n};
+    f.columns = (size_t)f.variables - (size_t)reduced->e.rounds;
+    note_given_rows(reduced->p, &f);
+    note_rows_left(&reduced->e, &f);
+    f.minor_bits = fmb_elim_minor_bits(&reduced->e);
+    f.freedom = freedom_of_cone(f.rows, f.columns + 1);
+#ifdef FMB_ABLATE
+    if (fmb_features_watch.hear)
+        fmb_features_watch.hear(fmb_features_watch.self, &f, reduced);
+#endif
+    return f;
 }

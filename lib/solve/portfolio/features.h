@@ -1,25 +1,43 @@
-/* features.h: what a part looks like once what is cheap has been eliminated: by that the ways of a
- * projection are chosen (selection.h).
+/* features.h: what a part looks like once what is cheap has been eliminated: by that, and nothing
+ * else, the ways of a projection are chosen (selection.h). No clock is asked, so that the same
+ * system takes the same way everywhere.
  */
 #ifndef FMB_SOLVE_FEATURES_H
 #define FMB_SOLVE_FEATURES_H
 
 #include "solve/portfolio/reduced_part.h"
 
-/* Variables and rows that are left, coefficients, and rows with one of those. */
-size_t fmb_features_columns(const fmb_reduced_part *h);
-size_t fmb_features_rows(const fmb_reduced_part *h);
-size_t fmb_features_entries(const fmb_reduced_part *h);
-size_t fmb_features_bounds(const fmb_reduced_part *h);
-/* Some numbers are longer than a word, or so long in all rows that those of combinations will be.
- */
-bool fmb_features_is_long(const fmb_reduced_part *h);
-/* [bits] About as long is a minor of all columns, if rows are like the mean of them. */
-size_t fmb_features_minor_bits(const fmb_reduced_part *h);
-/* All variables at 0 are a solution of what is left. */
-bool fmb_features_has_origin(const fmb_reduced_part *h);
-/* The least of dimensions and of rows beyond as many, of the cone: up to 10 or so it has few rays.
- */
-size_t fmb_features_freedom(const fmb_reduced_part *h);
+typedef struct fmb_features {
+    /* The part as it came. */
+    int kept;       /* variables that stay */
+    int variables;  /* all of them */
+    size_t given;   /* rows */
+    bool is_strict; /* some rows are strict */
+    bool is_wide;   /* some numbers are longer than a word */
+    /* What is left of it. */
+    size_t columns, rows; /* variables and rows */
+    size_t entries;       /* coefficients */
+    size_t bounds;        /* rows with one coefficient */
+    size_t freedom;    /* the least of dimensions and of rows beyond as many, of the cone: up to 10
+                          or so it has few rays */
+    size_t minor_bits; /* about as long is a minor of all columns, if rows are like the mean of
+                          them [bits] */
+    bool is_long;      /* some numbers are longer than a word, or so long in all rows that those of
+                          combinations will be */
+    bool has_origin;   /* all variables at 0 are a solution */
+} fmb_features;
+
+/* Looks at each coefficient once. What follows holds while the reduced part stays as it is. */
+fmb_features fmb_features_of(const fmb_reduced_part *reduced);
+
+#ifdef FMB_ABLATE
+/* Who studies the choice (bench/study/selection) hears of each part before a way is chosen. */
+typedef struct fmb_features_watcher {
+    void (*hear)(void *self, const fmb_features *, const fmb_reduced_part *);
+    void *self;
+} fmb_features_watcher;
+
+extern fmb_features_watcher fmb_features_watch;
+#endif
 
 #endif

@@ -172,6 +172,7 @@ typedef struct part_run {
     const int *place;
     fmb_system *out;
     fmb_reduced_part reduced;
+    fmb_features features; /* of the reduced part */
     fmb_ray_projection *rays;
     fmb_queries *queries;
     bool known, *feasible, done;
@@ -229,10 +230,10 @@ static fmb_status try_recession(part_run *r)
     return st;
 }
 
-static fmb_status try_bounded_elimination(part_run *r, int kept)
+static fmb_status try_bounded_elimination(part_run *r)
 {
     shadow h = shadow_of_run(r);
-    growth_bound bounded = {FIRST_GROWTH, 2, kept};
+    growth_bound bounded = {FIRST_GROWTH, 2, r->features.kept};
     if (!fmb_mark_possible(&r->reduced.e))
         return FMB_OK;
     size_t budget;
@@ -241,15 +242,15 @@ static fmb_status try_bounded_elimination(part_run *r, int kept)
     return st;
 }
 
-static fmb_status try_growing_elimination(part_run *r, int kept)
+static fmb_status try_growing_elimination(part_run *r)
 {
     shadow h = shadow_of_run(r);
     fmb_elim *e = &r->reduced.e;
     if (!fmb_mark_possible(e))
         return try_elimination(r, false, FMB_TRIAL_BUDGET(h.p->m));
-    bool any =
-        kept > FMB_SHORT_QUERIES && count_variables_to_go(e, r->reduced.drop) <= MOST_FREE_STEPS;
-    growth_bound growing = {any ? 0 : SECOND_GROWTH, 1, kept};
+    bool any = r->features.kept > FMB_SHORT_QUERIES &&
+               count_variables_to_go(e, r->reduced.drop) <= MOST_FREE_STEPS;
+    growth_bound growing = {any ? 0 : SECOND_GROWTH, 1, r->features.kept};
     size_t budget;
     fmb_status st = eliminate_rest(&h, &r->reduced, &growing, &budget, r->feasible, &r->done);
     tell_attempt(r, "steeper elimination", budget, "rows", st);
@@ -295,24 +296,23 @@ static fmb_status try_queries(part_run *r, uint64_t pairs)
 /* In a few dimensions, by asking how far it goes; in more, so far. */
 static fmb_status try_oracle(part_run *r)
 {
-    int kept = fmb_selection_kept(&r->q->parts.part[r->part], r->place);
-    return try_queries(r, kept <= FEW_KEPT ? 0 : FIRST_PAIRS);
+    return try_queries(r, r->features.kept <= FEW_KEPT ? 0 : FIRST_PAIRS);
 }
 
 /* What makes more rows is eliminated, then a few rays; if both grow, some more rays where there
  * seem to be few. */
-static fmb_status try_rays_and_growing_elimination(part_run *r, int kept)
+static fmb_status try_rays_and_growing_elimination(part_run *r)
 {
-    const fmb_part *p = &r->q->parts.part[r->part];
-    uint64_t rays = fmb_selection_first_rays(&r->reduced, p, kept);
+    uint64_t rays = fmb_selection_first_rays(&r->features);
     fmb_status st = FMB_OK;
-    if (fmb_selection_raises_bound(&r->reduced, kept) && fmb_way(FMB_WAY_HIGHER_GROWTH))
-        st = note(FMB_WAY_HIGHER_GROWTH, r, try_growing_elimination(r, kept));
+    if (fmb_selection_raises_bound(&r->features) && fmb_way(FMB_WAY_HIGHER_GROWTH))
+        st = note(FMB_WAY_HIGHER_GROWTH, r, try_growing_elimination(r));
     if (is_open(st, r) && rays > 0 && fmb_way(FMB_WAY_FIRST_RAYS))
         st = note(FMB_WAY_FIRST_RAYS, r, try_rays(r, rays));
-    if (is_open(st, r) && kept <= FMB_SHORT_QUERIES && fmb_ray_projection_is_nearly_done(r->rays))
+    if (is_open(st, r) && r->features.kept <= FMB_SHORT_QUERIES &&
+        fmb_ray_projection_is_nearly_done(r->rays))
         st = try_rays(r, rays);
-    rays = is_open(st, r) ? fmb_selection_second_rays(&r->reduced, p, kept) : 0;
+    rays = is_open(st, r) ? fmb_selection_second_rays(&r->features) : 0;
     return rays > 0 && fmb_way(FMB_WAY_SECOND_RAYS)
                ? note(FMB_WAY_SECOND_RAYS, r, try_rays(r, rays))
                : st;
@@ -322,20 +322,18 @@ static fmb_status try_rays_and_growing_elimination(part_run *r, int kept)
  * oracle is asked. */
 static fmb_status try_each_shortly(part_run *r)
 {
-    const fmb_part *p = &r->q->parts.part[r->part];
-    int kept = fmb_selection_kept(p, r->place);
     fmb_status st =
-        fmb_selection_doubts_solution(&r->reduced) && !r->known ? open_queries(r) : FMB_OK;
-    if (is_open(st, r) && fmb_selection_tries_recession(&r->reduced) && fmb_way(FMB_WAY_RECESSION))
+        fmb_selection_doubts_solution(&r->features) && !r->known ? open_queries(r) : FMB_OK;
+    if (is_open(st, r) && fmb_selection_tries_recession(&r->features) && fmb_way(FMB_WAY_RECESSION))
         st = note(FMB_WAY_RECESSION, r, try_recession(r));
-    if (is_open(st, r) && !fmb_selection_asks_ends(&r->reduced, p, kept)) {
-        if (fmb_selection_bounds_growth(&r->reduced, kept) && fmb_way(FMB_WAY_BOUNDED_GROWTH))
-            st = note(FMB_WAY_BOUNDED_GROWTH, r, try_bounded_elimination(r, kept));
-        size_t budget = is_open(st, r) ? fmb_selection_pruned_rows(&r->reduced, p, kept) : 0;
+    if (is_open(st, r) && !fmb_selection_asks_ends(&r->features)) {
+        if (fmb_selection_bounds_growth(&r->features) && fmb_way(FMB_WAY_BOUNDED_GROWTH))
+            st = note(FMB_WAY_BOUNDED_GROWTH, r, try_bounded_elimination(r));
+        size_t budget = is_open(st, r) ? fmb_selection_pruned_rows(&r->features) : 0;
         if (budget > 0 && fmb_way(FMB_WAY_PRUNED))
             st = note(FMB_WAY_PRUNED, r, try_pruned_elimination(r, budget));
         if (is_open(st, r))
-            st = try_rays_and_growing_elimination(r, kept);
+            st = try_rays_and_growing_elimination(r);
     }
     return is_open(st, r) ? try_oracle(r) : st;
 }
@@ -365,6 +363,8 @@ static fmb_status run_portfolio(part_run *r)
     fmb_status st = fmb_reduced_part_open(&r->reduced, r->q, r->part, r->place, r->feasible);
     if (is_open(st, r))
         st = fmb_ray_projection_open(&r->reduced, &r->rays);
+    if (is_open(st, r))
+        r->features = fmb_features_of(&r->reduced);
     if (is_open(st, r))
         st = by_rays ? try_rays(r, 0) : try_each_shortly(r);
     if (is_open(st, r))

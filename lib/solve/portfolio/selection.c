@@ -42,211 +42,180 @@
  * than rays do. */
 #define MANY_ENTRIES 100
 /* So many rows mean many rays, but not many queries where few variables are kept. */
-#define MANY_ROWS(p) (4 * (size_t)(p)->n)
+#define MANY_ROWS(f) (4 * (size_t)(f)->variables)
 
-int fmb_selection_kept(const fmb_part *p, const int *place)
+bool fmb_selection_asks_ends(const fmb_features *f)
 {
-    int kept = 0;
-    for (int j = 0; j < p->n; j++)
-        kept += place[p->var[j]] >= 0;
-    return kept;
+    return f->kept <= 1 && !f->is_strict && f->freedom > LEAST_FREEDOMS;
 }
 
-static bool has_strict_rows(const fmb_part *p)
+static double nonzeros_by_row(const fmb_features *f)
 {
-    for (size_t i = 0; i < p->m; i++)
-        if (p->rel[i] == FMB_LT)
-            return true;
-    return false;
+    return (double)f->entries / (double)f->rows;
 }
 
-/* Longer than a word: what a dictionary or a query works on is far longer still. */
-static bool has_wide_rows(const fmb_part *p)
+static bool are_most_coefficients_there(const fmb_features *f)
 {
-    for (size_t i = 0; i < p->m; i++)
-        if (fmb_vec_is_wide(&p->row[i]))
-            return true;
-    return false;
+    return 2 * nonzeros_by_row(f) >= (double)f->columns;
 }
 
-bool fmb_selection_asks_ends(const fmb_reduced_part *reduced, const fmb_part *p, int kept)
+static bool are_nearly_all_coefficients_there(const fmb_features *f)
 {
-    return kept <= 1 && !has_strict_rows(p) && fmb_features_freedom(reduced) > LEAST_FREEDOMS;
+    return 4 * nonzeros_by_row(f) >= 3 * (double)f->columns;
 }
 
-static double nonzeros_by_row(const fmb_reduced_part *reduced)
+bool fmb_selection_tries_recession(const fmb_features *f)
 {
-    return (double)fmb_features_entries(reduced) / (double)fmb_features_rows(reduced);
+    return are_nearly_all_coefficients_there(f) && f->bounds == 0;
 }
 
-static bool are_most_coefficients_there(const fmb_reduced_part *reduced)
+bool fmb_selection_doubts_solution(const fmb_features *f)
 {
-    return 2 * nonzeros_by_row(reduced) >= (double)fmb_features_columns(reduced);
-}
-
-static bool are_nearly_all_coefficients_there(const fmb_reduced_part *reduced)
-{
-    return 4 * nonzeros_by_row(reduced) >= 3 * (double)fmb_features_columns(reduced);
-}
-
-bool fmb_selection_tries_recession(const fmb_reduced_part *reduced)
-{
-    return are_nearly_all_coefficients_there(reduced) && fmb_features_bounds(reduced) == 0;
-}
-
-bool fmb_selection_doubts_solution(const fmb_reduced_part *reduced)
-{
-    return fmb_features_entries(reduced) >= MANY_ENTRIES && are_most_coefficients_there(reduced) &&
-           !fmb_features_has_origin(reduced);
+    return f->entries >= MANY_ENTRIES && are_most_coefficients_there(f) && !f->has_origin;
 }
 
 /* Is that share of the rows bounds on one variable? */
-static bool has_bounds(const fmb_reduced_part *reduced, double share)
+static bool has_bounds(const fmb_features *f, double share)
 {
-    return (double)fmb_features_bounds(reduced) >= share * (double)fmb_features_rows(reduced);
+    return (double)f->bounds >= share * (double)f->rows;
 }
 
-static bool do_few_go(const fmb_part *p, int kept)
+static bool do_few_go(const fmb_features *f)
 {
-    return p->n <= kept + FEW_TO_GO;
+    return f->variables <= f->kept + FEW_TO_GO;
 }
 
 /* Rows are many for the variables that are left. */
-static bool is_crowded(const fmb_reduced_part *reduced)
+static bool is_crowded(const fmb_features *f)
 {
-    size_t columns = fmb_features_columns(reduced);
-    return columns >= LEAST_CROWD && fmb_features_rows(reduced) >= 4 * columns;
+    size_t columns = f->columns;
+    return columns >= LEAST_CROWD && f->rows >= 4 * columns;
 }
 
 /* Three of six variables stay: rays to the end are as quick as queries, but where very many rows
  * name all variables. */
-static bool are_rays_few(const fmb_reduced_part *reduced, const fmb_part *p, int kept)
+static bool are_rays_few(const fmb_features *f)
 {
-    bool many = p->m > MANY_ROWS(p) && are_nearly_all_coefficients_there(reduced);
-    return kept == 3 && do_few_go(p, kept) && !many;
+    bool many = f->given > MANY_ROWS(f) && are_nearly_all_coefficients_there(f);
+    return f->kept == 3 && do_few_go(f) && !many;
 }
 
 /* In the plane, queries are so quick that rays only delay them, but where these are few: of small
  * cones, and of such that are hardly more than a simplex. */
-static bool do_rays_delay_queries(const fmb_reduced_part *reduced, int kept)
+static bool do_rays_delay_queries(const fmb_features *f)
 {
-    size_t freedom = fmb_features_freedom(reduced), columns = fmb_features_columns(reduced);
-    if (kept != 2 || freedom <= GROWING_FREEDOMS)
+    size_t freedom = f->freedom, columns = f->columns;
+    if (f->kept != 2 || freedom <= GROWING_FREEDOMS)
         return false;
-    if (are_nearly_all_coefficients_there(reduced))
-        return columns + freedom + fmb_features_is_long(reduced) > SIZE_IN_PLANE;
-    bool between_bounds = columns > LEAST_CROWD && is_crowded(reduced) && has_bounds(reduced, 0.33);
-    bool few_rows = fmb_features_rows(reduced) < 3 * columns; /* unlike disjunctions */
+    if (are_nearly_all_coefficients_there(f))
+        return columns + freedom + f->is_long > SIZE_IN_PLANE;
+    bool between_bounds = columns > LEAST_CROWD && is_crowded(f) && has_bounds(f, 0.33);
+    bool few_rows = f->rows < 3 * columns; /* unlike disjunctions */
     return between_bounds || (freedom > FREEDOMS_IN_PLANE && few_rows);
 }
 
 /* Rays of a first try: half as many where a few queries take as long; none where rows are many,
  * but name few variables. */
-uint64_t fmb_selection_first_rays(const fmb_reduced_part *reduced, const fmb_part *p, int kept)
+uint64_t fmb_selection_first_rays(const fmb_features *f)
 {
-    if (fmb_features_freedom(reduced) > MANY_FREEDOMS || do_rays_delay_queries(reduced, kept))
+    if (f->freedom > MANY_FREEDOMS || do_rays_delay_queries(f))
         return 0;
-    bool full = are_nearly_all_coefficients_there(reduced);
-    bool flat = full && fmb_features_columns(reduced) <= FLAT_CONE;
-    uint64_t rays = kept <= 2 && !flat ? FMB_TRIAL_BUDGET(p->m) / 2 : FMB_TRIAL_BUDGET(p->m);
-    if (kept < FMB_SHORT_QUERIES && p->m > MANY_ROWS(p) && !full && !do_few_go(p, kept))
+    bool full = are_nearly_all_coefficients_there(f);
+    bool flat = full && f->columns <= FLAT_CONE;
+    uint64_t rays =
+        f->kept <= 2 && !flat ? FMB_TRIAL_BUDGET(f->given) / 2 : FMB_TRIAL_BUDGET(f->given);
+    if (f->kept < FMB_SHORT_QUERIES && f->given > MANY_ROWS(f) && !full && !do_few_go(f))
         return 0;
-    if (fmb_features_freedom(reduced) > CROWDED_FREEDOMS &&
-        !(kept > 2 && has_bounds(reduced, 0.25)))
+    if (f->freedom > CROWDED_FREEDOMS && !(f->kept > 2 && has_bounds(f, 0.25)))
         return 0;
-    if (fmb_features_freedom(reduced) > FEW_FREEDOMS && kept <= 2 &&
-        nonzeros_by_row(reduced) <= SPARSE)
+    if (f->freedom > FEW_FREEDOMS && f->kept <= 2 && nonzeros_by_row(f) <= SPARSE)
         return 0;
-    bool short_queries = kept > 2 && kept <= FMB_SHORT_QUERIES && !are_rays_few(reduced, p, kept);
-    return short_queries && p->m > MANY_ROWS(p) ? rays / 4 : rays;
+    bool short_queries = f->kept > 2 && f->kept <= FMB_SHORT_QUERIES && !are_rays_few(f);
+    return short_queries && f->given > MANY_ROWS(f) ? rays / 4 : rays;
 }
 
 /* What makes few more rows is eliminated: not where rows name many of the variables, or are many
  * for these, nor where variables are very many, as rays or a few queries are quicker, unless
  * numbers are long. */
-bool fmb_selection_bounds_growth(const fmb_reduced_part *reduced, int kept)
+bool fmb_selection_bounds_growth(const fmb_features *f)
 {
-    double nonzero = nonzeros_by_row(reduced), columns = (double)fmb_features_columns(reduced);
+    double nonzero = nonzeros_by_row(f), columns = (double)f->columns;
     bool full = nonzero > UNLIKE_SPARSE && 3 * nonzero > columns;
-    bool many = columns > MANY_COLUMNS || is_crowded(reduced);
-    bool long_queries =
-        columns <= MANY_COLUMNS && fmb_features_minor_bits(reduced) > FMB_LONG_MINOR;
-    return kept >= FMB_SHORT_QUERIES || !(full || many) || long_queries;
+    bool many = columns > MANY_COLUMNS || is_crowded(f);
+    bool long_queries = columns <= MANY_COLUMNS && f->minor_bits > FMB_LONG_MINOR;
+    return f->kept >= FMB_SHORT_QUERIES || !(full || many) || long_queries;
 }
 
 /* A box in other coordinates, as of zonotopes: it has twice as many rows as variables. */
-static bool is_box(const fmb_reduced_part *reduced)
+static bool is_box(const fmb_features *f)
 {
-    return fmb_features_rows(reduced) == 2 * fmb_features_columns(reduced) &&
-           has_bounds(reduced, 0.33);
+    return f->rows == 2 * f->columns && has_bounds(f, 0.33);
 }
 
 /* Its projection has few more facets than it has rows, while hulls in many dimensions, which rays
  * and queries end with, take longer than rows to be pruned. */
-static bool is_hull_expensive(const fmb_reduced_part *reduced, int kept)
+static bool is_hull_expensive(const fmb_features *f)
 {
-    return kept > FMB_SHORT_QUERIES && are_nearly_all_coefficients_there(reduced) &&
-           fmb_features_freedom(reduced) <= FREEDOMS_BEFORE_HULL && !fmb_features_is_long(reduced);
+    return f->kept > FMB_SHORT_QUERIES && are_nearly_all_coefficients_there(f) &&
+           f->freedom <= FREEDOMS_BEFORE_HULL && !f->is_long;
 }
 
 /* In the plane, queries are quicker, but where the box refuses most pairs. */
-static bool is_sparse(const fmb_reduced_part *reduced, int kept)
+static bool is_sparse(const fmb_features *f)
 {
-    double nonzero = nonzeros_by_row(reduced);
-    bool bounded = has_bounds(reduced, 0.6);
-    return (kept > 2 || bounded) && nonzero <= (bounded ? SPARSE_BETWEEN_BOUNDS : SPARSE) &&
-           3 * nonzero <= (double)fmb_features_columns(reduced);
+    double nonzero = nonzeros_by_row(f);
+    bool bounded = has_bounds(f, 0.6);
+    return (f->kept > 2 || bounded) && nonzero <= (bounded ? SPARSE_BETWEEN_BOUNDS : SPARSE) &&
+           3 * nonzero <= (double)f->columns;
 }
 
-size_t fmb_selection_pruned_rows(const fmb_reduced_part *reduced, const fmb_part *p, int kept)
+size_t fmb_selection_pruned_rows(const fmb_features *f)
 {
-    if (kept < FMB_SHORT_QUERIES && fmb_features_columns(reduced) > MANY_COLUMNS)
+    if (f->kept < FMB_SHORT_QUERIES && f->columns > MANY_COLUMNS)
         return 0;
-    if (is_box(reduced) || (is_hull_expensive(reduced, kept) && kept > FMB_SHORT_QUERIES + 1))
-        return 100 * p->m;
-    if (is_hull_expensive(reduced, kept))
-        return 20 * p->m;
-    if (is_sparse(reduced, kept))
-        return (kept > FMB_SHORT_QUERIES ? 10 : 6) * p->m;
+    if (is_box(f) || (is_hull_expensive(f) && f->kept > FMB_SHORT_QUERIES + 1))
+        return 100 * f->given;
+    if (is_hull_expensive(f))
+        return 20 * f->given;
+    if (is_sparse(f))
+        return (f->kept > FMB_SHORT_QUERIES ? 10 : 6) * f->given;
     return 0;
 }
 
-static bool is_cone_dense_or_small(const fmb_reduced_part *reduced)
+static bool is_cone_dense_or_small(const fmb_features *f)
 {
-    return nonzeros_by_row(reduced) >= DENSE || fmb_features_columns(reduced) <= SMALL_CONE ||
-           fmb_features_freedom(reduced) < SMALL_CONE;
+    return nonzeros_by_row(f) >= DENSE || f->columns <= SMALL_CONE || f->freedom < SMALL_CONE;
 }
 
 /* Where the first variable tells, or other ways are long. */
-bool fmb_selection_raises_bound(const fmb_reduced_part *reduced, int kept)
+bool fmb_selection_raises_bound(const fmb_features *f)
 {
-    bool few = fmb_features_freedom(reduced) <= GROWING_FREEDOMS || kept > FMB_SHORT_QUERIES;
-    return few && !fmb_features_is_long(reduced) && are_most_coefficients_there(reduced);
+    bool few = f->freedom <= GROWING_FREEDOMS || f->kept > FMB_SHORT_QUERIES;
+    return few && !f->is_long && are_most_coefficients_there(f);
 }
 
 /* Rays that a second try may make, before the oracle is asked: none where cones tend to have very
  * many, or rows are many for three kept variables; more where the oracle has more to do, or numbers
  * are too long for its guesses. */
-uint64_t fmb_selection_second_rays(const fmb_reduced_part *reduced, const fmb_part *p, int kept)
+uint64_t fmb_selection_second_rays(const fmb_features *f)
 {
-    if (fmb_features_freedom(reduced) > FEW_FREEDOMS || do_rays_delay_queries(reduced, kept))
+    if (f->freedom > FEW_FREEDOMS || do_rays_delay_queries(f))
         return 0;
-    if (kept == 4 && has_wide_rows(p))
+    if (f->kept == 4 && f->is_wide)
         return 64 * RAYS_OF_SECOND_TRY;
-    if (has_strict_rows(p) || kept > FMB_SHORT_QUERIES)
+    if (f->is_strict || f->kept > FMB_SHORT_QUERIES)
         return 16 * RAYS_OF_SECOND_TRY;
-    if (kept > 2 && fmb_features_is_long(reduced) && fmb_features_freedom(reduced) <= LONG_FREEDOMS)
+    if (f->kept > 2 && f->is_long && f->freedom <= LONG_FREEDOMS)
         return 8 * RAYS_OF_SECOND_TRY;
-    if (are_rays_few(reduced, p, kept))
+    if (are_rays_few(f))
         return 8 * RAYS_OF_SECOND_TRY;
-    if (p->m > MANY_ROWS(p))
+    if (f->given > MANY_ROWS(f))
         return 0;
-    if (kept == 3 && has_bounds(reduced, 0.25) &&
-        fmb_features_rows(reduced) <= 3 * fmb_features_columns(reduced))
+    if (f->kept == 3 && has_bounds(f, 0.25) && f->rows <= 3 * f->columns)
         return 8 * RAYS_OF_SECOND_TRY; /* as of rectifiers */
-    if (kept == 3 && is_cone_dense_or_small(reduced))
+    if (f->kept == 3 && is_cone_dense_or_small(f))
         return RAYS_OF_SECOND_TRY;
-    return kept == 4 ? 8 * RAYS_OF_SECOND_TRY : 0;
+    return f->kept == 4 ? 8 * RAYS_OF_SECOND_TRY : 0;
 }
 
 /* To find out which of many rows are irredundant takes as long as some queries, where few variables
