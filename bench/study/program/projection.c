@@ -39,9 +39,20 @@ static const struct {
     {"knapsack", "0/1 knapsacks as paths through a table", study_image_knapsack},
     {"clocks", "differences of clocks, after a delay", study_image_clocks},
     {"boxed", "three terms of four digits a row, in a box", study_image_boxed},
+    {"schedule", "ends and begins of jobs that wait for others", study_image_schedule},
+    {"petri", "markings of a Petri net, by its state equation", study_image_petri},
+    {"hydro", "what reservoirs along a river let through", study_image_hydro},
+    {"power", "what may be fed into a network of lines", study_image_power},
+    {"loops", "sizes and tiles of a nest of loops", study_image_loops},
+    {"entropy", "entropies of some sets of three or four sources", study_image_entropy},
+    {"metric", "some distances of four to six points", study_image_metric},
+    {"games", "what a player may be sure of in several games at once", study_image_games},
 };
 
 enum { FAMILIES = sizeof FAMILY / sizeof *FAMILY };
+
+/* Seeds are spread as when there were so many families, so that problems stay what they were. */
+enum { SPREAD = 27 };
 
 int study_projections(void)
 {
@@ -61,7 +72,7 @@ const char *study_projection_about(int family)
 fmb_status study_projection_draw(int family, uint64_t seed, study_projection *out)
 {
     study_program p = {.s = NULL};
-    study_writer w = {.to = &p, .g.state = seed * FAMILIES + (uint64_t)family};
+    study_writer w = {.to = &p, .g.state = seed * SPREAD + (uint64_t)family};
     mpq_inits(p.best, w.right, NULL);
     FAMILY[family].write(&w);
     for (size_t k = 0; k < w.capacity; k++)

@@ -64,6 +64,9 @@ study_family study_image_boxed, study_image_dense, study_image_wide, study_image
 /* images_lifted.c: polytopes that have fewer rows in more variables */
 study_family study_image_union, study_image_sum, study_image_zonotope, study_image_orbit,
     study_image_parity, study_image_knapsack;
+/* images_practice.c: planning, networks, loops, entropies */
+study_family study_image_schedule, study_image_petri, study_image_hydro, study_image_power,
+    study_image_loops, study_image_entropy, study_image_metric, study_image_games;
 /* images_systems.c: what systems can do: networks, controllers, programs, clocks */
 study_family study_image_relu, study_image_control, study_image_value, study_image_chain,
     study_image_flow, study_image_transport, study_image_clocks;
