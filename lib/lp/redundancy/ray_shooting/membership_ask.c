@@ -12,12 +12,19 @@
 
 /* Pivots after which errors have gathered. */
 #define STALE 64
+/* Room for points at first. */
+#define FIRST_POINTS 64
 
 fmb_status fmb_membership_init(fmb_membership *g, fmb_mem *mem, const fmb_kernels *kernels,
                                size_t n, double cube)
 {
     *g = (fmb_membership){.n = n, .cube = cube, .zero = FMB_MEMBERSHIP_ROUNDING};
     fmb_status st = fmb_basis_init(&g->basis, mem, kernels, n);
+    if (st == FMB_OK)
+        st = fmb_basis_reserve(&g->basis, FIRST_POINTS);
+    if (st == FMB_OK)
+        st = fmb_mem_reserve(mem, (void **)&g->reduced, &g->reduced_room, FIRST_POINTS,
+                             sizeof *g->reduced);
     g->length = fmb_mem_get(mem, n, sizeof *g->length);
     g->w = fmb_mem_get(mem, n, sizeof *g->w);
     if (st == FMB_OK && (!g->length || !g->w))
