@@ -52,7 +52,7 @@ static const struct {
 enum { FAMILIES = sizeof FAMILY / sizeof *FAMILY };
 
 /* Seeds are spread as when there were so many families, so that problems stay what they were. */
-enum { SPREAD = 27 };
+enum { SPREAD = 28 };
 
 int study_projections(void)
 {
