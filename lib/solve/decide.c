@@ -71,12 +71,14 @@ static fmb_status claim_oracle_conflict(fmb_query *q, const fmb_part *p, fmb_ora
     return st;
 }
 
-static void note_oracle_point(fmb_query *q, const fmb_part *p, const fmb_oracle *o)
+static fmb_status note_oracle_point(fmb_query *q, const fmb_part *p, const fmb_oracle *o)
 {
     if (!q->point)
-        return;
-    fmb_oracle_point(o, q->x);
-    fmb_query_scatter(p, q->x, q->point);
+        return FMB_OK;
+    fmb_status st = fmb_oracle_point(o, q->x);
+    if (st == FMB_OK)
+        fmb_query_scatter(p, q->x, q->point);
+    return st;
 }
 
 static fmb_status decide_by_oracle(fmb_query *q, int part, fmb_verdict *out)
@@ -91,10 +93,7 @@ static fmb_status decide_by_oracle(fmb_query *q, int part, fmb_verdict *out)
     if (st != FMB_OK)
         return st;
     *out = feasible ? FMB_FEASIBLE : FMB_INFEASIBLE;
-    if (!feasible)
-        return claim_oracle_conflict(q, p, o);
-    note_oracle_point(q, p, o);
-    return FMB_OK;
+    return feasible ? note_oracle_point(q, p, o) : claim_oracle_conflict(q, p, o);
 }
 
 /* ---- all ------------------------------------------------------------------------------------- */

@@ -61,6 +61,12 @@ static inline fmb_status fmb_run_poll_step(fmb_run *run, bool wide)
 {
     return wide ? fmb_run_poll_now(run) : fmb_run_poll(run);
 }
+/* Behind an operation with z: one of so many limbs takes a tenth of a millisecond and more. */
+#define FMB_LONG_LIMBS 1024
+static inline fmb_status fmb_run_poll_long(fmb_run *run, const mpz_t z)
+{
+    return mpz_size(z) >= FMB_LONG_LIMBS ? fmb_run_poll_now(run) : FMB_OK;
+}
 /* The same as fmb_run_poll_now; FMB_OK without a run. */
 static inline fmb_status fmb_poll_if_limited(fmb_run *run)
 {

@@ -56,19 +56,20 @@ void fmb_oracle_switch(fmb_oracle *o, size_t i, bool on);
 bool fmb_oracle_reached(fmb_oracle *o, mpq_t *x);
 
 /* ---- answers: valid until the next call ------------------------------------------------------ */
+/* Errors: LIMIT, as far as numbers are long (num/long_gcd.h). */
 
 /* x[n]: the solution; after an optimum, one that reaches it, or if none does, one of the closure.
  */
-void fmb_oracle_point(const fmb_oracle *o, mpq_t *x);
+fmb_status fmb_oracle_point(const fmb_oracle *o, mpq_t *x);
 /* The same in integers, over *den > 0. */
 void fmb_oracle_point_integers(const fmb_oracle *o, mpz_t *x, mpz_t den);
-void fmb_oracle_value(const fmb_oracle *o, mpq_t value);
+fmb_status fmb_oracle_value(const fmb_oracle *o, mpq_t value);
 /* Multipliers over rows: their combination is cost.x <= value, with < if it is not attained. */
 fmb_status fmb_oracle_multipliers(const fmb_oracle *o, fmb_weights *w);
 /* Their combination is 0 <= negative, or 0 < 0. */
 fmb_status fmb_oracle_conflict(fmb_oracle *o, fmb_weights *w);
 /* A direction in which every solution goes on for ever, and cost.x grows. */
-void fmb_oracle_ray(const fmb_oracle *o, mpq_t *x);
+fmb_status fmb_oracle_ray(const fmb_oracle *o, mpq_t *x);
 void fmb_oracle_ray_integers(const fmb_oracle *o, mpz_t *x);
 
 #endif

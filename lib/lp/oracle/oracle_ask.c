@@ -142,9 +142,7 @@ bool fmb_oracle_reached(fmb_oracle *o, mpq_t *x)
 {
     bool reached = o->feasible && (!o->p->any_strict || !o->backend ||
                                    fmb_vertex_is_point_inside(&o->v, o->point.z, o->point_den));
-    if (reached)
-        fmb_oracle_point(o, x);
-    return reached;
+    return reached && fmb_oracle_point(o, x) == FMB_OK;
 }
 
 fmb_status fmb_oracle_maximize(fmb_oracle *o, const fmb_weights *cost, fmb_oracle_end *out,

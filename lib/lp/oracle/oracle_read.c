@@ -1,23 +1,31 @@
 /* oracle_read.c: what an oracle has found, as rationals; see oracle.h. */
 #include "lp/oracle/oracle_state.h"
 
-static void set_ratio(mpq_t to, const mpz_t num, const mpz_t den)
+#include "num/long_gcd.h"
+
+static fmb_status set_ratio(const fmb_oracle *o, mpq_t to, const mpz_t num, const mpz_t den)
 {
-    mpz_set(mpq_numref(to), num);
-    mpz_set(mpq_denref(to), den);
-    mpq_canonicalize(to);
+    const fmb_poll poll = fmb_run_asked(o->run);
+    mpq_set_z(to, num);
+    return fmb_long_divide(to, den, &poll);
 }
 
-void fmb_oracle_point(const fmb_oracle *o, mpq_t *x)
+static fmb_status set_ratios(const fmb_oracle *o, mpq_t *x, mpz_t *num, const mpz_t den)
 {
-    for (size_t j = 0; j < o->n; j++)
-        set_ratio(x[j], o->point.z[j], o->point_den);
+    fmb_status st = FMB_OK;
+    for (size_t j = 0; st == FMB_OK && j < o->n; j++)
+        st = set_ratio(o, x[j], num[j], den);
+    return st;
 }
 
-void fmb_oracle_ray(const fmb_oracle *o, mpq_t *x)
+fmb_status fmb_oracle_point(const fmb_oracle *o, mpq_t *x)
 {
-    for (size_t j = 0; j < o->n; j++)
-        set_ratio(x[j], o->w.ray.z[j], o->w.ray_den);
+    return set_ratios(o, x, o->point.z, o->point_den);
+}
+
+fmb_status fmb_oracle_ray(const fmb_oracle *o, mpq_t *x)
+{
+    return set_ratios(o, x, o->w.ray.z, o->w.ray_den);
 }
 
 void fmb_oracle_point_integers(const fmb_oracle *o, mpz_t *x, mpz_t den)
@@ -43,10 +51,11 @@ static fmb_status add_prices(const fmb_oracle *o, const mpz_t unit, int sign, fm
     for (size_t r = 0; st == FMB_OK && r < v->n; r++) {
         if (mpz_sgn(v->y.z[r]) == 0)
             continue;
-        set_ratio(q, v->y.z[r], unit);
+        st = set_ratio(o, q, v->y.z[r], unit);
         if (sign < 0)
             mpq_neg(q, q);
-        st = fmb_weights_add(w, (uint32_t)v->basis[r], q, o->run->mem);
+        if (st == FMB_OK)
+            st = fmb_weights_add(w, (uint32_t)v->basis[r], q, o->run->mem);
     }
     mpq_clear(q);
     return st;
@@ -74,21 +83,26 @@ fmb_status fmb_oracle_multipliers(const fmb_oracle *o, fmb_weights *w)
 }
 
 /* sum_r y_r b_r over the unit of prices and that of the cost. */
-void fmb_oracle_value(const fmb_oracle *o, mpq_t value)
+fmb_status fmb_oracle_value(const fmb_oracle *o, mpq_t value)
 {
     const fmb_vertex *v = &o->v;
+    const fmb_poll poll = fmb_run_asked(o->run);
+    fmb_status st = FMB_OK;
     mpz_t b;
     mpz_init(b);
     mpq_set_ui(value, 0, 1);
-    for (size_t r = 0; r < v->n; r++) {
+    for (size_t r = 0; st == FMB_OK && r < v->n; r++) {
         if (mpz_sgn(v->y.z[r]) == 0)
             continue;
         fmb_program_get(v->p, v->basis[r], v->p->row[v->basis[r]].size, b);
         mpz_addmul(mpq_numref(value), v->y.z[r], b);
+        st = fmb_run_poll_long(o->run, mpq_numref(value));
     }
-    mpz_mul(mpq_denref(value), v->unit, o->cost_unit);
-    mpq_canonicalize(value);
+    mpz_mul(b, v->unit, o->cost_unit);
+    if (st == FMB_OK)
+        st = fmb_long_divide(value, b, &poll);
     mpz_clear(b);
+    return st;
 }
 
 /* sign a_odd - sum_r y_r a_r = 0, and so on the right side, which is negative. */

@@ -10,6 +10,8 @@
  */
 #include "lp/oracle/oracle_state.h"
 
+#include "num/long_gcd.h"
+
 /* The rows and t <= 1, with the face's row before that. */
 static fmb_status load_interior_rows(fmb_oracle *o, bool face, fmb_program *q)
 {
@@ -21,7 +23,7 @@ static fmb_status load_interior_rows(fmb_oracle *o, bool face, fmb_program *q)
     if (st == FMB_OK && face) {
         mpq_t value;
         mpq_init(value);
-        fmb_oracle_value(o, value);
+        st = fmb_oracle_value(o, value);
         mpz_set(z.z[o->n + 1], mpq_numref(value));
         mpz_mul(z.z[o->n + 1], z.z[o->n + 1], o->cost_unit);
         mpz_neg(z.z[o->n + 1], z.z[o->n + 1]);
@@ -29,7 +31,8 @@ static fmb_status load_interior_rows(fmb_oracle *o, bool face, fmb_program *q)
             mpz_mul(z.z[j], o->cost.z[j], mpq_denref(value));
             mpz_neg(z.z[j], z.z[j]);
         }
-        st = fmb_program_add_integers(q, z.z, FMB_LE);
+        if (st == FMB_OK)
+            st = fmb_program_add_integers(q, z.z, FMB_LE);
         mpq_clear(value);
     }
     for (size_t j = 0; j < z.size; j++)
@@ -48,14 +51,16 @@ static fmb_status take_interior_weights(fmb_oracle *o, const fmb_oracle *t, bool
     mpq_t scale, value;
     mpq_inits(scale, value, NULL);
     mpq_set_ui(scale, 1, 1);
+    const fmb_poll poll = fmb_run_asked(o->run);
     fmb_status st = fmb_oracle_multipliers(t, &w);
     for (size_t k = 0; st == FMB_OK && face && k < w.size; k++)
         if (w.index[k] == o->p->m) {
-            fmb_oracle_value(o, value);
-            mpz_mul(mpq_denref(scale), mpq_numref(w.value[k]), mpq_denref(value));
-            mpz_mul(mpq_denref(scale), mpq_denref(scale), o->cost_unit);
-            mpz_set(mpq_numref(scale), mpq_denref(w.value[k]));
-            mpq_canonicalize(scale);
+            st = fmb_oracle_value(o, value);
+            mpz_mul(mpq_denref(value), mpq_numref(w.value[k]), mpq_denref(value));
+            mpz_mul(mpq_denref(value), mpq_denref(value), o->cost_unit);
+            mpq_set_z(scale, mpq_denref(w.value[k]));
+            if (st == FMB_OK)
+                st = fmb_long_divide(scale, mpq_denref(value), &poll);
         }
     fmb_weights_clear(&o->interior_proof, o->run->mem);
     for (size_t k = 0; st == FMB_OK && k < w.size; k++) {

@@ -364,7 +364,9 @@ static fmb_status keep_tested_row(pruner *p, size_t i, bool beyond)
     p->fate[i] = FMB_FATE_KEPT;
     if (!p->told || !p->told->irredundant)
         return FMB_OK;
-    fmb_oracle_point(p->over_all, p->x);
+    fmb_status st = fmb_oracle_point(p->over_all, p->x);
+    if (st != FMB_OK)
+        return st;
     if (beyond && p->all.any_strict)
         go_half_way_to_inner(p, i);
     return p->told->irredundant(p->told->self, i, p->x);
@@ -392,8 +394,9 @@ static fmb_status prune_in_passes(pruner *p)
     fmb_status st = fmb_oracle_feasible(p->over_all, p->feasible);
     if (st != FMB_OK || !*p->feasible)
         return st;
-    fmb_oracle_point(p->over_all, p->inner);
-    st = lock_equalities(p);
+    st = fmb_oracle_point(p->over_all, p->inner);
+    if (st == FMB_OK)
+        st = lock_equalities(p);
     if (st == FMB_OK && !p->as_given)
         st = find_implicit_equalities(p);
     for (size_t i = p->m; st == FMB_OK && i-- > 0;)

@@ -20,17 +20,14 @@ void fmb_found_end_clear(fmb_found_end *f, size_t n, fmb_mem *mem)
 static fmb_status read_answer(const fmb_oracle *o, int sign, fmb_found_end *f)
 {
     if (f->end == FMB_ORACLE_UNBOUNDED) {
-        if (f->x)
-            fmb_oracle_ray(o, f->x);
-        return FMB_OK;
+        return f->x ? fmb_oracle_ray(o, f->x) : FMB_OK;
     }
-    fmb_oracle_value(o, f->value);
+    fmb_status st = fmb_oracle_value(o, f->value);
     if (sign < 0)
         mpq_neg(f->value, f->value);
-    if (!f->x)
-        return FMB_OK;
-    fmb_oracle_point(o, f->x);
-    return fmb_oracle_multipliers(o, &f->w);
+    if (st == FMB_OK && f->x)
+        st = fmb_oracle_point(o, f->x);
+    return st == FMB_OK && f->x ? fmb_oracle_multipliers(o, &f->w) : st;
 }
 
 fmb_status fmb_find_end(fmb_oracle *o, int column, int sign, fmb_mem *mem, fmb_found_end *f)

@@ -63,12 +63,12 @@ static fmb_status read_optimum_of_oracle(fmb_query *q, const fmb_part *p, const 
                                          fmb_component_optimum *k)
 {
     k->kind = FMB_END_FINITE;
-    fmb_oracle_value(o, k->value);
-    fmb_oracle_point(o, k->x);
-    if (!q->claims)
-        return FMB_OK;
-    fmb_status st = fmb_oracle_multipliers(o, &k->w);
-    return st == FMB_OK ? fmb_query_take_oracle_weights(q, p, &k->w) : st;
+    fmb_status st = fmb_oracle_value(o, k->value);
+    if (st == FMB_OK)
+        st = fmb_oracle_point(o, k->x);
+    if (st == FMB_OK && q->claims)
+        st = fmb_oracle_multipliers(o, &k->w);
+    return st == FMB_OK && q->claims ? fmb_query_take_oracle_weights(q, p, &k->w) : st;
 }
 
 fmb_status fmb_component_optimum_by_oracle(fmb_query *q, const fmb_goal *g, int part,
@@ -88,8 +88,7 @@ fmb_status fmb_component_optimum_by_oracle(fmb_query *q, const fmb_goal *g, int 
     fmb_weights_clear(&cost, q->run.mem);
     if (st == FMB_OK && end == FMB_ORACLE_UNBOUNDED) {
         k->kind = FMB_END_INFINITE;
-        fmb_oracle_ray(o, k->x);
-        return FMB_OK;
+        return fmb_oracle_ray(o, k->x);
     }
     return st == FMB_OK ? read_optimum_of_oracle(q, p, o, k) : st;
 }

@@ -197,11 +197,13 @@ static fmb_status write_row_by_facets(face_search *f, excluded_face *face)
     }
     if (st == FMB_OK)
         st = fmb_oracle_maximize(f->oracle, &form, &end, &attained);
+    if (st == FMB_OK)
+        st = fmb_oracle_value(f->oracle, a);
+    if (st == FMB_OK)
+        st = fmb_oracle_point(f->oracle, f->x);
     if (st == FMB_OK) {
-        fmb_oracle_value(f->oracle, a);
         fmb_vec_get_q(&r->val, r->nnz, b);
         face->redundant = mpq_cmp(a, b) < 0;
-        fmb_oracle_point(f->oracle, f->x);
         st = fmb_oracle_multipliers(f->oracle, &face->y);
     }
     for (size_t k = 0; st == FMB_OK && k < face->y.size; k++)

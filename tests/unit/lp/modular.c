@@ -62,10 +62,52 @@ Test(modular, fractions_come_back_from_residues)
         cr_assert(mpz_invert(t, den, m));
         mpz_mul(y, num, t);
         mpz_fdiv_r(y, y, m);
-        cr_assert(fmb_rational_find(&w, y, m, (size_t)a_bits, (size_t)b_bits, a, b));
+        cr_assert(fmb_rational_find(&w, y, m, (size_t)a_bits, (size_t)b_bits, a, b, NULL));
         cr_assert_eq(mpz_cmp(a, num), 0);
         cr_assert_eq(mpz_cmp(b, den), 0);
     }
     mpz_clears(m, y, a, b, num, den, t, NULL);
+    fmb_rational_clear(&w);
+}
+
+/* Says no at call `limit`. */
+typedef struct waiting {
+    size_t asked, limit;
+} waiting;
+
+static fmb_status ask(void *self)
+{
+    waiting *w = self;
+    return ++w->asked < w->limit ? FMB_OK : FMB_ERR_IO;
+}
+
+/* One of so many bits takes half a second: a few hundred calls are many times as often as is
+ * needed. */
+Test(modular, a_long_fraction_asks_and_ends)
+{
+    enum { BITS = 600000 };
+    waiting all = {.limit = SIZE_MAX};
+    const fmb_poll poll = {ask, &all};
+    fmb_rational w;
+    mpz_t m, y, a, b, num, den;
+    fmb_rational_init(&w);
+    mpz_inits(m, y, a, b, num, den, NULL);
+    mpz_ui_pow_ui(num, 3, BITS / 2);
+    mpz_ui_pow_ui(den, 7, BITS / 3);
+    mpz_setbit(m, 2 * BITS + 3);
+    cr_assert(mpz_invert(y, den, m));
+    mpz_mul(y, y, num);
+    mpz_fdiv_r(y, y, m);
+    cr_assert(fmb_rational_find(&w, y, m, BITS, BITS, a, b, &poll));
+    cr_expect_eq(mpz_cmp(a, num), 0);
+    cr_expect_eq(mpz_cmp(b, den), 0);
+    cr_expect_geq(all.asked, 200, "%zu calls", all.asked);
+    for (size_t limit = 1; limit <= all.asked; limit += all.asked / 4) {
+        waiting some = {.limit = limit};
+        const fmb_poll ends = {ask, &some};
+        cr_expect(!fmb_rational_find(&w, y, m, BITS, BITS, a, b, &ends));
+        cr_expect_eq(some.asked, limit);
+    }
+    mpz_clears(m, y, a, b, num, den, NULL);
     fmb_rational_clear(&w);
 }

@@ -3,6 +3,7 @@
 
 #include "lp/linalg/exact/hadamard.h"
 #include "num/gcd.h"
+#include "num/long_gcd.h"
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
@@ -25,6 +26,7 @@ fmb_status fmb_combination_init(fmb_combination *c, fmb_mem *mem, size_t n, cons
 {
     *c = (fmb_combination){.mem = mem, .n = n, .row = row, .q = fmb_prime_number(0)};
     mpz_inits(c->all, c->left, c->power, c->s, c->t, c->u, c->v, NULL);
+    fmb_rational_init(&c->rational);
     c->index = fmb_mem_get(mem, n, sizeof *c->index);
     c->column = fmb_mem_get(mem, n, sizeof *c->column);
     c->matrix = fmb_mem_get(mem, n * (n + 1), sizeof *c->matrix);
@@ -45,6 +47,7 @@ void fmb_combination_clear(fmb_combination *c)
     if (!c->mem)
         return;
     mpz_clears(c->all, c->left, c->power, c->s, c->t, c->u, c->v, NULL);
+    fmb_rational_clear(&c->rational);
     fmb_mem_put(c->mem, c->index, n, sizeof *c->index);
     fmb_mem_put(c->mem, c->column, n, sizeof *c->column);
     fmb_mem_put(c->mem, c->matrix, n * (n + 1), sizeof *c->matrix);
@@ -235,87 +238,65 @@ static void lift_by_one_digit(fmb_combination *c, bool small)
     substitute_back(c);
 }
 
-/* The fraction s / t with the remainder v modulo the power, both at most `most`; by Euclid's
- * algorithm (Wang 1981). False if there is none. */
-static bool find_fraction_of_remainder(fmb_combination *c, const mpz_t most)
-{
-    mpz_t a, b;
-    mpz_init_set(a, c->power);
-    mpz_init_set_ui(b, 0);
-    mpz_set(c->s, c->v);
-    mpz_set_ui(c->t, 1);
-    while (mpz_cmp(c->s, most) > 0) { /* (a, b) and (s, t): s = t v modulo the power */
-        mpz_fdiv_qr(c->u, a, a, c->s);
-        mpz_submul(b, c->u, c->t);
-        mpz_swap(a, c->s);
-        mpz_swap(b, c->t);
-    }
-    mpz_clears(a, b, NULL);
-    if (mpz_sgn(c->t) < 0) {
-        mpz_neg(c->t, c->t);
-        mpz_neg(c->s, c->s);
-    }
-    return mpz_cmp(c->t, most) <= 0;
-}
-
 /* Numerators over one denominator `all` for what the digits say; false where some is too large to
- * be believed. */
+ * be believed, or the query ends. */
 static bool guess_fractions(fmb_combination *c, mpz_t *numerator)
 {
-    bool found = true;
-    mpz_t most;
-    mpz_init(most);
-    mpz_fdiv_q_2exp(most, c->power, 1);
-    mpz_sqrt(most, most);
+    const fmb_poll poll = fmb_run_asked(c->run);
+    const size_t most = (mpz_sizeinbase(c->power, 2) - 2) / 2; /* bits */
     mpz_set_ui(c->all, 1);
-    for (size_t k = 0; found && k < c->unknowns; k++) {
+    for (size_t k = 0; k < c->unknowns; k++) {
         mpz_mul(c->v, c->part[k], c->all);
         mpz_fdiv_r(c->v, c->v, c->power);
         mpz_sub(c->u, c->v, c->power); /* the remainder next to 0 */
         mpz_set(numerator[k], mpz_cmpabs(c->u, c->v) < 0 ? c->u : c->v);
-        if (mpz_cmpabs(numerator[k], most) <= 0)
+        if (mpz_sizeinbase(numerator[k], 2) <= most)
             continue;
-        found = find_fraction_of_remainder(c, most);
-        mpz_set(numerator[k], c->s);
+        if (!fmb_rational_find(&c->rational, c->v, c->power, most, most, numerator[k], c->t, &poll))
+            return false;
         mpz_mul(c->all, c->all, c->t);
         for (size_t i = 0; i < k; i++)
             mpz_mul(numerator[i], numerator[i], c->t);
-        found = found && mpz_cmp(c->all, most) <= 0;
-    }
-    mpz_clear(most);
-    return found;
-}
-
-/* ---- judging --------------------------------------------------------------------------------- */
-
-/* left = all (row i) - sum of part_k (row k), at entry j. */
-static void subtract_parts(fmb_combination *c, mpz_t *part, size_t j, mpz_t left)
-{
-    fmb_vec_get(c->row[c->i].v, j, c->t);
-    mpz_mul(left, c->all, c->t);
-    for (size_t k = 0; k < c->unknowns; k++) {
-        const fmb_vec *v = unknown_row(c, k);
-        if (fmb_vec_sgn(v, j) == 0)
-            continue;
-        fmb_vec_get(v, j, c->t);
-        mpz_submul(left, part[k], c->t);
-    }
-}
-
-/* Do the parts solve equations from .. on? */
-static bool solves_equations(fmb_combination *c, mpz_t *part, size_t from)
-{
-    for (size_t e = from; e < c->equations; e++) {
-        subtract_parts(c, part, c->column[e], c->left);
-        if (mpz_sgn(c->left) != 0)
+        if (mpz_sizeinbase(c->all, 2) > most)
             return false;
     }
     return true;
 }
 
+/* ---- judging --------------------------------------------------------------------------------- */
+
+/* left = all (row i) - sum of part_k (row k), at entry j. */
+static fmb_status subtract_parts(fmb_combination *c, mpz_t *part, size_t j, mpz_t left)
+{
+    fmb_status st = FMB_OK;
+    fmb_vec_get(c->row[c->i].v, j, c->t);
+    mpz_mul(left, c->all, c->t);
+    for (size_t k = 0; st == FMB_OK && k < c->unknowns; k++) {
+        const fmb_vec *v = unknown_row(c, k);
+        if (fmb_vec_sgn(v, j) == 0)
+            continue;
+        fmb_vec_get(v, j, c->t);
+        mpz_submul(left, part[k], c->t);
+        st = fmb_run_poll_long(c->run, left);
+    }
+    return st;
+}
+
+/* Do the parts solve equations from .. on? */
+static fmb_status try_equations(fmb_combination *c, mpz_t *part, size_t from, bool *solved)
+{
+    fmb_status st = FMB_OK;
+    *solved = true;
+    for (size_t e = from; st == FMB_OK && *solved && e < c->equations; e++) {
+        st = subtract_parts(c, part, c->column[e], c->left);
+        *solved = st == FMB_OK && mpz_sgn(c->left) == 0;
+    }
+    return st;
+}
+
 /* Rounds of digits until fractions hold: as soon as they do, and at the latest when no larger ones
  * are possible. */
-static fmb_status lift_digits(fmb_combination *c, fmb_run *run, double bits, bool *found)
+static fmb_status lift_digits(fmb_combination *c, double bits, bool *found)
 {
     fmb_status st = FMB_OK;
     bool small = do_digit_sums_fit(c);
@@ -326,13 +307,16 @@ static fmb_status lift_digits(fmb_combination *c, fmb_run *run, double bits, boo
     begin_digits(c);
     for (size_t digits = 1, next = 2; st == FMB_OK && !*found; digits++) {
         lift_by_one_digit(c, small);
-        if (digits < next && (double)digits < enough)
+        st = fmb_run_poll(c->run);
+        if (st != FMB_OK || (digits < next && (double)digits < enough))
             continue;
-        *found = guess_fractions(c, numerator) && solves_equations(c, numerator, 0);
+        if (guess_fractions(c, numerator))
+            st = try_equations(c, numerator, 0, found);
+        if (st == FMB_OK)
+            st = fmb_run_poll_now(c->run);
         if ((double)digits >= enough)
             break;
         next += next / 2;
-        st = fmb_run_poll_now(run);
     }
     for (size_t k = 0; *found && k < c->unknowns; k++)
         mpz_swap(c->part[k], numerator[k]);
@@ -343,12 +327,16 @@ static fmb_status lift_digits(fmb_combination *c, fmb_run *run, double bits, boo
 /* ---- the answer ------------------------------------------------------------------------------ */
 
 /* In lowest terms, all > 0, without parts that are 0; left by the right sides. */
-static void tidy_combination(fmb_combination *c)
+static fmb_status tidy_combination(fmb_combination *c)
 {
+    const fmb_poll poll = fmb_run_asked(c->run);
+    fmb_status st = FMB_OK;
     size_t kept = 0;
     mpz_set(c->s, c->all);
-    for (size_t k = 0; k < c->unknowns && mpz_cmp_ui(c->s, 1) != 0; k++)
-        mpz_gcd(c->s, c->s, c->part[k]);
+    for (size_t k = 0; st == FMB_OK && k < c->unknowns && mpz_cmp_ui(c->s, 1) != 0; k++)
+        st = fmb_long_gcd(c->s, c->s, c->part[k], &poll);
+    if (st != FMB_OK)
+        return st;
     if (mpz_sgn(c->all) < 0)
         mpz_neg(c->s, c->s);
     mpz_divexact(c->all, c->all, c->s);
@@ -360,13 +348,14 @@ static void tidy_combination(fmb_combination *c)
         c->index[kept++] = c->index[k];
     }
     c->size = c->unknowns = kept;
-    subtract_parts(c, c->part, c->n, c->left);
+    return subtract_parts(c, c->part, c->n, c->left);
 }
 
 fmb_status fmb_combine(fmb_combination *c, fmb_run *run, size_t i, const size_t *support,
                        size_t size, bool *found)
 {
     fmb_status st = FMB_OK;
+    c->run = run;
     c->i = i;
     c->unknowns = size;
     for (size_t k = 0; k < size; k++)
@@ -380,13 +369,13 @@ fmb_status fmb_combine(fmb_combination *c, fmb_run *run, size_t i, const size_t 
     double bits = fmb_hadamard_bits(c->row, c->i, c->unknowns, c->index, c->column);
     if (bits < FMB_PRIME_BITS - 2) {
         lift_minors(c);
-        *found = solves_equations(c, c->part, c->unknowns);
+        st = try_equations(c, c->part, c->unknowns, found);
     } else {
         *found = false;
-        st = lift_digits(c, run, bits, found);
+        st = lift_digits(c, bits, found);
     }
-    if (*found)
-        tidy_combination(c);
+    if (st == FMB_OK && *found)
+        st = tidy_combination(c);
     return st;
 }
 

@@ -10,6 +10,7 @@
 
 #include <gmp.h>
 
+#include "lp/linalg/exact/rational.h"
 #include "lp/model/row.h"
 #include "num/prime.h"
 #include "trace/run.h"
@@ -24,6 +25,7 @@ typedef struct fmb_combination {
     mpz_t *part;         /* [n] */
     mpz_t all, left;
     /* Scratch. Equations are columns of the rows, unknowns the factors of the rows. */
+    fmb_run *run; /* that waits */
     size_t i, equations, unknowns;
     size_t *column;    /* [n] of each equation; those that determine the unknowns come first */
     uint64_t *matrix;  /* [n][n + 1] modulo the prime: L and U, and the right side */
@@ -32,6 +34,7 @@ typedef struct fmb_combination {
     uint64_t *sum;     /* [n] */
     mpz_t *rest;       /* [n] what the digits so far leave, over their power of the prime */
     mpz_t power, s, t, u, v;
+    fmb_rational rational;
 } fmb_combination;
 
 /* row must outlive c. Errors: MEMORY, LIMIT. In any case fmb_combination_clear it. */

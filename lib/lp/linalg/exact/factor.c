@@ -163,13 +163,15 @@ static bool is_short(fmb_factor *f, size_t bits)
     return mpz_sizeinbase(mpz_cmp(f->a, f->y) < 0 ? f->a : f->y, 2) <= bits;
 }
 
-/* f->y is a fraction over what f->d lacks: multiply that in. False: none is found yet. */
+/* f->y is a fraction over what f->d lacks: multiply that in. False: none is found yet, or
+ * the query ends, as it says at the next digit. */
 static bool widen_denominator(fmb_factor *f, size_t m_bits)
 {
+    const fmb_poll poll = fmb_run_asked(f->run);
     size_t half = (m_bits + mpz_sizeinbase(f->d, 2)) / 2;
     if (m_bits < half + GUARD_BITS ||
-        !fmb_rational_find(&f->rational, f->y, f->m, half, m_bits - half - GUARD_BITS, f->a,
-                           f->y) ||
+        !fmb_rational_find(&f->rational, f->y, f->m, half, m_bits - half - GUARD_BITS, f->a, f->y,
+                           &poll) ||
         mpz_cmp_ui(f->y, 1) == 0)
         return false;
     mpz_mul(f->d, f->d, f->y);

@@ -85,9 +85,12 @@ fmb_status fmb_minors_factor(fmb_minors *f, const fmb_sparse *b, fmb_run *run)
     mpz_ptr last = f->y.z[n];
     for (size_t k = 0; st == FMB_OK && k < n; k++) {
         for (size_t i = k + 1; st == FMB_OK && i < n; i++) {
-            for (size_t j = k + 1; j < n; j++)
+            for (size_t j = k + 1; st == FMB_OK && j < n; j++) {
                 clear_entry(a[i * n + j], a[k * n + k], a[i * n + k], a[k * n + j], last);
-            st = poll_row(run, f, k);
+                st = fmb_run_poll_long(run, a[i * n + j]);
+            }
+            if (st == FMB_OK)
+                st = poll_row(run, f, k);
         }
         last = a[k * n + k];
     }
@@ -111,10 +114,13 @@ static fmb_status go_forwards(fmb_minors *f, fmb_run *run, bool transposed)
     mpz_srcptr last = y[f->n];
     for (size_t k = 0; st == FMB_OK && k < f->n; k++) {
         mpz_srcptr p = factor_at(f, false, k, k);
-        for (size_t i = k + 1; i < f->n; i++)
+        for (size_t i = k + 1; st == FMB_OK && i < f->n; i++) {
             clear_entry(y[i], p, factor_at(f, transposed, i, k), y[k], last);
+            st = fmb_run_poll_long(run, y[i]);
+        }
         last = p;
-        st = poll_row(run, f, k);
+        if (st == FMB_OK)
+            st = poll_row(run, f, k);
     }
     return st;
 }
@@ -127,11 +133,14 @@ static fmb_status go_backwards(fmb_minors *f, fmb_run *run, bool transposed, con
     for (size_t i = f->n; st == FMB_OK && i-- > 0;) {
         if (i + 1 < f->n)
             mpz_mul(y[i], y[i], det);
-        for (size_t j = i + 1; j < f->n; j++)
+        for (size_t j = i + 1; st == FMB_OK && j < f->n; j++) {
             mpz_submul(y[i], factor_at(f, transposed, i, j), y[j]);
+            st = fmb_run_poll_long(run, y[i]);
+        }
         if (i + 1 < f->n)
             mpz_divexact(y[i], y[i], factor_at(f, false, i, i));
-        st = poll_row(run, f, i);
+        if (st == FMB_OK)
+            st = poll_row(run, f, i);
     }
     return st;
 }

@@ -3,6 +3,7 @@
 
 #include <stdint.h>
 
+#include "num/long_gcd.h"
 #include "num/word.h"
 
 void fmb_rational_init(fmb_rational *w)
@@ -88,22 +89,27 @@ static void take_step(fmb_rational *w)
     mpz_swap(w->x, w->y);
 }
 
+/* Of so many steps, which take no longer than milliseconds, one asks whether to go on. */
+#define ASKING_STEPS 64
+
 /* r = x y0 and s = y y0 modulo m, all along; the first remainder that is short enough has the
  * fraction, if any has. */
 bool fmb_rational_find(fmb_rational *w, const mpz_t y0, const mpz_t m, size_t a_bits, size_t b_bits,
-                       mpz_t a, mpz_t b)
+                       mpz_t a, mpz_t b, const fmb_poll *poll)
 {
     mpz_set(w->r, m);
     mpz_set(w->s, y0);
     mpz_set_ui(w->x, 0);
     mpz_set_ui(w->y, 1);
-    while (mpz_sizeinbase(w->s, 2) > a_bits)
+    for (size_t step = 1; mpz_sizeinbase(w->s, 2) > a_bits; step++) {
         if (!take_sure_steps(w, a_bits))
             take_step(w);
+        if (step % ASKING_STEPS == 0 && fmb_poll_ask(poll) != FMB_OK)
+            return false;
+    }
     if (mpz_sizeinbase(w->y, 2) > b_bits)
         return false;
-    mpz_gcd(w->t, w->s, w->y);
-    if (mpz_cmp_ui(w->t, 1) != 0)
+    if (fmb_long_gcd(w->t, w->s, w->y, poll) != FMB_OK || mpz_cmp_ui(w->t, 1) != 0)
         return false;
     mpz_set(a, w->s);
     mpz_set(b, w->y);
