@@ -1,8 +1,8 @@
 /* lift_private.h: systems whose projection is an image, a sum or a hull; see fmb/lift.h.
  *
  * Each function fills a system that has no variables and rows yet, and marks those that the answer
- * keeps, which come first. LIMIT is that of the memory within which the system stands. After ARG, fmb_system_trouble of it tells why. After any error it is
- * only good to be freed.
+ * keeps, which come first. LIMIT is that of the memory within which the system stands. After ARG,
+ * fmb_system_trouble of it tells why. After any error it is only good to be freed.
  */
 #ifndef FMB_LIFT_LIFT_PRIVATE_H
 #define FMB_LIFT_LIFT_PRIVATE_H

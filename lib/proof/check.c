@@ -1,6 +1,6 @@
-/* check.c: the checker of evidence. This file, combine_rows.c and sum.c, complete.c and lattice.c are
- * the trusted base: believe them, GMP, and how a system stores its rows, and nothing else of the
- * library needs to be believed.
+/* check.c: the checker of evidence. This file, combine_rows.c and sum.c, complete.c and lattice.c
+ * are the trusted base: believe them, GMP, and how a system stores its rows, and nothing else of
+ * the library needs to be believed.
  *
  * All claims come down to two questions, asked of the rows as the user wrote them (combine_rows.h):
  *   proves:  do the multipliers combine the rows to a given inequality?

@@ -20,7 +20,7 @@ static void free_numbers(mpq_t *q, size_t count)
 }
 
 bool backend_bench_open(backend_bench *b, support_family family, uint64_t seed,
-                     const support_shape *shape)
+                        const support_shape *shape)
 {
     fmb_options o = {.size = sizeof o};
     *b = (backend_bench){.c = support_make(family, seed, shape)};
@@ -230,8 +230,8 @@ bool backend_bench_proves_optimum(backend_bench *b)
 {
     mpq_t *target = new_numbers(b->n);
     exact_cost(b, target);
-    bool proved = backend_bench_meet(b) && backend_bench_holds(b, b->x, false) && combine(b, target) &&
-                  is_signed(b, 1);
+    bool proved = backend_bench_meet(b) && backend_bench_holds(b, b->x, false) &&
+                  combine(b, target) && is_signed(b, 1);
     free_numbers(target, b->n);
     return proved;
 }
