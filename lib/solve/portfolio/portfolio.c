@@ -144,8 +144,6 @@ static fmb_status eliminate_rest(shadow *h, fmb_reduced_part *reduced, const gro
 
 /* A hull in so many dimensions mostly has few enough facets. */
 #define FEW_KEPT 6
-/* In more dimensions, so many pairs of facets of a hull take as long as a few queries. */
-#define FIRST_PAIRS ((uint64_t)1 << 17)
 
 /* ---- which way ------------------------------------------------------------------------------- */
 
@@ -218,7 +216,7 @@ static fmb_status try_elimination(part_run *r, bool known, size_t budget)
 }
 
 /* Nothing that names variables that go may be left of the projection. */
-static fmb_status try_recession(part_run *r)
+static fmb_status try_recession(part_run *r, uint64_t budget)
 {
     shadow h = shadow_of_run(r);
     bool recedes;
@@ -226,14 +224,15 @@ static fmb_status try_recession(part_run *r)
     fmb_status st = fmb_recession_drop_rows(e, r->reduced.drop, &r->q->v->arena, &recedes);
     if (st == FMB_OK && recedes)
         st = put_rows_of_elimination(&h, e, FMB_OK, false, r->feasible, &r->done);
-    tell_attempt(r, "escape", 0, NULL, st);
+    tell_attempt(r, "escape", budget, NULL, st);
     return st;
 }
 
-static fmb_status try_bounded_elimination(part_run *r)
+/* Trials: budgets of FMB_TRIAL_BUDGET rows. */
+static fmb_status try_bounded_elimination(part_run *r, uint64_t trials)
 {
     shadow h = shadow_of_run(r);
-    growth_bound bounded = {FIRST_GROWTH, 2, r->features.kept};
+    growth_bound bounded = {FIRST_GROWTH, (size_t)trials, r->features.kept};
     if (!fmb_mark_possible(&r->reduced.e))
         return FMB_OK;
     size_t budget;
@@ -242,7 +241,7 @@ static fmb_status try_bounded_elimination(part_run *r)
     return st;
 }
 
-static fmb_status try_growing_elimination(part_run *r)
+static fmb_status try_growing_elimination(part_run *r, uint64_t trials)
 {
     shadow h = shadow_of_run(r);
     fmb_elim *e = &r->reduced.e;
@@ -250,7 +249,7 @@ static fmb_status try_growing_elimination(part_run *r)
         return try_elimination(r, false, FMB_TRIAL_BUDGET(h.p->m));
     bool any = r->features.kept > FMB_SHORT_QUERIES &&
                count_variables_to_go(e, r->reduced.drop) <= MOST_FREE_STEPS;
-    growth_bound growing = {any ? 0 : SECOND_GROWTH, 1, r->features.kept};
+    growth_bound growing = {any ? 0 : SECOND_GROWTH, (size_t)trials, r->features.kept};
     size_t budget;
     fmb_status st = eliminate_rest(&h, &r->reduced, &growing, &budget, r->feasible, &r->done);
     tell_attempt(r, "steeper elimination", budget, "rows", st);
@@ -269,18 +268,11 @@ static fmb_status open_queries(part_run *r)
                       : fmb_queries_open(r->q, r->part, r->place, &r->queries, r->feasible);
 }
 
-/* A way was tried, with that status. */
-static fmb_status note(fmb_way_id way, const part_run *r, fmb_status st)
-{
-    fmb_way_answered(way, st == FMB_OK && (r->done || !*r->feasible));
-    return st;
-}
-
 /* With the rule that asks the oracle, from the part again. */
-static fmb_status try_pruned_elimination(part_run *r, size_t budget)
+static fmb_status try_pruned_elimination(part_run *r, uint64_t rows)
 {
     fmb_status st = r->known ? FMB_OK : open_queries(r);
-    return is_open(st, r) ? try_elimination(r, true, budget) : st;
+    return is_open(st, r) ? try_elimination(r, true, (size_t)rows) : st;
 }
 
 /* pairs: 0, any number. */
@@ -293,56 +285,71 @@ static fmb_status try_queries(part_run *r, uint64_t pairs)
     return st;
 }
 
+/* ---- pipelines ------------------------------------------------------------------------------- */
+
+static fmb_status ask_for_solution(part_run *r, uint64_t budget)
+{
+    (void)budget;
+    return r->known ? FMB_OK : open_queries(r);
+}
+
+/* As many again where few rows are still to come and few dimensions stay. */
+static fmb_status try_rays_twice(part_run *r, uint64_t rays)
+{
+    fmb_status st = try_rays(r, rays);
+    bool more = is_open(st, r) && r->features.kept <= FMB_SHORT_QUERIES &&
+                fmb_ray_projection_is_nearly_done(r->rays);
+    return more ? try_rays(r, rays) : st;
+}
+
 /* In a few dimensions, by asking how far it goes; in more, so far. */
-static fmb_status try_oracle(part_run *r)
+static fmb_status try_some_queries(part_run *r, uint64_t pairs)
 {
-    return try_queries(r, r->features.kept <= FEW_KEPT ? 0 : FIRST_PAIRS);
+    return try_queries(r, r->features.kept <= FEW_KEPT ? 0 : pairs);
 }
 
-/* What makes more rows is eliminated, then a few rays; if both grow, some more rays where there
- * seem to be few. */
-static fmb_status try_rays_and_growing_elimination(part_run *r)
+static const struct step_way {
+    fmb_status (*take)(part_run *, uint64_t budget);
+    int way; /* its switch; FMB_WAY_COUNT: none */
+} STEP[FMB_STEPS] = {
+    [FMB_STEP_SOLUTION] = {ask_for_solution, FMB_WAY_COUNT},
+    [FMB_STEP_RECESSION] = {try_recession, FMB_WAY_RECESSION},
+    [FMB_STEP_BOUNDED] = {try_bounded_elimination, FMB_WAY_BOUNDED_GROWTH},
+    [FMB_STEP_GROWING] = {try_growing_elimination, FMB_WAY_HIGHER_GROWTH},
+    [FMB_STEP_PRUNED] = {try_pruned_elimination, FMB_WAY_PRUNED},
+    [FMB_STEP_FIRST_RAYS] = {try_rays_twice, FMB_WAY_FIRST_RAYS},
+    [FMB_STEP_SECOND_RAYS] = {try_rays, FMB_WAY_SECOND_RAYS},
+    [FMB_STEP_QUERIES] = {try_some_queries, FMB_WAY_COUNT},
+};
+
+static const fmb_pipeline QUERIES_ALONE = {.step = {{FMB_STEP_QUERIES, FMB_FIRST_PAIRS}}};
+
+static fmb_status take_step(part_run *r, const fmb_pipeline_step *s)
 {
-    uint64_t rays = fmb_selection_first_rays(&r->features);
+    const struct step_way *w = &STEP[s->kind];
+    if (w->way == FMB_WAY_COUNT)
+        return w->take(r, s->budget);
+    if (!fmb_way((fmb_way_id)w->way))
+        return FMB_OK;
+    fmb_status st = w->take(r, s->budget);
+    fmb_way_answered((fmb_way_id)w->way, st == FMB_OK && is_answered(r));
+    return st;
+}
+
+/* One step after the other, until one of them answers. */
+static fmb_status run_pipeline(part_run *r, const fmb_pipeline *p)
+{
     fmb_status st = FMB_OK;
-    if (fmb_selection_raises_bound(&r->features) && fmb_way(FMB_WAY_HIGHER_GROWTH))
-        st = note(FMB_WAY_HIGHER_GROWTH, r, try_growing_elimination(r));
-    if (is_open(st, r) && rays > 0 && fmb_way(FMB_WAY_FIRST_RAYS))
-        st = note(FMB_WAY_FIRST_RAYS, r, try_rays(r, rays));
-    if (is_open(st, r) && r->features.kept <= FMB_SHORT_QUERIES &&
-        fmb_ray_projection_is_nearly_done(r->rays))
-        st = try_rays(r, rays);
-    rays = is_open(st, r) ? fmb_selection_second_rays(&r->features) : 0;
-    return rays > 0 && fmb_way(FMB_WAY_SECOND_RAYS)
-               ? note(FMB_WAY_SECOND_RAYS, r, try_rays(r, rays))
-               : st;
-}
-
-/* What is nearly cheap is eliminated; then what rows and numbers are like tells the way; then the
- * oracle is asked. */
-static fmb_status try_each_shortly(part_run *r)
-{
-    fmb_status st =
-        fmb_selection_doubts_solution(&r->features) && !r->known ? open_queries(r) : FMB_OK;
-    if (is_open(st, r) && fmb_selection_tries_recession(&r->features) && fmb_way(FMB_WAY_RECESSION))
-        st = note(FMB_WAY_RECESSION, r, try_recession(r));
-    if (is_open(st, r) && !fmb_selection_asks_ends(&r->features)) {
-        if (fmb_selection_bounds_growth(&r->features) && fmb_way(FMB_WAY_BOUNDED_GROWTH))
-            st = note(FMB_WAY_BOUNDED_GROWTH, r, try_bounded_elimination(r));
-        size_t budget = is_open(st, r) ? fmb_selection_pruned_rows(&r->features) : 0;
-        if (budget > 0 && fmb_way(FMB_WAY_PRUNED))
-            st = note(FMB_WAY_PRUNED, r, try_pruned_elimination(r, budget));
-        if (is_open(st, r))
-            st = try_rays_and_growing_elimination(r);
-    }
-    return is_open(st, r) ? try_oracle(r) : st;
+    for (int k = 0; k < FMB_MOST_STEPS && is_open(st, r) && p->step[k].kind != FMB_STEP_NONE; k++)
+        st = take_step(r, &p->step[k]);
+    return st;
 }
 
 /* What is left is eliminated, and pruned by the oracle, in turns with rays and queries. */
 static fmb_status take_turns(part_run *r)
 {
     size_t budget = FMB_TRIAL_BUDGET(r->q->parts.part[r->part].m);
-    uint64_t pairs = FIRST_PAIRS;
+    uint64_t pairs = FMB_FIRST_PAIRS;
     fmb_status st = FMB_OK;
     while (is_open(st, r)) {
         pairs *= 4;
@@ -366,9 +373,11 @@ static fmb_status run_portfolio(part_run *r)
     if (is_open(st, r))
         r->features = fmb_features_of(&r->reduced);
     if (is_open(st, r))
-        st = by_rays ? try_rays(r, 0) : try_each_shortly(r);
-    if (is_open(st, r))
-        st = by_rays ? try_oracle(r) : FMB_OK;
+        st = by_rays ? try_rays(r, 0) : FMB_OK;
+    if (is_open(st, r)) {
+        fmb_pipeline p = by_rays ? QUERIES_ALONE : fmb_selection_pipeline(&r->features);
+        st = run_pipeline(r, &p);
+    }
     if (is_open(st, r))
         st = take_turns(r);
     fmb_status kept = FMB_OK;

@@ -44,7 +44,7 @@
 /* So many rows mean many rays, but not many queries where few variables are kept. */
 #define MANY_ROWS(f) (4 * (size_t)(f)->variables)
 
-bool fmb_selection_asks_ends(const fmb_features *f)
+static bool asks_ends(const fmb_features *f)
 {
     return f->kept <= 1 && !f->is_strict && f->freedom > LEAST_FREEDOMS;
 }
@@ -64,12 +64,12 @@ static bool are_nearly_all_coefficients_there(const fmb_features *f)
     return 4 * nonzeros_by_row(f) >= 3 * (double)f->columns;
 }
 
-bool fmb_selection_tries_recession(const fmb_features *f)
+static bool tries_recession(const fmb_features *f)
 {
     return are_nearly_all_coefficients_there(f) && f->bounds == 0;
 }
 
-bool fmb_selection_doubts_solution(const fmb_features *f)
+static bool doubts_solution(const fmb_features *f)
 {
     return f->entries >= MANY_ENTRIES && are_most_coefficients_there(f) && !f->has_origin;
 }
@@ -116,7 +116,7 @@ static bool do_rays_delay_queries(const fmb_features *f)
 
 /* Rays of a first try: half as many where a few queries take as long; none where rows are many,
  * but name few variables. */
-uint64_t fmb_selection_first_rays(const fmb_features *f)
+static uint64_t first_rays(const fmb_features *f)
 {
     if (f->freedom > MANY_FREEDOMS || do_rays_delay_queries(f))
         return 0;
@@ -137,7 +137,7 @@ uint64_t fmb_selection_first_rays(const fmb_features *f)
 /* What makes few more rows is eliminated: not where rows name many of the variables, or are many
  * for these, nor where variables are very many, as rays or a few queries are quicker, unless
  * numbers are long. */
-bool fmb_selection_bounds_growth(const fmb_features *f)
+static bool bounds_growth(const fmb_features *f)
 {
     double nonzero = nonzeros_by_row(f), columns = (double)f->columns;
     bool full = nonzero > UNLIKE_SPARSE && 3 * nonzero > columns;
@@ -169,7 +169,7 @@ static bool is_sparse(const fmb_features *f)
            3 * nonzero <= (double)f->columns;
 }
 
-size_t fmb_selection_pruned_rows(const fmb_features *f)
+static uint64_t pruned_rows(const fmb_features *f)
 {
     if (f->kept < FMB_SHORT_QUERIES && f->columns > MANY_COLUMNS)
         return 0;
@@ -188,7 +188,7 @@ static bool is_cone_dense_or_small(const fmb_features *f)
 }
 
 /* Where the first variable tells, or other ways are long. */
-bool fmb_selection_raises_bound(const fmb_features *f)
+static bool raises_bound(const fmb_features *f)
 {
     bool few = f->freedom <= GROWING_FREEDOMS || f->kept > FMB_SHORT_QUERIES;
     return few && !f->is_long && are_most_coefficients_there(f);
@@ -197,7 +197,7 @@ bool fmb_selection_raises_bound(const fmb_features *f)
 /* Rays that a second try may make, before the oracle is asked: none where cones tend to have very
  * many, or rows are many for three kept variables; more where the oracle has more to do, or numbers
  * are too long for its guesses. */
-uint64_t fmb_selection_second_rays(const fmb_features *f)
+static uint64_t second_rays(const fmb_features *f)
 {
     if (f->freedom > FEW_FREEDOMS || do_rays_delay_queries(f))
         return 0;
@@ -216,6 +216,32 @@ uint64_t fmb_selection_second_rays(const fmb_features *f)
     if (f->kept == 3 && is_cone_dense_or_small(f))
         return RAYS_OF_SECOND_TRY;
     return f->kept == 4 ? 8 * RAYS_OF_SECOND_TRY : 0;
+}
+
+static void add_step_if(bool suits, fmb_pipeline *p, int *steps, fmb_step_kind kind,
+                        uint64_t budget)
+{
+    if (suits)
+        p->step[(*steps)++] = (fmb_pipeline_step){kind, budget};
+}
+
+/* What is nearly cheap is eliminated; then what rows and numbers are like tells the way; then the
+ * oracle is asked. */
+fmb_pipeline fmb_selection_pipeline(const fmb_features *f)
+{
+    fmb_pipeline p = {.step = {{FMB_STEP_NONE, 0}}};
+    int n = 0;
+    bool more = !asks_ends(f);
+    uint64_t rows = pruned_rows(f), rays = first_rays(f), more_rays = second_rays(f);
+    add_step_if(doubts_solution(f), &p, &n, FMB_STEP_SOLUTION, 0);
+    add_step_if(tries_recession(f), &p, &n, FMB_STEP_RECESSION, 0);
+    add_step_if(more && bounds_growth(f), &p, &n, FMB_STEP_BOUNDED, 2);
+    add_step_if(more && rows > 0, &p, &n, FMB_STEP_PRUNED, rows);
+    add_step_if(more && raises_bound(f), &p, &n, FMB_STEP_GROWING, 1);
+    add_step_if(more && rays > 0, &p, &n, FMB_STEP_FIRST_RAYS, rays);
+    add_step_if(more && more_rays > 0, &p, &n, FMB_STEP_SECOND_RAYS, more_rays);
+    add_step_if(true, &p, &n, FMB_STEP_QUERIES, FMB_FIRST_PAIRS);
+    return p;
 }
 
 /* To find out which of many rows are irredundant takes as long as some queries, where few variables

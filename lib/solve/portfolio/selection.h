@@ -14,21 +14,38 @@
 /* In so many, queries are few, and rays soon turned into facets. */
 #define FMB_SHORT_QUERIES 4
 
-/* May a direction among the variables that go leave all rows behind? */
-bool fmb_selection_tries_recession(const fmb_features *f);
-/* Two questions to the oracle are all there is to do. */
-bool fmb_selection_asks_ends(const fmb_features *f);
-/* Is it asked first whether there is a solution? */
-bool fmb_selection_doubts_solution(const fmb_features *f);
-/* Are variables eliminated that make few more rows than go? */
-bool fmb_selection_bounds_growth(const fmb_features *f);
-/* Rows that an elimination may make that is pruned before anything else is done; 0: none is tried.
+/* In more dimensions than a few, so many pairs of facets of a hull take as long as a few queries.
  */
-size_t fmb_selection_pruned_rows(const fmb_features *f);
-bool fmb_selection_raises_bound(const fmb_features *f);
-/* Rays of a first try, and of a second one, before queries. */
-uint64_t fmb_selection_first_rays(const fmb_features *f);
-uint64_t fmb_selection_second_rays(const fmb_features *f);
+#define FMB_FIRST_PAIRS ((uint64_t)1 << 17)
+
+/* What a step of a pipeline does, and what its budget counts. */
+typedef enum fmb_step_kind {
+    FMB_STEP_NONE,
+    FMB_STEP_SOLUTION,    /* asks the oracle whether there is a solution */
+    FMB_STEP_RECESSION,   /* looks for a direction that leaves all rows behind */
+    FMB_STEP_BOUNDED,     /* eliminates what makes few more rows than go: trials */
+    FMB_STEP_GROWING,     /* eliminates what makes more of them: trials */
+    FMB_STEP_PRUNED,      /* eliminates and asks the oracle which rows are redundant: rows */
+    FMB_STEP_FIRST_RAYS,  /* double description: rays */
+    FMB_STEP_SECOND_RAYS, /* goes on with it: rays */
+    FMB_STEP_QUERIES,     /* support queries: pairs of facets, if many variables stay */
+    FMB_STEPS
+} fmb_step_kind;
+
+typedef struct fmb_pipeline_step {
+    fmb_step_kind kind;
+    uint64_t budget;
+} fmb_pipeline_step;
+
+enum { FMB_MOST_STEPS = 8 };
+
+/* Ways of a projection, one after the other until one of them answers. */
+typedef struct fmb_pipeline {
+    fmb_pipeline_step step[FMB_MOST_STEPS]; /* up to the first FMB_STEP_NONE */
+} fmb_pipeline;
+
+/* The pipeline for a part like that. */
+fmb_pipeline fmb_selection_pipeline(const fmb_features *f);
 /* Are the rows that an elimination left few enough to go on with? There were so many before. */
 bool fmb_selection_keeps_rows(const fmb_elim *e, size_t before, int kept);
 
