@@ -67,7 +67,8 @@ typedef struct fmb_support {
     fmb_support_row *row; /* [rows] proved */
     size_t rows, row_capacity;
     fmb_integers g;      /* scratch: [k + 1] a point or ray of the projection */
-    fmb_integers *point; /* [points] of proofs: x[0..n) over x[n], whose shadows are in the hull */
+    fmb_integers *point; /* [points] of proofs: x[0..n) over x[n], or with x[n] = 0 a direction, of
+                            the closure; their shadows are generators of the hull */
     size_t points, point_capacity;
 } fmb_support;
 

@@ -7,27 +7,10 @@
 
 /* ---- generators ------------------------------------------------------------------------------ */
 
-/* x[n + 1] becomes what was seen; a ray, which has no place, as seen from the first point p / q: it
- * goes through (p + q ray) / q. */
-static void write_inner_point(const fmb_support *s, const fmb_support_worker *c, fmb_integers *x)
-{
-    bool ray = mpz_sgn(c->den) == 0;
-    const fmb_integers *first = &s->point[0];
-    for (size_t j = 0; j < s->n; j++) {
-        mpz_set(x->z[j], c->x.z[j]);
-        if (ray) {
-            mpz_mul(x->z[j], x->z[j], first->z[s->n]);
-            mpz_add(x->z[j], x->z[j], first->z[j]);
-        }
-    }
-    mpz_set(x->z[s->n], ray ? first->z[s->n] : c->den);
-}
-
-/* A point of the closure need not be a solution where rows are strict. */
 static fmb_status note_inner_point(fmb_support *s, fmb_support_worker *c)
 {
     fmb_mem *mem = s->run->mem;
-    if (!s->proves || s->strict || (mpz_sgn(c->den) == 0 && s->points == 0))
+    if (!s->proves)
         return FMB_OK;
     fmb_status st = fmb_mem_reserve(mem, (void **)&s->point, &s->point_capacity, s->points + 1,
                                     sizeof *s->point);
@@ -38,7 +21,9 @@ static fmb_status note_inner_point(fmb_support *s, fmb_support_worker *c)
     if (st != FMB_OK)
         return st;
     s->points++;
-    write_inner_point(s, c, x);
+    for (size_t j = 0; j < s->n; j++)
+        mpz_set(x->z[j], c->x.z[j]);
+    mpz_set(x->z[s->n], c->den);
     return fmb_integers_settle(x, mem);
 }
 

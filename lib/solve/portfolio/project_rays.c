@@ -220,6 +220,26 @@ static fmb_status put_all_facets(fmb_ray_projection *h)
     return st;
 }
 
+/* ---- corners --------------------------------------------------------------------------------- */
+
+/* The rays of the image, unless a kept variable is free, or there is no memory for them. */
+static fmb_status hand_over_rays(fmb_ray_projection *h)
+{
+    fmb_query *q = h->of->q;
+    size_t kept = 0;
+    fmb_status st = FMB_OK;
+    for (int j = 0; j < h->of->p->n; j++)
+        kept += h->of->place[h->of->p->var[j]] >= 0;
+    if (!fmb_query_proves_complete(q) || kept == 0 || kept + 1 != h->keeps || h->image.lines > 0)
+        return FMB_OK;
+    fmb_met_points_begin(&q->met, q->run.mem, (int)(h->of->p - q->parts.part), kept);
+    for (size_t i = 0; st == FMB_OK && i < h->image.rays; i++)
+        st = fmb_met_points_add(&q->met, &h->image.ray[i], NULL, &h->image.num);
+    if (st == FMB_LIMIT)
+        fmb_met_points_clear(&q->met);
+    return st == FMB_LIMIT && q->run.stop == FMB_STOP_DONE ? FMB_OK : st;
+}
+
 /* ---- the whole way --------------------------------------------------------------------------- */
 
 static bool has_strict_row(const fmb_ray_projection *h)
@@ -257,7 +277,9 @@ static fmb_status project_rays(fmb_ray_projection *h, bool *feasible, bool *done
     if (st == FMB_OK && *feasible && strict)
         st = exclude_faces(h, feasible, done);
     h->over = !*done;
-    return st == FMB_OK && *feasible && *done ? put_all_facets(h) : st;
+    if (st == FMB_OK && *feasible && *done)
+        st = put_all_facets(h);
+    return st == FMB_OK && *feasible && *done ? hand_over_rays(h) : st;
 }
 
 fmb_status fmb_ray_projection_open(fmb_reduced_part *of, fmb_ray_projection **out)

@@ -85,19 +85,32 @@ static fmb_status put_all_support_rows(fmb_queries *h, fmb_system *out)
 
 /* ---- inner points ---------------------------------------------------------------------------- */
 
+/* x[n]: a point; a direction, which has no place, as seen from the first point. */
+static void write_inner_point(const fmb_queries *h, const fmb_integers *point, mpq_t *x)
+{
+    const fmb_integers *first = &h->s.point[0];
+    int n = h->p->n;
+    bool direction = mpz_sgn(point->z[n]) == 0;
+    for (int j = 0; j < n; j++) {
+        mpz_set(mpq_numref(x[j]), point->z[j]);
+        if (direction) {
+            mpz_mul(mpq_numref(x[j]), mpq_numref(x[j]), first->z[n]);
+            mpz_add(mpq_numref(x[j]), mpq_numref(x[j]), first->z[j]);
+        }
+        mpz_set(mpq_denref(x[j]), direction ? first->z[n] : point->z[n]);
+        mpq_canonicalize(x[j]);
+    }
+}
+
 /* A claim that there is a solution there. */
-static fmb_status claim_inner_point(fmb_queries *h, const fmb_integers *x)
+static fmb_status claim_inner_point(fmb_queries *h, const fmb_integers *point)
 {
     fmb_query *q = h->q;
     fmb_claim *claim;
     fmb_status st = fmb_evidence_claim(q->claims, FMB_CLAIM_FEASIBLE, &claim);
     if (st != FMB_OK)
         return st;
-    for (int j = 0; j < h->p->n; j++) {
-        mpz_set(mpq_numref(q->x[j]), x->z[j]);
-        mpz_set(mpq_denref(q->x[j]), x->z[h->p->n]);
-        mpq_canonicalize(q->x[j]);
-    }
+    write_inner_point(h, point, q->x);
     for (int j = 0; st == FMB_OK && j < fmb_system_dim(q->s); j++) {
         mpq_srcptr value = q->parts.of_var[j] == h->part ? q->x[q->parts.place[j]] : q->point[j];
         st = fmb_evidence_push(q->claims, &claim->point, (size_t)j, value);
@@ -105,11 +118,18 @@ static fmb_status claim_inner_point(fmb_queries *h, const fmb_integers *x)
     return fmb_query_finish_claim(q, st);
 }
 
+/* Points of the closure need not be solutions where rows are strict. */
+static bool has_inner_points(const fmb_queries *h)
+{
+    return h->s.points > 0 && !h->s.strict;
+}
+
 /* Without memory for more, it is those so far. */
 static fmb_status claim_inner_points(fmb_queries *h)
 {
     fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && h->q->claims && i < h->s.points; i++)
+    bool any = h->q->claims && has_inner_points(h);
+    for (size_t i = 0; st == FMB_OK && any && i < h->s.points; i++)
         st = claim_inner_point(h, &h->s.point[i]);
     return st == FMB_LIMIT ? FMB_OK : st;
 }
@@ -188,8 +208,54 @@ fmb_status fmb_queries_keep(fmb_queries *h, fmb_system *out)
     fmb_status st = fmb_support_keep_images(&h->s);
     if (st == FMB_OK || st == FMB_LIMIT)
         st = put_all_support_rows(h, out);
-    h->q->inner = h->s.points > 0;
+    h->q->inner = has_inner_points(h);
     return st == FMB_OK ? claim_inner_points(h) : st;
+}
+
+/* ---- corners --------------------------------------------------------------------------------- */
+
+/* h->s.g, whose last entry is t, with what is above it. */
+static fmb_status hand_over_point(fmb_queries *h, fmb_integers *x, fmb_vec *y)
+{
+    fmb_num *num = &h->s.hull.num;
+    fmb_status st = fmb_vec_set_z(y, h->k + 1, h->s.g.z, num->mem);
+    return st == FMB_OK ? fmb_met_points_add(&h->q->met, y, x, num) : st;
+}
+
+/* All points that were found; and, where some of them have images, all generators of the hull. */
+static fmb_status hand_over_all_points(fmb_queries *h, fmb_vec *y)
+{
+    const fmb_facets *hull = &h->s.hull;
+    mpz_t *z = h->s.g.z;
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i < h->s.points; i++) {
+        for (size_t j = 0; j <= h->k; j++)
+            mpz_set(z[j], h->s.point[i].z[j < h->k ? h->column[j] : h->p->n]);
+        st = hand_over_point(h, &h->s.point[i], y);
+    }
+    bool images = hull->generators > h->s.points;
+    for (size_t i = 0; st == FMB_OK && images && i < hull->generators; i++) {
+        for (size_t j = 0; j <= h->k; j++)
+            fmb_vec_get(&hull->generator[i], j < h->k ? j + 1 : 0, z[j]);
+        st = hand_over_point(h, NULL, y);
+    }
+    return st;
+}
+
+/* The hull is that of the projection. Where there is no memory for its points, they stay behind. */
+static fmb_status hand_over_hull(fmb_queries *h)
+{
+    fmb_query *q = h->q;
+    if (!fmb_query_proves_complete(q))
+        return FMB_OK;
+    fmb_vec y = {.s = fmb_mem_get(q->run.mem, h->k + 1, sizeof *y.s)};
+    fmb_met_points_begin(&q->met, q->run.mem, h->part, h->k);
+    fmb_status st = y.s ? hand_over_all_points(h, &y) : fmb_mem_status(q->run.mem);
+    fmb_vec_clear(&y, h->k + 1, q->run.mem);
+    fmb_mem_put(q->run.mem, y.s, h->k + 1, sizeof *y.s);
+    if (st == FMB_LIMIT)
+        fmb_met_points_clear(&q->met);
+    return st == FMB_LIMIT && q->run.stop == FMB_STOP_DONE ? FMB_OK : st;
 }
 
 fmb_status fmb_queries_run(fmb_queries *h, uint64_t pairs, fmb_system *out, bool *done)
@@ -198,8 +264,11 @@ fmb_status fmb_queries_run(fmb_queries *h, uint64_t pairs, fmb_system *out, bool
     fmb_status st = *done ? FMB_OK : fmb_support_ask(&h->s, pairs, done);
     if (st == FMB_OK ? !*done : st != FMB_LIMIT)
         return st;
+    fmb_status put = st == FMB_OK ? hand_over_hull(h) : FMB_OK;
+    if (put != FMB_OK)
+        return put;
     fmb_facets_clear(&h->s.hull);
-    fmb_status put = st == FMB_LIMIT ? fmb_queries_keep(h, out) : put_all_support_rows(h, out);
+    put = st == FMB_LIMIT ? fmb_queries_keep(h, out) : put_all_support_rows(h, out);
     return put == FMB_OK ? st : put;
 }
 

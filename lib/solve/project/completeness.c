@@ -10,6 +10,7 @@
 
 #include "num/rationals.h"
 #include "proof/complete.h"
+#include "solve/project/met_corners.h"
 #include "solve/project/preimages.h"
 #include "solve/query/lifted.h"
 
@@ -33,19 +34,46 @@ typedef struct completeness_proof {
 
 /* ---- corners --------------------------------------------------------------------------------- */
 
-/* What lies above y, as such rows have it. */
-static fmb_status claim_corner_above(completeness_proof *w, bool strict, bool *found)
+/* That w->x, which is above w->y, is there. */
+static fmb_status claim_corner_at(completeness_proof *w)
 {
     fmb_claim *claim;
     bool point = mpz_sgn(w->y.z[w->y.size - 1]) > 0;
-    fmb_status st = fmb_preimages_find(w->preimages, &w->y, strict, w->x, found);
-    if (st == FMB_OK && *found)
-        st = fmb_evidence_claim(w->q->claims, FMB_CLAIM_CORNER, &claim);
-    if (st != FMB_OK || !*found)
+    fmb_status st = fmb_evidence_claim(w->q->claims, FMB_CLAIM_CORNER, &claim);
+    if (st != FMB_OK)
         return st;
     st = fmb_evidence_push_all(w->q->claims, point ? &claim->point : &claim->ray,
                                (size_t)fmb_system_dim(w->q->s), NULL, w->x);
     return fmb_query_finish_claim(w->q, st);
+}
+
+/* What lies above y, as such rows have it. */
+static fmb_status claim_corner_above(completeness_proof *w, bool strict, bool *found)
+{
+    fmb_status st = fmb_preimages_find(w->preimages, &w->y, strict, w->x, found);
+    return st == FMB_OK && *found ? claim_corner_at(w) : st;
+}
+
+/* x is what was met above w->y; variables of other parts are as in some solution, or 0. */
+static fmb_status claim_met_corner(completeness_proof *w, const fmb_integers *x)
+{
+    const fmb_query *q = w->q;
+    const fmb_part *p = &q->parts.part[q->met.part];
+    mpz_srcptr t = x->z[p->n];
+    for (int j = 0; j < fmb_system_dim(q->s); j++) {
+        if (q->parts.of_var[j] != q->met.part) {
+            mpq_set_ui(w->x[j], 0, 1);
+            if (mpz_sgn(t) > 0)
+                mpq_set(w->x[j], q->point[j]);
+            continue;
+        }
+        mpz_set(mpq_numref(w->x[j]), x->z[q->parts.place[j]]);
+        mpz_set_ui(mpq_denref(w->x[j]), 1);
+        if (mpz_sgn(t) > 0)
+            mpz_set(mpq_denref(w->x[j]), t);
+        mpq_canonicalize(w->x[j]);
+    }
+    return claim_corner_at(w);
 }
 
 /* A point gets a strict solution, if there is one. */
@@ -57,7 +85,10 @@ static fmb_status claim_corner(completeness_proof *w, const fmb_vec *ray, int si
         if (sign < 0)
             mpz_neg(w->y.z[k], w->y.z[k]);
     }
-    *found = false;
+    const fmb_met_point *met = w->any_strict ? NULL : fmb_met_points_find(&w->q->met, ray);
+    *found = met && sign > 0;
+    if (*found)
+        return claim_met_corner(w, &met->x);
     if (w->any_strict && mpz_sgn(w->y.z[w->y.size - 1]) > 0)
         st = claim_corner_above(w, true, found);
     return st == FMB_OK && !*found ? claim_corner_above(w, false, found) : st;
@@ -73,6 +104,17 @@ static fmb_status claim_all_corners(completeness_proof *w, const fmb_image *m, b
         st = claim_corner(w, &m->ray[i], 1, found);
     for (size_t i = 0; st == FMB_OK && *found && i < 2 * m->lines; i++)
         st = claim_corner(w, &m->line[i / 2], i % 2 ? -1 : 1, found);
+    return st;
+}
+
+/* Those that the engine went by are corners of the rows, as far as they are all. */
+static fmb_status find_met_corners(completeness_proof *w, bool *found)
+{
+    fmb_image m = {0};
+    fmb_status st = fmb_met_corners(w->q, w->place, w->image, &m, found);
+    if (st == FMB_OK && *found)
+        st = claim_all_corners(w, &m, found);
+    fmb_image_clear(&m);
     return st;
 }
 
@@ -168,6 +210,20 @@ static fmb_status claim_complete(completeness_proof *w)
     return st == FMB_OK ? satisfy_checker(w, (size_t)(claim - e->claim)) : st;
 }
 
+static void drop_claims(completeness_proof *w)
+{
+    while (w->q->claims->claims > w->first)
+        fmb_evidence_drop_last(w->q->claims);
+}
+
+static fmb_status find_corners_of_rows(completeness_proof *w)
+{
+    bool found;
+    drop_claims(w);
+    fmb_status st = find_corners(w, &found);
+    return st == FMB_OK && found ? claim_complete(w) : st;
+}
+
 static fmb_status prove_complete(completeness_proof *w)
 {
     fmb_mem *mem = w->q->run.mem;
@@ -181,9 +237,11 @@ static fmb_status prove_complete(completeness_proof *w)
     if (st == FMB_OK)
         st = fmb_preimages_open(w->q, w->place, &w->preimages);
     if (st == FMB_OK)
-        st = find_corners(w, &found);
+        st = find_met_corners(w, &found);
     if (st == FMB_OK && found)
         st = claim_complete(w);
+    if (st == FMB_OK && !w->done)
+        st = find_corners_of_rows(w);
     fmb_preimages_close(w->preimages);
     fmb_rationals_free(w->x, dim, mem);
     fmb_integers_clear(&w->y, mem);
@@ -192,12 +250,12 @@ static fmb_status prove_complete(completeness_proof *w)
 
 fmb_status fmb_query_prove_complete(fmb_query *q, const int *place, const fmb_system *image)
 {
-    if (!q->claims || q->v->options.evidence != FMB_EVIDENCE_WHOLE)
+    if (!fmb_query_proves_complete(q))
         return FMB_OK;
     completeness_proof w = {.q = q, .place = place, .image = image, .first = q->claims->claims};
     fmb_status st = prove_complete(&w);
-    while (!(st == FMB_OK && w.done) && q->claims->claims > w.first)
-        fmb_evidence_drop_last(q->claims);
+    if (st != FMB_OK || !w.done)
+        drop_claims(&w);
     if (st == FMB_LIMIT) /* which is one of memory where the run itself was not stopped */
         fmb_solver_refuse(
             q->v, st, "not proved whole: a limit (%s)",

@@ -154,6 +154,7 @@ fmb_status fmb_query_end(fmb_query *q, fmb_status st, fmb_verdict verdict, fmb_r
     if (st == FMB_LIMIT && q->run.stop == FMB_STOP_DONE)
         q->run.stop = FMB_STOP_BYTES;
     fmb_query_close_oracles(q);
+    fmb_met_points_clear(&q->met);
     fmb_parts_clear(&q->parts, &v->mem);
     fmb_rationals_free(q->point, (size_t)fmb_system_dim(q->s), &v->mem);
     fmb_rationals_free(q->x, (size_t)fmb_system_dim(q->s), &v->mem);

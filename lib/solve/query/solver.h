@@ -14,6 +14,7 @@
 #include "lp/oracle/oracle.h"
 #include "num/weights.h"
 #include "proof/evidence/evidence.h"
+#include "solve/query/met_points.h"
 #include "solve/query/part.h"
 #include "solve/session/session_private.h"
 #include "trace/run.h"
@@ -50,6 +51,7 @@ typedef struct fmb_query {
     mpq_t *x;     /* [dim] ... and scratch: a point or ray of the part at hand; as evidence wants */
     bool decided; /* all parts are known to be feasible */
     bool inner;   /* points of the projection of the part at hand were put out, and rows */
+    fmb_met_points met;   /* of the projection of the last part that had some, where wanted */
     fmb_program *program; /* [parts] rows of each part for its oracle; n == 0: not made */
     fmb_oracle **oracle;  /* [parts] of each part, or NULL */
     fmb_session *session; /* whose oracle answers in place of these, for the one part; or NULL */
@@ -95,6 +97,12 @@ static inline bool fmb_query_eliminates(const fmb_query *q)
 
 /* A point is wanted, evidence or not: before the system is decided. Errors: MEMORY, LIMIT. */
 fmb_status fmb_query_want_point(fmb_query *q);
+
+/* Is it wanted to prove that a projection lacks no row? */
+static inline bool fmb_query_proves_complete(const fmb_query *q)
+{
+    return q->claims && q->v->options.evidence == FMB_EVIDENCE_WHOLE;
+}
 
 /* Decide the whole system, part by part; with `oracles`, each part by its oracle. Claims FEASIBLE
  * or INFEASIBLE. */

@@ -1,0 +1,167 @@
+/* met_corners.c: see met_corners.h.
+ *
+ * Forms are b t - a.x of each inequality, and t. If cone G is the cone P on which no form is
+ * negative, and P contains no line, then g of G is on an extreme ray of P if and only if no vector
+ * of G but its multiples is 0 on all forms that are 0 at g. For those y of P where these forms are
+ * 0 are the least face with g; it is spanned by what G has of it, and is a ray if that is g alone.
+ * So corners are told by sets. If G spans less than P, too many may be taken for corners; who asks
+ * finds that out.
+ */
+#include "solve/project/met_corners.h"
+
+#include <string.h>
+
+#include "num/bitset.h"
+#include "system/system_private.h"
+
+typedef struct corner_search {
+    fmb_query *q;
+    const fmb_system *image;
+    fmb_image *m;
+    size_t forms, words; /* words of a set of vectors */
+    uint64_t *zero;      /* [forms][words] where the form is 0 */
+    uint64_t *face;      /* [words] scratch */
+    fmb_vec form;        /* scratch */
+} corner_search;
+
+/* Is each kept variable one of that part? Another one is free, or makes products of corners. */
+static bool holds_part_all_kept(const fmb_query *q, const int *place)
+{
+    bool all = q->met.size > 0;
+    for (int j = 0; all && j < fmb_system_dim(q->s); j++)
+        all = place[j] < 0 || q->parts.of_var[j] == q->met.part;
+    return all;
+}
+
+/* The points that were met, each once. */
+static fmb_status list_met_vectors(corner_search *c)
+{
+    const fmb_met_points *met = &c->q->met;
+    fmb_mem *mem = c->q->run.mem;
+    fmb_vec *v = fmb_mem_get(mem, met->size, sizeof *v);
+    bool *line = fmb_mem_zero(mem, met->size, sizeof *line);
+    fmb_status st = v && line ? FMB_OK : fmb_mem_status(mem);
+    for (size_t i = 0; st == FMB_OK && i < met->size; i++)
+        v[i] = met->point[i].y;
+    if (st == FMB_OK)
+        st = fmb_image_init_vectors(c->m, &c->q->run, met->width, met->size, v, line,
+                                    fmb_query_is_wide(c->q));
+    fmb_mem_put(mem, v, met->size, sizeof *v);
+    fmb_mem_put(mem, line, met->size, sizeof *line);
+    return st;
+}
+
+/* c->form = b t - a.x, or t where there is no row. */
+static fmb_status write_form(corner_search *c, const fmb_sysrow *r, mpz_t *z)
+{
+    size_t n = c->m->n;
+    for (size_t k = 0; k < n; k++)
+        mpz_set_ui(z[k], k + 1 == n && !r);
+    for (size_t k = 0; r && k < r->nnz; k++) {
+        fmb_vec_get(&r->val, k, z[r->var[k]]);
+        mpz_neg(z[r->var[k]], z[r->var[k]]);
+    }
+    if (r)
+        fmb_vec_get(&r->val, r->nnz, z[n - 1]);
+    return fmb_vec_set_z(&c->form, n, z, c->q->run.mem);
+}
+
+static fmb_status find_zeros_of_forms(corner_search *c, mpz_t *z)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i <= c->image->rows; i++) {
+        const fmb_sysrow *r = i < c->image->rows ? &c->image->row[i] : NULL;
+        if (r && r->rel == FMB_EQ)
+            continue;
+        uint64_t *zero = c->zero + c->forms++ * c->words;
+        st = write_form(c, r, z);
+        for (size_t g = 0; st == FMB_OK && g < c->m->rays; g++)
+            if (fmb_image_value_sign(c->m, &c->form, &c->m->ray[g]) == 0)
+                fmb_set_put(zero, g);
+        if (st == FMB_OK)
+            st = fmb_run_poll(&c->q->run);
+    }
+    return st;
+}
+
+/* c->face = the vectors on all forms that are 0 at g. False: all forms are. */
+static bool find_least_face(corner_search *c, size_t g)
+{
+    size_t on = 0;
+    memset(c->face, 0xff, c->words * sizeof *c->face);
+    for (size_t i = 0; i < c->forms; i++) {
+        const uint64_t *zero = c->zero + i * c->words;
+        if (!fmb_set_has(zero, g))
+            continue;
+        on++;
+        for (size_t w = 0; w < c->words; w++)
+            c->face[w] &= zero[w];
+    }
+    return on < c->forms;
+}
+
+static bool is_face_one_vector(const corner_search *c)
+{
+    size_t size = 0;
+    for (size_t g = 0; size < 2 && g < c->m->rays; g++)
+        size += fmb_set_has(c->face, g);
+    return size == 1;
+}
+
+/* Those that are no corners go. */
+static fmb_status keep_corners(corner_search *c, bool *found)
+{
+    fmb_status st = FMB_OK;
+    size_t left = 0, rays = c->m->rays;
+    for (size_t g = 0; g < rays; g++) {
+        *found = *found && find_least_face(c, g);
+        if (*found && st == FMB_OK && is_face_one_vector(c))
+            c->m->ray[left++] = c->m->ray[g];
+        else
+            fmb_vec_clear(&c->m->ray[g], c->m->n, c->q->run.mem);
+        if (st == FMB_OK)
+            st = fmb_run_poll(&c->q->run);
+    }
+    c->m->rays = left;
+    *found = *found && left > 0;
+    return st;
+}
+
+static fmb_status search_corners(corner_search *c, bool *found)
+{
+    fmb_mem *mem = c->q->run.mem;
+    fmb_status st = list_met_vectors(c);
+    if (st != FMB_OK)
+        return st;
+    size_t n = c->m->n, most = c->image->rows + 1;
+    c->words = fmb_set_words(c->m->rays);
+    mpz_t *z = fmb_vec_block(n, mem);
+    c->form.s = fmb_mem_get(mem, n, sizeof *c->form.s);
+    c->zero = fmb_mem_zero(mem, most, c->words * sizeof *c->zero);
+    c->face = fmb_mem_get(mem, c->words, sizeof *c->face);
+    if (!z || !c->form.s || !c->zero || !c->face)
+        st = fmb_mem_status(mem);
+    if (st == FMB_OK)
+        st = find_zeros_of_forms(c, z);
+    if (st == FMB_OK)
+        st = keep_corners(c, found);
+    for (size_t k = 0; z && k < n; k++)
+        mpz_clear(z[k]);
+    fmb_mem_put(mem, z, n, sizeof *z);
+    if (c->form.s)
+        fmb_vec_clear(&c->form, n, mem);
+    fmb_mem_put(mem, c->form.s, n, sizeof *c->form.s);
+    fmb_mem_put(mem, c->zero, most, c->words * sizeof *c->zero);
+    fmb_mem_put(mem, c->face, c->words, sizeof *c->face);
+    return st;
+}
+
+fmb_status fmb_met_corners(fmb_query *q, const int *place, const fmb_system *image, fmb_image *m,
+                           bool *found)
+{
+    corner_search c = {.q = q, .image = image, .m = m};
+    *found = holds_part_all_kept(q, place);
+    if (!*found)
+        fmb_met_points_clear(&q->met);
+    return *found ? search_corners(&c, found) : FMB_OK;
+}
