@@ -5,15 +5,17 @@
 #include "base/ways.h"
 
 #include "num/gcd.h"
+#include "num/long_gcd.h"
 
 typedef struct parallel_table {
     fmb_mem *mem;
+    fmb_poll poll;
     size_t n;
     const fmb_lp_row *row;
-    uint64_t *scale; /* [m] of small rows */
-    size_t *slot;    /* [size] a row, SIZE_MAX: free; a table at most half full */
-    size_t size;     /* a power of two */
-    mpz_t a, b, scale_a, scale_b;
+    uint64_t *scale;              /* [m] of small rows */
+    size_t *slot;                 /* [size] a row, SIZE_MAX: free; a table at most half full */
+    size_t size;                  /* a power of two */
+    mpz_t a, b, scale_a, scale_b; /* scratch; the scales of two rows at hand */
 } parallel_table;
 
 /* ---- directions ------------------------------------------------------------------------------ */
@@ -26,12 +28,21 @@ static uint64_t scale_of_small(const fmb_vec *v, size_t n)
     return g;
 }
 
-static void scale_of_any(const parallel_table *s, size_t i, mpz_t g)
+static fmb_status scale_of_any(const parallel_table *s, size_t i, mpz_t g)
 {
     const fmb_vec *v = s->row[i].v;
+    fmb_status st = FMB_OK;
     fmb_integer_set_u64(g, v->z ? 0 : s->scale[i]);
-    for (size_t j = 0; v->z && j < s->n; j++)
-        mpz_gcd(g, g, v->z[j]);
+    for (size_t j = 0; st == FMB_OK && v->z && j < s->n && mpz_cmp_ui(g, 1) != 0; j++)
+        st = fmb_long_gcd(g, g, v->z[j], &s->poll);
+    return st;
+}
+
+/* Rows i and k come to hand. */
+static fmb_status load_scales(parallel_table *s, size_t i, size_t k)
+{
+    fmb_status st = scale_of_any(s, i, s->scale_a);
+    return st == FMB_OK ? scale_of_any(s, k, s->scale_b) : st;
 }
 
 static uint64_t stir_word(uint64_t h, uint64_t low, bool negative)
@@ -40,12 +51,11 @@ static uint64_t stir_word(uint64_t h, uint64_t low, bool negative)
     return h ^ h >> 32;
 }
 
-/* Equal for parallel rows, small or wide. */
+/* Equal for parallel rows, small or wide; scale_a is the one of row i. */
 static uint64_t hash_direction(parallel_table *s, size_t i)
 {
     const fmb_vec *v = s->row[i].v;
     uint64_t h = 0;
-    scale_of_any(s, i, s->scale_a);
     for (size_t j = 0; j < s->n; j++) {
         if (v->z) {
             mpz_divexact(s->a, v->z[j], s->scale_a);
@@ -58,7 +68,8 @@ static uint64_t hash_direction(parallel_table *s, size_t i)
     return h;
 }
 
-/* Entry j of row i, over the scale of the row, against the same of row k: its sign. */
+/* Entry j of row i, over the scale of the row, against the same of row k, both at hand: its sign.
+ */
 static int compare_scaled_entries(parallel_table *s, size_t i, size_t k, size_t j)
 {
     const fmb_vec *u = s->row[i].v, *v = s->row[k].v;
@@ -66,8 +77,6 @@ static int compare_scaled_entries(parallel_table *s, size_t i, size_t k, size_t 
         return fmb_i128_compare(fmb_i128_product(u->s[j], (int64_t)s->scale[k]),
                                 fmb_i128_product(v->s[j], (int64_t)s->scale[i]));
     }
-    scale_of_any(s, i, s->scale_a);
-    scale_of_any(s, k, s->scale_b);
     fmb_vec_get(u, j, s->a);
     fmb_vec_get(v, j, s->b);
     mpz_mul(s->a, s->a, s->scale_b);
@@ -85,27 +94,30 @@ static bool are_parallel(parallel_table *s, size_t i, size_t k)
 
 /* ---- which one goes -------------------------------------------------------------------------- */
 
-/* Does row k imply row i, which is parallel? */
-static bool does_parallel_imply(parallel_table *s, size_t k, size_t i)
+/* Does row k imply row i, which is parallel and whose right side is so (-1, 0, 1) against that of
+ * k?
+ */
+static bool does_parallel_imply(const parallel_table *s, size_t k, size_t i, int order)
 {
     fmb_rel have = s->row[k].rel, want = s->row[i].rel;
-    int order = compare_scaled_entries(s, i, k, s->n); /* b_i against b_k */
     if (want == FMB_EQ)
         return have == FMB_EQ && order == 0;
     return order > 0 || (order == 0 && (want == FMB_LE || have == FMB_LT));
 }
 
-static fmb_status tell_of_parallel(parallel_table *s, size_t i, size_t k, const fmb_verdicts *told)
+/* Row i, of scale `of`, is implied by the parallel row k, of scale `by`. */
+static fmb_status tell_of_parallel(parallel_table *s, size_t i, const mpz_t of, size_t k,
+                                   const mpz_t by, const fmb_verdicts *told)
 {
     fmb_weights w = {0};
     mpq_t factor;
     if (!told || !told->redundant)
         return FMB_OK;
     mpq_init(factor);
-    scale_of_any(s, i, mpq_numref(factor));
-    scale_of_any(s, k, mpq_denref(factor));
-    mpq_canonicalize(factor);
-    fmb_status st = fmb_weights_add(&w, (uint32_t)k, factor, s->mem);
+    mpq_set_z(factor, of);
+    fmb_status st = fmb_long_divide(factor, by, &s->poll);
+    if (st == FMB_OK)
+        st = fmb_weights_add(&w, (uint32_t)k, factor, s->mem);
     if (st == FMB_OK)
         st = told->redundant(told->self, i, &w);
     fmb_weights_clear(&w, s->mem);
@@ -113,7 +125,7 @@ static fmb_status tell_of_parallel(parallel_table *s, size_t i, size_t k, const 
     return st;
 }
 
-/* Row i beside the parallel row in that slot, if there is one. */
+/* Row i beside the parallel row in that slot, if there is one; then both are at hand. */
 static fmb_status meet_parallel(parallel_table *s, size_t i, size_t *slot, fmb_fate *fate,
                                 const fmb_verdicts *told)
 {
@@ -122,23 +134,32 @@ static fmb_status meet_parallel(parallel_table *s, size_t i, size_t *slot, fmb_f
         *slot = i;
         return FMB_OK;
     }
-    if (does_parallel_imply(s, k, i)) {
+    int order = compare_scaled_entries(s, i, k, s->n);
+    if (does_parallel_imply(s, k, i, order)) {
         fate[i] = FMB_FATE_REDUNDANT;
-        return tell_of_parallel(s, i, k, told);
+        return tell_of_parallel(s, i, s->scale_a, k, s->scale_b, told);
     }
-    if (!does_parallel_imply(s, i, k))
+    if (!does_parallel_imply(s, i, k, -order))
         return FMB_OK;
     *slot = i;
     fate[k] = FMB_FATE_REDUNDANT;
-    return tell_of_parallel(s, k, i, told);
+    return tell_of_parallel(s, k, s->scale_b, i, s->scale_a, told);
 }
 
-static size_t *find_parallel_slot(parallel_table *s, size_t i)
+/* Where row i belongs: in a free slot, or the one of a parallel row; then both are at hand. */
+static fmb_status find_parallel_slot(parallel_table *s, size_t i, size_t **slot)
 {
-    size_t at = (size_t)hash_direction(s, i) & (s->size - 1);
-    while (s->slot[at] != SIZE_MAX && !are_parallel(s, i, s->slot[at]))
-        at = (at + 1) & (s->size - 1);
-    return &s->slot[at];
+    fmb_status st = scale_of_any(s, i, s->scale_a);
+    if (st != FMB_OK)
+        return st;
+    for (size_t at = (size_t)hash_direction(s, i);; at++) {
+        *slot = &s->slot[at & (s->size - 1)];
+        if (**slot == SIZE_MAX)
+            return FMB_OK;
+        st = load_scales(s, i, **slot);
+        if (st != FMB_OK || are_parallel(s, i, **slot))
+            return st;
+    }
 }
 
 static fmb_status open_parallel_table(parallel_table *s, size_t m)
@@ -159,14 +180,17 @@ static fmb_status open_parallel_table(parallel_table *s, size_t m)
 fmb_status fmb_drop_parallel_rows(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row,
                                   fmb_fate *fate, const fmb_verdicts *told)
 {
-    parallel_table s = {.mem = run->mem, .n = n, .row = row};
+    parallel_table s = {.mem = run->mem, .poll = fmb_run_asked(run), .n = n, .row = row};
+    size_t *slot = NULL;
     if (!fmb_way(FMB_WAY_PARALLEL))
         return FMB_OK;
     mpz_inits(s.a, s.b, s.scale_a, s.scale_b, NULL);
     fmb_status st = open_parallel_table(&s, m);
     for (size_t i = 0; st == FMB_OK && i < m; i++) {
         if (fate[i] == FMB_FATE_UNKNOWN)
-            st = meet_parallel(&s, i, find_parallel_slot(&s, i), fate, told);
+            st = find_parallel_slot(&s, i, &slot);
+        if (st == FMB_OK && fate[i] == FMB_FATE_UNKNOWN)
+            st = meet_parallel(&s, i, slot, fate, told);
         fmb_way_answered(FMB_WAY_PARALLEL, fate[i] == FMB_FATE_REDUNDANT);
         if (st == FMB_OK)
             st = fmb_run_poll(run);

@@ -215,3 +215,25 @@ Test(sieve, leaves_what_only_touches)
     cr_expect_eq(t.unknown, 2);
     fmb_system_free(s);
 }
+
+/* Of two rows that differ in their 30,000th bit alone, a ray meets one first by as little, and the
+ * point behind it alone has as many bits. */
+Test(sieve, rows_nearly_met_at_once)
+{
+    enum { BITS = 30000 };
+    static const int8_t cell[5][3] = {{1, 1, 1}, {1, 1, 1}, {-1, 0, 1}, {0, -1, 1}, {0, 1, 1}};
+    tally t = {0};
+    dense d = dense_new(2, 5);
+    for (int i = 0; i < d.rows; i++)
+        for (int j = 0; j < 3; j++)
+            mpq_set_si(dense_row(&d, i)[j], cell[i][j], 1);
+    for (int j = 0; j < 3; j++)
+        mpq_mul_2exp(dense_row(&d, 1)[j], dense_row(&d, 1)[j], BITS);
+    mpz_sub_ui(mpq_numref(dense_row(&d, 1)[1]), mpq_numref(dense_row(&d, 1)[1]), 1);
+    fmb_system *s = dense_system(&d);
+    sort_system(s, "nearly parallel", 0, &t);
+    cr_expect_eq(t.inner, 1);
+    cr_expect_leq(t.unknown, 1);
+    fmb_system_free(s);
+    dense_free(&d);
+}

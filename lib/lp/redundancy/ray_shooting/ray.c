@@ -10,10 +10,11 @@
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
-fmb_status fmb_ray_init(fmb_ray *r, fmb_mem *mem, const fmb_polar_points *p)
+fmb_status fmb_ray_init(fmb_ray *r, fmb_run *run, const fmb_polar_points *p)
 {
     size_t d = p->d;
-    *r = (fmb_ray){.mem = mem, .p = p, .hit = SIZE_MAX};
+    fmb_mem *mem = run->mem;
+    *r = (fmb_ray){.run = run, .p = p, .hit = SIZE_MAX};
     r->bound = fmb_mem_get(mem, p->blocks, sizeof *r->bound);
     r->rate = fmb_mem_get(mem, p->m, sizeof *r->rate);
     r->scaled = fmb_mem_get(mem, d, sizeof *r->scaled);
@@ -28,9 +29,9 @@ fmb_status fmb_ray_init(fmb_ray *r, fmb_mem *mem, const fmb_polar_points *p)
 
 void fmb_ray_clear(fmb_ray *r)
 {
-    if (!r->mem)
+    if (!r->run)
         return;
-    fmb_mem *mem = r->mem;
+    fmb_mem *mem = r->run->mem;
     size_t d = r->p->d;
     for (size_t k = 0; r->way && k < d; k++)
         mpz_clear(r->way[k]);
@@ -40,7 +41,7 @@ void fmb_ray_clear(fmb_ray *r)
     fmb_mem_put(mem, r->aside, d, sizeof *r->aside);
     fmb_mem_put(mem, r->tried, FMB_RAY_TRIES, sizeof *r->tried);
     fmb_mem_put(mem, r->way, d, sizeof *r->way);
-    r->mem = NULL;
+    r->run = NULL;
 }
 
 /* ---- rays ------------------------------------------------------------------------------------ */
@@ -185,52 +186,78 @@ static bool list_first_rows(fmb_ray *r)
     return sure > 0;
 }
 
-/* The exact time at which the ray meets row i; false if it never does. */
-static bool exact_time(const fmb_ray *r, size_t i, mpq_t time)
+/* When the ray meets a row: slack / speed, both positive. Not in lowest terms: a divisor of long
+ * numbers takes longer than all that is asked of the time. */
+typedef struct meeting {
+    mpz_t slack, speed;
+} meeting;
+
+static void open_meeting(meeting *t)
 {
-    const fmb_polar_points *p = r->p;
-    mpz_ptr slack = mpq_numref(time), speed = mpq_denref(time);
-    mpz_t t;
-    mpz_init(t);
-    fmb_polar_points_slack(p, i, slack, t);
-    mpz_mul_2exp(slack, slack, (mp_bitcnt_t)(r->unit > 0 ? r->unit : 0));
-    mpz_set_ui(speed, 0);
-    for (size_t k = 0; k < p->d; k++) {
-        fmb_vec_get(p->row[i].v, p->column[k], t);
-        mpz_addmul(speed, t, r->way[k]);
-    }
-    mpz_mul_2exp(speed, speed, (mp_bitcnt_t)(p->shift + (r->unit < 0 ? -r->unit : 0)));
-    mpz_clear(t);
-    if (mpz_sgn(speed) <= 0) {
-        mpq_set_ui(time, 0, 1);
-        return false;
-    }
-    mpq_canonicalize(time);
-    return true;
+    mpz_inits(t->slack, t->speed, NULL);
 }
 
-/* Of the rows tried, those that are met first go to the front: their number. */
+static void close_meeting(meeting *t)
+{
+    mpz_clears(t->slack, t->speed, NULL);
+}
+
+static int compare_meetings(const meeting *a, const meeting *b)
+{
+    mpz_t left, right;
+    mpz_inits(left, right, NULL);
+    mpz_mul(left, a->slack, b->speed);
+    mpz_mul(right, b->slack, a->speed);
+    int order = mpz_cmp(left, right);
+    mpz_clears(left, right, NULL);
+    return order;
+}
+
+/* The exact time at which the ray meets row i; false if it never does. */
+static bool exact_time(const fmb_ray *r, size_t i, meeting *time)
+{
+    const fmb_polar_points *p = r->p;
+    mpz_t t;
+    mpz_init(t);
+    fmb_polar_points_slack(p, i, time->slack, t);
+    mpz_mul_2exp(time->slack, time->slack, (mp_bitcnt_t)(r->unit > 0 ? r->unit : 0));
+    mpz_set_ui(time->speed, 0);
+    for (size_t k = 0; k < p->d; k++) {
+        fmb_vec_get(p->row[i].v, p->column[k], t);
+        mpz_addmul(time->speed, t, r->way[k]);
+    }
+    mpz_mul_2exp(time->speed, time->speed, (mp_bitcnt_t)(p->shift + (r->unit < 0 ? -r->unit : 0)));
+    mpz_clear(t);
+    return mpz_sgn(time->speed) > 0;
+}
+
+/* Of the rows tried, those that are met first go to the front: their number; 0 at a limit, too. */
 static size_t compare_first_times(fmb_ray *r)
 {
     size_t firsts = 0;
-    mpq_t best, time;
-    mpq_inits(best, time, NULL);
-    for (size_t k = 0; k < r->tries; k++) {
+    fmb_status st = FMB_OK;
+    meeting best, time;
+    open_meeting(&best);
+    open_meeting(&time);
+    for (size_t k = 0; st == FMB_OK && k < r->tries; k++) {
         size_t i = r->tried[k];
-        if (!exact_time(r, i, time))
+        if (!exact_time(r, i, &time))
             continue;
-        int order = firsts == 0 ? -1 : mpq_cmp(time, best);
+        int order = firsts == 0 ? -1 : compare_meetings(&time, &best);
         if (order < 0) {
-            mpq_swap(best, time);
+            mpz_swap(best.slack, time.slack);
+            mpz_swap(best.speed, time.speed);
             firsts = 0;
         }
         if (order <= 0) {
             r->tried[k] = r->tried[firsts];
             r->tried[firsts++] = i;
         }
+        st = fmb_run_poll_long(r->run, best.slack);
     }
-    mpq_clears(best, time, NULL);
-    return firsts;
+    close_meeting(&best);
+    close_meeting(&time);
+    return st == FMB_OK ? firsts : 0;
 }
 
 /* Shoot in the direction at hand; *tie: several rows are met at once. */
@@ -282,60 +309,111 @@ size_t fmb_ray_shoot(fmb_ray *r, const double *way, bool roughly)
 
 /* ---- points beyond --------------------------------------------------------------------------- */
 
-/* When the next row is met, or a little before; false if none is. Rates that are less than 2^-1000
+/* When the next row is met, or a little before; 0 / 0 if none is. Rates that are less than 2^-1000
  * are rounding errors. */
-static bool next_time(const fmb_ray *r, mpq_t next)
+static void next_time(const fmb_ray *r, meeting *next)
 {
-    bool any = r->rest > 0;
-    mpq_t time;
-    mpq_init(time);
-    if (any)
-        mpq_set_d(next, (1 - 0x1p-50) / larger_of(r->rest, 0x1p-1000));
+    meeting time;
+    if (r->rest > 0) {
+        mpq_t bound;
+        mpq_init(bound);
+        mpq_set_d(bound, (1 - 0x1p-50) / larger_of(r->rest, 0x1p-1000));
+        mpz_swap(next->slack, mpq_numref(bound));
+        mpz_swap(next->speed, mpq_denref(bound));
+        mpq_clear(bound);
+    }
+    open_meeting(&time);
     for (size_t k = 0; k < r->tries; k++) {
-        if (r->tried[k] == r->hit || !exact_time(r, r->tried[k], time))
+        if (r->tried[k] == r->hit || !exact_time(r, r->tried[k], &time))
             continue;
-        if (!any || mpq_cmp(time, next) < 0)
-            mpq_set(next, time);
-        any = true;
+        if (mpz_sgn(next->speed) > 0 && compare_meetings(&time, next) >= 0)
+            continue;
+        mpz_swap(next->slack, time.slack);
+        mpz_swap(next->speed, time.speed);
     }
-    mpq_clear(time);
-    return any;
+    close_meeting(&time);
 }
 
-/* A number of few digits between low and high (without an end if !bounded). */
-static void find_time_between(mpq_t time, const mpq_t low, const mpq_t high, bool bounded)
+/* The least multiple of 2^-bits above low, as `whole` of these; is it below high? */
+static bool is_multiple_between(mpz_t whole, const meeting *low, const meeting *high,
+                                mp_bitcnt_t bits)
 {
-    mpz_t whole;
-    mpz_init(whole);
-    for (mp_bitcnt_t bits = 0;; bits++) { /* the least multiple of 2^-bits above low */
-        mpz_mul_2exp(whole, mpq_numref(low), bits);
-        mpz_fdiv_q(whole, whole, mpq_denref(low));
-        mpz_add_ui(whole, whole, 1);
-        mpq_set_z(time, whole);
-        mpq_div_2exp(time, time, bits);
-        if (!bounded || mpq_cmp(time, high) < 0)
-            break;
-    }
-    mpz_clear(whole);
+    meeting multiple;
+    mpz_mul_2exp(whole, low->slack, bits);
+    mpz_fdiv_q(whole, whole, low->speed);
+    mpz_add_ui(whole, whole, 1);
+    if (mpz_sgn(high->speed) == 0)
+        return true;
+    open_meeting(&multiple);
+    mpz_set(multiple.slack, whole);
+    mpz_setbit(multiple.speed, bits);
+    bool below = compare_meetings(&multiple, high) < 0;
+    close_meeting(&multiple);
+    return below;
 }
 
-void fmb_ray_beyond(fmb_ray *r, mpq_t *x)
+/* A number of few digits between low and high: a multiple of the largest power of two that has
+ * one. Half of that has one, too, so a search by halves finds it. */
+static fmb_status find_time_between(fmb_run *run, mpq_t time, const meeting *low,
+                                    const meeting *high)
+{
+    fmb_status st = FMB_OK;
+    mp_bitcnt_t none = 0, some = 0; /* below `none` bits there is none; with `some` there is one */
+    mpz_ptr whole = mpq_numref(time);
+    while (st == FMB_OK && !is_multiple_between(whole, low, high, some)) {
+        none = some + 1;
+        some = 2 * some + 1;
+        st = fmb_run_poll_long(run, low->slack);
+    }
+    while (st == FMB_OK && none < some) {
+        mp_bitcnt_t half = none + (some - none) / 2;
+        if (is_multiple_between(whole, low, high, half))
+            some = half;
+        else
+            none = half + 1;
+        st = fmb_run_poll_long(run, low->slack);
+    }
+    if (st == FMB_OK) {
+        (void)is_multiple_between(whole, low, high, some);
+        mpz_set_ui(mpq_denref(time), 1);
+        mpq_div_2exp(time, time, some);
+    }
+    return st;
+}
+
+/* x = the point at the time. */
+static void go_along(const fmb_ray *r, mpq_t time, mpq_t *x)
 {
     const fmb_polar_points *p = r->p;
-    mpq_t low, high, time;
-    mpq_inits(low, high, time, NULL);
-    exact_time(r, r->hit, low);
-    bool bounded = next_time(r, high);
-    find_time_between(time, low, high, bounded);
+    mpq_t t;
+    mpq_init(t);
     fmb_polar_points_point(p, x);
     if (r->unit > 0)
         mpq_div_2exp(time, time, (mp_bitcnt_t)r->unit);
     else
         mpq_mul_2exp(time, time, (mp_bitcnt_t)-r->unit);
     for (size_t k = 0; k < p->d; k++) {
-        mpq_set_z(low, r->way[k]);
-        mpq_mul(low, low, time);
-        mpq_add(x[p->column[k]], x[p->column[k]], low);
+        mpq_set_z(t, r->way[k]);
+        mpq_mul(t, t, time);
+        mpq_add(x[p->column[k]], x[p->column[k]], t);
     }
-    mpq_clears(low, high, time, NULL);
+    mpq_clear(t);
+}
+
+fmb_status fmb_ray_beyond(fmb_ray *r, mpq_t *x)
+{
+    meeting low, high;
+    mpq_t time;
+    open_meeting(&low);
+    open_meeting(&high);
+    mpq_init(time);
+    exact_time(r, r->hit, &low);
+    next_time(r, &high);
+    fmb_status st = find_time_between(r->run, time, &low, &high);
+    if (st == FMB_OK)
+        go_along(r, time, x);
+    mpq_clear(time);
+    close_meeting(&low);
+    close_meeting(&high);
+    return st;
 }

@@ -15,7 +15,7 @@
 #define FMB_RAY_TRIES 64
 
 typedef struct fmb_ray {
-    fmb_mem *mem;
+    fmb_run *run;
     const fmb_polar_points *p;
     mpz_t *way; /* [d] its direction: way / 2^unit */
     int unit;
@@ -30,14 +30,14 @@ typedef struct fmb_ray {
 } fmb_ray;
 
 /* p must outlive r. Errors: MEMORY, LIMIT. In any case fmb_ray_clear it. */
-fmb_status fmb_ray_init(fmb_ray *r, fmb_mem *mem, const fmb_polar_points *p);
+fmb_status fmb_ray_init(fmb_ray *r, fmb_run *run, const fmb_polar_points *p);
 void fmb_ray_clear(fmb_ray *r);
 
 /* The row that a ray in direction way[d], in round coordinates, meets first: of several at once,
- * one that a ray close by meets alone. SIZE_MAX: none, or that did not come out. A direction taken
- * roughly gives points with shorter numbers. */
+ * one that a ray close by meets alone. SIZE_MAX: none, or that did not come out, or a limit was
+ * reached. A direction taken roughly gives points with shorter numbers. */
 size_t fmb_ray_shoot(fmb_ray *r, const double *way, bool roughly);
-/* A point beyond the row that the last ray met, and beyond no other, x[n]. */
-void fmb_ray_beyond(fmb_ray *r, mpq_t *x);
+/* A point beyond the row that the last ray met, and beyond no other, x[n]. Errors: LIMIT. */
+fmb_status fmb_ray_beyond(fmb_ray *r, mpq_t *x);
 
 #endif

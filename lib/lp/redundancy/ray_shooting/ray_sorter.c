@@ -12,6 +12,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "num/long_gcd.h"
 #include "num/rationals.h"
 
 /* Values below are taken for 0, and are tried for what they are if that fails. */
@@ -42,7 +43,7 @@ fmb_status fmb_ray_sorter_init(fmb_ray_sorter *s, fmb_run *run, const fmb_polar_
         return fmb_mem_status(mem);
     fmb_status st = fmb_membership_init(&s->membership, mem, run->kernels, d, FIRST_CUBE);
     if (st == FMB_OK)
-        st = fmb_ray_init(&s->ray, mem, points);
+        st = fmb_ray_init(&s->ray, run, points);
     if (st == FMB_OK)
         st = fmb_combination_init(&s->combination, mem, points->n, points->row);
     return st == FMB_OK ? fmb_rationals_new(&s->x, points->n, mem) : st;
@@ -136,8 +137,9 @@ static fmb_status keep_row(fmb_ray_sorter *s, size_t i)
     fmb_status st = FMB_OK;
     s->fate[i] = FMB_FATE_KEPT;
     if (s->told && s->told->irredundant) {
-        fmb_ray_beyond(&s->ray, s->x);
-        st = s->told->irredundant(s->told->self, i, s->x);
+        st = fmb_ray_beyond(&s->ray, s->x);
+        if (st == FMB_OK)
+            st = s->told->irredundant(s->told->self, i, s->x);
     }
     if (st == FMB_OK && s->known == s->capacity)
         st = reserve_known_rows(s, s->capacity == 0 ? 64 : 2 * s->capacity);
@@ -185,6 +187,7 @@ static bool does_target_stick_out(fmb_ray_sorter *s)
 static fmb_status tell_of_combination(fmb_ray_sorter *s, size_t i)
 {
     const fmb_combination *c = &s->combination;
+    const fmb_poll poll = fmb_run_asked(s->run);
     fmb_status st = FMB_OK;
     fmb_weights w = {0};
     mpq_t factor;
@@ -192,10 +195,10 @@ static fmb_status tell_of_combination(fmb_ray_sorter *s, size_t i)
         return FMB_OK;
     mpq_init(factor);
     for (size_t k = 0; st == FMB_OK && k < c->size; k++) {
-        mpq_set_num(factor, c->part[k]);
-        mpq_set_den(factor, c->all);
-        mpq_canonicalize(factor);
-        st = fmb_weights_add(&w, (uint32_t)c->index[k], factor, s->run->mem);
+        mpq_set_z(factor, c->part[k]);
+        st = fmb_long_divide(factor, c->all, &poll);
+        if (st == FMB_OK)
+            st = fmb_weights_add(&w, (uint32_t)c->index[k], factor, s->run->mem);
     }
     if (st == FMB_OK)
         st = s->told->redundant(s->told->self, i, &w);
