@@ -59,7 +59,9 @@ typedef struct fmb_facets {
     fmb_vec g;           /* [d] the generator at hand, */
     double *near;        /* [d] and roughly */
     mpz_t *minor;        /* [2^d] scratch, or NULL */
-    uint32_t *seen, *touched, *made, *unused; /* lists of facets, scratch; free slots */
+    uint32_t *seen, *touched, *made, *unused; /* lists of facets, scratch: those that the last
+                                                 generator removed, had on its hyperplane, and made;
+                                                 free slots */
     size_t seens, toucheds, mades, unuseds;
     size_t seen_capacity, touched_capacity, made_capacity, unused_capacity;
     uint64_t *common; /* [common_words] scratch */
@@ -74,8 +76,13 @@ fmb_status fmb_facets_init(fmb_facets *f, fmb_run *run, size_t d);
 void fmb_facets_clear(fmb_facets *f);
 
 /* Take in g[d], not 0. *grown: it was outside of the cone, and is generator number
- * f->generators - 1. After an error nothing but fmb_facets_clear may be called. */
-fmb_status fmb_facets_add(fmb_facets *f, mpz_t *g, bool *grown);
+ * f->generators - 1. After an error nothing but fmb_facets_clear may be called. The facets that it
+ * is beyond are looked for from slot number `at` on: quickest if that is one of them. */
+fmb_status fmb_facets_add_near(fmb_facets *f, size_t at, mpz_t *g, bool *grown);
+static inline fmb_status fmb_facets_add(fmb_facets *f, mpz_t *g, bool *grown)
+{
+    return fmb_facets_add_near(f, 0, g, grown);
+}
 /* The same; v[d] need not be coprime. */
 fmb_status fmb_facets_add_vec(fmb_facets *f, const fmb_vec *v, bool *grown);
 

@@ -65,15 +65,17 @@ static fmb_status spread_from_facets_that_see(fmb_facets *f)
  * linear form there. By the simplex method, where that is not least there is an edge on which it
  * falls: so a facet that holds it, if any sees it, is beside one that sees it; and those that see
  * it hang together, as the way down from each ends where it is least, and the least ones are a
- * face. */
+ * face. The search for one begins at slot number first. */
 static fmb_status find_sides(fmb_facets *f, size_t first)
 {
     fmb_status st = FMB_OK;
     f->seens = f->toucheds = 0;
     f->round++;
-    for (size_t i = first; st == FMB_OK && i < f->slots && f->seens == 0; i++)
+    for (size_t k = 0; st == FMB_OK && k < f->slots && f->seens == 0; k++) {
+        size_t i = (first + k) % f->slots;
         if (f->facet[i].alive)
             st = find_side(f, (uint32_t)i);
+    }
     return st == FMB_OK ? spread_from_facets_that_see(f) : st;
 }
 
@@ -86,13 +88,13 @@ static fmb_status load_generator(fmb_facets *f, fmb_status st)
     return st;
 }
 
-/* Take in what has been loaded. */
-static fmb_status add_generator_at_hand(fmb_facets *f, bool *grown)
+/* Take in what has been loaded, which may be beyond facet `at`. */
+static fmb_status add_generator_at_hand(fmb_facets *f, size_t at, bool *grown)
 {
     fmb_status st = FMB_OK;
     size_t e = find_equation_off(f, &f->g);
     if (e == f->d)
-        st = find_sides(f, 0);
+        st = find_sides(f, at);
     *grown = st == FMB_OK && (e < f->d || f->seens > 0);
     if (!*grown)
         return st;
@@ -103,16 +105,16 @@ static fmb_status add_generator_at_hand(fmb_facets *f, bool *grown)
     return st;
 }
 
-fmb_status fmb_facets_add(fmb_facets *f, mpz_t *g, bool *grown)
+fmb_status fmb_facets_add_near(fmb_facets *f, size_t at, mpz_t *g, bool *grown)
 {
     fmb_status st = load_generator(f, fmb_vec_set_z(&f->g, f->d, g, f->num.mem));
-    return st == FMB_OK ? add_generator_at_hand(f, grown) : st;
+    return st == FMB_OK ? add_generator_at_hand(f, at, grown) : st;
 }
 
 fmb_status fmb_facets_add_vec(fmb_facets *f, const fmb_vec *v, bool *grown)
 {
     fmb_status st = load_generator(f, fmb_vec_copy(&f->g, v, f->d, f->num.mem));
-    return st == FMB_OK ? add_generator_at_hand(f, grown) : st;
+    return st == FMB_OK ? add_generator_at_hand(f, 0, grown) : st;
 }
 
 fmb_status fmb_facets_add_beyond(fmb_facets *f, const fmb_vec *v, size_t at)

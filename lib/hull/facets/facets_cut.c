@@ -94,14 +94,16 @@ static fmb_status replace_facets_that_see(fmb_facets *f, size_t generator)
 
 /* ---- the whole way --------------------------------------------------------------------------- */
 
+/* Facets that stay were valued for a facet that is new, whose first neighbour they are. */
 static fmb_status forget_values(fmb_facets *f)
 {
     fmb_status st = FMB_OK;
-    for (size_t a = 0; st == FMB_OK && a < f->slots; a++) {
-        if (!f->facet[a].alive || !f->facet[a].valued)
+    for (size_t i = 0; st == FMB_OK && i < f->mades; i++) {
+        fmb_facet *n = &f->facet[f->facet[f->made[i]].next[0]];
+        if (!n->valued)
             continue;
-        f->facet[a].valued = false;
-        st = fmb_facets_tidy(f, &f->facet[a].normal);
+        n->valued = false;
+        st = fmb_facets_tidy(f, &n->normal);
     }
     return st;
 }

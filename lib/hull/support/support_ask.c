@@ -44,7 +44,7 @@ static fmb_status find_first_point(fmb_support *s)
     s->begun = true;
     if (st == FMB_OK)
         fmb_oracle_point_integers(s->worker.oracle, s->worker.x.z, s->worker.den);
-    return st == FMB_OK ? fmb_support_take(s, &s->worker) : st;
+    return st == FMB_OK ? fmb_support_take(s, &s->worker, 0) : st;
 }
 
 /* An equation that all generators satisfy: on either side, does the projection go further? */
@@ -53,9 +53,9 @@ static fmb_status ask_about_equation(fmb_support *s)
     fmb_support_row row = {.rel = FMB_EQ};
     bool stands;
     const fmb_vec *e = &s->hull.equation[s->equations];
-    fmb_status st = fmb_support_query(s, e, 1, &row, &stands);
+    fmb_status st = fmb_support_query(s, e, 0, 1, &row, &stands);
     if (st == FMB_OK && stands)
-        st = fmb_support_query(s, e, -1, &row, &stands);
+        st = fmb_support_query(s, e, 0, -1, &row, &stands);
     if (st == FMB_OK && stands) {
         s->equations++;
         return fmb_support_keep(s, &row);
@@ -73,12 +73,43 @@ static bool is_at_infinity(const fmb_support *s, const fmb_vec *normal)
     return true;
 }
 
-/* Is it open, and if `near` on the generator that was found last? There the oracle stands, so that
- * its way to the optimum is short. */
-static bool is_facet_next(const fmb_support *s, const fmb_facet *a, bool near)
+static bool is_open(const fmb_facet *a)
 {
-    size_t last = s->hull.generators - 1;
-    return a->alive && a->note == FMB_FACET_OPEN && (!near || (a->on[last / 64] >> last % 64 & 1));
+    return a->alive && a->note == FMB_FACET_OPEN;
+}
+
+/* How far back is slot i, going round from the one asked about last? */
+static size_t slots_back(const fmb_support *s, size_t i)
+{
+    size_t slots = s->hull.slots;
+    return (s->at % slots + slots - 1 - i) % slots;
+}
+
+/* The first open one going back, of those on the generator that was found last, which it made or
+ * touched; SIZE_MAX: none. There the oracle stands, so that its way to the optimum is short. */
+static size_t find_open_facet_nearby(const fmb_support *s)
+{
+    const fmb_facets *f = &s->hull;
+    size_t best = SIZE_MAX;
+    for (size_t k = 0; k < f->mades + f->toucheds; k++) {
+        size_t i = k < f->mades ? f->made[k] : f->touched[k - f->mades];
+        if (is_open(&f->facet[i]) && fmb_facet_holds(&f->facet[i], f->generators - 1) &&
+            (best == SIZE_MAX || slots_back(s, i) < slots_back(s, best)))
+            best = i;
+    }
+    return best;
+}
+
+static size_t find_open_facet_anywhere(const fmb_support *s)
+{
+    const fmb_facets *f = &s->hull;
+    size_t i = f->slots > 0 ? s->at % f->slots : 0;
+    for (size_t k = 0; k < f->slots; k++) {
+        i = (i > 0 ? i : f->slots) - 1;
+        if (is_open(&f->facet[i]))
+            return i;
+    }
+    return SIZE_MAX;
 }
 
 /* A facet that nothing is known of, its normal known; SIZE_MAX if there is none. It is one near the
@@ -86,22 +117,18 @@ static bool is_facet_next(const fmb_support *s, const fmb_facet *a, bool near)
 static fmb_status find_open_facet(fmb_support *s, size_t *at)
 {
     fmb_facets *f = &s->hull;
-    *at = SIZE_MAX;
-    for (size_t i = 0; i < 2 * f->slots; i++) {
-        s->at = (s->at + f->slots - 1) % f->slots;
-        fmb_facet *a = &f->facet[s->at];
-        if (!is_facet_next(s, a, i < f->slots))
-            continue;
-        fmb_status st = fmb_facets_need_normal(f, s->at);
-        if (st != FMB_OK)
-            return st;
-        if (!is_at_infinity(s, &a->normal)) {
-            *at = s->at;
+    for (;;) {
+        *at = find_open_facet_nearby(s);
+        if (*at == SIZE_MAX)
+            *at = find_open_facet_anywhere(s);
+        if (*at == SIZE_MAX)
             return FMB_OK;
-        }
-        a->note = FMB_FACET_STANDS;
+        s->at = *at;
+        fmb_status st = fmb_facets_need_normal(f, s->at);
+        if (st != FMB_OK || !is_at_infinity(s, &f->facet[s->at].normal))
+            return st;
+        f->facet[s->at].note = FMB_FACET_STANDS;
     }
-    return FMB_OK;
 }
 
 static fmb_status ask_about_facet(fmb_support *s, size_t at)
@@ -119,7 +146,7 @@ static fmb_status ask_about_facet(fmb_support *s, size_t at)
         st = fmb_support_try_tight_rows(s, at, &row, &stands);
     fmb_way_answered(FMB_WAY_TIGHT, stands);
     if (st == FMB_OK && !stands)
-        st = fmb_support_query(s, normal, 1, &row, &stands);
+        st = fmb_support_query(s, normal, at, 1, &row, &stands);
     if (st == FMB_OK && stands) {
         st = fmb_support_stand(s, at, &row);
         return st == FMB_OK ? fmb_support_note_images(s, normal) : st;

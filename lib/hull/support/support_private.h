@@ -23,11 +23,11 @@ void fmb_support_worker_clear(fmb_support_worker *c);
  * reverse), in the worker's memory. Else the worker sees a point or ray beyond. */
 fmb_status fmb_support_worker_look(fmb_support_worker *c, const fmb_support *s, const fmb_vec *h,
                                    int sign, fmb_support_row *row, bool *stands);
-/* The hull takes in what the worker saw. */
-fmb_status fmb_support_take(fmb_support *s, fmb_support_worker *c);
+/* The hull takes in what the worker saw, perhaps beyond facet `at`. */
+fmb_status fmb_support_take(fmb_support *s, fmb_support_worker *c, size_t at);
 /* Both, alone. */
-fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, int sign, fmb_support_row *row,
-                             bool *stands);
+fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, size_t at, int sign,
+                             fmb_support_row *row, bool *stands);
 
 /* ---- support_workers.c ----------------------------------------------------------------------- */
 

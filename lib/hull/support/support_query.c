@@ -27,13 +27,13 @@ static fmb_status note_inner_point(fmb_support *s, fmb_support_worker *c)
     return fmb_integers_settle(x, mem);
 }
 
-fmb_status fmb_support_take(fmb_support *s, fmb_support_worker *c)
+fmb_status fmb_support_take(fmb_support *s, fmb_support_worker *c, size_t at)
 {
     bool grown;
     mpz_set(s->g.z[0], c->den);
     for (size_t j = 0; j < s->k; j++)
         mpz_set(s->g.z[j + 1], c->x.z[s->kept[j]]);
-    fmb_status st = fmb_facets_add(&s->hull, s->g.z, &grown);
+    fmb_status st = fmb_facets_add_near(&s->hull, at, s->g.z, &grown);
     if (st == FMB_OK && grown)
         st = fmb_support_note_tight(s, c);
     if (st == FMB_OK && grown)
@@ -134,9 +134,9 @@ fmb_status fmb_support_worker_look(fmb_support_worker *c, const fmb_support *s, 
     return FMB_OK;
 }
 
-fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, int sign, fmb_support_row *row,
-                             bool *stands)
+fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, size_t at, int sign,
+                             fmb_support_row *row, bool *stands)
 {
     fmb_status st = fmb_support_worker_look(&s->worker, s, h, sign, row, stands);
-    return st == FMB_OK && !*stands ? fmb_support_take(s, &s->worker) : st;
+    return st == FMB_OK && !*stands ? fmb_support_take(s, &s->worker, at) : st;
 }

@@ -103,7 +103,7 @@ static fmb_status take_in_what_was_seen(fmb_support *s, size_t n)
             st = keep_row_seen(s, &w->seen[k]);
     for (size_t k = 0; st == FMB_OK && k < n; k++)
         if (!w->seen[k].stands)
-            st = fmb_support_take(s, &w->worker[k]);
+            st = fmb_support_take(s, &w->worker[k], w->seen[k].facet);
     return st;
 }
 
