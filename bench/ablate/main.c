@@ -13,7 +13,7 @@
 #include "table.h"
 
 static const char USAGE[] =
-    "usage: bench-ablate [--seed N] [--each N] [--seconds S] [--later S] [--way NAME]\n"
+    "usage: bench-ablate [--seed N] [--each N] [--seconds S] [--later S] [--way NAME,...]\n"
     "                    [--question WORD] [FILE...]\n"
     "Problems of all families, N seeds of each from --seed on, and the files.\n";
 
@@ -21,7 +21,7 @@ typedef struct setup {
     subject_plan plan;
     child_limits limits;
     fmb_options options;
-    const char *only;     /* one way */
+    const char *only;     /* these ways, with commas between them */
     const char *question; /* one question */
     table table;
     unsigned problems, wrong;
@@ -65,6 +65,18 @@ static table_cell cell_of(const child_outcome *with, const child_outcome *withou
                         .peak_without = (double)without->peak};
 }
 
+static bool is_wanted(const setup *s, int way)
+{
+    const char *name = table_way_name(way);
+    size_t n = strlen(name);
+    for (const char *at = s->only; at; at = strchr(at, ',')) {
+        at += *at == ',';
+        if (strncmp(at, name, n) == 0 && (at[n] == ',' || at[n] == '\0'))
+            return true;
+    }
+    return !s->only;
+}
+
 static void try_without(setup *s, const problem *variants, const child_outcome *with, int way,
                         const fmb_ways *counts)
 {
@@ -103,7 +115,7 @@ static void ask_with_and_without(void *self, problem *p, peer_question question)
         table_add(&s->table, FMB_WAY_COUNT, p->name, &noise);
         child_outcome_clear(&again);
         for (int way = 0; way < FMB_WAY_COUNT; way++)
-            if (counts.asked[way] > 0 && (!s->only || strcmp(s->only, table_way_name(way)) == 0))
+            if (counts.asked[way] > 0 && is_wanted(s, way))
                 try_without(s, variants, &with, way, &counts);
     } else {
         fprintf(stderr, "%s: %s\n", p->name,

@@ -7,6 +7,8 @@
 #include <string.h>
 #include <time.h>
 
+#include "common/machine.h"
+
 static const struct {
     const char *name, *files, *about;
 } WAY[] = {
@@ -110,8 +112,8 @@ void table_print(const table *t, unsigned problems, const subject_plan *plan)
            "with it:\ngeometric mean, and the worst of the problems that take a millisecond. "
            "*Lost*: problems not finished then.\nA way pays if the mean is %.2f or the worst "
            "%.1f.\n\n",
-           day, FMB_COMMIT, problems, plan->seed, plan->seed + plan->each - 1, plan->files,
-           PAYS_IN_THE_MEAN, PAYS_ON_ONE);
+           day, app_machine_find().commit, problems, plan->seed, plan->seed + plan->each - 1,
+           plan->files, PAYS_IN_THE_MEAN, PAYS_ON_ONE);
     printf("| %-22s | lines | asked  | answered | without | worst | %-32s | lost | memory | pays | "
            "what "
            "it is |\n|---|---:|---:|---:|---:|---:|---|---:|---:|---|---|\n",

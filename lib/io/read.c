@@ -61,19 +61,13 @@ fmb_status fmb_system_parse(const char *text, size_t size, const fmb_reader *how
 
 /* ---- streams --------------------------------------------------------------------------------- */
 
-static fmb_status parse_system(const char *text, size_t size, const fmb_reader *how, void *self,
-                               fmb_where *where)
-{
-    return fmb_system_parse(text, size, how, self, where);
-}
-
 fmb_status fmb_system_read(FILE *in, const fmb_reader *how, fmb_system **out, fmb_where *where)
 {
     fmb_reader reader;
     fmb_status st = fmb_io_take_reader(how, &reader, where);
     if (st == FMB_OK)
         st = check_reader_arguments(&reader, out, where);
-    return st == FMB_OK ? fmb_parse_stream(in, &reader, parse_system, out, where) : st;
+    return st == FMB_OK ? fmb_parse_stream(in, &reader, parse_with_codec, out, where) : st;
 }
 
 fmb_status fmb_system_write(const fmb_system *s, fmb_format f, FILE *out)

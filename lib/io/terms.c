@@ -15,13 +15,11 @@ typedef struct row_of_text {
 
 static fmb_status read_whole_number(fmb_cursor *c, mpq_t out)
 {
-    char found[FMB_QUOTE];
     fmb_status st = fmb_io_check(c);
     if (st == FMB_OK)
         st = fmb_scan_number(c, FMB_NUM_ALL, "a number", out);
     if (st == FMB_OK && c->at < c->end)
-        st = fmb_io_fail(c, c->at, "expected the end of the number, found %s",
-                         fmb_quote(c, c->at, found));
+        st = fmb_io_expected(c, c->at, "the end of the number");
     return st;
 }
 

@@ -215,6 +215,17 @@ fmb_status fmb_io_fail(fmb_cursor *c, const char *p, const char *format, ...)
     return FMB_ERR_PARSE;
 }
 
+fmb_status fmb_io_expected(fmb_cursor *c, const char *p, const char *format, ...)
+{
+    char found[FMB_QUOTE];
+    fmb_where w;
+    va_list args;
+    va_start(args, format);
+    vsnprintf(w.text, sizeof w.text, format, args);
+    va_end(args);
+    return fmb_io_fail(c, p, "expected %s, found %s", w.text, fmb_quote(c, p, found));
+}
+
 fmb_status fmb_io_take_reader(const fmb_reader *how, fmb_reader *ours, fmb_where *where)
 {
     char why[sizeof where->text];

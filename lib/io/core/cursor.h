@@ -74,12 +74,17 @@ const char *fmb_quote(const fmb_cursor *c, const char *p, char buf[FMB_QUOTE]);
 const char *fmb_quote_name(const char *name, char buf[FMB_QUOTE]);
 
 /* Malformed at p (NULL: as a whole): fills *c->where and returns FMB_ERR_PARSE. Say what was
- * expected, then what was found: "expected a relation, found 'x'". */
+ * expected. The second says both itself: of "a relation", "expected a relation, found 'x'". */
 #if defined(__GNUC__)
 __attribute__((format(printf, 3, 4)))
 #endif
 fmb_status
 fmb_io_fail(fmb_cursor *c, const char *p, const char *format, ...);
+#if defined(__GNUC__)
+__attribute__((format(printf, 3, 4)))
+#endif
+fmb_status
+fmb_io_expected(fmb_cursor *c, const char *p, const char *format, ...);
 /* ARG, and *where (may be NULL) says why. */
 fmb_status fmb_io_refuse_argument(fmb_where *where, const char *error);
 /* The reader that is given, or one by default. Errors: ARG, told in *where. */

@@ -57,6 +57,15 @@ fmb_status fmb_draft_term(fmb_draft *d, int var, mpq_ptr *slot)
     return FMB_OK;
 }
 
+fmb_status fmb_draft_add(fmb_draft *d, int var, mpq_srcptr coef)
+{
+    mpq_ptr slot;
+    fmb_status st = fmb_draft_term(d, var, &slot);
+    if (st == FMB_OK)
+        mpq_set(slot, coef);
+    return st;
+}
+
 void fmb_draft_negate(fmb_draft *d)
 {
     for (size_t k = 0; k < d->n; k++)

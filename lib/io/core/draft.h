@@ -20,6 +20,8 @@ void fmb_draft_reset(fmb_draft *d);
 /* Room for one more term: *slot is its coefficient (old value undefined), to be set by the caller;
  * equal variables are added up in the end. Errors: MEMORY. */
 fmb_status fmb_draft_term(fmb_draft *d, int var, mpq_ptr *slot);
+/* One more term. Errors: MEMORY. */
+fmb_status fmb_draft_add(fmb_draft *d, int var, mpq_srcptr coef);
 void fmb_draft_negate(fmb_draft *d);
 /* Append the row to s; p is the place to blame if it outgrows the budget. Errors: MEMORY, PARSE. */
 fmb_status fmb_draft_append(fmb_cursor *c, const char *p, const fmb_draft *d, fmb_rel rel,

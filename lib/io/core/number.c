@@ -181,9 +181,8 @@ fmb_status fmb_scan_number(fmb_cursor *c, int flags, const char *what, mpq_t out
         c->at++;
     }
     if (!scan_unsigned_decimal(c, flags, &d)) {
-        char found[FMB_QUOTE];
         c->at = start;
-        return fmb_io_fail(c, start, "expected %s, found %s", what, fmb_quote(c, start, found));
+        return fmb_io_expected(c, start, "%s", what);
     }
     fmb_status st = value_of_decimal(c, &d, out);
     if (st == FMB_OK && flags & FMB_NUM_FRACTION)
@@ -197,16 +196,14 @@ fmb_status fmb_scan_count(fmb_cursor *c, size_t max, const char *what, size_t *o
 {
     const char *start = c->at;
     size_t n = 0;
-    char found[FMB_QUOTE];
     for (; fmb_is_digit(fmb_peek(c)); c->at++) {
         size_t digit = (size_t)(*c->at - '0');
         if (n > max / 10 || digit > max - 10 * n)
-            return fmb_io_fail(c, start, "expected %s of at most %zu, found %s", what, max,
-                               fmb_quote(c, start, found));
+            return fmb_io_expected(c, start, "%s of at most %zu", what, max);
         n = 10 * n + digit;
     }
     if (c->at == start)
-        return fmb_io_fail(c, start, "expected %s, found %s", what, fmb_quote(c, start, found));
+        return fmb_io_expected(c, start, "%s", what);
     *out = n;
     return FMB_OK;
 }

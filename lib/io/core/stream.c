@@ -3,7 +3,13 @@
 
 #include <errno.h>
 
-fmb_status fmb_read_whole_stream(FILE *in, size_t most, fmb_bytes *b, fmb_mem *mem)
+typedef struct fmb_bytes {
+    char *p;
+    size_t size, capacity;
+} fmb_bytes;
+
+/* All of a stream, or one byte more than most, behind what is there. */
+static fmb_status read_whole_stream(FILE *in, size_t most, fmb_bytes *b, fmb_mem *mem)
 {
     while (b->size <= most) {
         fmb_status st = fmb_mem_reserve(mem, (void **)&b->p, &b->capacity, b->size + (1 << 14), 1);
@@ -31,12 +37,12 @@ fmb_status fmb_parse_memory(const char *text, size_t size, const fmb_reader *how
     fmb_mem_init(&mem, reader.mem, 0);
     fmb_cursor c = fmb_io_cursor(text ? text : "", size, &reader, &mem, &at);
     st = size > fmb_io_max_bytes(&reader) ? fmb_io_fail_too_long(&c, NULL) : parse(&c, self);
-    if (st == FMB_ERR_PARSE && where)
+    if ((st == FMB_ERR_PARSE || st == FMB_ERR_ARG) && where)
         *where = at;
     return st;
 }
 
-fmb_status fmb_parse_stream(FILE *in, const fmb_reader *how, fmb_parse_fn *parse, void *self,
+fmb_status fmb_parse_stream(FILE *in, const fmb_reader *how, fmb_parse_cursor_fn *parse, void *self,
                             fmb_where *where)
 {
     fmb_mem mem;
@@ -48,10 +54,10 @@ fmb_status fmb_parse_stream(FILE *in, const fmb_reader *how, fmb_parse_fn *parse
     if (st != FMB_OK)
         return st;
     fmb_mem_init(&mem, reader.mem, 0);
-    st = fmb_read_whole_stream(in, fmb_io_max_bytes(&reader), &b, &mem);
+    st = read_whole_stream(in, fmb_io_max_bytes(&reader), &b, &mem);
     int cause = errno;
     if (st == FMB_OK)
-        st = parse(b.p, b.size, &reader, self, where);
+        st = fmb_parse_memory(b.p, b.size, &reader, parse, self, where);
     fmb_mem_put(&mem, b.p, b.capacity, 1);
     if (st == FMB_ERR_IO)
         errno = cause;

@@ -39,12 +39,8 @@ static fmb_status append_polytope_row(fmb_frame_reader *r, fmb_cursor *c, const 
     if (!b->rows)
         st = fmb_system_new(r->dim, r->how.mem, &b->rows);
     r->row.n = 0;
-    for (int j = 0; st == FMB_OK && j < r->dim; j++) {
-        mpq_ptr slot;
-        st = fmb_draft_term(&r->row, j, &slot);
-        if (st == FMB_OK)
-            mpq_set(slot, b->coefficients.q[j]);
-    }
+    for (int j = 0; st == FMB_OK && j < r->dim; j++)
+        st = fmb_draft_add(&r->row, j, b->coefficients.q[j]);
     return st == FMB_OK ? fmb_draft_append(c, p, &r->row, r->rel, b->rows) : st;
 }
 

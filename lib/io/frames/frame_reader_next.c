@@ -51,7 +51,6 @@ static fmb_status read_pair_object(fmb_frame_reader *r, fmb_cursor *c)
 {
     static const fmb_json_key keys[] = {
         {"A", read_first_body}, {"B", read_second_body}, {"id", copy_pair_id_as_json}};
-    char found[FMB_QUOTE];
     unsigned seen;
     const char *p = c->at;
     r->dim = 0;
@@ -65,7 +64,7 @@ static fmb_status read_pair_object(fmb_frame_reader *r, fmb_cursor *c)
         return st;
     fmb_skip_blanks(c);
     if (fmb_peek(c) >= 0 && fmb_peek(c) != '\n')
-        return fmb_io_fail(c, c->at, "expected end of line, found %s", fmb_quote(c, c->at, found));
+        return fmb_io_expected(c, c->at, "end of line");
     return charge_common_denominators(r, c, p);
 }
 

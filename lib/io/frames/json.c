@@ -8,8 +8,7 @@
 
 static fmb_status fail_expecting_json(fmb_cursor *c, const char *what)
 {
-    char found[FMB_QUOTE];
-    return fmb_io_fail(c, c->at, "expected %s, found %s", what, fmb_quote(c, c->at, found));
+    return fmb_io_expected(c, c->at, "%s", what);
 }
 
 /* ---- strings --------------------------------------------------------------------------------- */

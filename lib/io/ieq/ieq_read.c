@@ -50,14 +50,9 @@ static fmb_status read_term_or_constant(ieq *f, bool minus)
         mpq_sub(f->d.rhs, f->d.rhs, f->value);
         return fmb_io_charge(c, c->at, fmb_io_digits(f->d.rhs));
     }
-    mpq_ptr slot;
     if (st == FMB_OK)
         st = read_variable_index(f, &j);
-    if (st == FMB_OK)
-        st = fmb_draft_term(&f->d, j, &slot);
-    if (st == FMB_OK)
-        mpq_set(slot, f->value);
-    return st;
+    return st == FMB_OK ? fmb_draft_add(&f->d, j, f->value) : st;
 }
 
 /* Items with signs between them; right: they stand on the right side. */
@@ -81,7 +76,6 @@ static fmb_status read_side_of_row(ieq *f, bool right)
 
 static fmb_status read_porta_relation(fmb_cursor *c, fmb_rel *rel)
 {
-    char found[FMB_QUOTE];
     const char *p = c->at;
     *rel = FMB_GE;
     if (fmb_accept(c, ">=") || fmb_accept(c, "=>"))
@@ -92,14 +86,12 @@ static fmb_status read_porta_relation(fmb_cursor *c, fmb_rel *rel)
     *rel = FMB_EQ;
     if (fmb_accept(c, "==") || fmb_accept(c, "="))
         return FMB_OK;
-    return fmb_io_fail(c, p, "expected '+', '-', '<=', '>=' or '==', found %s",
-                       fmb_quote(c, p, found));
+    return fmb_io_expected(c, p, "'+', '-', '<=', '>=' or '=='");
 }
 
 static fmb_status read_porta_row(ieq *f)
 {
     fmb_cursor *c = f->c;
-    char found[FMB_QUOTE];
     const char *start = c->at;
     size_t number;
     fmb_rel rel = FMB_LE;
@@ -119,8 +111,7 @@ static fmb_status read_porta_row(ieq *f)
     if (st == FMB_OK)
         st = read_side_of_row(f, true);
     if (st == FMB_OK && fmb_peek(c) >= 0 && fmb_peek(c) != '\n')
-        st = fmb_io_fail(c, c->at, "expected end of line after a row, found %s",
-                         fmb_quote(c, c->at, found));
+        st = fmb_io_expected(c, c->at, "end of line after a row");
     if (st != FMB_OK)
         return st;
     return fmb_draft_append(c, start, &f->d, rel, f->s);
@@ -131,14 +122,12 @@ static fmb_status read_porta_row(ieq *f)
 static fmb_status read_dim_section(ieq *f, const char *word)
 {
     fmb_cursor *c = f->c;
-    char found[FMB_QUOTE];
     size_t n = 0;
     if (f->has_dim)
         return fmb_io_fail(c, word, "expected one DIM line, found another");
     fmb_skip_space(c);
     if (!fmb_accept(c, "="))
-        return fmb_io_fail(c, c->at, "expected '=' after DIM, found %s",
-                           fmb_quote(c, c->at, found));
+        return fmb_io_expected(c, c->at, "'=' after DIM");
     fmb_skip_space(c);
     const char *p = c->at;
     fmb_status st = fmb_scan_count(c, SIZE_MAX / 2, "a number of variables", &n);
@@ -231,22 +220,19 @@ static fmb_span scan_section_keyword(fmb_cursor *c)
 static fmb_status read_next_section(ieq *f, bool *end)
 {
     fmb_cursor *c = f->c;
-    char found[FMB_QUOTE];
     fmb_skip_space(c);
     fmb_span word = scan_section_keyword(c);
     if (fmb_span_is_nocase(word, "DIM"))
         return read_dim_section(f, word.p);
     if (!f->has_dim)
-        return fmb_io_fail(c, word.p, "expected 'DIM = n' first, found %s",
-                           fmb_quote(c, word.p, found));
+        return fmb_io_expected(c, word.p, "'DIM = n' first");
     *end = fmb_span_is_nocase(word, "END");
     if (*end)
         return FMB_OK;
     for (size_t i = 0; i < sizeof sections / sizeof *sections; i++)
         if (fmb_span_is_nocase(word, sections[i].word))
             return sections[i].read(f, word.p);
-    return fmb_io_fail(c, word.p, "expected a row, the name of a section or END, found %s",
-                       fmb_quote(c, word.p, found));
+    return fmb_io_expected(c, word.p, "a row, the name of a section or END");
 }
 
 fmb_status fmb_read_ieq(fmb_cursor *c, fmb_system *s)

@@ -71,16 +71,10 @@ fmb_status fmb_generators_parse(const char *text, size_t size, const fmb_reader 
                : fmb_io_refuse_argument(where, "out is NULL");
 }
 
-static fmb_status parse_v_representation(const char *text, size_t size, const fmb_reader *how,
-                                         void *self, fmb_where *where)
-{
-    return fmb_generators_parse(text, size, how, self, where);
-}
-
 fmb_status fmb_generators_read(FILE *in, const fmb_reader *how, fmb_generators **out,
                                fmb_where *where)
 {
-    return out ? fmb_parse_stream(in, how, parse_v_representation, out, where)
+    return out ? fmb_parse_stream(in, how, parse_generators, out, where)
                : fmb_io_refuse_argument(where, "out is NULL");
 }
 

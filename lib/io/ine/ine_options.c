@@ -16,11 +16,10 @@ static bool is_at_end_of_line(fmb_cursor *c)
 
 fmb_status fmb_ine_number(fmb_cursor *c, mpq_t out)
 {
-    char found[FMB_QUOTE];
     const char *p = c->at;
     fmb_status st = fmb_scan_number(c, FMB_NUM_ALL, "a number", out);
     if (st == FMB_OK && fmb_scan_word(c).n > 0)
-        st = fmb_io_fail(c, p, "expected a number, found %s", fmb_quote(c, p, found));
+        st = fmb_io_expected(c, p, "a number");
     return st;
 }
 
@@ -41,7 +40,6 @@ void fmb_ine_skip_arguments(fmb_cursor *c)
 static fmb_status read_counted_list(fmb_cursor *c, fmb_ine_list *list, const char *what)
 {
     size_t k;
-    char found[FMB_QUOTE];
     fmb_skip_blanks(c);
     fmb_status st = fmb_scan_count(c, SIZE_MAX / 2, "a count", &k);
     for (size_t i = 0; st == FMB_OK && i < k; i++) {
@@ -56,8 +54,7 @@ static fmb_status read_counted_list(fmb_cursor *c, fmb_ine_list *list, const cha
         list->size += st == FMB_OK;
     }
     if (st == FMB_OK && !is_at_end_of_line(c))
-        st = fmb_io_fail(c, c->at, "expected end of line after a list of %zu, found %s", k,
-                         fmb_quote(c, c->at, found));
+        st = fmb_io_expected(c, c->at, "end of line after a list of %zu", k);
     fmb_next_line(c);
     return st;
 }
@@ -225,28 +222,25 @@ static fmb_status set_listed_marks(fmb_ine *f)
 static fmb_status read_objective_numbers(fmb_ine *f, fmb_draft *d)
 {
     fmb_cursor *c = f->c;
-    char found[FMB_QUOTE];
     int dim = fmb_system_dim(f->s);
     fmb_status st = FMB_OK;
     mpq_t value;
     mpq_init(value);
     for (int j = -1; st == FMB_OK && j < dim; j++) {
-        mpq_ptr slot = d->rhs;
         fmb_skip_space(c);
-        st = fmb_starts_number(fmb_peek(c))
-                 ? fmb_ine_number(c, value)
-                 : fmb_io_fail(c, c->at, "expected number %d of the %d of the objective, found %s",
-                               j + 2, dim + 1, fmb_quote(c, c->at, found));
+        st =
+            fmb_starts_number(fmb_peek(c))
+                ? fmb_ine_number(c, value)
+                : fmb_io_expected(c, c->at, "number %d of the %d of the objective", j + 2, dim + 1);
         if (st == FMB_OK && j >= 0)
-            st = fmb_draft_term(d, j, &slot);
-        if (st == FMB_OK)
-            mpq_set(slot, value);
+            st = fmb_draft_add(d, j, value);
+        else if (st == FMB_OK)
+            mpq_set(d->rhs, value);
     }
     mpq_clear(value);
     fmb_skip_space(c);
     return st == FMB_OK && fmb_starts_number(fmb_peek(c))
-               ? fmb_io_fail(c, c->at, "expected an objective of %d numbers, found %s", dim + 1,
-                             fmb_quote(c, c->at, found))
+               ? fmb_io_expected(c, c->at, "an objective of %d numbers", dim + 1)
                : st;
 }
 

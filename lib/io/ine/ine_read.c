@@ -28,7 +28,6 @@ typedef struct shape {
 /* "m d type". */
 static fmb_status read_matrix_shape(fmb_cursor *c, shape *h)
 {
-    char found[FMB_QUOTE];
     fmb_skip_space(c);
     h->at = c->at;
     h->open = fmb_peek(c) == '*';
@@ -51,8 +50,7 @@ static fmb_status read_matrix_shape(fmb_cursor *c, shape *h)
     if (fmb_span_is_nocase(type, "integer") || fmb_span_is_nocase(type, "rational") ||
         fmb_span_is_nocase(type, "real"))
         return FMB_OK;
-    return fmb_io_fail(c, p, "expected 'integer', 'rational' or 'real', found %s",
-                       fmb_quote(c, p, found));
+    return fmb_io_expected(c, p, "'integer', 'rational' or 'real'");
 }
 
 /* Titles and options up to "begin". */
@@ -80,11 +78,9 @@ static fmb_status read_lines_before_matrix(fmb_ine *f)
 /* A row of generators begins with 1 or 0. */
 static fmb_status check_generator(fmb_cursor *c, const char *p, const mpq_t value)
 {
-    char found[FMB_QUOTE];
     return mpq_sgn(value) == 0 || mpq_cmp_ui(value, 1, 1) == 0
                ? FMB_OK
-               : fmb_io_fail(c, p, "expected 1 for a vertex or 0 for a ray, found %s",
-                             fmb_quote(c, p, found));
+               : fmb_io_expected(c, p, "1 for a vertex or 0 for a ray");
 }
 
 /* Column j of a row into d: b, then a_j: b + a.x >= 0 is -a.x <= b. */
@@ -102,25 +98,20 @@ static fmb_status read_matrix_entry(fmb_ine *f, size_t j, mpq_t value, fmb_draft
         mpq_set(d->rhs, value);
         return FMB_OK;
     }
-    mpq_ptr slot;
-    st = fmb_draft_term(d, (int)j - 1, &slot);
-    if (st == FMB_OK)
-        mpq_neg(slot, value);
-    return st;
+    mpq_neg(value, value);
+    return fmb_draft_add(d, (int)j - 1, value);
 }
 
 static fmb_status read_matrix_row(fmb_ine *f, const shape *h, mpq_t value, fmb_draft *d)
 {
     fmb_cursor *c = f->c;
-    char found[FMB_QUOTE];
     fmb_draft_reset(d);
     const char *start = c->at;
     for (size_t j = 0; j < h->columns; j++) {
         skip_star_comments(c);
         if (!fmb_starts_number(fmb_peek(c)))
-            return fmb_io_fail(c, c->at, "expected number %zu of the %zu of row %zu, found %s",
-                               j + 1, h->columns, fmb_system_rows(f->s) + 1,
-                               fmb_quote(c, c->at, found));
+            return fmb_io_expected(c, c->at, "number %zu of the %zu of row %zu", j + 1, h->columns,
+                                   fmb_system_rows(f->s) + 1);
         fmb_status st = read_matrix_entry(f, j, value, d);
         if (st != FMB_OK)
             return st;
@@ -153,7 +144,6 @@ static fmb_status read_matrix_rows(fmb_ine *f, const shape *h)
  * ignored with a warning. */
 static fmb_status skip_surplus_rows(fmb_cursor *c, const shape *h)
 {
-    char found[FMB_QUOTE];
     size_t n = 0;
     fmb_status st = FMB_OK;
     mpq_t value;
@@ -164,8 +154,7 @@ static fmb_status skip_surplus_rows(fmb_cursor *c, const shape *h)
         st = fmb_ine_number(c, value);
     mpq_clear(value);
     if (st == FMB_OK && n % h->columns != 0)
-        return fmb_io_fail(c, first, "expected 'end' after %zu rows, found %s", h->rows,
-                           fmb_quote(c, first, found));
+        return fmb_io_expected(c, first, "'end' after %zu rows", h->rows);
     if (st == FMB_OK && n > 0)
         fmb_io_warn(c, first, "ignored: %zu rows more than the %zu of the header", n / h->columns,
                     h->rows);
@@ -175,7 +164,6 @@ static fmb_status skip_surplus_rows(fmb_cursor *c, const shape *h)
 static fmb_status read_ine_matrix(fmb_ine *f)
 {
     fmb_cursor *c = f->c;
-    char found[FMB_QUOTE];
     shape h = {0};
     fmb_status st = read_matrix_shape(c, &h);
     if (st == FMB_OK)
@@ -186,8 +174,7 @@ static fmb_status read_ine_matrix(fmb_ine *f)
         return st;
     const char *p = c->at;
     if (!fmb_span_is_nocase(fmb_scan_word(c), "end"))
-        return fmb_io_fail(c, p, "expected 'end' after %zu rows, found %s", fmb_system_rows(f->s),
-                           fmb_quote(c, p, found));
+        return fmb_io_expected(c, p, "'end' after %zu rows", fmb_system_rows(f->s));
     fmb_next_line(c);
     return FMB_OK;
 }

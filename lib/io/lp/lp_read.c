@@ -43,9 +43,8 @@ static fmb_status next_lp_token(lp_reader *r)
 
 static fmb_status fail_lp(lp_reader *r, const char *what)
 {
-    char found[FMB_QUOTE];
     const char *p = r->next.text.p;
-    return fmb_io_fail(r->c, p, "expected %s, found %s", what, fmb_quote(r->c, p, found));
+    return fmb_io_expected(r->c, p, "%s", what);
 }
 
 static bool is_infinity(const fmb_lp_token *t)
@@ -71,7 +70,6 @@ static fmb_status read_lp_term(lp_reader *r, bool minus, lp_reach reach)
     const char *at = r->next.text.p;
     fmb_status st = FMB_OK;
     int j = 0;
-    mpq_ptr slot;
     bool number = r->next.kind == FMB_LP_NUMBER;
     if (!number && !has_variable_next(r, reach, false))
         return fail_lp(r, reach == LP_NUMBERS ? "a number or infinity" : "a number or a variable");
@@ -89,11 +87,8 @@ static fmb_status read_lp_term(lp_reader *r, bool minus, lp_reach reach)
     if (st == FMB_OK)
         st = fmb_program_variable(&r->program, r->next.text, &j);
     if (st == FMB_OK)
-        st = fmb_draft_term(&r->row, j, &slot);
-    if (st != FMB_OK)
-        return st;
-    mpq_set(slot, r->scratch);
-    return next_lp_token(r);
+        st = fmb_draft_add(&r->row, j, r->scratch);
+    return st == FMB_OK ? next_lp_token(r) : st;
 }
 
 /* A sum, times -1 if minus, into the row; or infinity by itself. */

@@ -101,7 +101,6 @@ static fmb_status read_medit_keyword(fmb_cursor *c, fmb_mesh_draft *d, fmb_span 
 
 fmb_status fmb_mesh_read_medit(fmb_cursor *c, fmb_mesh_draft *d)
 {
-    char found[FMB_QUOTE];
     fmb_status st = FMB_OK;
     d->skip = fmb_mesh_skip_comments;
     for (d->skip(c); st == FMB_OK && c->at < c->end; d->skip(c)) {
@@ -110,9 +109,8 @@ fmb_status fmb_mesh_read_medit(fmb_cursor *c, fmb_mesh_draft *d)
         if (fmb_span_is_nocase(word, "End"))
             return FMB_OK;
         int letter = *p | 32;
-        st = letter >= 'a' && letter <= 'z'
-                 ? read_medit_keyword(c, d, word)
-                 : fmb_io_fail(c, p, "expected a keyword, found %s", fmb_quote(c, p, found));
+        st = letter >= 'a' && letter <= 'z' ? read_medit_keyword(c, d, word)
+                                            : fmb_io_expected(c, p, "a keyword");
     }
     return st;
 }

@@ -97,10 +97,7 @@ static bool is_end_of_word(const fmb_cursor *c)
 /* A number that began at p is a word of its own. */
 static fmb_status check_end_of_number(fmb_cursor *c, const char *p, const char *what)
 {
-    char found[FMB_QUOTE];
-    return is_end_of_word(c)
-               ? FMB_OK
-               : fmb_io_fail(c, p, "expected %s, found %s", what, fmb_quote(c, p, found));
+    return is_end_of_word(c) ? FMB_OK : fmb_io_expected(c, p, "%s", what);
 }
 
 fmb_status fmb_mesh_scan_real(fmb_cursor *c, const fmb_mesh_draft *d, double *out)
@@ -130,7 +127,6 @@ fmb_status fmb_mesh_scan_size(fmb_cursor *c, const fmb_mesh_draft *d, const char
 fmb_status fmb_mesh_scan_vertex(fmb_cursor *c, const fmb_mesh_draft *d, size_t base,
                                 size_t vertices, size_t *out)
 {
-    char found[FMB_QUOTE];
     size_t v = 0;
     d->skip(c);
     const char *p = c->at;
@@ -138,8 +134,7 @@ fmb_status fmb_mesh_scan_vertex(fmb_cursor *c, const fmb_mesh_draft *d, size_t b
     if (st != FMB_OK)
         return st;
     if (v < base || v - base >= vertices)
-        return fmb_io_fail(c, p, "expected one of %zu vertices, numbered from %zu, found %s",
-                           vertices, base, fmb_quote(c, p, found));
+        return fmb_io_expected(c, p, "one of %zu vertices, numbered from %zu", vertices, base);
     *out = v - base;
     return FMB_OK;
 }

@@ -1,5 +1,4 @@
 /* mesh_read.c: from a stream or a piece of memory to a mesh: what the formats share. */
-#include <errno.h>
 #include <string.h>
 
 #include "io/core/stream.h"
@@ -117,21 +116,22 @@ static fmb_status make_mesh_of_draft(fmb_cursor *c, const fmb_mesh_draft *d, fmb
                                  out);
 }
 
-static fmb_status parse_mesh(const char *text, size_t size, fmb_mesh_format f,
-                             const fmb_reader *how, fmb_mesh **out, fmb_where *where)
+typedef struct mesh_as {
+    fmb_mesh_format format;
+    fmb_mesh **out;
+} mesh_as;
+
+static fmb_status parse_mesh(fmb_cursor *c, void *self)
 {
-    fmb_mem mem;
-    fmb_mem_init(&mem, how->mem, 0);
-    fmb_cursor c = fmb_io_cursor(text, size, how, &mem, where);
-    fmb_mesh_draft d = {.mem = &mem, .skip = fmb_skip_space};
-    const mesh_codec *codec = f == FMB_MESH_AUTO ? guess_mesh_codec(&c) : find_mesh_codec(f);
-    fmb_status st = size > fmb_io_max_bytes(how) ? fmb_io_fail_too_long(&c, NULL)
-                    : codec->is_text             ? fmb_io_check(&c)
-                                                 : FMB_OK;
+    const mesh_as *m = self;
+    fmb_mesh_draft d = {.mem = c->mem, .skip = fmb_skip_space};
+    const mesh_codec *codec =
+        m->format == FMB_MESH_AUTO ? guess_mesh_codec(c) : find_mesh_codec(m->format);
+    fmb_status st = codec->is_text ? fmb_io_check(c) : FMB_OK;
     if (st == FMB_OK)
-        st = codec->read(&c, &d);
+        st = codec->read(c, &d);
     if (st == FMB_OK)
-        st = make_mesh_of_draft(&c, &d, out);
+        st = make_mesh_of_draft(c, &d, m->out);
     fmb_mesh_draft_clear(&d);
     return st;
 }
@@ -148,38 +148,16 @@ static fmb_status check_mesh_arguments(fmb_mesh_format f, fmb_mesh **out, fmb_wh
 fmb_status fmb_mesh_parse(const char *text, size_t size, fmb_mesh_format f, const fmb_reader *how,
                           fmb_mesh **out, fmb_where *where)
 {
-    fmb_reader reader;
-    fmb_where at = {0};
-    fmb_status st = fmb_io_take_reader(how, &reader, where);
-    if (st == FMB_OK)
-        st = check_mesh_arguments(f, out, where);
-    if (st != FMB_OK)
-        return st;
-    if (!text && size > 0)
-        return fmb_io_refuse_argument(where, "text is NULL");
-    st = parse_mesh(text ? text : "", size, f, &reader, out, &at);
-    if (st == FMB_ERR_PARSE && where)
-        *where = at;
-    return st;
-}
-
-typedef struct mesh_as {
-    fmb_mesh_format format;
-    fmb_mesh **out;
-} mesh_as;
-
-static fmb_status parse_mesh_as(const char *text, size_t size, const fmb_reader *how, void *self,
-                                fmb_where *where)
-{
-    const mesh_as *m = self;
-    return fmb_mesh_parse(text, size, m->format, how, m->out, where);
+    fmb_status st = check_mesh_arguments(f, out, where);
+    return st == FMB_OK ? fmb_parse_memory(text, size, how, parse_mesh, &(mesh_as){f, out}, where)
+                        : st;
 }
 
 fmb_status fmb_mesh_read(FILE *in, fmb_mesh_format f, const fmb_reader *how, fmb_mesh **out,
                          fmb_where *where)
 {
     fmb_status st = check_mesh_arguments(f, out, where);
-    return st == FMB_OK ? fmb_parse_stream(in, how, parse_mesh_as, &(mesh_as){f, out}, where) : st;
+    return st == FMB_OK ? fmb_parse_stream(in, how, parse_mesh, &(mesh_as){f, out}, where) : st;
 }
 
 /* ---- TetGen ---------------------------------------------------------------------------------- */
@@ -190,29 +168,25 @@ typedef struct tetgen_file {
     fmb_span text;
 } tetgen_file;
 
-static fmb_status parse_part_of_tetgen(fmb_span text, const fmb_reader *how, fmb_mesh_read_fn *read,
-                                       fmb_mesh_draft *d, fmb_where *where)
+typedef struct tetgen_part {
+    fmb_mesh_read_fn *read;
+    fmb_mesh_draft *d;
+} tetgen_part;
+
+static fmb_status parse_part_of_tetgen(fmb_cursor *c, void *self)
 {
-    fmb_cursor c = fmb_io_cursor(text.p ? text.p : "", text.n, how, d->mem, where);
-    fmb_status st =
-        text.n > fmb_io_max_bytes(how) ? fmb_io_fail_too_long(&c, NULL) : fmb_io_check(&c);
-    return st == FMB_OK ? read(&c, d) : st;
+    const tetgen_part *part = self;
+    fmb_status st = fmb_io_check(c);
+    return st == FMB_OK ? part->read(c, part->d) : st;
 }
 
 /* All of it into a draft. */
 static fmb_status read_part_of_tetgen(const tetgen_file *f, const fmb_reader *how,
                                       fmb_mesh_read_fn *read, fmb_mesh_draft *d, fmb_where *where)
 {
-    fmb_bytes b = {0};
-    if (!f->in)
-        return parse_part_of_tetgen(f->text, how, read, d, where);
-    fmb_status st = fmb_read_whole_stream(f->in, fmb_io_max_bytes(how), &b, d->mem);
-    int cause = errno;
-    if (st == FMB_OK)
-        st = parse_part_of_tetgen((fmb_span){b.p, b.size}, how, read, d, where);
-    fmb_mem_put(d->mem, b.p, b.capacity, 1);
-    errno = cause;
-    return st;
+    tetgen_part part = {read, d};
+    return f->in ? fmb_parse_stream(f->in, how, parse_part_of_tetgen, &part, where)
+                 : fmb_parse_memory(f->text.p, f->text.n, how, parse_part_of_tetgen, &part, where);
 }
 
 static fmb_status read_tetgen(const tetgen_file *points, const tetgen_file *cells,

@@ -28,18 +28,16 @@ static bool is_end_of_statement(const fmb_cursor *c)
 /* "7", "-1", with "/2/3" behind it, which is texture and normal. */
 static fmb_status read_obj_corner(fmb_cursor *c, fmb_mesh_draft *d)
 {
-    char found[FMB_QUOTE];
     const char *p = c->at;
     bool back = fmb_accept(c, "-");
     size_t v = 0;
     fmb_status st = fmb_scan_count(c, FMB_MESH_MOST, "the number of a vertex", &v);
     if (st == FMB_OK && (v == 0 || (back && v > d->points)))
-        st = fmb_io_fail(c, p, "expected one of %zu vertices, numbered from 1, found %s", d->points,
-                         fmb_quote(c, p, found));
+        st = fmb_io_expected(c, p, "one of %zu vertices, numbered from 1", d->points);
     if (st == FMB_OK && fmb_peek(c) == '/')
         fmb_scan_word(c);
     if (st == FMB_OK && !is_end_of_statement(c) && !strchr(" \t\r\f\v\\", fmb_peek(c)))
-        st = fmb_io_fail(c, p, "expected the number of a vertex, found %s", fmb_quote(c, p, found));
+        st = fmb_io_expected(c, p, "the number of a vertex");
     return st == FMB_OK ? fmb_mesh_draft_corner(c, d, back ? d->points - v : v - 1) : st;
 }
 

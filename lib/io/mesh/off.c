@@ -19,8 +19,7 @@ static fmb_status read_off_header(fmb_cursor *c, int *more)
     *more = fmb_span_is(word, "COFF") ? 4 : fmb_span_is(word, "NOFF") ? 3 : 0;
     if (*more > 0 || fmb_span_is(word, "OFF"))
         return FMB_OK;
-    char found[FMB_QUOTE];
-    return fmb_io_fail(c, p, "expected OFF, COFF or NOFF, found %s", fmb_quote(c, p, found));
+    return fmb_io_expected(c, p, "OFF, COFF or NOFF");
 }
 
 /* Words up to the end of the line, or a comment. */

@@ -55,8 +55,7 @@ static fmb_span scan_header_word(fmb_cursor *c)
 
 static fmb_status fail_at_word(fmb_cursor *c, fmb_span word, const char *what)
 {
-    char found[FMB_QUOTE];
-    return fmb_io_fail(c, word.p, "expected %s, found %s", what, fmb_quote(c, word.p, found));
+    return fmb_io_expected(c, word.p, "%s", what);
 }
 
 static fmb_status read_ply_format(fmb_cursor *c, ply_header *h)

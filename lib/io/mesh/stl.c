@@ -59,12 +59,9 @@ static fmb_status read_binary_facet(fmb_cursor *c, fmb_mesh_draft *d)
 
 static fmb_status expect_word(fmb_cursor *c, fmb_mesh_draft *d, const char *word)
 {
-    char found[FMB_QUOTE];
     d->skip(c);
     const char *p = c->at;
-    return fmb_span_is_nocase(fmb_scan_word(c), word)
-               ? FMB_OK
-               : fmb_io_fail(c, p, "expected %s, found %s", word, fmb_quote(c, p, found));
+    return fmb_span_is_nocase(fmb_scan_word(c), word) ? FMB_OK : fmb_io_expected(c, p, "%s", word);
 }
 
 /* Behind "facet": a normal, which may be no number, ends where "outer" begins. */
@@ -89,7 +86,6 @@ static fmb_status read_text_facet(fmb_cursor *c, fmb_mesh_draft *d)
 /* One solid after another. */
 static fmb_status read_text_stl(fmb_cursor *c, fmb_mesh_draft *d)
 {
-    char found[FMB_QUOTE];
     bool inside = false;
     fmb_status st = fmb_io_check(c);
     for (d->skip(c); st == FMB_OK && (c->at < c->end || inside); d->skip(c)) {
@@ -99,8 +95,7 @@ static fmb_status read_text_stl(fmb_cursor *c, fmb_mesh_draft *d)
         if (inside && fmb_span_is_nocase(word, "facet"))
             st = read_text_facet(c, d);
         else if (!solid)
-            st = fmb_io_fail(c, p, "expected %s, found %s", inside ? "facet or endsolid" : "solid",
-                             fmb_quote(c, p, found));
+            st = fmb_io_expected(c, p, "%s", inside ? "facet or endsolid" : "solid");
         else
             fmb_skip_line(c);
         inside ^= solid;

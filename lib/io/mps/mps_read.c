@@ -39,9 +39,7 @@ typedef struct mps_reader {
 
 static fmb_status fail_field(mps_reader *m, fmb_span field, const char *what)
 {
-    char found[FMB_QUOTE];
-    return fmb_io_fail(m->c, field.p, "expected %s, found %s", what,
-                       fmb_quote(m->c, field.p, found));
+    return fmb_io_expected(m->c, field.p, "%s", what);
 }
 
 /* The whole field as a number. */
@@ -95,13 +93,9 @@ static fmb_status read_row(mps_reader *m, const fmb_mps_card *card)
 
 static fmb_status add_coefficient(mps_reader *m, fmb_draft *d, fmb_span row)
 {
-    mpq_ptr slot;
-    if (d->n > 0 && d->var[d->n - 1] == m->variable)
-        return fail_field(m, row, "one coefficient of a column in each row");
-    fmb_status st = fmb_draft_term(d, m->variable, &slot);
-    if (st == FMB_OK)
-        mpq_set(slot, m->number);
-    return st;
+    return d->n > 0 && d->var[d->n - 1] == m->variable
+               ? fail_field(m, row, "one coefficient of a column in each row")
+               : fmb_draft_add(d, m->variable, m->number);
 }
 
 /* A row and its number: a coefficient, a right side or a range. */

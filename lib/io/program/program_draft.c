@@ -38,7 +38,6 @@ fmb_status fmb_program_variable(fmb_program_draft *p, fmb_span name, int *j)
 
 fmb_status fmb_program_row(fmb_program_draft *p, fmb_span name, bool new, size_t *i)
 {
-    char found[FMB_QUOTE];
     fmb_status st = fmb_mem_reserve(p->c->mem, (void **)&p->name, &p->name_capacity, name.n + 1, 1);
     if (st != FMB_OK)
         return st;
@@ -46,8 +45,7 @@ fmb_status fmb_program_row(fmb_program_draft *p, fmb_span name, bool new, size_t
     p->name[name.n] = '\0';
     int known = fmb_names_find(&p->rows, p->name);
     if (new != (known < 0))
-        return fmb_io_fail(p->c, name.p, "expected %s of a row, found %s",
-                           new ? "a new name" : "the name", fmb_quote(p->c, name.p, found));
+        return fmb_io_expected(p->c, name.p, "%s of a row", new ? "a new name" : "the name");
     *i = new ? p->rows.size : (size_t)known;
     return new ? fmb_names_add(&p->rows, p->name, p->c->mem) : FMB_OK;
 }

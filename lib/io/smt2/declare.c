@@ -13,9 +13,7 @@ static fmb_status read_known_sort(fmb_smt *r, fmb_smt_sort *out)
     if (st != FMB_OK)
         return st;
     if (!r->scope.symbol[symbol].is_sort) {
-        char buf[FMB_QUOTE];
-        return fmb_io_fail(r->c, t.at, "expected the sort Real, Int or Bool, found %s",
-                           fmb_quote(r->c, t.at, buf));
+        return fmb_io_expected(r->c, t.at, "the sort Real, Int or Bool");
     }
     *out = r->scope.symbol[symbol].sort;
     return FMB_OK;

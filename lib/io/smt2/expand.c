@@ -94,13 +94,12 @@ fmb_status fmb_lin_expand(fmb_lin *l, const char *at, uint32_t node, fmb_draft *
     mpq_set_ui(l->factor[0], 1, 1);
     for (size_t i = 0; st == FMB_OK && i < n; i++) {
         const fmb_lin_node *v = &l->node[l->reached[i]];
-        mpq_ptr slot;
         if (mpq_sgn(l->factor[i]) == 0)
             continue;
         if (v->var < 0)
             st = hand_factor_to_leaves(l, at, i, d->rhs);
-        else if ((st = fmb_draft_term(d, v->var, &slot)) == FMB_OK)
-            mpq_set(slot, l->factor[i]);
+        else
+            st = fmb_draft_add(d, v->var, l->factor[i]);
     }
     return st;
 }

@@ -72,9 +72,7 @@ static fmb_status scan_numeral_token(fmb_cursor *c, fmb_smt_token *t)
             c->at++;
     }
     if (fmb_smt_is_plain(fmb_peek(c))) {
-        char buf[FMB_QUOTE];
-        return fmb_io_fail(c, t->at, "expected a number or a name, found %s",
-                           fmb_quote(c, t->at, buf));
+        return fmb_io_expected(c, t->at, "a number or a name");
     }
     t->text = (fmb_span){t->at, (size_t)(c->at - t->at)};
     return FMB_OK;
@@ -90,9 +88,7 @@ static fmb_status scan_plain_token(fmb_cursor *c, fmb_smt_token *t)
     t->text.n = (size_t)(c->at - t->text.p);
     if (t->text.n > 0)
         return FMB_OK;
-    char buf[FMB_QUOTE];
-    return fmb_io_fail(c, t->at, "expected '(', ')', a name or a number, found %s",
-                       fmb_quote(c, t->at, buf));
+    return fmb_io_expected(c, t->at, "'(', ')', a name or a number");
 }
 
 fmb_status fmb_smt_next(fmb_cursor *c, fmb_smt_token *t)
@@ -122,8 +118,7 @@ fmb_status fmb_smt_expect(fmb_cursor *c, fmb_smt_kind kind, const char *what, fm
     fmb_status st = fmb_smt_next(c, t);
     if (st != FMB_OK || t->kind == kind)
         return st;
-    char buf[FMB_QUOTE];
-    return fmb_io_fail(c, t->at, "expected %s, found %s", what, fmb_quote(c, t->at, buf));
+    return fmb_io_expected(c, t->at, "%s", what);
 }
 
 fmb_status fmb_smt_leave(fmb_cursor *c, const char *open)
@@ -150,8 +145,7 @@ fmb_status fmb_smt_skip(fmb_cursor *c, const char *what)
     if (t.kind == FMB_SMT_OPEN)
         return fmb_smt_leave(c, t.at);
     if (t.kind == FMB_SMT_CLOSE || t.kind == FMB_SMT_END) {
-        char buf[FMB_QUOTE];
-        return fmb_io_fail(c, t.at, "expected %s, found %s", what, fmb_quote(c, t.at, buf));
+        return fmb_io_expected(c, t.at, "%s", what);
     }
     return FMB_OK;
 }

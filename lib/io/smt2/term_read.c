@@ -61,9 +61,7 @@ static fmb_status read_next_binding(fmb_smt *r)
     if (st == FMB_OK && t.kind == FMB_SMT_CLOSE)
         return bind_let_names(r, &r->frame[r->frames - 1]);
     if (st == FMB_OK && t.kind != FMB_SMT_OPEN) {
-        char buf[FMB_QUOTE];
-        return fmb_io_fail(r->c, t.at, "expected '(' of a binding, or ')' after the last, found %s",
-                           fmb_quote(r->c, t.at, buf));
+        return fmb_io_expected(r->c, t.at, "'(' of a binding, or ')' after the last");
     }
     size_t symbol;
     if (st == FMB_OK)
@@ -107,9 +105,7 @@ static fmb_status take_all_attributes(fmb_smt *r, fmb_smt_value *v)
         if (st != FMB_OK || t.kind == FMB_SMT_CLOSE)
             return st;
         if (t.kind != FMB_SMT_KEYWORD) {
-            char buf[FMB_QUOTE];
-            return fmb_io_fail(r->c, t.at, "expected an attribute or ')', found %s",
-                               fmb_quote(r->c, t.at, buf));
+            return fmb_io_expected(r->c, t.at, "an attribute or ')'");
         }
         if (fmb_span_is(t.text, "named")) {
             st = take_named_attribute(r, v);
@@ -230,9 +226,7 @@ static fmb_status close_application(fmb_smt *r, size_t base, const fmb_smt_token
 
 static fmb_status fail_unknown_name(fmb_smt *r, const fmb_smt_token *t)
 {
-    char buf[FMB_QUOTE];
-    return fmb_io_fail(r->c, t->at, "expected a declared name, found %s",
-                       fmb_quote(r->c, t->at, buf));
+    return fmb_io_expected(r->c, t->at, "a declared name");
 }
 
 /* '(' and a name that is no reserved word. */
@@ -320,11 +314,9 @@ fmb_status fmb_smt_term(fmb_smt *r, fmb_smt_value *out)
             st = close_application(r, base, &t, &v, &ready);
         else if (st == FMB_OK) {
             ready = true;
-            char buf[FMB_QUOTE];
             st = t.kind == FMB_SMT_SYMBOL   ? value_of_name(r, &t, &v)
                  : t.kind == FMB_SMT_NUMBER ? value_of_numeral(r, &t, &v)
-                                            : fmb_io_fail(r->c, t.at, "expected a term, found %s",
-                                                          fmb_quote(r->c, t.at, buf));
+                                            : fmb_io_expected(r->c, t.at, "a term");
         }
         if (st == FMB_OK && ready)
             st = deliver_to_open_frames(r, base, &v, &done);

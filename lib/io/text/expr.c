@@ -41,15 +41,13 @@ static fmb_status read_variable_factor(fmb_text *t, fmb_draft *d)
 static fmb_status read_parenthesis(fmb_text *t, fmb_draft *d, mpq_t constant, int depth)
 {
     fmb_cursor *c = t->c;
-    char found[FMB_QUOTE];
     if (depth >= FMB_TEXT_DEPTH)
         return fmb_io_fail(c, c->at, "expected at most %d parentheses inside each other",
                            FMB_TEXT_DEPTH);
     c->at++;
     fmb_status st = read_sum_of_terms(t, d, constant, depth + 1);
     if (st == FMB_OK && !fmb_accept(c, ")"))
-        st = fmb_io_fail(c, c->at, "expected an operator or ')', found %s",
-                         fmb_quote(c, c->at, found));
+        st = fmb_io_expected(c, c->at, "an operator or ')'");
     return st;
 }
 

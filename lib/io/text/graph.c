@@ -76,7 +76,6 @@ static fmb_status append_form(graph *g, const char *start, int index)
 static fmb_status read_map_line(graph *g)
 {
     fmb_cursor *c = g->t->c;
-    char found[FMB_QUOTE];
     const char *start = c->at;
     fmb_span name;
     int index = 0;
@@ -85,14 +84,12 @@ static fmb_status read_map_line(graph *g)
         st = add_coordinate(g, start, name, &index);
     fmb_skip_blanks(c);
     if (st == FMB_OK && !fmb_accept(c, "="))
-        st = fmb_io_fail(c, c->at, "expected '=' behind a name, found %s",
-                         fmb_quote(c, c->at, found));
+        st = fmb_io_expected(c, c->at, "'=' behind a name");
     if (st == FMB_OK)
         st = fmb_text_expression(g->t, &g->t->left);
     fmb_skip_blanks(c);
     if (st == FMB_OK && fmb_peek(c) >= 0 && fmb_peek(c) != '\n' && fmb_peek(c) != '#')
-        st = fmb_io_fail(c, c->at, "expected an operator or the end of the form, found %s",
-                         fmb_quote(c, c->at, found));
+        st = fmb_io_expected(c, c->at, "an operator or the end of the form");
     return st == FMB_OK ? append_form(g, start, index) : st;
 }
 
@@ -142,16 +139,9 @@ fmb_status fmb_system_parse_graph(const char *text, size_t size, const fmb_reade
                     : fmb_io_refuse_argument(where, "s or out is NULL");
 }
 
-static fmb_status parse_map_text(const char *text, size_t size, const fmb_reader *how, void *self,
-                                 fmb_where *where)
-{
-    const map_text *m = self;
-    return fmb_system_parse_graph(text, size, how, m->s, m->out, where);
-}
-
 fmb_status fmb_system_read_graph(FILE *in, const fmb_reader *how, const fmb_system *s,
                                  fmb_system **out, fmb_where *where)
 {
-    return s && out ? fmb_parse_stream(in, how, parse_map_text, &(map_text){s, out}, where)
+    return s && out ? fmb_parse_stream(in, how, parse_map, &(map_text){s, out}, where)
                     : fmb_io_refuse_argument(where, "s or out is NULL");
 }

@@ -45,7 +45,6 @@ bool fmb_text_is_reserved(fmb_span label)
 fmb_status fmb_text_scan_name(fmb_text *t, fmb_span *out)
 {
     fmb_cursor *c = t->c;
-    char found[FMB_QUOTE];
     const char *p = c->at;
     if (fmb_peek(c) == '"') {
         fmb_status st = fmb_scan_quoted(c, &t->name, out);
@@ -56,8 +55,7 @@ fmb_status fmb_text_scan_name(fmb_text *t, fmb_span *out)
     while ((n = fmb_text_name_char(c->at, (size_t)(c->end - c->at), c->at == p)) > 0)
         c->at += n;
     if (c->at == p)
-        return fmb_io_fail(c, p, "expected the name of a variable, found %s",
-                           fmb_quote(c, p, found));
+        return fmb_io_expected(c, p, "the name of a variable");
     *out = (fmb_span){p, (size_t)(c->at - p)};
     return FMB_OK;
 }
@@ -77,7 +75,6 @@ static fmb_status note_use_of_variable(fmb_text *t, const char *p, int j)
 
 fmb_status fmb_text_variable(fmb_text *t, const char *p, fmb_span name, int *index)
 {
-    char found[FMB_QUOTE];
     int j = -1;
     if (!t->declared) {
         fmb_status st = fmb_span_variable(t->c, name, t->s, index);
@@ -85,8 +82,7 @@ fmb_status fmb_text_variable(fmb_text *t, const char *p, fmb_span name, int *ind
     }
     fmb_status st = fmb_span_find(t->c, name, t->s, &j);
     if (st == FMB_OK && j < 0)
-        st = fmb_io_fail(t->c, p, "expected a variable of the %s, found %s",
-                         t->alone ? "system" : "vars line", fmb_quote(t->c, p, found));
+        st = fmb_io_expected(t->c, p, "a variable of the %s", t->alone ? "system" : "vars line");
     if (st == FMB_OK)
         *index = j;
     return st;

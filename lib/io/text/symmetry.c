@@ -65,9 +65,7 @@ static void forget_rule(permutation_reader *r, size_t n)
 
 static fmb_status fail_at_sign(fmb_cursor *c)
 {
-    char found[FMB_QUOTE];
-    return fmb_io_fail(c, c->at, "expected names, '<>' and as many names, found %s",
-                       fmb_quote(c, c->at, found));
+    return fmb_io_expected(c, c->at, "names, '<>' and as many names");
 }
 
 /* ---- names of variables ---------------------------------------------------------------------- */
@@ -201,7 +199,6 @@ static bool is_letter(int b)
 static fmb_status scan_letters(permutation_reader *r, fmb_span *out)
 {
     fmb_cursor *c = r->t->c;
-    char found[FMB_QUOTE];
     fmb_skip_blanks(c);
     *out = (fmb_span){c->at, 0};
     memset(r->met, 0, LETTERS * sizeof *r->met);
@@ -210,10 +207,7 @@ static fmb_status scan_letters(permutation_reader *r, fmb_span *out)
             return fmb_io_fail(c, c->at, "expected each letter once on a side");
         r->met[fmb_peek(c)] = true;
     }
-    return out->n > 0
-               ? FMB_OK
-               : fmb_io_fail(c, c->at, "expected letters, '<>' and as many letters, found %s",
-                             fmb_quote(c, c->at, found));
+    return out->n > 0 ? FMB_OK : fmb_io_expected(c, c->at, "letters, '<>' and as many letters");
 }
 
 /* image[dim] of the letters[]; on the way a key that is not longer than the longest name. */
@@ -275,15 +269,13 @@ static fmb_status read_rule_of_letters(permutation_reader *r)
 static fmb_status read_rules(permutation_reader *r, fmb_status rule(permutation_reader *))
 {
     fmb_cursor *c = r->t->c;
-    char found[FMB_QUOTE];
     fmb_status st;
     do {
         st = rule(r);
         fmb_skip_blanks(c);
     } while (st == FMB_OK && fmb_accept(c, ";"));
     if (st == FMB_OK && fmb_peek(c) >= 0 && fmb_peek(c) != '\n' && fmb_peek(c) != '#')
-        st = fmb_io_fail(c, c->at, "expected ';' or the end of the line, found %s",
-                         fmb_quote(c, c->at, found));
+        st = fmb_io_expected(c, c->at, "';' or the end of the line");
     return st;
 }
 
@@ -397,18 +389,11 @@ fmb_status fmb_permutations_parse(const char *text, size_t size, const fmb_reade
                : fmb_parse_memory(text, size, how, parse_symmetries, &x, where);
 }
 
-static fmb_status parse_symmetry_text(const char *text, size_t size, const fmb_reader *how,
-                                      void *self, fmb_where *where)
-{
-    const symmetry_text *x = self;
-    return fmb_permutations_parse(text, size, how, x->s, x->keep, x->n, x->out, where);
-}
-
 fmb_status fmb_permutations_read(FILE *in, const fmb_reader *how, const fmb_system *s,
                                  const int *keep, int n, fmb_permutations **out, fmb_where *where)
 {
     const char *bad = bad_argument(s, keep, n, out);
     symmetry_text x = {s, keep, n, out};
     return bad ? fmb_io_refuse_argument(where, bad)
-               : fmb_parse_stream(in, how, parse_symmetry_text, &x, where);
+               : fmb_parse_stream(in, how, parse_symmetries, &x, where);
 }

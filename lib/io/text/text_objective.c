@@ -18,14 +18,12 @@ fmb_sense fmb_text_sense(fmb_span label)
 static fmb_status read_form_alone(fmb_text *t, fmb_sense sense)
 {
     fmb_cursor *c = t->c;
-    char found[FMB_QUOTE];
     fmb_status st = fmb_io_check(c);
     if (st == FMB_OK)
         st = fmb_text_expression(t, &t->left);
     fmb_skip_blanks(c);
     if (st == FMB_OK && c->at < c->end)
-        st = fmb_io_fail(c, c->at, "expected an operator or the end of the form, found %s",
-                         fmb_quote(c, c->at, found));
+        st = fmb_io_expected(c, c->at, "an operator or the end of the form");
     mpq_neg(t->left.rhs, t->left.rhs);
     return st == FMB_OK ? fmb_draft_set_objective(c, c->begin, &t->left, sense, t->s) : st;
 }

@@ -73,12 +73,10 @@ static bool accept_relation(fmb_cursor *c, fmb_rel *out)
 /* "x != y" and "x <> y" have no convex set of solutions. */
 static fmb_status fail_at_relation(fmb_cursor *c)
 {
-    char found[FMB_QUOTE];
     const char *p = c->at;
     if (fmb_accept(c, "!=") || fmb_accept(c, "<>") || fmb_accept(c, "\xE2\x89\xA0"))
         return fmb_io_fail(c, p, "expected <=, <, =, > or >=: 'not equal' is not a linear row");
-    return fmb_io_fail(c, p, "expected an operator or one of <= < = > >=, found %s",
-                       fmb_quote(c, p, found));
+    return fmb_io_expected(c, p, "an operator or one of <= < = > >=");
 }
 
 /* Terms of d, times -1 if minus, and its constant to the other side. */

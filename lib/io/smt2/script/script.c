@@ -36,11 +36,8 @@ static fmb_status scan_commands(fmb_script *s, fmb_cursor *c)
         fmb_status st = fmb_smt_next(c, &open);
         if (st != FMB_OK || open.kind == FMB_SMT_END)
             return st;
-        if (open.kind != FMB_SMT_OPEN) {
-            char buf[FMB_QUOTE];
-            return fmb_io_fail(c, open.at, "expected '(' of a command, found %s",
-                               fmb_quote(c, open.at, buf));
-        }
+        if (open.kind != FMB_SMT_OPEN)
+            return fmb_io_expected(c, open.at, "'(' of a command");
         st = fmb_smt_expect(c, FMB_SMT_SYMBOL, "a command", &word);
         k.word = word.text;
         k.text.p = open.at;
@@ -76,58 +73,44 @@ void fmb_script_free(fmb_script *s)
 }
 
 /* The text, which a script keeps. */
-static fmb_status fill_script(fmb_script *s, const char *text, size_t size, fmb_where *where)
+static fmb_status fill_script(fmb_script *s, const fmb_cursor *text)
 {
-    fmb_cursor c = fmb_io_cursor(text, size, &s->how, &s->mem, where);
-    if (size > fmb_io_max_bytes(&s->how))
-        return fmb_io_fail_too_long(&c, NULL);
-    s->size = size;
-    s->text = fmb_mem_get(&s->mem, size, 1);
+    s->size = (size_t)(text->end - text->begin);
+    s->text = fmb_mem_get(&s->mem, s->size, 1);
     if (!s->text)
         return fmb_mem_status(&s->mem);
-    memcpy(s->text, text, size);
-    c = fmb_io_cursor(s->text, size, &s->how, &s->mem, where);
+    memcpy(s->text, text->begin, s->size);
+    fmb_cursor c = fmb_io_cursor(s->text, s->size, &s->how, &s->mem, text->where);
     fmb_status st = fmb_io_check(&c);
     if (st == FMB_OK)
         st = scan_commands(s, &c);
     s->scanned = c.tokens;
-    s->reading = fmb_smt_reading_of(s->text, size, &s->how, &s->mem);
+    s->reading = fmb_smt_reading_of(s->text, s->size, &s->how, &s->mem);
+    return st;
+}
+
+static fmb_status parse_script(fmb_cursor *c, void *out)
+{
+    fmb_script *s = fmb_mem_zero(c->mem, 1, sizeof *s);
+    if (!s)
+        return fmb_mem_status(c->mem);
+    s->mem = *c->mem;
+    s->how = *c->how;
+    s->how.format = FMB_FORMAT_SMT2;
+    s->asked = SIZE_MAX;
+    fmb_status st = fill_script(s, c);
+    if (st == FMB_OK)
+        *(fmb_script **)out = s;
+    else
+        fmb_script_free(s);
     return st;
 }
 
 fmb_status fmb_script_parse(const char *text, size_t size, const fmb_reader *how, fmb_script **out,
                             fmb_where *where)
 {
-    fmb_mem mem;
-    fmb_where at = {0};
-    fmb_reader reader;
-    if (!out || (!text && size > 0))
-        return fmb_io_refuse_argument(where, out ? "text is NULL" : "out is NULL");
-    fmb_status st = fmb_io_take_reader(how, &reader, where);
-    if (st != FMB_OK)
-        return st;
-    fmb_mem_init(&mem, reader.mem, 0);
-    fmb_script *s = fmb_mem_zero(&mem, 1, sizeof *s);
-    if (!s)
-        return fmb_mem_status(&mem);
-    s->mem = mem;
-    s->how = reader;
-    s->how.format = FMB_FORMAT_SMT2;
-    s->asked = SIZE_MAX;
-    st = fill_script(s, text ? text : "", size, &at);
-    if (st == FMB_ERR_PARSE && where)
-        *where = at;
-    if (st == FMB_OK)
-        *out = s;
-    else
-        fmb_script_free(s);
-    return st;
-}
-
-static fmb_status parse_script(const char *text, size_t size, const fmb_reader *how, void *self,
-                               fmb_where *where)
-{
-    return fmb_script_parse(text, size, how, self, where);
+    return out ? fmb_parse_memory(text, size, how, parse_script, out, where)
+               : fmb_io_refuse_argument(where, "out is NULL");
 }
 
 fmb_status fmb_script_read(FILE *in, const fmb_reader *how, fmb_script **out, fmb_where *where)

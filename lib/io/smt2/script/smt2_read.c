@@ -143,9 +143,7 @@ fmb_status fmb_smt_run_command(fmb_smt *r, const char *open)
     for (size_t i = 0; i < sizeof ignored / sizeof *ignored; i++)
         if (fmb_span_is(t.text, ignored[i]))
             return fmb_smt_leave(r->c, open);
-    char buf[FMB_QUOTE];
-    return fmb_io_fail(r->c, t.at, "expected a command that can be read, found %s",
-                       fmb_quote(r->c, t.at, buf));
+    return fmb_io_expected(r->c, t.at, "a command that can be read");
 }
 
 /* A command failed. While Boolean unknowns are open, one that needs a choice between cases is
@@ -179,9 +177,7 @@ static fmb_status run_all_commands(fmb_smt *r)
         if (st != FMB_OK || t.kind == FMB_SMT_END)
             return st;
         if (t.kind != FMB_SMT_OPEN) {
-            char buf[FMB_QUOTE];
-            return fmb_io_fail(r->c, t.at, "expected '(' of a command, found %s",
-                               fmb_quote(r->c, t.at, buf));
+            return fmb_io_expected(r->c, t.at, "'(' of a command");
         }
         st = fmb_smt_run(r, t.at, fmb_smt_run_command);
         if (st != FMB_OK)
