@@ -30,9 +30,7 @@ fmb_status fmb_cone_rows_write(fmb_cone_rows *r, fmb_arena *arena, fmb_run *run,
         if (st == FMB_OK)
             st = fmb_run_poll(run);
     }
-    for (size_t k = 0; k < d; k++)
-        mpz_clear(z[k]);
-    fmb_mem_put(run->mem, z, d, sizeof *z);
+    fmb_vec_block_free(z, d, run->mem);
     return st;
 }
 

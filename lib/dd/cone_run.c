@@ -30,9 +30,7 @@ static fmb_status write_values_of_unit_line(fmb_cone *c, fmb_vec *v, size_t j)
     for (size_t k = c->coords; k < width; k++)
         fmb_vec_get(c->of.row[k - c->coords].v, j, z[k]);
     fmb_status st = fmb_vec_set_z(v, width, z, c->run->mem);
-    for (size_t k = 0; k < width; k++)
-        mpz_clear(z[k]);
-    fmb_mem_put(c->run->mem, z, width, sizeof *z);
+    fmb_vec_block_free(z, width, c->run->mem);
     return st;
 }
 

@@ -177,9 +177,7 @@ static fmb_status open_work(fmb_maker *m, fmb_mem *mem)
 
 static void close_work(fmb_maker *m, fmb_mem *mem)
 {
-    for (size_t i = 0; m->cell && i < m->cells; i++)
-        mpz_clear(m->cell[i]);
-    fmb_mem_put(mem, m->cell, m->cells, sizeof *m->cell);
+    fmb_vec_block_free(m->cell, m->cells, mem);
     fmb_mem_put(mem, m->var, (size_t)m->vars + 1, sizeof *m->var);
 }
 

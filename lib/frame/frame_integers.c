@@ -139,9 +139,7 @@ fmb_status fmb_scene_of_rationals(fmb_scene *w, const fmb_frame_q *f, size_t n, 
 
 void fmb_scene_clear(fmb_scene *w)
 {
-    for (int j = 0; w->unit && j < w->dim; j++)
-        mpz_clear(w->unit[j]);
-    fmb_mem_put(w->mem, w->unit, (size_t)w->dim, sizeof *w->unit);
+    fmb_vec_block_free(w->unit, (size_t)w->dim, w->mem);
     fmb_mem_put(w->mem, w->frame, w->frames, sizeof *w->frame);
 }
 

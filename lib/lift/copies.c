@@ -122,9 +122,7 @@ fmb_status fmb_lift_append_sums(const fmb_lift_copies *c, fmb_system *lift)
         mpz_set_ui(z[c->n + 2], 1);
         st = fmb_system_append(lift, c->n + 1, var, z, FMB_EQ);
     }
-    for (size_t k = 0; z && k < c->n + 3; k++)
-        mpz_clear(z[k]);
-    fmb_mem_put(&lift->mem, z, c->n + 3, sizeof *z);
+    fmb_vec_block_free(z, c->n + 3, &lift->mem);
     fmb_mem_put(&lift->mem, var, c->n + 1, sizeof *var);
     return st;
 }

@@ -102,9 +102,7 @@ static bool is_long(const mpz_t z)
 
 static void clear_block(mpz_t *z, size_t n, fmb_mem *mem)
 {
-    for (size_t i = 0; i < n; i++)
-        mpz_clear(z[i]);
-    fmb_mem_put(mem, z, n, sizeof *z);
+    fmb_vec_block_free(z, n, mem);
 }
 
 /* dst = p a + q b with p and q as k has them. Long products are written beside dst, which stays as

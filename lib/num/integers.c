@@ -2,23 +2,18 @@
 #include "num/integers.h"
 
 #include "num/long_gcd.h"
+#include "num/vec.h"
 
 fmb_status fmb_integers_init(fmb_integers *v, size_t n, fmb_mem *mem)
 {
-    *v = (fmb_integers){.z = fmb_mem_get(mem, n, sizeof *v->z)};
-    if (!v->z)
-        return fmb_mem_status(mem);
-    v->size = n;
-    for (size_t i = 0; i < n; i++)
-        mpz_init(v->z[i]);
-    return FMB_OK;
+    *v = (fmb_integers){.z = fmb_vec_block(n, mem)};
+    v->size = v->z ? n : 0;
+    return v->z ? FMB_OK : fmb_mem_status(mem);
 }
 
 void fmb_integers_clear(fmb_integers *v, fmb_mem *mem)
 {
-    for (size_t i = 0; i < v->size; i++)
-        mpz_clear(v->z[i]);
-    fmb_mem_put(mem, v->z, v->size, sizeof *v->z);
+    fmb_vec_block_free(v->z, v->size, mem);
     fmb_mem_refund(mem, v->limbs * sizeof(mp_limb_t));
     *v = (fmb_integers){0};
 }

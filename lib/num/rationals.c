@@ -34,8 +34,15 @@ void fmb_rationals_free(mpq_t *x, size_t n, fmb_mem *mem)
     fmb_mem_put(mem, x, n, sizeof *x);
 }
 
+static bool has_odd_significand(double d)
+{
+    uint64_t bits;
+    memcpy(&bits, &d, sizeof bits);
+    return bits & 1;
+}
+
 /* The double nearest to q: mpq_get_d cuts towards zero, so the answer is that or the next one
- * outward, whichever lies on q's side of the middle (inward on the middle itself). */
+ * outward, whichever lies on q's side of the middle. */
 double fmb_nearest_double(mpq_srcptr q)
 {
     if (!q)
@@ -49,9 +56,9 @@ double fmb_nearest_double(mpq_srcptr q)
     mpq_set_d(other, out);
     mpq_add(middle, middle, other);
     mpq_div_2exp(middle, middle, 1);
-    bool beyond = mpq_cmp(q, middle) * mpq_sgn(q) > 0;
+    int beyond = mpq_cmp(q, middle) * mpq_sgn(q);
     mpq_clears(middle, other, NULL);
-    return beyond ? out : in;
+    return beyond > 0 || (beyond == 0 && has_odd_significand(in)) ? out : in;
 }
 
 /* A division is rounded once, so its quotient is the nearest double if both sides are doubles; and

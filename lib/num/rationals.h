@@ -11,7 +11,8 @@ fmb_status fmb_rationals_new(mpq_t **out, size_t n, fmb_mem *mem);
 /* x may be NULL. */
 void fmb_rationals_free(mpq_t *x, size_t n, fmb_mem *mem);
 
-/* The double nearest to q; 0 for NULL. */
+/* The double nearest to q, of two that are equally near the even one, the largest beyond that; 0
+ * for NULL. */
 double fmb_nearest_double(mpq_srcptr q);
 /* *out = the double nearest to num / den, where one division finds it; den > 0. */
 bool fmb_nearest_quotient(int64_t num, int64_t den, double *out);

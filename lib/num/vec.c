@@ -31,9 +31,7 @@ void fmb_vec_clear(fmb_vec *v, size_t n, fmb_mem *mem)
 {
     if (!v->z)
         return;
-    for (size_t i = 0; i < n; i++)
-        mpz_clear(v->z[i]);
-    fmb_mem_put(mem, v->z, n, sizeof *v->z);
+    fmb_vec_block_free(v->z, n, mem);
     fmb_mem_refund(mem, v->limbs * sizeof(mp_limb_t));
     v->z = NULL;
     v->limbs = 0;
@@ -102,6 +100,13 @@ mpz_t *fmb_vec_block(size_t n, fmb_mem *mem)
     for (size_t i = 0; i < n; i++)
         mpz_init(z[i]);
     return z;
+}
+
+void fmb_vec_block_free(mpz_t *z, size_t n, fmb_mem *mem)
+{
+    for (size_t i = 0; z && i < n; i++)
+        mpz_clear(z[i]);
+    fmb_mem_put(mem, z, n, sizeof *z);
 }
 
 fmb_status fmb_vec_set_z(fmb_vec *v, size_t n, mpz_t *from, fmb_mem *mem)

@@ -101,10 +101,12 @@ int fmb_vec_compare(const fmb_vec *a, const fmb_vec *b, size_t n);
 /* Equal vecs have equal hashes, whether small or wide. */
 uint64_t fmb_vec_hash(const fmb_vec *v, size_t n);
 
+/* A block of n GMP zeros, or NULL; z may be NULL. */
+mpz_t *fmb_vec_block(size_t n, fmb_mem *mem);
+void fmb_vec_block_free(mpz_t *z, size_t n, fmb_mem *mem);
+
 /* ---- for the other files of this room -------------------------------------------------------- */
 
-/* A block of n GMP zeros, or NULL. */
-mpz_t *fmb_vec_block(size_t n, fmb_mem *mem);
 /* Charge the limbs of a wide vec that has changed. Errors: LIMIT, MEMORY; the vec is good in any
  * case. */
 fmb_status fmb_vec_settle(fmb_vec *v, size_t n, fmb_mem *mem);

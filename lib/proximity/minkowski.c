@@ -73,9 +73,7 @@ fmb_status fmb_minkowski_init(fmb_minkowski *m, const fmb_two *two, fmb_mem *mem
 
 void fmb_minkowski_clear(fmb_minkowski *m)
 {
-    for (size_t i = 0; m->cell && i < m->cells; i++)
-        mpz_clear(m->cell[i]);
-    fmb_mem_put(m->mem, m->cell, m->cells, sizeof *m->cell);
+    fmb_vec_block_free(m->cell, m->cells, m->mem);
     mpz_clear(m->unit);
     for (int k = 0; k < 4; k++)
         mpz_clear(m->t[k]);
@@ -226,9 +224,7 @@ fmb_status fmb_minkowski_system(fmb_minkowski *m, const fmb_alloc *hook, fmb_sys
     r.var = fmb_mem_get(m->mem, width, sizeof *r.var);
     r.z = fmb_vec_block(width, m->mem);
     st = r.var && r.z ? append_all_rows(m, &r) : fmb_mem_status(m->mem);
-    for (size_t k = 0; r.z && k < width; k++)
-        mpz_clear(r.z[k]);
-    fmb_mem_put(m->mem, r.z, width, sizeof *r.z);
+    fmb_vec_block_free(r.z, width, m->mem);
     fmb_mem_put(m->mem, r.var, width, sizeof *r.var);
     if (st == FMB_OK)
         *out = r.s;

@@ -65,9 +65,7 @@ static fmb_status open_wolfe(wolfe *w, fmb_minkowski *m, fmb_run *run)
 
 static void free_block(wolfe *w, mpz_t *block, size_t n)
 {
-    for (size_t i = 0; block && i < n; i++)
-        mpz_clear(block[i]);
-    fmb_mem_put(w->m->mem, block, n, sizeof *block);
+    fmb_vec_block_free(block, n, w->m->mem);
 }
 
 static void close_wolfe(wolfe *w)

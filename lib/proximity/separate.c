@@ -93,9 +93,7 @@ static fmb_status append_separating_row(fmb_minkowski *m, mpz_t *w, mpz_t *verte
         mpz_set_ui(z[n + 1], 1);
         st = fmb_system_append(out, n, var, z, FMB_LE);
     }
-    for (size_t k = 0; z && k < dim + 3; k++)
-        mpz_clear(z[k]);
-    fmb_mem_put(m->mem, z, dim + 3, sizeof *z);
+    fmb_vec_block_free(z, dim + 3, m->mem);
     fmb_mem_put(m->mem, var, dim + 1, sizeof *var);
     return st;
 }
@@ -117,9 +115,7 @@ static fmb_status find_row(fmb_minkowski *m, const fmb_system *s, const fmb_evid
         st = append_separating_row(m, whole, whole + 2 * dim, out);
     }
     fmb_rationals_free(w, dim, m->mem);
-    for (size_t k = 0; whole && k < size; k++)
-        mpz_clear(whole[k]);
-    fmb_mem_put(m->mem, whole, size, sizeof *whole);
+    fmb_vec_block_free(whole, size, m->mem);
     return st;
 }
 

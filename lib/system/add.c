@@ -196,11 +196,9 @@ static void draft_clear(draft *d, fmb_mem *mem)
  * other sign if they are to be greater. */
 static fmb_status draft_append(const draft *d, fmb_system *s, fmb_rel rel)
 {
-    mpz_t *z = fmb_mem_get(&s->mem, d->n + 2, sizeof *z);
+    mpz_t *z = fmb_vec_block(d->n + 2, &s->mem);
     if (!z)
         return fmb_mem_status(&s->mem);
-    for (size_t i = 0; i < d->n + 2; i++)
-        mpz_init(z[i]);
     mpz_ptr den = z[d->n + 1];
     mpz_set_ui(den, 1);
     for (size_t i = 0; i <= d->n; i++)
@@ -212,9 +210,7 @@ static fmb_status draft_append(const draft *d, fmb_system *s, fmb_rel rel)
             mpz_neg(z[i], z[i]);
     }
     fmb_status st = fmb_system_append(s, d->n, d->var, z, turned(rel));
-    for (size_t i = 0; i < d->n + 2; i++)
-        mpz_clear(z[i]);
-    fmb_mem_put(&s->mem, z, d->n + 2, sizeof *z);
+    fmb_vec_block_free(z, d->n + 2, &s->mem);
     return st;
 }
 

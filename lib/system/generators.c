@@ -135,9 +135,7 @@ fmb_status fmb_generators_add_q(fmb_generators *g, fmb_generator_kind kind, mpq_
         write_common_multiple(g, kind, x, z);
         st = close_generator(g, fmb_vec_set_z(v, n, z, &g->mem));
     }
-    for (size_t j = 0; z && j < n; j++)
-        mpz_clear(z[j]);
-    fmb_mem_put(&g->mem, z, n, sizeof *z);
+    fmb_vec_block_free(z, n, &g->mem);
     return st;
 }
 

@@ -104,17 +104,13 @@ static fmb_status minor_rank_exactly(const fmb_elim *e, const minor *m, size_t *
 {
     fmb_mem *mem = e->run->mem;
     size_t size = m->rows * m->vars;
-    mpz_t *a = fmb_mem_get(mem, size, sizeof *a);
+    mpz_t *a = fmb_vec_block(size, mem);
     if (!a)
         return fmb_mem_status(mem);
-    for (size_t k = 0; k < size; k++) {
-        mpz_init(a[k]);
-        fmb_vec_get(&e->row[e->base[m->row[k / m->vars]]].v, m->var[k % m->vars], a[k]);
-    }
-    *rank = rank_by_bareiss(a, m->rows, m->vars);
     for (size_t k = 0; k < size; k++)
-        mpz_clear(a[k]);
-    fmb_mem_put(mem, a, size, sizeof *a);
+        fmb_vec_get(&e->row[e->base[m->row[k / m->vars]]].v, m->var[k % m->vars], a[k]);
+    *rank = rank_by_bareiss(a, m->rows, m->vars);
+    fmb_vec_block_free(a, size, mem);
     return FMB_OK;
 }
 

@@ -163,9 +163,7 @@ void fmb_normal_tools_clear(const fmb_facets *f, fmb_normal_tools *by)
 {
     if (!by->minor)
         return;
-    for (size_t i = 0; i < (size_t)1 << f->d; i++)
-        mpz_clear(by->minor[i]);
-    fmb_mem_put(by->num->mem, by->minor, (size_t)1 << f->d, sizeof *by->minor);
+    fmb_vec_block_free(by->minor, (size_t)1 << f->d, by->num->mem);
     by->minor = NULL;
 }
 

@@ -85,9 +85,7 @@ static fmb_status add_lines_to_facets(const fmb_image *m, fmb_facets *f)
         }
         st = fmb_facets_add(f, z, &grown);
     }
-    for (size_t k = 0; k < m->n; k++)
-        mpz_clear(z[k]);
-    fmb_mem_put(f->num.mem, z, m->n, sizeof *z);
+    fmb_vec_block_free(z, m->n, f->num.mem);
     return st;
 }
 

@@ -96,9 +96,7 @@ static fmb_status write_program(fmb_section *c)
         return fmb_mem_status(c->run->mem);
     for (size_t i = 0; st == FMB_OK && i < c->m; i++)
         st = add_row_of_section(c, i, z, c->num.t);
-    for (size_t k = 0; k < c->rank; k++)
-        mpz_clear(z[k]);
-    fmb_mem_put(c->run->mem, z, c->rank, sizeof *z);
+    fmb_vec_block_free(z, c->rank, c->run->mem);
     return st;
 }
 

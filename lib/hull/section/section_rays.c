@@ -138,9 +138,7 @@ static fmb_status take_rays_and_lines(fmb_section *c, const fmb_cone *lines, ray
         st = fmb_image_init_vectors(image, c->run, c->d, all->size, all->v, all->line, false);
     for (size_t i = 0; i < rays; i++)
         fmb_vec_clear(&all->v[i], c->d, c->run->mem);
-    for (size_t k = 0; k < c->d; k++)
-        mpz_clear(z[k]);
-    fmb_mem_put(c->run->mem, z, c->d, sizeof *z);
+    fmb_vec_block_free(z, c->d, c->run->mem);
     return st;
 }
 

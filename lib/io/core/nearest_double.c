@@ -1,37 +1,24 @@
 /* nearest_double.c: the double nearest to a number of a text; see number.h. */
+#include <float.h>
 #include <math.h>
-#include <string.h>
 
 #include "io/core/number.h"
 #include "io/core/short_decimal.h"
+#include "num/rationals.h"
 
-static bool has_odd_significand(double d)
-{
-    uint64_t bits;
-    memcpy(&bits, &d, sizeof bits);
-    return bits & 1;
-}
-
-/* mpq_get_d cuts towards zero, so the answer is that or the next one outward. */
 double fmb_io_nearest(mpq_srcptr q, bool *exact)
 {
-    double in = mpq_get_d(q), out = nextafter(in, mpq_sgn(q) < 0 ? -INFINITY : INFINITY);
-    int beyond = 1;
-    mpq_t a, b;
+    double x = fmb_nearest_double(q);
+    mpq_t back;
     *exact = false;
-    if (!isfinite(in))
-        return in;
-    mpq_inits(a, b, NULL);
-    mpq_set_d(a, in);
-    *exact = mpq_equal(a, q) != 0;
-    if (!*exact && isfinite(out)) {
-        mpq_set_d(b, out);
-        mpq_add(a, a, b);
-        mpq_div_2exp(a, a, 1);
-        beyond = mpq_cmp(q, a) * mpq_sgn(q);
-    }
-    mpq_clears(a, b, NULL);
-    return !*exact && (beyond > 0 || (beyond == 0 && has_odd_significand(in))) ? out : in;
+    if (!isfinite(x))
+        return x;
+    mpq_init(back);
+    mpq_set_d(back, x);
+    int beyond = mpq_cmp(q, back) * mpq_sgn(q);
+    mpq_clear(back);
+    *exact = beyond == 0;
+    return beyond > 0 && fabs(x) == DBL_MAX ? copysign(INFINITY, x) : x;
 }
 
 fmb_status fmb_scan_nearest(fmb_cursor *c, const char *what, double *out)

@@ -29,9 +29,7 @@ static fmb_status append_all_facets(const fmb_image *m, fmb_system *out)
     fmb_status st = var && z ? FMB_OK : fmb_mem_status(mem);
     for (size_t i = 0; st == FMB_OK && i < m->facets; i++)
         st = append_facet(&m->facet[i], n, out, var, z);
-    for (size_t k = 0; z && k < n + 2; k++)
-        mpz_clear(z[k]);
-    fmb_mem_put(mem, z, n + 2, sizeof *z);
+    fmb_vec_block_free(z, n + 2, mem);
     fmb_mem_put(mem, var, n, sizeof *var);
     return st;
 }

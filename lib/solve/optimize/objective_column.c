@@ -47,18 +47,14 @@ static void write_goal_in_integers(const fmb_part *from, const fmb_goal *g, mpz_
 static fmb_status set_goal_row(fmb_vec *row, const fmb_part *from, const fmb_goal *g, fmb_num *k)
 {
     size_t entries = (size_t)from->n + 2;
-    mpz_t *z = fmb_mem_get(k->mem, entries, sizeof *z);
+    mpz_t *z = fmb_vec_block(entries, k->mem);
     if (!z)
         return fmb_mem_status(k->mem);
-    for (size_t j = 0; j < entries; j++)
-        mpz_init(z[j]);
     write_goal_in_integers(from, g, z);
     fmb_status st = fmb_vec_set_z(row, entries, z, k->mem);
     if (st == FMB_OK)
         st = fmb_vec_reduce(row, entries, k);
-    for (size_t j = 0; j < entries; j++)
-        mpz_clear(z[j]);
-    fmb_mem_put(k->mem, z, entries, sizeof *z);
+    fmb_vec_block_free(z, entries, k->mem);
     return st;
 }
 

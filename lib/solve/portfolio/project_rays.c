@@ -213,9 +213,7 @@ static fmb_status put_all_facets(fmb_ray_projection *h)
     fmb_status st = z && h->facet.s ? FMB_OK : fmb_mem_status(mem);
     for (size_t k = 0; st == FMB_OK && k < h->image.facets; k++)
         st = put_facet(h, &h->image.facet[k], z);
-    for (size_t k = 0; z && k < n; k++)
-        mpz_clear(z[k]);
-    fmb_mem_put(mem, z, n, sizeof *z);
+    fmb_vec_block_free(z, n, mem);
     fmb_vec_clear(&h->facet, n, mem);
     return st;
 }

@@ -66,18 +66,14 @@ static fmb_status put_all_support_rows(fmb_queries *h, fmb_system *out)
 {
     size_t n = (size_t)h->p->n + 1;
     fmb_mem *mem = h->q->run.mem;
-    h->z = fmb_mem_get(mem, n, sizeof *h->z);
+    h->z = fmb_vec_block(n, mem);
     h->row.s = fmb_mem_get(mem, n, sizeof *h->row.s);
     fmb_status st = h->z && h->row.s ? FMB_OK : fmb_mem_status(mem);
-    for (size_t j = 0; h->z && j < n; j++)
-        mpz_init(h->z[j]);
     if (h->s.rows > 1)
         qsort(h->s.row, h->s.rows, sizeof *h->s.row, compare_support_rows);
     for (size_t i = 0; st == FMB_OK && i < h->s.rows; i++)
         st = put_support_row(h, &h->s.row[i], out);
-    for (size_t j = 0; h->z && j < n; j++)
-        mpz_clear(h->z[j]);
-    fmb_mem_put(mem, h->z, n, sizeof *h->z);
+    fmb_vec_block_free(h->z, n, mem);
     fmb_vec_clear(&h->row, n, mem);
     fmb_mem_put(mem, h->row.s, n, sizeof *h->row.s);
     return st;

@@ -140,9 +140,7 @@ static fmb_status append_row(fmb_claimed_rows *c, mpz_t *z, fmb_rel rel)
         mpz_set_ui(value[terms + 1], 1);
         st = fmb_system_append(c->image, terms, column, value, rel);
     }
-    for (size_t j = 0; value && j < n + 2; j++)
-        mpz_clear(value[j]);
-    fmb_mem_put(mem, value, n + 2, sizeof *value);
+    fmb_vec_block_free(value, n + 2, mem);
     fmb_mem_put(mem, column, n, sizeof *column);
     return st;
 }

@@ -200,11 +200,9 @@ fmb_status fmb_query_append_row(fmb_query *q, const fmb_part *p, const fmb_vec *
 {
     size_t n = (size_t)p->n, terms = 0;
     fmb_mem *mem = q->run.mem;
-    mpz_t *z = fmb_mem_get(mem, n + 2, sizeof *z);
+    mpz_t *z = fmb_vec_block(n + 2, mem);
     int *var = fmb_mem_get(mem, n, sizeof *var);
     fmb_status st = z && var ? FMB_OK : fmb_mem_status(mem);
-    for (size_t j = 0; z && j < n + 2; j++)
-        mpz_init(z[j]);
     for (size_t j = 0; st == FMB_OK && j < n; j++) {
         if (fmb_vec_sgn(row, j) == 0)
             continue;
@@ -216,9 +214,7 @@ fmb_status fmb_query_append_row(fmb_query *q, const fmb_part *p, const fmb_vec *
         mpz_set_ui(z[terms + 1], 1);
         st = fmb_system_append(out, terms, var, z, rel);
     }
-    for (size_t j = 0; z && j < n + 2; j++)
-        mpz_clear(z[j]);
-    fmb_mem_put(mem, z, n + 2, sizeof *z);
+    fmb_vec_block_free(z, n + 2, mem);
     fmb_mem_put(mem, var, n, sizeof *var);
     return st;
 }

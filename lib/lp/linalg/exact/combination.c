@@ -7,21 +7,6 @@
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
-static mpz_t *allocate_integers(fmb_mem *mem, size_t n)
-{
-    mpz_t *z = fmb_mem_get(mem, n, sizeof *z);
-    for (size_t k = 0; z && k < n; k++)
-        mpz_init(z[k]);
-    return z;
-}
-
-static void free_integers(fmb_mem *mem, mpz_t *z, size_t n)
-{
-    for (size_t k = 0; z && k < n; k++)
-        mpz_clear(z[k]);
-    fmb_mem_put(mem, z, n, sizeof *z);
-}
-
 fmb_status fmb_combination_init(fmb_combination *c, fmb_mem *mem, size_t n, const fmb_lp_row *row)
 {
     *c = (fmb_combination){.mem = mem, .n = n, .row = row, .q = fmb_prime_number(0)};
@@ -33,8 +18,8 @@ fmb_status fmb_combination_init(fmb_combination *c, fmb_mem *mem, size_t n, cons
     c->inverse = fmb_mem_get(mem, n, sizeof *c->inverse);
     c->digit = fmb_mem_get(mem, n, sizeof *c->digit);
     c->sum = fmb_mem_get(mem, n, sizeof *c->sum);
-    c->part = allocate_integers(mem, n);
-    c->rest = allocate_integers(mem, n);
+    c->part = fmb_vec_block(n, mem);
+    c->rest = fmb_vec_block(n, mem);
     return c->index && c->column && c->matrix && c->inverse && c->digit && c->sum && c->part &&
                    c->rest
                ? FMB_OK
@@ -54,8 +39,8 @@ void fmb_combination_clear(fmb_combination *c)
     fmb_mem_put(c->mem, c->inverse, n, sizeof *c->inverse);
     fmb_mem_put(c->mem, c->digit, n, sizeof *c->digit);
     fmb_mem_put(c->mem, c->sum, n, sizeof *c->sum);
-    free_integers(c->mem, c->part, n);
-    free_integers(c->mem, c->rest, n);
+    fmb_vec_block_free(c->part, n, c->mem);
+    fmb_vec_block_free(c->rest, n, c->mem);
     c->mem = NULL;
 }
 
@@ -301,7 +286,7 @@ static fmb_status lift_digits(fmb_combination *c, double bits, bool *found)
     fmb_status st = FMB_OK;
     bool small = do_digit_sums_fit(c);
     double enough = (2 * bits + 3) / FMB_PRIME_BITS + 1;
-    mpz_t *numerator = allocate_integers(c->mem, c->n);
+    mpz_t *numerator = fmb_vec_block(c->n, c->mem);
     if (!numerator)
         return fmb_mem_status(c->mem);
     begin_digits(c);
@@ -320,7 +305,7 @@ static fmb_status lift_digits(fmb_combination *c, double bits, bool *found)
     }
     for (size_t k = 0; *found && k < c->unknowns; k++)
         mpz_swap(c->part[k], numerator[k]);
-    free_integers(c->mem, numerator, c->n);
+    fmb_vec_block_free(numerator, c->n, c->mem);
     return st;
 }
 
