@@ -1,0 +1,42 @@
+"""Systems of linear inequalities, solved exactly: libfmb for Python.
+
+>>> import fmb
+>>> x, y = fmb.vars("x y")
+>>> fmb.solve([x + y <= 3, 2 * y < x - 4]).point
+x = 0, y = -3
+>>> fmb.project("0 <= x <= z; z <= y; y <= 4", "x y")
+x >= 0; y <= 4; x - y <= 0
+
+Numbers are exact: Fraction comes out, and int, Fraction, Decimal, strings and floats (by their
+binary value) go in. Every answer carries a proof, which `answer.proof.check()` judges.
+"""
+
+from typing import List
+
+from fmb._answers import (Answer, Box, Conflict, End, Generators, Interval, Judgement, Optimum,
+                          Point, Proof, Reduction, SystemAnswer)
+from fmb._lib import (ArgumentError, Error, ParseError, RuleError, StateError, Unfinished, lib,
+                      text)
+from fmb._linear import Form, Row, Variable, total, vars
+from fmb._polyhedron import Polyhedron
+from fmb._solver import (Event, Session, Solver, bounds, check, eliminate, hull, hull_of, image,
+                         optimize, project, reduce, solve, sum, vertices)
+from fmb._system import System, SystemRow
+
+__version__ = text(lib.fmb_version())
+
+# These need NumPy, which is asked for when they are.
+_LATER = {"_frames": ("Frame", "Frames", "Pairs", "Proximity", "common", "cuboid", "depth",
+                      "distance", "separate", "simplex"), "_mesh": ("Hits", "Mesh")}
+
+
+def __getattr__(name: str) -> object:
+    for module, names in _LATER.items():
+        if name in names:
+            import importlib
+            return getattr(importlib.import_module(f"fmb.{module}"), name)
+    raise AttributeError(f"module 'fmb' has no attribute {name!r}")
+
+
+def __dir__() -> List[str]:
+    return sorted([*globals(), *(name for names in _LATER.values() for name in names)])

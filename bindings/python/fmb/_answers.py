@@ -1,0 +1,490 @@
+"""What queries answer."""
+
+from __future__ import annotations
+
+import math
+import os
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, Iterator, Mapping
+
+from fmb._lib import NULL, StateError, Unfinished, ffi, lib, need, number, owned, parsed
+from fmb._lib import printed, text, written
+
+if TYPE_CHECKING:
+    from fmb._system import System, SystemRow
+
+NONE = ffi.cast("size_t", -1)
+_ABSENT = int(NONE)
+
+
+class Point(Mapping[str, Fraction]):
+    """A point, or a direction: an exact number for the name of each variable.
+
+    >>> p = solve("x + y = 3; x - y = 2").point
+    >>> p, p["x"], float(p["y"])
+    (x = 5/2, y = 1/2, Fraction(5, 2), 0.5)
+    """
+
+    __slots__ = ("_names", "_values")
+
+    def __init__(self, names: tuple[str, ...], values: list[Fraction]):
+        self._names = names
+        self._values = dict(zip(names, values))
+
+    def __getitem__(self, name: Any) -> Fraction:
+        return self._values[getattr(name, "name", name)]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._names)
+
+    def __len__(self) -> int:
+        return len(self._names)
+
+    def floats(self) -> list[float]:
+        """The nearest floats, in the order of variables."""
+        return [float(x) for x in self._values.values()]
+
+    def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
+        import numpy as np
+        return np.array(self.floats(), dtype)
+
+    def __repr__(self) -> str:
+        return ", ".join(f"{name} = {x}" for name, x in self._values.items()) or "(no variables)"
+
+    def _repr_html_(self) -> str:
+        from fmb import _html
+        return _html.table([f"{name} = {x}" for name, x in self._values.items()])
+
+
+class Conflict:
+    """Rows without a common solution, no fewer of which would do (an irreducible infeasible
+    subsystem): `rows`, their `numbers` in the system, and the `multipliers` (Farkas) by which they
+    add up to 0 <= negative or 0 < 0.
+
+    >>> solve("a: x + y <= 1; b: x >= 1; c: y > 0").conflict
+    1 (a: x + y <= 1) + 1 (b: x >= 1) + 1 (c: y > 0)
+    """
+
+    def __init__(self, numbers: list[int], multipliers: list[Fraction], rows: list[SystemRow]):
+        self.numbers = numbers
+        self.multipliers = multipliers
+        self.rows = rows
+
+    def __iter__(self) -> Iterator[tuple[SystemRow, Fraction]]:
+        return iter(zip(self.rows, self.multipliers))
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def __repr__(self) -> str:
+        return " + ".join(f"{m} ({row!r})" for row, m in self)
+
+    def _repr_html_(self) -> str:
+        from fmb import _html
+        return _html.table([f"{m} × ({row!r})" for row, m in self], "no common solution:")
+
+
+class Proof:
+    """Evidence of an answer, which a small independent program judges (docs/proof-format.md)."""
+
+    def __init__(self, c_evidence: Any, about: System):
+        self._e = c_evidence
+        self._about = about
+
+    @classmethod
+    def parse(cls, source: str | bytes, about: System) -> Proof:
+        """A proof from its text, about that system."""
+        data = source.encode() if isinstance(source, str) else source
+        out, where = ffi.new("fmb_evidence **"), ffi.new("fmb_where *")
+        parsed(lib.fmb_evidence_parse(data, len(data), about._s, out, where), where)
+        return cls(owned("fmb_evidence", out[0]), about)
+
+    @classmethod
+    def read(cls, path: str | os.PathLike[str], about: System) -> Proof:
+        """A proof from a file."""
+        with open(path, "rb") as file:
+            return cls.parse(file.read(), about)
+
+    def __len__(self) -> int:
+        return int(lib.fmb_evidence_claims(self._e))
+
+    @property
+    def claims(self) -> list[str]:
+        """Each claim in words."""
+        return [printed(lib.fmb_evidence_print_claim, self._e, self._about._s, i).rstrip("\n")
+                for i in range(len(self))]
+
+    def to_text(self) -> str:
+        """The proof as `fmb check` reads it."""
+        return printed(lib.fmb_evidence_print, self._e, self._about._s)
+
+    def write(self, path: str | os.PathLike[str]) -> None:
+        """A file for `fmb check`."""
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self.to_text())
+
+    def check(self) -> Judgement:
+        """Judge every claim in exact arithmetic, by code that shares nothing with what found it."""
+        out = ffi.new("fmb_judgement *", {"size": ffi.sizeof("fmb_judgement")})
+        need(lib.fmb_check(self._about._s, self._e, out))
+        return Judgement(out)
+
+    def __repr__(self) -> str:
+        return f"Proof of {len(self)} claim" + ("" if len(self) == 1 else "s")
+
+
+class Judgement:
+    """What became of a proof: true if it is `accepted`; else `reason` says why not."""
+
+    def __init__(self, out: Any):
+        self.accepted = bool(out.accepted)
+        self.held = int(out.held)
+        self.feasible = _feasible(out.verdict)
+        self.relaxed = bool(out.relaxed)
+        self.reason = text(out.reason)
+
+    def __bool__(self) -> bool:
+        return self.accepted
+
+    def __repr__(self) -> str:
+        return f"accepted: {self.held} claims hold" if self else f"rejected: {self.reason}"
+
+
+def _feasible(verdict: int) -> bool | None:
+    return {lib.FMB_FEASIBLE: True, lib.FMB_INFEASIBLE: False}.get(verdict)
+
+
+_STATS = ("rounds", "pairs", "rows_made", "rows_kept", "rows_dropped", "rows_peak", "promotions",
+          "pivots", "lps", "bytes_peak", "seconds")
+
+
+class Answer:
+    """What a query found out: `feasible` is True, False, or None where a limit came first; `stop`
+    is "done" or the limit: "time", "rows", "bytes", "cancelled". The rest is read when asked for.
+    An answer is true if the system is feasible."""
+
+    def __init__(self, solver: Any, about: System, result: Any):
+        self._about = about
+        self._rows = len(about)
+        self.feasible = _feasible(result.verdict)
+        self._stop = result.stop
+        self._stats = result
+        self._proof: Proof | None = None
+        out = ffi.new("fmb_evidence **")
+        if lib.fmb_solver_evidence(solver, out) == lib.FMB_OK:
+            self._proof = Proof(owned("fmb_evidence", out[0]), about)
+
+    def __bool__(self) -> bool:
+        if self.feasible is None:
+            raise Unfinished(self.stop)
+        return self.feasible
+
+    @property
+    def stop(self) -> str:
+        """Why the query ended."""
+        return text(lib.fmb_stop_text(self._stop))
+
+    @property
+    def done(self) -> bool:
+        """Did no limit end it?"""
+        return bool(self._stop == lib.FMB_STOP_DONE)
+
+    @property
+    def stats(self) -> dict[str, float]:
+        """What it took: rows made, pivots, bytes, seconds, ..."""
+        return {name: getattr(self._stats.stats, name) for name in _STATS}
+
+    @property
+    def proof(self) -> Proof:
+        """Its evidence."""
+        if self._proof is None:
+            raise StateError("no evidence was kept")
+        return self._proof
+
+    def _claims(self, kind: int) -> Iterator[int]:
+        if self._proof is not None:
+            for i in range(len(self._proof)):
+                if lib.fmb_evidence_kind(self._proof._e, i) == kind:
+                    yield i
+
+    @property
+    def point(self) -> Point | None:
+        """A solution, exactly; None if there is none."""
+        for i in self._claims(lib.FMB_CLAIM_FEASIBLE):
+            assert self._proof is not None
+            return _point(self._about, lib.fmb_evidence_coordinate_text, self._proof._e, i)
+        return None
+
+    @property
+    def conflict(self) -> Conflict | None:
+        """Rows without a common solution; None if there are none."""
+        for i in self._claims(lib.FMB_CLAIM_INFEASIBLE):
+            assert self._proof is not None
+            return _conflict(self._about, self._proof._e, i)
+        return None
+
+    def __repr__(self) -> str:
+        if self.feasible is None:
+            return f"unknown: a limit was reached ({self.stop})"
+        if self.feasible:
+            return f"feasible: {self.point!r}"
+        return f"infeasible: {self.conflict!r}"
+
+
+def _point(about: System, coordinate: Any, *of: Any) -> Point:
+    return Point(about.names, [number(written(coordinate, *of, j)) for j in range(about.dim)])
+
+
+def _conflict(about: System, e: Any, i: int) -> Conflict:
+    numbers, multipliers = [], []
+    row = lib.fmb_evidence_next_row(e, i, 0)
+    while row != _ABSENT:
+        numbers.append(int(row))
+        multipliers.append(number(written(lib.fmb_evidence_multiplier_text, e, i, row)))
+        row = lib.fmb_evidence_next_row(e, i, row + 1)
+    return Conflict(numbers, multipliers, [about[r] for r in numbers])
+
+
+class End:
+    """An end of an interval: an exact `value`, or None where there is none; is it `attained`; is it
+    `tight`, or only not beyond, as a limit was reached first?"""
+
+    __slots__ = ("value", "attained", "tight", "_outward", "known")
+
+    def __init__(self, end: Any, spelled: str):
+        self.value = number(spelled) if spelled else None
+        self.attained = bool(end.attained)
+        self.tight = end.kind in (lib.FMB_END_FINITE, lib.FMB_END_INFINITE)
+        self.known = end.kind != lib.FMB_END_UNKNOWN
+        self._outward = float(end.value)
+
+    def __float__(self) -> float:
+        """Rounded outward."""
+        return self._outward
+
+    def __eq__(self, other: object) -> bool:
+        return self.value is not None and self.value == (
+            other.value if isinstance(other, End) else other)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return str(self.value) if self.value is not None else str(self._outward)
+
+
+class Interval:
+    """The values that a variable takes: from `lower` to `upper`."""
+
+    __slots__ = ("lower", "upper")
+
+    def __init__(self, lower: End, upper: End):
+        self.lower, self.upper = lower, upper
+
+    def __iter__(self) -> Iterator[End]:
+        return iter((self.lower, self.upper))
+
+    def __contains__(self, value: Any) -> bool:
+        return ((self.lower.value is None or self.lower.value < value
+                 or (self.lower.attained and self.lower.value == value))
+                and (self.upper.value is None or value < self.upper.value
+                     or (self.upper.attained and self.upper.value == value)))
+
+    def __repr__(self) -> str:
+        below = "[" if self.lower.attained else "("
+        above = "]" if self.upper.attained else ")"
+        return f"{below}{self.lower!r}, {self.upper!r}{above}"
+
+
+class Box(Answer, Mapping[str, Interval]):
+    """The tightest interval of each variable, by its name.
+
+    >>> bounds("0 <= x; x + y <= 4; y > 1")
+    x in [0, 3), y in (1, 4]
+    """
+
+    def __init__(self, solver: Any, about: System, result: Any, box: Any):
+        Answer.__init__(self, solver, about, result)
+        self._intervals: dict[str, Interval] = {}
+        self._box = owned("fmb_box", box)
+        for i in range(lib.fmb_box_size(box) if box != NULL else 0):
+            ends = [End(lib.fmb_box_end(box, i, side),
+                        written(lib.fmb_box_end_text, box, i, side))
+                    for side in (lib.FMB_LOWER, lib.FMB_UPPER)]
+            self._intervals[about.names[lib.fmb_box_var(box, i)]] = Interval(*ends)
+
+    def __getitem__(self, name: Any) -> Interval:
+        return self._intervals[getattr(name, "name", name)]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._intervals)
+
+    def __len__(self) -> int:
+        return len(self._intervals)
+
+    def floats(self) -> list[tuple[float, float]]:
+        """Both ends of each, rounded outward."""
+        return [(float(i.lower), float(i.upper)) for i in self._intervals.values()]
+
+    def __repr__(self) -> str:
+        if not self._intervals:
+            return Answer.__repr__(self)
+        return ", ".join(f"{name} in {i!r}" for name, i in self._intervals.items())
+
+
+class Optimum(Answer):
+    """The best value of a form: `value` is exact, None if the form is `unbounded` or there is no
+    solution; `attained` says whether `point` reaches it; along `ray`, if unbounded, it never ends.
+
+    >>> best = optimize("x + 2y <= 4; x >= 0; y >= 0", max="x + 3y")
+    >>> best.value, best.point
+    (Fraction(6, 1), x = 0, y = 2)
+    """
+
+    def __init__(self, solver: Any, about: System, result: Any, optimum: Any):
+        super().__init__(solver, about, result)
+        self._optimum = owned("fmb_optimum", optimum)
+        end = lib.fmb_optimum_end(optimum)
+        self.attained = bool(end.attained)
+        self.unbounded = bool(end.kind == lib.FMB_END_INFINITE)
+        self.tight = bool(end.kind in (lib.FMB_END_FINITE, lib.FMB_END_INFINITE))
+        self._outward = float(end.value)
+
+    @property
+    def value(self) -> Fraction | None:
+        """The optimum; after a limit what no solution is beyond."""
+        spelled = written(lib.fmb_optimum_value_text, self._optimum) if self._optimum else ""
+        return number(spelled) if spelled else None
+
+    def __float__(self) -> float:
+        """Rounded outward; infinite if unbounded, nan if there is no solution."""
+        return self._outward if self._optimum else math.nan
+
+    @property
+    def point(self) -> Point | None:
+        if not self._optimum:
+            return None
+        return _point(self._about, lib.fmb_optimum_coordinate_text, self._optimum)
+
+    @property
+    def ray(self) -> Point | None:
+        """A direction in which the form has no bound."""
+        return _point(self._about, lib.fmb_optimum_ray_text, self._optimum) if (
+            self.unbounded) else None
+
+    def __repr__(self) -> str:
+        if self.unbounded:
+            return f"unbounded along {self.ray!r}"
+        if self.value is None:
+            return Answer.__repr__(self)
+        sign = "" if self.attained else " (not attained)" if self.tight else " (at most so good)"
+        return f"{self.value}{sign} at {self.point!r}"
+
+
+class SystemAnswer(Answer):
+    """A system that is an answer: `system`, and whatever proves it.
+
+    Of a projection, sum, image or hull `about` is the system that the proof is about."""
+
+    def __init__(self, solver: Any, about: System, result: Any, system: System | None):
+        super().__init__(solver, about, result)
+        self._system = system
+
+    @property
+    def about(self) -> System:
+        """The system that the proof is about."""
+        return self._about
+
+    @property
+    def system(self) -> System:
+        """The answer."""
+        if self._system is None:
+            raise Unfinished(self.stop)
+        return self._system
+
+    def __iter__(self) -> Iterator[SystemRow]:
+        return iter(self.system)
+
+    def __len__(self) -> int:
+        return len(self.system)
+
+    def __str__(self) -> str:
+        return str(self.system)
+
+    def __repr__(self) -> str:
+        rows = "; ".join(map(repr, self.system)) or "(no rows: everything)"
+        return rows if self.done else f"{rows} (outer: {self.stop})"
+
+    def _repr_html_(self) -> str:
+        return self.system._repr_html_()
+
+
+class Reduction(SystemAnswer):
+    """A system without redundant rows; `fates[i]` says what became of row i: "kept", "redundant",
+    "equality" (it always holds with equality), "unknown" (a limit came first)."""
+
+    def __init__(self, solver: Any, about: System, result: Any, system: System | None,
+                 fates: list[str]):
+        super().__init__(solver, about, result, system)
+        self.fates = fates
+
+    @property
+    def redundant(self) -> list[int]:
+        """The numbers of rows that the others imply."""
+        return [i for i, fate in enumerate(self.fates) if fate == "redundant"]
+
+
+class Generators(Answer):
+    """`vertices`, `rays` and `lines` that generate a polyhedron.
+
+    >>> vertices("0 <= x <= 1; y >= 0")
+    vertices: (0, 0), (1, 0); rays: (0, 1)
+    """
+
+    def __init__(self, solver: Any, about: System, result: Any, generators: Any):
+        super().__init__(solver, about, result)
+        self._g = owned("fmb_generators", generators)
+
+    def _of_kind(self, kind: int) -> list[tuple[Fraction, ...]]:
+        if self._g is None:
+            if self.done:
+                return []
+            raise Unfinished(self.stop)
+        return [tuple(number(written(lib.fmb_generators_coordinate_text, self._g, i, j))
+                      for j in range(self._about.dim))
+                for i in range(lib.fmb_generators_size(self._g))
+                if lib.fmb_generators_kind(self._g, i) == kind]
+
+    @property
+    def vertices(self) -> list[tuple[Fraction, ...]]:
+        """Points, in the order of variables."""
+        return self._of_kind(lib.FMB_VERTEX)
+
+    @property
+    def rays(self) -> list[tuple[Fraction, ...]]:
+        """Extreme directions."""
+        return self._of_kind(lib.FMB_RAY)
+
+    @property
+    def lines(self) -> list[tuple[Fraction, ...]]:
+        """Directions both ways."""
+        return self._of_kind(lib.FMB_LINE)
+
+    def __len__(self) -> int:
+        return int(lib.fmb_generators_size(self._g)) if self._g is not None else 0
+
+    def to_arrays(self) -> Any:
+        """(kinds, X): 0 for a vertex, 1 for a ray, 2 for a line, and the nearest doubles."""
+        import numpy as np
+        n, dim = len(self), self._about.dim
+        kinds, X = np.zeros(n, np.uintc), np.zeros((n, dim))
+        if n:
+            need(lib.fmb_generators_get(
+                self._g, 0, n, ffi.cast("fmb_generator_kind *", ffi.from_buffer(kinds)),
+                ffi.from_buffer("double[]", X, True) if dim else NULL))
+        return kinds, X
+
+    def __repr__(self) -> str:
+        parts = [f"{word}: " + ", ".join("(" + ", ".join(map(str, x)) + ")" for x in some)
+                 for word, some in (("vertices", self.vertices), ("rays", self.rays),
+                                    ("lines", self.lines)) if some]
+        return "; ".join(parts) or "(empty)"

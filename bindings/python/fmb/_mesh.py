@@ -1,0 +1,135 @@
+"""Meshes of triangles or tetrahedra: which cells meet, and how. NumPy is needed here."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+import numpy as np
+
+from fmb._lib import NULL, ArgumentError, ffi, lib, made, need, owned, parsed, text, written
+
+HOW = ("apart", "share", "touch", "cross", "coplanar")
+
+
+class Mesh:
+    """Cells over common vertices in space: points [n, 3], and cells [m, 3] (triangles) or [m, 4]
+    (tetrahedra), which number them from 0. Everything is copied.
+
+    >>> tent = Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [.2, .2, -1], [.2, .2, 1], [.9, .9, 1]],
+    ...             [[0, 1, 2], [3, 4, 5]])
+    >>> tent.meet().hits
+    [(0, 1, 'cross')]
+    """
+
+    def __init__(self, points: Any, cells: Any):
+        points = np.ascontiguousarray(points, np.float64)
+        cells = np.asarray(cells)
+        if cells.size and (cells.min() < 0 or cells.max() > 0xffffffff):
+            raise ArgumentError("cells number vertices from 0")
+        cells = np.ascontiguousarray(cells, np.uint32)
+        if points.ndim != 2 or points.shape[1] != 3 or cells.ndim != 2 or (
+                cells.shape[1] not in (3, 4)):
+            raise ArgumentError("points are of shape [n, 3] and cells of [m, 3] or [m, 4], not "
+                                f"{list(points.shape)} and {list(cells.shape)}")
+        self._m = made("fmb_mesh", lib.fmb_mesh_new, cells.shape[1], len(points),
+                       ffi.cast("double *", points.ctypes.data), len(cells),
+                       ffi.cast("uint32_t *", cells.ctypes.data), NULL)
+
+    @classmethod
+    def read(cls, path: str | os.PathLike[str], format: str = "auto") -> Mesh:
+        """A mesh from a file: OFF, OBJ, PLY, STL, medit."""
+        path = os.fspath(path)
+        kind = ffi.new("fmb_mesh_format *")
+        if not lib.fmb_mesh_format_parse(format.encode(), kind):
+            raise ArgumentError(f"no format of meshes is called {format!r}")
+        told = kind[0] or lib.fmb_mesh_format_of_name(os.fsencode(path))
+        with open(path, "rb") as file:
+            data = file.read()
+        out, where = ffi.new("fmb_mesh **"), ffi.new("fmb_where *")
+        parsed(lib.fmb_mesh_parse(ffi.from_buffer(data), len(data), told, NULL, out, where), where,
+               path)
+        return cls._of(owned("fmb_mesh", out[0]))
+
+    @classmethod
+    def _of(cls, c_mesh: Any) -> Mesh:
+        self = cls.__new__(cls)
+        self._m = c_mesh
+        return self
+
+    @property
+    def points(self) -> Any:
+        """[n, 3]: its vertices, without a copy; read only."""
+        return self._array(lib.fmb_mesh_points(self._m), lib.fmb_mesh_vertices(self._m), 3,
+                           np.float64)
+
+    @property
+    def cells(self) -> Any:
+        """[m, 3] or [m, 4]: the vertices of its cells, without a copy; read only."""
+        return self._array(lib.fmb_mesh_indices(self._m), len(self),
+                           lib.fmb_mesh_corners(self._m), np.uint32)
+
+    def _array(self, pointer: Any, rows: int, columns: int, kind: Any) -> Any:
+        if rows == 0:
+            return np.zeros((0, columns), kind)
+        block = ffi.gc(ffi.cast("char *", pointer), lambda _, mesh=self._m: None)
+        view = ffi.buffer(block, rows * columns * np.dtype(kind).itemsize)
+        array = np.frombuffer(view, kind).reshape(rows, columns)
+        array.flags.writeable = False
+        return array
+
+    def __len__(self) -> int:
+        return int(lib.fmb_mesh_cells(self._m))
+
+    def placed(self, scale: Any = (1, 1, 1), move: Any = (0, 0, 0)) -> Mesh:
+        """The mesh at another place: scale * x + move."""
+        place = ffi.new("fmb_mesh_place *", {"scale": list(map(float, scale)),
+                                             "move": list(map(float, move))})
+        return Mesh._of(made("fmb_mesh", lib.fmb_mesh_placed, self._m, place, NULL))
+
+    def meet(self, other: Mesh | None = None, motion: Any = None, **options: Any) -> Hits:
+        """Which cells meet those of another mesh, or one another. motion: [3], by which the other
+        moves while t goes from 0 to 1. Options: neighbours=False, threads=1, max_seconds,
+        max_bytes."""
+        o = ffi.new("fmb_mesh_options *", {"size": ffi.sizeof("fmb_mesh_options")})
+        for name, value in options.items():
+            if name not in ("neighbours", "threads", "max_seconds", "max_bytes"):
+                raise ArgumentError(f"no option of meshes is called {name!r}")
+            setattr(o, name, value)
+        moving = ffi.new("double[3]", list(map(float, motion))) if motion is not None else NULL
+        o.motion = moving
+        answer = ffi.gc(ffi.new("fmb_mesh_answer *", {"size": ffi.sizeof("fmb_mesh_answer")}),
+                        lib.fmb_mesh_answer_clear)
+        need(lib.fmb_mesh_meet(self._m, other._m if other is not None else NULL, o, answer),
+             lambda: written(lib.fmb_mesh_options_trouble, o))
+        return Hits(answer)
+
+    def __repr__(self) -> str:
+        kind = "triangles" if lib.fmb_mesh_corners(self._m) == 3 else "tetrahedra"
+        return f"Mesh of {len(self)} {kind}"
+
+
+class Hits:
+    """Cells that meet: arrays `a`, `b`, `shared` (vertices in common), `how` (numbers of the words
+    in HOW); `hits`, the same as tuples; `stop`, "done" unless a limit was reached."""
+
+    def __init__(self, answer: Any):
+        n = int(answer.hits)
+        kind = np.dtype([("a", np.uint32), ("b", np.uint32), ("shared", np.intc),
+                         ("how", np.uintc)])
+        block = ffi.buffer(answer.hit, n * kind.itemsize) if n else b""
+        table = np.frombuffer(block, kind).copy()
+        self.a, self.b, self.shared, self.how = (table[name] for name in table.dtype.names)
+        self.tested = int(answer.tested)
+        self.stop = text(lib.fmb_stop_text(answer.stop))
+
+    @property
+    def hits(self) -> list[tuple[int, int, str]]:
+        """(a, b, how) of each."""
+        return [(int(a), int(b), HOW[how]) for a, b, how in zip(self.a, self.b, self.how)]
+
+    def __len__(self) -> int:
+        return len(self.a)
+
+    def __repr__(self) -> str:
+        return f"{len(self)} hits" + ("" if self.stop == "done" else f" ({self.stop})")

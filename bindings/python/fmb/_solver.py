@@ -1,0 +1,475 @@
+"""Solvers, sessions, and the questions."""
+
+from __future__ import annotations
+
+import contextlib
+import threading
+from math import gcd
+from typing import Any, Callable, Iterable, Iterator, Mapping, Sequence, Union
+
+from fmb._answers import (Answer, Box, Generators, Judgement, Optimum, Proof, Reduction,
+                          SystemAnswer)
+from fmb._lib import (NULL, ArgumentError, printed, Number, exact, ffi, in_main_thread, lib, made, need,
+                      parsed, text, written)
+from fmb._linear import Form, FormLike, Row
+from fmb._system import System, SystemLike, system
+
+Names = Union[str, Iterable[Any]]
+_FATES = {lib.FMB_FATE_UNKNOWN: "unknown", lib.FMB_FATE_KEPT: "kept",
+          lib.FMB_FATE_EQUALITY: "equality", lib.FMB_FATE_REDUNDANT: "redundant"}
+
+
+@ffi.def_extern()  # type: ignore[misc]
+def pyfmb_tell(self: Any, e: Any) -> None:
+    """An event of a query that is watched."""
+    watcher: Solver = ffi.from_handle(self)
+    watcher._tell(e)
+
+
+class Event:
+    """What a watched query tells: its kind, round, rows, seconds since it began, and `text`, the
+    JSON that `fmb --trace` writes."""
+
+    __slots__ = ("round", "rows", "seconds", "text")
+
+    def __init__(self, e: Any):
+        self.round = int(e.round)
+        self.rows = int(e.rows_out)
+        self.seconds = float(e.seconds)
+        self.text = printed(lib.fmb_event_print, e).rstrip("\n")
+
+    def __repr__(self) -> str:
+        return self.text
+
+
+class Solver:
+    """Options and workspace of queries; one thread's at a time.
+
+    Options have the names of the command's (`Solver.options()`): method="fm", rules="kohler",
+    max_seconds=10, max_rows, max_bytes, threads=2, ... The functions of this module take them, too:
+
+    >>> solve("x >= 1", max_seconds=1).feasible
+    True
+    """
+
+    def __init__(self, progress: Callable[[Event], None] | None = None, **options: Any):
+        o = ffi.new("fmb_options *", {"size": ffi.sizeof("fmb_options")})
+        self._texts = []  # the library borrows rules and presolve
+        for name, value in options.items():
+            word = ffi.new("char[]", _option(value).encode())
+            self._texts.append(word)
+            if lib.fmb_options_set(o, name.encode(), word) != lib.FMB_OK:
+                known = [info[0] for info in Solver.options()]
+                if name not in known:
+                    raise ArgumentError(f"no option is called {name!r}: {', '.join(known)}")
+                raise ArgumentError(f"{name}={value!r}: out of range, or no such word")
+        out = ffi.new("fmb_solver **")
+        need(lib.fmb_solver_new(o, NULL, out), lambda: written(lib.fmb_options_trouble, o))
+        self._v = ffi.gc(out[0], lib.fmb_solver_free)
+        self._progress = progress
+        self._raised: BaseException | None = None
+        self._result = ffi.sizeof("fmb_result")
+        if progress is not None:
+            self._handle = ffi.new_handle(self)
+            lib.fmb_solver_set_sink(self._v, {"put": lib.pyfmb_tell, "self": self._handle})
+
+    @staticmethod
+    def options() -> list[tuple[str, str, str, str]]:
+        """Every option: its name, its values, what it is by default, and its meaning."""
+        out: list[tuple[str, str, str, str]] = []
+        i = 0
+        while True:
+            info = lib.fmb_options_describe(i)
+            if info == NULL:
+                return out
+            out.append((text(info.name), text(info.values), text(info.initial), text(info.meaning)))
+            i += 1
+
+    def cancel(self) -> None:
+        """Ask a running query to stop soon; from any thread."""
+        lib.fmb_solver_cancel(self._v)
+
+    def _tell(self, e: Any) -> None:
+        try:
+            if self._progress is not None and self._raised is None:
+                self._progress(Event(e))
+        except BaseException as raised:  # pylint: disable=broad-except
+            self._raised = raised
+            lib.fmb_solver_cancel(self._v)
+
+    def _trouble(self) -> str:
+        return text(lib.fmb_solver_trouble(self._v))
+
+    def _ask(self, query: Callable[..., int], *arguments: Any) -> Any:
+        """One query; Ctrl-C ends it, and then raises KeyboardInterrupt as ever."""
+        result = ffi.new("fmb_result *", {"size": self._result})
+        watched = in_main_thread()
+        if watched:
+            lib.pyfmb_begin(self._v)
+        try:
+            status = query(self._v, *arguments, result)
+        finally:
+            if watched:
+                lib.pyfmb_end()
+        if self._raised is not None:
+            raised, self._raised = self._raised, None
+            raise raised
+        if status != lib.FMB_OK:
+            need(status, self._trouble)
+        return result
+
+    # ---- the questions -----------------------------------------------------------------------
+
+    def solve(self, rows: SystemLike) -> Answer:
+        """Is there a solution? A point, or rows in conflict."""
+        s = system(rows)
+        return Answer(self._v, s, self._ask(lib.fmb_solve, s._s))
+
+    def project(self, rows: SystemLike, keep: Names) -> SystemAnswer:
+        """The projection on the variables to keep: an irredundant system in canonical form."""
+        s, out = system(rows), ffi.new("fmb_system **")
+        var = sorted(set(_indices(s, keep)))
+        result = self._ask(lib.fmb_project, s._s, var if var else NULL, len(var), out)
+        return SystemAnswer(self._v, s, result, _system(out))
+
+    def eliminate(self, rows: SystemLike, drop: Names) -> SystemAnswer:
+        """The projection on all variables but those."""
+        s = system(rows)
+        gone = set(_indices(s, drop))
+        return self.project(s, [name for j, name in enumerate(s.names) if j not in gone])
+
+    def bounds(self, rows: SystemLike, of: Names | None = None) -> Box:
+        """The tightest interval of each variable."""
+        s, out = system(rows), ffi.new("fmb_box **")
+        var = _indices(s, of) if of is not None else None
+        result = self._ask(lib.fmb_bound, s._s, var if var else NULL, len(var) if var else 0, out)
+        return Box(self._v, s, result, out[0])
+
+    def optimize(self, rows: SystemLike, max: FormLike | None = None,  # pylint: disable=W0622
+                 min: FormLike | None = None) -> Optimum:
+        """The best value of a form; without one, of the objective that the system carries."""
+        s, out = system(rows), ffi.new("fmb_optimum **")
+        if max is not None or min is not None:
+            if max is not None and min is not None:
+                raise ArgumentError("give max or min, not both")
+            s = s.copy()
+            if max is not None:
+                s.maximize(max)
+            elif min is not None:
+                s.minimize(min)
+        result = self._ask(lib.fmb_optimize, s._s, NULL, out)
+        return Optimum(self._v, s, result, out[0])
+
+    def reduce(self, rows: SystemLike) -> Reduction:
+        """The same set by rows none of which the others imply."""
+        s, out = system(rows), ffi.new("fmb_system **")
+        fate = ffi.new("fmb_fate[]", len(s) + 1)
+        result = self._ask(lib.fmb_reduce, s._s, fate, out)
+        return Reduction(self._v, s, result, _system(out),
+                         [_FATES[fate[i]] for i in range(len(s))])
+
+    def vertices(self, rows: SystemLike) -> Generators:
+        """Vertices, rays and lines of the closure."""
+        s, out = system(rows), ffi.new("fmb_generators **")
+        return Generators(self._v, s, self._ask(lib.fmb_generate, s._s, out), out[0])
+
+    def hull(self, points: Any, rays: Any = (), lines: Any = (),
+             names: Sequence[str] | None = None) -> SystemAnswer:
+        """The convex hull of points, rays and lines: an irredundant system."""
+        g, out = _generators(points, rays, lines), ffi.new("fmb_system **")
+        result = self._ask(lib.fmb_hull, g, out)
+        answer = _system(out)
+        if answer is not None:
+            for j, name in enumerate(names or ()):
+                answer.rename(answer.names[j], name)
+        return SystemAnswer(self._v, answer or System(), result, answer)
+
+    # ---- images, sums, hulls of polyhedra ----------------------------------------------------
+
+    def image(self, rows: SystemLike, graph: Mapping[str, FormLike] | str | System) -> SystemAnswer:
+        """The image under a map, a form for the name of each coordinate; or under a relation."""
+        s = system(rows)
+        if not isinstance(graph, System):
+            graph = _graph(s, graph)
+        lift, out = ffi.new("fmb_system **"), ffi.new("fmb_system **")
+        result = self._ask(lib.fmb_image, s._s, graph._s, lift, out)
+        return SystemAnswer(self._v, _system(lift) or s, result, _system(out))
+
+    def sum(self, *polyhedra: SystemLike) -> SystemAnswer:
+        """The Minkowski sum: all sums of a point of each."""
+        return self._join(lib.fmb_sum, polyhedra)
+
+    def hull_of(self, *polyhedra: SystemLike) -> SystemAnswer:
+        """The closed convex hull of all of them together."""
+        return self._join(lib.fmb_hull_union, polyhedra)
+
+    def _join(self, query: Callable[..., int], polyhedra: Sequence[SystemLike]) -> SystemAnswer:
+        all_of = [system(p) for p in polyhedra]
+        lift, out = ffi.new("fmb_system **"), ffi.new("fmb_system **")
+        result = self._ask(query, [s._s for s in all_of], len(all_of), lift, out)
+        return SystemAnswer(self._v, _system(lift) or System(), result, _system(out))
+
+
+def _option(value: Any) -> str:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, (list, tuple)):
+        return ",".join(map(str, value))
+    return str(value)
+
+
+def _system(out: Any) -> System | None:
+    if out[0] == NULL:
+        return None
+    return System._of(ffi.gc(out[0], lib.fmb_system_free))
+
+
+def _indices(s: System, names: Names) -> list[int]:
+    if isinstance(names, str):
+        names = names.replace(",", " ").split()
+    return [name if isinstance(name, int) else s.index(getattr(name, "name", name))
+            for name in names]
+
+
+def _rows_of(points: Any) -> list[Any]:
+    return list(points.tolist() if hasattr(points, "tolist") else points)
+
+
+def _generators(points: Any, rays: Any, lines: Any) -> Any:
+    lists = [_rows_of(points), _rows_of(rays), _rows_of(lines)]
+    dims = {len(x) for some in lists for x in some}
+    if len(dims) > 1:
+        raise ArgumentError("points, rays and lines are not of one dimension")
+    rows = [f"{head} " + " ".join(str(exact(c)) for c in x)
+            for some, head in zip(lists, "100") for x in some]
+    first_line = len(lists[0]) + len(lists[1])
+    lines_at = " ".join(str(first_line + i + 1) for i in range(len(lists[2])))
+    head = f"linearity {len(lists[2])} {lines_at}\n" if lists[2] else ""
+    spelled = (f"V-representation\n{head}begin\n{len(rows)} {(dims.pop() if dims else 0) + 1} "
+               "rational\n" + "\n".join(rows) + "\nend\n").encode()
+    out, where = ffi.new("fmb_generators **"), ffi.new("fmb_where *")
+    parsed(lib.fmb_generators_parse(spelled, len(spelled), NULL, out, where), where)
+    return ffi.gc(out[0], lib.fmb_generators_free)
+
+
+def _graph(s: System, graph: Mapping[str, FormLike] | str) -> System:
+    if not isinstance(graph, str):
+        graph = "\n".join(f"{name} = {f if isinstance(f, (str, Form)) else exact(f)!s}"
+                          for name, f in graph.items())
+    data = graph.replace(";", "\n").encode()
+    out, where = ffi.new("fmb_system **"), ffi.new("fmb_where *")
+    parsed(lib.fmb_system_parse_graph(data, len(data), NULL, s._s, out, where), where)
+    return System._of(ffi.gc(out[0], lib.fmb_system_free))
+
+
+# ---- sessions --------------------------------------------------------------------------------
+
+
+class Session:
+    """A system that changes, and a solver that goes on from its last answer.
+
+    >>> s = Session("x >= 0; x <= 4")
+    >>> with s.pushed():
+    ...     row = s.add("x >= 5")
+    ...     s.solve().feasible
+    False
+    >>> s.solve().feasible
+    True
+    """
+
+    def __init__(self, rows: SystemLike = (), **options: Any):
+        self._solver = Solver(**options)
+        self._v = self._solver._v
+        start = system(rows)
+        need(lib.fmb_solver_load(self._v, start._s), self._solver._trouble)
+
+    @property
+    def system(self) -> System:
+        """A copy of the system as it is now."""
+        return System._of(made("fmb_system", lib.fmb_system_copy, self._now()))
+
+    def _now(self) -> Any:
+        return lib.fmb_solver_system(self._v)
+
+    def __len__(self) -> int:
+        return int(lib.fmb_system_rows(self._now()))
+
+    def _index(self, name: str) -> int:
+        j = lib.fmb_system_find(self._now(), name.encode())
+        return int(j) if j >= 0 else self.add_variable(name)
+
+    def add_variable(self, name: str | None = None) -> int:
+        """Append a variable."""
+        index = ffi.new("int *")
+        need(lib.fmb_solver_add_variable(self._v, name.encode() if name else NULL, index),
+             self._solver._trouble)
+        return int(index[0])
+
+    def add(self, row: Row | str) -> int:
+        """Append a row; its handle, which stays the same whatever rows come and go, is returned."""
+        one = system(row)
+        if len(one) != 1:
+            raise ArgumentError(f"{row!r} is {len(one)} rows: add one at a time")
+        terms = one[0]
+        size = 1
+        for c in (*terms.coefficients.values(), terms.right):
+            size = size * c.denominator // gcd(size, c.denominator)
+        var = {self._index(name): c * size for name, c in terms.coefficients.items()}
+        dim = lib.fmb_system_dim(self._now())
+        a = [int(var.get(j, 0)) for j in range(dim)]
+        relation = {"<=": lib.FMB_LE, "<": lib.FMB_LT, "=": lib.FMB_EQ}[terms.relation]
+        need(lib.fmb_solver_add_int(self._v, a, relation, int(terms.right * size)),
+             self._solver._trouble)
+        if terms.label is not None:
+            need(lib.fmb_solver_set_label(self._v, len(self) - 1, terms.label.encode()))
+        return int(lib.fmb_solver_last_row(self._v))
+
+    def remove(self, row: int) -> None:
+        """Remove the row of that handle."""
+        number = lib.fmb_solver_row_number(self._v, row)
+        need(lib.fmb_solver_remove(self._v, number), self._solver._trouble)
+
+    def set_right(self, row: int, right: float) -> None:
+        """Give the row of that handle another right side, in the direction in which it was given."""
+        number = lib.fmb_solver_row_number(self._v, row)
+        need(lib.fmb_solver_set_right(self._v, number, right), self._solver._trouble)
+
+    def push(self) -> None:
+        """Begin a level."""
+        need(lib.fmb_solver_push(self._v), self._solver._trouble)
+
+    def pop(self) -> None:
+        """End the last level: all is as it was when it began."""
+        need(lib.fmb_solver_pop(self._v), self._solver._trouble)
+
+    @contextlib.contextmanager
+    def pushed(self) -> Iterator[Session]:
+        """A level for as long as a `with` lasts."""
+        self.push()
+        try:
+            yield self
+        finally:
+            self.pop()
+
+    def solve(self) -> Answer:
+        """Is there a solution now?"""
+        return self._answer(Answer, lib.fmb_solve)
+
+    def bounds(self) -> Box:
+        """The tightest interval of each variable now."""
+        out = ffi.new("fmb_box **")
+        result = self._solver._ask(lib.fmb_bound, self._now(), NULL, 0, out)
+        return Box(self._v, self.system, result, out[0])
+
+    def _answer(self, kind: type[Answer], query: Callable[..., int]) -> Answer:
+        result = self._solver._ask(query, self._now())
+        return kind(self._v, self.system, result)
+
+    def __enter__(self) -> Session:
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        lib.fmb_solver_unload(self._v)
+
+
+# ---- functions of the module -----------------------------------------------------------------
+
+_default = threading.local()
+
+
+def _solver(options: dict[str, Any]) -> Solver:
+    """A solver of the options; of none, the one of this thread."""
+    if options:
+        return Solver(**options)
+    own: Solver | None = getattr(_default, "solver", None)
+    if own is None:
+        own = _default.solver = Solver()
+    return own
+
+
+def solve(rows: SystemLike, **options: Any) -> Answer:
+    """Is there a solution?
+
+    >>> solve("x + y <= 3; 2y < x - 4")
+    feasible: x = 0, y = -3
+    """
+    return _solver(options).solve(rows)
+
+
+def project(rows: SystemLike, keep: Names, **options: Any) -> SystemAnswer:
+    """The projection on some variables.
+
+    >>> project("x <= z; z <= y", "x y")
+    x - y <= 0
+    """
+    return _solver(options).project(rows, keep)
+
+
+def eliminate(rows: SystemLike, drop: Names, **options: Any) -> SystemAnswer:
+    """The projection on all variables but some."""
+    return _solver(options).eliminate(rows, drop)
+
+
+def bounds(rows: SystemLike, of: Names | None = None, **options: Any) -> Box:
+    """The tightest box."""
+    return _solver(options).bounds(rows, of)
+
+
+def optimize(rows: SystemLike, max: FormLike | None = None,  # pylint: disable=redefined-builtin
+             min: FormLike | None = None, **options: Any) -> Optimum:
+    """The best value of a form."""
+    return _solver(options).optimize(rows, max, min)
+
+
+def reduce(rows: SystemLike, **options: Any) -> Reduction:
+    """Without the rows that others imply.
+
+    >>> reduce("x >= 0; x >= -1; x <= 3").fates
+    ['kept', 'redundant', 'kept']
+    """
+    return _solver(options).reduce(rows)
+
+
+def vertices(rows: SystemLike, **options: Any) -> Generators:
+    """Vertices, rays and lines."""
+    return _solver(options).vertices(rows)
+
+
+def hull(points: Any, rays: Any = (), lines: Any = (), names: Sequence[str] | None = None,
+         **options: Any) -> SystemAnswer:
+    """The convex hull of points, rays and lines.
+
+    >>> hull([(0, 0), (2, 0), (0, 1)])
+    x1 + 2x2 <= 2; x2 >= 0; x1 >= 0
+    """
+    return _solver(options).hull(points, rays, lines, names)
+
+
+def image(rows: SystemLike, graph: Mapping[str, FormLike] | str | System,
+          **options: Any) -> SystemAnswer:
+    """The image under a map.
+
+    >>> image("0 <= x <= 1; 0 <= y <= 1", {"z": "x + 2y"})
+    z <= 3; z >= 0
+    """
+    return _solver(options).image(rows, graph)
+
+
+def sum(*polyhedra: SystemLike, **options: Any) -> SystemAnswer:  # pylint: disable=redefined-builtin
+    """The Minkowski sum.
+
+    >>> sum("0 <= x <= 1", "2 <= x <= 3")
+    x <= 4; x >= 2
+    """
+    return _solver(options).sum(*polyhedra)
+
+
+def hull_of(*polyhedra: SystemLike, **options: Any) -> SystemAnswer:
+    """The closed convex hull of polyhedra together."""
+    return _solver(options).hull_of(*polyhedra)
+
+
+def check(rows: SystemLike, proof: Proof | str) -> Judgement:
+    """Judge a proof about a system."""
+    s = system(rows)
+    return (Proof.parse(proof.to_text() if isinstance(proof, Proof) else proof, s)).check()

@@ -1,0 +1,47 @@
+"""run.py: every example in the package, and every test beside this file: run.py [PACKAGE]."""
+
+import doctest
+import importlib
+import pathlib
+import sys
+import unittest
+
+HERE = pathlib.Path(__file__).resolve().parent
+
+
+def loaded(name):
+    """A module of the package; None where it needs NumPy, which is not there."""
+    try:
+        return importlib.import_module(name)
+    except ModuleNotFoundError as e:
+        print(f"{name}: left out, {e}")
+        return None
+
+
+def examples(package):
+    """Examples of all modules; in each, the names of all are known."""
+    stems = sorted(path.stem for path in pathlib.Path(package).glob("*.py"))
+    names = ["fmb" if stem == "__init__" else f"fmb.{stem}" for stem in stems]
+    modules = [module for module in map(loaded, names) if module]
+    known = {}
+    for module in modules:
+        known.update(vars(module))
+    failed = asked = 0
+    for module in modules:
+        result = doctest.testmod(module, extraglobs={**known, **vars(module)})
+        failed, asked = failed + result.failed, asked + result.attempted
+    print(f"{asked} examples, {failed} failed")
+    return failed == 0 and asked > 0
+
+
+def main():
+    package = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else HERE.parent / "fmb").resolve()
+    sys.path[:0] = [str(package.parent), str(HERE)]
+    good = examples(package)
+    tests = unittest.defaultTestLoader.discover(str(HERE), pattern="test_*.py")
+    result = unittest.TextTestRunner(verbosity=1).run(tests)
+    sys.exit(0 if good and result.wasSuccessful() and result.testsRun > 0 else 1)
+
+
+if __name__ == "__main__":
+    main()
