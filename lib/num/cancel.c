@@ -100,11 +100,6 @@ static bool is_long(const mpz_t z)
     return mpz_sizeinbase(z, 2) > FMB_LONG_BITS;
 }
 
-static void clear_block(mpz_t *z, size_t n, fmb_mem *mem)
-{
-    fmb_vec_block_free(z, n, mem);
-}
-
 /* dst = p a + q b with p and q as k has them. Long products are written beside dst, which stays as
  * it was where that is broken off; entry i is read before it is written in any case, as dst may be
  * a. */
@@ -122,7 +117,7 @@ static fmb_status combine_in_gmp(fmb_vec *dst, const fmb_vec *a, const fmb_vec *
         st = takes_long ? fmb_poll_ask(&k->poll) : FMB_OK;
     }
     if (st != FMB_OK) {
-        clear_block(z, n, k->mem);
+        fmb_vec_block_free(z, n, k->mem);
         return st;
     }
     k->promotions += dst->z == NULL;

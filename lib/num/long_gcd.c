@@ -207,14 +207,18 @@ static void combine(mpz_t to, const mpz_t p, const mpz_t x, const mpz_t q, const
     mpz_addmul(to, q, y);
 }
 
-/* (a, b) becomes its product with the matrix, modulo 2^bits (0: not so). */
-static void multiply_pair(half_gcd *h, const transform *m, mpz_t a, mpz_t b, size_t bits)
+/* (a, b) becomes its product with the matrix, modulo 2^bits (0: not so). After an error
+ * neither is of use. */
+static fmb_status multiply_pair(half_gcd *h, const transform *m, mpz_t a, mpz_t b, size_t bits)
 {
     if (bits > 0) {
         mpz_fdiv_r_2exp(a, a, bits);
         mpz_fdiv_r_2exp(b, b, bits);
     }
     combine(h->s[0], m->at[0][0], a, m->at[0][1], b);
+    fmb_status st = bits_of(a) > FMB_LONG_BITS ? fmb_poll_ask(h->poll) : FMB_OK;
+    if (st != FMB_OK)
+        return st;
     combine(h->s[1], m->at[1][0], a, m->at[1][1], b);
     mpz_swap(a, h->s[0]);
     mpz_swap(b, h->s[1]);
@@ -222,13 +226,14 @@ static void multiply_pair(half_gcd *h, const transform *m, mpz_t a, mpz_t b, siz
         wrap(a, bits);
         wrap(b, bits);
     }
+    return FMB_OK;
 }
 
 /* m = by m */
-static void multiply_matrix(half_gcd *h, const transform *by, transform *m)
+static fmb_status multiply_matrix(half_gcd *h, const transform *by, transform *m)
 {
-    multiply_pair(h, by, m->at[0][0], m->at[1][0], 0);
-    multiply_pair(h, by, m->at[0][1], m->at[1][1], 0);
+    fmb_status st = multiply_pair(h, by, m->at[0][0], m->at[1][0], 0);
+    return st == FMB_OK ? multiply_pair(h, by, m->at[0][1], m->at[1][1], 0) : st;
 }
 
 static fmb_status halve(half_gcd *h, transform *m, mpz_t a, mpz_t b);
@@ -245,7 +250,7 @@ static fmb_status halve_leading_bits(half_gcd *h, transform *m, const mpz_t a, c
     mpz_tdiv_q_2exp(y, b, cut);
     fmb_status st = halve(h, &piece, x, y);
     if (st == FMB_OK)
-        multiply_matrix(h, &piece, m);
+        st = multiply_matrix(h, &piece, m);
     close_matrix(&piece);
     mpz_clears(x, y, NULL);
     return st;
@@ -269,7 +274,9 @@ static fmb_status halve(half_gcd *h, transform *m, mpz_t a, mpz_t b)
     if (st != FMB_OK)
         return st;
     size_t t = longest_entry(m), left = half > 2 * t ? half - t : t;
-    multiply_pair(h, m, a, b, left + (n - half) + SPARE_BITS);
+    st = multiply_pair(h, m, a, b, left + (n - half) + SPARE_BITS);
+    if (st != FMB_OK)
+        return st;
     put_in_order(m, a, b);
     t += bits_of(a) - bits_of(b);
     if (mpz_sgn(b) == 0 || t >= half)
@@ -293,7 +300,9 @@ static fmb_status shorten(half_gcd *h, mpz_t a, mpz_t b)
     if (st == FMB_OK) {
         mpz_set(x, a);
         mpz_set(y, b);
-        multiply_pair(h, &m, x, y, 0);
+        st = multiply_pair(h, &m, x, y, 0);
+    }
+    if (st == FMB_OK) {
         put_in_order(&m, x, y);
         st = fmb_poll_ask(h->poll);
     }
@@ -333,8 +342,12 @@ fmb_status fmb_long_gcd(mpz_t out, const mpz_t a, const mpz_t b, const fmb_poll 
     if (mpz_cmp(x, y) < 0)
         mpz_swap(x, y);
     fmb_status st = reduce_long_pair(&h, x, y);
+    if (st == FMB_OK) {
+        mpz_gcd(x, x, y);
+        st = fmb_poll_ask(poll);
+    }
     if (st == FMB_OK)
-        mpz_gcd(out, x, y);
+        mpz_swap(out, x);
     mpz_clears(x, y, h.s[0], h.s[1], NULL);
     return st;
 }

@@ -208,6 +208,38 @@ void fmb_vec_reduce_small(fmb_vec *v, size_t n)
     fmb_vec_measure(v, n);
 }
 
+/* k->t = the content of a wide vec, 0 of zeros. */
+static fmb_status content_of_wide(const fmb_vec *v, size_t n, fmb_num *k)
+{
+    fmb_status st = FMB_OK;
+    mpz_set_ui(k->t, 0);
+    for (size_t i = 0; st == FMB_OK && i < n && mpz_cmp_ui(k->t, 1) != 0; i++)
+        st = fmb_long_gcd(k->t, k->t, v->z[i], &k->poll);
+    return st;
+}
+
+/* A wide vec over k->t. By a long divisor that is done beside it, and it stays as it was where that
+ * is broken off. */
+static fmb_status divide_wide(fmb_vec *v, size_t n, fmb_num *k)
+{
+    bool apart = mpz_sizeinbase(k->t, 2) > FMB_LONG_BITS;
+    fmb_status st = FMB_OK;
+    if (mpz_cmp_ui(k->t, 1) <= 0)
+        return FMB_OK;
+    mpz_t *to = apart ? fmb_vec_block(n, k->mem) : v->z;
+    if (!to)
+        return fmb_mem_status(k->mem);
+    for (size_t i = 0; st == FMB_OK && i < n; i++) {
+        mpz_divexact(to[i], v->z[i], k->t);
+        st = apart ? fmb_poll_ask(&k->poll) : FMB_OK;
+    }
+    for (size_t i = 0; st == FMB_OK && apart && i < n; i++)
+        mpz_swap(v->z[i], to[i]);
+    if (apart)
+        fmb_vec_block_free(to, n, k->mem);
+    return st;
+}
+
 fmb_status fmb_vec_reduce(fmb_vec *v, size_t n, fmb_num *k)
 {
     if (!v->z) {
@@ -215,15 +247,12 @@ fmb_status fmb_vec_reduce(fmb_vec *v, size_t n, fmb_num *k)
         return k->wide_only ? fmb_vec_widen(v, n, k->mem) : FMB_OK;
     }
     size_t bits = 0;
-    fmb_status st = FMB_OK;
-    mpz_set_ui(k->t, 0);
-    for (size_t i = 0; st == FMB_OK && i < n && mpz_cmp_ui(k->t, 1) != 0; i++)
-        st = fmb_long_gcd(k->t, k->t, v->z[i], &k->poll);
+    fmb_status st = content_of_wide(v, n, k);
+    if (st == FMB_OK)
+        st = divide_wide(v, n, k);
     if (st != FMB_OK)
         return st;
     for (size_t i = 0; i < n; i++) {
-        if (mpz_cmp_ui(k->t, 1) > 0)
-            mpz_divexact(v->z[i], v->z[i], k->t);
         size_t b = mpz_sizeinbase(v->z[i], 2);
         bits = b > bits ? b : bits;
     }

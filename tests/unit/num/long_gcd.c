@@ -191,3 +191,42 @@ Test(long_gcd, rows_are_broken_off)
     fmb_num_clear(&num);
     cr_expect_eq(mem.used, 0);
 }
+
+/* Division of a row by its content, which is long, is broken off between any two entries: then the
+ * row is as it was. */
+Test(long_gcd, division_is_broken_off)
+{
+    enum { N = 3 };
+    fmb_mem mem;
+    fmb_num num;
+    int64_t words[N] = {0};
+    fmb_vec row = {.s = words};
+    mpz_t entry[N];
+    waiting all = {.limit = SIZE_MAX};
+    fmb_mem_init(&mem, NULL, 0);
+    cr_assert_eq(fmb_num_init(&num, &mem, N, false), FMB_OK);
+    mpz_urandomb(a, draw, 600000);
+    mpz_setbit(a, 600000);
+    for (int j = 0; j < N; j++) {
+        mpz_init(entry[j]);
+        mpz_urandomb(b, draw, 100);
+        mpz_mul(entry[j], a, b);
+    }
+    cr_assert_eq(fmb_vec_set_z(&row, N, entry, &mem), FMB_OK);
+    num.poll = (fmb_poll){ask, &all};
+    cr_assert_eq(fmb_vec_reduce(&row, N, &num), FMB_OK);
+    cr_assert_gt(all.asked, N);
+    for (size_t back = 0; back < N; back++) {
+        waiting w = {.limit = all.asked - back};
+        cr_assert_eq(fmb_vec_set_z(&row, N, entry, &mem), FMB_OK);
+        num.poll = (fmb_poll){ask, &w};
+        cr_expect_eq(fmb_vec_reduce(&row, N, &num), FMB_ERR_IO);
+        for (int j = 0; j < N; j++)
+            cr_expect_eq(mpz_cmp(row.z[j], entry[j]), 0, "%zu, %d", back, j);
+    }
+    for (int j = 0; j < N; j++)
+        mpz_clear(entry[j]);
+    fmb_vec_clear(&row, N, &mem);
+    fmb_num_clear(&num);
+    cr_expect_eq(mem.used, 0);
+}
