@@ -82,6 +82,13 @@ static void warn(void *self, const fmb_where *where)
         app_warn_at(place_in(app_file_shown(src->file), where), text);
 }
 
+fmb_status app_source_without_pairs(fmb_where *where)
+{
+    *where = (fmb_where){0};
+    snprintf(where->text, sizeof where->text, "expected pairs of frames, found none");
+    return FMB_ERR_PARSE;
+}
+
 int app_source_outcome(fmb_status st, const char *path, const fmb_where *where)
 {
     return app_source_outcome_of(APP_KIND_SYSTEM, st, path, where);

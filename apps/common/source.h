@@ -56,6 +56,8 @@ extern app_kind (*app_source_kind)(const char *path);
 int app_source_outcome(fmb_status st, const char *path, const fmb_where *where);
 /* The same of a reader of something else than systems. */
 int app_source_outcome_of(app_kind wanted, fmb_status st, const char *path, const fmb_where *where);
+/* FMB_ERR_PARSE, of a file that should have pairs of frames, and has none. */
+fmb_status app_source_without_pairs(fmb_where *where);
 
 /* The format FILE is in, as far as --format or its name tell, made one that can be written:
  * FMB_FORMAT_TEXT for all others. */

@@ -75,6 +75,7 @@ static int write_all(fmb_frame_reader *lines, const char *file)
     waiting *w = app_need(calloc(1, sizeof *w));
     fmb_where where = {0};
     fmb_status st, written = FMB_OK;
+    bool any = false;
     do {
         st = fmb_frame_reader_next(lines, &line, &where);
         if (st == FMB_OK && line && !line->are_doubles) {
@@ -85,7 +86,10 @@ static int write_all(fmb_frame_reader *lines, const char *file)
         }
         if (st == FMB_OK && line)
             written = put_pair(w, line->frame);
+        any = any || line;
     } while (st == FMB_OK && written == FMB_OK && line);
+    if (st == FMB_OK && !any)
+        st = app_source_without_pairs(&where);
     int cause = errno;
     if (written == FMB_OK)
         written = write_waiting_pairs(w);

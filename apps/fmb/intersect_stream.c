@@ -54,10 +54,8 @@ static int answer_stream(stream *s, intersect *x, FILE *in)
     }
     if (asked != FMB_OK)
         return app_status_error(asked);
-    if (st == FMB_OK && x->tested == 0 && !app_stop_asked()) {
-        snprintf(where.text, sizeof where.text, "expected pairs of frames, found none");
-        st = FMB_ERR_PARSE;
-    }
+    if (st == FMB_OK && x->tested == 0 && !app_stop_asked())
+        st = app_source_without_pairs(&where);
     return app_source_outcome_of(APP_KIND_FRAMES, st, x->ask->file, &where);
 }
 
