@@ -83,8 +83,8 @@ def by_meson():
     (folder / "subprojects").mkdir(parents=True, exist_ok=True)
     if not (folder / "subprojects/fmb").exists():
         (folder / "subprojects/fmb").symlink_to(root)
-    for language in ("c", "cpp"):
-        shutil.copy(examples / f"rows.{language}", folder)
+    for name in ("rows.c", "rows.cpp", "ring.h"):
+        shutil.copy(examples / name, folder)
     version = call("pkg-config", "--modversion", build / "meson-private/fmb.pc").strip()
     (folder / "meson.build").write_text(MESON.replace("@VERSION@", version))
     inside = folder / "inside"

@@ -1,30 +1,21 @@
-/* rows.c: 20,000 rows in at once, a projection out as doubles, and a point or the rows in conflict:
+/* rows.c: 20,000 rows in at once, a point or the rows in conflict, a projection out as doubles:
  * cc rows.c -o rows $(pkg-config --cflags --libs fmb). Takes the right side of the last row. */
 #include <fmb/fmb.h>
-#include <stdlib.h>
 
-enum { ROWS = 20000, DIM = 100 };
+#include "ring.h"
 
 int main(int argc, char **argv)
 {
-    static size_t start[ROWS + 1], n;
-    static int var[2 * ROWS], keep[] = {0, DIM / 2, DIM - 1};
-    static double coef[2 * ROWS], b[ROWS], x[DIM];
-    for (int i = 0; i < ROWS; i++) { /* a variable is at most b beyond the next in the ring */
-        start[i + 1] = 2 * (size_t)i + 2;
-        var[2 * i] = i % DIM;
-        var[2 * i + 1] = (i + 1) % DIM;
-        coef[2 * i] = 1;
-        coef[2 * i + 1] = -1;
-        b[i] = i < DIM - 1 ? 0 : i < ROWS - 1 ? i : argc > 1 ? atof(argv[1]) : 5;
-    }
     fmb_system *s = NULL, *image = NULL;
     fmb_solver *v = NULL;
     fmb_matrix *m = NULL;
     fmb_result r = {.size = sizeof r};
+    double x[DIM];
+    size_t n = 0;
+    make_ring(argc, argv);
     bool failed = fmb_system_new(DIM, NULL, &s) || fmb_solver_new(NULL, NULL, &v) ||
                   fmb_system_add_rows(s, ROWS, start, var, coef, NULL, b) ||
-                  fmb_project(v, s, keep, 3, &image, NULL) || fmb_system_matrix(image, &m) ||
+                  fmb_project(v, s, kept, 3, &image, NULL) || fmb_system_matrix(image, &m) ||
                   fmb_solve(v, s, &r) ||
                   (r.verdict == FMB_FEASIBLE ? fmb_solver_point(v, x) : fmb_solver_conflict(v, &n));
     if (failed)
