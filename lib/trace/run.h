@@ -82,6 +82,11 @@ void fmb_run_reserve(fmb_run *run);
 /* After a limit: go on, with the time that was kept; false after a cancel, as then nothing goes on.
  */
 bool fmb_run_go_on(fmb_run *run);
+/* Is there any limit but a cancel? */
+static inline bool fmb_run_is_limited(const fmb_run *run)
+{
+    return run->deadline > 0 || run->max_rows > 0 || run->mem->limit > 0;
+}
 /* Note that `rows` rows are alive: keeps the peak, checks the limit. */
 fmb_status fmb_run_rows(fmb_run *run, size_t rows);
 

@@ -61,11 +61,15 @@ typedef struct fmb_support {
     fmb_facets hull;              /* of (1, x) and (0, x) */
     fmb_tight *tight;             /* or NULL */
     fmb_known *known;             /* or NULL */
-    bool begun;
-    size_t equations;     /* these of the hull stand */
+    bool begun, ended;            /* ended: by an error, so that nothing more may be asked */
+    size_t equations;             /* these of the hull stand */
     size_t at;            /* the facet to begin with when looking for one that does not stand */
     fmb_support_row *row; /* [rows] proved */
     size_t rows, row_capacity;
+    bool asks_ends;       /* of the coordinates, before facets */
+    size_t ends_asked;    /* so many of 2 k */
+    fmb_support_row *end; /* [ends] proved; NULL: none was asked about */
+    size_t ends;
     fmb_integers g;      /* scratch: [k + 1] a point or ray of the projection */
     fmb_integers *point; /* [points] of proofs: x[0..n) over x[n], or with x[n] = 0 a direction, of
                             the closure; their shadows are generators of the hull */
@@ -91,6 +95,15 @@ static inline void fmb_support_allow_symmetry(fmb_support *s, const fmb_program 
 /* All columns are kept, and no proofs are wanted: a facet that is a row of p, the program, stands
  * without a query, and is not told. p has no strict rows. Errors: MEMORY, LIMIT. */
 fmb_status fmb_support_know_rows(fmb_support *s, const fmb_program *p);
+
+/* Before facets, ask how far the projection goes along its coordinates: those rows hold whatever
+ * comes, and points so far out make the hull large at once. */
+static inline void fmb_support_ask_ends_first(fmb_support *s)
+{
+    s->asks_ends = true;
+}
+/* Ends become rows, too: at a limit. Errors: MEMORY, LIMIT. */
+fmb_status fmb_support_keep_ends(fmb_support *s);
 
 /* Images of rows whose facets the hull has not come to yet become rows, too: at a limit. Errors:
  * MEMORY, LIMIT: the rows that there are hold. */

@@ -22,6 +22,7 @@ void fmb_support_clear(fmb_support *s)
     fmb_support_close_tight(s);
     fmb_support_forget_symmetry(s);
     fmb_support_forget_rows(s);
+    fmb_support_forget_ends(s);
     for (size_t i = 0; i < s->rows; i++)
         fmb_support_drop(&s->row[i], mem);
     fmb_mem_put(mem, s->row, s->row_capacity, sizeof *s->row);
@@ -192,6 +193,8 @@ static fmb_status ask_next_question(fmb_support *s, bool *done)
         st = fmb_support_find_symmetry(s);
     if (st != FMB_OK)
         return st;
+    if (s->asks_ends && s->ends_asked < 2 * s->k)
+        return fmb_support_ask_about_end(s);
     if (s->equations < f->d - f->rank)
         return ask_about_equation(s);
     st = find_open_facet(s, &at);
@@ -211,5 +214,6 @@ fmb_status fmb_support_ask(fmb_support *s, uint64_t pairs, bool *done)
     while (st == FMB_OK && !*done && (pairs == 0 || s->hull.pairs - first < pairs) &&
            (s->most == 0 || s->hull.generators <= s->most))
         st = ask_next_question(s, done);
+    s->ended = st != FMB_OK;
     return st;
 }

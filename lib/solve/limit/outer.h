@@ -38,6 +38,10 @@ fmb_status fmb_outer_rows(fmb_query *q, const fmb_part *p, fmb_elim *e, const in
 fmb_status fmb_outer_projection(fmb_query *q, int part, const int *place, fmb_system *out,
                                 fmb_verdict *verdict);
 
+/* Of rows of out from number first on that are multiples of each other the tightest is left; all
+ * claims stay. Errors: MEMORY. */
+fmb_status fmb_outer_drop_parallel_rows(fmb_query *q, fmb_system *out, size_t first);
+
 /* Give back the memory of oracles, and of the arena since it was filled as far as that: before the
  * functions about all parts. */
 void fmb_outer_release(fmb_query *q, fmb_arena_place place);

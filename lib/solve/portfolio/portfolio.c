@@ -366,7 +366,6 @@ static fmb_status take_turns(part_run *r)
 static fmb_status run_portfolio(part_run *r)
 {
     bool by_rays = r->q->v->options.method == FMB_METHOD_DD;
-    size_t rows = fmb_system_rows(r->out);
     fmb_status st = fmb_reduced_part_open(&r->reduced, r->q, r->part, r->place, r->feasible);
     if (is_open(st, r))
         st = fmb_ray_projection_open(&r->reduced, &r->rays);
@@ -380,11 +379,10 @@ static fmb_status run_portfolio(part_run *r)
     }
     if (is_open(st, r))
         st = take_turns(r);
-    fmb_status kept = FMB_OK;
-    if (st == FMB_LIMIT && r->queries && fmb_system_rows(r->out) == rows)
-        kept = fmb_queries_keep(r->queries, r->out);
     fmb_ray_projection_close(r->rays);
     fmb_reduced_part_close(&r->reduced);
+    fmb_status kept =
+        st == FMB_LIMIT && r->queries ? fmb_queries_finish(r->queries, r->out) : FMB_OK;
     fmb_queries_close(r->queries);
     return kept != FMB_OK ? kept : st;
 }

@@ -178,6 +178,8 @@ fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, fmb_querie
                           q->program[part].any_strict, q->claims != NULL);
     if (st == FMB_OK)
         st = allow_symmetries(h);
+    if (fmb_run_is_limited(&q->run))
+        fmb_support_ask_ends_first(&h->s);
     if (st == FMB_OK && q->run.threads > 1 && !q->session)
         st = fmb_support_hire(&h->s, &q->program[part]);
     return st;
@@ -195,16 +197,19 @@ void fmb_queries_close(fmb_queries *h)
     fmb_mem_put(mem, h, 1, sizeof *h);
 }
 
-/* Points as claims: so much of the projection is known from within. */
-fmb_status fmb_queries_keep(fmb_queries *h, fmb_system *out)
+/* Put out what is proved so far, and points as claims: so much of the projection is known from
+ * within. */
+static fmb_status keep_what_is_proved(fmb_queries *h, fmb_system *out)
 {
     if (!h->begun)
         return FMB_OK;
     fmb_facets_clear(&h->s.hull); /* what is put out needs memory, too */
     fmb_status st = fmb_support_keep_images(&h->s);
+    if (st == FMB_OK)
+        st = fmb_support_keep_ends(&h->s);
     if (st == FMB_OK || st == FMB_LIMIT)
         st = put_all_support_rows(h, out);
-    h->q->inner = has_inner_points(h);
+    h->q->glanced = true;
     return st == FMB_OK ? claim_inner_points(h) : st;
 }
 
@@ -264,28 +269,64 @@ fmb_status fmb_queries_run(fmb_queries *h, uint64_t pairs, fmb_system *out, bool
     if (put != FMB_OK)
         return put;
     fmb_facets_clear(&h->s.hull);
-    put = st == FMB_LIMIT ? fmb_queries_keep(h, out) : put_all_support_rows(h, out);
+    put = st == FMB_LIMIT ? keep_what_is_proved(h, out) : put_all_support_rows(h, out);
     return put == FMB_OK ? st : put;
 }
+
+/* ---- behind a limit -------------------------------------------------------------------------- */
 
 /* Pairs of facets where no clock ends a glance: so many go with dozens of queries. The last query
  * may take as many again, but not all that the images of one point by symmetries could. */
 #define PAIRS_OF_GLANCE ((uint64_t)1 << 12)
 
+/* Ask on, and put out what is proved. The query has gone on. */
+static fmb_status glance_and_keep(fmb_queries *h, fmb_system *out)
+{
+    bool done;
+    uint64_t pairs = h->q->run.deadline > 0 ? 0 : PAIRS_OF_GLANCE;
+    h->s.hull.most_pairs = pairs > 0 ? h->s.hull.pairs + 2 * pairs : 0;
+    fmb_support_ask_ends_first(&h->s);
+    fmb_status st = h->k > 0 ? fmb_support_ask(&h->s, pairs, &done) : FMB_OK;
+    return st == FMB_OK || st == FMB_LIMIT ? keep_what_is_proved(h, out) : st;
+}
+
+/* May anything follow? Then *why is what the query ended for, and will have ended for again. */
+static bool go_on_behind_limit(fmb_query *q, fmb_stop *why)
+{
+    *why = q->run.stop;
+    return fmb_run_go_on(&q->run);
+}
+
+static void end_as_before(fmb_query *q, fmb_stop why)
+{
+    q->run.stop = q->run.stop == FMB_STOP_CANCELLED ? FMB_STOP_CANCELLED : why;
+}
+
+fmb_status fmb_queries_finish(fmb_queries *h, fmb_system *out)
+{
+    fmb_stop why;
+    if (!h->begun || h->q->glanced)
+        return FMB_OK;
+    if (h->s.ended || !go_on_behind_limit(h->q, &why))
+        return keep_what_is_proved(h, out);
+    fmb_status st = glance_and_keep(h, out);
+    end_as_before(h->q, why);
+    return st == FMB_LIMIT ? FMB_OK : st;
+}
+
 fmb_status fmb_queries_glance(fmb_query *q, int part, const int *place, fmb_system *out)
 {
-    bool feasible, done;
+    bool feasible;
     fmb_queries *h;
-    uint64_t pairs = q->run.deadline > 0 ? 0 : PAIRS_OF_GLANCE;
+    fmb_stop why;
+    if (!go_on_behind_limit(q, &why))
+        return FMB_OK;
     fmb_status st = fmb_queries_open(q, part, place, &h, &feasible);
-    bool asked = st == FMB_OK && feasible && h->k > 0;
-    if (asked) {
-        h->s.hull.most_pairs = 2 * pairs;
-        st = fmb_support_ask(&h->s, pairs, &done);
-    }
-    if (asked && (st == FMB_OK || st == FMB_LIMIT))
-        st = fmb_queries_keep(h, out);
+    if (st == FMB_OK && feasible)
+        st = glance_and_keep(h, out);
     fmb_queries_close(h);
+    fmb_query_close_oracle(q, part);
+    end_as_before(q, why);
     return st == FMB_LIMIT ? FMB_OK : st;
 }
 

@@ -13,17 +13,18 @@ typedef struct fmb_queries fmb_queries;
  * not NULL. Errors: MEMORY, LIMIT, here and below. */
 fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, fmb_queries **out,
                             bool *feasible);
-/* At a limit that something else has come to: put out what is proved so far, and points as claims.
- * Errors: MEMORY. Then close it. */
-fmb_status fmb_queries_keep(fmb_queries *h, fmb_system *out);
+/* At a limit that something else has come to: ask on, for the time that was kept or a few queries,
+ * unless it is a cancel; and put out what is proved, with points as claims. Errors: MEMORY. Then
+ * close it. */
+fmb_status fmb_queries_finish(fmb_queries *h, fmb_system *out);
 void fmb_queries_close(fmb_queries *h);
 
 /* Go on until the hull has looked at so many pairs of facets, 0: to the end. *done: the projection
  * has been appended to out; else nothing, but at a limit (LIMIT) the rows that are proved. */
 fmb_status fmb_queries_run(fmb_queries *h, uint64_t pairs, fmb_system *out, bool *done);
 
-/* After a limit, by queries of its own: what rows and points the time left allows, or a few. *out
- * may stay as it is. Errors: MEMORY. */
+/* The same by queries of its own, after a limit that came before any; *out may stay as it is.
+ * Errors: MEMORY. */
 fmb_status fmb_queries_glance(fmb_query *q, int part, const int *place, fmb_system *out);
 
 /* All at once. */

@@ -50,7 +50,7 @@ fmb_status fmb_empty_set(const fmb_system *like, const int *keep, int n, fmb_sys
 /* What is known of the parts when a limit has cut a projection short. */
 typedef struct progress {
     int part;    /* the one at hand, or the first */
-    bool begun;  /* rows of it were put out */
+    size_t rows; /* of those before it */
     bool points; /* those of it can be told: of all parts a solution is known, or none is wanted */
 } progress;
 
@@ -104,11 +104,10 @@ static fmb_status project_all_parts(fmb_query *q, const int *place, fmb_system *
         return st;
     at->points = true;
     for (int c = 0; feasible && c < q->parts.count; c++) {
-        size_t rows = fmb_system_rows(out);
         at->part = c;
-        q->inner = false;
+        at->rows = fmb_system_rows(out);
+        q->glanced = false;
         st = fmb_query_project_part(q, c, place, out, &feasible);
-        at->begun = fmb_system_rows(out) > rows; /* those need not be found again */
         if (st != FMB_OK)
             return st;
     }
@@ -116,30 +115,20 @@ static fmb_status project_all_parts(fmb_query *q, const int *place, fmb_system *
     return FMB_OK;
 }
 
-/* Rows and points, by support queries. */
-static fmb_status glance_at_part(fmb_query *q, int part, const int *place, fmb_system *out)
-{
-    fmb_stop why = q->run.stop;
-    if (!fmb_run_go_on(&q->run))
-        return FMB_OK;
-    fmb_status st = fmb_queries_glance(q, part, place, out);
-    fmb_query_close_oracle(q, part);
-    q->run.stop = q->run.stop == FMB_STOP_CANCELLED ? FMB_STOP_CANCELLED : why;
-    return st;
-}
-
-/* So much of the projection is known from outside and, after queries, from within. */
+/* So much of the projection is known from outside and, after queries, from within: what bounds its
+ * variables at once, for which no limit is too tight, and what was proved on the way. */
 static fmb_status put_parts_at_limit(fmb_query *q, const progress *at, const int *place,
                                      fmb_system *out, fmb_verdict *verdict)
 {
     fmb_status st = FMB_OK;
     for (int c = at->part; st == FMB_OK && *verdict != FMB_INFEASIBLE && c < q->parts.count; c++) {
-        size_t rows = fmb_system_rows(out);
-        bool begun = c == at->part && at->begun;
-        if (at->points && !(begun && q->inner))
-            st = glance_at_part(q, c, place, out);
-        if (st == FMB_OK && !begun && fmb_system_rows(out) == rows)
-            st = fmb_outer_projection(q, c, place, out, verdict);
+        size_t first = c == at->part ? at->rows : fmb_system_rows(out);
+        st = fmb_outer_projection(q, c, place, out, verdict);
+        if (st == FMB_OK && *verdict != FMB_INFEASIBLE && at->points &&
+            !(c == at->part && q->glanced))
+            st = fmb_queries_glance(q, c, place, out);
+        if (st == FMB_OK && *verdict != FMB_INFEASIBLE)
+            st = fmb_outer_drop_parallel_rows(q, out, first);
     }
     return st;
 }

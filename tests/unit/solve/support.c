@@ -192,7 +192,7 @@ static bool cut_short(const fmb_system *s, int programs, size_t *rows, size_t *p
     cr_assert(j.accepted || fmb_evidence_claims(e) == 0, "claim %zu: %s", j.claim, j.reason);
     *rows = fmb_system_rows(out);
     *points = count_claims(e, FMB_CLAIM_FEASIBLE);
-    cr_assert_eq(count_claims(e, FMB_CLAIM_IMPLIED), *rows);
+    cr_assert_geq(count_claims(e, FMB_CLAIM_IMPLIED), *rows);
     fmb_evidence_free(e);
     fmb_system_free(out);
     fmb_solver_free(v);

@@ -1,0 +1,77 @@
+/* outer_parallel.c: of parallel rows of an outer projection the tightest is left; see outer.h.
+ *
+ * What bounds a variable at once, what an elimination came to and what support queries proved may
+ * say the same, or less.
+ */
+#include "lp/redundancy/parallel_rows.h"
+#include "solve/limit/outer.h"
+#include "system/system_private.h"
+
+/* More rows stay as they are. */
+#define MOST_ROWS ((size_t)1 << 14)
+
+/* A row of the answer with all of its columns: v[n + 1]. */
+static fmb_status write_dense_row(const fmb_sysrow *r, size_t n, mpz_t *z, fmb_vec *v, fmb_mem *mem)
+{
+    for (size_t k = 0; k <= r->nnz; k++)
+        fmb_vec_get(&r->val, k, z[k < r->nnz ? (size_t)r->var[k] : n]);
+    fmb_status st = fmb_vec_set_z(v, n + 1, z, mem);
+    for (size_t k = 0; k <= r->nnz; k++)
+        mpz_set_ui(z[k < r->nnz ? (size_t)r->var[k] : n], 0);
+    return st;
+}
+
+/* The query has ended, so it is not asked whether to go on. */
+static fmb_status decide_parallel_rows(fmb_query *q, size_t n, size_t m, const fmb_lp_row *row,
+                                       fmb_fate *fate)
+{
+    fmb_run run = q->run;
+    atomic_int never;
+    atomic_init(&never, 0);
+    run.cancel = &never;
+    run.stop = FMB_STOP_DONE;
+    run.deadline = 0;
+    return fmb_drop_parallel_rows(&run, n, m, row, fate, NULL);
+}
+
+static fmb_status find_parallel_rows(fmb_query *q, const fmb_system *out, size_t first, size_t m,
+                                     fmb_fate *fate)
+{
+    fmb_arena *arena = &q->v->arena;
+    size_t n = (size_t)fmb_system_dim(out), made = 0;
+    fmb_vec *v = fmb_arena_get(arena, m, sizeof *v);
+    int64_t *words = fmb_arena_get(arena, m * (n + 1), sizeof *words);
+    fmb_lp_row *row = fmb_arena_get(arena, m, sizeof *row);
+    mpz_t *z = fmb_vec_block(n + 1, q->run.mem);
+    fmb_status st = v && words && row && z ? FMB_OK : fmb_mem_status(q->run.mem);
+    for (; st == FMB_OK && made < m; made++) {
+        v[made] = (fmb_vec){.s = words + made * (n + 1)};
+        row[made] = (fmb_lp_row){&v[made], fmb_system_row(out, first + made)->rel};
+        st = write_dense_row(fmb_system_row(out, first + made), n, z, &v[made], q->run.mem);
+    }
+    if (st == FMB_OK)
+        st = decide_parallel_rows(q, n, m, row, fate);
+    for (size_t i = 0; i < made; i++)
+        fmb_vec_clear(&v[i], n + 1, q->run.mem);
+    fmb_vec_block_free(z, n + 1, q->run.mem);
+    return st;
+}
+
+fmb_status fmb_outer_drop_parallel_rows(fmb_query *q, fmb_system *out, size_t first)
+{
+    size_t m = fmb_system_rows(out) - first;
+    fmb_arena_place place = fmb_arena_tell(&q->v->arena);
+    if (m < 2 || m > MOST_ROWS)
+        return FMB_OK;
+    fmb_fate *fate = fmb_arena_get(&q->v->arena, m, sizeof *fate);
+    if (!fate)
+        return fmb_mem_status(q->run.mem) == FMB_LIMIT ? FMB_OK : FMB_ERR_MEMORY;
+    for (size_t i = 0; i < m; i++)
+        fate[i] = FMB_FATE_UNKNOWN;
+    fmb_status st = find_parallel_rows(q, out, first, m, fate);
+    for (size_t i = m; i-- > 0;)
+        if (fate[i] == FMB_FATE_REDUNDANT)
+            fmb_system_remove(out, first + i);
+    fmb_arena_rewind(&q->v->arena, place);
+    return st == FMB_LIMIT ? FMB_OK : st;
+}
