@@ -53,6 +53,7 @@ void fmb_oracle_free(fmb_oracle *o)
     fmb_integers_clear(&o->point, mem);
     fmb_mem_put(mem, o->hint, o->n, sizeof *o->hint);
     fmb_mem_put(mem, o->price, o->n, sizeof *o->price);
+    fmb_mem_put(mem, o->lean, o->n, sizeof *o->lean);
     mpz_clears(o->cost_unit, o->point_den, NULL);
     fmb_mem_put(mem, o, 1, sizeof *o);
 }
@@ -100,7 +101,7 @@ static fmb_status refine_guess(fmb_oracle *o, double scale, fmb_hint *h)
         right[i] = fmb_vertex_holds(v, i) ? 0 : scale * fmb_vertex_slack(v, i);
     fmb_backend_place(o->backend, v->basis);
     fmb_backend_shift(o->backend, right);
-    fmb_status st = fmb_backend_search(o->backend, h);
+    fmb_status st = fmb_backend_search(o->backend, NULL, h);
     fmb_backend_shift(o->backend, NULL);
     fmb_mem_put(o->run->mem, right, v->m, sizeof *right);
     return st;
@@ -118,7 +119,7 @@ static fmb_status try_conflict(fmb_oracle *o, fmb_hint *h, fmb_pivot_walk_end *e
         st = fmb_refined_farkas(&o->v, h->odd, &o->w.sign, &sure);
     if (st == FMB_OK && is_long && !sure) {
         fmb_backend_sharpen(o->backend);
-        st = fmb_backend_search(o->backend, h);
+        st = fmb_backend_search(o->backend, NULL, h);
         if (st == FMB_OK)
             st = fmb_vertex_set(&o->v, o->hint);
         if (st == FMB_OK && h->kind == FMB_HINT_INFEASIBLE)
@@ -162,7 +163,7 @@ fmb_status fmb_closure_guess(fmb_oracle *o, fmb_hint *h)
 {
     *h = (fmb_hint){.basis = o->hint};
     fmb_status st = need_backend(o);
-    return st == FMB_OK ? fmb_backend_search(o->backend, h) : st;
+    return st == FMB_OK ? fmb_backend_search(o->backend, o->leans ? o->lean : NULL, h) : st;
 }
 
 /* The closure of the rows: a vertex or a conflict. */

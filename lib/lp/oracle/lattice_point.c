@@ -36,7 +36,7 @@ static fmb_status try_rounded(fmb_oracle *o, int finest, bool *found)
 static fmb_status move_in_and_search(fmb_oracle *o, int fine, fmb_hint *h, bool *found)
 {
     fmb_backend_move_in(o->backend, ldexp(1, -fine));
-    fmb_status st = fmb_backend_search(o->backend, h);
+    fmb_status st = fmb_backend_search(o->backend, NULL, h);
     if (st == FMB_OK && h->kind == FMB_HINT_OPTIMUM)
         st = try_rounded(o, fine, found);
     fmb_backend_shift(o->backend, NULL);

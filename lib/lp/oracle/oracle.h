@@ -26,6 +26,9 @@ const fmb_program *fmb_oracle_program(const fmb_oracle *o);
 
 /* Is there a solution? If so fmb_oracle_point reads it, else fmb_oracle_conflict says why not. */
 fmb_status fmb_oracle_feasible(fmb_oracle *o, bool *feasible);
+/* The next search for a solution goes where cost.x is large, as somebody is going to maximize it.
+ * Errors: MEMORY, LIMIT. */
+fmb_status fmb_oracle_lean(fmb_oracle *o, const fmb_weights *cost);
 /* Has a solution been found since rows changed? */
 bool fmb_oracle_has_solution(const fmb_oracle *o);
 

@@ -1,6 +1,8 @@
 /* oracle_ask.c: what an oracle is asked: what is plain, then the closure, then strict rows; see
  * oracle.h.
  */
+#include <string.h>
+
 #include "base/ways.h"
 #include "lp/oracle/oracle_state.h"
 
@@ -55,6 +57,19 @@ static fmb_status search_for_point(fmb_oracle *o, bool *feasible)
     return st;
 }
 
+fmb_status fmb_oracle_lean(fmb_oracle *o, const fmb_weights *cost)
+{
+    if (!o->lean)
+        o->lean = fmb_mem_get(o->run->mem, o->n, sizeof *o->lean);
+    if (!o->lean)
+        return fmb_mem_status(o->run->mem);
+    memset(o->lean, 0, o->n * sizeof *o->lean);
+    for (size_t k = 0; k < cost->size; k++)
+        o->lean[cost->index[k]] = mpq_get_d(cost->value[k]);
+    o->leans = true;
+    return FMB_OK;
+}
+
 fmb_status fmb_oracle_feasible(fmb_oracle *o, bool *feasible)
 {
     bool found = is_origin_a_solution(o->p);
@@ -67,6 +82,7 @@ fmb_status fmb_oracle_feasible(fmb_oracle *o, bool *feasible)
         st = try_last_point(o, &found);
     if (st == FMB_OK && !found)
         st = search_for_point(o, &found);
+    o->leans = false;
     if (st != FMB_OK)
         return st;
     o->has_point = o->has_point || found;

@@ -27,6 +27,8 @@ struct fmb_oracle {
     fmb_integers cost; /* [n] the last cost, times cost_unit */
     mpz_t cost_unit;
     double *price;      /* [n] roughly the cost */
+    double *lean;       /* [n] roughly what the next search leans to, or NULL: not asked yet */
+    bool leans;         /* it does */
     bool feasible;      /* known */
     bool has_point;     /* point is some point, found for these rows or for others */
     fmb_integers point; /* [n], over point_den: a solution, strict rows included */

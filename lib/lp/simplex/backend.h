@@ -29,8 +29,9 @@ typedef struct fmb_hint {
 fmb_status fmb_backend_open(fmb_run *run, const fmb_program *p, fmb_backend **out);
 void fmb_backend_close(fmb_backend *d);
 
-/* Is there a solution? From where the last call ended. Errors: MEMORY, LIMIT. */
-fmb_status fmb_backend_search(fmb_backend *d, fmb_hint *h);
+/* Is there a solution? From where the last call ended. lean[n]: rather one where lean.x is large;
+ * NULL: any. Errors: MEMORY, LIMIT. */
+fmb_status fmb_backend_search(fmb_backend *d, const double *lean, fmb_hint *h);
 /* Where is cost.x greatest, cost[n]? From where the last call ended; INFEASIBLE is possible. */
 fmb_status fmb_backend_maximize(fmb_backend *d, const double *cost, fmb_hint *h);
 

@@ -52,26 +52,29 @@ fmb_status fmb_backend_open(fmb_run *run, const fmb_program *p, fmb_backend **ou
     return fmb_backend_open_with(run, p, &fmb_backend_revised_simplex, out);
 }
 
-static fmb_status ask_backend(fmb_backend *d, const double *cost, fmb_hint *h)
+/* What is late, and rows that are new. */
+static fmb_status catch_up(fmb_backend *d, fmb_hint *h)
 {
     fmb_status st = d->late == FMB_OK ? fmb_backend_grow(d) : d->late;
     d->late = FMB_OK;
     h->kind = FMB_HINT_NONE;
-    if (st != FMB_OK)
-        return st;
-    return cost ? d->side->maximize(d->self, cost, h) : d->side->search(d->self, h);
+    return st;
 }
 
-fmb_status fmb_backend_search(fmb_backend *d, fmb_hint *h)
+fmb_status fmb_backend_search(fmb_backend *d, const double *lean, fmb_hint *h)
 {
-    return ask_backend(d, NULL, h);
+    bool leans = lean && fmb_scaled_program_scale_cost(&d->scaled, lean, d->cost);
+    fmb_status st = catch_up(d, h);
+    return st == FMB_OK ? d->side->search(d->self, leans ? d->cost : NULL, h) : st;
 }
 
 fmb_status fmb_backend_maximize(fmb_backend *d, const double *cost, fmb_hint *h)
 {
     bool is_finite = fmb_scaled_program_scale_cost(&d->scaled, cost, d->cost);
-    fmb_status st = ask_backend(d, is_finite ? d->cost : NULL, h);
-    h->kind = is_finite ? h->kind : FMB_HINT_NONE;
+    fmb_status st = is_finite ? catch_up(d, h) : fmb_backend_search(d, NULL, h);
+    if (st == FMB_OK && is_finite)
+        return d->side->maximize(d->self, d->cost, h);
+    h->kind = FMB_HINT_NONE;
     return st;
 }
 

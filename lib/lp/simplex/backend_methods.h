@@ -13,8 +13,8 @@ typedef struct fmb_backend_methods {
     /* *out is NULL where this method wants no such program. */
     fmb_status (*open)(const fmb_scaled_program *f, void **out);
     void (*close)(void *self);
-    fmb_status (*search)(void *self, fmb_hint *h);
-    /* The cost is scaled as the columns are. */
+    /* What to lean to (or NULL) and the cost are scaled as the columns are. */
+    fmb_status (*search)(void *self, const double *lean, fmb_hint *h);
     fmb_status (*maximize)(void *self, const double *cost, fmb_hint *h);
     fmb_status (*grow)(void *self);
     /* Row i goes off or on; if off, it leaves the basis. */

@@ -81,51 +81,60 @@ static size_t find_violated_row(fmb_simplex_state *o)
     return best;
 }
 
-static double find_largest_entry(const fmb_simplex_state *o)
-{
-    double largest = 0;
-    for (size_t t = 0; t < fmb_indexed_vector_count(&o->entry); t++)
-        largest = fmax(largest, fabs(o->entry.at[fmb_indexed_vector_key(&o->entry, t)]));
-    return largest;
-}
+/* What the entries of a row say, in one look: the largest, the largest of a unit vector; and which
+ * multipliers of inequalities fall when the row comes in with this sign are listed. */
+typedef struct entries {
+    double largest, of_unit;
+    size_t unit, falling;
+} entries;
 
-static size_t find_leaving_unit(const fmb_simplex_state *o, double zero)
+static entries look_at_entries(fmb_simplex_state *o, double sign)
 {
-    double most = zero;
-    size_t best = FMB_NOWHERE;
-    for (size_t t = 0; t < fmb_indexed_vector_count(&o->entry); t++) {
+    entries e = {.unit = FMB_NOWHERE};
+    for (size_t t = 0, count = fmb_indexed_vector_count(&o->entry); t < count; t++) {
         size_t r = fmb_indexed_vector_key(&o->entry, t);
-        double weight = fabs(o->entry.at[r]);
-        if (weight > most && o->member_role[r] == FMB_ROLE_FREE) {
-            most = weight;
-            best = r;
+        double entry = sign * o->entry.at[r], size = fabs(entry);
+        e.largest = size > e.largest ? size : e.largest;
+        if (o->member_role[r] == FMB_ROLE_LESS && entry > 0) {
+            o->falling[e.falling++] = (int)r;
+        } else if (o->member_role[r] == FMB_ROLE_FREE && size > e.of_unit) {
+            e.of_unit = size;
+            e.unit = r;
         }
     }
-    return best;
+    return e;
 }
 
 /* Of the members whose multiplier soon becomes negative when the row comes in with this sign, the
  * one with the largest entry. */
-static size_t find_leaving_member(const fmb_simplex_state *o, double sign, double zero)
+static size_t find_leaving_member(const fmb_simplex_state *o, size_t falling, double sign,
+                                  double zero)
 {
     double least = INFINITY, most = 0, slip = find_zero_of_multipliers(o);
-    size_t best = FMB_NOWHERE, count = fmb_indexed_vector_count(&o->entry);
-    for (size_t t = 0; t < count; t++) {
-        size_t r = fmb_indexed_vector_key(&o->entry, t);
-        double entry = sign * o->entry.at[r];
-        if (entry > zero && o->member_role[r] == FMB_ROLE_LESS)
-            least = fmin(least, (fmax(o->y[r], 0) + slip) / entry);
+    size_t best = FMB_NOWHERE;
+    for (size_t t = 0; t < falling; t++) {
+        int r = o->falling[t];
+        double entry = sign * o->entry.at[r], y = o->y[r] > 0 ? o->y[r] : 0;
+        if (entry > zero && y + slip < least * entry)
+            least = (y + slip) / entry;
     }
-    for (size_t t = 0; t < count && least < INFINITY; t++) {
-        size_t r = fmb_indexed_vector_key(&o->entry, t);
+    for (size_t t = 0; t < falling && least < INFINITY; t++) {
+        int r = o->falling[t];
         double entry = sign * o->entry.at[r];
-        if (entry > zero && entry > most && o->member_role[r] == FMB_ROLE_LESS &&
-            fmax(o->y[r], 0) <= least * entry) {
+        if (entry > zero && entry > most && o->y[r] <= least * entry) {
             most = entry;
-            best = r;
+            best = (size_t)r;
         }
     }
     return best;
+}
+
+static size_t find_leaving_place(fmb_simplex_state *o, double sign)
+{
+    entries e = look_at_entries(o, sign);
+    return e.of_unit > find_zero_of_units(o) * e.largest
+               ? e.unit
+               : find_leaving_member(o, e.falling, sign, find_zero_of_multipliers(o) * e.largest);
 }
 
 /* How much each slack changes where the others do. */
@@ -143,16 +152,6 @@ static void update_row_weights(fmb_simplex_state *o, size_t r, size_t i)
         o->row_weight[old] = fmax(1, scale);
 }
 
-/* The cost grows by this times row i, which has just taken place r. */
-static void add_row_to_cost(fmb_simplex_state *o, size_t r, size_t i, double part)
-{
-    const double *value = &o->f->value[o->f->start[i]];
-    const int *column = fmb_scaled_program_columns(o->f, i);
-    for (size_t k = 0; k < o->f->start[i + 1] - o->f->start[i]; k++)
-        o->cost[column[k]] += part * value[k];
-    o->y[r] += part;
-}
-
 static fmb_status take_dual_step(fmb_simplex_state *o, fmb_simplex_end *end, size_t *odd)
 {
     size_t i = find_violated_row(o);
@@ -162,10 +161,7 @@ static fmb_status take_dual_step(fmb_simplex_state *o, fmb_simplex_end *end, siz
     }
     double sign = o->slack[i] < 0 ? 1 : -1;
     fmb_basis_inverse_write(&o->basis, i, &o->entry);
-    double largest = find_largest_entry(o);
-    size_t r = find_leaving_unit(o, find_zero_of_units(o) * largest);
-    if (r == FMB_NOWHERE)
-        r = find_leaving_member(o, sign, find_zero_of_multipliers(o) * largest);
+    size_t r = find_leaving_place(o, sign);
     if (r == FMB_NOWHERE) {
         *odd = i;
         *end = FMB_SIMPLEX_STOPPED;
@@ -175,9 +171,9 @@ static fmb_status take_dual_step(fmb_simplex_state *o, fmb_simplex_end *end, siz
     update_row_weights(o, r, i);
     fmb_status st = fmb_simplex_state_pivot(o, r, i);
     list_newly_violated(o);
-    if (st == FMB_OK && o->member_role[r] == FMB_ROLE_LESS && o->y[r] < 1e-3 &&
+    if (st == FMB_OK && o->member_role[r] == FMB_ROLE_LESS && o->y[r] < o->nudge / 10 &&
         o->steps > PATIENCE_OF_DUAL + o->n)
-        add_row_to_cost(o, r, i, 1e-2 * fmb_simplex_state_draw(o));
+        fmb_simplex_state_add_to_cost(o, r, o->nudge * fmb_simplex_state_draw(o));
     return st;
 }
 

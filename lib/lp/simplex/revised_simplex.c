@@ -4,6 +4,8 @@
  * cost that nobody asked for; then by the primal method to where the cost is greatest. Where that
  * moved right sides away, the dual method mends what it broke.
  */
+#include <math.h>
+
 #include "lp/simplex/backend_methods.h"
 #include "lp/simplex/simplex_methods.h"
 
@@ -11,6 +13,9 @@
 #define FAR_BOUND 1e6
 /* Times that right sides are moved before a search gives up. */
 #define ROUNDS 3
+/* What multipliers of about 0 become, without a cost and where the largest cost is about 1. */
+#define NUDGE         1e-2
+#define NUDGE_OF_COST 1e-4
 
 /* ---- questions ------------------------------------------------------------------------------- */
 
@@ -40,8 +45,9 @@ static fmb_status search_on(fmb_simplex_state *o, fmb_hint *h)
     return st;
 }
 
-/* Begin where bounds of columns meet, of each the one nearer to 0. */
-static fmb_status start_at_bounds(fmb_simplex_state *o)
+/* Begin where bounds of columns meet: of each the one that lean.x prefers, or the one nearer to 0.
+ */
+static fmb_status start_at_bounds(fmb_simplex_state *o, const double *lean)
 {
     double *bound = o->given;
     size_t *member = o->basis.old;
@@ -53,24 +59,45 @@ static fmb_status start_at_bounds(fmb_simplex_state *o)
         if (o->f->p->row[i].size != 1 || o->f->off[i])
             continue;
         size_t j = (size_t)fmb_scaled_program_columns(o->f, i)[0];
-        double b = o->f->right[i] / o->f->value[o->f->start[i]];
-        if (b < 0 ? -b < bound[j] : b < bound[j]) {
-            bound[j] = b < 0 ? -b : b;
+        double a = o->f->value[o->f->start[i]], b = fabs(o->f->right[i] / a);
+        bool preferred = lean && lean[j] * a > 0 && b < FAR_BOUND;
+        if (b < bound[j] || preferred) {
+            bound[j] = preferred ? 0 : b;
             member[j] = i;
         }
     }
     return fmb_simplex_state_place(o, member);
 }
 
-static fmb_status search_own(void *self, fmb_hint *h)
+/* The cost is `lean`, but for what makes multipliers here negative: so much is added along their
+ * rows that they are 0, as those of unit vectors become. All of inequalities are made a little
+ * larger besides, each by a share of its own, so that few are equal on the way. */
+static fmb_status lean_cost(fmb_simplex_state *o, const double *lean)
+{
+    memcpy(o->cost, lean, o->n * sizeof *o->cost);
+    fmb_status st = fmb_simplex_state_refresh(o);
+    for (size_t r = 0; st == FMB_OK && r < o->n; r++) {
+        double y = o->y[r], share = NUDGE_OF_COST * fmb_simplex_state_draw(o);
+        if (o->member_role[r] == FMB_ROLE_FREE)
+            fmb_simplex_state_add_to_cost(o, r, -y);
+        else if (o->member_role[r] == FMB_ROLE_LESS)
+            fmb_simplex_state_add_to_cost(o, r, y < 0 ? share - y : share * (1 + 10 * y));
+    }
+    return st;
+}
+
+static fmb_status search_own(void *self, const double *lean, fmb_hint *h)
 {
     fmb_simplex_state *o = self;
     fmb_status st = FMB_OK;
     if (!o->placed)
-        st = start_at_bounds(o);
+        st = start_at_bounds(o, lean);
     o->placed = true;
     o->steps = 0;
+    o->nudge = lean ? NUDGE_OF_COST : NUDGE;
     memset(o->cost, 0, o->n * sizeof *o->cost);
+    if (st == FMB_OK && lean)
+        st = lean_cost(o, lean);
     if (st == FMB_OK)
         st = search_on(o, h);
     hand_out_members(o, h);
@@ -108,7 +135,7 @@ static fmb_status maximize_own(void *self, const double *cost, fmb_hint *h)
     h->kind = FMB_HINT_NONE;
     o->steps = 0;
     if (!o->feasible)
-        st = search_own(o, h);
+        st = search_own(o, NULL, h);
     if (st == FMB_OK && o->feasible)
         st = climb_to_optimum(o, cost, h);
     hand_out_members(o, h);

@@ -18,7 +18,8 @@ static fmb_status reserve_for_members(fmb_simplex_state *o)
     o->given = fmb_mem_get(mem, n, sizeof *o->given);
     o->edge_weight = fmb_mem_get(mem, n, sizeof *o->edge_weight);
     o->member_role = fmb_mem_get(mem, n, sizeof *o->member_role);
-    if (!o->y || !o->cost || !o->given || !o->edge_weight || !o->member_role)
+    o->falling = fmb_mem_get(mem, n, sizeof *o->falling);
+    if (!o->y || !o->cost || !o->given || !o->edge_weight || !o->member_role || !o->falling)
         return fmb_mem_status(mem);
     memset(o->member_role, FMB_ROLE_FREE, n);
     fmb_status st = fmb_indexed_vector_resize(&o->entry, mem, n);
@@ -50,6 +51,7 @@ void fmb_simplex_state_clear(fmb_simplex_state *o)
     fmb_mem_put(mem, o->given, o->n, sizeof *o->given);
     fmb_mem_put(mem, o->edge_weight, o->n, sizeof *o->edge_weight);
     fmb_mem_put(mem, o->member_role, o->n, sizeof *o->member_role);
+    fmb_mem_put(mem, o->falling, o->n, sizeof *o->falling);
     fmb_mem_put(mem, o->right, o->right_room, sizeof *o->right);
     fmb_mem_put(mem, o->slack, o->slack_room, sizeof *o->slack);
     fmb_mem_put(mem, o->row_weight, o->row_weight_room, sizeof *o->row_weight);
@@ -192,6 +194,15 @@ fmb_status fmb_simplex_state_pivot(fmb_simplex_state *o, size_t r, size_t i)
     note_member(o, r);
     o->steps++;
     return st;
+}
+
+void fmb_simplex_state_add_to_cost(fmb_simplex_state *o, size_t r, double part)
+{
+    int one;
+    fmb_terms t = fmb_member_terms(o->f, o->basis.member[r], &one);
+    for (size_t k = 0; k < t.size; k++)
+        o->cost[t.column[k]] += part * t.value[k];
+    o->y[r] += part;
 }
 
 /* ---- rows that are switched off -------------------------------------------------------------- */

@@ -27,6 +27,7 @@ typedef struct fmb_simplex_state {
     double *y, *cost, *given; /* [n]; given: right sides by place */
     double *edge_weight;      /* [n] of Devex, for the primal method */
     uint8_t *member_role;     /* [n] */
+    int *falling;             /* [n] scratch of the dual method: places */
     double *right, *slack;    /* [m] right sides as they are now */
     double *row_weight;       /* [m] of Devex, for the dual method */
     uint8_t *row_role;        /* [m] */
@@ -34,6 +35,7 @@ typedef struct fmb_simplex_state {
     bool *is_listed;          /* [m] among them */
     size_t violations;
     size_t right_room, slack_room, row_weight_room, row_role_room, violated_room, listed_room;
+    double nudge; /* the least multiplier that a row is given where the dual method stands still */
     size_t steps;
     uint64_t random;
     bool placed;
@@ -64,6 +66,9 @@ void fmb_simplex_state_look_along(fmb_simplex_state *o, size_t r);
 fmb_status fmb_simplex_state_pivot(fmb_simplex_state *o, size_t r, size_t i);
 /* A row that is off leaves place r; the point goes to the nearest row that stops it, either way. */
 fmb_status fmb_simplex_state_expel(fmb_simplex_state *o, size_t r);
+
+/* The cost grows by this times the member at place r. */
+void fmb_simplex_state_add_to_cost(fmb_simplex_state *o, size_t r, double part);
 
 /* Slacks that are less, for a right side of about 1, are none. */
 static inline double fmb_simplex_state_tolerance(const fmb_simplex_state *o)

@@ -90,6 +90,37 @@ fmb_status fmb_evidence_scale(fmb_evidence *e, fmb_sparse_vector *list, const mp
     return st;
 }
 
+static void swap_entries(fmb_sparse_vector *list, size_t a, size_t b)
+{
+    size_t index = list->index[a];
+    list->index[a] = list->index[b];
+    list->index[b] = index;
+    mpq_swap(list->value[a], list->value[b]);
+}
+
+/* Entry k goes down in a heap of that size, whose largest index is in front. */
+static void sift_down(fmb_sparse_vector *list, size_t k, size_t size)
+{
+    for (size_t child; (child = 2 * k + 1) < size; k = child) {
+        child += child + 1 < size && list->index[child + 1] > list->index[child];
+        if (list->index[k] >= list->index[child])
+            return;
+        swap_entries(list, k, child);
+    }
+}
+
+void fmb_sparse_sort(fmb_sparse_vector *list)
+{
+    size_t size = list->mixed ? list->size : 0;
+    for (size_t k = size / 2; k-- > 0;)
+        sift_down(list, k, size);
+    for (; size > 1; size--) {
+        swap_entries(list, 0, size - 1);
+        sift_down(list, 0, size - 1);
+    }
+    list->mixed = false;
+}
+
 /* By halving, where the indices increase. */
 mpq_srcptr fmb_sparse_find(const fmb_sparse_vector *list, size_t index)
 {

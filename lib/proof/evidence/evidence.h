@@ -70,6 +70,8 @@ fmb_status fmb_evidence_push_all(fmb_evidence *e, fmb_sparse_vector *list, size_
                                  mpq_t *x);
 /* Multiply all values by a factor that is not 0. On failure some are not. */
 fmb_status fmb_evidence_scale(fmb_evidence *e, fmb_sparse_vector *list, const mpq_t factor);
+/* Indices increase from now on. */
+void fmb_sparse_sort(fmb_sparse_vector *list);
 /* The value of that index, NULL where the list has none. */
 mpq_srcptr fmb_sparse_find(const fmb_sparse_vector *list, size_t index);
 

@@ -59,6 +59,19 @@ static fmb_status weigh_columns(fmb_query *q, const fmb_goal *g, const fmb_part 
     return st;
 }
 
+fmb_status fmb_component_optimum_lean(fmb_query *q, const fmb_goal *g, int part)
+{
+    fmb_oracle *o;
+    fmb_weights cost = {0};
+    fmb_status st = fmb_query_oracle(q, part, &o);
+    if (st == FMB_OK)
+        st = weigh_columns(q, g, &q->parts.part[part], &cost);
+    if (st == FMB_OK)
+        st = fmb_oracle_lean(o, &cost);
+    fmb_weights_clear(&cost, q->run.mem);
+    return st;
+}
+
 static fmb_status read_optimum_of_oracle(fmb_query *q, const fmb_part *p, const fmb_oracle *o,
                                          fmb_component_optimum *k)
 {

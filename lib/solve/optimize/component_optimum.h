@@ -20,6 +20,9 @@ typedef struct fmb_component_optimum {
 fmb_status fmb_component_optimum_init(fmb_component_optimum *k, fmb_query *q);
 void fmb_component_optimum_clear(fmb_component_optimum *k, fmb_query *q);
 
+/* The oracle of the part is told that it will be asked for that. Errors: MEMORY, LIMIT. */
+fmb_status fmb_component_optimum_lean(fmb_query *q, const fmb_goal *g, int part);
+
 /* One way; what k held before is gone. FINITE and INFINITE are exact; OUTER is what a limit has
  * left. */
 typedef fmb_status fmb_component_optimum_method(fmb_query *q, const fmb_goal *g, int part,

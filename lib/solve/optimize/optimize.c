@@ -73,6 +73,7 @@ static fmb_status close_optimum_claim(ascent *a)
     mpq_set(claim->value, a->sum);
     if (a->exact && a->g->sense == FMB_SENSE_MIN)
         mpq_neg(claim->value, a->sum);
+    fmb_sparse_sort(&claim->multipliers);
     fmb_status st = put_terms_of_form(a, claim, !a->exact);
     if (st == FMB_OK && a->exact)
         st = fmb_evidence_push_all(a->q->claims, &claim->point, a->g->dim, NULL, a->o->point);
@@ -226,6 +227,16 @@ static bool is_part_asked(const ascent *a, int c)
     return fmb_goal_names(a->g, p->var, p->n);
 }
 
+/* The decision finds solutions where the form is large already. */
+static fmb_status lean_all_parts(ascent *a)
+{
+    fmb_status st = FMB_OK;
+    for (int c = 0; st == FMB_OK && !fmb_query_eliminates(a->q) && c < a->q->parts.count; c++)
+        if (is_part_asked(a, c))
+            st = fmb_component_optimum_lean(a->q, a->g, c);
+    return st;
+}
+
 /* From part *c on, which is the one at hand when a limit is reached. *ends: the form does. */
 static fmb_status climb_all_parts(ascent *a, int *c, bool *ends)
 {
@@ -260,7 +271,9 @@ static fmb_status climb_all_parts(ascent *a, int *c, bool *ends)
 static fmb_status climb_from_solution(ascent *a, int *c, fmb_verdict *verdict)
 {
     bool ends = true;
-    fmb_status st = fmb_query_decide(a->q, a->q->session && !fmb_query_eliminates(a->q), verdict);
+    fmb_status st = lean_all_parts(a);
+    if (st == FMB_OK)
+        st = fmb_query_decide(a->q, a->q->session && !fmb_query_eliminates(a->q), verdict);
     if (st != FMB_OK || *verdict != FMB_FEASIBLE)
         return st;
     return_to_solution(a);

@@ -65,6 +65,7 @@ fmb_status fmb_query_claim_infeasible(fmb_query *q, const fmb_part *p, const fmb
     st = fmb_query_push(q, p, w, SIZE_MAX, 1, &claim->multipliers);
     if (st == FMB_OK)
         st = reduce_to_lowest_terms(q->evidence, &claim->multipliers);
+    fmb_sparse_sort(&claim->multipliers);
     return fmb_query_finish_claim(q, st);
 }
 

@@ -50,7 +50,8 @@ static void draw_cost(backend_bench *b, support_rng *g)
 static fmb_hint ask(backend_bench *b, fmb_backend *d, bool search, tally *t)
 {
     fmb_hint h = {.basis = b->basis};
-    cr_assert_eq(search ? fmb_backend_search(d, &h) : fmb_backend_maximize(d, b->cost, &h), FMB_OK);
+    cr_assert_eq(search ? fmb_backend_search(d, NULL, &h) : fmb_backend_maximize(d, b->cost, &h),
+                 FMB_OK);
     count_hint(b, &h, search, t);
     return h;
 }
@@ -203,7 +204,7 @@ static void move_and_ask(backend_bench *b, fmb_backend *d, support_rng *g, tally
     draw_cost(b, g);
     ask(b, d, false, t);
     fmb_backend_shift(d, right);
-    cr_assert_eq(fmb_backend_search(d, &h), FMB_OK);
+    cr_assert_eq(fmb_backend_search(d, NULL, &h), FMB_OK);
     check_basis(b);
     fmb_backend_shift(d, NULL);
     fmb_backend_sharpen(d);

@@ -3,16 +3,17 @@
 
 fmb_status fmb_indexed_vector_resize(fmb_indexed_vector *v, fmb_mem *mem, size_t size)
 {
-    if (size > v->room || !v->at) {
-        double *at = fmb_mem_get(mem, size + size / 2, sizeof *at);
-        int *index = fmb_mem_get(mem, size + size / 2, sizeof *index);
+    if (size >= v->room) {
+        size_t room = size + size / 2 + 1;
+        double *at = fmb_mem_get(mem, room, sizeof *at);
+        int *index = fmb_mem_get(mem, room, sizeof *index);
         if (!at || !index) {
-            fmb_mem_put(mem, at, size + size / 2, sizeof *at);
-            fmb_mem_put(mem, index, size + size / 2, sizeof *index);
+            fmb_mem_put(mem, at, room, sizeof *at);
+            fmb_mem_put(mem, index, room, sizeof *index);
             return fmb_mem_status(mem);
         }
         fmb_indexed_vector_free(v, mem);
-        *v = (fmb_indexed_vector){.at = at, .index = index, .room = size + size / 2};
+        *v = (fmb_indexed_vector){.at = at, .index = index, .room = room};
     }
     v->size = size;
     fmb_indexed_vector_clear(v, true);

@@ -1,7 +1,7 @@
 /* indexed_vector.h: a vector in doubles of which most may be zero, and the places where it is not.
  *
  * Invariant: either it is full, and every place counts; or at[k] is 0 but for k in index[0..count),
- * which are different.
+ * which are different. room > size: an index may be written behind the last one, and not counted.
  */
 #ifndef FMB_LP_INDEXED_VECTOR_H
 #define FMB_LP_INDEXED_VECTOR_H

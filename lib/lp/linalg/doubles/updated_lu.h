@@ -42,6 +42,7 @@ typedef struct fmb_updated_lu {
     int *singleton_of;                   /* [n] by column: its place, -1: the core */
     double *reciprocal;                  /* [n] by place: of the coefficient of a singleton */
     bool *rests;                         /* [n] by place: a singleton, not exchanged yet */
+    int *resting;                        /* [n] by column: its place if that rests, -1 */
     int *latest;                         /* [n] by place: its last exchange, -1: none */
     fmb_compressed_rows beside;          /* by column of a singleton: place in the core, value */
     int *place, *column;                 /* [steps] of each step */

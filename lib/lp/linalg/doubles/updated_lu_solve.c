@@ -48,6 +48,7 @@ fmb_status fmb_updated_lu_init(fmb_updated_lu *u, const fmb_scaled_program *f)
     u->singleton_of = fmb_mem_get(mem, n, sizeof *u->singleton_of);
     u->reciprocal = fmb_mem_get(mem, n, sizeof *u->reciprocal);
     u->rests = fmb_mem_get(mem, n, sizeof *u->rests);
+    u->resting = fmb_mem_get(mem, n, sizeof *u->resting);
     u->latest = fmb_mem_get(mem, n, sizeof *u->latest);
     u->place = fmb_mem_get(mem, n, sizeof *u->place);
     u->column = fmb_mem_get(mem, n, sizeof *u->column);
@@ -56,8 +57,8 @@ fmb_status fmb_updated_lu_init(fmb_updated_lu *u, const fmb_scaled_program *f)
     u->pivot = fmb_mem_get(mem, n, sizeof *u->pivot);
     u->marks = fmb_mem_zero(mem, n / 64 + 1, sizeof *u->marks);
     if (!u->member || !u->singleton || !u->singleton_of || !u->reciprocal || !u->rests ||
-        !u->latest || !u->place || !u->column || !u->step_of_place || !u->step_of_column ||
-        !u->pivot || !u->marks)
+        !u->resting || !u->latest || !u->place || !u->column || !u->step_of_place ||
+        !u->step_of_column || !u->pivot || !u->marks)
         return fmb_mem_status(mem);
     fmb_status st = FMB_OK;
     for (size_t k = 0; st == FMB_OK && k < LISTS; k++)
@@ -76,6 +77,7 @@ void fmb_updated_lu_clear(fmb_updated_lu *u)
     fmb_mem_put(mem, u->singleton_of, u->n, sizeof *u->singleton_of);
     fmb_mem_put(mem, u->reciprocal, u->n, sizeof *u->reciprocal);
     fmb_mem_put(mem, u->rests, u->n, sizeof *u->rests);
+    fmb_mem_put(mem, u->resting, u->n, sizeof *u->resting);
     fmb_mem_put(mem, u->latest, u->n, sizeof *u->latest);
     fmb_mem_put(mem, u->place, u->n, sizeof *u->place);
     fmb_mem_put(mem, u->column, u->n, sizeof *u->column);
@@ -92,7 +94,7 @@ void fmb_updated_lu_clear(fmb_updated_lu *u)
 static void set_singletons_aside(fmb_updated_lu *u)
 {
     for (size_t k = 0; k < u->n; k++) {
-        u->singleton[k] = u->singleton_of[k] = u->latest[k] = -1;
+        u->singleton[k] = u->singleton_of[k] = u->resting[k] = u->latest[k] = -1;
         u->rests[k] = false;
     }
     for (size_t r = 0; r < u->n; r++) {
@@ -101,7 +103,7 @@ static void set_singletons_aside(fmb_updated_lu *u)
         if (t.size != 1 || u->singleton_of[*t.column] >= 0)
             continue;
         u->singleton[r] = *t.column;
-        u->singleton_of[*t.column] = (int)r;
+        u->singleton_of[*t.column] = u->resting[*t.column] = (int)r;
         u->reciprocal[r] = 1 / *t.value;
         u->rests[r] = true;
     }
@@ -222,6 +224,7 @@ static fmb_status activate_place(fmb_updated_lu *u, size_t k, size_t p)
     }
     l->start[k + 1] = l->size;
     u->rests[p] = false;
+    u->resting[j] = -1;
     return st;
 }
 
@@ -417,21 +420,36 @@ static void price_singletons(fmb_updated_lu *u, fmb_indexed_vector *c, fmb_index
     }
 }
 
+/* What places at rest have of a member with the multiplier `value`. */
+static inline void price_at_rest(const fmb_updated_lu *u, fmb_terms m, double value,
+                                 fmb_indexed_vector *y)
+{
+    const int *resting = u->resting;
+    const double *reciprocal = u->reciprocal;
+    double *at = y->at;
+    int *index = y->index;
+    size_t count = y->count;
+    for (size_t k = 0; k < m.size; k++) {
+        int s = resting[m.column[k]];
+        if (s < 0)
+            continue;
+        double before = at[s], sum = before - value * m.value[k] * reciprocal[s];
+        index[count] = s;
+        count += before == 0;
+        at[s] = sum != 0 ? sum : FMB_NOTHING / 2;
+    }
+    y->count = count;
+}
+
 /* Places at rest, from all others. */
 static void price_places_at_rest(fmb_updated_lu *u, fmb_indexed_vector *y)
 {
     for (size_t t = 0, count = y->count; t < count; t++) {
         size_t r = (size_t)y->index[t];
         double value = y->at[r];
-        if (u->rests[r] || fabs(value) <= FMB_NOTHING)
-            continue;
         int one;
-        fmb_terms m = fmb_member_terms(u->f, u->member[r], &one);
-        for (size_t k = 0; k < m.size; k++) {
-            int s = u->singleton_of[m.column[k]];
-            if (s >= 0 && u->rests[s])
-                fmb_indexed_vector_add(y, (size_t)s, -value * m.value[k] * u->reciprocal[s]);
-        }
+        if (!u->rests[r] && fabs(value) > FMB_NOTHING)
+            price_at_rest(u, fmb_member_terms(u->f, u->member[r], &one), value, y);
     }
 }
 
