@@ -1,8 +1,11 @@
 """run.py: every example in the package, and every test beside this file: run.py [PACKAGE]."""
 
+import contextlib
 import doctest
 import importlib
+import io
 import pathlib
+import re
 import sys
 import unittest
 
@@ -30,14 +33,29 @@ def examples(package):
     for module in modules:
         result = doctest.testmod(module, extraglobs={**known, **vars(module)})
         failed, asked = failed + result.failed, asked + result.attempted
+    result = doctest.testfile(str(HERE.parent / "README.md"), module_relative=False)
+    failed, asked = failed + result.failed, asked + result.attempted
     print(f"{asked} examples, {failed} failed")
     return failed == 0 and asked > 0
+
+
+def front_page():
+    """The program in the README of the project prints what it says behind it."""
+    text = (HERE.parents[2] / "README.md").read_text(encoding="utf-8")
+    (program,) = re.findall(r"^```python\n(.*?)^```", text, re.M | re.S)
+    told = [line.split("# ")[1] for line in program.splitlines() if "# " in line]
+    out = io.StringIO()
+    with contextlib.redirect_stdout(out):
+        exec(program, {})  # pylint: disable=exec-used
+    if out.getvalue().splitlines() != told:
+        print(f"README.md: {out.getvalue()!r} is not {told}")
+    return out.getvalue().splitlines() == told
 
 
 def main():
     package = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else HERE.parent / "fmb").resolve()
     sys.path[:0] = [str(package.parent), str(HERE)]
-    good = examples(package)
+    good = examples(package) and front_page()
     tests = unittest.defaultTestLoader.discover(str(HERE), pattern="test_*.py")
     result = unittest.TextTestRunner(verbosity=1).run(tests)
     sys.exit(0 if good and result.wasSuccessful() and result.testsRun > 0 else 1)
