@@ -1,6 +1,6 @@
 /* generate.c: from rows to vertices, rays and lines (generate_rays.h). */
 #include "solve/generate/generate_rays.h"
-#include "solve/generate/glance.h"
+#include "solve/generate/some_rays.h"
 #include "system/generators_private.h"
 #include "system/system_private.h"
 
@@ -48,7 +48,7 @@ static fmb_status generate_some(fmb_lifted *h, fmb_generators *to, fmb_verdict *
     fmb_verdict seen = FMB_UNKNOWN;
     fmb_image_clear(&h->image);
     fmb_cone_clear(&h->cone);
-    fmb_status st = fmb_glance_at_rays(run, h->rows.row, h->rows.size, h->d, &h->image);
+    fmb_status st = fmb_find_some_rays(run, h->rows.row, h->rows.size, h->d, &h->image);
     if (st == FMB_OK && h->image.run)
         st = take_generators(h, to, &seen);
     if (seen == FMB_FEASIBLE)

@@ -1,5 +1,5 @@
 /* generate_hull.c: from vertices, rays and lines to rows (hull/image/image.h). */
-#include "solve/generate/glance.h"
+#include "solve/generate/some_rays.h"
 #include "solve/generate/turns.h"
 #include "solve/query/solver.h"
 #include "system/generators_private.h"
@@ -34,7 +34,7 @@ static fmb_status append_all_facets(const fmb_image *m, fmb_system *out)
     return st;
 }
 
-/* Those that a glance tells. */
+/* Those that a few support queries tell. */
 static fmb_status find_some_facets(fmb_image *m)
 {
     fmb_mem *mem = m->run->mem;
@@ -48,7 +48,7 @@ static fmb_status find_some_facets(fmb_image *m)
     for (size_t i = 0; i < rows; i++)
         row[i] = i < m->lines ? (fmb_cone_row){.v = &m->line[i], .equality = true}
                               : (fmb_cone_row){.v = &m->ray[i - m->lines]};
-    fmb_status st = fmb_glance_at_rays(m->run, row, rows, m->n, &dual);
+    fmb_status st = fmb_find_some_rays(m->run, row, rows, m->n, &dual);
     if (st == FMB_OK && dual.run)
         st = fmb_image_take_facets(m, &dual);
     fmb_image_clear(&dual);

@@ -1,11 +1,11 @@
-/* glance.c: some rays of a cone, by support queries of a section; see glance.h. */
-#include "solve/generate/glance.h"
+/* some_rays.c: some rays of a cone, by support queries of a section; see some_rays.h. */
+#include "solve/generate/some_rays.h"
 
 #include "hull/section/section.h"
 
-/* Where no clock ends a glance: rays for each coordinate, and pairs of facets of their hull. */
+/* Where no clock ends the search: rays for each coordinate, and pairs of facets of their hull. */
 #define RAYS_OF_COORDINATE 4
-#define PAIRS_OF_GLANCE    ((uint64_t)1 << 12)
+#define PAIRS_OF_SEARCH    ((uint64_t)1 << 12)
 
 static size_t count_equalities(const fmb_cone_row *row, size_t rows)
 {
@@ -51,7 +51,7 @@ static fmb_status ask_and_take(fmb_run *run, const fmb_vec *v, size_t m, size_t 
     fmb_status st = fmb_section_open(&c, run, v, m, d);
     bool open = st == FMB_OK;
     if (open)
-        st = fmb_section_ask(&c, most, timed ? 0 : PAIRS_OF_GLANCE, &done);
+        st = fmb_section_ask(&c, most, timed ? 0 : PAIRS_OF_SEARCH, &done);
     run->deadline = 0;
     if (open && (st == FMB_OK || st == FMB_LIMIT) && fmb_run_go_on(run))
         st = fmb_section_take_rays(&c, image);
@@ -59,7 +59,7 @@ static fmb_status ask_and_take(fmb_run *run, const fmb_vec *v, size_t m, size_t 
     return st;
 }
 
-fmb_status fmb_glance_at_rays(fmb_run *run, const fmb_cone_row *row, size_t rows, size_t d,
+fmb_status fmb_find_some_rays(fmb_run *run, const fmb_cone_row *row, size_t rows, size_t d,
                               fmb_image *image)
 {
     fmb_arena arena;
