@@ -1,4 +1,4 @@
-/* general.h: pairs in any dimension, in doubles: guessed by elimination, proved with an error
+/* general.h: pairs in any dimension, in doubles: guessed by programs, proved with an error
  * bound.
  */
 #ifndef FMB_PAIR_GENERAL_H

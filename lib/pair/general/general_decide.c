@@ -1,10 +1,9 @@
 /* general_decide.c: see general.h.
  *
- * Guess fast, prove exactly. The guess is Fourier-Motzkin elimination in plain doubles (where that
- * makes too many rows, the simplex method): either some combination of rows fails, and with it
- * comes a direction in which the frames should be apart; or there is a point that should be inside
- * both. Whatever rounding did on the way, the proof (prove.c) needs only that direction or
- * that point, and has an error bound.
+ * Guess fast, prove exactly. The guess is the dual simplex method without costs, in plain doubles:
+ * either it ends with a direction in which the frames should be apart; or there is a vertex, and
+ * the mean of some is a point that should be inside both. Whatever rounding did on the way, the
+ * proof (prove.c) needs only that direction or that point, and has an error bound.
  */
 #include "pair/general/workspace.h"
 
@@ -14,12 +13,6 @@
  * in pivots: guesses. */
 #define NOTHING     0x1p-46
 #define LEAST_PIVOT 0x1p-30
-
-/* Room for rows [rows]: the pairs that are looked at make hardly more. */
-static size_t room_for_rows(int dim)
-{
-    return dim < 3 ? (size_t)16 << 2 * dim : 1024;
-}
 
 static void free_equations(fmb_general_system *s, size_t rows, size_t columns, fmb_mem *mem)
 {
@@ -51,23 +44,16 @@ fmb_general *fmb_general_new(int dim, fmb_simd simd, fmb_mem *mem)
     fmb_general *g = fmb_mem_zero(mem, 1, sizeof *g);
     if (!g)
         return NULL;
-    size_t d = (size_t)dim, rows = room_for_rows(dim);
+    size_t d = (size_t)dim;
     g->dim = dim;
     if (dim > FMB_GENERAL_MOST_DIM)
         return g;
     g->kernels = fmb_kernels_choose(simd);
     g->kernels = g->kernels ? g->kernels : fmb_kernels_choose(FMB_SIMD_PLAIN);
-    g->most_rows = rows;
-    g->stride = (2 * d + 1 + 7) / 8 * 8;
     bool good = open_equations(&g->pair, d, 2 * d + 1, mem);
     good = open_program(g, d + 2, 2 * d + 3, mem) && good;
     g->solved = fmb_mem_get(mem, d * (3 * d + 2), sizeof *g->solved);
-    g->head = fmb_mem_get(mem, rows, sizeof *g->head);
-    g->cell = fmb_mem_get(mem, rows * g->stride, sizeof *g->cell);
-    g->named = fmb_mem_get(mem, rows, sizeof *g->named);
-    g->bits = fmb_mem_zero(mem, 2 * rows, sizeof *g->bits);
-    g->drop = fmb_mem_get(mem, rows / 64, sizeof *g->drop);
-    if (good && g->solved && g->head && g->cell && g->named && g->bits && g->drop)
+    if (good && g->solved)
         return g;
     fmb_general_free(g, mem);
     return NULL;
@@ -77,17 +63,12 @@ void fmb_general_free(fmb_general *g, fmb_mem *mem)
 {
     if (!g)
         return;
-    size_t d = (size_t)g->dim, rows = g->most_rows;
+    size_t d = (size_t)g->dim;
     free_equations(&g->pair, d, 2 * d + 1, mem);
     free_equations(&g->program, d + 2, 2 * d + 3, mem);
     g->basis.mem = mem; /* it may have moved */
     fmb_basis_clear(&g->basis);
     fmb_mem_put(mem, g->solved, d * (3 * d + 2), sizeof *g->solved);
-    fmb_mem_put(mem, g->head, rows, sizeof *g->head);
-    fmb_mem_put(mem, g->cell, rows * g->stride, sizeof *g->cell);
-    fmb_mem_put(mem, g->named, rows, sizeof *g->named);
-    fmb_mem_put(mem, g->bits, 2 * rows, sizeof *g->bits);
-    fmb_mem_put(mem, g->drop, rows / 64, sizeof *g->drop);
     fmb_mem_put(mem, g, 1, sizeof *g);
 }
 
@@ -157,18 +138,6 @@ static bool are_in_parallel_flats(const fmb_general *g)
     return false;
 }
 
-/* Where elimination makes too many rows: a guess by the simplex method. */
-static fmb_verdict decide_by_program(fmb_general *g)
-{
-    fmb_general_step step = fmb_general_find_vertex(g);
-    if (step == FMB_GENERAL_CLASH && fmb_general_are_apart(&g->pair, g->direction))
-        return FMB_INFEASIBLE;
-    if (step == FMB_GENERAL_GO && fmb_general_find_inside(g, g->z) &&
-        fmb_general_is_near_common(&g->program, g->z))
-        return FMB_FEASIBLE;
-    return FMB_UNKNOWN;
-}
-
 fmb_verdict fmb_general_decide(fmb_general *g, const fmb_frame *p, const fmb_frame *q)
 {
     if (g->dim > FMB_GENERAL_MOST_DIM || !fmb_general_load(g, p, q))
@@ -176,12 +145,9 @@ fmb_verdict fmb_general_decide(fmb_general *g, const fmb_frame *p, const fmb_fra
     fmb_general_solve(g);
     if (are_in_parallel_flats(g))
         return FMB_INFEASIBLE;
-    fmb_general_step step = fmb_general_eliminate(g);
-    if (step == FMB_GENERAL_GO)
-        step = fmb_general_finish(g);
-    if (step == FMB_GENERAL_LOST)
-        return decide_by_program(g);
-    if (step == FMB_GENERAL_CLASH)
-        return fmb_general_are_apart(&g->pair, g->direction) ? FMB_INFEASIBLE : FMB_UNKNOWN;
-    return fmb_general_is_near_common(&g->pair, g->z) ? FMB_FEASIBLE : FMB_UNKNOWN;
+    fmb_general_step step = fmb_general_find_vertex(g);
+    if (step == FMB_GENERAL_CLASH && fmb_general_are_apart(&g->pair, g->direction))
+        return FMB_INFEASIBLE;
+    bool inside = step == FMB_GENERAL_GO && fmb_general_find_inside(g, g->z);
+    return inside && fmb_general_is_near_common(&g->program, g->z) ? FMB_FEASIBLE : FMB_UNKNOWN;
 }

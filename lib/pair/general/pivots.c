@@ -1,9 +1,6 @@
 /* pivots.c: M z = h solved for some unknowns, by Gauss and Jordan's elimination in doubles.
- *
- * Which unknowns become pivots decides how many rows the elimination makes. Measured: for two
- * cuboids it is best to take the largest entry of all, about half as many rows as with the axes of
- * one frame alone; but a simplex should lie on one side as a whole, as only then its rows stay
- * sparse. So of a cuboid and a simplex the cuboid's axes come first, of two simplices those of B.
+ * A pivot is the largest entry of all, each counted in shares of its column's largest. That
+ * simplices come on one side as a whole, or axes of one frame, gains nothing.
  */
 #include "pair/general/workspace.h"
 
@@ -27,19 +24,14 @@ static void load_table(fmb_general *g)
         s->is_pivot[j] = false;
 }
 
-/* What the entries of a column count: 1 over its largest, and more if it should come first. */
+/* What the entries of a column count: 1 over its largest. */
 static void weigh_columns(const fmb_general_system *s, double *weight)
 {
-    bool has[FMB_GENERAL_KINDS] = {false};
-    for (int j = 0; j < s->columns; j++)
-        has[s->kind[j]] = true;
-    fmb_general_kind first =
-        has[FMB_GENERAL_OF_A] && has[FMB_GENERAL_OF_B] ? FMB_GENERAL_OF_B : FMB_GENERAL_UNIT;
     for (int j = 0; j < s->columns; j++) {
         double most = 0;
         for (int i = 0; i < s->rows; i++)
             most = fmax(most, fabs(s->m[j * s->rows + i]));
-        weight[j] = most > 0 ? (s->kind[j] == first ? 0x1p20 : 1) / most : 0;
+        weight[j] = most > 0 ? 1 / most : 0;
     }
 }
 

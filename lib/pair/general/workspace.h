@@ -10,11 +10,6 @@
  * Some unknowns, the pivots, are solved for in terms of the others, the free ones:
  *
  *     z_pivot(i) + sum T_ij z_free(j) = r_i,      which is row i of R (M z - h) = 0
- *
- * The elimination is on rows low <= a x <= high; x are the free unknowns not yet removed. Each row
- * is known to be v (M z - h), for some v in R^D, in terms of x and of unknowns that their places
- * bound, and keeps that v. So a row that nothing in the box of x satisfies says that the frames are
- * apart in direction v.
  */
 #ifndef FMB_PAIR_GENERAL_WORKSPACE_H
 #define FMB_PAIR_GENERAL_WORKSPACE_H
@@ -24,7 +19,7 @@
 #include "pair/general/general.h"
 
 enum {
-    FMB_GENERAL_MOST_DIM = 24,                        /* base rows of a history fit into one word */
+    FMB_GENERAL_MOST_DIM = 24,
     FMB_GENERAL_MOST_ROWS = FMB_GENERAL_MOST_DIM + 2, /* of a system */
     FMB_GENERAL_MOST_COLUMNS = 2 * FMB_GENERAL_MOST_DIM + 3
 };
@@ -57,36 +52,12 @@ static inline const double *fmb_general_inverse(const fmb_general_system *s, int
     return s->inverse + (size_t)i * (size_t)s->stride;
 }
 
-typedef struct fmb_general_head {
-    double low, high; /* infinite: no such end */
-    /* base rows that gave their upper ends to high (their lower ends to low), and base rows that
-     * gave their lower ends to high (their upper ends to low) */
-    uint64_t plus, minus;
-} fmb_general_head;
-
-/* The rows before a round. */
-typedef struct fmb_general_level {
-    size_t first, rows;
-    int place; /* of the unknown that the round removed; the last one moved there */
-} fmb_general_level;
-
 struct fmb_general {
     int dim;
     const fmb_kernels *kernels;
 
     fmb_general_system pair;
     double *solved; /* [dim][stride of the pair]: T in the columns of M, r, R */
-
-    /* the elimination */
-    int n, removed;                        /* unknowns: left, removed */
-    int unknown[FMB_GENERAL_MOST_COLUMNS]; /* column of the one at each place */
-    bool all_unit;                         /* no free unknown is in a simplex */
-    size_t rows, most_rows, pairs, stride;
-    fmb_general_head *head; /* [most_rows] */
-    double *cell;           /* [most_rows][stride]: v, then a */
-    uint16_t *named;        /* [most_rows] rows with the unknown to be removed */
-    uint64_t *bits, *drop;  /* their histories, side by side; which of them not to pair */
-    fmb_general_level level[FMB_GENERAL_MOST_COLUMNS + 1];
 
     /* linear programs: the pair with a slack for the sum of each simplex */
     fmb_general_system program;
@@ -107,32 +78,14 @@ static inline double *fmb_general_solved(const fmb_general *g, int i)
 typedef enum fmb_general_step {
     FMB_GENERAL_GO,
     FMB_GENERAL_CLASH, /* with a direction */
-    FMB_GENERAL_LOST   /* no room, or rounding has spoilt it */
+    FMB_GENERAL_LOST   /* rounding has spoilt it */
 } fmb_general_step;
-
-static inline double *fmb_general_cell(const fmb_general *g, size_t i)
-{
-    return g->cell + i * g->stride;
-}
 
 /* general_decide.c: the pair, scaled. False if differences or scaled numbers overflow. */
 bool fmb_general_load(fmb_general *g, const fmb_frame *p, const fmb_frame *q);
 
 /* pivots.c: choose pivots and solve for them. */
 void fmb_general_solve(fmb_general *g);
-
-/* general_rows.c: the rows of the pair. */
-fmb_general_step fmb_general_start(fmb_general *g);
-/* Keep the row at the end, of n unknowns, without ends that say nothing in the box. */
-fmb_general_step fmb_general_settle(fmb_general *g, int n);
-/* Bring the unknown at that place of row i to the last place, and its coefficient to 1 (or 0). */
-void fmb_general_turn(fmb_general *g, size_t i, int place);
-
-/* rounds.c: rounds until at most two unknowns are left. */
-fmb_general_step fmb_general_eliminate(fmb_general *g);
-
-/* last_two.c: the last two, then z from all rows. */
-fmb_general_step fmb_general_finish(fmb_general *g);
 
 /* general_program.c: a first vertex of the pair. */
 fmb_general_step fmb_general_find_vertex(fmb_general *g);
