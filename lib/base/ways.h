@@ -55,7 +55,6 @@
         "lp/redundancy/ray_shooting/membership_private "                                           \
         "lp/redundancy/ray_shooting/membership_walk lp/redundancy/ray_shooting/centre",            \
         "redundancy: rows seen from a point inside")                                               \
-    WAY(PARALLEL, "parallel rows", "lp/redundancy/parallel_rows", "redundancy: by hashing")        \
     WAY(ACTIVE_SET, "active set",                                                                  \
         "lp/redundancy/active_set/implied lp/redundancy/active_set/active_set "                    \
         "lp/redundancy/active_set/rounded_proof lp/redundancy/active_set/nonzero_columns "         \

@@ -121,7 +121,8 @@ static fmb_status decide_rows_of_part(fmb_query *q, int part, fmb_fate *fate)
         return st;
     if (fmb_ray_shooting_is_affordable((size_t)g.p->n, g.p->m) && fmb_way(FMB_WAY_RAY_SHOOTING)) {
         st = shoot_rays_at_part(&g, listener, &inner);
-        fmb_run_tell_attempt(&q->run, fmb_query_attempt(q, part, "sieve", "rows"), st, inner);
+        fmb_run_tell_attempt(&q->run, fmb_query_attempt(q, part, "ray shooting", "rows"), st,
+                             inner);
         fmb_way_answered(FMB_WAY_RAY_SHOOTING, inner);
     }
     if (st == FMB_OK && is_some_row_unknown(&g))

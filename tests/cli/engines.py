@@ -97,7 +97,7 @@ with tempfile.TemporaryDirectory() as name:
         ask(folder, small, "project", *keep(2), f"--method={method}")
 
 WANTED = {"verdict": {"oracle", "elimination"}, "ends": {"oracle", "oracles", "elimination"},
-          "optimum": {"oracle", "elimination"}, "rows": {"sieve", "oracle"},
+          "optimum": {"oracle", "elimination"}, "rows": {"ray shooting", "oracle"},
           "rays": {"double description", "hull of the polar"},
           "facets": {"double description", "sparse double description", "section"},
           "projection": {"elimination", "gentle elimination", "steeper elimination", "escape",

@@ -2,8 +2,6 @@
  * their coefficients, the scale. */
 #include "lp/redundancy/parallel_rows.h"
 
-#include "base/ways.h"
-
 #include "num/gcd.h"
 #include "num/long_gcd.h"
 
@@ -182,8 +180,6 @@ fmb_status fmb_drop_parallel_rows(fmb_run *run, size_t n, size_t m, const fmb_lp
 {
     parallel_table s = {.mem = run->mem, .poll = fmb_run_asked(run), .n = n, .row = row};
     size_t *slot = NULL;
-    if (!fmb_way(FMB_WAY_PARALLEL))
-        return FMB_OK;
     mpz_inits(s.a, s.b, s.scale_a, s.scale_b, NULL);
     fmb_status st = open_parallel_table(&s, m);
     for (size_t i = 0; st == FMB_OK && i < m; i++) {
@@ -191,7 +187,6 @@ fmb_status fmb_drop_parallel_rows(fmb_run *run, size_t n, size_t m, const fmb_lp
             st = find_parallel_slot(&s, i, &slot);
         if (st == FMB_OK && fate[i] == FMB_FATE_UNKNOWN)
             st = meet_parallel(&s, i, slot, fate, told);
-        fmb_way_answered(FMB_WAY_PARALLEL, fate[i] == FMB_FATE_REDUNDANT);
         if (st == FMB_OK)
             st = fmb_run_poll(run);
     }

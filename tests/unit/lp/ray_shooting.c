@@ -73,7 +73,7 @@ static void sort_system(const fmb_system *s, const char *what, uint64_t seed, ta
 
 /* ---- systems --------------------------------------------------------------------------------- */
 
-Test(sieve, small_systems_of_all_families)
+Test(ray_shooting, small_systems_of_all_families)
 {
     tally t = {0};
     for (uint64_t seed = 0; seed < 400; seed++)
@@ -106,7 +106,7 @@ static fmb_system *move_rows_out(const fmb_system *s, support_rng *g, int bits)
     return wider;
 }
 
-Test(sieve, larger_systems_of_all_families)
+Test(ray_shooting, larger_systems_of_all_families)
 {
     static const int bits[] = {0, 0, 0, 31, 63, 200};
     tally t = {0};
@@ -151,7 +151,7 @@ static void add_drawn_row(fmb_system *s, support_rng *g, shape kind, const int64
     must(fmb_system_add_int(s, a, rel, (kind == ROUND ? 3 : 1) * row * right));
 }
 
-Test(sieve, balls_corners_and_scales)
+Test(ray_shooting, balls_corners_and_scales)
 {
     static const int64_t scale[8] = {1, 1000000, 1, 1000, 3, 1, 100000000, 1};
     tally t[SHAPES] = {0};
@@ -174,7 +174,7 @@ Test(sieve, balls_corners_and_scales)
 }
 
 /* More rows than are awake at once, and more than a block. */
-Test(sieve, many_rows)
+Test(ray_shooting, many_rows)
 {
     tally t = {0};
     support_rng g = {5};
@@ -199,8 +199,8 @@ Test(sieve, many_rows)
 }
 
 /* Two strict rows that touch the same corner: one of them may go, but neither is seen from inside.
- * Found out by programs, so the sieve leaves them alone. */
-Test(sieve, leaves_what_only_touches)
+ * Found out by programs, so ray shooting leaves them alone. */
+Test(ray_shooting, leaves_what_only_touches)
 {
     fmb_system *s = NULL;
     tally t = {0};

@@ -3,7 +3,9 @@
  * One thread tests all rows, and each test knows of all vertices found before. Several take groups
  * of a fixed size, each with vertices of its own, so that what is found does not depend on how many
  * threads there are, or on which of them was faster: rows of a group stand next to each other, and
- * so do the vertices around them. What they find is noted, and told afterwards in order.
+ * so do the vertices around them. What they find is noted, and told afterwards in order. Of
+ * parallel rows but one is left before: else each of two in different groups might go for the
+ * other.
  */
 #include "lp/redundancy/ray_shooting/ray_shooting.h"
 
