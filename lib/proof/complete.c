@@ -7,25 +7,17 @@
  *
  * No index comes twice in a list of a claim: the reader sees to it.
  *
- * CLAIM. If the conditions below hold, the image of S is Q*.
+ * The image of S is Q* if the conditions of docs/theory.md, theorem 10, hold, which are checked
+ * here.
  *
  * The space A is that of all (x, t) with a.x = b t for the equations; its dimension is k + 1 minus
  * their rank. The forms R are b t - a.x for the rows, and t. The vectors G are (x(p), 1) and
- * (x(d), 0). They lie in A and no form is negative there, as multipliers that prove a row prove it
- * of S' and of its directions, too. Let N be those of G on which all forms vanish.
+ * (x(d), 0). Let N be those of G on which all forms vanish.
  *   1. With each g, N has a negative multiple of g. So cone N is a linear space, of dimension l.
  *   2. The rest of G is closed of dimension dim A - l (lattice.h), in A modulo cone N.
- * By the theorem there, cone G is P = {y in A : r(y) >= 0 for all r in R}. If x is in Q, then
- * (x, 1) is in P, so x is a mean of points x(p) and a nonnegative sum of directions: the image of
- * S' is Q. Without strict rows in S that is all: the rows of Q* hold in S.
  *   3. Let F be a face of P that contains a point with t > 0 and on which no form of a strict row
  *      vanishes. Then for each strict row of S, some corner on F satisfies it strictly; of a
  *      direction, that means a.d < 0.
- * Let x be in Q*, and F the face of P with (x, 1) in its relative interior: it is such a face. The
- * mean of the points on F plus the sum of the directions on it is a solution z of S, and its image
- * is in the relative interior of F, too. So a little behind x, seen from there, is a point of Q,
- * the image of some z' in S'. x is the image of a point between z and z', which satisfies all
- * strict rows since z does. END
  */
 #include "proof/complete.h"
 

@@ -1,18 +1,9 @@
 /* support_strict.c: which faces a projection lacks, where rows are strict; see support.h.
  *
- * The hull is the closure of the projection. The projection lacks the points u of it over which
- * every point of the program's closure lies on some strict row; that is, one and the same strict
- * row, since a convex set is not covered by finitely many faces unless it is one of them. How far
- * that row's left side must at least go over u is a convex function of u; where it reaches the
- * right side it is greatest, and that is a union of faces. So:
- *
- * - With a face all its faces are missing; and if some point of a face is not, all of the relative
- *   interior is not (the segments from that point lie in the projection, but for their other ends).
- * - Let h be the sum of the normals of the facets around a face. It is missing if and only if the
- *   optimum of h, which is reached on that face alone, is not attained: then h < optimum is a row.
- *
- * So it is enough to ask about faces all of whose generators are missing. Faces of facets that are
- * missing need no row of their own, nor do those of other missing faces.
+ * The missing points are a union of faces (docs/theory.md, theorem 25): so it is enough to ask
+ * about faces all of whose generators are missing, by the sum h of the normals of the facets around
+ * each. It is missing if and only if the optimum of h is not attained: then h < optimum is a row.
+ * Faces of facets that are missing need no row of their own, nor do those of other missing faces.
  */
 #include <string.h>
 

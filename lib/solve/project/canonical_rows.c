@@ -11,28 +11,7 @@
  *
  * all of integers without a common divisor, in the order of fmb_sysrow_compare.
  *
- * CLAIM. Equal sets have equal rows, and the rows describe P.
- *
- * The affine hull of P has one reduced echelon form. Modulo its equations each facet has one row,
- * up to a positive factor, and that is 0 in the pivots. Facets, the faces that P lacks, and which
- * facets hold a face are told by the set P alone. So the first half is clear.
- *
- * Let P be described by some rows. The closure of P is what they describe with < read as <=, as the
- * segment from a point of P to one of that set is in P but for its end. P is the closure without
- * the faces F(r) on which a strict row r is tight. A face that P lacks is covered by these, and as
- * it is convex, it is part of one of them: so the largest faces that P lacks are some of the F(r),
- * and P is the closure without these. Let s be the sum of the rows of all facets that hold such a
- * face F: on the closure it is tight where all of these are, and that is on F, since a face is the
- * intersection of the facets that hold it. So the rows above describe P.
- *
- * Conversely, let no row of a description be implied by the others, and no inequality always be
- * tight. It has one row for each facet, as its closure has. A row <= of no facet would follow from
- * those. A strict row r of no facet has an F(r) that is in no other F(r'), or P would be the same
- * without r. So these rows are one for each largest face, and what is to do is to tell which they
- * are, and which facets hold F(r) (faces_excluded.c). END
- *
- * Source: minimal descriptions of polyhedra that are not closed: Bagnara, Hill, Zaffanella 2005,
- * Not necessarily closed convex polyhedra and the double description method.
+ * Equal sets have equal rows, and the rows describe P: docs/theory.md, theorem 26.
  */
 #include "solve/project/canonical.h"
 

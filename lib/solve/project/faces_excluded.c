@@ -1,15 +1,8 @@
 /* faces_excluded.c: strict rows of a projection that describe no facet; see canonical.h.
  *
- * The inequalities are irredundant and reduced by the equations, so none is always tight. Without
- * its strictness a row is implied by the others if and only if it describes no facet. Let r be such
- * a strict row, and r = sum of y_f f over facets with y >= 0, which a linear program finds: r is as
- * large over the closure as its right side. Then r is tight where all f with y_f > 0 are, so these
- * hold the face F(r). Others that hold it are those that cannot be positive where these are 0: they
- * are demanded to be positive all together, and as long as that cannot be, some that take part in
- * the conflict are among them.
- *
- * The sum s of the rows T that hold the face is proved by r: with e = 1 / max y, e > 0,
- *     s = e r + the sum of (1 - e y_f) f over T, and no factor is negative.
+ * The inequalities are irredundant and reduced by the equations, so none is always tight. How the
+ * facets are found that hold the face of a strict row, and how their sum is proved, is told by
+ * docs/theory.md, theorem 26.
  */
 #include <string.h>
 

@@ -3,11 +3,8 @@
  * Every end is reached at a vertex of the common points. In space, a vertex lies on an edge of A or
  * on an edge of B: all edges of each frame are clipped against the other. In space and time it
  * lies on an edge of A or B at t = 0 or t = 1, or on the path of a corner of A or B, or it is where
- * an edge of A meets an edge of B on its way (three dimensions). Proof: a vertex is the only common
- * point of the affine hulls of a face of A and a face of B, whose dimensions add up to at most that
- * of the space; where one of them has dimension 1 or 0, it is an edge or a path (or a corner of
- * one), and in space and time of dimension 4 two faces of dimension 2 are left: edges at t = 0 or 1
- * lie on the bounds of both frames, so these are edges on their way, or a case of dimension 3.
+ * an edge of A meets an edge of B on its way (three dimensions). Proof: docs/theory.md,
+ * theorem 36.
  *
  * Ends in the world: a point has at most 10 roundings, each of a number at most
  *

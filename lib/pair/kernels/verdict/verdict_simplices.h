@@ -1,5 +1,5 @@
 /* verdict_simplices.h: does a simplex meet a cuboid or a simplex, in the plane or in space? See
- * docs/theory.md, "Pairs". */
+ * docs/theory.md, theorem 33. */
 #ifndef FMB_PAIR_VERDICT_SIMPLICES_H
 #define FMB_PAIR_VERDICT_SIMPLICES_H
 
@@ -31,13 +31,9 @@
  * drift| is added, a coordinate of the cross product of edge and drift. Time is eliminated in the
  * same way: u = e_r x drift, and drift for d; and the drift is eliminated with an edge of A.
  *
- * Complete: A and B meet in interiors unless a facet of the set of all b + t drift - a, which is
- * not flat as A is not, keeps 0 out. Two edges, of A or of B, or one and the drift, are parallel to
- * the facet and belong to the faces of A and B that make it. Both of A: a row of A. Both of B: a
- * row of B. One of each: the facet leaves all of B on one side of its edge, and all of A, so what
- * is said of both reaches is exact. An edge and the drift: likewise, the other frame with all its
- * vertices. (If B is flat, a row that vanishes has the gap 0, so "meet" is not said; where rows
- * stand on one side only, A being a simplex, the sign of det B must be certain.)
+ * These rows are all there are: docs/theory.md, theorem 34. If B is flat, a row that vanishes has
+ * the gap 0, so "meet" is not said; where rows stand on one side only, A being a simplex, the sign
+ * of det B must be certain.
  *
  * Errors, also where the sign of det B is wrong: docs/error-bounds.md, "Simplices" and "Signs";
  * bound and more are its X and Y.
