@@ -202,6 +202,9 @@ static fmb_status find_blocking_row(fmb_pivot_walk *w, size_t *block)
         if (st != FMB_OK)
             return st;
         int slope = slope_of_row(w, i);
+        st = fmb_run_poll_long(v->run, w->num);
+        if (st != FMB_OK)
+            return st;
         if (slope == 0 || (slope < 0 && v->p->row[i].rel != FMB_EQ))
             continue;
         if (blocks_sooner(w, i, *block != SIZE_MAX))

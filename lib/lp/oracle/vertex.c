@@ -215,6 +215,9 @@ fmb_status fmb_vertex_find_violated(fmb_vertex *v, bool first, size_t *row, int 
         if (st != FMB_OK)
             return st;
         int s = violation_sign(v, i, &depth);
+        st = fmb_run_poll_long(v->run, v->sum);
+        if (st != FMB_OK)
+            return st;
         if (s == 0 || depth <= most)
             continue;
         *row = i;
@@ -267,7 +270,7 @@ fmb_status fmb_vertex_try_point(fmb_vertex *v, mpz_t *x, const mpz_t den, double
         double slack = rough_slack(v->p, i, roughly, whole, &sure);
         int sign = sure ? (slack > 0) - (slack < 0) : slack_sign_at(v, i, x, den);
         *holds = rel == FMB_EQ ? sign == 0 : rel == FMB_LT && strictly ? sign > 0 : sign >= 0;
-        st = fmb_run_poll(v->run);
+        st = fmb_run_poll_step(v->run, mpz_size(v->sum) >= FMB_LONG_LIMBS);
     }
     return st;
 }

@@ -148,12 +148,15 @@ typedef struct asked {
 
 #define GUARD_BITS 24
 
-/* f->y = f->d times unknown k, modulo f->m, between -m/2 and m/2. */
-static void scale_unknown(fmb_factor *f, const asked *s, size_t k)
+/* f->y = f->d times unknown k, modulo f->m. False: the query ends, as it says at the next digit. */
+static bool scale_unknown(fmb_factor *f, const asked *s, size_t k)
 {
-    fmb_dixon_value(s->lift, k, f->y);
+    const fmb_poll poll = fmb_run_asked(f->run);
+    if (fmb_dixon_value(s->lift, k, f->y, &poll) != FMB_OK)
+        return false;
     mpz_mul(f->y, f->y, f->d);
     mpz_fdiv_r(f->y, f->y, f->m);
+    return fmb_run_poll_long(f->run, f->m) == FMB_OK;
 }
 
 /* Is f->y, or f->y - m, of at most so many bits? */
@@ -192,13 +195,13 @@ static bool find_common_denominator(fmb_factor *f, const asked *s)
     mpz_set_ui(f->d, 1);
     for (size_t i = 0; i < s->lift->n; i++) {
         size_t k = s->lift == &f->lift[0] ? s->lift->n - 1 - i : i;
-        scale_unknown(f, s, k);
-        if (!is_short(f, shorter) && !widen_denominator(f, m_bits))
+        if (!scale_unknown(f, s, k) || (!is_short(f, shorter) && !widen_denominator(f, m_bits)))
             return false;
     }
     for (size_t k = 0; k < s->lift->n; k++) {
         mpz_ptr x = s->x[s->at[k]];
-        scale_unknown(f, s, k);
+        if (!scale_unknown(f, s, k))
+            return false;
         if (!is_short(f, room)) {
             if (!widen_denominator(f, m_bits))
                 return false;
