@@ -66,10 +66,10 @@ typedef struct fmb_support {
     size_t at;            /* the facet to begin with when looking for one that does not stand */
     fmb_support_row *row; /* [rows] proved */
     size_t rows, row_capacity;
-    bool asks_ends;       /* of the coordinates, before facets */
-    size_t ends_asked;    /* so many of 2 k */
-    fmb_support_row *end; /* [ends] proved; NULL: none was asked about */
-    size_t ends;
+    size_t outer_after, outer_most; /* rows are wanted that are no facets: from when, how many */
+    size_t ends_asked;              /* of the coordinates, on either side */
+    fmb_support_row *outer;         /* [outers] proved */
+    size_t outers, outer_capacity;
     fmb_integers g;      /* scratch: [k + 1] a point or ray of the projection */
     fmb_integers *point; /* [points] of proofs: x[0..n) over x[n], or with x[n] = 0 a direction, of
                             the closure; their shadows are generators of the hull */
@@ -96,14 +96,16 @@ static inline void fmb_support_allow_symmetry(fmb_support *s, const fmb_program 
  * without a query, and is not told. p has no strict rows. Errors: MEMORY, LIMIT. */
 fmb_status fmb_support_know_rows(fmb_support *s, const fmb_program *p);
 
-/* Before facets, ask how far the projection goes along its coordinates: those rows hold whatever
- * comes, and points so far out make the hull large at once. */
-static inline void fmb_support_ask_ends_first(fmb_support *s)
+/* Before facets, ask how far the projection goes along its coordinates. From so many rows and
+ * generators on, ask the same of facets of the hull that do not stand, until there are so many rows
+ * that hold whatever comes. */
+static inline void fmb_support_want_outer_rows(fmb_support *s, size_t after, size_t most)
 {
-    s->asks_ends = true;
+    s->outer_after = after;
+    s->outer_most = most;
 }
-/* Ends become rows, too: at a limit. Errors: MEMORY, LIMIT. */
-fmb_status fmb_support_keep_ends(fmb_support *s);
+/* They become rows like others: at a limit. Errors: MEMORY, LIMIT. */
+fmb_status fmb_support_keep_outer_rows(fmb_support *s);
 
 /* Images of rows whose facets the hull has not come to yet become rows, too: at a limit. Errors:
  * MEMORY, LIMIT: the rows that there are hold. */

@@ -22,7 +22,7 @@ void fmb_support_clear(fmb_support *s)
     fmb_support_close_tight(s);
     fmb_support_forget_symmetry(s);
     fmb_support_forget_rows(s);
-    fmb_support_forget_ends(s);
+    fmb_support_forget_outer_rows(s);
     for (size_t i = 0; i < s->rows; i++)
         fmb_support_drop(&s->row[i], mem);
     fmb_mem_put(mem, s->row, s->row_capacity, sizeof *s->row);
@@ -113,13 +113,20 @@ static size_t find_open_facet_anywhere(const fmb_support *s)
     return SIZE_MAX;
 }
 
+/* Are rows wanted that are no facets? Then those asked about are from all around, so that these
+ * are, too. */
+static bool is_hull_coarse(const fmb_support *s)
+{
+    return s->outers < s->outer_most && s->rows + s->hull.generators >= s->outer_after;
+}
+
 /* A facet that nothing is known of, its normal known; SIZE_MAX if there is none. It is one near the
  * last generator, or else the youngest, roughly. */
 static fmb_status find_open_facet(fmb_support *s, size_t *at)
 {
     fmb_facets *f = &s->hull;
     for (;;) {
-        *at = find_open_facet_nearby(s);
+        *at = is_hull_coarse(s) ? SIZE_MAX : find_open_facet_nearby(s);
         if (*at == SIZE_MAX)
             *at = find_open_facet_anywhere(s);
         if (*at == SIZE_MAX)
@@ -130,6 +137,25 @@ static fmb_status find_open_facet(fmb_support *s, size_t *at)
             return st;
         f->facet[s->at].note = FMB_FACET_STANDS;
     }
+}
+
+/* As fmb_support_query about a facet, whose slot may go with it; and if it does not stand, how far
+ * does the projection go there? */
+static fmb_status ask_and_look_along(fmb_support *s, size_t at, fmb_support_row *row, bool *stands)
+{
+    fmb_mem *mem = s->run->mem;
+    const fmb_vec *normal = &s->hull.facet[at].normal;
+    if (!is_hull_coarse(s))
+        return fmb_support_query(s, normal, at, 1, row, stands);
+    fmb_vec h = {.s = fmb_mem_zero(mem, s->k + 1, sizeof *h.s)};
+    fmb_status st = h.s ? fmb_vec_copy(&h, normal, s->k + 1, mem) : fmb_mem_status(mem);
+    if (st == FMB_OK)
+        st = fmb_support_query(s, &h, at, 1, row, stands);
+    if (st == FMB_OK && !*stands)
+        st = fmb_support_look_along(s, &h);
+    fmb_vec_clear(&h, s->k + 1, mem);
+    fmb_mem_put(mem, h.s, s->k + 1, sizeof *h.s);
+    return st;
 }
 
 static fmb_status ask_about_facet(fmb_support *s, size_t at)
@@ -147,7 +173,7 @@ static fmb_status ask_about_facet(fmb_support *s, size_t at)
         st = fmb_support_try_tight_rows(s, at, &row, &stands);
     fmb_way_answered(FMB_WAY_TIGHT, stands);
     if (st == FMB_OK && !stands)
-        st = fmb_support_query(s, normal, at, 1, &row, &stands);
+        st = ask_and_look_along(s, at, &row, &stands);
     if (st == FMB_OK && stands) {
         st = fmb_support_stand(s, at, &row);
         return st == FMB_OK ? fmb_support_note_images(s, normal) : st;
@@ -193,7 +219,7 @@ static fmb_status ask_next_question(fmb_support *s, bool *done)
         st = fmb_support_find_symmetry(s);
     if (st != FMB_OK)
         return st;
-    if (s->asks_ends && s->ends_asked < 2 * s->k)
+    if (s->outer_most > 0 && s->ends_asked < 2 * s->k)
         return fmb_support_ask_about_end(s);
     if (s->equations < f->d - f->rank)
         return ask_about_equation(s);

@@ -71,11 +71,14 @@ fmb_status fmb_support_copy_row(const fmb_support *s, const fmb_support_row *fro
                                 fmb_support_row *to);
 void fmb_support_drop(fmb_support_row *row, fmb_mem *mem);
 
-/* ---- support_box.c --------------------------------------------------------------------------- */
+/* ---- support_outer.c ------------------------------------------------------------------------- */
 
 /* The next of 2 k ends of coordinates; s->begun. Errors: MEMORY, LIMIT. */
 fmb_status fmb_support_ask_about_end(fmb_support *s);
-void fmb_support_forget_ends(fmb_support *s);
+/* How far does the projection go along -(h1, ... hk), from the point of s->g, if that is one?
+ * Errors: MEMORY, LIMIT. */
+fmb_status fmb_support_look_along(fmb_support *s, const fmb_vec *h);
+void fmb_support_forget_outer_rows(fmb_support *s);
 
 /* ---- support_tight.c ------------------------------------------------------------------------- */
 

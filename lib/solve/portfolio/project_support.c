@@ -156,6 +156,12 @@ static fmb_status allow_symmetries(fmb_queries *h)
     return fmb_symmetries_of_part(q, h->part, h->column, h->k, &h->group);
 }
 
+/* Of each coordinate that is kept, so many rows that are no facets, where there is a limit: after
+ * those the hull is near enough, and facets count. */
+#define OUTER_ROWS 16
+/* Most projections are done before that. */
+#define FEW_QUERIES 64
+
 fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, fmb_queries **out,
                             bool *feasible)
 {
@@ -179,7 +185,7 @@ fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, fmb_querie
     if (st == FMB_OK)
         st = allow_symmetries(h);
     if (fmb_run_is_limited(&q->run))
-        fmb_support_ask_ends_first(&h->s);
+        fmb_support_want_outer_rows(&h->s, FEW_QUERIES, OUTER_ROWS * h->k);
     if (st == FMB_OK && q->run.threads > 1 && !q->session)
         st = fmb_support_hire(&h->s, &q->program[part]);
     return st;
@@ -206,7 +212,7 @@ static fmb_status keep_what_is_proved(fmb_queries *h, fmb_system *out)
     fmb_facets_clear(&h->s.hull); /* what is put out needs memory, too */
     fmb_status st = fmb_support_keep_images(&h->s);
     if (st == FMB_OK)
-        st = fmb_support_keep_ends(&h->s);
+        st = fmb_support_keep_outer_rows(&h->s);
     if (st == FMB_OK || st == FMB_LIMIT)
         st = put_all_support_rows(h, out);
     h->q->glanced = true;
@@ -285,7 +291,7 @@ static fmb_status glance_and_keep(fmb_queries *h, fmb_system *out)
     bool done;
     uint64_t pairs = h->q->run.deadline > 0 ? 0 : PAIRS_OF_GLANCE;
     h->s.hull.most_pairs = pairs > 0 ? h->s.hull.pairs + 2 * pairs : 0;
-    fmb_support_ask_ends_first(&h->s);
+    fmb_support_want_outer_rows(&h->s, 0, SIZE_MAX);
     fmb_status st = h->k > 0 ? fmb_support_ask(&h->s, pairs, &done) : FMB_OK;
     return st == FMB_OK || st == FMB_LIMIT ? keep_what_is_proved(h, out) : st;
 }

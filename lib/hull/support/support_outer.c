@@ -1,0 +1,101 @@
+/* support_outer.c: rows that the projection satisfies, and may touch, though they are no facets of
+ * it; see support.h.
+ *
+ * How far does it go in a direction? That is asked like a facet, from the point that was seen last:
+ * either its row stands, or a point beyond is seen, which mostly is the farthest already.
+ */
+#include "hull/support/support_private.h"
+
+/* h with another first entry, so that it is 0 where the point of s->g is: v[k + 1]; z[k + 1] is
+ * scratch, 0 between calls. */
+static fmb_status move_to_point(fmb_support *s, const fmb_vec *h, mpz_t *z, fmb_vec *v)
+{
+    mpz_t content;
+    fmb_poll poll = fmb_run_asked(s->run);
+    mpz_init(content);
+    for (size_t j = 1; j <= s->k; j++) {
+        fmb_vec_get(h, j, z[j]);
+        mpz_submul(z[0], z[j], s->g.z[j]);
+        mpz_mul(z[j], z[j], s->g.z[0]);
+    }
+    fmb_status st = fmb_integers_reduce(z, s->k + 1, content, &poll);
+    if (st == FMB_OK)
+        st = fmb_vec_set_z(v, s->k + 1, z, s->run->mem);
+    for (size_t j = 0; j <= s->k; j++)
+        mpz_set_ui(z[j], 0);
+    mpz_clear(content);
+    return st;
+}
+
+static fmb_status keep_outer_row(fmb_support *s, fmb_support_row *row)
+{
+    fmb_status st = fmb_mem_reserve(s->run->mem, (void **)&s->outer, &s->outer_capacity,
+                                    s->outers + 1, sizeof *s->outer);
+    if (st == FMB_OK)
+        s->outer[s->outers++] = *row;
+    else
+        fmb_support_drop(row, s->run->mem);
+    return st;
+}
+
+/* Until its row stands, or a ray is seen, so that there is none. */
+static fmb_status find_outer_row(fmb_support *s, const fmb_vec *h, mpz_t *z, fmb_vec *v)
+{
+    fmb_support_row row = {.rel = FMB_LE};
+    bool stands = false;
+    fmb_status st = FMB_OK;
+    while (st == FMB_OK && !stands && mpz_sgn(s->g.z[0]) != 0) {
+        st = move_to_point(s, h, z, v);
+        if (st == FMB_OK)
+            st = fmb_support_query(s, v, 0, 1, &row, &stands);
+    }
+    if (st == FMB_OK && stands)
+        return keep_outer_row(s, &row);
+    fmb_support_drop(&row, s->run->mem);
+    return st;
+}
+
+fmb_status fmb_support_look_along(fmb_support *s, const fmb_vec *h)
+{
+    fmb_mem *mem = s->run->mem;
+    size_t size = s->k + 1;
+    mpz_t *z = fmb_vec_block(size, mem);
+    fmb_vec v = {.s = fmb_mem_zero(mem, size, sizeof *v.s)};
+    fmb_status st = z && v.s ? FMB_OK : fmb_mem_status(mem);
+    if (st == FMB_OK)
+        st = find_outer_row(s, h, z, &v);
+    fmb_vec_block_free(z, size, mem);
+    fmb_vec_clear(&v, size, mem);
+    fmb_mem_put(mem, v.s, size, sizeof *v.s);
+    return st;
+}
+
+fmb_status fmb_support_ask_about_end(fmb_support *s)
+{
+    size_t at = s->ends_asked++, size = s->k + 1;
+    fmb_vec h = {.s = fmb_mem_zero(s->run->mem, size, sizeof *h.s), .bits = 1};
+    if (!h.s)
+        return fmb_mem_status(s->run->mem);
+    h.s[at / 2 + 1] = at % 2 ? 1 : -1;
+    for (size_t j = 0; j <= s->k; j++)
+        fmb_vec_get(&s->hull.generator[0], j, s->g.z[j]);
+    fmb_status st = fmb_support_look_along(s, &h);
+    fmb_mem_put(s->run->mem, h.s, size, sizeof *h.s);
+    return st;
+}
+
+fmb_status fmb_support_keep_outer_rows(fmb_support *s)
+{
+    fmb_status st = FMB_OK;
+    while (st == FMB_OK && s->outers > 0)
+        st = fmb_support_keep(s, &s->outer[--s->outers]);
+    return st;
+}
+
+void fmb_support_forget_outer_rows(fmb_support *s)
+{
+    while (s->outers > 0)
+        fmb_support_drop(&s->outer[--s->outers], s->run->mem);
+    fmb_mem_put(s->run->mem, s->outer, s->outer_capacity, sizeof *s->outer);
+    s->outer = NULL;
+}
