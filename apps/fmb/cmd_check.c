@@ -251,7 +251,8 @@ static const char *const KIND[] = {
     [FMB_CLAIM_BOUND] = "bound",       [FMB_CLAIM_UNBOUNDED] = "unbounded",
     [FMB_CLAIM_IMPLIED] = "implied",   [FMB_CLAIM_REDUNDANT] = "redundant",
     [FMB_CLAIM_EQUALITY] = "equality", [FMB_CLAIM_IRREDUNDANT] = "irredundant",
-    [FMB_CLAIM_CORNER] = "corner",     [FMB_CLAIM_WHOLE] = "whole"};
+    [FMB_CLAIM_CORNER] = "corner",     [FMB_CLAIM_WHOLE] = "whole",
+    [FMB_CLAIM_FOLLOWS] = "follows"};
 
 enum { KINDS = sizeof KIND / sizeof *KIND };
 

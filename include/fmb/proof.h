@@ -29,8 +29,12 @@ typedef enum fmb_claim_kind {
     FMB_CLAIM_EQUALITY,    /* row: holds with equality everywhere: multipliers prove the reverse */
     FMB_CLAIM_IRREDUNDANT, /* row: point satisfies the other rows that stay, and not this one */
     FMB_CLAIM_CORNER,      /* point: satisfies every row, < read as <=; or ray: a direction */
-    FMB_CLAIM_WHOLE /* variables (fmb_evidence_term): the projection on them is what the claims
-                       IMPLIED say that name no others: corners span all of it */
+    FMB_CLAIM_WHOLE,  /* variables (fmb_evidence_term): the projection on them is what the claims
+                         IMPLIED say that name no others: corners span all of it; or, where the
+                         claim has coordinates, variables of ascending ones are eliminated one after
+                         another, and what is left is said by claims IMPLIED and FOLLOWS */
+    FMB_CLAIM_FOLLOWS /* an inequality (fmb_evidence_term): follows from claims IMPLIED, whose
+                         multipliers come by number of the claim */
 } fmb_claim_kind;
 
 FMB_API void fmb_evidence_free(fmb_evidence *e);

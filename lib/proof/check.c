@@ -1,4 +1,5 @@
-/* check.c: the checker of evidence. This file, combine_rows.c and sum.c, complete.c and lattice.c
+/* check.c: the checker of evidence. This file, combine_rows.c and sum.c, complete.c and lattice.c,
+ * by_elimination.c and elimination.c
  * are the trusted base: believe them, GMP, and how a system stores its rows, and nothing else of
  * the library needs to be believed.
  *
@@ -16,6 +17,7 @@
 #include <string.h>
 
 #include "base/sized.h"
+#include "proof/by_elimination.h"
 #include "proof/combine_rows.h"
 #include "proof/complete.h"
 #include "proof/integral.h"
@@ -304,7 +306,16 @@ static bool check_complete(court *c, const fmb_claim *q)
         return false;
     if (c->doubtful)
         return refuse(c, "it leans on claims that do not hold");
-    return goes_on(c, fmb_complete_check(c->s, c->e, q, &c->mem, &c->poll, &why, NULL)) &&
+    fmb_status st = q->point.size > 0
+                        ? fmb_by_elimination_check(c->s, c->e, q, &c->mem, &c->poll, &why)
+                        : fmb_complete_check(c->s, c->e, q, &c->mem, &c->poll, &why, NULL);
+    return goes_on(c, st) && (!why || refuse(c, "%s", why));
+}
+
+static bool check_follows(court *c, const fmb_claim *q)
+{
+    const char *why = NULL;
+    return has_form(c, q) && goes_on(c, fmb_follows_check(c->e, q, &c->mem, &c->poll, &why)) &&
            (!why || refuse(c, "%s", why));
 }
 
@@ -317,8 +328,9 @@ static bool check_by_kind(court *c, const fmb_claim *q)
         [FMB_CLAIM_BOUND] = check_bound,       [FMB_CLAIM_UNBOUNDED] = check_unbounded,
         [FMB_CLAIM_IMPLIED] = check_implied,   [FMB_CLAIM_REDUNDANT] = check_redundant,
         [FMB_CLAIM_EQUALITY] = check_equality, [FMB_CLAIM_IRREDUNDANT] = check_irredundant,
-        [FMB_CLAIM_CORNER] = check_corner,     [FMB_CLAIM_WHOLE] = check_complete};
-    if (q->kind <= FMB_CLAIM_NONE || q->kind > FMB_CLAIM_WHOLE)
+        [FMB_CLAIM_CORNER] = check_corner,     [FMB_CLAIM_WHOLE] = check_complete,
+        [FMB_CLAIM_FOLLOWS] = check_follows};
+    if (q->kind <= FMB_CLAIM_NONE || q->kind > FMB_CLAIM_FOLLOWS)
         return refuse(c, "the claim is of no known kind");
     return by_kind[q->kind](c, q);
 }

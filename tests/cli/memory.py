@@ -42,7 +42,7 @@ def make_inputs(folder):
     cells = [f"3 {i} {(i + 1) % 100000} {(i + 2) % 100000}" for i in range(100000)]
     write(folder / "mesh.off", "OFF", "100000 100000 0", *corners, *cells)
     write(folder / "map", "u = x1")
-    write(folder / "proof", "fmb-proof 4")
+    write(folder / "proof", "fmb-proof 5")
 
 
 def size_of_nothing():

@@ -24,18 +24,20 @@ typedef struct fmb_sparse_vector {
 
 typedef struct fmb_claim {
     fmb_claim_kind kind;
-    size_t row;                    /* REDUNDANT, EQUALITY, IRREDUNDANT; else SIZE_MAX */
-    int var;                       /* BOUND, UNBOUNDED: of this variable; else -1 */
-    fmb_side side;                 /* BOUND, UNBOUNDED */
-    fmb_rel rel;                   /* BOUND: LE attained, LT not; IMPLIED: the relation */
-    mpq_t value;                   /* BOUND: the end; IMPLIED: the right side */
-    size_t value_bytes;            /* of its limbs, charged when the next claim begins */
-    fmb_sparse_vector terms;       /* IMPLIED; BOUND, UNBOUNDED without var: left side, by variable;
-                               WHOLE:       which variables, whatever the numbers */
-    fmb_sparse_vector multipliers; /* by row; >= 0 unless the row is an equality */
+    size_t row;              /* REDUNDANT, EQUALITY, IRREDUNDANT; else SIZE_MAX */
+    int var;                 /* BOUND, UNBOUNDED: of this variable; else -1 */
+    fmb_side side;           /* BOUND, UNBOUNDED */
+    fmb_rel rel;             /* BOUND: LE attained, LT not; IMPLIED: the relation */
+    mpq_t value;             /* BOUND: the end; IMPLIED: the right side */
+    size_t value_bytes;      /* of its limbs, charged when the next claim begins */
+    fmb_sparse_vector terms; /* IMPLIED, FOLLOWS; BOUND, UNBOUNDED without var: left side, by
+                         variable; WHOLE:       which variables, whatever the numbers */
+    fmb_sparse_vector
+        multipliers;           /* by row; >= 0 unless the row is an equality; FOLLOWS: by claim */
     fmb_sparse_vector reverse; /* IMPLIED with EQ, REDUNDANT equality: the same for the reverse */
-    fmb_sparse_vector point;   /* by variable: FEASIBLE, BOUND, IRREDUNDANT, CORNER */
-    fmb_sparse_vector ray;     /* by variable: UNBOUNDED, CORNER */
+    fmb_sparse_vector point; /* by variable: FEASIBLE, BOUND, IRREDUNDANT, CORNER; WHOLE: variables
+                                that are eliminated, in the order of these numbers; or none */
+    fmb_sparse_vector ray;   /* by variable: UNBOUNDED, CORNER */
 } fmb_claim;
 
 struct fmb_evidence {

@@ -29,12 +29,17 @@ typedef enum fmb_form_part {
     FMB_PART_TERM,
     FMB_PART_ROW,
     FMB_PART_REVERSE,
+    FMB_PART_STEP,
+    FMB_PART_CLAIM,
     FMB_PARTS
 } fmb_form_part;
 
+/* What the key of a line is. */
+typedef enum fmb_part_key { FMB_KEY_VARIABLE = 0, FMB_KEY_ROW, FMB_KEY_CLAIM } fmb_part_key;
+
 typedef struct fmb_part_form {
     const char *word;
-    bool by_row; /* the key is a row; else a variable */
+    fmb_part_key key;
 } fmb_part_form;
 
 typedef struct fmb_claim_form {
@@ -44,7 +49,7 @@ typedef struct fmb_claim_form {
 } fmb_claim_form;
 
 extern const fmb_part_form fmb_part_forms[FMB_PARTS];
-extern const fmb_claim_form fmb_claim_forms[FMB_CLAIM_WHOLE + 1]; /* by kind */
+extern const fmb_claim_form fmb_claim_forms[FMB_CLAIM_FOLLOWS + 1]; /* by kind */
 
 /* Sign of a relation for that end of an interval: an upper end is <= or <, a lower one >= or >. */
 const char *fmb_form_relation(fmb_rel rel, fmb_side side);

@@ -20,9 +20,11 @@ typedef struct reader {
     mpq_t number; /* scratch */
 } reader;
 
+/* Claims come in ascending order in their lines: they need no marks. */
 static size_t keys(const reader *r, fmb_form_part part)
 {
-    return fmb_part_forms[part].by_row ? r->e->rows : (size_t)r->e->dim;
+    fmb_part_key by = fmb_part_forms[part].key;
+    return by == FMB_KEY_CLAIM ? 0 : by == FMB_KEY_ROW ? r->e->rows : (size_t)r->e->dim;
 }
 
 /* ---- pieces of a line ------------------------------------------------------------------------ */
@@ -138,7 +140,7 @@ static fmb_status mark_key(reader *r, fmb_form_part part, size_t key)
     const fmb_part_form *form = &fmb_part_forms[part];
     if (r->seen[part][key] == r->e->claims)
         return fmb_words_expected(&r->words, "each %s at most once in the lines '%s'",
-                                  form->by_row ? "row" : "variable", form->word);
+                                  form->key == FMB_KEY_ROW ? "row" : "variable", form->word);
     r->seen[part][key] = r->e->claims;
     return FMB_OK;
 }
@@ -183,25 +185,36 @@ static fmb_status read_heading(reader *r, fmb_claim *c)
     return st == FMB_OK ? fmb_words_end(&r->words) : st;
 }
 
-/* The key of a part, which must be new in this claim. */
-static fmb_status read_key(reader *r, fmb_form_part part, size_t *out)
+/* An earlier claim, behind those that came in this list. */
+static fmb_status read_claim_number(reader *r, const fmb_sparse_vector *list, size_t *out)
 {
-    const fmb_part_form *form = &fmb_part_forms[part];
-    size_t key = 0;
+    size_t number = 1;
+    fmb_status st = fmb_words_next(&r->words);
+    if (st == FMB_OK)
+        st = fmb_words_count(&r->words, "a claim before this one", r->e->claims - 1, &number);
+    if (st == FMB_OK && list->size > 0 && number - 1 <= list->index[list->size - 1])
+        return fmb_words_expected(&r->words, "claims in ascending order in the lines 'implied'");
+    *out = number - 1;
+    return st;
+}
+
+/* The key of a part, which must be new in this claim. */
+static fmb_status read_key(reader *r, fmb_claim *c, fmb_form_part part, size_t *out)
+{
+    fmb_part_key by = fmb_part_forms[part].key;
     int var = 0;
-    fmb_status st = form->by_row ? read_row(r, &key) : read_variable(r, &var);
-    if (st != FMB_OK)
-        return st;
-    if (!form->by_row)
-        key = (size_t)var;
-    *out = key;
-    return mark_key(r, part, key);
+    if (by == FMB_KEY_CLAIM)
+        return read_claim_number(r, fmb_form_list(c, part), out);
+    fmb_status st = by == FMB_KEY_ROW ? read_row(r, out) : read_variable(r, &var);
+    if (st == FMB_OK && by == FMB_KEY_VARIABLE)
+        *out = (size_t)var;
+    return st == FMB_OK ? mark_key(r, part, *out) : st;
 }
 
 static fmb_status read_part(reader *r, fmb_claim *c, fmb_form_part part)
 {
     size_t key = 0;
-    fmb_status st = read_key(r, part, &key);
+    fmb_status st = read_key(r, c, part, &key);
     if (st == FMB_OK)
         st = read_number(r, r->number);
     if (st == FMB_OK)
@@ -224,7 +237,7 @@ static fmb_form_part find_part(const reader *r, const fmb_claim *c)
 /* "'row', 'point' or 'end'" */
 static fmb_status expected_part(reader *r, const fmb_claim *c)
 {
-    char list[80];
+    char list[96];
     size_t n = 0;
     for (fmb_form_part part = 0; part < FMB_PARTS; part++)
         if (fmb_form_allows(c, part))
@@ -248,7 +261,7 @@ static fmb_status read_parts(reader *r, fmb_claim *c)
 /* The kind named by the current word, or NONE. */
 static fmb_claim_kind find_kind(const reader *r)
 {
-    fmb_claim_kind kind = FMB_CLAIM_WHOLE;
+    fmb_claim_kind kind = FMB_CLAIM_FOLLOWS;
     while (kind > FMB_CLAIM_NONE && !fmb_words_is(&r->words, fmb_claim_forms[kind].word))
         kind--;
     return kind;
@@ -313,13 +326,13 @@ static fmb_status read_count(reader *r)
                                              : st;
 }
 
-/* All that versions 2 and 3 can say means the same now. */
+/* All that versions 2 to 4 can say means the same now. */
 static fmb_status read_version(reader *r)
 {
     fmb_status st = fmb_words_next(&r->words);
     if (st == FMB_OK && !fmb_words_is(&r->words, "2") && !fmb_words_is(&r->words, "3") &&
-        !fmb_words_is(&r->words, "4"))
-        st = fmb_words_expected(&r->words, "'4', '3' or '2'");
+        !fmb_words_is(&r->words, "4") && !fmb_words_is(&r->words, "5"))
+        st = fmb_words_expected(&r->words, "'5', '4', '3' or '2'");
     return st;
 }
 

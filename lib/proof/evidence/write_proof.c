@@ -99,7 +99,7 @@ static bool write_part(FILE *out, const fmb_system *s, fmb_form_part part, size_
                        const mpq_t value)
 {
     fprintf(out, "%s ", fmb_part_forms[part].word);
-    if (fmb_part_forms[part].by_row)
+    if (fmb_part_forms[part].key != FMB_KEY_VARIABLE)
         fprintf(out, "%zu", key + 1);
     else
         write_name(out, fmb_system_name(s, (int)key));
@@ -113,7 +113,8 @@ static bool write_part(FILE *out, const fmb_system *s, fmb_form_part part, size_
 static bool write_parts(FILE *out, const fmb_evidence *e, const fmb_system *s, fmb_claim *c,
                         fmb_form_part part)
 {
-    size_t keys = fmb_part_forms[part].by_row ? e->rows : (size_t)e->dim;
+    fmb_part_key by = fmb_part_forms[part].key;
+    size_t keys = by == FMB_KEY_CLAIM ? e->claims : by == FMB_KEY_ROW ? e->rows : (size_t)e->dim;
     const fmb_sparse_vector *list = fmb_form_list(c, part);
     for (size_t k = 0; k < list->size; k++)
         if (list->index[k] >= keys || !write_part(out, s, part, list->index[k], list->value[k]))
@@ -123,7 +124,7 @@ static bool write_parts(FILE *out, const fmb_evidence *e, const fmb_system *s, f
 
 static bool write_claim(FILE *out, const fmb_evidence *e, const fmb_system *s, fmb_claim *c)
 {
-    if (c->kind <= FMB_CLAIM_NONE || c->kind > FMB_CLAIM_WHOLE)
+    if (c->kind <= FMB_CLAIM_NONE || c->kind > FMB_CLAIM_FOLLOWS)
         return false;
     bool good = write_heading(out, e, s, c);
     for (fmb_form_part part = 0; good && part < FMB_PARTS; part++)
@@ -148,7 +149,7 @@ fmb_status fmb_evidence_write(const fmb_evidence *e, const fmb_system *s, FILE *
 {
     if (!out || !fmb_evidence_fits(e, s))
         return FMB_ERR_ARG;
-    fprintf(out, "fmb-proof 4\nsystem %zu rows %d variables\n", e->rows, e->dim);
+    fprintf(out, "fmb-proof 5\nsystem %zu rows %d variables\n", e->rows, e->dim);
     for (size_t i = 0; i < e->claims; i++)
         if (!write_claim(out, e, s, &e->claim[i]))
             return has_long_number(&e->claim[i]) ? FMB_ERR_RANGE : FMB_ERR_ARG;
@@ -232,7 +233,7 @@ static void tell_bound(const telling *t, const fmb_claim *c)
 static void tell_claim(const telling *t, const fmb_claim *c)
 {
     FILE *out = t->out;
-    static const char *const said[FMB_CLAIM_WHOLE + 1] = {
+    static const char *const said[FMB_CLAIM_FOLLOWS + 1] = {
         [FMB_CLAIM_FEASIBLE] = "a point satisfies every row",
         [FMB_CLAIM_INFEASIBLE] = "no point satisfies every row",
         [FMB_CLAIM_UNBOUNDED] = " has no end",
@@ -241,12 +242,13 @@ static void tell_claim(const telling *t, const fmb_claim *c)
         [FMB_CLAIM_EQUALITY] = " always holds with equality",
         [FMB_CLAIM_IRREDUNDANT] = " follows from no others that stay",
         [FMB_CLAIM_CORNER] = " satisfies every row where < is read as <=",
-        [FMB_CLAIM_WHOLE] = ": no row of the projection on these is missing"};
+        [FMB_CLAIM_WHOLE] = ": no row of the projection on these is missing",
+        [FMB_CLAIM_FOLLOWS] = " follows from claims"};
     if (c->kind == FMB_CLAIM_BOUND)
         tell_bound(t, c);
     else if (c->kind == FMB_CLAIM_UNBOUNDED)
         tell_form(t, c);
-    else if (c->kind == FMB_CLAIM_IMPLIED)
+    else if (c->kind == FMB_CLAIM_IMPLIED || c->kind == FMB_CLAIM_FOLLOWS)
         tell_inequality(t, c);
     else if (fmb_claim_forms[c->kind].heading == FMB_HEADING_ROW)
         fprintf(out, "row %zu", c->row + 1);
@@ -275,7 +277,7 @@ fmb_status fmb_evidence_tell_with(const fmb_evidence *e, const fmb_system *s, si
                                   const fmb_number_style *style, FILE *out)
 {
     bool known = out && style && style->put && fmb_evidence_fits(e, s) && i < e->claims &&
-                 e->claim[i].kind > FMB_CLAIM_NONE && e->claim[i].kind <= FMB_CLAIM_WHOLE;
+                 e->claim[i].kind > FMB_CLAIM_NONE && e->claim[i].kind <= FMB_CLAIM_FOLLOWS;
     if (!known || !is_about(e, &e->claim[i]))
         return FMB_ERR_ARG;
     const telling t = {.out = out, .s = s, .style = style};

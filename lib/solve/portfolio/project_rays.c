@@ -220,19 +220,91 @@ static fmb_status put_all_facets(fmb_ray_projection *h)
 
 /* ---- corners --------------------------------------------------------------------------------- */
 
-/* The rays of the image, unless a kept variable is free, or there is no memory for them. */
-static fmb_status hand_over_rays(fmb_ray_projection *h)
+/* Column of the part `of` among those of the image, t behind them; or the number of these: its kept
+ * variable is free, as no row names it. */
+static size_t column_of_image(const fmb_ray_projection *h, size_t of)
+{
+    size_t k = 0;
+    while (k + 1 < h->keeps && h->column[h->keep[k]] != of)
+        k++;
+    return k + 1 < h->keeps ? k : h->keeps;
+}
+
+/* v, of the image, over all kept variables and t. */
+static fmb_status hand_over_vector(fmb_ray_projection *h, const fmb_vec *v, mpz_t *z, fmb_vec *y,
+                                   fmb_num *num)
 {
     fmb_query *q = h->of->q;
-    size_t kept = 0;
+    size_t at = 0;
+    for (int j = 0; j < h->of->p->n; j++) {
+        if (h->of->place[h->of->p->var[j]] < 0)
+            continue;
+        size_t k = column_of_image(h, (size_t)j);
+        mpz_set_ui(z[at], 0);
+        if (k < h->keeps)
+            fmb_vec_get(v, k, z[at]);
+        at++;
+    }
+    fmb_vec_get(v, h->keeps - 1, z[at]);
+    fmb_status st = fmb_vec_set_z(y, at + 1, z, q->run.mem);
+    return st == FMB_OK ? fmb_met_points_add(&q->met, y, NULL, num) : st;
+}
+
+/* The directions of kept variables that no row names. */
+static fmb_status hand_over_free_variables(fmb_ray_projection *h, mpz_t *z, fmb_vec *y,
+                                           fmb_num *num)
+{
+    fmb_query *q = h->of->q;
+    size_t at = 0, width = q->met.width;
     fmb_status st = FMB_OK;
+    for (int j = 0; st == FMB_OK && j < h->of->p->n; j++) {
+        if (h->of->place[h->of->p->var[j]] < 0)
+            continue;
+        for (size_t i = 0; i < width; i++)
+            mpz_set_ui(z[i], i == at);
+        at++;
+        if (column_of_image(h, (size_t)j) < h->keeps)
+            continue;
+        st = fmb_vec_set_z(y, width, z, q->run.mem);
+        if (st == FMB_OK)
+            st = fmb_met_points_add(&q->met, y, NULL, num);
+    }
+    return st;
+}
+
+static fmb_status hand_over_vectors(fmb_ray_projection *h, mpz_t *z, fmb_vec *y, fmb_num *num)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i < h->image.rays; i++)
+        st = hand_over_vector(h, &h->image.ray[i], z, y, num);
+    for (size_t i = 0; st == FMB_OK && i < h->image.lines; i++)
+        st = hand_over_vector(h, &h->image.line[i], z, y, num);
+    return st == FMB_OK ? hand_over_free_variables(h, z, y, num) : st;
+}
+
+/* The rays and lines of the image; where there is no memory for them, they stay behind. */
+static fmb_status hand_over_image(fmb_ray_projection *h)
+{
+    fmb_query *q = h->of->q;
+    fmb_mem *mem = q->run.mem;
+    size_t kept = 0;
     for (int j = 0; j < h->of->p->n; j++)
         kept += h->of->place[h->of->p->var[j]] >= 0;
-    if (!fmb_query_proves_complete(q) || kept == 0 || kept + 1 != h->keeps || h->image.lines > 0)
+    if (!fmb_query_proves_complete(q) || kept == 0)
         return FMB_OK;
-    fmb_met_points_begin(&q->met, q->run.mem, (int)(h->of->p - q->parts.part), kept);
-    for (size_t i = 0; st == FMB_OK && i < h->image.rays; i++)
-        st = fmb_met_points_add(&q->met, &h->image.ray[i], NULL, &h->image.num);
+    mpz_t *z = fmb_vec_block(kept + 1, mem);
+    fmb_vec y = {.s = fmb_mem_get(mem, kept + 1, sizeof *y.s)};
+    fmb_met_points_begin(&q->met, mem, (int)(h->of->p - q->parts.part), kept);
+    fmb_num num;
+    fmb_status st = fmb_run_open_num(&q->run, &num, kept + 1, fmb_query_is_wide(q));
+    if (st == FMB_OK)
+        st = z && y.s ? hand_over_vectors(h, z, &y, &num) : fmb_mem_status(mem);
+    fmb_num_clear(&num);
+    for (size_t k = 0; z && k <= kept; k++)
+        mpz_clear(z[k]);
+    fmb_mem_put(mem, z, kept + 1, sizeof *z);
+    fmb_vec_clear(&y, kept + 1, mem);
+    fmb_mem_put(mem, y.s, kept + 1, sizeof *y.s);
     if (st == FMB_LIMIT)
         fmb_met_points_clear(&q->met);
     return st == FMB_LIMIT && q->run.stop == FMB_STOP_DONE ? FMB_OK : st;
@@ -277,7 +349,7 @@ static fmb_status project_rays(fmb_ray_projection *h, bool *feasible, bool *done
     h->over = !*done;
     if (st == FMB_OK && *feasible && *done)
         st = put_all_facets(h);
-    return st == FMB_OK && *feasible && *done ? hand_over_rays(h) : st;
+    return st == FMB_OK && *feasible && *done ? hand_over_image(h) : st;
 }
 
 fmb_status fmb_ray_projection_open(fmb_reduced_part *of, fmb_ray_projection **out)

@@ -11,12 +11,20 @@
 #include "num/rationals.h"
 #include "proof/complete.h"
 #include "solve/project/met_corners.h"
+#include "solve/project/order_complete.h"
 #include "solve/project/preimages.h"
 #include "solve/query/lifted.h"
 
-/* So many rays may be made on the way to the corners, which are some of them: work and memory
- * where nobody sets a limit. */
-#define MOST_RAYS 262144
+/* What the projection has cost, in operations as proof/elimination.h counts them: a few times that
+ * is what a proof may cost, and no less than some milliseconds. */
+#define WORK_OF_ANY     ((uint64_t)1 << 22)
+#define WORK_OF_ROW     256 /* and variable */
+#define WORK_OF_PAIR    16
+#define WORK_OF_PROGRAM ((uint64_t)1 << 14)
+/* So much of that is tried first, as a share. */
+#define SHARES 16
+/* Of a ray that is made on the way to corners. */
+#define WORK_OF_RAY 1024
 /* And so are more faces whose middle has to be shown. */
 #define MOST_MIDDLES 2000
 
@@ -24,12 +32,13 @@ typedef struct completeness_proof {
     fmb_query *q;
     const int *place;
     const fmb_system *image;
-    size_t first; /* claim of this proof */
-    fmb_preimages *preimages;
-    fmb_integers y; /* a point or direction of the image, t behind it */
-    mpq_t *x;       /* [dim] above it */
+    size_t first;             /* claim of this proof */
+    fmb_preimages *preimages; /* NULL: not asked for yet */
+    fmb_integers y;           /* a point or direction of the image, t behind it */
+    mpq_t *x;                 /* [dim] above it */
     bool any_strict, done;
     const char *why; /* it is not done */
+    uint64_t work;   /* that it may cost */
 } completeness_proof;
 
 /* ---- corners --------------------------------------------------------------------------------- */
@@ -50,7 +59,9 @@ static fmb_status claim_corner_at(completeness_proof *w)
 /* What lies above y, as such rows have it. */
 static fmb_status claim_corner_above(completeness_proof *w, bool strict, bool *found)
 {
-    fmb_status st = fmb_preimages_find(w->preimages, &w->y, strict, w->x, found);
+    fmb_status st = w->preimages ? FMB_OK : fmb_preimages_open(w->q, w->place, &w->preimages);
+    if (st == FMB_OK)
+        st = fmb_preimages_find(w->preimages, &w->y, strict, w->x, found);
     return st == FMB_OK && *found ? claim_corner_at(w) : st;
 }
 
@@ -118,6 +129,13 @@ static fmb_status find_met_corners(completeness_proof *w, bool *found)
     return st;
 }
 
+static uint64_t affordable_work(const fmb_query *q)
+{
+    const fmb_stats *s = &q->run.stats;
+    uint64_t row = WORK_OF_ROW * ((uint64_t)fmb_system_dim(q->s) + 1);
+    return WORK_OF_ANY + row * s->rows_made + WORK_OF_PAIR * s->pairs + WORK_OF_PROGRAM * s->lps;
+}
+
 static fmb_status find_corners(completeness_proof *w, bool *found)
 {
     fmb_lifted h;
@@ -125,7 +143,7 @@ static fmb_status find_corners(completeness_proof *w, bool *found)
     *found = false;
     w->why = "it has too many corners";
     if (st == FMB_OK)
-        st = fmb_lifted_run(&h, MOST_RAYS, found);
+        st = fmb_lifted_run(&h, w->work / WORK_OF_RAY, found);
     if (st == FMB_OK && *found)
         st = claim_all_corners(w, &h.image, found);
     fmb_lifted_close(&h);
@@ -224,6 +242,13 @@ static fmb_status find_corners_of_rows(completeness_proof *w)
     return st == FMB_OK && found ? claim_complete(w) : st;
 }
 
+static fmb_status try_order_and_corners(completeness_proof *w)
+{
+    drop_claims(w);
+    fmb_status st = fmb_query_order_complete(w->q, w->place, w->image, w->work, &w->done);
+    return st == FMB_OK && !w->done ? find_corners_of_rows(w) : st;
+}
+
 static fmb_status prove_complete(completeness_proof *w)
 {
     fmb_mem *mem = w->q->run.mem;
@@ -235,13 +260,14 @@ static fmb_status prove_complete(completeness_proof *w)
     if (st == FMB_OK)
         st = fmb_rationals_new(&w->x, dim, mem);
     if (st == FMB_OK)
-        st = fmb_preimages_open(w->q, w->place, &w->preimages);
-    if (st == FMB_OK)
         st = find_met_corners(w, &found);
     if (st == FMB_OK && found)
         st = claim_complete(w);
-    if (st == FMB_OK && !w->done)
-        st = find_corners_of_rows(w);
+    const uint64_t work = affordable_work(w->q);
+    for (uint64_t share = SHARES; st == FMB_OK && !w->done && share > 0; share /= SHARES) {
+        w->work = work / share;
+        st = try_order_and_corners(w);
+    }
     fmb_preimages_close(w->preimages);
     fmb_rationals_free(w->x, dim, mem);
     fmb_integers_clear(&w->y, mem);

@@ -1,11 +1,12 @@
 /* met_corners.c: see met_corners.h.
  *
  * Forms are b t - a.x of each inequality, and t. If cone G is the cone P on which no form is
- * negative, and P contains no line, then g of G is on an extreme ray of P if and only if no vector
- * of G but its multiples is 0 on all forms that are 0 at g. For those y of P where these forms are
- * 0 are the least face with g; it is spanned by what G has of it, and is a ray if that is g alone.
- * So corners are told by sets. If G spans less than P, too many may be taken for corners; who asks
- * finds that out.
+ * negative, then g of G is on an extreme ray of P, up to the lines of P, if and only if all vectors
+ * of G that are 0 on all forms that are 0 at g are lines, or multiples of g up to lines. For those
+ * y of P where these forms are 0 are the least face with g, which is spanned by what G has of it.
+ * Such multiples are 0 on the same forms; one of them is enough. Lines are 0 on all forms. So
+ * corners are told by sets. If G spans less than P, or where there are lines, too many may be taken
+ * for corners; who asks finds that out.
  */
 #include "solve/project/met_corners.h"
 
@@ -21,6 +22,8 @@ typedef struct corner_search {
     size_t forms, words; /* words of a set of vectors */
     uint64_t *zero;      /* [forms][words] where the form is 0 */
     uint64_t *face;      /* [words] scratch */
+    size_t *zeros;       /* [vectors] forms that are 0 there */
+    bool *stays;         /* [vectors] it is a corner */
     fmb_vec form;        /* scratch */
 } corner_search;
 
@@ -84,46 +87,59 @@ static fmb_status find_zeros_of_forms(corner_search *c, mpz_t *z)
     return st;
 }
 
-/* c->face = the vectors on all forms that are 0 at g. False: all forms are. */
-static bool find_least_face(corner_search *c, size_t g)
+/* How many forms are 0 at each vector; where all are, it is a line. */
+static void count_zeros(corner_search *c)
 {
-    size_t on = 0;
+    for (size_t g = 0; g < c->m->rays; g++) {
+        c->zeros[g] = 0;
+        for (size_t i = 0; i < c->forms; i++)
+            c->zeros[g] += fmb_set_has(c->zero + i * c->words, g);
+    }
+}
+
+/* c->face = the vectors on all forms that are 0 at g. */
+static void find_least_face(corner_search *c, size_t g)
+{
     memset(c->face, 0xff, c->words * sizeof *c->face);
     for (size_t i = 0; i < c->forms; i++) {
         const uint64_t *zero = c->zero + i * c->words;
-        if (!fmb_set_has(zero, g))
-            continue;
-        on++;
-        for (size_t w = 0; w < c->words; w++)
+        for (size_t w = 0; fmb_set_has(zero, g) && w < c->words; w++)
             c->face[w] &= zero[w];
     }
-    return on < c->forms;
 }
 
-static bool is_face_one_vector(const corner_search *c)
+/* Is g all that there is of its face, up to lines, or the first of those that are? */
+static bool is_corner(const corner_search *c, size_t g)
 {
-    size_t size = 0;
-    for (size_t g = 0; size < 2 && g < c->m->rays; g++)
-        size += fmb_set_has(c->face, g);
-    return size == 1;
+    bool only = true;
+    for (size_t i = 0; only && i < c->m->rays; i++)
+        if (i != g && fmb_set_has(c->face, i) && c->zeros[i] < c->forms)
+            only = c->zeros[i] == c->zeros[g] && i > g;
+    return only;
 }
 
-/* Those that are no corners go. */
+/* Those that are no corners go, and lines go over to the lines. */
 static fmb_status keep_corners(corner_search *c, bool *found)
 {
     fmb_status st = FMB_OK;
-    size_t left = 0, rays = c->m->rays;
-    for (size_t g = 0; g < rays; g++) {
-        *found = *found && find_least_face(c, g);
-        if (*found && st == FMB_OK && is_face_one_vector(c))
-            c->m->ray[left++] = c->m->ray[g];
-        else
-            fmb_vec_clear(&c->m->ray[g], c->m->n, c->q->run.mem);
-        if (st == FMB_OK)
-            st = fmb_run_poll(&c->q->run);
+    fmb_image *m = c->m;
+    size_t left = 0;
+    count_zeros(c);
+    for (size_t g = 0; g < m->rays && st == FMB_OK; g++) {
+        find_least_face(c, g);
+        c->stays[g] = c->zeros[g] < c->forms && is_corner(c, g);
+        st = fmb_run_poll(&c->q->run);
     }
-    c->m->rays = left;
-    *found = *found && left > 0;
+    for (size_t g = 0; g < m->rays; g++) {
+        if (c->stays[g])
+            m->ray[left++] = m->ray[g];
+        else if (c->zeros[g] == c->forms)
+            m->line[m->lines++] = m->ray[g];
+        else
+            fmb_vec_clear(&m->ray[g], m->n, c->q->run.mem);
+    }
+    m->rays = left;
+    *found = left > 0;
     return st;
 }
 
@@ -133,13 +149,15 @@ static fmb_status search_corners(corner_search *c, bool *found)
     fmb_status st = list_met_vectors(c);
     if (st != FMB_OK)
         return st;
-    size_t n = c->m->n, most = c->image->rows + 1;
+    size_t n = c->m->n, most = c->image->rows + 1, size = c->m->rays;
     c->words = fmb_set_words(c->m->rays);
     mpz_t *z = fmb_vec_block(n, mem);
     c->form.s = fmb_mem_get(mem, n, sizeof *c->form.s);
     c->zero = fmb_mem_zero(mem, most, c->words * sizeof *c->zero);
     c->face = fmb_mem_get(mem, c->words, sizeof *c->face);
-    if (!z || !c->form.s || !c->zero || !c->face)
+    c->zeros = fmb_mem_zero(mem, size, sizeof *c->zeros);
+    c->stays = fmb_mem_zero(mem, size, sizeof *c->stays);
+    if (!z || !c->form.s || !c->zero || !c->face || !c->zeros || !c->stays)
         st = fmb_mem_status(mem);
     if (st == FMB_OK)
         st = find_zeros_of_forms(c, z);
@@ -153,6 +171,8 @@ static fmb_status search_corners(corner_search *c, bool *found)
     fmb_mem_put(mem, c->form.s, n, sizeof *c->form.s);
     fmb_mem_put(mem, c->zero, most, c->words * sizeof *c->zero);
     fmb_mem_put(mem, c->face, c->words, sizeof *c->face);
+    fmb_mem_put(mem, c->zeros, size, sizeof *c->zeros);
+    fmb_mem_put(mem, c->stays, size, sizeof *c->stays);
     return st;
 }
 

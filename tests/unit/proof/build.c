@@ -65,7 +65,7 @@ fmb_evidence *proof_claims(const fmb_system *s, const char *claims)
     size_t count = 0;
     for (const char *at = claims; (at = strstr(at, "claim ")); at++)
         count++;
-    int n = snprintf(text, sizeof text, "fmb-proof 4\nsystem %zu rows %d variables\n%sclaims %zu\n",
+    int n = snprintf(text, sizeof text, "fmb-proof 5\nsystem %zu rows %d variables\n%sclaims %zu\n",
                      fmb_system_rows(s), fmb_system_dim(s), claims, count);
     cr_assert_lt((size_t)n, sizeof text);
     fmb_status st = proof_parse(s, text, &e, &where);

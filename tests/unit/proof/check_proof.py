@@ -4,6 +4,7 @@ import sys
 from collections import defaultdict
 from fractions import Fraction as Q
 
+from check_steps import whole_by_steps
 from check_whole import whole
 
 RELATION = {"linearity": "=", "strict_inequality": "<"}
@@ -18,7 +19,7 @@ def read(ine, proof):  # rows {number: (left, relation, right)}, claims [(headin
             claims.append((rest, defaultdict(lambda: defaultdict(int))))
         elif word == "claims":
             complete = int(rest[0]) == len(claims)
-        elif word in ("row", "reverse", "term", "point", "ray"):
+        elif word in ("row", "reverse", "term", "point", "ray", "step", "implied"):
             claims[-1][1][word][int(rest[0].lstrip("x"))] = Q(rest[1])
     rows = {i: ([-Q(c) for c in r[1:]], rel.get(i, "<="), Q(r[0])) for i, r in body}
     return rows, claims if complete else []
@@ -90,7 +91,13 @@ def judge(rows, claims):
             ray = any(p["ray"].values())
             good = keeps(closed, p["ray" if ray else "point"], ray) and not (ray and any(p["point"].values()))
         elif kind == "whole":  # the claims that it leans on have been judged
-            good = whole(rows, claims, [int(name.lstrip("x")) for name in head])
+            by = whole_by_steps if any(p["step"].values()) else whole
+            good = by(rows, claims, [int(name.lstrip("x")) for name in head], p["step"])
+        elif kind == "follows":
+            said = {k: ([q["term"].get(j, 0) for j in range(1, dim + 1)], h[1], Q(h[2]))
+                    for k, (h, q) in enumerate(claims, 1) if h[0] == "implied"}
+            goal = ([p["term"].get(k, 0) for k in range(1, dim + 1)], head[0], Q(head[1]))
+            good = head[0] != "=" and proves(said, {"row": p["implied"]}, goal)
         if not good:
             return f"claim {n + 1} does not hold"
     return "accepted" if claims else "there is no claim, or some are missing"

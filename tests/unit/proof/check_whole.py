@@ -23,7 +23,7 @@ def is_opposite(v, w):
     return rank([v, w]) <= 1 and (dot(v, w) < 0 or not any(v))
 
 
-def whole(rows, claims, kept):  # rows and claims as check_proof.read gives them; kept: variables
+def whole(rows, claims, kept, _):  # rows and claims as check_proof.read gives them; kept: variables
     forms, equations, corners = [([0] * len(kept) + [1], True)], [], []  # t >= 0, not at infinity
     for (kind, *head), p in claims:
         if kind == "implied" and {j for j, a in p["term"].items() if a} <= set(kept):

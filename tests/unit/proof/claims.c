@@ -32,7 +32,7 @@ Test(claims, samples)
 /* The table has something right and something wrong of every kind. */
 Test(claims, every_kind)
 {
-    for (fmb_claim_kind kind = FMB_CLAIM_FEASIBLE; kind <= FMB_CLAIM_WHOLE; kind++) {
+    for (fmb_claim_kind kind = FMB_CLAIM_FEASIBLE; kind <= FMB_CLAIM_FOLLOWS; kind++) {
         int right = 0, wrong = 0;
         for (size_t i = 0; i < proof_samples_count; i++) {
             const proof_sample *p = &proof_samples[i];
@@ -74,7 +74,7 @@ Test(claims, malformed)
     mpq_t one;
     mpq_init(one);
     mpq_set_ui(one, 1, 1);
-    for (int kind = -1; kind <= FMB_CLAIM_WHOLE + 1; kind++)
+    for (int kind = -1; kind <= FMB_CLAIM_FOLLOWS + 1; kind++)
         for (int part = 0; part < 6; part++) {
             fmb_evidence *e = NULL;
             fmb_claim *c = NULL;
@@ -98,7 +98,8 @@ Test(claims, malformed)
                           part != 5; /* a point without coordinates */
             bool names_nothing = part == 0 || part == 3;
             bool empty_but_true = origin ||
-                                  (kind == FMB_CLAIM_IMPLIED && (names_nothing || part == 5)) ||
+                                  ((kind == FMB_CLAIM_IMPLIED || kind == FMB_CLAIM_FOLLOWS) &&
+                                   (names_nothing || part == 5)) ||
                                   (kind == FMB_CLAIM_BOUND && names_nothing); /* 0 >= 0 */
             cr_expect_eq(j.accepted, empty_but_true, "kind %d, part %d", kind, part);
             cr_expect_eq(naive_first_failing(s, e), j.claim, "kind %d, part %d", kind, part);

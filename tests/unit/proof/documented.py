@@ -13,7 +13,7 @@ import tempfile
 import check_proof
 
 KINDS = ["feasible", "infeasible", "bound", "unbounded", "implied", "redundant", "equality",
-         "irredundant", "corner", "whole"]
+         "irredundant", "corner", "whole", "follows"]
 
 
 def blocks(path):

@@ -73,7 +73,7 @@ Test(limits, bytes)
 Test(limits, reading)
 {
     fmb_system *s = proof_system("x y\n1 1 <= 2", NULL);
-    char text[4096] = "fmb-proof 4\nsystem 1 rows 2 variables\n#";
+    char text[4096] = "fmb-proof 5\nsystem 1 rows 2 variables\n#";
     memset(text + strlen(text), '.', 3000);
     strcat(text, "\nclaim feasible\nend\nclaims 1\n");
     for (size_t most = 0; most < 16; most++) {

@@ -19,7 +19,7 @@
 
 typedef struct tally {
     int judged, accepted;
-    int by_kind[FMB_CLAIM_WHOLE + 1]; /* rejected for a claim of that kind */
+    int by_kind[FMB_CLAIM_FOLLOWS + 1]; /* rejected for a claim of that kind */
 } tally;
 
 static void judge(const fmb_system *s, const fmb_evidence *e, const char *what, tally *t)
@@ -40,7 +40,7 @@ static void judge(const fmb_system *s, const fmb_evidence *e, const char *what, 
     }
     t->judged++;
     t->accepted += j.accepted;
-    if (!j.accepted && failing < e->claims && e->claim[failing].kind <= FMB_CLAIM_WHOLE)
+    if (!j.accepted && failing < e->claims && e->claim[failing].kind <= FMB_CLAIM_FOLLOWS)
         t->by_kind[e->claim[failing].kind]++;
 }
 
@@ -77,7 +77,7 @@ Test(mutate, samples)
     }
     cr_expect_geq(t.judged, 4000);
     cr_expect_geq(t.accepted, 200);
-    for (fmb_claim_kind kind = FMB_CLAIM_FEASIBLE; kind <= FMB_CLAIM_WHOLE; kind++)
+    for (fmb_claim_kind kind = FMB_CLAIM_FEASIBLE; kind <= FMB_CLAIM_FOLLOWS; kind++)
         cr_expect_geq(t.by_kind[kind], 50, "kind %d", kind);
 }
 
@@ -126,7 +126,7 @@ Test(mutate, proofs_of_the_solver, .timeout = 600)
     cr_expect_eq(right.accepted, right.judged);
     cr_expect_geq(t.accepted, 300);
     cr_expect_geq(t.judged - t.accepted, 5000);
-    for (fmb_claim_kind kind = FMB_CLAIM_FEASIBLE; kind <= FMB_CLAIM_WHOLE; kind++)
+    for (fmb_claim_kind kind = FMB_CLAIM_FEASIBLE; kind <= FMB_CLAIM_FOLLOWS; kind++)
         cr_expect_geq(t.by_kind[kind], 100, "kind %d: %d", kind, t.by_kind[kind]);
 }
 

@@ -159,7 +159,7 @@ static bool change_value(subject *u)
 
 static bool change_kind(subject *u)
 {
-    any_claim(u)->kind = (fmb_claim_kind)support_between(&u->g, FMB_CLAIM_NONE, FMB_CLAIM_WHOLE);
+    any_claim(u)->kind = (fmb_claim_kind)support_between(&u->g, FMB_CLAIM_NONE, FMB_CLAIM_FOLLOWS);
     return true;
 }
 

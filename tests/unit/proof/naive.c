@@ -273,6 +273,34 @@ static bool holds_irredundant(const scene *v, const fmb_claim *c)
                   v->final.rel[row]);
 }
 
+/* Claims IMPLIED as rows of a table, which multipliers may name; all others are not to be. */
+static bool holds_follows(const scene *v, const fmb_claim *c)
+{
+    int dim = v->rows.dim;
+    dense said = dense_new(dim, (int)v->e->claims);
+    inequality goal = {zeros(dim), c->rel};
+    bool good = c->rel != FMB_EQ && c->var == -1 && is_point(dim, &c->terms);
+    for (size_t k = 0; good && k < c->multipliers.size; k++) {
+        size_t on = c->multipliers.index[k];
+        good = on < v->e->claims && v->e->claim[on].kind == FMB_CLAIM_IMPLIED &&
+               is_point(dim, &v->e->claim[on].terms);
+        for (size_t i = 0; good && i < v->e->claim[on].terms.size; i++)
+            mpq_set(dense_row(&said, (int)on)[v->e->claim[on].terms.index[i]],
+                    v->e->claim[on].terms.value[i]);
+        if (good) {
+            mpq_set(dense_rhs(&said, (int)on), v->e->claim[on].value);
+            said.rel[on] = v->e->claim[on].rel;
+        }
+    }
+    for (size_t i = 0; good && i < c->terms.size; i++)
+        mpq_set(goal.a[c->terms.index[i]], c->terms.value[i]);
+    mpq_set(goal.a[dim], c->value);
+    good = good && derives(&said, &c->multipliers, goal);
+    put(goal.a, dim);
+    dense_free(&said);
+    return good;
+}
+
 static bool claim_holds(const scene *v, const fmb_claim *c)
 {
     switch (c->kind) {
@@ -296,7 +324,10 @@ static bool claim_holds(const scene *v, const fmb_claim *c)
         return c->ray.size == 0 ? is_closed_solution(&v->rows, &c->point)
                                 : c->point.size == 0 && is_direction(&v->rows, &c->ray);
     case FMB_CLAIM_WHOLE:
-        return !v->doubtful && naive_is_whole(&v->rows, v->e, c);
+        return !v->doubtful && (c->point.size > 0 ? naive_is_whole_by_steps(&v->rows, v->e, c)
+                                                  : naive_is_whole(&v->rows, v->e, c));
+    case FMB_CLAIM_FOLLOWS:
+        return holds_follows(v, c);
     default:
         return false;
     }

@@ -18,8 +18,15 @@
     "claim implied <= 0\nterm y -1\nrow 3 1\nend\n"
 #define TRIANGLE_CORNERS                                                                           \
     "claim corner\nend\nclaim corner\npoint x 4\nend\nclaim corner\npoint y 4\nend\n"
-#define CONE_RAYS "claim corner\nray x -1\nend\nclaim corner\nray x 1\nray y 1\nend\n"
-#define AT_ORIGIN "claim feasible\npoint x 0\npoint y 0\nend\n"
+#define PRISM "x y z\n1 1 1 < 4\n-1 0 0 <= 0\n0 -1 0 <= 0\n1 0 -1 <= 0\n0 0 1 <= 5"
+#define PRISM_ROWS                                                                                 \
+    "claim implied < 4\nterm x 2\nterm y 1\nrow 1 1\nrow 4 1\nend\n"                               \
+    "claim implied <= 0\nterm x -1\nrow 2 1\nend\n"                                                \
+    "claim implied <= 0\nterm y -1\nrow 3 1\nend\n"
+#define PRISM_FOLLOWS "claim follows <= 5\nterm x 1\nimplied 1 1/2\nimplied 3 1/2\nend\n"
+#define PRISM_STEP    "claim whole x y\nstep z 1\nend\n"
+#define CONE_RAYS     "claim corner\nray x -1\nend\nclaim corner\nray x 1\nray y 1\nend\n"
+#define AT_ORIGIN     "claim feasible\npoint x 0\npoint y 0\nend\n"
 
 const proof_sample proof_samples[] = {
     /* feasible */
@@ -354,6 +361,45 @@ const proof_sample proof_samples[] = {
      "claim implied <= 1\nterm x 1\nrow 1 1\nend\nclaim implied <= 0\nterm x -1\nrow 2 1\nend\n"
      "claim corner\nend\nclaim corner\npoint x 1\nend\nclaim whole x\nend\n",
      NULL, 0},
+
+    /* whole by steps, follows */
+    {"a step", PRISM, PRISM_ROWS PRISM_FOLLOWS PRISM_STEP, NULL, 0},
+    {"a strict sum", PRISM,
+     PRISM_ROWS "claim follows < 2\nterm x 1\nimplied 1 1/2\nimplied 3 1/2\nend\n" PRISM_STEP, NULL,
+     0},
+    {"two steps", TRIANGLE, "claim whole\nstep y 2\nstep x 1\nend\n", NULL, 0},
+    {"by an equality", EQUALITIES,
+     "claim implied = 1\nterm x 1\nrow 1 1\nreverse 1 -1\nend\nclaim whole x\nstep y 1\nend\n",
+     NULL, 0},
+    {"a sum that nobody says", PRISM, PRISM_ROWS PRISM_STEP, "no claim says", 0},
+    {"a row not as strict", PRISM,
+     "claim implied <= 4\nterm x 2\nterm y 1\nrow 1 1\nrow 4 1\nend\n"
+     "claim implied <= 0\nterm x -1\nrow 2 1\nend\nclaim implied <= 0\nterm y -1\nrow 3 1\n"
+     "end\n" PRISM_FOLLOWS PRISM_STEP,
+     "no claim says", 0},
+    {"a step of what is kept", PRISM,
+     PRISM_ROWS PRISM_FOLLOWS "claim whole x y\nstep z 1\nstep y 2\nend\n", "that is kept", 0},
+    {"a step too few", PRISM, PRISM_ROWS PRISM_FOLLOWS "claim whole x\nstep z 1\nend\n",
+     "not kept are left", 0},
+    {"a claim about what goes", PRISM,
+     PRISM_ROWS "claim implied <= 5\nterm z 1\nrow 5 1\nend\nclaim implied <= 0\nterm x 1\n"
+                "term z -1\nrow 4 1\nend\nclaim follows <= 5\nterm x 1\nimplied 4 1\nimplied 5 "
+                "1\nend\n" PRISM_STEP,
+     "no claim says", 0},
+    {"follows from too little", PRISM,
+     PRISM_ROWS "claim follows <= 1\nterm x 1\nimplied 1 1/2\nimplied 3 1/2\nend\n", "too large",
+     0},
+    {"follows, but not strictly", PRISM,
+     PRISM_ROWS "claim follows < 0\nterm x -1\nimplied 2 1\nend\n", "too large", 0},
+    {"follows from another form", PRISM,
+     PRISM_ROWS "claim follows <= 5\nterm x 1\nimplied 1 1/2\nend\n", "coefficient is wrong", 0},
+    {"follows from less than nothing", PRISM,
+     PRISM_ROWS "claim follows <= 5\nterm x 1\nimplied 2 -1\nend\n", "is negative", 0},
+    {"follows as an equation", PRISM, PRISM_ROWS "claim follows = 0\nterm x -1\nimplied 2 1\nend\n",
+     "no inequality", 0},
+    {"follows from a claim of another kind", PRISM,
+     PRISM_ROWS PRISM_FOLLOWS "claim follows <= 5\nterm x 1\nimplied 4 1\nend\n", "not 'implied'",
+     0},
 
     {"no claim", BOX, "# nothing\n", "there is no claim", 0},
 };

@@ -1,0 +1,233 @@
+/* elimination.c: see elimination.h; part of the trusted base, as check.c is. */
+#include "proof/elimination.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "num/bitset.h"
+#include "system/system_private.h"
+
+/* A product of integers counts as so many words of sets. */
+#define WORK_OF_PRODUCT 16
+
+/* Rows that may be added, and where their sum would be positive. */
+typedef struct row_pair {
+    size_t p, q;
+    size_t size; /* of the union of both sets */
+} row_pair;
+
+typedef struct pair_list {
+    row_pair *pair;
+    size_t size, capacity;
+} pair_list;
+
+/* ---- rows ------------------------------------------------------------------------------------ */
+
+static fmb_status append_empty_row(fmb_elimination *e, fmb_rel rel)
+{
+    fmb_status st =
+        fmb_mem_reserve(e->mem, (void **)&e->row, &e->capacity, e->rows + 1, sizeof *e->row);
+    if (st != FMB_OK)
+        return st;
+    fmb_eliminated_row *r = &e->row[e->rows++];
+    *r = (fmb_eliminated_row){.rel = rel, .of = fmb_mem_zero(e->mem, e->words, sizeof *r->of)};
+    return r->of ? fmb_integers_init(&r->z, e->dim + 1, e->mem) : fmb_mem_status(e->mem);
+}
+
+static void clear_row(fmb_elimination *e, fmb_eliminated_row *r)
+{
+    fmb_integers_clear(&r->z, e->mem);
+    fmb_mem_put(e->mem, r->of, e->words, sizeof *r->of);
+}
+
+fmb_status fmb_elimination_open(fmb_elimination *e, const fmb_system *s, uint64_t most,
+                                fmb_mem *mem, const fmb_poll *poll)
+{
+    *e = (fmb_elimination){.s = s, .mem = mem, .poll = poll, .most = most};
+    e->dim = (size_t)fmb_system_dim(s);
+    e->words = fmb_set_words(fmb_system_rows(s));
+    mpz_inits(e->p, e->q, NULL);
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i < fmb_system_rows(s); i++) {
+        const fmb_sysrow *from = fmb_system_row(s, i);
+        st = append_empty_row(e, from->rel);
+        if (st != FMB_OK)
+            return st;
+        fmb_eliminated_row *to = &e->row[i];
+        for (size_t k = 0; k <= from->nnz; k++)
+            fmb_vec_get(&from->val, k, to->z.z[k < from->nnz ? (size_t)from->var[k] : e->dim]);
+        if (from->rel != FMB_EQ)
+            fmb_set_put(to->of, i);
+        st = fmb_integers_settle(&to->z, mem);
+        if (st == FMB_OK)
+            st = fmb_poll_ask(poll);
+    }
+    return st;
+}
+
+void fmb_elimination_close(fmb_elimination *e)
+{
+    for (size_t i = 0; i < e->rows; i++)
+        clear_row(e, &e->row[i]);
+    fmb_mem_put(e->mem, e->row, e->capacity, sizeof *e->row);
+    mpz_clears(e->p, e->q, NULL);
+}
+
+/* to = |b_v| to - sgn(b_v) to_v b, without common divisors: v vanishes, and to counts with a
+ * positive factor; so does b, if both signs differ. */
+static fmb_status cancel_variable(fmb_elimination *e, fmb_integers *to, const fmb_integers *b,
+                                  size_t v)
+{
+    mpz_abs(e->p, b->z[v]);
+    mpz_set(e->q, to->z[v]);
+    if (mpz_sgn(b->z[v]) > 0)
+        mpz_neg(e->q, e->q);
+    for (size_t j = 0; j <= e->dim; j++) {
+        if (mpz_sgn(to->z[j]) != 0)
+            mpz_mul(to->z[j], to->z[j], e->p);
+        if (mpz_sgn(b->z[j]) != 0)
+            mpz_addmul(to->z[j], b->z[j], e->q);
+    }
+    e->work += WORK_OF_PRODUCT * e->dim;
+    fmb_status st = fmb_integers_reduce(to->z, to->size, e->p, e->poll);
+    if (st == FMB_OK)
+        st = fmb_integers_settle(to, e->mem);
+    return st == FMB_OK ? fmb_poll_ask(e->poll) : st;
+}
+
+/* ---- by an equality -------------------------------------------------------------------------- */
+
+static fmb_status substitute(fmb_elimination *e, size_t equality, size_t v)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i < e->rows; i++)
+        if (i != equality && mpz_sgn(e->row[i].z.z[v]) != 0)
+            st = cancel_variable(e, &e->row[i].z, &e->row[equality].z, v);
+    clear_row(e, &e->row[equality]);
+    e->rows--;
+    memmove(e->row + equality, e->row + equality + 1, (e->rows - equality) * sizeof *e->row);
+    return st;
+}
+
+/* ---- by pairs -------------------------------------------------------------------------------- */
+
+static size_t count_union(const fmb_elimination *e, size_t p, size_t q)
+{
+    size_t size = 0;
+    for (size_t w = 0; w < e->words; w++)
+        size += (size_t)__builtin_popcountll(e->row[p].of[w] | e->row[q].of[w]);
+    return size;
+}
+
+/* Pairs of opposite sign that are positive in few enough places. *done false: too much. */
+static fmb_status list_pairs(fmb_elimination *e, size_t v, pair_list *l, bool *done)
+{
+    fmb_status st = FMB_OK;
+    for (size_t p = 0; p < e->rows; p++) {
+        if (mpz_sgn(e->row[p].z.z[v]) <= 0)
+            continue;
+        for (size_t q = 0; q < e->rows; q++) {
+            if (mpz_sgn(e->row[q].z.z[v]) >= 0)
+                continue;
+            row_pair pair = {p, q, count_union(e, p, q)};
+            if (pair.size > e->pairings + 1)
+                continue;
+            st = fmb_mem_reserve(e->mem, (void **)&l->pair, &l->capacity, l->size + 1,
+                                 sizeof *l->pair);
+            if (st != FMB_OK)
+                return st;
+            l->pair[l->size++] = pair;
+        }
+        e->work += e->rows * e->words;
+        *done = e->work <= e->most;
+        st = fmb_poll_ask(e->poll);
+        if (st != FMB_OK || !*done)
+            return st;
+    }
+    return st;
+}
+
+/* The smaller union first. */
+static int compare_pairs(const void *x, const void *y)
+{
+    const row_pair *a = x, *b = y;
+    if (a->size != b->size)
+        return a->size < b->size ? -1 : 1;
+    if (a->p != b->p)
+        return a->p < b->p ? -1 : 1;
+    return (a->q > b->q) - (a->q < b->q);
+}
+
+/* Is some row that v does not stand in, from there on, positive only where the new one would be? */
+static bool covers_another(fmb_elimination *e, const uint64_t *set, size_t v)
+{
+    bool covers = false;
+    for (size_t i = 0; !covers && i < e->rows; i++)
+        covers = e->row[i].rel != FMB_EQ && mpz_sgn(e->row[i].z.z[v]) == 0 &&
+                 fmb_set_is_inside(e->row[i].of, set, e->words);
+    e->work += e->rows * e->words;
+    return covers;
+}
+
+/* The sum becomes the last row, unless it is not needed. */
+static fmb_status add_pair(fmb_elimination *e, const row_pair *pair, size_t v, uint64_t *set)
+{
+    for (size_t w = 0; w < e->words; w++)
+        set[w] = e->row[pair->p].of[w] | e->row[pair->q].of[w];
+    if (covers_another(e, set, v))
+        return FMB_OK;
+    bool strict = e->row[pair->p].rel == FMB_LT || e->row[pair->q].rel == FMB_LT;
+    fmb_status st = append_empty_row(e, strict ? FMB_LT : FMB_LE);
+    if (st != FMB_OK)
+        return st;
+    fmb_eliminated_row *sum = &e->row[e->rows - 1];
+    memcpy(sum->of, set, e->words * sizeof *set);
+    for (size_t j = 0; j <= e->dim; j++)
+        mpz_set(sum->z.z[j], e->row[pair->p].z.z[j]);
+    return cancel_variable(e, &sum->z, &e->row[pair->q].z, v);
+}
+
+static void drop_rows_that_name(fmb_elimination *e, size_t v)
+{
+    size_t left = 0;
+    for (size_t i = 0; i < e->rows; i++)
+        if (mpz_sgn(e->row[i].z.z[v]) == 0)
+            e->row[left++] = e->row[i];
+        else
+            clear_row(e, &e->row[i]);
+    e->rows = left;
+}
+
+static fmb_status pair_rows(fmb_elimination *e, size_t v, bool *done)
+{
+    pair_list l = {0};
+    uint64_t *set = fmb_mem_get(e->mem, e->words, sizeof *set);
+    fmb_status st = set ? FMB_OK : fmb_mem_status(e->mem);
+    e->pairings++;
+    if (st == FMB_OK)
+        st = list_pairs(e, v, &l, done);
+    if (l.size > 1)
+        qsort(l.pair, l.size, sizeof *l.pair, compare_pairs);
+    for (size_t i = 0; st == FMB_OK && *done && i < l.size; i++) {
+        st = add_pair(e, &l.pair[i], v, set);
+        *done = e->work <= e->most;
+    }
+    if (st == FMB_OK && *done)
+        drop_rows_that_name(e, v);
+    fmb_mem_put(e->mem, l.pair, l.capacity, sizeof *l.pair);
+    fmb_mem_put(e->mem, set, e->words, sizeof *set);
+    return st;
+}
+
+fmb_status fmb_elimination_go_on(fmb_elimination *e, size_t variable, bool *done)
+{
+    size_t equality = 0;
+    e->work += e->rows;
+    *done = e->work <= e->most;
+    while (equality < e->rows &&
+           !(e->row[equality].rel == FMB_EQ && mpz_sgn(e->row[equality].z.z[variable]) != 0))
+        equality++;
+    if (!*done)
+        return FMB_OK;
+    return equality < e->rows ? substitute(e, equality, variable) : pair_rows(e, variable, done);
+}
