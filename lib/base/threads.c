@@ -63,7 +63,7 @@ void fmb_threads_close(fmb_threads *t)
     *t = (fmb_threads){0};
 }
 
-void fmb_threads_do(fmb_threads *t, size_t jobs, fmb_thread_job job, void *self)
+void fmb_threads_start(fmb_threads *t, size_t jobs, fmb_thread_job job, void *self)
 {
     pthread_mutex_lock(&t->lock);
     t->job = job;
@@ -71,6 +71,12 @@ void fmb_threads_do(fmb_threads *t, size_t jobs, fmb_thread_job job, void *self)
     t->jobs = jobs;
     t->next = t->done = t->turn = 0;
     pthread_cond_broadcast(&t->work);
+    pthread_mutex_unlock(&t->lock);
+}
+
+void fmb_threads_finish(fmb_threads *t)
+{
+    pthread_mutex_lock(&t->lock);
     do_jobs_of_round(t, 0);
     while (t->done < t->jobs)
         pthread_cond_wait(&t->idle, &t->lock);

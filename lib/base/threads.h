@@ -33,8 +33,15 @@ typedef struct fmb_threads {
 /* So many threads with the caller's, if the system grants them. Errors: MEMORY, LIMIT. In any case
  * fmb_threads_close it; a zeroed one may be closed as well. */
 fmb_status fmb_threads_open(fmb_threads *t, fmb_mem *mem, size_t wanted);
-/* Jobs 0 to jobs - 1. */
-void fmb_threads_do(fmb_threads *t, size_t jobs, fmb_thread_job job, void *self);
+/* Jobs 0 to jobs - 1: the other threads begin with them; the caller may do something else before it
+ * joins them, until all are done. */
+void fmb_threads_start(fmb_threads *t, size_t jobs, fmb_thread_job job, void *self);
+void fmb_threads_finish(fmb_threads *t);
+static inline void fmb_threads_do(fmb_threads *t, size_t jobs, fmb_thread_job job, void *self)
+{
+    fmb_threads_start(t, jobs, job, self);
+    fmb_threads_finish(t);
+}
 /* In job k: wait until all jobs before it have ended their turn; then end that of k. Each job does
  * both, or none does. */
 void fmb_threads_begin_turn(fmb_threads *t, size_t k);

@@ -43,15 +43,20 @@ void fmb_team_close(fmb_team *t)
 
 /* ---- rounds ---------------------------------------------------------------------------------- */
 
-/* Each share may grow by its part of what is left. */
+/* Each share may grow by its part of what is left, and until the round is over so may the query's
+ * own memory, with which the caller goes on. */
 static void divide_what_is_left(fmb_team *t)
 {
     fmb_mem *mem = t->run->mem;
-    size_t left = mem->limit > mem->used ? (mem->limit - mem->used) / t->size : 0;
-    for (size_t k = 0; mem->limit > 0 && k < t->size; k++) {
+    size_t left = mem->limit > mem->used ? (mem->limit - mem->used) / (t->size + 1) : 0;
+    t->limit = mem->limit;
+    if (mem->limit == 0)
+        return;
+    for (size_t k = 0; k < t->size; k++) {
         size_t limit = t->share[k].mem.used + left;
         t->share[k].mem.limit = limit > 0 ? limit : 1; /* 0 were none */
     }
+    mem->limit = mem->used + left > 0 ? mem->used + left : 1;
 }
 
 static fmb_status count_what_shares_hold(fmb_team *t)
@@ -72,14 +77,21 @@ void fmb_team_hand_over(fmb_team *t, size_t k, size_t bytes)
     t->held -= bytes;
 }
 
-fmb_status fmb_team_do(fmb_team *t, size_t jobs, fmb_team_job job, void *self)
+void fmb_team_start(fmb_team *t, size_t jobs, fmb_team_job job, void *self)
 {
-    fmb_status worst = FMB_OK;
     divide_what_is_left(t);
     t->job = job;
     t->self = self;
-    fmb_threads_do(&t->threads, jobs, do_job_of_share, t);
-    for (size_t k = 0; k < jobs; k++) {
+    t->jobs = jobs;
+    fmb_threads_start(&t->threads, jobs, do_job_of_share, t);
+}
+
+fmb_status fmb_team_finish(fmb_team *t)
+{
+    fmb_status worst = FMB_OK;
+    fmb_threads_finish(&t->threads);
+    t->run->mem->limit = t->limit;
+    for (size_t k = 0; k < t->jobs; k++) {
         const fmb_share *s = &t->share[k];
         if (worst == FMB_OK || (worst == FMB_LIMIT && s->st != FMB_OK))
             worst = s->st;

@@ -31,6 +31,7 @@
 typedef struct fmb_facet {
     fmb_vec normal; /* [d + 1] if known; the last entry is scratch, 0 between calls */
     bool known;
+    bool fresh;        /* roughly, it was found from what is on it, as far as that goes */
     double *roughly;   /* [2 d] the normal, scaled; and how far each entry may be off */
     double value, off; /* of the generator at hand, roughly: its sign is that of `side` */
     uint64_t *on;      /* [words] set of generators, */
@@ -50,7 +51,8 @@ typedef struct fmb_facets {
     size_t d, rank;
     fmb_vec *equation;  /* [d], d + 1 entries each, as those of normals */
     fmb_vec *generator; /* [generators], d entries each, coprime */
-    size_t generators, generator_capacity, words;
+    double *rounded;    /* [generators][d] the same up to a positive factor, at most 1 */
+    size_t generators, generator_capacity, rounded_capacity, words;
     fmb_facet *facet; /* [slots]; those not alive are free */
     size_t slots, facet_capacity, alive;
     uint64_t round;      /* counts generators that were looked at */
@@ -94,6 +96,18 @@ fmb_status fmb_facets_add_all(fmb_facets *f, const fmb_vec *v, size_t size, size
 fmb_status fmb_facets_need_normal(fmb_facets *f, size_t at);
 /* Those of all facets, by as many threads as the run has. Errors: MEMORY, LIMIT. */
 fmb_status fmb_facets_need_all_normals(fmb_facets *f);
+
+/* For threads that look at facets while one of them lets the hull grow. What *f is at the moment
+ * may be copied, and its generators read in that copy as long as no more than `more` come. Errors:
+ * MEMORY, LIMIT, as below. */
+fmb_status fmb_facets_reserve(fmb_facets *f, size_t more);
+/* A facet's normal, and what is on it, into a copy of any facet, or a zeroed one; in the end, in
+ * any case, fmb_facets_clear_copy it. */
+fmb_status fmb_facets_copy(const fmb_facets *f, size_t at, fmb_facet *to, fmb_mem *mem);
+void fmb_facets_clear_copy(const fmb_facets *f, fmb_facet *copy, fmb_mem *mem);
+/* Make the copy's normal known, in the memory of num; then the facet's own, where it is not. */
+fmb_status fmb_facets_copy_need_normal(const fmb_facets *view, fmb_facet *copy, fmb_num *num);
+fmb_status fmb_facets_take_normal(fmb_facets *f, size_t at, const fmb_facet *copy);
 
 static inline bool fmb_facet_holds(const fmb_facet *a, size_t generator)
 {

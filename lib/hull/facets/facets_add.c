@@ -1,5 +1,7 @@
 /* facets_add.c: a generator more: inside, beyond some facets, or outside of the span; see facets.h.
  */
+#include <string.h>
+
 #include "hull/facets/facets_private.h"
 
 /* The one at hand is outside: it gets a number. */
@@ -8,6 +10,9 @@ static fmb_status number_generator(fmb_facets *f)
     fmb_mem *mem = f->num.mem;
     fmb_status st = fmb_mem_reserve(mem, (void **)&f->generator, &f->generator_capacity,
                                     f->generators + 1, sizeof *f->generator);
+    if (st == FMB_OK)
+        st = fmb_mem_reserve(mem, (void **)&f->rounded, &f->rounded_capacity,
+                             (f->generators + 1) * f->d, sizeof *f->rounded);
     if (st == FMB_OK && f->generators == 64 * f->words)
         st = fmb_facets_widen_sets(f);
     if (st != FMB_OK)
@@ -15,6 +20,8 @@ static fmb_status number_generator(fmb_facets *f)
     fmb_vec v = {.s = fmb_mem_get(mem, f->d, sizeof *v.s)};
     if (!v.s)
         return fmb_mem_status(mem);
+    memcpy(f->rounded + f->generators * f->d, f->near, f->d * sizeof *f->near);
+    fmb_facets_scale_down(f->rounded + f->generators * f->d, f->d);
     f->generator[f->generators++] = v;
     return fmb_vec_copy(&f->generator[f->generators - 1], &f->g, f->d, mem);
 }

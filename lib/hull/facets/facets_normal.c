@@ -20,12 +20,6 @@ typedef struct minors {
     mpz_t *z; /* or NULL: minors fit into s */
 } minors;
 
-static uint32_t next_set_of_same_size(uint32_t set)
-{
-    uint32_t low = set & -set, up = set + low;
-    return up | ((set ^ up) / low) >> 2;
-}
-
 /* ---- one row more ---------------------------------------------------------------------------- */
 
 /* The minor of this set, with g as the last row. Signs alternate from the last column. */
@@ -61,7 +55,7 @@ static void add_row_to_minors(minors *m, const fmb_vec *g, mpz_t room, bool *add
 {
     uint32_t end = (uint32_t)1 << m->d;
     *added = false;
-    for (uint32_t set = ((uint32_t)2 << m->rows) - 1; set < end; set = next_set_of_same_size(set)) {
+    for (uint32_t set = ((uint32_t)2 << m->rows) - 1; set < end; set = fmb_facets_next_set(set)) {
         if (m->z)
             expand_wide_minor(m, set, g, room);
         else

@@ -62,6 +62,20 @@ typedef struct fmb_normal_tools {
 fmb_status fmb_facets_find_normal(const fmb_facets *f, fmb_facet *a, fmb_normal_tools *by);
 void fmb_normal_tools_clear(const fmb_facets *f, fmb_normal_tools *by);
 
+/* The next larger set of as many columns. */
+static inline uint32_t fmb_facets_next_set(uint32_t set)
+{
+    uint32_t low = set & -set, up = set + low;
+    return up | ((set ^ up) / low) >> 2;
+}
+
+/* ---- facets_refresh.c ------------------------------------------------------------------------ */
+
+/* Times a power of two, so that |x_j| <= 1. */
+void fmb_facets_scale_down(double *x, size_t d);
+/* Roughly, the normal of a facet from what is on it, once. False: it is not known any better. */
+bool fmb_facets_refresh(const fmb_facets *f, fmb_facet *a);
+
 /* ---- facets_side.c --------------------------------------------------------------------------- */
 
 /* The same for sure: the generator is g[d], and near it. */

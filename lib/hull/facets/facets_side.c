@@ -1,5 +1,5 @@
-/* facets_side.c: on which side of a facet a generator lies: in doubles, and exactly where these are
- * in doubt; see facets.h.
+/* facets_side.c: on which side of a facet a generator lies: in doubles, as it is known and then
+ * from what is on it, and exactly where these are in doubt; see facets.h.
  */
 #include "hull/facets/facets_private.h"
 
@@ -8,6 +8,8 @@ fmb_status fmb_facets_side(fmb_facets *f, size_t at, const fmb_vec *g, const dou
 {
     fmb_facet *a = &f->facet[at];
     if (fmb_facets_guess_side(f, a, near, side))
+        return FMB_OK;
+    if (!a->known && fmb_facets_refresh(f, a) && fmb_facets_guess_side(f, a, near, side))
         return FMB_OK;
     if (!a->known) {
         fmb_status st = fmb_facets_need_normal(f, at);

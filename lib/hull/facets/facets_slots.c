@@ -59,7 +59,7 @@ fmb_status fmb_facets_open_slot(fmb_facets *f, uint32_t *out)
     fmb_facet *a = &f->facet[*out];
     memset(a->on, 0, f->words * sizeof *a->on);
     a->ons = a->nexts = 0;
-    a->valued = a->known = false;
+    a->valued = a->known = a->fresh = false;
     a->note = 0;
     a->alive = true;
     f->alive++;
@@ -167,6 +167,7 @@ void fmb_facets_clear(fmb_facets *f)
     fmb_vec_clear(&f->g, f->d, mem);
     fmb_mem_put(mem, f->g.s, f->d, sizeof *f->g.s);
     fmb_mem_put(mem, f->near, f->d, sizeof *f->near);
+    fmb_mem_put(mem, f->rounded, f->rounded_capacity, sizeof *f->rounded);
     fmb_mem_put(mem, f->common, f->common_words, sizeof *f->common);
     fmb_mem_put(mem, f->holder, f->holder_capacity, sizeof *f->holder);
     fmb_mem_put(mem, f->facet, f->facet_capacity, sizeof *f->facet);

@@ -29,13 +29,29 @@ typedef struct fmb_support_row {
     fmb_weights proof, reverse; /* over the oracle's rows; reverse: of an equality, a.x >= b */
 } fmb_support_row;
 
-/* Who looks how far the projection goes, and what was seen last: the point x / den, or den = 0 and
- * the direction x in which it goes on for ever. */
+/* The point x / den, or den = 0 and a direction x in which the projection goes on for ever. */
+typedef struct fmb_support_point {
+    fmb_integers x; /* [n] */
+    mpz_t den;
+} fmb_support_point;
+
+/* The facets that a generator made or touched; some of them may be gone. */
+typedef struct fmb_support_near {
+    size_t generator;
+    uint32_t *slot; /* [slots] */
+    size_t slots, capacity;
+} fmb_support_near;
+
+typedef struct fmb_tight_search fmb_tight_search; /* a worker's scratch (support_tight.c) */
+
+/* Who looks how far the projection goes. */
 typedef struct fmb_support_worker {
     fmb_run *run;
     fmb_oracle *oracle;
-    fmb_integers x; /* [n] */
-    mpz_t den, t;   /* t: scratch */
+    fmb_support_point seen;   /* last */
+    fmb_support_near near;    /* the generator found last, in the query's own memory */
+    fmb_tight_search *search; /* or NULL */
+    mpz_t t;                  /* scratch */
 } fmb_support_worker;
 
 typedef struct fmb_support_workers

@@ -1,4 +1,4 @@
-/* support_ask.c: life, and which facet is asked about next; see support.h. */
+/* support_ask.c: life, and one question after another; see support.h. */
 #include "base/ways.h"
 #include "hull/support/support_private.h"
 
@@ -19,6 +19,7 @@ void fmb_support_clear(fmb_support *s)
 {
     fmb_mem *mem = s->run->mem;
     fmb_support_dismiss(s);
+    fmb_support_worker_clear(&s->worker, s);
     fmb_support_close_tight(s);
     fmb_support_forget_symmetry(s);
     fmb_support_forget_rows(s);
@@ -31,10 +32,9 @@ void fmb_support_clear(fmb_support *s)
     fmb_mem_put(mem, s->point, s->point_capacity, sizeof *s->point);
     fmb_facets_clear(&s->hull);
     fmb_integers_clear(&s->g, mem);
-    fmb_support_worker_clear(&s->worker);
 }
 
-/* ---- the next question ----------------------------------------------------------------------- */
+/* ---- points and equations -------------------------------------------------------------------- */
 
 /* Some vertex of the program. */
 static fmb_status find_first_point(fmb_support *s)
@@ -44,8 +44,8 @@ static fmb_status find_first_point(fmb_support *s)
     fmb_status st = fmb_oracle_approach(s->worker.oracle, &nowhere, &end);
     s->begun = true;
     if (st == FMB_OK)
-        fmb_oracle_point_integers(s->worker.oracle, s->worker.x.z, s->worker.den);
-    return st == FMB_OK ? fmb_support_take(s, &s->worker, 0) : st;
+        fmb_oracle_point_integers(s->worker.oracle, s->worker.seen.x.z, s->worker.seen.den);
+    return st == FMB_OK ? fmb_support_take(s, &s->worker, &s->worker.seen, 0) : st;
 }
 
 /* An equation that all generators satisfy: on either side, does the projection go further? */
@@ -54,9 +54,9 @@ static fmb_status ask_about_equation(fmb_support *s)
     fmb_support_row row = {.rel = FMB_EQ};
     bool stands;
     const fmb_vec *e = &s->hull.equation[s->equations];
-    fmb_status st = fmb_support_query(s, e, 0, 1, &row, &stands);
+    fmb_status st = fmb_support_query(s, e, 1, &row, &stands);
     if (st == FMB_OK && stands)
-        st = fmb_support_query(s, e, 0, -1, &row, &stands);
+        st = fmb_support_query(s, e, -1, &row, &stands);
     if (st == FMB_OK && stands) {
         s->equations++;
         return fmb_support_keep(s, &row);
@@ -65,121 +65,58 @@ static fmb_status ask_about_equation(fmb_support *s)
     return st;
 }
 
-/* Is it x0 >= 0, the face at infinity? */
-static bool is_at_infinity(const fmb_support *s, const fmb_vec *normal)
-{
-    for (size_t j = 1; j <= s->k; j++)
-        if (fmb_vec_sgn(normal, j) != 0)
-            return false;
-    return true;
-}
+/* ---- facets ---------------------------------------------------------------------------------- */
 
-static bool is_open(const fmb_facet *a)
-{
-    return a->alive && a->note == FMB_FACET_OPEN;
-}
-
-/* How far back is slot i, going round from the one asked about last? */
-static size_t slots_back(const fmb_support *s, size_t i)
-{
-    size_t slots = s->hull.slots;
-    return (s->at % slots + slots - 1 - i) % slots;
-}
-
-/* The first open one going back, of those on the generator that was found last, which it made or
- * touched; SIZE_MAX: none. There the oracle stands, so that its way to the optimum is short. */
-static size_t find_open_facet_nearby(const fmb_support *s)
-{
-    const fmb_facets *f = &s->hull;
-    size_t best = SIZE_MAX;
-    for (size_t k = 0; k < f->mades + f->toucheds; k++) {
-        size_t i = k < f->mades ? f->made[k] : f->touched[k - f->mades];
-        if (is_open(&f->facet[i]) && fmb_facet_holds(&f->facet[i], f->generators - 1) &&
-            (best == SIZE_MAX || slots_back(s, i) < slots_back(s, best)))
-            best = i;
-    }
-    return best;
-}
-
-static size_t find_open_facet_anywhere(const fmb_support *s)
-{
-    const fmb_facets *f = &s->hull;
-    size_t i = f->slots > 0 ? s->at % f->slots : 0;
-    for (size_t k = 0; k < f->slots; k++) {
-        i = (i > 0 ? i : f->slots) - 1;
-        if (is_open(&f->facet[i]))
-            return i;
-    }
-    return SIZE_MAX;
-}
-
-/* Are rows wanted that are no facets? Then those asked about are from all around, so that these
- * are, too. */
-static bool is_hull_coarse(const fmb_support *s)
-{
-    return s->outers < s->outer_most && s->rows + s->hull.generators >= s->outer_after;
-}
-
-/* A facet that nothing is known of, its normal known; SIZE_MAX if there is none. It is one near the
- * last generator, or else the youngest, roughly. */
-static fmb_status find_open_facet(fmb_support *s, size_t *at)
-{
-    fmb_facets *f = &s->hull;
-    for (;;) {
-        *at = is_hull_coarse(s) ? SIZE_MAX : find_open_facet_nearby(s);
-        if (*at == SIZE_MAX)
-            *at = find_open_facet_anywhere(s);
-        if (*at == SIZE_MAX)
-            return FMB_OK;
-        s->at = *at;
-        fmb_status st = fmb_facets_need_normal(f, s->at);
-        if (st != FMB_OK || !is_at_infinity(s, &f->facet[s->at].normal))
-            return st;
-        f->facet[s->at].note = FMB_FACET_STANDS;
-    }
-}
-
-/* As fmb_support_query about a facet, whose slot may go with it; and if it does not stand, how far
- * does the projection go there? */
-static fmb_status ask_and_look_along(fmb_support *s, size_t at, fmb_support_row *row, bool *stands)
+/* The worker saw a point beyond a facet, which goes; how far does the projection go there? */
+static fmb_status take_and_look_along(fmb_support *s, size_t at)
 {
     fmb_mem *mem = s->run->mem;
-    const fmb_vec *normal = &s->hull.facet[at].normal;
-    if (!is_hull_coarse(s))
-        return fmb_support_query(s, normal, at, 1, row, stands);
+    fmb_support_worker *c = &s->worker;
+    if (!fmb_support_is_hull_coarse(s))
+        return fmb_support_take(s, c, &c->seen, at);
     fmb_vec h = {.s = fmb_mem_zero(mem, s->k + 1, sizeof *h.s)};
-    fmb_status st = h.s ? fmb_vec_copy(&h, normal, s->k + 1, mem) : fmb_mem_status(mem);
+    fmb_status st =
+        h.s ? fmb_vec_copy(&h, &s->hull.facet[at].normal, s->k + 1, mem) : fmb_mem_status(mem);
     if (st == FMB_OK)
-        st = fmb_support_query(s, &h, at, 1, row, stands);
-    if (st == FMB_OK && !*stands)
+        st = fmb_support_take(s, c, &c->seen, at);
+    if (st == FMB_OK)
         st = fmb_support_look_along(s, &h);
     fmb_vec_clear(&h, s->k + 1, mem);
     fmb_mem_put(mem, h.s, s->k + 1, sizeof *h.s);
     return st;
 }
 
+/* About a facet that is open. */
 static fmb_status ask_about_facet(fmb_support *s, size_t at)
 {
     fmb_support_row row = {0};
-    bool stands = false;
-    const fmb_vec *normal = &s->hull.facet[at].normal;
-    if (s->known && fmb_way(FMB_WAY_KNOWN) && fmb_support_is_known(s, normal)) {
-        fmb_way_answered(FMB_WAY_KNOWN, true);
-        fmb_support_note_facet(s, at, FMB_LE);
-        return FMB_OK;
-    }
-    fmb_status st = FMB_OK;
-    if (fmb_way(FMB_WAY_TIGHT))
-        st = fmb_support_try_tight_rows(s, at, &row, &stands);
-    fmb_way_answered(FMB_WAY_TIGHT, stands);
-    if (st == FMB_OK && !stands)
-        st = ask_and_look_along(s, at, &row, &stands);
-    if (st == FMB_OK && stands) {
+    fmb_support_answer answer;
+    fmb_support_worker *c = &s->worker;
+    bool known = false;
+    fmb_status st = fmb_facets_need_normal(&s->hull, at);
+    if (st == FMB_OK)
+        st = fmb_support_recall(s, at, &known);
+    if (st != FMB_OK || known)
+        return st;
+    const fmb_facet *a = &s->hull.facet[at];
+    st = fmb_support_worker_settle(c, s, a, fmb_support_noted(s), &row, &answer);
+    if (st == FMB_OK && answer == FMB_SUPPORT_ROW) {
         st = fmb_support_stand(s, at, &row);
-        return st == FMB_OK ? fmb_support_note_images(s, normal) : st;
+        return st == FMB_OK ? fmb_support_note_images(s, &a->normal) : st;
     }
     fmb_support_drop(&row, s->run->mem);
+    if (st == FMB_OK && answer == FMB_SUPPORT_BEYOND)
+        return take_and_look_along(s, at);
+    if (st == FMB_OK)
+        fmb_support_note_facet(s, at, FMB_LE);
     return st;
+}
+
+static fmb_status ask_about_next_facet(fmb_support *s, bool *done)
+{
+    size_t at = fmb_support_find_open_facet(s, &s->worker.near);
+    *done = at == SIZE_MAX;
+    return *done ? FMB_OK : ask_about_facet(s, at);
 }
 
 static bool has_asked_a_while(const fmb_support *s)
@@ -187,32 +124,9 @@ static bool has_asked_a_while(const fmb_support *s)
     return s->rows + s->hull.generators >= FMB_QUERIES_ALONE;
 }
 
-/* That one and others. */
-static fmb_status ask_about_facets_at_once(fmb_support *s, size_t first)
-{
-    size_t facet[FMB_SUPPORT_WORKERS], n = 0, at = first;
-    fmb_status st = FMB_OK;
-    while (st == FMB_OK && n < FMB_SUPPORT_WORKERS && (n == 0 || at != first)) {
-        facet[n++] = at;
-        st = find_open_facet(s, &at);
-    }
-    return st == FMB_OK ? fmb_support_ask_workers(s, n, facet) : st;
-}
-
-static fmb_status ask_about_open_facets(fmb_support *s, size_t first)
-{
-    bool known;
-    fmb_status st = fmb_support_recall(s, first, &known);
-    if (st != FMB_OK || known)
-        return st;
-    return s->workers && has_asked_a_while(s) ? ask_about_facets_at_once(s, first)
-                                              : ask_about_facet(s, first);
-}
-
 static fmb_status ask_next_question(fmb_support *s, bool *done)
 {
     const fmb_facets *f = &s->hull;
-    size_t at;
     fmb_status st = fmb_run_poll_now(s->run);
     if (st == FMB_OK && s->program && !s->symmetry && (s->k > 2 || s->given) &&
         has_asked_a_while(s) && fmb_way(FMB_WAY_SYMMETRY))
@@ -223,13 +137,9 @@ static fmb_status ask_next_question(fmb_support *s, bool *done)
         return fmb_support_ask_about_end(s);
     if (s->equations < f->d - f->rank)
         return ask_about_equation(s);
-    st = find_open_facet(s, &at);
-    if (st != FMB_OK)
-        return st;
-    if (at != SIZE_MAX)
-        return ask_about_open_facets(s, at);
-    *done = true;
-    return s->strict ? fmb_support_find_missing_faces(s) : FMB_OK;
+    st = s->workers && has_asked_a_while(s) ? fmb_support_ask_workers(s, done)
+                                            : ask_about_next_facet(s, done);
+    return st == FMB_OK && *done && s->strict ? fmb_support_find_missing_faces(s) : st;
 }
 
 fmb_status fmb_support_ask(fmb_support *s, uint64_t pairs, bool *done)

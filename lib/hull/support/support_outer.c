@@ -47,7 +47,7 @@ static fmb_status find_outer_row(fmb_support *s, const fmb_vec *h, mpz_t *z, fmb
     while (st == FMB_OK && !stands && mpz_sgn(s->g.z[0]) != 0) {
         st = move_to_point(s, h, z, v);
         if (st == FMB_OK)
-            st = fmb_support_query(s, v, 0, 1, &row, &stands);
+            st = fmb_support_query(s, v, 1, &row, &stands);
     }
     if (st == FMB_OK && stands)
         return keep_outer_row(s, &row);

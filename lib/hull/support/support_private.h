@@ -8,26 +8,52 @@
 enum {
     FMB_FACET_OPEN = 0, /* it may be that the projection goes further */
     FMB_FACET_STANDS,
-    FMB_FACET_MISSING /* the same, but the projection only comes near */
+    FMB_FACET_MISSING, /* the same, but the projection only comes near */
+    FMB_FACET_ASKED    /* a worker was asked about it, and what it saw has not been taken in */
 };
+
+/* What a question about a facet came to. */
+typedef enum fmb_support_answer {
+    FMB_SUPPORT_BEYOND = 0, /* the worker saw a point or ray beyond */
+    FMB_SUPPORT_ROW,        /* it stands, and its row is written down */
+    FMB_SUPPORT_NO_ROW      /* it stands, and has no row, or one that is known */
+} fmb_support_answer;
 
 /* ---- support_query.c ------------------------------------------------------------------------- */
 
+fmb_status fmb_support_point_init(fmb_support_point *x, size_t n, fmb_mem *mem);
+void fmb_support_point_clear(fmb_support_point *x, fmb_mem *mem);
 /* The oracle must outlive the worker. In any case fmb_support_worker_clear it. Errors: MEMORY,
  * LIMIT. */
 fmb_status fmb_support_worker_init(fmb_support_worker *c, fmb_run *run, fmb_oracle *oracle,
                                    size_t n);
-void fmb_support_worker_clear(fmb_support_worker *c);
+void fmb_support_worker_clear(fmb_support_worker *c, const fmb_support *s);
 /* Does the projection satisfy sign (h0 + h1 x1 + ...) >= 0, h[k + 1], which all generators do?
  * *stands: if so, and the row is written down, proof included (of an equality, with sign -1 the
  * reverse), in the worker's memory. Else the worker sees a point or ray beyond. */
 fmb_status fmb_support_worker_look(fmb_support_worker *c, const fmb_support *s, const fmb_vec *h,
                                    int sign, fmb_support_row *row, bool *stands);
-/* The hull takes in what the worker saw, perhaps beyond facet `at`. */
-fmb_status fmb_support_take(fmb_support *s, fmb_support_worker *c, size_t at);
-/* Both, alone. */
-fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, size_t at, int sign,
-                             fmb_support_row *row, bool *stands);
+/* The same of a facet, or a copy of one, whose normal is known, by whatever tells soonest. Several
+ * workers may ask while the hull grows: `noted` are the generators of which tight rows are known.
+ */
+fmb_status fmb_support_worker_settle(fmb_support_worker *c, const fmb_support *s,
+                                     const fmb_facet *a, size_t noted, fmb_support_row *row,
+                                     fmb_support_answer *answer);
+/* The hull takes in what a worker saw, perhaps beyond facet `at`; the worker stands there now. */
+fmb_status fmb_support_take(fmb_support *s, fmb_support_worker *c, const fmb_support_point *seen,
+                            size_t at);
+/* Look alone, and take in what was seen. */
+fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, int sign, fmb_support_row *row,
+                             bool *stands);
+
+/* ---- support_next.c -------------------------------------------------------------------------- */
+
+/* Are rows wanted that are no facets? Then facets asked about are from all around, so that these
+ * are, too. */
+bool fmb_support_is_hull_coarse(const fmb_support *s);
+/* An open facet, SIZE_MAX if there is none. It is one near that generator, where the worker's
+ * oracle stands, so that its way to the optimum is short; or else the youngest, roughly. */
+size_t fmb_support_find_open_facet(fmb_support *s, const fmb_support_near *near);
 
 /* ---- support_workers.c ----------------------------------------------------------------------- */
 
@@ -37,14 +63,17 @@ fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, size_t at, int si
  * symmetries looked for. */
 #define FMB_QUERIES_ALONE 32
 
-/* Ask about n <= FMB_SUPPORT_WORKERS different facets that are open. There are workers. */
-fmb_status fmb_support_ask_workers(fmb_support *s, size_t n, const size_t *facet);
+/* Ask about some open facets, and take in what was seen before. *done: there was neither. There are
+ * workers. */
+fmb_status fmb_support_ask_workers(fmb_support *s, bool *done);
 void fmb_support_dismiss(fmb_support *s);
 
 /* ---- support_symmetry.c ---------------------------------------------------------------------- */
 
 /* Look for symmetries, and use them on what there is. Errors: MEMORY, LIMIT, as below. */
 fmb_status fmb_support_find_symmetry(fmb_support *s);
+/* Were some found? */
+bool fmb_support_is_symmetric(const fmb_support *s);
 void fmb_support_forget_symmetry(fmb_support *s);
 /* The hull has grown by its last generator: take in its images. */
 fmb_status fmb_support_take_images(fmb_support *s);
@@ -82,13 +111,19 @@ void fmb_support_forget_outer_rows(fmb_support *s);
 
 /* ---- support_tight.c ------------------------------------------------------------------------- */
 
-/* The hull's last generator is what the worker saw. */
-fmb_status fmb_support_note_tight(fmb_support *s, const fmb_support_worker *c);
-/* Do the rows that are tight on what is known of a facet prove it? *stands: they do, and the row is
- * written down, proof included; else nothing is said. */
-fmb_status fmb_support_try_tight_rows(fmb_support *s, size_t at, fmb_support_row *row,
+/* The hull's last generator is what was seen. */
+fmb_status fmb_support_note_tight(fmb_support *s, const fmb_support_point *seen);
+/* Generators whose tight rows are known; room for more of them, so that workers may read on. */
+size_t fmb_support_noted(const fmb_support *s);
+fmb_status fmb_support_reserve_tight(fmb_support *s, size_t more);
+/* Do the rows that are tight on what is known of a facet prove it, of `noted` generators? *stands:
+ * they do, and the row is written down, proof included, in the worker's memory; else nothing is
+ * said. */
+fmb_status fmb_support_try_tight_rows(const fmb_support *s, fmb_support_worker *c,
+                                      const fmb_facet *a, size_t noted, fmb_support_row *row,
                                       bool *stands);
 void fmb_support_close_tight(fmb_support *s);
+void fmb_support_close_search(fmb_support_worker *c, const fmb_support *s);
 
 /* ---- support_known.c ------------------------------------------------------------------------- */
 

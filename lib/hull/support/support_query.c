@@ -3,11 +3,12 @@
  * First a guess in doubles, made a vertex exactly: mostly it is beyond the facet already, and how
  * far the optimum is does not matter. Only where it is not the optimum is wanted, and its proof.
  */
+#include "base/ways.h"
 #include "hull/support/support_private.h"
 
 /* ---- generators ------------------------------------------------------------------------------ */
 
-static fmb_status note_inner_point(fmb_support *s, fmb_support_worker *c)
+static fmb_status note_inner_point(fmb_support *s, const fmb_support_point *seen)
 {
     fmb_mem *mem = s->run->mem;
     if (!s->proves)
@@ -22,39 +23,73 @@ static fmb_status note_inner_point(fmb_support *s, fmb_support_worker *c)
         return st;
     s->points++;
     for (size_t j = 0; j < s->n; j++)
-        mpz_set(x->z[j], c->x.z[j]);
-    mpz_set(x->z[s->n], c->den);
+        mpz_set(x->z[j], seen->x.z[j]);
+    mpz_set(x->z[s->n], seen->den);
     return fmb_integers_settle(x, mem);
 }
 
-fmb_status fmb_support_take(fmb_support *s, fmb_support_worker *c, size_t at)
+/* The hull's last generator is what was seen; the facets near it are those that it made or touched.
+ */
+static fmb_status note_near(fmb_support *s, fmb_support_near *near)
+{
+    const fmb_facets *f = &s->hull;
+    fmb_status st = fmb_mem_reserve(s->run->mem, (void **)&near->slot, &near->capacity,
+                                    f->mades + f->toucheds, sizeof *near->slot);
+    if (st != FMB_OK)
+        return st;
+    near->generator = f->generators - 1;
+    near->slots = f->mades + f->toucheds;
+    for (size_t k = 0; k < near->slots; k++)
+        near->slot[k] = k < f->mades ? f->made[k] : f->touched[k - f->mades];
+    return FMB_OK;
+}
+
+fmb_status fmb_support_take(fmb_support *s, fmb_support_worker *c, const fmb_support_point *seen,
+                            size_t at)
 {
     bool grown;
-    mpz_set(s->g.z[0], c->den);
+    mpz_set(s->g.z[0], seen->den);
     for (size_t j = 0; j < s->k; j++)
-        mpz_set(s->g.z[j + 1], c->x.z[s->kept[j]]);
+        mpz_set(s->g.z[j + 1], seen->x.z[s->kept[j]]);
     fmb_status st = fmb_facets_add_near(&s->hull, at, s->g.z, &grown);
-    if (st == FMB_OK && grown)
-        st = fmb_support_note_tight(s, c);
-    if (st == FMB_OK && grown)
-        st = note_inner_point(s, c);
-    return st == FMB_OK && grown ? fmb_support_take_images(s) : st;
+    if (st != FMB_OK || !grown)
+        return st;
+    st = note_near(s, &c->near);
+    if (st == FMB_OK)
+        st = fmb_support_note_tight(s, seen);
+    if (st == FMB_OK)
+        st = note_inner_point(s, seen);
+    return st == FMB_OK ? fmb_support_take_images(s) : st;
 }
 
 /* ---- workers --------------------------------------------------------------------------------- */
+
+fmb_status fmb_support_point_init(fmb_support_point *x, size_t n, fmb_mem *mem)
+{
+    mpz_init(x->den);
+    return fmb_integers_init(&x->x, n, mem);
+}
+
+void fmb_support_point_clear(fmb_support_point *x, fmb_mem *mem)
+{
+    fmb_integers_clear(&x->x, mem);
+    mpz_clear(x->den);
+}
 
 fmb_status fmb_support_worker_init(fmb_support_worker *c, fmb_run *run, fmb_oracle *oracle,
                                    size_t n)
 {
     *c = (fmb_support_worker){.run = run, .oracle = oracle};
-    mpz_inits(c->den, c->t, NULL);
-    return fmb_integers_init(&c->x, n, run->mem);
+    mpz_init(c->t);
+    return fmb_support_point_init(&c->seen, n, run->mem);
 }
 
-void fmb_support_worker_clear(fmb_support_worker *c)
+void fmb_support_worker_clear(fmb_support_worker *c, const fmb_support *s)
 {
-    fmb_integers_clear(&c->x, c->run->mem);
-    mpz_clears(c->den, c->t, NULL);
+    fmb_support_close_search(c, s);
+    fmb_mem_put(s->run->mem, c->near.slot, c->near.capacity, sizeof *c->near.slot);
+    fmb_support_point_clear(&c->seen, c->run->mem);
+    mpz_clear(c->t);
 }
 
 /* The form that a query makes large: - sign (h1 x1 + ...). */
@@ -78,14 +113,14 @@ static fmb_status write_cost(const fmb_support *s, const fmb_vec *h, int sign, f
 /* Is the point at which the oracle stands beyond h? */
 static bool is_point_beyond(fmb_support_worker *c, const fmb_support *s, const fmb_vec *h, int sign)
 {
-    fmb_oracle_point_integers(c->oracle, c->x.z, c->den);
+    fmb_oracle_point_integers(c->oracle, c->seen.x.z, c->seen.den);
     fmb_vec_get(h, 0, c->t);
-    mpz_mul(c->den, c->den, c->t);
+    mpz_mul(c->seen.den, c->seen.den, c->t);
     for (size_t j = 0; j < s->k; j++) {
         fmb_vec_get(h, j + 1, c->t);
-        mpz_addmul(c->den, c->x.z[s->kept[j]], c->t);
+        mpz_addmul(c->seen.den, c->seen.x.z[s->kept[j]], c->t);
     }
-    return mpz_sgn(c->den) * sign < 0;
+    return mpz_sgn(c->seen.den) * sign < 0;
 }
 
 /* It is the optimum, and not beyond h. */
@@ -126,17 +161,54 @@ fmb_status fmb_support_worker_look(fmb_support_worker *c, const fmb_support *s, 
     if (*stands)
         return prove_row(c, s, h, sign, row);
     if (end == FMB_ORACLE_OPTIMUM) {
-        fmb_oracle_point_integers(c->oracle, c->x.z, c->den);
+        fmb_oracle_point_integers(c->oracle, c->seen.x.z, c->seen.den);
     } else {
-        fmb_oracle_ray_integers(c->oracle, c->x.z);
-        mpz_set_ui(c->den, 0);
+        fmb_oracle_ray_integers(c->oracle, c->seen.x.z);
+        mpz_set_ui(c->seen.den, 0);
     }
     return FMB_OK;
 }
 
-fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, size_t at, int sign,
-                             fmb_support_row *row, bool *stands)
+fmb_status fmb_support_query(fmb_support *s, const fmb_vec *h, int sign, fmb_support_row *row,
+                             bool *stands)
 {
-    fmb_status st = fmb_support_worker_look(&s->worker, s, h, sign, row, stands);
-    return st == FMB_OK && !*stands ? fmb_support_take(s, &s->worker, at) : st;
+    fmb_support_worker *c = &s->worker;
+    fmb_status st = fmb_support_worker_look(c, s, h, sign, row, stands);
+    return st == FMB_OK && !*stands ? fmb_support_take(s, c, &c->seen, 0) : st;
+}
+
+/* ---- facets ---------------------------------------------------------------------------------- */
+
+/* Is it x0 >= 0, the face at infinity? */
+static bool is_at_infinity(const fmb_support *s, const fmb_vec *normal)
+{
+    for (size_t j = 1; j <= s->k; j++)
+        if (fmb_vec_sgn(normal, j) != 0)
+            return false;
+    return true;
+}
+
+static bool is_row_known(const fmb_support *s, const fmb_vec *normal)
+{
+    bool known = s->known && fmb_way(FMB_WAY_KNOWN) && fmb_support_is_known(s, normal);
+    fmb_way_answered(FMB_WAY_KNOWN, known);
+    return known;
+}
+
+fmb_status fmb_support_worker_settle(fmb_support_worker *c, const fmb_support *s,
+                                     const fmb_facet *a, size_t noted, fmb_support_row *row,
+                                     fmb_support_answer *answer)
+{
+    bool stands = false;
+    *answer = FMB_SUPPORT_NO_ROW;
+    if (is_at_infinity(s, &a->normal) || is_row_known(s, &a->normal))
+        return FMB_OK;
+    fmb_status st = FMB_OK;
+    if (fmb_way(FMB_WAY_TIGHT))
+        st = fmb_support_try_tight_rows(s, c, a, noted, row, &stands);
+    fmb_way_answered(FMB_WAY_TIGHT, stands);
+    if (st == FMB_OK && !stands)
+        st = fmb_support_worker_look(c, s, &a->normal, 1, row, &stands);
+    *answer = stands ? FMB_SUPPORT_ROW : FMB_SUPPORT_BEYOND;
+    return st;
 }

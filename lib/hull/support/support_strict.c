@@ -72,7 +72,7 @@ static fmb_status ask_about_face(lattice *l, const uint64_t *set, fmb_support_ro
     *row = (fmb_support_row){0};
     fmb_status st = add_normals_around(l, set);
     if (st == FMB_OK)
-        st = fmb_support_query(l->s, &l->h, 0, 1, row, &stands);
+        st = fmb_support_query(l->s, &l->h, 1, row, &stands);
     *missing = st == FMB_OK && row->rel == FMB_LT;
     if (!*missing)
         fmb_support_drop(row, l->s->run->mem);

@@ -28,9 +28,14 @@ static fmb_status take_images_of_point(fmb_support *s, const fmb_vec *v)
     return st;
 }
 
+bool fmb_support_is_symmetric(const fmb_support *s)
+{
+    return s->symmetry && s->symmetry->group.size > 0;
+}
+
 fmb_status fmb_support_take_images(fmb_support *s)
 {
-    if (!s->symmetry || s->symmetry->group.size == 0)
+    if (!fmb_support_is_symmetric(s))
         return FMB_OK;
     return take_images_of_point(s, &s->hull.generator[s->hull.generators - 1]);
 }
@@ -39,7 +44,7 @@ fmb_status fmb_support_take_images(fmb_support *s)
 
 fmb_status fmb_support_note_images(fmb_support *s, const fmb_vec *normal)
 {
-    if (!s->symmetry || s->symmetry->group.size == 0)
+    if (!fmb_support_is_symmetric(s))
         return FMB_OK;
     fmb_orbits *o = &s->symmetry->rows;
     fmb_status st = fmb_orbits_add(o, normal, s->rows - 1);
