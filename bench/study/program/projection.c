@@ -47,6 +47,14 @@ static const struct {
     {"entropy", "entropies of some sets of three or four sources", study_image_entropy},
     {"metric", "some distances of four to six points", study_image_metric},
     {"games", "what a player may be sure of in several games at once", study_image_games},
+    {"points", "the hull of points, by their weights", study_image_points},
+    {"local", "probabilities of events and of pairs of them", study_image_local},
+    {"scarce", "two or three terms a row, half of the variables stay", study_image_scarce},
+    {"tree", "variables bound to their parents in a tree", study_image_tree},
+    {"stages", "stocks with which a production plan can begin", study_image_stages},
+    {"packing", "sums of some variables are bounded", study_image_packing},
+    {"crowd", "ten to thirty rows a variable", study_image_crowd},
+    {"redundant", "two of three rows are sums of others", study_image_redundant},
 };
 
 enum { FAMILIES = sizeof FAMILY / sizeof *FAMILY };

@@ -67,6 +67,9 @@ study_family study_image_union, study_image_sum, study_image_zonotope, study_ima
 /* images_practice.c: planning, networks, loops, entropies */
 study_family study_image_schedule, study_image_petri, study_image_hydro, study_image_power,
     study_image_loops, study_image_entropy, study_image_metric, study_image_games;
+/* images_structured.c: hulls of points, trees, stages, rows in plenty */
+study_family study_image_points, study_image_local, study_image_scarce, study_image_tree,
+    study_image_stages, study_image_packing, study_image_crowd, study_image_redundant;
 /* images_systems.c: what systems can do: networks, controllers, programs, clocks */
 study_family study_image_relu, study_image_control, study_image_value, study_image_chain,
     study_image_flow, study_image_transport, study_image_clocks;

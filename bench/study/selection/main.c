@@ -18,38 +18,38 @@
 #include <fmb/fmb.h>
 
 #include "base/clock.h"
-#include "base/ways.h"
 #include "simulate.h"
 #include "solve/portfolio/features.h"
+#include "solve/portfolio/selection.h"
 #include "study/program/program.h"
 #include "study/program/projection.h"
 
-static const char USAGE[] = "usage: bench-selection [--seed N] [--each N] [--seconds S]\n"
-                            "Problems of all families of projections, N seeds of each.\n";
+static const char USAGE[] =
+    "usage: bench-selection [--seed N] [--each N] [--seconds S]\n"
+    "Problems of all families of projections, N seeds of each; 0 seconds: features alone.\n";
 
-#define BIT(way) ((uint32_t)1 << FMB_WAY_##way)
+/* What the library chooses, and then its pipelines. */
+static int count_arms(void)
+{
+    int n = 0;
+    while (fmb_selection_name(n))
+        n++;
+    return n + 1;
+}
 
-static const struct {
-    const char *name;
-    fmb_method method;
-    uint32_t off;
-} ARM[] = {
-    {"rules", FMB_METHOD_AUTO, 0},
-    {"fm", FMB_METHOD_FM, 0},
-    {"dd", FMB_METHOD_DD, 0},
-    {"hull", FMB_METHOD_HULL, 0},
-    {"no-bounded", FMB_METHOD_AUTO, BIT(BOUNDED_GROWTH)},
-    {"no-pruned", FMB_METHOD_AUTO, BIT(PRUNED)},
-    {"no-rays", FMB_METHOD_AUTO, BIT(FIRST_RAYS) | BIT(SECOND_RAYS) | BIT(HIGHER_GROWTH)},
-};
+static const char *name_of_arm(int arm)
+{
+    return arm == 0 ? "auto" : fmb_selection_name(arm - 1);
+}
 
-enum { ARMS = sizeof ARM / sizeof *ARM };
+enum { MOST_ARMS = 64 };
 
 /* Of the largest part that was heard of. */
 typedef struct heard {
     bool any;
-    fmb_features features;
-    simulated_rows simulated;
+    size_t entries;
+    double value[FMB_FEATURE_COUNT];
+    simulated_elimination simulated;
 } heard;
 
 static void fail(const char *what)
@@ -61,12 +61,13 @@ static void fail(const char *what)
 static void hear_part(void *self, const fmb_features *f, const fmb_reduced_part *reduced)
 {
     heard *h = self;
-    if (!reduced->rest || (h->any && h->features.entries >= f->entries))
+    if (!reduced->rest || (h->any && h->entries >= f->entries))
         return;
     h->any = true;
-    h->features = *f;
-    if (!simulate_elimination(reduced, &h->simulated))
-        fail("no memory");
+    h->entries = f->entries;
+    h->simulated = simulate_elimination(&reduced->e, reduced->drop);
+    for (int k = 0; k < FMB_FEATURE_COUNT; k++)
+        h->value[k] = fmb_features_value(f, (fmb_feature_id)k);
 }
 
 /* Limits of time are on a clock that others slow down, so processor time ends a query here. */
@@ -102,17 +103,20 @@ static double time_once(fmb_solver *v, const fmb_system *s, const int *keep, int
 }
 
 /* Short queries are asked again: the least of up to five. */
-#define LONG_ENOUGH 0.02 /* [s] */
-#define MOST_RUNS   5
+#define LONG_ENOUGH 0.006 /* [s] */
+#define MOST_RUNS   4
+/* An arm that takes so many times as long as another one, and so long, is not waited for. */
+#define FAR_BEHIND 4
+#define LEAST_WAIT 0.01 /* [s] */
 
 static double time_arm(int arm, const fmb_system *s, const int *keep, int kept, double seconds)
 {
-    fmb_options o = {.size = sizeof o, .method = ARM[arm].method};
+    fmb_options o = {
+        .size = sizeof o,
+    };
     fmb_solver *v;
     o.evidence = FMB_EVIDENCE_NONE;
-    memset(fmb_ways_at_hand, 0, sizeof *fmb_ways_at_hand);
-    for (int way = 0; way < FMB_WAY_COUNT; way++)
-        fmb_ways_at_hand->off[way] = ARM[arm].off >> way & 1;
+    fmb_selection_forced = arm - 1;
     if (fmb_solver_new(&o, NULL, &v) != FMB_OK)
         fail("no memory");
     double least = time_once(v, s, keep, kept, seconds), total = least;
@@ -127,14 +131,37 @@ static double time_arm(int arm, const fmb_system *s, const int *keep, int kept, 
 
 static void print_features(const heard *h)
 {
-    const fmb_features *f = &h->features;
-    printf("\"kept\": %d, \"variables\": %d, \"given\": %zu, \"strict\": %d, \"wide\": %d, "
-           "\"columns\": %zu, \"rows\": %zu, \"entries\": %zu, \"bounds\": %zu, \"freedom\": %zu, "
-           "\"minor_bits\": %zu, \"long\": %d, \"origin\": %d, \"simulated_most\": %zu, "
-           "\"simulated_last\": %zu, \"simulated_left\": %d",
-           f->kept, f->variables, f->given, f->is_strict, f->is_wide, f->columns, f->rows,
-           f->entries, f->bounds, f->freedom, f->minor_bits, f->is_long, f->has_origin,
-           h->simulated.most, h->simulated.last, h->simulated.left);
+    printf("\"features\": {");
+    for (int k = 0; k < FMB_FEATURE_COUNT; k++)
+        printf("%s\"%s\": %g", k > 0 ? ", " : "", fmb_features_name((fmb_feature_id)k),
+               h->value[k]);
+    printf(", \"simulated rows\": %zu, \"simulated pairs\": %zu, "
+           "\"variables left by simulation\": %d, \"simulated first growth\": %ld}",
+           h->simulated.most, h->simulated.pairs, h->simulated.left, h->simulated.first);
+}
+
+static double limit_behind(double least, double seconds)
+{
+    double limit = FAR_BEHIND * least < LEAST_WAIT ? LEAST_WAIT : FAR_BEHIND * least;
+    return limit < seconds ? limit : seconds;
+}
+
+/* took[arm]: [s], or minus the time after which it was not waited for. */
+static void time_arms(const fmb_system *s, const int *keep, int kept, double seconds, heard *h,
+                      double *took)
+{
+    double least = seconds;
+    fmb_features_watch = (fmb_features_watcher){hear_part, h};
+    (void)time_arm(0, s, keep, kept, seconds > 0 ? seconds : LEAST_WAIT);
+    fmb_features_watch = (fmb_features_watcher){NULL, NULL};
+    for (int arm = 0; h->any && seconds > 0 && arm < count_arms(); arm++) {
+        double limit = limit_behind(least, seconds);
+        took[arm] = time_arm(arm, s, keep, kept, limit);
+        if (took[arm] < 0)
+            took[arm] = -limit;
+        else if (took[arm] < least)
+            least = took[arm];
+    }
 }
 
 /* What no way is chosen for is left out. */
@@ -143,28 +170,19 @@ static void study_problem(const char *family, int digits, uint64_t seed, const f
 {
     int *keep = malloc((size_t)kept * sizeof *keep);
     heard h = {.any = false};
-    double took[ARMS];
+    double took[MOST_ARMS];
     if (!keep)
         fail("no memory");
     for (int k = 0; k < kept; k++)
         keep[k] = k;
-    for (int arm = 0; arm < ARMS && (arm == 0 || h.any); arm++) {
-        fmb_features_watch = (fmb_features_watcher){NULL, NULL};
-        took[arm] = time_arm(arm, s, keep, kept, seconds);
-        fmb_features_watch = (fmb_features_watcher){hear_part, &h};
-        if (arm == 0)
-            (void)time_arm(arm, s, keep, kept, seconds);
-    }
+    time_arms(s, keep, kept, seconds, &h, took);
     if (h.any) {
         printf("{\"family\": \"%s\", \"digits\": %d, \"seed\": %" PRIu64 ", \"limit\": %g, ",
                family, digits, seed, seconds);
         print_features(&h);
-        for (int arm = 0; arm < ARMS; arm++)
-            if (took[arm] >= 0)
-                printf(", \"%s\": %.7f", ARM[arm].name, took[arm]);
-            else
-                printf(", \"%s\": null", ARM[arm].name);
-        puts("}");
+        for (int arm = 0; seconds > 0 && arm < count_arms(); arm++)
+            printf("%s\"%s\": %.7f", arm > 0 ? ", " : ", \"took\": {", name_of_arm(arm), took[arm]);
+        puts(seconds > 0 ? "}}" : "}");
         fflush(stdout);
     }
     free(keep);

@@ -1,162 +1,175 @@
-/* simulate.c: an elimination of signs.
+/* simulate.c: an elimination of signs; see simulate.h.
  *
- * A row is the signs of its coefficients and the set of first rows behind it. Where a pair of rows
- * has opposite signs, that of the sum is drawn by its place; that it may be 0 is left out. The
- * variable with the fewest pairs goes first, and a row with more than k + 1 first rows behind it
- * after k variables is dropped (Kohler 1967).
+ * A row is the signs of its coefficients of variables that go, and the set of first rows behind it.
+ * Where a pair of rows has opposite signs, that of the sum is drawn; that it may be 0 is left out.
+ * The variable with the fewest new rows goes first, and a row with more than k + 1 first rows
+ * behind it after k variables is dropped (Kohler 1967).
  */
 #include "simulate.h"
 
-#include <stdlib.h>
-#include <string.h>
-
-enum { SET_WORDS = (SIMULATED_ROWS + 63) / 64 };
-
 typedef struct sign_row {
-    uint64_t behind[SET_WORDS];
-    signed char sign[]; /* [n] */
+    uint64_t plus, minus; /* of variables that go, in their order */
+    uint64_t behind[SIMULATED_BASE / 64];
 } sign_row;
 
 typedef struct sign_rows {
-    char *at;
-    size_t size, stride;
+    sign_row row[SIMULATED_ROWS + 1];
+    size_t size;
+    size_t finished; /* rows that name none of the variables any more: only counted */
+    int columns;
+    long up[SIMULATED_COLUMNS], down[SIMULATED_COLUMNS]; /* rows of each sign */
+    uint64_t drawn;                                      /* state of the draws */
 } sign_rows;
 
-static sign_row *row_at(const sign_rows *r, size_t i)
+static void count_signs(uint64_t signs, long *of, long change)
 {
-    return (sign_row *)(void *)(r->at + i * r->stride);
+    for (; signs != 0; signs &= signs - 1)
+        of[__builtin_ctzll(signs)] += change;
 }
 
-static size_t count_behind(const sign_row *r)
+static void count_row(sign_rows *s, const sign_row *r, long change)
 {
-    size_t n = 0;
-    for (int w = 0; w < SET_WORDS; w++)
-        n += (size_t)__builtin_popcountll(r->behind[w]);
-    return n;
+    count_signs(r->plus, s->up, change);
+    count_signs(r->minus, s->down, change);
 }
 
-static void load_signs(const fmb_reduced_part *h, sign_rows *to)
+/* False: there are too many. */
+static bool put_sign_row(sign_rows *s, const sign_row *r)
 {
-    const fmb_elim *e = &h->e;
-    for (; to->size < e->live.size; to->size++) {
-        sign_row *r = row_at(to, to->size);
-        memset(r, 0, to->stride);
-        r->behind[to->size / 64] = (uint64_t)1 << (to->size % 64);
-        for (int j = 0; j < e->n; j++)
-            r->sign[j] = (signed char)fmb_vec_sgn(&e->row[e->live.row[to->size]].v, (size_t)j);
+    bool named = (r->plus | r->minus) != 0;
+    if (named && s->size <= SIMULATED_ROWS)
+        s->row[s->size++] = *r;
+    s->finished += !named;
+    count_row(s, r, 1);
+    return s->size + s->finished <= SIMULATED_ROWS;
+}
+
+static void load_signs(sign_rows *s, const fmb_elim *e, const bool *drop)
+{
+    for (int j = 0; j < e->n; j++)
+        s->columns += drop[j];
+    if (s->columns > SIMULATED_COLUMNS || e->live.size > SIMULATED_BASE)
+        return;
+    for (size_t i = 0; i < e->live.size; i++) {
+        const fmb_derived *r = &e->row[e->live.row[i]];
+        sign_row signs = {.plus = 0};
+        int at = 0;
+        for (int j = 0; j < e->n; j++) {
+            if (!drop[j])
+                continue;
+            int sign = fmb_vec_sgn(&r->v, (size_t)j);
+            signs.plus |= (uint64_t)(sign > 0) << at;
+            signs.minus |= (uint64_t)(sign < 0) << at++;
+        }
+        signs.behind[i / 64] = (uint64_t)1 << (i % 64);
+        (void)put_sign_row(s, &signs);
     }
 }
 
-/* Rows that are more after j is gone; negative where there are fewer. */
-static long growth_of_column(const sign_rows *rows, int j)
+/* Rows that are more once variable j is gone; negative where there are fewer. */
+static long growth_of_column(const sign_rows *s, int j)
 {
-    long up = 0, down = 0;
-    for (size_t i = 0; i < rows->size; i++) {
-        up += row_at(rows, i)->sign[j] > 0;
-        down += row_at(rows, i)->sign[j] < 0;
-    }
-    return up + down == 0 ? 0 : up * down - up - down;
-}
-
-static bool is_named(const sign_rows *rows, int j)
-{
-    for (size_t i = 0; i < rows->size; i++)
-        if (row_at(rows, i)->sign[j] != 0)
-            return true;
-    return false;
+    return s->up[j] * s->down[j] - s->up[j] - s->down[j];
 }
 
 /* -1: none of them is named any more. */
-static int choose_column(const fmb_reduced_part *h, const sign_rows *rows)
+static int choose_column(const sign_rows *s)
 {
     int best = -1;
-    for (int j = 0; j < h->e.n; j++)
-        if (h->drop[j] && is_named(rows, j) &&
-            (best < 0 || growth_of_column(rows, j) < growth_of_column(rows, best)))
+    for (int j = 0; j < s->columns; j++)
+        if (s->up[j] + s->down[j] > 0 &&
+            (best < 0 || growth_of_column(s, j) < growth_of_column(s, best)))
             best = j;
     return best;
 }
 
-static void combine_signs(const sign_row *a, const sign_row *b, int gone, int n, sign_row *to)
+/* splitmix64 (Steele, Lea, Flood 2014). */
+static uint64_t draw_signs(sign_rows *s)
 {
-    for (int w = 0; w < SET_WORDS; w++)
-        to->behind[w] = a->behind[w] | b->behind[w];
-    for (int j = 0; j < n; j++) {
-        int drawn = ((int)to->behind[0] ^ (j * 7)) & 1 ? a->sign[j] : b->sign[j];
-        bool opposite = a->sign[j] * b->sign[j] < 0;
-        to->sign[j] = (signed char)(opposite ? drawn : a->sign[j] ? a->sign[j] : b->sign[j]);
-    }
-    to->sign[gone] = 0;
+    uint64_t z = (s->drawn += 0x9e3779b97f4a7c15u);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
 }
 
-/* False: there are too many. */
-static bool put_row(sign_rows *to, const sign_row *r)
+/* False: too many first rows are behind the sum. */
+static bool combine_signs(sign_rows *s, const sign_row *a, const sign_row *b, uint64_t gone,
+                          int most, sign_row *to)
 {
-    if (to->size > SIMULATED_ROWS)
+    int count = 0;
+    for (int w = 0; w < SIMULATED_BASE / 64; w++) {
+        to->behind[w] = a->behind[w] | b->behind[w];
+        count += __builtin_popcountll(to->behind[w]);
+    }
+    if (count > most)
         return false;
-    memcpy(row_at(to, to->size++), r, to->stride);
+    uint64_t opposite = (a->plus & b->minus) | (a->minus & b->plus), drawn = draw_signs(s);
+    to->plus = (((a->plus | b->plus) & ~opposite) | (opposite & drawn)) & ~gone;
+    to->minus = (((a->minus | b->minus) & ~opposite) | (opposite & ~drawn)) & ~gone;
     return true;
 }
 
-/* The k-th variable goes. */
-static bool eliminate_signs(const sign_rows *from, int j, int n, size_t k, sign_rows *to)
+/* Take the rows that name the variable out of s; returns how many, in *taken. */
+static size_t take_rows_out(sign_rows *s, uint64_t bit, sign_row *taken)
 {
-    to->size = 0;
-    for (size_t i = 0; i < from->size; i++) {
-        const sign_row *a = row_at(from, i);
-        if (a->sign[j] == 0 && !put_row(to, a))
-            return false;
-        for (size_t l = 0; a->sign[j] > 0 && l < from->size; l++) {
-            const sign_row *b = row_at(from, l);
-            if (b->sign[j] >= 0)
+    size_t left = 0, n = 0;
+    for (size_t i = 0; i < s->size; i++) {
+        const sign_row *r = &s->row[i];
+        if ((r->plus | r->minus) & bit) {
+            count_row(s, r, -1);
+            taken[n++] = *r;
+        } else {
+            s->row[left++] = *r;
+        }
+    }
+    s->size = left;
+    return n;
+}
+
+/* The k-th variable goes, by pairs. False: there were too many rows, or pairs. */
+static bool eliminate_signs(sign_rows *s, int j, int k, sign_row *taken, size_t *pairs)
+{
+    uint64_t bit = (uint64_t)1 << j;
+    size_t n = take_rows_out(s, bit, taken);
+    for (size_t a = 0; a < n; a++) {
+        for (size_t b = 0; (taken[a].plus & bit) && b < n; b++) {
+            sign_row sum;
+            if (!(taken[b].minus & bit))
                 continue;
-            if (to->size > SIMULATED_ROWS)
+            if (++*pairs >= SIMULATED_PAIRS)
                 return false;
-            combine_signs(a, b, j, n, row_at(to, to->size));
-            to->size += count_behind(row_at(to, to->size)) <= k + 1;
+            if (combine_signs(s, &taken[a], &taken[b], bit, k + 1, &sum) && !put_sign_row(s, &sum))
+                return false;
         }
     }
     return true;
 }
 
-static int count_columns_left(const fmb_reduced_part *h, const sign_rows *rows)
+simulated_elimination simulate_elimination(const fmb_elim *e, const bool *drop)
 {
-    int n = 0;
-    for (int j = 0; j < h->e.n; j++)
-        n += h->drop[j] && is_named(rows, j);
-    return n;
-}
-
-static void run_simulation(const fmb_reduced_part *h, sign_rows rows[2], simulated_rows *out)
-{
-    int now = 0;
-    size_t k = 1;
-    load_signs(h, &rows[0]);
-    out->most = rows[0].size;
-    for (int j; (j = choose_column(h, &rows[now])) >= 0; now = !now, k++) {
-        bool few = eliminate_signs(&rows[now], j, h->e.n, k, &rows[!now]);
-        out->most = rows[!now].size > out->most ? rows[!now].size : out->most;
+    sign_rows s;
+    sign_row taken[SIMULATED_ROWS + 1];
+    simulated_elimination out = {.most = e->live.size};
+    s.size = s.finished = 0;
+    s.columns = 0;
+    s.drawn = 0;
+    for (int j = 0; j < SIMULATED_COLUMNS; j++)
+        s.up[j] = s.down[j] = 0;
+    load_signs(&s, e, drop);
+    if (s.size == 0 && s.finished == 0) { /* too large to be followed */
+        out.left = s.columns;
+        return out;
+    }
+    int j = choose_column(&s);
+    out.first = j >= 0 ? growth_of_column(&s, j) : 0;
+    for (int k = 1; j >= 0; k++, j = choose_column(&s)) {
+        bool few = eliminate_signs(&s, j, k, taken, &out.pairs);
+        size_t rows = s.size + s.finished;
+        out.most = rows > out.most ? rows : out.most;
         if (!few)
             break;
     }
-    out->left = count_columns_left(h, &rows[now]);
-    out->last = out->left > 0 ? SIMULATED_ROWS + 1 : rows[now].size;
-}
-
-bool simulate_elimination(const fmb_reduced_part *h, simulated_rows *out)
-{
-    size_t stride = sizeof(sign_row) + (size_t)h->e.n;
-    sign_rows rows[2];
-    stride = (stride + 7) / 8 * 8;
-    *out = (simulated_rows){.most = SIMULATED_ROWS + 1, .last = SIMULATED_ROWS + 1, .left = h->e.n};
-    if (h->e.live.size > SIMULATED_ROWS)
-        return true;
-    for (int k = 0; k < 2; k++)
-        rows[k] = (sign_rows){malloc((SIMULATED_ROWS + 2) * stride), 0, stride};
-    bool good = rows[0].at && rows[1].at;
-    if (good)
-        run_simulation(h, rows, out);
-    free(rows[0].at);
-    free(rows[1].at);
-    return good;
+    for (int c = 0; j >= 0 && c < s.columns; c++)
+        out.left += s.up[c] + s.down[c] > 0;
+    return out;
 }

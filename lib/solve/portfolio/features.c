@@ -55,7 +55,7 @@ static size_t freedom_of_cone(size_t rows, size_t dimensions)
 fmb_features fmb_features_of(const fmb_reduced_part *reduced)
 {
     fmb_features f = {.kept = count_kept_variables(reduced), .variables = reduced->p->n};
-    f.columns = (size_t)f.variables - (size_t)reduced->e.rounds;
+    f.columns = (size_t)reduced->p->n - (size_t)reduced->e.rounds;
     note_given_rows(reduced->p, &f);
     note_rows_left(&reduced->e, &f);
     f.minor_bits = fmb_elim_minor_bits(&reduced->e);
@@ -65,4 +65,26 @@ fmb_features fmb_features_of(const fmb_reduced_part *reduced)
         fmb_features_watch.hear(fmb_features_watch.self, &f, reduced);
 #endif
     return f;
+}
+
+#define FMB_FEATURE_NAME(id, name, value) [FMB_FEATURE_##id] = name,
+static const char *const NAME[] = {FMB_FEATURE_VALUES(FMB_FEATURE_NAME)};
+
+const char *fmb_features_name(fmb_feature_id which)
+{
+    return NAME[which];
+}
+
+#define FMB_FEATURE_CASE(id, name, value)                                                          \
+    case FMB_FEATURE_##id:                                                                         \
+        return (double)(value);
+
+double fmb_features_value(const fmb_features *f, fmb_feature_id which)
+{
+    switch (which) {
+        FMB_FEATURE_VALUES(FMB_FEATURE_CASE)
+    case FMB_FEATURE_COUNT:
+        break;
+    }
+    return 0;
 }

@@ -27,8 +27,33 @@ typedef struct fmb_features {
     bool has_origin;   /* all variables at 0 are a solution */
 } fmb_features;
 
+/* What the choice asks about: identifier, name in data and reports, and the number as a double. */
+#define FMB_FEATURE_VALUES(F)                                                                      \
+    F(KEPT, "variables that stay", f->kept)                                                        \
+    F(TO_GO, "variables to go", (double)f->columns - f->kept)                                      \
+    F(COLUMNS, "variables", f->columns)                                                            \
+    F(ROWS, "rows", f->rows)                                                                       \
+    F(ENTRIES, "coefficients", f->entries)                                                         \
+    F(ROWS_BY_COLUMN, "rows a variable", (double)f->rows / (double)f->columns)                     \
+    F(ENTRIES_BY_ROW, "coefficients a row", (double)f->entries / (double)f->rows)                  \
+    F(DENSITY, "density", (double)f->entries / ((double)f->rows * (double)f->columns))             \
+    F(BOUNDS, "share of bounds", (double)f->bounds / (double)f->rows)                              \
+    F(FREEDOM, "freedom of the cone", f->freedom)                                                  \
+    F(MINOR_BITS, "bits of a minor", f->minor_bits)                                                \
+    F(LONG, "long numbers", f->is_long)                                                            \
+    F(STRICT, "strict rows", f->is_strict)                                                         \
+    F(ORIGIN, "0 is a solution", f->has_origin)
+
+#define FMB_FEATURE_IDENTIFIER(id, name, value) FMB_FEATURE_##id,
+typedef enum fmb_feature_id {
+    FMB_FEATURE_VALUES(FMB_FEATURE_IDENTIFIER) FMB_FEATURE_COUNT
+} fmb_feature_id;
+#undef FMB_FEATURE_IDENTIFIER
+
 /* Looks at each coefficient once. What follows holds while the reduced part stays as it is. */
 fmb_features fmb_features_of(const fmb_reduced_part *reduced);
+double fmb_features_value(const fmb_features *f, fmb_feature_id which);
+const char *fmb_features_name(fmb_feature_id which);
 
 #ifdef FMB_ABLATE
 /* Who studies the choice (bench/study/selection) hears of each part before a way is chosen. */

@@ -256,6 +256,19 @@ static fmb_status try_growing_elimination(part_run *r, uint64_t trials)
     return st;
 }
 
+/* However many rows a variable makes. */
+static fmb_status try_free_elimination(part_run *r, uint64_t trials)
+{
+    shadow h = shadow_of_run(r);
+    growth_bound any = {0, (size_t)trials, r->features.kept};
+    if (!fmb_mark_possible(&r->reduced.e))
+        return FMB_OK;
+    size_t budget;
+    fmb_status st = eliminate_rest(&h, &r->reduced, &any, &budget, r->feasible, &r->done);
+    tell_attempt(r, "steeper elimination", budget, "rows", st);
+    return st;
+}
+
 static bool is_open(fmb_status st, const part_run *r)
 {
     return st == FMB_OK && !r->done && *r->feasible;
@@ -316,6 +329,7 @@ static const struct step_way {
     [FMB_STEP_RECESSION] = {try_recession, FMB_WAY_RECESSION},
     [FMB_STEP_BOUNDED] = {try_bounded_elimination, FMB_WAY_BOUNDED_GROWTH},
     [FMB_STEP_GROWING] = {try_growing_elimination, FMB_WAY_HIGHER_GROWTH},
+    [FMB_STEP_FREE] = {try_free_elimination, FMB_WAY_HIGHER_GROWTH},
     [FMB_STEP_PRUNED] = {try_pruned_elimination, FMB_WAY_PRUNED},
     [FMB_STEP_FIRST_RAYS] = {try_rays_twice, FMB_WAY_FIRST_RAYS},
     [FMB_STEP_SECOND_RAYS] = {try_rays, FMB_WAY_SECOND_RAYS},
