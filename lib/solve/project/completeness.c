@@ -17,12 +17,13 @@
 
 /* What the projection has cost, in operations as proof/elimination.h counts them: a few times that
  * is what a proof may cost, and no less than some milliseconds. */
-#define WORK_OF_ANY     ((uint64_t)1 << 22)
+#define WORK_OF_ANY     ((uint64_t)1 << 24)
 #define WORK_OF_ROW     256 /* and variable */
 #define WORK_OF_PAIR    16
 #define WORK_OF_PROGRAM ((uint64_t)1 << 14)
-/* So much of that is tried first, as a share. */
-#define SHARES 16
+/* So much of that is tried first, as a share; then so many times as much again. */
+#define FIRST_SHARE 64
+#define NEXT_SHARE  8
 /* Of a ray that is made on the way to corners. */
 #define WORK_OF_RAY 1024
 /* And so are more faces whose middle has to be shown. */
@@ -264,7 +265,7 @@ static fmb_status prove_complete(completeness_proof *w)
     if (st == FMB_OK && found)
         st = claim_complete(w);
     const uint64_t work = affordable_work(w->q);
-    for (uint64_t share = SHARES; st == FMB_OK && !w->done && share > 0; share /= SHARES) {
+    for (uint64_t share = FIRST_SHARE; st == FMB_OK && !w->done && share > 0; share /= NEXT_SHARE) {
         w->work = work / share;
         st = try_order_and_corners(w);
     }
