@@ -1,8 +1,8 @@
 /* bound.c: the tightest interval of each variable.
  *
  * Each end is a linear program in the variable's own part, from the vertex of the end before.
- * With method fm the part's other variables are eliminated instead (elimination_ends.c). At a
- * limit, the ends not yet known are the best that is proved at little cost (outer.h).
+ * With method fm the part's other variables are eliminated instead (halving.c). At a limit, the
+ * ends not yet known are the best that is proved at little cost (outer.h).
  */
 #include "solve/bound/ends.h"
 #include "solve/limit/outer.h"

@@ -20,7 +20,7 @@ fmb_status fmb_bound_claim(fmb_bound_job *j, const fmb_weights *w);
 /* The query's x is a ray of the part, or the variable is in no part. */
 fmb_status fmb_bound_claim_unbounded(fmb_bound_job *j);
 
-/* elimination_ends.c: all intervals of variables of the part, by elimination. */
+/* halving.c: all intervals of variables of the part, by elimination. */
 fmb_status fmb_bound_by_elimination(fmb_query *q, int part, fmb_box *box);
 
 #endif
