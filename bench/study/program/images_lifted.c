@@ -37,7 +37,7 @@ static void write_polytope(study_writer *w, int dim, int rows, int at, int from)
 /* x, then per polytope its part of x and its weight. The last part is x minus the others. */
 void study_image_union(study_writer *w)
 {
-    int dim = study_draw(w, 2, 3), parts = study_draw(w, 2, dim == 2 ? 4 : 3), step = dim + 1;
+    int dim = study_draw_size(w, 2, 3), parts = study_draw(w, 2, dim == 2 ? 4 : 3), step = dim + 1;
     if (!study_write_image(w, dim + parts * step, dim))
         return;
     for (int j = 0; j < dim; j++) {
@@ -53,7 +53,7 @@ void study_image_union(study_writer *w)
         int at = dim + k * step;
         study_write_least(w, at + dim, 0);
         for (int i = study_draw(w, dim + 2, 2 * dim + 3); i > 0; i--) {
-            int64_t a[4], b = study_draw(w, 2, 20);
+            int64_t a[8], b = study_draw(w, 2, 20);
             for (int j = 0; j < dim; j++) {
                 a[j] = study_random_nonzero(&w->g, -7, 7);
                 b += a[j] * (3 * k + j); /* they lie apart */
@@ -61,7 +61,7 @@ void study_image_union(study_writer *w)
             write_row(w, a, dim, at, -1, b, at + dim);
         }
         for (int i = 0; i < 2 * dim; i++) {
-            int64_t a[4] = {0};
+            int64_t a[8] = {0};
             a[i / 2] = i % 2 ? -1 : 1;
             write_row(w, a, dim, at, -1, 4 + a[i / 2] * (3 * k + i / 2), at + dim);
         }
@@ -70,7 +70,7 @@ void study_image_union(study_writer *w)
 
 void study_image_sum(study_writer *w)
 {
-    int dim = study_draw(w, 2, 4), rows = study_draw(w, 2, dim == 4 ? 4 : 7);
+    int dim = study_draw(w, 2, 4) + w->larger / 4, rows = study_draw_size(w, 2, dim == 4 ? 4 : 7);
     if (!study_write_image(w, 2 * dim, dim))
         return;
     write_polytope(w, dim, rows, dim, -1);
@@ -79,7 +79,8 @@ void study_image_sum(study_writer *w)
 
 void study_image_zonotope(study_writer *w)
 {
-    int dim = study_draw(w, 2, 4), segments = study_draw(w, dim + 3, dim == 2 ? 20 : 12 - dim);
+    int usual = study_draw(w, 2, 4), dim = usual + w->larger / 4,
+        segments = study_draw_size(w, usual + 3, usual == 2 ? 20 : 12 - usual);
     if (!study_write_image(w, dim + segments, dim))
         return;
     for (int j = 0; j < dim; j++) {
@@ -121,7 +122,7 @@ void study_image_orbit(study_writer *w)
  * around, x -> 1 - x. */
 void study_image_parity(study_writer *w)
 {
-    int n = study_draw(w, 4, 6), odd = study_draw(w, 0, 1), sums = (n - odd) / 2 + 1;
+    int n = study_draw_size(w, 4, 6), odd = study_draw(w, 0, 1), sums = (n - odd) / 2 + 1;
     if (!study_write_image(w, n + sums * (n + 1), n))
         return;
     for (int i = 0; i < n; i++) {

@@ -18,14 +18,14 @@ static void write_dense_rows(study_writer *w, int rows, fmb_rel other)
 
 void study_image_dense(study_writer *w)
 {
-    int n = study_draw(w, 4, 8);
-    if (study_write_image(w, n, study_draw(w, 2, 3)))
+    int n = study_draw_size(w, 4, 8);
+    if (study_write_image(w, n, study_draw(w, 2, 3) + w->larger / 2))
         write_dense_rows(w, study_draw(w, 2 * n, n < 8 ? 3 * n : 2 * n + 4), FMB_LE);
 }
 
 void study_image_wide(study_writer *w)
 {
-    int n = study_draw(w, 7, 9);
+    int n = study_draw_size(w, 7, 9);
     if (study_write_image(w, n, study_draw(w, 4, n - 3)))
         write_dense_rows(w, n + study_draw(w, 4, 6), FMB_LE);
 }
@@ -82,8 +82,8 @@ void study_image_cone(study_writer *w)
 
 void study_image_long(study_writer *w)
 {
-    int n = study_draw(w, 4, 7);
-    if (!study_write_image(w, n, study_draw(w, 2, 3)))
+    int n = study_draw_size(w, 4, 7);
+    if (!study_write_image(w, n, study_draw(w, 2, 3) + w->larger / 2))
         return;
     for (int i = study_draw(w, 2 * n, 2 * n + 3); i > 0; i--) {
         write_all_terms(w, 9999999999);
@@ -107,8 +107,8 @@ void study_image_octagon(study_writer *w)
 
 void study_image_equal(study_writer *w)
 {
-    int n = study_draw(w, 9, 15);
-    if (!study_write_image(w, n, study_draw(w, 2, 4)))
+    int n = study_draw_size(w, 9, 15);
+    if (!study_write_image(w, n, study_draw(w, 2, 4) + w->larger / 2))
         return;
     for (int i = 0; i < n / 3; i++) {
         write_all_terms(w, 4);

@@ -52,11 +52,11 @@ static void write_rectifier(study_writer *w, const layer *in, layer *out, int k,
 /* Outputs stay, and stand first; then inputs, then hidden layers. */
 void study_image_relu(study_writer *w)
 {
-    int outputs = study_draw(w, 2, 3), inputs = study_draw(w, 2, 3), hidden = study_draw(w, 1, 2),
-        size[2];
+    int outputs = study_draw(w, 2, 3) + w->larger / 2, inputs = study_draw(w, 2, 3),
+        hidden = study_draw(w, 1, 2), size[2];
     int n = outputs + inputs;
     for (int k = 0; k < hidden; k++)
-        n += size[k] = study_draw(w, 3, 5);
+        n += size[k] = study_draw_size(w, 3, 5);
     if (!study_write_image(w, n, outputs))
         return;
     layer in = {.at = outputs, .size = inputs};
@@ -77,7 +77,7 @@ void study_image_relu(study_writer *w)
 
 /* ---- control --------------------------------------------------------------------------------- */
 
-enum { MOST_STATES = 3, MOST_STEPS = 5 };
+enum { MOST_STATES = 5, MOST_STEPS = 7 };
 
 /* 10^t x(t) = sum of the row's terms over x(0) and the inputs. */
 static void write_state_bounds(study_writer *w, const int64_t *row, int n, int64_t bound)
@@ -92,8 +92,7 @@ static void write_state_bounds(study_writer *w, const int64_t *row, int n, int64
 /* x(t+1) = A x(t) + b u(t), numbers with one decimal; |x| <= 10, |u| <= 1. */
 void study_image_control(study_writer *w)
 {
-    int states = study_draw(w, 2, MOST_STATES), steps = study_draw(w, 3, MOST_STEPS),
-        n = states + steps;
+    int states = study_draw_size(w, 2, 3), steps = study_draw_size(w, 3, 5), n = states + steps;
     int64_t a[MOST_STATES][MOST_STATES], b[MOST_STATES], power = 1;
     int64_t x[MOST_STATES][MOST_STATES + MOST_STEPS] = {{0}}, next[MOST_STATES];
     if (!study_write_image(w, n, states))

@@ -79,8 +79,14 @@ const char *study_projection_about(int family)
 
 fmb_status study_projection_draw(int family, uint64_t seed, study_projection *out)
 {
+    return study_projection_draw_larger(family, seed, 0, out);
+}
+
+fmb_status study_projection_draw_larger(int family, uint64_t seed, int larger,
+                                        study_projection *out)
+{
     study_program p = {.s = NULL};
-    study_writer w = {.to = &p, .g.state = seed * SPREAD + (uint64_t)family};
+    study_writer w = {.to = &p, .g.state = seed * SPREAD + (uint64_t)family, .larger = larger};
     mpq_inits(p.best, w.right, NULL);
     FAMILY[family].write(&w);
     for (size_t k = 0; k < w.capacity; k++)

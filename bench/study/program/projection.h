@@ -24,4 +24,10 @@ const char *study_projection_about(int family);
 /* [give] Errors: MEMORY. */
 fmb_status study_projection_draw(int family, uint64_t seed, study_projection *out);
 
+/* [give] The same, larger than usual: ten families have sizes that may grow, "control" by up to 2,
+ * "relu" by up to 3, "union" by up to 5, "dense", "equal", "long", "parity", "sum",
+ * "wide" and "zonotope" by up to 12. Of others it is the usual one. Errors: MEMORY. */
+fmb_status study_projection_draw_larger(int family, uint64_t seed, int larger,
+                                        study_projection *out);
+
 #endif

@@ -24,6 +24,11 @@ int study_draw(study_writer *w, int lo, int hi)
     return (int)study_random_between(&w->g, lo, hi);
 }
 
+int study_draw_size(study_writer *w, int lo, int hi)
+{
+    return study_draw(w, lo, hi) + w->larger;
+}
+
 /* Room for one more term. */
 static bool has_room_for_term(study_writer *w)
 {

@@ -13,6 +13,7 @@ typedef struct study_writer {
     study_random g;
     int rows, variables; /* as planned */
     int keep;            /* projections: the first so many stay */
+    int larger;          /* projections: by so much than usual */
     study_program *to;
     fmb_status st;
     double *goal; /* [dim] the objective: whole numbers below 2^53 */
@@ -29,6 +30,8 @@ bool study_write_begin(study_writer *w, int variables);
 bool study_write_image(study_writer *w, int variables, int keep);
 /* A number lo ... hi. */
 int study_draw(study_writer *w, int lo, int hi);
+/* A size lo ... hi, and larger where the problem is to be. */
+int study_draw_size(study_writer *w, int lo, int hi);
 
 void study_write_term(study_writer *w, int var, int64_t coef);
 void study_write_term_q(study_writer *w, int var, int64_t num, uint64_t den);

@@ -59,3 +59,24 @@ Test(projection, a_seed_is_a_problem)
             free(text[i]);
     }
 }
+
+/* Of a family whose sizes may grow, the first seeds have more variables in all. */
+Test(projection, larger_than_usual)
+{
+    for (int f = 0; f < study_projections(); f++) {
+        int usual = 0, larger = 0;
+        for (uint64_t seed = 0; seed < 8; seed++) {
+            study_projection p = draw(f, seed), q;
+            cr_assert_eq(study_projection_draw_larger(f, seed, 2, &q), FMB_OK);
+            usual += fmb_system_dim(p.s);
+            larger += fmb_system_dim(q.s);
+            fmb_system_free(p.s);
+            fmb_system_free(q.s);
+        }
+        static const char *const GROWS =
+            " dense wide long equal relu zonotope parity union control ";
+        char name[32];
+        snprintf(name, sizeof name, " %s ", study_projection_name(f));
+        cr_expect(!strstr(GROWS, name) || larger > usual, "%s: %d, %d", name, usual, larger);
+    }
+}
