@@ -72,7 +72,8 @@ FMB_API FMB_CHECKED fmb_status fmb_separate(fmb_solver *v, const fmb_frame *f, f
 
 /* Does the one row of that system prove that the frames have no common point? The first must lie
  * on the side of <= at all times, the second on the other, and not both in the plane. It evaluates
- * corners, and knows nothing else. False for arguments that are none; the frames must be such. */
+ * corners, and knows nothing else. False for arguments that are none, arrays of frames that are
+ * NULL among them; the numbers of frames must be such. */
 FMB_API bool fmb_separates(const fmb_frame *f, fmb_contact contact, const fmb_system *row);
 
 /* [give] The common points: vertices of a point, segment, polygon (in their order around it) or

@@ -145,12 +145,18 @@ static bool is_one_row(const fmb_system *row, int dim)
 
 bool fmb_separates(const fmb_frame *f, fmb_contact contact, const fmb_system *row)
 {
+    for (int k = 0; f && k < 2; k++)
+        if (!f[k].origin || (!f[k].axes && f[k].naxes > 0))
+            return false;
     return f && row && f[0].dim == f[1].dim && is_one_row(row, f[0].dim) &&
            separates(&(source){.f = &f[0]}, &(source){.f = &f[1]}, contact, row);
 }
 
 bool fmb_separates_q(const fmb_frame_q *f, fmb_contact contact, const fmb_system *row)
 {
+    for (int k = 0; f && k < 2; k++)
+        if (!f[k].origin || (!f[k].axes && f[k].naxes > 0))
+            return false;
     return f && row && f[0].dim == f[1].dim && is_one_row(row, f[0].dim) &&
            separates(&(source){.q = &f[0]}, &(source){.q = &f[1]}, contact, row);
 }

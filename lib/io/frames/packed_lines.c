@@ -106,8 +106,8 @@ void fmb_packed_encode(const fmb_packed_block *b, unsigned char *to)
 
 static bool is_outline_packable(const fmb_frame *f, int dim)
 {
-    return f->dim == dim && dim >= 1 && dim <= FMB_FRAMES_DIM && f->naxes >= 0 &&
-           (unsigned)f->shape <= FMB_SIMPLEX_BY_CORNERS;
+    return f->dim == dim && dim >= 1 && dim <= FMB_FRAMES_DIM && f->naxes >= 0 && f->origin &&
+           (f->axes || f->naxes == 0) && (unsigned)f->shape <= FMB_SIMPLEX_BY_CORNERS;
 }
 
 static bool are_alike(const fmb_frame *f, const fmb_frame *g)
