@@ -52,6 +52,7 @@ static fmb_status mark_far_supports(fmb_run *run, const fmb_support_planes *s, c
     if (st != FMB_OK)
         return st;
     memset(*far, 0, words * sizeof **far);
+    fmb_run_count(run, s->planes.count * s->planes.words / 4);
     run->kernels->larger(&s->planes, a, (int)most, *far);
     return FMB_OK;
 }
@@ -205,6 +206,8 @@ static fmb_status find_by_unions(fmb_cone *c, fmb_run *run, fmb_adjacency *p, ui
         bool adjacent = simple || fmb_is_simple(&of, b);
         if (!adjacent && !p->near.ready)
             st = gather_near_rays(c, run, p, a, most);
+        if (!adjacent)
+            fmb_run_count(run, 20 + p->near.planes.count * p->near.planes.words / 8);
         if (adjacent || (st == FMB_OK && !is_third_ray_between(c, p, a, b)))
             p->found[p->founds++] = b;
     }

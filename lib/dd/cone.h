@@ -62,8 +62,8 @@ typedef struct fmb_cone {
 fmb_status fmb_cone_init(fmb_cone *c, fmb_run *run, const fmb_cone_problem *of);
 void fmb_cone_clear(fmb_cone *c);
 
-/* Insert rows until all are, or until that many more rays were made (0: any number): *done false,
- * and the next call goes on from there. Errors: MEMORY, LIMIT. */
+/* Insert rows until all are, or until that many more rays were made (0: any number), or a slice is
+ * over (trace/run.h): *done false, and the next call goes on from there. Errors: MEMORY, LIMIT. */
 fmb_status fmb_cone_run(fmb_cone *c, uint64_t rays, bool *done);
 
 /* Is the row of that bit positive in ray i? */

@@ -207,7 +207,8 @@ fmb_status fmb_cone_run(fmb_cone *c, uint64_t rays, bool *done)
     uint64_t most = rays > 0 ? c->made + rays : UINT64_MAX;
     fmb_status st = fmb_run_poll_now(c->run);
     *done = false;
-    while (st == FMB_OK && is_cone_unfinished(c) && c->made < most) {
+    while (st == FMB_OK && is_cone_unfinished(c) && c->made < most &&
+           !fmb_run_is_slice_over(c->run)) {
         if (!c->at->running)
             st = insert_next_row(c);
         size_t entry = c->at->entry;

@@ -69,6 +69,11 @@ fmb_status fmb_insertion_combine(const fmb_cone *c, size_t at, uint32_t a, uint3
 void fmb_cone_count_negatives(const fmb_cone *c, const fmb_vec *v, int sign, size_t *negatives);
 /* How much the ray counts in c->made. */
 uint64_t fmb_ray_price(const fmb_vec *v);
+/* Steps that it takes to make one of so many entries (fmb_run_count). */
+static inline size_t fmb_work_of_ray(const fmb_vec *v, size_t width)
+{
+    return 50 + width * fmb_vec_work(v);
+}
 
 /* ---- insert_value.c -------------------------------------------------------------------------- */
 

@@ -92,6 +92,7 @@ static fmb_status make_rays_of_chunk(void *self, size_t k, fmb_run *run)
             st = fmb_insertion_combine(c, at, a, p->found[j], &p->num);
             if (st == FMB_OK)
                 fmb_cone_count_negatives(c, &c->ray.v[at], 1, p->negatives);
+            fmb_run_count(run, fmb_work_of_ray(&c->ray.v[at], c->ray.width));
             if (st == FMB_OK)
                 st = fmb_run_poll(run);
         }

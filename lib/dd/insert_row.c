@@ -173,6 +173,7 @@ static fmb_status add_ray_of_pair(fmb_cone *c, uint32_t a, uint32_t b)
         return st;
     fmb_cone_count_negatives(c, &c->ray.v[at], 1, c->negatives);
     c->made += fmb_ray_price(&c->ray.v[at]);
+    fmb_run_count(c->run, fmb_work_of_ray(&c->ray.v[at], c->ray.width));
     return fmb_run_poll_step(c->run, fmb_vec_is_wide(&c->ray.v[at]));
 }
 
@@ -194,7 +195,9 @@ static fmb_status pair_next_ray(fmb_cone *c)
 static fmb_status prepare_pairs(fmb_cone *c)
 {
     fmb_status st = fmb_adjacency_begin(c);
-    return st == FMB_OK && c->at->by_edges ? fmb_insertion_find_edges(c) : st;
+    size_t edges = c->at->by_edges ? (c->at->small + c->at->large) * c->rank : 0;
+    fmb_run_count(c->run, 20 * edges + 4 * c->at->rays);
+    return st == FMB_OK && edges > 0 ? fmb_insertion_find_edges(c) : st;
 }
 
 fmb_status fmb_insertion_run(fmb_cone *c, uint64_t most)
@@ -203,7 +206,8 @@ fmb_status fmb_insertion_run(fmb_cone *c, uint64_t most)
     fmb_status st = FMB_OK;
     if (s->large > 0 && !s->large_side.ready)
         st = prepare_pairs(c);
-    while (st == FMB_OK && s->next < s->small && s->large > 0 && c->made < most)
+    while (st == FMB_OK && s->next < s->small && s->large > 0 && c->made < most &&
+           !fmb_run_is_slice_over(c->run))
         st = fmb_insertion_is_work_for_workers(c) ? fmb_insertion_run_workers(c, most)
                                                   : pair_next_ray(c);
     if (st == FMB_OK && (s->next == s->small || s->large == 0))

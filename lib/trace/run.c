@@ -139,6 +139,7 @@ void fmb_share_begin(fmb_share *s, const fmb_run *run, size_t shares)
     s->run.sink = (fmb_sink){0};
     s->run.tells_rows = false;
     s->run.threads = 1;
+    s->run.work = s->run.slice_end = 0;
     s->run.stats = (fmb_stats){0};
 }
 

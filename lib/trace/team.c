@@ -92,7 +92,9 @@ fmb_status fmb_team_finish(fmb_team *t)
     fmb_threads_finish(&t->threads);
     t->run->mem->limit = t->limit;
     for (size_t k = 0; k < t->jobs; k++) {
-        const fmb_share *s = &t->share[k];
+        fmb_share *s = &t->share[k];
+        fmb_run_count(t->run, s->run.work);
+        s->run.work = 0;
         if (worst == FMB_OK || (worst == FMB_LIMIT && s->st != FMB_OK))
             worst = s->st;
         if (t->run->stop == FMB_STOP_DONE)

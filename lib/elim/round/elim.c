@@ -153,33 +153,27 @@ static fmb_status eliminate_by_pairs(fmb_elim *e, int var)
 {
     fmb_round *round = &e->round[e->rounds];
     fmb_status st = FMB_OK;
-    size_t lowers;
+    size_t *lowers = &e->at.lowers;
     if (!e->based && stands_with_both_signs(e, var))
         st = fmb_elim_start_histories(e);
     if (st == FMB_OK && e->clash == FMB_NO_ROW)
-        st = sort_rows_by_sign(e, round, &lowers);
-    if (st != FMB_OK || e->clash != FMB_NO_ROW || lowers == 0 || lowers == round->rows)
+        st = sort_rows_by_sign(e, round, lowers);
+    if (st != FMB_OK || e->clash != FMB_NO_ROW || *lowers == 0 || *lowers == round->rows)
         return st;
     e->since++;
     fmb_set_put(e->gone, (size_t)var);
     e->run->stats.rounds++;
     bool last = names_no_other_variable(e, round) && fmb_way(FMB_WAY_SQUEEZE);
     fmb_way_answered(FMB_WAY_SQUEEZE, last);
-    return last ? fmb_elim_squeeze(e, round, lowers) : fmb_elim_pair(e, round, lowers);
+    return last ? fmb_elim_squeeze(e, round, *lowers) : fmb_elim_pair(e, round);
 }
 
 /* ---- a round --------------------------------------------------------------------------------- */
 
-/* What was counted before the round, to be told as differences. */
-typedef struct tally {
-    size_t live, rows;
-    uint64_t pairs, made, dropped, widened;
-} tally;
-
-static tally take_tally(const fmb_elim *e)
+static fmb_tally take_tally(const fmb_elim *e)
 {
     const fmb_stats *s = &e->run->stats;
-    return (tally){e->live.size, e->rows,         s->pairs,
+    return (fmb_tally){e->live.size, e->rows,         s->pairs,
                    s->rows_made, s->rows_dropped, e->num.promotions};
 }
 
@@ -204,9 +198,10 @@ static void emit_rule_events(fmb_elim *e, int var)
 }
 
 /* The round is over: count what is left of the rows that it made, and tell. */
-static void close_round(fmb_elim *e, int var, const tally *before)
+static void close_round(fmb_elim *e, int var)
 {
-    tally after = take_tally(e);
+    const fmb_tally *before = &e->at.before;
+    fmb_tally after = take_tally(e);
     uint64_t kept = 0;
     for (size_t i = after.live; i-- > 0 && e->live.row[i] >= before->rows;)
         kept++;
@@ -238,19 +233,12 @@ static fmb_status let_rules_end_round(fmb_elim *e, int var)
     return fmb_rules_end_round(e, var);
 }
 
-static fmb_status eliminate_variable(fmb_elim *e, int var)
+/* What the round has made is alive. */
+static fmb_status end_round(fmb_elim *e)
 {
     fmb_round *round = &e->round[e->rounds];
-    tally before = take_tally(e);
-    *round = (fmb_round){.var = var};
-    round->row = fmb_arena_get(e->arena, e->live.size, sizeof *round->row);
-    if (!round->row)
-        return fmb_mem_status(e->arena->mem);
-    e->next.size = 0;
-    uint32_t q = find_sparsest_equality(e, var);
-    fmb_status st = q != FMB_NO_ROW ? substitute_equality(e, q, var) : eliminate_by_pairs(e, var);
-    if (st != FMB_OK)
-        return st;
+    fmb_status st = FMB_OK;
+    e->at.running = false;
     e->rounds++;
     fmb_list list = e->live;
     e->live = e->next;
@@ -258,9 +246,30 @@ static fmb_status eliminate_variable(fmb_elim *e, int var)
     e->based &= !e->broken; /* what was refused follows from rows that are there now */
     e->broken = false;
     if (e->clash == FMB_NO_ROW && round->rows > 1 && is_time_for_rules(e))
-        st = let_rules_end_round(e, var);
-    close_round(e, var, &before);
+        st = let_rules_end_round(e, round->var);
+    close_round(e, round->var);
     return st;
+}
+
+static fmb_status eliminate_variable(fmb_elim *e, int var)
+{
+    fmb_round *round = &e->round[e->rounds];
+    e->at = (fmb_pairing){.running = true, .before = take_tally(e)};
+    *round = (fmb_round){.var = var};
+    round->row = fmb_arena_get(e->arena, e->live.size, sizeof *round->row);
+    if (!round->row)
+        return fmb_mem_status(e->arena->mem);
+    e->next.size = 0;
+    uint32_t q = find_sparsest_equality(e, var);
+    fmb_status st = q != FMB_NO_ROW ? substitute_equality(e, q, var) : eliminate_by_pairs(e, var);
+    return st == FMB_OK ? end_round(e) : st;
+}
+
+/* The round in which the last call paused. */
+static fmb_status go_on_with_round(fmb_elim *e)
+{
+    fmb_status st = fmb_elim_pair(e, &e->round[e->rounds]);
+    return st == FMB_OK ? end_round(e) : st;
 }
 
 /* Is there a variable to eliminate, but none by substitution? */
@@ -289,26 +298,42 @@ static bool grows_too_much(const fmb_elim *e, int var, double growth)
     return (!boxed && growth > e->growth * (double)e->live.size) || e->live.size > 2 * e->flat;
 }
 
-/* Histories start before the choice: what goes then is not counted in it. */
+/* The next variable, *var; -1: there is none, or what comes next is not cheap. Histories start
+ * before the choice: what goes then is not counted in it. */
+static fmb_status choose_next_variable(fmb_elim *e, const bool *drop, int *var)
+{
+    fmb_status st = FMB_OK;
+    *var = -1;
+    if (!e->based && is_ready_to_pair(e, drop))
+        st = fmb_elim_start_histories(e);
+    if (st == FMB_OK && e->clash == FMB_NO_ROW)
+        st = fmb_elim_choose(e, drop, var);
+    if (st != FMB_OK || e->clash != FMB_NO_ROW || *var < 0)
+        return st;
+    double growth = e->cheap_only || e->growth > 0 ? fmb_elim_growth(e, *var) : 0;
+    if (e->cheap_only && growth > 0) {
+        *var = -1;
+    } else if (e->growth > 0 && grows_too_much(e, *var, growth)) {
+        e->over_budget = true;
+        return FMB_LIMIT;
+    }
+    return FMB_OK;
+}
+
 fmb_status fmb_elim_eliminate(fmb_elim *e, const bool *drop)
 {
     fmb_status st = fmb_run_poll_now(e->run);
+    if (st == FMB_OK && e->at.running)
+        st = go_on_with_round(e);
     while (st == FMB_OK && e->clash == FMB_NO_ROW) {
         int var;
-        if (!e->based && is_ready_to_pair(e, drop))
-            st = fmb_elim_start_histories(e);
-        if (st == FMB_OK && e->clash == FMB_NO_ROW)
-            st = fmb_elim_choose(e, drop, &var);
-        if (st != FMB_OK || e->clash != FMB_NO_ROW || var < 0)
-            break;
-        double growth = e->cheap_only || e->growth > 0 ? fmb_elim_growth(e, var) : 0;
-        if (e->cheap_only && growth > 0)
-            break;
-        if (e->growth > 0 && grows_too_much(e, var, growth)) {
-            e->over_budget = true;
+        if (fmb_elim_is_slice_over(e))
             return FMB_LIMIT;
-        }
-        st = eliminate_variable(e, var);
+        st = choose_next_variable(e, drop, &var);
+        if (st == FMB_OK && var < 0)
+            break;
+        if (st == FMB_OK && e->clash == FMB_NO_ROW)
+            st = eliminate_variable(e, var);
     }
     bool unseen = (e->cheap_only || e->growth > 0) && e->rounds > 0 && e->judged < e->rows;
     return st == FMB_OK && e->clash == FMB_NO_ROW && unseen ? let_rules_end_round(e, -1) : st;

@@ -28,7 +28,7 @@ void fmb_elim_clear(fmb_elim *e);
 fmb_status fmb_elim_prune(fmb_elim *e);
 
 /* Eliminate all variables with drop[var], in the engine's order, until done, a row clashes or, if
- * the store is so set, what comes next is not cheap. */
+ * the store is so set, what comes next is not cheap; or until it pauses. */
 fmb_status fmb_elim_eliminate(fmb_elim *e, const bool *drop);
 
 #endif

@@ -21,12 +21,22 @@ static fmb_status combine_with_uppers(fmb_elim *e, const fmb_round *round, size_
     return st;
 }
 
-fmb_status fmb_elim_pair(fmb_elim *e, const fmb_round *round, size_t lowers)
+bool fmb_elim_is_slice_over(fmb_elim *e)
 {
-    size_t uppers = round->rows - lowers;
+    e->paused = e->pauses && fmb_run_is_slice_over(e->run);
+    return e->paused;
+}
+
+fmb_status fmb_elim_pair(fmb_elim *e, const fmb_round *round)
+{
+    size_t lowers = e->at.lowers, uppers = round->rows - lowers;
     fmb_status st = FMB_OK;
-    fmb_filter_new_round(e->filter);
-    for (size_t i = 0; st == FMB_OK && e->clash == FMB_NO_ROW && i < lowers; i++) {
+    if (e->at.next == 0)
+        fmb_filter_new_round(e->filter);
+    for (; st == FMB_OK && e->clash == FMB_NO_ROW && e->at.next < lowers; e->at.next++) {
+        size_t i = e->at.next;
+        if (fmb_elim_is_slice_over(e))
+            return FMB_LIMIT;
         uint64_t *drop = fmb_filter_bits(e->filter, uppers, e->run->mem);
         if (!drop)
             return fmb_mem_status(e->run->mem);

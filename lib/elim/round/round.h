@@ -17,8 +17,11 @@ fmb_status fmb_elim_start_histories(fmb_elim *e);
  * say nothing, or that a rule drops, are not kept. */
 fmb_status fmb_elim_combine(fmb_elim *e, uint32_t p, uint32_t q, int var);
 
-/* pairs.c: eliminate a variable by pairing: every row of the round names it, lowers come first. */
-fmb_status fmb_elim_pair(fmb_elim *e, const fmb_round *round, size_t lowers);
+/* pairs.c: eliminate a variable by pairing: every row of the round names it, lowers come first.
+ * Goes on from e->at.next. */
+fmb_status fmb_elim_pair(fmb_elim *e, const fmb_round *round);
+/* Is it time to pause? Notes that in e->paused. */
+bool fmb_elim_is_slice_over(fmb_elim *e);
 /* squeeze.c: the same for the last variable, when every row of the round names no other: only the
  * tightest bounds are combined. */
 fmb_status fmb_elim_squeeze(fmb_elim *e, const fmb_round *round, size_t lowers);

@@ -135,6 +135,7 @@ fmb_status fmb_elim_form_row(fmb_elim *e, uint32_t p, uint32_t q, int var)
         return st;
     }
     note_variables_of_row(e, r);
+    fmb_run_count(e->run, 60 + (size_t)e->n * fmb_vec_work(&r->v));
     e->run->stats.rows_made++;
     return FMB_OK;
 }

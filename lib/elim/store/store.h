@@ -48,6 +48,19 @@ typedef struct fmb_round {
     bool equality; /* row[0] is an equality, solved for var; the others are its results' parents */
 } fmb_round;
 
+/* What was counted before a round, to be told as differences. */
+typedef struct fmb_tally {
+    size_t live, rows;
+    uint64_t pairs, made, dropped, widened;
+} fmb_tally;
+
+/* A round in which lower rows before `next` have been paired. */
+typedef struct fmb_pairing {
+    bool running;
+    size_t lowers, next;
+    fmb_tally before;
+} fmb_pairing;
+
 /* A growing list of rows. */
 typedef struct fmb_list {
     uint32_t *row;
@@ -113,6 +126,9 @@ typedef struct fmb_elim {
     size_t wide;      /* rows made of numbers longer than a word */
     size_t wide_more; /* so many more rows is each of those for the budget: set it after init */
     bool over_budget; /* it held more: the elimination ended with FMB_LIMIT */
+    bool pauses;      /* where a slice of the run is over, it ends with FMB_LIMIT, */
+    bool paused;      /* and the next call goes on from there: set the former after init */
+    fmb_pairing at;   /* the round on its way */
 
     bool based;                /* the live rows' histories are valid */
     bool broken;               /* in this round a rule refused pairs or rows that they count on */

@@ -41,6 +41,7 @@ static fmb_status combine_exactly(fmb_facets *f, fmb_facet *a, fmb_facet *n, fmb
     if (st == FMB_OK)
         st = fmb_facets_tidy(f, &a->normal);
     a->known = st == FMB_OK;
+    fmb_run_count(f->run, 3 * f->d * fmb_vec_work(&a->normal));
     fmb_facets_round_normal(f, a);
     return st;
 }
@@ -63,6 +64,7 @@ static fmb_status make_facet_over_ridge(fmb_facets *f, uint32_t v, uint32_t n, s
     if (st != FMB_OK)
         return st;
     fmb_facet *a = &f->facet[at];
+    fmb_run_count(f->run, 100 + 12 * f->d + 2 * f->words);
     for (size_t w = 0; w < f->words; w++) {
         a->on[w] = f->facet[v].on[w] & f->facet[n].on[w];
         a->ons += fmb_ones64(a->on[w]);

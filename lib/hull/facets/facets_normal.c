@@ -184,11 +184,18 @@ fmb_status fmb_facets_find_normal(const fmb_facets *f, fmb_facet *a, fmb_normal_
     return FMB_OK;
 }
 
+/* Steps: there are 2^d minors, of d terms at most, mostly of long numbers. */
+static size_t work_of_normal(const fmb_facets *f)
+{
+    return f->d * ((size_t)20 << f->d);
+}
+
 fmb_status fmb_facets_need_normal(fmb_facets *f, size_t at)
 {
     fmb_normal_tools own = {&f->num, f->minor};
     if (f->facet[at].known)
         return FMB_OK;
+    fmb_run_count(f->run, work_of_normal(f));
     fmb_status st = fmb_facets_find_normal(f, &f->facet[at], &own);
     f->minor = own.minor;
     return st;

@@ -127,8 +127,8 @@ fmb_status fmb_support_keep_outer_rows(fmb_support *s);
  * MEMORY, LIMIT: the rows that there are hold. */
 fmb_status fmb_support_keep_images(fmb_support *s);
 
-/* Ask about facets and equations until all stand: *done; or until the hull has looked at so many
- * pairs of facets for ridges, 0: any number. (Queries are about as many as the projection has
+/* Ask about facets and equations until all stand: *done; or until a slice is over (trace/run.h); or
+ * until the hull has looked at so many pairs of facets for ridges, 0: any number. (Queries are about as many as the projection has
  * facets and vertices; it is inner hulls that may have many more.) What is proved stays so,
  * whatever ends the call; but after an error it is the last one. */
 fmb_status fmb_support_ask(fmb_support *s, uint64_t pairs, bool *done);

@@ -147,7 +147,7 @@ fmb_status fmb_support_ask(fmb_support *s, uint64_t pairs, bool *done)
     fmb_status st = s->begun ? FMB_OK : find_first_point(s);
     uint64_t first = s->hull.pairs;
     *done = false;
-    while (st == FMB_OK && !*done && (pairs == 0 || s->hull.pairs - first < pairs) &&
+    while (st == FMB_OK && !*done && !fmb_run_is_slice_over(s->run) && (pairs == 0 || s->hull.pairs - first < pairs) &&
            (s->most == 0 || s->hull.generators <= s->most))
         st = ask_next_question(s, done);
     s->ended = st != FMB_OK;

@@ -56,6 +56,7 @@ static fmb_status find_short_point(fmb_oracle *o, bool *found)
     }
     if (!o->few.a)
         st = fmb_modular_kernel_init(&o->few, o->run->mem, o->n);
+    fmb_run_count(o->run, o->n * o->n * (o->n + 4));
     *found = st == FMB_OK && solve_basis(o);
     if (*found)
         take_short_point(o);

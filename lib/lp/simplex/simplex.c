@@ -147,6 +147,8 @@ fmb_status fmb_simplex_search(fmb_basis *b, const double *target, size_t banned,
         }
         pivot_columns(b, r, j);
         put_at_end(b, old, old != banned && b->value[r] > 1);
+        if (run)
+            fmb_run_count(run, b->d * (b->size + b->d) / 4);
         st = run ? fmb_run_poll(run) : FMB_OK;
     }
     return st;

@@ -70,6 +70,12 @@ fmb_status fmb_simplex_state_expel(fmb_simplex_state *o, size_t r);
 /* The cost grows by this times the member at place r. */
 void fmb_simplex_state_add_to_cost(fmb_simplex_state *o, size_t r, double part);
 
+/* Steps of a pivot (fmb_run_count). */
+static inline size_t fmb_simplex_state_work(const fmb_simplex_state *o)
+{
+    return 100 + 6 * (o->n + o->m) + 2 * fmb_indexed_vector_count(&o->rate);
+}
+
 /* Slacks that are less, for a right side of about 1, are none. */
 static inline double fmb_simplex_state_tolerance(const fmb_simplex_state *o)
 {

@@ -224,6 +224,7 @@ static fmb_status lift_until_found(fmb_factor *f, asked *s, size_t most)
     size_t first = *usual < most ? *usual : most, next = first;
     while (true) {
         fmb_status st = fmb_dixon_step(s->lift);
+        fmb_run_count(f->run, 60 * s->lift->n);
         if (st == FMB_OK)
             st = fmb_run_poll(f->run);
         if (st != FMB_OK)

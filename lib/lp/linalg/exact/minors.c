@@ -89,6 +89,7 @@ fmb_status fmb_minors_factor(fmb_minors *f, const fmb_sparse *b, fmb_run *run)
                 clear_entry(a[i * n + j], a[k * n + k], a[i * n + k], a[k * n + j], last);
                 st = fmb_run_poll_long(run, a[i * n + j]);
             }
+            fmb_run_count(run, 20 * (n - k));
             if (st == FMB_OK)
                 st = poll_row(run, f, k);
         }

@@ -87,6 +87,7 @@ fmb_status fmb_dense_lu_factor(fmb_dense_lu *d, fmb_run *run, const fmb_prime *q
             finish_dense_pivot(d, q, k, columns);
             d->rank++;
         }
+        fmb_run_count(run, (d->rows + d->columns) * (k + 4));
         fmb_status st = fmb_run_poll(run);
         if (st != FMB_OK)
             return st;

@@ -147,6 +147,7 @@ static fmb_status drop_row_if_proved(fmb_active_set *s, size_t i)
 /* What the ray hits is kept; SIZE_MAX: nothing that is proved thereby. */
 static size_t keep_row_hit(fmb_active_set *s)
 {
+    fmb_run_count(s->run, s->of->m * (2 + s->of->d / 4));
     size_t hit = fmb_interior_point_shoot(s->seen, s->way, s->gone, s->speed);
     if (hit != SIZE_MAX)
         s->kept[hit] = true;
@@ -203,6 +204,7 @@ static size_t find_farthest_inactive(fmb_active_set *s)
     double least = 0;
     if (s->inactive == 0)
         return SIZE_MAX;
+    fmb_run_count(s->run, m * s->of->d / 4);
     memset(s->price, 0, m * sizeof *s->price);
     for (size_t k = 0; k < s->of->d; k++)
         s->run->kernels->accumulate(s->price, &s->of->at[k * m], m, s->cone.normal[k]);
