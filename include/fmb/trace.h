@@ -48,9 +48,12 @@ typedef struct fmb_attempt {
     int part;           /* connected component of the system, from 0; -1: all of it */
     size_t columns, rows;
     uint64_t budget;   /* how far it was allowed to go, 0: to its end */
-    const char *unit;  /* of the budget: "rows", "rays" or "pairs"; or NULL */
-    const char *ended; /* "answered"; "gave up" at its budget; "unsuitable": it saw that it is none
-                          for this; "limit" of the query */
+    const char *unit;  /* of the budget: "rows", "rays", "pairs" or "steps"; or NULL */
+    const char *ended; /* "answered"; "gave up" at its budget; "paused" at its budget, where it goes
+                          on when it is asked again; "unsuitable": it saw that it is none for this;
+                          "limit" of the query */
+    uint64_t spent;    /* steps that it has taken so far, where it is one that pauses; else 0 */
+    uint64_t left;     /* steps that it thought it would need yet, when it was asked; 0: no idea */
 } fmb_attempt;
 
 typedef struct fmb_event {

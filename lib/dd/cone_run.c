@@ -202,23 +202,50 @@ static bool is_cone_unfinished(const fmb_cone *c)
     return c->at->running || (c->of.keep ? c->lefts > 0 : c->next < c->of.m);
 }
 
+static fmb_status go_on_with_rows(fmb_cone *c, uint64_t most)
+{
+    fmb_status st = FMB_OK;
+    if (!c->at->running)
+        st = insert_next_row(c);
+    size_t entry = c->at->entry;
+    if (st == FMB_OK && c->at->running)
+        st = fmb_insertion_run(c, most);
+    if (st != FMB_OK || c->at->running)
+        return st;
+    fmb_trend_end_step(&c->trend, c->run->work);
+    return c->of.keep ? drop_carried_row(c, entry - c->coords) : FMB_OK;
+}
+
 fmb_status fmb_cone_run(fmb_cone *c, uint64_t rays, bool *done)
 {
     uint64_t most = rays > 0 ? c->made + rays : UINT64_MAX;
     fmb_status st = fmb_run_poll_now(c->run);
     *done = false;
+    fmb_trend_go_on(&c->trend, c->run->work);
     while (st == FMB_OK && is_cone_unfinished(c) && c->made < most &&
            !fmb_run_is_slice_over(c->run)) {
-        if (!c->at->running)
-            st = insert_next_row(c);
-        size_t entry = c->at->entry;
-        if (st == FMB_OK && c->at->running)
-            st = fmb_insertion_run(c, most);
-        if (st == FMB_OK && !c->at->running && c->of.keep)
-            st = drop_carried_row(c, entry - c->coords);
+        st = go_on_with_rows(c, most);
         if (st == FMB_OK)
             st = fmb_run_poll(c->run);
     }
+    fmb_trend_pause(&c->trend, c->run->work);
     *done = st == FMB_OK && !is_cone_unfinished(c);
     return st;
+}
+
+/* Rows in which no ray is negative say nothing. */
+static size_t count_rows_that_cut(const fmb_cone *c)
+{
+    size_t rows = 0;
+    for (size_t k = 0; k < c->lefts; k++)
+        rows += c->negatives[k] > 0;
+    return rows;
+}
+
+double fmb_cone_left(const fmb_cone *c)
+{
+    const fmb_insertion *s = c->at;
+    size_t rows = c->of.keep ? count_rows_that_cut(c) : c->of.m - c->next + s->running;
+    double share = s->running && s->small > 0 ? (double)s->next / (double)s->small : 0;
+    return fmb_trend_left(&c->trend, share, rows);
 }

@@ -54,7 +54,7 @@ static inline bool fmb_vec_is_wide(const fmb_vec *v)
  * products of numbers of half a word fit a word. */
 static inline size_t fmb_vec_work(const fmb_vec *v)
 {
-    return v->z ? 80 : v->bits > 31 ? 30 : 4;
+    return v->z ? 300 : v->bits > 31 ? 45 : 4;
 }
 static inline int fmb_vec_sgn(const fmb_vec *v, size_t i)
 {

@@ -113,7 +113,11 @@ static void print_attempt(FILE *out, const fmb_attempt *a)
         print_count(out, "budget", a->budget);
         print_quoted_word(out, "unit", a->unit);
     }
+    if (a->left > 0)
+        print_count(out, "left", a->left);
     print_quoted_word(out, "ended", a->ended);
+    if (a->spent > 0)
+        print_count(out, "spent", a->spent);
 }
 
 static void print_kind_of_event(FILE *out, const fmb_event *e)

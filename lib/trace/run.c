@@ -114,6 +114,7 @@ void fmb_run_tell_attempt(fmb_run *run, fmb_attempt a, fmb_status st, bool done)
     a.unit = a.budget > 0 ? a.unit : NULL;
     a.ended = st == FMB_LIMIT ? "limit"
               : done          ? "answered"
+              : a.ended       ? a.ended
               : a.budget > 0  ? "gave up"
                               : "unsuitable";
     if (st == FMB_OK || st == FMB_LIMIT)

@@ -28,7 +28,7 @@ typedef struct fmb_run {
     size_t threads;           /* that may work on it, at least 1 */
     unsigned tick;            /* polls so far: the clock is read at every 16th */
     uint64_t work;            /* done so far: fmb_run_count */
-    uint64_t slice_end;       /* an engine that can go on later stops at so much work; 0: none does */
+    uint64_t slice_end; /* an engine that can go on later stops at so much work; 0: none does */
     fmb_stats stats;
     fmb_sink sink;
     bool tells_rows;   /* the watcher wants to know of every row */
@@ -53,10 +53,10 @@ void fmb_share_begin(fmb_share *s, const fmb_run *run, size_t shares);
 /* What was done counts for the query; *peak [bytes] of all shares grows by that of this one. */
 void fmb_share_end(const fmb_share *s, fmb_run *run, size_t *peak);
 
-/* Inner loops count what they do, in steps of about a nanosecond each: the same on every machine, as
- * no clock is asked, so that an engine that stops by it stops at the same place everywhere. Measured
- * on long projections: a step took 0.5 to 2 ns. What a share counts is counted for the query when
- * its round ends. */
+/* Inner loops count what they do, in steps of about a nanosecond each: the same on every machine,
+ * as no clock is asked, so that an engine that stops by it stops at the same place everywhere.
+ * Measured on long projections: a step took 0.5 to 2 ns. What a share counts is counted for the
+ * query when its round ends. */
 static inline void fmb_run_count(fmb_run *run, size_t steps)
 {
     run->work += steps;
@@ -106,7 +106,8 @@ static inline bool fmb_run_is_limited(const fmb_run *run)
 fmb_status fmb_run_rows(fmb_run *run, size_t rows);
 
 void fmb_run_emit(fmb_run *run, fmb_event e);
-/* Tell how an engine fared, which returned st (after errors nothing is told): done, it answered. */
+/* Tell how an engine fared, which returned st (after errors nothing is told): done, it answered;
+ * else a.ended says how it ended, unless it is NULL. */
 void fmb_run_tell_attempt(fmb_run *run, fmb_attempt a, fmb_status st, bool done);
 
 #endif

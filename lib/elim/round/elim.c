@@ -1,6 +1,7 @@
 /* elim.c: the rounds; see elim.h. */
 #include "elim/round/elim.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "base/ways.h"
@@ -174,7 +175,7 @@ static fmb_tally take_tally(const fmb_elim *e)
 {
     const fmb_stats *s = &e->run->stats;
     return (fmb_tally){e->live.size, e->rows,         s->pairs,
-                   s->rows_made, s->rows_dropped, e->num.promotions};
+                       s->rows_made, s->rows_dropped, e->num.promotions};
 }
 
 static void emit_rule_events(fmb_elim *e, int var)
@@ -202,6 +203,7 @@ static void close_round(fmb_elim *e, int var)
 {
     const fmb_tally *before = &e->at.before;
     fmb_tally after = take_tally(e);
+    e->at.made = after.made - before->made;
     uint64_t kept = 0;
     for (size_t i = after.live; i-- > 0 && e->live.row[i] >= before->rows;)
         kept++;
@@ -229,6 +231,10 @@ static bool is_time_for_rules(const fmb_elim *e)
 
 static fmb_status let_rules_end_round(fmb_elim *e, int var)
 {
+    for (size_t i = 0; !e->at.pruning && i < e->live.size; i++)
+        e->row[e->live.row[i]].stays = false;
+    e->at.unpruned = e->at.pruning ? e->at.unpruned : e->live.size;
+    e->at.pruning = false;
     e->judged = e->rows;
     return fmb_rules_end_round(e, var);
 }
@@ -248,6 +254,17 @@ static fmb_status end_round(fmb_elim *e)
     if (e->clash == FMB_NO_ROW && round->rows > 1 && is_time_for_rules(e))
         st = let_rules_end_round(e, round->var);
     close_round(e, round->var);
+    if (round->rows > 1 && !round->equality && !e->at.pruning)
+        fmb_trend_end_step(&e->trend, e->run->work);
+    return st;
+}
+
+/* The end of a round, at which the last call paused. */
+static fmb_status go_on_with_pruning(fmb_elim *e)
+{
+    fmb_status st = let_rules_end_round(e, -1);
+    if (!e->at.pruning)
+        fmb_trend_end_step(&e->trend, e->run->work);
     return st;
 }
 
@@ -320,11 +337,11 @@ static fmb_status choose_next_variable(fmb_elim *e, const bool *drop, int *var)
     return FMB_OK;
 }
 
-fmb_status fmb_elim_eliminate(fmb_elim *e, const bool *drop)
+static fmb_status go_on_with_variables(fmb_elim *e, const bool *drop)
 {
-    fmb_status st = fmb_run_poll_now(e->run);
-    if (st == FMB_OK && e->at.running)
-        st = go_on_with_round(e);
+    fmb_status st = e->at.running   ? go_on_with_round(e)
+                    : e->at.pruning ? go_on_with_pruning(e)
+                                    : FMB_OK;
     while (st == FMB_OK && e->clash == FMB_NO_ROW) {
         int var;
         if (fmb_elim_is_slice_over(e))
@@ -337,6 +354,51 @@ fmb_status fmb_elim_eliminate(fmb_elim *e, const bool *drop)
     }
     bool unseen = (e->cheap_only || e->growth > 0) && e->rounds > 0 && e->judged < e->rows;
     return st == FMB_OK && e->clash == FMB_NO_ROW && unseen ? let_rules_end_round(e, -1) : st;
+}
+
+fmb_status fmb_elim_eliminate(fmb_elim *e, const bool *drop)
+{
+    fmb_status st = fmb_run_poll_now(e->run);
+    fmb_trend_go_on(&e->trend, e->run->work);
+    e->paused = false;
+    if (st == FMB_OK)
+        st = go_on_with_variables(e, drop);
+    fmb_trend_pause(&e->trend, e->run->work);
+    return st;
+}
+
+/* Of the variables that are to go and stand in live rows with both signs: how many, and how many
+ * pairs the one with fewest makes. */
+static size_t count_variables_to_go(const fmb_elim *e, const bool *drop, double *fewest)
+{
+    size_t n = 0;
+    for (int j = 0; j < e->n; j++) {
+        if (!drop[j] || !stands_with_both_signs(e, j))
+            continue;
+        double pairs = fmb_elim_pairs(e, j);
+        *fewest = n++ == 0 || pairs < *fewest ? pairs : *fewest;
+    }
+    return n;
+}
+
+/* Rows that a pruning has settled, as a share. */
+static double share_pruned(const fmb_elim *e)
+{
+    size_t open = 0;
+    for (size_t i = 0; i < e->live.size; i++)
+        open += !e->row[e->live.row[i]].stays;
+    return e->at.pruning ? 1 - (double)open / (double)e->at.unpruned : 0;
+}
+
+/* Nearly all of the work of a round is pruning what it made. */
+double fmb_elim_left(const fmb_elim *e, const bool *drop)
+{
+    double pairs = 1;
+    size_t n = count_variables_to_go(e, drop, &pairs);
+    fmb_trend t = e->trend;
+    if (e->at.made > 0 && !e->at.running && n > 0)
+        t.growth = log(pairs / (double)e->at.made);
+    return fmb_trend_left(&t, share_pruned(e), n + e->at.pruning);
 }
 
 fmb_status fmb_elim_prune(fmb_elim *e)

@@ -56,7 +56,7 @@ static double (*const COST[])(const occurrence *) = {
     [FMB_ORDER_FILL] = cost_in_nonzeros,
 };
 
-double fmb_elim_growth(const fmb_elim *e, int var)
+static occurrence count_occurrences(const fmb_elim *e, int var)
 {
     occurrence c = {0};
     for (size_t i = 0; i < e->live.size; i++) {
@@ -66,7 +66,19 @@ double fmb_elim_growth(const fmb_elim *e, int var)
         c.lower += sign < 0;
         c.upper += sign > 0;
     }
+    return c;
+}
+
+double fmb_elim_growth(const fmb_elim *e, int var)
+{
+    occurrence c = count_occurrences(e, var);
     return c.in_equality ? 0 : cost_in_pairs(&c);
+}
+
+double fmb_elim_pairs(const fmb_elim *e, int var)
+{
+    occurrence c = count_occurrences(e, var);
+    return (double)c.lower * (double)c.upper;
 }
 
 /* The variables with drop[var] that are not eliminated yet, in order. The list is in place of marks

@@ -135,7 +135,8 @@ static fmb_status ask_at_end_of_round(fmb_elim *e, fmb_worker *worker, int var)
     st = st != FMB_OK ? st : said;
     for (size_t i = 0; i < rows; i++)
         marked += drop[i];
-    if (st == FMB_OK && pays_for_rebase(e, worker->rule, marked)) {
+    if (st == FMB_OK &&
+        ((e->at.pruning && marked > 0) || pays_for_rebase(e, worker->rule, marked))) {
         worker->dropped += drop_marked_rows(e, drop);
         if (worker->rule->flags & FMB_RULE_BREAKS_HISTORY)
             e->based = false;

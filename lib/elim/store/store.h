@@ -20,6 +20,7 @@
 #include "num/bitset.h"
 #include "num/vec.h"
 #include "trace/run.h"
+#include "trace/trend.h"
 
 #define FMB_NO_ROW    UINT32_MAX
 #define FMB_MAX_RULES 16
@@ -33,6 +34,7 @@ typedef struct fmb_derived {
     int32_t var;       /* the variable they cancelled */
     bool strict, equality;
     bool lowest; /* known to have no common divisor */
+    bool stays;  /* in a pruning on its way: known to be irredundant */
 } fmb_derived;
 
 static inline fmb_rel fmb_derived_rel(const fmb_derived *r)
@@ -54,11 +56,13 @@ typedef struct fmb_tally {
     uint64_t pairs, made, dropped, widened;
 } fmb_tally;
 
-/* A round in which lower rows before `next` have been paired. */
+/* A round in which lower rows before `next` have been paired; at its end a rule may pause, too. */
 typedef struct fmb_pairing {
-    bool running;
+    bool running, pruning;
     size_t lowers, next;
     fmb_tally before;
+    uint64_t made;   /* rows that the last round made */
+    size_t unpruned; /* rows when the pruning began that is on its way */
 } fmb_pairing;
 
 /* A growing list of rows. */
@@ -129,6 +133,7 @@ typedef struct fmb_elim {
     bool pauses;      /* where a slice of the run is over, it ends with FMB_LIMIT, */
     bool paused;      /* and the next call goes on from there: set the former after init */
     fmb_pairing at;   /* the round on its way */
+    fmb_trend trend;  /* of work, variable by variable */
 
     bool based;                /* the live rows' histories are valid */
     bool broken;               /* in this round a rule refused pairs or rows that they count on */

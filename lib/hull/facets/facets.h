@@ -92,6 +92,15 @@ fmb_status fmb_facets_add_vec(fmb_facets *f, const fmb_vec *v, bool *grown);
  * v_t = 1. Fewer vectors than 2^32. */
 fmb_status fmb_facets_add_all(fmb_facets *f, const fmb_vec *v, size_t size, size_t t);
 
+/* The same, some at a time: those that are not taken in yet. f and v stay. In any case
+ * fmb_facet_crowd_close *out. */
+typedef struct fmb_facet_crowd fmb_facet_crowd;
+fmb_status fmb_facet_crowd_open(fmb_facets *f, const fmb_vec *v, size_t size, size_t t,
+                                fmb_facet_crowd **out);
+/* Until all are, *done; or a slice is over (trace/run.h), but at least one. */
+fmb_status fmb_facet_crowd_go_on(fmb_facet_crowd *c, bool *done);
+void fmb_facet_crowd_close(fmb_facet_crowd *c);
+
 /* Make the normal of a facet known. Errors: MEMORY, LIMIT. */
 fmb_status fmb_facets_need_normal(fmb_facets *f, size_t at);
 /* Those of all facets, by as many threads as the run has. Errors: MEMORY, LIMIT. */

@@ -24,7 +24,7 @@ typedef struct queue {
     double depth;   /* how far, roughly */
 } queue;
 
-typedef struct crowd {
+struct fmb_facet_crowd {
     fmb_facets *f;
     const fmb_vec *v; /* [size] */
     size_t size, t;
@@ -32,7 +32,10 @@ typedef struct crowd {
     uint32_t *next; /* [size] who waits at the same facet */
     queue *at;      /* [slots] */
     size_t slots, capacity;
-} crowd;
+    uint32_t turn; /* the facet whose first comes next */
+};
+
+typedef struct fmb_facet_crowd crowd;
 
 /* ---- vectors in doubles ---------------------------------------------------------------------- */
 
@@ -239,40 +242,69 @@ static fmb_status add_first_at_facet(crowd *c, uint32_t a)
     return st;
 }
 
-static fmb_status add_all_who_wait(crowd *c)
+/* The next facet at which somebody waits, from the one whose turn it is; NOBODY: there is none. */
+static uint32_t find_facet_waited_at(const crowd *c)
+{
+    for (size_t k = 0; k < c->slots; k++) {
+        uint32_t a = (uint32_t)((c->turn + k) % c->slots);
+        if (c->at[a].first != NOBODY)
+            return a;
+    }
+    return NOBODY;
+}
+
+fmb_status fmb_facet_crowd_go_on(fmb_facet_crowd *c, bool *done)
 {
     fmb_status st = FMB_OK;
-    for (bool any = true; st == FMB_OK && any;) {
-        any = false;
-        for (uint32_t a = 0; st == FMB_OK && a < c->slots; a++) {
-            if (c->at[a].first == NOBODY)
-                continue;
+    do {
+        uint32_t a = find_facet_waited_at(c);
+        *done = a == NOBODY;
+        if (!*done) {
             st = add_first_at_facet(c, a);
-            any = true;
+            c->turn = a + 1;
         }
-    }
+    } while (st == FMB_OK && !*done && !fmb_run_is_slice_over(c->f->run));
     return st;
+}
+
+void fmb_facet_crowd_close(fmb_facet_crowd *c)
+{
+    if (!c)
+        return;
+    fmb_mem *mem = c->f->num.mem;
+    fmb_mem_put(mem, c->near, c->size * c->f->d, sizeof *c->near);
+    fmb_mem_put(mem, c->next, c->size, sizeof *c->next);
+    fmb_mem_put(mem, c->at, c->capacity, sizeof *c->at);
+    fmb_mem_put(mem, c, 1, sizeof *c);
+}
+
+fmb_status fmb_facet_crowd_open(fmb_facets *f, const fmb_vec *v, size_t size, size_t t,
+                                fmb_facet_crowd **out)
+{
+    fmb_mem *mem = f->num.mem;
+    crowd *c = *out = fmb_mem_zero(mem, 1, sizeof *c);
+    if (!c)
+        return fmb_mem_status(mem);
+    *c = (crowd){.f = f, .v = v, .size = size, .t = t};
+    c->near = fmb_mem_get(mem, size * f->d, sizeof *c->near);
+    c->next = fmb_mem_get(mem, size, sizeof *c->next);
+    fmb_status st = c->near && c->next ? FMB_OK : fmb_mem_status(mem);
+    if (st == FMB_OK) {
+        scale_vectors(c);
+        st = add_outermost_vectors(c);
+    }
+    if (st == FMB_OK)
+        st = add_vectors_off_the_span(c);
+    return st == FMB_OK ? send_all_to_facets(c) : st;
 }
 
 fmb_status fmb_facets_add_all(fmb_facets *f, const fmb_vec *v, size_t size, size_t t)
 {
-    fmb_mem *mem = f->num.mem;
-    crowd c = {.f = f, .v = v, .size = size, .t = t};
-    c.near = fmb_mem_get(mem, size * f->d, sizeof *c.near);
-    c.next = fmb_mem_get(mem, size, sizeof *c.next);
-    fmb_status st = c.near && c.next ? FMB_OK : fmb_mem_status(mem);
-    if (st == FMB_OK) {
-        scale_vectors(&c);
-        st = add_outermost_vectors(&c);
-    }
-    if (st == FMB_OK)
-        st = add_vectors_off_the_span(&c);
-    if (st == FMB_OK)
-        st = send_all_to_facets(&c);
-    if (st == FMB_OK)
-        st = add_all_who_wait(&c);
-    fmb_mem_put(mem, c.near, size * f->d, sizeof *c.near);
-    fmb_mem_put(mem, c.next, size, sizeof *c.next);
-    fmb_mem_put(mem, c.at, c.capacity, sizeof *c.at);
+    fmb_facet_crowd *c;
+    bool done = false;
+    fmb_status st = fmb_facet_crowd_open(f, v, size, t, &c);
+    while (st == FMB_OK && !done)
+        st = fmb_facet_crowd_go_on(c, &done);
+    fmb_facet_crowd_close(c);
     return st;
 }

@@ -12,6 +12,7 @@
 #define FMB_HULL_IMAGE_H
 
 #include "dd/cone.h"
+#include "hull/facets/facets.h"
 
 /* A row of the image: v[0..n-1).x <= v[n-1], or = , or <. */
 typedef struct fmb_image_row {
@@ -55,6 +56,19 @@ fmb_status fmb_image_init_dual(fmb_image *m, const fmb_image *of);
 fmb_status fmb_image_find_facets(fmb_image *m, bool slacks);
 /* Is that done ray by ray, which needs no other way? Else it is done by rows of the dual cone. */
 bool fmb_image_has_few_coordinates(const fmb_image *m);
+
+/* The facets in the making, ray by ray. In any case fmb_image_hull_close it. Errors: MEMORY, LIMIT,
+ * here and below. */
+typedef struct fmb_image_hull {
+    fmb_image *of;
+    fmb_facets facets;
+    fmb_facet_crowd *crowd;
+} fmb_image_hull;
+
+fmb_status fmb_image_hull_open(fmb_image_hull *h, fmb_image *m);
+void fmb_image_hull_close(fmb_image_hull *h);
+/* Go on until the image has its facets: *done; or a slice is over. */
+fmb_status fmb_image_hull_find_facets(fmb_image_hull *h, bool slacks, bool *done);
 
 /* The dual cone in the making. */
 typedef struct fmb_dual {

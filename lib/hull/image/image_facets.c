@@ -120,13 +120,39 @@ static fmb_status add_vectors_to_facets(const fmb_image *m, fmb_facets *f)
     return st == FMB_OK ? fmb_facets_add_all(f, m->ray, m->rays, m->n - 1) : st;
 }
 
+fmb_status fmb_image_hull_open(fmb_image_hull *h, fmb_image *m)
+{
+    *h = (fmb_image_hull){.of = m};
+    fmb_status st = fmb_facets_init(&h->facets, m->run, m->n);
+    if (st == FMB_OK)
+        st = add_lines_to_facets(m, &h->facets);
+    return st == FMB_OK ? fmb_facet_crowd_open(&h->facets, m->ray, m->rays, m->n - 1, &h->crowd)
+                        : st;
+}
+
+fmb_status fmb_image_hull_find_facets(fmb_image_hull *h, bool slacks, bool *done)
+{
+    fmb_status st = fmb_facet_crowd_go_on(h->crowd, done);
+    return st == FMB_OK && *done ? take_facets(h->of, &h->facets, slacks) : st;
+}
+
+void fmb_image_hull_close(fmb_image_hull *h)
+{
+    if (!h->of)
+        return;
+    fmb_facet_crowd_close(h->crowd);
+    fmb_facets_clear(&h->facets);
+    h->of = NULL;
+}
+
 static fmb_status find_facets_ray_by_ray(fmb_image *m, bool slacks)
 {
-    fmb_facets f;
-    fmb_status st = add_vectors_to_facets(m, &f);
-    if (st == FMB_OK)
-        st = take_facets(m, &f, slacks);
-    fmb_facets_clear(&f);
+    fmb_image_hull h;
+    bool done = false;
+    fmb_status st = fmb_image_hull_open(&h, m);
+    while (st == FMB_OK && !done)
+        st = fmb_image_hull_find_facets(&h, slacks, &done);
+    fmb_image_hull_close(&h);
     return st;
 }
 

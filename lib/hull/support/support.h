@@ -128,9 +128,12 @@ fmb_status fmb_support_keep_outer_rows(fmb_support *s);
 fmb_status fmb_support_keep_images(fmb_support *s);
 
 /* Ask about facets and equations until all stand: *done; or until a slice is over (trace/run.h); or
- * until the hull has looked at so many pairs of facets for ridges, 0: any number. (Queries are about as many as the projection has
- * facets and vertices; it is inner hulls that may have many more.) What is proved stays so,
- * whatever ends the call; but after an error it is the last one. */
+ * until the hull has looked at so many pairs of facets for ridges, 0: any number. (Queries are
+ * about as many as the projection has facets and vertices; it is inner hulls that may have many
+ * more.) What is proved stays so, whatever ends the call; but after an error it is the last one. */
 fmb_status fmb_support_ask(fmb_support *s, uint64_t pairs, bool *done);
+
+/* Facets of the hull of which it is not known yet whether they stand. */
+size_t fmb_support_open_facets(const fmb_support *s);
 
 #endif

@@ -147,9 +147,18 @@ fmb_status fmb_support_ask(fmb_support *s, uint64_t pairs, bool *done)
     fmb_status st = s->begun ? FMB_OK : find_first_point(s);
     uint64_t first = s->hull.pairs;
     *done = false;
-    while (st == FMB_OK && !*done && !fmb_run_is_slice_over(s->run) && (pairs == 0 || s->hull.pairs - first < pairs) &&
+    while (st == FMB_OK && !*done && !fmb_run_is_slice_over(s->run) &&
+           (pairs == 0 || s->hull.pairs - first < pairs) &&
            (s->most == 0 || s->hull.generators <= s->most))
         st = ask_next_question(s, done);
     s->ended = st != FMB_OK;
     return st;
+}
+
+size_t fmb_support_open_facets(const fmb_support *s)
+{
+    size_t open = 0;
+    for (size_t i = 0; i < s->hull.slots; i++)
+        open += s->hull.facet[i].alive && s->hull.facet[i].note == FMB_FACET_OPEN;
+    return open;
 }

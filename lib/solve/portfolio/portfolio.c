@@ -1,6 +1,8 @@
 /* portfolio.c: the projection of one part, and which way leads to it; see portfolio.h. */
 #include "solve/portfolio/portfolio.h"
 
+#include <math.h>
+
 #include "base/ways.h"
 #include "elim/round/mark.h"
 #include "solve/limit/outer.h"
@@ -10,6 +12,7 @@
 #include "solve/portfolio/recession.h"
 #include "solve/portfolio/reduced_part.h"
 #include "solve/portfolio/selection.h"
+#include "solve/portfolio/slices.h"
 #include "solve/query/rule_lp.h"
 
 /* One part on its way by elimination. */
@@ -63,7 +66,7 @@ static fmb_status put_rows_of_elimination(shadow *h, fmb_elim *e, fmb_status st,
 {
     size_t rows = fmb_system_rows(h->out);
     *done = st == FMB_OK;
-    if (st == FMB_LIMIT && e->over_budget)
+    if (st == FMB_LIMIT && (e->over_budget || e->paused))
         return FMB_OK;
     if (st == FMB_OK)
         *feasible = e->clash == FMB_NO_ROW;
@@ -163,6 +166,9 @@ static bool uses_lp_rule(const fmb_solver *v)
     return false;
 }
 
+/* Engines that take turns. */
+enum { ENGINE_RAYS, ENGINE_ELIMINATION, ENGINE_QUERIES };
+
 /* A part, and what has been found out about it. */
 typedef struct part_run {
     fmb_query *q;
@@ -173,6 +179,8 @@ typedef struct part_run {
     fmb_features features; /* of the reduced part */
     fmb_ray_projection *rays;
     fmb_queries *queries;
+    shadow e; /* the elimination that takes turns */
+    fmb_slices slices;
     bool known, *feasible, done;
 } part_run;
 
@@ -193,7 +201,9 @@ static void tell_attempt(part_run *r, const char *engine, uint64_t budget, const
 
 static fmb_status try_rays(part_run *r, uint64_t rays)
 {
+    uint64_t before = r->q->run.work;
     fmb_status st = fmb_ray_projection_run(r->rays, rays, r->out, r->feasible, &r->done);
+    r->slices.engine[ENGINE_RAYS].spent += r->q->run.work - before;
     tell_attempt(r, "double description", rays, "rays", st);
     return st;
 }
@@ -291,9 +301,11 @@ static fmb_status try_pruned_elimination(part_run *r, uint64_t rows)
 /* pairs: 0, any number. */
 static fmb_status try_queries(part_run *r, uint64_t pairs)
 {
+    uint64_t before = r->q->run.work;
     fmb_status st = open_queries(r);
     if (is_open(st, r))
         st = fmb_queries_run(r->queries, pairs, r->out, &r->done);
+    r->slices.engine[ENGINE_QUERIES].spent += r->q->run.work - before;
     tell_attempt(r, "support queries", pairs, "pairs", st);
     return st;
 }
@@ -315,10 +327,19 @@ static fmb_status try_rays_twice(part_run *r, uint64_t rays)
     return more ? try_rays(r, rays) : st;
 }
 
-/* In a few dimensions, by asking how far it goes; in more, so far. */
+/* Work that queries may do in a few dimensions before others take turns with them. */
+#define QUERIES_AHEAD ((uint64_t)1 << 29)
+
+/* In a few dimensions by work, in more by what the hull looks at. */
 static fmb_status try_some_queries(part_run *r, uint64_t pairs)
 {
-    return try_queries(r, r->features.kept <= FEW_KEPT ? 0 : pairs);
+    fmb_run *run = &r->q->run;
+    if (r->features.kept > FEW_KEPT)
+        return try_queries(r, pairs);
+    run->slice_end = run->work + QUERIES_AHEAD;
+    fmb_status st = try_queries(r, 0);
+    run->slice_end = 0;
+    return st;
 }
 
 static const struct step_way {
@@ -359,21 +380,105 @@ static fmb_status run_pipeline(part_run *r, const fmb_pipeline *p)
     return st;
 }
 
+/* ---- turns ----------------------------------------------------------------------------------- */
+
+/* Of the elimination that is pruned by the oracle, from the part again. */
+static fmb_status open_turns(part_run *r)
+{
+    fmb_status st = open_queries(r);
+    r->e = shadow_of_run(r);
+    if (!is_open(st, r))
+        return st;
+    uint64_t before = r->q->run.work;
+    st = fmb_query_load(r->q, r->e.p, true, &r->e.e);
+    r->e.e.pauses = true;
+    if (st == FMB_OK && has_rows_in_plenty(r->e.p))
+        st = fmb_elim_prune(&r->e.e);
+    r->slices.engine[ENGINE_ELIMINATION].spent = r->q->run.work - before;
+    return st;
+}
+
+static fmb_status go_on_with_rays(part_run *r)
+{
+    return fmb_ray_projection_run(r->rays, 0, r->out, r->feasible, &r->done);
+}
+
+static double rays_left(const part_run *r)
+{
+    return fmb_ray_projection_left(r->rays);
+}
+
+static fmb_status go_on_with_elimination(part_run *r)
+{
+    fmb_status st = fmb_elim_eliminate(&r->e.e, r->reduced.drop);
+    return put_rows_of_elimination(&r->e, &r->e.e, st, true, r->feasible, &r->done);
+}
+
+static double elimination_left(const part_run *r)
+{
+    return fmb_elim_left(&r->e.e, r->reduced.drop);
+}
+
+static fmb_status go_on_with_queries(part_run *r)
+{
+    return fmb_queries_run(r->queries, 0, r->out, &r->done);
+}
+
+static double queries_left(const part_run *r)
+{
+    return fmb_queries_left(r->queries);
+}
+
+static const struct turn {
+    const char *engine;
+    fmb_status (*go_on)(part_run *);
+    double (*left)(const part_run *);
+} TURN[FMB_MOST_ENGINES] = {
+    [ENGINE_RAYS] = {"double description", go_on_with_rays, rays_left},
+    [ENGINE_ELIMINATION] = {"elimination", go_on_with_elimination, elimination_left},
+    [ENGINE_QUERIES] = {"support queries", go_on_with_queries, queries_left},
+};
+
+/* In a few dimensions hulls have few facets, in more elimination mostly ends before they do. */
+static size_t likely_engine(const part_run *r)
+{
+    return r->features.kept <= FEW_KEPT ? ENGINE_QUERIES : ENGINE_ELIMINATION;
+}
+
+static void tell_turn(part_run *r, size_t k, uint64_t slice, fmb_status st)
+{
+    const fmb_slice_engine *e = &r->slices.engine[k];
+    fmb_attempt a = fmb_query_attempt(r->q, r->part, TURN[k].engine, "projection");
+    a.budget = slice;
+    a.unit = "steps";
+    a.ended = e->over ? "unsuitable" : "paused";
+    a.spent = e->spent;
+    a.left = isfinite(e->left) ? (uint64_t)e->left : 0;
+    fmb_run_tell_attempt(&r->q->run, a, st, is_answered(r));
+}
+
 /* What is left is eliminated, and pruned by the oracle, in turns with rays and queries. */
 static fmb_status take_turns(part_run *r)
 {
-    size_t budget = FMB_TRIAL_BUDGET(r->q->parts.part[r->part].m);
-    uint64_t pairs = FMB_FIRST_PAIRS;
-    fmb_status st = FMB_OK;
+    fmb_run *run = &r->q->run;
+    fmb_status st = open_turns(r);
+    r->slices.engines = FMB_MOST_ENGINES;
+    r->slices.equal = run->work;
+    for (size_t k = 0; k < FMB_MOST_ENGINES; k++)
+        r->slices.engine[k].share = k == likely_engine(r) ? 2 : 1;
     while (is_open(st, r)) {
-        pairs *= 4;
-        budget *= 8;
-        st = try_rays(r, budget);
-        if (is_open(st, r))
-            st = try_elimination(r, true, fmb_ray_projection_has_given_up(r->rays) ? 0 : budget);
-        if (is_open(st, r))
-            st = try_queries(r, pairs);
+        uint64_t slice, before = run->work;
+        for (size_t k = 0; k < FMB_MOST_ENGINES; k++)
+            r->slices.engine[k].left = TURN[k].left(r);
+        size_t k = fmb_slices_next(&r->slices, &slice);
+        run->slice_end = before + slice;
+        st = TURN[k].go_on(r);
+        run->slice_end = 0;
+        fmb_slices_note(&r->slices, k, run->work - before);
+        r->slices.engine[ENGINE_RAYS].over = fmb_ray_projection_has_given_up(r->rays);
+        tell_turn(r, k, slice, st);
     }
+    fmb_elim_clear(&r->e.e);
     return st;
 }
 

@@ -7,6 +7,7 @@
  */
 #include "solve/portfolio/project_rays.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "dd/cone_rows.h"
@@ -24,9 +25,12 @@ struct fmb_ray_projection {
     fmb_cone_rows rows;
     fmb_cone cone;
     fmb_image image;
-    fmb_vec facet; /* scratch: a row of the part */
-    bool lifted;   /* the cone is there */
-    bool over;     /* too many faces are excluded */
+    fmb_dual dual;       /* its facets in the making, as rays of the dual cone, */
+    fmb_image_hull hull; /* or ray by ray */
+    fmb_vec facet;       /* scratch: a row of the part */
+    bool lifted;         /* the cone is there, */
+    bool pictured;       /* and its image */
+    bool over;           /* too many faces are excluded */
 };
 
 /* ---- the cone -------------------------------------------------------------------------------- */
@@ -336,15 +340,30 @@ static fmb_status exclude_faces(fmb_ray_projection *h, bool *feasible, bool *don
     return st;
 }
 
+/* *done false: a slice is over. */
+static fmb_status find_facets_of_image(fmb_ray_projection *h, bool slacks, bool *done)
+{
+    if (fmb_image_has_few_coordinates(&h->image)) {
+        fmb_status st = h->hull.of ? FMB_OK : fmb_image_hull_open(&h->hull, &h->image);
+        return st == FMB_OK ? fmb_image_hull_find_facets(&h->hull, slacks, done) : st;
+    }
+    fmb_status st = h->dual.of ? FMB_OK : fmb_dual_open(&h->dual, &h->image, false);
+    return st == FMB_OK ? fmb_dual_find_facets(&h->dual, 0, slacks, done) : st;
+}
+
 static fmb_status project_rays(fmb_ray_projection *h, bool *feasible, bool *done)
 {
     bool strict = has_strict_row(h);
-    fmb_status st =
-        fmb_image_init(&h->image, &h->of->q->run, &h->cone, fmb_query_is_wide(h->of->q));
+    fmb_status st = FMB_OK;
+    if (!h->pictured)
+        st = fmb_image_init(&h->image, &h->of->q->run, &h->cone, fmb_query_is_wide(h->of->q));
+    h->pictured = true;
     *feasible = h->image.has_point;
     if (st == FMB_OK && *feasible)
-        st = fmb_image_find_facets(&h->image, strict || h->of->q->claims);
-    if (st == FMB_OK && *feasible && strict)
+        st = find_facets_of_image(h, strict || h->of->q->claims, done);
+    if (st != FMB_OK || !*feasible || !*done)
+        return st;
+    if (strict)
         st = exclude_faces(h, feasible, done);
     h->over = !*done;
     if (st == FMB_OK && *feasible && *done)
@@ -367,6 +386,8 @@ void fmb_ray_projection_close(fmb_ray_projection *h)
     if (!h)
         return;
     fmb_cone_rows_clear(&h->rows, h->of->q->run.mem);
+    fmb_dual_close(&h->dual);
+    fmb_image_hull_close(&h->hull);
     fmb_image_clear(&h->image);
     fmb_cone_clear(&h->cone);
 }
@@ -385,6 +406,7 @@ fmb_status fmb_ray_projection_run(fmb_ray_projection *h, uint64_t rays, fmb_syst
     fmb_status st = h->lifted ? FMB_OK : open_cone_of_part(h);
     if (st == FMB_OK)
         st = fmb_cone_run(&h->cone, rays, done);
+    *done &= h->pictured || !fmb_run_is_slice_over(&h->of->q->run);
     return st == FMB_OK && *done ? project_rays(h, feasible, done) : st;
 }
 
@@ -396,4 +418,11 @@ bool fmb_ray_projection_is_nearly_done(const fmb_ray_projection *h)
 bool fmb_ray_projection_has_given_up(const fmb_ray_projection *h)
 {
     return h->over;
+}
+
+double fmb_ray_projection_left(const fmb_ray_projection *h)
+{
+    if (!h->lifted || h->pictured != (h->dual.of != NULL))
+        return INFINITY;
+    return h->pictured ? fmb_cone_left(&h->dual.cone) : fmb_cone_left(&h->cone);
 }

@@ -13,14 +13,16 @@ fmb_status fmb_ray_projection_open(fmb_reduced_part *of, fmb_ray_projection **ou
 
 void fmb_ray_projection_close(fmb_ray_projection *h);
 
-/* Go on, until about that many more rays were made (0: any number). *done: the projection has been
- * appended to out, with claims, as fmb_query_project_part does; or *feasible is false. Errors:
- * MEMORY, LIMIT. */
+/* Go on, until about that many more rays were made (0: any number), or a slice is over. *done: the
+ * projection has been appended to out, with claims, as fmb_query_project_part does; or *feasible is
+ * false. Errors: MEMORY, LIMIT. */
 fmb_status fmb_ray_projection_run(fmb_ray_projection *h, uint64_t rays, fmb_system *out,
                                   bool *feasible, bool *done);
 /* Few rows are still to come. */
 bool fmb_ray_projection_is_nearly_done(const fmb_ray_projection *h);
 /* There is no use in going on: it must be eliminated. */
 bool fmb_ray_projection_has_given_up(const fmb_ray_projection *h);
+/* Work that seems to be left; INFINITY where nothing tells. */
+double fmb_ray_projection_left(const fmb_ray_projection *h);
 
 #endif

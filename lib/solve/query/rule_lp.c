@@ -54,6 +54,7 @@ static void list_undropped_rows(rows *a, const fmb_elim *e, const bool *drop)
             continue;
         a->place[a->size] = i;
         a->fate[a->size] = FMB_FATE_UNKNOWN;
+        a->kept[a->size] = r->stays;
         a->row[a->size++] = (fmb_lp_row){&r->v, fmb_derived_rel(r)};
     }
 }
@@ -73,16 +74,27 @@ static bool is_trial_of_long_numbers(const fmb_elim *e)
     return e->budget > 0 && fmb_elim_minor_bits(e) > FMB_LONG_MINOR;
 }
 
+/* The slice is over: the next call goes on with the rows that are not settled. */
+static void note_pause(fmb_elim *e, const rows *a)
+{
+    e->at.pruning = true;
+    for (size_t i = 0; i < a->size; i++)
+        e->row[e->live.row[a->place[i]]].stays = a->kept[i];
+}
+
 /* What guesses of all rows together find is cheap; if they leave many doubts, each row is asked
  * about. */
-static fmb_status drop_implied_rows(const fmb_elim *e, rows *a, bool *drop)
+static fmb_status drop_implied_rows(fmb_elim *e, rows *a, bool *drop)
 {
-    fmb_sorting sorting = {.gone = a->gone, .kept = a->kept, .known = true};
+    fmb_sorting sorting = {.gone = a->gone, .kept = a->kept, .known = true, .pauses = e->pauses};
     list_undropped_rows(a, e, drop);
     fmb_status st = fmb_lp_sort_rows(e->run, e->n, a->size, a->row, &sorting);
     for (size_t i = 0; i < a->size; i++)
         drop[a->place[i]] |= a->gone[i];
-    if (st != FMB_OK || 4 * sorting.doubtful < a->size || is_trial_of_long_numbers(e))
+    if (sorting.paused)
+        note_pause(e, a);
+    if (st != FMB_OK || sorting.paused || 4 * sorting.doubtful < a->size ||
+        is_trial_of_long_numbers(e))
         return st;
     list_undropped_rows(a, e, drop);
     return drop_rows_exactly(e, a, drop);

@@ -307,14 +307,20 @@ static fmb_status activate_first_rows(fmb_active_set *s)
     return st;
 }
 
+static bool is_time_to_pause(fmb_active_set *s)
+{
+    s->paused = s->pauses && fmb_run_is_slice_over(s->run);
+    return s->paused;
+}
+
 fmb_status fmb_active_set_test(fmb_active_set *s, const size_t *open, size_t from, size_t to)
 {
     fmb_status st = activate_first_rows(s);
-    for (size_t k = from; st == FMB_OK && k < to; k++)
+    for (size_t k = from; st == FMB_OK && k < to && !is_time_to_pause(s); k++)
         if (s->number[open[k]] == SIZE_MAX && !s->gone[open[k]])
             st = test_inactive_row(s, open[k]);
     s->doubtful = 0; /* they were activated, and are tried again */
-    for (size_t k = from; st == FMB_OK && k < to; k++)
+    for (size_t k = from; st == FMB_OK && k < to && !is_time_to_pause(s); k++)
         if (!is_row_settled(s, open[k]))
             st = test_active_row(s, open[k]);
     return st;

@@ -43,6 +43,8 @@ typedef struct fmb_active_set {
     fmb_rounded_proof proof;
     size_t *proved; /* [told] each proof: row, number of rows that it names, those */
     size_t told, proved_room;
+    bool pauses;     /* testing may end where a slice of the run is over, */
+    bool paused;     /* and did so */
     size_t doubtful; /* rows that seemed to be implied, but whose multipliers were not found */
 } fmb_active_set;
 

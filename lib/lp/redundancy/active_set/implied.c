@@ -85,11 +85,21 @@ static fmb_status shoot_for_search(void *self, size_t k, fmb_run *run)
                : st;
 }
 
+/* Of the slice that is left, the part of one search: at least one step. */
+static uint64_t slice_of_search(const sorting *s)
+{
+    const fmb_run *run = s->run;
+    if (run->slice_end == 0)
+        return 0;
+    return fmb_run_is_slice_over(run) ? 1 : (run->slice_end - run->work) / s->searches + 1;
+}
+
 static fmb_status test_for_search(void *self, size_t k, fmb_run *run)
 {
     sorting *s = self;
     size_t of = s->searches;
-    (void)run; /* the search has it */
+    s->search[k].pauses = s->out->pauses;
+    run->slice_end = run == s->run ? run->slice_end : slice_of_search(s);
     return fmb_active_set_test(&s->search[k], s->open, s->opens * k / of, s->opens * (k + 1) / of);
 }
 
@@ -98,7 +108,7 @@ static void share_what_was_hit(sorting *s)
 {
     s->opens = 0;
     for (size_t i = 0; i < s->rows.m; i++) {
-        bool kept = false;
+        bool kept = s->out->kept[i];
         for (size_t k = 0; k < s->searches; k++)
             kept |= s->search[k].kept[i];
         for (size_t k = 0; k < s->searches; k++)
@@ -173,6 +183,7 @@ static fmb_status search_all_rows(sorting *s)
     for (size_t k = 0; k < s->searches; k++) {
         if (st == FMB_OK)
             hear_search(s, &s->search[k]);
+        s->out->paused |= s->search[k].paused;
         fmb_active_set_clear(&s->search[k]);
     }
     if (together)
@@ -226,7 +237,7 @@ fmb_status fmb_lp_sort_rows(fmb_run *run, int n, size_t m, const fmb_lp_row *row
 {
     fmb_nonzero_columns reduced;
     out->doubtful = 0;
-    out->inner = false;
+    out->inner = out->paused = false;
     out->feasible = true;
     if (!are_rows_small(m, row) || !fmb_way(FMB_WAY_ACTIVE_SET)) {
         out->doubtful = m;

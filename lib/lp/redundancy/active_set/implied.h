@@ -7,9 +7,11 @@
 
 /* What is found out about m rows. */
 typedef struct fmb_sorting {
-    bool *gone;      /* [m] in: false; out: inequalities that are implied by the rows not gone */
-    bool *kept;      /* [m] in: false; out: proved to be irredundant */
-    bool known;      /* in: the rows are known to have a solution, or it does not matter */
+    bool *gone;  /* [m] in: false; out: inequalities that are implied by the rows not gone */
+    bool *kept;  /* [m] in: known to be irredundant; out: proved to be so, too */
+    bool known;  /* in: the rows are known to have a solution, or it does not matter */
+    bool pauses; /* in: may end before all rows are looked at, where a slice of the run is over, */
+    bool paused; /* and did so */
     bool feasible;   /* false if there is none, and nothing else was found out */
     bool inner;      /* some point is strictly inside all rows */
     size_t doubtful; /* rows that seemed to be implied, but whose multipliers were not found */
