@@ -45,5 +45,8 @@ fmb_status fmb_elim_start_histories(fmb_elim *e)
                                          .var = -1,
                                          .rows_in = e->bases,
                                          .rows_out = e->bases});
-    return e->histories ? fmb_history_number_base(e) : FMB_OK;
+    if (!e->histories)
+        return FMB_OK;
+    st = fmb_history_number_base(e);
+    return st == FMB_OK ? fmb_box_mark(e) : st;
 }

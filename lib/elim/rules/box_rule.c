@@ -83,6 +83,63 @@ static void scale_all_ends(fmb_elim *e)
     }
 }
 
+/* ---- a budget -------------------------------------------------------------------------------- */
+
+/* Is the row a budget: an inequality in two variables or more, each with its least end, and one of
+ * them without the other? Then *room is what it leaves above the least ends. */
+static bool is_budget_row(const fmb_elim *e, const fmb_derived *r, int64_t *room)
+{
+    bool open = false;
+    int variables = 0;
+    if (r->equality || fmb_vec_is_wide(&r->v) ||
+        r->v.bits + e->box.bits + fmb_bits64((uint64_t)e->n + 1) > FMB_SMALL_BITS)
+        return false;
+    *room = r->v.s[e->n] * e->box.unit;
+    for (int j = 0; j < e->n; j++) {
+        int64_t s = r->v.s[j];
+        int side = fmb_box_side_of_least(s);
+        if (s == 0)
+            continue;
+        if (e->box.row[side][j] == FMB_NO_ROW)
+            return false;
+        open |= e->box.row[1 - side][j] == FMB_NO_ROW;
+        *room -= s * e->box.end[side][j];
+        variables++;
+    }
+    return open && variables > 1 && *room >= 0;
+}
+
+/* The first budget there is. Without histories nobody could tell which rows are made of it. */
+static void find_first_budget(fmb_elim *e)
+{
+    fmb_box_rows *box = &e->box;
+    for (size_t i = 0; e->histories && box->any && i < e->live.size; i++)
+        if (is_budget_row(e, &e->row[e->live.row[i]], &box->room)) {
+            int bits = fmb_bits64((uint64_t)box->room);
+            box->budget = e->live.row[i];
+            box->bits = bits > box->bits ? bits : box->bits;
+            return;
+        }
+}
+
+fmb_status fmb_box_mark(fmb_elim *e)
+{
+    fmb_box_rows *box = &e->box;
+    if (box->budget == FMB_NO_ROW)
+        return FMB_OK;
+    box->hard = fmb_arena_get(e->arena, e->words, sizeof *box->hard);
+    if (!box->hard)
+        return fmb_mem_status(e->arena->mem);
+    for (size_t k = 0; k < e->words; k++)
+        box->hard[k] = 0;
+    for (size_t i = 0; i < e->bases; i++) {
+        bool hard =
+            e->base[i] == box->budget || fmb_elim_single_variable(e, &e->row[e->base[i]]) >= 0;
+        box->hard[i / 64] |= (uint64_t)hard << (i % 64);
+    }
+    return FMB_OK;
+}
+
 /* ---- all of it ------------------------------------------------------------------------------- */
 
 fmb_status fmb_box_make(fmb_elim *e)
@@ -91,6 +148,8 @@ fmb_status fmb_box_make(fmb_elim *e)
     size_t n = (size_t)e->n;
     box->unit = 1;
     box->any = false;
+    box->budget = FMB_NO_ROW;
+    box->hard = NULL;
     for (int side = FMB_LOWER; side <= FMB_UPPER; side++) {
         if (!box->row[side])
             box->row[side] = fmb_arena_get(e->arena, n, sizeof *box->row[side]);
@@ -110,5 +169,6 @@ fmb_status fmb_box_make(fmb_elim *e)
             if (box->row[side][c] != FMB_NO_ROW && !e->row[box->row[side][c]].v.z)
                 widen_unit(box, fmb_abs64(e->row[box->row[side][c]].v.s[c]));
     scale_all_ends(e);
+    find_first_budget(e);
     return FMB_OK;
 }

@@ -55,17 +55,61 @@ static int slack_sign_at(const fmb_elim *e, const fmb_derived *r, int at)
     return r->v.z || bits > 126 ? slack_sign_in_gmp(e, r, at) : slack_sign_in_int128(e, r, at);
 }
 
-/* Does the row itself make an end? */
-static bool makes_end(const fmb_elim *e, const fmb_derived *r)
+/* Does the row itself make an end or the budget? */
+static bool makes_end_or_budget(const fmb_elim *e, const fmb_derived *r)
 {
+    uint32_t number = (uint32_t)(r - e->row);
     int c = fmb_elim_single_variable(e, r);
-    return c >= 0 && e->box.row[fmb_vec_sgn(&r->v, (size_t)c) > 0][c] == (uint32_t)(r - e->row);
+    return number == e->box.budget ||
+           (c >= 0 && e->box.row[fmb_vec_sgn(&r->v, (size_t)c) > 0][c] == number);
+}
+
+/* Is the row made of nothing but rows of the box and the budget? */
+static bool is_made_of_box_rows(const fmb_elim *e, const fmb_derived *r)
+{
+    if (!e->box.hard || !r->history)
+        return false;
+    for (size_t k = 0; k < e->words; k++)
+        if (r->history[k] & ~e->box.hard[k])
+            return false;
+    return true;
+}
+
+/* Over the box with a budget, a.x is greatest with all of the budget's variables at their least
+ * ends but one, which takes the room: that with the greatest gain a_j / s_j, if any gains. Sign of
+ * b - that, times unit and s_j. */
+static int slack_sign_with_budget(const fmb_elim *e, const fmb_derived *r)
+{
+    const fmb_box_rows *box = &e->box;
+    const int64_t *a = r->v.s, *s = e->row[box->budget].v.s;
+    fmb_i128 sum = fmb_i128_product(a[e->n], box->unit);
+    int64_t gain = 0, price = 1;
+    int bits = r->v.bits + box->bits + fmb_bits64((uint64_t)e->n + 1);
+    if (r->v.z || bits + e->row[box->budget].v.bits > 126)
+        return -1;
+    for (int j = fmb_elim_next_variable(e, r, 0); j >= 0; j = fmb_elim_next_variable(e, r, j + 1)) {
+        int side = s[j] != 0 ? fmb_box_side_of_least(s[j]) : a[j] > 0 ? FMB_UPPER : FMB_LOWER;
+        if (box->row[side][j] == FMB_NO_ROW)
+            return -1;
+        sum = fmb_i128_minus_product(sum, a[j], box->end[side][j]);
+        int64_t g = s[j] < 0 ? -a[j] : a[j], p = (int64_t)fmb_abs64(s[j]);
+        if (p > 0 && g > 0 &&
+            fmb_i128_compare(fmb_i128_product(g, price), fmb_i128_product(gain, p)) > 0) {
+            gain = g;
+            price = p;
+        }
+    }
+    sum = fmb_i128_times(sum, fmb_i128_of(price));
+    return fmb_i128_sign(fmb_i128_minus_product(sum, gain, box->room));
 }
 
 int fmb_box_slack(const fmb_elim *e, const fmb_derived *r)
 {
-    bool open = !e->box.any || makes_end(e, r) || !box_is_closed_at(e, r, 1);
-    return open ? -1 : slack_sign_at(e, r, 1);
+    if (!e->box.any || makes_end_or_budget(e, r))
+        return -1;
+    if (e->box.budget != FMB_NO_ROW)
+        return is_made_of_box_rows(e, r) ? -1 : slack_sign_with_budget(e, r);
+    return box_is_closed_at(e, r, 1) ? slack_sign_at(e, r, 1) : -1;
 }
 
 bool fmb_box_refutes(const fmb_elim *e, const fmb_derived *r)

@@ -87,14 +87,18 @@ typedef enum fmb_step {
     FMB_STEP_REFUTE = 16     /* a row that the box refutes ends the elimination */
 } fmb_step;
 
-/* The box that rows with one variable make (box_rule.h). Ends are multiples of 1 / unit, so
+/* The box that rows with one variable make (exact_intervals.h). Ends are multiples of 1 / unit, so
  * that a row is compared in integers. */
 typedef struct fmb_box_rows {
     uint32_t *row[2]; /* [side][n]: the row that makes the end, FMB_NO_ROW where there is none */
     int64_t *end[2];  /* [side][n]: unit times the end */
     int64_t unit;
-    int bits; /* of every end and of unit */
-    bool any; /* there is an end */
+    int bits;        /* of every end, of unit and of room */
+    bool any;        /* there is an end */
+    uint32_t budget; /* a base row sum s_j x_j <= c over variables with an end where s_j x_j is
+                        least, some without the other one; FMB_NO_ROW: there is none */
+    int64_t room;    /* unit times (c - the least of sum s_j x_j) >= 0 */
+    uint64_t *hard;  /* [words] base rows that make the ends and the budget */
 } fmb_box_rows;
 
 typedef struct fmb_elim {
