@@ -139,7 +139,7 @@ static fmb_status read_parameters(fmb_smt *r, size_t *n)
     for (*n = 0;; ++*n) {
         fmb_smt_token t;
         fmb_smt_param p;
-        fmb_smt_sort sort;
+        fmb_smt_sort sort = FMB_SMT_BOOL;
         fmb_status st = fmb_smt_next(r->c, &t);
         if (st == FMB_OK && t.kind == FMB_SMT_CLOSE)
             fmb_smt_unbind(&r->scope, r->scope.locals - *n);

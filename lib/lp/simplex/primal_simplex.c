@@ -140,7 +140,7 @@ fmb_status fmb_primal_simplex(fmb_simplex_state *o, fmb_simplex_end *end, size_t
     fmb_status st = fmb_simplex_state_refresh(o);
     *end = FMB_SIMPLEX_RUNNING;
     while (st == FMB_OK && *end == FMB_SIMPLEX_RUNNING) {
-        if (o->steps > fmb_simplex_most_pivots(o))
+        if (o->steps > o->most_steps)
             *end = FMB_SIMPLEX_ITERATION_LIMIT;
         else
             st = take_primal_step(o, end, odd, &idle);

@@ -16,6 +16,10 @@
 /* What multipliers of about 0 become, without a cost and where the largest cost is about 1. */
 #define NUDGE         1e-2
 #define NUDGE_OF_COST 1e-4
+/* The same where the primal method did not come to an end from the first vertex, and after how many
+ * steps besides the number of columns it is taken not to. */
+#define NEXT_NUDGE         1e-3
+#define PATIENCE_OF_PRIMAL 1000
 
 /* ---- questions ------------------------------------------------------------------------------- */
 
@@ -77,7 +81,7 @@ static fmb_status lean_cost(fmb_simplex_state *o, const double *lean)
     memcpy(o->cost, lean, o->n * sizeof *o->cost);
     fmb_status st = fmb_simplex_state_refresh(o);
     for (size_t r = 0; st == FMB_OK && r < o->n; r++) {
-        double y = o->y[r], share = NUDGE_OF_COST * fmb_simplex_state_draw(o);
+        double y = o->y[r], share = o->nudge * fmb_simplex_state_draw(o);
         if (o->member_role[r] == FMB_ROLE_FREE)
             fmb_simplex_state_add_to_cost(o, r, -y);
         else if (o->member_role[r] == FMB_ROLE_LESS)
@@ -86,15 +90,15 @@ static fmb_status lean_cost(fmb_simplex_state *o, const double *lean)
     return st;
 }
 
-static fmb_status search_own(void *self, const double *lean, fmb_hint *h)
+static fmb_status search_with_nudge(fmb_simplex_state *o, const double *lean, double nudge,
+                                    fmb_hint *h)
 {
-    fmb_simplex_state *o = self;
     fmb_status st = FMB_OK;
     if (!o->placed)
         st = start_at_bounds(o, lean);
     o->placed = true;
     o->steps = 0;
-    o->nudge = lean ? NUDGE_OF_COST : NUDGE;
+    o->nudge = nudge;
     memset(o->cost, 0, o->n * sizeof *o->cost);
     if (st == FMB_OK && lean)
         st = lean_cost(o, lean);
@@ -102,6 +106,11 @@ static fmb_status search_own(void *self, const double *lean, fmb_hint *h)
         st = search_on(o, h);
     hand_out_members(o, h);
     return st;
+}
+
+static fmb_status search_own(void *self, const double *lean, fmb_hint *h)
+{
+    return search_with_nudge(self, lean, lean ? NUDGE_OF_COST : NUDGE, h);
 }
 
 /* From a vertex that is primal feasible. */
@@ -128,6 +137,18 @@ static fmb_status climb_to_optimum(fmb_simplex_state *o, const double *cost, fmb
     return st;
 }
 
+/* From the bounds again, leaning to the cost with other shares: another vertex, and another way. */
+static fmb_status begin_again(fmb_simplex_state *o, const double *cost, fmb_hint *h)
+{
+    o->placed = false;
+    restore_right_sides(o);
+    o->most_steps = fmb_simplex_most_pivots(o);
+    fmb_status st = search_with_nudge(o, cost, NEXT_NUDGE, h);
+    h->kind = FMB_HINT_NONE;
+    o->steps = 0;
+    return st == FMB_OK && o->feasible ? climb_to_optimum(o, cost, h) : st;
+}
+
 static fmb_status maximize_own(void *self, const double *cost, fmb_hint *h)
 {
     fmb_simplex_state *o = self;
@@ -136,8 +157,11 @@ static fmb_status maximize_own(void *self, const double *cost, fmb_hint *h)
     o->steps = 0;
     if (!o->feasible)
         st = search_own(o, NULL, h);
+    o->most_steps = o->steps + PATIENCE_OF_PRIMAL + o->n;
     if (st == FMB_OK && o->feasible)
         st = climb_to_optimum(o, cost, h);
+    if (st == FMB_OK && h->kind == FMB_HINT_NONE && o->steps > o->most_steps)
+        st = begin_again(o, cost, h);
     hand_out_members(o, h);
     return st;
 }

@@ -36,7 +36,7 @@ typedef struct fmb_simplex_state {
     size_t violations;
     size_t right_room, slack_room, row_weight_room, row_role_room, violated_room, listed_room;
     double nudge; /* the least multiplier that a row is given where the dual method stands still */
-    size_t steps;
+    size_t steps, most_steps; /* so far; after which the primal method gives up */
     uint64_t random;
     bool placed;
     bool feasible, moved; /* right sides are moved away from those of the scaled program */
