@@ -24,8 +24,6 @@
         "projections: variables that make few rows are eliminated first")                          \
     WAY(PRUNED, "pruned elimination", "solve/query/rule_lp",                                       \
         "projections: elimination pruned by the oracle, where cones are large")                    \
-    WAY(HIGHER_GROWTH, "growing elimination", "",                                                  \
-        "projections: the last variables, however many rows they make")                            \
     WAY(FIRST_RAYS, "first rays", "", "projections: double description within a small budget")     \
     WAY(SECOND_RAYS, "second rays", "", "projections: double description within a larger one")     \
     WAY(TIGHT, "tight rows", "hull/support/support_tight",                                         \

@@ -100,7 +100,7 @@ WANTED = {"verdict": {"oracle", "elimination"}, "ends": {"oracle", "oracles", "e
           "optimum": {"oracle", "elimination"}, "rows": {"ray shooting", "oracle"},
           "rays": {"double description", "hull of the polar"},
           "facets": {"double description", "sparse double description", "section"},
-          "projection": {"elimination", "gentle elimination", "steeper elimination", "escape",
+          "projection": {"elimination", "bounded elimination", "recession direction",
                          "double description", "support queries"}}
 missing = {(name, task) for task in WANTED for name in WANTED[task]} ^ set(seen)
 silent = [what for what, ended in seen.items() if "answered" not in ended]

@@ -16,19 +16,16 @@
 #include "solve/query/rule_lp.h"
 
 /* One part on its way by elimination. */
-typedef struct shadow {
+typedef struct part_elimination {
     fmb_query *q;
     const fmb_part *p;
     const int *place; /* [dim] column in the projection, -1 for variables that go */
     fmb_system *out;
     fmb_elim e;
-} shadow;
+} part_elimination;
 
-/* What one variable may make, as a share of the rows: in most systems, and in those of few rows. */
-#define FIRST_GROWTH  0.25
-#define SECOND_GROWTH 1.5
-/* So few variables are eliminated however many rows they make, where other ways are long. */
-#define MOST_FREE_STEPS 2
+/* What one variable may make, as a share of the rows. */
+#define MOST_GROWTH 0.25
 /* Rows of long numbers are pruned so slowly that few of them may be made before other ways are
  * taken. */
 #define WIDE_MORE 3
@@ -43,7 +40,7 @@ static bool has_rows_in_plenty(const fmb_part *p)
 }
 
 /* budget > 0: the store may not outgrow it. */
-static fmb_status eliminate_columns_that_go(shadow *h, bool feasible, size_t budget)
+static fmb_status eliminate_columns_that_go(part_elimination *h, bool feasible, size_t budget)
 {
     fmb_query *q = h->q;
     bool *drop = fmb_arena_get(&q->v->arena, (size_t)h->p->n, sizeof *drop);
@@ -61,8 +58,8 @@ static fmb_status eliminate_columns_that_go(shadow *h, bool feasible, size_t bud
 
 /* The elimination ended, with a status: put out what is irredundant of its rows; or, at a limit,
  * what names kept variables only. */
-static fmb_status put_rows_of_elimination(shadow *h, fmb_elim *e, fmb_status st, bool known,
-                                          bool *feasible, bool *done)
+static fmb_status put_rows_of_elimination(part_elimination *h, fmb_elim *e, fmb_status st,
+                                          bool known, bool *feasible, bool *done)
 {
     size_t rows = fmb_system_rows(h->out);
     *done = st == FMB_OK;
@@ -81,67 +78,12 @@ static fmb_status put_rows_of_elimination(shadow *h, fmb_elim *e, fmb_status st,
     return saved != FMB_OK ? saved : st;
 }
 
-static fmb_status project_by_elimination(shadow *h, bool known, size_t budget, bool *feasible,
-                                         bool *done)
+static fmb_status project_by_elimination(part_elimination *h, bool known, size_t budget,
+                                         bool *feasible, bool *done)
 {
     fmb_status st = eliminate_columns_that_go(h, known, budget);
     st = put_rows_of_elimination(h, &h->e, st, known, feasible, done);
     fmb_elim_clear(&h->e);
-    return st;
-}
-
-static int count_variables_to_go(const fmb_elim *e, const bool *drop)
-{
-    int n = 0;
-    for (int j = 0; j < e->n; j++) {
-        bool nonzero = false;
-        for (size_t i = 0; drop[j] && !nonzero && i < e->live.size; i++)
-            nonzero = fmb_vec_sgn(&e->row[e->live.row[i]].v, (size_t)j) != 0;
-        n += nonzero;
-    }
-    return n;
-}
-
-/* How far an elimination may go. */
-typedef struct growth_bound {
-    double growth; /* what one variable may make, as a share of the rows; 0: anything */
-    size_t trials; /* budgets of a trial */
-    int kept;      /* variables that stay, which tell how many rows may be left in the end */
-} growth_bound;
-
-/* A trial ended, with a status; if it left too many rows, it used up its budget. */
-static fmb_status expect_few_rows(fmb_elim *e, fmb_status st, int kept)
-{
-    if (st != FMB_OK || e->clash != FMB_NO_ROW || fmb_selection_keeps_rows(e, e->flat, kept))
-        return st;
-    e->over_budget = true;
-    return FMB_LIMIT;
-}
-
-/* Go on where the cheap variables are gone, and come back if a variable makes too many rows, or if
- * there are too many rows. */
-static fmb_status eliminate_rest(shadow *h, fmb_reduced_part *reduced, const growth_bound *limit,
-                                 size_t *budget, bool *feasible, bool *done)
-{
-    fmb_elim *e = &reduced->e;
-    fmb_mark mark;
-    fmb_status st = fmb_mark_set(&mark, e);
-    *budget = e->rows + limit->trials * FMB_TRIAL_BUDGET(e->live.size);
-    if (st != FMB_OK)
-        return st;
-    e->order = h->q->v->options.order;
-    e->chooser = h->q->v->chooser;
-    e->cheap_only = false;
-    e->growth = limit->growth;
-    e->flat = e->live.size;
-    e->wide_more = WIDE_MORE;
-    e->budget = *budget;
-    st = fmb_elim_eliminate(e, reduced->drop);
-    st = expect_few_rows(e, st, limit->kept);
-    st = put_rows_of_elimination(h, e, st, false, feasible, done);
-    if (st == FMB_OK && !*done)
-        fmb_mark_return(&mark, e);
-    e->over_budget = false;
     return st;
 }
 
@@ -179,7 +121,7 @@ typedef struct part_run {
     fmb_features features; /* of the reduced part */
     fmb_ray_projection *rays;
     fmb_queries *queries;
-    shadow e; /* the elimination that takes turns */
+    part_elimination e; /* the elimination that takes turns */
     fmb_slices slices;
     bool known, *feasible, done;
 } part_run;
@@ -208,18 +150,18 @@ static fmb_status try_rays(part_run *r, uint64_t rays)
     return st;
 }
 
-static shadow shadow_of_run(const part_run *r)
+static part_elimination elimination_of_run(const part_run *r)
 {
-    return (shadow){.q = r->q,
-                    .p = &r->q->parts.part[r->part],
-                    .place = r->place,
-                    .out = r->out,
-                    .e.run = &r->q->run};
+    return (part_elimination){.q = r->q,
+                              .p = &r->q->parts.part[r->part],
+                              .place = r->place,
+                              .out = r->out,
+                              .e.run = &r->q->run};
 }
 
 static fmb_status try_elimination(part_run *r, bool known, size_t budget)
 {
-    shadow h = shadow_of_run(r);
+    part_elimination h = elimination_of_run(r);
     fmb_status st = project_by_elimination(&h, known, budget, r->feasible, &r->done);
     tell_attempt(r, "elimination", budget, "rows", st);
     return st;
@@ -228,54 +170,52 @@ static fmb_status try_elimination(part_run *r, bool known, size_t budget)
 /* Nothing that names variables that go may be left of the projection. */
 static fmb_status try_recession(part_run *r, uint64_t budget)
 {
-    shadow h = shadow_of_run(r);
+    part_elimination h = elimination_of_run(r);
     bool recedes;
     fmb_elim *e = &r->reduced.e;
     fmb_status st = fmb_recession_drop_rows(e, r->reduced.drop, &r->q->v->arena, &recedes);
     if (st == FMB_OK && recedes)
         st = put_rows_of_elimination(&h, e, FMB_OK, false, r->feasible, &r->done);
-    tell_attempt(r, "escape", budget, NULL, st);
+    tell_attempt(r, "recession direction", budget, NULL, st);
     return st;
 }
 
-/* Trials: budgets of FMB_TRIAL_BUDGET rows. */
+/* A trial ended, with a status; if it left too many rows, it used up its budget. */
+static fmb_status expect_few_rows(fmb_elim *e, fmb_status st, int kept)
+{
+    if (st != FMB_OK || e->clash != FMB_NO_ROW || fmb_selection_keeps_rows(e, e->flat, kept))
+        return st;
+    e->over_budget = true;
+    return FMB_LIMIT;
+}
+
+/* Go on where the cheap variables are gone, and come back if a variable makes too many rows, or if
+ * there are too many rows. Trials: budgets of FMB_TRIAL_BUDGET rows. */
 static fmb_status try_bounded_elimination(part_run *r, uint64_t trials)
 {
-    shadow h = shadow_of_run(r);
-    growth_bound bounded = {FIRST_GROWTH, (size_t)trials, r->features.kept};
-    if (!fmb_mark_possible(&r->reduced.e))
-        return FMB_OK;
-    size_t budget;
-    fmb_status st = eliminate_rest(&h, &r->reduced, &bounded, &budget, r->feasible, &r->done);
-    tell_attempt(r, "gentle elimination", budget, "rows", st);
-    return st;
-}
-
-static fmb_status try_growing_elimination(part_run *r, uint64_t trials)
-{
-    shadow h = shadow_of_run(r);
+    part_elimination h = elimination_of_run(r);
     fmb_elim *e = &r->reduced.e;
+    fmb_mark mark;
     if (!fmb_mark_possible(e))
-        return try_elimination(r, false, FMB_TRIAL_BUDGET(h.p->m));
-    bool any = r->features.kept > FMB_SHORT_QUERIES &&
-               count_variables_to_go(e, r->reduced.drop) <= MOST_FREE_STEPS;
-    growth_bound growing = {any ? 0 : SECOND_GROWTH, (size_t)trials, r->features.kept};
-    size_t budget;
-    fmb_status st = eliminate_rest(&h, &r->reduced, &growing, &budget, r->feasible, &r->done);
-    tell_attempt(r, "steeper elimination", budget, "rows", st);
-    return st;
-}
-
-/* However many rows a variable makes. */
-static fmb_status try_free_elimination(part_run *r, uint64_t trials)
-{
-    shadow h = shadow_of_run(r);
-    growth_bound any = {0, (size_t)trials, r->features.kept};
-    if (!fmb_mark_possible(&r->reduced.e))
         return FMB_OK;
-    size_t budget;
-    fmb_status st = eliminate_rest(&h, &r->reduced, &any, &budget, r->feasible, &r->done);
-    tell_attempt(r, "steeper elimination", budget, "rows", st);
+    fmb_status st = fmb_mark_set(&mark, e);
+    if (st != FMB_OK)
+        return st;
+    size_t budget = e->rows + (size_t)trials * FMB_TRIAL_BUDGET(e->live.size);
+    e->order = h.q->v->options.order;
+    e->chooser = h.q->v->chooser;
+    e->cheap_only = false;
+    e->growth = MOST_GROWTH;
+    e->flat = e->live.size;
+    e->wide_more = WIDE_MORE;
+    e->budget = budget;
+    st = fmb_elim_eliminate(e, r->reduced.drop);
+    st = expect_few_rows(e, st, r->features.kept);
+    st = put_rows_of_elimination(&h, e, st, false, r->feasible, &r->done);
+    if (st == FMB_OK && !r->done)
+        fmb_mark_return(&mark, e);
+    e->over_budget = false;
+    tell_attempt(r, "bounded elimination", budget, "rows", st);
     return st;
 }
 
@@ -349,8 +289,6 @@ static const struct step_way {
     [FMB_STEP_SOLUTION] = {ask_for_solution, FMB_WAY_COUNT},
     [FMB_STEP_RECESSION] = {try_recession, FMB_WAY_RECESSION},
     [FMB_STEP_BOUNDED] = {try_bounded_elimination, FMB_WAY_BOUNDED_GROWTH},
-    [FMB_STEP_GROWING] = {try_growing_elimination, FMB_WAY_HIGHER_GROWTH},
-    [FMB_STEP_FREE] = {try_free_elimination, FMB_WAY_HIGHER_GROWTH},
     [FMB_STEP_PRUNED] = {try_pruned_elimination, FMB_WAY_PRUNED},
     [FMB_STEP_FIRST_RAYS] = {try_rays_twice, FMB_WAY_FIRST_RAYS},
     [FMB_STEP_SECOND_RAYS] = {try_rays, FMB_WAY_SECOND_RAYS},
@@ -386,7 +324,7 @@ static fmb_status run_pipeline(part_run *r, const fmb_pipeline *p)
 static fmb_status open_turns(part_run *r)
 {
     fmb_status st = open_queries(r);
-    r->e = shadow_of_run(r);
+    r->e = elimination_of_run(r);
     if (!is_open(st, r))
         return st;
     uint64_t before = r->q->run.work;

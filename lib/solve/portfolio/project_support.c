@@ -219,7 +219,7 @@ static fmb_status keep_what_is_proved(fmb_queries *h, fmb_system *out)
         st = fmb_support_keep_outer_rows(&h->s);
     if (st == FMB_OK || st == FMB_LIMIT)
         st = put_all_support_rows(h, out);
-    h->q->glanced = true;
+    h->q->put_out = true;
     return st == FMB_OK ? claim_inner_points(h) : st;
 }
 
@@ -305,15 +305,15 @@ fmb_status fmb_queries_run(fmb_queries *h, uint64_t pairs, fmb_system *out, bool
 
 /* ---- behind a limit -------------------------------------------------------------------------- */
 
-/* Pairs of facets where no clock ends a glance: so many go with dozens of queries. The last query
+/* Pairs of facets where no clock ends them: so many go with dozens of queries. The last query
  * may take as many again, but not all that the images of one point by symmetries could. */
-#define PAIRS_OF_GLANCE ((uint64_t)1 << 12)
+#define PAIRS_AT_LIMIT ((uint64_t)1 << 12)
 
 /* Ask on, and put out what is proved. The query has gone on. */
-static fmb_status glance_and_keep(fmb_queries *h, fmb_system *out)
+static fmb_status ask_on_and_keep(fmb_queries *h, fmb_system *out)
 {
     bool done;
-    uint64_t pairs = h->q->run.deadline > 0 ? 0 : PAIRS_OF_GLANCE;
+    uint64_t pairs = h->q->run.deadline > 0 ? 0 : PAIRS_AT_LIMIT;
     h->s.hull.most_pairs = pairs > 0 ? h->s.hull.pairs + 2 * pairs : 0;
     fmb_support_want_outer_rows(&h->s, 0, SIZE_MAX);
     fmb_status st = h->k > 0 ? fmb_support_ask(&h->s, pairs, &done) : FMB_OK;
@@ -335,16 +335,16 @@ static void end_as_before(fmb_query *q, fmb_stop why)
 fmb_status fmb_queries_finish(fmb_queries *h, fmb_system *out)
 {
     fmb_stop why;
-    if (!h->begun || h->q->glanced)
+    if (!h->begun || h->q->put_out)
         return FMB_OK;
     if (h->s.ended || !go_on_behind_limit(h->q, &why))
         return keep_what_is_proved(h, out);
-    fmb_status st = glance_and_keep(h, out);
+    fmb_status st = ask_on_and_keep(h, out);
     end_as_before(h->q, why);
     return st == FMB_LIMIT ? FMB_OK : st;
 }
 
-fmb_status fmb_queries_glance(fmb_query *q, int part, const int *place, fmb_system *out)
+fmb_status fmb_queries_at_limit(fmb_query *q, int part, const int *place, fmb_system *out)
 {
     bool feasible;
     fmb_queries *h;
@@ -353,7 +353,7 @@ fmb_status fmb_queries_glance(fmb_query *q, int part, const int *place, fmb_syst
         return FMB_OK;
     fmb_status st = fmb_queries_open(q, part, place, &h, &feasible);
     if (st == FMB_OK && feasible)
-        st = glance_and_keep(h, out);
+        st = ask_on_and_keep(h, out);
     fmb_queries_close(h);
     fmb_query_close_oracle(q, part);
     end_as_before(q, why);

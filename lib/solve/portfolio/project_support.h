@@ -29,7 +29,7 @@ double fmb_queries_left(const fmb_queries *h);
 
 /* The same by queries of its own, after a limit that came before any; *out may stay as it is.
  * Errors: MEMORY. */
-fmb_status fmb_queries_glance(fmb_query *q, int part, const int *place, fmb_system *out);
+fmb_status fmb_queries_at_limit(fmb_query *q, int part, const int *place, fmb_system *out);
 
 /* All at once. */
 fmb_status fmb_query_support_part(fmb_query *q, int part, const int *place, fmb_system *out,

@@ -14,11 +14,9 @@ int fmb_selection_forced = -1;
 #define LEAST_FREEDOMS 2
 #define LONG_FREEDOMS  8
 #define MANY_FREEDOMS  32
-/* An elimination that makes many rows ends, if it does, where rows are hardly more than dimensions.
- */
-#define GROWING_FREEDOMS 4
-/* In the plane, rays end sooner than queries only in so few of them; with variables, if rows name
- * nearly all of these. */
+/* In the plane, rays end sooner than queries in so few of them; in no more than that only where
+ * rows are not few; and with variables, if rows name nearly all of these. */
+#define FEW_IN_PLANE      4
 #define FREEDOMS_IN_PLANE 9
 #define SIZE_IN_PLANE     13
 /* Cones of more have very many rays, but for such with bounds on many variables, as disjunctions.
@@ -109,7 +107,7 @@ static bool are_rays_few(const fmb_features *f)
 static bool do_rays_delay_queries(const fmb_features *f)
 {
     size_t freedom = f->freedom, columns = f->columns;
-    if (f->kept != 2 || freedom <= GROWING_FREEDOMS)
+    if (f->kept != 2 || freedom <= FEW_IN_PLANE)
         return false;
     if (are_nearly_all_coefficients_there(f))
         return columns + freedom + f->is_long > SIZE_IN_PLANE;
@@ -189,13 +187,6 @@ static bool is_cone_dense_or_small(const fmb_features *f)
     return nonzeros_by_row(f) >= DENSE || f->columns <= SMALL_CONE || f->freedom < SMALL_CONE;
 }
 
-/* Where the first variable tells, or other ways are long. */
-static bool raises_bound(const fmb_features *f)
-{
-    bool few = f->freedom <= GROWING_FREEDOMS || f->kept > FMB_SHORT_QUERIES;
-    return few && !f->is_long && are_most_coefficients_there(f);
-}
-
 /* Rays that a second try may make, before the oracle is asked: none where cones tend to have very
  * many, or rows are many for three kept variables; more where the oracle has more to do, or numbers
  * are too long for its guesses. */
@@ -239,7 +230,6 @@ static fmb_pipeline pipeline_of_shape(const fmb_features *f)
     add_step_if(tries_recession(f), &p, &n, FMB_STEP_RECESSION, 0);
     add_step_if(more && bounds_growth(f), &p, &n, FMB_STEP_BOUNDED, 2);
     add_step_if(more && rows > 0, &p, &n, FMB_STEP_PRUNED, rows);
-    add_step_if(more && raises_bound(f), &p, &n, FMB_STEP_GROWING, 1);
     add_step_if(more && rays > 0, &p, &n, FMB_STEP_FIRST_RAYS, rays);
     add_step_if(more && more_rays > 0, &p, &n, FMB_STEP_SECOND_RAYS, more_rays);
     add_step_if(true, &p, &n, FMB_STEP_QUERIES, FMB_FIRST_PAIRS);
@@ -248,24 +238,21 @@ static fmb_pipeline pipeline_of_shape(const fmb_features *f)
 
 /* ---- the table ------------------------------------------------------------------------------- */
 
-/* Identifier, name in data and reports, trials of bounded, free, pruned elimination, and of rays,
- * in this order; then come queries. */
+/* Identifier, name in data and reports, trials of bounded elimination, of pruned elimination, and
+ * of rays, in this order; then come queries. */
 #define PIPELINES(P)                                                                               \
-    P(OF_SHAPE, "as its shape tells", 0, 0, 0, 0)                                                  \
-    P(QUERIES, "queries", 0, 0, 0, 0)                                                              \
-    P(FEW_RAYS, "few rays", 0, 0, 0, 1)                                                            \
-    P(RAYS, "rays", 0, 0, 0, 8)                                                                    \
-    P(MANY_RAYS, "many rays", 0, 0, 0, 64)                                                         \
-    P(BOUNDED, "bounded elimination", 2, 0, 0, 0)                                                  \
-    P(BOUNDED_RAYS, "bounded elimination, rays", 2, 0, 0, 8)                                       \
-    P(BOUNDED_MANY_RAYS, "bounded elimination, many rays", 2, 0, 0, 64)                            \
-    P(FREE, "elimination", 0, 1, 0, 0)                                                             \
-    P(LONG_FREE, "long elimination", 0, 8, 0, 0)                                                   \
-    P(FREE_RAYS, "elimination, rays", 0, 1, 0, 8)                                                  \
-    P(PRUNED, "pruned elimination", 0, 0, 1, 0)                                                    \
-    P(LONG_PRUNED, "long pruned elimination", 0, 0, 16, 0)                                         \
-    P(BOUNDED_PRUNED, "bounded, then pruned elimination", 2, 0, 1, 0)                              \
-    P(BOUNDED_LONG_PRUNED, "bounded, then long pruned elimination", 2, 0, 16, 0)
+    P(OF_SHAPE, "as its shape tells", 0, 0, 0)                                                     \
+    P(QUERIES, "queries", 0, 0, 0)                                                                 \
+    P(FEW_RAYS, "few rays", 0, 0, 1)                                                               \
+    P(RAYS, "rays", 0, 0, 8)                                                                       \
+    P(MANY_RAYS, "many rays", 0, 0, 64)                                                            \
+    P(BOUNDED, "bounded elimination", 2, 0, 0)                                                     \
+    P(BOUNDED_RAYS, "bounded elimination, rays", 2, 0, 8)                                          \
+    P(BOUNDED_MANY_RAYS, "bounded elimination, many rays", 2, 0, 64)                               \
+    P(PRUNED, "pruned elimination", 0, 1, 0)                                                       \
+    P(LONG_PRUNED, "long pruned elimination", 0, 16, 0)                                            \
+    P(BOUNDED_PRUNED, "bounded, then pruned elimination", 2, 1, 0)                                 \
+    P(BOUNDED_LONG_PRUNED, "bounded, then long pruned elimination", 2, 16, 0)
 
 #define PIPELINE_IDENTIFIER(id, ...) PIPELINE_##id,
 enum { PIPELINES(PIPELINE_IDENTIFIER) PIPELINE_COUNT };
@@ -273,7 +260,7 @@ enum { PIPELINES(PIPELINE_IDENTIFIER) PIPELINE_COUNT };
 
 static const struct named_pipeline {
     const char *name;
-    unsigned bounded, any, pruned, rays; /* trials */
+    unsigned bounded, pruned, rays; /* trials */
 } PIPELINE[] = {
 #define PIPELINE_TRIALS(id, ...) [PIPELINE_##id] = {__VA_ARGS__},
     PIPELINES(PIPELINE_TRIALS)
@@ -324,7 +311,6 @@ static fmb_pipeline pipeline_of_name(const fmb_features *f, const struct named_p
     uint64_t trial = FMB_TRIAL_BUDGET(f->given);
     add_step_if(tries_recession(f), &p, &n, FMB_STEP_RECESSION, 0);
     add_step_if(named->bounded > 0, &p, &n, FMB_STEP_BOUNDED, named->bounded);
-    add_step_if(named->any > 0, &p, &n, FMB_STEP_FREE, named->any);
     add_step_if(named->pruned > 0, &p, &n, FMB_STEP_PRUNED, named->pruned * trial);
     add_step_if(named->rays > 0, &p, &n, FMB_STEP_FIRST_RAYS, named->rays * trial);
     add_step_if(true, &p, &n, FMB_STEP_QUERIES, FMB_FIRST_PAIRS);

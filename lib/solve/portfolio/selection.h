@@ -26,8 +26,6 @@ typedef enum fmb_step_kind {
     FMB_STEP_SOLUTION,    /* asks the oracle whether there is a solution */
     FMB_STEP_RECESSION,   /* looks for a direction that leaves all rows behind */
     FMB_STEP_BOUNDED,     /* eliminates what makes few more rows than go: trials */
-    FMB_STEP_GROWING,     /* eliminates what makes more of them: trials */
-    FMB_STEP_FREE,        /* eliminates whatever that makes: trials */
     FMB_STEP_PRUNED,      /* eliminates and asks the oracle which rows are redundant: rows */
     FMB_STEP_FIRST_RAYS,  /* double description: rays */
     FMB_STEP_SECOND_RAYS, /* goes on with it: rays */

@@ -106,7 +106,7 @@ static fmb_status project_all_parts(fmb_query *q, const int *place, fmb_system *
     for (int c = 0; feasible && c < q->parts.count; c++) {
         at->part = c;
         at->rows = fmb_system_rows(out);
-        q->glanced = false;
+        q->put_out = false;
         st = fmb_query_project_part(q, c, place, out, &feasible);
         if (st != FMB_OK)
             return st;
@@ -125,8 +125,8 @@ static fmb_status put_parts_at_limit(fmb_query *q, const progress *at, const int
         size_t first = c == at->part ? at->rows : fmb_system_rows(out);
         st = fmb_outer_projection(q, c, place, out, verdict);
         if (st == FMB_OK && *verdict != FMB_INFEASIBLE && at->points &&
-            !(c == at->part && q->glanced))
-            st = fmb_queries_glance(q, c, place, out);
+            !(c == at->part && q->put_out))
+            st = fmb_queries_at_limit(q, c, place, out);
         if (st == FMB_OK && *verdict != FMB_INFEASIBLE)
             st = fmb_outer_drop_parallel_rows(q, out, first);
     }

@@ -50,7 +50,7 @@ typedef struct fmb_query {
     mpq_t *point; /* [dim] a solution as far as parts are done; NULL unless one is wanted, ... */
     mpq_t *x;     /* [dim] ... and scratch: a point or ray of the part at hand; as evidence wants */
     bool decided; /* all parts are known to be feasible */
-    bool glanced; /* what support queries found about the part at hand was put out, at a limit */
+    bool put_out; /* what support queries found about the part at hand was put out, at a limit */
     fmb_met_points met;   /* of the projection of the last part that had some, where wanted */
     fmb_program *program; /* [parts] rows of each part for its oracle; n == 0: not made */
     fmb_oracle **oracle;  /* [parts] of each part, or NULL */
