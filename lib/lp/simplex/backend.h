@@ -1,4 +1,4 @@
-/* backend.h: a sparse simplex in doubles. It hands out a basis, and says nothing that
+/* backend.h: the revised simplex method in doubles. It hands out a basis, and says nothing that
  * is believed.
  *
  * A basis is n rows that are to hold with equality: rows of the program, by number; or m + j, the
@@ -27,6 +27,9 @@ typedef struct fmb_hint {
 
 /* p must outlive the backend; its rows that are off are left out. Errors: MEMORY, LIMIT. */
 fmb_status fmb_backend_open(fmb_run *run, const fmb_program *p, fmb_backend **out);
+/* The same, perhaps with factors of the basis however few columns there are, for tests. */
+fmb_status fmb_backend_open_with(fmb_run *run, const fmb_program *p, bool factors,
+                                 fmb_backend **out);
 void fmb_backend_close(fmb_backend *d);
 
 /* Is there a solution? From where the last call ended. lean[n]: rather one where lean.x is large;

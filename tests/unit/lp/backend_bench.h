@@ -3,7 +3,7 @@
 #ifndef FMB_TEST_BACKEND_BENCH_H
 #define FMB_TEST_BACKEND_BENCH_H
 
-#include "lp/simplex/backend_methods.h"
+#include "lp/simplex/backend.h"
 #include "solve/query/part.h"
 #include "support/support.h"
 

@@ -1,12 +1,13 @@
-/* revised_simplex.c: the revised simplex method behind a backend; see backend_methods.h.
+/* backend.c: the revised simplex method; see backend.h.
  *
  * It goes from vertex to vertex of the rows themselves: a search by the dual method, with a
  * cost that nobody asked for; then by the primal method to where the cost is greatest. Where that
  * moved right sides away, the dual method mends what it broke.
  */
+#include "lp/simplex/backend.h"
+
 #include <math.h>
 
-#include "lp/simplex/backend_methods.h"
 #include "lp/simplex/simplex_methods.h"
 
 /* Bounds that are farther from 0 are no place to begin. */
@@ -20,6 +21,14 @@
  * steps besides the number of columns it is taken not to. */
 #define NEXT_NUDGE         1e-3
 #define PATIENCE_OF_PRIMAL 1000
+
+struct fmb_backend {
+    fmb_scaled_program scaled;
+    fmb_simplex_state state; /* of it */
+    double *cost;            /* [n] scaled as the columns are */
+    fmb_status late;         /* of a call that has none */
+    bool behind;             /* there are rows that the state has yet to take in */
+};
 
 /* ---- questions ------------------------------------------------------------------------------- */
 
@@ -108,9 +117,9 @@ static fmb_status search_with_nudge(fmb_simplex_state *o, const double *lean, do
     return st;
 }
 
-static fmb_status search_own(void *self, const double *lean, fmb_hint *h)
+static fmb_status search(fmb_simplex_state *o, const double *lean, fmb_hint *h)
 {
-    return search_with_nudge(self, lean, lean ? NUDGE_OF_COST : NUDGE, h);
+    return search_with_nudge(o, lean, lean ? NUDGE_OF_COST : NUDGE, h);
 }
 
 /* From a vertex that is primal feasible. */
@@ -149,14 +158,13 @@ static fmb_status begin_again(fmb_simplex_state *o, const double *cost, fmb_hint
     return st == FMB_OK && o->feasible ? climb_to_optimum(o, cost, h) : st;
 }
 
-static fmb_status maximize_own(void *self, const double *cost, fmb_hint *h)
+static fmb_status maximize(fmb_simplex_state *o, const double *cost, fmb_hint *h)
 {
-    fmb_simplex_state *o = self;
     fmb_status st = FMB_OK;
     h->kind = FMB_HINT_NONE;
     o->steps = 0;
     if (!o->feasible)
-        st = search_own(o, NULL, h);
+        st = search(o, NULL, h);
     o->most_steps = o->steps + PATIENCE_OF_PRIMAL + o->n;
     if (st == FMB_OK && o->feasible)
         st = climb_to_optimum(o, cost, h);
@@ -166,14 +174,68 @@ static fmb_status maximize_own(void *self, const double *cost, fmb_hint *h)
     return st;
 }
 
-static void point_of_own(void *self, double *x)
+/* What is late, and rows that are new. */
+static fmb_status catch_up(fmb_backend *d, fmb_hint *h)
 {
-    fmb_simplex_state *o = self;
-    fmb_simplex_state_find_point(o);
-    memcpy(x, o->edge.at, o->n * sizeof *x);
+    fmb_status st = d->late == FMB_OK ? fmb_backend_grow(d) : d->late;
+    d->late = FMB_OK;
+    h->kind = FMB_HINT_NONE;
+    return st;
+}
+
+fmb_status fmb_backend_search(fmb_backend *d, const double *lean, fmb_hint *h)
+{
+    bool leans = lean && fmb_scaled_program_scale_cost(&d->scaled, lean, d->cost);
+    fmb_status st = catch_up(d, h);
+    return st == FMB_OK ? search(&d->state, leans ? d->cost : NULL, h) : st;
+}
+
+fmb_status fmb_backend_maximize(fmb_backend *d, const double *cost, fmb_hint *h)
+{
+    bool is_finite = fmb_scaled_program_scale_cost(&d->scaled, cost, d->cost);
+    fmb_status st = is_finite ? catch_up(d, h) : fmb_backend_search(d, NULL, h);
+    if (st == FMB_OK && is_finite)
+        return maximize(&d->state, d->cost, h);
+    h->kind = FMB_HINT_NONE;
+    return st;
+}
+
+bool fmb_backend_point(fmb_backend *d, int fine, mpz_t *x, mpz_t den)
+{
+    const int *exponent = d->scaled.column_exponent;
+    const double *scaled = d->state.edge.at;
+    int places = 0;
+    fmb_simplex_state_find_point(&d->state);
+    for (size_t j = 0; j < d->scaled.n; j++) {
+        places = fine + exponent[j] > places ? fine + exponent[j] : places;
+        if (!isfinite(ldexp(scaled[j], fine)))
+            return false;
+    }
+    for (size_t j = 0; j < d->scaled.n; j++) {
+        mpz_set_d(x[j], nearbyint(ldexp(scaled[j], fine)));
+        mpz_mul_2exp(x[j], x[j], (mp_bitcnt_t)(places - fine - exponent[j]));
+    }
+    mpz_set_ui(den, 0);
+    mpz_setbit(den, (mp_bitcnt_t)places);
+    return true;
 }
 
 /* ---- changes --------------------------------------------------------------------------------- */
+
+fmb_status fmb_backend_grow(fmb_backend *d)
+{
+    d->behind = d->behind || d->scaled.m < d->scaled.p->m;
+    fmb_status st = d->behind ? fmb_scaled_program_grow(&d->scaled) : FMB_OK;
+    if (st == FMB_OK && d->behind)
+        st = fmb_simplex_state_grow(&d->state);
+    d->behind = st != FMB_OK;
+    return st;
+}
+
+static void note_status(fmb_backend *d, fmb_status st)
+{
+    d->late = d->late == FMB_OK ? st : d->late;
+}
 
 /* The place of row i in the basis, or FMB_NOWHERE. */
 static size_t find_member(const fmb_simplex_state *o, size_t i)
@@ -185,91 +247,107 @@ static size_t find_member(const fmb_simplex_state *o, size_t i)
 }
 
 /* A row that is left out leaves the basis, whose members may change places before. */
-static fmb_status switch_own(void *self, size_t i)
+void fmb_backend_switch(fmb_backend *d, size_t i, bool on)
 {
-    fmb_simplex_state *o = self;
-    bool off = o->f->off[i], leaves = off && find_member(o, i) != FMB_NOWHERE;
+    fmb_simplex_state *o = &d->state;
+    if (d->scaled.off[i] != on)
+        return;
+    d->scaled.off[i] = !on;
+    bool leaves = !on && find_member(o, i) != FMB_NOWHERE;
     fmb_status st = leaves ? fmb_simplex_state_refresh(o) : FMB_OK;
     size_t r = leaves ? find_member(o, i) : FMB_NOWHERE;
-    o->feasible = o->feasible && off;
+    o->feasible = o->feasible && !on;
     if (st == FMB_OK && r != FMB_NOWHERE)
-        return fmb_simplex_state_expel(o, r);
-    fmb_simplex_state_note_role(o, i);
-    return st;
+        st = fmb_simplex_state_expel(o, r);
+    else
+        fmb_simplex_state_note_role(o, i);
+    note_status(d, st);
 }
 
-static fmb_status place_own(void *self, const size_t *basis)
+void fmb_backend_place(fmb_backend *d, const size_t *basis)
 {
-    fmb_simplex_state *o = self;
-    for (size_t r = 0; r < o->n; r++)
+    fmb_simplex_state *o = &d->state;
+    fmb_status st = fmb_backend_grow(d);
+    for (size_t r = 0; st == FMB_OK && r < o->n; r++)
         o->basis.member[r] = basis[r] < o->m ? basis[r] : FMB_UNIT + (basis[r] - o->m);
     o->feasible = false;
     o->placed = true;
-    return fmb_simplex_state_place(o, o->basis.member);
+    note_status(d, st == FMB_OK ? fmb_simplex_state_place(o, o->basis.member) : st);
 }
 
-static void shift_own(void *self)
+static void take_right_sides(fmb_simplex_state *o)
 {
-    fmb_simplex_state *o = self;
     restore_right_sides(o);
     o->feasible = false;
 }
 
-/* Where the row is not in the basis, the point stays. */
-static void shift_row_of_own(void *self, size_t i)
+void fmb_backend_shift(fmb_backend *d, const double *right)
 {
-    fmb_simplex_state *o = self;
-    double by = o->f->right[i] - o->right[i];
+    fmb_scaled_program_shift(&d->scaled, right);
+    take_right_sides(&d->state);
+}
+
+void fmb_backend_move_in(fmb_backend *d, double by)
+{
+    fmb_scaled_program_move_in(&d->scaled, by);
+    take_right_sides(&d->state);
+}
+
+/* Where the row is not in the basis, the point stays. */
+void fmb_backend_shift_row(fmb_backend *d, size_t i)
+{
+    fmb_simplex_state *o = &d->state;
+    fmb_scaled_program_shift_row(&d->scaled, i);
     if (o->moved || !o->placed || find_member(o, i) != FMB_NOWHERE) {
-        shift_own(self);
+        take_right_sides(o);
         return;
     }
+    double by = d->scaled.right[i] - o->right[i];
     o->right[i] += by;
     o->slack[i] += by;
     o->feasible = o->feasible && by >= 0;
 }
 
-static fmb_status grow_own(void *self)
+void fmb_backend_sharpen(fmb_backend *d)
 {
-    return fmb_simplex_state_grow(self);
+    d->scaled.sharp = true;
 }
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
-static void close_own(void *self)
+void fmb_backend_close(fmb_backend *d)
 {
-    fmb_simplex_state *o = self;
-    fmb_mem *mem = o->f->run->mem;
-    fmb_simplex_state_clear(o);
-    fmb_mem_put(mem, o, 1, sizeof *o);
+    if (!d)
+        return;
+    fmb_mem *mem = d->scaled.run->mem;
+    if (d->state.f)
+        fmb_simplex_state_clear(&d->state);
+    fmb_mem_put(mem, d->cost, d->scaled.n, sizeof *d->cost);
+    fmb_scaled_program_clear(&d->scaled);
+    fmb_mem_put(mem, d, 1, sizeof *d);
 }
 
-static fmb_status open_state(const fmb_scaled_program *f, bool factors, void **out)
+fmb_status fmb_backend_open_with(fmb_run *run, const fmb_program *p, bool factors,
+                                 fmb_backend **out)
 {
-    fmb_simplex_state *o = fmb_mem_get(f->run->mem, 1, sizeof *o);
-    if (!o)
-        return fmb_mem_status(f->run->mem);
-    fmb_status st = fmb_simplex_state_init(o, f, factors);
+    *out = NULL;
+    fmb_backend *d = fmb_mem_zero(run->mem, 1, sizeof *d);
+    if (!d)
+        return fmb_mem_status(run->mem);
+    fmb_status st = fmb_scaled_program_init(&d->scaled, run, p);
+    d->cost = fmb_mem_get(run->mem, d->scaled.n, sizeof *d->cost);
+    if (st == FMB_OK && !d->cost)
+        st = fmb_mem_status(run->mem);
     if (st == FMB_OK)
-        *out = o;
+        st = fmb_simplex_state_init(&d->state, &d->scaled, factors);
+    if (st == FMB_OK)
+        *out = d;
     else
-        close_own(o);
+        fmb_backend_close(d);
     return st;
 }
 
-static fmb_status open_own(const fmb_scaled_program *f, void **out)
+fmb_status fmb_backend_open(fmb_run *run, const fmb_program *p, fmb_backend **out)
 {
-    return open_state(f, false, out);
+    return fmb_backend_open_with(run, p, false, out);
 }
-
-static fmb_status open_own_factors(const fmb_scaled_program *f, void **out)
-{
-    return open_state(f, true, out);
-}
-
-const fmb_backend_methods fmb_backend_revised_simplex = {
-    open_own,   close_own, search_own, maximize_own,     grow_own,
-    switch_own, place_own, shift_own,  shift_row_of_own, point_of_own};
-const fmb_backend_methods fmb_backend_revised_simplex_lu = {
-    open_own_factors, close_own, search_own, maximize_own,     grow_own,
-    switch_own,       place_own, shift_own,  shift_row_of_own, point_of_own};
