@@ -328,11 +328,12 @@ static fmb_status eliminate_from_row(fmb_markowitz *u, int i, int r, int c)
     take_from_bucket(&u->by_row, i, row->size[i]);
     drop_row_entry(u, i, at);
     fmb_status st = note_multiplier(u, i, f);
-    if (st == FMB_OK)
-        st = meet_pivot_row(u, i, r);
     int others = row->size[r] - 1;
-    if (st == FMB_OK && u->kind->subtract(u->self, row->value + row->start[i], u->met + 1,
-                                          row->value + row->start[r] + 1, others, f) > 0)
+    if (st == FMB_OK && others > 0)
+        st = meet_pivot_row(u, i, r);
+    if (st == FMB_OK && others > 0 &&
+        u->kind->subtract(u->self, row->value + row->start[i], u->met + 1,
+                          row->value + row->start[r] + 1, others, f) > 0)
         drop_zeros_of_row(u, i);
     memset(u->met, -1, (size_t)(others + 1) * sizeof *u->met);
     put_into_bucket(&u->by_row, i, row->size[i]);

@@ -227,7 +227,7 @@ Test(factor, random_matrices)
         check_random_matrix(seed);
 }
 
-/* Sparse ones with a nucleus, and a dense one: checked by multiplication. */
+/* Sparse ones whose rest is dense, and a dense one: checked by multiplication. */
 Test(factor, larger_matrices)
 {
     for (uint64_t seed = 1; seed <= 8; seed++) {

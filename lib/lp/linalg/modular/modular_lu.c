@@ -3,159 +3,139 @@
 
 #include <string.h>
 
-#include "lp/linalg/modular/nucleus.h"
+#include "lp/linalg/markowitz.h"
+#include "lp/linalg/modular/dense_lu.h"
 
-/* ---- peeling --------------------------------------------------------------------------------- */
-
-/* Rows and columns of what is left: how many entries each has, and all their numbers xored, which
- * is the last one's number when one is left. */
-typedef struct peeling {
-    const fmb_sparse *a;
+/* A matrix on its way: pivots by Markowitz's rule, and the rest once that is dense. */
+typedef struct elimination {
     fmb_modular_lu *f;
     const fmb_prime *q;
-    size_t *column_start; /* [n + 1] the rows of each column */
-    int *column_rows;
-    int *row_count, *column_count;  /* [n] */
-    uint32_t *row_xor, *column_xor; /* [n] */
-    int *waiting_rows, *waiting_columns;
-    size_t rows, columns; /* that wait */
-    bool *by_row;         /* [n] by pivot: its row was the one with one entry */
-    size_t pivots;
-} peeling;
+    fmb_markowitz sparse;
+    fmb_dense_lu dense;
+} elimination;
 
-static fmb_status open_peeling(peeling *p, fmb_arena *arena)
+/* ---- numbers --------------------------------------------------------------------------------- */
+
+static fmb_number invert_residue(const void *self, fmb_number a)
 {
-    size_t n = p->a->n, terms = p->a->start[n];
-    p->column_start = fmb_arena_get(arena, n + 2, sizeof *p->column_start);
-    p->column_rows = fmb_arena_get(arena, terms, sizeof *p->column_rows);
-    p->row_count = fmb_arena_get(arena, n, sizeof *p->row_count);
-    p->column_count = fmb_arena_get(arena, n, sizeof *p->column_count);
-    p->row_xor = fmb_arena_get(arena, n, sizeof *p->row_xor);
-    p->column_xor = fmb_arena_get(arena, n, sizeof *p->column_xor);
-    p->waiting_rows = fmb_arena_get(arena, n, sizeof *p->waiting_rows);
-    p->waiting_columns = fmb_arena_get(arena, n, sizeof *p->waiting_columns);
-    p->by_row = fmb_arena_get(arena, n, sizeof *p->by_row);
-    if (!p->column_start || !p->column_rows || !p->row_count || !p->column_count || !p->row_xor ||
-        !p->column_xor || !p->waiting_rows || !p->waiting_columns || !p->by_row)
-        return fmb_mem_status(arena->mem);
-    memset(p->column_count, 0, n * sizeof *p->column_count);
-    memset(p->row_xor, 0, n * sizeof *p->row_xor);
-    memset(p->column_xor, 0, n * sizeof *p->column_xor);
-    memset(p->by_row, 0, n * sizeof *p->by_row);
-    return FMB_OK;
+    return (fmb_number){.residue = fmb_prime_inverse(self, a.residue)};
 }
 
-static void count_entries_to_peel(peeling *p)
+static fmb_number divide_residue(const void *self, fmb_number a, fmb_number inverse)
 {
-    const fmb_sparse *a = p->a;
-    for (size_t i = 0; i < a->n; i++) {
-        p->row_count[i] = (int)(a->start[i + 1] - a->start[i]);
+    return (fmb_number){.residue = fmb_prime_times(self, a.residue, inverse.residue)};
+}
+
+static int subtract_residues(const void *self, fmb_number *v, const int *at,
+                             const fmb_number *pivot, int size, fmb_number factor)
+{
+    int zeros = 0;
+    for (int k = 0; k < size; k++) {
+        uint64_t *x = &v[at[k]].residue;
+        *x = fmb_prime_minus(self, *x, fmb_prime_times(self, factor.residue, pivot[k].residue));
+        zeros += *x == 0;
+    }
+    return zeros;
+}
+
+static const fmb_markowitz_numbers residues = {invert_residue, divide_residue, subtract_residues,
+                                               NULL, 0};
+
+/* ---- pivots ---------------------------------------------------------------------------------- */
+
+/* *whole: no entry is 0 modulo the prime. */
+static fmb_status load_residues(elimination *e, fmb_run *run, fmb_arena *arena, const fmb_sparse *a,
+                                bool *whole)
+{
+    fmb_markowitz *u = &e->sparse;
+    fmb_status st = fmb_markowitz_open(u, run, arena, &residues, e->q, a->n, a->start[a->n]);
+    *whole = true;
+    for (size_t i = 0; st == FMB_OK && i < a->n; i++)
         for (size_t t = a->start[i]; t < a->start[i + 1]; t++) {
-            p->column_count[a->index[t]]++;
-            p->column_xor[a->index[t]] ^= (uint32_t)i;
-            p->row_xor[i] ^= (uint32_t)a->index[t];
-        }
-    }
-    /* start[j + 1] is where column j is filled next, and start[j + 1] at the end */
-    p->column_start[0] = p->column_start[1] = 0;
-    for (size_t j = 0; j < a->n; j++)
-        p->column_start[j + 2] = p->column_start[j + 1] + (size_t)p->column_count[j];
-    for (size_t i = 0; i < a->n; i++)
-        for (size_t t = a->start[i]; t < a->start[i + 1]; t++)
-            p->column_rows[p->column_start[a->index[t] + 1]++] = (int)i;
-    for (size_t i = 0; i < a->n; i++) {
-        if (p->row_count[i] == 1)
-            p->waiting_rows[p->rows++] = (int)i;
-        if (p->column_count[i] == 1)
-            p->waiting_columns[p->columns++] = (int)i;
-    }
-}
-
-static void peel_pivot(peeling *p, size_t i, size_t j, bool by_row)
-{
-    const fmb_sparse *a = p->a;
-    for (size_t t = a->start[i]; t < a->start[i + 1]; t++) {
-        size_t c = (size_t)a->index[t];
-        p->column_xor[c] ^= (uint32_t)i;
-        if (--p->column_count[c] == 1)
-            p->waiting_columns[p->columns++] = (int)c;
-    }
-    for (size_t t = p->column_start[j]; t < p->column_start[j + 1]; t++) {
-        size_t r = (size_t)p->column_rows[t];
-        p->row_xor[r] ^= (uint32_t)j;
-        if (--p->row_count[r] == 1)
-            p->waiting_rows[p->rows++] = (int)r;
-    }
-    p->f->row_at[p->pivots] = (int)i;
-    p->f->column_at[p->pivots] = (int)j;
-    p->f->row_place[i] = p->f->column_place[j] = (int)p->pivots;
-    p->by_row[p->pivots++] = by_row;
-}
-
-/* An entry that is 0 modulo p is no pivot; where that happens, the row goes to the nucleus. */
-static bool is_entry_pivot(const peeling *p, size_t i, size_t j)
-{
-    size_t t = p->a->start[i];
-    while ((size_t)p->a->index[t] != j)
-        t++;
-    return fmb_sparse_residue(p->a, t, p->q) != 0;
-}
-
-/* Columns first: they are free of multipliers. */
-static void peel_all_pivots(peeling *p)
-{
-    while (p->columns > 0 || p->rows > 0) {
-        bool by_row = p->columns == 0;
-        size_t i, j;
-        if (by_row) {
-            i = (size_t)p->waiting_rows[--p->rows];
-            j = p->row_xor[i];
-            if (p->row_count[i] != 1 || p->f->row_place[i] >= 0)
-                continue;
-        } else {
-            j = (size_t)p->waiting_columns[--p->columns];
-            i = p->column_xor[j];
-            if (p->column_count[j] != 1 || p->f->column_place[j] >= 0)
-                continue;
-        }
-        if (is_entry_pivot(p, i, j))
-            peel_pivot(p, i, j, by_row);
-    }
-}
-
-/* ---- the nucleus ----------------------------------------------------------------------------- */
-
-/* Rows and columns not peeled get numbers there: place[i] = -1 - number until they have a place. */
-static fmb_status load_nucleus(const peeling *p, fmb_nucleus *u, fmb_run *run, fmb_arena *arena,
-                               int **rows, int **columns)
-{
-    fmb_modular_lu *f = p->f;
-    size_t size = f->n - p->pivots, entries = 0, r = 0, c = 0;
-    *rows = fmb_arena_get(arena, size, sizeof(int));
-    *columns = fmb_arena_get(arena, size, sizeof(int));
-    if (!*rows || !*columns)
-        return fmb_mem_status(arena->mem);
-    for (size_t i = 0; i < f->n; i++) {
-        if (f->row_place[i] < 0) {
-            (*rows)[r++] = (int)i;
-            entries += (size_t)p->row_count[i];
-        }
-        if (f->column_place[i] < 0) {
-            (*columns)[c] = (int)i;
-            f->column_place[i] = -1 - (int)c++;
-        }
-    }
-    fmb_status st = fmb_nucleus_open(u, run, arena, p->q, size, entries);
-    for (r = 0; st == FMB_OK && r < size; r++) {
-        size_t i = (size_t)(*rows)[r];
-        for (size_t t = p->a->start[i]; t < p->a->start[i + 1]; t++) {
-            int place = f->column_place[p->a->index[t]];
-            uint64_t value = place < 0 ? fmb_sparse_residue(p->a, t, p->q) : 0;
+            uint64_t value = fmb_sparse_residue(a, t, e->q);
+            *whole = *whole && value != 0;
             if (value != 0)
-                fmb_nucleus_put(u, (int)r, -1 - place, value);
+                fmb_markowitz_put(u, (int)i, a->index[t], (fmb_number){.residue = value});
         }
-    }
+    if (st == FMB_OK)
+        fmb_markowitz_begin(u);
     return st;
+}
+
+static bool has_singleton(const fmb_markowitz *u)
+{
+    return u->size > 0 && (u->by_row.head[1] >= 0 || u->by_column.head[1] >= 0);
+}
+
+/* A dense entry costs about a third of a sparse one. */
+static bool is_rest_dense(const fmb_markowitz *u)
+{
+    return 3 * u->entries >= (size_t)u->active * (size_t)u->active;
+}
+
+/* The last pivot stands alone in its row, or in its column, which has `multipliers` then. Rows take
+ * turns from the front, columns from the back. */
+static bool note_turn(fmb_modular_lu *f, const fmb_markowitz *u, size_t multipliers, size_t *rows,
+                      size_t *columns)
+{
+    int k = u->pivots - 1;
+    if (u->row.size[u->row_at[k]] == 1)
+        f->turn[(*rows)++] = k;
+    else if (u->multipliers == multipliers)
+        f->turn[--*columns] = k;
+    else
+        return false;
+    return true;
+}
+
+static fmb_status take_sparse_pivots(elimination *e, bool whole)
+{
+    fmb_markowitz *u = &e->sparse;
+    size_t rows = 0, columns = e->f->n;
+    fmb_status st = FMB_OK;
+    bool alone = whole;
+    for (bool done = false; st == FMB_OK && (has_singleton(u) || !is_rest_dense(u));) {
+        size_t multipliers = u->multipliers;
+        st = fmb_markowitz_step(u, &done);
+        if (done)
+            break;
+        alone = st == FMB_OK && alone && note_turn(e->f, u, multipliers, &rows, &columns);
+    }
+    e->f->is_triangular = alone && (size_t)u->pivots == e->f->n;
+    return st;
+}
+
+/* mark[j] becomes a place in the dense columns. */
+static fmb_status factor_dense_rest(elimination *e)
+{
+    fmb_markowitz *u = &e->sparse;
+    size_t rows = 0, columns = 0, at = 0;
+    for (int k = 1; k <= u->size; k++) {
+        for (int i = u->by_row.head[k]; i >= 0; i = u->by_row.next[i])
+            rows++;
+        for (int j = u->by_column.head[k]; j >= 0; j = u->by_column.next[j])
+            columns++;
+    }
+    fmb_dense_lu *d = &e->dense;
+    fmb_status st = fmb_dense_lu_open(d, u->arena, rows, columns);
+    if (st != FMB_OK)
+        return st;
+    for (int k = 1; k <= u->size; k++)
+        for (int j = u->by_column.head[k]; j >= 0; j = u->by_column.next[j], at++) {
+            d->column[at] = j;
+            u->mark[j] = (int)at;
+        }
+    at = 0;
+    for (int k = 1; k <= u->size; k++)
+        for (int i = u->by_row.head[k]; i >= 0; i = u->by_row.next[i], at++) {
+            d->row[at] = i;
+            for (int t = 0; t < u->row.size[i]; t++) {
+                size_t from = u->row.start[i] + (size_t)t;
+                d->at[at * columns + (size_t)u->mark[u->row.entry[from]]] =
+                    u->row.value[from].residue;
+            }
+        }
+    return fmb_dense_lu_factor(d, u->run, e->q);
 }
 
 static void place_pivot(fmb_modular_lu *f, size_t k, int i, int j)
@@ -165,18 +145,15 @@ static void place_pivot(fmb_modular_lu *f, size_t k, int i, int j)
     f->row_place[i] = f->column_place[j] = (int)k;
 }
 
-/* Places of the nucleus' pivots, and those of rows and columns that are left over. */
-static void place_all_pivots(fmb_modular_lu *f, const fmb_nucleus *u, size_t peeled,
-                             const int *rows, const int *columns)
+/* Sparse pivots, dense ones, and rows and columns that are left over. */
+static void place_all_pivots(const elimination *e)
 {
-    size_t k = peeled, left_rows, left_columns;
-    for (size_t i = 0; i < f->n; i++)
-        if (f->column_place[i] < 0)
-            f->column_place[i] = -1;
-    for (int s = 0; s < u->sparse.pivots; s++)
-        place_pivot(f, k++, rows[u->sparse.row_at[s]], columns[u->sparse.column_at[s]]);
-    for (size_t s = 0; s < u->dense.rank; s++)
-        place_pivot(f, k++, rows[u->dense.row[s]], columns[u->dense.column[s]]);
+    fmb_modular_lu *f = e->f;
+    size_t k = 0, left_rows, left_columns;
+    for (int s = 0; s < e->sparse.pivots; s++)
+        place_pivot(f, k++, e->sparse.row_at[s], e->sparse.column_at[s]);
+    for (size_t s = 0; s < e->dense.rank; s++)
+        place_pivot(f, k++, e->dense.row[s], e->dense.column[s]);
     f->rank = left_rows = left_columns = k;
     for (size_t i = 0; f->rank < f->n && i < f->n; i++) {
         if (f->row_place[i] < 0)
@@ -205,111 +182,67 @@ static fmb_status put_sweep_term(fmb_sweep *w, fmb_arena *arena, size_t *at, int
     return FMB_OK;
 }
 
-/* Row k of a peeled pivot, or what a row of the nucleus has in peeled columns: entries before the
- * diagonal belong to the lower factor as they are, as the columns there bear their pivots
- * themselves. */
-static fmb_status write_given_terms(const peeling *p, fmb_arena *arena, size_t k, size_t *low,
-                                    size_t *up)
+static fmb_status write_sparse_upper(const elimination *e, fmb_arena *arena, size_t k, size_t *up)
 {
-    fmb_modular_lu *f = p->f;
-    size_t i = (size_t)f->row_at[k];
+    fmb_modular_lu *f = e->f;
+    const fmb_strips *row = &e->sparse.row;
     fmb_status st = FMB_OK;
-    for (size_t t = p->a->start[i]; st == FMB_OK && t < p->a->start[i + 1]; t++) {
-        size_t place = (size_t)f->column_place[p->a->index[t]];
-        uint64_t value = fmb_sparse_residue(p->a, t, p->q);
-        if (place < k && place < p->pivots)
-            st = put_sweep_term(&f->lower, arena, low, (int)place, value);
-        else if (k >= p->pivots)
-            continue;
-        else if (place > k)
-            st = put_sweep_term(&f->upper, arena, up, (int)place, value);
-        else
-            (p->by_row[k] ? &f->lower : &f->upper)->scale[k] = fmb_prime_inverse(p->q, value);
+    int r = f->row_at[k];
+    f->upper.scale[k] = e->sparse.divisor[k].residue;
+    for (int t = 1; st == FMB_OK && t < row->size[r]; t++) {
+        size_t from = row->start[r] + (size_t)t;
+        st = put_sweep_term(&f->upper, arena, up, f->column_place[row->entry[from]],
+                            row->value[from].residue);
     }
     return st;
 }
 
-/* Pivot s of the nucleus, one of its sparse ones. */
-static fmb_status write_sparse_upper(fmb_modular_lu *f, fmb_arena *arena, const fmb_nucleus *u,
-                                     int s, const int *columns, size_t k, size_t *up)
-{
-    fmb_status st = FMB_OK;
-    int r = u->sparse.row_at[s];
-    f->upper.scale[k] = u->sparse.divisor[s].residue;
-    for (int t = 1; st == FMB_OK && t < u->sparse.row.size[r]; t++) {
-        size_t e = u->sparse.row.start[r] + (size_t)t;
-        int place = f->column_place[columns[u->sparse.row.entry[e]]];
-        st = put_sweep_term(&f->upper, arena, up, place, u->sparse.row.value[e].residue);
-    }
-    return st;
-}
-
-static fmb_status write_dense_row(fmb_modular_lu *f, fmb_arena *arena, const fmb_nucleus *u,
-                                  size_t s, const int *columns, size_t first, size_t *low,
+/* Pivot s of the dense ones. */
+static fmb_status write_dense_row(const elimination *e, fmb_arena *arena, size_t s, size_t *low,
                                   size_t *up)
 {
-    const fmb_dense_lu *d = &u->dense;
+    fmb_modular_lu *f = e->f;
+    const fmb_dense_lu *d = &e->dense;
     const uint64_t *row = d->at + s * d->columns;
+    size_t first = (size_t)e->sparse.pivots;
     fmb_status st = FMB_OK;
     f->upper.scale[first + s] = d->inverse[s];
     for (size_t c = 0; st == FMB_OK && c < s; c++)
         st = put_sweep_term(&f->lower, arena, low, (int)(first + c), row[c]);
-    for (size_t c = s + 1; st == FMB_OK && c < d->columns; c++) {
-        int place = f->column_place[columns[d->column[c]]];
-        st = put_sweep_term(&f->upper, arena, up, place, row[c]);
-    }
+    for (size_t c = s + 1; st == FMB_OK && c < d->columns; c++)
+        st = put_sweep_term(&f->upper, arena, up, f->column_place[d->column[c]], row[c]);
     return st;
 }
 
-static fmb_status write_multipliers(fmb_modular_lu *f, fmb_arena *arena, const fmb_nucleus *u,
-                                    int row, size_t first, size_t *low)
+static fmb_status write_multipliers(const elimination *e, fmb_arena *arena, size_t k, size_t *low)
 {
+    const fmb_markowitz *u = &e->sparse;
     fmb_status st = FMB_OK;
-    for (int t = u->sparse.last[row]; st == FMB_OK && t >= 0; t = u->sparse.multiplier[t].before)
-        st = put_sweep_term(&f->lower, arena, low, (int)first + u->sparse.multiplier[t].pivot,
-                            u->sparse.multiplier[t].value.residue);
+    for (int t = u->last[e->f->row_at[k]]; st == FMB_OK && t >= 0; t = u->multiplier[t].before)
+        st = put_sweep_term(&e->f->lower, arena, low, u->multiplier[t].pivot,
+                            u->multiplier[t].value.residue);
     return st;
 }
 
-static fmb_status write_factors(const peeling *p, fmb_arena *arena, const fmb_nucleus *u,
-                                const int *columns)
+static fmb_status write_factors(const elimination *e, fmb_arena *arena, size_t terms)
 {
-    fmb_modular_lu *f = p->f;
-    size_t low = 0, up = 0, dense = p->pivots + (size_t)u->sparse.pivots, terms = p->a->start[f->n];
+    fmb_modular_lu *f = e->f;
+    size_t low = 0, up = 0, sparse = (size_t)e->sparse.pivots;
     fmb_status st = fmb_sweep_open(&f->lower, arena, f->n, terms, false);
     if (st == FMB_OK)
         st = fmb_sweep_open(&f->upper, arena, f->n, terms, true);
     for (size_t k = 0; st == FMB_OK && k < f->n; k++) {
         f->lower.scale[k] = f->upper.scale[k] = 1;
         if (k < f->rank)
-            st = write_given_terms(p, arena, k, &low, &up);
-        if (st == FMB_OK && k >= p->pivots && k < f->rank) {
-            bool sparse = k < dense;
-            size_t s = sparse ? k - p->pivots : k - dense;
-            int row = sparse ? u->sparse.row_at[s] : u->dense.row[s];
-            st = write_multipliers(f, arena, u, row, p->pivots, &low);
-            if (st == FMB_OK)
-                st = sparse ? write_sparse_upper(f, arena, u, (int)s, columns, k, &up)
-                            : write_dense_row(f, arena, u, s, columns, dense, &low, &up);
-        }
+            st = write_multipliers(e, arena, k, &low);
+        if (st == FMB_OK && k < sparse)
+            st = write_sparse_upper(e, arena, k, &up);
+        else if (st == FMB_OK && k < f->rank)
+            st = write_dense_row(e, arena, k - sparse, &low, &up);
         f->lower.start[k + 1] = low;
         f->upper.start[k + 1] = up;
     }
     return st;
-}
-
-/* See modular_lu.h. */
-static void order_turns(const peeling *p)
-{
-    fmb_modular_lu *f = p->f;
-    size_t turns = 0;
-    f->is_triangular = p->pivots == f->n;
-    for (size_t k = 0; f->is_triangular && k < f->n; k++)
-        if (p->by_row[k])
-            f->turn[turns++] = (int)k;
-    for (size_t k = f->n; f->is_triangular && k-- > 0;)
-        if (!p->by_row[k])
-            f->turn[turns++] = (int)k;
 }
 
 /* ---- the whole ------------------------------------------------------------------------------- */
@@ -332,22 +265,17 @@ static fmb_status open_lu(fmb_modular_lu *f, fmb_arena *arena, size_t n)
 fmb_status fmb_modular_lu_factor(fmb_modular_lu *f, fmb_run *run, fmb_arena *lasting,
                                  fmb_arena *passing, const fmb_sparse *a, const fmb_prime *q)
 {
-    peeling p = {.a = a, .f = f, .q = q};
-    fmb_nucleus u;
-    int *rows, *columns;
+    elimination e = {.f = f, .q = q};
+    bool whole;
     fmb_status st = open_lu(f, lasting, a->n);
     if (st == FMB_OK)
-        st = open_peeling(&p, passing);
-    if (st != FMB_OK)
-        return st;
-    count_entries_to_peel(&p);
-    peel_all_pivots(&p);
-    order_turns(&p);
-    st = load_nucleus(&p, &u, run, passing, &rows, &columns);
+        st = load_residues(&e, run, passing, a, &whole);
     if (st == FMB_OK)
-        st = fmb_nucleus_factor(&u);
+        st = take_sparse_pivots(&e, whole);
+    if (st == FMB_OK)
+        st = factor_dense_rest(&e);
     if (st != FMB_OK)
         return st;
-    place_all_pivots(f, &u, p.pivots, rows, columns);
-    return write_factors(&p, lasting, &u, columns);
+    place_all_pivots(&e);
+    return write_factors(&e, lasting, a->start[a->n]);
 }

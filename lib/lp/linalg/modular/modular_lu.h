@@ -1,16 +1,16 @@
 /* modular_lu.h: sparse LU factors modulo p of a square matrix of integers, with rank.
  *
- * Bases of linear programs are nearly triangular. So a row with one entry in what is left is taken
- * first, or a column: neither makes new entries, and nothing is computed. What has neither is the
- * nucleus (nucleus.h).
+ * Pivots are taken by Markowitz's rule (markowitz.h) while there are zeros enough, and as long as one
+ * is alone in its row or column: bases of linear programs are nearly triangular. What is left is
+ * dense, and factored as such (dense_lu.h).
  *
  * Order: pivot k stands in row row_at[k] and column column_at[k]; in that order the matrix is lower
  * times upper. Pivots from `rank` on are none: rows that depend on others, beside columns left
  * over. They are factored as if row row_at[k] were the unit vector of column_at[k].
  *
- * A row that is peeled by itself names columns peeled by rows before it and its own; one that goes
- * with its column, any. So if all are peeled, the matrix is triangular in the order of `turn`: by
- * rows, in order, then by columns, backwards.
+ * A pivot that is alone in its row, when it is taken, names columns of such pivots before it and its
+ * own; one that is alone in its column, any. So if all pivots are of these kinds, the matrix is
+ * triangular in the order of `turn`: those of rows, in order, then those of columns, backwards.
  */
 #ifndef FMB_LP_MODULAR_LU_H
 #define FMB_LP_MODULAR_LU_H
@@ -24,7 +24,7 @@ typedef struct fmb_modular_lu {
     int *row_at, *column_at;       /* [n] */
     int *row_place, *column_place; /* [n] the inverse of these */
     fmb_sweep lower, upper;
-    bool is_triangular; /* all pivots were peeled */
+    bool is_triangular; /* all pivots were alone */
     int *turn;          /* [n] then: pivots in the order in which unknowns are solved for */
 } fmb_modular_lu;
 
