@@ -8,6 +8,7 @@
  * NULL; what a structure of the caller's holds goes by its *_clear. Nothing takes over an argument.
  * Out arguments are untouched unless FMB_OK is returned. Why an object refused arguments (ARG) is
  * told by its *_trouble, in one line.
+ *
  * Texts: what a function *_write writes to a stream, its twin *_print writes to memory; what *_read
  * reads from a stream, *_parse (or *_from_text) reads from memory. Each *_print(..., text, size,
  * &length) tells how many bytes there are, and writes them with a NUL behind only if size is more

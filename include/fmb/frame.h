@@ -12,6 +12,7 @@
 extern "C" {
 #endif
 
+/* What a frame is, by the coordinates c of its points along its edges. */
 typedef enum fmb_shape {
     FMB_CUBOID = 0, /* 0 <= c_i <= 1 */
     FMB_SIMPLEX,    /* 0 <= c_i, sum c_i <= 1 */

@@ -16,8 +16,10 @@
 extern "C" {
 #endif
 
+/* What a generator is. */
 typedef enum fmb_generator_kind { FMB_VERTEX = 0, FMB_RAY, FMB_LINE } fmb_generator_kind;
 
+/* A list of generators of one dimension. */
 typedef struct fmb_generators fmb_generators;
 
 /* [give] No generators yet: the empty set. Errors: ARG (dim < 0, out NULL), MEMORY. */
@@ -34,6 +36,7 @@ FMB_API FMB_CHECKED fmb_status fmb_generators_add(fmb_generators *g, fmb_generat
  * was, and for NULL. Good until the next addition. */
 FMB_API const char *fmb_generators_trouble(const fmb_generators *g);
 
+/* Dimension; number of generators. Of NULL both are 0. */
 FMB_API int fmb_generators_dim(const fmb_generators *g);
 FMB_API size_t fmb_generators_size(const fmb_generators *g);
 /* The i-th; VERTEX where there is none. */

@@ -14,6 +14,7 @@
 extern "C" {
 #endif
 
+/* How a text describes a system; docs/formats.md tells of each. */
 typedef enum fmb_format {
     FMB_FORMAT_AUTO = 0, /* reading only: by name, else by content */
     FMB_FORMAT_TEXT,     /* .fmb */

@@ -21,6 +21,7 @@ extern "C" {
 
 /* ---- meshes ---------------------------------------------------------------------------------- */
 
+/* A mesh. It never changes once it is made, so threads may share it. */
 typedef struct fmb_mesh fmb_mesh;
 
 /* Most vertices, and most cells. */
@@ -116,6 +117,7 @@ typedef enum fmb_mesh_how {
 /* "apart", "share", "touch", "cross", "coplanar" */
 FMB_API const char *fmb_mesh_how_text(fmb_mesh_how h);
 
+/* Two cells that meet. */
 typedef struct fmb_mesh_hit {
     uint32_t a, b;    /* cells: of the first and of the second mesh; of one mesh, a < b */
     int shared;       /* vertices in common: equal points, whatever their numbers */
@@ -144,6 +146,7 @@ typedef struct fmb_mesh_options {
  * against itself a motion is refused, too. */
 FMB_API size_t fmb_mesh_options_trouble(const fmb_mesh_options *o, char *text, size_t size);
 
+/* Which cells meet. */
 typedef struct fmb_mesh_answer {
     size_t size; /* sizeof(fmb_mesh_answer) */
     size_t hits;

@@ -11,12 +11,14 @@
 extern "C" {
 #endif
 
+/* Numbers in which rows are kept. */
 typedef enum fmb_arith {
     FMB_ARITH_AUTO = 0, /* the best for the question; today the same as INT */
     FMB_ARITH_INT,      /* int64 rows, each widening to 128 bits and GMP when it must */
     FMB_ARITH_GMP       /* GMP rows from the start */
 } fmb_arith;
 
+/* How a question is answered. */
 typedef enum fmb_method {
     FMB_METHOD_AUTO = 0, /* by size and question */
     FMB_METHOD_FM,       /* elimination only (fmb_project and fmb_reduce still ask the oracle) */
@@ -67,6 +69,7 @@ typedef enum fmb_evidence_kept {
                              long: points or directions for each vertex, ray and line */
 } fmb_evidence_kept;
 
+/* How to solve. All zeros but the size are the defaults. */
 typedef struct fmb_options {
     size_t size; /* sizeof(fmb_options) */
     fmb_arith arith;

@@ -16,11 +16,13 @@
 extern "C" {
 #endif
 
+/* How verdicts on pairs are found. */
 typedef enum fmb_pair_method {
     FMB_PAIR_FMB = 0, /* Fourier-Motzkin elimination in doubles, then exact */
     FMB_PAIR_EXACT    /* nothing but exact */
 } fmb_pair_method;
 
+/* How pairs are asked. All zeros but the size are the defaults. */
 typedef struct fmb_pair_options {
     size_t size; /* sizeof(fmb_pair_options) */
     fmb_contact contact;
@@ -55,6 +57,7 @@ typedef struct fmb_pair_answers {
     double *witness; /* [n][dim] a common point */
 } fmb_pair_answers;
 
+/* How many pairs were asked, and how many of them exactly. */
 typedef struct fmb_pair_counts {
     size_t size;             /* sizeof(fmb_pair_counts) */
     uint64_t pairs;          /* asked so far */

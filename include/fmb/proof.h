@@ -15,8 +15,10 @@
 extern "C" {
 #endif
 
+/* A list of claims about a system, with the numbers that prove them. */
 typedef struct fmb_evidence fmb_evidence;
 
+/* What a claim says, and which numbers prove it. */
 typedef enum fmb_claim_kind {
     FMB_CLAIM_NONE = 0,
     FMB_CLAIM_FEASIBLE,    /* point: satisfies every row */
@@ -37,6 +39,7 @@ typedef enum fmb_claim_kind {
                          multipliers come by number of the claim */
 } fmb_claim_kind;
 
+/* NULL is fine. */
 FMB_API void fmb_evidence_free(fmb_evidence *e);
 /* Number of claims, and the kind of claim i. Where there is no claim i, or no number of it, here
  * and below: NONE, SIZE_MAX for a row, -1 for a variable, and 0. */

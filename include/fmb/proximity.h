@@ -28,6 +28,7 @@ typedef enum fmb_norm {
     FMB_NORM_MAX /* its largest coordinate, without sign */
 } fmb_norm;
 
+/* A distance or a depth, and what shows it. */
 typedef struct fmb_proximity fmb_proximity;
 
 /* [give] How near the frames come, and two points where they do; the verdict is FEASIBLE if they
@@ -43,6 +44,7 @@ FMB_API FMB_CHECKED fmb_status fmb_distance(fmb_solver *v, const fmb_frame *f, f
 FMB_API FMB_CHECKED fmb_status fmb_depth(fmb_solver *v, const fmb_frame *f, fmb_norm norm,
                                          fmb_proximity **out, fmb_result *res);
 
+/* NULL is fine. */
 FMB_API void fmb_proximity_free(fmb_proximity *p);
 
 /* Of NULL, and of a coordinate that is none, all of these are 0. */

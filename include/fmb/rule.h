@@ -29,6 +29,7 @@ extern "C" {
  * column, and true for fmb_view_stop and fmb_view_minimal. */
 typedef struct fmb_view fmb_view;
 
+/* What kind of a rule it is. */
 typedef enum fmb_rule_flag {
     FMB_RULE_NEEDS_HISTORY = 1,  /* reads histories */
     FMB_RULE_BREAKS_HISTORY = 2, /* drops rows for reasons other than histories: re-base after it */
@@ -100,6 +101,7 @@ FMB_API size_t fmb_view_uppers(const fmb_view *w);
 FMB_API size_t fmb_view_lower(const fmb_view *w, size_t i);
 FMB_API size_t fmb_view_upper(const fmb_view *w, size_t j);
 
+/* Relation of a row; the sign of its entry in a column. */
 FMB_API fmb_rel fmb_view_rel(const fmb_view *w, size_t row);
 FMB_API int fmb_view_sign(const fmb_view *w, size_t row, int col); /* -1, 0, 1; col = dim: of b */
 /* The dim coefficients and the right side, or NULL if they do not fit. Any size: fmb_view_get in

@@ -21,10 +21,14 @@
 extern "C" {
 #endif
 
+/* Options, workspace, and the last answer. */
 typedef struct fmb_solver fmb_solver;
+/* Intervals of variables. */
 typedef struct fmb_box fmb_box;
+/* The best value of a form, and where it is reached. */
 typedef struct fmb_optimum fmb_optimum;
 
+/* What a query took. */
 typedef struct fmb_stats {
     uint64_t rounds;       /* variables eliminated by pairing rows */
     uint64_t pairs;        /* pairs of rows looked at */
@@ -39,6 +43,7 @@ typedef struct fmb_stats {
     double seconds;        /* wall clock [s] */
 } fmb_stats;
 
+/* How a query ended. */
 typedef struct fmb_result {
     size_t size;         /* sizeof(fmb_result) */
     fmb_verdict verdict; /* the answer; of all other verbs: is the system feasible */
@@ -145,6 +150,7 @@ FMB_API size_t fmb_solver_conflict_multiplier_text(const fmb_solver *v, size_t k
 
 /* ---- boxes ----------------------------------------------------------------------------------- */
 
+/* What is known of an end. */
 typedef enum fmb_end_kind {
     FMB_END_UNKNOWN = 0,
     FMB_END_FINITE,
@@ -175,6 +181,7 @@ FMB_API FMB_CHECKED fmb_status fmb_box_ends(const fmb_box *b, double *lower, dou
 
 /* ---- optima ---------------------------------------------------------------------------------- */
 
+/* NULL is fine. */
 FMB_API void fmb_optimum_free(fmb_optimum *o);
 /* Which way the form was to go; NONE for NULL. */
 FMB_API fmb_sense fmb_optimum_sense(const fmb_optimum *o);

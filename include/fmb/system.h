@@ -14,6 +14,7 @@
 extern "C" {
 #endif
 
+/* A system. */
 typedef struct fmb_system fmb_system;
 
 /* The most variables of a system: names and marks take some 70 bytes each, asked for or not. */

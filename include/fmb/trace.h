@@ -8,6 +8,7 @@
 extern "C" {
 #endif
 
+/* What happened. */
 typedef enum fmb_event_kind {
     FMB_EVENT_BEGIN = 0, /* name: the query */
     FMB_EVENT_ROUND,     /* a variable was eliminated: after the events of its rules and rows */
@@ -56,6 +57,7 @@ typedef struct fmb_attempt {
     uint64_t left;     /* steps that it thought it would need yet, when it was asked; 0: no idea */
 } fmb_attempt;
 
+/* Something that happened in a query; members that its kind says nothing of are 0 or NULL. */
 typedef struct fmb_event {
     fmb_event_kind kind;
     int round, var; /* var: just eliminated, -1 if none */
@@ -70,6 +72,7 @@ typedef struct fmb_event {
     double seconds;             /* since the query began [s] */
 } fmb_event;
 
+/* Who watches a query: put is told of every event, by the thread of the query. */
 typedef struct fmb_sink {
     void (*put)(void *self, const fmb_event *e); /* NULL: silent */
     void *self;
