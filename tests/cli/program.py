@@ -69,7 +69,7 @@ with tempfile.TemporaryDirectory() as name:
         try_program(scratch, "static", ["-static", *flags], scratch)
 
     installed = {p.name for p in home.rglob("*") if p.is_file() or p.is_symlink()}
-    wanted = {"fmb", "fmb.h", "gmp.h", "libfmb.a", "libfmb.so", "fmb.1", "fmb.pc", "LICENSE",
+    wanted = {"fmb", "fmb.h", "gmp.h", "libfmb.a", "libfmb.so", "fmb.1", "fmb_solve.3", "fmb.pc", "LICENSE",
               "theory.md", "breakfast.fmb", "same_rows.c", "_fmb", "fmb.fish"}
     assert wanted <= installed, f"not installed: {wanted - installed}"
 print("built, installed" + ", static" * static + ": the program says", expected.strip())

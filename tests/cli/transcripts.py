@@ -9,9 +9,10 @@
 
 All blocks of a file run in one fresh folder that holds copies of the files in the folders given;
 bash runs each command. An exit code of 0 is not shown. --rewrite writes what came back into the
-file. FMB_UNDER is put in front of fmb ("valgrind -q").
+file. FMB_UNDER is put in front of fmb ("valgrind -q"). A folder in the place of a FILE means all of
+its documents that have such blocks; these find what lies beside them, too.
 
-usage: transcripts.py [--rewrite] FMB FOLDER,FOLDER FILE...
+usage: transcripts.py [--rewrite] FMB FOLDER,FOLDER FILE|FOLDER...
 """
 
 import difflib
@@ -74,13 +75,23 @@ def play_file(document, fmb, folders):
         return text, BLOCK.sub(lambda m: m[1] + play_block(m[2], folder, path) + m[3], text)
 
 
+def documents(paths, folders):
+    """Each document, and the folders whose files it finds."""
+    for path in map(pathlib.Path, paths):
+        if not path.is_dir():
+            yield path, folders
+        for document in sorted(path.rglob("*.md")) if path.is_dir() else ():
+            if BLOCK.search(document.read_text()):
+                yield document, [*folders, document.parent]
+
+
 def main():
     arguments = sys.argv[1:]
     rewrite = arguments[0] == "--rewrite"
-    fmb, folders, *documents = arguments[rewrite:]
+    fmb, folders, *paths = arguments[rewrite:]
     failed = False
-    for document in map(pathlib.Path, documents):
-        expected, found = play_file(document, fmb, folders.split(","))
+    for document, known in documents(paths, folders.split(",")):
+        expected, found = play_file(document, fmb, known)
         if not BLOCK.search(expected):
             print(f"{document}: no console blocks")
             failed = True

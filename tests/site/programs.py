@@ -1,0 +1,63 @@
+"""Programs in the pages of the site do what they show, each page in a fresh folder that holds the examples
+and what lies beside the page. A block of Python is an example in the manner of doctest; all blocks of a page
+see the names of those before. Blocks of other languages are played elsewhere (console: transcripts.py), or
+are no programs: a language that is not known here is a fault.
+
+usage: programs.py ROOT BUILD
+"""
+
+import doctest
+import os
+import pathlib
+import re
+import shutil
+import sys
+import tempfile
+
+# What is shown, and not run: texts, formats of files, and commands that install something.
+SHOWN = {"text", "sh", "json", "fmb", "proof", "smt2", "cmake", "meson", "bibtex", "diff"}
+PLAYED = {"console"}
+FENCE = re.compile(r"^(`{3,})(\S*)\n(.*?)^\1\n", re.M | re.S)
+
+root, build = (pathlib.Path(name).resolve() for name in sys.argv[1:])
+sys.path.insert(0, str(build / "bindings/python"))
+
+
+def examples(page):
+    """The examples of a page, as one test; each knows its line."""
+    text, parts = page.read_text(), []
+    for _, language, code in FENCE.findall(text):
+        if language == "python":
+            parts.append(code if ">>>" in code else "".join(
+                f"{'...' if line[:1] in (' ', ')', ']', '}') else '>>>'} {line}\n" for line in code.splitlines() if line))
+        elif language not in SHOWN | PLAYED and not language.startswith("{"):
+            sys.exit(f"{page}: blocks of {language or 'no language'} are not known here")
+    return doctest.DocTestParser().get_doctest("\n".join(parts), {}, str(page.relative_to(root)), str(page), 0)
+
+
+def run(test, page):
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name, "here")
+        shutil.copytree(root / "docs/examples", folder)
+        shutil.copytree(page.parent, folder, dirs_exist_ok=True)
+        os.chdir(folder)
+        runner = doctest.DocTestRunner(optionflags=doctest.NORMALIZE_WHITESPACE)
+        runner.run(test)
+        os.chdir(root)
+        return runner.summarize(verbose=False)
+
+
+def main():
+    os.environ["MPLBACKEND"] = "Agg"
+    failed = asked = 0
+    for page in sorted((root / "docs/site").rglob("*.md")):
+        test = examples(page)
+        if test.examples:
+            result = run(test, page)
+            failed, asked = failed + result.failed, asked + result.attempted
+    print(f"{asked} examples, {failed} failed")
+    sys.exit(bool(failed) or not asked)
+
+
+if __name__ == "__main__":
+    main()
