@@ -4,7 +4,7 @@
 
 #include <argp.h>
 
-#include "study/judge/validate.h"
+#include "study/reference/validate.h"
 
 /* The pairs of one case and one family: a line of the table. */
 typedef struct validate_job {

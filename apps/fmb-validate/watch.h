@@ -2,7 +2,7 @@
 #ifndef VALIDATE_WATCH_H
 #define VALIDATE_WATCH_H
 
-#include "study/judge/validate.h"
+#include "study/reference/validate.h"
 
 enum { VALIDATE_MOST_THREADS = 256 };
 

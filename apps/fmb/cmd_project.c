@@ -4,7 +4,7 @@
 #include "common/message.h"
 #include "fmb/commands.h"
 #include "fmb/integers.h"
-#include "fmb/shadow.h"
+#include "fmb/projection.h"
 #include "fmb/variables.h"
 
 enum { KEY_KEEP = 0x200, KEY_ELIMINATE, KEY_TO, KEY_CLASSES };
@@ -130,30 +130,32 @@ static int find_symmetries(app_session *s, task *t)
 }
 
 /* Classes under symmetries of the answer, which a file tells. */
-static int report_classes_of_file(const app_session *s, const request *r, const fmb_system *shadow)
+static int report_classes_of_file(const app_session *s, const request *r,
+                                  const fmb_system *projection)
 {
-    int n = fmb_system_dim(shadow);
+    int n = fmb_system_dim(projection);
     fmb_permutations *symmetries = NULL;
     int *all = app_need(malloc(((size_t)n + 1) * sizeof *all));
     for (int j = 0; j < n; j++)
         all[j] = j;
-    int code =
-        app_source_read_symmetries(&s->ask->source, r->classes_file, shadow, all, n, &symmetries);
+    int code = app_source_read_symmetries(&s->ask->source, r->classes_file, projection, all, n,
+                                          &symmetries);
     if (code == APP_YES)
-        code = app_classes_report(s, shadow, symmetries, all, n);
+        code = app_classes_report(s, projection, symmetries, all, n);
     fmb_permutations_free(symmetries);
     free(all);
     return code;
 }
 
-static int report(app_session *s, const request *r, task *t, const fmb_system *shadow)
+static int report(app_session *s, const request *r, task *t, const fmb_system *projection)
 {
     if (!r->classes)
-        return app_shadow_report(s, shadow, r->to ? r->to : app_source_written(&s->ask->source));
+        return app_projection_report(s, projection,
+                                     r->to ? r->to : app_source_written(&s->ask->source));
     if (r->classes_file)
-        return report_classes_of_file(s, r, shadow);
+        return report_classes_of_file(s, r, projection);
     int code = find_symmetries(s, t);
-    return code == APP_YES ? app_classes_report(s, shadow, t->symmetries, t->vars, t->n) : code;
+    return code == APP_YES ? app_classes_report(s, projection, t->symmetries, t->vars, t->n) : code;
 }
 
 int cmd_project(int argc, char **argv)
@@ -165,7 +167,7 @@ int cmd_project(int argc, char **argv)
         ask.options.evidence = FMB_EVIDENCE_WHOLE;
     app_session s;
     task t = {0};
-    fmb_system *shadow = NULL;
+    fmb_system *projection = NULL;
     int code = app_session_open(&s, &ask);
     if (code == 0 && !r.classes)
         code = app_ask_exact_rows(&ask);
@@ -176,12 +178,12 @@ int cmd_project(int argc, char **argv)
     if (code == 0) {
         app_integers_note(&s);
         app_session_begin(&s);
-        fmb_status st = fmb_project(s.solver, s.system, t.vars, t.n, &shadow, &s.result);
+        fmb_status st = fmb_project(s.solver, s.system, t.vars, t.n, &projection, &s.result);
         code = app_session_end(&s, st);
     }
     if (code == 0)
-        code = report(&s, &r, &t, shadow);
-    fmb_system_free(shadow);
+        code = report(&s, &r, &t, projection);
+    fmb_system_free(projection);
     fmb_permutations_free(t.symmetries);
     free(t.vars);
     return app_session_close(&s, code);

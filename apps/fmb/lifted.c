@@ -9,7 +9,7 @@
 #include "common/nearest.h"
 #include "common/text.h"
 #include "fmb/integers.h"
-#include "fmb/shadow.h"
+#include "fmb/projection.h"
 
 enum { KEY_TO = 0x200, KEY_LIFTED };
 
@@ -287,7 +287,7 @@ int app_lifted_run(const app_lifted *command, int argc, char **argv)
     if (code == APP_YES)
         code = ask(&s, &r, &p, &out);
     if (code == APP_YES)
-        code = app_shadow_report(&s, out, format_of_answer(&r, &p));
+        code = app_projection_report(&s, out, format_of_answer(&r, &p));
     fmb_system_free(out);
     close_polyhedra(&p);
     return app_session_close(&s, code);

@@ -5,7 +5,7 @@
 #include "common/message.h"
 #include "fmb-qualify/scaling/scaling.h"
 #include "fmb-qualify/watch.h"
-#include "study/judge/judge.h"
+#include "study/reference/reference.h"
 #include "study/rivals/aabb.h"
 
 enum {
@@ -142,21 +142,21 @@ static fmb_status system_of(const placed *g, size_t i, fmb_system **s)
 /* All verdicts against the oracle, whose evidence the checker accepted. */
 static fmb_status check_verdicts(const placed *g, scaling_cell *out)
 {
-    study_judge judge;
-    fmb_status st = study_judge_open(&judge, 0);
+    study_reference judge;
+    fmb_status st = study_reference_open(&judge, 0);
     for (size_t i = 0; st == FMB_OK && i < g->drawn.n && out->complete; i++) {
         fmb_system *s = NULL;
         fmb_verdict truth = FMB_UNKNOWN;
         out->complete = qualify_watch_step_within(NULL, i, 2 * g->drawn.n);
         st = system_of(g, i, &s);
         if (st == FMB_OK)
-            st = study_judge_verdict(&judge, s, &truth);
+            st = study_reference_verdict(&judge, s, &truth);
         fmb_system_free(s);
         out->wrong += st == FMB_OK && truth != g->verdict[i];
         out->checked++;
     }
     out->wrong += judge.rejected;
-    study_judge_close(&judge);
+    study_reference_close(&judge);
     return st;
 }
 

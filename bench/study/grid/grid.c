@@ -9,13 +9,13 @@
 
 enum { MOST_PASSES = 9 };
 
-/* How long the judge may think about one question [s]. */
-static const double JUDGE_SECONDS = 20;
+/* How long the reference may think about one question [s]. */
+static const double REFERENCE_SECONDS = 20;
 
 /* What runs while a study runs. */
 typedef struct bench {
     study_grid *g;
-    study_judge judge;
+    study_reference reference;
     study_engine *engine; /* [ways] */
     size_t done, all;     /* steps */
 } bench;
@@ -94,7 +94,7 @@ static fmb_status draw_sample(bench *b, study_sample *sample)
         fmb_verdict truth;
         st = study_draw(rng, &sample->class, &s);
         if (st == FMB_OK)
-            st = study_judge_verdict(&b->judge, s, &truth);
+            st = study_reference_verdict(&b->reference, s, &truth);
         bool fits = st == FMB_OK && (truth == FMB_FEASIBLE) == sample->class.meets;
         if (fits)
             st = put_drawn(sample, s, truth);
@@ -105,7 +105,7 @@ static fmb_status draw_sample(bench *b, study_sample *sample)
     return st;
 }
 
-static fmb_status judge_sample(bench *b, size_t k)
+static fmb_status answer_sample(bench *b, size_t k)
 {
     fmb_status st = FMB_OK;
     const study_sample *sample = &b->g->sample[k];
@@ -114,9 +114,9 @@ static fmb_status judge_sample(bench *b, size_t k)
         if (!is_mine(b->g, k, i))
             continue;
         if (c->truth == FMB_UNKNOWN)
-            st = study_judge_verdict(&b->judge, c->s, &c->truth);
-        if (st == FMB_OK && !c->shadow)
-            st = study_judge_shadow(&b->judge, c->s, c->keep, c->kept, &c->shadow);
+            st = study_reference_verdict(&b->reference, c->s, &c->truth);
+        if (st == FMB_OK && !c->projection)
+            st = study_reference_projection(&b->reference, c->s, c->keep, c->kept, &c->projection);
     }
     return st;
 }
@@ -128,12 +128,12 @@ static fmb_status prepare(bench *b)
     g->most = 1;
     for (size_t k = 0; st == FMB_OK && k < g->samples; k++) {
         study_sample *sample = &g->sample[k];
-        if (!go_on(b, b->judge.oracle))
+        if (!go_on(b, b->reference.oracle))
             break;
         if (!sample->file)
             st = draw_sample(b, sample);
         if (st == FMB_OK)
-            st = judge_sample(b, k);
+            st = answer_sample(b, k);
         g->most = sample->size > g->most ? sample->size : g->most;
         g->prepared = k + 1;
     }
@@ -144,20 +144,20 @@ static fmb_status prepare(bench *b)
 
 static fmb_status count_one(bench *b, size_t way, const study_case *c, study_run *run)
 {
-    fmb_system *shadow;
+    fmb_system *projection;
     char *words = NULL;
     const int *keep = c->truth == FMB_INFEASIBLE ? NULL : c->keep;
-    fmb_status st = study_engine_count(&b->engine[way], c->s, keep, c->kept, run, &shadow);
+    fmb_status st = study_engine_count(&b->engine[way], c->s, keep, c->kept, run, &projection);
     bool decided = st == FMB_OK && run->outcome == STUDY_DECIDED;
     bool wrong = decided && c->truth != FMB_UNKNOWN && run->verdict != c->truth;
-    if (decided && !wrong && shadow && c->shadow) {
-        st = study_judge_words(&b->judge, shadow, &words);
-        wrong = st == FMB_OK && words && strcmp(words, c->shadow) != 0;
+    if (decided && !wrong && projection && c->projection) {
+        st = study_reference_words(&b->reference, projection, &words);
+        wrong = st == FMB_OK && words && strcmp(words, c->projection) != 0;
     }
     if (wrong)
         run->outcome = STUDY_WRONG;
     free(words);
-    fmb_system_free(shadow);
+    fmb_system_free(projection);
     return st;
 }
 
@@ -272,20 +272,20 @@ fmb_status study_grid_run(study_grid *g)
     for (size_t k = 0; k < g->samples; k++)
         b.all += 1 + (g->sample[k].file ? g->sample[k].size : g->per_class) * g->ways *
                          (size_t)(1 + g->passes);
-    fmb_status st = study_judge_open(&b.judge, JUDGE_SECONDS);
+    fmb_status st = study_reference_open(&b.reference, REFERENCE_SECONDS);
     if (st == FMB_OK)
         st = open_engines(&b);
     if (st == FMB_OK)
         st = prepare(&b);
     if (st == FMB_OK)
         st = run_samples(&b);
-    g->rejected = b.judge.rejected;
+    g->rejected = b.reference.rejected;
     if (g->running)
         *g->running = NULL;
     for (size_t w = 0; b.engine && w < g->ways; w++)
         study_engine_close(&b.engine[w]);
     free(b.engine);
-    study_judge_close(&b.judge);
+    study_reference_close(&b.reference);
     return st;
 }
 
@@ -295,7 +295,7 @@ void study_grid_clear(study_grid *g)
         for (size_t i = 0; i < g->sample[k].size; i++) {
             fmb_system_free(g->sample[k].item[i].s);
             free(g->sample[k].item[i].keep);
-            free(g->sample[k].item[i].shadow);
+            free(g->sample[k].item[i].projection);
         }
         free(g->sample[k].item);
     }

@@ -9,13 +9,13 @@
 
 #include "study/draw/draw.h"
 #include "study/grid/run.h"
-#include "study/judge/judge.h"
+#include "study/reference/reference.h"
 
 typedef struct study_case {
     fmb_system *s;
     int *keep, kept;   /* variables to project on */
-    fmb_verdict truth; /* FMB_UNKNOWN: the judge will say */
-    char *shadow;      /* what the projection is (judge.h); NULL: the judge will say */
+    fmb_verdict truth; /* FMB_UNKNOWN: the reference will say */
+    char *projection;  /* what the projection is (reference.h); NULL: the reference will say */
 } study_case;
 
 typedef struct study_sample {
@@ -47,9 +47,9 @@ typedef struct study_grid {
     bool *known;     /* [ways] every rule of it exists */
     study_run *run;  /* [samples][most][ways] */
     size_t most;     /* systems in the largest sample */
-    size_t prepared; /* samples that are drawn and judged */
+    size_t prepared; /* samples that are drawn and answered */
     size_t complete; /* samples that all ways have gone through */
-    size_t rejected; /* answers of the judge that the checker did not accept */
+    size_t rejected; /* answers of the reference that the checker did not accept */
 } study_grid;
 
 /* Append an empty sample. Errors: MEMORY. */

@@ -81,10 +81,10 @@ void study_engine_close(study_engine *e)
 }
 
 fmb_status study_engine_count(study_engine *e, const fmb_system *s, const int *keep, int n,
-                              study_run *run, fmb_system **shadow)
+                              study_run *run, fmb_system **projection)
 {
     fmb_result r = {.size = sizeof r};
-    *shadow = NULL;
+    *projection = NULL;
     if (e->by_fmplex) {
         run->outcome = STUDY_REFUSED;
         return FMB_OK;
@@ -92,7 +92,7 @@ fmb_status study_engine_count(study_engine *e, const fmb_system *s, const int *k
     e->run = run;
     fmb_solver_set_sink(e->counting, (fmb_sink){put, e});
     fmb_status st =
-        keep ? fmb_project(e->counting, s, keep, n, shadow, &r) : fmb_solve(e->counting, s, &r);
+        keep ? fmb_project(e->counting, s, keep, n, projection, &r) : fmb_solve(e->counting, s, &r);
     if (st == FMB_ERR_RULE) {
         run->outcome = STUDY_REFUSED;
         return FMB_OK;

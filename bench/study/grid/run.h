@@ -32,7 +32,7 @@ typedef enum study_outcome {
     STUDY_DECIDED,
     STUDY_STOPPED, /* by a limit */
     STUDY_REFUSED, /* the rules cannot work here, or not together */
-    STUDY_WRONG    /* not what the judge says */
+    STUDY_WRONG    /* not what the reference says */
 } study_outcome;
 
 typedef struct study_run {
@@ -64,10 +64,10 @@ fmb_status study_engine_open(study_engine *e, const study_way *way, const study_
                              study_names *names);
 void study_engine_close(study_engine *e);
 
-/* [give] Eliminate all but keep[0..n) and fill in that part of the run; *shadow is NULL unless it
- * was decided. With keep NULL: all variables, until a row says 0 <= -1 if one does. */
+/* [give] Eliminate all but keep[0..n) and fill in that part of the run; *projection is NULL unless
+ * it was decided. With keep NULL: all variables, until a row says 0 <= -1 if one does. */
 fmb_status study_engine_count(study_engine *e, const fmb_system *s, const int *keep, int n,
-                              study_run *run, fmb_system **shadow);
+                              study_run *run, fmb_system **projection);
 /* Decide s by elimination and fill in the rest. truth may be FMB_UNKNOWN. */
 fmb_status study_engine_time(study_engine *e, const fmb_system *s, fmb_verdict truth,
                              study_run *run);

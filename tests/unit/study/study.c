@@ -129,7 +129,7 @@ Test(study, fmplex)
 }
 
 /* A system with a lie about its answer. */
-static void put_lie(study_sample *sample, fmb_verdict truth, const char *shadow)
+static void put_lie(study_sample *sample, fmb_verdict truth, const char *projection)
 {
     const int64_t row[] = {1, 1};
     fmb_system *s = NULL;
@@ -139,7 +139,7 @@ static void put_lie(study_sample *sample, fmb_verdict truth, const char *shadow)
     must(fmb_system_add_int(s, row, FMB_LE, 1));
     must(study_sample_put(sample, s, keep, 1));
     sample->item[sample->size - 1].truth = truth;
-    sample->item[sample->size - 1].shadow = shadow ? strdup(shadow) : NULL;
+    sample->item[sample->size - 1].projection = projection ? strdup(projection) : NULL;
 }
 
 Test(study, wrong_answers_are_found)
@@ -168,14 +168,14 @@ Test(study, words_of_projections)
     static const int64_t row[][3] = {{2, 0, 0}, {-1, 0, 0}, {0, 3, 0}, {0, -1, 0}};
     const int keep[] = {0, 1};
     char *words[3] = {NULL, NULL, NULL};
-    study_judge j;
-    must(study_judge_open(&j, 0));
+    study_reference j;
+    must(study_reference_open(&j, 0));
     for (int k = 0; k < 3; k++) {
         fmb_system *s = NULL;
         must(fmb_system_new(3, NULL, &s));
         for (int i = 0; i < 4; i++)
             must(fmb_system_add_int(s, row[k == 1 ? 3 - i : i], FMB_LE, k == 2 ? 6 : 3));
-        must(study_judge_shadow(&j, s, keep, 2, &words[k]));
+        must(study_reference_projection(&j, s, keep, 2, &words[k]));
         fmb_system_free(s);
     }
     cr_expect_str_eq(words[0], words[1]);
@@ -183,7 +183,7 @@ Test(study, words_of_projections)
     cr_expect_eq(j.rejected, 0);
     for (int k = 0; k < 3; k++)
         free(words[k]);
-    study_judge_close(&j);
+    study_reference_close(&j);
 }
 
 static bool never(void *self, size_t done, size_t steps)

@@ -5,9 +5,9 @@
 
 #include <fmb/solve.h>
 
-#include "study/judge/ends.h"
-#include "study/judge/truth.h"
-#include "study/judge/validate.h"
+#include "study/reference/ends.h"
+#include "study/reference/truth.h"
+#include "study/reference/validate.h"
 #include "support/must.h"
 
 /* ---- the textbook truth ---------------------------------------------------------------------- */

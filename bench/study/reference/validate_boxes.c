@@ -1,5 +1,5 @@
 /* validate_boxes.c: see validate_boxes.h. */
-#include "study/judge/validate_boxes.h"
+#include "study/reference/validate_boxes.h"
 
 #include <math.h>
 #include <stdatomic.h>
@@ -7,7 +7,7 @@
 
 #include <fmb/solve.h>
 
-#include "study/judge/ends.h"
+#include "study/reference/ends.h"
 
 enum { USUAL, TIGHTEST, EXACT, WAYS, MOST = STUDY_PAIR_MOST_DIM };
 

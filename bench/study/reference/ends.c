@@ -1,10 +1,10 @@
 /* ends.c: see ends.h. */
-#include "study/judge/ends.h"
+#include "study/reference/ends.h"
 
 #include <math.h>
 
 #include "study/draw/pairs.h"
-#include "study/judge/verdicts.h"
+#include "study/reference/verdicts.h"
 
 static const double slack = 1e-12; /* allowed, of the largest coordinate */
 

@@ -1,10 +1,10 @@
-/* judge.c: see judge.h.
+/* reference.c: see reference.h.
  *
  * Words for a projection: on one variable its exact interval; on more the sorted rows of an
  * irredundant system, which are unique up to scaling if the projection is full-dimensional; else
  * the numbers of equalities and inequalities, which are unique then.
  */
-#include "study/judge/judge.h"
+#include "study/reference/reference.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,27 +12,27 @@
 
 #include <fmb/gmp.h>
 
-fmb_status study_judge_open(study_judge *j, double max_seconds)
+fmb_status study_reference_open(study_reference *j, double max_seconds)
 {
     fmb_options o = {.size = sizeof o};
-    *j = (study_judge){0};
+    *j = (study_reference){0};
     o.evidence = FMB_EVIDENCE_ALL;
     o.max_seconds = max_seconds;
-    fmb_status st = fmb_solver_new(&o, NULL, &j->shadow);
+    fmb_status st = fmb_solver_new(&o, NULL, &j->projection);
     o.method = FMB_METHOD_LP;
     if (st == FMB_OK)
         st = fmb_solver_new(&o, NULL, &j->oracle);
     return st;
 }
 
-void study_judge_close(study_judge *j)
+void study_reference_close(study_reference *j)
 {
     fmb_solver_free(j->oracle);
-    fmb_solver_free(j->shadow);
+    fmb_solver_free(j->projection);
 }
 
 /* Does the checker accept what v has just found about s? */
-static fmb_status check(study_judge *j, const fmb_solver *v, const fmb_system *s)
+static fmb_status check(study_reference *j, const fmb_solver *v, const fmb_system *s)
 {
     fmb_evidence *e = NULL;
     fmb_judgement say = {.size = sizeof say};
@@ -45,7 +45,7 @@ static fmb_status check(study_judge *j, const fmb_solver *v, const fmb_system *s
     return st;
 }
 
-fmb_status study_judge_verdict(study_judge *j, const fmb_system *s, fmb_verdict *out)
+fmb_status study_reference_verdict(study_reference *j, const fmb_system *s, fmb_verdict *out)
 {
     fmb_result r = {.size = sizeof r};
     fmb_status st = fmb_solve(j->oracle, s, &r);
@@ -78,7 +78,8 @@ static char *interval_words(const fmb_box *b)
     return text;
 }
 
-static fmb_status bound_words(study_judge *j, const fmb_system *s, int var, bool mine, char **out)
+static fmb_status bound_words(study_reference *j, const fmb_system *s, int var, bool mine,
+                              char **out)
 {
     fmb_result r = {.size = sizeof r};
     fmb_box *b = NULL;
@@ -171,7 +172,7 @@ static char *rows_words(const fmb_system *p)
     return text;
 }
 
-fmb_status study_judge_words(study_judge *j, const fmb_system *p, char **out)
+fmb_status study_reference_words(study_reference *j, const fmb_system *p, char **out)
 {
     if (fmb_system_dim(p) == 1)
         return bound_words(j, p, 0, false, out);
@@ -182,19 +183,19 @@ fmb_status study_judge_words(study_judge *j, const fmb_system *p, char **out)
     return FMB_OK;
 }
 
-fmb_status study_judge_shadow(study_judge *j, const fmb_system *s, const int *keep, int n,
-                              char **out)
+fmb_status study_reference_projection(study_reference *j, const fmb_system *s, const int *keep,
+                                      int n, char **out)
 {
     fmb_result r = {.size = sizeof r};
     fmb_system *p = NULL;
     char *text = NULL;
     if (n == 1)
         return bound_words(j, s, keep[0], true, out);
-    fmb_status st = fmb_project(j->shadow, s, keep, n, &p, &r);
+    fmb_status st = fmb_project(j->projection, s, keep, n, &p, &r);
     if (st == FMB_OK && p)
-        st = check(j, j->shadow, s);
+        st = check(j, j->projection, s);
     if (st == FMB_OK && p && r.stop == FMB_STOP_DONE)
-        st = study_judge_words(j, p, &text);
+        st = study_reference_words(j, p, &text);
     fmb_system_free(p);
     if (st == FMB_OK)
         *out = text;

@@ -7,7 +7,7 @@
 #define FMB_STUDY_VALIDATE_H
 
 #include "study/draw/pairs.h"
-#include "study/judge/verdicts.h"
+#include "study/reference/verdicts.h"
 
 enum { STUDY_VALIDATE_MOST = 512 }; /* pairs at once */
 

@@ -5,7 +5,7 @@
 
 #include <stdatomic.h>
 
-#include "study/judge/verdicts.h"
+#include "study/reference/verdicts.h"
 
 /* Rows alive beyond which a pair is left: doubly exponential cost is not for everybody. */
 enum { STUDY_TRUTH_MOST_ROWS = 1000 };

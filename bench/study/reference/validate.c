@@ -1,14 +1,14 @@
 /* validate.c: see validate.h. */
-#include "study/judge/validate.h"
+#include "study/reference/validate.h"
 
 #include <math.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 
 #include "study/draw/draft.h"
-#include "study/judge/proofs.h"
-#include "study/judge/truth.h"
-#include "study/judge/validate_boxes.h"
+#include "study/reference/proofs.h"
+#include "study/reference/truth.h"
+#include "study/reference/validate_boxes.h"
 
 struct study_validator {
     study_validation v;

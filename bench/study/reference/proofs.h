@@ -2,7 +2,7 @@
 #ifndef FMB_STUDY_PROOFS_H
 #define FMB_STUDY_PROOFS_H
 
-#include "study/judge/verdicts.h"
+#include "study/reference/verdicts.h"
 
 typedef struct study_proofs study_proofs;
 

@@ -1,5 +1,5 @@
 /* proofs.c: see proofs.h. */
-#include "study/judge/proofs.h"
+#include "study/reference/proofs.h"
 
 #include <stdatomic.h>
 #include <stdlib.h>

@@ -2,7 +2,7 @@
 #ifndef FMB_STUDY_VALIDATE_BOXES_H
 #define FMB_STUDY_VALIDATE_BOXES_H
 
-#include "study/judge/validate.h"
+#include "study/reference/validate.h"
 
 typedef struct study_box_bench study_box_bench;
 

@@ -1,5 +1,5 @@
 /* truth.c: see truth.h. */
-#include "study/judge/truth.h"
+#include "study/reference/truth.h"
 
 #include "study/textbook/exact.h"
 

@@ -1,5 +1,5 @@
 /* verdicts.c: see verdicts.h. */
-#include "study/judge/verdicts.h"
+#include "study/reference/verdicts.h"
 
 #include "study/sat/sat.h"
 
