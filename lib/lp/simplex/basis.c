@@ -134,12 +134,13 @@ void fmb_basis_replace(fmb_basis *b, size_t r, size_t j)
     note_column(b, r, j);
 }
 
-void fmb_basis_span(fmb_basis *b, size_t j)
+bool fmb_basis_span(fmb_basis *b, size_t j, double least)
 {
     fmb_basis_write(b, j);
-    size_t r = fmb_dense_inverse_span(&b->inverse, b->entry, b->entry_zero);
+    size_t r = fmb_dense_inverse_span(&b->inverse, b->entry, least);
     if (r != SIZE_MAX)
         note_column(b, r, j);
+    return r != SIZE_MAX;
 }
 
 void fmb_basis_invert(fmb_basis *b)
@@ -151,6 +152,6 @@ void fmb_basis_invert(fmb_basis *b)
             b->is_basic[b->old[k]] = false;
     for (size_t k = 0; k < b->d; k++)
         if (b->old[k] != SIZE_MAX)
-            fmb_basis_span(b, b->old[k]);
+            (void)fmb_basis_span(b, b->old[k], b->entry_zero);
     b->pivots = 0;
 }

@@ -53,8 +53,9 @@ void fmb_basis_restart(fmb_basis *b, size_t d);
 
 /* Add a column: its number is the count before it. */
 fmb_status fmb_basis_add(fmb_basis *b, const double *v, fmb_range range);
-/* Take column j into the basis in place of a unit vector, if it is independent of the others. */
-void fmb_basis_span(fmb_basis *b, size_t j);
+/* Take column j into the basis in place of the unit vector that it replaces best. False: no entry
+ * there is larger than least, as if it depended on the others. */
+bool fmb_basis_span(fmb_basis *b, size_t j, double least);
 
 /* entry = column j, written in the basis. */
 void fmb_basis_write(fmb_basis *b, size_t j);

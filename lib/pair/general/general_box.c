@@ -165,7 +165,6 @@ bool fmb_general_answer(fmb_general *g, const fmb_frame *p, const fmb_frame *q,
     answer found;
     if (g->dim > FMB_GENERAL_MOST_DIM || !fmb_general_load(g, p, q))
         return false;
-    fmb_general_solve(g);
     if (fmb_general_find_vertex(g) != FMB_GENERAL_GO)
         return false;
     for (int j = 0; j < g->pair.columns; j++)

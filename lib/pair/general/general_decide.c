@@ -52,8 +52,8 @@ fmb_general *fmb_general_new(int dim, fmb_simd simd, fmb_mem *mem)
     g->kernels = g->kernels ? g->kernels : fmb_kernels_choose(FMB_SIMD_PLAIN);
     bool good = open_equations(&g->pair, d, 2 * d + 1, mem);
     good = open_program(g, d + 2, 2 * d + 3, mem) && good;
-    g->solved = fmb_mem_get(mem, d * (3 * d + 2), sizeof *g->solved);
-    if (good && g->solved)
+    g->program.inverse = g->edges;
+    if (good)
         return g;
     fmb_general_free(g, mem);
     return NULL;
@@ -68,7 +68,6 @@ void fmb_general_free(fmb_general *g, fmb_mem *mem)
     free_equations(&g->program, d + 2, 2 * d + 3, mem);
     g->basis.mem = mem; /* it may have moved */
     fmb_basis_clear(&g->basis);
-    fmb_mem_put(mem, g->solved, d * (3 * d + 2), sizeof *g->solved);
     fmb_mem_put(mem, g, 1, sizeof *g);
 }
 
@@ -128,13 +127,18 @@ bool fmb_general_load(fmb_general *g, const fmb_frame *p, const fmb_frame *q)
 
 /* ---- the verdict ----------------------------------------------------------------------------- */
 
-/* A row that has lost all unknowns: the frames lie in parallel flats. */
+/* A place of the basis that no column takes: its edge is across all of them, and the frames lie in
+ * parallel flats. */
 static bool are_in_parallel_flats(const fmb_general *g)
 {
-    for (int i = 0; g->pair.rank < g->dim && i < g->dim; i++)
-        if (g->pair.pivot[i] < 0 &&
-            fmb_general_are_apart(&g->pair, fmb_general_inverse(&g->pair, i)))
+    double edge[FMB_GENERAL_MOST_ROWS];
+    for (size_t r = 0; r < g->basis.d; r++) {
+        if (g->basis.basic[r] != SIZE_MAX)
+            continue;
+        fmb_dense_inverse_edge(&g->basis.inverse, r, edge);
+        if (fmb_general_are_apart(&g->pair, edge))
             return true;
+    }
     return false;
 }
 
@@ -142,11 +146,10 @@ fmb_verdict fmb_general_decide(fmb_general *g, const fmb_frame *p, const fmb_fra
 {
     if (g->dim > FMB_GENERAL_MOST_DIM || !fmb_general_load(g, p, q))
         return FMB_UNKNOWN;
-    fmb_general_solve(g);
-    if (are_in_parallel_flats(g))
-        return FMB_INFEASIBLE;
     fmb_general_step step = fmb_general_find_vertex(g);
     if (step == FMB_GENERAL_CLASH && fmb_general_are_apart(&g->pair, g->direction))
+        return FMB_INFEASIBLE;
+    if (step == FMB_GENERAL_LOST && are_in_parallel_flats(g))
         return FMB_INFEASIBLE;
     bool inside = step == FMB_GENERAL_GO && fmb_general_find_inside(g, g->z);
     return inside && fmb_general_is_near_common(&g->program, g->z) ? FMB_FEASIBLE : FMB_UNKNOWN;

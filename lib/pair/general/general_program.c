@@ -34,29 +34,26 @@ static void load_with_slacks(const fmb_general_system *pair, fmb_general_system 
     }
 }
 
-/* The pivots of the pair, and the slacks: with S the sums over the pivots, the inverse of [P 0; S
- * I] is [R 0; -S R I]. */
-static void start_from_pivots_of_pair(fmb_general *g)
+/* Columns that fill the basis, each in the place where most is left of it: at first, a large share
+ * of its largest entry. Slacks have places of their own. False if the columns do not span all rows:
+ * less than 2^-44 of what a column was is taken for the rounding error of 0, a guess. */
+static bool fill_basis(fmb_general *g)
 {
-    const fmb_general_system *pair = &g->pair, *s = &g->program;
+    const fmb_general_system *s = &g->program;
     fmb_basis *b = &g->basis;
-    size_t d = (size_t)s->rows;
+    size_t filled = 0, d = (size_t)s->rows;
     fmb_basis_restart(b, d);
     for (int j = 0; j < s->columns; j++)
         (void)fmb_basis_add(b, s->m + j * s->rows,
                             s->kind[j] == FMB_GENERAL_UNIT ? FMB_RANGE_UNIT : FMB_RANGE_UP);
-    for (int i = 0; i < s->rows; i++) {
-        int column = i < pair->rows ? pair->pivot[i] : pair->columns + i - pair->rows;
-        b->basic[i] = (size_t)column;
-        b->is_basic[column] = true;
-    }
-    for (int i = 0; i < pair->rows; i++)
-        for (int k = 0; k < pair->rows; k++)
-            b->inverse.at[(size_t)k * d + (size_t)i] = fmb_general_inverse(pair, i)[k];
-    for (int sum = pair->rows; sum < s->rows; sum++)
-        for (int i = 0; i < pair->rows; i++)
-            for (int k = 0; s->m[pair->pivot[i] * s->rows + sum] != 0 && k < pair->rows; k++)
-                b->inverse.at[(size_t)k * d + (size_t)sum] -= fmb_general_inverse(pair, i)[k];
+    for (double share = 0.25; filled < d && share > 0x1p-60; share *= 0x1p-42)
+        for (size_t j = b->size; filled < d && j-- > 0;) {
+            double most = 0;
+            for (size_t k = 0; k < d; k++)
+                most = fmax(most, fabs(b->at[k * b->capacity + j]));
+            filled += !b->is_basic[j] && fmb_basis_span(b, j, share * most);
+        }
+    return filled == d;
 }
 
 /* The pivots, and z, of the vertex at which the basis stands. */
@@ -74,8 +71,6 @@ static void read_vertex_of_basis(fmb_general *g)
     }
     for (int i = 0; i < s->rows; i++)
         fmb_dense_inverse_edge(&b->inverse, (size_t)i, g->edges + i * s->rows);
-    s->inverse = g->edges;
-    s->stride = s->rank = s->rows;
 }
 
 /* ---- vertices -------------------------------------------------------------------------------- */
@@ -83,11 +78,9 @@ static void read_vertex_of_basis(fmb_general *g)
 fmb_general_step fmb_general_find_vertex(fmb_general *g)
 {
     fmb_guess guess;
-    if (g->pair.rank < g->pair.rows)
-        return FMB_GENERAL_LOST;
     load_with_slacks(&g->pair, &g->program);
-    start_from_pivots_of_pair(g);
-    if (fmb_simplex_search(&g->basis, g->program.h, SIZE_MAX, NULL, &guess) != FMB_OK ||
+    if (!fill_basis(g) ||
+        fmb_simplex_search(&g->basis, g->program.h, SIZE_MAX, NULL, &guess) != FMB_OK ||
         guess == FMB_GUESS_NONE)
         return FMB_GENERAL_LOST;
     for (int k = 0; k < g->dim; k++)

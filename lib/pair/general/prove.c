@@ -143,21 +143,19 @@ static void bound_way(const fmb_general_system *s, const double *y, double *way)
 /* z > way says what it says; 1 - z is off by u of itself, less than what is added to way. */
 static bool stays_inside_places(const fmb_general_system *s, const double *z, const double *way)
 {
-    double sum[FMB_GENERAL_KINDS] = {0}, most = 1 - (s->columns + 8) * DBL_EPSILON;
     bool good = true;
     for (int j = 0; j < s->columns; j++) {
         good &= z[j] > way[j];
         if (s->kind[j] == FMB_GENERAL_UNIT)
             good &= 1 - z[j] > way[j] * (1 + 8 * DBL_EPSILON);
-        sum[s->kind[j]] += z[j] + way[j];
     }
-    return good && sum[FMB_GENERAL_OF_A] < most && sum[FMB_GENERAL_OF_B] < most;
+    return good;
 }
 
 bool fmb_general_is_near_common(const fmb_general_system *s, const double *z)
 {
     double y[FMB_GENERAL_MOST_ROWS], way[FMB_GENERAL_MOST_COLUMNS];
-    if (s->rank < s->rows || !bound_y(s, z, y))
+    if (!bound_y(s, z, y))
         return false;
     bound_way(s, y, way);
     return stays_inside_places(s, z, way);
@@ -168,7 +166,7 @@ bool fmb_general_is_near_common(const fmb_general_system *s, const double *z)
 bool fmb_general_is_near_vertex(const fmb_general_system *s, const double *z)
 {
     double y[FMB_GENERAL_MOST_ROWS], way[FMB_GENERAL_MOST_COLUMNS];
-    bool good = s->rank == s->rows && bound_y(s, z, y);
+    bool good = bound_y(s, z, y);
     if (good)
         bound_way(s, y, way);
     for (int j = 0; good && j < s->columns; j++) {

@@ -6,10 +6,6 @@
  * entry of each row of M is between 1/2 and 1 (of h, if M has nothing but 0 there). So an entry is
  * off by at most u of itself, u = 2^-53, where it is a difference, and by 2^-1074 where scaling
  * loses bits below the least double.
- *
- * Some unknowns, the pivots, are solved for in terms of the others, the free ones:
- *
- *     z_pivot(i) + sum T_ij z_free(j) = r_i,      which is row i of R (M z - h) = 0
  */
 #ifndef FMB_PAIR_GENERAL_WORKSPACE_H
 #define FMB_PAIR_GENERAL_WORKSPACE_H
@@ -34,30 +30,28 @@ typedef enum fmb_general_kind {
     FMB_GENERAL_KINDS
 } fmb_general_kind;
 
-/* M z = h, and an inverse R of the columns of the pivots. */
+/* M z = h, and an inverse R of the columns of some unknowns, the pivots. */
 typedef struct fmb_general_system {
     int rows, columns;
     fmb_general_kind kind[FMB_GENERAL_MOST_COLUMNS];
-    double *m;             /* [columns][rows] */
-    double *h;             /* [rows] */
-    const double *inverse; /* R, row i at inverse[i * stride] */
-    int stride, rank;
-    int pivot[FMB_GENERAL_MOST_ROWS]; /* [rows] column of row i, or -1 */
+    double *m;                        /* [columns][rows] */
+    double *h;                        /* [rows] */
+    const double *inverse;            /* [rows][rows] R */
+    int pivot[FMB_GENERAL_MOST_ROWS]; /* [rows] column of row i */
     bool is_pivot[FMB_GENERAL_MOST_COLUMNS];
 } fmb_general_system;
 
 /* Row i of R. */
 static inline const double *fmb_general_inverse(const fmb_general_system *s, int i)
 {
-    return s->inverse + (size_t)i * (size_t)s->stride;
+    return s->inverse + (size_t)i * (size_t)s->rows;
 }
 
 struct fmb_general {
     int dim;
     const fmb_kernels *kernels;
 
-    fmb_general_system pair;
-    double *solved; /* [dim][stride of the pair]: T in the columns of M, r, R */
+    fmb_general_system pair; /* without pivots */
 
     /* linear programs: the pair with a slack for the sum of each simplex */
     fmb_general_system program;
@@ -70,11 +64,6 @@ struct fmb_general {
     double z[FMB_GENERAL_MOST_COLUMNS];
 };
 
-static inline double *fmb_general_solved(const fmb_general *g, int i)
-{
-    return g->solved + (size_t)i * (size_t)g->pair.stride;
-}
-
 typedef enum fmb_general_step {
     FMB_GENERAL_GO,
     FMB_GENERAL_CLASH, /* with a direction */
@@ -84,10 +73,8 @@ typedef enum fmb_general_step {
 /* general_decide.c: the pair, scaled. False if differences or scaled numbers overflow. */
 bool fmb_general_load(fmb_general *g, const fmb_frame *p, const fmb_frame *q);
 
-/* pivots.c: choose pivots and solve for them. */
-void fmb_general_solve(fmb_general *g);
-
-/* general_program.c: a first vertex of the pair. */
+/* general_program.c: a first vertex of the pair. LOST, too, where its columns do not span all rows:
+ * then the basis is short of some. */
 fmb_general_step fmb_general_find_vertex(fmb_general *g);
 /* From a vertex to one where cost z is greatest; y are the prices of M's rows. False if lost. */
 bool fmb_general_maximize(fmb_general *g, const double *cost, double *y);

@@ -34,7 +34,7 @@ static void load(fmb_basis *b, const problem *p)
         cr_assert_eq(fmb_basis_add(b, p->column[j], p->range[j]), FMB_OK);
     for (size_t j = 0; j < p->n; j++)
         if (p->range[j] != FMB_RANGE_ZERO)
-            fmb_basis_span(b, j);
+            (void)fmb_basis_span(b, j, b->entry_zero);
 }
 
 static double upper_end(fmb_range range)

@@ -290,6 +290,17 @@ Test(general, cubes)
 
 /* ---- proofs ---------------------------------------------------------------------------------- */
 
+/* The slack of each simplex is what its coefficients leave of 1. */
+static void fill_slacks(const fmb_general *g, double *z)
+{
+    const fmb_general_system *s = &g->program;
+    for (int k = g->pair.columns, row = g->pair.rows; k < s->columns; k++, row++) {
+        z[k] = 1;
+        for (int j = 0; j < g->pair.columns; j++)
+            z[k] -= s->m[j * s->rows + row] * z[j];
+    }
+}
+
 /* Guesses that are off prove nothing that is not so. */
 Test(general, proofs_of_wrong_guesses)
 {
@@ -299,7 +310,7 @@ Test(general, proofs_of_wrong_guesses)
         judge j = judge_open(dim, FMB_SIMD_AUTO);
         for (int i = 0; i < 400; i++) {
             two t;
-            double u[MOST], z[2 * MOST + 1];
+            double u[MOST], z[2 * MOST + 3];
             two_draw(&g, i % 2 ? LATTICE : NEAR, dim, i % 4 > 1, false, 1, &t);
             (void)fmb_general_decide(j.general, &t.f[0], &t.f[1]);
             bool closed = ask(j.closed, &t) == FMB_FEASIBLE;
@@ -310,7 +321,8 @@ Test(general, proofs_of_wrong_guesses)
                 for (int k = 0; k < j.general->pair.columns; k++)
                     z[k] = support_between(&g, 0, 8) / 8.0;
                 bool says_apart = fmb_general_are_apart(&j.general->pair, u);
-                bool says_common = fmb_general_is_near_common(&j.general->pair, z);
+                fill_slacks(j.general, z);
+                bool says_common = fmb_general_is_near_common(&j.general->program, z);
                 cr_assert(!says_apart || !closed);
                 cr_assert(!says_common || open);
                 apart += says_apart;
@@ -318,11 +330,12 @@ Test(general, proofs_of_wrong_guesses)
                 /* A vertex, or beyond one; of a simplex, inside of it. */
                 for (int k = 0; k < j.general->pair.columns; k++) {
                     int unit = j.general->pair.kind[k] == FMB_GENERAL_UNIT;
-                    z[k] = j.general->pair.is_pivot[k]
+                    z[k] = j.general->program.is_pivot[k]
                                ? support_between(&g, -1, unit ? 12 : 1) / 8.0
                                : support_between(&g, 0, unit);
                 }
-                bool says_vertex = fmb_general_is_near_vertex(&j.general->pair, z);
+                fill_slacks(j.general, z);
+                bool says_vertex = fmb_general_is_near_vertex(&j.general->program, z);
                 cr_assert(!says_vertex || closed);
                 vertices += says_vertex;
             }
@@ -342,22 +355,22 @@ Test(general, proofs_by_a_wrong_inverse)
     int common = 0;
     for (int dim = 1; dim <= 3; dim++) {
         judge j = judge_open(dim, FMB_SIMD_AUTO);
-        fmb_general_system *s = &j.general->pair;
+        fmb_general_system *s = &j.general->program;
         for (int i = 0; i < 400; i++) {
             two t;
-            double z[2 * MOST + 1];
+            double z[2 * MOST + 3];
             two_draw(&g, i % 2 ? LATTICE : NEAR, dim, false, false, 1, &t);
             (void)fmb_general_decide(j.general, &t.f[0], &t.f[1]);
             bool open = ask(j.open, &t) == FMB_FEASIBLE;
-            for (int row = 0; row < dim; row++) {
-                double *inverse = fmb_general_solved(j.general, row) + s->columns + 1;
+            for (int row = 0; row < s->rows; row++) {
                 double by = 1 + support_between(&g, -8, 8) / 10.0;
-                for (int k = 0; k < dim; k++)
-                    inverse[k] *= by;
+                for (int k = 0; k < s->rows; k++)
+                    j.general->edges[row * s->rows + k] *= by;
             }
             for (int try = 0; try < 20; try++) {
-                for (int k = 0; k < s->columns; k++)
+                for (int k = 0; k < j.general->pair.columns; k++)
                     z[k] = support_between(&g, 1, 7) / 8.0;
+                fill_slacks(j.general, z);
                 bool says_common = fmb_general_is_near_common(s, z);
                 cr_assert(!says_common || open, "%d in %d", i, dim);
                 common += says_common;

@@ -284,7 +284,7 @@ static fmb_status activate_row_into_basis(fmb_active_set *s, size_t i)
 {
     fmb_status st = activate_row_in_cone(s, i);
     if (st == FMB_OK)
-        fmb_basis_span(&s->cone, s->number[i]);
+        (void)fmb_basis_span(&s->cone, s->number[i], LEAST_PIVOT);
     return st == FMB_OK ? fmb_run_poll(s->run) : st;
 }
 
@@ -297,7 +297,7 @@ static fmb_status activate_first_rows(fmb_active_set *s)
     s->source[s->generators++] = s->of->m;
     fmb_status st = fmb_basis_add(&s->cone, s->target, FMB_RANGE_UP);
     if (st == FMB_OK)
-        fmb_basis_span(&s->cone, 0);
+        (void)fmb_basis_span(&s->cone, 0, LEAST_PIVOT);
     for (size_t i = 0; st == FMB_OK && i < s->of->m; i++)
         if (is_row_settled(s, i))
             st = activate_row_into_basis(s, i);
