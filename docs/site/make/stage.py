@@ -58,8 +58,8 @@ class Stage:
         of a paragraph MyST writes in another way."""
         text = source.read_text()
         for name in ANCHOR.findall(text):
-            text = text.replace(f"](#{name})", f"]({name})")
-        pieces = FENCE.split(ANCHOR.sub(r"(\1)=\n", text))
+            text = text.replace(f"](#{name})", f"]({source.stem}-{name})")
+        pieces = FENCE.split(ANCHOR.sub(rf"({source.stem}-\1)=\n", text))
         pieces[::2] = [LINK.sub(lambda found: self.link(source, found), piece) for piece in pieces[::2]]
         there = self.out / place(self.root, source)
         there.parent.mkdir(parents=True, exist_ok=True)
