@@ -1,4 +1,4 @@
-"""The picture in the README is what docs/overlap.py draws, which compares the box that fmb finds with
+"""The picture of the README and of the first page of the site is what docs/overlap.py draws, which compares the box that fmb finds with
 that of the common part it clips itself. usage: picture.py FMB ROOT"""
 
 import pathlib

@@ -13,6 +13,7 @@ PLACES = {
     "include/fmb/base.h": r'#define FMB_VERSION +"',
     "docs/CHANGELOG.md": r"^## ",
     "CITATION.cff": r"^version: ",
+    "README.md": r"^  version = \{",
     "bindings/python/pyproject.toml": r'^version = "',
     "packaging/debian/changelog": r"\Afmb \(",
     "packaging/conda/meta.yaml": r'set version = "',
