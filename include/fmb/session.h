@@ -73,6 +73,14 @@ FMB_API FMB_CHECKED fmb_status fmb_solver_remove(fmb_solver *v, size_t row);
  */
 FMB_API FMB_CHECKED fmb_status fmb_solver_set_right(fmb_solver *v, size_t row, double b);
 
+/* The same of numbers that are text, each meant exactly, as in fmb_system_add_terms_text
+ * (<fmb/io.h>): append sum coef[k] x_var[k] REL b, and another right side. Errors: PARSE, which
+ * fmb_solver_trouble explains, too; ARG as there. */
+FMB_API FMB_CHECKED fmb_status fmb_solver_add_terms_text(fmb_solver *v, size_t n, const int *var,
+                                                         const char *const *coef, fmb_rel rel,
+                                                         const char *b);
+FMB_API FMB_CHECKED fmb_status fmb_solver_set_right_text(fmb_solver *v, size_t row, const char *b);
+
 /* Name a row, or not (NULL): fmb_system_label of fmb_solver_system, and messages, tell it. Errors:
  * ARG (no such row). */
 FMB_API FMB_CHECKED fmb_status fmb_solver_set_label(fmb_solver *v, size_t row, const char *label);

@@ -1,4 +1,6 @@
 /* terms.c: a row whose numbers are text, each by itself. */
+#include "io/terms.h"
+
 #include <string.h>
 
 #include "io/core/io_private.h"
@@ -6,7 +8,7 @@
 
 /* Where the numbers of a row are read; the budget is that of the whole row. */
 typedef struct row_of_text {
-    fmb_system *s;
+    char wrong[FMB_IO_WRONG_SIZE]; /* which number, and what was expected */
     fmb_mem mem;
     fmb_where where;
     fmb_cursor c;
@@ -32,37 +34,41 @@ static fmb_status read_number_of_row(row_of_text *r, const char *text, const cha
     r->c.budget = left;
     fmb_status st = read_whole_number(&r->c, out);
     if (st == FMB_ERR_PARSE)
-        (void)fmb_system_refuse(r->s, "%s: %.120s", name, r->where.text);
+        snprintf(r->wrong, sizeof r->wrong, "%s: %.110s", name, r->where.text);
     return st;
+}
+
+static fmb_status read_coefficient(row_of_text *r, size_t k, const char *text, mpq_t out)
+{
+    char name[48];
+    snprintf(name, sizeof name, "coefficient of term %zu", k);
+    return read_number_of_row(r, text, name, out);
 }
 
 static fmb_status read_terms(row_of_text *r, size_t n, const int *var, const char *const *coef)
 {
     fmb_status st = FMB_OK;
     for (size_t k = 0; st == FMB_OK && k < n; k++) {
-        char name[48];
         mpq_ptr slot;
-        snprintf(name, sizeof name, "coefficient of term %zu", k);
         st = fmb_draft_term(&r->draft, var[k], &slot);
         if (st == FMB_OK)
-            st = read_number_of_row(r, coef[k], name, slot);
+            st = read_coefficient(r, k, coef[k], slot);
     }
     return st;
 }
 
-static fmb_status check_row_of_text(fmb_system *s, size_t n, const int *var,
-                                    const char *const *coef, const char *b)
+/* Which of the pointers is NULL that must not be; "" if none is. */
+static void check_row_of_text(size_t n, const int *var, const char *const *coef, const char *b,
+                              char wrong[FMB_IO_WRONG_SIZE])
 {
-    if (!s)
-        return FMB_ERR_ARG;
+    *wrong = '\0';
     if (n > 0 && (!var || !coef))
-        return fmb_system_refuse(s, "%s NULL", coef ? "variables are" : "coefficients are");
-    if (!b)
-        return fmb_system_refuse(s, "right side is NULL");
-    for (size_t k = 0; k < n; k++)
+        snprintf(wrong, FMB_IO_WRONG_SIZE, "%s NULL", coef ? "variables are" : "coefficients are");
+    else if (!b)
+        snprintf(wrong, FMB_IO_WRONG_SIZE, "right side is NULL");
+    for (size_t k = 0; !*wrong && k < n; k++)
         if (!coef[k])
-            return fmb_system_refuse(s, "coefficient of term %zu is NULL", k);
-    return FMB_OK;
+            snprintf(wrong, FMB_IO_WRONG_SIZE, "coefficient of term %zu is NULL", k);
 }
 
 /* The budget that one text of all these numbers would have. */
@@ -77,20 +83,44 @@ static size_t row_budget(size_t n, const char *const *coef, const char *b)
 fmb_status fmb_system_add_terms_text(fmb_system *s, size_t n, const int *var,
                                      const char *const *coef, fmb_rel rel, const char *b)
 {
-    fmb_status st = check_row_of_text(s, n, var, coef, b);
-    if (st != FMB_OK)
-        return st;
-    row_of_text r = {.s = s, .c.budget = row_budget(n, coef, b)};
+    row_of_text r = {.wrong = ""};
+    if (!s)
+        return FMB_ERR_ARG;
+    check_row_of_text(n, var, coef, b, r.wrong);
+    if (*r.wrong)
+        return fmb_system_refuse(s, "%s", r.wrong);
+    r.c.budget = row_budget(n, coef, b);
     fmb_mem_init(&r.mem, &s->mem.alloc, 0);
     fmb_draft_init(&r.draft, &r.mem);
-    st = read_terms(&r, n, var, coef);
+    fmb_status st = read_terms(&r, n, var, coef);
     if (st == FMB_OK)
         st = read_number_of_row(&r, b, "right side", r.draft.rhs);
+    if (st == FMB_ERR_PARSE)
+        (void)fmb_system_refuse(s, "%s", r.wrong);
     if (st == FMB_OK) {
         st = fmb_draft_append(&r.c, r.c.begin, &r.draft, rel, s);
         if (st == FMB_ERR_PARSE)
             (void)fmb_system_refuse(s, "the row: %.120s", r.where.text);
     }
     fmb_draft_clear(&r.draft);
+    return st;
+}
+
+fmb_status fmb_io_row_numbers(size_t n, const int *var, const char *const *coef, const char *b,
+                              const fmb_mem *mem, mpq_t *q, char wrong[FMB_IO_WRONG_SIZE])
+{
+    row_of_text r = {.wrong = ""};
+    fmb_status st = FMB_OK;
+    fmb_mem_init(&r.mem, &mem->alloc, 0);
+    check_row_of_text(n, var, coef, b, r.wrong);
+    if (*r.wrong)
+        st = FMB_ERR_ARG;
+    else
+        r.c.budget = row_budget(n, coef, b);
+    for (size_t k = 0; st == FMB_OK && k < n; k++)
+        st = read_coefficient(&r, k, coef[k], q[k]);
+    if (st == FMB_OK)
+        st = read_number_of_row(&r, b, "right side", q[n]);
+    memcpy(wrong, r.wrong, sizeof r.wrong);
     return st;
 }

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include <fmb/io.h>
+#include <fmb/session.h>
 
 static fmb_system *open_system(int dim)
 {
@@ -94,4 +95,61 @@ Test(terms, refused)
     expect_refused(FMB_ERR_ARG, "1", "1", 2, "variable 2");
     expect_refused(FMB_ERR_ARG, "1", "1", -1, "variable -1");
     expect_refused(FMB_ERR_ARG, "1", "1", 1, NULL);
+}
+
+/* ---- systems that are loaded ----------------------------------------------------------------- */
+
+static fmb_solver *load_empty(int dim)
+{
+    fmb_solver *v = NULL;
+    fmb_system *s = open_system(dim);
+    cr_assert_eq(fmb_solver_new(NULL, NULL, &v), FMB_OK);
+    cr_assert_eq(fmb_solver_add_terms_text(v, 0, NULL, NULL, FMB_LE, "0"), FMB_ERR_STATE);
+    cr_assert_eq(fmb_solver_set_right_text(v, 0, "0"), FMB_ERR_STATE);
+    cr_assert_eq(fmb_solver_load(v, s), FMB_OK);
+    fmb_system_free(s);
+    return v;
+}
+
+Test(terms, of_a_session)
+{
+    static const int var[] = {1, 0};
+    static const char *const coef[] = {"1/3", "-123456789012345678901234567890"};
+    char text[200];
+    fmb_solver *v = load_empty(2);
+    const fmb_system *s = fmb_solver_system(v);
+    cr_assert_eq(fmb_solver_add_terms_text(v, 2, var, coef, FMB_GE, "0.1"), FMB_OK);
+    expect_term(s, 0, 0, "123456789012345678901234567890");
+    expect_term(s, 0, 1, "-1/3");
+    cr_assert_eq(fmb_solver_set_right_text(v, 0, "2/7"), FMB_OK);
+    fmb_system_rhs_text(s, 0, text, sizeof text);
+    cr_expect_str_eq(text, "-2/7", "in the direction in which the row was given");
+    fmb_solver_free(v);
+}
+
+static void expect_solver_refuses(fmb_solver *v, fmb_status st, fmb_status want, const char *words)
+{
+    cr_expect_eq(st, want);
+    cr_expect_not_null(strstr(fmb_solver_trouble(v), words), "\"%s\" instead of \"%s\"",
+                       fmb_solver_trouble(v), words);
+    cr_expect_eq(fmb_system_rows(fmb_solver_system(v)), 0, "nothing is appended");
+}
+
+Test(terms, of_a_session_refused)
+{
+    const char *const one[] = {"1"}, *const bad[] = {"1x"}, *const none[] = {NULL};
+    fmb_solver *v = load_empty(1);
+    fmb_status (*const add)(fmb_solver *, size_t, const int *, const char *const *, fmb_rel,
+                            const char *) = fmb_solver_add_terms_text;
+    expect_solver_refuses(v, add(v, 1, (int[]){0}, bad, FMB_LE, "1"), FMB_ERR_PARSE,
+                          "coefficient of term 0");
+    expect_solver_refuses(v, add(v, 1, (int[]){0}, one, FMB_LE, "1/0"), FMB_ERR_PARSE,
+                          "right side");
+    expect_solver_refuses(v, add(v, 1, (int[]){0}, none, FMB_LE, "1"), FMB_ERR_ARG,
+                          "term 0 is NULL");
+    expect_solver_refuses(v, add(v, 1, NULL, one, FMB_LE, "1"), FMB_ERR_ARG, "variables are NULL");
+    expect_solver_refuses(v, add(v, 1, (int[]){1}, one, FMB_LE, "1"), FMB_ERR_ARG, "1");
+    expect_solver_refuses(v, fmb_solver_set_right_text(v, 0, NULL), FMB_ERR_ARG, "right side");
+    expect_solver_refuses(v, fmb_solver_set_right_text(v, 0, "1"), FMB_ERR_ARG, "row is 0");
+    fmb_solver_free(v);
 }
