@@ -26,7 +26,7 @@ extern "C" {
 /* A round in progress: the live rows over columns 0 <= col < fmb_view_dim. A row has a name, a
  * number that stays the same for the whole elimination; its entries are integers, a.x REL b. What a
  * view gives is good until the callback returns. Of NULL all of it is 0, NULL, -1 for a variable or
- * column, and true for fmb_view_stop and fmb_view_minimal. */
+ * column, and true for fmb_view_stop and fmb_view_minimal; the text is "0". */
 typedef struct fmb_view fmb_view;
 
 /* What kind of a rule it is. */
@@ -83,9 +83,23 @@ typedef struct fmb_chooser {
 /* In place of options.order; {NULL, NULL}: options.order again. */
 FMB_API void fmb_solver_set_chooser(fmb_solver *v, fmb_chooser chooser);
 
+/* An order that users type as a word: letters, digits, - and _, at most 31 of them. */
+typedef struct fmb_named_chooser {
+    const char *name;
+    const char *source; /* where it is from */
+    fmb_chooser chooser;
+} fmb_named_chooser;
+
+/* What a shared object exports beside its rules, or instead: its orders, NULL ends them. Their
+ * names are none of those of options.order. This library does not define it. */
+extern FMB_API const fmb_named_chooser *const fmb_chooser_library[];
+
 /* ---- the window ------------------------------------------------------------------------------ */
 
 FMB_API int fmb_view_dim(const fmb_view *w); /* columns */
+/* The rule that is being asked, the very table that was added: it may be the first member of a
+ * structure that holds what the rule has to know. NULL: a chooser is. */
+FMB_API const fmb_rule *fmb_view_rule(const fmb_view *w);
 /* The system's variable of a column; -1: the form of fmb_optimize, which is never eliminated. */
 FMB_API int fmb_view_variable(const fmb_view *w, int col);
 FMB_API int fmb_view_column(const fmb_view *w);           /* of this round; -1: between rounds */
@@ -105,8 +119,9 @@ FMB_API size_t fmb_view_upper(const fmb_view *w, size_t j);
 FMB_API fmb_rel fmb_view_rel(const fmb_view *w, size_t row);
 FMB_API int fmb_view_sign(const fmb_view *w, size_t row, int col); /* -1, 0, 1; col = dim: of b */
 /* The dim coefficients and the right side, or NULL if they do not fit. Any size: fmb_view_get in
- * <fmb/gmp.h>. */
+ * <fmb/gmp.h>; and one of them as exact text (<fmb/base.h>), col = dim being the right side. */
 FMB_API const int64_t *fmb_view_int64(const fmb_view *w, size_t row);
+FMB_API size_t fmb_view_text(const fmb_view *w, size_t row, int col, char *text, size_t size);
 
 /* Base rows combined into a row, as a bit set of *words words; NULL while no histories are kept: no
  * rule in use needs them, or they start anew before the next pairs. All that is said of histories

@@ -152,7 +152,7 @@ static fmb_status ask_chooser(fmb_elim *e, int *candidate, size_t n, int *var)
 {
     fmb_window w;
     n = keep_those_in_equalities(e, candidate, n);
-    fmb_window_open(&w, e, -1);
+    fmb_window_open(&w, e, NULL, -1);
     int chosen = e->chooser.choose(e->chooser.self, &w.view, candidate, n);
     fmb_status st = fmb_window_close(&w);
     bool known = false;

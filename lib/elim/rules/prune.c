@@ -21,7 +21,7 @@ fmb_status fmb_rules_drop_base_rows(fmb_elim *e)
         size_t left = 0;
         if (!rule->drop_row || (rule->flags & FMB_RULE_NEEDS_HISTORY))
             continue;
-        fmb_window_open(&w, e, -1);
+        fmb_window_open(&w, e, rule, -1);
         for (size_t i = 0; i < e->live.size; i++) {
             uint32_t r = e->live.row[i];
             if (e->row[r].equality || !rule->drop_row(e->worker[k].state, &w.view, r))
@@ -47,7 +47,7 @@ fmb_status fmb_rules_refuse_pairs(fmb_elim *e, const fmb_round *round, size_t lo
         if (!rule->drop_pairs)
             continue;
         fmb_window w;
-        fmb_window_open(&w, e, round->var);
+        fmb_window_open(&w, e, rule, round->var);
         w.view.lower = round->row;
         w.view.lowers = lowers;
         w.view.upper = round->row + lowers;
@@ -72,7 +72,7 @@ fmb_status fmb_rules_drop_row(fmb_elim *e, const fmb_rule **by)
         if (!rule->drop_row)
             continue;
         fmb_window w;
-        fmb_window_open(&w, e, e->row[e->rows].var);
+        fmb_window_open(&w, e, rule, e->row[e->rows].var);
         bool drop = rule->drop_row(e->worker[k].state, &w.view, e->rows);
         fmb_status st = fmb_window_close(&w);
         if (st != FMB_OK)
@@ -129,7 +129,7 @@ static fmb_status ask_at_end_of_round(fmb_elim *e, fmb_worker *worker, int var)
     bool *drop = fmb_mem_zero(mem, rows, sizeof *drop);
     if (!drop)
         return fmb_mem_status(mem);
-    fmb_window_open(&w, e, var);
+    fmb_window_open(&w, e, worker->rule, var);
     fmb_status said = worker->rule->end_round(worker->state, &w.view, drop);
     fmb_status st = fmb_window_close(&w);
     st = st != FMB_OK ? st : said;

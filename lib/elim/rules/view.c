@@ -7,6 +7,7 @@
 #include "elim/history/filter.h"
 #include "elim/history/history.h"
 #include "elim/rules/box_rule.h"
+#include "num/rationals.h"
 
 struct fmb_scratch {
     struct fmb_scratch *next;
@@ -14,9 +15,9 @@ struct fmb_scratch {
     _Alignas(16) unsigned char at[];
 };
 
-void fmb_window_open(fmb_window *w, fmb_elim *e, int var)
+void fmb_window_open(fmb_window *w, fmb_elim *e, const fmb_rule *rule, int var)
 {
-    *w = (fmb_window){.view = {.e = e, .var = var}};
+    *w = (fmb_window){.view = {.e = e, .rule = rule, .var = var}};
     w->view.scratch = &w->blocks;
     w->view.status = &w->failed;
 }
@@ -61,6 +62,11 @@ bool fmb_view_stop(const fmb_view *w)
     fmb_status st = fmb_run_poll(w->e->run);
     note_failure(w, st);
     return st != FMB_OK;
+}
+
+const fmb_rule *fmb_view_rule(const fmb_view *w)
+{
+    return w ? w->rule : NULL;
 }
 
 int fmb_view_dim(const fmb_view *w)
@@ -135,6 +141,18 @@ void fmb_view_get(const fmb_view *w, size_t row, int col, mpz_t out)
         fmb_vec_get(&w->e->row[row].v, (size_t)col, out);
     else if (out)
         mpz_set_ui(out, 0);
+}
+
+size_t fmb_view_text(const fmb_view *w, size_t row, int col, char *text, size_t size)
+{
+    mpq_t q;
+    if (!w)
+        return fmb_rational_print(NULL, text, size);
+    mpq_init(q);
+    fmb_view_get(w, row, col, mpq_numref(q));
+    size_t length = fmb_rational_print(q, text, size);
+    mpq_clear(q);
+    return length;
 }
 
 /* ---- histories ------------------------------------------------------------------------------- */

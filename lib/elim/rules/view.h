@@ -8,6 +8,7 @@ typedef struct fmb_scratch fmb_scratch;
 
 struct fmb_view {
     fmb_elim *e;
+    const fmb_rule *rule; /* that is being asked; NULL: a chooser is */
     const uint32_t *lower, *upper;
     size_t lowers, uppers;
     int var;               /* of the round, -1: between rounds */
@@ -22,7 +23,7 @@ typedef struct fmb_window {
     fmb_status failed;
 } fmb_window;
 
-void fmb_window_open(fmb_window *w, fmb_elim *e, int var);
+void fmb_window_open(fmb_window *w, fmb_elim *e, const fmb_rule *rule, int var);
 /* Release scratch; the first failure inside. */
 fmb_status fmb_window_close(fmb_window *w);
 
