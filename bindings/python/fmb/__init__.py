@@ -21,13 +21,13 @@ from fmb._linear import Form, Row, Variable, total, vars
 from fmb._polyhedron import Polyhedron
 from fmb._solver import (Event, Session, Solver, bounds, check, eliminate, hull, hull_of, image,
                          optimize, project, reduce, solve, sum, vertices)
-from fmb._system import System, SystemRow
+from fmb._system import ParseWarning, System, SystemRow
 
 __version__ = text(lib.fmb_version())
 
 # These need NumPy, which is asked for when they are.
 _LATER = {"_frames": ("Frame", "Frames", "Pairs", "Proximity", "common", "cuboid", "depth",
-                      "distance", "separate", "simplex"), "_mesh": ("Hits", "Mesh")}
+                      "distance", "meeting", "separate", "simplex"), "_mesh": ("Hits", "Mesh")}
 
 
 def __getattr__(name: str) -> object:

@@ -7,8 +7,8 @@ import os
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Iterator, Mapping
 
-from fmb._lib import NULL, StateError, Unfinished, ffi, lib, need, number, owned, parsed
-from fmb._lib import printed, text, written
+from fmb._lib import NULL, StateError, Unfinished, exact, ffi, lib, listed, need, number, owned
+from fmb._lib import parsed, printed, spelled, text, written
 
 if TYPE_CHECKING:
     from fmb._system import System, SystemRow
@@ -48,12 +48,21 @@ class Point(Mapping[str, Fraction]):
         import numpy as np
         return np.array(self.floats(), dtype)
 
+    def _lines(self) -> list[str]:
+        return [f"{name} = {spelled(x)}" for name, x in self._values.items()]
+
+    def __reduce__(self) -> Any:
+        return Point, (self._names, list(self._values.values()))
+
+    def __str__(self) -> str:
+        return ", ".join(self._lines()) or "(no variables)"
+
     def __repr__(self) -> str:
-        return ", ".join(f"{name} = {x}" for name, x in self._values.items()) or "(no variables)"
+        return listed(self._lines()) or "(no variables)"
 
     def _repr_html_(self) -> str:
         from fmb import _html
-        return _html.table([f"{name} = {x}" for name, x in self._values.items()])
+        return _html.table(self._lines())
 
 
 class Conflict:
@@ -77,11 +86,12 @@ class Conflict:
         return len(self.rows)
 
     def __repr__(self) -> str:
-        return " + ".join(f"{m} ({row!r})" for row, m in self)
+        return listed([f"{spelled(m)} ({row!r})" for row, m in self], " + ")
 
     def _repr_html_(self) -> str:
         from fmb import _html
-        return _html.table([f"{m} × ({row!r})" for row, m in self], "no common solution:")
+        return _html.table([f"{spelled(m)} × ({row!r})" for row, m in self],
+                           "no common solution:")
 
 
 class Proof:
@@ -94,7 +104,7 @@ class Proof:
     @classmethod
     def parse(cls, source: str | bytes, about: System) -> Proof:
         """A proof from its text, about that system."""
-        data = source.encode() if isinstance(source, str) else source
+        data = source.encode(errors="surrogateescape") if isinstance(source, str) else source
         out, where = ffi.new("fmb_evidence **"), ffi.new("fmb_where *")
         parsed(lib.fmb_evidence_parse(data, len(data), about._s, out, where), where)
         return cls(owned("fmb_evidence", out[0]), about)
@@ -120,8 +130,11 @@ class Proof:
 
     def write(self, path: str | os.PathLike[str]) -> None:
         """A file for `fmb check`."""
-        with open(path, "w", encoding="utf-8") as file:
+        with open(path, "w", encoding="utf-8", errors="surrogateescape", newline="\n") as file:
             file.write(self.to_text())
+
+    def __reduce__(self) -> Any:
+        return Proof.parse, (self.to_text(), self._about)
 
     def check(self) -> Judgement:
         """Judge every claim in exact arithmetic, by code that shares nothing with what found it."""
@@ -147,7 +160,9 @@ class Judgement:
         return self.accepted
 
     def __repr__(self) -> str:
-        return f"accepted: {self.held} claims hold" if self else f"rejected: {self.reason}"
+        if not self:
+            return f"rejected: {self.reason}"
+        return f"accepted: {self.held} claim" + (" holds" if self.held == 1 else "s hold")
 
 
 def _feasible(verdict: int) -> bool | None:
@@ -174,6 +189,15 @@ class Answer:
         if lib.fmb_solver_evidence(solver, out) == lib.FMB_OK:
             self._proof = Proof(owned("fmb_evidence", out[0]), about)
 
+    _lazy: tuple[str, ...] = ()  # what is read from the library when it is asked for
+
+    def __getstate__(self) -> dict[str, Any]:
+        """For pickle and deepcopy: all that can be asked, read."""
+        state = {**self.__dict__, "_stats": self.stats, "_c": None}
+        for name in self._lazy:
+            state["_read_" + name] = getattr(self, name)
+        return state
+
     def __bool__(self) -> bool:
         if self.feasible is None:
             raise Unfinished(self.stop)
@@ -192,6 +216,8 @@ class Answer:
     @property
     def stats(self) -> dict[str, float]:
         """What it took: rows made, pivots, bytes, seconds, ..."""
+        if isinstance(self._stats, dict):
+            return dict(self._stats)
         return {name: getattr(self._stats.stats, name) for name in _STATS}
 
     @property
@@ -262,14 +288,54 @@ class End:
         """Rounded outward."""
         return self._outward
 
+    def _place(self) -> Fraction | float:
+        """Where it is: a number, or an infinity."""
+        return self.value if self.value is not None else self._outward
+
     def __eq__(self, other: object) -> bool:
-        return self.value is not None and self.value == (
-            other.value if isinstance(other, End) else other)
+        place = _place(other)
+        return self.known and place is not None and self._place() == place
+
+    def __lt__(self, other: object) -> bool:
+        place = _place(other)
+        if place is None:
+            return NotImplemented
+        return bool(self._place() < place)
+
+    def __le__(self, other: object) -> bool:
+        place = _place(other)
+        if place is None:
+            return NotImplemented
+        return bool(self._place() <= place)
+
+    def __gt__(self, other: object) -> bool:
+        place = _place(other)
+        if place is None:
+            return NotImplemented
+        return bool(self._place() > place)
+
+    def __ge__(self, other: object) -> bool:
+        place = _place(other)
+        if place is None:
+            return NotImplemented
+        return bool(self._place() >= place)
 
     __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
-        return str(self.value) if self.value is not None else str(self._outward)
+        return spelled(self.value) if self.value is not None else str(self._outward)
+
+
+def _place(value: object) -> Fraction | float | None:
+    """Of an end or a number; None of anything else."""
+    if isinstance(value, End):
+        return value._place()
+    if isinstance(value, float):
+        return value
+    try:
+        return exact(value)  # type: ignore[arg-type]
+    except ValueError:
+        return None
 
 
 class Interval:
@@ -283,7 +349,15 @@ class Interval:
     def __iter__(self) -> Iterator[End]:
         return iter((self.lower, self.upper))
 
+    def __eq__(self, other: object) -> bool:
+        """The same values?"""
+        return isinstance(other, Interval) and all(
+            own == end and own.attained == end.attained for own, end in zip(self, other))
+
+    __hash__ = None  # type: ignore[assignment]
+
     def __contains__(self, value: Any) -> bool:
+        value = exact(value)
         return ((self.lower.value is None or self.lower.value < value
                  or (self.lower.attained and self.lower.value == value))
                 and (self.upper.value is None or value < self.upper.value
@@ -305,8 +379,8 @@ class Box(Answer, Mapping[str, Interval]):
     def __init__(self, solver: Any, about: System, result: Any, box: Any):
         Answer.__init__(self, solver, about, result)
         self._intervals: dict[str, Interval] = {}
-        self._box = owned("fmb_box", box)
-        for i in range(lib.fmb_box_size(box) if box != NULL else 0):
+        box = owned("fmb_box", box)
+        for i in range(lib.fmb_box_size(box) if box is not None else 0):
             ends = [End(lib.fmb_box_end(box, i, side),
                         written(lib.fmb_box_end_text, box, i, side))
                     for side in (lib.FMB_LOWER, lib.FMB_UPPER)]
@@ -328,7 +402,7 @@ class Box(Answer, Mapping[str, Interval]):
     def __repr__(self) -> str:
         if not self._intervals:
             return Answer.__repr__(self)
-        return ", ".join(f"{name} in {i!r}" for name, i in self._intervals.items())
+        return listed([f"{name} in {i!r}" for name, i in self._intervals.items()])
 
 
 class Optimum(Answer):
@@ -342,34 +416,40 @@ class Optimum(Answer):
 
     def __init__(self, solver: Any, about: System, result: Any, optimum: Any):
         super().__init__(solver, about, result)
-        self._optimum = owned("fmb_optimum", optimum)
+        self._c = owned("fmb_optimum", optimum)
+        self._any = self._c is not None
         end = lib.fmb_optimum_end(optimum)
         self.attained = bool(end.attained)
         self.unbounded = bool(end.kind == lib.FMB_END_INFINITE)
         self.tight = bool(end.kind in (lib.FMB_END_FINITE, lib.FMB_END_INFINITE))
         self._outward = float(end.value)
 
+    _lazy = ("value", "point", "ray")
+
     @property
     def value(self) -> Fraction | None:
         """The optimum; after a limit what no solution is beyond."""
-        spelled = written(lib.fmb_optimum_value_text, self._optimum) if self._optimum else ""
-        return number(spelled) if spelled else None
+        if self._c is None:
+            return self.__dict__.get("_read_value")
+        spelled_value = written(lib.fmb_optimum_value_text, self._c)
+        return number(spelled_value) if spelled_value else None
 
     def __float__(self) -> float:
         """Rounded outward; infinite if unbounded, nan if there is no solution."""
-        return self._outward if self._optimum else math.nan
+        return self._outward if self._any else math.nan
 
     @property
     def point(self) -> Point | None:
-        if not self._optimum:
-            return None
-        return _point(self._about, lib.fmb_optimum_coordinate_text, self._optimum)
+        if self._c is None:
+            return self.__dict__.get("_read_point")
+        return _point(self._about, lib.fmb_optimum_coordinate_text, self._c)
 
     @property
     def ray(self) -> Point | None:
         """A direction in which the form has no bound."""
-        return _point(self._about, lib.fmb_optimum_ray_text, self._optimum) if (
-            self.unbounded) else None
+        if self._c is None or not self.unbounded:
+            return self.__dict__.get("_read_ray")
+        return _point(self._about, lib.fmb_optimum_ray_text, self._c)
 
     def __repr__(self) -> str:
         if self.unbounded:
@@ -377,7 +457,7 @@ class Optimum(Answer):
         if self.value is None:
             return Answer.__repr__(self)
         sign = "" if self.attained else " (not attained)" if self.tight else " (at most so good)"
-        return f"{self.value}{sign} at {self.point!r}"
+        return f"{spelled(self.value)}{sign} at {self.point!r}"
 
 
 class SystemAnswer(Answer):
@@ -411,7 +491,7 @@ class SystemAnswer(Answer):
         return str(self.system)
 
     def __repr__(self) -> str:
-        rows = "; ".join(map(repr, self.system)) or "(no rows: everything)"
+        rows = listed([repr(row) for row in self.system], "; ") or "(no rows: everything)"
         return rows if self.done else f"{rows} (outer: {self.stop})"
 
     def _repr_html_(self) -> str:
@@ -443,16 +523,25 @@ class Generators(Answer):
     def __init__(self, solver: Any, about: System, result: Any, generators: Any):
         super().__init__(solver, about, result)
         self._g = owned("fmb_generators", generators)
+        self._lists: dict[int, list[tuple[Fraction, ...]]] | None = None
+
+    def __getstate__(self) -> dict[str, Any]:
+        self._all()
+        return {**super().__getstate__(), "_g": None}
+
+    def _all(self) -> dict[int, list[tuple[Fraction, ...]]]:
+        if self._lists is None:
+            if self._g is None and not self.done:
+                raise Unfinished(self.stop)
+            self._lists = {lib.FMB_VERTEX: [], lib.FMB_RAY: [], lib.FMB_LINE: []}
+            for i in range(lib.fmb_generators_size(self._g) if self._g is not None else 0):
+                self._lists[lib.fmb_generators_kind(self._g, i)].append(tuple(
+                    number(written(lib.fmb_generators_coordinate_text, self._g, i, j))
+                    for j in range(self._about.dim)))
+        return self._lists
 
     def _of_kind(self, kind: int) -> list[tuple[Fraction, ...]]:
-        if self._g is None:
-            if self.done:
-                return []
-            raise Unfinished(self.stop)
-        return [tuple(number(written(lib.fmb_generators_coordinate_text, self._g, i, j))
-                      for j in range(self._about.dim))
-                for i in range(lib.fmb_generators_size(self._g))
-                if lib.fmb_generators_kind(self._g, i) == kind]
+        return list(self._all()[kind])
 
     @property
     def vertices(self) -> list[tuple[Fraction, ...]]:
@@ -470,12 +559,18 @@ class Generators(Answer):
         return self._of_kind(lib.FMB_LINE)
 
     def __len__(self) -> int:
-        return int(lib.fmb_generators_size(self._g)) if self._g is not None else 0
+        if self._g is not None:
+            return int(lib.fmb_generators_size(self._g))
+        return sum(map(len, (self._lists or {}).values()))
 
     def to_arrays(self) -> Any:
         """(kinds, X): 0 for a vertex, 1 for a ray, 2 for a line, and the nearest doubles."""
         import numpy as np
         n, dim = len(self), self._about.dim
+        if self._g is None:  # it came from a pickle
+            all_of = [(kind, x) for kind, some in self._all().items() for x in some]
+            return (np.array([kind for kind, _ in all_of], np.uintc),
+                    np.array([list(map(float, x)) for _, x in all_of], float).reshape(n, dim))
         kinds, X = np.zeros(n, np.uintc), np.zeros((n, dim))
         if n:
             need(lib.fmb_generators_get(
@@ -484,7 +579,9 @@ class Generators(Answer):
         return kinds, X
 
     def __repr__(self) -> str:
-        parts = [f"{word}: " + ", ".join("(" + ", ".join(map(str, x)) + ")" for x in some)
+        if self._g is None and self._lists is None and not self.done:
+            return Answer.__repr__(self)
+        parts = [f"{word}: " + listed(["(" + ", ".join(map(spelled, x)) + ")" for x in some])
                  for word, some in (("vertices", self.vertices), ("rays", self.rays),
                                     ("lines", self.lines)) if some]
         return "; ".join(parts) or "(empty)"

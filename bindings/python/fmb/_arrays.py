@@ -5,26 +5,42 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any, Sequence
 
-from fmb._lib import NULL, ArgumentError, exact, ffi, lib, made, need
+from fmb._lib import NULL, ArgumentError, encoded, exact, ffi, lib, made, need, spelled
 
 
 def system(cls: Any, A: Any, b: Any, relations: str | Sequence[str],
-           names: Sequence[str] | None) -> Any:
+           names: str | Sequence[str] | None) -> Any:
     """The rows A x REL b."""
+    from fmb._system import words
+    A, b = _plain(A), _plain(b)
     rows, dim = _shape(A)
+    if getattr(b, "ndim", 1) != 1 or not hasattr(b, "__len__"):
+        raise ArgumentError(f"b has {getattr(b, 'ndim', 0)} dimensions, not 1")
     if len(b) != rows:
         raise ArgumentError(f"A has {rows} rows, but b has {len(b)} numbers")
+    called = words(names) if names is not None else []
+    if names is not None and len(called) != dim:
+        raise ArgumentError(f"A has {dim} columns, but there are {len(called)} names")
     self = cls._of(made("fmb_system", lib.fmb_system_new, dim, NULL))
     rel = _relations(relations, rows)
     if hasattr(A, "tocsr"):
         _add_sparse(self, A.tocsr(), b, rel)
-    elif getattr(getattr(A, "dtype", None), "kind", "O") in "fiub":
+    elif _is_numbers(A):
         _add_dense(self, A, b, rel)
     else:
         _add_exact(self, A, b, rel)
-    for j, name in enumerate(names or ()):
-        need(lib.fmb_system_set_name(self._s, j, name.encode()), self._trouble)
+    if not set(called).isdisjoint(self.names):  # one may be the usual one of another variable
+        for j in range(dim):
+            need(lib.fmb_system_set_name(self._s, j, b"\1%d" % j), self._trouble)
+    self._names = None
+    for j, name in enumerate(called):
+        need(lib.fmb_system_set_name(self._s, j, encoded(name)), self._trouble)
     return self
+
+
+def _plain(array: Any) -> Any:
+    """What tables as those of pandas hold."""
+    return array.to_numpy() if hasattr(array, "to_numpy") else array
 
 
 def _shape(A: Any) -> tuple[int, int]:
@@ -32,6 +48,8 @@ def _shape(A: Any) -> tuple[int, int]:
         if len(A.shape) != 2:
             raise ArgumentError(f"A has {len(A.shape)} dimensions, not 2")
         return int(A.shape[0]), int(A.shape[1])
+    if not all(hasattr(row, "__len__") for row in A):
+        raise ArgumentError("A is no matrix: give a list of rows, or an array")
     dims = {len(row) for row in A}
     if len(dims) > 1:
         raise ArgumentError("the rows of A are not of one length")
@@ -49,51 +67,77 @@ def _relations(relations: str | Sequence[str], rows: int) -> Any:
         raise ArgumentError(f"{e.args[0]!r} is no relation: {', '.join(RELATIONS)}") from e
 
 
-def _integer(*arrays: Any) -> bool:
-    """Are all of them integers that 64 bits hold?"""
-    return all(a.dtype.kind in "ib" or (a.dtype.kind == "u" and a.dtype.itemsize < 8)
-               for a in arrays)
-
-
 def _vector(b: Any) -> Any:
     import numpy as np
-    b = np.asarray(b)
-    if b.dtype.kind not in "fiub":
-        raise ArgumentError("b holds more than numbers of NumPy's: give A as lists, too")
-    return b
+    try:
+        out = np.asarray(b)
+    except ValueError as e:
+        raise ArgumentError(f"b is no list of numbers: {e}") from e
+    if out.ndim != 1:
+        raise ArgumentError(f"b has {out.ndim} dimensions, not 1")
+    return out
+
+
+def _is_numbers(array: Any) -> bool:
+    """An array of NumPy's whose numbers are integers, or doubles at most?"""
+    kind = getattr(array, "dtype", None)
+    return kind is not None and (kind.kind in "iub" or (kind.kind == "f" and kind.itemsize <= 8))
+
+
+def _kind(*arrays: Any) -> tuple[str, Any, Any] | None:
+    """What all these numbers are exactly: integers of 64 bits, or doubles; or None."""
+    import numpy as np
+    if all(a.dtype.kind in "ib" or (a.dtype.kind == "u" and (
+            a.dtype.itemsize < 8 or a.size == 0 or a.max() < 1 << 63)) for a in arrays):
+        return "int64_t", np.int64, lib.fmb_system_add_rows_int
+    if all(a.dtype.kind == "f" or a.size == 0 or (
+            -(1 << 53) <= int(a.min()) and int(a.max()) <= 1 << 53) for a in arrays):
+        return "double", np.float64, lib.fmb_system_add_rows
+    return None
 
 
 def _add_sparse(self: Any, A: Any, b: Any, rel: Any) -> None:
     import numpy as np
     b = _vector(b)
-    whole = _integer(A.data, b)
-    number, kind = ("int64_t", np.int64) if whole else ("double", np.float64)
-    add = lib.fmb_system_add_rows_int if whole else lib.fmb_system_add_rows
+    kind = _kind(A.data, b) if _is_numbers(A.data) and _is_numbers(b) else None
+    if kind is None:
+        start, var, coef = A.indptr.tolist(), A.indices.tolist(), A.data.tolist()
+        for i, right in enumerate(b.tolist()):
+            part = slice(start[i], start[i + 1])
+            _add_terms(self, list(zip(var[part], coef[part])), right, rel[i])
+        return
+    number, dtype, add = kind
     start = np.ascontiguousarray(A.indptr, np.uintp)
     var = np.ascontiguousarray(A.indices, np.intc)
-    coef, right = np.ascontiguousarray(A.data, kind), np.ascontiguousarray(b, kind)
+    coef, right = np.ascontiguousarray(A.data, dtype), np.ascontiguousarray(b, dtype)
     need(add(self._s, len(b), _view("size_t", start), _view("int", var), _view(number, coef), rel,
              _view(number, right)), self._trouble)
 
 
 def _add_dense(self: Any, A: Any, b: Any, rel: Any) -> None:
     import numpy as np
-    A, b = np.asarray(A), _vector(b)
-    whole = _integer(A, b)
-    number, kind = ("int64_t", np.int64) if whole else ("double", np.float64)
-    add = lib.fmb_system_add_rows_int if whole else lib.fmb_system_add_rows
-    coef, right = np.ascontiguousarray(A, kind), np.ascontiguousarray(b, kind)
-    need(add(self._s, len(b), NULL, NULL, _view(number, coef), rel, _view(number, right)),
+    A, right = np.asarray(A), _vector(b)
+    kind = _kind(A, right) if _is_numbers(right) else None
+    if kind is None:
+        _add_exact(self, A.tolist(), b, rel)
+        return
+    number, dtype, add = kind
+    coef, right = np.ascontiguousarray(A, dtype), np.ascontiguousarray(right, dtype)
+    need(add(self._s, len(right), NULL, NULL, _view(number, coef), rel, _view(number, right)),
          self._trouble)
 
 
 def _add_exact(self: Any, A: Any, b: Any, rel: Any) -> None:
     for i, (row, right) in enumerate(zip(A, b)):
-        terms = [(j, exact(c)) for j, c in enumerate(row) if c != 0]
-        texts = [ffi.new("char[]", str(c).encode()) for _, c in terms]
-        need(lib.fmb_system_add_terms_text(self._s, len(terms), [j for j, _ in terms],
-                                           ffi.new("char *[]", texts), rel[i],
-                                           str(exact(right)).encode()), self._trouble)
+        _add_terms(self, list(enumerate(row)), right, rel[i])
+
+
+def _add_terms(self: Any, row: list[tuple[int, Any]], right: Any, relation: int) -> None:
+    terms = [(j, value) for j, value in ((j, exact(c)) for j, c in row) if value]
+    texts = [ffi.new("char[]", spelled(c).encode()) for _, c in terms]
+    need(lib.fmb_system_add_terms_text(self._s, len(terms), [j for j, _ in terms],
+                                       ffi.new("char *[]", texts), relation,
+                                       spelled(exact(right)).encode()), self._trouble)
 
 
 def _view(kind: str, array: Any) -> Any:

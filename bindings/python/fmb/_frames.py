@@ -3,14 +3,15 @@ they come. NumPy is needed here."""
 
 from __future__ import annotations
 
+import operator
 from fractions import Fraction
 from typing import Any, Callable, NamedTuple
 
 import numpy as np
 
 from fmb._answers import Answer
-from fmb._lib import NULL, ArgumentError, Unfinished, ffi, lib, made, need, number
-from fmb._lib import owned, text, written
+from fmb._lib import NULL, ArgumentError, Unfinished, exact, ffi, in_main_thread, lib, made
+from fmb._lib import need, note_lost, number, owned, raise_lost, spelled, text, written
 from fmb._solver import _solver
 from fmb._system import System
 
@@ -29,6 +30,36 @@ def _word(table: dict[str, int], word: str, what: str) -> int:
     return table[word]
 
 
+def _array(numbers: Any, what: str) -> Any:
+    try:
+        return numbers.to_numpy() if hasattr(numbers, "to_numpy") else np.asarray(numbers)
+    except ValueError as e:
+        raise ArgumentError(f"{what} is no array of numbers: {e}") from e
+
+
+def doubles(numbers: Any, what: str, kind: Any = np.float64) -> Any:
+    """Numbers in an array, as doubles or floats, one behind the other."""
+    array = _array(numbers, what)
+    if array.dtype.kind not in "fiubO":
+        raise ArgumentError(f"{what} holds {array.dtype}, not numbers")
+    try:
+        return np.ascontiguousarray(array, kind)
+    except (TypeError, ValueError) as e:
+        raise ArgumentError(f"{what} is no array of numbers: {e}") from e
+
+
+def whole_numbers(numbers: Any, what: str) -> Any:
+    """Numbers of frames or vertices, from 0, in an array."""
+    array = _array(numbers, what)
+    if array.size == 0:
+        return np.ascontiguousarray(array, np.uint32)
+    if array.dtype.kind not in "iu":
+        raise ArgumentError(f"{what} holds {array.dtype}, not integers")
+    if array.min() < 0 or array.max() > 0xffffffff:
+        raise ArgumentError(f"{what} counts from 0, to {0xffffffff} at most")
+    return np.ascontiguousarray(array, np.uint32)
+
+
 class Frames:
     """A set of frames: origin + sum c_i axes_i + t speed, 0 <= t <= 1, where a cuboid has
     0 <= c_i <= 1, and a simplex 0 <= c_i, sum c_i <= 1. Everything is copied once.
@@ -44,8 +75,7 @@ class Frames:
     def __init__(self, origin: Any, axes: Any, speed: Any = None, shape: str = "cuboid"):
         single = getattr(origin, "dtype", None) == np.float32
         kind = np.float32 if single else np.float64
-        origin = np.ascontiguousarray(origin, kind)
-        axes = np.ascontiguousarray(axes, kind)
+        origin, axes = doubles(origin, "origin", kind), doubles(axes, "axes", kind)
         if origin.ndim != 2 or axes.ndim != 3 or axes.shape[::2] != origin.shape:
             raise ArgumentError("origin is of shape [n, dim] and axes of [n, naxes, dim], not "
                                 f"{list(origin.shape)} and {list(axes.shape)}")
@@ -54,13 +84,13 @@ class Frames:
             "naxes": axes.shape[1], "single": single, "origin": _data(origin),
             "axes": _data(axes)})
         if speed is not None:
-            speed = np.ascontiguousarray(speed, kind)
+            speed = doubles(speed, "speed", kind)
             if speed.shape != origin.shape:
                 raise ArgumentError(f"speed is of shape {list(speed.shape)}, origin of "
                                     f"{list(origin.shape)}")
             arrays.speed = _data(speed)
         self._f = made("fmb_frames", lib.fmb_frames_from_arrays, origin.shape[1], origin.shape[0],
-                       arrays, NULL)
+                       arrays, NULL, trouble=lambda: _wrong(origin, axes, speed))
 
     def __len__(self) -> int:
         return int(lib.fmb_frames_count(self._f))
@@ -70,7 +100,11 @@ class Frames:
         """The dimension of the space."""
         return int(lib.fmb_frames_dim(self._f))
 
+    def __reduce__(self) -> Any:
+        raise TypeError("frames are not pickled: pickle the arrays that they are made of")
+
     def __getitem__(self, i: int) -> Frame:
+        i = operator.index(i)
         if not -len(self) <= i < len(self):
             raise IndexError(f"frame {i} of {len(self)}")
         return Frame(self, i % len(self))
@@ -86,7 +120,9 @@ class Frames:
         if pairs is None:
             n = min(len(self), len(other))
             pairs = np.repeat(np.arange(n, dtype=np.uint32), 2).reshape(-1, 2)
-        pairs = np.ascontiguousarray(pairs, np.uint32)
+        pairs = whole_numbers(pairs, "pairs")
+        if pairs.size == 0:
+            pairs = pairs.reshape(0, 2)
         if pairs.ndim != 2 or pairs.shape[1] != 2:
             raise ArgumentError(f"pairs are of shape [n, 2], not {list(pairs.shape)}")
         n, dim = len(pairs), self.dim
@@ -100,7 +136,7 @@ class Frames:
             "verdict": ffi.cast("fmb_verdict *", _data(out.verdict)), "world": _out(out.world),
             "inside": _out(out.inside), "time": _out(out.time), "witness": _out(out.witness)})
         pointer = ffi.cast("fmb_frames_pair *", _data(pairs))
-        need(lib.fmb_frames_test(kernel.k, self._f, other._f, n, pointer, answers), kernel.trouble)
+        kernel.ask(lib.fmb_frames_test, self._f, other._f, n, pointer, answers)
         return out
 
     def meet(self, other: Frames | None = None, most: int = MOST_TOLD, **options: Any) -> Any:
@@ -108,8 +144,8 @@ class Frames:
         no more than `most` of them. Pairs that a limit left open raise Unfinished."""
         kernel, told = _Kernel(self.dim, options), _Told(most)
         handle = ffi.new_handle(told)
-        need(lib.fmb_frames_meet(kernel.k, self._f, other._f if other is not None else NULL,
-                                 lib.pyfmb_told, handle), kernel.trouble)
+        kernel.ask(lib.fmb_frames_meet, self._f, other._f if other is not None else NULL,
+                   lib.pyfmb_told, handle)
         if told.raised is not None:
             raise told.raised
         if told.unknown:
@@ -150,11 +186,24 @@ class _Kernel:
                 value = _word(_SIMD, value, "set of instructions")
             elif name not in ("threads", "tightest", "doubles_only", "max_seconds", "max_bytes"):
                 raise ArgumentError(f"no option of pairs is called {name!r}")
-            setattr(o, name, value)
+            set_option(o, name, value)
         out = ffi.new("fmb_pair **")
         need(lib.fmb_pair_new(dim, o, NULL, out),
              lambda: written(lib.fmb_pair_options_trouble, o))
         self.k = owned("fmb_pair", out[0])
+
+    def ask(self, query: Callable[..., int], *arguments: Any) -> None:
+        """One query; Ctrl-C ends it."""
+        watched = in_main_thread()
+        if watched:
+            lib.pyfmb_begin(lib.PYFMB_PAIR, self.k)
+        try:
+            status = query(self.k, *arguments)
+        finally:
+            if watched:
+                lib.pyfmb_end()
+        raise_lost()
+        need(status, self.trouble)
 
     def trouble(self) -> str:
         """Why the last query was refused."""
@@ -171,7 +220,7 @@ class _Told:
         self.raised: BaseException | None = None
 
 
-@ffi.def_extern()  # type: ignore[misc]
+@ffi.def_extern(onerror=note_lost)  # type: ignore[misc]
 def pyfmb_told(self: Any, verdict: int, n: int, pair: Any) -> bool:
     """Some pairs that meet."""
     told: _Told = ffi.from_handle(self)
@@ -185,6 +234,23 @@ def pyfmb_told(self: Any, verdict: int, n: int, pair: Any) -> bool:
     except BaseException as e:  # pylint: disable=broad-except
         told.raised = e
     return told.left > 0 and told.raised is None
+
+
+def set_option(o: Any, name: str, value: Any) -> None:
+    """A field of an option structure."""
+    try:
+        setattr(o, name, value)
+    except (TypeError, OverflowError) as e:
+        raise ArgumentError(f"{name}={value!r}: {e}") from e
+
+
+def _wrong(*arrays: Any) -> str:
+    """What numbers no frame has."""
+    for name, array in zip(("origin", "axes", "speed"), arrays):
+        if array is not None and not np.isfinite(array).all():
+            at = np.argwhere(~np.isfinite(array))[0].tolist()
+            return f"{name}{at} is {array[tuple(at)]}"
+    return ""
 
 
 def _data(array: Any) -> Any:
@@ -208,6 +274,9 @@ class Frame:
     def _c(self) -> Any:
         return lib.fmb_frames_at(self.frames._f, self.i)
 
+    def __repr__(self) -> str:
+        return f"Frame {self.i} of {self.frames!r}"
+
 
 def cuboid(origin: Any, axes: Any, speed: Any = None) -> Frame:
     """The cuboid (parallelotope) with that corner and those edges."""
@@ -220,7 +289,20 @@ def simplex(origin: Any, axes: Any, speed: Any = None) -> Frame:
 
 
 def _one(origin: Any, axes: Any, speed: Any, shape: str) -> Frame:
-    return Frames([origin], [axes], [speed] if speed is not None else None, shape)[0]
+    return Frames([_doubles_only(origin)], [[_doubles_only(axis) for axis in axes]],
+                  [_doubles_only(speed)] if speed is not None else None, shape)[0]
+
+
+def _doubles_only(numbers: Any) -> list[float]:
+    """Frames are made of doubles, and answers about them are exact: so nothing is rounded here."""
+    out = []
+    for x in numbers:
+        value = exact(x)
+        out.append(float(value))
+        if out[-1] != value:
+            raise ArgumentError(f"{spelled(value)} is no double: a frame of float({value}) is "
+                                "another one")
+    return out
 
 
 class Proximity(Answer):
@@ -229,23 +311,18 @@ class Proximity(Answer):
 
     def __init__(self, solver: Any, result: Any, p: Any, norm: str):
         super().__init__(solver, System(), result)
-        self._p = owned("fmb_proximity", p)
-        self._norm = norm
+        p = owned("fmb_proximity", p)
         dim = range(lib.fmb_proximity_dim(p))
         self.length = float(lib.fmb_proximity_length(p))
         self.shift = [number(written(lib.fmb_proximity_shift_text, p, j)) for j in dim]
         self.points = [[number(written(lib.fmb_proximity_point_text, p, which, j)) for j in dim]
                        for which in (0, 1)]
         self.time = number(written(lib.fmb_proximity_time_text, p))
-
-    @property
-    def square(self) -> Fraction:
-        """The square of the length, exactly."""
-        measure = number(written(lib.fmb_proximity_measure_text, self._p))
-        return measure if self._norm == "euclidean" else measure * measure
+        measure = number(written(lib.fmb_proximity_measure_text, p))
+        self.square: Fraction = measure if norm == "euclidean" else measure * measure
 
     def __repr__(self) -> str:
-        return f"{self.length} by ({', '.join(map(str, self.shift))})"
+        return f"{self.length} by ({', '.join(map(spelled, self.shift))})"
 
 
 _NORMS = {"euclidean": lib.FMB_NORM_EUCLIDEAN, "max": lib.FMB_NORM_MAX}
@@ -261,11 +338,16 @@ def _near(query: Callable[..., int], a: Frame, b: Frame, norm: str,
           options: dict[str, Any]) -> Proximity | None:
     v, out = _solver(options), ffi.new("fmb_proximity **")
     result = v._ask(query, _two(a, b), _word(_NORMS, norm, "norm"), out)
+    _finished(result, out)
     if out[0] == NULL:
-        if result.stop != lib.FMB_STOP_DONE:
-            raise Unfinished(text(lib.fmb_stop_text(result.stop)))
         return None
     return Proximity(v._v, result, out[0], norm)
+
+
+def _finished(result: Any, out: Any) -> None:
+    """Nothing handed out means that there is nothing only where no limit came first."""
+    if out[0] == NULL and result.stop != lib.FMB_STOP_DONE:
+        raise Unfinished(text(lib.fmb_stop_text(result.stop)))
 
 
 def distance(a: Frame, b: Frame, norm: str = "euclidean", **options: Any) -> Proximity | None:
@@ -282,10 +364,27 @@ def depth(a: Frame, b: Frame, norm: str = "euclidean", **options: Any) -> Proxim
     return _near(lib.fmb_depth, a, b, norm, options)
 
 
+def meeting(*frames: Frame, contact: str = "closed") -> System:
+    """A system that has a solution if and only if the frames share a point at one time: over the
+    point, the coordinates within each frame and, if something moves, the time.
+
+    >>> solve(meeting(cuboid([0], [[2]]), cuboid([1], [[5]]), cuboid([2], [[1]]))).point["x1"]
+    Fraction(2, 1)
+    """
+    if not frames:
+        raise ArgumentError("no frame is given")
+    all_of = ffi.new("fmb_frame[]", len(frames))
+    for k, one in enumerate(frames):
+        all_of[k] = one._c()
+    return System._of(made("fmb_system", lib.fmb_system_from_frames, all_of, len(frames),
+                           lib.FMB_COORDINATES_ALL, _word(_CONTACTS, contact, "contact"), NULL))
+
+
 def separate(a: Frame, b: Frame, contact: str = "closed", **options: Any) -> System | None:
     """A row that the first satisfies, and the second the other way round; None if they meet."""
     v, out = _solver(options), ffi.new("fmb_system **")
-    v._ask(lib.fmb_separate, _two(a, b), _word(_CONTACTS, contact, "contact"), out)
+    result = v._ask(lib.fmb_separate, _two(a, b), _word(_CONTACTS, contact, "contact"), out)
+    _finished(result, out)
     return System._of(owned("fmb_system", out[0])) if out[0] != NULL else None
 
 
@@ -297,7 +396,8 @@ def common(a: Frame, b: Frame, **options: Any) -> list[tuple[Fraction, ...]]:
 (Fraction(2, 1), Fraction(2, 1)), (Fraction(1, 1), Fraction(2, 1))]
     """
     v, out = _solver(options), ffi.new("fmb_generators **")
-    v._ask(lib.fmb_common, _two(a, b), out)
+    result = v._ask(lib.fmb_common, _two(a, b), out)
+    _finished(result, out)
     if out[0] == NULL:
         return []
     g = owned("fmb_generators", out[0])

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import re
 import threading
 from decimal import Decimal
 from fractions import Fraction
 from numbers import Rational
-from typing import Any, Callable, Union
+from typing import Any, Callable, Sequence, Union
 
 from fmb._core import ffi as ffi
 from fmb._core import lib as lib
@@ -40,11 +41,15 @@ class StateError(Error, RuntimeError):
 
 
 class Unfinished(Error, RuntimeError):
-    """A limit was reached first; `reason` says which: "time", "rows", "bytes" or "cancelled"."""
+    """A limit was reached first; `reason` says which: "time", "rows", "bytes" or "cancelled"; of
+    pairs of frames, how many are undecided."""
 
     def __init__(self, reason: str):
-        super().__init__(f"the query ended at a limit: {reason}")
+        super().__init__(reason)
         self.reason = reason
+
+    def __str__(self) -> str:
+        return f"the query ended at a limit: {self.reason}"
 
 
 _KINDS: dict[int, type[Exception]] = {
@@ -54,8 +59,17 @@ _KINDS: dict[int, type[Exception]] = {
 
 
 def text(of: Any) -> str:
-    """A text of the library's."""
-    return str(ffi.string(of).decode()) if of != NULL else ""
+    """A text of the library's; bytes that are no UTF-8, as of a file, come back by encoded."""
+    return str(ffi.string(of).decode(errors="surrogateescape")) if of != NULL else ""
+
+
+def encoded(name: Any) -> bytes:
+    """A name for the library, to which a NUL is its end."""
+    if not isinstance(name, str):
+        raise ArgumentError(f"a name is a str, not {name!r}")
+    if "\0" in name:
+        raise ArgumentError(f"{name!r}: a name holds no NUL")
+    return name.encode(errors="surrogateescape")
 
 
 def need(status: int, trouble: Callable[[], str] = str) -> None:
@@ -68,7 +82,7 @@ def need(status: int, trouble: Callable[[], str] = str) -> None:
 def parsed(status: int, where: Any, name: str | None = None) -> None:
     """The same behind a reader, which says where its text went wrong."""
     if status in (lib.FMB_ERR_PARSE, lib.FMB_ERR_ARG) and ffi.string(where.text):
-        source = name.encode() if name else NULL
+        source = encoded(name) if name else NULL
         message = written(lib.fmb_where_text, where, source)
         if status == lib.FMB_ERR_ARG:
             raise ArgumentError(message)
@@ -83,7 +97,7 @@ def written(write: Callable[..., int], *what: Any) -> str:
         block = ffi.new("char[]", size)
         length = write(*what, block, size)
         if length < size:
-            return str(ffi.unpack(block, length).decode())
+            return str(ffi.unpack(block, length).decode(errors="surrogateescape"))
         size = length + 1
 
 
@@ -93,27 +107,76 @@ def printed(write: Callable[..., int], *what: Any) -> str:
     need(write(*what, NULL, 0, length))
     block = ffi.new("char[]", length[0] + 1)
     need(write(*what, block, length[0] + 1, length))
-    return str(ffi.unpack(block, length[0]).decode())
+    return str(ffi.unpack(block, length[0]).decode(errors="surrogateescape"))
+
+
+# Python refuses to turn text of more than 4300 digits, or of fewer, if it is told so, into a number.
+_SURE_DIGITS = 600
+
+
+def digits(n: int) -> str:
+    """A whole number of any length as text."""
+    if n.bit_length() < 3 * _SURE_DIGITS:
+        return str(n)
+    if n < 0:
+        return "-" + digits(-n)
+    half = n.bit_length() * 3 // 20
+    above, below = divmod(n, int(10 ** half))
+    return digits(above) + digits(below).zfill(half)
+
+
+def spelled(value: Fraction) -> str:
+    """An exact number as text, however long it is."""
+    if value.denominator == 1:
+        return digits(value.numerator)
+    return f"{digits(value.numerator)}/{digits(value.denominator)}"
+
+
+def _whole(word: str) -> int:
+    if len(word) <= _SURE_DIGITS:
+        return int(word)
+    if word[0] == "-":
+        return -_whole(word[1:])
+    half = len(word) // 2
+    return _whole(word[:-half]) * int(10 ** half) + _whole(word[-half:])
 
 
 def number(exact: str) -> Fraction:
     """An exact number of the library's."""
-    above, _, below = exact.partition("/")
-    return Fraction(int(above), int(below) if below else 1)
+    above, bar, below = exact.partition("/")
+    return Fraction(_whole(above), _whole(below)) if bar else Fraction(_whole(above))
 
 
 def exact(value: Number | str) -> Fraction:
     """A number of the caller's, meant exactly: a float is its binary value, "0.1" is 1/10."""
-    if isinstance(value, Fraction):
+    if type(value) is Fraction:  # pylint: disable=unidiomatic-typecheck
         return value
-    if hasattr(value, "item"):  # a number of NumPy's
-        value = value.item()
+    given: Any = value
     try:
-        return Fraction(value)
+        if hasattr(given, "item"):  # a number of NumPy's
+            given = given.item()
+        if isinstance(given, str) and len(given) > _SURE_DIGITS and (
+                re.fullmatch(r"\s*-?\d+(/\d+)?\s*", given)):
+            return number(given.strip())
+        if not isinstance(given, (int, float, str, Decimal, Rational)) and (
+                hasattr(given, "as_integer_ratio")):  # NumPy's long double
+            return Fraction(*map(int, given.as_integer_ratio()))
+        return Fraction(given)
     except (TypeError, OverflowError) as e:
-        raise ArgumentError(f"{value!r} is no finite number") from e
-    except ValueError as e:
-        raise ArgumentError(f"{value!r} is no number") from e
+        raise ArgumentError(f"{_shortened(value)} is no finite number") from e
+    except (ValueError, ZeroDivisionError) as e:
+        raise ArgumentError(f"{_shortened(value)} is no number") from e
+
+
+def _shortened(value: object) -> str:
+    shown = repr(value)
+    return shown if len(shown) <= 80 else shown[:77] + "..."
+
+
+def listed(parts: Sequence[str], between: str = ", ", most: int = 100) -> str:
+    """What a repr shows of many: the first of them, and how many more there are."""
+    rest = len(parts) - most
+    return between.join(parts[:most]) + (f"{between}... ({rest} more)" if rest > 0 else "")
 
 
 def made(kind: str, make: Callable[..., int], *arguments: Any,
@@ -127,6 +190,26 @@ def made(kind: str, make: Callable[..., int], *arguments: Any,
 def owned(kind: str, thing: Any) -> Any:
     """An object that is freed with its last use; None for NULL."""
     return ffi.gc(thing, getattr(lib, kind + "_free")) if thing != NULL else None
+
+
+# What was raised at the very door of a callback, as KeyboardInterrupt may be: nobody catches it there.
+_lost: list[BaseException] = []
+
+
+def note_lost(_kind: Any, raised: BaseException, _traceback: Any) -> None:
+    """Keep it for the caller of the query, who is told when that has ended."""
+    _lost.append(raised)
+
+
+def forget_lost() -> None:
+    """Something else is raised."""
+    _lost.clear()
+
+
+def raise_lost() -> None:
+    """Raise what was lost in a callback."""
+    if _lost:
+        raise _lost.pop()
 
 
 def in_main_thread() -> bool:

@@ -7,12 +7,21 @@ import re
 import sys
 import threading
 from fractions import Fraction
+from numbers import Number as Number_
 from types import FrameType
-from typing import Iterable, Iterator, Mapping, Union
+from typing import Any, Iterable, Iterator, Mapping, Union
 
-from fmb._lib import ArgumentError, Number, exact
+from fmb._lib import ArgumentError, Number, exact, spelled
 
 _chains = threading.local()
+
+
+def _name_of(variable: Any) -> str:
+    """Of a variable, or of its name."""
+    name = getattr(variable, "name", variable)
+    if not isinstance(name, str) or not name:
+        raise ArgumentError(f"a variable needs a name, not {name!r}")
+    return name
 
 
 class Form:
@@ -28,7 +37,11 @@ class Form:
     __array_ufunc__ = None  # so that a number of NumPy's leaves arithmetic to the form
 
     def __init__(self, coefficients: Mapping[str, Number] | None = None, constant: Number = 0):
-        self.coefficients = {name: exact(c) for name, c in (coefficients or {}).items() if c != 0}
+        self.coefficients = {}
+        for name, c in (coefficients or {}).items():
+            value = exact(c)
+            if value:
+                self.coefficients[_name_of(name)] = value
         self.constant = exact(constant)
 
     def __add__(self, other: FormLike) -> Form:
@@ -84,7 +97,12 @@ class Form:
         return _compare(self, ">", other)
 
     def __eq__(self, other: object) -> Row:  # type: ignore[override]
+        if not isinstance(other, (Form, str, Number_)) and not hasattr(other, "item"):
+            return NotImplemented  # so that it is not equal
         return _compare(self, "=", other)  # type: ignore[arg-type]
+
+    def __reduce__(self) -> Any:
+        return Form, (self.coefficients, self.constant)
 
     def __call__(self, point: Mapping[str, Number]) -> Fraction:
         """Its value at a point.
@@ -108,6 +126,9 @@ class Variable(Form):
     def __init__(self, name: str):
         super().__init__({name: 1})
         self.name = name
+
+    def __reduce__(self) -> Any:
+        return Variable, (self.name,)
 
     def __hash__(self) -> int:  # type: ignore[override]
         return hash(self.name)
@@ -140,10 +161,11 @@ class Row:
     def __bool__(self) -> bool:
         """Python asks this between the links of a chain; elsewhere a row has no truth."""
         left, relation, right = self.links[-1]
-        if relation == "=":  # as `in` and lists compare
-            return left.coefficients == right.coefficients and left.constant == right.constant
         frame = sys._getframe(1)
-        if not _is_in_chain(frame):
+        in_chain = _is_in_chain(frame)
+        if relation == "=" and not in_chain:  # as `in` and lists compare
+            return left.coefficients == right.coefficients and left.constant == right.constant
+        if not in_chain:
             raise TypeError(f"the row {self!r} is neither true nor false: ask fmb.solve, or "
                             "row.holds(point)")
         begun = [chain for chain in _begun() if _is_within(frame, chain[1])]
@@ -162,6 +184,9 @@ class Row:
         return all(tests[relation](left(point), right(point))
                    for left, relation, right in self.links)
 
+    def __reduce__(self) -> Any:
+        return Row, (self.links, self.label)
+
     def __repr__(self) -> str:
         ends = "".join(f" {relation} {right!r}" for _, relation, right in self.links)
         return (f"{self.label}: " if self.label else "") + repr(self.links[0][0]) + ends
@@ -178,18 +203,24 @@ def _is_within(inner: FrameType | None, outer: FrameType) -> bool:
     return inner is outer
 
 
+# What may stand between a comparison and the jump that asks for its truth.
+_BEHIND = ("CACHE", "EXTENDED_ARG", "COPY", "DUP_TOP", "TO_BOOL")
+
+
 def _is_in_chain(frame: FrameType) -> bool:
     """Does what runs there ask for the truth of a link, to go on with the next? Between links,
     and nowhere else, the compiler keeps a copy of the second operand under the comparison."""
     code, at = frame.f_code.co_code, frame.f_lasti
-    names: list[str] = []
-    while at >= 0 and len(names) < 2:
-        name = opcode.opname[code[at]]
-        if "COMPARE_OP" in names or name == "COMPARE_OP":
-            if name not in ("CACHE", "EXTENDED_ARG"):
-                names.append(name)
+    if "JUMP" in opcode.opname[code[at]]:
         at -= 2
-    return len(names) == 2 and names[1] in ("COPY", "ROT_THREE")
+    while at > 0 and opcode.opname[code[at]] in _BEHIND:
+        at -= 2
+    if at < 2 or opcode.opname[code[at]] != "COMPARE_OP":
+        return False
+    at -= 2
+    while at > 0 and opcode.opname[code[at]] in ("CACHE", "EXTENDED_ARG"):
+        at -= 2
+    return opcode.opname[code[at]] in ("COPY", "ROT_THREE")
 
 
 _MIRROR = {"<=": ">=", "<": ">", ">=": "<=", ">": "<", "=": "="}
@@ -228,6 +259,9 @@ def form(value: FormLike) -> Form:
     """A form of what may stand in one: a form, the name of a variable, or a number."""
     if isinstance(value, Form):
         return value
+    if isinstance(value, Row):
+        raise TypeError(f"the row {value!r} stands where a form or a number should: rows cannot be "
+                        "added, multiplied or compared")
     if isinstance(value, str):
         return Variable(value)
     return Form(None, value)
@@ -238,12 +272,12 @@ def text_of_form(terms: Iterable[tuple[str, Fraction]], constant: Fraction = Fra
     out = ""
     for name, c in terms:
         size = abs(c)
-        factor = "" if size == 1 else f"{size} " if size.denominator != 1 else f"{size}"
+        factor = "" if size == 1 else spelled(size) + (" " if size.denominator != 1 else "")
         sign = ("-" if c < 0 else "") if not out else (" - " if c < 0 else " + ")
         out += f"{sign}{factor}{name}"
     if constant or not out:
         sign = ("-" if constant < 0 else "") if not out else (" - " if constant < 0 else " + ")
-        out += f"{sign}{abs(constant)}"
+        out += f"{sign}{spelled(abs(constant))}"
     return out
 
 
@@ -261,11 +295,13 @@ def vars(names: str | Iterable[str]) -> tuple[Variable, ...]:  # pylint: disable
 def _spread(word: str) -> Iterator[str]:
     numbered = re.fullmatch(r"(.*?)(\d+):(\d+)", word)
     if not numbered:
-        if not word:
-            raise ArgumentError("a variable needs a name")
+        if not word or ":" in word:
+            raise ArgumentError(f"a variable needs a name, or several as x1:3, not {word!r}")
         yield word
         return
     stem, first, last = numbered.groups()
+    if int(first) > int(last):
+        raise ArgumentError(f"{word!r}: there is no variable from {first} to {last}")
     for number in range(int(first), int(last) + 1):
         yield f"{stem}{number}"
 

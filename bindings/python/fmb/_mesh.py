@@ -7,9 +7,18 @@ from typing import Any
 
 import numpy as np
 
-from fmb._lib import NULL, ArgumentError, ffi, lib, made, need, owned, parsed, text, written
+from fmb._frames import doubles, set_option, whole_numbers
+from fmb._lib import NULL, ArgumentError, encoded, ffi, in_main_thread, lib, made, need, owned
+from fmb._lib import parsed, text, written
 
 HOW = ("apart", "share", "touch", "cross", "coplanar")
+
+
+def _three(numbers: Any, what: str) -> list[float]:
+    out = list(map(float, numbers))
+    if len(out) != 3:
+        raise ArgumentError(f"{what} has {len(out)} numbers, not 3")
+    return out
 
 
 class Mesh:
@@ -23,11 +32,7 @@ class Mesh:
     """
 
     def __init__(self, points: Any, cells: Any):
-        points = np.ascontiguousarray(points, np.float64)
-        cells = np.asarray(cells)
-        if cells.size and (cells.min() < 0 or cells.max() > 0xffffffff):
-            raise ArgumentError("cells number vertices from 0")
-        cells = np.ascontiguousarray(cells, np.uint32)
+        points, cells = doubles(points, "points"), whole_numbers(cells, "cells")
         if points.ndim != 2 or points.shape[1] != 3 or cells.ndim != 2 or (
                 cells.shape[1] not in (3, 4)):
             raise ArgumentError("points are of shape [n, 3] and cells of [m, 3] or [m, 4], not "
@@ -41,7 +46,7 @@ class Mesh:
         """A mesh from a file: OFF, OBJ, PLY, STL, medit."""
         path = os.fspath(path)
         kind = ffi.new("fmb_mesh_format *")
-        if not lib.fmb_mesh_format_parse(format.encode(), kind):
+        if not lib.fmb_mesh_format_parse(encoded(format), kind):
             raise ArgumentError(f"no format of meshes is called {format!r}")
         told = kind[0] or lib.fmb_mesh_format_of_name(os.fsencode(path))
         with open(path, "rb") as file:
@@ -81,10 +86,15 @@ class Mesh:
     def __len__(self) -> int:
         return int(lib.fmb_mesh_cells(self._m))
 
-    def placed(self, scale: Any = (1, 1, 1), move: Any = (0, 0, 0)) -> Mesh:
-        """The mesh at another place: scale * x + move."""
-        place = ffi.new("fmb_mesh_place *", {"scale": list(map(float, scale)),
-                                             "move": list(map(float, move))})
+    def __reduce__(self) -> Any:
+        return Mesh, (np.array(self.points), np.array(self.cells))
+
+    def placed(self, scale: Any = 1, move: Any = (0, 0, 0)) -> Mesh:
+        """The mesh at another place: scale * x + move, scale a number or one for each axis."""
+        if isinstance(scale, (int, float)):
+            scale = (scale, scale, scale)
+        place = ffi.new("fmb_mesh_place *", {"scale": _three(scale, "scale"),
+                                             "move": _three(move, "move")})
         return Mesh._of(made("fmb_mesh", lib.fmb_mesh_placed, self._m, place, NULL))
 
     def meet(self, other: Mesh | None = None, motion: Any = None, **options: Any) -> Hits:
@@ -95,13 +105,22 @@ class Mesh:
         for name, value in options.items():
             if name not in ("neighbours", "threads", "max_seconds", "max_bytes"):
                 raise ArgumentError(f"no option of meshes is called {name!r}")
-            setattr(o, name, value)
-        moving = ffi.new("double[3]", list(map(float, motion))) if motion is not None else NULL
+            set_option(o, name, value)
+        moving = ffi.new("double[3]", _three(motion, "motion")) if motion is not None else NULL
         o.motion = moving
+        going = ffi.new("bool *", True)
+        o.progress, o.self = ffi.addressof(lib, "pyfmb_goes_on"), going
         answer = ffi.gc(ffi.new("fmb_mesh_answer *", {"size": ffi.sizeof("fmb_mesh_answer")}),
                         lib.fmb_mesh_answer_clear)
-        need(lib.fmb_mesh_meet(self._m, other._m if other is not None else NULL, o, answer),
-             lambda: written(lib.fmb_mesh_options_trouble, o))
+        watched = in_main_thread()
+        if watched:
+            lib.pyfmb_begin(lib.PYFMB_MESH, going)
+        try:
+            status = lib.fmb_mesh_meet(self._m, other._m if other is not None else NULL, o, answer)
+        finally:
+            if watched:
+                lib.pyfmb_end()
+        need(status, lambda: written(lib.fmb_mesh_options_trouble, o))
         return Hits(answer)
 
     def __repr__(self) -> str:

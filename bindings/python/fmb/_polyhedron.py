@@ -6,7 +6,7 @@ from fractions import Fraction
 from typing import Any, Iterable, Mapping, Sequence
 
 from fmb._answers import Box, Generators, Optimum, Point, SystemAnswer
-from fmb._lib import ArgumentError, Number, exact
+from fmb._lib import ArgumentError, Number, exact, listed
 from fmb._linear import FormLike
 from fmb._solver import Names, Solver, _solver
 from fmb._system import System, SystemLike, system
@@ -30,8 +30,7 @@ class Polyhedron:
 
     def __init__(self, rows: SystemLike = (),
                  variables: str | Iterable[str] | None = None, **options: Any):
-        self.system = System(system(rows), variables) if variables is None else System(
-            rows, variables)
+        self.system = System(system(rows), variables)
         self._options = options
         self._own: Solver | None = None
 
@@ -92,12 +91,6 @@ class Polyhedron:
         return self.dim - [row.relation for row in reduced].count("=")
 
     def __contains__(self, point: Any) -> bool:
-        if not isinstance(point, Mapping):
-            values = [exact(x) for x in point]
-            if len(values) != self.dim:
-                raise ArgumentError(f"a point of {len(values)} coordinates, but there are "
-                                    f"{self.dim} variables")
-            point = dict(zip(self.names, values))
         return self.system.holds(point)
 
     def bounds(self, of: Names | None = None) -> Box:
@@ -145,6 +138,7 @@ class Polyhedron:
         Polyhedron(x >= 2; x <= 3)
         """
         out = System((), self.names)
+        by = {self.names[self.system.index(name)]: x for name, x in by.items()}
         for row in self.system:
             shift = sum((c * exact(by.get(name, 0)) for name, c in row.coefficients.items()),
                         Fraction(0))
@@ -154,6 +148,8 @@ class Polyhedron:
         return Polyhedron(out, **self._options)
 
     def __mul__(self, factor: Number) -> Polyhedron:
+        if isinstance(factor, Polyhedron):
+            return NotImplemented
         k = exact(factor)
         if k == 0:
             raise ArgumentError("0 times a polyhedron loses its directions: say what is meant")
@@ -198,11 +194,21 @@ class Polyhedron:
         """Does it lie within the other?"""
         return all(self._has_row(row) for row in system(other))
 
-    def __ge__(self, other: Polyhedron) -> bool:
-        return Polyhedron(other) <= self
+    def __ge__(self, other: SystemLike) -> bool:
+        return Polyhedron(other, **self._options) <= self
+
+    def __lt__(self, other: SystemLike) -> bool:
+        """Does it lie within the other, which has more?"""
+        return self <= other and not self >= other
+
+    def __gt__(self, other: SystemLike) -> bool:
+        return self >= other and not self <= other
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Polyhedron) and self <= other and other <= self
+        """Are they the same set? The other may be a system, or the text of one, as well."""
+        if not isinstance(other, (Polyhedron, System, str)):
+            return NotImplemented
+        return self <= other and self >= other
 
     __hash__ = None  # type: ignore[assignment]
 
@@ -218,8 +224,17 @@ class Polyhedron:
         from fmb import _plot
         return _plot.polyhedron(self, ax, **style)
 
+    def __reduce__(self) -> Any:
+        return _again, (self.system, self._options)
+
     def __repr__(self) -> str:
-        return "Polyhedron(" + ("; ".join(map(repr, self.system)) or "everything") + ")"
+        rows = listed([repr(row) for row in self.system], "; ")
+        return f"Polyhedron({rows or 'everything'})"
 
     def _repr_html_(self) -> str:
         return self.system._repr_html_()
+
+
+def _again(rows: System, options: dict[str, Any]) -> Polyhedron:
+    """From a pickle."""
+    return Polyhedron(rows, **options)

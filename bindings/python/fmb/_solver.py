@@ -3,36 +3,47 @@
 from __future__ import annotations
 
 import contextlib
+import operator
+import re
 import threading
-from math import gcd
+from fractions import Fraction
 from typing import Any, Callable, Iterable, Iterator, Mapping, Sequence, Union
 
 from fmb._answers import (Answer, Box, Generators, Judgement, Optimum, Proof, Reduction,
                           SystemAnswer)
-from fmb._lib import (NULL, ArgumentError, printed, Number, exact, ffi, in_main_thread, lib, made, need,
-                      parsed, text, written)
-from fmb._linear import Form, FormLike, Row
-from fmb._system import System, SystemLike, system
+from fmb import _callbacks
+from fmb._lib import (NULL, ArgumentError, Number, StateError, encoded, exact, ffi, forget_lost,
+                      in_main_thread, lib, made, need, note_lost, parsed, printed, raise_lost,
+                      spelled, text, written)
+from fmb._linear import Form, FormLike, Row, text_of_form
+from fmb._system import RELATIONS, System, SystemLike, SystemRow, quoted, system, words
 
 Names = Union[str, Iterable[Any]]
 _FATES = {lib.FMB_FATE_UNKNOWN: "unknown", lib.FMB_FATE_KEPT: "kept",
           lib.FMB_FATE_EQUALITY: "equality", lib.FMB_FATE_REDUNDANT: "redundant"}
 
 
-@ffi.def_extern()  # type: ignore[misc]
+@ffi.def_extern(onerror=note_lost)  # type: ignore[misc]
 def pyfmb_tell(self: Any, e: Any) -> None:
     """An event of a query that is watched."""
     watcher: Solver = ffi.from_handle(self)
     watcher._tell(e)
 
 
-class Event:
-    """What a watched query tells: its kind, round, rows, seconds since it began, and `text`, the
-    JSON that `fmb --trace` writes."""
+_KINDS = ("begin", "round", "rule", "lp", "end", "row", "rebase", "engine")
 
-    __slots__ = ("round", "rows", "seconds", "text")
+
+class Event:
+    """What a watched query tells: its `kind` ("begin", "round", "rule", "lp", "row", "rebase",
+    "engine", "end"), `name` (of the query, the rule, ...), round, rows, rows dropped by the rule,
+    seconds since it began, and `text`, the JSON that `fmb --trace` writes."""
+
+    __slots__ = ("kind", "name", "round", "rows", "dropped", "seconds", "text")
 
     def __init__(self, e: Any):
+        self.kind = _KINDS[e.kind]
+        self.name = text(e.name)
+        self.dropped = int(e.dropped)
         self.round = int(e.round)
         self.rows = int(e.rows_out)
         self.seconds = float(e.seconds)
@@ -52,26 +63,44 @@ class Solver:
     True
     """
 
-    def __init__(self, progress: Callable[[Event], None] | None = None, **options: Any):
+    def __init__(self, progress: Callable[[Event], None] | None = None, rules: Any = None,
+                 order: Any = None, **options: Any):
         o = ffi.new("fmb_options *", {"size": ffi.sizeof("fmb_options")})
-        self._texts = []  # the library borrows rules and presolve
-        for name, value in options.items():
-            word = ffi.new("char[]", _option(value).encode())
-            self._texts.append(word)
-            if lib.fmb_options_set(o, name.encode(), word) != lib.FMB_OK:
-                known = [info[0] for info in Solver.options()]
-                if name not in known:
-                    raise ArgumentError(f"no option is called {name!r}: {', '.join(known)}")
-                raise ArgumentError(f"{name}={value!r}: out of range, or no such word")
-        out = ffi.new("fmb_solver **")
-        need(lib.fmb_solver_new(o, NULL, out), lambda: written(lib.fmb_options_trouble, o))
-        self._v = ffi.gc(out[0], lib.fmb_solver_free)
-        self._progress = progress
+        self._texts: list[Any] = []  # the library borrows rules and presolve
         self._raised: BaseException | None = None
+        self._busy = threading.Lock()
+        own = _callbacks.Callbacks(self._fail, rules, order)
+        if own.names is not None:
+            options["rules"] = own.names
+        if own.order_name is not None:
+            options["order"] = own.order_name
+        if own and "method" not in options:
+            options["method"] = "fm"  # others may answer without an elimination
+        for name, value in options.items():
+            self._set(o, name, value)
+        out = ffi.new("fmb_solver **")
+        status = lib.fmb_solver_new(o, NULL, out)
+        if status == lib.FMB_ERR_RULE:
+            raise _callbacks.unknown_rules(options.get("rules"))
+        need(status, lambda: written(lib.fmb_options_trouble, o))
+        self._v = ffi.gc(out[0], lib.fmb_solver_free)
+        self._callbacks = own
+        own.add_to(self._v, self._trouble)
+        self._progress = progress
         self._result = ffi.sizeof("fmb_result")
         if progress is not None:
             self._handle = ffi.new_handle(self)
             lib.fmb_solver_set_sink(self._v, {"put": lib.pyfmb_tell, "self": self._handle})
+
+    def _set(self, o: Any, name: str, value: Any) -> None:
+        word = ffi.new("char[]", encoded(_option(value)))
+        self._texts.append(word)
+        if lib.fmb_options_set(o, encoded(name), word) != lib.FMB_OK:
+            known = [info[0] for info in Solver.options()]
+            if name not in known:
+                raise ArgumentError(f"no option is called {name!r}: {', '.join(known)}")
+            (values,) = (info[1] for info in Solver.options() if info[0] == name)
+            raise ArgumentError(f"{name}={value!r}: expected {values}")
 
     @staticmethod
     def options() -> list[tuple[str, str, str, str]]:
@@ -89,13 +118,21 @@ class Solver:
         """Ask a running query to stop soon; from any thread."""
         lib.fmb_solver_cancel(self._v)
 
+    def _fail(self, raised: BaseException) -> None:
+        """A callback raised this: the query ends, and raises it."""
+        if self._raised is None:
+            self._raised = raised
+        lib.fmb_solver_cancel(self._v)
+
     def _tell(self, e: Any) -> None:
         try:
             if self._progress is not None and self._raised is None:
                 self._progress(Event(e))
         except BaseException as raised:  # pylint: disable=broad-except
-            self._raised = raised
-            lib.fmb_solver_cancel(self._v)
+            self._fail(raised)
+
+    def __reduce__(self) -> Any:
+        raise TypeError("a solver belongs to one process: make another one of the same options")
 
     def _trouble(self) -> str:
         return text(lib.fmb_solver_trouble(self._v))
@@ -103,17 +140,23 @@ class Solver:
     def _ask(self, query: Callable[..., int], *arguments: Any) -> Any:
         """One query; Ctrl-C ends it, and then raises KeyboardInterrupt as ever."""
         result = ffi.new("fmb_result *", {"size": self._result})
+        if not self._busy.acquire(False):
+            raise StateError("this solver is answering a question: another thread, and a callback, "
+                             "need one of their own")
         watched = in_main_thread()
         if watched:
-            lib.pyfmb_begin(self._v)
+            lib.pyfmb_begin(lib.PYFMB_SOLVER, self._v)
         try:
             status = query(self._v, *arguments, result)
         finally:
             if watched:
                 lib.pyfmb_end()
+            self._busy.release()
         if self._raised is not None:
             raised, self._raised = self._raised, None
+            forget_lost()
             raise raised
+        raise_lost()
         if status != lib.FMB_OK:
             need(status, self._trouble)
         return result
@@ -126,7 +169,8 @@ class Solver:
         return Answer(self._v, s, self._ask(lib.fmb_solve, s._s))
 
     def project(self, rows: SystemLike, keep: Names) -> SystemAnswer:
-        """The projection on the variables to keep: an irredundant system in canonical form."""
+        """The projection on the variables to keep, in the order in which the system has them: an
+        irredundant system in canonical form."""
         s, out = system(rows), ffi.new("fmb_system **")
         var = sorted(set(_indices(s, keep)))
         result = self._ask(lib.fmb_project, s._s, var if var else NULL, len(var), out)
@@ -142,7 +186,8 @@ class Solver:
         """The tightest interval of each variable."""
         s, out = system(rows), ffi.new("fmb_box **")
         var = _indices(s, of) if of is not None else None
-        result = self._ask(lib.fmb_bound, s._s, var if var else NULL, len(var) if var else 0, out)
+        asked = NULL if var is None else ffi.new("int[]", var + [0])  # NULL is all of them
+        result = self._ask(lib.fmb_bound, s._s, asked, len(var or ()), out)
         return Box(self._v, s, result, out[0])
 
     def optimize(self, rows: SystemLike, max: FormLike | None = None,  # pylint: disable=W0622
@@ -179,10 +224,16 @@ class Solver:
         g, out = _generators(points, rays, lines), ffi.new("fmb_system **")
         result = self._ask(lib.fmb_hull, g, out)
         answer = _system(out)
-        if answer is not None:
-            for j, name in enumerate(names or ()):
-                answer.rename(answer.names[j], name)
-        return SystemAnswer(self._v, answer or System(), result, answer)
+        called = words(names) if names is not None else []
+        dim = lib.fmb_generators_dim(g)
+        if names is not None and len(called) != dim:
+            raise ArgumentError(f"points of {dim} coordinates, but {len(called)} names")
+        if answer is not None:  # one may be the usual name of another
+            for j in range(len(called)):
+                answer.rename(answer.names[j], f"\1{j}")
+            for j, name in enumerate(called):
+                answer.rename(f"\1{j}", name)
+        return SystemAnswer(self._v, System() if answer is None else answer, result, answer)
 
     # ---- images, sums, hulls of polyhedra ----------------------------------------------------
 
@@ -204,6 +255,9 @@ class Solver:
         return self._join(lib.fmb_hull_union, polyhedra)
 
     def _join(self, query: Callable[..., int], polyhedra: Sequence[SystemLike]) -> SystemAnswer:
+        if len(polyhedra) == 1 and isinstance(polyhedra[0], (list, tuple)) and not all(
+                isinstance(p, (Row, SystemRow)) for p in polyhedra[0]):
+            polyhedra = polyhedra[0]  # a list of them
         all_of = [system(p) for p in polyhedra]
         lift, out = ffi.new("fmb_system **"), ffi.new("fmb_system **")
         result = self._ask(query, [s._s for s in all_of], len(all_of), lift, out)
@@ -225,38 +279,63 @@ def _system(out: Any) -> System | None:
 
 
 def _indices(s: System, names: Names) -> list[int]:
+    """The numbers of variables, told by names, as variables, or by their numbers."""
+    if isinstance(names, Form):
+        names = words(names)
     if isinstance(names, str):
-        names = names.replace(",", " ").split()
-    return [name if isinstance(name, int) else s.index(getattr(name, "name", name))
-            for name in names]
+        names = words(names)
+    out = []
+    for name in names:
+        if hasattr(name, "__index__"):
+            j = operator.index(name)
+            if not 0 <= j < s.dim:
+                raise ArgumentError(f"no variable has the number {j}: there are {s.dim}")
+            out.append(j)
+        else:
+            out.append(s.index(name))
+    return out
 
 
 def _rows_of(points: Any) -> list[Any]:
-    return list(points.tolist() if hasattr(points, "tolist") else points)
+    rows = list(points.tolist() if hasattr(points, "tolist") else points)
+    if not all(hasattr(row, "__len__") for row in rows):
+        raise ArgumentError("points, rays and lines are lists of lists, or arrays of two dimensions")
+    return rows
 
 
 def _generators(points: Any, rays: Any, lines: Any) -> Any:
     lists = [_rows_of(points), _rows_of(rays), _rows_of(lines)]
     dims = {len(x) for some in lists for x in some}
-    if len(dims) > 1:
-        raise ArgumentError("points, rays and lines are not of one dimension")
-    rows = [f"{head} " + " ".join(str(exact(c)) for c in x)
+    if len(dims) != 1:
+        raise ArgumentError("points, rays and lines are not of one dimension" if dims else
+                            "a hull needs a point, at least")
+    rows = [f"{head} " + " ".join(spelled(exact(c)) for c in x)
             for some, head in zip(lists, "100") for x in some]
     first_line = len(lists[0]) + len(lists[1])
     lines_at = " ".join(str(first_line + i + 1) for i in range(len(lists[2])))
     head = f"linearity {len(lists[2])} {lines_at}\n" if lists[2] else ""
-    spelled = (f"V-representation\n{head}begin\n{len(rows)} {(dims.pop() if dims else 0) + 1} "
-               "rational\n" + "\n".join(rows) + "\nend\n").encode()
+    data = (f"V-representation\n{head}begin\n{len(rows)} {dims.pop() + 1} "
+            "rational\n" + "\n".join(rows) + "\nend\n").encode()
     out, where = ffi.new("fmb_generators **"), ffi.new("fmb_where *")
-    parsed(lib.fmb_generators_parse(spelled, len(spelled), NULL, out, where), where)
+    parsed(lib.fmb_generators_parse(data, len(data), NULL, out, where), where)
     return ffi.gc(out[0], lib.fmb_generators_free)
+
+
+def _spelled_form(f: Any) -> str:
+    if isinstance(f, str):
+        return f
+    if not isinstance(f, Form):
+        return spelled(exact(f))
+    return text_of_form([(quoted(name), c) for name, c in f.coefficients.items()], f.constant)
 
 
 def _graph(s: System, graph: Mapping[str, FormLike] | str) -> System:
     if not isinstance(graph, str):
-        graph = "\n".join(f"{name} = {f if isinstance(f, (str, Form)) else exact(f)!s}"
+        graph = "\n".join(f"{quoted(getattr(name, 'name', name))} = {_spelled_form(f)}"
                           for name, f in graph.items())
-    data = graph.replace(";", "\n").encode()
+    else:
+        graph = graph.replace(";", "\n")
+    data = encoded(graph)
     out, where = ffi.new("fmb_system **"), ffi.new("fmb_where *")
     parsed(lib.fmb_system_parse_graph(data, len(data), NULL, s._s, out, where), where)
     return System._of(ffi.gc(out[0], lib.fmb_system_free))
@@ -289,20 +368,23 @@ class Session:
         return System._of(made("fmb_system", lib.fmb_system_copy, self._now()))
 
     def _now(self) -> Any:
-        return lib.fmb_solver_system(self._v)
+        now = lib.fmb_solver_system(self._v)
+        if now == NULL:
+            raise StateError("the session is closed")
+        return now
 
     def __len__(self) -> int:
         return int(lib.fmb_system_rows(self._now()))
 
     def _index(self, name: str) -> int:
-        j = lib.fmb_system_find(self._now(), name.encode())
+        j = lib.fmb_system_find(self._now(), encoded(name))
         return int(j) if j >= 0 else self.add_variable(name)
 
     def add_variable(self, name: str | None = None) -> int:
         """Append a variable."""
         index = ffi.new("int *")
-        need(lib.fmb_solver_add_variable(self._v, name.encode() if name else NULL, index),
-             self._solver._trouble)
+        need(lib.fmb_solver_add_variable(self._v, encoded(name) if name is not None else NULL,
+                                         index), self._solver._trouble)
         return int(index[0])
 
     def add(self, row: Row | str) -> int:
@@ -311,28 +393,33 @@ class Session:
         if len(one) != 1:
             raise ArgumentError(f"{row!r} is {len(one)} rows: add one at a time")
         terms = one[0]
-        size = 1
-        for c in (*terms.coefficients.values(), terms.right):
-            size = size * c.denominator // gcd(size, c.denominator)
-        var = {self._index(name): c * size for name, c in terms.coefficients.items()}
-        dim = lib.fmb_system_dim(self._now())
-        a = [int(var.get(j, 0)) for j in range(dim)]
-        relation = {"<=": lib.FMB_LE, "<": lib.FMB_LT, "=": lib.FMB_EQ}[terms.relation]
-        need(lib.fmb_solver_add_int(self._v, a, relation, int(terms.right * size)),
-             self._solver._trouble)
+        sign, relation = 1, terms.relation
+        if relation != "=" and _is_lower_bound(row):  # as set_right will mean it
+            sign, relation = -1, {"<=": ">=", "<": ">"}[relation]
+        var = {self._index(name): sign * c for name, c in terms.coefficients.items()}
+        texts = [ffi.new("char[]", spelled(c).encode()) for c in var.values()]
+        need(lib.fmb_solver_add_terms_text(
+            self._v, len(var), list(var), ffi.new("char *[]", texts), RELATIONS[relation],
+            spelled(sign * terms.right).encode()), self._solver._trouble)
         if terms.label is not None:
-            need(lib.fmb_solver_set_label(self._v, len(self) - 1, terms.label.encode()))
+            need(lib.fmb_solver_set_label(self._v, len(self) - 1, encoded(terms.label)))
         return int(lib.fmb_solver_last_row(self._v))
 
     def remove(self, row: int) -> None:
         """Remove the row of that handle."""
-        number = lib.fmb_solver_row_number(self._v, row)
-        need(lib.fmb_solver_remove(self._v, number), self._solver._trouble)
+        need(lib.fmb_solver_remove(self._v, self._number(row)), self._solver._trouble)
 
-    def set_right(self, row: int, right: float) -> None:
+    def set_right(self, row: int, right: Number | str) -> None:
         """Give the row of that handle another right side, in the direction in which it was given."""
-        number = lib.fmb_solver_row_number(self._v, row)
-        need(lib.fmb_solver_set_right(self._v, number, right), self._solver._trouble)
+        need(lib.fmb_solver_set_right_text(self._v, self._number(row),
+                                           spelled(exact(right)).encode()), self._solver._trouble)
+
+    def _number(self, row: int) -> int:
+        self._now()
+        number = int(lib.fmb_solver_row_number(self._v, row))
+        if number >= len(self):
+            raise ArgumentError(f"no row has the handle {row}")
+        return number
 
     def push(self) -> None:
         """Begin a level."""
@@ -361,15 +448,53 @@ class Session:
         result = self._solver._ask(lib.fmb_bound, self._now(), NULL, 0, out)
         return Box(self._v, self.system, result, out[0])
 
+    def optimize(self, max: FormLike | None = None,  # pylint: disable=redefined-builtin
+                 min: FormLike | None = None) -> Optimum:
+        """The best value of a form now; of forms of floats alone it goes on from the last answer."""
+        if (max is None) == (min is None):
+            return self._solver.optimize(self.system, max, min)
+        wanted = max if max is not None else min
+        now = self.system
+        if not isinstance(wanted, Form) or any(name not in now.names for name in
+                                               wanted.coefficients):
+            return self._solver.optimize(now, max, min)
+        coefficients = [wanted.coefficients.get(name, Fraction(0)) for name in now.names]
+        numbers = [float(c) for c in coefficients]
+        if numbers != coefficients or float(wanted.constant) != wanted.constant:
+            return self._solver.optimize(now, max, min)
+        array = ffi.new("double[]", numbers + [0.0])
+        objective = ffi.new("fmb_objective *", {
+            "sense": lib.FMB_SENSE_MAX if max is not None else lib.FMB_SENSE_MIN, "coef": array,
+            "constant": float(wanted.constant)})
+        out = ffi.new("fmb_optimum **")
+        result = self._solver._ask(lib.fmb_optimize, self._now(), objective, out)
+        return Optimum(self._v, now, result, out[0])
+
     def _answer(self, kind: type[Answer], query: Callable[..., int]) -> Answer:
         result = self._solver._ask(query, self._now())
         return kind(self._v, self.system, result)
+
+    def close(self) -> None:
+        """The system goes; the session can be asked no more."""
+        lib.fmb_solver_unload(self._v)
+
+    def __repr__(self) -> str:
+        if lib.fmb_solver_system(self._v) == NULL:
+            return "Session (closed)"
+        return f"Session: {self.system!r}"
 
     def __enter__(self) -> Session:
         return self
 
     def __exit__(self, *_: Any) -> None:
-        lib.fmb_solver_unload(self._v)
+        self.close()
+
+
+def _is_lower_bound(row: Any) -> bool:
+    """Is it written with its form above its right side, as x >= 5?"""
+    if isinstance(row, Row):
+        return row.links[0][1] in (">=", ">")
+    return isinstance(row, str) and ">" in re.sub(r'"(?:[^"\\]|\\.)*"', "", row)
 
 
 # ---- functions of the module -----------------------------------------------------------------

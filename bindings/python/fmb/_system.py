@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
+import operator
 import os
+import re
+import warnings
 from fractions import Fraction
-from typing import Any, Iterable, Iterator, Mapping, Protocol, Sequence, Union
+from typing import Any, Iterable, Iterator, Mapping, Protocol, Sequence, Union, overload
 
-from fmb._lib import (NULL, ArgumentError, Number, ffi, lib, made, need, number, owned,
-                      parsed, printed, text, written)
-from fmb._linear import Form, FormLike, Row, form, text_of_form
+from fmb._lib import (NULL, ArgumentError, Number, encoded, exact, ffi, lib, listed, made, need,
+                      number, owned, parsed, printed, spelled, text, written)
+from fmb._linear import Form, FormLike, Row, Variable, form, text_of_form
+
+
+class ParseWarning(UserWarning):
+    """Something in a text that is left out: a second objective, a name that may be misspelled."""
+
 
 RELATIONS = {"<=": lib.FMB_LE, "<": lib.FMB_LT, "=": lib.FMB_EQ, "==": lib.FMB_EQ,
              ">=": lib.FMB_GE, ">": lib.FMB_GT}
@@ -56,7 +64,7 @@ class SystemRow:
             terms, right = [(name, -c) for name, c in terms], -right
             relation = {"<=": ">=", "<": ">", "=": "="}[relation]
         label = f"{self.label}: " if self.label else ""
-        return f"{label}{text_of_form(terms)} {relation} {right}"
+        return f"{label}{text_of_form(terms)} {relation} {spelled(right)}"
 
 
 class HasSystem(Protocol):
@@ -90,23 +98,18 @@ class System:
     def __init__(self, rows: SystemLike = (), variables: str | Iterable[str] | None = None):
         self._s: Any
         self._names: tuple[str, ...] | None = None
-        if isinstance(rows, System):
+        if variables is not None:
+            self._s = made("fmb_system", lib.fmb_system_new, 0, NULL)
+            for name in words(variables):
+                self.add_variable(name)
+            self.join(system(rows))
+        elif isinstance(rows, System):
             self._s = made("fmb_system", lib.fmb_system_copy, rows._s)
-        elif isinstance(rows, str) and variables is None:
+        elif isinstance(rows, str):
             self._s = _parse(rows, "fmb")
         else:
             self._s = made("fmb_system", lib.fmb_system_new, 0, NULL)
-        if isinstance(variables, str):
-            variables = variables.replace(",", " ").split()
-        for name in variables or ():
-            self.add_variable(name)
-        if isinstance(rows, str) and variables is not None:
-            self.join(System(rows))
-        elif isinstance(rows, Row):
-            self.add(rows)
-        elif not isinstance(rows, (System, str)):
-            listed: Any = getattr(rows, "system", rows)
-            for row in listed:
+            for row in _listed_rows(rows):
                 self.add(row)
 
     # ---- from elsewhere ----------------------------------------------------------------------
@@ -119,7 +122,7 @@ class System:
         return self
 
     @classmethod
-    def parse(cls, source: str, format: str = "auto") -> System:
+    def parse(cls, source: str | bytes, format: str = "auto") -> System:
         """A system from text in one of the formats fmb, ine, ieq, smt2, mps, lp."""
         return cls._of(_parse(source, format))
 
@@ -135,7 +138,7 @@ class System:
 
     @classmethod
     def from_arrays(cls, A: Any, b: Any, relations: str | Sequence[str] = "<=",
-                    names: Sequence[str] | None = None) -> System:
+                    names: str | Sequence[str] | None = None) -> System:
         """The rows A x REL b: A a list of lists, an array of NumPy's, or a sparse one of SciPy's.
 
         A float is meant exactly; fractions are taken in lists, and in arrays of objects.
@@ -155,13 +158,13 @@ class System:
     def add_variable(self, name: str | None = None) -> int:
         """Append a variable, which no row names yet; its number is returned."""
         index = ffi.new("int *")
-        need(lib.fmb_system_add_variable(self._s, name.encode() if name else NULL, index),
-             self._trouble)
+        need(lib.fmb_system_add_variable(self._s, encoded(name) if name is not None else NULL,
+                                         index), self._trouble)
         self._names = None
         return int(index[0])
 
     def _index(self, name: str) -> int:
-        j = lib.fmb_system_find(self._s, name.encode())
+        j = lib.fmb_system_find(self._s, encoded(name))
         return int(j) if j >= 0 else self.add_variable(name)
 
     def add(self, row: RowLike) -> None:
@@ -179,12 +182,12 @@ class System:
     def _add(self, difference: Form, relation: str, label: str | None) -> None:
         terms = difference.coefficients
         var = [self._index(name) for name in terms]
-        texts = [ffi.new("char[]", str(c).encode()) for c in terms.values()]
-        need(lib.fmb_system_add_terms_text(self._s, len(var), var, ffi.new("char *[]", texts),
-                                           RELATIONS[relation], str(-difference.constant).encode()),
-             self._trouble)
+        texts = [ffi.new("char[]", spelled(c).encode()) for c in terms.values()]
+        need(lib.fmb_system_add_terms_text(
+            self._s, len(var), var, ffi.new("char *[]", texts), RELATIONS[relation],
+            spelled(-difference.constant).encode()), self._trouble)
         if label is not None:
-            need(lib.fmb_system_set_label(self._s, len(self) - 1, label.encode()), self._trouble)
+            need(lib.fmb_system_set_label(self._s, len(self) - 1, encoded(label)), self._trouble)
 
     def __iadd__(self, rows: RowLike | SystemLike) -> System:
         if isinstance(rows, (Row, SystemRow)):
@@ -204,12 +207,13 @@ class System:
 
     def rename(self, old: str, new: str) -> None:
         """Give a variable another name."""
-        need(lib.fmb_system_set_name(self._s, self.index(old), new.encode()), self._trouble)
+        need(lib.fmb_system_set_name(self._s, self.index(old), encoded(new)), self._trouble)
         self._names = None
 
     def set_label(self, row: int, label: str | None) -> None:
         """Name a row, or not."""
-        need(lib.fmb_system_set_label(self._s, self._row(row), label.encode() if label else NULL),
+        need(lib.fmb_system_set_label(self._s, self._row(row),
+                                      encoded(label) if label is not None else NULL),
              self._trouble)
 
     def set_integer(self, *names: str) -> None:
@@ -228,12 +232,15 @@ class System:
         self._set_objective(lib.FMB_SENSE_MIN, objective)
 
     def _set_objective(self, sense: int, objective: FormLike) -> None:
-        spelled = objective if isinstance(objective, str) else repr(form(objective))
-        if not isinstance(objective, str):
-            for name in form(objective).coefficients:
+        if isinstance(objective, str):
+            data = encoded(objective)
+        else:
+            wanted = form(objective)
+            for name in wanted.coefficients:
                 self._index(name)
+            data = encoded(text_of_form([(quoted(name), c) for name, c in
+                                         wanted.coefficients.items()], wanted.constant))
         where = ffi.new("fmb_where *")
-        data = spelled.encode()
         parsed(lib.fmb_system_parse_objective(self._s, sense, data, len(data), where), where)
 
     # ---- what there is -----------------------------------------------------------------------
@@ -250,11 +257,12 @@ class System:
         """Number of variables."""
         return int(lib.fmb_system_dim(self._s))
 
-    def index(self, name: str) -> int:
+    def index(self, name: str | Variable) -> int:
         """The number of a variable."""
-        j = lib.fmb_system_find(self._s, name.encode())
+        j = lib.fmb_system_find(self._s, encoded(getattr(name, "name", name)))
         if j < 0:
-            raise ArgumentError(f"no variable is called {name!r}")
+            raise ArgumentError(f"no variable is called {name!r}"
+                                + (f": there are {listed(self.names, most=20)}" if self.dim else ""))
         return int(j)
 
     @property
@@ -272,8 +280,16 @@ class System:
             raise IndexError(f"row {i} of {n}")
         return i % n
 
-    def __getitem__(self, i: int) -> SystemRow:
-        i = self._row(i)
+    @overload
+    def __getitem__(self, i: int) -> SystemRow: ...
+
+    @overload
+    def __getitem__(self, i: slice) -> list[SystemRow]: ...
+
+    def __getitem__(self, i: int | slice) -> SystemRow | list[SystemRow]:
+        if isinstance(i, slice):
+            return [self[k] for k in range(*i.indices(len(self)))]
+        i = self._row(operator.index(i))
         n = lib.fmb_system_terms(self._s, i)
         var, rel = ffi.new("int[]", max(1, n)), ffi.new("fmb_rel *")
         need(lib.fmb_system_get_rows(self._s, i, 1, NULL, var, NULL, rel, NULL))
@@ -291,13 +307,24 @@ class System:
         """All rows."""
         return list(self)
 
-    def holds(self, point: Mapping[str, Number]) -> bool:
-        """Does every row hold at a point, exactly?
+    def holds(self, point: Mapping[str, Number] | Sequence[Number]) -> bool:
+        """Does every row hold at a point, exactly? Its numbers by name, or in the order of the
+        variables.
 
         >>> System("x + y <= 3; x > 0").holds({"x": "1/3", "y": 0})
         True
         """
-        return all(row.holds(point) for row in self)
+        if not isinstance(point, Mapping):
+            values = list(point)
+            if len(values) != self.dim:
+                raise ArgumentError(f"a point of {len(values)} coordinates, but there are "
+                                    f"{self.dim} variables")
+            point = dict(zip(self.names, values))
+        at = {getattr(name, "name", name): exact(x) for name, x in point.items()}
+        for name in self.names:
+            if name not in at:
+                raise ArgumentError(f"the point has no {name!r}")
+        return all(row.holds(at) for row in self)
 
     def to_arrays(self) -> Any:
         """The rows as arrays of NumPy's: (A, relations, b), the nearest doubles."""
@@ -319,7 +346,7 @@ class System:
         if format == "auto":
             format = text(lib.fmb_format_text(lib.fmb_format_of_name(os.fsencode(path))))
         content = self.to_text("fmb" if format == "auto" else format)
-        with open(path, "w", encoding="utf-8") as file:
+        with open(path, "w", encoding="utf-8", errors="surrogateescape", newline="\n") as file:
             file.write(content)
 
     def __str__(self) -> str:
@@ -341,7 +368,9 @@ class System:
         return self.copy()
 
     def __reduce__(self) -> Any:
-        return System.parse, (self.to_text("fmb"), "fmb")
+        if self.dim == 0 and len(self) == 0:
+            return System, ()
+        return System.parse, (self.to_text("fmb").encode(errors="surrogateescape"), "fmb")
 
     def __eq__(self, other: object) -> bool:
         """The same variables and rows in the same order; of sets: Polyhedron."""
@@ -351,21 +380,91 @@ class System:
     __hash__ = None  # type: ignore[assignment]
 
 
+def words(names: str | Iterable[Any]) -> list[str]:
+    """Names, of variables or as such, in a list or between blanks or commas."""
+    if isinstance(names, Variable):
+        return [names.name]
+    if isinstance(names, str):
+        return names.replace(",", " ").split()
+    return [getattr(name, "name", name) for name in names]
+
+
+def quoted(name: str) -> str:
+    """A name as fmb's own text has it, whatever is in it."""
+    if re.fullmatch(r"[A-Za-z_]\w*", name, re.ASCII):
+        return name
+    escaped = "".join(f"\\x{b:02x}" if b < 32 or b >= 127 else "\\" * (b in b'"\\') + chr(b)
+                      for b in encoded(name))
+    return f'"{escaped}"'
+
+
+def _listed_rows(rows: Any) -> Any:
+    """One row, rows, or what has a system."""
+    if isinstance(rows, (Row, SystemRow)):
+        return [rows]
+    own = getattr(rows, "system", rows)
+    if isinstance(own, Form) or not hasattr(own, "__iter__"):
+        raise TypeError(f"{rows!r} is neither a system nor a row: write one like x + y <= 3")
+    return own
+
+
 def _format(word: str) -> int:
     out = ffi.new("fmb_format *")
-    if not lib.fmb_format_parse(word.encode(), out):
+    if not lib.fmb_format_parse(encoded(word), out):
         raise ArgumentError(f"no format is called {word!r}: {', '.join(FORMATS)}")
     return int(out[0])
 
 
+@ffi.def_extern()  # type: ignore[misc]
+def pyfmb_warn(self: Any, where: Any) -> None:
+    """A reader leaves something out."""
+    ffi.from_handle(self).append(written(lib.fmb_where_text, where, NULL))
+
+
+_SEMICOLON = re.compile(r'"(?:[^"\\\n]|\\.)*"|#[^\n]*|;')
+
+
+def _lines(source: str) -> str:
+    """In a text of Python's `;` ends a line as well, but not in quotes and comments."""
+    return _SEMICOLON.sub(lambda m: "\n" if m[0] == ";" else m[0], source)
+
+
+def _place(source: str, split: str, where: Any) -> None:
+    """A mistake is told where it is in the text as it was given."""
+    if split == source or where.line < 1:
+        return
+    data = encoded(split)
+    start = 0
+    for _ in range(where.line - 1):
+        start = data.index(b"\n", start) + 1
+    at = start + max(0, where.column - 1)
+    before = encoded(source)[:at]
+    where.line = before.count(b"\n") + 1
+    where.column = at - before.rfind(b"\n") if where.column else 0
+
+
 def _parse(source: str | bytes, format: str, name: str | None = None) -> Any:
-    """In fmb's own format `;` ends a line of a text, as in one of Python's that is a single line."""
-    if isinstance(source, str) and "\n" not in source and "#" not in source:
-        source = source.replace(";", "\n") if format in ("fmb", "auto") else source
-    data = source.encode() if isinstance(source, str) else source
-    out, where = ffi.new("fmb_system **"), ffi.new("fmb_where *")
     how = ffi.new("fmb_reader *", {"size": ffi.sizeof("fmb_reader"), "format": _format(format)})
-    parsed(lib.fmb_system_parse(data, len(data), how, out, where), where, name)
+    warned: list[str] = []
+    handle = ffi.new_handle(warned)
+    how.warn, how.self = lib.pyfmb_warn, handle
+    if not isinstance(source, (str, bytes)):
+        raise TypeError(f"a text is a str or bytes, not {source!r}")
+    out, where = ffi.new("fmb_system **"), ffi.new("fmb_where *")
+    if isinstance(source, str):
+        split = source
+        if format == "fmb" or format == "auto" and "\n" not in source.strip() and (
+                not source.lstrip().startswith(("(", ";"))):
+            split = _lines(source)
+        data = split.encode(errors="surrogateescape")
+    else:
+        data = source
+    status = lib.fmb_system_parse(data, len(data), how, out, where)
+    if status != lib.FMB_OK and isinstance(source, str):
+        _place(source, split, where)
+    parsed(status, where, name)
+    for told in warned:
+        warnings.warn(f"{name}:{told}" if name else told, ParseWarning, stacklevel=4)
     return owned("fmb_system", out[0])
 
 

@@ -69,6 +69,9 @@ def linprog(c: Any, A_ub: Any = None, b_ub: Any = None, A_eq: Any = None, b_eq: 
     names = [f"x{j + 1}" for j in range(n)]
     s = System((), names)
     for A, b, relation in ((A_ub, b_ub, "<="), (A_eq, b_eq, "=")):
+        if (A is None) != (b is None):
+            raise ArgumentError("a matrix and its right side come together: A_ub and b_ub, A_eq "
+                                "and b_eq")
         if A is not None:
             s.join(System.from_arrays(A, b, relation, names))
     for name, (low, high) in zip(names, _bounds(bounds, n)):
@@ -88,6 +91,7 @@ def linprog(c: Any, A_ub: Any = None, b_ub: Any = None, A_eq: Any = None, b_eq: 
 
 
 def _bounds(bounds: Any, n: int) -> list[tuple[Any, Any]]:
+    bounds = (0, None) if bounds is None else bounds
     pairs = [bounds] if len(bounds) == 2 and not hasattr(bounds[0], "__len__") else list(bounds)
     if len(pairs) == 1:
         pairs *= n
