@@ -61,6 +61,8 @@ void fmb_elim_clear(fmb_elim *e)
     for (int k = 0; k < e->workers; k++)
         if (e->worker[k].rule->clear)
             e->worker[k].rule->clear(e->worker[k].state);
+    if (e->at.look)
+        e->at.close_look(e->at.look);
     if (e->filter)
         fmb_filter_clear(e->filter, mem);
     e->run->stats.promotions += e->num.promotions;
@@ -231,10 +233,6 @@ static bool is_time_for_rules(const fmb_elim *e)
 
 static fmb_status let_rules_end_round(fmb_elim *e, int var)
 {
-    for (size_t i = 0; !e->at.pruning && i < e->live.size; i++)
-        e->row[e->live.row[i]].stays = false;
-    e->at.unpruned = e->at.pruning ? e->at.unpruned : e->live.size;
-    e->at.pruning = false;
     e->judged = e->rows;
     return fmb_rules_end_round(e, var);
 }
@@ -339,13 +337,15 @@ static fmb_status choose_next_variable(fmb_elim *e, const bool *drop, int *var)
 
 static fmb_status go_on_with_variables(fmb_elim *e, const bool *drop)
 {
-    fmb_status st = e->at.running   ? go_on_with_round(e)
-                    : e->at.pruning ? go_on_with_pruning(e)
-                                    : FMB_OK;
+    fmb_status st = e->at.running ? go_on_with_round(e) : FMB_OK;
     while (st == FMB_OK && e->clash == FMB_NO_ROW) {
         int var;
         if (fmb_elim_is_slice_over(e))
             return FMB_LIMIT;
+        if (e->at.pruning) {
+            st = go_on_with_pruning(e);
+            continue;
+        }
         st = choose_next_variable(e, drop, &var);
         if (st == FMB_OK && var < 0)
             break;
@@ -381,15 +381,6 @@ static size_t count_variables_to_go(const fmb_elim *e, const bool *drop, double 
     return n;
 }
 
-/* Rows that a pruning has settled, as a share. */
-static double share_pruned(const fmb_elim *e)
-{
-    size_t open = 0;
-    for (size_t i = 0; i < e->live.size; i++)
-        open += !e->row[e->live.row[i]].stays;
-    return e->at.pruning ? 1 - (double)open / (double)e->at.unpruned : 0;
-}
-
 /* Nearly all of the work of a round is pruning what it made. */
 double fmb_elim_left(const fmb_elim *e, const bool *drop)
 {
@@ -398,7 +389,7 @@ double fmb_elim_left(const fmb_elim *e, const bool *drop)
     fmb_trend t = e->trend;
     if (e->at.made > 0 && !e->at.running && n > 0)
         t.growth = log(pairs / (double)e->at.made);
-    return fmb_trend_left(&t, share_pruned(e), n + e->at.pruning);
+    return fmb_trend_left(&t, e->at.pruning ? e->at.pruned : 0, n + e->at.pruning);
 }
 
 fmb_status fmb_elim_prune(fmb_elim *e)

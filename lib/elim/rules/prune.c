@@ -135,8 +135,7 @@ static fmb_status ask_at_end_of_round(fmb_elim *e, fmb_worker *worker, int var)
     st = st != FMB_OK ? st : said;
     for (size_t i = 0; i < rows; i++)
         marked += drop[i];
-    if (st == FMB_OK &&
-        ((e->at.pruning && marked > 0) || pays_for_rebase(e, worker->rule, marked))) {
+    if (st == FMB_OK && pays_for_rebase(e, worker->rule, marked)) {
         worker->dropped += drop_marked_rows(e, drop);
         if (worker->rule->flags & FMB_RULE_BREAKS_HISTORY)
             e->based = false;
@@ -163,14 +162,17 @@ static fmb_status reduce_live_rows(fmb_elim *e)
 fmb_status fmb_rules_end_round(fmb_elim *e, int var)
 {
     fmb_status st = FMB_OK;
-    bool reduced = false;
-    for (int k = 0; st == FMB_OK && k < e->workers; k++) {
+    bool reduced = e->at.pruning;
+    int k = e->at.pruning ? e->at.pruner : 0;
+    e->at.pruning = false;
+    for (; st == FMB_OK && !e->at.pruning && k < e->workers; k++) {
         if (!can_pay_for_rebase(e, e->worker[k].rule))
             continue;
         st = reduced ? FMB_OK : reduce_live_rows(e);
         reduced = true;
         if (st == FMB_OK)
             st = ask_at_end_of_round(e, &e->worker[k], var);
+        e->at.pruner = k;
     }
     return st;
 }

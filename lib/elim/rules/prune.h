@@ -15,7 +15,8 @@ fmb_status fmb_rules_refuse_pairs(fmb_elim *e, const fmb_round *round, size_t lo
 /* The rule that drops the row at the end of the store, or NULL. Errors: any. */
 fmb_status fmb_rules_drop_row(fmb_elim *e, const fmb_rule **by);
 
-/* What the rules say when a round of var (-1: none) has ended. Errors: any. */
+/* What the rules say when a round of var (-1: none) has ended. A rule may pause (e->at.pruning):
+ * the next call goes on with it. Errors: any. */
 fmb_status fmb_rules_end_round(fmb_elim *e, int var);
 
 #endif

@@ -34,7 +34,6 @@ typedef struct fmb_derived {
     int32_t var;       /* the variable they cancelled */
     bool strict, equality;
     bool lowest; /* known to have no common divisor */
-    bool stays;  /* in a pruning on its way: known to be irredundant */
 } fmb_derived;
 
 static inline fmb_rel fmb_derived_rel(const fmb_derived *r)
@@ -58,11 +57,14 @@ typedef struct fmb_tally {
 
 /* A round in which lower rows before `next` have been paired; at its end a rule may pause, too. */
 typedef struct fmb_pairing {
-    bool running, pruning;
+    bool running, pruning;          /* paused among its pairs; or while a rule looks at all rows, */
+    int pruner;                     /* which is this worker, */
+    double pruned;                  /* and it is through with so much of that, */
+    void *look;                     /* which it keeps here, */
+    void (*close_look)(void *look); /* to be closed so by fmb_elim_clear */
     size_t lowers, next;
     fmb_tally before;
-    uint64_t made;   /* rows that the last round made */
-    size_t unpruned; /* rows when the pruning began that is on its way */
+    uint64_t made; /* rows that the last round made */
 } fmb_pairing;
 
 /* A growing list of rows. */

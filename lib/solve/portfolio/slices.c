@@ -57,14 +57,15 @@ size_t fmb_slices_next(fmb_slices *t, uint64_t *slice)
     if (!t->runs_ahead)
         k = find_least_spent(t);
     const fmb_slice_engine *e = &t->engine[k];
-    uint64_t usual = e->spent / SLICES, wanted = t->runs_ahead ? (uint64_t)(MARGIN * e->left) : 0;
-    *slice = usual < LEAST_SLICE ? LEAST_SLICE : usual;
-    *slice = wanted > *slice ? wanted : *slice;
+    uint64_t wanted = t->runs_ahead ? (uint64_t)(MARGIN * e->left) : e->spent / SLICES;
+    t->slice = *slice = wanted < LEAST_SLICE ? LEAST_SLICE : wanted;
     return k;
 }
 
 void fmb_slices_note(fmb_slices *t, size_t engine, uint64_t work)
 {
+    uint64_t ahead = !t->runs_ahead ? 0 : work < t->slice ? work : t->slice;
     t->engine[engine].spent += work;
-    *(t->runs_ahead ? &t->ahead : &t->equal) += work;
+    t->ahead += ahead;
+    t->equal += work - ahead;
 }

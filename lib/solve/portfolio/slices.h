@@ -26,7 +26,8 @@ typedef struct fmb_slices {
     size_t engines;
     fmb_slice_engine engine[FMB_MOST_ENGINES];
     uint64_t equal, ahead; /* work of equal slices, and of runs ahead */
-    bool runs_ahead;       /* the slice at hand is one of the latter */
+    bool runs_ahead;       /* the slice at hand is one of the latter, */
+    uint64_t slice;        /* and so long: what takes longer belongs to the equal ones */
 } fmb_slices;
 
 /* The engine whose turn it is, and the work of its slice. Some are not over. */

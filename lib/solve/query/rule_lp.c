@@ -9,10 +9,6 @@
 #include "lp/redundancy/active_set/implied.h"
 #include "lp/redundancy/irredundant.h"
 
-typedef struct patience {
-    size_t next; /* rows from which on it looks again; 0: it has not looked */
-} patience;
-
 /* Rows that still live, in lists for the oracle. */
 typedef struct rows {
     fmb_lp_row *row;
@@ -22,6 +18,17 @@ typedef struct rows {
     bool *kept; /* proved to be irredundant */
     size_t size, room;
 } rows;
+
+/* One look at the rows; between slices the elimination keeps it. */
+typedef struct look {
+    fmb_mem *mem;
+    rows at;
+    fmb_sorting sorting;
+} look;
+
+typedef struct patience {
+    size_t next; /* rows from which on it looks again; 0: it has not looked */
+} patience;
 
 static void free_row_lists(rows *a, fmb_mem *mem)
 {
@@ -54,7 +61,6 @@ static void list_undropped_rows(rows *a, const fmb_elim *e, const bool *drop)
             continue;
         a->place[a->size] = i;
         a->fate[a->size] = FMB_FATE_UNKNOWN;
-        a->kept[a->size] = r->stays;
         a->row[a->size++] = (fmb_lp_row){&r->v, fmb_derived_rel(r)};
     }
 }
@@ -74,46 +80,76 @@ static bool is_trial_of_long_numbers(const fmb_elim *e)
     return e->budget > 0 && fmb_elim_minor_bits(e) > FMB_LONG_MINOR;
 }
 
-/* The slice is over: the next call goes on with the rows that are not settled. */
-static void note_pause(fmb_elim *e, const rows *a)
-{
-    e->at.pruning = true;
-    for (size_t i = 0; i < a->size; i++)
-        e->row[e->live.row[a->place[i]]].stays = a->kept[i];
-}
-
 /* What guesses of all rows together find is cheap; if they leave many doubts, each row is asked
  * about. */
-static fmb_status drop_implied_rows(fmb_elim *e, rows *a, bool *drop)
+static fmb_status drop_implied_rows(fmb_elim *e, rows *a, const fmb_sorting *sorting, bool *drop)
 {
-    fmb_sorting sorting = {.gone = a->gone, .kept = a->kept, .known = true, .pauses = e->pauses};
-    list_undropped_rows(a, e, drop);
-    fmb_status st = fmb_lp_sort_rows(e->run, e->n, a->size, a->row, &sorting);
     for (size_t i = 0; i < a->size; i++)
         drop[a->place[i]] |= a->gone[i];
-    if (sorting.paused)
-        note_pause(e, a);
-    if (st != FMB_OK || sorting.paused || 4 * sorting.doubtful < a->size ||
-        is_trial_of_long_numbers(e))
-        return st;
+    if (4 * sorting->doubtful < a->size || is_trial_of_long_numbers(e))
+        return FMB_OK;
     list_undropped_rows(a, e, drop);
     return drop_rows_exactly(e, a, drop);
+}
+
+static void close_look(void *self)
+{
+    look *l = self;
+    fmb_lp_sorting_clear(&l->sorting);
+    free_row_lists(&l->at, l->mem);
+    fmb_mem_put(l->mem, l, 1, sizeof *l);
+}
+
+static fmb_status open_look(const fmb_view *w, const bool *drop, look **opened)
+{
+    fmb_elim *e = w->e;
+    fmb_mem *mem = e->run->mem;
+    look *l = fmb_mem_zero(mem, 1, sizeof *l);
+    if (!l)
+        return fmb_mem_status(mem);
+    l->mem = mem;
+    fmb_status st = allocate_row_lists(&l->at, mem, fmb_view_rows(w));
+    l->sorting =
+        (fmb_sorting){.gone = l->at.gone, .kept = l->at.kept, .known = true, .pauses = e->pauses};
+    if (st == FMB_OK)
+        list_undropped_rows(&l->at, e, drop);
+    *opened = l;
+    return st;
+}
+
+/* Between slices the rows alive stay the same. */
+static fmb_status look_at_rows(const fmb_view *w, bool *drop)
+{
+    fmb_elim *e = w->e;
+    look *l = e->at.look;
+    fmb_status st = l ? FMB_OK : open_look(w, drop, &l);
+    if (st == FMB_OK)
+        st = fmb_lp_sort_rows(e->run, e->n, l->at.size, l->at.row, &l->sorting);
+    e->at.pruning = st == FMB_OK && l->sorting.paused;
+    e->at.look = e->at.pruning ? l : NULL;
+    e->at.close_look = close_look;
+    if (e->at.pruning) {
+        e->at.pruned = l->sorting.tested;
+        return FMB_OK;
+    }
+    if (st == FMB_OK)
+        st = drop_implied_rows(e, &l->at, &l->sorting, drop);
+    if (l)
+        close_look(l);
+    return st;
 }
 
 static fmb_status prune_doubled_rows(void *state, const fmb_view *w, bool *drop)
 {
     patience *p = state;
-    fmb_mem *mem = w->e->run->mem;
     size_t left = 0, size = fmb_view_rows(w);
-    rows a;
     if (p->next == 0)
         p->next = 2 * fmb_view_bases(w) + 16;
     if (fmb_view_column(w) >= 0 && size < p->next)
         return FMB_OK;
-    fmb_status st = allocate_row_lists(&a, mem, size);
-    if (st == FMB_OK)
-        st = drop_implied_rows(w->e, &a, drop);
-    free_row_lists(&a, mem);
+    fmb_status st = look_at_rows(w, drop);
+    if (w->e->at.pruning)
+        return st;
     for (size_t i = 0; i < size; i++)
         left += !drop[i];
     p->next = 3 * left / 2 + 16;

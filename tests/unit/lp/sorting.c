@@ -183,3 +183,46 @@ Test(sorting, the_same_by_any_number_of_threads)
         expect_truth(&c, &found);
     }
 }
+
+/* In slices of so much work, or in one go (0), by several threads; how often it paused. */
+static int sort_in_slices(const crowd *c, uint64_t slice, int most, fmb_sorting *out)
+{
+    fmb_options o = {.size = sizeof o};
+    atomic_int cancel = 0;
+    fmb_mem mem;
+    fmb_run run;
+    int pauses = 0;
+    o.threads = 2;
+    fmb_mem_init(&mem, NULL, 0);
+    fmb_run_begin(&run, &mem, &o, &cancel, (fmb_sink){0}, "test");
+    out->known = true;
+    out->pauses = true;
+    do {
+        run.slice_end = slice > 0 ? run.work + slice : 0;
+        cr_assert_eq(fmb_lp_sort_rows(&run, WIDE, MANY, c->row, out), FMB_OK);
+        pauses += out->paused != NULL;
+        cr_expect(!out->paused || (out->tested >= 0 && out->tested <= 1), "%g", out->tested);
+    } while (out->paused && pauses < most);
+    fmb_lp_sorting_clear(out);
+    cr_expect_eq(mem.used, 0);
+    return pauses;
+}
+
+/* Slices change nothing of what is found, and it may be given up between two of them. */
+Test(sorting, the_same_in_slices)
+{
+    static crowd c;
+    support_rng g = {6};
+    for (int i = 0; i < 2; i++) {
+        bool gone[3][MANY] = {{0}}, kept[3][MANY] = {{0}};
+        fmb_sorting out[3];
+        draw_crowd(&c, &g, i == 1);
+        for (int k = 0; k < 3; k++)
+            out[k] = (fmb_sorting){.gone = gone[k], .kept = kept[k]};
+        cr_expect_eq(sort_in_slices(&c, 0, 1000, &out[0]), 0);
+        cr_expect_gt(sort_in_slices(&c, 1 << 14, 1000, &out[1]), 3);
+        cr_expect_arr_eq(gone[0], gone[1], sizeof *gone);
+        cr_expect_arr_eq(kept[0], kept[1], sizeof *kept);
+        cr_expect_eq(sort_in_slices(&c, 1 << 14, 2, &out[2]), 2);
+    }
+}

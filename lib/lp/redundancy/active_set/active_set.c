@@ -313,15 +313,31 @@ static bool is_time_to_pause(fmb_active_set *s)
     return s->paused;
 }
 
+/* Inactive rows, or in the second pass active ones. */
+static fmb_status test_open_rows(fmb_active_set *s, size_t rows, const size_t *open)
+{
+    fmb_status st = FMB_OK;
+    for (; st == FMB_OK && s->tested < rows && !is_time_to_pause(s); s->tested++) {
+        size_t i = open[s->tested];
+        if (s->again && !is_row_settled(s, i))
+            st = test_active_row(s, i);
+        else if (!s->again && s->number[i] == SIZE_MAX && !s->gone[i])
+            st = test_inactive_row(s, i);
+    }
+    return st;
+}
+
 fmb_status fmb_active_set_test(fmb_active_set *s, const size_t *open, size_t from, size_t to)
 {
-    fmb_status st = activate_first_rows(s);
-    for (size_t k = from; st == FMB_OK && k < to && !is_time_to_pause(s); k++)
-        if (s->number[open[k]] == SIZE_MAX && !s->gone[open[k]])
-            st = test_inactive_row(s, open[k]);
-    s->doubtful = 0; /* they were activated, and are tried again */
-    for (size_t k = from; st == FMB_OK && k < to && !is_time_to_pause(s); k++)
-        if (!is_row_settled(s, open[k]))
-            st = test_active_row(s, open[k]);
+    s->paused = false;
+    fmb_status st = s->generators == 0 ? activate_first_rows(s) : FMB_OK;
+    if (st == FMB_OK)
+        st = test_open_rows(s, to - from, open + from);
+    if (st == FMB_OK && !s->paused && !s->again) {
+        s->doubtful = 0; /* they were activated, and are tried again */
+        s->tested = 0;
+        s->again = true;
+        st = test_open_rows(s, to - from, open + from);
+    }
     return st;
 }

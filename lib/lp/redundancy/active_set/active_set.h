@@ -44,7 +44,9 @@ typedef struct fmb_active_set {
     size_t *proved; /* [told] each proof: row, number of rows that it names, those */
     size_t told, proved_room;
     bool pauses;     /* testing may end where a slice of the run is over, */
-    bool paused;     /* and did so */
+    bool paused;     /* and did so: the next call goes on from there */
+    size_t tested;   /* of the rows that are open so many have been tested, */
+    bool again;      /* of those that were activated, once more */
     size_t doubtful; /* rows that seemed to be implied, but whose multipliers were not found */
 } fmb_active_set;
 
@@ -56,7 +58,7 @@ void fmb_active_set_clear(fmb_active_set *s);
 /* From the point inside shoot at rows from, ..., to - 1: what is hit is kept. Errors: LIMIT. */
 fmb_status fmb_active_set_shoot(fmb_active_set *s, size_t from, size_t to);
 /* Test the rows open[from], ..., open[to - 1]: those that others imply go. The rows kept so far are
- * activated, and equalities. Once. Errors: MEMORY, LIMIT. */
+ * activated, and equalities. With the same rows until it is not paused. Errors: MEMORY, LIMIT. */
 fmb_status fmb_active_set_test(fmb_active_set *s, const size_t *open, size_t from, size_t to);
 
 #endif

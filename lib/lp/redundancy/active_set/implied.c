@@ -14,6 +14,8 @@
  */
 #include "lp/redundancy/active_set/implied.h"
 
+#include <math.h>
+
 #include "base/ways.h"
 #include "lp/oracle/oracle.h"
 #include "lp/redundancy/active_set/active_set.h"
@@ -25,15 +27,17 @@
 /* Searches of one question, and numbers in its rows that are worth them: about a millisecond. */
 enum { SEARCHES = 4, WORTH_SEARCHES = 4048 };
 
-typedef struct sorting {
+typedef struct fmb_paused_sorting {
     fmb_run *run;
+    fmb_nonzero_columns reduced;
     fmb_scaled_rows rows;
     fmb_interior_point inside;
     fmb_active_set search[SEARCHES];
     size_t searches;
     size_t *open; /* [opens] rows that rays did not settle */
     size_t opens;
-    bool *used; /* [m] named in a proof that was accepted */
+    bool *used;    /* [m] named in a proof that was accepted */
+    fmb_team team; /* of several searches */
     fmb_sorting *out;
 } sorting;
 
@@ -149,24 +153,6 @@ static void hear_search(sorting *s, const fmb_active_set *search)
         s->out->kept[i] |= search->kept[i];
 }
 
-static fmb_status search_alone(sorting *s)
-{
-    fmb_status st = shoot_for_search(s, 0, s->run);
-    if (st == FMB_OK)
-        share_what_was_hit(s);
-    return st == FMB_OK ? test_for_search(s, 0, s->run) : st;
-}
-
-static fmb_status search_together(sorting *s, fmb_team *team)
-{
-    fmb_status st = fmb_team_open(team, s->run, s->searches);
-    if (st == FMB_OK)
-        st = fmb_team_do(team, s->searches, shoot_for_search, s);
-    if (st == FMB_OK)
-        share_what_was_hit(s);
-    return st == FMB_OK ? fmb_team_do(team, s->searches, test_for_search, s) : st;
-}
-
 /* Rays make up for what searches find out by themselves: without them each would find out the same.
  */
 static size_t count_searches(const sorting *s)
@@ -174,51 +160,100 @@ static size_t count_searches(const sorting *s)
     return s->out->inner && s->rows.m * s->rows.d >= WORTH_SEARCHES ? SEARCHES : 1;
 }
 
-static fmb_status search_all_rows(sorting *s)
+static fmb_status do_for_searches(sorting *s, fmb_team_job job)
 {
-    fmb_team team;
+    return s->searches > 1 ? fmb_team_do(&s->team, s->searches, job, s) : job(s, 0, s->run);
+}
+
+static fmb_status begin_searches(sorting *s)
+{
     s->searches = count_searches(s);
-    bool together = s->searches > 1;
-    fmb_status st = together ? search_together(s, &team) : search_alone(s);
+    fmb_status st = s->searches > 1 ? fmb_team_open(&s->team, s->run, s->searches) : FMB_OK;
+    if (st == FMB_OK)
+        st = do_for_searches(s, shoot_for_search);
+    if (st == FMB_OK)
+        share_what_was_hit(s);
+    return st;
+}
+
+/* Rows that were activated are tested twice. */
+static double share_tested(const sorting *s)
+{
+    double open = (double)s->opens / (double)s->searches, tested = 0, all = 1;
     for (size_t k = 0; k < s->searches; k++) {
-        if (st == FMB_OK)
-            hear_search(s, &s->search[k]);
-        s->out->paused |= s->search[k].paused;
-        fmb_active_set_clear(&s->search[k]);
+        const fmb_active_set *search = &s->search[k];
+        double active = fmin((double)search->generators, open), now = (double)search->tested;
+        tested += search->again ? open + now * active / open : now;
+        all += open + active;
     }
-    if (together)
-        fmb_team_close(&team);
+    return tested / all;
+}
+
+/* Until all rows are tested or some search pauses. */
+static fmb_status go_on_with_searches(sorting *s, bool *paused)
+{
+    fmb_status st = do_for_searches(s, test_for_search);
+    for (size_t k = 0; k < s->searches; k++)
+        *paused |= s->search[k].paused;
+    for (size_t k = 0; st == FMB_OK && !*paused && k < s->searches; k++)
+        hear_search(s, &s->search[k]);
+    s->out->tested = share_tested(s);
     return st;
 }
 
 /* ---- frame ----------------------------------------------------------------------------------- */
 
-static fmb_status sort_scaled_rows(sorting *s)
+static void close_sorting(sorting *s)
 {
-    size_t m = s->rows.m;
     fmb_mem *mem = s->run->mem;
-    s->open = fmb_mem_get(mem, m, sizeof *s->open);
-    s->used = fmb_mem_zero(mem, m, sizeof *s->used);
-    fmb_status st = s->open && s->used ? FMB_OK : fmb_mem_status(mem);
-    if (st == FMB_OK)
-        st = look_for_inner_point(s);
-    if (st == FMB_OK && s->out->feasible)
-        st = search_all_rows(s);
+    for (size_t k = 0; k < s->searches; k++)
+        fmb_active_set_clear(&s->search[k]);
+    if (s->team.run)
+        fmb_team_close(&s->team);
     if (s->inside.run)
         fmb_interior_point_clear(&s->inside);
-    fmb_mem_put(mem, s->open, m, sizeof *s->open);
-    fmb_mem_put(mem, s->used, m, sizeof *s->used);
-    return st;
+    fmb_mem_put(mem, s->open, s->rows.m, sizeof *s->open);
+    fmb_mem_put(mem, s->used, s->rows.m, sizeof *s->used);
+    fmb_scaled_rows_clear(&s->rows, mem);
+    fmb_nonzero_columns_clear(&s->reduced);
+    fmb_mem_put(mem, s, 1, sizeof *s);
 }
 
-static fmb_status sort_reduced_rows(fmb_run *run, const fmb_nonzero_columns *reduced,
-                                    fmb_sorting *out)
+static fmb_status scale_rows(sorting *s)
 {
-    sorting s = {.run = run, .out = out};
-    fmb_status st = fmb_scaled_rows_init(&s.rows, run->mem, reduced->n, reduced->m, reduced->row);
-    if (st == FMB_OK)
-        st = sort_scaled_rows(&s);
-    fmb_scaled_rows_clear(&s.rows, run->mem);
+    fmb_mem *mem = s->run->mem;
+    size_t m = s->reduced.m;
+    fmb_status st = fmb_scaled_rows_init(&s->rows, mem, s->reduced.n, m, s->reduced.row);
+    s->open = fmb_mem_get(mem, m, sizeof *s->open);
+    s->used = fmb_mem_zero(mem, m, sizeof *s->used);
+    return st != FMB_OK || (s->open && s->used) ? st : fmb_mem_status(mem);
+}
+
+/* Differences of products have to fit: see rounded_proof.c. */
+#define MOST_COLUMNS 200
+
+/* Whether there is a solution, rays, and searches that are ready; NULL: all is said. */
+static fmb_status open_sorting(fmb_run *run, int n, size_t m, const fmb_lp_row *row,
+                               fmb_sorting *out, sorting **opened)
+{
+    sorting *s = fmb_mem_zero(run->mem, 1, sizeof *s);
+    if (!s)
+        return fmb_mem_status(run->mem);
+    s->run = run;
+    s->out = out;
+    fmb_status st = fmb_nonzero_columns_open(&s->reduced, run->mem, (size_t)n, m, row);
+    bool narrow = st == FMB_OK && s->reduced.n <= MOST_COLUMNS;
+    out->doubtful = narrow ? 0 : m;
+    if (narrow)
+        st = scale_rows(s);
+    if (st == FMB_OK && narrow)
+        st = look_for_inner_point(s);
+    if (st == FMB_OK && narrow && out->feasible)
+        st = begin_searches(s);
+    if (st == FMB_OK && narrow && out->feasible)
+        *opened = s;
+    else
+        close_sorting(s);
     return st;
 }
 
@@ -230,25 +265,34 @@ static bool are_rows_small(size_t m, const fmb_lp_row *row)
     return true;
 }
 
-/* Differences of products have to fit: see rounded_proof.c. */
-#define MOST_COLUMNS 200
-
 fmb_status fmb_lp_sort_rows(fmb_run *run, int n, size_t m, const fmb_lp_row *row, fmb_sorting *out)
 {
-    fmb_nonzero_columns reduced;
-    out->doubtful = 0;
-    out->inner = out->paused = false;
-    out->feasible = true;
-    if (!are_rows_small(m, row) || !fmb_way(FMB_WAY_ACTIVE_SET)) {
+    bool paused = false;
+    sorting *s = out->paused;
+    fmb_status st = FMB_OK;
+    if (!s) {
+        out->inner = false;
+        out->feasible = true;
         out->doubtful = m;
-        return FMB_OK;
+        if (!are_rows_small(m, row) || !fmb_way(FMB_WAY_ACTIVE_SET))
+            return FMB_OK;
+        st = open_sorting(run, n, m, row, out, &s);
     }
-    fmb_status st = fmb_nonzero_columns_open(&reduced, run->mem, (size_t)n, m, row);
-    if (st == FMB_OK && reduced.n <= MOST_COLUMNS)
-        st = sort_reduced_rows(run, &reduced, out);
-    else if (st == FMB_OK)
-        out->doubtful = m;
-    fmb_nonzero_columns_clear(&reduced);
-    fmb_way_answered(FMB_WAY_ACTIVE_SET, 4 * out->doubtful < m);
+    if (s) {
+        s->out = out;
+        st = go_on_with_searches(s, &paused);
+        out->paused = st == FMB_OK && paused ? s : NULL;
+        if (!out->paused)
+            close_sorting(s);
+    }
+    if (!paused)
+        fmb_way_answered(FMB_WAY_ACTIVE_SET, 4 * out->doubtful < m);
     return st;
+}
+
+void fmb_lp_sorting_clear(fmb_sorting *s)
+{
+    if (s->paused)
+        close_sorting(s->paused);
+    s->paused = NULL;
 }
