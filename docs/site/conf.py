@@ -3,6 +3,10 @@
 import pathlib
 import re
 
+from pygments.lexer import RegexLexer, bygroups
+from pygments.lexers.special import TextLexer
+from pygments.token import Comment, Generic
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 project = "libfmb"
@@ -20,21 +24,34 @@ default_role = "literal"
 autodoc_member_order = "bysource"
 autodoc_typehints_format = "short"
 python_use_unqualified_type_names = True
+autodoc_type_aliases = {name: name for name in ("FormLike", "Names", "Number", "RowLike", "SystemLike")}
+toc_object_entries_show_parents = "hide"
 
-html_theme = "furo"
+html_theme = "fmb"
+html_theme_path = ["make/theme"]
 html_title = f"libfmb {release}"
-html_static_path = ["make/static"]
-html_css_files = ["site.css"]
-html_show_copyright = html_show_sphinx = False
-html_copy_source = False
-html_theme_options = {
-    "light_css_variables": {"color-brand-primary": "#0b5394", "color-brand-content": "#0b5394"},
-    "dark_css_variables": {"color-brand-primary": "#8ab8ff", "color-brand-content": "#8ab8ff"},
-}
+html_copy_source = html_use_index = False
+
+
+class Transcript(RegexLexer):
+    """What was typed behind a prompt, and what came back."""
+
+    name = "transcript"
+    tokens = {"root": [(r"^(\$ |> )(.*\n)", bygroups(Generic.Prompt, Generic.Strong)),
+                       (r"^! .*\n", Generic.Error), (r"^\[exit \d+\]\n", Comment), (r".*\n", Generic.Output)]}
+
+
+def within_reach(app, pagename, templatename, context, doctree):
+    """Whoever has no mouse scrolls wide blocks and tables once these can be chosen by the keyboard."""
+    if "body" in context:
+        body = context["body"].replace("<pre>", '<pre tabindex="0">')
+        body = re.sub(r"<table class=\"docutils.*?</table>", r'<div class="scroll" tabindex="0">\g<0></div>', body, flags=re.S)
+        context["body"] = body
 
 
 def setup(app):
-    """What the project's own languages are written in is shown as it is."""
-    from pygments.lexers.special import TextLexer
+    """The languages of the project: what is read by fmb is shown as it is."""
     for language in ("fmb", "proof"):
         app.add_lexer(language, TextLexer)
+    app.add_lexer("console", Transcript)
+    app.connect("html-page-context", within_reach)

@@ -8,7 +8,7 @@ import sys
 import tempfile
 
 root, build = map(pathlib.Path, sys.argv[1:])
-needed = ["import sphinx, furo, myst_parser"]
+needed = ["import sphinx, myst_parser"]
 if not shutil.which("mandoc") or subprocess.run(["/usr/bin/python3", "-c", *needed], capture_output=True).returncode:
     print("the packages of the list `site` in .ci/packages are not installed")
     sys.exit(77)

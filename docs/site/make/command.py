@@ -9,6 +9,9 @@ import re
 import subprocess
 import sys
 
+ACRONYMS = {"JSON"}
+
+
 def sections(html):
     """(title, HTML) of each section."""
     body = html[html.index('<section class="Sh">'):]
@@ -27,7 +30,7 @@ def main():
     with page.open("a") as out:
         for title, inner in found:
             inner = inner.replace("<h2 ", "<h3 ").replace("</h2>", "</h3>")
-            out.write(f"\n## {title.capitalize()}\n\n````{{raw}} html\n{inner}\n````\n")
+            out.write(f"\n## {title if title in ACRONYMS else title.capitalize()}\n\n````{{raw}} html\n{inner}\n````\n")
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ import shutil
 import sys
 
 FENCE = re.compile(r"^(```.*?^```$)", re.M | re.S)
+NAMED = re.compile(r"\[([\w/.-]+\.md)\]\(\1\)")
 ANCHOR = re.compile(r'^<a id="([^"]*)"></a>', re.M)
 LINK = re.compile(r"(\]\()([^)#\s]*)((?:#[^)\s]*)?\))")
 # Documents of the tree that the site has under other names, or says in another page.
@@ -55,8 +56,8 @@ class Stage:
 
     def document(self, source):
         """A page, with its links turned; fenced blocks stay as they are. What HTML calls an anchor at the begin
-        of a paragraph MyST writes in another way."""
-        text = source.read_text()
+        of a paragraph MyST writes in another way. A link that only names its file gets the title of the page."""
+        text = NAMED.sub(r"[](\1)", source.read_text())
         for name in ANCHOR.findall(text):
             text = text.replace(f"](#{name})", f"]({source.stem}-{name})")
         pieces = FENCE.split(ANCHOR.sub(rf"({source.stem}-\1)=\n", text))
