@@ -1,6 +1,5 @@
 """One version and one day of release, wherever they are told: versions.py ROOT"""
 
-import json
 import pathlib
 import re
 import sys
@@ -52,9 +51,6 @@ def faults():
     stamp = told("packaging/debian/changelog", r"^ -- .*>  (.*)$")
     if not released or parsedate_to_datetime(stamp).date().isoformat() != released:
         yield f"CITATION.cff is of {released}, packaging/debian/changelog of {stamp}"
-    package = root / "bindings/wasm/package.json" # npm's
-    if package.exists() and json.loads(package.read_text())["version"] != version:
-        yield f"{package}: not {version}"
 
 
 wrong = list(faults())
