@@ -42,13 +42,14 @@ def public():
     """(qualified name, name) of what the package offers. What an exception says is not asked for."""
     import fmb
     import fmb.bridges
-    for module in (fmb, fmb.bridges):
-        for name in dir(module):
+    import fmb.lab
+    for module, names in ((fmb, dir(fmb)), (fmb.bridges, vars(fmb.bridges)), (fmb.lab, fmb.lab.__all__)):
+        for name in names:
             what = getattr(module, name)
-            if name.startswith("_") or name == "text" or not getattr(what, "__module__", "").startswith("fmb"):
-                continue  # the last is what the package uses itself
-            if module is fmb.bridges and what.__module__ != "fmb.bridges":
-                continue
+            home = getattr(what, "__module__", "")
+            if name.startswith("_") or name == "text" or not home.startswith("fmb") or (
+                    module is fmb.bridges and home != "fmb.bridges"):
+                continue  # `text` is what the package uses itself
             yield f"{module.__name__}.{name}", name
             if inspect.isclass(what) and not issubclass(what, Exception):
                 for member, value in vars(what).items():
@@ -59,8 +60,8 @@ def public():
 
 # Types of answers and of rows have no constructor to call: what they are is shown by what gives them.
 GIVEN = {"Answer", "Box", "Conflict", "End", "Event", "Frame", "Generators", "Hits", "Interval", "Judgement", "Optimum",
-         "Pairs", "Point", "Proximity", "Reduction", "Row", "SystemAnswer", "SystemRow", "Form", "Variable", "LinprogResult",
-         "Error", "Variable"}
+         "Pairs", "Point", "Proximity", "Reduction", "Row", "Rule", "SystemAnswer", "SystemRow", "Form", "Variable",
+         "LinprogResult", "Trial", "View", "ViewRow", "Wrong"}
 
 
 def main():
@@ -71,7 +72,7 @@ def main():
     listed = set(re.findall(r"^\.\. auto(?:function|class|exception):: (\w+)", page, re.M))
     faults = [f"{name}: no example" for name in missing]
     faults += [f"{full}: not in the reference" for full, name in names
-               if full in (f"fmb.{name}", f"fmb.bridges.{name}") and name not in listed]
+               if full in (f"fmb.{name}", f"fmb.bridges.{name}", f"fmb.lab.{name}") and name not in listed]
     print("\n".join(faults) or f"{len(names)} public names, all in examples and in the reference")
     sys.exit(bool(faults) or len(names) < 80)
 
