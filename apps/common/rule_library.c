@@ -9,7 +9,7 @@
 #include "common/message.h"
 #include "common/text.h"
 
-static const char SYMBOL[] = "fmb_rule_library";
+static const char RULES[] = "fmb_rule_library", ORDERS[] = "fmb_chooser_library";
 
 /* What dlopen says may hold a file's name, with whatever bytes that has. */
 static int refuse_library(const char *path, const char *why)
@@ -29,6 +29,35 @@ static bool has_name_of_its_own(const fmb_rule *rule)
            strcmp(name, "default") != 0 && !fmb_rule_find(name);
 }
 
+/* One that names of files and columns may hold, and that --order can tell from its own words. */
+static bool is_order_of_its_own(const fmb_named_chooser *order)
+{
+    static const char SOUND[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_";
+    enum { LONGEST = 31 };
+    fmb_options o = {.size = sizeof o};
+    const char *name = order->name;
+    size_t length = name ? strlen(name) : 0;
+    return length > 0 && length <= LONGEST && strspn(name, SOUND) == length &&
+           order->chooser.choose && fmb_options_set(&o, "order", name) != FMB_OK;
+}
+
+/* What is wrong with a library, or NULL. */
+static const char *fault_of_library(const app_rule_library *l)
+{
+    if (!l->rule && !l->chooser)
+        return dlerror();
+    if ((!l->rule || !*l->rule) && (!l->chooser || !*l->chooser))
+        return "no rules in it, and no orders";
+    for (size_t i = 0; l->rule && l->rule[i]; i++)
+        if (!has_name_of_its_own(l->rule[i]))
+            return "a rule without a name, or with one that the library uses";
+    for (size_t i = 0; l->chooser && l->chooser[i]; i++)
+        if (!is_order_of_its_own(l->chooser[i]))
+            return "an order without a name of letters, digits, - and _, or with one that the "
+                   "library uses, or without a function";
+    return NULL;
+}
+
 /* A name without a slash might mean a file here, or one where the system keeps its libraries, or
  * where an environment variable says: code is not run on a guess. */
 int app_rule_library_open(const char *path, app_rule_library *out)
@@ -38,11 +67,9 @@ int app_rule_library_open(const char *path, app_rule_library *out)
     app_rule_library l = {.handle = dlopen(path, RTLD_NOW | RTLD_LOCAL)};
     if (!l.handle)
         return refuse_library(path, dlerror());
-    l.rule = dlsym(l.handle, SYMBOL);
-    const char *why = l.rule ? (*l.rule ? NULL : "no rules in it") : dlerror();
-    for (size_t i = 0; !why && l.rule[i]; i++)
-        if (!has_name_of_its_own(l.rule[i]))
-            why = "a rule without a name, or with one that the library uses";
+    l.chooser = dlsym(l.handle, ORDERS);
+    l.rule = dlsym(l.handle, RULES);
+    const char *why = fault_of_library(&l);
     if (why) {
         int code = refuse_library(path, why);
         app_rule_library_close(&l);
@@ -57,6 +84,34 @@ void app_rule_library_close(app_rule_library *l)
     if (l->handle)
         dlclose(l->handle);
     *l = (app_rule_library){0};
+}
+
+/* ---- orders ---------------------------------------------------------------------------------- */
+
+const fmb_named_chooser *app_rule_library_order(const app_rule_library *l, const char *name)
+{
+    for (size_t i = 0; l->chooser && l->chooser[i]; i++)
+        if (strcmp(l->chooser[i]->name, name) == 0)
+            return l->chooser[i];
+    return NULL;
+}
+
+int app_rule_library_refuse_order(const app_rule_library *l, const char *option, const char *word)
+{
+    char *known, *shown = app_text(word, APP_TEXT_TERMINAL);
+    size_t size;
+    FILE *f = app_need(open_memstream(&known, &size));
+    const fmb_option_info *info;
+    for (size_t i = 0; (info = fmb_options_describe(i)) != NULL; i++)
+        if (strcmp(info->name, "order") == 0)
+            fputs(info->values, f);
+    for (size_t i = 0; l->chooser && l->chooser[i]; i++)
+        fprintf(f, "|%s", l->chooser[i]->name);
+    fclose(f);
+    int code = app_error(APP_USAGE, "%s: expected %s, found '%s'", option, known, shown);
+    free(known);
+    free(shown);
+    return code;
 }
 
 /* ---- sets ------------------------------------------------------------------------------------ */

@@ -1,5 +1,5 @@
-/* rule_library.h: pruning rules of somebody else's, from a shared object that exports
- * fmb_rule_library (fmb/rule.h). */
+/* rule_library.h: pruning rules and orders of somebody else's, from a shared object that exports
+ * fmb_rule_library, fmb_chooser_library or both (fmb/rule.h). */
 #ifndef APP_RULE_LIBRARY_H
 #define APP_RULE_LIBRARY_H
 
@@ -10,13 +10,19 @@ enum { APP_MOST_ADDED = 16 };
 /* All NULL: no library. */
 typedef struct app_rule_library {
     void *handle;
-    const fmb_rule *const *rule; /* NULL ends them */
+    const fmb_rule *const *rule;             /* NULL ends them; or NULL */
+    const fmb_named_chooser *const *chooser; /* the same */
 } app_rule_library;
 
-/* [give, app_rule_library_close] APP_YES, or an exit code after a message. The rules have names of
- * their own. */
+/* [give, app_rule_library_close] APP_YES, or an exit code after a message. Rules and orders have
+ * names of their own. */
 int app_rule_library_open(const char *path, app_rule_library *out);
 void app_rule_library_close(app_rule_library *l);
+
+/* The order of that name, or NULL. */
+const fmb_named_chooser *app_rule_library_order(const app_rule_library *l, const char *name);
+/* APP_USAGE after a message: option expected a word of the library, or one of l. */
+int app_rule_library_refuse_order(const app_rule_library *l, const char *option, const char *word);
 
 /* A set of rules, for a solver: words for options.rules, and rules to be added to it. */
 typedef struct app_rule_set {

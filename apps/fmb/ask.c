@@ -28,7 +28,7 @@ static const struct argp_option report_options[] = {
     {"relax", KEY_RELAX, NULL, 0, "Take integer variables for reals", 2},
     {"trace", KEY_TRACE, "OUT", 0, "Write what the solver does to OUT, one JSON object a line", 2},
     {"rule-library", KEY_LIBRARY, "FILE", 0,
-     "A shared object with pruning rules: --rules knows them, too", 3},
+     "A shared object with pruning rules and orders: --rules and --order know them, too", 3},
     {0}};
 
 static bool is_output(const char *path)
@@ -118,9 +118,33 @@ static void spell(const fmb_option_info *info, char name[NAME_SIZE])
         *c = '-';
 }
 
+static const char *values_of(const char *name)
+{
+    const fmb_option_info *info;
+    for (size_t i = 0; (info = fmb_options_describe(i)) != NULL; i++)
+        if (strcmp(info->name, name) == 0)
+            return info->values;
+    return "";
+}
+
+/* A word of --order that is none of the library's may be one of --rule-library, which may come
+ * behind it. */
+static void set_option(app_ask *ask, const fmb_option_info *info, const char *name, const char *arg,
+                       struct argp_state *state)
+{
+    bool is_order = strcmp(info->name, "order") == 0;
+    bool known = fmb_options_set(&ask->options, info->name, arg) == FMB_OK;
+    if (is_order)
+        ask->order = known ? NULL : arg;
+    else if (!known)
+        argp_error(state, "--%s: expected %s, found '%s'", name, info->values, arg);
+}
+
 static error_t parse_option(int key, char *arg, struct argp_state *state)
 {
     app_ask *ask = state->input;
+    if (key == ARGP_KEY_END && ask->order && !ask->rule_library)
+        argp_error(state, "--order: expected %s, found '%s'", values_of("order"), ask->order);
     if (key < FIRST_KEY || key >= FIRST_KEY + MOST_OPTIONS)
         return ARGP_ERR_UNKNOWN;
     const fmb_option_info *info = fmb_options_describe((size_t)(key - FIRST_KEY));
@@ -130,8 +154,7 @@ static error_t parse_option(int key, char *arg, struct argp_state *state)
         ask->symmetry = arg;
         return 0;
     }
-    if (fmb_options_set(&ask->options, info->name, arg) != FMB_OK)
-        argp_error(state, "--%s: expected %s, found '%s'", name, info->values, arg);
+    set_option(ask, info, name, arg, state);
     return 0;
 }
 

@@ -14,7 +14,8 @@ typedef struct app_ask {
     bool relax;               /* integer variables are meant as reals */
     const char *trace;        /* file for the events, or NULL */
     const char *proof;        /* file for the evidence, or NULL */
-    const char *rule_library; /* shared object with rules, or NULL */
+    const char *rule_library; /* shared object with rules and orders, or NULL */
+    const char *order;        /* word of --order that only such an object can know, or NULL */
     const char *symmetry;     /* file of symmetries, or NULL */
     void *own_input;          /* of the command's own parser */
     const struct app_usage *usage;

@@ -91,8 +91,18 @@ static int open_rules(app_session *s)
     int code = APP_YES;
     if (s->ask->rule_library)
         code = app_rule_library_open(s->ask->rule_library, &s->library);
+    if (code == APP_YES && s->ask->order && !app_rule_library_order(&s->library, s->ask->order))
+        code = app_rule_library_refuse_order(&s->library, "--order", s->ask->order);
     return code == APP_YES ? app_rule_library_split(&s->library, s->ask->options.rules, &s->rules)
                            : code;
+}
+
+/* An order of the library of one's own, if that is what was asked for. */
+static void set_order(const app_session *s)
+{
+    if (s->ask->order)
+        fmb_solver_set_chooser(s->solver,
+                               app_rule_library_order(&s->library, s->ask->order)->chooser);
 }
 
 /* With the options of the session, in place of one that is there. */
@@ -109,6 +119,8 @@ static int make_solver(app_session *s)
         return bad_rules(s);
     if (st == FMB_ERR_ARG)
         return bad_option(s->ask);
+    if (st == FMB_OK)
+        set_order(s);
     return st == FMB_OK ? APP_YES : app_status_error(st);
 }
 
@@ -159,7 +171,7 @@ int app_session_end(app_session *s, fmb_status st)
     app_watch_end(&s->watch);
     s->answered |= st == FMB_OK && s->result.stop == FMB_STOP_DONE;
     s->rules_worked |= s->result.stats.rounds > 0 || s->result.stats.rows_dropped > 0;
-    if (st == FMB_ERR_RULE)
+    if (st == FMB_ERR_RULE || (st == FMB_ERR_ARG && s->ask->rule_library))
         return app_error(APP_USAGE, "%s", fmb_solver_trouble(s->solver));
     if (st != FMB_OK || s->ask->options.evidence == FMB_EVIDENCE_NONE)
         return st == FMB_OK ? APP_YES : app_status_error(st);

@@ -72,6 +72,6 @@ void qualify_claims(const qualify_plan *p, qualify_page *page)
                       "%s; in that D and all larger ones studied; - where in none.) The article: "
                       "pruning \"reduces by 15 %% in 2D and 40 %% in 3D static\", and \"may turn "
                       "in favour in higher dimensions\".",
-                      qualify_order_text(p->order[0]));
+                      p->order[0].name);
     qualify_page_table(page, "claims", "Rules that pay", CLAIM, "claims");
 }

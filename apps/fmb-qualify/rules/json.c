@@ -42,7 +42,7 @@ static json_t *way_json(const qualify_plan *p, size_t way, const qualify_select 
         app_json_set(obj, "motion", json_string(which->moves ? "dynamic" : "static"));
     }
     app_json_set(obj, "rules", app_json_text(p->way[way].name));
-    app_json_set(obj, "order", json_string(qualify_order_text(p->way[way].order)));
+    app_json_set(obj, "order", json_string(qualify_order_of(p, way)->name));
     return obj;
 }
 
@@ -109,7 +109,7 @@ static void add_line(void *self, const qualify_plan *p, const qualify_select *wh
         json_t *line = way_json(p, w, which);
         set_counts(line, p, &d);
         set_times(line, &d);
-        qualify_order_key(p->way[w].order, key);
+        qualify_order_key(qualify_order_of(p, w), key);
         app_json_append(json_object_get(study, key), line);
     }
 }
@@ -127,8 +127,8 @@ void qualify_numbers(const qualify_plan *p, qualify_page *page)
     app_json_set(obj, "times", json_array());
     for (size_t k = 0; k < p->orders; k++) {
         char key[PLAN_ORDER_KEY];
-        qualify_order_key(p->order[k], key);
-        app_json_append(orders, json_string(qualify_order_text(p->order[k])));
+        qualify_order_key(&p->order[k], key);
+        app_json_append(orders, json_string(p->order[k].name));
         app_json_set(obj, key, json_array());
     }
     app_json_set(obj, "orders", orders);

@@ -42,11 +42,11 @@ static const struct argp_option options[] = {
      "there, `default` is the choice of the library; `fmplex`, timed only, tries bounds one by one",
      2},
     {"rule-library", KEY_LIBRARY, "FILE", 0,
-     "A shared object with pruning rules of one's own; --rules knows them, too, and without "
-     "--rules "
-     "each is a set",
+     "A shared object with pruning rules and orders of one's own; --rules and --orders know them, "
+     "too, and without --rules each rule is a set",
      2},
-    {"orders", KEY_ORDERS, "WORD,...", 0, "pairs, given, min, fill [pairs,given]", 2},
+    {"orders", KEY_ORDERS, "WORD,...", 0,
+     "pairs, given, min, fill, or orders of the rule library [pairs,given]", 2},
     {"presolve", KEY_PRESOLVE, "STEPS", 0,
      "As `fmb solve` takes it; the box rule needs bounds [bounds]", 2},
     {NULL, 0, NULL, 0, "Limits:", 3},
@@ -89,13 +89,21 @@ static void use_kind(const char *word, struct argp_state *state)
     p->kind[k / 2][k % 2] = true;
 }
 
-static void use_order(const char *word, struct argp_state *state)
+/* Each word is an order; what it means is found out when the rule library is open. */
+static void use_orders(qualify_plan *p, const char *words, struct argp_state *state)
 {
-    qualify_plan *p = state->input;
-    fmb_order order = FMB_ORDER_PAIRS;
-    if (!qualify_order_parse(word, &order) || p->orders == PLAN_MOST_ORDERS)
-        argp_error(state, "--orders: expected pairs|given|min|fill, found '%s'", word);
-    p->order[p->orders++] = order;
+    char *rest, *word;
+    free(p->order_words);
+    p->order_words = app_need(strdup(words));
+    p->orders = 0;
+    word = strtok_r(p->order_words, ",", &rest);
+    if (!word)
+        argp_error(state, "--orders: expected words with a comma between, found '%s'", words);
+    for (; word; word = strtok_r(NULL, ",", &rest)) {
+        if (p->orders == PLAN_MOST_ORDERS)
+            argp_error(state, "--orders: more than %d orders", PLAN_MOST_ORDERS);
+        p->order[p->orders++] = (qualify_order){.name = word};
+    }
 }
 
 static void use_meeting(qualify_plan *p, const char *word, struct argp_state *state)
@@ -158,8 +166,7 @@ static error_t parse_ways(int key, char *arg, struct argp_state *state)
         p->set[p->sets++] = arg;
         return 0;
     case KEY_ORDERS:
-        p->orders = 0;
-        app_value_each("--orders", arg, use_order, state);
+        use_orders(p, arg, state);
         return 0;
     case KEY_LIBRARY:
         p->rule_library = arg;

@@ -9,15 +9,6 @@
 #include "common/parts.h"
 #include "fmb-qualify/rules/files.h"
 
-/* What each order is called: the words of the library's own option. */
-static const char *const ORDER[] = {
-    [FMB_ORDER_PAIRS] = "pairs",
-    [FMB_ORDER_GIVEN] = "given",
-    [FMB_ORDER_MIN] = "min",
-    [FMB_ORDER_FILL] = "fill",
-};
-enum { ORDERS = sizeof ORDER / sizeof *ORDER };
-
 /* Rules alone and the mixes that make sense: histories with each other and with the box. */
 static const char *const SETS[] = {
     "duplicate",  "dominated", "kohler",     "chernikov",     "imbert",
@@ -25,24 +16,14 @@ static const char *const SETS[] = {
     "imbert,box", "default"};
 enum { DEFAULT_SETS = sizeof SETS / sizeof *SETS };
 
-const char *qualify_order_text(fmb_order order)
+const qualify_order *qualify_order_of(const qualify_plan *p, size_t way)
 {
-    return ORDER[order];
+    return &p->order[way / p->sets];
 }
 
-void qualify_order_key(fmb_order order, char out[PLAN_ORDER_KEY])
+void qualify_order_key(const qualify_order *order, char out[PLAN_ORDER_KEY])
 {
-    snprintf(out, PLAN_ORDER_KEY, "order-%s", ORDER[order]);
-}
-
-bool qualify_order_parse(const char *word, fmb_order *out)
-{
-    for (int i = 0; i < ORDERS; i++)
-        if (strcmp(word, ORDER[i]) == 0) {
-            *out = (fmb_order)i;
-            return true;
-        }
-    return false;
+    snprintf(out, PLAN_ORDER_KEY, "order-%s", order->name);
 }
 
 void qualify_plan_init(qualify_plan *p)
@@ -50,7 +31,7 @@ void qualify_plan_init(qualify_plan *p)
     *p = (qualify_plan){.motion = {true, true},
                         .kind = {{true, true}, {true, true}},
                         .meeting = {true, true},
-                        .order = {FMB_ORDER_PAIRS, FMB_ORDER_GIVEN},
+                        .order = {{.name = "pairs"}, {.name = "given"}},
                         .orders = 2};
     p->arguments = app_need(json_array());
     for (int d = 2; d <= 6; d++)
@@ -84,19 +65,37 @@ static void make_sets(qualify_plan *p)
         add_set(p, p->library.rule[i]->name);
 }
 
+/* What the words of --orders mean: an order of the library, or one of the rule library. */
+static int find_orders(qualify_plan *p)
+{
+    for (size_t k = 0; k < p->orders; k++) {
+        fmb_options o = {.size = sizeof o};
+        const char *name = p->order[k].name;
+        const fmb_named_chooser *own = app_rule_library_order(&p->library, name);
+        if (!own && fmb_options_set(&o, "order", name) != FMB_OK)
+            return app_rule_library_refuse_order(&p->library, "--orders", name);
+        p->order[k].order = o.order;
+        if (own)
+            p->order[k].chooser = own->chooser;
+    }
+    return APP_YES;
+}
+
 int qualify_plan_ways(qualify_plan *p)
 {
     int code = APP_YES;
     if (p->rule_library)
         code = app_rule_library_open(p->rule_library, &p->library);
+    if (code == APP_YES)
+        code = find_orders(p);
     make_sets(p);
     for (size_t i = 0; code == APP_YES && i < p->sets; i++) {
         bool usual = strcmp(p->set[i], "default") == 0;
         if (!usual)
             code = app_rule_library_split(&p->library, p->set[i], &p->rules[i]);
         for (size_t k = 0; k < p->orders; k++)
-            p->way[k * p->sets + i] =
-                (study_way){p->set[i], p->rules[i].words, p->rules[i].added, p->order[k]};
+            p->way[k * p->sets + i] = (study_way){p->set[i], p->rules[i].words, p->rules[i].added,
+                                                  p->order[k].order, p->order[k].chooser};
     }
     p->grid.way = p->way;
     p->grid.ways = p->orders * p->sets;
@@ -109,6 +108,7 @@ void qualify_plan_clear(qualify_plan *p)
     for (size_t i = 0; i < p->sets; i++)
         free(p->rules[i].words);
     app_rule_library_close(&p->library);
+    free(p->order_words);
     json_decref(p->arguments);
     app_parts_free(p->part, p->parts);
 }

@@ -8,7 +8,14 @@
 #include "common/rule_library.h"
 #include "study/grid/grid.h"
 
-enum { PLAN_MOST_SETS = 32, PLAN_MOST_ORDERS = 4, PLAN_MOST_DIM = 12, PLAN_MOST_FILES = 1024 };
+enum { PLAN_MOST_SETS = 32, PLAN_MOST_ORDERS = 8, PLAN_MOST_DIM = 12, PLAN_MOST_FILES = 1024 };
+
+/* Which variable goes next. */
+typedef struct qualify_order {
+    const char *name; /* of the library, or of a rule library */
+    fmb_order order;
+    fmb_chooser chooser; /* in its place, unless choose is NULL */
+} qualify_order;
 
 typedef struct qualify_plan {
     study_family family;
@@ -19,13 +26,14 @@ typedef struct qualify_plan {
     bool frames_asked, pairs_asked;  /* --dim, --pairs were given */
     const char *set[PLAN_MOST_SETS]; /* rules; "default" is the library's choice */
     size_t sets; /* once made, set[0] is none; way k * sets + i is set i in order k */
-    fmb_order order[PLAN_MOST_ORDERS];
+    qualify_order order[PLAN_MOST_ORDERS];
     size_t orders;
+    char *order_words; /* of --orders, where the names are; or NULL */
     const char *file[PLAN_MOST_FILES];
     size_t files;
     study_grid grid; /* numbers of the plan; filled by qualify_plan_make */
     study_way way[PLAN_MOST_SETS * PLAN_MOST_ORDERS];
-    const char *rule_library; /* shared object with rules of one's own, or NULL */
+    const char *rule_library; /* shared object with rules and orders of one's own, or NULL */
     app_rule_library library;
     app_rule_set rules[PLAN_MOST_SETS]; /* what each set is made of */
     const char *out;                    /* folder for the report, or NULL */
@@ -55,11 +63,10 @@ void qualify_plan_clear(qualify_plan *p);
 size_t qualify_wrong(const qualify_plan *p);
 size_t qualify_stopped_by_time(const qualify_plan *p);
 
-/* "pairs", ... and back: false if the word is unknown. */
-const char *qualify_order_text(fmb_order order);
-bool qualify_order_parse(const char *word, fmb_order *out);
+/* The order of a way. */
+const qualify_order *qualify_order_of(const qualify_plan *p, size_t way);
 /* "order-pairs", ...: where the lines of that order are. */
-enum { PLAN_ORDER_KEY = 16 };
-void qualify_order_key(fmb_order order, char out[PLAN_ORDER_KEY]);
+enum { PLAN_ORDER_KEY = 40 };
+void qualify_order_key(const qualify_order *order, char out[PLAN_ORDER_KEY]);
 
 #endif

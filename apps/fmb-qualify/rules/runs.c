@@ -11,7 +11,7 @@ static void put_run(FILE *f, const qualify_plan *p, const char *name, size_t ite
     qualify_csv_text(f, name);
     fprintf(f, ",%zu,", item + 1);
     qualify_csv_text(f, p->way[way].name);
-    fprintf(f, ",%s,%s,%s,%s", qualify_order_text(p->way[way].order), OUTCOME[r->outcome],
+    fprintf(f, ",%s,%s,%s,%s", qualify_order_of(p, way)->name, OUTCOME[r->outcome],
             fmb_stop_text(r->stop), fmb_verdict_text(r->verdict));
     const uint64_t count[] = {r->pairs, r->made, r->kept, r->lived, r->peak, r->held};
     for (size_t i = 0; i < sizeof count / sizeof *count; i++)

@@ -52,9 +52,9 @@ void qualify_tables(const qualify_plan *p, qualify_page *to)
         qualify_page_text(to, "The clock stopped %zu queries: their counts depend on the machine.",
                           qualify_stopped_by_time(p));
     for (size_t k = 0; k < p->orders; k++) {
-        char key[PLAN_ORDER_KEY], caption[40];
-        qualify_order_key(p->order[k], key);
-        snprintf(caption, sizeof caption, "Order %s", qualify_order_text(p->order[k]));
+        char key[PLAN_ORDER_KEY], caption[48];
+        qualify_order_key(&p->order[k], key);
+        snprintf(caption, sizeof caption, "Order %s", p->order[k].name);
         qualify_page_table(to, key, caption, LINE, key);
     }
     qualify_page_table(to, "classes", NULL, OF_CLASS, "classes");

@@ -50,6 +50,8 @@ static fmb_status open_solver(const fmb_options *o, const study_way *way, fmb_so
     fmb_status st = fmb_solver_new(o, NULL, out);
     for (size_t i = 0; st == FMB_OK && way->added && way->added[i]; i++)
         st = fmb_solver_add_rule(*out, way->added[i]);
+    if (st == FMB_OK)
+        fmb_solver_set_chooser(*out, way->chooser);
     return st;
 }
 

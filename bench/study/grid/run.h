@@ -12,6 +12,7 @@ typedef struct study_way {
                                      but projects not */
     const fmb_rule *const *added; /* more rules, NULL ends them; or NULL */
     fmb_order order;
+    fmb_chooser chooser; /* in its place, unless choose is NULL */
 } study_way;
 
 typedef struct study_limits {
@@ -59,7 +60,8 @@ typedef struct study_engine {
     study_run *run; /* filled by the sink */
 } study_engine;
 
-/* Errors: RULE (a rule is unknown), ARG, MEMORY. */
+/* Errors: RULE (a rule is unknown), ARG, MEMORY. Where a chooser names what is not on offer, both
+ * queries are ARG. */
 fmb_status study_engine_open(study_engine *e, const study_way *way, const study_limits *limits,
                              study_names *names);
 void study_engine_close(study_engine *e);

@@ -39,23 +39,38 @@ def examples(package):
     return failed == 0 and asked > 0
 
 
-def front_page():
-    """The program in the README of the project prints what it says behind it."""
-    text = (HERE.parents[2] / "README.md").read_text(encoding="utf-8")
+def program_of(page):
+    """The one program in Python of a page, and what it prints."""
+    text = (HERE.parents[2] / page).read_text(encoding="utf-8")
     (program,) = re.findall(r"^```python\n(.*?)^```", text, re.M | re.S)
-    told = [line.split("# ")[1] for line in program.splitlines() if "# " in line]
     out = io.StringIO()
     with contextlib.redirect_stdout(out):
         exec(program, {})  # pylint: disable=exec-used
-    if out.getvalue().splitlines() != told:
-        print(f"README.md: {out.getvalue()!r} is not {told}")
-    return out.getvalue().splitlines() == told
+    return program, out.getvalue(), text
+
+
+def prints(page, printed, told):
+    """Is it what the page says?"""
+    if printed != told:
+        print(f"{page}: {printed!r} is not {told!r}")
+    return printed == told
+
+
+def pages():
+    """The programs in pages of the project print what these say: the README behind each line, the page
+    about rules in its last block of text."""
+    program, printed, _ = program_of("README.md")
+    good = prints("README.md", printed.splitlines(),
+                  [line.split("# ")[1] for line in program.splitlines() if "# " in line])
+    _, printed, text = program_of("docs/adding-a-rule.md")
+    told = re.findall(r"^```text\n(.*?)^```", text, re.M | re.S)[-1]
+    return prints("docs/adding-a-rule.md", printed, told) and good
 
 
 def main():
     package = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else HERE.parent / "fmb").resolve()
     sys.path[:0] = [str(package.parent), str(HERE)]
-    good = examples(package) and front_page()
+    good = examples(package) and pages()
     tests = unittest.defaultTestLoader.discover(str(HERE), pattern="test_*.py")
     result = unittest.TextTestRunner(verbosity=1).run(tests)
     sys.exit(0 if good and result.wasSuccessful() and result.testsRun > 0 else 1)

@@ -1,4 +1,5 @@
-/* liar.c: a rule library with a rule that is wrong: it drops all rows of every round. */
+/* liar.c: a rule library with a rule that is wrong, as it drops all rows of every round, and an order
+ * that is, as it names a column that is not on offer. */
 #include <fmb/rule.h>
 
 static fmb_status drop_all(void *state, const fmb_view *w, bool *drop)
@@ -13,3 +14,15 @@ static const fmb_rule liar = {
     .name = "liar", .source = "none", .flags = FMB_RULE_BREAKS_HISTORY, .end_round = drop_all};
 
 const fmb_rule *const fmb_rule_library[] = {&liar, NULL};
+
+static int choose_none(void *self, const fmb_view *w, const int *col, size_t n)
+{
+    (void)self;
+    (void)w;
+    return col[n - 1] + 1;
+}
+
+static const fmb_named_chooser lost = {
+    .name = "lost", .source = "none", .chooser = {.choose = choose_none}};
+
+const fmb_named_chooser *const fmb_chooser_library[] = {&lost, NULL};

@@ -60,6 +60,26 @@ def command(folder):
     expect(got.returncode == 64 and "same-rows" in got.stderr, got.stderr)
 
 
+def orders(folder):
+    """An order of the library's beside those that are built in: fewer rows than in the given one."""
+    got = run(qualify, "rules", "--dim", "3", *SMALL[2:8], "--orders", "given,look-ahead", "--passes", "0",
+              "--rule-library", same_rows, "--rules", "kohler", "--json", "--out", folder)
+    found = json.loads(got.stdout)
+    expect(got.returncode == 0 and found["orders"] == ["given", "look-ahead"], f"orders: {got}")
+    expect(found["order-look-ahead"] and not any(line["wrong"] for line in found["order-look-ahead"]), "look-ahead")
+    expect(",look-ahead," in (folder / "rules-runs.csv").read_text(), "no runs of look-ahead")
+    file = folder / "thin.fmb"
+    file.write_text("".join(f"x{i} + x{j} <= {i + j}\n{i} - x{i} <= x{j}\n" for i in range(1, 7) for j in range(i)))
+    words = [fmb, "solve", file, "--method", "fm", "--presolve", "none"]
+    got = run(*words, "--order", "look-ahead", "--rule-library", same_rows)
+    expect(got.returncode in (0, 1) and not got.stderr, f"look-ahead: {got}")
+    for library, word, why in ((liar, "lost", "not on offer"), (same_rows, "mine", "given|min|fill|look-ahead, found 'mine'")):
+        got = run(*words, "--order", word, "--rule-library", library)
+        expect(got.returncode == 64 and why in got.stderr, f"--order {word}: {got}")
+        got = run(qualify, "rules", *SMALL, "--orders", word, "--rule-library", library)
+        expect(got.returncode == 64 and why in got.stderr, f"--orders {word}: {got}")
+
+
 def faulty(folder):
     text = folder / "text.so"
     text.write_text(100 * "no library\n")
@@ -73,6 +93,7 @@ def faulty(folder):
 with tempfile.TemporaryDirectory() as name:
     studies()
     command(pathlib.Path(name))
+    orders(pathlib.Path(name))
     faulty(pathlib.Path(name))
 print("\n".join(faults) or "rule library: no faults")
 sys.exit(bool(faults))
