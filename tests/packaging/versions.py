@@ -11,6 +11,7 @@ NUMBER = r"(\d+\.\d+\.\d+)"
 PLACES = {
     "include/fmb/base.h": r'#define FMB_VERSION +"',
     "docs/CHANGELOG.md": r"^## ",
+    "README.md": r"^  version = \{",
     "CITATION.cff": r"^version: ",
     "README.md": r"^  version = \{",
     "bindings/python/pyproject.toml": r'^version = "',
