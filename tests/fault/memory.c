@@ -1,4 +1,4 @@
-/* memory.c: the k-th allocation fails, for every k; under sanitizers for every third one, as each
+/* memory.c: the k-th allocation fails, for every k; under sanitizers for every sixth one, as each
  * takes seven times as long there.
  *
  * Each time: the status is MEMORY, out arguments are untouched, the same solver then gives the

@@ -32,14 +32,18 @@ static void expect_agreement(agree *g, fmb_solver *v, const regress *r, const tr
     cr_assert(good, "%s: %s", r->name, g->why);
 }
 
-/* One numbering of the variables: the order "given" then eliminates in this order. */
+/* One numbering of the variables: the order "given" then eliminates in this order. Every third set
+ * of options, from where the last numbering ended. */
 static void try_place(agree *g, const regress *r, const int *place)
 {
+    static int turn;
     fmb_system *s = regress_build(r, place);
     truth t;
     truth_init(&t, s, g->max_rows);
     cr_assert_eq(t.verdict, r->verdict);
     for (int i = 0; i < options_count(); i++) {
+        if (turn++ % 3 > 0)
+            continue;
         fmb_options o = options_at(i);
         fmb_solver *v = NULL;
         must(fmb_solver_new(&o, NULL, &v));

@@ -225,7 +225,7 @@ Test(general, boxes)
         support_rng g = {(uint64_t)dim};
         for (int of = 0; of < FAMILIES; of++) {
             int known = 0, meet = j.asked;
-            for (int i = 0; i < (dim < 4 ? 120 : 20); i++) {
+            for (int i = 0; i < (dim < 4 ? 60 : 12) / WATCHED; i++) {
                 two t;
                 two_draw(&g, (family)of, dim, i % 2, i % 3 == 2, 0.3, &t);
                 known += judge_box(&j, tightest, &t);

@@ -179,7 +179,7 @@ Test(pair_kernels, pairs_of_the_article_are_known_and_right)
 Test(pair_kernels, never_wrong_on_hard_families)
 {
     for (int family = STUDY_PAIR_LATTICE; family < STUDY_PAIR_FAMILIES; family++)
-        check_family((study_pair_family)family, 96, false);
+        check_family((study_pair_family)family, 96 / WATCHED, false);
 }
 
 Test(pair_kernels, fewer_than_one_pair_of_the_article_in_10000_is_unknown)

@@ -111,7 +111,7 @@ Test(mutate, proofs_of_the_solver, .timeout = 600)
     fmb_solver *v = NULL;
     o.evidence = FMB_EVIDENCE_WHOLE;
     must(fmb_solver_new(&o, NULL, &v));
-    for (uint64_t seed = 0; t.judged < 30000; seed++)
+    for (uint64_t seed = 0; t.judged < 30000 / WATCHED; seed++)
         for (support_family family = 0; family < SUPPORT_FAMILIES; family++) {
             support_case c = support_make(family, seed, NULL);
             fmb_evidence *e = ask(v, c.s, (int)(seed % 5));
@@ -124,10 +124,10 @@ Test(mutate, proofs_of_the_solver, .timeout = 600)
         }
     fmb_solver_free(v);
     cr_expect_eq(right.accepted, right.judged);
-    cr_expect_geq(t.accepted, 300);
-    cr_expect_geq(t.judged - t.accepted, 5000);
+    cr_expect_geq(t.accepted, 300 / WATCHED);
+    cr_expect_geq(t.judged - t.accepted, 5000 / WATCHED);
     for (fmb_claim_kind kind = FMB_CLAIM_FEASIBLE; kind <= FMB_CLAIM_FOLLOWS; kind++)
-        cr_expect_geq(t.by_kind[kind], 100, "kind %d: %d", kind, t.by_kind[kind]);
+        cr_expect_geq(t.by_kind[kind], 100 / WATCHED, "kind %d: %d", kind, t.by_kind[kind]);
 }
 
 /* One byte for another, mostly a digit for a digit. */
@@ -146,7 +146,7 @@ Test(mutate, text)
 {
     support_rng g = {7};
     int parsed = 0;
-    for (int k = 0; k < 20000; k++) {
+    for (int k = 0; k < 20000 / WATCHED; k++) {
         const proof_sample *p = &proof_samples[subject_any(&g, proof_samples_count)];
         fmb_system *s = proof_system(p->system, NULL);
         fmb_evidence *e = proof_claims(s, p->claims);

@@ -61,7 +61,7 @@ Test(lift_faults, every_request_may_fail)
     fmb_alloc mem = hook_alloc(&h);
     for (size_t q = 0; q < VERBS_SIZE; q++) {
         fmb_status st = FMB_ERR_MEMORY;
-        for (size_t k = 1; st == FMB_ERR_MEMORY; k++) {
+        for (size_t k = 1; st == FMB_ERR_MEMORY; k += WATCHED) {
             fmb_system *lift = NULL, *out = NULL;
             fmb_solver *v = NULL;
             must(fmb_solver_new(&o, &mem, &v));

@@ -104,7 +104,7 @@ def counts(study):
 
 
 def same_studies(folder):
-    for study, pairs in (("faces", 300), ("article", 40), ("peers", 40), ("scaling", 16), ("bunny", 100000)):
+    for study, pairs in (("faces", 30), ("article", 4), ("peers", 4), ("scaling", 2), ("bunny", 10000)):
         args = [qualify, study, "--pairs", str(pairs), "--passes", "1", "--json"]
         alone = subprocess.run(args, capture_output=True, text=True)
         out = folder / study
