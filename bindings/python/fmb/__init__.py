@@ -13,15 +13,24 @@ binary value) go in. Every answer carries a proof, which `answer.proof.check()` 
 
 from typing import List
 
-from fmb._answers import (Answer, Box, Conflict, End, Generators, Interval, Judgement, Optimum,
-                          Point, Proof, Reduction, SystemAnswer)
+from fmb._answers import Answer, Conflict, Judgement, Point, Proof
 from fmb._lib import (ArgumentError, Error, ParseError, RuleError, StateError, Unfinished, lib,
                       text)
 from fmb._linear import Form, Row, Variable, total, vars
 from fmb._polyhedron import Polyhedron
-from fmb._solver import (Event, Session, Solver, bounds, check, eliminate, hull, hull_of, image,
+from fmb._results import Box, End, Generators, Interval, Optimum, Reduction, SystemAnswer
+from fmb._script import Script
+from fmb._session import Session
+from fmb._solver import (Event, Solver, bounds, check, eliminate, hull, hull_of, image,
                          optimize, project, reduce, solve, sum, vertices)
 from fmb._system import ParseWarning, System, SystemRow
+
+__all__ = ["Answer", "ArgumentError", "Box", "Conflict", "End", "Error", "Event", "Form", "Generators",
+           "Interval", "Judgement", "Optimum", "ParseError", "ParseWarning", "Point", "Polyhedron",
+           "Proof", "Reduction", "Row", "RuleError", "Script", "Session", "Solver", "StateError", "System",
+           "SystemAnswer", "SystemRow", "Unfinished", "Variable", "bounds", "check", "eliminate",
+           "hull", "hull_of", "image", "optimize", "project", "reduce", "solve", "sum", "total",
+           "vars", "vertices"]
 
 __version__ = text(lib.fmb_version())
 
@@ -31,12 +40,15 @@ _LATER = {"_frames": ("Frame", "Frames", "Pairs", "Proximity", "common", "cuboid
 
 
 def __getattr__(name: str) -> object:
+    import importlib
     for module, names in _LATER.items():
         if name in names:
-            import importlib
             return getattr(importlib.import_module(f"fmb.{module}"), name)
+    if name in ("bridges", "lab"):
+        return importlib.import_module(f"fmb.{name}")
     raise AttributeError(f"module 'fmb' has no attribute {name!r}")
 
 
 def __dir__() -> List[str]:
-    return sorted([*globals(), *(name for names in _LATER.values() for name in names)])
+    return sorted({*globals(), "bridges", "lab",
+                   *(name for names in _LATER.values() for name in names)})

@@ -27,7 +27,7 @@ def system(cls: Any, A: Any, b: Any, relations: str | Sequence[str],
         _add_sparse(self, A.tocsr(), b, rel)
     elif _is_numbers(A):
         _add_dense(self, A, b, rel)
-    else:
+    elif not _add_integers(self, A, b, rel):
         _add_exact(self, A, b, rel)
     if not set(called).isdisjoint(self.names):  # one may be the usual one of another variable
         for j in range(dim):
@@ -125,6 +125,20 @@ def _add_dense(self: Any, A: Any, b: Any, rel: Any) -> None:
     coef, right = np.ascontiguousarray(A, dtype), np.ascontiguousarray(right, dtype)
     need(add(self._s, len(right), NULL, NULL, _view(number, coef), rel, _view(number, right)),
          self._trouble)
+
+
+def _add_integers(self: Any, A: Any, b: Any, rel: Any) -> bool:
+    """Lists of nothing but integers that 64 bits hold; False of others."""
+    flat = [c for row in A for c in row]
+    if set(map(type, flat)) | set(map(type, b)) != {int}:
+        return False
+    try:
+        coef, right = ffi.new("int64_t[]", flat), ffi.new("int64_t[]", list(b))
+    except OverflowError:
+        return False
+    need(lib.fmb_system_add_rows_int(self._s, len(right), NULL, NULL, coef, rel, right),
+         self._trouble)
+    return True
 
 
 def _add_exact(self: Any, A: Any, b: Any, rel: Any) -> None:

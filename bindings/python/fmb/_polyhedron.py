@@ -5,11 +5,13 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any, Iterable, Mapping, Sequence
 
-from fmb._answers import Box, Generators, Optimum, Point, SystemAnswer
+from fmb._answers import Point
 from fmb._lib import ArgumentError, Number, exact, listed
 from fmb._linear import FormLike
+from fmb._results import Box, Generators, Optimum, SystemAnswer
 from fmb._solver import Names, Solver, _solver
 from fmb._system import System, SystemLike, system
+from fmb._within import is_within, yes_or_no
 
 
 class Polyhedron:
@@ -33,6 +35,16 @@ class Polyhedron:
         self.system = System(system(rows), variables)
         self._options = options
         self._own: Solver | None = None
+
+    @classmethod
+    def from_arrays(cls, A: Any, b: Any, relations: str | Sequence[str] = "<=",
+                    names: str | Sequence[str] | None = None, **options: Any) -> Polyhedron:
+        """The set of all x with A x REL b, as System.from_arrays has it.
+
+        >>> Polyhedron.from_arrays([[1], [-1]], [3, 0])
+        Polyhedron(x1 <= 3; x1 >= 0)
+        """
+        return cls(System.from_arrays(A, b, relations, names), **options)
 
     @classmethod
     def from_generators(cls, points: Any, rays: Any = (), lines: Any = (),
@@ -73,7 +85,7 @@ class Polyhedron:
 
     def is_empty(self) -> bool:
         """Has it no point?"""
-        return not self._ask().solve(self.system)
+        return not yes_or_no(self._options).solve(self.system)
 
     def point(self) -> Point | None:
         """Some point, or None."""
@@ -178,21 +190,9 @@ class Polyhedron:
 
     # ---- comparisons -------------------------------------------------------------------------
 
-    def _has_row(self, row: Any) -> bool:
-        """Does a row hold everywhere here?"""
-        left, relation, right = row.as_row().links[0]
-        against = {"<=": [">"], "<": [">="], "=": ["<", ">"]}[relation]
-        kind = type(row.as_row())
-        for sign in against:
-            beyond = System(self.system)
-            beyond.add(kind([(left, sign, right)]))
-            if self._ask().solve(beyond):
-                return False
-        return True
-
     def __le__(self, other: SystemLike) -> bool:
         """Does it lie within the other?"""
-        return all(self._has_row(row) for row in system(other))
+        return is_within(self.system, system(other), self._options)
 
     def __ge__(self, other: SystemLike) -> bool:
         return Polyhedron(other, **self._options) <= self

@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-import contextlib
 import operator
-import re
 import threading
-from fractions import Fraction
-from typing import Any, Callable, Iterable, Iterator, Mapping, Sequence, Union
+from typing import Any, Callable, Iterable, Mapping, Sequence, Union
 
-from fmb._answers import (Answer, Box, Generators, Judgement, Optimum, Proof, Reduction,
-                          SystemAnswer)
 from fmb import _callbacks
-from fmb._lib import (NULL, ArgumentError, Number, StateError, encoded, exact, ffi, forget_lost,
-                      in_main_thread, lib, made, need, note_lost, parsed, printed, raise_lost,
-                      spelled, text, written)
+from fmb._answers import Answer, Judgement, Proof
+from fmb._lib import (NULL, ArgumentError, StateError, encoded, exact, ffi, forget_lost,
+                      in_main_thread, lib, need, note_lost, parsed, printed, raise_lost, spelled,
+                      text, written)
 from fmb._linear import Form, FormLike, Row, text_of_form
-from fmb._system import RELATIONS, System, SystemLike, SystemRow, quoted, system, words
+from fmb._results import Box, Generators, Optimum, Reduction, SystemAnswer
+from fmb._system import System, SystemLike, SystemRow, quoted, system, words
 
 Names = Union[str, Iterable[Any]]
 _FATES = {lib.FMB_FATE_UNKNOWN: "unknown", lib.FMB_FATE_KEPT: "kept",
@@ -190,18 +187,19 @@ class Solver:
         result = self._ask(lib.fmb_bound, s._s, asked, len(var or ()), out)
         return Box(self._v, s, result, out[0])
 
-    def optimize(self, rows: SystemLike, max: FormLike | None = None,  # pylint: disable=W0622
-                 min: FormLike | None = None) -> Optimum:
-        """The best value of a form; without one, of the objective that the system carries."""
+    def optimize(self, rows: SystemLike, max: Any = None,  # pylint: disable=W0622
+                 min: Any = None) -> Optimum:
+        """The best value of a form, which may be a list of coefficients in the order of variables;
+        without one, of the objective that the system carries."""
         s, out = system(rows), ffi.new("fmb_optimum **")
         if max is not None or min is not None:
             if max is not None and min is not None:
                 raise ArgumentError("give max or min, not both")
             s = s.copy()
             if max is not None:
-                s.maximize(max)
+                s.maximize(_form_over(s, max))
             elif min is not None:
-                s.minimize(min)
+                s.minimize(_form_over(s, min))
         result = self._ask(lib.fmb_optimize, s._s, NULL, out)
         return Optimum(self._v, s, result, out[0])
 
@@ -262,6 +260,16 @@ class Solver:
         lift, out = ffi.new("fmb_system **"), ffi.new("fmb_system **")
         result = self._ask(query, [s._s for s in all_of], len(all_of), lift, out)
         return SystemAnswer(self._v, _system(lift) or System(), result, _system(out))
+
+
+def _form_over(s: System, wanted: Any) -> FormLike:
+    """A form, or its coefficients in the order of variables."""
+    if not isinstance(wanted, (str, Row)) and hasattr(wanted, "__len__"):
+        if len(wanted) != s.dim:
+            raise ArgumentError(f"{len(wanted)} coefficients, but there are {s.dim} variables")
+        return Form(dict(zip(s.names, wanted)))
+    given: FormLike = wanted
+    return given
 
 
 def _option(value: Any) -> str:
@@ -341,162 +349,6 @@ def _graph(s: System, graph: Mapping[str, FormLike] | str) -> System:
     return System._of(ffi.gc(out[0], lib.fmb_system_free))
 
 
-# ---- sessions --------------------------------------------------------------------------------
-
-
-class Session:
-    """A system that changes, and a solver that goes on from its last answer.
-
-    >>> s = Session("x >= 0; x <= 4")
-    >>> with s.pushed():
-    ...     row = s.add("x >= 5")
-    ...     s.solve().feasible
-    False
-    >>> s.solve().feasible
-    True
-    """
-
-    def __init__(self, rows: SystemLike = (), **options: Any):
-        self._solver = Solver(**options)
-        self._v = self._solver._v
-        start = system(rows)
-        need(lib.fmb_solver_load(self._v, start._s), self._solver._trouble)
-
-    @property
-    def system(self) -> System:
-        """A copy of the system as it is now."""
-        return System._of(made("fmb_system", lib.fmb_system_copy, self._now()))
-
-    def _now(self) -> Any:
-        now = lib.fmb_solver_system(self._v)
-        if now == NULL:
-            raise StateError("the session is closed")
-        return now
-
-    def __len__(self) -> int:
-        return int(lib.fmb_system_rows(self._now()))
-
-    def _index(self, name: str) -> int:
-        j = lib.fmb_system_find(self._now(), encoded(name))
-        return int(j) if j >= 0 else self.add_variable(name)
-
-    def add_variable(self, name: str | None = None) -> int:
-        """Append a variable."""
-        index = ffi.new("int *")
-        need(lib.fmb_solver_add_variable(self._v, encoded(name) if name is not None else NULL,
-                                         index), self._solver._trouble)
-        return int(index[0])
-
-    def add(self, row: Row | str) -> int:
-        """Append a row; its handle, which stays the same whatever rows come and go, is returned."""
-        one = system(row)
-        if len(one) != 1:
-            raise ArgumentError(f"{row!r} is {len(one)} rows: add one at a time")
-        terms = one[0]
-        sign, relation = 1, terms.relation
-        if relation != "=" and _is_lower_bound(row):  # as set_right will mean it
-            sign, relation = -1, {"<=": ">=", "<": ">"}[relation]
-        var = {self._index(name): sign * c for name, c in terms.coefficients.items()}
-        texts = [ffi.new("char[]", spelled(c).encode()) for c in var.values()]
-        need(lib.fmb_solver_add_terms_text(
-            self._v, len(var), list(var), ffi.new("char *[]", texts), RELATIONS[relation],
-            spelled(sign * terms.right).encode()), self._solver._trouble)
-        if terms.label is not None:
-            need(lib.fmb_solver_set_label(self._v, len(self) - 1, encoded(terms.label)))
-        return int(lib.fmb_solver_last_row(self._v))
-
-    def remove(self, row: int) -> None:
-        """Remove the row of that handle."""
-        need(lib.fmb_solver_remove(self._v, self._number(row)), self._solver._trouble)
-
-    def set_right(self, row: int, right: Number | str) -> None:
-        """Give the row of that handle another right side, in the direction in which it was given."""
-        need(lib.fmb_solver_set_right_text(self._v, self._number(row),
-                                           spelled(exact(right)).encode()), self._solver._trouble)
-
-    def _number(self, row: int) -> int:
-        self._now()
-        number = int(lib.fmb_solver_row_number(self._v, row))
-        if number >= len(self):
-            raise ArgumentError(f"no row has the handle {row}")
-        return number
-
-    def push(self) -> None:
-        """Begin a level."""
-        need(lib.fmb_solver_push(self._v), self._solver._trouble)
-
-    def pop(self) -> None:
-        """End the last level: all is as it was when it began."""
-        need(lib.fmb_solver_pop(self._v), self._solver._trouble)
-
-    @contextlib.contextmanager
-    def pushed(self) -> Iterator[Session]:
-        """A level for as long as a `with` lasts."""
-        self.push()
-        try:
-            yield self
-        finally:
-            self.pop()
-
-    def solve(self) -> Answer:
-        """Is there a solution now?"""
-        return self._answer(Answer, lib.fmb_solve)
-
-    def bounds(self) -> Box:
-        """The tightest interval of each variable now."""
-        out = ffi.new("fmb_box **")
-        result = self._solver._ask(lib.fmb_bound, self._now(), NULL, 0, out)
-        return Box(self._v, self.system, result, out[0])
-
-    def optimize(self, max: FormLike | None = None,  # pylint: disable=redefined-builtin
-                 min: FormLike | None = None) -> Optimum:
-        """The best value of a form now; of forms of floats alone it goes on from the last answer."""
-        if (max is None) == (min is None):
-            return self._solver.optimize(self.system, max, min)
-        wanted = max if max is not None else min
-        now = self.system
-        if not isinstance(wanted, Form) or any(name not in now.names for name in
-                                               wanted.coefficients):
-            return self._solver.optimize(now, max, min)
-        coefficients = [wanted.coefficients.get(name, Fraction(0)) for name in now.names]
-        numbers = [float(c) for c in coefficients]
-        if numbers != coefficients or float(wanted.constant) != wanted.constant:
-            return self._solver.optimize(now, max, min)
-        array = ffi.new("double[]", numbers + [0.0])
-        objective = ffi.new("fmb_objective *", {
-            "sense": lib.FMB_SENSE_MAX if max is not None else lib.FMB_SENSE_MIN, "coef": array,
-            "constant": float(wanted.constant)})
-        out = ffi.new("fmb_optimum **")
-        result = self._solver._ask(lib.fmb_optimize, self._now(), objective, out)
-        return Optimum(self._v, now, result, out[0])
-
-    def _answer(self, kind: type[Answer], query: Callable[..., int]) -> Answer:
-        result = self._solver._ask(query, self._now())
-        return kind(self._v, self.system, result)
-
-    def close(self) -> None:
-        """The system goes; the session can be asked no more."""
-        lib.fmb_solver_unload(self._v)
-
-    def __repr__(self) -> str:
-        if lib.fmb_solver_system(self._v) == NULL:
-            return "Session (closed)"
-        return f"Session: {self.system!r}"
-
-    def __enter__(self) -> Session:
-        return self
-
-    def __exit__(self, *_: Any) -> None:
-        self.close()
-
-
-def _is_lower_bound(row: Any) -> bool:
-    """Is it written with its form above its right side, as x >= 5?"""
-    if isinstance(row, Row):
-        return row.links[0][1] in (">=", ">")
-    return isinstance(row, str) and ">" in re.sub(r'"(?:[^"\\]|\\.)*"', "", row)
-
-
 # ---- functions of the module -----------------------------------------------------------------
 
 _default = threading.local()
@@ -540,9 +392,13 @@ def bounds(rows: SystemLike, of: Names | None = None, **options: Any) -> Box:
     return _solver(options).bounds(rows, of)
 
 
-def optimize(rows: SystemLike, max: FormLike | None = None,  # pylint: disable=redefined-builtin
-             min: FormLike | None = None, **options: Any) -> Optimum:
-    """The best value of a form."""
+def optimize(rows: SystemLike, max: Any = None,  # pylint: disable=redefined-builtin
+             min: Any = None, **options: Any) -> Optimum:
+    """The best value of a form, or of a list of coefficients.
+
+    >>> optimize("x + 2y <= 4; x >= 0; y >= 0", max=[1, 3]).value
+    Fraction(6, 1)
+    """
     return _solver(options).optimize(rows, max, min)
 
 

@@ -243,6 +243,24 @@ class System:
         where = ffi.new("fmb_where *")
         parsed(lib.fmb_system_parse_objective(self._s, sense, data, len(data), where), where)
 
+    @property
+    def objective(self) -> Form | None:
+        """The form that it carries; None if there is none."""
+        if lib.fmb_system_sense(self._s) == lib.FMB_SENSE_NONE:
+            return None
+        n = int(lib.fmb_system_objective_terms(self._s))
+        var = ffi.new("int[]", n + 1)
+        lib.fmb_system_get_objective(self._s, var, NULL, NULL)
+        constant = number(written(lib.fmb_system_objective_constant_text, self._s))
+        return Form({self.names[var[k]]: number(written(lib.fmb_system_objective_term_text,
+                                                        self._s, k)) for k in range(n)}, constant)
+
+    @property
+    def sense(self) -> str | None:
+        """Which way its objective is to go: "max" or "min"; None if there is none."""
+        return {lib.FMB_SENSE_MAX: "max", lib.FMB_SENSE_MIN: "min"}.get(
+            lib.fmb_system_sense(self._s))
+
     # ---- what there is -----------------------------------------------------------------------
 
     @property

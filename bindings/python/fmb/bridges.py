@@ -6,9 +6,9 @@ from fractions import Fraction
 from typing import Any, Iterable, NamedTuple, Sequence
 
 from fmb import _arrays
-from fmb._answers import Optimum
 from fmb._lib import ArgumentError, Number, exact
 from fmb._linear import Form, Row, form
+from fmb._results import Optimum
 from fmb._solver import _solver
 from fmb._system import System
 

@@ -124,6 +124,42 @@ class Questions(unittest.TestCase):
             fmb.solve("x >= 1", rules="none-such")
 
 
+class Scripts(unittest.TestCase):
+    TEXT = """(declare-const x Real) (declare-const y Real)
+        (assert (= (+ x y) 3)) (check-sat) (get-value (x (+ y (* 2 x) (- 1)) 7))
+        (push 1) (assert (> x 5)) (assert (> y 5)) (check-sat) (pop 1)
+        (assert (= x 1)) (check-sat) (get-value (y))"""
+
+    def test_checks_and_values(self):
+        script = fmb.Script(self.TEXT)
+        self.assertTrue(script.asks_often)
+        for _ in range(2):  # again from the beginning
+            self.assertEqual([a.feasible for a in script.answers()], [True, False, True])
+            first, second = script.values()
+            self.assertEqual(second, {"y": 2})
+            self.assertEqual(list(first.values())[2], 7)
+            self.assertEqual(list(first.values())[1], first["x"] + 2)
+        self.assertEqual([len(s) for s in script.systems()], [1, 3, 2])
+
+    def test_mistakes(self):
+        with self.assertRaises(fmb.ParseError):
+            fmb.Script("(check-sat")
+        with self.assertRaises(fmb.ParseError):
+            list(fmb.Script("(pop 1) (check-sat)").systems())
+        with self.assertRaises(fmb.StateError):
+            list(fmb.Script("(declare-const x Real) (get-value (x))").values())
+
+    def test_objectives(self):
+        s = System("2x <= 1")
+        self.assertEqual((s.objective, s.sense), (None, None))
+        s.minimize("3x/2 + 1")
+        self.assertEqual((repr(s.objective), s.sense), ("3/2 x + 1", "min"))
+        self.assertEqual(fmb.optimize(s, max=[2]).value, 1)
+        with self.assertRaises(fmb.ArgumentError):
+            fmb.optimize(s, max=[1, 2])
+        self.assertIn("V-representation", fmb.vertices("0 <= x <= 1").to_text())
+
+
 class Limits(unittest.TestCase):
     def test_a_limit_is_told(self):
         answer = fmb.project(cube(30), [], max_rows=1, method="fm")
