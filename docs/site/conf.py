@@ -30,7 +30,7 @@ toc_object_entries_show_parents = "hide"
 html_theme = "fmb"
 html_theme_path = ["make/theme"]
 html_title = f"libfmb {release}"
-html_copy_source = html_use_index = False
+html_copy_source = False
 
 
 class Transcript(RegexLexer):
@@ -42,9 +42,11 @@ class Transcript(RegexLexer):
 
 
 def within_reach(app, pagename, templatename, context, doctree):
-    """Whoever has no mouse scrolls wide blocks and tables once these can be chosen by the keyboard."""
+    """Whoever has no mouse scrolls wide blocks and tables once these can be chosen by the keyboard; and a table
+    has no heading without a word."""
     if "body" in context:
         body = context["body"].replace("<pre>", '<pre tabindex="0">')
+        body = body.replace('<th class="head"><p></p></th>', "<td></td>")
         body = re.sub(r"<table class=\"docutils.*?</table>", r'<div class="scroll" tabindex="0">\g<0></div>', body, flags=re.S)
         context["body"] = body
 

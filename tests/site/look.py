@@ -101,7 +101,7 @@ def main():
     judge, browser, count = axe(out), Browser(), 0
     for page in sys.argv[3:] or PAGES:
         for view, look in VIEWS.items():
-            browser.open((site / page).as_uri(), *look)
+            browser.open((site / page).resolve(strict=True).as_uri(), *look)
             browser.picture(out / f"{page.replace('/', '-').replace('.html', '')}-{view}.png")
             for fault in faults(browser, judge):
                 print(f"{page}, {view}: {fault}")
