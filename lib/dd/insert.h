@@ -75,11 +75,6 @@ static inline size_t fmb_work_of_ray(const fmb_vec *v, size_t width)
     return 50 + width * fmb_vec_work(v);
 }
 
-/* ---- insert_value.c -------------------------------------------------------------------------- */
-
-/* The entry behind the coordinates becomes row.v. Errors: MEMORY, LIMIT. */
-fmb_status fmb_insertion_set_value(const fmb_cone *c, fmb_vec *v, const fmb_vec *row, fmb_num *num);
-
 /* ---- insert_workers.c ------------------------------------------------------------------------ */
 
 /* By several threads where that pays. The entry behind the coordinates of each line and ray becomes

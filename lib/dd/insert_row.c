@@ -52,12 +52,7 @@ static fmb_status make_ray_of_line(fmb_cone *c, size_t row, size_t entry, size_t
     fmb_vec *v = &c->ray.v[c->ray.size - 1];
     st = fmb_vec_copy(v, &c->line.v[i], c->ray.width, c->run->mem);
     if (st == FMB_OK && fmb_vec_sgn(v, entry) < 0)
-        for (size_t k = 0; k < c->ray.width; k++) {
-            if (v->z)
-                mpz_neg(v->z[k], v->z[k]);
-            else
-                v->s[k] = -v->s[k];
-        }
+        fmb_vec_negate(v, c->ray.width);
     fmb_set_put(fmb_rays_support(&c->ray, c->ray.size - 1), c->bits);
     c->row_of_bit[c->bits++] = row;
     c->rank++;

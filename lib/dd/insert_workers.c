@@ -143,7 +143,7 @@ static fmb_status set_values_of_chunk(void *self, size_t k, fmb_run *run)
     fmb_status st = FMB_OK;
     w->chunk[k].num.mem = &aside;
     for (size_t i = part.from; st == FMB_OK && i < part.to; i++) {
-        st = fmb_insertion_set_value(c, &c->ray.v[i], w->row, &w->chunk[k].num);
+        st = fmb_vec_set_product(&c->ray.v[i], c->coords, c->ray.width, w->row, &w->chunk[k].num);
         if (st == FMB_OK)
             st = fmb_run_poll(run);
     }
@@ -162,7 +162,7 @@ static fmb_status set_values_of_rays(fmb_cone *c, const fmb_vec *row)
         return st;
     }
     for (size_t i = 0; st == FMB_OK && i < c->ray.size; i++) {
-        st = fmb_insertion_set_value(c, &c->ray.v[i], row, &c->num);
+        st = fmb_vec_set_product(&c->ray.v[i], c->coords, c->ray.width, row, &c->num);
         if (st == FMB_OK)
             st = fmb_run_poll(c->run);
     }
@@ -173,7 +173,7 @@ fmb_status fmb_insertion_set_values(fmb_cone *c, const fmb_vec *row)
 {
     fmb_status st = FMB_OK;
     for (size_t i = 0; st == FMB_OK && i < c->line.size; i++)
-        st = fmb_insertion_set_value(c, &c->line.v[i], row, &c->num);
+        st = fmb_vec_set_product(&c->line.v[i], c->coords, c->ray.width, row, &c->num);
     return st == FMB_OK ? set_values_of_rays(c, row) : st;
 }
 

@@ -100,6 +100,14 @@ fmb_status fmb_vec_cancel(fmb_vec *dst, const fmb_vec *a, const fmb_vec *b, size
 int fmb_vec_compare_products(const fmb_vec *x, size_t i, const fmb_vec *y, size_t j,
                              const fmb_vec *z, size_t k, const fmb_vec *w, size_t l);
 
+/* Sign of a.b over the first n entries. */
+int fmb_vec_product_sign(const fmb_vec *a, const fmb_vec *b, size_t n, fmb_num *k);
+/* Entry n of v, which has `width`, becomes row.v over the entries before it. Errors: MEMORY, LIMIT.
+ */
+fmb_status fmb_vec_set_product(fmb_vec *v, size_t n, size_t width, const fmb_vec *row, fmb_num *k);
+/* The first n entries change their signs. */
+void fmb_vec_negate(fmb_vec *v, size_t n);
+
 /* Equal in the first n entries. */
 bool fmb_vec_equal(const fmb_vec *a, const fmb_vec *b, size_t n);
 /* Lexicographic order of the first n entries: -1, 0 or 1. */

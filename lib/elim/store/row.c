@@ -88,12 +88,8 @@ fmb_status fmb_elim_split(fmb_elim *e, uint32_t i)
     e->row[i].equality = false;
     r->p = i;
     st = fmb_vec_copy(&r->v, &e->row[i].v, n, e->run->mem);
-    for (size_t j = 0; st == FMB_OK && j < n; j++) {
-        if (r->v.z)
-            mpz_neg(r->v.z[j], r->v.z[j]);
-        else
-            r->v.s[j] = -r->v.s[j];
-    }
+    if (st == FMB_OK)
+        fmb_vec_negate(&r->v, n);
     note_variables_of_row(e, r);
     if (st == FMB_OK)
         st = fmb_list_push(e, &e->live, (uint32_t)e->rows);

@@ -30,7 +30,7 @@ static fmb_status number_generator(fmb_facets *f)
 static size_t find_equation_off(fmb_facets *f, const fmb_vec *v)
 {
     for (size_t e = 0; e < f->d - f->rank; e++)
-        if (fmb_facets_sign(f, &f->equation[e], v) != 0)
+        if (fmb_vec_product_sign(&f->equation[e], v, f->d, &f->num) != 0)
             return e;
     return f->d;
 }

@@ -142,8 +142,8 @@ static fmb_status take_minors(const minors *m, fmb_vec *normal, fmb_mem *mem)
 static void turn_normal_inwards(const fmb_facets *f, fmb_facet *a, fmb_num *num)
 {
     size_t i = fmb_facet_next(a, 0, false);
-    if (fmb_facets_sign_by(f, &a->normal, &f->generator[i], num) < 0)
-        fmb_facets_negate(&a->normal, f->d + 1);
+    if (fmb_vec_product_sign(&a->normal, &f->generator[i], f->d, num) < 0)
+        fmb_vec_negate(&a->normal, f->d + 1);
 }
 
 static fmb_status need_wide_minors(const fmb_facets *f, fmb_normal_tools *by)

@@ -24,16 +24,13 @@ static inline void fmb_facet_put_on(fmb_facet *a, size_t generator)
     fmb_set_put(a->on, generator);
 }
 
-/* ---- facets_value.c -------------------------------------------------------------------------- */
-
 /* v.g for the generator at hand, as the last entry of v. */
-fmb_status fmb_facets_evaluate(fmb_facets *f, fmb_vec *v);
-/* The sign of v.g. */
-int fmb_facets_sign(fmb_facets *f, const fmb_vec *v, const fmb_vec *g);
-int fmb_facets_sign_by(const fmb_facets *f, const fmb_vec *v, const fmb_vec *g, fmb_num *num);
-void fmb_facets_negate(fmb_vec *v, size_t n);
-/* The last entry of v, a combination or what was in lowest terms, is 0 again, and v in lowest
- * terms. */
+static inline fmb_status fmb_facets_evaluate(fmb_facets *f, fmb_vec *v)
+{
+    return fmb_vec_set_product(v, f->d, f->d + 1, &f->g, &f->num);
+}
+/* facets_raise.c: the last entry of v, a combination or what was in lowest terms, is 0 again, and v
+ * in lowest terms. */
 fmb_status fmb_facets_tidy(fmb_facets *f, fmb_vec *v);
 
 /* ---- facets_roughly.c ------------------------------------------------------------------------ */

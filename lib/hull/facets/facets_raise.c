@@ -7,6 +7,23 @@
  */
 #include "hull/facets/facets_private.h"
 
+/* Wide vectors are in lowest terms already; one that was wide for its last entry alone is so no
+ * more. */
+fmb_status fmb_facets_tidy(fmb_facets *f, fmb_vec *v)
+{
+    size_t bits = 0;
+    if (!v->z) {
+        v->s[f->d] = 0;
+        return fmb_vec_reduce(v, f->d + 1, &f->num);
+    }
+    mpz_set_ui(v->z[f->d], 0);
+    for (size_t j = 0; j < f->d; j++) {
+        size_t b = mpz_sizeinbase(v->z[j], 2);
+        bits = b > bits ? b : bits;
+    }
+    return bits > FMB_SMALL_BITS ? FMB_OK : fmb_vec_reduce(v, f->d + 1, &f->num);
+}
+
 /* Make v 0 on the generator, by e. */
 static fmb_status lift_to_generator(fmb_facets *f, fmb_vec *v, const fmb_vec *e)
 {
@@ -59,8 +76,8 @@ static fmb_status open_base(fmb_facets *f, size_t e, size_t generator)
 fmb_status fmb_facets_raise(fmb_facets *f, size_t e, size_t generator)
 {
     fmb_vec *equation = &f->equation[e], *last = &f->equation[f->d - f->rank - 1], t;
-    if (fmb_facets_sign(f, equation, &f->g) < 0)
-        fmb_facets_negate(equation, f->d + 1);
+    if (fmb_vec_product_sign(equation, &f->g, f->d, &f->num) < 0)
+        fmb_vec_negate(equation, f->d + 1);
     fmb_status st = fmb_facets_evaluate(f, equation);
     if (st == FMB_OK)
         st = lift_facets_and_equations(f, e, generator);

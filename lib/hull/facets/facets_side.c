@@ -16,6 +16,6 @@ fmb_status fmb_facets_side(fmb_facets *f, size_t at, const fmb_vec *g, const dou
         if (st != FMB_OK || fmb_facets_guess_side(f, a, near, side))
             return st;
     }
-    *side = fmb_facets_sign(f, &a->normal, g);
+    *side = fmb_vec_product_sign(&a->normal, g, f->d, &f->num);
     return FMB_OK;
 }

@@ -168,34 +168,7 @@ void fmb_image_clear(fmb_image *m)
 
 /* ---- rows and rays --------------------------------------------------------------------------- */
 
-/* Sign of v.ray; `turned`: of v_t t - v_x.x. */
-static int sign_of_product(fmb_image *m, const fmb_vec *v, const fmb_vec *ray, bool turned)
-{
-    size_t t = m->n - 1;
-    if (!v->z && !ray->z && v->bits + ray->bits + fmb_bits64(m->n) <= 126) {
-        fmb_i128 sum = fmb_i128_of(0), last = fmb_i128_product(v->s[t], ray->s[t]);
-        for (size_t k = 0; k < t; k++)
-            sum = fmb_i128_plus_product(sum, v->s[k], ray->s[k]);
-        return fmb_i128_sign(turned ? fmb_i128_minus(last, sum) : fmb_i128_plus(last, sum));
-    }
-    mpz_set_ui(m->num.t, 0);
-    for (size_t k = 0; k <= t; k++) {
-        fmb_vec_get(v, k, m->num.p);
-        fmb_vec_get(ray, k, m->num.q);
-        if (k < t && turned)
-            mpz_submul(m->num.t, m->num.p, m->num.q);
-        else
-            mpz_addmul(m->num.t, m->num.p, m->num.q);
-    }
-    return mpz_sgn(m->num.t);
-}
-
-int fmb_image_side(fmb_image *m, const fmb_image_row *f, const fmb_vec *ray)
-{
-    return sign_of_product(m, &f->v, ray, true);
-}
-
 int fmb_image_value_sign(fmb_image *m, const fmb_vec *row, const fmb_vec *ray)
 {
-    return sign_of_product(m, row, ray, false);
+    return fmb_vec_product_sign(row, ray, m->n, &m->num);
 }

@@ -96,8 +96,6 @@ fmb_status fmb_image_take_facets(fmb_image *m, const fmb_image *dual);
  * LIMIT. */
 fmb_status fmb_image_open_faces(fmb_image *m, const uint64_t *excludes, bool *empty, bool *done);
 
-/* Sign of b t - a.x: of a facet at a ray. */
-int fmb_image_side(fmb_image *m, const fmb_image_row *f, const fmb_vec *ray);
 /* Sign of row.ray, n entries each. */
 int fmb_image_value_sign(fmb_image *m, const fmb_vec *row, const fmb_vec *ray);
 

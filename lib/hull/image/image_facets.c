@@ -27,18 +27,7 @@ static void add_to_slack(fmb_image *m, uint64_t *to, const uint64_t *from)
         to[k] |= from[k];
 }
 
-/* y.(x, t) >= 0 as a.x <= b. */
-static void turn_to_row(fmb_vec *v, size_t n)
-{
-    for (size_t k = 0; k + 1 < n; k++) {
-        if (v->z)
-            mpz_neg(v->z[k], v->z[k]);
-        else
-            v->s[k] = -v->s[k];
-    }
-}
-
-/* Unite the supports above the facet. */
+/* Unite the supports above the facet, which is still y.(x, t) >= 0. */
 static fmb_status look_above_facet(fmb_image *m, fmb_image_row *f)
 {
     f->slack = fmb_arena_get(&m->arena, m->words, sizeof *f->slack);
@@ -46,7 +35,7 @@ static fmb_status look_above_facet(fmb_image *m, fmb_image_row *f)
         return fmb_mem_status(m->run->mem);
     memcpy(f->slack, m->everywhere, m->words * sizeof *f->slack);
     for (size_t i = 0; i < m->rays; i++)
-        if (fmb_image_side(m, f, &m->ray[i]) == 0)
+        if (fmb_image_value_sign(m, &f->v, &m->ray[i]) == 0)
             add_to_slack(m, f->slack, m->support[i]);
     return fmb_run_poll(m->run);
 }
@@ -63,8 +52,10 @@ static fmb_status add_facet(fmb_image *m, const fmb_vec *y, bool equality, bool 
     st = fmb_image_copy_coordinates(m, &f->v, y);
     if (st != FMB_OK)
         return st;
-    turn_to_row(&f->v, m->n);
-    return slacks ? look_above_facet(m, f) : FMB_OK;
+    if (slacks)
+        st = look_above_facet(m, f);
+    fmb_vec_negate(&f->v, m->n - 1);
+    return st;
 }
 
 /* ---- ray by ray ------------------------------------------------------------------------------ */

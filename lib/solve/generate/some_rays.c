@@ -20,12 +20,8 @@ static fmb_status copy_row(const fmb_vec *from, bool turned, size_t d, fmb_arena
 {
     to->s = fmb_arena_get(arena, d, sizeof *to->s);
     fmb_status st = to->s ? fmb_vec_copy(to, from, d, arena->mem) : fmb_mem_status(arena->mem);
-    for (size_t k = 0; st == FMB_OK && turned && k < d; k++) {
-        if (to->z)
-            mpz_neg(to->z[k], to->z[k]);
-        else
-            to->s[k] = -to->s[k];
-    }
+    if (st == FMB_OK && turned)
+        fmb_vec_negate(to, d);
     return st;
 }
 
