@@ -252,12 +252,6 @@ static fmb_status try_queries(part_run *r, uint64_t pairs)
 
 /* ---- pipelines ------------------------------------------------------------------------------- */
 
-static fmb_status ask_for_solution(part_run *r, uint64_t budget)
-{
-    (void)budget;
-    return r->known ? FMB_OK : open_queries(r);
-}
-
 /* As many again where few rows are still to come and few dimensions stay. */
 static fmb_status try_rays_twice(part_run *r, uint64_t rays)
 {
@@ -286,7 +280,6 @@ static const struct step_way {
     fmb_status (*take)(part_run *, uint64_t budget);
     int way; /* its switch; FMB_WAY_COUNT: none */
 } STEP[FMB_STEPS] = {
-    [FMB_STEP_SOLUTION] = {ask_for_solution, FMB_WAY_COUNT},
     [FMB_STEP_RECESSION] = {try_recession, FMB_WAY_RECESSION},
     [FMB_STEP_BOUNDED] = {try_bounded_elimination, FMB_WAY_BOUNDED_GROWTH},
     [FMB_STEP_PRUNED] = {try_pruned_elimination, FMB_WAY_PRUNED},

@@ -9,16 +9,9 @@ int fmb_selection_forced = -1;
  * try may make in three kept variables, which takes as long as support queries. */
 #define FEW_FREEDOMS       10
 #define RAYS_OF_SECOND_TRY 1000
-/* A cone with so few of them has hardly more rays than rows; so few have few even of long numbers;
- * and one with so many is not tried. */
+/* A cone with so few of them has hardly more rays than rows; and one with so many is not tried. */
 #define LEAST_FREEDOMS 2
-#define LONG_FREEDOMS  8
 #define MANY_FREEDOMS  32
-/* In the plane, rays end sooner than queries in so few of them; in no more than that only where
- * rows are not few; and with variables, if rows name nearly all of these. */
-#define FEW_IN_PLANE      4
-#define FREEDOMS_IN_PLANE 9
-#define SIZE_IN_PLANE     13
 /* Cones of more have very many rays, but for such with bounds on many variables, as disjunctions.
  */
 #define CROWDED_FREEDOMS 12
@@ -27,11 +20,9 @@ int fmb_selection_forced = -1;
  * is pruned; cones over rows that name no more than so many have more rays than others. */
 #define SPARSE                2.25
 #define SPARSE_BETWEEN_BOUNDS 3.25
-#define UNLIKE_SPARSE         2.75
 #define DENSE                 4
 #define SMALL_CONE            8
-/* So few dimensions, or variables that go, and rays are few however many the rows. */
-#define FLAT_CONE 5
+/* So few variables that go, and rays are few however many the rows. */
 #define FEW_TO_GO 3
 /* Elimination makes few rows at a time of so many variables, and queries do without. */
 #define MANY_COLUMNS 32
@@ -40,9 +31,6 @@ int fmb_selection_forced = -1;
 /* In so many, an elimination that is pruned mostly ends sooner than a hull of more than four
  * dimensions. */
 #define FREEDOMS_BEFORE_HULL 5
-/* So many coefficients, most of them there: that there is no solution a linear program finds sooner
- * than rays do. */
-#define MANY_ENTRIES 100
 /* So many rows mean many rays, but not many queries where few variables are kept. */
 #define MANY_ROWS(f) (4 * (size_t)(f)->variables)
 
@@ -56,11 +44,6 @@ static double nonzeros_by_row(const fmb_features *f)
     return (double)f->entries / (double)f->rows;
 }
 
-static bool are_most_coefficients_there(const fmb_features *f)
-{
-    return 2 * nonzeros_by_row(f) >= (double)f->columns;
-}
-
 static bool are_nearly_all_coefficients_there(const fmb_features *f)
 {
     return 4 * nonzeros_by_row(f) >= 3 * (double)f->columns;
@@ -69,11 +52,6 @@ static bool are_nearly_all_coefficients_there(const fmb_features *f)
 static bool tries_recession(const fmb_features *f)
 {
     return are_nearly_all_coefficients_there(f) && f->bounds == 0;
-}
-
-static bool doubts_solution(const fmb_features *f)
-{
-    return f->entries >= MANY_ENTRIES && are_most_coefficients_there(f) && !f->has_origin;
 }
 
 /* Is that share of the rows bounds on one variable? */
@@ -87,63 +65,27 @@ static bool do_few_go(const fmb_features *f)
     return f->variables <= f->kept + FEW_TO_GO;
 }
 
-/* Rows are many for the variables that are left. */
-static bool is_crowded(const fmb_features *f)
-{
-    size_t columns = f->columns;
-    return columns >= LEAST_CROWD && f->rows >= 4 * columns;
-}
-
-/* Three of six variables stay: rays to the end are as quick as queries, but where very many rows
- * name all variables. */
-static bool are_rays_few(const fmb_features *f)
-{
-    bool many = f->given > MANY_ROWS(f) && are_nearly_all_coefficients_there(f);
-    return f->kept == 3 && do_few_go(f) && !many;
-}
-
-/* In the plane, queries are so quick that rays only delay them, but where these are few: of small
- * cones, and of such that are hardly more than a simplex. */
-static bool do_rays_delay_queries(const fmb_features *f)
-{
-    size_t freedom = f->freedom, columns = f->columns;
-    if (f->kept != 2 || freedom <= FEW_IN_PLANE)
-        return false;
-    if (are_nearly_all_coefficients_there(f))
-        return columns + freedom + f->is_long > SIZE_IN_PLANE;
-    bool between_bounds = columns > LEAST_CROWD && is_crowded(f) && has_bounds(f, 0.33);
-    bool few_rows = f->rows < 3 * columns; /* unlike disjunctions */
-    return between_bounds || (freedom > FREEDOMS_IN_PLANE && few_rows);
-}
-
-/* Rays of a first try: half as many where a few queries take as long; none where rows are many,
- * but name few variables. */
+/* Rays of a first try: none where cones tend to have very many, or rows are many, but name few
+ * variables. */
 static uint64_t first_rays(const fmb_features *f)
 {
-    if (f->freedom > MANY_FREEDOMS || do_rays_delay_queries(f))
-        return 0;
     bool full = are_nearly_all_coefficients_there(f);
-    bool flat = full && f->columns <= FLAT_CONE;
-    uint64_t rays =
-        f->kept <= 2 && !flat ? FMB_TRIAL_BUDGET(f->given) / 2 : FMB_TRIAL_BUDGET(f->given);
-    if (f->kept < FMB_SHORT_QUERIES && f->given > MANY_ROWS(f) && !full && !do_few_go(f))
+    bool few_rays = f->kept > 2 && has_bounds(f, 0.25);
+    if (f->freedom > MANY_FREEDOMS || (f->freedom > CROWDED_FREEDOMS && !few_rays))
         return 0;
-    if (f->freedom > CROWDED_FREEDOMS && !(f->kept > 2 && has_bounds(f, 0.25)))
+    if (f->kept < FMB_SHORT_QUERIES && f->given > MANY_ROWS(f) && !full && !do_few_go(f))
         return 0;
     if (f->freedom > FEW_FREEDOMS && f->kept <= 2 && nonzeros_by_row(f) <= SPARSE)
         return 0;
-    bool short_queries = f->kept > 2 && f->kept <= FMB_SHORT_QUERIES && !are_rays_few(f);
-    return short_queries && f->given > MANY_ROWS(f) ? rays / 4 : rays;
+    return FMB_TRIAL_BUDGET(f->given);
 }
 
-/* What makes few more rows is eliminated: not where rows name many of the variables, or are many
- * for these, nor where variables are very many, as rays or a few queries are quicker. */
+/* What makes few more rows is eliminated: not where rows are many for the variables that are left,
+ * nor where these are very many, as rays or a few queries are quicker. */
 static bool bounds_growth(const fmb_features *f)
 {
-    double nonzero = nonzeros_by_row(f), columns = (double)f->columns;
-    bool full = nonzero > UNLIKE_SPARSE && 3 * nonzero > columns;
-    bool many = columns > MANY_COLUMNS || is_crowded(f);
-    return f->kept >= FMB_SHORT_QUERIES || !(full || many);
+    bool crowded = f->columns >= LEAST_CROWD && f->rows >= 4 * f->columns;
+    return f->kept >= FMB_SHORT_QUERIES || !(crowded || f->columns > MANY_COLUMNS);
 }
 
 /* A box in other coordinates, as of zonotopes: it has twice as many rows as variables. */
@@ -182,30 +124,33 @@ static uint64_t pruned_rows(const fmb_features *f)
     return 0;
 }
 
+/* Three of six variables stay: rays to the end are as quick as queries, but where very many rows
+ * name all variables. */
+static bool are_rays_few(const fmb_features *f)
+{
+    bool many = f->given > MANY_ROWS(f) && are_nearly_all_coefficients_there(f);
+    return f->kept == 3 && do_few_go(f) && !many;
+}
+
 static bool is_cone_dense_or_small(const fmb_features *f)
 {
     return nonzeros_by_row(f) >= DENSE || f->columns <= SMALL_CONE || f->freedom < SMALL_CONE;
 }
 
 /* Rays that a second try may make, before the oracle is asked: none where cones tend to have very
- * many, or rows are many for three kept variables; more where the oracle has more to do, or numbers
- * are too long for its guesses. */
+ * many, or rows are many for three kept variables; more where the oracle has more to do. */
 static uint64_t second_rays(const fmb_features *f)
 {
-    if (f->freedom > FEW_FREEDOMS || do_rays_delay_queries(f))
+    if (f->freedom > FEW_FREEDOMS)
         return 0;
     if (f->kept == 4 && f->is_wide)
         return 64 * RAYS_OF_SECOND_TRY;
     if (f->is_strict || f->kept > FMB_SHORT_QUERIES)
         return 16 * RAYS_OF_SECOND_TRY;
-    if (f->kept > 2 && f->is_long && f->freedom <= LONG_FREEDOMS)
-        return 8 * RAYS_OF_SECOND_TRY;
     if (are_rays_few(f))
         return 8 * RAYS_OF_SECOND_TRY;
     if (f->given > MANY_ROWS(f))
         return 0;
-    if (f->kept == 3 && has_bounds(f, 0.25) && f->rows <= 3 * f->columns)
-        return 8 * RAYS_OF_SECOND_TRY; /* as of rectifiers */
     if (f->kept == 3 && is_cone_dense_or_small(f))
         return RAYS_OF_SECOND_TRY;
     return f->kept == 4 ? 8 * RAYS_OF_SECOND_TRY : 0;
@@ -226,7 +171,6 @@ static fmb_pipeline pipeline_of_shape(const fmb_features *f)
     int n = 0;
     bool more = !asks_ends(f);
     uint64_t rows = pruned_rows(f), rays = first_rays(f), more_rays = second_rays(f);
-    add_step_if(doubts_solution(f), &p, &n, FMB_STEP_SOLUTION, 0);
     add_step_if(tries_recession(f), &p, &n, FMB_STEP_RECESSION, 0);
     add_step_if(more && bounds_growth(f), &p, &n, FMB_STEP_BOUNDED, 2);
     add_step_if(more && rows > 0, &p, &n, FMB_STEP_PRUNED, rows);

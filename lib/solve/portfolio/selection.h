@@ -23,7 +23,6 @@
 /* What a step of a pipeline does, and what its budget counts. */
 typedef enum fmb_step_kind {
     FMB_STEP_NONE,
-    FMB_STEP_SOLUTION,    /* asks the oracle whether there is a solution */
     FMB_STEP_RECESSION,   /* looks for a direction that leaves all rows behind */
     FMB_STEP_BOUNDED,     /* eliminates what makes few more rows than go: trials */
     FMB_STEP_PRUNED,      /* eliminates and asks the oracle which rows are redundant: rows */

@@ -2,7 +2,6 @@
  * goes on before the oracle is asked; where they seem to be many, it does not.
  */
 #include <criterion/criterion.h>
-#include <string.h>
 
 #include "property/random/agree.h"
 #include "support.h"
@@ -26,26 +25,14 @@ static fmb_system *rows_around_origin(support_rng *g, const shape *k)
     return s;
 }
 
-/* How many rays a first try may make. */
-static void note_first_budget(void *self, const fmb_event *e)
-{
-    uint64_t *first = self;
-    if (*first == 0 && e->kind == FMB_EVENT_ENGINE &&
-        strcmp(e->attempt->engine, "double description") == 0)
-        *first = e->attempt->budget;
-}
-
-static fmb_result project(const fmb_system *s, int keep, fmb_method method, uint64_t *first,
-                          fmb_system **out)
+static fmb_result project(const fmb_system *s, int keep, fmb_method method, fmb_system **out)
 {
     static const int kept[] = {0, 1, 2, 3};
     fmb_options o = {.size = sizeof o};
     fmb_solver *v = NULL;
     fmb_result r = {.size = sizeof r};
     o.method = method;
-    *first = 0;
     must(fmb_solver_new(&o, NULL, &v));
-    fmb_solver_set_sink(v, (fmb_sink){note_first_budget, first});
     must(fmb_project(v, s, kept, keep, out, &r));
     cr_assert_eq(r.verdict, FMB_FEASIBLE);
     fmb_solver_free(v);
@@ -53,15 +40,14 @@ static fmb_result project(const fmb_system *s, int keep, fmb_method method, uint
 }
 
 /* Where rays alone bring the projection about, as many pairs of them are looked at as by that
- * method; where they are given up for queries, fewer. Returns how many a first try may make. */
-static uint64_t check_pairs(const shape *k, uint64_t seed, bool by_rays_alone)
+ * method; where they are given up for queries, fewer. */
+static void check_pairs(const shape *k, uint64_t seed, bool by_rays_alone)
 {
-    uint64_t first, ignored;
     support_rng g = {seed};
     agree same = {.max_rows = 5000};
     fmb_system *s = rows_around_origin(&g, k), *p = NULL, *q = NULL;
-    uint64_t pairs = project(s, k->keep, FMB_METHOD_AUTO, &first, &p).stats.pairs;
-    uint64_t all = project(s, k->keep, FMB_METHOD_DD, &ignored, &q).stats.pairs;
+    uint64_t pairs = project(s, k->keep, FMB_METHOD_AUTO, &p).stats.pairs;
+    uint64_t all = project(s, k->keep, FMB_METHOD_DD, &q).stats.pairs;
     cr_expect_gt(pairs, 0);
     cr_expect(by_rays_alone ? pairs == all : pairs < all, "%d to %d, seed %d: %lu of %lu", k->dim,
               k->keep, (int)seed, (unsigned long)pairs, (unsigned long)all);
@@ -70,7 +56,6 @@ static uint64_t check_pairs(const shape *k, uint64_t seed, bool by_rays_alone)
     fmb_system_free(p);
     fmb_system_free(q);
     fmb_system_free(s);
-    return first;
 }
 
 Test(second_rays, end_projections_with_few_rays)
@@ -86,9 +71,8 @@ Test(second_rays, end_projections_with_few_rays)
 Test(second_rays, end_projections_to_three_of_six_variables)
 {
     for (uint64_t seed = 0; seed < 4; seed++) {
-        uint64_t few = check_pairs(&(shape){6, 3, 40, 2}, seed, true);
-        uint64_t many = check_pairs(&(shape){6, 3, 40, 0}, seed, false);
-        cr_expect(many > 0 && few == 4 * many, "%d, %d", (int)few, (int)many);
+        check_pairs(&(shape){6, 3, 40, 2}, seed, true);
+        check_pairs(&(shape){6, 3, 40, 0}, seed, false);
     }
 }
 

@@ -15,13 +15,9 @@
 #include "support.h"
 
 static const char *const STEP[FMB_STEPS] = {
-    [FMB_STEP_SOLUTION] = "solution?",
-    [FMB_STEP_RECESSION] = "recession",
-    [FMB_STEP_BOUNDED] = "bounded elimination",
-    [FMB_STEP_PRUNED] = "pruned elimination",
-    [FMB_STEP_FIRST_RAYS] = "rays",
-    [FMB_STEP_SECOND_RAYS] = "more rays",
-    [FMB_STEP_QUERIES] = "queries",
+    [FMB_STEP_RECESSION] = "recession",       [FMB_STEP_BOUNDED] = "bounded elimination",
+    [FMB_STEP_PRUNED] = "pruned elimination", [FMB_STEP_FIRST_RAYS] = "rays",
+    [FMB_STEP_SECOND_RAYS] = "more rays",     [FMB_STEP_QUERIES] = "queries",
 };
 
 /* The questions of the table and their answers, then the pipeline. */
