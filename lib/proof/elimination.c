@@ -54,8 +54,7 @@ fmb_status fmb_elimination_open(fmb_elimination *e, const fmb_system *s, uint64_
         if (st != FMB_OK)
             return st;
         fmb_eliminated_row *to = &e->row[i];
-        for (size_t k = 0; k <= from->nnz; k++)
-            fmb_vec_get(&from->val, k, to->z.z[k < from->nnz ? (size_t)from->var[k] : e->dim]);
+        fmb_sysrow_expand(from, e->dim, to->z.z);
         if (from->rel != FMB_EQ)
             fmb_set_put(to->of, i);
         st = fmb_integers_settle(&to->z, mem);

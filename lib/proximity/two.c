@@ -33,11 +33,6 @@ bool fmb_two_moves(const fmb_two *two)
     return two->f ? two->f[0].speed || two->f[1].speed : two->q[0].speed || two->q[1].speed;
 }
 
-int fmb_two_axes(const fmb_two *two, int k)
-{
-    return two->f ? two->f[k].naxes : two->q[k].naxes;
-}
-
 fmb_status fmb_two_system(const fmb_two *two, fmb_coordinates in, fmb_contact contact,
                           const fmb_alloc *mem, fmb_system **out)
 {

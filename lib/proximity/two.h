@@ -16,7 +16,6 @@ typedef struct fmb_two {
 fmb_status fmb_two_expect(fmb_solver *v, const fmb_two *two, bool out, const fmb_result *res);
 int fmb_two_dim(const fmb_two *two);
 bool fmb_two_moves(const fmb_two *two);
-int fmb_two_axes(const fmb_two *two, int k);
 
 /* [give] Where they meet. Errors: ARG (dependent axes, where c is no variable), MEMORY. */
 fmb_status fmb_two_system(const fmb_two *two, fmb_coordinates in, fmb_contact contact,

@@ -285,10 +285,8 @@ void fmb_row_images_clear(fmb_row_images *t)
         fmb_mem_put(t->mem, r->var, r->size, sizeof *r->var);
     }
     close_equalities(t);
-    for (size_t k = 0; t->z && k <= t->dim; k++)
-        mpz_clear(t->z[k]);
     mpq_clear(t->q);
-    fmb_mem_put(t->mem, t->z, t->dim + 1, sizeof *t->z);
+    fmb_vec_block_free(t->z, t->dim + 1, t->mem);
     fmb_mem_put(t->mem, t->moved.v.s, t->dim + 1, sizeof *t->moved.v.s);
     fmb_mem_put(t->mem, t->moved.var, t->dim, sizeof *t->moved.var);
     fmb_mem_put(t->mem, t->slot, t->slots, sizeof *t->slot);

@@ -4,6 +4,14 @@
 
 /* ---- one number ------------------------------------------------------------------------------ */
 
+void fmb_sysrow_expand(const fmb_sysrow *r, size_t n, mpz_t *z)
+{
+    for (size_t j = 0; j < n; j++)
+        mpz_set_ui(z[j], 0);
+    for (size_t k = 0; k <= r->nnz; k++)
+        fmb_vec_get(&r->val, k, z[k < r->nnz ? (size_t)r->var[k] : n]);
+}
+
 void fmb_sysrow_get_q(const fmb_sysrow *r, size_t k, mpq_t out)
 {
     if (!out)

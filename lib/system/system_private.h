@@ -95,6 +95,9 @@ void fmb_system_drop_objective(fmb_system *s);
  * coefficients first, then larger right sides. -1, 0 or 1. */
 int fmb_sysrow_compare(const fmb_sysrow *a, const fmb_sysrow *b);
 
+/* z[n + 1] = its coefficients in n columns, then its right side: as written, times the denominator.
+ */
+void fmb_sysrow_expand(const fmb_sysrow *r, size_t n, mpz_t *z);
 /* Entry k of a row as written, k = nnz being the right side; 0 where r is NULL or has none. */
 void fmb_sysrow_get_q(const fmb_sysrow *r, size_t k, mpq_t out);
 

@@ -60,9 +60,7 @@ static fmb_status write_cone(const fmb_section *c, fmb_program *p)
         if (st == FMB_OK)
             st = fmb_run_poll(c->run);
     }
-    for (size_t k = 0; k <= c->rank; k++)
-        mpz_clear(z[k]);
-    fmb_mem_put(c->run->mem, z, c->rank + 1, sizeof *z);
+    fmb_vec_block_free(z, c->rank + 1, c->run->mem);
     return st;
 }
 

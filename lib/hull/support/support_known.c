@@ -27,9 +27,7 @@ static fmb_status write_row_as_normal(fmb_known *w, const fmb_program *p, size_t
         mpz_neg(z[r->column[k] + 1], z[r->column[k] + 1]);
     }
     fmb_status st = fmb_vec_set_z(v, n + 1, z, w->num.mem);
-    for (size_t k = 0; k <= n; k++)
-        mpz_clear(z[k]);
-    fmb_mem_put(w->num.mem, z, n + 1, sizeof *z);
+    fmb_vec_block_free(z, n + 1, w->num.mem);
     return st == FMB_OK ? fmb_vec_reduce(v, n + 1, &w->num) : st;
 }
 

@@ -46,12 +46,6 @@ static inline void fmb_wide_negate(fmb_wide *a)
     a->minus = !a->minus && a->n > 0;
 }
 
-/* Bits of the magnitude. */
-static inline int fmb_wide_bits(const fmb_wide *a)
-{
-    return a->n == 0 ? 0 : 64 * a->n - __builtin_clzll(a->word[a->n - 1]);
-}
-
 static inline void fmb_wide_trim(fmb_wide *a)
 {
     while (a->n > 0 && a->word[a->n - 1] == 0)

@@ -10,17 +10,6 @@
 /* More rows stay as they are. */
 #define MOST_ROWS ((size_t)1 << 14)
 
-/* A row of the answer with all of its columns: v[n + 1]. */
-static fmb_status write_dense_row(const fmb_sysrow *r, size_t n, mpz_t *z, fmb_vec *v, fmb_mem *mem)
-{
-    for (size_t k = 0; k <= r->nnz; k++)
-        fmb_vec_get(&r->val, k, z[k < r->nnz ? (size_t)r->var[k] : n]);
-    fmb_status st = fmb_vec_set_z(v, n + 1, z, mem);
-    for (size_t k = 0; k <= r->nnz; k++)
-        mpz_set_ui(z[k < r->nnz ? (size_t)r->var[k] : n], 0);
-    return st;
-}
-
 /* The query has ended, so it is not asked whether to go on. */
 static fmb_status decide_parallel_rows(fmb_query *q, size_t n, size_t m, const fmb_lp_row *row,
                                        fmb_fate *fate)
@@ -47,7 +36,8 @@ static fmb_status find_parallel_rows(fmb_query *q, const fmb_system *out, size_t
     for (; st == FMB_OK && made < m; made++) {
         v[made] = (fmb_vec){.s = words + made * (n + 1)};
         row[made] = (fmb_lp_row){&v[made], fmb_system_row(out, first + made)->rel};
-        st = write_dense_row(fmb_system_row(out, first + made), n, z, &v[made], q->run.mem);
+        fmb_sysrow_expand(fmb_system_row(out, first + made), n, z);
+        st = fmb_vec_set_z(&v[made], n + 1, z, q->run.mem);
     }
     if (st == FMB_OK)
         st = decide_parallel_rows(q, n, m, row, fate);

@@ -234,56 +234,43 @@ static size_t column_of_image(const fmb_ray_projection *h, size_t of)
     return k + 1 < h->keeps ? k : h->keeps;
 }
 
-/* v, of the image, over all kept variables and t. */
-static fmb_status hand_over_vector(fmb_ray_projection *h, const fmb_vec *v, mpz_t *z, fmb_vec *y,
-                                   fmb_num *num)
+/* v, of the image, over all kept variables and t; NULL: the direction of kept variable number
+ * `free`, if no row names it. */
+static fmb_status hand_over_vector(fmb_ray_projection *h, const fmb_vec *v, size_t free, mpz_t *z,
+                                   fmb_vec *y, fmb_num *num)
 {
     fmb_query *q = h->of->q;
     size_t at = 0;
+    bool nonzero = v != NULL;
     for (int j = 0; j < h->of->p->n; j++) {
         if (h->of->place[h->of->p->var[j]] < 0)
             continue;
         size_t k = column_of_image(h, (size_t)j);
-        mpz_set_ui(z[at], 0);
-        if (k < h->keeps)
+        bool is_free = !v && k == h->keeps && at == free;
+        nonzero |= is_free;
+        mpz_set_ui(z[at], is_free);
+        if (v && k < h->keeps)
             fmb_vec_get(v, k, z[at]);
         at++;
     }
-    fmb_vec_get(v, h->keeps - 1, z[at]);
-    fmb_status st = fmb_vec_set_z(y, at + 1, z, q->run.mem);
-    return st == FMB_OK ? fmb_met_points_add(&q->met, y, NULL, num) : st;
+    mpz_set_ui(z[at], 0);
+    if (v)
+        fmb_vec_get(v, h->keeps - 1, z[at]);
+    fmb_status st = nonzero ? fmb_vec_set_z(y, at + 1, z, q->run.mem) : FMB_OK;
+    return st == FMB_OK && nonzero ? fmb_met_points_add(&q->met, y, NULL, num) : st;
 }
 
-/* The directions of kept variables that no row names. */
-static fmb_status hand_over_free_variables(fmb_ray_projection *h, mpz_t *z, fmb_vec *y,
-                                           fmb_num *num)
-{
-    fmb_query *q = h->of->q;
-    size_t at = 0, width = q->met.width;
-    fmb_status st = FMB_OK;
-    for (int j = 0; st == FMB_OK && j < h->of->p->n; j++) {
-        if (h->of->place[h->of->p->var[j]] < 0)
-            continue;
-        for (size_t i = 0; i < width; i++)
-            mpz_set_ui(z[i], i == at);
-        at++;
-        if (column_of_image(h, (size_t)j) < h->keeps)
-            continue;
-        st = fmb_vec_set_z(y, width, z, q->run.mem);
-        if (st == FMB_OK)
-            st = fmb_met_points_add(&q->met, y, NULL, num);
-    }
-    return st;
-}
-
-static fmb_status hand_over_vectors(fmb_ray_projection *h, mpz_t *z, fmb_vec *y, fmb_num *num)
+static fmb_status hand_over_vectors(fmb_ray_projection *h, size_t kept, mpz_t *z, fmb_vec *y,
+                                    fmb_num *num)
 {
     fmb_status st = FMB_OK;
     for (size_t i = 0; st == FMB_OK && i < h->image.rays; i++)
-        st = hand_over_vector(h, &h->image.ray[i], z, y, num);
+        st = hand_over_vector(h, &h->image.ray[i], 0, z, y, num);
     for (size_t i = 0; st == FMB_OK && i < h->image.lines; i++)
-        st = hand_over_vector(h, &h->image.line[i], z, y, num);
-    return st == FMB_OK ? hand_over_free_variables(h, z, y, num) : st;
+        st = hand_over_vector(h, &h->image.line[i], 0, z, y, num);
+    for (size_t k = 0; st == FMB_OK && k < kept; k++)
+        st = hand_over_vector(h, NULL, k, z, y, num);
+    return st;
 }
 
 /* The rays and lines of the image; where there is no memory for them, they stay behind. */
@@ -302,11 +289,9 @@ static fmb_status hand_over_image(fmb_ray_projection *h)
     fmb_num num;
     fmb_status st = fmb_run_open_num(&q->run, &num, kept + 1, fmb_query_is_wide(q));
     if (st == FMB_OK)
-        st = z && y.s ? hand_over_vectors(h, z, &y, &num) : fmb_mem_status(mem);
+        st = z && y.s ? hand_over_vectors(h, kept, z, &y, &num) : fmb_mem_status(mem);
     fmb_num_clear(&num);
-    for (size_t k = 0; z && k <= kept; k++)
-        mpz_clear(z[k]);
-    fmb_mem_put(mem, z, kept + 1, sizeof *z);
+    fmb_vec_block_free(z, kept + 1, mem);
     fmb_vec_clear(&y, kept + 1, mem);
     fmb_mem_put(mem, y.s, kept + 1, sizeof *y.s);
     if (st == FMB_LIMIT)

@@ -31,18 +31,6 @@ typedef struct echelon {
     fmb_poll poll; /* the query */
 } echelon;
 
-/* ---- integers -------------------------------------------------------------------------------- */
-
-/* z[n + 1] = a row of the image times its denominator. */
-static void expand_row(const fmb_sysrow *r, mpz_t *z, size_t n)
-{
-    for (size_t j = 0; j < n; j++)
-        mpz_set_ui(z[j], 0);
-    for (size_t k = 0; k < r->nnz; k++)
-        fmb_vec_get(&r->val, k, z[r->var[k]]);
-    fmb_vec_get(&r->val, r->nnz, z[n]);
-}
-
 /* ---- equations ------------------------------------------------------------------------------- */
 
 static fmb_status open_echelon(echelon *e)
@@ -64,7 +52,7 @@ static fmb_status open_echelon(echelon *e)
             st = fmb_rationals_new(&e->of[k], e->size, mem);
         if (st != FMB_OK)
             break;
-        expand_row(&e->c->image->row[i], e->row[k].z, e->n);
+        fmb_sysrow_expand(&e->c->image->row[i], e->n, e->row[k].z);
         if (claims)
             mpq_set_ui(e->of[k][k], 1, 1);
         st = fmb_integers_settle(&e->row[k++], mem);
@@ -261,7 +249,7 @@ static fmb_status reduce_inequality(echelon *e, size_t i, mpz_t *z)
     fmb_weights w = {0};
     mpq_t own, content;
     mpq_inits(own, content, NULL);
-    expand_row(&e->c->image->row[i], z, e->n);
+    fmb_sysrow_expand(&e->c->image->row[i], e->n, z);
     fmb_status st = subtract_equations(e, z, own, &w);
     if (st == FMB_OK)
         st = fmb_weights_add(&w, (uint32_t)i, own, mem);

@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include "num/bitset.h"
-#include "system/system_private.h"
+#include "solve/query/lifted.h"
 
 typedef struct corner_search {
     fmb_query *q;
@@ -54,21 +54,6 @@ static fmb_status list_met_vectors(corner_search *c)
     return st;
 }
 
-/* c->form = b t - a.x, or t where there is no row. */
-static fmb_status write_form(corner_search *c, const fmb_sysrow *r, mpz_t *z)
-{
-    size_t n = c->m->n;
-    for (size_t k = 0; k < n; k++)
-        mpz_set_ui(z[k], k + 1 == n && !r);
-    for (size_t k = 0; r && k < r->nnz; k++) {
-        fmb_vec_get(&r->val, k, z[r->var[k]]);
-        mpz_neg(z[r->var[k]], z[r->var[k]]);
-    }
-    if (r)
-        fmb_vec_get(&r->val, r->nnz, z[n - 1]);
-    return fmb_vec_set_z(&c->form, n, z, c->q->run.mem);
-}
-
 static fmb_status find_zeros_of_forms(corner_search *c, mpz_t *z)
 {
     fmb_status st = FMB_OK;
@@ -77,7 +62,8 @@ static fmb_status find_zeros_of_forms(corner_search *c, mpz_t *z)
         if (r && r->rel == FMB_EQ)
             continue;
         uint64_t *zero = c->zero + c->forms++ * c->words;
-        st = write_form(c, r, z);
+        fmb_lifted_write_form(r, c->m->n, z);
+        st = fmb_vec_set_z(&c->form, c->m->n, z, c->q->run.mem);
         for (size_t g = 0; st == FMB_OK && g < c->m->rays; g++)
             if (fmb_image_value_sign(c->m, &c->form, &c->m->ray[g]) == 0)
                 fmb_set_put(zero, g);
@@ -163,9 +149,7 @@ static fmb_status search_corners(corner_search *c, bool *found)
         st = find_zeros_of_forms(c, z);
     if (st == FMB_OK)
         st = keep_corners(c, found);
-    for (size_t k = 0; z && k < n; k++)
-        mpz_clear(z[k]);
-    fmb_mem_put(mem, z, n, sizeof *z);
+    fmb_vec_block_free(z, n, mem);
     if (c->form.s)
         fmb_vec_clear(&c->form, n, mem);
     fmb_mem_put(mem, c->form.s, n, sizeof *c->form.s);

@@ -1,21 +1,23 @@
 /* lifted.c: the cone over the solutions of a system; see lifted.h. */
 #include "solve/query/lifted.h"
 
-#include "system/system_private.h"
-
-/* a.x <= b as b t - a.x >= 0. */
-static void write_system_row(const void *of, size_t i, mpz_t *z, fmb_cone_row *row)
+void fmb_lifted_write_form(const fmb_sysrow *r, size_t d, mpz_t *z)
 {
-    const fmb_lifted *h = of;
-    const fmb_sysrow *r = i > 0 ? fmb_system_row(h->s, i - 1) : NULL;
-    for (size_t k = 0; k < h->d; k++)
-        mpz_set_ui(z[k], r ? 0 : k + 1 == h->d);
+    for (size_t k = 0; k < d; k++)
+        mpz_set_ui(z[k], !r && k + 1 == d);
     for (size_t k = 0; r && k < r->nnz; k++) {
         fmb_vec_get(&r->val, k, z[r->var[k]]);
         mpz_neg(z[r->var[k]], z[r->var[k]]);
     }
     if (r)
-        fmb_vec_get(&r->val, r->nnz, z[h->d - 1]);
+        fmb_vec_get(&r->val, r->nnz, z[d - 1]);
+}
+
+static void write_system_row(const void *of, size_t i, mpz_t *z, fmb_cone_row *row)
+{
+    const fmb_lifted *h = of;
+    const fmb_sysrow *r = i > 0 ? fmb_system_row(h->s, i - 1) : NULL;
+    fmb_lifted_write_form(r, h->d, z);
     row->equality = r && r->rel == FMB_EQ;
     row->wanted = r && r->rel == FMB_LT;
 }

@@ -6,6 +6,7 @@
 #include "dd/cone_rows.h"
 #include "hull/image/image.h"
 #include "solve/query/solver.h"
+#include "system/system_private.h"
 
 /* Row 0 is t >= 0, row 1 + i is row i of the system; strict rows are "wanted". */
 typedef struct fmb_lifted {
@@ -17,6 +18,9 @@ typedef struct fmb_lifted {
     fmb_cone cone;
     fmb_image image; /* once the cone is complete: all its rays and lines */
 } fmb_lifted;
+
+/* z[d] becomes b t - a.x of a row a.x <= b, or t where r is NULL. */
+void fmb_lifted_write_form(const fmb_sysrow *r, size_t d, mpz_t *z);
 
 /* s outlives it. In any case fmb_lifted_close it. Errors: MEMORY, LIMIT, here and below. */
 fmb_status fmb_lifted_open(fmb_lifted *h, fmb_query *q, const fmb_system *s);

@@ -184,11 +184,4 @@ FMB_INLINE void local_frame_make(int dim, bool moves, bool turned, const double 
     local_frame_measure(dim, moves, block, f);
 }
 
-FMB_INLINE local_frame local_frame_of(int dim, bool moves, const double *block)
-{
-    local_frame f;
-    local_frame_make(dim, moves, true, block, &f);
-    return f;
-}
-
 #endif

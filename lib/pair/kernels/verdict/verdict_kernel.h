@@ -5,65 +5,24 @@
 #include "pair/kernels/verdict/verdict_cuboids.h"
 #include "pair/kernels/verdict/verdict_simplices.h"
 
-static fmb_pair_bits fmb_2d_cc(const double *block)
-{
-    return fmb_cuboids_2d(block, false);
-}
+#define FMB_VERDICT_KERNEL(name, bits)                                                             \
+    static fmb_pair_bits name(const double *block)                                                 \
+    {                                                                                              \
+        return bits;                                                                               \
+    }
 
-static fmb_pair_bits fmb_2d_ct(const double *block)
-{
-    return fmb_simplices_2d(block, false, false);
-}
-
-static fmb_pair_bits fmb_2d_tt(const double *block)
-{
-    return fmb_simplices_2d(block, false, true);
-}
-
-static fmb_pair_bits fmb_2d_moving_cc(const double *block)
-{
-    return fmb_cuboids_2d(block, true);
-}
-
-static fmb_pair_bits fmb_2d_moving_ct(const double *block)
-{
-    return fmb_simplices_2d(block, true, false);
-}
-
-static fmb_pair_bits fmb_2d_moving_tt(const double *block)
-{
-    return fmb_simplices_2d(block, true, true);
-}
-
-static fmb_pair_bits fmb_3d_cc(const double *block)
-{
-    return fmb_cuboids_3d(block, false, FMB_ASK_ALL);
-}
-
-static fmb_pair_bits fmb_3d_ct(const double *block)
-{
-    return fmb_simplices_3d(block, false, false, FMB_ASK_ALL);
-}
-
-static fmb_pair_bits fmb_3d_tt(const double *block)
-{
-    return fmb_simplices_3d(block, false, true, FMB_ASK_ALL);
-}
-
-static fmb_pair_bits fmb_3d_moving_cc(const double *block)
-{
-    return fmb_cuboids_3d(block, true, FMB_ASK_ALL);
-}
-
-static fmb_pair_bits fmb_3d_moving_ct(const double *block)
-{
-    return fmb_simplices_3d(block, true, false, FMB_ASK_ALL);
-}
-
-static fmb_pair_bits fmb_3d_moving_tt(const double *block)
-{
-    return fmb_simplices_3d(block, true, true, FMB_ASK_ALL);
-}
+FMB_VERDICT_KERNEL(fmb_2d_cc, fmb_cuboids_2d(block, false))
+FMB_VERDICT_KERNEL(fmb_2d_ct, fmb_simplices_2d(block, false, false))
+FMB_VERDICT_KERNEL(fmb_2d_tt, fmb_simplices_2d(block, false, true))
+FMB_VERDICT_KERNEL(fmb_2d_moving_cc, fmb_cuboids_2d(block, true))
+FMB_VERDICT_KERNEL(fmb_2d_moving_ct, fmb_simplices_2d(block, true, false))
+FMB_VERDICT_KERNEL(fmb_2d_moving_tt, fmb_simplices_2d(block, true, true))
+FMB_VERDICT_KERNEL(fmb_3d_cc, fmb_cuboids_3d(block, false, FMB_ASK_ALL))
+FMB_VERDICT_KERNEL(fmb_3d_ct, fmb_simplices_3d(block, false, false, FMB_ASK_ALL))
+FMB_VERDICT_KERNEL(fmb_3d_tt, fmb_simplices_3d(block, false, true, FMB_ASK_ALL))
+FMB_VERDICT_KERNEL(fmb_3d_moving_cc, fmb_cuboids_3d(block, true, FMB_ASK_ALL))
+FMB_VERDICT_KERNEL(fmb_3d_moving_ct, fmb_simplices_3d(block, true, false, FMB_ASK_ALL))
+FMB_VERDICT_KERNEL(fmb_3d_moving_tt, fmb_simplices_3d(block, true, true, FMB_ASK_ALL))
 
 /* A block (simplex, cuboid) is swapped. */
 #define FMB_SHAPES(name)                                                                           \
