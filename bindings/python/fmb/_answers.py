@@ -164,8 +164,12 @@ class Judgement:
         return f"accepted: {self.held} claim" + (" holds" if self.held == 1 else "s hold")
 
 
+_FEASIBLE = {lib.FMB_FEASIBLE: True, lib.FMB_INFEASIBLE: False}
+_EVIDENCE = ffi.typeof("fmb_evidence **")
+
+
 def _feasible(verdict: int) -> bool | None:
-    return {lib.FMB_FEASIBLE: True, lib.FMB_INFEASIBLE: False}.get(verdict)
+    return _FEASIBLE.get(verdict)
 
 
 _STATS = ("rounds", "pairs", "rows_made", "rows_kept", "rows_dropped", "rows_peak", "promotions",
@@ -179,14 +183,13 @@ class Answer:
 
     def __init__(self, solver: Any, about: System, result: Any):
         self._about = about
-        self._rows = len(about)
         self.feasible = _feasible(result.verdict)
         self._stop = result.stop
         self._stats = result
         self._proof: Proof | None = None
-        out = ffi.new("fmb_evidence **")
+        out = ffi.new(_EVIDENCE)
         if lib.fmb_solver_evidence(solver, out) == lib.FMB_OK:
-            self._proof = Proof(owned("fmb_evidence", out[0]), about)
+            self._proof = Proof(ffi.gc(out[0], lib.fmb_evidence_free), about)
 
     _lazy: tuple[str, ...] = ()  # what is read from the library when it is asked for
 

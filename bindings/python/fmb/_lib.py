@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import threading
 from decimal import Decimal
@@ -212,6 +213,18 @@ def raise_lost() -> None:
         raise _lost.pop()
 
 
+_main = threading.main_thread().ident
+
+
+def _forked() -> None:
+    global _main  # pylint: disable=global-statement
+    _main = threading.main_thread().ident
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_forked)
+
+
 def in_main_thread() -> bool:
     """Only there Python hears of Ctrl-C."""
-    return threading.current_thread() is threading.main_thread()
+    return threading.get_ident() == _main

@@ -27,6 +27,7 @@ def pyfmb_tell(self: Any, e: Any) -> None:
     watcher._tell(e)
 
 
+_RESULT, _RESULT_SIZE = ffi.typeof("fmb_result *"), ffi.sizeof("fmb_result")
 _KINDS = ("begin", "round", "rule", "lp", "end", "row", "rebase", "engine")
 
 
@@ -84,7 +85,6 @@ class Solver:
         self._callbacks = own
         own.add_to(self._v, self._trouble)
         self._progress = progress
-        self._result = ffi.sizeof("fmb_result")
         if progress is not None:
             self._handle = ffi.new_handle(self)
             lib.fmb_solver_set_sink(self._v, {"put": lib.pyfmb_tell, "self": self._handle})
@@ -136,7 +136,8 @@ class Solver:
 
     def _ask(self, query: Callable[..., int], *arguments: Any) -> Any:
         """One query; Ctrl-C ends it, and then raises KeyboardInterrupt as ever."""
-        result = ffi.new("fmb_result *", {"size": self._result})
+        result = ffi.new(_RESULT)
+        result.size = _RESULT_SIZE
         if not self._busy.acquire(False):
             raise StateError("this solver is answering a question: another thread, and a callback, "
                              "need one of their own")
