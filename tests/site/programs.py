@@ -1,7 +1,7 @@
 """Programs in the pages of the site do what they show, each page in a fresh folder that holds the examples
 and what lies beside the page. A block of Python is an example in the manner of doctest; all blocks of a page
-see the names of those before. A block of C is a whole program, which is compiled and ends with 0. Blocks of
-other languages are played elsewhere (console: transcripts.py), or are no programs: a language that is not
+see the names of those before. A block of C is a whole program, which is compiled, ends with 0, and prints the
+block of text behind it. Blocks of other languages are played elsewhere (console: transcripts.py), or are no programs: a language that is not
 known here is a fault.
 
 usage: programs.py ROOT BUILD
@@ -27,20 +27,23 @@ sys.path.insert(0, str(build / "bindings/python"))
 
 def examples(page):
     """The examples of a page, as one test; each knows its line."""
-    text, parts = page.read_text(), []
+    text, parts, printed = page.read_text(), [], None
     for _, language, code in FENCE.findall(text):
+        if printed is not None and (language != "text" or printed != code):
+            sys.exit(f"{page}: a program in C prints {printed!r}, not {code!r}")
+        printed = None
         if language == "python":
             parts.append(code if ">>>" in code else "".join(
                 f"{'...' if line[:1] in (' ', ')', ']', '}') else '>>>'} {line}\n" for line in code.splitlines() if line))
         elif language == "c":
-            run_c(code, page)
+            printed = run_c(code, page)
         elif language not in SHOWN | PLAYED and not language.startswith("{"):
             sys.exit(f"{page}: blocks of {language or 'no language'} are not known here")
     return doctest.DocTestParser().get_doctest("\n".join(parts), {}, str(page.relative_to(root)), str(page), 0)
 
 
 def run_c(code, page):
-    """Compile a program against the library of the build, and run it."""
+    """Compile a program against the library of the build, and run it; what it prints."""
     with tempfile.TemporaryDirectory() as name:
         source, program = pathlib.Path(name, "program.c"), pathlib.Path(name, "program")
         source.write_text(code)
@@ -49,6 +52,7 @@ def run_c(code, page):
             done = subprocess.run(command, capture_output=True, text=True, env={**os.environ, "LD_LIBRARY_PATH": str(build / "lib")})
             if done.returncode:
                 sys.exit(f"{page}: a program in C ended with {done.returncode}: {done.stderr}")
+    return done.stdout
 
 
 def run(test, page):
