@@ -226,7 +226,8 @@ class Answer:
     def proof(self) -> Proof:
         """Its evidence."""
         if self._proof is None:
-            raise StateError("no evidence was kept")
+            raise StateError("no evidence was kept: evidence=\"none\" keeps none, and a hull has none, "
+                             "as evaluating its rows at the points is its proof")
         return self._proof
 
     def _claims(self, kind: int) -> Iterator[int]:

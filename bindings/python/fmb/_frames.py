@@ -274,6 +274,21 @@ class Frame:
     def _c(self) -> Any:
         return lib.fmb_frames_at(self.frames._f, self.i)
 
+    def meets(self, other: Frame, **options: Any) -> bool:
+        """Have they a common point at some time? Options as of Frames.test.
+
+        >>> cuboid([0], [[1]]).meets(simplex([1], [[2]]))
+        True
+        """
+        kernel, verdict = _Kernel(self.frames.dim, options), ffi.new("fmb_verdict *")
+        answers = ffi.new("fmb_pair_answers *", {"size": ffi.sizeof("fmb_pair_answers"),
+                                                 "verdict": verdict})
+        both = _two(self, other)
+        kernel.ask(lib.fmb_pair_test, 1, both, both + 1, answers)
+        if verdict[0] == lib.FMB_UNKNOWN:
+            raise Unfinished("1 pair is undecided")
+        return bool(verdict[0] == lib.FMB_FEASIBLE)
+
     def __repr__(self) -> str:
         return f"Frame {self.i} of {self.frames!r}"
 

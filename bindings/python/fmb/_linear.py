@@ -267,12 +267,17 @@ def form(value: FormLike) -> Form:
     return Form(None, value)
 
 
+# Names that may follow a number closely: 2x, 3y1; but 2e3 would be a number.
+_SHORT = re.compile(r"[A-DF-Za-df-z]\d*", re.ASCII)
+
+
 def text_of_form(terms: Iterable[tuple[str, Fraction]], constant: Fraction = Fraction(0)) -> str:
     """A form as people, and fmb's own files, write it."""
     out = ""
     for name, c in terms:
         size = abs(c)
-        factor = "" if size == 1 else spelled(size) + (" " if size.denominator != 1 else "")
+        close = size.denominator == 1 and _SHORT.fullmatch(name)
+        factor = "" if size == 1 else spelled(size) + ("" if close else " ")
         sign = ("-" if c < 0 else "") if not out else (" - " if c < 0 else " + ")
         out += f"{sign}{factor}{name}"
     if constant or not out:

@@ -87,6 +87,14 @@ class Polyhedron:
         """Has it no point?"""
         return not yes_or_no(self._options).solve(self.system)
 
+    def __bool__(self) -> bool:
+        """Has it a point?
+
+        >>> bool(Polyhedron("x >= 1") & "x < 1")
+        False
+        """
+        return not self.is_empty()
+
     def point(self) -> Point | None:
         """Some point, or None."""
         return self._ask().solve(self.system).point

@@ -193,6 +193,8 @@ class Solver:
         """The best value of a form, which may be a list of coefficients in the order of variables;
         without one, of the objective that the system carries."""
         s, out = system(rows), ffi.new("fmb_optimum **")
+        if max is None and min is None and s.sense is None:
+            raise ArgumentError("give max or min, as the system has no objective")
         if max is not None or min is not None:
             if max is not None and min is not None:
                 raise ArgumentError("give max or min, not both")

@@ -421,7 +421,7 @@ def _listed_rows(rows: Any) -> Any:
     if isinstance(rows, (Row, SystemRow)):
         return [rows]
     own = getattr(rows, "system", rows)
-    if isinstance(own, Form) or not hasattr(own, "__iter__"):
+    if isinstance(own, (Form, Mapping)) or not hasattr(own, "__iter__"):
         raise TypeError(f"{rows!r} is neither a system nor a row: write one like x + y <= 3")
     return own
 

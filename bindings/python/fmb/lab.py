@@ -45,7 +45,7 @@ from typing import Any, Callable, Iterable, Iterator, Sequence, overload
 from fmb._callbacks import Drops, Rule, View, ViewRow, built_in
 from fmb._lib import ArgumentError
 from fmb._solver import Solver
-from fmb._system import System, SystemRow
+from fmb._system import System, SystemLike, SystemRow, system
 
 __all__ = ["Rule", "Trial", "View", "ViewRow", "Wrong", "built_in", "order", "rule", "small_systems",
            "trial"]
@@ -167,7 +167,7 @@ class Trial:
         return text + "".join(f"\n{wrong}" for wrong in self.wrong[:1])
 
 
-def trial(rules: Any = None, order: Any = None, systems: int | Iterable[System] = 200, seed: int = 1,
+def trial(rules: Any = None, order: Any = None, systems: int | Iterable[SystemLike] = 200, seed: int = 1,
           most_wrong: int = 1, **options: Any) -> Trial:
     """Ask about systems, random ones of a seed or those that are given, with these rules and this
     order, and hold every verdict and every projection on the last variable against one that another
@@ -184,7 +184,7 @@ def trial(rules: Any = None, order: Any = None, systems: int | Iterable[System] 
     if isinstance(systems, int):
         drawn = small_systems(seed)
         systems = [next(drawn) for _ in range(systems)]
-    for s in systems:
+    for s in map(system, systems):
         for kept in (None, s.names[-1:]):
             bench.ask(s, kept)
         if len(bench.trial.wrong) >= most_wrong:

@@ -53,6 +53,14 @@ class Numbers(unittest.TestCase):
         with self.assertRaises(fmb.ArgumentError):
             fmb.vars("x3:1")
 
+    def test_numbers_beside_names(self):
+        e, e3, milk = fmb.vars("e e3 milk")
+        self.assertEqual(repr(2 * e3 + 3 * e + 4 * milk), "2 e3 + 3 e + 4 milk")
+        box = [e3 <= 7, e <= 1]
+        self.assertEqual(fmb.optimize(box, max=2 * e3 + 3 * e).value, 17)
+        self.assertEqual(str(fmb.image(box, {"y": 2 * e3})), "y <= 14")
+        self.assertEqual(System(str(System([2 * e3 <= 1]))), System([2 * e3 <= 1]))
+
     def test_comparisons_with_what_is_no_form(self):
         (x,) = fmb.vars("x")
         self.assertFalse(x in [None, "a", []])
@@ -92,6 +100,8 @@ class Texts(unittest.TestCase):
             System(fmb.Form({"x": 1}))
         with self.assertRaises(TypeError):
             fmb.solve(3)
+        with self.assertRaises(TypeError):
+            fmb.solve({"x": 1})
         self.assertEqual(len(s), 0)
 
 
@@ -139,6 +149,7 @@ class Rows(unittest.TestCase):
         square = Polyhedron("0 <= x <= 1")
         self.assertTrue(square == "x >= 0; x <= 1" and square != "x >= 0" and square < "x >= 0")
         self.assertFalse(square < square or square == 3)
+        self.assertTrue(square and not square & "x = 2")
         with self.assertRaises(fmb.ArgumentError):
             square.translated({"X": 1})
 
@@ -336,6 +347,10 @@ class Arrays(unittest.TestCase):
         none = fmb.Frames(np.zeros((0, 2)), np.zeros((0, 2, 2)))
         self.assertEqual((len(none), none.meet().shape, len(none.test().verdict)), (0, (0, 2), 0))
         self.assertEqual(two[np.int64(1)].i, 1)
+        self.assertTrue(two[0].meets(two[1]) and not two[0].meets(fmb.cuboid([2, 2], [[1, 0], [0, 1]])))
+        self.assertFalse(two[0].meets(fmb.cuboid([1, 0], [[1, 0], [0, 1]]), contact="open"))
+        with self.assertRaises(fmb.ArgumentError):
+            two[0].meets(fmb.cuboid([0], [[1]]))
 
     def test_meshes(self):
         tent = fmb.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])

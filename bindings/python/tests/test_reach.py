@@ -36,8 +36,8 @@ ABSENT = {
     "the checker's patience and expectations: `fmb check`": """
         fmb_check_within fmb_evidence_read_within fmb_evidence_meets fmb_evidence_meets_within fmb_evidence_parse_within
         fmb_patience_trouble""",
-    "pairs of frames one by one: Frames.test has them all at once": """
-        fmb_frames_new fmb_frames_test_row fmb_pair_test fmb_pair_count fmb_separates""",
+    "frames one by one, and counts: Frames has them all at once": """
+        fmb_frames_new fmb_frames_test_row fmb_pair_count fmb_separates""",
     "meshes: faces of files, all pairs without trees, TetGen's two files": """
         fmb_mesh_face fmb_mesh_meet_pairs fmb_mesh_parse_tetgen fmb_mesh_format_text fmb_mesh_how_text""",
     "symmetries: `fmb project --symmetry`, `--classes`": """
