@@ -1,7 +1,7 @@
 """Answers of the gallery, held against SciPy's linear programs (HiGHS) and against what is known.
 
 A projection is right if every direction has the same largest value over the rows of the model and over the rows of the
-projection; both are found by HiGHS, in doubles. usage: against_scipy.py GALLERY"""
+projection; both are found by HiGHS, in doubles. usage: against_scipy.py SITE"""
 
 import pathlib
 import random
@@ -13,7 +13,7 @@ import scipy.optimize
 
 import fmb
 
-GALLERY = pathlib.Path(sys.argv[1]).resolve()
+GALLERY = pathlib.Path(sys.argv[1]).resolve() / "gallery"
 
 PROJECTIONS = [
     ("cat reachable-set/cart.fmb", "p4 v4", 8),

@@ -1,6 +1,6 @@
-"""The figures of the gallery are what the scripts beside them draw. With another version of matplotlib than
+"""The figures of the site are what the scripts beside them draw. With another version of matplotlib than
 the one that drew a figure the lines may differ: then it is enough that the script runs.
-usage: figures.py [--write] GALLERY"""
+usage: figures.py [--write] FOLDER"""
 
 import os
 import pathlib
@@ -31,12 +31,12 @@ def draw(script, out):
     return os.waitpid(child, 0)[1] == 0
 
 
-def faults(gallery, rewrite):
+def faults(folder, rewrite):
     """Figures that are not drawn, or not so."""
-    with tempfile.TemporaryDirectory() as folder:
-        for script in sorted(gallery.glob("*/*figure.py")):
+    with tempfile.TemporaryDirectory() as scratch:
+        for script in sorted(folder.rglob("*figure.py")):
             figure = script.with_suffix(".svg")
-            out = figure if rewrite else pathlib.Path(folder, "figure.svg")
+            out = figure if rewrite else pathlib.Path(scratch, "figure.svg")
             if not draw(script, out):
                 yield f"{script} failed"
                 continue
@@ -46,9 +46,9 @@ def faults(gallery, rewrite):
 
 
 def main():
-    gallery = pathlib.Path(sys.argv[-1]).resolve()
-    found = list(faults(gallery, "--write" in sys.argv))
-    drawn = len(list(gallery.glob("*/*figure.py")))
+    folder = pathlib.Path(sys.argv[-1]).resolve()
+    found = list(faults(folder, "--write" in sys.argv))
+    drawn = len(list(folder.rglob("*figure.py")))
     print("\n".join(found) or f"{drawn} figures are up to date")
     sys.exit(bool(found) or not drawn)
 

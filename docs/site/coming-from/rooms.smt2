@@ -1,0 +1,7 @@
+(set-logic QF_LRA)
+(declare-const x Real)
+(declare-const y Real)
+(assert (! (<= (+ x y) 2) :named sum))
+(assert (! (>= x 2) :named far))
+(assert (! (> y 0) :named up))
+(check-sat)
