@@ -30,6 +30,8 @@ void qualify_numbers(const qualify_plan *p, qualify_page *page);
 void qualify_tables(const qualify_plan *p, qualify_page *page);
 /* From which D on each set saves rows and time; the claims of the article. */
 void qualify_claims(const qualify_plan *p, qualify_page *page);
+/* Where an answer was wrong: the first such, and a system that shows it; also as wrong.fmb. */
+void qualify_show_wrong(const qualify_plan *p, qualify_page *page);
 /* runs.csv: a line for each run. */
 void qualify_runs_csv(const qualify_plan *p, qualify_page *page);
 

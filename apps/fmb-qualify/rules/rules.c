@@ -38,6 +38,7 @@ static int report(const qualify_plan *p, qualify_page *page)
         code = qualify_counts(p, page);
     qualify_claims(p, page);
     qualify_runs_csv(p, page);
+    qualify_show_wrong(p, page);
     return code;
 }
 

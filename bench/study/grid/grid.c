@@ -142,16 +142,17 @@ static fmb_status prepare(bench *b)
 
 /* ---- runs ------------------------------------------------------------------------------------ */
 
-static fmb_status count_one(bench *b, size_t way, const study_case *c, study_run *run)
+fmb_status study_case_count(study_reference *reference, study_engine *engine, const study_case *c,
+                            study_run *run)
 {
     fmb_system *projection;
     char *words = NULL;
     const int *keep = c->truth == FMB_INFEASIBLE ? NULL : c->keep;
-    fmb_status st = study_engine_count(&b->engine[way], c->s, keep, c->kept, run, &projection);
+    fmb_status st = study_engine_count(engine, c->s, keep, c->kept, run, &projection);
     bool decided = st == FMB_OK && run->outcome == STUDY_DECIDED;
     bool wrong = decided && c->truth != FMB_UNKNOWN && run->verdict != c->truth;
     if (decided && !wrong && projection && c->projection) {
-        st = study_reference_words(&b->reference, projection, &words);
+        st = study_reference_words(reference, projection, &words);
         wrong = st == FMB_OK && words && strcmp(words, c->projection) != 0;
     }
     if (wrong)
@@ -174,7 +175,8 @@ static fmb_status count_sample(bench *b, size_t k, progress *how)
                 continue;
             if (!go_on(b, b->engine[w].counting))
                 return FMB_OK;
-            st = count_one(b, w, &sample->item[i], study_grid_at(b->g, k, i, w));
+            st = study_case_count(&b->reference, &b->engine[w], &sample->item[i],
+                                  study_grid_at(b->g, k, i, w));
             if (st != FMB_OK)
                 return st;
         }

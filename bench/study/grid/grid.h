@@ -60,6 +60,10 @@ fmb_status study_sample_put(study_sample *sample, fmb_system *s, int *keep, int 
 fmb_status study_grid_run(study_grid *g);
 void study_grid_clear(study_grid *g);
 
+/* Eliminate as study_engine_count, and hold the answer against the truth of the case. */
+fmb_status study_case_count(study_reference *reference, study_engine *engine, const study_case *c,
+                            study_run *run);
+
 static inline study_run *study_grid_at(const study_grid *g, size_t sample, size_t item, size_t way)
 {
     return &g->run[(sample * g->most + item) * g->ways + way];

@@ -45,6 +45,21 @@ def studies():
     expect(found["liar"] > 0 and "imbert,box" in found, f"without --rules: {found}")
 
 
+def smallest(folder):
+    """The first wrong answer comes with a system of which no row can be left out; right ones with none."""
+    words = [qualify, "rules", *SMALL, "--rule-library", liar, "--json"]
+    told = json.loads(run(*words, "--rules", "liar", "--out", folder).stdout)["wrong_system"]
+    file = folder / "rules-wrong.fmb"
+    expect([line["row"] for line in told] == file.read_text().splitlines(), f"{told}")
+    lines = file.read_text().splitlines()
+    expect(lines[0] == "vars: c1 c2" and lines[1] == "project: c2" and 2 < len(lines) < 8, f"{lines}")
+    for k in range(2, len(lines)):
+        file.write_text("\n".join(lines[:k] + lines[k + 1:]) + "\n")
+        got = run(qualify, "rules", file, *SMALL[8:], "--rule-library", liar, "--rules", "liar")
+        expect(got.returncode == 0, f"without {lines[k]}: {got}")
+    expect("wrong_system" not in json.loads(run(*words, "--rules", "kohler").stdout), "right ones")
+
+
 def command(folder):
     file = folder / "empty.fmb"
     file.write_text(EMPTY)
@@ -92,6 +107,7 @@ def faulty(folder):
 
 with tempfile.TemporaryDirectory() as name:
     studies()
+    smallest(pathlib.Path(name))
     command(pathlib.Path(name))
     orders(pathlib.Path(name))
     faulty(pathlib.Path(name))
