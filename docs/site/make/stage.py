@@ -16,8 +16,7 @@ NAMED = re.compile(r"\[([\w/.-]+\.md)\]\(\1\)")
 ANCHOR = re.compile(r'^<a id="([^"]*)"></a>', re.M)
 LINK = re.compile(r"(\]\()([^)#\s]*)((?:#[^)\s]*)?\))")
 # Documents of the tree that the site has under other names, or says in another page.
-MOVED = {"README.md": "index.md", "bench/README.md": "background/bench.md",
-         "bindings/python/README.md": "guide/python.md"}
+MOVED = {"README.md": "index.md", "bench/README.md": "background/bench.md"}
 
 
 def place(root, path):
@@ -77,7 +76,8 @@ def main():
     stage = Stage(root, out)
     docs = sorted((root / "docs").glob("*.md"))
     site = [path for path in sorted((root / "docs/site").rglob("*")) if path.is_file() and "make" not in path.parts]
-    for path in [*docs, *site, root / "bench/README.md"]:
+    elsewhere = [root / name for name, there in MOVED.items() if there != "index.md"]
+    for path in [*docs, *site, *elsewhere]:
         if path.suffix == ".md":
             stage.document(path)
         else:
