@@ -77,6 +77,7 @@ def faults():
         "meson.build": rf"license: \['{LESSER}', '{FULL}'\]",
         "CITATION.cff": rf"(?m)^license: {LESSER}\b",
         "bindings/python/pyproject.toml": rf'license = {{text = "{LESSER}"}}',
+        "bindings/wasm/npm/package.json.in": f'"license": "{both}"',
         "packaging/conda/meta.yaml": f"license: {both}\n",
         "packaging/homebrew/fmb.rb": rf'license all_of: \["{LESSER}", "{FULL}"\]',
         "packaging/nix/package.nix": r"\[ lgpl3Plus gpl3Plus \]",
