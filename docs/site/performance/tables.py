@@ -40,8 +40,9 @@ def number(value, digits=3):
 
 
 def markdown(head, rows):
-    """A table; all columns but the first are numbers."""
-    lines = [head, [":---"] + ["---:"] * (len(head) - 1), *rows]
+    """A table; columns of numbers stand on the right."""
+    numbers = [rows and all(re.fullmatch(r"[\d.]+", str(row[i])) for row in rows) for i in range(len(head))]
+    lines = [head, ["---:" if right else ":---" for right in numbers], *rows]
     return "\n" + "".join("| " + " | ".join(map(str, line)) + " |\n" for line in lines) + "\n"
 
 
@@ -132,7 +133,7 @@ def table(data, name):
     if name in LIBRARIES.values() or name in LIBRARIES:
         return of_library(data, next(key for key, title in LIBRARIES.items() if name in (key, title)))
     if name == "machine":
-        return markdown(["record", ""], [[line["what"], line["value"]] for line in data["machine"]])
+        return markdown(["record", "value"], [[line["what"], line["value"]] for line in data["machine"]])
     return {"pairs": of_pairs, "shapes": of_shapes, "faults": of_faults, "programs": of_programs, "symbols": of_symbols,
             "libccd": lambda d: of_shapes(d, "libccd"), "libccd-faults": lambda d: of_faults(d, "libccd")}[name](data)
 
