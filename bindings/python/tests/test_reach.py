@@ -1,7 +1,9 @@
 """What the library can do, Python can: every public function is used by the package, or stands here with
 the reason why not. And every public name of the package is documented."""
 
+import contextlib
 import inspect
+import io
 import pathlib
 import re
 import unittest
@@ -72,6 +74,14 @@ class Reach(unittest.TestCase):
         self.assertEqual(sorted(public - used - absent), [], "no way from Python, and no reason")
         self.assertEqual(sorted(absent - public), [], "no such function")
         self.assertEqual(sorted(absent & set(re.findall(r"lib\.(fmb_\w+)", self.sources))), [], "it is used")
+
+    def test_what_is_typed_runs(self):
+        import typed
+        with contextlib.redirect_stdout(io.StringIO()):
+            self.assertIsNotNone(typed.questions())
+        self.assertTrue(typed.sets())
+        self.assertEqual(typed.laboratory(), [])
+        self.assertEqual(typed.sessions(), [False, True])
 
     def test_every_public_name_is_documented(self):
         from fmb import bridges, lab
