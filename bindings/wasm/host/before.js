@@ -1,5 +1,21 @@
-// before.js: standard streams are files as others are, so that the command can ask what they are.
+// before.js: files of Node as the command expects them.
+
+// Standard streams can be asked what they are.
 Module.onRuntimeInitialized = () =>
   ["/dev/stdin", "/dev/stdout", "/dev/stderr"].forEach((path, k) => {
     FS.streams[k].path = path;
   });
+
+// Who writes where nobody reads ends without a word; who writes faster than is read waits.
+if (typeof process === "object") {
+  const fs = require("fs"), write = fs.writeSync;
+  fs.writeSync = (...args) => {
+    for (;;)
+      try {
+        return write(...args);
+      } catch (error) {
+        if (error.code === "EPIPE") process.exit(141);
+        if (error.code !== "EAGAIN") throw error;
+      }
+  };
+}

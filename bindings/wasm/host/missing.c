@@ -1,12 +1,11 @@
-/* missing.c: what the command asks for and the C library of Emscripten lacks. */
+/* missing.c: what the command asks for and the C library of Emscripten lacks, or cannot do with the
+ * files of Node. */
 #define _GNU_SOURCE
 #include <errno.h>
 #include <poll.h>
 #include <signal.h>
-#include <stdlib.h>
 #include <sys/mman.h>
 #include <time.h>
-#include <unistd.h>
 
 /* Its own name, in messages. */
 __attribute__((constructor)) static void name_program(void)
@@ -15,22 +14,27 @@ __attribute__((constructor)) static void name_program(void)
     program_invocation_name = program_invocation_short_name = name;
 }
 
-/* No signal ever comes, so that none is to be held back meanwhile. */
-int ppoll(struct pollfd *fds, nfds_t n, const struct timespec *patience, const sigset_t *mask)
+/* Nobody waits: reads do. */
+int poll(struct pollfd *fds, nfds_t n, int patience)
 {
-    (void)mask;
-    return poll(fds, n,
-                patience ? (int)(patience->tv_sec * 1000 + patience->tv_nsec / 1000000) : -1);
+    (void)patience;
+    for (nfds_t i = 0; i < n; i++)
+        fds[i].revents = fds[i].events;
+    return (int)n;
 }
 
-/* A file that has lost its name. */
+int ppoll(struct pollfd *fds, nfds_t n, const struct timespec *patience, const sigset_t *mask)
+{
+    (void)patience;
+    (void)mask;
+    return poll(fds, n, 0);
+}
+
+/* There is none; the command goes on without. */
 int memfd_create(const char *name, unsigned flags)
 {
-    char path[] = "/tmp/fmb.XXXXXX";
-    int descriptor = mkstemp(path);
     (void)name;
     (void)flags;
-    if (descriptor >= 0)
-        unlink(path);
-    return descriptor;
+    errno = ENOSYS;
+    return -1;
 }

@@ -86,7 +86,13 @@ shown.meshes = startMeshes();
 replace(byId("examples"), Object.entries(EXAMPLES).map(([name, { title }]) => make("li", {}, make("a", { href: `#example=${name}` }, title))));
 byId("share").addEventListener("click", share);
 addEventListener("hashchange", follow);
-onAnswer(() => document.documentElement.setAttribute("data-answered", ""));
+// Tests read when the first answer was there, and how many there were.
+let answers = 0;
+onAnswer(() => {
+  const { dataset } = document.documentElement;
+  dataset.answered ??= String(Math.round(performance.now()));
+  dataset.answers = String(++answers);
+});
 engineReady().then(
   (version) => (byId("version").textContent = version),
   (error) => {
