@@ -40,7 +40,7 @@ function roundsOf({ rows, variables, events }) {
     if (e.event === "row") {
       const [p, q] = e.parents.map((n) => known.get(n)), row = p && q ? combine(p, q, e.var - 1) : null;
       if (e.dropped_by === null) known.set(e.row, row);
-      made.push({ ...e, text: rowText(row, variables) });
+      made.push({ ...e, text: rowText(row, variables), isUpper: [p, q].map((r) => (r ? sign(r.entries[e.var - 1]) > 0 : null)) });
     } else if (e.event === "rule") {
       rules.push(e);
     } else if (e.event === "rebase") {
@@ -69,11 +69,19 @@ function countsOf({ pairs, made, rules, rows_in: before, rows_out: after }) {
   return `${count(before, "row")} before, ${count(pairs, "pair")} looked at, ${count(made.length, "row")} made${dropped.length > 0 ? `, ${dropped.join(", ")}` : ""}, ${count(after, "row")} after`;
 }
 
+// The rows that were combined, by which side they bound the variable from.
+function sidesOf(made) {
+  const of = (side) => [...new Set(made.flatMap((r) => r.parents.filter((_, k) => r.isUpper[k] === side)))].sort((a, b) => a - b);
+  const [upper, lower] = [of(true), of(false)];
+  return upper.length > 0 && lower.length > 0 ? `From above: rows ${upper.join(", ")}. From below: rows ${lower.join(", ")}. Each with each:` : null;
+}
+
 function showRound(round, k, most) {
   const { made } = round, bar = make("span", { class: "bar", "aria-hidden": "true" });
   bar.style.setProperty("--share", String(round.rows_out / Math.max(most, 1)));
   return make("details", { open: k === 0 }, make("summary", {}, make("strong", {}, `${k + 1}. ${round.variable} goes`), ` — ${countsOf(round)} `, bar),
     made.length === 0 ? make("p", {}, round.pairs === 0 ? "No pairs: its bounds are of one side, or an equation gives it." : "No row was made.") : null,
+    sidesOf(made) && make("p", {}, sidesOf(made)),
     make("ol", { class: "made" }, made.slice(0, MOST_SHOWN).map(showMade)),
     made.length > MOST_SHOWN ? make("p", {}, `and ${made.length - MOST_SHOWN} more`) : null);
 }

@@ -36,9 +36,15 @@ appetite:  lunch <= 13
     text: "x - y <= -1\n-x + 2y + 2z <= -1\nx + y - 2z <= 1\nx - 2y <= -2\n-2x + y <= 1\n",
   },
   shadow: {
-    title: "A shadow of four dimensions",
-    text: "# A cross-polytope in four dimensions, leaning: what is its shadow on x and y?\nvars: x y u v\n" +
-      [1, -1].flatMap((a) => [1, -1].flatMap((b) => [1, -1].flatMap((c) => [1, -1].map((d) =>
-        `${a < 0 ? "-" : ""}2x ${b < 0 ? "-" : "+"} 3y ${c < 0 ? "-" : "+"} (u - x) ${d < 0 ? "-" : "+"} (v + y) <= 6`)))).join("\n") + "\n",
+    title: "The shadow of a cube",
+    text: `# A cube in four dimensions throws a shadow on the plane: how many corners has it?
+vars: x y a b c d
+x = 4a + 3b + c
+y = b + 3c + 4d
+-1 <= a <= 1
+-1 <= b <= 1
+-1 <= c <= 1
+-1 <= d <= 1
+`,
   },
 };

@@ -70,8 +70,12 @@ export class Picture {
 
   async #ask() {
     const keep = [...new Set(this.keep)], { text, answer } = this;
-    if (keep.length === 0 || answer.verdict !== "feasible") {
+    if (keep.length === 0) {
       this.shape = null;
+      return this.#draw();
+    }
+    if (answer.verdict !== "feasible") {
+      this.shape = { rows: [], keep: keep.slice(0, 2), stop: answer.stop, answer, isEmpty: true };
       return this.#draw();
     }
     try {
@@ -90,12 +94,12 @@ export class Picture {
     byId("plane").toggleAttribute("hidden", inSpace);
     byId("space").toggleAttribute("hidden", !inSpace);
     if (!this.shape) {
-      replace(byId("plane"), draw("text", { x: "50%", y: "50%", "text-anchor": "middle", class: "tick" }, this.answer?.verdict === "infeasible" ? "Nothing satisfies all rows." : ""));
+      replace(byId("plane"));
       byId("projection").textContent = "";
       return;
     }
-    const { rows, keep, stop } = this.shape;
-    byId("projection").textContent = rows.map((r) => showRow(r, keep)).join("\n") || "(everything)";
+    const { rows, keep, stop, isEmpty } = this.shape;
+    byId("projection").textContent = isEmpty ? "" : rows.map((r) => showRow(r, keep)).join("\n") || "(everything)";
     if (stop !== "done") byId("projection").textContent += `\n(cut short: ${stop})`;
     if (inSpace) this.#drawSpace();
     else this.#drawPlane();
@@ -114,11 +118,21 @@ export class Picture {
 
   #drawPlane() {
     if (!this.shape || this.shape.keep.length === 3) return;
-    const { rows, keep, answer } = this.shape, { plane } = this;
+    const { rows, keep, answer, isEmpty } = this.shape, { plane } = this;
+    if (isEmpty) return this.#drawNothing(keep);
     const flat = rows.map((row) => ({ ...row, doubles: [row.doubles[0], row.doubles[1] ?? 0] }));
     if (!this.isFitted) this.#fitPlane(flat, keep, answer);
     const region = polygonOf(flat, plane.frame);
     replace(byId("plane"), plane.grid([keep[0], keep[1] ?? ""]), this.#region(region, flat), this.#movable().map((m) => this.#line(m)), this.#points(keep, answer));
+  }
+
+  // No solution: the lines are there, to be dragged until there is one.
+  #drawNothing(keep) {
+    const lines = this.#movable(), { plane } = this;
+    if (!this.isFitted) plane.fit([[0, 0], ...lines.map(({ a: [p, q = 0], b }) => [(p * b) / (p * p + q * q), (q * b) / (p * p + q * q)])]);
+    this.isFitted = true;
+    const words = draw("text", { x: "50%", y: 20, "text-anchor": "middle", class: "nothing" }, "Nothing satisfies all rows.");
+    replace(byId("plane"), plane.grid([keep[0], keep[1] ?? ""]), lines.map((m) => this.#line(m)), words);
   }
 
   #fitPlane(rows, keep, answer) {

@@ -92,9 +92,9 @@ function endText(end, side) {
 
 function showBox({ box }) {
   if (!box) return [];
-  return make("div", { class: "scroll" }, make("table", {}, make("thead", {}, make("tr", {}, ["variable", "tightest interval"].map((h) => make("th", { scope: "col" }, h)))),
+  return [make("h2", {}, "Box"), make("div", { class: "scroll" }, make("table", {}, make("thead", {}, make("tr", {}, ["variable", "tightest interval"].map((h) => make("th", { scope: "col" }, h)))),
     make("tbody", {}, Object.entries(box).map(([name, { lower, upper }]) =>
-      make("tr", {}, make("th", { scope: "row" }, name), make("td", {}, `${endText(lower, "lower")}, ${endText(upper, "upper")}`))))));
+      make("tr", {}, make("th", { scope: "row" }, name), make("td", {}, `${endText(lower, "lower")}, ${endText(upper, "upper")}`))))))];
 }
 
 const stepOf = (x) => niceStep(Math.max(Math.abs(x) / 50, 0.01));

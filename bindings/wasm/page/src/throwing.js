@@ -252,7 +252,11 @@ function begin(newDim) {
 
 export function startFrames() {
   plane = new Plane(byId("yard"), "The yard with the two frames", paint);
-  plane.height = 2.2 * WALL;
+  new ResizeObserver(() => {
+    const [w, h] = plane.pixels;
+    plane.height = 2.2 * WALL * Math.max(1, h / w); // all of the yard
+    paint();
+  }).observe(byId("yard"));
   space = new Space(byId("yard3"), "The two frames in space");
   space.centre = [0, 0, 0];
   space.size = 3 * WALL;
