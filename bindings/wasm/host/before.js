@@ -1,9 +1,9 @@
 // before.js: files of Node as the command expects them.
 
-// Standard streams can be asked what they are.
+// Standard streams can be asked what they are; terminals, in most cases they are not.
 Module.onRuntimeInitialized = () =>
   ["/dev/stdin", "/dev/stdout", "/dev/stderr"].forEach((path, k) => {
-    FS.streams[k].path = path;
+    Object.assign(FS.streams[k], { path, tty: require("tty").isatty(k) });
   });
 
 // Who writes where nobody reads ends without a word; who writes faster than is read waits.

@@ -259,7 +259,7 @@ export function startFrames() {
   }).observe(byId("yard"));
   space = new Space(byId("yard3"), "The two frames in space");
   space.centre = [0, 0, 0];
-  space.size = 3 * WALL;
+  space.size = 2.4 * WALL;
   for (const name of ["A", "B"])
     byId(`shape-${name.toLowerCase()}`).addEventListener("change", (e) => {
       bodies[name].type = e.target.value;
