@@ -46,7 +46,7 @@ static const struct argp_option options[] = {
      "too, and without --rules each rule is a set",
      2},
     {"orders", KEY_ORDERS, "WORD,...", 0,
-     "pairs, given, min, fill, or orders of the rule library [pairs,given]", 2},
+     "pairs, given, min, fill [pairs,given]; a rule library may have others", 2},
     {"presolve", KEY_PRESOLVE, "STEPS", 0,
      "As `fmb solve` takes it; the box rule needs bounds [bounds]", 2},
     {NULL, 0, NULL, 0, "Limits:", 3},
