@@ -29,7 +29,7 @@ PROJECTIONS = [
 ]
 INFEASIBLE = [
     "cat binary-search/body.fmb; echo 'mid >= n'", "cat binary-search/body.fmb; echo 'mid <= -1'",
-    "cat ranking-function/other.fmb", "cat cost-sharing/voters.fmb", "cat crossing-drones/apart.fmb",
+    "cat marriage/jobs.fmb", "cat ranking-function/other.fmb", "cat cost-sharing/voters.fmb", "cat crossing-drones/apart.fmb",
     "python3 revealed-preference/purchases.py < revealed-preference/purchases.txt",
     "python3 multi-commodity/flows.py < multi-commodity/network.txt",
     "python3 separable-points/points.py < separable-points/mixed.txt",
