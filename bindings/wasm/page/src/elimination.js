@@ -31,9 +31,19 @@ function combine(p, q, j) {
 
 const rowText = (row, names) => (row ? `${showForm(row.entries.slice(0, -1), names)} ${row.isStrict ? "<" : "<="} ${show(row.entries.at(-1))}` : "");
 
+const isEquation = (row) => row.relation === "=";
+
+// The rows that elimination begins with, as it numbers them: those of the system, then its equations the other way
+// round.
+function firstRows(rows) {
+  const upper = rows.map((r) => ({ entries: [...r.texts, r.right].map(parse), isStrict: r.relation === "<" }));
+  const reverse = upper.filter((_, i) => isEquation(rows[i])).map((r) => ({ ...r, entries: r.entries.map(negative) }));
+  return new Map([...upper, ...reverse].map((r, i) => [i + 1, r]));
+}
+
 // Rounds with their rows, numbered as the library does: a row that is dropped leaves its number to the next one.
 function roundsOf({ rows, variables, events }) {
-  const known = new Map(rows.map((r, i) => [i + 1, { entries: [...r.texts, r.right].map(parse), isStrict: r.relation === "<" }]));
+  const known = firstRows(rows);
   const rounds = [];
   let made = [], rules = [];
   for (const e of events) {
@@ -69,11 +79,13 @@ function countsOf({ pairs, made, rules, rows_in: before, rows_out: after }) {
   return `${count(before, "row")} before, ${count(pairs, "pair")} looked at, ${count(made.length, "row")} made${dropped.length > 0 ? `, ${dropped.join(", ")}` : ""}, ${count(after, "row")} after`;
 }
 
+const listed = (rows) => `row${rows.length === 1 ? "" : "s"} ${rows.join(", ")}`;
+
 // The rows that were combined, by which side they bound the variable from.
 function sidesOf(made) {
   const of = (side) => [...new Set(made.flatMap((r) => r.parents.filter((_, k) => r.isUpper[k] === side)))].sort((a, b) => a - b);
   const [upper, lower] = [of(true), of(false)];
-  return upper.length > 0 && lower.length > 0 ? `From above: rows ${upper.join(", ")}. From below: rows ${lower.join(", ")}. Each with each:` : null;
+  return upper.length > 0 && lower.length > 0 ? `From above: ${listed(upper)}. From below: ${listed(lower)}. Each with each:` : null;
 }
 
 function showRound(round, k, most) {
@@ -86,11 +98,17 @@ function showRound(round, k, most) {
     made.length > MOST_SHOWN ? make("p", {}, `and ${made.length - MOST_SHOWN} more`) : null);
 }
 
+function numbersOf(rows) {
+  const n = rows.length, equations = rows.filter(isEquation).length;
+  const reverse = equations > 0 ? ` An equation is two rows: the other ways round have the numbers from ${n + 1} to ${n + equations}.` : "";
+  return `The system's ${count(n, "row")} have the numbers from 1 to ${n}.${reverse}`;
+}
+
 function showRounds(found) {
   const rounds = roundsOf(found), most = rounds.reduce((m, r) => Math.max(m, r.rows_out), 0);
   const words = found.verdict === "unknown" ? `Undecided: a limit was reached (${found.stop}).` : `After ${rounds.length} rounds: ${found.verdict}. At most ${most} rows were there at once.`;
   replace(byId("rounds"), make("p", { class: `verdict ${found.verdict}` }, words),
-    make("p", {}, `The system's ${found.rows.length} rows have the numbers 1 to ${found.rows.length}.`),
+    make("p", {}, numbersOf(found.rows)),
     rounds.map((r, k) => showRound(r, k, most)));
   tell(words);
 }

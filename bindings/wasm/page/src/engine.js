@@ -28,14 +28,15 @@ function receive({ data: { number, result, error } }) {
   clearTimeout(timer);
   if (error) reject(Object.assign(new Error(error.message), error));
   else resolve(result);
+  if (error?.isFatal) restart("The library stopped, and begins again.");
 }
 
 // All that waits is given up, and a fresh worker begins.
-function restart() {
+function restart(words) {
   worker.terminate();
   for (const { reject, timer } of waiting.values()) {
     clearTimeout(timer);
-    reject(new Error("This takes too long, and was given up."));
+    reject(new Error(words));
   }
   waiting.clear();
   ready = start();
@@ -44,7 +45,7 @@ function restart() {
 async function send(task, about) {
   await ready;
   return new Promise((resolve, reject) => {
-    const number = ++begun, timer = setTimeout(restart, PATIENCE);
+    const number = ++begun, timer = setTimeout(restart, PATIENCE, "This takes too long, and was given up.");
     waiting.set(number, { resolve, reject, timer });
     worker.postMessage({ number, task, about });
   });

@@ -1,5 +1,5 @@
 // What the page asks of the library: each task takes and gives plain data, as it runs in a worker.
-import { loadNow } from "../../npm/src/index.js";
+import { FmbError, loadNow } from "../../npm/src/index.js";
 
 const PATIENCE = { maxSeconds: 10, maxBytes: 500e6 };
 const fmb = loadNow();
@@ -108,7 +108,9 @@ self.onmessage = ({ data: { number, task, about } }) => {
   try {
     self.postMessage({ number, result: TASKS[task](about) });
   } catch (error) {
-    self.postMessage({ number, error: { message: error.message, line: error.line, column: error.column } });
+    // Whatever else ends a call leaves the engine in no good state.
+    const isFatal = !(error instanceof FmbError);
+    self.postMessage({ number, error: { message: error.message, line: error.line, column: error.column, isFatal } });
   }
 };
 self.postMessage({ version: fmb.version });
