@@ -57,7 +57,7 @@ void fmb_share_end(const fmb_share *s, fmb_run *run, size_t *peak);
  * as no clock is asked, so that an engine that stops by it stops at the same place everywhere.
  * Measured on long projections: a step took 0.5 to 2 ns. What a share counts is counted for the
  * query when its round ends. */
-static inline void fmb_run_count(fmb_run *run, size_t steps)
+static inline void fmb_run_count(fmb_run *run, uint64_t steps)
 {
     run->work += steps;
 }
