@@ -40,22 +40,22 @@ static fmb_status parse_with_codec(fmb_cursor *c, void *out)
     return st;
 }
 
-static fmb_status check_reader_arguments(const fmb_reader *how, fmb_system **out, fmb_where *where)
+static fmb_status take_arguments(const fmb_reader *how, fmb_reader *ours, fmb_system **out,
+                                 fmb_where *where)
 {
-    if (!out)
-        return fmb_io_refuse_argument(where, "out is NULL");
-    if (how->format != FMB_FORMAT_AUTO && !fmb_codec_of(how->format))
-        return fmb_io_refuse_argument(where, "how->format is no fmb_format");
-    return FMB_OK;
+    fmb_status st = fmb_io_take_reader(how, ours, where);
+    if (st == FMB_OK && !out)
+        st = fmb_io_refuse_argument(where, "out is NULL");
+    if (st == FMB_OK && ours->format != FMB_FORMAT_AUTO && !fmb_codec_of(ours->format))
+        st = fmb_io_refuse_argument(where, "how->format is no fmb_format");
+    return st;
 }
 
 fmb_status fmb_system_parse(const char *text, size_t size, const fmb_reader *how, fmb_system **out,
                             fmb_where *where)
 {
     fmb_reader reader;
-    fmb_status st = fmb_io_take_reader(how, &reader, where);
-    if (st == FMB_OK)
-        st = check_reader_arguments(&reader, out, where);
+    fmb_status st = take_arguments(how, &reader, out, where);
     return st == FMB_OK ? fmb_parse_memory(text, size, &reader, parse_with_codec, out, where) : st;
 }
 
@@ -64,9 +64,7 @@ fmb_status fmb_system_parse(const char *text, size_t size, const fmb_reader *how
 fmb_status fmb_system_read(FILE *in, const fmb_reader *how, fmb_system **out, fmb_where *where)
 {
     fmb_reader reader;
-    fmb_status st = fmb_io_take_reader(how, &reader, where);
-    if (st == FMB_OK)
-        st = check_reader_arguments(&reader, out, where);
+    fmb_status st = take_arguments(how, &reader, out, where);
     return st == FMB_OK ? fmb_parse_stream(in, &reader, parse_with_codec, out, where) : st;
 }
 

@@ -5,14 +5,19 @@
 
 #include "system/system_private.h"
 
-static bool is_sense(fmb_sense sense)
+static fmb_status expect_sense(fmb_system *s, fmb_sense sense)
 {
-    return sense == FMB_SENSE_MAX || sense == FMB_SENSE_MIN;
+    return sense == FMB_SENSE_MAX || sense == FMB_SENSE_MIN
+               ? FMB_OK
+               : fmb_system_refuse(s, "sense %d is none", (int)sense);
 }
 
-static fmb_status refuse_sense(fmb_system *s, fmb_sense sense)
+/* A form in doubles. */
+static fmb_status expect_form(fmb_system *s, fmb_sense sense, double constant)
 {
-    return fmb_system_refuse(s, "sense %d is none", (int)sense);
+    fmb_status st = expect_sense(s, sense);
+    return st == FMB_OK && !isfinite(constant) ? fmb_system_refuse(s, "constant is %g", constant)
+                                               : st;
 }
 
 /* A row was appended to be the objective. */
@@ -32,35 +37,27 @@ fmb_status fmb_system_set_objective(fmb_system *s, const fmb_objective *o)
         fmb_system_drop_objective(s);
         return FMB_OK;
     }
-    if (!is_sense(o->sense))
-        return refuse_sense(s, o->sense);
-    if (!isfinite(o->constant))
-        return fmb_system_refuse(s, "constant is %g", o->constant);
-    fmb_status st = fmb_system_add(s, o->coef, FMB_LE, o->constant);
+    fmb_status st = expect_form(s, o->sense, o->constant);
+    if (st == FMB_OK)
+        st = fmb_system_add(s, o->coef, FMB_LE, o->constant);
     return st == FMB_OK ? turn_last_row_into_objective(s, o->sense) : st;
 }
 
 fmb_status fmb_system_set_objective_terms(fmb_system *s, fmb_sense sense, size_t n, const int *var,
                                           const double *coef, double constant)
 {
-    if (!s)
-        return FMB_ERR_ARG;
-    if (!is_sense(sense))
-        return refuse_sense(s, sense);
-    if (!isfinite(constant))
-        return fmb_system_refuse(s, "constant is %g", constant);
-    fmb_status st = fmb_system_add_terms(s, n, var, coef, FMB_LE, constant);
+    fmb_status st = s ? expect_form(s, sense, constant) : FMB_ERR_ARG;
+    if (st == FMB_OK)
+        st = fmb_system_add_terms(s, n, var, coef, FMB_LE, constant);
     return st == FMB_OK ? turn_last_row_into_objective(s, sense) : st;
 }
 
 fmb_status fmb_system_set_objective_terms_int(fmb_system *s, fmb_sense sense, size_t n,
                                               const int *var, const int64_t *coef, int64_t constant)
 {
-    if (!s)
-        return FMB_ERR_ARG;
-    if (!is_sense(sense))
-        return refuse_sense(s, sense);
-    fmb_status st = fmb_system_add_terms_int(s, n, var, coef, FMB_LE, constant);
+    fmb_status st = s ? expect_sense(s, sense) : FMB_ERR_ARG;
+    if (st == FMB_OK)
+        st = fmb_system_add_terms_int(s, n, var, coef, FMB_LE, constant);
     return st == FMB_OK ? turn_last_row_into_objective(s, sense) : st;
 }
 
@@ -72,14 +69,14 @@ fmb_status fmb_system_set_objective_q(fmb_system *s, const fmb_objective_q *o)
         fmb_system_drop_objective(s);
         return FMB_OK;
     }
-    if (!is_sense(o->sense))
-        return refuse_sense(s, o->sense);
+    fmb_status st = expect_sense(s, o->sense);
+    if (st != FMB_OK)
+        return st;
     if (o->constant && mpz_sgn(mpq_denref(o->constant)) == 0)
         return fmb_system_refuse(s, "constant has denominator 0");
     mpq_t zero;
     mpq_init(zero);
-    fmb_status st =
-        fmb_system_add_q(s, o->n, o->var, o->coef, FMB_LE, o->constant ? o->constant : zero);
+    st = fmb_system_add_q(s, o->n, o->var, o->coef, FMB_LE, o->constant ? o->constant : zero);
     mpq_clear(zero);
     return st == FMB_OK ? turn_last_row_into_objective(s, o->sense) : st;
 }

@@ -244,14 +244,14 @@ fmb_status fmb_system_set_label(fmb_system *s, size_t i, const char *label)
 }
 
 /* Room for a row of n terms, not yet counted in s->rows. */
-static fmb_status open_row(fmb_system *s, size_t n, fmb_sysrow **out)
+static fmb_status open_row(fmb_system *s, size_t n, const int *var, fmb_rel rel, fmb_sysrow **out)
 {
     fmb_status st =
         fmb_mem_reserve(&s->mem, (void **)&s->row, &s->row_capacity, s->rows + 1, sizeof *s->row);
     if (st != FMB_OK)
         return st;
     fmb_sysrow *r = &s->row[s->rows];
-    *r = (fmb_sysrow){.nnz = n};
+    *r = (fmb_sysrow){.nnz = n, .rel = rel};
     r->var = fmb_mem_get(&s->mem, n, sizeof *r->var);
     r->val.s = fmb_mem_get(&s->mem, n + 2, sizeof *r->val.s);
     if (!r->var || !r->val.s) {
@@ -259,6 +259,8 @@ static fmb_status open_row(fmb_system *s, size_t n, fmb_sysrow **out)
         fmb_system_free_row(s, r);
         return why;
     }
+    if (n > 0)
+        memcpy(r->var, var, n * sizeof *var);
     *out = r;
     return FMB_OK;
 }
@@ -266,33 +268,48 @@ static fmb_status open_row(fmb_system *s, size_t n, fmb_sysrow **out)
 fmb_status fmb_system_append(fmb_system *s, size_t n, const int *var, mpz_t *z, fmb_rel rel)
 {
     fmb_sysrow *r = NULL;
-    fmb_status st = open_row(s, n, &r);
+    fmb_status st = open_row(s, n, var, rel, &r);
     if (st != FMB_OK)
         return st;
     st = fmb_vec_set_z(&r->val, n + 2, z, &s->mem);
-    if (st != FMB_OK) {
+    if (st != FMB_OK)
         fmb_system_free_row(s, r);
-        return st;
+    s->rows += st == FMB_OK;
+    return st;
+}
+
+fmb_status fmb_system_append_dense(fmb_system *s, size_t n, const int *var, const int *place,
+                                   const fmb_vec *row, fmb_rel rel, fmb_mem *mem)
+{
+    size_t terms = 0;
+    mpz_t *z = fmb_vec_block(n + 2, mem);
+    int *to = fmb_mem_get(mem, n, sizeof *to);
+    fmb_status st = z && to ? FMB_OK : fmb_mem_status(mem);
+    for (size_t j = 0; st == FMB_OK && j < n; j++) {
+        if (fmb_vec_sgn(row, j) == 0)
+            continue;
+        to[terms] = var ? place[var[j]] : (int)j;
+        fmb_vec_get(row, j, z[terms++]);
     }
-    if (n > 0)
-        memcpy(r->var, var, n * sizeof *var);
-    r->rel = rel;
-    s->rows++;
-    return FMB_OK;
+    if (st == FMB_OK) {
+        fmb_vec_get(row, n, z[terms]);
+        mpz_set_ui(z[terms + 1], 1);
+        st = fmb_system_append(s, terms, to, z, rel);
+    }
+    fmb_vec_block_free(z, n + 2, mem);
+    fmb_mem_put(mem, to, n, sizeof *to);
+    return st;
 }
 
 fmb_status fmb_system_append_small(fmb_system *s, size_t n, const int *var, const int64_t *z,
                                    fmb_rel rel)
 {
     fmb_sysrow *r = NULL;
-    fmb_status st = open_row(s, n, &r);
+    fmb_status st = open_row(s, n, var, rel, &r);
     if (st != FMB_OK)
         return st;
     memcpy(r->val.s, z, (n + 2) * sizeof *z);
     fmb_vec_measure(&r->val, n + 2);
-    if (n > 0)
-        memcpy(r->var, var, n * sizeof *var);
-    r->rel = rel;
     s->rows++;
     return FMB_OK;
 }
@@ -314,12 +331,9 @@ void fmb_system_drop_objective(fmb_system *s)
 fmb_status fmb_system_copy_row(fmb_system *to, const fmb_sysrow *from)
 {
     fmb_sysrow *r = NULL;
-    fmb_status st = open_row(to, from->nnz, &r);
+    fmb_status st = open_row(to, from->nnz, from->var, from->rel, &r);
     if (st != FMB_OK)
         return st;
-    if (from->nnz > 0)
-        memcpy(r->var, from->var, from->nnz * sizeof *r->var);
-    r->rel = from->rel;
     r->turned = from->turned;
     st = fmb_vec_copy(&r->val, &from->val, from->nnz + 2, &to->mem);
     if (st == FMB_OK && from->label && !(r->label = fmb_mem_text(&to->mem, from->label)))

@@ -163,6 +163,18 @@ static fmb_status put_in_order(fmb_frames *s)
     return s->bounds || s->eights == 0 ? FMB_OK : fmb_mem_status(&s->mem);
 }
 
+/* All frames were added, with that status. */
+static fmb_status close_set(fmb_frames *s, fmb_status st, fmb_frames **out)
+{
+    if (st == FMB_OK)
+        st = put_in_order(s);
+    if (st == FMB_OK)
+        *out = s;
+    else
+        fmb_frames_free(s);
+    return st;
+}
+
 static bool is_dimension(int dim)
 {
     return dim >= 1 && dim <= FMB_FRAME_MOST_DIM;
@@ -183,13 +195,7 @@ fmb_status fmb_frames_new(int dim, size_t n, const fmb_frame *f, const fmb_alloc
     fmb_status st = open_set(dim, n, beside, mem, &s);
     for (size_t i = 0; st == FMB_OK && i < n; i++)
         add_frame(s, i, &f[i], &used);
-    if (st == FMB_OK)
-        st = put_in_order(s);
-    if (st == FMB_OK)
-        *out = s;
-    else
-        fmb_frames_free(s);
-    return st;
+    return close_set(s, st, out);
 }
 
 /* ---- arrays ---------------------------------------------------------------------------------- */
@@ -243,13 +249,7 @@ fmb_status fmb_frames_from_arrays(int dim, size_t n, const fmb_frame_arrays *giv
             add_frame(s, i, &f, &used);
     }
     fmb_mem_put(&s->mem, number, each, sizeof *number);
-    if (st == FMB_OK)
-        st = put_in_order(s);
-    if (st == FMB_OK)
-        *out = s;
-    else
-        fmb_frames_free(s);
-    return st;
+    return close_set(s, st, out);
 }
 
 /* ---- questions ------------------------------------------------------------------------------- */

@@ -5,32 +5,12 @@
 #include "system/generators_private.h"
 #include "system/system_private.h"
 
-static fmb_status append_facet(const fmb_image_row *f, size_t n, fmb_system *out, int *var,
-                               mpz_t *z)
-{
-    size_t terms = 0;
-    for (size_t k = 0; k < n; k++) {
-        if (fmb_vec_sgn(&f->v, k) == 0)
-            continue;
-        var[terms] = (int)k;
-        fmb_vec_get(&f->v, k, z[terms++]);
-    }
-    fmb_vec_get(&f->v, n, z[terms]);
-    mpz_set_ui(z[terms + 1], 1);
-    return fmb_system_append(out, terms, var, z, f->equality ? FMB_EQ : FMB_LE);
-}
-
 static fmb_status append_all_facets(const fmb_image *m, fmb_system *out)
 {
-    fmb_mem *mem = m->run->mem;
-    size_t n = m->n - 1;
-    int *var = fmb_mem_get(mem, n, sizeof *var);
-    mpz_t *z = fmb_vec_block(n + 2, mem);
-    fmb_status st = var && z ? FMB_OK : fmb_mem_status(mem);
+    fmb_status st = FMB_OK;
     for (size_t i = 0; st == FMB_OK && i < m->facets; i++)
-        st = append_facet(&m->facet[i], n, out, var, z);
-    fmb_vec_block_free(z, n + 2, mem);
-    fmb_mem_put(mem, var, n, sizeof *var);
+        st = fmb_system_append_dense(out, m->n - 1, NULL, NULL, &m->facet[i].v,
+                                     m->facet[i].equality ? FMB_EQ : FMB_LE, m->run->mem);
     return st;
 }
 

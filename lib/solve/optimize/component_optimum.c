@@ -183,18 +183,19 @@ static fmb_status eliminate_all_but_goal(fmb_query *q, const fmb_part *p, fmb_el
     return saved != FMB_OK ? saved : st;
 }
 
-fmb_status fmb_component_optimum_by_elimination(fmb_query *q, const fmb_goal *g, int part,
-                                                fmb_component_optimum *k)
+/* Of the part with the goal as a column z more, or its first status. */
+static fmb_status find_in_store(fmb_query *q, const fmb_goal *g, int part, fmb_component_optimum *k,
+                                fmb_status find(fmb_query *, const fmb_part *, fmb_elim *,
+                                                fmb_component_optimum *))
 {
     fmb_objective_column w = {0};
     fmb_elim e = {.run = &q->run};
     fmb_arena_place place = fmb_arena_tell(&q->v->arena);
-    forget_optimum(k, q);
     fmb_status st = fmb_objective_column_init(&w, q, part, g);
     if (st == FMB_OK) {
         st = fmb_query_load(q, &w.p, true, &e);
         if (st == FMB_OK)
-            st = eliminate_all_but_goal(q, &w.p, &e, k);
+            st = find(q, &w.p, &e, k);
         fmb_elim_clear(&e);
     }
     drop_weight_of_goal_row(k, &w.p);
@@ -203,27 +204,19 @@ fmb_status fmb_component_optimum_by_elimination(fmb_query *q, const fmb_goal *g,
     return st;
 }
 
-/* ---- at a limit ------------------------------------------------------------------------------ */
+fmb_status fmb_component_optimum_by_elimination(fmb_query *q, const fmb_goal *g, int part,
+                                                fmb_component_optimum *k)
+{
+    forget_optimum(k, q);
+    return find_in_store(q, g, part, k, eliminate_all_but_goal);
+}
 
 fmb_status fmb_component_optimum_at_limit(fmb_query *q, const fmb_goal *g, int part,
                                           fmb_component_optimum *k)
 {
-    fmb_objective_column w = {0};
-    fmb_elim e = {.run = &q->run};
-    const fmb_part *p = &q->parts.part[part];
-    fmb_arena_place place = fmb_arena_tell(&q->v->arena);
     forget_optimum(k, q);
-    if (!fmb_outer_is_cheap(p))
+    if (!fmb_outer_is_cheap(&q->parts.part[part]))
         return FMB_OK;
-    fmb_status st = fmb_objective_column_init(&w, q, part, g);
-    if (st == FMB_OK) {
-        st = fmb_query_load(q, &w.p, true, &e);
-        if (st == FMB_OK)
-            st = find_outer_optimum(q, &w.p, &e, k);
-        fmb_elim_clear(&e);
-    }
-    drop_weight_of_goal_row(k, &w.p);
-    fmb_objective_column_clear(&w);
-    fmb_arena_rewind(&q->v->arena, place);
+    fmb_status st = find_in_store(q, g, part, k, find_outer_optimum);
     return st == FMB_LIMIT ? FMB_OK : st;
 }

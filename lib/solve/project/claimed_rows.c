@@ -123,31 +123,11 @@ static fmb_status append_claim(fmb_claimed_rows *c, mpz_t *z, fmb_rel rel, const
 
 /* ---- rows ------------------------------------------------------------------------------------ */
 
-static fmb_status append_row(fmb_claimed_rows *c, mpz_t *z, fmb_rel rel)
-{
-    fmb_mem *mem = c->q->run.mem;
-    size_t n = (size_t)fmb_system_dim(c->image), terms = 0;
-    int *column = fmb_mem_get(mem, n, sizeof *column);
-    mpz_t *value = column ? fmb_vec_block(n + 2, mem) : NULL;
-    fmb_status st = value ? FMB_OK : fmb_mem_status(mem);
-    for (size_t j = 0; value && j < n; j++)
-        if (mpz_sgn(z[j]) != 0) {
-            column[terms] = (int)j;
-            mpz_set(value[terms++], z[j]);
-        }
-    if (value) {
-        mpz_set(value[terms], z[n]);
-        mpz_set_ui(value[terms + 1], 1);
-        st = fmb_system_append(c->image, terms, column, value, rel);
-    }
-    fmb_vec_block_free(value, n + 2, mem);
-    fmb_mem_put(mem, column, n, sizeof *column);
-    return st;
-}
-
 fmb_status fmb_claimed_rows_append(fmb_claimed_rows *c, mpz_t *z, fmb_rel rel, const fmb_weights *w)
 {
-    fmb_status st = append_row(c, z, rel);
+    const fmb_vec row = {.z = z};
+    fmb_status st = fmb_system_append_dense(c->image, (size_t)fmb_system_dim(c->image), NULL, NULL,
+                                            &row, rel, c->q->run.mem);
     if (st != FMB_OK)
         return st;
     st = append_claim(c, z, rel, w);

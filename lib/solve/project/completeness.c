@@ -214,19 +214,8 @@ static fmb_status satisfy_checker(completeness_proof *w, size_t claim)
 static fmb_status claim_complete(completeness_proof *w)
 {
     fmb_claim *claim;
-    fmb_evidence *e = w->q->claims;
-    mpq_t one;
-    fmb_status st = fmb_evidence_claim(e, FMB_CLAIM_WHOLE, &claim);
-    if (st != FMB_OK)
-        return st;
-    mpq_init(one);
-    mpq_set_ui(one, 1, 1);
-    for (int j = 0; st == FMB_OK && j < e->dim; j++)
-        if (w->place[j] >= 0)
-            st = fmb_evidence_push(e, &claim->terms, (size_t)j, one);
-    mpq_clear(one);
-    st = fmb_query_finish_claim(w->q, st);
-    return st == FMB_OK ? satisfy_checker(w, (size_t)(claim - e->claim)) : st;
+    fmb_status st = fmb_query_claim_whole(w->q, w->place, &claim);
+    return st == FMB_OK ? satisfy_checker(w, (size_t)(claim - w->q->claims->claim)) : st;
 }
 
 static void drop_claims(completeness_proof *w)

@@ -43,37 +43,16 @@ typedef struct closure {
     fmb_fate *fate;
 } closure;
 
-/* The columns that inequalities name, n of them: place[], -1 for others. */
-static int *place_nonzero_columns(const face_search *f, size_t *n)
-{
-    const fmb_system *image = f->c->image;
-    int *place = fmb_arena_get(f->arena, f->n, sizeof *place);
-    for (size_t j = 0; place && j < f->n; j++)
-        place[j] = -1;
-    for (size_t i = 0; place && i < image->rows; i++)
-        for (size_t k = 0; image->row[i].rel != FMB_EQ && k < image->row[i].nnz; k++)
-            place[image->row[i].var[k]] = 0;
-    for (size_t j = 0; place && j < f->n; j++)
-        if (place[j] == 0)
-            place[j] = (int)(*n)++;
-    return place;
-}
-
-static fmb_status close_row(const face_search *f, const fmb_sysrow *r, const int *place, size_t n,
-                            mpz_t *z, fmb_lp_row *out)
+static fmb_status close_row(const face_search *f, const fmb_sysrow *r, mpz_t *z, fmb_lp_row *out)
 {
     fmb_vec *v = fmb_arena_get(f->arena, 1, sizeof *v);
-    int64_t *s = fmb_arena_get(f->arena, n + 1, sizeof *s);
+    int64_t *s = fmb_arena_get(f->arena, f->n + 1, sizeof *s);
     if (!v || !s)
         return fmb_mem_status(f->arena->mem);
     *v = (fmb_vec){.s = s};
     *out = (fmb_lp_row){v, FMB_LE};
-    for (size_t j = 0; j <= n; j++)
-        mpz_set_ui(z[j], 0);
-    for (size_t k = 0; k < r->nnz; k++)
-        fmb_vec_get(&r->val, k, z[place[r->var[k]]]);
-    fmb_vec_get(&r->val, r->nnz, z[n]);
-    return fmb_vec_set_z(v, n + 1, z, f->arena->mem);
+    fmb_sysrow_expand(r, f->n, z);
+    return fmb_vec_set_z(v, f->n + 1, z, f->arena->mem);
 }
 
 /* Close it in any case. */
@@ -81,20 +60,19 @@ static fmb_status open_closure(closure *o, const face_search *f)
 {
     const fmb_system *image = f->c->image;
     fmb_integers z = {0};
-    *o = (closure){0};
+    *o = (closure){.n = f->n};
     o->row = fmb_arena_get(f->arena, image->rows, sizeof *o->row);
     o->lp = fmb_arena_get(f->arena, image->rows, sizeof *o->lp);
     o->fate = fmb_arena_get(f->arena, image->rows, sizeof *o->fate);
-    const int *place = place_nonzero_columns(f, &o->n);
-    if (!o->row || !o->lp || !o->fate || !place)
+    if (!o->row || !o->lp || !o->fate)
         return fmb_mem_status(f->arena->mem);
-    fmb_status st = fmb_integers_init(&z, o->n + 1, f->arena->mem);
+    fmb_status st = fmb_integers_init(&z, f->n + 1, f->arena->mem);
     for (size_t i = 0; st == FMB_OK && i < image->rows; i++) {
         if (image->row[i].rel == FMB_EQ)
             continue;
         o->row[o->m] = i;
         o->fate[o->m] = FMB_FATE_UNKNOWN;
-        st = close_row(f, &image->row[i], place, o->n, z.z, &o->lp[o->m]);
+        st = close_row(f, &image->row[i], z.z, &o->lp[o->m]);
         o->m += st == FMB_OK;
     }
     fmb_integers_clear(&z, f->arena->mem);

@@ -216,25 +216,30 @@ static void close_order_proof(order_proof *w)
     fmb_mem_put(mem, w->variable, (size_t)fmb_system_dim(w->image), sizeof *w->variable);
 }
 
-static fmb_status claim_order(order_proof *w)
+fmb_status fmb_query_claim_whole(fmb_query *q, const int *place, fmb_claim **out)
 {
-    fmb_evidence *e = w->q->claims;
-    fmb_claim *claim;
     mpq_t one;
-    const char *why;
-    const fmb_unsaid unsaid = {claim_unsaid_row, w};
-    fmb_status st = fmb_evidence_claim(e, FMB_CLAIM_WHOLE, &claim);
+    fmb_status st = fmb_evidence_claim(q->claims, FMB_CLAIM_WHOLE, out);
     if (st != FMB_OK)
         return st;
     mpq_init(one);
     mpq_set_ui(one, 1, 1);
-    for (int j = 0; st == FMB_OK && j < e->dim; j++)
-        if (w->place[j] >= 0)
-            st = fmb_evidence_push(e, &claim->terms, (size_t)j, one);
+    for (int j = 0; st == FMB_OK && j < q->claims->dim; j++)
+        if (place[j] >= 0)
+            st = fmb_evidence_push(q->claims, &(*out)->terms, (size_t)j, one);
     mpq_clear(one);
+    return fmb_query_finish_claim(q, st);
+}
+
+static fmb_status claim_order(order_proof *w)
+{
+    fmb_evidence *e = w->q->claims;
+    fmb_claim *claim;
+    const char *why;
+    const fmb_unsaid unsaid = {claim_unsaid_row, w};
+    fmb_status st = fmb_query_claim_whole(w->q, w->place, &claim);
     if (st == FMB_OK)
-        st = eliminate_all(w, claim, &w->done);
-    st = fmb_query_finish_claim(w->q, st);
+        st = fmb_query_finish_claim(w->q, eliminate_all(w, claim, &w->done));
     if (st != FMB_OK || !w->done)
         return st;
     st = fmb_by_elimination_match(&w->of, e, &e->claim[w->first], &unsaid, &why);

@@ -4,6 +4,10 @@
 
 #include "solve/query/solver.h"
 
+/* A claim WHOLE more, which names the variables with place[dim] >= 0 and proves nothing yet.
+ * Errors: MEMORY, LIMIT. */
+fmb_status fmb_query_claim_whole(fmb_query *q, const int *place, fmb_claim **out);
+
 /* image is the projection on the variables with place[dim] >= 0, and its claims are the last. Add a
  * claim WHOLE that tells the order, and claims FOLLOWS for rows that are left beside those of the
  * image: *done; or leave the claims as they were, if that takes more work (proof/elimination.h).

@@ -199,25 +199,7 @@ static fmb_status claim_derived_row(fmb_query *q, const fmb_part *p, const fmb_e
 fmb_status fmb_query_append_row(fmb_query *q, const fmb_part *p, const fmb_vec *row, fmb_rel rel,
                                 const int *place, fmb_system *out)
 {
-    size_t n = (size_t)p->n, terms = 0;
-    fmb_mem *mem = q->run.mem;
-    mpz_t *z = fmb_vec_block(n + 2, mem);
-    int *var = fmb_mem_get(mem, n, sizeof *var);
-    fmb_status st = z && var ? FMB_OK : fmb_mem_status(mem);
-    for (size_t j = 0; st == FMB_OK && j < n; j++) {
-        if (fmb_vec_sgn(row, j) == 0)
-            continue;
-        var[terms] = place[p->var[j]];
-        fmb_vec_get(row, j, z[terms++]);
-    }
-    if (st == FMB_OK) {
-        fmb_vec_get(row, n, z[terms]);
-        mpz_set_ui(z[terms + 1], 1);
-        st = fmb_system_append(out, terms, var, z, rel);
-    }
-    fmb_vec_block_free(z, n + 2, mem);
-    fmb_mem_put(mem, var, n, sizeof *var);
-    return st;
+    return fmb_system_append_dense(out, (size_t)p->n, p->var, place, row, rel, q->run.mem);
 }
 
 fmb_status fmb_query_put_row(fmb_query *q, const fmb_part *p, const fmb_elim *e, uint32_t r,
