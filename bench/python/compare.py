@@ -97,7 +97,7 @@ def cell(key, lines, seconds):
 
 
 def table(tasks, modules, lines):
-    ahead = {key: [0, 0, 0] for key in lines if key != "fmb"}
+    ahead = {key: [0, 0, 0, 0] for key in lines if key != "fmb"}  # lines, time, both, timed
     yield "| | " + " | ".join(LIBRARIES[key][0] for key in lines) + " |"
     yield "|---|" + "---:|" * len(lines)
     for name, question, given, judge in tasks:
@@ -109,15 +109,15 @@ def table(tasks, modules, lines):
                                              for key, own in lines.items()) + " |"
         for key, counts in ahead.items():
             shorter = name not in lines[key] or lines["fmb"][name] <= lines[key][name]
-            faster = key not in seconds or seconds["fmb"] <= seconds[key]
+            faster = key in seconds and seconds["fmb"] <= seconds[key]
             counts[0] += shorter
             counts[1] += faster
             counts[2] += shorter and faster
-    yield "| **no more lines than it** | | " + " | ".join(f"{c[0]} of {len(tasks)}" for c in ahead.values()) + " |"
-    yield "| **no more time** | | " + " | ".join(
-        f"{c[1]} of {len(tasks)}" if modules[key] else "–" for key, c in ahead.items()) + " |"
-    yield "| **both** | | " + " | ".join(f"{c[2]} of {len(tasks)}" if modules[key] else "–"
-                                      for key, c in ahead.items()) + " |"
+            counts[3] += key in seconds
+    for word, place in (("no more lines", 0), ("no more time", 1), ("both", 2)):
+        yield f"| **{word}** | | " + " | ".join(
+            f"{c[place]} of {len(tasks) if place == 0 else c[3]}" if place == 0 or c[3] else "not run"
+            for c in ahead.values()) + " |"
 
 
 def main():
