@@ -19,7 +19,7 @@ def links(document):
 
 
 def documents():
-    return [root / "README.md", root / "bench/README.md", *sorted((root / "docs").rglob("*.md"))]
+    return [root / "README.md", root / "bench/README.md", root / "bindings/wasm/README.md", *sorted((root / "docs").rglob("*.md"))]
 
 
 def broken_in_sources():

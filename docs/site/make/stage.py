@@ -16,7 +16,8 @@ NAMED = re.compile(r"\[([\w/.-]+\.md)\]\(\1\)")
 ANCHOR = re.compile(r'^<a id="([^"]*)"></a>', re.M)
 LINK = re.compile(r"(\]\()([^)#\s]*)((?:#[^)\s]*)?\))")
 # Documents of the tree that the site has under other names, or says in another page.
-MOVED = {"README.md": "index.md", "bench/README.md": "background/bench.md"}
+MOVED = {"README.md": "index.md", "bench/README.md": "background/bench.md",
+         "bindings/wasm/README.md": "guide/browser.md", "bindings/wasm/npm/README.md": "guide/npm.md"}
 
 
 def place(root, path):
