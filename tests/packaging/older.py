@@ -1,6 +1,6 @@
 """Programs compiled with the headers on record run with today's library: what a user built on the release before goes on.
 older.py record ROOT RECORD                        records headers and programs of the sources at ROOT
-older.py run RECORD COMPILER LIBRARY JUDGE [FMB]   JUDGE is bindings.py of tests/cli, FMB the command
+older.py run RECORD LIBRARY JUDGE FMB COMPILER...  JUDGE is bindings.py of tests/cli, FMB the command, or - for none
 The same day as the binary interface (abi.py): ninja abi-record does both."""
 
 import pathlib
@@ -36,18 +36,18 @@ def call(*command, **more):
     return done.stdout
 
 
-def run(folder, compiler, library, judge, *fmb):
+def run(folder, library, judge, fmb, *compiler):
     flags = ["-std=c11", "-Wall", "-Werror", "-I", folder / "include"]
     program = folder / "docs/examples/bindings/rows.c"
-    call(compiler, *flags, program, "-o", folder / "rows", library, "-lgmp")
+    call(*compiler, *flags, program, "-o", folder / "rows", library, "-lgmp")
     environment = {"LD_LIBRARY_PATH": str(pathlib.Path(library).parent), "PATH": "/usr/bin:/bin"}
     call(sys.executable, "-B", judge, program, folder / "rows", env=environment)
     print("a program of the headers on record: as it was")
-    if fmb:
+    if fmb != "-":
         rule = folder / "same_rows.so"
         sources = sorted((folder / "docs/examples/rules").glob("*.c"))
-        call(compiler, *flags, "-shared", "-fPIC", *sources, "-o", rule)
-        said = call(*fmb, "solve", "--method", "fm", "--rule-library", rule, "--rules", "same-rows",
+        call(*compiler, *flags, "-shared", "-fPIC", *sources, "-o", rule)
+        said = call(fmb, "solve", "--method", "fm", "--rule-library", rule, "--rules", "same-rows",
                     folder / "docs/examples/breakfast.fmb")
         if not said.startswith("feasible\n"):
             sys.exit(f"with a rule of the headers on record: {said}")
