@@ -482,7 +482,7 @@ def _parse(source: str | bytes, format: str, name: str | None = None) -> Any:
         _place(source, split, where)
     parsed(status, where, name)
     for told in warned:
-        warnings.warn(f"{name}:{told}" if name else told, ParseWarning, stacklevel=4)
+        warnings.warn(f"{name}:{told}" if name else told, ParseWarning, stacklevel=3)
     return owned("fmb_system", out[0])
 
 
