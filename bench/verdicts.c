@@ -1,6 +1,6 @@
-/* tiny.c: verdicts on bench-tiny's problems, timed: built here and for WebAssembly, so that both
+/* verdicts.c: verdicts on bench-tiny's problems, timed: built here and for WebAssembly, so that both
  * can be compared. All systems are made first; a pass asks each once, with one solver and no
- * evidence. The median of several passes, in processor time, for each kind and for all. usage: tiny
+ * evidence. The median of several passes, in processor time, for each kind and for all. usage: verdicts
  * [PASSES [PAIRS]] */
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,7 +12,7 @@
 
 #include <fmb/fmb.h>
 
-#include "bench/shapes.h"
+#include "shapes.h"
 
 typedef struct item {
     char kind[16];
