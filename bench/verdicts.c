@@ -1,7 +1,7 @@
-/* verdicts.c: verdicts on bench-tiny's problems, timed: built here and for WebAssembly, so that both
- * can be compared. All systems are made first; a pass asks each once, with one solver and no
- * evidence. The median of several passes, in processor time, for each kind and for all. usage: verdicts
- * [PASSES [PAIRS]] */
+/* verdicts.c: verdicts on bench-tiny's problems, timed: built here and for WebAssembly, so that
+ * both can be compared. All systems are made first; a pass asks each once, with one solver and no
+ * evidence. The median of several passes, in processor time, for each kind and for all. usage:
+ * verdicts [PASSES [PAIRS]] */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
