@@ -96,11 +96,11 @@ Test(anytime, bounds_under_every_limit)
 {
     fmb_system *s = boxed_rows();
     for (int way = 0; way < 4; way++) {
-        for (size_t rows = 1; rows < 1000; rows *= 4) {
+        for (size_t rows = 1; rows < 1000; rows *= 4 * WATCHED) {
             fmb_result r = {.size = sizeof r};
             fmb_system_free(project(s, (fmb_options){.method = METHOD[way], .max_rows = rows}, &r));
         }
-        for (size_t bytes = 1 << 16; bytes < 1 << 20; bytes *= 4) {
+        for (size_t bytes = 1 << 16; bytes < 1 << 20; bytes *= 4 * WATCHED) {
             fmb_result r = {.size = sizeof r};
             fmb_system_free(
                 project(s, (fmb_options){.method = METHOD[way], .max_bytes = bytes}, &r));

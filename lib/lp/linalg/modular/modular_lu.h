@@ -1,15 +1,15 @@
 /* modular_lu.h: sparse LU factors modulo p of a square matrix of integers, with rank.
  *
- * Pivots are taken by Markowitz's rule (markowitz.h) while there are zeros enough, and as long as one
- * is alone in its row or column: bases of linear programs are nearly triangular. What is left is
- * dense, and factored as such (dense_lu.h).
+ * Pivots are taken by Markowitz's rule (markowitz.h) while there are zeros enough, and as long as
+ * one is alone in its row or column: bases of linear programs are nearly triangular. What is left
+ * is dense, and factored as such (dense_lu.h).
  *
  * Order: pivot k stands in row row_at[k] and column column_at[k]; in that order the matrix is lower
  * times upper. Pivots from `rank` on are none: rows that depend on others, beside columns left
  * over. They are factored as if row row_at[k] were the unit vector of column_at[k].
  *
- * A pivot that is alone in its row, when it is taken, names columns of such pivots before it and its
- * own; one that is alone in its column, any. So if all pivots are of these kinds, the matrix is
+ * A pivot that is alone in its row, when it is taken, names columns of such pivots before it and
+ * its own; one that is alone in its column, any. So if all pivots are of these kinds, the matrix is
  * triangular in the order of `turn`: those of rows, in order, then those of columns, backwards.
  */
 #ifndef FMB_LP_MODULAR_LU_H
