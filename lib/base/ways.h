@@ -49,9 +49,7 @@
         "lp/redundancy/ray_shooting/polar_points lp/redundancy/ray_shooting/polar_points_open "    \
         "lp/redundancy/ray_shooting/ray lp/redundancy/ray_shooting/spatial_blocks "                \
         "lp/redundancy/result_log lp/redundancy/ray_shooting/membership "                          \
-        "lp/redundancy/ray_shooting/membership_ask lp/redundancy/ray_shooting/membership_basis "   \
-        "lp/redundancy/ray_shooting/membership_private "                                           \
-        "lp/redundancy/ray_shooting/membership_walk lp/redundancy/ray_shooting/centre",            \
+        "lp/redundancy/ray_shooting/centre",                                                       \
         "redundancy: rows seen from a point inside")                                               \
     WAY(ACTIVE_SET, "active set",                                                                  \
         "lp/redundancy/active_set/implied lp/redundancy/active_set/active_set "                    \

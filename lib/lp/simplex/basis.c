@@ -17,7 +17,10 @@ fmb_status fmb_basis_init(fmb_basis *b, fmb_mem *mem, const fmb_kernels *kernels
     b->normal = fmb_mem_zero(mem, d, sizeof *b->normal);
     b->entry = fmb_mem_get(mem, d, sizeof *b->entry);
     b->rest = fmb_mem_get(mem, d, sizeof *b->rest);
-    if (!b->basic || !b->old || !b->edge || !b->value || !b->normal || !b->entry || !b->rest)
+    b->length = fmb_mem_get(mem, d, sizeof *b->length);
+    b->is_mirrored = fmb_mem_zero(mem, d, sizeof *b->is_mirrored);
+    if (!b->basic || !b->old || !b->edge || !b->value || !b->normal || !b->entry || !b->rest ||
+        !b->length || !b->is_mirrored)
         return fmb_mem_status(mem);
     if (st == FMB_OK)
         fmb_basis_restart(b, d);
@@ -31,6 +34,9 @@ static void free_columns(fmb_basis *b)
     fmb_mem_put(b->mem, b->is_high, b->capacity, sizeof *b->is_high);
     fmb_mem_put(b->mem, b->is_basic, b->capacity, sizeof *b->is_basic);
     fmb_mem_put(b->mem, b->price, b->capacity, sizeof *b->price);
+    fmb_mem_put(b->mem, b->gain, b->capacity, sizeof *b->gain);
+    fmb_mem_put(b->mem, b->candidate, b->capacity, sizeof *b->candidate);
+    fmb_mem_put(b->mem, b->cost, b->capacity, sizeof *b->cost);
 }
 
 void fmb_basis_clear(fmb_basis *b)
@@ -46,6 +52,8 @@ void fmb_basis_clear(fmb_basis *b)
     fmb_mem_put(b->mem, b->normal, b->most_d, sizeof *b->normal);
     fmb_mem_put(b->mem, b->entry, b->most_d, sizeof *b->entry);
     fmb_mem_put(b->mem, b->rest, b->most_d, sizeof *b->rest);
+    fmb_mem_put(b->mem, b->length, b->most_d, sizeof *b->length);
+    fmb_mem_put(b->mem, b->is_mirrored, b->most_d, sizeof *b->is_mirrored);
 }
 
 /* Columns lie by row, so each row moves. */
@@ -58,7 +66,11 @@ fmb_status fmb_basis_reserve(fmb_basis *b, size_t capacity)
     b->is_high = fmb_mem_get(b->mem, capacity, sizeof *b->is_high);
     b->is_basic = fmb_mem_get(b->mem, capacity, sizeof *b->is_basic);
     b->price = fmb_mem_get(b->mem, capacity, sizeof *b->price);
-    if (!b->at || !b->range || !b->is_high || !b->is_basic || !b->price) {
+    b->gain = fmb_mem_get(b->mem, capacity, sizeof *b->gain);
+    b->cost = fmb_mem_get(b->mem, capacity, sizeof *b->cost);
+    b->candidate = fmb_mem_get(b->mem, capacity, sizeof *b->candidate);
+    if (!b->at || !b->range || !b->is_high || !b->is_basic || !b->price || !b->gain || !b->cost ||
+        !b->candidate) {
         fmb_status st = fmb_mem_status(b->mem);
         free_columns(b);
         *b = old;
@@ -70,6 +82,8 @@ fmb_status fmb_basis_reserve(fmb_basis *b, size_t capacity)
         memcpy(b->range, old.range, old.size * sizeof *b->range);
         memcpy(b->is_high, old.is_high, old.size * sizeof *b->is_high);
         memcpy(b->is_basic, old.is_basic, old.size * sizeof *b->is_basic);
+        memcpy(b->gain, old.gain, old.size * sizeof *b->gain);
+        memcpy(b->cost, old.cost, old.size * sizeof *b->cost);
     }
     free_columns(&old);
     return FMB_OK;
@@ -77,20 +91,11 @@ fmb_status fmb_basis_reserve(fmb_basis *b, size_t capacity)
 
 /* ---- columns --------------------------------------------------------------------------------- */
 
-/* Unit vectors fill the basis. */
-static void start_from_unit_vectors(fmb_basis *b)
-{
-    fmb_dense_inverse_restart(&b->inverse, b->d);
-    for (size_t k = 0; k < b->d; k++)
-        b->basic[k] = SIZE_MAX;
-    b->pivots = 0;
-}
-
 void fmb_basis_restart(fmb_basis *b, size_t d)
 {
     b->d = d;
     b->size = b->highs = 0;
-    start_from_unit_vectors(b);
+    fmb_basis_empty(b);
 }
 
 fmb_status fmb_basis_add(fmb_basis *b, const double *v, fmb_range range)
@@ -103,12 +108,25 @@ fmb_status fmb_basis_add(fmb_basis *b, const double *v, fmb_range range)
     for (size_t k = 0; k < b->d; k++)
         b->at[k * b->capacity + b->size] = v[k];
     b->range[b->size] = (uint8_t)range;
+    b->cost[b->size] = b->gain[b->size] = 0;
     b->is_high[b->size] = b->is_basic[b->size] = false;
     b->size++;
     return FMB_OK;
 }
 
 /* ---- the basis ------------------------------------------------------------------------------- */
+
+void fmb_basis_empty(fmb_basis *b)
+{
+    fmb_dense_inverse_restart(&b->inverse, b->d);
+    memset(b->is_basic, 0, b->size * sizeof *b->is_basic);
+    for (size_t k = 0; k < b->d; k++) {
+        b->basic[k] = SIZE_MAX;
+        b->length[k] = 1;
+        b->inverse.at[k * b->d + k] = b->is_mirrored[k] ? -1 : 1;
+    }
+    b->pivots = 0;
+}
 
 void fmb_basis_write(fmb_basis *b, size_t j)
 {
@@ -146,10 +164,7 @@ bool fmb_basis_span(fmb_basis *b, size_t j, double least)
 void fmb_basis_invert(fmb_basis *b)
 {
     memcpy(b->old, b->basic, b->d * sizeof *b->old);
-    start_from_unit_vectors(b);
-    for (size_t k = 0; k < b->d; k++)
-        if (b->old[k] != SIZE_MAX)
-            b->is_basic[b->old[k]] = false;
+    fmb_basis_empty(b);
     for (size_t k = 0; k < b->d; k++)
         if (b->old[k] != SIZE_MAX)
             (void)fmb_basis_span(b, b->old[k], b->entry_zero);

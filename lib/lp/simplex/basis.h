@@ -26,15 +26,23 @@ typedef struct fmb_basis {
     double value_zero, entry_zero; /* less is taken for the rounding error of 0: in values and
                                       gains; in entries that are pivots */
     size_t d, most_d, size, capacity;
-    double *at;     /* [d][capacity]: number k of column j is at[k * capacity + j] */
-    uint8_t *range; /* [capacity] of fmb_range */
-    bool *is_high;  /* [capacity] stands at its upper end */
-    bool *is_basic; /* [capacity] */
-    double *price;  /* [capacity] scratch */
-    size_t *old;    /* [d] scratch */
-    size_t *basic;  /* [d] column of each place of the basis; SIZE_MAX: a unit vector, unused */
+    double *at;       /* [d][capacity]: number k of column j is at[k * capacity + j] */
+    uint8_t *range;   /* [capacity] of fmb_range */
+    bool *is_high;    /* [capacity] stands at its upper end */
+    bool *is_basic;   /* [capacity] */
+    double *price;    /* [capacity] scratch: a row of the inverse times each column */
+    double *gain;     /* [capacity] what a unit of each unknown brings, beyond the prices of rows */
+    double *cost;     /* [capacity] what a unit of each brings, where the dual method minds that */
+    bool has_cost;    /* it does, and unit vectors have to be >= 0; */
+    double enough;    /* it stops where basic unknowns bring less than this */
+    double unit_cost; /* of unit vectors */
+    bool *is_mirrored; /* [d] the unit vector of that place is its mirror image */
+    size_t *candidate; /* [capacity] scratch: columns that may come in */
+    size_t *old;       /* [d] scratch */
+    size_t *basic;     /* [d] column of each place of the basis; SIZE_MAX: a unit vector, unused */
     fmb_dense_inverse inverse; /* of the basis */
-    double *value;             /* [d] of the basic columns, after a search */
+    double *length; /* [d] squares of the lengths of the edges; 1 where there is no cost */
+    double *value;  /* [d] of the basic columns, after a search */
     double *normal; /* [d] after a failed search: it tells the target from all that is possible */
     double *edge;   /* [d] scratch: a row of the inverse */
     double *entry;  /* [d] scratch: a column, written in the basis */
@@ -61,6 +69,8 @@ bool fmb_basis_span(fmb_basis *b, size_t j, double least);
 void fmb_basis_write(fmb_basis *b, size_t j);
 /* Column j, just written, takes place r. */
 void fmb_basis_replace(fmb_basis *b, size_t r, size_t j);
+/* Unit vectors fill the basis. */
+void fmb_basis_empty(fmb_basis *b);
 /* The inverse once more, from unit vectors. */
 void fmb_basis_invert(fmb_basis *b);
 

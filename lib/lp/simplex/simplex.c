@@ -1,15 +1,18 @@
 /* simplex.c: see simplex.h.
  *
- * The search is the dual method without costs. While the value of some basic unknown is out of its
- * range, it leaves for the end that it has passed, and an unknown comes in whose own way from its
- * end brings it back there; the largest such entry keeps the numbers good. If there is none, the
- * row of the inverse is a hyperplane with all that is possible on one side and the target on the
- * other (Farkas). Consecutive targets start from each other's bases. The primal method then goes
- * from vertex to vertex by the greatest gain. Both might cycle: they give up after a number of
- * steps.
+ * The search is the dual method. While the value of some basic unknown is out of its range, it
+ * leaves for the end that it has passed, and an unknown comes in whose own way from its end brings
+ * it back there; the largest such entry keeps the numbers good. If there is none, the row of the
+ * inverse is a hyperplane with all that is possible on one side and the target on the other
+ * (Farkas). Where there is a cost, the unknown is one that keeps all gains from being positive, up
+ * to rounding, and the one that leaves is the farthest out for the length of its edge (steepest
+ * edge). Consecutive targets start from each other's bases. The primal method goes from vertex to
+ * vertex by the greatest gain. Both might cycle: they give up after a number of steps.
  *
  * Source: Dantzig 1955, Upper bounds, secondary constraints, and block triangularity; Lemke 1954,
- * The dual method of solving the linear programming problem.
+ * The dual method of solving the linear programming problem; Harris 1973, Pivot selection methods
+ * of the Devex LP code; Forrest and Goldfarb 1992, Steepest-edge simplex algorithms for linear
+ * programming.
  */
 #include "lp/simplex/simplex.h"
 
@@ -18,6 +21,8 @@
 
 /* Pivots after which errors have gathered. */
 #define STALE 100
+/* Gains may become positive by so much. */
+#define SLIP 1e-9
 
 /* ---- values ---------------------------------------------------------------------------------- */
 
@@ -40,8 +45,104 @@ static void find_values(fmb_basis *b, const double *target)
 
 static void put_at_end(fmb_basis *b, size_t j, bool high)
 {
+    if (j == SIZE_MAX)
+        return;
     b->highs += (size_t)high - (size_t)b->is_high[j];
     b->is_high[j] = high;
+}
+
+/* ---- costs ----------------------------------------------------------------------------------- */
+
+/* Does what stands at place r count? Unit vectors do if they have a cost. */
+static inline bool is_bounded(const fmb_basis *b, size_t r)
+{
+    return b->basic[r] == SIZE_MAX ? b->has_cost : b->range[b->basic[r]] != FMB_RANGE_FREE;
+}
+
+static inline bool is_unit_range(const fmb_basis *b, size_t r)
+{
+    return b->basic[r] != SIZE_MAX && b->range[b->basic[r]] == FMB_RANGE_UNIT;
+}
+
+static inline double cost_of_place(const fmb_basis *b, const double *cost, size_t r)
+{
+    return b->basic[r] == SIZE_MAX ? b->unit_cost : cost[b->basic[r]];
+}
+
+/* In four sums, so that none waits for the other. */
+static double dot_product(const double *a, const double *c, size_t d)
+{
+    double sum[4] = {0};
+    size_t k = 0;
+    for (; k + 4 <= d; k += 4)
+        for (size_t i = 0; i < 4; i++)
+            sum[i] += a[k + i] * c[k + i];
+    for (; k < d; k++)
+        sum[0] += a[k] * c[k];
+    return sum[0] + sum[1] + (sum[2] + sum[3]);
+}
+
+void fmb_simplex_find_prices(fmb_basis *b, const double *cost, double *y)
+{
+    size_t d = b->d;
+    for (size_t r = 0; r < d; r++)
+        b->entry[r] = cost_of_place(b, cost, r);
+    for (size_t k = 0; k < d; k++)
+        y[k] = dot_product(&b->inverse.at[k * d], b->entry, d);
+}
+
+/* gain = cost - y a. */
+static void find_gains(fmb_basis *b, const double *cost, const double *y)
+{
+    memcpy(b->gain, cost, b->size * sizeof *b->gain);
+    for (size_t k = 0; k < b->d; k++)
+        if (y[k] != 0)
+            b->kernels->accumulate(b->gain, &b->at[k * b->capacity], b->size, -y[k]);
+}
+
+/* Squares of the lengths of edges; four at a time, so that none waits for the other. */
+static void measure_edges(fmb_basis *b)
+{
+    size_t d = b->d, r = 0;
+    for (; r + 4 <= d; r += 4) {
+        double sum[4] = {0};
+        const double *at = &b->inverse.at[r];
+        for (size_t k = 0; k < d; k++, at += d)
+            for (size_t i = 0; i < 4; i++)
+                sum[i] += at[i] * at[i];
+        memcpy(&b->length[r], sum, sizeof sum);
+    }
+    for (; r < d; r++) {
+        b->length[r] = 0;
+        for (size_t k = 0; k < d; k++)
+            b->length[r] += b->inverse.at[k * d + r] * b->inverse.at[k * d + r];
+    }
+}
+
+/* Column j took the place of `old`, whose row of the inverse was priced. */
+static void update_gains(fmb_basis *b, size_t j, size_t old, double pivot)
+{
+    double way = fmin(b->gain[j], 0) / pivot;
+    b->kernels->accumulate(b->gain, b->price, b->size, -way);
+    b->gain[j] = 0;
+    if (old != SIZE_MAX)
+        b->gain[old] = -way;
+    measure_edges(b);
+}
+
+void fmb_simplex_measure(fmb_basis *b)
+{
+    fmb_simplex_find_prices(b, b->cost, b->rest);
+    find_gains(b, b->cost, b->rest);
+    measure_edges(b);
+}
+
+static bool is_expensive(const fmb_basis *b)
+{
+    double sum = 0;
+    for (size_t r = 0; b->has_cost && r < b->d; r++)
+        sum += cost_of_place(b, b->cost, r) * b->value[r];
+    return b->has_cost && sum < b->enough;
 }
 
 /* ---- the dual method ------------------------------------------------------------------------- */
@@ -50,40 +151,73 @@ static void put_at_end(fmb_basis *b, size_t j, bool high)
 static size_t find_leaving(const fmb_basis *b, size_t banned)
 {
     size_t worst = SIZE_MAX;
-    double most = b->value_zero;
+    double most = 0;
     for (size_t r = 0; r < b->d; r++) {
-        size_t j = b->basic[r];
         double excess = -b->value[r];
-        if (j != SIZE_MAX && j == banned)
+        if (b->basic[r] != SIZE_MAX && b->basic[r] == banned)
             excess = fabs(b->value[r]);
-        else if (j == SIZE_MAX || b->range[j] == FMB_RANGE_FREE)
+        else if (!is_bounded(b, r))
             continue;
-        else if (b->range[j] == FMB_RANGE_UNIT)
+        else if (is_unit_range(b, r))
             excess = fmax(excess, b->value[r] - 1);
-        if (excess > most) {
-            most = excess;
+        if (excess > b->value_zero && excess * excess > most * b->length[r]) {
+            most = excess * excess / b->length[r];
             worst = r;
         }
     }
     return worst;
 }
 
+/* How much column j, that may come in, helps. */
+static inline double find_help(const fmb_basis *b, size_t j, double sign)
+{
+    double a = sign * b->price[j];
+    return b->is_high[j] ? -a : b->range[j] == FMB_RANGE_FREE ? fabs(a) : a;
+}
+
+/* Columns that help by more than `least`. */
+static size_t list_candidates(fmb_basis *b, double sign, double least, size_t banned)
+{
+    size_t count = 0;
+    for (size_t j = 0; j < b->size; j++) {
+        b->candidate[count] = j;
+        count += fabs(b->price[j]) > least && find_help(b, j, sign) > 0 && !b->is_basic[j] &&
+                 j != banned && b->range[j] != FMB_RANGE_ZERO;
+    }
+    return count;
+}
+
+/* How far the gains let a column come in if they may become positive by as little as rounding
+ * errors. */
+static double find_longest_step(const fmb_basis *b, double sign, size_t candidates)
+{
+    double step = INFINITY;
+    for (size_t t = 0; b->has_cost && t < candidates; t++) {
+        size_t j = b->candidate[t];
+        double a = find_help(b, j, sign);
+        if (SLIP - b->gain[j] < step * a)
+            step = (SLIP - b->gain[j]) / a;
+    }
+    return step;
+}
+
 /* The column that best takes place r. */
 static size_t find_entering(fmb_basis *b, size_t r, size_t banned)
 {
     const double *row = b->edge;
-    double sign = b->value[r] < 0 ? -1 : 1, most = b->entry_zero;
+    double sign = b->value[r] < 0 ? -1 : 1, most = 0;
     size_t best = SIZE_MAX;
     fmb_dense_inverse_edge(&b->inverse, r, b->edge);
     memset(b->price, 0, b->size * sizeof *b->price);
     for (size_t k = 0; k < b->d; k++)
         if (row[k] != 0)
             b->kernels->accumulate(b->price, &b->at[k * b->capacity], b->size, row[k]);
-    for (size_t j = 0; j < b->size; j++) {
-        double a = sign * b->price[j];
-        if (b->range[j] == FMB_RANGE_FREE || b->is_high[j])
-            a = b->is_high[j] ? -a : fabs(a);
-        if (a > most && j != banned && !b->is_basic[j] && b->range[j] != FMB_RANGE_ZERO) {
+    size_t candidates = list_candidates(b, sign, b->entry_zero * sqrt(b->length[r]), banned);
+    double step = find_longest_step(b, sign, candidates);
+    for (size_t t = 0; t < candidates; t++) {
+        size_t j = b->candidate[t];
+        double a = find_help(b, j, sign);
+        if (a > most && (!b->has_cost || -b->gain[j] <= step * a)) {
             most = a;
             best = j;
         }
@@ -98,10 +232,14 @@ static void read_normal(fmb_basis *b, size_t r)
         b->normal[k] = sign * b->inverse.at[k * b->d + r];
 }
 
-static void pivot_columns(fmb_basis *b, size_t r, size_t j)
+/* Column j, just written, takes place r, whose own leaves for an end: all values with it. */
+static void pivot_columns(fmb_basis *b, size_t r, size_t j, double end)
 {
-    fmb_basis_write(b, j);
+    double from = b->is_high[j], way = (b->value[r] - end) / b->entry[r];
     fmb_basis_replace(b, r, j);
+    for (size_t k = 0; k < b->d; k++)
+        b->value[k] -= way * b->entry[k];
+    b->value[r] = from + way;
 }
 
 /* A column that is no longer to be used leaves the basis for whatever fits. */
@@ -115,7 +253,8 @@ static void expel_zero_columns(fmb_basis *b)
         b->value[r] = -1;
         j = j != SIZE_MAX ? j : find_entering(b, r, SIZE_MAX);
         if (j != SIZE_MAX) {
-            pivot_columns(b, r, j);
+            fmb_basis_write(b, j);
+            pivot_columns(b, r, j, 0);
         } else {
             b->is_basic[b->basic[r]] = false;
             b->basic[r] = SIZE_MAX;
@@ -124,29 +263,45 @@ static void expel_zero_columns(fmb_basis *b)
     }
 }
 
+/* Without a cost values are computed afresh before they are believed. */
 fmb_status fmb_simplex_search(fmb_basis *b, const double *target, size_t banned, fmb_run *run,
                               fmb_guess *out)
 {
     fmb_status st = FMB_OK;
+    bool fresh = true;
     *out = FMB_GUESS_NONE;
-    if (b->pivots > STALE)
+    if (b->pivots > STALE) {
         fmb_basis_invert(b);
+        if (b->has_cost)
+            fmb_simplex_measure(b);
+    }
     expel_zero_columns(b);
-    for (size_t steps = 0; st == FMB_OK && steps < 8 * b->d + 32; steps++) {
-        find_values(b, target);
-        size_t r = find_leaving(b, banned);
-        if (r == SIZE_MAX) {
-            *out = FMB_GUESS_INSIDE;
-            return FMB_OK;
+    find_values(b, target);
+    for (size_t steps = 0; st == FMB_OK && steps < 16 * b->d + 64; steps++) {
+        size_t r = is_expensive(b) ? SIZE_MAX : find_leaving(b, banned);
+        size_t j = r == SIZE_MAX ? SIZE_MAX : find_entering(b, r, banned);
+        if (j == SIZE_MAX && !fresh && !b->has_cost) {
+            find_values(b, target);
+            fresh = true;
+            continue;
         }
-        size_t j = find_entering(b, r, banned), old = b->basic[r];
         if (j == SIZE_MAX) {
-            read_normal(b, r);
-            *out = FMB_GUESS_OUTSIDE;
+            *out = r != SIZE_MAX     ? FMB_GUESS_OUTSIDE
+                   : is_expensive(b) ? FMB_GUESS_EXPENSIVE
+                                     : FMB_GUESS_INSIDE;
+            if (r != SIZE_MAX)
+                read_normal(b, r);
             return FMB_OK;
         }
-        pivot_columns(b, r, j);
-        put_at_end(b, old, old != banned && b->value[r] > 1);
+        size_t old = b->basic[r];
+        bool high = old != banned && b->value[r] > 1;
+        fmb_basis_write(b, j);
+        double pivot = b->entry[r];
+        pivot_columns(b, r, j, high);
+        put_at_end(b, old, high);
+        if (b->has_cost)
+            update_gains(b, j, old, pivot);
+        fresh = false;
         if (run)
             fmb_run_count(run, b->d * (b->size + b->d) / 4);
         st = run ? fmb_run_poll(run) : FMB_OK;
@@ -156,29 +311,13 @@ fmb_status fmb_simplex_search(fmb_basis *b, const double *target, size_t banned,
 
 /* ---- the primal method ----------------------------------------------------------------------- */
 
-/* y: the costs of the basic columns times the inverse; price = cost - y a, what a unit of each
- * unknown brings. */
-static void find_gains(fmb_basis *b, const double *cost, double *y)
-{
-    memset(y, 0, b->d * sizeof *y);
-    for (size_t r = 0; r < b->d; r++) {
-        double c = b->basic[r] == SIZE_MAX ? 0 : cost[b->basic[r]];
-        for (size_t k = 0; c != 0 && k < b->d; k++)
-            y[k] += c * b->inverse.at[k * b->d + r];
-    }
-    memcpy(b->price, cost, b->size * sizeof *b->price);
-    for (size_t k = 0; k < b->d; k++)
-        if (y[k] != 0)
-            b->kernels->accumulate(b->price, &b->at[k * b->capacity], b->size, -y[k]);
-}
-
 /* The column that gains most when it leaves its end, or SIZE_MAX. */
 static size_t find_best_gain(const fmb_basis *b)
 {
     double most = b->value_zero;
     size_t best = SIZE_MAX;
     for (size_t j = 0; j < b->size; j++) {
-        double gain = b->is_high[j] ? -b->price[j] : b->price[j];
+        double gain = b->is_high[j] ? -b->gain[j] : b->gain[j];
         if (gain > most && !b->is_basic[j]) {
             most = gain;
             best = j;
@@ -197,8 +336,18 @@ static double find_room(double value, bool is_unit, bool up, bool *high)
     return up ? *high - value : value - *high;
 }
 
-/* Move unknown j from its end until a basic one comes to an end, or j to its other one. */
-static void leave_end(fmb_basis *b, size_t j)
+/* Prices as column j, just written, takes place r. */
+static void update_prices(fmb_basis *b, size_t r, size_t j, double *y)
+{
+    double way = b->gain[j] / b->entry[r];
+    fmb_dense_inverse_edge(&b->inverse, r, b->edge);
+    for (size_t k = 0; k < b->d; k++)
+        y[k] += way * b->edge[k];
+}
+
+/* Move unknown j from its end until a basic one comes to an end, or j to its other one. False: it
+ * goes on for ever. */
+static bool leave_end(fmb_basis *b, size_t j, double *y)
 {
     bool is_unit = b->range[j] == FMB_RANGE_UNIT, high = false, end;
     double way = is_unit ? 1 : INFINITY, weight = 0;
@@ -206,10 +355,9 @@ static void leave_end(fmb_basis *b, size_t j)
     fmb_basis_write(b, j);
     for (size_t r = 0; r < b->d; r++) {
         double rise = b->is_high[j] ? b->entry[r] : -b->entry[r];
-        if (fabs(rise) < b->entry_zero || b->basic[r] == SIZE_MAX)
+        if (fabs(rise) < b->entry_zero || (b->basic[r] == SIZE_MAX && !b->has_cost))
             continue;
-        bool is_basic_unit = b->range[b->basic[r]] == FMB_RANGE_UNIT;
-        double reach = find_room(b->value[r], is_basic_unit, rise > 0, &end) / fabs(rise);
+        double reach = find_room(b->value[r], is_unit_range(b, r), rise > 0, &end) / fabs(rise);
         if (reach == INFINITY || reach > way || (reach == way && fabs(rise) < weight))
             continue;
         way = reach;
@@ -219,22 +367,32 @@ static void leave_end(fmb_basis *b, size_t j)
     }
     if (place != SIZE_MAX) {
         size_t old = b->basic[place];
-        fmb_basis_replace(b, place, j);
+        update_prices(b, place, j, y);
+        pivot_columns(b, place, j, high);
         put_at_end(b, old, high);
     } else if (is_unit) {
+        for (size_t r = 0; r < b->d; r++)
+            b->value[r] += b->is_high[j] ? b->entry[r] : -b->entry[r];
         put_at_end(b, j, !b->is_high[j]);
     }
+    return place != SIZE_MAX || is_unit;
 }
 
 bool fmb_simplex_maximize(fmb_basis *b, const double *target, const double *cost, double *y)
 {
-    for (size_t steps = 0; steps < 16 * b->size; steps++) {
+    bool goes_on = true;
+    size_t j = 0, steps = 0;
+    fmb_simplex_find_prices(b, cost, y);
+    for (; goes_on && steps <= 16 * b->size; steps++) {
         find_gains(b, cost, y);
-        size_t j = find_best_gain(b);
+        j = find_best_gain(b);
         if (j == SIZE_MAX)
-            return true;
-        leave_end(b, j);
-        find_values(b, target);
+            break;
+        goes_on = leave_end(b, j, y);
     }
-    return false;
+    if (steps > 0) {
+        find_values(b, target);
+        fmb_simplex_find_prices(b, cost, y);
+    }
+    return j == SIZE_MAX;
 }

@@ -56,9 +56,9 @@ static bool check_inside(const cloud *p, const fmb_membership *g, const double *
 static void check_outside(const cloud *p, const fmb_membership *g, const double *q, const bool *in)
 {
     double error = 1e-6 + 1e-13 * g->cube;
-    cr_assert_gt(times(p, g->w, q), 1 - error);
+    cr_assert_gt(times(p, g->way, q), 1 - error);
     for (size_t j = 0; j < p->n; j++)
-        cr_assert(!in[j] || times(p, g->w, p->at[j]) < 1 + error);
+        cr_assert(!in[j] || times(p, g->way, p->at[j]) < 1 + error);
 }
 
 /* Points come and are forgotten between questions. */

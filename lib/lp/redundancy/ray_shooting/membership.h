@@ -10,27 +10,26 @@
 #define FMB_LP_MEMBERSHIP_H
 
 #include "base/mem.h"
-#include "lp/simplex/basis.h"
-#include "trace/run.h"
+#include "lp/simplex/simplex.h"
 
 typedef enum fmb_side_of_hull {
     FMB_HULL_NONE = 0, /* no answer: the search was stuck */
     FMB_HULL_INSIDE,   /* value of the basic points: sum_r value[r] (point r) = q, sum <= 1 */
-    FMB_HULL_OUTSIDE   /* w.q > 1, and w.q_j <= 1 for every point */
+    FMB_HULL_OUTSIDE   /* way.q > 1, and way.q_j <= 1 for every point */
 } fmb_side_of_hull;
 
-/* Points are numbered as they come. So that there always is a vertex, w stays in a large cube as
- * well: its walls are artificial points, which have no number. */
+/* So that there always is a vertex, w begins in the corner of a large cube: unit vectors, or their
+ * mirror images, that each cost as much as `cube` points. */
 typedef struct fmb_membership {
-    fmb_basis basis; /* of points; FMB_MEMBERSHIP_ARTIFICIALS and more in it are artificial */
+    fmb_basis basis; /* of points */
     size_t n;
-    double cube;     /* |w_k| <= cube */
-    double zero;     /* values below 0 by no more are taken for 0 */
-    size_t *name;    /* [name_room] whatever the caller calls a point */
-    double *reduced; /* [reduced_room] 1 - w.q_j */
-    size_t name_room, reduced_room;
-    double *length; /* [n] squares of the lengths of the edges */
-    double *w;      /* [n] */
+    double cube;  /* |w_k| at first */
+    double zero;  /* values below 0 by no more are taken for 0 */
+    size_t *name; /* [name_room] whatever the caller calls a point */
+    size_t name_room;
+    double *w;      /* [n] the vertex */
+    double *way;    /* [n] that, or a point beyond if it may go on for ever; else scratch */
+    bool is_broken; /* the vertex may be beyond the hyperplane of a point */
 } fmb_membership;
 
 /* No points, of n numbers. Errors: MEMORY, LIMIT. In any case fmb_membership_clear it. */
@@ -47,7 +46,10 @@ void fmb_membership_resize_cube(fmb_membership *g, double cube);
 /* Is q in the hull? run may be NULL. Errors: LIMIT. */
 fmb_status fmb_membership_ask(fmb_membership *g, const double *q, fmb_run *run,
                               fmb_side_of_hull *out);
-/* The caller's name of the point at place r of the basis; SIZE_MAX: artificial. */
-size_t fmb_membership_name(const fmb_membership *g, size_t r);
+/* The caller's name of the point at place r of the basis; SIZE_MAX: a unit vector. */
+static inline size_t fmb_membership_name(const fmb_membership *g, size_t r)
+{
+    return g->basis.basic[r] == SIZE_MAX ? SIZE_MAX : g->name[g->basis.basic[r]];
+}
 
 #endif

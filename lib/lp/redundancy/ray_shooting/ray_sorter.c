@@ -285,7 +285,7 @@ static fmb_status ask_about_row(fmb_ray_sorter *s, size_t i, bool *progress)
         st = prove_or_look_closer(s, i, &side);
     if (st != FMB_OK || side == FMB_HULL_NONE || s->fate[i] != FMB_FATE_UNKNOWN)
         return st;
-    return shoot_for_vertex(s, s->membership.w, progress);
+    return shoot_for_vertex(s, s->membership.way, progress);
 }
 
 /* Most vertices are farther in their own directions than those known by then. */
