@@ -168,6 +168,10 @@ export interface Judgement {
 export type Frame =
   | { type: "cuboid" | "simplex" | "triangle" | "tetrahedron"; orig: number[]; comp: number[][]; vel?: number[] }
   | { type: "cuboid" | "simplex" | "triangle" | "tetrahedron"; points: number[][]; vel?: number[] };
+/** The same with numbers that may be text, "3/5". */
+export type ExactFrame =
+  | { type: Frame["type"]; orig: Exact[]; comp: Exact[][]; vel?: Exact[] }
+  | { type: Frame["type"]; points: Exact[][]; vel?: Exact[] };
 export type Contact = "closed" | "open";
 export type Norm = "euclidean" | "max";
 type Interval = [lower: number, upper: number];
@@ -216,8 +220,8 @@ export interface Library {
   check(from: SystemLike, proof: string): Judgement;
   intersect(a: Frame, b: Frame, options?: { contact?: Contact }): Meeting;
   /** Bounds of x1, x2, ... and of the time t over the common points, as fractions. */
-  exactBox(a: Frame, b: Frame, options?: Options & { contact?: Contact }): Bounds;
-  systemOfFrames(a: Frame, b: Frame, options?: { contact?: Contact }): System;
+  exactBox(a: ExactFrame, b: ExactFrame, options?: Options & { contact?: Contact }): Bounds;
+  systemOfFrames(a: ExactFrame, b: ExactFrame, options?: { contact?: Contact }): System;
   distance(a: Frame, b: Frame, options?: Options & { norm?: Norm }):
     Answer & { length?: number; measure?: Fraction; points?: Fraction[][]; time?: Fraction };
   depth(a: Frame, b: Frame, options?: Options & { norm?: Norm }):

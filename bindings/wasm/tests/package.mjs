@@ -8,6 +8,8 @@ import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 
+const FRAMES = readFileSync(new URL("../../../docs/examples/frames.jsonl", import.meta.url), "utf8");
+
 const tests = {
   "the first page's example"({ solve }) {
     const answer = solve("x + y <= 3\n2y < x - 4");
@@ -82,6 +84,14 @@ const tests = {
     assert.equal(common(train, near).vertices.length, 4);
     assert.equal(intersect(train, { ...still, orig: [4, 0] }, { contact: "open" }).meet, false);
     assert.equal(intersect({ type: "triangle", points: [[0, 0], [1, 0], [0, 1]] }, train).meet, true);
+  },
+
+  "the README's frames, whose decimals are exact"({ exactBox }) {
+    const ends = ({ box }) => box && ["x1", "x2", "t"].filter((name) => name in box).map((name) => `${box[name].lower.value} ${box[name].upper.value}`).join(", ");
+    const decimal = (x) => (Array.isArray(x) ? x.map(decimal) : typeof x === "number" ? String(x) : x);
+    const exactly = (frame) => Object.fromEntries(Object.entries(frame).map(([name, value]) => [name, decimal(value)]));
+    const found = FRAMES.trim().split("\n").map((line) => JSON.parse(line)).map(({ id, A, B }) => [id, ends(exactBox(exactly(A), exactly(B)))]);
+    assert.deepEqual(found, [["tile and wedge", "2 131/38, 1 27/11"], ["neighbours", "1 1, 1/2 1"], ["train and car", "3 4, 3/5 1, 3/4 1"], ["ships at night", null]]);
   },
 
   "meshes"({ mesh, meshMeet }) {

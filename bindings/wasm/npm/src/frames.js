@@ -2,14 +2,13 @@
 // {type, orig, comp, vel}, or {type, points}.
 import { FmbError, must } from "./memory.js";
 import { number, query, VERDICTS } from "./solver.js";
-import { System } from "./system.js";
+import { System, exact } from "./system.js";
 import { bounds, readGenerators } from "./questions.js";
 
 const SHAPES = { cuboid: 0, simplex: 1, triangle: 1, tetrahedron: 1 };
 const BY_CORNERS = 2; // added to a shape
 const CONTACTS = { closed: 0, open: 1 };
 const NORMS = { euclidean: 0, max: 1 };
-const COORDINATES_ALL = 3;
 
 function wordIn(table, word, what) {
   if (word in table) return table[word];
@@ -73,12 +72,29 @@ export function intersect(memory, a, b, { contact = "closed" } = {}) {
   });
 }
 
-// The system that says where they meet: the point x1, x2, ..., coordinates in both frames, the time.
+// A frame with its numbers as exact texts, in the form of a line that `fmb intersect` reads.
+function exactFrame({ type, ...parts }) {
+  const texts = (list) => list.map((x) => (Array.isArray(x) ? texts(x) : exact(x)));
+  const given = Object.entries(parts).filter(([, list]) => list).map(([name, list]) => [name, texts(list)]);
+  return { type: type === "triangle" ? "simplex" : type, ...Object.fromEntries(given) };
+}
+
+// The system that says where they meet: the point x1, x2, ..., coordinates in both frames, the time. Numbers may be
+// texts here, "3/5".
 export function systemOfFrames(memory, a, b, { contact = "closed" } = {}) {
+  const { c } = memory;
   return memory.scope((s) => {
-    const out = s.out(), at = framesIn(memory, s, [a, b]);
-    must(memory, memory.c.fmb_system_from_frames(at, 2, COORDINATES_ALL, wordIn(CONTACTS, contact, "contact"), 0, out));
-    return new System(memory, memory.int(out));
+    const at = s.text(JSON.stringify({ A: exactFrame(a), B: exactFrame(b) })), length = s.length, out = s.out();
+    const where = s.structure("fmb_where");
+    must(memory, c.fmb_frame_reader_from_text(at, length, 0, out));
+    const reader = memory.int(out);
+    try {
+      must(memory, c.fmb_frame_reader_next(reader, out, where), () => memory.written((to, size) => c.fmb_where_text(where, 0, to, size)));
+      must(memory, c.fmb_system_from_line(memory.int(out), wordIn(CONTACTS, contact, "contact"), 0, out));
+      return new System(memory, memory.int(out));
+    } finally {
+      c.fmb_frame_reader_free(reader);
+    }
   });
 }
 

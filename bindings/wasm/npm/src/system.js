@@ -15,7 +15,7 @@ function placeOf(list, word, what) {
 }
 
 // A number as exact text: doubles mean their binary value.
-function exact(number) {
+export function exact(number) {
   return typeof number === "number" ? exactText(number) : String(number);
 }
 
