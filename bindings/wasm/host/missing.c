@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <poll.h>
 #include <signal.h>
+#include <stdio.h>
 #include <sys/mman.h>
 #include <time.h>
 
@@ -12,6 +13,14 @@ __attribute__((constructor)) static void name_program(void)
 {
     static char name[] = "fmb";
     program_invocation_name = program_invocation_short_name = name;
+}
+
+/* Standard output goes out in blocks of 64 KiB, as many as a pipe of Linux holds: a reader that wants
+ * the first line alone does not end the command before it has written its files. */
+__attribute__((constructor)) static void widen_output(void)
+{
+    static char block[1 << 16];
+    setvbuf(stdout, block, _IOFBF, sizeof block);
 }
 
 /* Nobody waits: reads do. */
