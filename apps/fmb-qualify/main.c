@@ -78,6 +78,8 @@ static const app_command commands[] = {
      run_peers},
     {"bunny", "fmb-qualify bunny", "a scan against its mirror image: trees, and all pairs",
      run_bunny_study},
+    {"benchmark", "fmb-qualify benchmark", "600 problems of 40 families, with proved answers",
+     qualify_benchmark},
 };
 
 static const char doc[] =

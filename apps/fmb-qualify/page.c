@@ -1,19 +1,17 @@
 /* page.c: see page.h. */
 #include "fmb-qualify/page.h"
 
-#include <errno.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include <fmb/base.h>
 
 #include "base/clock.h"
-#include "common/file.h"
 #include "common/json.h"
 #include "common/machine.h"
 #include "common/message.h"
+#include "fmb-qualify/folder.h"
 #include "fmb-qualify/render.h"
 #include "fmb-qualify/view.h"
 
@@ -38,18 +36,6 @@ static void note_mistake(qualify_page *g, int code)
         g->code = code;
 }
 
-/* One that is there is fine; a file is not. */
-static void make_folder(qualify_page *g)
-{
-    struct stat info;
-    if (mkdir(g->folder, 0777) == 0)
-        return;
-    if (errno == EEXIST && stat(g->folder, &info) == 0 && S_ISDIR(info.st_mode))
-        return;
-    note_mistake(g, app_error(APP_CANNOT_WRITE, "%s: %s", g->folder, strerror(errno)));
-    g->folder = NULL;
-}
-
 qualify_page *qualify_page_open(const char *folder, bool json)
 {
     qualify_page *g = app_need(calloc(1, sizeof *g));
@@ -57,7 +43,9 @@ qualify_page *qualify_page_open(const char *folder, bool json)
     g->json = json;
     g->studies = app_need(json_array());
     if (folder)
-        make_folder(g);
+        note_mistake(g, qualify_folder_make(folder));
+    if (!qualify_page_is_good(g))
+        g->folder = NULL;
     return g;
 }
 
@@ -68,22 +56,6 @@ bool qualify_page_is_good(const qualify_page *g)
 
 /* ---- files ----------------------------------------------------------------------------------- */
 
-static void write_file(qualify_page *g, const char *file, void (*put)(FILE *f, const void *what),
-                       const void *what)
-{
-    FILE *f = NULL;
-    char *path;
-    if (asprintf(&path, "%s/%s", g->folder, file) < 0)
-        app_need(NULL);
-    int code = app_file_create(path, &f);
-    if (code == APP_YES) {
-        put(f, what);
-        code = app_file_close(f, path);
-    }
-    note_mistake(g, code);
-    free(path);
-}
-
 void qualify_page_file(qualify_page *g, const char *name, void (*put)(FILE *f, const void *what),
                        const void *what)
 {
@@ -91,7 +63,7 @@ void qualify_page_file(qualify_page *g, const char *name, void (*put)(FILE *f, c
     if (asprintf(&file, "%s-%s", g->name, name) < 0)
         app_need(NULL);
     if (g->folder)
-        write_file(g, file, put, what);
+        note_mistake(g, qualify_folder_write(g->folder, file, put, what));
     free(file);
 }
 
@@ -264,7 +236,7 @@ int qualify_page_close(qualify_page *g)
     json_t *all = whole_report(g);
     size_t studies = json_array_size(g->studies);
     if (g->folder && studies > 0) {
-        write_file(g, "report.json", put_json, all);
+        note_mistake(g, qualify_folder_write(g->folder, "report.json", put_json, all));
         note_mistake(g, qualify_render(g->folder));
         if (!g->json)
             printf("The report: %s/report.html\n", g->folder);

@@ -46,8 +46,9 @@ extern const qualify_study qualify_study_table1, qualify_study_article, qualify_
 /* One study; argv[0] is "fmb-qualify NAME". An exit code. */
 int qualify_study_main(const qualify_study *s, int argc, char **argv);
 
-/* Commands of fmb-qualify. rules has options of its own. */
+/* Commands of fmb-qualify with options of their own. */
 int qualify_all(int argc, char **argv);
 int qualify_rules(int argc, char **argv);
+int qualify_benchmark(int argc, char **argv);
 
 #endif

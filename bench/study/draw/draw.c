@@ -68,7 +68,7 @@ static fmb_frame draw_frame(gsl_rng *g, const study_class *c, int which, double 
     return (fmb_frame){c->shape[which], d, d, number, axes, c->moves ? speed : NULL};
 }
 
-fmb_status study_draw(gsl_rng *g, const study_class *c, fmb_system **out)
+fmb_status study_draw_pair(gsl_rng *g, const study_class *c, fmb_system **out)
 {
     size_t numbers = (size_t)(c->dim * (c->dim + 2));
     double *number = calloc(2 * numbers, sizeof *number);

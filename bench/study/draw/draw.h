@@ -33,6 +33,6 @@ gsl_rng *study_draw_begin(const study_class *c, unsigned long seed);
 
 /* [give] The system of one pair, A's rows in B's coordinates first (FMB_COORDINATES_LAST). The axes
  * of both are independent; meets is not looked at. Errors: MEMORY. */
-fmb_status study_draw(gsl_rng *g, const study_class *c, fmb_system **out);
+fmb_status study_draw_pair(gsl_rng *g, const study_class *c, fmb_system **out);
 
 #endif

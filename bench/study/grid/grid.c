@@ -92,7 +92,7 @@ static fmb_status draw_sample(bench *b, study_sample *sample)
     while (st == FMB_OK && sample->size < wanted && draws-- > 0) {
         fmb_system *s = NULL;
         fmb_verdict truth;
-        st = study_draw(rng, &sample->class, &s);
+        st = study_draw_pair(rng, &sample->class, &s);
         if (st == FMB_OK)
             st = study_reference_verdict(&b->reference, s, &truth);
         bool fits = st == FMB_OK && (truth == FMB_FEASIBLE) == sample->class.meets;

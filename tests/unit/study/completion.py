@@ -8,6 +8,8 @@ import sys
 
 validate, qualify, script = sys.argv[1:]
 ABOUT = ("--help", "--usage", "--version")
+# What the help of a command has, if it was understood.
+HAS = {"rules": {"--pairs", "--rules"}, "benchmark": {"--families"}}
 faults = []
 
 
@@ -17,7 +19,7 @@ def help_of(*words):
 
 def options(*words):
     found = set(re.findall(r"^ +(?:-\w, |-\?, )?(--[a-z-]+)", help_of(*words), re.M))
-    if not {*ABOUT, "--pairs", "--simd" if "rules" not in words else "--rules"} <= found:
+    if not {*ABOUT, *HAS.get(words[-1], {"--pairs", "--simd"})} <= found:
         faults.append(f"{words}: --help was not understood")
     return found
 

@@ -22,7 +22,7 @@ static char *draws(const study_class *c, unsigned long seed, int n)
     gsl_rng *rng = study_draw_begin(c, seed);
     for (int k = 0; k < n; k++) {
         fmb_system *s = NULL;
-        must(study_draw(rng, c, &s));
+        must(study_draw_pair(rng, c, &s));
         must(fmb_system_write(s, FMB_FORMAT_TEXT, f));
         fmb_system_free(s);
     }
