@@ -137,9 +137,10 @@ void study_strict_cycle(study_writer *w)
         study_write_end(w, FMB_LT, 0);
     }
     for (int i = 0; i < others; i++) {
-        for (int k = 0; k < 4; k++)
-            study_write_term(w, (int)study_random_between(&w->g, 0, n - 1),
-                             study_random_nonzero(&w->g, -9, 9));
+        for (int k = 0; k < 4; k++) {
+            int64_t coef = study_random_nonzero(&w->g, -9, 9);
+            study_write_term(w, (int)study_random_between(&w->g, 0, n - 1), coef);
+        }
         study_write_end(w, FMB_LE, study_random_between(&w->g, 1, 50));
     }
     study_write_any_goal(w);

@@ -22,8 +22,10 @@ void study_image_schedule(study_writer *w)
     for (int j = 1; j < n; j++) {
         study_write_least(w, j, study_draw(w, 0, 4));
         write_difference(w, 0, j, FMB_GE, study_draw(w, 1, 9));
-        for (int k = study_draw(w, 0, 2); k > 0 && j > 1; k--)
-            write_difference(w, j, study_draw(w, 1, j - 1), FMB_GE, study_draw(w, 1, 9));
+        for (int k = study_draw(w, 0, 2); k > 0 && j > 1; k--) {
+            int lasts = study_draw(w, 1, 9);
+            write_difference(w, j, study_draw(w, 1, j - 1), FMB_GE, lasts);
+        }
     }
     study_write_most(w, 0, 20 * n);
 }
@@ -112,9 +114,10 @@ void study_image_loops(study_writer *w)
         int of = 2 + d, at = 2 + depth + d;
         study_write_least(w, at, 0);
         write_difference(w, at, study_draw(w, 0, 1), FMB_LE, -1);
-        if (d > 0)
-            write_difference(w, at, at - 1, study_random_chance(&w->g, 50) ? FMB_LE : FMB_GE,
-                             study_draw(w, -2, 2));
+        if (d > 0) {
+            int off = study_draw(w, -2, 2);
+            write_difference(w, at, at - 1, study_random_chance(&w->g, 50) ? FMB_LE : FMB_GE, off);
+        }
         study_write_term(w, at, 1);
         study_write_term(w, of, -tile);
         study_write_end(w, FMB_GE, 0);

@@ -59,8 +59,10 @@ void study_image_boxed(study_writer *w)
     if (!study_write_image(w, n, study_draw(w, 2, 4)))
         return;
     for (int i = study_draw(w, n, 3 * n / 2); i > 0; i--) {
-        for (int k = 0; k < 3; k++)
-            study_write_term(w, study_draw(w, 0, n - 1), study_random_nonzero(&w->g, -1000, 1000));
+        for (int k = 0; k < 3; k++) {
+            int64_t coef = study_random_nonzero(&w->g, -1000, 1000);
+            study_write_term(w, study_draw(w, 0, n - 1), coef);
+        }
         study_write_end(w, FMB_LE, study_draw(w, 0, 5000));
     }
     for (int k = 0; k < 2 * n; k++) {
@@ -99,8 +101,8 @@ void study_image_octagon(study_writer *w)
     for (int i = 0; i < 3 * n; i++) {
         int at = study_draw(w, 0, n - 1);
         study_write_term(w, at, study_random_chance(&w->g, 50) ? 1 : -1);
-        study_write_term(w, (at + study_draw(w, 1, n - 1)) % n,
-                         study_random_chance(&w->g, 50) ? 1 : -1);
+        int sign = study_random_chance(&w->g, 50) ? 1 : -1;
+        study_write_term(w, (at + study_draw(w, 1, n - 1)) % n, sign);
         study_write_end(w, FMB_LE, study_draw(w, 1, 20));
     }
 }

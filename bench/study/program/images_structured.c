@@ -62,8 +62,10 @@ void study_image_scarce(study_writer *w)
     if (!study_write_image(w, n, study_draw(w, n / 3, n / 2)))
         return;
     for (int i = study_draw(w, 3 * n / 2, 2 * n); i > 0; i--) {
-        for (int k = study_draw(w, 2, 3); k > 0; k--)
-            study_write_term(w, study_draw(w, 0, n - 1), study_random_nonzero(&w->g, -5, 5));
+        for (int k = study_draw(w, 2, 3); k > 0; k--) {
+            int64_t coef = study_random_nonzero(&w->g, -5, 5);
+            study_write_term(w, study_draw(w, 0, n - 1), coef);
+        }
         study_write_end(w, FMB_LE, study_draw(w, 3, 30));
     }
 }

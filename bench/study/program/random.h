@@ -1,5 +1,6 @@
 /* random.h: whole numbers from a seed, the same on every machine: splitmix64 (Steele, Lea, Flood
- * 2014, doi 10.1145/2714064.2660195). Any state is a good seed. */
+ * 2014, doi 10.1145/2714064.2660195). Any state is a good seed. Two draws never stand among the
+ * arguments of one call: compilers differ in which of them comes first. */
 #ifndef FMB_STUDY_RANDOM_H
 #define FMB_STUDY_RANDOM_H
 
