@@ -54,7 +54,7 @@ complete -F _fmb_validate fmb-validate
 _fmb_qualify()
 {
     local cur prev study=all
-    local studies="all table1 article near touching slender mesh faces boxes scaling rules peers bunny benchmark"
+    local studies="all table1 article near touching slender mesh faces boxes scaling rules peers bunny benchmark run merge"
     local general="--help --usage --version --pairs --passes --seed --out --json --quiet"
     _fmb_study_words
     COMPREPLY=()
@@ -71,7 +71,9 @@ _fmb_qualify()
             ;;
         --presolve) _fmb_study_list "none equalities components onesided bounds refute" ;;
         --rule-library) compopt -o default ;;
-        -o | --out) compopt -o dirnames ;;
+        -o | --out)
+            if [[ $study == run ]]; then compopt -o default; else compopt -o dirnames; fi
+            ;;
         -n | --pairs | -s | --seed | --passes | --dim | --max-rows | --max-seconds | --shard | -f | --families) ;;
         *)
             if [[ $cur == -* && $study == rules ]]; then
@@ -80,11 +82,15 @@ _fmb_qualify()
                     --presolve --max-rows --max-seconds --detail --counts"
             elif [[ $cur == -* && $study == benchmark ]]; then
                 _fmb_study_offer "--help --usage --version --families --quiet"
+            elif [[ $cur == -* && $study == run ]]; then
+                _fmb_study_offer "--help --usage --version --out --shard --quiet"
+            elif [[ $cur == -* && $study == merge ]]; then
+                _fmb_study_offer "--help --usage --version"
             elif [[ $cur == -* ]]; then
                 _fmb_study_offer "$general --simd"
             elif ((COMP_CWORD == 1)); then
                 _fmb_study_offer "$studies"
-            elif [[ $study == rules || $study == bunny ]]; then
+            elif [[ $study =~ ^(rules|bunny|run|merge)$ ]]; then
                 compopt -o default
             elif [[ $study == benchmark ]]; then
                 compopt -o dirnames

@@ -1,5 +1,6 @@
 /* main.c: studies of the library: a table of subcommands, one a question. */
 #include "common/dispatch.h"
+#include "fmb-qualify/experiment/experiment.h"
 #include "fmb-qualify/study.h"
 
 static int run_table1(int argc, char **argv)
@@ -80,6 +81,8 @@ static const app_command commands[] = {
      run_bunny_study},
     {"benchmark", "fmb-qualify benchmark", "600 problems of 40 families, with proved answers",
      qualify_benchmark},
+    {"run", "fmb-qualify run", "an experiment from a plan: each run a line of CSV", qualify_run},
+    {"merge", "fmb-qualify merge", "the shards of an experiment as one file", qualify_merge},
 };
 
 static const char doc[] =

@@ -65,19 +65,16 @@ static void make_sets(qualify_plan *p)
         add_set(p, p->library.rule[i]->name);
 }
 
-/* What the words of --orders mean: an order of the library, or one of the rule library. */
-static int find_orders(qualify_plan *p)
+int qualify_order_find(const app_rule_library *l, const char *option, const char *name,
+                       qualify_order *out)
 {
-    for (size_t k = 0; k < p->orders; k++) {
-        fmb_options o = {.size = sizeof o};
-        const char *name = p->order[k].name;
-        const fmb_named_chooser *own = app_rule_library_order(&p->library, name);
-        if (!own && fmb_options_set(&o, "order", name) != FMB_OK)
-            return app_rule_library_refuse_order(&p->library, "--orders", name);
-        p->order[k].order = o.order;
-        if (own)
-            p->order[k].chooser = own->chooser;
-    }
+    fmb_options o = {.size = sizeof o};
+    const fmb_named_chooser *own = app_rule_library_order(l, name);
+    if (!own && fmb_options_set(&o, "order", name) != FMB_OK)
+        return app_rule_library_refuse_order(l, option, name);
+    *out = (qualify_order){.name = name, .order = o.order};
+    if (own)
+        out->chooser = own->chooser;
     return APP_YES;
 }
 
@@ -86,16 +83,19 @@ int qualify_plan_ways(qualify_plan *p)
     int code = APP_YES;
     if (p->rule_library)
         code = app_rule_library_open(p->rule_library, &p->library);
-    if (code == APP_YES)
-        code = find_orders(p);
+    for (size_t k = 0; code == APP_YES && k < p->orders; k++)
+        code = qualify_order_find(&p->library, "--orders", p->order[k].name, &p->order[k]);
     make_sets(p);
     for (size_t i = 0; code == APP_YES && i < p->sets; i++) {
         bool usual = strcmp(p->set[i], "default") == 0;
         if (!usual)
             code = app_rule_library_split(&p->library, p->set[i], &p->rules[i]);
         for (size_t k = 0; k < p->orders; k++)
-            p->way[k * p->sets + i] = (study_way){p->set[i], p->rules[i].words, p->rules[i].added,
-                                                  p->order[k].order, p->order[k].chooser};
+            p->way[k * p->sets + i] = (study_way){.name = p->set[i],
+                                                  .rules = p->rules[i].words,
+                                                  .added = p->rules[i].added,
+                                                  .order = p->order[k].order,
+                                                  .chooser = p->order[k].chooser};
     }
     p->grid.way = p->way;
     p->grid.ways = p->orders * p->sets;

@@ -17,6 +17,11 @@ typedef struct qualify_order {
     fmb_chooser chooser; /* in its place, unless choose is NULL */
 } qualify_order;
 
+/* [borrows name] What the word means: an order of the library, or one of the rule library. An exit
+ * code, after a message that names the option unless it is APP_YES. */
+int qualify_order_find(const app_rule_library *l, const char *option, const char *name,
+                       qualify_order *out);
+
 typedef struct qualify_plan {
     study_family family;
     bool dim[PLAN_MOST_DIM + 1];     /* which */

@@ -81,12 +81,17 @@ static bool read_run(study_grid *g, json_t *from)
         solved > STUDY_WRONG)
         return false;
     study_run *r = study_grid_at(g, (size_t)k, (size_t)i, (size_t)w);
-    *r = (study_run){(study_outcome)outcome, (fmb_stop)stop,
-                     (fmb_verdict)verdict,   (uint64_t)count[0],
-                     (uint64_t)count[1],     (uint64_t)count[2],
-                     (uint64_t)count[3],     (uint64_t)count[4],
-                     (uint64_t)count[5],     {0},
-                     (study_outcome)solved,  seconds};
+    *r = (study_run){.outcome = (study_outcome)outcome,
+                     .stop = (fmb_stop)stop,
+                     .verdict = (fmb_verdict)verdict,
+                     .pairs = (uint64_t)count[0],
+                     .made = (uint64_t)count[1],
+                     .kept = (uint64_t)count[2],
+                     .lived = (uint64_t)count[3],
+                     .peak = (uint64_t)count[4],
+                     .held = (uint64_t)count[5],
+                     .solved = (study_outcome)solved,
+                     .seconds = seconds};
     json_object_foreach(dropped, name, rows)
     {
         if (!find_name(&g->names, name, &n))

@@ -7,7 +7,7 @@
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
 
-enum { MOST_PASSES = 9 };
+enum { MOST_PASSES = 10 }; /* with the one that does not count */
 
 /* How long the reference may think about one question [s]. */
 static const double REFERENCE_SECONDS = 20;
@@ -115,7 +115,7 @@ static fmb_status answer_sample(bench *b, size_t k)
             continue;
         if (c->truth == FMB_UNKNOWN)
             st = study_reference_verdict(&b->reference, c->s, &c->truth);
-        if (st == FMB_OK && !c->projection)
+        if (st == FMB_OK && !c->projection && c->keep)
             st = study_reference_projection(&b->reference, c->s, c->keep, c->kept, &c->projection);
     }
     return st;
@@ -184,7 +184,8 @@ static fmb_status count_sample(bench *b, size_t k, progress *how)
     return FMB_OK;
 }
 
-/* One pass of one way over all systems of a sample; what was stopped once is not tried again. */
+/* One pass of one way over all systems of a sample; what was stopped once is not tried again. Of a
+ * system without solutions there is nothing to project. */
 static fmb_status time_pass(bench *b, size_t k, size_t way, size_t pass, double *seconds,
                             progress *how)
 {
@@ -197,34 +198,39 @@ static fmb_status time_pass(bench *b, size_t k, size_t way, size_t pass, double 
             continue;
         if (!go_on(b, b->engine[way].timing))
             return FMB_OK;
+        const study_case *c = &sample->item[i];
+        const int *keep = b->g->projects && c->truth != FMB_INFEASIBLE ? c->keep : NULL;
         if (pass == 0 || run->solved == STUDY_DECIDED)
-            st = study_engine_time(&b->engine[way], sample->item[i].s, sample->item[i].truth, run);
+            st = study_engine_time(&b->engine[way], c->s, keep, c->kept, c->truth, run);
         seconds[(i * b->g->ways + way) * MOST_PASSES + pass] = run->seconds;
     }
     *how = COMPLETE;
     return st;
 }
 
-/* Every run of the sample takes the median of its passes. */
+/* Every run of the sample takes the median of its passes but the first. */
 static void take_medians(study_grid *g, size_t k, size_t passes, double *seconds)
 {
     for (size_t i = 0; i < g->sample[k].size * g->ways; i++) {
-        gsl_sort(seconds + i * MOST_PASSES, 1, passes);
+        double *counted = seconds + i * MOST_PASSES + 1;
+        gsl_sort(counted, 1, passes - 1);
         study_grid_at(g, k, 0, 0)[i].seconds =
-            gsl_stats_median_from_sorted_data(seconds + i * MOST_PASSES, 1, passes);
+            gsl_stats_median_from_sorted_data(counted, 1, passes - 1);
     }
 }
 
 static fmb_status time_sample(bench *b, size_t k, progress *how)
 {
     study_grid *g = b->g;
-    size_t passes = (size_t)(g->passes < MOST_PASSES ? g->passes : MOST_PASSES);
+    size_t passes = g->passes == 0                ? 0
+                    : g->passes + 1 < MOST_PASSES ? (size_t)g->passes + 1
+                                                  : MOST_PASSES;
     double *seconds = calloc(g->most * g->ways * MOST_PASSES, sizeof *seconds);
     fmb_status st = seconds ? FMB_OK : FMB_ERR_MEMORY;
     *how = COMPLETE;
     for (size_t pass = 0; pass < passes; pass++)
         for (size_t w = 0; st == FMB_OK && *how == COMPLETE && w < g->ways; w++) {
-            size_t way = (w + pass) % g->ways;
+            size_t way = (w + pass + k + g->turn) % g->ways;
             if (g->known[way])
                 st = time_pass(b, k, way, pass, seconds, how);
         }
@@ -273,7 +279,7 @@ fmb_status study_grid_run(study_grid *g)
     bench b = {.g = g};
     for (size_t k = 0; k < g->samples; k++)
         b.all += 1 + (g->sample[k].file ? g->sample[k].size : g->per_class) * g->ways *
-                         (size_t)(1 + g->passes);
+                         (size_t)(g->passes > 0 ? 2 + g->passes : 1);
     fmb_status st = study_reference_open(&b.reference, REFERENCE_SECONDS);
     if (st == FMB_OK)
         st = open_engines(&b);

@@ -2,7 +2,9 @@
  *
  * A sample is the systems of one line of a table: drawn pairs of one class, or one system that was
  * read. Counts depend on the plan alone. Time is taken over all systems of a sample in turn, never
- * one repeated, a few passes in which the ways take turns; each system keeps its median.
+ * one repeated, a few passes in which the ways take turns, after one that does not count; who
+ * begins changes with the pass and with the sample, so that nobody always comes upon cold caches.
+ * Each system keeps its median.
  */
 #ifndef FMB_STUDY_GRID_H
 #define FMB_STUDY_GRID_H
@@ -32,7 +34,9 @@ typedef struct study_grid {
     study_limits limits;
     study_way *way; /* [ways], borrowed */
     size_t ways;
-    int passes;           /* of the clock */
+    int passes;           /* of the clock; 0: no time is taken */
+    bool projects;        /* time is that of the projections, not of the verdicts */
+    size_t turn;          /* of the way that begins */
     size_t shard, shards; /* only part `shard` of 1 ... shards is run; 0 of 0: all */
     /* Called before each query; false ends the study early. May be NULL. */
     bool (*step)(void *self, size_t done, size_t all);

@@ -33,6 +33,9 @@ static void put(void *self, const fmb_event *event)
         e->run->pairs += event->pairs;
         e->run->made += event->made;
         e->run->lived += event->rows_out;
+        if (e->run->rounds < STUDY_MOST_ROUNDS)
+            e->run->alive[e->run->rounds] = event->rows_out;
+        e->run->rounds++;
         e->run->peak = larger(e->run->peak, larger(event->rows_in, event->rows_out));
         break;
     case FMB_EVENT_RULE:
@@ -61,6 +64,8 @@ fmb_status study_engine_open(study_engine *e, const study_way *way, const study_
     fmb_options o = {.size = sizeof o};
     *e = (study_engine){.names = names};
     o.method = FMB_METHOD_FM;
+    if (way->method && fmb_options_set(&o, "method", way->method) != FMB_OK)
+        return FMB_ERR_ARG;
     e->by_fmplex = way->rules && strcmp(way->rules, "fmplex") == 0;
     o.rules = e->by_fmplex ? NULL : way->rules;
     o.order = way->order;
@@ -109,14 +114,17 @@ fmb_status study_engine_count(study_engine *e, const fmb_system *s, const int *k
     return FMB_OK;
 }
 
-fmb_status study_engine_time(study_engine *e, const fmb_system *s, fmb_verdict truth,
-                             study_run *run)
+fmb_status study_engine_time(study_engine *e, const fmb_system *s, const int *keep, int n,
+                             fmb_verdict truth, study_run *run)
 {
     fmb_result r = {.size = sizeof r};
+    fmb_system *projection = NULL;
     double begin = study_thread_seconds();
-    fmb_status st =
-        e->by_fmplex ? study_fmplex_solve(e->timing, s, &r) : fmb_solve(e->timing, s, &r);
+    fmb_status st = e->by_fmplex ? study_fmplex_solve(e->timing, s, &r)
+                    : keep       ? fmb_project(e->timing, s, keep, n, &projection, &r)
+                                 : fmb_solve(e->timing, s, &r);
     run->seconds = study_thread_seconds() - begin;
+    fmb_system_free(projection);
     if (st == FMB_ERR_RULE) {
         run->solved = STUDY_REFUSED;
         return FMB_OK;

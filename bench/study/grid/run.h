@@ -13,6 +13,7 @@ typedef struct study_way {
     const fmb_rule *const *added; /* more rules, NULL ends them; or NULL */
     fmb_order order;
     fmb_chooser chooser; /* in its place, unless choose is NULL */
+    const char *method;  /* as options.method takes it; NULL: elimination only */
 } study_way;
 
 typedef struct study_limits {
@@ -36,6 +37,8 @@ typedef enum study_outcome {
     STUDY_WRONG    /* not what the reference says */
 } study_outcome;
 
+enum { STUDY_MOST_ROUNDS = 32 };
+
 typedef struct study_run {
     /* Elimination of all variables but those to keep; of a system without solutions, of all. */
     study_outcome outcome;
@@ -47,7 +50,9 @@ typedef struct study_run {
     uint64_t peak;        /* most rows alive before or after a round */
     uint64_t held;        /* most rows alive at any moment */
     uint64_t dropped[STUDY_MOST_NAMES];
-    /* Elimination of all variables, for the verdict. */
+    size_t rounds;                     /* of elimination by pairs */
+    uint64_t alive[STUDY_MOST_ROUNDS]; /* rows alive after each of the first of them */
+    /* Elimination of all variables, for the verdict; or the same projection once more. */
     study_outcome solved;
     double seconds; /* of the thread [s]; of a query that was stopped, until then */
 } study_run;
@@ -70,8 +75,9 @@ void study_engine_close(study_engine *e);
  * it was decided. With keep NULL: all variables, until a row says 0 <= -1 if one does. */
 fmb_status study_engine_count(study_engine *e, const fmb_system *s, const int *keep, int n,
                               study_run *run, fmb_system **projection);
-/* Decide s by elimination and fill in the rest. truth may be FMB_UNKNOWN. */
-fmb_status study_engine_time(study_engine *e, const fmb_system *s, fmb_verdict truth,
-                             study_run *run);
+/* Decide s, or project it on keep[0..n) unless keep is NULL, and fill in the rest. truth may be
+ * FMB_UNKNOWN. */
+fmb_status study_engine_time(study_engine *e, const fmb_system *s, const int *keep, int n,
+                             fmb_verdict truth, study_run *run);
 
 #endif

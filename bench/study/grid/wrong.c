@@ -25,7 +25,7 @@ static fmb_status goes_wrong(hunt *h, fmb_system *s, bool *wrong)
     if (st == FMB_OK)
         st = study_case_count(&h->reference, &h->engine, &c, &run);
     if (st == FMB_OK && run.outcome != STUDY_WRONG)
-        st = study_engine_time(&h->engine, s, c.truth, &run);
+        st = study_engine_time(&h->engine, s, NULL, 0, c.truth, &run);
     *wrong = run.outcome == STUDY_WRONG || run.solved == STUDY_WRONG;
     free(c.projection);
     return st;

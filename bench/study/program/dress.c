@@ -169,3 +169,43 @@ fmb_status study_system_fractions(const fmb_system *s, int digits, uint64_t seed
     mpz_clears(d, p, NULL);
     return st;
 }
+
+/* ---- density --------------------------------------------------------------------------------- */
+
+static void thin_row(row_copy *r, int percent, study_random *g)
+{
+    size_t n = r->terms, spared = n > 0 ? (size_t)study_random_between(g, 0, (int64_t)n - 1) : 0;
+    r->terms = 0;
+    for (size_t k = 0; k < n; k++)
+        if (study_random_chance(g, percent) || k == spared) {
+            r->var[r->terms] = r->var[k];
+            mpq_swap(r->q[r->terms++], r->q[k]);
+        }
+    mpq_swap(r->q[r->terms], r->q[n]);
+}
+
+fmb_status study_system_thin(const fmb_system *s, int percent, uint64_t seed, fmb_system **out)
+{
+    row_copy r = {0};
+    fmb_system *to = NULL;
+    study_random g = {seed};
+    fmb_status st = row_copy_init(&r, s);
+    if (st == FMB_OK)
+        st = fmb_system_new(fmb_system_dim(s), NULL, &to);
+    for (size_t i = 0; st == FMB_OK && i < fmb_system_rows(s); i++) {
+        row_copy_get(&r, s, i);
+        if (fmb_system_rel(s, i) != FMB_EQ)
+            thin_row(&r, percent, &g);
+        st = fmb_system_add_q(to, r.terms, r.var, r.q, fmb_system_rel(s, i), r.q[r.terms]);
+    }
+    if (st == FMB_OK) {
+        row_copy_get_objective(&r, s);
+        st = row_copy_set_objective(&r, s, to);
+    }
+    row_copy_clear(&r);
+    if (st == FMB_OK)
+        *out = to;
+    else
+        fmb_system_free(to);
+    return st;
+}

@@ -55,4 +55,8 @@ fmb_status study_system_rescale(const fmb_system *s, int most, uint64_t seed, in
  * MEMORY. */
 fmb_status study_system_fractions(const fmb_system *s, int digits, uint64_t seed, fmb_system **out);
 
+/* [give] Of the coefficients of each inequality so many of 100 stay, at random, and one at least;
+ * equalities and the objective stay. Errors: MEMORY. */
+fmb_status study_system_thin(const fmb_system *s, int percent, uint64_t seed, fmb_system **out);
+
 #endif

@@ -9,7 +9,7 @@ import sys
 validate, qualify, script = sys.argv[1:]
 ABOUT = ("--help", "--usage", "--version")
 # What the help of a command has, if it was understood.
-HAS = {"rules": {"--pairs", "--rules"}, "benchmark": {"--families"}}
+HAS = {"rules": {"--pairs", "--rules"}, "benchmark": {"--families"}, "run": {"--shard"}, "merge": set()}
 faults = []
 
 
