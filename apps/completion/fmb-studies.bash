@@ -54,7 +54,7 @@ complete -F _fmb_validate fmb-validate
 _fmb_qualify()
 {
     local cur prev study=all
-    local studies="all table1 article near touching slender mesh faces boxes scaling rules peers bunny benchmark run merge"
+    local studies="all table1 article near touching slender mesh faces boxes scaling rules peers bunny benchmark run merge plots"
     local general="--help --usage --version --pairs --passes --seed --out --json --quiet"
     _fmb_study_words
     COMPREPLY=()
@@ -84,13 +84,15 @@ _fmb_qualify()
                 _fmb_study_offer "--help --usage --version --families --quiet"
             elif [[ $cur == -* && $study == run ]]; then
                 _fmb_study_offer "--help --usage --version --out --shard --quiet"
+            elif [[ $cur == -* && $study == plots ]]; then
+                _fmb_study_offer "--help --usage --version --out"
             elif [[ $cur == -* && $study == merge ]]; then
                 _fmb_study_offer "--help --usage --version"
             elif [[ $cur == -* ]]; then
                 _fmb_study_offer "$general --simd"
             elif ((COMP_CWORD == 1)); then
                 _fmb_study_offer "$studies"
-            elif [[ $study =~ ^(rules|bunny|run|merge)$ ]]; then
+            elif [[ $study =~ ^(rules|bunny|run|merge|plots)$ ]]; then
                 compopt -o default
             elif [[ $study == benchmark ]]; then
                 compopt -o dirnames

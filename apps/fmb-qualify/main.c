@@ -1,6 +1,7 @@
 /* main.c: studies of the library: a table of subcommands, one a question. */
 #include "common/dispatch.h"
 #include "fmb-qualify/experiment/experiment.h"
+#include "fmb-qualify/render.h"
 #include "fmb-qualify/study.h"
 
 static int run_table1(int argc, char **argv)
@@ -83,6 +84,7 @@ static const app_command commands[] = {
      qualify_benchmark},
     {"run", "fmb-qualify run", "an experiment from a plan: each run a line of CSV", qualify_run},
     {"merge", "fmb-qualify merge", "the shards of an experiment as one file", qualify_merge},
+    {"plots", "fmb-qualify plots", "figures and tables of an experiment", qualify_plots},
 };
 
 static const char doc[] =

@@ -1,4 +1,4 @@
-/* render.c: see render.h. The script lies beside this program, as it is built, or where it was
+/* render.c: see render.h. The scripts lie beside this program, as it is built, or where it was
  * installed. */
 #include "fmb-qualify/render.h"
 
@@ -15,16 +15,17 @@
 enum { NOT_FOUND = 127, NOT_STARTED = 126 };
 
 /* [give, free()] NULL if it is nowhere. */
-static char *find_script(void)
+static char *find_script(const char *name)
 {
-    static const char *const PLACE[] = {"%s/report.py", "%s/../share/fmb/report.py",
-                                        QUALIFY_DATA "/report.py"};
+    static const char *const PLACE[] = {"%s/%s", "%s/../share/fmb/%s"};
+    enum { PLACES = sizeof PLACE / sizeof *PLACE };
     char self[4096], *path = NULL;
     ssize_t length = readlink("/proc/self/exe", self, sizeof self - 1);
     self[length > 0 ? length : 0] = '\0';
     const char *folder = dirname(self);
-    for (size_t i = 0; !path && i < sizeof PLACE / sizeof *PLACE; i++) {
-        if (asprintf(&path, PLACE[i], folder) < 0)
+    for (size_t i = 0; !path && i <= PLACES; i++) {
+        if (asprintf(&path, i < PLACES ? PLACE[i] : "%s/%s", i < PLACES ? folder : QUALIFY_DATA,
+                     name) < 0)
             app_need(NULL);
         if (access(path, R_OK) == 0)
             continue;
@@ -36,42 +37,40 @@ static char *find_script(void)
 
 /* In a group of its own the child outlives a Ctrl-C that is meant for us: what is measured is to be
  * drawn. */
-static _Noreturn void become_python(const char *script, const char *folder)
+static _Noreturn void become_python(const char *script, const char *const argument[2])
 {
     setpgid(0, 0);
-    execlp("python3", "python3", "-B", script, folder, (char *)NULL);
+    execlp("python3", "python3", "-B", script, argument[0], argument[1], (char *)NULL);
     _exit(errno == ENOENT ? NOT_FOUND : NOT_STARTED);
 }
 
-static int run_script(const char *script, const char *folder)
+static qualify_rendered run_script(const char *script, const char *const argument[2])
 {
     int status = 0;
     fflush(NULL);
     pid_t child = fork();
     if (child == 0)
-        become_python(script, folder);
+        become_python(script, argument);
     while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
         continue;
-    if (child > 0 && WIFEXITED(status) && WEXITSTATUS(status) == NOT_FOUND) {
-        app_error(0,
-                  "python3 is not installed: report.html and the figures are missing; with it, "
-                  "`python3 %s %s` makes them",
-                  script, folder);
-        return APP_YES;
-    }
-    if (child > 0 && status == 0)
-        return APP_YES;
-    return app_error(APP_INTERNAL, "report.html and the figures of %s could not be made", folder);
+    if (child > 0 && WIFEXITED(status) && WEXITSTATUS(status) == NOT_FOUND)
+        return QUALIFY_NO_PYTHON;
+    return child > 0 && status == 0 ? QUALIFY_RENDERED : QUALIFY_NOT_RENDERED;
 }
 
-int qualify_render(const char *folder)
+qualify_rendered qualify_render(const char *name, const char *first, const char *second)
 {
-    char *script = find_script();
-    int code = APP_YES;
+    char *script = find_script(name);
+    qualify_rendered how = QUALIFY_NO_SCRIPT;
     if (script)
-        code = run_script(script, folder);
-    else
-        app_error(0, "report.py is not installed: report.html and the figures are missing");
+        how = run_script(script, (const char *const[2]){first, second});
+    if (how == QUALIFY_NO_PYTHON)
+        app_error(0,
+                  "python3 is not installed: report.html and the figures are missing; with it, "
+                  "`python3 %s %s%s%s` makes them",
+                  script, first, second ? " " : "", second ? second : "");
+    if (how == QUALIFY_NO_SCRIPT)
+        app_error(0, "%s is not installed: report.html and the figures are missing", name);
     free(script);
-    return code;
+    return how;
 }

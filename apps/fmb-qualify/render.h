@@ -1,9 +1,19 @@
-/* render.h: report.py, which makes report.html and the figures of report.json. */
+/* render.h: the scripts that make report.html and the figures: report.py of report.json, plots.py
+ * of the CSV of an experiment. */
 #ifndef QUALIFY_RENDER_H
 #define QUALIFY_RENDER_H
 
-/* An exit code. Without Python or the script a message says what is missing, and that is no
- * mistake. */
-int qualify_render(const char *folder);
+typedef enum qualify_rendered {
+    QUALIFY_RENDERED = 0,
+    QUALIFY_NO_PYTHON, /* after a message, as the next one is */
+    QUALIFY_NO_SCRIPT,
+    QUALIFY_NOT_RENDERED /* the script failed, and said why */
+} qualify_rendered;
+
+/* Run the script of that name with one argument, or two; second may be NULL. */
+qualify_rendered qualify_render(const char *name, const char *first, const char *second);
+
+/* fmb-qualify plots. */
+int qualify_plots(int argc, char **argv);
 
 #endif

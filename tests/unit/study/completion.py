@@ -9,7 +9,8 @@ import sys
 validate, qualify, script = sys.argv[1:]
 ABOUT = ("--help", "--usage", "--version")
 # What the help of a command has, if it was understood.
-HAS = {"rules": {"--pairs", "--rules"}, "benchmark": {"--families"}, "run": {"--shard"}, "merge": set()}
+HAS = {"rules": {"--pairs", "--rules"}, "benchmark": {"--families"}, "run": {"--shard"}, "merge": set(),
+       "plots": {"--out"}}
 faults = []
 
 

@@ -1,0 +1,54 @@
+"""fmb-qualify plots: figures, table and page of an experiment, and mistakes. The Python in front may lack what draws.
+usage: plots.py FMB_QUALIFY"""
+
+import csv
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+qualify = sys.argv[1]
+PLAN = {"rules": ["none", "kohler", "kohler,box"], "methods": ["fm", "dd"], "families": ["dense", "frames-moving", "schedule"],
+        "sizes": [1, 2], "seeds": [1, 2], "passes": 1, "limits": {"rows": 100, "seconds": 20}}
+FIGURES = "cactus profile-time profile-rows critical-time critical-rows rounds growth heat".split()
+faults = []
+
+
+def expect(good, what):
+    if not good:
+        faults.append(what)
+
+
+def run(*words):
+    """With the system's Python where the one in front cannot draw."""
+    return subprocess.run([qualify, *map(str, words)], capture_output=True, text=True,
+                          env={**os.environ, "PATH": "/usr/bin:" + os.environ["PATH"], "MPLCONFIGDIR": str(home)})
+
+
+with tempfile.TemporaryDirectory() as name:
+    home = pathlib.Path(name)
+    (home / "plan.json").write_text(json.dumps(PLAN))
+    expect(run("run", home / "plan.json", "-o", home / "runs.csv").returncode == 0, "run")
+    drawn = run("plots", home / "runs.csv", "-o", home / "figures")
+    if "figures need" in drawn.stderr:
+        print("matplotlib, numpy or scipy is missing")
+        sys.exit(77)
+    expect(drawn.returncode == 0 and not drawn.stderr, f"plots: {drawn}")
+    for figure in FIGURES:
+        for ending in ("svg", "png"):
+            path = home / "figures" / f"{figure}.{ending}"
+            expect(path.exists() and path.stat().st_size > 2000, f"{path.name} is missing, or empty")
+    page = (home / "figures" / "report.html").read_text()
+    expect(re.findall(r'src="([\w-]+)\.svg"', page) and "nan" not in page, "report.html")
+    with open(home / "runs.csv", encoding="utf-8", newline="") as f:
+        decided = sum(line["rules"] == "kohler" and line["outcome"] == "decided" for line in csv.DictReader(f))
+    expect(f"kohler & {decided} &" in (home / "figures" / "table.tex").read_text(), "table.tex counts otherwise")
+    first = (home / "figures" / "heat.svg").read_bytes()
+    run("plots", home / "runs.csv", "-o", home / "figures")
+    expect((home / "figures" / "heat.svg").read_bytes() == first, "other bytes from the same CSV")
+    expect(run("plots", home / "missing.csv").returncode == 66, "no CSV")
+print("\n".join(faults) or "plots: no faults")
+sys.exit(bool(faults))
