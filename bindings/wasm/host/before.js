@@ -1,7 +1,9 @@
 // before.js: files of Node as the command expects them.
 
-// Standard streams can be asked what they are; terminals, in most cases they are not.
+// Standard streams can be asked what they are; terminals, in most cases they are not. Programs without files, with
+// which Meson tries the compiler, have no FS.
 Module.onRuntimeInitialized = () =>
+  typeof FS === "undefined" ||
   ["/dev/stdin", "/dev/stdout", "/dev/stderr"].forEach((path, k) => {
     Object.assign(FS.streams[k], { path, tty: require("tty").isatty(k) });
   });
