@@ -1,5 +1,5 @@
 /* speeds.c: what speeds.py asks of Python, in C: bench-python tiny N | pairs FILE FRAMES PAIRS.
- * Prints seconds of the processor. */
+ * Prints seconds of the processor, of a second pass. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -35,14 +35,9 @@ static fmb_system *make_tiny(size_t k)
     return s;
 }
 
-/* Verdict and evidence of n systems, one after the other. */
-static double ask_tiny(size_t n)
+/* Seconds for verdict and evidence of n systems, one after the other. */
+static double pass_tiny(fmb_solver *v, fmb_system *const *s, size_t n)
 {
-    fmb_system **s = calloc(n, sizeof *s);
-    fmb_solver *v = NULL;
-    need(s && fmb_solver_new(NULL, NULL, &v) == FMB_OK, "no memory");
-    for (size_t k = 0; k < n; k++)
-        s[k] = make_tiny(k);
     double begin = now();
     for (size_t k = 0; k < n; k++) {
         fmb_result r = {.size = sizeof r};
@@ -52,7 +47,18 @@ static double ask_tiny(size_t n)
              "no answer");
         fmb_evidence_free(e);
     }
-    double taken = now() - begin;
+    return now() - begin;
+}
+
+static double ask_tiny(size_t n)
+{
+    fmb_system **s = calloc(n, sizeof *s);
+    fmb_solver *v = NULL;
+    need(s && fmb_solver_new(NULL, NULL, &v) == FMB_OK, "no memory");
+    for (size_t k = 0; k < n; k++)
+        s[k] = make_tiny(k);
+    pass_tiny(v, s, n);
+    double taken = pass_tiny(v, s, n);
     for (size_t k = 0; k < n; k++)
         fmb_system_free(s[k]);
     free(s);
@@ -69,8 +75,27 @@ static void *read_block(FILE *in, size_t bytes)
     return block;
 }
 
-/* origin[frames][3], axes[frames][3][3] and pair[pairs], as the file has them one after the other:
- * frames into a set, and verdicts on all pairs. */
+/* Seconds for frames into a set, and verdicts on all pairs of it. */
+static double pass_pairs(size_t frames, const fmb_frame_arrays *a, size_t pairs,
+                         const fmb_frames_pair *pair)
+{
+    fmb_frames *set = NULL;
+    fmb_pair *k = NULL;
+    double begin = now();
+    fmb_verdict *verdict = calloc(pairs, sizeof *verdict);
+    fmb_pair_answers out = {.size = sizeof out, .verdict = verdict};
+    need(verdict && fmb_frames_from_arrays(3, frames, a, NULL, &set) == FMB_OK &&
+             fmb_pair_new(3, NULL, NULL, &k) == FMB_OK &&
+             fmb_frames_test(k, set, set, pairs, pair, &out) == FMB_OK,
+         "no answer");
+    fmb_pair_free(k);
+    fmb_frames_free(set);
+    free(verdict);
+    return now() - begin;
+}
+
+/* origin[frames][3], axes[frames][3][3] and pair[pairs], as the file has them one after the other.
+ */
 static double ask_pairs(const char *path, size_t frames, size_t pairs)
 {
     FILE *in = fopen(path, "rb");
@@ -78,22 +103,11 @@ static double ask_pairs(const char *path, size_t frames, size_t pairs)
     double *origin = read_block(in, frames * 3 * sizeof *origin);
     double *axes = read_block(in, frames * 9 * sizeof *axes);
     fmb_frames_pair *pair = read_block(in, pairs * sizeof *pair);
-    fmb_verdict *verdict = calloc(pairs, sizeof *verdict);
     fclose(in);
-    fmb_frames *set = NULL;
-    fmb_pair *k = NULL;
     fmb_frame_arrays a = {
         .size = sizeof a, .shape = FMB_CUBOID, .naxes = 3, .origin = origin, .axes = axes};
-    fmb_pair_answers out = {.size = sizeof out, .verdict = verdict};
-    double begin = now();
-    need(verdict && fmb_frames_from_arrays(3, frames, &a, NULL, &set) == FMB_OK &&
-             fmb_pair_new(3, NULL, NULL, &k) == FMB_OK &&
-             fmb_frames_test(k, set, set, pairs, pair, &out) == FMB_OK,
-         "no answer");
-    double taken = now() - begin;
-    fmb_pair_free(k);
-    fmb_frames_free(set);
-    free(verdict);
+    pass_pairs(frames, &a, pairs, pair);
+    double taken = pass_pairs(frames, &a, pairs, pair);
     free(pair);
     free(axes);
     free(origin);

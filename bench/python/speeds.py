@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """How far above C is Python? 10,000 tiny queries, a million pairs from arrays, 20,000 rows of a sparse
-matrix of SciPy's. Seconds of the processor, Python and bench-python in turns; medians.
+matrix of SciPy's. Seconds of the processor, Python and bench-python in turns, each after a pass that is
+not counted, so that neither finds what it reads in farther caches than the other; medians.
 
 usage: speeds.py PACKAGE_FOLDER BENCH_PYTHON"""
 
@@ -27,6 +28,7 @@ def in_turns(work, *program):
     python, c = [], []
     for _ in range(ROUNDS):
         c.append(float(subprocess.run(program, capture_output=True, text=True, check=True).stdout))
+        work()
         python.append(clocked(work))
     return median(python), median(c)
 
