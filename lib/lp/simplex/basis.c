@@ -119,7 +119,8 @@ fmb_status fmb_basis_add(fmb_basis *b, const double *v, fmb_range range)
 void fmb_basis_empty(fmb_basis *b)
 {
     fmb_dense_inverse_restart(&b->inverse, b->d);
-    memset(b->is_basic, 0, b->size * sizeof *b->is_basic);
+    if (b->size > 0)
+        memset(b->is_basic, 0, b->size * sizeof *b->is_basic);
     for (size_t k = 0; k < b->d; k++) {
         b->basic[k] = SIZE_MAX;
         b->length[k] = 1;
