@@ -13,6 +13,15 @@
 #include "common/nearest.h"
 #include "common/need.h"
 
+/* Wide enough for every name, and a blank behind it. */
+static int column_of_names(const app_program *p)
+{
+    size_t width = 11;
+    for (size_t i = 0; i < p->commands; i++)
+        width = strlen(p->command[i].name) < width ? width : strlen(p->command[i].name) + 1;
+    return (int)width;
+}
+
 /* The table stands between the first line of the documentation and what follows the options. */
 static char *help_text(int key, const char *text, void *input)
 {
@@ -22,9 +31,10 @@ static char *help_text(int key, const char *text, void *input)
     char *out = NULL;
     size_t size;
     FILE *f = app_need(open_memstream(&out, &size));
+    int width = column_of_names(p);
     fprintf(f, "%s\n\n%s:\n", text, p->heading);
     for (size_t i = 0; i < p->commands; i++)
-        fprintf(f, "  %-11s%s\n", p->command[i].name, p->command[i].summary);
+        fprintf(f, "  %-*s%s\n", width, p->command[i].name, p->command[i].summary);
     fclose(f);
     return app_need(out);
 }

@@ -54,7 +54,7 @@ complete -F _fmb_validate fmb-validate
 _fmb_qualify()
 {
     local cur prev study=all
-    local studies="all table1 article near touching slender mesh faces boxes scaling rules peers bunny benchmark run merge plots"
+    local studies="all table1 article near touching slender mesh faces boxes scaling rules peers bunny benchmark run merge bias plots leaderboard"
     local general="--help --usage --version --pairs --passes --seed --out --json --quiet"
     _fmb_study_words
     COMPREPLY=()
@@ -72,9 +72,9 @@ _fmb_qualify()
         --presolve) _fmb_study_list "none equalities components onesided bounds refute" ;;
         --rule-library) compopt -o default ;;
         -o | --out)
-            if [[ $study == run ]]; then compopt -o default; else compopt -o dirnames; fi
+            if [[ $study =~ ^(run|leaderboard)$ ]]; then compopt -o default; else compopt -o dirnames; fi
             ;;
-        -n | --pairs | -s | --seed | --passes | --dim | --max-rows | --max-seconds | --shard | -f | --families) ;;
+        -n | --pairs | -s | --seed | --passes | --dim | --max-rows | --max-seconds | --shard | -f | --families | --repetitions) ;;
         *)
             if [[ $cur == -* && $study == rules ]]; then
                 _fmb_study_offer "$general --dim --motion --kinds --meeting --family --rules
@@ -84,7 +84,9 @@ _fmb_qualify()
                 _fmb_study_offer "--help --usage --version --families --quiet"
             elif [[ $cur == -* && $study == run ]]; then
                 _fmb_study_offer "--help --usage --version --out --shard --quiet"
-            elif [[ $cur == -* && $study == plots ]]; then
+            elif [[ $cur == -* && $study == bias ]]; then
+                _fmb_study_offer "--help --usage --version --repetitions --passes --quiet"
+            elif [[ $cur == -* && $study =~ ^(plots|leaderboard)$ ]]; then
                 _fmb_study_offer "--help --usage --version --out"
             elif [[ $cur == -* && $study == merge ]]; then
                 _fmb_study_offer "--help --usage --version"
@@ -92,7 +94,7 @@ _fmb_qualify()
                 _fmb_study_offer "$general --simd"
             elif ((COMP_CWORD == 1)); then
                 _fmb_study_offer "$studies"
-            elif [[ $study =~ ^(rules|bunny|run|merge|plots)$ ]]; then
+            elif [[ $study =~ ^(rules|bunny|run|merge|plots|leaderboard)$ ]]; then
                 compopt -o default
             elif [[ $study == benchmark ]]; then
                 compopt -o dirnames

@@ -84,7 +84,10 @@ static const app_command commands[] = {
      qualify_benchmark},
     {"run", "fmb-qualify run", "an experiment from a plan: each run a line of CSV", qualify_run},
     {"merge", "fmb-qualify merge", "the shards of an experiment as one file", qualify_merge},
+    {"bias", "fmb-qualify bias", "none against none: is the clock fair?", qualify_bias},
     {"plots", "fmb-qualify plots", "figures and tables of an experiment", qualify_plots},
+    {"leaderboard", "fmb-qualify leaderboard", "rules and orders of an experiment, ranked",
+     qualify_leaderboard},
 };
 
 static const char doc[] =

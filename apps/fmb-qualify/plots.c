@@ -1,4 +1,4 @@
-/* plots.c: fmb-qualify plots: figures of an experiment, by plots.py. */
+/* plots.c: fmb-qualify plots and leaderboard: what Python makes of the CSV of an experiment. */
 #include <argp.h>
 #include <unistd.h>
 
@@ -6,18 +6,21 @@
 #include "fmb-qualify/render.h"
 
 typedef struct wanted {
-    const char *runs, *folder;
+    const char *runs, *out;
 } wanted;
 
-static const struct argp_option options[] = {
+static const struct argp_option plots_options[] = {
     {"out", 'o', "DIR", 0, "Folder for the figures [fmb-plots]", 1}, {0}};
+
+static const struct argp_option leaderboard_options[] = {
+    {"out", 'o', "FILE", 0, "Where it goes [leaderboard.md]", 1}, {0}};
 
 static error_t parse(int key, char *arg, struct argp_state *state)
 {
     wanted *w = state->input;
     switch (key) {
     case 'o':
-        w->folder = arg;
+        w->out = arg;
         return 0;
     case ARGP_KEY_ARG:
         if (w->runs)
@@ -33,19 +36,39 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     }
 }
 
-static const char doc[] = "Draw what `fmb-qualify run` left in a file of CSV: cactus plot, "
-                          "performance profiles, critical "
-                          "differences, rows by round, growth, families x rules; a table in LaTeX; "
-                          "and report.html with them "
-                          "all. It needs Python with matplotlib, numpy and scipy.";
+static const char plots_doc[] =
+    "Draw what `fmb-qualify run` left in a file of CSV: cactus plot, "
+    "performance profiles, critical "
+    "differences, rows by round, growth, families x rules; a table in LaTeX; "
+    "and report.html with them "
+    "all. It needs Python with matplotlib, numpy and scipy.";
+
+static const char leaderboard_doc[] =
+    "Rank the rules and orders that `fmb-qualify run` left in a file of CSV: by rows made, by the "
+    "most rows at once, by time, and by "
+    "what proofs cost; in Markdown. Wrong answers disqualify. It needs Python with matplotlib, "
+    "numpy and scipy.";
+
+/* What a script makes of the CSV goes to a place that has a usual name. */
+static int render(int argc, char **argv, const struct argp *whole_line, const char *script,
+                  const char *usual)
+{
+    wanted w = {.out = usual};
+    argp_parse(whole_line, argc, argv, 0, NULL, &w);
+    if (access(w.runs, R_OK) != 0)
+        return app_error(APP_CANNOT_OPEN, "%s: cannot be read", w.runs);
+    return qualify_render(script, w.runs, w.out) == QUALIFY_RENDERED ? APP_YES : APP_INTERNAL;
+}
 
 int qualify_plots(int argc, char **argv)
 {
-    const struct argp whole_line = {options, parse, "RUNS.csv", doc, NULL, NULL, NULL};
-    wanted w = {.folder = "fmb-plots"};
-    argp_parse(&whole_line, argc, argv, 0, NULL, &w);
-    if (access(w.runs, R_OK) != 0)
-        return app_error(APP_CANNOT_OPEN, "%s: cannot be read", w.runs);
-    return qualify_render("plots.py", w.runs, w.folder) == QUALIFY_RENDERED ? APP_YES
-                                                                            : APP_INTERNAL;
+    const struct argp whole_line = {plots_options, parse, "RUNS.csv", plots_doc, NULL, NULL, NULL};
+    return render(argc, argv, &whole_line, "plots.py", "fmb-plots");
+}
+
+int qualify_leaderboard(int argc, char **argv)
+{
+    const struct argp whole_line = {
+        leaderboard_options, parse, "RUNS.csv", leaderboard_doc, NULL, NULL, NULL};
+    return render(argc, argv, &whole_line, "leaderboard.py", "leaderboard.md");
 }

@@ -8,6 +8,7 @@ run that was decided, and as equal to another that was stopped. Nothing is left 
 import collections
 import csv
 import html
+import lzma
 import pathlib
 import sys
 
@@ -36,20 +37,29 @@ plt.rcParams.update({
 PROBLEM = ("family", "size", "seed", "digits", "density")
 
 
+def read(path):
+    """The lines of a file, which may be compressed."""
+    with (lzma.open if str(path).endswith(".xz") else open)(path, "rt", encoding="utf-8", newline="") as f:
+        lines = list(csv.DictReader(f))
+    if not lines:
+        sys.exit(f"fmb-qualify: {path}: no runs")
+    return lines
+
+
 class Runs:
     """All runs by way and by problem. A problem is one that every way was asked about."""
 
     def __init__(self, path):
-        with open(path, encoding="utf-8", newline="") as f:
-            lines = list(csv.DictReader(f))
-        if not lines:
-            sys.exit(f"fmb-qualify: {path}: no runs")
+        lines = read(path)
         orders = len({line["order"] for line in lines if line["order"]})
+        kinds = len({line["evidence"] for line in lines})
         self.run = collections.defaultdict(dict)
         for line in lines:
             name = line["rules"] or line["method"]
             if orders > 1 and line["order"]:
                 name += f' ({line["order"]})'
+            if kinds > 1:
+                name += f' [{line["evidence"]}]'
             self.run[name][tuple(line[key] for key in PROBLEM)] = line
         self.problems = list(dict.fromkeys(tuple(line[key] for key in PROBLEM) for line in lines))
         self.ways = [way for way in self.run if any(line["outcome"] != "unknown" for line in self.run[way].values())]

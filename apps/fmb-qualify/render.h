@@ -1,5 +1,5 @@
 /* render.h: the scripts that make report.html and the figures: report.py of report.json, plots.py
- * of the CSV of an experiment. */
+ * and leaderboard.py of the CSV of an experiment. */
 #ifndef QUALIFY_RENDER_H
 #define QUALIFY_RENDER_H
 
@@ -13,7 +13,8 @@ typedef enum qualify_rendered {
 /* Run the script of that name with one argument, or two; second may be NULL. */
 qualify_rendered qualify_render(const char *name, const char *first, const char *second);
 
-/* fmb-qualify plots. */
+/* fmb-qualify plots, fmb-qualify leaderboard. */
 int qualify_plots(int argc, char **argv);
+int qualify_leaderboard(int argc, char **argv);
 
 #endif

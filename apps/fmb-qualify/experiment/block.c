@@ -9,6 +9,7 @@
 #include "fmb-qualify/rules/files.h"
 #include "fmb-qualify/watch.h"
 #include "study/benchmark/benchmark.h"
+#include "study/grid/wrong.h"
 #include "study/program/program.h"
 
 size_t qualify_block_size(const qualify_experiment *e, size_t block)
@@ -109,10 +110,12 @@ int qualify_block_run(const qualify_experiment *e, size_t block, study_grid *g)
 
 /* ---- lines ----------------------------------------------------------------------------------- */
 
-const char qualify_experiment_header[] = "plan,block,family,size,seed,digits,density,rows,"
-                                         "variables,kept,question,method,order,rules,outcome,stop,"
-                                         "verdict,pairs,made,rows_kept,lived,peak,held,rounds,"
-                                         "timed,passes,seconds,version,commit,machine\n";
+const char qualify_experiment_header[] =
+    "plan,block,family,size,seed,digits,density,rows,"
+    "variables,kept,question,method,order,rules,evidence,outcome,"
+    "stop,verdict,pairs,made,rows_kept,lived,peak,held,rounds,"
+    "max_rows,max_seconds,timed,passes,seconds,version,commit,"
+    "machine,system\n";
 
 static const char *outcome_text(study_outcome outcome)
 {
@@ -158,14 +161,40 @@ static void write_run(const qualify_experiment *e, const qualify_way_names *name
 {
     fprintf(f, "%s,%s,", names->method, names->order);
     qualify_csv_text(f, names->rules);
-    fprintf(f, ",%s,%s,%s,", outcome_text(r->outcome), fmb_stop_text(r->stop),
+    fprintf(f, ",%s,%s,%s,%s,", names->evidence, outcome_text(r->outcome), fmb_stop_text(r->stop),
             fmb_verdict_text(r->verdict));
     write_counts(r, f);
     write_rounds(r, f);
-    fprintf(f, ",%s,%d,%.9f,%s,%s,", e->passes > 0 ? outcome_text(r->solved) : "no", e->passes,
-            r->seconds, fmb_version(), m->commit);
+    fprintf(f, ",%zu,%g,%s,%d,%.9f,%s,%s,", e->limits.max_rows, e->limits.max_seconds,
+            e->passes > 0 ? outcome_text(r->solved) : "no", e->passes, r->seconds, fmb_version(),
+            m->commit);
     qualify_csv_text(f, m->cpu);
-    fputc('\n', f);
+    fputc(',', f);
+}
+
+static bool is_wrong(const study_run *r)
+{
+    return r->outcome == STUDY_WRONG || r->solved == STUDY_WRONG;
+}
+
+/* Of the wrong answers of a way in this block the first: the system that shows it, its rows with
+ * semicolons between. */
+static void write_system(const qualify_experiment *e, const study_grid *g, size_t item, size_t way,
+                         FILE *f)
+{
+    fmb_system *s = NULL;
+    const study_case *c = &g->sample[0].item[item];
+    bool first = is_wrong(study_grid_at(g, 0, item, way));
+    for (size_t i = 0; i < item; i++)
+        first = first && !is_wrong(study_grid_at(g, 0, i, way));
+    if (!first || study_smallest_wrong(c, &e->way[way], &e->limits, &s) != FMB_OK || !s)
+        return;
+    char *text = qualify_system_text(s, c);
+    for (char *end = strchr(text, '\n'); end; end = strchr(end, '\n'))
+        *end = ';';
+    qualify_csv_text(f, text);
+    free(text);
+    fmb_system_free(s);
 }
 
 void qualify_block_write(const qualify_experiment *e, size_t block, const study_grid *g, FILE *f)
@@ -175,5 +204,7 @@ void qualify_block_write(const qualify_experiment *e, size_t block, const study_
         for (size_t w = 0; w < e->ways; w++) {
             write_problem(e, block, &g->sample[0], i, f);
             write_run(e, &e->way_names[w], study_grid_at(g, 0, i, w), &m, f);
+            write_system(e, g, i, w, f);
+            fputc('\n', f);
         }
 }

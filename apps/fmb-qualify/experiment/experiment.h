@@ -21,7 +21,7 @@ typedef struct qualify_block {
 
 /* Names of ways as CSV has them; "" where a method has no such thing. */
 typedef struct qualify_way_names {
-    const char *method, *order, *rules;
+    const char *method, *order, *rules, *evidence;
 } qualify_way_names;
 
 typedef struct qualify_experiment {
@@ -43,6 +43,8 @@ typedef struct qualify_experiment {
 
 /* [give, qualify_experiment_clear, in any case] Read a plan. An exit code, after a message. */
 int qualify_experiment_read(const char *path, qualify_experiment *out);
+/* The same of a plan that is there, and now belongs to *out; path is what messages call it. */
+int qualify_experiment_take(json_t *plan, const char *path, qualify_experiment *out);
 void qualify_experiment_clear(qualify_experiment *e);
 /* Systems of a block. */
 size_t qualify_block_size(const qualify_experiment *e, size_t block);
@@ -55,8 +57,9 @@ void qualify_block_write(const qualify_experiment *e, size_t block, const study_
 /* The first line of a file, with its end. */
 extern const char qualify_experiment_header[];
 
-/* fmb-qualify run, fmb-qualify merge. */
+/* fmb-qualify run, merge, bias. */
 int qualify_run(int argc, char **argv);
 int qualify_merge(int argc, char **argv);
+int qualify_bias(int argc, char **argv);
 
 #endif

@@ -20,6 +20,7 @@ static const key KEY[] = {
     {"rules", "[\"none\", \"default\"]", JSON_STRING, 0, 0},
     {"orders", "[\"pairs\"]", JSON_STRING, 0, 0},
     {"methods", "[\"fm\"]", JSON_STRING, 0, 0},
+    {"evidence", "[\"all\"]", JSON_STRING, 0, 0},
     {"families", "[\"all\"]", JSON_STRING, 0, 0},
     {"files", "[]", JSON_STRING, 0, 0},
     {"sizes", "[1, 2, 3, 4, 5]", JSON_INTEGER, 1, STUDY_BENCHMARK_SIZES},
@@ -137,46 +138,57 @@ static int make_blocks(const char *path, qualify_experiment *e)
 
 /* ---- ways ------------------------------------------------------------------------------------ */
 
-static int add_way(qualify_experiment *e, const char *method, const char *order, const char *rules)
+static int add_way(qualify_experiment *e, qualify_way_names names)
 {
     qualify_order found = {.name = ""};
     int code = APP_YES;
     size_t w = e->ways++;
-    e->way_names[w] = (qualify_way_names){method, order, rules};
-    if (*order)
-        code = qualify_order_find(&e->library, "orders", order, &found);
-    if (code == APP_YES && *rules && strcmp(rules, "default") != 0)
-        code = app_rule_library_split(&e->library, rules, &e->set[w]);
-    e->way[w] = (study_way){.name = rules,
+    e->way_names[w] = names;
+    if (*names.order)
+        code = qualify_order_find(&e->library, "orders", names.order, &found);
+    if (code == APP_YES && *names.rules && strcmp(names.rules, "default") != 0)
+        code = app_rule_library_split(&e->library, names.rules, &e->set[w]);
+    e->way[w] = (study_way){.name = names.rules,
                             .rules = e->set[w].words,
                             .added = e->set[w].added,
                             .order = found.order,
                             .chooser = found.chooser,
-                            .method = method};
+                            .method = names.method,
+                            .evidence = names.evidence};
     return code;
 }
 
 /* Rules and orders are those of elimination: another method is one way. */
+static int add_ways(const char *path, qualify_experiment *e, const char *method,
+                    const char *evidence)
+{
+    size_t orders = count_of(e, "orders"), sets = count_of(e, "rules");
+    fmb_options o = {.size = sizeof o};
+    int code = APP_YES;
+    if (fmb_options_set(&o, "method", method) != FMB_OK)
+        return refuse(path, "methods", "auto, fm, lp, hull, dd");
+    if (fmb_options_set(&o, "evidence", evidence) != FMB_OK)
+        return refuse(path, "evidence", "all, none, verdict, whole");
+    if (o.method != FMB_METHOD_FM)
+        return add_way(e, (qualify_way_names){method, "", "", evidence});
+    for (size_t k = 0; k < orders; k++)
+        for (size_t r = 0; code == APP_YES && r < sets; r++)
+            code = add_way(e, (qualify_way_names){method, word_at(e, "orders", k),
+                                                  word_at(e, "rules", r), evidence});
+    return code;
+}
+
 static int make_ways(const char *path, qualify_experiment *e)
 {
-    size_t methods = count_of(e, "methods"), orders = count_of(e, "orders"),
-           sets = count_of(e, "rules");
-    size_t most = methods * (orders * sets + 1) + 1;
+    size_t methods = count_of(e, "methods"), kinds = count_of(e, "evidence");
+    size_t most = methods * kinds * (count_of(e, "orders") * count_of(e, "rules") + 1) + 1;
     int code = APP_YES;
     e->way = app_need(calloc(most, sizeof *e->way));
     e->way_names = app_need(calloc(most, sizeof *e->way_names));
     e->set = app_need(calloc(most, sizeof *e->set));
-    for (size_t m = 0; code == APP_YES && m < methods; m++) {
-        fmb_options o = {.size = sizeof o};
-        const char *method = word_at(e, "methods", m);
-        if (fmb_options_set(&o, "method", method) != FMB_OK)
-            return refuse(path, "methods", "auto, fm, lp, hull, dd");
-        if (o.method != FMB_METHOD_FM)
-            code = add_way(e, method, "", "");
-        for (size_t k = 0; o.method == FMB_METHOD_FM && k < orders; k++)
-            for (size_t r = 0; code == APP_YES && r < sets; r++)
-                code = add_way(e, method, word_at(e, "orders", k), word_at(e, "rules", r));
-    }
+    for (size_t m = 0; m < methods; m++)
+        for (size_t k = 0; code == APP_YES && k < kinds; k++)
+            code = add_ways(path, e, word_at(e, "methods", m), word_at(e, "evidence", k));
     return code == APP_YES && e->ways == 0 ? refuse(path, "methods", "something to do") : code;
 }
 
@@ -214,15 +226,10 @@ static void name_plan(qualify_experiment *e)
     free(text);
 }
 
-int qualify_experiment_read(const char *path, qualify_experiment *e)
+/* Of the plan that e holds. */
+static int read_plan(const char *path, qualify_experiment *e)
 {
-    json_error_t why;
     const char *library = NULL;
-    *e = (qualify_experiment){.plan = json_load_file(path, JSON_REJECT_DUPLICATES, &why)};
-    if (!e->plan && why.line <= 0)
-        return app_error(APP_CANNOT_OPEN, "%s", why.text);
-    if (!e->plan)
-        return app_error_at((app_place){path, why.line, why.column}, APP_BAD_INPUT, "%s", why.text);
     int code =
         json_is_object(e->plan) ? need_known_keys(path, e->plan) : refuse(path, "", "an object");
     for (int k = 0; code == APP_YES && k < KEYS; k++)
@@ -243,6 +250,23 @@ int qualify_experiment_read(const char *path, qualify_experiment *e)
     for (size_t i = 0; i < e->seeds; i++)
         e->seed[i] = number_at(e, "seeds", i);
     return e->seeds > 0 ? APP_YES : refuse(path, "seeds", "something to do");
+}
+
+int qualify_experiment_take(json_t *plan, const char *path, qualify_experiment *e)
+{
+    *e = (qualify_experiment){.plan = plan};
+    return read_plan(path, e);
+}
+
+int qualify_experiment_read(const char *path, qualify_experiment *e)
+{
+    json_error_t why;
+    *e = (qualify_experiment){.plan = json_load_file(path, JSON_REJECT_DUPLICATES, &why)};
+    if (!e->plan && why.line <= 0)
+        return app_error(APP_CANNOT_OPEN, "%s", why.text);
+    if (!e->plan)
+        return app_error_at((app_place){path, why.line, why.column}, APP_BAD_INPUT, "%s", why.text);
+    return read_plan(path, e);
 }
 
 void qualify_experiment_clear(qualify_experiment *e)

@@ -7,8 +7,11 @@
 
 #include "common/message.h"
 #include "common/parts.h"
+#include "common/ranks.h"
 #include "fmb-qualify/experiment/state.h"
+#include "fmb-qualify/share.h"
 #include "fmb-qualify/watch.h"
+#include "study/clock/clock.h"
 
 typedef struct order_to_run {
     const char *plan, *out;
@@ -29,40 +32,83 @@ static size_t count_wrong(const study_grid *g, size_t ways)
     return wrong;
 }
 
-/* Written at once: what a kill leaves behind is one block at most that is not whole. */
-static int write_block(const qualify_experiment *e, size_t block, const study_grid *g, FILE *f)
-{
-    qualify_block_write(e, block, g, f);
-    return fflush(f) == 0 && fsync(fileno(f)) == 0
-               ? APP_YES
-               : app_error(APP_CANNOT_WRITE, "%s", strerror(errno));
-}
-
-static int run_block(const qualify_experiment *e, size_t block, FILE *f, size_t *wrong)
+static int run_block(const qualify_experiment *e, size_t block, FILE *f, uint64_t *wrong)
 {
     study_grid g = {0};
     int code = qualify_block_run(e, block, &g);
-    if (code == APP_YES)
-        code = write_block(e, block, &g, f);
-    if (code == APP_YES)
+    if (code == APP_YES) {
+        qualify_block_write(e, block, &g, f);
         *wrong += count_wrong(&g, e->ways);
+    }
     study_grid_clear(&g);
     return code;
 }
 
-static int run_blocks(const order_to_run *o, const qualify_experiment *e, const bool *done, FILE *f)
+/* How long one of several ranks works until its lines are fetched [s]: a kill costs that at most.
+ * One alone writes after each block. */
+static const double SLICE_SECONDS = 5;
+
+/* Blocks that this rank takes from those that are left: at least one, if there is one. */
+static int run_slice(const order_to_run *o, const qualify_experiment *e, const bool *done, FILE *f,
+                     uint64_t *wrong)
 {
-    size_t wrong = 0;
+    double end = study_thread_seconds() + (app_ranks() > 1 ? SLICE_SECONDS : 0);
     int code = APP_YES;
-    for (size_t b = 0; code == APP_YES && b < e->blocks; b++) {
+    for (bool ran = false; code == APP_YES && (!ran || study_thread_seconds() < end);) {
+        size_t b = (size_t)app_ranks_take(0, 1);
+        if (b >= e->blocks)
+            break;
         if (!qualify_watch_step(NULL, b, e->blocks))
             return APP_UNDECIDED;
-        if (is_mine(o, b) && !done[b])
-            code = run_block(e, b, f, &wrong);
+        if (is_mine(o, b) && !done[b]) {
+            code = run_block(e, b, f, wrong);
+            ran = true;
+        }
     }
-    if (code == APP_YES && wrong > 0)
-        code = app_error(APP_NO, "%zu wrong answers", wrong);
     return code;
+}
+
+/* Written at once: what a kill leaves behind is one block at most that is not whole. */
+static int write_lines(const char *text, size_t n, FILE *f)
+{
+    return fwrite(text, 1, n, f) == n && fflush(f) == 0 && fsync(fileno(f)) == 0
+               ? APP_YES
+               : app_error(APP_CANNOT_WRITE, "%s", strerror(errno));
+}
+
+/* The lines of all ranks come to the first one, who writes them; none: all is done. */
+static int collect_lines(const char *text, size_t n, FILE *f, bool *goes_on)
+{
+    size_t all = 0;
+    char *lines = app_ranks_gather(text, n, &all);
+    int code = f && all > 0 ? write_lines(lines, all, f) : APP_YES;
+    free(lines);
+    *goes_on = all > 0;
+    app_ranks_share(goes_on, sizeof *goes_on);
+    return code;
+}
+
+/* f is NULL but for the first rank. */
+static int run_blocks(const order_to_run *o, const qualify_experiment *e, const bool *done, FILE *f)
+{
+    uint64_t wrong = 0;
+    int code = APP_YES;
+    for (bool goes_on = true; code == APP_YES && goes_on;) {
+        char *text = NULL;
+        size_t n = 0;
+        FILE *lines = app_need(open_memstream(&text, &n));
+        code = run_slice(o, e, done, lines, &wrong);
+        if (fclose(lines) != 0)
+            app_need(NULL);
+        if (code == APP_YES)
+            code = collect_lines(text, n, f, &goes_on);
+        free(text);
+    }
+    if (code != APP_YES)
+        return app_ranks_fail(code);
+    app_ranks_sum(&wrong, 1);
+    return wrong > 0 && f ? app_error(APP_NO, "%llu wrong answers", (unsigned long long)wrong)
+                          : APP_YES;
 }
 
 /* [give] The file, cut where its last whole block ends. */
@@ -77,14 +123,26 @@ static int open_results(const char *path, long end, FILE **out)
     return APP_YES;
 }
 
+/* What the first rank finds of an earlier run, and where it writes; the others hear of it. */
+static int begin(const order_to_run *o, const qualify_experiment *e, bool *done, FILE **f)
+{
+    long end;
+    int code = APP_YES;
+    if (app_rank() == 0)
+        code = qualify_state_read(e, o->out, done, &end);
+    if (code == APP_YES && app_rank() == 0)
+        code = open_results(o->out, end, f);
+    if (code != APP_YES)
+        return app_ranks_fail(code);
+    app_ranks_share(done, e->blocks * sizeof *done);
+    return APP_YES;
+}
+
 static int run(const order_to_run *o, const qualify_experiment *e)
 {
     bool *done = app_need(calloc(e->blocks, sizeof *done));
     FILE *f = NULL;
-    long end;
-    int code = qualify_state_read(e, o->out, done, &end);
-    if (code == APP_YES)
-        code = open_results(o->out, end, &f);
+    int code = begin(o, e, done, &f);
     if (code == APP_YES) {
         qualify_watch_begin(o->quiet);
         qualify_watch_name("run");
@@ -92,8 +150,25 @@ static int run(const order_to_run *o, const qualify_experiment *e)
         qualify_watch_end();
     }
     if (f && fclose(f) != 0 && code == APP_YES)
-        code = app_error(APP_CANNOT_WRITE, "%s: %s", o->out, strerror(errno));
+        code = app_ranks_fail(app_error(APP_CANNOT_WRITE, "%s: %s", o->out, strerror(errno)));
     free(done);
+    return code;
+}
+
+/* All ranks read the plan; of its mistakes the first one tells. */
+static int read_and_run(const order_to_run *o)
+{
+    qualify_experiment e = {0};
+    bool good = true;
+    int code = app_rank() == 0 ? qualify_experiment_read(o->plan, &e) : APP_YES;
+    if (code != APP_YES)
+        app_ranks_fail(code);
+    app_ranks_share(&good, sizeof good);
+    if (app_rank() > 0)
+        code = qualify_experiment_read(o->plan, &e);
+    if (code == APP_YES)
+        code = run(o, &e);
+    qualify_experiment_clear(&e);
     return code;
 }
 
@@ -146,7 +221,8 @@ static const char doc[] = "Run an experiment: rules x orders x methods x familie
                           "Examples:\n"
                           "  fmb-qualify run plan.json --out runs.csv\n"
                           "  fmb-qualify run plan.json --shard 1/2 --out a.csv\n"
-                          "  fmb-qualify merge a.csv b.csv >runs.csv\n";
+                          "  fmb-qualify merge a.csv b.csv >runs.csv\n"
+                          "  mpirun -n 8 fmb-qualify run plan.json\n";
 
 /* "a/plan.json" without its ending and with .csv. */
 static char *usual_results(const char *plan)
@@ -163,14 +239,12 @@ int qualify_run(int argc, char **argv)
 {
     const struct argp whole_line = {options, parse, "PLAN", doc, NULL, NULL, NULL};
     order_to_run o = {0};
-    qualify_experiment e;
     argp_parse(&whole_line, argc, argv, 0, NULL, &o);
     char *usual = usual_results(o.plan);
     o.out = o.out ? o.out : usual;
-    int code = qualify_experiment_read(o.plan, &e);
+    int code = qualify_join_ranks();
     if (code == APP_YES)
-        code = run(&o, &e);
-    qualify_experiment_clear(&e);
+        code = qualify_leave_ranks(read_and_run(&o));
     free(usual);
     return code;
 }

@@ -1,6 +1,7 @@
 /* files.c: see files.h. */
 #include "fmb-qualify/rules/files.h"
 
+#include <fmb/io.h>
 #include <stdlib.h>
 
 #include "common/file.h"
@@ -48,4 +49,17 @@ int qualify_files_add(study_grid *g, const char *path, bool read)
     if (study_sample_put(&sample, s, keep, kept) != FMB_OK || study_grid_add(g, &sample) != FMB_OK)
         app_need(NULL);
     return APP_YES;
+}
+
+char *qualify_system_text(fmb_system *s, const study_case *c)
+{
+    size_t length = 0;
+    for (int j = 0; j < c->kept; j++)
+        fmb_system_set_kept(s, c->keep[j], true);
+    if (fmb_system_print(s, FMB_FORMAT_TEXT, NULL, 0, &length) != FMB_OK)
+        app_need(NULL);
+    char *text = app_need(malloc(length + 1));
+    if (fmb_system_print(s, FMB_FORMAT_TEXT, text, length + 1, &length) != FMB_OK)
+        app_need(NULL);
+    return text;
 }

@@ -8,4 +8,8 @@
  * message unless 0. Keeps path. */
 int qualify_files_add(study_grid *g, const char *path, bool read);
 
+/* [give, free()] The system of a case, or what is left of it, as .fmb; marks the variables that the
+ * case keeps. */
+char *qualify_system_text(fmb_system *s, const study_case *c);
+
 #endif

@@ -1,12 +1,12 @@
 /* wrong.c: the first wrong answer of a study, and the system that shows it, as small as it gets. */
 #include "study/grid/wrong.h"
 
-#include <fmb/io.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "common/message.h"
 #include "fmb-qualify/numbers.h"
+#include "fmb-qualify/rules/files.h"
 #include "fmb-qualify/rules/report.h"
 
 static bool is_wrong_run(const study_run *r)
@@ -27,18 +27,6 @@ static bool find_wrong(const study_grid *g, size_t *sample, size_t *item, size_t
                     return true;
                 }
     return false;
-}
-
-/* [give, free()] As .fmb, with the variables that stay. */
-static char *text_of_system(const fmb_system *s)
-{
-    size_t length = 0;
-    if (fmb_system_print(s, FMB_FORMAT_TEXT, NULL, 0, &length) != FMB_OK)
-        app_need(NULL);
-    char *text = app_need(malloc(length + 1));
-    if (fmb_system_print(s, FMB_FORMAT_TEXT, text, length + 1, &length) != FMB_OK)
-        app_need(NULL);
-    return text;
 }
 
 static void put_text(FILE *f, const void *text)
@@ -73,9 +61,7 @@ void qualify_show_wrong(const qualify_plan *p, qualify_page *page)
     const study_case *c = &p->grid.sample[k].item[i];
     if (study_smallest_wrong(c, &p->way[w], &p->grid.limits, &s) != FMB_OK || !s)
         return;
-    for (int j = 0; j < c->kept; j++)
-        fmb_system_set_kept(s, c->keep[j], true);
-    char *text = text_of_system(s);
+    char *text = qualify_system_text(s, c);
     qualify_page_text(page,
                       "Wrong: rules %s in order %s, asked for a verdict, or for the projection on "
                       "the variables that stay. The system that shows it, without the rows that "

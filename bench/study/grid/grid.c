@@ -230,7 +230,7 @@ static fmb_status time_sample(bench *b, size_t k, progress *how)
     *how = COMPLETE;
     for (size_t pass = 0; pass < passes; pass++)
         for (size_t w = 0; st == FMB_OK && *how == COMPLETE && w < g->ways; w++) {
-            size_t way = (w + pass + k + g->turn) % g->ways;
+            size_t way = study_grid_turn(g, k, pass, w);
             if (g->known[way])
                 st = time_pass(b, k, way, pass, seconds, how);
         }

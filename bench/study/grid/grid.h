@@ -68,6 +68,13 @@ void study_grid_clear(study_grid *g);
 fmb_status study_case_count(study_reference *reference, study_engine *engine, const study_case *c,
                             study_run *run);
 
+/* Which way is the place-th of a pass over a sample. In as many passes as there are ways each
+ * begins once, and so it is in as many samples, or turns. */
+static inline size_t study_grid_turn(const study_grid *g, size_t sample, size_t pass, size_t place)
+{
+    return (place + pass + sample + g->turn) % g->ways;
+}
+
 static inline study_run *study_grid_at(const study_grid *g, size_t sample, size_t item, size_t way)
 {
     return &g->run[(sample * g->most + item) * g->ways + way];

@@ -66,6 +66,8 @@ fmb_status study_engine_open(study_engine *e, const study_way *way, const study_
     o.method = FMB_METHOD_FM;
     if (way->method && fmb_options_set(&o, "method", way->method) != FMB_OK)
         return FMB_ERR_ARG;
+    if (way->evidence && fmb_options_set(&o, "evidence", way->evidence) != FMB_OK)
+        return FMB_ERR_ARG;
     e->by_fmplex = way->rules && strcmp(way->rules, "fmplex") == 0;
     o.rules = e->by_fmplex ? NULL : way->rules;
     o.order = way->order;

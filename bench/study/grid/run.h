@@ -12,8 +12,9 @@ typedef struct study_way {
                                      but projects not */
     const fmb_rule *const *added; /* more rules, NULL ends them; or NULL */
     fmb_order order;
-    fmb_chooser chooser; /* in its place, unless choose is NULL */
-    const char *method;  /* as options.method takes it; NULL: elimination only */
+    fmb_chooser chooser;  /* in its place, unless choose is NULL */
+    const char *method;   /* as options.method takes it; NULL: elimination only */
+    const char *evidence; /* as options.evidence takes it; NULL: as it is usual */
 } study_way;
 
 typedef struct study_limits {

@@ -10,7 +10,7 @@ validate, qualify, script = sys.argv[1:]
 ABOUT = ("--help", "--usage", "--version")
 # What the help of a command has, if it was understood.
 HAS = {"rules": {"--pairs", "--rules"}, "benchmark": {"--families"}, "run": {"--shard"}, "merge": set(),
-       "plots": {"--out"}}
+       "plots": {"--out"}, "leaderboard": {"--out"}, "bias": {"--repetitions"}}
 faults = []
 
 

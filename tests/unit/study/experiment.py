@@ -1,5 +1,6 @@
 """fmb-qualify run and merge: the same counts after a kill, from two shards and once more; wrong answers and mistakes.
-usage: experiment.py FMB_QUALIFY LIAR"""
+What proofs cost, and rules
+against themselves. usage: experiment.py FMB_QUALIFY LIAR"""
 
 import csv
 import json
@@ -75,7 +76,7 @@ def killed(folder, lines):
 
 def mistakes(folder):
     for change in ({"rules": "none"}, {"sizes": [6]}, {"families": ["nothing"]}, {"colour": 1}, {"methods": ["guess"]},
-                   {"limits": {"rows": "many"}}, {"question": "why"}, {"seeds": []}):
+                   {"evidence": ["some"]}, {"limits": {"rows": "many"}}, {"question": "why"}, {"seeds": []}):
         expect(run("run", write(folder, **change)).returncode == 65, f"{change} is taken")
     expect(run("run", folder / "missing.json").returncode == 66, "no plan")
     expect(run("run", write(folder, orders=["mine"])).returncode == 64, "no such order")
@@ -89,7 +90,29 @@ def wrong(folder):
                             "presolve": "none", "methods": ["fm"], "digits": [0], "density": [100]})
     found = run("run", plan, "-o", folder / "wrong.csv")
     expect(found.returncode == 1 and "wrong answers" in found.stderr, f"a liar: {found}")
-    expect("wrong" in {line["outcome"] for line in counts((folder / "wrong.csv").read_text())}, "a liar: no line")
+    lines = counts((folder / "wrong.csv").read_text())
+    shown = {line["outcome"]: line["system"] for line in lines}
+    expect("wrong" in shown, "a liar: no line")
+    expect("<= " in shown.get("wrong", "") and shown["wrong"].count(";") < system.read_text().count("\n") + 2, f"a liar: {shown}")
+
+
+def evidence(folder):
+    plan = write(folder, evidence=["all", "none"], families=["dense"], methods=["fm"], passes=0)
+    expect(run("run", plan, "-o", folder / "evidence.csv").returncode == 0, "evidence")
+    lines = counts((folder / "evidence.csv").read_text())
+    kinds = [[{k: v for k, v in line.items() if k != "evidence"} for line in lines if line["evidence"] == kind]
+             for kind in ("all", "none")]
+    expect(kinds[0] and [line["made"] for line in kinds[0]] == [line["made"] for line in kinds[1]], "evidence changes counts")
+
+
+def bias():
+    found = run("bias", "--repetitions", "2", "--passes", "1")
+    lines = list(csv.DictReader(found.stdout.splitlines()))
+    expect(found.returncode == 0 and len(lines) == 2 and "of 2 intervals" in found.stderr, f"bias: {found}")
+    for line in lines:
+        expect(int(line["systems"]) > 40, f"bias: {line}")
+        for of in ("total", "median"):
+            expect(0 < float(line[of + "_low"]) <= float(line[of]) <= float(line[of + "_high"]), f"bias: {line}")
 
 
 with tempfile.TemporaryDirectory() as name:
@@ -99,5 +122,7 @@ with tempfile.TemporaryDirectory() as name:
     killed(home, lines_of_all)
     mistakes(home)
     wrong(home)
+    evidence(home)
+    bias()
 print("\n".join(faults) or "experiment: no faults")
 sys.exit(bool(faults))

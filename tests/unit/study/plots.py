@@ -3,6 +3,7 @@ usage: plots.py FMB_QUALIFY"""
 
 import csv
 import json
+import lzma
 import os
 import pathlib
 import re
@@ -28,6 +29,31 @@ def run(*words):
                           env={**os.environ, "PATH": "/usr/bin:" + os.environ["PATH"], "MPLCONFIGDIR": str(home)})
 
 
+def leaderboard(decided):
+    """Of what was found above; then with an answer turned wrong, whose rules are out."""
+    page, system = home / "page.md", "vars: x;x <= 1;x >= 2;"
+    page.write_text("before\n<!-- begin -->\nold\n<!-- end -->\nbehind\n")
+    made = run("leaderboard", home / "runs.csv", "-o", page)
+    text = page.read_text()
+    expect(made.returncode == 0 and not made.stderr, f"leaderboard: {made}")
+    expect(text.startswith("before\n") and text.endswith("behind\n") and "old" not in text, "what stands around the table is lost")
+    places = re.findall(r"^\| \d+ \| ([\w, ]+) \| (\w+) \| (\d+) \|", text, re.M)
+    expect({name for name, _, _ in places} == {"none", "kohler", "kohler, box"}, f"places: {places}")
+    expect(("kohler", "pairs", str(decided)) in places and places[-1][0] == "none", f"places: {places}")
+    expect("nan" not in text and "Nobody" in text, "leaderboard: who is out?")
+    lines = list(csv.DictReader((home / "runs.csv").open(newline="")))
+    liar = next(line for line in lines if line["rules"] == "kohler,box")
+    liar.update(outcome="wrong", system=system)
+    with lzma.open(home / "lies.csv.xz", "wt", newline="") as f:
+        writer = csv.DictWriter(f, lines[0])
+        writer.writeheader()
+        writer.writerows(lines)
+    expect(run("leaderboard", home / "lies.csv.xz", "-o", home / "lies.md").returncode == 0, "leaderboard, compressed")
+    text = (home / "lies.md").read_text()
+    expect("kohler, box" not in text and "**kohler,box, pairs**: 1 wrong" in text and system.replace(";", "\n") in text,
+           "a wrong answer does not disqualify")
+
+
 with tempfile.TemporaryDirectory() as name:
     home = pathlib.Path(name)
     (home / "plan.json").write_text(json.dumps(PLAN))
@@ -50,5 +76,6 @@ with tempfile.TemporaryDirectory() as name:
     run("plots", home / "runs.csv", "-o", home / "figures")
     expect((home / "figures" / "heat.svg").read_bytes() == first, "other bytes from the same CSV")
     expect(run("plots", home / "missing.csv").returncode == 66, "no CSV")
+    leaderboard(decided)
 print("\n".join(faults) or "plots: no faults")
 sys.exit(bool(faults))

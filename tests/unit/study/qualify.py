@@ -332,7 +332,7 @@ def interrupted_all(folder):
 def documented():
     text = man_page.read_text().replace("\\-", "-")
     wanted = {"--usage"}
-    for name in ("all", *STUDIES, "benchmark", "run", "merge", "plots"):
+    for name in ("all", *STUDIES, "benchmark", "run", "merge", "bias", "plots", "leaderboard"):
         help_text = subprocess.run([program, name, "--help"], capture_output=True, text=True).stdout
         wanted |= set(re.findall(r"^ +(?:-\w, |-\?, )?(--[a-z-]+)", help_text, re.M))
         expect(re.search(rf"^\.B \"?fmb-qualify {name}\b|^\.B {name}$", text, re.M),

@@ -2,6 +2,7 @@
 the run, and nothing is written. Skipped where there is no mpirun, or the programs were built without MPI.
 usage: ranks.py FMB_VALIDATE FMB FMB_QUALIFY"""
 
+import csv
 import json
 import os
 import pathlib
@@ -121,6 +122,47 @@ def same_studies(folder):
     expect(code == 74 and text == "", f"no folder: {code} {text}")
 
 
+def runs(path):
+    """Lines of an experiment by block, without the time."""
+    merged = subprocess.run([qualify, "merge", path], capture_output=True, text=True)
+    return [{**line, "seconds": ""} for line in csv.DictReader(merged.stdout.splitlines())]
+
+
+def same_experiment(folder):
+    """Two and three ranks, one of them after a kill of all, leave the lines of one process."""
+    plan = folder / "plan.json"
+    plan.write_text(json.dumps({"rules": ["none", "kohler"], "sizes": [1], "seeds": [1], "passes": 1, "limits": {"rows": 300, "seconds": 20}}))
+    alone = folder / "alone.csv"
+    subprocess.run([qualify, "run", plan, "--out", alone], check=True)
+    wanted = runs(alone)
+    expect(len(wanted) > 70, "no lines")
+    for ranks in (2, 3):
+        out = folder / f"by{ranks}.csv"
+        if ranks == 3:
+            out.write_bytes(alone.read_bytes()[:len(alone.read_bytes()) // 2])
+        code, _, errors = finish(launch(ranks, qualify, "run", plan, "--out", out))
+        expect(code == 0 and runs(out) == wanted, f"{ranks} ranks: other lines than one process; {code} {errors}")
+    plan.write_text("{}}")
+    code, _, errors = finish(launch(2, qualify, "run", plan, "--out", folder / "none.csv"))
+    expect(code == 65 and errors.count("plan.json:1") == 1, f"a bad plan: {code} {errors}")
+
+
+def killed_experiment(folder):
+    """SIGKILL for both ranks in the midst of it; then again."""
+    plan, out, alone = folder / "long.json", folder / "long.csv", folder / "short.csv"
+    plan.write_text(json.dumps({"rules": ["none", "kohler"], "sizes": [1, 2], "seeds": [1, 2], "passes": 1,
+                                "limits": {"rows": 1000, "seconds": 20}}))
+    subprocess.run([qualify, "run", plan, "--out", alone], check=True)
+    child = launch(2, qualify, "run", plan, "--out", out)
+    while child.poll() is None and not out.exists():
+        time.sleep(0.01)
+    for pid in ranks_of(child):
+        os.kill(pid, signal.SIGKILL)
+    finish(child)
+    code, _, errors = finish(launch(2, qualify, "run", plan, "--out", out))
+    expect(code == 0 and runs(out) == runs(alone), f"after a kill: {code} {errors}")
+
+
 def lost_rank(folder):
     path = folder / "lost"
     path.write_text("before")
@@ -147,6 +189,8 @@ with tempfile.TemporaryDirectory() as name:
     same_counts(pathlib.Path(name))
     same_hits(pathlib.Path(name))
     same_studies(pathlib.Path(name))
+    same_experiment(pathlib.Path(name))
+    killed_experiment(pathlib.Path(name))
     lost_rank(pathlib.Path(name))
 print("\n".join(faults) or "ranks: no faults")
 sys.exit(1 if faults else 0)

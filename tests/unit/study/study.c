@@ -108,6 +108,67 @@ Test(study, grid)
     }
 }
 
+/* Where every way stands, by the pass and by the sample: each once at each place. */
+Test(study, everyone_begins_as_often)
+{
+    for (size_t n = 1; n <= 5; n++)
+        for (size_t turn = 0; turn < 3; turn++) {
+            study_grid g = {.ways = n, .turn = turn};
+            for (size_t place = 0; place < n; place++) {
+                unsigned by_pass = 0, by_sample = 0, of_one = 0;
+                for (size_t i = 0; i < n; i++) {
+                    by_pass |= 1u << study_grid_turn(&g, 3, i, place);
+                    by_sample |= 1u << study_grid_turn(&g, i, 2, place);
+                    of_one |= 1u << study_grid_turn(&g, 3, 2, i);
+                }
+                cr_expect_eq(by_pass, (1u << n) - 1);
+                cr_expect_eq(by_sample, (1u << n) - 1);
+                cr_expect_eq(of_one, (1u << n) - 1);
+            }
+        }
+}
+
+/* Who is at work at each step. */
+typedef struct diary {
+    fmb_solver *volatile running;
+    fmb_solver *at[64];
+    size_t size;
+} diary;
+
+static bool note(void *self, size_t done, size_t all)
+{
+    diary *d = self;
+    (void)done, (void)all;
+    if (d->size < sizeof d->at / sizeof *d->at)
+        d->at[d->size++] = d->running;
+    return true;
+}
+
+/* The passes of the clock, as the diary has them: one that does not count, in which the first way
+ * begins, and then by turns. */
+Test(study, the_clock_takes_turns)
+{
+    enum { ITEMS = 3, WAYS = 2, BEFORE = 1 + ITEMS * WAYS };
+    static const size_t BEGINS[] = {0, 1, 0};
+    study_grid g = small_grid(1);
+    diary d = {0};
+    g.per_class = ITEMS;
+    g.ways = WAYS;
+    g.passes = 2;
+    g.step = note;
+    g.self = &d;
+    g.running = &d.running;
+    must(study_grid_run(&g));
+    cr_assert_eq(d.size, BEFORE + 3 * WAYS * ITEMS);
+    fmb_solver *way[WAYS] = {d.at[BEFORE], d.at[BEFORE + ITEMS]};
+    cr_expect_neq(way[0], way[1]);
+    for (size_t k = 0; k < 3 * WAYS * ITEMS; k++) {
+        size_t pass = k / (WAYS * ITEMS), place = k / ITEMS % WAYS;
+        cr_expect_eq(d.at[BEFORE + k], way[(BEGINS[pass] + place) % WAYS]);
+    }
+    study_grid_clear(&g);
+}
+
 /* FMplex decides the same systems; of its rows there is nothing to count. */
 Test(study, fmplex)
 {
