@@ -1,10 +1,10 @@
 /* image.c: the image of a cone, and its facets; see image.h. */
 #include "hull/image/image.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #include "num/gcd.h"
+#include "trace/sort.h"
 
 /* ---- rays of the image ----------------------------------------------------------------------- */
 
@@ -68,8 +68,8 @@ static fmb_status sort_rays_of_image(fmb_image *m)
         return fmb_mem_status(mem);
     for (size_t i = 0; i < rays; i++)
         list[i] = (sorted_ray){m->ray[i], m->support[i], m->n, first_entry_or_near(&m->ray[i])};
-    qsort(list, rays, sizeof *list, compare_rays_lexicographically);
-    for (size_t i = 0; i < rays; i++) {
+    fmb_status st = fmb_run_sort(m->run, list, rays, sizeof *list, compare_rays_lexicographically);
+    for (size_t i = 0; st == FMB_OK && i < rays; i++) {
         bool is_same = i > 0 && fmb_vec_equal(&m->ray[left - 1], &list[i].v, m->n);
         if (is_same) {
             unite_supports(m, m->support[left - 1], list[i].support);
@@ -79,9 +79,9 @@ static fmb_status sort_rays_of_image(fmb_image *m)
         m->ray[left] = list[i].v;
         m->support[left++] = list[i].support;
     }
-    m->rays = left;
+    m->rays = st == FMB_OK ? left : rays;
     fmb_mem_put(mem, list, rays, sizeof *list);
-    return FMB_OK;
+    return st;
 }
 
 /* A ray that is 0 in the image is above each of its points. */
@@ -99,7 +99,7 @@ static fmb_status add_ray_to_image(fmb_image *m, const fmb_vec *v, const uint64_
     fmb_status st = fmb_image_copy_coordinates(m, &m->ray[m->rays], v);
     m->has_point |= st == FMB_OK && fmb_vec_sgn(&m->ray[m->rays], m->n - 1) > 0;
     m->rays++;
-    return st;
+    return st == FMB_OK ? fmb_run_poll(m->run) : st;
 }
 
 static fmb_status add_line_to_image(fmb_image *m, const fmb_vec *v)
