@@ -8,7 +8,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-KINDS = {"total": "total time of all systems", "median": "median over the systems"}
+KINDS = {"total": "totals", "median": "median ratio"}
 IN, OUT = "#0072b2", "#c44e00"
 plt.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "fmb", "pdf.fonttype": 42, "font.size": 9, "axes.spines.top": False,
                      "axes.spines.right": False})
