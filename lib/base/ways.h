@@ -32,8 +32,6 @@
         "support queries: facets that are rows of the system")                                     \
     WAY(SYMMETRY, "symmetry", "hull/support/support_symmetry",                                     \
         "support queries: one facet of each orbit")                                                \
-    WAY(MODULAR_VERTEX, "modular vertex", "lp/oracle/modular_vertex",                              \
-        "oracle: vertices of short numbers modulo one prime")                                      \
     WAY(LATTICE, "rounding to a lattice", "lp/oracle/lattice_point",                               \
         "oracle: solutions of short numbers by rounding")                                          \
     WAY(REFINED_FARKAS, "Farkas by refinement", "lp/oracle/refined_farkas",                        \

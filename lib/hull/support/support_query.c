@@ -147,7 +147,7 @@ fmb_status fmb_support_worker_look(fmb_support_worker *c, const fmb_support *s, 
     *stands = false;
     fmb_status st = write_cost(s, h, sign, &cost, c->run->mem);
     if (st == FMB_OK)
-        st = fmb_oracle_approach_point(c->oracle, &cost, &end);
+        st = fmb_oracle_approach(c->oracle, &cost, &end);
     if (st == FMB_OK && end == FMB_ORACLE_OPTIMUM)
         beyond = is_point_beyond(c, s, h, sign);
     if (st == FMB_OK && end == FMB_ORACLE_OPTIMUM && !beyond) {

@@ -48,7 +48,6 @@ void fmb_oracle_free(fmb_oracle *o)
         fmb_vertex_clear(&o->v);
     }
     fmb_weights_clear(&o->interior_proof, mem);
-    fmb_modular_kernel_clear(&o->few, mem);
     fmb_integers_clear(&o->cost, mem);
     fmb_integers_clear(&o->point, mem);
     fmb_mem_put(mem, o->hint, o->n, sizeof *o->hint);
@@ -293,7 +292,6 @@ static fmb_status climb_with_refinements(fmb_oracle *o, fmb_pivot_walk_end *end)
 static fmb_status guess_optimum(fmb_oracle *o, const fmb_weights *cost, fmb_hint *h)
 {
     *h = (fmb_hint){.basis = o->hint};
-    o->is_modular = false;
     fmb_status st = need_backend(o);
     if (st == FMB_OK)
         st = take_cost(o, cost);
@@ -321,41 +319,9 @@ fmb_status fmb_closure_approach(fmb_oracle *o, const fmb_weights *cost, fmb_pivo
     return st == FMB_OK ? certify_approach(o, &h, end) : st;
 }
 
-fmb_status fmb_closure_approach_point(fmb_oracle *o, const fmb_weights *cost,
-                                      fmb_pivot_walk_end *end)
-{
-    fmb_hint h;
-    fmb_status st = guess_optimum(o, cost, &h);
-    if (st == FMB_OK && h.kind == FMB_HINT_OPTIMUM)
-        st = fmb_oracle_try_modular_vertex(o, &o->is_modular);
-    *end = FMB_PIVOT_WALK_REACHED;
-    return st == FMB_OK && !o->is_modular ? certify_approach(o, &h, end) : st;
-}
-
-/* The modular vertex satisfies all rows, so the vertex of the basis does if it is the same point.
- */
-static fmb_status turn_point_into_vertex(fmb_oracle *o, fmb_pivot_walk_end *end)
-{
-    fmb_vertex *v = &o->v;
-    fmb_hint h = {.kind = FMB_HINT_OPTIMUM, .basis = o->hint};
-    fmb_status st = fmb_vertex_set(v, o->hint);
-    if (st == FMB_OK)
-        st = fmb_vertex_solve(v);
-    if (st != FMB_OK)
-        return st;
-    bool same = mpz_cmp(v->den, o->point_den) == 0;
-    for (size_t j = 0; j < o->n && same; j++)
-        same = mpz_cmp(v->x.z[j], o->point.z[j]) == 0;
-    v->feasible = v->feasible || same;
-    return certify_approach(o, &h, end);
-}
-
 fmb_status fmb_closure_climb(fmb_oracle *o, fmb_pivot_walk_end *end)
 {
-    fmb_status st = o->is_modular ? turn_point_into_vertex(o, end) : FMB_OK;
-    o->is_modular = false;
-    if (st == FMB_OK)
-        st = climb_with_refinements(o, end);
+    fmb_status st = climb_with_refinements(o, end);
     return st == FMB_OK && *end == FMB_PIVOT_WALK_REACHED ? take_vertex(o) : st;
 }
 

@@ -27,7 +27,7 @@ static fmb_status try_rounded(fmb_oracle *o, int finest, bool *found)
     for (int fine = 0; st == FMB_OK && !*found && fine <= finest; fine += STRIDE) {
         if (!fmb_backend_point(o->backend, fine, o->point.z, o->point_den))
             return FMB_OK;
-        st = fmb_vertex_try_point(&o->v, o->point.z, o->point_den, o->price, true, found);
+        st = fmb_vertex_try_point(&o->v, o->point.z, o->point_den, o->price, found);
     }
     return st == FMB_OK ? fmb_integers_settle(&o->point, o->run->mem) : st;
 }

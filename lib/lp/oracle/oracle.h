@@ -42,8 +42,6 @@ fmb_status fmb_oracle_maximize(fmb_oracle *o, const fmb_weights *cost, fmb_oracl
  * of the closure. Is that attained? Then the point may be another one. */
 fmb_status fmb_oracle_approach(fmb_oracle *o, const fmb_weights *cost, fmb_oracle_end *end);
 fmb_status fmb_oracle_climb(fmb_oracle *o, fmb_oracle_end *end);
-/* As fmb_oracle_approach, but cheaper for whoever mostly needs the point alone. */
-fmb_status fmb_oracle_approach_point(fmb_oracle *o, const fmb_weights *cost, fmb_oracle_end *end);
 fmb_status fmb_oracle_attain(fmb_oracle *o, bool *attained);
 
 /* Rows were appended, row i was left out or taken in again, or rows have other right sides: ask

@@ -33,7 +33,7 @@ static fmb_status try_last_point(fmb_oracle *o, bool *holds)
     *holds = false;
     if (!o->has_point || !o->backend)
         return FMB_OK;
-    return fmb_vertex_try_point(&o->v, o->point.z, o->point_den, o->price, true, holds);
+    return fmb_vertex_try_point(&o->v, o->point.z, o->point_den, o->price, holds);
 }
 
 /* A point strictly inside, or a conflict. */
@@ -131,14 +131,6 @@ fmb_status fmb_oracle_approach(fmb_oracle *o, const fmb_weights *cost, fmb_oracl
     fmb_pivot_walk_end end;
     fmb_closure_begin(o);
     fmb_status st = fmb_closure_approach(o, cost, &end);
-    return note_end(o, st, end, out);
-}
-
-fmb_status fmb_oracle_approach_point(fmb_oracle *o, const fmb_weights *cost, fmb_oracle_end *out)
-{
-    fmb_pivot_walk_end end;
-    fmb_closure_begin(o);
-    fmb_status st = fmb_closure_approach_point(o, cost, &end);
     return note_end(o, st, end, out);
 }
 

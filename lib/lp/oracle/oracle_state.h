@@ -2,7 +2,6 @@
 #ifndef FMB_LP_ORACLE_STATE_H
 #define FMB_LP_ORACLE_STATE_H
 
-#include "lp/linalg/modular/modular_kernel.h"
 #include "lp/oracle/oracle.h"
 #include "lp/oracle/pivot_walk.h"
 #include "lp/oracle/refined_farkas.h"
@@ -34,9 +33,6 @@ struct fmb_oracle {
     fmb_integers point; /* [n], over point_den: a solution, strict rows included */
     mpz_t point_den;
     fmb_oracle_answer answer;
-    fmb_modular_kernel few;  /* for modular vertices; made when it is needed */
-    int misses;              /* of modular vertices, less hits */
-    bool is_modular;         /* the point is a modular vertex, the vertex an older one */
     bool has_interior_proof; /* the answer's multipliers are those of `interior_proof`, from
                                 strict_interior.c */
     fmb_weights interior_proof;
@@ -50,15 +46,8 @@ fmb_status fmb_closure_guess(fmb_oracle *o, fmb_hint *h);
 fmb_status fmb_closure_certify(fmb_oracle *o, fmb_hint *h, fmb_pivot_walk_end *end);
 /* To a vertex where cost.x is large: REACHED, and o->point is it; or RAY. */
 fmb_status fmb_closure_approach(fmb_oracle *o, const fmb_weights *cost, fmb_pivot_walk_end *end);
-/* The same, but the point need not be that of the vertex at hand. */
-fmb_status fmb_closure_approach_point(fmb_oracle *o, const fmb_weights *cost,
-                                      fmb_pivot_walk_end *end);
 /* From there: REACHED, and o->point is the optimum, or RAY. */
 fmb_status fmb_closure_climb(fmb_oracle *o, fmb_pivot_walk_end *end);
-
-/* modular_vertex.c: the vertex of the basis that is hinted at; *seen: o->point is it, and satisfies
- * the closure. Errors: MEMORY, LIMIT. */
-fmb_status fmb_oracle_try_modular_vertex(fmb_oracle *o, bool *seen);
 
 /* lattice_point.c: the guess h is a vertex: is there a solution of short numbers near it? If
  * *found, it is o->point. Else h is asked for again. Errors: MEMORY, LIMIT. */

@@ -92,7 +92,7 @@ static fmb_status widen_interior(fmb_oracle *o, fmb_oracle *t, bool face, bool *
     mpq_set_ui(one, 1, 1);
     fmb_status st = fmb_weights_add(&cost, (uint32_t)o->n, one, o->run->mem);
     if (st == FMB_OK)
-        st = fmb_closure_approach_point(t, &cost, &end);
+        st = fmb_closure_approach(t, &cost, &end);
     if (st == FMB_OK && mpz_sgn(t->point.z[o->n]) <= 0)
         st = fmb_closure_climb(t, &end);
     if (st == FMB_OK) {

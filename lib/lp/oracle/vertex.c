@@ -255,7 +255,7 @@ bool fmb_vertex_is_point_inside(fmb_vertex *v, mpz_t *x, const mpz_t den)
 }
 
 fmb_status fmb_vertex_try_point(fmb_vertex *v, mpz_t *x, const mpz_t den, double *roughly,
-                                bool strictly, bool *holds)
+                                bool *holds)
 {
     bool whole = mpz_cmp_ui(den, 1) == 0;
     fmb_status st = FMB_OK;
@@ -270,7 +270,7 @@ fmb_status fmb_vertex_try_point(fmb_vertex *v, mpz_t *x, const mpz_t den, double
         double slack = rough_slack(v->p, i, roughly, whole, &sure);
         fmb_run_count(v->run, 10 + 2 * v->p->row[i].size);
         int sign = sure ? (slack > 0) - (slack < 0) : slack_sign_at(v, i, x, den);
-        *holds = rel == FMB_EQ ? sign == 0 : rel == FMB_LT && strictly ? sign > 0 : sign >= 0;
+        *holds = rel == FMB_EQ ? sign == 0 : rel == FMB_LT ? sign > 0 : sign >= 0;
         st = fmb_run_poll_step(v->run, mpz_size(v->sum) >= FMB_LONG_LIMBS);
     }
     return st;

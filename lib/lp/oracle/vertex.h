@@ -66,10 +66,10 @@ static inline bool fmb_vertex_holds(const fmb_vertex *v, size_t row)
 fmb_status fmb_vertex_find_violated(fmb_vertex *v, bool first, size_t *row, int *sign);
 /* Does the vertex satisfy every strict row strictly? */
 bool fmb_vertex_is_inside(fmb_vertex *v);
-/* Does the point x / den satisfy every row, those that are strict strictly (or not)? roughly[n] is
- * scratch. */
+/* Does the point x / den satisfy every row, those that are strict strictly? roughly[n] is scratch.
+ */
 fmb_status fmb_vertex_try_point(fmb_vertex *v, mpz_t *x, const mpz_t den, double *roughly,
-                                bool strictly, bool *holds);
+                                bool *holds);
 /* Does the point x / den satisfy every strict row strictly? For a few points: exactly, and without
  * a look at limits. */
 bool fmb_vertex_is_point_inside(fmb_vertex *v, mpz_t *x, const mpz_t den);

@@ -126,7 +126,7 @@ static fmb_status push_row(pruner *p, size_t i, int *excess)
     fmb_oracle_end end;
     fmb_status st = write_form(p, i);
     if (st == FMB_OK)
-        st = fmb_oracle_approach_point(p->over_all, &p->form, &end);
+        st = fmb_oracle_approach(p->over_all, &p->form, &end);
     *excess = st == FMB_OK ? sign_of_excess(p, i) : 0;
     if (st != FMB_OK || *excess > 0)
         return st;

@@ -1,24 +1,9 @@
-/* ends.c: the end of an elimination: the last variable combines one pair, and numbers between ends
- * are simple. What rules do is in tests/rule. */
+/* ends.c: the end of an elimination: bounds that touch, limits, and simple numbers between ends.
+ * What rules do is in tests/rule. */
 #include <criterion/criterion.h>
 
 #include "elim/round/witness.h"
 #include "unit/rule/bench.h"
-
-Test(elim, the_last_variable_combines_one_pair)
-{
-    bench b;
-    bench_open(&b, 1);
-    bench_start(&b);
-    for (int64_t k = 1; k <= 20; k++) {
-        bench_add(&b, (int64_t[]){3, 10 + k}, FMB_LE);
-        bench_add(&b, (int64_t[]){-3, k - 9}, FMB_LE);
-    }
-    bench_eliminate(&b, 1);
-    cr_assert_eq(b.run.stats.rows_made, 1);
-    cr_assert_eq(b.e.clash, FMB_NO_ROW, "8/3 <= x <= 11/3");
-    bench_close(&b);
-}
 
 Test(elim, strict_bounds_that_touch_clash)
 {

@@ -158,11 +158,11 @@ static void expect_ray(bench *b, const fmb_oracle *o, int j, int sign)
 }
 
 /* The same in steps: what is seen first is some point of the closure. */
-static void maximize_from_glimpse(bench *b, fmb_oracle *o, const fmb_weights *cost,
-                                  fmb_oracle_end *end, bool *attained)
+static void maximize_in_steps(bench *b, fmb_oracle *o, const fmb_weights *cost, fmb_oracle_end *end,
+                              bool *attained)
 {
     *attained = false;
-    cr_assert_eq(fmb_oracle_approach_point(o, cost, end), FMB_OK);
+    cr_assert_eq(fmb_oracle_approach(o, cost, end), FMB_OK);
     if (*end == FMB_ORACLE_UNBOUNDED)
         return;
     expect_solution(b, o, true);
@@ -171,7 +171,7 @@ static void maximize_from_glimpse(bench *b, fmb_oracle *o, const fmb_weights *co
         cr_assert_eq(fmb_oracle_attain(o, attained), FMB_OK);
 }
 
-static void ask_end(bench *b, fmb_oracle *o, int j, int sign, bool glimpse)
+static void ask_end(bench *b, fmb_oracle *o, int j, int sign, bool in_steps)
 {
     fmb_weights cost = {0};
     fmb_oracle_end end;
@@ -180,8 +180,8 @@ static void ask_end(bench *b, fmb_oracle *o, int j, int sign, bool glimpse)
     mpq_init(one);
     mpq_set_si(one, sign, 1);
     cr_assert_eq(fmb_weights_add(&cost, (uint32_t)j, one, &b->mem), FMB_OK);
-    if (glimpse)
-        maximize_from_glimpse(b, o, &cost, &end, &attained);
+    if (in_steps)
+        maximize_in_steps(b, o, &cost, &end, &attained);
     else
         cr_assert_eq(fmb_oracle_maximize(o, &cost, &end, &attained), FMB_OK);
     if (end == FMB_ORACLE_UNBOUNDED)
