@@ -55,6 +55,13 @@ typedef struct fmb_pair_answers {
                         on are not written, and none is where naxes > dim */
     double *time;    /* [n][2] when they meet; 0, 1 if nothing moves */
     double *witness; /* [n][dim] a common point */
+    /* In two and three dimensions, of frames with at most dim axes; what moves counts as all its
+     * places. */
+    double *depth;   /* [n] of the shortest translation of the second after which they do no more
+                        than touch; off by at most 1e-12 of the sum of the sizes (largest
+                        coordinates) of all edges, speeds and the way between the origins */
+    double *normal;  /* [n][dim] its direction, of length 1, away from the first; the depth along it
+                        is off by no more than that either */
 } fmb_pair_answers;
 
 /* How many pairs were asked, and how many of them exactly. */

@@ -12,6 +12,18 @@
 /* The verdict kernel of frames with any number of axes; rows of missing axes are not looked at. */
 typedef fmb_pair_bits fmb_flat_kernel(const fmb_flat_kind *kind, const double *block);
 
+/* What a block says about depths. A lane that is good, if it meets, is as deep along a normal as
+ * any pair may be told by <fmb/pair.h>; the normal points from A to B. Where all lanes are apart
+ * nothing else is written. */
+typedef struct fmb_contact_lanes {
+    fmb_pair_bits bits;
+    unsigned good;
+    double depth[FMB_BLOCK_MOST_LANES], normal[3][FMB_BLOCK_MOST_LANES];
+} fmb_contact_lanes;
+/* Of a block as the one above takes. */
+typedef void fmb_contact_kernel(const fmb_flat_kind *kind, const double *block,
+                                fmb_contact_lanes *out);
+
 /* What a block holds. */
 typedef enum fmb_packed_shapes {
     FMB_PACKED_CUBOIDS = 0,
@@ -55,6 +67,7 @@ typedef struct fmb_packed_bits {
 /* All by D - 2. */
 typedef struct fmb_packed {
     fmb_flat_kernel *flat[2];
+    fmb_contact_kernel *contact[2];
     /* Are all verdicts known? */
     bool (*pairs[2])(const fmb_packed_pairs *x, fmb_verdict *out);
     /* Records index[0] ... index[n - 1], n > 0, as tiles: n rounded up to eights records. */

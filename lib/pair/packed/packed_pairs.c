@@ -1,6 +1,7 @@
 /* packed_pairs.c: pairs of frames of sets, by index. */
 #include <stdio.h>
 
+#include "pair/pair_contact.h"
 #include "pair/packed/packed.h"
 
 /* ---- what queries share ---------------------------------------------------------------------- */
@@ -65,7 +66,8 @@ static fmb_status answer_as_frames(fmb_pair *k, const fmb_frames *a, const fmb_f
         p[i] = fmb_frames_at(a, pair[i].a);
         q[i] = fmb_frames_at(b, pair[i].b);
     }
-    return fmb_pair_answer_all(k, n, p, q, out);
+    return fmb_contact_is_asked(out) ? fmb_contact_answer_all(k, n, p, q, out)
+                                     : fmb_pair_answer_all(k, n, p, q, out);
 }
 
 /* The answers from pair i on. */
@@ -76,7 +78,9 @@ static fmb_pair_answers answers_from(const fmb_pair_answers *o, size_t dim, size
                               .world = o->world ? o->world + 2 * dim * i : NULL,
                               .inside = o->inside ? o->inside + 2 * dim * i : NULL,
                               .time = o->time ? o->time + 2 * i : NULL,
-                              .witness = o->witness ? o->witness + dim * i : NULL};
+                              .witness = o->witness ? o->witness + dim * i : NULL,
+                              .depth = o->depth ? o->depth + i : NULL,
+                              .normal = o->normal ? o->normal + dim * i : NULL};
 }
 
 static fmb_status answer_all_as_frames(fmb_pair *k, const fmb_frames *a, const fmb_frames *b,
@@ -212,7 +216,7 @@ static fmb_status answer_portion(fmb_pair *k, const pairs_query *x, size_t from)
         return FMB_OK;
     }
     k->counts.pairs += n;
-    if (o->world || o->inside || o->time || o->witness) {
+    if (o->world || o->inside || o->time || o->witness || fmb_contact_is_asked(o)) {
         fmb_pair_answers some = answers_from(o, (size_t)k->dim, from);
         return answer_all_as_frames(k, x->a, x->b, n, pair, &some);
     }

@@ -196,6 +196,36 @@ static void count_flat(int dim, bool moves, int shapes)
     }
 }
 
+/* ---- contacts -------------------------------------------------------------------------------- */
+
+#include "pair/kernels/contact/contact_overlap.h"
+
+/* Of frames that are no cuboids the overlap is the gap above. The square of a length is rounded by
+ * 3 u, and its root by half of that and u. */
+static void count_depth(int dim)
+{
+    const int naxes[2] = {dim, dim};
+    const bool simplex[2] = {false, false};
+    const int most = dim == 2 ? int{FLAT_ERROR_PLANE} : int{FLAT_ERROR_SPACE};
+    const int far = dim == 2 ? int{CONTACT_LENGTH_PLANE} : int{CONTACT_LENGTH_SPACE};
+    fmb_flat_kind k;
+    flat_pair p;
+    lane middle[3], n[3], side;
+    fmb_flat_kind_of(dim, false, naxes, simplex, &k);
+    make_flat_pair(&k, false, &p);
+    contact_between_middles(dim, &p, middle);
+    kernel = flavour("contact of cuboids", dim, false);
+    for (int i = 0; i < k.normals; i++) {
+        double size = flat_normal(dim, &k, &p, i, n).v, off = 0, length = 0;
+        claim("overlap", contact_of_cuboids(dim, &p, middle, n, &side).e, most * size * p.reach.v);
+        for (int j = 0; j < dim; j++) {
+            off = std::hypot(off, n[j].e);
+            length = std::hypot(length, size_of(n[j]));
+        }
+        claim("length", off + 2.5 * length, far * size);
+    }
+}
+
 /* ---- verdicts: separating axes --------------------------------------------------------------- */
 
 #include "study/sat/axes.h"
@@ -594,6 +624,7 @@ int main()
                              : fmb_simplices_3d(nullptr, moves, simplex, FMB_ASK_ALL);
                 }
                 count_flat(dim, moves, i);
+                count_depth(dim);
                 count_axes(dim, moves, false, false);
                 count_axes(dim, moves, false, true);
                 count_axes(dim, moves, true, true);

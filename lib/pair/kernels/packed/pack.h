@@ -13,6 +13,7 @@
 
 #include <string.h>
 
+#include "pair/kernels/contact/contact_kernel.h"
 #include "pair/kernels/lane/lane.h"
 #include "pair/kernels/packed_kernels.h"
 
@@ -390,6 +391,7 @@ static void packed_largest(const uint32_t *index, size_t n, uint32_t out[2])
 
 extern const fmb_packed FMB_PACKED_TABLE;
 const fmb_packed FMB_PACKED_TABLE = {.flat = {packed_ask_any_2d, packed_ask_any_3d},
+                                     .contact = {contact_ask_2d, contact_ask_3d},
                                      .pairs = {packed_pairs_2d, packed_pairs_3d},
                                      .tiles = {packed_tiles_2d, packed_tiles_3d},
                                      .row = {packed_row_2d, packed_row_3d},

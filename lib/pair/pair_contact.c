@@ -1,0 +1,176 @@
+/* pair_contact.c: see pair_contact.h. */
+#include "pair/pair_contact.h"
+
+#include <stdio.h>
+
+#include "pair/contact/exact_contact.h"
+#include "pair/corner_edges.h"
+#include "pair/kernels/packed_kernels.h"
+
+/* Pairs that are answered together, and a block of some of them. */
+enum { CONTACTS_AT_ONCE = 64 };
+
+typedef struct contact_query {
+    fmb_pair *k;
+    const fmb_frame *p, *q; /* of the pairs at hand */
+    size_t n;
+    fmb_verdict verdict[CONTACTS_AT_ONCE]; /* UNKNOWN: to be asked */
+    bool good[CONTACTS_AT_ONCE];           /* if it meets, then with: */
+    double depth[CONTACTS_AT_ONCE], normal[CONTACTS_AT_ONCE][3];
+    fmb_flat_kind kind; /* of the block; dim 0 before the first */
+    fmb_block block;
+} contact_query;
+
+/* ---- by kernels ------------------------------------------------------------------------------ */
+
+static void read_lane(contact_query *x, const fmb_contact_lanes *from, int lane)
+{
+    size_t i = x->block.pair[lane];
+    x->verdict[i] = from->bits.apart >> lane & 1  ? FMB_INFEASIBLE
+                    : from->bits.meet >> lane & 1 ? FMB_FEASIBLE
+                                                  : FMB_UNKNOWN;
+    x->good[i] = from->good >> lane & 1;
+    x->depth[i] = from->depth[lane];
+    for (int j = 0; j < x->k->dim; j++)
+        x->normal[i][j] = from->normal[j][lane];
+}
+
+static void ask_block(contact_query *x)
+{
+    const fmb_pair_kernels *w = x->k->wide;
+    fmb_block *b = &x->block;
+    fmb_contact_lanes answer;
+    if (b->lanes == 0)
+        return;
+    for (int r = 0; b->lanes < w->width && r < FMB_BLOCK_MOST_ROWS; r++)
+        for (int lane = b->lanes; lane < w->width; lane++)
+            b->number[r * w->width + lane] = b->number[r * w->width];
+    answer.good = 0;
+    w->packed->contact[x->k->dim - 2](&x->kind, b->number, &answer);
+    for (int lane = 0; lane < b->lanes; lane++)
+        read_lane(x, &answer, lane);
+    b->lanes = 0;
+}
+
+/* The block holds pairs of one kind. */
+static void prepare_block(contact_query *x, const fmb_frame *p, const fmb_frame *q)
+{
+    const int naxes[2] = {p->naxes, q->naxes};
+    const bool simplex[2] = {p->shape, q->shape}, moves = p->speed || q->speed;
+    const fmb_flat_kind *k = &x->kind;
+    if (k->dim > 0 && k->moves == moves && k->side[0].naxes == naxes[0] &&
+        k->side[1].naxes == naxes[1] && k->side[0].simplex == simplex[0] &&
+        k->side[1].simplex == simplex[1])
+        return;
+    ask_block(x);
+    fmb_flat_kind_of(x->k->dim, moves, naxes, simplex, &x->kind);
+}
+
+static void ask_kernels(contact_query *x)
+{
+    fmb_corner_edges p, q;
+    for (size_t i = 0; i < x->n; i++) {
+        x->verdict[i] = FMB_UNKNOWN;
+        x->good[i] = false;
+        if (x->k->options.method == FMB_PAIR_EXACT || !fmb_edges_of_frame(&x->p[i], &p) ||
+            !fmb_edges_of_frame(&x->q[i], &q))
+            continue;
+        prepare_block(x, &p.frame, &q.frame);
+        fmb_block_put_flat(&x->block, x->k->wide->width, &p.frame, &q.frame, i);
+        if (x->block.lanes == x->k->wide->width)
+            ask_block(x);
+    }
+    ask_block(x);
+}
+
+/* ---- what kernels leave ---------------------------------------------------------------------- */
+
+/* The places of pair i. */
+static fmb_pair_answers contact_answers_of(const fmb_pair_answers *o, size_t dim, size_t i)
+{
+    return (fmb_pair_answers){.size = sizeof(fmb_pair_answers),
+                              .verdict = o->verdict + i,
+                              .world = o->world ? o->world + 2 * dim * i : NULL,
+                              .inside = o->inside ? o->inside + 2 * dim * i : NULL,
+                              .time = o->time ? o->time + 2 * i : NULL,
+                              .witness = o->witness ? o->witness + dim * i : NULL,
+                              .depth = o->depth ? o->depth + i : NULL,
+                              .normal = o->normal ? o->normal + dim * i : NULL};
+}
+
+/* Pair i meets: its depth. */
+static fmb_status answer_contact(contact_query *x, size_t i, const fmb_pair_answers *out)
+{
+    const fmb_frame both[2] = {x->p[i], x->q[i]};
+    fmb_pair *k = x->k;
+    fmb_status st = FMB_OK;
+    if (!x->good[i] || k->options.tightest) {
+        if (k->options.doubles_only) {
+            *out->verdict = FMB_UNKNOWN;
+            return FMB_OK;
+        }
+        k->counts.exact_boxes++;
+        st = fmb_exact_contact(both, &k->mem, &x->depth[i], x->normal[i]);
+    }
+    if (st == FMB_OK && out->depth)
+        *out->depth = x->depth[i];
+    for (int j = 0; st == FMB_OK && out->normal && j < k->dim; j++)
+        out->normal[j] = x->normal[i][j];
+    return st;
+}
+
+static fmb_status answer_contact_of_pair(contact_query *x, size_t i, const fmb_pair_answers *out)
+{
+    bool more = out->world || out->inside || out->time || out->witness;
+    fmb_status st = FMB_OK;
+    *out->verdict = x->verdict[i];
+    if (x->verdict[i] == FMB_UNKNOWN || (more && x->verdict[i] == FMB_FEASIBLE))
+        st = fmb_pair_answer_all(x->k, 1, &x->p[i], &x->q[i], out);
+    return st == FMB_OK && *out->verdict == FMB_FEASIBLE ? answer_contact(x, i, out) : st;
+}
+
+/* Say what is wrong with pair i, number `number` of the call. */
+static bool is_contact_refused(contact_query *x, size_t i, size_t number)
+{
+    fmb_pair *k = x->k;
+    const fmb_frame *f[2] = {&x->p[i], &x->q[i]};
+    char fault[FMB_FRAME_FAULT_SIZE];
+    for (int side = 0; side < 2; side++) {
+        if (fmb_frame_is_good(f[side], k->dim) && f[side]->naxes <= k->dim)
+            continue;
+        if (!fmb_frame_describe_fault(f[side], k->dim, fault, sizeof fault))
+            snprintf(fault, sizeof fault, "%d axes are too many for a depth", f[side]->naxes);
+        snprintf(k->error, sizeof k->error, "%c[%zu]: %s", "pq"[side], number, fault);
+        return true;
+    }
+    return false;
+}
+
+fmb_status fmb_contact_answer_all(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_frame *q,
+                                  const fmb_pair_answers *out)
+{
+    contact_query x = {.k = k};
+    if (k->dim < 2 || k->dim > 3) {
+        snprintf(k->error, sizeof k->error, "depths are told in 2 and 3 dimensions, not %d",
+                 k->dim);
+        return FMB_ERR_ARG;
+    }
+    fmb_status st = FMB_OK;
+    for (size_t from = 0; st == FMB_OK && from < n; from += CONTACTS_AT_ONCE) {
+        x.p = p + from;
+        x.q = q + from;
+        x.n = n - from < CONTACTS_AT_ONCE ? n - from : CONTACTS_AT_ONCE;
+        for (size_t i = 0; i < x.n; i++)
+            if (is_contact_refused(&x, i, from + i))
+                return FMB_ERR_ARG;
+        if (!fmb_pair_is_cancelled(k))
+            ask_kernels(&x);
+        for (size_t i = 0; st == FMB_OK && i < x.n; i++) {
+            fmb_pair_answers some = contact_answers_of(out, (size_t)k->dim, from + i);
+            *some.verdict = FMB_UNKNOWN;
+            if (!fmb_pair_is_cancelled(k))
+                st = answer_contact_of_pair(&x, i, &some);
+        }
+    }
+    return st;
+}

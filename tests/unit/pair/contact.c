@@ -1,0 +1,279 @@
+/* contact.c: depths of pairs beside those of <fmb/proximity.h>, which projects: never further off
+ * than what is said, and along the normal no deeper; and kernels beside each other.
+ */
+#include <criterion/criterion.h>
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include <fmb/frames.h>
+#include <fmb/proximity.h>
+
+#include "property/random/rows.h"
+#include "study/draw/pairs.h"
+
+/* What a depth may be off by, of the reach; and what this file may round, the true depth among it,
+ * which is a double. */
+#define FUZZ (1e-12L + 8 * LDBL_EPSILON)
+
+/* ---- truth ----------------------------------------------------------------------------------- */
+
+static long double size_of(int dim, const double *x)
+{
+    long double most = 0;
+    for (int j = 0; x && j < dim; j++)
+        most = fmaxl(most, fabsl((long double)x[j]));
+    return most;
+}
+
+static long double reach_of(const fmb_frame *f)
+{
+    long double sum = 0, shift = 0;
+    for (int j = 0; j < f[0].dim; j++)
+        shift = fmaxl(shift, fabsl((long double)f[1].origin[j] - f[0].origin[j]));
+    for (int k = 0; k < 2; k++) {
+        sum += size_of(f[k].dim, f[k].speed);
+        for (int i = 0; i < f[k].naxes; i++)
+            sum += size_of(f[k].dim, f[k].axes + i * f[k].dim);
+    }
+    return sum + shift;
+}
+
+static long double dot(int dim, const double *n, const double *x)
+{
+    long double sum = 0;
+    for (int j = 0; x && j < dim; j++)
+        sum += (long double)n[j] * x[j];
+    return sum;
+}
+
+/* The largest value (sign 1) of n x over the edges of f, or minus the least (-1). */
+static long double farthest(const fmb_frame *f, const double *n, int sign)
+{
+    long double sum = 0, most = 0;
+    for (int i = 0; i < f->naxes; i++) {
+        long double at = sign * dot(f->dim, n, f->axes + i * f->dim);
+        sum += fmaxl(at, 0);
+        most = fmaxl(most, at);
+    }
+    return f->shape == FMB_SIMPLEX ? most : sum;
+}
+
+/* How far the second must go along n so that no point of it is behind one of the first. */
+static long double depth_along(const fmb_frame *f, const double *n)
+{
+    long double away = 0;
+    for (int j = 0; j < f->dim; j++)
+        away += n[j] * ((long double)f[0].origin[j] - f[1].origin[j]);
+    long double drift = dot(f->dim, n, f[0].speed) - dot(f->dim, n, f[1].speed);
+    return away + farthest(&f[0], n, 1) + farthest(&f[1], n, -1) + fmaxl(drift, 0);
+}
+
+/* ---- a pair ---------------------------------------------------------------------------------- */
+
+enum { ALWAYS_EXACT, TIGHTEST, IN_DOUBLES, WAYS };
+
+typedef struct judge {
+    fmb_solver *solver;
+    fmb_pair *way[WAYS];
+    int meet, sure; /* pairs that do, and whose depth doubles know */
+} judge;
+
+static judge judge_open(int dim, fmb_simd simd)
+{
+    judge j = {0};
+    cr_assert_eq(fmb_solver_new(NULL, NULL, &j.solver), FMB_OK);
+    for (int i = 0; i < WAYS; i++) {
+        fmb_pair_options o = {.size = sizeof o, .simd = simd};
+        o.method = i == ALWAYS_EXACT ? FMB_PAIR_EXACT : FMB_PAIR_FMB;
+        o.tightest = i == TIGHTEST;
+        o.doubles_only = i == IN_DOUBLES;
+        cr_assert_eq(fmb_pair_new(dim, &o, NULL, &j.way[i]), FMB_OK);
+    }
+    return j;
+}
+
+static void judge_close(judge *j)
+{
+    fmb_solver_free(j->solver);
+    for (int i = 0; i < WAYS; i++)
+        fmb_pair_free(j->way[i]);
+}
+
+typedef struct said {
+    fmb_verdict verdict;
+    double depth, normal[3];
+} said;
+
+static said ask(fmb_pair *k, const fmb_frame *f)
+{
+    said s = {.depth = NAN};
+    fmb_pair_answers out = {.size = sizeof out, .verdict = &s.verdict};
+    out.depth = &s.depth;
+    out.normal = s.normal;
+    cr_assert_eq(fmb_pair_test(k, 1, &f[0], &f[1], &out), FMB_OK);
+    return s;
+}
+
+static void judge_answer(const fmb_frame *f, const said *s, long double truth, const char *name)
+{
+    long double reach = reach_of(f), length = 0;
+    for (int j = 0; j < f->dim; j++)
+        length += (long double)s->normal[j] * s->normal[j];
+    cr_assert(fabsl(length - 1) < 1e-15L * 4, "%s", name);
+    cr_assert(fabsl(s->depth - truth) <= FUZZ * reach + DBL_TRUE_MIN, "%s: %g, not %Lg", name,
+              s->depth, truth);
+    cr_assert(depth_along(f, s->normal) <= truth + FUZZ * reach + DBL_TRUE_MIN,
+              "%s: %Lg along the normal, not %Lg", name, depth_along(f, s->normal), truth);
+}
+
+static void judge_pair(judge *j, const fmb_frame *f, const char *name)
+{
+    fmb_proximity *p = NULL;
+    fmb_result res = {.size = sizeof res};
+    cr_assert_eq(fmb_depth(j->solver, f, FMB_NORM_EUCLIDEAN, &p, &res), FMB_OK);
+    double truth = fmb_proximity_length(p);
+    fmb_proximity_free(p);
+    j->meet += res.verdict == FMB_FEASIBLE;
+    for (int i = 0; i < WAYS; i++) {
+        said s = ask(j->way[i], f);
+        if (i == IN_DOUBLES && s.verdict == FMB_UNKNOWN)
+            continue;
+        cr_assert_eq(s.verdict, res.verdict, "%s", name);
+        if (s.verdict == FMB_FEASIBLE)
+            judge_answer(f, &s, truth, name);
+        else
+            cr_assert(isnan(s.depth), "%s", name);
+        j->sure += i == IN_DOUBLES && s.verdict == FMB_FEASIBLE;
+        if (i != IN_DOUBLES && s.verdict == FMB_FEASIBLE)
+            cr_assert(s.depth == truth || i != TIGHTEST, "%s: %a, not %a", name, s.depth, truth);
+    }
+}
+
+/* Every third pair is made to touch along parallel edges, every fifth is brought near the middle.
+ */
+static void judge_family(judge *j, const study_pair_plan *plan, int pairs)
+{
+    const char *name = study_pair_family_text(plan->family);
+    for (int i = 0; i < pairs; i++) {
+        study_pair pair;
+        study_pair_draw(plan, 4, (uint64_t)i, &pair);
+        int dim = plan->dim;
+        if (i % 3 == 0 && pair.p.naxes > 1 && pair.q.naxes > 1)
+            memcpy((double *)pair.q.axes + dim, pair.p.axes, (size_t)dim * sizeof(double));
+        for (int c = 0; i % 5 < 3 && c < dim; c++)
+            ((double *)pair.q.origin)[c] =
+                pair.p.origin[c] + (pair.q.origin[c] - pair.p.origin[c]) / 8;
+        judge_pair(j, (fmb_frame[2]){pair.p, pair.q}, name);
+    }
+}
+
+static void judge_all(fmb_simd simd, int pairs)
+{
+    for (int dim = 2; dim <= 3; dim++) {
+        judge j = judge_open(dim, simd);
+        for (int i = 0; i < 4 * STUDY_PAIR_FAMILIES; i++) {
+            study_pair_plan plan = {.family = (study_pair_family)(i / 4), .dim = dim};
+            plan.moves = i % 4 == 1;
+            plan.shape[0] = plan.shape[1] = STUDY_PAIR_ANY_SHAPE;
+            if (i % 4 == 3)
+                plan.naxes[i / 4 % 2] = 1 + i / 4 % dim;
+            judge_family(&j, &plan, pairs);
+        }
+        cr_assert_gt(j.meet, 10 * pairs);
+        judge_close(&j);
+    }
+}
+
+Test(contact, never_further_off)
+{
+    judge_all(FMB_SIMD_PLAIN, 40);
+    judge_all(FMB_SIMD_AUTO, 6);
+}
+
+/* Frames in no special place are told in doubles. */
+Test(contact, decides)
+{
+    for (int dim = 2; dim <= 3; dim++) {
+        judge j = judge_open(dim, FMB_SIMD_AUTO);
+        study_pair_plan plan = {.family = STUDY_PAIR_ARTICLE, .dim = dim};
+        plan.shape[0] = plan.shape[1] = STUDY_PAIR_ANY_SHAPE;
+        for (int i = 0; i < 200; i++) {
+            study_pair pair;
+            study_pair_draw(&plan, 5, (uint64_t)i, &pair);
+            judge_pair(&j, (fmb_frame[2]){pair.p, pair.q}, "article");
+        }
+        cr_assert_geq(100 * j.sure, 98 * j.meet, "%d of %d", j.sure, j.meet);
+        judge_close(&j);
+    }
+}
+
+/* Boxes on each other, as they stand in a stack: parallel edges do not send them to integers. */
+Test(contact, knows_stacks)
+{
+    const double axes[9] = {2, 0, 0, 0, 3, 0, 0, 0, 1}, low[3] = {0, 0, 0},
+                 high[3] = {0.3, 0.1, 0.75};
+    judge j = judge_open(3, FMB_SIMD_AUTO);
+    const fmb_frame f[2] = {{FMB_CUBOID, 3, 3, low, axes, NULL},
+                            {FMB_CUBOID, 3, 3, high, axes, NULL}};
+    judge_pair(&j, f, "stack");
+    cr_assert_eq(j.sure, 1);
+    said s = ask(j.way[IN_DOUBLES], f);
+    cr_assert(fabs(s.depth - 0.25) < 1e-12 && s.normal[2] > 0.999);
+    judge_close(&j);
+}
+
+/* By number and by pointer the answers are the same. */
+Test(contact, of_sets)
+{
+    enum { N = 50 };
+    static study_pair pair[N];
+    static fmb_frame p[N], q[N];
+    fmb_frames *a = NULL, *b = NULL;
+    fmb_frames_pair of[N];
+    fmb_verdict verdict[2][N];
+    double depth[2][N] = {{0}}, normal[2][3 * N] = {{0}};
+    judge j = judge_open(3, FMB_SIMD_AUTO);
+    study_pair_plan plan = {.dim = 3, .shape = {STUDY_PAIR_ANY_SHAPE, STUDY_PAIR_ANY_SHAPE}};
+    for (uint32_t i = 0; i < N; i++) {
+        study_pair_draw(&plan, 6, i, &pair[i]);
+        p[i] = pair[i].p;
+        q[i] = pair[i].q;
+        of[i] = (fmb_frames_pair){i, i};
+    }
+    cr_assert_eq(fmb_frames_new(3, N, p, NULL, &a), FMB_OK);
+    cr_assert_eq(fmb_frames_new(3, N, q, NULL, &b), FMB_OK);
+    for (int i = 0; i < 2; i++) {
+        fmb_pair_answers out = {.size = sizeof out, .verdict = verdict[i]};
+        out.depth = depth[i];
+        out.normal = normal[i];
+        cr_assert_eq(i == 0 ? fmb_pair_test(j.way[TIGHTEST], N, p, q, &out)
+                            : fmb_frames_test(j.way[TIGHTEST], a, b, N, of, &out),
+                     FMB_OK);
+    }
+    cr_assert_arr_eq(verdict[0], verdict[1], sizeof verdict[0]);
+    cr_assert_arr_eq(depth[0], depth[1], sizeof depth[0]);
+    cr_assert_arr_eq(normal[0], normal[1], sizeof normal[0]);
+    fmb_frames_free(a);
+    fmb_frames_free(b);
+    judge_close(&j);
+}
+
+/* Other dimensions are refused, and hulls of more corners. */
+Test(contact, refuses)
+{
+    const double x[4] = {0, 0, 0, 0}, axes[8] = {1, 0, 0, 1, 1, 1, 2, 2};
+    double depth = 7;
+    fmb_verdict verdict;
+    for (int dim = 1; dim <= 4; dim++) {
+        fmb_pair *k = NULL;
+        fmb_frame f = {FMB_SIMPLEX_BY_CORNERS, dim, dim == 2 ? 4 : 0, x, axes, NULL};
+        fmb_pair_answers out = {.size = sizeof out, .verdict = &verdict};
+        out.depth = &depth;
+        cr_assert_eq(fmb_pair_new(dim, NULL, NULL, &k), FMB_OK);
+        cr_assert_eq(fmb_pair_test(k, 1, &f, &f, &out), dim == 3 ? FMB_OK : FMB_ERR_ARG);
+        cr_assert_eq(depth, dim < 3 ? 7 : 0);
+        cr_assert_eq(strlen(fmb_pair_trouble(k)) > 0, dim != 3);
+        fmb_pair_free(k);
+    }
+}
