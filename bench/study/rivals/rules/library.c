@@ -1,0 +1,8 @@
+/* library.c: the rivals' rules for --rule-library: sound ones first, then those that are not. */
+#include "study/rivals/rules/rivals.h"
+
+const fmb_rule *const fmb_rule_library[] = {
+    &rival_bastrakov_zolotykh, &rival_chernikov_sets, &rival_imbert_first,
+    &rival_quasi_syntactic,    &rival_raytracing,     &rival_test_cone,
+    &rival_imbert_printed,     &rival_linarith,       NULL,
+};
