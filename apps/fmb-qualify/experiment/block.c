@@ -94,7 +94,7 @@ int qualify_block_run(const qualify_experiment *e, size_t block, study_grid *g)
                       .ways = e->ways,
                       .passes = e->passes,
                       .projects = e->projects,
-                      .turn = block,
+                      .turn = block + block / e->ways, /* another one for the same size, too */
                       .step = go_on,
                       .running = qualify_watch_solver()};
     int code = make_sample(e, &e->block[block], g);

@@ -184,6 +184,14 @@ static fmb_status count_sample(bench *b, size_t k, progress *how)
     return FMB_OK;
 }
 
+size_t study_grid_turn(const study_grid *g, size_t sample, size_t pass, size_t place)
+{
+    size_t n = g->ways, row = sample + pass + g->turn;
+    if (n % 2 == 1 && row / n % 2 == 1)
+        place = n - 1 - place;
+    return (row + (place % 2 == 1 ? (place + 1) / 2 : n - place / 2)) % n;
+}
+
 /* One pass of one way over all systems of a sample; what was stopped once is not tried again. Of a
  * system without solutions there is nothing to project. */
 static fmb_status time_pass(bench *b, size_t k, size_t way, size_t pass, double *seconds,

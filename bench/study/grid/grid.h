@@ -3,8 +3,8 @@
  * A sample is the systems of one line of a table: drawn pairs of one class, or one system that was
  * read. Counts depend on the plan alone. Time is taken over all systems of a sample in turn, never
  * one repeated, a few passes in which the ways take turns, after one that does not count; who
- * begins changes with the pass and with the sample, so that nobody always comes upon cold caches.
- * Each system keeps its median.
+ * begins, and who follows whom, changes with the pass and with the sample, so that nobody always
+ * comes upon the same caches. Each system keeps its median.
  */
 #ifndef FMB_STUDY_GRID_H
 #define FMB_STUDY_GRID_H
@@ -68,12 +68,12 @@ void study_grid_clear(study_grid *g);
 fmb_status study_case_count(study_reference *reference, study_engine *engine, const study_case *c,
                             study_run *run);
 
-/* Which way is the place-th of a pass over a sample. In as many passes as there are ways each
- * begins once, and so it is in as many samples, or turns. */
-static inline size_t study_grid_turn(const study_grid *g, size_t sample, size_t pass, size_t place)
-{
-    return (place + pass + sample + g->turn) % g->ways;
-}
+/* Which way is the place-th of a pass over a sample: rows of a square in which each way stands once
+ * at each place, and follows each other one once, as what ran before leaves something behind in the
+ * caches (Williams 1949: 0, 1, n - 1, 2, n - 2, ..., and the same from each way on; for an odd n
+ * every other square is mirrored, and two are needed). Passes, samples and turns go from row to
+ * row. */
+size_t study_grid_turn(const study_grid *g, size_t sample, size_t pass, size_t place);
 
 static inline study_run *study_grid_at(const study_grid *g, size_t sample, size_t item, size_t way)
 {

@@ -108,23 +108,28 @@ Test(study, grid)
     }
 }
 
-/* Where every way stands, by the pass and by the sample: each once at each place. */
+/* In as many passes as there are ways, of an odd number in twice as many: each stands at each
+ * place, and follows each other one, equally often. */
 Test(study, everyone_begins_as_often)
 {
-    for (size_t n = 1; n <= 5; n++)
-        for (size_t turn = 0; turn < 3; turn++) {
+    enum { MOST = 7 };
+    for (size_t n = 1; n <= MOST; n++)
+        for (size_t turn = 0; turn < 2 * n; turn += n) {
             study_grid g = {.ways = n, .turn = turn};
-            for (size_t place = 0; place < n; place++) {
-                unsigned by_pass = 0, by_sample = 0, of_one = 0;
-                for (size_t i = 0; i < n; i++) {
-                    by_pass |= 1u << study_grid_turn(&g, 3, i, place);
-                    by_sample |= 1u << study_grid_turn(&g, i, 2, place);
-                    of_one |= 1u << study_grid_turn(&g, 3, 2, i);
+            size_t squares = 1 + n % 2;
+            int stands[MOST][MOST] = {{0}}, follows[MOST][MOST] = {{0}};
+            for (size_t i = 0; i < squares * n; i++)
+                for (size_t place = 0; place < n; place++) {
+                    size_t way = study_grid_turn(&g, i / 2, i - i / 2, place);
+                    stands[way][place]++;
+                    if (place > 0)
+                        follows[way][study_grid_turn(&g, 0, i, place - 1)]++;
                 }
-                cr_expect_eq(by_pass, (1u << n) - 1);
-                cr_expect_eq(by_sample, (1u << n) - 1);
-                cr_expect_eq(of_one, (1u << n) - 1);
-            }
+            for (size_t a = 0; a < n; a++)
+                for (size_t b = 0; b < n; b++) {
+                    cr_expect_eq(stands[a][b], (int)squares);
+                    cr_expect_eq(follows[a][b], a == b ? 0 : (int)squares);
+                }
         }
 }
 
