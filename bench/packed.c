@@ -153,6 +153,53 @@ static void measure_all(const study_pair_plan *plan, fmb_simd simd)
     fmb_pair_free(d.w[1].k);
 }
 
+/* ---- depths ---------------------------------------------------------------------------------- */
+
+static fmb_status ask_contacts(void *self, size_t first, size_t n)
+{
+    static double depth[PAIRS], normal[3 * PAIRS];
+    way *w = self;
+    fmb_pair_answers out = {.size = sizeof out, .verdict = w->verdict + first};
+    out.depth = depth + first;
+    out.normal = normal + 3 * first;
+    return fmb_frames_test(w->k, w->a, w->b, n, w->pair + first, &out);
+}
+
+/* Depth and normal beside the verdict alone, of pairs as they are drawn. */
+static void measure_contacts(const study_pair_plan *plan, fmb_simd simd)
+{
+    duel d;
+    study_pairs pairs;
+    fmb_frames *a = NULL, *b = NULL;
+    fmb_pair_counts counts = {.size = sizeof counts};
+    size_t meet = 0;
+    open_duel(plan, simd, &d);
+    must(study_pairs_make(plan, 5, PAIRS, NULL, NULL, &pairs));
+    must(fmb_frames_new(plan->dim, PAIRS, pairs.p, NULL, &a));
+    must(fmb_frames_new(plan->dim, PAIRS, pairs.q, NULL, &b));
+    set_frames(&d, a, b);
+    fmb_pair_free(d.w[1].k);
+    must(fmb_pair_new(plan->dim,
+                      &(fmb_pair_options){.size = sizeof(fmb_pair_options), .simd = simd}, NULL,
+                      &d.w[1].k));
+    study_timed timed[2] = {{ask_contacts, &d.w[0]}, {ask_pairs, &d.w[1]}};
+    d.clock =
+        (study_clock){.way = timed, .ways = 2, .queries = PAIRS, .groups = 1, .passes = PASSES};
+    must(study_clock_run(&d.clock));
+    d.clock.way = NULL;
+    must(fmb_pair_count(d.w[0].k, &counts));
+    for (int i = 0; i < PAIRS; i++)
+        meet += d.w[0].verdict[i] == FMB_FEASIBLE;
+    print_duel("depth", plan, &d);
+    printf("    %.1f %% meet, exact: %.3f %% of asked\n", 100.0 * (double)meet / PAIRS,
+           100.0 * (double)counts.exact_boxes / (double)counts.pairs);
+    study_pairs_free(&pairs);
+    fmb_frames_free(a);
+    fmb_frames_free(b);
+    fmb_pair_free(d.w[0].k);
+    fmb_pair_free(d.w[1].k);
+}
+
 /* ---- fewer axes ------------------------------------------------------------------------------ */
 
 static void measure_flat(const char *what, const int naxes[2], bool moves, fmb_simd simd)
@@ -233,6 +280,11 @@ int main(int argc, char **argv)
             measure_pairs(&plan, simd, i % 3 ? FMB_INFEASIBLE : FMB_FEASIBLE);
         else
             measure_all(&plan, simd);
+    }
+    printf("%-20s  %14s  %14s  %6s\n", "ns [least]", "depth, normal", "verdict", "ratio");
+    for (int i = 0; i < CELLS; i++) {
+        study_pair_plan plan = cell_plan(i);
+        measure_contacts(&plan, simd);
     }
     for (int i = 0; i < 10; i++)
         measure_flat(flat[i / 2].what, flat[i / 2].naxes, i % 2, simd);

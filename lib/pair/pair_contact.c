@@ -83,10 +83,7 @@ static void ask_kernels(contact_query *x)
     ask_block(x);
 }
 
-/* ---- what kernels leave ---------------------------------------------------------------------- */
-
-/* The places of pair i. */
-static fmb_pair_answers contact_answers_of(const fmb_pair_answers *o, size_t dim, size_t i)
+fmb_pair_answers fmb_contact_answers_from(const fmb_pair_answers *o, size_t dim, size_t i)
 {
     return (fmb_pair_answers){.size = sizeof(fmb_pair_answers),
                               .verdict = o->verdict + i,
@@ -97,6 +94,8 @@ static fmb_pair_answers contact_answers_of(const fmb_pair_answers *o, size_t dim
                               .depth = o->depth ? o->depth + i : NULL,
                               .normal = o->normal ? o->normal + dim * i : NULL};
 }
+
+/* ---- what kernels leave ---------------------------------------------------------------------- */
 
 /* Pair i meets: its depth. */
 static fmb_status answer_contact(contact_query *x, size_t i, const fmb_pair_answers *out)
@@ -121,7 +120,7 @@ static fmb_status answer_contact(contact_query *x, size_t i, const fmb_pair_answ
 
 static fmb_status answer_contact_of_pair(contact_query *x, size_t i, const fmb_pair_answers *out)
 {
-    bool more = out->world || out->inside || out->time || out->witness;
+    bool more = fmb_pair_answers_more(out);
     fmb_status st = FMB_OK;
     *out->verdict = x->verdict[i];
     if (x->verdict[i] == FMB_UNKNOWN || (more && x->verdict[i] == FMB_FEASIBLE))
@@ -166,7 +165,7 @@ fmb_status fmb_contact_answer_all(fmb_pair *k, size_t n, const fmb_frame *p, con
         if (!fmb_pair_is_cancelled(k))
             ask_kernels(&x);
         for (size_t i = 0; st == FMB_OK && i < x.n; i++) {
-            fmb_pair_answers some = contact_answers_of(out, (size_t)k->dim, from + i);
+            fmb_pair_answers some = fmb_contact_answers_from(out, (size_t)k->dim, from + i);
             *some.verdict = FMB_UNKNOWN;
             if (!fmb_pair_is_cancelled(k))
                 st = answer_contact_of_pair(&x, i, &some);

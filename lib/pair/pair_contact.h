@@ -12,6 +12,15 @@ static inline bool fmb_contact_is_asked(const fmb_pair_answers *out)
     return out->depth || out->normal;
 }
 
+/* Does it ask for common points? */
+static inline bool fmb_pair_answers_more(const fmb_pair_answers *out)
+{
+    return out->world || out->inside || out->time || out->witness;
+}
+
+/* The answers from pair i on. */
+fmb_pair_answers fmb_contact_answers_from(const fmb_pair_answers *o, size_t dim, size_t i);
+
 /* All of out. Errors: ARG, with k->error set, MEMORY. */
 fmb_status fmb_contact_answer_all(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_frame *q,
                                   const fmb_pair_answers *out);

@@ -68,6 +68,8 @@ typedef struct fmb_packed_bits {
 typedef struct fmb_packed {
     fmb_flat_kernel *flat[2];
     fmb_contact_kernel *contact[2];
+    /* One answer a block. */
+    void (*contacts[2])(const fmb_packed_pairs *x, fmb_contact_lanes *out);
     /* Are all verdicts known? */
     bool (*pairs[2])(const fmb_packed_pairs *x, fmb_verdict *out);
     /* Records index[0] ... index[n - 1], n > 0, as tiles: n rounded up to eights records. */

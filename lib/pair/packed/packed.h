@@ -20,6 +20,10 @@ bool fmb_packed_plan_of(const fmb_pair *k, int kind_a, int kind_b, fmb_packed_pl
 fmb_status fmb_packed_decide(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
                              const fmb_frames_pair *pair, fmb_verdict *out);
 
+/* The same with depths; out is of these pairs. Errors: MEMORY. */
+fmb_status fmb_packed_contacts(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
+                               const fmb_frames_pair *pair, const fmb_pair_answers *out);
+
 /* Are the arguments sets of the dimension of k? If not, k->error says so. A query begins. */
 bool fmb_packed_begin(fmb_pair *k, const fmb_frames *a, const fmb_frames *b);
 

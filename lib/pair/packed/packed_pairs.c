@@ -1,8 +1,8 @@
 /* packed_pairs.c: pairs of frames of sets, by index. */
 #include <stdio.h>
 
-#include "pair/pair_contact.h"
 #include "pair/packed/packed.h"
+#include "pair/pair_contact.h"
 
 /* ---- what queries share ---------------------------------------------------------------------- */
 
@@ -66,21 +66,7 @@ static fmb_status answer_as_frames(fmb_pair *k, const fmb_frames *a, const fmb_f
         p[i] = fmb_frames_at(a, pair[i].a);
         q[i] = fmb_frames_at(b, pair[i].b);
     }
-    return fmb_contact_is_asked(out) ? fmb_contact_answer_all(k, n, p, q, out)
-                                     : fmb_pair_answer_all(k, n, p, q, out);
-}
-
-/* The answers from pair i on. */
-static fmb_pair_answers answers_from(const fmb_pair_answers *o, size_t dim, size_t i)
-{
-    return (fmb_pair_answers){.size = sizeof(fmb_pair_answers),
-                              .verdict = o->verdict + i,
-                              .world = o->world ? o->world + 2 * dim * i : NULL,
-                              .inside = o->inside ? o->inside + 2 * dim * i : NULL,
-                              .time = o->time ? o->time + 2 * i : NULL,
-                              .witness = o->witness ? o->witness + dim * i : NULL,
-                              .depth = o->depth ? o->depth + i : NULL,
-                              .normal = o->normal ? o->normal + dim * i : NULL};
+    return fmb_pair_answer_all(k, n, p, q, out);
 }
 
 static fmb_status answer_all_as_frames(fmb_pair *k, const fmb_frames *a, const fmb_frames *b,
@@ -89,7 +75,7 @@ static fmb_status answer_all_as_frames(fmb_pair *k, const fmb_frames *a, const f
 {
     fmb_status st = FMB_OK;
     for (size_t i = 0; st == FMB_OK && i < n; i += FRAMES_AT_ONCE) {
-        fmb_pair_answers some = answers_from(out, (size_t)k->dim, i);
+        fmb_pair_answers some = fmb_contact_answers_from(out, (size_t)k->dim, i);
         st = answer_as_frames(k, a, b, n - i < FRAMES_AT_ONCE ? n - i : FRAMES_AT_ONCE, pair + i,
                               &some);
     }
@@ -216,8 +202,12 @@ static fmb_status answer_portion(fmb_pair *k, const pairs_query *x, size_t from)
         return FMB_OK;
     }
     k->counts.pairs += n;
-    if (o->world || o->inside || o->time || o->witness || fmb_contact_is_asked(o)) {
-        fmb_pair_answers some = answers_from(o, (size_t)k->dim, from);
+    if (fmb_contact_is_asked(o)) {
+        fmb_pair_answers some = fmb_contact_answers_from(o, (size_t)k->dim, from);
+        return fmb_packed_contacts(k, x->a, x->b, n, pair, &some);
+    }
+    if (fmb_pair_answers_more(o)) {
+        fmb_pair_answers some = fmb_contact_answers_from(o, (size_t)k->dim, from);
         return answer_all_as_frames(k, x->a, x->b, n, pair, &some);
     }
     return x->a->only >= 0 && x->b->only >= 0

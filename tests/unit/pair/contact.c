@@ -226,7 +226,7 @@ Test(contact, knows_stacks)
 /* By number and by pointer the answers are the same. */
 Test(contact, of_sets)
 {
-    enum { N = 50 };
+    enum { N = 500 };
     static study_pair pair[N];
     static fmb_frame p[N], q[N];
     fmb_frames *a = NULL, *b = NULL;
@@ -243,17 +243,19 @@ Test(contact, of_sets)
     }
     cr_assert_eq(fmb_frames_new(3, N, p, NULL, &a), FMB_OK);
     cr_assert_eq(fmb_frames_new(3, N, q, NULL, &b), FMB_OK);
-    for (int i = 0; i < 2; i++) {
-        fmb_pair_answers out = {.size = sizeof out, .verdict = verdict[i]};
-        out.depth = depth[i];
-        out.normal = normal[i];
-        cr_assert_eq(i == 0 ? fmb_pair_test(j.way[TIGHTEST], N, p, q, &out)
-                            : fmb_frames_test(j.way[TIGHTEST], a, b, N, of, &out),
-                     FMB_OK);
+    for (int way = TIGHTEST; way <= IN_DOUBLES; way++) {
+        for (int i = 0; i < 2; i++) {
+            fmb_pair_answers out = {.size = sizeof out, .verdict = verdict[i]};
+            out.depth = depth[i];
+            out.normal = normal[i];
+            cr_assert_eq(i == 0 ? fmb_pair_test(j.way[way], N, p, q, &out)
+                                : fmb_frames_test(j.way[way], a, b, N, of, &out),
+                         FMB_OK);
+        }
+        cr_assert_arr_eq(verdict[0], verdict[1], sizeof verdict[0]);
+        cr_assert_arr_eq(depth[0], depth[1], sizeof depth[0]);
+        cr_assert_arr_eq(normal[0], normal[1], sizeof normal[0]);
     }
-    cr_assert_arr_eq(verdict[0], verdict[1], sizeof verdict[0]);
-    cr_assert_arr_eq(depth[0], depth[1], sizeof depth[0]);
-    cr_assert_arr_eq(normal[0], normal[1], sizeof normal[0]);
     fmb_frames_free(a);
     fmb_frames_free(b);
     judge_close(&j);

@@ -199,6 +199,36 @@ static bool packed_pairs_3d(const fmb_packed_pairs *x, fmb_verdict *out)
                     : packed_pairs_of_shapes(3, false, x, out);
 }
 
+/* ---- depths of pairs by index ---------------------------------------------------------------- */
+
+FMB_INLINE void packed_contacts(int dim, const fmb_packed_pairs *x, fmb_contact_lanes *out)
+{
+    _Alignas(64) double block[FMB_BLOCK_MOST_ROWS * FMB_LANES];
+    const size_t ahead = PACKED_AHEAD * FMB_LANES - FMB_LANES;
+    packed_places at[2];
+    for (size_t i = 0; i < x->n + ahead; i += FMB_LANES) {
+        lane a[16], b[16];
+        for (int side = 0; i < x->n && side < 2; side++)
+            find_records(dim, x->record[side], x->index[side], i, x->n, at[side]);
+        if (i < ahead)
+            continue;
+        pack_records(dim, true, at[0][(i - ahead) / FMB_LANES % PACKED_AHEAD], a);
+        pack_records(dim, true, at[1][(i - ahead) / FMB_LANES % PACKED_AHEAD], b);
+        pack_block(dim, true, a, b, block);
+        (dim == 2 ? contact_ask_2d : contact_ask_3d)(x->kind, block, out++);
+    }
+}
+
+static void packed_contacts_2d(const fmb_packed_pairs *x, fmb_contact_lanes *out)
+{
+    packed_contacts(2, x, out);
+}
+
+static void packed_contacts_3d(const fmb_packed_pairs *x, fmb_contact_lanes *out)
+{
+    packed_contacts(3, x, out);
+}
+
 /* ---- one against many ------------------------------------------------------------------------ */
 
 /* Tiles of FMB_LANES frames: all rows of their records, lane by lane. */
@@ -392,6 +422,7 @@ static void packed_largest(const uint32_t *index, size_t n, uint32_t out[2])
 extern const fmb_packed FMB_PACKED_TABLE;
 const fmb_packed FMB_PACKED_TABLE = {.flat = {packed_ask_any_2d, packed_ask_any_3d},
                                      .contact = {contact_ask_2d, contact_ask_3d},
+                                     .contacts = {packed_contacts_2d, packed_contacts_3d},
                                      .pairs = {packed_pairs_2d, packed_pairs_3d},
                                      .tiles = {packed_tiles_2d, packed_tiles_3d},
                                      .row = {packed_row_2d, packed_row_3d},
