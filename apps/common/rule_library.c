@@ -114,6 +114,14 @@ int app_rule_library_refuse_order(const app_rule_library *l, const char *option,
     return code;
 }
 
+int app_rule_library_refuse_choice(const char *path)
+{
+    return app_error(APP_USAGE,
+                     "--rule-library '%s': an order named a variable that was not on offer, or a "
+                     "rule returned FMB_ERR_ARG",
+                     path);
+}
+
 /* ---- sets ------------------------------------------------------------------------------------ */
 
 static const fmb_rule *find_rule(const app_rule_library *l, const char *name)

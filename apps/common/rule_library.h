@@ -24,6 +24,9 @@ const fmb_named_chooser *app_rule_library_order(const app_rule_library *l, const
 /* APP_USAGE after a message: option expected a word of the library, or one of l. */
 int app_rule_library_refuse_order(const app_rule_library *l, const char *option, const char *word);
 
+/* APP_USAGE after a message: with an order of the library at path a query returned FMB_ERR_ARG. */
+int app_rule_library_refuse_choice(const char *path);
+
 /* A set of rules, for a solver: words for options.rules, and rules to be added to it. */
 typedef struct app_rule_set {
     char *words;                               /* [give, free()] NULL: the choice of the library */

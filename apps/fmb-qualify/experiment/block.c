@@ -101,6 +101,9 @@ int qualify_block_run(const qualify_experiment *e, size_t block, study_grid *g)
     if (code != APP_YES)
         return code;
     fmb_status st = study_grid_run(g);
+    if (st == FMB_ERR_ARG && e->library.chooser)
+        return app_rule_library_refuse_choice(
+            json_string_value(json_object_get(e->plan, "rule-library")));
     if (st != FMB_OK)
         return app_status_error(st);
     if (g->rejected > 0)

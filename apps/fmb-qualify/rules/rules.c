@@ -58,10 +58,7 @@ static int study(qualify_plan *p, qualify_page *page)
     p->grid.running = qualify_watch_solver();
     fmb_status st = p->part ? FMB_OK : study_grid_run(&p->grid);
     if (st == FMB_ERR_ARG && p->library.chooser)
-        return app_error(APP_USAGE,
-                         "--rule-library '%s': an order named a variable that was not "
-                         "on offer, or a rule returned FMB_ERR_ARG",
-                         p->rule_library);
+        return app_rule_library_refuse_choice(p->rule_library);
     if (st != FMB_OK)
         return app_status_error(st);
     if (p->shards > 0)

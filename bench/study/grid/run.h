@@ -24,7 +24,7 @@ typedef struct study_limits {
 } study_limits;
 
 /* Rules (and "constant") by name, in the order they were met. */
-enum { STUDY_MOST_NAMES = 16 };
+enum { STUDY_MOST_NAMES = 32 };
 typedef struct study_names {
     const char *name[STUDY_MOST_NAMES];
     size_t size;

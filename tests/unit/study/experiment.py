@@ -94,6 +94,10 @@ def wrong(folder):
     shown = {line["outcome"]: line["system"] for line in lines}
     expect("wrong" in shown, "a liar: no line")
     expect("<= " in shown.get("wrong", "") and shown["wrong"].count(";") < system.read_text().count("\n") + 2, f"a liar: {shown}")
+    plan = write(folder, **{"rule-library": liar, "rules": ["kohler"], "orders": ["lost"], "methods": ["fm"],
+                            "families": ["dense"], "sizes": [1]})
+    found = run("run", plan, "-o", folder / "lost.csv")
+    expect(found.returncode == 64 and "not on offer" in found.stderr, f"a lost order: {found}")
 
 
 def evidence(folder):
