@@ -55,7 +55,7 @@ static fmb_status find_side(fmb_facets *f, uint32_t at)
 }
 
 /* From one facet that sees it to all that do, and those beside them. */
-static fmb_status spread_from_facets_that_see(fmb_facets *f)
+static fmb_status reach_from_facets_that_see(fmb_facets *f)
 {
     fmb_status st = FMB_OK;
     for (size_t i = 0; st == FMB_OK && i < f->seens; i++) {
@@ -84,7 +84,7 @@ static fmb_status find_sides(fmb_facets *f, size_t first)
         if (f->facet[i].alive)
             st = find_side(f, (uint32_t)i);
     }
-    return st == FMB_OK ? spread_from_facets_that_see(f) : st;
+    return st == FMB_OK ? reach_from_facets_that_see(f) : st;
 }
 
 static fmb_status load_generator(fmb_facets *f, fmb_status st)

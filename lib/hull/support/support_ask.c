@@ -101,7 +101,7 @@ static fmb_status ask_about_facet(fmb_support *s, size_t at)
     const fmb_facet *a = &s->hull.facet[at];
     st = fmb_support_worker_settle(c, s, a, fmb_support_noted(s), &row, &answer);
     if (st == FMB_OK && answer == FMB_SUPPORT_ROW) {
-        st = fmb_support_stand(s, at, &row);
+        st = fmb_support_keep_facet(s, at, &row);
         return st == FMB_OK ? fmb_support_note_images(s, &a->normal) : st;
     }
     fmb_support_drop(&row, s->run->mem);

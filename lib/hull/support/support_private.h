@@ -94,7 +94,7 @@ static inline void fmb_support_note_facet(fmb_support *s, size_t facet, fmb_rel 
     s->hull.facet[facet].note = rel == FMB_LT ? FMB_FACET_MISSING : FMB_FACET_STANDS;
 }
 /* The same, and keep the row. */
-fmb_status fmb_support_stand(fmb_support *s, size_t facet, fmb_support_row *row);
+fmb_status fmb_support_keep_facet(fmb_support *s, size_t facet, fmb_support_row *row);
 /* A copy of a row that is held elsewhere. In any case fmb_support_drop it. */
 fmb_status fmb_support_copy_row(const fmb_support *s, const fmb_support_row *from,
                                 fmb_support_row *to);

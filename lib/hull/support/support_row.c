@@ -27,7 +27,7 @@ fmb_status fmb_support_keep(fmb_support *s, fmb_support_row *row)
     return st;
 }
 
-fmb_status fmb_support_stand(fmb_support *s, size_t facet, fmb_support_row *row)
+fmb_status fmb_support_keep_facet(fmb_support *s, size_t facet, fmb_support_row *row)
 {
     fmb_support_note_facet(s, facet, row->rel);
     return fmb_support_keep(s, row);

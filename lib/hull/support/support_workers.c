@@ -161,7 +161,7 @@ static fmb_status keep_row_seen(fmb_support *s, const sighting *g)
         fmb_support_drop(&row, s->run->mem);
         return st;
     }
-    st = fmb_support_stand(s, g->facet, &row);
+    st = fmb_support_keep_facet(s, g->facet, &row);
     return st == FMB_OK ? fmb_support_note_images(s, &s->hull.facet[g->facet].normal) : st;
 }
 

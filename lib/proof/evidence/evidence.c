@@ -99,7 +99,7 @@ static void swap_entries(fmb_sparse_vector *list, size_t a, size_t b)
 }
 
 /* Entry k goes down in a heap of that size, whose largest index is in front. */
-static void sift_down(fmb_sparse_vector *list, size_t k, size_t size)
+static void restore_heap(fmb_sparse_vector *list, size_t k, size_t size)
 {
     for (size_t child; (child = 2 * k + 1) < size; k = child) {
         child += child + 1 < size && list->index[child + 1] > list->index[child];
@@ -113,10 +113,10 @@ void fmb_sparse_sort(fmb_sparse_vector *list)
 {
     size_t size = list->mixed ? list->size : 0;
     for (size_t k = size / 2; k-- > 0;)
-        sift_down(list, k, size);
+        restore_heap(list, k, size);
     for (; size > 1; size--) {
         swap_entries(list, 0, size - 1);
-        sift_down(list, 0, size - 1);
+        restore_heap(list, 0, size - 1);
     }
     list->mixed = false;
 }

@@ -174,7 +174,7 @@ static fmb_status lift_in_part(fmb_preimages *l, lifted_part *h, const fmb_integ
 }
 
 /* Variables that go and that no row names are 0. */
-static void spread_kept_variables(const fmb_preimages *l, const fmb_integers *y, mpq_t *x)
+static void set_kept_variables(const fmb_preimages *l, const fmb_integers *y, mpq_t *x)
 {
     bool direction = mpz_sgn(y->z[y->size - 1]) == 0;
     for (int j = 0; j < fmb_system_dim(l->q->s); j++) {
@@ -192,7 +192,7 @@ fmb_status fmb_preimages_find(fmb_preimages *l, const fmb_integers *y, bool stri
                               bool *found)
 {
     *found = !strict || keeps_strict_rows(l, y);
-    spread_kept_variables(l, y, x);
+    set_kept_variables(l, y, x);
     fmb_status st = fmb_run_poll(&l->q->run);
     for (size_t c = 0; st == FMB_OK && *found && c < l->parts; c++) {
         lifted_part *h = &l->part[strict][c];
