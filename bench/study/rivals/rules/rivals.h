@@ -12,7 +12,7 @@
 extern const fmb_rule rival_bastrakov_zolotykh, rival_chernikov_sets, rival_imbert_first,
     rival_quasi_syntactic, rival_raytracing, rival_test_cone;
 /* Not sound: each has a system on which it goes wrong in tests/unit/study/rival_rules. */
-extern const fmb_rule rival_imbert_printed, rival_linarith;
+extern const fmb_rule rival_imbert_printed, rival_linarith, rival_simon_king;
 
 /* Elements of a bit set. */
 static inline int rival_count(const uint64_t *set, size_t words)
