@@ -5,6 +5,7 @@
 
 #include "base/sized.h"
 #include "pair/exact_box/exact_box.h"
+#include "pair/kernels/minors_kernels.h"
 #include "pair/pair_contact.h"
 #include "pair/pair_portfolio.h"
 
@@ -67,6 +68,18 @@ size_t fmb_pair_options_trouble(const fmb_pair_options *o, char *text, size_t si
     return fmb_text_give(why, text, size);
 }
 
+/* Lanes are of eight numbers. */
+static double *align_to_lanes(double *p)
+{
+    return p + (FMB_BLOCK_MOST_LANES - (uintptr_t)p / sizeof *p % FMB_BLOCK_MOST_LANES) %
+                   FMB_BLOCK_MOST_LANES;
+}
+
+static size_t room_of_minors(int dim)
+{
+    return fmb_minors_is_dim(dim) ? fmb_minors_room(dim) + FMB_BLOCK_MOST_LANES : 0;
+}
+
 fmb_status fmb_pair_new(int dim, const fmb_pair_options *o, const fmb_alloc *hook, fmb_pair **out)
 {
     fmb_pair_options options;
@@ -85,8 +98,13 @@ fmb_status fmb_pair_new(int dim, const fmb_pair_options *o, const fmb_alloc *hoo
     k->dim = dim;
     k->threads = count_threads_of_pairs(o);
     fmb_pair_use_kernels(k, &fmb_pair_kernels_narrow, fmb_pair_kernels_choose(o->simd));
+    k->minors = fmb_minors_is_dim(dim)
+                    ? fmb_mem_get(&k->mem, room_of_minors(dim), sizeof *k->minors)
+                    : NULL;
+    k->room = k->minors ? align_to_lanes(k->minors) : NULL;
     k->general = fmb_general_new(dim, o->simd, &k->mem);
-    fmb_status st = k->general ? fmb_pair_oracle_open(&k->oracle, o, hook) : FMB_ERR_MEMORY;
+    bool good = k->general && (k->minors || !fmb_minors_is_dim(dim));
+    fmb_status st = good ? fmb_pair_oracle_open(&k->oracle, o, hook) : FMB_ERR_MEMORY;
     if (st == FMB_OK)
         st = hire_workers(k, hook);
     if (st == FMB_OK)
@@ -103,6 +121,7 @@ void fmb_pair_free(fmb_pair *k)
     dismiss_workers(k);
     fmb_pair_oracle_close(&k->oracle);
     fmb_general_free(k->general, &k->mem);
+    fmb_mem_put(&k->mem, k->minors, room_of_minors(k->dim), sizeof *k->minors);
     fmb_mem mem = k->mem;
     fmb_mem_put(&mem, k, 1, sizeof *k);
 }

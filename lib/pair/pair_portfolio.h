@@ -32,6 +32,8 @@ struct fmb_pair {
     fmb_pair **workers;  /* [threads - 1] one for each other thread, of sets of frames; or NULL */
     int threads;         /* at least 1 */
     fmb_threads running; /* since the first query for them */
+    double *room;        /* of kernels in four to eight dimensions, within minors; or NULL */
+    double *minors;
     char error[FMB_FRAME_FAULT_SIZE + 40]; /* why the last call returned FMB_ERR_ARG */
     uint64_t waiting;                      /* the blocks that are not empty */
     fmb_flat_kind flat;                    /* what waits in the last block */

@@ -44,11 +44,13 @@ typedef fmb_pair_bits fmb_verdict_kernel(const double *block);
  * nothing. Static: the times are 0 and 1. */
 typedef unsigned fmb_box_kernel(const double *block, double *answer);
 
-struct fmb_packed; /* packed_kernels.h */
+struct fmb_packed;        /* packed_kernels.h */
+struct fmb_minor_kernels; /* minors_kernels.h */
 
 typedef struct fmb_pair_kernels {
     int width;
-    const struct fmb_packed *packed; /* for records of sets, of that width */
+    const struct fmb_packed *packed;        /* for records of sets, of that width */
+    const struct fmb_minor_kernels *minors; /* the same in four to eight dimensions, or NULL */
     /* All are [D - 2][moving][shape of A][shape of B]. */
     fmb_verdict_kernel *verdict[2][2][2][2];
     /* The first index is the level: for lanes that the level before is not sure of, and slower.

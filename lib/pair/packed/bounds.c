@@ -1,19 +1,19 @@
 /* bounds.c: see bounds.h.
  *
- * A coordinate of a point of a frame is the sum of its origin's and at most four of its axes' and
- * speed's, times factors in 0 ... 1; ends are such sums, each factor 0 or 1. Five additions in
- * doubles err by less than 6 u S (u = 2^-53, S the sum of the absolute values, itself rounded) and
- * taking off 8 u S adds another u S. A sum less than 2^-1021 is exact, as it is a multiple of
- * 2^-1074. So where S is less than that nothing errs, whatever 8 u S is rounded to; and where it is
- * not, 8 u S is at least 2^-1071, and rounded by at most 2^-1075, less than the u S that are left.
- * Sums that overflow make S infinite, and the box with it: a lower end is not +inf before that, as
- * all that is added to a finite number is at most 0; nor is an upper one -inf.
+ * A coordinate of a point of a frame is the sum of its origin's and at most nine of its axes' and
+ * speed's, times factors in 0 ... 1; ends are such sums, each factor 0 or 1. Ten additions in
+ * doubles err by less than 11 u S (u = 2^-53, S the sum of the absolute values, itself rounded) and
+ * taking off 16 u S adds another u S. A sum less than 2^-1021 is exact, as it is a multiple of
+ * 2^-1074. So where S is less than that nothing errs, whatever 16 u S is rounded to; and where it
+ * is not, 16 u S is at least 2^-1070, and rounded by at most 2^-1075, less than the 4 u S that are
+ * left. Sums that overflow make S infinite, and the box with it: a lower end is not +inf before
+ * that, as all that is added to a finite number is at most 0; nor is an upper one -inf.
  */
 #include "pair/packed/bounds.h"
 
 #include <math.h>
 
-static const double SLACK = 0x1p-50; /* 8 u */
+static const double SLACK = 0x1p-49; /* 16 u */
 
 /* ---- one frame ------------------------------------------------------------------------------- */
 
@@ -40,8 +40,8 @@ void fmb_bounds_of_frame(const fmb_frames *s, size_t i, fmb_bounds *out)
     int dim = s->dim, kind = s->kind[i];
     const double *axes = record + dim, *speed = axes + dim * dim;
     for (int j = 0; j < dim; j++) {
-        reach r =
-            reach_of_axes(axes, dim, fmb_kind_naxes(kind), fmb_kind_shape(kind) == FMB_SIMPLEX, j);
+        reach r = reach_of_axes(axes, dim, fmb_kind_naxes(dim, kind),
+                                fmb_kind_shape(kind) == FMB_SIMPLEX, j);
         double low = record[j] + (speed[j] < 0 ? speed[j] : 0) + r.low;
         double high = record[j] + (speed[j] > 0 ? speed[j] : 0) + r.high;
         double slack = SLACK * (fabs(record[j]) + fabs(speed[j]) + r.size);

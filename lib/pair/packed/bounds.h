@@ -7,9 +7,12 @@
 
 #include "pair/packed/set.h"
 
+/* No frame in more dimensions has a record. */
+enum { FMB_BOUNDS_MOST_DIM = 8 };
+
 /* A box that holds a frame at all times, rounded outward; an end may be infinite. */
 typedef struct fmb_bounds {
-    double lower[3], upper[3];
+    double lower[FMB_BOUNDS_MOST_DIM], upper[FMB_BOUNDS_MOST_DIM];
 } fmb_bounds;
 
 /* Of frame i, which has a record of a kind but NONE. */

@@ -2,7 +2,7 @@
 #ifndef FMB_PAIR_PACKED_H
 #define FMB_PAIR_PACKED_H
 
-#include "pair/kernels/packed_kernels.h"
+#include "pair/kernels/minors_kernels.h"
 #include "pair/packed/set.h"
 #include "pair/pair_portfolio.h"
 

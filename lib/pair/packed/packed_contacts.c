@@ -80,7 +80,8 @@ static void plan_contacts(contacts_query *x, fmb_frames_pair pair)
         !x->k->options.tightest && fmb_packed_plan_of(x->k, x->kind_a, x->kind_b, &x->plan);
     if (!x->planned)
         return;
-    const int naxes[2] = {fmb_kind_naxes(x->kind_a), fmb_kind_naxes(x->kind_b)};
+    const int naxes[2] = {fmb_kind_naxes(x->k->dim, x->kind_a),
+                          fmb_kind_naxes(x->k->dim, x->kind_b)};
     const bool simplex[2] = {fmb_kind_shape(x->kind_a), fmb_kind_shape(x->kind_b)};
     fmb_flat_kind_of(x->k->dim, x->plan.moves, naxes, simplex, &x->plan.flat);
 }

@@ -39,11 +39,14 @@ bool fmb_packed_plan_of(const fmb_pair *k, int a, int b, fmb_packed_plan *out)
 {
     if (k->options.method == FMB_PAIR_EXACT || a == FMB_KIND_NONE || b == FMB_KIND_NONE)
         return false;
-    const int naxes[2] = {fmb_kind_naxes(a), fmb_kind_naxes(b)};
+    const int naxes[2] = {fmb_kind_naxes(k->dim, a), fmb_kind_naxes(k->dim, b)};
     const bool simplex[2] = {fmb_kind_shape(a), fmb_kind_shape(b)};
     out->moves = ((a | b) & FMB_KIND_MOVES) != 0;
     out->swapped = false;
     out->shapes = FMB_PACKED_ANY;
+    if (k->dim > 3 && !(k->room && k->wide->minors &&
+                        k->wide->minors->row[out->moves][k->dim - FMB_MINORS_LEAST_DIM]))
+        return false;
     if (naxes[0] == k->dim && naxes[1] == k->dim) {
         out->swapped = simplex[0] && !simplex[1];
         out->shapes = simplex[0] && simplex[1]   ? FMB_PACKED_SIMPLICES
@@ -138,7 +141,9 @@ static fmb_status decide_pairs_of_kinds(fmb_pair *k, const pairs_query *x, int k
         packed.record[side] = set[side ^ plan.swapped]->record;
         packed.index[side] = index[side ^ plan.swapped];
     }
-    bool known = k->wide->packed->pairs[k->dim - 2](&packed, out);
+    bool known = k->dim > 3 ? k->wide->minors->pairs[plan.moves][k->dim - FMB_MINORS_LEAST_DIM](
+                                  &packed, k->room, out)
+                            : k->wide->packed->pairs[k->dim - 2](&packed, out);
     return known ? FMB_OK : decide_open_pairs(k, x, n, pair, out);
 }
 

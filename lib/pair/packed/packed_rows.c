@@ -12,7 +12,7 @@
 #include "pair/packed/packed.h"
 
 enum {
-    CHUNK = 256, /* frames of the second set at a time */
+    CHUNK = 256, /* most frames of the second set at a time */
     EIGHTS = CHUNK / 8,
     BAND = 64 /* frames of the first set at a time */
 };
@@ -29,12 +29,19 @@ typedef struct chunk {
     _Alignas(64) double tiles[CHUNK * 2 * FMB_RECORD_LINE];
 } chunk;
 
+/* Frames of a chunk, in whole eights: 32 kB. */
+static size_t most_of_chunk(const fmb_frames *s)
+{
+    const size_t fit = CHUNK * 2 * FMB_RECORD_LINE / (s->stride > 0 ? s->stride : 1) / 8 * 8;
+    return fit < CHUNK ? fit : CHUNK;
+}
+
 /* The chunk that begins at `from`, as yet without tiles; its end. */
 static size_t begin_chunk(const fmb_frames *s, size_t from, chunk *out)
 {
     int kind = s->kind[s->order[from]];
     size_t end = s->first[kind + 1];
-    end = end - from < CHUNK ? end : from + CHUNK;
+    end = end - from < most_of_chunk(s) ? end : from + most_of_chunk(s);
     out->set = s;
     out->from = from;
     out->n = end - from;
@@ -60,8 +67,12 @@ static void tile_eights(const fmb_pair *k, chunk *c, uint64_t wanted)
     while (wanted) {
         size_t count, g = take_run_of_eights(&wanted, &count);
         size_t n = c->n - 8 * g < 8 * count ? c->n - 8 * g : 8 * count;
-        k->wide->packed->tiles[k->dim - 2](s->record, s->order + c->from + 8 * g, n,
-                                           c->tiles + 8 * g * s->stride);
+        const uint32_t *index = s->order + c->from + 8 * g;
+        double *to = c->tiles + 8 * g * s->stride;
+        if (k->dim > 3)
+            k->wide->minors->tiles(k->dim, s->record, index, n, to);
+        else
+            k->wide->packed->tiles[k->dim - 2](s->record, index, n, to);
     }
 }
 
@@ -107,7 +118,10 @@ static void ask_chunk(const fmb_pair *k, const fmb_frames *a, size_t i, chunk *c
                                     .swapped = plan.swapped,
                                     .shapes = plan.shapes,
                                     .kind = &plan.flat};
-        k->wide->packed->row[k->dim - 2](&row, out + g);
+        if (k->dim > 3)
+            k->wide->minors->row[row.moves][k->dim - FMB_MINORS_LEAST_DIM](&row, k->room, out + g);
+        else
+            k->wide->packed->row[k->dim - 2](&row, out + g);
     }
 }
 

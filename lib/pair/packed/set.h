@@ -4,8 +4,10 @@
  *
  *     origin  D      axes  D D, row i is edge i, missing ones 0      speed  D, of a still frame 0
  *
- * A kind says what a record holds. What no record can hold (other dimensions; corners whose
- * differences are no doubles) is of kind NONE; it stands beside, and so does every frame by
+ * Cuboids in four to eight dimensions have longer records (pair/kernels/minors_kernels.h).
+ *
+ * A kind says what a record holds. What no record can hold (other frames and dimensions; corners
+ * whose differences are no doubles) is of kind NONE; it stands beside, and so does every frame by
  * corners, as it was given: exact queries want that.
  */
 #ifndef FMB_PAIR_SET_H
@@ -20,6 +22,10 @@ enum { FMB_KIND_MOVES = 8, FMB_KIND_NONE = 16, FMB_KINDS };
 
 /* Numbers of a record in the plane; twice as many in space. */
 enum { FMB_RECORD_LINE = 8 };
+
+/* In four to eight dimensions cuboids by edges with all their axes have records
+ * (pair/kernels/minors_kernels.h), and this kind. */
+enum { FMB_KIND_MANY = 0 };
 
 struct fmb_frames {
     fmb_mem mem;
@@ -49,9 +55,9 @@ static inline fmb_shape fmb_kind_shape(int kind)
 {
     return (fmb_shape)(kind & 1);
 }
-static inline int fmb_kind_naxes(int kind)
+static inline int fmb_kind_naxes(int dim, int kind)
 {
-    return kind % FMB_KIND_MOVES / 2;
+    return dim > 3 ? dim : kind % FMB_KIND_MOVES / 2;
 }
 
 #endif

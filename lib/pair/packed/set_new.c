@@ -6,7 +6,9 @@
 #include "base/sized.h"
 #include "frame/frame_private.h"
 #include "pair/corner_edges.h"
+#include "pair/kernels/minors_kernels.h"
 #include "pair/packed/bounds.h"
+#include "pair/packed/inverse.h"
 
 enum { LINE = FMB_RECORD_LINE };
 
@@ -20,7 +22,10 @@ static double *align_to_lines(double *p)
 
 static fmb_status make_room_for_records(fmb_frames *s)
 {
-    s->stride = s->dim == 2 ? LINE : s->dim == 3 ? 2 * LINE : 0;
+    s->stride = s->dim == 2                 ? LINE
+                : s->dim == 3               ? 2 * LINE
+                : fmb_minors_is_dim(s->dim) ? (size_t)fmb_minors_record(s->dim)
+                                            : 0;
     s->kind = fmb_mem_get(&s->mem, s->n, sizeof *s->kind);
     s->order = s->kind ? fmb_mem_get(&s->mem, s->n, sizeof *s->order) : NULL;
     if (s->stride > 0 && s->order) {
@@ -119,16 +124,26 @@ static void copy_beside(fmb_frames *s, size_t i, const fmb_frame *f, size_t *use
     s->given[i].speed = f->speed ? to[2] : NULL;
 }
 
+/* Write frame i of these edges to its record; its kind. */
+static int add_record(fmb_frames *s, size_t i, const fmb_frame *e)
+{
+    double *to = s->record + s->stride * i;
+    int moves = e->speed ? FMB_KIND_MOVES : 0;
+    if (s->dim <= 3) {
+        write_record(e, to);
+        return 2 * e->naxes + (int)e->shape + moves;
+    }
+    bool whole = e->shape == FMB_CUBOID && e->naxes == s->dim;
+    return whole && fmb_inverse_record(e, to) ? FMB_KIND_MANY + moves : FMB_KIND_NONE;
+}
+
 /* f is good. */
 static void add_frame(fmb_frames *s, size_t i, const fmb_frame *f, size_t *used)
 {
     fmb_corner_edges by_edges;
     int kind = FMB_KIND_NONE;
-    if (s->stride > 0 && fmb_edges_of_frame(f, &by_edges)) {
-        const fmb_frame *e = &by_edges.frame;
-        kind = 2 * e->naxes + (int)e->shape + (e->speed ? FMB_KIND_MOVES : 0);
-        write_record(e, s->record + s->stride * i);
-    }
+    if (s->stride > 0 && fmb_edges_of_frame(f, &by_edges))
+        kind = add_record(s, i, &by_edges.frame);
     if (stands_beside(f))
         copy_beside(s, i, f, used);
     s->kind[i] = (uint8_t)kind;
@@ -275,7 +290,7 @@ fmb_frame fmb_frames_at(const fmb_frames *s, size_t i)
     const double *from = fmb_frames_record(s, i);
     return (fmb_frame){.shape = fmb_kind_shape(kind),
                        .dim = s->dim,
-                       .naxes = fmb_kind_naxes(kind),
+                       .naxes = fmb_kind_naxes(s->dim, kind),
                        .origin = from,
                        .axes = from + dim,
                        .speed = kind & FMB_KIND_MOVES ? from + dim + dim * dim : NULL};

@@ -151,6 +151,41 @@ static void count_certain(fmb_gaps *, lane size, double count, lane bound)
 #include "pair/kernels/verdict/verdict_kernel.h"
 #undef local_frame_make
 
+/* ---- verdicts: minors ------------------------------------------------------------------------ */
+
+static void hear_minors(struct minors_said *, lane gap, lane error)
+{
+    claim("gap", gap.e, error.v / UNIT);
+}
+
+#include "pair/kernels/minors/minors_said.h"
+#define minors_hear hear_minors
+#include "pair/kernels/minors/minors_kernel.h"
+#undef minors_hear
+
+/* Records of cuboids of one size; inverses are off as packed/inverse.h has it. */
+static void count_minors(int dim, bool moves)
+{
+    static lane record[2][200], room[4000];
+    const int inverse = dim * (dim + 2), reach = 2 * dim * (dim + 1), speed = dim * (dim + 1);
+    const double size = some_size();
+    kernel = flavour("minors", dim, moves);
+    for (int side = 0; side < 2; side++) {
+        lane *x = record[side];
+        for (int j = 0; j < dim; j++) { /* rounded differences of the two are of this size */
+            x[j] = x[speed + j] = side ? lane{size, size} : lane{0, 0};
+            x[reach + j] = {some_size(), 0};
+        }
+        for (int j = 0; j < dim * dim; j++) {
+            x[dim + j] = {size, 0};
+            double part = x[reach + j / dim].v / dim;
+            x[inverse + j] = {part, 2 * part};
+        }
+        x[dim * (2 * dim + 3)] = {size, 0};
+    }
+    (void)minors_ask({dim, dim + moves}, record[0], record[1], (double *)room);
+}
+
 /* ---- verdicts: any axes ---------------------------------------------------------------------- */
 
 #include "pair/kernels/flat.c"
@@ -629,6 +664,14 @@ int main()
                 count_axes(dim, moves, false, true);
                 count_axes(dim, moves, true, true);
             }
+    }
+    for (int i = 0; i < 40; i++) {
+        counted_fused = i & 1;
+        for (int dim = 4; dim <= 8; dim++) {
+            count_minors(dim, false);
+            if (dim < 8)
+                count_minors(dim, true);
+        }
     }
     for (int i = 0; i < 4000; i++)
         count_contact();

@@ -322,6 +322,25 @@ static void gather(int dim, many *m)
     must(fmb_frames_new(dim, MOST, m->frame, NULL, &m->set));
 }
 
+/* In four and more dimensions, each width: cuboids that have records, still and moving, beside all
+ * kinds; frames around one corner, where most meet. */
+Test(frames, sets_in_more_dimensions)
+{
+    static many a, b;
+    for (int i = 0; i < 12; i++) {
+        int dim = 4 + i % 3;
+        draw_many(dim, i % 4 == 3 ? -1 : 0, i / 4 % 2, STUDY_PAIR_ARTICLE, 13, &a);
+        draw_many(dim, 0, i / 3 % 2, STUDY_PAIR_ARTICLE, 14, &b);
+        if (i >= 6)
+            gather(dim, &b);
+        check_pairs(&a, &b, LEVEL[i % 3], 300);
+        if (dim == 4)
+            check_rows_and_meeting(dim, LEVEL[i / 3 % 3], &a, &b);
+        fmb_frames_free(a.set);
+        fmb_frames_free(b.set);
+    }
+}
+
 /* Each width, few of them apart by faces and many, still and moving. */
 Test(frames, rows_of_simplices_in_space)
 {

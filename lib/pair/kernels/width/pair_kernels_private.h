@@ -3,9 +3,13 @@
 #include "pair/kernels/pair_kernels.h"
 
 #include "pair/kernels/box/box_kernel.h"
-#include "pair/kernels/packed_kernels.h"
+#include "pair/kernels/minors_kernels.h"
 #include "pair/kernels/verdict/verdict_kernel.h"
 
 extern const fmb_packed FMB_PACKED_TABLE;
-const fmb_pair_kernels FMB_TABLE = {
-    .width = FMB_LANES, .packed = &FMB_PACKED_TABLE, .verdict = FMB_VERDICTS, .box = FMB_BOXES};
+extern const fmb_minor_kernels FMB_MINORS_TABLE;
+const fmb_pair_kernels FMB_TABLE = {.width = FMB_LANES,
+                                    .packed = &FMB_PACKED_TABLE,
+                                    .minors = &FMB_MINORS_TABLE,
+                                    .verdict = FMB_VERDICTS,
+                                    .box = FMB_BOXES};

@@ -1,0 +1,5 @@
+/* minors_avx512.c: eight pairs at a time; see minors_kernels.h. */
+#define FMB_LANES        8
+#define FMB_MINORS_TABLE fmb_minors_avx512
+
+#include "pair/kernels/minors/minors_loops.h"

@@ -1,0 +1,125 @@
+/* minors_loops.h: pairs and rows of packed cuboids in four to eight dimensions; the body of
+ * minors_*.c, which set FMB_LANES and name the table FMB_MINORS_TABLE. */
+#ifndef FMB_PAIR_MINORS_LOOPS_H
+#define FMB_PAIR_MINORS_LOOPS_H
+
+#include "pair/kernels/lane/transpose.h"
+#include "pair/kernels/minors/minors_kernel.h"
+
+/* Of a record, rounded up. */
+enum { MINORS_ROWS = 2 * 8 * 8 + 3 * 8 + 8 };
+
+/* Each kernel once: pairs and rows call it. */
+#define MINORS_ASK(dim, moves)                                                                     \
+    static __attribute__((noinline))                                                               \
+    fmb_pair_bits minors_ask_##dim##moves(const lane *a, const lane *b, double *room)              \
+    {                                                                                              \
+        return minors_ask((minors_kind){dim, dim + (moves)}, a, b, room);                          \
+    }
+MINORS_ASK(4, 0)
+MINORS_ASK(5, 0)
+MINORS_ASK(6, 0)
+MINORS_ASK(7, 0)
+MINORS_ASK(8, 0)
+MINORS_ASK(4, 1)
+MINORS_ASK(5, 1)
+MINORS_ASK(6, 1)
+MINORS_ASK(7, 1)
+
+typedef fmb_pair_bits minors_asker(const lane *a, const lane *b, double *room);
+
+/* FMB_LANES records as lanes. */
+FMB_INLINE void minors_pack(int rows, const double *const *from, lane *out)
+{
+    for (int r = 0; r < rows; r += 4)
+        transpose_four(from, r, out + r);
+}
+
+static void minors_tiles(int dim, const double *record, const uint32_t *index, size_t n,
+                         double *tiles)
+{
+    const int rows = fmb_minors_record(dim);
+    for (size_t i = 0; i < (n + 7) / 8 * 8; i += FMB_LANES) {
+        const double *from[FMB_LANES];
+        lane out[MINORS_ROWS];
+        for (size_t l = 0; l < FMB_LANES; l++)
+            from[l] = record + (size_t)rows * index[i + l < n ? i + l : n - 1];
+        minors_pack(rows, from, out);
+        for (int r = 0; r < rows; r++, tiles += FMB_LANES)
+            lane_store(tiles, out[r]);
+    }
+}
+
+FMB_INLINE void minors_row(int dim, minors_asker *ask, const fmb_packed_row *x, double *room,
+                           fmb_packed_bits *out)
+{
+    const int rows = fmb_minors_record(dim);
+    lane one[MINORS_ROWS];
+    const double *tiles = x->tiles;
+    for (int r = 0; r < rows; r++)
+        one[r] = lane_of(x->one[r]);
+    for (size_t g = 0; g < (x->n + 7) / 8; g++) {
+        out[g] = (fmb_packed_bits){0, 0};
+        for (unsigned l = 0; l < 8; l += FMB_LANES, tiles += rows * FMB_LANES) {
+            fmb_pair_bits some = ask(one, (const lane *)tiles, room);
+            out[g].apart = (uint8_t)(out[g].apart | some.apart << l);
+            out[g].meet = (uint8_t)(out[g].meet | some.meet << l);
+        }
+    }
+}
+
+FMB_INLINE bool minors_pairs(int dim, minors_asker *ask, const fmb_packed_pairs *x, double *room,
+                             fmb_verdict *out)
+{
+    const int rows = fmb_minors_record(dim);
+    bool known = true;
+    for (size_t i = 0; i < x->n; i += FMB_LANES) {
+        lane side[2][MINORS_ROWS];
+        for (int s = 0; s < 2; s++) {
+            const double *from[FMB_LANES];
+            for (size_t l = 0; l < FMB_LANES; l++)
+                from[l] = x->record[s] +
+                          (size_t)rows * x->index[s][2 * (i + l < x->n ? i + l : x->n - 1)];
+            minors_pack(rows, from, side[s]);
+        }
+        fmb_pair_bits bits = ask(side[0], side[1], room);
+        for (size_t l = 0; l < FMB_LANES && i + l < x->n; l++) {
+            out[i + l] = bits.apart >> l & 1  ? FMB_INFEASIBLE
+                         : bits.meet >> l & 1 ? FMB_FEASIBLE
+                                              : FMB_UNKNOWN;
+            known &= out[i + l] != FMB_UNKNOWN;
+        }
+    }
+    return known;
+}
+
+#define MINORS_LOOPS(dim, moves)                                                                   \
+    static void minors_row_##dim##moves(const fmb_packed_row *x, double *room,                     \
+                                        fmb_packed_bits *out)                                      \
+    {                                                                                              \
+        minors_row(dim, minors_ask_##dim##moves, x, room, out);                                    \
+    }                                                                                              \
+    static bool minors_pairs_##dim##moves(const fmb_packed_pairs *x, double *room,                 \
+                                          fmb_verdict *out)                                        \
+    {                                                                                              \
+        return minors_pairs(dim, minors_ask_##dim##moves, x, room, out);                           \
+    }
+MINORS_LOOPS(4, 0)
+MINORS_LOOPS(5, 0)
+MINORS_LOOPS(6, 0)
+MINORS_LOOPS(7, 0)
+MINORS_LOOPS(8, 0)
+MINORS_LOOPS(4, 1)
+MINORS_LOOPS(5, 1)
+MINORS_LOOPS(6, 1)
+MINORS_LOOPS(7, 1)
+
+extern const fmb_minor_kernels FMB_MINORS_TABLE;
+const fmb_minor_kernels FMB_MINORS_TABLE = {
+    .pairs = {{minors_pairs_40, minors_pairs_50, minors_pairs_60, minors_pairs_70, minors_pairs_80},
+              {minors_pairs_41, minors_pairs_51, minors_pairs_61, minors_pairs_71, NULL}},
+    .tiles = minors_tiles,
+    .row = {{minors_row_40, minors_row_50, minors_row_60, minors_row_70, minors_row_80},
+            {minors_row_41, minors_row_51, minors_row_61, minors_row_71, NULL}}};
+
+#endif

@@ -1,0 +1,35 @@
+/* minors_said.h: what the rows of minors_kernel.h say together. */
+#ifndef FMB_PAIR_MINORS_SAID_H
+#define FMB_PAIR_MINORS_SAID_H
+
+#include <stdbool.h>
+
+#include "pair/kernels/lane/lane.h"
+#include "pair/kernels/minors_kernels.h"
+
+typedef struct minors_said {
+    lane apart;      /* largest gap - its error: positive means apart */
+    lane meet;       /* largest gap + its error: negative means meet, if all rows were asked */
+    lane_mask known; /* elsewhere neither means anything */
+} minors_said;
+
+/* Of some rows the largest gap, which has that error at most. */
+FMB_INLINE void minors_hear(minors_said *said, lane gap, lane error)
+{
+    said->apart = lane_max(said->apart, gap - error);
+    said->meet = lane_max(said->meet, gap + error);
+}
+
+FMB_INLINE fmb_pair_bits minors_bits(const minors_said *said)
+{
+    const lane zero = lane_of(0);
+    return (fmb_pair_bits){.apart = lane_bits(lane_and(said->known, lane_less(zero, said->apart))),
+                           .meet = lane_bits(lane_and(said->known, lane_less(said->meet, zero)))};
+}
+
+FMB_INLINE bool minors_all_apart(const minors_said *said)
+{
+    return minors_bits(said).apart == (1U << FMB_LANES) - 1;
+}
+
+#endif

@@ -1,0 +1,53 @@
+/* minors_kernels.h: the kernels over records of sets (pair/packed/set.h) in four to eight
+ * dimensions, once for each width; see minors/minors_kernel.h.
+ *
+ * A record of a cuboid with all its axes holds, from these places on,
+ *
+ *     0            origin, D           D (D + 1)    speed, D, of a still frame 0
+ *     D            axes, D D           D (D + 2)    inverse, D D, row by row
+ *     2 D (D + 1)  reach, D            D (2 D + 3)  size
+ *
+ * and zeros up to a multiple of eight numbers. inverse, times a point less the origin, is how far
+ * along each axis the point is; reach bounds the sum of the absolute values of a row of it, size
+ * the numbers of the axes. What that means exactly, and what frames have records: packed/inverse.h.
+ */
+#ifndef FMB_PAIR_KERNELS_MINORS_KERNELS_H
+#define FMB_PAIR_KERNELS_MINORS_KERNELS_H
+
+#include "pair/kernels/packed_kernels.h"
+
+enum { FMB_MINORS_LEAST_DIM = 4, FMB_MINORS_MOST_DIM = 8, FMB_MINORS_DIMS = 5 };
+
+static inline bool fmb_minors_is_dim(int dim)
+{
+    return dim >= FMB_MINORS_LEAST_DIM && dim <= FMB_MINORS_MOST_DIM;
+}
+
+/* Numbers of a record. */
+static inline int fmb_minors_record(int dim)
+{
+    return (2 * dim * dim + 3 * dim + 1 + 7) / 8 * 8;
+}
+
+/* Numbers of the room for the minors of one view: those of each level that the next one wants, and
+ * of one set of rows of the last level. With n columns and levels up to K (minors_kernel.h), still
+ * and moving, it is the most of sum over 1 < k <= K of choose(D, k) choose(n, k), and choose(n, K +
+ * 1).
+ */
+static inline size_t fmb_minors_room(int dim)
+{
+    static const size_t lanes[FMB_MINORS_DIMS] = {70, 170, 1050, 2618, 3990};
+    return FMB_BLOCK_MOST_LANES * lanes[dim - FMB_MINORS_LEAST_DIM];
+}
+
+/* [moving][D - 4]; NULL where no kernel decides. Of packed pairs and rows neither shapes nor kinds
+ * are looked at. room: fmb_minors_room(D) numbers, aligned to 64 bytes. */
+typedef struct fmb_minor_kernels {
+    bool (*pairs[2][FMB_MINORS_DIMS])(const fmb_packed_pairs *x, double *room, fmb_verdict *out);
+    void (*tiles)(int dim, const double *record, const uint32_t *index, size_t n, double *tiles);
+    void (*row[2][FMB_MINORS_DIMS])(const fmb_packed_row *x, double *room, fmb_packed_bits *out);
+} fmb_minor_kernels;
+
+extern const fmb_minor_kernels fmb_minors_narrow, fmb_minors_avx2, fmb_minors_avx512;
+
+#endif

@@ -1,0 +1,198 @@
+/* inverse.c: see inverse.h.
+ *
+ * The axes are scaled by a power of two first, such that the largest number is in [1/2, 1). With V
+ * an approximate inverse as double-doubles, and the residual R = 1 - A V computed likewise, V + V R
+ * is a better one. At the end, A^-1 - V = A^-1 R: if no number of R is greater than 2^-60, a row of
+ * this sums to at most 8 2^-60 times the sum of absolute values of that row of A^-1; rounding V to
+ * doubles adds at most u of that, so 2 u are enough. R itself: V has no number above 2^30, so eight
+ * products and nine sums of double-doubles err by less than 400 u^2 2^30 < 2^-62 (each by at most
+ * 4 u^2 times the sum of the absolute values, none above 9 2^30), and what underflows by less than
+ * 2^-1000. So computed numbers of R up to 2^-61 will do. A regular R also proves that A is regular.
+ *
+ * A row of V times the edge with the largest number, less than 1 each, has to give 0 or 1; summed
+ * over the edges, a row of V has sum at least 1. So once scaled back, by at most 2^300 and one
+ * more, what underflows in the inverse is 2^-750 of reach.
+ */
+#define FMB_LANES 1
+
+#include "pair/packed/inverse.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "pair/kernels/lane/double_double.h"
+#include "pair/kernels/minors_kernels.h"
+
+enum { MOST = FMB_MINORS_MOST_DIM };
+
+static const double LARGEST = 0x1p300, LEAST = 0x1p-300, STEEPEST = 0x1p30, CLEAN = 0x1p-61;
+
+typedef struct square {
+    int n;
+    double x[MOST][MOST];
+} square;
+
+/* ---- a first guess --------------------------------------------------------------------------- */
+
+static int find_pivot(const square *a, int c)
+{
+    int best = c;
+    for (int r = c + 1; r < a->n; r++)
+        best = fabs(a->x[r][c]) > fabs(a->x[best][c]) ? r : best;
+    return best;
+}
+
+static void swap_rows(square *a, int p, int q)
+{
+    for (int j = 0; j < a->n; j++) {
+        double t = a->x[p][j];
+        a->x[p][j] = a->x[q][j];
+        a->x[q][j] = t;
+    }
+}
+
+/* row r of a -= factor times row p */
+static void take_row(square *a, int r, double factor, int p)
+{
+    for (int j = 0; j < a->n; j++)
+        a->x[r][j] -= factor * a->x[p][j];
+}
+
+static void divide_row(square *a, int r, double by)
+{
+    for (int j = 0; j < a->n; j++)
+        a->x[r][j] /= by;
+}
+
+/* Gauss and Jordan. False: a pivot is 0. */
+static bool guess_inverse(square a, square *v)
+{
+    memset(v, 0, sizeof *v);
+    v->n = a.n;
+    for (int i = 0; i < a.n; i++)
+        v->x[i][i] = 1;
+    for (int c = 0; c < a.n; c++) {
+        int p = find_pivot(&a, c);
+        double pivot = a.x[p][c];
+        if (!(fabs(pivot) > LEAST))
+            return false;
+        swap_rows(&a, p, c);
+        swap_rows(v, p, c);
+        divide_row(&a, c, pivot);
+        divide_row(v, c, pivot);
+        for (int r = 0; r < a.n; r++)
+            if (r != c) {
+                double factor = a.x[r][c];
+                take_row(&a, r, factor, c);
+                take_row(v, r, factor, c);
+            }
+    }
+    return true;
+}
+
+/* ---- a better one ---------------------------------------------------------------------------- */
+
+static double largest(const square *a)
+{
+    double most = 0;
+    for (int r = 0; r < a->n; r++)
+        for (int j = 0; j < a->n; j++)
+            most = fabs(a->x[r][j]) > most ? fabs(a->x[r][j]) : most;
+    return most;
+}
+
+/* 1 - a v, v = hi + lo; its largest absolute value. */
+static double find_residual(const square *a, const square *hi, const square *lo, square *out)
+{
+    out->n = a->n;
+    for (int r = 0; r < a->n; r++)
+        for (int c = 0; c < a->n; c++) {
+            lane2 sum = lane2_of(r == c);
+            for (int k = 0; k < a->n; k++)
+                sum = lane2_subtract(
+                    true, sum,
+                    lane2_times(true, lane2_of(a->x[r][k]), (lane2){hi->x[k][c], lo->x[k][c]}));
+            out->x[r][c] = sum.hi;
+        }
+    return largest(out);
+}
+
+/* hi + lo + hi residual, as double-doubles */
+static void improve(const square *residual, square *hi, square *lo)
+{
+    const square v = *hi;
+    for (int r = 0; r < v.n; r++)
+        for (int c = 0; c < v.n; c++) {
+            double more = lo->x[r][c];
+            for (int k = 0; k < v.n; k++)
+                more += v.x[r][k] * residual->x[k][c];
+            lane2 sum = two_sum(v.x[r][c], more);
+            hi->x[r][c] = sum.hi;
+            lo->x[r][c] = sum.lo;
+        }
+}
+
+/* a has numbers in -1 ... 1. */
+static bool find_inverse(const square *a, square *hi)
+{
+    enum { STEPS = 4 };
+    square lo = {.n = a->n}, residual;
+    if (!guess_inverse(*a, hi))
+        return false;
+    for (int i = 0; i < STEPS; i++) {
+        if (!(largest(hi) <= STEEPEST))
+            return false;
+        if (find_residual(a, hi, &lo, &residual) <= CLEAN)
+            return true;
+        improve(&residual, hi, &lo);
+    }
+    return false;
+}
+
+/* ---- records --------------------------------------------------------------------------------- */
+
+static double largest_number(const double *x, int n)
+{
+    double most = 0;
+    for (int i = 0; i < n; i++)
+        most = fabs(x[i]) > most ? fabs(x[i]) : most;
+    return most;
+}
+
+/* Numbers that are scaled back, and what they sum to, a little more. */
+static void write_inverse(const square *v, int power, double *inverse, double *reach)
+{
+    for (int r = 0; r < v->n; r++) {
+        double sum = 0;
+        for (int j = 0; j < v->n; j++) {
+            inverse[r * v->n + j] = ldexp(v->x[r][j], -power);
+            sum += fabs(inverse[r * v->n + j]);
+        }
+        reach[r] = sum * (1 + 0x1p-48);
+    }
+}
+
+bool fmb_inverse_record(const fmb_frame *f, double *record)
+{
+    const int dim = f->dim;
+    const double size = largest_number(f->axes, dim * dim);
+    int power;
+    square a = {.n = dim}, v;
+    if (!(size >= LEAST && size <= LARGEST && largest_number(f->origin, dim) <= LARGEST) ||
+        (f->speed && largest_number(f->speed, dim) > LARGEST))
+        return false;
+    frexp(size, &power);
+    for (int i = 0; i < dim; i++)
+        for (int j = 0; j < dim; j++)
+            a.x[j][i] = ldexp(f->axes[i * dim + j], -power);
+    if (!find_inverse(&a, &v))
+        return false;
+    memset(record, 0, (size_t)fmb_minors_record(dim) * sizeof *record);
+    memcpy(record, f->origin, (size_t)dim * sizeof *record);
+    memcpy(record + dim, f->axes, (size_t)(dim * dim) * sizeof *record);
+    if (f->speed)
+        memcpy(record + dim * (dim + 1), f->speed, (size_t)dim * sizeof *record);
+    write_inverse(&v, power, record + dim * (dim + 2), record + 2 * dim * (dim + 1));
+    record[dim * (2 * dim + 3)] = size;
+    return true;
+}

@@ -1,0 +1,23 @@
+/* inverse.h: what a record in four to eight dimensions holds beside the frame
+ * (pair/kernels/minors_kernels.h).
+ *
+ * With V the exact inverse of the axes (of the matrix whose columns they are) and u = 2^-53, each
+ * row r of the inverse W in a record has
+ *
+ *     sum over j of |W_rj - V_rj| <= 2 u reach_r,
+ *     sum over j of |W_rj|, sum over j of |V_rj| <= reach_r,    2^-301 <= reach_r <= 2^334,
+ *
+ * and no number of the frame is greater than 2^300.
+ */
+#ifndef FMB_PAIR_INVERSE_H
+#define FMB_PAIR_INVERSE_H
+
+#include <stdbool.h>
+
+#include <fmb/frame.h>
+
+/* Does f, a cuboid by edges with all its axes in four to eight dimensions, have a record? Fill it:
+ * all of its numbers. False: it is flat, or so slender or large that no inverse is certain. */
+bool fmb_inverse_record(const fmb_frame *f, double *record);
+
+#endif

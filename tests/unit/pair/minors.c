@@ -1,0 +1,243 @@
+/* minors.c: kernels of cuboids in four to eight dimensions (pair/kernels/minors) in every width,
+ * one pair at a time too: never wrong, and sure of nearly all random pairs; their tables made anew;
+ * what records hold.
+ */
+#include <criterion/criterion.h>
+#include <gmp.h>
+#include <math.h>
+#include <string.h>
+
+#include <fmb/frames.h>
+
+#include "pair/kernels/minors/minors_table.h"
+#include "pair/kernels/minors_kernels.h"
+#include "pair/kernels/pair_kernels.h"
+#include "pair/packed/inverse.h"
+#include "property/random/rows.h"
+#include "study/draw/pairs.h"
+
+/* ---- tables ---------------------------------------------------------------------------------- */
+
+static int rank_of(unsigned set)
+{
+    int rank = 0;
+    for (unsigned less = 0; less < set; less++)
+        rank += __builtin_popcount(less) == __builtin_popcount(set);
+    return rank;
+}
+
+static int with(int k, int s, int j)
+{
+    return k == 0   ? FMB_MINORS_WITH_0[s][j]
+           : k == 1 ? FMB_MINORS_WITH_1[s][j]
+           : k == 2 ? FMB_MINORS_WITH_2[s][j]
+                    : FMB_MINORS_WITH_3[s][j];
+}
+
+Test(minors, tables)
+{
+    for (unsigned set = 0; set < 1U << FMB_MINORS_MOST; set++) {
+        int k = __builtin_popcount(set), place = 0;
+        cr_expect_eq(FMB_MINORS_RANK[set], rank_of(set));
+        for (unsigned j = 0; k <= 3 && j < FMB_MINORS_MOST; j++)
+            if (!(set >> j & 1))
+                cr_expect_eq(with(k, rank_of(set), place++), rank_of(set | 1U << j));
+    }
+    for (int n = 0; n <= FMB_MINORS_MOST; n++)
+        for (int size = 0; size <= 4; size++) {
+            int count = 0;
+            for (unsigned set = 0; set < 1U << n; set++)
+                count += __builtin_popcount(set) == size;
+            cr_expect_eq(fmb_minors_choose(n, size), count);
+        }
+}
+
+Test(minors, room)
+{
+    for (int dim = FMB_MINORS_LEAST_DIM; dim <= FMB_MINORS_MOST_DIM; dim++) {
+        int most = 0;
+        for (int moves = 0; moves < 2 && dim + moves <= FMB_MINORS_MOST; moves++) {
+            int n = dim + moves, last = (dim - 1 + moves) / 2, lanes = 0;
+            for (int k = 2; k <= last; k++)
+                lanes += fmb_minors_choose(dim, k) * fmb_minors_choose(n, k);
+            lanes += fmb_minors_choose(n, last + 1);
+            most = lanes > most ? lanes : most;
+        }
+        cr_expect_eq(fmb_minors_room(dim), (size_t)(FMB_BLOCK_MOST_LANES * most));
+    }
+}
+
+/* ---- records --------------------------------------------------------------------------------- */
+
+enum { MOST = FMB_MINORS_MOST_DIM, NUMBERS = 2 * MOST * MOST + 3 * MOST + 8 };
+
+typedef mpq_t rows[MOST][2 * MOST];
+
+/* Gauss and Jordan: [A | 1] becomes [1 | inverse of A], and A is regular. */
+static void invert(int dim, rows x)
+{
+    mpq_t t;
+    mpq_init(t);
+    for (int c = 0; c < dim; c++) {
+        int p = c;
+        while (mpq_sgn(x[p][c]) == 0)
+            p++;
+        for (int j = 0; j < 2 * dim; j++)
+            mpq_swap(x[p][j], x[c][j]);
+        for (int j = 2 * dim - 1; j >= c; j--)
+            mpq_div(x[c][j], x[c][j], x[c][c]);
+        for (int r = 0; r < dim; r++)
+            for (int j = 2 * dim - 1; r != c && j >= c; j--) {
+                mpq_mul(t, x[r][c], x[c][j]);
+                mpq_sub(x[r][j], x[r][j], t);
+            }
+    }
+    mpq_clear(t);
+}
+
+/* Against the exact one. */
+static void expect_inverse(const fmb_frame *f, const double *record)
+{
+    const int dim = f->dim;
+    const double *inverse = record + dim * (dim + 2), *reach = record + 2 * dim * (dim + 1);
+    rows x;
+    mpq_t off;
+    mpq_init(off);
+    for (int r = 0; r < dim; r++)
+        for (int c = 0; c < 2 * dim; c++) {
+            mpq_init(x[r][c]);
+            mpq_set_d(x[r][c], c < dim ? f->axes[c * dim + r] : c - dim == r);
+        }
+    invert(dim, x);
+    for (int r = 0; r < dim; r++) {
+        double error = 0, sum[2] = {0, 0};
+        for (int j = 0; j < dim; j++) {
+            mpq_set_d(off, inverse[r * dim + j]);
+            sum[0] += fabs(mpq_get_d(off));
+            sum[1] += fabs(mpq_get_d(x[r][dim + j]));
+            mpq_sub(off, off, x[r][dim + j]);
+            error += fabs(mpq_get_d(off));
+        }
+        cr_expect_leq(error, 0x1p-52 * reach[r]);
+        cr_expect(sum[0] <= reach[r] && sum[1] <= reach[r]);
+    }
+    for (int r = 0; r < dim; r++)
+        for (int c = 0; c < 2 * dim; c++)
+            mpq_clear(x[r][c]);
+    mpq_clear(off);
+}
+
+Test(minors, records)
+{
+    int made = 0;
+    for (int dim = FMB_MINORS_LEAST_DIM; dim <= FMB_MINORS_MOST_DIM; dim++)
+        for (int i = 0; i < 40; i++) {
+            const study_pair_plan plan = {.family = STUDY_PAIR_ARTICLE, .dim = dim};
+            study_pair p;
+            double record[NUMBERS];
+            study_pair_draw(&plan, 5, (uint64_t)i, &p);
+            if (!fmb_inverse_record(&p.p, record))
+                continue;
+            made++;
+            expect_inverse(&p.p, record);
+            for (int j = 0; j < dim; j++) /* flat */
+                p.number[0][p.p.axes - p.number[0] + j] = 0;
+            cr_expect(!fmb_inverse_record(&p.p, record));
+        }
+    cr_expect_gt(made, 150);
+}
+
+/* ---- verdicts -------------------------------------------------------------------------------- */
+
+extern const fmb_minor_kernels minors_plain;
+
+/* Tables of this processor. */
+static size_t find_tables(const fmb_minor_kernels *out[4])
+{
+    const fmb_simd level[3] = {FMB_SIMD_PLAIN, FMB_SIMD_AVX2, FMB_SIMD_AVX512};
+    size_t n = 0;
+    out[n++] = &minors_plain;
+    for (int i = 0; i < 3; i++) {
+        const fmb_pair_kernels *k = fmb_pair_kernels_choose(level[i]);
+        if (k)
+            out[n++] = k->minors;
+    }
+    return n;
+}
+
+enum { PAIRS = 100 };
+
+typedef struct drawn {
+    study_pair pair[PAIRS];
+    double record[2][PAIRS * NUMBERS];
+    fmb_frames_pair index[PAIRS];
+    fmb_verdict is[PAIRS];
+    size_t n;
+    int dim;
+    bool moves;
+} drawn;
+
+static void draw(study_pair_family family, int dim, bool moves, size_t count, drawn *d)
+{
+    const study_pair_plan plan = {.family = family, .dim = dim, .moves = moves};
+    const size_t stride = (size_t)fmb_minors_record(dim);
+    fmb_pair_options o = {.size = sizeof o, .method = FMB_PAIR_EXACT};
+    fmb_pair *k = NULL;
+    must(fmb_pair_new(dim, &o, NULL, &k));
+    d->n = 0;
+    d->dim = dim;
+    d->moves = moves;
+    for (uint64_t i = 0; i < count; i++) {
+        study_pair *p = &d->pair[d->n];
+        study_pair_draw(&plan, 7, i, p);
+        if (!fmb_inverse_record(&p->p, d->record[0] + stride * d->n) ||
+            !fmb_inverse_record(&p->q, d->record[1] + stride * d->n))
+            continue;
+        must(fmb_pair_test(
+            k, 1, &p->p, &p->q,
+            &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = &d->is[d->n]}));
+        d->index[d->n] = (fmb_frames_pair){(uint32_t)d->n, (uint32_t)d->n};
+        d->n++;
+    }
+    fmb_pair_free(k);
+}
+
+/* How many the kernels of a table are sure of. */
+static size_t check(const fmb_minor_kernels *t, const drawn *d)
+{
+    static _Alignas(64) double room[FMB_BLOCK_MOST_LANES * 3990];
+    fmb_verdict says[PAIRS];
+    const fmb_packed_pairs x = {.record = {d->record[0], d->record[1]},
+                                .index = {&d->index->a, &d->index->b},
+                                .n = d->n,
+                                .moves = d->moves};
+    size_t sure = 0;
+    bool known = t->pairs[d->moves][d->dim - FMB_MINORS_LEAST_DIM](&x, room, says);
+    for (size_t i = 0; i < d->n; i++) {
+        sure += says[i] != FMB_UNKNOWN;
+        cr_expect(says[i] == FMB_UNKNOWN || says[i] == d->is[i], "pair %zu: %d, not %d", i, says[i],
+                  d->is[i]);
+    }
+    cr_expect_eq(known, sure == d->n);
+    return sure;
+}
+
+Test(minors, verdicts)
+{
+    static const study_pair_family family[] = {
+        STUDY_PAIR_ARTICLE, STUDY_PAIR_LATTICE, STUDY_PAIR_TOUCHING, STUDY_PAIR_NEAR,
+        STUDY_PAIR_FLAT,    STUDY_PAIR_SCALED,  STUDY_PAIR_RAGGED,   STUDY_PAIR_SWEPT};
+    static drawn d;
+    const fmb_minor_kernels *table[4];
+    size_t tables = find_tables(table);
+    for (size_t f = 0; f < sizeof family / sizeof *family; f++)
+        for (int dim = FMB_MINORS_LEAST_DIM; dim <= FMB_MINORS_MOST_DIM; dim++)
+            for (int moves = 0; moves < 2 && dim + moves <= FMB_MINORS_MOST; moves++) {
+                draw(family[f], dim, moves, dim < 7 ? 40 : 12, &d);
+                for (size_t t = 0; t < tables; t++) {
+                    size_t sure = d.n > 0 ? check(table[t], &d) : 0;
+                    cr_expect(family[f] != STUDY_PAIR_ARTICLE || sure + 1 >= d.n, "%zu of %zu",
+                              sure, d.n);
+                }
+            }
+}
