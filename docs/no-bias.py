@@ -2,9 +2,11 @@
 usage: no-bias.py BIAS.csv OUT"""
 
 import csv
+import logging
 import sys
 
 import matplotlib
+logging.getLogger("matplotlib").setLevel(logging.ERROR)  # not of the cache of fonts
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
