@@ -216,6 +216,8 @@ def benchmark(out):
     say("BenchWays", len(runs.run))
     say("BenchMostRows", f'{int(runs.lines[0]["max_rows"]):,}'.replace(",", r"\,"))
     say("BenchMostSeconds", runs.lines[0]["max_seconds"])
+    stopped = [line["stop"] for line in runs.lines if line["method"] == "fm" and line["outcome"] == "stopped"]
+    say("StoppedByRows", f"{100 * np.mean([stop == 'rows' for stop in stopped]):.0f}")
     order_table(out, runs, rules, orders)
     rule_table(out, runs, rules)
     methods(out, runs)
@@ -247,7 +249,7 @@ def rule_table(out, runs, rules):
         price = geometric(runs, way, (*way[:3], "none"), "seconds")[0]
         rows.append([WORDS.get(way[1], way[1]), str(solved(runs, way)), f"{made:.2f}", short(factors[0]), f"{held:.2f}", f"{seconds:.2f}",
                      short(factors[1]), f"{price:.2f}"])
-    tabular(out, "rules", "lrrrrrrr", ["rules", "solved", "rows", "", "peak", "time", "", "proofs"], rows)
+    tabular(out, "rules", "lrrrrrrr", ["rules", "solved", "rows", "factor", "peak", "time", "factor", "proofs"], rows)
     for name in ("none", "duplicate", "dominated", "kohler", "imbert", "chernikov", "chernikov,box", "lp", "default"):
         say("Solved" + "".join(part.capitalize() for part in name.split(",")), solved(runs, fm(name)))
     claim(solved(runs, fm("none")) <= solved(runs, fm("dominated")) < solved(runs, fm("kohler")) < solved(runs, fm("chernikov")),
@@ -302,6 +304,11 @@ def methods(out, runs):
     with np.errstate(invalid="ignore", divide="ignore"):
         say("FmMedianFactor", short(np.median(costs["fm"] / least)))
         say("HullMedianFactor", short(np.median(costs["hull"] / least)))
+    for m in ways:
+        say(f"{m.capitalize()}Tail", int(np.sum(~(costs[m] <= 10 * np.min([costs[k] for k in ways], axis=0)))))
+    one = [k for k, p in enumerate(runs.problems) if int(runs.run[ways["fm"]][p]["variables"]) - int(runs.run[ways["fm"]][p]["kept"]) == 1]
+    say("OneGoneFm", f"{100 * np.mean(costs['fm'][one] <= least[one]):.0f}" if one else "--")
+    claim(not one or np.mean(costs["fm"][one] <= least[one]) > 0.5, "elimination of one variable is hardly beaten")
     figure, panels = plt.subplots(1, 2, figsize=(6.3, 2.5), layout="constrained")
     best = np.min([costs[m] for m in ways], axis=0)
     for i, (m, cost) in enumerate(costs.items()):
