@@ -39,16 +39,19 @@ u + y <= -1
 
 from __future__ import annotations
 
+import os
 import random
 from typing import Any, Callable, Iterable, Iterator, Sequence, overload
 
+from fmb import _experiment
 from fmb._callbacks import Drops, Rule, View, ViewRow, built_in
+from fmb._experiment import Problem, problems
 from fmb._lib import ArgumentError
 from fmb._solver import Solver
 from fmb._system import System, SystemLike, SystemRow, system
 
-__all__ = ["Rule", "Trial", "View", "ViewRow", "Wrong", "built_in", "order", "rule", "small_systems",
-           "trial"]
+__all__ = ["Problem", "Rule", "Trial", "View", "ViewRow", "Wrong", "built_in", "experiment", "order", "problems", "rule",
+           "small_systems", "trial"]
 
 
 @overload
@@ -192,6 +195,41 @@ def trial(rules: Any = None, order: Any = None, systems: int | Iterable[SystemLi
     return bench.trial
 
 
+def experiment(ways: Iterable[Any], of: Iterable[Problem], out: str | os.PathLike[str] | None = None,
+               **options: Any) -> list[dict[str, Any]]:
+    """Eliminate in each of the ways, `{"rules": [mine, "kohler"], "order": mine}` or rules alone, and
+    count. A dict for each run, with the columns of `fmb-qualify run` (docs/laboratory.md; no time is
+    taken); with `out`, a file of CSV, too, for `fmb-qualify plots`. Problems are those of a folder that
+    `fmb-qualify benchmark` wrote, `problems(folder, sizes=[1])`, or one's own. Every answer is held
+    against one that another method found and proved; where that finds none within its limit of 20
+    seconds, the answer is believed. Of a wrong one, `system` is the smallest system that shows it.
+
+    >>> diamond = Problem("diamond", 0, 1, system("a + b + c <= 1; a + b - c <= 1; a - b + c <= 1; "
+    ...     "a - b - c <= 1; c - a + b <= 1; b - a - c <= 1; c - a - b <= 1; -a - b - c <= 1"), 1)
+    >>> for run in experiment(["none", "kohler", {"rules": "chernikov", "order": "given"}], [diamond]):
+    ...     print(run["rules"], run["order"], run["outcome"], run["rounds"])
+    none pairs decided 12 14
+    kohler pairs decided 12 4
+    chernikov given decided 12 4
+    """
+    options = {"presolve": "bounds", "max_rows": 10000, "max_seconds": 10, **options, "method": "fm"}
+    truths, lines = Solver(max_seconds=20), []
+    for block, problem in enumerate(of, 1):
+        kept = problem.system.names[:problem.kept] or None
+        said, answer = _asked(truths, problem.system, kept)
+        truth = said if said is not None and answer.proof.check() else None
+        for way in _experiment.ways_of(ways):
+            line: dict[str, Any] = {**_experiment.run(problem, way, truth, _asked, **options), "block": block}
+            if line["outcome"] == "wrong":
+                solver = Solver(rules=way.rules, order=way.order, **options)
+                small = _smaller(problem.system, lambda s: _Bench(solver, solver).is_wrong(s, kept))
+                line["system"] = "; ".join(str(small).splitlines())
+            lines.append(line)
+    if out is not None:
+        _experiment.write(lines, out)
+    return lines
+
+
 class _Bench:
     """Who is tried, who counts without rules, and who knows the truth."""
 
@@ -226,7 +264,7 @@ class _Bench:
 
     def is_wrong(self, s: System, kept: tuple[str, ...] | None) -> bool:
         """Does it still go wrong?"""
-        if kept is not None and kept[0] not in s.names:
+        if kept is not None and any(name not in s.names for name in kept):
             return False
         said = _asked(self.tried, s, kept)[0]
         return said is not None and said != self.truth(s, kept)
