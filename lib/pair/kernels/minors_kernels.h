@@ -29,14 +29,12 @@ static inline int fmb_minors_record(int dim)
     return (2 * dim * dim + 3 * dim + 1 + 7) / 8 * 8;
 }
 
-/* Numbers of the room for the minors of one view: those of each level that the next one wants, and
- * of one set of rows of the last level. With n columns and levels up to K (minors_kernel.h), still
- * and moving, it is the most of sum over 1 < k <= K of choose(D, k) choose(n, k), and choose(n, K +
- * 1).
- */
+/* Numbers of the room for the minors of one view that the next level wants. With n columns and
+ * levels up to K (minors_kernel.h), still or moving, that is the sum over 1 < k <= K of
+ * choose(D, k) choose(n, k). */
 static inline size_t fmb_minors_room(int dim)
 {
-    static const size_t lanes[FMB_MINORS_DIMS] = {70, 170, 1050, 2618, 3990};
+    static const size_t lanes[FMB_MINORS_DIMS] = {60, 150, 1015, 2548, 3920};
     return FMB_BLOCK_MOST_LANES * lanes[dim - FMB_MINORS_LEAST_DIM];
 }
 

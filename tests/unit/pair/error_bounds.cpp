@@ -153,15 +153,28 @@ static void count_certain(fmb_gaps *, lane size, double count, lane bound)
 
 /* ---- verdicts: minors ------------------------------------------------------------------------ */
 
-static void hear_minors(struct minors_said *, lane gap, lane error)
+#include "pair/kernels/minors/minors_said.h"
+
+static void hear_minors(minors_said *, lane gap, lane error)
 {
     claim("gap", gap.e, error.v / UNIT);
 }
 
-#include "pair/kernels/minors/minors_said.h"
 #define minors_hear hear_minors
 #include "pair/kernels/minors/minors_kernel.h"
 #undef minors_hear
+
+/* One corner of b, seen from a. */
+static void count_point(minors_kind d, const lane *a, const lane *b, lane size)
+{
+    minors_view v;
+    minors_point p;
+    for (lane &x : p.x)
+        x = lane_of(1);
+    minors_look(d, a, b, b, b + d.dim * (d.dim + 1), size, nullptr, &v);
+    kernel.insert(0, "point of ");
+    (void)minors_check_point(d, &v, &p);
+}
 
 /* Records of cuboids of one size; inverses are off as packed/inverse.h has it. */
 static void count_minors(int dim, bool moves)
@@ -184,6 +197,7 @@ static void count_minors(int dim, bool moves)
         x[dim * (2 * dim + 3)] = {size, 0};
     }
     (void)minors_ask({dim, dim + moves}, record[0], record[1], (double *)room);
+    count_point({dim, dim + moves}, record[0], record[1], {size, 0});
 }
 
 /* ---- verdicts: any axes ---------------------------------------------------------------------- */

@@ -60,7 +60,6 @@ Test(minors, room)
             int n = dim + moves, last = (dim - 1 + moves) / 2, lanes = 0;
             for (int k = 2; k <= last; k++)
                 lanes += fmb_minors_choose(dim, k) * fmb_minors_choose(n, k);
-            lanes += fmb_minors_choose(n, last + 1);
             most = lanes > most ? lanes : most;
         }
         cr_expect_eq(fmb_minors_room(dim), (size_t)(FMB_BLOCK_MOST_LANES * most));
@@ -177,7 +176,16 @@ typedef struct drawn {
     bool moves;
 } drawn;
 
-static void draw(study_pair_family family, int dim, bool moves, size_t count, drawn *d)
+/* All axes along those of the world, so that most rows are 0 = 0, and longer, so that many meet. */
+static void align(int dim, const fmb_frame *f, double *number)
+{
+    double *axes = number + (f->axes - number);
+    for (int i = 0; i < dim * dim; i++)
+        axes[i] = i / dim == i % dim ? 4 * axes[i] : 0;
+}
+
+static void draw(study_pair_family family, bool aligned, int dim, bool moves, size_t count,
+                 drawn *d)
 {
     const study_pair_plan plan = {.family = family, .dim = dim, .moves = moves};
     const size_t stride = (size_t)fmb_minors_record(dim);
@@ -190,6 +198,10 @@ static void draw(study_pair_family family, int dim, bool moves, size_t count, dr
     for (uint64_t i = 0; i < count; i++) {
         study_pair *p = &d->pair[d->n];
         study_pair_draw(&plan, 7, i, p);
+        if (aligned) {
+            align(dim, &p->p, p->number[0]);
+            align(dim, &p->q, p->number[1]);
+        }
         if (!fmb_inverse_record(&p->p, d->record[0] + stride * d->n) ||
             !fmb_inverse_record(&p->q, d->record[1] + stride * d->n))
             continue;
@@ -205,7 +217,7 @@ static void draw(study_pair_family family, int dim, bool moves, size_t count, dr
 /* How many the kernels of a table are sure of. */
 static size_t check(const fmb_minor_kernels *t, const drawn *d)
 {
-    static _Alignas(64) double room[FMB_BLOCK_MOST_LANES * 3990];
+    static _Alignas(64) double room[FMB_BLOCK_MOST_LANES * 4000];
     fmb_verdict says[PAIRS];
     const fmb_packed_pairs x = {.record = {d->record[0], d->record[1]},
                                 .index = {&d->index->a, &d->index->b},
@@ -233,11 +245,28 @@ Test(minors, verdicts)
     for (size_t f = 0; f < sizeof family / sizeof *family; f++)
         for (int dim = FMB_MINORS_LEAST_DIM; dim <= FMB_MINORS_MOST_DIM; dim++)
             for (int moves = 0; moves < 2 && dim + moves <= FMB_MINORS_MOST; moves++) {
-                draw(family[f], dim, moves, dim < 7 ? 40 : 12, &d);
+                draw(family[f], false, dim, moves, dim < 7 ? 40 : 12, &d);
                 for (size_t t = 0; t < tables; t++) {
                     size_t sure = d.n > 0 ? check(table[t], &d) : 0;
                     cr_expect(family[f] != STUDY_PAIR_ARTICLE || sure + 1 >= d.n, "%zu of %zu",
                               sure, d.n);
                 }
             }
+}
+
+/* Rows tell nothing of those that meet, but points do. */
+Test(minors, parallel_edges)
+{
+    static drawn d;
+    const fmb_minor_kernels *table[4];
+    size_t tables = find_tables(table), meeting = 0;
+    for (int dim = FMB_MINORS_LEAST_DIM; dim <= FMB_MINORS_MOST_DIM; dim++)
+        for (int moves = 0; moves < 2 && dim + moves <= FMB_MINORS_MOST; moves++) {
+            draw(STUDY_PAIR_ARTICLE, true, dim, moves, 40, &d);
+            for (size_t i = 0; i < d.n; i++)
+                meeting += d.is[i] == FMB_FEASIBLE;
+            for (size_t t = 0; t < tables; t++)
+                cr_expect(check(table[t], &d) + (size_t)moves >= d.n);
+        }
+    cr_expect_gt(meeting, 30u);
 }

@@ -18,51 +18,27 @@
  * vectors are parallel to it, p edges of A, q of B, and perhaps the drift (d = 1, else 0): in A's
  * frame that is the row of these q + d columns, in B's frame (A and B change places) that of p + d
  * columns. The two numbers sum to D - 1 + d, so levels up to K there and up to K' here have them
- * all if K + K' + 2 > D - 1 + d.
+ * all if K + K' + 2 > D - 1 + d. With K = (D - 1) / 2 and K' = (D - 2) / 2, cut off, none is there
+ * twice; if B moves, K = D / 2 and K' = (D - 1) / 2, and a row of K columns without the drift is
+ * one of D - 1 - K <= K' columns, too.
  *
  * Errors: docs/error-bounds.md, "Minors".
  */
 #ifndef FMB_PAIR_MINORS_KERNEL_H
 #define FMB_PAIR_MINORS_KERNEL_H
 
-#include "pair/kernels/minors/minors_said.h"
+#include "pair/kernels/minors/minors_point.h"
 #include "pair/kernels/minors/minors_table.h"
 
-/* What is constant in a kernel. */
-typedef struct minors_kind {
-    int dim, n; /* n columns */
-} minors_kind;
-
-/* One frame seen from another. */
-typedef struct minors_view {
-    lane e[FMB_MINORS_MOST_DIM * FMB_MINORS_MOST]; /* [row][column] */
-    lane center[FMB_MINORS_MOST_DIM];
-    lane g[FMB_MINORS_MOST_DIM]; /* bounds of a row: docs/error-bounds.md */
-    const lane *from;            /* minors of the level before: [rows][columns] */
-    lane *to;                    /* room for the next ones */
-} minors_view;
-
-/* How many u times the bounds of its rows the error of what a row of k columns says may be. */
-FMB_INLINE double minors_error(minors_kind d, int k)
-{
-    const double entry = d.dim + 3, n = d.n;
-    const double center = (n + 2) * entry + n * (n + 1) + 4;
-    const double less = k == 0 ? 0 : k * entry + k * (k + 1) / 2 - 1;
-    const double more = (k + 1) * entry + (k + 1) * (k + 2) / 2 - 1;
-    const double factorial = k == 3 ? 24 : k == 2 ? 6 : k + 1;
-    return 1.01 * factorial *
-           (center + (n + 3) * (less + k + 1) + less + (n - k) * more + n * (n - k + 1) + n + 3);
-}
-
-/* The faces of the one that is looked from. */
-FMB_INLINE void minors_faces(minors_kind d, const minors_view *v, minors_said *said)
+/* The faces of the one that is looked from; sizes of entries. */
+FMB_INLINE void minors_faces(minors_kind d, minors_view *v, minors_said *said)
 {
     const lane error = lane_of(minors_error(d, 0) * 0x1p-53);
     for (int r = 0; r < d.dim; r++) {
         lane reach = lane_of(1);
 #pragma GCC unroll 8
         for (int j = 0; j < d.n; j++)
-            reach = reach + lane_abs(v->e[r * d.n + j]);
+            reach = reach + (v->size[r * d.n + j] = lane_abs(v->e[r * d.n + j]));
         minors_hear(said, lane_abs(v->center[r]) - reach, error * v->g[r]);
     }
 }
@@ -106,60 +82,112 @@ FMB_INLINE void minors_find_rows(minors_kind d, const minors_view *v, int k, uns
     }
 }
 
-/* The minors of these rows. */
-FMB_INLINE void minors_make(minors_kind d, const minors_view *v, int k, const minors_rows *rows,
-                            lane *to)
+/* What of a level is wanted. */
+typedef enum minors_part {
+    MINORS_KEPT,   /* all of it, and its minors for the next level */
+    MINORS_LAST,   /* all of it */
+    MINORS_DRIFTED /* the rows with the drift, the last column */
+} minors_part;
+
+/* The minors of these rows, or their absolute values if no other is wanted. */
+FMB_INLINE void minors_make(minors_kind d, const minors_view *v, int k, minors_part part,
+                            const minors_rows *rows, lane *to)
 {
+    const int first = part == MINORS_DRIFTED ? d.n - 1 : k;
     lane factor[4];
 #pragma GCC unroll 8
-    for (int j = k; j < d.n; j++) {
+    for (int j = first; j < d.n; j++) {
         lane *at = to + fmb_minors_choose(j, k + 1);
 #pragma GCC unroll 4
         for (int i = 0; i <= k; i++)
             factor[i] = v->e[rows->row[i] * d.n + j];
         for (int s = 0; s < fmb_minors_choose(j, k); s++)
-            at[s] = minors_expand(k, factor, rows->less, s);
+            at[s] = part == MINORS_KEPT ? minors_expand(k, factor, rows->less, s)
+                                        : lane_abs(minors_expand(k, factor, rows->less, s));
     }
 }
 
-/* The largest gap of these rows, all sets of columns. */
-FMB_INLINE lane minors_gap(minors_kind d, const minors_view *v, int k, const minors_rows *rows,
-                           const lane *made)
+/* The absolute value of a minor that was made, and of one of the level before: that of an entry is
+ * there already. */
+FMB_INLINE lane minors_size(minors_part part, const lane *made, int s)
 {
+    return part == MINORS_KEPT ? lane_abs(made[s]) : made[s];
+}
+FMB_INLINE lane minors_size_less(minors_kind d, const minors_view *v, int k,
+                                 const minors_rows *rows, int i, int s)
+{
+    return k == 1 ? v->size[rows->row[k - i] * d.n + s] : lane_abs(rows->less[i][s]);
+}
+
+/* The largest gap of these rows. */
+FMB_INLINE lane minors_gap(minors_kind d, const minors_view *v, int k, minors_part part,
+                           const minors_rows *rows, const lane *made)
+{
+    const int first = part == MINORS_DRIFTED ? fmb_minors_choose(d.n - 1, k) : 0;
     lane most = lane_of(-INFINITY), factor[4];
 #pragma GCC unroll 4
     for (int i = 0; i <= k; i++)
         factor[i] = v->center[rows->row[i]];
-    for (int s = 0; s < fmb_minors_choose(d.n, k); s++) {
+    for (int s = first; s < fmb_minors_choose(d.n, k); s++) {
         lane away = lane_abs(minors_expand(k, factor, rows->less, s));
-        lane wide = lane_abs(rows->less[0][s]), reach = lane_abs(made[minors_with(k, s, 0)]);
+        lane wide = minors_size_less(d, v, k, rows, 0, s);
+        lane reach = minors_size(part, made, minors_with(k, s, 0));
 #pragma GCC unroll 4
         for (int i = 1; i <= k; i++)
-            wide = wide + lane_abs(rows->less[i][s]);
+            wide = wide + minors_size_less(d, v, k, rows, i, s);
 #pragma GCC unroll 8
         for (int j = 1; j < d.n - k; j++)
-            reach = reach + lane_abs(made[minors_with(k, s, j)]);
+            reach = reach + minors_size(part, made, minors_with(k, s, j));
         most = lane_max(most, away - (wide + reach));
     }
     return most;
 }
 
-/* The rows of k columns; last: their minors are not wanted again. True: all lanes are apart. */
-FMB_INLINE bool minors_level(minors_kind d, minors_view *v, int k, bool last, minors_said *said)
+/* The rows of k columns in one set of coordinates; minors that are kept go to `made`. */
+FMB_INLINE void minors_hear_rows(minors_kind d, const minors_view *v, int k, minors_part part,
+                                 unsigned set, lane *made, minors_said *said)
 {
-    const lane error = lane_of(minors_error(d, k) * 0x1p-53);
+    minors_rows rows;
+    lane own[70]; /* choose(8, 4) */
+    lane *to = part == MINORS_KEPT ? made : own;
+    minors_find_rows(d, v, k, set, &rows);
+    minors_make(d, v, k, part, &rows, to);
+    lane error = lane_of(minors_error(d, k) * 0x1p-53) * rows.g;
+    minors_hear(said, minors_gap(d, v, k, part, &rows, to), error);
+}
+
+/* The next set of that size. */
+FMB_INLINE unsigned minors_next_set(unsigned set)
+{
+    unsigned low = set & -set, carry = set + low;
+    return carry | (set ^ carry) >> (2 + __builtin_ctz(low));
+}
+
+/* The rows of k columns. True: all lanes are apart. Of four columns nothing of the loop is left,
+ * and minors stay in registers; in more that would not fit the processor's cache of instructions.
+ */
+FMB_INLINE bool minors_level(minors_kind d, minors_view *v, int k, minors_part part,
+                             minors_said *said)
+{
+    const int kept = part == MINORS_KEPT ? fmb_minors_choose(d.n, k + 1) : 0;
+    const unsigned first = (2U << k) - 1, end = 1U << d.dim;
     lane *made = v->to;
-    for (unsigned set = (2U << k) - 1; set < 1U << d.dim;) {
-        minors_rows rows;
-        minors_find_rows(d, v, k, set, &rows);
-        minors_make(d, v, k, &rows, made);
-        minors_hear(said, minors_gap(d, v, k, &rows, made), error * rows.g);
+    if (d.n == 4) {
+#pragma GCC unroll 16
+        for (unsigned set = first; set < 16; set++)
+            if (fmb_minors_count(set) == k + 1) {
+                minors_hear_rows(d, v, k, part, set, made, said);
+                made += kept;
+            }
         if (minors_all_apart(said))
             return true;
-        made += last ? 0 : fmb_minors_choose(d.n, k + 1);
-        /* the next set of that size */
-        unsigned low = set & -set, carry = set + low;
-        set = carry | ((set ^ carry) >> (2 + __builtin_ctz(low)));
+    } else {
+        for (unsigned set = first; set < end; set = minors_next_set(set)) {
+            minors_hear_rows(d, v, k, part, set, made, said);
+            if (minors_all_apart(said))
+                return true;
+            made += kept;
+        }
     }
     v->from = v->to;
     v->to = made;
@@ -201,11 +229,11 @@ FMB_INLINE void minors_look(minors_kind d, const lane *a, const lane *b, const l
 }
 
 /* Lanes whose bounds are so small that no product of five overflows. */
-FMB_INLINE lane_mask minors_known(minors_kind d, const minors_view *a, const minors_view *b)
+FMB_INLINE lane_mask minors_known(minors_kind d, const minors_view *v)
 {
-    lane most = lane_max(a->g[0], b->g[0]);
+    lane most = v->g[0];
     for (int r = 1; r < d.dim; r++)
-        most = lane_max(most, lane_max(a->g[r], b->g[r]));
+        most = lane_max(most, v->g[r]);
     return lane_less(most, lane_of(0x1p200));
 }
 
@@ -219,38 +247,53 @@ FMB_INLINE lane minors_most(minors_kind d, const lane *shift, const lane *drift,
     return size;
 }
 
-/* Lanes of records a and b; room as in minors_kernels.h. */
-FMB_INLINE fmb_pair_bits minors_ask(minors_kind d, const lane *a, const lane *b, double *room)
+/* All rows but faces. */
+FMB_INLINE void minors_levels(minors_kind d, minors_view v[2], minors_said *said)
 {
-    const int moves = d.n > d.dim, speed = d.dim * (d.dim + 1), size = d.dim * (2 * d.dim + 3);
-    lane shift[2][FMB_MINORS_MOST_DIM], drift[2][FMB_MINORS_MOST_DIM];
-    minors_view v[2];
-    minors_said said = {lane_of(-INFINITY), lane_of(-INFINITY), lane_less(lane_of(0), lane_of(1))};
-    for (int j = 0; j < d.dim; j++) {
-        shift[0][j] = b[j] - a[j];
-        shift[1][j] = a[j] - b[j];
-        if (moves) {
-            drift[0][j] = b[speed + j] - a[speed + j];
-            drift[1][j] = a[speed + j] - b[speed + j];
-        }
-    }
-    lane most[2] = {minors_most(d, shift[0], drift[0], b[size]),
-                    minors_most(d, shift[0], drift[0], a[size])};
-    minors_look(d, a, b, shift[0], drift[0], most[0], (lane *)room, &v[0]);
-    minors_look(d, b, a, shift[1], drift[1], most[1], (lane *)room, &v[1]);
-    said.known = minors_known(d, &v[0], &v[1]);
-    minors_faces(d, &v[0], &said);
-    minors_faces(d, &v[1], &said);
-    if (minors_all_apart(&said))
-        return minors_bits(&said);
+    const int moves = d.n > d.dim;
+#pragma GCC unroll 2
     for (int side = 0; side < 2; side++) {
         const int last = (d.dim - 1 - side + moves) / 2;
 #pragma GCC unroll 3
-        for (int k = 1; k <= last; k++)
-            if (minors_level(d, &v[side], k, k == last, &said))
-                return minors_bits(&said);
+        for (int k = 1; k <= last; k++) {
+            minors_part part = k < last             ? MINORS_KEPT
+                               : moves && side == 0 ? MINORS_DRIFTED
+                                                    : MINORS_LAST;
+            if (minors_level(d, &v[side], k, part, said))
+                return;
+        }
     }
-    return minors_bits(&said);
+}
+
+/* Lanes of records a and b; room as in minors_kernels.h. */
+FMB_INLINE fmb_pair_bits minors_ask(minors_kind d, const lane *a, const lane *b, double *room)
+{
+    const lane *one[2] = {a, b};
+    const int speed = d.dim * (d.dim + 1), size = d.dim * (2 * d.dim + 3);
+    minors_view v[2];
+    minors_said said = minors_silent();
+#pragma GCC unroll 2
+    for (int side = 0; side < 2; side++) {
+        const lane *from = one[side], *to = one[!side];
+        lane shift[FMB_MINORS_MOST_DIM], drift[FMB_MINORS_MOST_DIM];
+        for (int j = 0; j < d.dim; j++) {
+            shift[j] = to[j] - from[j];
+            if (d.n > d.dim)
+                drift[j] = to[speed + j] - from[speed + j];
+        }
+        lane most = minors_most(d, shift, drift, to[size]);
+        minors_look(d, from, to, shift, drift, most, (lane *)room, &v[side]);
+        said.known = lane_and(said.known, minors_known(d, &v[side]));
+        minors_faces(d, &v[side], &said);
+        if (minors_all_apart(&said))
+            return minors_bits(&said);
+    }
+    minors_levels(d, v, &said);
+    fmb_pair_bits bits = minors_bits(&said);
+    const unsigned open = lane_bits(said.known) & ~(bits.apart | bits.meet);
+    if (open)
+        bits.meet |= open & minors_find_point(d, &v[0], open);
+    return bits;
 }
 
 #endif

@@ -13,6 +13,11 @@ typedef struct minors_said {
     lane_mask known; /* elsewhere neither means anything */
 } minors_said;
 
+FMB_INLINE minors_said minors_silent(void)
+{
+    return (minors_said){lane_of(-INFINITY), lane_of(-INFINITY), lane_less(lane_of(0), lane_of(1))};
+}
+
 /* Of some rows the largest gap, which has that error at most. */
 FMB_INLINE void minors_hear(minors_said *said, lane gap, lane error)
 {

@@ -62,6 +62,12 @@ static const uint8_t FMB_MINORS_WITH_3[56][5] = {
     {48, 49, 50, 54, 68}, {51, 52, 53, 54, 69}, {55, 56, 58, 61, 65}, {55, 57, 59, 62, 66},
     {56, 57, 60, 63, 67}, {58, 59, 60, 64, 68}, {61, 62, 63, 64, 69}, {65, 66, 67, 68, 69}};
 
+/* How many of the four lowest bits are set. */
+static inline int fmb_minors_count(unsigned set)
+{
+    return (int)((set & 1) + (set >> 1 & 1) + (set >> 2 & 1) + (set >> 3 & 1));
+}
+
 /* How many subsets of that size n numbers have. */
 static inline int fmb_minors_choose(int n, int size)
 {

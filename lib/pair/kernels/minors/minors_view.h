@@ -1,0 +1,45 @@
+/* minors_view.h: one cuboid in coordinates of another, and how far that may be off; see
+ * minors_kernel.h. */
+#ifndef FMB_PAIR_MINORS_VIEW_H
+#define FMB_PAIR_MINORS_VIEW_H
+
+#include "pair/kernels/minors/minors_said.h"
+#include "pair/kernels/minors/minors_table.h"
+
+/* What is constant in a kernel. */
+typedef struct minors_kind {
+    int dim, n; /* n columns */
+} minors_kind;
+
+/* One frame seen from another. */
+typedef struct minors_view {
+    lane e[FMB_MINORS_MOST_DIM * FMB_MINORS_MOST];    /* [row][column] */
+    lane size[FMB_MINORS_MOST_DIM * FMB_MINORS_MOST]; /* absolute values of these */
+    lane center[FMB_MINORS_MOST_DIM];
+    lane g[FMB_MINORS_MOST_DIM]; /* bounds of a row: docs/error-bounds.md */
+    const lane *from;            /* minors of the level before: [rows][columns] */
+    lane *to;                    /* room for the next ones */
+} minors_view;
+
+/* Errors, in units of u and of a row's bound. */
+FMB_INLINE double minors_entry_error(minors_kind d)
+{
+    return d.dim + 3;
+}
+FMB_INLINE double minors_center_error(minors_kind d)
+{
+    return (d.n + 2) * minors_entry_error(d) + d.n * (d.n + 1) + 4;
+}
+
+/* How many u times the bounds of its rows the error of what a row of k columns says may be. */
+FMB_INLINE double minors_error(minors_kind d, int k)
+{
+    const double entry = minors_entry_error(d), center = minors_center_error(d), n = d.n;
+    const double less = k == 0 ? 0 : k * entry + k * (k + 1) / 2 - 1;
+    const double more = (k + 1) * entry + (k + 1) * (k + 2) / 2 - 1;
+    const double factorial = k == 3 ? 24 : k == 2 ? 6 : k + 1;
+    return 1.01 * factorial *
+           (center + (n + 3) * (less + k + 1) + less + (n - k) * more + n * (n - k + 1) + n + 3);
+}
+
+#endif
