@@ -254,7 +254,8 @@ Test(minors, verdicts)
             }
 }
 
-/* Rows tell nothing of those that meet, but points do. */
+/* Rows tell nothing of those that meet, but points do: of all, if nothing moves, else of nine in
+ * ten. */
 Test(minors, parallel_edges)
 {
     static drawn d;
@@ -265,8 +266,10 @@ Test(minors, parallel_edges)
             draw(STUDY_PAIR_ARTICLE, true, dim, moves, 40, &d);
             for (size_t i = 0; i < d.n; i++)
                 meeting += d.is[i] == FMB_FEASIBLE;
-            for (size_t t = 0; t < tables; t++)
-                cr_expect(check(table[t], &d) + (size_t)moves >= d.n);
+            for (size_t t = 0; t < tables; t++) {
+                size_t sure = check(table[t], &d);
+                cr_expect(moves ? 10 * sure >= 9 * d.n : sure == d.n, "%zu of %zu", sure, d.n);
+            }
         }
     cr_expect_gt(meeting, 30u);
 }
