@@ -94,22 +94,14 @@ static fmb_mesh_how decide_across_planes(const fmb_cell *a, const int *side_a, c
 
 /* ---- one plane ------------------------------------------------------------------------------- */
 
-/* Orientation of p, q, r, seen along axis k. */
-static int find_turn(int k, const double *p, const double *q, const double *r)
-{
-    static const double zero[3] = {0}, unit[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    return fmb_sign_of_determinant((fmb_difference){q, p}, (fmb_difference){r, p},
-                                   (fmb_difference){unit[k], zero});
-}
-
 /* 1: an edge of a has all of b strictly outside; 0: outside or on it; -1: no edge has. */
 static int separate_by_edges(int k, const fmb_cell *a, const fmb_cell *b)
 {
-    int best = -1, inner = find_turn(k, a->point[0], a->point[1], a->point[2]);
+    int best = -1, inner = fmb_sign_of_turn(k, a->point[0], a->point[1], a->point[2]);
     for (int i = 0; i < 3; i++) {
         int least = 1;
-        for (int j = 0; j < 3; j++) {
-            int out = -inner * find_turn(k, a->point[i], a->point[(i + 1) % 3], b->point[j]);
+        for (int j = 0; j < 3 && least > best; j++) {
+            int out = -inner * fmb_sign_of_turn(k, a->point[i], a->point[(i + 1) % 3], b->point[j]);
             least = out < least ? out : least;
         }
         best = least > best ? least : best;
@@ -140,7 +132,7 @@ static bool have_edges_on_one_ray(int k, const fmb_cell *a, const fmb_cell *b)
     for (int s = 1; s < 3; s++)
         for (int t = 1; t < 3; t++) {
             const double *p = a->point[(i + s) % 3], *q = b->point[(j + t) % 3];
-            if (find_turn(k, v, p, q) == 0 && are_same_way(v, p, q))
+            if (fmb_sign_of_turn(k, v, p, q) == 0 && are_same_way(v, p, q))
                 return true;
         }
     return false;
@@ -151,7 +143,7 @@ static bool have_edges_on_one_ray(int k, const fmb_cell *a, const fmb_cell *b)
 static fmb_mesh_how decide_in_plane(const fmb_cell *a, const fmb_cell *b, int shared)
 {
     int k = 0;
-    while (k < 2 && find_turn(k, a->point[0], a->point[1], a->point[2]) == 0)
+    while (k < 2 && fmb_sign_of_turn(k, a->point[0], a->point[1], a->point[2]) == 0)
         k++;
     int of_a = separate_by_edges(k, a, b), of_b = of_a > 0 ? 1 : separate_by_edges(k, b, a);
     if (of_a > 0 || of_b > 0)

@@ -3,38 +3,17 @@
  * An expansion is a sum of doubles, not 0, that do not overlap, from the smallest on: its sign is
  * that of the last one. The empty expansion is 0.
  */
+#define FMB_LANES 1
+
 #include "pair/corners/volume.h"
 
 #include <math.h>
 
+#include "pair/kernels/lane/double_double.h"
+
 bool fmb_is_tame(double x)
 {
     return x == 0 || (fabs(x) >= 0x1p-200 && fabs(x) <= 0x1p200);
-}
-
-/* ---- sums and products without an error ------------------------------------------------------ */
-
-/* a + b = *sum + what is returned (Knuth) */
-static double error_of_sum(double a, double b, double *sum)
-{
-    double s = a + b, of_b = s - a, of_a = s - of_b;
-    *sum = s;
-    return (a - of_a) + (b - of_b);
-}
-
-/* The upper 26 bits of a (Veltkamp). */
-static double upper_bits(double a)
-{
-    double c = (0x1p27 + 1) * a, low = c - a;
-    return c - low;
-}
-
-/* ab = *product + what is returned (Dekker) */
-static double error_of_product(double a, double b, double *product)
-{
-    double p = a * b, ah = upper_bits(a), bh = upper_bits(b), al = a - ah, bl = b - bh;
-    *product = p;
-    return ((ah * bh - p) + ah * bl + al * bh) + al * bl;
 }
 
 /* ---- expansions ------------------------------------------------------------------------------ */
@@ -53,8 +32,9 @@ static int add_expansions(const double *e, int n, const double *f, int m, double
     double q = 0;
     while (i < n || j < m) {
         bool from_e = j == m || (i < n && fabs(e[i]) < fabs(f[j]));
-        double error = error_of_sum(q, from_e ? e[i++] : f[j++], &q);
-        k = append_component(h, k, error);
+        lane2 sum = two_sum(q, from_e ? e[i++] : f[j++]);
+        k = append_component(h, k, sum.lo);
+        q = sum.hi;
     }
     return append_component(h, k, q);
 }
@@ -65,9 +45,11 @@ static int scale_expansion(const double *e, int n, double b, double *h)
     int k = 0;
     double q = 0;
     for (int i = 0; i < n; i++) {
-        double product, low = error_of_product(e[i], b, &product);
-        k = append_component(h, k, error_of_sum(q, low, &q));
-        k = append_component(h, k, error_of_sum(product, q, &q));
+        lane2 product = two_product(e[i], b), low = two_sum(q, product.lo);
+        lane2 high = two_sum(product.hi, low.hi);
+        k = append_component(h, k, low.lo);
+        k = append_component(h, k, high.lo);
+        q = high.hi;
     }
     return append_component(h, k, q);
 }
@@ -96,23 +78,36 @@ typedef struct linear {
 static linear exact_coordinate(fmb_difference u, int j)
 {
     linear out = {.n = 0};
-    double difference, error = error_of_sum(u.to[j], -u.from[j], &difference);
-    out.n = append_component(out.c, out.n, error);
-    if (difference != 0)
-        out.c[out.n++] = difference;
+    lane2 difference = two_sum(u.to[j], -u.from[j]);
+    out.n = append_component(out.c, out.n, difference.lo);
+    if (difference.hi != 0)
+        out.c[out.n++] = difference.hi;
     return out;
 }
 
-/* u_0 (v_i w_j - v_j w_i) */
-static int exact_part(linear u, const linear v[2], const linear w[2], double h[CUBIC])
+/* v_0 w_1 - v_1 w_0 */
+static int exact_minor(const linear v[2], const linear w[2], double h[2 * QUADRATIC])
 {
-    double scratch[CUBIC], left[QUADRATIC], right[QUADRATIC], minor[2 * QUADRATIC];
+    double scratch[CUBIC], left[QUADRATIC], right[QUADRATIC];
     int l = multiply_by_difference(v[0].c, v[0].n, w[1].c, w[1].n, scratch, left);
     int r = multiply_by_difference(v[1].c, v[1].n, w[0].c, w[0].n, scratch, right);
     for (int i = 0; i < r; i++)
         right[i] = -right[i];
-    int n = add_expansions(left, l, right, r, minor);
+    return add_expansions(left, l, right, r, h);
+}
+
+/* u (v_0 w_1 - v_1 w_0) */
+static int exact_part(linear u, const linear v[2], const linear w[2], double h[CUBIC])
+{
+    double scratch[CUBIC], minor[2 * QUADRATIC];
+    int n = exact_minor(v, w, minor);
     return multiply_by_difference(minor, n, u.c, u.n, scratch, h);
+}
+
+/* Of an expansion of n components. */
+static int sign_of_expansion(const double *e, int n)
+{
+    return n == 0 ? 0 : (e[n - 1] > 0) - (e[n - 1] < 0);
 }
 
 static int exact_sign(fmb_difference u, fmb_difference v, fmb_difference w)
@@ -126,11 +121,58 @@ static int exact_sign(fmb_difference u, fmb_difference v, fmb_difference w)
         int m = exact_part(exact_coordinate(u, k), vs, ws, part);
         n = add_expansions(sum[k & 1], n, part, m, sum[(k + 1) & 1]);
     }
-    double top = n > 0 ? sum[1][n - 1] : 0;
-    return (top > 0) - (top < 0);
+    return sign_of_expansion(sum[1], n);
+}
+
+FMB_NEVER_CLONED static int exact_turn(int i, int j, const double *p, const double *q, const double *r)
+{
+    fmb_difference u = {q, p}, v = {r, p};
+    linear us[2] = {exact_coordinate(u, i), exact_coordinate(u, j)};
+    linear vs[2] = {exact_coordinate(v, i), exact_coordinate(v, j)};
+    double minor[2 * QUADRATIC];
+    return sign_of_expansion(minor, exact_minor(us, vs, minor));
 }
 
 /* ---- both ------------------------------------------------------------------------------------ */
+
+/* The error is at most (3 + 16 e) e times the sum of absolute values, e = 2^-53 (Shewchuk, "the 2D
+ * orientation test"). */
+int fmb_sign_of_turn(int k, const double *p, const double *q, const double *r)
+{
+    int i = (k + 1) % 3, j = (k + 2) % 3;
+    double left = (q[i] - p[i]) * (r[j] - p[j]), right = (q[j] - p[j]) * (r[i] - p[i]);
+    double det = left - right, sum = fabs(left) + fabs(right);
+    if (fabs(det) > 0x1p-51 * sum)
+        return det > 0 ? 1 : -1;
+    return sum == 0 ? 0 : exact_turn(i, j, p, q, r);
+}
+
+/* Six times the volume as a double-double, from differences without an error. A product of three
+ * goes through two products and three sums, each within 2^-102 of what it adds or multiplies
+ * (docs/error-bounds.md): all together within 5 (1 + 2^-99) 2^-102 times the sum of absolute
+ * values, which was rounded by less than 2^-49 of itself. */
+static double fine_determinant(fmb_difference u, fmb_difference v, fmb_difference w)
+{
+    lane2 a[3], b[3], c[3], det = lane2_of(0);
+    for (int j = 0; j < 3; j++) {
+        a[j] = two_sum(u.to[j], -u.from[j]);
+        b[j] = two_sum(v.to[j], -v.from[j]);
+        c[j] = two_sum(w.to[j], -w.from[j]);
+    }
+    for (int k = 0; k < 3; k++) {
+        int i = (k + 1) % 3, j = (k + 2) % 3;
+        lane2 left = lane2_times(true, b[i], c[j]), right = lane2_times(true, b[j], c[i]);
+        lane2 part = lane2_times(true, a[k], lane2_subtract(true, left, right));
+        det = lane2_add(true, det, part);
+    }
+    return det.hi;
+}
+
+FMB_NEVER_CLONED static int fine_sign(fmb_difference u, fmb_difference v, fmb_difference w, double sum)
+{
+    double det = fine_determinant(u, v, w);
+    return fabs(det) > 0x1p-99 * sum ? (det > 0 ? 1 : -1) : exact_sign(u, v, w);
+}
 
 /* The error is at most (7 + 56 e) e times the same sum of absolute values, e = 2^-53 (Shewchuk,
  * "the 3D orientation test", whose proof asks nothing of the differences but that each is rounded).
@@ -151,5 +193,5 @@ int fmb_sign_of_determinant(fmb_difference u, fmb_difference v, fmb_difference w
     }
     if (fabs(det) > 0x1p-50 * sum)
         return det > 0 ? 1 : -1;
-    return sum == 0 ? 0 : exact_sign(u, v, w);
+    return sum == 0 ? 0 : fine_sign(u, v, w, sum);
 }

@@ -23,6 +23,10 @@ bool fmb_is_tame(double x);
 /* -1, 0 or 1, the sign of det(u, v, w); all coordinates are tame. */
 int fmb_sign_of_determinant(fmb_difference u, fmb_difference v, fmb_difference w);
 
+/* Likewise of det(q - p, r - p, the unit vector k): seen from along axis k, do p, q, r turn left?
+ */
+int fmb_sign_of_turn(int k, const double *p, const double *q, const double *r);
+
 /* Of the volume of the tetrahedron p, q, r, s: of det(q - p, r - p, s - p). */
 static inline int fmb_sign_of_volume(const double *p, const double *q, const double *r,
                                      const double *s)

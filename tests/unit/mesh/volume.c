@@ -76,6 +76,36 @@ Test(volume, signs)
               count[1], count[2]);
 }
 
+/* det(q - p, r - p, unit vector) for all three axes; r often on the line of p and q, or nearly. */
+Test(volume, turns)
+{
+    support_rng g = {6};
+    int count[3] = {0};
+    for (int round = 0; round < 60000; round++) {
+        double p[6][3], q[6][3] = {{0}};
+        int k = round % 3, twice = support_between(&g, 0, 2);
+        draw_points(&g, p);
+        bool tame = true;
+        for (int j = 0; j < 3; j++) {
+            if (twice > 0)
+                p[2][j] = p[0][j] + 2 * (p[1][j] - p[0][j]) * (twice == 1 ? 1 : 1 + 0x1p-52);
+            q[0][j] = p[1][j];
+            q[2][j] = p[2][j];
+            q[1][j] = q[3][j] = p[0][j];
+            for (int i = 0; i < 3; i++)
+                tame &= fmb_is_tame(p[i][j]);
+        }
+        q[4][k] = 1;
+        if (!tame)
+            continue;
+        int want = truth(q), got = fmb_sign_of_turn(k, p[0], p[1], p[2]);
+        cr_assert(got == want, "round %d: %d, not %d", round, got, want);
+        count[want + 1]++;
+    }
+    cr_expect(count[0] > 10000 && count[1] > 5000 && count[2] > 10000, "%d %d %d", count[0],
+              count[1], count[2]);
+}
+
 Test(volume, tame)
 {
     cr_expect(fmb_is_tame(0) && fmb_is_tame(-0.0) && fmb_is_tame(1) && fmb_is_tame(-0x1p200) &&
