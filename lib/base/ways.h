@@ -26,8 +26,6 @@
         "projections: elimination pruned by the oracle, where cones are large")                    \
     WAY(FIRST_RAYS, "first rays", "", "projections: double description within a small budget")     \
     WAY(SECOND_RAYS, "second rays", "", "projections: double description within a larger one")     \
-    WAY(TIGHT, "tight rows", "hull/support/support_tight",                                         \
-        "support queries: facets proved by the rows tight on them")                                \
     WAY(KNOWN, "known rows", "hull/support/support_known",                                         \
         "support queries: facets that are rows of the system")                                     \
     WAY(SYMMETRY, "symmetry", "hull/support/support_symmetry",                                     \

@@ -42,16 +42,13 @@ typedef struct fmb_support_near {
     size_t slots, capacity;
 } fmb_support_near;
 
-typedef struct fmb_tight_search fmb_tight_search; /* a worker's scratch (support_tight.c) */
-
 /* Who looks how far the projection goes. */
 typedef struct fmb_support_worker {
     fmb_run *run;
     fmb_oracle *oracle;
-    fmb_support_point seen;   /* last */
-    fmb_support_near near;    /* the generator found last, in the query's own memory */
-    fmb_tight_search *search; /* or NULL */
-    mpz_t t;                  /* scratch */
+    fmb_support_point seen; /* last */
+    fmb_support_near near;  /* the generator found last, in the query's own memory */
+    mpz_t t;                /* scratch */
 } fmb_support_worker;
 
 typedef struct fmb_support_workers
@@ -59,8 +56,6 @@ typedef struct fmb_support_workers
 typedef struct fmb_symmetry fmb_symmetry; /* of the program (support_symmetry.c) */
 
 typedef struct fmb_known fmb_known; /* rows of the program (support_known.c) */
-
-typedef struct fmb_tight fmb_tight; /* rows that are tight at generators (support_tight.c) */
 
 typedef struct fmb_support {
     fmb_run *run;
@@ -75,7 +70,6 @@ typedef struct fmb_support {
     bool proves;                  /* proofs are wanted */
     size_t most;                  /* generators, with more of which asking ends; 0: any number */
     fmb_facets hull;              /* of (1, x) and (0, x) */
-    fmb_tight *tight;             /* or NULL */
     fmb_known *known;             /* or NULL */
     bool begun, ended;            /* ended: by an error, so that nothing more may be asked */
     size_t equations;             /* these of the hull stand */

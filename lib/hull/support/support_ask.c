@@ -20,7 +20,6 @@ void fmb_support_clear(fmb_support *s)
     fmb_mem *mem = s->run->mem;
     fmb_support_dismiss(s);
     fmb_support_worker_clear(&s->worker, s);
-    fmb_support_close_tight(s);
     fmb_support_forget_symmetry(s);
     fmb_support_forget_rows(s);
     fmb_support_forget_outer_rows(s);
@@ -99,7 +98,7 @@ static fmb_status ask_about_facet(fmb_support *s, size_t at)
     if (st != FMB_OK || known)
         return st;
     const fmb_facet *a = &s->hull.facet[at];
-    st = fmb_support_worker_settle(c, s, a, fmb_support_noted(s), &row, &answer);
+    st = fmb_support_worker_settle(c, s, a, &row, &answer);
     if (st == FMB_OK && answer == FMB_SUPPORT_ROW) {
         st = fmb_support_keep_facet(s, at, &row);
         return st == FMB_OK ? fmb_support_note_images(s, &a->normal) : st;

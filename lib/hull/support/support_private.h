@@ -34,10 +34,9 @@ void fmb_support_worker_clear(fmb_support_worker *c, const fmb_support *s);
 fmb_status fmb_support_worker_look(fmb_support_worker *c, const fmb_support *s, const fmb_vec *h,
                                    int sign, fmb_support_row *row, bool *stands);
 /* The same of a facet, or a copy of one, whose normal is known, by whatever tells soonest. Several
- * workers may ask while the hull grows: `noted` are the generators of which tight rows are known.
- */
+ * workers may ask while the hull grows. */
 fmb_status fmb_support_worker_settle(fmb_support_worker *c, const fmb_support *s,
-                                     const fmb_facet *a, size_t noted, fmb_support_row *row,
+                                     const fmb_facet *a, fmb_support_row *row,
                                      fmb_support_answer *answer);
 /* The hull takes in what a worker saw, perhaps beyond facet `at`; the worker stands there now. */
 fmb_status fmb_support_take(fmb_support *s, fmb_support_worker *c, const fmb_support_point *seen,
@@ -108,22 +107,6 @@ fmb_status fmb_support_ask_about_end(fmb_support *s);
  * Errors: MEMORY, LIMIT. */
 fmb_status fmb_support_look_along(fmb_support *s, const fmb_vec *h);
 void fmb_support_forget_outer_rows(fmb_support *s);
-
-/* ---- support_tight.c ------------------------------------------------------------------------- */
-
-/* The hull's last generator is what was seen. */
-fmb_status fmb_support_note_tight(fmb_support *s, const fmb_support_point *seen);
-/* Generators whose tight rows are known; room for more of them, so that workers may read on. */
-size_t fmb_support_noted(const fmb_support *s);
-fmb_status fmb_support_reserve_tight(fmb_support *s, size_t more);
-/* Do the rows that are tight on what is known of a facet prove it, of `noted` generators? *stands:
- * they do, and the row is written down, proof included, in the worker's memory; else nothing is
- * said. */
-fmb_status fmb_support_try_tight_rows(const fmb_support *s, fmb_support_worker *c,
-                                      const fmb_facet *a, size_t noted, fmb_support_row *row,
-                                      bool *stands);
-void fmb_support_close_tight(fmb_support *s);
-void fmb_support_close_search(fmb_support_worker *c, const fmb_support *s);
 
 /* ---- support_known.c ------------------------------------------------------------------------- */
 

@@ -56,8 +56,6 @@ fmb_status fmb_support_take(fmb_support *s, fmb_support_worker *c, const fmb_sup
         return st;
     st = note_near(s, &c->near);
     if (st == FMB_OK)
-        st = fmb_support_note_tight(s, seen);
-    if (st == FMB_OK)
         st = note_inner_point(s, seen);
     return st == FMB_OK ? fmb_support_take_images(s) : st;
 }
@@ -86,7 +84,6 @@ fmb_status fmb_support_worker_init(fmb_support_worker *c, fmb_run *run, fmb_orac
 
 void fmb_support_worker_clear(fmb_support_worker *c, const fmb_support *s)
 {
-    fmb_support_close_search(c, s);
     fmb_mem_put(s->run->mem, c->near.slot, c->near.capacity, sizeof *c->near.slot);
     fmb_support_point_clear(&c->seen, c->run->mem);
     mpz_clear(c->t);
@@ -196,19 +193,14 @@ static bool is_row_known(const fmb_support *s, const fmb_vec *normal)
 }
 
 fmb_status fmb_support_worker_settle(fmb_support_worker *c, const fmb_support *s,
-                                     const fmb_facet *a, size_t noted, fmb_support_row *row,
+                                     const fmb_facet *a, fmb_support_row *row,
                                      fmb_support_answer *answer)
 {
     bool stands = false;
     *answer = FMB_SUPPORT_NO_ROW;
     if (is_at_infinity(s, &a->normal) || is_row_known(s, &a->normal))
         return FMB_OK;
-    fmb_status st = FMB_OK;
-    if (fmb_way(FMB_WAY_TIGHT))
-        st = fmb_support_try_tight_rows(s, c, a, noted, row, &stands);
-    fmb_way_answered(FMB_WAY_TIGHT, stands);
-    if (st == FMB_OK && !stands)
-        st = fmb_support_worker_look(c, s, &a->normal, 1, row, &stands);
+    fmb_status st = fmb_support_worker_look(c, s, &a->normal, 1, row, &stands);
     *answer = stands ? FMB_SUPPORT_ROW : FMB_SUPPORT_BEYOND;
     return st;
 }

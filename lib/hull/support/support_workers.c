@@ -12,7 +12,6 @@
 /* A facet that is asked about, and the answer. */
 typedef struct sighting {
     size_t facet;
-    size_t noted;        /* generators whose tight rows are known */
     fmb_facet copy;      /* of the facet, in the memory of its worker, */
     fmb_num num;         /* to find its normal, */
     fmb_support_row row; /* as is this */
@@ -106,7 +105,6 @@ static fmb_status choose_facets(fmb_support *s, size_t *n)
         if (st != FMB_OK || g->facet == SIZE_MAX)
             break;
         s->hull.facet[g->facet].note = FMB_FACET_ASKED;
-        g->noted = fmb_support_noted(s);
         g->row = (fmb_support_row){0};
         st = fmb_facets_copy(&s->hull, g->facet, &g->copy, w->worker[*n].run->mem);
     }
@@ -139,9 +137,7 @@ static fmb_status look_at_facet(void *self, size_t k, fmb_run *run)
         st = give_worker_an_oracle(c, w->program);
     if (st == FMB_OK)
         st = find_normal_of_copy(w, g, run);
-    return st == FMB_OK
-               ? fmb_support_worker_settle(c, w->of, &g->copy, g->noted, &g->row, &g->answer)
-               : st;
+    return st == FMB_OK ? fmb_support_worker_settle(c, w->of, &g->copy, &g->row, &g->answer) : st;
 }
 
 /* ---- answers --------------------------------------------------------------------------------- */
@@ -219,8 +215,6 @@ static bool is_a_point_waiting(const fmb_support_workers *w)
 static fmb_status reserve_room(fmb_support *s)
 {
     fmb_status st = fmb_facets_reserve(&s->hull, FMB_SUPPORT_WORKERS);
-    if (st == FMB_OK)
-        st = fmb_support_reserve_tight(s, FMB_SUPPORT_WORKERS);
     s->workers->view = s->hull;
     return st;
 }
