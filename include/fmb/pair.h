@@ -57,12 +57,23 @@ typedef struct fmb_pair_answers {
     double *witness; /* [n][dim] a common point */
     /* In two and three dimensions, of frames with at most dim axes; what moves counts as all its
      * places. */
-    double *depth;   /* [n] of the shortest translation of the second after which they do no more
-                        than touch; off by at most 1e-12 of the sum of the sizes (largest
-                        coordinates) of all edges, speeds and the way between the origins */
-    double *normal;  /* [n][dim] its direction, of length 1, away from the first; the depth along it
-                        is off by no more than that either */
+    double *depth;  /* [n] of the shortest translation of the second after which they do no more
+                       than touch; off by at most 1e-12 of the sum of the sizes (largest
+                       coordinates) of all edges, speeds and the way between the origins */
+    double *normal; /* [n][dim] its direction, of length 1, away from the first; the depth along it
+                       is off by no more than that either */
+    /* Where they touch after that translation, up to what the depth may be off by (along faces that
+     * cross at an acute angle, that over its sine); of frames that move 0 and nothing. */
+    uint8_t *faces; /* [n][2] the vertices of the face of each, a bit each: bit b is vertex b, of a
+                       cuboid the one where c_i is bit i of b, of a simplex the origin (0) or the
+                       end of edge b (from 1); so one bit is a vertex, two are an edge */
+    double *points; /* [n][FMB_PAIR_MOST_POINTS][dim] vertices of what the faces have in common, on
+                       the first frame, around it; of more, four that are far apart */
+    uint8_t *npoints; /* [n] how many */
 } fmb_pair_answers;
+
+/* Points of a contact. */
+enum { FMB_PAIR_MOST_POINTS = 4 };
 
 /* How many pairs were asked, and how many of them exactly. */
 typedef struct fmb_pair_counts {

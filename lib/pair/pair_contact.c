@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 
+#include "pair/contact/contact_face.h"
 #include "pair/contact/exact_contact.h"
 #include "pair/corner_edges.h"
 #include "pair/kernels/packed_kernels.h"
@@ -92,10 +93,36 @@ fmb_pair_answers fmb_contact_answers_from(const fmb_pair_answers *o, size_t dim,
                               .time = o->time ? o->time + 2 * i : NULL,
                               .witness = o->witness ? o->witness + dim * i : NULL,
                               .depth = o->depth ? o->depth + i : NULL,
-                              .normal = o->normal ? o->normal + dim * i : NULL};
+                              .normal = o->normal ? o->normal + dim * i : NULL,
+                              .faces = o->faces ? o->faces + 2 * i : NULL,
+                              .points =
+                                  o->points ? o->points + FMB_PAIR_MOST_POINTS * dim * i : NULL,
+                              .npoints = o->npoints ? o->npoints + i : NULL};
 }
 
 /* ---- what kernels leave ---------------------------------------------------------------------- */
+
+void fmb_contact_write(const fmb_frame *p, const fmb_frame *q, double depth, const double *normal,
+                       const fmb_pair_answers *out)
+{
+    uint8_t faces[2] = {0, 0};
+    double points[3 * FMB_PAIR_MOST_POINTS];
+    int n = 0;
+    if (out->depth)
+        *out->depth = depth;
+    for (int j = 0; out->normal && j < p->dim; j++)
+        out->normal[j] = normal[j];
+    if (!out->faces && !out->points && !out->npoints)
+        return;
+    if (!p->speed && !q->speed)
+        n = fmb_contact_face(p, q, normal, faces, points);
+    for (int i = 0; out->faces && i < 2; i++)
+        out->faces[i] = faces[i];
+    for (int j = 0; out->points && j < n * p->dim; j++)
+        out->points[j] = points[j];
+    if (out->npoints)
+        *out->npoints = (uint8_t)n;
+}
 
 /* Pair i meets: its depth. */
 static fmb_status answer_contact(contact_query *x, size_t i, const fmb_pair_answers *out)
@@ -111,10 +138,8 @@ static fmb_status answer_contact(contact_query *x, size_t i, const fmb_pair_answ
         k->counts.exact_boxes++;
         st = fmb_exact_contact(both, &k->mem, &x->depth[i], x->normal[i]);
     }
-    if (st == FMB_OK && out->depth)
-        *out->depth = x->depth[i];
-    for (int j = 0; st == FMB_OK && out->normal && j < k->dim; j++)
-        out->normal[j] = x->normal[i][j];
+    if (st == FMB_OK)
+        fmb_contact_write(&x->p[i], &x->q[i], x->depth[i], x->normal[i], out);
     return st;
 }
 

@@ -9,7 +9,7 @@
 /* Does out ask for more than fmb_pair_answer_all answers? */
 static inline bool fmb_contact_is_asked(const fmb_pair_answers *out)
 {
-    return out->depth || out->normal;
+    return out->depth || out->normal || out->faces || out->points || out->npoints;
 }
 
 /* Does it ask for common points? */
@@ -20,6 +20,10 @@ static inline bool fmb_pair_answers_more(const fmb_pair_answers *out)
 
 /* The answers from pair i on. */
 fmb_pair_answers fmb_contact_answers_from(const fmb_pair_answers *o, size_t dim, size_t i);
+
+/* What goes with a depth and its normal: all of out, of this one pair, but its verdict. */
+void fmb_contact_write(const fmb_frame *p, const fmb_frame *q, double depth, const double *normal,
+                       const fmb_pair_answers *out);
 
 /* All of out. Errors: ARG, with k->error set, MEMORY. */
 fmb_status fmb_contact_answer_all(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_frame *q,

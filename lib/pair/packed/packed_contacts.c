@@ -3,15 +3,16 @@
 #include "pair/packed/packed.h"
 #include "pair/pair_contact.h"
 
-/* Pairs that a kernel is asked about in one call. */
+/* Pairs whose depths a kernel is asked in one call. */
 enum { CONTACTS_OF_CALL = 64 };
 
 typedef struct contacts_query {
     fmb_pair *k;
     const fmb_frames *a, *b;
-    int kind_a, kind_b; /* of the pairs before; -1 at first */
-    fmb_packed_plan plan;
-    bool planned; /* a kernel knows them */
+    int kind_a, kind_b;   /* of the pairs before; -1 at first */
+    fmb_packed_plan plan; /* of verdicts */
+    fmb_flat_kind kind;   /* of depths */
+    bool planned;         /* a kernel knows them */
 } contacts_query;
 
 /* One pair as frames. */
@@ -22,33 +23,25 @@ static fmb_status answer_contact_as_frames(const contacts_query *x, fmb_frames_p
     return fmb_contact_answer_all(x->k, 1, &p, &q, out);
 }
 
-/* The lane of pair i of out. */
+/* Pair i of out, which meets, by a lane of an answer. */
 static fmb_status write_contact(const contacts_query *x, fmb_frames_pair pair,
                                 const fmb_contact_lanes *from, int lane, size_t i,
                                 const fmb_pair_answers *out)
 {
-    const size_t dim = (size_t)x->k->dim;
-    if (from->bits.apart >> lane & 1) {
-        out->verdict[i] = FMB_INFEASIBLE;
-        return FMB_OK;
-    }
-    if (!(from->bits.meet & from->good & 1U << lane)) {
-        fmb_pair_answers one = fmb_contact_answers_from(out, dim, i);
+    fmb_pair_answers one = fmb_contact_answers_from(out, (size_t)x->k->dim, i);
+    double normal[3];
+    if (!(from->good >> lane & 1))
         return answer_contact_as_frames(x, pair, &one);
-    }
-    out->verdict[i] = FMB_FEASIBLE;
-    if (out->depth)
-        out->depth[i] = from->depth[lane];
-    for (size_t j = 0; out->normal && j < dim; j++)
-        out->normal[dim * i + j] = from->normal[j][lane];
+    for (int j = 0; j < x->k->dim; j++)
+        normal[j] = from->normal[j][lane];
+    fmb_frame p = fmb_frames_at(x->a, pair.a), q = fmb_frames_at(x->b, pair.b);
+    fmb_contact_write(&p, &q, from->depth[lane], normal, &one);
     return FMB_OK;
 }
 
-/* n pairs of one kind, CONTACTS_OF_CALL at most, that a kernel knows; the first is pair i of out.
- */
-static fmb_status ask_contacts_of_kind(const contacts_query *x, size_t n,
-                                       const fmb_frames_pair *pair, size_t i,
-                                       const fmb_pair_answers *out)
+/* n pairs that meet, number[] of out. */
+static fmb_status ask_contacts(const contacts_query *x, size_t n, const fmb_frames_pair *pair,
+                               const size_t *number, const fmb_pair_answers *out)
 {
     const fmb_pair_kernels *w = x->k->wide;
     fmb_contact_lanes lanes[CONTACTS_OF_CALL];
@@ -56,13 +49,48 @@ static fmb_status ask_contacts_of_kind(const contacts_query *x, size_t n,
                                .index = {&pair->a, &pair->b},
                                .n = n,
                                .moves = x->plan.moves,
-                               .kind = &x->plan.flat};
+                               .kind = &x->kind};
     fmb_status st = FMB_OK;
     w->packed->contacts[x->k->dim - 2](&packed, lanes);
     for (size_t j = 0; st == FMB_OK && j < n; j++)
         st = write_contact(x, pair[j], &lanes[j / (size_t)w->width], (int)(j % (size_t)w->width),
-                           i + j, out);
+                           number[j], out);
     return st;
+}
+
+/* n pairs of one kind that a kernel knows, from pair i of out on. Verdicts come first, which cost a
+ * fraction; those that meet then fill blocks of their own. */
+static fmb_status ask_contacts_of_kind(const contacts_query *x, size_t n,
+                                       const fmb_frames_pair *pair, size_t i,
+                                       const fmb_pair_answers *out)
+{
+    const int swap = x->plan.swapped;
+    const fmb_frames *set[2] = {x->a, x->b};
+    const uint32_t *index[2] = {&pair->a, &pair->b};
+    fmb_packed_pairs packed = {.record = {set[swap]->record, set[!swap]->record},
+                               .index = {index[swap], index[!swap]},
+                               .n = n,
+                               .moves = x->plan.moves,
+                               .shapes = x->plan.shapes,
+                               .kind = &x->plan.flat};
+    fmb_frames_pair meeting[CONTACTS_OF_CALL];
+    size_t number[CONTACTS_OF_CALL], found = 0;
+    fmb_status st = FMB_OK;
+    x->k->wide->packed->pairs[x->k->dim - 2](&packed, out->verdict + i);
+    for (size_t j = 0; st == FMB_OK && j < n; j++) {
+        if (out->verdict[i + j] == FMB_UNKNOWN) {
+            fmb_pair_answers one = fmb_contact_answers_from(out, (size_t)x->k->dim, i + j);
+            st = answer_contact_as_frames(x, pair[j], &one);
+        } else if (out->verdict[i + j] == FMB_FEASIBLE) {
+            meeting[found] = pair[j];
+            number[found++] = i + j;
+        }
+        if (found == CONTACTS_OF_CALL) {
+            st = ask_contacts(x, found, meeting, number, out);
+            found = 0;
+        }
+    }
+    return st == FMB_OK && found > 0 ? ask_contacts(x, found, meeting, number, out) : st;
 }
 
 static bool has_kind(const contacts_query *x, fmb_frames_pair pair)
@@ -76,14 +104,14 @@ static void plan_contacts(contacts_query *x, fmb_frames_pair pair)
         return;
     x->kind_a = x->a->kind[pair.a];
     x->kind_b = x->b->kind[pair.b];
-    x->planned =
-        !x->k->options.tightest && fmb_packed_plan_of(x->k, x->kind_a, x->kind_b, &x->plan);
+    x->planned = x->k->dim <= 3 && !x->k->options.tightest &&
+                 fmb_packed_plan_of(x->k, x->kind_a, x->kind_b, &x->plan);
     if (!x->planned)
         return;
     const int naxes[2] = {fmb_kind_naxes(x->k->dim, x->kind_a),
                           fmb_kind_naxes(x->k->dim, x->kind_b)};
     const bool simplex[2] = {fmb_kind_shape(x->kind_a), fmb_kind_shape(x->kind_b)};
-    fmb_flat_kind_of(x->k->dim, x->plan.moves, naxes, simplex, &x->plan.flat);
+    fmb_flat_kind_of(x->k->dim, x->plan.moves, naxes, simplex, &x->kind);
 }
 
 fmb_status fmb_packed_contacts(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
@@ -99,7 +127,7 @@ fmb_status fmb_packed_contacts(fmb_pair *k, const fmb_frames *a, const fmb_frame
             st = answer_contact_as_frames(&x, pair[i], &one);
             continue;
         }
-        while (run < CONTACTS_OF_CALL && i + run < n && has_kind(&x, pair[i + run]))
+        while (i + run < n && has_kind(&x, pair[i + run]))
             run++;
         st = ask_contacts_of_kind(&x, run, pair + i, i, out);
     }

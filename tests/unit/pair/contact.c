@@ -76,7 +76,9 @@ enum { ALWAYS_EXACT, TIGHTEST, IN_DOUBLES, WAYS };
 typedef struct judge {
     fmb_solver *solver;
     fmb_pair *way[WAYS];
-    int meet, sure; /* pairs that do, and whose depth doubles know */
+    bool even;  /* numbers are of a size: nothing but what touches is within the fuzz of it */
+    bool acute; /* faces may have corners so acute that fuzz reaches far along them */
+    int meet, sure, touch; /* pairs that do, whose depth doubles know, that are 0 deep */
 } judge;
 
 static judge judge_open(int dim, fmb_simd simd)
@@ -103,6 +105,8 @@ static void judge_close(judge *j)
 typedef struct said {
     fmb_verdict verdict;
     double depth, normal[3];
+    uint8_t faces[2], npoints;
+    double points[3 * FMB_PAIR_MOST_POINTS];
 } said;
 
 static said ask(fmb_pair *k, const fmb_frame *f)
@@ -111,6 +115,9 @@ static said ask(fmb_pair *k, const fmb_frame *f)
     fmb_pair_answers out = {.size = sizeof out, .verdict = &s.verdict};
     out.depth = &s.depth;
     out.normal = s.normal;
+    out.faces = s.faces;
+    out.points = s.points;
+    out.npoints = &s.npoints;
     cr_assert_eq(fmb_pair_test(k, 1, &f[0], &f[1], &out), FMB_OK);
     return s;
 }
@@ -127,12 +134,122 @@ static void judge_answer(const fmb_frame *f, const said *s, long double truth, c
               "%s: %Lg along the normal, not %Lg", name, depth_along(f, s->normal), truth);
 }
 
+/* ---- where they touch ------------------------------------------------------------------------ */
+
+/* What points may be off by: the fuzz, and rounding in the world. */
+static double point_fuzz(const fmb_frame *f)
+{
+    long double far = 0;
+    for (int k = 0; k < 2; k++)
+        far = fmaxl(far, size_of(f[k].dim, f[k].origin));
+    return (double)(16 * FUZZ * reach_of(f) + 16 * DBL_EPSILON * far + 8 * DBL_TRUE_MIN);
+}
+
+/* Every point lies in the first frame, and less the translation in the second. */
+static void judge_points(fmb_solver *v, const fmb_frame *f, const said *s, const char *name)
+{
+    fmb_result res = {.size = sizeof res};
+    for (int i = 0; i < s->npoints; i++)
+        for (int k = 0; k < 2; k++) {
+            double x[3];
+            fmb_proximity *p = NULL;
+            for (int j = 0; j < f->dim; j++)
+                x[j] = s->points[i * f->dim + j] - k * s->depth * s->normal[j];
+            fmb_frame two[2] = {f[k], {FMB_CUBOID, f->dim, 0, x, NULL, NULL}};
+            cr_assert_eq(fmb_distance(v, two, FMB_NORM_EUCLIDEAN, &p, &res), FMB_OK);
+            cr_assert_leq(fmb_proximity_length(p), point_fuzz(f), "%s: point %d of %d in %d", name,
+                          i, s->npoints, k);
+            fmb_proximity_free(p);
+        }
+}
+
+/* How far it is from a point to the nearest vertex, and the other way round. */
+static double nearest_vertex(const fmb_generators *g, const double *x)
+{
+    double nearest = INFINITY;
+    for (size_t k = 0; k < fmb_generators_size(g); k++) {
+        double off = 0;
+        for (int j = 0; j < fmb_generators_dim(g); j++)
+            off = fmax(off, fabs(x[j] - fmb_generators_coordinate(g, k, j)));
+        nearest = fmin(nearest, off);
+    }
+    return nearest;
+}
+
+static double nearest_point(const said *s, const fmb_generators *g, size_t k)
+{
+    double nearest = INFINITY;
+    int dim = fmb_generators_dim(g);
+    for (int i = 0; i < s->npoints; i++) {
+        double off = 0;
+        for (int j = 0; j < dim; j++)
+            off = fmax(off, fabs(s->points[i * dim + j] - fmb_generators_coordinate(g, k, j)));
+        nearest = fmin(nearest, off);
+    }
+    return nearest;
+}
+
+/* Frames that touch have nothing else in common: the points are the vertices of that, or four of
+ * them. */
+static void judge_common(fmb_solver *v, const fmb_frame *f, const said *s, const char *name)
+{
+    fmb_generators *g = NULL;
+    fmb_result res = {.size = sizeof res};
+    cr_assert_eq(fmb_common(v, f, &g, &res), FMB_OK);
+    size_t all = fmb_generators_size(g);
+    cr_assert_leq(s->npoints, all < 4 ? all : 4, "%s: %d points of %zu", name, s->npoints, all);
+    for (int i = 0; i < s->npoints; i++)
+        cr_assert_leq(nearest_vertex(g, s->points + i * f->dim), point_fuzz(f), "%s: point %d",
+                      name, i);
+    for (size_t k = 0; all <= 4 && k < all; k++)
+        cr_assert_leq(nearest_point(s, g, k), point_fuzz(f), "%s: vertex %zu", name, k);
+    fmb_generators_free(g);
+}
+
+/* The vertices of a face are those that are farthest along the normal. */
+static void judge_faces(const fmb_frame *f, const said *s, const char *name)
+{
+    for (int k = 0; k < 2; k++) {
+        bool cuboid = f[k].shape == FMB_CUBOID;
+        int sign = k ? -1 : 1;
+        long double most = farthest(&f[k], s->normal, sign);
+        for (int v = 0; v < (cuboid ? 1 << f[k].naxes : f[k].naxes + 1); v++) {
+            long double at = 0;
+            for (int i = 0; i < f[k].naxes; i++)
+                if (cuboid ? v >> i & 1 : v == i + 1)
+                    at += sign * dot(f->dim, s->normal, f[k].axes + i * f->dim);
+            long double off = most - at, fuzz = 1e-12L * reach_of(f);
+            cr_assert(s->faces[k] >> v & 1 ? off <= fuzz : off >= fuzz / 2, "%s: vertex %d of %d",
+                      name, v, k);
+        }
+    }
+}
+
+static void judge_contact(judge *j, const fmb_frame *f, const said *s, bool touch, const char *name)
+{
+    if (f[0].speed || f[1].speed) {
+        cr_assert_eq(s->npoints + s->faces[0] + s->faces[1], 0);
+        return;
+    }
+    cr_assert_geq(s->npoints, 1, "%s", name);
+    judge_faces(f, s, name);
+    if (!j->acute)
+        judge_points(j->solver, f, s, name);
+    if (touch && j->even)
+        judge_common(j->solver, f, s, name);
+    j->touch += touch && j->even;
+}
+
+/* ---- families -------------------------------------------------------------------------------- */
+
 static void judge_pair(judge *j, const fmb_frame *f, const char *name)
 {
     fmb_proximity *p = NULL;
     fmb_result res = {.size = sizeof res};
     cr_assert_eq(fmb_depth(j->solver, f, FMB_NORM_EUCLIDEAN, &p, &res), FMB_OK);
+    char measure[2] = "";
     double truth = fmb_proximity_length(p);
+    bool touch = fmb_proximity_measure_text(p, measure, sizeof measure) == 1 && measure[0] == '0';
     fmb_proximity_free(p);
     j->meet += res.verdict == FMB_FEASIBLE;
     for (int i = 0; i < WAYS; i++) {
@@ -144,6 +261,8 @@ static void judge_pair(judge *j, const fmb_frame *f, const char *name)
             judge_answer(f, &s, truth, name);
         else
             cr_assert(isnan(s.depth), "%s", name);
+        if (i == TIGHTEST && s.verdict == FMB_FEASIBLE)
+            judge_contact(j, f, &s, touch, name);
         j->sure += i == IN_DOUBLES && s.verdict == FMB_FEASIBLE;
         if (i != IN_DOUBLES && s.verdict == FMB_FEASIBLE)
             cr_assert(s.depth == truth || i != TIGHTEST, "%s: %a, not %a", name, s.depth, truth);
@@ -155,6 +274,9 @@ static void judge_pair(judge *j, const fmb_frame *f, const char *name)
 static void judge_family(judge *j, const study_pair_plan *plan, int pairs)
 {
     const char *name = study_pair_family_text(plan->family);
+    j->acute = plan->family == STUDY_PAIR_SPREAD || plan->family == STUDY_PAIR_RAGGED;
+    j->even = plan->family == STUDY_PAIR_LATTICE || plan->family == STUDY_PAIR_TOUCHING ||
+              plan->family == STUDY_PAIR_DEGENERATE || plan->family == STUDY_PAIR_INTEGER;
     for (int i = 0; i < pairs; i++) {
         study_pair pair;
         study_pair_draw(plan, 4, (uint64_t)i, &pair);
@@ -181,6 +303,7 @@ static void judge_all(fmb_simd simd, int pairs)
             judge_family(&j, &plan, pairs);
         }
         cr_assert_gt(j.meet, 10 * pairs);
+        cr_assert_gt(j.touch, pairs);
         judge_close(&j);
     }
 }
