@@ -56,14 +56,15 @@ static void drop_pairs_off_the_graph(void *state, const fmb_view *w, size_t i, u
 {
     size_t words, uppers = fmb_view_uppers(w);
     const uint64_t *of = fmb_view_history(w, fmb_view_lower(w, i), &words);
-    neighbours g;
+    neighbours g = {0};
     (void)state;
     fmb_view_drop_larger(w, i, fmb_view_eliminated(w) + 1, drop);
-    if (!of || !collect_neighbours(w, of, &g))
-        return;
-    for (size_t j = 0; j < uppers && !fmb_view_stop(w); j++) {
-        const uint64_t *other = fmb_view_history(w, fmb_view_upper(w, j), &words);
-        if (!(drop[j / 64] >> j % 64 & 1) && is_covered(&g, of, other))
+    for (size_t j = 0; of && j < uppers && !fmb_view_stop(w); j++) {
+        if (drop[j / 64] >> j % 64 & 1)
+            continue;
+        if (!g.history && !collect_neighbours(w, of, &g))
+            return;
+        if (is_covered(&g, of, fmb_view_history(w, fmb_view_upper(w, j), &words)))
             drop[j / 64] |= UINT64_C(1) << j % 64;
     }
 }
