@@ -4,14 +4,12 @@
 #include <string.h>
 
 #include "lp/linalg/markowitz.h"
-#include "lp/linalg/modular/dense_lu.h"
 
-/* A matrix on its way: pivots by Markowitz's rule, and the rest once that is dense. */
+/* A matrix on its way: pivots by Markowitz's rule. */
 typedef struct elimination {
     fmb_modular_lu *f;
     const fmb_prime *q;
     fmb_markowitz sparse;
-    fmb_dense_lu dense;
 } elimination;
 
 /* ---- numbers --------------------------------------------------------------------------------- */
@@ -62,17 +60,6 @@ static fmb_status load_residues(elimination *e, fmb_run *run, fmb_arena *arena, 
     return st;
 }
 
-static bool has_singleton(const fmb_markowitz *u)
-{
-    return u->size > 0 && (u->by_row.head[1] >= 0 || u->by_column.head[1] >= 0);
-}
-
-/* A dense entry costs about a third of a sparse one. */
-static bool is_rest_dense(const fmb_markowitz *u)
-{
-    return 3 * u->entries >= (size_t)u->active * (size_t)u->active;
-}
-
 /* The last pivot stands alone in its row, or in its column, which has `multipliers` then. Rows take
  * turns from the front, columns from the back. */
 static bool note_turn(fmb_modular_lu *f, const fmb_markowitz *u, size_t multipliers, size_t *rows,
@@ -88,13 +75,13 @@ static bool note_turn(fmb_modular_lu *f, const fmb_markowitz *u, size_t multipli
     return true;
 }
 
-static fmb_status take_sparse_pivots(elimination *e, bool whole)
+static fmb_status take_pivots(elimination *e, bool whole)
 {
     fmb_markowitz *u = &e->sparse;
     size_t rows = 0, columns = e->f->n;
     fmb_status st = FMB_OK;
     bool alone = whole;
-    for (bool done = false; st == FMB_OK && (has_singleton(u) || !is_rest_dense(u));) {
+    for (bool done = false; st == FMB_OK;) {
         size_t multipliers = u->multipliers;
         st = fmb_markowitz_step(u, &done);
         if (done)
@@ -105,39 +92,6 @@ static fmb_status take_sparse_pivots(elimination *e, bool whole)
     return st;
 }
 
-/* mark[j] becomes a place in the dense columns. */
-static fmb_status factor_dense_rest(elimination *e)
-{
-    fmb_markowitz *u = &e->sparse;
-    size_t rows = 0, columns = 0, at = 0;
-    for (int k = 1; k <= u->size; k++) {
-        for (int i = u->by_row.head[k]; i >= 0; i = u->by_row.next[i])
-            rows++;
-        for (int j = u->by_column.head[k]; j >= 0; j = u->by_column.next[j])
-            columns++;
-    }
-    fmb_dense_lu *d = &e->dense;
-    fmb_status st = fmb_dense_lu_open(d, u->arena, rows, columns);
-    if (st != FMB_OK)
-        return st;
-    for (int k = 1; k <= u->size; k++)
-        for (int j = u->by_column.head[k]; j >= 0; j = u->by_column.next[j], at++) {
-            d->column[at] = j;
-            u->mark[j] = (int)at;
-        }
-    at = 0;
-    for (int k = 1; k <= u->size; k++)
-        for (int i = u->by_row.head[k]; i >= 0; i = u->by_row.next[i], at++) {
-            d->row[at] = i;
-            for (int t = 0; t < u->row.size[i]; t++) {
-                size_t from = u->row.start[i] + (size_t)t;
-                d->at[at * columns + (size_t)u->mark[u->row.entry[from]]] =
-                    u->row.value[from].residue;
-            }
-        }
-    return fmb_dense_lu_factor(d, u->run, e->q);
-}
-
 static void place_pivot(fmb_modular_lu *f, size_t k, int i, int j)
 {
     f->row_at[k] = i;
@@ -145,15 +99,13 @@ static void place_pivot(fmb_modular_lu *f, size_t k, int i, int j)
     f->row_place[i] = f->column_place[j] = (int)k;
 }
 
-/* Sparse pivots, dense ones, and rows and columns that are left over. */
+/* Pivots, and rows and columns that are left over. */
 static void place_all_pivots(const elimination *e)
 {
     fmb_modular_lu *f = e->f;
     size_t k = 0, left_rows, left_columns;
     for (int s = 0; s < e->sparse.pivots; s++)
         place_pivot(f, k++, e->sparse.row_at[s], e->sparse.column_at[s]);
-    for (size_t s = 0; s < e->dense.rank; s++)
-        place_pivot(f, k++, e->dense.row[s], e->dense.column[s]);
     f->rank = left_rows = left_columns = k;
     for (size_t i = 0; f->rank < f->n && i < f->n; i++) {
         if (f->row_place[i] < 0)
@@ -182,7 +134,7 @@ static fmb_status put_sweep_term(fmb_sweep *w, fmb_arena *arena, size_t *at, int
     return FMB_OK;
 }
 
-static fmb_status write_sparse_upper(const elimination *e, fmb_arena *arena, size_t k, size_t *up)
+static fmb_status write_upper_row(const elimination *e, fmb_arena *arena, size_t k, size_t *up)
 {
     fmb_modular_lu *f = e->f;
     const fmb_strips *row = &e->sparse.row;
@@ -194,23 +146,6 @@ static fmb_status write_sparse_upper(const elimination *e, fmb_arena *arena, siz
         st = put_sweep_term(&f->upper, arena, up, f->column_place[row->entry[from]],
                             row->value[from].residue);
     }
-    return st;
-}
-
-/* Pivot s of the dense ones. */
-static fmb_status write_dense_row(const elimination *e, fmb_arena *arena, size_t s, size_t *low,
-                                  size_t *up)
-{
-    fmb_modular_lu *f = e->f;
-    const fmb_dense_lu *d = &e->dense;
-    const uint64_t *row = d->at + s * d->columns;
-    size_t first = (size_t)e->sparse.pivots;
-    fmb_status st = FMB_OK;
-    f->upper.scale[first + s] = d->inverse[s];
-    for (size_t c = 0; st == FMB_OK && c < s; c++)
-        st = put_sweep_term(&f->lower, arena, low, (int)(first + c), row[c]);
-    for (size_t c = s + 1; st == FMB_OK && c < d->columns; c++)
-        st = put_sweep_term(&f->upper, arena, up, f->column_place[d->column[c]], row[c]);
     return st;
 }
 
@@ -227,7 +162,7 @@ static fmb_status write_multipliers(const elimination *e, fmb_arena *arena, size
 static fmb_status write_factors(const elimination *e, fmb_arena *arena, size_t terms)
 {
     fmb_modular_lu *f = e->f;
-    size_t low = 0, up = 0, sparse = (size_t)e->sparse.pivots;
+    size_t low = 0, up = 0;
     fmb_status st = fmb_sweep_open(&f->lower, arena, f->n, terms, false);
     if (st == FMB_OK)
         st = fmb_sweep_open(&f->upper, arena, f->n, terms, true);
@@ -235,10 +170,8 @@ static fmb_status write_factors(const elimination *e, fmb_arena *arena, size_t t
         f->lower.scale[k] = f->upper.scale[k] = 1;
         if (k < f->rank)
             st = write_multipliers(e, arena, k, &low);
-        if (st == FMB_OK && k < sparse)
-            st = write_sparse_upper(e, arena, k, &up);
-        else if (st == FMB_OK && k < f->rank)
-            st = write_dense_row(e, arena, k - sparse, &low, &up);
+        if (st == FMB_OK && k < f->rank)
+            st = write_upper_row(e, arena, k, &up);
         f->lower.start[k + 1] = low;
         f->upper.start[k + 1] = up;
     }
@@ -271,9 +204,7 @@ fmb_status fmb_modular_lu_factor(fmb_modular_lu *f, fmb_run *run, fmb_arena *las
     if (st == FMB_OK)
         st = load_residues(&e, run, passing, a, &whole);
     if (st == FMB_OK)
-        st = take_sparse_pivots(&e, whole);
-    if (st == FMB_OK)
-        st = factor_dense_rest(&e);
+        st = take_pivots(&e, whole);
     if (st != FMB_OK)
         return st;
     place_all_pivots(&e);

@@ -1,8 +1,7 @@
 /* modular_lu.h: sparse LU factors modulo p of a square matrix of integers, with rank.
  *
- * Pivots are taken by Markowitz's rule (markowitz.h) while there are zeros enough, and as long as
- * one is alone in its row or column: bases of linear programs are nearly triangular. What is left
- * is dense, and factored as such (dense_lu.h).
+ * Pivots are taken by Markowitz's rule (markowitz.h): bases of linear programs are nearly
+ * triangular. Where they are not, elimination of dense rows as such saves little.
  *
  * Order: pivot k stands in row row_at[k] and column column_at[k]; in that order the matrix is lower
  * times upper. Pivots from `rank` on are none: rows that depend on others, beside columns left
