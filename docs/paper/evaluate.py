@@ -180,6 +180,8 @@ def collisions(out):
     claim(pays_from(runs, fm("duplicate"), fm("none"), dims) is None, "equal rows alone never pay on frames")
     claim(pays_from(runs, fm("kohler,dominated"), fm("kohler"), dims) is None, "parallel rows beside Kohler never pay on frames")
     claim(pays_from(runs, fm("imbert"), fm("kohler"), dims) is None, "Imbert's beside Kohler's does not pay on frames")
+    drop = 1 - np.median(runs.costs([fm("kohler")], "made", dims[3]) - 1) / np.median(runs.costs([fm("none")], "made", dims[3]) - 1)
+    say("KohlerDropsInThree", f"{100 * drop:.0f}")
     space = dims[4]
     for rules, name in (("dominated", "Dominated"), ("duplicate", "Duplicate"), ("kohler", "Kohler"), ("imbert", "Imbert"), ("default", "Default")):
         say(f"{name}TimeInFour", short(np.median(ratios(runs, fm(rules), fm("none"), space))))
