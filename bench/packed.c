@@ -3,7 +3,9 @@
  *
  * Pairs by index: frame i of one set and frame i of another, 65,536 distinct pairs of the article's
  * generator of one verdict. All against all: 256 frames and 256 others. Ways take turns; times are
- * this thread's CPU time, medians over the passes, the least in brackets. See README.md.
+ * this thread's CPU time, medians over the passes, the least in brackets. In four to eight
+ * dimensions fewer frames, of which about half meet (axes are longer), none, or all with parallel
+ * edges; the ratio is to two cuboids in space, taken in turns with them. See README.md.
  */
 #include <string.h>
 
@@ -13,6 +15,7 @@
 #include "cells.h"
 #include "machine.h"
 #include "study/clock/clock.h"
+#include "study/draw/draft.h"
 #include "study/sat/sat.h"
 
 enum { PAIRS = 65536, SIDE = 256, PASSES = 15 };
@@ -225,6 +228,96 @@ static void measure_flat(const char *what, const int naxes[2], bool moves, fmb_s
     fmb_pair_free(d.w[1].k);
 }
 
+/* ---- more dimensions ------------------------------------------------------------------------- */
+
+enum { MOST_NUMBERS = 8 * (8 + 2) };
+
+typedef struct many_cell {
+    const char *what;
+    int dim;
+    bool moves;
+    double far;   /* origins are within so many of the numbers that axes are within */
+    bool aligned; /* axes are parallel to those of the world */
+} many_cell;
+
+static fmb_frame some_frame(const many_cell *c, uint64_t *state, double *number)
+{
+    const int dim = c->dim, axes = dim * dim;
+    for (int j = 0; j < dim * (dim + 2); j++)
+        number[j] = 2 * study_splitmix.get_double(state) - 1;
+    for (int j = 0; j < dim; j++)
+        number[j] *= c->far;
+    for (int j = 0; c->aligned && j < axes; j++)
+        number[dim + j] *= j % dim == j / dim;
+    return (fmb_frame){.shape = FMB_CUBOID,
+                       .dim = dim,
+                       .naxes = dim,
+                       .origin = number,
+                       .axes = number + dim,
+                       .speed = c->moves ? number + dim + axes : NULL};
+}
+
+static fmb_frames *some_frames(const many_cell *c, size_t n, uint64_t *state)
+{
+    static double number[SIDE][MOST_NUMBERS];
+    fmb_frame f[SIDE];
+    fmb_frames *out = NULL;
+    for (size_t i = 0; i < n; i++)
+        f[i] = some_frame(c, state, number[i]);
+    must(fmb_frames_new(c->dim, n, f, NULL, &out));
+    return out;
+}
+
+/* All against all, n frames each; the yardstick: as many in space. */
+static void measure_many(const many_cell *c, fmb_simd simd)
+{
+    const many_cell space = {.dim = 3, .far = 0.75};
+    const many_cell *cell[2] = {c, &space};
+    const size_t n = c->dim < 6 ? SIDE : 64;
+    fmb_pair_options o = {.size = sizeof o};
+    fmb_pair_counts counts = {.size = sizeof counts};
+    fmb_frames *set[2][2];
+    way w[2];
+    uint64_t state;
+    o.simd = simd;
+    study_splitmix.set(&state, 4);
+    for (int i = 0; i < 2; i++) {
+        w[i] = (way){.pair = NULL};
+        must(fmb_pair_new(cell[i]->dim, &o, NULL, &w[i].k));
+        w[i].a = set[i][0] = some_frames(cell[i], n, &state);
+        w[i].b = set[i][1] = some_frames(cell[i], n, &state);
+    }
+    study_timed timed[2] = {{ask_all, &w[0]}, {ask_all, &w[1]}};
+    study_clock clock = {.way = timed, .ways = 2, .queries = n * n, .groups = 1, .passes = PASSES};
+    must(study_clock_run(&clock));
+    must(fmb_pair_count(w[0].k, &counts));
+    study_spread ns = study_clock_ns(&clock, 0);
+    printf("%dD %-6s %-8s  %8.1f [%8.1f]  %8.2f  %5.1f %% meet, %5.2f %% exact\n", c->dim,
+           c->moves ? "moving" : "still", c->what, ns.median, ns.least,
+           study_clock_ratio(&clock, 0, 1).ratio, 100.0 * (double)w[0].meeting / (double)(n * n),
+           100.0 * (double)counts.exact_verdicts / (double)counts.pairs);
+    study_clock_clear(&clock);
+    for (int i = 0; i < 2; i++) {
+        fmb_frames_free(set[i][0]);
+        fmb_frames_free(set[i][1]);
+        fmb_pair_free(w[i].k);
+    }
+}
+
+static void measure_more_dimensions(fmb_simd simd)
+{
+    static const double half[5] = {0.35, 0.3, 0.2, 0.15, 0.1}; /* about half of them meet */
+    printf("cuboids, ns [least], ratio to space\n");
+    for (int dim = 4; dim <= 8; dim++)
+        for (int moves = 0; moves < 2 && dim + moves <= 8; moves++) {
+            const many_cell cell[3] = {{"half", dim, moves, half[dim - 4], false},
+                                       {"apart", dim, moves, 8, false},
+                                       {"parallel", dim, moves, half[dim - 4], true}};
+            for (int i = 0; i < 3; i++)
+                measure_many(&cell[i], simd);
+        }
+}
+
 /* ---- threads --------------------------------------------------------------------------------- */
 
 /* The least time on the wall of PASSES passes. */
@@ -288,6 +381,7 @@ int main(int argc, char **argv)
     }
     for (int i = 0; i < 10; i++)
         measure_flat(flat[i / 2].what, flat[i / 2].naxes, i % 2, simd);
+    measure_more_dimensions(simd);
     double one = measure_threads(1), two = measure_threads(2);
     printf("two threads: %.2f times as fast\n", one / two);
     return 0;

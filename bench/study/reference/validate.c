@@ -1,6 +1,7 @@
 /* validate.c: see validate.h. */
 #include "study/reference/validate.h"
 
+#include <fmb/frames.h>
 #include <math.h>
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -101,7 +102,26 @@ static void choose(study_validator *s, uint64_t first)
     }
 }
 
-/* One way in one order, about all pairs or about those chosen. */
+/* The same as fmb_pair_test, by sets of frames. */
+static fmb_status ask_by_sets(fmb_pair *k, int dim, size_t n, const fmb_frame *p,
+                              const fmb_frame *q, const fmb_pair_answers *out)
+{
+    fmb_frames_pair pair[STUDY_VALIDATE_MOST];
+    fmb_frames *a = NULL, *b = NULL;
+    for (uint32_t i = 0; i < n; i++)
+        pair[i] = (fmb_frames_pair){i, i};
+    fmb_status st = fmb_frames_new(dim, n, p, NULL, &a);
+    if (st == FMB_OK)
+        st = fmb_frames_new(dim, n, q, NULL, &b);
+    if (st == FMB_OK)
+        st = fmb_frames_test(k, a, b, n, pair, out);
+    fmb_frames_free(a);
+    fmb_frames_free(b);
+    return st;
+}
+
+/* One way in one order, about all pairs or about those chosen. In more than three dimensions sets
+ * have kernels of their own: the second order is asked of them. */
 static fmb_status ask(study_validator *s, int way, int order)
 {
     fmb_verdict said[STUDY_VALIDATE_MOST];
@@ -109,7 +129,9 @@ static fmb_status ask(study_validator *s, int way, int order)
     bool few = EXACT_WAYS >> way & 1;
     size_t n = few ? s->chosen : s->pairs.n;
     const fmb_frame *p = few ? s->p : s->pairs.p, *q = few ? s->q : s->pairs.q;
-    fmb_status st = fmb_pair_test(s->way[way], n, order ? q : p, order ? p : q, &out);
+    fmb_status st = order && s->v.plan.dim > 3
+                        ? ask_by_sets(s->way[way], s->v.plan.dim, n, q, p, &out)
+                        : fmb_pair_test(s->way[way], n, order ? q : p, order ? p : q, &out);
     for (size_t i = 0; st == FMB_OK && i < n; i++)
         s->verdicts[few ? s->index[i] : i].said[way][order] = said[i];
     return st;
