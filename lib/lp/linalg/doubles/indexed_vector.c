@@ -39,16 +39,6 @@ void fmb_indexed_vector_clear(fmb_indexed_vector *v, bool full)
     v->full = full;
 }
 
-void fmb_indexed_vector_gather(fmb_indexed_vector *v)
-{
-    v->full = false;
-    v->count = 0;
-    for (size_t k = 0; k < v->size; k++) {
-        v->index[v->count] = (int)k;
-        v->count += v->at[k] != 0;
-    }
-}
-
 void fmb_indexed_vector_subtract(const fmb_indexed_vector *v, double factor, double *to,
                                  const fmb_kernels *k)
 {

@@ -25,8 +25,6 @@ void fmb_indexed_vector_free(fmb_indexed_vector *v, fmb_mem *mem);
 
 /* All zero again; full or not. */
 void fmb_indexed_vector_clear(fmb_indexed_vector *v, bool full);
-/* Where it is not zero, after somebody wrote all of it. */
-void fmb_indexed_vector_gather(fmb_indexed_vector *v);
 /* to -= factor v, to[v->size]. */
 void fmb_indexed_vector_subtract(const fmb_indexed_vector *v, double factor, double *to,
                                  const fmb_kernels *k);
