@@ -346,6 +346,50 @@ Test(contact, knows_stacks)
     judge_close(&j);
 }
 
+/* Frames that are points, and small ones, where products of their numbers underflow by and by. */
+Test(contact, knows_small_frames)
+{
+    const double axes[9] = {2, 0, 0.5, 0, 3, 0, 0, 0.25, 1}, high[3] = {0.3, 0.1, 0.75};
+    judge j = judge_open(3, FMB_SIMD_AUTO);
+    for (int down = 60; down < 1100; down += down < 140 ? 2 : 37) {
+        double small[9], low[3] = {0, 0, 0}, at[3];
+        for (int i = 0; i < 9; i++)
+            small[i] = ldexp(axes[i], -down);
+        for (int i = 0; i < 3; i++)
+            at[i] = ldexp(high[i], -down);
+        for (int shape = 0; shape < 4; shape++)
+            judge_pair(&j,
+                       (fmb_frame[2]){{(fmb_shape)(shape & 1), 3, 3, low, small, NULL},
+                                      {(fmb_shape)(shape / 2), 3, 3, at, small, NULL}},
+                       "small");
+    }
+    cr_assert_gt(j.meet, 100);
+    judge_close(&j);
+}
+
+/* All edges are parallel, or none is longer than 0: no normal tells anything. */
+Test(contact, knows_segments)
+{
+    const double low[3] = {0, 0, 0};
+    for (int dim = 2; dim <= 3; dim++) {
+        judge j = judge_open(dim, FMB_SIMD_AUTO);
+        for (int i = 0; i < 64; i++) {
+            double axes[9], at[3];
+            for (int c = 0; c < dim * dim; c++)
+                axes[c] = i % 4 > 1 ? (c % dim + 1) * (c / dim + 1) : 0;
+            for (int c = 0; c < dim; c++)
+                at[c] = i / 4 % 4 * (c + 1) + i / 16 % 2;
+            const fmb_shape shape = (fmb_shape)(i % 2);
+            judge_pair(&j,
+                       (fmb_frame[2]){{shape, dim, dim, low, axes, NULL},
+                                      {FMB_CUBOID, dim, dim, at, axes, NULL}},
+                       "segments");
+        }
+        cr_assert(j.meet > 4 && j.meet < 60);
+        judge_close(&j);
+    }
+}
+
 /* By number and by pointer the answers are the same. */
 Test(contact, of_sets)
 {

@@ -12,7 +12,8 @@
  * computed is that small, products of the coordinates are compared without an error; where they are
  * equal the normal does not count.
  *
- * Errors: docs/error-bounds.md, "Contacts of pairs". Sizes are as in verdict_flat.h.
+ * Errors: docs/error-bounds.md, "Contacts of pairs". Sizes are as in verdict_flat.h, so a reach is
+ * known well only if it is far above the least of them: no lane below 2^-90 is good.
  */
 #ifndef FMB_PAIR_CONTACT_KERNEL_H
 #define FMB_PAIR_CONTACT_KERNEL_H
@@ -146,13 +147,13 @@ FMB_INLINE void fmb_contact_pass(int dim, bool cuboids, const fmb_flat_kind *k, 
         lane size = flat_normal(dim, k, &p, i, n), square = local_frame_dot(dim, n, n);
         lane overlap = cuboids ? contact_of_cuboids(dim, &p, middle, n, &side)
                                : contact_of_any(dim, k, &p, n, &side);
+        contact_compare(dim, overlap, square, size, n, side, &least);
         lane_mask noise = lane_less(square, lane_of(0x1p-96) * size * size);
-        if (lane_bits(noise)) {
+        if (lane_bits(noise)) { /* which is no candidate; and what is no normal is no obstacle */
             noise = contact_is_null(dim, k, &p, i);
             overlap = lane_pick(noise, lane_of(8) * size * p.reach, overlap);
             square = lane_pick(noise, size * size, square);
         }
-        contact_compare(dim, overlap, square, size, n, side, &least);
         fmb_gaps_class(&gaps, -overlap, error, size * p.reach);
         rows.overlap[i] = overlap;
         rows.square[i] = square;
@@ -161,14 +162,17 @@ FMB_INLINE void fmb_contact_pass(int dim, bool cuboids, const fmb_flat_kind *k, 
             return;
     }
     out->bits = fmb_gaps_bits(&gaps, known);
-    out->bits.meet = k->may_meet ? out->bits.meet : 0;
+    /* where no normal is one, B - A is a segment or a point */
+    lane_mask found = lane_less(least.overlap, lane_of(0x1p499));
+    out->bits.meet = k->may_meet ? out->bits.meet & lane_bits(found) : 0;
     lane length = contact_root(least.square);
     lane above = (least.overlap + fmb_gaps_error(error, least.size * p.reach)) /
                  (length - lane_of(off * 0x1p-53) * least.size);
     above = lane_max(above * lane_of(1 + 0x1p-50), lane_of(0));
     lane most = lane_max(lane_fnma(lane_of(0x1p-40), p.reach, above), lane_of(0));
+    lane_mask wide = lane_and(known, lane_less(lane_of(0x1p-90), p.reach));
     out->good =
-        lane_bits(lane_and(known, contact_prove(&rows, normals, error, off, p.reach, above, most)));
+        lane_bits(lane_and(wide, contact_prove(&rows, normals, error, off, p.reach, above, most)));
     contact_write(dim, &least, length, out);
 }
 
