@@ -119,6 +119,15 @@ FMB_INLINE lane minors_size_less(minors_kind d, const minors_view *v, int k,
     return k == 1 ? v->size[rows->row[k - i] * d.n + s] : lane_abs(rows->less[i][s]);
 }
 
+/* Before the loop over sets of columns, choose(8, 3) of them at most, whose numbers are then
+ * constant: a fifth faster from six columns on. It is not worth its compilation where lanes are
+ * few. */
+#if FMB_LANES >= 4
+#define MINORS_UNROLL _Pragma("GCC unroll 64")
+#else
+#define MINORS_UNROLL
+#endif
+
 /* The largest gap of these rows. */
 FMB_INLINE lane minors_gap(minors_kind d, const minors_view *v, int k, minors_part part,
                            const minors_rows *rows, const lane *made)
@@ -128,6 +137,7 @@ FMB_INLINE lane minors_gap(minors_kind d, const minors_view *v, int k, minors_pa
 #pragma GCC unroll 4
     for (int i = 0; i <= k; i++)
         factor[i] = v->center[rows->row[i]];
+    MINORS_UNROLL
     for (int s = first; s < fmb_minors_choose(d.n, k); s++) {
         lane away = lane_abs(minors_expand(k, factor, rows->less, s));
         lane wide = minors_size_less(d, v, k, rows, 0, s);

@@ -66,8 +66,10 @@ FMB_INLINE unsigned minors_check_point(minors_kind d, const minors_view *v, cons
     return minors_bits(&inside).meet;
 }
 
-/* Lanes where a point proves that they meet; until all that are `open` have one. */
-FMB_INLINE unsigned minors_find_point(minors_kind d, const minors_view *v, unsigned open)
+/* Lanes where a point proves that they meet; until all that are `open` have one. Few pairs get
+ * here: not in the kernels, and once for all dimensions. */
+static FMB_NEVER_CLONED unsigned minors_find_point(minors_kind d, const minors_view *v,
+                                                   unsigned open)
 {
     minors_point p;
     unsigned found = 0;
