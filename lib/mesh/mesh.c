@@ -70,17 +70,6 @@ fmb_status fmb_mesh_find_same(const fmb_mesh *m, const fmb_mesh *other, fmb_mem 
 
 /* ---- cells ----------------------------------------------------------------------------------- */
 
-fmb_cell fmb_mesh_cell_of(const fmb_mesh *m, const uint32_t *ids_of, size_t c)
-{
-    fmb_cell out = {.corners = m->corners};
-    const uint32_t *corner = m->corner + c * (size_t)m->corners;
-    for (int k = 0; k < m->corners; k++) {
-        out.point[k] = m->point + 3 * (size_t)corner[k];
-        out.id[k] = ids_of[corner[k]];
-    }
-    return out;
-}
-
 /* Entry j of difference k of corners, a multiple of 2^-1074 and below 2^1025: as a multiple. */
 static void set_difference(mpz_t out, const fmb_cell *c, int k, int j)
 {

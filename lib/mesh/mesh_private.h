@@ -14,6 +14,9 @@ typedef struct fmb_mesh_box {
     double lower[3], upper[3];
 } fmb_mesh_box;
 
+/* Most cells of a leaf. */
+enum { FMB_MESH_LEAF_CELLS = 4 };
+
 /* A node of the tree: cells order[from .. to). A leaf has no children; else these are `left` and
  * `left` + 1. */
 typedef struct fmb_mesh_node {
@@ -40,7 +43,16 @@ struct fmb_mesh {
 };
 
 /* The cell as one of a mesh; `ids_of` lets points of two meshes be known as equal. */
-fmb_cell fmb_mesh_cell_of(const fmb_mesh *m, const uint32_t *ids_of, size_t c);
+static inline fmb_cell fmb_mesh_cell_of(const fmb_mesh *m, const uint32_t *ids_of, size_t c)
+{
+    fmb_cell out = {.corners = m->corners};
+    const uint32_t *corner = m->corner + c * (size_t)m->corners;
+    for (int k = 0; k < m->corners; k++) {
+        out.point[k] = m->point + 3 * (size_t)corner[k];
+        out.id[k] = ids_of[corner[k]];
+    }
+    return out;
+}
 
 /* fmb_mesh_new, with faces [cells], or NULL. */
 fmb_status fmb_mesh_new_of_faces(int corners, size_t vertices, const double *point, size_t cells,

@@ -5,8 +5,6 @@
 
 #include "mesh/mesh_private.h"
 
-enum { LEAF_CELLS = 4 };
-
 static fmb_mesh_box box_of_nothing(void)
 {
     return (fmb_mesh_box){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
@@ -100,7 +98,7 @@ static void grow_node(const grower *g, size_t k)
     fmb_mesh *m = g->m;
     fmb_mesh_node *n = &m->node[k];
     n->box = box_of_nothing();
-    if (n->to - n->from <= LEAF_CELLS) {
+    if (n->to - n->from <= FMB_MESH_LEAF_CELLS) {
         n->left = 0;
         for (size_t i = n->from; i < n->to; i++)
             extend_box_by_cell(m, m->order[i], &n->box);
@@ -132,8 +130,8 @@ static void find_middles(const grower *g)
 
 fmb_status fmb_mesh_grow_tree(fmb_mesh *m)
 {
-    /* Halves of at least LEAF_CELLS / 2 + 1 cells. */
-    size_t most = 2 * (m->cells / (LEAF_CELLS / 2) + 1);
+    /* Halves of at least FMB_MESH_LEAF_CELLS / 2 + 1 cells. */
+    size_t most = 2 * (m->cells / (FMB_MESH_LEAF_CELLS / 2) + 1);
     grower g = {.m = m};
     fmb_status st = FMB_OK;
     m->order = fmb_mem_get(&m->mem, m->cells, sizeof *m->order);

@@ -25,13 +25,14 @@ static bool do_boxes_meet(const fmb_mesh_box *p, const fmb_mesh_box *q)
            q->lower[1] <= p->upper[1] && p->lower[2] <= q->upper[2] && q->lower[2] <= p->upper[2];
 }
 
-static fmb_mesh_box box_of_cell(const fmb_cell *c)
+static fmb_mesh_box box_of_cell(const fmb_mesh *m, size_t c)
 {
+    const uint32_t *corner = m->corner + c * (size_t)m->corners;
     fmb_mesh_box b;
     for (int j = 0; j < 3; j++) {
-        b.lower[j] = b.upper[j] = c->point[0][j];
-        for (int k = 1; k < c->corners; k++) {
-            double x = c->point[k][j];
+        b.lower[j] = b.upper[j] = m->point[3 * (size_t)corner[0] + (size_t)j];
+        for (int k = 1; k < m->corners; k++) {
+            double x = m->point[3 * (size_t)corner[k] + (size_t)j];
             b.lower[j] = x < b.lower[j] ? x : b.lower[j];
             b.upper[j] = x > b.upper[j] ? x : b.upper[j];
         }
@@ -110,25 +111,49 @@ static fmb_status note_progress(fmb_tree_walk *x, double weight)
     return share_progress(x);
 }
 
-/* Of one node with itself: each pair once, the smaller number first. */
+/* Cells of a leaf, and their boxes; where they come to, if they move. */
+typedef struct leaf_cells {
+    int size;
+    uint32_t cell[FMB_MESH_LEAF_CELLS];
+    fmb_mesh_box box[FMB_MESH_LEAF_CELLS];
+} leaf_cells;
+
+/* Those of leaf n whose boxes meet one around the cells of another leaf. */
+static void list_cells(const fmb_mesh *m, const fmb_mesh_node *n, const double *motion,
+                       const fmb_mesh_box *other, leaf_cells *out)
+{
+    out->size = 0;
+    for (uint32_t i = n->from; i < n->to; i++) {
+        fmb_mesh_box box = box_of_cell(m, m->order[i]);
+        out->box[out->size] = motion ? sweep_box(&box, motion) : box;
+        out->cell[out->size] = m->order[i];
+        out->size += do_boxes_meet(&out->box[out->size], other);
+    }
+}
+
+/* Cell c of the first mesh and d of the second; of one mesh the smaller number first. */
+static fmb_status meet_cells(fmb_tree_walk *x, uint32_t c, uint32_t d)
+{
+    const fmb_walk_plan *plan = x->plan;
+    bool swap = plan->a == plan->b && d < c;
+    fmb_cell a = fmb_mesh_cell_of(plan->a, plan->ids_a, c);
+    fmb_cell b = fmb_mesh_cell_of(plan->b, plan->ids_b, d);
+    return swap ? look_at_pair_of_cells(x, &b, d, &a, c) : look_at_pair_of_cells(x, &a, c, &b, d);
+}
+
+/* Of one node with itself: each pair once. */
 static fmb_status meet_leaves(fmb_tree_walk *x, const fmb_mesh_node *p, const fmb_mesh_node *q)
 {
+    const double *motion = x->plan->o->motion;
+    fmb_mesh_box swept = sweep_box(&q->box, motion);
     fmb_status st = FMB_OK;
-    for (uint32_t i = p->from; st == FMB_OK && i < p->to; i++) {
-        uint32_t c = x->plan->a->order[i];
-        fmb_cell a = fmb_mesh_cell_of(x->plan->a, x->plan->ids_a, c);
-        fmb_mesh_box box_a = box_of_cell(&a);
-        for (uint32_t j = p == q ? i + 1 : q->from; st == FMB_OK && j < q->to; j++) {
-            uint32_t d = x->plan->b->order[j];
-            fmb_cell b = fmb_mesh_cell_of(x->plan->b, x->plan->ids_b, d);
-            fmb_mesh_box box_b = box_of_cell(&b);
-            box_b = sweep_box(&box_b, x->plan->o->motion);
-            bool swap = x->plan->a == x->plan->b && d < c;
-            if (do_boxes_meet(&box_a, &box_b))
-                st = swap ? look_at_pair_of_cells(x, &b, d, &a, c)
-                          : look_at_pair_of_cells(x, &a, c, &b, d);
-        }
-    }
+    leaf_cells a, b;
+    list_cells(x->plan->a, p, NULL, &swept, &a);
+    list_cells(x->plan->b, q, motion, &p->box, &b);
+    for (int i = 0; i < a.size; i++)
+        for (int j = p == q ? i + 1 : 0; st == FMB_OK && j < b.size; j++)
+            if (do_boxes_meet(&a.box[i], &b.box[j]))
+                st = meet_cells(x, a.cell[i], b.cell[j]);
     return st;
 }
 

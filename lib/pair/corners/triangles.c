@@ -22,10 +22,9 @@
 /* On which side of b's plane the corners of a are: -1, 0, 1. */
 static void find_sides_of_plane(const fmb_cell *a, const fmb_cell *b, int side[3])
 {
+    fmb_triangle_plane h = fmb_triangle_plane_of(b->point[0], b->point[1], b->point[2]);
     for (int i = 0; i < 3; i++)
-        side[i] = fmb_cell_has(b, a->id[i])
-                      ? 0
-                      : fmb_sign_of_volume(b->point[0], b->point[1], b->point[2], a->point[i]);
+        side[i] = fmb_cell_has(b, a->id[i]) ? 0 : fmb_side_of_triangle_plane(&h, a->point[i]);
 }
 
 static bool are_all_equal(const int side[3], int value)

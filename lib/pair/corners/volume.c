@@ -124,7 +124,8 @@ static int exact_sign(fmb_difference u, fmb_difference v, fmb_difference w)
     return sign_of_expansion(sum[1], n);
 }
 
-FMB_NEVER_CLONED static int exact_turn(int i, int j, const double *p, const double *q, const double *r)
+FMB_NEVER_CLONED static int exact_turn(int i, int j, const double *p, const double *q,
+                                       const double *r)
 {
     fmb_difference u = {q, p}, v = {r, p};
     linear us[2] = {exact_coordinate(u, i), exact_coordinate(u, j)};
@@ -168,7 +169,8 @@ static double fine_determinant(fmb_difference u, fmb_difference v, fmb_differenc
     return det.hi;
 }
 
-FMB_NEVER_CLONED static int fine_sign(fmb_difference u, fmb_difference v, fmb_difference w, double sum)
+FMB_NEVER_CLONED static int fine_sign(fmb_difference u, fmb_difference v, fmb_difference w,
+                                      double sum)
 {
     double det = fine_determinant(u, v, w);
     return fabs(det) > 0x1p-99 * sum ? (det > 0 ? 1 : -1) : exact_sign(u, v, w);
@@ -193,5 +195,22 @@ int fmb_sign_of_determinant(fmb_difference u, fmb_difference v, fmb_difference w
     }
     if (fabs(det) > 0x1p-50 * sum)
         return det > 0 ? 1 : -1;
+    return sum == 0 ? 0 : fine_sign(u, v, w, sum);
+}
+
+/* ---- planes ---------------------------------------------------------------------------------- */
+
+/* What fmb_sign_of_determinant computes of s - p, q - p, r - p, in the same order. */
+int fmb_side_of_triangle_plane(const fmb_triangle_plane *h, const double *s)
+{
+    double det = 0, sum = 0;
+    for (int k = 0; k < 3; k++) {
+        double a = s[k] - h->p[k];
+        det += a * h->normal[k];
+        sum += fabs(a) * h->size[k];
+    }
+    if (fabs(det) > 0x1p-50 * sum)
+        return det > 0 ? 1 : -1;
+    fmb_difference u = {s, h->p}, v = {h->q, h->p}, w = {h->r, h->p};
     return sum == 0 ? 0 : fine_sign(u, v, w, sum);
 }

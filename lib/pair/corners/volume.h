@@ -10,6 +10,7 @@
 #ifndef FMB_PAIR_VOLUME_H
 #define FMB_PAIR_VOLUME_H
 
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -22,6 +23,34 @@ bool fmb_is_tame(double x);
 
 /* -1, 0 or 1, the sign of det(u, v, w); all coordinates are tame. */
 int fmb_sign_of_determinant(fmb_difference u, fmb_difference v, fmb_difference w);
+
+/* The plane through p, q, r, not on a line; a normal to it, rounded, and the sums of absolute
+ * values that its coordinates are made of. */
+typedef struct fmb_triangle_plane {
+    const double *p, *q, *r;
+    double normal[3], size[3];
+} fmb_triangle_plane;
+
+static inline fmb_triangle_plane fmb_triangle_plane_of(const double *p, const double *q,
+                                                       const double *r)
+{
+    fmb_triangle_plane h = {.p = p, .q = q, .r = r};
+    double u[3], v[3];
+    for (int j = 0; j < 3; j++) {
+        u[j] = q[j] - p[j];
+        v[j] = r[j] - p[j];
+    }
+    for (int k = 0; k < 3; k++) {
+        int i = (k + 1) % 3, j = (k + 2) % 3;
+        double left = u[i] * v[j], right = u[j] * v[i];
+        h.normal[k] = left - right;
+        h.size[k] = fabs(left) + fabs(right);
+    }
+    return h;
+}
+
+/* The side on which s is: fmb_sign_of_volume(p, q, r, s). */
+int fmb_side_of_triangle_plane(const fmb_triangle_plane *h, const double *s);
 
 /* Likewise of det(q - p, r - p, the unit vector k): seen from along axis k, do p, q, r turn left?
  */
