@@ -13,8 +13,8 @@ typedef struct minors_kind {
 
 /* One frame seen from another. */
 typedef struct minors_view {
-    lane e[FMB_MINORS_MOST_DIM * FMB_MINORS_MOST];    /* [row][column] */
-    lane size[FMB_MINORS_MOST_DIM * FMB_MINORS_MOST]; /* absolute values of these */
+    lane e[(int)FMB_MINORS_MOST_DIM * (int)FMB_MINORS_MOST];    /* [row][column] */
+    lane size[(int)FMB_MINORS_MOST_DIM * (int)FMB_MINORS_MOST]; /* absolute values of these */
     lane center[FMB_MINORS_MOST_DIM];
     lane g[FMB_MINORS_MOST_DIM]; /* bounds of a row: docs/error-bounds.md */
     const lane *from;            /* minors of the level before: [rows][columns] */
