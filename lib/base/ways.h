@@ -56,6 +56,8 @@
         "double description: adjacency of simple rays by their edges")                             \
     WAY(ROUGH, "facets in doubles", "hull/facets/facets_roughly hull/facets/facets_normals",       \
         "hulls: sides of facets by doubles with an error bound")                                   \
+    WAY(SQUEEZE, "last variable", "elim/round/squeeze",                                            \
+        "elimination: the last variable by its ends, not by pairs")                                \
     WAY(TINY, "tiny systems",                                                                      \
         "elim/tiny/tiny_box elim/tiny/tiny_last elim/tiny/tiny_load elim/tiny/tiny_row "           \
         "elim/tiny/tiny elim/tiny/tiny_private",                                                   \

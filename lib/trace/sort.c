@@ -32,7 +32,7 @@ fmb_status fmb_run_sort(fmb_run *run, void *items, size_t n, size_t size, fmb_co
     fmb_status st = FMB_OK;
     for (size_t i = 0; i < n && st == FMB_OK; i += BLOCK) {
         qsort(at + i * size, n - i < BLOCK ? n - i : BLOCK, size, compare);
-        st = fmb_run_poll_now(run);
+        st = n > BLOCK ? fmb_run_poll_now(run) : FMB_OK;
     }
     if (n <= BLOCK || st != FMB_OK)
         return st;

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/ways.h"
 #include "elim/history/filter.h"
 #include "elim/round/round.h"
 #include "elim/rules/prune.h"
@@ -139,6 +140,15 @@ static fmb_status sort_rows_by_sign(fmb_elim *e, fmb_round *round, size_t *lower
     return st;
 }
 
+/* Does no row of the round name another variable? */
+static bool names_no_other_variable(const fmb_elim *e, const fmb_round *round)
+{
+    for (size_t i = 0; i < round->rows; i++)
+        if (fmb_elim_count_variables(e, &e->row[round->row[i]]) > 1)
+            return false;
+    return true;
+}
+
 /* Remove var by pairing. A variable of one sign only makes no pairs: its rows go, and histories
  * stay as they are, since the rest is what the elimination of the other variables alone would give.
  */
@@ -156,7 +166,9 @@ static fmb_status eliminate_by_pairs(fmb_elim *e, int var)
     e->since++;
     fmb_set_put(e->gone, (size_t)var);
     e->run->stats.rounds++;
-    return fmb_elim_pair(e, round);
+    bool last = names_no_other_variable(e, round) && fmb_way(FMB_WAY_SQUEEZE);
+    fmb_way_answered(FMB_WAY_SQUEEZE, last);
+    return last ? fmb_elim_squeeze(e, round, *lowers) : fmb_elim_pair(e, round);
 }
 
 /* ---- a round --------------------------------------------------------------------------------- */

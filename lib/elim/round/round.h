@@ -24,5 +24,8 @@ fmb_status fmb_elim_combine(fmb_elim *e, uint32_t p, uint32_t q, int var);
 fmb_status fmb_elim_pair(fmb_elim *e, const fmb_round *round);
 /* Is it time to pause? Notes that in e->paused. */
 bool fmb_elim_is_slice_over(fmb_elim *e);
+/* squeeze.c: the same for the last variable, when every row of the round names no other: only the
+ * tightest bounds are combined. */
+fmb_status fmb_elim_squeeze(fmb_elim *e, const fmb_round *round, size_t lowers);
 
 #endif

@@ -4,8 +4,8 @@
  * variable with the fewest pairs; pairs are refused by Kohler's rule (see rule/kohler.c), rows
  * dropped or found false over the box of the rows with one variable (rule/box.c,
  * rules/box_slack.c). When two variables are left, the pairs of one are bounds on the other, of
- * which only the tightest are kept: if any pair of bounds clashes, these do. Histories are sets of
- * at most 64 base rows: one word.
+ * which only the tightest are kept (round/squeeze.c). Histories are sets of at most 64 base rows:
+ * one word.
  *
  * Numbers stay exact: what could overflow is formed in 128 bits, and the elimination is given up
  * when a row does not fit after all. Then, and when a table is full, nothing is known.

@@ -1,4 +1,4 @@
-/* tiny_last.c: the last variable of a tiny elimination, by its tightest bounds.
+/* tiny_last.c: the last variable of a tiny elimination; see round/squeeze.c.
  *
  * Ends are fractions b / c below 2^126, compared by products of 256 bits where they must be.
  */
