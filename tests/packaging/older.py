@@ -11,7 +11,7 @@ import tempfile
 
 # A program that solves, projects and reads rows back, and a rule that the command loads.
 FILES = ("include/fmb/*.h", "docs/examples/bindings/rows.c", "docs/examples/bindings/ring.h",
-         "docs/examples/rules/same_rows.[ch]",
+         "docs/examples/rules/same_rows.[ch]", "docs/examples/rules/look_ahead.[ch]",
          "docs/examples/rules/rule_library.c", "docs/examples/breakfast.fmb")
 
 

@@ -39,7 +39,16 @@ class Way(NamedTuple):
 
 def problems(folder: str | os.PathLike[str], families: Any = None, sizes: Any = None, seeds: Any = None) -> Iterator[Problem]:
     """Those of a folder that `fmb-qualify benchmark` has written; of all families, sizes and seeds, or
-    of the given ones."""
+    of the given ones.
+
+    >>> import pathlib, tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     place = pathlib.Path(folder)
+    ...     _ = (place / "manifest.csv").write_text("name,family,size,instance,kept\\nline-1,line,1,1,0\\n")
+    ...     _ = (place / "line-1.ine").write_text("begin\\n1 2 integer\\n1 -1\\nend\\n")
+    ...     [(one.family, len(one.system)) for one in problems(folder, sizes=[1])]
+    [('line', 1)]
+    """
     place = pathlib.Path(folder)
     with open(place / "manifest.csv", encoding="utf-8", newline="") as file:
         for line in csv.DictReader(file):

@@ -16,6 +16,12 @@ typedef struct fmb_packed_plan {
 /* False: no kernel does. */
 bool fmb_packed_plan_of(const fmb_pair *k, int kind_a, int kind_b, fmb_packed_plan *out);
 
+/* Frames that are handed on at once. */
+enum { FMB_PACKED_AT_ONCE = 64 };
+
+/* What is asked of n pairs, by fmb_pair_answer_all; out is of these pairs. Errors: MEMORY. */
+fmb_status fmb_packed_answer(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
+                             const fmb_frames_pair *pair, const fmb_pair_answers *out);
 /* Verdicts of n pairs by fmb_pair_answer_all. Errors: MEMORY. */
 fmb_status fmb_packed_decide(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
                              const fmb_frames_pair *pair, fmb_verdict *out);

@@ -4,94 +4,6 @@
 #include "pair/packed/packed.h"
 #include "pair/pair_contact.h"
 
-/* ---- what queries share ---------------------------------------------------------------------- */
-
-bool fmb_packed_begin(fmb_pair *k, const fmb_frames *a, const fmb_frames *b)
-{
-    k->error[0] = '\0';
-    if (!a || !b || a->dim != k->dim || b->dim != k->dim) {
-        snprintf(k->error, sizeof k->error, "%s",
-                 !a || !b ? "a set is NULL" : "a set has another dim");
-        return false;
-    }
-    for (int i = -1; i < k->threads - 1; i++)
-        atomic_store_explicit(i < 0 ? &k->oracle.cancel : &k->workers[i]->oracle.cancel, 0,
-                              memory_order_relaxed);
-    return true;
-}
-
-fmb_status fmb_packed_do(fmb_pair *k, size_t jobs, fmb_thread_job job, void *self)
-{
-    fmb_status st = FMB_OK;
-    if (!k->running.thread)
-        st = fmb_threads_open(&k->running, &k->mem, (size_t)k->threads);
-    if (st == FMB_OK)
-        fmb_threads_do(&k->running, jobs, job, self);
-    return st;
-}
-
-fmb_pair *fmb_packed_worker(fmb_pair *k, size_t thread)
-{
-    return thread == 0 ? k : k->workers[thread - 1];
-}
-
-bool fmb_packed_plan_of(const fmb_pair *k, int a, int b, fmb_packed_plan *out)
-{
-    if (k->options.method == FMB_PAIR_EXACT || a == FMB_KIND_NONE || b == FMB_KIND_NONE)
-        return false;
-    const int naxes[2] = {fmb_kind_naxes(k->dim, a), fmb_kind_naxes(k->dim, b)};
-    const bool simplex[2] = {fmb_kind_shape(a), fmb_kind_shape(b)};
-    out->moves = ((a | b) & FMB_KIND_MOVES) != 0;
-    out->swapped = false;
-    out->shapes = FMB_PACKED_ANY;
-    if (k->dim > 3 && !(k->room && k->wide->minors &&
-                        k->wide->minors->row[out->moves][k->dim - FMB_MINORS_LEAST_DIM]))
-        return false;
-    if (naxes[0] == k->dim && naxes[1] == k->dim) {
-        out->swapped = simplex[0] && !simplex[1];
-        out->shapes = simplex[0] && simplex[1]   ? FMB_PACKED_SIMPLICES
-                      : simplex[0] || simplex[1] ? FMB_PACKED_ONE_OF_EACH
-                                                 : FMB_PACKED_CUBOIDS;
-    } else {
-        fmb_flat_kind_of(k->dim, out->moves, naxes, simplex, &out->flat);
-    }
-    return true;
-}
-
-enum { FRAMES_AT_ONCE = 64 };
-
-/* More than verdicts too; out is of these n pairs, n <= FRAMES_AT_ONCE. */
-static fmb_status answer_as_frames(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
-                                   const fmb_frames_pair *pair, const fmb_pair_answers *out)
-{
-    fmb_frame p[FRAMES_AT_ONCE], q[FRAMES_AT_ONCE];
-    for (size_t i = 0; i < n; i++) {
-        p[i] = fmb_frames_at(a, pair[i].a);
-        q[i] = fmb_frames_at(b, pair[i].b);
-    }
-    return fmb_pair_answer_all(k, n, p, q, out);
-}
-
-static fmb_status answer_all_as_frames(fmb_pair *k, const fmb_frames *a, const fmb_frames *b,
-                                       size_t n, const fmb_frames_pair *pair,
-                                       const fmb_pair_answers *out)
-{
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < n; i += FRAMES_AT_ONCE) {
-        fmb_pair_answers some = fmb_contact_answers_from(out, (size_t)k->dim, i);
-        st = answer_as_frames(k, a, b, n - i < FRAMES_AT_ONCE ? n - i : FRAMES_AT_ONCE, pair + i,
-                              &some);
-    }
-    return st;
-}
-
-fmb_status fmb_packed_decide(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
-                             const fmb_frames_pair *pair, fmb_verdict *out)
-{
-    return answer_all_as_frames(
-        k, a, b, n, pair, &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = out});
-}
-
 /* ---- verdicts of a portion ------------------------------------------------------------------- */
 
 enum { PORTION = 1024 };
@@ -107,16 +19,16 @@ typedef struct pairs_query {
 static fmb_status decide_open_pairs(fmb_pair *k, const pairs_query *x, size_t n,
                                     const fmb_frames_pair *pair, fmb_verdict *out)
 {
-    fmb_frames_pair open[FRAMES_AT_ONCE];
-    fmb_verdict is[FRAMES_AT_ONCE];
-    size_t place[FRAMES_AT_ONCE], found = 0;
+    fmb_frames_pair open[FMB_PACKED_AT_ONCE];
+    fmb_verdict is[FMB_PACKED_AT_ONCE];
+    size_t place[FMB_PACKED_AT_ONCE], found = 0;
     fmb_status st = FMB_OK;
     for (size_t i = 0; st == FMB_OK && i <= n; i++) {
         if (i < n && out[i] == FMB_UNKNOWN) {
             open[found] = pair[i];
             place[found++] = i;
         }
-        if (found < FRAMES_AT_ONCE && i < n)
+        if (found < FMB_PACKED_AT_ONCE && i < n)
             continue;
         st = fmb_packed_decide(k, x->a, x->b, found, open, is);
         for (size_t j = 0; st == FMB_OK && j < found; j++)
@@ -213,7 +125,7 @@ static fmb_status answer_portion(fmb_pair *k, const pairs_query *x, size_t from)
     }
     if (fmb_pair_answers_more(o)) {
         fmb_pair_answers some = fmb_contact_answers_from(o, (size_t)k->dim, from);
-        return answer_all_as_frames(k, x->a, x->b, n, pair, &some);
+        return fmb_packed_answer(k, x->a, x->b, n, pair, &some);
     }
     return x->a->only >= 0 && x->b->only >= 0
                ? decide_pairs_of_kinds(k, x, x->a->only, x->b->only, n, pair, o->verdict + from)

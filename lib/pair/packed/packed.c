@@ -1,0 +1,89 @@
+/* packed.c: see packed.h. */
+#include "pair/packed/packed.h"
+
+#include <stdio.h>
+
+#include "pair/pair_contact.h"
+
+bool fmb_packed_begin(fmb_pair *k, const fmb_frames *a, const fmb_frames *b)
+{
+    k->error[0] = '\0';
+    if (!a || !b || a->dim != k->dim || b->dim != k->dim) {
+        snprintf(k->error, sizeof k->error, "%s",
+                 !a || !b ? "a set is NULL" : "a set has another dim");
+        return false;
+    }
+    for (int i = -1; i < k->threads - 1; i++)
+        atomic_store_explicit(i < 0 ? &k->oracle.cancel : &k->workers[i]->oracle.cancel, 0,
+                              memory_order_relaxed);
+    return true;
+}
+
+fmb_status fmb_packed_do(fmb_pair *k, size_t jobs, fmb_thread_job job, void *self)
+{
+    fmb_status st = FMB_OK;
+    if (!k->running.thread)
+        st = fmb_threads_open(&k->running, &k->mem, (size_t)k->threads);
+    if (st == FMB_OK)
+        fmb_threads_do(&k->running, jobs, job, self);
+    return st;
+}
+
+fmb_pair *fmb_packed_worker(fmb_pair *k, size_t thread)
+{
+    return thread == 0 ? k : k->workers[thread - 1];
+}
+
+bool fmb_packed_plan_of(const fmb_pair *k, int a, int b, fmb_packed_plan *out)
+{
+    if (k->options.method == FMB_PAIR_EXACT || a == FMB_KIND_NONE || b == FMB_KIND_NONE)
+        return false;
+    const int naxes[2] = {fmb_kind_naxes(k->dim, a), fmb_kind_naxes(k->dim, b)};
+    const bool simplex[2] = {fmb_kind_shape(a), fmb_kind_shape(b)};
+    out->moves = ((a | b) & FMB_KIND_MOVES) != 0;
+    out->swapped = false;
+    out->shapes = FMB_PACKED_ANY;
+    if (k->dim > 3 && !(k->room && k->wide->minors &&
+                        k->wide->minors->row[out->moves][k->dim - FMB_MINORS_LEAST_DIM]))
+        return false;
+    if (naxes[0] == k->dim && naxes[1] == k->dim) {
+        out->swapped = simplex[0] && !simplex[1];
+        out->shapes = simplex[0] && simplex[1]   ? FMB_PACKED_SIMPLICES
+                      : simplex[0] || simplex[1] ? FMB_PACKED_ONE_OF_EACH
+                                                 : FMB_PACKED_CUBOIDS;
+    } else {
+        fmb_flat_kind_of(k->dim, out->moves, naxes, simplex, &out->flat);
+    }
+    return true;
+}
+
+/* More than verdicts too; out is of these n pairs, n <= FMB_PACKED_AT_ONCE. */
+static fmb_status answer_as_frames(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
+                                   const fmb_frames_pair *pair, const fmb_pair_answers *out)
+{
+    fmb_frame p[FMB_PACKED_AT_ONCE], q[FMB_PACKED_AT_ONCE];
+    for (size_t i = 0; i < n; i++) {
+        p[i] = fmb_frames_at(a, pair[i].a);
+        q[i] = fmb_frames_at(b, pair[i].b);
+    }
+    return fmb_pair_answer_all(k, n, p, q, out);
+}
+
+fmb_status fmb_packed_answer(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
+                             const fmb_frames_pair *pair, const fmb_pair_answers *out)
+{
+    fmb_status st = FMB_OK;
+    for (size_t i = 0; st == FMB_OK && i < n; i += FMB_PACKED_AT_ONCE) {
+        fmb_pair_answers some = fmb_contact_answers_from(out, (size_t)k->dim, i);
+        st = answer_as_frames(k, a, b, n - i < FMB_PACKED_AT_ONCE ? n - i : FMB_PACKED_AT_ONCE,
+                              pair + i, &some);
+    }
+    return st;
+}
+
+fmb_status fmb_packed_decide(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,
+                             const fmb_frames_pair *pair, fmb_verdict *out)
+{
+    return fmb_packed_answer(k, a, b, n, pair,
+                             &(fmb_pair_answers){.size = sizeof(fmb_pair_answers), .verdict = out});
+}
