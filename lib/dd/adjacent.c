@@ -189,7 +189,7 @@ static fmb_status find_by_edges(fmb_cone *c, fmb_run *run, fmb_adjacency *p, siz
     return FMB_OK;
 }
 
-/* Look at all rays of the larger side. */
+/* Look at all rays of the larger side. A single one with many near rays may take long. */
 static fmb_status find_by_unions(fmb_cone *c, fmb_run *run, fmb_adjacency *p, uint32_t a,
                                  size_t most)
 {
@@ -206,8 +206,10 @@ static fmb_status find_by_unions(fmb_cone *c, fmb_run *run, fmb_adjacency *p, ui
         bool adjacent = simple || fmb_is_simple(&of, b);
         if (!adjacent && !p->near.ready)
             st = gather_near_rays(c, run, p, a, most);
-        if (!adjacent)
+        if (!adjacent) {
             fmb_run_count(run, 20 + p->near.planes.count * p->near.planes.words / 8);
+            st = st == FMB_OK ? fmb_run_poll(run) : st;
+        }
         if (adjacent || (st == FMB_OK && !is_third_ray_between(c, p, a, b)))
             p->found[p->founds++] = b;
     }
