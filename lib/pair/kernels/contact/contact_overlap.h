@@ -38,15 +38,8 @@ FMB_INLINE lane contact_of_cuboids(int dim, const flat_pair *p, const lane *midd
 FMB_INLINE lane contact_of_any(int dim, const fmb_flat_kind *k, const flat_pair *p, const lane *n,
                                lane *side)
 {
-    lane away = local_frame_dot(dim, n, p->shift);
-    flat_span a = flat_span_of_side(dim, &k->side[0], p->direction, n);
-    flat_span b = flat_span_of_side(dim, &k->side[1], p->direction + FMB_FLAT_MOST_EDGES, n);
-    if (k->moves) {
-        lane along = local_frame_dot(dim, n, p->direction[FMB_FLAT_DRIFT]);
-        b.low = b.low + lane_min(along, lane_of(0));
-        b.high = b.high + lane_max(along, lane_of(0));
-    }
-    lane forth = a.high - (away + b.low), back = (away + b.high) - a.low;
+    flat_spans s = flat_spans_along(dim, k, p, n);
+    lane forth = s.a.high - (s.away + s.b.low), back = (s.away + s.b.high) - s.a.low;
     *side = back - forth;
     return lane_min(forth, back);
 }

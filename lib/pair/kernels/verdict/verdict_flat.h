@@ -101,17 +101,30 @@ FMB_INLINE flat_span flat_span_of_side(int dim, const fmb_flat_side *s, const la
     return out;
 }
 
-FMB_INLINE lane flat_gap(int dim, const fmb_flat_kind *k, const flat_pair *p, const lane *n)
+/* Both sides along n, each from its origin; the second one with its drift. */
+typedef struct flat_spans {
+    lane away; /* from the first origin to the second */
+    flat_span a, b;
+} flat_spans;
+
+FMB_INLINE flat_spans flat_spans_along(int dim, const fmb_flat_kind *k, const flat_pair *p,
+                                       const lane *n)
 {
-    lane away = local_frame_dot(dim, n, p->shift);
-    flat_span a = flat_span_of_side(dim, &k->side[0], p->direction, n);
-    flat_span b = flat_span_of_side(dim, &k->side[1], p->direction + FMB_FLAT_MOST_EDGES, n);
+    flat_spans s = {local_frame_dot(dim, n, p->shift),
+                    flat_span_of_side(dim, &k->side[0], p->direction, n),
+                    flat_span_of_side(dim, &k->side[1], p->direction + FMB_FLAT_MOST_EDGES, n)};
     if (k->moves) {
         lane along = local_frame_dot(dim, n, p->direction[FMB_FLAT_DRIFT]);
-        b.low = b.low + lane_min(along, lane_of(0));
-        b.high = b.high + lane_max(along, lane_of(0));
+        s.b.low = s.b.low + lane_min(along, lane_of(0));
+        s.b.high = s.b.high + lane_max(along, lane_of(0));
     }
-    return lane_max((away + b.low) - a.high, (a.low - away) - b.high);
+    return s;
+}
+
+FMB_INLINE lane flat_gap(int dim, const fmb_flat_kind *k, const flat_pair *p, const lane *n)
+{
+    flat_spans s = flat_spans_along(dim, k, p, n);
+    return lane_max((s.away + s.b.low) - s.a.high, (s.a.low - s.away) - s.b.high);
 }
 
 /* The normal number i, and the product of the sizes that it is made of. */
