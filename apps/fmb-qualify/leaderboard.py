@@ -1,5 +1,7 @@
 """Who is ahead in an experiment (`fmb-qualify run`): a page of Markdown, from its lines of CSV alone.
-usage: leaderboard.py RUNS.csv PAGE.md
+usage: leaderboard.py PAGE.md RUNS.csv [ENTRY.csv...]
+
+Entries are ways that were counted elsewhere on the same problems, within the same limit of rows (fmb.lab.experiment).
 
 What was stopped by a limit is worse than all that was decided, and equal to what was stopped as well: so ranks and medians stand as
 they are, however high the limit would have been. A way with a wrong answer is out, with the system that shows it."""
@@ -32,6 +34,9 @@ class Way:
             return np.inf
         return float(line[measure]) + (measure != "seconds")
 
+    def is_timed(self):
+        return any(line["timed"] != "no" for line in self.main().values())
+
     def solved(self):
         return sum(line["outcome"] == "decided" for line in self.main().values())
 
@@ -57,6 +62,32 @@ def gather(lines):
     return list(ways.values()), list(problems)
 
 
+def same_way(line):
+    return line["method"], line["rules"], line["order"], line["evidence"]
+
+
+def entry(path, runs):
+    """The lines of ways that are not in `runs`. The problems have to be its problems, within its limit of rows; and where a way is
+    in both, its counts have to be the same, or something else was counted."""
+    known = {(same_way(line), tuple(line[name] for name in PROBLEM)): line for line in runs}
+    ways, limits = {way for way, _ in known}, {line["max_rows"] for line in runs}
+    problems = {problem for _, problem in known}
+    new = []
+    for line in read(path):
+        way, problem = same_way(line), tuple(line[name] for name in PROBLEM)
+        where = f"fmb-qualify: {path}: {line['rules']}, {line['order']} on {'-'.join(problem[:3])}"
+        if problem not in problems:
+            sys.exit(f"{where}: no problem of the runs beside which it is to stand")
+        if line["max_rows"] not in limits:
+            sys.exit(f"{where}: {line['max_rows']} rows at most, expected {', '.join(sorted(limits))}")
+        same = known.get((way, problem), line)
+        if way not in ways:
+            new.append(line)
+        elif line["outcome"] == same["outcome"] == "decided" and line["made"] != same["made"]:
+            sys.exit(f"{where}: {line['made']} rows made, expected {same['made']}")
+    return new
+
+
 def rank(ways, problems, measure):
     """Mean rank among these ways, and the median of the factor over the least of them; infinite where half are not solved."""
     costs = np.array([[way.cost(problem, measure) for problem in problems] for way in ways])
@@ -79,11 +110,14 @@ def table(heads, rows):
 
 
 def elimination(ways, problems):
+    for way in ways:
+        way.rank["seconds"] = way.factor["seconds"] = np.nan
     for measure in MEASURES:
-        rank(ways, problems, measure)
+        rank([way for way in ways if measure != "seconds" or way.is_timed()], problems, measure)
     rows = []
-    for place, way in enumerate(sorted(ways, key=lambda way: (way.rank["made"], way.rank["seconds"])), 1):
-        cells = [f"{number(way.rank[measure])} ({number(way.factor[measure])})" for measure in MEASURES]
+    for place, way in enumerate(sorted(ways, key=lambda way: (way.rank["made"], way.rank["held"])), 1):
+        cells = [f"{number(way.rank[measure])} ({number(way.factor[measure])})" if way.is_timed() or measure != "seconds" else "–"
+                 for measure in MEASURES]
         rows.append([str(place), way.rules.replace(",", ", "), way.order, str(way.solved()), *cells, number(way.price())])
     return table(["", "rules", "order", "solved", *MEASURES.values(), "proofs"], rows)
 
@@ -91,7 +125,7 @@ def elimination(ways, problems):
 def methods(ways, problems):
     """Each method, elimination in the way that is first by time, beside the others."""
     others = [way for way in ways if way.method != "fm"]
-    rules = sorted((way for way in ways if way.method == "fm"), key=lambda way: way.rank["seconds"])
+    rules = sorted((way for way in ways if way.method == "fm" and way.is_timed()), key=lambda way: way.rank["seconds"])
     if not others or not rules:
         return ""
     shown = [rules[0], *others]
@@ -118,9 +152,9 @@ def disqualified(ways):
     return "\n## Disqualified\n" + text if text else "\n## Disqualified\n\nNobody: there was no wrong answer.\n"
 
 
-def main(path, page):
+def main(page, path, *entries):
     lines = read(path)
-    ways, problems = gather(lines)
+    ways, problems = gather(lines + [line for other in entries for line in entry(other, lines)])
     good = [way for way in ways if not way.wrong()]
     rules = [way for way in good if way.method == "fm"]
     facts = {key: ", ".join(sorted({line[key] for line in lines})) for key in
@@ -136,6 +170,6 @@ def main(path, page):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
+    if len(sys.argv) < 3:
         sys.exit(__doc__)
-    main(sys.argv[1], sys.argv[2])
+    main(*sys.argv[1:])

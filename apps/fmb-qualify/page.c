@@ -237,7 +237,8 @@ int qualify_page_close(qualify_page *g)
     size_t studies = json_array_size(g->studies);
     if (g->folder && studies > 0) {
         note_mistake(g, qualify_folder_write(g->folder, "report.json", put_json, all));
-        if (qualify_render("report.py", g->folder, NULL) == QUALIFY_NOT_RENDERED)
+        if (qualify_render("report.py", (const char *const[]){g->folder, NULL}) ==
+            QUALIFY_NOT_RENDERED)
             note_mistake(g, app_error(APP_INTERNAL,
                                       "report.html and the figures of %s could not be made",
                                       g->folder));

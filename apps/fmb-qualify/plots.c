@@ -1,12 +1,18 @@
 /* plots.c: fmb-qualify plots and leaderboard: what Python makes of the CSV of an experiment. */
 #include <argp.h>
+#include <limits.h>
+#include <stdlib.h>
 #include <unistd.h>
 
 #include "common/message.h"
+#include "common/need.h"
 #include "fmb-qualify/render.h"
 
+/* What a script is given: where it puts what it makes, and files of CSV, as many as it takes. */
 typedef struct wanted {
-    const char *runs, *out;
+    const char *out;
+    const char **arguments; /* [count, then NULL]: out, runs, runs ... */
+    int count, most;
 } wanted;
 
 static const struct argp_option plots_options[] = {
@@ -23,12 +29,12 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         w->out = arg;
         return 0;
     case ARGP_KEY_ARG:
-        if (w->runs)
+        if (w->count == w->most)
             argp_error(state, "expected one file of CSV, found '%s'", arg);
-        w->runs = arg;
+        w->arguments[w->count++] = arg;
         return 0;
     case ARGP_KEY_END:
-        if (!w->runs)
+        if (w->count == 1)
             argp_error(state, "expected a file of CSV");
         return 0;
     default:
@@ -45,30 +51,38 @@ static const char plots_doc[] =
 
 static const char leaderboard_doc[] =
     "Rank the rules and orders that `fmb-qualify run` left in a file of CSV: by rows made, by the "
-    "most rows at once, by time, and by "
-    "what proofs cost; in Markdown. Wrong answers disqualify. It needs Python with matplotlib, "
-    "numpy and scipy.";
+    "most rows at once, by time, and by what proofs cost; in Markdown. Further files are entries "
+    "beside it, as fmb.lab.experiment of Python writes them, ranked without a time. Wrong answers "
+    "disqualify. It needs Python with matplotlib, numpy and scipy.";
 
 /* What a script makes of the CSV goes to a place that has a usual name. */
 static int render(int argc, char **argv, const struct argp *whole_line, const char *script,
-                  const char *usual)
+                  wanted w)
 {
-    wanted w = {.out = usual};
+    int code = APP_YES;
+    w.arguments = app_need(calloc((size_t)argc + 2, sizeof *w.arguments));
+    w.count = 1;
     argp_parse(whole_line, argc, argv, 0, NULL, &w);
-    if (access(w.runs, R_OK) != 0)
-        return app_error(APP_CANNOT_OPEN, "%s: cannot be read", w.runs);
-    return qualify_render(script, w.runs, w.out) == QUALIFY_RENDERED ? APP_YES : APP_INTERNAL;
+    w.arguments[0] = w.out;
+    for (int i = 1; code == APP_YES && i < w.count; i++)
+        if (access(w.arguments[i], R_OK) != 0)
+            code = app_error(APP_CANNOT_OPEN, "%s: cannot be read", w.arguments[i]);
+    if (code == APP_YES && qualify_render(script, w.arguments) != QUALIFY_RENDERED)
+        code = APP_INTERNAL;
+    free(w.arguments);
+    return code;
 }
 
 int qualify_plots(int argc, char **argv)
 {
     const struct argp whole_line = {plots_options, parse, "RUNS.csv", plots_doc, NULL, NULL, NULL};
-    return render(argc, argv, &whole_line, "plots.py", "fmb-plots");
+    return render(argc, argv, &whole_line, "plots.py", (wanted){.out = "fmb-plots", .most = 2});
 }
 
 int qualify_leaderboard(int argc, char **argv)
 {
     const struct argp whole_line = {
-        leaderboard_options, parse, "RUNS.csv", leaderboard_doc, NULL, NULL, NULL};
-    return render(argc, argv, &whole_line, "leaderboard.py", "leaderboard.md");
+        leaderboard_options, parse, "RUNS.csv [ENTRY.csv...]", leaderboard_doc, NULL, NULL, NULL};
+    return render(argc, argv, &whole_line, "leaderboard.py",
+                  (wanted){.out = "leaderboard.md", .most = INT_MAX});
 }

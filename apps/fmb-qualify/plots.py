@@ -1,6 +1,6 @@
 """What an experiment (`fmb-qualify run`) found, to be looked at: from its lines of CSV alone, a figure each for the
 field's questions as SVG and PNG, a table in LaTeX, and report.html, which holds them all.
-usage: plots.py RUNS.csv FOLDER
+usage: plots.py FOLDER RUNS.csv
 
 A run that was stopped by a limit is censored: it counts as not solved, in comparisons of pairs as worse than every
 run that was decided, and as equal to another that was stopped. Nothing is left out."""
@@ -335,4 +335,4 @@ def main(path, folder):
 if __name__ == "__main__":
     if len(sys.argv) != 3:
         sys.exit(__doc__)
-    main(sys.argv[1], pathlib.Path(sys.argv[2]))
+    main(sys.argv[2], pathlib.Path(sys.argv[1]))

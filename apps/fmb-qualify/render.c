@@ -37,20 +37,34 @@ static char *find_script(const char *name)
 
 /* In a group of its own the child outlives a Ctrl-C that is meant for us: what is measured is to be
  * drawn. */
-static _Noreturn void become_python(const char *script, const char *const argument[2])
+static _Noreturn void become_python(char **words)
 {
     setpgid(0, 0);
-    execlp("python3", "python3", "-B", script, argument[0], argument[1], (char *)NULL);
+    execvp(words[0], words);
     _exit(errno == ENOENT ? NOT_FOUND : NOT_STARTED);
 }
 
-static qualify_rendered run_script(const char *script, const char *const argument[2])
+/* [give, free()] `python3 -B SCRIPT ARGUMENT...`, as execvp takes it. */
+static char **words_of(const char *script, const char *const *arguments)
+{
+    size_t count = 0;
+    while (arguments[count])
+        count++;
+    const char **words = app_need(calloc(count + 4, sizeof *words));
+    words[0] = "python3";
+    words[1] = "-B";
+    words[2] = script;
+    memcpy(words + 3, arguments, count * sizeof *words);
+    return (char **)words;
+}
+
+static qualify_rendered run_script(char **words)
 {
     int status = 0;
     fflush(NULL);
     pid_t child = fork();
     if (child == 0)
-        become_python(script, argument);
+        become_python(words);
     while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
         continue;
     if (child > 0 && WIFEXITED(status) && WEXITSTATUS(status) == NOT_FOUND)
@@ -58,19 +72,33 @@ static qualify_rendered run_script(const char *script, const char *const argumen
     return child > 0 && status == 0 ? QUALIFY_RENDERED : QUALIFY_NOT_RENDERED;
 }
 
-qualify_rendered qualify_render(const char *name, const char *first, const char *second)
+static void tell_command(char **words)
+{
+    char *text = NULL;
+    size_t length;
+    FILE *line = app_need(open_memstream(&text, &length));
+    for (size_t i = 0; words[i]; i++)
+        fprintf(line, "%s%s", i ? " " : "", words[i]);
+    fclose(line);
+    app_error(0,
+              "python3 is not installed: report.html and the figures are missing; with it, `%s` "
+              "makes them",
+              app_need(text));
+    free(text);
+}
+
+qualify_rendered qualify_render(const char *name, const char *const *arguments)
 {
     char *script = find_script(name);
-    qualify_rendered how = QUALIFY_NO_SCRIPT;
-    if (script)
-        how = run_script(script, (const char *const[2]){first, second});
-    if (how == QUALIFY_NO_PYTHON)
-        app_error(0,
-                  "python3 is not installed: report.html and the figures are missing; with it, "
-                  "`python3 %s %s%s%s` makes them",
-                  script, first, second ? " " : "", second ? second : "");
-    if (how == QUALIFY_NO_SCRIPT)
+    if (!script) {
         app_error(0, "%s is not installed: report.html and the figures are missing", name);
+        return QUALIFY_NO_SCRIPT;
+    }
+    char **words = words_of(script, arguments);
+    qualify_rendered how = run_script(words);
+    if (how == QUALIFY_NO_PYTHON)
+        tell_command(words);
+    free(words);
     free(script);
     return how;
 }

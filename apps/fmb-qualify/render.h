@@ -10,8 +10,8 @@ typedef enum qualify_rendered {
     QUALIFY_NOT_RENDERED /* the script failed, and said why */
 } qualify_rendered;
 
-/* Run the script of that name with one argument, or two; second may be NULL. */
-qualify_rendered qualify_render(const char *name, const char *first, const char *second);
+/* Run the script of that name with these arguments, behind the last of which stands NULL. */
+qualify_rendered qualify_render(const char *name, const char *const *arguments);
 
 /* fmb-qualify plots, fmb-qualify leaderboard. */
 int qualify_plots(int argc, char **argv);

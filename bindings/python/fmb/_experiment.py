@@ -31,10 +31,14 @@ class Problem(NamedTuple):
 
 
 class Way(NamedTuple):
-    """Rules and an order, as Solver takes them."""
+    """Rules and an order, as Solver takes them; `"default"`: the rules that it takes without a word."""
 
     rules: Any = "none"
     order: Any = "pairs"
+
+    def solver(self, **options: Any) -> Solver:
+        """Which works in this way."""
+        return Solver(rules=None if self.rules == "default" else self.rules, order=self.order, **options)
 
 
 def problems(folder: str | os.PathLike[str], families: Any = None, sizes: Any = None, seeds: Any = None) -> Iterator[Problem]:
@@ -83,9 +87,10 @@ def name_of(word: Any) -> str:
     return str(getattr(word, "name", None) or getattr(word, "__name__", word)).replace("_", "-")
 
 
-def run(problem: Problem, way: Way, truth: str | None, asked: Callable[..., tuple[str | None, Any]],
-        **options: Any) -> dict[str, Any]:
-    """One line. `truth` is what is right, None if it is not known; `asked` asks."""
+def run(problem: Problem, way: Way, kept: tuple[str, ...] | None, truth: str | None,
+        asked: Callable[..., tuple[str | None, Any]], **options: Any) -> dict[str, Any]:
+    """One line. `kept` are the variables of the projection that is asked for, None for the verdict; `truth`
+    is what is right, None if it is not known; `asked` asks."""
     rounds = _Rounds()
     line: dict[str, Any] = dict.fromkeys(COLUMNS, "")
     line.update(plan="python", family=problem.family, size=problem.size, seed=problem.seed, digits=0, density=100,
@@ -95,9 +100,7 @@ def run(problem: Problem, way: Way, truth: str | None, asked: Callable[..., tupl
                 max_seconds=options.get("max_seconds", 0), timed="no", passes=0, seconds=0,
                 version=text(lib.fmb_version()))
     try:
-        solver = Solver(progress=rounds.put, rules=way.rules, order=way.order, **options)
-        kept = problem.system.names[:problem.kept]
-        said, answer = asked(solver, problem.system, kept or None)
+        said, answer = asked(way.solver(progress=rounds.put, **options), problem.system, kept)
     except RuleError:
         line.update(outcome="refused")
         return line

@@ -200,7 +200,8 @@ def experiment(ways: Iterable[Any], of: Iterable[Problem], out: str | os.PathLik
     """Eliminate in each of the ways, `{"rules": [mine, "kohler"], "order": mine}` or rules alone, and
     count. A dict for each run, with the columns of `fmb-qualify run` (docs/laboratory.md; no time is
     taken); with `out`, a file of CSV, too, for `fmb-qualify plots`. Problems are those of a folder that
-    `fmb-qualify benchmark` wrote, `problems(folder, sizes=[1])`, or one's own. Every answer is held
+    `fmb-qualify benchmark` wrote, `problems(folder, sizes=[1])`, or one's own; where nothing satisfies
+    one, the verdict is what is asked for, as a projection would begin with that. Every answer is held
     against one that another method found and proved; where that finds none within its limit of 20
     seconds, the answer is believed. Of a wrong one, `system` is the smallest system that shows it.
 
@@ -218,10 +219,12 @@ def experiment(ways: Iterable[Any], of: Iterable[Problem], out: str | os.PathLik
         kept = problem.system.names[:problem.kept] or None
         said, answer = _asked(truths, problem.system, kept)
         truth = said if said is not None and answer.proof.check() else None
+        if truth is not None and answer.feasible is False:
+            kept, truth = None, "infeasible"
         for way in _experiment.ways_of(ways):
-            line: dict[str, Any] = {**_experiment.run(problem, way, truth, _asked, **options), "block": block}
+            line: dict[str, Any] = {**_experiment.run(problem, way, kept, truth, _asked, **options), "block": block}
             if line["outcome"] == "wrong":
-                solver = Solver(rules=way.rules, order=way.order, **options)
+                solver = way.solver(**options)
                 small = _smaller(problem.system, lambda s: _Bench(solver, solver).is_wrong(s, kept))
                 line["system"] = "; ".join(str(small).splitlines())
             lines.append(line)

@@ -61,6 +61,13 @@ class Experiments(unittest.TestCase):
             (2, "kohler", "pairs", "solve"), (2, "none", "last-one", "solve")])
         self.assertEqual({r["outcome"] for r in runs}, {"decided"})
 
+    def test_infeasible(self):
+        """Where nothing satisfies a system the verdict is asked for, by the rules of the library, too, as in `fmb-qualify run`."""
+        apart = lab.Problem("apart", 0, 1, fmb.System(THIN + "; x + y + z <= -1"), 1)
+        runs = lab.experiment(["none", "default"], [apart], presolve="none")
+        self.assertEqual([(run["outcome"], run["verdict"], run["question"]) for run in runs], [("decided", "infeasible", "project")] * 2)
+        self.assertTrue(all(run["made"] > 0 for run in runs))
+
     def test_wrong(self):
         """The liar's answer is wrong, and shown by a system without a row too many."""
         (run,) = lab.experiment([liar], [lab.Problem("thin", 0, 1, fmb.System(THIN), 1)], presolve="none")

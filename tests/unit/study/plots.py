@@ -29,6 +29,29 @@ def run(*words):
                           env={**os.environ, "PATH": "/usr/bin:" + os.environ["PATH"], "MPLCONFIGDIR": str(home)})
 
 
+def write(name, lines):
+    with open(home / name, "w", encoding="utf-8", newline="") as f:
+        writer = csv.DictWriter(f, lines[0])
+        writer.writeheader()
+        writer.writerows(lines)
+    return home / name
+
+
+def entries(lines):
+    """Rules that were counted elsewhere have a place, without a time; counts that are others, and other problems, are refused."""
+    counted = [{**line, "rules": "mine", "timed": "no", "plan": "python"} for line in lines if line["rules"] == "kohler"]
+    again = [{**line, "timed": "no"} for line in lines if line["rules"] == "none"]
+    page = home / "entry.md"
+    made = run("leaderboard", home / "runs.csv", write("entry.csv", counted + again), "-o", page)
+    rows = dict(re.findall(r"^\| \d+ \| ([\w, ]+) \| \w+ \| (.*) \|$", page.read_text(), re.M)) if made.returncode == 0 else {}
+    cells = {name: row.split(" | ") for name, row in rows.items()}
+    expect(cells and cells["mine"][:3] == cells["kohler"][:3] and cells["mine"][3] == "–" != cells["kohler"][3], f"entry: {made} {cells}")
+    other = next(line for line in again if line["outcome"] == "decided")
+    for wrong in ({"made": int(other["made"]) + 1}, {"family": "mine"}, {"max_rows": 5}):
+        refused = run("leaderboard", home / "runs.csv", write("wrong.csv", [{**other, **wrong}]), "-o", home / "none.md")
+        expect(refused.returncode == 70 and "wrong.csv: none" in refused.stderr and not (home / "none.md").exists(), f"{wrong}: {refused}")
+
+
 def leaderboard(decided):
     """Of what was found above; then with an answer turned wrong, whose rules are out."""
     page, system = home / "page.md", "vars: x;x <= 1;x >= 2;"
@@ -42,6 +65,7 @@ def leaderboard(decided):
     expect(("kohler", "pairs", str(decided)) in places and places[-1][0] == "none", f"places: {places}")
     expect("nan" not in text and "Nobody" in text, "leaderboard: who is out?")
     lines = list(csv.DictReader((home / "runs.csv").open(newline="")))
+    entries(lines)
     liar = next(line for line in lines if line["rules"] == "kohler,box")
     liar.update(outcome="wrong", system=system)
     with lzma.open(home / "lies.csv.xz", "wt", newline="") as f:
