@@ -5,8 +5,11 @@
  * first b a / |a|^2; the cube around 0 reaches first its corner with the signs of a, at half width
  * b / (|a_1| + |a_2| + ...). An equality among the rows of M, which then is flat, is a facet at
  * depth 0.
+ *
+ * In the plane and in space the normals of facets are known without a projection.
  */
 #include "num/rationals.h"
+#include "proximity/least_overlap.h"
 #include "proximity/proximity_private.h"
 #include "system/system_private.h"
 
@@ -81,70 +84,101 @@ static bool holds_origin(const fmb_system *facets)
     return holds;
 }
 
+/* ---- by projection --------------------------------------------------------------------------- */
+
 /* The facets of M. They are not wanted with evidence: it would be about a system that nobody sees.
  */
-static fmb_status find_facets(fmb_solver *v, const fmb_two *two, fmb_system **out, fmb_result *res)
+static fmb_status find_facets(fmb_solver *v, fmb_minkowski *m, fmb_system **out, fmb_result *res)
 {
-    fmb_minkowski m;
     fmb_system *s = NULL;
-    int dim = fmb_two_dim(two);
     fmb_evidence_kept wanted = v->options.evidence;
-    int *keep = fmb_mem_get(&v->mem, (size_t)dim, sizeof *keep);
-    fmb_status st = fmb_minkowski_init(&m, two, &v->mem);
-    if (!keep)
-        st = fmb_mem_status(&v->mem);
-    for (int j = 0; keep && j < dim; j++)
+    int *keep = fmb_mem_get(&v->mem, (size_t)m->dim, sizeof *keep);
+    fmb_status st = keep ? fmb_minkowski_system(m, &v->mem.alloc, &s) : fmb_mem_status(&v->mem);
+    for (int j = 0; keep && j < m->dim; j++)
         keep[j] = j;
-    if (st == FMB_OK)
-        st = fmb_minkowski_system(&m, &v->mem.alloc, &s);
-    fmb_minkowski_clear(&m);
     v->options.evidence = FMB_EVIDENCE_NONE;
     if (st == FMB_OK)
-        st = fmb_project(v, s, keep, dim, out, res);
+        st = fmb_project(v, s, keep, m->dim, out, res);
     v->options.evidence = wanted;
     v->answered = false;
     fmb_system_free(s);
-    fmb_mem_put(&v->mem, keep, (size_t)dim, sizeof *keep);
+    fmb_mem_put(&v->mem, keep, (size_t)m->dim, sizeof *keep);
     return st;
 }
 
-static fmb_status find_depth(fmb_solver *v, const fmb_two *two, fmb_norm norm, fmb_proximity **out,
-                             fmb_result *res)
+static fmb_status ask_facets(fmb_solver *v, fmb_minkowski *m, fmb_proximity *out, fmb_result *res)
 {
     fmb_system *facets = NULL;
-    fmb_proximity *p = NULL;
-    fmb_result r = {.size = sizeof r};
-    fmb_status st = fmb_two_expect(v, two, out != NULL, res);
-    if (st == FMB_OK && (unsigned)norm > FMB_NORM_MAX)
-        st = fmb_solver_refuse(v, FMB_ERR_ARG, "norm is %d, which is none", (int)norm);
+    fmb_status st = find_facets(v, m, &facets, res);
     if (st != FMB_OK)
         return st;
-    st = find_facets(v, two, &facets, &r);
-    if (st != FMB_OK)
-        return st;
-    r.verdict = r.stop != FMB_STOP_DONE ? FMB_UNKNOWN
-                : holds_origin(facets)  ? FMB_FEASIBLE
-                                        : FMB_INFEASIBLE;
-    if (r.verdict == FMB_FEASIBLE)
-        st = fmb_proximity_new(fmb_two_dim(two), norm, &v->mem.alloc, &p);
-    if (p)
-        find_least_depth(facets, p);
-    if (st == FMB_OK) {
-        *out = p;
-        fmb_result_give(res, &r);
-    }
+    res->verdict = res->stop != FMB_STOP_DONE ? FMB_UNKNOWN
+                   : holds_origin(facets)     ? FMB_FEASIBLE
+                                              : FMB_INFEASIBLE;
+    if (res->verdict == FMB_FEASIBLE)
+        find_least_depth(facets, out);
     fmb_system_free(facets);
+    return FMB_OK;
+}
+
+/* ---- by normals ------------------------------------------------------------------------------ */
+
+/* Along the normal n of a facet the translation is overlap n / |n|^2, or in the other norm the
+ * corner of a cube: n is then signs alone, and |n| the sum of its coordinates. */
+static void write_least_overlap(const fmb_minkowski *m, fmb_least_overlap *x, fmb_proximity *out)
+{
+    mpq_t step;
+    mpq_init(step);
+    mpz_set(mpq_numref(step), x->overlap);
+    mpz_mul(mpq_denref(step), x->size, m->unit);
+    mpq_canonicalize(step);
+    mpq_set(out->measure, step);
+    if (out->norm == FMB_NORM_EUCLIDEAN) {
+        mpq_set_z(out->measure, x->size);
+        mpq_mul(out->measure, out->measure, step);
+        mpq_mul(out->measure, out->measure, step);
+    }
+    for (int j = 0; j < m->dim; j++) {
+        if (out->norm == FMB_NORM_MAX)
+            mpz_set_si(x->normal[j], mpz_sgn(x->normal[j]));
+        mpq_set_z(out->shift[j], x->normal[j]);
+        mpq_mul(out->shift[j], out->shift[j], step);
+    }
+    mpq_clear(step);
+}
+
+/* Where 0 is on the boundary of M, or M is flat, the nearest point of M tells which. */
+static fmb_status answer_by_normals(fmb_minkowski *m, fmb_run *run, fmb_proximity *out,
+                                    fmb_verdict *verdict)
+{
+    fmb_least_overlap x;
+    fmb_status st = FMB_OK;
+    fmb_least_overlap_init(&x);
+    fmb_find_least_overlap(m, out->norm, &x);
+    int sign = mpz_sgn(x.overlap);
+    *verdict = sign < 0 ? FMB_INFEASIBLE : FMB_FEASIBLE;
+    if (sign > 0)
+        write_least_overlap(m, &x, out);
+    if (sign == 0)
+        st = fmb_find_nearest(m, run, NULL, verdict);
+    fmb_least_overlap_clear(&x);
     return st;
+}
+
+static fmb_status ask_depth(fmb_solver *v, fmb_minkowski *m, fmb_proximity *out, fmb_result *res)
+{
+    return fmb_has_normals(m) ? fmb_proximity_ask(v, m, "depth", answer_by_normals, out, res)
+                              : ask_facets(v, m, out, res);
 }
 
 fmb_status fmb_depth(fmb_solver *v, const fmb_frame *f, fmb_norm norm, fmb_proximity **out,
                      fmb_result *res)
 {
-    return find_depth(v, &(fmb_two){.f = f}, norm, out, res);
+    return fmb_proximity_find(v, &(fmb_two){.f = f}, norm, false, ask_depth, out, res);
 }
 
 fmb_status fmb_depth_q(fmb_solver *v, const fmb_frame_q *f, fmb_norm norm, fmb_proximity **out,
                        fmb_result *res)
 {
-    return find_depth(v, &(fmb_two){.q = f}, norm, out, res);
+    return fmb_proximity_find(v, &(fmb_two){.q = f}, norm, false, ask_depth, out, res);
 }

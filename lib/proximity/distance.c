@@ -3,28 +3,6 @@
 #include "proximity/proximity_private.h"
 #include "system/system_private.h"
 
-/* ---- Euclidean ------------------------------------------------------------------------------- */
-
-/* The query is about a system without rows, which every query has. */
-static fmb_status ask_nearest(fmb_solver *v, fmb_minkowski *m, fmb_proximity *out, fmb_result *res)
-{
-    fmb_system *none = NULL;
-    fmb_query q;
-    fmb_status st = fmb_system_new(m->dim, &v->mem.alloc, &none);
-    if (st != FMB_OK)
-        return st;
-    fmb_verdict verdict = FMB_UNKNOWN;
-    st = fmb_query_begin(&q, v, none, "distance");
-    if (st == FMB_OK)
-        st = fmb_find_nearest(m, &q.run, out);
-    if (st == FMB_OK)
-        verdict = mpq_sgn(out->measure) == 0 ? FMB_FEASIBLE : FMB_INFEASIBLE;
-    st = fmb_query_end(&q, st, verdict, res);
-    v->answered = false;
-    fmb_system_free(none);
-    return st;
-}
-
 /* ---- in the norm of the largest coordinate --------------------------------------------------- */
 
 /* m_j <= s and -m_j <= s for the variable s behind all others. */
@@ -116,42 +94,21 @@ static fmb_status ask_smallest_cube(fmb_solver *v, fmb_minkowski *m, fmb_proximi
 
 /* ---- the verb -------------------------------------------------------------------------------- */
 
-static fmb_status find_distance(fmb_solver *v, const fmb_two *two, fmb_norm norm,
-                                fmb_proximity **out, fmb_result *res)
+static fmb_status ask_distance(fmb_solver *v, fmb_minkowski *m, fmb_proximity *out, fmb_result *res)
 {
-    fmb_minkowski m;
-    fmb_proximity *p = NULL;
-    fmb_result r = {.size = sizeof r};
-    fmb_status st = fmb_two_expect(v, two, out != NULL, res);
-    if (st == FMB_OK && (unsigned)norm > FMB_NORM_MAX)
-        st = fmb_solver_refuse(v, FMB_ERR_ARG, "norm is %d, which is none", (int)norm);
-    if (st != FMB_OK)
-        return st;
-    st = fmb_minkowski_init(&m, two, &v->mem);
-    if (st == FMB_OK)
-        st = fmb_proximity_new(m.dim, norm, &v->mem.alloc, &p);
-    if (st == FMB_OK)
-        st = norm == FMB_NORM_EUCLIDEAN ? ask_nearest(v, &m, p, &r)
-                                        : ask_smallest_cube(v, &m, p, &r);
-    fmb_minkowski_clear(&m);
-    bool known = st == FMB_OK && r.verdict != FMB_UNKNOWN;
-    if (st == FMB_OK) {
-        *out = known ? p : NULL;
-        fmb_result_give(res, &r);
-    }
-    if (!known)
-        fmb_proximity_free(p);
-    return st;
+    return out->norm == FMB_NORM_EUCLIDEAN
+               ? fmb_proximity_ask(v, m, "distance", fmb_find_nearest, out, res)
+               : ask_smallest_cube(v, m, out, res);
 }
 
 fmb_status fmb_distance(fmb_solver *v, const fmb_frame *f, fmb_norm norm, fmb_proximity **out,
                         fmb_result *res)
 {
-    return find_distance(v, &(fmb_two){.f = f}, norm, out, res);
+    return fmb_proximity_find(v, &(fmb_two){.f = f}, norm, true, ask_distance, out, res);
 }
 
 fmb_status fmb_distance_q(fmb_solver *v, const fmb_frame_q *f, fmb_norm norm, fmb_proximity **out,
                           fmb_result *res)
 {
-    return find_distance(v, &(fmb_two){.q = f}, norm, out, res);
+    return fmb_proximity_find(v, &(fmb_two){.q = f}, norm, true, ask_distance, out, res);
 }

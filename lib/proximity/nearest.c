@@ -256,14 +256,19 @@ static void write_nearest(wolfe *w, fmb_proximity *out)
     }
 }
 
-fmb_status fmb_find_nearest(fmb_minkowski *m, fmb_run *run, fmb_proximity *out)
+fmb_status fmb_find_nearest(fmb_minkowski *m, fmb_run *run, fmb_proximity *out,
+                            fmb_verdict *verdict)
 {
     wolfe w;
     fmb_status st = open_wolfe(&w, m, run);
     if (st == FMB_OK)
         st = find_nearest_corral(&w);
-    if (st == FMB_OK)
+    if (st == FMB_OK && out)
         write_nearest(&w, out);
+    if (st == FMB_OK) {
+        fmb_minkowski_dot(m, w.direction, w.direction, w.a);
+        *verdict = mpz_sgn(w.a) == 0 ? FMB_FEASIBLE : FMB_INFEASIBLE;
+    }
     close_wolfe(&w);
     return st;
 }

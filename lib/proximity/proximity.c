@@ -39,6 +39,54 @@ void fmb_proximity_free(fmb_proximity *p)
     fmb_mem_put(&mem, p, 1, sizeof *p);
 }
 
+/* ---- how it is asked ------------------------------------------------------------------------- */
+
+fmb_status fmb_proximity_ask(fmb_solver *v, fmb_minkowski *m, const char *name,
+                             fmb_proximity_answer *answer, fmb_proximity *out, fmb_result *res)
+{
+    fmb_system *none = NULL;
+    fmb_query q;
+    fmb_status st = fmb_system_new(m->dim, &v->mem.alloc, &none);
+    if (st != FMB_OK)
+        return st;
+    fmb_verdict verdict = FMB_UNKNOWN;
+    st = fmb_query_begin(&q, v, none, name);
+    if (st == FMB_OK)
+        st = answer(m, &q.run, out, &verdict);
+    st = fmb_query_end(&q, st, verdict, res);
+    v->answered = false;
+    fmb_system_free(none);
+    return st;
+}
+
+fmb_status fmb_proximity_find(fmb_solver *v, const fmb_two *two, fmb_norm norm, bool apart,
+                              fmb_proximity_way *way, fmb_proximity **out, fmb_result *res)
+{
+    fmb_minkowski m;
+    fmb_proximity *p = NULL;
+    fmb_result r = {.size = sizeof r};
+    fmb_status st = fmb_two_expect(v, two, out != NULL, res);
+    if (st == FMB_OK && (unsigned)norm > FMB_NORM_MAX)
+        st = fmb_solver_refuse(v, FMB_ERR_ARG, "norm is %d, which is none", (int)norm);
+    if (st != FMB_OK)
+        return st;
+    st = fmb_minkowski_init(&m, two, &v->mem);
+    if (st == FMB_OK)
+        st = fmb_proximity_new(m.dim, norm, &v->mem.alloc, &p);
+    if (st == FMB_OK)
+        st = way(v, &m, p, &r);
+    fmb_minkowski_clear(&m);
+    bool found =
+        st == FMB_OK && (r.verdict == FMB_FEASIBLE || (apart && r.verdict == FMB_INFEASIBLE));
+    if (st == FMB_OK) {
+        *out = found ? p : NULL;
+        fmb_result_give(res, &r);
+    }
+    if (!found)
+        fmb_proximity_free(p);
+    return st;
+}
+
 /* ---- what it says ---------------------------------------------------------------------------- */
 
 static bool is_coordinate(const fmb_proximity *p, int j)

@@ -20,8 +20,23 @@ struct fmb_proximity {
 /* [give] All zeros. Errors: MEMORY. */
 fmb_status fmb_proximity_new(int dim, fmb_norm norm, const fmb_alloc *mem, fmb_proximity **out);
 
-/* nearest.c: the point of M nearest to 0, as distance, points, shift and time. Errors: MEMORY,
- * LIMIT. */
-fmb_status fmb_find_nearest(fmb_minkowski *m, fmb_run *run, fmb_proximity *out);
+/* An answer about M, given all zeros. Errors: MEMORY. */
+typedef fmb_status fmb_proximity_way(fmb_solver *v, fmb_minkowski *m, fmb_proximity *out,
+                                     fmb_result *res);
+/* [give] What the public verbs hand out; only of frames that meet unless apart. Errors: ARG,
+ * MEMORY. */
+fmb_status fmb_proximity_find(fmb_solver *v, const fmb_two *two, fmb_norm norm, bool apart,
+                              fmb_proximity_way *way, fmb_proximity **out, fmb_result *res);
+
+/* The same within a query of that name, which is about a system without rows. Errors: MEMORY,
+ * LIMIT.
+ */
+typedef fmb_status fmb_proximity_answer(fmb_minkowski *m, fmb_run *run, fmb_proximity *out,
+                                        fmb_verdict *verdict);
+fmb_status fmb_proximity_ask(fmb_solver *v, fmb_minkowski *m, const char *name,
+                             fmb_proximity_answer *answer, fmb_proximity *out, fmb_result *res);
+
+/* nearest.c: the point of M nearest to 0, as distance, points, shift and time; out may be NULL. */
+fmb_proximity_answer fmb_find_nearest;
 
 #endif

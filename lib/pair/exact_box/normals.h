@@ -1,4 +1,4 @@
-/* normals.h: verdicts on pairs in the plane and in space, exactly: the normals of kernels/flat.h in
+/* normals.h: verdicts on pairs in the plane and in space, exactly: the normals of frame/flat.h in
  * doubles, and in integers (wide.h) where doubles are not certain.
  */
 #ifndef FMB_PAIR_NORMALS_H

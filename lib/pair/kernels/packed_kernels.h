@@ -6,7 +6,7 @@
 #ifndef FMB_PAIR_KERNELS_PACKED_KERNELS_H
 #define FMB_PAIR_KERNELS_PACKED_KERNELS_H
 
-#include "pair/kernels/flat.h"
+#include "frame/flat.h"
 #include "pair/kernels/pair_kernels.h"
 
 /* The verdict kernel of frames with any number of axes; rows of missing axes are not looked at. */

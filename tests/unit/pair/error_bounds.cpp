@@ -202,7 +202,7 @@ static void count_minors(int dim, bool moves)
 
 /* ---- verdicts: any axes ---------------------------------------------------------------------- */
 
-#include "pair/kernels/flat.c"
+#include "pair/frame/flat.c"
 #include "pair/kernels/verdict/verdict_flat.h"
 
 /* Directions of any size; differences of axes are rounded, and so are shift and drift. */

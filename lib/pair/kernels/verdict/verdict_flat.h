@@ -12,7 +12,7 @@
 #ifndef FMB_PAIR_VERDICT_FLAT_H
 #define FMB_PAIR_VERDICT_FLAT_H
 
-#include "pair/kernels/flat.h"
+#include "frame/flat.h"
 #include "pair/kernels/verdict/verdict_gaps.h"
 
 /* A gap is off by this many u times the reach and the sizes of the directions of its normal. */

@@ -1,5 +1,5 @@
 /* flat.c: see flat.h. */
-#include "pair/kernels/flat.h"
+#include "frame/flat.h"
 
 static void add_normal(fmb_flat_kind *k, int first, int second)
 {

@@ -9,8 +9,8 @@
  *
  * Source: Gottschalk, Lin and Manocha 1996, for any faces.
  */
-#ifndef FMB_PAIR_FLAT_H
-#define FMB_PAIR_FLAT_H
+#ifndef FMB_FRAME_FLAT_H
+#define FMB_FRAME_FLAT_H
 
 #include <stdbool.h>
 #include <stdint.h>
