@@ -151,7 +151,8 @@ typedef struct fmb_mesh_answer {
     size_t size; /* sizeof(fmb_mesh_answer) */
     size_t hits;
     fmb_mesh_hit *hit; /* [hits] by a, then b */
-    uint64_t tested;   /* pairs of cells whose boxes meet; without trees, all pairs */
+    uint64_t tested;   /* pairs of cells whose boxes, rounded outward to floats, meet; without
+                          trees, all pairs */
     uint64_t framed;   /* of those, decided as frames */
     fmb_stop stop;     /* DONE; CANCELLED, TIME, BYTES: hits are some of those there are */
     size_t capacity;   /* of hit, with the allocator that it came from */

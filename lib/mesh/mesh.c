@@ -206,6 +206,7 @@ void fmb_mesh_free(fmb_mesh *m)
     fmb_mem_put(&mem, m->same, m->vertices, sizeof *m->same);
     fmb_mem_put(&mem, m->faults, m->cells, sizeof *m->faults);
     fmb_mem_put(&mem, m->order, m->cells, sizeof *m->order);
+    fmb_mem_put(&mem, m->box, m->cells, sizeof *m->box);
     fmb_mem_put(&mem, m->node, m->nodes, sizeof *m->node);
     fmb_mem_put(&mem, m, 1, sizeof *m);
 }

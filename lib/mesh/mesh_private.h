@@ -7,12 +7,8 @@
 #include <fmb/mesh.h>
 
 #include "base/mem.h"
+#include "mesh/box.h"
 #include "pair/corners/cell.h"
-
-/* An axis-aligned box; all of its numbers are coordinates of vertices, unrounded. */
-typedef struct fmb_mesh_box {
-    double lower[3], upper[3];
-} fmb_mesh_box;
 
 /* Most cells of a leaf. */
 enum { FMB_MESH_LEAF_CELLS = 4 };
@@ -31,13 +27,14 @@ struct fmb_mesh {
     fmb_mem mem;
     int corners;
     size_t vertices, cells;
-    double *point;    /* [vertices][3] */
-    uint32_t *same;   /* [vertices] the first vertex at the same point */
-    uint32_t *corner; /* [cells][corners] */
-    uint32_t *face;   /* [cells] where in its file, or NULL */
-    uint8_t *faults;  /* [cells] FLAT: its corners lie in a line (of a tetrahedron: in a plane);
-                          WILD: a coordinate is not tame (pair/corners/volume.h) */
-    uint32_t *order;  /* [cells] of the tree */
+    double *point;     /* [vertices][3] */
+    uint32_t *same;    /* [vertices] the first vertex at the same point */
+    uint32_t *corner;  /* [cells][corners] */
+    uint32_t *face;    /* [cells] where in its file, or NULL */
+    uint8_t *faults;   /* [cells] FLAT: its corners lie in a line (of a tetrahedron: in a plane);
+                           WILD: a coordinate is not tame (pair/corners/volume.h) */
+    uint32_t *order;   /* [cells] of the tree */
+    fmb_mesh_box *box; /* [cells] around cell order[i] */
     fmb_mesh_node *node;
     size_t nodes;
 };
@@ -59,7 +56,7 @@ fmb_status fmb_mesh_new_of_faces(int corners, size_t vertices, const double *poi
                                  const uint32_t *corner, const uint32_t *face, const fmb_alloc *mem,
                                  fmb_mesh **out);
 
-/* Build m->order and m->node. Errors: MEMORY. */
+/* Build m->order, m->box and m->node. Errors: MEMORY. */
 fmb_status fmb_mesh_grow_tree(fmb_mesh *m);
 
 /* out[v] = the first vertex, of `other` and then of m, at the point of vertex v of m; those of m

@@ -1,130 +1,159 @@
 /* tree.c: boxes over boxes: each node halves its cells at the median along the widest extent of
  * their middles. Ties are broken by number, so that the tree is the same everywhere.
  */
-#include <math.h>
+#include <string.h>
 
 #include "mesh/mesh_private.h"
 
-static fmb_mesh_box box_of_nothing(void)
+/* The least and the greatest coordinates of a cell. */
+static void find_ends_of_cell(const fmb_mesh *m, size_t c, double lower[3], double upper[3])
 {
-    return (fmb_mesh_box){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-}
-
-static void extend_box(fmb_mesh_box *b, const double *p)
-{
+    const uint32_t *corner = m->corner + c * (size_t)m->corners;
     for (int j = 0; j < 3; j++) {
-        b->lower[j] = p[j] < b->lower[j] ? p[j] : b->lower[j];
-        b->upper[j] = p[j] > b->upper[j] ? p[j] : b->upper[j];
+        lower[j] = upper[j] = m->point[3 * (size_t)corner[0] + (size_t)j];
+        for (int k = 1; k < m->corners; k++) {
+            double x = m->point[3 * (size_t)corner[k] + (size_t)j];
+            lower[j] = x < lower[j] ? x : lower[j];
+            upper[j] = x > upper[j] ? x : upper[j];
+        }
     }
 }
 
-static void extend_box_by_cell(const fmb_mesh *m, size_t c, fmb_mesh_box *b)
+/* A cell while the tree grows: the middle of its box in floats, as where cells are cut apart need
+ * not be known well, each as an integer in the same order. */
+typedef struct placed_cell {
+    uint32_t middle[3], cell;
+} placed_cell;
+
+enum { SIGN_SHIFT = 31 };
+
+/* Of the bits of a float: negative ones are turned round, others are put behind them. */
+static uint32_t order_of_float(float x)
 {
-    for (int k = 0; k < m->corners; k++)
-        extend_box(b, m->point + 3 * (size_t)m->corner[c * (size_t)m->corners + (size_t)k]);
+    uint32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits ^ (bits >> SIGN_SHIFT ? UINT32_MAX : UINT32_C(1) << SIGN_SHIFT);
 }
 
-/* The tree while it grows. */
-typedef struct grower {
-    fmb_mesh *m;
-    float *middle; /* [cells][3]: where cells are cut apart need not be known well */
-} grower;
-
-static bool is_before(const grower *g, int axis, uint32_t a, uint32_t b)
+static float float_of_order(uint32_t order)
 {
-    float of_a = g->middle[3 * (size_t)a + (size_t)axis];
-    float of_b = g->middle[3 * (size_t)b + (size_t)axis];
-    return of_a < of_b || (of_a == of_b && a < b);
+    uint32_t bits = order ^ (order >> SIGN_SHIFT ? UINT32_C(1) << SIGN_SHIFT : UINT32_MAX);
+    float x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
 }
 
-static void swap_cells(uint32_t *a, uint32_t *b)
+/* No two cells have one key. */
+static uint64_t key_of_cell(const placed_cell *c, int axis)
 {
-    uint32_t t = *a;
+    return (uint64_t)c->middle[axis] << 32 | c->cell;
+}
+
+static void swap_cells(placed_cell *a, placed_cell *b)
+{
+    placed_cell t = *a;
     *a = *b;
     *b = t;
 }
 
-/* The middle one of first, centre and last. */
-static uint32_t pick_pivot(const grower *g, int axis, uint32_t a, uint32_t b, uint32_t c)
+/* The middle one of three becomes the last one. */
+static void move_pivot_to_end(int axis, placed_cell *a, placed_cell *b, placed_cell *last)
 {
-    if (is_before(g, axis, b, a))
-        swap_cells(&a, &b);
-    return is_before(g, axis, c, a) ? a : is_before(g, axis, c, b) ? c : b;
+    uint64_t of_a = key_of_cell(a, axis), of_b = key_of_cell(b, axis);
+    uint64_t of_last = key_of_cell(last, axis);
+    if ((of_a < of_b) == (of_b < of_last))
+        swap_cells(b, last);
+    else if ((of_b < of_a) == (of_a < of_last))
+        swap_cells(a, last);
 }
 
-/* Hoare's quickselect: the cells before `nth` of order[from .. to) are those that belong there. */
-static void select_median(const grower *g, int axis, size_t from, size_t to, size_t nth)
+/* Hoare's quickselect: the cells before `nth` of list[from .. to) are those that belong there. A
+ * pass (Lomuto's) has no branch that depends on a key, as half of these would be foretold wrong. */
+static void select_median(placed_cell *list, int axis, size_t from, size_t to, size_t nth)
 {
-    uint32_t *order = g->m->order;
     while (to - from > 1) {
-        uint32_t pivot =
-            pick_pivot(g, axis, order[from], order[from + (to - from) / 2], order[to - 1]);
-        size_t i = from, j = to - 1;
-        for (;;) {
-            while (is_before(g, axis, order[i], pivot))
-                i++;
-            while (is_before(g, axis, pivot, order[j]))
-                j--;
-            if (i >= j)
-                break;
-            swap_cells(&order[i++], &order[j--]);
+        placed_cell *last = &list[to - 1];
+        move_pivot_to_end(axis, &list[from], &list[from + (to - from) / 2], last);
+        uint64_t pivot = key_of_cell(last, axis);
+        size_t below = from;
+        for (size_t i = from; i < to - 1; i++) {
+            placed_cell c = list[i];
+            list[i] = list[below];
+            list[below] = c;
+            below += key_of_cell(&c, axis) < pivot;
         }
-        if (nth < i)
-            to = i;
-        else if (nth > j)
-            from = j + 1;
+        swap_cells(&list[below], last);
+        if (nth < below)
+            to = below;
+        else if (nth > below)
+            from = below + 1;
         else
             return;
     }
 }
 
-static int widest_axis(const grower *g, size_t from, size_t to)
+static int widest_axis(const placed_cell *list, size_t from, size_t to)
 {
-    fmb_mesh_box b = box_of_nothing();
+    uint32_t lower[3] = {UINT32_MAX, UINT32_MAX, UINT32_MAX}, upper[3] = {0, 0, 0};
+    float widest = 0;
     int best = 0;
-    for (size_t i = from; i < to; i++) {
-        const float *middle = g->middle + 3 * (size_t)g->m->order[i];
-        extend_box(&b, (double[3]){middle[0], middle[1], middle[2]});
+    for (size_t i = from; i < to; i++)
+        for (int j = 0; j < 3; j++) {
+            uint32_t x = list[i].middle[j];
+            lower[j] = x < lower[j] ? x : lower[j];
+            upper[j] = x > upper[j] ? x : upper[j];
+        }
+    for (int j = 0; j < 3; j++) {
+        float width = float_of_order(upper[j]) - float_of_order(lower[j]);
+        best = width > widest ? j : best;
+        widest = width > widest ? width : widest;
     }
-    for (int j = 1; j < 3; j++)
-        if (b.upper[j] - b.lower[j] > b.upper[best] - b.lower[best])
-            best = j;
     return best;
 }
 
-/* Node k, which stands, and all below it. */
-static void grow_node(const grower *g, size_t k)
+/* A leaf takes its cells over, as they are in the list now. */
+static void fill_leaf(fmb_mesh *m, fmb_mesh_node *n, const placed_cell *list)
 {
-    fmb_mesh *m = g->m;
+    double lower[3], upper[3];
+    n->left = 0;
+    for (size_t i = n->from; i < n->to; i++) {
+        find_ends_of_cell(m, list[i].cell, lower, upper);
+        m->order[i] = list[i].cell;
+        m->box[i] = fmb_mesh_box_around(lower, upper);
+        n->box = fmb_mesh_box_join(n->box, m->box[i]);
+    }
+}
+
+/* Node k, which stands, and all below it. */
+static void grow_node(fmb_mesh *m, placed_cell *list, size_t k)
+{
     fmb_mesh_node *n = &m->node[k];
-    n->box = box_of_nothing();
+    n->box = fmb_mesh_box_of_nothing();
     if (n->to - n->from <= FMB_MESH_LEAF_CELLS) {
-        n->left = 0;
-        for (size_t i = n->from; i < n->to; i++)
-            extend_box_by_cell(m, m->order[i], &n->box);
+        fill_leaf(m, n, list);
         return;
     }
     uint32_t half = n->from + (n->to - n->from) / 2;
-    select_median(g, widest_axis(g, n->from, n->to), n->from, n->to, half);
+    select_median(list, widest_axis(list, n->from, n->to), n->from, n->to, half);
     n->left = (uint32_t)m->nodes;
     m->nodes += 2;
     fmb_mesh_node *child = &m->node[n->left];
     child[0] = (fmb_mesh_node){.from = n->from, .to = half};
     child[1] = (fmb_mesh_node){.from = half, .to = n->to};
     for (int i = 0; i < 2; i++) {
-        grow_node(g, n->left + (size_t)i);
-        extend_box(&n->box, child[i].box.lower);
-        extend_box(&n->box, child[i].box.upper);
+        grow_node(m, list, n->left + (size_t)i);
+        n->box = fmb_mesh_box_join(n->box, child[i].box);
     }
 }
 
-static void find_middles(const grower *g)
+static void place_cells(const fmb_mesh *m, placed_cell *list)
 {
-    for (size_t c = 0; c < g->m->cells; c++) {
-        fmb_mesh_box b = box_of_nothing();
-        extend_box_by_cell(g->m, c, &b);
+    double lower[3], upper[3];
+    for (size_t c = 0; c < m->cells; c++) {
+        find_ends_of_cell(m, c, lower, upper);
+        list[c].cell = (uint32_t)c;
         for (int j = 0; j < 3; j++)
-            g->middle[3 * c + (size_t)j] = (float)(b.lower[j] / 2 + b.upper[j] / 2);
+            list[c].middle[j] = order_of_float((float)(lower[j] / 2 + upper[j] / 2));
     }
 }
 
@@ -132,23 +161,21 @@ fmb_status fmb_mesh_grow_tree(fmb_mesh *m)
 {
     /* Halves of at least FMB_MESH_LEAF_CELLS / 2 + 1 cells. */
     size_t most = 2 * (m->cells / (FMB_MESH_LEAF_CELLS / 2) + 1);
-    grower g = {.m = m};
     fmb_status st = FMB_OK;
     m->order = fmb_mem_get(&m->mem, m->cells, sizeof *m->order);
+    m->box = fmb_mem_get(&m->mem, m->cells, sizeof *m->box);
     m->node = fmb_mem_get(&m->mem, most, sizeof *m->node);
     m->nodes = m->node ? most : 0;
-    g.middle = fmb_mem_get(&m->mem, 3 * m->cells, sizeof *g.middle);
-    if (m->order && m->node && g.middle) {
-        for (size_t c = 0; c < m->cells; c++)
-            m->order[c] = (uint32_t)c;
-        find_middles(&g);
+    placed_cell *list = fmb_mem_get(&m->mem, m->cells, sizeof *list);
+    if (m->order && m->box && m->node && list) {
+        place_cells(m, list);
         m->node[0] = (fmb_mesh_node){.from = 0, .to = (uint32_t)m->cells};
         m->nodes = 1;
-        grow_node(&g, 0);
+        grow_node(m, list, 0);
         m->nodes = most;
     } else {
         st = fmb_mem_status(&m->mem);
     }
-    fmb_mem_put(&m->mem, g.middle, 3 * m->cells, sizeof *g.middle);
+    fmb_mem_put(&m->mem, list, m->cells, sizeof *list);
     return st;
 }

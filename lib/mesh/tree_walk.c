@@ -1,44 +1,5 @@
-/* tree_walk.c: see tree_walk.h.
- *
- * A box that moves sweeps the box around its first and its last place, rounded outward.
- */
+/* tree_walk.c: see tree_walk.h. */
 #include "mesh/tree_walk.h"
-
-#include <math.h>
-
-/* ---- boxes ----------------------------------------------------------------------------------- */
-
-static fmb_mesh_box sweep_box(const fmb_mesh_box *b, const double *motion)
-{
-    fmb_mesh_box s = *b;
-    for (int j = 0; motion && j < 3; j++) {
-        double *end = motion[j] < 0 ? &s.lower[j] : &s.upper[j];
-        if (motion[j] != 0)
-            *end = nextafter(*end + motion[j], motion[j] < 0 ? -INFINITY : INFINITY);
-    }
-    return s;
-}
-
-static bool do_boxes_meet(const fmb_mesh_box *p, const fmb_mesh_box *q)
-{
-    return p->lower[0] <= q->upper[0] && q->lower[0] <= p->upper[0] && p->lower[1] <= q->upper[1] &&
-           q->lower[1] <= p->upper[1] && p->lower[2] <= q->upper[2] && q->lower[2] <= p->upper[2];
-}
-
-static fmb_mesh_box box_of_cell(const fmb_mesh *m, size_t c)
-{
-    const uint32_t *corner = m->corner + c * (size_t)m->corners;
-    fmb_mesh_box b;
-    for (int j = 0; j < 3; j++) {
-        b.lower[j] = b.upper[j] = m->point[3 * (size_t)corner[0] + (size_t)j];
-        for (int k = 1; k < m->corners; k++) {
-            double x = m->point[3 * (size_t)corner[k] + (size_t)j];
-            b.lower[j] = x < b.lower[j] ? x : b.lower[j];
-            b.upper[j] = x > b.upper[j] ? x : b.upper[j];
-        }
-    }
-    return b;
-}
 
 /* ---- pairs of cells -------------------------------------------------------------------------- */
 
@@ -124,10 +85,9 @@ static void list_cells(const fmb_mesh *m, const fmb_mesh_node *n, const double *
 {
     out->size = 0;
     for (uint32_t i = n->from; i < n->to; i++) {
-        fmb_mesh_box box = box_of_cell(m, m->order[i]);
-        out->box[out->size] = motion ? sweep_box(&box, motion) : box;
+        out->box[out->size] = fmb_mesh_box_sweep(m->box[i], motion);
         out->cell[out->size] = m->order[i];
-        out->size += do_boxes_meet(&out->box[out->size], other);
+        out->size += fmb_mesh_boxes_meet(&out->box[out->size], other);
     }
 }
 
@@ -145,14 +105,14 @@ static fmb_status meet_cells(fmb_tree_walk *x, uint32_t c, uint32_t d)
 static fmb_status meet_leaves(fmb_tree_walk *x, const fmb_mesh_node *p, const fmb_mesh_node *q)
 {
     const double *motion = x->plan->o->motion;
-    fmb_mesh_box swept = sweep_box(&q->box, motion);
+    fmb_mesh_box swept = fmb_mesh_box_sweep(q->box, motion);
     fmb_status st = FMB_OK;
     leaf_cells a, b;
     list_cells(x->plan->a, p, NULL, &swept, &a);
     list_cells(x->plan->b, q, motion, &p->box, &b);
     for (int i = 0; i < a.size; i++)
         for (int j = p == q ? i + 1 : 0; st == FMB_OK && j < b.size; j++)
-            if (do_boxes_meet(&a.box[i], &b.box[j]))
+            if (fmb_mesh_boxes_meet(&a.box[i], &b.box[j]))
                 st = meet_cells(x, a.cell[i], b.cell[j]);
     return st;
 }
@@ -161,9 +121,9 @@ static fmb_status meet_leaves(fmb_tree_walk *x, const fmb_mesh_node *p, const fm
 static fmb_status meet_nodes(fmb_tree_walk *x, const fmb_mesh_node *p, const fmb_mesh_node *q,
                              double weight)
 {
-    fmb_mesh_box swept = sweep_box(&q->box, x->plan->o->motion);
+    fmb_mesh_box swept = fmb_mesh_box_sweep(q->box, x->plan->o->motion);
     fmb_status st = FMB_OK;
-    if (!do_boxes_meet(&p->box, &swept))
+    if (!fmb_mesh_boxes_meet(&p->box, &swept))
         return note_progress(x, weight);
     if (!p->left && !q->left) {
         st = meet_leaves(x, p, q);

@@ -19,12 +19,17 @@
 #include "pair/corners/cell.h"
 #include "pair/corners/volume.h"
 
-/* On which side of b's plane the corners of a are: -1, 0, 1. */
-static void find_sides_of_plane(const fmb_cell *a, const fmb_cell *b, int side[3])
+static fmb_triangle_plane plane_of_cell(const fmb_cell *c)
 {
-    fmb_triangle_plane h = fmb_triangle_plane_of(b->point[0], b->point[1], b->point[2]);
+    return fmb_triangle_plane_of(c->point[0], c->point[1], c->point[2]);
+}
+
+/* On which side of h, b's plane, the corners of a are: -1, 0, 1. */
+static void find_sides_of_plane(const fmb_cell *a, const fmb_cell *b, const fmb_triangle_plane *h,
+                                int side[3])
+{
     for (int i = 0; i < 3; i++)
-        side[i] = fmb_cell_has(b, a->id[i]) ? 0 : fmb_side_of_triangle_plane(&h, a->point[i]);
+        side[i] = fmb_cell_has(b, a->id[i]) ? 0 : fmb_side_of_triangle_plane(h, a->point[i]);
 }
 
 static bool are_all_equal(const int side[3], int value)
@@ -93,6 +98,15 @@ static fmb_mesh_how decide_across_planes(const fmb_cell *a, const int *side_a, c
 
 /* ---- one plane ------------------------------------------------------------------------------- */
 
+/* On which side of edge i of a is corner j of b: -1, 0, 1? Corners that both have need no turn. */
+static int side_of_edge(int k, const fmb_cell *a, int i, const fmb_cell *b, int j)
+{
+    int next = (i + 1) % 3;
+    if (b->id[j] == a->id[i] || b->id[j] == a->id[next])
+        return 0;
+    return fmb_sign_of_turn(k, a->point[i], a->point[next], b->point[j]);
+}
+
 /* 1: an edge of a has all of b strictly outside; 0: outside or on it; -1: no edge has. */
 static int separate_by_edges(int k, const fmb_cell *a, const fmb_cell *b)
 {
@@ -100,7 +114,7 @@ static int separate_by_edges(int k, const fmb_cell *a, const fmb_cell *b)
     for (int i = 0; i < 3; i++) {
         int least = 1;
         for (int j = 0; j < 3 && least > best; j++) {
-            int out = -inner * fmb_sign_of_turn(k, a->point[i], a->point[(i + 1) % 3], b->point[j]);
+            int out = -inner * side_of_edge(k, a, i, b, j);
             least = out < least ? out : least;
         }
         best = least > best ? least : best;
@@ -138,13 +152,14 @@ static bool have_edges_on_one_ray(int k, const fmb_cell *a, const fmb_cell *b)
 }
 
 /* In the plane, convex polygons with interiors that do not meet are separated by the line of an
- * edge; strictly, if they are apart. */
+ * edge; strictly, if they are apart, which they are not with a corner in common. */
 static fmb_mesh_how decide_in_plane(const fmb_cell *a, const fmb_cell *b, int shared)
 {
     int k = 0;
     while (k < 2 && fmb_sign_of_turn(k, a->point[0], a->point[1], a->point[2]) == 0)
         k++;
-    int of_a = separate_by_edges(k, a, b), of_b = of_a > 0 ? 1 : separate_by_edges(k, b, a);
+    int of_a = separate_by_edges(k, a, b);
+    int of_b = of_a > 0 || (of_a == 0 && shared > 0) ? of_a : separate_by_edges(k, b, a);
     if (of_a > 0 || of_b > 0)
         return FMB_MESH_APART;
     if (of_a < 0 && of_b < 0)
@@ -153,20 +168,53 @@ static fmb_mesh_how decide_in_plane(const fmb_cell *a, const fmb_cell *b, int sh
     return only_shared ? FMB_MESH_SHARE : FMB_MESH_TOUCH;
 }
 
+/* ---- neighbours ------------------------------------------------------------------------------ */
+
+/* The axis along which most of a triangle in this plane is seen, by a rounded normal. */
+static int steepest_axis(const fmb_triangle_plane *h)
+{
+    int k = fabs(h->normal[1]) > fabs(h->normal[0]) ? 1 : 0;
+    return fabs(h->normal[2]) > fabs(h->normal[k]) ? 2 : k;
+}
+
+/* Seen along axis k, which is not in the plane of a, all of b but the common corners is strictly on
+ * the other side of an edge of a. Then no other point is common: one would be seen on the line of
+ * the edge, where the corners alone are of b. Most neighbours in a mesh are told by this, those in
+ * one plane among them, for which volumes are 0 and take long.
+ */
+static bool is_beyond_an_edge(int k, const fmb_cell *a, const fmb_cell *b, int shared)
+{
+    int inner = fmb_sign_of_turn(k, a->point[0], a->point[1], a->point[2]);
+    for (int i = 0; inner != 0 && i < 3; i++) {
+        int beyond = 0;
+        if (fmb_cell_has(b, a->id[i]) + fmb_cell_has(b, a->id[(i + 1) % 3]) < shared)
+            continue;
+        for (int j = 0; j < 3; j++)
+            beyond += !fmb_cell_has(a, b->id[j]) && side_of_edge(k, a, i, b, j) == -inner;
+        if (beyond == 3 - shared)
+            return true;
+    }
+    return false;
+}
+
 /* ---- both ------------------------------------------------------------------------------------ */
 
 /* Two common corners and two planes: the common points are those of the common edge. */
 fmb_mesh_how fmb_decide_triangles(const fmb_cell *a, const fmb_cell *b, int shared)
 {
     int side_a[3], side_b[3];
-    find_sides_of_plane(b, a, side_b);
+    fmb_triangle_plane of_a = plane_of_cell(a);
+    if ((shared == 1 || shared == 2) && is_beyond_an_edge(steepest_axis(&of_a), a, b, shared))
+        return FMB_MESH_SHARE;
+    find_sides_of_plane(b, a, &of_a, side_b);
     if (side_b[0] != 0 && are_all_equal(side_b, side_b[0]))
         return FMB_MESH_APART;
     if (are_all_equal(side_b, 0))
         return decide_in_plane(a, b, shared);
     if (shared == 2)
         return FMB_MESH_SHARE;
-    find_sides_of_plane(a, b, side_a);
+    fmb_triangle_plane of_b = plane_of_cell(b);
+    find_sides_of_plane(a, b, &of_b, side_a);
     if (side_a[0] != 0 && are_all_equal(side_a, side_a[0]))
         return FMB_MESH_APART;
     return decide_across_planes(a, side_a, b, side_b, shared);

@@ -423,6 +423,32 @@ Test(meet, all_pairs)
     fmb_mesh_free(n);
 }
 
+/* Boxes are of floats, and cells of doubles that floats cannot tell apart, or not hold. */
+Test(meet, scales)
+{
+    static const double scale[] = {0x1p-1040, 0x1p-148, 0x1p-126, 1.0 / 3,
+                                   0x1p125,   0x1p127,  0x1p1000};
+    for (size_t i = 0; i < sizeof scale / sizeof *scale; i++) {
+        support_rng g = {21};
+        soup s, t;
+        draw_soup(&g, 3, 24, &s);
+        draw_soup(&g, 3, 24, &t);
+        double motion[3] = {0.3 * scale[i], -3 * scale[i], 1.25 * scale[i]};
+        for (int k = 0; k < 3 * VERTICES; k++) {
+            s.point[k] = (s.point[k] - (i % 2 ? 2.5 : 0)) * scale[i];
+            t.point[k] = (t.point[k] - (i % 2 ? 2.5 : 0)) * scale[i] * (1 + 0x1p-50);
+        }
+        fmb_mesh *m = mesh_of(&s), *n = mesh_of(&t);
+        fmb_mesh_options o = {.size = sizeof o, .neighbours = true};
+        compare_pairs_with_trees(m, NULL, &o);
+        compare_pairs_with_trees(m, n, &o);
+        o.motion = motion;
+        compare_pairs_with_trees(n, m, &o);
+        fmb_mesh_free(m);
+        fmb_mesh_free(n);
+    }
+}
+
 /* The same from any number of threads. */
 Test(meet, threads)
 {
