@@ -24,6 +24,7 @@
 #include "num/bitset.h"
 #include "num/integers.h"
 #include "num/prime.h"
+#include "num/residue.h"
 #include "system/system_private.h"
 
 typedef struct assembly {
@@ -40,6 +41,7 @@ typedef struct assembly {
     size_t corners;
     fmb_integers *form,
         *vector; /* [rows + equations], [corners]: over (x, t), each with a factor */
+    uint32_t *form_residue, *vector_residue; /* [rows][width], [corners][width] of these */
     fmb_lattice faces;
     uint64_t *free, *rest; /* N, and all others */
     uint64_t *face;        /* see fmb_lattice_check */
@@ -117,13 +119,29 @@ static fmb_status gather_corner(assembly *a, const fmb_claim *c, const size_t *c
     return st;
 }
 
-/* Sign of form number i at v. */
-static int sign_of_form(assembly *a, size_t i, const fmb_integers *v)
+/* *out = residues [n][width] of v[n]. */
+static fmb_status find_residues(assembly *a, const fmb_integers *v, size_t n, uint32_t **out)
 {
+    uint32_t *m = *out = fmb_mem_get(a->mem, n, a->width * sizeof *m);
+    for (size_t i = 0; m && i < n; i++)
+        for (size_t k = 0; k < a->width; k++)
+            m[i * a->width + k] = fmb_residue_of_integer(v[i].z[k]);
+    return m ? FMB_OK : fmb_mem_status(a->mem);
+}
+
+/* Is form number i 0 at vector number g? */
+static bool is_form_zero(assembly *a, size_t i, size_t g)
+{
+    size_t width = a->width;
+    const uint32_t *of_vector = a->vector_residue + g * width;
+    if (i == a->rows)
+        return mpz_sgn(a->vector[g].z[width - 1]) == 0;
+    if (!fmb_residues_vanish(a->form_residue + i * width, of_vector, width))
+        return false;
     mpz_set_ui(a->t, 0);
-    for (size_t k = 0; k < a->width; k++)
-        mpz_addmul(a->t, a->form[i].z[k], v->z[k]);
-    return mpz_sgn(a->t);
+    for (size_t k = 0; k < width; k++)
+        mpz_addmul(a->t, a->form[i].z[k], a->vector[g].z[k]);
+    return mpz_sgn(a->t) == 0;
 }
 
 /* The rank of m[n][width] modulo the prime, which is spent on finding it out. */
@@ -254,7 +272,9 @@ static fmb_status write_out_numbers(assembly *a)
         if (st == FMB_OK)
             st = fmb_integers_reduce(a->vector[g].z, a->vector[g].size, a->t, a->poll);
     }
-    return st;
+    if (st == FMB_OK)
+        st = find_residues(a, a->form, a->rows, &a->form_residue);
+    return st == FMB_OK ? find_residues(a, a->vector, a->corners, &a->vector_residue) : st;
 }
 
 /* ---- which corner is where ------------------------------------------------------------------- */
@@ -277,8 +297,7 @@ static fmb_status find_zeros(assembly *a)
         size_t zeros = 0;
         for (size_t i = 0; i < l->forms; i++) {
             st = st == FMB_OK ? fmb_poll_ask(a->poll) : st;
-            bool on = i < a->rows ? sign_of_form(a, i, &a->vector[g]) == 0
-                                  : mpz_sgn(a->vector[g].z[a->width - 1]) == 0;
+            bool on = is_form_zero(a, i, g);
             if (on)
                 fmb_set_put(l->zero + i * l->words, g);
             zeros += on;
@@ -417,6 +436,8 @@ static void clear_assembly(assembly *a)
         fmb_integers_clear(&a->vector[g], a->mem);
     fmb_mem_put(a->mem, a->form, forms, sizeof *a->form);
     fmb_mem_put(a->mem, a->vector, a->corners, sizeof *a->vector);
+    fmb_mem_put(a->mem, a->form_residue, a->rows, a->width * sizeof *a->form_residue);
+    fmb_mem_put(a->mem, a->vector_residue, a->corners, a->width * sizeof *a->vector_residue);
     fmb_mem_put(a->mem, a->row, a->e->claims, sizeof *a->row);
     fmb_mem_put(a->mem, a->corner, a->e->claims, sizeof *a->corner);
     fmb_mem_put(a->mem, a->kept, dim, sizeof *a->kept);

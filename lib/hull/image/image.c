@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "num/gcd.h"
+#include "num/residue.h"
 #include "trace/sort.h"
 
 /* ---- rays of the image ----------------------------------------------------------------------- */
@@ -37,6 +38,7 @@ static void unite_supports(fmb_image *m, uint64_t *to, const uint64_t *from)
 typedef struct sorted_ray {
     fmb_vec v;
     uint64_t *support;
+    const fmb_vec *above;
     size_t n;
     int64_t first; /* entry, or the nearest number to it: mostly tells the order */
 } sorted_ray;
@@ -67,7 +69,8 @@ static fmb_status sort_rays_of_image(fmb_image *m)
     if (!list)
         return fmb_mem_status(mem);
     for (size_t i = 0; i < rays; i++)
-        list[i] = (sorted_ray){m->ray[i], m->support[i], m->n, first_entry_or_near(&m->ray[i])};
+        list[i] = (sorted_ray){m->ray[i], m->support[i], m->above[i], m->n,
+                               first_entry_or_near(&m->ray[i])};
     fmb_status st = fmb_run_sort(m->run, list, rays, sizeof *list, compare_rays_lexicographically);
     for (size_t i = 0; st == FMB_OK && i < rays; i++) {
         bool is_same = i > 0 && fmb_vec_equal(&m->ray[left - 1], &list[i].v, m->n);
@@ -77,6 +80,7 @@ static fmb_status sort_rays_of_image(fmb_image *m)
             continue;
         }
         m->ray[left] = list[i].v;
+        m->above[left] = list[i].above;
         m->support[left++] = list[i].support;
     }
     m->rays = st == FMB_OK ? left : rays;
@@ -96,6 +100,7 @@ static fmb_status add_ray_to_image(fmb_image *m, const fmb_vec *v, const uint64_
         return fmb_mem_status(m->run->mem);
     memcpy(own, support, m->words * sizeof *own);
     m->support[m->rays] = own;
+    m->above[m->rays] = m->of ? v : NULL;
     fmb_status st = fmb_image_copy_coordinates(m, &m->ray[m->rays], v);
     m->has_point |= st == FMB_OK && fmb_vec_sgn(&m->ray[m->rays], m->n - 1) > 0;
     m->rays++;
@@ -104,14 +109,16 @@ static fmb_status add_ray_to_image(fmb_image *m, const fmb_vec *v, const uint64_
 
 static fmb_status add_line_to_image(fmb_image *m, const fmb_vec *v)
 {
+    m->line_above[m->lines] = m->of ? v : NULL;
     return is_zero_vector(v, m->n) ? FMB_OK
                                    : fmb_image_copy_coordinates(m, &m->line[m->lines++], v);
 }
 
-/* Room for so many rays and lines. */
+/* Room for so many rays and lines; rays may become lines. */
 static fmb_status open_image(fmb_image *m, fmb_run *run, size_t n, size_t words, size_t rays,
                              size_t lines, bool wide_only)
 {
+    lines += rays;
     *m = (fmb_image){.run = run, .n = n, .words = words};
     fmb_arena_init(&m->arena, run->mem);
     fmb_status st = fmb_run_open_num(run, &m->num, n, wide_only);
@@ -119,18 +126,20 @@ static fmb_status open_image(fmb_image *m, fmb_run *run, size_t n, size_t words,
         return st;
     m->ray = fmb_arena_get(&m->arena, rays, sizeof *m->ray);
     m->support = fmb_arena_get(&m->arena, rays, sizeof *m->support);
+    m->above = fmb_arena_get(&m->arena, rays, sizeof *m->above);
     m->line = fmb_arena_get(&m->arena, lines, sizeof *m->line);
+    m->line_above = fmb_arena_get(&m->arena, lines, sizeof *m->line_above);
     m->everywhere = fmb_arena_get(&m->arena, words, sizeof *m->everywhere);
-    if (!m->ray || !m->support || !m->line || !m->everywhere)
+    if (!m->ray || !m->support || !m->above || !m->line || !m->line_above || !m->everywhere)
         return fmb_mem_status(run->mem);
     memset(m->everywhere, 0, words * sizeof *m->everywhere);
     return FMB_OK;
 }
 
-fmb_status fmb_image_init(fmb_image *m, fmb_run *run, const fmb_cone *of, bool wide_only)
+fmb_status fmb_image_init(fmb_image *m, fmb_run *run, const fmb_cone *of, size_t n, bool wide_only)
 {
     size_t rays = of->ray.size, lines = of->line.size;
-    fmb_status st = open_image(m, run, of->coords, of->ray.words, rays, lines, wide_only);
+    fmb_status st = open_image(m, run, n, of->ray.words, rays, lines, wide_only);
     m->of = of;
     for (size_t i = 0; st == FMB_OK && i < lines; i++)
         st = add_line_to_image(m, &of->line.v[i]);
@@ -167,6 +176,30 @@ void fmb_image_clear(fmb_image *m)
 }
 
 /* ---- rows and rays --------------------------------------------------------------------------- */
+
+static fmb_status find_residues_of_rays(fmb_image *m)
+{
+    m->residue = fmb_arena_get(&m->arena, m->rays + 1, m->n * sizeof *m->residue);
+    for (size_t i = 0; m->residue && i < m->rays; i++)
+        for (size_t k = 0; k < m->n; k++)
+            m->residue[i * m->n + k] = fmb_residue_of_entry(&m->ray[i], k);
+    return m->residue ? FMB_OK : fmb_mem_status(m->run->mem);
+}
+
+fmb_status fmb_image_find_zeros(fmb_image *m, const fmb_vec *row, uint64_t *zero)
+{
+    fmb_status st = m->residue ? FMB_OK : find_residues_of_rays(m);
+    if (st != FMB_OK)
+        return st;
+    uint32_t *of_row = m->residue + m->rays * m->n;
+    for (size_t k = 0; k < m->n; k++)
+        of_row[k] = fmb_residue_of_entry(row, k);
+    for (size_t i = 0; i < m->rays; i++)
+        if (fmb_residues_vanish(of_row, m->residue + i * m->n, m->n) &&
+            fmb_image_value_sign(m, row, &m->ray[i]) == 0)
+            fmb_set_put(zero, i);
+    return fmb_run_poll(m->run);
+}
 
 int fmb_image_value_sign(fmb_image *m, const fmb_vec *row, const fmb_vec *ray)
 {

@@ -19,6 +19,7 @@ typedef struct fmb_image_row {
     fmb_vec v;
     bool equality, strict;
     uint64_t *slack; /* rows of the cone, by bit, that are positive somewhere above the facet */
+    uint64_t *on;    /* rays of the image on it, as they were sorted; both NULL: not asked for */
 } fmb_image_row;
 
 typedef struct fmb_image {
@@ -29,8 +30,11 @@ typedef struct fmb_image {
     size_t n, words; /* coordinates, t last; words of a support */
     fmb_vec *ray;    /* [rays], each once, sorted; not 0 */
     uint64_t **support;
+    const fmb_vec **above; /* [rays] one of the cone's, with all that it carries, or NULL */
+    uint32_t *residue;     /* [rays + 1][n] of rays and a row; NULL: not asked for yet */
     size_t rays;
     fmb_vec *line; /* [lines], not 0 */
+    const fmb_vec **line_above;
     size_t lines;
     uint64_t *everywhere; /* union of the supports of rays that are 0 in the image */
     bool has_point;       /* some ray has t > 0 */
@@ -38,9 +42,9 @@ typedef struct fmb_image {
     size_t facets, facet_capacity;
 } fmb_image;
 
-/* The cone is complete, carries n coordinates of which t is the last, and outlives the image.
- * Errors: MEMORY, LIMIT. In any case fmb_image_clear it. */
-fmb_status fmb_image_init(fmb_image *m, fmb_run *run, const fmb_cone *of, bool wide_only);
+/* The cone is complete, and outlives the image. Of the coordinates that it carries the first n
+ * count, the last of these is t. Errors: MEMORY, LIMIT. In any case fmb_image_clear it. */
+fmb_status fmb_image_init(fmb_image *m, fmb_run *run, const fmb_cone *of, size_t n, bool wide_only);
 /* The same of vectors v[vectors], n entries each, rays or lines. Errors: MEMORY, LIMIT. */
 fmb_status fmb_image_init_vectors(fmb_image *m, fmb_run *run, size_t n, size_t vectors,
                                   const fmb_vec *v, const bool *line, bool wide_only);
@@ -50,6 +54,13 @@ void fmb_image_clear(fmb_image *m);
  * these are the rays, its equations are the lines. For few coordinates. Errors: MEMORY, LIMIT. In
  * any case clear it. */
 fmb_status fmb_image_init_dual(fmb_image *m, const fmb_image *of);
+
+/* y.(x, t) >= 0, or = 0, is a row of the image; with `slacks` it is told what is on and above it.
+ * Errors: MEMORY, LIMIT. */
+fmb_status fmb_image_add_facet(fmb_image *m, const fmb_vec *y, bool equality, bool slacks);
+/* Of the rays leave those that are corners by rows that know what is on them; rays on all of these
+ * become lines. Errors: MEMORY, LIMIT. */
+fmb_status fmb_image_keep_corners(fmb_image *m);
 
 /* Find the facets of an image that has a point. With `slacks` each facet gets its slack. Errors:
  * MEMORY, LIMIT. */
@@ -96,6 +107,8 @@ fmb_status fmb_image_take_facets(fmb_image *m, const fmb_image *dual);
  * LIMIT. */
 fmb_status fmb_image_open_faces(fmb_image *m, const uint64_t *excludes, bool *empty, bool *done);
 
+/* Put the rays where row is 0 into a set that is empty. Errors: MEMORY, LIMIT. */
+fmb_status fmb_image_find_zeros(fmb_image *m, const fmb_vec *row, uint64_t *zero);
 /* Sign of row.ray, n entries each. */
 int fmb_image_value_sign(fmb_image *m, const fmb_vec *row, const fmb_vec *ray);
 

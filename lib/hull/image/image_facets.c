@@ -30,18 +30,21 @@ static void add_to_slack(fmb_image *m, uint64_t *to, const uint64_t *from)
 /* Unite the supports above the facet, which is still y.(x, t) >= 0. */
 static fmb_status look_above_facet(fmb_image *m, fmb_image_row *f)
 {
+    size_t words = fmb_set_words(m->rays);
     f->slack = fmb_arena_get(&m->arena, m->words, sizeof *f->slack);
-    if (!f->slack)
+    f->on = fmb_arena_get(&m->arena, words, sizeof *f->on);
+    if (!f->slack || !f->on)
         return fmb_mem_status(m->run->mem);
     memcpy(f->slack, m->everywhere, m->words * sizeof *f->slack);
-    for (size_t i = 0; i < m->rays; i++)
-        if (fmb_image_value_sign(m, &f->v, &m->ray[i]) == 0)
+    memset(f->on, 0, words * sizeof *f->on);
+    fmb_status st = fmb_image_find_zeros(m, &f->v, f->on);
+    for (size_t i = 0; st == FMB_OK && i < m->rays; i++)
+        if (fmb_set_has(f->on, i))
             add_to_slack(m, f->slack, m->support[i]);
-    return fmb_run_poll(m->run);
+    return st;
 }
 
-/* y.(x, t) >= 0, or = 0, is a row of the image. */
-static fmb_status add_facet(fmb_image *m, const fmb_vec *y, bool equality, bool slacks)
+fmb_status fmb_image_add_facet(fmb_image *m, const fmb_vec *y, bool equality, bool slacks)
 {
     fmb_status st = fmb_mem_reserve(m->run->mem, (void **)&m->facet, &m->facet_capacity,
                                     m->facets + 1, sizeof *m->facet);
@@ -93,12 +96,12 @@ static fmb_status take_facets(fmb_image *m, fmb_facets *f, bool slacks)
 {
     fmb_status st = FMB_OK;
     for (size_t e = 0; st == FMB_OK && e < m->n - f->rank; e++)
-        st = add_facet(m, &f->equation[e], true, slacks);
+        st = fmb_image_add_facet(m, &f->equation[e], true, slacks);
     if (st == FMB_OK)
         st = fmb_facets_need_all_normals(f);
     for (size_t i = 0; st == FMB_OK && i < f->slots; i++)
         if (f->facet[i].alive && holds_facet_a_point(f, &f->facet[i]))
-            st = add_facet(m, &f->facet[i].normal, false, slacks);
+            st = fmb_image_add_facet(m, &f->facet[i].normal, false, slacks);
     return st;
 }
 
@@ -210,10 +213,10 @@ static fmb_status take_facets_of_dual(fmb_image *m, const fmb_cone *dual, bool s
 {
     fmb_status st = FMB_OK;
     for (size_t i = 0; st == FMB_OK && i < dual->line.size; i++)
-        st = add_facet(m, &dual->line.v[i], true, slacks);
+        st = fmb_image_add_facet(m, &dual->line.v[i], true, slacks);
     for (size_t i = 0; st == FMB_OK && i < dual->ray.size; i++)
         if (holds_dual_ray_a_point(m, dual, i))
-            st = add_facet(m, &dual->ray.v[i], false, slacks);
+            st = fmb_image_add_facet(m, &dual->ray.v[i], false, slacks);
     return st;
 }
 
@@ -290,9 +293,9 @@ fmb_status fmb_image_take_facets(fmb_image *m, const fmb_image *dual)
 {
     fmb_status st = FMB_OK;
     for (size_t i = 0; st == FMB_OK && i < dual->lines; i++)
-        st = add_facet(m, &dual->line[i], true, false);
+        st = fmb_image_add_facet(m, &dual->line[i], true, false);
     for (size_t i = 0; st == FMB_OK && i < dual->rays; i++)
         if (holds_row_a_point(m, &dual->ray[i]))
-            st = add_facet(m, &dual->ray[i], false, false);
+            st = fmb_image_add_facet(m, &dual->ray[i], false, false);
     return st;
 }

@@ -51,16 +51,8 @@ static uint64_t *new_set_of_rays(open_search *o)
 static fmb_status list_rays_on_facets(open_search *o)
 {
     fmb_image *m = o->m;
-    for (size_t f = 0; f < o->facets; f++) {
-        o->on[f] = new_set_of_rays(o);
-        if (!o->on[f])
-            return fmb_mem_status(m->run->mem);
-        fmb_vec_negate(&m->facet[f].v, m->n - 1); /* as b t - a.x */
-        for (size_t i = 0; i < m->rays; i++)
-            if (fmb_image_value_sign(m, &m->facet[f].v, &m->ray[i]) == 0)
-                fmb_set_put(o->on[f], i);
-        fmb_vec_negate(&m->facet[f].v, m->n - 1);
-    }
+    for (size_t f = 0; f < o->facets; f++)
+        o->on[f] = m->facet[f].on;
     for (size_t i = 0; i < m->rays; i++)
         if (fmb_vec_sgn(&m->ray[i], m->n - 1) > 0)
             fmb_set_put(o->points, i);

@@ -139,7 +139,7 @@ static fmb_status run_in_turns(fmb_lifted *h, const fmb_cone_row *sorted, bool *
         for (int k = 0; st == FMB_OK && !*done && k < 2; k++) {
             st = run_cone(turn[k], share[k] * rays, done);
             if (st == FMB_OK && *done)
-                st = fmb_image_init(&h->image, &h->q->run, turn[k], fmb_query_is_wide(h->q));
+                st = fmb_image_init(&h->image, &h->q->run, turn[k], h->d, fmb_query_is_wide(h->q));
         }
     h->image.of = NULL;
     fmb_cone_clear(&lexicographic);
@@ -155,8 +155,9 @@ static fmb_status find_rays_row_by_row(fmb_lifted *h, const fmb_cone_row *sorted
     if (st != FMB_OK || done)
         return st;
     st = run_cone(&h->cone, 0, &done);
-    return st == FMB_OK ? fmb_image_init(&h->image, &h->q->run, &h->cone, fmb_query_is_wide(h->q))
-                        : st;
+    return st == FMB_OK
+               ? fmb_image_init(&h->image, &h->q->run, &h->cone, h->d, fmb_query_is_wide(h->q))
+               : st;
 }
 
 /* ---- the way --------------------------------------------------------------------------------- */

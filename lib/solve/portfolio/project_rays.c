@@ -11,9 +11,12 @@
 #include <string.h>
 
 #include "dd/cone_rows.h"
+#include "elim/round/witness.h"
 #include "elim/store/derive.h"
 #include "hull/image/image.h"
+#include "lp/linalg/exact/combination.h"
 #include "lp/oracle/oracle.h"
+#include "num/rationals.h"
 #include "solve/portfolio/irredundant_rows.h"
 
 /* A part on its way. Row 0 of the cone is t >= 0, row 1 + i is live row i. */
@@ -21,13 +24,15 @@ struct fmb_ray_projection {
     fmb_reduced_part *of;
     fmb_system *out;
     size_t d, *column;   /* [d - 1] columns of the part that live rows name; then comes t */
-    size_t keeps, *keep; /* coordinates of the cone that stay; t last */
+    size_t keeps, *keep; /* [d] coordinates of the cone that stay; t last; then the others */
     fmb_cone_rows rows;
     fmb_cone cone;
     fmb_image image;
     fmb_dual dual;       /* its facets in the making, as rays of the dual cone, */
     fmb_image_hull hull; /* or ray by ray */
     fmb_vec facet;       /* scratch: a row of the part */
+    fmb_lp_row *row;     /* for proofs: live rows, behind them the facet; NULL: not yet */
+    fmb_combination sum; /* of these */
     bool lifted;         /* the cone is there, */
     bool pictured;       /* and its image */
     bool over;           /* too many faces are excluded */
@@ -43,6 +48,11 @@ static bool is_column_nonzero(const fmb_elim *e, int j)
     return false;
 }
 
+static bool is_column_kept(const fmb_ray_projection *h, size_t k)
+{
+    return h->of->place[h->of->p->var[h->column[k]]] >= 0;
+}
+
 static fmb_status list_coordinates(fmb_ray_projection *h)
 {
     fmb_arena *arena = &h->of->q->v->arena;
@@ -51,14 +61,17 @@ static fmb_status list_coordinates(fmb_ray_projection *h)
     h->keep = fmb_arena_get(arena, n, sizeof *h->keep);
     if (!h->column || !h->keep)
         return fmb_mem_status(arena->mem);
-    for (int j = 0; j < h->of->p->n; j++) {
-        if (!is_column_nonzero(&h->of->e, j))
-            continue;
-        if (h->of->place[h->of->p->var[j]] >= 0)
-            h->keep[h->keeps++] = h->d;
-        h->column[h->d++] = (size_t)j;
-    }
-    h->keep[h->keeps++] = h->d++;
+    for (int j = 0; j < h->of->p->n; j++)
+        if (is_column_nonzero(&h->of->e, j))
+            h->column[h->d++] = (size_t)j;
+    for (size_t k = 0; k < h->d; k++)
+        if (is_column_kept(h, k))
+            h->keep[h->keeps++] = k;
+    h->keep[h->keeps++] = h->d;
+    for (size_t k = 0, at = h->keeps; k < h->d; k++)
+        if (!is_column_kept(h, k))
+            h->keep[at++] = k;
+    h->d++;
     return FMB_OK;
 }
 
@@ -89,7 +102,7 @@ static fmb_status open_cone_of_part(fmb_ray_projection *h)
     fmb_cone_problem of = {.d = h->d,
                            .m = h->rows.size,
                            .row = h->rows.row,
-                           .keeps = h->keeps,
+                           .keeps = fmb_query_proves_complete(h->of->q) ? h->d : h->keeps,
                            .keep = h->keep,
                            .wide_only = fmb_query_is_wide(h->of->q)};
     h->lifted = true;
@@ -98,22 +111,22 @@ static fmb_status open_cone_of_part(fmb_ray_projection *h)
 
 /* ---- proofs ---------------------------------------------------------------------------------- */
 
-/* The row of the cone, of that bit or any equality, is tight on all of the facet's preimage. */
-static size_t list_tight_rows(const fmb_ray_projection *h, const fmb_image_row *f, uint32_t *live)
+/* The rows of the part that are tight on all of the facet's preimage, by their places among live
+ * ones: those of bits that are not in its slack, and equalities. */
+static size_t list_tight_rows(const fmb_ray_projection *h, const fmb_image_row *f, size_t *place)
 {
     size_t n = 0;
     for (size_t i = 1; i < h->rows.size; i++)
         if (h->rows.row[i].equality)
-            live[n++] = h->of->e.live.row[i - 1];
+            place[n++] = i - 1;
     for (size_t b = 0; b < h->cone.bits; b++)
         if (!fmb_set_has(f->slack, b) && h->cone.row_of_bit[b] > 0)
-            live[n++] = h->of->e.live.row[h->cone.row_of_bit[b] - 1];
+            place[n++] = h->cone.row_of_bit[b] - 1;
     return n;
 }
 
 /* The facet, or its reverse, is a combination of the rows of the oracle: which? */
-static fmb_status combine_tight_rows(fmb_ray_projection *h, fmb_oracle *o, int sign,
-                                     const uint32_t *live, fmb_weights *w)
+static fmb_status maximize_facet(fmb_ray_projection *h, fmb_oracle *o, int sign, fmb_weights *w)
 {
     fmb_weights form = {0};
     fmb_oracle_end end;
@@ -134,32 +147,88 @@ static fmb_status combine_tight_rows(fmb_ray_projection *h, fmb_oracle *o, int s
     if (st == FMB_OK)
         st = fmb_oracle_multipliers(o, w);
     fmb_weights_clear(&form, h->of->q->run.mem);
-    for (size_t i = 0; i < w->size; i++)
-        w->index[i] = live[w->index[i]];
-    return st == FMB_OK ? fmb_elim_derive(&h->of->e, w) : st;
+    return st;
 }
 
-/* w[0] proves the facet, and if it is an equality w[1] its reverse. */
-static fmb_status prove_facet(fmb_ray_projection *h, const fmb_image_row *f, uint32_t *live,
-                              fmb_weights *w)
+/* w[0] proves the facet, and if it is an equality w[1] its reverse; by number of the tight row. */
+static fmb_status combine_dependent_rows(fmb_ray_projection *h, const fmb_image_row *f,
+                                         const size_t *place, size_t size, fmb_weights *w)
 {
     fmb_program tight;
     fmb_oracle *o = NULL;
     fmb_status st = FMB_OK;
-    size_t m = list_tight_rows(h, f, live);
     fmb_program_init(&tight, h->of->q->run.mem, h->of->p->n);
-    for (size_t i = 0; st == FMB_OK && i < m; i++) {
-        const fmb_derived *r = &h->of->e.row[live[i]];
-        st = fmb_program_add_dense(&tight, &r->v, fmb_derived_rel(r));
-    }
+    for (size_t i = 0; st == FMB_OK && i < size; i++)
+        st = fmb_program_add_dense(&tight, h->row[place[i]].v, h->row[place[i]].rel);
     if (st == FMB_OK)
         st = fmb_oracle_new(&h->of->q->run, &tight, &o);
     if (st == FMB_OK)
-        st = combine_tight_rows(h, o, 1, live, &w[0]);
+        st = maximize_facet(h, o, 1, &w[0]);
     if (st == FMB_OK && f->equality)
-        st = combine_tight_rows(h, o, -1, live, &w[1]);
+        st = maximize_facet(h, o, -1, &w[1]);
     fmb_oracle_free(o);
     fmb_program_clear(&tight);
+    for (size_t k = 0; k < 2; k++)
+        for (size_t i = 0; i < w[k].size; i++)
+            w[k].index[i] = (uint32_t)place[w[k].index[i]];
+    return st;
+}
+
+/* Where tight rows do not depend on one another, only one combination of them is the facet. */
+static fmb_status combine_independent_rows(fmb_ray_projection *h, const fmb_image_row *f,
+                                           const size_t *place, size_t size, fmb_weights *w,
+                                           bool *found)
+{
+    fmb_combination *c = &h->sum;
+    size_t facet = h->of->e.live.size;
+    *found = false;
+    if (f->equality || size > c->n)
+        return FMB_OK;
+    h->row[facet] = (fmb_lp_row){&h->facet, f->strict ? FMB_LT : FMB_LE};
+    fmb_status st = fmb_combine(c, &h->of->q->run, facet, place, size, found);
+    *found = st == FMB_OK && *found && fmb_combination_proves(c);
+    mpq_t part;
+    mpq_init(part);
+    for (size_t k = 0; st == FMB_OK && *found && k < c->size; k++) {
+        mpq_set_num(part, c->part[k]);
+        mpq_set_den(part, c->all);
+        mpq_canonicalize(part);
+        st = fmb_weights_add(w, (uint32_t)c->index[k], part, h->of->q->run.mem);
+    }
+    mpq_clear(part);
+    return st;
+}
+
+static fmb_status open_proofs(fmb_ray_projection *h)
+{
+    const fmb_elim *e = &h->of->e;
+    h->row = fmb_arena_get(&h->of->q->v->arena, e->live.size + 1, sizeof *h->row);
+    if (!h->row)
+        return fmb_mem_status(h->of->q->run.mem);
+    for (size_t i = 0; i < e->live.size; i++) {
+        const fmb_derived *r = &e->row[e->live.row[i]];
+        h->row[i] = (fmb_lp_row){&r->v, fmb_derived_rel(r)};
+    }
+    return fmb_combination_init(&h->sum, h->of->q->run.mem, (size_t)h->of->p->n, h->row);
+}
+
+/* w[0] proves the facet, and if it is an equality w[1] its reverse. */
+static fmb_status prove_facet(fmb_ray_projection *h, const fmb_image_row *f, size_t *place,
+                              fmb_weights *w)
+{
+    const fmb_elim *e = &h->of->e;
+    bool found = false;
+    size_t size = list_tight_rows(h, f, place);
+    fmb_status st = h->row ? FMB_OK : open_proofs(h);
+    if (st == FMB_OK)
+        st = combine_independent_rows(h, f, place, size, &w[0], &found);
+    if (st == FMB_OK && !found)
+        st = combine_dependent_rows(h, f, place, size, w);
+    for (size_t k = 0; st == FMB_OK && k < 1 + (size_t)f->equality; k++) {
+        for (size_t i = 0; i < w[k].size; i++)
+            w[k].index[i] = e->live.row[w[k].index[i]];
+        st = fmb_elim_derive(e, &w[k]);
+    }
     return st;
 }
 
@@ -167,8 +236,8 @@ static fmb_status claim_facet(fmb_ray_projection *h, const fmb_image_row *f, fmb
 {
     fmb_mem *mem = h->of->q->run.mem;
     fmb_weights w[2] = {{0}, {0}};
-    uint32_t *live = fmb_mem_get(mem, h->rows.size, sizeof *live);
-    fmb_status st = live ? prove_facet(h, f, live, w) : fmb_mem_status(mem);
+    size_t *place = fmb_mem_get(mem, h->rows.size, sizeof *place);
+    fmb_status st = place ? prove_facet(h, f, place, w) : fmb_mem_status(mem);
     mpq_t one;
     mpq_init(one);
     mpq_set_ui(one, 1, 1);
@@ -178,7 +247,7 @@ static fmb_status claim_facet(fmb_ray_projection *h, const fmb_image_row *f, fmb
     mpq_clear(one);
     fmb_weights_clear(&w[0], mem);
     fmb_weights_clear(&w[1], mem);
-    fmb_mem_put(mem, live, h->rows.size, sizeof *live);
+    fmb_mem_put(mem, place, h->rows.size, sizeof *place);
     return st;
 }
 
@@ -224,76 +293,145 @@ static fmb_status put_all_facets(fmb_ray_projection *h)
 
 /* ---- corners --------------------------------------------------------------------------------- */
 
-/* Column of the part `of` among those of the image, t behind them; or the number of these: its kept
- * variable is free, as no row names it. */
-static size_t column_of_image(const fmb_ray_projection *h, size_t of)
+/* For points and directions that are handed over. */
+typedef struct corner_room {
+    size_t kept; /* columns of the part, whether rows name them or not */
+    mpz_t *z;    /* [kept + 1] */
+    mpq_t *x;    /* [n] */
+    fmb_vec y;   /* [kept + 1] */
+    fmb_num num; /* of that many entries */
+} corner_room;
+
+/* x over one denominator, behind it; for directions that is 0. */
+static fmb_status write_over_denominator(const fmb_ray_projection *h, mpq_t *x, bool point,
+                                         fmb_integers *out)
 {
-    size_t k = 0;
-    while (k + 1 < h->keeps && h->column[h->keep[k]] != of)
-        k++;
-    return k + 1 < h->keeps ? k : h->keeps;
+    size_t n = (size_t)h->of->p->n;
+    fmb_status st = fmb_integers_init(out, n + 1, h->of->q->run.mem);
+    if (st != FMB_OK)
+        return st;
+    mpz_ptr t = out->z[n];
+    mpz_set_ui(t, 1);
+    for (size_t j = 0; j < n; j++)
+        mpz_lcm(t, t, mpq_denref(x[j]));
+    for (size_t j = 0; j < n; j++) {
+        mpz_divexact(out->z[j], t, mpq_denref(x[j]));
+        mpz_mul(out->z[j], out->z[j], mpq_numref(x[j]));
+    }
+    if (!point)
+        mpz_set_ui(t, 0);
+    return fmb_integers_settle(out, h->of->q->run.mem);
 }
 
-/* v, of the image, over all kept variables and t; NULL: the direction of kept variable number
- * `free`, if no row names it. */
-static fmb_status hand_over_vector(fmb_ray_projection *h, const fmb_vec *v, size_t free, mpz_t *z,
-                                   fmb_vec *y, fmb_num *num)
+/* Nothing was eliminated: v, of the cone, as it is. */
+static fmb_status copy_solution(const fmb_ray_projection *h, const fmb_vec *v, fmb_integers *out)
+{
+    size_t n = (size_t)h->of->p->n;
+    fmb_status st = fmb_integers_init(out, n + 1, h->of->q->run.mem);
+    for (size_t k = 0; st == FMB_OK && k < h->d; k++)
+        fmb_vec_get(v, k, out->z[k + 1 == h->keeps ? n : h->column[h->keep[k]]]);
+    return st == FMB_OK ? fmb_integers_settle(out, h->of->q->run.mem) : st;
+}
+
+/* v is a vector of the cone, or NULL and x tells what is kept: variables that were eliminated are
+ * found again. */
+static fmb_status find_solution(fmb_ray_projection *h, const fmb_vec *v, mpq_t *x,
+                                fmb_integers *out)
+{
+    bool point = v && fmb_vec_sgn(v, h->keeps - 1) > 0;
+    if (v && h->of->e.rounds == 0)
+        return copy_solution(h, v, out);
+    mpq_t t;
+    mpq_init(t);
+    mpq_set_ui(t, 1, 1);
+    if (point)
+        fmb_vec_get_q(v, h->keeps - 1, t);
+    for (size_t k = 0; v && k < h->d; k++) {
+        if (k + 1 == h->keeps)
+            continue;
+        mpq_ptr to = x[h->column[h->keep[k]]];
+        fmb_vec_get_q(v, k, to);
+        mpq_div(to, to, t);
+    }
+    mpq_clear(t);
+    fmb_status st = fmb_elim_point(&h->of->e, point ? FMB_POINT_CLOSURE : FMB_POINT_RAY, x);
+    return st == FMB_OK ? write_over_denominator(h, x, point, out) : st;
+}
+
+/* What is above v, a vector of the cone, with all kept variables and t; or, where v is NULL, the
+ * direction of kept variable number `free`, if no row names it. */
+static fmb_status hand_over_vector(fmb_ray_projection *h, const fmb_vec *v, size_t free,
+                                   corner_room *r)
 {
     fmb_query *q = h->of->q;
-    size_t at = 0;
+    fmb_integers x = {0};
+    size_t at = 0, named = 0;
     bool nonzero = v != NULL;
     for (int j = 0; j < h->of->p->n; j++) {
+        mpq_set_ui(r->x[j], 0, 1);
         if (h->of->place[h->of->p->var[j]] < 0)
             continue;
-        size_t k = column_of_image(h, (size_t)j);
-        bool is_free = !v && k == h->keeps && at == free;
+        bool is_named = named + 1 < h->keeps && h->column[h->keep[named]] == (size_t)j;
+        bool is_free = !v && !is_named && at == free;
         nonzero |= is_free;
-        mpz_set_ui(z[at], is_free);
-        if (v && k < h->keeps)
-            fmb_vec_get(v, k, z[at]);
+        mpq_set_ui(r->x[j], is_free, 1);
+        mpz_set_ui(r->z[at], is_free);
+        if (v && is_named)
+            fmb_vec_get(v, named, r->z[at]);
+        named += is_named;
         at++;
     }
-    mpz_set_ui(z[at], 0);
+    mpz_set_ui(r->z[at], 0);
     if (v)
-        fmb_vec_get(v, h->keeps - 1, z[at]);
-    fmb_status st = nonzero ? fmb_vec_set_z(y, at + 1, z, q->run.mem) : FMB_OK;
-    return st == FMB_OK && nonzero ? fmb_met_points_add(&q->met, y, NULL, num) : st;
-}
-
-static fmb_status hand_over_vectors(fmb_ray_projection *h, size_t kept, mpz_t *z, fmb_vec *y,
-                                    fmb_num *num)
-{
-    fmb_status st = FMB_OK;
-    for (size_t i = 0; st == FMB_OK && i < h->image.rays; i++)
-        st = hand_over_vector(h, &h->image.ray[i], 0, z, y, num);
-    for (size_t i = 0; st == FMB_OK && i < h->image.lines; i++)
-        st = hand_over_vector(h, &h->image.line[i], 0, z, y, num);
-    for (size_t k = 0; st == FMB_OK && k < kept; k++)
-        st = hand_over_vector(h, NULL, k, z, y, num);
+        fmb_vec_get(v, h->keeps - 1, r->z[at]);
+    if (!nonzero)
+        return FMB_OK;
+    fmb_status st = fmb_vec_set_z(&r->y, at + 1, r->z, q->run.mem);
+    if (st == FMB_OK)
+        st = find_solution(h, v, r->x, &x);
+    if (st == FMB_OK)
+        return fmb_met_points_add(&q->met, &r->y, &x, &r->num);
+    fmb_integers_clear(&x, q->run.mem);
     return st;
 }
 
-/* The rays and lines of the image; where there is no memory for them, they stay behind. */
+static fmb_status hand_over_vectors(fmb_ray_projection *h, corner_room *r)
+{
+    fmb_status st = fmb_image_keep_corners(&h->image);
+    for (size_t i = 0; st == FMB_OK && i < h->image.rays; i++)
+        st = hand_over_vector(h, h->image.above[i], 0, r);
+    for (size_t i = 0; st == FMB_OK && i < h->image.lines; i++)
+        st = hand_over_vector(h, h->image.line_above[i], 0, r);
+    for (size_t k = 0; st == FMB_OK && k < r->kept; k++)
+        st = hand_over_vector(h, NULL, k, r);
+    return st;
+}
+
+/* The corners and lines of the image, with what is above them; where there is no memory for these,
+ * they stay behind. */
 static fmb_status hand_over_image(fmb_ray_projection *h)
 {
     fmb_query *q = h->of->q;
     fmb_mem *mem = q->run.mem;
-    size_t kept = 0;
-    for (int j = 0; j < h->of->p->n; j++)
-        kept += h->of->place[h->of->p->var[j]] >= 0;
-    if (!fmb_query_proves_complete(q) || kept == 0)
+    size_t n = (size_t)h->of->p->n;
+    corner_room r = {0};
+    for (size_t j = 0; j < n; j++)
+        r.kept += h->of->place[h->of->p->var[j]] >= 0;
+    if (!fmb_query_proves_complete(q) || r.kept == 0)
         return FMB_OK;
-    mpz_t *z = fmb_vec_block(kept + 1, mem);
-    fmb_vec y = {.s = fmb_mem_get(mem, kept + 1, sizeof *y.s)};
-    fmb_met_points_begin(&q->met, mem, (int)(h->of->p - q->parts.part), kept);
-    fmb_num num;
-    fmb_status st = fmb_run_open_num(&q->run, &num, kept + 1, fmb_query_is_wide(q));
+    r.z = fmb_vec_block(r.kept + 1, mem);
+    r.y.s = fmb_mem_get(mem, r.kept + 1, sizeof *r.y.s);
+    fmb_met_points_begin(&q->met, mem, (int)(h->of->p - q->parts.part), r.kept);
+    fmb_status st = fmb_run_open_num(&q->run, &r.num, r.kept + 1, fmb_query_is_wide(q));
     if (st == FMB_OK)
-        st = z && y.s ? hand_over_vectors(h, kept, z, &y, &num) : fmb_mem_status(mem);
-    fmb_num_clear(&num);
-    fmb_vec_block_free(z, kept + 1, mem);
-    fmb_vec_clear(&y, kept + 1, mem);
-    fmb_mem_put(mem, y.s, kept + 1, sizeof *y.s);
+        st = fmb_rationals_new(&r.x, n, mem);
+    if (st == FMB_OK)
+        st = r.z && r.y.s ? hand_over_vectors(h, &r) : fmb_mem_status(mem);
+    fmb_num_clear(&r.num);
+    fmb_rationals_free(r.x, n, mem);
+    fmb_vec_block_free(r.z, r.kept + 1, mem);
+    fmb_vec_clear(&r.y, r.kept + 1, mem);
+    fmb_mem_put(mem, r.y.s, r.kept + 1, sizeof *r.y.s);
     if (st == FMB_LIMIT)
         fmb_met_points_clear(&q->met);
     return st == FMB_LIMIT && q->run.stop == FMB_STOP_DONE ? FMB_OK : st;
@@ -341,7 +479,8 @@ static fmb_status project_rays(fmb_ray_projection *h, bool *feasible, bool *done
     bool strict = has_strict_row(h);
     fmb_status st = FMB_OK;
     if (!h->pictured)
-        st = fmb_image_init(&h->image, &h->of->q->run, &h->cone, fmb_query_is_wide(h->of->q));
+        st = fmb_image_init(&h->image, &h->of->q->run, &h->cone, h->keeps,
+                            fmb_query_is_wide(h->of->q));
     h->pictured = true;
     *feasible = h->image.has_point;
     if (st == FMB_OK && *feasible)
@@ -374,6 +513,7 @@ void fmb_ray_projection_close(fmb_ray_projection *h)
     fmb_dual_close(&h->dual);
     fmb_image_hull_close(&h->hull);
     fmb_image_clear(&h->image);
+    fmb_combination_clear(&h->sum);
     fmb_cone_clear(&h->cone);
 }
 

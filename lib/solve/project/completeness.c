@@ -88,22 +88,49 @@ static fmb_status claim_met_corner(completeness_proof *w, const fmb_integers *x)
     return claim_corner_at(w);
 }
 
+/* Sign of form number i of the image at w->y. */
+static int sign_at_corner(completeness_proof *w, const fmb_sysrow *r)
+{
+    mpz_t sum, a;
+    mpz_inits(sum, a, NULL);
+    fmb_vec_get(&r->val, r->nnz, sum);
+    mpz_mul(sum, sum, w->y.z[w->y.size - 1]);
+    for (size_t k = 0; k < r->nnz; k++) {
+        fmb_vec_get(&r->val, k, a);
+        mpz_submul(sum, a, w->y.z[r->var[k]]);
+    }
+    int sign = mpz_sgn(sum);
+    mpz_clears(sum, a, NULL);
+    return sign;
+}
+
+/* Only above points of the image is there a strict solution. */
+static bool is_in_image(completeness_proof *w)
+{
+    bool inside = mpz_sgn(w->y.z[w->y.size - 1]) > 0;
+    for (size_t i = 0; inside && i < w->image->rows; i++)
+        if (w->image->row[i].rel == FMB_LT)
+            inside = sign_at_corner(w, &w->image->row[i]) > 0;
+    return inside;
+}
+
 /* A point gets a strict solution, if there is one. */
 static fmb_status claim_corner(completeness_proof *w, const fmb_vec *ray, int sign, bool *found)
 {
     fmb_status st = FMB_OK;
+    *found = false;
     for (size_t k = 0; k < w->y.size; k++) {
         fmb_vec_get(ray, k, w->y.z[k]);
         if (sign < 0)
             mpz_neg(w->y.z[k], w->y.z[k]);
     }
-    const fmb_met_point *met = w->any_strict ? NULL : fmb_met_points_find(&w->q->met, ray);
-    *found = met && sign > 0;
-    if (*found)
-        return claim_met_corner(w, &met->x);
-    if (w->any_strict && mpz_sgn(w->y.z[w->y.size - 1]) > 0)
+    if (w->any_strict && is_in_image(w))
         st = claim_corner_above(w, true, found);
-    return st == FMB_OK && !*found ? claim_corner_above(w, false, found) : st;
+    if (st != FMB_OK || *found)
+        return st;
+    const fmb_met_point *met = sign > 0 ? fmb_met_points_find(&w->q->met, ray) : NULL;
+    *found = met != NULL;
+    return met ? claim_met_corner(w, &met->x) : claim_corner_above(w, false, found);
 }
 
 /* *found false: above some there is nothing, and the rows say too little. */

@@ -53,7 +53,7 @@ fmb_status fmb_lifted_run(fmb_lifted *h, uint64_t rays, bool *done)
 {
     fmb_status st = fmb_cone_run(&h->cone, rays, done);
     return st == FMB_OK && *done
-               ? fmb_image_init(&h->image, &h->q->run, &h->cone, fmb_query_is_wide(h->q))
+               ? fmb_image_init(&h->image, &h->q->run, &h->cone, h->d, fmb_query_is_wide(h->q))
                : st;
 }
 

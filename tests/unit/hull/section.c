@@ -72,7 +72,7 @@ static void find_by_rows(const cone_rows *c, fmb_run *run, fmb_image *image)
     fmb_cone_problem of = {.d = c->d, .m = c->m, .row = row};
     must(fmb_cone_init(&cone, run, &of));
     must(fmb_cone_run(&cone, 0, &done));
-    must(fmb_image_init(image, run, &cone, false));
+    must(fmb_image_init(image, run, &cone, cone.coords, false));
     fmb_cone_clear(&cone);
 }
 
