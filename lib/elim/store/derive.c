@@ -7,12 +7,13 @@
  */
 #include "elim/store/derive.h"
 
-/* The sweep: slot[row] is 1 + the place of the row's weight in `all`, 0 if it has none. */
+/* The sweep: slot[row] is 1 + the place of the row's weight in `all`, 0 if it has none. Weights are
+ * integers, over one denominator: so they rarely need a greatest common divisor. */
 typedef struct sweep {
     fmb_weights all;
     uint32_t *slot;
-    mpz_t alpha, beta, t, u;
-    mpq_t content, share;
+    mpz_t alpha, beta, t, u, denominator, share;
+    mpq_t content, weight;
 } sweep;
 
 /* alpha, beta and content of a derived row. A row of zeros may have any positive content. */
@@ -44,67 +45,89 @@ static void find_factors(const fmb_elim *e, const fmb_derived *r, sweep *s)
     mpq_canonicalize(s->content);
 }
 
-/* Give a parent factor / content times the weight of its child. */
-static fmb_status give_parent_its_share(sweep *s, uint32_t parent, const mpz_t factor,
-                                        const mpq_t weight, fmb_mem *mem)
+/* share = the weight at that place over the content, which takes all of it; all weights are
+ * multiplied by what is missing. */
+static void take_weight(sweep *s, size_t place)
 {
-    mpq_set_z(s->share, factor);
-    mpq_mul(s->share, s->share, weight);
-    mpq_div(s->share, s->share, s->content);
+    mpz_ptr weight = mpq_numref(s->all.value[place]), of = mpq_numref(s->content);
+    if (!mpz_divisible_p(weight, of)) {
+        mpz_gcd(s->t, weight, of);
+        mpz_divexact(s->t, of, s->t);
+        mpz_mul(s->denominator, s->denominator, s->t);
+        for (size_t k = 0; k < s->all.size; k++)
+            mpz_mul(mpq_numref(s->all.value[k]), mpq_numref(s->all.value[k]), s->t);
+    }
+    mpz_divexact(s->share, weight, of);
+    mpz_mul(s->share, s->share, mpq_denref(s->content));
+    mpz_set_ui(weight, 0);
+}
+
+/* Give a parent factor times the share of its child. */
+static fmb_status give_parent_its_share(sweep *s, uint32_t parent, const mpz_t factor, fmb_mem *mem)
+{
     if (s->slot[parent] != 0) {
-        mpq_ptr sum = s->all.value[s->slot[parent] - 1];
-        mpq_add(sum, sum, s->share);
+        mpz_addmul(mpq_numref(s->all.value[s->slot[parent] - 1]), s->share, factor);
         return FMB_OK;
     }
-    fmb_status st = fmb_weights_add(&s->all, parent, s->share, mem);
+    mpz_mul(mpq_numref(s->weight), s->share, factor);
+    fmb_status st = fmb_weights_add(&s->all, parent, s->weight, mem);
     if (st == FMB_OK)
         s->slot[parent] = (uint32_t)s->all.size;
     return st;
 }
 
+static fmb_status give_weight_to_parents(const fmb_elim *e, sweep *s, uint32_t row)
+{
+    const fmb_derived *r = &e->row[row];
+    fmb_status st = FMB_OK;
+    if (r->q != FMB_NO_ROW) {
+        find_factors(e, r, s);
+    } else { /* the reverse of row p */
+        mpz_set_si(s->alpha, -1);
+        mpq_set_ui(s->content, 1, 1);
+    }
+    take_weight(s, s->slot[row] - 1);
+    st = give_parent_its_share(s, r->p, s->alpha, e->run->mem);
+    return st == FMB_OK && r->q != FMB_NO_ROW ? give_parent_its_share(s, r->q, s->beta, e->run->mem)
+                                              : st;
+}
+
+static bool has_weight(const sweep *s, uint32_t row)
+{
+    return s->slot[row] != 0 && mpq_sgn(s->all.value[s->slot[row] - 1]) != 0;
+}
+
+/* What is left are base rows, last ones first. */
 static fmb_status sweep_down_to_base(const fmb_elim *e, sweep *s, uint32_t top, fmb_weights *base)
 {
-    fmb_mem *mem = e->run->mem;
     fmb_status st = FMB_OK;
-    mpq_t weight;
-    mpq_init(weight);
+    for (uint32_t i = top + 1; st == FMB_OK && i-- > 0;)
+        if (has_weight(s, i) && e->row[i].p != FMB_NO_ROW)
+            st = give_weight_to_parents(e, s, i);
     for (uint32_t i = top + 1; st == FMB_OK && i-- > 0;) {
-        if (s->slot[i] == 0)
+        if (!has_weight(s, i))
             continue;
-        const fmb_derived *r = &e->row[i];
-        mpq_set(weight, s->all.value[s->slot[i] - 1]);
-        if (mpq_sgn(weight) == 0)
-            continue;
-        if (r->p == FMB_NO_ROW) {
-            st = fmb_weights_add(base, i, weight, mem);
-            continue;
-        }
-        if (r->q == FMB_NO_ROW) { /* the reverse of row p */
-            mpq_neg(weight, weight);
-            mpz_set_ui(s->alpha, 1);
-            mpq_set_ui(s->content, 1, 1);
-            st = give_parent_its_share(s, r->p, s->alpha, weight, mem);
-            continue;
-        }
-        find_factors(e, r, s);
-        st = give_parent_its_share(s, r->p, s->alpha, weight, mem);
-        if (st == FMB_OK)
-            st = give_parent_its_share(s, r->q, s->beta, weight, mem);
+        mpz_set(mpq_numref(s->weight), mpq_numref(s->all.value[s->slot[i] - 1]));
+        mpz_set(mpq_denref(s->weight), s->denominator);
+        mpq_canonicalize(s->weight);
+        st = fmb_weights_add(base, i, s->weight, e->run->mem);
     }
-    mpq_clear(weight);
     return st;
 }
 
 /* Start the sweep with the rows of w: rows named twice are added up. */
 static fmb_status start_sweep(sweep *s, const fmb_weights *w, fmb_mem *mem)
 {
-    mpz_t one;
     fmb_status st = FMB_OK;
-    mpz_init_set_ui(one, 1);
-    mpq_set_ui(s->content, 1, 1);
-    for (size_t i = 0; st == FMB_OK && i < w->size; i++)
-        st = give_parent_its_share(s, w->index[i], one, w->value[i], mem);
-    mpz_clear(one);
+    mpz_set_ui(s->denominator, 1);
+    mpz_set_ui(s->alpha, 1);
+    for (size_t i = 0; i < w->size; i++)
+        mpz_lcm(s->denominator, s->denominator, mpq_denref(w->value[i]));
+    for (size_t i = 0; st == FMB_OK && i < w->size; i++) {
+        mpz_divexact(s->u, s->denominator, mpq_denref(w->value[i]));
+        mpz_mul(s->share, s->u, mpq_numref(w->value[i]));
+        st = give_parent_its_share(s, w->index[i], s->alpha, mem);
+    }
     return st;
 }
 
@@ -119,13 +142,13 @@ fmb_status fmb_elim_derive(const fmb_elim *e, fmb_weights *w)
     s.slot = fmb_mem_zero(mem, (size_t)top + 1, sizeof *s.slot);
     if (!s.slot)
         return fmb_mem_status(mem);
-    mpz_inits(s.alpha, s.beta, s.t, s.u, NULL);
-    mpq_inits(s.content, s.share, NULL);
+    mpz_inits(s.alpha, s.beta, s.t, s.u, s.denominator, s.share, NULL);
+    mpq_inits(s.content, s.weight, NULL);
     fmb_status st = start_sweep(&s, w, mem);
     if (st == FMB_OK)
         st = sweep_down_to_base(e, &s, top, &base);
-    mpz_clears(s.alpha, s.beta, s.t, s.u, NULL);
-    mpq_clears(s.content, s.share, NULL);
+    mpz_clears(s.alpha, s.beta, s.t, s.u, s.denominator, s.share, NULL);
+    mpq_clears(s.content, s.weight, NULL);
     fmb_weights_clear(&s.all, mem);
     fmb_mem_put(mem, s.slot, (size_t)top + 1, sizeof *s.slot);
     fmb_weights_clear(st == FMB_OK ? w : &base, mem);

@@ -2,6 +2,8 @@
 #include <stdio.h> /* before <gmp.h>, for mpq_out_str */
 
 #include "base/memory_stream.h"
+#include "num/gcd.h"
+#include "num/word.h"
 #include "proof/evidence/form.h"
 #include "proof/evidence/words.h"
 
@@ -33,12 +35,40 @@ static bool is_too_long(const mpq_t q)
     return digits + 3 > FMB_PROOF_WORD_MAX;
 }
 
-/* False if the number is too long. */
+/* |x| in digits, which end before that. */
+static char *put_digits(char *end, uint64_t x)
+{
+    do
+        *--end = (char)('0' + x % 10);
+    while ((x /= 10) > 0);
+    return end;
+}
+
+static void write_count(FILE *out, uint64_t x)
+{
+    char digits[24], *end = digits + sizeof digits, *from = put_digits(end, x);
+    fwrite(from, 1, (size_t)(end - from), out);
+}
+
+/* False if the number is too long. Most are short, and many. */
 static bool write_number(FILE *out, const mpq_t q)
 {
-    if (is_too_long(q))
-        return false;
-    mpq_out_str(out, 10, q);
+    bool whole = mpz_cmp_ui(mpq_denref(q), 1) == 0;
+    if (!fmb_integer_is_i64(mpq_numref(q)) || !fmb_integer_is_i64(mpq_denref(q))) {
+        if (is_too_long(q))
+            return false;
+        mpq_out_str(out, 10, q);
+        return true;
+    }
+    char text[48], *end = text + sizeof text, *from = end;
+    if (!whole) {
+        from = put_digits(from, (uint64_t)fmb_integer_get_i64(mpq_denref(q)));
+        *--from = '/';
+    }
+    from = put_digits(from, fmb_abs64(fmb_integer_get_i64(mpq_numref(q))));
+    if (mpq_sgn(q) < 0)
+        *--from = '-';
+    fwrite(from, 1, (size_t)(end - from), out);
     return true;
 }
 
@@ -98,9 +128,10 @@ static bool write_heading(FILE *out, const fmb_evidence *e, const fmb_system *s,
 static bool write_part(FILE *out, const fmb_system *s, fmb_form_part part, size_t key,
                        const mpq_t value)
 {
-    fprintf(out, "%s ", fmb_part_forms[part].word);
+    fputs(fmb_part_forms[part].word, out);
+    fputc(' ', out);
     if (fmb_part_forms[part].key != FMB_KEY_VARIABLE)
-        fprintf(out, "%zu", key + 1);
+        write_count(out, key + 1);
     else
         write_name(out, fmb_system_name(s, (int)key));
     fputc(' ', out);
