@@ -114,7 +114,7 @@ static size_t count_union(const fmb_elimination *e, size_t p, size_t q)
 {
     size_t size = 0;
     for (size_t w = 0; w < e->words; w++)
-        size += (size_t)__builtin_popcountll(e->row[p].of[w] | e->row[q].of[w]);
+        size += fmb_ones64(e->row[p].of[w] | e->row[q].of[w]);
     return size;
 }
 
@@ -182,7 +182,8 @@ static fmb_status add_pair(fmb_elimination *e, const row_pair *pair, size_t v, u
     fmb_eliminated_row *sum = &e->row[e->rows - 1];
     memcpy(sum->of, set, e->words * sizeof *set);
     for (size_t j = 0; j <= e->dim; j++)
-        mpz_set(sum->z.z[j], e->row[pair->p].z.z[j]);
+        if (mpz_sgn(e->row[pair->p].z.z[j]) != 0)
+            mpz_set(sum->z.z[j], e->row[pair->p].z.z[j]);
     return cancel_variable(e, &sum->z, &e->row[pair->q].z, v);
 }
 

@@ -20,15 +20,18 @@ typedef struct faces_of_level {
 
 /* f&r for some form r. */
 typedef struct face_cut {
-    uint64_t *set;
-    size_t size; /* vectors in it */
+    uint64_t *set; /* [parts] of the walk */
+    size_t size;   /* vectors in it */
 } face_cut;
 
 typedef struct lattice_walk {
     const fmb_lattice *l;
     fmb_mem *mem;
     faces_of_level here, below;
-    uint64_t *set;     /* [forms][words] of the cuts */
+    size_t *part; /* [parts] words of the face at hand that are not 0: faces have few vectors */
+    size_t parts;
+    uint64_t *face;    /* [words] scratch */
+    uint64_t *set;     /* [forms][parts] of the cuts */
     face_cut *cut;     /* [forms] */
     size_t *facet;     /* [forms] cuts that are maximal ... */
     size_t facets;     /* ... of the face at hand */
@@ -102,20 +105,35 @@ static int compare_sizes_of_cuts(const void *x, const void *y)
     return (a->size < b->size) - (a->size > b->size);
 }
 
+/* Where r is zero[], is f&r neither empty nor f? */
+static bool is_proper_cut(const lattice_walk *w, const uint64_t *f, const uint64_t *zero)
+{
+    uint64_t in = 0, out = 0;
+    for (size_t k = 0; k < w->parts; k++) {
+        in |= f[w->part[k]] & zero[w->part[k]];
+        out |= f[w->part[k]] & ~zero[w->part[k]];
+    }
+    return in != 0 && out != 0;
+}
+
 /* The sets f&r that are neither empty nor f, larger ones first; how many. */
 static size_t cut_face(lattice_walk *w, const uint64_t *f)
 {
-    size_t words = w->l->words, size = fmb_set_size(f, words), cuts = 0;
+    size_t words = w->l->words, cuts = 0;
+    w->parts = 0;
+    for (size_t k = 0; k < words; k++)
+        if (f[k] != 0)
+            w->part[w->parts++] = k;
     for (size_t r = 0; r < w->l->forms; r++) {
-        uint64_t *set = w->set + cuts * words;
+        uint64_t *set = w->set + cuts * w->parts;
         const uint64_t *zero = w->l->zero + r * words;
-        for (size_t k = 0; k < words; k++)
-            set[k] = f[k] & zero[k];
-        size_t left = fmb_set_size(set, words);
-        if (left > 0 && left < size)
-            w->cut[cuts++] = (face_cut){set, left};
+        if (!is_proper_cut(w, f, zero))
+            continue;
+        for (size_t k = 0; k < w->parts; k++)
+            set[k] = f[w->part[k]] & zero[w->part[k]];
+        w->cut[cuts++] = (face_cut){set, fmb_set_size(set, w->parts)};
     }
-    w->words += w->l->forms * words;
+    w->words += w->l->forms * w->parts;
     qsort(w->cut, cuts, sizeof *w->cut, compare_sizes_of_cuts);
     return cuts;
 }
@@ -124,7 +142,7 @@ static size_t cut_face(lattice_walk *w, const uint64_t *f)
  * before it, so that the maximal ones are known. */
 static bool find_facets(lattice_walk *w, const uint64_t *f)
 {
-    size_t words = w->l->words, cuts = cut_face(w, f), facets = 0;
+    size_t cuts = cut_face(w, f), words = w->parts, facets = 0;
     bool closed = true;
     for (size_t i = 0; closed && i < cuts; i++) {
         const face_cut *c = &w->cut[i];
@@ -208,9 +226,9 @@ static bool list_tight_forms(const lattice_walk *w, const uint64_t *f, simple_fa
 {
     size_t at = 0;
     bool good = true;
-    for (size_t g = 0; good && g < 64 * w->l->words; g++) {
+    for (size_t g = 0; good && g < 64 * w->parts; g++) {
         size_t n = 0;
-        if (!fmb_set_has(f, g))
+        if (!(f[w->part[g / 64]] >> g % 64 & 1))
             continue;
         for (size_t i = 0; good && i < w->facets; i++) {
             if (!fmb_set_has(w->cut[w->facet[i]].set, g))
@@ -234,7 +252,7 @@ static fmb_status is_simple(lattice_walk *w, const uint64_t *f, size_t dimension
         incidences += w->cut[w->facet[i]].size;
     *simple =
         w->facets <= UINT32_MAX && incidences % s.width == 0 && incidences / s.width == s.members;
-    if (!*simple)
+    if (!*simple || (s.width == 1 && s.members == 2)) /* two facets, a member each */
         return FMB_OK;
     while (s.slots < 2 * incidences)
         s.slots *= 2;
@@ -260,9 +278,13 @@ static fmb_status descend_to_facets(lattice_walk *w, const uint64_t *f, size_t d
         w->end = FMB_LATTICE_OPEN;
     else if (w->l->wanted == 0)
         st = is_simple(w, f, dimension, &simple);
+    memset(w->face, 0, w->l->words * sizeof *w->face);
     for (size_t i = 0; st == FMB_OK && w->end == FMB_LATTICE_CLOSED && !simple && i < w->facets;
-         i++)
-        st = add_face(&w->below, w->cut[w->facet[i]].set, w->l->words, w->mem);
+         i++) {
+        for (size_t k = 0; k < w->parts; k++)
+            w->face[w->part[k]] = w->cut[w->facet[i]].set[k];
+        st = add_face(&w->below, w->face, w->l->words, w->mem);
+    }
     return st;
 }
 
@@ -334,7 +356,9 @@ fmb_status fmb_lattice_check(const fmb_lattice *l, const uint64_t *top, size_t d
     w.set = fmb_mem_get(mem, words, sizeof *w.set);
     w.cut = fmb_mem_get(mem, l->forms, sizeof *w.cut);
     w.facet = fmb_mem_get(mem, l->forms, sizeof *w.facet);
-    fmb_status st = w.set && w.cut && w.facet ? FMB_OK : fmb_mem_status(mem);
+    w.part = fmb_mem_get(mem, l->words, sizeof *w.part);
+    w.face = fmb_mem_get(mem, l->words, sizeof *w.face);
+    fmb_status st = w.set && w.cut && w.facet && w.part && w.face ? FMB_OK : fmb_mem_status(mem);
     if (st == FMB_OK)
         st = add_face(&w.here, top, l->words, mem);
     if (dimension == 0)
@@ -346,6 +370,8 @@ fmb_status fmb_lattice_check(const fmb_lattice *l, const uint64_t *top, size_t d
     fmb_mem_put(mem, w.set, words, sizeof *w.set);
     fmb_mem_put(mem, w.cut, l->forms, sizeof *w.cut);
     fmb_mem_put(mem, w.facet, l->forms, sizeof *w.facet);
+    fmb_mem_put(mem, w.part, l->words, sizeof *w.part);
+    fmb_mem_put(mem, w.face, l->words, sizeof *w.face);
     if (st == FMB_OK)
         *end = w.end == FMB_LATTICE_CLOSED && w.is_unshown ? FMB_LATTICE_UNSHOWN : w.end;
     return st;

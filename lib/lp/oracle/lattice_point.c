@@ -54,7 +54,7 @@ static bool has_equality(const fmb_program *p)
 fmb_status fmb_oracle_try_lattice_point(fmb_oracle *o, fmb_hint *h, bool *found)
 {
     fmb_status st = try_rounded(o, COARSE, found);
-    if (*found || st != FMB_OK || has_equality(o->p))
+    if (*found || st != FMB_OK || o->tight || has_equality(o->p))
         return st;
     for (int fine = COARSE; st == FMB_OK && !*found && fine <= FINEST; fine += FINER)
         st = move_in_and_search(o, fine, h, found);

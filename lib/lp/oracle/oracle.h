@@ -29,6 +29,8 @@ fmb_status fmb_oracle_feasible(fmb_oracle *o, bool *feasible);
 /* The next search for a solution goes where cost.x is large, as somebody is going to maximize it.
  * Errors: MEMORY, LIMIT. */
 fmb_status fmb_oracle_lean(fmb_oracle *o, const fmb_weights *cost);
+/* Does each solution that will be asked for lie on some row? Then none is looked for inside. */
+void fmb_oracle_expect_tight_rows(fmb_oracle *o, bool tight);
 /* Has a solution been found since rows changed? */
 bool fmb_oracle_has_solution(const fmb_oracle *o);
 

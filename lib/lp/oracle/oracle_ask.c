@@ -36,6 +36,11 @@ static fmb_status try_last_point(fmb_oracle *o, bool *holds)
     return fmb_vertex_try_point(&o->v, o->point.z, o->point_den, o->price, holds);
 }
 
+void fmb_oracle_expect_tight_rows(fmb_oracle *o, bool tight)
+{
+    o->tight = tight;
+}
+
 /* A point strictly inside, or a conflict. */
 static fmb_status search_for_point(fmb_oracle *o, bool *feasible)
 {

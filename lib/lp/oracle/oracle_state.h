@@ -28,6 +28,7 @@ struct fmb_oracle {
     double *price;      /* [n] roughly the cost */
     double *lean;       /* [n] roughly what the next search leans to, or NULL: not asked yet */
     bool leans;         /* it does */
+    bool tight;         /* each solution lies on some row: rows are not moved in */
     bool feasible;      /* known */
     bool has_point;     /* point is some point, found for these rows or for others */
     fmb_integers point; /* [n], over point_den: a solution, strict rows included */

@@ -40,6 +40,9 @@ typedef struct completeness_proof {
     bool any_strict, done;
     const char *why; /* it is not done */
     uint64_t work;   /* that it may cost */
+    fmb_lifted lifted;
+    bool cornered, claimed; /* its corners are known; they were tried */
+    bool tight;             /* w->y is on some row */
 } completeness_proof;
 
 /* ---- corners --------------------------------------------------------------------------------- */
@@ -62,7 +65,7 @@ static fmb_status claim_corner_above(completeness_proof *w, bool strict, bool *f
 {
     fmb_status st = w->preimages ? FMB_OK : fmb_preimages_open(w->q, w->place, &w->preimages);
     if (st == FMB_OK)
-        st = fmb_preimages_find(w->preimages, &w->y, strict, w->x, found);
+        st = fmb_preimages_find(w->preimages, &w->y, strict, w->tight, w->x, found);
     return st == FMB_OK && *found ? claim_corner_at(w) : st;
 }
 
@@ -139,8 +142,10 @@ static fmb_status claim_all_corners(completeness_proof *w, const fmb_image *m, b
     fmb_status st = FMB_OK;
     *found = true;
     w->why = "above some corner no solution was found";
+    w->tight = true;
     for (size_t i = 0; st == FMB_OK && *found && i < m->rays; i++)
         st = claim_corner(w, &m->ray[i], 1, found);
+    w->tight = false;
     for (size_t i = 0; st == FMB_OK && *found && i < 2 * m->lines; i++)
         st = claim_corner(w, &m->line[i / 2], i % 2 ? -1 : 1, found);
     return st;
@@ -164,18 +169,13 @@ static uint64_t affordable_work(const fmb_query *q)
     return WORK_OF_ANY + row * s->rows_made + WORK_OF_PAIR * s->pairs + WORK_OF_PROGRAM * s->lps;
 }
 
-static fmb_status find_corners(completeness_proof *w, bool *found)
+/* Those of the rows, as far as the work for them goes. */
+static fmb_status find_corners_of_rows(completeness_proof *w)
 {
-    fmb_lifted h;
-    fmb_status st = fmb_lifted_open(&h, w->q, w->image);
-    *found = false;
-    w->why = "it has too many corners";
-    if (st == FMB_OK)
-        st = fmb_lifted_run(&h, w->work / WORK_OF_RAY, found);
-    if (st == FMB_OK && *found)
-        st = claim_all_corners(w, &h.image, found);
-    fmb_lifted_close(&h);
-    return st;
+    fmb_status st = w->lifted.q ? FMB_OK : fmb_lifted_open(&w->lifted, w->q, w->image);
+    return st == FMB_OK && !w->cornered
+               ? fmb_lifted_run(&w->lifted, w->work / WORK_OF_RAY, &w->cornered)
+               : st;
 }
 
 /* ---- faces that strict rows leave ------------------------------------------------------------ */
@@ -251,19 +251,26 @@ static void drop_claims(completeness_proof *w)
         fmb_evidence_drop_last(w->q->claims);
 }
 
-static fmb_status find_corners_of_rows(completeness_proof *w)
+static fmb_status claim_corners_of_rows(completeness_proof *w)
 {
     bool found;
     drop_claims(w);
-    fmb_status st = find_corners(w, &found);
+    w->claimed = true;
+    fmb_status st = claim_all_corners(w, &w->lifted.image, &found);
     return st == FMB_OK && found ? claim_complete(w) : st;
 }
 
-static fmb_status try_order_and_corners(completeness_proof *w)
+/* Corners, where these cost about as much as the order may; or that. At last it comes first. */
+static fmb_status try_corners_or_order(completeness_proof *w, bool last)
 {
+    fmb_status st = last ? FMB_OK : find_corners_of_rows(w);
+    size_t corners = w->lifted.image.rays + 2 * w->lifted.image.lines;
+    if (st == FMB_OK && w->cornered && !w->claimed && corners <= 2 * w->work / WORK_OF_PROGRAM)
+        st = claim_corners_of_rows(w);
+    if (st != FMB_OK || w->done)
+        return st;
     drop_claims(w);
-    fmb_status st = fmb_query_order_complete(w->q, w->place, w->image, w->work, &w->done);
-    return st == FMB_OK && !w->done ? find_corners_of_rows(w) : st;
+    return fmb_query_order_complete(w->q, w->place, w->image, w->work, &w->done);
 }
 
 static fmb_status prove_complete(completeness_proof *w)
@@ -281,10 +288,17 @@ static fmb_status prove_complete(completeness_proof *w)
     if (st == FMB_OK && found)
         st = claim_complete(w);
     const uint64_t work = affordable_work(w->q);
+    w->why = w->done ? NULL : "it has too many corners";
     for (uint64_t share = FIRST_SHARE; st == FMB_OK && !w->done && share > 0; share /= NEXT_SHARE) {
         w->work = work / share;
-        st = try_order_and_corners(w);
+        st = try_corners_or_order(w, share == 1);
     }
+    if (st == FMB_OK && !w->done)
+        st = find_corners_of_rows(w);
+    if (st == FMB_OK && !w->done && w->cornered && !w->claimed)
+        st = claim_corners_of_rows(w);
+    if (w->lifted.q)
+        fmb_lifted_close(&w->lifted);
     fmb_preimages_close(w->preimages);
     fmb_rationals_free(w->x, dim, mem);
     fmb_integers_clear(&w->y, mem);

@@ -188,16 +188,18 @@ static void set_kept_variables(const fmb_preimages *l, const fmb_integers *y, mp
     }
 }
 
-fmb_status fmb_preimages_find(fmb_preimages *l, const fmb_integers *y, bool strict, mpq_t *x,
-                              bool *found)
+fmb_status fmb_preimages_find(fmb_preimages *l, const fmb_integers *y, bool strict, bool tight,
+                              mpq_t *x, bool *found)
 {
     *found = !strict || keeps_strict_rows(l, y);
     set_kept_variables(l, y, x);
     fmb_status st = fmb_run_poll(&l->q->run);
     for (size_t c = 0; st == FMB_OK && *found && c < l->parts; c++) {
         lifted_part *h = &l->part[strict][c];
-        if (h->oracle)
-            st = lift_in_part(l, h, y, x, found);
+        if (!h->oracle)
+            continue;
+        fmb_oracle_expect_tight_rows(h->oracle, tight && !strict);
+        st = lift_in_part(l, h, y, x, found);
     }
     return st;
 }

@@ -19,9 +19,9 @@ fmb_status fmb_preimages_open(fmb_query *q, const int *place, fmb_preimages **ou
 void fmb_preimages_close(fmb_preimages *l);
 
 /* x[dim]: above the point y[k] / t, or if t = 0 the direction y, where y holds t behind its k
- * columns. strict: points only, and < counts; else it is read as <=. *found false: there is none.
- */
-fmb_status fmb_preimages_find(fmb_preimages *l, const fmb_integers *y, bool strict, mpq_t *x,
-                              bool *found);
+ * columns. strict: points only, and < counts; else it is read as <=. tight: some row of the
+ * projection holds with equality there. *found false: there is none. */
+fmb_status fmb_preimages_find(fmb_preimages *l, const fmb_integers *y, bool strict, bool tight,
+                              mpq_t *x, bool *found);
 
 #endif
