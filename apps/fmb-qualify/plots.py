@@ -1,5 +1,5 @@
 """What an experiment (`fmb-qualify run`) found, to be looked at: from its lines of CSV alone, a figure each for the
-field's questions as SVG and PNG, a table in LaTeX, and report.html, which holds them all.
+field's questions as SVG and PDF, a table in LaTeX, and report.html, which holds them all.
 usage: plots.py FOLDER RUNS.csv
 
 A run that was stopped by a limit is censored: it counts as not solved, in comparisons of pairs as worse than every
@@ -13,24 +13,14 @@ import pathlib
 import sys
 
 try:
-    import matplotlib
-    import matplotlib.ticker
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
     import numpy as np
+    import plotting
     from scipy import stats
 except ImportError as missing:
     sys.exit(f"fmb-qualify: python3 has no {missing.name}: figures need matplotlib, numpy and scipy")
 
-# Different to the colour-blind, and dark enough for thin lines on white; then the same with other strokes.
-COLOURS = "#0072b2 #c44e00 #007a55 #aa3377 #8a6d00 #332288 #666666 #000000".split()
-STROKES = ["-", "--", ":", "-."]
-WIDTH, HEIGHT = 5.2, 3.6  # inches: a column and a half of a paper
-plt.rcParams.update({
-    "svg.fonttype": "none", "svg.hashsalt": "fmb", "font.size": 9, "axes.spines.top": False,
-    "axes.spines.right": False, "axes.axisbelow": True, "axes.grid": True, "grid.color": "#dddddd",
-    "grid.linewidth": 0.6, "lines.linewidth": 1.4, "legend.fontsize": 8, "legend.frameon": False,
-})
+matplotlib, plt, style = plotting.matplotlib, plotting.plt, plotting.style
+HEIGHT, SHOWN = 2.4, 12  # inches; ways
 
 # ---- runs -----------------------------------------------------------------------------------------
 
@@ -62,10 +52,16 @@ class Runs:
                 name += f' [{line["evidence"]}]'
             self.run[name][tuple(line[key] for key in PROBLEM)] = line
         self.problems = list(dict.fromkeys(tuple(line[key] for key in PROBLEM) for line in lines))
-        self.ways = [way for way in self.run if any(line["outcome"] != "unknown" for line in self.run[way].values())]
-        self.rules = [way for way in self.ways if next(iter(self.run[way].values()))["method"] == "fm"]
+        self.all_ways = [way for way in self.run if any(line["outcome"] != "unknown" for line in self.run[way].values())]
+        self.ways = self.some(self.all_ways)
+        self.rules = self.some([way for way in self.all_ways if next(iter(self.run[way].values()))["method"] == "fm"])
         self.timed = any(line["timed"] != "no" for line in lines)
         self.facts = {key: sorted({line[key] for line in lines}) for key in ("plan", "version", "commit", "machine", "passes")}
+
+    def some(self, ways):
+        """What a figure can show: the first way, which others are compared with, and of the rest those that decided most."""
+        by_decided = sorted(ways[1:], key=lambda way: -sum(line["outcome"] == "decided" for line in self.run[way].values()))
+        return [way for way in ways if way in ways[:1] + by_decided[:SHOWN - 1]]
 
     def decided(self, way, problem, measure):
         line = self.run[way].get(problem)
@@ -82,12 +78,6 @@ class Runs:
         return np.array([[self.cost(way, problem, measure) for problem in self.problems] for way in ways])
 
 
-def style(i):
-    return {"color": COLOURS[i % len(COLOURS)], "linestyle": STROKES[i // len(COLOURS) % len(STROKES)]}
-
-
-def begin(height=HEIGHT):
-    return plt.subplots(figsize=(WIDTH, height), layout="constrained")
 
 
 WORDS = {"seconds": "time", "made": "rows made"}
@@ -98,9 +88,8 @@ WORDS = {"seconds": "time", "made": "rows made"}
 def cactus(runs, measure, axes):
     for i, way in enumerate(runs.ways if measure == "seconds" else runs.rules):
         costs = np.sort([c for c in runs.costs([way], measure)[0] if np.isfinite(c)])
-        axes.plot(np.arange(1, len(costs) + 1), np.cumsum(costs), label=f"{way}: {len(costs)}", **style(i))
+        axes.plot(np.arange(1, len(costs) + 1), np.cumsum(costs), label=f"{way}: {len(costs)}", markevery=0.15, **style(i))
     axes.set(yscale="log", xlabel=f"problems solved, of {len(runs.problems)}", ylabel="time, all of them together [s]")
-    axes.legend(loc="upper left")
     return ("Cactus plot: how many problems a way solves within a time, the quickest first. A run that reached a limit is "
             "not solved.")
 
@@ -115,16 +104,13 @@ def profile(runs, measure, axes):
     for i, way in enumerate(ways):
         found = np.sort(ratios[i][np.isfinite(ratios[i])])
         share = np.arange(1, len(found) + 1) / len(runs.problems)
-        axes.step([*found, most], [*share, share[-1] if len(share) else 0], where="post", label=way, **style(i))
-    axes.set(xscale="log", xlim=(1, most), ylim=(0, 1.02), xlabel=f"{WORDS[measure]}, over the least of all ways",
+        axes.step([*found, most], [*share, share[-1] if len(share) else 0], where="post", label=way, markevery=(0.03 * i % 0.2, 0.2), **style(i))
+    axes.set(ylim=(0, 1.02), xlabel=f"{WORDS[measure]}, over the least of all ways",
              ylabel="share of problems")
-    axes.legend(loc="lower right", ncols=2)
+    plotting.logarithmic(axes.xaxis, 1, most)
+    axes.set_xlim(left=1)
     return (f"Performance profiles (Dolan, Moré 2002) of {WORDS[measure]}: on which share of the {len(runs.problems)} problems a way "
             f"is within a factor of the best one. {int(np.sum(~known))} were solved by none.")
-
-
-def legend_above(axes):
-    axes.legend(loc="lower center", bbox_to_anchor=(0.45, 1), ncols=5)
 
 
 def rounds(runs, _, axes):
@@ -139,12 +125,11 @@ def rounds(runs, _, axes):
         most = max(most, len(table))
         x = np.arange(1, len(table) + 1) + 0.6 * (i / max(1, len(runs.rules) - 1) - 0.5)
         axes.plot(x, table[:, 1], label=way, **style(i))
-        axes.vlines(x, table[:, 0], table[:, 2], color=style(i)["color"], linewidth=0.8)
+        axes.vlines(x, table[:, 0], table[:, 2], color=style(i)["color"], linewidth=0.5)
     axes.set(yscale="log", xlabel="round", ylabel="rows alive after it")
     axes.yaxis.set_major_formatter("{x:g}")
     axes.yaxis.set_minor_formatter(matplotlib.ticker.LogFormatter(minor_thresholds=(2, 0.5)))
     axes.set_xticks(range(1, most + 1, max(1, most // 12)))
-    legend_above(axes)
     return (f"Rows alive after each round: median and quartiles over the runs that had so many rounds, at least five of the {len(common)} "
             "problems that every set of rules decided.")
 
@@ -160,7 +145,7 @@ def growth(runs, _, axes):
         most = {k: found for k, found in sorted(most.items()) if len(found) >= 5}
         middle = {k: np.median([held for held, _ in found]) for k, found in most.items()}
         largest = max([largest, *middle.values()])
-        axes.plot(list(middle), list(middle.values()), label=way, marker=".", markersize=4, **style(i))
+        axes.plot(list(middle), list(middle.values()), label=way, **style(i))
         censored = [k for k, found in most.items() if 2 * sum(stopped for _, stopped in found) >= len(found)]
         axes.plot(censored, [middle[k] for k in censored], "^", color=style(i)["color"], markersize=7, fillstyle="none")
     theory = [(k, 4 * (np.median(of_k) / 4) ** (2.0 ** k)) for k, of_k in sorted(rows.items()) if k <= 6]
@@ -168,7 +153,7 @@ def growth(runs, _, axes):
     if theory:
         axes.plot(*zip(*theory), color="#000000", linewidth=0.8, marker="+", label="$4(m/4)^{2^k}$")
     axes.set(yscale="log", xlabel="variables eliminated, k", ylabel="most rows at once")
-    legend_above(axes)
+    axes.xaxis.set_major_locator(plotting.ticker.MaxNLocator(integer=True, nbins=9))
     return ("Growth: the most rows at once against the number of variables that go, medians over at least five problems. Triangles: "
             "half of the runs or more were stopped, and the median is a lower bound. The thin line is the worst that elimination "
             "can do to the median number m of rows.")
@@ -203,7 +188,7 @@ def heat(runs, _, axes):
     for r, c in np.argwhere(np.isfinite(table)):
         axes.text(c, r, f"{cells[r][c][1]}{10 ** table[r, c]:.2g}", ha="center", va="center", fontsize=6.5,
                   color="white" if abs(table[r, c]) > 0.6 * limit else "black")
-    axes.figure.colorbar(image, ax=axes, label=f"rows made over those of {base} (log$_{{10}}$)", shrink=0.6)
+    axes.figure.colorbar(image, ax=axes, label="log$_{10}$ of the ratio", shrink=0.8)
     return (f"Rows made over those of {base}, geometric means by family over the problems that one of both decided. <: {base} was "
             "stopped on some, and the ratio can only be smaller; >: the other was; ~: both happened. Empty where neither decided any.")
 
@@ -252,7 +237,7 @@ def critical(runs, measure, axes):
         axes.text(end, y, f"{ways[i]} {ranks[i]:.2f} " if left else f" {ways[i]} {ranks[i]:.2f}",
                   ha="right" if left else "left", va="center", fontsize=8)
     for k, (a, b) in enumerate(bars):
-        axes.plot([ranks[order[a]] - 0.04, ranks[order[b]] + 0.04], [-0.25 - 0.22 * k] * 2, color=COLOURS[0], linewidth=3)
+        axes.plot([ranks[order[a]] - 0.04, ranks[order[b]] + 0.04], [-0.25 - 0.22 * k] * 2, color=plotting.BLUE, linewidth=3)
     axes.set(xlim=(-1.3, len(ways) + 2.3), ylim=(-0.9 - 0.5 * half - 0.22 * len(bars), 0.2))
     axes.spines[["left", "bottom"]].set_visible(False)
     axes.plot([1, len(ways)], [0, 0], color="#222222", linewidth=1)
@@ -287,7 +272,7 @@ def table(runs):
     """Heads, and a line of texts a way. A mean of ratios is over the problems that both decided."""
     heads = ["way", "decided", "stopped", "refused", "wrong", "rows made", "of", "time", "of"]
     base, lines = runs.rules[0] if runs.rules else runs.ways[0], []
-    for way in runs.ways:
+    for way in runs.all_ways:
         outcomes = collections.Counter(line["outcome"] for line in runs.run[way].values())
         line = [way, *(str(outcomes[word]) for word in ("decided", "stopped", "refused", "wrong"))]
         for measure in ("made", "seconds"):
@@ -315,21 +300,25 @@ def main(path, folder):
     folder.mkdir(exist_ok=True)
     facts = "; ".join(f"{key} {', '.join(values)}" for key, values in runs.facts.items())
     parts = [f"<h1>{html.escape(pathlib.Path(path).name)}</h1>\n<p>{html.escape(facts)}</p>\n"]
+    if len(runs.ways) < len(runs.all_ways):
+        parts.append(f"<p>Figures show {len(runs.ways)} of {len(runs.all_ways)} ways: the first one, and those that decided most.</p>\n")
     heads, lines, caption = table(runs)
     (folder / "table.tex").write_text(latex(heads, lines, caption))
-    parts.append(f"<p>{html.escape(caption)}</p><table>" + "".join(
-        "<tr>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in cells) + "</tr>\n" for cells in [heads, *lines]) + "</table>\n")
+    folded = (f'<details><summary>All numbers</summary><p>{html.escape(caption)}</p><div class="wide"><table>' + "".join(
+        "<tr>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in cells) + "</tr>\n" for cells in [heads, *lines]) + "</table></div></details>\n")
     for name, draw, measure, height in figures(runs):
-        figure, axes = begin(height)
+        wide = draw in (critical, heat) and len(runs.ways) > 6
+        figure, axes = plotting.start(height, plotting.PAGE if wide else plotting.COLUMN)
         caption = draw(runs, measure, axes)
-        figure.savefig(folder / f"{name}.svg", metadata={"Date": None, "Creator": "fmb-qualify"})
-        figure.savefig(folder / f"{name}.png", dpi=200)
-        plt.close(figure)
+        if axes.get_legend_handles_labels()[0]:
+            plotting.key(figure)
+        plotting.save(figure, folder / f"{name}.svg", folder / f"{name}.pdf")
         parts.append(f'<figure><img src="{name}.svg" alt="{name}"><figcaption>{html.escape(caption)}</figcaption></figure>\n')
     (folder / "report.html").write_text(
-        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>fmb-qualify plots</title>\n<style>body { font: 16px/1.5 '
-        "sans-serif; max-width: 56em; margin: 2em auto; padding: 0 1em } td { padding: .1em .6em; border-bottom: 1px solid #ddd } "
-        "img { max-width: 100% } figcaption { font-size: 14px }</style></head>\n<body>\n" + "".join(parts) + "</body></html>\n")
+        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
+        '<meta name="viewport" content="width=device-width, initial-scale=1"><title>fmb-qualify plots</title>\n<style>body { font: 16px/1.5 '
+        "sans-serif; max-width: 44em; margin: 1.5em auto; padding: 0 1em } td { padding: .1em .6em; border-bottom: 1px solid #ddd } "
+        ".wide { overflow-x: auto } figure { margin: 1em 0 } img { width: 34em; max-width: 100% } figcaption { font-size: 14px }</style></head>\n<body>\n" + "".join(parts) + folded + "</body></html>\n")
 
 
 if __name__ == "__main__":

@@ -1,25 +1,24 @@
-"""What fmb-qualify found, to be looked at: report.html (one file, nothing outside it) and each figure
-as SVG and PNG, beside the gnuplot script that draws it, all made of report.json alone.
+"""What fmb-qualify found, to be looked at: report.html (one file, nothing outside it), which opens with what came out, and each
+figure as SVG and PDF, all made of report.json (and bunny-mesh.csv) alone. Figures need matplotlib.
 usage: report.py FOLDER"""
 
 import html
 import json
+import math
 import pathlib
 import re
-import subprocess
 import sys
 
 STYLE = """
-body { font: 16px/1.5 sans-serif; max-width: 64em; margin: 2em auto; padding: 0 1em; color: #222 }
+body { font: 16px/1.5 sans-serif; max-width: 44em; margin: 1.5em auto; padding: 0 1em; color: #222; overflow-wrap: break-word }
+h2 { font-size: 1.15em; margin: 2em 0 .4em } ul { columns: 3 7em; padding-left: 1.2em }
 table { border-collapse: collapse; margin: .5em 0 1.5em; font-size: 14px; font-variant-numeric: tabular-nums }
 caption { text-align: left; font-weight: bold; padding: .5em 0 }
 th, td { padding: .15em .6em; border-bottom: 1px solid #ddd; text-align: left; white-space: nowrap }
 th { border-bottom: 2px solid #888 } .r { text-align: right } .wide { overflow-x: auto }
-figure { margin: 1em 0 2em } figure svg { width: 100%; height: auto } figcaption { font-size: 14px }
-.missing { background: #fee; padding: .5em } a { color: #058 }
+figure { margin: 1em 0; max-width: 34em } figure svg { width: 100%; height: auto } figcaption { font-size: 14px; color: #444 }
+summary { cursor: pointer; color: #058; padding: .3em 0 } .missing { background: #fee; padding: .5em } a { color: #058 }
 """
-# Dark enough for thin lines on white, and different to the colour-blind.
-PALETTE = "#0072b2 #d55e00 #009e73 #aa3377 #997700 #332288 #666666 #000000".split()
 
 # ---- tables ---------------------------------------------------------------------------------------
 
@@ -49,183 +48,106 @@ def table_html(study, part):
 
 
 # ---- figures --------------------------------------------------------------------------------------
-# A figure: name, caption, settings of gnuplot, and curves (title, [(x, y), ...], style, colour). Bars
-# have no style.
 
 
-def range_of_curves(curves):
-    """A logarithmic axis that ends where the curves end, not at powers of ten."""
-    values = [y for _, points, _, _ in curves for _, y in points if y > 0]
-    low, high = min(values, default=1), max(values, default=1)
-    ticks = ", ".join(f"{digit}e{power}" for power in range(-4, 7) for digit in (1, 2, 5))
-    return f"set yrange [{0.8 * low}:{1.25 * high}]" + (f"\nset ytics ({ticks})" if high < 1e4 * low else "")
-
-
-def curve(rows, x, y, title, colour, style="linespoints linewidth 2"):
-    return title, [(row[x], row[y]) for row in rows if row.get(y) is not None], style, colour
-
-
-def verdict_figures(study):
-    for mix in study["mixes"]:
-        rows = mix["fmb_over_sat"]
-        low, high = min(0.5, *(0.9 * row["least"] for row in rows)), max(2, *(1.1 * row["most"] for row in rows))
-        yield (f'ratio-{mix["case"]}',
-               f'FMB over SAT, {mix["case"]}: {mix["queries"]} distinct pairs of all kinds at each share, those '
-               f'that meet at random places. Average: of all pairs; least and most: over {mix["groups"]} groups of '
-               'pairs, as they come.',
-               f'set logscale y\nset xrange [0:100]\nset yrange [{low}:{high}]\nset xlabel "pairs that meet [%]"\n'
-               'set ylabel "time of FMB / time of SAT"\nset ytics (0.1,0.2,0.5,0.6,0.7,0.8,0.9,1,1.2,1.5,2,3,5,10)',
-               [("equal", [(0, 1), (100, 1)], "lines dashtype 2", -1),
-                curve(rows, "percent_meeting", "most", "most", 1),
-                curve(rows, "percent_meeting", "total", "average", 0, "linespoints linewidth 4"),
-                curve(rows, "percent_meeting", "least", "least", 2)])
-
-
-def article_figures(study):
-    # As the article draws it: ratios of pairs that meet and of those that do not, mixed. Ratios of ours are of times.
-    def mixed(meeting, apart, share):
-        return [share * m + (1 - share) * a for m, a in zip(meeting, apart)]
-
-    def ratio(of, cells, share):
-        if of == "published":
-            return mixed(*([cell[of]] for cell in cells), share)[0]
-        if of == "repeated":
-            return mixed(*([cell[of]["mean"]] for cell in cells), share)[0]
-        fmb, sat = mixed(*([cell[of]["fmb_ns"], cell[of]["sat_ns"]] for cell in cells), share)
-        return fmb / sat
-
-    ways = (("published", "published", "lines dashtype 2 linewidth 2"), ("repeated", "listed, repeated", "linespoints linewidth 2"),
-            ("packed", "ours, packed", "lines dashtype 4 linewidth 3"))
-    for case in dict.fromkeys(cell["case"] for cell in study["cells"]):
-        curves = [("equal", [(0, 1), (100, 1)], "lines", 7)]
-        for i, kind in enumerate(("CC", "CT", "TT")):
-            cells = sorted((cell for cell in study["cells"] if cell["case"] == case and cell["pair"] == kind),
-                           key=lambda cell: not cell["meeting"])
-            if len(cells) == 2:
-                curves += [(f"{kind}, {title}", [(10 * x, ratio(of, cells, x / 10)) for x in range(11)], style, i)
-                           for of, title, style in ways]
-        yield (case, f"FMB over SAT, {case}, by the share of pairs that meet: the article's Table 1, its program's ways by its "
-               "method, ours on sets of frames.",
-               'set logscale y\nset xrange [0:100]\nset yrange [0.15:4]\nset xlabel "pairs that meet [%]"\n'
-               'set ylabel "time of FMB / time of SAT"\nset ytics (0.2,0.3,0.4,0.5,0.6,0.8,1,1.5,2,3,4)', curves)
-
-
-def box_figures(study):
-    # Some curves nearly coincide: the wider ones are drawn first. The last percent, which goes on to the largest of
-    # all, would stretch the axis; the table has it.
-    wide, shown = {"both AABBs": 9, "article, clipped to both AABBs": 6, "ours": 3}, 99
-    for case in study["quantiles"]:
-        curves = [(box, [point for point in zip(case["percent"], ratios) if point[0] <= shown],
-                   f"lines linewidth {wide.get(box, 2)}", i) for i, (box, ratios) in enumerate(case["ratio"].items())]
-        yield (case["case"],
-               f'Volumes of boxes over the tight one, {case["case"]}: quantiles over the pairs, up to {shown} %.',
-               f'set logscale y\nset xrange [0:100]\n{range_of_curves(curves)}\nset xlabel "pairs with at most that ratio [%]"\n'
-               'set ylabel "volume of the box over the tight one"',
-               sorted(curves, key=lambda c: -wide.get(c[0], 2)))
-
-
-def scaling_figures(study):
-    for motion in ("static", "dynamic"):
-        rows = [row for row in study["cells"] if row["motion"] == motion]
-        curves = []
-        for i, kind in enumerate(("CC", "CT", "TT")):
-            of_kind = [row for row in rows if row["pair"] == kind]
-            curves += [curve(of_kind, "dim", "fmb_ns", kind, i),
-                       curve(of_kind, "dim", "lp_ns", f"{kind}, LP", i, "linespoints dashtype 2")]
-        yield (motion, f"Time of a verdict by dimension, {motion} frames. LP: a linear program, on some of the pairs.",
-               'set logscale y\nset xlabel "D"\nset xtics 1\nset xrange [1.8:8.2]\nset ylabel "time of a verdict [ns]"', curves)
-
-
-def rule_figures(study):
-    # Only where every system was decided: a mean over the easy ones would lie.
-    kinds = (("rows", "sum", "Rows alive after a round, added up over the rounds, mean", "rows",
-              lambda row: row["stopped"] == 0 and row["sum"] > 0),
-             ("time", "time_median.ratio", "Time over that without rules, median of the systems (at most that, where "
-              "these gave up)", "time / time without rules",
-              lambda row: row["timed"] == row["n"] and row["this_gave_up"] == 0))
-    for name, path, title, label, is_shown in kinds:
-        key = path.partition(".")[0]
-        for motion in ("static", "dynamic"):
-            rows = [row for row in study.get("order-" + study["orders"][0], [])
-                    if row.get("motion") == motion and is_shown(row)]
-            rows = [{**row, key: value_at(row, path)} for row in rows if value_at(row, path) is not None]
-            sets = list(dict.fromkeys(row["rules"] for row in rows))
-            if rows:
-                low, high = min(row["dim"] for row in rows) - 0.2, max(row["dim"] for row in rows) + 0.2
-                # Many sets do the same: the first ones are wider, and seen behind the others.
-                curves = [curve([row for row in rows if row["rules"] == s], "dim", key, s, i,
-                                f"linespoints linewidth {max(2, 8 - 2 * i)}") for i, s in enumerate(sets)]
-                yield (f"{name}-{motion}", f'{title}; {motion} frames, order {study["orders"][0]}.',
-                       f'set logscale y\nset xlabel "D"\nset xtics 1\nset xrange [{low}:{high}]\n'
-                       f'{range_of_curves(curves)}\nset ylabel "{label}"', curves)
-
-
-def peer_figures(study):
-    cells = list(dict.fromkeys(row["cell"] for row in study["times"]))
-    times = {(row["cell"], row["peer"]): row["ns"] for row in study["times"]}
-    bars = [(cell, [(f'"{peer}"', times.get((cell, peer), "NaN")) for peer in study["peers"]], None, i)
-            for i, cell in enumerate(cells)]
-    yield ("ns", "Time of a query on static pairs in three dimensions.",
-           'set style data histogram\nset style histogram clustered gap 1\nset style fill solid 0.8\n'
-           'set logscale y\nset yrange [5:*]\nset xtics rotate by -20\nset ylabel "time of a query [ns]"', bars)
-
-
-def bunny_figures(study):
-    dots = "points pointtype 7 pointsize "
-    sets = (("the mesh", "dots_a", 0.15, 0), ("its mirror image", "dots_b", 0.15, 2), ("faces that meet", "dots_meeting", 0.45, 1))
-    yield ("faces", f'Faces that meet the mirror image, seen along z: {len(study["faces_of_A_that_meet"])} of {study["faces"]}.',
-           'set size ratio -1\nset xlabel "x"\nset ylabel "y"',
-           [("", study[key], dots + str(size), colour) for _, key, size, colour in sets] +
-           [(title, [("NaN", "NaN")], dots + "1", colour) for title, _, _, colour in sets]) # as the key shows them
-
-
-FIGURES = {"table1": verdict_figures, "article": article_figures, "near": verdict_figures, "touching": verdict_figures,
-           "slender": verdict_figures, "mesh": verdict_figures, "faces": verdict_figures,
-           "boxes": box_figures, "scaling": scaling_figures, "rules": rule_figures, "peers": peer_figures,
-           "bunny": bunny_figures}
-
-
-def gnuplot_script(base, settings, curves):
-    data = "".join(f"$data{i} << END\n" + "".join(f"{x} {y}\n" for x, y in points) + "END\n"
-                   for i, (_, points, _, _) in enumerate(curves))
-    plots = []
-    for i, (title, _, style, colour) in enumerate(curves):
-        how = f"using 1:2 with {style}" if style else "using 2:xtic(1)"
-        plots.append(f"$data{i} {how} linecolor rgb '{PALETTE[colour % len(PALETTE)]}' title {json.dumps(title)}")
-    plot = "plot " + ", \\\n  ".join(plots)
-    return (f"# gnuplot {base}.gp\n{data}set key outside right noenhanced\nset grid linecolor rgb 'gray80'\n"
-            f"set xtics noenhanced\n{settings}\n"
-            f"set terminal svg size 900,540 dynamic background 'white'\nset output '{base}.svg'\n{plot}\n"
-            f"set terminal pngcairo size 1350,810 fontscale 1.2\nset output '{base}.png'\nreplot\n")
-
-
-def draw(folder, base, script):
+def inline(folder, base):
     """The SVG, as it stands in a page: names of one figure must not clash with those of the next."""
-    (folder / f"{base}.gp").write_text(script)
-    subprocess.run(["gnuplot", f"{base}.gp"], cwd=folder, check=True)
     svg = (folder / f"{base}.svg").read_text()
-    svg = re.sub(r'\b(id=["\']|href=["\']#|url\(#)', rf"\g<1>{base}-", svg[svg.index("<svg"):])
-    return re.sub(r"<title>.*?</title>|<desc>.*?</desc>", "", svg, flags=re.S)
+    svg = re.sub(r"<metadata>.*?</metadata>", "", svg[svg.index("<svg"):], flags=re.S)
+    return re.sub(r'\b(id="|href="#|url\(#)', rf"\g<1>{base}-", svg)
 
 
-def figure_html(folder, study, figure):
-    name, caption, settings, curves = figure
-    curves = [c for c in curves if c[1]]
-    base = f'{study["study"]}-{name}'
-    if not curves:
-        return ""
-    caption = html.escape(caption)
-    try:
-        svg = draw(folder, base, gnuplot_script(base, settings, curves))
-    except (FileNotFoundError, subprocess.CalledProcessError) as why:
-        missing = isinstance(why, FileNotFoundError)
-        figure_html.fault = "gnuplot is not installed" if missing else f"gnuplot failed on {base}.gp"
-        return f'<p class="missing">{caption} <strong>Not drawn: {figure_html.fault}.</strong></p>\n'
-    return (f'<figure>\n{svg}<figcaption>{caption} <a href="{base}.svg">SVG</a> <a href="{base}.png">PNG</a>'
-            f"</figcaption>\n</figure>\n")
+def figures_html(folder, study):
+    """All figures of a study; without what draws, a line that says so."""
+    if not pictures:
+        return f'<p class="missing"><strong>Not drawn: {figures_html.fault}.</strong></p>\n'
+    parts = []
+    for name, figure, caption in pictures.FIGURES[study["study"]](study, folder):
+        base = f'{study["study"]}-{name}'
+        pictures.plotting.save(figure, folder / f"{base}.svg", folder / f"{base}.pdf")
+        parts.append(f'<figure>\n{inline(folder, base)}<figcaption>{html.escape(caption)} <a href="{base}.svg">SVG</a> '
+                     f'<a href="{base}.pdf">PDF</a></figcaption>\n</figure>\n')
+    return "".join(parts)
 
 
-figure_html.fault = None
+try:
+    import pictures
+    figures_html.fault = None
+except ImportError as why:
+    pictures = None
+    figures_html.fault = f"python3 has no {why.name}"
+
+# ---- what came out --------------------------------------------------------------------------------
+
+
+def mean(values):
+    values = [v for v in values if v and v > 0]
+    return math.exp(sum(map(math.log, values)) / len(values)) if values else math.nan
+
+
+def of_verdicts(study):
+    ratios = [cell["fmb_over_sat"]["ratio"] for cell in study["cells"]]
+    wins, differ = sum(r < 1 for r in ratios), sum(cell["different"] for cell in study["cells"])
+    return (f"FMB took {mean(ratios):.2f} of the time of SAT in the mean of {len(ratios)} cells, {min(ratios):.2f} to {max(ratios):.2f}; it "
+            f"was faster in {wins}. {differ} verdicts differ.")
+
+
+def of_article(study):
+    of = {key: [value_at(cell, key) for cell in study["cells"]] for key in ("published", "repeated.mean", "packed.fmb_over_sat.ratio")}
+    listed, packed = of["repeated.mean"], of["packed.fmb_over_sat.ratio"]
+    return (f'Time of FMB over that of SAT, mean of {len(listed)} cells: {mean(of["published"]):.2f} as published, {mean(listed):.2f} for the '
+            f"article's program by its method here, {mean(packed):.2f} for ours on sets of frames, which was faster in {sum(r < 1 for r in packed)}.")
+
+
+def of_boxes(study):
+    ours = [row for row in study["sizes"] if row["box"] == "ours"]
+    worst = max(row["max"] for row in ours) - 1
+    costs = mean([row["box_over_verdict"]["ratio"] for row in study["times"]])
+    return (f"Our boxes have the tightest volume up to {worst:.1g} of it at worst, and cost {costs:.1f} times a verdict; {study['wrong']} are "
+            "wrong. The others are larger by what the figure shows.")
+
+
+def of_scaling(study):
+    largest = max(row["dim"] for row in study["cells"])
+    times = ", ".join(f'{mean([row["fmb_ns"] for row in study["cells"] if row["dim"] == dim]):.3g} ns in {dim}D'
+                      for dim in sorted({2, 3, largest}))
+    return f"A verdict took {times}, means over shapes and motion."
+
+
+def of_rules(study):
+    rows = [row for row in study["classes"] if row["order"] == study["orders"][0]]
+    wrong = sum(row["wrong"] for row in study["classes"])
+    sets = {row["rules"]: [] for row in rows if row["rules"] != "none"}
+    for row in rows:
+        if row["rules"] in sets and row["stopped"] == 0 and row.get("sum_ratio"):
+            sets[row["rules"]].append(row["sum_ratio"])
+    best = min(sets, key=lambda name: mean(sets[name]) if sets[name] else math.inf, default=None)
+    return (f"{wrong} answers are wrong. " +
+            (f"Fewest rows were alive with {best}: {mean(sets[best]):.2f} of those without rules." if best and sets[best] else ""))
+
+
+def of_peers(study):
+    wins = [row["over_fmb"]["ratio"] for row in study["times"] if row["peer"] != study["peers"][0]]
+    missing = f' Not installed: {study["missing"]}.' if study.get("missing") else ""
+    return (f'Others took {min(wins):.2g} to {max(wins):.2g} times the time of {study["peers"][0]}, {mean(wins):.2g} in the mean.' if wins else "") + missing
+
+
+def of_bunny(study):
+    trees = study["ways"][0]
+    return (f'{len(study["faces_of_A_that_meet"])} of {study["faces"]} faces meet the mirror image; trees of boxes tell in '
+            f'{trees["seconds"]:.3f} s, by {trees["tests"]:.0f} tests of pairs. {study["wrong"]} verdicts differ.')
+
+
+OUTCOMES = {**dict.fromkeys(("table1", "near", "touching", "slender", "mesh", "faces"), of_verdicts), "article": of_article, "boxes": of_boxes,
+            "scaling": of_scaling, "rules": of_rules, "peers": of_peers, "bunny": of_bunny}
+
+
+def outcome(study):
+    """A sentence; of a study that did not come to its end, that."""
+    if not study["complete"]:
+        return "Interrupted: what was not complete is left out."
+    return OUTCOMES[study["study"]](study)
+
 
 # ---- the page -------------------------------------------------------------------------------------
 
@@ -238,28 +160,29 @@ def machine_html(study):
 
 
 def study_html(folder, study):
-    parts = [f'<h2 id="{study["study"]}">{study["study"]}: {html.escape(study["title"])}</h2>\n',
-             f"<p>{machine_html(study)}</p>\n"]
+    """What came out, its figures; and folded, what it rests on."""
+    parts = [f'<section>\n<h2 id="{study["study"]}">{study["study"]}: {html.escape(study["title"])}</h2>\n',
+             f'<p class="outcome">{html.escape(outcome(study))}</p>\n', figures_html(folder, study),
+             "<details><summary>All numbers</summary>\n", f"<p>{machine_html(study)}</p>\n"]
     for part in study["page"]:
         parts.append(table_html(study, part) if "table" in part else f'<p>{html.escape(part["text"])}</p>\n')
-    parts += [figure_html(folder, study, figure) for figure in FIGURES[study["study"]](study)]
-    return "".join(parts)
+    return "".join(parts) + "</details>\n</section>\n"
 
 
 def main(folder):
     report = json.loads((folder / "report.json").read_text())
     studies = report.get("studies", [report])
-    contents = "".join(f'<li><a href="#{s["study"]}">{s["study"]}</a>: {html.escape(s["title"])}</li>\n' for s in studies)
+    contents = "".join(f'<li><a href="#{s["study"]}">{s["study"]}</a></li>\n' for s in studies)
     body = "".join(study_html(folder, study) for study in studies)
     (folder / "report.html").write_text(
-        f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<title>fmb-qualify</title>\n'
+        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>fmb-qualify</title>\n'
         f"<style>{STYLE}</style>\n</head>\n<body>\n<h1>fmb-qualify</h1>\n"
         + (f"<ul>\n{contents}</ul>\n" if len(studies) > 1 else "") + body + "</body>\n</html>\n")
-    if figure_html.fault:
-        print(f"fmb-qualify: {figure_html.fault}: pictures are missing; with it, `gnuplot *.gp` in {folder} makes them",
+    if figures_html.fault:
+        print(f"fmb-qualify: {figures_html.fault}: pictures are missing; with matplotlib, `python3 {__file__} {folder}` makes them",
               file=sys.stderr)
-    return 0 if figure_html.fault in (None, "gnuplot is not installed") else 1
 
 
 if __name__ == "__main__":
-    sys.exit(main(pathlib.Path(sys.argv[1])))
+    main(pathlib.Path(sys.argv[1]))

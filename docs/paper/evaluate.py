@@ -4,26 +4,19 @@ usage: evaluate.py OUT"""
 
 import collections
 import csv
-import logging
 import lzma
 import pathlib
 import sys
 
-import matplotlib
-logging.getLogger("matplotlib").setLevel(logging.ERROR)  # not of the cache of fonts
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
 from scipy import stats
 
 HERE = pathlib.Path(__file__).resolve().parent
-COLOURS = "#0072b2 #c44e00 #007a55 #aa3377 #8a6d00 #332288 #666666 #000000".split()
-STROKES = ["-", "--", ":", "-."]
-MARKS = "os^Dv<>P"
+sys.path.insert(0, str(HERE.parents[1] / "apps/fmb-qualify"))
+import plotting  # noqa: E402
+from plotting import COLOURS, MARKS, STROKES, plt  # noqa: E402
+
 np.seterr(invalid="ignore")  # infinite over infinite: neither was solved
-plt.rcParams.update({"pdf.fonttype": 42, "font.size": 8, "font.family": "serif", "axes.spines.top": False, "axes.spines.right": False,
-                     "axes.grid": True, "axes.axisbelow": True, "grid.color": "#dddddd", "grid.linewidth": 0.5, "lines.linewidth": 1.2,
-                     "legend.fontsize": 7, "legend.frameon": False})
 INFINITE = np.inf
 macros = {}
 
@@ -54,8 +47,8 @@ def short(x):
 
 
 def save(figure, out, name):
-    figure.savefig(out / f"{name}.pdf", metadata={"CreationDate": None, "Creator": None, "Producer": None})
-    plt.close(figure)
+    plotting.key(figure)
+    plotting.save(figure, out / f"{name}.pdf")
 
 
 def tabular(out, name, columns, heads, rows, rule_after=()):
@@ -170,7 +163,6 @@ def collisions(out):
         axes.axhline(1, color="#222222", linewidth=0.8)
         axes.set(yscale="log", xlabel="dimension $D$ of the frames", ylabel=f"time over that of {WORDS[base]}", xticks=sorted(dims))
         axes.yaxis.set_major_formatter("{x:g}")
-        axes.legend(loc="lower left")
     save(figure, out, "frames-time")
     for rules, name in (("kohler", "Kohler"), ("imbert", "Imbert"), ("chernikov", "Chernikov"), ("default", "Default"), ("kohler,box", "KohlerBox")):
         first = pays_from(runs, fm(rules), fm("none"), dims)
@@ -318,7 +310,6 @@ def methods(out, runs):
         panels[0].step([*found, 1e3], [*(np.arange(1, len(found) + 1) / len(best)), len(found) / len(best)], where="post",
                        label=METHODS[m], color=COLOURS[i], linestyle=STROKES[i])
     panels[0].set(xscale="log", xlim=(1, 1e3), ylim=(0, 1.02), xlabel="time over that of the fastest", ylabel="share of problems")
-    panels[0].legend(loc="lower right")
     gone = collections.defaultdict(lambda: [0, 0, 0])
     for k, p in enumerate(runs.problems):
         line = runs.run[ways["fm"]][p]
@@ -335,8 +326,7 @@ def methods(out, runs):
                       edgecolor="white", linewidth=0.4)
         bottom += shares[:, i]
     panels[1].set_xticks(range(len(x)), [f"{k}" if k < 9 else "9+" for k in x])
-    panels[1].set(xlabel="variables that go", ylabel="share where it is the fastest", ylim=(0, 1.25), yticks=[0, 0.25, 0.5, 0.75, 1])
-    panels[1].legend(loc="upper center", ncols=3, handlelength=1.2, columnspacing=0.8)
+    panels[1].set(xlabel="variables that go", ylabel="share where it is the fastest", ylim=(0, 1), yticks=[0, 0.25, 0.5, 0.75, 1])
     panels[1].grid(False)
     save(figure, out, "methods")
 
@@ -383,8 +373,6 @@ def shares(out):
         panels[0].vlines(x, low, high, color=COLOURS[i], linewidth=0.5)
     panels[0].axhline(1, color="#222222", linewidth=0.8)
     panels[0].set(xlabel="pairs that meet [%]", ylabel="time, FMB over SAT")
-    panels[0].set_ylim(top=panels[0].get_ylim()[1] + 0.2)
-    panels[0].legend(loc="upper left", ncols=2)
     say("MixMedian", f"{np.median(every):.2f}")
     say("MixLeast", f"{min(every):.2f}")
     say("MixMost", f"{max(every):.2f}")

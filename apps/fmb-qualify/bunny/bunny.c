@@ -157,30 +157,31 @@ static void add_way(json_t *ways, const char *way, double tests, double seconds,
     app_json_append(ways, obj);
 }
 
-/* The faces of A that meet some face of B. */
-static json_t *list_meeting_faces(const fmb_mesh_answer *answer)
+/* The faces of A that meet some face of B; or of B, some of A. */
+static json_t *list_meeting_faces(const fmb_mesh_answer *answer, size_t faces, bool of_b)
 {
     json_t *list = app_need(json_array());
+    bool *meets = app_need(calloc(faces + 1, sizeof *meets));
     for (size_t i = 0; i < answer->hits; i++)
-        if (i == 0 || answer->hit[i].a != answer->hit[i - 1].a)
-            app_json_append(list, qualify_count_json(answer->hit[i].a));
+        meets[of_b ? answer->hit[i].b : answer->hit[i].a] = true;
+    for (size_t i = 0; i < faces; i++)
+        if (meets[i])
+            app_json_append(list, qualify_count_json(i));
+    free(meets);
     return list;
 }
 
-/* Corners for the picture: x and y of some faces, or of those that meet. */
-static json_t *list_places(const bunny_body *b, size_t n, const json_t *faces)
+/* The faces for the picture, a corner a line; what meets of them is in the object. */
+static void put_faces(FILE *f, const void *of)
 {
-    json_t *list = app_need(json_array());
-    size_t all = faces ? json_array_size(faces) : n;
-    for (size_t i = 0; i < all; i++) {
-        size_t face =
-            faces ? (size_t)json_integer_value(json_array_get(faces, i)) : i * b->faces / n;
-        json_t *point = json_array();
-        for (size_t j = 0; j < 2; j++)
-            app_json_append(point, app_json_real(b->number[12 * face + j]));
-        app_json_append(list, point);
+    const bunny_body *b = of;
+    fputs("x,y,z\n", f);
+    for (size_t i = 0; i < 3 * b->faces; i++) {
+        const double *at = b->number + 12 * (i / 3), *edge = at + 3 * (i % 3);
+        double on = i % 3 > 0;
+        fprintf(f, "%.6g,%.6g,%.6g\n", at[0] + on * edge[0], at[1] + on * edge[1],
+                at[2] + on * edge[2]);
     }
-    return list;
 }
 
 static const qualify_column WAYS[] = {{"way", "way", NULL},
@@ -192,9 +193,8 @@ static const qualify_column WAYS[] = {{"way", "way", NULL},
 
 static int conclude_bunny(bunny_study *s, qualify_page *page)
 {
-    enum { DOTS = 6000 };
     json_t *obj = qualify_page_json(page), *ways = app_need(json_array());
-    json_t *faces = list_meeting_faces(&s->answer);
+    json_t *faces = list_meeting_faces(&s->answer, s->a.faces, false);
     double all = (double)s->a.faces * (double)s->b.faces;
     add_way(ways, "trees of boxes", (double)s->answer.tested, s->meet_seconds,
             json_array_size(faces));
@@ -204,10 +204,9 @@ static int conclude_bunny(bunny_study *s, qualify_page *page)
     app_json_set(obj, "hits", qualify_count_json(s->answer.hits));
     app_json_set(obj, "sampled", qualify_count_json(s->sampled));
     app_json_set(obj, "wrong", qualify_count_json(s->wrong));
-    app_json_set(obj, "dots_a", list_places(&s->a, DOTS, NULL));
-    app_json_set(obj, "dots_b", list_places(&s->b, DOTS, NULL));
-    app_json_set(obj, "dots_meeting", list_places(&s->a, 0, faces));
     app_json_set(obj, "faces_of_A_that_meet", faces);
+    app_json_set(obj, "faces_of_B_that_meet", list_meeting_faces(&s->answer, s->b.faces, true));
+    qualify_page_file(page, "mesh.csv", put_faces, &s->a);
     qualify_page_table(page, "ways",
                        "Which of the faces, each a unit thick, meet the mirror image? Time of one "
                        "thread, without that of reading and of making frames and trees",

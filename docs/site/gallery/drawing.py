@@ -1,33 +1,28 @@
-"""What the figures of the gallery share: size, letters, colours, and how a file is written."""
+"""What the figures of the gallery share: size, letters, colours, and how a file is written. The style is that of all figures
+(apps/fmb-qualify/plotting.py), with the letters of a page that is read on a screen."""
 
 import pathlib
 import subprocess
 import sys
 
-import matplotlib
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "apps/fmb-qualify"))
+import plotting  # noqa: E402
+from plotting import BLUE, BROWN, GREEN, GREY, PURPLE, RED, plt, style  # noqa: E402,F401
 
-matplotlib.use("svg")
-import matplotlib.pyplot as plt  # noqa: E402
-
-# Different to the colour-blind, and dark enough for thin lines on white.
-BLUE, RED, GREEN, PURPLE, BROWN, GREY = "#0072b2 #c44e00 #007a55 #aa3377 #8a6d00 #666666".split()
 HERE = pathlib.Path(sys.argv[0]).resolve().parent
 
-plt.rcParams.update({
-    "svg.fonttype": "none", "svg.hashsalt": "fmb", "font.family": "sans-serif", "font.size": 10,
-    "axes.spines.top": False, "axes.spines.right": False, "axes.axisbelow": True,
-    "axes.grid": True, "grid.color": "#dddddd", "grid.linewidth": 0.6, "lines.linewidth": 1.6,
-})
+plt.rcParams.update({"font.size": 10, "axes.titlesize": 10, "axes.labelsize": 10, "xtick.labelsize": 9, "ytick.labelsize": 9,
+                     "legend.fontsize": 9, "lines.linewidth": 1.6, "lines.markersize": 4.5})
 
 
 def start(width=5.2, height=3.6, **how):
     """A figure of so many inches, and its axes."""
-    return plt.subplots(figsize=(width, height), layout="constrained", **how)
+    return plotting.start(height, width, **how)
 
 
 def save(figure):
     """Write the figure to the file that the command line names; the same bytes every time."""
-    figure.savefig(sys.argv[1], format="svg", metadata={"Date": None, "Creator": f"matplotlib {matplotlib.__version__}"})
+    plotting.save(figure, sys.argv[1])
 
 
 def written(script, *arguments, read=None):

@@ -88,7 +88,7 @@ with tempfile.TemporaryDirectory() as name:
         sys.exit(77)
     expect(drawn.returncode == 0 and not drawn.stderr, f"plots: {drawn}")
     for figure in FIGURES:
-        for ending in ("svg", "png"):
+        for ending in ("svg", "pdf"):
             path = home / "figures" / f"{figure}.{ending}"
             expect(path.exists() and path.stat().st_size > 2000, f"{path.name} is missing, or empty")
     page = (home / "figures" / "report.html").read_text()

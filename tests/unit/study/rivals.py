@@ -3,14 +3,17 @@ usage: rivals.py FMB_QUALIFY"""
 
 import csv
 import json
+import os
 import pathlib
-import shutil
 import subprocess
 import sys
 import tempfile
 
 program = sys.argv[1]
 faults = []
+# The Python in front may lack what draws: then the system's.
+if subprocess.run(["python3", "-c", "import matplotlib"], capture_output=True).returncode != 0:
+    os.environ["PATH"] = "/usr/bin:" + os.environ["PATH"]
 
 
 def expect(good, what):
@@ -46,8 +49,6 @@ def boxes(folder):
     run(*args, "--out", str(folder))
     with open(folder / "boxes-sizes.csv", newline="") as f:
         expect(len(list(csv.reader(f))) == 41, "boxes-sizes.csv")
-    if shutil.which("gnuplot"):
-        expect((folder / "boxes-3d-dynamic.svg").exists(), "boxes-3d-dynamic.svg")
 
 
 def scaling():
