@@ -8,6 +8,7 @@
 #include "common/need.h"
 #include "common/source.h"
 #include "fmb/mesh_ask.h"
+#include "fmb/scene.h"
 
 /* [give, free()] "a/b.node" or "a/b.ele" with the ending of the other; NULL: neither. */
 static char *partner_of_tetgen(const char *path, bool *is_node)
@@ -57,9 +58,35 @@ static int read_one_file(const mesh_ask *ask, const char *path, fmb_mesh **out)
     return app_source_outcome_of(APP_KIND_MESH, st, path, &where);
 }
 
+/* By the text that it comes to, which is longer than it. */
+static int read_scene(const mesh_ask *ask, const char *path, scene_reader *as_obj, fmb_mesh **out)
+{
+    scene_file file = {path, ask->max_input ? ask->max_input : FMB_READER_MAX_BYTES, {NULL, 0}};
+    fmb_reader how = {.size = sizeof how, .mem = app_budget_alloc(), .max_bytes = SIZE_MAX};
+    fmb_where where = {0};
+    char *text = NULL;
+    size_t size = 0;
+    int code = scene_read_bytes(path, file.most, &file.all);
+    FILE *obj = app_need(open_memstream(&text, &size));
+    if (code == APP_YES)
+        code = as_obj(&file, obj);
+    fclose(obj);
+    app_need(text);
+    if (code == APP_YES) {
+        fmb_status st = fmb_mesh_parse(text, size, FMB_MESH_OBJ, &how, out, &where);
+        code = app_source_outcome_of(APP_KIND_MESH, st, path, &where);
+    }
+    free(text);
+    free(file.all.p);
+    return code;
+}
+
 int mesh_file_read(const mesh_ask *ask, const char *path, fmb_mesh **out)
 {
     bool is_node = false;
+    scene_reader *as_obj = ask->format == FMB_MESH_AUTO ? scene_reader_of_name(path) : NULL;
+    if (as_obj)
+        return read_scene(ask, path, as_obj, out);
     char *other = ask->format == FMB_MESH_AUTO ? partner_of_tetgen(path, &is_node) : NULL;
     int code = !other    ? read_one_file(ask, path, out)
                : is_node ? read_tetgen(ask, path, other, out)

@@ -7,6 +7,7 @@
 #include <fmb/proximity.h>
 
 #include "common/message.h"
+#include "common/text.h"
 #include "fmb/mesh_ask.h"
 #include "fmb/show.h"
 #include "fmb/stop.h"
@@ -18,6 +19,7 @@ typedef struct report {
     const fmb_mesh_answer *answer;
     fmb_pair *pair;     /* NULL: nobody asks where */
     fmb_solver *solver; /* NULL: nor for all common points */
+    bool grouped;       /* cells of one or both are of groups with names */
 } report;
 
 /* Lower, upper; x, y, z, t. */
@@ -126,12 +128,57 @@ static const char *word_of(const report *r, const fmb_mesh_hit *h)
     return r->ask->moves ? "meet" : fmb_mesh_how_text(h->how);
 }
 
+static bool has_groups(const fmb_mesh *m)
+{
+    size_t c = 0;
+    while (c < fmb_mesh_cells(m) && !fmb_mesh_group(m, c))
+        c++;
+    return c < fmb_mesh_cells(m);
+}
+
+/* A name between quotes, each of which within it is written as `inner`; nothing without a name. */
+static void put_group(const char *name, app_text_use use, const char *inner)
+{
+    char *text = name ? app_text(name, use) : NULL;
+    for (const char *p = text; p && *p; p++) {
+        fputs(p == text ? "\"" : "", stdout);
+        if (*p == '"')
+            fputs(inner, stdout);
+        else
+            putchar(*p);
+    }
+    fputs(text ? "\"" : "", stdout);
+    free(text);
+}
+
+static void print_groups(const report *r, const fmb_mesh_hit *h)
+{
+    const char *a = fmb_mesh_group(r->a, h->a), *b = fmb_mesh_group(r->b, h->b);
+    fputs(a || b ? " of " : "", stdout);
+    fputs(a ? "" : b ? "none" : "", stdout);
+    put_group(a, APP_TEXT_TERMINAL, "\\\"");
+    fputs(a || b ? " and " : "", stdout);
+    put_group(b, APP_TEXT_TERMINAL, "\\\"");
+    fputs(a && !b ? "none" : "", stdout);
+}
+
+static void print_group_as_json(const char *name)
+{
+    char *text = name ? app_text(name, APP_TEXT_JSON) : NULL;
+    json_t *value = app_need(text ? json_string(text) : json_null());
+    json_dumpf(value, stdout, JSON_ENCODE_ANY);
+    json_decref(value);
+    free(text);
+}
+
 static void print_hit(const report *r, const fmb_mesh_hit *h, const place_of_hit *p)
 {
     static const char *const before[] = {" in", " x", " x", " at"};
     printf("%-8s %zu %zu", word_of(r, h), fmb_mesh_face(r->a, h->a), fmb_mesh_face(r->b, h->b));
     if (h->shared > 0)
         printf(" (%d common)", h->shared);
+    if (r->grouped)
+        print_groups(r, h);
     for (int i = 0; i < p->intervals; i++)
         printf("%s [%s, %s]", before[i], p->end[2 * i], p->end[2 * i + 1]);
     if (p->common)
@@ -148,6 +195,11 @@ static void print_hit_as_csv(const report *r, const fmb_mesh_hit *h, const place
     fputs(r->solver ? "," : "", stdout);
     if (p->common)
         put_points(r->ask, p->common, &(point_style){"", " ", "", ";"});
+    for (int i = 0; r->grouped && i < 2; i++) {
+        putchar(',');
+        put_group(i == 0 ? fmb_mesh_group(r->a, h->a) : fmb_mesh_group(r->b, h->b), APP_TEXT_JSON,
+                  "\"\"");
+    }
     putchar('\n');
 }
 
@@ -166,6 +218,13 @@ static void print_hit_as_json(const report *r, const fmb_mesh_hit *h, const plac
     if (p->common) {
         fputs(", \"points\": [", stdout);
         put_points(r->ask, p->common, &(point_style){"[", ", ", "]", ", "});
+        putchar(']');
+    }
+    if (r->grouped) {
+        fputs(", \"groups\": [", stdout);
+        print_group_as_json(fmb_mesh_group(r->a, h->a));
+        fputs(", ", stdout);
+        print_group_as_json(fmb_mesh_group(r->b, h->b));
         putchar(']');
     }
     putchar('}');
@@ -188,9 +247,10 @@ static void print_counts(const report *r)
 
 static void print_csv_head(const report *r)
 {
-    printf("how,a,b,common%s%s%s\n",
+    printf("how,a,b,common%s%s%s%s\n",
            r->pair ? ",x_lower,x_upper,y_lower,y_upper,z_lower,z_upper" : "",
-           r->pair && r->ask->moves ? ",t_lower,t_upper" : "", r->solver ? ",points" : "");
+           r->pair && r->ask->moves ? ",t_lower,t_upper" : "", r->solver ? ",points" : "",
+           r->grouped ? ",group_a,group_b" : "");
 }
 
 static void print_mesh_as_json(const char *key, const fmb_mesh *m)
@@ -247,6 +307,7 @@ int mesh_report(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b,
                 const fmb_mesh_answer *answer, int code)
 {
     report r = {.ask = ask, .a = a, .b = b, .answer = answer};
+    r.grouped = has_groups(a) || has_groups(b);
     fmb_pair_options o = {.size = sizeof o};
     fmb_status st = FMB_OK;
     o.tightest = true;

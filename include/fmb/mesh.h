@@ -46,6 +46,10 @@ FMB_API const uint32_t *fmb_mesh_indices(const fmb_mesh *m);
 /* The number in its file, from 0, of the face or tetrahedron that cell c comes from: a face of more
  * than three corners is cut into triangles around its first corner. Of other meshes it is c. */
 FMB_API size_t fmb_mesh_face(const fmb_mesh *m, size_t c);
+/* The name of the group of faces that cell c is of, as its file has it (OBJ: of the last line g or
+ * o before the face; of several groups all of them, as they stand there), or NULL; it lives as long
+ * as the mesh. */
+FMB_API const char *fmb_mesh_group(const fmb_mesh *m, size_t c);
 
 /* How a mesh is placed: x_j becomes scale_j x_j + move_j, each coordinate the double nearest to
  * that. So equal vertices stay equal, and the mesh asked about is the one of the rounded vertices.

@@ -149,15 +149,19 @@ static void *copy_array(fmb_mem *mem, const void *from, size_t n, size_t size)
 }
 
 static fmb_status fill_mesh(fmb_mesh *m, const double *point, const uint32_t *corner,
-                            const uint32_t *face)
+                            const fmb_mesh_origin *from)
 {
     fmb_mem *mem = &m->mem;
     m->point = copy_array(mem, point, 3 * m->vertices, sizeof *point);
     m->corner = copy_array(mem, corner, m->cells * (size_t)m->corners, sizeof *corner);
-    m->face = face ? copy_array(mem, face, m->cells, sizeof *face) : NULL;
+    m->names_size = from->names_size;
+    m->face = from->face ? copy_array(mem, from->face, m->cells, sizeof *m->face) : NULL;
+    m->group = from->group ? copy_array(mem, from->group, m->cells, sizeof *m->group) : NULL;
+    m->names = from->group ? copy_array(mem, from->names, m->names_size, 1) : NULL;
     m->same = fmb_mem_get(mem, m->vertices, sizeof *m->same);
     m->faults = fmb_mem_get(mem, m->cells, sizeof *m->faults);
-    if (!m->point || !m->corner || (face && !m->face) || !m->same || !m->faults)
+    if (!m->point || !m->corner || (from->face && !m->face) ||
+        (from->group && !(m->group && m->names)) || !m->same || !m->faults)
         return fmb_mem_status(mem);
     fmb_status st = fmb_mesh_find_same(m, NULL, mem, m->same);
     if (st != FMB_OK)
@@ -166,9 +170,9 @@ static fmb_status fill_mesh(fmb_mesh *m, const double *point, const uint32_t *co
     return fmb_mesh_grow_tree(m);
 }
 
-fmb_status fmb_mesh_new_of_faces(int corners, size_t vertices, const double *point, size_t cells,
-                                 const uint32_t *corner, const uint32_t *face,
-                                 const fmb_alloc *hook, fmb_mesh **out)
+fmb_status fmb_mesh_new_of_file(int corners, size_t vertices, const double *point, size_t cells,
+                                const uint32_t *corner, const fmb_mesh_origin *origin,
+                                const fmb_alloc *hook, fmb_mesh **out)
 {
     fmb_mem mem;
     if (!out || !are_mesh_arguments(corners, vertices, point, cells, corner))
@@ -181,7 +185,7 @@ fmb_status fmb_mesh_new_of_faces(int corners, size_t vertices, const double *poi
     m->corners = corners;
     m->vertices = vertices;
     m->cells = cells;
-    fmb_status st = fill_mesh(m, point, corner, face);
+    fmb_status st = fill_mesh(m, point, corner, origin);
     if (st == FMB_OK)
         *out = m;
     else
@@ -192,7 +196,8 @@ fmb_status fmb_mesh_new_of_faces(int corners, size_t vertices, const double *poi
 fmb_status fmb_mesh_new(int corners, size_t vertices, const double *point, size_t cells,
                         const uint32_t *corner, const fmb_alloc *mem, fmb_mesh **out)
 {
-    return fmb_mesh_new_of_faces(corners, vertices, point, cells, corner, NULL, mem, out);
+    return fmb_mesh_new_of_file(corners, vertices, point, cells, corner, &(fmb_mesh_origin){0}, mem,
+                                out);
 }
 
 void fmb_mesh_free(fmb_mesh *m)
@@ -203,6 +208,8 @@ void fmb_mesh_free(fmb_mesh *m)
     fmb_mem_put(&mem, m->point, 3 * m->vertices, sizeof *m->point);
     fmb_mem_put(&mem, m->corner, m->cells * (size_t)m->corners, sizeof *m->corner);
     fmb_mem_put(&mem, m->face, m->cells, sizeof *m->face);
+    fmb_mem_put(&mem, m->group, m->cells, sizeof *m->group);
+    fmb_mem_put(&mem, m->names, m->names_size, 1);
     fmb_mem_put(&mem, m->same, m->vertices, sizeof *m->same);
     fmb_mem_put(&mem, m->faults, m->cells, sizeof *m->faults);
     fmb_mem_put(&mem, m->order, m->cells, sizeof *m->order);
@@ -225,8 +232,9 @@ fmb_status fmb_mesh_placed(const fmb_mesh *m, const fmb_mesh_place *place, const
         return fmb_mem_status(&mem);
     for (size_t i = 0; i < 3 * m->vertices; i++)
         point[i] = fma(place->scale[i % 3], m->point[i], place->move[i % 3]);
-    fmb_status st = fmb_mesh_new_of_faces(m->corners, m->vertices, point, m->cells, m->corner,
-                                          m->face, hook, out);
+    const fmb_mesh_origin origin = {m->face, m->group, m->names, m->names_size};
+    fmb_status st = fmb_mesh_new_of_file(m->corners, m->vertices, point, m->cells, m->corner,
+                                         &origin, hook, out);
     fmb_mem_put(&mem, point, 3 * m->vertices, sizeof *point);
     return st;
 }
@@ -261,4 +269,9 @@ const uint32_t *fmb_mesh_indices(const fmb_mesh *m)
 size_t fmb_mesh_face(const fmb_mesh *m, size_t c)
 {
     return m && m->face && c < m->cells ? m->face[c] : m ? c : 0;
+}
+
+const char *fmb_mesh_group(const fmb_mesh *m, size_t c)
+{
+    return m && m->group && c < m->cells && m->group[c] > 0 ? m->names + m->group[c] : NULL;
 }

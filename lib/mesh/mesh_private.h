@@ -27,10 +27,13 @@ struct fmb_mesh {
     fmb_mem mem;
     int corners;
     size_t vertices, cells;
-    double *point;     /* [vertices][3] */
-    uint32_t *same;    /* [vertices] the first vertex at the same point */
-    uint32_t *corner;  /* [cells][corners] */
-    uint32_t *face;    /* [cells] where in its file, or NULL */
+    double *point;    /* [vertices][3] */
+    uint32_t *same;   /* [vertices] the first vertex at the same point */
+    uint32_t *corner; /* [cells][corners] */
+    uint32_t *face;   /* [cells] where in its file, or NULL */
+    uint32_t *group;  /* [cells] where in `names` the name of its group begins, or NULL */
+    char *names;      /* [names_size], a NUL behind each: the first, empty, is of no group */
+    size_t names_size;
     uint8_t *faults;   /* [cells] FLAT: its corners lie in a line (of a tetrahedron: in a plane);
                            WILD: a coordinate is not tame (pair/corners/volume.h) */
     uint32_t *order;   /* [cells] of the tree */
@@ -51,10 +54,17 @@ static inline fmb_cell fmb_mesh_cell_of(const fmb_mesh *m, const uint32_t *ids_o
     return out;
 }
 
-/* fmb_mesh_new, with faces [cells], or NULL. */
-fmb_status fmb_mesh_new_of_faces(int corners, size_t vertices, const double *point, size_t cells,
-                                 const uint32_t *corner, const uint32_t *face, const fmb_alloc *mem,
-                                 fmb_mesh **out);
+/* What a file says of its cells, as above: copied. */
+typedef struct fmb_mesh_origin {
+    const uint32_t *face, *group;
+    const char *names;
+    size_t names_size;
+} fmb_mesh_origin;
+
+/* fmb_mesh_new of cells from a file. */
+fmb_status fmb_mesh_new_of_file(int corners, size_t vertices, const double *point, size_t cells,
+                                const uint32_t *corner, const fmb_mesh_origin *origin,
+                                const fmb_alloc *mem, fmb_mesh **out);
 
 /* Build m->order, m->box and m->node. Errors: MEMORY. */
 fmb_status fmb_mesh_grow_tree(fmb_mesh *m);

@@ -14,7 +14,7 @@ class Fmb < Formula
   depends_on :linux
 
   def install
-    options = %w[-Dapps=enabled -Dpython=disabled -Dstudy=disabled -Dnauty=disabled -Dmpi=disabled -Dbench=disabled -Dtests=disabled]
+    options = %w[-Dapps=enabled -Dpython=disabled -Dstudy=disabled -Dnauty=disabled -Dthreemf=disabled -Dmpi=disabled -Dbench=disabled -Dtests=disabled]
     system "meson", "setup", "build", *std_meson_args, *options
     system "meson", "compile", "-C", "build"
     system "meson", "install", "-C", "build"

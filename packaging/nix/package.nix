@@ -14,6 +14,7 @@ stdenv.mkDerivation {
     "-Dpython=disabled"
     "-Dstudy=disabled"
     "-Dnauty=disabled"
+    "-Dthreemf=disabled"
     "-Dmpi=disabled"
     "-Dbench=disabled"
     "-Dtests=disabled"

@@ -89,6 +89,11 @@ class Mesh:
     def __reduce__(self) -> Any:
         return Mesh, (np.array(self.points), np.array(self.cells))
 
+    def group(self, cell: int) -> str | None:
+        """The name of the group of faces that a cell is of, as OBJ has them, or None."""
+        name = lib.fmb_mesh_group(self._m, cell)
+        return text(name) if name != NULL else None
+
     def placed(self, scale: Any = 1, move: Any = (0, 0, 0)) -> Mesh:
         """The mesh at another place: scale * x + move, scale a number or one for each axis."""
         if isinstance(scale, (int, float)):

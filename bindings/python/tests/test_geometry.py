@@ -106,6 +106,13 @@ class Meshes(unittest.TestCase):
             with self.assertRaisesRegex(fmb.ParseError, "one.off:"):
                 fmb.Mesh.read(path)
 
+    def test_groups(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "two.obj")
+            with open(path, "w", encoding="utf-8") as out:
+                out.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\ng Flügel\nf 1 3 2\n")
+            self.assertEqual([fmb.Mesh.read(path).group(c) for c in range(3)], [None, "Flügel", None])
+
     def test_cells_that_are_none(self):
         for cells in ([[0, 1, 9]], [[0, 1]], [[-1, 0, 1]]):
             with self.assertRaises(fmb.ArgumentError):

@@ -10,6 +10,8 @@ void fmb_mesh_draft_clear(fmb_mesh_draft *d)
     fmb_mem_put(d->mem, d->point, d->point_capacity, 3 * sizeof *d->point);
     fmb_mem_put(d->mem, d->triangle, d->triangle_capacity, 3 * sizeof *d->triangle);
     fmb_mem_put(d->mem, d->face, d->face_capacity, sizeof *d->face);
+    fmb_mem_put(d->mem, d->group, d->group_capacity, sizeof *d->group);
+    fmb_mem_put(d->mem, d->names, d->name_capacity, 1);
     fmb_mem_put(d->mem, d->tetrahedron, d->tetrahedron_capacity, 4 * sizeof *d->tetrahedron);
 }
 
@@ -45,8 +47,13 @@ static fmb_status append_triangle(fmb_cursor *c, fmb_mesh_draft *d, uint32_t thi
     if (st == FMB_OK)
         st = fmb_mem_reserve(d->mem, (void **)&d->face, &d->face_capacity, d->triangles + 1,
                              sizeof *d->face);
+    if (st == FMB_OK && d->names_size > 0)
+        st = fmb_mem_reserve(d->mem, (void **)&d->group, &d->group_capacity, d->triangles + 1,
+                             sizeof *d->group);
     if (st != FMB_OK)
         return st;
+    if (d->names_size > 0)
+        d->group[d->triangles] = d->group_now;
     uint32_t *to = d->triangle + 3 * d->triangles;
     to[0] = d->first;
     to[1] = d->last;
@@ -63,6 +70,41 @@ fmb_status fmb_mesh_draft_corner(fmb_cursor *c, fmb_mesh_draft *d, size_t vertex
     d->last = (uint32_t)vertex;
     d->face_corners += d->face_corners < 3;
     return st;
+}
+
+/* Triangles that came before the first name are of none. */
+static fmb_status begin_names(fmb_mesh_draft *d)
+{
+    fmb_status st = fmb_mem_reserve(d->mem, (void **)&d->names, &d->name_capacity, 1, 1);
+    if (st == FMB_OK && d->triangles > 0)
+        st = fmb_mem_reserve(d->mem, (void **)&d->group, &d->group_capacity, d->triangles,
+                             sizeof *d->group);
+    if (st != FMB_OK)
+        return st;
+    for (size_t i = 0; i < d->triangles; i++)
+        d->group[i] = 0;
+    d->names[d->names_size++] = '\0';
+    return FMB_OK;
+}
+
+fmb_status fmb_mesh_draft_group(fmb_cursor *c, fmb_mesh_draft *d, fmb_span name)
+{
+    d->group_now = 0;
+    if (name.n == 0)
+        return FMB_OK;
+    if (name.n >= FMB_MESH_MOST - d->names_size)
+        return refuse_more(c, "bytes of names");
+    fmb_status st = d->names_size == 0 ? begin_names(d) : FMB_OK;
+    if (st == FMB_OK)
+        st = fmb_mem_reserve(d->mem, (void **)&d->names, &d->name_capacity,
+                             d->names_size + name.n + 1, 1);
+    if (st != FMB_OK)
+        return st;
+    d->group_now = (uint32_t)d->names_size;
+    memcpy(d->names + d->names_size, name.p, name.n);
+    d->names_size += name.n;
+    d->names[d->names_size++] = '\0';
+    return FMB_OK;
 }
 
 fmb_status fmb_mesh_draft_tetrahedron(fmb_cursor *c, fmb_mesh_draft *d, const uint32_t corner[4])

@@ -15,6 +15,10 @@ typedef struct fmb_mesh_draft {
     /* Triangles, cut from faces, and tetrahedra. */
     uint32_t *triangle, *face, *tetrahedron;
     size_t triangles, triangle_capacity, face_capacity, tetrahedra, tetrahedron_capacity;
+    uint32_t *group; /* [group_capacity] of triangles: as in fmb_mesh, if names_size > 0 */
+    char *names;
+    size_t group_capacity, names_size, name_capacity;
+    uint32_t group_now;   /* of the faces that follow */
     size_t faces;         /* of the file */
     uint32_t first, last; /* corners of the face that is being added */
     int face_corners;
@@ -29,6 +33,8 @@ fmb_status fmb_mesh_draft_point(fmb_cursor *c, fmb_mesh_draft *d, const double p
 /* A face of three corners or more, corner by corner: triangles around the first one. */
 void fmb_mesh_draft_face(fmb_mesh_draft *d);
 fmb_status fmb_mesh_draft_corner(fmb_cursor *c, fmb_mesh_draft *d, size_t vertex);
+/* The faces that follow are of a group of that name; of none, if it is empty. */
+fmb_status fmb_mesh_draft_group(fmb_cursor *c, fmb_mesh_draft *d, fmb_span name);
 fmb_status fmb_mesh_draft_tetrahedron(fmb_cursor *c, fmb_mesh_draft *d, const uint32_t corner[4]);
 
 /* ---- words of a text ------------------------------------------------------------------------- */

@@ -107,13 +107,14 @@ fmb_mesh_format fmb_mesh_format_of_name(const char *path)
 static fmb_status make_mesh_of_draft(fmb_cursor *c, const fmb_mesh_draft *d, fmb_mesh **out)
 {
     const fmb_alloc *hook = c->how->mem;
+    const fmb_mesh_origin none = {0}, origin = {d->face, d->group, d->names, d->names_size};
     if (d->tetrahedra > 0)
-        return fmb_mesh_new_of_faces(4, d->points, d->point, d->tetrahedra, d->tetrahedron, NULL,
-                                     hook, out);
+        return fmb_mesh_new_of_file(4, d->points, d->point, d->tetrahedra, d->tetrahedron, &none,
+                                    hook, out);
     if (d->triangles == 0)
         return fmb_io_fail(c, NULL, "expected triangles or tetrahedra, found none");
-    return fmb_mesh_new_of_faces(3, d->points, d->point, d->triangles, d->triangle, d->face, hook,
-                                 out);
+    return fmb_mesh_new_of_file(3, d->points, d->point, d->triangles, d->triangle, &origin, hook,
+                                out);
 }
 
 typedef struct mesh_as {

@@ -1,5 +1,6 @@
-/* obj.c: Wavefront OBJ, a statement a line: v and f count, all others say how things look. Faces
- * may name vertices that come later, and count back from the last one by negative numbers.
+/* obj.c: Wavefront OBJ, a statement a line: v and f count, g and o name the faces that follow, and
+ * all others say how things look. Faces may name vertices that come later, and count back from the
+ * last one by negative numbers.
  */
 #include <string.h>
 
@@ -52,6 +53,18 @@ static fmb_status read_obj_face(fmb_cursor *c, fmb_mesh_draft *d, const char *p)
     return st;
 }
 
+/* All words of the line, as they stand. */
+static fmb_status read_obj_group(fmb_cursor *c, fmb_mesh_draft *d)
+{
+    fmb_skip_blanks(c);
+    fmb_span name = {c->at, 0};
+    for (; !is_end_of_statement(c); fmb_skip_blanks(c)) {
+        fmb_span word = fmb_scan_word(c);
+        name.n = (size_t)(word.p + word.n - name.p);
+    }
+    return fmb_mesh_draft_group(c, d, name);
+}
+
 static fmb_status read_obj_statement(fmb_cursor *c, fmb_mesh_draft *d)
 {
     double x[3];
@@ -60,6 +73,8 @@ static fmb_status read_obj_statement(fmb_cursor *c, fmb_mesh_draft *d)
     fmb_span word = fmb_scan_word(c);
     if (fmb_span_is(word, "f"))
         return read_obj_face(c, d, p);
+    if (fmb_span_is(word, "g") || fmb_span_is(word, "o"))
+        return read_obj_group(c, d);
     if (!fmb_span_is(word, "v"))
         return FMB_OK;
     fmb_status st = fmb_mesh_scan_point(c, d, x);

@@ -5,6 +5,8 @@
 
 #include <fmb/mesh.h>
 
+#include "support/support.h"
+
 static fmb_mesh *read_bytes(const char *text, size_t size, fmb_mesh_format f)
 {
     fmb_mesh *m = NULL;
@@ -51,6 +53,32 @@ Test(mesh, off)
         cr_expect(fmb_mesh_points(m)[11] == 1 && fmb_mesh_points(m)[3] == 1);
         expect_mesh(m, 3, 4, 3, FAN, FACE);
     }
+}
+
+/* Of the last line g or o before a face, also of faces that are cut, and at another place. */
+Test(mesh, groups)
+{
+    fmb_mesh *placed = NULL,
+             *m = read_text(
+                 "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 1\nf 1 2 3\ng  left  wing # or so\nf 1 2 3 4\n"
+                 "o tail\nf 2 3 4\ng\nf 2 3 1\n",
+                 FMB_MESH_OBJ);
+    static const char *const want[] = {NULL, "left  wing", "left  wing", "tail", NULL};
+    must(fmb_mesh_placed(m, &(fmb_mesh_place){{1, 1, 1}, {0, 0, 1}}, NULL, &placed));
+    cr_assert(fmb_mesh_cells(m) == 5);
+    for (size_t c = 0; c < 7; c++) {
+        const char *name = c < 5 ? want[c] : NULL, *got = fmb_mesh_group(m, c),
+                   *there = fmb_mesh_group(placed, c);
+        cr_expect(name ? got && there && strcmp(got, name) == 0 && strcmp(there, name) == 0
+                       : !got && !there,
+                  "%zu", c);
+    }
+    cr_expect(!fmb_mesh_group(NULL, 0));
+    fmb_mesh_free(m);
+    fmb_mesh_free(placed);
+    m = read_text("g a\nv 0 0 0\nv 1 0 0\nv 1 1 0\ng\nf 1 2 3", FMB_MESH_OBJ);
+    cr_expect(!fmb_mesh_group(m, 0));
+    fmb_mesh_free(m);
 }
 
 Test(mesh, obj)
