@@ -69,7 +69,8 @@ static fmb_status give_parent_its_share(sweep *s, uint32_t parent, const mpz_t f
         mpz_addmul(mpq_numref(s->all.value[s->slot[parent] - 1]), s->share, factor);
         return FMB_OK;
     }
-    mpz_mul(mpq_numref(s->weight), s->share, factor);
+    mpz_mul(s->u, s->share, factor);
+    mpq_set_z(s->weight, s->u);
     fmb_status st = fmb_weights_add(&s->all, parent, s->weight, mem);
     if (st == FMB_OK)
         s->slot[parent] = (uint32_t)s->all.size;

@@ -5,7 +5,7 @@
 
 #include <fmb/mesh.h>
 
-#include "support/support.h"
+#include "support/must.h"
 
 static fmb_mesh *read_bytes(const char *text, size_t size, fmb_mesh_format f)
 {
