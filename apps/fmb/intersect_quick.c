@@ -5,7 +5,7 @@
 #include "common/message.h"
 #include "fmb/intersect.h"
 
-enum { MOST_DIM = 3, MOST_VARIABLES = 2 * MOST_DIM + 1 };
+enum { MOST_DIM = 8, MOST_VARIABLES = 2 * MOST_DIM + 1 };
 
 /* Ends, two a variable, and a common point: of the world, of the second frame, of time. */
 struct numbers {

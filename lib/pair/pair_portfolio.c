@@ -166,6 +166,15 @@ static fmb_status find_boxes_of_lanes(const query *a, const fmb_block *b, int st
 
 /* ---- verdicts -------------------------------------------------------------------------------- */
 
+/* The same at a vertex, or where there is none. Of open frames that touch it says nothing. */
+static void decide_at_vertex(const query *a, size_t i, fmb_verdict *out)
+{
+    fmb_verdict closed = fmb_exact_box_meet(&a->p[i], &a->q[i]);
+    if (closed == FMB_INFEASIBLE || a->k->options.contact == FMB_CONTACT_CLOSED)
+        *out = closed;
+    a->k->counts.exact_verdicts += *out != FMB_UNKNOWN;
+}
+
 /* Good frames, by signs of determinants and normals, or in doubles in any dimension. */
 static void decide_without_query(const query *a, size_t i, fmb_verdict *out)
 {
@@ -179,6 +188,8 @@ static void decide_without_query(const query *a, size_t i, fmb_verdict *out)
         k->counts.exact_verdicts++;
     else if (take_edges(a, i, &of_p, &of_q))
         *out = fmb_general_decide(k->general, &of_p.frame, &of_q.frame);
+    if (*out == FMB_UNKNOWN && asks_exactly(a))
+        decide_at_vertex(a, i, out);
 }
 
 /* What no kernel decides. Then its box may still be one for kernels, from that stage on. */

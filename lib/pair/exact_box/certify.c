@@ -4,6 +4,10 @@
  * over the unknowns that are not basic, d_j = cost_j - y m_j. Where each d_j is such that z_j is at
  * its better end, no z in its places is better. Artificial unknowns have but one end. (Dantzig
  * 1951.)
+ *
+ * In doubles (point.c): any y' is y - r P^-1 with r = c - y' P, so that d_j is off by r P^-1 m_j
+ * from what it is with y'. No number of P^-1 m_j = (I - E)^-1 R m_j is larger than twice the
+ * largest of R m_j; as relative entries are at most 2, none is larger than 4 norm.
  */
 #include "pair/exact_box/certify.h"
 
@@ -11,7 +15,7 @@
 
 enum { DIM = FMB_EXACT_BOX_DIM };
 
-typedef fmb_exact_box_near near;
+#define UNIT 0x1p-53
 
 /* ---- apart -----------------------------------------------------------------------------------
  *
@@ -19,164 +23,159 @@ typedef fmb_exact_box_near near;
  * z_j; where w h does not, M z = h is impossible.
  */
 
-/* The least exponent of a weight. */
-static int find_least_exponent(const double *weight)
+/* Is w h certainly greater than any w M z? */
+static bool is_beyond_all(const fmb_exact_box_program *s, const double *w)
 {
-    int least = INT32_MAX;
-    for (int row = 0; row < DIM; row++)
-        if (weight[row] != 0 && ilogb(weight[row]) < least)
-            least = ilogb(weight[row]);
-    return least;
-}
-
-/* The rows of the adjugate are, but for det, what artificial unknowns are made of. */
-static void find_direction(fmb_exact_box *v, const double *weight, fmb_wide *w)
-{
-    int least = find_least_exponent(weight);
-    fmb_wide part;
-    for (int row = 0; row < DIM; row++)
-        fmb_wide_set_word(&w[row], 0);
-    for (int k = 0; k < DIM; k++) {
-        int j = v->basic[k] - FMB_EXACT_BOX_ARTIFICIAL;
-        if (j < 0 || weight[j] == 0)
-            continue;
-        fmb_exact_box_need_row(v, k);
-        for (int row = 0; row < DIM; row++) {
-            fmb_wide_copy(&part, &v->adjugate[k][row]);
-            fmb_wide_shift(&part, ilogb(weight[j]) - least);
-            fmb_wide_gather(&w[row], &part, weight[j] < 0);
-        }
+    double most[2] = {0, 0}, left = 0, size = 0;
+    for (int row = 0; row < s->dim; row++) {
+        left += w[row] * s->h.near[row];
+        size += fabs(w[row]);
     }
-}
-
-/* *most = max(*most, x) */
-static void raise_to(fmb_wide *most, const fmb_wide *x)
-{
-    if (fmb_wide_compare(x, most) > 0)
-        fmb_wide_copy(most, x);
-}
-
-static void list_numbers(const fmb_exact_box_number x[DIM], const fmb_wide *out[DIM])
-{
-    for (int row = 0; row < DIM; row++)
-        out[row] = &x[row].whole;
-}
-
-/* Is w h greater than any w M z? */
-static bool is_beyond_all(const fmb_exact_box_program *s, const fmb_wide *w)
-{
-    fmb_wide most[2], sum, part;
-    const fmb_wide *const of_w[DIM] = {&w[0], &w[1], &w[2]}, *factor[DIM];
-    fmb_wide_set_word(&most[0], 0);
-    fmb_wide_set_word(&most[1], 0);
-    list_numbers(s->h, factor);
-    fmb_wide_dot(&sum, DIM, of_w, factor, (1 << DIM) - 1);
     for (int j = 0; j < s->columns; j++) {
+        double part = 0;
         int group = s->group[j];
-        list_numbers(s->m[j], factor);
-        fmb_wide_dot(&part, DIM, of_w, factor, 0);
-        if (group <= FMB_EXACT_BOX_OF_B)
-            raise_to(&most[group], &part);
-        else if (!part.minus)
-            fmb_wide_add(&sum, &part);
+        for (int row = 0; row < s->dim; row++)
+            part += w[row] * s->m[j].near[row];
+        if (part > 0 && group > FMB_EXACT_BOX_OF_B)
+            left -= part;
+        else if (group <= FMB_EXACT_BOX_OF_B && part > most[group])
+            most[group] = part;
     }
-    fmb_wide_add(&sum, &most[0]);
-    fmb_wide_add(&sum, &most[1]);
-    return fmb_wide_sign(&sum) < 0;
+    left -= most[0] + most[1];
+    return left > (s->dim + s->columns + 8) * (s->columns + 1) * UNIT * size;
 }
 
-bool fmb_exact_box_are_apart(fmb_exact_box *v, const fmb_exact_box_program *s,
-                             const fmb_exact_box_basis *basis, const double *weight)
+bool fmb_exact_box_are_apart(const fmb_exact_box *v, const double *weight)
 {
-    fmb_wide w[DIM];
-    if (!fmb_exact_box_take_basis(v, s, basis))
-        return false;
-    find_direction(v, weight, w);
-    bool apart = is_beyond_all(s, w);
-    for (int row = 0; row < DIM; row++)
-        fmb_wide_negate(&w[row]);
-    return apart || is_beyond_all(s, w);
+    const fmb_exact_box_program *s = v->program;
+    double w[DIM] = {0}, less[DIM];
+    for (int k = 0; v->is_near && k < s->dim; k++)
+        for (int row = 0; v->basic[k] >= s->artificial && row < s->dim; row++)
+            w[row] += weight[v->basic[k] - s->artificial] * v->inverse[k][row];
+    for (int row = 0; row < s->dim; row++)
+        less[row] = -w[row];
+    return is_beyond_all(s, w) || is_beyond_all(s, less);
+}
+
+/* ---- in integers ----------------------------------------------------------------------------- */
+
+void fmb_exact_box_find_prices(fmb_exact_box *v, const fmb_wide *const *cost, fmb_wide *y)
+{
+    const fmb_exact_box_whole *w = fmb_exact_box_need_whole(v);
+    const fmb_wide *column[DIM];
+    for (int row = 0; row < v->program->dim; row++) {
+        for (int k = 0; k < v->program->dim; k++)
+            column[k] = &w->adjugate[k][row];
+        fmb_wide_dot(&y[row], v->program->dim, cost, column, 0);
+    }
+}
+
+void fmb_exact_box_find_loss(fmb_exact_box *v, const fmb_wide *y, const fmb_wide *cost, int j,
+                             fmb_wide *out)
+{
+    int n = v->program->dim;
+    fmb_wide room[DIM];
+    const fmb_wide *a[DIM + 1], *b[DIM + 1];
+    fmb_exact_box_list_column(v, j, b, room);
+    for (int row = 0; row < n; row++)
+        a[row] = &y[row];
+    a[n] = &fmb_exact_box_need_whole(v)->det;
+    b[n] = cost;
+    fmb_wide_dot(out, n + 1, a, b, 1u << n);
 }
 
 /* ---- is it the end? -------------------------------------------------------------------------- */
 
-static near find_near_cost(const fmb_exact_box *v, const fmb_exact_box_number *const *cost, int j)
+/* Costs and prices of a goal, in integers as soon as they are needed. */
+typedef struct priced_goal {
+    fmb_exact_box_cost cost[FMB_EXACT_BOX_UNKNOWNS];
+    double y[DIM], size, off; /* size: the sum of |y|; off: of |r| */
+    bool is_exact;
+    fmb_wide exact_y[DIM];
+} priced_goal;
+
+/* cost - y m_j, not relative; of the size of what it is made of, the cost and at most size. */
+static double absolute_gain(const fmb_exact_box *v, const priced_goal *g, int j)
 {
-    return fmb_exact_box_near_difference(fmb_exact_box_relative_cost(v, cost, j));
+    const double *m = v->program->m[j].near;
+    double gain = g->cost[j].near;
+    for (int row = 0; row < v->program->dim; row++)
+        gain -= g->y[row] * m[row];
+    return gain;
 }
 
-/* y det */
-static void find_near_prices(const fmb_exact_box *v, const fmb_exact_box_number *const *cost,
-                             near *y)
+/* The same, relative to the reference; what it is off by for that y at most. */
+static double near_gain(const fmb_exact_box *v, const priced_goal *g, int j, double *error)
 {
-    for (int row = 0; row < DIM; row++)
-        y[row] = (near){0, 0};
-    for (int k = 0; k < DIM; k++) {
-        near of_basic = find_near_cost(v, cost, v->basic[k]);
-        for (int row = 0; of_basic.size != 0 && row < DIM; row++)
-            fmb_exact_box_add_product(&y[row], of_basic, v->near_adjugate[k][row]);
+    int reference = fmb_exact_box_reference_of(v, j);
+    double gain = absolute_gain(v, g, j), size = fabs(g->cost[j].near) + g->size;
+    if (reference >= 0) {
+        gain -= absolute_gain(v, g, reference);
+        size += fabs(g->cost[reference].near) + g->size;
     }
+    *error = (v->program->dim + 8) * UNIT * size;
+    return gain;
 }
 
-/* - d_j det */
-static near find_near_loss(const fmb_exact_box *v, near cost, const near *y, int j)
+static void find_near_prices(const fmb_exact_box *v, priced_goal *g)
 {
-    near loss = {0, 0};
-    fmb_exact_box_add_product(&loss, v->near_det, (near){-cost.x, cost.size});
-    for (int row = 0; row < DIM; row++)
-        fmb_exact_box_add_product(&loss, y[row], v->near_entry[j][row]);
-    return loss;
-}
-
-static void find_prices(fmb_exact_box *v, const fmb_exact_box_number *const *cost, fmb_wide *y)
-{
-    fmb_wide room[DIM];
-    const fmb_wide *factor[DIM];
-    for (int k = 0; k < DIM; k++) {
-        factor[k] =
-            fmb_exact_box_difference(fmb_exact_box_relative_cost(v, cost, v->basic[k]), &room[k]);
-        fmb_exact_box_need_row(v, k);
+    int n = v->program->dim;
+    double error;
+    for (int row = 0; row < n; row++)
+        g->y[row] = 0;
+    for (int k = 0; k < n; k++) {
+        int j = v->basic[k], reference = fmb_exact_box_reference_of(v, j);
+        double cost = g->cost[j].near - (reference < 0 ? 0 : g->cost[reference].near);
+        for (int row = 0; cost != 0 && row < n; row++)
+            g->y[row] += cost * v->inverse[k][row];
     }
-    for (int row = 0; row < DIM; row++)
-        fmb_wide_dot(&y[row], DIM, factor,
-                     (const fmb_wide *const[]){&v->adjugate[0][row], &v->adjugate[1][row],
-                                               &v->adjugate[2][row]},
-                     0);
+    g->off = g->size = 0;
+    for (int row = 0; row < n; row++)
+        g->size += fabs(g->y[row]);
+    for (int k = 0; k < n; k++)
+        g->off += fabs(near_gain(v, g, v->basic[k], &error)) + error;
 }
 
-static int exact_sign_of_loss(fmb_exact_box *v, const fmb_exact_box_number *const *cost, int j)
+static int exact_sign_of_loss(fmb_exact_box *v, priced_goal *g, int j)
 {
-    fmb_wide y[DIM], loss, room[DIM + 1];
-    const fmb_wide *a[DIM + 1], *b[DIM + 1];
-    find_prices(v, cost, y);
-    fmb_exact_box_need_det(v);
-    for (int row = 0; row < DIM; row++) {
-        a[row] = &y[row];
-        b[row] = fmb_exact_box_difference(fmb_exact_box_relative_entry(v, j, row), &room[row]);
-    }
-    a[DIM] = &v->det;
-    b[DIM] = fmb_exact_box_difference(fmb_exact_box_relative_cost(v, cost, j), &room[DIM]);
-    fmb_wide_dot(&loss, DIM + 1, a, b, 1 << DIM);
+    fmb_wide loss, room[DIM];
+    const fmb_wide *cost[DIM];
+    for (int k = 0; !g->is_exact && k < v->program->dim; k++)
+        cost[k] = fmb_exact_box_relative_cost(v, g->cost, v->basic[k], &room[k]);
+    if (!g->is_exact)
+        fmb_exact_box_find_prices(v, cost, g->exact_y);
+    g->is_exact = true;
+    fmb_exact_box_find_loss(v, g->exact_y, fmb_exact_box_relative_cost(v, g->cost, j, &room[0]), j,
+                            &loss);
     return fmb_wide_sign(&loss);
+}
+
+static int sign_of_loss(fmb_exact_box *v, priced_goal *g, int j)
+{
+    double error, gain;
+    if (v->is_near) {
+        gain = near_gain(v, g, j, &error);
+        error = (error + 4 * v->norm * g->off) * (1 + 0x1p-40);
+        if (fabs(gain) > error || error == 0)
+            return (gain < 0) - (gain > 0);
+    }
+    return exact_sign_of_loss(v, g, j);
 }
 
 bool fmb_exact_box_is_farthest(fmb_exact_box *v, const fmb_exact_box_goal *goal)
 {
-    const fmb_exact_box_number *cost[FMB_EXACT_BOX_UNKNOWNS];
-    near y[DIM];
+    priced_goal g;
     bool turned = goal->is_world && v->side == 1;
-    int sign_det = fmb_exact_box_sign_of_det(v),
-        upward = (goal->greatest != turned ? 1 : -1) * sign_det;
-    fmb_exact_box_list_costs(v, goal, cost);
-    find_near_prices(v, cost, y);
-    for (int j = 0; j < FMB_EXACT_BOX_ARTIFICIAL; j++) {
+    int upward = goal->greatest != turned ? 1 : -1;
+    g.is_exact = false;
+    fmb_exact_box_list_costs(v, goal, g.cost);
+    if (v->is_near)
+        find_near_prices(v, &g);
+    for (int j = 0; j < v->program->artificial; j++) {
         int place = v->basis.place[j];
         if (place == FMB_EXACT_BOX_BASIC || v->program->group[j] == FMB_EXACT_BOX_NONE)
             continue;
-        near loss = find_near_loss(v, find_near_cost(v, cost, j), y, j);
-        int sign = fmb_exact_box_is_sign_known(loss) ? fmb_exact_box_sign_of_near(loss)
-                                                     : exact_sign_of_loss(v, cost, j);
-        if (sign == (place == FMB_EXACT_BOX_HIGH ? upward : -upward))
+        if (sign_of_loss(v, &g, j) == (place == FMB_EXACT_BOX_HIGH ? upward : -upward))
             return false;
     }
     return true;

@@ -4,11 +4,17 @@
 
 #include "pair/exact_box/point.h"
 
-/* Are the closed frames apart in the direction of these weights of the basic artificial unknowns,
- * in which the basis, which need not be common, is nearest? */
-bool fmb_exact_box_are_apart(fmb_exact_box *v, const fmb_exact_box_program *s,
-                             const fmb_exact_box_basis *basis, const double *weight);
+/* Are the closed frames apart in the direction of these weights of the basic artificial unknowns?
+ * False: doubles do not tell. */
+bool fmb_exact_box_are_apart(const fmb_exact_box *v, const double *weight);
 /* Is the goal nowhere in M z = h, z in its places, farther out than here? */
 bool fmb_exact_box_is_farthest(fmb_exact_box *v, const fmb_exact_box_goal *goal);
+
+/* det times the prices of the rows, y = c P^-1, where c are costs of the basic unknowns, relative
+ * or as they stand. */
+void fmb_exact_box_find_prices(fmb_exact_box *v, const fmb_wide *const *cost, fmb_wide *y);
+/* det times what unknown j loses, y m_j - cost, for the same costs. */
+void fmb_exact_box_find_loss(fmb_exact_box *v, const fmb_wide *y, const fmb_wide *cost, int j,
+                             fmb_wide *out);
 
 #endif

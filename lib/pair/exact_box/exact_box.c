@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "frame/frame_private.h"
-#include "pair/exact_box/certify.h"
 #include "pair/exact_box/exact_box_value.h"
+#include "pair/exact_box/exact_walk.h"
 #include "pair/exact_box/vertex_walk.h"
 
 enum { MOST_GOALS = 2 * (2 * FMB_EXACT_BOX_DIM + 1), MOST_POINTS = MOST_GOALS + 1 };
@@ -14,29 +14,59 @@ enum { MOST_GOALS = 2 * (2 * FMB_EXACT_BOX_DIM + 1), MOST_POINTS = MOST_GOALS + 
 typedef struct exact_boxer {
     fmb_exact_box_program program;
     fmb_exact_box_walk walk;
-    fmb_exact_box point[MOST_POINTS]; /* visited so far */
+    fmb_exact_box_whole whole;
+    fmb_exact_box point[MOST_POINTS + 1]; /* visited so far; the next one */
     double near[MOST_POINTS][FMB_EXACT_BOX_COLUMNS];
     bool is_near[MOST_POINTS]; /* its numbers in near are good enough for a witness */
-    int points;
-    fmb_exact_box *at; /* one of them */
+    int points, at;            /* at: one of them */
+    fmb_exact_box_goal goal[MOST_GOALS];
+    int goals, end[MOST_GOALS]; /* the point where the goal is at its end */
 } exact_boxer;
 
 /* ---- ends ------------------------------------------------------------------------------------ */
 
-/* At that basic solution; it counts among those whose mean is the witness. */
+/* At that basic solution, if it is a vertex; it counts among those whose mean is the witness. */
 static bool take_state_of_basis(exact_boxer *b, const fmb_exact_box_basis *basis)
 {
     int k = 0;
     while (k < b->points && memcmp(basis, &b->point[k].basis, sizeof *basis) != 0)
         k++;
-    b->at = &b->point[k];
+    b->at = k;
     if (k < b->points)
         return true;
-    if (!fmb_exact_box_state(b->at, &b->program, basis))
+    if (!fmb_exact_box_state(&b->point[k], &b->program, basis))
         return false;
-    b->is_near[k] = fmb_exact_box_near_values(b->at, b->near[k]);
+    b->is_near[k] = fmb_exact_box_near_values(&b->point[k], b->near[k]);
     b->points++;
     return true;
+}
+
+/* From where doubles got to, on in integers. */
+static fmb_verdict go_on_exactly(exact_boxer *b, const fmb_exact_box_goal *goal)
+{
+    fmb_exact_box *v = &b->point[b->points];
+    if (!fmb_exact_box_take_basis(v, &b->program, &b->walk.basis))
+        return FMB_UNKNOWN;
+    fmb_verdict verdict = fmb_exact_box_walk_exactly(v, goal);
+    fmb_exact_box_basis basis = v->basis;
+    return verdict == FMB_FEASIBLE && !take_state_of_basis(b, &basis) ? FMB_UNKNOWN : verdict;
+}
+
+/* To a first vertex, which doubles may leave unproved. */
+static fmb_verdict find_vertex(exact_boxer *b, bool prove)
+{
+    b->points = 0;
+    b->whole.of = NULL;
+    for (int k = 0; k <= MOST_POINTS; k++)
+        b->point[k].whole = &b->whole;
+    if (fmb_exact_box_walk_start(&b->walk, &b->program)) {
+        if (!prove || take_state_of_basis(b, &b->walk.basis))
+            return FMB_FEASIBLE;
+    } else if (fmb_exact_box_take_basis(&b->point[0], &b->program, &b->walk.basis) &&
+               fmb_exact_box_are_apart(&b->point[0], b->walk.weight)) {
+        return FMB_INFEASIBLE;
+    }
+    return go_on_exactly(b, NULL);
 }
 
 /* How far visited point k is in the direction of the goal, roughly. */
@@ -55,21 +85,22 @@ static bool is_end_visited(exact_boxer *b, const fmb_exact_box_goal *goal)
         double value = near_value_of_goal(b, goal, k);
         if (value > most) {
             most = value;
-            b->at = &b->point[k];
+            b->at = k;
         }
     }
-    return b->points > 0 && fmb_exact_box_is_farthest(b->at, goal);
+    return b->points > 0 && fmb_exact_box_is_farthest(&b->point[b->at], goal);
 }
 
 static bool is_end_reached(exact_boxer *b, const fmb_exact_box_goal *goal)
 {
     return fmb_exact_box_walk_to(&b->walk, goal) && take_state_of_basis(b, &b->walk.basis) &&
-           fmb_exact_box_is_farthest(b->at, goal);
+           fmb_exact_box_is_farthest(&b->point[b->at], goal);
 }
 
 static bool take_state_at_end(exact_boxer *b, const fmb_exact_box_goal *goal)
 {
-    return is_end_visited(b, goal) || is_end_reached(b, goal);
+    return is_end_visited(b, goal) || is_end_reached(b, goal) ||
+           go_on_exactly(b, goal) == FMB_FEASIBLE;
 }
 
 /* Both ends of n coordinates, or unknowns, from the first on. Least ends, then greatest ones:
@@ -82,13 +113,39 @@ static int add_goals(fmb_exact_box_goal *goal, int goals, bool is_world, int fir
     return goals;
 }
 
-static int list_goals(const fmb_exact_box_program *s, bool world, bool inside, bool time,
-                      fmb_exact_box_goal *goal)
+static void list_goals(exact_boxer *b, bool world, bool inside, bool time)
 {
+    const fmb_exact_box_program *s = &b->program;
     int last = s->time < 0 ? s->columns : s->time;
-    int n = add_goals(goal, 0, true, 0, world ? s->dim : 0);
-    n = add_goals(goal, n, false, s->first_of_b, inside ? last - s->first_of_b : 0);
-    return add_goals(goal, n, false, s->time, time && s->time >= 0);
+    int n = add_goals(b->goal, 0, true, 0, world ? s->dim : 0);
+    n = add_goals(b->goal, n, false, s->first_of_b, inside ? last - s->first_of_b : 0);
+    b->goals = add_goals(b->goal, n, false, s->time, time && s->time >= 0);
+}
+
+static bool find_ends(exact_boxer *b)
+{
+    for (int i = 0; i < b->goals; i++) {
+        if (!take_state_at_end(b, &b->goal[i]))
+            return false;
+        b->end[i] = b->at;
+    }
+    return true;
+}
+
+/* What to do with one goal, at the point where it is at its end. */
+typedef bool write_end(exact_boxer *b, const fmb_exact_box_goal *goal, void *to);
+
+/* Those of one point after another, as it has numbers that all of its goals share. */
+static bool write_ends(exact_boxer *b, write_end *write, void *to)
+{
+    bool good = true;
+    for (int k = 0; k < b->points; k++)
+        for (int i = 0; good && i < b->goals; i++)
+            if (b->end[i] == k) {
+                b->at = k;
+                good = write(b, &b->goal[i], to);
+            }
+    return good;
 }
 
 /* Of these, which: where an end stands among those of the world, of B, of time. */
@@ -110,12 +167,12 @@ typedef struct box_answer {
     double end[GROUPS][2 * FMB_EXACT_BOX_DIM];
 } box_answer;
 
-static bool find_rounded_end(exact_boxer *b, const fmb_exact_box_goal *goal, box_answer *to)
+static bool write_rounded_end(exact_boxer *b, const fmb_exact_box_goal *goal, void *self)
 {
+    box_answer *to = self;
     int group, exponent = goal->is_world ? b->program.exponent[goal->number] : 0;
     size_t place = place_of_goal(&b->program, goal, &group);
-    return take_state_at_end(b, goal) &&
-           fmb_exact_box_value_outward(b->at, goal, exponent, &to->end[group][place]);
+    return fmb_exact_box_value_outward(&b->point[b->at], goal, exponent, &to->end[group][place]);
 }
 
 /* Coordinate i of visited point k. */
@@ -149,19 +206,21 @@ static void copy_ends(double *to, const double *from, int n)
         to[i] = from[i];
 }
 
+fmb_verdict fmb_exact_box_meet(const fmb_frame *p, const fmb_frame *q)
+{
+    exact_boxer b;
+    return fmb_exact_box_load(&b.program, p, q) ? find_vertex(&b, true) : FMB_UNKNOWN;
+}
+
 bool fmb_exact_box_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out)
 {
     exact_boxer b;
     box_answer found = {.end[TIME] = {0, 1}};
-    fmb_exact_box_goal goal[MOST_GOALS];
-    b.points = 0;
-    if (!fmb_exact_box_load(&b.program, p, q) || !fmb_exact_box_walk_start(&b.walk, &b.program))
+    if (!fmb_exact_box_load(&b.program, p, q) || find_vertex(&b, false) != FMB_FEASIBLE)
         return false;
-    int goals = list_goals(&b.program, out->world, out->inside, out->time, goal);
-    for (int i = 0; i < goals; i++)
-        if (!find_rounded_end(&b, &goal[i], &found))
-            return false;
-    if (b.points == 0 && !take_state_of_basis(&b, &b.walk.basis))
+    list_goals(&b, out->world, out->inside, out->time);
+    if (!find_ends(&b) || !write_ends(&b, write_rounded_end, &found) ||
+        (b.points == 0 && !take_state_of_basis(&b, &b.walk.basis)))
         return false;
     copy_ends(out->world, found.end[WORLD], p->dim);
     copy_ends(out->inside, found.end[INSIDE], q->naxes);
@@ -194,20 +253,24 @@ static mpz_srcptr unit_of_goal(mpz_t *unit, const fmb_exact_box_goal *goal)
 static void write_value_here(exact_boxer *b, mpz_t *unit, const fmb_exact_box_goal *goal, mpq_t out)
 {
     fmb_wide numerator, denominator;
-    fmb_exact_box_value(b->at, goal, &numerator, &denominator);
+    fmb_exact_box_value(&b->point[b->at], goal, &numerator, &denominator);
     write_fraction(&numerator, &denominator, unit_of_goal(unit, goal), out);
 }
 
-static bool find_exact_end(exact_boxer *b, mpz_t *unit, const fmb_exact_box_goal *goal,
-                           const fmb_pair_answers_q *out)
+/* Where rationals go; their units. */
+typedef struct exact_answer {
+    const fmb_pair_answers_q *out;
+    mpz_t *unit;
+} exact_answer;
+
+static bool write_exact_end(exact_boxer *b, const fmb_exact_box_goal *goal, void *self)
 {
-    mpq_t *const to[GROUPS] = {out->world, out->inside, out->time};
+    const exact_answer *a = self;
+    mpq_t *const to[GROUPS] = {a->out->world, a->out->inside, a->out->time};
     int group;
     size_t place = place_of_goal(&b->program, goal, &group);
-    bool good = take_state_at_end(b, goal);
-    if (good)
-        write_value_here(b, unit, goal, to[group][place]);
-    return good;
+    write_value_here(b, a->unit, goal, to[group][place]);
+    return true;
 }
 
 /* The vertex at which b stands: in the world, in B, its time. */
@@ -224,23 +287,16 @@ static void write_extreme_point(exact_boxer *b, mpz_t *unit, mpq_t *out)
 static fmb_verdict answer_in_units(exact_boxer *b, mpz_t *unit, const fmb_frame_q *p,
                                    const fmb_frame_q *q, const fmb_pair_answers_q *out)
 {
-    fmb_exact_box_goal goal[MOST_GOALS];
-    b->points = 0;
+    exact_answer to = {out, unit};
     if (!fmb_exact_box_load_q(&b->program, p, q, unit))
         return FMB_UNKNOWN;
-    if (!fmb_exact_box_walk_start(&b->walk, &b->program))
-        return fmb_exact_box_are_apart(&b->point[0], &b->program, &b->walk.basis, b->walk.weight)
-                   ? FMB_INFEASIBLE
-                   : FMB_UNKNOWN;
-    if (!take_state_of_basis(b, &b->walk.basis))
-        return FMB_UNKNOWN;
+    fmb_verdict verdict = find_vertex(b, true);
+    if (verdict != FMB_FEASIBLE)
+        return verdict;
     if (out->witness)
         write_extreme_point(b, unit, out->witness);
-    int goals = list_goals(&b->program, out->world, out->inside, out->time, goal);
-    for (int i = 0; i < goals; i++)
-        if (!find_exact_end(b, unit, &goal[i], out))
-            return FMB_UNKNOWN;
-    return FMB_FEASIBLE;
+    list_goals(b, out->world, out->inside, out->time);
+    return find_ends(b) && write_ends(b, write_exact_end, &to) ? FMB_FEASIBLE : FMB_UNKNOWN;
 }
 
 fmb_verdict fmb_exact_box_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,

@@ -1,11 +1,14 @@
-/* exact_box.h: boxes of pairs in up to three dimensions, exactly: doubles walk from vertex to
- * vertex, and each vertex where an end of the box is found is computed and proved in integers
- * (certify.h).
+/* exact_box.h: boxes of pairs in up to eight dimensions, exactly: doubles walk from vertex to
+ * vertex, and each vertex where an end of the box is found is proved (certify.h); where it is none,
+ * integers walk on (exact_walk.h).
  */
 #ifndef FMB_PAIR_EXACT_BOX_H
 #define FMB_PAIR_EXACT_BOX_H
 
 #include <fmb/gmp.h>
+
+/* Do these closed frames, which are good, meet? UNKNOWN if that was not proved. */
+fmb_verdict fmb_exact_box_meet(const fmb_frame *p, const fmb_frame *q);
 
 /* Of good frames that meet: all that out asks for, but the verdict; every end is the exact one,
  * rounded outward. False, and nothing written, if that was not proved. Nothing is allocated. */

@@ -10,6 +10,14 @@ typedef void fmb_exact_box_reader(const void *self, int frame, int i, int row, f
 
 enum { ORIGIN = -1, SPEED = -2 }; /* in place of an axis */
 
+/* Bits of M, h, origins and speeds, relative to one another, of which all numbers of a row are made
+ * (point.h): minors of order k have k times as many and the bits of k!. The longest product is that
+ * of two of order dim and a number. */
+static int most_bits(int dim)
+{
+    return (FMB_WIDE_BITS - 40) / (2 * dim + 1) - 3;
+}
+
 /* ---- doubles --------------------------------------------------------------------------------- */
 
 /* |x| = m 2^e, m odd or 0. */
@@ -55,7 +63,7 @@ static bool find_unit_of_row(double_pair *d, int row)
             most = high > most ? high : most;
         }
     d->exponent[row] = least == INT32_MAX ? 0 : -least;
-    return least == INT32_MAX || most - least < FMB_EXACT_BOX_BITS - 1;
+    return least == INT32_MAX || most - least < most_bits(d->frame[0]->dim);
 }
 
 static void read_double(const void *self, int frame, int axis, int row, fmb_wide *out)
@@ -96,21 +104,29 @@ static bool is_divisor(mpz_srcptr d, mpz_srcptr unit)
            (is_word(d) && is_word(unit) && fmb_integer_low(unit) % fmb_integer_low(d) == 0);
 }
 
+/* No number x has more bits in front of its point. */
+static int bits_of_whole_part(mpq_srcptr x)
+{
+    return (int)mpz_sizeinbase(mpq_numref(x), 2) - (int)mpz_sizeinbase(mpq_denref(x), 2) + 1;
+}
+
 /* The least common denominator of a row; false if numbers are too long in terms of it. */
 static bool find_denominator_of_row(const rational_pair *d, int row)
 {
-    size_t most = 0;
+    int most = 0, room = most_bits(d->frame[0]->dim);
     mpz_set_ui(d->unit[row], 1);
     for (int k = 0; k < 2; k++)
         for (int axis = SPEED; axis < d->frame[k]->naxes; axis++) {
             mpq_srcptr x = rational_of_frame(d->frame[k], axis, row);
-            size_t bits = x ? mpz_sizeinbase(mpq_numref(x), 2) : 0;
-            if (x && mpz_sizeinbase(mpq_denref(x), 2) > FMB_EXACT_BOX_BITS)
+            if (!x || mpq_sgn(x) == 0)
+                continue;
+            size_t longest = fmb_integer_words(mpq_numref(x)) + fmb_integer_words(mpq_denref(x));
+            if (longest > 2 * FMB_WIDE_WORDS)
                 return false;
-            if (x && !is_divisor(mpq_denref(x), d->unit[row]))
+            if (!is_divisor(mpq_denref(x), d->unit[row]))
                 mpz_lcm(d->unit[row], d->unit[row], mpq_denref(x));
-            most = bits > most ? bits : most;
-            if (most + mpz_sizeinbase(d->unit[row], 2) > FMB_EXACT_BOX_BITS - 2)
+            most = bits_of_whole_part(x) > most ? bits_of_whole_part(x) : most;
+            if (most + (int)mpz_sizeinbase(d->unit[row], 2) > room)
                 return false;
         }
     return true;
@@ -165,7 +181,7 @@ static void load_axes_of_frame(fmb_exact_box_program *s, int k, const body *b,
     for (int axis = 0; axis < b->naxes; axis++, s->columns++) {
         s->group[s->columns] = (signed char)(s->is_simplex[k] ? k : FMB_EXACT_BOX_UNIT);
         for (int row = 0; row < s->dim; row++) {
-            fmb_wide *to = &s->m[s->columns][row].whole, origin;
+            fmb_wide *to = &s->m[s->columns].whole[row], origin;
             read(self, k, axis, row, to);
             if (by_corners) {
                 read(self, k, ORIGIN, row, &origin);
@@ -176,17 +192,17 @@ static void load_axes_of_frame(fmb_exact_box_program *s, int k, const body *b,
         }
     }
     if (s->is_simplex[k])
-        s->group[FMB_EXACT_BOX_SLACK + k] = (signed char)k;
+        s->group[s->slack + k] = (signed char)k;
 }
 
 static void load_places(fmb_exact_box_program *s, fmb_exact_box_reader *read, const void *self)
 {
     for (int row = 0; row < s->dim; row++) {
-        fmb_wide *h = &s->h[row].whole, *less = &s->origin[1][row].whole;
+        fmb_wide *h = &s->h.whole[row], *less = &s->origin[1].whole[row];
         for (int k = 0; k < 2; k++)
-            read(self, k, ORIGIN, row, &s->origin[k][row].whole);
+            read(self, k, ORIGIN, row, &s->origin[k].whole[row]);
         fmb_wide_copy(h, less);
-        fmb_wide_subtract(h, &s->origin[0][row].whole);
+        fmb_wide_subtract(h, &s->origin[0].whole[row]);
         fmb_wide_negate(less);
     }
 }
@@ -194,22 +210,67 @@ static void load_places(fmb_exact_box_program *s, fmb_exact_box_reader *read, co
 static void load_speeds(fmb_exact_box_program *s, fmb_exact_box_reader *read, const void *self)
 {
     for (int row = 0; row < s->dim; row++) {
-        fmb_wide *drift = &s->m[s->columns][row].whole, *less = &s->speed[1][row].whole;
+        fmb_wide *drift = &s->m[s->columns].whole[row], *less = &s->speed[1].whole[row];
         for (int k = 0; k < 2; k++)
-            read(self, k, SPEED, row, &s->speed[k][row].whole);
+            read(self, k, SPEED, row, &s->speed[k].whole[row]);
         fmb_wide_negate(less);
-        fmb_wide_copy(drift, &s->speed[0][row].whole);
+        fmb_wide_copy(drift, &s->speed[0].whole[row]);
         fmb_wide_add(drift, less);
     }
     s->group[s->columns++] = FMB_EXACT_BOX_UNIT;
 }
 
-/* A row that is left over is 0. */
-static void finish_number(const fmb_exact_box_program *s, int row, fmb_exact_box_number *x)
+/* Slacks and artificial unknowns. */
+static void load_unit_vectors(fmb_exact_box_program *s)
 {
-    if (row >= s->dim)
-        fmb_wide_set_word(&x->whole, 0);
-    x->near = fmb_wide_to_doubles(&x->whole, &x->rest);
+    for (int j = s->slack; j < s->unknowns; j++)
+        for (int row = 0; row < s->dim; row++) {
+            bool is_one = j - s->artificial == row;
+            fmb_wide_set_word(&s->m[j].whole[row], is_one);
+            s->m[j].near[row] = is_one;
+            s->m[j].rest[row] = 0;
+        }
+}
+
+/* Each number times 2^-scale[row]. */
+static void scale_vector(const fmb_exact_box_program *s, const double *scale,
+                         fmb_exact_box_vector *x)
+{
+    for (int row = 0; row < s->dim; row++) {
+        x->near[row] *= scale[row];
+        x->rest[row] *= scale[row];
+    }
+}
+
+static void round_vector(const fmb_exact_box_program *s, fmb_exact_box_vector *x, double *most)
+{
+    for (int row = 0; row < s->dim; row++) {
+        double size = fabs(x->near[row] = fmb_wide_to_doubles(&x->whole[row], &x->rest[row]));
+        most[row] = size > most[row] ? size : most[row];
+    }
+}
+
+static void find_doubles(fmb_exact_box_program *s)
+{
+    double most[FMB_EXACT_BOX_DIM] = {0}, ignored[FMB_EXACT_BOX_DIM] = {0};
+    for (int j = 0; j < s->columns; j++)
+        round_vector(s, &s->m[j], most);
+    round_vector(s, &s->h, most);
+    for (int row = 0; row < s->dim; row++) {
+        frexp(most[row], &s->scale[row]);
+        most[row] = ldexp(1, -s->scale[row]);
+    }
+    for (int j = 0; j < s->columns; j++)
+        scale_vector(s, most, &s->m[j]);
+    scale_vector(s, most, &s->h);
+    for (int k = 0; k < 2; k++) {
+        round_vector(s, &s->origin[k], ignored);
+        scale_vector(s, most, &s->origin[k]);
+        if (s->time >= 0) {
+            round_vector(s, &s->speed[k], ignored);
+            scale_vector(s, most, &s->speed[k]);
+        }
+    }
 }
 
 static void load_both(fmb_exact_box_program *s, const body *p, const body *q,
@@ -217,25 +278,20 @@ static void load_both(fmb_exact_box_program *s, const body *p, const body *q,
 {
     s->dim = p->dim;
     s->columns = 0;
-    for (int j = 0; j < FMB_EXACT_BOX_UNKNOWNS; j++)
-        s->group[j] = j < FMB_EXACT_BOX_ARTIFICIAL ? FMB_EXACT_BOX_NONE : FMB_EXACT_BOX_ZERO;
     s->first_of_b = p->naxes;
     s->time = p->moves || q->moves ? p->naxes + q->naxes : -1;
+    s->slack = p->naxes + q->naxes + (s->time >= 0);
+    s->artificial = s->slack + 2;
+    s->unknowns = s->artificial + s->dim;
+    for (int j = s->slack; j < s->unknowns; j++)
+        s->group[j] = j < s->artificial ? FMB_EXACT_BOX_NONE : FMB_EXACT_BOX_ZERO;
     load_axes_of_frame(s, 0, p, read, self);
     load_axes_of_frame(s, 1, q, read, self);
     load_places(s, read, self);
     if (s->time >= 0)
         load_speeds(s, read, self);
-    for (int row = 0; row < FMB_EXACT_BOX_DIM; row++) {
-        finish_number(s, row, &s->h[row]);
-        for (int k = 0; k < 2; k++) {
-            finish_number(s, row, &s->origin[k][row]);
-            if (s->time >= 0)
-                finish_number(s, row, &s->speed[k][row]);
-        }
-        for (int j = 0; j < s->columns; j++)
-            finish_number(s, row, &s->m[j][row]);
-    }
+    load_unit_vectors(s);
+    find_doubles(s);
 }
 
 static bool is_for_vertices(int dim, int naxes_p, int naxes_q)
@@ -251,7 +307,7 @@ bool fmb_exact_box_load(fmb_exact_box_program *s, const fmb_frame *p, const fmb_
         good = find_unit_of_row(&d, row);
     if (!good)
         return false;
-    for (int row = 0; row < FMB_EXACT_BOX_DIM; row++)
+    for (int row = 0; row < p->dim; row++)
         s->exponent[row] = d.exponent[row];
     load_both(s, &(body){p->shape, p->dim, p->naxes, p->speed != NULL},
               &(body){q->shape, q->dim, q->naxes, q->speed != NULL}, read_double, &d);

@@ -4,7 +4,8 @@
  * their places with M z = h, where M = [axes of A, - axes of B, speed of A - speed of B] and h =
  * origin of B - origin of A; such a point is x = origin of A + (axes of A, 0, speed of A) z. Each
  * row, a coordinate of the world, is in units of its own, so that all numbers in it are integers.
- * In one or two dimensions the rows that are left over are 0.
+ * Doubles next to them are scaled by a power of two, so that the largest in a row of M and h is
+ * between 1/2 and 1.
  *
  * The places: 0 <= z <= 1 of a unit; for each simplex z >= 0 and sum z <= 1. To each simplex
  * belongs one unknown more, its slack 1 - sum z: so all of its unknowns, the barycentric
@@ -22,15 +23,9 @@
 #include "pair/exact_box/wide.h"
 
 enum {
-    FMB_EXACT_BOX_DIM = 3,
+    FMB_EXACT_BOX_DIM = 8, /* the most there may be */
     FMB_EXACT_BOX_COLUMNS = 2 * FMB_EXACT_BOX_DIM + 1,
-    /* numbers of unknowns: columns of M, slacks, artificial ones */
-    FMB_EXACT_BOX_SLACK = FMB_EXACT_BOX_COLUMNS,
-    FMB_EXACT_BOX_ARTIFICIAL = FMB_EXACT_BOX_SLACK + 2,
-    FMB_EXACT_BOX_UNKNOWNS = FMB_EXACT_BOX_ARTIFICIAL + FMB_EXACT_BOX_DIM,
-    /* Bits of M, h, origins and speeds: then nothing that is computed from them has more than four
-     * times as many and 16. */
-    FMB_EXACT_BOX_BITS = 150
+    FMB_EXACT_BOX_UNKNOWNS = FMB_EXACT_BOX_COLUMNS + 2 + FMB_EXACT_BOX_DIM
 };
 
 /* Which group an unknown is in. */
@@ -42,27 +37,30 @@ enum {
     FMB_EXACT_BOX_NONE
 };
 
-/* A whole number, the double next to it, and what that is less, off by at most 2^-102 of it. */
-typedef struct fmb_exact_box_number {
-    fmb_wide whole;
-    double near, rest;
-} fmb_exact_box_number;
+/* A vector of whole numbers; scaled, the doubles next to them, and what these are less, off by at
+ * most 2^-102 of the numbers. */
+typedef struct fmb_exact_box_vector {
+    fmb_wide whole[FMB_EXACT_BOX_DIM];
+    double near[FMB_EXACT_BOX_DIM], rest[FMB_EXACT_BOX_DIM];
+} fmb_exact_box_vector;
 
 typedef struct fmb_exact_box_program {
-    int dim, columns;
-    int first_of_b, time; /* columns; time is -1 if nothing moves */
+    int dim;
+    /* Unknowns by number: columns of M, those of B from first_of_b on; from slack on the slacks of
+     * both frames; from artificial on those of each row. time is -1 if nothing moves. */
+    int columns, first_of_b, time, slack, artificial, unknowns;
     bool is_simplex[2];
-    signed char group[FMB_EXACT_BOX_UNKNOWNS]; /* NONE: there is no such unknown */
-    fmb_exact_box_number m[FMB_EXACT_BOX_COLUMNS][FMB_EXACT_BOX_DIM]; /* [column][row] */
-    fmb_exact_box_number h[FMB_EXACT_BOX_DIM];
-    fmb_exact_box_number origin[2][FMB_EXACT_BOX_DIM],
-        speed[2][FMB_EXACT_BOX_DIM]; /* of A; of B, negative; speeds, if anything moves */
-    /* A number x of row i is x / unit_i: 2^exponent[i], or unit[i] where numbers are rationals. */
-    int exponent[FMB_EXACT_BOX_DIM];
+    signed char group[FMB_EXACT_BOX_UNKNOWNS];      /* NONE: there is no such unknown */
+    fmb_exact_box_vector m[FMB_EXACT_BOX_UNKNOWNS]; /* columns: of slacks they are 0 */
+    fmb_exact_box_vector h;
+    fmb_exact_box_vector origin[2], speed[2]; /* of A; of B, negative; speeds, if anything moves */
+    /* A number x of row i is x / unit_i: 2^exponent[i], or unit[i] where numbers are rationals. It
+     * is 2^scale[i] times the scaled one. */
+    int exponent[FMB_EXACT_BOX_DIM], scale[FMB_EXACT_BOX_DIM];
 } fmb_exact_box_program;
 
-/* False: numbers of a row are too far apart, more than three dimensions, more axes than dimensions,
- * which this is not for. All numbers are finite. */
+/* False: numbers of a row are too far apart, more than FMB_EXACT_BOX_DIM dimensions, more axes than
+ * dimensions, which this is not for. All numbers are finite. */
 bool fmb_exact_box_load(fmb_exact_box_program *s, const fmb_frame *p, const fmb_frame *q);
 /* The same of rationals; unit[0 .. dim) are initialised. */
 bool fmb_exact_box_load_q(fmb_exact_box_program *s, const fmb_frame_q *p, const fmb_frame_q *q,

@@ -1,8 +1,8 @@
 /* exact_box_value.c: see exact_box_value.h.
  *
- * In double-doubles every number is computed as in point.c, with LANE2_UNIT in place of u
- * (docs/error-bounds.md, "Double-doubles"): entries are off by a unit, so x and det, and a sum of
- * four products with them, are within 64 units of the same sizes.
+ * In double-doubles x is refined once, by R (rest - P x) (point.c has the bound). A double-double
+ * operation is off by at most a few LANE2_UNIT of sizes (docs/error-bounds.md, "Double-doubles"),
+ * entries by one.
  */
 #include "pair/exact_box/exact_box_value.h"
 
@@ -10,210 +10,187 @@
 
 enum { DIM = FMB_EXACT_BOX_DIM };
 
+#define CLOSE_UNIT LANE2_UNIT(true)
+
 /* ---- costs ----------------------------------------------------------------------------------- */
 
+static const fmb_wide WHOLE_ZERO = {0, false, {0}}, WHOLE_ONE = {1, false, {1}};
+
+static fmb_exact_box_cost cost_of(const fmb_exact_box_vector *x, int row)
+{
+    return (fmb_exact_box_cost){&x->whole[row], x->near[row], x->rest[row]};
+}
+
 void fmb_exact_box_list_costs(const fmb_exact_box *v, const fmb_exact_box_goal *goal,
-                              const fmb_exact_box_number *cost[FMB_EXACT_BOX_UNKNOWNS])
+                              fmb_exact_box_cost *cost)
 {
     const fmb_exact_box_program *s = v->program;
     int last = s->time < 0 ? s->columns : s->time, row = goal->number;
     int first = v->side == 0 ? 0 : s->first_of_b, end = v->side == 0 ? s->first_of_b : last;
-    for (int j = 0; j < FMB_EXACT_BOX_UNKNOWNS; j++)
-        cost[j] = &fmb_exact_box_zero;
+    for (int j = 0; j < s->unknowns; j++)
+        cost[j] = (fmb_exact_box_cost){&WHOLE_ZERO, 0, 0};
     if (!goal->is_world) {
-        cost[goal->number] = &fmb_exact_box_one;
+        cost[goal->number] = (fmb_exact_box_cost){&WHOLE_ONE, 1, 0};
         return;
     }
     for (int j = first; j < end; j++)
-        cost[j] = &s->m[j][row];
+        cost[j] = cost_of(&s->m[j], row);
     if (s->time >= 0)
-        cost[s->time] = &s->speed[v->side][row];
+        cost[s->time] = cost_of(&s->speed[v->side], row);
     if (v->side == 1)
-        cost[FMB_EXACT_BOX_ARTIFICIAL + row] = &fmb_exact_box_one;
+        cost[s->artificial + row] = (fmb_exact_box_cost){&WHOLE_ONE, 1, 0};
+}
+
+static fmb_exact_box_cost constant_of_goal(const fmb_exact_box *v, const fmb_exact_box_goal *goal)
+{
+    return goal->is_world ? cost_of(&v->program->origin[v->side], goal->number)
+                          : (fmb_exact_box_cost){&WHOLE_ZERO, 0, 0};
 }
 
 /* ---- in integers ----------------------------------------------------------------------------- */
 
-static void find_constant(const fmb_exact_box *v, const fmb_exact_box_goal *goal,
-                          const fmb_exact_box_number *const *cost, fmb_wide *out)
-{
-    const fmb_exact_box_program *s = v->program;
-    fmb_wide_copy(
-        out, &(goal->is_world ? &s->origin[v->side][goal->number] : &fmb_exact_box_zero)->whole);
-    for (int j = 0; j < s->columns; j++)
-        if (fmb_exact_box_is_one(v, j))
-            fmb_wide_add(out, &cost[j]->whole);
-}
-
 void fmb_exact_box_value(fmb_exact_box *v, const fmb_exact_box_goal *goal, fmb_wide *numerator,
                          fmb_wide *denominator)
 {
+    const fmb_exact_box_program *s = v->program;
     fmb_wide constant, room[DIM];
-    const fmb_exact_box_number *cost[FMB_EXACT_BOX_UNKNOWNS];
+    fmb_exact_box_cost cost[FMB_EXACT_BOX_UNKNOWNS];
     const fmb_wide *a[DIM + 1], *b[DIM + 1];
     int n = 0;
     fmb_exact_box_list_costs(v, goal, cost);
-    find_constant(v, goal, cost, &constant);
-    for (int k = 0; k < DIM; k++) {
-        a[n] =
-            fmb_exact_box_difference(fmb_exact_box_relative_cost(v, cost, v->basic[k]), &room[k]);
-        if (a[n]->n == 0)
-            continue;
-        fmb_exact_box_need_x(v, k);
-        b[n++] = &v->x[k];
+    fmb_wide_copy(&constant, constant_of_goal(v, goal).whole);
+    for (int j = 0; j < s->columns; j++)
+        if (fmb_exact_box_is_one(v, j))
+            fmb_wide_add(&constant, cost[j].whole);
+    for (int k = 0; k < s->dim; k++) {
+        a[n] = fmb_exact_box_relative_cost(v, cost, v->basic[k], &room[k]);
+        if (a[n]->n > 0)
+            b[n++] = &v->whole->x[k];
     }
-    if (n > 0)
-        fmb_exact_box_need_det(v);
-    fmb_wide_copy(denominator, n > 0 ? &v->det : &fmb_exact_box_one.whole);
+    fmb_wide_copy(denominator, n > 0 ? &fmb_exact_box_need_whole(v)->det : &WHOLE_ONE);
     a[n] = &constant;
     b[n] = denominator;
     fmb_wide_dot(numerator, n + 1, a, b, 0);
     if (goal->is_world && v->side == 1)
         fmb_wide_negate(numerator);
-    if (denominator->minus) {
-        fmb_wide_negate(denominator);
-        fmb_wide_negate(numerator);
-    }
 }
 
 /* ---- in double-doubles ----------------------------------------------------------------------- */
 
-/* Bits of what is there, besides those of x_k. */
-enum { CLOSE_COMMON = 1 << DIM };
-
-static lane2 close_number(const fmb_exact_box_number *x)
+/* sum -= x */
+static void take_close(lane2 *sum, double near, double rest)
 {
-    return (lane2){x->near, x->rest};
+    *sum = lane2_subtract(true, *sum, (lane2){near, rest});
 }
 
-static lane2 close_difference(fmb_exact_box_relative x)
+/* Number `row` of the column of unknown j, relative to that of its reference. */
+static lane2 close_entry(const fmb_exact_box *v, int j, int row)
 {
-    if (x.b->near == 0)
-        return close_number(x.a);
-    return lane2_subtract(true, close_number(x.a), close_number(x.b));
+    const fmb_exact_box_vector *m = v->program->m;
+    int reference = fmb_exact_box_reference_of(v, j);
+    lane2 x = {m[j].near[row], m[j].rest[row]};
+    if (reference >= 0)
+        take_close(&x, m[reference].near[row], m[reference].rest[row]);
+    return x;
 }
 
-/* sum of a_i b_i */
-static lane2 close_dot(const lane2 *a, const lane2 *b)
-{
-    lane2 sum = lane2_times(true, a[0], b[0]);
-    for (int i = 1; i < DIM; i++)
-        sum = lane2_add(true, sum, lane2_times(true, a[i], b[i]));
-    return sum;
-}
-
-static void close_cross(const lane2 *a, const lane2 *b, lane2 *out)
-{
-    for (int row = 0; row < DIM; row++) {
-        int i = (row + 1) % DIM, j = (row + 2) % DIM;
-        out[row] =
-            lane2_subtract(true, lane2_times(true, a[i], b[j]), lane2_times(true, a[j], b[i]));
-    }
-}
-
-/* sum += sign x */
-static void add_close(lane2 *sum, const fmb_exact_box_number *x, double sign)
-{
-    if (x->near != 0)
-        *sum = lane2_add(true, *sum, (lane2){sign * x->near, sign * x->rest});
-}
-
-/* As need_rest. */
-static void find_close_rest(fmb_exact_box *v)
+/* rest - P x, off by at most the result, which is the same for each row. */
+static double find_close_rest(const fmb_exact_box *v, lane2 *rest)
 {
     const fmb_exact_box_program *s = v->program;
-    for (int row = 0; row < DIM; row++)
-        v->close_rest[row] = close_number(&s->h[row]);
-    for (int j = 0; j < s->columns; j++)
-        for (int row = 0; fmb_exact_box_is_one(v, j) && row < DIM; row++)
-            add_close(&v->close_rest[row], &s->m[j][row], -1);
-}
-
-static void find_close_basic(fmb_exact_box *v)
-{
-    for (int k = 0; k < DIM; k++)
-        for (int row = 0; row < DIM; row++)
-            v->close_basic[k][row] =
-                close_difference(fmb_exact_box_relative_entry(v, v->basic[k], row));
-}
-
-/* x_k, and with the first one what all have in common: columns, rest, det. */
-static void need_close_x(fmb_exact_box *v, int k)
-{
-    lane2 row_of_adjugate[DIM];
-    bool is_first = !(v->has_close & CLOSE_COMMON);
-    if (v->has_close >> k & 1)
-        return;
-    if (is_first) {
-        find_close_rest(v);
-        find_close_basic(v);
+    double size = 1;
+    for (int row = 0; row < s->dim; row++)
+        rest[row] = (lane2){s->h.near[row], s->h.rest[row]};
+    for (int j = 0; j < s->columns; j++) {
+        size += fmb_exact_box_is_one(v, j);
+        for (int row = 0; fmb_exact_box_is_one(v, j) && row < s->dim; row++)
+            take_close(&rest[row], s->m[j].near[row], s->m[j].rest[row]);
     }
-    close_cross(v->close_basic[(k + 1) % DIM], v->close_basic[(k + 2) % DIM], row_of_adjugate);
-    if (is_first)
-        v->close_det = close_dot(row_of_adjugate, v->close_basic[k]);
-    v->close_x[k] = close_dot(row_of_adjugate, v->close_rest);
-    v->has_close |= 1u << k | CLOSE_COMMON;
-}
-
-/* As find_constant; returns its size. */
-static double find_close_constant(const fmb_exact_box *v, const fmb_exact_box_goal *goal,
-                                  const fmb_exact_box_number *const *cost, lane2 *sum)
-{
-    const fmb_exact_box_number *first =
-        goal->is_world ? &v->program->origin[v->side][goal->number] : &fmb_exact_box_zero;
-    double size = fabs(first->near);
-    *sum = close_number(first);
-    for (int j = 0; j < v->program->columns; j++)
-        if (fmb_exact_box_is_one(v, j)) {
-            add_close(sum, cost[j], 1);
-            size += fabs(cost[j]->near);
+    for (int k = 0; k < s->dim; k++) {
+        size += 2 * fabs(v->x[k].x);
+        for (int row = 0; row < s->dim; row++) {
+            lane2 product =
+                lane2_times(true, close_entry(v, v->basic[k], row), lane2_of(v->x[k].x));
+            rest[row] = lane2_subtract(true, rest[row], product);
         }
-    return size;
-}
-
-/* det times the value, and what its error is in units of. False: it is a constant. */
-static bool find_close_numerator(fmb_exact_box *v, const fmb_exact_box_goal *goal, lane2 *out,
-                                 double *size)
-{
-    const fmb_exact_box_number *cost[FMB_EXACT_BOX_UNKNOWNS];
-    bool varies = false;
-    lane2 constant;
-    *size = 0;
-    fmb_exact_box_list_costs(v, goal, cost);
-    for (int k = 0; k < DIM; k++) {
-        fmb_exact_box_relative c = fmb_exact_box_relative_cost(v, cost, v->basic[k]);
-        lane2 close = close_difference(c);
-        if (close.hi == 0)
-            continue;
-        need_close_x(v, k);
-        close = lane2_times(true, close, v->close_x[k]);
-        *out = varies ? lane2_add(true, *out, close) : close;
-        *size += fmb_exact_box_near_difference(c).size * v->near_x[k].size;
-        varies = true;
     }
-    if (!varies)
-        return false;
-    *size += v->near_det.size * find_close_constant(v, goal, cost, &constant);
-    if (constant.hi != 0)
-        *out = lane2_add(true, *out, lane2_times(true, constant, v->close_det));
-    return true;
+    return 4 * (s->columns + s->dim) * CLOSE_UNIT * size;
 }
 
-/* The value, and what it is off by at most. */
+/* The way is R times what is left, in doubles, of which all but off is certain; what R is off is in
+ * its bound. */
+static void need_close(fmb_exact_box *v)
+{
+    int n = v->program->dim;
+    lane2 rest[DIM];
+    double off[DIM], way[DIM], most = 0;
+    if (v->has_close)
+        return;
+    double error = find_close_rest(v, rest);
+    for (int k = 0; k < n; k++) {
+        double sum = 0, size = 0;
+        for (int row = 0; row < n; row++) {
+            sum += v->inverse[k][row] * rest[row].hi;
+            size += fabs(v->inverse[k][row] * rest[row].hi);
+        }
+        way[k] = sum;
+        most = size > most ? size : most;
+    }
+    for (int row = 0; row < n; row++)
+        off[row] = error + (n + 4) * 0x1p-53 * fabs(rest[row].hi);
+    fmb_exact_box_bound_way(v, off, v->close_error);
+    for (int k = 0; k < n; k++) {
+        v->close_x[k] = two_sum(v->x[k].x, way[k]);
+        v->close_error[k] += 2 * v->defect[k] * (1 + 0x1p-40) * most;
+    }
+    v->has_close = true;
+}
+
+/* The value, scaled as its row is, and what it is off by at most. False: it is a constant. */
 static bool find_close_value(fmb_exact_box *v, const fmb_exact_box_goal *goal, lane2 *value,
                              double *error)
 {
-    lane2 numerator;
-    double size;
-    if (!fmb_exact_box_is_sign_known(v->near_det) ||
-        !find_close_numerator(v, goal, &numerator, &size))
+    const fmb_exact_box_program *s = v->program;
+    fmb_exact_box_cost cost[FMB_EXACT_BOX_UNKNOWNS], c = constant_of_goal(v, goal);
+    double size = fabs(c.near), off = 0;
+    bool varies = false;
+    if (!v->is_near)
         return false;
-    double det = v->close_det.hi;
-    *value = lane2_over(true, numerator, v->close_det, 1 / det);
-    *error = 80 * LANE2_UNIT(true) * ((size + fabs(value->hi) * v->near_det.size) / fabs(det));
+    fmb_exact_box_list_costs(v, goal, cost);
+    *value = (lane2){c.near, c.rest};
+    for (int j = 0; j < s->columns; j++)
+        if (fmb_exact_box_is_one(v, j)) {
+            take_close(value, -cost[j].near, -cost[j].rest);
+            size += fabs(cost[j].near);
+        }
+    for (int k = 0; k < s->dim; k++) {
+        int reference = fmb_exact_box_reference_of(v, v->basic[k]);
+        c = cost[v->basic[k]];
+        lane2 close = {c.near, c.rest};
+        double most = fabs(c.near);
+        if (reference >= 0) {
+            if (fmb_wide_compare(c.whole, cost[reference].whole) == 0)
+                continue;
+            take_close(&close, cost[reference].near, cost[reference].rest);
+            most += fabs(cost[reference].near);
+        }
+        if (most == 0)
+            continue;
+        need_close(v);
+        *value = lane2_add(true, *value, lane2_times(true, close, v->close_x[k]));
+        size += most * fabs(v->close_x[k].hi);
+        off += most * v->close_error[k];
+        varies = true;
+    }
+    *error = (4 * (s->columns + s->dim) * CLOSE_UNIT * size + off) * (1 + 0x1p-40);
     if (goal->is_world && v->side == 1)
         *value = lane2_minus(*value);
-    return true;
+    return varies;
+}
+
+static int scale_of_goal(const fmb_exact_box *v, const fmb_exact_box_goal *goal)
+{
+    return goal->is_world ? v->program->scale[goal->number] : 0;
 }
 
 double fmb_exact_box_value_roughly(fmb_exact_box *v, const fmb_exact_box_goal *goal)
@@ -222,7 +199,7 @@ double fmb_exact_box_value_roughly(fmb_exact_box *v, const fmb_exact_box_goal *g
     lane2 value;
     double error;
     if (find_close_value(v, goal, &value, &error) && error <= 0x1p-53 * fabs(value.hi))
-        return value.hi;
+        return ldexp(value.hi, scale_of_goal(v, goal));
     fmb_exact_box_value(v, goal, &numerator, &denominator);
     return fmb_wide_to_double(&numerator) / fmb_wide_to_double(&denominator);
 }
@@ -239,7 +216,8 @@ static bool round_closely(fmb_exact_box *v, const fmb_exact_box_goal *goal, doub
     if (!find_close_value(v, goal, &value, &error) || !(fabs(value.lo) > error))
         return false;
     bool beyond = goal->greatest == (value.lo > 0);
-    *out = beyond ? nextafter(value.hi, goal->greatest ? INFINITY : -INFINITY) : value.hi;
+    double x = beyond ? nextafter(value.hi, goal->greatest ? INFINITY : -INFINITY) : value.hi;
+    *out = ldexp(x, scale_of_goal(v, goal));
     return true;
 }
 

@@ -6,18 +6,26 @@
 
 #include "pair/exact_box/point.h"
 
-/* What one unit of each unknown adds to the goal. In coordinates of B goals of the world have the
+/* What one unit of an unknown adds to the goal: a whole number, and scaled as in a vector. */
+typedef struct fmb_exact_box_cost {
+    const fmb_wide *whole;
+    double near, rest;
+} fmb_exact_box_cost;
+
+/* Costs of all unknowns. In coordinates of B goals of the world have the
  * other sign: - x_i = - origin of B + (- axes of B, - speed of B) z + the artificial unknown of row
  * i, which tells how far the two are apart. */
 void fmb_exact_box_list_costs(const fmb_exact_box *v, const fmb_exact_box_goal *goal,
-                              const fmb_exact_box_number *cost[FMB_EXACT_BOX_UNKNOWNS]);
+                              fmb_exact_box_cost *cost);
 
-/* The cost of unknown j. */
-static inline fmb_exact_box_relative
-fmb_exact_box_relative_cost(const fmb_exact_box *v, const fmb_exact_box_number *const *cost, int j)
+/* The cost of unknown j, relative to that of its reference: it lies there, or in *room. */
+static inline const fmb_wide *fmb_exact_box_relative_cost(const fmb_exact_box *v,
+                                                          const fmb_exact_box_cost *cost, int j,
+                                                          fmb_wide *room)
 {
     int reference = fmb_exact_box_reference_of(v, j);
-    return (fmb_exact_box_relative){cost[j], reference < 0 ? &fmb_exact_box_zero : cost[reference]};
+    return fmb_exact_box_difference(cost[j].whole, reference < 0 ? NULL : cost[reference].whole,
+                                    room);
 }
 
 /* The value of the goal here as a fraction, denominator > 0, in the unit of its row if it is one of

@@ -12,7 +12,7 @@
  * interior, the border is apart here, too.
  *
  * Doubles, off by at most FLAT_FILTER u times sizes (docs/error-bounds.md, "Any axes"), are asked
- * first. Integers have 150 bits, those of a normal 303, a sum of eight products of both 457.
+ * first. Integers have 165 bits, those of a normal 333, a sum of eight products of both 502.
  */
 #include "pair/exact_box/normals.h"
 
@@ -39,8 +39,8 @@ static int column_of_axis(const normal_test *w, int side, int i)
 static void near_direction(normal_test *w, int i, int column, int less)
 {
     for (int j = 0; j < 3; j++) {
-        double x = w->program.m[column][j].near;
-        x -= less < 0 ? 0 : w->program.m[less][j].near;
+        double x = w->program.m[column].near[j];
+        x -= less < 0 ? 0 : w->program.m[less].near[j];
         w->near.direction[i][j] = i < FMB_FLAT_MOST_EDGES ? x : -x;
     }
     w->near.size[i] = flat_size(3, w->near.direction[i]);
@@ -64,7 +64,7 @@ static void load_near_side(normal_test *w, int side)
 static void load_near(normal_test *w)
 {
     for (int j = 0; j < 3; j++)
-        w->near.shift[j] = w->program.h[j].near;
+        w->near.shift[j] = w->program.h.near[j];
     w->near.reach = flat_size(3, w->near.shift);
     load_near_side(w, 0);
     load_near_side(w, 1);
@@ -101,13 +101,13 @@ static void integer_direction(const normal_test *w, int i, fmb_wide out[3])
         if (i >= FMB_FLAT_WORLD) {
             fmb_wide_set_word(&out[j], i == FMB_FLAT_WORLD + j);
         } else if (i == FMB_FLAT_DRIFT) {
-            fmb_wide_copy(&out[j], &w->program.m[w->program.time][j].whole);
+            fmb_wide_copy(&out[j], &w->program.m[w->program.time].whole[j]);
         } else if (edge < w->kind.side[side].naxes) {
-            fmb_wide_copy(&out[j], &w->program.m[column_of_axis(w, side, edge)][j].whole);
+            fmb_wide_copy(&out[j], &w->program.m[column_of_axis(w, side, edge)].whole[j]);
         } else {
             const uint8_t *ends = fmb_flat_ends(edge, w->kind.side[side].naxes);
-            fmb_wide_copy(&out[j], &w->program.m[column_of_axis(w, side, ends[1])][j].whole);
-            fmb_wide_subtract(&out[j], &w->program.m[column_of_axis(w, side, ends[0])][j].whole);
+            fmb_wide_copy(&out[j], &w->program.m[column_of_axis(w, side, ends[1])].whole[j]);
+            fmb_wide_subtract(&out[j], &w->program.m[column_of_axis(w, side, ends[0])].whole[j]);
         }
     }
 }
@@ -133,10 +133,10 @@ static bool integer_normal(const normal_test *w, int i, fmb_wide n[3])
     return n[0].n > 0 || n[1].n > 0 || n[2].n > 0;
 }
 
-static void integer_product(const fmb_wide n[3], const fmb_exact_box_number x[3], fmb_wide *out)
+static void integer_product(const fmb_wide n[3], const fmb_exact_box_vector *x, fmb_wide *out)
 {
     fmb_wide_dot(out, 3, (const fmb_wide *const[]){&n[0], &n[1], &n[2]},
-                 (const fmb_wide *const[]){&x[0].whole, &x[1].whole, &x[2].whole}, 0);
+                 (const fmb_wide *const[]){&x->whole[0], &x->whole[1], &x->whole[2]}, 0);
 }
 
 /* n M z, its least and its greatest value over all places: those of one frame, or of the time, come
@@ -153,7 +153,7 @@ static void add_span_of_columns(const normal_test *w, const fmb_wide n[3], int f
     for (int side = 0; side < 2; side++)
         fmb_wide_set_word(&own.end[side], 0);
     for (int k = first; k < first + columns; k++) {
-        integer_product(n, w->program.m[k], &at);
+        integer_product(n, &w->program.m[k], &at);
         int side = fmb_wide_sign(&at) > 0;
         if (!simplex)
             fmb_wide_add(&own.end[side], &at);
@@ -179,7 +179,7 @@ static void ask_in_integers(normal_test *w, int i)
                             k->side[side].simplex, &span);
     if (k->moves)
         add_span_of_columns(w, n, w->program.time, 1, false, &span);
-    integer_product(n, w->program.h, &away);
+    integer_product(n, &w->program.h, &away);
     int low = fmb_wide_compare(&away, &span.end[0]), high = fmb_wide_compare(&away, &span.end[1]);
     w->apart |= low < 0 || high > 0;
     w->touches |= low == 0 || high == 0;
@@ -187,12 +187,12 @@ static void ask_in_integers(normal_test *w, int i)
 }
 
 /* n = a x b; false: it is 0. */
-static bool cross_columns(const fmb_exact_box_number a[3], const fmb_exact_box_number b[3],
+static bool cross_columns(const fmb_exact_box_vector *a, const fmb_exact_box_vector *b,
                           fmb_wide n[3])
 {
     for (int j = 0; j < 3; j++) {
         int k = (j + 1) % 3, l = (j + 2) % 3;
-        fmb_wide_cross(&n[j], &a[k].whole, &b[l].whole, &a[l].whole, &b[k].whole);
+        fmb_wide_cross(&n[j], &a->whole[k], &b->whole[l], &a->whole[l], &b->whole[k]);
     }
     return n[0].n > 0 || n[1].n > 0 || n[2].n > 0;
 }
@@ -201,21 +201,31 @@ static bool cross_columns(const fmb_exact_box_number a[3], const fmb_exact_box_n
  * that are not parallel is not one of all columns. */
 static bool is_solid_without_drift(const normal_test *w)
 {
-    const fmb_exact_box_number(*m)[FMB_EXACT_BOX_DIM] = w->program.m;
+    const fmb_exact_box_vector *m = w->program.m;
     int columns = w->program.time;
     fmb_wide n[3], product;
     bool found = false, solid = w->kind.dim == 2;
     for (int i = 0; !found && i < columns; i++)
         for (int j = i + 1; !found && j < columns; j++)
-            found = cross_columns(m[i], m[j], n);
+            found = cross_columns(&m[i], &m[j], n);
     for (int k = 0; found && !solid && k < columns; k++) {
-        integer_product(n, m[k], &product);
+        integer_product(n, &m[k], &product);
         solid = product.n > 0;
     }
     return found && solid;
 }
 
 /* ---- both ------------------------------------------------------------------------------------ */
+
+/* All that is seen of it. */
+static void clear_third_row(fmb_exact_box_program *s)
+{
+    for (int j = -1; j < s->columns; j++) {
+        fmb_exact_box_vector *x = j < 0 ? &s->h : &s->m[j];
+        fmb_wide_set_word(&x->whole[2], 0);
+        x->near[2] = 0;
+    }
+}
 
 static void make_kind(const normal_test *w, const fmb_frame *p, const fmb_frame *q,
                       fmb_flat_kind *out)
@@ -227,9 +237,12 @@ static void make_kind(const normal_test *w, const fmb_frame *p, const fmb_frame 
 bool fmb_exact_box_decide(const fmb_frame *p, const fmb_frame *q, fmb_contact contact,
                           fmb_verdict *out)
 {
-    normal_test w = {.apart = false};
-    if (p->dim < 2 || !fmb_exact_box_load(&w.program, p, q))
+    normal_test w;
+    if (p->dim < 2 || p->dim > 3 || !fmb_exact_box_load(&w.program, p, q))
         return false;
+    if (p->dim == 2)
+        clear_third_row(&w.program);
+    w.apart = w.touches = w.solid = false;
     make_kind(&w, p, q, &w.kind);
     load_near(&w);
     for (int i = 0; !w.apart && i < w.kind.normals; i++)

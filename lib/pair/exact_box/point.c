@@ -1,233 +1,368 @@
 /* point.c: see point.h.
  *
- * Errors of doubles, u = 2^-53, as shares of sizes: entries and costs are off by 4 u; relative ones
- * by 5 u; minors by 2 * 5 u + 2 u = 12 u; det by 12 u + 5 u + 3 u = 20 u; rest, a sum of at most
- * 10, by 13 u; x by 12 u + 13 u + 3 u = 28 u; what remains of a simplex by 31 u; y by 5 u + 12 u +
- * 3 u = 20 u; d by 20 u + 5 u + 4 u = 29 u. Sizes are sums and products of positive numbers, off by
- * less than 16 u of themselves. All of it is within 64 u = 2^-47. As all numbers are whole, and
- * less than 2^700, nothing overflows or underflows.
+ * In doubles, u = 2^-53, the numbers of M and h are at most 1, and off by u at most; so entries of
+ * P, relative ones, are at most 2, and off by 2 u of that. A sum of n products is off by at most n
+ * u of the sum of their absolute values, which is counted generously enough to cover terms of
+ * higher order.
+ *
+ * With R = inverse and E = I - R P, all sums of |E| of a row less than 1/2, P has an inverse, which
+ * is (I - E)^-1 R. So P x = rest for one x alone; and with z = R (rest - P x'), for any x', x - x'
+ * = z + E (I - E)^-1 z, of which no number is off z_k by more than twice defect_k max |z|.
  */
 #include "pair/exact_box/point.h"
 
-enum { DIM = FMB_EXACT_BOX_DIM };
-
 typedef fmb_exact_box_near near;
 
-/* ---- columns and costs ----------------------------------------------------------------------- */
+enum { DIM = FMB_EXACT_BOX_DIM };
 
-#define ZERO                                                                                       \
-    {                                                                                              \
-        {0, false, {0}}, 0, 0                                                                      \
-    }
-#define ONE                                                                                        \
-    {                                                                                              \
-        {1, false, {1}}, 1, 0                                                                      \
-    }
+#define UNIT     0x1p-53
+#define A_LITTLE (1 + 0x1p-40) /* more than sums of bounds lose */
 
-const fmb_exact_box_number fmb_exact_box_zero = ZERO, fmb_exact_box_one = ONE;
+/* ---- columns --------------------------------------------------------------------------------- */
 
-static const fmb_exact_box_number ZERO_COLUMN[DIM] = {ZERO, ZERO, ZERO},
-                                  UNIT_COLUMN[DIM][DIM] = {
-                                      {ONE, ZERO, ZERO}, {ZERO, ONE, ZERO}, {ZERO, ZERO, ONE}};
-
-/* Of the slacks, and of no unknown (-1), it is 0. */
-static const fmb_exact_box_number *column_of_unknown(const fmb_exact_box_program *s, int j)
+static const fmb_exact_box_vector *reference_column(const fmb_exact_box *v, int j)
 {
-    if (j >= FMB_EXACT_BOX_ARTIFICIAL)
-        return UNIT_COLUMN[j - FMB_EXACT_BOX_ARTIFICIAL];
-    return j >= 0 && j < FMB_EXACT_BOX_COLUMNS ? s->m[j] : ZERO_COLUMN;
+    int reference = fmb_exact_box_reference_of(v, j);
+    return reference < 0 ? NULL : &v->program->m[reference];
 }
 
-fmb_exact_box_relative fmb_exact_box_relative_entry(const fmb_exact_box *v, int j, int row)
+void fmb_exact_box_list_column(const fmb_exact_box *v, int j, const fmb_wide **out, fmb_wide *room)
 {
-    return (fmb_exact_box_relative){
-        column_of_unknown(v->program, j) + row,
-        column_of_unknown(v->program, fmb_exact_box_reference_of(v, j)) + row};
+    const fmb_exact_box_vector *a = &v->program->m[j], *b = reference_column(v, j);
+    for (int row = 0; row < v->program->dim; row++)
+        out[row] = fmb_exact_box_difference(&a->whole[row], b ? &b->whole[row] : NULL, &room[row]);
 }
 
 /* ---- in doubles ------------------------------------------------------------------------------ */
 
-/* Of artificial unknowns only those that are basic are looked at. */
-static void find_near_entries(fmb_exact_box *v)
+/* P, column by column. */
+static void list_near_columns(const fmb_exact_box *v, double (*p)[DIM])
 {
-    const fmb_exact_box_program *s = v->program;
-    for (int j = 0; j < FMB_EXACT_BOX_UNKNOWNS; j++) {
-        if (s->group[j] == FMB_EXACT_BOX_NONE ||
-            (j >= FMB_EXACT_BOX_ARTIFICIAL && v->basis.place[j] != FMB_EXACT_BOX_BASIC))
+    for (int k = 0; k < v->program->dim; k++) {
+        const fmb_exact_box_vector *a = &v->program->m[v->basic[k]],
+                                   *b = reference_column(v, v->basic[k]);
+        for (int row = 0; row < v->program->dim; row++)
+            p[k][row] = b ? a->near[row] - b->near[row] : a->near[row];
+    }
+}
+
+/* Row `from` of a in place of row `to`, and the other way round. */
+static void exchange_rows(int n, double (*a)[DIM], int from, int to)
+{
+    for (int i = 0; from != to && i < n; i++) {
+        double x = a[from][i];
+        a[from][i] = a[to][i];
+        a[to][i] = x;
+    }
+}
+
+static void exchange_columns(int n, double (*a)[DIM], int from, int to)
+{
+    for (int i = 0; from != to && i < n; i++) {
+        double x = a[i][from];
+        a[i][from] = a[i][to];
+        a[i][to] = x;
+    }
+}
+
+static void eliminate_column(int n, double (*a)[DIM], int k)
+{
+    double pivot = 1 / a[k][k];
+    a[k][k] = 1;
+    for (int j = 0; j < n; j++)
+        a[k][j] *= pivot;
+    for (int i = 0; i < n; i++) {
+        double by = a[i][k];
+        if (i == k || by == 0)
             continue;
-        const fmb_exact_box_number *a = column_of_unknown(s, j),
-                                   *b = column_of_unknown(s, fmb_exact_box_reference_of(v, j));
-        for (int row = 0; row < DIM; row++)
-            v->near_entry[j][row] =
-                fmb_exact_box_near_difference((fmb_exact_box_relative){&a[row], &b[row]});
+        a[i][k] = 0;
+        for (int j = 0; j < n; j++)
+            a[i][j] -= by * a[k][j];
     }
 }
 
-/* Row k of the adjugate is the cross product of the two other columns. */
-static void find_near_adjugate(fmb_exact_box *v)
+/* Gauss and Jordan, in place, the largest entry of a column as its pivot. False: a column is 0. */
+static bool invert(int n, double (*a)[DIM])
 {
-    for (int k = 0; k < DIM; k++) {
-        const near *a = v->near_entry[v->basic[(k + 1) % DIM]],
-                   *b = v->near_entry[v->basic[(k + 2) % DIM]];
-        for (int row = 0; row < DIM; row++) {
-            int i = (row + 1) % DIM, j = (row + 2) % DIM;
-            v->near_adjugate[k][row] = (near){a[i].x * b[j].x - a[j].x * b[i].x,
-                                              a[i].size * b[j].size + a[j].size * b[i].size};
-        }
+    int from[DIM];
+    for (int k = 0; k < n; k++) {
+        from[k] = k;
+        for (int i = k + 1; i < n; i++)
+            from[k] = fabs(a[i][k]) > fabs(a[from[k]][k]) ? i : from[k];
+        if (!(fabs(a[from[k]][k]) > 0))
+            return false;
+        exchange_rows(n, a, from[k], k);
+        eliminate_column(n, a, k);
     }
-    v->near_det = (near){0, 0};
-    for (int row = 0; row < DIM; row++)
-        fmb_exact_box_add_product(&v->near_det, v->near_adjugate[0][row],
-                                  v->near_entry[v->basic[0]][row]);
+    for (int k = n - 1; k >= 0; k--)
+        exchange_columns(n, a, from[k], k);
+    return true;
 }
 
-static void find_near_values(fmb_exact_box *v)
+/* The defects; false: one is too large, or no number. */
+static bool find_defects(fmb_exact_box *v, const double (*p)[DIM])
+{
+    int n = v->program->dim;
+    bool good = true;
+    v->norm = 0;
+    for (int k = 0; k < n; k++) {
+        const double *r = v->inverse[k];
+        double sum = 0, norm = 0;
+        for (int j = 0; j < n; j++) {
+            double e = j == k ? -1 : 0;
+            for (int i = 0; i < n; i++)
+                e += r[i] * p[j][i];
+            sum += fabs(e);
+        }
+        for (int i = 0; i < n; i++)
+            norm += fabs(r[i]);
+        v->defect[k] = (sum + (n + 8) * UNIT * (2 * n * norm + 1)) * A_LITTLE;
+        v->norm = norm > v->norm ? norm : v->norm;
+        good &= v->defect[k] < 0.5 && norm < 0x1p200;
+    }
+    v->norm *= A_LITTLE;
+    return good;
+}
+
+/* Returns how many numbers of M and h each is made of. */
+static int find_near_rest(const fmb_exact_box *v, double *rest)
 {
     const fmb_exact_box_program *s = v->program;
-    near rest[DIM];
-    for (int row = 0; row < DIM; row++) {
-        rest[row] = (near){s->h[row].near, fabs(s->h[row].near)};
-        for (int j = 0; j < s->columns; j++)
-            if (fmb_exact_box_is_one(v, j)) {
-                rest[row].x -= s->m[j][row].near;
-                rest[row].size += fabs(s->m[j][row].near);
-            }
+    int terms = 1;
+    for (int row = 0; row < s->dim; row++)
+        rest[row] = s->h.near[row];
+    for (int j = 0; j < s->columns; j++) {
+        if (!fmb_exact_box_is_one(v, j))
+            continue;
+        terms++;
+        for (int row = 0; row < s->dim; row++)
+            rest[row] -= s->m[j].near[row];
     }
-    v->near_reference[0] = v->near_reference[1] = v->near_det;
-    for (int k = 0; k < DIM; k++) {
-        int group = s->group[v->basic[k]];
-        v->near_x[k] = (near){0, 0};
-        for (int row = 0; row < DIM; row++)
-            fmb_exact_box_add_product(&v->near_x[k], v->near_adjugate[k][row], rest[row]);
-        if (group <= FMB_EXACT_BOX_OF_B)
-            fmb_exact_box_add_product(&v->near_reference[group], v->near_x[k], (near){-1, 1});
-    }
+    return terms;
 }
 
-/* ---- in integers ----------------------------------------------------------------------------- */
-
-void fmb_exact_box_need_row(fmb_exact_box *v, int k)
+void fmb_exact_box_bound_way(const fmb_exact_box *v, const double *rest, double *error)
 {
-    fmb_wide room[2][DIM];
-    const fmb_wide *a[DIM], *b[DIM];
-    if (v->has_row >> k & 1)
-        return;
-    for (int row = 0; row < DIM; row++) {
-        a[row] = fmb_exact_box_difference(
-            fmb_exact_box_relative_entry(v, v->basic[(k + 1) % DIM], row), &room[0][row]);
-        b[row] = fmb_exact_box_difference(
-            fmb_exact_box_relative_entry(v, v->basic[(k + 2) % DIM], row), &room[1][row]);
+    int n = v->program->dim;
+    double most = 0;
+    for (int k = 0; k < n; k++) {
+        error[k] = 0;
+        for (int row = 0; row < n; row++)
+            error[k] += fabs(v->inverse[k][row]) * rest[row];
+        most = error[k] > most ? error[k] : most;
     }
-    for (int row = 0; row < DIM; row++) {
-        int i = (row + 1) % DIM, j = (row + 2) % DIM;
-        fmb_wide_cross(&v->adjugate[k][row], a[i], b[j], a[j], b[i]);
-    }
-    v->has_row |= 1u << k;
+    for (int k = 0; k < n; k++)
+        error[k] = (error[k] + 2 * v->defect[k] * most) * A_LITTLE;
 }
 
-/* Row k of the adjugate, as what fmb_wide_dot takes. */
-static void list_row(const fmb_exact_box *v, int k, const fmb_wide *row[DIM])
+static void find_near_values(fmb_exact_box *v, const double (*p)[DIM])
 {
-    for (int j = 0; j < DIM; j++)
-        row[j] = &v->adjugate[k][j];
+    int n = v->program->dim;
+    double rest[DIM], error[DIM], size = find_near_rest(v, rest);
+    for (int k = 0; k < n; k++) {
+        v->x[k].x = 0;
+        for (int row = 0; row < n; row++)
+            v->x[k].x += v->inverse[k][row] * rest[row];
+        size += 2 * fabs(v->x[k].x);
+    }
+    for (int k = 0; k < n; k++)
+        for (int row = 0; row < n; row++)
+            rest[row] -= p[k][row] * v->x[k].x;
+    for (int row = 0; row < n; row++)
+        rest[row] = fabs(rest[row]) + (v->program->columns + n + 8) * UNIT * size;
+    fmb_exact_box_bound_way(v, rest, error);
+    for (int k = 0; k < n; k++)
+        v->x[k].error = error[k];
 }
 
-void fmb_exact_box_need_det(fmb_exact_box *v)
+/* 1 - x, or of a group what all its x leave. */
+static near near_remainder(const fmb_exact_box *v, int group, int only)
 {
+    near left = {1, 0};
+    double size = 1;
+    for (int k = 0; k < v->program->dim; k++)
+        if (k == only || (only < 0 && v->program->group[v->basic[k]] == group)) {
+            left.x -= v->x[k].x;
+            left.error += v->x[k].error;
+            size += fabs(v->x[k].x);
+        }
+    left.error = left.error * A_LITTLE + (v->program->dim + 1) * UNIT * size;
+    return left;
+}
+
+static void find_near(fmb_exact_box *v)
+{
+    double p[DIM][DIM];
+    int n = v->program->dim;
+    list_near_columns(v, p);
+    for (int k = 0; k < n; k++)
+        for (int row = 0; row < n; row++)
+            v->inverse[row][k] = p[k][row];
+    v->is_near = invert(n, v->inverse) && find_defects(v, (const double(*)[DIM])p);
+    if (v->is_near)
+        find_near_values(v, (const double(*)[DIM])p);
+    for (int k = 0; !v->is_near && k < n; k++)
+        v->x[k] = (near){0, INFINITY};
+    for (int group = 0; group < 2; group++)
+        v->of_reference[group] = near_remainder(v, group, -1);
+}
+
+/* ---- in integers -----------------------------------------------------------------------------
+ *
+ * From the basis of the artificial unknowns, whose P is I, the columns come in one by one. Where a
+ * column comes into place k, alpha = adjugate times it, det becomes alpha_k, row k stays, and of
+ * every other row i comes (alpha_k row i - alpha_i row k) / det, which is whole again. (Edmonds
+ * 1967, Systems of distinct representatives and linear algebra; Bareiss 1968.)
+ */
+
+/* alpha; its place, one with the fewest words of those from k on, or -1. */
+static int find_place_of_column(const fmb_exact_box *v, const fmb_exact_box_whole *w, int k,
+                                fmb_wide *alpha)
+{
+    int n = v->program->dim, best = -1;
     fmb_wide room[DIM];
-    const fmb_wide *row[DIM], *column[DIM];
-    int k = v->has_row == 0 ? 0 : __builtin_ctz(v->has_row);
-    if (v->has_det)
-        return;
-    fmb_exact_box_need_row(v, k);
-    list_row(v, k, row);
-    for (int j = 0; j < DIM; j++)
-        column[j] =
-            fmb_exact_box_difference(fmb_exact_box_relative_entry(v, v->basic[k], j), &room[j]);
-    fmb_wide_dot(&v->det, DIM, row, column, 0);
-    v->has_det = true;
+    const fmb_wide *column[DIM], *row[DIM];
+    fmb_exact_box_list_column(v, v->basic[k], column, room);
+    for (int i = 0; i < n; i++) {
+        for (int j = 0; j < n; j++)
+            row[j] = &w->adjugate[i][j];
+        fmb_wide_dot(&alpha[i], n, row, column, 0);
+        if (i >= k && alpha[i].n > 0 && (best < 0 || alpha[i].n < alpha[best].n))
+            best = i;
+    }
+    return best;
+}
+
+static void swap_wides(fmb_wide *a, fmb_wide *b)
+{
+    fmb_wide c;
+    fmb_wide_copy(&c, a);
+    fmb_wide_copy(a, b);
+    fmb_wide_copy(b, &c);
+}
+
+static void put_column(int n, fmb_exact_box_whole *w, int k, int place, fmb_wide *alpha)
+{
+    for (int j = 0; place != k && j < n; j++)
+        swap_wides(&w->adjugate[k][j], &w->adjugate[place][j]);
+    if (place != k)
+        swap_wides(&alpha[k], &alpha[place]);
+    for (int i = 0; i < n; i++)
+        for (int j = 0; i != k && j < n; j++) {
+            fmb_wide *a = &w->adjugate[i][j], *b = &w->adjugate[k][j];
+            if (a->n == 0 && (alpha[i].n == 0 || b->n == 0))
+                continue;
+            fmb_wide_cross(a, &alpha[k], a, &alpha[i], b);
+            fmb_wide_divide_exactly(a, &w->det);
+        }
+    fmb_wide_copy(&w->det, &alpha[k]);
 }
 
 /* h less the columns that count once. */
-static void need_rest(fmb_exact_box *v)
+static void find_rest(const fmb_exact_box *v, fmb_wide *rest)
 {
     const fmb_exact_box_program *s = v->program;
-    for (int row = 0; row < DIM && !v->has_rest; row++) {
-        fmb_wide_copy(&v->rest[row], &s->h[row].whole);
+    for (int row = 0; row < s->dim; row++) {
+        fmb_wide_copy(&rest[row], &s->h.whole[row]);
         for (int j = 0; j < s->columns; j++)
             if (fmb_exact_box_is_one(v, j))
-                fmb_wide_subtract(&v->rest[row], &s->m[j][row].whole);
+                fmb_wide_subtract(&rest[row], &s->m[j].whole[row]);
     }
-    v->has_rest = true;
 }
 
-void fmb_exact_box_need_x(fmb_exact_box *v, int k)
+static void find_values(const fmb_exact_box *v, fmb_exact_box_whole *w)
 {
-    const fmb_wide *row[DIM];
-    if (v->has_x >> k & 1)
-        return;
-    fmb_exact_box_need_row(v, k);
-    need_rest(v);
-    list_row(v, k, row);
-    fmb_wide_dot(&v->x[k], DIM, row,
-                 (const fmb_wide *const[]){&v->rest[0], &v->rest[1], &v->rest[2]}, 0);
-    v->has_x |= 1u << k;
+    int n = v->program->dim;
+    fmb_wide rest[DIM];
+    const fmb_wide *row[DIM], *factor[DIM];
+    find_rest(v, rest);
+    for (int i = 0; i < n; i++)
+        factor[i] = &rest[i];
+    for (int k = 0; k < n; k++) {
+        for (int j = 0; j < n; j++) {
+            if (w->det.minus)
+                fmb_wide_negate(&w->adjugate[k][j]);
+            row[j] = &w->adjugate[k][j];
+        }
+        fmb_wide_dot(&w->x[k], n, row, factor, 0);
+    }
+    w->det.minus = false;
+}
+
+const fmb_exact_box_whole *fmb_exact_box_need_whole(fmb_exact_box *v)
+{
+    fmb_exact_box_whole *w = v->whole;
+    fmb_wide alpha[DIM];
+    int n = v->program->dim, place = 0;
+    if (w->of == v)
+        return w;
+    w->of = v;
+    fmb_wide_set_word(&w->det, 1);
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++)
+            fmb_wide_set_word(&w->adjugate[i][j], i == j);
+    for (int k = 0; place >= 0 && k < n; k++) {
+        place = find_place_of_column(v, w, k, alpha);
+        if (place >= 0)
+            put_column(n, w, k, place, alpha);
+        else
+            fmb_wide_set_word(&w->det, 0);
+    }
+    if (place >= 0)
+        find_values(v, w);
+    return w;
+}
+
+void fmb_exact_box_remainder(fmb_exact_box *v, int group, fmb_wide *out)
+{
+    const fmb_exact_box_whole *w = fmb_exact_box_need_whole(v);
+    fmb_wide_copy(out, &w->det);
+    for (int k = 0; k < v->program->dim; k++)
+        if (v->program->group[v->basic[k]] == group)
+            fmb_wide_subtract(out, &w->x[k]);
 }
 
 /* ---- signs ----------------------------------------------------------------------------------- */
 
-int fmb_exact_box_sign_of_det(fmb_exact_box *v)
-{
-    if (fmb_exact_box_is_sign_known(v->near_det))
-        return fmb_exact_box_sign_of_near(v->near_det);
-    fmb_exact_box_need_det(v);
-    return fmb_wide_sign(&v->det);
-}
-
 static int sign_of_x(fmb_exact_box *v, int k)
 {
-    if (fmb_exact_box_is_sign_known(v->near_x[k]))
-        return fmb_exact_box_sign_of_near(v->near_x[k]);
-    fmb_exact_box_need_x(v, k);
-    return fmb_wide_sign(&v->x[k]);
+    return fmb_exact_box_is_sign_known(v->x[k]) ? fmb_exact_box_sign_of_near(v->x[k])
+                                                : fmb_wide_sign(&fmb_exact_box_need_whole(v)->x[k]);
 }
 
-/* Of det - the x in a group; in that of units, but one of them. */
-static int sign_of_remainder(fmb_exact_box *v, near guess, int group, int only)
+static bool is_at_most_one(fmb_exact_box *v, int k)
 {
-    fmb_wide sum;
-    if (fmb_exact_box_is_sign_known(guess))
-        return fmb_exact_box_sign_of_near(guess);
-    fmb_exact_box_need_det(v);
-    fmb_wide_copy(&sum, &v->det);
-    for (int k = 0; k < DIM; k++)
-        if (k == only || (only < 0 && v->program->group[v->basic[k]] == group)) {
-            fmb_exact_box_need_x(v, k);
-            fmb_wide_subtract(&sum, &v->x[k]);
-        }
-    return fmb_wide_sign(&sum);
+    near left = near_remainder(v, 0, k);
+    if (fmb_exact_box_is_sign_known(left))
+        return left.x >= 0;
+    const fmb_exact_box_whole *w = fmb_exact_box_need_whole(v);
+    return fmb_wide_compare(&w->x[k], &w->det) <= 0;
 }
 
-/* sign: of det. */
-static bool is_basic_in_place(fmb_exact_box *v, int k, int sign)
+static bool is_basic_in_place(fmb_exact_box *v, int k)
 {
-    int group = v->program->group[v->basic[k]], of_x = sign_of_x(v, k);
-    near over = {v->near_det.x - v->near_x[k].x, v->near_det.size + v->near_x[k].size};
+    int group = v->program->group[v->basic[k]], sign = sign_of_x(v, k);
     if (group == FMB_EXACT_BOX_ZERO)
-        return of_x == 0;
-    return of_x != -sign &&
-           (group != FMB_EXACT_BOX_UNIT || sign_of_remainder(v, over, group, k) != -sign);
+        return sign == 0;
+    return sign >= 0 && (group != FMB_EXACT_BOX_UNIT || is_at_most_one(v, k));
+}
+
+static bool is_reference_in_place(fmb_exact_box *v, int group)
+{
+    fmb_wide left;
+    if (fmb_exact_box_is_sign_known(v->of_reference[group]))
+        return v->of_reference[group].x >= 0;
+    fmb_exact_box_remainder(v, group, &left);
+    return fmb_wide_sign(&left) >= 0;
 }
 
 static bool are_all_in_place(fmb_exact_box *v)
 {
-    int sign = fmb_exact_box_sign_of_det(v);
-    bool good = sign != 0;
-    for (int k = 0; good && k < DIM; k++)
-        good = is_basic_in_place(v, k, sign);
+    bool good = v->is_near || fmb_exact_box_need_whole(v)->det.n > 0;
+    for (int k = 0; good && k < v->program->dim; k++)
+        good = is_basic_in_place(v, k);
     for (int group = 0; good && group < 2; group++)
-        good = v->reference[group] < 0 ||
-               sign_of_remainder(v, v->near_reference[group], group, -1) != -sign;
+        good = v->reference[group] < 0 || is_reference_in_place(v, group);
     return good;
 }
 
@@ -239,7 +374,7 @@ static bool list_basic_unknowns(fmb_exact_box *v)
     const fmb_exact_box_program *s = v->program;
     int n = 0, of[2] = {0, 0};
     v->reference[0] = v->reference[1] = -1;
-    for (int j = FMB_EXACT_BOX_UNKNOWNS - 1; j >= 0; j--) {
+    for (int j = s->unknowns - 1; j >= 0; j--) {
         int group = s->group[j];
         if (v->basis.place[j] != FMB_EXACT_BOX_BASIC)
             continue;
@@ -247,15 +382,14 @@ static bool list_basic_unknowns(fmb_exact_box *v)
             v->reference[group] = j;
             continue;
         }
-        if (n < DIM)
+        if (n < s->dim)
             v->basic[n] = j;
         n++;
-        of[0] += j < s->first_of_b || j == FMB_EXACT_BOX_SLACK;
-        of[1] +=
-            (j >= s->first_of_b && j < s->columns && j != s->time) || j == FMB_EXACT_BOX_SLACK + 1;
+        of[0] += j < s->first_of_b || j == s->slack;
+        of[1] += (j >= s->first_of_b && j < s->columns && j != s->time) || j == s->slack + 1;
     }
     v->side = of[1] < of[0];
-    return n == DIM && s->is_simplex[0] == (v->reference[0] >= 0) &&
+    return n == s->dim && s->is_simplex[0] == (v->reference[0] >= 0) &&
            s->is_simplex[1] == (v->reference[1] >= 0);
 }
 
@@ -264,41 +398,38 @@ bool fmb_exact_box_take_basis(fmb_exact_box *v, const fmb_exact_box_program *s,
 {
     v->program = s;
     v->basis = *basis;
-    v->has_row = v->has_x = v->has_close = 0;
-    v->has_det = v->has_rest = false;
-    return list_basic_unknowns(v);
+    v->has_close = false;
+    if (v->whole->of == v)
+        v->whole->of = NULL;
+    if (!list_basic_unknowns(v))
+        return false;
+    find_near(v);
+    return true;
 }
 
 bool fmb_exact_box_state(fmb_exact_box *v, const fmb_exact_box_program *s,
                          const fmb_exact_box_basis *basis)
 {
-    if (!fmb_exact_box_take_basis(v, s, basis))
-        return false;
-    find_near_entries(v);
-    find_near_adjugate(v);
-    find_near_values(v);
-    return are_all_in_place(v);
+    return fmb_exact_box_take_basis(v, s, basis) && are_all_in_place(v);
 }
 
-/* The quotient. */
-static double near_value(const fmb_exact_box *v, near x, bool *good)
+static double near_value(near x, bool *good)
 {
-    double det = fabs(v->near_det.x);
-    *good = *good && x.size + v->near_det.size <= 0x1p5 * det;
-    return x.x / v->near_det.x;
+    *good = *good && x.error <= 0x1p-42;
+    return x.x;
 }
 
-/* Every x is at most det, and off by 2^-47 of its size; det likewise. */
 bool fmb_exact_box_near_values(const fmb_exact_box *v, double *z)
 {
+    const fmb_exact_box_program *s = v->program;
     bool good = true;
-    for (int j = 0; j < v->program->columns; j++)
+    for (int j = 0; j < s->columns; j++)
         z[j] = v->basis.place[j] == FMB_EXACT_BOX_HIGH;
     for (int group = 0; group < 2; group++)
-        if (v->reference[group] >= 0 && v->reference[group] < FMB_EXACT_BOX_COLUMNS)
-            z[v->reference[group]] = near_value(v, v->near_reference[group], &good);
-    for (int k = 0; k < DIM; k++)
-        if (v->basic[k] < FMB_EXACT_BOX_COLUMNS)
-            z[v->basic[k]] = near_value(v, v->near_x[k], &good);
+        if (v->reference[group] >= 0 && v->reference[group] < s->columns)
+            z[v->reference[group]] = near_value(v->of_reference[group], &good);
+    for (int k = 0; k < s->dim; k++)
+        if (v->basic[k] < s->columns)
+            z[v->basic[k]] = near_value(v->x[k], &good);
     return good;
 }

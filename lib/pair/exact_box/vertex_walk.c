@@ -12,7 +12,7 @@
 #define NO_PIVOT    0x1p-36
 #define NO_DISTANCE 0x1p-40
 
-enum { MOST_STEPS = 64 };
+enum { MOST_STEPS = 128 };
 
 static int group_of(const fmb_exact_box_walk *w, int unknown)
 {
@@ -21,37 +21,25 @@ static int group_of(const fmb_exact_box_walk *w, int unknown)
 
 /* ---- the first basis ------------------------------------------------------------------------- */
 
-/* A power of two that makes the largest number of a row about 1. */
-static double scale_of_row(const fmb_exact_box_program *s, int row)
-{
-    double most = fabs(s->h[row].near);
-    int e;
-    for (int j = 0; j < s->columns; j++)
-        most = fmax(most, fabs(s->m[j][row].near));
-    frexp(most, &e);
-    return ldexp(1, -e);
-}
-
-static void put_row_of_world(fmb_exact_box_walk *w, int row, double scale)
+static void put_row_of_world(fmb_exact_box_walk *w, int row)
 {
     const fmb_exact_box_program *s = w->program;
-    w->basic[row] = FMB_EXACT_BOX_ARTIFICIAL + row;
-    w->scale[row] = scale;
-    w->value[row] = s->h[row].near * scale;
+    w->basic[row] = s->artificial + row;
+    w->value[row] = s->h.near[row];
     for (int j = 0; j < s->columns; j++) {
-        w->entry[row][j] = s->m[j][row].near * scale;
+        w->entry[row][j] = s->m[j].near[row];
         w->world[row][j] = j < s->first_of_b ? w->entry[row][j] : 0;
     }
     if (s->time >= 0)
-        w->world[row][s->time] = s->speed[0][row].near * scale;
+        w->world[row][s->time] = s->speed[0].near[row];
 }
 
 static void put_row_of_simplex(fmb_exact_box_walk *w, int k)
 {
     int row = w->rows++;
-    w->basic[row] = FMB_EXACT_BOX_SLACK + k;
+    w->basic[row] = w->program->slack + k;
     w->value[row] = 1;
-    for (int j = 0; j < FMB_WALK_COLUMNS; j++)
+    for (int j = 0; j < w->columns; j++)
         w->entry[row][j] = group_of(w, j) == k;
 }
 
@@ -59,10 +47,11 @@ static void put_first_basis(fmb_exact_box_walk *w, const fmb_exact_box_program *
 {
     memset(w, 0, sizeof *w);
     w->program = s;
-    w->rows = FMB_EXACT_BOX_DIM;
-    w->columns = s->is_simplex[0] || s->is_simplex[1] ? FMB_WALK_COLUMNS : s->columns;
-    for (int row = 0; row < FMB_EXACT_BOX_DIM; row++)
-        put_row_of_world(w, row, scale_of_row(s, row));
+    w->rows = s->dim;
+    w->columns = s->is_simplex[0] || s->is_simplex[1] ? s->artificial : s->columns;
+    w->width = (w->columns + 1) / 2 * 2;
+    for (int row = 0; row < s->dim; row++)
+        put_row_of_world(w, row);
     for (int k = 0; k < 2; k++)
         if (s->is_simplex[k])
             put_row_of_simplex(w, k);
@@ -78,14 +67,14 @@ static int find_entering(const fmb_exact_box_walk *w, const double *cost, const 
 {
     double gain[FMB_WALK_COLUMNS], size[FMB_WALK_COLUMNS], most = 0;
     int best = -1;
-    for (int j = 0; j < FMB_WALK_COLUMNS; j++) {
+    for (int j = 0; j < w->width; j++) {
         gain[j] = cost[j];
         size[j] = fabs(cost[j]);
     }
     for (int r = 0; r < w->rows; r++) {
         if (weight[r] == 0)
             continue;
-        for (int j = 0; j < FMB_WALK_COLUMNS; j++) {
+        for (int j = 0; j < w->width; j++) {
             double part = weight[r] * w->entry[r][j];
             gain[j] -= part;
             size[j] += fabs(part);
@@ -113,21 +102,22 @@ static double find_room(const fmb_exact_box_walk *w, int r, bool up, bool *high)
         return 0;
     if (up && group != FMB_EXACT_BOX_UNIT)
         return INFINITY;
-    return fmax(up ? 1 - value : value, 0);
+    value = up ? 1 - value : value;
+    return value > 0 ? value : 0;
 }
 
 /* Row r is written for unknown j in place of the one that is basic there. */
 static void pivot(fmb_exact_box_walk *w, int r, int j)
 {
     double *row = w->entry[r], inverse = 1 / row[j];
-    for (int k = 0; k < FMB_WALK_COLUMNS; k++)
+    for (int k = 0; k < w->width; k++)
         row[k] *= inverse;
     row[j] = 1;
     for (int i = 0; i < w->rows; i++) {
         double factor = w->entry[i][j];
         if (i == r || factor == 0)
             continue;
-        for (int k = 0; k < FMB_WALK_COLUMNS; k++)
+        for (int k = 0; k < w->width; k++)
             w->entry[i][k] -= factor * row[k];
         w->entry[i][j] = 0;
     }
@@ -141,7 +131,7 @@ static void leave_end(fmb_exact_box_walk *w, int j)
     int leaving = -1;
     bool high = false, end;
     for (int r = 0; r < w->rows; r++)
-        largest = fmax(largest, fabs(w->entry[r][j]));
+        largest = fabs(w->entry[r][j]) > largest ? fabs(w->entry[r][j]) : largest;
     for (int r = 0; r < w->rows; r++) {
         double fall = sign * w->entry[r][j], speed = fabs(fall);
         if (speed <= NO_PIVOT * largest)
@@ -176,7 +166,7 @@ static bool weigh_artificial_unknowns(const fmb_exact_box_walk *w, double *weigh
 {
     bool any = false;
     for (int r = 0; r < w->rows; r++) {
-        bool is_off = w->basic[r] >= FMB_EXACT_BOX_ARTIFICIAL && fabs(w->value[r]) > NO_DISTANCE;
+        bool is_off = w->basic[r] >= w->program->artificial && fabs(w->value[r]) > NO_DISTANCE;
         weight[r] = !is_off ? 0 : w->value[r] > 0 ? -1 : 1;
         any |= is_off;
     }
@@ -186,9 +176,9 @@ static bool weigh_artificial_unknowns(const fmb_exact_box_walk *w, double *weigh
 static void note_weights(fmb_exact_box_walk *w, const double *weight)
 {
     for (int r = 0; r < w->rows; r++) {
-        int row = w->basic[r] - FMB_EXACT_BOX_ARTIFICIAL;
+        int row = w->basic[r] - w->program->artificial;
         if (row >= 0)
-            w->weight[row] = weight[r] * w->scale[row];
+            w->weight[row] = weight[r];
     }
 }
 
@@ -211,13 +201,13 @@ bool fmb_exact_box_walk_start(fmb_exact_box_walk *w, const fmb_exact_box_program
 bool fmb_exact_box_walk_to(fmb_exact_box_walk *w, const fmb_exact_box_goal *goal)
 {
     double cost[FMB_WALK_COLUMNS] = {0}, weight[FMB_WALK_ROWS];
-    for (int j = 0; j < FMB_WALK_COLUMNS; j++) {
+    for (int j = 0; j < w->width; j++) {
         double c = goal->is_world ? w->world[goal->number][j] : j == goal->number;
         cost[j] = goal->greatest ? c : -c;
     }
     for (int steps = 0; steps < MOST_STEPS; steps++) {
         for (int r = 0; r < w->rows; r++)
-            weight[r] = w->basic[r] < FMB_WALK_COLUMNS ? cost[w->basic[r]] : 0;
+            weight[r] = w->basic[r] < w->width ? cost[w->basic[r]] : 0;
         int j = find_entering(w, cost, weight);
         if (j < 0)
             return true;

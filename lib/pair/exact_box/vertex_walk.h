@@ -6,8 +6,8 @@
 
 enum {
     FMB_WALK_ROWS = FMB_EXACT_BOX_DIM + 2, /* with a sum for each simplex */
-    /* Artificial unknowns never come back; an even number, as vectors like it. */
-    FMB_WALK_COLUMNS = (FMB_EXACT_BOX_ARTIFICIAL + 1) / 2 * 2
+    /* Artificial unknowns never come back; a multiple of four, as vectors like it. */
+    FMB_WALK_COLUMNS = (FMB_EXACT_BOX_COLUMNS + 2 + 3) / 4 * 4
 };
 
 /* Every unknown j written by those that are basic: z_basic(r) = value_r at the basic solution, and
@@ -15,14 +15,13 @@ enum {
  */
 typedef struct fmb_exact_box_walk {
     const fmb_exact_box_program *program;
-    int rows, columns; /* columns: 1 + the last that there is */
+    int rows, columns,
+        width; /* columns: 1 + the last that there is; width: up to a multiple of two */
     double entry[FMB_WALK_ROWS][FMB_WALK_COLUMNS], value[FMB_WALK_ROWS];
     int basic[FMB_WALK_ROWS];
     fmb_exact_box_basis basis;
-    double scale[FMB_EXACT_BOX_DIM]; /* of rows, powers of two */
-    double
-        weight[FMB_EXACT_BOX_DIM]; /* of artificial unknowns that are not 0: 1 or -1, and scaled */
-    /* the world: coordinate i of A's points in its own unit, scaled */
+    double weight[FMB_EXACT_BOX_DIM]; /* of artificial unknowns that are not 0: 1 or -1 */
+    /* the world: coordinate i of A's points, scaled */
     double world[FMB_EXACT_BOX_DIM][FMB_WALK_COLUMNS];
 } fmb_exact_box_walk;
 

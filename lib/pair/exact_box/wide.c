@@ -35,15 +35,15 @@ static void subtract_words(fmb_wide *out, const uint64_t *large, const uint64_t 
     out->n = n;
 }
 
-/* The same where all factors have at most 62 bits, and there are at most four products: their sum
- * has less than 127. False: they are longer. */
+/* The same where all factors have at most 61 bits: the sum of 16 products has at most 126. False:
+ * they are longer. */
 static bool dot_of_short_factors(fmb_wide *out, int n, const fmb_wide *const *a,
                                  const fmb_wide *const *b, unsigned minus)
 {
     fmb_i128 sum = fmb_i128_of(0);
     for (int i = 0; i < n; i++) {
         uint64_t x = a[i]->n > 0 ? a[i]->word[0] : 0, y = b[i]->n > 0 ? b[i]->word[0] : 0;
-        if ((a[i]->n > 1) | (b[i]->n > 1) | ((x | y) >> 62 > 0))
+        if ((a[i]->n > 1) | (b[i]->n > 1) | ((x | y) >> 61 > 0))
             return false;
         fmb_i128 product = fmb_i128_of_u128(fmb_u128_product(x, y));
         bool negative = (a[i]->minus != b[i]->minus) != (minus >> i & 1);
@@ -63,7 +63,7 @@ void fmb_wide_dot(fmb_wide *out, int n, const fmb_wide *const *a, const fmb_wide
 {
     uint64_t part[2][FMB_WIDE_WORDS + 1];
     int words = 0, top;
-    assert(n <= 4);
+    assert(n <= 16);
     if (dot_of_short_factors(out, n, a, b, minus))
         return;
     for (int i = 0; i < n; i++)
@@ -84,8 +84,65 @@ void fmb_wide_dot(fmb_wide *out, int n, const fmb_wide *const *a, const fmb_wide
     fmb_wide_trim(out);
 }
 
-const double fmb_wide_unit[FMB_WIDE_WORDS] = {0x1p0,   0x1p64,  0x1p128, 0x1p192, 0x1p256, 0x1p320,
-                                              0x1p384, 0x1p448, 0x1p512, 0x1p576, 0x1p640, 0x1p704};
+/* a /= 2^bits, which divides it. */
+static void shift_down(fmb_wide *a, int bits)
+{
+    int words = bits / 64, rest = bits % 64;
+    for (int i = words; i < a->n; i++) {
+        uint64_t above = i + 1 < a->n && rest > 0 ? a->word[i + 1] << (64 - rest) : 0;
+        a->word[i - words] = a->word[i] >> rest | above;
+    }
+    a->n = a->n > words ? a->n - words : 0;
+    fmb_wide_trim(a);
+}
+
+/* Of an odd word, modulo 2^64: right in three bits, then in twice as many each time. */
+static uint64_t inverse_of_word(uint64_t d)
+{
+    uint64_t x = d;
+    for (int bits = 3; bits < 64; bits *= 2)
+        x *= 2 - d * x;
+    return x;
+}
+
+/* Jebelean 1993, An algorithm for exact division: from the lowest word on, each word of the
+ * quotient is that of what is left, times the inverse of the lowest word of an odd divisor. */
+void fmb_wide_divide_exactly(fmb_wide *a, const fmb_wide *d)
+{
+    fmb_wide odd;
+    int zeros = 0;
+    a->minus = a->n > 0 && a->minus != d->minus;
+    if (a->n == 0 || (d->n == 1 && d->word[0] == 1))
+        return;
+    while (d->word[zeros] == 0)
+        zeros++;
+    zeros = 64 * zeros + __builtin_ctzll(d->word[zeros]);
+    fmb_wide_copy(&odd, d);
+    shift_down(&odd, zeros);
+    shift_down(a, zeros);
+    uint64_t inverse = inverse_of_word(odd.word[0]);
+    int words = a->n - odd.n + 1;
+    for (int i = 0; i < words; i++) {
+        uint64_t q = a->word[i] * inverse, carry = 0;
+        for (int j = 0; j < odd.n && i + j < words; j++) {
+            fmb_u128 product = fmb_u128_plus_word(fmb_u128_product(q, odd.word[j]), carry);
+            carry = fmb_u128_high(product) + (a->word[i + j] < fmb_u128_low(product));
+            a->word[i + j] -= fmb_u128_low(product);
+        }
+        for (int j = i + odd.n; j < words && carry > 0; j++) {
+            uint64_t before = a->word[j];
+            a->word[j] -= carry;
+            carry = before < carry;
+        }
+        a->word[i] = q;
+    }
+    a->n = words;
+    fmb_wide_trim(a);
+}
+
+const double fmb_wide_unit[FMB_WIDE_UNITS] = {0x1p0,   0x1p64,  0x1p128, 0x1p192, 0x1p256, 0x1p320,
+                                              0x1p384, 0x1p448, 0x1p512, 0x1p576, 0x1p640, 0x1p704,
+                                              0x1p768, 0x1p832, 0x1p896, 0x1p960};
 
 /* A word exactly, as the upper 53 bits and the others. */
 static lane2 split_word(uint64_t word)
@@ -100,6 +157,7 @@ double fmb_wide_to_doubles(const fmb_wide *a, double *rest)
     int n = a->n;
     if (n == 0)
         return *rest = 0;
+    assert(n <= FMB_WIDE_UNITS);
     double unit = a->minus ? -fmb_wide_unit[n - 1] : fmb_wide_unit[n - 1];
     lane2 x = split_word(a->word[n - 1]), sum = two_sum(x.hi, x.lo);
     if (n > 1) {

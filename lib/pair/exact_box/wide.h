@@ -13,7 +13,7 @@
 
 #include "num/vec.h"
 
-enum { FMB_WIDE_WORDS = 12, FMB_WIDE_BITS = 64 * (FMB_WIDE_WORDS - 1) };
+enum { FMB_WIDE_WORDS = 20, FMB_WIDE_BITS = 64 * (FMB_WIDE_WORDS - 1) };
 
 typedef struct fmb_wide {
     int n;
@@ -168,8 +168,8 @@ static inline void fmb_wide_multiply(fmb_wide *out, const fmb_wide *a, const fmb
     fmb_wide_trim(out);
 }
 
-/* out = the sum of a[i] b[i], or of - a[i] b[i] where bit i of minus is set, 0 <= i < n. It may be
- * one of the factors. */
+/* out = the sum of a[i] b[i], or of - a[i] b[i] where bit i of minus is set, 0 <= i < n <= 16. It
+ * may be one of the factors. */
 void fmb_wide_dot(fmb_wide *out, int n, const fmb_wide *const *a, const fmb_wide *const *b,
                   unsigned minus);
 
@@ -199,15 +199,20 @@ static inline void fmb_wide_shift(fmb_wide *a, int bits)
     fmb_wide_trim(a);
 }
 
-/* 2^(64 i) */
-extern const double fmb_wide_unit[FMB_WIDE_WORDS];
+/* a /= d, which divides it. */
+void fmb_wide_divide_exactly(fmb_wide *a, const fmb_wide *d);
 
-/* Off by at most 2^-52 of itself: what is below the upper two words is less than 2^-64 of it, and
- * there are two roundings. */
+/* 2^(64 i), as far as they are doubles */
+enum { FMB_WIDE_UNITS = 16 };
+extern const double fmb_wide_unit[FMB_WIDE_UNITS];
+
+/* Of a number of at most FMB_WIDE_UNITS words: off by at most 2^-52 of itself: what is below the
+ * upper two words is less than 2^-64 of it, and there are two roundings. */
 static inline double fmb_wide_to_double(const fmb_wide *a)
 {
     if (a->n == 0)
         return 0;
+    assert(a->n <= FMB_WIDE_UNITS);
     double x = (double)a->word[a->n - 1] * fmb_wide_unit[a->n - 1];
     if (a->n > 1)
         x += (double)a->word[a->n - 2] * fmb_wide_unit[a->n - 2];

@@ -6,7 +6,7 @@
 #include "rows.h"
 #include "study/draw/pairs.h"
 
-enum { MOST_DIM = 3, MOST = 2 * MOST_DIM + 1, NUMBERS = MOST_DIM * (MOST_DIM + 2) };
+enum { MOST_DIM = 6, MOST = 2 * MOST_DIM + 1, NUMBERS = MOST_DIM * (MOST_DIM + 2) };
 
 /* A frame over `denominator`; by its corners where by_corners. */
 typedef struct rational_frame {
@@ -173,25 +173,25 @@ Test(rationals, against_systems)
 {
     static const study_pair_family family[] = {STUDY_PAIR_ARTICLE, STUDY_PAIR_LATTICE,
                                                STUDY_PAIR_TOUCHING, STUDY_PAIR_DEGENERATE};
-    for (int kind = 0; kind < 3 * 2 * 4; kind++) {
+    for (int kind = 0; kind < 6 * 2 * 4; kind++) {
         const study_pair_plan plan = {.family = family[kind % 4],
-                                      .dim = 1 + kind / 4 % 3,
-                                      .moves = kind / 12,
+                                      .dim = 1 + kind / 4 % 6,
+                                      .moves = kind / 24,
                                       .shape = {STUDY_PAIR_ANY_SHAPE, STUDY_PAIR_ANY_SHAPE}};
-        cr_expect_eq(compare_plan(&plan, 12), 12, "%s in %d dimensions",
+        cr_expect_eq(compare_plan(&plan, 6), 6, "%s in %d dimensions",
                      study_pair_family_text(plan.family), plan.dim);
     }
 }
 
 Test(rationals, faces_and_near_pairs)
 {
-    for (int kind = 0; kind < 8; kind++) {
+    for (int kind = 0; kind < 16; kind++) {
         const study_pair_plan plan = {.family = kind % 2 ? STUDY_PAIR_NEAR : STUDY_PAIR_LATTICE,
-                                      .dim = 3,
-                                      .moves = kind / 4,
+                                      .dim = 3 + kind / 4 % 2,
+                                      .moves = kind / 8,
                                       .shape = {STUDY_PAIR_ANY_SHAPE, STUDY_PAIR_ANY_SHAPE},
                                       .naxes = {1 + kind % 3, 1 + kind / 2 % 3}};
-        compare_plan(&plan, 10);
+        compare_plan(&plan, 6);
     }
 }
 

@@ -4,7 +4,7 @@
 
 #include "pair/exact_box/wide.h"
 
-enum { MOST_TERMS = 4, MOST_WORDS = 5, ROUNDS = 20000 };
+enum { MOST_TERMS = 16, MOST_WORDS = 5, ROUNDS = 20000 };
 
 static uint64_t state = 1;
 
@@ -76,13 +76,29 @@ Test(wide, sums_of_products)
             a[1] = a[0];
             b[1] = b[0];
         }
-        expect_dot(n, a, b, (unsigned)(draw() % 16));
+        expect_dot(n, a, b, (unsigned)draw());
     }
 }
 
 Test(wide, largest_short_products)
 {
-    fmb_wide x = {.n = 1, .word = {(UINT64_C(1) << 62) - 1}}, a[MOST_TERMS] = {x, x, x, x};
-    for (unsigned minus = 0; minus < 16; minus++)
+    fmb_wide x = {.n = 1, .word = {(UINT64_C(1) << 61) - 1}}, a[MOST_TERMS];
+    for (int i = 0; i < MOST_TERMS; i++)
+        a[i] = x;
+    for (unsigned minus = 0; minus < 1U << MOST_TERMS; minus += 257)
         expect_dot(MOST_TERMS, a, a, minus);
+}
+
+/* A product is divided by a factor again, odd or with many zeros below, of either sign. */
+Test(wide, quotients_without_rest)
+{
+    for (int round = 0; round < ROUNDS; round++) {
+        fmb_wide a = some_number(64 * MOST_WORDS), d = some_number(64 * MOST_WORDS), product;
+        if (d.n == 0)
+            continue;
+        fmb_wide_multiply(&product, &a, &d);
+        fmb_wide_divide_exactly(&product, &d);
+        cr_assert(fmb_wide_compare(&product, &a) == 0, "round %d", round);
+        cr_assert(product.n > 0 || !product.minus);
+    }
 }
