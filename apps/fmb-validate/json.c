@@ -28,25 +28,33 @@ static json_t *faults_counted(const study_tally *t)
     return all;
 }
 
-/* What is counted of a job, by its name; those of boxes where they were asked for. */
+/* What is counted of a job, by its name; those of boxes and of contacts where they were asked for.
+ */
 static const struct {
     const char *key;
     size_t offset; /* in study_tally */
-    bool of_boxes;
+    enum { OF_ALL, OF_BOXES, OF_CONTACTS } of;
 } COUNT[] = {
-    {"tested", offsetof(study_tally, tested), false},
-    {"meeting", offsetof(study_tally, meeting), false},
-    {"touching", offsetof(study_tally, touching), false},
-    {"exact", offsetof(study_tally, exact), false},
-    {"textbook", offsetof(study_tally, textbook), false},
-    {"textbook_left", offsetof(study_tally, left), false},
-    {"fmb_unknown", offsetof(study_tally, unknown[0]), false},
-    {"sat_unknown", offsetof(study_tally, unknown[1]), false},
-    {"disagreeing", offsetof(study_tally, disagreeing), false},
-    {"boxes", offsetof(study_tally, boxes), true},
-    {"boxes_unknown", offsetof(study_tally, doubtful), true},
+    {"tested", offsetof(study_tally, tested), OF_ALL},
+    {"meeting", offsetof(study_tally, meeting), OF_ALL},
+    {"touching", offsetof(study_tally, touching), OF_ALL},
+    {"exact", offsetof(study_tally, exact), OF_ALL},
+    {"textbook", offsetof(study_tally, textbook), OF_ALL},
+    {"textbook_left", offsetof(study_tally, left), OF_ALL},
+    {"fmb_unknown", offsetof(study_tally, unknown[0]), OF_ALL},
+    {"sat_unknown", offsetof(study_tally, unknown[1]), OF_ALL},
+    {"disagreeing", offsetof(study_tally, disagreeing), OF_ALL},
+    {"boxes", offsetof(study_tally, boxes), OF_BOXES},
+    {"boxes_unknown", offsetof(study_tally, doubtful), OF_BOXES},
+    {"contacts", offsetof(study_tally, contacts), OF_CONTACTS},
+    {"contacts_unknown", offsetof(study_tally, contacts_open), OF_CONTACTS},
 };
 enum { COUNTS = sizeof COUNT / sizeof *COUNT };
+
+static bool is_counted(const validate_job *job, int i)
+{
+    return COUNT[i].of == OF_ALL || (COUNT[i].of == OF_BOXES ? job->v.boxes : job->v.contacts);
+}
 
 static json_t *job_counts(const validate_job *job)
 {
@@ -57,7 +65,7 @@ static json_t *job_counts(const validate_job *job)
     set_text(obj, "case", text);
     set_text(obj, "family", study_pair_family_text(job->v.plan.family));
     for (int i = 0; i < COUNTS; i++)
-        if (job->v.boxes || !COUNT[i].of_boxes)
+        if (is_counted(job, i))
             set_count(obj, COUNT[i].key, *(const uint64_t *)((const char *)t + COUNT[i].offset));
     set_count(obj, "not_meeting", t->tested - t->meeting);
     app_json_set(obj, "faults", faults_counted(t));
@@ -80,14 +88,15 @@ bool validate_job_read(const json_t *obj, validate_job *out)
     const json_t *excess = json_object_get(obj, "excess");
     study_pair_plan *plan = &out->v.plan;
     char *rest = NULL;
-    *out = (validate_job){.v.boxes = excess != NULL};
+    *out = (validate_job){.v.boxes = excess != NULL,
+                          .v.contacts = json_object_get(obj, "contacts") != NULL};
     plan->dim = text ? (int)strtol(text, &rest, 10) : 0;
     plan->moves = rest && strcmp(rest, "d-dynamic") == 0;
     bool good = plan->dim >= 1 && plan->dim <= STUDY_PAIR_MOST_DIM &&
                 (plan->moves || strcmp(rest, "d-static") == 0) && family &&
                 study_pair_family_parse(family, &plan->family);
     for (int i = 0; good && i < COUNTS; i++)
-        if (out->v.boxes || !COUNT[i].of_boxes)
+        if (is_counted(out, i))
             good =
                 read_count(obj, COUNT[i].key, (uint64_t *)((char *)&out->tally + COUNT[i].offset));
     for (int i = 0; good && i < STUDY_FAULTS; i++)

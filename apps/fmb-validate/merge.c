@@ -23,7 +23,7 @@ static bool add_jobs(validate_plan *p, const json_t *cases, bool first)
         if (first)
             p->job[i] = job;
         else if (a->dim != b->dim || a->moves != b->moves || a->family != b->family ||
-                 p->job[i].v.boxes != job.v.boxes)
+                 p->job[i].v.boxes != job.v.boxes || p->job[i].v.contacts != job.v.contacts)
             return false;
         else
             study_tally_add(&p->job[i].tally, &job.tally);
@@ -50,6 +50,7 @@ int validate_merge(validate_plan *p)
     p->usual.seed = (uint64_t)json_integer_value(json_object_get(part[0], "seed"));
     p->usual.sample = json_real_value(json_object_get(part[0], "sample"));
     p->usual.boxes = p->jobs > 0 && p->job[0].v.boxes;
+    p->usual.contacts = p->jobs > 0 && p->job[0].v.contacts;
     app_parts_free(part, p->words);
     return code;
 }

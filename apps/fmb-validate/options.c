@@ -13,6 +13,7 @@ enum {
     KEY_AXES,
     KEY_SAMPLE,
     KEY_BOXES,
+    KEY_CONTACT,
     KEY_SHARD,
     KEY_MERGE,
     KEY_SIMD,
@@ -35,6 +36,10 @@ static const struct argp_option options[] = {
      "[0.01]",
      2},
     {"boxes", KEY_BOXES, NULL, 0, "Hold boxes, times and witnesses against the exact ones", 2},
+    {"contact", KEY_CONTACT, NULL, 0,
+     "In two and three dimensions hold depths, distances, normals, nearest points and rows between "
+     "against exact ones",
+     2},
     {"simd", KEY_SIMD, "WORD", 0, "auto, plain, avx2, avx512: the kernels to use [auto]", 2},
     {NULL, 0, NULL, 0, "Work:", 3},
     {"threads", 't', "T", 0, "At once [1]", 3},
@@ -117,6 +122,9 @@ static void finish(validate_plan *p, struct argp_state *state)
         if (p->usual.plan.naxes[f] > least)
             argp_error(state, "--axes: %d axes are too many in %d dimensions",
                        p->usual.plan.naxes[f], least);
+    for (int dim = 1; p->usual.contacts && dim <= STUDY_PAIR_MOST_DIM; dim++)
+        if ((p->wanted[dim][0] || p->wanted[dim][1]) && dim != 2 && dim != 3)
+            argp_error(state, "--contact is for 2 and 3 dimensions, not %d", dim);
     for (int i = 0; i < STUDY_PAIR_FAMILIES; i++)
         some_family |= p->family[i];
     p->family[STUDY_PAIR_ARTICLE] |= !some_family;
@@ -165,6 +173,9 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case KEY_BOXES:
         p->usual.boxes = true;
         return 0;
+    case KEY_CONTACT:
+        p->usual.contacts = true;
+        return 0;
     case KEY_SIMD:
         p->usual.simd = app_value_simd(arg, state);
         return 0;
@@ -205,6 +216,7 @@ static const char doc[] =
     "Examples:\n"
     "  fmb-validate\n"
     "  fmb-validate 3d-static --families near,flat --pairs 10000 --boxes\n"
+    "  fmb-validate --contact --families all --pairs 2000\n"
     "  fmb-validate --dim 6 --families all --pairs 100 --failures wrong.jsonl\n"
     "  fmb-validate --shard 1/2 --json a; fmb-validate --shard 2/2 --json b; fmb-validate --merge "
     "a b\n";

@@ -142,9 +142,10 @@ static fmb_status do_job(validate_plan *p, size_t number)
 static void collect_job(validate_job *job)
 {
     study_tally *t = &job->tally;
-    uint64_t *const count[] = {&t->tested,   &t->meeting,  &t->touching,   &t->exact,
-                               &t->textbook, &t->left,     &t->unknown[0], &t->unknown[1],
-                               &t->boxes,    &t->doubtful, &t->disagreeing};
+    uint64_t *const count[] = {&t->tested,       &t->meeting,  &t->touching,    &t->exact,
+                               &t->textbook,     &t->left,     &t->unknown[0],  &t->unknown[1],
+                               &t->boxes,        &t->doubtful, &t->disagreeing, &t->contacts,
+                               &t->contacts_open};
     for (size_t i = 0; i < sizeof count / sizeof *count; i++)
         app_ranks_sum(count[i], 1);
     app_ranks_sum(t->fault, STUDY_FAULTS);

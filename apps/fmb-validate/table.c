@@ -19,14 +19,22 @@ static void add(app_table *t, const char *format, ...)
     app_table_add(t, text);
 }
 
-static void add_head(app_table *t, bool boxes)
+static void add_words(app_table *t, size_t n, const char *const *word)
 {
-    static const char *const HEAD[] = {"case",        "family",  "tested",      "meeting",
-                                       "not meeting", "share %", "touching",    "exact",
-                                       "textbook",    "left",    "FMB unknown", "SAT unknown",
-                                       "disagreeing", "boxes",   "excess",      "by doubles %"};
-    for (size_t i = 0; i < sizeof HEAD / sizeof *HEAD - (boxes ? 0 : 3); i++)
-        add(t, "%s", HEAD[i]);
+    for (size_t i = 0; i < n; i++)
+        add(t, "%s", word[i]);
+}
+
+static void add_head(app_table *t, const study_validation *asked)
+{
+    static const char *const HEAD[] = {
+        "case",  "family",   "tested", "meeting",     "not meeting", "share %",    "touching",
+        "exact", "textbook", "left",   "FMB unknown", "SAT unknown", "disagreeing"};
+    add_words(t, sizeof HEAD / sizeof *HEAD, HEAD);
+    if (asked->boxes)
+        add_words(t, 3, (const char *const[]){"boxes", "excess", "by doubles %"});
+    if (asked->contacts)
+        add_words(t, 2, (const char *const[]){"contacts", "by doubles %"});
 }
 
 static double percent(uint64_t part, uint64_t all)
@@ -49,18 +57,23 @@ static void add_job(app_table *t, const validate_job *job)
                        n->unknown[0], n->unknown[1], n->disagreeing};
     for (int i = 0; i < 7; i++)
         add(t, "%" PRIu64, more[i]);
-    if (!job->v.boxes)
-        return;
-    add(t, "%" PRIu64, n->boxes);
-    add(t, "%.1e", n->excess);
-    add(t, "%.1f", percent(2 * n->boxes - n->doubtful, 2 * n->boxes));
+    if (job->v.boxes) {
+        add(t, "%" PRIu64, n->boxes);
+        add(t, "%.1e", n->excess);
+        add(t, "%.1f", percent(2 * n->boxes - n->doubtful, 2 * n->boxes));
+    }
+    if (job->v.contacts) {
+        add(t, "%" PRIu64, n->contacts);
+        add(t, "%.1f", percent(2 * n->contacts - n->contacts_open, 2 * n->contacts));
+    }
 }
 
 void validate_table(const validate_plan *p)
 {
-    bool boxes = p->usual.boxes;
-    app_table t = {.columns = boxes ? 16 : 13, .align = "llrrrrrrrrrrrrrr"};
-    add_head(&t, boxes);
+    const study_validation *v = &p->usual;
+    app_table t = {.columns = 13U + (v->boxes ? 3 : 0) + (v->contacts ? 2 : 0),
+                   .align = "llrrrrrrrrrrrrrrrr"};
+    add_head(&t, v);
     for (size_t i = 0; i < p->jobs; i++)
         if (p->job[i].tally.tested > 0)
             add_job(&t, &p->job[i]);

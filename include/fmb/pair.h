@@ -55,21 +55,31 @@ typedef struct fmb_pair_answers {
                         on are not written, and none is where naxes > dim */
     double *time;    /* [n][2] when they meet; 0, 1 if nothing moves */
     double *witness; /* [n][dim] a common point */
-    /* In two and three dimensions, of frames with at most dim axes; what moves counts as all its
-     * places. */
+    /* In two and three dimensions, of frames with at most dim axes, or 64 corners; what moves
+     * counts as all its places. */
     double *depth;  /* [n] of the shortest translation of the second after which they do no more
                        than touch; off by at most 1e-12 of the sum of the sizes (largest
-                       coordinates) of all edges, speeds and the way between the origins */
+                       coordinates) of all edges, speeds and the way between the origins; of a frame
+                       with more axes than dim its longest edge counts twice */
     double *normal; /* [n][dim] its direction, of length 1, away from the first; the depth along it
                        is off by no more than that either */
     /* Where they touch after that translation, up to what the depth may be off by (along faces that
      * cross at an acute angle, that over its sine); of frames that move 0 and nothing. */
     uint8_t *faces; /* [n][2] the vertices of the face of each, a bit each: bit b is vertex b, of a
                        cuboid the one where c_i is bit i of b, of a simplex the origin (0) or the
-                       end of edge b (from 1); so one bit is a vertex, two are an edge */
+                       end of edge b (from 1); so one bit is a vertex, two are an edge; 0 of more
+                       than 8 vertices */
     double *points; /* [n][FMB_PAIR_MOST_POINTS][dim] vertices of what the faces have in common, on
                        the first frame, around it; of more, four that are far apart */
     uint8_t *npoints; /* [n] how many */
+    /* The same of pairs that do not meet, if any of these is asked for; the normal, then, too: from
+     * the nearest point of the first to that of the second (0 where they touch with open contact).
+     */
+    double *distance; /* [n] off by no more than a depth; 0 of pairs that meet */
+    double *nearest;  /* [n][2][dim] a point of each, up to rounding, that far from each other */
+    double *offset;   /* [n] a row between them: normal.x <= offset holds for the first, and
+                         normal.x >= offset for the second, exactly and for the normal as it is
+                         written; NAN where no doubles are known to, and if they move */
 } fmb_pair_answers;
 
 /* Points of a contact. */

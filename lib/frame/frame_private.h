@@ -17,6 +17,12 @@ static inline bool fmb_frame_is_by_corners(fmb_shape shape)
     return shape == FMB_CUBOID_BY_CORNERS || shape == FMB_SIMPLEX_BY_CORNERS;
 }
 
+/* Corners, more than a simplex has: coordinates in it are not unique. */
+static inline bool fmb_frame_is_hull(const fmb_frame *f)
+{
+    return f->naxes > f->dim;
+}
+
 /* What keeps f from being one: "axes[2][0] is not finite". False: nothing does. */
 enum { FMB_FRAME_FAULT_SIZE = 64 };
 bool fmb_frame_describe_fault(const fmb_frame *f, int dim, char *text, size_t size);

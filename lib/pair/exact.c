@@ -1,7 +1,11 @@
 /* exact.c: see exact.h. */
 #include "pair/exact.h"
 
+#include <math.h>
+
 #include "frame/frame_private.h"
+#include "num/rationals.h"
+#include "proximity/proximity_private.h"
 #include "solve/query/solver.h"
 #include "system/system_private.h"
 
@@ -152,5 +156,53 @@ fmb_status fmb_pair_oracle_answer(fmb_pair_oracle *x, const fmb_frame *p, const 
     if (st == FMB_LIMIT)
         *out->verdict = FMB_UNKNOWN;
     fmb_system_free(s);
+    return st == FMB_LIMIT ? FMB_OK : st;
+}
+
+/* ---- how near -------------------------------------------------------------------------------- */
+
+/* The direction of a vector as doubles of length 1, whatever its numbers are. */
+static void write_direction(int dim, mpq_t *v, double *out)
+{
+    mpq_t most, x;
+    double length = 0;
+    mpq_inits(most, x, NULL);
+    for (int j = 0; j < dim; j++) {
+        mpq_abs(x, v[j]);
+        if (mpq_cmp(x, most) > 0)
+            mpq_set(most, x);
+    }
+    for (int j = 0; j < dim; j++) {
+        if (mpq_sgn(most) != 0)
+            mpq_div(x, v[j], most);
+        out[j] = fmb_nearest_double(x);
+        length += out[j] * out[j];
+    }
+    for (int j = 0; length > 0 && j < dim; j++)
+        out[j] /= sqrt(length);
+    mpq_clears(most, x, NULL);
+}
+
+fmb_status fmb_pair_oracle_near(fmb_pair_oracle *x, const fmb_frame *p, const fmb_frame *q,
+                                fmb_verdict *verdict, fmb_pair_near *out)
+{
+    const fmb_frame both[2] = {*p, *q};
+    bool meet = *verdict == FMB_FEASIBLE;
+    fmb_proximity *near = NULL;
+    fmb_result res = {.size = sizeof res};
+    fmb_run_begin(&x->run, &x->mem, &x->limits, &x->cancel, (fmb_sink){0}, "pair");
+    x->solver->options.max_bytes = x->limits.max_bytes;
+    fmb_status st =
+        (meet ? fmb_depth : fmb_distance)(x->solver, both, FMB_NORM_EUCLIDEAN, &near, &res);
+    if (near) {
+        out->length = fmb_proximity_length(near);
+        write_direction(p->dim, near->normal, out->normal);
+        for (int j = 0; j < p->dim; j++)
+            for (int k = 0; k < 2; k++)
+                out->point[k][j] = fmb_proximity_point(near, k, j);
+    } else {
+        *verdict = FMB_UNKNOWN;
+    }
+    fmb_proximity_free(near);
     return st == FMB_LIMIT ? FMB_OK : st;
 }

@@ -5,6 +5,7 @@
 #include <fmb/pair.h>
 #include <fmb/solve.h>
 
+#include "pair/contact/contact_near.h"
 #include "trace/run.h"
 
 typedef struct fmb_pair_oracle {
@@ -29,5 +30,10 @@ fmb_status fmb_pair_oracle_decide(fmb_pair_oracle *x, const fmb_frame *p, const 
  * The verdict becomes UNKNOWN if a limit was reached. Errors: MEMORY. */
 fmb_status fmb_pair_oracle_answer(fmb_pair_oracle *x, const fmb_frame *p, const fmb_frame *q,
                                   const fmb_pair_answers *out);
+
+/* How near two frames in the plane or in space come, of which the verdict says whether they meet;
+ * it becomes UNKNOWN if a limit was reached. Errors: MEMORY. */
+fmb_status fmb_pair_oracle_near(fmb_pair_oracle *x, const fmb_frame *p, const fmb_frame *q,
+                                fmb_verdict *verdict, fmb_pair_near *out);
 
 #endif

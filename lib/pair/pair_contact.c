@@ -3,8 +3,9 @@
 
 #include <stdio.h>
 
+#include "pair/contact/bodies.h"
 #include "pair/contact/contact_face.h"
-#include "pair/contact/exact_contact.h"
+#include "pair/contact/contact_near.h"
 #include "pair/corner_edges.h"
 #include "pair/kernels/packed_kernels.h"
 
@@ -16,8 +17,8 @@ typedef struct contact_query {
     const fmb_frame *p, *q; /* of the pairs at hand */
     size_t n;
     fmb_verdict verdict[CONTACTS_AT_ONCE]; /* UNKNOWN: to be asked */
-    bool good[CONTACTS_AT_ONCE];           /* if it meets, then with: */
-    double depth[CONTACTS_AT_ONCE], normal[CONTACTS_AT_ONCE][3];
+    bool good[CONTACTS_AT_ONCE];           /* and this is known: */
+    fmb_pair_near near[CONTACTS_AT_ONCE];
     fmb_flat_kind kind; /* of the block; dim 0 before the first */
     fmb_block block;
 } contact_query;
@@ -30,10 +31,10 @@ static void read_lane(contact_query *x, const fmb_contact_lanes *from, int lane)
     x->verdict[i] = from->bits.apart >> lane & 1  ? FMB_INFEASIBLE
                     : from->bits.meet >> lane & 1 ? FMB_FEASIBLE
                                                   : FMB_UNKNOWN;
-    x->good[i] = from->good >> lane & 1;
-    x->depth[i] = from->depth[lane];
+    x->good[i] = x->verdict[i] == FMB_FEASIBLE && from->good >> lane & 1;
+    x->near[i].length = from->depth[lane];
     for (int j = 0; j < x->k->dim; j++)
-        x->normal[i][j] = from->normal[j][lane];
+        x->near[i].normal[j] = from->normal[j][lane];
 }
 
 static void ask_block(contact_query *x)
@@ -73,13 +74,17 @@ static void ask_kernels(contact_query *x)
     for (size_t i = 0; i < x->n; i++) {
         x->verdict[i] = FMB_UNKNOWN;
         x->good[i] = false;
-        if (x->k->options.method == FMB_PAIR_EXACT || !fmb_edges_of_frame(&x->p[i], &p) ||
-            !fmb_edges_of_frame(&x->q[i], &q))
+        if (x->k->options.method == FMB_PAIR_EXACT)
             continue;
-        prepare_block(x, &p.frame, &q.frame);
-        fmb_block_put_flat(&x->block, x->k->wide->width, &p.frame, &q.frame, i);
-        if (x->block.lanes == x->k->wide->width)
-            ask_block(x);
+        if (fmb_frame_is_hull(&x->p[i]) || fmb_frame_is_hull(&x->q[i])) {
+            x->good[i] = true;
+            x->verdict[i] = fmb_contact_of_hulls(&x->p[i], &x->q[i], &x->good[i], &x->near[i]);
+        } else if (fmb_edges_of_frame(&x->p[i], &p) && fmb_edges_of_frame(&x->q[i], &q)) {
+            prepare_block(x, &p.frame, &q.frame);
+            fmb_block_put_flat(&x->block, x->k->wide->width, &p.frame, &q.frame, i);
+            if (x->block.lanes == x->k->wide->width)
+                ask_block(x);
+        }
     }
     ask_block(x);
 }
@@ -97,7 +102,10 @@ fmb_pair_answers fmb_contact_answers_from(const fmb_pair_answers *o, size_t dim,
                               .faces = o->faces ? o->faces + 2 * i : NULL,
                               .points =
                                   o->points ? o->points + FMB_PAIR_MOST_POINTS * dim * i : NULL,
-                              .npoints = o->npoints ? o->npoints + i : NULL};
+                              .npoints = o->npoints ? o->npoints + i : NULL,
+                              .distance = o->distance ? o->distance + i : NULL,
+                              .nearest = o->nearest ? o->nearest + 2 * dim * i : NULL,
+                              .offset = o->offset ? o->offset + i : NULL};
 }
 
 /* ---- what kernels leave ---------------------------------------------------------------------- */
@@ -124,23 +132,63 @@ void fmb_contact_write(const fmb_frame *p, const fmb_frame *q, double depth, con
         *out->npoints = (uint8_t)n;
 }
 
+/* What doubles do not tell of a pair whose verdict is known. */
+static fmb_status tell_exactly(fmb_pair *k, const fmb_frame *p, const fmb_frame *q,
+                               fmb_verdict *verdict, fmb_pair_near *out)
+{
+    if (k->options.doubles_only) {
+        *verdict = FMB_UNKNOWN;
+        return FMB_OK;
+    }
+    k->counts.exact_boxes++;
+    return fmb_pair_oracle_near(&k->oracle, p, q, verdict, out);
+}
+
+static bool asks_exact_contacts(const fmb_pair *k)
+{
+    return k->options.tightest || k->options.method == FMB_PAIR_EXACT;
+}
+
+fmb_status fmb_contact_answer_apart(fmb_pair *k, const fmb_frame *p, const fmb_frame *q,
+                                    fmb_pair_near *near, const fmb_pair_answers *out)
+{
+    fmb_pair_near own;
+    fmb_status st = FMB_OK;
+    if (!near || asks_exact_contacts(k)) {
+        near = &own;
+        if (asks_exact_contacts(k) || !fmb_contact_distance(p, q, near))
+            st = tell_exactly(k, p, q, out->verdict, near);
+    }
+    if (st != FMB_OK || *out->verdict != FMB_INFEASIBLE)
+        return st;
+    if (out->distance)
+        *out->distance = near->length;
+    for (int j = 0; j < k->dim; j++) {
+        if (out->normal)
+            out->normal[j] = near->normal[j];
+        for (int side = 0; out->nearest && side < 2; side++)
+            out->nearest[side * k->dim + j] = near->point[side][j];
+    }
+    if (out->offset)
+        *out->offset = fmb_contact_offset(p, q, near->normal);
+    return FMB_OK;
+}
+
 /* Pair i meets: its depth. */
 static fmb_status answer_contact(contact_query *x, size_t i, const fmb_pair_answers *out)
 {
-    const fmb_frame both[2] = {x->p[i], x->q[i]};
-    fmb_pair *k = x->k;
+    const fmb_frame *p = &x->p[i], *q = &x->q[i];
+    fmb_pair_near *near = &x->near[i];
     fmb_status st = FMB_OK;
-    if (!x->good[i] || k->options.tightest) {
-        if (k->options.doubles_only) {
-            *out->verdict = FMB_UNKNOWN;
-            return FMB_OK;
-        }
-        k->counts.exact_boxes++;
-        st = fmb_exact_contact(both, &k->mem, &x->depth[i], x->normal[i]);
-    }
-    if (st == FMB_OK)
-        fmb_contact_write(&x->p[i], &x->q[i], x->depth[i], x->normal[i], out);
-    return st;
+    if (fmb_contact_asks_depth(out) && (!x->good[i] || asks_exact_contacts(x->k)))
+        st = tell_exactly(x->k, p, q, out->verdict, near);
+    if (st != FMB_OK || *out->verdict != FMB_FEASIBLE)
+        return st;
+    if (fmb_contact_asks_depth(out))
+        fmb_contact_write(p, q, near->length, near->normal, out);
+    if (out->distance)
+        *out->distance = 0;
+    return FMB_OK;
 }
 
 static fmb_status answer_contact_of_pair(contact_query *x, size_t i, const fmb_pair_answers *out)
@@ -150,7 +198,12 @@ static fmb_status answer_contact_of_pair(contact_query *x, size_t i, const fmb_p
     *out->verdict = x->verdict[i];
     if (x->verdict[i] == FMB_UNKNOWN || (more && x->verdict[i] == FMB_FEASIBLE))
         st = fmb_pair_answer_all(x->k, 1, &x->p[i], &x->q[i], out);
-    return st == FMB_OK && *out->verdict == FMB_FEASIBLE ? answer_contact(x, i, out) : st;
+    if (st == FMB_OK && *out->verdict == FMB_FEASIBLE)
+        st = answer_contact(x, i, out);
+    else if (st == FMB_OK && *out->verdict == FMB_INFEASIBLE && fmb_contact_asks_distance(out))
+        st = fmb_contact_answer_apart(x->k, &x->p[i], &x->q[i], x->good[i] ? &x->near[i] : NULL,
+                                      out);
+    return st;
 }
 
 /* Say what is wrong with pair i, number `number` of the call. */
@@ -160,7 +213,7 @@ static bool is_contact_refused(contact_query *x, size_t i, size_t number)
     const fmb_frame *f[2] = {&x->p[i], &x->q[i]};
     char fault[FMB_FRAME_FAULT_SIZE];
     for (int side = 0; side < 2; side++) {
-        if (fmb_frame_is_good(f[side], k->dim) && f[side]->naxes <= k->dim)
+        if (fmb_frame_is_good(f[side], k->dim) && f[side]->naxes < FMB_BODY_MOST)
             continue;
         if (!fmb_frame_describe_fault(f[side], k->dim, fault, sizeof fault))
             snprintf(fault, sizeof fault, "%d axes are too many for a depth", f[side]->naxes);

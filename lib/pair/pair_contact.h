@@ -6,10 +6,16 @@
 
 #include "pair/pair_portfolio.h"
 
-/* Does out ask for more than fmb_pair_answer_all answers? */
-static inline bool fmb_contact_is_asked(const fmb_pair_answers *out)
+/* Of pairs that meet: does out ask for more than fmb_pair_answer_all answers? Of those that do not?
+ */
+static inline bool fmb_contact_asks_depth(const fmb_pair_answers *out)
 {
     return out->depth || out->normal || out->faces || out->points || out->npoints;
+}
+
+static inline bool fmb_contact_asks_distance(const fmb_pair_answers *out)
+{
+    return out->distance || out->nearest || out->offset;
 }
 
 /* Does it ask for common points? */
@@ -24,6 +30,11 @@ fmb_pair_answers fmb_contact_answers_from(const fmb_pair_answers *o, size_t dim,
 /* What goes with a depth and its normal: all of out, of this one pair, but its verdict. */
 void fmb_contact_write(const fmb_frame *p, const fmb_frame *q, double depth, const double *normal,
                        const fmb_pair_answers *out);
+
+/* Of one pair that is apart: how far, as in near, or if that is NULL by doubles or exactly; the
+ * verdict becomes UNKNOWN where that is not told. Errors: MEMORY. */
+fmb_status fmb_contact_answer_apart(fmb_pair *k, const fmb_frame *p, const fmb_frame *q,
+                                    fmb_pair_near *near, const fmb_pair_answers *out);
 
 /* All of out. Errors: ARG, with k->error set, MEMORY. */
 fmb_status fmb_contact_answer_all(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_frame *q,

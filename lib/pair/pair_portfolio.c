@@ -3,6 +3,8 @@
 
 #include <stdio.h>
 
+#include "pair/contact/bodies.h"
+#include "pair/contact/contact_near.h"
 #include "pair/corner_edges.h"
 #include "pair/corners/cell.h"
 #include "pair/exact_box/exact_box.h"
@@ -186,6 +188,8 @@ static void decide_without_query(const query *a, size_t i, fmb_verdict *out)
         return;
     if (asks_exactly(a) && fmb_exact_box_decide(p, q, contact, out))
         k->counts.exact_verdicts++;
+    else if ((fmb_frame_is_hull(p) || fmb_frame_is_hull(q)) && fmb_bodies_are(p, q))
+        *out = fmb_contact_of_hulls(p, q, &(bool){false}, NULL);
     else if (take_edges(a, i, &of_p, &of_q))
         *out = fmb_general_decide(k->general, &of_p.frame, &of_q.frame);
     if (*out == FMB_UNKNOWN && asks_exactly(a))

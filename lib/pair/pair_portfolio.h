@@ -9,11 +9,11 @@
 
 #include "base/mem.h"
 #include "base/threads.h"
+#include "frame/flat.h"
 #include "frame/frame_private.h"
 #include "pair/block.h"
 #include "pair/exact.h"
 #include "pair/general/general.h"
-#include "frame/flat.h"
 
 /* Blocks by number: [stage][kind], where a kind is [moves][shape of A][shape of B]. What a block
  * leaves open goes to one of a later stage, or is settled without a block. The last one is for

@@ -47,10 +47,13 @@ static void take_row(deepest *d, const fmb_system *facets, size_t i)
     size_t terms = fmb_system_terms(facets, i);
     mpq_set(out->measure, d->depth);
     mpq_div(d->b, d->b, d->size);
-    for (int j = 0; j < out->dim; j++)
+    for (int j = 0; j < out->dim; j++) {
         mpq_set_ui(out->shift[j], 0, 1);
+        mpq_set_ui(out->normal[j], 0, 1);
+    }
     for (size_t k = 0; k < terms; k++) {
         int j = fmb_system_term_q(facets, i, k, d->a);
+        mpq_set(out->normal[j], d->a);
         if (out->norm == FMB_NORM_MAX)
             mpq_set_si(d->a, mpq_sgn(d->a), 1);
         mpq_mul(out->shift[j], d->a, d->b);
@@ -131,7 +134,10 @@ static void write_least_overlap(const fmb_minkowski *m, fmb_least_overlap *x, fm
     mpq_init(step);
     mpz_set(mpq_numref(step), x->overlap);
     mpz_mul(mpq_denref(step), x->size, m->unit);
-    mpq_canonicalize(step);
+    if (x->found)
+        mpq_canonicalize(step);
+    else
+        mpq_set_ui(step, 0, 1);
     mpq_set(out->measure, step);
     if (out->norm == FMB_NORM_EUCLIDEAN) {
         mpq_set_z(out->measure, x->size);
@@ -139,6 +145,7 @@ static void write_least_overlap(const fmb_minkowski *m, fmb_least_overlap *x, fm
         mpq_mul(out->measure, out->measure, step);
     }
     for (int j = 0; j < m->dim; j++) {
+        mpq_set_z(out->normal[j], x->normal[j]);
         if (out->norm == FMB_NORM_MAX)
             mpz_set_si(x->normal[j], mpz_sgn(x->normal[j]));
         mpq_set_z(out->shift[j], x->normal[j]);
@@ -157,10 +164,10 @@ static fmb_status answer_by_normals(fmb_minkowski *m, fmb_run *run, fmb_proximit
     fmb_find_least_overlap(m, out->norm, &x);
     int sign = mpz_sgn(x.overlap);
     *verdict = sign < 0 ? FMB_INFEASIBLE : FMB_FEASIBLE;
-    if (sign > 0)
-        write_least_overlap(m, &x, out);
     if (sign == 0)
         st = fmb_find_nearest(m, run, NULL, verdict);
+    if (*verdict == FMB_FEASIBLE)
+        write_least_overlap(m, &x, out);
     fmb_least_overlap_clear(&x);
     return st;
 }

@@ -251,6 +251,7 @@ static void write_nearest(wolfe *w, fmb_proximity *out)
             add_travel(w, (int)k, (int)j, out);
         }
         mpq_sub(out->shift[j], out->point[0][j], out->point[1][j]);
+        mpq_neg(out->normal[j], out->shift[j]);
         mpq_mul(w->t, out->shift[j], out->shift[j]);
         mpq_add(out->measure, out->measure, w->t);
     }

@@ -15,9 +15,9 @@ fmb_status fmb_proximity_new(int dim, fmb_norm norm, const fmb_alloc *hook, fmb_
     p->mem = mem;
     p->dim = dim;
     p->norm = norm;
-    mpq_t **const list[] = {&p->point[0], &p->point[1], &p->shift};
+    mpq_t **const list[] = {&p->point[0], &p->point[1], &p->shift, &p->normal};
     fmb_status st = FMB_OK;
-    for (int k = 0; st == FMB_OK && k < 3; k++)
+    for (int k = 0; st == FMB_OK && k < 4; k++)
         st = fmb_rationals_new(list[k], (size_t)dim, &p->mem);
     if (st == FMB_OK)
         *out = p;
@@ -33,6 +33,7 @@ void fmb_proximity_free(fmb_proximity *p)
     for (int k = 0; k < 2; k++)
         fmb_rationals_free(p->point[k], (size_t)p->dim, &p->mem);
     fmb_rationals_free(p->shift, (size_t)p->dim, &p->mem);
+    fmb_rationals_free(p->normal, (size_t)p->dim, &p->mem);
     mpq_clear(p->measure);
     mpq_clear(p->time);
     fmb_mem mem = p->mem;

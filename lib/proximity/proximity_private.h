@@ -15,6 +15,8 @@ struct fmb_proximity {
     mpq_t time;
     mpq_t *point[2]; /* [dim] of the first frame, of the second */
     mpq_t *shift;    /* [dim] */
+    mpq_t *normal;   /* [dim] away from the first, of any length; all 0 if they touch and apart was
+                        asked */
 };
 
 /* [give] All zeros. Errors: MEMORY. */

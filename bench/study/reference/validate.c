@@ -10,6 +10,7 @@
 #include "study/reference/proofs.h"
 #include "study/reference/truth.h"
 #include "study/reference/validate_boxes.h"
+#include "study/reference/validate_contacts.h"
 
 struct study_validator {
     study_validation v;
@@ -17,7 +18,8 @@ struct study_validator {
     unsigned ways; /* bits: those that say something new in this dimension */
     fmb_pair *way[STUDY_PAIR_WAYS];
     study_proofs *proofs;
-    study_box_bench *boxes; /* NULL: not wanted */
+    study_box_bench *boxes;        /* NULL: not wanted */
+    study_contact_bench *contacts; /* NULL: not wanted */
     study_pairs pairs;
     study_verdicts verdicts[STUDY_VALIDATE_MOST];
     unsigned faults[STUDY_VALIDATE_MOST];
@@ -49,6 +51,8 @@ fmb_status study_validator_open(const study_validation *v, study_validator **out
         st = study_proofs_open(&s->proofs);
     if (st == FMB_OK && v->boxes)
         st = study_box_bench_open(v->plan.dim, v->simd, &s->boxes);
+    if (st == FMB_OK && v->contacts)
+        st = study_contact_bench_open(v->plan.dim, v->simd, &s->contacts);
     if (st == FMB_OK)
         *out = s;
     else
@@ -64,6 +68,7 @@ void study_validator_close(study_validator *s)
         fmb_pair_free(s->way[i]);
     study_proofs_close(s->proofs);
     study_box_bench_close(s->boxes);
+    study_contact_bench_close(s->contacts);
     study_pairs_free(&s->pairs);
     free(s);
 }
@@ -76,6 +81,8 @@ void study_validator_cancel(study_validator *s)
     study_proofs_cancel(s->proofs);
     if (s->boxes)
         study_box_bench_cancel(s->boxes);
+    if (s->contacts)
+        study_contact_bench_cancel(s->contacts);
 }
 
 /* ---- one lot of pairs ------------------------------------------------------------------------ */
@@ -215,6 +222,8 @@ fmb_status study_validator_run(study_validator *s, uint64_t first, size_t n, stu
     if (st == FMB_OK)
         st = study_truth_run(s->chosen, s->p, s->q, s->index, s->verdicts, s->faults, &s->stopped,
                              &t.textbook, &t.left);
+    if (st == FMB_OK && s->contacts && !atomic_load(&s->stopped))
+        st = study_contact_bench_run(s->contacts, s->chosen, s->p, s->q, s->index, s->faults, &t);
     if (st == FMB_OK && s->boxes && !atomic_load(&s->stopped))
         st = ask_boxes(s, &t);
     s->chosen = chosen;
@@ -236,6 +245,8 @@ void study_tally_add(study_tally *to, const study_tally *more)
     to->left += more->left;
     to->boxes += more->boxes;
     to->doubtful += more->doubtful;
+    to->contacts += more->contacts;
+    to->contacts_open += more->contacts_open;
     to->disagreeing += more->disagreeing;
     for (int i = 0; i < 2; i++)
         to->unknown[i] += more->unknown[i];

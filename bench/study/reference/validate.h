@@ -16,6 +16,7 @@ typedef struct study_validation {
     uint64_t seed;
     double sample; /* share of the pairs that are held against the exact way, chosen by number */
     bool boxes;    /* of those that meet, too */
+    bool contacts; /* depths and distances of all, in two and three dimensions */
     fmb_simd simd;
 } study_validation;
 
@@ -27,6 +28,8 @@ typedef struct study_tally {
     uint64_t unknown[2];                /* [queries, two a pair] what doubles left open: FMB, SAT */
     uint64_t boxes;                     /* compared with exact ones */
     uint64_t doubtful;                  /* [boxes, two a pair] that doubles left open */
+    uint64_t contacts;                  /* compared with exact ones */
+    uint64_t contacts_open;             /* [contacts, two a pair] that doubles left open */
     uint64_t disagreeing;               /* with some fault */
     uint64_t fault[STUDY_FAULTS];
     double excess; /* the largest of a box (ends.h) */

@@ -21,9 +21,9 @@ static const way WAY[STUDY_PAIR_WAYS] = {
     [STUDY_EXACT_OPEN] = {"exact-open", STUDY_BY_EXACT, false, true},
 };
 
-static const char *const FAULT[STUDY_FAULTS] = {"sat",       "exact",    "itself",  "contact",
-                                                "undecided", "outside",  "wide",    "tightest",
-                                                "witness",   "unproved", "textbook"};
+static const char *const FAULT[STUDY_FAULTS] = {"sat",       "exact",    "itself",   "contact",
+                                                "undecided", "outside",  "wide",     "tightest",
+                                                "witness",   "unproved", "textbook", "near"};
 
 const char *study_fault_text(int i)
 {

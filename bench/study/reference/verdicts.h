@@ -45,7 +45,8 @@ enum {
     STUDY_FAULT_WITNESS = 256,   /* a witness is not in both frames */
     STUDY_FAULT_UNPROVED = 512,  /* the exact verdict has no proof that is accepted */
     STUDY_FAULT_TEXTBOOK = 1024, /* the textbook truth says something else */
-    STUDY_FAULTS = 11            /* kinds */
+    STUDY_FAULT_NEAR = 2048,     /* a depth or a distance, or what belongs to it, is wrong */
+    STUDY_FAULTS = 12            /* kinds */
 };
 
 /* "sat", ... of bit 1 << i. */

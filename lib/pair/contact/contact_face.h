@@ -4,7 +4,7 @@
 
 #include <fmb/pair.h>
 
-/* Frames of dim 2 or 3, of at most dim axes each, that stand still, and their normal as
+/* Frames that are bodies (bodies.h), that stand still, and their normal as
  * <fmb/pair.h> has it. faces[2], points[FMB_PAIR_MOST_POINTS][dim], and how many points. */
 int fmb_contact_face(const fmb_frame *p, const fmb_frame *q, const double *normal, uint8_t *faces,
                      double *points);

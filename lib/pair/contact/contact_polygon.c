@@ -23,6 +23,12 @@ static double distance(const double *a, const double *b)
     return hypot(a[0] - b[0], a[1] - b[1]);
 }
 
+static void polygon_copy(const fmb_polygon *from, fmb_polygon *to)
+{
+    memcpy(to->x, from->x, (size_t)from->n * sizeof from->x[0]);
+    to->n = from->n;
+}
+
 static void polygon_add(fmb_polygon *p, const double *x)
 {
     if (p->n < FMB_POLYGON_MOST)
@@ -71,7 +77,8 @@ static void drop_corners(fmb_polygon *p, double fuzz)
 
 void fmb_polygon_hull(fmb_polygon *p, double fuzz)
 {
-    fmb_polygon out = {.n = 0};
+    fmb_polygon out;
+    out.n = 0;
     sort_corners(p);
     for (int side = 0; side < 2; side++) { /* below from left to right, then above and back */
         int first = out.n;
@@ -84,7 +91,7 @@ void fmb_polygon_hull(fmb_polygon *p, double fuzz)
         out.n -= p->n > 1; /* which begins the other side */
     }
     drop_corners(&out, fuzz);
-    *p = out;
+    polygon_copy(&out, p);
 }
 
 /* ---- common points --------------------------------------------------------------------------- */
@@ -104,7 +111,8 @@ static double clamp(double t)
  * it, if nothing does. */
 static void clip_by_side(fmb_polygon *p, const double *a, const double *b, double fuzz)
 {
-    fmb_polygon out = {.n = 0};
+    fmb_polygon out;
+    out.n = 0;
     for (int i = 0; i < p->n; i++) {
         const double *x = p->x[i], *y = p->x[(i + 1) % p->n];
         double s = left_of(a, b, x), t = left_of(a, b, y);
@@ -114,7 +122,7 @@ static void clip_by_side(fmb_polygon *p, const double *a, const double *b, doubl
             polygon_add_between(&out, x, y, clamp(s / (s - t)));
     }
     if (out.n > 0)
-        *p = out;
+        polygon_copy(&out, p);
 }
 
 /* a is the longer segment: where b's ends lie along it, or where the two cross. */
@@ -143,7 +151,7 @@ void fmb_polygon_meet(const fmb_polygon *a, const fmb_polygon *b, double fuzz, f
         a = b;
         b = t;
     }
-    *out = *b;
+    polygon_copy(b, out);
     if (a->n == 2 && b->n == 2) {
         bool longer = distance(a->x[0], a->x[1]) >= distance(b->x[0], b->x[1]);
         meet_segments(longer ? a : b, longer ? b : a, fuzz, out);
@@ -158,7 +166,8 @@ void fmb_polygon_meet(const fmb_polygon *a, const fmb_polygon *b, double fuzz, f
 void fmb_polygon_reduce(fmb_polygon *p)
 {
     int keep[4] = {0, 0, 0, 0}, n = 0;
-    fmb_polygon out = {.n = 0};
+    fmb_polygon out;
+    out.n = 0;
     if (p->n <= 4)
         return;
     for (int i = 1; i < p->n; i++)
@@ -176,5 +185,5 @@ void fmb_polygon_reduce(fmb_polygon *p)
             polygon_add(&out, p->x[i]);
             n++;
         }
-    *p = out;
+    polygon_copy(&out, p);
 }

@@ -2,8 +2,8 @@
 #ifndef FMB_PAIR_CONTACT_CONTACT_POLYGON_H
 #define FMB_PAIR_CONTACT_CONTACT_POLYGON_H
 
-/* Of two polygons of eight corners each. */
-enum { FMB_POLYGON_MOST = 16 };
+/* Of two polygons of 64 corners each. */
+enum { FMB_POLYGON_MOST = 128 };
 
 /* Corners against the clock; two of a segment, one of a point. */
 typedef struct fmb_polygon {

@@ -36,6 +36,8 @@ static fmb_status write_contact(const contacts_query *x, fmb_frames_pair pair,
         normal[j] = from->normal[j][lane];
     fmb_frame p = fmb_frames_at(x->a, pair.a), q = fmb_frames_at(x->b, pair.b);
     fmb_contact_write(&p, &q, from->depth[lane], normal, &one);
+    if (one.distance)
+        *one.distance = 0;
     return FMB_OK;
 }
 
@@ -56,6 +58,19 @@ static fmb_status ask_contacts(const contacts_query *x, size_t n, const fmb_fram
         st = write_contact(x, pair[j], &lanes[j / (size_t)w->width], (int)(j % (size_t)w->width),
                            number[j], out);
     return st;
+}
+
+/* Pair i of out, whose verdict is known; no depth is asked for. */
+static fmb_status answer_without_depth(const contacts_query *x, fmb_frames_pair pair, size_t i,
+                                       const fmb_pair_answers *out)
+{
+    fmb_pair_answers one = fmb_contact_answers_from(out, (size_t)x->k->dim, i);
+    fmb_frame p = fmb_frames_at(x->a, pair.a), q = fmb_frames_at(x->b, pair.b);
+    if (*one.verdict == FMB_FEASIBLE && one.distance)
+        *one.distance = 0;
+    return *one.verdict == FMB_INFEASIBLE && fmb_contact_asks_distance(out)
+               ? fmb_contact_answer_apart(x->k, &p, &q, NULL, &one)
+               : FMB_OK;
 }
 
 /* n pairs of one kind that a kernel knows, from pair i of out on. Verdicts come first, which cost a
@@ -81,9 +96,11 @@ static fmb_status ask_contacts_of_kind(const contacts_query *x, size_t n,
         if (out->verdict[i + j] == FMB_UNKNOWN) {
             fmb_pair_answers one = fmb_contact_answers_from(out, (size_t)x->k->dim, i + j);
             st = answer_contact_as_frames(x, pair[j], &one);
-        } else if (out->verdict[i + j] == FMB_FEASIBLE) {
+        } else if (out->verdict[i + j] == FMB_FEASIBLE && fmb_contact_asks_depth(out)) {
             meeting[found] = pair[j];
             number[found++] = i + j;
+        } else {
+            st = answer_without_depth(x, pair[j], i + j, out);
         }
         if (found == CONTACTS_OF_CALL) {
             st = ask_contacts(x, found, meeting, number, out);

@@ -119,7 +119,7 @@ static fmb_status answer_portion(fmb_pair *k, const pairs_query *x, size_t from)
         return FMB_OK;
     }
     k->counts.pairs += n;
-    if (fmb_contact_is_asked(o)) {
+    if (fmb_contact_asks_depth(o) || fmb_contact_asks_distance(o)) {
         fmb_pair_answers some = fmb_contact_answers_from(o, (size_t)k->dim, from);
         return fmb_packed_contacts(k, x->a, x->b, n, pair, &some);
     }

@@ -1,0 +1,110 @@
+/* contact_near.c: see contact_near.h. */
+#include "pair/contact/contact_near.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "pair/contact/epa.h"
+
+typedef struct asked_bodies {
+    fmb_bodies b;
+    fmb_gjk g;
+} asked_bodies;
+
+/* From a guess between the middles of vertices that are about opposite. False: it underflows. */
+static bool ask_nearest_point(const fmb_frame *p, const fmb_frame *q, asked_bodies *x)
+{
+    double guess[3] = {0, 0, 0};
+    const fmb_body_vertices *s = x->b.side;
+    fmb_bodies_init(p, q, &x->b);
+    x->g.b = &x->b;
+    for (int j = 0; j < p->dim; j++)
+        guess[j] = (s[0].x[j][0] + s[0].x[j][s[0].n / 2]) - (s[1].x[j][0] + s[1].x[j][s[1].n / 2]);
+    if (x->b.known)
+        fmb_gjk_nearest(&x->g, guess);
+    return x->b.known;
+}
+
+/* The distance is at least g.apart, and at most that between two points. */
+static bool tell_distance(const asked_bodies *x, const fmb_frame *p, const fmb_frame *q,
+                          fmb_pair_near *out)
+{
+    const fmb_bodies *b = &x->b;
+    double point[2][3], time, length = 0, between = 0;
+    fmb_gjk_points(&x->g, point, &time);
+    for (int j = 0; j < b->dim; j++) {
+        double way = point[0][j] - point[1][j] + time * b->drift[j];
+        length += x->g.x[j] * x->g.x[j];
+        between += way * way;
+    }
+    length = sqrt(length);
+    out->length = ldexp(length, b->exponent);
+    for (int j = 0; j < b->dim; j++) {
+        out->normal[j] = -x->g.along[j];
+        for (int k = 0; k < 2; k++) {
+            const double *speed = k == 0 ? p->speed : q->speed;
+            out->point[k][j] =
+                fmb_bodies_place(b, p, j, point[k][j]) + (speed ? time * speed[j] : 0);
+        }
+    }
+    return fmax(length, sqrt(between)) - x->g.apart <= 0x1p-41 * b->reach;
+}
+
+bool fmb_contact_distance(const fmb_frame *p, const fmb_frame *q, fmb_pair_near *out)
+{
+    asked_bodies x;
+    return ask_nearest_point(p, q, &x) && x.g.apart > 0 && tell_distance(&x, p, q, out);
+}
+
+fmb_verdict fmb_contact_of_hulls(const fmb_frame *p, const fmb_frame *q, bool *good,
+                                 fmb_pair_near *out)
+{
+    asked_bodies x;
+    bool known = ask_nearest_point(p, q, &x);
+    bool wants = *good;
+    *good = false;
+    if (known && x.g.apart > 0) {
+        *good = wants && tell_distance(&x, p, q, out);
+        return FMB_INFEASIBLE;
+    }
+    if (!known || !fmb_gjk_is_inside(&x.g))
+        return FMB_UNKNOWN;
+    *good = wants && fmb_epa_depth(&x.g, &out->length, out->normal);
+    if (*good)
+        out->length = ldexp(out->length, x.b.exponent);
+    return FMB_FEASIBLE;
+}
+
+/* How far a body goes along sign times n. */
+static double reach_along(const fmb_body_vertices *s, int dim, const double *n, double sign)
+{
+    double most = -DBL_MAX;
+    for (int v = 0; v < s->n; v++) {
+        double at = 0;
+        for (int j = 0; j < dim; j++)
+            at += sign * n[j] * s->x[j][v];
+        most = fmax(most, at);
+    }
+    return most;
+}
+
+/* The middle of what is between; what is left on either side must exceed the errors (gjk.h) of both
+ * bodies, and what is rounded where the origin comes in. */
+double fmb_contact_offset(const fmb_frame *p, const fmb_frame *q, const double *normal)
+{
+    fmb_bodies b;
+    double sum = 0, size = 0;
+    fmb_bodies_init(p, q, &b);
+    if (!b.known || b.moves)
+        return NAN;
+    double low = reach_along(&b.side[0], b.dim, normal, 1);
+    double high = -reach_along(&b.side[1], b.dim, normal, -1);
+    double middle = ldexp(low / 2 + high / 2, b.exponent);
+    double left = ldexp((high - low) / 2 - 32 * DBL_EPSILON * b.reach, b.exponent);
+    for (int j = 0; j < b.dim; j++) {
+        sum += normal[j] * p->origin[j];
+        size += fabs(normal[j] * p->origin[j]);
+    }
+    double error = 8 * DBL_EPSILON * (size + fabs(middle)) + 32 * DBL_TRUE_MIN;
+    return left * (1 - DBL_EPSILON) > error ? sum + middle : NAN;
+}

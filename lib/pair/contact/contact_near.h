@@ -1,0 +1,28 @@
+/* contact_near.h: how far apart two bodies (bodies.h) are, and what hulls of many corners do, in
+ * doubles that are proved.
+ */
+#ifndef FMB_PAIR_CONTACT_CONTACT_NEAR_H
+#define FMB_PAIR_CONTACT_CONTACT_NEAR_H
+
+#include <fmb/pair.h>
+
+/* How deep or how far apart: off by rounding alone. */
+typedef struct fmb_pair_near {
+    double length,
+        normal[3];      /* of length 1, or 0 where frames touch that are apart (open contact) */
+    double point[2][3]; /* of frames that are apart: the nearest of each */
+} fmb_pair_near;
+
+/* Of frames that are apart: the distance, the normal, the nearest points, as <fmb/pair.h> promises
+ * them. False: that is not certain. */
+bool fmb_contact_distance(const fmb_frame *p, const fmb_frame *q, fmb_pair_near *out);
+
+/* Do they meet? UNKNOWN: that is not certain. If *good, then how far or deep is asked for, too, and
+ * *good becomes whether that is known. */
+fmb_verdict fmb_contact_of_hulls(const fmb_frame *p, const fmb_frame *q, bool *good,
+                                 fmb_pair_near *out);
+
+/* b of a row normal.x <= b that holds for p, and normal.x >= b for q; NAN where none is known. */
+double fmb_contact_offset(const fmb_frame *p, const fmb_frame *q, const double *normal);
+
+#endif

@@ -1,0 +1,304 @@
+/* gjk.c: see gjk.h.
+ *
+ * The nearest point x of a simplex is turned once more to right angles with it: what it is off by
+ * then hardly tilts the plane that proves the distance. That proof needs nothing but x, and does
+ * not ask where it comes from.
+ */
+#include "pair/contact/gjk.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+/* More are a sign of rounding alone. */
+enum { MOST_STEPS = 64 };
+
+static void subtract(const double *a, const double *b, double *out)
+{
+    for (int j = 0; j < 3; j++)
+        out[j] = a[j] - b[j];
+}
+
+static void cross(const double *a, const double *b, double *out)
+{
+    out[0] = a[1] * b[2] - a[2] * b[1];
+    out[1] = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/* ---- support --------------------------------------------------------------------------------- */
+
+/* The vertex that is farthest along w. */
+static int farthest_vertex(const fmb_body_vertices *s, double wx, double wy, double wz)
+{
+    int best = 0;
+    if (s->edges > 0) {
+        for (int i = 0; i < s->edges; i++)
+            best |= (wx * s->edge[i][0] + wy * s->edge[i][1] + wz * s->edge[i][2] > 0) << i;
+        return best;
+    }
+    double most = -DBL_MAX;
+    for (int v = 0; v < s->n; v++) {
+        double at = wx * s->x[0][v] + wy * s->x[1][v] + wz * s->x[2][v];
+        best = at > most ? v : best;
+        most = at > most ? at : most;
+    }
+    return best;
+}
+
+void fmb_gjk_support(const fmb_gjk *g, const double *w, fmb_gjk_vertex *out)
+{
+    const fmb_body_vertices *a = &g->b->side[0], *b = &g->b->side[1];
+    int i = farthest_vertex(a, -w[0], -w[1], -w[2]), k = farthest_vertex(b, w[0], w[1], w[2]);
+    out->of[0] = i;
+    out->of[1] = k;
+    out->late = g->b->moves && fmb_dot3(w, g->b->drift) < 0;
+    for (int j = 0; j < 3; j++)
+        out->x[j] = a->x[j][i] - b->x[j][k] + (out->late ? g->b->drift[j] : 0);
+}
+
+/* ---- the nearest point of a simplex ---------------------------------------------------------- */
+
+static void keep_vertices(fmb_gjk *g, int n, const int *which)
+{
+    fmb_gjk_vertex v[3];
+    for (int i = 0; i < n; i++)
+        v[i] = g->v[which[i]];
+    memcpy(g->v, v, (size_t)n * sizeof *v);
+    g->n = n;
+}
+
+static void nearest_of_vertex(fmb_gjk *g, int i)
+{
+    keep_vertices(g, 1, &i);
+    memcpy(g->x, g->v[0].x, sizeof g->x);
+    g->weight[0] = 1;
+}
+
+static void nearest_of_edge(fmb_gjk *g, int i, int k)
+{
+    double d[3];
+    subtract(g->v[k].x, g->v[i].x, d);
+    double length = fmb_dot3(d, d), t = -fmb_dot3(g->v[i].x, d);
+    if (!(t > 0)) {
+        nearest_of_vertex(g, i);
+        return;
+    }
+    if (t >= length) {
+        nearest_of_vertex(g, k);
+        return;
+    }
+    t /= length;
+    keep_vertices(g, 2, (const int[2]){i, k});
+    for (int j = 0; j < 3; j++)
+        g->x[j] = g->v[0].x[j] + t * d[j];
+    double off = fmb_dot3(g->x, d) / length;
+    for (int j = 0; j < 3; j++)
+        g->x[j] -= off * d[j];
+    g->weight[0] = 1 - t;
+    g->weight[1] = t;
+}
+
+/* Ericson, Real-Time Collision Detection (2005), 5.1.5, with 0 as the point. */
+static void nearest_of_triangle(fmb_gjk *g, int i, int k, int l)
+{
+    const double *a = g->v[i].x, *b = g->v[k].x, *c = g->v[l].x;
+    double ab[3], ac[3], n[3];
+    subtract(b, a, ab);
+    subtract(c, a, ac);
+    double d1 = -fmb_dot3(ab, a), d2 = -fmb_dot3(ac, a), d3 = -fmb_dot3(ab, b),
+           d4 = -fmb_dot3(ac, b);
+    double d5 = -fmb_dot3(ab, c), d6 = -fmb_dot3(ac, c);
+    double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
+    if (d1 <= 0 && d2 <= 0) {
+        nearest_of_vertex(g, i);
+    } else if (d3 >= 0 && d4 <= d3) {
+        nearest_of_vertex(g, k);
+    } else if (d6 >= 0 && d5 <= d6) {
+        nearest_of_vertex(g, l);
+    } else if (vc <= 0 && d1 >= 0 && d3 <= 0) {
+        nearest_of_edge(g, i, k);
+    } else if (vb <= 0 && d2 >= 0 && d6 <= 0) {
+        nearest_of_edge(g, i, l);
+    } else if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
+        nearest_of_edge(g, k, l);
+    } else {
+        cross(ab, ac, n);
+        double sum = va + vb + vc, off = fmb_dot3(n, a) / fmb_dot3(n, n);
+        keep_vertices(g, 3, (const int[3]){i, k, l});
+        g->weight[0] = va / sum;
+        g->weight[1] = vb / sum;
+        g->weight[2] = vc / sum;
+        for (int j = 0; j < 3; j++)
+            g->x[j] = off * n[j];
+    }
+}
+
+/* Does face i, k, l have 0 on the other side than vertex m? */
+static bool is_outside_face(const fmb_gjk *g, int i, int k, int l, int m)
+{
+    double ab[3], ac[3], am[3], n[3];
+    subtract(g->v[k].x, g->v[i].x, ab);
+    subtract(g->v[l].x, g->v[i].x, ac);
+    subtract(g->v[m].x, g->v[i].x, am);
+    cross(ab, ac, n);
+    return fmb_dot3(n, g->v[i].x) * fmb_dot3(n, am) >= 0;
+}
+
+const uint8_t FMB_GJK_FACE[2][4][3] = {{{0, 1, 0}, {1, 2, 0}, {2, 0, 0}},
+                                       {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}}};
+
+/* The nearest of the faces at the last vertex, beyond which 0 lies; 0 was not beyond the first. */
+static void nearest_of_tetrahedron(fmb_gjk *g)
+{
+    fmb_gjk best = *g;
+    double least = INFINITY;
+    for (int i = 0; i < 3; i++) {
+        const uint8_t *f = FMB_GJK_FACE[1][i];
+        if (!is_outside_face(g, f[0], f[1], f[2], 3 - f[0] - f[1]))
+            continue;
+        fmb_gjk one = *g;
+        nearest_of_triangle(&one, f[0], f[1], f[2]);
+        double square = fmb_dot3(one.x, one.x);
+        if (square < least) {
+            least = square;
+            best = one;
+        }
+    }
+    if (least < INFINITY) {
+        *g = best;
+        return;
+    }
+    g->weight[0] = -1;
+    memset(g->x, 0, sizeof g->x);
+}
+
+static void nearest_of_simplex(fmb_gjk *g)
+{
+    if (g->n == 1)
+        nearest_of_vertex(g, 0);
+    else if (g->n == 2)
+        nearest_of_edge(g, 0, 1);
+    else if (g->n == 3)
+        nearest_of_triangle(g, 0, 1, 2);
+    else
+        nearest_of_tetrahedron(g);
+}
+
+/* ---- the nearest point of M ------------------------------------------------------------------ */
+
+static bool is_in_simplex(const fmb_gjk *g, const fmb_gjk_vertex *v)
+{
+    int i = 0;
+    while (i < g->n &&
+           (g->v[i].of[0] != v->of[0] || g->v[i].of[1] != v->of[1] || g->v[i].late != v->late))
+        i++;
+    return i < g->n;
+}
+
+/* Both bodies reach so far towards each other along x: what is between, over the length. */
+static double distance_along(const fmb_gjk *g, const double *x, const double *support,
+                             double length)
+{
+    return (fmb_dot3(x, support) - 128 * (DBL_EPSILON / 2) * fmb_size3(x) * g->b->reach) / length *
+           (1 - 8 * DBL_EPSILON);
+}
+
+/* Go on with the vertex behind the simplex; false: that does not come nearer, and was undone. */
+static bool step_to_vertex(fmb_gjk *g, double *square)
+{
+    fmb_gjk before = *g;
+    g->n++;
+    nearest_of_simplex(g);
+    double now = fmb_dot3(g->x, g->x);
+    bool nearer = now < *square;
+    if (nearer)
+        *square = now;
+    else
+        *g = before;
+    return nearer;
+}
+
+void fmb_gjk_nearest(fmb_gjk *g, const double *guess)
+{
+    const double close = 0x1p-43 * g->b->reach;
+    double square = INFINITY;
+    g->apart = -INFINITY;
+    g->n = 0;
+    fmb_gjk_support(g, guess, &g->v[0]);
+    for (int step = 0; step < MOST_STEPS && step_to_vertex(g, &square); step++) {
+        double length = sqrt(square);
+        fmb_gjk_vertex *next = &g->v[g->n];
+        if (g->weight[0] < 0 || length <= close)
+            return;
+        fmb_gjk_support(g, g->x, next);
+        double apart = distance_along(g, g->x, next->x, length);
+        if (apart > g->apart) {
+            g->apart = apart;
+            for (int j = 0; j < 3; j++)
+                g->along[j] = g->x[j] / length;
+        }
+        if (square - fmb_dot3(g->x, next->x) <= close * length || is_in_simplex(g, next))
+            return;
+    }
+}
+
+void fmb_gjk_points(const fmb_gjk *g, double point[2][3], double *time)
+{
+    memset(point, 0, 2 * sizeof *point);
+    *time = 0;
+    for (int i = 0; i < g->n; i++) {
+        for (int k = 0; k < 2; k++)
+            for (int j = 0; j < 3; j++)
+                point[k][j] += g->weight[i] * g->b->side[k].x[j][g->v[i].of[k]];
+        *time += g->v[i].late ? g->weight[i] : 0;
+    }
+}
+
+/* ---- proofs that they meet ------------------------------------------------------------------- */
+
+/* With s the product of the sizes of both edges, n is off by 8 u s in each coordinate, which are 2
+ * s at most; n a by three times that and 18 u s, times the size of a; the length of n by 14 u s,
+ * and 4 u of itself, which is 2 sqrt(3) s at most. */
+double fmb_gjk_height(int dim, const double *a, const double *b, const double *c, double *n)
+{
+    const double u = DBL_EPSILON / 2;
+    double ab[3], ac[3] = {0, 0, 1};
+    subtract(b, a, ab);
+    if (dim == 3)
+        subtract(c, a, ac);
+    cross(ab, ac, n);
+    double s = fmb_size3(ab) * fmb_size3(ac), above = fmb_dot3(n, a) - 48 * u * s * fmb_size3(a);
+    return above > 0 ? above / (sqrt(fmb_dot3(n, n)) + 32 * u * s) * (1 - 8 * u) : 0;
+}
+
+/* Half of all simplices look inward. */
+static void turn_simplex(fmb_gjk *g)
+{
+    double ab[3], ac[3], ad[3] = {0, 0, 1}, n[3];
+    subtract(g->v[1].x, g->v[0].x, ab);
+    subtract(g->v[2].x, g->v[0].x, ac);
+    if (g->n > 3)
+        subtract(g->v[3].x, g->v[0].x, ad);
+    cross(ab, ac, n);
+    if (fmb_dot3(n, ad) >= 0)
+        return;
+    fmb_gjk_vertex t = g->v[0];
+    g->v[0] = g->v[1];
+    g->v[1] = t;
+}
+
+bool fmb_gjk_is_inside(fmb_gjk *g)
+{
+    int dim = g->b->dim;
+    double n[3];
+    bool inside = g->n > dim;
+    if (inside)
+        turn_simplex(g);
+    for (int i = 0; inside && i <= dim; i++) {
+        const uint8_t *f = FMB_GJK_FACE[dim - 2][i];
+        inside = fmb_gjk_height(dim, g->v[f[0]].x, g->v[f[1]].x, g->v[f[2]].x, n) >
+                 32 * DBL_EPSILON * g->b->reach;
+    }
+    return inside;
+}
