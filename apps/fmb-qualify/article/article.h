@@ -25,6 +25,7 @@ typedef struct article_repeated {
     size_t pairs;
     double fmb, sat, best;    /* [ns]; best: of whichever is faster for the pair */
     double mean, least, most; /* of FMB over SAT */
+    double first[2]; /* the mean where A is a cuboid, a simplex: CT in both orders; or NaN */
 } article_repeated;
 
 typedef struct article_cell {

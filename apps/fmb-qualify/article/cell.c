@@ -11,8 +11,9 @@
 
 enum {
     REPEATED_PAIRS = 512,
-    REPEATS = 64,   /* makes reading the clock less than 1 % of a pair's time */
-    MORE_PASSES = 8 /* of ours, which are so much shorter than those of the article's ways */
+    MOST_REPEATS = 1500, /* the article's, in the plane */
+    REPEATED_NS = 50000, /* a reading of the clock, of about 1000 ns at worst, is little of that */
+    MORE_PASSES = 8      /* of ours, which are so much shorter than those of the article's ways */
 };
 
 /* Everything that answers the pairs of a cell. */
@@ -20,9 +21,11 @@ typedef struct bench {
     verdict_pool pool;
     verdict_rivals ours;
     study_article *listing;
-    fmb_frames *a, *b;       /* the pool's frames */
-    fmb_frames_pair *number; /* [n] pair i: frame i of each */
-    fmb_verdict *verdict;    /* [2][n] FMB, SAT */
+    study_sat_records_meet *program;
+    study_sat_record *record[2]; /* [n] the pool's frames as the article's SAT has them */
+    fmb_frames *a, *b;           /* and ours */
+    fmb_frames_pair *number;     /* [n] pair i: frame i of each */
+    fmb_verdict *verdict;        /* [2][n] FMB, SAT */
     int repeats;
 } bench;
 
@@ -50,11 +53,11 @@ static fmb_status run_listed_fmb(void *self, size_t first, size_t n)
 static fmb_status run_listed_sat(void *self, size_t first, size_t n)
 {
     asker *s = self;
-    const verdict_pool *pool = &s->of->pool;
+    study_sat_record *const *record = s->of->record;
+    study_sat_records_meet *meet = s->of->program;
     for (size_t i = first; i < first + n; i++)
         for (int r = 0; r < s->of->repeats; r++)
-            s->verdict[i] =
-                study_sat_plain(&pool->p[i], &pool->q[i]) ? FMB_FEASIBLE : FMB_INFEASIBLE;
+            s->verdict[i] = meet(&record[0][i], &record[1][i]) ? FMB_FEASIBLE : FMB_INFEASIBLE;
     return FMB_OK;
 }
 
@@ -116,20 +119,24 @@ static fmb_status time_duel(bench *b, article_way way, const qualify_setup *o, a
 }
 
 /* What way took for a query of a group, the median of the passes [ns]. */
-static double median_of_passes(const study_clock *c, size_t way, size_t group)
+static double median_of_passes(const study_clock *c, int repeats, size_t way, size_t group)
 {
     double x[STUDY_CLOCK_MOST_PASSES];
     for (size_t pass = 0; pass < (size_t)c->complete; pass++)
         x[pass] = c->seconds[(pass * c->ways + way) * c->groups + group];
-    return 1e9 * study_spread_of(x, (size_t)c->complete).median / REPEATS;
+    return 1e9 * study_spread_of(x, (size_t)c->complete).median / repeats;
 }
 
-static void conclude_repeated(const study_clock *c, article_repeated *r)
+static void conclude_repeated(const study_clock *c, const bench *b, article_repeated *r)
 {
+    double pairs[2] = {0, 0}, sum[2] = {0, 0};
     r->least = INFINITY;
     for (size_t i = 0; i < r->pairs; i++) {
-        double fmb = median_of_passes(c, 0, i), sat = median_of_passes(c, 1, i),
-               n = (double)r->pairs;
+        double fmb = median_of_passes(c, b->repeats, 0, i), n = (double)r->pairs;
+        double sat = median_of_passes(c, b->repeats, 1, i);
+        int first = b->pool.p[i].shape == FMB_SIMPLEX;
+        pairs[first]++;
+        sum[first] += fmb / sat;
         r->fmb += fmb / n;
         r->sat += sat / n;
         r->best += fmin(fmb, sat) / n;
@@ -137,6 +144,8 @@ static void conclude_repeated(const study_clock *c, article_repeated *r)
         r->least = fmin(r->least, fmb / sat);
         r->most = fmax(r->most, fmb / sat);
     }
+    for (int first = 0; first < 2; first++)
+        r->first[first] = sum[first] / pairs[first];
 }
 
 static fmb_status time_repeated_pairs(bench *b, const qualify_setup *o, article_cell *cell)
@@ -150,12 +159,14 @@ static fmb_status time_repeated_pairs(bench *b, const qualify_setup *o, article_
                      .groups = n,
                      .passes = o->passes,
                      .step = qualify_watch_step_within};
-    b->repeats = REPEATS;
+    const article_duel *listed = &cell->duel[ARTICLE_LISTED];
+    double once = fmax(fmin(listed->fmb.median, listed->sat.median), 1);
+    b->repeats = (int)fmax(1, fmin(MOST_REPEATS, REPEATED_NS / once));
     fmb_status st = study_clock_run(&c);
     cell->complete &= c.complete == o->passes;
     cell->repeated = (article_repeated){.pairs = n};
     if (st == FMB_OK && cell->complete)
-        conclude_repeated(&c, &cell->repeated);
+        conclude_repeated(&c, b, &cell->repeated);
     study_clock_clear(&c);
     return st;
 }
@@ -167,7 +178,10 @@ static fmb_status bench_open(const verdict_class *c, const qualify_setup *o, ben
     size_t n = o->pairs;
     b->number = malloc(n * sizeof *b->number);
     b->verdict = calloc(2 * n, sizeof *b->verdict);
-    if (!b->number || !b->verdict)
+    b->program = study_sat_program(c->dim, c->moves);
+    for (int side = 0; side < 2; side++)
+        b->record[side] = malloc(n * sizeof *b->record[side]);
+    if (!b->number || !b->verdict || !b->record[0] || !b->record[1])
         return FMB_ERR_MEMORY;
     for (size_t i = 0; i < n; i++)
         b->number[i] = (fmb_frames_pair){(uint32_t)i, (uint32_t)i};
@@ -176,6 +190,10 @@ static fmb_status bench_open(const verdict_class *c, const qualify_setup *o, ben
         st = study_article_new(&b->listing);
     if (st == FMB_OK)
         st = verdict_pool_make(&(verdict_source){0}, c, o->seed, n, b->ours.fmb, &b->pool);
+    for (size_t i = 0; st == FMB_OK && i < n; i++) {
+        study_sat_record_make(&b->pool.p[i], &b->record[0][i]);
+        study_sat_record_make(&b->pool.q[i], &b->record[1][i]);
+    }
     if (st == FMB_OK)
         st = fmb_frames_new(c->dim, n, b->pool.p, NULL, &b->a);
     return st == FMB_OK ? fmb_frames_new(c->dim, n, b->pool.q, NULL, &b->b) : st;
@@ -188,6 +206,8 @@ static void bench_close(bench *b)
     verdict_pool_free(&b->pool);
     study_article_free(b->listing);
     verdict_rivals_close(&b->ours);
+    free(b->record[0]);
+    free(b->record[1]);
     free(b->number);
     free(b->verdict);
 }

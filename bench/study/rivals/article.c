@@ -182,7 +182,7 @@ ARTICLE_INLINE double *pair_rows(const double *p, const double *end, int columns
 }
 
 /* Rows without the first variable, unless one of them is refuted. */
-ARTICLE_INLINE size_t count_rows_of_next_level(int columns, const level *from)
+static size_t count_rows_of_next_level(int columns, const level *from)
 {
     size_t above = 0, below = 0;
     for (size_t i = 0; i < from->m; i++) {
@@ -193,14 +193,24 @@ ARTICLE_INLINE size_t count_rows_of_next_level(int columns, const level *from)
     return above * below + from->m - above - below;
 }
 
+/* Room for them. The program has arrays that sufficed: they are counted where m rows could make
+ * more than there is room for, at most m^2 / 4 and m. */
+ARTICLE_INLINE progress make_room(int columns, const level *from, level *to)
+{
+    if (from->m * from->m / 4 + from->m <= to->capacity)
+        return GOES_ON;
+    size_t most = count_rows_of_next_level(columns, from);
+    return most > MOST_ROWS ? TOO_MANY : reserve(to, most) ? GOES_ON : NO_MEMORY;
+}
+
 /* The first variable goes: every pair of opposite signs in the order of the rows, then the rows
  * without it. */
 ARTICLE_INLINE progress eliminate_into(int columns, const level *from, level *to)
 {
     const double *end = from->a + from->m * (size_t)(columns + 1);
-    size_t most = count_rows_of_next_level(columns, from);
-    if (most > MOST_ROWS || !reserve(to, most))
-        return most > MOST_ROWS ? TOO_MANY : NO_MEMORY;
+    progress at = make_room(columns, from, to);
+    if (at != GOES_ON)
+        return at;
     double *row = to->a;
     for (const double *p = from->a; p < end; p += columns + 1) {
         if (fabs(p[0]) <= epsilon)

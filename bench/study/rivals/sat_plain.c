@@ -10,14 +10,22 @@
  */
 #include "study/rivals/sat_plain.h"
 
+#include <string.h>
+
 enum { MOST_EDGES = 6 };
 
 /* Compiled once for each number of dimensions. */
 #define SAT_PLAIN_INLINE static inline __attribute__((always_inline))
 
+/* A frame by its numbers, wherever they are. */
+typedef struct body {
+    fmb_shape shape;
+    const double *origin, *axes, *speed;
+} body;
+
 /* Both frames, and the way of Q as P sees it; NULL if nothing moves. */
 typedef struct scene {
-    const fmb_frame *p, *q;
+    body p, q;
     const double *way;
 } scene;
 
@@ -30,7 +38,7 @@ SAT_PLAIN_INLINE double dot(int dim, const double *a, const double *b)
 }
 
 /* The first dim + 1 corners are those of a simplex, all 2^dim those of a cuboid. */
-SAT_PLAIN_INLINE void add_up_corner(int dim, const fmb_frame *f, int which, double *corner)
+SAT_PLAIN_INLINE void add_up_corner(int dim, const body *f, int which, double *corner)
 {
     static const int AXES[8] = {0, 1, 2, 4, 3, 5, 6, 7}; /* in space, as bits */
     int axes = dim == 2 ? which : AXES[which];
@@ -50,8 +58,8 @@ SAT_PLAIN_INLINE void widen(double x, double *ends)
 }
 
 /* Where f lies on the axis, on all of its way. */
-SAT_PLAIN_INLINE void project_corners(int dim, const fmb_frame *f, const double *way,
-                                      const double *axis, double *ends)
+SAT_PLAIN_INLINE void project_corners(int dim, const body *f, const double *way, const double *axis,
+                                      double *ends)
 {
     double corner[3];
     bool first = true;
@@ -72,8 +80,10 @@ SAT_PLAIN_INLINE void project_corners(int dim, const fmb_frame *f, const double 
 SAT_PLAIN_INLINE bool separates_frames(int dim, bool moves, const scene *s, const double *axis)
 {
     double ends[2][2];
-    for (int i = 0; i < 2; i++)
-        project_corners(dim, i == 0 ? s->p : s->q, moves && i == 1 ? s->way : NULL, axis, ends[i]);
+    for (int i = 0; i < 2; i++) {
+        const body f = i == 0 ? s->p : s->q; /* a copy: its pointers stay in registers */
+        project_corners(dim, &f, moves && i == 1 ? s->way : NULL, axis, ends[i]);
+    }
     return ends[0][1] < ends[1][0] || ends[1][1] < ends[0][0];
 }
 
@@ -90,15 +100,21 @@ SAT_PLAIN_INLINE bool normal_separates(const scene *s, const double *edge)
     return separates(2, s, normal);
 }
 
-static bool apart_in_plane(const scene *s)
+SAT_PLAIN_INLINE bool apart_in_plane(const scene *s)
 {
-    const fmb_frame *f = s->p;
     if (s->way && normal_separates(s, s->way))
         return true;
-    for (int i = 0; i < 2; i++, f = s->q) {
-        double third[2] = {f->axes[2] - f->axes[0], f->axes[3] - f->axes[1]};
-        for (int k = f->shape == FMB_SIMPLEX ? 3 : 2; k--;)
-            if (normal_separates(s, k == 2 ? third : f->axes + 2 * k))
+    for (int i = 0; i < 2; i++) {
+        const body f = i == 0 ? s->p : s->q;
+        double third[2];
+        int edges = 2;
+        if (f.shape == FMB_SIMPLEX) {
+            third[0] = f.axes[2] - f.axes[0];
+            third[1] = f.axes[3] - f.axes[1];
+            edges = 3;
+        }
+        for (int k = edges; k--;)
+            if (normal_separates(s, k == 2 ? third : f.axes + 2 * k))
                 return true;
     }
     return false;
@@ -113,7 +129,7 @@ typedef struct edges {
     double difference[3][3];
 } edges;
 
-static void list_edges(const fmb_frame *f, edges *s)
+static void list_edges(const body *f, edges *s)
 {
     static const int FROM[3] = {0, 2, 0}, TO[3] = {1, 1, 2};
     s->n = 3;
@@ -163,23 +179,76 @@ static bool edges_separate(const scene *s, const edges *p, const edges *q)
     return false;
 }
 
-static bool apart_in_space(const scene *s)
+static __attribute__((noinline)) bool apart_in_space(const scene *s)
 {
     edges p, q;
-    list_edges(s->p, &p);
-    list_edges(s->q, &q);
+    list_edges(&s->p, &p);
+    list_edges(&s->q, &q);
     return faces_separate(s, &p) || (s->way && swept_faces_separate(s, &q)) ||
            faces_separate(s, &q) || edges_separate(s, &p, &q);
 }
 
-bool study_sat_plain(const fmb_frame *p, const fmb_frame *q)
+SAT_PLAIN_INLINE bool do_meet(int dim, const body *p, const body *q)
 {
-    scene s = {p, q, NULL};
+    scene s = {*p, *q, NULL};
     double way[3];
     if (p->speed || q->speed) {
-        for (int j = 0; j < p->dim; j++)
+        for (int j = 0; j < dim; j++)
             way[j] = (q->speed ? q->speed[j] : 0) - (p->speed ? p->speed[j] : 0);
         s.way = way;
     }
-    return !(p->dim == 2 ? apart_in_plane(&s) : apart_in_space(&s));
+    return !(dim == 2 ? apart_in_plane(&s) : apart_in_space(&s));
+}
+
+bool study_sat_plain(const fmb_frame *p, const fmb_frame *q)
+{
+    body a = {p->shape, p->origin, p->axes, p->speed}, b = {q->shape, q->origin, q->axes, q->speed};
+    return p->dim == 2 ? do_meet(2, &a, &b) : do_meet(3, &a, &b);
+}
+
+/* ---- frames as the program has them ---------------------------------------------------------- */
+
+void study_sat_record_make(const fmb_frame *f, study_sat_record *out)
+{
+    size_t dim = (size_t)f->dim;
+    *out = (study_sat_record){.shape = f->shape};
+    memcpy(out->origin, f->origin, dim * sizeof *f->origin);
+    memcpy(out->axes, f->axes, dim * dim * sizeof *f->axes);
+    if (f->speed)
+        memcpy(out->speed, f->speed, dim * sizeof *f->speed);
+}
+
+SAT_PLAIN_INLINE bool do_records_meet(int dim, bool move, const study_sat_record *p,
+                                      const study_sat_record *q)
+{
+    const body a = {p->shape, p->origin, p->axes, move ? p->speed : NULL};
+    const body b = {q->shape, q->origin, q->axes, move ? q->speed : NULL};
+    return do_meet(dim, &a, &b);
+}
+
+static bool do_still_2(const study_sat_record *p, const study_sat_record *q)
+{
+    return do_records_meet(2, false, p, q);
+}
+
+static bool do_moving_2(const study_sat_record *p, const study_sat_record *q)
+{
+    return do_records_meet(2, true, p, q);
+}
+
+static bool do_still_3(const study_sat_record *p, const study_sat_record *q)
+{
+    return do_records_meet(3, false, p, q);
+}
+
+static bool do_moving_3(const study_sat_record *p, const study_sat_record *q)
+{
+    return do_records_meet(3, true, p, q);
+}
+
+study_sat_records_meet *study_sat_program(int dim, bool move)
+{
+    static study_sat_records_meet *const PROGRAM[2][2] = {{do_still_2, do_moving_2},
+                                                          {do_still_3, do_moving_3}};
+    return PROGRAM[dim - 2][move];
 }

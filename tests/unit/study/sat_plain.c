@@ -26,6 +26,11 @@ static void agree(study_pair_family family, int dim, bool moves, uint64_t pairs)
         cr_assert_eq(study_sat_plain(&one.p, &one.q), verdict == FMB_FEASIBLE,
                      "%s %dD, moves %d, pair %d", study_pair_family_text(family), dim, moves,
                      (int)i);
+        study_sat_record record[2];
+        study_sat_record_make(&one.p, &record[0]);
+        study_sat_record_make(&one.q, &record[1]);
+        cr_assert_eq(study_sat_program(dim, moves)(&record[0], &record[1]),
+                     study_sat_plain(&one.p, &one.q));
         meet += verdict == FMB_FEASIBLE;
     }
     cr_assert(meet > pairs / 20 && meet < pairs - pairs / 20, "%zu meet", meet);

@@ -1,0 +1,227 @@
+/* beside.c: the article's program beside what stands for it here (study/rivals): the same pairs,
+ * the same repetitions, in turns, processor time. Built by `beside` against a checkout of the
+ * original; no line of that is here.
+ */
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "fmb2d.h"
+#include "fmb2dt.h"
+#include "fmb3d.h"
+#include "fmb3dt.h"
+#include "sat.h"
+
+#include "study/clock/clock.h"
+#include "study/draw/pairs.h"
+#include "study/rivals/article.h"
+#include "study/rivals/sat_plain.h"
+
+enum { PAIRS = 384, REPEATED_PAIRS = 96, MOST_REPEATS = 1500, PASSES = 15, WAYS = 4, KINDS = 4 };
+
+typedef enum program { ORIGINAL, OURS } program;
+typedef enum test { FMB, SAT } test;
+
+/* The pairs of a cell, as each program has them; and what was said of the last one. */
+static union {
+    Frame2D still_2[2][PAIRS];
+    Frame3D still_3[2][PAIRS];
+    Frame2DTime moving_2[2][PAIRS];
+    Frame3DTime moving_3[2][PAIRS];
+} theirs;
+static study_pair ours[PAIRS];
+static study_sat_record records[2][PAIRS];
+static study_article *work;
+static study_sat_records_meet *our_sat;
+static bool met[PAIRS];
+
+/* ---- the ways -------------------------------------------------------------------------------- */
+
+#define LOOP(name, call)                                                                           \
+    static void name(size_t first, size_t n, int repeats)                                          \
+    {                                                                                              \
+        for (size_t i = first; i < first + n; i++)                                                 \
+            for (int r = 0; r < repeats; r++)                                                      \
+                met[i] = call;                                                                     \
+    }
+#define ORIGINALS(frames, fmb, sat)                                                                \
+    LOOP(frames##_fmb, fmb(&theirs.frames[0][i], &theirs.frames[1][i], NULL))                      \
+    LOOP(frames##_sat, sat(&theirs.frames[0][i], &theirs.frames[1][i]))
+ORIGINALS(still_2, FMBTestIntersection2D, SATTestIntersection2D)
+ORIGINALS(still_3, FMBTestIntersection3D, SATTestIntersection3D)
+ORIGINALS(moving_2, FMBTestIntersection2DTime, SATTestIntersection2DTime)
+ORIGINALS(moving_3, FMBTestIntersection3DTime, SATTestIntersection3DTime)
+
+static bool our_fmb(size_t i)
+{
+    fmb_verdict verdict;
+    study_article_test(work, &ours[i].p, &ours[i].q, STUDY_ARTICLE_PUBLISHED, NULL, &verdict);
+    return verdict == FMB_FEASIBLE;
+}
+LOOP(ours_fmb, our_fmb(i))
+LOOP(ours_sat, our_sat(&records[0][i], &records[1][i]))
+
+typedef void way(size_t first, size_t n, int repeats);
+static way *const ORIGINAL_WAY[2][2][2] = {
+    {{still_2_fmb, still_2_sat}, {moving_2_fmb, moving_2_sat}},
+    {{still_3_fmb, still_3_sat}, {moving_3_fmb, moving_3_sat}}};
+static way *const OUR_WAY[2] = {ours_fmb, ours_sat};
+
+/* ---- the pairs ------------------------------------------------------------------------------- */
+
+typedef struct cell {
+    int dim, shape[2];
+    bool moves, meets;
+} cell;
+
+#define STILL(to, make, d)                                                                         \
+    do {                                                                                           \
+        double o[d], a[d][d];                                                                      \
+        memcpy(o, f->origin, sizeof o);                                                            \
+        memcpy(a, f->axes, sizeof a);                                                              \
+        to = make(type, o, (const double(*)[d])a);                                                 \
+    } while (0)
+#define MOVING(to, make, d)                                                                        \
+    do {                                                                                           \
+        double o[d], a[d][d], v[d];                                                                \
+        memcpy(o, f->origin, sizeof o);                                                            \
+        memcpy(a, f->axes, sizeof a);                                                              \
+        memcpy(v, f->speed, sizeof v);                                                             \
+        to = make(type, o, v, (const double(*)[d])a);                                              \
+    } while (0)
+
+static void put_theirs(const cell *c, int side, size_t i, const fmb_frame *f)
+{
+    FrameType type = f->shape == FMB_CUBOID ? FrameCuboid : FrameTetrahedron;
+    if (!c->moves && c->dim == 2)
+        STILL(theirs.still_2[side][i], Frame2DCreateStatic, 2);
+    else if (!c->moves)
+        STILL(theirs.still_3[side][i], Frame3DCreateStatic, 3);
+    else if (c->dim == 2)
+        MOVING(theirs.moving_2[side][i], Frame2DTimeCreateStatic, 2);
+    else
+        MOVING(theirs.moving_3[side][i], Frame3DTimeCreateStatic, 3);
+}
+
+/* The first pairs of the article's generator that are of the cell; how many of them the programs
+ * answer in different ways. */
+static size_t draw_cell(const cell *c, uint64_t seed)
+{
+    study_pair_plan plan = {.family = STUDY_PAIR_ARTICLE, .dim = c->dim, .moves = c->moves};
+    size_t n = 0, different = 0;
+    memcpy(plan.shape, c->shape, sizeof plan.shape);
+    for (uint64_t k = 0; n < PAIRS; k++) {
+        study_pair_draw(&plan, seed, k, &ours[n]);
+        if (study_sat_plain(&ours[n].p, &ours[n].q) != c->meets)
+            continue;
+        study_sat_record_make(&ours[n].p, &records[0][n]);
+        study_sat_record_make(&ours[n].q, &records[1][n]);
+        put_theirs(c, 0, n, &ours[n].p);
+        put_theirs(c, 1, n, &ours[n].q);
+        bool said[WAYS];
+        for (int w = 0; w < WAYS; w++) {
+            (w < 2 ? ORIGINAL_WAY[c->dim - 2][c->moves][w] : OUR_WAY[w - 2])(n, 1, 1);
+            said[w] = met[n];
+        }
+        different += said[0] != said[2] || said[1] != said[3];
+        n++;
+    }
+    return different;
+}
+
+/* ---- measuring ------------------------------------------------------------------------------- */
+
+static double least(const double *x, size_t n)
+{
+    double found = x[0];
+    for (size_t i = 1; i < n; i++)
+        found = fmin(found, x[i]);
+    return found;
+}
+
+/* So many that the reading of the clock is little beside it. */
+static int choose_repeats(double ns)
+{
+    double n = 5e4 / ns;
+    return n < 1 ? 1 : n < MOST_REPEATS ? (int)n : MOST_REPEATS;
+}
+
+/* Times of a query [ns], of each of the four ways: of distinct pairs, and of one again and again,
+ * as the article has it: the mean over the pairs, each the least of the passes, as what disturbs
+ * only adds. */
+static void measure(const cell *c, double distinct[WAYS], double repeated[WAYS])
+{
+    static double all[WAYS][PASSES], each[WAYS][REPEATED_PAIRS][PASSES];
+    way *run[WAYS] = {ORIGINAL_WAY[c->dim - 2][c->moves][FMB],
+                      ORIGINAL_WAY[c->dim - 2][c->moves][SAT], OUR_WAY[FMB], OUR_WAY[SAT]};
+    for (int pass = -1; pass < PASSES; pass++)
+        for (int w = 0; w < WAYS; w++) {
+            double then = study_thread_seconds();
+            for (int again = 0; again < 4; again++)
+                run[w](0, PAIRS, 1);
+            if (pass >= 0)
+                all[w][pass] = 1e9 * (study_thread_seconds() - then) / (4 * PAIRS);
+        }
+    for (int w = 0; w < WAYS; w++)
+        distinct[w] = least(all[w], PASSES);
+    int repeats = choose_repeats(distinct[0] + distinct[1]);
+    for (int pass = 0; pass < PASSES; pass++)
+        for (size_t i = 0; i < REPEATED_PAIRS; i++)
+            for (int w = 0; w < WAYS; w++) {
+                double then = study_thread_seconds();
+                run[w](i, 1, repeats);
+                each[w][i][pass] = 1e9 * (study_thread_seconds() - then) / repeats;
+            }
+    for (int w = 0; w < WAYS; w++) {
+        repeated[w] = 0;
+        for (size_t i = 0; i < REPEATED_PAIRS; i++)
+            repeated[w] += least(each[w][i], PASSES) / REPEATED_PAIRS;
+    }
+}
+
+/* Is what stands for the program within so much of it? */
+static bool is_near(double ratio)
+{
+    return fabs(ratio - 1) <= 0.15;
+}
+
+static bool report(const cell *c, uint64_t seed)
+{
+    static const char *const LETTER[] = {[FMB_CUBOID] = "C", [FMB_SIMPLEX] = "T"};
+    double d[WAYS], r[WAYS];
+    our_sat = study_sat_program(c->dim, c->moves);
+    size_t different = draw_cell(c, seed);
+    measure(c, d, r);
+    bool good = is_near(r[2] / r[0]) && is_near(r[3] / r[1]) && is_near(d[2] / d[0]) &&
+                is_near(d[3] / d[1]);
+    printf("%d %-6s %s%s %-5s %7.1f %7.1f %6.2f %6.2f %9.1f %7.1f %6.2f %6.2f %8.2f %6.2f %3zu%s\n",
+           c->dim, c->moves ? "moving" : "still", LETTER[c->shape[0]], LETTER[c->shape[1]],
+           c->meets ? "meet" : "apart", r[0], r[1], r[2] / r[0], r[3] / r[1], d[0], d[1],
+           d[2] / d[0], d[3] / d[1], r[0] / r[1], r[2] / r[3], different, good ? "" : " *");
+    fflush(stdout);
+    return good;
+}
+
+int main(int argc, char **argv)
+{
+    uint64_t seed = argc > 1 ? strtoull(argv[1], NULL, 10) : 1;
+    int good = 0, cells = 0;
+    if (study_article_new(&work) != FMB_OK)
+        return EXIT_FAILURE;
+    printf("%20srepeated, as the article does     |      distinct pairs           | FMB/SAT, "
+           "repeated\n"
+           "%20sFMB ns  SAT ns  ours/original      FMB ns  SAT ns ours/original  original   ours  "
+           "differ\n",
+           "", "");
+    for (int i = 0; i < 8 * KINDS; i++, cells++) {
+        cell c = {.dim = 2 + i / (2 * KINDS) % 2, .moves = i / (4 * KINDS), .meets = i % 2 == 0};
+        c.shape[0] = i / 2 % KINDS < 2 ? FMB_CUBOID : FMB_SIMPLEX;
+        c.shape[1] = i / 2 % 2 == 0 ? FMB_CUBOID : FMB_SIMPLEX;
+        good += report(&c, seed);
+    }
+    printf("%d of %d cells within 15 %%\n", good, cells);
+    study_article_free(work);
+    return good == cells ? EXIT_SUCCESS : EXIT_FAILURE;
+}
