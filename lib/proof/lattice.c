@@ -2,7 +2,6 @@
 #include "proof/lattice.h"
 #include "num/bitset.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* Words looked at before it is too much: some seconds. */
@@ -98,11 +97,12 @@ static void clear_level(faces_of_level *at, fmb_mem *mem)
 
 /* ---- one face -------------------------------------------------------------------------------- */
 
-/* The larger one first. */
-static int compare_sizes_of_cuts(const void *x, const void *y)
+/* Larger ones come first. */
+static void insert_cut(face_cut *cut, size_t cuts, face_cut c)
 {
-    const face_cut *a = x, *b = y;
-    return (a->size < b->size) - (a->size > b->size);
+    for (; cuts > 0 && cut[cuts - 1].size < c.size; cuts--)
+        cut[cuts] = cut[cuts - 1];
+    cut[cuts] = c;
 }
 
 /* Where r is zero[], is f&r neither empty nor f? */
@@ -131,10 +131,9 @@ static size_t cut_face(lattice_walk *w, const uint64_t *f)
             continue;
         for (size_t k = 0; k < w->parts; k++)
             set[k] = f[w->part[k]] & zero[w->part[k]];
-        w->cut[cuts++] = (face_cut){set, fmb_set_size(set, w->parts)};
+        insert_cut(w->cut, cuts++, (face_cut){set, fmb_set_size(set, w->parts)});
     }
     w->words += w->l->forms * w->parts;
-    qsort(w->cut, cuts, sizeof *w->cut, compare_sizes_of_cuts);
     return cuts;
 }
 

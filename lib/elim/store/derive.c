@@ -40,6 +40,10 @@ static void find_factors(const fmb_elim *e, const fmb_derived *r, sweep *s)
     fmb_vec_get(q, k, s->u);
     mpz_addmul(s->t, s->u, s->beta);
     fmb_vec_get(&r->v, k, s->u);
+    if (mpz_divisible_p(s->t, s->u)) { /* else a parent was divided since */
+        mpz_divexact(mpq_numref(s->content), s->t, s->u);
+        return;
+    }
     mpz_set(mpq_numref(s->content), s->t);
     mpz_set(mpq_denref(s->content), s->u);
     mpq_canonicalize(s->content);
@@ -108,8 +112,8 @@ static fmb_status sweep_down_to_base(const fmb_elim *e, sweep *s, uint32_t top, 
     for (uint32_t i = top + 1; st == FMB_OK && i-- > 0;) {
         if (!has_weight(s, i))
             continue;
-        mpz_set(mpq_numref(s->weight), mpq_numref(s->all.value[s->slot[i] - 1]));
-        mpz_set(mpq_denref(s->weight), s->denominator);
+        mpq_set_num(s->weight, mpq_numref(s->all.value[s->slot[i] - 1]));
+        mpq_set_den(s->weight, s->denominator);
         mpq_canonicalize(s->weight);
         st = fmb_weights_add(base, i, s->weight, e->run->mem);
     }
