@@ -334,6 +334,36 @@ Test(whole, changes_4)
     change(4000, 2500 / WATCHED);
 }
 
+/* The number modulo which the judge first looks at values (num/residue.h): these are 0 there, and
+ * not 0, and corners prove what they should. */
+Test(whole, values_that_are_multiples_of_the_prime)
+{
+    const int64_t prime = 536870909, row[][3] = {{-1, 0, 0}, {1, 0, 0}, {1, -1, 0}, {-1, 1, 1}};
+    const int64_t right[] = {0, prime, 0, 2 * prime};
+    const int keep[] = {0, 1};
+    for (int k = 0; k < 2; k++) {
+        const fmb_method method = k > 0 ? FMB_METHOD_DD : FMB_METHOD_HULL;
+        size_t corners = 0;
+        proved p = {.s = NULL};
+        fmb_options o = {.size = sizeof o, .evidence = FMB_EVIDENCE_WHOLE, .method = method};
+        fmb_result r = {.size = sizeof r};
+        fmb_solver *v = NULL;
+        must(fmb_system_new(3, NULL, &p.s));
+        for (int i = 0; i < 4; i++)
+            must(fmb_system_add_int(p.s, row[i], FMB_LE, right[i]));
+        must(fmb_system_add_int(p.s, (int64_t[]){0, 0, -1}, FMB_LE, -prime));
+        must(fmb_solver_new(&o, NULL, &v));
+        must(fmb_project(v, p.s, keep, 2, &p.image, &r));
+        must(fmb_solver_evidence(v, &p.e));
+        cr_expect(convinces(p.s, p.e, p.image), "method %d", method);
+        for (size_t i = 0; i < fmb_evidence_claims(p.e); i++)
+            corners += fmb_evidence_kind(p.e, i) == FMB_CLAIM_CORNER;
+        cr_expect_eq(corners, 4, "method %d: %zu corners", method, corners);
+        fmb_solver_free(v);
+        forget(&p);
+    }
+}
+
 /* The cube of n variables, seen along one more that one of them bounds: with all its corners. */
 static fmb_stats prove_cube(int n)
 {
