@@ -53,25 +53,27 @@ static void place_simplex(const fmb_frame *f, power s, const double *origin, con
                           fmb_bodies *b, fmb_body_vertices *out)
 {
     bool corners = f->shape == FMB_SIMPLEX_BY_CORNERS;
-    double longest = 0;
+    double longest = 0, sum = 0, from[3] = {0, 0, 0}, own[3] = {0, 0, 0};
     out->n = f->naxes + 1;
     out->edges = 0;
     for (int j = 0; j < 3; j++)
         out->x[j][0] = shift[j];
-    for (int i = 0; i < f->naxes; i++) {
-        double edge[3] = {0, 0, 0};
-        for (int j = 0; j < f->dim; j++) {
-            double at = scaled(s, f->axes[i * f->dim + j]);
-            out->x[j][i + 1] = corners ? at - scaled(s, origin[j]) : shift[j] + at;
-            edge[j] = corners ? at - scaled(s, f->origin[j]) : at;
-        }
-        if (f->dim == 2)
-            out->x[2][i + 1] = 0;
-        double size = fmb_size3(edge);
-        longest = size > longest ? size : longest;
-        b->reach += fmb_frame_is_hull(f) ? 0 : size;
+    for (int j = 0; j < f->dim; j++) {
+        from[j] = corners ? scaled(s, origin[j]) : -shift[j];
+        own[j] = corners ? scaled(s, f->origin[j]) : 0;
     }
-    b->reach += fmb_frame_is_hull(f) ? 2 * longest : 0;
+    for (int i = 0; i < f->naxes; i++) {
+        double size = 0;
+        out->x[2][i + 1] = 0;
+        for (int j = 0; j < f->dim; j++) {
+            double at = scaled(s, f->axes[i * f->dim + j]), edge = fabs(at - own[j]);
+            out->x[j][i + 1] = at - from[j];
+            size = edge > size ? edge : size;
+        }
+        longest = size > longest ? size : longest;
+        sum += size;
+    }
+    b->reach += fmb_frame_is_hull(f) ? 2 * longest : sum;
 }
 
 void fmb_bodies_init(const fmb_frame *p, const fmb_frame *q, fmb_bodies *out)

@@ -12,7 +12,7 @@ typedef struct asked_bodies {
 } asked_bodies;
 
 /* From a guess between the middles of vertices that are about opposite. False: it underflows. */
-static bool ask_nearest_point(const fmb_frame *p, const fmb_frame *q, asked_bodies *x)
+static bool ask_nearest_point(const fmb_frame *p, const fmb_frame *q, bool decide, asked_bodies *x)
 {
     double guess[3] = {0, 0, 0};
     const fmb_body_vertices *s = x->b.side;
@@ -21,7 +21,7 @@ static bool ask_nearest_point(const fmb_frame *p, const fmb_frame *q, asked_bodi
     for (int j = 0; j < p->dim; j++)
         guess[j] = (s[0].x[j][0] + s[0].x[j][s[0].n / 2]) - (s[1].x[j][0] + s[1].x[j][s[1].n / 2]);
     if (x->b.known)
-        fmb_gjk_nearest(&x->g, guess);
+        fmb_gjk_nearest(&x->g, guess, decide);
     return x->b.known;
 }
 
@@ -53,15 +53,14 @@ static bool tell_distance(const asked_bodies *x, const fmb_frame *p, const fmb_f
 bool fmb_contact_distance(const fmb_frame *p, const fmb_frame *q, fmb_pair_near *out)
 {
     asked_bodies x;
-    return ask_nearest_point(p, q, &x) && x.g.apart > 0 && tell_distance(&x, p, q, out);
+    return ask_nearest_point(p, q, false, &x) && x.g.apart > 0 && tell_distance(&x, p, q, out);
 }
 
 fmb_verdict fmb_contact_of_hulls(const fmb_frame *p, const fmb_frame *q, bool *good,
                                  fmb_pair_near *out)
 {
     asked_bodies x;
-    bool known = ask_nearest_point(p, q, &x);
-    bool wants = *good;
+    bool wants = *good, known = ask_nearest_point(p, q, !wants, &x);
     *good = false;
     if (known && x.g.apart > 0) {
         *good = wants && tell_distance(&x, p, q, out);

@@ -22,7 +22,8 @@ enum { MOST_VERTICES = 160, MOST_TRIANGLES = 2 * MOST_VERTICES, MOST_EDGES = 3 *
 
 typedef struct triangle {
     uint8_t v[3];
-    double n[3], height; /* the normal outward, and how far the plane certainly is away */
+    double n[3], at; /* the normal outward, and its product with a vertex */
+    double height;   /* how far the plane certainly is away */
 } triangle;
 
 typedef struct surface {
@@ -43,6 +44,7 @@ static bool add_triangle(surface *s, int a, int b, int c)
     t->v[1] = (uint8_t)b;
     t->v[2] = (uint8_t)c;
     t->height = fmb_gjk_height(s->dim, s->x[a], s->x[b], s->x[c], t->n);
+    t->at = fmb_dot3(t->n, s->x[a]);
     return true;
 }
 
@@ -79,7 +81,7 @@ static bool add_vertex(surface *s, const double *x, int beyond)
     memcpy(s->x[v], x, sizeof s->x[v]);
     s->edges = 0;
     for (int i = s->triangles - 1; i >= 0; i--)
-        if (i == beyond || fmb_dot3(s->t[i].n, x) > fmb_dot3(s->t[i].n, s->x[s->t[i].v[0]]))
+        if (i == beyond || fmb_dot3(s->t[i].n, x) > s->t[i].at)
             drop_triangle(s, i);
     bool room = true;
     for (int i = 0; room && i < s->edges; i++) {
