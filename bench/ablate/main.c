@@ -9,6 +9,7 @@
 #include <string.h>
 #include <sys/mman.h>
 
+#include "pairs.h"
 #include "subjects.h"
 #include "table.h"
 
@@ -27,14 +28,13 @@ typedef struct setup {
     unsigned problems, wrong;
 } setup;
 
-/* Ours that has this question. */
-static const peer *peer_with(peer_question question)
+/* Ours that has this question about this problem. */
+static const peer *peer_with(const problem *p, peer_question question)
 {
-    for (int i = 0; peers[i]; i++)
+    for (int i = 0; !p->own && peers[i]; i++)
         if (peers[i]->ours && (peer_maker(peers[i], question) || peer_way(peers[i], question)))
             return peers[i];
-    need(NULL);
-    return NULL;
+    return &peer_pairs;
 }
 
 static child_outcome ask(setup *s, const problem *variants, int way)
@@ -42,7 +42,7 @@ static child_outcome ask(setup *s, const problem *variants, int way)
     memset(fmb_ways_at_hand, 0, sizeof *fmb_ways_at_hand);
     if (way >= 0)
         fmb_ways_at_hand->off[way] = true;
-    return child_run(peer_with(s->limits.question), variants, &s->limits);
+    return child_run(peer_with(variants, s->limits.question), variants, &s->limits);
 }
 
 /* Are both answers the same, as far as there are two? */
@@ -96,11 +96,11 @@ static void ask_with_and_without(void *self, problem *p, peer_question question)
 {
     setup *s = self;
     problem variants[CHILD_VARIANTS];
-    if (s->question && strcmp(s->question, subject_word(question)) != 0) {
+    if (s->question && strcmp(s->question, subject_word(p, question)) != 0) {
         problem_clear(p);
         return;
     }
-    int count = p->m * (size_t)(p->n + 1) > 20000 ? 1 : 4;
+    int count = p->own || p->m * (size_t)(p->n + 1) > 20000 ? 1 : 4;
     for (int v = 0; v < count; v++)
         problem_variant(&variants[v], p, (unsigned)v);
     s->limits.question = question;

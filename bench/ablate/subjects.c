@@ -5,17 +5,18 @@
 #include <stdio.h>
 
 #include "../peers/polytope.h"
+#include "pairs.h"
 #include "study/program/program.h"
 #include "study/program/projection.h"
 #include "study/program/random.h"
 
-const char *subject_word(peer_question question)
+const char *subject_word(const problem *p, peer_question question)
 {
     static const char *const WORD[PEER_QUESTIONS] = {
         [PEER_PROJECT] = "project",  [PEER_VERTICES] = "vertices", [PEER_HULL] = "hull",
         [PEER_DECIDE] = "decide",    [PEER_BOX] = "box",           [PEER_REDUCE] = "reduce",
         [PEER_OPTIMIZE] = "optimize"};
-    return WORD[question];
+    return p && p->own ? "pairs" : WORD[question];
 }
 
 typedef struct asking {
@@ -71,7 +72,7 @@ static void ask_program(const study_program_plan *plan, int digits, peer_questio
     if (study_program_draw(plan, &drawn) != FMB_OK)
         need(NULL);
     study_program_plan_text(plan, text, sizeof text);
-    snprintf(name, sizeof name, "%s %.36s%s_%" PRIu64, subject_word(question), text,
+    snprintf(name, sizeof name, "%s %.36s%s_%" PRIu64, subject_word(NULL, question), text,
              digits > 0 ? "/" : "", plan->seed);
     problem_of_system(&p, name, dress_numbers(drawn.s, digits, plan->seed));
     drawn.s = NULL;
@@ -132,11 +133,31 @@ static void ask_tiny_programs(uint64_t seed, const asking *a)
 static const struct {
     const char *name;
     int least, most, rows; /* rows: as many times the size; 0: the family tells */
-} POLYTOPE[] = {{"cube", 5, 10, 0},     {"cross", 4, 9, 0},    {"cyclic", 4, 9, 5},
-                {"metric", 4, 5, 0},    {"cut", 4, 5, 0},      {"small", 3, 7, 10},
-                {"sphere", 3, 7, 12},   {"blocking", 3, 7, 4}, {"slice", 4, 8, 0},
-                {"lattice", 3, 7, 10},  {"zonotope", 3, 6, 3}, {"product", 4, 7, 0},
-                {"assignment", 3, 4, 0}};
+} POLYTOPE[] = {
+    {"cube", 5, 10, 0},
+    {"cross", 4, 9, 0},
+    {"cyclic", 4, 9, 5},
+    {"metric", 4, 5, 0},
+    {"cut", 4, 5, 0},
+    {"small", 3, 7, 10},
+    {"sphere", 3, 7, 12},
+    {"blocking", 3, 7, 4},
+    {"slice", 4, 8, 0},
+    {"lattice", 3, 7, 10},
+    {"zonotope", 3, 6, 3},
+    {"product", 4, 7, 0},
+    {"assignment", 3, 4, 0},
+    /* and those that take a twentieth of a second and more: many rays, long adjacency */
+    {"cube", 14, 15, 0},
+    {"cyclic", 7, 8, 6},
+    {"small", 8, 9, 8},
+    {"sphere", 6, 7, 12},
+    {"blocking", 10, 11, 4},
+    {"lattice", 8, 9, 8},
+    {"zonotope", 5, 6, 2},
+    {"permutahedron", 6, 6, 0},
+    {"product", 12, 13, 0},
+};
 
 static void ask_polytope(size_t family, uint64_t seed, bool hull, const asking *a)
 {
@@ -153,7 +174,7 @@ static void ask_polytope(size_t family, uint64_t seed, bool hull, const asking *
     if (!polytope_parse(text, &plan))
         need(NULL);
     peer_question question = hull ? PEER_HULL : PEER_VERTICES;
-    snprintf(name, sizeof name, "%s %s_%" PRIu64, subject_word(question), text, seed);
+    snprintf(name, sizeof name, "%s %s_%" PRIu64, subject_word(NULL, question), text, seed);
     polytope_draw(&plan, &p, name);
     if (!hull)
         a->ask(a->self, &p, PEER_VERTICES);
@@ -168,6 +189,16 @@ static void ask_polytopes(uint64_t seed, const asking *a)
     for (size_t k = 0; k < sizeof POLYTOPE / sizeof *POLYTOPE; k++)
         for (int hull = 0; hull < 2; hull++)
             ask_polytope(k, seed, hull, a);
+}
+
+static void ask_pairs(uint64_t seed, const asking *a)
+{
+    for (size_t k = 0; k < 2 * pair_blocks(); k++) {
+        pair_block block;
+        problem p;
+        pair_block_draw(k / 2, seed, &block, &p);
+        a->ask(a->self, &p, k % 2 ? PEER_BOX : PEER_DECIDE);
+    }
 }
 
 static bool ask_file(const char *path, peer_question question, const asking *a)
@@ -199,6 +230,7 @@ bool subjects_each(const subject_plan *plan, subject_ask *ask, void *self)
         ask_programs(seed, &a);
         ask_tiny_programs(seed, &a);
         ask_polytopes(seed, &a);
+        ask_pairs(seed, &a);
     }
     return ask_files(plan, &a);
 }

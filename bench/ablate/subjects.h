@@ -10,15 +10,16 @@ typedef struct subject_plan {
     size_t files;
 } subject_plan;
 
-/* "project", ...: what is asked, in a word. */
-const char *subject_word(peer_question question);
+/* "project", ..., or "pairs": what is asked of p, or of any problem of rows (NULL), in a word. */
+const char *subject_word(const problem *p, peer_question question);
 /* Takes over p. */
 typedef void subject_ask(void *self, problem *p, peer_question question);
 
 /* Projections of all families; linear programs of all families, at a size drawn by the seed: their
  * verdict, box, optimum and irredundant rows; both also with long numbers (a / behind the name);
- * vertices and hulls of polytopes. Each file: its verdict, its irredundant rows, and its projection
- * where it keeps some variables. False if a file could not be read. */
+ * vertices and hulls of polytopes; verdicts and boxes of pairs of frames (problem.own). Each file:
+ * its verdict, its irredundant rows, and its projection where it keeps some variables. False if a
+ * file could not be read. */
 bool subjects_each(const subject_plan *plan, subject_ask *ask, void *self);
 
 #endif

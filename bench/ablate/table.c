@@ -1,6 +1,8 @@
 /* table.c: see table.h. */
+#define _DEFAULT_SOURCE /* glob */
 #include "table.h"
 
+#include <glob.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -66,13 +68,13 @@ static unsigned count_lines_of_way(int way)
     unsigned lines = 0;
     snprintf(list, sizeof list, "%s", WAY[way].files);
     for (char *name = strtok(list, " "); name; name = strtok(NULL, " ")) {
-        unsigned before = lines;
-        for (int header = 0; header < 2; header++) {
-            snprintf(path, sizeof path, "%s/lib/%s.%c", FMB_SOURCE_ROOT, name, header ? 'h' : 'c');
-            lines += count_lines(path);
-        }
-        if (lines == before)
+        glob_t found = {0};
+        snprintf(path, sizeof path, "%s/lib/%s.[ch]", FMB_SOURCE_ROOT, name);
+        if (glob(path, 0, NULL, &found) != 0)
             fprintf(stderr, "lib/%s: there is no such file\n", name);
+        for (size_t i = 0; i < found.gl_pathc; i++)
+            lines += count_lines(found.gl_pathv[i]);
+        globfree(&found);
     }
     return lines;
 }

@@ -23,6 +23,7 @@ typedef struct problem {
     problem_row *rows;
     fmb_system *system;         /* the same rows, for fmb, */
     fmb_generators *generators; /* or the same generators */
+    const void *own;            /* NULL, or what a program asks that has no rows; not owned */
 } problem;
 
 /* Reads a file; a message on stderr and false if it cannot be used. */

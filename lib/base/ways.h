@@ -7,8 +7,8 @@
  *
  *   if (suits && fmb_way(FMB_WAY_RECESSION)) ... fmb_way_answered(FMB_WAY_RECESSION, done);
  *
- * A row: identifier, name, the files that would go with it (room/name, without .c or .h), and what
- * it is. A way that stays in the library pays: docs/ways.md.
+ * A row: identifier, name, the files that would go with it (room/name, without .c or .h; a star for
+ * all of a room), and what it is. A way that stays in the library pays: docs/ways.md.
  */
 #ifndef FMB_BASE_WAYS_H
 #define FMB_BASE_WAYS_H
@@ -44,12 +44,12 @@
         "lp/redundancy/ray_shooting/ray_shooting lp/redundancy/ray_shooting/ray_sorter "           \
         "lp/redundancy/ray_shooting/polar_points lp/redundancy/ray_shooting/polar_points_open "    \
         "lp/redundancy/ray_shooting/ray lp/redundancy/ray_shooting/spatial_blocks "                \
-        "lp/redundancy/result_log lp/redundancy/ray_shooting/membership "                          \
+        "lp/redundancy/ray_shooting/membership "                                                   \
         "lp/redundancy/ray_shooting/centre",                                                       \
         "redundancy: rows seen from a point inside")                                               \
     WAY(ACTIVE_SET, "active set",                                                                  \
         "lp/redundancy/active_set/implied lp/redundancy/active_set/active_set "                    \
-        "lp/redundancy/active_set/rounded_proof lp/redundancy/active_set/nonzero_columns "         \
+        "lp/redundancy/active_set/rounded_proof "                                                  \
         "lp/redundancy/active_set/interior_point",                                                 \
         "elimination: rows that others imply, guessed among few")                                  \
     WAY(EDGES, "edges of rays", "dd/edges",                                                        \
@@ -58,10 +58,18 @@
         "hulls: sides of facets by doubles with an error bound")                                   \
     WAY(SQUEEZE, "last variable", "elim/round/squeeze",                                            \
         "elimination: the last variable by its ends, not by pairs")                                \
-    WAY(TINY, "tiny systems",                                                                      \
-        "elim/tiny/tiny_box elim/tiny/tiny_last elim/tiny/tiny_load elim/tiny/tiny_row "           \
-        "elim/tiny/tiny elim/tiny/tiny_private",                                                   \
-        "verdicts: elimination on the stack")
+    WAY(TINY, "tiny systems", "elim/tiny/*", "verdicts: elimination on the stack")                 \
+    WAY(PAIR_KERNELS, "kernels of pairs", "pair/kernels/verdict/*",                                \
+        "pairs: verdicts side by side, with error bounds")                                         \
+    WAY(PAIR_FLAT, "kernels of few axes",                                                          \
+        "pair/kernels/verdict/verdict_flat pair/kernels/packed/packed_flat",                       \
+        "pairs: the same for frames with any number of axes")                                      \
+    WAY(PAIR_CORNERS, "signs of determinants", "pair/corners/decide_corners",                      \
+        "pairs: verdicts on triangles and tetrahedra by their corners")                            \
+    WAY(PAIR_VERTICES, "exact vertices", "pair/exact_box/*",                                       \
+        "pairs: exact verdicts and boxes in up to three dimensions")                               \
+    WAY(PAIR_DOUBLES, "pairs in doubles", "pair/general/*",                                        \
+        "pairs: verdicts and boxes in any dimension, proved in doubles")
 /* clang-format on */
 
 #define FMB_WAY_IDENTIFIER(id, name, files, about) FMB_WAY_##id,

@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 
+#include "base/ways.h"
 #include "pair/contact/bodies.h"
 #include "pair/contact/contact_near.h"
 #include "pair/corner_edges.h"
@@ -66,12 +67,15 @@ static fmb_status answer_generally(const query *a, size_t i)
     fmb_corner_edges p, q;
     if (k->options.method == FMB_PAIR_EXACT)
         return answer_exactly(a, i);
-    if (!k->options.tightest && take_edges(a, i, &p, &q) &&
-        fmb_general_answer(k->general, &p.frame, &q.frame, &out))
+    bool done = !k->options.tightest && fmb_way(FMB_WAY_PAIR_DOUBLES) && take_edges(a, i, &p, &q) &&
+                fmb_general_answer(k->general, &p.frame, &q.frame, &out);
+    fmb_way_answered(FMB_WAY_PAIR_DOUBLES, done);
+    if (done)
         return FMB_OK;
-    if (asks_exactly(a) && fmb_exact_box_answer(&a->p[i], &a->q[i], &out))
-        return FMB_OK;
-    return answer_exactly(a, i);
+    done = asks_exactly(a) && fmb_way(FMB_WAY_PAIR_VERTICES) &&
+           fmb_exact_box_answer(&a->p[i], &a->q[i], &out);
+    fmb_way_answered(FMB_WAY_PAIR_VERTICES, done);
+    return done ? FMB_OK : answer_exactly(a, i);
 }
 
 static fmb_status decide_exactly(const query *a, size_t i)
@@ -184,15 +188,21 @@ static void decide_without_query(const query *a, size_t i, fmb_verdict *out)
     const fmb_frame *p = &a->p[i], *q = &a->q[i];
     fmb_contact contact = k->options.contact;
     fmb_corner_edges of_p, of_q;
-    if (fmb_decide_corners(p, q, contact, out))
+    bool done = fmb_way(FMB_WAY_PAIR_CORNERS) && fmb_decide_corners(p, q, contact, out);
+    fmb_way_answered(FMB_WAY_PAIR_CORNERS, done);
+    if (done)
         return;
-    if (asks_exactly(a) && fmb_exact_box_decide(p, q, contact, out))
+    done = asks_exactly(a) && fmb_way(FMB_WAY_PAIR_VERTICES) &&
+           fmb_exact_box_decide(p, q, contact, out);
+    fmb_way_answered(FMB_WAY_PAIR_VERTICES, done);
+    if (done)
         k->counts.exact_verdicts++;
     else if ((fmb_frame_is_hull(p) || fmb_frame_is_hull(q)) && fmb_bodies_are(p, q))
         *out = fmb_contact_of_hulls(p, q, &(bool){false}, NULL);
-    else if (take_edges(a, i, &of_p, &of_q))
+    else if (fmb_way(FMB_WAY_PAIR_DOUBLES) && take_edges(a, i, &of_p, &of_q))
         *out = fmb_general_decide(k->general, &of_p.frame, &of_q.frame);
-    if (*out == FMB_UNKNOWN && asks_exactly(a))
+    fmb_way_answered(FMB_WAY_PAIR_DOUBLES, !done && *out != FMB_UNKNOWN);
+    if (*out == FMB_UNKNOWN && asks_exactly(a) && fmb_way(FMB_WAY_PAIR_VERTICES))
         decide_at_vertex(a, i, out);
 }
 
@@ -231,6 +241,7 @@ static fmb_status flush_verdicts(const query *a, const fmb_block *b, int kind)
     fmb_status st = FMB_OK;
     for (int lane = 0; st == FMB_OK && lane < b->lanes; lane++) {
         size_t i = b->pair[lane];
+        fmb_way_answered(FMB_WAY_PAIR_KERNELS, (bits.apart | bits.meet) >> lane & 1);
         if (bits.apart >> lane & 1) {
             a->out->verdict[i] = FMB_INFEASIBLE;
         } else if (bits.meet >> lane & 1) {
@@ -251,6 +262,7 @@ static fmb_status flush_flat_verdicts(const query *a, const fmb_block *b)
     for (int lane = 0; st == FMB_OK && lane < b->lanes; lane++) {
         size_t i = b->pair[lane];
         bool meet = bits.meet >> lane & 1, apart = bits.apart >> lane & 1;
+        fmb_way_answered(FMB_WAY_PAIR_FLAT, meet || apart);
         if (meet || apart)
             a->out->verdict[i] = meet ? FMB_FEASIBLE : FMB_INFEASIBLE;
         if (!meet && !apart)
@@ -289,9 +301,11 @@ static fmb_status answer_or_wait(const query *a, size_t i)
         return refuse_pair(a, i);
     if (k->dim < 2 || k->dim > 3 || k->options.method == FMB_PAIR_EXACT)
         return decide_generally(a, STAGES, 0, i);
-    if (!has_all_axes(p, k->dim) || !has_all_axes(q, k->dim))
-        return wait_in_flat_block(a, i);
-    return wait_in_block(a, STAGE_VERDICT, i);
+    if (has_all_axes(p, k->dim) && has_all_axes(q, k->dim))
+        return fmb_way(FMB_WAY_PAIR_KERNELS) ? wait_in_block(a, STAGE_VERDICT, i)
+                                             : decide_generally(a, STAGES, 0, i);
+    return fmb_way(FMB_WAY_PAIR_FLAT) ? wait_in_flat_block(a, i)
+                                      : decide_generally(a, STAGES, 0, i);
 }
 
 /* ---- blocks ---------------------------------------------------------------------------------- */
