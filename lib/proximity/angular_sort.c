@@ -78,7 +78,7 @@ static bool are_in_plane(common_polygon *p)
 }
 
 /* By insertion: polygons are short. */
-static void sort_around(common_polygon *p)
+static void sort_by_angle(common_polygon *p)
 {
     for (size_t i = 0; i < p->n; i++)
         p->order[i] = i;
@@ -112,7 +112,7 @@ static fmb_status sort_vertices(common_polygon *p, fmb_generators **g, const fmb
         fmb_generators_coordinate_q(*g, i / p->dim, (int)(i % p->dim), p->x[i]);
     if (!find_view(p) || !are_in_plane(p))
         return FMB_OK;
-    sort_around(p);
+    sort_by_angle(p);
     fmb_status st = write_in_order(p, mem, &sorted);
     if (st != FMB_OK)
         return st;

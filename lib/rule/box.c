@@ -11,7 +11,8 @@
  * violated most, which can be chosen extreme, was dropped by this rule or by a rule of histories.
  * With "at most" in place of "less" this fails: two rows could be dropped each because of the
  * other. Only before histories start does a row go that touches the box: the box, which stays,
- * implies it. Source: Baillehache 2020 (the inconsistency test, of which this is the twin).
+ * implies it. Source: Baillehache 2020 (the inconsistency test, which asks the same of infeasible
+ * rows).
  *
  * Numbers to check: 0 <= x, y <= 1, x + y <= 2: gone before the first round; x + y < 2 stays. The
  * cuboids of kohler.c need 26 rows with it and chernikov, 59 with chernikov alone.

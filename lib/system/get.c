@@ -24,7 +24,7 @@ void fmb_sysrow_get_q(const fmb_sysrow *r, size_t k, mpq_t out)
     mpq_canonicalize(out);
 }
 
-static bool is_whole_row(const fmb_sysrow *r)
+static bool is_row_of_integers(const fmb_sysrow *r)
 {
     return !fmb_vec_is_wide(&r->val) && r->val.s[r->nnz + 1] == 1;
 }
@@ -46,7 +46,7 @@ static double entry_as_double(const fmb_sysrow *r, size_t k)
 /* Entry k, if it is such an integer. */
 static bool entry_as_integer(const fmb_sysrow *r, size_t k, int64_t *out)
 {
-    if (is_whole_row(r)) {
+    if (is_row_of_integers(r)) {
         *out = r->val.s[k];
         return true;
     }

@@ -6,8 +6,8 @@
 
 /* ---- lists ----------------------------------------------------------------------------------- */
 
-static fmb_status open_lists(fmb_strips *l, fmb_arena *arena, size_t size, size_t entries,
-                             bool values)
+static fmb_status open_strips(fmb_strips *l, fmb_arena *arena, size_t size, size_t entries,
+                              bool values)
 {
     *l = (fmb_strips){0};
     l->start = fmb_arena_get(arena, size, sizeof *l->start);
@@ -93,9 +93,9 @@ fmb_status fmb_markowitz_open(fmb_markowitz *u, fmb_run *run, fmb_arena *arena,
                               size_t entries)
 {
     *u = (fmb_markowitz){.run = run, .arena = arena, .kind = kind, .self = self, .size = (int)size};
-    fmb_status st = open_lists(&u->row, arena, size, entries, true);
+    fmb_status st = open_strips(&u->row, arena, size, entries, true);
     if (st == FMB_OK)
-        st = open_lists(&u->column, arena, size, entries, false);
+        st = open_strips(&u->column, arena, size, entries, false);
     if (st == FMB_OK)
         st = open_buckets(&u->by_row, arena, size);
     if (st == FMB_OK)

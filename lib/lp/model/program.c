@@ -9,7 +9,7 @@ void fmb_program_init(fmb_program *p, fmb_mem *mem, int n)
     *p = (fmb_program){.mem = mem, .n = n};
 }
 
-static void free_own_value(fmb_program *p, size_t i)
+static void free_held_value(fmb_program *p, size_t i)
 {
     fmb_vec *v = p->own ? p->own[i] : NULL;
     if (!v)
@@ -22,7 +22,7 @@ static void free_own_value(fmb_program *p, size_t i)
 void fmb_program_clear(fmb_program *p)
 {
     for (size_t i = 0; i < p->m; i++) {
-        free_own_value(p, i);
+        free_held_value(p, i);
         fmb_mem_put(p->mem, p->row[i].column, p->row[i].size, sizeof(int));
     }
     if (p->own)
@@ -64,7 +64,7 @@ fmb_status fmb_program_add(fmb_program *p, size_t size, const int *var, const in
     return FMB_OK;
 }
 
-static fmb_status make_room_for_own(fmb_program *p)
+static fmb_status make_room_for_held(fmb_program *p)
 {
     fmb_status st = reserve_row(p);
     if (st != FMB_OK || p->own)
@@ -75,9 +75,9 @@ static fmb_status make_room_for_own(fmb_program *p)
 }
 
 /* A row of `size` terms and room for its value, small zeros; *value is where to write them. */
-static fmb_status add_own_row(fmb_program *p, size_t size, fmb_rel rel, fmb_vec **value)
+static fmb_status add_held_row(fmb_program *p, size_t size, fmb_rel rel, fmb_vec **value)
 {
-    fmb_status st = make_room_for_own(p);
+    fmb_status st = make_room_for_held(p);
     if (st != FMB_OK)
         return st;
     fmb_vec *v = fmb_mem_zero(p->mem, 1, sizeof *v);
@@ -101,7 +101,7 @@ static fmb_status add_own_row(fmb_program *p, size_t size, fmb_rel rel, fmb_vec 
 void fmb_program_drop_last(fmb_program *p)
 {
     size_t i = p->m - 1, size = p->row[i].size;
-    free_own_value(p, i);
+    free_held_value(p, i);
     if (p->own)
         p->own[i] = NULL;
     p->m--;
@@ -110,7 +110,7 @@ void fmb_program_drop_last(fmb_program *p)
 }
 
 /* The last row was filled in with that status. */
-static fmb_status finish_own_row(fmb_program *p, fmb_vec *v, fmb_status st)
+static fmb_status finish_held_row(fmb_program *p, fmb_vec *v, fmb_status st)
 {
     size_t entries = p->row[p->m - 1].size + 1;
     if (st == FMB_OK && v->z)
@@ -126,7 +126,7 @@ fmb_status fmb_program_add_copy(fmb_program *p, size_t size, const int *column,
                                 const fmb_vec *value, fmb_rel rel)
 {
     fmb_vec *to = NULL;
-    fmb_status st = add_own_row(p, size, rel, &to);
+    fmb_status st = add_held_row(p, size, rel, &to);
     if (st != FMB_OK)
         return st;
     memcpy(p->row[p->m - 1].column, column, size * sizeof *column);
@@ -158,7 +158,7 @@ fmb_status fmb_program_add_dense(fmb_program *p, const fmb_vec *v, fmb_rel rel)
     fmb_vec *to;
     for (size_t j = 0; j < n; j++)
         size += fmb_vec_sgn(v, j) != 0;
-    fmb_status st = add_own_row(p, size, rel, &to);
+    fmb_status st = add_held_row(p, size, rel, &to);
     if (st != FMB_OK)
         return st;
     if (fmb_vec_is_wide(v))
@@ -174,7 +174,7 @@ fmb_status fmb_program_add_dense(fmb_program *p, const fmb_vec *v, fmb_rel rel)
             to->s[k] = v->s[j];
         k++;
     }
-    return finish_own_row(p, to, st);
+    return finish_held_row(p, to, st);
 }
 
 fmb_status fmb_program_add_integers(fmb_program *p, mpz_t *z, fmb_rel rel)
@@ -183,7 +183,7 @@ fmb_status fmb_program_add_integers(fmb_program *p, mpz_t *z, fmb_rel rel)
     fmb_vec *to;
     for (size_t j = 0; j < n; j++)
         size += mpz_sgn(z[j]) != 0;
-    fmb_status st = add_own_row(p, size, rel, &to);
+    fmb_status st = add_held_row(p, size, rel, &to);
     if (st == FMB_OK)
         st = fmb_vec_widen(to, size + 1, p->mem);
     else
@@ -195,7 +195,7 @@ fmb_status fmb_program_add_integers(fmb_program *p, mpz_t *z, fmb_rel rel)
             p->row[p->m - 1].column[k] = (int)j;
         mpz_set(to->z[k++], z[j]);
     }
-    return finish_own_row(p, to, st);
+    return finish_held_row(p, to, st);
 }
 
 fmb_status fmb_program_add_interior_row(fmb_program *p, const fmb_program *from, size_t i)
@@ -208,7 +208,7 @@ fmb_status fmb_program_add_interior_row(fmb_program *p, const fmb_program *from,
         return st;
     }
     fmb_vec *to;
-    fmb_status st = add_own_row(p, r->size + 1, FMB_LE, &to);
+    fmb_status st = add_held_row(p, r->size + 1, FMB_LE, &to);
     if (st != FMB_OK)
         return st;
     fmb_program_row *row = &p->row[p->m - 1];
@@ -228,7 +228,7 @@ fmb_status fmb_program_add_interior_row(fmb_program *p, const fmb_program *from,
         mpz_set_ui(to->z[r->size], 1);
     else if (st == FMB_OK)
         to->s[r->size] = 1;
-    return finish_own_row(p, to, st);
+    return finish_held_row(p, to, st);
 }
 
 void fmb_program_add_product(const fmb_program *p, size_t i, mpz_t *x, mpz_t to)

@@ -32,7 +32,7 @@
 /* Less than this is not told from what underflowed. */
 #define LEAST 0x1p-1000
 
-typedef struct refuter {
+typedef struct refinement {
     const fmb_vertex *v;
     size_t odd, n, size;
     size_t *place, *column;   /* [size] places of the basis, and columns */
@@ -47,7 +47,7 @@ typedef struct refuter {
     fmb_integers left;        /* [size] rest, in units of 2^-(places + unit) */
     int places;
     mpz_t term, entry;
-} refuter;
+} refinement;
 
 /* ---- life ------------------------------------------------------------------------------------ */
 
@@ -59,11 +59,11 @@ bool fmb_refined_farkas_is_worth_it(const fmb_vertex *v)
     return false;
 }
 
-static fmb_status open_refuter(refuter *t, const fmb_vertex *v, size_t odd)
+static fmb_status open_refinement(refinement *t, const fmb_vertex *v, size_t odd)
 {
     size_t n = v->n;
     fmb_mem *mem = v->run->mem;
-    *t = (refuter){.v = v, .odd = odd, .n = n};
+    *t = (refinement){.v = v, .odd = odd, .n = n};
     mpz_inits(t->term, t->entry, NULL);
     t->place = fmb_mem_get(mem, n, sizeof *t->place);
     t->column = fmb_mem_get(mem, n, sizeof *t->column);
@@ -83,7 +83,7 @@ static fmb_status open_refuter(refuter *t, const fmb_vertex *v, size_t odd)
     return st == FMB_OK ? fmb_integers_init(&t->left, n, mem) : st;
 }
 
-static void close_refuter(refuter *t)
+static void close_refinement(refinement *t)
 {
     size_t n = t->n;
     fmb_mem *mem = t->v->run->mem;
@@ -107,7 +107,7 @@ static void close_refuter(refuter *t)
 
 /* Coefficient k of a row, k == size: its right side, from 1/2 to 1 and a power of two; off by a
  * factor of 1 +- 2^-52. */
-static double split_coefficient(const refuter *t, size_t row, size_t k, int *exponent)
+static double split_coefficient(const refinement *t, size_t row, size_t k, int *exponent)
 {
     const fmb_vec *v = t->v->p->row[row].value;
     long e = 0;
@@ -118,7 +118,7 @@ static double split_coefficient(const refuter *t, size_t row, size_t k, int *exp
     return x;
 }
 
-static int find_row_exponent(const refuter *t, size_t row)
+static int find_row_exponent(const refinement *t, size_t row)
 {
     int most = 0, e;
     for (size_t k = 0; k < t->v->p->row[row].size; k++) {
@@ -129,7 +129,7 @@ static int find_row_exponent(const refuter *t, size_t row)
 }
 
 /* to[size]: a row, divided by two to that power; *exponent. */
-static void write_row(const refuter *t, size_t row, int *exponent, double *to)
+static void write_row(const refinement *t, size_t row, int *exponent, double *to)
 {
     const fmb_program_row *r = &t->v->p->row[row];
     int e;
@@ -141,7 +141,7 @@ static void write_row(const refuter *t, size_t row, int *exponent, double *to)
     }
 }
 
-static void write_matrix(refuter *t)
+static void write_matrix(refinement *t)
 {
     for (size_t k = 0; k < t->size; k++)
         t->at[t->column[k]] = k;
@@ -170,7 +170,7 @@ static void swap_matrix_rows(double *a, double *b, size_t size)
     }
 }
 
-static size_t find_largest_in_column(const refuter *t, size_t k)
+static size_t find_largest_in_column(const refinement *t, size_t k)
 {
     size_t best = k;
     for (size_t i = k + 1; i < t->size; i++)
@@ -180,7 +180,7 @@ static size_t find_largest_in_column(const refuter *t, size_t k)
 }
 
 /* Gauss and Jordan; the matrix is used up. False: it seems to be singular. */
-static bool invert_matrix(refuter *t)
+static bool invert_matrix(refinement *t)
 {
     size_t n = t->size;
     memset(t->inverse, 0, n * n * sizeof *t->inverse);
@@ -214,7 +214,7 @@ static bool invert_matrix(refuter *t)
 /* Is |I - B R| <= 1/2? A row of it, in doubles, is off by less than (size + 8) 2^-52 times 1 + the
  * sizes of the row of B times those of R: size + 1 roundings by 2^-53 and one of each number of B.
  * y is scratch. */
-static bool is_inverse_good(refuter *t)
+static bool is_inverse_good(refinement *t)
 {
     size_t n = t->size;
     for (size_t k = 0; k < n; k++) {
@@ -244,7 +244,7 @@ static bool is_inverse_good(refuter *t)
 }
 
 /* y = z R */
-static void multiply_by_inverse(refuter *t, const double *z)
+static void multiply_by_inverse(refinement *t, const double *z)
 {
     memset(t->y, 0, t->size * sizeof *t->y);
     for (size_t k = 0; k < t->size; k++)
@@ -254,14 +254,14 @@ static void multiply_by_inverse(refuter *t, const double *z)
 
 /* ---- which rows ------------------------------------------------------------------------------ */
 
-static void take_all_rows(refuter *t)
+static void take_all_rows(refinement *t)
 {
     t->size = t->n;
     for (size_t k = 0; k < t->n; k++)
         t->place[k] = t->column[k] = k;
 }
 
-static void note_columns(refuter *t, size_t row)
+static void note_columns(refinement *t, size_t row)
 {
     const fmb_program_row *r = &t->v->p->row[row];
     for (size_t k = 0; k < r->size; k++)
@@ -270,7 +270,7 @@ static void note_columns(refuter *t, size_t row)
 
 /* Leave out rows whose multiplier, in y, seems to be 0. False: the others are not as many as their
  * columns, or nothing demands one. */
-static bool keep_rows_that_count(refuter *t)
+static bool keep_rows_that_count(refinement *t)
 {
     size_t kept = 0, columns = 0;
     double most = 0;
@@ -295,7 +295,7 @@ static bool keep_rows_that_count(refuter *t)
 }
 
 /* B, R and c are those of the rows that count. */
-static fmb_status prepare_inverse(refuter *t, bool *good)
+static fmb_status prepare_inverse(refinement *t, bool *good)
 {
     take_all_rows(t);
     write_matrix(t);
@@ -316,20 +316,20 @@ static fmb_status prepare_inverse(refuter *t, bool *good)
 /* ---- corrections ----------------------------------------------------------------------------- */
 
 /* number -= part times coefficient k of a row. */
-static void subtract_coefficient(refuter *t, size_t row, size_t k, mpz_t number)
+static void subtract_coefficient(refinement *t, size_t row, size_t k, mpz_t number)
 {
     fmb_program_get(t->v->p, row, k, t->entry);
     mpz_submul(number, t->term, t->entry);
 }
 
 /* term = what row s of B is multiplied by, as an integer row of the program. */
-static void take_multiplier(refuter *t, size_t s)
+static void take_multiplier(refinement *t, size_t s)
 {
     mpz_mul_2exp(t->term, t->multiplier.z[s], (mp_bitcnt_t)(t->unit - t->exponent[s]));
 }
 
 /* -1 times a power of two is the multiplier of the odd row. */
-static void take_odd_multiplier(refuter *t)
+static void take_odd_multiplier(refinement *t)
 {
     mpz_set_si(t->term, -1);
     mpz_mul_2exp(t->term, t->term, (mp_bitcnt_t)(t->places + t->unit - t->odd_exponent));
@@ -344,7 +344,7 @@ static double in_units(const mpz_t number, int unit)
 }
 
 /* What y' leaves of c, exactly in `left`, and in doubles. */
-static void find_rest(refuter *t)
+static void find_rest(refinement *t)
 {
     for (size_t k = 0; k < t->size; k++)
         mpz_set_ui(t->left.z[k], 0);
@@ -363,7 +363,7 @@ static void find_rest(refuter *t)
 }
 
 /* Some more places of y'. */
-static void correct_multipliers(refuter *t)
+static void correct_multipliers(refinement *t)
 {
     multiply_by_inverse(t, t->rest);
     t->places += PLACES;
@@ -377,7 +377,7 @@ static void correct_multipliers(refuter *t)
 /* ---- signs ----------------------------------------------------------------------------------- */
 
 /* By how much the multipliers may be off. */
-static double bound_error(const refuter *t)
+static double bound_error(const refinement *t)
 {
     double sum = 0;
     for (size_t k = 0; k < t->size; k++)
@@ -387,7 +387,7 @@ static double bound_error(const refuter *t)
 
 /* The sign that all multipliers of inequalities have, 0 where there are none; false: not known yet,
  * or they *differ. */
-static bool find_common_sign(const refuter *t, double error, int *sign, bool *differ)
+static bool find_common_sign(const refinement *t, double error, int *sign, bool *differ)
 {
     bool known = true;
     *sign = 0;
@@ -408,7 +408,7 @@ static bool find_common_sign(const refuter *t, double error, int *sign, bool *di
 
 /* The sign of b_odd - sum_r y_r b_r, 0 if it is not known. Right sides that underflow are less than
  * the first size; what that, or the rest, is off by is less than the least that is believed. */
-static int find_sign_of_remainder(refuter *t, double error)
+static int find_sign_of_remainder(refinement *t, double error)
 {
     mpz_ptr sum = t->left.z[0];
     double size = (double)t->size * 0x1p-1074;
@@ -428,7 +428,7 @@ static int find_sign_of_remainder(refuter *t, double error)
 }
 
 /* Multipliers of inequalities have to be of the sign opposite to *sign, and the remainder, too. */
-static bool is_refuted(refuter *t, int *sign, bool *hopeless)
+static bool is_conflict_refined(refinement *t, int *sign, bool *hopeless)
 {
     int common, remainder;
     double error = bound_error(t);
@@ -442,23 +442,23 @@ static bool is_refuted(refuter *t, int *sign, bool *hopeless)
 
 fmb_status fmb_refined_farkas(const fmb_vertex *v, size_t odd, int *sign, bool *sure)
 {
-    refuter t;
+    refinement t;
     bool good = false, hopeless = false;
     *sure = false;
-    fmb_status st = open_refuter(&t, v, odd);
+    fmb_status st = open_refinement(&t, v, odd);
     if (st == FMB_OK && !v->p->row[odd].off && !fmb_vertex_holds(v, odd))
         st = prepare_inverse(&t, &good);
     for (int k = 0; st == FMB_OK && good && !*sure && !hopeless && k <= CORRECTIONS; k++) {
         if (k > 0)
             correct_multipliers(&t);
         find_rest(&t);
-        *sure = is_refuted(&t, sign, &hopeless);
+        *sure = is_conflict_refined(&t, sign, &hopeless);
         st = fmb_integers_settle(&t.multiplier, v->run->mem);
         if (st == FMB_OK)
             st = fmb_integers_settle(&t.left, v->run->mem);
         if (st == FMB_OK)
             st = fmb_run_poll_now(v->run);
     }
-    close_refuter(&t);
+    close_refinement(&t);
     return st;
 }

@@ -1,10 +1,10 @@
 /* membership.h: the membership program: how much must a hull be blown up until a point lies in it?
  * In doubles: a guess.
  *
- * Points q_j of n numbers span a hull, together with the origin. The gauge of a point q
- * (Minkowski) is the least sum of z >= 0 with sum_j z_j q_j = q; q lies in the hull if that is 1 at
- * most. By duality it is the greatest w.q of all w with w.q_j <= 1 for every j. A basis of n points
- * gives a vertex w of these; for another q the search goes on from there.
+ * Points q_j of n numbers span a hull, together with the origin. The Minkowski
+ * functional of a point q is the least sum of z >= 0 with sum_j z_j q_j = q; q lies in the hull if
+ * that is 1 at most. By duality it is the greatest w.q of all w with w.q_j <= 1 for every j. A
+ * basis of n points gives a vertex w of these; for another q the search goes on from there.
  */
 #ifndef FMB_LP_MEMBERSHIP_H
 #define FMB_LP_MEMBERSHIP_H
