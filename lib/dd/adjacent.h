@@ -12,6 +12,7 @@
 #define FMB_DD_ADJACENT_H
 
 #include "dd/insert.h"
+#include "trace/team.h"
 
 void fmb_adjacency_clear(fmb_adjacency *p, fmb_mem *mem);
 
@@ -26,5 +27,40 @@ fmb_status fmb_adjacency_gather_rest(fmb_cone *c);
 /* The rays of the larger side that are adjacent to number i of the smaller one, into p->found;
  * memory and counts are those of the run. Errors: MEMORY, LIMIT. */
 fmb_status fmb_find_adjacent(fmb_cone *c, fmb_run *run, fmb_adjacency *p, size_t i);
+
+/* ---- insert_workers.c: threads that work on the rays of a cone ---------------------------------
+ *
+ * Work is divided into chunks that are the same for any number of threads. What a chunk makes is
+ * counted in its own memory until the cone takes it over. */
+
+enum {
+    FMB_INSERTION_CHUNKS = 16,
+    FMB_INSERTION_CHUNK_RAYS = 64 /* of the smaller side, in a chunk */
+};
+
+typedef struct fmb_insertion_chunk {
+    size_t first, rays; /* on the smaller side */
+    fmb_adjacency pairs;
+    uint32_t *found; /* neighbours of its rays, one ray after another, */
+    size_t founds, found_capacity;
+    size_t end[FMB_INSERTION_CHUNK_RAYS]; /* up to there */
+    size_t at;                            /* the place of its first new ray */
+    fmb_num num;
+    size_t *negatives;    /* [m] what its new rays add to those of the cone */
+    size_t bytes;         /* that its new rays hold */
+    size_t before, after; /* what its part of all rays held and holds [bytes] */
+} fmb_insertion_chunk;
+
+struct fmb_insertion_workers {
+    fmb_team team;
+    size_t m;
+    const fmb_vec *row; /* whose values are taken */
+    fmb_insertion_chunk chunk[FMB_INSERTION_CHUNKS];
+};
+
+/* A job for each chunk, of the cone. Threads are hired first if there are none. Errors: MEMORY,
+ * LIMIT, those of jobs. */
+fmb_status fmb_insertion_do(fmb_cone *c, fmb_team_job job);
+fmb_status fmb_insertion_hire(fmb_cone *c);
 
 #endif

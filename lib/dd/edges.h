@@ -9,8 +9,8 @@
 #ifndef FMB_DD_EDGES_H
 #define FMB_DD_EDGES_H
 
+#include "num/bitset.h"
 #include "num/kernels/kernels.h"
-#include "num/ones.h"
 #include "trace/run.h"
 
 /* One edge of a simple ray: all its zeros but one. */

@@ -1,10 +1,10 @@
-/* insert_batch.c: pairs of rays by several threads; see insert_workers.h.
+/* insert_batch.c: pairs of rays by several threads; see adjacent.h.
  *
  * Rays of the smaller side come in batches. First each chunk finds the neighbours of its rays; then
  * new rays get their places, in the order of one thread; then each chunk fills in its own. A batch
  * ends where one thread would have paused: what was made beyond that goes again.
  */
-#include "dd/insert_workers.h"
+#include "dd/adjacent.h"
 
 /* What costs as much as a new ray: looks at so many rays of the larger side. */
 #define LOOKS_OF_RAY 64

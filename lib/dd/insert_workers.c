@@ -1,5 +1,5 @@
-/* insert_workers.c: threads that look at each ray of a cone; see insert_workers.h. */
-#include "dd/insert_workers.h"
+/* insert_workers.c: threads that look at each ray of a cone; see adjacent.h. */
+#include "dd/adjacent.h"
 
 /* Simple rays whose edges are worth several threads; and rays of which an entry is looked at. */
 #define WORTH_WORKERS 2048

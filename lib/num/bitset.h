@@ -4,8 +4,17 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
-#include "num/ones.h"
+/* How many bits of a word are 1. For processors at large a compiler knows no instruction for that,
+ * and calls a function. Source: Warren 2012, Hacker's Delight, 5-1. */
+static inline unsigned fmb_ones64(uint64_t x)
+{
+    x -= x >> 1 & 0x5555555555555555u;
+    x = (x & 0x3333333333333333u) + (x >> 2 & 0x3333333333333333u);
+    x = (x + (x >> 4)) & 0x0f0f0f0f0f0f0f0fu;
+    return (unsigned)(x * 0x0101010101010101u >> 56);
+}
 
 /* Words for a set of numbers below n. */
 static inline size_t fmb_set_words(size_t n)

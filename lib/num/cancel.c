@@ -2,7 +2,6 @@
  * entry vanishes. Three widths, one formula; see vec.h.
  */
 #include "num/gcd.h"
-#include "num/long_gcd.h"
 #include "num/vec.h"
 
 static fmb_status store_scratch(fmb_vec *dst, size_t n, fmb_num *k, fmb_u128 all)

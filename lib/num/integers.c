@@ -1,7 +1,7 @@
 /* integers.c: vectors of integers; see integers.h. */
 #include "num/integers.h"
 
-#include "num/long_gcd.h"
+#include "num/gcd.h"
 #include "num/vec.h"
 
 fmb_status fmb_integers_init(fmb_integers *v, size_t n, fmb_mem *mem)

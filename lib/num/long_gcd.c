@@ -1,4 +1,4 @@
-/* long_gcd.c: greatest common divisors that somebody may wait for; see long_gcd.h.
+/* long_gcd.c: greatest common divisors that somebody may wait for; see gcd.h.
  *
  * Euclid's quotients depend on the leading bits: those of the leading halves of two numbers, as
  * long as the halves are longer than half of what they were, are quotients of the numbers. So a
@@ -20,7 +20,7 @@
  * Source: Moeller 2008, On Schoenhage's algorithm and subquadratic integer gcd computation,
  * Mathematics of Computation 77; Lehmer 1938 for the words.
  */
-#include "num/long_gcd.h"
+#include "num/gcd.h"
 
 #include <stdbool.h>
 #include <stdint.h>

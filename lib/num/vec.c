@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "num/gcd.h"
-#include "num/long_gcd.h"
 
 fmb_status fmb_num_init(fmb_num *k, fmb_mem *mem, size_t n, bool wide_only)
 {

@@ -9,8 +9,10 @@
 #ifndef FMB_SYMMETRY_GROUP_H
 #define FMB_SYMMETRY_GROUP_H
 
+#include "base/mem.h"
 #include "lp/model/program.h"
 #include "trace/run.h"
+#include <fmb/symmetry.h>
 
 typedef struct fmb_group {
     fmb_mem *mem;
@@ -33,5 +35,18 @@ fmb_status fmb_group_add(fmb_group *g, const fmb_program *p, const bool *keeps,
  * Source: McKay and Piperno 2014, Practical graph isomorphism, II. Errors: MEMORY, LIMIT. In any
  * case fmb_group_clear it. */
 fmb_status fmb_symmetry_find(fmb_run *run, const fmb_program *p, const bool *keeps, fmb_group *out);
+
+/* What one or several permutations are to the API (permutations.c). */
+struct fmb_permutations {
+    fmb_mem mem;
+    int dim;
+    int **image; /* [size][dim] */
+    size_t size, capacity;
+    char error[160]; /* what was wrong with the last that was to be added */
+};
+
+/* image[n] is -1 where nothing is said: chains become cycles, everything else stays. False if two
+ * go to one place. met[n] is scratch. */
+bool fmb_permutation_complete(int *image, int n, bool *met);
 
 #endif

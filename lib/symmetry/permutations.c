@@ -1,5 +1,5 @@
 /* permutations.c: lists of permutations of variables; see fmb/symmetry.h. */
-#include "symmetry/permutations.h"
+#include "symmetry/group.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -8,7 +8,7 @@
  */
 #include "elim/round/witness.h"
 
-#include "num/long_gcd.h"
+#include "num/gcd.h"
 
 typedef struct range {
     mpq_t lower, upper, value, t;

@@ -7,7 +7,7 @@
  * Ridges between facets that are new or have grown come last (facets_ridges.c).
  */
 #include "hull/facets/facets_private.h"
-#include "num/ones.h"
+#include "num/bitset.h"
 
 /* Combinations of so many bits stay small. */
 #define EXACT_BITS 56

@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "hull/facets/facets_private.h"
-#include "num/ones.h"
+#include "num/bitset.h"
 
 static bool are_neighbours(const fmb_facet *a, uint32_t b)
 {

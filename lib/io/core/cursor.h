@@ -14,6 +14,27 @@
 #include <fmb/io.h>
 
 #include "base/mem.h"
+#include <stdbool.h>
+
+/* ---- bytes, whatever the locale -------------------------------------------------------------- */
+
+static inline bool fmb_is_digit(int b)
+{
+    return b >= '0' && b <= '9';
+}
+
+/* Value of a hexadecimal digit, or -1. */
+static inline int fmb_hex_value(int b)
+{
+    int letter = b | 32;
+    return fmb_is_digit(b) ? b - '0' : letter >= 'a' && letter <= 'f' ? letter - 'a' + 10 : -1;
+}
+
+/* Can a number with a sign begin so? */
+static inline bool fmb_starts_number(int b)
+{
+    return fmb_is_digit(b) || b == '+' || b == '-' || b == '.';
+}
 
 /* at may be moved freely within [begin, end]; line and column are found only when they are asked
  * for. */

@@ -1,4 +1,4 @@
-/* number.h: exact numbers from and to text. */
+/* number.h: exact numbers from and to text, and texts in quotes. */
 #ifndef FMB_IO_NUMBER_H
 #define FMB_IO_NUMBER_H
 
@@ -27,5 +27,22 @@ fmb_status fmb_scan_nearest(fmb_cursor *c, const char *what, double *out);
 fmb_status fmb_scan_count(fmb_cursor *c, size_t max, const char *what, size_t *out);
 /* Write q: "3", "-1/2". */
 void fmb_print_q(FILE *out, mpq_srcptr q);
+
+/* ---- names and labels in quotes ----------------------------------------------------------------
+ *
+ * \" is a quote, \\ a backslash, \x41 a byte other than 0. Any text can be written so on one line,
+ * in UTF-8 that a terminal may show. */
+
+/* Room for a text with its escapes undone; the owner frees p. */
+typedef struct fmb_room {
+    char *p;
+    size_t capacity;
+} fmb_room;
+
+/* The quoted text at c, on one line; it lives until room is used again. Errors: PARSE, MEMORY. */
+fmb_status fmb_scan_quoted(fmb_cursor *c, fmb_room *room, fmb_span *out);
+/* text in quotes, with escapes for quotes, backslashes, control characters and what is not UTF-8.
+ */
+void fmb_print_quoted(const char *text, FILE *out);
 
 #endif

@@ -1,9 +1,9 @@
-/* quote.c: texts in quotes; see quote.h. */
-#include "io/core/quote.h"
+/* quote.c: texts in quotes; see number.h. */
+#include "io/core/number.h"
 
 #include <string.h>
 
-#include "io/core/chars.h"
+#include "io/core/cursor.h"
 #include "io/core/utf8.h"
 
 /* One byte of a quoted text, after a backslash. */

@@ -11,7 +11,7 @@
 
 #include <string.h>
 
-#include "io/core/chars.h"
+#include "io/core/cursor.h"
 #include "num/vec.h"
 
 enum { MOST_DIGITS = 19, MOST_WRITTEN_POWER = 1000, MOST_POWER = 27, MOST_DOUBLE_POWER = 22 };

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "io/core/chars.h"
+#include "io/core/cursor.h"
 #include "io/core/number.h"
 
 static fmb_status fail_expecting_json(fmb_cursor *c, const char *what)

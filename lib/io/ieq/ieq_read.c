@@ -6,7 +6,7 @@
  * ignored with a warning. ELIMINATION_ORDER has a number for each variable, 0 for those that stay.
  * Source: T. Christof, A. Loebel, PORTA 1.4, man page "porta".
  */
-#include "io/core/chars.h"
+#include "io/core/cursor.h"
 #include "io/core/io_private.h"
 
 typedef struct ieq {

@@ -6,8 +6,8 @@
  * They stand before `begin`, a line each, and mean so only with the quotes: other comments are for
  * people. One that cannot be obeyed (no such row, a name that is taken) is ignored with a warning.
  */
-#include "io/core/chars.h"
-#include "io/core/quote.h"
+#include "io/core/cursor.h"
+#include "io/core/number.h"
 #include "io/ine/ine.h"
 #include "system/system_private.h"
 

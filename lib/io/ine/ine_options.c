@@ -4,7 +4,7 @@
  * (redund, verbose, ...) say nothing about the system and are passed over. Ignored with a warning
  * is lrslib's `nonnegative`, which cddlib does not know: the rows of the matrix are what both read.
  */
-#include "io/core/chars.h"
+#include "io/core/cursor.h"
 #include "io/ine/ine.h"
 #include "system/system_private.h"
 

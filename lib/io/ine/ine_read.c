@@ -4,7 +4,7 @@
  * there: memory follows the numbers read.
  * Source: K. Fukuda, cddlib reference manual 0.94, section 4; D. Avis, lrslib user's guide 7.
  */
-#include "io/core/chars.h"
+#include "io/core/cursor.h"
 #include "io/ine/ine.h"
 
 /* Past white space and comment lines. */

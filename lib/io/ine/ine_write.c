@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "io/core/io_private.h"
-#include "io/core/quote.h"
+#include "io/core/number.h"
 #include "system/system_private.h"
 
 static bool is_integer_row(const fmb_sysrow *r)

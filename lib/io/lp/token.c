@@ -4,7 +4,7 @@
 #include <string.h>
 #include <strings.h>
 
-#include "io/core/chars.h"
+#include "io/core/cursor.h"
 
 static bool starts_lp_name(int b)
 {

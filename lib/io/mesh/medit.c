@@ -1,7 +1,7 @@
 /* medit.c: medit's .mesh: sections of a keyword, a count and lines, each with a reference number
  * behind it that is passed over, as sections are that say nothing of points, faces or tetrahedra.
  */
-#include "io/core/chars.h"
+#include "io/core/cursor.h"
 #include "io/mesh/mesh_draft.h"
 
 /* The numbers of a section that does not count. */

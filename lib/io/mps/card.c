@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "io/core/chars.h"
+#include "io/core/cursor.h"
 
 static bool starts_card_number(fmb_span w)
 {

@@ -3,15 +3,53 @@
  * A formula is a literal: twice a node, plus 1 if it is negated. Nodes are the constant true, atoms
  * (a linear term REL 0), Boolean unknowns, conjunctions, labelled formulas, and formulas beyond
  * conjunctions ("hard"), which are an error only where an assertion needs them. `a or b` is
- * not(not a and not b). An assertion of a Boolean unknown is a fact (facts.h) and no row.
+ * not(not a and not b). An assertion of a Boolean unknown is a fact and no row.
  *
  * Invariant: children are smaller than their node.
  */
 #ifndef FMB_IO_SMT2_FORMULA_H
 #define FMB_IO_SMT2_FORMULA_H
 
-#include "io/smt2/facts.h"
+#include "io/core/cursor.h"
 #include "io/smt2/linear.h"
+
+/* Reading a byte again costs as much as about so many digits. */
+#define FMB_SMT_BYTE_DIGITS 16
+
+/* ---- facts: what assertions say of Boolean unknowns --------------------------------------------
+ *
+ * An asserted unknown is true in all that follows and in all that came before, whichever assertion
+ * needs it. So a command that needs a choice between cases is passed over while unknowns are open;
+ * if the text then tells something new, it is read again from its start with the facts known
+ * (unit propagation, Davis and Putnam 1960, a reading of the text a step). */
+
+/* What is known of a formula without search. */
+typedef enum fmb_smt_truth {
+    FMB_SMT_OPEN_TRUTH = 0,
+    FMB_SMT_IS_TRUE,
+    FMB_SMT_IS_FALSE
+} fmb_smt_truth;
+
+typedef struct fmb_smt_facts {
+    fmb_smt_truth *truth; /* [unknowns] in the order of their declarations */
+    size_t unknowns, capacity;
+    size_t *told; /* unknowns that this reading has told, one after another */
+    size_t tolds, told_capacity;
+    size_t declared;  /* by this reading */
+    size_t open;      /* of those declared, unknown */
+    bool learned;     /* this reading has told something new */
+    bool undecided;   /* the command that failed last needs a choice between cases */
+    bool passed_over; /* one such was passed over by this reading */
+    fmb_where first;  /* where that was */
+} fmb_smt_facts;
+
+/* Nothing is known. */
+static inline void fmb_smt_facts_clear(fmb_smt_facts *facts, fmb_mem *mem)
+{
+    fmb_mem_put(mem, facts->truth, facts->capacity, sizeof *facts->truth);
+    fmb_mem_put(mem, facts->told, facts->told_capacity, sizeof *facts->told);
+    *facts = (fmb_smt_facts){0};
+}
 
 #define FMB_SMT_TRUE  ((uint32_t)0)
 #define FMB_SMT_FALSE ((uint32_t)1)

@@ -1,9 +1,9 @@
-/* lex.c: tokens of SMT-LIB 2; see lex.h. */
-#include "io/smt2/lex.h"
+/* lex.c: tokens of SMT-LIB 2; see term.h. */
+#include "io/smt2/term.h"
 
 #include <string.h>
 
-#include "io/core/chars.h"
+#include "io/core/cursor.h"
 
 bool fmb_smt_is_plain(int b)
 {

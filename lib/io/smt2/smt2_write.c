@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "io/core/chars.h"
+#include "io/core/cursor.h"
 #include "io/core/utf8.h"
 #include "io/smt2/term.h"
 #include "system/names.h"

@@ -5,7 +5,7 @@
  */
 #include <string.h>
 
-#include "io/core/chars.h"
+#include "io/core/cursor.h"
 #include "io/core/utf8.h"
 #include "io/text/text.h"
 

@@ -9,7 +9,7 @@
  */
 #include <string.h>
 
-#include "io/core/chars.h"
+#include "io/core/cursor.h"
 #include "io/text/text.h"
 
 enum { SHORTEST = 4, MOST_NAMES = 1000 };

@@ -13,7 +13,7 @@
 
 #include "io/core/stream.h"
 #include "io/text/text.h"
-#include "symmetry/permutations.h"
+#include "symmetry/group.h"
 #include "symmetry/row_images.h"
 
 /* A variable by its name with sorted letters, which is there only once. */

@@ -6,7 +6,7 @@
 #define FMB_IO_TEXT_H
 
 #include "io/core/io_private.h"
-#include "io/core/quote.h"
+#include "io/core/number.h"
 
 /* Parentheses inside parentheses. */
 #define FMB_TEXT_DEPTH 200

@@ -59,7 +59,7 @@ void fmb_oracle_switch(fmb_oracle *o, size_t i, bool on);
 bool fmb_oracle_reached(fmb_oracle *o, mpq_t *x);
 
 /* ---- answers: valid until the next call ------------------------------------------------------ */
-/* Errors: LIMIT, as far as numbers are long (num/long_gcd.h). */
+/* Errors: LIMIT, as far as numbers are long (num/gcd.h). */
 
 /* x[n]: the solution; after an optimum, one that reaches it, or if none does, one of the closure.
  */

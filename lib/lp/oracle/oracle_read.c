@@ -1,7 +1,7 @@
 /* oracle_read.c: what an oracle has found, as rationals; see oracle.h. */
 #include "lp/oracle/oracle_state.h"
 
-#include "num/long_gcd.h"
+#include "num/gcd.h"
 
 static fmb_status set_ratio(const fmb_oracle *o, mpq_t to, const mpz_t num, const mpz_t den)
 {

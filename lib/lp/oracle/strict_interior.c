@@ -10,7 +10,7 @@
  */
 #include "lp/oracle/oracle_state.h"
 
-#include "num/long_gcd.h"
+#include "num/gcd.h"
 
 /* The rows and t <= 1, with the face's row before that. */
 static fmb_status load_interior_rows(fmb_oracle *o, bool face, fmb_program *q)

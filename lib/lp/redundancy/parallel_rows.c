@@ -3,7 +3,6 @@
 #include "lp/redundancy/parallel_rows.h"
 
 #include "num/gcd.h"
-#include "num/long_gcd.h"
 
 typedef struct parallel_table {
     fmb_mem *mem;

@@ -1,5 +1,4 @@
-/* generate.c: from rows to vertices, rays and lines (generate_rays.h). */
-#include "solve/generate/generate_rays.h"
+/* generate.c: from rows to vertices, rays and lines (generate_rays.c). */
 #include "solve/generate/some_rays.h"
 #include "system/generators_private.h"
 #include "system/system_private.h"

@@ -1,6 +1,5 @@
 /* generate_hull.c: from vertices, rays and lines to rows (hull/image/image.h). */
 #include "solve/generate/some_rays.h"
-#include "solve/generate/turns.h"
 #include "solve/query/solver.h"
 #include "system/generators_private.h"
 #include "system/system_private.h"

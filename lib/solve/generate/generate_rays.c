@@ -1,4 +1,4 @@
-/* generate_rays.c: which way to rays; see generate_rays.h.
+/* generate_rays.c: which way to rays; see some_rays.h.
  *
  * - Few coordinates and many rows: rows are vectors of the dual cone, whose facets are the rays.
  *   Vector by vector these stay known with their neighbours (hull/facets/facets.h). With some
@@ -11,7 +11,7 @@
  *   order there are hundreds. So that order gets its turns: the first ones where rows have a
  *   pattern, that is where each agrees with the one before it in most of its entries.
  */
-#include "solve/generate/generate_rays.h"
+#include "solve/generate/some_rays.h"
 
 #include <stdlib.h>
 

@@ -1,4 +1,4 @@
-/* turns.c: facets of hulls by ways in turns; see turns.h.
+/* turns.c: facets of hulls by ways in turns; see some_rays.h.
  *
  * Facets are the rays of the dual cone, whose rows are vertices and rays of the hull. Row by row
  * (dd/cone.h) there may be very many rays in between, in one order or in another: lexicographic, or
@@ -6,7 +6,7 @@
  * section of the cone find them one by one (hull/section/section.h). None is best on all; so each
  * gets its turn, and then a longer one. Once it is seen that facets are not few, queries end.
  */
-#include "solve/generate/turns.h"
+#include "solve/generate/some_rays.h"
 
 #include "hull/section/section.h"
 

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "symmetry/permutations.h"
+#include "symmetry/group.h"
 #include "symmetry/row_images.h"
 #include "system/system_private.h"
 

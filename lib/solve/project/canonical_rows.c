@@ -15,8 +15,8 @@
  */
 #include "solve/project/canonical.h"
 
+#include "num/gcd.h"
 #include "num/integers.h"
-#include "num/long_gcd.h"
 #include "num/rationals.h"
 
 /* The equations of the image on their way to echelon form. */

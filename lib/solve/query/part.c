@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "num/long_gcd.h"
+#include "num/gcd.h"
 #include "system/system_private.h"
 
 static int component_root(int *up, int j)

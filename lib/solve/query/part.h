@@ -43,7 +43,7 @@ fmb_status fmb_parts_split(fmb_parts *p, const fmb_system *s, fmb_run *run, fmb_
 void fmb_parts_clear(fmb_parts *p, fmb_mem *mem);
 
 /* Write the rows of a part out, unless they are: place[dim] as in fmb_parts; what is wanted behind
- * a limit is not stopped by it, unless numbers are long (num/long_gcd.h). Errors: MEMORY, LIMIT. */
+ * a limit is not stopped by it, unless numbers are long (num/gcd.h). Errors: MEMORY, LIMIT. */
 fmb_status fmb_part_load(fmb_part *p, const fmb_system *s, const int *place, fmb_run *run,
                          bool wide_only);
 

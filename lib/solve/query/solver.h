@@ -140,7 +140,7 @@ fmb_status fmb_query_load(fmb_query *q, const fmb_part *p, bool feasible, fmb_el
 /* options.c: the default of an option of the table, as text. */
 const char *fmb_options_initial(const char *name);
 
-/* options_read.c: the options of v, and its rules, are those given, or those by default. Errors:
+/* The options of v, and its rules, are those given, or those by default. Errors:
  * ARG, RULE. */
 fmb_status fmb_options_read(fmb_solver *v, const fmb_options *o);
 /* options.c: is every option of the table in its range? Errors: ARG. */

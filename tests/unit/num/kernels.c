@@ -3,9 +3,9 @@
 #include <criterion/criterion.h>
 #include <string.h>
 
+#include "num/bitset.h"
 #include "num/int128.h"
 #include "num/kernels/kernels.h"
-#include "num/ones.h"
 #include "support.h"
 
 enum { WORDS = 5, COUNT = 200, ROUNDS = 4000 };

@@ -1,5 +1,5 @@
 /* long_gcd.c: greatest common divisors of long numbers are those of GMP, and can be broken off. */
-#include "num/long_gcd.h"
+#include "num/gcd.h"
 
 #include <criterion/criterion.h>
 #include <stdint.h>

@@ -2,7 +2,8 @@
  * what the last of them did can be taken back, so that each is read when it comes to hold and not
  * again for every question that it holds for.
  *
- * Where a Boolean unknown is told behind a command that needs it, all is read once more (facts.h).
+ * Where a Boolean unknown is told behind a command that needs it, all is read once more
+ * (formula.h).
  */
 #ifndef FMB_IO_READING_H
 #define FMB_IO_READING_H

@@ -6,7 +6,7 @@
  */
 #include <string.h>
 
-#include "io/core/chars.h"
+#include "io/core/cursor.h"
 #include "io/core/stream.h"
 #include "io/smt2/script/script_private.h"
 

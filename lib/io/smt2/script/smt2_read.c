@@ -1,9 +1,9 @@
 /* smt2_read.c: SMT-LIB 2 scripts whose assertions are a conjunction of linear constraints.
  *
  * All assertions of the text are one system; commands that ask, set or print are ignored. What they
- * say of Boolean unknowns holds for the whole text, which is read again for it (facts.h). A script
- * whose meaning depends on the order of its commands (push, pop, reset, assumptions) is refused.
- * Source: Barrett, Fontaine, Tinelli, The SMT-LIB Standard, version 2.6, 2017.
+ * say of Boolean unknowns holds for the whole text, which is read again for it (formula.h). A
+ * script whose meaning depends on the order of its commands (push, pop, reset, assumptions) is
+ * refused. Source: Barrett, Fontaine, Tinelli, The SMT-LIB Standard, version 2.6, 2017.
  */
 #include "io/smt2/script/reading.h"
 #include "system/system_private.h"

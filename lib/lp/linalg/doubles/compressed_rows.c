@@ -1,5 +1,5 @@
-/* compressed_rows.c: see compressed_rows.h. */
-#include "lp/linalg/doubles/compressed_rows.h"
+/* compressed_rows.c: see updated_lu.h. */
+#include "lp/linalg/doubles/updated_lu.h"
 
 fmb_status fmb_compressed_rows_reserve(fmb_compressed_rows *l, fmb_mem *mem, size_t more)
 {

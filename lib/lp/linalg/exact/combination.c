@@ -3,7 +3,6 @@
 
 #include "lp/linalg/exact/hadamard.h"
 #include "num/gcd.h"
-#include "num/long_gcd.h"
 
 /* ---- life ------------------------------------------------------------------------------------ */
 

@@ -3,7 +3,7 @@
 
 #include <stdint.h>
 
-#include "num/long_gcd.h"
+#include "num/gcd.h"
 #include "num/word.h"
 
 void fmb_rational_init(fmb_rational *w)

@@ -19,7 +19,6 @@
 #include "base/ways.h"
 #include "lp/oracle/oracle.h"
 #include "lp/redundancy/active_set/active_set.h"
-#include "lp/redundancy/active_set/nonzero_columns.h"
 #include "trace/team.h"
 
 /* Rows shot at before the search: each shot looks at all rows. */
@@ -27,9 +26,72 @@
 /* Searches of one question, and numbers in its rows that are worth them: about a millisecond. */
 enum { SEARCHES = 4, WORTH_SEARCHES = 4048 };
 
+/* ---- rows in the columns that some of them name ---------------------------------------------- */
+
+/* Of the columns of a part, an elimination leaves few: whoever looks at all entries of a row should
+ * not look at the others. */
+typedef struct nonzero_columns {
+    fmb_mem *mem;
+    size_t n, m;     /* columns, rows */
+    fmb_lp_row *row; /* [m] over n columns */
+    fmb_vec *v;      /* [m] */
+    int64_t *entry;  /* [m][n + 1] */
+} nonzero_columns;
+
+static bool is_column_nonzero_in_rows(size_t j, size_t m, const fmb_lp_row *row)
+{
+    for (size_t i = 0; i < m; i++)
+        if (row[i].v->s[j] != 0)
+            return true;
+    return false;
+}
+
+/* column[0..n]: those, and the right side. */
+static void copy_entries_of_columns(nonzero_columns *t, const size_t *column, const fmb_lp_row *row)
+{
+    size_t d = t->n + 1;
+    for (size_t i = 0; i < t->m; i++) {
+        int64_t *s = &t->entry[i * d];
+        for (size_t k = 0; k < d; k++)
+            s[k] = row[i].v->s[column[k]];
+        t->v[i] = (fmb_vec){.s = s, .bits = row[i].v->bits};
+        t->row[i] = (fmb_lp_row){&t->v[i], row[i].rel};
+    }
+}
+
+/* Rows over n columns, all of them small (num/vec.h). Errors: MEMORY, LIMIT. In any case
+ * close_nonzero_columns. */
+static fmb_status open_nonzero_columns(nonzero_columns *t, fmb_mem *mem, size_t n, size_t m,
+                                       const fmb_lp_row *row)
+{
+    *t = (nonzero_columns){.mem = mem, .m = m};
+    size_t *column = fmb_mem_get(mem, n + 1, sizeof *column);
+    if (!column)
+        return fmb_mem_status(mem);
+    for (size_t j = 0; j < n; j++)
+        if (is_column_nonzero_in_rows(j, m, row))
+            column[t->n++] = j;
+    column[t->n] = n;
+    t->row = fmb_mem_get(mem, m, sizeof *t->row);
+    t->v = fmb_mem_get(mem, m, sizeof *t->v);
+    t->entry = fmb_mem_get(mem, m * (t->n + 1), sizeof *t->entry);
+    bool got = t->row && t->v && t->entry;
+    if (got)
+        copy_entries_of_columns(t, column, row);
+    fmb_mem_put(mem, column, n + 1, sizeof *column);
+    return got ? FMB_OK : fmb_mem_status(mem);
+}
+
+static void close_nonzero_columns(nonzero_columns *t)
+{
+    fmb_mem_put(t->mem, t->row, t->m, sizeof *t->row);
+    fmb_mem_put(t->mem, t->v, t->m, sizeof *t->v);
+    fmb_mem_put(t->mem, t->entry, t->m * (t->n + 1), sizeof *t->entry);
+}
+
 typedef struct fmb_paused_sorting {
     fmb_run *run;
-    fmb_nonzero_columns reduced;
+    nonzero_columns reduced;
     fmb_scaled_rows rows;
     fmb_interior_point inside;
     fmb_active_set search[SEARCHES];
@@ -215,7 +277,7 @@ static void close_sorting(sorting *s)
     fmb_mem_put(mem, s->open, s->rows.m, sizeof *s->open);
     fmb_mem_put(mem, s->used, s->rows.m, sizeof *s->used);
     fmb_scaled_rows_clear(&s->rows, mem);
-    fmb_nonzero_columns_clear(&s->reduced);
+    close_nonzero_columns(&s->reduced);
     fmb_mem_put(mem, s, 1, sizeof *s);
 }
 
@@ -241,7 +303,7 @@ static fmb_status open_sorting(fmb_run *run, int n, size_t m, const fmb_lp_row *
         return fmb_mem_status(run->mem);
     s->run = run;
     s->out = out;
-    fmb_status st = fmb_nonzero_columns_open(&s->reduced, run->mem, (size_t)n, m, row);
+    fmb_status st = open_nonzero_columns(&s->reduced, run->mem, (size_t)n, m, row);
     bool narrow = st == FMB_OK && s->reduced.n <= MOST_COLUMNS;
     out->doubtful = narrow ? 0 : m;
     if (narrow)

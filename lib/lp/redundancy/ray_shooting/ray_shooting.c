@@ -13,7 +13,7 @@
 
 #include "lp/redundancy/parallel_rows.h"
 #include "lp/redundancy/ray_shooting/ray_sorter.h"
-#include "lp/redundancy/result_log.h"
+#include "num/rationals.h"
 #include "trace/team.h"
 
 enum { GROUP = 1024 };
@@ -50,11 +50,94 @@ static fmb_status sort_rows(const fmb_ray_shooting *s, fmb_run *run, fmb_fate *f
     return st;
 }
 
+/* ---- what was found about rows, noted to be told later --------------------------------------- */
+
+typedef struct logged_result {
+    size_t row;
+    bool kept;
+    fmb_weights weights; /* the proof of a row that is redundant, */
+    mpq_t *x;            /* [n] or the point of one that is not; none where nobody was told */
+} logged_result;
+
+typedef struct result_log {
+    fmb_mem *mem;
+    size_t n;
+    logged_result *item; /* [count] */
+    size_t count, room;
+    fmb_verdicts listener; /* notes what it is told, with proofs */
+} result_log;
+
+/* Note what became of a row, without a proof. Errors: MEMORY, LIMIT. */
+static fmb_status result_log_note(result_log *f, size_t row, fmb_fate fate)
+{
+    fmb_status st =
+        fmb_mem_reserve(f->mem, (void **)&f->item, &f->room, f->count + 1, sizeof *f->item);
+    if (st == FMB_OK)
+        f->item[f->count++] = (logged_result){.row = row, .kept = fate == FMB_FATE_KEPT};
+    return st;
+}
+
+static fmb_status note_redundant_row(void *self, size_t i, const fmb_weights *w)
+{
+    result_log *f = self;
+    fmb_status st = result_log_note(f, i, FMB_FATE_REDUNDANT);
+    for (size_t k = 0; st == FMB_OK && k < w->size; k++)
+        st = fmb_weights_add(&f->item[f->count - 1].weights, w->index[k], w->value[k], f->mem);
+    return st;
+}
+
+static fmb_status note_irredundant_row(void *self, size_t i, mpq_t *x)
+{
+    result_log *f = self;
+    fmb_status st = result_log_note(f, i, FMB_FATE_KEPT);
+    if (st == FMB_OK)
+        st = fmb_rationals_new(&f->item[f->count - 1].x, f->n, f->mem);
+    for (size_t j = 0; st == FMB_OK && j < f->n; j++)
+        mpq_set(f->item[f->count - 1].x[j], x[j]);
+    return st;
+}
+
+/* None. f must not move. */
+static void result_log_begin(result_log *f, fmb_mem *mem, size_t n)
+{
+    *f = (result_log){.mem = mem, .n = n};
+    f->listener = (fmb_verdicts){
+        .redundant = note_redundant_row, .irredundant = note_irredundant_row, .self = f};
+}
+
+static void result_log_end(result_log *f)
+{
+    for (size_t k = 0; k < f->count; k++) {
+        fmb_weights_clear(&f->item[k].weights, f->mem);
+        fmb_rationals_free(f->item[k].x, f->n, f->mem);
+    }
+    if (f->mem)
+        fmb_mem_put(f->mem, f->item, f->room, sizeof *f->item);
+}
+
+/* Set fate[m] and tell of those rows that are UNKNOWN there; told may be NULL. Errors: those of
+ * told. */
+static fmb_status result_log_tell(result_log *f, fmb_fate *fate, const fmb_verdicts *told)
+{
+    fmb_status st = FMB_OK;
+    for (size_t k = 0; st == FMB_OK && k < f->count; k++) {
+        logged_result *it = &f->item[k];
+        if (fate[it->row] != FMB_FATE_UNKNOWN)
+            continue;
+        fate[it->row] = it->kept ? FMB_FATE_KEPT : FMB_FATE_REDUNDANT;
+        if (told && it->kept && told->irredundant)
+            st = told->irredundant(told->self, it->row, it->x);
+        else if (told && !it->kept && told->redundant)
+            st = told->redundant(told->self, it->row, &it->weights);
+    }
+    return st;
+}
+
 /* ---- together -------------------------------------------------------------------------------- */
 
 typedef struct sort_job {
     const fmb_ray_shooting *s;
-    fmb_result_log *found; /* [groups] */
+    result_log *found; /* [groups] */
 } sort_job;
 
 /* With fates of its own, which begin as they are. */
@@ -62,24 +145,24 @@ static fmb_status sort_group(void *self, size_t number, fmb_run *run)
 {
     const sort_job *all = self;
     const fmb_ray_shooting *s = all->s;
-    fmb_result_log *found = &all->found[number];
+    result_log *found = &all->found[number];
     size_t m = s->points.m, from = number * GROUP, to = from + GROUP < m ? from + GROUP : m;
     fmb_fate *fate = fmb_mem_get(run->mem, m, sizeof *fate);
     const fmb_verdicts *told = s->told ? &found->listener : NULL;
-    fmb_result_log_begin(found, run->mem, s->points.n);
+    result_log_begin(found, run->mem, s->points.n);
     if (!fate)
         return fmb_mem_status(run->mem);
     memcpy(fate, s->fate, m * sizeof *fate);
     fmb_status st = sort_rows(s, run, fate, told, from, to);
     for (size_t i = 0; (st == FMB_OK || st == FMB_LIMIT) && !told && i < m; i++)
         if (fate[i] != s->fate[i])
-            st = fmb_result_log_note(found, i, fate[i]) == FMB_OK ? st : FMB_ERR_MEMORY;
+            st = result_log_note(found, i, fate[i]) == FMB_OK ? st : FMB_ERR_MEMORY;
     fmb_mem_put(run->mem, fate, m, sizeof *fate);
     return st;
 }
 
 /* Tells what was found, in order, then says what went wrong first. */
-static fmb_status sort_all_groups(fmb_ray_shooting *s, fmb_result_log *found, size_t groups)
+static fmb_status sort_all_groups(fmb_ray_shooting *s, result_log *found, size_t groups)
 {
     fmb_team team;
     sort_job all = {s, found};
@@ -89,8 +172,8 @@ static fmb_status sort_all_groups(fmb_ray_shooting *s, fmb_result_log *found, si
         worst = fmb_team_do(&team, groups, sort_group, &all);
     for (size_t k = 0; begun && k < groups; k++) {
         if (st == FMB_OK)
-            st = fmb_result_log_tell(&found[k], s->fate, s->told);
-        fmb_result_log_end(&found[k]);
+            st = result_log_tell(&found[k], s->fate, s->told);
+        result_log_end(&found[k]);
     }
     fmb_team_close(&team);
     return st != FMB_OK ? st : worst;
@@ -99,7 +182,7 @@ static fmb_status sort_all_groups(fmb_ray_shooting *s, fmb_result_log *found, si
 static fmb_status sort_together(fmb_ray_shooting *s, size_t groups)
 {
     fmb_mem *mem = s->run->mem;
-    fmb_result_log *found = fmb_mem_zero(mem, groups, sizeof *found);
+    result_log *found = fmb_mem_zero(mem, groups, sizeof *found);
     if (!found)
         return fmb_mem_status(mem);
     fmb_status st = sort_all_groups(s, found, groups);

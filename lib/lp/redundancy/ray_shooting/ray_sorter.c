@@ -12,7 +12,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "num/long_gcd.h"
+#include "num/gcd.h"
 #include "num/rationals.h"
 
 /* Values below are taken for 0, and are tried for what they are if that fails. */
