@@ -2,7 +2,6 @@
 #include "common/table.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "common/message.h"
 #include "common/text.h"
@@ -14,18 +13,6 @@ static size_t begin_of_cell(const app_table *t, size_t i)
     return i > 0 ? t->cell[i - 1].end : 0;
 }
 
-/* A NUL stands behind all of it. */
-void app_table_write(app_table *t, const char *text)
-{
-    size_t n = strlen(text);
-    if (n >= t->room - t->bytes) {
-        t->room = 2 * (t->bytes + n) + 512;
-        t->text = app_need(realloc(t->text, t->room));
-    }
-    memcpy(t->text + t->bytes, text, n + 1);
-    t->bytes += n;
-}
-
 void app_table_end_cell(app_table *t)
 {
     if (t->cells == t->capacity) {
@@ -33,14 +20,19 @@ void app_table_end_cell(app_table *t)
         t->cell = app_need(realloc(t->cell, t->capacity * sizeof *t->cell));
     }
     size_t begin = begin_of_cell(t, t->cells);
-    size_t width = begin < t->bytes ? app_text_width(t->text + begin) : 0;
-    t->cell[t->cells++] = (app_cell){t->bytes, width};
+    size_t width = begin < t->text.size ? app_text_width(t->text.text + begin) : 0;
+    t->cell[t->cells++] = (app_cell){t->text.size, width};
+}
+
+void app_table_put(app_table *t, const char *text)
+{
+    app_buffer_put(&t->text, text);
+    app_table_end_cell(t);
 }
 
 void app_table_add(app_table *t, char *text)
 {
-    app_table_write(t, text);
-    app_table_end_cell(t);
+    app_table_put(t, text);
     free(text);
 }
 
@@ -75,7 +67,7 @@ static void print_row(const app_table *t, size_t first, const size_t *width, FIL
         if (bytes > 0) {
             spaces(owed, out);
             owed = 0;
-            fwrite_unlocked(t->text + begin, 1, bytes, out);
+            fwrite_unlocked(t->text.text + begin, 1, bytes, out);
         }
         owed += 1 + (t->align[c] == 'l' ? fill : 0);
     }
@@ -96,6 +88,6 @@ void app_table_print(app_table *t, FILE *out)
 void app_table_clear(app_table *t)
 {
     free(t->cell);
-    free(t->text);
+    free(t->text.text);
     *t = (app_table){.columns = t->columns, .align = t->align};
 }

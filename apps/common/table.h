@@ -5,6 +5,8 @@
 #include <stddef.h>
 #include <stdio.h>
 
+#include "common/buffer.h"
+
 /* Where a cell ends in the text of all cells, and how wide it is. */
 typedef struct app_cell {
     size_t end, width;
@@ -17,15 +19,14 @@ typedef struct app_table {
     const char *align;
     app_cell *cell; /* row by row */
     size_t cells, capacity;
-    char *text; /* of all cells, one behind the other, without any NUL */
-    size_t bytes, room;
+    app_buffer text; /* of all cells, one behind the other */
 } app_table;
 
 /* Append one cell; takes over text, which comes from malloc. */
 void app_table_add(app_table *t, char *text);
-/* The same piece by piece: more text of a cell, and its end. */
-void app_table_write(app_table *t, const char *text);
+/* What was put at the end of the text makes a cell, all at once or with that. */
 void app_table_end_cell(app_table *t);
+void app_table_put(app_table *t, const char *text);
 /* Print and clear. Columns are one space apart; lines carry no trailing spaces. */
 void app_table_print(app_table *t, FILE *out);
 /* Free all cells. */

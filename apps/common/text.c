@@ -22,12 +22,22 @@ static bool is_escape(const char *p)
     return p[0] == '\\' && p[1] == 'x' && is_hex_digit(p[2]) && is_hex_digit(p[3]);
 }
 
-char *app_text(const char *raw, app_text_use use)
+/* As it is, whoever reads it. */
+static bool is_plain(char byte)
+{
+    return byte >= ' ' && byte <= '~' && byte != '\\';
+}
+
+void app_text_put(app_buffer *b, const char *raw, app_text_use use)
 {
     size_t left = strlen(raw);
-    char *text = app_need(malloc(4 * left + 1));
-    char *out = text;
+    char *text = app_buffer_reserve(b, 4 * left), *out = text;
     while (left > 0) {
+        if (is_plain(*raw)) {
+            *out++ = *raw++;
+            left--;
+            continue;
+        }
         size_t bytes = (use == APP_TEXT_JSON ? fmb_utf8_length : fmb_utf8_printable)(raw, left);
         if (is_escape(raw))
             bytes = 0;
@@ -39,7 +49,14 @@ char *app_text(const char *raw, app_text_use use)
         left -= bytes + (bytes == 0);
     }
     *out = '\0';
-    return text;
+    b->size += (size_t)(out - text);
+}
+
+char *app_text(const char *raw, app_text_use use)
+{
+    app_buffer b = {0};
+    app_text_put(&b, raw, use);
+    return b.text;
 }
 
 size_t app_text_width(const char *text)

@@ -3,15 +3,17 @@
 #ifndef APP_TEXT_H
 #define APP_TEXT_H
 
-#include <stddef.h>
+#include "common/buffer.h"
 
 typedef enum app_text_use {
     APP_TEXT_TERMINAL, /* control characters are escaped too */
     APP_TEXT_JSON      /* JSON has its own escapes for them */
 } app_text_use;
 
-/* [give, free()] raw in valid UTF-8: bytes that are not are written \xHH, and so is the
- * backslash of a name that spells such an escape: different names stay different. */
+/* raw in valid UTF-8: bytes that are not are written \xHH, and so is the backslash of a name that
+ * spells such an escape: different names stay different. */
+void app_text_put(app_buffer *b, const char *raw, app_text_use use);
+/* [give, free()] The same alone. */
 char *app_text(const char *raw, app_text_use use);
 
 /* Characters of a valid UTF-8 text: its width in a table (wide characters count as one). */

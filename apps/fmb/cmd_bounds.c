@@ -82,7 +82,8 @@ static void print_box(const app_session *s, const fmb_box *box)
 {
     app_table table = {.columns = 3, .align = "lrr"};
     for (int i = 0; i < fmb_box_size(box); i++) {
-        app_table_add(&table, app_show_name(s->system, fmb_box_var(box, i)));
+        app_put_name(&table.text, s->system, fmb_box_var(box, i));
+        app_table_end_cell(&table);
         app_table_add(&table, end_cell(box, i, FMB_LOWER, s->ask->digits));
         app_table_add(&table, end_cell(box, i, FMB_UPPER, s->ask->digits));
     }

@@ -152,26 +152,27 @@ static const char *ray_letter(const fmb_system *s)
     return letter[i];
 }
 
-/* [give, free()] "3", "3 + 1/2 t", "-t" */
-static char *coordinate_text(const app_session *s, const fmb_optimum *o, int j)
+/* "3", "3 + 1/2 t", "-t" */
+static void put_coordinate(app_buffer *out, const app_session *s, const fmb_optimum *o, int j,
+                           mpq_t q)
 {
-    mpq_t p, r;
-    mpq_inits(p, r, NULL);
-    fmb_optimum_coordinate_q(o, j, p);
-    fmb_optimum_ray_q(o, j, r);
-    bool minus = mpq_sgn(r) < 0, start = mpq_sgn(p) != 0, still = mpq_sgn(r) == 0;
-    mpq_abs(r, r);
-    bool paced = !still && mpq_cmp_ui(r, 1, 1) != 0;
-    char *from = app_number(p, s->ask->digits, APP_NEAREST);
-    char *pace = app_number(r, s->ask->digits, APP_NEAREST);
-    char *text = still ? app_print("%s", from)
-                       : app_print("%s%s%s%s%s", start ? from : "",
-                                   start ? (minus ? " - " : " + ") : (minus ? "-" : ""),
-                                   paced ? pace : "", paced ? " " : "", ray_letter(s->system));
-    free(from);
-    free(pace);
-    mpq_clears(p, r, NULL);
-    return text;
+    fmb_optimum_coordinate_q(o, j, q);
+    bool start = mpq_sgn(q) != 0;
+    if (start)
+        app_put_number(out, q, s->ask->digits);
+    fmb_optimum_ray_q(o, j, q);
+    int sign = mpq_sgn(q);
+    if (!start && sign == 0)
+        app_buffer_put(out, "0");
+    if (sign == 0)
+        return;
+    app_buffer_put(out, start ? (sign < 0 ? " - " : " + ") : (sign < 0 ? "-" : ""));
+    mpq_abs(q, q);
+    if (mpq_cmp_ui(q, 1, 1) != 0) {
+        app_put_number(out, q, s->ask->digits);
+        app_buffer_put(out, " ");
+    }
+    app_buffer_put(out, ray_letter(s->system));
 }
 
 static void print_coordinates(const app_session *s, const fmb_optimum *o)
@@ -179,11 +180,16 @@ static void print_coordinates(const app_session *s, const fmb_optimum *o)
     fmb_end end = fmb_optimum_end(o);
     bool limit = end.kind == FMB_END_FINITE && !end.attained;
     app_table table = {.columns = 3, .align = "lll"};
+    mpq_t q;
+    mpq_init(q);
     for (int j = 0; j < fmb_system_dim(s->system); j++) {
-        app_table_add(&table, app_show_name(s->system, j));
-        app_table_add(&table, app_print(limit ? "->" : "="));
-        app_table_add(&table, coordinate_text(s, o, j));
+        app_put_name(&table.text, s->system, j);
+        app_table_end_cell(&table);
+        app_table_put(&table, limit ? "->" : "=");
+        put_coordinate(&table.text, s, o, j, q);
+        app_table_end_cell(&table);
     }
+    mpq_clear(q);
     app_table_print(&table, stdout);
     if (end.kind == FMB_END_INFINITE)
         printf("for all %s >= 0\n", ray_letter(s->system));

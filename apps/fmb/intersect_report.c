@@ -69,8 +69,7 @@ static void write_interval_name(app_table *t, const meeting *m, int i)
         snprintf(name, sizeof name, "  x%d", i + 1);
     else if (i < m->dim + m->inside)
         snprintf(name, sizeof name, "  c%d", i - m->dim + 1);
-    app_table_write(t, name);
-    app_table_end_cell(t);
+    app_table_put(t, name);
 }
 
 /* "[1/2,", "(-inf,", "5?]" of an end that may be too far out, "?]" */
@@ -79,20 +78,20 @@ static void write_end(app_table *t, const interval *v, fmb_side side)
     const char *end = side == FMB_LOWER ? v->lower : v->upper;
     bool round = end && strstr(end, "inf");
     if (side == FMB_LOWER)
-        app_table_write(t, round ? "(" : "[");
+        app_buffer_put(&t->text, round ? "(" : "[");
     if (end)
-        app_table_write(t, end);
+        app_buffer_put(&t->text, end);
     if (v->outer)
-        app_table_write(t, "?");
-    app_table_write(t, side == FMB_LOWER ? "," : round ? ")" : "]");
+        app_buffer_put(&t->text, "?");
+    app_buffer_put(&t->text, side == FMB_LOWER ? "," : round ? ")" : "]");
     app_table_end_cell(t);
 }
 
 static void write_witness(app_table *t, const interval *v)
 {
     if (v->at) {
-        app_table_write(t, "at ");
-        app_table_write(t, v->at);
+        app_buffer_put(&t->text, "at ");
+        app_buffer_put(&t->text, v->at);
     }
     app_table_end_cell(t);
 }

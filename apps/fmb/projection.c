@@ -26,8 +26,9 @@ static void print_classes(const classes *c, int digits)
     for (size_t i = 0; i < rows; i++)
         if (c->size[i] > 0) {
             app_table_add(&table, app_print("%zu", c->size[i]));
-            app_table_add(&table, app_print("%s", c->size[i] == 1 ? "row" : "rows"));
-            app_table_add(&table, app_show_row(c->projection, i, digits));
+            app_table_put(&table, c->size[i] == 1 ? "row" : "rows");
+            app_put_row(&table.text, c->projection, i, digits);
+            app_table_end_cell(&table);
         }
     app_table_print(&table, stdout);
     printf("%zu class%s, %zu row%s\n", c->count, c->count == 1 ? "" : "es", rows,

@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "common/message.h"
 #include "common/text.h"
@@ -19,20 +20,28 @@ char *app_print(const char *format, ...)
     return app_need(text);
 }
 
-char *app_show_name(const fmb_system *s, int j)
+void app_put_name(app_buffer *out, const fmb_system *s, int j)
 {
-    return app_text(fmb_system_name(s, j), APP_TEXT_TERMINAL);
+    app_text_put(out, fmb_system_name(s, j), APP_TEXT_TERMINAL);
+}
+
+void app_put_row_name(app_buffer *out, const fmb_system *s, size_t i)
+{
+    const char *label = fmb_system_label(s, i);
+    char *number = app_buffer_reserve(out, 32);
+    out->size += (size_t)sprintf(number, "row %zu", i + 1);
+    if (!label)
+        return;
+    app_buffer_put(out, " (");
+    app_text_put(out, label, APP_TEXT_TERMINAL);
+    app_buffer_put(out, ")");
 }
 
 char *app_show_row_name(const fmb_system *s, size_t i)
 {
-    const char *raw = fmb_system_label(s, i);
-    if (!raw)
-        return app_print("row %zu", i + 1);
-    char *label = app_text(raw, APP_TEXT_TERMINAL);
-    char *text = app_print("row %zu (%s)", i + 1, label);
-    free(label);
-    return text;
+    app_buffer out = {0};
+    app_put_row_name(&out, s, i);
+    return out.text;
 }
 
 char *app_show_double(double d, int digits, app_rounding way)
@@ -47,61 +56,65 @@ char *app_show_double(double d, int digits, app_rounding way)
     return text;
 }
 
-static void put_number(FILE *out, mpq_srcptr q, int digits)
+void app_put_number(app_buffer *out, mpq_srcptr q, int digits)
 {
-    char *text = app_number(q, digits, APP_NEAREST);
-    fputs(text, out);
-    free(text);
+    if (digits > 0) {
+        char *text = app_number(q, digits, APP_NEAREST);
+        app_buffer_put(out, text);
+        free(text);
+        return;
+    }
+    size_t most = mpz_sizeinbase(mpq_numref(q), 10) + mpz_sizeinbase(mpq_denref(q), 10) + 2;
+    out->size += strlen(mpq_get_str(app_buffer_reserve(out, most), 10, q));
 }
 
 /* One term: its sign (none in front of the first if positive), its size unless 1, its variable. */
-static void put_term(FILE *out, const fmb_system *s, size_t k, int j, mpq_t coef, int digits)
+static void put_term(app_buffer *out, const fmb_system *s, size_t k, int j, mpq_t coef, int digits)
 {
     int sign = mpq_sgn(coef);
-    fputs(k == 0 ? (sign < 0 ? "-" : "") : (sign < 0 ? " - " : " + "), out);
+    app_buffer_put(out, k == 0 ? (sign < 0 ? "-" : "") : (sign < 0 ? " - " : " + "));
     mpq_abs(coef, coef);
     if (mpq_cmp_ui(coef, 1, 1) != 0) {
-        put_number(out, coef, digits);
-        fputc(' ', out);
+        app_put_number(out, coef, digits);
+        app_buffer_put(out, " ");
     }
-    char *name = app_show_name(s, j);
-    fputs(name, out);
-    free(name);
+    app_put_name(out, s, j);
 }
 
-char *app_show_row(const fmb_system *s, size_t i, int digits)
+void app_put_row(app_buffer *out, const fmb_system *s, size_t i, int digits)
 {
-    char *text = NULL;
-    size_t size;
-    FILE *out = app_need(open_memstream(&text, &size));
     mpq_t q;
     mpq_init(q);
     for (size_t k = 0; k < fmb_system_terms(s, i); k++) {
         int j = fmb_system_term_q(s, i, k, q);
         put_term(out, s, k, j, q, digits);
     }
-    if (fmb_system_terms(s, i) == 0)
-        fputc('0', out);
+    app_buffer_put(out, fmb_system_terms(s, i) == 0 ? "0 " : " ");
+    app_buffer_put(out, fmb_rel_text(fmb_system_rel(s, i)));
+    app_buffer_put(out, " ");
     fmb_system_rhs_q(s, i, q);
-    fprintf(out, " %s ", fmb_rel_text(fmb_system_rel(s, i)));
-    put_number(out, q, digits);
+    app_put_number(out, q, digits);
     mpq_clear(q);
-    fclose(out);
-    return app_need(text);
+}
+
+char *app_show_row(const fmb_system *s, size_t i, int digits)
+{
+    app_buffer out = {0};
+    app_put_row(&out, s, i, digits);
+    return out.text;
 }
 
 char *app_show_objective(const fmb_system *s, int sign, bool constant, int digits)
 {
-    char *text = NULL;
-    size_t size, n = fmb_system_objective_terms(s);
-    FILE *out = app_need(open_memstream(&text, &size));
+    app_buffer out = {0};
+    size_t n = fmb_system_objective_terms(s);
     mpq_t q;
     mpq_init(q);
     for (size_t k = 0; k < n; k++) {
         int j = fmb_system_objective_term_q(s, k, q);
         if (sign < 0)
             mpq_neg(q, q);
-        put_term(out, s, k, j, q, digits);
+        put_term(&out, s, k, j, q, digits);
     }
     if (constant)
         fmb_system_objective_constant_q(s, q);
@@ -110,14 +123,13 @@ char *app_show_objective(const fmb_system *s, int sign, bool constant, int digit
     if (sign < 0)
         mpq_neg(q, q);
     if (n > 0 && mpq_sgn(q) != 0) {
-        fputs(mpq_sgn(q) < 0 ? " - " : " + ", out);
+        app_buffer_put(&out, mpq_sgn(q) < 0 ? " - " : " + ");
         mpq_abs(q, q);
     }
     if (n == 0 || mpq_sgn(q) != 0)
-        put_number(out, q, digits);
+        app_put_number(&out, q, digits);
     mpq_clear(q);
-    fclose(out);
-    return app_need(text);
+    return out.text;
 }
 
 /* ---- JSON ------------------------------------------------------------------------------------ */

@@ -8,15 +8,21 @@
 
 #include <fmb/gmp.h>
 
+#include "common/buffer.h"
 #include "common/decimal.h"
 #include "common/json.h"
 
 /* [give, free()] printf into fresh memory, with GMP's conversions (%Qd). */
 char *app_print(const char *format, ...);
 
-/* [give, free()] "x", "row 7 (label)", "3 x + 1/2 y <= 4". digits here and below: of decimals, or 0
+/* "x", "row 7 (label)", "3 x + 1/2 y <= 4". digits here and below: of decimals, or 0
  * (common/decimal.h). */
-char *app_show_name(const fmb_system *s, int j);
+void app_put_name(app_buffer *out, const fmb_system *s, int j);
+void app_put_number(app_buffer *out, mpq_srcptr q, int digits);
+void app_put_row_name(app_buffer *out, const fmb_system *s, size_t i);
+void app_put_row(app_buffer *out, const fmb_system *s, size_t i, int digits);
+
+/* [give, free()] The same alone. */
 char *app_show_row_name(const fmb_system *s, size_t i);
 char *app_show_row(const fmb_system *s, size_t i, int digits);
 

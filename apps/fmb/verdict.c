@@ -24,9 +24,11 @@ static void print_point(const app_session *s, size_t claim)
     mpq_init(q);
     for (int j = 0; j < fmb_system_dim(s->system); j++) {
         fmb_evidence_coordinate_q(s->evidence, claim, j, q);
-        app_table_add(&table, app_show_name(s->system, j));
-        app_table_add(&table, app_print("="));
-        app_table_add(&table, app_number(q, s->ask->digits, APP_NEAREST));
+        app_put_name(&table.text, s->system, j);
+        app_table_end_cell(&table);
+        app_table_put(&table, "=");
+        app_put_number(&table.text, q, s->ask->digits);
+        app_table_end_cell(&table);
     }
     mpq_clear(q);
     app_table_print(&table, stdout);
@@ -42,10 +44,13 @@ void app_verdict_print_multipliers(const app_session *s, size_t claim, mpq_t sum
     for (size_t i = fmb_evidence_next_row(s->evidence, claim, 0); i != SIZE_MAX;
          i = fmb_evidence_next_row(s->evidence, claim, i + 1)) {
         fmb_evidence_multiplier_q(s->evidence, claim, i, q);
-        app_table_add(&table, app_number(q, s->ask->digits, APP_NEAREST));
-        app_table_add(&table, app_print("*"));
-        app_table_add(&table, app_show_row_name(s->system, i));
-        app_table_add(&table, app_show_row(s->system, i, s->ask->digits));
+        app_put_number(&table.text, q, s->ask->digits);
+        app_table_end_cell(&table);
+        app_table_put(&table, "*");
+        app_put_row_name(&table.text, s->system, i);
+        app_table_end_cell(&table);
+        app_put_row(&table.text, s->system, i, s->ask->digits);
+        app_table_end_cell(&table);
         *strict |= fmb_system_rel(s->system, i) == FMB_LT;
         fmb_system_rhs_q(s->system, i, b);
         mpq_mul(b, b, q);
