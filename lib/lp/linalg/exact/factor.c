@@ -10,6 +10,7 @@
 #include "lp/linalg/exact/rational.h"
 #include "lp/linalg/exact/triangular.h"
 #include "lp/linalg/modular/modular_lu.h"
+#include "num/integers.h"
 
 struct fmb_factor {
     fmb_run *run;
@@ -25,6 +26,7 @@ struct fmb_factor {
     bool is_short, has_minors; /* minors suit it; they are there */
     bool *reached;             /* [n] scratch of substitution */
     fmb_rational rational;
+    fmb_integers factor; /* [n] scratch: what came into d for each unknown in turn */
     mpz_t m, y, a, d;
     size_t usual[2]; /* digits that were enough last time */
 };
@@ -53,6 +55,7 @@ void fmb_factor_free(fmb_factor *f)
     fmb_dixon_clear(&f->lift[1]);
     fmb_minors_clear(&f->minors, f->mem);
     fmb_rational_clear(&f->rational);
+    fmb_integers_clear(&f->factor, f->mem);
     mpz_clears(f->m, f->y, f->a, f->d, NULL);
     fmb_arena_clear(&f->lasting);
     fmb_arena_clear(&f->passing);
@@ -159,6 +162,12 @@ static bool scale_unknown(fmb_factor *f, const asked *s, size_t k)
     return fmb_run_poll_long(f->run, f->m) == FMB_OK;
 }
 
+/* The i-th unknown that is looked at: those first that others follow from. */
+static size_t unknown_in_turn(const fmb_factor *f, const asked *s, size_t i)
+{
+    return s->lift == &f->lift[0] ? s->lift->n - 1 - i : i;
+}
+
 /* Is f->y, or f->y - m, of at most so many bits? */
 static bool is_short(fmb_factor *f, size_t bits)
 {
@@ -181,37 +190,65 @@ static bool widen_denominator(fmb_factor *f, size_t m_bits)
     return true;
 }
 
+/* d times unknown k, and what is multiplied into d for it; 0 stands for 1, which it is as a rule.
+ */
+static bool find_numerator(fmb_factor *f, const asked *s, size_t k, size_t shorter, mpz_t factor)
+{
+    mpz_ptr x = s->x[s->at[k]];
+    mpz_set_ui(factor, 0);
+    if (!scale_unknown(f, s, k))
+        return false;
+    if (!is_short(f, shorter)) {
+        bool widened = widen_denominator(f, mpz_sizeinbase(f->m, 2) - 1);
+        mpz_swap(x, f->a);
+        mpz_swap(factor, f->y);
+        return widened;
+    }
+    if (mpz_cmp(f->a, f->y) < 0)
+        mpz_neg(x, f->a);
+    else
+        mpz_swap(x, f->y);
+    return true;
+}
+
+/* Numerators over the d of their moment, one unknown after the other; then what came into d after
+ * that is multiplied in. */
+static bool find_numerators(fmb_factor *f, const asked *s, size_t shorter)
+{
+    bool found = true;
+    for (size_t i = 0; found && i < s->lift->n; i++)
+        found = find_numerator(f, s, unknown_in_turn(f, s, i), shorter, f->factor.z[i]);
+    mpz_set_ui(f->a, 1);
+    for (size_t i = s->lift->n; found && i-- > 0;) {
+        mpz_ptr x = s->x[s->at[unknown_in_turn(f, s, i)]];
+        if (mpz_cmp_ui(f->a, 1) != 0)
+            mpz_mul(x, x, f->a);
+        if (mpz_sgn(f->factor.z[i]) != 0)
+            mpz_mul(f->a, f->a, f->factor.z[i]);
+        found = fmb_run_poll_long(f->run, x) == FMB_OK;
+    }
+    return found;
+}
+
 /* Theorem. Let m = p^k, x the digits so far: B x = right modulo m. If y = d x modulo m, then B y =
  * d right modulo m; and if both sides are less than m/2, B y = d right.
  *
  * A fraction may look short by chance before its denominator is in d (m is not at random: 1/2^30
- * is, modulo some powers of some primes), and not after: then that is looked for once more. */
+ * is, modulo some powers of some primes), and not after: then all are looked for once more, with d
+ * as it is by then, and that one is not short again, or d has grown. */
 static bool find_common_denominator(fmb_factor *f, const asked *s)
 {
     size_t m_bits = mpz_sizeinbase(f->m, 2) - 1, norm_bits = s->lift->b->bits_max;
     if (m_bits < norm_bits + 2 + GUARD_BITS)
         return false;
-    size_t room = m_bits - norm_bits - 2, shorter = room - GUARD_BITS;
+    size_t room = m_bits - norm_bits - 2;
     mpz_set_ui(f->d, 1);
-    for (size_t i = 0; i < s->lift->n; i++) {
-        size_t k = s->lift == &f->lift[0] ? s->lift->n - 1 - i : i;
-        if (!scale_unknown(f, s, k) || (!is_short(f, shorter) && !widen_denominator(f, m_bits)))
+    for (bool fits = false; !fits;) {
+        if (!find_numerators(f, s, room - GUARD_BITS))
             return false;
-    }
-    for (size_t k = 0; k < s->lift->n; k++) {
-        mpz_ptr x = s->x[s->at[k]];
-        if (!scale_unknown(f, s, k))
-            return false;
-        if (!is_short(f, room)) {
-            if (!widen_denominator(f, m_bits))
-                return false;
-            k = SIZE_MAX; /* all once more: d has grown */
-            continue;
-        }
-        if (mpz_cmp(f->a, f->y) < 0)
-            mpz_neg(x, f->a);
-        else
-            mpz_set(x, f->y);
+        fits = true;
+        for (size_t k = 0; fits && k < s->lift->n; k++)
+            fits = mpz_sizeinbase(s->x[s->at[k]], 2) <= room;
     }
     return mpz_sizeinbase(f->d, 2) + s->right_bits + 2 <= m_bits;
 }
@@ -264,9 +301,17 @@ static fmb_status solve_by_lifting(fmb_factor *f, fmb_dixon *lift, mpz_t *right,
         s.right_bits = bits > s.right_bits ? bits : s.right_bits;
     }
     mpz_set_ui(f->m, 1);
-    fmb_status st = fmb_dixon_begin(lift, right, right_at);
+    fmb_status st = FMB_OK;
+    if (f->factor.size != lift->n) {
+        fmb_integers_clear(&f->factor, f->mem);
+        st = fmb_integers_init(&f->factor, lift->n, f->mem);
+    }
+    if (st == FMB_OK)
+        st = fmb_dixon_begin(lift, right, right_at);
     if (st == FMB_OK)
         st = lift_until_found(f, &s, count_most_digits(lift->b, s.right_bits));
+    if (st == FMB_OK)
+        st = fmb_integers_settle(&f->factor, f->mem);
     if (st == FMB_OK)
         mpz_set(den, f->d);
     return st;
