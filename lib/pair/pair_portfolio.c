@@ -9,7 +9,6 @@
 #include "pair/corner_edges.h"
 #include "pair/corners/cell.h"
 #include "pair/exact_box/exact_box.h"
-#include "pair/exact_box/normals.h"
 #include "pair/kernels/packed_kernels.h"
 
 /* One call of fmb_pair_test. */
@@ -172,38 +171,41 @@ static fmb_status find_boxes_of_lanes(const query *a, const fmb_block *b, int st
 
 /* ---- verdicts -------------------------------------------------------------------------------- */
 
-/* The same at a vertex, or where there is none. Of open frames that touch it says nothing. */
-static void decide_at_vertex(const query *a, size_t i, fmb_verdict *out)
+static void decide_at_vertices(const query *a, size_t i, fmb_verdict *out)
 {
-    fmb_verdict closed = fmb_exact_box_meet(&a->p[i], &a->q[i]);
-    if (closed == FMB_INFEASIBLE || a->k->options.contact == FMB_CONTACT_CLOSED)
-        *out = closed;
+    if (!asks_exactly(a) || !fmb_way(FMB_WAY_PAIR_VERTICES))
+        return;
+    *out = fmb_exact_box_decide(&a->p[i], &a->q[i], a->k->options.contact);
     a->k->counts.exact_verdicts += *out != FMB_UNKNOWN;
+    fmb_way_answered(FMB_WAY_PAIR_VERTICES, *out != FMB_UNKNOWN);
 }
 
-/* Good frames, by signs of determinants and normals, or in doubles in any dimension. */
+static bool are_hulls(const fmb_frame *p, const fmb_frame *q)
+{
+    return (fmb_frame_is_hull(p) || fmb_frame_is_hull(q)) && fmb_bodies_are(p, q);
+}
+
+/* Good frames, by signs of determinants, in doubles where no kernel did that, and at vertices. */
 static void decide_without_query(const query *a, size_t i, fmb_verdict *out)
 {
     fmb_pair *k = a->k;
     const fmb_frame *p = &a->p[i], *q = &a->q[i];
-    fmb_contact contact = k->options.contact;
     fmb_corner_edges of_p, of_q;
-    bool done = fmb_way(FMB_WAY_PAIR_CORNERS) && fmb_decide_corners(p, q, contact, out);
+    bool by_kernels = k->dim == 2 || k->dim == 3;
+    bool done = fmb_way(FMB_WAY_PAIR_CORNERS) && fmb_decide_corners(p, q, k->options.contact, out);
     fmb_way_answered(FMB_WAY_PAIR_CORNERS, done);
     if (done)
         return;
-    done = asks_exactly(a) && fmb_way(FMB_WAY_PAIR_VERTICES) &&
-           fmb_exact_box_decide(p, q, contact, out);
-    fmb_way_answered(FMB_WAY_PAIR_VERTICES, done);
-    if (done)
-        k->counts.exact_verdicts++;
-    else if ((fmb_frame_is_hull(p) || fmb_frame_is_hull(q)) && fmb_bodies_are(p, q))
+    if (by_kernels)
+        decide_at_vertices(a, i, out);
+    done = *out != FMB_UNKNOWN;
+    if (!done && are_hulls(p, q))
         *out = fmb_contact_of_hulls(p, q, &(bool){false}, NULL);
-    else if (fmb_way(FMB_WAY_PAIR_DOUBLES) && take_edges(a, i, &of_p, &of_q))
+    else if (!done && fmb_way(FMB_WAY_PAIR_DOUBLES) && take_edges(a, i, &of_p, &of_q))
         *out = fmb_general_decide(k->general, &of_p.frame, &of_q.frame);
     fmb_way_answered(FMB_WAY_PAIR_DOUBLES, !done && *out != FMB_UNKNOWN);
-    if (*out == FMB_UNKNOWN && asks_exactly(a) && fmb_way(FMB_WAY_PAIR_VERTICES))
-        decide_at_vertex(a, i, out);
+    if (*out == FMB_UNKNOWN && !by_kernels)
+        decide_at_vertices(a, i, out);
 }
 
 /* What no kernel decides. Then its box may still be one for kernels, from that stage on. */

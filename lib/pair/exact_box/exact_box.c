@@ -16,7 +16,7 @@ typedef struct exact_boxer {
     fmb_exact_box_walk walk;
     fmb_exact_box_whole whole;
     fmb_exact_box point[MOST_POINTS + 1]; /* visited so far; the next one */
-    double near[MOST_POINTS][FMB_EXACT_BOX_COLUMNS];
+    double near[MOST_POINTS][FMB_EXACT_BOX_COLUMNS + 2];
     bool is_near[MOST_POINTS]; /* its numbers in near are good enough for a witness */
     int points, at;            /* at: one of them */
     fmb_exact_box_goal goal[MOST_GOALS];
@@ -206,10 +206,40 @@ static void copy_ends(double *to, const double *from, int n)
         to[i] = from[i];
 }
 
-fmb_verdict fmb_exact_box_meet(const fmb_frame *p, const fmb_frame *q)
+/* Is some common point off that end of unknown j's place? UNKNOWN if that was not proved. */
+static fmb_verdict find_point_off_end(exact_boxer *b, int j, bool high)
+{
+    for (int k = 0; k < b->points; k++)
+        if (fmb_exact_box_is_off_end(&b->point[k], j, high))
+            return FMB_FEASIBLE;
+    if (!take_state_at_end(b, &(fmb_exact_box_goal){false, j, !high}))
+        return FMB_UNKNOWN;
+    return fmb_exact_box_is_off_end(&b->point[b->at], j, high) ? FMB_FEASIBLE : FMB_INFEASIBLE;
+}
+
+/* The mean of common points that are, one or the other, off all ends of places, but those of the
+ * time, is inside both frames. */
+static fmb_verdict find_inner_point(exact_boxer *b)
+{
+    const fmb_exact_box_program *s = &b->program;
+    fmb_verdict verdict = FMB_FEASIBLE;
+    for (int j = 0; verdict == FMB_FEASIBLE && j < s->artificial; j++) {
+        if (s->group[j] == FMB_EXACT_BOX_NONE || j == s->time)
+            continue;
+        verdict = find_point_off_end(b, j, false);
+        if (verdict == FMB_FEASIBLE && s->group[j] == FMB_EXACT_BOX_UNIT)
+            verdict = find_point_off_end(b, j, true);
+    }
+    return verdict;
+}
+
+fmb_verdict fmb_exact_box_decide(const fmb_frame *p, const fmb_frame *q, fmb_contact contact)
 {
     exact_boxer b;
-    return fmb_exact_box_load(&b.program, p, q) ? find_vertex(&b, true) : FMB_UNKNOWN;
+    if (!fmb_exact_box_load(&b.program, p, q))
+        return FMB_UNKNOWN;
+    fmb_verdict verdict = find_vertex(&b, true);
+    return verdict == FMB_FEASIBLE && contact == FMB_CONTACT_OPEN ? find_inner_point(&b) : verdict;
 }
 
 bool fmb_exact_box_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair_answers *out)

@@ -7,8 +7,8 @@
 
 #include <fmb/gmp.h>
 
-/* Do these closed frames, which are good, meet? UNKNOWN if that was not proved. */
-fmb_verdict fmb_exact_box_meet(const fmb_frame *p, const fmb_frame *q);
+/* Do these frames, which are good, meet? UNKNOWN if that was not proved. Nothing is allocated. */
+fmb_verdict fmb_exact_box_decide(const fmb_frame *p, const fmb_frame *q, fmb_contact contact);
 
 /* Of good frames that meet: all that out asks for, but the verdict; every end is the exact one,
  * rounded outward. False, and nothing written, if that was not proved. Nothing is allocated. */

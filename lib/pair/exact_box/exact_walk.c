@@ -49,7 +49,7 @@ static void list_items(exact_walk *w)
     for (int group = 0; group < 2; group++)
         if (v->reference[group] >= 0) {
             w->unknown[w->items] = v->reference[group];
-            fmb_exact_box_remainder(v, group, &w->value[w->items++]);
+            fmb_exact_box_remainder(v, group, -1, &w->value[w->items++]);
         }
     w->any_out = false;
     for (int i = 0; i < w->items; i++) {

@@ -175,13 +175,19 @@ static void find_near_values(fmb_exact_box *v, const double (*p)[DIM])
         v->x[k].error = error[k];
 }
 
-/* 1 - x, or of a group what all its x leave. */
+/* Does x_k count in what is left of 1: that of number `only`, or all of its group where that is -1?
+ */
+static bool counts_in_rest(const fmb_exact_box *v, int k, int group, int only)
+{
+    return only < 0 ? v->program->group[v->basic[k]] == group : k == only;
+}
+
 static near near_remainder(const fmb_exact_box *v, int group, int only)
 {
     near left = {1, 0};
     double size = 1;
     for (int k = 0; k < v->program->dim; k++)
-        if (k == only || (only < 0 && v->program->group[v->basic[k]] == group)) {
+        if (counts_in_rest(v, k, group, only)) {
             left.x -= v->x[k].x;
             left.error += v->x[k].error;
             size += fabs(v->x[k].x);
@@ -313,12 +319,12 @@ const fmb_exact_box_whole *fmb_exact_box_need_whole(fmb_exact_box *v)
     return w;
 }
 
-void fmb_exact_box_remainder(fmb_exact_box *v, int group, fmb_wide *out)
+void fmb_exact_box_remainder(fmb_exact_box *v, int group, int only, fmb_wide *out)
 {
     const fmb_exact_box_whole *w = fmb_exact_box_need_whole(v);
     fmb_wide_copy(out, &w->det);
     for (int k = 0; k < v->program->dim; k++)
-        if (v->program->group[v->basic[k]] == group)
+        if (counts_in_rest(v, k, group, only))
             fmb_wide_subtract(out, &w->x[k]);
 }
 
@@ -330,13 +336,14 @@ static int sign_of_x(fmb_exact_box *v, int k)
                                                 : fmb_wide_sign(&fmb_exact_box_need_whole(v)->x[k]);
 }
 
-static bool is_at_most_one(fmb_exact_box *v, int k)
+static int sign_of_remainder(fmb_exact_box *v, int group, int only)
 {
-    near left = near_remainder(v, 0, k);
-    if (fmb_exact_box_is_sign_known(left))
-        return left.x >= 0;
-    const fmb_exact_box_whole *w = fmb_exact_box_need_whole(v);
-    return fmb_wide_compare(&w->x[k], &w->det) <= 0;
+    near guess = only < 0 ? v->of_reference[group] : near_remainder(v, group, only);
+    fmb_wide left;
+    if (fmb_exact_box_is_sign_known(guess))
+        return fmb_exact_box_sign_of_near(guess);
+    fmb_exact_box_remainder(v, group, only, &left);
+    return fmb_wide_sign(&left);
 }
 
 static bool is_basic_in_place(fmb_exact_box *v, int k)
@@ -344,16 +351,19 @@ static bool is_basic_in_place(fmb_exact_box *v, int k)
     int group = v->program->group[v->basic[k]], sign = sign_of_x(v, k);
     if (group == FMB_EXACT_BOX_ZERO)
         return sign == 0;
-    return sign >= 0 && (group != FMB_EXACT_BOX_UNIT || is_at_most_one(v, k));
+    return sign >= 0 && (group != FMB_EXACT_BOX_UNIT || sign_of_remainder(v, group, k) >= 0);
 }
 
-static bool is_reference_in_place(fmb_exact_box *v, int group)
+bool fmb_exact_box_is_off_end(fmb_exact_box *v, int j, bool high)
 {
-    fmb_wide left;
-    if (fmb_exact_box_is_sign_known(v->of_reference[group]))
-        return v->of_reference[group].x >= 0;
-    fmb_exact_box_remainder(v, group, &left);
-    return fmb_wide_sign(&left) >= 0;
+    int group = v->program->group[j], k = 0;
+    if (v->basis.place[j] != FMB_EXACT_BOX_BASIC)
+        return (v->basis.place[j] == FMB_EXACT_BOX_HIGH) != high;
+    while (k < v->program->dim && v->basic[k] != j)
+        k++;
+    if (k == v->program->dim)
+        return sign_of_remainder(v, group, -1) > 0;
+    return (high ? sign_of_remainder(v, group, k) : sign_of_x(v, k)) > 0;
 }
 
 static bool are_all_in_place(fmb_exact_box *v)
@@ -362,7 +372,7 @@ static bool are_all_in_place(fmb_exact_box *v)
     for (int k = 0; good && k < v->program->dim; k++)
         good = is_basic_in_place(v, k);
     for (int group = 0; good && group < 2; group++)
-        good = v->reference[group] < 0 || is_reference_in_place(v, group);
+        good = v->reference[group] < 0 || sign_of_remainder(v, group, -1) >= 0;
     return good;
 }
 
@@ -423,13 +433,13 @@ bool fmb_exact_box_near_values(const fmb_exact_box *v, double *z)
 {
     const fmb_exact_box_program *s = v->program;
     bool good = true;
-    for (int j = 0; j < s->columns; j++)
+    for (int j = 0; j < s->artificial; j++)
         z[j] = v->basis.place[j] == FMB_EXACT_BOX_HIGH;
     for (int group = 0; group < 2; group++)
-        if (v->reference[group] >= 0 && v->reference[group] < s->columns)
+        if (v->reference[group] >= 0)
             z[v->reference[group]] = near_value(v->of_reference[group], &good);
     for (int k = 0; k < s->dim; k++)
-        if (v->basic[k] < s->columns)
+        if (v->basic[k] < s->artificial)
             z[v->basic[k]] = near_value(v->x[k], &good);
     return good;
 }

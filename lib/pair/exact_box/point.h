@@ -48,7 +48,9 @@ typedef struct fmb_exact_box {
 /* Stand there. False: these columns are no basis, or not all unknowns are in their places. */
 bool fmb_exact_box_state(fmb_exact_box *v, const fmb_exact_box_program *s,
                          const fmb_exact_box_basis *basis);
-/* Roughly, the values of all columns. True: they are off by at most 2^-42. */
+/* Is unknown j of a vertex, which is none of the artificial ones, off that end of its place? */
+bool fmb_exact_box_is_off_end(fmb_exact_box *v, int j, bool high);
+/* Roughly, the values of all columns and slacks. True: they are off by at most 2^-42. */
 bool fmb_exact_box_near_values(const fmb_exact_box *v, double *z);
 
 /* ---- for certify.c, exact_walk.c and exact_box_value.c ----------------------------------------
@@ -63,8 +65,8 @@ bool fmb_exact_box_take_basis(fmb_exact_box *v, const fmb_exact_box_program *s,
 void fmb_exact_box_bound_way(const fmb_exact_box *v, const double *rest, double *error);
 /* Its numbers exactly, in v->whole. */
 const fmb_exact_box_whole *fmb_exact_box_need_whole(fmb_exact_box *v);
-/* det less the x of a group. */
-void fmb_exact_box_remainder(fmb_exact_box *v, int group, fmb_wide *out);
+/* det less x_only, or less all x of a group where only is -1. */
+void fmb_exact_box_remainder(fmb_exact_box *v, int group, int only, fmb_wide *out);
 
 /* The column of unknown j in integers, relative to that of its reference: each number lies in the
  * program, or in room. */

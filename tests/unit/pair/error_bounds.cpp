@@ -202,22 +202,22 @@ static void count_minors(int dim, bool moves)
 
 /* ---- verdicts: any axes ---------------------------------------------------------------------- */
 
-#include "pair/frame/flat.c"
+#include "frame/flat.c"
 #include "pair/kernels/verdict/verdict_flat.h"
 
 /* Directions of any size; differences of axes are rounded, and so are shift and drift. */
-static void make_flat_pair(const fmb_flat_kind *k, bool filter, flat_pair *p)
+static void make_flat_pair(const fmb_flat_kind *k, flat_pair *p)
 {
-    const double shift = some_size(), off = filter ? 4 : 1;
+    const double shift = some_size();
     p->reach = {shift, 0};
     for (lane &x : p->shift)
-        x = {shift, off * shift};
+        x = {shift, shift};
     for (int i = 0; i < FMB_FLAT_DIRECTIONS; i++) {
         const int side = i / FMB_FLAT_MOST_EDGES, edge = i % FMB_FLAT_MOST_EDGES;
         const bool is_axis = side < 2 && edge < k->side[side].naxes;
         const double size = i < FMB_FLAT_WORLD ? some_size() : 1;
         for (lane &x : p->direction[i])
-            x = {size, i >= FMB_FLAT_WORLD || (is_axis && !filter) ? 0 : off * size};
+            x = {size, i >= FMB_FLAT_WORLD || is_axis ? 0 : size};
         p->size[i] = {size, 0};
         if (is_axis || (k->moves && i == FMB_FLAT_DRIFT))
             p->reach.v += size;
@@ -232,16 +232,12 @@ static void count_flat(int dim, bool moves, int shapes)
     flat_pair p;
     fmb_flat_kind_of(dim, moves, naxes, simplex, &k);
     kernel = flavour("any axes", dim, moves);
-    for (int filter = 0; filter < 2; filter++) {
-        const int in_plane = filter ? int{FLAT_FILTER_PLANE} : int{FLAT_ERROR_PLANE};
-        const int in_space = filter ? int{FLAT_FILTER_SPACE} : int{FLAT_ERROR_SPACE};
-        make_flat_pair(&k, filter, &p);
-        for (int i = 0; i < k.normals; i++) {
-            lane n[3];
-            double bound = flat_normal(dim, &k, &p, i, n).v * p.reach.v;
-            claim(filter ? "gap before integers" : "gap", flat_gap(dim, &k, &p, n).e,
-                  (dim == 2 ? in_plane : in_space) * bound);
-        }
+    make_flat_pair(&k, &p);
+    for (int i = 0; i < k.normals; i++) {
+        lane n[3];
+        double bound = flat_normal(dim, &k, &p, i, n).v * p.reach.v;
+        claim("gap", flat_gap(dim, &k, &p, n).e,
+              (dim == 2 ? int{FLAT_ERROR_PLANE} : int{FLAT_ERROR_SPACE}) * bound);
     }
 }
 
@@ -261,7 +257,7 @@ static void count_depth(int dim)
     flat_pair p;
     lane middle[3], n[3], side;
     fmb_flat_kind_of(dim, false, naxes, simplex, &k);
-    make_flat_pair(&k, false, &p);
+    make_flat_pair(&k, &p);
     contact_between_middles(dim, &p, middle);
     kernel = flavour("contact of cuboids", dim, false);
     for (int i = 0; i < k.normals; i++) {

@@ -17,8 +17,6 @@
 
 /* A gap is off by this many u times the reach and the sizes of the directions of its normal. */
 enum { FLAT_ERROR_PLANE = 24, FLAT_ERROR_SPACE = 96 };
-/* The same where all numbers that come in are off by 4 u of themselves. */
-enum { FLAT_FILTER_PLANE = 48, FLAT_FILTER_SPACE = 224 };
 
 typedef struct flat_pair {
     lane direction[FMB_FLAT_DIRECTIONS][3], size[FMB_FLAT_DIRECTIONS];
