@@ -83,7 +83,7 @@ static void tell_command(char **words)
     app_error(0,
               "python3 is not installed: report.html and the figures are missing; with it, `%s` "
               "makes them",
-              app_need(text));
+              (char *)app_need(text));
     free(text);
 }
 

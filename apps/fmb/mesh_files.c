@@ -58,6 +58,21 @@ static int read_one_file(const mesh_ask *ask, const char *path, fmb_mesh **out)
     return app_source_outcome_of(APP_KIND_MESH, st, path, &where);
 }
 
+/* Of a file with this name; NULL: it is no scene. */
+static scene_reader *scene_reader_of_name(const char *path)
+{
+    static const struct {
+        const char *ending;
+        scene_reader *read;
+    } KNOWN[] = {
+        {".gltf", scene_gltf_as_obj}, {".glb", scene_gltf_as_obj}, {".3mf", scene_3mf_as_obj}};
+    const char *dot = strrchr(path, '.');
+    for (size_t i = 0; dot && i < sizeof KNOWN / sizeof *KNOWN; i++)
+        if (strcasecmp(dot, KNOWN[i].ending) == 0)
+            return KNOWN[i].read;
+    return NULL;
+}
+
 /* By the text that it comes to, which is longer than it. */
 static int read_scene(const mesh_ask *ask, const char *path, scene_reader *as_obj, fmb_mesh **out)
 {

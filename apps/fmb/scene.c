@@ -31,20 +31,6 @@ int scene_read_bytes(const char *path, size_t most, scene_bytes *out)
     return APP_YES;
 }
 
-scene_reader *scene_reader_of_name(const char *path)
-{
-    static const struct {
-        const char *ending;
-        scene_reader *read;
-    } KNOWN[] = {
-        {".gltf", scene_gltf_as_obj}, {".glb", scene_gltf_as_obj}, {".3mf", scene_3mf_as_obj}};
-    const char *dot = strrchr(path, '.');
-    for (size_t i = 0; dot && i < sizeof KNOWN / sizeof *KNOWN; i++)
-        if (strcasecmp(dot, KNOWN[i].ending) == 0)
-            return KNOWN[i].read;
-    return NULL;
-}
-
 void scene_write_name(FILE *obj, const char *name)
 {
     fputs("o ", obj);

@@ -32,9 +32,6 @@ scene_reader scene_gltf_as_obj;
 /* What is to be built; objects are told by number where they have no name. */
 scene_reader scene_3mf_as_obj;
 
-/* Of a file with this name; NULL: it is no scene. */
-scene_reader *scene_reader_of_name(const char *path);
-
 /* "o NAME": a line, as OBJ has no quotes. */
 void scene_write_name(FILE *obj, const char *name);
 
