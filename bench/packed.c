@@ -5,7 +5,8 @@
  * generator of one verdict. All against all: 256 frames and 256 others. Ways take turns; times are
  * this thread's CPU time, medians over the passes, the least in brackets. In four to eight
  * dimensions fewer frames, of which about half meet (axes are longer), none, or all with parallel
- * edges; the ratio is to two cuboids in space, taken in turns with them. See README.md.
+ * edges, and simplices that stand still; the ratio is to two cuboids in space, taken in turns with
+ * them. See README.md.
  */
 #include <string.h>
 
@@ -238,6 +239,7 @@ typedef struct many_cell {
     bool moves;
     double far;   /* origins are within so many of the numbers that axes are within */
     bool aligned; /* axes are parallel to those of the world */
+    fmb_shape shape;
 } many_cell;
 
 static fmb_frame some_frame(const many_cell *c, uint64_t *state, double *number)
@@ -249,7 +251,9 @@ static fmb_frame some_frame(const many_cell *c, uint64_t *state, double *number)
         number[j] *= c->far;
     for (int j = 0; c->aligned && j < axes; j++)
         number[dim + j] *= j % dim == j / dim;
-    return (fmb_frame){.shape = FMB_CUBOID,
+    for (int j = 0; c->shape == FMB_SIMPLEX && j < axes; j++) /* the middle is where it was */
+        number[j % dim] -= number[dim + j] / (dim + 1);
+    return (fmb_frame){.shape = c->shape,
                        .dim = dim,
                        .naxes = dim,
                        .origin = number,
@@ -292,9 +296,12 @@ static void measure_many(const many_cell *c, fmb_simd simd)
     must(study_clock_run(&clock));
     must(fmb_pair_count(w[0].k, &counts));
     study_spread ns = study_clock_ns(&clock, 0);
-    printf("%dD %-6s %-8s  %8.1f [%8.1f]  %8.2f  %5.1f %% meet, %5.2f %% exact\n", c->dim,
-           c->moves ? "moving" : "still", c->what, ns.median, ns.least,
-           study_clock_ratio(&clock, 0, 1).ratio, 100.0 * (double)w[0].meeting / (double)(n * n),
+    printf("%dD %-9s %-8s  %8.1f [%8.1f]  %8.2f  %5.1f %% meet, %5.2f %% exact\n", c->dim,
+           c->shape == FMB_SIMPLEX ? "simplices"
+           : c->moves              ? "moving"
+                                   : "still",
+           c->what, ns.median, ns.least, study_clock_ratio(&clock, 0, 1).ratio,
+           100.0 * (double)w[0].meeting / (double)(n * n),
            100.0 * (double)counts.exact_verdicts / (double)counts.pairs);
     study_clock_clear(&clock);
     for (int i = 0; i < 2; i++) {
@@ -306,16 +313,23 @@ static void measure_many(const many_cell *c, fmb_simd simd)
 
 static void measure_more_dimensions(fmb_simd simd)
 {
-    static const double half[5] = {0.35, 0.3, 0.2, 0.15, 0.1}; /* about half of them meet */
-    printf("cuboids, ns [least], ratio to space\n");
+    static const double half[2][5] = {{0.35, 0.3, 0.2, 0.15, 0.1}, {0.45, 0.4, 0.35}};
+    printf("cuboids, about half of them meeting, ns [least], ratio to space\n");
     for (int dim = 4; dim <= 8; dim++)
         for (int moves = 0; moves < 2 && dim + moves <= 8; moves++) {
-            const many_cell cell[3] = {{"half", dim, moves, half[dim - 4], false},
-                                       {"apart", dim, moves, 8, false},
-                                       {"parallel", dim, moves, half[dim - 4], true}};
+            const many_cell cell[3] = {
+                {"half", dim, moves, half[0][dim - 4], false, FMB_CUBOID},
+                {"apart", dim, moves, 8, false, FMB_CUBOID},
+                {"parallel", dim, moves, half[0][dim - 4], true, FMB_CUBOID}};
             for (int i = 0; i < 3; i++)
                 measure_many(&cell[i], simd);
         }
+    for (int dim = 4; dim < 7; dim++) {
+        const many_cell cell[2] = {{"half", dim, false, half[1][dim - 4], false, FMB_SIMPLEX},
+                                   {"apart", dim, false, 8, false, FMB_SIMPLEX}};
+        for (int i = 0; i < 2; i++)
+            measure_many(&cell[i], simd);
+    }
 }
 
 /* ---- threads --------------------------------------------------------------------------------- */

@@ -6,11 +6,11 @@
  * or all against all, its own lanes and those of a chunk of the others are made once. Verdicts are
  * those of fmb_pair_test (<fmb/pair.h>), which decides what doubles leave open.
  *
- * There are kernels for all frames with edges that are doubles in two and three dimensions, and for
- * cuboids by edges with all their axes in four to eight (moving: to seven), if they are neither so
- * flat that one of their corners is less than about 1e-9 of their size away from the plane of the
- * others, nor larger than 1e90 or smaller than 1e-90. All other frames are asked one pair at a
- * time.
+ * There are kernels for all frames with edges that are doubles in two and three dimensions, and, by
+ * edges with all their axes, for two cuboids in four to eight (moving: to seven) and for two
+ * simplices that stand still in four to six, if they are neither so flat that one of their
+ * corners is less than about 1e-9 of their size away from the plane of the others, nor larger than
+ * 1e90 or smaller than 1e-90. All other frames are asked one pair at a time.
  *
  *   fmb_frames_new(3, n, frames, NULL, &set);
  *   fmb_pair_new(3, NULL, NULL, &k);

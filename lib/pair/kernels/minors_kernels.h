@@ -1,7 +1,7 @@
 /* minors_kernels.h: the kernels over records of sets (pair/packed/set.h) in four to eight
  * dimensions, once for each width; see minors/minors_kernel.h.
  *
- * A record of a cuboid with all its axes holds, from these places on,
+ * A record of a cuboid or simplex with all its axes holds, from these places on,
  *
  *     0            origin, D           D (D + 1)    speed, D, of a still frame 0
  *     D            axes, D D           D (D + 2)    inverse, D D, row by row
@@ -30,20 +30,30 @@ static inline int fmb_minors_record(int dim)
 }
 
 /* Numbers of the room for the minors of one view that the next level wants. With n columns and
- * levels up to K (minors_kernel.h), still or moving, that is the sum over 1 < k <= K of
- * choose(D, k) choose(n, k). */
+ * levels up to K (minors_kernel.h), still, moving or of simplices, that is the sum over 1 < k <= K
+ * of choose(rows, k) choose(n, k), of simplices with words for their signs. */
 static inline size_t fmb_minors_room(int dim)
 {
-    static const size_t lanes[FMB_MINORS_DIMS] = {60, 150, 1015, 2548, 3920};
+    static const size_t lanes[FMB_MINORS_DIMS] = {110, 240, 1778, 2548, 3920};
     return FMB_BLOCK_MOST_LANES * lanes[dim - FMB_MINORS_LEAST_DIM];
 }
 
-/* [moving][D - 4]; NULL where no kernel decides. Of packed pairs and rows neither shapes nor kinds
+/* What is known to stand in records: still cuboids, cuboids that move, still simplices. */
+typedef enum fmb_minors_what {
+    FMB_MINORS_STILL,
+    FMB_MINORS_MOVING,
+    FMB_MINORS_SIMPLICES,
+    FMB_MINORS_WHATS
+} fmb_minors_what;
+
+/* [what][D - 4]; NULL where no kernel decides. Of packed pairs and rows neither shapes nor kinds
  * are looked at. room: fmb_minors_room(D) numbers, aligned to 64 bytes. */
 typedef struct fmb_minor_kernels {
-    bool (*pairs[2][FMB_MINORS_DIMS])(const fmb_packed_pairs *x, double *room, fmb_verdict *out);
+    bool (*pairs[FMB_MINORS_WHATS][FMB_MINORS_DIMS])(const fmb_packed_pairs *x, double *room,
+                                                     fmb_verdict *out);
     void (*tiles)(int dim, const double *record, const uint32_t *index, size_t n, double *tiles);
-    void (*row[2][FMB_MINORS_DIMS])(const fmb_packed_row *x, double *room, fmb_packed_bits *out);
+    void (*row[FMB_MINORS_WHATS][FMB_MINORS_DIMS])(const fmb_packed_row *x, double *room,
+                                                   fmb_packed_bits *out);
 } fmb_minor_kernels;
 
 extern const fmb_minor_kernels fmb_minors_narrow, fmb_minors_avx2, fmb_minors_avx512;

@@ -16,7 +16,7 @@
 
 #include <fmb/frame.h>
 
-/* Does f, a cuboid by edges with all its axes in four to eight dimensions, have a record? Fill it:
+/* Does f, by edges with all its axes in four to eight dimensions, have a record? Fill it:
  * all of its numbers. False: it is flat, or so slender or large that no inverse is certain. */
 bool fmb_inverse_record(const fmb_frame *f, double *record);
 

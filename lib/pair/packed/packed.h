@@ -10,7 +10,8 @@
 typedef struct fmb_packed_plan {
     bool moves, swapped; /* swapped: blocks hold (b, a) */
     fmb_packed_shapes shapes;
-    fmb_flat_kind flat; /* of any shapes */
+    fmb_flat_kind flat;   /* of any shapes */
+    fmb_minors_what what; /* in four and more dimensions */
 } fmb_packed_plan;
 
 /* False: no kernel does. */

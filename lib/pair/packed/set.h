@@ -4,7 +4,8 @@
  *
  *     origin  D      axes  D D, row i is edge i, missing ones 0      speed  D, of a still frame 0
  *
- * Cuboids in four to eight dimensions have longer records (pair/kernels/minors_kernels.h).
+ * In four to eight dimensions frames by edges with all their axes have longer records
+ * (pair/kernels/minors_kernels.h).
  *
  * A kind says what a record holds. What no record can hold (other frames and dimensions; corners
  * whose differences are no doubles) is of kind NONE; it stands beside, and so does every frame by
@@ -17,15 +18,11 @@
 
 #include "base/mem.h"
 
-/* 2 naxes + shape, and more if it moves. */
+/* 2 naxes + shape, and more if it moves; in four and more dimensions naxes do not count. */
 enum { FMB_KIND_MOVES = 8, FMB_KIND_NONE = 16, FMB_KINDS };
 
 /* Numbers of a record in the plane; twice as many in space. */
 enum { FMB_RECORD_LINE = 8 };
-
-/* In four to eight dimensions cuboids by edges with all their axes have records
- * (pair/kernels/minors_kernels.h), and this kind. */
-enum { FMB_KIND_MANY = 0 };
 
 struct fmb_frames {
     fmb_mem mem;

@@ -133,8 +133,7 @@ static int add_record(fmb_frames *s, size_t i, const fmb_frame *e)
         write_record(e, to);
         return 2 * e->naxes + (int)e->shape + moves;
     }
-    bool whole = e->shape == FMB_CUBOID && e->naxes == s->dim;
-    return whole && fmb_inverse_record(e, to) ? FMB_KIND_MANY + moves : FMB_KIND_NONE;
+    return e->naxes == s->dim && fmb_inverse_record(e, to) ? (int)e->shape + moves : FMB_KIND_NONE;
 }
 
 /* f is good. */

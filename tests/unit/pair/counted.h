@@ -168,6 +168,24 @@ FMB_INLINE lane_mask lane_or(lane_mask a, lane_mask b)
     return a || b;
 }
 
+/* Bits are not counted: the kernel says which signs have to be certain. */
+FMB_INLINE lane lane_shift_right(lane a, int)
+{
+    return a;
+}
+
+FMB_INLINE lane lane_or_and(lane a, lane, lane)
+{
+    return a;
+}
+
+#define lane_or_xor     lane_or_and
+#define lane_or_same    lane_or_and
+#define lane_xor_xor    lane_or_and
+#define lane_or_and_not lane_or_and
+#define lane_any_bit(a) (a)
+#define lane_of_bits(a) lane_of(0)
+
 FMB_INLINE lane lane_fma(lane a, lane b, lane c)
 {
     return (counted_fused ? exact_product(a, b) : a * b) + c;

@@ -160,9 +160,16 @@ static void hear_minors(minors_said *, lane gap, lane error)
     claim("gap", gap.e, error.v / UNIT);
 }
 
-#define minors_hear hear_minors
+static void hear_signs(minors_said *, lane least, lane, lane error)
+{
+    claim("sign", least.e, error.v / UNIT);
+}
+
+#define minors_hear       hear_minors
+#define minors_hear_signs hear_signs
 #include "pair/kernels/minors/minors_kernel.h"
 #undef minors_hear
+#undef minors_hear_signs
 
 /* One corner of b, seen from a. */
 static void count_point(minors_kind d, const lane *a, const lane *b, lane size)
@@ -176,13 +183,13 @@ static void count_point(minors_kind d, const lane *a, const lane *b, lane size)
     (void)minors_check_point(d, &v, &p);
 }
 
-/* Records of cuboids of one size; inverses are off as packed/inverse.h has it. */
-static void count_minors(int dim, bool moves)
+/* Records of frames of one size; inverses are off as packed/inverse.h has it. */
+static void count_minors(int dim, bool moves, bool simplices)
 {
-    static lane record[2][200], room[4000];
+    static lane record[2][200], room[4300];
     const int inverse = dim * (dim + 2), reach = 2 * dim * (dim + 1), speed = dim * (dim + 1);
     const double size = some_size();
-    kernel = flavour("minors", dim, moves);
+    kernel = flavour(simplices ? "minors of simplices" : "minors", dim, moves);
     for (int side = 0; side < 2; side++) {
         lane *x = record[side];
         for (int j = 0; j < dim; j++) { /* rounded differences of the two are of this size */
@@ -196,8 +203,10 @@ static void count_minors(int dim, bool moves)
         }
         x[dim * (2 * dim + 3)] = {size, 0};
     }
-    (void)minors_ask({dim, dim + moves}, record[0], record[1], (double *)room);
-    count_point({dim, dim + moves}, record[0], record[1], {size, 0});
+    const minors_kind d = {dim, dim + (moves || simplices), simplices};
+    (void)minors_ask(d, record[0], record[1], (double *)room);
+    if (!simplices)
+        count_point(d, record[0], record[1], {size, 0});
 }
 
 /* ---- verdicts: any axes ---------------------------------------------------------------------- */
@@ -678,9 +687,11 @@ int main()
     for (int i = 0; i < 40; i++) {
         counted_fused = i & 1;
         for (int dim = 4; dim <= 8; dim++) {
-            count_minors(dim, false);
+            count_minors(dim, false, false);
             if (dim < 8)
-                count_minors(dim, true);
+                count_minors(dim, true, false);
+            if (dim < 7)
+                count_minors(dim, false, true);
         }
     }
     for (int i = 0; i < 4000; i++)

@@ -1,6 +1,6 @@
-/* minors.c: kernels of cuboids in four to eight dimensions (pair/kernels/minors) in every width,
- * one pair at a time too: never wrong, and sure of nearly all random pairs; their tables made anew;
- * what records hold.
+/* minors.c: kernels of cuboids and simplices in four to eight dimensions (pair/kernels/minors) in
+ * every width, one pair at a time too: never wrong, and sure of nearly all random pairs; their
+ * tables made anew; what records hold.
  */
 #include <criterion/criterion.h>
 #include <gmp.h>
@@ -34,15 +34,35 @@ static int with(int k, int s, int j)
                     : FMB_MINORS_WITH_3[s][j];
 }
 
+/* Bits of sets of numbers below 6, in their places: without j; with an even number above j. */
+static void check_words(void)
+{
+    for (unsigned set = 0; set < 64; set++) {
+        for (unsigned j = 0; j < 6; j++) {
+            cr_expect_eq(FMB_MINORS_WITHOUT[j] >> set & 1, !(set >> j & 1));
+            cr_expect_eq(FMB_MINORS_EVEN_ABOVE[j] >> set & 1,
+                         __builtin_popcount(set >> j >> 1) % 2 == 0);
+        }
+        for (int size = 0; size <= 3; size++)
+            cr_expect_eq(FMB_MINORS_OF_SIZE[size] >> set & 1, __builtin_popcount(set) == size);
+    }
+}
+
 Test(minors, tables)
 {
     for (unsigned set = 0; set < 1U << FMB_MINORS_MOST; set++) {
         int k = __builtin_popcount(set), place = 0;
         cr_expect_eq(FMB_MINORS_RANK[set], rank_of(set));
+        if (k >= 1 && k <= 3)
+            cr_expect_eq((k == 1   ? FMB_MINORS_SET_1
+                          : k == 2 ? FMB_MINORS_SET_2
+                                   : FMB_MINORS_SET_3)[rank_of(set)],
+                         set);
         for (unsigned j = 0; k <= 3 && j < FMB_MINORS_MOST; j++)
             if (!(set >> j & 1))
                 cr_expect_eq(with(k, rank_of(set), place++), rank_of(set | 1U << j));
     }
+    check_words();
     for (int n = 0; n <= FMB_MINORS_MOST; n++)
         for (int size = 0; size <= 4; size++) {
             int count = 0;
@@ -52,14 +72,21 @@ Test(minors, tables)
         }
 }
 
+static bool is_there(int dim, int what)
+{
+    return what == FMB_MINORS_SIMPLICES ? dim <= 6 : dim + what <= FMB_MINORS_MOST;
+}
+
 Test(minors, room)
 {
     for (int dim = FMB_MINORS_LEAST_DIM; dim <= FMB_MINORS_MOST_DIM; dim++) {
         int most = 0;
-        for (int moves = 0; moves < 2 && dim + moves <= FMB_MINORS_MOST; moves++) {
-            int n = dim + moves, last = (dim - 1 + moves) / 2, lanes = 0;
+        for (int what = 0; what < FMB_MINORS_WHATS && is_there(dim, what); what++) {
+            int n = dim + (what > 0), last = (n - 1) / 2, lanes = 0;
+            bool simplices = what == FMB_MINORS_SIMPLICES;
+            int rows = simplices ? n : dim, words = !simplices ? 0 : n > 6 ? 1 << (n - 6) : 1;
             for (int k = 2; k <= last; k++)
-                lanes += fmb_minors_choose(dim, k) * fmb_minors_choose(n, k);
+                lanes += fmb_minors_choose(rows, k) * (fmb_minors_choose(n, k) + words);
             most = lanes > most ? lanes : most;
         }
         cr_expect_eq(fmb_minors_room(dim), (size_t)(FMB_BLOCK_MOST_LANES * most));
@@ -173,7 +200,7 @@ typedef struct drawn {
     fmb_verdict is[PAIRS];
     size_t n;
     int dim;
-    bool moves;
+    fmb_minors_what what;
 } drawn;
 
 /* All axes along those of the world, so that most rows are 0 = 0, and longer, so that many meet. */
@@ -184,17 +211,21 @@ static void align(int dim, const fmb_frame *f, double *number)
         axes[i] = i / dim == i % dim ? 4 * axes[i] : 0;
 }
 
-static void draw(study_pair_family family, bool aligned, int dim, bool moves, size_t count,
-                 drawn *d)
+static void draw(study_pair_family family, bool aligned, int dim, fmb_minors_what what,
+                 size_t count, drawn *d)
 {
-    const study_pair_plan plan = {.family = family, .dim = dim, .moves = moves};
+    const study_pair_plan plan = {
+        .family = family,
+        .dim = dim,
+        .moves = what == FMB_MINORS_MOVING,
+        .shape = {what == FMB_MINORS_SIMPLICES, what == FMB_MINORS_SIMPLICES}};
     const size_t stride = (size_t)fmb_minors_record(dim);
     fmb_pair_options o = {.size = sizeof o, .method = FMB_PAIR_EXACT};
     fmb_pair *k = NULL;
     must(fmb_pair_new(dim, &o, NULL, &k));
     d->n = 0;
     d->dim = dim;
-    d->moves = moves;
+    d->what = what;
     for (uint64_t i = 0; i < count; i++) {
         study_pair *p = &d->pair[d->n];
         study_pair_draw(&plan, 7, i, p);
@@ -217,14 +248,12 @@ static void draw(study_pair_family family, bool aligned, int dim, bool moves, si
 /* How many the kernels of a table are sure of. */
 static size_t check(const fmb_minor_kernels *t, const drawn *d)
 {
-    static _Alignas(64) double room[FMB_BLOCK_MOST_LANES * 4000];
+    static _Alignas(64) double room[FMB_BLOCK_MOST_LANES * 4300];
     fmb_verdict says[PAIRS];
-    const fmb_packed_pairs x = {.record = {d->record[0], d->record[1]},
-                                .index = {&d->index->a, &d->index->b},
-                                .n = d->n,
-                                .moves = d->moves};
+    const fmb_packed_pairs x = {
+        .record = {d->record[0], d->record[1]}, .index = {&d->index->a, &d->index->b}, .n = d->n};
     size_t sure = 0;
-    bool known = t->pairs[d->moves][d->dim - FMB_MINORS_LEAST_DIM](&x, room, says);
+    bool known = t->pairs[d->what][d->dim - FMB_MINORS_LEAST_DIM](&x, room, says);
     for (size_t i = 0; i < d->n; i++) {
         sure += says[i] != FMB_UNKNOWN;
         cr_expect(says[i] == FMB_UNKNOWN || says[i] == d->is[i], "pair %zu: %d, not %d", i, says[i],
@@ -244,8 +273,8 @@ Test(minors, verdicts)
     size_t tables = find_tables(table);
     for (size_t f = 0; f < sizeof family / sizeof *family; f++)
         for (int dim = FMB_MINORS_LEAST_DIM; dim <= FMB_MINORS_MOST_DIM; dim++)
-            for (int moves = 0; moves < 2 && dim + moves <= FMB_MINORS_MOST; moves++) {
-                draw(family[f], false, dim, moves, dim < 7 ? 40 : 12, &d);
+            for (int what = 0; what < FMB_MINORS_WHATS && is_there(dim, what); what++) {
+                draw(family[f], false, dim, what, dim < 7 ? 40 : 12, &d);
                 for (size_t t = 0; t < tables; t++) {
                     size_t sure = d.n > 0 ? check(table[t], &d) : 0;
                     cr_expect(family[f] != STUDY_PAIR_ARTICLE || sure + 1 >= d.n, "%zu of %zu",

@@ -11,6 +11,7 @@
 
 #include <math.h>
 #include <stdint.h>
+#include <string.h>
 
 #define FMB_INLINE static inline __attribute__((always_inline, unused))
 
@@ -34,6 +35,9 @@
 typedef __m512d lane;
 typedef __mmask8 lane_mask; /* a bit of each lane */
 #define LANE(name, ...) _mm512_##name##_pd(__VA_ARGS__)
+#define LANE_TERNARY(a, b, c, table)                                                               \
+    _mm512_castsi512_pd(_mm512_ternarylogic_epi64(_mm512_castpd_si512(a), _mm512_castpd_si512(b),  \
+                                                  _mm512_castpd_si512(c), table))
 FMB_INLINE lane_mask lane_less(lane a, lane b)
 {
     return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ);
@@ -53,9 +57,7 @@ FMB_INLINE lane lane_abs(lane a)
 /* a, or -a where s is negative */
 FMB_INLINE lane lane_times_sign(lane a, lane s)
 {
-    const __m512i sign = _mm512_castpd_si512(_mm512_set1_pd(-0.0));
-    return _mm512_castsi512_pd(_mm512_ternarylogic_epi64(
-        _mm512_castpd_si512(a), _mm512_castpd_si512(s), sign, 0x78 /* a ^ (s & sign) */));
+    return LANE_TERNARY(a, s, _mm512_set1_pd(-0.0), 0x78); /* a ^ (s & sign) */
 }
 /* Where the sign bit is set. */
 FMB_INLINE lane_mask lane_negative(lane a)
@@ -212,6 +214,70 @@ FMB_INLINE lane lane_max(lane a, lane b)
     return a > b ? a : b;
 }
 #endif
+
+/* Lanes as words of 64 bits: shifted, and combined bit by bit. */
+#if FMB_LANES > 1
+typedef uint64_t lane_word __attribute__((vector_size(8 * FMB_LANES)));
+#define LANE_WORD(a)    ((lane_word)(a))
+#define LANE_OF_WORD(a) ((lane)(a))
+#else
+typedef uint64_t lane_word;
+FMB_INLINE lane_word LANE_WORD(lane a)
+{
+    lane_word w;
+    memcpy(&w, &a, sizeof w);
+    return w;
+}
+FMB_INLINE lane LANE_OF_WORD(lane_word w)
+{
+    lane a;
+    memcpy(&a, &w, sizeof a);
+    return a;
+}
+#endif
+#if FMB_LANES < 8
+#define LANE_TERNARY(a, b, c, table) LANE_BY_WORDS_##table(LANE_WORD(a), LANE_WORD(b), LANE_WORD(c))
+#define LANE_BY_WORDS_0xf6(a, b, c)  LANE_OF_WORD((a) | ((b) ^ (c)))
+#define LANE_BY_WORDS_0xf9(a, b, c)  LANE_OF_WORD((a) | ~((b) ^ (c)))
+#define LANE_BY_WORDS_0x96(a, b, c)  LANE_OF_WORD((a) ^ (b) ^ (c))
+#define LANE_BY_WORDS_0xf8(a, b, c)  LANE_OF_WORD((a) | ((b) & (c)))
+#define LANE_BY_WORDS_0xf4(a, b, c)  LANE_OF_WORD((a) | ((b) & ~(c)))
+#endif
+FMB_INLINE lane lane_of_bits(uint64_t a)
+{
+    double x;
+    memcpy(&x, &a, sizeof x);
+    return lane_of(x);
+}
+FMB_INLINE lane lane_shift_right(lane a, int by)
+{
+    return LANE_OF_WORD(LANE_WORD(a) >> by);
+}
+FMB_INLINE lane lane_or_xor(lane a, lane b, lane c)
+{
+    return LANE_TERNARY(a, b, c, 0xf6);
+}
+FMB_INLINE lane lane_or_same(lane a, lane b, lane c) /* where b and c are the same */
+{
+    return LANE_TERNARY(a, b, c, 0xf9);
+}
+FMB_INLINE lane lane_xor_xor(lane a, lane b, lane c)
+{
+    return LANE_TERNARY(a, b, c, 0x96);
+}
+FMB_INLINE lane lane_or_and(lane a, lane b, lane c)
+{
+    return LANE_TERNARY(a, b, c, 0xf8);
+}
+FMB_INLINE lane lane_or_and_not(lane a, lane b, lane c)
+{
+    return LANE_TERNARY(a, b, c, 0xf4);
+}
+/* Negative where any bit is set. */
+FMB_INLINE lane lane_any_bit(lane a)
+{
+    return LANE_OF_WORD(LANE_WORD(a) | -LANE_WORD(a));
+}
 
 #if FMB_LANES < 8
 FMB_INLINE lane lane_max_abs(lane a, lane b)

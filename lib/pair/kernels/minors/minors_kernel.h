@@ -28,7 +28,7 @@
 #define FMB_PAIR_MINORS_KERNEL_H
 
 #include "pair/kernels/minors/minors_point.h"
-#include "pair/kernels/minors/minors_table.h"
+#include "pair/kernels/minors/minors_signs.h"
 
 /* The faces of the one that is looked from; sizes of entries. */
 FMB_INLINE void minors_faces(minors_kind d, minors_view *v, minors_said *said)
@@ -43,70 +43,6 @@ FMB_INLINE void minors_faces(minors_kind d, minors_view *v, minors_said *said)
     }
 }
 
-/* sum (-1)^i factor[i] from[i][s] */
-FMB_INLINE lane minors_expand(int k, const lane *factor, const lane *const *from, int s)
-{
-    lane sum = factor[0] * from[0][s];
-#pragma GCC unroll 4
-    for (int i = 1; i <= k; i++)
-        sum = i % 2 ? lane_fnma(factor[i], from[i][s], sum) : lane_fma(factor[i], from[i][s], sum);
-    return sum;
-}
-
-/* The number of S with the j-th that is not in it. */
-FMB_INLINE int minors_with(int k, int s, int j)
-{
-    return k == 1   ? FMB_MINORS_WITH_1[s][j]
-           : k == 2 ? FMB_MINORS_WITH_2[s][j]
-                    : FMB_MINORS_WITH_3[s][j];
-}
-
-/* The k + 1 rows of a set, where their minors of the level before are, and the bound on them. */
-typedef struct minors_rows {
-    int row[4];
-    const lane *less[4];
-    lane g;
-} minors_rows;
-
-FMB_INLINE void minors_find_rows(minors_kind d, const minors_view *v, int k, unsigned set,
-                                 minors_rows *out)
-{
-    unsigned left = set;
-    out->g = lane_of(1);
-#pragma GCC unroll 4
-    for (int i = 0; i <= k; i++, left &= left - 1) {
-        out->row[i] = __builtin_ctz(left);
-        out->less[i] =
-            v->from + FMB_MINORS_RANK[set & ~(1U << out->row[i])] * fmb_minors_choose(d.n, k);
-        out->g = out->g * v->g[out->row[i]];
-    }
-}
-
-/* What of a level is wanted. */
-typedef enum minors_part {
-    MINORS_KEPT,   /* all of it, and its minors for the next level */
-    MINORS_LAST,   /* all of it */
-    MINORS_DRIFTED /* the rows with the drift, the last column */
-} minors_part;
-
-/* The minors of these rows, or their absolute values if no other is wanted. */
-FMB_INLINE void minors_make(minors_kind d, const minors_view *v, int k, minors_part part,
-                            const minors_rows *rows, lane *to)
-{
-    const int first = part == MINORS_DRIFTED ? d.n - 1 : k;
-    lane factor[4];
-#pragma GCC unroll 8
-    for (int j = first; j < d.n; j++) {
-        lane *at = to + fmb_minors_choose(j, k + 1);
-#pragma GCC unroll 4
-        for (int i = 0; i <= k; i++)
-            factor[i] = v->e[rows->row[i] * d.n + j];
-        for (int s = 0; s < fmb_minors_choose(j, k); s++)
-            at[s] = part == MINORS_KEPT ? minors_expand(k, factor, rows->less, s)
-                                        : lane_abs(minors_expand(k, factor, rows->less, s));
-    }
-}
-
 /* The absolute value of a minor that was made, and of one of the level before: that of an entry is
  * there already. */
 FMB_INLINE lane minors_size(minors_part part, const lane *made, int s)
@@ -118,15 +54,6 @@ FMB_INLINE lane minors_size_less(minors_kind d, const minors_view *v, int k,
 {
     return k == 1 ? v->size[rows->row[k - i] * d.n + s] : lane_abs(rows->less[i][s]);
 }
-
-/* Before the loop over sets of columns, choose(8, 3) of them at most, whose numbers are then
- * constant: a fifth faster from six columns on. It is not worth its compilation where lanes are
- * few. */
-#if FMB_LANES >= 4
-#define MINORS_UNROLL _Pragma("GCC unroll 64")
-#else
-#define MINORS_UNROLL
-#endif
 
 /* The largest gap of these rows. */
 FMB_INLINE lane minors_gap(minors_kind d, const minors_view *v, int k, minors_part part,
@@ -158,19 +85,16 @@ FMB_INLINE void minors_hear_rows(minors_kind d, const minors_view *v, int k, min
                                  unsigned set, lane *made, minors_said *said)
 {
     minors_rows rows;
-    lane own[70]; /* choose(8, 4) */
+    lane own[74]; /* choose(8, 4), and words */
     lane *to = part == MINORS_KEPT ? made : own;
     minors_find_rows(d, v, k, set, &rows);
+    if (d.simplices) {
+        minors_test_rows(d, v, k, part, &rows, to, said);
+        return;
+    }
     minors_make(d, v, k, part, &rows, to);
     lane error = lane_of(minors_error(d, k) * 0x1p-53) * rows.g;
     minors_hear(said, minors_gap(d, v, k, part, &rows, to), error);
-}
-
-/* The next set of that size. */
-FMB_INLINE unsigned minors_next_set(unsigned set)
-{
-    unsigned low = set & -set, carry = set + low;
-    return carry | (set ^ carry) >> (2 + __builtin_ctz(low));
 }
 
 /* The rows of k columns. True: all lanes are apart. Of four columns nothing of the loop is left,
@@ -179,8 +103,8 @@ FMB_INLINE unsigned minors_next_set(unsigned set)
 FMB_INLINE bool minors_level(minors_kind d, minors_view *v, int k, minors_part part,
                              minors_said *said)
 {
-    const int kept = part == MINORS_KEPT ? fmb_minors_choose(d.n, k + 1) : 0;
-    const unsigned first = (2U << k) - 1, end = 1U << d.dim;
+    const int kept = part == MINORS_KEPT ? minors_stride(d, k + 1) : 0;
+    const unsigned first = (2U << k) - 1, end = 1U << minors_count_rows(d);
     lane *made = v->to;
     if (d.n == 4) {
 #pragma GCC unroll 16
@@ -205,16 +129,6 @@ FMB_INLINE bool minors_level(minors_kind d, minors_view *v, int k, minors_part p
 }
 
 /* ---- two records ----------------------------------------------------------------------------- */
-
-/* Row r of the inverse at `inverse`, times x. */
-FMB_INLINE lane minors_coordinate(minors_kind d, const lane *inverse, int r, const lane *x)
-{
-    lane sum = inverse[r * d.dim] * x[0];
-#pragma GCC unroll 8
-    for (int k = 1; k < d.dim; k++)
-        sum = lane_fma(inverse[r * d.dim + k], x[k], sum);
-    return sum;
-}
 
 /* The frame b seen from a; apart from one another as `shift` and `drift` say. */
 FMB_INLINE void minors_look(minors_kind d, const lane *a, const lane *b, const lane *shift,
@@ -242,7 +156,7 @@ FMB_INLINE void minors_look(minors_kind d, const lane *a, const lane *b, const l
 FMB_INLINE lane_mask minors_known(minors_kind d, const minors_view *v)
 {
     lane most = v->g[0];
-    for (int r = 1; r < d.dim; r++)
+    for (int r = 1; r < minors_count_rows(d); r++)
         most = lane_max(most, v->g[r]);
     return lane_less(most, lane_of(0x1p200));
 }
@@ -252,7 +166,7 @@ FMB_INLINE lane minors_most(minors_kind d, const lane *shift, const lane *drift,
 {
     for (int j = 0; j < d.dim; j++)
         size = lane_max_abs(size, shift[j]);
-    for (int j = 0; j < d.dim && d.n > d.dim; j++)
+    for (int j = 0; j < d.dim && minors_moves(d); j++)
         size = lane_max_abs(size, drift[j]);
     return size;
 }
@@ -260,15 +174,15 @@ FMB_INLINE lane minors_most(minors_kind d, const lane *shift, const lane *drift,
 /* All rows but faces. */
 FMB_INLINE void minors_levels(minors_kind d, minors_view v[2], minors_said *said)
 {
-    const int moves = d.n > d.dim;
+    const int more = d.n > d.dim;
 #pragma GCC unroll 2
     for (int side = 0; side < 2; side++) {
-        const int last = (d.dim - 1 - side + moves) / 2;
+        const int last = (d.dim - 1 - side + more) / 2;
 #pragma GCC unroll 3
         for (int k = 1; k <= last; k++) {
-            minors_part part = k < last             ? MINORS_KEPT
-                               : moves && side == 0 ? MINORS_DRIFTED
-                                                    : MINORS_LAST;
+            minors_part part = k < last                            ? MINORS_KEPT
+                               : more && side == 0 && !d.simplices ? MINORS_DRIFTED
+                                                                   : MINORS_LAST;
             if (minors_level(d, &v[side], k, part, said))
                 return;
         }
@@ -288,20 +202,26 @@ FMB_INLINE fmb_pair_bits minors_ask(minors_kind d, const lane *a, const lane *b,
         lane shift[FMB_MINORS_MOST_DIM], drift[FMB_MINORS_MOST_DIM];
         for (int j = 0; j < d.dim; j++) {
             shift[j] = to[j] - from[j];
-            if (d.n > d.dim)
+            if (minors_moves(d))
                 drift[j] = to[speed + j] - from[speed + j];
         }
         lane most = minors_most(d, shift, drift, to[size]);
-        minors_look(d, from, to, shift, drift, most, (lane *)room, &v[side]);
+        if (d.simplices)
+            minors_look_at_corners(d, from, to, shift, most, (lane *)room, &v[side]);
+        else
+            minors_look(d, from, to, shift, drift, most, (lane *)room, &v[side]);
         said.known = lane_and(said.known, minors_known(d, &v[side]));
-        minors_faces(d, &v[side], &said);
+        if (d.simplices)
+            minors_corners(d, &v[side], &said);
+        else
+            minors_faces(d, &v[side], &said);
         if (minors_all_apart(&said))
             return minors_bits(&said);
     }
     minors_levels(d, v, &said);
     fmb_pair_bits bits = minors_bits(&said);
     const unsigned open = lane_bits(said.known) & ~(bits.apart | bits.meet);
-    if (open)
+    if (open && !d.simplices)
         bits.meet |= open & minors_find_point(d, &v[0], open);
     return bits;
 }

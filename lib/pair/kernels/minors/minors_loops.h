@@ -1,5 +1,5 @@
-/* minors_loops.h: pairs and rows of packed cuboids in four to eight dimensions; the body of
- * minors_*.c, which set FMB_LANES and name the table FMB_MINORS_TABLE. */
+/* minors_loops.h: pairs and rows of packed cuboids, or simplices, in four to eight dimensions; the
+ * body of minors_*.c, which set FMB_LANES and name the table FMB_MINORS_TABLE. */
 #ifndef FMB_PAIR_MINORS_LOOPS_H
 #define FMB_PAIR_MINORS_LOOPS_H
 
@@ -10,11 +10,12 @@
 enum { MINORS_ROWS = 2 * 8 * 8 + 3 * 8 + 8 };
 
 /* Each kernel once: pairs and rows call it. */
-#define MINORS_ASK(dim, moves)                                                                     \
+#define MINORS_ASK(dim, what)                                                                      \
     static __attribute__((noinline))                                                               \
-    fmb_pair_bits minors_ask_##dim##moves(const lane *a, const lane *b, double *room)              \
+    fmb_pair_bits minors_ask_##dim##what(const lane *a, const lane *b, double *room)               \
     {                                                                                              \
-        return minors_ask((minors_kind){dim, dim + (moves)}, a, b, room);                          \
+        const minors_kind d = {dim, dim + ((what) > 0), (what) == FMB_MINORS_SIMPLICES};           \
+        return minors_ask(d, a, b, room);                                                          \
     }
 MINORS_ASK(4, 0)
 MINORS_ASK(5, 0)
@@ -25,6 +26,9 @@ MINORS_ASK(4, 1)
 MINORS_ASK(5, 1)
 MINORS_ASK(6, 1)
 MINORS_ASK(7, 1)
+MINORS_ASK(4, 2)
+MINORS_ASK(5, 2)
+MINORS_ASK(6, 2)
 
 typedef fmb_pair_bits minors_asker(const lane *a, const lane *b, double *room);
 
@@ -93,16 +97,16 @@ FMB_INLINE bool minors_pairs(int dim, minors_asker *ask, const fmb_packed_pairs 
     return known;
 }
 
-#define MINORS_LOOPS(dim, moves)                                                                   \
-    static void minors_row_##dim##moves(const fmb_packed_row *x, double *room,                     \
-                                        fmb_packed_bits *out)                                      \
+#define MINORS_LOOPS(dim, what)                                                                    \
+    static void minors_row_##dim##what(const fmb_packed_row *x, double *room,                      \
+                                       fmb_packed_bits *out)                                       \
     {                                                                                              \
-        minors_row(dim, minors_ask_##dim##moves, x, room, out);                                    \
+        minors_row(dim, minors_ask_##dim##what, x, room, out);                                     \
     }                                                                                              \
-    static bool minors_pairs_##dim##moves(const fmb_packed_pairs *x, double *room,                 \
-                                          fmb_verdict *out)                                        \
+    static bool minors_pairs_##dim##what(const fmb_packed_pairs *x, double *room,                  \
+                                         fmb_verdict *out)                                         \
     {                                                                                              \
-        return minors_pairs(dim, minors_ask_##dim##moves, x, room, out);                           \
+        return minors_pairs(dim, minors_ask_##dim##what, x, room, out);                            \
     }
 MINORS_LOOPS(4, 0)
 MINORS_LOOPS(5, 0)
@@ -113,13 +117,18 @@ MINORS_LOOPS(4, 1)
 MINORS_LOOPS(5, 1)
 MINORS_LOOPS(6, 1)
 MINORS_LOOPS(7, 1)
+MINORS_LOOPS(4, 2)
+MINORS_LOOPS(5, 2)
+MINORS_LOOPS(6, 2)
 
 extern const fmb_minor_kernels FMB_MINORS_TABLE;
 const fmb_minor_kernels FMB_MINORS_TABLE = {
     .pairs = {{minors_pairs_40, minors_pairs_50, minors_pairs_60, minors_pairs_70, minors_pairs_80},
-              {minors_pairs_41, minors_pairs_51, minors_pairs_61, minors_pairs_71, NULL}},
+              {minors_pairs_41, minors_pairs_51, minors_pairs_61, minors_pairs_71, NULL},
+              {minors_pairs_42, minors_pairs_52, minors_pairs_62, NULL, NULL}},
     .tiles = minors_tiles,
     .row = {{minors_row_40, minors_row_50, minors_row_60, minors_row_70, minors_row_80},
-            {minors_row_41, minors_row_51, minors_row_61, minors_row_71, NULL}}};
+            {minors_row_41, minors_row_51, minors_row_61, minors_row_71, NULL},
+            {minors_row_42, minors_row_52, minors_row_62, NULL, NULL}}};
 
 #endif

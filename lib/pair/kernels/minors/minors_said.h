@@ -1,4 +1,4 @@
-/* minors_said.h: what the rows of minors_kernel.h say together. */
+/* minors_said.h: what the rows of minors_kernel.h, or the tests of minors_signs.h, say together. */
 #ifndef FMB_PAIR_MINORS_SAID_H
 #define FMB_PAIR_MINORS_SAID_H
 
@@ -25,11 +25,22 @@ FMB_INLINE void minors_hear(minors_said *said, lane gap, lane error)
     said->meet = lane_max(said->meet, gap + error);
 }
 
+/* Of some numbers the least absolute value, which has that error at most; where all had the signs
+ * that these should have, and all before them were certain, `passed` is negative if their own signs
+ * mean apart. */
+FMB_INLINE void minors_hear_signs(minors_said *said, lane least, lane passed, lane error)
+{
+    said->meet = lane_max(said->meet, error - least);
+    lane_mask apart = lane_and(lane_negative(passed), lane_less(said->meet, lane_of(0)));
+    said->apart = lane_pick(apart, lane_of(1), said->apart);
+}
+
 FMB_INLINE fmb_pair_bits minors_bits(const minors_said *said)
 {
     const lane zero = lane_of(0);
-    return (fmb_pair_bits){.apart = lane_bits(lane_and(said->known, lane_less(zero, said->apart))),
-                           .meet = lane_bits(lane_and(said->known, lane_less(said->meet, zero)))};
+    const unsigned apart = lane_bits(lane_and(said->known, lane_less(zero, said->apart)));
+    const unsigned meet = lane_bits(lane_and(said->known, lane_less(said->meet, zero)));
+    return (fmb_pair_bits){.apart = apart, .meet = meet & ~apart};
 }
 
 FMB_INLINE bool minors_all_apart(const minors_said *said)

@@ -62,6 +62,27 @@ static const uint8_t FMB_MINORS_WITH_3[56][5] = {
     {48, 49, 50, 54, 68}, {51, 52, 53, 54, 69}, {55, 56, 58, 61, 65}, {55, 57, 59, 62, 66},
     {56, 57, 60, 63, 67}, {58, 59, 60, 64, 68}, {61, 62, 63, 64, 69}, {65, 66, 67, 68, 69}};
 
+/* The sets of one, two and three by number. */
+static const uint8_t FMB_MINORS_SET_1[8] = {1, 2, 4, 8, 16, 32, 64, 128};
+static const uint8_t FMB_MINORS_SET_2[28] = {3,  5,   6,   9,   10,  12,  17,  18, 20, 24,
+                                             33, 34,  36,  40,  48,  65,  66,  68, 72, 80,
+                                             96, 129, 130, 132, 136, 144, 160, 192};
+static const uint8_t FMB_MINORS_SET_3[56] = {
+    7,   11,  13,  14,  19,  21,  22,  25,  26,  28,  35,  37,  38,  41,  42,  44,  49,  50,  52,
+    56,  67,  69,  70,  73,  74,  76,  81,  82,  84,  88,  97,  98,  100, 104, 112, 131, 133, 134,
+    137, 138, 140, 145, 146, 148, 152, 161, 162, 164, 168, 176, 193, 194, 196, 200, 208, 224};
+
+/* Words with a bit for each set of numbers below 6, in its place as a binary number: for those
+ * without j; for those with an even number of numbers above j; for those of a size. */
+static const uint64_t FMB_MINORS_WITHOUT[6] = {0x5555555555555555, 0x3333333333333333,
+                                               0x0f0f0f0f0f0f0f0f, 0x00ff00ff00ff00ff,
+                                               0x0000ffff0000ffff, 0x00000000ffffffff};
+static const uint64_t FMB_MINORS_EVEN_ABOVE[6] = {0x3cc3c33cc33c3cc3, 0xf00f0ff00ff0f00f,
+                                                  0x00ffff00ff0000ff, 0xffff00000000ffff,
+                                                  0x00000000ffffffff, 0xffffffffffffffff};
+static const uint64_t FMB_MINORS_OF_SIZE[4] = {0x0000000000000001, 0x0000000100010116,
+                                               0x0001011601161668, 0x0116166816686880};
+
 /* How many of the four lowest bits are set. */
 static inline int fmb_minors_count(unsigned set)
 {

@@ -9,12 +9,34 @@
 /* What is constant in a kernel. */
 typedef struct minors_kind {
     int dim, n; /* n columns */
+    bool simplices;
 } minors_kind;
+
+FMB_INLINE bool minors_moves(minors_kind d)
+{
+    return d.n > d.dim && !d.simplices;
+}
+FMB_INLINE int minors_count_rows(minors_kind d)
+{
+    return d.simplices ? d.n : d.dim;
+}
+
+/* Of simplices there is a bit of each set of columns: so many words. */
+FMB_INLINE int minors_words(minors_kind d)
+{
+    return d.n > 6 ? 1 << (d.n - 6) : 1;
+}
+/* Lanes of the minors of k columns in one set of rows; words of their signs stand behind them. */
+FMB_INLINE int minors_stride(minors_kind d, int k)
+{
+    return fmb_minors_choose(d.n, k) + (d.simplices ? minors_words(d) : 0);
+}
 
 /* One frame seen from another. */
 typedef struct minors_view {
-    lane e[(int)FMB_MINORS_MOST_DIM * (int)FMB_MINORS_MOST];    /* [row][column] */
-    lane size[(int)FMB_MINORS_MOST_DIM * (int)FMB_MINORS_MOST]; /* absolute values of these */
+    lane e[(int)FMB_MINORS_MOST_DIM * ((int)FMB_MINORS_MOST + 4)]; /* [row][column] */
+    /* absolute values of these; of simplices the largest of each row */
+    lane size[(int)FMB_MINORS_MOST_DIM * (int)FMB_MINORS_MOST];
     lane center[FMB_MINORS_MOST_DIM];
     lane g[FMB_MINORS_MOST_DIM]; /* bounds of a row: docs/error-bounds.md */
     const lane *from;            /* minors of the level before: [rows][columns] */
@@ -40,6 +62,14 @@ FMB_INLINE double minors_error(minors_kind d, int k)
     const double factorial = k == 3 ? 24 : k == 2 ? 6 : k + 1;
     return 1.01 * factorial *
            (center + (n + 3) * (less + k + 1) + less + (n - k) * more + n * (n - k + 1) + n + 3);
+}
+
+/* The same for the minors of k + 1 columns of two simplices. */
+FMB_INLINE double minors_sign_error(minors_kind d, int k)
+{
+    const double entry = 2 * d.dim + 4;
+    const double factorial = k == 3 ? 24 : k == 2 ? 6 : k + 1;
+    return 1.01 * factorial * ((k + 1) * entry + (k + 1) * (k + 2) / 2 - 1);
 }
 
 #endif
