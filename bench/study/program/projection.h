@@ -18,6 +18,8 @@ typedef struct study_projection {
 
 /* The families, their names and what they are, a line each. */
 int study_projections(void);
+/* So many more come after these, that no choice of ways was made on: they judge it. */
+int study_projections_apart(void);
 const char *study_projection_name(int family);
 const char *study_projection_about(int family);
 

@@ -76,5 +76,9 @@ study_family study_image_points, study_image_local, study_image_scarce, study_im
 /* images_systems.c: what systems can do: networks, controllers, programs, clocks */
 study_family study_image_relu, study_image_control, study_image_value, study_image_chain,
     study_image_flow, study_image_transport, study_image_clocks;
+/* images_apart.c: what a choice of ways is judged by, and not made on */
+study_family study_image_cuts, study_image_marginals, study_image_recourse, study_image_automaton,
+    study_image_mostly_kept, study_image_tails, study_image_lots, study_image_parameters,
+    study_image_weights, study_image_mixture, study_image_sites, study_image_dependences;
 
 #endif

@@ -1,9 +1,9 @@
 /* main.c: how long each way of a projection takes on problems of all families, with what the
  * problems are like: a JSON object a line, which fit.py reads. See ../../README.md.
  *
- * An arm is a method, or the portfolio with some of its ways switched off. All arms of a problem
- * run one after another in this process, on its own processor time; one that takes longer than the
- * limit is null.
+ * An arm is a method, or the portfolio with one of its pipelines. All arms of a problem run one
+ * after another in this process, on its own processor time; one that takes longer than the limit
+ * is minus that.
  */
 #define _DEFAULT_SOURCE /* setitimer */
 #include <inttypes.h>
@@ -17,6 +17,7 @@
 
 #include <fmb/fmb.h>
 
+#include "../../peers/problem.h"
 #include "base/clock.h"
 #include "simulate.h"
 #include "solve/portfolio/features.h"
@@ -25,24 +26,47 @@
 #include "study/program/projection.h"
 
 static const char USAGE[] =
-    "usage: bench-selection [--seed N] [--each N] [--seconds S]\n"
-    "Problems of all families of projections, N seeds of each; 0 seconds: features alone.\n";
+    "usage: bench-selection [--seed N] [--each N] [--seconds S] [--arms auto|singles|pipelines]\n"
+    "                       [--families known|apart|all] [--more N] [FILE...]\n"
+    "Projections of families, N seeds of each, where so many more variables stay than usual,\n"
+    "and of files; 0 seconds: features alone.\n";
+
+typedef struct setup {
+    uint64_t first, each;
+    double seconds;
+    bool singles, choice; /* arms are methods of a user's, or only what the library chooses */
+    int more;             /* variables stay than usual */
+    int from, to;         /* families */
+} setup;
+
+/* What the library chooses, and then methods that do one thing. */
+static const struct {
+    const char *name;
+    fmb_method method;
+} SINGLE[] = {{"auto", FMB_METHOD_AUTO},
+              {"elimination", FMB_METHOD_FM},
+              {"double description", FMB_METHOD_DD},
+              {"support queries", FMB_METHOD_HULL}};
+
+enum { SINGLES = sizeof SINGLE / sizeof *SINGLE, MOST_ARMS = 64 };
 
 /* What the library chooses, and then its pipelines. */
-static int count_arms(void)
+static int count_arms(const setup *u)
 {
     int n = 0;
+    if (u->choice || u->singles)
+        return u->choice ? 1 : SINGLES;
     while (fmb_selection_name(n))
         n++;
     return n + 1;
 }
 
-static const char *name_of_arm(int arm)
+static const char *name_of_arm(const setup *u, int arm)
 {
-    return arm == 0 ? "auto" : fmb_selection_name(arm - 1);
+    return u->singles || u->choice ? SINGLE[arm].name
+           : arm == 0              ? "auto"
+                                   : fmb_selection_name(arm - 1);
 }
-
-enum { MOST_ARMS = 64 };
 
 /* Of the largest part that was heard of. */
 typedef struct heard {
@@ -107,16 +131,19 @@ static double time_once(fmb_solver *v, const fmb_system *s, const int *keep, int
 #define MOST_RUNS   4
 /* An arm that takes so many times as long as another one, and so long, is not waited for. */
 #define FAR_BEHIND 4
+/* Of methods that do one thing only the best one counts. */
+#define AS_GOOD    1.1
 #define LEAST_WAIT 0.01 /* [s] */
 
-static double time_arm(int arm, const fmb_system *s, const int *keep, int kept, double seconds)
+static double time_arm(const setup *u, int arm, const fmb_system *s, const int *keep, int kept,
+                       double seconds)
 {
-    fmb_options o = {
-        .size = sizeof o,
-    };
+    fmb_options o = {.size = sizeof o, .evidence = FMB_EVIDENCE_NONE};
     fmb_solver *v;
-    o.evidence = FMB_EVIDENCE_NONE;
-    fmb_selection_forced = arm - 1;
+    if (u->singles)
+        o.method = SINGLE[arm].method;
+    else
+        fmb_selection_forced = arm - 1;
     if (fmb_solver_new(&o, NULL, &v) != FMB_OK)
         fail("no memory");
     double least = time_once(v, s, keep, kept, seconds), total = least;
@@ -140,23 +167,23 @@ static void print_features(const heard *h)
            h->simulated.most, h->simulated.pairs, h->simulated.left, h->simulated.first);
 }
 
-static double limit_behind(double least, double seconds)
+static double limit_behind(const setup *u, double least)
 {
-    double limit = FAR_BEHIND * least < LEAST_WAIT ? LEAST_WAIT : FAR_BEHIND * least;
-    return limit < seconds ? limit : seconds;
+    double limit = fmax((u->singles ? AS_GOOD : FAR_BEHIND) * least, LEAST_WAIT);
+    return fmin(limit, u->seconds);
 }
 
 /* took[arm]: [s], or minus the time after which it was not waited for. */
-static void time_arms(const fmb_system *s, const int *keep, int kept, double seconds, heard *h,
+static void time_arms(const setup *u, const fmb_system *s, const int *keep, int kept, heard *h,
                       double *took)
 {
-    double least = seconds;
+    double least = u->seconds;
     fmb_features_watch = (fmb_features_watcher){hear_part, h};
-    (void)time_arm(0, s, keep, kept, seconds > 0 ? seconds : LEAST_WAIT);
+    (void)time_arm(u, 0, s, keep, kept, u->seconds > 0 ? u->seconds : LEAST_WAIT);
     fmb_features_watch = (fmb_features_watcher){NULL, NULL};
-    for (int arm = 0; h->any && seconds > 0 && arm < count_arms(); arm++) {
-        double limit = limit_behind(least, seconds);
-        took[arm] = time_arm(arm, s, keep, kept, limit);
+    for (int arm = 0; h->any && u->seconds > 0 && arm < count_arms(u); arm++) {
+        double limit = limit_behind(u, least);
+        took[arm] = time_arm(u, arm, s, keep, kept, limit);
         if (took[arm] < 0)
             took[arm] = -limit;
         else if (took[arm] < least)
@@ -164,64 +191,94 @@ static void time_arms(const fmb_system *s, const int *keep, int kept, double sec
     }
 }
 
-/* What no way is chosen for is left out. */
-static void study_problem(const char *family, int digits, uint64_t seed, const fmb_system *s,
-                          int kept, double seconds)
+/* What no way is chosen for is left out. Takes over s. */
+static void study_problem(const setup *u, const char *family, int digits, uint64_t seed,
+                          fmb_system *s, int kept)
 {
-    int *keep = malloc((size_t)kept * sizeof *keep);
+    int *keep = malloc((size_t)kept * sizeof *keep + 1);
     heard h = {.any = false};
     double took[MOST_ARMS];
     if (!keep)
         fail("no memory");
     for (int k = 0; k < kept; k++)
         keep[k] = k;
-    time_arms(s, keep, kept, seconds, &h, took);
+    time_arms(u, s, keep, kept, &h, took);
     if (h.any) {
         printf("{\"family\": \"%s\", \"digits\": %d, \"seed\": %" PRIu64 ", \"limit\": %g, ",
-               family, digits, seed, seconds);
+               family, digits, seed, u->seconds);
         print_features(&h);
-        for (int arm = 0; seconds > 0 && arm < count_arms(); arm++)
-            printf("%s\"%s\": %.7f", arm > 0 ? ", " : ", \"took\": {", name_of_arm(arm), took[arm]);
-        puts(seconds > 0 ? "}}" : "}");
+        for (int arm = 0; u->seconds > 0 && arm < count_arms(u); arm++)
+            printf("%s\"%s\": %.7f", arm > 0 ? ", " : ", \"took\": {", name_of_arm(u, arm),
+                   took[arm]);
+        puts(u->seconds > 0 ? "}}" : "}");
         fflush(stdout);
     }
     free(keep);
+    fmb_system_free(s);
 }
 
 static const int DIGITS[] = {0, 9};
 
-static void study_family(int family, uint64_t seed, int digits, double seconds)
+static void study_family(const setup *u, int family, uint64_t seed, int digits)
 {
     study_projection drawn;
     fmb_system *dressed = NULL;
     if (study_projection_draw(family, seed, &drawn) != FMB_OK ||
         (digits > 0 && study_system_fractions(drawn.s, digits, seed, &dressed) != FMB_OK))
         fail("no memory");
-    study_problem(study_projection_name(family), digits, seed, dressed ? dressed : drawn.s,
-                  drawn.keep, seconds);
-    fmb_system_free(dressed);
-    fmb_system_free(drawn.s);
+    fmb_system *s = dressed ? dressed : drawn.s;
+    int most = fmb_system_dim(s) - 2, keep = drawn.keep + u->more;
+    if (dressed)
+        fmb_system_free(drawn.s);
+    study_problem(u, study_projection_name(family), digits, seed, s,
+                  u->more == 0 || keep <= most ? keep
+                  : drawn.keep <= most         ? most
+                                               : drawn.keep);
+}
+
+static void study_file(const setup *u, const char *path)
+{
+    problem p;
+    const char *name = strrchr(path, '/');
+    if (!problem_read(&p, path))
+        fail(path);
+    study_problem(u, name ? name + 1 : path, 0, 0, p.system, p.keep);
+    p.system = NULL;
+    problem_clear(&p);
+}
+
+static bool take_option(setup *u, const char *option, const char *value)
+{
+    int known = study_projections(), all = known + study_projections_apart();
+    if (strcmp(option, "--seed") == 0)
+        return u->first = strtoull(value, NULL, 10), true;
+    if (strcmp(option, "--each") == 0)
+        return u->each = strtoull(value, NULL, 10), true;
+    if (strcmp(option, "--seconds") == 0)
+        return u->seconds = atof(value), true;
+    if (strcmp(option, "--more") == 0)
+        return u->more = atoi(value), true;
+    if (strcmp(option, "--arms") == 0)
+        return u->singles = strcmp(value, "singles") == 0, u->choice = strcmp(value, "auto") == 0,
+               true;
+    u->from = strcmp(value, "apart") == 0 ? known : 0;
+    u->to = strcmp(value, "known") == 0 ? known : all;
+    return strcmp(option, "--families") == 0;
 }
 
 int main(int argc, char **argv)
 {
-    uint64_t first = 1, each = 4;
-    double seconds = 1;
+    setup u = {.first = 1, .each = 4, .seconds = 1, .to = study_projections()};
+    int i = 1;
     signal(SIGPROF, end_query);
-    for (int i = 1; i < argc; i += 2) {
-        const char *value = i + 1 < argc ? argv[i + 1] : "";
-        if (strcmp(argv[i], "--seed") == 0 && *value)
-            first = strtoull(value, NULL, 10);
-        else if (strcmp(argv[i], "--each") == 0 && *value)
-            each = strtoull(value, NULL, 10);
-        else if (strcmp(argv[i], "--seconds") == 0 && *value)
-            seconds = atof(value);
-        else
+    for (; i < argc && argv[i][0] == '-'; i += 2)
+        if (i + 1 == argc || !take_option(&u, argv[i], argv[i + 1]))
             return fputs(USAGE, stderr), 64;
-    }
-    for (uint64_t seed = first; seed < first + each; seed++)
-        for (int f = 0; f < study_projections(); f++)
+    for (; i < argc; i++)
+        study_file(&u, argv[i]);
+    for (uint64_t seed = u.first; seed < u.first + u.each; seed++)
+        for (int f = u.from; f < u.to; f++)
             for (size_t k = 0; k < sizeof DIGITS / sizeof *DIGITS; k++)
-                study_family(f, seed, DIGITS[k], seconds);
+                study_family(&u, f, seed, DIGITS[k]);
     return 0;
 }

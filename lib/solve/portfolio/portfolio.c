@@ -87,9 +87,6 @@ static fmb_status project_by_elimination(part_elimination *h, bool known, size_t
     return st;
 }
 
-/* A hull in so many dimensions mostly has few enough facets. */
-#define FEW_KEPT 6
-
 /* ---- which way ------------------------------------------------------------------------------- */
 
 static fmb_status is_part_feasible(fmb_query *q, int part, bool *feasible)
@@ -107,6 +104,9 @@ static bool uses_lp_rule(const fmb_solver *v)
             return true;
     return false;
 }
+
+/* A hull in so many dimensions mostly has few enough facets. */
+#define FEW_KEPT 6
 
 /* Engines that take turns. */
 enum { ENGINE_RAYS, ENGINE_ELIMINATION, ENGINE_QUERIES };
@@ -139,15 +139,6 @@ static void tell_attempt(part_run *r, const char *engine, uint64_t budget, const
     a.budget = budget;
     a.unit = unit;
     fmb_run_tell_attempt(&r->q->run, a, st, is_answered(r));
-}
-
-static fmb_status try_rays(part_run *r, uint64_t rays)
-{
-    uint64_t before = r->q->run.work;
-    fmb_status st = fmb_ray_projection_run(r->rays, rays, r->out, r->feasible, &r->done);
-    r->slices.engine[ENGINE_RAYS].spent += r->q->run.work - before;
-    tell_attempt(r, "double description", rays, "rays", st);
-    return st;
 }
 
 static part_elimination elimination_of_run(const part_run *r)
@@ -224,6 +215,8 @@ static bool is_open(fmb_status st, const part_run *r)
     return st == FMB_OK && !r->done && *r->feasible;
 }
 
+/* ---- engines --------------------------------------------------------------------------------- */
+
 static fmb_status open_queries(part_run *r)
 {
     r->known = true;
@@ -231,49 +224,112 @@ static fmb_status open_queries(part_run *r)
                       : fmb_queries_open(r->q, r->part, r->place, &r->queries, r->feasible);
 }
 
-/* With the rule that asks the oracle, from the part again. */
-static fmb_status try_pruned_elimination(part_run *r, uint64_t rows)
+/* Of long numbers rays take so long that it pays to ask the oracle first whether there are any. */
+static fmb_status open_rays(part_run *r)
 {
-    fmb_status st = r->known ? FMB_OK : open_queries(r);
-    return is_open(st, r) ? try_elimination(r, true, (size_t)rows) : st;
+    bool asks = r->features.minor_bits > FMB_LONG_MINOR && !r->known;
+    fmb_status st = asks ? open_queries(r) : FMB_OK;
+    return r->rays || !is_open(st, r) ? st : fmb_ray_projection_open(&r->reduced, &r->rays);
 }
 
-/* pairs: 0, any number. */
-static fmb_status try_queries(part_run *r, uint64_t pairs)
+static fmb_status go_on_with_rays(part_run *r)
 {
-    uint64_t before = r->q->run.work;
-    fmb_status st = open_queries(r);
+    return fmb_ray_projection_run(r->rays, r->out, r->feasible, &r->done);
+}
+
+static double rays_left(const part_run *r)
+{
+    return r->rays ? fmb_ray_projection_left(r->rays) : INFINITY;
+}
+
+static fmb_status go_on_with_queries(part_run *r)
+{
+    return fmb_queries_run(r->queries, r->out, &r->done);
+}
+
+static double queries_left(const part_run *r)
+{
+    return r->queries ? fmb_queries_left(r->queries) : INFINITY;
+}
+
+/* Of all that the part is made of, with the rule that asks the oracle. */
+static fmb_status open_elimination(part_run *r)
+{
+    fmb_status st = r->known ? FMB_OK : open_queries(r);
+    if (r->e.q || !is_open(st, r))
+        return st;
+    r->e = elimination_of_run(r);
+    st = fmb_query_load(r->q, r->e.p, true, &r->e.e);
+    r->e.e.pauses = true;
+    return st == FMB_OK && has_rows_in_plenty(r->e.p) ? fmb_elim_prune(&r->e.e) : st;
+}
+
+static fmb_status go_on_with_elimination(part_run *r)
+{
+    fmb_status st = fmb_elim_eliminate(&r->e.e, r->reduced.drop);
+    return put_rows_of_elimination(&r->e, &r->e.e, st, true, r->feasible, &r->done);
+}
+
+static double elimination_left(const part_run *r)
+{
+    return r->e.q ? fmb_elim_left(&r->e.e, r->reduced.drop) : INFINITY;
+}
+
+static const struct engine {
+    const char *name;
+    fmb_status (*open)(part_run *); /* unless it is */
+    fmb_status (*go_on)(part_run *);
+    double (*left)(const part_run *);
+} ENGINE[FMB_MOST_ENGINES] = {
+    [ENGINE_RAYS] = {"double description", open_rays, go_on_with_rays, rays_left},
+    [ENGINE_ELIMINATION] = {"elimination", open_elimination, go_on_with_elimination,
+                            elimination_left},
+    [ENGINE_QUERIES] = {"support queries", open_queries, go_on_with_queries, queries_left},
+};
+
+static void tell_slice(part_run *r, size_t k, uint64_t slice, fmb_status st)
+{
+    const fmb_slice_engine *e = &r->slices.engine[k];
+    fmb_attempt a = fmb_query_attempt(r->q, r->part, ENGINE[k].name, "projection");
+    a.budget = slice;
+    a.unit = "steps";
+    a.ended = e->over ? "unsuitable" : "paused";
+    a.spent = e->spent;
+    a.left = isfinite(e->left) ? (uint64_t)e->left : 0;
+    fmb_run_tell_attempt(&r->q->run, a, st, is_answered(r));
+}
+
+/* Go on with an engine for a while, 0: to its end. */
+static fmb_status run_engine(part_run *r, size_t k, uint64_t slice)
+{
+    fmb_run *run = &r->q->run;
+    uint64_t before = run->work;
+    fmb_status st = ENGINE[k].open(r);
+    run->slice_end = slice > 0 ? run->work + slice : 0;
     if (is_open(st, r))
-        st = fmb_queries_run(r->queries, pairs, r->out, &r->done);
-    r->slices.engine[ENGINE_QUERIES].spent += r->q->run.work - before;
-    tell_attempt(r, "support queries", pairs, "pairs", st);
+        st = ENGINE[k].go_on(r);
+    run->slice_end = 0;
+    fmb_slices_note(&r->slices, k, run->work - before);
+    r->slices.engine[ENGINE_RAYS].over = r->rays && fmb_ray_projection_has_given_up(r->rays);
+    tell_slice(r, k, slice, st);
     return st;
 }
 
 /* ---- pipelines ------------------------------------------------------------------------------- */
 
-/* As many again where few rows are still to come and few dimensions stay. */
-static fmb_status try_rays_twice(part_run *r, uint64_t rays)
+static fmb_status run_rays(part_run *r, uint64_t slice)
 {
-    fmb_status st = try_rays(r, rays);
-    bool more = is_open(st, r) && r->features.kept <= FMB_SHORT_QUERIES &&
-                fmb_ray_projection_is_nearly_done(r->rays);
-    return more ? try_rays(r, rays) : st;
+    return run_engine(r, ENGINE_RAYS, slice);
 }
 
-/* Work that queries may do in a few dimensions before others take turns with them. */
-#define QUERIES_AHEAD ((uint64_t)1 << 29)
-
-/* In a few dimensions by work, in more by what the hull looks at. */
-static fmb_status try_some_queries(part_run *r, uint64_t pairs)
+static fmb_status run_elimination(part_run *r, uint64_t slice)
 {
-    fmb_run *run = &r->q->run;
-    if (r->features.kept > FEW_KEPT)
-        return try_queries(r, pairs);
-    run->slice_end = run->work + QUERIES_AHEAD;
-    fmb_status st = try_queries(r, 0);
-    run->slice_end = 0;
-    return st;
+    return run_engine(r, ENGINE_ELIMINATION, slice);
+}
+
+static fmb_status run_queries(part_run *r, uint64_t slice)
+{
+    return run_engine(r, ENGINE_QUERIES, slice);
 }
 
 static const struct step_way {
@@ -282,13 +338,11 @@ static const struct step_way {
 } STEP[FMB_STEPS] = {
     [FMB_STEP_RECESSION] = {try_recession, FMB_WAY_RECESSION},
     [FMB_STEP_BOUNDED] = {try_bounded_elimination, FMB_WAY_BOUNDED_GROWTH},
-    [FMB_STEP_PRUNED] = {try_pruned_elimination, FMB_WAY_PRUNED},
-    [FMB_STEP_FIRST_RAYS] = {try_rays_twice, FMB_WAY_FIRST_RAYS},
-    [FMB_STEP_SECOND_RAYS] = {try_rays, FMB_WAY_SECOND_RAYS},
-    [FMB_STEP_QUERIES] = {try_some_queries, FMB_WAY_COUNT},
+    [FMB_STEP_PRUNED] = {run_elimination, FMB_WAY_PRUNED},
+    [FMB_STEP_FIRST_RAYS] = {run_rays, FMB_WAY_FIRST_RAYS},
+    [FMB_STEP_SECOND_RAYS] = {run_rays, FMB_WAY_SECOND_RAYS},
+    [FMB_STEP_QUERIES] = {run_queries, FMB_WAY_COUNT},
 };
-
-static const fmb_pipeline QUERIES_ALONE = {.step = {{FMB_STEP_QUERIES, FMB_FIRST_PAIRS}}};
 
 static fmb_status take_step(part_run *r, const fmb_pipeline_step *s)
 {
@@ -313,103 +367,23 @@ static fmb_status run_pipeline(part_run *r, const fmb_pipeline *p)
 
 /* ---- turns ----------------------------------------------------------------------------------- */
 
-/* Of the elimination that is pruned by the oracle, from the part again. */
-static fmb_status open_turns(part_run *r)
-{
-    fmb_status st = open_queries(r);
-    r->e = elimination_of_run(r);
-    if (!is_open(st, r))
-        return st;
-    uint64_t before = r->q->run.work;
-    st = fmb_query_load(r->q, r->e.p, true, &r->e.e);
-    r->e.e.pauses = true;
-    if (st == FMB_OK && has_rows_in_plenty(r->e.p))
-        st = fmb_elim_prune(&r->e.e);
-    r->slices.engine[ENGINE_ELIMINATION].spent = r->q->run.work - before;
-    return st;
-}
-
-static fmb_status go_on_with_rays(part_run *r)
-{
-    return fmb_ray_projection_run(r->rays, 0, r->out, r->feasible, &r->done);
-}
-
-static double rays_left(const part_run *r)
-{
-    return fmb_ray_projection_left(r->rays);
-}
-
-static fmb_status go_on_with_elimination(part_run *r)
-{
-    fmb_status st = fmb_elim_eliminate(&r->e.e, r->reduced.drop);
-    return put_rows_of_elimination(&r->e, &r->e.e, st, true, r->feasible, &r->done);
-}
-
-static double elimination_left(const part_run *r)
-{
-    return fmb_elim_left(&r->e.e, r->reduced.drop);
-}
-
-static fmb_status go_on_with_queries(part_run *r)
-{
-    return fmb_queries_run(r->queries, 0, r->out, &r->done);
-}
-
-static double queries_left(const part_run *r)
-{
-    return fmb_queries_left(r->queries);
-}
-
-static const struct turn {
-    const char *engine;
-    fmb_status (*go_on)(part_run *);
-    double (*left)(const part_run *);
-} TURN[FMB_MOST_ENGINES] = {
-    [ENGINE_RAYS] = {"double description", go_on_with_rays, rays_left},
-    [ENGINE_ELIMINATION] = {"elimination", go_on_with_elimination, elimination_left},
-    [ENGINE_QUERIES] = {"support queries", go_on_with_queries, queries_left},
-};
-
 /* In a few dimensions hulls have few facets, in more elimination mostly ends before they do. */
 static size_t likely_engine(const part_run *r)
 {
     return r->features.kept <= FEW_KEPT ? ENGINE_QUERIES : ENGINE_ELIMINATION;
 }
 
-static void tell_turn(part_run *r, size_t k, uint64_t slice, fmb_status st)
-{
-    const fmb_slice_engine *e = &r->slices.engine[k];
-    fmb_attempt a = fmb_query_attempt(r->q, r->part, TURN[k].engine, "projection");
-    a.budget = slice;
-    a.unit = "steps";
-    a.ended = e->over ? "unsuitable" : "paused";
-    a.spent = e->spent;
-    a.left = isfinite(e->left) ? (uint64_t)e->left : 0;
-    fmb_run_tell_attempt(&r->q->run, a, st, is_answered(r));
-}
-
 /* What is left is eliminated, and pruned by the oracle, in turns with rays and queries. */
 static fmb_status take_turns(part_run *r)
 {
-    fmb_run *run = &r->q->run;
-    fmb_status st = open_turns(r);
-    r->slices.engines = FMB_MOST_ENGINES;
-    r->slices.equal = run->work;
-    for (size_t k = 0; k < FMB_MOST_ENGINES; k++)
-        r->slices.engine[k].share = k == likely_engine(r) ? 2 : 1;
+    fmb_status st = FMB_OK;
     while (is_open(st, r)) {
-        uint64_t slice, before = run->work;
+        uint64_t slice;
         for (size_t k = 0; k < FMB_MOST_ENGINES; k++)
-            r->slices.engine[k].left = TURN[k].left(r);
+            r->slices.engine[k].left = ENGINE[k].left(r);
         size_t k = fmb_slices_next(&r->slices, &slice);
-        run->slice_end = before + slice;
-        st = TURN[k].go_on(r);
-        run->slice_end = 0;
-        fmb_slices_note(&r->slices, k, run->work - before);
-        r->slices.engine[ENGINE_RAYS].over = fmb_ray_projection_has_given_up(r->rays);
-        tell_turn(r, k, slice, st);
+        st = run_engine(r, k, slice);
     }
-    fmb_elim_clear(&r->e.e);
     return st;
 }
 
@@ -418,17 +392,20 @@ static fmb_status run_portfolio(part_run *r)
     bool by_rays = r->q->v->options.method == FMB_METHOD_DD;
     fmb_status st = fmb_reduced_part_open(&r->reduced, r->q, r->part, r->place, r->feasible);
     if (is_open(st, r))
-        st = fmb_ray_projection_open(&r->reduced, &r->rays);
-    if (is_open(st, r))
         r->features = fmb_features_of(&r->reduced);
-    if (is_open(st, r))
-        st = by_rays ? try_rays(r, 0) : FMB_OK;
-    if (is_open(st, r)) {
-        fmb_pipeline p = by_rays ? QUERIES_ALONE : fmb_selection_pipeline(&r->features);
+    r->slices.engines = FMB_MOST_ENGINES;
+    for (size_t k = 0; k < FMB_MOST_ENGINES; k++)
+        r->slices.engine[k].share = k == likely_engine(r) ? 2 : 1;
+    if (is_open(st, r) && by_rays)
+        st = run_engine(r, ENGINE_RAYS, 0);
+    if (is_open(st, r) && !by_rays) {
+        fmb_pipeline p = fmb_selection_pipeline(&r->features);
         st = run_pipeline(r, &p);
     }
     if (is_open(st, r))
         st = take_turns(r);
+    if (r->e.q)
+        fmb_elim_clear(&r->e.e);
     fmb_ray_projection_close(r->rays);
     fmb_reduced_part_close(&r->reduced);
     fmb_status kept =

@@ -517,8 +517,8 @@ void fmb_ray_projection_close(fmb_ray_projection *h)
     fmb_cone_clear(&h->cone);
 }
 
-fmb_status fmb_ray_projection_run(fmb_ray_projection *h, uint64_t rays, fmb_system *out,
-                                  bool *feasible, bool *done)
+fmb_status fmb_ray_projection_run(fmb_ray_projection *h, fmb_system *out, bool *feasible,
+                                  bool *done)
 {
     h->out = out;
     *feasible = true;
@@ -530,14 +530,9 @@ fmb_status fmb_ray_projection_run(fmb_ray_projection *h, uint64_t rays, fmb_syst
         return FMB_OK;
     fmb_status st = h->lifted ? FMB_OK : open_cone_of_part(h);
     if (st == FMB_OK)
-        st = fmb_cone_run(&h->cone, rays, done);
+        st = fmb_cone_run(&h->cone, 0, done);
     *done &= h->pictured || !fmb_run_is_slice_over(&h->of->q->run);
     return st == FMB_OK && *done ? project_rays(h, feasible, done) : st;
-}
-
-bool fmb_ray_projection_is_nearly_done(const fmb_ray_projection *h)
-{
-    return h->lifted && 4 * h->cone.lefts <= h->rows.size;
 }
 
 bool fmb_ray_projection_has_given_up(const fmb_ray_projection *h)

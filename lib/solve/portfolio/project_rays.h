@@ -1,4 +1,4 @@
-/* project_rays.h: the projection of a part by double description, some rays at a time. */
+/* project_rays.h: the projection of a part by double description, slice by slice. */
 #ifndef FMB_SOLVE_PROJECT_RAYS_H
 #define FMB_SOLVE_PROJECT_RAYS_H
 
@@ -13,13 +13,10 @@ fmb_status fmb_ray_projection_open(fmb_reduced_part *of, fmb_ray_projection **ou
 
 void fmb_ray_projection_close(fmb_ray_projection *h);
 
-/* Go on, until about that many more rays were made (0: any number), or a slice is over. *done: the
- * projection has been appended to out, with claims, as fmb_query_project_part does; or *feasible is
- * false. Errors: MEMORY, LIMIT. */
-fmb_status fmb_ray_projection_run(fmb_ray_projection *h, uint64_t rays, fmb_system *out,
-                                  bool *feasible, bool *done);
-/* Few rows are still to come. */
-bool fmb_ray_projection_is_nearly_done(const fmb_ray_projection *h);
+/* Go on, until a slice is over. *done: the projection has been appended to out, with claims, as
+ * fmb_query_project_part does; or *feasible is false. Errors: MEMORY, LIMIT. */
+fmb_status fmb_ray_projection_run(fmb_ray_projection *h, fmb_system *out, bool *feasible,
+                                  bool *done);
 /* There is no use in going on: it must be eliminated. */
 bool fmb_ray_projection_has_given_up(const fmb_ray_projection *h);
 /* Work that seems to be left; INFINITY where nothing tells. */

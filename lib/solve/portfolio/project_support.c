@@ -286,11 +286,11 @@ double fmb_queries_left(const fmb_queries *h)
     return h->rate > 0 ? fmax(fewest, (double)h->open / h->rate) : INFINITY;
 }
 
-fmb_status fmb_queries_run(fmb_queries *h, uint64_t pairs, fmb_system *out, bool *done)
+fmb_status fmb_queries_run(fmb_queries *h, fmb_system *out, bool *done)
 {
     uint64_t before = h->q->run.work;
     *done = h->k == 0;
-    fmb_status st = *done ? FMB_OK : fmb_support_ask(&h->s, pairs, done);
+    fmb_status st = *done ? FMB_OK : fmb_support_ask(&h->s, 0, done);
     if (st == FMB_OK && !*done)
         note_progress(h, h->q->run.work - before);
     if (st == FMB_OK ? !*done : st != FMB_LIMIT)
@@ -367,7 +367,7 @@ fmb_status fmb_query_support_part(fmb_query *q, int part, const int *place, fmb_
     fmb_queries *h;
     fmb_status st = fmb_queries_open(q, part, place, &h, feasible);
     if (st == FMB_OK && *feasible)
-        st = fmb_queries_run(h, 0, out, &done);
+        st = fmb_queries_run(h, out, &done);
     fmb_queries_close(h);
     return st;
 }

@@ -19,10 +19,9 @@ fmb_status fmb_queries_open(fmb_query *q, int part, const int *place, fmb_querie
 fmb_status fmb_queries_finish(fmb_queries *h, fmb_system *out);
 void fmb_queries_close(fmb_queries *h);
 
-/* Go on until the hull has looked at so many pairs of facets, 0: to the end; or a slice is over.
- * *done: the projection has been appended to out; else nothing, but at a limit (LIMIT) the rows
- * that are proved. */
-fmb_status fmb_queries_run(fmb_queries *h, uint64_t pairs, fmb_system *out, bool *done);
+/* Go on until a slice is over. *done: the projection has been appended to out; else nothing, but at
+ * a limit (LIMIT) the rows that are proved. */
+fmb_status fmb_queries_run(fmb_queries *h, fmb_system *out, bool *done);
 
 /* After a pause: work that seems to be left; INFINITY where nothing tells. */
 double fmb_queries_left(const fmb_queries *h);

@@ -5,10 +5,8 @@
 int fmb_selection_forced = -1;
 #endif
 
-/* Cones with so few dimensions, or rows beyond them, never had very many rays; and what a second
- * try may make in three kept variables, which takes as long as support queries. */
-#define FEW_FREEDOMS       10
-#define RAYS_OF_SECOND_TRY 1000
+/* Cones with so few dimensions, or rows beyond them, never had very many rays. */
+#define FEW_FREEDOMS 10
 /* A cone with so few of them has hardly more rays than rows; and one with so many is not tried. */
 #define LEAST_FREEDOMS 2
 #define MANY_FREEDOMS  32
@@ -31,6 +29,9 @@ int fmb_selection_forced = -1;
 /* In so many, an elimination that is pruned mostly ends sooner than a hull of more than four
  * dimensions. */
 #define FREEDOMS_BEFORE_HULL 5
+/* So it does where more variables stay than FMB_SHORT_QUERIES and so few go: a tree of depth 1 over
+ * all features cuts there, on families that rays did not answer at once (docs/experiments.md). */
+#define FEW_TO_ELIMINATE 8
 /* So many rows mean many rays, but not many queries where few variables are kept. */
 #define MANY_ROWS(f) (4 * (size_t)(f)->variables)
 
@@ -65,8 +66,8 @@ static bool do_few_go(const fmb_features *f)
     return f->variables <= f->kept + FEW_TO_GO;
 }
 
-/* Rays of a first try: none where cones tend to have very many, or rows are many, but name few
- * variables. */
+/* Units of work for a first try of rays: none where cones tend to have very many, or rows are many,
+ * but name few variables. */
 static uint64_t first_rays(const fmb_features *f)
 {
     bool full = are_nearly_all_coefficients_there(f);
@@ -77,7 +78,7 @@ static uint64_t first_rays(const fmb_features *f)
         return 0;
     if (f->freedom > FEW_FREEDOMS && f->kept <= 2 && nonzeros_by_row(f) <= SPARSE)
         return 0;
-    return FMB_TRIAL_BUDGET(f->given);
+    return 1;
 }
 
 /* What makes few more rows is eliminated: not where rows are many for the variables that are left,
@@ -111,17 +112,21 @@ static bool is_sparse(const fmb_features *f)
            3 * nonzero <= (double)f->columns;
 }
 
-static uint64_t pruned_rows(const fmb_features *f)
+/* Units of work for an elimination that is pruned. */
+static uint64_t pruned_units(const fmb_features *f)
 {
     if (f->kept < FMB_SHORT_QUERIES && f->columns > MANY_COLUMNS)
         return 0;
-    if (is_box(f) || (is_hull_expensive(f) && f->kept > FMB_SHORT_QUERIES + 1))
-        return 100 * f->given;
-    if (is_hull_expensive(f))
-        return 20 * f->given;
-    if (is_sparse(f))
-        return (f->kept > FMB_SHORT_QUERIES ? 10 : 6) * f->given;
-    return 0;
+    if (is_box(f) || is_hull_expensive(f))
+        return 8;
+    return is_sparse(f);
+}
+
+/* The same, once first rays have not answered. */
+static uint64_t more_units_of_elimination(const fmb_features *f)
+{
+    bool few_go = f->columns <= (size_t)f->kept + FEW_TO_ELIMINATE;
+    return f->kept > FMB_SHORT_QUERIES && few_go ? 8 : 0;
 }
 
 /* Three of six variables stay: rays to the end are as quick as queries, but where very many rows
@@ -137,23 +142,27 @@ static bool is_cone_dense_or_small(const fmb_features *f)
     return nonzeros_by_row(f) >= DENSE || f->columns <= SMALL_CONE || f->freedom < SMALL_CONE;
 }
 
-/* Rays that a second try may make, before the oracle is asked: none where cones tend to have very
- * many, or rows are many for three kept variables; more where the oracle has more to do. */
-static uint64_t second_rays(const fmb_features *f)
+/* Units of work that rays may go on for, before the oracle is asked: none where cones tend to have
+ * very many, or rows are many for three kept variables. */
+static uint64_t more_units_of_rays(const fmb_features *f)
 {
     if (f->freedom > FEW_FREEDOMS)
         return 0;
-    if (f->kept == 4 && f->is_wide)
-        return 64 * RAYS_OF_SECOND_TRY;
-    if (f->is_strict || f->kept > FMB_SHORT_QUERIES)
-        return 16 * RAYS_OF_SECOND_TRY;
-    if (are_rays_few(f))
-        return 8 * RAYS_OF_SECOND_TRY;
+    if (f->is_strict || f->kept > FMB_SHORT_QUERIES || are_rays_few(f) ||
+        (f->kept == 4 && f->is_wide))
+        return 16;
     if (f->given > MANY_ROWS(f))
         return 0;
     if (f->kept == 3 && is_cone_dense_or_small(f))
-        return RAYS_OF_SECOND_TRY;
-    return f->kept == 4 ? 8 * RAYS_OF_SECOND_TRY : 0;
+        return 4;
+    return f->kept == 4 ? 16 : 0;
+}
+
+/* About as many steps as 128 rays take, and four for each row: entries of a row, and the bits of
+ * its numbers, tell what one does. */
+static uint64_t unit_of_work(const fmb_features *f)
+{
+    return 16 * (uint64_t)f->entries * (64 + (uint64_t)f->minor_bits);
 }
 
 static void add_step_if(bool suits, fmb_pipeline *p, int *steps, fmb_step_kind kind,
@@ -170,33 +179,31 @@ static fmb_pipeline pipeline_of_shape(const fmb_features *f)
     fmb_pipeline p = {.step = {{FMB_STEP_NONE, 0}}};
     int n = 0;
     bool more = !asks_ends(f);
-    uint64_t rows = pruned_rows(f), rays = first_rays(f), more_rays = second_rays(f);
+    uint64_t unit = unit_of_work(f), pruned = pruned_units(f), rays = first_rays(f);
+    uint64_t more_pruned = more_units_of_elimination(f), more_rays = more_units_of_rays(f);
     add_step_if(tries_recession(f), &p, &n, FMB_STEP_RECESSION, 0);
     add_step_if(more && bounds_growth(f), &p, &n, FMB_STEP_BOUNDED, 2);
-    add_step_if(more && rows > 0, &p, &n, FMB_STEP_PRUNED, rows);
-    add_step_if(more && rays > 0, &p, &n, FMB_STEP_FIRST_RAYS, rays);
-    add_step_if(more && more_rays > 0, &p, &n, FMB_STEP_SECOND_RAYS, more_rays);
-    add_step_if(true, &p, &n, FMB_STEP_QUERIES, FMB_FIRST_PAIRS);
+    add_step_if(more && pruned > 0, &p, &n, FMB_STEP_PRUNED, pruned * unit);
+    add_step_if(more && rays > 0, &p, &n, FMB_STEP_FIRST_RAYS, rays * unit);
+    add_step_if(more && more_pruned > 0, &p, &n, FMB_STEP_PRUNED, more_pruned * unit);
+    add_step_if(more && more_rays > 0, &p, &n, FMB_STEP_SECOND_RAYS, more_rays * unit);
+    add_step_if(true, &p, &n, FMB_STEP_QUERIES, 64 * unit);
     return p;
 }
 
 /* ---- the table ------------------------------------------------------------------------------- */
 
-/* Identifier, name in data and reports, trials of bounded elimination, of pruned elimination, and
- * of rays, in this order; then come queries. */
+/* Identifier, name in data and reports, trials of bounded elimination, units of work of rays, of
+ * pruned elimination, and of queries, in this order. */
 #define PIPELINES(P)                                                                               \
-    P(OF_SHAPE, "as its shape tells", 0, 0, 0)                                                     \
-    P(QUERIES, "queries", 0, 0, 0)                                                                 \
-    P(FEW_RAYS, "few rays", 0, 0, 1)                                                               \
-    P(RAYS, "rays", 0, 0, 8)                                                                       \
-    P(MANY_RAYS, "many rays", 0, 0, 64)                                                            \
-    P(BOUNDED, "bounded elimination", 2, 0, 0)                                                     \
-    P(BOUNDED_RAYS, "bounded elimination, rays", 2, 0, 8)                                          \
-    P(BOUNDED_MANY_RAYS, "bounded elimination, many rays", 2, 0, 64)                               \
-    P(PRUNED, "pruned elimination", 0, 1, 0)                                                       \
-    P(LONG_PRUNED, "long pruned elimination", 0, 16, 0)                                            \
-    P(BOUNDED_PRUNED, "bounded, then pruned elimination", 2, 1, 0)                                 \
-    P(BOUNDED_LONG_PRUNED, "bounded, then long pruned elimination", 2, 16, 0)
+    P(OF_SHAPE, "as its shape tells", 0, 0, 0, 0)                                                  \
+    P(QUERIES, "queries", 0, 0, 0, 64)                                                             \
+    P(PRUNED, "pruned elimination", 0, 0, 1, 64)                                                   \
+    P(MANY_RAYS, "many rays", 0, 64, 0, 64)                                                        \
+    P(BOUNDED, "bounded elimination", 2, 0, 0, 64)                                                 \
+    P(BOUNDED_RAYS, "bounded elimination, rays", 2, 8, 0, 64)                                      \
+    P(RAYS_QUERIES, "bounded elimination, few rays, queries", 2, 1, 0, 16)                         \
+    P(RAYS_PRUNED, "bounded elimination, few rays, pruned elimination", 2, 1, 32, 0)
 
 #define PIPELINE_IDENTIFIER(id, ...) PIPELINE_##id,
 enum { PIPELINES(PIPELINE_IDENTIFIER) PIPELINE_COUNT };
@@ -204,7 +211,7 @@ enum { PIPELINES(PIPELINE_IDENTIFIER) PIPELINE_COUNT };
 
 static const struct named_pipeline {
     const char *name;
-    unsigned bounded, pruned, rays; /* trials */
+    unsigned bounded, rays, pruned, queries;
 } PIPELINE[] = {
 #define PIPELINE_TRIALS(id, ...) [PIPELINE_##id] = {__VA_ARGS__},
     PIPELINES(PIPELINE_TRIALS)
@@ -252,12 +259,12 @@ static fmb_pipeline pipeline_of_name(const fmb_features *f, const struct named_p
 {
     fmb_pipeline p = {.step = {{FMB_STEP_NONE, 0}}};
     int n = 0;
-    uint64_t trial = FMB_TRIAL_BUDGET(f->given);
+    uint64_t unit = unit_of_work(f);
     add_step_if(tries_recession(f), &p, &n, FMB_STEP_RECESSION, 0);
     add_step_if(named->bounded > 0, &p, &n, FMB_STEP_BOUNDED, named->bounded);
-    add_step_if(named->pruned > 0, &p, &n, FMB_STEP_PRUNED, named->pruned * trial);
-    add_step_if(named->rays > 0, &p, &n, FMB_STEP_FIRST_RAYS, named->rays * trial);
-    add_step_if(true, &p, &n, FMB_STEP_QUERIES, FMB_FIRST_PAIRS);
+    add_step_if(named->rays > 0, &p, &n, FMB_STEP_FIRST_RAYS, named->rays * unit);
+    add_step_if(named->pruned > 0, &p, &n, FMB_STEP_PRUNED, named->pruned * unit);
+    add_step_if(named->queries > 0, &p, &n, FMB_STEP_QUERIES, named->queries * unit);
     return p;
 }
 

@@ -16,19 +16,16 @@
 /* In so many, queries are few, and rays soon turned into facets. */
 #define FMB_SHORT_QUERIES 4
 
-/* In more dimensions than a few, so many pairs of facets of a hull take as long as a few queries.
- */
-#define FMB_FIRST_PAIRS ((uint64_t)1 << 17)
-
-/* What a step of a pipeline does, and what its budget counts. */
+/* What a step of a pipeline does, and what its budget counts: work (trace/run.h) of engines that go
+ * on where they stopped, whether with a later step or in turns (slices.h). */
 typedef enum fmb_step_kind {
     FMB_STEP_NONE,
     FMB_STEP_RECESSION,   /* looks for a direction that leaves all rows behind */
     FMB_STEP_BOUNDED,     /* eliminates what makes few more rows than go: trials */
-    FMB_STEP_PRUNED,      /* eliminates and asks the oracle which rows are redundant: rows */
-    FMB_STEP_FIRST_RAYS,  /* double description: rays */
-    FMB_STEP_SECOND_RAYS, /* goes on with it: rays */
-    FMB_STEP_QUERIES,     /* support queries: pairs of facets, if many variables stay */
+    FMB_STEP_PRUNED,      /* eliminates and asks the oracle which rows are redundant: work */
+    FMB_STEP_FIRST_RAYS,  /* double description: work */
+    FMB_STEP_SECOND_RAYS, /* goes on with it: work */
+    FMB_STEP_QUERIES,     /* support queries: work */
     FMB_STEPS
 } fmb_step_kind;
 
