@@ -11,8 +11,9 @@ import tempfile
 import under
 
 fmb = under.command(sys.argv[1])
-KEYS = ["event", "seconds", "name", "task", "part", "columns", "rows", "budget", "unit", "ended"]
-ENDS = {"answered", "gave up", "unsuitable", "limit"}
+KEYS = ["event", "seconds", "name", "task", "part", "columns", "rows", "budget", "unit", "ended",
+        "spent", "left"]
+ENDS = {"answered", "gave up", "paused", "unsuitable", "limit"}
 seen = {}
 
 
@@ -43,12 +44,12 @@ def points(n, m, zeros, corner=0):
 
 
 def look(e, parts, last):
-    """An engine that gave up had a budget, and another one goes on; an event without a part is
+    """An engine that gave up or paused had a budget, and another one goes on; an event without a part is
     about the system as a whole."""
     assert [key for key in KEYS if key in e] == list(e), e
     assert e["ended"] in ENDS and e["columns"] > 0 and e["rows"] >= 0, e
     assert ("budget" in e) == ("unit" in e) and 1 <= e.get("part", 1) <= parts, e
-    assert e["ended"] != "gave up" or "budget" in e, e
+    assert e["ended"] not in ("gave up", "paused") or "budget" in e, e
     assert not last or e["ended"] in ("answered", "limit"), e
     seen.setdefault((e["name"], e["task"]), set()).add(e["ended"])
 

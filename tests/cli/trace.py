@@ -30,7 +30,7 @@ KEYS = {
     "row": {"round", "var", "row", "parents", "dropped_by", "minimal"},
 }
 HISTORY = {"history", "effective", "implicit"}
-MORE = {"row": HISTORY, "engine": {"part", "budget", "unit"}}
+MORE = {"row": HISTORY, "engine": {"part", "budget", "unit", "spent", "left"}}
 seen = dict.fromkeys([*KEYS, "dropped", "histories", "implicit", "not minimal"], 0)
 
 
