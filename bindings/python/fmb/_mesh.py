@@ -90,7 +90,16 @@ class Mesh:
         return Mesh, (np.array(self.points), np.array(self.cells))
 
     def group(self, cell: int) -> str | None:
-        """The name of the group of faces that a cell is of, as OBJ has them, or None."""
+        """The name of the group of faces that a cell is of, as OBJ has them, or None.
+
+        >>> import os, tempfile
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     path = os.path.join(folder, "wing.obj")
+        ...     with open(path, "w", encoding="ascii") as out:
+        ...         _ = out.write("v 0 0 0\\nv 1 0 0\\nv 0 1 0\\ng left wing\\nf 1 2 3\\n")
+        ...     Mesh.read(path).group(0)
+        'left wing'
+        """
         name = lib.fmb_mesh_group(self._m, cell)
         return text(name) if name != NULL else None
 

@@ -5,7 +5,7 @@ vcpkg_check_linkage(ONLY_DYNAMIC_LIBRARY)
 
 vcpkg_configure_meson(
   SOURCE_PATH "${SOURCE_PATH}"
-  OPTIONS -Dapps=disabled -Dpython=disabled -Dstudy=disabled -Dnauty=disabled -Dmpi=disabled -Dbench=disabled -Dtests=disabled)
+  OPTIONS -Dapps=disabled -Dpython=disabled -Dstudy=disabled -Dnauty=disabled -Dthreemf=disabled -Dmpi=disabled -Dbench=disabled -Dtests=disabled)
 vcpkg_install_meson()
 vcpkg_fixup_pkgconfig()
 
