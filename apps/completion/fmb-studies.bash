@@ -42,7 +42,7 @@ _fmb_validate()
         *)
             if [[ $cur == -* ]]; then
                 _fmb_study_offer "--help --usage --version --pairs --seed --families --dim --axes
-                    --sample --boxes --simd --threads --shard --merge --json --failures --quiet"
+                    --sample --boxes --contact --simd --threads --shard --merge --json --failures --quiet"
             else
                 _fmb_study_offer "$(echo {1..16}d-{static,dynamic})"
             fi
