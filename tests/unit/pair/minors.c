@@ -274,7 +274,7 @@ Test(minors, verdicts)
     for (size_t f = 0; f < sizeof family / sizeof *family; f++)
         for (int dim = FMB_MINORS_LEAST_DIM; dim <= FMB_MINORS_MOST_DIM; dim++)
             for (int what = 0; what < FMB_MINORS_WHATS && is_there(dim, what); what++) {
-                draw(family[f], false, dim, what, dim < 7 ? 40 : 12, &d);
+                draw(family[f], false, dim, (fmb_minors_what)what, dim < 7 ? 40 : 12, &d);
                 for (size_t t = 0; t < tables; t++) {
                     size_t sure = d.n > 0 ? check(table[t], &d) : 0;
                     cr_expect(family[f] != STUDY_PAIR_ARTICLE || sure + 1 >= d.n, "%zu of %zu",
@@ -292,7 +292,7 @@ Test(minors, parallel_edges)
     size_t tables = find_tables(table), meeting = 0;
     for (int dim = FMB_MINORS_LEAST_DIM; dim <= FMB_MINORS_MOST_DIM; dim++)
         for (int moves = 0; moves < 2 && dim + moves <= FMB_MINORS_MOST; moves++) {
-            draw(STUDY_PAIR_ARTICLE, true, dim, moves, 40, &d);
+            draw(STUDY_PAIR_ARTICLE, true, dim, (fmb_minors_what)moves, 40, &d);
             for (size_t i = 0; i < d.n; i++)
                 meeting += d.is[i] == FMB_FEASIBLE;
             for (size_t t = 0; t < tables; t++) {
