@@ -158,7 +158,7 @@ void fmb_exact_box_bound_way(const fmb_exact_box *v, const double *rest, double 
 static void find_near_values(fmb_exact_box *v, const double (*p)[DIM])
 {
     int n = v->program->dim;
-    double rest[DIM], error[DIM], size = find_near_rest(v, rest);
+    double rest[DIM] = {0}, error[DIM], size = find_near_rest(v, rest);
     for (int k = 0; k < n; k++) {
         v->x[k].x = 0;
         for (int row = 0; row < n; row++)
