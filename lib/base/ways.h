@@ -18,7 +18,7 @@
 
 /* clang-format off */
 #define FMB_WAYS(WAY)                                                                              \
-    WAY(RECESSION, "recession directions", "solve/portfolio/recession",                            \
+    WAY(RECESSION, "recession directions", "solve/prepare/recession",                            \
         "projections: recession directions that leave all rows behind")                            \
     WAY(BOUNDED_GROWTH, "bounded elimination", "",                                                 \
         "projections: variables that make few rows are eliminated first")                          \

@@ -291,7 +291,7 @@ def main():
         with open(a.data, "w", encoding="ascii") as out:
             subprocess.run([a.bench, "--seed", a.seed, "--each", a.each, "--seconds", a.seconds],
                            stdout=out, check=True)
-    names = list(identifiers(os.path.join(a.source, "lib/solve/portfolio/features.h"), "F"))
+    names = list(identifiers(os.path.join(a.source, "lib/solve/prepare/features.h"), "F"))
     if a.simulated:
         names += ["simulated rows", "simulated pairs", "variables left by simulation",
                   "simulated first growth"]

@@ -20,8 +20,8 @@
 #include "../../peers/problem.h"
 #include "base/clock.h"
 #include "simulate.h"
-#include "solve/portfolio/features.h"
 #include "solve/portfolio/selection.h"
+#include "solve/prepare/features.h"
 #include "study/program/program.h"
 #include "study/program/projection.h"
 

@@ -136,7 +136,7 @@ static bool find_ends(exact_boxer *b)
 typedef bool write_end(exact_boxer *b, const fmb_exact_box_goal *goal, void *to);
 
 /* Those of one point after another, as it has numbers that all of its goals share. */
-static bool write_ends(exact_boxer *b, write_end *write, void *to)
+static bool write_wanted_ends(exact_boxer *b, write_end *write, void *to)
 {
     bool good = true;
     for (int k = 0; k < b->points; k++)
@@ -249,7 +249,7 @@ bool fmb_exact_box_answer(const fmb_frame *p, const fmb_frame *q, const fmb_pair
     if (!fmb_exact_box_load(&b.program, p, q) || find_vertex(&b, false) != FMB_FEASIBLE)
         return false;
     list_goals(&b, out->world, out->inside, out->time);
-    if (!find_ends(&b) || !write_ends(&b, write_rounded_end, &found) ||
+    if (!find_ends(&b) || !write_wanted_ends(&b, write_rounded_end, &found) ||
         (b.points == 0 && !take_state_of_basis(&b, &b.walk.basis)))
         return false;
     copy_ends(out->world, found.end[WORLD], p->dim);
@@ -326,7 +326,7 @@ static fmb_verdict answer_in_units(exact_boxer *b, mpz_t *unit, const fmb_frame_
     if (out->witness)
         write_extreme_point(b, unit, out->witness);
     list_goals(b, out->world, out->inside, out->time);
-    return find_ends(b) && write_ends(b, write_exact_end, &to) ? FMB_FEASIBLE : FMB_UNKNOWN;
+    return find_ends(b) && write_wanted_ends(b, write_exact_end, &to) ? FMB_FEASIBLE : FMB_UNKNOWN;
 }
 
 fmb_verdict fmb_exact_box_answer_q(const fmb_frame_q *p, const fmb_frame_q *q,

@@ -6,13 +6,13 @@
 #include "base/ways.h"
 #include "elim/round/mark.h"
 #include "solve/limit/outer.h"
-#include "solve/portfolio/irredundant_rows.h"
 #include "solve/portfolio/project_rays.h"
 #include "solve/portfolio/project_support.h"
-#include "solve/portfolio/recession.h"
-#include "solve/portfolio/reduced_part.h"
 #include "solve/portfolio/selection.h"
 #include "solve/portfolio/slices.h"
+#include "solve/prepare/irredundant_rows.h"
+#include "solve/prepare/recession.h"
+#include "solve/prepare/reduced_part.h"
 #include "solve/query/rule_lp.h"
 
 /* One part on its way by elimination. */

@@ -2,7 +2,7 @@
 #ifndef FMB_SOLVE_PROJECT_RAYS_H
 #define FMB_SOLVE_PROJECT_RAYS_H
 
-#include "solve/portfolio/reduced_part.h"
+#include "solve/prepare/reduced_part.h"
 
 /* A part on its way, in the query's arena. */
 typedef struct fmb_ray_projection fmb_ray_projection;

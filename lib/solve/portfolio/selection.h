@@ -9,7 +9,7 @@
 #ifndef FMB_SOLVE_SELECTION_H
 #define FMB_SOLVE_SELECTION_H
 
-#include "solve/portfolio/features.h"
+#include "solve/prepare/features.h"
 
 /* A few rows are eliminated faster than anything else is done. */
 #define FMB_TRIAL_BUDGET(m) (128 + 4 * (m))

@@ -2,7 +2,7 @@
 #include "solve/limit/outer.h"
 #include "solve/portfolio/portfolio.h"
 #include "solve/portfolio/project_support.h"
-#include "solve/portfolio/recession.h"
+#include "solve/prepare/recession.h"
 #include "solve/portfolio/symmetries.h"
 #include "solve/project/canonical.h"
 #include "solve/project/completeness.h"

@@ -1,5 +1,5 @@
 /* features.c: see features.h. */
-#include "solve/portfolio/features.h"
+#include "solve/prepare/features.h"
 
 #ifdef FMB_ABLATE
 fmb_features_watcher fmb_features_watch;

@@ -4,7 +4,7 @@
  * Most rows are settled by guesses that are proved at once (lp/redundancy/active_set/implied.h);
  * the oracle decides about the others, and finds the inequalities that always hold with equality.
  */
-#include "solve/portfolio/irredundant_rows.h"
+#include "solve/prepare/irredundant_rows.h"
 
 #include "elim/store/derive.h"
 #include "lp/redundancy/active_set/implied.h"

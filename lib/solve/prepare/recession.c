@@ -13,7 +13,7 @@
  * that name them, one after another; then a perceptron (Rosenblatt 1958) looks for z, by going away
  * from rows that do not go down. If none is left, z is proved.
  */
-#include "solve/portfolio/recession.h"
+#include "solve/prepare/recession.h"
 
 #include <string.h>
 

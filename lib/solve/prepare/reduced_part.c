@@ -1,5 +1,5 @@
 /* reduced_part.c: see reduced_part.h. */
-#include "solve/portfolio/reduced_part.h"
+#include "solve/prepare/reduced_part.h"
 
 static fmb_status eliminate_cheap_columns(fmb_reduced_part *h)
 {

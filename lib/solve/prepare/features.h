@@ -5,7 +5,7 @@
 #ifndef FMB_SOLVE_FEATURES_H
 #define FMB_SOLVE_FEATURES_H
 
-#include "solve/portfolio/reduced_part.h"
+#include "solve/prepare/reduced_part.h"
 
 typedef struct fmb_features {
     /* The part as it came. */
