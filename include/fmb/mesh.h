@@ -1,4 +1,5 @@
-/* fmb/mesh.h: which cells of one or two meshes meet, and how.
+/* fmb/mesh.h: which cells of one or two meshes meet, and how; which are near, and how far meshes
+ * are apart.
  *
  * A mesh is a set of triangles or of tetrahedra over common vertices in space. Every answer is
  * exact for the vertices as they are given: cells that share a vertex meet, however the differences
@@ -14,6 +15,7 @@
 
 #include <fmb/io.h>
 #include <fmb/options.h>
+#include <fmb/proximity.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -109,7 +111,7 @@ FMB_API FMB_CHECKED fmb_status fmb_mesh_parse_tetgen(const char *points, size_t 
 /* How two cells (closed) meet. The interior of a cell is its relative one: a triangle's without its
  * edges. */
 typedef enum fmb_mesh_how {
-    FMB_MESH_APART = 0,
+    FMB_MESH_APART = 0, /* not at all; a hit if that is near enough */
     FMB_MESH_SHARE,   /* in the vertices that they share, and what these span, alone: neighbours of
                          a sound mesh */
     FMB_MESH_TOUCH,   /* their interiors do not meet, but more is common than what they share */
@@ -121,11 +123,11 @@ typedef enum fmb_mesh_how {
 /* "apart", "share", "touch", "cross", "coplanar" */
 FMB_API const char *fmb_mesh_how_text(fmb_mesh_how h);
 
-/* Two cells that meet. */
+/* Two cells that meet, or are near. */
 typedef struct fmb_mesh_hit {
     uint32_t a, b;    /* cells: of the first and of the second mesh; of one mesh, a < b */
     int shared;       /* vertices in common: equal points, whatever their numbers */
-    fmb_mesh_how how; /* if something moves: TOUCH, for "they meet at some time" */
+    fmb_mesh_how how; /* if something moves: TOUCH, for "they meet at some time", or APART */
 } fmb_mesh_hit;
 
 /* By default: hits that are not mere neighbours, nothing moves, no limit. */
@@ -144,6 +146,10 @@ typedef struct fmb_mesh_options {
      */
     bool (*progress)(void *self, double done);
     void *self;
+    /* A length, "p" or "p/q" in decimal digits: cells whose distance (of what moves the least of
+     * all times) is at most that, exactly, are hits, too, APART unless they meet; "0" and NULL:
+     * none. [world length units] */
+    const char *within;
 } fmb_mesh_options;
 
 /* Why fmb_mesh_meet refuses these options, as fmb_options_trouble tells of others; of a mesh
@@ -155,9 +161,9 @@ typedef struct fmb_mesh_answer {
     size_t size; /* sizeof(fmb_mesh_answer) */
     size_t hits;
     fmb_mesh_hit *hit; /* [hits] by a, then b */
-    uint64_t tested;   /* pairs of cells whose boxes, rounded outward to floats, meet; without
-                          trees, all pairs */
-    uint64_t framed;   /* of those, decided as frames */
+    uint64_t tested;   /* pairs of cells whose boxes, rounded outward to floats, meet or are near
+                          enough; without trees, all pairs */
+    uint64_t framed;   /* of those, decided as frames, or by an exact distance */
     fmb_stop stop;     /* DONE; CANCELLED, TIME, BYTES: hits are some of those there are */
     size_t capacity;   /* of hit, with the allocator that it came from */
     fmb_alloc mem;
@@ -165,7 +171,7 @@ typedef struct fmb_mesh_answer {
 
 /* [give, fmb_mesh_answer_clear] Which cells of a and b meet; b NULL or a: which cells of a meet
  * one another. Errors: ARG (a or out NULL, a motion that is not finite, or of a mesh against
- * itself, max_seconds below 0 or NaN), MEMORY. */
+ * itself, max_seconds below 0 or NaN, within no length), MEMORY. */
 FMB_API FMB_CHECKED fmb_status fmb_mesh_meet(const fmb_mesh *a, const fmb_mesh *b,
                                              const fmb_mesh_options *o, fmb_mesh_answer *out);
 /* [give, fmb_mesh_answer_clear] The same of cells from ... to - 1 of a alone, without trees: each
@@ -176,6 +182,25 @@ FMB_API FMB_CHECKED fmb_status fmb_mesh_meet_pairs(const fmb_mesh *a, size_t fro
                                                    fmb_mesh_answer *out);
 /* NULL and an answer of zeros are fine. */
 FMB_API void fmb_mesh_answer_clear(fmb_mesh_answer *a);
+
+/* How far two meshes are apart. */
+typedef struct fmb_mesh_nearest {
+    size_t size;             /* sizeof(fmb_mesh_nearest) */
+    uint32_t a, b;           /* cells that are nearest; of several pairs the first by a, then b */
+    fmb_proximity *distance; /* theirs (<fmb/proximity.h>), Euclidean; NULL at a limit, or if a mesh
+                                has no cell */
+    uint64_t tested;         /* pairs of cells that were looked at, some of them twice */
+    fmb_stop stop;           /* DONE; CANCELLED, TIME, BYTES */
+} fmb_mesh_nearest;
+
+/* [give, fmb_proximity_free of the distance] The distance of two meshes, exactly: the least of all
+ * pairs of cells, of what moves the least of all times. Branch and bound over the trees finds a
+ * bound in doubles, and what lies within it is compared exactly. <fmb/proximity.h> tells a row
+ * between the two cells; there need be none between the meshes. Of the options `neighbours` does
+ * not count. Errors: ARG (a, b or out NULL, a and b one mesh, options as above, within not NULL),
+ * MEMORY. */
+FMB_API FMB_CHECKED fmb_status fmb_mesh_distance(const fmb_mesh *a, const fmb_mesh *b,
+                                                 const fmb_mesh_options *o, fmb_mesh_nearest *out);
 
 #ifdef __cplusplus
 }

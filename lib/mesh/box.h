@@ -74,4 +74,18 @@ static inline bool fmb_mesh_boxes_meet(const fmb_mesh_box *p, const fmb_mesh_box
     return (in_all[0] & in_all[1]) == -1;
 }
 
+/* The square of the distance of two boxes, off by 6 units of rounding: differences of floats do not
+ * underflow, nor do their squares in doubles. */
+static inline double fmb_mesh_boxes_gap(const fmb_mesh_box *p, const fmb_mesh_box *q)
+{
+    double sum = 0;
+    for (int j = 0; j < 3; j++) {
+        double up = (double)q->lower[j] - (double)p->upper[j];
+        double down = (double)p->lower[j] - (double)q->upper[j];
+        double gap = up > down ? up : down;
+        sum += gap > 0 ? gap * gap : 0;
+    }
+    return sum;
+}
+
 #endif

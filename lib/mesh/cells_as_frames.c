@@ -1,10 +1,13 @@
 /* cells_as_frames.c: cells as frames by their corners: flat ones, wild ones, and those that move.
  */
+#include <math.h>
 #include <string.h>
 
 #include <fmb/solve.h>
 
 #include "mesh/cells_as_frames.h"
+#include "pair/contact/contact_near.h"
+#include "proximity/proximity_private.h"
 
 fmb_status fmb_mesh_frames_open(fmb_mesh_frames *x, const fmb_alloc *hook, const double *motion)
 {
@@ -106,4 +109,46 @@ fmb_status fmb_mesh_decide_frames(fmb_mesh_frames *x, const fmb_cell *a, const f
            : shared > 0 && !beyond && !x->motion ? FMB_MESH_SHARE
                                                  : FMB_MESH_TOUCH;
     return FMB_OK;
+}
+
+/* ---- how far apart --------------------------------------------------------------------------- */
+
+void fmb_mesh_cells_range(const fmb_cell *a, const fmb_cell *b, const double *motion, double enough,
+                          double range[2])
+{
+    framed_cell p, q;
+    frame_cell(a, b, NULL, &p);
+    frame_cell(b, a, motion, &q);
+    if (!fmb_contact_range(&p.frame, &q.frame, enough, range)) {
+        range[0] = 0;
+        range[1] = INFINITY;
+    }
+}
+
+fmb_status fmb_mesh_measure_cells(fmb_mesh_frames *x, const fmb_cell *a, const fmb_cell *b,
+                                  fmb_proximity **out)
+{
+    framed_cell p, q;
+    fmb_result result = {.size = sizeof result};
+    frame_cell(a, b, NULL, &p);
+    frame_cell(b, a, x->motion, &q);
+    const fmb_frame f[2] = {p.frame, q.frame};
+    return fmb_distance(x->solver, f, FMB_NORM_EUCLIDEAN, out, &result);
+}
+
+fmb_status fmb_mesh_cells_are_near(fmb_mesh_frames *x, const fmb_cell *a, const fmb_cell *b,
+                                   const fmb_mesh_clearance *m, bool *exactly, bool *out)
+{
+    double range[2];
+    fmb_proximity *found = NULL;
+    fmb_mesh_cells_range(a, b, x->motion, m->above, range);
+    *out = range[1] <= m->below;
+    *exactly = !*out && !(range[0] > m->above);
+    if (!*exactly)
+        return FMB_OK;
+    fmb_status st = fmb_mesh_measure_cells(x, a, b, &found);
+    if (st == FMB_OK)
+        *out = mpq_cmp(found->measure, m->square) <= 0;
+    fmb_proximity_free(found);
+    return st;
 }

@@ -3,8 +3,10 @@
 #define FMB_MESH_CELLS_AS_FRAMES_H
 
 #include <fmb/pair.h>
+#include <fmb/proximity.h>
 #include <fmb/solve.h>
 
+#include "mesh/clearance.h"
 #include "mesh/mesh_private.h"
 
 /* What asks pairs of cells as frames. */
@@ -22,5 +24,16 @@ void fmb_mesh_frames_close(fmb_mesh_frames *x);
  * Errors: MEMORY. */
 fmb_status fmb_mesh_decide_frames(fmb_mesh_frames *x, const fmb_cell *a, const fmb_cell *b,
                                   bool flat_b, int shared, fmb_mesh_how *out);
+
+/* range[0] <= the distance of two cells, b moving by motion or NULL, <= range[1]; as
+ * fmb_contact_range. */
+void fmb_mesh_cells_range(const fmb_cell *a, const fmb_cell *b, const double *motion, double enough,
+                          double range[2]);
+/* [give] The distance, exactly. Errors: MEMORY. */
+fmb_status fmb_mesh_measure_cells(fmb_mesh_frames *x, const fmb_cell *a, const fmb_cell *b,
+                                  fmb_proximity **out);
+/* Are they as near as that? *exactly becomes true if doubles did not tell. Errors: MEMORY. */
+fmb_status fmb_mesh_cells_are_near(fmb_mesh_frames *x, const fmb_cell *a, const fmb_cell *b,
+                                   const fmb_mesh_clearance *m, bool *exactly, bool *out);
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "base/sized.h"
 #include "base/threads.h"
-#include "mesh/tree_walk.h"
+#include "mesh/mesh_distance.h"
 
 /* ---- the order of hits ----------------------------------------------------------------------- */
 
@@ -201,6 +201,11 @@ static fmb_status read_mesh_options(const fmb_mesh_options *o, fmb_mesh_options 
             snprintf(why, size, "motion[%d] is %g", j, ours->motion[j]);
     if (!(ours->max_seconds >= 0))
         snprintf(why, size, "max_seconds is %g", ours->max_seconds);
+    fmb_mesh_clearance clearance;
+    fmb_mesh_clearance_init(&clearance);
+    if (!fmb_mesh_clearance_read(&clearance, ours->within))
+        snprintf(why, size, "within is '%.100s', not p or p/q, at least 0", ours->within);
+    fmb_mesh_clearance_clear(&clearance);
     return why[0] ? FMB_ERR_ARG : FMB_OK;
 }
 
@@ -226,8 +231,12 @@ static fmb_status meet_with_ids(fmb_walk_plan *plan, fmb_mem *mem, fmb_mesh_answ
         st = ids ? fmb_mesh_find_same(b, a, mem, ids) : fmb_mem_status(mem);
         plan->ids_b = ids;
     }
+    if (st == FMB_OK && plan->nearest)
+        st = fmb_mesh_bound_distance(plan);
     if (st == FMB_OK)
         st = meet_by_threads(plan, mem, out);
+    if (st == FMB_OK && plan->nearest)
+        st = fmb_mesh_choose_nearest(plan, out);
     fmb_mem_put(mem, ids, b->vertices, sizeof *ids);
     return st;
 }
@@ -237,6 +246,13 @@ static bool can_hold_answer(const fmb_mesh_answer *out)
 {
     return fmb_sized_is_good(out, sizeof *out, "out", NULL, 0) &&
            out->size >= offsetof(fmb_mesh_answer, mem) + sizeof out->mem;
+}
+
+static fmb_stop stop_of_plan(const fmb_walk_plan *plan)
+{
+    return plan->cancelled                   ? FMB_STOP_CANCELLED
+           : plan->run.stop == FMB_STOP_TIME ? FMB_STOP_TIME
+                                             : FMB_STOP_BYTES;
 }
 
 static fmb_status meet_as_planned(const fmb_mesh *a, const fmb_mesh *b, const fmb_mesh_options *o,
@@ -260,10 +276,15 @@ static fmb_status meet_as_planned(const fmb_mesh *a, const fmb_mesh *b, const fm
     plan->b = b ? b : a;
     plan->o = o;
     fmb_mem_take(&mem, a->mem.used + (plan->b != a ? plan->b->mem.used : 0));
+    fmb_mesh_clearance_init(&plan->clearance);
+    (void)fmb_mesh_clearance_read(&plan->clearance, o->within);
     fmb_status st = meet_with_ids(plan, &mem, &found);
+    fmb_mesh_clearance_clear(&plan->clearance);
+    if (st != FMB_OK)
+        fmb_mesh_answer_clear(&found);
     if (st == FMB_LIMIT)
         found = (fmb_mesh_answer){
-            .size = sizeof(fmb_mesh_answer), .stop = FMB_STOP_BYTES, .mem = mem.alloc};
+            .size = sizeof(fmb_mesh_answer), .stop = stop_of_plan(plan), .mem = mem.alloc};
     if (st == FMB_OK || st == FMB_LIMIT)
         fmb_sized_give(out, &found, sizeof found);
     return st == FMB_LIMIT ? FMB_OK : st;
@@ -281,6 +302,29 @@ fmb_status fmb_mesh_meet_pairs(const fmb_mesh *a, size_t from, size_t to, const 
     if (from >= to || to > fmb_mesh_cells(a))
         return FMB_ERR_ARG;
     return meet_as_planned(a, b, o, &(fmb_walk_plan){.from = from, .to = to}, out);
+}
+
+fmb_status fmb_mesh_distance(const fmb_mesh *a, const fmb_mesh *b, const fmb_mesh_options *o,
+                             fmb_mesh_nearest *out)
+{
+    fmb_mesh_options ours;
+    fmb_mesh_answer near = {.size = sizeof near};
+    fmb_mesh_nearest found = {.size = sizeof found};
+    char why[160];
+    if (!b || a == b || !out || !fmb_sized_is_good(out, sizeof *out, "out", NULL, 0) ||
+        out->size < offsetof(fmb_mesh_nearest, tested) ||
+        !fmb_sized_take(&ours, sizeof ours, o, "options", why, sizeof why) || ours.within)
+        return FMB_ERR_ARG;
+    ours.neighbours = true;
+    fmb_status st = meet_as_planned(a, b, &ours, &(fmb_walk_plan){.nearest = &found}, &near);
+    found.tested += near.tested;
+    found.stop = near.stop;
+    fmb_mesh_answer_clear(&near);
+    if (st == FMB_OK)
+        fmb_sized_give(out, &found, sizeof found);
+    else
+        fmb_proximity_free(found.distance);
+    return st;
 }
 
 void fmb_mesh_answer_clear(fmb_mesh_answer *a)

@@ -40,6 +40,11 @@ static fmb_status look_at_pair_of_cells(fmb_tree_walk *x, const fmb_cell *a, uin
     unsigned faults = x->plan->a->faults[i] | (unsigned)x->plan->b->faults[j] << 4;
     fmb_status st = decide_cells(x, a, b, faults, shared, &how);
     bool wanted = how != FMB_MESH_APART && (how != FMB_MESH_SHARE || x->plan->o->neighbours);
+    if (st == FMB_OK && how == FMB_MESH_APART && x->plan->clearance.gap > 0) {
+        bool exactly;
+        st = fmb_mesh_cells_are_near(&x->frames, a, b, &x->plan->clearance, &exactly, &wanted);
+        x->out.framed += exactly;
+    }
     return st == FMB_OK && wanted ? append_hit(x, (fmb_mesh_hit){i, j, shared, how}) : st;
 }
 
@@ -79,15 +84,16 @@ typedef struct leaf_cells {
     fmb_mesh_box box[FMB_MESH_LEAF_CELLS];
 } leaf_cells;
 
-/* Those of leaf n whose boxes meet one around the cells of another leaf. */
+/* Those of leaf n whose boxes are near one around the cells of another leaf. */
 static void list_cells(const fmb_mesh *m, const fmb_mesh_node *n, const double *motion,
-                       const fmb_mesh_box *other, leaf_cells *out)
+                       const fmb_mesh_clearance *clearance, const fmb_mesh_box *other,
+                       leaf_cells *out)
 {
     out->size = 0;
     for (uint32_t i = n->from; i < n->to; i++) {
         out->box[out->size] = fmb_mesh_box_sweep(m->box[i], motion);
         out->cell[out->size] = m->order[i];
-        out->size += fmb_mesh_boxes_meet(&out->box[out->size], other);
+        out->size += fmb_mesh_boxes_are_near(clearance, &out->box[out->size], other);
     }
 }
 
@@ -105,14 +111,15 @@ static fmb_status meet_cells(fmb_tree_walk *x, uint32_t c, uint32_t d)
 static fmb_status meet_leaves(fmb_tree_walk *x, const fmb_mesh_node *p, const fmb_mesh_node *q)
 {
     const double *motion = x->plan->o->motion;
+    const fmb_mesh_clearance *clearance = &x->plan->clearance;
     fmb_mesh_box swept = fmb_mesh_box_sweep(q->box, motion);
     fmb_status st = FMB_OK;
     leaf_cells a, b;
-    list_cells(x->plan->a, p, NULL, &swept, &a);
-    list_cells(x->plan->b, q, motion, &p->box, &b);
+    list_cells(x->plan->a, p, NULL, clearance, &swept, &a);
+    list_cells(x->plan->b, q, motion, clearance, &p->box, &b);
     for (int i = 0; i < a.size; i++)
         for (int j = p == q ? i + 1 : 0; st == FMB_OK && j < b.size; j++)
-            if (fmb_mesh_boxes_meet(&a.box[i], &b.box[j]))
+            if (fmb_mesh_boxes_are_near(clearance, &a.box[i], &b.box[j]))
                 st = meet_cells(x, a.cell[i], b.cell[j]);
     return st;
 }
@@ -123,7 +130,7 @@ static fmb_status meet_nodes(fmb_tree_walk *x, const fmb_mesh_node *p, const fmb
 {
     fmb_mesh_box swept = fmb_mesh_box_sweep(q->box, x->plan->o->motion);
     fmb_status st = FMB_OK;
-    if (!fmb_mesh_boxes_meet(&p->box, &swept))
+    if (!fmb_mesh_boxes_are_near(&x->plan->clearance, &p->box, &swept))
         return note_progress(x, weight);
     if (!p->left && !q->left) {
         st = meet_leaves(x, p, q);

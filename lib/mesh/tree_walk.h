@@ -13,11 +13,13 @@ typedef struct fmb_walk_plan {
     const fmb_mesh *a, *b;         /* the same one for self-intersections */
     const uint32_t *ids_a, *ids_b; /* equal numbers for equal points, across both */
     const fmb_mesh_options *o;
-    size_t from, to;       /* without trees: rows of pairs, cells of a; else from == to */
-    fmb_run run;           /* its clock; each walk has a copy */
-    atomic_int stopped;    /* by the caller, or since a thread failed */
-    bool cancelled;        /* the former */
-    _Atomic uint64_t done; /* of the pairs of cells, roughly [1 / FMB_WALK_UNITS] */
+    fmb_mesh_clearance clearance; /* apart by no more than that, they are hits, too */
+    fmb_mesh_nearest *nearest;    /* asked for, or NULL: then the clearance is ours to find */
+    size_t from, to;              /* without trees: rows of pairs, cells of a; else from == to */
+    fmb_run run;                  /* its clock; each walk has a copy */
+    atomic_int stopped;           /* by the caller, or since a thread failed */
+    bool cancelled;               /* the former */
+    _Atomic uint64_t done;        /* of the pairs of cells, roughly [1 / FMB_WALK_UNITS] */
 } fmb_walk_plan;
 
 #define FMB_WALK_UNITS 0x1p50

@@ -69,6 +69,7 @@ static void fill_structures(world *w)
     w->reader.size = sizeof w->reader;
     w->judgement.size = sizeof w->judgement;
     w->mesh_answer.size = sizeof w->mesh_answer;
+    w->mesh_nearest.size = sizeof w->mesh_nearest;
     w->counts.size = sizeof w->counts;
     w->result.size = sizeof w->result;
 }
@@ -111,6 +112,7 @@ static void open_bodies(world *w)
 {
     static const double corner[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
     must(fmb_mesh_new(3, 3, corner, 1, w->corners, NULL, &w->mesh));
+    must(fmb_mesh_placed(w->mesh, &w->place, NULL, &w->other_mesh));
     must(fmb_pair_new(1, NULL, NULL, &w->k));
     must(fmb_frames_new(1, 1, w->frames, NULL, &w->set));
     must(fmb_frame_reader_from_text(PAIR, sizeof PAIR - 1, NULL, &w->lines));
@@ -148,6 +150,7 @@ static void close_outputs(world *w)
     fmb_script_free(w->out.script);
     fmb_matrix_free(w->out.matrix);
     fmb_mesh_answer_clear(&w->mesh_answer);
+    fmb_proximity_free(w->mesh_nearest.distance);
 }
 
 static void close_world(world *w)
@@ -159,6 +162,7 @@ static void close_world(world *w)
     fmb_frames_free(w->set);
     fmb_pair_free(w->k);
     fmb_mesh_free(w->mesh);
+    fmb_mesh_free(w->other_mesh);
     fmb_permutations_free(w->p);
     fmb_evidence_free(w->e);
     fmb_proximity_free(w->near);

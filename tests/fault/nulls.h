@@ -26,7 +26,7 @@ typedef struct world {
     fmb_box *box;
     fmb_optimum *best;
     fmb_generators *g;
-    fmb_mesh *mesh;
+    fmb_mesh *mesh, *other_mesh;
     fmb_pair *k;
     fmb_frames *set;
     fmb_frame_reader *lines;
@@ -89,6 +89,7 @@ typedef struct world {
     fmb_generator_kind kind;
     fmb_judgement judgement;
     fmb_mesh_answer mesh_answer;
+    fmb_mesh_nearest mesh_nearest;
     fmb_mesh_format mesh_format;
     fmb_pair_counts counts;
     fmb_result result;

@@ -16,6 +16,7 @@ COMMENT = re.compile(r"/\*.*?\*/", re.S)
 GIVEN = {
     ("fmb_mesh_new", "corners"): "3", ("fmb_mesh_new", "vertices"): "3",
     ("fmb_mesh_new", "cells"): "1",
+    ("fmb_mesh_distance", "b"): "w->other_mesh",
     ("fmb_mesh_meet_pairs", "from"): "0", ("fmb_mesh_meet_pairs", "to"): "1",
     ("fmb_options_set", "name"): '"max_rows"', ("fmb_options_set", "value"): '"1"',
     ("fmb_system_add_rows", "start"): "w->start", ("fmb_system_add_rows_int", "start"): "w->start",
@@ -57,7 +58,8 @@ TYPED = {
     "const size_t *": "w->sizes", "const uint32_t *": "w->corners", "fmb_fate *": "w->fates",
     "fmb_format *": "&w->format", "fmb_frames_told *": "hear_of_pairs",
     "fmb_generator_kind *": "&w->kind", "fmb_judgement *": "&w->judgement",
-    "fmb_mesh_answer *": "&w->mesh_answer", "fmb_mesh_format *": "&w->mesh_format",
+    "fmb_mesh_answer *": "&w->mesh_answer", "fmb_mesh_nearest *": "&w->mesh_nearest",
+    "fmb_mesh_format *": "&w->mesh_format",
     "fmb_pair_counts *": "&w->counts", "fmb_rel *": "w->rels", "fmb_result *": "&w->result",
     "fmb_script_kind *": "&w->script_kind", "fmb_stop *": "&w->stop", "fmb_verdict *": "w->verdicts",
     "fmb_where *": "&w->where", "int *": "w->indices", "int64_t *": "w->integers", "mpq_t": "w->q[0]",

@@ -11,8 +11,10 @@ typedef struct asked_bodies {
     fmb_gjk g;
 } asked_bodies;
 
-/* From a guess between the middles of vertices that are about opposite. False: it underflows. */
-static bool ask_nearest_point(const fmb_frame *p, const fmb_frame *q, bool decide, asked_bodies *x)
+/* From a guess between the middles of vertices that are about opposite, no farther than to know
+ * that they are more than `enough` apart [world]. False: it underflows. */
+static bool ask_nearest_point(const fmb_frame *p, const fmb_frame *q, double enough,
+                              asked_bodies *x)
 {
     double guess[3] = {0, 0, 0};
     const fmb_body_vertices *s = x->b.side;
@@ -21,7 +23,7 @@ static bool ask_nearest_point(const fmb_frame *p, const fmb_frame *q, bool decid
     for (int j = 0; j < p->dim; j++)
         guess[j] = (s[0].x[j][0] + s[0].x[j][s[0].n / 2]) - (s[1].x[j][0] + s[1].x[j][s[1].n / 2]);
     if (x->b.known)
-        fmb_gjk_nearest(&x->g, guess, decide);
+        fmb_gjk_nearest(&x->g, guess, ldexp(enough, -x->b.exponent));
     return x->b.known;
 }
 
@@ -53,14 +55,43 @@ static bool tell_distance(const asked_bodies *x, const fmb_frame *p, const fmb_f
 bool fmb_contact_distance(const fmb_frame *p, const fmb_frame *q, fmb_pair_near *out)
 {
     asked_bodies x;
-    return ask_nearest_point(p, q, false, &x) && x.g.apart > 0 && tell_distance(&x, p, q, out);
+    return ask_nearest_point(p, q, INFINITY, &x) && x.g.apart > 0 && tell_distance(&x, p, q, out);
+}
+
+/* The point that the weights tell, at least 0 and over their sum, of vertices that are off by 25 u
+ * R and no larger than R in each coordinate: it is off by 25 u R and what is rounded, less than 16
+ * u R, in each, and the length of what that makes is less than 128 u R. */
+static double most_distance(fmb_gjk *g)
+{
+    double point[3] = {0, 0, 0}, sum = 0;
+    if (g->weight[0] < 0)
+        return fmb_gjk_is_inside(g) ? 0 : INFINITY;
+    for (int i = 0; i < g->n; i++) {
+        double weight = g->weight[i] > 0 ? g->weight[i] : 0;
+        sum += weight;
+        for (int j = 0; j < 3; j++)
+            point[j] += weight * g->v[i].x[j];
+    }
+    double most = sqrt(fmb_dot3(point, point)) / sum * (1 + 8 * DBL_EPSILON);
+    return most + 64 * DBL_EPSILON * g->b->reach;
+}
+
+bool fmb_contact_range(const fmb_frame *p, const fmb_frame *q, double enough, double range[2])
+{
+    asked_bodies x;
+    if (!ask_nearest_point(p, q, enough, &x))
+        return false;
+    double most = ldexp(most_distance(&x.g), x.b.exponent);
+    range[0] = x.g.apart > 0 ? nextafter(ldexp(x.g.apart, x.b.exponent), 0) : 0;
+    range[1] = most >= 0 ? nextafter(most, INFINITY) : INFINITY;
+    return true;
 }
 
 fmb_verdict fmb_contact_of_hulls(const fmb_frame *p, const fmb_frame *q, bool *good,
                                  fmb_pair_near *out)
 {
     asked_bodies x;
-    bool wants = *good, known = ask_nearest_point(p, q, !wants, &x);
+    bool wants = *good, known = ask_nearest_point(p, q, wants ? INFINITY : 0, &x);
     *good = false;
     if (known && x.g.apart > 0) {
         *good = wants && tell_distance(&x, p, q, out);

@@ -17,6 +17,10 @@ typedef struct fmb_pair_near {
  * them. False: that is not certain. */
 bool fmb_contact_distance(const fmb_frame *p, const fmb_frame *q, fmb_pair_near *out);
 
+/* range[0] <= the distance <= range[1], in doubles that are close together unless it is certainly
+ * more than `enough`. False: nothing is known. */
+bool fmb_contact_range(const fmb_frame *p, const fmb_frame *q, double enough, double range[2]);
+
 /* Do they meet? UNKNOWN: that is not certain. If *good, then how far or deep is asked for, too, and
  * *good becomes whether that is known. */
 fmb_verdict fmb_contact_of_hulls(const fmb_frame *p, const fmb_frame *q, bool *good,

@@ -219,7 +219,7 @@ static bool step_to_vertex(fmb_gjk *g, double *square)
     return nearer;
 }
 
-void fmb_gjk_nearest(fmb_gjk *g, const double *guess, bool decide)
+void fmb_gjk_nearest(fmb_gjk *g, const double *guess, double enough)
 {
     const double close = 0x1p-43 * g->b->reach;
     double square = INFINITY;
@@ -238,7 +238,7 @@ void fmb_gjk_nearest(fmb_gjk *g, const double *guess, bool decide)
             for (int j = 0; j < 3; j++)
                 g->along[j] = g->x[j] / length;
         }
-        if ((decide && g->apart > 0) || square - fmb_dot3(g->x, next->x) <= close * length ||
+        if (g->apart > enough || square - fmb_dot3(g->x, next->x) <= close * length ||
             is_in_simplex(g, next))
             return;
     }

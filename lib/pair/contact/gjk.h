@@ -38,9 +38,9 @@ typedef struct fmb_gjk {
 
 /* The vertex of M that is farthest in the direction of -w. */
 void fmb_gjk_support(const fmb_gjk *g, const double *w, fmb_gjk_vertex *out);
-/* From a guess of the nearest point of M. Sets all but b, which is given. decide: no farther than
- * to know that they are apart. */
-void fmb_gjk_nearest(fmb_gjk *g, const double *guess, bool decide);
+/* From a guess of the nearest point of M. Sets all but b, which is given. No farther than to know
+ * that they are more than `enough` apart. */
+void fmb_gjk_nearest(fmb_gjk *g, const double *guess, double enough);
 /* The nearest points at rest, and the time. */
 void fmb_gjk_points(const fmb_gjk *g, double point[2][3], double *time);
 /* The plane through three vertices, in the plane the line through a and b (c is not looked at), is

@@ -1,0 +1,30 @@
+/* clearance.h: how far apart cells may be to count among those that meet. */
+#ifndef FMB_MESH_CLEARANCE_H
+#define FMB_MESH_CLEARANCE_H
+
+#include <gmp.h>
+
+#include "mesh/box.h"
+
+typedef struct fmb_mesh_clearance {
+    mpq_t square;        /* of the distance D; 0: cells that meet, and no others */
+    double below, above; /* D lies between them */
+    double gap;          /* boxes whose gap (box.h) is larger are more than D apart */
+} fmb_mesh_clearance;
+
+void fmb_mesh_clearance_init(fmb_mesh_clearance *m);
+void fmb_mesh_clearance_clear(fmb_mesh_clearance *m);
+/* D becomes "p" or "p/q", in decimal digits, or 0 for NULL; false: that is no number, or less than
+ * 0. */
+bool fmb_mesh_clearance_read(fmb_mesh_clearance *m, const char *text);
+/* The same of the square of D. */
+void fmb_mesh_clearance_set(fmb_mesh_clearance *m, mpq_srcptr square);
+
+/* Boxes of cells that are to be looked at. */
+static inline bool fmb_mesh_boxes_are_near(const fmb_mesh_clearance *m, const fmb_mesh_box *p,
+                                           const fmb_mesh_box *q)
+{
+    return m->gap > 0 ? fmb_mesh_boxes_gap(p, q) <= m->gap : fmb_mesh_boxes_meet(p, q);
+}
+
+#endif
