@@ -17,6 +17,7 @@
 #include "fmb/ask.h"
 #include "fmb/commands.h"
 #include "fmb/mesh_ask.h"
+#include "fmb/show.h"
 #include "fmb/stop.h"
 
 enum {
@@ -27,6 +28,8 @@ enum {
     KEY_NEIGHBOURS,
     KEY_WHERE,
     KEY_COMMON,
+    KEY_WITHIN,
+    KEY_DISTANCE,
     KEY_MARKED,
     KEY_ALL_PAIRS,
     KEY_CSV,
@@ -53,8 +56,14 @@ static const struct argp_option options[] = {
      "With the vertices of all that each pair has in common, a point, segment, polygon or "
      "polyhedron, exactly; with the time behind x, y, z if B moves",
      1},
+    {"within", KEY_WITHIN, "LENGTH", 0,
+     "List cells, too, that are no farther apart than that, a decimal or p/q, exactly", 1},
+    {"distance", KEY_DISTANCE, NULL, 0,
+     "How far A and B are apart, instead: the nearest cells, their nearest points, and a row that "
+     "separates these cells",
+     1},
     {"marked", KEY_MARKED, "FILE", 0,
-     "Write both meshes as PLY with colours: cells that meet are red", 1},
+     "Write both meshes as PLY with colours: cells that are listed are red", 1},
     {"all-pairs", KEY_ALL_PAIRS, NULL, 0,
      "Ask every pair of cells, without trees of boxes: slow, and for checking; under mpirun shared "
      "among its processes",
@@ -133,6 +142,11 @@ static error_t check_arguments(const mesh_ask *ask, struct argp_state *state)
         argp_error(state, "--motion: expected a second mesh, which moves");
     if (ask->json && ask->csv)
         argp_error(state, "--json, --csv: expected one of them");
+    if (ask->near.distance && !ask->file[1])
+        argp_error(state, "--distance: expected a second mesh, which is apart");
+    if (ask->near.distance && (ask->near.within || ask->neighbours || ask->where || ask->common ||
+                               ask->marked || ask->all_pairs || ask->csv))
+        argp_error(state, "--distance: expected no option about a list of cells");
     if (ask->digits > 0 && ask->csv)
         argp_error(state, "--decimal: --csv is for programs, and exact; --json tells both");
     return 0;
@@ -181,6 +195,13 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case KEY_COMMON:
         ask->common = true;
         return 0;
+    case KEY_WITHIN:
+        if (near_read_margin(&ask->near, arg) != APP_YES)
+            exit(APP_USAGE);
+        return 0;
+    case KEY_DISTANCE:
+        ask->near.distance = ask->near.separate = true;
+        return 0;
     case KEY_MARKED:
         ask->marked = arg;
         return 0;
@@ -223,14 +244,16 @@ static const char doc[] =
     "cross: "
     "their interiors meet; coplanar: so they do, in one plane; touch: they meet, but not so; "
     "share: "
-    "in common vertices and what these span alone.\n"
+    "in common vertices and what these span alone; apart: not at all, but --within.\n"
     "\n"
-    "Exit codes: 0 some cells meet, 1 none do, 2 beyond a limit or interrupted.\n"
+    "Exit codes: 0 some cells are listed, 1 none are, 2 beyond a limit or interrupted; with "
+    "--distance 0 where it is told.\n"
     "\n"
     "Examples:\n"
     "  fmb mesh part.stl\n"
     "  fmb mesh bunny.ply bunny.ply --mirror x --move 0.05,-0.01,0\n"
     "  fmb mesh robot.obj room.obj --motion 0,0,-2 --json\n"
+    "  fmb mesh robot.obj room.obj --distance\n"
     "  mpirun -n 64 fmb mesh large.ply --all-pairs\n";
 
 /* ---- the command ----------------------------------------------------------------------------- */
@@ -241,10 +264,9 @@ static bool show_progress(void *self, double done)
     return !app_stop_asked();
 }
 
-static fmb_status find_hits(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b,
-                            fmb_mesh_answer *answer)
+/* bar is to be begun, and ended. */
+static fmb_mesh_options options_of(const mesh_ask *ask, app_bar *bar)
 {
-    app_bar bar = app_bar_begin(ask->quiet || app_rank() > 0);
     fmb_mesh_options how = {.size = sizeof how,
                             .neighbours = ask->neighbours,
                             .motion = ask->moves ? ask->motion : NULL,
@@ -252,7 +274,16 @@ static fmb_status find_hits(const mesh_ask *ask, const fmb_mesh *a, const fmb_me
                             .max_bytes = ask->max_bytes,
                             .threads = ask->threads,
                             .progress = show_progress,
-                            .self = &bar};
+                            .self = bar,
+                            .within = ask->within};
+    return how;
+}
+
+static fmb_status find_hits(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b,
+                            fmb_mesh_answer *answer)
+{
+    app_bar bar = app_bar_begin(ask->quiet || app_rank() > 0);
+    fmb_mesh_options how = options_of(ask, &bar);
     fmb_status st =
         ask->all_pairs ? mesh_meet_pairs(a, b, &how, answer) : fmb_mesh_meet(a, b, &how, answer);
     app_bar_end(&bar);
@@ -267,6 +298,30 @@ static void forget_answer(const mesh_ask *ask, fmb_mesh_answer *answer)
         fmb_mesh_answer_clear(answer);
 }
 
+static void tell_undecided(const mesh_ask *ask, fmb_stop stop, const char *what)
+{
+    if (!ask->quiet)
+        fprintf(stderr, "fmb: undecided (%s): %s\n",
+                fmb_stop_text(stop != FMB_STOP_DONE ? stop : FMB_STOP_CANCELLED), what);
+}
+
+static int find_nearest(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b)
+{
+    fmb_mesh_nearest nearest = {.size = sizeof nearest};
+    app_bar bar = app_bar_begin(ask->quiet);
+    fmb_mesh_options how = options_of(ask, &bar);
+    fmb_status st = fmb_mesh_distance(a, b, &how, &nearest);
+    app_bar_end(&bar);
+    if (st != FMB_OK)
+        return app_status_error(st);
+    int code = nearest.stop != FMB_STOP_DONE ? APP_UNDECIDED : APP_YES;
+    code = mesh_report_nearest(ask, a, b, &nearest, code);
+    if (code == APP_UNDECIDED)
+        tell_undecided(ask, nearest.stop, "no distance");
+    fmb_proximity_free(nearest.distance);
+    return code;
+}
+
 static int meet(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b)
 {
     fmb_mesh_answer answer = {.size = sizeof answer};
@@ -278,9 +333,10 @@ static int meet(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b)
         code = mesh_report(ask, a, b ? b : a, &answer, code);
     if (app_rank() == 0 && ask->marked)
         code = mesh_mark(ask, a, b, &answer, code);
-    if (app_rank() == 0 && code == APP_UNDECIDED && !ask->quiet)
-        fprintf(stderr, "fmb: undecided (%s): cells that meet, perhaps not all\n",
-                fmb_stop_text(answer.stop != FMB_STOP_DONE ? answer.stop : FMB_STOP_CANCELLED));
+    if (app_rank() == 0 && code == APP_UNDECIDED)
+        tell_undecided(ask, answer.stop,
+                       ask->within ? "cells that are near, perhaps not all"
+                                   : "cells that meet, perhaps not all");
     forget_answer(ask, &answer);
     return code;
 }
@@ -311,7 +367,7 @@ static int answer_as_ranks(const mesh_ask *ask)
     if (code == APP_UNDECIDED && ask->json)
         app_json_print_unread();
     if (code == APP_YES)
-        code = meet(ask, m[0], m[1]);
+        code = ask->near.distance ? find_nearest(ask, m[0], m[1]) : meet(ask, m[0], m[1]);
     app_stop_end();
     fmb_mesh_free(m[0]);
     fmb_mesh_free(m[1]);
@@ -329,12 +385,16 @@ int cmd_mesh(int argc, char **argv)
     int code = app_ranks_begin(1);
     if (code != APP_YES)
         return code;
+    ask.near.digits = ask.digits;
+    ask.within = ask.near.within ? app_print("%Qd", ask.near.margin) : NULL;
     if (app_ranks() > 1 && !ask.all_pairs)
         code = app_rank() > 0
                    ? APP_YES
                    : app_error(APP_USAGE, "%d processes share --all-pairs alone", app_ranks());
     else
         code = answer_as_ranks(&ask);
+    free(ask.within);
+    near_ask_clear(&ask.near);
     app_ranks_end();
     return code;
 }

@@ -4,6 +4,8 @@
 
 #include <fmb/mesh.h>
 
+#include "fmb/intersect_near.h"
+
 typedef struct mesh_ask {
     const char *file[2]; /* the second may be NULL */
     const char *marked;  /* a file to write, or NULL */
@@ -11,7 +13,9 @@ typedef struct mesh_ask {
     fmb_mesh_place place; /* its move; the scale is the following */
     double scale[3], motion[3];
     bool mirror[3], moves, neighbours, where, common, all_pairs, json, csv, quiet;
-    int digits; /* of decimals, or 0: fractions, and doubles as they are */
+    int digits;    /* of decimals, or 0: fractions, and doubles as they are */
+    near_ask near; /* its distance, or its within and margin */
+    char *within;  /* the margin as text, or NULL */
     double max_seconds;
     size_t max_bytes, max_input, threads;
 } mesh_ask;
@@ -42,5 +46,8 @@ fmb_status mesh_meet_pairs(const fmb_mesh *a, const fmb_mesh *b, const fmb_mesh_
 /* Print the answer: code, unless something goes wrong. */
 int mesh_report(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b,
                 const fmb_mesh_answer *answer, int code);
+/* The same of a distance and the row between the nearest cells. */
+int mesh_report_nearest(const mesh_ask *ask, const fmb_mesh *a, const fmb_mesh *b,
+                        const fmb_mesh_nearest *nearest, int code);
 
 #endif

@@ -7,9 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from fmb._frames import doubles, set_option, whole_numbers
-from fmb._lib import NULL, ArgumentError, encoded, ffi, in_main_thread, lib, made, need, owned
-from fmb._lib import parsed, text, written
+from fmb._frames import Proximity, doubles, set_option, whole_numbers
+from fmb._lib import NULL, ArgumentError, Unfinished, encoded, exact, ffi, in_main_thread, lib
+from fmb._lib import made, need, owned, parsed, text, written
+from fmb._solver import _solver
 
 HOW = ("apart", "share", "touch", "cross", "coplanar")
 
@@ -111,31 +112,64 @@ class Mesh:
                                              "move": _three(move, "move")})
         return Mesh._of(made("fmb_mesh", lib.fmb_mesh_placed, self._m, place, NULL))
 
-    def meet(self, other: Mesh | None = None, motion: Any = None, **options: Any) -> Hits:
+    def meet(self, other: Mesh | None = None, motion: Any = None, within: Any = 0,
+             **options: Any) -> Hits:
         """Which cells meet those of another mesh, or one another. motion: [3], by which the other
-        moves while t goes from 0 to 1. Options: neighbours=False, threads=1, max_seconds,
-        max_bytes."""
+        moves while t goes from 0 to 1. within: cells that are no farther apart are hits, too,
+        exactly; a number, a Fraction or "1/3". Options: neighbours=False, threads=1, max_seconds,
+        max_bytes.
+
+        >>> flat = Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+        >>> flat.meet(flat.placed(move=(0, 0, 0.5)), within="1/2").hits
+        [(0, 0, 'apart')]
+        """
+        answer = ffi.gc(ffi.new("fmb_mesh_answer *", {"size": ffi.sizeof("fmb_mesh_answer")}),
+                        lib.fmb_mesh_answer_clear)
+        length = ffi.new("char[]", encoded(str(exact(within))))
+        self._ask(lib.fmb_mesh_meet, other, motion, length, options, answer)
+        return Hits(answer)
+
+    def distance(self, other: Mesh, motion: Any = None,
+                 **options: Any) -> tuple[int, int, Proximity] | None:
+        """How far another mesh is apart, exactly: the nearest cells of both, and their distance, as
+        `fmb.distance` tells it; None if a mesh has no cell. Motion and options: as above.
+
+        >>> flat = Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+        >>> a, b, near = flat.distance(flat.placed(move=(3, 0, 1)))
+        >>> a, b, near.square, near.points[0]
+        (0, 0, Fraction(5, 1), [Fraction(1, 1), Fraction(0, 1), Fraction(0, 1)])
+        """
+        out = ffi.new("fmb_mesh_nearest *", {"size": ffi.sizeof("fmb_mesh_nearest")})
+        self._ask(lib.fmb_mesh_distance, other, motion, NULL, options, out)
+        if out.stop != lib.FMB_STOP_DONE:
+            raise Unfinished(text(lib.fmb_stop_text(out.stop)))
+        if out.distance == NULL:
+            return None
+        meet = lib.fmb_proximity_length(out.distance) == 0
+        result = ffi.new("fmb_result *", {"size": ffi.sizeof("fmb_result"), "verdict": (
+            lib.FMB_FEASIBLE if meet else lib.FMB_INFEASIBLE)})
+        return int(out.a), int(out.b), Proximity(_solver({})._v, result, out.distance, "euclidean")
+
+    def _ask(self, query: Any, other: Mesh | None, motion: Any, within: Any,
+             options: dict[str, Any], out: Any) -> None:
         o = ffi.new("fmb_mesh_options *", {"size": ffi.sizeof("fmb_mesh_options")})
         for name, value in options.items():
             if name not in ("neighbours", "threads", "max_seconds", "max_bytes"):
                 raise ArgumentError(f"no option of meshes is called {name!r}")
             set_option(o, name, value)
         moving = ffi.new("double[3]", _three(motion, "motion")) if motion is not None else NULL
-        o.motion = moving
+        o.motion, o.within = moving, within
         going = ffi.new("bool *", True)
         o.progress, o.self = ffi.addressof(lib, "pyfmb_goes_on"), going
-        answer = ffi.gc(ffi.new("fmb_mesh_answer *", {"size": ffi.sizeof("fmb_mesh_answer")}),
-                        lib.fmb_mesh_answer_clear)
         watched = in_main_thread()
         if watched:
             lib.pyfmb_begin(lib.PYFMB_MESH, going)
         try:
-            status = lib.fmb_mesh_meet(self._m, other._m if other is not None else NULL, o, answer)
+            status = query(self._m, other._m if other is not None else NULL, o, out)
         finally:
             if watched:
                 lib.pyfmb_end()
         need(status, lambda: written(lib.fmb_mesh_options_trouble, o))
-        return Hits(answer)
 
     def __repr__(self) -> str:
         kind = "triangles" if lib.fmb_mesh_corners(self._m) == 3 else "tetrahedra"
