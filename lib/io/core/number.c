@@ -4,6 +4,7 @@
  * long as the text itself: powers of ten are cancelled by removing twos and fives.
  */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "io/core/cursor.h"
@@ -175,11 +176,31 @@ static fmb_status scan_denominator(fmb_cursor *c, int flags, mpq_t out)
     return st;
 }
 
+/* A number of a few digits, as nearly all are; false, and c where it was, where it may be none. */
+static bool scan_short_number(fmb_cursor *c, int flags, mpq_t out)
+{
+    const int all = FMB_NUM_SIGN | FMB_NUM_DECIMAL | FMB_NUM_EXPONENT;
+    const char *start = c->at;
+    fmb_short_decimal d;
+    bool exact;
+    if ((flags & all) == all && fmb_scan_short_decimal(c, false, &d) &&
+        !(flags & FMB_NUM_FRACTION && fmb_peek(c) == '/') &&
+        !(flags & FMB_NUM_FORTRAN && (fmb_peek(c) | 32) == 'd') &&
+        (size_t)abs(d.exponent) <= c->budget && fmb_short_decimal_value(&d, out, &exact)) {
+        c->budget -= (size_t)abs(d.exponent);
+        return true;
+    }
+    c->at = start;
+    return false;
+}
+
 fmb_status fmb_scan_number(fmb_cursor *c, int flags, const char *what, mpq_t out)
 {
     const char *start = c->at;
     bool minus = false;
     decimal d;
+    if (scan_short_number(c, flags, out))
+        return FMB_OK;
     if (flags & FMB_NUM_SIGN && (fmb_peek(c) == '-' || fmb_peek(c) == '+')) {
         minus = fmb_peek(c) == '-';
         c->at++;

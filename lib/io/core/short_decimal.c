@@ -114,7 +114,7 @@ static bool are_others_zeros(const char *p, ptrdiff_t written, ptrdiff_t most)
 /* ---- a number -------------------------------------------------------------------------------- */
 
 /* An exponent of at most three digits, if one is here. */
-static bool scan_short_exponent(const char **at, const char *end, int *power)
+static bool scan_short_exponent(const char **at, const char *end, int *out)
 {
     const char *p = *at + 1;
     if (*at == end || (**at | 32) != 'e')
@@ -125,7 +125,7 @@ static bool scan_short_exponent(const char **at, const char *end, int *power)
     int exponent = 0;
     for (; p < end && fmb_is_digit(*p) && p - first < 4; p++)
         exponent = 10 * exponent + (*p - '0');
-    *power += minus ? -exponent : exponent;
+    *out = minus ? -exponent : exponent;
     *at = p;
     return p > first && p - first < 4;
 }
@@ -167,8 +167,9 @@ bool fmb_scan_short_decimal(fmb_cursor *c, bool strictly, fmb_short_decimal *out
     *out = (fmb_short_decimal){.minus = sign == '-'};
     p += out->minus | (!strictly & (sign == '+'));
     if (!scan_short_digits(&p, c->end, strictly, out) ||
-        !scan_short_exponent(&p, c->end, &out->power))
+        !scan_short_exponent(&p, c->end, &out->exponent))
         return false;
+    out->power += out->exponent;
     c->at = p;
     return true;
 }

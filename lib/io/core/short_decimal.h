@@ -9,6 +9,7 @@
 typedef struct fmb_short_decimal {
     uint64_t z; /* < 10^19 */
     int power;
+    int exponent; /* of it, what is written as such */
     bool minus;
 } fmb_short_decimal;
 

@@ -73,18 +73,21 @@ static fmb_span trim_field(const char *p, const char *end)
     return (fmb_span){p, (size_t)(end - p)};
 }
 
+/* Where fields of the fixed form begin and end. */
+static const size_t field_from[] = {1, 4, 14, 24, 39, 49}, field_to[] = {3, 12, 22, 36, 47, 61};
+
 /* False if something stands between the fields. A '$' where field 2 or 4 starts begins a comment,
  * and so does what stands behind the last field. */
 static bool lay_out_fixed(fmb_mps_card *card)
 {
-    static const size_t from[] = {1, 4, 14, 24, 39, 49}, to[] = {3, 12, 22, 36, 47, 61};
     const char *p = card->line.p;
     size_t n = card->line.n, gap = 0;
     bool clean = memchr(p, '\t', n) == NULL;
-    for (size_t k = 0; k < 6; gap = to[k++]) {
-        if ((k == 2 || k == 4) && from[k] < n && p[from[k]] == '$')
-            n = from[k];
-        size_t begin = from[k] < n ? from[k] : n, end = to[k] < n ? to[k] : n;
+    for (size_t k = 0; k < 6; gap = field_to[k++]) {
+        if ((k == 2 || k == 4) && field_from[k] < n && p[field_from[k]] == '$')
+            n = field_from[k];
+        size_t begin = field_from[k] < n ? field_from[k] : n,
+               end = field_to[k] < n ? field_to[k] : n;
         if (gap < begin)
             clean = clean && trim_field(p + gap, p + begin).n == 0;
         card->field[k] = trim_field(p + begin, p + end);
@@ -130,9 +133,26 @@ static bool fits_section(const fmb_mps_card *card, fmb_mps_section section)
            (one || (f[4].n > 0 && starts_card_number(f[5])));
 }
 
-bool fmb_mps_is_fixed(const fmb_cursor *from)
+/* If each word stands within its field, the fixed form has the same fields. */
+bool fmb_mps_lay_out_alike(fmb_mps_card *card, fmb_mps_section section)
 {
-    fmb_cursor c = *from;
+    fmb_span line = card->line;
+    lay_out_free(card, section);
+    bool alike = card->words <= 5 && fits_section(card, section) && !memchr(line.p, '\t', line.n) &&
+                 !memchr(line.p, '$', line.n);
+    for (size_t k = 0; alike && k < 6; k++) {
+        fmb_span *f = &card->field[k];
+        if (f->n > 0)
+            alike = f->p >= line.p + field_from[k] && f->p + f->n <= line.p + field_to[k];
+        else
+            f->p = line.p + (field_to[k] < line.n ? field_to[k] : line.n);
+    }
+    return alike;
+}
+
+bool fmb_mps_is_fixed(const fmb_cursor *text)
+{
+    fmb_cursor c = *text;
     fmb_mps_card card;
     fmb_mps_section section = FMB_MPS_NONE;
     size_t fixed = 0, free = 0; /* lines that fit */

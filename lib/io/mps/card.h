@@ -44,6 +44,8 @@ bool fmb_mps_is_title(const fmb_mps_card *card, fmb_mps_section *section);
 bool fmb_mps_is_marker(const fmb_mps_card *card);
 /* Fill the fields of a data line. */
 void fmb_mps_lay_out(fmb_mps_card *card, fmb_mps_section section, bool fixed);
+/* The same where both forms agree about the line, and it fits them; false if they may not. */
+bool fmb_mps_lay_out_alike(fmb_mps_card *card, fmb_mps_section section);
 /* Does the text at c fit the fixed form at least as well as the free one? */
 bool fmb_mps_is_fixed(const fmb_cursor *c);
 

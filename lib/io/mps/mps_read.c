@@ -1,6 +1,6 @@
 /* mps_read.c: linear programs in MPS.
  *
- * A file gives its matrix by columns, so each row is a draft that grows until the end. Where
+ * A file gives its matrix by columns, so each row grows until the end. Where
  * programs differ this is as GLPK has it: an upper bound below 0 leaves the lower one at 0, and an
  * integer column without any bound ends at 1. Of several sets of right sides, ranges or
  * bounds the first counts.
@@ -14,20 +14,29 @@
 
 #define MPS_NUMBER (FMB_NUM_SIGN | FMB_NUM_DECIMAL | FMB_NUM_EXPONENT | FMB_NUM_FORTRAN)
 
+/* Numbers stay text, which was looked at, until their row is put together. */
+typedef struct mps_term {
+    int variable;
+    fmb_span number;
+} mps_term;
+
 typedef struct mps_row {
-    char type; /* N, L, G, E */
-    bool has_rhs;
-    fmb_span name, range; /* range: its number; n 0: none */
-    fmb_draft terms;      /* with the right side */
+    char type;                 /* N, L, G, E */
+    fmb_span name, rhs, range; /* numbers; n 0: none */
+    mps_term *term;
+    size_t terms, capacity;
 } mps_row;
 
 typedef struct mps_reader {
     fmb_program_draft program;
     fmb_cursor *c;
+    fmb_cursor text; /* all of it */
     fmb_mps_section section;
-    bool fixed, between_markers, has_columns;
+    bool knows_form, fixed; /* fixed, once that is known */
+    bool between_markers, has_columns;
     mps_row *row;
     size_t rows, row_capacity;
+    fmb_draft draft; /* scratch: a row */
     fmb_span column; /* the last one */
     int variable;
     fmb_sense sense;
@@ -42,17 +51,31 @@ static fmb_status fail_field(mps_reader *m, fmb_span field, const char *what)
     return fmb_io_expected(m->c, field.p, "%s", what);
 }
 
-/* The whole field as a number. */
-static fmb_status read_field_number(mps_reader *m, fmb_span field)
+static fmb_cursor cursor_at_field(const mps_reader *m, fmb_span field)
 {
     fmb_cursor at = *m->c;
     at.at = field.p;
     at.end = field.p + field.n;
+    return at;
+}
+
+/* The whole field as a number. */
+static fmb_status read_field_number(mps_reader *m, fmb_span field)
+{
+    fmb_cursor at = cursor_at_field(m, field);
     if (field.n == 0)
         return fail_field(m, field, "a number");
     fmb_status st = fmb_scan_number(&at, MPS_NUMBER, "a number", m->number);
     m->c->budget = at.budget;
     return st == FMB_OK && at.at < at.end ? fail_field(m, field, "a number") : st;
+}
+
+/* The same of one that was read before, and charged then. */
+static fmb_status read_number_again(const mps_reader *m, fmb_span field, mpq_t out)
+{
+    fmb_cursor at = cursor_at_field(m, field);
+    at.budget = SIZE_MAX;
+    return fmb_scan_number(&at, MPS_NUMBER, "a number", out);
 }
 
 /* Does the set named on this line count? */
@@ -86,16 +109,19 @@ static fmb_status read_row(mps_reader *m, const fmb_mps_card *card)
     if (st != FMB_OK)
         return st;
     m->row[i] = (mps_row){.type = (char)(*known & ~32), .name = f[1]};
-    fmb_draft_init(&m->row[i].terms, m->c->mem);
     m->rows++;
     return FMB_OK;
 }
 
-static fmb_status add_coefficient(mps_reader *m, fmb_draft *d, fmb_span row)
+static fmb_status add_coefficient(mps_reader *m, mps_row *r, fmb_span row, fmb_span number)
 {
-    return d->n > 0 && d->var[d->n - 1] == m->variable
-               ? fail_field(m, row, "one coefficient of a column in each row")
-               : fmb_draft_add(d, m->variable, m->number);
+    if (r->terms > 0 && r->term[r->terms - 1].variable == m->variable)
+        return fail_field(m, row, "one coefficient of a column in each row");
+    fmb_status st =
+        fmb_mem_reserve(m->c->mem, (void **)&r->term, &r->capacity, r->terms + 1, sizeof *r->term);
+    if (st == FMB_OK)
+        r->term[r->terms++] = (mps_term){m->variable, number};
+    return st;
 }
 
 /* A row and its number: a coefficient, a right side or a range. */
@@ -109,17 +135,13 @@ static fmb_status read_entry(mps_reader *m, fmb_span set, fmb_span row, fmb_span
         return st;
     mps_row *r = &m->row[i];
     if (m->section == FMB_MPS_COLUMNS)
-        return add_coefficient(m, &r->terms, row);
+        return add_coefficient(m, r, row, number);
     if (!is_first_set(m, set))
         return FMB_OK;
-    if (m->section == FMB_MPS_RHS ? r->has_rhs : r->range.n > 0)
+    fmb_span *to = m->section == FMB_MPS_RHS ? &r->rhs : &r->range;
+    if (to->n > 0)
         return fail_field(m, row, "one number for each row");
-    if (m->section == FMB_MPS_RANGES) {
-        r->range = number;
-    } else {
-        r->has_rhs = true;
-        mpq_set(r->terms.rhs, m->number);
-    }
+    *to = number;
     return FMB_OK;
 }
 
@@ -156,18 +178,34 @@ static fmb_status read_column(mps_reader *m, const fmb_mps_card *card)
     return st == FMB_OK ? read_entries(m, card) : st;
 }
 
+/* Terms and right side of a row, into the draft. */
+static fmb_status put_row_together(mps_reader *m, const mps_row *r)
+{
+    fmb_status st = FMB_OK;
+    fmb_draft_reset(&m->draft);
+    for (size_t k = 0; st == FMB_OK && k < r->terms; k++) {
+        mpq_ptr slot;
+        st = fmb_draft_term(&m->draft, r->term[k].variable, &slot);
+        if (st == FMB_OK)
+            st = read_number_again(m, r->term[k].number, slot);
+    }
+    return st == FMB_OK && r->rhs.n > 0 ? read_number_again(m, r->rhs, m->draft.rhs) : st;
+}
+
 /* The ends of a row are its right side, and with a range R: rhs - |R| and rhs (L), rhs and rhs +
  * |R| (G), rhs and rhs + R (E). An infinite range is none, and opens one side of an equation. */
 static fmb_status append_mps_row(mps_reader *m, mps_row *r)
 {
     bool has_range = r->range.n > 0, down = r->type == 'L', open = false;
     fmb_program_draft *p = &m->program;
-    mpq_set(m->low, r->terms.rhs);
-    mpq_set(m->high, r->terms.rhs);
+    fmb_status st = put_row_together(m, r);
+    if (st == FMB_OK && has_range)
+        st = read_field_number(m, r->range);
+    if (st != FMB_OK)
+        return st;
+    mpq_set(m->low, m->draft.rhs);
+    mpq_set(m->high, m->draft.rhs);
     if (has_range) {
-        fmb_status st = read_field_number(m, r->range);
-        if (st != FMB_OK)
-            return st;
         down = down || (r->type == 'E' && mpq_sgn(m->number) < 0);
         mpq_abs(m->number, m->number);
         open = fmb_program_is_infinite(p, r->range.p, m->number, FMB_PROGRAM_HIGH);
@@ -182,7 +220,7 @@ static fmb_status append_mps_row(mps_reader *m, mps_row *r)
         has_low = has_low && !fmb_program_is_infinite(p, r->name.p, m->low, FMB_PROGRAM_LOW);
         has_high = has_high && !fmb_program_is_infinite(p, r->name.p, m->high, FMB_PROGRAM_HIGH);
     }
-    return fmb_program_append(p, r->name.p, &r->terms, has_low ? m->low : NULL,
+    return fmb_program_append(p, r->name.p, &m->draft, has_low ? m->low : NULL,
                               has_high ? m->high : NULL, r->name);
 }
 
@@ -206,9 +244,13 @@ static bool is_named_objective(const mps_reader *m, const mps_row *r)
 static fmb_status set_mps_objective(mps_reader *m)
 {
     for (size_t i = 0; i < m->rows; i++) {
-        mps_row *r = &m->row[i];
-        if (r->type == 'N' && is_named_objective(m, r))
-            return fmb_draft_set_objective(m->c, r->name.p, &r->terms, m->sense, m->program.s);
+        const mps_row *r = &m->row[i];
+        if (r->type != 'N' || !is_named_objective(m, r))
+            continue;
+        fmb_status st = put_row_together(m, r);
+        return st == FMB_OK
+                   ? fmb_draft_set_objective(m->c, r->name.p, &m->draft, m->sense, m->program.s)
+                   : st;
     }
     return m->objective.n > 0 ? fail_field(m, m->objective, "the name of a row of type N") : FMB_OK;
 }
@@ -326,6 +368,17 @@ static fmb_status begin_section(mps_reader *m, const fmb_mps_card *card)
     return is_short && card->words > 1 ? read_word_about_objective(m, card->word[1]) : FMB_OK;
 }
 
+/* Which form the text has is asked for at the first line that the two may read differently. */
+static void lay_out_fields(mps_reader *m, fmb_mps_card *card)
+{
+    if (!m->knows_form && fmb_mps_lay_out_alike(card, m->section))
+        return;
+    if (!m->knows_form)
+        m->fixed = fmb_mps_is_fixed(&m->text);
+    m->knows_form = true;
+    fmb_mps_lay_out(card, m->section, m->fixed);
+}
+
 static fmb_status read_data(mps_reader *m, fmb_mps_card *card)
 {
     if (m->section == FMB_MPS_OBJSENSE || m->section == FMB_MPS_OBJNAME)
@@ -334,8 +387,8 @@ static fmb_status read_data(mps_reader *m, fmb_mps_card *card)
         return fail_field(m, card->word[0], "a section such as ROWS at the start of its line");
     if (m->section == FMB_MPS_COLUMNS && fmb_mps_is_marker(card))
         return read_marker(m, card->word[card->words - 1]);
-    fmb_mps_lay_out(card, m->section, m->fixed);
-    if (!m->fixed && card->words > 5)
+    lay_out_fields(m, card);
+    if (m->knows_form && !m->fixed && card->words > 5)
         return fail_field(m, card->word[5], "at most two numbers a line");
     return m->section == FMB_MPS_ROWS      ? read_row(m, card)
            : m->section == FMB_MPS_COLUMNS ? read_column(m, card)
@@ -357,8 +410,9 @@ static fmb_status read_cards(mps_reader *m)
 
 fmb_status fmb_read_mps(fmb_cursor *c, fmb_system *s)
 {
-    mps_reader m = {.c = c, .fixed = fmb_mps_is_fixed(c), .sense = FMB_SENSE_MIN};
+    mps_reader m = {.c = c, .text = *c, .sense = FMB_SENSE_MIN};
     fmb_program_open(&m.program, c, s);
+    fmb_draft_init(&m.draft, c->mem);
     mpq_inits(m.number, m.low, m.high, (mpq_ptr)NULL);
     fmb_status st = read_cards(&m);
     if (st == FMB_OK)
@@ -370,7 +424,8 @@ fmb_status fmb_read_mps(fmb_cursor *c, fmb_system *s)
         st = fmb_program_finish(&m.program);
     }
     for (size_t i = 0; i < m.rows; i++)
-        fmb_draft_clear(&m.row[i].terms);
+        fmb_mem_put(c->mem, m.row[i].term, m.row[i].capacity, sizeof *m.row[i].term);
+    fmb_draft_clear(&m.draft);
     fmb_mem_put(c->mem, m.row, m.row_capacity, sizeof *m.row);
     mpq_clears(m.number, m.low, m.high, (mpq_ptr)NULL);
     fmb_program_close(&m.program);
