@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "num/gcd.h"
 #include "system/number_kind.h"
 #include "system/system_private.h"
 
@@ -114,39 +115,45 @@ typedef struct row_words {
     size_t most;
 } row_words;
 
-/* The bits that all numbers of row i need behind the point; false where variables do not increase,
- * or it is more than a small denominator has. */
-static bool find_row_shift(const matrix *m, size_t i, size_t *shift)
+/* The least common denominator; false where it is not small. */
+static bool include_denominator(uint64_t *all, uint64_t d)
+{
+    uint64_t most = (uint64_t)1 << FMB_SMALL_BITS;
+    if (d == 1 || (d > 0 && *all % d == 0))
+        return true;
+    return d > 0 && !__builtin_mul_overflow(*all, d / fmb_gcd64(*all, d), all) && *all < most;
+}
+
+/* That of row i; false where variables do not increase, or it is not small. */
+static bool find_row_denominator(const matrix *m, size_t i, uint64_t *all)
 {
     int last = -1;
-    *shift = m->kind->fraction_bits(m->right, i);
-    for (size_t k = first_term(m, i); k < first_term(m, i + 1); k++) {
+    *all = 1;
+    bool small = include_denominator(all, m->kind->denominator(m->right, i));
+    for (size_t k = first_term(m, i); small && k < first_term(m, i + 1); k++) {
         int j = variable_of_term(m, i, k);
-        size_t bits = m->kind->fraction_bits(m->coef, k);
-        if (j <= last)
-            return false;
+        small = j > last && include_denominator(all, m->kind->denominator(m->coef, k));
         last = j;
-        *shift = bits > *shift ? bits : *shift;
     }
-    return *shift < FMB_SMALL_BITS;
+    return small;
 }
 
 /* Row i as words, *n terms of it; false where it has none. */
 static bool take_small_row(const matrix *m, size_t i, row_words *w, size_t *n)
 {
-    size_t shift;
+    uint64_t all;
     *n = 0;
-    if (!find_row_shift(m, i, &shift))
+    if (!find_row_denominator(m, i, &all))
         return false;
     for (size_t k = first_term(m, i); k < first_term(m, i + 1); k++) {
         if (m->kind->is_zero(m->coef, k))
             continue;
-        if (!m->kind->shifted(m->coef, k, shift, &w->z[*n]))
+        if (!m->kind->times(m->coef, k, all, &w->z[*n]))
             return false;
         w->var[(*n)++] = variable_of_term(m, i, k);
     }
-    w->z[*n + 1] = (int64_t)1 << shift;
-    return m->kind->shifted(m->right, i, shift, &w->z[*n]);
+    w->z[*n + 1] = (int64_t)all;
+    return m->kind->times(m->right, i, all, &w->z[*n]);
 }
 
 static bool is_greater(fmb_rel rel)

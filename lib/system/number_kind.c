@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "num/gcd.h"
 #include "num/vec.h"
 
 static const char *no_double(const void *numbers, size_t i, char buf[FMB_WRONG_NUMBER])
@@ -22,17 +23,18 @@ static bool is_zero_double(const void *numbers, size_t i)
     return fpclassify(((const double *)numbers)[i]) == FP_ZERO;
 }
 
-static size_t double_fraction_bits(const void *numbers, size_t i)
+static uint64_t double_denominator(const void *numbers, size_t i)
 {
     int power;
     int64_t digits = (int64_t)ldexp(frexp(((const double *)numbers)[i], &power), DBL_MANT_DIG);
     int lowest = power - DBL_MANT_DIG + (digits ? __builtin_ctzll((uint64_t)digits) : 0);
-    return digits && lowest < 0 ? (size_t)-lowest : 0;
+    return !digits || lowest >= 0 ? 1 : lowest > -FMB_SMALL_BITS ? (uint64_t)1 << -lowest : 0;
 }
 
-static bool shift_double(const void *numbers, size_t i, size_t shift, int64_t *out)
+/* The factor is a power of two. */
+static bool multiply_double(const void *numbers, size_t i, uint64_t factor, int64_t *out)
 {
-    double x = ldexp(((const double *)numbers)[i], (int)shift);
+    double x = ((const double *)numbers)[i] * (double)factor;
     if (!(fabs(x) < (double)((int64_t)1 << FMB_SMALL_BITS)))
         return false;
     *out = (int64_t)x;
@@ -57,18 +59,23 @@ static bool is_zero_integer(const void *numbers, size_t i)
     return ((const int64_t *)numbers)[i] == 0;
 }
 
-static size_t integer_fraction_bits(const void *numbers, size_t i)
+static uint64_t integer_denominator(const void *numbers, size_t i)
 {
     (void)numbers;
     (void)i;
-    return 0;
+    return 1;
 }
 
-static bool shift_integer(const void *numbers, size_t i, size_t shift, int64_t *out)
+static bool is_small(int64_t z)
 {
-    int64_t z = ((const int64_t *)numbers)[i], most = (int64_t)1 << FMB_SMALL_BITS;
-    *out = z;
-    return shift == 0 && -most < z && z < most;
+    int64_t most = (int64_t)1 << FMB_SMALL_BITS;
+    return -most < z && z < most;
+}
+
+static bool multiply_integer(const void *numbers, size_t i, uint64_t factor, int64_t *out)
+{
+    int64_t z = ((const int64_t *)numbers)[i];
+    return !__builtin_mul_overflow(z, (int64_t)factor, out) && is_small(*out);
 }
 
 static void get_integer(mpq_t q, const void *numbers, size_t i)
@@ -88,18 +95,32 @@ static bool is_zero_rational(const void *numbers, size_t i)
     return mpz_sgn(mpq_numref(((const mpq_t *)numbers)[i])) == 0;
 }
 
-static size_t rational_fraction_bits(const void *numbers, size_t i)
+static bool is_word(mpz_srcptr z)
 {
-    return mpz_cmp_ui(mpq_denref(((const mpq_t *)numbers)[i]), 1) == 0 ? 0 : SIZE_MAX;
+    return mpz_sizeinbase(z, 2) <= FMB_SMALL_BITS;
 }
 
-static bool shift_rational(const void *numbers, size_t i, size_t shift, int64_t *out)
+/* Not of one that is not in lowest terms. */
+static uint64_t rational_denominator(const void *numbers, size_t i)
 {
-    mpz_srcptr z = mpq_numref(((const mpq_t *)numbers)[i]);
-    if (shift > 0 || mpz_sizeinbase(z, 2) > FMB_SMALL_BITS)
+    mpq_srcptr q = ((const mpq_t *)numbers)[i];
+    if (mpz_cmp_ui(mpq_denref(q), 1) == 0)
+        return 1;
+    if (mpz_sgn(mpq_denref(q)) < 0 || !is_word(mpq_denref(q)) || !is_word(mpq_numref(q)))
+        return 0;
+    uint64_t den = (uint64_t)fmb_integer_get_i64(mpq_denref(q));
+    return fmb_gcd64(fmb_abs64(fmb_integer_get_i64(mpq_numref(q))), den) == 1 ? den : 0;
+}
+
+static bool multiply_rational(const void *numbers, size_t i, uint64_t factor, int64_t *out)
+{
+    mpq_srcptr q = ((const mpq_t *)numbers)[i];
+    if (!is_word(mpq_numref(q)))
         return false;
-    *out = fmb_integer_get_i64(z);
-    return true;
+    int64_t z = fmb_integer_get_i64(mpq_numref(q));
+    if (factor > 1 && mpz_cmp_ui(mpq_denref(q), 1) != 0)
+        factor /= (uint64_t)fmb_integer_get_i64(mpq_denref(q));
+    return !__builtin_mul_overflow(z, (int64_t)factor, out) && is_small(*out);
 }
 
 /* GMP needs lowest terms over a positive denominator even to copy; the caller may have written
@@ -112,9 +133,9 @@ static void get_rational(mpq_t q, const void *numbers, size_t i)
     mpq_canonicalize(q);
 }
 
-const fmb_number_kind fmb_doubles = {no_double, is_zero_double, double_fraction_bits, shift_double,
+const fmb_number_kind fmb_doubles = {no_double, is_zero_double, double_denominator, multiply_double,
                                      get_double};
-const fmb_number_kind fmb_integers = {no_integer, is_zero_integer, integer_fraction_bits,
-                                      shift_integer, get_integer};
-const fmb_number_kind fmb_given_rationals = {no_rational, is_zero_rational, rational_fraction_bits,
-                                             shift_rational, get_rational};
+const fmb_number_kind fmb_integers = {no_integer, is_zero_integer, integer_denominator,
+                                      multiply_integer, get_integer};
+const fmb_number_kind fmb_given_rationals = {no_rational, is_zero_rational, rational_denominator,
+                                             multiply_rational, get_rational};

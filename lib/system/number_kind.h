@@ -14,10 +14,11 @@ typedef struct fmb_number_kind {
     /* What is wrong with number i, in a few words, or NULL. */
     const char *(*wrong)(const void *numbers, size_t i, char buf[FMB_WRONG_NUMBER]);
     bool (*is_zero)(const void *numbers, size_t i);
-    /* How many bits number i has behind the binary point; SIZE_MAX: it may have others, too. */
-    size_t (*fraction_bits)(const void *numbers, size_t i);
-    /* Number i times 2^shift, at least its bits, if that is small (num/vec.h). */
-    bool (*shifted)(const void *numbers, size_t i, size_t shift, int64_t *out);
+    /* The least whole number by which number i becomes whole; 0: it may not be small (num/vec.h).
+     */
+    uint64_t (*denominator)(const void *numbers, size_t i);
+    /* Number i times a small multiple of that, if it is small. */
+    bool (*times)(const void *numbers, size_t i, uint64_t factor, int64_t *out);
     void (*get)(mpq_t q, const void *numbers, size_t i);
 } fmb_number_kind;
 
