@@ -49,7 +49,7 @@ static fmb_status search_for_point(fmb_oracle *o, bool *feasible)
     bool room = true;
     *feasible = false;
     fmb_status st = fmb_closure_guess(o, &h);
-    if (st == FMB_OK && h.kind == FMB_HINT_OPTIMUM && fmb_way(FMB_WAY_LATTICE))
+    if (st == FMB_OK && h.kind == FMB_HINT_OPTIMUM && !o->leans && fmb_way(FMB_WAY_LATTICE))
         st = fmb_oracle_try_lattice_point(o, &h, feasible);
     fmb_way_answered(FMB_WAY_LATTICE, *feasible);
     if (st != FMB_OK || *feasible)

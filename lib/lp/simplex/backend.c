@@ -174,6 +174,17 @@ static fmb_status maximize(fmb_simplex_state *o, const double *cost, fmb_hint *h
     return st;
 }
 
+/* From where a search ended on to where the cost is greatest, or as far as one comes in no more than
+ * twice the steps of the search: then no other vertex has to be solved for. */
+static fmb_status go_on_from_search(fmb_simplex_state *o, const double *cost, fmb_hint *h)
+{
+    o->most_steps = 3 * o->steps;
+    fmb_status st = climb_to_optimum(o, cost, h);
+    h->kind = o->feasible ? FMB_HINT_OPTIMUM : FMB_HINT_NONE;
+    hand_out_members(o, h);
+    return st;
+}
+
 /* What is late, and rows that are new. */
 static fmb_status catch_up(fmb_backend *d, fmb_hint *h)
 {
@@ -187,7 +198,10 @@ fmb_status fmb_backend_search(fmb_backend *d, const double *lean, fmb_hint *h)
 {
     bool leans = lean && fmb_scaled_program_scale_cost(&d->scaled, lean, d->cost);
     fmb_status st = catch_up(d, h);
-    return st == FMB_OK ? search(&d->state, leans ? d->cost : NULL, h) : st;
+    if (st == FMB_OK)
+        st = search(&d->state, leans ? d->cost : NULL, h);
+    return st == FMB_OK && leans && d->state.feasible ? go_on_from_search(&d->state, d->cost, h)
+                                                      : st;
 }
 
 fmb_status fmb_backend_maximize(fmb_backend *d, const double *cost, fmb_hint *h)

@@ -32,8 +32,8 @@ fmb_status fmb_backend_open_with(fmb_run *run, const fmb_program *p, bool factor
                                  fmb_backend **out);
 void fmb_backend_close(fmb_backend *d);
 
-/* Is there a solution? From where the last call ended. lean[n]: rather one where lean.x is large;
- * NULL: any. Errors: MEMORY, LIMIT. */
+/* Is there a solution? From where the last call ended. lean[n]: rather one where lean.x is large,
+ * as large as may be where that does not take long; NULL: any. Errors: MEMORY, LIMIT. */
 fmb_status fmb_backend_search(fmb_backend *d, const double *lean, fmb_hint *h);
 /* Where is cost.x greatest, cost[n]? From where the last call ended; INFEASIBLE is possible. */
 fmb_status fmb_backend_maximize(fmb_backend *d, const double *cost, fmb_hint *h);
