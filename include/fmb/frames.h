@@ -8,8 +8,8 @@
  *
  * There are kernels for all frames with edges that are doubles in two and three dimensions, and, by
  * edges with all their axes, for two cuboids in four to eight (moving: to seven) and for two
- * simplices that stand still in four to six, if they are neither so flat that one of their
- * corners is less than about 1e-9 of their size away from the plane of the others, nor larger than
+ * simplices in four to six, still or moving, if they are neither so flat that one of their corners
+ * is less than about 1e-9 of their size away from the plane of the others, nor larger than
  * 1e90 or smaller than 1e-90. All other frames are asked one pair at a time.
  *
  *   fmb_frames_new(3, n, frames, NULL, &set);

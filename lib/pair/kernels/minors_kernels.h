@@ -5,7 +5,7 @@
  *
  *     0            origin, D           D (D + 1)    speed, D, of a still frame 0
  *     D            axes, D D           D (D + 2)    inverse, D D, row by row
- *     2 D (D + 1)  reach, D            D (2 D + 3)  size
+ *     2 D (D + 1)  reach, D            D (2 D + 3)  size, whole, grain
  *
  * and zeros up to a multiple of eight numbers. inverse, times a point less the origin, is how far
  * along each axis the point is; reach bounds the sum of the absolute values of a row of it, size
@@ -26,23 +26,24 @@ static inline bool fmb_minors_is_dim(int dim)
 /* Numbers of a record. */
 static inline int fmb_minors_record(int dim)
 {
-    return (2 * dim * dim + 3 * dim + 1 + 7) / 8 * 8;
+    return (2 * dim * dim + 3 * dim + 3 + 7) / 8 * 8;
 }
 
-/* Numbers of the room for the minors of one view that the next level wants. With n columns and
- * levels up to K (minors_kernel.h), still, moving or of simplices, that is the sum over 1 < k <= K
- * of choose(rows, k) choose(n, k), of simplices with words for their signs. */
+/* Numbers of the room for the minors of two views that the next level wants. With n columns and
+ * levels up to K (minors_kernel.h), still, moving or of simplices, a view's are the sum over
+ * 1 < k <= K of choose(rows, k) choose(n, k), of simplices with words for their signs. */
 static inline size_t fmb_minors_room(int dim)
 {
-    static const size_t lanes[FMB_MINORS_DIMS] = {110, 240, 1778, 2548, 3920};
-    return FMB_BLOCK_MOST_LANES * lanes[dim - FMB_MINORS_LEAST_DIM];
+    static const size_t lanes[FMB_MINORS_DIMS] = {160, 1085, 2772, 2548, 3920};
+    return 2 * FMB_BLOCK_MOST_LANES * lanes[dim - FMB_MINORS_LEAST_DIM];
 }
 
-/* What is known to stand in records: still cuboids, cuboids that move, still simplices. */
+/* What is known to stand in records: 2 for simplices, and 1 if any moves. */
 typedef enum fmb_minors_what {
     FMB_MINORS_STILL,
     FMB_MINORS_MOVING,
     FMB_MINORS_SIMPLICES,
+    FMB_MINORS_MOVING_SIMPLICES,
     FMB_MINORS_WHATS
 } fmb_minors_what;
 

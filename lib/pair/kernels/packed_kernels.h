@@ -42,6 +42,7 @@ typedef struct fmb_packed_pairs {
     const uint32_t *index[2];
     size_t n;
     bool moves;
+    bool closed; /* touching is meeting; in four and more dimensions alone */
     fmb_packed_shapes shapes;
     const fmb_flat_kind *kind; /* of any shapes */
 } fmb_packed_pairs;
@@ -54,6 +55,7 @@ typedef struct fmb_packed_row {
     const uint32_t *index;
     size_t n;
     bool moves;
+    bool closed;  /* as above */
     bool swapped; /* the one is B of the blocks */
     fmb_packed_shapes shapes;
     const fmb_flat_kind *kind; /* of any shapes */

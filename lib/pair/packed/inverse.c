@@ -34,59 +34,44 @@ typedef struct square {
 
 /* ---- a first guess --------------------------------------------------------------------------- */
 
-static int find_pivot(const square *a, int c)
+typedef double twice_a_row[2 * MOST];
+
+/* The row from c on with the largest number in column c comes to place c. */
+static void bring_pivot(int n, int c, twice_a_row *x)
 {
+    twice_a_row row;
     int best = c;
-    for (int r = c + 1; r < a->n; r++)
-        best = fabs(a->x[r][c]) > fabs(a->x[best][c]) ? r : best;
-    return best;
+    for (int r = c + 1; r < n; r++)
+        best = fabs(x[r][c]) > fabs(x[best][c]) ? r : best;
+    memcpy(row, x[c], sizeof row);
+    memcpy(x[c], x[best], sizeof row);
+    memcpy(x[best], row, sizeof row);
 }
 
-static void swap_rows(square *a, int p, int q)
+/* Gauss and Jordan, and about the absolute value of the determinant. False: a pivot is 0. */
+static bool guess_inverse(const square *a, square *v, double *det)
 {
-    for (int j = 0; j < a->n; j++) {
-        double t = a->x[p][j];
-        a->x[p][j] = a->x[q][j];
-        a->x[q][j] = t;
+    const int n = v->n = a->n;
+    twice_a_row x[MOST] = {{0}};
+    for (int r = 0; r < n; r++) {
+        memcpy(x[r], a->x[r], (size_t)n * sizeof **x);
+        x[r][n + r] = 1;
     }
-}
-
-/* row r of a -= factor times row p */
-static void take_row(square *a, int r, double factor, int p)
-{
-    for (int j = 0; j < a->n; j++)
-        a->x[r][j] -= factor * a->x[p][j];
-}
-
-static void divide_row(square *a, int r, double by)
-{
-    for (int j = 0; j < a->n; j++)
-        a->x[r][j] /= by;
-}
-
-/* Gauss and Jordan. False: a pivot is 0. */
-static bool guess_inverse(square a, square *v)
-{
-    memset(v, 0, sizeof *v);
-    v->n = a.n;
-    for (int i = 0; i < a.n; i++)
-        v->x[i][i] = 1;
-    for (int c = 0; c < a.n; c++) {
-        int p = find_pivot(&a, c);
-        double pivot = a.x[p][c];
-        if (!(fabs(pivot) > LEAST))
+    *det = 1;
+    for (int c = 0; c < n; c++) {
+        bring_pivot(n, c, x);
+        if (!(fabs(x[c][c]) > LEAST))
             return false;
-        swap_rows(&a, p, c);
-        swap_rows(v, p, c);
-        divide_row(&a, c, pivot);
-        divide_row(v, c, pivot);
-        for (int r = 0; r < a.n; r++)
-            if (r != c) {
-                double factor = a.x[r][c];
-                take_row(&a, r, factor, c);
-                take_row(v, r, factor, c);
-            }
+        *det *= fabs(x[c][c]);
+        for (int r = 0; r < n; r++) {
+            const double factor = r == c ? 0 : x[r][c] / x[c][c];
+            for (int j = 0; j < 2 * n; j++)
+                x[r][j] -= factor * x[c][j];
+        }
     }
+    for (int r = 0; r < n; r++)
+        for (int j = 0; j < n; j++)
+            v->x[r][j] = x[r][n + j] / x[r][r];
     return true;
 }
 
@@ -133,11 +118,11 @@ static void improve(const square *residual, square *hi, square *lo)
 }
 
 /* a has numbers in -1 ... 1. */
-static bool find_inverse(const square *a, square *hi)
+static bool find_inverse(const square *a, square *hi, double *det)
 {
     enum { STEPS = 4 };
     square lo = {.n = a->n}, residual;
-    if (!guess_inverse(*a, hi))
+    if (!guess_inverse(a, hi, det))
         return false;
     for (int i = 0; i < STEPS; i++) {
         if (!(largest(hi) <= STEEPEST))
@@ -147,6 +132,53 @@ static bool find_inverse(const square *a, square *hi)
         improve(&residual, hi, &lo);
     }
     return false;
+}
+
+/* ---- without an error ----------------------------------------------------------------------- */
+
+/* The largest power of two of which all of these are multiples, from `most` down to `least`. 0:
+ * none is. */
+static double find_grain(const double *x, int n, double most, double least)
+{
+    for (int i = 0; i < n && most >= least;)
+        if (x[i] / most == rint(x[i] / most))
+            i++;
+        else
+            most /= 2;
+    return most >= least ? most : 0;
+}
+
+/* With v and det about the inverse and the absolute value of the determinant of a, whose numbers
+ * are multiples of `grain`: is the whole number next to det / grain^n times grain^-1 a^-1 whole?
+ * Then that number, else 0. No sum of absolute values is above 2^53, so none is rounded. */
+static double find_whole(const square *a, const square *v, double grain, double det)
+{
+    det = rint(det / pow(grain, a->n));
+    for (int r = 0; r < a->n; r++)
+        for (int c = 0; c < a->n; c++) {
+            double sum = r == c ? -det : 0, size = det;
+            for (int j = 0; j < a->n; j++) {
+                double term = rint(v->x[r][j] * grain * det) * (a->x[j][c] / grain);
+                sum += term;
+                size += fabs(term);
+            }
+            if (!(sum == 0 && size <= 0x1p53))
+                return 0;
+        }
+    return det;
+}
+
+/* What stands behind the size, if numbers are of few bits; a, v and power as below. */
+static void write_whole(const fmb_frame *f, const square *a, const square *v, double det, int power,
+                        double *out)
+{
+    const double least = ldexp(0x1p-53, power);
+    const double axes = find_grain(f->axes, f->dim * f->dim, ldexp(1, power), least);
+    double grain = find_grain(f->origin, f->dim, axes, least);
+    if (f->speed)
+        grain = find_grain(f->speed, f->dim, grain, least);
+    out[0] = grain > 0 ? axes * find_whole(a, v, ldexp(axes, -power), det) : 0;
+    out[1] = out[0] > 0 ? grain : 0;
 }
 
 /* ---- records --------------------------------------------------------------------------------- */
@@ -177,6 +209,7 @@ bool fmb_inverse_record(const fmb_frame *f, double *record)
     const int dim = f->dim;
     const double size = largest_number(f->axes, dim * dim);
     int power;
+    double det;
     square a = {.n = dim}, v;
     if (!(size >= LEAST && size <= LARGEST && largest_number(f->origin, dim) <= LARGEST) ||
         (f->speed && largest_number(f->speed, dim) > LARGEST))
@@ -185,7 +218,7 @@ bool fmb_inverse_record(const fmb_frame *f, double *record)
     for (int i = 0; i < dim; i++)
         for (int j = 0; j < dim; j++)
             a.x[j][i] = ldexp(f->axes[i * dim + j], -power);
-    if (!find_inverse(&a, &v))
+    if (!find_inverse(&a, &v, &det))
         return false;
     memset(record, 0, (size_t)fmb_minors_record(dim) * sizeof *record);
     memcpy(record, f->origin, (size_t)dim * sizeof *record);
@@ -194,5 +227,6 @@ bool fmb_inverse_record(const fmb_frame *f, double *record)
         memcpy(record + dim * (dim + 1), f->speed, (size_t)dim * sizeof *record);
     write_inverse(&v, power, record + dim * (dim + 2), record + 2 * dim * (dim + 1));
     record[dim * (2 * dim + 3)] = size;
+    write_whole(f, &a, &v, det, power, record + dim * (2 * dim + 3) + 1);
     return true;
 }

@@ -7,7 +7,9 @@
  *     sum over j of |W_rj - V_rj| <= 2 u reach_r,
  *     sum over j of |W_rj|, sum over j of |V_rj| <= reach_r,    2^-301 <= reach_r <= 2^334,
  *
- * and no number of the frame is greater than 2^300.
+ * and no number of the frame is greater than 2^300. Either whole and grain are 0, or grain is a
+ * power of two of which all numbers of the frame are multiples; whole V and whole / grain are
+ * whole, too.
  */
 #ifndef FMB_PAIR_INVERSE_H
 #define FMB_PAIR_INVERSE_H

@@ -47,8 +47,11 @@ static fmb_status decide_pairs_of_kinds(fmb_pair *k, const pairs_query *x, int k
         return fmb_packed_decide(k, x->a, x->b, n, pair, out);
     const fmb_frames *set[2] = {x->a, x->b};
     const uint32_t *index[2] = {&pair->a, &pair->b};
-    fmb_packed_pairs packed = {
-        .n = n, .moves = plan.moves, .shapes = plan.shapes, .kind = &plan.flat};
+    fmb_packed_pairs packed = {.n = n,
+                               .moves = plan.moves,
+                               .closed = k->options.contact == FMB_CONTACT_CLOSED,
+                               .shapes = plan.shapes,
+                               .kind = &plan.flat};
     for (int side = 0; side < 2; side++) {
         packed.record[side] = set[side ^ plan.swapped]->record;
         packed.index[side] = index[side ^ plan.swapped];

@@ -115,6 +115,7 @@ static void ask_chunk(const fmb_pair *k, const fmb_frames *a, size_t i, chunk *c
                                     .index = c->set->order + c->from + 8 * g,
                                     .n = c->n - 8 * g < 8 * count ? c->n - 8 * g : 8 * count,
                                     .moves = plan.moves,
+                                    .closed = k->options.contact == FMB_CONTACT_CLOSED,
                                     .swapped = plan.swapped,
                                     .shapes = plan.shapes,
                                     .kind = &plan.flat};

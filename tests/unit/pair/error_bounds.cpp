@@ -186,7 +186,7 @@ static void count_point(minors_kind d, const lane *a, const lane *b, lane size)
 /* Records of frames of one size; inverses are off as packed/inverse.h has it. */
 static void count_minors(int dim, bool moves, bool simplices)
 {
-    static lane record[2][200], room[4300];
+    static lane record[2][200], room[8600];
     const int inverse = dim * (dim + 2), reach = 2 * dim * (dim + 1), speed = dim * (dim + 1);
     const double size = some_size();
     kernel = flavour(simplices ? "minors of simplices" : "minors", dim, moves);
@@ -202,9 +202,13 @@ static void count_minors(int dim, bool moves, bool simplices)
             x[inverse + j] = {part, 2 * part};
         }
         x[dim * (2 * dim + 3)] = {size, 0};
+        x[dim * (2 * dim + 3) + 1] = x[dim * (2 * dim + 3) + 2] = lane_of(0);
     }
-    const minors_kind d = {dim, dim + (moves || simplices), simplices};
-    (void)minors_ask(d, record[0], record[1], (double *)room);
+    const minors_kind d = {dim, dim + simplices + moves, simplices, moves};
+    minors_said said = minors_silent();
+    (void)minors_ask(d, MINORS_AT_0, record[0], record[1], (double *)room, &said);
+    if (moves && simplices)
+        (void)minors_ask(d, MINORS_AT_1, record[0], record[1], (double *)room, &said);
     if (!simplices)
         count_point(d, record[0], record[1], {size, 0});
 }
@@ -690,8 +694,10 @@ int main()
             count_minors(dim, false, false);
             if (dim < 8)
                 count_minors(dim, true, false);
-            if (dim < 7)
+            if (dim < 7) {
                 count_minors(dim, false, true);
+                count_minors(dim, true, true);
+            }
         }
     }
     for (int i = 0; i < 4000; i++)

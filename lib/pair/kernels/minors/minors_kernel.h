@@ -29,13 +29,14 @@
 
 #include "pair/kernels/minors/minors_point.h"
 #include "pair/kernels/minors/minors_signs.h"
+#include "pair/kernels/minors/minors_whole.h"
 
 /* The faces of the one that is looked from; sizes of entries. */
 FMB_INLINE void minors_faces(minors_kind d, minors_view *v, minors_said *said)
 {
     const lane error = lane_of(minors_error(d, 0) * 0x1p-53);
     for (int r = 0; r < d.dim; r++) {
-        lane reach = lane_of(1);
+        lane reach = v->unit;
 #pragma GCC unroll 8
         for (int j = 0; j < d.n; j++)
             reach = reach + (v->size[r * d.n + j] = lane_abs(v->e[r * d.n + j]));
@@ -75,7 +76,7 @@ FMB_INLINE lane minors_gap(minors_kind d, const minors_view *v, int k, minors_pa
 #pragma GCC unroll 8
         for (int j = 1; j < d.n - k; j++)
             reach = reach + minors_size(part, made, minors_with(k, s, j));
-        most = lane_max(most, away - (wide + reach));
+        most = lane_max(most, away - lane_fma(wide, v->unit, reach));
     }
     return most;
 }
@@ -148,6 +149,7 @@ FMB_INLINE void minors_look(minors_kind d, const lane *a, const lane *b, const l
             lane_fma(lane_of(2), minors_coordinate(d, inverse, r, shift), sum - lane_of(1));
         v->g[r] = lane_max(lane_of(1), reach[r] * most);
     }
+    v->unit = lane_of(1);
     v->from = v->e;
     v->to = room;
 }
@@ -166,64 +168,101 @@ FMB_INLINE lane minors_most(minors_kind d, const lane *shift, const lane *drift,
 {
     for (int j = 0; j < d.dim; j++)
         size = lane_max_abs(size, shift[j]);
-    for (int j = 0; j < d.dim && minors_moves(d); j++)
+    for (int j = 0; j < d.dim && d.moves; j++)
         size = lane_max_abs(size, drift[j]);
     return size;
 }
 
-/* All rows but faces. */
+/* What of level k is wanted of a side. */
+FMB_INLINE minors_part minors_part_of(minors_kind d, int side, int k)
+{
+    return k < (d.n - 1 - side) / 2 ? MINORS_KEPT
+           : d.moves && side == 0   ? MINORS_DRIFTED
+                                    : MINORS_LAST;
+}
+
+/* All rows but faces. What both sides want is compiled once, where that is no loss: see
+ * minors_level. */
 FMB_INLINE void minors_levels(minors_kind d, minors_view v[2], minors_said *said)
 {
-    const int more = d.n > d.dim;
-#pragma GCC unroll 2
-    for (int side = 0; side < 2; side++) {
-        const int last = (d.dim - 1 - side + more) / 2;
 #pragma GCC unroll 3
-        for (int k = 1; k <= last; k++) {
-            minors_part part = k < last                            ? MINORS_KEPT
-                               : more && side == 0 && !d.simplices ? MINORS_DRIFTED
-                                                                   : MINORS_LAST;
-            if (minors_level(d, &v[side], k, part, said))
-                return;
+    for (int k = 1; k <= (d.n - 1) / 2; k++) {
+        const bool both = k <= (d.n - 2) / 2;
+        const minors_part part[2] = {minors_part_of(d, 0, k), minors_part_of(d, 1, k)};
+        if (both && part[0] == part[1] && d.n > 4) {
+            for (int side = 0; side < 2; side++)
+                if (minors_level(d, &v[side], k, part[0], said))
+                    return;
+        } else if (minors_level(d, &v[0], k, part[0], said) ||
+                   (both && minors_level(d, &v[1], k, part[1], said))) {
+            return;
         }
     }
 }
 
-/* Lanes of records a and b; room as in minors_kernels.h. */
-FMB_INLINE fmb_pair_bits minors_ask(minors_kind d, const lane *a, const lane *b, double *room)
+/* What is asked. */
+typedef enum minors_asked {
+    MINORS_AT_0, /* what rows say; of moving simplices as at t = 0 */
+    MINORS_AT_1,
+    MINORS_WHOLE, /* the same of lanes that are whole numbers, else nothing */
+    MINORS_POINT  /* is there a point in both? */
+} minors_asked;
+
+/* One of two from a side, in a room of its own. What faces say. */
+FMB_INLINE void minors_see(minors_kind d, minors_asked how, const lane *from, const lane *to,
+                           lane *room, minors_view *v, minors_said *said)
 {
-    const lane *one[2] = {a, b};
     const int speed = d.dim * (d.dim + 1), size = d.dim * (2 * d.dim + 3);
-    minors_view v[2];
-    minors_said said = minors_silent();
-#pragma GCC unroll 2
-    for (int side = 0; side < 2; side++) {
-        const lane *from = one[side], *to = one[!side];
-        lane shift[FMB_MINORS_MOST_DIM], drift[FMB_MINORS_MOST_DIM];
-        for (int j = 0; j < d.dim; j++) {
-            shift[j] = to[j] - from[j];
-            if (minors_moves(d))
-                drift[j] = to[speed + j] - from[speed + j];
+    lane shift[FMB_MINORS_MOST_DIM], drift[FMB_MINORS_MOST_DIM];
+    for (int j = 0; j < d.dim; j++) {
+        shift[j] = to[j] - from[j];
+        if (d.moves)
+            drift[j] = to[speed + j] - from[speed + j];
+        if (d.simplices && d.moves && how == MINORS_AT_1) {
+            shift[j] = shift[j] + drift[j];
+            drift[j] = lane_of(0) - drift[j];
         }
-        lane most = minors_most(d, shift, drift, to[size]);
-        if (d.simplices)
-            minors_look_at_corners(d, from, to, shift, most, (lane *)room, &v[side]);
-        else
-            minors_look(d, from, to, shift, drift, most, (lane *)room, &v[side]);
-        said.known = lane_and(said.known, minors_known(d, &v[side]));
-        if (d.simplices)
-            minors_corners(d, &v[side], &said);
-        else
-            minors_faces(d, &v[side], &said);
-        if (minors_all_apart(&said))
-            return minors_bits(&said);
     }
-    minors_levels(d, v, &said);
-    fmb_pair_bits bits = minors_bits(&said);
-    const unsigned open = lane_bits(said.known) & ~(bits.apart | bits.meet);
-    if (open && !d.simplices)
-        bits.meet |= open & minors_find_point(d, &v[0], open);
-    return bits;
+    lane most = minors_most(d, shift, drift, to[size]);
+    if (d.simplices)
+        minors_look_at_corners(d, from, to, shift, drift, most, room, v);
+    else
+        minors_look(d, from, to, shift, drift, most, room, v);
+    said->known = lane_and(said->known, minors_known(d, v));
+    if (!d.simplices && how == MINORS_WHOLE)
+        said->known = lane_and(said->known, minors_round(d, from + size, to + size, v));
+    if (d.simplices)
+        minors_corners(d, v, said);
+    else
+        minors_faces(d, v, said);
+}
+
+/* Nothing more is to be asked of these lanes: all are apart, or none is known. */
+FMB_INLINE bool minors_is_over(minors_kind d, minors_asked how, const minors_said *said)
+{
+    return minors_all_apart(said) ||
+           (!d.simplices && how == MINORS_WHOLE && !lane_bits(said->known));
+}
+
+/* Lanes of records a and b; room as in minors_kernels.h. Lanes that a point proves to meet, if that
+ * is asked. */
+FMB_INLINE unsigned minors_ask(minors_kind d, minors_asked how, const lane *a, const lane *b,
+                               double *room, minors_said *out)
+{
+    const size_t half = fmb_minors_room(d.dim) / FMB_BLOCK_MOST_LANES / 2;
+    minors_view v[2];
+    minors_said said = {out->apart, out->meet, out->known};
+    minors_see(d, how, a, b, (lane *)room, &v[0], &said);
+    if (!d.simplices && how == MINORS_POINT)
+        return minors_find_point(d, &v[0]);
+    if (!minors_is_over(d, how, &said))
+        minors_see(d, how, b, a, (lane *)room + half, &v[1], &said);
+    if (!minors_is_over(d, how, &said))
+        minors_levels(d, v, &said);
+    out->apart = said.apart;
+    out->meet = said.meet;
+    out->known = said.known;
+    return 0;
 }
 
 #endif

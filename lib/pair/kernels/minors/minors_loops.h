@@ -11,11 +11,12 @@ enum { MINORS_ROWS = 2 * 8 * 8 + 3 * 8 + 8 };
 
 /* Each kernel once: pairs and rows call it. */
 #define MINORS_ASK(dim, what)                                                                      \
-    static __attribute__((noinline))                                                               \
-    fmb_pair_bits minors_ask_##dim##what(const lane *a, const lane *b, double *room)               \
+    static FMB_NEVER_CLONED unsigned minors_ask_##dim##what(                                       \
+        minors_asked how, const lane *a, const lane *b, double *room, minors_said *said)           \
     {                                                                                              \
-        const minors_kind d = {dim, dim + ((what) > 0), (what) == FMB_MINORS_SIMPLICES};           \
-        return minors_ask(d, a, b, room);                                                          \
+        const bool simplices = (what) / 2 == 1, moves = (what) % 2 == 1;                           \
+        const minors_kind d = {(dim), (dim) + simplices + moves, simplices, moves};                \
+        return minors_ask(d, how, a, b, room, said);                                               \
     }
 MINORS_ASK(4, 0)
 MINORS_ASK(5, 0)
@@ -29,8 +30,48 @@ MINORS_ASK(7, 1)
 MINORS_ASK(4, 2)
 MINORS_ASK(5, 2)
 MINORS_ASK(6, 2)
+MINORS_ASK(4, 3)
+MINORS_ASK(5, 3)
+MINORS_ASK(6, 3)
 
-typedef fmb_pair_bits minors_asker(const lane *a, const lane *b, double *room);
+typedef unsigned minors_asker(minors_asked how, const lane *a, const lane *b, double *room,
+                              minors_said *said);
+
+/* Of lanes that rows leave open. */
+static FMB_NEVER_CLONED fmb_pair_bits minors_decide_open(minors_asker *ask, bool closed,
+                                                         const lane *a, const lane *b, double *room,
+                                                         unsigned open)
+{
+    fmb_pair_bits bits = {0, 0};
+    minors_said said = minors_silent();
+    if (closed) {
+        ask(MINORS_WHOLE, a, b, room, &said);
+        said.meet = said.meet - lane_of(1);
+        bits = minors_bits(&said);
+        bits.apart &= open;
+        bits.meet &= open;
+    }
+    if (open & ~(bits.apart | bits.meet))
+        bits.meet |= open & ~bits.apart & ask(MINORS_POINT, a, b, room, &said);
+    return bits;
+}
+
+FMB_INLINE fmb_pair_bits minors_answer(fmb_minors_what what, minors_asker *ask, bool closed,
+                                       const lane *a, const lane *b, double *room)
+{
+    minors_said said = minors_silent();
+    ask(MINORS_AT_0, a, b, room, &said);
+    if (what == FMB_MINORS_MOVING_SIMPLICES && !minors_all_apart(&said))
+        ask(MINORS_AT_1, a, b, room, &said);
+    fmb_pair_bits bits = minors_bits(&said);
+    const unsigned open = lane_bits(said.known) & ~(bits.apart | bits.meet);
+    if (open && what < FMB_MINORS_SIMPLICES) {
+        const fmb_pair_bits more = minors_decide_open(ask, closed, a, b, room, open);
+        bits.apart |= more.apart;
+        bits.meet |= more.meet;
+    }
+    return bits;
+}
 
 /* FMB_LANES records as lanes. */
 FMB_INLINE void minors_pack(int rows, const double *const *from, lane *out)
@@ -54,8 +95,8 @@ static void minors_tiles(int dim, const double *record, const uint32_t *index, s
     }
 }
 
-FMB_INLINE void minors_row(int dim, minors_asker *ask, const fmb_packed_row *x, double *room,
-                           fmb_packed_bits *out)
+FMB_INLINE void minors_row(int dim, fmb_minors_what what, minors_asker *ask,
+                           const fmb_packed_row *x, double *room, fmb_packed_bits *out)
 {
     const int rows = fmb_minors_record(dim);
     lane one[MINORS_ROWS];
@@ -65,15 +106,16 @@ FMB_INLINE void minors_row(int dim, minors_asker *ask, const fmb_packed_row *x, 
     for (size_t g = 0; g < (x->n + 7) / 8; g++) {
         out[g] = (fmb_packed_bits){0, 0};
         for (unsigned l = 0; l < 8; l += FMB_LANES, tiles += rows * FMB_LANES) {
-            fmb_pair_bits some = ask(one, (const lane *)tiles, room);
+            fmb_pair_bits some =
+                minors_answer(what, ask, x->closed, one, (const lane *)tiles, room);
             out[g].apart = (uint8_t)(out[g].apart | some.apart << l);
             out[g].meet = (uint8_t)(out[g].meet | some.meet << l);
         }
     }
 }
 
-FMB_INLINE bool minors_pairs(int dim, minors_asker *ask, const fmb_packed_pairs *x, double *room,
-                             fmb_verdict *out)
+FMB_INLINE bool minors_pairs(int dim, fmb_minors_what what, minors_asker *ask,
+                             const fmb_packed_pairs *x, double *room, fmb_verdict *out)
 {
     const int rows = fmb_minors_record(dim);
     bool known = true;
@@ -86,7 +128,7 @@ FMB_INLINE bool minors_pairs(int dim, minors_asker *ask, const fmb_packed_pairs 
                           (size_t)rows * x->index[s][2 * (i + l < x->n ? i + l : x->n - 1)];
             minors_pack(rows, from, side[s]);
         }
-        fmb_pair_bits bits = ask(side[0], side[1], room);
+        fmb_pair_bits bits = minors_answer(what, ask, x->closed, side[0], side[1], room);
         for (size_t l = 0; l < FMB_LANES && i + l < x->n; l++) {
             out[i + l] = bits.apart >> l & 1  ? FMB_INFEASIBLE
                          : bits.meet >> l & 1 ? FMB_FEASIBLE
@@ -101,12 +143,12 @@ FMB_INLINE bool minors_pairs(int dim, minors_asker *ask, const fmb_packed_pairs 
     static void minors_row_##dim##what(const fmb_packed_row *x, double *room,                      \
                                        fmb_packed_bits *out)                                       \
     {                                                                                              \
-        minors_row(dim, minors_ask_##dim##what, x, room, out);                                     \
+        minors_row((dim), (fmb_minors_what)(what), minors_ask_##dim##what, x, room, out);          \
     }                                                                                              \
     static bool minors_pairs_##dim##what(const fmb_packed_pairs *x, double *room,                  \
                                          fmb_verdict *out)                                         \
     {                                                                                              \
-        return minors_pairs(dim, minors_ask_##dim##what, x, room, out);                            \
+        return minors_pairs((dim), (fmb_minors_what)(what), minors_ask_##dim##what, x, room, out); \
     }
 MINORS_LOOPS(4, 0)
 MINORS_LOOPS(5, 0)
@@ -120,15 +162,20 @@ MINORS_LOOPS(7, 1)
 MINORS_LOOPS(4, 2)
 MINORS_LOOPS(5, 2)
 MINORS_LOOPS(6, 2)
+MINORS_LOOPS(4, 3)
+MINORS_LOOPS(5, 3)
+MINORS_LOOPS(6, 3)
 
 extern const fmb_minor_kernels FMB_MINORS_TABLE;
 const fmb_minor_kernels FMB_MINORS_TABLE = {
     .pairs = {{minors_pairs_40, minors_pairs_50, minors_pairs_60, minors_pairs_70, minors_pairs_80},
               {minors_pairs_41, minors_pairs_51, minors_pairs_61, minors_pairs_71, NULL},
-              {minors_pairs_42, minors_pairs_52, minors_pairs_62, NULL, NULL}},
+              {minors_pairs_42, minors_pairs_52, minors_pairs_62, NULL, NULL},
+              {minors_pairs_43, minors_pairs_53, minors_pairs_63, NULL, NULL}},
     .tiles = minors_tiles,
     .row = {{minors_row_40, minors_row_50, minors_row_60, minors_row_70, minors_row_80},
             {minors_row_41, minors_row_51, minors_row_61, minors_row_71, NULL},
-            {minors_row_42, minors_row_52, minors_row_62, NULL, NULL}}};
+            {minors_row_42, minors_row_52, minors_row_62, NULL, NULL},
+            {minors_row_43, minors_row_53, minors_row_63, NULL, NULL}}};
 
 #endif

@@ -3,10 +3,10 @@
  * errors.
  *
  * With |x_j| <= 1 the point center + sum x_j g_j is in B, at some time; if all its coordinates are
- * less than 1 then, with x drawn in a little, there is a point in the interiors of both. Such x are
- * looked for by coordinate descent on the squared distance from the cuboid |z_r| <= 0.9: each step
- * goes along g_j to the least of the parabola that has the same slope and the largest curvature
- * that this distance has anywhere, so it never grows.
+ * less than 1 then, with x drawn in a little, there is a point in the interiors of both.
+ * Such x are looked for by coordinate descent on the squared distance from 0.9 of that cuboid: each
+ * step goes along g_j to the least of the parabola that has the same slope and the largest
+ * curvature that this distance has anywhere, so it never grows.
  */
 #ifndef FMB_PAIR_MINORS_POINT_H
 #define FMB_PAIR_MINORS_POINT_H
@@ -66,15 +66,14 @@ FMB_INLINE unsigned minors_check_point(minors_kind d, const minors_view *v, cons
     return minors_bits(&inside).meet;
 }
 
-/* Lanes where a point proves that they meet; until all that are `open` have one. Few pairs get
- * here: not in the kernels, and once for all dimensions. */
-static FMB_NEVER_CLONED unsigned minors_find_point(minors_kind d, const minors_view *v,
-                                                   unsigned open)
+/* Lanes where a point proves that they meet. Few pairs get here: not in the kernels, and once for
+ * all dimensions. */
+static FMB_NEVER_CLONED unsigned minors_find_point(minors_kind d, const minors_view *v)
 {
     minors_point p;
     unsigned found = 0;
     minors_begin_point(d, v, &p);
-    for (int i = 0; i < MINORS_SWEEPS && open & ~found; i++) {
+    for (int i = 0; i < MINORS_SWEEPS; i++) {
         minors_sweep(d, v, &p);
         found |= minors_check_point(d, v, &p);
     }

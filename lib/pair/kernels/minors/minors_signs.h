@@ -1,4 +1,4 @@
-/* minors_signs.h: do two simplices of four to six dimensions meet?
+/* minors_signs.h: do two simplices of four to seven dimensions meet?
  *
  * Column j of M has the barycentric coordinates in A of B's corner j: n = D + 1 rows and columns,
  * and a point of B, with weights x >= 0, is in A iff M x >= 0. Eliminating x from these n rows
@@ -15,6 +15,13 @@
  * inverse, y and z change places, and the test is one of n - |S0| <= D + 2 - |R| rows. So levels up
  * to K there and up to K' here have them all if K + K' = D - 1; if all signs are certain, and no
  * test has them all right, the two meet. (The dual simplex method would find one of these tests.)
+ *
+ * If B drifts by d from t = 0 to 1, y keeps all its places beyond A iff y d <= 0 and it keeps B so
+ * at t = 0, or y (-d) <= 0 and B at t = 1. Each is the question above with a column more, d then or
+ * -d then, which B's view has with the other sign. D of all n + n + 1 numbers y, z and that of the
+ * drift are 0 in an extreme ray: k of z and D - k of y, levels k here and D - k there as before; or
+ * the drift's, k - 1 of z and D - k of y, levels k here and D - k + 1 there. So K + K' = D, and one
+ * of the last levels is asked for sets with the drift alone.
  *
  * Minors are those of columns in falling order, as minors_expand makes them: to j in front of S
  * belongs a minus for each larger column of S.
@@ -60,20 +67,21 @@ FMB_INLINE unsigned minors_set(int k, int s)
     return k == 1 ? FMB_MINORS_SET_1[s] : k == 2 ? FMB_MINORS_SET_2[s] : FMB_MINORS_SET_3[s];
 }
 
-/* The minors of these rows, kept or not, and their signs. */
-FMB_INLINE void minors_make_signs(minors_kind d, const minors_view *v, int k, bool kept,
+/* The minors of these rows, kept or not, and their signs; where sets with the drift are asked alone
+ * they are made alone. */
+FMB_INLINE void minors_make_signs(minors_kind d, const minors_view *v, int k, minors_part part,
                                   const minors_rows *rows, lane *to, minors_signs *signs)
 {
     lane factor[4];
 #pragma GCC unroll 8
-    for (int j = k; j < d.n; j++) {
+    for (int j = part == MINORS_DRIFTED ? d.n - 1 : k; j < d.n; j++) {
 #pragma GCC unroll 4
         for (int i = 0; i <= k; i++)
             factor[i] = v->e[rows->row[i] * minors_stride(d, 1) + j];
         MINORS_UNROLL
         for (int s = 0; s < fmb_minors_choose(j, k); s++) {
             lane minor = minors_expand(k, factor, rows->less, s);
-            if (kept)
+            if (part == MINORS_KEPT)
                 to[fmb_minors_choose(j, k + 1) + s] = minor;
             minors_put_sign(signs, minors_set(k, s) | 1U << j, minor);
         }
@@ -109,22 +117,30 @@ FMB_INLINE lane minors_wrong(minors_kind d, int k, const minors_rows *rows,
     return wrong;
 }
 
+/* Of word w, the sets that are tested. */
+FMB_INLINE uint64_t minors_tested(minors_kind d, int k, minors_part part, int w)
+{
+    uint64_t sets = FMB_MINORS_OF_SIZE[k - fmb_minors_count((unsigned)w)];
+    if (part == MINORS_DRIFTED && d.n > 6 && !(w >> (d.n - 7)))
+        return 0;
+    if (d.n < 6)
+        sets &= (UINT64_C(1) << (1 << d.n)) - 1;
+    return part == MINORS_DRIFTED && d.n <= 6 ? sets & ~FMB_MINORS_WITHOUT[d.n - 1] : sets;
+}
+
 /* The tests of k columns in these rows. */
 FMB_INLINE void minors_test_rows(minors_kind d, const minors_view *v, int k, minors_part part,
                                  const minors_rows *rows, lane *made, minors_said *said)
 {
     minors_signs signs = minors_no_signs();
     lane passed = lane_of(0);
-    minors_make_signs(d, v, k, part == MINORS_KEPT, rows, made, &signs);
+    minors_make_signs(d, v, k, part, rows, made, &signs);
     minors_end_signs(d, &signs, made + fmb_minors_choose(d.n, k + 1));
 #pragma GCC unroll 4
     for (int w = 0; w < minors_words(d); w++)
-        if (k >= fmb_minors_count((unsigned)w)) {
-            uint64_t sets = FMB_MINORS_OF_SIZE[k - fmb_minors_count((unsigned)w)];
-            sets &= d.n < 6 ? (UINT64_C(1) << (1 << d.n)) - 1 : UINT64_MAX;
-            passed =
-                lane_or_and_not(passed, lane_of_bits(sets), minors_wrong(d, k, rows, &signs, w));
-        }
+        if (k >= fmb_minors_count((unsigned)w) && minors_tested(d, k, part, w))
+            passed = lane_or_and_not(passed, lane_of_bits(minors_tested(d, k, part, w)),
+                                     minors_wrong(d, k, rows, &signs, w));
     minors_hear_signs(said, signs.least, lane_any_bit(passed),
                       lane_of(minors_sign_error(d, k) * 0x1p-53) * rows->g);
 }
@@ -132,7 +148,7 @@ FMB_INLINE void minors_test_rows(minors_kind d, const minors_view *v, int k, min
 /* The tests of single rows: are all corners beyond a face? */
 FMB_INLINE void minors_corners(minors_kind d, minors_view *v, minors_said *said)
 {
-    for (int r = 0; r < d.n; r++) {
+    for (int r = 0; r < minors_count_rows(d); r++) {
         lane *row = v->e + r * minors_stride(d, 1), most = row[0],
              size = lane_of(0x1p-20) * v->g[r];
         minors_signs signs = minors_no_signs();
@@ -149,15 +165,16 @@ FMB_INLINE void minors_corners(minors_kind d, minors_view *v, minors_said *said)
     }
 }
 
-/* The corners of b in barycentric coordinates of a, those of a's origin last, as 1 less the others.
- */
+/* The corners of b, and its drift, in barycentric coordinates of a, those of a's origin last, as 1
+ * (of the drift 0) less the others. */
 FMB_INLINE void minors_look_at_corners(minors_kind d, const lane *a, const lane *b,
-                                       const lane *shift, lane most, lane *room, minors_view *v)
+                                       const lane *shift, const lane *drift, lane most, lane *room,
+                                       minors_view *v)
 {
     const lane *inverse = a + d.dim * (d.dim + 2), *reach = a + 2 * d.dim * (d.dim + 1);
     lane *last = v->e + d.dim * minors_stride(d, 1);
     for (int j = 0; j < d.n; j++)
-        last[j] = lane_of(1);
+        last[j] = lane_of(j <= d.dim);
     v->g[d.dim] = lane_of(1);
 #pragma GCC unroll 8
     for (int r = 0; r < d.dim; r++) {
@@ -166,7 +183,9 @@ FMB_INLINE void minors_look_at_corners(minors_kind d, const lane *a, const lane 
         last[0] = last[0] - e[0];
 #pragma GCC unroll 8
         for (int j = 1; j < d.n; j++) {
-            e[j] = e[0] + minors_coordinate(d, inverse, r, b + d.dim * j);
+            e[j] = minors_coordinate(d, inverse, r, j <= d.dim ? b + d.dim * j : drift);
+            if (j <= d.dim)
+                e[j] = e[0] + e[j];
             last[j] = last[j] - e[j];
         }
         v->g[r] = lane_of(2) * lane_max(lane_of(1), reach[r] * most);

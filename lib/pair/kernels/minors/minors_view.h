@@ -8,17 +8,13 @@
 
 /* What is constant in a kernel. */
 typedef struct minors_kind {
-    int dim, n; /* n columns */
-    bool simplices;
+    int dim, n; /* n columns, the last one the drift if there is one */
+    bool simplices, moves;
 } minors_kind;
 
-FMB_INLINE bool minors_moves(minors_kind d)
-{
-    return d.n > d.dim && !d.simplices;
-}
 FMB_INLINE int minors_count_rows(minors_kind d)
 {
-    return d.simplices ? d.n : d.dim;
+    return d.dim + d.simplices;
 }
 
 /* Of simplices there is a bit of each set of columns: so many words. */
@@ -39,6 +35,7 @@ typedef struct minors_view {
     lane size[(int)FMB_MINORS_MOST_DIM * (int)FMB_MINORS_MOST];
     lane center[FMB_MINORS_MOST_DIM];
     lane g[FMB_MINORS_MOST_DIM]; /* bounds of a row: docs/error-bounds.md */
+    lane unit;                   /* the one that is looked from is |z_r| <= unit: 1, but as below */
     const lane *from;            /* minors of the level before: [rows][columns] */
     lane *to;                    /* room for the next ones */
 } minors_view;
@@ -61,13 +58,14 @@ FMB_INLINE double minors_error(minors_kind d, int k)
     const double more = (k + 1) * entry + (k + 1) * (k + 2) / 2 - 1;
     const double factorial = k == 3 ? 24 : k == 2 ? 6 : k + 1;
     return 1.01 * factorial *
-           (center + (n + 3) * (less + k + 1) + less + (n - k) * more + n * (n - k + 1) + n + 3);
+           (center + (n + 3) * (less + k + 1) + less + 1 + (n - k) * more + n * (n - k + 1) + n +
+            3);
 }
 
 /* The same for the minors of k + 1 columns of two simplices. */
 FMB_INLINE double minors_sign_error(minors_kind d, int k)
 {
-    const double entry = 2 * d.dim + 4;
+    const double entry = 2 * d.dim + (d.moves ? 6 : 4);
     const double factorial = k == 3 ? 24 : k == 2 ? 6 : k + 1;
     return 1.01 * factorial * ((k + 1) * entry + (k + 1) * (k + 2) / 2 - 1);
 }
