@@ -174,8 +174,8 @@ static fmb_status maximize(fmb_simplex_state *o, const double *cost, fmb_hint *h
     return st;
 }
 
-/* From where a search ended on to where the cost is greatest, or as far as one comes in no more than
- * twice the steps of the search: then no other vertex has to be solved for. */
+/* From where a search ended on to where the cost is greatest, or as far as one comes in no more
+ * than twice the steps of the search: then no other vertex has to be solved for. */
 static fmb_status go_on_from_search(fmb_simplex_state *o, const double *cost, fmb_hint *h)
 {
     o->most_steps = 3 * o->steps;

@@ -39,6 +39,19 @@ void fmb_indexed_vector_clear(fmb_indexed_vector *v, bool full)
     v->full = full;
 }
 
+void fmb_indexed_vector_thin(fmb_indexed_vector *v)
+{
+    size_t count = 0;
+    for (size_t k = 0; v->full && k < v->size; k++) {
+        v->index[count] = (int)k;
+        count += v->at[k] != 0;
+    }
+    if (!v->full || 2 * count >= v->size)
+        return;
+    v->full = false;
+    v->count = count;
+}
+
 void fmb_indexed_vector_subtract(const fmb_indexed_vector *v, double factor, double *to,
                                  const fmb_kernels *k)
 {
