@@ -2,13 +2,11 @@
 #include "common/ranks.h"
 
 #include <dlfcn.h>
-#include <libgen.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "common/message.h"
+#include "common/module.h"
 #include "common/ranks_module.h"
 
 static struct {
@@ -29,33 +27,15 @@ static const char *count_launched(void)
     return getenv("PMIX_RANK") ? "some" : NULL;
 }
 
-#ifdef APP_RANKS_FOLDER
-/* Beside the programs, as they are built, or where it was installed. What it loads in turn, MPI
- * with plug-ins of its own, must be seen by these. */
-static void *load_module(void)
-{
-    static const char *const PLACE[] = {"%s/../common/ranks-mpi.so",
-                                        APP_RANKS_FOLDER "/ranks-mpi.so"};
-    char self[4096], path[sizeof self + 64];
-    ssize_t length = readlink("/proc/self/exe", self, sizeof self - 1);
-    self[length > 0 ? length : 0] = '\0';
-    const char *folder = dirname(self);
-    void *module = NULL;
-    for (size_t i = 0; !module && i < sizeof PLACE / sizeof *PLACE; i++) {
-        snprintf(path, sizeof path, PLACE[i], folder);
-        module = dlopen(path, RTLD_NOW | RTLD_GLOBAL);
-    }
-    return module;
-}
-
+#ifdef APP_RANKS_MODULE
+/* MPI has plug-ins of its own, which must see it. */
 static int join_by_module(const char *processes, size_t counters)
 {
-    void *module = load_module();
-    if (!module)
+    team.by = app_module_symbol("ranks-mpi", "app_ranks_mpi");
+    if (!team.by)
         return app_error(APP_USAGE, "one of %s processes, but no module for MPI: %s", processes,
                          dlerror());
-    team.by = dlsym(module, "app_ranks_mpi");
-    if (!team.by || !team.by->begin(counters, &team.rank, &team.ranks))
+    if (!team.by->begin(counters, &team.rank, &team.ranks))
         return app_error(APP_INTERNAL, "this MPI does not bear threads");
     return APP_YES;
 }

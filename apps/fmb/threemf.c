@@ -1,7 +1,7 @@
-/* threemf.c: the triangles of a 3MF file: see scene.h. A zip, by libzip, of a model in XML, by
- * expat (3MF Core Specification 1.3: chapter 4 objects, 3.3 what is built, 3.2 transformations).
- * Lengths are as they stand there, whatever the unit. Extensions are passed over; one that puts
- * objects into other files (production) is refused.
+/* threemf.c: the triangles of a 3MF file: see scene.h; a module. A zip, by libzip, of a model in
+ * XML, by expat (3MF Core Specification 1.3: chapter 4 objects, 3.3 what is built, 3.2
+ * transformations). Lengths are as they stand there, whatever the unit. Extensions are passed over;
+ * one that puts objects into other files (production) is refused.
  */
 #include <expat.h>
 #include <math.h>
@@ -11,8 +11,9 @@
 #include <string.h>
 #include <zip.h>
 
-#include "common/message.h"
-#include "fmb/scene.h"
+#include "fmb/threemf_module.h"
+
+static const scene_host *host;
 
 /* ---- a model on its way ---------------------------------------------------------------------- */
 
@@ -56,7 +57,7 @@ __attribute__((format(printf, 2, 3))) static bool refuse(model *m, const char *f
     vsnprintf(text, sizeof text, format, list);
     va_end(list);
     if (m->code == APP_YES)
-        m->code = app_error_at(
+        m->code = host->error_at(
             (app_place){m->file->path, m->parser ? (long)XML_GetCurrentLineNumber(m->parser) : 0,
                         m->parser ? (long)XML_GetCurrentColumnNumber(m->parser) + 1 : 0},
             APP_BAD_INPUT, "%s", text);
@@ -70,7 +71,7 @@ static void *append(void **list, size_t *size, size_t *room, size_t bytes)
 {
     if (*size == *room) {
         *room = 2 * *room + 16;
-        *list = app_need(realloc(*list, *room * bytes));
+        *list = host->need(realloc(*list, *room * bytes));
     }
     return memset((char *)*list + (*size)++ * bytes, 0, bytes);
 }
@@ -133,7 +134,7 @@ static void begin_object(model *m, const XML_Char **list)
     object *o = append((void **)&m->list, &m->objects, &m->room, sizeof *o);
     const char *name = find_attribute(list, "name");
     if (take_whole(m, list, "id", &o->id) && name)
-        o->name = app_need(strdup(name));
+        o->name = host->need(strdup(name));
 }
 
 static void begin_vertex(model *m, const XML_Char **list)
@@ -199,7 +200,7 @@ static void XMLCALL begin_document_type(void *self, const XML_Char *name, const 
 static bool parse_model(model *m, const scene_bytes *xml)
 {
     size_t done = 0;
-    m->parser = app_need(XML_ParserCreate(NULL));
+    m->parser = host->need(XML_ParserCreate(NULL));
     XML_SetUserData(m->parser, m);
     XML_SetStartElementHandler(m->parser, begin_element);
     XML_SetStartDoctypeDeclHandler(m->parser, begin_document_type);
@@ -260,7 +261,7 @@ static bool write_mesh(model *m, const object *o, const place *at)
 {
     char number[32];
     snprintf(number, sizeof number, "object %u", o->id);
-    scene_write_name(m->obj, o->name && *o->name ? o->name : number);
+    host->write_name(m->obj, o->name && *o->name ? o->name : number);
     if (!write_points(m, o, at))
         return false;
     for (size_t i = 0; i < o->triangles; i++)
@@ -315,7 +316,7 @@ static bool unpack_entry(model *m, zip_t *z, zip_int64_t at, scene_bytes *out)
         return refuse(m, "expected a model, 3D/3dmodel.model, in the zip");
     while (more > 0 && out->n <= m->file->most) {
         size_t room = out->n + out->n / 2 + 65536;
-        out->p = app_need(realloc(out->p, room));
+        out->p = host->need(realloc(out->p, room));
         more = zip_fread(f, out->p + out->n, room - out->n);
         out->n += more > 0 ? (size_t)more : 0;
     }
@@ -350,11 +351,12 @@ static void forget_object(object *o)
     free(o->part);
 }
 
-int scene_3mf_as_obj(const scene_file *in, FILE *obj)
+static int write_as_obj(const scene_host *program, const scene_file *in, FILE *obj)
 {
     static const place here = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}};
     model m = {.file = in, .obj = obj};
     scene_bytes xml = {NULL, 0};
+    host = program;
     if (unpack_model(&m, &xml) && parse_model(&m, &xml))
         write_object(&m, &m.built, &here, m.objects + 2);
     for (size_t i = 0; i < m.objects; i++)
@@ -364,3 +366,5 @@ int scene_3mf_as_obj(const scene_file *in, FILE *obj)
     free(xml.p);
     return m.code;
 }
+
+const scene_3mf_module scene_3mf = {write_as_obj};
