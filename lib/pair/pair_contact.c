@@ -78,7 +78,8 @@ static void ask_kernels(contact_query *x)
             continue;
         if (fmb_frame_is_hull(&x->p[i]) || fmb_frame_is_hull(&x->q[i])) {
             x->good[i] = true;
-            x->verdict[i] = fmb_contact_of_hulls(&x->p[i], &x->q[i], &x->good[i], &x->near[i]);
+            x->verdict[i] = fmb_contact_of_hulls(&x->p[i], &x->q[i], x->k->wide->packed->farthest,
+                                                 &x->good[i], &x->near[i]);
         } else if (fmb_edges_of_frame(&x->p[i], &p) && fmb_edges_of_frame(&x->q[i], &q)) {
             prepare_block(x, &p.frame, &q.frame);
             fmb_block_put_flat(&x->block, x->k->wide->width, &p.frame, &q.frame, i);
@@ -197,7 +198,7 @@ static fmb_status answer_contact_of_pair(contact_query *x, size_t i, const fmb_p
     fmb_status st = FMB_OK;
     *out->verdict = x->verdict[i];
     if (x->verdict[i] == FMB_UNKNOWN || (more && x->verdict[i] == FMB_FEASIBLE))
-        st = fmb_pair_answer_all(x->k, 1, &x->p[i], &x->q[i], out);
+        st = fmb_pair_answer_all(x->k, 1, &x->p[i], &x->q[i], true, out);
     if (st == FMB_OK && *out->verdict == FMB_FEASIBLE)
         st = answer_contact(x, i, out);
     else if (st == FMB_OK && *out->verdict == FMB_INFEASIBLE && fmb_contact_asks_distance(out))

@@ -17,6 +17,7 @@ typedef struct query {
     const fmb_frame *p, *q;
     const fmb_pair_answers *out;
     bool boxes, alone; /* more than the verdict is wanted; this is the only pair */
+    bool good;         /* frames are known to be good */
     const fmb_pair_kernels *kernels;
 } query;
 
@@ -36,6 +37,12 @@ static fmb_pair_answers answers_of(const query *a, size_t i)
 }
 
 /* Pair i as frames by edges, as doubles want them. False: an edge is no double. */
+static bool are_good(const query *a, size_t i)
+{
+    return a->good ||
+           (fmb_frame_is_good(&a->p[i], a->k->dim) && fmb_frame_is_good(&a->q[i], a->k->dim));
+}
+
 static bool take_edges(const query *a, size_t i, fmb_corner_edges *p, fmb_corner_edges *q)
 {
     return fmb_edges_of_frame(&a->p[i], p) && fmb_edges_of_frame(&a->q[i], q);
@@ -200,7 +207,7 @@ static void decide_without_query(const query *a, size_t i, fmb_verdict *out)
         decide_at_vertices(a, i, out);
     done = *out != FMB_UNKNOWN;
     if (!done && are_hulls(p, q))
-        *out = fmb_contact_of_hulls(p, q, &(bool){false}, NULL);
+        *out = fmb_contact_of_hulls(p, q, k->wide->packed->farthest, &(bool){false}, NULL);
     else if (!done && fmb_way(FMB_WAY_PAIR_DOUBLES) && take_edges(a, i, &of_p, &of_q))
         *out = fmb_general_decide(k->general, &of_p.frame, &of_q.frame);
     fmb_way_answered(FMB_WAY_PAIR_DOUBLES, !done && *out != FMB_UNKNOWN);
@@ -212,7 +219,7 @@ static void decide_without_query(const query *a, size_t i, fmb_verdict *out)
 static fmb_status decide_generally(const query *a, int stage, int kind, size_t i)
 {
     fmb_pair *k = a->k;
-    if (!fmb_frame_is_good(&a->p[i], k->dim) || !fmb_frame_is_good(&a->q[i], k->dim))
+    if (!are_good(a, i))
         return refuse_pair(a, i);
     a->out->verdict[i] = FMB_UNKNOWN;
     if (k->options.method != FMB_PAIR_EXACT && !fmb_pair_is_cancelled(k))
@@ -301,7 +308,7 @@ static fmb_status answer_or_wait(const query *a, size_t i)
     const fmb_frame *p = &a->p[i], *q = &a->q[i];
     if (p->dim != k->dim || q->dim != k->dim)
         return refuse_pair(a, i);
-    if (k->dim < 2 || k->dim > 3 || k->options.method == FMB_PAIR_EXACT)
+    if (k->dim < 2 || k->dim > 3 || k->options.method == FMB_PAIR_EXACT || are_hulls(p, q))
         return decide_generally(a, STAGES, 0, i);
     if (has_all_axes(p, k->dim) && has_all_axes(q, k->dim))
         return fmb_way(FMB_WAY_PAIR_KERNELS) ? wait_in_block(a, STAGE_VERDICT, i)
@@ -380,8 +387,7 @@ static fmb_status wait_in_flat_block(const query *a, size_t i)
     fmb_pair *k = a->k;
     fmb_block *b = &k->block[FLAT_BLOCK];
     fmb_corner_edges p, q;
-    if (!fmb_frame_is_good(&a->p[i], k->dim) || !fmb_frame_is_good(&a->q[i], k->dim) ||
-        !take_edges(a, i, &p, &q))
+    if (!are_good(a, i) || !take_edges(a, i, &p, &q))
         return decide_generally(a, STAGES, 0, i);
     fmb_status st = prepare_flat_block(a, &p.frame, &q.frame);
     int width = a->kernels->width;
@@ -413,7 +419,7 @@ static fmb_status answer_some(const query *a, size_t from, size_t to, size_t n)
 }
 
 fmb_status fmb_pair_answer_all(fmb_pair *k, size_t n, const fmb_frame *p, const fmb_frame *q,
-                               const fmb_pair_answers *out)
+                               bool good, const fmb_pair_answers *out)
 {
     query a = {k,
                p,
@@ -421,6 +427,7 @@ fmb_status fmb_pair_answer_all(fmb_pair *k, size_t n, const fmb_frame *p, const 
                out,
                out->world || out->inside || out->time || out->witness,
                n == 1,
+               good,
                n == 1 ? k->one : k->wide};
     fmb_status st = FMB_OK;
     size_t next = 0;

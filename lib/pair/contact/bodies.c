@@ -15,10 +15,11 @@ static double scaled(power s, double x)
     return x * s.half * s.rest;
 }
 
-static void measure_numbers(const double *x, int n, double *most)
+static double measure_numbers(const double *x, int n, double most)
 {
     for (int i = 0; x && i < n; i++)
-        *most = fabs(x[i]) > *most ? fabs(x[i]) : *most;
+        most = fabs(x[i]) > most ? fabs(x[i]) : most;
+    return most;
 }
 
 static bool is_cuboid(const fmb_frame *f)
@@ -48,47 +49,52 @@ static void place_cuboid(const fmb_frame *f, power s, const double *shift, fmb_b
     }
 }
 
+/* Of the first vertex to each: the sum of the sizes, or twice the largest. Four at once, as many
+ * are there. */
+static double reach_of_simplex(const fmb_body_vertices *s, bool hull)
+{
+    double longest[4] = {0, 0, 0, 0}, sum = 0;
+    for (int v = 0; v < s->n; v += 4) {
+        double size[4] = {0, 0, 0, 0};
+        for (int j = 0; j < 3; j++)
+            for (int k = 0; k < 4; k++) {
+                double edge = fabs(s->x[j][v + k] - s->x[j][0]);
+                size[k] = edge > size[k] ? edge : size[k];
+            }
+        for (int k = 0; k < 4; k++)
+            longest[k] = size[k] > longest[k] ? size[k] : longest[k];
+        sum += size[0] + size[1] + (size[2] + size[3]);
+    }
+    double two = longest[1] > longest[0] ? longest[1] : longest[0];
+    double other = longest[3] > longest[2] ? longest[3] : longest[2];
+    return hull ? 2 * (other > two ? other : two) : sum;
+}
+
 /* Corners are taken from p's origin at once. */
 static void place_simplex(const fmb_frame *f, power s, const double *origin, const double *shift,
                           fmb_bodies *b, fmb_body_vertices *out)
 {
     bool corners = f->shape == FMB_SIMPLEX_BY_CORNERS;
-    double longest = 0, sum = 0, from[3] = {0, 0, 0}, own[3] = {0, 0, 0};
-    out->n = f->naxes + 1;
+    int n = out->n = f->naxes + 1;
     out->edges = 0;
-    for (int j = 0; j < 3; j++)
+    for (int j = 0; j < 3; j++) {
+        double from = j >= f->dim ? 0 : corners ? scaled(s, origin[j]) : -shift[j];
+        const double *at = f->axes + (j < f->dim ? j : 0);
+        for (int v = 1; v < n; v++, at += f->dim)
+            out->x[j][v] = scaled(s, *at) - from;
+        for (int v = 1; j >= f->dim && v < n; v++)
+            out->x[j][v] = 0;
+        for (int v = n; v % (n > 4 ? 8 : 4) != 0; v++)
+            out->x[j][v] = shift[j];
         out->x[j][0] = shift[j];
-    for (int j = 0; j < f->dim; j++) {
-        from[j] = corners ? scaled(s, origin[j]) : -shift[j];
-        own[j] = corners ? scaled(s, f->origin[j]) : 0;
     }
-    for (int i = 0; i < f->naxes; i++) {
-        double size = 0;
-        out->x[2][i + 1] = 0;
-        for (int j = 0; j < f->dim; j++) {
-            double at = scaled(s, f->axes[i * f->dim + j]), edge = fabs(at - own[j]);
-            out->x[j][i + 1] = at - from[j];
-            size = edge > size ? edge : size;
-        }
-        longest = size > longest ? size : longest;
-        sum += size;
-    }
-    b->reach += fmb_frame_is_hull(f) ? 2 * longest : sum;
+    b->reach += reach_of_simplex(out, fmb_frame_is_hull(f));
 }
 
-void fmb_bodies_init(const fmb_frame *p, const fmb_frame *q, fmb_bodies *out)
+static void place_bodies(const fmb_frame *const f[2], power s, fmb_bodies *out)
 {
-    const fmb_frame *f[2] = {p, q};
-    double most = 0, shift[2][3] = {{0}, {0}};
-    out->dim = p->dim;
-    out->moves = p->speed || q->speed;
-    for (int k = 0; k < 2; k++) {
-        measure_numbers(f[k]->origin, p->dim, &most);
-        measure_numbers(f[k]->axes, f[k]->naxes * p->dim, &most);
-        measure_numbers(f[k]->speed, p->dim, &most);
-    }
-    frexp(most, &out->exponent);
-    power s = {ldexp(1, -(out->exponent / 2)), ldexp(1, -(out->exponent - out->exponent / 2))};
+    const fmb_frame *p = f[0], *q = f[1];
+    double shift[2][3] = {{0}, {0}};
     for (int j = 0; j < 3; j++)
         out->drift[j] = 0;
     for (int j = 0; j < p->dim; j++) {
@@ -103,6 +109,30 @@ void fmb_bodies_init(const fmb_frame *p, const fmb_frame *q, fmb_bodies *out)
         else
             place_simplex(f[k], s, p->origin, shift[k], out, &out->side[k]);
     }
+}
+
+/* Most pairs are of a size at which nothing overflows or underflows as they are: they are placed
+ * before anything is asked of their numbers. */
+void fmb_bodies_init(const fmb_frame *p, const fmb_frame *q, fmb_bodies *out)
+{
+    const fmb_frame *const f[2] = {p, q};
+    double most = 0;
+    out->dim = p->dim;
+    out->moves = p->speed || q->speed;
+    out->exponent = 0;
+    out->known = true;
+    place_bodies(f, (power){1, 1}, out);
+    if (out->reach > 0x1p-100 && out->reach < 0x1p100)
+        return;
+    for (int k = 0; k < 2; k++) {
+        most = measure_numbers(f[k]->origin, p->dim, most);
+        most = measure_numbers(f[k]->axes, f[k]->naxes * p->dim, most);
+        most = measure_numbers(f[k]->speed, p->dim, most);
+    }
+    frexp(most, &out->exponent);
+    place_bodies(
+        f, (power){ldexp(1, -(out->exponent / 2)), ldexp(1, -(out->exponent - out->exponent / 2))},
+        out);
     out->known = out->reach > 0x1p-300;
 }
 

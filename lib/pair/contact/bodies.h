@@ -1,6 +1,6 @@
 /* bodies.h: two frames as vertices, in doubles that neither overflow nor, unless it is said so,
- * underflow: less the origin of the first, over the power of two that is just above the largest
- * number.
+ * underflow: less the origin of the first, and where they are very large or small over the power of
+ * two that is just above the largest number.
  *
  * With R = reach, coordinates are at most R, and off by 12 u R: a difference of origins, up to
  * three edges that may be differences themselves, and what is rounded where they are added.
@@ -18,15 +18,21 @@ enum { FMB_BODY_MOST = 64 };
 typedef struct fmb_body_vertices {
     int n, edges;      /* edges > 0: a cuboid with so many; vertex v has those of its bits */
     double edge[3][3]; /* of a cuboid */
-    double x[3][FMB_BODY_MOST];
+    double x[3][FMB_BODY_MOST]; /* of a simplex up to a multiple of four, if there
+                                      are more of eight, with the first one again */
 } fmb_body_vertices;
 
+/* The number of a vertex of x, [3][FMB_BODY_MOST] of which n > 4, that is farthest along w; up to
+ * the next multiple of eight vertices come again. */
+typedef int fmb_farthest(const double *x, int n, const double *w);
+
 typedef struct fmb_bodies {
-    int dim, exponent; /* the world is 2^exponent times as large */
-    bool moves, known; /* known: the reach is far above what underflows */
-    double reach;      /* <fmb/pair.h>: sizes of all edges, of the way between the origins and of
-                          the drift; of a frame with more axes than dim its longest edge twice */
-    double drift[3];   /* speed of the first less that of the second */
+    fmb_farthest *farthest; /* for more vertices than four, or NULL: one after another */
+    int dim, exponent;      /* the world is 2^exponent times as large */
+    bool moves, known;      /* known: the reach is far above what underflows */
+    double reach;    /* <fmb/pair.h>: sizes of all edges, of the way between the origins and of
+                        the drift; of a frame with more axes than dim its longest edge twice */
+    double drift[3]; /* speed of the first less that of the second */
     fmb_body_vertices side[2];
 } fmb_bodies;
 
@@ -48,7 +54,7 @@ static inline bool fmb_bodies_are(const fmb_frame *p, const fmb_frame *q)
 {
     return (p->dim == 2 || p->dim == 3) && p->naxes < FMB_BODY_MOST && q->naxes < FMB_BODY_MOST;
 }
-/* Of frames that can. */
+/* Of frames that can. Sets all but farthest. */
 void fmb_bodies_init(const fmb_frame *p, const fmb_frame *q, fmb_bodies *out);
 /* Coordinate j of the world. */
 double fmb_bodies_place(const fmb_bodies *b, const fmb_frame *p, int j, double x);

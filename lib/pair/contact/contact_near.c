@@ -14,12 +14,13 @@ typedef struct asked_bodies {
 /* From a guess between the middles of vertices that are about opposite, no farther than to know
  * that they are more than `enough` apart [world]. False: it underflows. */
 static bool ask_nearest_point(const fmb_frame *p, const fmb_frame *q, double enough,
-                              asked_bodies *x)
+                              fmb_farthest *farthest, asked_bodies *x)
 {
     double guess[3] = {0, 0, 0};
     const fmb_body_vertices *s = x->b.side;
     fmb_bodies_init(p, q, &x->b);
     x->g.b = &x->b;
+    x->b.farthest = farthest;
     for (int j = 0; j < p->dim; j++)
         guess[j] = (s[0].x[j][0] + s[0].x[j][s[0].n / 2]) - (s[1].x[j][0] + s[1].x[j][s[1].n / 2]);
     if (x->b.known)
@@ -55,7 +56,8 @@ static bool tell_distance(const asked_bodies *x, const fmb_frame *p, const fmb_f
 bool fmb_contact_distance(const fmb_frame *p, const fmb_frame *q, fmb_pair_near *out)
 {
     asked_bodies x;
-    return ask_nearest_point(p, q, INFINITY, &x) && x.g.apart > 0 && tell_distance(&x, p, q, out);
+    return ask_nearest_point(p, q, INFINITY, NULL, &x) && x.g.apart > 0 &&
+           tell_distance(&x, p, q, out);
 }
 
 /* The point that the weights tell, at least 0 and over their sum, of vertices that are off by 25 u
@@ -79,7 +81,7 @@ static double most_distance(fmb_gjk *g)
 bool fmb_contact_range(const fmb_frame *p, const fmb_frame *q, double enough, double range[2])
 {
     asked_bodies x;
-    if (!ask_nearest_point(p, q, enough, &x))
+    if (!ask_nearest_point(p, q, enough, NULL, &x))
         return false;
     double most = ldexp(most_distance(&x.g), x.b.exponent);
     range[0] = x.g.apart > 0 ? nextafter(ldexp(x.g.apart, x.b.exponent), 0) : 0;
@@ -87,11 +89,11 @@ bool fmb_contact_range(const fmb_frame *p, const fmb_frame *q, double enough, do
     return true;
 }
 
-fmb_verdict fmb_contact_of_hulls(const fmb_frame *p, const fmb_frame *q, bool *good,
-                                 fmb_pair_near *out)
+fmb_verdict fmb_contact_of_hulls(const fmb_frame *p, const fmb_frame *q, fmb_farthest *farthest,
+                                 bool *good, fmb_pair_near *out)
 {
     asked_bodies x;
-    bool wants = *good, known = ask_nearest_point(p, q, wants ? INFINITY : 0, &x);
+    bool wants = *good, known = ask_nearest_point(p, q, wants ? INFINITY : 0, farthest, &x);
     *good = false;
     if (known && x.g.apart > 0) {
         *good = wants && tell_distance(&x, p, q, out);

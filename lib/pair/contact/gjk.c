@@ -28,18 +28,22 @@ static void cross(const double *a, const double *b, double *out)
 
 /* ---- support --------------------------------------------------------------------------------- */
 
-/* The vertex that is farthest along w. */
-static int farthest_vertex(const fmb_body_vertices *s, double wx, double wy, double wz)
+/* The vertex of side k that is farthest along sign times w. */
+static int farthest_vertex(const fmb_bodies *b, int k, double sign, const double *w)
 {
+    const fmb_body_vertices *s = &b->side[k];
+    const double along[3] = {sign * w[0], sign * w[1], sign * w[2]};
     int best = 0;
     if (s->edges > 0) {
         for (int i = 0; i < s->edges; i++)
-            best |= (wx * s->edge[i][0] + wy * s->edge[i][1] + wz * s->edge[i][2] > 0) << i;
+            best |= (fmb_dot3(along, s->edge[i]) > 0) << i;
         return best;
     }
+    if (s->n > 4 && b->farthest)
+        return b->farthest(s->x[0], s->n, along);
     double most = -DBL_MAX;
     for (int v = 0; v < s->n; v++) {
-        double at = wx * s->x[0][v] + wy * s->x[1][v] + wz * s->x[2][v];
+        double at = along[0] * s->x[0][v] + along[1] * s->x[1][v] + along[2] * s->x[2][v];
         best = at > most ? v : best;
         most = at > most ? at : most;
     }
@@ -49,7 +53,7 @@ static int farthest_vertex(const fmb_body_vertices *s, double wx, double wy, dou
 void fmb_gjk_support(const fmb_gjk *g, const double *w, fmb_gjk_vertex *out)
 {
     const fmb_body_vertices *a = &g->b->side[0], *b = &g->b->side[1];
-    int i = farthest_vertex(a, -w[0], -w[1], -w[2]), k = farthest_vertex(b, w[0], w[1], w[2]);
+    int i = farthest_vertex(g->b, 0, -1, w), k = farthest_vertex(g->b, 1, 1, w);
     out->of[0] = i;
     out->of[1] = k;
     out->late = g->b->moves && fmb_dot3(w, g->b->drift) < 0;
@@ -59,48 +63,48 @@ void fmb_gjk_support(const fmb_gjk *g, const double *w, fmb_gjk_vertex *out)
 
 /* ---- the nearest point of a simplex ---------------------------------------------------------- */
 
-static void keep_vertices(fmb_gjk *g, int n, const int *which)
+/* A point of a simplex: of which of its vertices, with which weights. */
+typedef struct simplex_point {
+    int n, of[4];
+    double weight[4], x[3];
+} simplex_point;
+
+static void nearest_of_vertex(const fmb_gjk *g, int i, simplex_point *out)
 {
-    fmb_gjk_vertex v[3];
-    for (int i = 0; i < n; i++)
-        v[i] = g->v[which[i]];
-    memcpy(g->v, v, (size_t)n * sizeof *v);
-    g->n = n;
+    out->n = 1;
+    out->of[0] = i;
+    out->weight[0] = 1;
+    memcpy(out->x, g->v[i].x, sizeof out->x);
 }
 
-static void nearest_of_vertex(fmb_gjk *g, int i)
-{
-    keep_vertices(g, 1, &i);
-    memcpy(g->x, g->v[0].x, sizeof g->x);
-    g->weight[0] = 1;
-}
-
-static void nearest_of_edge(fmb_gjk *g, int i, int k)
+static void nearest_of_edge(const fmb_gjk *g, int i, int k, simplex_point *out)
 {
     double d[3];
     subtract(g->v[k].x, g->v[i].x, d);
     double length = fmb_dot3(d, d), t = -fmb_dot3(g->v[i].x, d);
     if (!(t > 0)) {
-        nearest_of_vertex(g, i);
+        nearest_of_vertex(g, i, out);
         return;
     }
     if (t >= length) {
-        nearest_of_vertex(g, k);
+        nearest_of_vertex(g, k, out);
         return;
     }
     t /= length;
-    keep_vertices(g, 2, (const int[2]){i, k});
     for (int j = 0; j < 3; j++)
-        g->x[j] = g->v[0].x[j] + t * d[j];
-    double off = fmb_dot3(g->x, d) / length;
+        out->x[j] = g->v[i].x[j] + t * d[j];
+    double off = fmb_dot3(out->x, d) / length;
     for (int j = 0; j < 3; j++)
-        g->x[j] -= off * d[j];
-    g->weight[0] = 1 - t;
-    g->weight[1] = t;
+        out->x[j] -= off * d[j];
+    out->n = 2;
+    out->of[0] = i;
+    out->of[1] = k;
+    out->weight[0] = 1 - t;
+    out->weight[1] = t;
 }
 
 /* Ericson, Real-Time Collision Detection (2005), 5.1.5, with 0 as the point. */
-static void nearest_of_triangle(fmb_gjk *g, int i, int k, int l)
+static void nearest_of_triangle(const fmb_gjk *g, int i, int k, int l, simplex_point *out)
 {
     const double *a = g->v[i].x, *b = g->v[k].x, *c = g->v[l].x;
     double ab[3], ac[3], n[3];
@@ -111,26 +115,23 @@ static void nearest_of_triangle(fmb_gjk *g, int i, int k, int l)
     double d5 = -fmb_dot3(ab, c), d6 = -fmb_dot3(ac, c);
     double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
     if (d1 <= 0 && d2 <= 0) {
-        nearest_of_vertex(g, i);
+        nearest_of_vertex(g, i, out);
     } else if (d3 >= 0 && d4 <= d3) {
-        nearest_of_vertex(g, k);
+        nearest_of_vertex(g, k, out);
     } else if (d6 >= 0 && d5 <= d6) {
-        nearest_of_vertex(g, l);
+        nearest_of_vertex(g, l, out);
     } else if (vc <= 0 && d1 >= 0 && d3 <= 0) {
-        nearest_of_edge(g, i, k);
+        nearest_of_edge(g, i, k, out);
     } else if (vb <= 0 && d2 >= 0 && d6 <= 0) {
-        nearest_of_edge(g, i, l);
+        nearest_of_edge(g, i, l, out);
     } else if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-        nearest_of_edge(g, k, l);
+        nearest_of_edge(g, k, l, out);
     } else {
         cross(ab, ac, n);
         double sum = va + vb + vc, off = fmb_dot3(n, a) / fmb_dot3(n, n);
-        keep_vertices(g, 3, (const int[3]){i, k, l});
-        g->weight[0] = va / sum;
-        g->weight[1] = vb / sum;
-        g->weight[2] = vc / sum;
+        *out = (simplex_point){3, {i, k, l}, {va / sum, vb / sum, vc / sum}, {0}};
         for (int j = 0; j < 3; j++)
-            g->x[j] = off * n[j];
+            out->x[j] = off * n[j];
     }
 }
 
@@ -149,40 +150,35 @@ const uint8_t FMB_GJK_FACE[2][4][3] = {{{0, 1, 0}, {1, 2, 0}, {2, 0, 0}},
                                        {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}}};
 
 /* The nearest of the faces at the last vertex, beyond which 0 lies; 0 was not beyond the first. */
-static void nearest_of_tetrahedron(fmb_gjk *g)
+static void nearest_of_tetrahedron(const fmb_gjk *g, simplex_point *out)
 {
-    fmb_gjk best = *g;
     double least = INFINITY;
     for (int i = 0; i < 3; i++) {
         const uint8_t *f = FMB_GJK_FACE[1][i];
         if (!is_outside_face(g, f[0], f[1], f[2], 3 - f[0] - f[1]))
             continue;
-        fmb_gjk one = *g;
-        nearest_of_triangle(&one, f[0], f[1], f[2]);
+        simplex_point one;
+        nearest_of_triangle(g, f[0], f[1], f[2], &one);
         double square = fmb_dot3(one.x, one.x);
         if (square < least) {
             least = square;
-            best = one;
+            *out = one;
         }
     }
-    if (least < INFINITY) {
-        *g = best;
-        return;
-    }
-    g->weight[0] = -1;
-    memset(g->x, 0, sizeof g->x);
+    if (least == INFINITY)
+        *out = (simplex_point){4, {0, 1, 2, 3}, {-1}, {0}};
 }
 
-static void nearest_of_simplex(fmb_gjk *g)
+static void nearest_of_simplex(const fmb_gjk *g, int n, simplex_point *out)
 {
-    if (g->n == 1)
-        nearest_of_vertex(g, 0);
-    else if (g->n == 2)
-        nearest_of_edge(g, 0, 1);
-    else if (g->n == 3)
-        nearest_of_triangle(g, 0, 1, 2);
+    if (n == 1)
+        nearest_of_vertex(g, 0, out);
+    else if (n == 2)
+        nearest_of_edge(g, 0, 1, out);
+    else if (n == 3)
+        nearest_of_triangle(g, 0, 1, 2, out);
     else
-        nearest_of_tetrahedron(g);
+        nearest_of_tetrahedron(g, out);
 }
 
 /* ---- the nearest point of M ------------------------------------------------------------------ */
@@ -196,49 +192,57 @@ static bool is_in_simplex(const fmb_gjk *g, const fmb_gjk_vertex *v)
     return i < g->n;
 }
 
-/* Both bodies reach so far towards each other along x: what is between, over the length. */
-static double distance_along(const fmb_gjk *g, const double *x, const double *support,
-                             double length)
+/* Both bodies reach so far towards each other along x, which is what is between times the length
+ * of x. Roots are for those that are apart: of others nothing is known yet. */
+static void note_apart(fmb_gjk *g, double between, double square)
 {
-    return (fmb_dot3(x, support) - 128 * (DBL_EPSILON / 2) * fmb_size3(x) * g->b->reach) / length *
-           (1 - 8 * DBL_EPSILON);
+    if (!(between > 0))
+        return;
+    double length = sqrt(square), apart = between / length * (1 - 8 * DBL_EPSILON);
+    if (apart > g->apart) {
+        g->apart = apart;
+        for (int j = 0; j < 3; j++)
+            g->along[j] = g->x[j] / length;
+    }
 }
 
-/* Go on with the vertex behind the simplex; false: that does not come nearer, and was undone. */
+/* Go on with the vertex behind the simplex; false: that does not come nearer, and nothing is
+ * changed.
+ */
 static bool step_to_vertex(fmb_gjk *g, double *square)
 {
-    fmb_gjk before = *g;
-    g->n++;
-    nearest_of_simplex(g);
-    double now = fmb_dot3(g->x, g->x);
-    bool nearer = now < *square;
-    if (nearer)
-        *square = now;
-    else
-        *g = before;
-    return nearer;
+    simplex_point p;
+    nearest_of_simplex(g, g->n + 1, &p);
+    double now = fmb_dot3(p.x, p.x);
+    if (!(now < *square))
+        return false;
+    *square = now;
+    g->n = p.n;
+    fmb_gjk_vertex v[4];
+    for (int i = 0; i < p.n; i++) {
+        v[i] = g->v[p.of[i]];
+        g->weight[i] = p.weight[i];
+    }
+    memcpy(g->v, v, (size_t)p.n * sizeof *v);
+    memcpy(g->x, p.x, sizeof g->x);
+    return true;
 }
 
 void fmb_gjk_nearest(fmb_gjk *g, const double *guess, double enough)
 {
-    const double close = 0x1p-43 * g->b->reach;
+    const double close = 0x1p-43 * g->b->reach, error = 64 * DBL_EPSILON * g->b->reach;
     double square = INFINITY;
     g->apart = -INFINITY;
     g->n = 0;
     fmb_gjk_support(g, guess, &g->v[0]);
     for (int step = 0; step < MOST_STEPS && step_to_vertex(g, &square); step++) {
-        double length = sqrt(square);
         fmb_gjk_vertex *next = &g->v[g->n];
-        if (g->weight[0] < 0 || length <= close)
+        if (g->weight[0] < 0 || square <= close * close)
             return;
         fmb_gjk_support(g, g->x, next);
-        double apart = distance_along(g, g->x, next->x, length);
-        if (apart > g->apart) {
-            g->apart = apart;
-            for (int j = 0; j < 3; j++)
-                g->along[j] = g->x[j] / length;
-        }
-        if (g->apart > enough || square - fmb_dot3(g->x, next->x) <= close * length ||
+        double at = fmb_dot3(g->x, next->x), left = square - at;
+        note_apart(g, at - error * fmb_size3(g->x), square);
+        if (g->apart > enough || left <= 0 || left * left <= close * close * square ||
             is_in_simplex(g, next))
             return;
     }

@@ -7,6 +7,7 @@
 #define FMB_PAIR_KERNELS_PACKED_KERNELS_H
 
 #include "frame/flat.h"
+#include "pair/contact/bodies.h"
 #include "pair/kernels/pair_kernels.h"
 
 /* The verdict kernel of frames with any number of axes; rows of missing axes are not looked at. */
@@ -79,6 +80,7 @@ typedef struct fmb_packed {
     void (*row[2])(const fmb_packed_row *x, fmb_packed_bits *out);
     /* The largest of n numbers in the even and in the odd places; n is even. */
     void (*largest)(const uint32_t *index, size_t n, uint32_t out[2]);
+    fmb_farthest *farthest;
 } fmb_packed;
 
 extern const fmb_packed fmb_packed_narrow, fmb_packed_avx2, fmb_packed_avx512;

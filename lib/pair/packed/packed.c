@@ -67,7 +67,7 @@ static fmb_status answer_as_frames(fmb_pair *k, const fmb_frames *a, const fmb_f
         p[i] = fmb_frames_at(a, pair[i].a);
         q[i] = fmb_frames_at(b, pair[i].b);
     }
-    return fmb_pair_answer_all(k, n, p, q, out);
+    return fmb_pair_answer_all(k, n, p, q, true, out);
 }
 
 fmb_status fmb_packed_answer(fmb_pair *k, const fmb_frames *a, const fmb_frames *b, size_t n,

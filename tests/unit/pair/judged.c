@@ -1,0 +1,71 @@
+/* judged.c: contacts as fmb-validate --contact judges them: depths, distances, normals, nearest
+ * points and rows between, beside exact ones.
+ */
+#include <criterion/criterion.h>
+#include <math.h>
+
+#include "property/random/rows.h"
+#include "study/draw/pairs.h"
+#include "study/reference/validate_contacts.h"
+#include "support/support.h"
+
+/* Distances, normals, nearest points and rows between, too. The share that doubles tell. */
+static double judge_by_study(int dim, size_t n, const fmb_frame *p, const fmb_frame *q)
+{
+    study_contact_bench *b = NULL;
+    study_tally tally = {0};
+    size_t index[STUDY_VALIDATE_MOST];
+    unsigned faults[STUDY_VALIDATE_MOST] = {0};
+    for (size_t i = 0; i < n; i++)
+        index[i] = i;
+    cr_assert_eq(study_contact_bench_open(dim, FMB_SIMD_AUTO, &b), FMB_OK);
+    cr_assert_eq(study_contact_bench_run(b, n, p, q, index, faults, &tally), FMB_OK);
+    study_contact_bench_close(b);
+    for (size_t i = 0; i < n; i++)
+        cr_assert_eq(faults[i], 0, "pair %zu of %zu in %d dimensions", i, n, dim);
+    cr_assert_eq(tally.contacts, n);
+    return 1 - (double)tally.contacts_open / (double)(2 * n);
+}
+
+Test(contact, apart)
+{
+    enum { N = 12 };
+    study_pairs pairs;
+    for (int i = 0; i < 4 * STUDY_PAIR_FAMILIES; i++) {
+        study_pair_plan plan = {.family = (study_pair_family)(i / 4), .dim = 2 + i % 2};
+        plan.moves = i % 4 > 1;
+        plan.shape[0] = plan.shape[1] = STUDY_PAIR_ANY_SHAPE;
+        if (i % 4 == 3)
+            plan.naxes[i / 4 % 2] = 1 + i / 4 % plan.dim;
+        cr_assert_eq(study_pairs_make(&plan, 8, N, NULL, NULL, &pairs), FMB_OK);
+        double told = judge_by_study(plan.dim, N, pairs.p, pairs.q);
+        cr_assert(plan.family != STUDY_PAIR_ARTICLE || told == 1);
+        study_pairs_free(&pairs);
+    }
+}
+
+/* Hulls of many corners: on spheres; of small integers, which touch and have corners within
+ * faces; and either far up or down in the range of doubles. */
+Test(contact, hulls)
+{
+    enum { N = 24, CORNERS = 12 };
+    static double x[2 * N][CORNERS * 3];
+    support_rng g = {11};
+    for (int kind = 0; kind < 8; kind++) {
+        int dim = 2 + kind % 2, power = kind > 3 ? (kind > 5 ? 1000 : -1000) : 0;
+        bool whole = kind / 2 % 2;
+        fmb_frame f[2 * N];
+        for (int i = 0; i < 2 * N; i++) {
+            int corners = support_between(&g, dim + 2, whole ? CORNERS - 2 : CORNERS),
+                away = support_between(&g, -12, 12);
+            for (int c = 0; c < corners * dim; c++) {
+                double at = whole ? support_between(&g, -3, 3)
+                                  : support_between(&g, -1000000, 1000000) * 3e-6;
+                x[i][c] = ldexp(at + away / 5 * (c % dim == 0), power);
+            }
+            f[i] = (fmb_frame){FMB_SIMPLEX_BY_CORNERS, dim, corners - 1, x[i], x[i] + dim, NULL};
+        }
+        double told = judge_by_study(dim, N, f, f + N);
+        cr_assert(whole || told > 0.95, "%g of kind %d", told, kind);
+    }
+}
