@@ -177,7 +177,7 @@ void fmb_simplex_state_look_along(fmb_simplex_state *o, size_t r)
     fmb_basis_inverse_edge(&o->basis, r, &o->edge);
     fmb_columns_times(&o->columns, &o->edge, &o->rate);
     if (!o->columns.dense)
-        fmb_indexed_vector_thin(&o->rate);
+        fmb_indexed_vector_make_sparse(&o->rate);
 }
 
 fmb_status fmb_simplex_state_pivot(fmb_simplex_state *o, size_t r, size_t i)

@@ -39,7 +39,7 @@ void fmb_indexed_vector_clear(fmb_indexed_vector *v, bool full)
     v->full = full;
 }
 
-void fmb_indexed_vector_thin(fmb_indexed_vector *v)
+void fmb_indexed_vector_make_sparse(fmb_indexed_vector *v)
 {
     size_t count = 0;
     for (size_t k = 0; v->full && k < v->size; k++) {

@@ -26,7 +26,7 @@ void fmb_indexed_vector_free(fmb_indexed_vector *v, fmb_mem *mem);
 /* All zero again; full or not. */
 void fmb_indexed_vector_clear(fmb_indexed_vector *v, bool full);
 /* If most of a full one is zero, only what is not counts from now on. */
-void fmb_indexed_vector_thin(fmb_indexed_vector *v);
+void fmb_indexed_vector_make_sparse(fmb_indexed_vector *v);
 /* to -= factor v, to[v->size]. */
 void fmb_indexed_vector_subtract(const fmb_indexed_vector *v, double factor, double *to,
                                  const fmb_kernels *k);
