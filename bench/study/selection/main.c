@@ -109,6 +109,26 @@ static void end_query_after(double seconds)
     setitimer(ITIMER_PROF, &(struct itimerval){.it_value = after}, NULL);
 }
 
+/* What the arms of a problem answered, as text: all have to say the same. */
+static char *answer;
+
+static void compare_answer(const fmb_system *out, fmb_verdict verdict)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *file = open_memstream(&text, &size);
+    if (!file)
+        fail("no memory");
+    fprintf(file, "%s\n", fmb_verdict_text(verdict));
+    if (out && verdict == FMB_FEASIBLE && fmb_system_write(out, FMB_FORMAT_TEXT, file) != FMB_OK)
+        fail("an answer cannot be written");
+    fclose(file);
+    if (answer && strcmp(answer, text) != 0)
+        fail("two arms do not answer the same");
+    free(answer);
+    answer = text;
+}
+
 /* [s] of one query; below 0 if it did not end. */
 static double time_once(fmb_solver *v, const fmb_system *s, const int *keep, int kept,
                         double seconds)
@@ -122,6 +142,8 @@ static double time_once(fmb_solver *v, const fmb_system *s, const int *keep, int
         fail("a projection failed");
     double end = fmb_clock_seconds(CLOCK_THREAD_CPUTIME_ID);
     end_query_after(0);
+    if (r.stop == FMB_STOP_DONE)
+        compare_answer(out, r.verdict);
     fmb_system_free(out);
     return r.stop == FMB_STOP_DONE ? end - begin : -1;
 }
@@ -214,6 +236,8 @@ static void study_problem(const setup *u, const char *family, int digits, uint64
         fflush(stdout);
     }
     free(keep);
+    free(answer);
+    answer = NULL;
     fmb_system_free(s);
 }
 
