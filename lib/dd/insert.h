@@ -70,9 +70,9 @@ void fmb_cone_count_negatives(const fmb_cone *c, const fmb_vec *v, int sign, siz
 /* How much the ray counts in c->made. */
 uint64_t fmb_ray_price(const fmb_vec *v);
 /* Steps that it takes to make one of so many entries (fmb_run_count). */
-static inline size_t fmb_work_of_ray(const fmb_vec *v, size_t width)
+static inline uint64_t fmb_work_of_ray(const fmb_vec *v, size_t width)
 {
-    return 50 + width * fmb_vec_work(v);
+    return 50 + fmb_vec_work(v, width);
 }
 
 /* ---- insert_workers.c ------------------------------------------------------------------------ */

@@ -38,6 +38,7 @@ static fmb_status move_along_line(fmb_cone *c, fmb_vec *v, const fmb_vec *line, 
     if (fmb_vec_sgn(v, entry) == 0)
         return FMB_OK;
     fmb_status st = fmb_vec_cancel(v, v, line, c->line.width, entry, &c->num);
+    fmb_run_count(c->run, fmb_work_of_ray(v, c->line.width));
     return st == FMB_OK ? fmb_run_poll_step(c->run, fmb_vec_is_wide(v)) : st;
 }
 

@@ -14,6 +14,7 @@
 #include "base/poll.h"
 #include "num/kernels/kernels.h"
 #include "num/word.h"
+#include "num/work.h"
 
 #define FMB_SMALL_BITS 62
 /* Up to this size a combination is left as it is: two such can be combined without leaving int64.
@@ -50,11 +51,15 @@ static inline bool fmb_vec_is_wide(const fmb_vec *v)
 {
     return v->z != NULL;
 }
-/* Nanoseconds, or about so many, that an entry of a combination takes if this is what came out:
- * products of numbers of half a word fit a word. */
-static inline size_t fmb_vec_work(const fmb_vec *v)
+/* Steps (trace/run.h) of a combination of n entries, if this is what came out: products of numbers
+ * of half a word fit a word; of long ones, which are half as long as what is made of them, mostly
+ * two are asked for the divisor of all. */
+static inline uint64_t fmb_vec_work(const fmb_vec *v, size_t n)
 {
-    return v->z ? 300 : v->bits > 31 ? 45 : 4;
+    if (!v->z)
+        return n * (v->bits > 31 ? 45 : 4);
+    size_t limbs = v->limbs / n > 2 ? v->limbs / n - 2 : 1; /* as fmb_vec_settle counts them */
+    return n * fmb_limbs_work(limbs / 2) + 2 * fmb_gcd_work(limbs);
 }
 static inline int fmb_vec_sgn(const fmb_vec *v, size_t i)
 {

@@ -41,7 +41,7 @@ static fmb_status combine_exactly(fmb_facets *f, fmb_facet *a, fmb_facet *n, fmb
     if (st == FMB_OK)
         st = fmb_facets_tidy(f, &a->normal);
     a->known = st == FMB_OK;
-    fmb_run_count(f->run, 3 * f->d * fmb_vec_work(&a->normal));
+    fmb_run_count(f->run, 3 * fmb_vec_work(&a->normal, f->d + 1));
     fmb_facets_round_normal(f, a);
     return st;
 }

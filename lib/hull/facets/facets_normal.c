@@ -184,10 +184,13 @@ fmb_status fmb_facets_find_normal(const fmb_facets *f, fmb_facet *a, fmb_normal_
     return FMB_OK;
 }
 
-/* Steps: there are 2^d minors, of d terms at most, mostly of long numbers. */
-static size_t work_of_normal(const fmb_facets *f)
+/* Steps: there are 2^d minors, of d terms at most, half as long in the mean as those that are left.
+ */
+static uint64_t work_of_normal(const fmb_facets *f, const fmb_vec *normal)
 {
-    return f->d * ((size_t)20 << f->d);
+    size_t limbs = normal->z ? normal->limbs / (f->d + 1) : 0;
+    uint64_t products = (uint64_t)f->d << f->d;
+    return normal->z ? products * fmb_limbs_work(limbs / 4) : 20 * products;
 }
 
 fmb_status fmb_facets_need_normal(fmb_facets *f, size_t at)
@@ -195,8 +198,8 @@ fmb_status fmb_facets_need_normal(fmb_facets *f, size_t at)
     fmb_normal_tools own = {&f->num, f->minor};
     if (f->facet[at].known)
         return FMB_OK;
-    fmb_run_count(f->run, work_of_normal(f));
     fmb_status st = fmb_facets_find_normal(f, &f->facet[at], &own);
+    fmb_run_count(f->run, work_of_normal(f, &f->facet[at].normal));
     f->minor = own.minor;
     return st;
 }

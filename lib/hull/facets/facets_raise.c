@@ -30,6 +30,7 @@ static fmb_status lift_to_generator(fmb_facets *f, fmb_vec *v, const fmb_vec *e)
     fmb_status st = fmb_facets_evaluate(f, v);
     if (st == FMB_OK && fmb_vec_sgn(v, f->d) != 0)
         st = fmb_vec_cancel(v, v, e, f->d + 1, f->d, &f->num);
+    fmb_run_count(f->run, fmb_vec_work(v, f->d + 1));
     return st == FMB_OK ? fmb_facets_tidy(f, v) : st;
 }
 

@@ -202,6 +202,8 @@ static fmb_status find_blocking_row(fmb_pivot_walk *w, size_t *block)
         if (st != FMB_OK)
             return st;
         int slope = slope_of_row(w, i);
+        fmb_run_count(v->run, v->p->row[i].size * (20 + 2 * mpz_size(w->ray_den)) +
+                                  fmb_limbs_work(mpz_size(w->ray_den)));
         st = fmb_run_poll_long(v->run, w->num);
         if (st != FMB_OK)
             return st;

@@ -215,6 +215,7 @@ fmb_status fmb_vertex_find_violated(fmb_vertex *v, bool first, size_t *row, int 
         if (st != FMB_OK)
             return st;
         int s = violation_sign(v, i, &depth);
+        fmb_run_count(v->run, 10 + 2 * v->p->row[i].size);
         st = fmb_run_poll_long(v->run, v->sum);
         if (st != FMB_OK)
             return st;

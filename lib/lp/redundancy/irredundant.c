@@ -25,6 +25,7 @@ typedef struct pruner {
     fmb_fate *fate;
     const fmb_verdicts *told;
     bool as_given; /* no inequality becomes an equality */
+    bool pauses;   /* may end where a slice of the run is over */
     bool any_strict;
     bool *feasible;
     fmb_program all, equal; /* every row, those gone being off; the equalities that stay */
@@ -389,8 +390,25 @@ static fmb_status test_row(pruner *p, size_t i)
     return st == FMB_OK ? move_right_side(p, i, 0) : st;
 }
 
+/* To begin anew costs what was done until here: at least as much is done in each slice. */
+static bool is_slice_spent(const pruner *p, uint64_t begun, uint64_t ready)
+{
+    return p->pauses && fmb_run_is_slice_over(p->run) && p->run->work - ready > ready - begun;
+}
+
+static fmb_status test_undecided_rows(pruner *p, uint64_t begun)
+{
+    fmb_status st = FMB_OK;
+    uint64_t ready = p->run->work;
+    for (size_t i = p->m; st == FMB_OK && i-- > 0 && !is_slice_spent(p, begun, ready);)
+        if (p->fate[i] == FMB_FATE_UNKNOWN)
+            st = test_row(p, i);
+    return st;
+}
+
 static fmb_status prune_in_passes(pruner *p)
 {
+    uint64_t begun = p->run->work;
     fmb_status st = fmb_oracle_feasible(p->over_all, p->feasible);
     if (st != FMB_OK || !*p->feasible)
         return st;
@@ -399,10 +417,7 @@ static fmb_status prune_in_passes(pruner *p)
         st = lock_equalities(p);
     if (st == FMB_OK && !p->as_given)
         st = find_implicit_equalities(p);
-    for (size_t i = p->m; st == FMB_OK && i-- > 0;)
-        if (p->fate[i] == FMB_FATE_UNKNOWN)
-            st = test_row(p, i);
-    return st;
+    return st == FMB_OK ? test_undecided_rows(p, begun) : st;
 }
 
 static fmb_status prune(pruner p)
@@ -421,8 +436,8 @@ fmb_status fmb_irredundant(fmb_run *run, size_t n, size_t m, const fmb_lp_row *r
         .run = run, .n = n, .m = m, .row = row, .fate = fate, .told = told, .feasible = feasible});
 }
 
-fmb_status fmb_redundant(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row, fmb_fate *fate,
-                         bool *feasible)
+fmb_status fmb_redundant(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row, bool pauses,
+                         fmb_fate *fate, bool *feasible)
 {
     return prune((pruner){.run = run,
                           .n = n,
@@ -430,5 +445,6 @@ fmb_status fmb_redundant(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row
                           .row = row,
                           .fate = fate,
                           .as_given = true,
+                          .pauses = pauses,
                           .feasible = feasible});
 }

@@ -33,8 +33,9 @@ typedef struct fmb_verdicts {
 fmb_status fmb_irredundant(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row, fmb_fate *fate,
                            const fmb_verdicts *told, bool *feasible);
 /* The same without the second pass: inequalities stay what they are, and only their redundancy is
- * decided. */
-fmb_status fmb_redundant(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row, fmb_fate *fate,
-                         bool *feasible);
+ * decided. If it pauses, it may end where a slice of the run is over; fates that are UNKNOWN then
+ * are decided by the next call with those told so far. */
+fmb_status fmb_redundant(fmb_run *run, size_t n, size_t m, const fmb_lp_row *row, bool pauses,
+                         fmb_fate *fate, bool *feasible);
 
 #endif

@@ -224,12 +224,9 @@ static fmb_status open_queries(part_run *r)
                       : fmb_queries_open(r->q, r->part, r->place, &r->queries, r->feasible);
 }
 
-/* Of long numbers rays take so long that it pays to ask the oracle first whether there are any. */
 static fmb_status open_rays(part_run *r)
 {
-    bool asks = r->features.minor_bits > FMB_LONG_MINOR && !r->known;
-    fmb_status st = asks ? open_queries(r) : FMB_OK;
-    return r->rays || !is_open(st, r) ? st : fmb_ray_projection_open(&r->reduced, &r->rays);
+    return r->rays ? FMB_OK : fmb_ray_projection_open(&r->reduced, &r->rays);
 }
 
 static fmb_status go_on_with_rays(part_run *r)
@@ -387,12 +384,35 @@ static fmb_status take_turns(part_run *r)
     return st;
 }
 
+static bool has_long_numbers(const fmb_part *p)
+{
+    for (size_t i = 0; i < p->m; i++)
+        if (fmb_vec_is_wide(&p->row[i]))
+            return true;
+    return false;
+}
+
+/* What has no solution the oracle says sooner than any way finds out; and most ways ask it that in
+ * any case. */
+static fmb_status find_whether_feasible(part_run *r)
+{
+    fmb_status st = is_part_feasible(r->q, r->part, r->feasible);
+    r->known = st == FMB_OK;
+    return st;
+}
+
 static fmb_status run_portfolio(part_run *r)
 {
     bool by_rays = r->q->v->options.method == FMB_METHOD_DD;
-    fmb_status st = fmb_reduced_part_open(&r->reduced, r->q, r->part, r->place, r->feasible);
+    fmb_status st = fmb_query_write_rows(r->q, r->part);
+    if (st == FMB_OK && !by_rays && !r->known && has_long_numbers(&r->q->parts.part[r->part]))
+        st = find_whether_feasible(r);
+    r->reduced.e.run = &r->q->run; /* closed in any case */
+    if (is_open(st, r))
+        st = fmb_reduced_part_open(&r->reduced, r->q, r->part, r->place, r->feasible);
     if (is_open(st, r))
         r->features = fmb_features_of(&r->reduced);
+    r->known = r->known || r->features.has_origin;
     r->slices.engines = FMB_MOST_ENGINES;
     for (size_t k = 0; k < FMB_MOST_ENGINES; k++)
         r->slices.engine[k].share = k == likely_engine(r) ? 2 : 1;

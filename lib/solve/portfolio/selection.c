@@ -18,8 +18,11 @@ int fmb_selection_forced = -1;
  * is pruned; cones over rows that name no more than so many have more rays than others. */
 #define SPARSE                2.25
 #define SPARSE_BETWEEN_BOUNDS 3.25
-#define DENSE                 4
-#define SMALL_CONE            8
+/* The same for long numbers, where FMB_SHORT_QUERIES variables or more stay, however many there
+ * are: rays and hulls take longer. */
+#define SPARSE_BEFORE_HULL 3
+#define DENSE              4
+#define SMALL_CONE         8
 /* So few variables that go, and rays are few however many the rows. */
 #define FEW_TO_GO 3
 /* Elimination makes few rows at a time of so many variables, and queries do without. */
@@ -29,9 +32,9 @@ int fmb_selection_forced = -1;
 /* In so many, an elimination that is pruned mostly ends sooner than a hull of more than four
  * dimensions. */
 #define FREEDOMS_BEFORE_HULL 5
-/* So it does where more variables stay than FMB_SHORT_QUERIES and so few go: a tree of depth 1 over
- * all features cuts there, on families that rays did not answer at once (docs/experiments.md). */
-#define FEW_TO_ELIMINATE 8
+/* So it does where more variables stay than FMB_SHORT_QUERIES and so few go, once rays have not
+ * answered at once (docs/experiments.md). */
+#define FEW_TO_ELIMINATE 12
 /* So many rows mean many rays, but not many queries where few variables are kept. */
 #define MANY_ROWS(f) (4 * (size_t)(f)->variables)
 
@@ -82,9 +85,12 @@ static uint64_t first_rays(const fmb_features *f)
 }
 
 /* What makes few more rows is eliminated: not where rows are many for the variables that are left,
- * nor where these are very many, as rays or a few queries are quicker. */
-static bool bounds_growth(const fmb_features *f)
+ * nor where these are very many, as rays or a few queries are quicker; nor of long numbers where
+ * more than two stay and rays are tried first. */
+static bool bounds_growth(const fmb_features *f, bool rays_first)
 {
+    if (rays_first && f->kept > 2 && f->is_long)
+        return false;
     bool crowded = f->columns >= LEAST_CROWD && f->rows >= 4 * f->columns;
     return f->kept >= FMB_SHORT_QUERIES || !(crowded || f->columns > MANY_COLUMNS);
 }
@@ -119,7 +125,8 @@ static uint64_t pruned_units(const fmb_features *f)
         return 0;
     if (is_box(f) || is_hull_expensive(f))
         return 8;
-    return is_sparse(f);
+    bool before_hull = f->kept >= FMB_SHORT_QUERIES && f->is_long;
+    return before_hull && nonzeros_by_row(f) <= SPARSE_BEFORE_HULL ? 4 : is_sparse(f);
 }
 
 /* The same, once first rays have not answered. */
@@ -159,10 +166,11 @@ static uint64_t more_units_of_rays(const fmb_features *f)
 }
 
 /* About as many steps as 128 rays take, and four for each row: entries of a row, and the bits of
- * its numbers, tell what one does. */
+ * its numbers, tell what one does; long ones are divided by what they have in common. */
 static uint64_t unit_of_work(const fmb_features *f)
 {
-    return 16 * (uint64_t)f->entries * (64 + (uint64_t)f->minor_bits);
+    uint64_t bits = f->minor_bits;
+    return 16 * (uint64_t)f->entries * (f->is_long ? 128 + 16 * bits : 64 + bits);
 }
 
 static void add_step_if(bool suits, fmb_pipeline *p, int *steps, fmb_step_kind kind,
@@ -182,7 +190,7 @@ static fmb_pipeline pipeline_of_shape(const fmb_features *f)
     uint64_t unit = unit_of_work(f), pruned = pruned_units(f), rays = first_rays(f);
     uint64_t more_pruned = more_units_of_elimination(f), more_rays = more_units_of_rays(f);
     add_step_if(tries_recession(f), &p, &n, FMB_STEP_RECESSION, 0);
-    add_step_if(more && bounds_growth(f), &p, &n, FMB_STEP_BOUNDED, 2);
+    add_step_if(more && bounds_growth(f, pruned == 0 && rays > 0), &p, &n, FMB_STEP_BOUNDED, 2);
     add_step_if(more && pruned > 0, &p, &n, FMB_STEP_PRUNED, pruned * unit);
     add_step_if(more && rays > 0, &p, &n, FMB_STEP_FIRST_RAYS, rays * unit);
     add_step_if(more && more_pruned > 0, &p, &n, FMB_STEP_PRUNED, more_pruned * unit);

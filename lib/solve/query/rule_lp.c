@@ -24,6 +24,7 @@ typedef struct look {
     fmb_mem *mem;
     rows at;
     fmb_sorting sorting;
+    bool sorted; /* guesses are over, and the oracle is asked */
 } look;
 
 typedef struct patience {
@@ -65,12 +66,22 @@ static void list_undropped_rows(rows *a, const fmb_elim *e, const bool *drop)
     }
 }
 
-static fmb_status drop_rows_exactly(const fmb_elim *e, rows *a, bool *drop)
+/* What guesses left undecided is asked about exactly, until all is or a slice is over: then *open
+ * rows are left. */
+static fmb_status decide_rows_exactly(const fmb_elim *e, look *l, size_t *open)
 {
+    rows *a = &l->at;
     bool feasible; /* if they are not, a rule lied when that was decided */
-    fmb_status st = fmb_redundant(e->run, (size_t)e->n, a->size, a->row, a->fate, &feasible);
     for (size_t i = 0; i < a->size; i++)
-        drop[a->place[i]] |= a->fate[i] == FMB_FATE_REDUNDANT;
+        if (a->fate[i] == FMB_FATE_UNKNOWN && (a->gone[i] || a->kept[i]))
+            a->fate[i] = a->gone[i] ? FMB_FATE_REDUNDANT : FMB_FATE_KEPT;
+    fmb_status st =
+        fmb_redundant(e->run, (size_t)e->n, a->size, a->row, e->pauses, a->fate, &feasible);
+    *open = 0;
+    for (size_t i = 0; i < a->size; i++) {
+        *open += feasible && a->fate[i] == FMB_FATE_UNKNOWN;
+        a->gone[i] |= a->fate[i] == FMB_FATE_REDUNDANT;
+    }
     return st;
 }
 
@@ -82,14 +93,9 @@ static bool is_trial_of_long_numbers(const fmb_elim *e)
 
 /* What guesses of all rows together find is cheap; if they leave many doubts, each row is asked
  * about. */
-static fmb_status drop_implied_rows(fmb_elim *e, rows *a, const fmb_sorting *sorting, bool *drop)
+static bool leaves_doubts(const fmb_elim *e, const look *l)
 {
-    for (size_t i = 0; i < a->size; i++)
-        drop[a->place[i]] |= a->gone[i];
-    if (4 * sorting->doubtful < a->size || is_trial_of_long_numbers(e))
-        return FMB_OK;
-    list_undropped_rows(a, e, drop);
-    return drop_rows_exactly(e, a, drop);
+    return 4 * l->sorting.doubtful >= l->at.size && !is_trial_of_long_numbers(e);
 }
 
 static void close_look(void *self)
@@ -117,24 +123,41 @@ static fmb_status open_look(const fmb_view *w, const bool *drop, look **opened)
     return st;
 }
 
+/* *done false: a slice is over, and *share of it is done. */
+static fmb_status go_on_looking(const fmb_elim *e, look *l, double *share, bool *done)
+{
+    size_t open = 0;
+    fmb_status st =
+        l->sorted ? FMB_OK : fmb_lp_sort_rows(e->run, e->n, l->at.size, l->at.row, &l->sorting);
+    *share = l->sorting.tested;
+    *done = false;
+    if (st != FMB_OK || l->sorting.paused)
+        return st;
+    l->sorted = true;
+    if (leaves_doubts(e, l))
+        st = decide_rows_exactly(e, l, &open);
+    *done = open == 0;
+    *share = *done ? 1 : 1 - (double)open / (double)l->at.size;
+    return st;
+}
+
 /* Between slices the rows alive stay the same. */
 static fmb_status look_at_rows(const fmb_view *w, bool *drop)
 {
     fmb_elim *e = w->e;
     look *l = e->at.look;
+    double share = 1;
+    bool done = false;
     fmb_status st = l ? FMB_OK : open_look(w, drop, &l);
     if (st == FMB_OK)
-        st = fmb_lp_sort_rows(e->run, e->n, l->at.size, l->at.row, &l->sorting);
-    e->at.pruning = st == FMB_OK && l->sorting.paused;
+        st = go_on_looking(e, l, &share, &done);
+    e->at.pruning = st == FMB_OK && !done;
     e->at.look = e->at.pruning ? l : NULL;
     e->at.close_look = close_look;
-    if (e->at.pruning) {
-        e->at.pruned = l->sorting.tested;
-        return FMB_OK;
-    }
-    if (st == FMB_OK)
-        st = drop_implied_rows(e, &l->at, &l->sorting, drop);
-    if (l)
+    e->at.pruned = share;
+    for (size_t i = 0; st == FMB_OK && !e->at.pruning && i < l->at.size; i++)
+        drop[l->at.place[i]] |= l->at.gone[i];
+    if (l && !e->at.pruning)
         close_look(l);
     return st;
 }

@@ -157,7 +157,7 @@ static void expect_truth(const crowd *c, const fmb_sorting *found)
                 fate[m] = FMB_FATE_UNKNOWN;
                 row[m++] = c->row[i];
             }
-    cr_assert_eq(fmb_redundant(&run, WIDE, m, row, fate, &feasible), FMB_OK);
+    cr_assert_eq(fmb_redundant(&run, WIDE, m, row, false, fate, &feasible), FMB_OK);
     cr_assert(feasible);
     for (size_t k = 0; k < m; k++) {
         cr_expect(!found->gone[place[k]] || fate[k] == FMB_FATE_REDUNDANT, "row %zu", place[k]);
@@ -225,4 +225,44 @@ Test(sorting, the_same_in_slices)
         cr_expect_arr_eq(kept[0], kept[1], sizeof *kept);
         cr_expect_eq(sort_in_slices(&c, 1 << 14, 2, &out[2]), 2);
     }
+}
+
+enum { FEW_ROWS = 60 };
+
+/* The oracle's fates of the first rows, in slices of so much work; how many calls it took. */
+static int decide_in_slices(const crowd *c, uint64_t slice, fmb_fate *fate)
+{
+    fmb_options o = {.size = sizeof o};
+    atomic_int cancel = 0;
+    fmb_mem mem;
+    fmb_run run;
+    int calls = 0;
+    size_t unknown = FEW_ROWS;
+    bool feasible;
+    fmb_mem_init(&mem, NULL, 0);
+    fmb_run_begin(&run, &mem, &o, &cancel, (fmb_sink){0}, "test");
+    for (; unknown > 0; calls++) {
+        size_t before = unknown;
+        run.slice_end = run.work + slice;
+        cr_assert_eq(fmb_redundant(&run, WIDE, FEW_ROWS, c->row, true, fate, &feasible), FMB_OK);
+        cr_assert(feasible);
+        unknown = 0;
+        for (size_t i = 0; i < FEW_ROWS; i++)
+            unknown += fate[i] == FMB_FATE_UNKNOWN;
+        cr_assert_lt(unknown, before);
+    }
+    cr_expect_eq(mem.used, 0);
+    return calls;
+}
+
+/* A pause between two rows changes no fate. */
+Test(sorting, the_oracle_decides_the_same_in_slices)
+{
+    static crowd c;
+    support_rng g = {8};
+    fmb_fate all[FEW_ROWS] = {FMB_FATE_UNKNOWN}, sliced[FEW_ROWS] = {FMB_FATE_UNKNOWN};
+    draw_crowd(&c, &g, false);
+    cr_expect_eq(decide_in_slices(&c, UINT64_MAX / 2, all), 1);
+    cr_expect_gt(decide_in_slices(&c, 1, sliced), 2);
+    cr_expect_arr_eq(all, sliced, sizeof all);
 }

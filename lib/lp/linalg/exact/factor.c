@@ -253,6 +253,21 @@ static bool find_common_denominator(fmb_factor *f, const asked *s)
     return mpz_sizeinbase(f->d, 2) + s->right_bits + 2 <= m_bits;
 }
 
+/* Steps of a digit: residuals, of a word or more each, and both factors. */
+static uint64_t work_of_digit(const fmb_dixon *l)
+{
+    size_t n = l->n, words = l->word_start[n];
+    return 40 * n + 4 * l->b->start[n] * words / n;
+}
+
+/* Steps of looking for fractions: so many digits of each unknown, mostly over the divisor of the
+ * one before. */
+static uint64_t work_of_fractions(const fmb_dixon *l)
+{
+    size_t digits = l->digits;
+    return l->n * (digits * digits / 2 + fmb_limbs_work(digits)) + fmb_gcd_work(digits);
+}
+
 /* Fractions are not looked for before there are as many digits as were enough last time, roughly:
  * digits are cheaper than looking in vain. */
 static fmb_status lift_until_found(fmb_factor *f, asked *s, size_t most)
@@ -261,7 +276,7 @@ static fmb_status lift_until_found(fmb_factor *f, asked *s, size_t most)
     size_t first = *usual < most ? *usual : most, next = first;
     while (true) {
         fmb_status st = fmb_dixon_step(s->lift);
-        fmb_run_count(f->run, 60 * s->lift->n);
+        fmb_run_count(f->run, work_of_digit(s->lift));
         if (st == FMB_OK)
             st = fmb_run_poll(f->run);
         if (st != FMB_OK)
@@ -270,6 +285,7 @@ static fmb_status lift_until_found(fmb_factor *f, asked *s, size_t most)
         size_t digits = s->lift->digits;
         if (digits < next)
             continue;
+        fmb_run_count(f->run, work_of_fractions(s->lift));
         if (find_common_denominator(f, s)) {
             *usual = digits > first ? digits : digits - digits / 8 - 1;
             return FMB_OK;

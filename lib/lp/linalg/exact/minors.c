@@ -89,7 +89,7 @@ fmb_status fmb_minors_factor(fmb_minors *f, const fmb_sparse *b, fmb_run *run)
                 clear_entry(a[i * n + j], a[k * n + k], a[i * n + k], a[k * n + j], last);
                 st = fmb_run_poll_long(run, a[i * n + j]);
             }
-            fmb_run_count(run, 20 * (n - k));
+            fmb_run_count(run, (n - k) * fmb_limbs_work(mpz_size(a[k * n + k])) / 2);
             if (st == FMB_OK)
                 st = poll_row(run, f, k);
         }
@@ -120,6 +120,7 @@ static fmb_status go_forwards(fmb_minors *f, fmb_run *run, bool transposed)
             st = fmb_run_poll_long(run, y[i]);
         }
         last = p;
+        fmb_run_count(run, (f->n - k) * fmb_limbs_work(mpz_size(p)) / 2);
         if (st == FMB_OK)
             st = poll_row(run, f, k);
     }
@@ -140,6 +141,7 @@ static fmb_status go_backwards(fmb_minors *f, fmb_run *run, bool transposed, con
         }
         if (i + 1 < f->n)
             mpz_divexact(y[i], y[i], factor_at(f, false, i, i));
+        fmb_run_count(run, (f->n - i) * fmb_limbs_work(mpz_size(y[i])) / 2);
         if (st == FMB_OK)
             st = poll_row(run, f, i);
     }
@@ -163,6 +165,7 @@ fmb_status fmb_minors_solve(fmb_minors *f, fmb_run *run, bool transposed, mpz_t 
             mpz_neg(x[at[k]], f->y.z[k]);
         else
             mpz_set(x[at[k]], f->y.z[k]);
+    fmb_run_count(run, fmb_gcd_work(mpz_size(den)));
     const fmb_poll poll = fmb_run_asked(run);
     return fmb_integers_cancel(x, f->n, den, &poll);
 }
