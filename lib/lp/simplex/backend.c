@@ -175,10 +175,12 @@ static fmb_status maximize(fmb_simplex_state *o, const double *cost, fmb_hint *h
 }
 
 /* From where a search ended on to where the cost is greatest, or as far as one comes in no more
- * than twice the steps of the search: then no other vertex has to be solved for. */
+ * than twice the steps of the search, and before it is taken for a circle: then no other vertex has
+ * to be solved for. */
 static fmb_status go_on_from_search(fmb_simplex_state *o, const double *cost, fmb_hint *h)
 {
-    o->most_steps = 3 * o->steps;
+    size_t patient = o->steps + PATIENCE_OF_PRIMAL + o->n;
+    o->most_steps = 3 * o->steps < patient ? 3 * o->steps : patient;
     fmb_status st = climb_to_optimum(o, cost, h);
     h->kind = o->feasible ? FMB_HINT_OPTIMUM : FMB_HINT_NONE;
     hand_out_members(o, h);
