@@ -31,10 +31,11 @@ static inline int fmb_minors_record(int dim)
 
 /* Numbers of the room for the minors of two views that the next level wants. With n columns and
  * levels up to K (minors_kernel.h), still, moving or of simplices, a view's are the sum over
- * 1 < k <= K of choose(rows, k) choose(n, k), of simplices with words for their signs. */
+ * 1 < k <= K of choose(rows, k) choose(n, k), of simplices with words for their signs and one lane
+ * more. */
 static inline size_t fmb_minors_room(int dim)
 {
-    static const size_t lanes[FMB_MINORS_DIMS] = {160, 1085, 2772, 2548, 3920};
+    static const size_t lanes[FMB_MINORS_DIMS] = {170, 1120, 2828, 2548, 3920};
     return 2 * FMB_BLOCK_MOST_LANES * lanes[dim - FMB_MINORS_LEAST_DIM];
 }
 

@@ -160,9 +160,10 @@ static void hear_minors(minors_said *, lane gap, lane error)
     claim("gap", gap.e, error.v / UNIT);
 }
 
-static void hear_signs(minors_said *, lane least, lane, lane error)
+static lane hear_signs(minors_said *, lane least, lane, lane error, lane)
 {
     claim("sign", least.e, error.v / UNIT);
+    return lane_of(0);
 }
 
 #define minors_hear       hear_minors

@@ -86,7 +86,7 @@ FMB_INLINE void minors_hear_rows(minors_kind d, const minors_view *v, int k, min
                                  unsigned set, lane *made, minors_said *said)
 {
     minors_rows rows;
-    lane own[74]; /* choose(8, 4), and words */
+    lane own[75]; /* choose(8, 4), and what stands behind */
     lane *to = part == MINORS_KEPT ? made : own;
     minors_find_rows(d, v, k, set, &rows);
     if (d.simplices) {
@@ -253,7 +253,7 @@ FMB_INLINE unsigned minors_ask(minors_kind d, minors_asked how, const lane *a, c
     minors_view v[2];
     minors_said said = {out->apart, out->meet, out->known};
     minors_see(d, how, a, b, (lane *)room, &v[0], &said);
-    if (!d.simplices && how == MINORS_POINT)
+    if (how == MINORS_POINT)
         return minors_find_point(d, &v[0]);
     if (!minors_is_over(d, how, &said))
         minors_see(d, how, b, a, (lane *)room + half, &v[1], &said);

@@ -38,13 +38,13 @@ typedef unsigned minors_asker(minors_asked how, const lane *a, const lane *b, do
                               minors_said *said);
 
 /* Of lanes that rows leave open. */
-static FMB_NEVER_CLONED fmb_pair_bits minors_decide_open(minors_asker *ask, bool closed,
+static FMB_NEVER_CLONED fmb_pair_bits minors_decide_open(minors_asker *ask, bool whole,
                                                          const lane *a, const lane *b, double *room,
                                                          unsigned open)
 {
     fmb_pair_bits bits = {0, 0};
     minors_said said = minors_silent();
-    if (closed) {
+    if (whole) {
         ask(MINORS_WHOLE, a, b, room, &said);
         said.meet = said.meet - lane_of(1);
         bits = minors_bits(&said);
@@ -65,8 +65,9 @@ FMB_INLINE fmb_pair_bits minors_answer(fmb_minors_what what, minors_asker *ask, 
         ask(MINORS_AT_1, a, b, room, &said);
     fmb_pair_bits bits = minors_bits(&said);
     const unsigned open = lane_bits(said.known) & ~(bits.apart | bits.meet);
-    if (open && what < FMB_MINORS_SIMPLICES) {
-        const fmb_pair_bits more = minors_decide_open(ask, closed, a, b, room, open);
+    if (open) {
+        const bool whole = closed && what < FMB_MINORS_SIMPLICES;
+        const fmb_pair_bits more = minors_decide_open(ask, whole, a, b, room, open);
         bits.apart |= more.apart;
         bits.meet |= more.meet;
     }

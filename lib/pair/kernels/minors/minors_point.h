@@ -1,12 +1,15 @@
-/* minors_point.h: a point in both cuboids proves that they meet where no row can: edges of the two
- * that are parallel, or share a plane with others, make rows of zeros, whose gap is 0 but for
- * errors.
+/* minors_point.h: a point in both proves that they meet where no row can: edges of the two that are
+ * parallel, or share a plane with others, make rows of zeros, whose gap is 0 but for errors, and
+ * signs that are none.
  *
  * With |x_j| <= 1 the point center + sum x_j g_j is in B, at some time; if all its coordinates are
- * less than 1 then, with x drawn in a little, there is a point in the interiors of both.
- * Such x are looked for by coordinate descent on the squared distance from 0.9 of that cuboid: each
- * step goes along g_j to the least of the parabola that has the same slope and the largest
- * curvature that this distance has anywhere, so it never grows.
+ * less than 1 then, with x drawn in a little, there is a point in the interiors of both. Such x are
+ * looked for by coordinate descent on the squared distance from the cuboid |z_r| <= 0.9: each step
+ * goes along g_j to the least of the parabola that has the same slope and the largest curvature
+ * that this distance has anywhere, so it never grows.
+ *
+ * Of simplices, sum (1 + x_j) g_j over the corners, at t = 0, is a point of B times the sum of
+ * 1 + x_j, and in A's interior if all its coordinates are positive: they are to be 0.1 at least.
  */
 #ifndef FMB_PAIR_MINORS_POINT_H
 #define FMB_PAIR_MINORS_POINT_H
@@ -20,17 +23,37 @@ typedef struct minors_point {
     lane z[FMB_MINORS_MOST_DIM];
 } minors_point;
 
+/* Columns that a point is made of. */
+FMB_INLINE int minors_count_generators(minors_kind d)
+{
+    return d.simplices ? d.dim + 1 : d.n;
+}
+
+/* Coordinate r of the point. */
+FMB_INLINE lane minors_place(minors_kind d, const minors_view *v, const minors_point *p, int r)
+{
+    const lane *e = v->e + r * minors_stride(d, 1);
+    lane z = lane_of(0);
+    if (!d.simplices)
+        z = v->center[r];
+    for (int j = 0; j < minors_count_generators(d); j++)
+        z = lane_fma(p->x[j] + lane_of(d.simplices), e[j], z);
+    return z;
+}
+
 FMB_INLINE void minors_begin_point(minors_kind d, const minors_view *v, minors_point *p)
 {
-    for (int r = 0; r < d.dim; r++)
-        p->z[r] = v->center[r];
-    for (int j = 0; j < d.n; j++) {
+    for (int j = 0; j < minors_count_generators(d); j++) {
         lane square = lane_of(0x1p-1000);
-        for (int r = 0; r < d.dim; r++)
-            square = lane_fma(v->e[r * d.n + j], v->e[r * d.n + j], square);
+        for (int r = 0; r < minors_count_rows(d); r++) {
+            const lane e = v->e[r * minors_stride(d, 1) + j];
+            square = lane_fma(e, e, square);
+        }
         p->step[j] = lane_of(1) / square;
         p->x[j] = lane_of(0);
     }
+    for (int r = 0; r < minors_count_rows(d); r++)
+        p->z[r] = minors_place(d, v, p, r);
 }
 
 FMB_INLINE lane minors_clamp(lane x, double most)
@@ -38,30 +61,44 @@ FMB_INLINE lane minors_clamp(lane x, double most)
     return lane_max(lane_of(-most), lane_min(lane_of(most), x));
 }
 
+/* How far z is from where it is to be. */
+FMB_INLINE lane minors_off(minors_kind d, lane z)
+{
+    if (d.simplices)
+        return lane_min(z - lane_of(0.1), lane_of(0));
+    return z - minors_clamp(z, 0.9);
+}
+
 FMB_INLINE void minors_sweep(minors_kind d, const minors_view *v, minors_point *p)
 {
-    for (int j = 0; j < d.n; j++) {
+    for (int j = 0; j < minors_count_generators(d); j++) {
+        const lane *e = v->e + j;
+        const int row = minors_stride(d, 1);
         lane along = lane_of(0);
-        for (int r = 0; r < d.dim; r++)
-            along = lane_fma(p->z[r] - minors_clamp(p->z[r], 0.9), v->e[r * d.n + j], along);
+        for (int r = 0; r < minors_count_rows(d); r++)
+            along = lane_fma(minors_off(d, p->z[r]), e[r * row], along);
         lane to = minors_clamp(lane_fnma(along, p->step[j], p->x[j]), 1), by = to - p->x[j];
         p->x[j] = to;
-        for (int r = 0; r < d.dim; r++)
-            p->z[r] = lane_fma(by, v->e[r * d.n + j], p->z[r]);
+        for (int r = 0; r < minors_count_rows(d); r++)
+            p->z[r] = lane_fma(by, e[r * row], p->z[r]);
     }
 }
 
 /* Is the point in A's interior? z is computed anew: what it was off by before does not count. */
 FMB_INLINE unsigned minors_check_point(minors_kind d, const minors_view *v, const minors_point *p)
 {
-    const double n = d.n, columns = n * minors_entry_error(d), sums = (n + 1) * (2 * n + 4);
-    const lane error = lane_of(1.01 * 0x1p-53 * (minors_center_error(d) + columns + sums));
+    const double n = minors_count_generators(d);
+    const double columns = n * minors_entry_error(d), sums = (n + 1) * (2 * n + 4);
+    const lane error = lane_of(1.01 * 0x1p-53 *
+                               (d.simplices ? n * (2 * d.dim + 4) * 2 + 2 * sums
+                                            : minors_center_error(d) + columns + sums));
     minors_said inside = minors_silent();
-    for (int r = 0; r < d.dim; r++) {
-        lane z = v->center[r];
-        for (int j = 0; j < d.n; j++)
-            z = lane_fma(p->x[j], v->e[r * d.n + j], z);
-        minors_hear(&inside, lane_abs(z) - lane_of(1), error * v->g[r]);
+    for (int r = 0; r < minors_count_rows(d); r++) {
+        const lane z = minors_place(d, v, p, r);
+        lane gap = lane_abs(z) - lane_of(1);
+        if (d.simplices)
+            gap = lane_of(0) - z;
+        minors_hear(&inside, gap, error * v->g[r]);
     }
     return minors_bits(&inside).meet;
 }

@@ -25,14 +25,16 @@ FMB_INLINE void minors_hear(minors_said *said, lane gap, lane error)
     said->meet = lane_max(said->meet, gap + error);
 }
 
-/* Of some numbers the least absolute value, which has that error at most; where all had the signs
- * that these should have, and all before them were certain, `passed` is negative if their own signs
- * mean apart. */
-FMB_INLINE void minors_hear_signs(minors_said *said, lane least, lane passed, lane error)
+/* Of some numbers the least absolute value, which has that error at most: their signs are certain
+ * where what is returned is negative. Where all had the signs that these should have, `passed` is
+ * negative if their own signs mean apart, and `doubt` if those are certain. */
+FMB_INLINE lane minors_hear_signs(minors_said *said, lane least, lane passed, lane error,
+                                  lane doubt)
 {
-    said->meet = lane_max(said->meet, error - least);
-    lane_mask apart = lane_and(lane_negative(passed), lane_less(said->meet, lane_of(0)));
-    said->apart = lane_pick(apart, lane_of(1), said->apart);
+    const lane own = error - least, all = lane_of(0) - lane_max(own, doubt);
+    said->meet = lane_max(said->meet, own);
+    said->apart = lane_max_where(lane_negative(passed), said->apart, all);
+    return own;
 }
 
 FMB_INLINE fmb_pair_bits minors_bits(const minors_said *said)

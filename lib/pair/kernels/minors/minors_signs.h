@@ -14,7 +14,10 @@
  * to a factor, and no sign of the test of R, S is wrong, though some may be 0. In B's view M is its
  * inverse, y and z change places, and the test is one of n - |S0| <= D + 2 - |R| rows. So levels up
  * to K there and up to K' here have them all if K + K' = D - 1; if all signs are certain, and no
- * test has them all right, the two meet. (The dual simplex method would find one of these tests.)
+ * test has them all right, the two meet. A test whose own signs are certain and right is enough for
+ * apart, also closed: y is 0 at D - k corners of A and k of B alone, and a point of both faces
+ * would have coordinates 0 in R, but S has k columns that are independent there. (The dual simplex
+ * method would find one of these tests.)
  *
  * If B drifts by d from t = 0 to 1, y keeps all its places beyond A iff y d <= 0 and it keeps B so
  * at t = 0, or y (-d) <= 0 and B at t = 1. Each is the question above with a column more, d then or
@@ -141,8 +144,13 @@ FMB_INLINE void minors_test_rows(minors_kind d, const minors_view *v, int k, min
         if (k >= fmb_minors_count((unsigned)w) && minors_tested(d, k, part, w))
             passed = lane_or_and_not(passed, lane_of_bits(minors_tested(d, k, part, w)),
                                      minors_wrong(d, k, rows, &signs, w));
-    minors_hear_signs(said, signs.least, lane_any_bit(passed),
-                      lane_of(minors_sign_error(d, k) * 0x1p-53) * rows->g);
+    lane doubt = rows->less[0][minors_stride(d, k) - 1];
+#pragma GCC unroll 4
+    for (int i = 1; i <= k; i++)
+        doubt = lane_max(doubt, rows->less[i][minors_stride(d, k) - 1]);
+    made[minors_stride(d, k + 1) - 1] =
+        minors_hear_signs(said, signs.least, lane_any_bit(passed),
+                          lane_of(minors_sign_error(d, k) * 0x1p-53) * rows->g, doubt);
 }
 
 /* The tests of single rows: are all corners beyond a face? */
@@ -160,8 +168,9 @@ FMB_INLINE void minors_corners(minors_kind d, minors_view *v, minors_said *said)
         }
         minors_end_signs(d, &signs, row + d.n);
         v->size[r] = size;
-        minors_hear_signs(said, signs.least, most,
-                          lane_of(minors_sign_error(d, 0) * 0x1p-53) * v->g[r]);
+        row[minors_stride(d, 1) - 1] = minors_hear_signs(
+            said, signs.least, most, lane_of(minors_sign_error(d, 0) * 0x1p-53) * v->g[r],
+            lane_of(-INFINITY));
     }
 }
 

@@ -22,15 +22,16 @@ FMB_INLINE int minors_words(minors_kind d)
 {
     return d.n > 6 ? 1 << (d.n - 6) : 1;
 }
-/* Lanes of the minors of k columns in one set of rows; words of their signs stand behind them. */
+/* Lanes of the minors of k columns in one set of rows; of simplices words of their signs stand
+ * behind them, and then whether these are certain: negative if all are. */
 FMB_INLINE int minors_stride(minors_kind d, int k)
 {
-    return fmb_minors_choose(d.n, k) + (d.simplices ? minors_words(d) : 0);
+    return fmb_minors_choose(d.n, k) + (d.simplices ? minors_words(d) + 1 : 0);
 }
 
 /* One frame seen from another. */
 typedef struct minors_view {
-    lane e[(int)FMB_MINORS_MOST_DIM * ((int)FMB_MINORS_MOST + 4)]; /* [row][column] */
+    lane e[(int)FMB_MINORS_MOST_DIM * ((int)FMB_MINORS_MOST + 5)]; /* [row][column] */
     /* absolute values of these; of simplices the largest of each row */
     lane size[(int)FMB_MINORS_MOST_DIM * (int)FMB_MINORS_MOST];
     lane center[FMB_MINORS_MOST_DIM];
